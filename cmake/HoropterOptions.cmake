@@ -1,0 +1,27 @@
+# Settings that every target of the project shares, as the interface target horopter_options.
+option(HOROPTER_WERROR "Treat warnings as errors" OFF)
+option(HOROPTER_COSIM "Build hlsc, the Verilated models and their tests" ON)
+set(HOROPTER_SANITIZE "" CACHE STRING "Sanitizers, as for -fsanitize=")
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+
+find_program(HOROPTER_CCACHE ccache)
+if(HOROPTER_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${HOROPTER_CCACHE})
+endif()
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+
+add_library(horopter_options INTERFACE)
+target_compile_options(horopter_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow)
+if(HOROPTER_WERROR)
+  target_compile_options(horopter_options INTERFACE -Werror)
+endif()
+if(HOROPTER_SANITIZE)
+  add_compile_options(-fsanitize=${HOROPTER_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${HOROPTER_SANITIZE})
+endif()
