@@ -1,0 +1,424 @@
+// SPDX-License-Identifier: Apache-2.0
+// Made by scripts/generate-registers from rtl/csr/registers.yaml: change that, not this.
+//
+// The register block. Write: write_valid_i with address, data and strobes stays until write_ready_o (always 1 but for
+// stream registers); write_error_o is valid with it, and a refused write changes nothing. Read: read_valid_i for one
+// clock; read_data_o and read_error_o are valid from the next clock until the next read. Partial writes follow the
+// strobes; of a stream register they are an error. Reset: synchronous, all storage to its reset value.
+module horopter_csr #(
+    parameter logic [11:0] WIDTH_PX_RESET = 12'd0,
+    parameter logic [11:0] HEIGHT_ROWS_RESET = 12'd0,
+    parameter logic [11:0] LOOKAHEAD_ROWS_RESET = 12'd0,
+    parameter logic [31:0] TIMEOUT_CLOCKS_RESET = 32'd0,
+    parameter logic [15:0] SUM_LIMIT_VALUE_RESET = 16'd0,
+    parameter logic [15:0] SELF_LIMIT_VALUE_RESET = 16'd0,
+    parameter logic [23:0] ALARM_LIMIT_PIXELS_RESET = 24'd0,
+    parameter logic [23:0] UNDECIDABLE_LIMIT_PIXELS_RESET = 24'd0,
+    parameter logic [23:0] UNSUPERVISED_LIMIT_PIXELS_RESET = 24'd0,
+    parameter logic [23:0] DARK_LIMIT_PIXELS_RESET = 24'd0,
+    parameter logic [23:0] BRIGHT_LIMIT_PIXELS_RESET = 24'd0
+) (
+    input  logic        clk_i,
+    input  logic        rst_ni,
+    input  logic        locked_i,  // 1: writes to locked registers are errors
+    input  logic        write_valid_i,
+    output logic        write_ready_o,
+    input  logic [11:0] write_addr_i,
+    input  logic [31:0] write_data_i,
+    input  logic [ 3:0] write_strb_i,
+    output logic        write_error_o,
+    input  logic        read_valid_i,
+    input  logic [11:0] read_addr_i,
+    output logic [31:0] read_data_o,
+    output logic        read_error_o,
+    input  logic [15:0] build_size_width_i,
+    input  logic [15:0] build_size_height_i,
+    input  logic [15:0] build_store_rows_i,
+    input  logic [15:0] build_store_pool_kib_i,
+    input  logic [ 7:0] build_window_dsad_i,
+    input  logic [ 7:0] build_window_majority_i,
+    input  logic [ 3:0] build_window_subsample_i,
+    input  logic [ 3:0] build_window_weight_bits_i,
+    input  logic [ 3:0] build_window_hypotheses_i,
+    input  logic [31:0] build_clock_khz_i,
+    output logic        control_enable_o,
+    output logic        mode_live_o,
+    output logic        mode_test_input_o,
+    input  logic        status_running_i,
+    input  logic        status_bad_geometry_i,
+    input  logic        status_busy_i,
+    input  logic        status_safe_i,
+    input  logic        status_unsafe_i,
+    input  logic        status_left_silent_i,
+    input  logic        status_right_silent_i,
+    input  logic        status_late_i,
+    output logic [11:0] width_px_o,
+    output logic [11:0] height_rows_o,
+    output logic [11:0] lookahead_rows_o,
+    output logic [31:0] timeout_clocks_o,
+    output logic [ 3:0] table_select_slot_o,
+    output logic        irq_enable_frame_o,
+    output logic        irq_enable_fault_o,
+    input  logic [ 1:0] irq_status_set_i,
+    output logic [ 1:0] irq_status_o,
+    output logic [15:0] sum_limit_value_o,
+    output logic [15:0] self_limit_value_o,
+    output logic [ 7:0] texture_limit_value_o,
+    output logic [23:0] alarm_limit_pixels_o,
+    output logic [23:0] undecidable_limit_pixels_o,
+    output logic [23:0] unsupervised_limit_pixels_o,
+    output logic [ 7:0] dark_level_grey_o,
+    output logic [23:0] dark_limit_pixels_o,
+    output logic [ 7:0] bright_level_grey_o,
+    output logic [23:0] bright_limit_pixels_o,
+    output logic [ 7:0] contrast_limit_grey_o,
+    output logic [ 7:0] frozen_limit_frames_o,
+    output logic [ 3:0] map_slot_slot_o,
+    output logic [15:0] map_base_word64_o,
+    output logic        map_control_valid_o,
+    input  logic        map_control_ready_i,
+    output logic        map_control_start_o,
+    output logic        map_data_valid_o,
+    input  logic        map_data_ready_i,
+    output logic [31:0] map_data_word_o,
+    input  logic        map_status_busy_i,
+    input  logic [ 2:0] map_status_error_i,
+    input  logic [ 3:0] map_status_active_slot_i,
+    input  logic [14:0] map_valid_slots_i,
+    input  logic [31:0] map_crc_value_i,
+    input  logic [30:0] faults_set_i,
+    output logic [30:0] faults_o,
+    input  logic [31:0] frame_sequence_value_i,
+    input  logic        frame_status_alarm_i,
+    input  logic        frame_status_safe_i,
+    input  logic [ 3:0] frame_status_slot_i,
+    input  logic [30:0] frame_faults_i,
+    input  logic [31:0] frame_table_crc_value_i,
+    input  logic [23:0] frame_skin_pixels_i,
+    input  logic [23:0] frame_undecidable_pixels_i,
+    input  logic [23:0] frame_unsupervised_pixels_i,
+    input  logic [23:0] frame_misses_pixels_i,
+    input  logic [31:0] frame_cycles_clocks_i,
+    input  logic [31:0] frame_latency_clocks_i,
+    input  logic [31:0] frame_tail_clocks_i
+);
+  logic [31:0] write_mask;
+  assign write_mask = {{8{write_strb_i[3]}}, {8{write_strb_i[2]}}, {8{write_strb_i[1]}}, {8{write_strb_i[0]}}};
+
+  // Decode of writes.
+  always_comb begin
+    case (write_addr_i)
+      12'h040, 12'h058, 12'h05C, 12'h060, 12'h064, 12'h080, 12'h084, 12'h088, 12'h08C, 12'h090, 12'h094, 12'h0A0, 12'h0A4, 12'h0A8, 12'h0AC, 12'h0B0, 12'h0B4, 12'h0C0, 12'h0C4, 12'h0E0:
+        write_error_o = 1'b0;
+      12'h044, 12'h04C, 12'h050, 12'h054:
+        write_error_o = locked_i;
+      12'h0C8, 12'h0CC:
+        write_error_o = write_strb_i != 4'hF;
+      default: write_error_o = 1'b1;
+    endcase
+  end
+
+  assign map_control_valid_o = write_valid_i && write_addr_i == 12'h0C8 && !write_error_o;
+  assign map_control_start_o = write_data_i[0];
+  assign map_data_valid_o = write_valid_i && write_addr_i == 12'h0CC && !write_error_o;
+  assign map_data_word_o = write_data_i[31:0];
+  assign write_ready_o = 1'b1
+      && !(map_control_valid_o && !map_control_ready_i)
+      && !(map_data_valid_o && !map_data_ready_i);
+
+  logic write_take;
+  assign write_take = write_valid_i && write_ready_o && !write_error_o;
+
+  // CONTROL: Run control. While enable is 0 the streaming core is in reset.
+  logic        control_enable_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) control_enable_q <= 1'd0;
+    else if (write_take && write_addr_i == 12'h040)
+      control_enable_q <= (write_data_i[0] & write_mask[0]) | (control_enable_q & ~write_mask[0]);
+  end
+  assign control_enable_o = control_enable_q;
+
+  // MODE: What the streams are.
+  logic        mode_live_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) mode_live_q <= 1'd0;
+    else if (write_take && write_addr_i == 12'h044)
+      mode_live_q <= (write_data_i[0] & write_mask[0]) | (mode_live_q & ~write_mask[0]);
+  end
+  assign mode_live_o = mode_live_q;
+  logic        mode_test_input_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) mode_test_input_q <= 1'd0;
+    else if (write_take && write_addr_i == 12'h044)
+      mode_test_input_q <= (write_data_i[1] & write_mask[1]) | (mode_test_input_q & ~write_mask[1]);
+  end
+  assign mode_test_input_o = mode_test_input_q;
+
+  // WIDTH: Width of the incoming images.
+  logic [11:0] width_px_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) width_px_q <= WIDTH_PX_RESET;
+    else if (write_take && write_addr_i == 12'h04C)
+      width_px_q <= (write_data_i[11:0] & write_mask[11:0]) | (width_px_q & ~write_mask[11:0]);
+  end
+  assign width_px_o = width_px_q;
+
+  // HEIGHT: Height of the incoming images.
+  logic [11:0] height_rows_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) height_rows_q <= HEIGHT_ROWS_RESET;
+    else if (write_take && write_addr_i == 12'h050)
+      height_rows_q <= (write_data_i[11:0] & write_mask[11:0]) | (height_rows_q & ~write_mask[11:0]);
+  end
+  assign height_rows_o = height_rows_q;
+
+  // LOOKAHEAD: Rows the right image is ahead of the output.
+  logic [11:0] lookahead_rows_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) lookahead_rows_q <= LOOKAHEAD_ROWS_RESET;
+    else if (write_take && write_addr_i == 12'h054)
+      lookahead_rows_q <= (write_data_i[11:0] & write_mask[11:0]) | (lookahead_rows_q & ~write_mask[11:0]);
+  end
+  assign lookahead_rows_o = lookahead_rows_q;
+
+  // TIMEOUT: Watchdog: longest time without a pixel of a camera, and without a finished frame.
+  logic [31:0] timeout_clocks_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) timeout_clocks_q <= TIMEOUT_CLOCKS_RESET;
+    else if (write_take && write_addr_i == 12'h058)
+      timeout_clocks_q <= (write_data_i[31:0] & write_mask[31:0]) | (timeout_clocks_q & ~write_mask[31:0]);
+  end
+  assign timeout_clocks_o = timeout_clocks_q;
+
+  // TABLE_SELECT: Mapping table of the next output frame.
+  logic [ 3:0] table_select_slot_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) table_select_slot_q <= 4'd15;
+    else if (write_take && write_addr_i == 12'h05C)
+      table_select_slot_q <= (write_data_i[3:0] & write_mask[3:0]) | (table_select_slot_q & ~write_mask[3:0]);
+  end
+  assign table_select_slot_o = table_select_slot_q;
+
+  // IRQ_ENABLE: What raises irq_o.
+  logic        irq_enable_frame_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) irq_enable_frame_q <= 1'd0;
+    else if (write_take && write_addr_i == 12'h060)
+      irq_enable_frame_q <= (write_data_i[0] & write_mask[0]) | (irq_enable_frame_q & ~write_mask[0]);
+  end
+  assign irq_enable_frame_o = irq_enable_frame_q;
+  logic        irq_enable_fault_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) irq_enable_fault_q <= 1'd0;
+    else if (write_take && write_addr_i == 12'h060)
+      irq_enable_fault_q <= (write_data_i[1] & write_mask[1]) | (irq_enable_fault_q & ~write_mask[1]);
+  end
+  assign irq_enable_fault_o = irq_enable_fault_q;
+
+  // SUM_LIMIT: A pixel is in the skin when its DSAD sum is at most this.
+  logic [15:0] sum_limit_value_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) sum_limit_value_q <= SUM_LIMIT_VALUE_RESET;
+    else if (write_take && write_addr_i == 12'h080)
+      sum_limit_value_q <= (write_data_i[15:0] & write_mask[15:0]) | (sum_limit_value_q & ~write_mask[15:0]);
+  end
+  assign sum_limit_value_o = sum_limit_value_q;
+
+  // SELF_LIMIT: A window whose left directions differ from those of their neighbours by no more than this in sum is no texture.
+  logic [15:0] self_limit_value_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) self_limit_value_q <= SELF_LIMIT_VALUE_RESET;
+    else if (write_take && write_addr_i == 12'h084)
+      self_limit_value_q <= (write_data_i[15:0] & write_mask[15:0]) | (self_limit_value_q & ~write_mask[15:0]);
+  end
+  assign self_limit_value_o = self_limit_value_q;
+
+  // TEXTURE_LIMIT: A pixel is decidable when the 3×3 mean of the left magnitude is at least this.
+  logic [ 7:0] texture_limit_value_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) texture_limit_value_q <= 8'd32;
+    else if (write_take && write_addr_i == 12'h088)
+      texture_limit_value_q <= (write_data_i[7:0] & write_mask[7:0]) | (texture_limit_value_q & ~write_mask[7:0]);
+  end
+  assign texture_limit_value_o = texture_limit_value_q;
+
+  // ALARM_LIMIT: More skin pixels than this in a frame are an alarm.
+  logic [23:0] alarm_limit_pixels_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) alarm_limit_pixels_q <= ALARM_LIMIT_PIXELS_RESET;
+    else if (write_take && write_addr_i == 12'h08C)
+      alarm_limit_pixels_q <= (write_data_i[23:0] & write_mask[23:0]) | (alarm_limit_pixels_q & ~write_mask[23:0]);
+  end
+  assign alarm_limit_pixels_o = alarm_limit_pixels_q;
+
+  // UNDECIDABLE_LIMIT: More undecidable pixels than this in a frame are a fault.
+  logic [23:0] undecidable_limit_pixels_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) undecidable_limit_pixels_q <= UNDECIDABLE_LIMIT_PIXELS_RESET;
+    else if (write_take && write_addr_i == 12'h090)
+      undecidable_limit_pixels_q <= (write_data_i[23:0] & write_mask[23:0]) | (undecidable_limit_pixels_q & ~write_mask[23:0]);
+  end
+  assign undecidable_limit_pixels_o = undecidable_limit_pixels_q;
+
+  // UNSUPERVISED_LIMIT: More unsupervised pixels than this in a frame are a fault.
+  logic [23:0] unsupervised_limit_pixels_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) unsupervised_limit_pixels_q <= UNSUPERVISED_LIMIT_PIXELS_RESET;
+    else if (write_take && write_addr_i == 12'h094)
+      unsupervised_limit_pixels_q <= (write_data_i[23:0] & write_mask[23:0]) | (unsupervised_limit_pixels_q & ~write_mask[23:0]);
+  end
+  assign unsupervised_limit_pixels_o = unsupervised_limit_pixels_q;
+
+  // DARK_LEVEL: Black image: a pixel at or below this grey level is dark.
+  logic [ 7:0] dark_level_grey_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) dark_level_grey_q <= 8'd4;
+    else if (write_take && write_addr_i == 12'h0A0)
+      dark_level_grey_q <= (write_data_i[7:0] & write_mask[7:0]) | (dark_level_grey_q & ~write_mask[7:0]);
+  end
+  assign dark_level_grey_o = dark_level_grey_q;
+
+  // DARK_LIMIT: Black image: more dark pixels than this are a fault.
+  logic [23:0] dark_limit_pixels_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) dark_limit_pixels_q <= DARK_LIMIT_PIXELS_RESET;
+    else if (write_take && write_addr_i == 12'h0A4)
+      dark_limit_pixels_q <= (write_data_i[23:0] & write_mask[23:0]) | (dark_limit_pixels_q & ~write_mask[23:0]);
+  end
+  assign dark_limit_pixels_o = dark_limit_pixels_q;
+
+  // BRIGHT_LEVEL: White image: a pixel at or above this grey level is bright.
+  logic [ 7:0] bright_level_grey_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) bright_level_grey_q <= 8'd251;
+    else if (write_take && write_addr_i == 12'h0A8)
+      bright_level_grey_q <= (write_data_i[7:0] & write_mask[7:0]) | (bright_level_grey_q & ~write_mask[7:0]);
+  end
+  assign bright_level_grey_o = bright_level_grey_q;
+
+  // BRIGHT_LIMIT: White image: more bright pixels than this are a fault.
+  logic [23:0] bright_limit_pixels_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) bright_limit_pixels_q <= BRIGHT_LIMIT_PIXELS_RESET;
+    else if (write_take && write_addr_i == 12'h0AC)
+      bright_limit_pixels_q <= (write_data_i[23:0] & write_mask[23:0]) | (bright_limit_pixels_q & ~write_mask[23:0]);
+  end
+  assign bright_limit_pixels_o = bright_limit_pixels_q;
+
+  // CONTRAST_LIMIT: Constant image: brightest minus darkest pixel not above this is a fault.
+  logic [ 7:0] contrast_limit_grey_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) contrast_limit_grey_q <= 8'd8;
+    else if (write_take && write_addr_i == 12'h0B0)
+      contrast_limit_grey_q <= (write_data_i[7:0] & write_mask[7:0]) | (contrast_limit_grey_q & ~write_mask[7:0]);
+  end
+  assign contrast_limit_grey_o = contrast_limit_grey_q;
+
+  // FROZEN_LIMIT: Frozen image: the same frame again this many times is a fault.
+  logic [ 7:0] frozen_limit_frames_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) frozen_limit_frames_q <= 8'd1;
+    else if (write_take && write_addr_i == 12'h0B4)
+      frozen_limit_frames_q <= (write_data_i[7:0] & write_mask[7:0]) | (frozen_limit_frames_q & ~write_mask[7:0]);
+  end
+  assign frozen_limit_frames_o = frozen_limit_frames_q;
+
+  // MAP_SLOT: Slot of the next upload.
+  logic [ 3:0] map_slot_slot_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) map_slot_slot_q <= 4'd0;
+    else if (write_take && write_addr_i == 12'h0C0)
+      map_slot_slot_q <= (write_data_i[3:0] & write_mask[3:0]) | (map_slot_slot_q & ~write_mask[3:0]);
+  end
+  assign map_slot_slot_o = map_slot_slot_q;
+
+  // MAP_BASE: Where the next upload goes in the pool.
+  logic [15:0] map_base_word64_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) map_base_word64_q <= 16'd0;
+    else if (write_take && write_addr_i == 12'h0C4)
+      map_base_word64_q <= (write_data_i[15:0] & write_mask[15:0]) | (map_base_word64_q & ~write_mask[15:0]);
+  end
+  assign map_base_word64_o = map_base_word64_q;
+
+  // IRQ_STATUS: Events since they were last cleared.
+  logic [ 1:0] irq_status_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) irq_status_q <= 2'd0;
+    else if (write_take && write_addr_i == 12'h064)
+      irq_status_q <= (irq_status_q & ~(write_data_i[1:0] & write_mask[1:0])) | irq_status_set_i;
+    else irq_status_q <= irq_status_q | irq_status_set_i;
+  end
+  assign irq_status_o = irq_status_q;
+
+  // FAULTS: Every fault since it was last cleared; a written 1 clears. safe_o does not depend on this register.
+  logic [30:0] faults_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) faults_q <= 31'd0;
+    else if (write_take && write_addr_i == 12'h0E0)
+      faults_q <= (faults_q & ~(write_data_i[30:0] & write_mask[30:0])) | faults_set_i;
+    else faults_q <= faults_q | faults_set_i;
+  end
+  assign faults_o = faults_q;
+
+  // Reads.
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      read_data_o  <= 32'd0;
+      read_error_o <= 1'b0;
+    end else if (read_valid_i) begin
+      read_error_o <= 1'b0;
+      case (read_addr_i)
+        12'h000: read_data_o <= 32'h484F524F;
+        12'h004: read_data_o <= {16'h1, 16'h1};
+        12'h008: read_data_o <= {build_size_height_i, build_size_width_i};
+        12'h00C: read_data_o <= {build_store_pool_kib_i, build_store_rows_i};
+        12'h010: read_data_o <= {4'd0, build_window_hypotheses_i, build_window_weight_bits_i, build_window_subsample_i, build_window_majority_i, build_window_dsad_i};
+        12'h014: read_data_o <= build_clock_khz_i;
+        12'h040: read_data_o <= {31'd0, control_enable_q};
+        12'h044: read_data_o <= {30'd0, mode_test_input_q, mode_live_q};
+        12'h048: read_data_o <= {24'd0, status_late_i, status_right_silent_i, status_left_silent_i, status_unsafe_i, status_safe_i, status_busy_i, status_bad_geometry_i, status_running_i};
+        12'h04C: read_data_o <= {20'd0, width_px_q};
+        12'h050: read_data_o <= {20'd0, height_rows_q};
+        12'h054: read_data_o <= {20'd0, lookahead_rows_q};
+        12'h058: read_data_o <= timeout_clocks_q;
+        12'h05C: read_data_o <= {28'd0, table_select_slot_q};
+        12'h060: read_data_o <= {30'd0, irq_enable_fault_q, irq_enable_frame_q};
+        12'h064: read_data_o <= {30'd0, irq_status_q};
+        12'h080: read_data_o <= {16'd0, sum_limit_value_q};
+        12'h084: read_data_o <= {16'd0, self_limit_value_q};
+        12'h088: read_data_o <= {24'd0, texture_limit_value_q};
+        12'h08C: read_data_o <= {8'd0, alarm_limit_pixels_q};
+        12'h090: read_data_o <= {8'd0, undecidable_limit_pixels_q};
+        12'h094: read_data_o <= {8'd0, unsupervised_limit_pixels_q};
+        12'h0A0: read_data_o <= {24'd0, dark_level_grey_q};
+        12'h0A4: read_data_o <= {8'd0, dark_limit_pixels_q};
+        12'h0A8: read_data_o <= {24'd0, bright_level_grey_q};
+        12'h0AC: read_data_o <= {8'd0, bright_limit_pixels_q};
+        12'h0B0: read_data_o <= {24'd0, contrast_limit_grey_q};
+        12'h0B4: read_data_o <= {24'd0, frozen_limit_frames_q};
+        12'h0C0: read_data_o <= {28'd0, map_slot_slot_q};
+        12'h0C4: read_data_o <= {16'd0, map_base_word64_q};
+        12'h0D0: read_data_o <= {24'd0, map_status_active_slot_i, map_status_error_i, map_status_busy_i};
+        12'h0D4: read_data_o <= {17'd0, map_valid_slots_i};
+        12'h0D8: read_data_o <= map_crc_value_i;
+        12'h0E0: read_data_o <= {1'd0, faults_q};
+        12'h100: read_data_o <= frame_sequence_value_i;
+        12'h104: read_data_o <= {26'd0, frame_status_slot_i, frame_status_safe_i, frame_status_alarm_i};
+        12'h108: read_data_o <= {1'd0, frame_faults_i};
+        12'h10C: read_data_o <= frame_table_crc_value_i;
+        12'h110: read_data_o <= {8'd0, frame_skin_pixels_i};
+        12'h114: read_data_o <= {8'd0, frame_undecidable_pixels_i};
+        12'h118: read_data_o <= {8'd0, frame_unsupervised_pixels_i};
+        12'h11C: read_data_o <= {8'd0, frame_misses_pixels_i};
+        12'h120: read_data_o <= frame_cycles_clocks_i;
+        12'h124: read_data_o <= frame_latency_clocks_i;
+        12'h128: read_data_o <= frame_tail_clocks_i;
+        default: begin
+          read_data_o  <= 32'd0;
+          read_error_o <= 1'b1;
+        end
+      endcase
+    end
+  end
+endmodule

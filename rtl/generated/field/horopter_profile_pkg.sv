@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Made by scripts/generate-profiles from hls/include/horopter/hls/profiles.def: change that, not this.
+// The profile `field`.
+package horopter_profile_pkg;
+  localparam int unsigned WIDTH = 756;  // largest width of the incoming images, px
+  localparam int unsigned HEIGHT = 286;  // largest height, rows
+  localparam int unsigned SUBSAMPLE = 2;  // pixels of a row that are averaged to one
+  localparam int unsigned DSAD_WINDOW = 9;  // side of the DSAD window, px
+  localparam int unsigned MAJORITY_WINDOW = 7;  // side of the majority window, px
+  localparam int unsigned WEIGHT_BITS = 3;  // bits of an interpolation weight
+  localparam int unsigned STORE_ROWS = 64;  // rows of the right image's ring
+  localparam int unsigned POOL_BYTES = 81920;  // pool of the mapping tables
+  localparam int unsigned HYPOTHESES = 1;  // hypotheses compared at once
+  localparam int unsigned CLOCK_KHZ = 15000;  // clock the profile is meant for
+  localparam int unsigned OFFSET = 9;  // a state belongs to the px this far up and left of the beat
+  localparam int unsigned FLUSH_ROWS = 10;  // rows after the last of a frame that empty the windows
+endpackage
