@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// SystemVerilog of a scheduled graph: one module per stage class. Ports: clk_i, rst_ni (synchronous), en_i (0: nothing
+// changes), valid_i, the leaves of In, of Config (cfg_…), valid_o, the leaves of Out. The same graph and schedule always
+// give the same text.
+#pragma once
+
+#include "hlsc/graph.hpp"
+#include "hlsc/schedule.hpp"
+
+#include <string>
+#include <vector>
+
+namespace hlsc {
+
+struct EmitOptions {
+  std::string source_class;  ///< named in the header comment and the sidecar
+  std::string source_root;   ///< prefix taken off file names, so that the text does not depend on the machine
+};
+
+struct EmittedMemory {
+  std::string name;
+  std::uint32_t depth = 0, width = 0, distance = 0;  ///< distance 0: read only
+  int read_stage = 0, write_stage = -1;
+};
+
+struct EmittedModule {
+  std::string text;
+  unsigned long state_bits = 0;     ///< flip-flops of C++ state
+  unsigned long pipeline_bits = 0;  ///< further flip-flops, valid bits included, outputs of memories not
+  std::vector<EmittedMemory> memories;
+};
+
+EmittedModule emit(const Graph& graph, const Schedule& schedule, const EmitOptions& options);
+
+}  // namespace hlsc

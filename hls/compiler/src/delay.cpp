@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hlsc/delay.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hlsc {
+
+std::string_view target_name(Target target) { return target == Target::kEcp5 ? "ecp5" : "ice40hx"; }
+
+std::optional<Target> target_from_name(std::string_view name) {
+  if (name == "ecp5") return Target::kEcp5;
+  if (name == "ice40hx") return Target::kIce40Hx;
+  return std::nullopt;
+}
+
+DelayModel make_delay_model(Target target) {
+  DelayModel m;
+  m.target = target;
+  switch (target) {
+    case Target::kIce40Hx:
+      m.launch_ns = 0.54;
+      m.setup_ns = 0.10;
+      m.level_ns = 1.40;
+      m.carry_base_ns = 1.75;
+      m.carry_bit_ns = 0.14;
+      m.memory_read_ns = 2.15;
+      m.memory_setup_ns = 1.30;
+      break;
+    case Target::kEcp5:  // speed grade 6
+      m.launch_ns = 0.53;
+      m.setup_ns = 0.05;
+      m.level_ns = 1.05;
+      m.carry_base_ns = 1.55;
+      m.carry_bit_ns = 0.04;
+      m.memory_read_ns = 5.65;  // without its output register
+      m.memory_setup_ns = 0.90;
+      m.multiplier_ns = 4.60;
+      m.multiplier_bits = 18;
+      break;
+  }
+  return m;
+}
+
+namespace {
+
+/// Levels of LUT4 for a function of so many inputs that splits into a tree.
+double tree_levels(double inputs) { return inputs <= 4 ? 1.0 : 1.0 + std::log(inputs / 4.0) / std::log(4.0); }
+
+std::uint32_t variable_bits(const Bits& bits) {
+  return static_cast<std::uint32_t>(std::ranges::count_if(bits, [](Bit b) { return b.node != 0; }));
+}
+
+}  // namespace
+
+double DelayModel::node_ns(const Graph& graph, const Node& node) const {
+  const auto variable = [&](std::size_t i) { return variable_bits(node.operands[i]); };
+  switch (node.op) {
+    case Op::kConstant:
+    case Op::kInput:
+    case Op::kConfig:
+    case Op::kStateRead:
+    case Op::kNot:  // part of the next look-up table
+      return 0;
+    case Op::kRamRead:
+      return memory_read_ns - launch_ns;
+    case Op::kAnd:
+    case Op::kOr:
+    case Op::kXor:  // two or three of these share a look-up table
+      return 0.55 * level_ns;
+    case Op::kMux:
+      // A multiplexer with a constant leg is a gate.
+      return (variable(1) == 0 || variable(2) == 0 ? 0.55 : 0.85) * level_ns;
+    case Op::kReduceOr:
+    case Op::kReduceAnd:
+    case Op::kReduceXor:
+      return tree_levels(variable(0)) * level_ns;
+    case Op::kEq:
+      return tree_levels(variable(0) + variable(1)) * level_ns;
+    case Op::kAdd:
+    case Op::kSub:
+      if (node.width <= 2) return level_ns;
+      return carry_base_ns + carry_bit_ns * node.width;
+    case Op::kUlt:
+    case Op::kSlt: {
+      const auto bits = static_cast<double>(node.operands[0].size());
+      if (variable(0) + variable(1) <= 4) return level_ns;
+      return carry_base_ns + carry_bit_ns * bits;
+    }
+    case Op::kShl:
+    case Op::kLshr:
+    case Op::kAshr: {
+      // One LUT4 holds one 2:1 multiplexer, two levels a 4:1.
+      const double steps = std::min<double>(variable(1), std::ceil(std::log2(std::max(2U, node.width))));
+      return std::max(1.0, steps) * 0.95 * level_ns;
+    }
+    case Op::kMul:
+    case Op::kMulSigned: {
+      const auto widest = std::max(variable(0), variable(1));
+      if (multiplier_bits != 0 && widest <= multiplier_bits) return multiplier_ns;
+      const double rows = std::max(1U, std::min(variable(0), variable(1)));
+      return level_ns + std::ceil(std::log2(rows + 1)) * (carry_base_ns + carry_bit_ns * node.width);
+    }
+    case Op::kRom: {
+      const double address = std::max(1U, variable(0));
+      (void)graph;
+      // A 4:1 multiplexer is two LUT4, but tables compress: about one level per address bit beyond four.
+      return address <= 4 ? level_ns : level_ns * (1.0 + 0.8 * (address - 4));
+    }
+  }
+  return 0;
+}
+
+}  // namespace hlsc

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "emit_check.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace hlsc;
+using namespace hlsc::test;
+
+namespace {
+
+ScheduleOptions at(double clock_ns, Target target = Target::kIce40Hx) {
+  ScheduleOptions options;
+  options.delays = make_delay_model(target);
+  options.clock_ns = clock_ns;
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("an adder", "[emit]") {
+  Builder b("adder");
+  const Bits x = b.input("a", 8), y = b.input("b_1", 8);
+  b.output("sum", b.add(x, y, "sum"));
+  const auto s = schedule(b.graph, at(8));
+  CHECK(s.latency == 1);
+  CHECK(check_module(b.graph, s) == "");
+}
+
+TEST_CASE("an accumulator closes in one stage", "[emit]") {
+  Builder b("accumulator");
+  const Bits x = b.input("x", 8), clear = b.input("clear", 1);
+  const Bits total = b.state("total", 16, 0x1234);
+  const Bits sum = b.op(Op::kAdd, 16, {total, zero_extend(x, 16)}, "sum");
+  const Bits next = b.mux(clear, constant(0, 16), sum);
+  b.set_next(total, next);
+  b.output("total", next);
+  const auto s = schedule(b.graph, at(8));
+  CHECK(check_module(b.graph, s) == "");
+  // The state doubles as the output register.
+  CHECK(emit(b.graph, s, {}).pipeline_bits == static_cast<unsigned long>(s.latency));
+  CHECK(emit(b.graph, s, {}).text == emit(b.graph, s, {}).text);
+}
