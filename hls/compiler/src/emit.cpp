@@ -152,6 +152,9 @@ class Emitter {
       config_.push_back(signal(unique("cfg_" + sanitise(p.name), "_i"), p.width, p.is_signed));
     }
     for (const Port& p : g_.outputs) output_.push_back(unique(sanitise(p.name), "_o"));
+    for (SignalId id : input_) result_.input_names.push_back(signals_[id].name);
+    for (SignalId id : config_) result_.config_names.push_back(signals_[id].name);
+    result_.output_names = output_;
     for (int stage = 0; stage < last_; ++stage) names_.insert(enable(stage));
     for (int stage = 1; stage <= last_; ++stage) names_.insert(valid(stage));
   }
@@ -279,7 +282,8 @@ class Emitter {
   std::string slice(SignalId id, std::uint32_t high, std::uint32_t low) {
     Signal& s = signals_[id];
     for (auto i = low; i <= high; ++i) s.used[i] = true;
-    if (high - low + 1 == s.width) return s.name;
+    // A port declared signed would make comparisons signed and addresses negative.
+    if (high - low + 1 == s.width) return s.is_signed ? "$unsigned(" + s.name + ")" : s.name;
     if (high == low) return s.name + "[" + std::to_string(low) + "]";
     return s.name + "[" + std::to_string(high) + ":" + std::to_string(low) + "]";
   }
@@ -332,9 +336,6 @@ class Emitter {
     const Node& node = g_.nodes[n];
     const auto operand = [&](std::size_t i) { return expression(node.operands[i], stage); };
     const auto binary = [&](const char* symbol) { return operand(0) + " " + symbol + " " + operand(1); };
-    const auto plain = [&](std::size_t i) {  // a port declared signed would make the comparison a signed one
-      return "$unsigned(" + operand(i) + ")";
-    };
     const auto shift = [&](const char* symbol) {
       if (node.operands[1].size() > 31) throw ScheduleError(node.where, "a shift amount of more than 31 bits");
       return operand(0) + " " + symbol + " " + operand(1);
@@ -358,7 +359,7 @@ class Emitter {
         if (node.operands[1].size() > 31) throw ScheduleError(node.where, "a shift amount of more than 31 bits");
         return "$signed(" + operand(0) + ") >>> " + operand(1);
       case Op::kEq: return binary("==");
-      case Op::kUlt: return has_signed_port(node) ? plain(0) + " < " + plain(1) : binary("<");
+      case Op::kUlt: return binary("<");
       case Op::kSlt: return "$signed(" + operand(0) + ") < $signed(" + operand(1) + ")";
       case Op::kMux: return operand(0) + " ? " + operand(1) + " : " + operand(2);
       case Op::kReduceOr: return "|" + operand(0);
@@ -366,15 +367,6 @@ class Emitter {
       case Op::kReduceXor: return "^" + operand(0);
       default: throw ScheduleError(node.where, "internal: operation cannot be emitted");
     }
-  }
-
-  bool has_signed_port(const Node& node) const {
-    return std::ranges::any_of(node.operands, [&](const Bits& bits) {
-      return std::ranges::any_of(bits, [&](Bit b) {
-        const Op op = g_.nodes[b.node].op;
-        return op == Op::kInput || op == Op::kConfig;
-      });
-    });
   }
 
   // Text --------------------------------------------------------------------------------------------------------------
@@ -673,7 +665,6 @@ class Emitter {
       }
     }
     if (unused.empty()) return;
-    std::ranges::reverse(unused);
     out << "\n  // Nothing depends on these bits.\n  logic unused_bits;\n  assign unused_bits = ^" << expression(unused)
         << ";\n";
   }

@@ -227,6 +227,7 @@ class Scheduler {
       data(ram.write_data, ram_write_[r]);
       data({ram.write_enable}, ram_write_[r]);
       edge(ram_address_[r], ram_write_[r], 1, EdgeKind::kMemory);
+      edge(ram_write_[r], end_, 1, EdgeKind::kEnd);
       edge(ram_write_[r], ram_address_[r], 1 - static_cast<int>(ram.distance), EdgeKind::kDistance);
     }
     for (const State& state : g_.states) {

@@ -28,6 +28,7 @@ struct EmittedModule {
   unsigned long state_bits = 0;     ///< flip-flops of C++ state
   unsigned long pipeline_bits = 0;  ///< further flip-flops, valid bits included, outputs of memories not
   std::vector<EmittedMemory> memories;
+  std::vector<std::string> input_names, config_names, output_names;  ///< of the ports, in order
 };
 
 EmittedModule emit(const Graph& graph, const Schedule& schedule, const EmitOptions& options);
