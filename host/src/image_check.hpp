@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Structure of image files: complete or not, and how many bits a sample. Decoders show what is left of a truncated
+// file; a monitor must not.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace horopter {
+
+enum class ImageFormat { jpeg, png, pnm, bmp, tiff, unknown };
+
+ImageFormat sniff_format(std::span<const std::uint8_t> bytes);
+
+/// Throws FileError, unless the file is complete and holds 8-bit (or fewer, for palettes) samples.
+void check_structure(std::span<const std::uint8_t> bytes, ImageFormat format, const std::string& name);
+
+}  // namespace horopter

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+// Images: what is read, and what is refused.
+#include <catch2/catch.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <random>
+
+#include "horopter/error.hpp"
+#include "horopter/frames.hpp"
+#include "horopter/image.hpp"
+#include "horopter/output.hpp"
+#include "host_temporary.hpp"
+
+namespace horopter {
+namespace {
+
+cv::Mat textured(int type = CV_8UC3) {
+  cv::Mat image(48, 64, type);
+  cv::theRNG().state = 7;
+  cv::randu(image, 0, 256);
+  cv::GaussianBlur(image, image, {5, 5}, 1.5);
+  return image;
+}
+
+std::vector<std::uint8_t> encoded(const std::string& extension, const cv::Mat& image,
+                                  const std::vector<int>& parameters = {}) {
+  std::vector<std::uint8_t> bytes;
+  REQUIRE(cv::imencode(extension, image, bytes, parameters));
+  return bytes;
+}
+
+std::string error_of(const std::filesystem::path& path) {
+  try {
+    load_image(path);
+  } catch (const FileError& error) {
+    CHECK(error.status() == ExitStatus::bad_file);
+    CHECK(std::string(error.what()).starts_with(path.string() + ": "));
+    CHECK_THAT(error.what(), Catch::Contains("expected"));
+    return error.what();
+  }
+  FAIL("no error for " << path);
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("Images of every format become Rec. 601 luma") {
+  const TemporaryDirectory directory;
+  const cv::Mat colour = textured();
+  cv::Mat grey;
+  cv::cvtColor(colour, grey, cv::COLOR_BGR2GRAY);
+  const std::string extension = GENERATE(".png", ".ppm", ".bmp", ".tiff", ".jpg");
+  CAPTURE(extension);
+  const Image image = load_image(directory.write("image" + extension, encoded(extension, colour)));
+  REQUIRE(image.width == 64);
+  REQUIRE(image.height == 48);
+  double sum = 0;
+  for (int y = 0; y < 48; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      const double expected = 0.299 * colour.at<cv::Vec3b>(y, x)[2] + 0.587 * colour.at<cv::Vec3b>(y, x)[1] +
+                              0.114 * colour.at<cv::Vec3b>(y, x)[0];
+      sum += std::abs(image.at(x, y) - expected);
+      if (extension != ".jpg") REQUIRE(std::abs(image.at(x, y) - expected) <= 0.51);
+    }
+  }
+  CHECK(sum / (64 * 48) < 2.0);  // JPEG loses a little
+}
+
+TEST_CASE("Grey, alpha and palettes are read too") {
+  const TemporaryDirectory directory;
+  const cv::Mat grey = textured(CV_8UC1);
+  for (const std::string extension : {".png", ".pgm", ".bmp", ".tiff"}) {
+    const Image image = load_image(directory.write("grey" + extension, encoded(extension, grey)));
+    CHECK(std::equal(image.pixels.begin(), image.pixels.end(), grey.datastart));
+  }
+  cv::Mat alpha;
+  cv::cvtColor(grey, alpha, cv::COLOR_GRAY2BGRA);
+  const Image image = load_image(directory.write("alpha.png", encoded(".png", alpha)));
+  CHECK(image.at(5, 7) == grey.at<std::uint8_t>(7, 5));
+  CHECK(load_image(directory.write("plain.pgm", "P2 # text\n2 1\n255\n 7 200\n")).pixels ==
+        std::vector<std::uint8_t>{7, 200});
+}
+
+TEST_CASE("A truncated image is detected wherever it is cut, whatever the decoder says") {
+  const TemporaryDirectory directory;
+  const std::string extension = GENERATE(".jpg", ".progressive.jpg", ".png", ".pgm", ".ppm", ".bmp", ".tiff");
+  CAPTURE(extension);
+  const cv::Mat source = textured(extension == ".pgm" ? CV_8UC1 : CV_8UC3);
+  std::vector<int> parameters;
+  if (extension == ".progressive.jpg") parameters = {cv::IMWRITE_JPEG_PROGRESSIVE, 1};
+  const auto bytes = encoded(extension.substr(extension.rfind('.')), source, parameters);
+  REQUIRE_NOTHROW(load_image(directory.write("whole" + extension, bytes)));
+  for (int cut = 1; cut <= 40; ++cut) {
+    // The first cuts take single bytes off the end; trailing directories of TIFF come last in the file, so all count.
+    const std::size_t length = cut <= 4 ? bytes.size() - cut : bytes.size() * (cut - 4) / 37;
+    if (length == 0 || length >= bytes.size()) continue;
+    CAPTURE(length, bytes.size());
+    error_of(directory.write("cut" + extension, std::vector(bytes.begin(), bytes.begin() + length)));
+  }
+}
+
+TEST_CASE("A JPEG cut in its data with an end marker put behind is detected") {
+  const TemporaryDirectory directory;
+  auto bytes = encoded(".jpg", textured());
+  bytes.resize(bytes.size() / 2);
+  bytes.insert(bytes.end(), {0xFF, 0xD9});
+  CHECK_THAT(error_of(directory.write("cut.jpg", bytes)), Catch::Contains("truncated"));
+}
+
+TEST_CASE("The real JPEG that a decoder still shows is refused") {
+  const std::filesystem::path path = "/usr/share/doc/opencv-doc/examples/data/left01.jpg";
+  if (!std::filesystem::exists(path)) return;
+  const TemporaryDirectory directory;
+  auto bytes = bytes_of(path);
+  CHECK(load_image(path).width == 640);
+  bytes.resize(bytes.size() - 1000);
+  const auto cut = directory.write("left01.jpg", bytes);
+  CHECK(!cv::imread(cut.string(), cv::IMREAD_GRAYSCALE).empty());
+  CHECK_THAT(error_of(cut), Catch::Contains("no end-of-image marker"));
+}
+
+TEST_CASE("16-bit images are refused in clear words") {
+  const TemporaryDirectory directory;
+  const cv::Mat deep(8, 8, CV_16UC1, cv::Scalar(1000));
+  for (const std::string extension : {".png", ".pgm", ".tiff"}) {
+    const auto message = error_of(directory.write("deep" + extension, encoded(extension, deep)));
+    CHECK_THAT(message, Catch::Contains("16"));
+    CHECK_THAT(message, Catch::Contains("expected an 8-bit image"));
+  }
+}
+
+TEST_CASE("Missing, empty, unreadable and alien files are refused") {
+  const TemporaryDirectory directory;
+  CHECK_THAT(error_of(directory / "none.png"), Catch::Contains("no such file"));
+  CHECK_THAT(error_of(directory.write("empty.png", "")), Catch::Contains("empty"));
+  CHECK_THAT(error_of(directory.path()), Catch::Contains("directory"));
+  CHECK_THAT(error_of(directory.write("text.png", "These are not the pixels that you are looking for.")),
+             Catch::Contains("not an image"));
+  auto damaged = encoded(".png", textured());
+  damaged[damaged.size() / 2] ^= 0x10;
+  CHECK_THAT(error_of(directory.write("damaged.png", damaged)), Catch::Contains("CRC"));
+}
+
+TEST_CASE("Random damage never crashes the loader") {
+  const TemporaryDirectory directory;
+  const std::uint32_t seed = Catch::rngSeed();
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  for (const std::string extension : {".jpg", ".png", ".pgm", ".bmp", ".tiff"}) {
+    const auto bytes = encoded(extension, textured(CV_8UC1));
+    for (int trial = 0; trial < 60; ++trial) {
+      auto copy = bytes;
+      for (int i = 0; i < 3; ++i)
+        copy[random() % (trial % 2 == 0 ? copy.size() : 64)] = static_cast<std::uint8_t>(random());
+      try {
+        decode_image(copy, "damaged");
+      } catch (const FileError&) {
+      }
+    }
+  }
+}
+
+TEST_CASE("Fields are the even and the odd rows") {
+  Image image(2, 5);
+  for (int y = 0; y < 5; ++y) image.at(0, y) = static_cast<std::uint8_t>(y);
+  CHECK(field_of(image, 0).height == 3);
+  CHECK(field_of(image, 1).height == 2);
+  CHECK(field_of(image, 0).at(0, 2) == 4);
+  CHECK(field_of(image, 1).at(0, 1) == 3);
+}
+
+TEST_CASE("Sequences come from files, patterns and directories, in order") {
+  const TemporaryDirectory directory;
+  for (const char* name : {"left2.png", "left1.png", "right1.png", "right2.png", "notes.txt"}) {
+    directory.write(name, encoded(".png", textured(CV_8UC1)));
+  }
+  const auto names = [&](const std::vector<std::string>& arguments) {
+    std::string joined;
+    const auto source = open_frames(arguments);
+    while (const auto image = source->next()) joined += std::filesystem::path(image->name).filename().string() + " ";
+    return joined;
+  };
+  CHECK(names({(directory / "left*.png").string()}) == "left1.png left2.png ");
+  CHECK(names({directory.path().string()}) == "left1.png left2.png right1.png right2.png ");
+  CHECK(names({(directory / "right2.png").string(), (directory / "left1.png").string()}) == "right2.png left1.png ");
+  CHECK_THROWS_AS(open_frames({(directory / "middle*.png").string()}), FileError);
+  CHECK_THROWS_AS(open_frames({(directory / "none.png").string()}), FileError);
+  CHECK_THROWS_AS(open_frames({"camera:97"}), FileError);
+  CHECK_THROWS_WITH(PairSource({(directory / "left*.png").string()}, {(directory / "right1.png").string()}),
+                    Catch::Contains("2 left images but 1 right images"));
+}
+
+TEST_CASE("A pair of different sizes is refused by the name of the right image") {
+  const TemporaryDirectory directory;
+  directory.write("left.png", encoded(".png", textured(CV_8UC1)));
+  directory.write("right.png", encoded(".png", cv::Mat(48, 63, CV_8UC1, cv::Scalar(9))));
+  PairSource pairs({(directory / "left.png").string()}, {(directory / "right.png").string()});
+  CHECK_THROWS_WITH(pairs.next(), Catch::Contains("right.png: the image is 63x48 pixels; expected 64x48"));
+}
+
+TEST_CASE("Videos are read frame by frame, and a truncated one is detected") {
+  const std::filesystem::path path = "/usr/share/doc/opencv-doc/examples/data/Megamind.avi";
+  if (!std::filesystem::exists(path)) return;
+  const TemporaryDirectory directory;
+  const auto source = open_frames({path.string()});
+  const auto frame = source->next();
+  REQUIRE(frame);
+  CHECK(frame->image.width == 720);
+  CHECK(frame->name == path.string() + "#0");
+  auto bytes = bytes_of(path);
+  bytes.resize(bytes.size() / 2);
+  CHECK_THROWS_WITH(open_frames({directory.write("cut.avi", bytes).string()}), Catch::Contains("truncated"));
+}
+
+TEST_CASE("Results are complete or not there") {
+  const TemporaryDirectory directory;
+  const auto results = directory / "deep/results";
+  {
+    OutputDirectory output(results);
+    output.write("a.txt", "a");
+  }
+  CHECK(std::filesystem::is_empty(directory.path()));
+  const auto is_result = [](const std::string& name) { return name.starts_with("frame"); };
+  {
+    OutputDirectory output(results, is_result);
+    output.write("frame-0.txt", "old");
+    output.write("frame-1.txt", "old");
+    output.commit();
+  }
+  directory.write("deep/results/notes.txt", "mine");
+  {
+    OutputDirectory output(results, is_result);
+    output.write("frame-0.txt", "new");
+    CHECK(bytes_of(results / "frame-0.txt").front() == 'o');
+    output.commit();
+  }
+  CHECK(bytes_of(results / "frame-0.txt").front() == 'n');
+  CHECK(!std::filesystem::exists(results / "frame-1.txt"));
+  CHECK(std::filesystem::exists(results / "notes.txt"));
+  CHECK(std::distance(std::filesystem::directory_iterator(directory / "deep"), {}) == 1);
+  CHECK_THROWS_AS(OutputDirectory(directory.write("file", "x")), FileError);
+  CHECK_THROWS_AS(write_file(directory / "none/file", "x"), FileError);
+}
+
+}  // namespace horopter

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: Apache-2.0
+// Skins and mapping tables.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "horopter/crc32.hpp"
+#include "horopter/error.hpp"
+#include "horopter/map.hpp"
+#include "horopter/skin.hpp"
+#include "host_temporary.hpp"
+
+namespace horopter {
+namespace {
+
+constexpr Matrix3 kTilted{1.02, 0.03, -24.0, -0.01, 0.98, 6.0, 2e-5, -1e-5, 1.0};
+
+SkinFile skin_of(const Matrix3& matrix, Point visible = {320, 240}) {
+  SkinFile file;
+  file.path = "skin.yaml";
+  file.skin = std::make_unique<HomographySkin>(matrix, visible);
+  return file;
+}
+
+std::string error_of(const TemporaryDirectory& directory, const std::string& yaml) {
+  try {
+    load_skin(directory.write("skin.yaml", yaml), {320, 240});
+  } catch (const FileError& error) {
+    return std::string(error.what()).substr((directory / "").string().size());
+  }
+  FAIL("no error for " << yaml);
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("A homography is read from YAML") {
+  const TemporaryDirectory directory;
+  const auto file = load_skin(directory.write("skin.yaml",
+                                              "surface:\n  type: homography\n  matrix:\n"
+                                              "    - [1, 0, -20]\n    - [0, 1, 5]\n    - [0, 0, 1]\n"),
+                              {320, 240});
+  const auto source = file.skin->source({100, 50});
+  REQUIRE(source);
+  CHECK(source->x == Approx(80));
+  CHECK(source->y == Approx(55));
+  CHECK(file.skin->type() == "homography");
+}
+
+TEST_CASE("Correspondences give the least squares homography") {
+  const TemporaryDirectory directory;
+  const HomographySkin truth(kTilted);
+  const std::uint32_t seed = Catch::rngSeed();
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  std::normal_distribution<double> noise(0, GENERATE(0.0, 0.3));
+  std::string yaml = "surface:\n  type: correspondences\n  points:\n";
+  for (int i = 0; i < 54; ++i) {
+    const Point left{120.0 + 35 * (i % 9), 100.0 + 40 * (i / 9)};
+    const Point right = *truth.source(left);
+    yaml += "  - {left: [" + std::to_string(left.x) + ", " + std::to_string(left.y) + "], right: [" +
+            std::to_string(right.x + noise(random)) + ", " + std::to_string(right.y + noise(random)) + "]}\n";
+  }
+  const auto file = load_skin(directory.write("skin.yaml", yaml), {320, 240});
+  REQUIRE(file.fit);
+  CHECK(file.fit->rms_px < (noise.stddev() > 0 ? 0.6 : 1e-5));
+  for (const Point p : {Point{130, 110}, Point{300, 250}, Point{390, 290}}) {
+    const Point fitted = *file.skin->source(p);
+    const Point expected = *truth.source(p);
+    CHECK(std::hypot(fitted.x - expected.x, fitted.y - expected.y) < (noise.stddev() > 0 ? 0.5 : 1e-4));
+  }
+}
+
+TEST_CASE("Four points are enough, and met exactly") {
+  const HomographySkin truth(kTilted);
+  std::vector<Correspondence> points;
+  for (const Point p : {Point{10, 20}, Point{600, 30}, Point{590, 400}, Point{20, 470}}) {
+    points.push_back({p, *truth.source(p)});
+  }
+  CHECK(fit_homography(points).largest_px < 1e-8);
+}
+
+TEST_CASE("Points that do not determine a homography are refused") {
+  std::vector<Correspondence> points;
+  SECTION("three") { points = {{{0, 0}, {0, 0}}, {{9, 0}, {9, 0}}, {{0, 9}, {0, 9}}}; }
+  SECTION("collinear") {
+    for (int i = 0; i < 6; ++i) points.push_back({{10.0 * i, 20.0 * i}, {10.0 * i - 5, 20.0 * i}});
+  }
+  SECTION("all but one collinear") {
+    for (int i = 0; i < 6; ++i) points.push_back({{10.0 * i, 20.0 * i}, {10.0 * i - 5, 20.0 * i}});
+    points.push_back({{100, 0}, {95, 0}});
+  }
+  SECTION("one point, again and again") { points.assign(5, {{3, 4}, {5, 6}}); }
+  SECTION("a line in the right image") {
+    for (int i = 0; i < 9; ++i) points.push_back({{i % 3 * 50.0, i / 3 * 50.0}, {i % 3 * 50.0, 7}});
+  }
+  SECTION("not finite") { points = {{{0, 0}, {0, 0}}, {{9, 0}, {9, 0}}, {{0, 9}, {0, 9}}, {{9, 9}, {NAN, 9}}}; }
+  CHECK_THROWS_AS(fit_homography(points), std::invalid_argument);
+}
+
+TEST_CASE("Bad skin files are refused by line") {
+  const TemporaryDirectory directory;
+  const std::string head = "surface:\n  type: homography\n  matrix:\n";
+  CHECK_THAT(error_of(directory, "surface: [1, 2\n"), Catch::StartsWith("skin.yaml: line 2, column 1: not YAML"));
+  CHECK_THAT(error_of(directory, ""), Catch::StartsWith("skin.yaml: the file is empty"));
+  CHECK_THAT(error_of(directory, "just text\n"), Catch::Contains("line 1") && Catch::Contains("surface"));
+  CHECK_THAT(error_of(directory, "surfaces: 1\n"), Catch::Contains("surface: missing"));
+  CHECK_THAT(error_of(directory, "surface:\n  type: plane\n"),
+             Catch::Contains("line 2") && Catch::Contains("'plane' is not supported yet; expected homography or corr"));
+  CHECK_THAT(error_of(directory, "surface:\n  type: sphere\n"), Catch::Contains("unknown type 'sphere'"));
+  CHECK_THAT(error_of(directory, "surface:\n  type: homography\n"), Catch::Contains("matrix: missing"));
+  CHECK_THAT(error_of(directory, head + "  - [1, 0, 0]\n  - [0, 1]\n  - [0, 0, 1]\n"),
+             Catch::Contains("line 5") && Catch::Contains("3 rows of 3 numbers"));
+  CHECK_THAT(error_of(directory, head + "  - [1, 0, 0]\n  - [0, 1, .nan]\n  - [0, 0, 1]\n"),
+             Catch::Contains("line 5") && Catch::Contains("finite number"));
+  CHECK_THAT(error_of(directory, head + "  - [1, 0, 0]\n  - [0, 1, .inf]\n  - [0, 0, 1]\n"), Catch::Contains("finite"));
+  CHECK_THAT(error_of(directory, head + "  - [1, 0, 0]\n  - [0, 1, zwei]\n  - [0, 0, 1]\n"), Catch::Contains("'zwei'"));
+  CHECK_THAT(error_of(directory, head + "  - [1, 0, 0]\n  - [2, 0, 0]\n  - [0, 0, 1]\n"), Catch::Contains("singular"));
+  CHECK_THAT(error_of(directory, head + "  - [0, 0, 0]\n  - [0, 0, 0]\n  - [0, 0, 0]\n"), Catch::Contains("singular"));
+  CHECK_THAT(error_of(directory, "surface:\n  type: correspondences\n  points:\n  - {left: [1, 2], right: [3, 4]}\n"),
+             Catch::Contains("at least 4"));
+  CHECK_THAT(error_of(directory,
+                      "surface:\n  type: correspondences\n  points:\n"
+                      "  - {left: [0, 0], right: [0, 0]}\n  - {left: [1, 1], right: [1, 1]}\n"
+                      "  - {left: [2, 2], right: [2, 2]}\n  - {left: [3, 3], right: [3, 3]}\n"),
+             Catch::Contains("line 4") && Catch::Contains("one line"));
+  CHECK_THROWS_AS(load_skin(directory / "none.yaml", {}), FileError);
+}
+
+TEST_CASE("A homography ends at its horizon") {
+  const HomographySkin skin({1, 0, 0, 0, 1, 0, 0, 0.01, -1}, {320, 240});  // horizon at y = 100
+  CHECK(!skin.source({320, 99}));
+  CHECK(skin.source({320, 101}));
+}
+
+TEST_CASE("Derivatives are those of the mapping") {
+  const HomographySkin skin(kTilted);
+  const Point p{213, 87};
+  const double h = 1e-4;
+  const auto d = skin.derivatives(p);
+  CHECK(d[0] == Approx((skin.source({p.x + h, p.y})->x - skin.source({p.x - h, p.y})->x) / (2 * h)));
+  CHECK(d[1] == Approx((skin.source({p.x, p.y + h})->x - skin.source({p.x, p.y - h})->x) / (2 * h)));
+  CHECK(d[2] == Approx((skin.source({p.x + h, p.y})->y - skin.source({p.x - h, p.y})->y) / (2 * h)));
+  CHECK(d[3] == Approx((skin.source({p.x, p.y + h})->y - skin.source({p.x, p.y - h})->y) / (2 * h)));
+}
+
+TEST_CASE("A shift becomes a table of the coarsest spacing, without error") {
+  const auto map = compile_map(*skin_of({1, 0, -20, 0, 1, 5, 0, 0, 1}).skin, find_profile("vga"), {640, 480});
+  CHECK(map.report.spacing_x == 64);
+  CHECK(map.report.spacing_y == 64);
+  CHECK(map.report.error_largest_px == 0);
+  CHECK(map.report.reach.behind == -5);
+  CHECK(map.report.reach.ahead == 5);
+  CHECK(map.report.supervised == 620 * 475);
+  CHECK(map.report.outside == map.report.pixels - map.report.supervised);
+  const auto source = map.table.source(100, 50, 3);
+  REQUIRE(source);
+  CHECK(source->x == 80 * 8);
+  CHECK(source->y == 55 * 8);
+  CHECK(!map.table.source(19, 50, 3));
+  CHECK(map.table.source(20, 50, 3));
+  CHECK(!map.table.source(100, 475, 3));
+}
+
+TEST_CASE("The layout of the upload words is that of the hardware") {
+  const auto map = compile_map(*skin_of({1, 0, -20, 0, 1, 5, 0, 0, 1}).skin, find_profile("vga"), {640, 480});
+  const auto& words = map.table.words();
+  CHECK(words[0] == 0x484D0166);
+  CHECK(words[1] == (5U << 16 | 11U));  // 9 control rows make 5 pairs
+  CHECK(words[2] == (480U << 16 | 640U));
+  CHECK(words.size() == 3 + 5 * 11 * 2 + 1);
+  // Control row 1, column 2: parity 1 of pair 0.
+  CHECK(words[3 + 2 * 2 + 1] == ((64U + 64 + 5) * 32 << 16 | (64U + 128 - 20) * 32));
+  CHECK(words.back() == crc32_words(std::span(words).first(words.size() - 1)));
+  CHECK(crc32(std::vector<std::uint8_t>{'1', '2', '3', '4', '5', '6', '7', '8', '9'}) == 0xCBF43926);
+}
+
+TEST_CASE("Tables stay within their limits of the skin, in the hardware's arithmetic") {
+  const Profile& profile = find_profile(GENERATE("vga", "hd", "field"));
+  const auto skin =
+      profile.name == "hd" ? skin_of({1.01, 0.01, -24.0, 0.005, 1.01, 6.0, 1e-6, 5e-6, 1.0}) : skin_of(kTilted);
+  CAPTURE(profile.name);
+  for (const ScanGeometry& scan : scans_of(profile, profile.width, profile.largest_image_height())) {
+    const auto map = compile_map(*skin.skin, profile, scan);
+    CHECK(map.report.error_99_px <= 1.0 / 16);
+    CHECK(map.report.error_largest_px <= 0.25);
+    CHECK(map.report.pool_bytes <= static_cast<std::size_t>(profile.pool_bytes));
+    std::int64_t far = 0;
+    std::int64_t supervised = 0;
+    for (int y = 0; y < scan.height; y += 3) {
+      for (int x = 0; x < scan.width; ++x) {
+        const auto source = map.table.source(x, y, 3);
+        if (!source) continue;
+        ++supervised;
+        const Point exact = scan.from_frame(*skin.skin->source(scan.to_frame({double(x), double(y)})));
+        // Rounding to 1/8 px adds up to 1/16 in each direction.
+        const double error = std::hypot(source->x / 8.0 - exact.x, source->y / 8.0 - exact.y);
+        REQUIRE(error <= 0.25 + 0.09);
+        far += error > 1.0 / 16 + 0.09 ? 1 : 0;
+      }
+    }
+    CHECK(supervised > 0);
+    CHECK(far * 100 <= supervised);
+  }
+}
+
+TEST_CASE("Fields map in full frame coordinates, each to the field of its parity") {
+  const Profile& profile = find_profile("field");
+  const auto skin = skin_of({1, 0, -10, 0, 1, 8, 0, 0, 1});
+  const auto maps = compile_maps(skin, profile, 756, 572);
+  REQUIRE(maps.maps.size() == 2);
+  for (const auto& map : maps.maps) {
+    const auto source = map.table.source(100, 50, 3);
+    REQUIRE(source);
+    CHECK(source->y == 54 * 8);  // 8 rows of the frame are 4 of the field
+  }
+  // A rotation tells the parities apart: y differs by one row of the frame.
+  const auto turned = compile_maps(skin_of({1, 0.3, 0, -0.3, 1, 120, 0, 0, 1}), profile, 640, 60);
+  const auto even = turned.maps[0].table.expand(200, 10);
+  const auto odd = turned.maps[1].table.expand(200, 10);
+  REQUIRE(even);
+  REQUIRE(odd);
+  CHECK((odd->x - even->x) / 131072.0 == Approx(0.3).margin(0.04));
+}
+
+TEST_CASE("A skin that needs more rows than the store holds is refused, with the number") {
+  try {
+    compile_maps(skin_of({1, 0.1, 0, 0.3, 1, 0, 0, 0, 1}), find_profile("hd"), 1920, 1080);
+    FAIL("accepted");
+  } catch (const FileError& error) {
+    CHECK_THAT(error.what(),
+               Catch::Contains("skin.yaml") && Catch::Contains("rows") && Catch::Contains("holds 64 rows"));
+  }
+  // Within ±30 rows, 64 rows are enough; reaching further ahead costs reach behind.
+  const Profile& hd = find_profile("hd");
+  CHECK(lookahead_for(hd, {30, 30}) == 32);
+  CHECK(lookahead_for(hd, {0, 31}) == std::nullopt);
+  CHECK(lookahead_for(hd, {54, 6}) == 8);
+  CHECK(lookahead_for(hd, {55, 6}) == std::nullopt);
+}
+
+TEST_CASE("Unsupervised pixels are told by reason") {
+  SECTION("scales below 1/2") {
+    const auto map = compile_map(*skin_of({2.2, 0, 0, 0, 1, 0, 0, 0, 1}).skin, find_profile("vga"), {640, 480});
+    CHECK(map.report.supervised == 0);
+    CHECK(map.report.scale == map.report.pixels);
+  }
+  SECTION("a scale that falls below 1/2 within the image") {
+    const HomographySkin skin({1, 0, 0, 0, 1, 0, -8e-4, 0, 1}, {0, 0});
+    const auto map = compile_map(skin, find_profile("vga"), {640, 60});
+    CHECK(map.report.scale > 0);
+    CHECK(map.report.supervised > 0);
+    for (int y = 0; y < 60; y += 7) {
+      for (int x = 0; x < 640; ++x) {
+        const auto d = skin.derivatives({double(x), double(y)});
+        if (d[0] > 2.0001) REQUIRE(!map.table.source(x, y, 3));
+      }
+    }
+  }
+  SECTION("beyond the horizon") {
+    const HomographySkin skin({1, 0, 0, 0, 1, 0, 0, 0.005, -0.5}, {320, 400});
+    const auto map = compile_map(skin, find_profile("vga"), {640, 60});
+    CHECK(map.report.no_source == map.report.pixels);
+  }
+  const auto map = compile_map(*skin_of(kTilted).skin, find_profile("vga"), {640, 480});
+  const auto& r = map.report;
+  CHECK(r.supervised + r.outside + r.scale + r.no_source + r.grid == r.pixels);
+}
+
+TEST_CASE("Tables survive the file, and altered files are refused") {
+  const TemporaryDirectory directory;
+  const auto path = directory / "skin.hmap";
+  const auto maps = compile_maps(skin_of(kTilted), find_profile("field"), 756, 572);
+  save_maps(maps, path);
+  const auto loaded = load_maps(path);
+  CHECK(loaded.profile == "field");
+  CHECK(loaded.image_width == 756);
+  CHECK(loaded.image_height == 572);
+  CHECK(loaded.skin == maps.skin);
+  CHECK(loaded.lookahead() == maps.lookahead());
+  REQUIRE(loaded.maps.size() == 2);
+  for (int i = 0; i < 2; ++i) {
+    CHECK(loaded.maps[i].table.words() == maps.maps[i].table.words());
+    CHECK(loaded.maps[i].table.geometry() == maps.maps[i].table.geometry());
+    CHECK(loaded.maps[i].report.supervised == maps.maps[i].report.supervised);
+  }
+  const auto bytes = bytes_of(path);
+  for (std::size_t at = 0; at < bytes.size(); at += 1 + bytes.size() / 97) {
+    CAPTURE(at);
+    auto altered = bytes;
+    altered[at] ^= 0x04;
+    CHECK_THROWS_AS(load_maps(directory.write("altered.hmap", altered)), FileError);
+    CHECK_THROWS_AS(load_maps(directory.write("cut.hmap", std::vector(bytes.begin(), bytes.begin() + at))), FileError);
+  }
+  auto longer = bytes;
+  longer.push_back(0);
+  CHECK_THROWS_WITH(load_maps(directory.write("longer.hmap", longer)), Catch::Contains("more data"));
+}
+
+TEST_CASE("Upload words are checked before they are used") {
+  const auto map = compile_map(*skin_of(kTilted).skin, find_profile("vga"), {640, 480});
+  const auto words = map.table.words();
+  CHECK_NOTHROW(MapTable(words, Scan::progressive));
+  const auto broken = [&](std::size_t at, std::uint32_t value, bool seal) {
+    auto copy = words;
+    copy[at] = value;
+    if (seal) copy.back() = crc32_words(std::span(copy).first(copy.size() - 1));
+    return copy;
+  };
+  CHECK_THROWS_WITH(MapTable(broken(7, 0, false), Scan::progressive), Catch::Contains("CRC"));
+  CHECK_THROWS_WITH(MapTable(broken(0, 0x484D0266, true), Scan::progressive), Catch::Contains("header"));
+  CHECK_THROWS_WITH(MapTable(broken(0, 0x484D0177, true), Scan::progressive), Catch::Contains("spacing"));
+  CHECK_THROWS_WITH(MapTable(broken(1, 0x00010001, true), Scan::progressive), Catch::Contains("control points"));
+}
+
+TEST_CASE("The default profile is the smallest that takes the image as it is") {
+  CHECK(smallest_profile(640, 480)->name == "vga");
+  CHECK(smallest_profile(320, 200)->name == "vga");  // field would split it
+  CHECK(smallest_profile(641, 480)->name == "hd");
+  CHECK(smallest_profile(1921, 1080) == nullptr);
+  CHECK_THROWS_WITH(find_profile("pal"), Catch::Contains("unknown profile 'pal'") && Catch::Contains("field, vga, hd"));
+}
+
+}  // namespace horopter
