@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+// Turns whatever one camera sends into well-formed rows of a frame, and says what was wrong with it.
+//
+// A row is written pixel by pixel (write_*_o) into the ring slot slot_o and counts once it is complete (row_done_o);
+// a row with too few or too many pixels is complete too, but bad. A frame ends with its last row, or early: by a new
+// start of frame, by silence, by an overflow, or by cut_i. Rows that never came are not written: the store treats rows
+// from the number of those that came as missing, so that ending a frame takes one clock, whatever is missing.
+//
+// Frames are opened by the pairing of the two cameras: start_o asks, grant_i admits, deny_i refuses (live mode, no
+// room). missing_start: after EXTRA_LINES lines without a start of frame, a frame without rows stands for the lost one.
+//
+// Stream: valid/ready with pixel, first (start of frame) and last (end of line); almost_full_i of the FIFO in front
+// tells in live mode that waiting is over. All outputs are registers but s_ready_o. Reset: waits for a start of frame.
+module horopter_framer #(
+    parameter int unsigned SLOTS = 64,  // rows of the ring
+    parameter int unsigned EXTRA_LINES = 8,
+    parameter int unsigned SLOT_BITS = $clog2(SLOTS)
+) (
+    input  logic                 clk_i,
+    input  logic                 rst_ni,
+    // configuration, constant while out of reset (but for the timeout)
+    input  logic                 live_i,
+    input  logic [         11:0] width_i,
+    input  logic [         11:0] height_i,
+    input  logic [         31:0] timeout_i,
+    // camera
+    input  logic                 s_valid_i,
+    output logic                 s_ready_o,
+    input  logic [          7:0] s_pixel_i,
+    input  logic                 s_first_i,
+    input  logic                 s_last_i,
+    input  logic                 almost_full_i,
+    // pairing
+    output logic                 start_o,  // wants a frame
+    output logic                 empty_o,  // with start_o: a frame without rows, standing for a lost one
+    output logic                 urgent_o,  // with start_o, live: cannot wait longer
+    input  logic                 grant_i,
+    input  logic                 deny_i,
+    input  logic                 cut_i,  // end the frame now
+    input  logic                 patience_i,  // silence counts from now on
+    output logic                 near_o,  // in its first EXTRA_LINES rows
+    output logic                 far_o,  // more than 64 px into the frame
+    output logic                 silent_o,
+    // into the store
+    input  logic [         11:0] keep_i,  // rows before this one (counted as stored_o) are no longer needed
+    output logic [         11:0] stored_o,  // complete rows so far, modulo 4096
+    output logic [SLOT_BITS-1:0] slot_o,  // slot of the row in progress
+    output logic                 write_en_o,
+    output logic [SLOT_BITS-1:0] write_slot_o,
+    output logic [         11:0] write_x_o,
+    output logic [          7:0] write_pixel_o,
+    output logic                 write_first_o,  // first pixel of the frame
+    output logic                 write_end_o,  // last pixel of a frame that is as tall as it should be
+    output logic                 row_done_o,  // with the last pixel of a row
+    output logic                 row_bad_o,  // with row_done_o
+    output logic                 frame_done_o,  // the frame has ended, for whatever reason
+    // faults, one clock each
+    output logic                 short_line_o,
+    output logic                 long_line_o,
+    output logic                 missing_line_o,
+    output logic                 missing_start_o,  // belongs to the next frame granted, or the one just granted
+    output logic                 overflow_o,
+    output logic                 lost_silent_o,  // the frame in progress ended in silence
+    output logic                 silence_o  // the camera has fallen silent, in a frame or not
+);
+  if (SLOTS < 4 || SLOTS > 2048 || SLOTS % 2 != 0 || EXTRA_LINES < 2 || EXTRA_LINES > 8) begin : g_illegal
+    $fatal(1, "horopter_framer: SLOTS must be even, 4 to 2048, EXTRA_LINES 2 to 8");
+  end
+
+  typedef enum logic [2:0] {
+    WAIT,  // throw away until a start of frame
+    IDLE,  // between frames: the next pixel must be a start of frame
+    EXTRA,  // lines without a start of frame
+    LOST,  // a frame without a start: asks for an empty frame
+    START,  // start of frame seen: asks for a frame
+    LINE,  // in a frame
+    SKIP,  // in a frame, throwing away the rest of a long line
+    SKIP_END  // the same after the last row
+  } state_e;
+  state_e state_q;
+
+  logic [11:0] x_q, y_q, stored_q;
+  logic [SLOT_BITS-1:0] slot_q;
+  logic [2:0] extra_q;
+  logic fresh_q;  // the next pixel is the first of the frame
+  logic room_q;  // the slot of the row in progress may be written
+  logic pending_start_fault_q;
+
+  // Silence: the camera could send and does not.
+  logic [31:0] quiet_q;
+  logic silent_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni || s_valid_i || patience_i) quiet_q <= 32'd0;
+    else if (!silent_q) quiet_q <= quiet_q + 32'd1;
+    if (!rst_ni || s_valid_i || patience_i) silent_q <= 1'b0;
+    else silent_q <= silent_q || quiet_q >= timeout_i;
+    silence_o <= rst_ni && !s_valid_i && !patience_i && !silent_q && quiet_q >= timeout_i;
+  end
+  assign silent_o = silent_q;
+
+  // What the head of the stream means in a frame.
+  logic in_frame, early, blocked, take, at_end, complete, last_row, overflow, ends_early;
+  assign in_frame = state_q == LINE || state_q == SKIP;
+  assign early = in_frame && s_valid_i && s_first_i && !fresh_q;
+  assign blocked = x_q == 12'd0 && !room_q;
+  assign overflow = state_q == LINE && blocked && live_i && almost_full_i;
+  assign take = state_q == LINE && s_valid_i && !early && !blocked && !cut_i;
+  assign at_end = x_q == width_i - 12'd1;
+  assign complete = take && (s_last_i || at_end);
+  assign last_row = y_q == height_i - 12'd1;
+  assign ends_early = in_frame && (early || overflow || cut_i || silent_q);
+
+  always_comb begin
+    case (state_q)
+      WAIT, IDLE, EXTRA, LOST, SKIP_END: s_ready_o = !s_first_i;
+      START: s_ready_o = deny_i;
+      LINE: s_ready_o = take;
+      SKIP: s_ready_o = !s_first_i && !cut_i;
+      default: s_ready_o = 1'b0;
+    endcase
+  end
+
+  always_ff @(posedge clk_i) begin
+    short_line_o <= 1'b0;
+    long_line_o <= 1'b0;
+    missing_line_o <= 1'b0;
+    missing_start_o <= 1'b0;
+    overflow_o <= 1'b0;
+    lost_silent_o <= 1'b0;
+    row_done_o <= 1'b0;
+    row_bad_o <= 1'b0;
+    frame_done_o <= 1'b0;
+    if (!rst_ni) begin
+      state_q <= WAIT;
+      extra_q <= 3'd0;
+      pending_start_fault_q <= 1'b0;
+      slot_q <= '0;
+      stored_q <= 12'd0;
+      x_q <= 12'd0;
+      y_q <= 12'd0;
+      fresh_q <= 1'b0;
+    end else begin
+      case (state_q)
+        WAIT: if (s_valid_i && s_first_i) state_q <= START;
+
+        IDLE:
+        if (s_valid_i) begin
+          extra_q <= {2'b00, s_last_i};
+          state_q <= s_first_i ? START : EXTRA;
+        end
+
+        EXTRA: begin
+          if (s_valid_i && s_first_i) begin
+            state_q <= START;
+            pending_start_fault_q <= 1'b1;
+          end else if (s_valid_i && s_last_i) begin
+            extra_q <= extra_q + 3'd1;
+            if (32'(extra_q) == EXTRA_LINES - 1) state_q <= LOST;
+          end else if (silent_q) begin
+            state_q <= WAIT;
+          end
+        end
+
+        LOST: begin
+          if (grant_i) begin
+            missing_start_o <= 1'b1;
+            frame_done_o <= 1'b1;
+            state_q <= WAIT;
+          end else if (s_valid_i && s_first_i) begin
+            state_q <= START;
+            pending_start_fault_q <= 1'b1;
+          end
+        end
+
+        START: begin
+          x_q <= 12'd0;
+          y_q <= 12'd0;
+          fresh_q <= 1'b1;
+          if (grant_i) begin
+            state_q <= LINE;
+            missing_start_o <= pending_start_fault_q;
+            pending_start_fault_q <= 1'b0;
+          end else if (deny_i) begin
+            state_q <= WAIT;
+            overflow_o <= 1'b1;
+          end
+        end
+
+        LINE: begin
+          if (take) begin
+            fresh_q <= 1'b0;
+            x_q <= x_q + 12'd1;
+          end
+          if (complete) begin
+            x_q <= 12'd0;
+            y_q <= y_q + 12'd1;
+            stored_q <= stored_q + 12'd1;
+            slot_q <= 32'(slot_q) == SLOTS - 1 ? '0 : slot_q + 1'b1;
+            row_done_o <= 1'b1;
+            row_bad_o <= s_last_i != at_end;
+            short_line_o <= !at_end;
+            long_line_o <= !s_last_i;
+            frame_done_o <= last_row;
+            if (last_row) state_q <= s_last_i ? IDLE : SKIP_END;
+            else if (!s_last_i) state_q <= SKIP;
+          end
+        end
+
+        SKIP: if (s_valid_i && s_last_i) state_q <= LINE;
+
+        default: begin  // SKIP_END
+          if (s_valid_i && s_first_i) state_q <= START;
+          else if (s_valid_i && s_last_i) state_q <= IDLE;
+          else if (silent_q) state_q <= WAIT;
+        end
+      endcase
+
+      // A frame cut short: by a new start of frame, or by what makes the rest of it worthless.
+      if (ends_early) begin
+        frame_done_o <= 1'b1;
+        missing_line_o <= early;
+        overflow_o <= overflow && !early;
+        lost_silent_o <= silent_q;
+        state_q <= early ? START : WAIT;
+      end
+    end
+  end
+
+  // Room for the row in progress, from the registers only: right with the first pixel after a row, too.
+  logic [11:0] used, used_next;
+  assign used = stored_q - keep_i;
+  assign used_next = used + 12'd1;
+  always_ff @(posedge clk_i) room_q <= complete ? 32'(used_next) < SLOTS : 32'(used) < SLOTS;
+
+  always_ff @(posedge clk_i) begin
+    write_en_o <= rst_ni && take;
+    write_first_o <= fresh_q;
+    write_end_o <= complete && last_row;
+    if (take) begin
+      write_slot_o <= slot_q;
+      write_x_o <= x_q;
+      write_pixel_o <= s_pixel_i;
+    end
+    near_o <= 32'(y_q) < EXTRA_LINES;
+    far_o <= y_q != 12'd0 || x_q > 12'd64;
+  end
+
+  assign start_o = state_q == START || state_q == LOST;
+  assign empty_o = state_q == LOST;
+  assign urgent_o = state_q == START && live_i && almost_full_i;
+  assign stored_o = stored_q;
+  assign slot_o = slot_q;
+endmodule

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// Left delay: the left image waits here, row by row, until the right image is LOOKAHEAD rows ahead.
+//
+// A ring of ROWS rows. Write side: as the framer gives them; a bad row counts as missing. Read side: requests in raster
+// order, those of live rows only; the pixel comes 3 clocks later (out of step with nothing: the image store asks at the
+// right time). mask_o = the row came and was good. Rows that never came are not in the ring.
+// keep_o: rows before it (counted as the framer counts stored rows) are read for good and may be overwritten.
+module horopter_left_store #(
+    parameter int unsigned WIDTH = 640,
+    parameter int unsigned ROWS = 36,
+    parameter bit PARITY = 1'b1,
+    parameter int unsigned SLOT_BITS = $clog2(ROWS)
+) (
+    input  logic                 clk_i,
+    input  logic                 rst_ni,
+    // write
+    input  logic                 write_en_i,
+    input  logic [SLOT_BITS-1:0] write_slot_i,
+    input  logic [         11:0] write_x_i,
+    input  logic [          7:0] write_pixel_i,
+    input  logic                 row_done_i,
+    input  logic                 row_bad_i,
+    // frame
+    input  logic                 begin_i,  // a new output frame
+    input  logic [         11:0] rows_i,  // rows of it that came so far
+    output logic [         11:0] keep_o,
+    // request and answer
+    input  logic                 valid_i,
+    input  logic                 last_i,
+    input  logic                 live_i,
+    output logic [          7:0] pixel_o,
+    output logic                 mask_o,
+    output logic                 parity_error_o
+);
+  localparam int unsigned DEPTH = ROWS * WIDTH;
+  localparam int unsigned ADDR_BITS = $clog2(DEPTH);
+
+  if (ROWS < 4 || ROWS > 2048 || WIDTH < 4 || SLOT_BITS != $clog2(ROWS)) begin : g_illegal
+    $fatal(1, "horopter_left_store: ROWS must be 4 to 2048, WIDTH at least 4");
+  end
+
+  // --- write ---
+  logic write_en_q, write_en_q2, bad_en_q, bad_q;
+  logic [SLOT_BITS-1:0] bad_slot_q;
+  logic [ADDR_BITS-1:0] write_base_q, write_addr_q;
+  logic [11:0] write_x_q;
+  logic [7:0] write_pixel_q, write_pixel_q2;
+  always_ff @(posedge clk_i) begin
+    write_en_q <= write_en_i;
+    write_en_q2 <= write_en_q;
+    bad_en_q <= row_done_i;
+    if (write_en_i) begin
+      write_base_q <= ADDR_BITS'(32'(write_slot_i) * WIDTH);
+      write_x_q <= write_x_i;
+      write_pixel_q <= write_pixel_i;
+      bad_q <= row_bad_i;
+      bad_slot_q <= write_slot_i;
+    end
+    if (write_en_q) begin
+      write_addr_q <= write_base_q + ADDR_BITS'(write_x_q);
+      write_pixel_q2 <= write_pixel_q;
+    end
+  end
+
+  // --- read ---
+  // There is at least one clock without a request between two rows, in which present_q settles.
+  logic [11:0] row_q, keep_q;
+  logic [SLOT_BITS-1:0] slot_q;
+  logic [ADDR_BITS-1:0] row_addr_q, addr_q;
+  logic present_q, read, end_of_row, wraps;
+  assign read = valid_i && live_i && present_q;
+  assign end_of_row = valid_i && live_i && last_i;
+  assign wraps = 32'(slot_q) == ROWS - 1;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      row_q <= 12'd0;
+      keep_q <= 12'd0;
+      slot_q <= '0;
+      row_addr_q <= '0;
+      addr_q <= '0;
+      present_q <= 1'b0;
+    end else begin
+      present_q <= row_q < rows_i;
+      if (begin_i) row_q <= 12'd0;
+      else if (end_of_row) row_q <= row_q + 12'd1;
+      if (read && last_i) begin
+        keep_q <= keep_q + 12'd1;
+        slot_q <= wraps ? '0 : slot_q + 1'b1;
+        row_addr_q <= wraps ? '0 : row_addr_q + ADDR_BITS'(WIDTH);
+        addr_q <= wraps ? '0 : row_addr_q + ADDR_BITS'(WIDTH);
+      end else if (read) begin
+        addr_q <= addr_q + 1'b1;
+      end
+    end
+  end
+  assign keep_o = keep_q;
+
+  logic [7:0] pixel;
+  logic error, bad, bad_q1;
+  logic read_q, read_q2;
+  horopter_ram #(
+      .WIDTH(8),
+      .DEPTH(DEPTH),
+      .PARITY(PARITY),
+      .OUTPUT_REGISTER(1'b1)
+  ) u_pixels (
+      .clk_i(clk_i),
+      .write_en_i(write_en_q2),
+      .write_addr_i(write_addr_q),
+      .write_data_i(write_pixel_q2),
+      .read_en_i(read),
+      .read_addr_i(addr_q),
+      .read_data_o(pixel),
+      .parity_error_o(error)
+  );
+  logic unused_bad_parity;
+  horopter_ram #(
+      .WIDTH(1),
+      .DEPTH(ROWS)
+  ) u_bad (
+      .clk_i(clk_i),
+      .write_en_i(bad_en_q),
+      .write_addr_i(bad_slot_q),
+      .write_data_i(bad_q),
+      .read_en_i(read),
+      .read_addr_i(slot_q),
+      .read_data_o(bad),
+      .parity_error_o(unused_bad_parity)
+  );
+  always_ff @(posedge clk_i) begin
+    read_q <= read;
+    read_q2 <= read_q;
+    bad_q1 <= bad;
+    pixel_o <= pixel;
+    mask_o <= read_q2 && !bad_q1;
+    parity_error_o <= read_q2 && error;
+  end
+endmodule

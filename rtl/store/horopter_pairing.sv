@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// Makes one frame out of two cameras: opens frames, says which camera's rows belong to which frame, keeps the books of
+// the (at most two) frames between the cameras and the result.
+//
+// The first camera that asks opens a frame, the other joins it. With back-pressure a camera that is ahead waits; in live
+// mode, where waiting ends when its input FIFO fills (urgent), the frame of the one behind is cut short: what belongs
+// together is decided by time, so that one bad frame never shifts all later ones. More than 64 px apart at the join, or
+// cut for the other, is the fault skew. A silent camera gets a frame without rows.
+//
+// Index 0 = left, 1 = right. A slot is one of two frame records; it is busy from its opening until free_i.
+// grant_o and deny_o are combinational from registers; everything else is a register. Reset: no frame.
+module horopter_pairing #(
+    parameter int unsigned RING_BITS = 6  // bits of a slot number of the right image's ring
+) (
+    input  logic                 clk_i,
+    input  logic                 rst_ni,
+    input  logic                 live_i,
+    // framers
+    input  logic [          1:0] start_i,
+    input  logic [          1:0] empty_i,
+    input  logic [          1:0] urgent_i,
+    output logic [          1:0] grant_o,
+    output logic [          1:0] deny_o,
+    output logic [          1:0] cut_o,
+    input  logic [          1:0] near_i,
+    input  logic [          1:0] far_i,
+    input  logic [          1:0] silent_i,
+    input  logic [          1:0] row_done_i,
+    input  logic [          1:0] frame_done_i,
+    input  logic [         11:0] right_stored_i,
+    input  logic [RING_BITS-1:0] right_slot_i,
+    // the arriving frame
+    output logic                 slot_o,
+    output logic                 open_o,  // one clock: slot_o has just been opened
+    output logic                 arrived_o,  // one clock: both cameras are done with it
+    output logic                 skew_o,  // one clock each, faults of slot_o
+    output logic [          1:0] lost_silent_o,
+    // the frame being output: its record
+    output logic [          1:0] busy_o,
+    input  logic                 read_slot_i,
+    output logic [         11:0] left_rows_o,  // rows that came so far
+    output logic                 left_ended_o,  // no more will come
+    output logic [         11:0] right_rows_o,
+    output logic                 right_ended_o,
+    output logic [         11:0] right_base_o,  // count (as right_stored_i) of its first row
+    output logic [RING_BITS-1:0] right_base_slot_o,
+    input  logic                 free_i  // read_slot_i is published
+);
+  logic open_q, slot_q;
+  logic [1:0] joined_q, ended_q, busy_q;
+  logic [11:0] left_rows_q[2];
+  logic [11:0] right_rows_q[2];
+  logic [11:0] base_q[2];
+  logic [1:0] left_ended_q, right_ended_q;
+  logic [RING_BITS-1:0] base_slot_q[2];
+  logic [1:0] cut_q;
+
+  logic [1:0] can_join, joins, may_open, opens, absent, given_up;
+  logic can_open, next_slot;
+  assign next_slot = open_q ? !slot_q : slot_q;
+  assign can_open = (!open_q || ended_q == 2'b11) && !busy_q[next_slot];
+
+  always_comb begin
+    for (int unsigned c = 0; c < 2; c++) begin
+      // In live mode a frame is joined only near its start.
+      can_join[c] = open_q && !joined_q[c] && (!live_i || (near_i[1-c] && joined_q[1-c] && !ended_q[1-c]));
+    end
+  end
+  assign joins = start_i & can_join;
+  assign may_open = start_i & ~can_join & {2{can_open}};
+  assign opens = joins != 2'b00 ? 2'b00 : {may_open[1] && !may_open[0], may_open[0]};
+  assign grant_o = joins | opens;
+  assign deny_o = urgent_i & ~grant_o & {2{open_q && ended_q == 2'b11}};
+
+  // A frame that a camera will not deliver (any more). With back-pressure silence counts from the opening of the frame.
+  always_comb begin
+    for (int unsigned c = 0; c < 2; c++) begin
+      given_up[c] = silent_i[c] && (!live_i || far_i[1-c] || ended_q[1-c]);
+      absent[c] = open_q && !joined_q[c] && !grant_o[c]
+          && (given_up[c] || (live_i && (start_i[c] || urgent_i[1-c])));
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    open_o <= 1'b0;
+    arrived_o <= 1'b0;
+    skew_o <= 1'b0;
+    lost_silent_o <= 2'b00;
+    cut_q <= 2'b00;
+    if (!rst_ni) begin
+      open_q <= 1'b0;
+      slot_q <= 1'b0;
+      joined_q <= 2'b00;
+      ended_q <= 2'b00;
+      busy_q <= 2'b00;
+      left_ended_q <= 2'b00;
+      right_ended_q <= 2'b00;
+    end else begin
+      if (free_i) busy_q[read_slot_i] <= 1'b0;
+
+      for (int unsigned c = 0; c < 2; c++) begin
+        if (joins[c]) begin
+          joined_q[c] <= 1'b1;
+          if (live_i && !empty_i[c] && far_i[1-c]) skew_o <= 1'b1;
+        end
+        if (frame_done_i[c]) ended_q[c] <= 1'b1;
+        if (absent[c]) begin
+          joined_q[c] <= 1'b1;
+          ended_q[c] <= 1'b1;
+          lost_silent_o[c] <= silent_i[c];
+          skew_o <= !silent_i[c];
+        end
+        // Live: the other camera's next frame is here and this one is still in the last.
+        if (live_i && open_q && joined_q[c] && !ended_q[c] && !frame_done_i[c] && !cut_q[c] && urgent_i[1-c]
+            && joined_q[1-c] && ended_q[1-c]) begin
+          cut_q[c] <= 1'b1;
+          skew_o <= 1'b1;
+        end
+      end
+
+      if (row_done_i[0]) left_rows_q[slot_q] <= left_rows_q[slot_q] + 12'd1;
+      if (row_done_i[1]) right_rows_q[slot_q] <= right_rows_q[slot_q] + 12'd1;
+      if (frame_done_i[0] || absent[0]) left_ended_q[slot_q] <= 1'b1;
+      if (frame_done_i[1] || absent[1]) right_ended_q[slot_q] <= 1'b1;
+      if (open_q && ended_q != 2'b11 && (ended_q | frame_done_i | absent) == 2'b11) arrived_o <= 1'b1;
+
+      if (opens != 2'b00) begin
+        open_q <= 1'b1;
+        open_o <= 1'b1;
+        slot_q <= next_slot;
+        joined_q <= opens;
+        ended_q <= 2'b00;
+        busy_q[next_slot] <= 1'b1;
+        left_rows_q[next_slot] <= 12'd0;
+        right_rows_q[next_slot] <= 12'd0;
+        left_ended_q[next_slot] <= 1'b0;
+        right_ended_q[next_slot] <= 1'b0;
+        base_q[next_slot] <= right_stored_i;
+        base_slot_q[next_slot] <= right_slot_i;
+      end
+    end
+  end
+
+  assign cut_o = cut_q;
+  assign slot_o = slot_q;
+  assign busy_o = busy_q;
+
+  always_ff @(posedge clk_i) begin
+    left_rows_o <= left_rows_q[read_slot_i];
+    left_ended_o <= left_ended_q[read_slot_i] && busy_q[read_slot_i];
+    right_rows_o <= right_rows_q[read_slot_i];
+    right_ended_o <= right_ended_q[read_slot_i] && busy_q[read_slot_i];
+    right_base_o <= base_q[read_slot_i];
+    right_base_slot_o <= base_slot_q[read_slot_i];
+  end
+endmodule
