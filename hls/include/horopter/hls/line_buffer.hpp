@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a beat stands in its frame, counted from the marks of a stream, and what window stages keep per column.
+//
+// A window stage reads the word of its column (what it needs of the rows above), computes, and writes the word back.
+// The column restarts with each row, so a lost mark cannot shift the picture for longer than to the next row, and
+// everything that a stage accumulates starts anew with each row or frame.
+#pragma once
+
+#include "horopter/hls/int.hpp"
+#include "horopter/hls/ram.hpp"
+
+namespace horopter::hls {
+
+/// Shortest row of a stream, in beats: the time a memory word has from its read to the next read. See RAM.
+inline constexpr int min_row_beats = 16;
+
+/// One word per column of a stream with at most BEATS beats a row.
+template <class Word, int BEATS>
+using ColumnMemory = RAM<Word, static_cast<std::size_t>(BEATS), min_row_beats>;
+
+/// Position of a beat.
+template <int BEATS, int ROWS>
+struct RasterPosition {
+  u<bits_for(BEATS - 1)> column;  // 0 … BEATS − 1
+  bool row_start = false;         // column 0
+  bool frame_start_row = false;   // the frame's first row
+  u<bits_for(ROWS)> rows;         // rows of this frame above this one, at most ROWS
+};
+
+/// Counts columns, and rows up to ROWS, by `first` (first beat of a frame) and `last` (last beat of a row).
+template <int BEATS, int ROWS>
+class Raster {
+ public:
+  RasterPosition<BEATS, ROWS> step(bool first, bool last) {
+    RasterPosition<BEATS, ROWS> position;
+    position.row_start = first || row_ended_;
+    position.column = position.row_start ? u<bits_for(BEATS - 1)>(0) : next_column_;
+    position.rows = first ? u<bits_for(ROWS)>(0) : rows_;
+    position.frame_start_row = position.rows == 0;
+    next_column_ = u<bits_for(BEATS - 1)>(position.column + lit<1>());
+    if (last && position.rows != ROWS) {
+      rows_ = u<bits_for(ROWS)>(position.rows + lit<1>());
+    } else {
+      rows_ = position.rows;
+    }
+    row_ended_ = last;
+    return position;
+  }
+
+ private:
+  u<bits_for(BEATS - 1)> next_column_{0};
+  u<bits_for(ROWS)> rows_{0};
+  bool row_ended_ = true;
+};
+
+}  // namespace horopter::hls

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// The profiles of profiles.def as constants: horopter::hls::profiles::field and so on.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace horopter::hls {
+
+/// The largest sizes a build supports. A structural type: stages take it as a template argument.
+struct Profile {
+  int width = 0;            // of the camera images, px
+  int height = 0;           // px
+  int subsample = 1;        // horizontal pixels whose mean is one pixel of the result: 1 or 2
+  int dsad_window = 9;      // k of the k×k sum of direction differences
+  int majority_window = 7;  // m of the m×m majority
+  int weight_bits = 3;      // of an interpolation weight: 1/8 px at 3
+  int store_rows = 64;      // ring of the image store
+  int pool_bytes = 0;       // mapping tables
+  int hypotheses = 1;       // right images compared: the skin and its neighbours in disparity
+  int clock_khz = 0;
+
+  /// Width of the result, px.
+  [[nodiscard]] constexpr int result_width() const { return width / subsample; }
+
+  /// Rows (and columns) by which the result of a pixel leaves the window stages late: 3×3 low-pass, 3×3 Sobel, k×k sum,
+  /// m×m majority, all causal.
+  [[nodiscard]] constexpr int offset() const { return 2 + (dsad_window - 1) / 2 + (majority_window - 1) / 2; }
+
+  /// Rows of beats without pixels after each frame: enough for the result of its last pixel and one beat more.
+  [[nodiscard]] constexpr int flush_rows() const { return offset() + 1; }
+
+  friend constexpr bool operator==(const Profile&, const Profile&) = default;
+};
+
+namespace profiles {
+#define HOROPTER_PROFILE(name, width, height, subsample, dsad, majority, weight_bits, store_rows, pool_bytes, \
+                         hypotheses, clock_khz)                                                               \
+  inline constexpr Profile name{width,       height,     subsample,  dsad,       majority,                    \
+                                weight_bits, store_rows, pool_bytes, hypotheses, clock_khz};
+#include "horopter/hls/profiles.def"
+#undef HOROPTER_PROFILE
+}  // namespace profiles
+
+struct NamedProfile {
+  std::string_view name;
+  Profile profile;
+};
+
+/// All profiles, in the order of profiles.def.
+inline constexpr auto named_profiles = std::to_array<NamedProfile>({
+#define HOROPTER_PROFILE(name, ...) {#name, profiles::name},
+#include "horopter/hls/profiles.def"
+#undef HOROPTER_PROFILE
+});
+
+}  // namespace horopter::hls

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// difference: cyclic difference of directions, 4 bit (thesis eq. 10.4, 10.4.5), for N hypotheses and for the left image
+// against itself.
+//
+// Out   difference[n], n < N: left against right shifted by n px, min(|Δ|, 256 − |Δ|, 127) >> 3, that is 0 … 15
+// of 11.25°.
+//       difference[N]: left against left `self_shift` px further left. Summed over the window it tells whether a
+//       displacement along x could be noticed at all: where the direction does not vary, as on a ramp of brightness or
+//       along a horizontal edge, every hypothesis fits (thesis 9.1, 11.2.3).
+//       magnitude: of the left gradient for the texture: 0 where saturated (see lowpass, sobel), for a gradient
+//       measured wholly on clipped pixels is no texture, in whichever image.
+// A zero gradient has no direction. Against a real one it counts 8, the mean of the differences to all directions, so
+// that even without noise an edge differs from a flat area; two zero gradients count 0. (atan2's 0 for it would take an
+// area without texture for a match of every edge that runs from dark to bright in +x.)
+// A pixel before the start of the row or outside the mask counts 15 in a shifted hypothesis and 0 in the self
+// difference: neither may make it look better. Offset: none.
+#pragma once
+
+#include "stages/direction.hpp"
+
+namespace horopter::stages {
+
+/// Half of the default 9×9 window, and about the support of one gradient (5 px), so that the two are nearly
+/// independent.
+inline constexpr int self_shift = 4;
+
+template <int HYPOTHESES>
+class DirectionDifference {
+  static_assert(HYPOTHESES >= 1 && HYPOTHESES <= 64);
+
+ public:
+  using In = Directions<2>;
+  struct Out {
+    std::array<u<4>, HYPOTHESES + 1> difference{};
+    u<8> magnitude;
+    bool mask = false;
+    Marks marks;
+  };
+
+  Out step(const In& in) {
+    const bool row_start = in.marks.first || row_ended_;
+    row_ended_ = in.marks.last;
+    if (row_start) {
+      for (int i = 0; i < self_shift; ++i) left_[i].exists = false;
+      for (int i = 0; i < HYPOTHESES; ++i) right_[i].exists = false;
+    }
+    const Gradient left{in.direction[0], in.magnitude[0] != 0, in.mask};
+    const Gradient right{in.direction[1], in.magnitude[1] != 0, in.mask};
+
+    Out out;
+    out.difference[0] = between(left, right);
+    for (int n = 1; n < HYPOTHESES; ++n) {
+      const Gradient& shifted = right_[n - 1];
+      out.difference[static_cast<std::size_t>(n)] = shifted.exists ? between(left, shifted) : u<4>(15);
+    }
+    const Gradient& before = left_[self_shift - 1];
+    out.difference[HYPOTHESES] = before.exists ? between(left, before) : u<4>(0);
+    out.magnitude = in.saturated ? u<8>(0) : in.magnitude[0];
+    out.mask = in.mask;
+    out.marks = in.marks;
+
+    for (int i = self_shift - 1; i > 0; --i) left_[i] = left_[i - 1];
+    left_[0] = left;
+    if constexpr (HYPOTHESES > 1) {
+      for (int i = HYPOTHESES - 1; i > 0; --i) right_[i] = right_[i - 1];
+      right_[0] = right;
+    }
+    return out;
+  }
+
+ private:
+  struct Gradient {
+    u<8> direction;
+    bool has_direction = false;
+    bool exists = false;
+  };
+
+  static u<4> between(const Gradient& a, const Gradient& b) {
+    // Modulo 256; the sign bit tells which way round is shorter. −128 stays 128 and is clipped to 127.
+    const s<8> turn(a.direction - b.direction);
+    const u<8> shortest = abs(turn);
+    const u<4> level = shortest.bit(7) ? u<4>(15) : shortest.template bits<6, 3>();
+    return a.has_direction != b.has_direction ? u<4>(8) : level;
+  }
+
+  bool row_ended_ = true;
+  Gradient left_[self_shift];
+  Gradient right_[HYPOTHESES];
+};
+
+template <Profile P>
+using Difference = DirectionDifference<P.hypotheses>;
+
+}  // namespace horopter::stages

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// direction: gradient → direction and magnitude (thesis eq. 10.9 as atan2(gy, gx), eq. 10.5, 10.4.5). No state, offset
+// none.
+//
+// Out   direction in 1/256 turn, 0 along +x, 64 along +y (down); 0 for a zero gradient. For every gradient in
+//       −1020 … 1020 the angle before rounding to 1/256 turn is less than 0.45° from the real one.
+//       magnitude: max + 3/8 min, rounded, saturating at 255, in units of the unscaled Sobel magnitude (8 = 1 grey
+//       level per pixel): −2.8 % … +6.8 % and 1/2 of √(gx² + gy²). It is 0 only for a zero gradient.
+//
+// Folded into one octant, the ratio of the smaller to the larger component is divided to 6 bits (a subtraction and a
+// multiplexer each), and a table of 64 arctangents gives the angle. The thesis scales both gradients together to shrink
+// its table; a quotient needs no scaling, loses nothing to it, and costs no shifters.
+#pragma once
+
+#include "horopter/hls/tables.hpp"
+#include "stages/sobel.hpp"
+
+namespace horopter::stages {
+
+/// Directions and magnitudes of LANES images.
+template <int LANES>
+struct Directions {
+  std::array<u<8>, LANES> direction{};
+  std::array<u<8>, LANES> magnitude{};
+  bool saturated = false;
+  bool mask = false;
+  Marks marks;
+};
+
+template <int LANES = 2>
+class DirectionFinder {
+ public:
+  using In = Gradients<LANES>;
+  using Out = Directions<LANES>;
+
+  Out step(const In& in) {
+    Out out;
+    for (std::size_t i = 0; i < LANES; ++i) {
+      const u<10> x = u<10>(abs(in.gx[i]));
+      const u<10> y = u<10>(abs(in.gy[i]));
+      const bool steep = y > x;
+      const u<10> larger = steep ? y : x;
+      const u<10> smaller = steep ? x : y;
+      out.direction[i] = unfold(octant_angle(smaller, larger), in.gx[i].negative(), in.gy[i].negative(), steep);
+      out.magnitude[i] = sat<8>(larger + shr<3>(smaller + shl<1>(smaller) + lit<4>()));
+    }
+    out.saturated = in.saturated;
+    out.mask = in.mask;
+    out.marks = in.marks;
+    return out;
+  }
+
+ private:
+  static constexpr int quotient_bits = 6;
+
+  /// arctan(smaller / larger) in 1/256 turn, 0 … 32.
+  static u<6> octant_angle(u<10> smaller, u<10> larger) {
+    u<quotient_bits> quotient(0);
+    u<10> rest = smaller;
+    for (int i = quotient_bits - 1; i >= 0; --i) {
+      const u<11> twice = shl<1>(rest);
+      const bool fits = twice > larger;  // ">" keeps 0 / 0 at 0
+      rest = u<10>(fits ? u<11>(twice - larger) : twice);
+      quotient = u<quotient_bits>(cat(quotient, fits));
+    }
+    return arctangent_table<quotient_bits>[quotient.value()];
+  }
+
+  /// Multiple of a quarter turn, plus or minus the angle from its axis.
+  static u<8> unfold(u<6> angle, bool left, bool up, bool steep) {
+    const u<2> quarter = steep ? (up ? u<2>(3) : u<2>(1)) : (left ? u<2>(2) : u<2>(0));
+    const bool backwards = left != (up != steep);
+    const u<8> axis = shl<6>(quarter);
+    return backwards ? u<8>(axis - angle) : u<8>(axis + angle);
+  }
+};
+
+template <Profile P>
+using Direction = DirectionFinder<2>;
+
+}  // namespace horopter::stages

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// dsad: sum of the direction differences over K×K (thesis 10.1.5, 10.4.5), for each hypothesis and the self difference.
+//
+// Out   sum[n], 0 … 15·K², exact. mask: all of the K×K exist. textured passes through, see texture.
+// Running sums: per column C(y) = C(y−1) + (d(y) − d(y−K)), along the row S(x) = S(x−1) + (C(x) − C(x−K)). They start
+// anew with each frame and row, so an upset bit of memory is gone with the frame. Offset: (K − 1) / 2 rows and columns.
+// Memory: per column K rows of 4-bit differences and their sum for each n, and one run length.
+#pragma once
+
+#include "stages/texture.hpp"
+
+namespace horopter::stages {
+
+template <int BEATS, int HYPOTHESES, int K>
+class DsadSum {
+  static_assert(K >= 5 && K <= 13 && K % 2 == 1, "the window is 5×5 to 13×13");
+
+ public:
+  static constexpr int sum_bits = bits_for(15 * K * K);
+  static constexpr std::size_t sums = HYPOTHESES + 1;
+
+  struct In {
+    std::array<u<4>, sums> difference{};
+    bool textured = false;
+    bool mask = false;
+    Marks marks;
+  };
+  struct Out {
+    std::array<u<sum_bits>, sums> sum{};
+    bool textured = false;
+    bool mask = false;
+    Marks marks;
+  };
+
+  Out step(const In& in) {
+    memory_.begin_step();
+    const auto at = raster_.step(in.marks.first, in.marks.last);
+    const Column above = memory_.read(at.column);
+    Column column;
+    Out out;
+    for (std::size_t n = 0; n < sums; ++n) {
+      const u<4> leaving = at.rows == K ? above.difference[n][K - 1] : u<4>(0);
+      const u<column_bits> before = at.frame_start_row ? u<column_bits>(0) : above.sum[n];
+      column.sum[n] = u<column_bits>(before + (in.difference[n] - leaving));
+      for (std::size_t i = K - 1; i > 0; --i) column.difference[n][i] = above.difference[n][i - 1];
+      column.difference[n][0] = in.difference[n];
+      out.sum[n] = rows_[n].step(at.row_start, at.column >= K, column.sum[n]);
+    }
+    out.mask =
+        mask_.step(at.row_start, in.mask, at.frame_start_row ? ColumnRun<K>(0) : above.mask_run, column.mask_run);
+    out.textured = in.textured;
+    out.marks = in.marks;
+    memory_.write(at.column, column);
+    return out;
+  }
+
+ private:
+  static constexpr int column_bits = bits_for(15 * K);
+
+  struct Column {
+    std::array<std::array<u<4>, K>, sums> difference{};
+    std::array<u<column_bits>, sums> sum{};
+    ColumnRun<K> mask_run;
+  };
+
+  ColumnMemory<Column, BEATS> memory_;
+  Raster<BEATS, K> raster_;
+  std::array<HorizontalSum<K, 15 * K>, sums> rows_{};
+  WindowAnd<K> mask_;
+};
+
+template <Profile P>
+using Dsad = DsadSum<P.result_width(), P.hypotheses, P.dsad_window>;
+
+}  // namespace horopter::stages

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// health: can this camera's image be an image (thesis 2.3)? One instance per camera, on the pixels as they arrive.
+//
+// In      pixel; first, end: the frame's first and last pixel.
+// Config  dark_level, bright_level: grey levels at or below (at or above) which a pixel is black (white);
+//         dark_limit, bright_limit: pixels; contrast_limit: grey levels; frozen_limit: repetitions, 0 switches it off.
+// Out     one beat per frame, with its last pixel:
+//         black, white: more than the limit of pixels are; constant: the frame's grey levels span at most
+//         contrast_limit, and it is neither black nor white; frozen: its CRC-32 has equalled that of the frame before,
+//         for at least frozen_limit frames in a row. A live camera's noise changes the CRC of every frame; by chance
+//         two different frames have equal ones once in 2^32.
+// Illegal use: a frame without `end` is not judged; the next `first` starts anew.
+#pragma once
+
+#include "horopter/hls/crc.hpp"
+#include "stages/stream.hpp"
+
+namespace horopter::stages {
+
+template <int WIDTH, int HEIGHT>
+class CameraHealth {
+ public:
+  using Count = u<bits_for(WIDTH* HEIGHT)>;
+
+  struct In {
+    u<8> pixel;
+    bool first = false;
+    bool end = false;
+  };
+  struct Config {
+    u<8> dark_level;
+    u<8> bright_level;
+    Count dark_limit;
+    Count bright_limit;
+    u<8> contrast_limit;
+    u<8> frozen_limit;
+  };
+  struct Out {
+    bool valid = false;
+    bool black = false;
+    bool white = false;
+    bool constant = false;
+    bool frozen = false;
+  };
+
+  Out step(const In& in, const Config& config) {
+    crc_ = crc32_byte(in.first ? crc32_initial : crc_, in.pixel);
+    darkest_ = in.first || in.pixel < darkest_ ? in.pixel : darkest_;
+    brightest_ = in.first || in.pixel > brightest_ ? in.pixel : brightest_;
+    black_ = Count((in.first ? Count(0) : black_) + u<1>(in.pixel <= config.dark_level));
+    white_ = Count((in.first ? Count(0) : white_) + u<1>(in.pixel >= config.bright_level));
+
+    const bool same = has_previous_ && crc_ == previous_crc_;
+    const u<8> repeats = !same ? u<8>(0) : repeats_ == 255 ? repeats_ : u<8>(repeats_ + lit<1>());
+
+    Out out;
+    out.valid = in.end;
+    out.black = black_ > config.dark_limit;
+    out.white = white_ > config.bright_limit;
+    out.constant = u<8>(brightest_ - darkest_) <= config.contrast_limit && !out.black && !out.white;
+    out.frozen = config.frozen_limit != 0 && repeats >= config.frozen_limit;
+    if (in.end) {
+      previous_crc_ = crc_;
+      has_previous_ = true;
+      repeats_ = repeats;
+    }
+    return out;
+  }
+
+ private:
+  u<32> crc_{0};
+  u<32> previous_crc_{0};
+  bool has_previous_ = false;
+  u<8> repeats_{0};
+  u<8> darkest_{0};
+  u<8> brightest_{0};
+  Count black_{0};
+  Count white_{0};
+};
+
+template <Profile P>
+using Health = CameraHealth<P.width, P.height>;
+
+}  // namespace horopter::stages

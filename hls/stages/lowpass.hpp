@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// lowpass: 3×3 [1 2 1]ᵀ[1 2 1] / 16 against noise (thesis eq. 10.2, 10.8), columns first, then rows.
+//
+// In, Out   grey values; out is rounded half up, at most 1/2 grey level from the real value.
+//           mask: all of the 3×3 exist. saturated: all of the 3×3 are, so nothing of what was there is left; a window
+//           that is clipped in part still shows where the clipped part ends.
+// Offset: 1 row and 1 column (the window ends at the current pixel).
+// Memory: per column two rows of pixels and two run lengths; rows of at most BEATS and at least min_row_beats beats.
+#pragma once
+
+#include "stages/stream.hpp"
+
+namespace horopter::stages {
+
+template <int BEATS, int LANES = 2, int STRIDE = 1>
+class LowpassFilter {
+ public:
+  using In = Grey<LANES>;
+  using Out = Grey<LANES>;
+
+  Out step(const In& in) {
+    memory_.begin_step();
+    const auto at = raster_.step(in.marks.first, in.marks.last);
+    const Column above = memory_.read(at.column);
+    Column column;
+    Out out;
+    for (std::size_t i = 0; i < LANES; ++i) {
+      const u<10> sum = u<10>(above.before_last[i] + shl<1>(above.last[i]) + in.pixel[i]);
+      const u<10> left = columns_[i].tap(STRIDE - 1);
+      const u<10> left2 = columns_[i].tap(2 * STRIDE - 1);
+      out.pixel[i] = u<8>(shr<4>(left2 + shl<1>(left) + sum + lit<8>()));
+      columns_[i].push(sum);
+      column.before_last[i] = above.last[i];
+      column.last[i] = in.pixel[i];
+    }
+    const ColumnRun<3> zero(0);
+    out.mask = mask_.step(at.row_start, in.mask, at.frame_start_row ? zero : above.mask_run, column.mask_run);
+    out.saturated = saturated_.step(at.row_start, in.saturated, at.frame_start_row ? zero : above.saturated_run,
+                                    column.saturated_run);
+    out.marks = in.marks;
+    memory_.write(at.column, column);
+    return out;
+  }
+
+ private:
+  struct Column {
+    std::array<u<8>, LANES> last{};
+    std::array<u<8>, LANES> before_last{};
+    ColumnRun<3> mask_run;
+    ColumnRun<3> saturated_run;
+  };
+
+  ColumnMemory<Column, BEATS> memory_;
+  Raster<BEATS, 1> raster_;
+  std::array<DelayLine<u<10>, 2 * STRIDE>, LANES> columns_{};
+  WindowAnd<3, STRIDE> mask_;
+  WindowAnd<3, STRIDE> saturated_;
+};
+
+template <Profile P>
+using Lowpass = LowpassFilter<P.result_width()>;
+
+}  // namespace horopter::stages

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// sobel: gradients of both images (thesis eq. 10.3): gx = right − left, gy = below − above, each smoothed [1 2 1]
+// across.
+//
+// In    grey values.   Out  gx, gy: −1020 … 1020, 8 per grey level and pixel, exact.
+// mask: all of the 3×3 exist. saturated: all of the 3×3 are (with the low-pass: all of 5×5 camera pixels).
+// Offset: 1 row and 1 column.
+// Memory: per column two rows of pixels and two run lengths; rows of at most BEATS and at least min_row_beats beats.
+#pragma once
+
+#include "stages/stream.hpp"
+
+namespace horopter::stages {
+
+/// Gradients of LANES images.
+template <int LANES>
+struct Gradients {
+  std::array<s<11>, LANES> gx{};
+  std::array<s<11>, LANES> gy{};
+  bool saturated = false;
+  bool mask = false;
+  Marks marks;
+};
+
+template <int BEATS, int LANES = 2, int STRIDE = 1>
+class SobelFilter {
+ public:
+  using In = Grey<LANES>;
+  using Out = Gradients<LANES>;
+
+  Out step(const In& in) {
+    memory_.begin_step();
+    const auto at = raster_.step(in.marks.first, in.marks.last);
+    const Column above = memory_.read(at.column);
+    Column column;
+    Out out;
+    for (std::size_t i = 0; i < LANES; ++i) {
+      const u<10> smooth = u<10>(above.before_last[i] + shl<1>(above.last[i]) + in.pixel[i]);
+      const s<9> slope = in.pixel[i] - above.before_last[i];
+      out.gx[i] = s<11>(smooth - smooth_[i].tap(2 * STRIDE - 1));
+      out.gy[i] = s<11>(slope + shl<1>(slope_[i].tap(STRIDE - 1)) + slope_[i].tap(2 * STRIDE - 1));
+      smooth_[i].push(smooth);
+      slope_[i].push(slope);
+      column.before_last[i] = above.last[i];
+      column.last[i] = in.pixel[i];
+    }
+    const ColumnRun<3> zero(0);
+    out.mask = mask_.step(at.row_start, in.mask, at.frame_start_row ? zero : above.mask_run, column.mask_run);
+    out.saturated = saturated_.step(at.row_start, in.saturated, at.frame_start_row ? zero : above.saturated_run,
+                                    column.saturated_run);
+    out.marks = in.marks;
+    memory_.write(at.column, column);
+    return out;
+  }
+
+ private:
+  struct Column {
+    std::array<u<8>, LANES> last{};
+    std::array<u<8>, LANES> before_last{};
+    ColumnRun<3> mask_run;
+    ColumnRun<3> saturated_run;
+  };
+
+  ColumnMemory<Column, BEATS> memory_;
+  Raster<BEATS, 1> raster_;
+  std::array<DelayLine<u<10>, 2 * STRIDE>, LANES> smooth_{};
+  std::array<DelayLine<s<9>, 2 * STRIDE>, LANES> slope_{};
+  WindowAnd<3, STRIDE> mask_;
+  WindowAnd<3, STRIDE> saturated_;
+};
+
+template <Profile P>
+using Sobel = SobelFilter<P.result_width()>;
+
+}  // namespace horopter::stages

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the stages' streams have in common.
+//
+// Stages run in the order of stage_list.def. A frame is height + flush_rows rows of beats, whole rows, no other frame
+// between them; flush rows carry no pixels (mask 0). Images lie in arrays: [0] the left image, [1] the right image as
+// seen through the mapping table.
+#pragma once
+
+#include <array>
+
+#include "horopter/hls/int.hpp"
+#include "horopter/hls/line_buffer.hpp"
+#include "horopter/hls/profiles.hpp"
+#include "horopter/hls/window.hpp"
+
+namespace horopter::stages {
+
+using namespace horopter::hls;  // NOLINT: the vocabulary of every stage
+
+/// Frame marks of a beat.
+struct Marks {
+  bool first = false;  // first beat of a frame
+  bool last = false;   // last beat of a row, of flush rows too
+};
+
+/// Frame marks where the store still has to tell pixels from flush rows.
+struct RasterMarks {
+  bool first = false;
+  bool last = false;
+  bool live = false;  // a pixel of the frame; false in flush rows
+};
+
+/// State of a pixel of the result, the strongest has the largest code.
+namespace state {
+inline constexpr int clear = 0;         // decidable and not in the skin
+inline constexpr int skin = 1;          // in the skin
+inline constexpr int undecidable = 2;   // no texture to decide by
+inline constexpr int unsupervised = 3;  // a pixel of its support is missing
+}  // namespace state
+
+/// Grey values of LANES images, from `interpolate` to `lowpass`. Two images packed into one stream have LANES = 1,
+/// STRIDE = 2.
+template <int LANES>
+struct Grey {
+  std::array<u<8>, LANES> pixel{};
+  bool saturated = false;  // carries no information: black or white to the limit in one of the images
+  bool mask = false;       // both images exist here
+  Marks marks;
+};
+using GreyPair = Grey<2>;
+
+}  // namespace horopter::stages
