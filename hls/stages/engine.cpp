@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stages/engine.hpp"
+
+namespace horopter::native {
+namespace {
+
+template <hls::Profile P>
+class ProfileEngine final : public Engine {
+ public:
+  FrameResult process(const ImageView& left, const ImageView& right, const TableView& table,
+                      const Settings& settings) override {
+    return pipeline_.process(left, right, table, settings);
+  }
+  [[nodiscard]] const hls::Profile& profile() const override { return Pipeline<P>::profile; }
+
+ private:
+  Pipeline<P> pipeline_;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> make_engine(std::string_view profile_name) {
+#define HOROPTER_PROFILE(name, ...) \
+  if (profile_name == #name) return std::make_unique<ProfileEngine<hls::profiles::name>>();
+#include "horopter/hls/profiles.def"
+#undef HOROPTER_PROFILE
+  return nullptr;
+}
+
+}  // namespace horopter::native

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// Frames per second of the native engine on one core, for frames of noise (every branch is unpredictable).
+#include <benchmark/benchmark.h>
+
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "stages/engine.hpp"
+
+namespace {
+
+using namespace horopter;
+
+/// Identity shifted by half a pixel, control points every 8 px; the CRC is not checked by the engine.
+std::vector<std::uint32_t> shifted_table(int width, int height) {
+  constexpr int log2 = 3;
+  const int columns = ((width + 7) >> log2) + 1;
+  const int row_pairs = (((height + 7) >> log2) + 2) / 2;
+  std::vector<std::uint32_t> words{0x484D0100U | log2 << 4 | log2,
+                                   static_cast<std::uint32_t>(row_pairs << 16 | columns),
+                                   static_cast<std::uint32_t>(height << 16 | width)};
+  for (int pair = 0; pair < row_pairs; ++pair) {
+    for (int column = 0; column < columns; ++column) {
+      for (int parity = 0; parity < 2; ++parity) {
+        const auto x = static_cast<std::uint32_t>((column * 8 + 64) * 32 - 20);
+        const auto y = static_cast<std::uint32_t>(((2 * pair + parity) * 8 + 64) * 32 + 12);
+        words.push_back(y << 16 | x);
+      }
+    }
+  }
+  words.push_back(0);
+  return words;
+}
+
+void process(benchmark::State& state, const std::string& name) {
+  const auto engine = native::make_engine(name);
+  const hls::Profile& profile = engine->profile();
+  std::mt19937 random(7);
+  const std::size_t pixels = static_cast<std::size_t>(profile.width) * static_cast<std::size_t>(profile.height);
+  std::vector<std::uint8_t> left(pixels);
+  std::vector<std::uint8_t> right(pixels);
+  for (auto& pixel : left) pixel = static_cast<std::uint8_t>(random());
+  for (auto& pixel : right) pixel = static_cast<std::uint8_t>(random());
+  const auto words = shifted_table(profile.width, profile.height);
+  const native::TableView table(words);
+  const auto settings = native::Settings::defaults(profile, profile.width, profile.height);
+  const auto view = [&](const std::vector<std::uint8_t>& image) {
+    return native::ImageView{image.data(), profile.width, profile.height, profile.width};
+  };
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(engine->process(view(left), view(right), table, settings));
+  }
+  state.SetItemsProcessed(state.iterations());
+  state.SetLabel("items = frames (fields)");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  for (const auto& named : hls::named_profiles) {
+    const std::string name(named.name);
+    benchmark::RegisterBenchmark(("native/" + name).c_str(), [name](benchmark::State& state) {
+      process(state, name);
+    })->Unit(benchmark::kMillisecond);
+  }
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+}
