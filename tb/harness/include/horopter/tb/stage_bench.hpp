@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "horopter/hls/ram.hpp"
@@ -43,7 +44,8 @@ using OutOf = typename Stage::Out;
 template <class Stage>
 using ConfigOf = typename detail::ConfigOf<Stage>::type;
 
-/// Random values for leaves, in episodes: uniform, near the ends of the range, small, slowly rising, or held.
+/// Random values for leaves, in episodes: uniform, near the ends of the range, small, slowly rising, or held; single
+/// bits with a probability that changes from episode to episode.
 class RandomLeaves {
  public:
   explicit RandomLeaves(Rng rng) : rng_{rng} {}
@@ -65,14 +67,18 @@ class RandomLeaves {
   struct Episode {
     Kind kind = Kind::uniform;
     unsigned remaining = 0;
+    unsigned ones_in_256 = 128;
     std::uint64_t last = 0;
   };
   std::uint64_t next(Episode& episode, unsigned width) {
     if (episode.remaining == 0) {
+      static constexpr unsigned kOnes[] = {0, 1, 16, 128, 128, 240, 255, 256};
       episode.kind = static_cast<Kind>(rng_.chance(2) ? 0 : rng_.below(5));
-      episode.remaining = static_cast<unsigned>(1 + rng_.below(200));
+      episode.ones_in_256 = kOnes[rng_.below(8)];
+      episode.remaining = static_cast<unsigned>(1 + rng_.below(width == 1 ? 2'000 : 200));
     }
     --episode.remaining;
+    if (width == 1) return rng_.below(256) < episode.ones_in_256;
     const std::uint64_t mask = ~std::uint64_t{0} >> (64 - width);
     switch (episode.kind) {
       case Kind::uniform:
@@ -132,9 +138,9 @@ class StageBench {
   using Config = ConfigOf<Stage>;
 
  public:
-  StageBench(DutModel& model, Dut& dut, std::uint64_t seed) : model_{model}, dut_{dut}, rng_{seed}, feed_{rng_} {
-    rng_.next();
-  }
+  StageBench(DutModel& model, Dut& dut, std::uint64_t seed, Feed feed)
+      : model_{model}, dut_{dut}, rng_{seed}, feed_{std::move(feed)} {}
+  StageBench(DutModel& model, Dut& dut, std::uint64_t seed) : StageBench{model, dut, seed, Feed{Rng{~seed}}} {}
 
   BenchReport run(const BenchOptions& options) {
     try {
@@ -198,8 +204,8 @@ class StageBench {
     if (!expected_.empty()) throw Mismatch{"outputs are missing" + where()};
   }
 
+  /// Nothing in the pipeline. A beat that waits to be taken goes on waiting.
   void drain() {
-    pending_.reset();
     for (unsigned n = 0; n <= dut_.latency; ++n) {
       put(noise_.template value<In>());
       clock(true, false);
@@ -311,14 +317,13 @@ class StageBench {
   /// Before a reset: no beat between the first and the last writing stage, so that each has written all or nothing.
   void separate() {
     if (first_write_ == last_write_) return;
-    pending_.reset();
     const std::uint64_t young = rng_.below(first_write_);
     for (std::uint64_t n = young; n < last_write_; ++n) {
       put(noise_.template value<In>());
       clock(true, false);
     }
     for (std::uint64_t n = 0; n < young; ++n) {
-      pending_ = feed_.next();
+      if (!pending_) pending_ = feed_.next();
       put(*pending_);
       clock(true, true);
     }

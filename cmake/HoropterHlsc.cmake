@@ -1,0 +1,79 @@
+# hlsc's runs: every stage of hls/stages/stage_list.def for every profile.
+#
+#   horopter_generate_stages(<profile>)
+#
+# makes, in the build tree, horopter_<stage>.sv and .json of each stage; sets HOROPTER_GENERATED_<profile>_SOURCES and
+# _SIDECARS, and the target horopter_generated_<profile>. The test generated_<profile> compares them with what is
+# committed in rtl/generated/<profile>; the target `regenerate` (scripts/generate-rtl) commits to that folder instead.
+include_guard(GLOBAL)
+
+set(_stage_list ${PROJECT_SOURCE_DIR}/hls/stages/stage_list.def)
+set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${_stage_list})
+file(STRINGS ${_stage_list} _lines REGEX "^HOROPTER_STAGE\\(")
+set(HOROPTER_STAGES)
+foreach(_line IN LISTS _lines)
+  string(REGEX MATCH "^HOROPTER_STAGE\\( *([a-z0-9_]+) *, *([A-Za-z0-9_]+)" _ "${_line}")
+  list(APPEND HOROPTER_STAGES ${CMAKE_MATCH_1})
+  set(HOROPTER_STAGE_CLASS_${CMAKE_MATCH_1} ${CMAKE_MATCH_2})
+endforeach()
+
+# Every header that a stage may include: hlsc gives no dependency file.
+file(GLOB_RECURSE HOROPTER_STAGE_HEADERS CONFIGURE_DEPENDS
+  ${PROJECT_SOURCE_DIR}/hls/include/*.hpp ${PROJECT_SOURCE_DIR}/hls/include/*.def ${PROJECT_SOURCE_DIR}/hls/stages/*.hpp)
+
+set(HOROPTER_HLSC_TARGET ecp5 CACHE STRING "Delay model of the committed modules")
+# The rest of the clock is for what the delay model does not know: routing detours, skew.
+set(HOROPTER_HLSC_CLOCK_PERCENT 80 CACHE STRING "Percent of a profile's clock period that hlsc may fill with logic")
+
+function(_horopter_clock_ns profile result)
+  file(STRINGS ${PROJECT_SOURCE_DIR}/hls/include/horopter/hls/profiles.def line REGEX "^HOROPTER_PROFILE\\(${profile},")
+  string(REGEX MATCH "([0-9]+)\\)$" _ "${line}")  # the last column: clock_khz
+  math(EXPR ps "10000000 * ${HOROPTER_HLSC_CLOCK_PERCENT} / ${CMAKE_MATCH_1}")
+  math(EXPR ns "${ps} / 1000")
+  math(EXPR hundredths "${ps} % 1000 / 10")
+  if(hundredths LESS 10)
+    set(hundredths 0${hundredths})
+  endif()
+  set(${result} ${ns}.${hundredths} PARENT_SCOPE)
+endfunction()
+
+function(horopter_generate_stages profile)
+  set(dir ${PROJECT_BINARY_DIR}/generated/${profile})
+  set(committed ${PROJECT_SOURCE_DIR}/rtl/generated/${profile})
+  _horopter_clock_ns(${profile} clock_ns)
+  set(sources)
+  set(sidecars)
+  foreach(stage IN LISTS HOROPTER_STAGES)
+    set(outputs ${dir}/horopter_${stage}.sv ${dir}/horopter_${stage}.json)
+    add_custom_command(
+      OUTPUT ${outputs}
+      COMMAND hlsc ${PROJECT_SOURCE_DIR}/hls/stages/${stage}.hpp
+              --class "horopter::stages::${HOROPTER_STAGE_CLASS_${stage}}<horopter::hls::profiles::${profile}>"
+              --top-name horopter_${stage} --target ${HOROPTER_HLSC_TARGET} --clock-ns ${clock_ns}
+              -I ${PROJECT_SOURCE_DIR}/hls/include -I ${PROJECT_SOURCE_DIR}/hls
+              --source-root ${PROJECT_SOURCE_DIR} -o ${dir}
+      DEPENDS hlsc ${HOROPTER_STAGE_HEADERS}
+      COMMENT "hlsc ${profile}/${stage}"
+      VERBATIM)
+    list(APPEND sources ${dir}/horopter_${stage}.sv)
+    list(APPEND sidecars ${dir}/horopter_${stage}.json)
+  endforeach()
+  add_custom_target(horopter_generated_${profile} DEPENDS ${sources} ${sidecars})
+
+  if(NOT TARGET regenerate)
+    add_custom_target(regenerate)
+  endif()
+  add_custom_target(regenerate_${profile}
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${committed}
+    COMMAND ${CMAKE_COMMAND} -E copy_if_different ${sources} ${sidecars} ${committed}
+    DEPENDS ${sources} ${sidecars}
+    COMMENT "rtl/generated/${profile}"
+    VERBATIM)
+  add_dependencies(regenerate regenerate_${profile})
+
+  add_test(NAME generated_${profile}
+    COMMAND ${CMAKE_COMMAND} -D MADE=${dir} -D COMMITTED=${committed} -P ${PROJECT_SOURCE_DIR}/cmake/CompareGenerated.cmake)
+
+  set(HOROPTER_GENERATED_${profile}_SOURCES ${sources} PARENT_SCOPE)
+  set(HOROPTER_GENERATED_${profile}_SIDECARS ${sidecars} PARENT_SCOPE)
+endfunction()
