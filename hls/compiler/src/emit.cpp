@@ -96,8 +96,20 @@ std::string literal(const std::vector<bool>& bits_lsb_first) {
 
 class Emitter {
  public:
-  Emitter(const Graph& graph, const Schedule& schedule, const EmitOptions& options)
-      : g_(graph), s_(schedule), o_(options), last_(schedule.latency) {}
+  /// `may_inline`: nodes to be written inside the expression that uses them; empty: none.
+  Emitter(const Graph& graph, const Schedule& schedule, const EmitOptions& options, std::vector<bool> may_inline)
+      : g_(graph), s_(schedule), o_(options), last_(schedule.latency), may_inline_(std::move(may_inline)) {}
+
+  /// After run(): unnamed nodes that are used once and as a whole.
+  std::vector<bool> used_once() const {
+    std::vector<bool> result(g_.nodes.size(), false);
+    for (NodeId n = 1; n < g_.nodes.size(); ++n) {
+      if (node_signal_[n] == kNoSignal || s_.stage[n] == kDead || !g_.nodes[n].name.empty()) continue;
+      const Signal& s = signals_[node_signal_[n]];
+      result[n] = inlinable(g_.nodes[n].op) && s.uses == 1 && s.whole_uses == 1;
+    }
+    return result;
+  }
 
   EmittedModule run() {
     declare_ports();
@@ -118,6 +130,8 @@ class Emitter {
   }
 
  private:
+  static constexpr std::size_t kLongestInlined = 64;  ///< characters
+
   using SignalId = std::size_t;
   static constexpr SignalId kNoSignal = ~SignalId{0};
   struct Signal {
@@ -125,6 +139,8 @@ class Emitter {
     std::uint32_t width = 1;
     bool is_signed = false;
     std::vector<bool> used;
+    unsigned uses = 0, whole_uses = 0;  ///< expressions that read it, and of these the ones that are nothing else
+    std::string inlined;                ///< text to write instead of the name
   };
   struct Reference {
     SignalId signal = kNoSignal;  ///< kNoSignal: constant, its value in index
@@ -141,7 +157,7 @@ class Emitter {
   }
 
   SignalId signal(std::string name, std::uint32_t width, bool is_signed = false) {
-    signals_.push_back({std::move(name), width, is_signed, std::vector<bool>(width, false)});
+    signals_.push_back({std::move(name), width, is_signed, std::vector<bool>(width, false), 0, 0, {}});
     return signals_.size() - 1;
   }
 
@@ -282,6 +298,8 @@ class Emitter {
   std::string slice(SignalId id, std::uint32_t high, std::uint32_t low) {
     Signal& s = signals_[id];
     for (auto i = low; i <= high; ++i) s.used[i] = true;
+    ++s.uses;
+    if (!s.inlined.empty()) return "(" + s.inlined + ")";
     // A port declared signed would make comparisons signed and addresses negative.
     if (high - low + 1 == s.width) return s.is_signed ? "$unsigned(" + s.name + ")" : s.name;
     if (high == low) return s.name + "[" + std::to_string(low) + "]";
@@ -319,10 +337,43 @@ class Emitter {
       }
       high = low;
     }
-    if (pieces.size() == 1) return pieces.front();
+    if (pieces.size() == 1) {
+      const SignalId id = r.front().signal;
+      if (id != kNoSignal && r.front().index == 0 && r.size() == signals_[id].width) ++signals_[id].whole_uses;
+      return pieces.front();
+    }
     std::string text = "{";
     for (std::size_t i = 0; i < pieces.size(); ++i) text += (i == 0 ? "" : ", ") + pieces[i];
     return text + "}";
+  }
+
+  /// The right side of an assignment: no outer parentheses.
+  std::string assigned(const Bits& bits, int stage) {
+    const std::string text = expression(bits, stage);
+    return text.starts_with('(') ? text.substr(1, text.size() - 2) : text;
+  }
+
+  /// Operations whose value does not change inside an expression of equal width: a signed shift or product would
+  /// become unsigned.
+  static bool inlinable(Op op) {
+    switch (op) {
+      case Op::kAnd:
+      case Op::kOr:
+      case Op::kXor:
+      case Op::kNot:
+      case Op::kAdd:
+      case Op::kSub:
+      case Op::kEq:
+      case Op::kUlt:
+      case Op::kSlt:
+      case Op::kMux:
+      case Op::kReduceOr:
+      case Op::kReduceAnd:
+      case Op::kReduceXor:
+        return true;
+      default:
+        return false;
+    }
   }
 
   /// `bits` extended to `width`; the extension bit is the last one or zero.
@@ -430,7 +481,16 @@ class Emitter {
 
   void emit_node(std::ostream& out, NodeId n, int stage) {
     const Node& node = g_.nodes[n];
-    const Signal& s = signals_[node_signal_[n]];
+    Signal& s = signals_[node_signal_[n]];
+    if (!may_inline_.empty() && may_inline_[n]) {
+      const std::string text = operation(n, stage);
+      if (text.size() <= kLongestInlined) {
+        s.inlined = text;
+        return;
+      }
+      out << "  logic " << range(s.width) << s.name << ";\n  assign " << s.name << " = " << text << ";\n";
+      return;
+    }
     out << "  logic " << range(s.width) << s.name << ";";
     if (node.op == Op::kRom) {
       const Rom& rom = g_.roms[node.port];
@@ -459,7 +519,7 @@ class Emitter {
     out << "\n  // " << title << " " << std::string(114 - title.size(), '-') << "\n";
     if (stage == last_) {
       for (std::size_t i = 0; i < g_.outputs.size(); ++i) {
-        out << "  assign " << output_[i] << " = " << expression(g_.outputs[i].value, last_) << ";\n";
+        out << "  assign " << output_[i] << " = " << assigned(g_.outputs[i].value, last_) << ";\n";
       }
       out << "  assign valid_o = " << valid(last_) << ";\n";
       return;
@@ -477,12 +537,15 @@ class Emitter {
           s_.synchronous_rom[n]) {
         continue;
       }
+      std::ostringstream text;
+      emit_node(text, n, stage);
+      if (text.str().empty()) continue;
       const SourceLocation& here = g_.nodes[n].where;
       if (!here.file.empty() && (here.file != where.file || here.line != where.line)) {
         out << "  // " << place(here) << "\n";
         where = here;
       }
-      emit_node(out, n, stage);
+      out << text.str();
     }
     for (std::size_t r = 0; r < g_.rams.size(); ++r) {
       if (s_.ram_read_stage[r] == stage) emit_memory_read(out, r);
@@ -503,13 +566,13 @@ class Emitter {
       Bits bits;
       for (std::uint32_t i : registers_.at(key)) bits.push_back({key.second, i});
       declare << "  logic " << range(signals_[id].width) << signals_[id].name << ";\n";
-      load << "      " << signals_[id].name << " <= " << expression(bits, stage) << ";\n";
+      load << "      " << signals_[id].name << " <= " << assigned(bits, stage) << ";\n";
     }
     if (stage + 1 == last_ && static_register_ != kNoSignal) {
       Bits bits(output_static_.size());
       for (const auto& [bit, index] : output_static_) bits[index] = bit;
       declare << "  logic " << range(signals_[static_register_].width) << signals_[static_register_].name << ";\n";
-      load << "      " << signals_[static_register_].name << " <= " << expression(bits, stage) << ";\n";
+      load << "      " << signals_[static_register_].name << " <= " << assigned(bits, stage) << ";\n";
     }
     for (const State& state : g_.states) {
       if (s_.stage[state.read] != stage) continue;
@@ -517,7 +580,7 @@ class Emitter {
       std::vector<bool> initial = state.initial;
       initial.resize(state.width, false);
       reset << "      " << name << " <= " << literal(initial) << ";\n";
-      load_state << "      " << name << " <= " << expression(state.next, stage) << ";\n";
+      load_state << "      " << name << " <= " << assigned(state.next, stage) << ";\n";
     }
     if (!reset.str().empty()) {
       out << "\n  always_ff @(posedge clk_i) begin\n    if (!rst_ni) begin\n" << reset.str() << "    end else if ("
@@ -573,7 +636,7 @@ class Emitter {
         << "  initial for (int i = 0; i < " << ram.depth << "; i++) " << name << "_mem[i] = "
         << literal(std::vector<bool>(ram.width, false)) << ";\n"
         << "  logic " << range(static_cast<std::uint32_t>(width)) << name << "_raddr;\n  assign " << name
-        << "_raddr = " << expression(ram.read_address, stage) << ";\n";
+        << "_raddr = " << assigned(ram.read_address, stage) << ";\n";
     out << "  logic " << name << "_re;\n  assign " << name << "_re = " << enable(stage);
     if (ram.read_enable != kOne) out << " & " << expression(Bits{ram.read_enable}, stage);
     out << ";\n  logic " << range(ram.width) << signals_[node_signal_[ram.read]].name << ";\n"
@@ -588,12 +651,12 @@ class Emitter {
     const int read = s_.ram_read_stage[r], stage = s_.ram_write_stage[r];
     const auto width = ram.write_address.size();
     out << "\n  // Memory " << name << ", write\n  logic " << range(static_cast<std::uint32_t>(width)) << name
-        << "_waddr;\n  assign " << name << "_waddr = " << expression(ram.write_address, stage) << ";\n  logic " << name
+        << "_waddr;\n  assign " << name << "_waddr = " << assigned(ram.write_address, stage) << ";\n  logic " << name
         << "_we;\n  assign " << name << "_we = " << enable(stage);
     if (ram.write_enable != kOne) out << " & " << expression(Bits{ram.write_enable}, stage);
     out << ";\n  always_ff @(posedge clk_i) begin\n    if (" << name << "_we) " << name << "_mem["
         << address_index(name + "_waddr", width, address_bits(ram.depth)) << "] <= "
-        << expression(ram.write_data, stage) << ";\n  end\n";
+        << assigned(ram.write_data, stage) << ";\n  end\n";
     // Later beats whose reads have already happened, or happen in this clock, must not have read this address.
     out << "`ifndef SYNTHESIS\n";
     const auto reader_width = ram.read_address.size();
@@ -673,6 +736,7 @@ class Emitter {
   const Schedule& s_;
   const EmitOptions& o_;
   int last_;
+  std::vector<bool> may_inline_;
   EmittedModule result_;
   std::set<std::string> names_;
   std::vector<Signal> signals_;
@@ -688,7 +752,9 @@ class Emitter {
 }  // namespace
 
 EmittedModule emit(const Graph& graph, const Schedule& schedule, const EmitOptions& options) {
-  return Emitter(graph, schedule, options).run();
+  Emitter trial(graph, schedule, options, {});
+  trial.run();
+  return Emitter(graph, schedule, options, trial.used_once()).run();
 }
 
 }  // namespace hlsc

@@ -26,9 +26,6 @@ constexpr double kEpsilonNs = 1e-9;
 
 }  // namespace
 
-ScheduleError::ScheduleError(SourceLocation location, const std::string& text)
-    : std::runtime_error(place(location) + ": error: " + text), where(std::move(location)), message(text) {}
-
 namespace {
 
 /// Variables of the scheduling problem: one per node, two per RAM (address, write), one per synchronous ROM's address,

@@ -14,20 +14,18 @@
 #pragma once
 
 #include "hlsc/delay.hpp"
+#include "hlsc/diagnostics.hpp"
 #include "hlsc/graph.hpp"
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace hlsc {
 
-/// Something in the source that cannot be compiled as asked; what() is "file:line: error: message".
-class ScheduleError : public std::runtime_error {
+/// A stage that does not fit the clock, the memories or the emitted language.
+class ScheduleError : public CompileError {
  public:
-  ScheduleError(SourceLocation location, const std::string& text);
-  SourceLocation where;
-  std::string message;
+  using CompileError::CompileError;
 };
 
 struct ScheduleOptions {
