@@ -172,7 +172,7 @@ std::string rows_text(RowReach reach) {
 
 }  // namespace
 
-std::vector<ScanGeometry> scans_of(const Profile& profile, int image_width, int image_height) {
+std::vector<ScanGeometry> scans_of(const MachineProfile& profile, int image_width, int image_height) {
   if (!profile.takes_fields()) return {{image_width, image_height, Scan::progressive}};
   return {{image_width, (image_height + 1) / 2, Scan::even_field}, {image_width, image_height / 2, Scan::odd_field}};
 }
@@ -264,13 +264,13 @@ std::optional<MapTable::Source> MapTable::source(int x, int y, int weight_bits) 
   return Source{static_cast<int>(source_x), static_cast<int>(source_y)};
 }
 
-std::optional<int> lookahead_for(const Profile& profile, RowReach reach) {
-  const int lookahead = std::max(reach.ahead + 2, kSmallestLookahead);
-  if (lookahead > profile.largest_lookahead() || reach.behind > profile.store_rows - lookahead - 2) return std::nullopt;
+std::optional<int> lookahead_for(const MachineProfile& profile, RowReach reach) {
+  const int lookahead = std::max(reach.ahead, kSmallestLookahead);
+  if (lookahead > profile.largest_lookahead() || reach.behind > profile.rows_behind()) return std::nullopt;
   return lookahead;
 }
 
-CompiledMap compile_map(const Skin& skin, const Profile& profile, const ScanGeometry& geometry,
+CompiledMap compile_map(const Skin& skin, const MachineProfile& profile, const ScanGeometry& geometry,
                         const MapLimits& limits) {
   const ExactMap exact = evaluate(skin, geometry, limits.smallest_scale);
 
@@ -315,7 +315,7 @@ CompiledMap compile_map(const Skin& skin, const Profile& profile, const ScanGeom
         fmt::format("left row y needs the right rows {}; the store of profile {} holds {} rows, of "
                     "which it gives {}",
                     rows_text(best->report.reach), profile.name, profile.store_rows,
-                    rows_text({profile.store_rows / 2 - 2, profile.store_rows / 2 - 2})));
+                    rows_text({profile.rows_behind(), profile.largest_lookahead()})));
   }
   best->report.lookahead = *lookahead;
   return *std::move(best);
@@ -327,7 +327,7 @@ int MapSet::lookahead() const {
   return largest;
 }
 
-MapSet compile_maps(const SkinFile& skin, const Profile& profile, int image_width, int image_height) {
+MapSet compile_maps(const SkinFile& skin, const MachineProfile& profile, int image_width, int image_height) {
   MapSet set{std::string(profile.name), image_width, image_height, skin.skin->description(), {}};
   RowReach reach;
   for (const ScanGeometry& geometry : scans_of(profile, image_width, image_height)) {

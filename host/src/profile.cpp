@@ -10,36 +10,34 @@
 namespace horopter {
 namespace {
 
-constexpr auto kProfiles = std::to_array<Profile>({
-#define HOROPTER_PROFILE(name, width, height, subsample, dsad, majority, weight_bits, store_rows, pool_bytes, \
-                         hypotheses, clock_khz)                                                               \
-  {#name, width, height, subsample, dsad, majority, weight_bits, store_rows, pool_bytes, hypotheses, clock_khz},
-#include "horopter/hls/profiles.def"
-#undef HOROPTER_PROFILE
-});
+constexpr auto kProfiles = [] {
+  std::array<MachineProfile, hls::named_profiles.size()> all{};
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = {hls::named_profiles[i].profile, hls::named_profiles[i].name};
+  return all;
+}();
 
 }  // namespace
 
-std::span<const Profile> profiles() { return kProfiles; }
+std::span<const MachineProfile> profiles() { return kProfiles; }
 
 std::string profile_names() {
   std::string names;
-  for (const Profile& profile : kProfiles) {
+  for (const MachineProfile& profile : kProfiles) {
     names += (names.empty() ? "" : ", ") + std::string(profile.name);
   }
   return names;
 }
 
-const Profile& find_profile(std::string_view name) {
-  for (const Profile& profile : kProfiles) {
+const MachineProfile& find_profile(std::string_view name) {
+  for (const MachineProfile& profile : kProfiles) {
     if (profile.name == name) return profile;
   }
   throw UsageError(fmt::format("unknown profile '{}'; expected one of: {}", name, profile_names()));
 }
 
-const Profile* smallest_profile(int image_width, int image_height) {
-  const Profile* best = nullptr;
-  for (const Profile& profile : kProfiles) {
+const MachineProfile* smallest_profile(int image_width, int image_height) {
+  const MachineProfile* best = nullptr;
+  for (const MachineProfile& profile : kProfiles) {
     if (profile.takes_fields() || image_width > profile.width || image_height > profile.height) continue;
     if (best == nullptr || profile.width * profile.height < best->width * best->height) best = &profile;
   }

@@ -176,7 +176,7 @@ TEST_CASE("The layout of the upload words is that of the hardware") {
 }
 
 TEST_CASE("Tables stay within their limits of the skin, in the hardware's arithmetic") {
-  const Profile& profile = find_profile(GENERATE("vga", "hd", "field"));
+  const MachineProfile& profile = find_profile(GENERATE("vga", "hd", "field"));
   const auto skin =
       profile.name == "hd" ? skin_of({1.01, 0.01, -24.0, 0.005, 1.01, 6.0, 1e-6, 5e-6, 1.0}) : skin_of(kTilted);
   CAPTURE(profile.name);
@@ -205,7 +205,7 @@ TEST_CASE("Tables stay within their limits of the skin, in the hardware's arithm
 }
 
 TEST_CASE("Fields map in full frame coordinates, each to the field of its parity") {
-  const Profile& profile = find_profile("field");
+  const MachineProfile& profile = find_profile("field");
   const auto skin = skin_of({1, 0, -10, 0, 1, 8, 0, 0, 1});
   const auto maps = compile_maps(skin, profile, 756, 572);
   REQUIRE(maps.maps.size() == 2);
@@ -231,12 +231,11 @@ TEST_CASE("A skin that needs more rows than the store holds is refused, with the
     CHECK_THAT(error.what(),
                Catch::Contains("skin.yaml") && Catch::Contains("rows") && Catch::Contains("holds 64 rows"));
   }
-  // Within ±30 rows, 64 rows are enough; reaching further ahead costs reach behind.
-  const Profile& hd = find_profile("hd");
-  CHECK(lookahead_for(hd, {30, 30}) == 32);
-  CHECK(lookahead_for(hd, {0, 31}) == std::nullopt);
-  CHECK(lookahead_for(hd, {54, 6}) == 8);
-  CHECK(lookahead_for(hd, {55, 6}) == std::nullopt);
+  const MachineProfile& hd = find_profile("hd");
+  CHECK(lookahead_for(hd, {30, 32}) == 32);
+  CHECK(lookahead_for(hd, {30, -5}) == 8);
+  CHECK(lookahead_for(hd, {0, 33}) == std::nullopt);
+  CHECK(lookahead_for(hd, {31, 6}) == std::nullopt);
 }
 
 TEST_CASE("Unsupervised pixels are told by reason") {

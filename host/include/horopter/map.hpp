@@ -33,7 +33,7 @@ struct ScanGeometry {
 };
 
 /// What a profile makes of an image: one geometry, or two for profiles that take fields.
-std::vector<ScanGeometry> scans_of(const Profile& profile, int image_width, int image_height);
+std::vector<ScanGeometry> scans_of(const MachineProfile& profile, int image_width, int image_height);
 
 /// A table in upload format: three header words, control points, CRC-32.
 class MapTable {
@@ -98,9 +98,8 @@ struct RowReach {
   int ahead = 0;
 };
 
-/// The setting of LOOKAHEAD for which the store holds these rows, [y - (ROWS - LOOKAHEAD - 2), y + LOOKAHEAD - 2];
-/// nothing when no setting does.
-std::optional<int> lookahead_for(const Profile& profile, RowReach reach);
+/// The setting of LOOKAHEAD for which the store holds these rows, y - (ROWS/2 - 2) … y + LOOKAHEAD; nothing when none does.
+std::optional<int> lookahead_for(const MachineProfile& profile, RowReach reach);
 
 struct MapReport {
   int spacing_x = 0;
@@ -136,7 +135,7 @@ struct MapLimits {
 
 /// The table of the fewest bytes within the limits. Throws std::runtime_error when the skin needs more rows than the
 /// store holds, or no table within the limits fits the pool.
-CompiledMap compile_map(const Skin& skin, const Profile& profile, const ScanGeometry& geometry,
+CompiledMap compile_map(const Skin& skin, const MachineProfile& profile, const ScanGeometry& geometry,
                         const MapLimits& limits = {});
 
 /// Tables of one skin for one profile and image size: as many as the profile makes scans of an image.
@@ -152,7 +151,7 @@ struct MapSet {
 };
 
 /// Throws FileError naming the skin's file.
-MapSet compile_maps(const SkinFile& skin, const Profile& profile, int image_width, int image_height);
+MapSet compile_maps(const SkinFile& skin, const MachineProfile& profile, int image_width, int image_height);
 
 /// `.hmap`: versioned header, tables, reports, CRC-32. Throws FileError.
 void save_maps(const MapSet& maps, const std::filesystem::path& path);

@@ -6,35 +6,29 @@
 #include <string>
 #include <string_view>
 
+#include "horopter/hls/profiles.hpp"
+
 namespace horopter {
 
-struct Profile {
+struct MachineProfile : hls::Profile {
   std::string_view name;
-  int width;      ///< largest input width, pixels
-  int height;     ///< largest input height, rows of a field or frame
-  int subsample;  ///< pixels of a row that are averaged into one; 2: the profile takes fields
-  int dsad_window;
-  int majority_window;
-  int weight_bits;
-  int store_rows;  ///< ring of right rows
-  int pool_bytes;  ///< map store
-  int hypotheses;
-  int clock_khz;
 
   /// A progressive image becomes two fields, even rows first (thesis 7.6, 10.4.3).
   constexpr bool takes_fields() const { return subsample == 2; }
   constexpr int fields_per_image() const { return takes_fields() ? 2 : 1; }
+  /// Right rows that the store still holds above the output row, and the most it may wait for below.
+  constexpr int rows_behind() const { return store_rows / 2 - 2; }
   constexpr int largest_lookahead() const { return store_rows / 2; }
   constexpr int largest_image_width() const { return width; }
   constexpr int largest_image_height() const { return height * fields_per_image(); }
 };
 
-std::span<const Profile> profiles();
+std::span<const MachineProfile> profiles();
 /// Throws UsageError naming the profiles that there are.
-const Profile& find_profile(std::string_view name);
+const MachineProfile& find_profile(std::string_view name);
 /// The smallest profile (in pixels) that takes the image as it is, one frame an image. Profiles that split an image
 /// into fields change what comes out, so they are used on request only. Null when none is large enough.
-const Profile* smallest_profile(int image_width, int image_height);
+const MachineProfile* smallest_profile(int image_width, int image_height);
 std::string profile_names();
 
 }  // namespace horopter

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// The commands of the program. Each adds its options to the parser and leaves a callback that does the work and throws
+// horopter::Error; main turns that into the exit status.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "horopter/error.hpp"
+
+namespace horopter::cli {
+
+/// Set by the callback that ran.
+struct Outcome {
+  ExitStatus status = ExitStatus::done;
+};
+
+void add_run(CLI::App& app, Outcome& outcome);
+void add_map(CLI::App& app, Outcome& outcome);
+
+/// True once the user has asked to stop (SIGINT, SIGTERM).
+bool interrupted();
+
+}  // namespace horopter::cli

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "inputs.hpp"
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include "horopter/error.hpp"
+#include "horopter/image.hpp"
+#include "horopter/skin.hpp"
+
+namespace horopter::cli {
+namespace {
+
+/// Smallest frame of the machine: the filters' windows and the flushing of rows need room.
+constexpr int kSmallestWidth = 32;
+constexpr int kSmallestHeight = 16;
+
+const char* const kSkinExpected = "a skin (skin.yaml) or a mapping table (.hmap)";
+
+}  // namespace
+
+void check_image_size(const std::string& name, int width, int height, const MachineProfile& profile) {
+  const std::string found = fmt::format("the image is {}x{} pixels", width, height);
+  const std::string_view what = profile.name;
+  if (width > profile.largest_image_width() || height > profile.largest_image_height()) {
+    throw FileError(name, "", found,
+                    fmt::format("at most {}x{} for profile {}", profile.largest_image_width(),
+                                profile.largest_image_height(), what));
+  }
+  const int fields = profile.fields_per_image();
+  if (width < kSmallestWidth * profile.subsample || height < kSmallestHeight * fields) {
+    throw FileError(name, "", found,
+                    fmt::format("at least {}x{} for profile {}", kSmallestWidth * profile.subsample,
+                                kSmallestHeight * fields, what));
+  }
+  if (width % profile.subsample != 0 || height % fields != 0) {
+    throw FileError(name, "", found,
+                    fmt::format("even width and height for profile {}, which takes fields and averages pairs", what));
+  }
+}
+
+void check_rig(const std::string& path) {
+  if (path.empty()) return;
+  const auto bytes = read_file(path, "the cameras (rig.yaml)");
+  try {
+    YAML::Load(std::string(bytes.begin(), bytes.end()));
+  } catch (const YAML::Exception& error) {
+    throw FileError(path, fmt::format("line {}, column {}", error.mark.line + 1, error.mark.column + 1),
+                    "not YAML (" + error.msg + ")", "the cameras (rig.yaml)");
+  }
+}
+
+void check_skin_file(const std::string& path) { read_file(path, kSkinExpected); }
+
+MapSet load_or_compile_maps(const std::string& skin, const MachineProfile& profile, int image_width, int image_height) {
+  const auto bytes = read_file(skin, kSkinExpected);
+  if (std::string(bytes.begin(), bytes.begin() + std::min<std::size_t>(4, bytes.size())) != "HMAP") {
+    const Point centre{0.5 * (image_width - 1), 0.5 * (image_height - 1)};
+    return compile_maps(load_skin(skin, centre), profile, image_width, image_height);
+  }
+  MapSet maps = load_maps(skin);
+  if (maps.profile != profile.name) {
+    throw FileError(skin, "", fmt::format("a table for profile {}", maps.profile),
+                    fmt::format("profile {}", profile.name));
+  }
+  if (maps.image_width != image_width || maps.image_height != image_height) {
+    throw FileError(skin, "", fmt::format("a table for images of {}x{} pixels", maps.image_width, maps.image_height),
+                    fmt::format("{}x{}", image_width, image_height));
+  }
+  return maps;
+}
+
+}  // namespace horopter::cli

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Inputs that several commands take, checked in one way.
+#pragma once
+
+#include <string>
+
+#include "horopter/map.hpp"
+#include "horopter/profile.hpp"
+
+namespace horopter::cli {
+
+/// Throws FileError when the profile does not hold an image of this size.
+void check_image_size(const std::string& name, int width, int height, const MachineProfile& profile);
+/// A rig that is named must be a YAML file, though no skin of today needs it.
+void check_rig(const std::string& path);
+/// There and not empty; contents are checked by load_or_compile_maps.
+void check_skin_file(const std::string& path);
+/// Tables from a skin.yaml, or from an .hmap of the same profile and size.
+MapSet load_or_compile_maps(const std::string& skin, const MachineProfile& profile, int image_width, int image_height);
+
+}  // namespace horopter::cli

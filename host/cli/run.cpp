@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+// horopter run: supervises image pairs.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "horopter/engines.hpp"
+#include "horopter/frames.hpp"
+#include "horopter/map_json.hpp"
+#include "horopter/monitor.hpp"
+#include "horopter/output.hpp"
+#include "horopter/report.hpp"
+#include "inputs.hpp"
+#include "progress.hpp"
+
+namespace horopter::cli {
+namespace {
+
+struct RunOptions {
+  std::vector<std::string> left;
+  std::vector<std::string> right;
+  std::string skin;
+  std::string rig;
+  std::string profile;
+  std::string engine = "native";
+  std::string out;
+  Settings settings;
+  std::size_t frames = 0;
+  bool overlay = true;
+  bool json = false;
+};
+
+bool is_result(const std::string& name) {
+  const bool picture = name.starts_with("frame-") && (name.ends_with("-state.png") || name.ends_with("-overlay.png"));
+  return picture || name == "summary.json";
+}
+
+/// The machine starts with the first pair: its size decides profile and tables.
+struct Session {
+  Session(const RunOptions& options, const NamedImage& first) {
+    const int width = first.image.width;
+    const int height = first.image.height;
+    profile = options.profile.empty() ? smallest_profile(width, height) : &find_profile(options.profile);
+    if (profile == nullptr) {
+      throw FileError(first.name, "", fmt::format("the image is {}x{} pixels", width, height),
+                      fmt::format("at most the {} of profile hd", "1920x1080"));
+    }
+    check_image_size(first.name, width, height, *profile);
+    const MapSet maps = load_or_compile_maps(options.skin, *profile, width, height);
+    supervisor = std::make_unique<Supervisor>(make_device(options.engine, *profile), *profile, maps, options.settings);
+  }
+
+  const MachineProfile* profile = nullptr;
+  std::unique_ptr<Supervisor> supervisor;
+};
+
+void print_frame(int frame, const FrameResult& result) {
+  const auto pixels = static_cast<double>(result.states.pixels.size());
+  std::string line =
+      fmt::format("frame {:4}  {:8}  skin {:5.1f} %  undecidable {:5.1f} %  unsupervised {:5.1f} %", frame,
+                  result.alarm  ? "ALARM"
+                  : result.safe ? "safe"
+                                : "not safe",
+                  100 * static_cast<double>(result.skin_pixels) / pixels,
+                  100 * static_cast<double>(result.undecidable_pixels) / pixels,
+                  100 * static_cast<double>(result.unsupervised_pixels) / pixels);
+  for (const std::string& fault : result.fault_names()) line += "  " + fault;
+  std::puts(line.c_str());
+}
+
+ExitStatus run(const RunOptions& options) {
+  if (!options.profile.empty()) find_profile(options.profile);
+  check_rig(options.rig);
+  check_skin_file(options.skin);
+  PairSource pairs(options.left, options.right);
+  const auto count = pairs.count();
+  auto pair = pairs.next();
+  if (!pair) throw FileError(options.left.front(), "", "there is no image", "at least one");
+
+  OutputDirectory output(options.out, is_result);
+  Session session(options, pair->left);
+  const Device& device = session.supervisor->monitor().device();
+  auto summary = summary_json(device.engine(), session.profile->name);
+  Progress progress("supervising pair");
+  ExitStatus status = ExitStatus::done;
+  int frame = 0;
+  for (std::size_t index = 0; pair; ++index) {
+    const auto results = session.supervisor->process(pair->left.image, pair->right.image);
+    for (const FrameResult& result : results) {
+      const std::string base = fmt::format("frame-{:04}", frame);
+      output.write(base + "-state.png", encode_png(state_picture(result.states)));
+      if (options.overlay) {
+        const Image left = result.scan == Scan::progressive
+                               ? std::move(pair->left.image)
+                               : field_of(pair->left.image, result.scan == Scan::odd_field ? 1 : 0);
+        const Picture overlay = draw_overlay(left, result);
+        output.write(base + "-overlay.png", encode_png_bgr(overlay.width, overlay.height, overlay.bgr));
+      }
+      summary["frames"].push_back(frame_json(frame, pair->left.name, pair->right.name, result, device.counts_cycles()));
+      if (result.faults != 0) status = ExitStatus::fault;
+      if (!options.json) {
+        progress.clear();
+        print_frame(frame, result);
+      }
+      ++frame;
+    }
+    progress.show(index + 1, count);
+    if (options.frames != 0 && index + 1 == options.frames) break;
+    if (interrupted()) {
+      if (!count) break;  // a camera: that is how it ends
+      throw Error(ExitStatus::fault, "interrupted; nothing was written");
+    }
+    pair = pairs.next();
+  }
+  progress.clear();
+  output.write("summary.json", summary.dump(2) + "\n");
+  output.commit();
+  if (options.json) {
+    std::puts(summary.dump(2).c_str());
+  } else {
+    const auto& frames = summary["frames"];
+    const auto alarms = std::ranges::count_if(frames, [](const auto& f) { return f["alarm"].template get<bool>(); });
+    std::printf("%d frames, %td with alarm; pictures and summary.json are in %s\n", frame, alarms, options.out.c_str());
+  }
+  if (status == ExitStatus::fault) {
+    std::fprintf(stderr, "horopter: at least one frame has a fault; see `faults` in %s/summary.json\n",
+                 options.out.c_str());
+  }
+  return status;
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, Outcome& outcome) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* command =
+      app.add_subcommand("run", "Supervise image pairs: which pixels are in the skin, and is it an alarm?");
+  command
+      ->add_option("--left", options->left, "Left images: files, 'patterns', directories, videos, or a camera's number")
+      ->required()
+      ->expected(1, -1)
+      ->type_name("F...");
+  command->add_option("--right", options->right, "Right images, as many as left ones")
+      ->required()
+      ->expected(1, -1)
+      ->type_name("F...");
+  command->add_option("--skin", options->skin, "The skin: skin.yaml, or a table made by `horopter map`")
+      ->required()
+      ->type_name("FILE");
+  command->add_option("--rig", options->rig, "The cameras (rig.yaml); homographies and correspondences need none")
+      ->type_name("FILE");
+  command
+      ->add_option("--profile", options->profile,
+                   "Build of the machine: " + profile_names() +
+                       " (default: the smallest that holds the image; field, "
+                       "which splits an image into two fields, on request only)")
+      ->type_name("P");
+  command->add_option("--engine", options->engine, "native: C++ on this CPU; rtl: the co-simulated hardware")
+      ->check(CLI::IsMember({"native", "rtl"}))
+      ->capture_default_str();
+  command
+      ->add_option("--threshold", options->settings.threshold_percent,
+                   "In the skin up to this share of the largest sum of direction differences, %")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
+  command
+      ->add_option("--texture", options->settings.texture,
+                   "Smallest mean gradient that decides, in units of the Sobel magnitude (8 = 1 grey level per pixel)")
+      ->check(CLI::Range(0, 255))
+      ->capture_default_str();
+  command
+      ->add_option("--alarm-limit", options->settings.alarm_percent, "Alarm above this share of pixels in the skin, %")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
+  command
+      ->add_option("--undecidable-limit", options->settings.undecidable_percent,
+                   "Fault above this share of undecidable pixels, % of the supervised ones")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
+  command
+      ->add_option("--unsupervised-limit", options->settings.unsupervised_percent,
+                   "Fault above this share of unsupervised pixels, %")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
+  command
+      ->add_option("--frozen-limit", options->settings.frozen_limit,
+                   "Fault when an image is repeated this many times, 0 = never")
+      ->check(CLI::Range(0, 255))
+      ->capture_default_str();
+  command->add_option("--frames", options->frames, "Stop after this many pairs (default: all)")->type_name("N");
+  command->add_option("--out", options->out, "Directory for the results")->required()->type_name("DIR");
+  command->add_flag("!--no-overlay", options->overlay, "Write no overlay pictures");
+  command->add_flag("--json", options->json, "Print summary.json on standard output, and nothing else");
+  command->footer(
+      "Writes per frame frame-NNNN-state.png (0 clear, 255 skin, 128 undecidable, 64 unsupervised) and\n"
+      "frame-NNNN-overlay.png, and summary.json. All of it appears at the end, or nothing after an error.\n"
+      "A fault of a frame is an exit status of 4; the results are written all the same.\n\n"
+      "Example: horopter run --left 'left*.jpg' --right 'right*.jpg' --skin skin.yaml --out results");
+  command->callback([options, &outcome] { outcome.status = run(*options); });
+}
+
+}  // namespace horopter::cli

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// The driver that all devices share: configures, uploads tables, supervises image pairs.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "horopter/device.hpp"
+#include "horopter/map.hpp"
+#include "horopter/profile.hpp"
+
+namespace horopter {
+
+struct Settings {
+  double threshold_percent = 25;     ///< of the largest DSAD sum, 15·k²; at most this is in the skin
+  int texture = 32;                  ///< 3×3 mean of the left unscaled Sobel magnitude that makes a pixel decidable
+  double self_percent = 100.0 / 15;  ///< of 15·k²; a window whose directions vary less is no texture. Default: k²
+  double alarm_percent = 5;          ///< of the result's pixels; more skin pixels are an alarm
+  double undecidable_percent = 99;   ///< of the pixels that the table supervises; more are a fault
+  double unsupervised_percent = 99;  ///< of the result's pixels; more are a fault
+  int frozen_limit = 1;              ///< repetitions of a frame that are a fault; 0 = never
+  double dark_percent = 95;          ///< of the incoming pixels; more dark ones are a black image
+  double bright_percent = 95;        ///< the same for white
+};
+
+/// One result of the machine. Pictures and runs are in pixels of the left image (field) after sub-sampling.
+struct FrameResult {
+  Image states;  ///< codes of State
+  std::vector<Run> runs;
+  std::uint32_t sequence = 0;
+  std::int64_t skin_pixels = 0;
+  std::int64_t undecidable_pixels = 0;
+  std::int64_t unsupervised_pixels = 0;
+  bool alarm = false;
+  bool safe = false;
+  int table = 15;  ///< slot, 15 = none
+  std::uint32_t table_crc = 0;
+  std::uint32_t faults = 0;   ///< bits of register FAULTS
+  std::uint32_t cycles = 0;   ///< first pixel in to last state out, clocks
+  std::uint32_t latency = 0;  ///< first pixel in to first state out, clocks
+  std::uint32_t tail = 0;     ///< last pixel in to last state out, clocks
+  Scan scan = Scan::progressive;
+
+  std::vector<std::string> fault_names() const;
+};
+
+/// Names of fault bits as in registers.yaml, lowest bit first.
+std::vector<std::string> fault_names(std::uint32_t faults);
+
+class Monitor {
+ public:
+  /// Checks that the device is a Horopter of this profile and version. Throws DeviceError.
+  Monitor(std::unique_ptr<Device> device, const MachineProfile& profile, const Settings& settings = {});
+  ~Monitor();
+
+  /// Sets the geometry and enables the machine. Resets what it has seen of earlier frames.
+  void start(int width, int height, int lookahead);
+  void stop();
+
+  /// Uploads a table into slot 0 … 14 while the machine runs. The pool is filled slot by slot; throws DeviceError when
+  /// it is full or the machine refuses the table.
+  void upload(int slot, const MapTable& table);
+  /// Table of the next frame.
+  void select(int slot);
+
+  /// One frame (or field) of both cameras, of the size given to start().
+  FrameResult process(const Image& left, const Image& right);
+
+  Device& device() { return *device_; }
+  const MachineProfile& profile() const { return profile_; }
+
+ private:
+  void write_limits();
+
+  struct Slot {
+    std::size_t base_word64 = 0;
+    std::size_t words64 = 0;
+    std::int64_t supervised = 0;  ///< result pixels that the table supervises
+  };
+
+  std::unique_ptr<Device> device_;
+  const MachineProfile& profile_;
+  Settings settings_;
+  int width_ = 0;
+  int height_ = 0;
+  std::vector<Slot> slots_;
+  std::uint32_t sequence_ = 0;
+};
+
+/// A monitor for image pairs of one skin: every image makes one result, or two for profiles that take fields.
+class Supervisor {
+ public:
+  /// Starts the machine and uploads the tables, even fields in slot 0, odd ones in slot 1.
+  Supervisor(std::unique_ptr<Device> device, const MachineProfile& profile, const MapSet& maps,
+             const Settings& settings = {});
+
+  std::vector<FrameResult> process(const Image& left, const Image& right);
+  Monitor& monitor() { return monitor_; }
+
+ private:
+  Monitor monitor_;
+  std::vector<ScanGeometry> scans_;
+};
+
+}  // namespace horopter
