@@ -15,8 +15,8 @@ module horopter_csr #(
     parameter logic [23:0] ALARM_LIMIT_PIXELS_RESET = 24'd0,
     parameter logic [23:0] UNDECIDABLE_LIMIT_PIXELS_RESET = 24'd0,
     parameter logic [23:0] UNSUPERVISED_LIMIT_PIXELS_RESET = 24'd0,
-    parameter logic [23:0] DARK_LIMIT_PIXELS_RESET = 24'd0,
-    parameter logic [23:0] BRIGHT_LIMIT_PIXELS_RESET = 24'd0
+    parameter logic [23:0] BLACK_LIMIT_PIXELS_RESET = 24'd0,
+    parameter logic [23:0] WHITE_LIMIT_PIXELS_RESET = 24'd0
 ) (
     input  logic        clk_i,
     input  logic        rst_ni,
@@ -63,15 +63,15 @@ module horopter_csr #(
     output logic [ 1:0] irq_status_o,
     output logic [15:0] sum_limit_value_o,
     output logic [15:0] self_limit_value_o,
-    output logic [ 7:0] texture_limit_value_o,
+    output logic [15:0] texture_limit_sum_o,
     output logic [23:0] alarm_limit_pixels_o,
     output logic [23:0] undecidable_limit_pixels_o,
     output logic [23:0] unsupervised_limit_pixels_o,
-    output logic [ 7:0] dark_level_grey_o,
-    output logic [23:0] dark_limit_pixels_o,
-    output logic [ 7:0] bright_level_grey_o,
-    output logic [23:0] bright_limit_pixels_o,
-    output logic [ 7:0] contrast_limit_grey_o,
+    output logic [ 7:0] black_level_grey_o,
+    output logic [23:0] black_limit_pixels_o,
+    output logic [ 7:0] white_level_grey_o,
+    output logic [23:0] white_limit_pixels_o,
+    output logic [ 7:0] constant_limit_grey_o,
     output logic [ 7:0] frozen_limit_frames_o,
     output logic [ 3:0] map_slot_slot_o,
     output logic [15:0] map_base_word64_o,
@@ -233,14 +233,14 @@ module horopter_csr #(
   end
   assign self_limit_value_o = self_limit_value_q;
 
-  // TEXTURE_LIMIT: A pixel is decidable when the 3×3 mean of the left magnitude is at least this.
-  logic [ 7:0] texture_limit_value_q;
+  // TEXTURE_LIMIT: A pixel is decidable when the left magnitude, summed over 5×5, is at least this.
+  logic [15:0] texture_limit_sum_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) texture_limit_value_q <= 8'd32;
+    if (!rst_ni) texture_limit_sum_q <= 16'd800;
     else if (write_take && write_addr_i == 12'h088)
-      texture_limit_value_q <= (write_data_i[7:0] & write_mask[7:0]) | (texture_limit_value_q & ~write_mask[7:0]);
+      texture_limit_sum_q <= (write_data_i[15:0] & write_mask[15:0]) | (texture_limit_sum_q & ~write_mask[15:0]);
   end
-  assign texture_limit_value_o = texture_limit_value_q;
+  assign texture_limit_sum_o = texture_limit_sum_q;
 
   // ALARM_LIMIT: More skin pixels than this in a frame are an alarm.
   logic [23:0] alarm_limit_pixels_q;
@@ -269,50 +269,50 @@ module horopter_csr #(
   end
   assign unsupervised_limit_pixels_o = unsupervised_limit_pixels_q;
 
-  // DARK_LEVEL: Black image: a pixel at or below this grey level is dark.
-  logic [ 7:0] dark_level_grey_q;
+  // BLACK_LEVEL: Black image: grey level at or below which a pixel is black.
+  logic [ 7:0] black_level_grey_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) dark_level_grey_q <= 8'd4;
+    if (!rst_ni) black_level_grey_q <= 8'd4;
     else if (write_take && write_addr_i == 12'h0A0)
-      dark_level_grey_q <= (write_data_i[7:0] & write_mask[7:0]) | (dark_level_grey_q & ~write_mask[7:0]);
+      black_level_grey_q <= (write_data_i[7:0] & write_mask[7:0]) | (black_level_grey_q & ~write_mask[7:0]);
   end
-  assign dark_level_grey_o = dark_level_grey_q;
+  assign black_level_grey_o = black_level_grey_q;
 
-  // DARK_LIMIT: Black image: more dark pixels than this are a fault.
-  logic [23:0] dark_limit_pixels_q;
+  // BLACK_LIMIT: Black image: more black pixels than this are a fault.
+  logic [23:0] black_limit_pixels_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) dark_limit_pixels_q <= DARK_LIMIT_PIXELS_RESET;
+    if (!rst_ni) black_limit_pixels_q <= BLACK_LIMIT_PIXELS_RESET;
     else if (write_take && write_addr_i == 12'h0A4)
-      dark_limit_pixels_q <= (write_data_i[23:0] & write_mask[23:0]) | (dark_limit_pixels_q & ~write_mask[23:0]);
+      black_limit_pixels_q <= (write_data_i[23:0] & write_mask[23:0]) | (black_limit_pixels_q & ~write_mask[23:0]);
   end
-  assign dark_limit_pixels_o = dark_limit_pixels_q;
+  assign black_limit_pixels_o = black_limit_pixels_q;
 
-  // BRIGHT_LEVEL: White image: a pixel at or above this grey level is bright.
-  logic [ 7:0] bright_level_grey_q;
+  // WHITE_LEVEL: White image: grey level at or above which a pixel is white.
+  logic [ 7:0] white_level_grey_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) bright_level_grey_q <= 8'd251;
+    if (!rst_ni) white_level_grey_q <= 8'd251;
     else if (write_take && write_addr_i == 12'h0A8)
-      bright_level_grey_q <= (write_data_i[7:0] & write_mask[7:0]) | (bright_level_grey_q & ~write_mask[7:0]);
+      white_level_grey_q <= (write_data_i[7:0] & write_mask[7:0]) | (white_level_grey_q & ~write_mask[7:0]);
   end
-  assign bright_level_grey_o = bright_level_grey_q;
+  assign white_level_grey_o = white_level_grey_q;
 
-  // BRIGHT_LIMIT: White image: more bright pixels than this are a fault.
-  logic [23:0] bright_limit_pixels_q;
+  // WHITE_LIMIT: White image: more white pixels than this are a fault.
+  logic [23:0] white_limit_pixels_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) bright_limit_pixels_q <= BRIGHT_LIMIT_PIXELS_RESET;
+    if (!rst_ni) white_limit_pixels_q <= WHITE_LIMIT_PIXELS_RESET;
     else if (write_take && write_addr_i == 12'h0AC)
-      bright_limit_pixels_q <= (write_data_i[23:0] & write_mask[23:0]) | (bright_limit_pixels_q & ~write_mask[23:0]);
+      white_limit_pixels_q <= (write_data_i[23:0] & write_mask[23:0]) | (white_limit_pixels_q & ~write_mask[23:0]);
   end
-  assign bright_limit_pixels_o = bright_limit_pixels_q;
+  assign white_limit_pixels_o = white_limit_pixels_q;
 
-  // CONTRAST_LIMIT: Constant image: brightest minus darkest pixel not above this is a fault.
-  logic [ 7:0] contrast_limit_grey_q;
+  // CONSTANT_LIMIT: Constant image: brightest minus darkest pixel not above this is a fault.
+  logic [ 7:0] constant_limit_grey_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) contrast_limit_grey_q <= 8'd8;
+    if (!rst_ni) constant_limit_grey_q <= 8'd8;
     else if (write_take && write_addr_i == 12'h0B0)
-      contrast_limit_grey_q <= (write_data_i[7:0] & write_mask[7:0]) | (contrast_limit_grey_q & ~write_mask[7:0]);
+      constant_limit_grey_q <= (write_data_i[7:0] & write_mask[7:0]) | (constant_limit_grey_q & ~write_mask[7:0]);
   end
-  assign contrast_limit_grey_o = contrast_limit_grey_q;
+  assign constant_limit_grey_o = constant_limit_grey_q;
 
   // FROZEN_LIMIT: Frozen image: the same frame again this many times is a fault.
   logic [ 7:0] frozen_limit_frames_q;
@@ -387,15 +387,15 @@ module horopter_csr #(
         12'h064: read_data_o <= {30'd0, irq_status_q};
         12'h080: read_data_o <= {16'd0, sum_limit_value_q};
         12'h084: read_data_o <= {16'd0, self_limit_value_q};
-        12'h088: read_data_o <= {24'd0, texture_limit_value_q};
+        12'h088: read_data_o <= {16'd0, texture_limit_sum_q};
         12'h08C: read_data_o <= {8'd0, alarm_limit_pixels_q};
         12'h090: read_data_o <= {8'd0, undecidable_limit_pixels_q};
         12'h094: read_data_o <= {8'd0, unsupervised_limit_pixels_q};
-        12'h0A0: read_data_o <= {24'd0, dark_level_grey_q};
-        12'h0A4: read_data_o <= {8'd0, dark_limit_pixels_q};
-        12'h0A8: read_data_o <= {24'd0, bright_level_grey_q};
-        12'h0AC: read_data_o <= {8'd0, bright_limit_pixels_q};
-        12'h0B0: read_data_o <= {24'd0, contrast_limit_grey_q};
+        12'h0A0: read_data_o <= {24'd0, black_level_grey_q};
+        12'h0A4: read_data_o <= {8'd0, black_limit_pixels_q};
+        12'h0A8: read_data_o <= {24'd0, white_level_grey_q};
+        12'h0AC: read_data_o <= {8'd0, white_limit_pixels_q};
+        12'h0B0: read_data_o <= {24'd0, constant_limit_grey_q};
         12'h0B4: read_data_o <= {24'd0, frozen_limit_frames_q};
         12'h0C0: read_data_o <= {28'd0, map_slot_slot_q};
         12'h0C4: read_data_o <= {16'd0, map_base_word64_q};

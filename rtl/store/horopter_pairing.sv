@@ -146,9 +146,9 @@ module horopter_pairing #(
   assign busy_o = busy_q;
 
   always_ff @(posedge clk_i) begin
-    left_rows_o <= left_rows_q[read_slot_i];
+    left_rows_o <= busy_q[read_slot_i] ? left_rows_q[read_slot_i] : 12'd0;
     left_ended_o <= left_ended_q[read_slot_i] && busy_q[read_slot_i];
-    right_rows_o <= right_rows_q[read_slot_i];
+    right_rows_o <= busy_q[read_slot_i] ? right_rows_q[read_slot_i] : 12'd0;
     right_ended_o <= right_ended_q[read_slot_i] && busy_q[read_slot_i];
     right_base_o <= base_q[read_slot_i];
     right_base_slot_o <= base_slot_q[read_slot_i];

@@ -72,4 +72,1125 @@ module horopter_top (
     output logic        frame_done_o,
     output logic        irq_o
 );
+  localparam int unsigned WIDTH = horopter_profile_pkg::WIDTH;
+  localparam int unsigned HEIGHT = horopter_profile_pkg::HEIGHT;
+  localparam int unsigned SUBSAMPLE = horopter_profile_pkg::SUBSAMPLE;
+  localparam int unsigned DSAD_WINDOW = horopter_profile_pkg::DSAD_WINDOW;
+  localparam int unsigned WEIGHT_BITS = horopter_profile_pkg::WEIGHT_BITS;
+  localparam int unsigned STORE_ROWS = horopter_profile_pkg::STORE_ROWS;
+  localparam int unsigned POOL_BYTES = horopter_profile_pkg::POOL_BYTES;
+  localparam int unsigned RESULT_WIDTH = WIDTH / SUBSAMPLE;
+  localparam int unsigned RESULT_PIXELS = RESULT_WIDTH * HEIGHT;
+  localparam int unsigned MAX_LOOKAHEAD = STORE_ROWS / 2;
+  localparam int unsigned LEFT_ROWS = STORE_ROWS / 2 + 4;  // LOOKAHEAD rows, one arriving, one leaving, and slack
+  localparam int unsigned MIN_WIDTH = 32 * SUBSAMPLE;
+  localparam int unsigned MIN_HEIGHT = 16;
+  localparam int unsigned MAX_SUM = 15 * DSAD_WINDOW * DSAD_WINDOW;
+  localparam int unsigned FAULTS = 31;
+
+  // Beats that can be under way from the raster generator to the output FIFOs: a bound on the sum of all latencies.
+  localparam int unsigned IN_FLIGHT = 256;
+  localparam int unsigned OUTPUT_DEPTH = 512;
+  localparam int unsigned OUTPUT_LEVEL = OUTPUT_DEPTH - IN_FLIGHT - 8;
+  // The two cameras may be 64 px apart.
+  localparam int unsigned INPUT_DEPTH = 64;
+  localparam int unsigned INPUT_LEVEL = 48;
+
+  localparam int unsigned RING_BITS = $clog2(STORE_ROWS);
+  localparam int unsigned LEFT_BITS = $clog2(LEFT_ROWS);
+  localparam int unsigned MAP_ADDR_BITS = $clog2(POOL_BYTES / 8);
+  localparam int unsigned SUM_BITS = $clog2(MAX_SUM + 1);
+  localparam int unsigned TEXTURE_BITS = $clog2(5 * 5 * 255 + 1);
+  localparam int unsigned COUNT_BITS = $clog2(RESULT_PIXELS + 1);
+  localparam int unsigned PIXEL_BITS = $clog2(WIDTH * HEIGHT + 1);
+  localparam int unsigned RESULT_WIDTH_BITS = $clog2(RESULT_WIDTH + 1);
+  localparam int unsigned RESULT_HEIGHT_BITS = $clog2(HEIGHT + 1);
+  localparam int unsigned COLUMN_BITS = $clog2(RESULT_WIDTH);
+  localparam int unsigned ROW_BITS = $clog2(HEIGHT);
+
+  if (SUBSAMPLE != 1 && SUBSAMPLE != 2) begin : g_illegal_subsample
+    $fatal(1, "horopter_top: SUBSAMPLE must be 1 or 2");
+  end
+  if (WIDTH % SUBSAMPLE != 0 || WIDTH < MIN_WIDTH || WIDTH > 2046 || HEIGHT < MIN_HEIGHT || HEIGHT > 2046) begin : g_illegal_size
+    $fatal(1, "horopter_top: WIDTH must be a multiple of SUBSAMPLE, WIDTH and HEIGHT in the range of the registers");
+  end
+  if (STORE_ROWS != 1 << RING_BITS && STORE_ROWS < HEIGHT) begin : g_illegal_ring
+    $fatal(1, "horopter_top: STORE_ROWS must be a power of two or at least HEIGHT");
+  end
+  if (horopter_profile_pkg::HYPOTHESES != 1) begin : g_illegal_hypotheses
+    $fatal(1, "horopter_top: connects stages with one hypothesis");
+  end
+
+  // ------------------------------------------------------------------------------------------------ registers
+  logic write_valid, write_ready, write_error, read_valid, read_error;
+  logic [11:0] write_addr, read_addr;
+  logic [31:0] write_data, read_data;
+  logic [3:0] write_strb;
+
+  horopter_axil_slave #(
+      .ADDR_BITS(12)
+  ) u_axil (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .s_axil_awaddr(s_axil_awaddr),
+      .s_axil_awvalid(s_axil_awvalid),
+      .s_axil_awready(s_axil_awready),
+      .s_axil_wdata(s_axil_wdata),
+      .s_axil_wstrb(s_axil_wstrb),
+      .s_axil_wvalid(s_axil_wvalid),
+      .s_axil_wready(s_axil_wready),
+      .s_axil_bresp(s_axil_bresp),
+      .s_axil_bvalid(s_axil_bvalid),
+      .s_axil_bready(s_axil_bready),
+      .s_axil_araddr(s_axil_araddr),
+      .s_axil_arvalid(s_axil_arvalid),
+      .s_axil_arready(s_axil_arready),
+      .s_axil_rdata(s_axil_rdata),
+      .s_axil_rresp(s_axil_rresp),
+      .s_axil_rvalid(s_axil_rvalid),
+      .s_axil_rready(s_axil_rready),
+      .write_valid_o(write_valid),
+      .write_ready_i(write_ready),
+      .write_addr_o(write_addr),
+      .write_data_o(write_data),
+      .write_strb_o(write_strb),
+      .write_error_i(write_error),
+      .read_valid_o(read_valid),
+      .read_addr_o(read_addr),
+      .read_data_i(read_data),
+      .read_error_i(read_error)
+  );
+  // AXI4-Lite has them; nothing here depends on them.
+  logic unused_prot;
+  assign unused_prot = ^{s_axil_awprot, s_axil_arprot};
+
+  logic enable, live, test_input, running_q, bad_geometry_q;
+  logic [11:0] width, height, lookahead;
+  logic [31:0] timeout;
+  logic [3:0] table_select, active_slot_q;
+  logic irq_frame_enable, irq_fault_enable;
+  logic [1:0] irq_status;
+  logic [15:0] sum_limit, self_limit, texture_limit;
+  logic [23:0] alarm_limit, undecidable_limit, unsupervised_limit, black_limit, white_limit;
+  logic [7:0] black_level, white_level, constant_limit, frozen_limit;
+  logic [3:0] map_slot;
+  logic [15:0] map_base;
+  logic map_control_valid, map_control_ready, map_start, map_data_valid, map_data_ready;
+  logic [31:0] map_data, map_crc;
+  logic map_busy;
+  logic [2:0] map_error;
+  logic [14:0] map_valid;
+  logic [FAULTS-1:0] fault_set, faults_set_q;
+  logic [1:0] frame_busy, silent;
+  logic late, bad_upload, refused_upload;
+  logic [31:0] frame_sequence, frame_table_crc, frame_cycles, frame_latency, frame_tail;
+  logic frame_alarm, frame_safe;
+  logic [3:0] frame_slot;
+  logic [FAULTS-1:0] frame_faults;
+  logic [23:0] frame_skin, frame_undecidable, frame_unsupervised, frame_misses;
+  logic [FAULTS-1:0] faults_now;
+
+  horopter_csr #(
+      .WIDTH_PX_RESET(12'(WIDTH)),
+      .HEIGHT_ROWS_RESET(12'(HEIGHT)),
+      .LOOKAHEAD_ROWS_RESET(12'(MAX_LOOKAHEAD)),
+      .TIMEOUT_CLOCKS_RESET(32'(2 * WIDTH * HEIGHT)),
+      .SUM_LIMIT_VALUE_RESET(16'(MAX_SUM / 4)),
+      .SELF_LIMIT_VALUE_RESET(16'(DSAD_WINDOW * DSAD_WINDOW)),
+      .ALARM_LIMIT_PIXELS_RESET(24'(RESULT_PIXELS / 20)),
+      .UNDECIDABLE_LIMIT_PIXELS_RESET(24'(RESULT_PIXELS)),
+      .UNSUPERVISED_LIMIT_PIXELS_RESET(24'(RESULT_PIXELS)),
+      .BLACK_LIMIT_PIXELS_RESET(24'(WIDTH * HEIGHT / 20 * 19)),
+      .WHITE_LIMIT_PIXELS_RESET(24'(WIDTH * HEIGHT / 20 * 19))
+  ) u_csr (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .locked_i(enable),
+      .write_valid_i(write_valid),
+      .write_ready_o(write_ready),
+      .write_addr_i(write_addr),
+      .write_data_i(write_data),
+      .write_strb_i(write_strb),
+      .write_error_o(write_error),
+      .read_valid_i(read_valid),
+      .read_addr_i(read_addr),
+      .read_data_o(read_data),
+      .read_error_o(read_error),
+      .build_size_width_i(16'(WIDTH)),
+      .build_size_height_i(16'(HEIGHT)),
+      .build_store_rows_i(16'(STORE_ROWS)),
+      .build_store_pool_kib_i(16'(POOL_BYTES / 1024)),
+      .build_window_dsad_i(8'(DSAD_WINDOW)),
+      .build_window_majority_i(8'(horopter_profile_pkg::MAJORITY_WINDOW)),
+      .build_window_subsample_i(4'(SUBSAMPLE)),
+      .build_window_weight_bits_i(4'(WEIGHT_BITS)),
+      .build_window_hypotheses_i(4'(horopter_profile_pkg::HYPOTHESES)),
+      .build_clock_khz_i(32'(horopter_profile_pkg::CLOCK_KHZ)),
+      .control_enable_o(enable),
+      .mode_live_o(live),
+      .mode_test_input_o(test_input),
+      .status_running_i(running_q),
+      .status_bad_geometry_i(bad_geometry_q),
+      .status_busy_i(frame_busy != 2'b00),
+      .status_safe_i(safe_o),
+      .status_unsafe_i(unsafe_o),
+      .status_left_silent_i(silent[0]),
+      .status_right_silent_i(silent[1]),
+      .status_late_i(late),
+      .width_px_o(width),
+      .height_rows_o(height),
+      .lookahead_rows_o(lookahead),
+      .timeout_clocks_o(timeout),
+      .table_select_slot_o(table_select),
+      .irq_enable_frame_o(irq_frame_enable),
+      .irq_enable_fault_o(irq_fault_enable),
+      .irq_status_set_i({faults_set_q != '0, frame_done_o}),
+      .irq_status_o(irq_status),
+      .sum_limit_value_o(sum_limit),
+      .self_limit_value_o(self_limit),
+      .texture_limit_sum_o(texture_limit),
+      .alarm_limit_pixels_o(alarm_limit),
+      .undecidable_limit_pixels_o(undecidable_limit),
+      .unsupervised_limit_pixels_o(unsupervised_limit),
+      .black_level_grey_o(black_level),
+      .black_limit_pixels_o(black_limit),
+      .white_level_grey_o(white_level),
+      .white_limit_pixels_o(white_limit),
+      .constant_limit_grey_o(constant_limit),
+      .frozen_limit_frames_o(frozen_limit),
+      .map_slot_slot_o(map_slot),
+      .map_base_word64_o(map_base),
+      .map_control_valid_o(map_control_valid),
+      .map_control_ready_i(map_control_ready),
+      .map_control_start_o(map_start),
+      .map_data_valid_o(map_data_valid),
+      .map_data_ready_i(map_data_ready),
+      .map_data_word_o(map_data),
+      .map_status_busy_i(map_busy),
+      .map_status_error_i(map_error),
+      .map_status_active_slot_i(active_slot_q),
+      .map_valid_slots_i(map_valid),
+      .map_crc_value_i(map_crc),
+      .faults_set_i(faults_set_q),
+      .faults_o(faults_now),
+      .frame_sequence_value_i(frame_sequence),
+      .frame_status_alarm_i(frame_alarm),
+      .frame_status_safe_i(frame_safe),
+      .frame_status_slot_i(frame_slot),
+      .frame_faults_i(frame_faults),
+      .frame_table_crc_value_i(frame_table_crc),
+      .frame_skin_pixels_i(frame_skin),
+      .frame_undecidable_pixels_i(frame_undecidable),
+      .frame_unsupervised_pixels_i(frame_unsupervised),
+      .frame_misses_pixels_i(frame_misses),
+      .frame_cycles_clocks_i(frame_cycles),
+      .frame_latency_clocks_i(frame_latency),
+      .frame_tail_clocks_i(frame_tail)
+  );
+
+  logic unused_faults_now;
+  assign unused_faults_now = ^faults_now;  // read by software only
+
+  always_ff @(posedge clk_i) begin
+    // Uploads work while the rest is in reset, and so do their faults.
+    faults_set_q <= fault_set | {4'd0, refused_upload, bad_upload, 25'd0};
+    irq_o <= rst_ni && ((irq_status[0] && irq_frame_enable) || (irq_status[1] && irq_fault_enable));
+  end
+
+  // The streaming core runs while enabled with a possible geometry; otherwise it is in reset.
+  logic core_rst_n;
+  always_ff @(posedge clk_i) begin
+    bad_geometry_q <= 32'(width) > WIDTH || 32'(width) < MIN_WIDTH || 32'(width) % SUBSAMPLE != 0
+        || 32'(height) > HEIGHT || 32'(height) < MIN_HEIGHT || 32'(lookahead) > MAX_LOOKAHEAD;
+    running_q <= rst_ni && enable && !bad_geometry_q;
+  end
+  assign core_rst_n = running_q;
+
+  // ------------------------------------------------------------------------------------------------ cameras in
+  // Index 0 = left, 1 = right. A test frame takes the place of both images.
+  logic [1:0] in_valid, in_first, in_last, fifo_ready, fifo_overflow, head_valid, head_ready, head_first, head_last;
+  logic [1:0] head_almost_full;
+  logic [7:0] in_left, in_right, head_left, head_right;
+  logic both_ready;
+  assign both_ready = fifo_ready == 2'b11;
+  assign s_axis_left_tready = live || (running_q && !test_input && fifo_ready[0]);
+  assign s_axis_right_tready = live || (running_q && !test_input && fifo_ready[1]);
+  assign s_axis_test_tready = (live && test_input) || (running_q && test_input && both_ready);
+  assign in_valid[0] = test_input ? s_axis_test_tvalid && (live || fifo_ready[1]) : s_axis_left_tvalid;
+  assign in_valid[1] = test_input ? s_axis_test_tvalid && (live || fifo_ready[0]) : s_axis_right_tvalid;
+  assign in_first = test_input ? {2{s_axis_test_tuser}} : {s_axis_right_tuser, s_axis_left_tuser};
+  assign in_last = test_input ? {2{s_axis_test_tlast}} : {s_axis_right_tlast, s_axis_left_tlast};
+  assign in_left = test_input ? s_axis_test_tdata[7:0] : s_axis_left_tdata;
+  assign in_right = test_input ? s_axis_test_tdata[15:8] : s_axis_right_tdata;
+
+  // Pairing and framers.
+  logic [1:0] start, start_empty, urgent, grant, deny, cut, near, far;
+  logic [1:0] write_en, write_first, write_end, row_done, row_bad, frame_ended;
+  logic [1:0] short_line, long_line, missing_line, missing_start, overflow, lost_silent, silence, pair_silent;
+  logic [11:0] left_write_x, right_write_x, left_stored, right_stored, left_keep, right_keep;
+  logic [7:0] left_write_pixel, right_write_pixel;
+  logic [LEFT_BITS-1:0] left_slot, left_write_slot;
+  logic [RING_BITS-1:0] right_slot, right_write_slot;
+  logic frame_open, open_slot, arrived, skew, patience;
+  logic unused_left;
+  assign unused_left = ^{left_stored, left_slot};
+  assign patience = frame_open && !live;
+
+  horopter_axis_fifo #(
+      .WIDTH(10),
+      .DEPTH(INPUT_DEPTH),
+      .ALMOST_FULL(INPUT_LEVEL)
+  ) u_left_fifo (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .s_valid_i(in_valid[0]),
+      .s_ready_o(fifo_ready[0]),
+      .s_data_i({in_first[0], in_last[0], in_left}),
+      .m_valid_o(head_valid[0]),
+      .m_ready_i(head_ready[0]),
+      .m_data_o({head_first[0], head_last[0], head_left}),
+      .almost_full_o(head_almost_full[0]),
+      .overflow_o(fifo_overflow[0])
+  );
+  horopter_axis_fifo #(
+      .WIDTH(10),
+      .DEPTH(INPUT_DEPTH),
+      .ALMOST_FULL(INPUT_LEVEL)
+  ) u_right_fifo (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .s_valid_i(in_valid[1]),
+      .s_ready_o(fifo_ready[1]),
+      .s_data_i({in_first[1], in_last[1], in_right}),
+      .m_valid_o(head_valid[1]),
+      .m_ready_i(head_ready[1]),
+      .m_data_o({head_first[1], head_last[1], head_right}),
+      .almost_full_o(head_almost_full[1]),
+      .overflow_o(fifo_overflow[1])
+  );
+
+  horopter_framer #(
+      .SLOTS(LEFT_ROWS)
+  ) u_left_framer (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .live_i(live),
+      .width_i(width),
+      .height_i(height),
+      .timeout_i(timeout),
+      .s_valid_i(head_valid[0]),
+      .s_ready_o(head_ready[0]),
+      .s_pixel_i(head_left),
+      .s_first_i(head_first[0]),
+      .s_last_i(head_last[0]),
+      .almost_full_i(head_almost_full[0]),
+      .start_o(start[0]),
+      .empty_o(start_empty[0]),
+      .urgent_o(urgent[0]),
+      .grant_i(grant[0]),
+      .deny_i(deny[0]),
+      .cut_i(cut[0]),
+      .patience_i(patience),
+      .near_o(near[0]),
+      .far_o(far[0]),
+      .silent_o(silent[0]),
+      .keep_i(left_keep),
+      .stored_o(left_stored),
+      .slot_o(left_slot),
+      .write_en_o(write_en[0]),
+      .write_slot_o(left_write_slot),
+      .write_x_o(left_write_x),
+      .write_pixel_o(left_write_pixel),
+      .write_first_o(write_first[0]),
+      .write_end_o(write_end[0]),
+      .row_done_o(row_done[0]),
+      .row_bad_o(row_bad[0]),
+      .frame_done_o(frame_ended[0]),
+      .short_line_o(short_line[0]),
+      .long_line_o(long_line[0]),
+      .missing_line_o(missing_line[0]),
+      .missing_start_o(missing_start[0]),
+      .overflow_o(overflow[0]),
+      .lost_silent_o(lost_silent[0]),
+      .silence_o(silence[0])
+  );
+  horopter_framer #(
+      .SLOTS(STORE_ROWS)
+  ) u_right_framer (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .live_i(live),
+      .width_i(width),
+      .height_i(height),
+      .timeout_i(timeout),
+      .s_valid_i(head_valid[1]),
+      .s_ready_o(head_ready[1]),
+      .s_pixel_i(head_right),
+      .s_first_i(head_first[1]),
+      .s_last_i(head_last[1]),
+      .almost_full_i(head_almost_full[1]),
+      .start_o(start[1]),
+      .empty_o(start_empty[1]),
+      .urgent_o(urgent[1]),
+      .grant_i(grant[1]),
+      .deny_i(deny[1]),
+      .cut_i(cut[1]),
+      .patience_i(patience),
+      .near_o(near[1]),
+      .far_o(far[1]),
+      .silent_o(silent[1]),
+      .keep_i(right_keep),
+      .stored_o(right_stored),
+      .slot_o(right_slot),
+      .write_en_o(write_en[1]),
+      .write_slot_o(right_write_slot),
+      .write_x_o(right_write_x),
+      .write_pixel_o(right_write_pixel),
+      .write_first_o(write_first[1]),
+      .write_end_o(write_end[1]),
+      .row_done_o(row_done[1]),
+      .row_bad_o(row_bad[1]),
+      .frame_done_o(frame_ended[1]),
+      .short_line_o(short_line[1]),
+      .long_line_o(long_line[1]),
+      .missing_line_o(missing_line[1]),
+      .missing_start_o(missing_start[1]),
+      .overflow_o(overflow[1]),
+      .lost_silent_o(lost_silent[1]),
+      .silence_o(silence[1])
+  );
+
+  logic read_slot, published, left_ended, right_ended;
+  logic [11:0] left_rows, right_rows, right_base;
+  logic [RING_BITS-1:0] right_base_slot;
+  horopter_pairing #(
+      .RING_BITS(RING_BITS)
+  ) u_pairing (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .live_i(live),
+      .start_i(start),
+      .empty_i(start_empty),
+      .urgent_i(urgent),
+      .grant_o(grant),
+      .deny_o(deny),
+      .cut_o(cut),
+      .near_i(near),
+      .far_i(far),
+      .silent_i(silent),
+      .row_done_i(row_done),
+      .frame_done_i(frame_ended),
+      .right_stored_i(right_stored),
+      .right_slot_i(right_slot),
+      .slot_o(open_slot),
+      .open_o(frame_open),
+      .arrived_o(arrived),
+      .skew_o(skew),
+      .lost_silent_o(pair_silent),
+      .busy_o(frame_busy),
+      .read_slot_i(read_slot),
+      .left_rows_o(left_rows),
+      .left_ended_o(left_ended),
+      .right_rows_o(right_rows),
+      .right_ended_o(right_ended),
+      .right_base_o(right_base),
+      .right_base_slot_o(right_base_slot),
+      .free_i(published)
+  );
+
+  // ------------------------------------------------------------------------------------------------ image checks
+  logic [7:0] sampled_black_level_q, sampled_white_level_q, sampled_constant_limit_q, sampled_frozen_limit_q;
+  logic [PIXEL_BITS-1:0] sampled_black_limit_q, sampled_white_limit_q;
+  always_ff @(posedge clk_i) begin
+    if (frame_open) begin
+      sampled_black_level_q <= black_level;
+      sampled_white_level_q <= white_level;
+      sampled_constant_limit_q <= constant_limit;
+      sampled_frozen_limit_q <= frozen_limit;
+      sampled_black_limit_q <= 32'(black_limit) >> PIXEL_BITS != 0 ? '1 : PIXEL_BITS'(black_limit);
+      sampled_white_limit_q <= 32'(white_limit) >> PIXEL_BITS != 0 ? '1 : PIXEL_BITS'(white_limit);
+    end
+  end
+  logic [1:0] health_valid;
+  logic [3:0] left_health, right_health;
+  horopter_health u_left_health (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .en_i(1'b1),
+      .valid_i(write_en[0]),
+      .pixel_i(left_write_pixel),
+      .first_i(write_first[0]),
+      .end_i(write_end[0]),
+      .cfg_black_level_i(sampled_black_level_q),
+      .cfg_white_level_i(sampled_white_level_q),
+      .cfg_black_limit_i(sampled_black_limit_q),
+      .cfg_white_limit_i(sampled_white_limit_q),
+      .cfg_constant_limit_i(sampled_constant_limit_q),
+      .cfg_frozen_limit_i(sampled_frozen_limit_q),
+      .valid_o(health_valid[0]),
+      .black_o(left_health[0]),
+      .white_o(left_health[1]),
+      .constant_o(left_health[2]),
+      .frozen_o(left_health[3])
+  );
+  horopter_health u_right_health (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .en_i(1'b1),
+      .valid_i(write_en[1]),
+      .pixel_i(right_write_pixel),
+      .first_i(write_first[1]),
+      .end_i(write_end[1]),
+      .cfg_black_level_i(sampled_black_level_q),
+      .cfg_white_level_i(sampled_white_level_q),
+      .cfg_black_limit_i(sampled_black_limit_q),
+      .cfg_white_limit_i(sampled_white_limit_q),
+      .cfg_constant_limit_i(sampled_constant_limit_q),
+      .cfg_frozen_limit_i(sampled_frozen_limit_q),
+      .valid_o(health_valid[1]),
+      .black_o(right_health[0]),
+      .white_o(right_health[1]),
+      .constant_o(right_health[2]),
+      .frozen_o(right_health[3])
+  );
+
+  // ------------------------------------------------------------------------------------------------ map and raster
+  logic frame_begin, frame_active, lookup, table_ok;
+  logic [MAP_ADDR_BITS-1:0] table_base, map_even_addr, map_odd_addr;
+  logic [2:0] table_nx, table_ny;
+  logic [11:0] table_columns;
+  logic [31:0] table_crc, map_even, map_odd;
+  logic map_read, map_parity_error;
+  logic go_q, beat_valid, beat_prime, beat_load, beat_first, beat_last, beat_live, beat_parity_error;
+  logic [31:0] beat_top, beat_bottom;
+  logic [5:0] beat_fraction;
+
+  horopter_map_store #(
+      .POOL_BYTES(POOL_BYTES)
+  ) u_map_store (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .running_i(running_q),
+      .width_i(width),
+      .height_i(height),
+      .selected_slot_i(table_select),
+      .active_slot_i(active_slot_q),
+      .slot_i(map_slot),
+      .base_i(map_base),
+      .start_valid_i(map_control_valid && map_start),
+      .start_ready_o(map_control_ready),
+      .data_valid_i(map_data_valid),
+      .data_ready_o(map_data_ready),
+      .data_i(map_data),
+      .busy_o(map_busy),
+      .error_o(map_error),
+      .valid_o(map_valid),
+      .slot_crc_o(map_crc),
+      .bad_upload_o(bad_upload),
+      .refused_o(refused_upload),
+      .lookup_i(lookup),
+      .lookup_slot_i(table_select),
+      .table_ok_o(table_ok),
+      .table_base_o(table_base),
+      .table_nx_o(table_nx),
+      .table_ny_o(table_ny),
+      .table_columns_o(table_columns),
+      .table_crc_o(table_crc),
+      .read_en_i(map_read),
+      .even_addr_i(map_even_addr),
+      .odd_addr_i(map_odd_addr),
+      .even_data_o(map_even),
+      .odd_data_o(map_odd),
+      .parity_error_o(map_parity_error)
+  );
+
+  horopter_raster #(
+      .FLUSH_ROWS(horopter_profile_pkg::FLUSH_ROWS),
+      .IN_FLIGHT(IN_FLIGHT),
+      .MAP_ADDR_BITS(MAP_ADDR_BITS)
+  ) u_raster (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .width_i(width),
+      .height_i(height),
+      .lookahead_i(lookahead),
+      .go_i(go_q),
+      .busy_i(frame_busy),
+      .slot_o(read_slot),
+      .left_rows_i(left_rows),
+      .left_ended_i(left_ended),
+      .right_rows_i(right_rows),
+      .right_ended_i(right_ended),
+      .begin_o(frame_begin),
+      .active_o(frame_active),
+      .published_i(published),
+      .lookup_o(lookup),
+      .table_ok_i(table_ok),
+      .table_base_i(table_base),
+      .table_nx_i(table_nx),
+      .table_ny_i(table_ny),
+      .table_columns_i(table_columns),
+      .map_read_o(map_read),
+      .map_even_addr_o(map_even_addr),
+      .map_odd_addr_o(map_odd_addr),
+      .map_even_i(map_even),
+      .map_odd_i(map_odd),
+      .map_error_i(map_parity_error),
+      .valid_o(beat_valid),
+      .prime_o(beat_prime),
+      .load_o(beat_load),
+      .top_o(beat_top),
+      .bottom_o(beat_bottom),
+      .row_fraction_o(beat_fraction),
+      .first_o(beat_first),
+      .last_o(beat_last),
+      .live_o(beat_live),
+      .map_parity_error_o(beat_parity_error)
+  );
+
+  // What a frame is made with, constant from its begin until the next.
+  logic [SUM_BITS-1:0] sampled_sum_limit_q, sampled_self_limit_q;
+  logic [TEXTURE_BITS-1:0] sampled_texture_limit_q;
+  logic [COUNT_BITS-1:0] sampled_alarm_limit_q, sampled_undecidable_limit_q, sampled_unsupervised_limit_q;
+  logic [RESULT_WIDTH_BITS-1:0] result_width_q;
+  logic [RESULT_HEIGHT_BITS-1:0] result_height_q;
+  always_ff @(posedge clk_i) begin
+    if (!core_rst_n) active_slot_q <= 4'd15;
+    else if (lookup) active_slot_q <= table_select;
+    if (frame_begin) begin
+      sampled_sum_limit_q <= 32'(sum_limit) >> SUM_BITS != 0 ? '1 : SUM_BITS'(sum_limit);
+      sampled_self_limit_q <= 32'(self_limit) >> SUM_BITS != 0 ? '1 : SUM_BITS'(self_limit);
+      sampled_texture_limit_q <= 32'(texture_limit) >> TEXTURE_BITS != 0 ? '1 : TEXTURE_BITS'(texture_limit);
+      sampled_alarm_limit_q <= 32'(alarm_limit) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(alarm_limit);
+      sampled_undecidable_limit_q <= 32'(undecidable_limit) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(undecidable_limit);
+      sampled_unsupervised_limit_q <= 32'(unsupervised_limit) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(unsupervised_limit);
+      result_width_q <= RESULT_WIDTH_BITS'(32'(width) / SUBSAMPLE);
+      result_height_q <= RESULT_HEIGHT_BITS'(height);
+    end
+  end
+
+  // ------------------------------------------------------------------------------------------------ right image, transformed
+  logic place_valid, place_mapped, place_first, place_last, place_live;
+  logic [10:0] place_x, place_y;
+  logic [WEIGHT_BITS-1:0] place_wx, place_wy;
+  horopter_map_expand u_map_expand (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .en_i(1'b1),
+      .valid_i(beat_valid),
+      .prime_i(beat_prime),
+      .load_i(beat_load),
+      .column_top_x_i(beat_top[15:0]),
+      .column_top_y_i(beat_top[31:16]),
+      .column_bottom_x_i(beat_bottom[15:0]),
+      .column_bottom_y_i(beat_bottom[31:16]),
+      .row_fraction_i(beat_fraction),
+      .marks_first_i(beat_first),
+      .marks_last_i(beat_last),
+      .marks_live_i(beat_live),
+      .cfg_spacing_x_log2_i(table_nx),
+      .valid_o(place_valid),
+      .x_o(place_x),
+      .y_o(place_y),
+      .wx_o(place_wx),
+      .wy_o(place_wy),
+      .mapped_o(place_mapped),
+      .marks_first_o(place_first),
+      .marks_last_o(place_last),
+      .marks_live_o(place_live)
+  );
+
+  logic quad_valid, quad_mask, quad_first, quad_last, quad_live, quad_miss, quad_parity_error;
+  logic [7:0] p00, p01, p10, p11, left_pixel;
+  logic [WEIGHT_BITS-1:0] quad_wx, quad_wy;
+  logic left_read_valid, left_read_last, left_read_live, left_mask, left_parity_error;
+  horopter_image_store #(
+      .WIDTH(WIDTH),
+      .ROWS(STORE_ROWS),
+      .WEIGHT_BITS(WEIGHT_BITS)
+  ) u_image_store (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .width_i(width),
+      .height_i(height),
+      .lookahead_i(lookahead),
+      .write_en_i(write_en[1]),
+      .write_slot_i(right_write_slot),
+      .write_x_i(right_write_x),
+      .write_pixel_i(right_write_pixel),
+      .row_done_i(row_done[1]),
+      .row_bad_i(row_bad[1]),
+      .begin_i(frame_begin),
+      .base_i(right_base),
+      .base_slot_i(right_base_slot),
+      .rows_i(right_rows),
+      .keep_o(right_keep),
+      .valid_i(place_valid),
+      .x_i(place_x),
+      .y_i(place_y),
+      .wx_i(place_wx),
+      .wy_i(place_wy),
+      .mapped_i(place_mapped && table_ok),
+      .first_i(place_first),
+      .last_i(place_last),
+      .live_i(place_live),
+      .left_valid_o(left_read_valid),
+      .left_last_o(left_read_last),
+      .left_live_o(left_read_live),
+      .valid_o(quad_valid),
+      .p00_o(p00),
+      .p01_o(p01),
+      .p10_o(p10),
+      .p11_o(p11),
+      .wx_o(quad_wx),
+      .wy_o(quad_wy),
+      .mask_o(quad_mask),
+      .first_o(quad_first),
+      .last_o(quad_last),
+      .live_o(quad_live),
+      .miss_o(quad_miss),
+      .parity_error_o(quad_parity_error)
+  );
+  horopter_left_store #(
+      .WIDTH(WIDTH),
+      .ROWS(LEFT_ROWS)
+  ) u_left_store (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .write_en_i(write_en[0]),
+      .write_slot_i(left_write_slot),
+      .write_x_i(left_write_x),
+      .write_pixel_i(left_write_pixel),
+      .row_done_i(row_done[0]),
+      .row_bad_i(row_bad[0]),
+      .begin_i(frame_begin),
+      .rows_i(left_rows),
+      .keep_o(left_keep),
+      .valid_i(left_read_valid),
+      .last_i(left_read_last),
+      .live_i(left_read_live),
+      .pixel_o(left_pixel),
+      .mask_o(left_mask),
+      .parity_error_o(left_parity_error)
+  );
+  logic unused_quad;
+  assign unused_quad = quad_live;
+
+  // ------------------------------------------------------------------------------------------------ stages
+  logic grey_valid, grey_saturated, grey_mask, grey_first, grey_last;
+  logic [7:0] grey_0, grey_1;
+  horopter_interpolate u_interpolate (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .en_i(1'b1),
+      .valid_i(quad_valid),
+      .p00_i(p00),
+      .p01_i(p01),
+      .p10_i(p10),
+      .p11_i(p11),
+      .wx_i(quad_wx),
+      .wy_i(quad_wy),
+      .left_i(left_pixel),
+      .mask_i(quad_mask && left_mask),
+      .marks_first_i(quad_first),
+      .marks_last_i(quad_last),
+      .valid_o(grey_valid),
+      .pixel_0_o(grey_0),
+      .pixel_1_o(grey_1),
+      .saturated_o(grey_saturated),
+      .mask_o(grey_mask),
+      .marks_first_o(grey_first),
+      .marks_last_o(grey_last)
+  );
+
+  logic square_valid, square_saturated, square_mask, square_first, square_last;
+  logic [7:0] square_0, square_1;
+  horopter_subsample u_subsample (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .en_i(1'b1),
+      .valid_i(grey_valid),
+      .pixel_0_i(grey_0),
+      .pixel_1_i(grey_1),
+      .saturated_i(grey_saturated),
+      .mask_i(grey_mask),
+      .marks_first_i(grey_first),
+      .marks_last_i(grey_last),
+      .valid_o(square_valid),
+      .pixel_0_o(square_0),
+      .pixel_1_o(square_1),
+      .saturated_o(square_saturated),
+      .mask_o(square_mask),
+      .marks_first_o(square_first),
+      .marks_last_o(square_last)
+  );
+
+  logic smooth_valid, smooth_saturated, smooth_mask, smooth_first, smooth_last;
+  logic [7:0] smooth_0, smooth_1;
+  horopter_lowpass u_lowpass (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .en_i(1'b1),
+      .valid_i(square_valid),
+      .pixel_0_i(square_0),
+      .pixel_1_i(square_1),
+      .saturated_i(square_saturated),
+      .mask_i(square_mask),
+      .marks_first_i(square_first),
+      .marks_last_i(square_last),
+      .valid_o(smooth_valid),
+      .pixel_0_o(smooth_0),
+      .pixel_1_o(smooth_1),
+      .saturated_o(smooth_saturated),
+      .mask_o(smooth_mask),
+      .marks_first_o(smooth_first),
+      .marks_last_o(smooth_last)
+  );
+
+  logic gradient_valid, gradient_saturated, gradient_mask, gradient_first, gradient_last;
+  logic signed [10:0] gx_0, gx_1, gy_0, gy_1;
+  horopter_sobel u_sobel (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .en_i(1'b1),
+      .valid_i(smooth_valid),
+      .pixel_0_i(smooth_0),
+      .pixel_1_i(smooth_1),
+      .saturated_i(smooth_saturated),
+      .mask_i(smooth_mask),
+      .marks_first_i(smooth_first),
+      .marks_last_i(smooth_last),
+      .valid_o(gradient_valid),
+      .gx_0_o(gx_0),
+      .gx_1_o(gx_1),
+      .gy_0_o(gy_0),
+      .gy_1_o(gy_1),
+      .saturated_o(gradient_saturated),
+      .mask_o(gradient_mask),
+      .marks_first_o(gradient_first),
+      .marks_last_o(gradient_last)
+  );
+
+  logic direction_valid, direction_saturated, direction_mask, direction_first, direction_last;
+  logic [7:0] direction_0, direction_1, magnitude_0, magnitude_1;
+  horopter_direction u_direction (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .en_i(1'b1),
+      .valid_i(gradient_valid),
+      .gx_0_i(gx_0),
+      .gx_1_i(gx_1),
+      .gy_0_i(gy_0),
+      .gy_1_i(gy_1),
+      .saturated_i(gradient_saturated),
+      .mask_i(gradient_mask),
+      .marks_first_i(gradient_first),
+      .marks_last_i(gradient_last),
+      .valid_o(direction_valid),
+      .direction_0_o(direction_0),
+      .direction_1_o(direction_1),
+      .magnitude_0_o(magnitude_0),
+      .magnitude_1_o(magnitude_1),
+      .saturated_o(direction_saturated),
+      .mask_o(direction_mask),
+      .marks_first_o(direction_first),
+      .marks_last_o(direction_last)
+  );
+
+  logic difference_valid, difference_mask, difference_first, difference_last;
+  logic [3:0] difference_0, difference_1;
+  logic [7:0] left_magnitude;
+  horopter_difference u_difference (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .en_i(1'b1),
+      .valid_i(direction_valid),
+      .direction_0_i(direction_0),
+      .direction_1_i(direction_1),
+      .magnitude_0_i(magnitude_0),
+      .magnitude_1_i(magnitude_1),
+      .saturated_i(direction_saturated),
+      .mask_i(direction_mask),
+      .marks_first_i(direction_first),
+      .marks_last_i(direction_last),
+      .valid_o(difference_valid),
+      .difference_0_o(difference_0),
+      .difference_1_o(difference_1),
+      .magnitude_o(left_magnitude),
+      .mask_o(difference_mask),
+      .marks_first_o(difference_first),
+      .marks_last_o(difference_last)
+  );
+
+  logic texture_valid, texture_textured, texture_mask, texture_first, texture_last;
+  logic [3:0] texture_difference_0, texture_difference_1;
+  horopter_texture u_texture (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .en_i(1'b1),
+      .valid_i(difference_valid),
+      .difference_0_i(difference_0),
+      .difference_1_i(difference_1),
+      .magnitude_i(left_magnitude),
+      .mask_i(difference_mask),
+      .marks_first_i(difference_first),
+      .marks_last_i(difference_last),
+      .cfg_texture_limit_i(sampled_texture_limit_q),
+      .valid_o(texture_valid),
+      .difference_0_o(texture_difference_0),
+      .difference_1_o(texture_difference_1),
+      .textured_o(texture_textured),
+      .mask_o(texture_mask),
+      .marks_first_o(texture_first),
+      .marks_last_o(texture_last)
+  );
+
+  logic dsad_valid, dsad_textured, dsad_mask, dsad_first, dsad_last;
+  logic [SUM_BITS-1:0] sum_0, sum_1;
+  horopter_dsad u_dsad (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .en_i(1'b1),
+      .valid_i(texture_valid),
+      .difference_0_i(texture_difference_0),
+      .difference_1_i(texture_difference_1),
+      .textured_i(texture_textured),
+      .mask_i(texture_mask),
+      .marks_first_i(texture_first),
+      .marks_last_i(texture_last),
+      .valid_o(dsad_valid),
+      .sum_0_o(sum_0),
+      .sum_1_o(sum_1),
+      .textured_o(dsad_textured),
+      .mask_o(dsad_mask),
+      .marks_first_o(dsad_first),
+      .marks_last_o(dsad_last)
+  );
+
+  logic binary_valid, binary_skin, binary_decidable, binary_mask, binary_first, binary_last;
+  horopter_threshold u_threshold (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .en_i(1'b1),
+      .valid_i(dsad_valid),
+      .sum_0_i(sum_0),
+      .sum_1_i(sum_1),
+      .textured_i(dsad_textured),
+      .mask_i(dsad_mask),
+      .marks_first_i(dsad_first),
+      .marks_last_i(dsad_last),
+      .cfg_sum_limit_i(sampled_sum_limit_q),
+      .cfg_self_limit_i(sampled_self_limit_q),
+      .valid_o(binary_valid),
+      .skin_o(binary_skin),
+      .decidable_o(binary_decidable),
+      .mask_o(binary_mask),
+      .marks_first_o(binary_first),
+      .marks_last_o(binary_last)
+  );
+
+  logic vote_valid, vote_first, vote_last;
+  logic [1:0] vote_state;
+  horopter_majority u_majority (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .en_i(1'b1),
+      .valid_i(binary_valid),
+      .skin_i(binary_skin),
+      .decidable_i(binary_decidable),
+      .mask_i(binary_mask),
+      .marks_first_i(binary_first),
+      .marks_last_i(binary_last),
+      .valid_o(vote_valid),
+      .state_o(vote_state),
+      .marks_first_o(vote_first),
+      .marks_last_o(vote_last)
+  );
+
+  logic state_valid, state_first, state_last, state_end, state_idle;
+  logic [1:0] state;
+  horopter_align u_align (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .en_i(1'b1),
+      .valid_i(vote_valid),
+      .state_i(vote_state),
+      .marks_first_i(vote_first),
+      .marks_last_i(vote_last),
+      .cfg_width_i(result_width_q),
+      .cfg_height_i(result_height_q),
+      .valid_o(state_valid),
+      .state_o(state),
+      .first_o(state_first),
+      .last_o(state_last),
+      .end_o(state_end),
+      .idle_o(state_idle)
+  );
+
+  logic run_valid, run_last;
+  logic [ROW_BITS-1:0] run_row;
+  logic [COLUMN_BITS-1:0] run_start, run_end;
+  logic [1:0] run_state;
+  horopter_runs u_runs (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .en_i(1'b1),
+      .valid_i(state_valid),
+      .state_i(state),
+      .first_i(state_first),
+      .last_i(state_last),
+      .idle_i(state_idle),
+      .valid_o(run_valid),
+      .row_o(run_row),
+      .start_o(run_start),
+      .end_o(run_end),
+      .state_o(run_state),
+      .last_o(run_last)
+  );
+
+  logic counts_valid, alarm, too_undecidable, too_unsupervised;
+  logic [COUNT_BITS-1:0] skin_pixels, undecidable_pixels, unsupervised_pixels;
+  horopter_alarm u_alarm (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .en_i(1'b1),
+      .valid_i(state_valid),
+      .state_i(state),
+      .first_i(state_first),
+      .end_i(state_end),
+      .idle_i(state_idle),
+      .cfg_alarm_limit_i(sampled_alarm_limit_q),
+      .cfg_undecidable_limit_i(sampled_undecidable_limit_q),
+      .cfg_unsupervised_limit_i(sampled_unsupervised_limit_q),
+      .valid_o(counts_valid),
+      .skin_pixels_o(skin_pixels),
+      .undecidable_pixels_o(undecidable_pixels),
+      .unsupervised_pixels_o(unsupervised_pixels),
+      .alarm_o(alarm),
+      .too_undecidable_o(too_undecidable),
+      .too_unsupervised_o(too_unsupervised)
+  );
+
+  // ------------------------------------------------------------------------------------------------ outputs
+  logic state_almost_full, runs_almost_full, state_overflow, runs_overflow, out_end;
+  logic unused_state_ready, unused_runs_ready;
+  logic [1:0] out_state;
+  horopter_axis_fifo #(
+      .WIDTH(5),
+      .DEPTH(OUTPUT_DEPTH),
+      .ALMOST_FULL(OUTPUT_LEVEL)
+  ) u_state_fifo (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .s_valid_i(state_valid && !state_idle),
+      .s_ready_o(unused_state_ready),
+      .s_data_i({state_end, state_first, state_last, state}),
+      .m_valid_o(m_axis_state_tvalid),
+      .m_ready_i(m_axis_state_tready),
+      .m_data_o({out_end, m_axis_state_tuser, m_axis_state_tlast, out_state}),
+      .almost_full_o(state_almost_full),
+      .overflow_o(state_overflow)
+  );
+  assign m_axis_state_tdata = {6'd0, out_state};
+
+  logic [ROW_BITS-1:0] out_row;
+  logic [COLUMN_BITS-1:0] out_run_start, out_run_end;
+  logic [1:0] out_run_state;
+  horopter_axis_fifo #(
+      .WIDTH(1 + 2 + ROW_BITS + 2 * COLUMN_BITS),
+      .DEPTH(OUTPUT_DEPTH),
+      .ALMOST_FULL(OUTPUT_LEVEL)
+  ) u_runs_fifo (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .s_valid_i(run_valid),
+      .s_ready_o(unused_runs_ready),
+      .s_data_i({run_last, run_state, run_row, run_start, run_end}),
+      .m_valid_o(m_axis_runs_tvalid),
+      .m_ready_i(m_axis_runs_tready),
+      .m_data_o({m_axis_runs_tlast, out_run_state, out_row, out_run_start, out_run_end}),
+      .almost_full_o(runs_almost_full),
+      .overflow_o(runs_overflow)
+  );
+  assign m_axis_runs_tdata = {out_run_state, 14'd0, 16'(out_row), 16'(out_run_start), 16'(out_run_end)};
+
+  always_ff @(posedge clk_i) go_q <= core_rst_n && !state_almost_full && !runs_almost_full;
+
+  // ------------------------------------------------------------------------------------------------ frames
+  // Bits as in the register FAULTS.
+  logic [FAULTS-1:0] arriving_faults, event_faults, transient_faults, output_faults;
+  assign arriving_faults = {
+    8'd0, skew,
+    5'd0, overflow[1] || fifo_overflow[1], lost_silent[1] || pair_silent[1], missing_start[1], missing_line[1],
+    long_line[1], short_line[1],
+    5'd0, overflow[0] || fifo_overflow[0], lost_silent[0] || pair_silent[0], missing_start[0], missing_line[0],
+    long_line[0], short_line[0]
+  };
+  assign event_faults = {3'd0, 1'b0, refused_upload, bad_upload, 25'd0};
+  assign transient_faults = {15'd0, silence[1], 10'd0, silence[0], 4'd0};
+  logic miss;
+  assign miss = quad_valid && quad_miss;
+  assign output_faults = {
+    state_overflow || runs_overflow || (beat_valid && beat_parity_error),
+    6'd0, miss, 1'b0, quad_valid && quad_parity_error && left_mask, 10'd0, left_parity_error, 10'd0
+  };
+
+  horopter_frame_control #(
+      .FAULTS(FAULTS)
+  ) u_frame_control (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .safe_allowed_i(!test_input),
+      .timeout_i(timeout),
+      .open_i(frame_open),
+      .open_slot_i(open_slot),
+      .busy_i(frame_busy),
+      .arrived_i(arrived),
+      .health_end_i(write_en & write_end),
+      .health_valid_i(health_valid),
+      .left_health_i(left_health),
+      .right_health_i(right_health),
+      .arriving_faults_i(arriving_faults),
+      .event_faults_i(event_faults),
+      .transient_faults_i(transient_faults),
+      .silent_i(silent),
+      .begin_i(frame_begin),
+      .active_i(frame_active),
+      .read_slot_i(read_slot),
+      .table_ok_i(table_ok),
+      .table_slot_i(active_slot_q),
+      .table_crc_i(table_crc),
+      .output_faults_i(output_faults),
+      .miss_i(miss),
+      .state_first_i(m_axis_state_tvalid && m_axis_state_tready && m_axis_state_tuser),
+      .state_end_i(m_axis_state_tvalid && m_axis_state_tready && out_end),
+      .runs_end_i(m_axis_runs_tvalid && m_axis_runs_tready && m_axis_runs_tlast),
+      .counts_valid_i(counts_valid),
+      .skin_i(24'(skin_pixels)),
+      .undecidable_i(24'(undecidable_pixels)),
+      .unsupervised_i(24'(unsupervised_pixels)),
+      .alarm_i(alarm),
+      .too_undecidable_i(too_undecidable),
+      .too_unsupervised_i(too_unsupervised),
+      .publish_o(published),
+      .frame_sequence_o(frame_sequence),
+      .frame_alarm_o(frame_alarm),
+      .frame_safe_o(frame_safe),
+      .frame_slot_o(frame_slot),
+      .frame_faults_o(frame_faults),
+      .frame_table_crc_o(frame_table_crc),
+      .frame_skin_o(frame_skin),
+      .frame_undecidable_o(frame_undecidable),
+      .frame_unsupervised_o(frame_unsupervised),
+      .frame_misses_o(frame_misses),
+      .frame_cycles_o(frame_cycles),
+      .frame_latency_o(frame_latency),
+      .frame_tail_o(frame_tail),
+      .frame_done_o(frame_done_o),
+      .fault_set_o(fault_set),
+      .late_o(late),
+      .heartbeat_o(heartbeat_o),
+      .safe_o(safe_o),
+      .unsafe_o(unsafe_o)
+  );
 endmodule

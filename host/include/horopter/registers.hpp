@@ -211,13 +211,13 @@ inline constexpr Access kAccess = Access::kReadWrite;
 inline constexpr Field kValue{0, 16};
 }  // namespace self_limit
 
-/// A pixel is decidable when the 3×3 mean of the left magnitude is at least this.
+/// A pixel is decidable when the left magnitude, summed over 5×5, is at least this.
 namespace texture_limit {
 inline constexpr std::uint32_t kAddress = 0x088;
 inline constexpr Access kAccess = Access::kReadWrite;
-inline constexpr std::uint32_t kReset = 0x20;
-/// Unscaled Sobel magnitude; 32 = 4 grey levels per px.
-inline constexpr Field kValue{0, 8};
+inline constexpr std::uint32_t kReset = 0x320;
+/// 25 times the threshold in units of the unscaled Sobel magnitude; 25 · 32 = 4 grey levels per px.
+inline constexpr Field kSum{0, 16};
 }  // namespace texture_limit
 
 /// More skin pixels than this in a frame are an alarm.
@@ -244,48 +244,48 @@ inline constexpr Access kAccess = Access::kReadWrite;
 inline constexpr Field kPixels{0, 24};
 }  // namespace unsupervised_limit
 
-/// Black image: a pixel at or below this grey level is dark.
-namespace dark_level {
+/// Black image: grey level at or below which a pixel is black.
+namespace black_level {
 inline constexpr std::uint32_t kAddress = 0x0A0;
 inline constexpr Access kAccess = Access::kReadWrite;
 inline constexpr std::uint32_t kReset = 0x4;
 /// Grey level.
 inline constexpr Field kGrey{0, 8};
-}  // namespace dark_level
+}  // namespace black_level
 
-/// Black image: more dark pixels than this are a fault.
-namespace dark_limit {
+/// Black image: more black pixels than this are a fault.
+namespace black_limit {
 inline constexpr std::uint32_t kAddress = 0x0A4;
 inline constexpr Access kAccess = Access::kReadWrite;
 /// Incoming pixels; by default 95 % of the largest frame.
 inline constexpr Field kPixels{0, 24};
-}  // namespace dark_limit
+}  // namespace black_limit
 
-/// White image: a pixel at or above this grey level is bright.
-namespace bright_level {
+/// White image: grey level at or above which a pixel is white.
+namespace white_level {
 inline constexpr std::uint32_t kAddress = 0x0A8;
 inline constexpr Access kAccess = Access::kReadWrite;
 inline constexpr std::uint32_t kReset = 0xFB;
 /// Grey level.
 inline constexpr Field kGrey{0, 8};
-}  // namespace bright_level
+}  // namespace white_level
 
-/// White image: more bright pixels than this are a fault.
-namespace bright_limit {
+/// White image: more white pixels than this are a fault.
+namespace white_limit {
 inline constexpr std::uint32_t kAddress = 0x0AC;
 inline constexpr Access kAccess = Access::kReadWrite;
 /// Incoming pixels; by default 95 % of the largest frame.
 inline constexpr Field kPixels{0, 24};
-}  // namespace bright_limit
+}  // namespace white_limit
 
 /// Constant image: brightest minus darkest pixel not above this is a fault.
-namespace contrast_limit {
+namespace constant_limit {
 inline constexpr std::uint32_t kAddress = 0x0B0;
 inline constexpr Access kAccess = Access::kReadWrite;
 inline constexpr std::uint32_t kReset = 0x8;
 /// Grey levels.
 inline constexpr Field kGrey{0, 8};
-}  // namespace contrast_limit
+}  // namespace constant_limit
 
 /// Frozen image: the same frame again this many times is a fault.
 namespace frozen_limit {
@@ -646,11 +646,11 @@ inline constexpr std::array<Register, 47> kRegisters = {{
     {"alarm_limit", 0x08C, Access::kReadWrite, false},
     {"undecidable_limit", 0x090, Access::kReadWrite, false},
     {"unsupervised_limit", 0x094, Access::kReadWrite, false},
-    {"dark_level", 0x0A0, Access::kReadWrite, false},
-    {"dark_limit", 0x0A4, Access::kReadWrite, false},
-    {"bright_level", 0x0A8, Access::kReadWrite, false},
-    {"bright_limit", 0x0AC, Access::kReadWrite, false},
-    {"contrast_limit", 0x0B0, Access::kReadWrite, false},
+    {"black_level", 0x0A0, Access::kReadWrite, false},
+    {"black_limit", 0x0A4, Access::kReadWrite, false},
+    {"white_level", 0x0A8, Access::kReadWrite, false},
+    {"white_limit", 0x0AC, Access::kReadWrite, false},
+    {"constant_limit", 0x0B0, Access::kReadWrite, false},
     {"frozen_limit", 0x0B4, Access::kReadWrite, false},
     {"map_slot", 0x0C0, Access::kReadWrite, false},
     {"map_base", 0x0C4, Access::kReadWrite, false},

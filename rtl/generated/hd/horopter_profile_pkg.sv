@@ -13,5 +13,5 @@ package horopter_profile_pkg;
   localparam int unsigned HYPOTHESES = 1;  // hypotheses compared at once
   localparam int unsigned CLOCK_KHZ = 148500;  // clock the profile is meant for
   localparam int unsigned OFFSET = 9;  // a state belongs to the px this far up and left of the beat
-  localparam int unsigned FLUSH_ROWS = 10;  // rows after the last of a frame that empty the windows
+  localparam int unsigned FLUSH_ROWS = OFFSET + 1;  // rows after the last of a frame that empty the windows
 endpackage

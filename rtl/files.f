@@ -1,0 +1,13 @@
+rtl/prim/horopter_ram.sv
+rtl/axis/horopter_axis_skid.sv
+rtl/axis/horopter_axis_fifo.sv
+rtl/axil/horopter_axil_slave.sv
+rtl/csr/horopter_csr.sv
+rtl/store/horopter_framer.sv
+rtl/store/horopter_pairing.sv
+rtl/store/horopter_image_store.sv
+rtl/store/horopter_left_store.sv
+rtl/store/horopter_map_store.sv
+rtl/store/horopter_raster.sv
+rtl/store/horopter_frame_control.sv
+rtl/top/horopter_top.sv

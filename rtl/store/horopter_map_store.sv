@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: Apache-2.0
+// Map store: a pool of control points in two banks, a directory of 15 tables in it, and the parser of uploads.
+//
+// Pool: word64 w = control points of an even (bank 0) and of the odd control row below (bank 1) at one column; the
+// banks have their own addresses, so that any two rows above each other are read in one clock. Data comes 2 clocks
+// after the address.
+//
+// Upload (start, then words): {24'h484D01, nx, ny}, {row pairs, columns}, {height, width}, row pairs × columns × 2
+// control points (pair by pair, column by column, even row first), CRC-32 (IEEE 802.3) of all words before it as
+// little-endian bytes. A slot becomes invalid when an upload into it starts and valid when its CRC is right. A table
+// that the new one overlaps becomes invalid. An upload into a slot or a region in use is refused and changes nothing.
+// In use: valid, and selected or made the current output frame, while running.
+//
+// Directory: lookup_i for one clock asks for lookup_slot_i; from two clocks later on the table_* outputs tell,
+// until the next lookup. table_ok_o: it was valid, and made for this width and height.
+// data_ready_o falls for some 50 clocks after the third word. Reset: all slots invalid.
+module horopter_map_store #(
+    parameter int unsigned POOL_BYTES = 81920,
+    parameter bit PARITY = 1'b1,
+    parameter int unsigned WORDS = POOL_BYTES / 8,
+    parameter int unsigned ADDR_BITS = $clog2(WORDS)
+) (
+    input  logic                 clk_i,
+    input  logic                 rst_ni,
+    input  logic                 running_i,
+    input  logic [         11:0] width_i,
+    input  logic [         11:0] height_i,
+    input  logic [          3:0] selected_slot_i,
+    input  logic [          3:0] active_slot_i,
+    // upload
+    input  logic [          3:0] slot_i,
+    input  logic [         15:0] base_i,
+    input  logic                 start_valid_i,
+    output logic                 start_ready_o,
+    input  logic                 data_valid_i,
+    output logic                 data_ready_o,
+    input  logic [         31:0] data_i,
+    output logic                 busy_o,
+    output logic [          2:0] error_o,
+    output logic [         14:0] valid_o,
+    output logic [         31:0] slot_crc_o,  // of slot_i, one clock later
+    output logic                 bad_upload_o,  // one clock
+    output logic                 refused_o,  // one clock
+    // directory
+    input  logic                 lookup_i,
+    input  logic [          3:0] lookup_slot_i,
+    output logic                 table_ok_o,
+    output logic [ADDR_BITS-1:0] table_base_o,
+    output logic [          2:0] table_nx_o,
+    output logic [          2:0] table_ny_o,
+    output logic [         11:0] table_columns_o,
+    output logic [         31:0] table_crc_o,
+    // pool
+    input  logic                 read_en_i,
+    input  logic [ADDR_BITS-1:0] even_addr_i,
+    input  logic [ADDR_BITS-1:0] odd_addr_i,
+    output logic [         31:0] even_data_o,
+    output logic [         31:0] odd_data_o,
+    output logic                 parity_error_o  // with the data
+);
+  if (POOL_BYTES < 64 || POOL_BYTES % 8 != 0 || WORDS > 65536 || WORDS != POOL_BYTES / 8) begin : g_illegal
+    $fatal(1, "horopter_map_store: POOL_BYTES must be a multiple of 8 from 64 to 512 KiB");
+  end
+
+  localparam logic [2:0] NO_ERROR = 3'd0;
+  localparam logic [2:0] IN_USE = 3'd1;
+  localparam logic [2:0] BAD_HEADER = 3'd2;
+  localparam logic [2:0] TOO_LARGE = 3'd3;
+  localparam logic [2:0] WRONG_CRC = 3'd4;
+  localparam logic [2:0] NO_SLOT = 3'd5;
+  localparam logic [2:0] NOT_STARTED = 3'd6;
+
+  typedef enum logic [2:0] {
+    IDLE,
+    HEAD0,
+    HEAD1,
+    HEAD2,
+    SIZE,  // row pairs × columns, and whether the header agrees with itself
+    WALK,  // which tables it would overlap
+    DATA,
+    CHECK
+  } state_e;
+  state_e state_q;
+
+  // CRC-32, reflected, of one more word, least significant byte and bit first.
+  function automatic [31:0] crc_word(input [31:0] crc, input [31:0] data);
+    crc_word = crc ^ data;
+    for (int i = 0; i < 32; i++) crc_word = crc_word[0] ? (crc_word >> 1) ^ 32'hEDB88320 : crc_word >> 1;
+  endfunction
+
+  logic [3:0] slot_q;
+  logic [2:0] nx_q, ny_q;
+  logic [11:0] columns_q, width_q, height_q;
+  logic [10:0] pairs_q;
+  logic [15:0] base_q;
+  logic [31:0] crc_q;
+  logic [14:0] valid_q;
+  logic [14:0] overlap_q;
+  logic [5:0] step_q;
+  logic [23:0] size_q, end_q;  // words; address after the last
+  logic [23:0] left_q;  // words of data still to come, less one
+  logic [16:0] write_addr_q;
+  logic odd_q;
+  logic refuse_q, consistent_q;
+  logic [11:0] cells_x_q, cells_y_q;
+
+  logic take, slot_in_use;
+  assign data_ready_o = state_q != SIZE && state_q != WALK && !start_valid_i;
+  assign start_ready_o = 1'b1;
+  assign take = data_valid_i && data_ready_o;
+  assign slot_in_use = running_i && (slot_i == selected_slot_i || slot_i == active_slot_i)
+      && slot_i != 4'd15 && valid_q[slot_i];
+
+  // Extent of each table, for the walk.
+  logic [31:0] extent;
+  logic store_entry;
+  logic unused_extent_parity, unused_entry_parity, unused_crc_parity;
+  horopter_ram #(
+      .WIDTH(32),
+      .DEPTH(16)
+  ) u_extent (
+      .clk_i(clk_i),
+      .write_en_i(store_entry),
+      .write_addr_i(slot_q),
+      .write_data_i({end_q[15:0] - 16'd1, base_q}),  // its last and first word
+      .read_en_i(state_q == WALK),
+      .read_addr_i(step_q[4:1]),
+      .read_data_o(extent),
+      .parity_error_o(unused_extent_parity)
+  );
+  logic overlaps;
+  logic [3:0] walk_slot;
+  assign walk_slot = step_q[4:1];
+  assign overlaps = walk_slot != 4'd15 && valid_q[walk_slot] && walk_slot != slot_q
+      && 24'(extent[15:0]) < end_q && extent[31:16] >= base_q;
+
+  assign store_entry = state_q == CHECK && take && data_i == ~crc_q;
+
+  always_ff @(posedge clk_i) begin
+    bad_upload_o <= 1'b0;
+    refused_o <= 1'b0;
+    if (!rst_ni) begin
+      state_q <= IDLE;
+      valid_q <= 15'd0;
+      error_o <= NO_ERROR;
+    end else if (start_valid_i) begin
+      crc_q <= 32'hFFFFFFFF;
+      slot_q <= slot_i;
+      base_q <= base_i;
+      if (slot_i == 4'd15) begin
+        state_q <= IDLE;
+        error_o <= NO_SLOT;
+        bad_upload_o <= 1'b1;
+      end else if (slot_in_use) begin
+        state_q <= IDLE;
+        error_o <= IN_USE;
+        refused_o <= 1'b1;
+      end else begin
+        state_q <= HEAD0;
+        error_o <= NO_ERROR;
+        valid_q[slot_i] <= 1'b0;
+      end
+    end else begin
+      if (take && state_q != CHECK && state_q != IDLE) crc_q <= crc_word(crc_q, data_i);
+      case (state_q)
+        HEAD0:
+        if (take) begin
+          nx_q <= data_i[6:4];
+          ny_q <= data_i[2:0];
+          if (data_i[31:8] != 24'h484D01 || data_i[7] || data_i[3] || data_i[6:4] == 3'd7 || data_i[2:0] == 3'd7) begin
+            state_q <= IDLE;
+            error_o <= BAD_HEADER;
+            bad_upload_o <= 1'b1;
+          end else begin
+            state_q <= HEAD1;
+          end
+        end
+
+        HEAD1:
+        if (take) begin
+          columns_q <= data_i[11:0];
+          pairs_q <= data_i[26:16];
+          consistent_q <= data_i[15:12] == 4'd0 && data_i[31:27] == 5'd0;
+          state_q <= HEAD2;
+        end
+
+        HEAD2:
+        if (take) begin
+          width_q <= data_i[11:0];
+          height_q <= data_i[27:16];
+          if (data_i[15:12] != 4'd0 || data_i[31:28] != 4'd0 || data_i[11:0] == 12'd0 || data_i[27:16] == 12'd0)
+            consistent_q <= 1'b0;
+          cells_x_q <= data_i[11:0] - 12'd1;
+          cells_y_q <= data_i[27:16] - 12'd1;
+          size_q <= 24'd0;
+          step_q <= 6'd0;
+          state_q <= SIZE;
+        end
+
+        // One bit of the product and one place of the shifts a clock. With c = (size - 1) >> n there are c + 1 cells,
+        // c + 2 control points.
+        SIZE: begin
+          step_q <= step_q + 6'd1;
+          if (step_q < 6'd11) begin
+            size_q <= {size_q[22:0], 1'b0} + (pairs_q[4'd10 - step_q[3:0]] ? 24'(columns_q) : 24'd0);
+            if (step_q < 6'(nx_q)) cells_x_q <= {1'b0, cells_x_q[11:1]};
+            if (step_q < 6'(ny_q)) cells_y_q <= {1'b0, cells_y_q[11:1]};
+          end else if (step_q == 6'd11) begin
+            // Pairs of c + 2 rows: c / 2 + 1, and one more if c is odd.
+            if (columns_q != cells_x_q + 12'd2 || 12'(pairs_q) != 12'(cells_y_q[11:1]) + 12'd1 + 12'(cells_y_q[0]))
+              consistent_q <= 1'b0;
+            end_q <= size_q + 24'(base_q);
+          end else if (!consistent_q || 32'(end_q) > WORDS) begin
+            state_q <= IDLE;
+            error_o <= consistent_q ? TOO_LARGE : BAD_HEADER;
+            bad_upload_o <= 1'b1;
+          end else begin
+            step_q <= 6'd0;
+            overlap_q <= 15'd0;
+            refuse_q <= 1'b0;
+            state_q <= WALK;
+          end
+        end
+
+        // Two clocks a slot: read, judge.
+        WALK: begin
+          step_q <= step_q + 6'd1;
+          if (step_q[0] && overlaps) begin
+            overlap_q[walk_slot] <= 1'b1;
+            if (running_i && (walk_slot == selected_slot_i || walk_slot == active_slot_i)) refuse_q <= 1'b1;
+          end
+          if (step_q == 6'd32) begin
+            write_addr_q <= 17'(base_q);
+            left_q <= {size_q[22:0], 1'b0} - 24'd1;
+            odd_q <= 1'b0;
+            if (refuse_q) begin
+              state_q <= IDLE;
+              error_o <= IN_USE;
+              refused_o <= 1'b1;
+            end else begin
+              state_q <= DATA;
+              valid_q <= valid_q & ~overlap_q;
+            end
+          end
+        end
+
+        DATA:
+        if (take) begin
+          odd_q <= !odd_q;
+          if (odd_q) write_addr_q <= write_addr_q + 17'd1;
+          left_q <= left_q - 24'd1;
+          if (left_q == 24'd0) state_q <= CHECK;
+        end
+
+        CHECK:
+        if (take) begin
+          state_q <= IDLE;
+          if (store_entry) begin
+            valid_q[slot_q] <= 1'b1;
+          end else begin
+            error_o <= WRONG_CRC;
+            bad_upload_o <= 1'b1;
+          end
+        end
+
+        default:  // IDLE
+        if (take && error_o == NO_ERROR) error_o <= NOT_STARTED;
+      endcase
+    end
+  end
+  assign busy_o = state_q != IDLE;
+  assign valid_o = valid_q;
+
+  // --- directory ---
+  localparam int unsigned ENTRY_BITS = 32 + 12 + 12 + 12 + 3 + 3 + ADDR_BITS;
+  logic [ENTRY_BITS-1:0] entry;
+  logic [11:0] entry_width, entry_height;
+  logic lookup_q, lookup_valid_q;
+  horopter_ram #(
+      .WIDTH(ENTRY_BITS),
+      .DEPTH(16)
+  ) u_entry (
+      .clk_i(clk_i),
+      .write_en_i(store_entry),
+      .write_addr_i(slot_q),
+      .write_data_i({data_i, height_q, width_q, columns_q, ny_q, nx_q, base_q[ADDR_BITS-1:0]}),
+      .read_en_i(lookup_i),
+      .read_addr_i(lookup_slot_i),
+      .read_data_o(entry),
+      .parity_error_o(unused_entry_parity)
+  );
+  assign {table_crc_o, entry_height, entry_width, table_columns_o, table_ny_o, table_nx_o, table_base_o} = entry;
+  always_ff @(posedge clk_i) begin
+    lookup_q <= lookup_i;
+    // A table that is being stored in this very clock counts from the next lookup on.
+    lookup_valid_q <= lookup_slot_i != 4'd15 && valid_q[lookup_slot_i];
+    if (!rst_ni) table_ok_o <= 1'b0;
+    else if (lookup_q) table_ok_o <= lookup_valid_q && entry_width == width_i && entry_height == height_i;
+  end
+
+  logic [31:0] slot_crc;
+  logic slot_crc_valid_q;
+  horopter_ram #(
+      .WIDTH(32),
+      .DEPTH(16)
+  ) u_crc (
+      .clk_i(clk_i),
+      .write_en_i(store_entry),
+      .write_addr_i(slot_q),
+      .write_data_i(data_i),
+      .read_en_i(!store_entry),
+      .read_addr_i(slot_i),
+      .read_data_o(slot_crc),
+      .parity_error_o(unused_crc_parity)
+  );
+  always_ff @(posedge clk_i) slot_crc_valid_q <= slot_i != 4'd15 && valid_q[slot_i];
+  assign slot_crc_o = slot_crc_valid_q ? slot_crc : 32'd0;
+
+  // --- pool ---
+  logic write_even, write_odd, even_error, odd_error;
+  assign write_even = state_q == DATA && take && !odd_q;
+  assign write_odd = state_q == DATA && take && odd_q;
+  horopter_ram #(
+      .WIDTH(32),
+      .DEPTH(WORDS),
+      .PARITY(PARITY),
+      .OUTPUT_REGISTER(1'b1)
+  ) u_even (
+      .clk_i(clk_i),
+      .write_en_i(write_even),
+      .write_addr_i(write_addr_q[ADDR_BITS-1:0]),
+      .write_data_i(data_i),
+      .read_en_i(read_en_i),
+      .read_addr_i(even_addr_i),
+      .read_data_o(even_data_o),
+      .parity_error_o(even_error)
+  );
+  horopter_ram #(
+      .WIDTH(32),
+      .DEPTH(WORDS),
+      .PARITY(PARITY),
+      .OUTPUT_REGISTER(1'b1)
+  ) u_odd (
+      .clk_i(clk_i),
+      .write_en_i(write_odd),
+      .write_addr_i(write_addr_q[ADDR_BITS-1:0]),
+      .write_data_i(data_i),
+      .read_en_i(read_en_i),
+      .read_addr_i(odd_addr_i),
+      .read_data_o(odd_data_o),
+      .parity_error_o(odd_error)
+  );
+  assign parity_error_o = even_error || odd_error;
+endmodule

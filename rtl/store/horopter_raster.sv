@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+// Raster generator: makes the beats of an output frame, and the addresses of the control points that they need.
+//
+// Per frame: height + FLUSH_ROWS rows, each a prime beat and `width` pixel beats; flush rows are not live. Row y of the
+// frame starts when right row min(y + lookahead, height - 1) and left row y are there, or will never come: so the last
+// rows come by themselves, at one beat a clock, whatever the cameras do. A beat is issued only while go_i: the outputs
+// must be able to take IN_FLIGHT beats more. A frame starts when the one before is published and IN_FLIGHT clocks have
+// passed since its last beat, so that frames never share the pipeline.
+//
+// begin_o: one clock, settings and table may change now; at least 8 clocks before the first beat.
+// Beats are registers; the control points come in the clock in which the beat leaves (3 clocks after the addresses).
+module horopter_raster #(
+    parameter int unsigned FLUSH_ROWS = 10,
+    parameter int unsigned IN_FLIGHT = 256,
+    parameter int unsigned MAP_ADDR_BITS = 14
+) (
+    input  logic                     clk_i,
+    input  logic                     rst_ni,
+    input  logic [             11:0] width_i,
+    input  logic [             11:0] height_i,
+    input  logic [             11:0] lookahead_i,
+    input  logic                     go_i,
+    // frame records
+    input  logic [              1:0] busy_i,
+    output logic                     slot_o,  // record of the frame being output, or of the next one
+    input  logic [             11:0] left_rows_i,
+    input  logic                     left_ended_i,
+    input  logic [             11:0] right_rows_i,
+    input  logic                     right_ended_i,
+    output logic                     begin_o,
+    output logic                     active_o,  // from begin_o until published
+    input  logic                     published_i,
+    // map store
+    output logic                     lookup_o,
+    input  logic                     table_ok_i,
+    input  logic [MAP_ADDR_BITS-1:0] table_base_i,
+    input  logic [              2:0] table_nx_i,
+    input  logic [              2:0] table_ny_i,
+    input  logic [             11:0] table_columns_i,
+    output logic                     map_read_o,
+    output logic [MAP_ADDR_BITS-1:0] map_even_addr_o,
+    output logic [MAP_ADDR_BITS-1:0] map_odd_addr_o,
+    input  logic [             31:0] map_even_i,
+    input  logic [             31:0] map_odd_i,
+    input  logic                     map_error_i,
+    // beats
+    output logic                     valid_o,
+    output logic                     prime_o,
+    output logic                     load_o,
+    output logic [             31:0] top_o,
+    output logic [             31:0] bottom_o,
+    output logic [              5:0] row_fraction_o,
+    output logic                     first_o,
+    output logic                     last_o,
+    output logic                     live_o,
+    output logic                     map_parity_error_o
+);
+  if (FLUSH_ROWS == 0 || FLUSH_ROWS > 64 || IN_FLIGHT < 16 || IN_FLIGHT > 4096) begin : g_illegal
+    $fatal(1, "horopter_raster: FLUSH_ROWS must be 1 to 64, IN_FLIGHT 16 to 4096");
+  end
+
+  typedef enum logic [2:0] {
+    IDLE,
+    SETUP,
+    WAIT_ROW,
+    PRIME,
+    PIXELS,
+    DRAIN,
+    WAIT_PUBLISHED
+  } state_e;
+  state_e state_q;
+
+  logic [11:0] x_q, y_q, need_right_q;
+  logic [12:0] count_q;
+  logic live_q, first_q, slot_q, ready_q, active_q, published_q;
+  logic [MAP_ADDR_BITS-1:0] even_row_q, odd_row_q, even_addr_q, odd_addr_q;
+  logic odd_cell_q;
+  logic [5:0] fraction_q, cell_mask_x_q, cell_mask_y_q;
+
+  // Is the row in progress there? One clock behind, but rows only ever arrive. Before a frame begins, y_q is 0.
+  logic [11:0] last_row;
+  assign last_row = height_i - 12'd1;
+  always_ff @(posedge clk_i) begin
+    need_right_q <= y_q + lookahead_i < last_row ? y_q + lookahead_i : last_row;
+    ready_q <= !live_q || ((right_rows_i > need_right_q || right_ended_i) && (left_rows_i > y_q || left_ended_i));
+  end
+
+  logic last_x, cell_end_x, cell_end_y;
+  assign last_x = x_q == width_i - 12'd1;
+  assign cell_end_x = (x_q[5:0] & cell_mask_x_q) == 6'd0;  // this pixel loads the next column
+  assign cell_end_y = (y_q[5:0] & cell_mask_y_q) == cell_mask_y_q;  // the next row is in another cell
+
+  // Stage 0 of the beat.
+  logic issue_prime, issue_pixel, loads;
+  assign issue_prime = state_q == PRIME && go_i;
+  assign issue_pixel = state_q == PIXELS && go_i;
+  assign loads = cell_end_x && live_q;
+
+  always_ff @(posedge clk_i) begin
+    begin_o <= 1'b0;
+    lookup_o <= 1'b0;
+    if (!rst_ni) begin
+      state_q <= IDLE;
+      slot_q <= 1'b0;
+      active_q <= 1'b0;
+      published_q <= 1'b0;
+      live_q <= 1'b1;
+      y_q <= 12'd0;
+      count_q <= 13'd0;
+    end else begin
+      if (published_i) begin
+        active_q <= 1'b0;
+        published_q <= 1'b1;
+      end
+      case (state_q)
+        // A few clocks for the record's registers to follow slot_q and y_q.
+        IDLE: begin
+          if (!count_q[3]) begin
+            count_q <= count_q + 13'd1;
+          end else if (busy_i[slot_q] && ready_q) begin
+            begin_o <= 1'b1;
+            lookup_o <= 1'b1;
+            active_q <= 1'b1;
+            published_q <= 1'b0;
+            count_q <= 13'd0;
+            state_q <= SETUP;
+          end
+        end
+
+        SETUP: begin
+          count_q <= count_q + 13'd1;
+          first_q <= 1'b1;
+          even_row_q <= table_base_i;
+          odd_row_q <= table_base_i;
+          odd_cell_q <= 1'b0;
+          fraction_q <= 6'd0;
+          cell_mask_x_q <= ~(6'h3F << table_nx_i);
+          cell_mask_y_q <= ~(6'h3F << table_ny_i);
+          if (count_q[3]) begin
+            count_q <= 13'd0;
+            state_q <= WAIT_ROW;
+          end
+        end
+
+        WAIT_ROW: begin
+          x_q <= 12'd0;
+          even_addr_q <= even_row_q;
+          odd_addr_q <= odd_row_q;
+          // Two clocks for need_right_q and ready_q to follow y_q.
+          if (!count_q[1]) begin
+            count_q <= count_q + 13'd1;
+          end else if (ready_q) begin
+            count_q <= 13'd0;
+            state_q <= PRIME;
+          end
+        end
+
+        PRIME: if (go_i) state_q <= PIXELS;
+
+        PIXELS:
+        if (go_i) begin
+          x_q <= x_q + 12'd1;
+          first_q <= 1'b0;
+          if (last_x) begin
+            y_q <= y_q + 12'd1;
+            state_q <= WAIT_ROW;
+            if (y_q == last_row) live_q <= 1'b0;
+            if (!live_q && y_q == last_row + 12'(FLUSH_ROWS)) begin
+              state_q <= DRAIN;
+              y_q <= 12'd0;
+              live_q <= 1'b1;
+            end
+            // The cell's lower row becomes the upper one of the next: only the other bank moves on.
+            if (live_q) begin
+              fraction_q <= cell_end_y ? 6'd0 : fraction_q + (6'd1 << (3'd6 - table_ny_i));
+              if (cell_end_y) begin
+                odd_cell_q <= !odd_cell_q;
+                if (odd_cell_q) odd_row_q <= odd_row_q + MAP_ADDR_BITS'(table_columns_i);
+                else even_row_q <= even_row_q + MAP_ADDR_BITS'(table_columns_i);
+              end
+            end
+          end
+        end
+
+        DRAIN: begin
+          count_q <= count_q + 13'd1;
+          if (32'(count_q) == IN_FLIGHT) state_q <= WAIT_PUBLISHED;
+        end
+
+        default:  // WAIT_PUBLISHED
+        if (published_q) begin
+          slot_q <= !slot_q;
+          count_q <= 13'd0;
+          state_q <= IDLE;
+        end
+      endcase
+      if ((issue_prime || (issue_pixel && loads))) begin
+        even_addr_q <= even_addr_q + 1'b1;
+        odd_addr_q <= odd_addr_q + 1'b1;
+      end
+    end
+  end
+  assign slot_o = slot_q;
+  assign active_o = active_q;
+  assign map_read_o = issue_prime || (issue_pixel && loads);
+  assign map_even_addr_o = even_addr_q;
+  assign map_odd_addr_o = odd_addr_q;
+
+  // Stages 1 and 2 wait for the control points, 3 puts them in their order.
+  logic [2:1] valid_q, prime_q, load_q, beat_first_q, beat_last_q, beat_live_q, beat_odd_q;
+  logic [11:0] beat_fraction_q;  // stage 2, stage 1
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      valid_q <= 2'b00;
+      valid_o <= 1'b0;
+    end else begin
+      valid_q <= {valid_q[1], issue_prime || issue_pixel};
+      valid_o <= valid_q[2];
+    end
+    prime_q <= {prime_q[1], issue_prime};
+    load_q <= {load_q[1], issue_pixel && loads};
+    beat_first_q <= {beat_first_q[1], issue_pixel && first_q};
+    beat_last_q <= {beat_last_q[1], issue_pixel && last_x};
+    beat_live_q <= {beat_live_q[1], live_q};
+    beat_odd_q <= {beat_odd_q[1], odd_cell_q};
+    beat_fraction_q <= {beat_fraction_q[5:0], fraction_q};
+    prime_o <= prime_q[2];
+    load_o <= load_q[2];
+    first_o <= beat_first_q[2];
+    last_o <= beat_last_q[2];
+    live_o <= beat_live_q[2];
+    row_fraction_o <= beat_fraction_q[11:6];
+    top_o <= beat_odd_q[2] ? map_odd_i : map_even_i;
+    bottom_o <= beat_odd_q[2] ? map_even_i : map_odd_i;
+    map_parity_error_o <= map_error_i && (prime_q[2] || load_q[2]) && beat_live_q[2] && table_ok_i;
+  end
+endmodule
