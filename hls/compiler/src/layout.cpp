@@ -247,7 +247,7 @@ class Flattener {
 
 SourceLocation location_of(const DIType* type) {
   SourceLocation where;
-  if (type != nullptr && type->getFile() != nullptr) where.file = type->getFile()->getFilename().str();
+  if (type != nullptr && type->getFile() != nullptr) where.file = tidy_path(type->getFile()->getFilename().str());
   if (type != nullptr) where.line = type->getLine();
   return where;
 }

@@ -42,7 +42,7 @@ bool is_library(llvm::StringRef file) {
   return file.starts_with("/usr/") || file.contains("horopter/hls/") || file.contains("hlsc_wrapper.cpp");
 }
 
-SourceLocation place(const llvm::DILocation* location) { return {location->getFilename().str(), location->getLine()}; }
+SourceLocation place(const llvm::DILocation* location) { return {tidy_path(location->getFilename().str()), location->getLine()}; }
 
 bool is_hook(const llvm::Function& function) { return function.getName().starts_with("__hlsc_ram_"); }
 

@@ -102,7 +102,7 @@ class Symbolic::Run {
 
   SourceLocation where_of_function() const {
     const llvm::DISubprogram* program = function_.getSubprogram();
-    return program == nullptr ? SourceLocation{} : SourceLocation{program->getFilename().str(), program->getLine()};
+    return program == nullptr ? SourceLocation{} : SourceLocation{tidy_path(program->getFilename().str()), program->getLine()};
   }
 
   void find_returning() {

@@ -12,6 +12,9 @@ namespace hlsc {
 /// `file:line: error: message`, or `error: message` where no place is known.
 std::string format_error(const SourceLocation& where, const std::string& message);
 
+/// Without a leading `./`, which -I. puts there.
+std::string tidy_path(std::string path);
+
 class CompileError : public std::runtime_error {
  public:
   CompileError(const SourceLocation& where, const std::string& message)
