@@ -55,15 +55,7 @@ class DirectionFinder {
 
   /// arctan(smaller / larger) in 1/256 turn, 0 … 32.
   static u<6> octant_angle(u<10> smaller, u<10> larger) {
-    u<quotient_bits> quotient(0);
-    u<10> rest = smaller;
-    for (int i = quotient_bits - 1; i >= 0; --i) {
-      const u<11> twice = shl<1>(rest);
-      const bool fits = twice > larger;  // ">" keeps 0 / 0 at 0
-      rest = u<10>(fits ? u<11>(twice - larger) : twice);
-      quotient = u<quotient_bits>(cat(quotient, fits));
-    }
-    return arctangent_table<quotient_bits>[quotient.value()];
+    return arctangent_table<quotient_bits>[ratio<quotient_bits>(smaller, larger).value()];
   }
 
   /// Multiple of a quarter turn, plus or minus the angle from its axis.

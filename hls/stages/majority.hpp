@@ -38,8 +38,8 @@ class MajorityVote {
     const u<M> skin = cat(above.skin, in.decidable && in.skin);
     column.decidable = u<M - 1>(decidable);
     column.skin = u<M - 1>(skin);
-    const auto decidable_sum = decidable_.step(at.row_start, at.column >= M, count(decidable));
-    const auto skin_sum = skin_.step(at.row_start, at.column >= M, count(skin));
+    const auto decidable_sum = decidable_.step(at.row_start, at.column >= M, popcount(decidable));
+    const auto skin_sum = skin_.step(at.row_start, at.column >= M, popcount(skin));
     const bool mask =
         mask_.step(at.row_start, in.mask, at.frame_start_row ? ColumnRun<M>(0) : above.mask_run, column.mask_run);
     memory_.write(at.column, column);
@@ -57,14 +57,6 @@ class MajorityVote {
   }
 
  private:
-  static constexpr int count_bits = bits_for(M);
-
-  static u<count_bits> count(u<M> bits) {
-    u<count_bits> sum(0);
-    for (int i = 0; i < M; ++i) sum = u<count_bits>(sum + u<1>(bits.bit(i)));
-    return sum;
-  }
-
   struct Column {
     u<M - 1> decidable;
     u<M - 1> skin;

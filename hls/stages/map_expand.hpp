@@ -58,21 +58,23 @@ class MapExpander {
 
   Out step(const In& in, const Config& config) {
     Out out;
-    const Node arriving = node(in.column, in.row_fraction);
     const bool load = in.load && !in.prime;
-    // One pixel further is 2^(6 − spacing) of the 64 parts of the cell.
-    const u<3> up = config.spacing_x_log2 >= 6 ? u<3>(0) : u<3>(lit<6>() - config.spacing_x_log2);
-    const Place x = x_.step(load, arriving.x, right_.x, up);
-    const Place y = y_.step(load, arriving.y, right_.y, up);
-    const bool left_valid = load ? right_.valid : left_valid_;
     const bool right_valid = load || right_.valid;  // has no weight at the column itself
-    left_valid_ = left_valid;
-    if (in.prime || load) right_ = arriving;
-
+    if (in.prime || load) {
+      const Node arriving = node(in.column, in.row_fraction);
+      if (load) {
+        // One pixel further is 2^(6 − spacing) of the 64 parts of the cell.
+        const u<3> up = config.spacing_x_log2 >= 6 ? u<3>(0) : u<3>(lit<6>() - config.spacing_x_log2);
+        x_.load(right_.x, arriving.x, up);
+        y_.load(right_.y, arriving.y, up);
+        left_valid_ = right_.valid;
+      }
+      right_ = arriving;
+    }
     out.valid = !in.prime;
-    const bool x_inside = place(x, out.x, out.wx);
-    const bool y_inside = place(y, out.y, out.wy);
-    out.mapped = left_valid && right_valid && x_inside && y_inside;
+    const bool x_inside = place(x_.step(), out.x, out.wx);
+    const bool y_inside = place(y_.step(), out.y, out.wy);
+    out.mapped = left_valid_ && right_valid && x_inside && y_inside;
     out.marks = in.marks;
     return out;
   }
@@ -91,13 +93,13 @@ class MapExpander {
   /// One coordinate along the row.
   class Axis {
    public:
-    Place step(bool load, u<22> arriving, u<22> held, u<3> up) {
-      Place place = place_;
-      if (load) {
-        place = shl<6>(held);
-        increment_ = s<29>(scaled(arriving - held, up));
-      }
-      // increment_ belongs to the pixels after the loading one.
+    void load(u<22> left, u<22> right, u<3> up) {
+      place_ = shl<6>(left);
+      increment_ = scaled(right - left, up);
+    }
+
+    Place step() {
+      const Place place = place_;
       place_ = Place(place + increment_);
       return place;
     }

@@ -6,6 +6,7 @@
 // so, for speed; a program must not mix both.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -154,20 +155,15 @@ class Pipeline {
     result.height = left.height;
     result.states.reserve(static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height));
 
-    examine(left, left_health_, result.left);
-    examine(right, right_health_, result.right);
+    examine(left, right, result);
     for (int y = 0; y < left.height; ++y) {
+      mark(y == 0);
       expand_row(y, table);
       fetch_row(y, left, right, settings.lookahead, result.store_misses);
       finish_row(result);
     }
-    for (int y = 0; y < P.flush_rows(); ++y) {
-      for (int x = 0; x < left.width; ++x) {
-        taps_[static_cast<std::size_t>(x)] = {};
-        taps_[static_cast<std::size_t>(x)].marks.last = x + 1 == left.width;
-      }
-      finish_row(result);
-    }
+    taps_.mask.fill(false);
+    for (int y = 0; y < P.flush_rows(); ++y) finish_row(result);
     return result;
   }
 
@@ -176,6 +172,59 @@ class Pipeline {
   using InOf = typename Stage::In;
   template <class Stage>
   using OutOf = typename Stage::Out;
+
+  // One row of beats after each stage; marks are the same after all of them.
+  template <class T>
+  using Row = std::array<T, P.width>;
+  template <class T>
+  using ResultRow = std::array<T, P.result_width()>;
+
+  struct Taps {
+    Row<hls::u<8>> p00, p01, p10, p11, left;
+    Row<hls::u<P.weight_bits>> wx, wy;
+    Row<bool> mask;
+  };
+
+  struct Pairs {
+    Row<hls::u<8>> left, right;
+    Row<bool> saturated, mask;
+
+    [[nodiscard]] stages::GreyPair get(std::size_t i, stages::Marks marks) const {
+      return {{left[i], right[i]}, saturated[i], mask[i], marks};
+    }
+    template <class Beat>
+    void set(std::size_t i, const Beat& beat) {
+      left[i] = beat.pixel[0];
+      right[i] = beat.pixel[1];
+      saturated[i] = beat.saturated;
+      mask[i] = beat.mask;
+    }
+  };
+
+  struct GradientRow {
+    std::array<ResultRow<hls::s<11>>, 2> gx, gy;
+    ResultRow<bool> saturated, mask;
+  };
+
+  struct DirectionRow {
+    std::array<ResultRow<hls::u<8>>, 2> direction, magnitude;
+  };
+
+  /// A stage as a local variable while a row passes: bytes written elsewhere cannot alias it, so its registers stay in
+  /// registers.
+  template <class Stage>
+  class Borrowed {
+   public:
+    explicit Borrowed(Stage& owner) : owner_(owner), stage_(std::move(owner)) {}
+    ~Borrowed() { owner_ = std::move(stage_); }
+    Borrowed(const Borrowed&) = delete;
+    Borrowed& operator=(const Borrowed&) = delete;
+    Stage* operator->() { return &stage_; }
+
+   private:
+    Stage& owner_;
+    Stage stage_;
+  };
 
   static void check(const ImageView& left, const ImageView& right, const TableView& table, const Settings& settings) {
     const auto fail = [](const std::string& what) { throw std::invalid_argument(what); };
@@ -191,7 +240,6 @@ class Pipeline {
   }
 
   void begin(const ImageView& image, const Settings& settings) {
-    map_config_ = {};
     texture_config_.texture_limit = settings.texture_limit;
     threshold_config_.sum_limit = settings.sum_limit;
     threshold_config_.self_limit = settings.self_limit;
@@ -206,28 +254,49 @@ class Pipeline {
     health_config_.bright_limit = settings.bright_limit;
     health_config_.contrast_limit = settings.contrast_limit;
     health_config_.frozen_limit = settings.frozen_limit;
-    sources_.resize(static_cast<std::size_t>(image.width));
-    taps_.resize(static_cast<std::size_t>(image.width));
+    width_ = image.width;
+    result_width_ = image.width / P.subsample;
+    last_.fill(false);
+    last_[index(width_ - 1)] = true;
+    result_last_.fill(false);
+    result_last_[index(result_width_ - 1)] = true;
+  }
+
+  static constexpr std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+  /// Marks of the next row of beats; the stages pass them on unchanged.
+  void mark(bool first_row) {
+    first_[0] = first_row;
+    result_first_[0] = first_row;
   }
 
   using Health = stages::Health<P>;
 
-  void examine(const ImageView& image, Health& health, ImageHealth& result) {
+  /// Both cameras at once: two independent chains of CRC keep the CPU busy.
+  [[gnu::flatten]] void examine(const ImageView& left, const ImageView& right, FrameResult& result) {
+    Borrowed left_health(left_health_);
+    Borrowed right_health(right_health_);
     InOf<Health> in;
-    for (int y = 0; y < image.height; ++y) {
-      const std::uint8_t* row = image.pixels + y * image.stride;
-      for (int x = 0; x < image.width; ++x) {
-        in.pixel = row[x];
+    for (int y = 0; y < left.height; ++y) {
+      const std::uint8_t* left_row = left.pixels + y * left.stride;
+      const std::uint8_t* right_row = right.pixels + y * right.stride;
+      for (int x = 0; x < width_; ++x) {
         in.first = x == 0 && y == 0;
-        in.end = x + 1 == image.width && y + 1 == image.height;
-        const OutOf<Health> out = health.step(in, health_config_);
-        if (out.valid) result = {out.black, out.white, out.constant, out.frozen};
+        in.end = x + 1 == width_ && y + 1 == left.height;
+        in.pixel = left_row[x];
+        const OutOf<Health> l = left_health->step(in, health_config_);
+        in.pixel = right_row[x];
+        const OutOf<Health> r = right_health->step(in, health_config_);
+        if (in.end) [[unlikely]] {
+          result.left = {l.black, l.white, l.constant, l.frozen};
+          result.right = {r.black, r.white, r.constant, r.frozen};
+        }
       }
     }
   }
 
   /// Sources of one row of pixels.
-  void expand_row(int y, const TableView& table) {
+  [[gnu::flatten]] void expand_row(int y, const TableView& table) {
     const int cell_row = y >> table.spacing_y_log2();
     const int fraction = (y - (cell_row << table.spacing_y_log2())) << (6 - table.spacing_y_log2());
     const int cell_mask = (1 << table.spacing_x_log2()) - 1;
@@ -237,21 +306,16 @@ class Pipeline {
     const auto fetch = [&](int column) {
       return stages::ControlPair{table.control(column, cell_row), table.control(column, cell_row + 1)};
     };
-    stages::MapExpand<P> expand = map_expand_;
+    Borrowed expand(map_expand_);
     in.prime = true;
     in.column = fetch(0);
-    expand.step(in, map_config_);
+    expand->step(in, map_config_);
     in.prime = false;
-    const int width = table.width();
-    for (int x = 0; x < width; ++x) {
+    for (int x = 0; x < width_; ++x) {
       in.load = (x & cell_mask) == 0;
       if (in.load) in.column = fetch((x >> table.spacing_x_log2()) + 1);
-      in.marks.first = x == 0 && y == 0;
-      in.marks.last = x + 1 == width;
-      in.marks.live = true;
-      sources_[static_cast<std::size_t>(x)] = expand.step(in, map_config_);
+      sources_[index(x)] = expand->step(in, map_config_);
     }
-    map_expand_ = expand;
   }
 
   /// The image store: 2×2 pixels of each source, as far as it holds them.
@@ -259,71 +323,156 @@ class Pipeline {
     const int oldest = y - (P.store_rows / 2 - 2);
     const int newest = y + lookahead;
     const std::uint8_t* left_row = left.pixels + y * left.stride;
-    for (int i = 0; i < left.width; ++i) {
-      const auto& source = sources_[static_cast<std::size_t>(i)];
-      InOf<stages::Interpolate<P>> in;
+    for (int i = 0; i < width_; ++i) {
+      const auto& source = sources_[index(i)];
       const int x = source.x.value();
       const int row = source.y.value();
       const int right_of = source.wx != 0 ? 1 : 0;  // a pixel of weight 0 is not needed
       const int below = source.wy != 0 ? 1 : 0;
-      if (source.mapped && x + right_of < right.width && row + below < right.height) {
-        if (row >= oldest && row + below <= newest) {
-          const std::uint8_t* top = right.pixels + row * right.stride + x;
-          const std::uint8_t* bottom = top + below * right.stride;
-          in.p00 = top[0];
-          in.p01 = top[right_of];
-          in.p10 = bottom[0];
-          in.p11 = bottom[right_of];
-          in.mask = true;
-        } else {
-          ++misses;
-        }
+      bool mask = source.mapped && x + right_of < right.width && row + below < right.height;
+      if (mask && (row < oldest || row + below > newest)) [[unlikely]] {
+        ++misses;
+        mask = false;
       }
-      in.wx = source.wx;
-      in.wy = source.wy;
-      in.left = left_row[i];
-      in.marks.first = source.marks.first;
-      in.marks.last = source.marks.last;
-      taps_[static_cast<std::size_t>(i)] = in;
+      taps_.mask[index(i)] = mask;
+      taps_.wx[index(i)] = source.wx;
+      taps_.wy[index(i)] = source.wy;
+      if (mask) [[likely]] {
+        const std::uint8_t* top = right.pixels + row * right.stride + x;
+        const std::uint8_t* bottom = top + below * right.stride;
+        taps_.p00[index(i)] = top[0];
+        taps_.p01[index(i)] = top[right_of];
+        taps_.p10[index(i)] = bottom[0];
+        taps_.p11[index(i)] = bottom[right_of];
+      }
     }
+    for (int i = 0; i < width_; ++i) taps_.left[index(i)] = left_row[i];
   }
 
   /// Passes a row of beats through all stages from the interpolation on. A stage takes the whole row before the next
-  /// stage begins: the same as beat by beat, as none feeds back, and several times faster.
+  /// stage begins: the same as beat by beat, as none feeds back. Rows lie field by field, so that the compiler can
+  /// vectorise stages without state.
   void finish_row(FrameResult& result) {
-    pass(interpolate_, taps_, pairs_, [](const auto& in) { return in; });
-    subsample();
-    pass(lowpass_, grey_, smooth_, [](const auto& in) { return in; });
-    pass(sobel_, smooth_, gradients_, [](const auto& in) { return in; });
-    pass(direction_, gradients_, directions_, [](const auto& in) { return in; });
-    pass(difference_, directions_, differences_, [](const auto& in) { return in; });
-    pass(texture_, differences_, textures_, [](const auto& in) { return in; }, texture_config_);
-    pass(dsad_, textures_, sums_,
-         [](const auto& in) { return InOf<stages::Dsad<P>>{in.difference, in.textured, in.mask, in.marks}; });
-    pass(
-        threshold_, sums_, binaries_,
-        [](const auto& in) { return InOf<stages::Threshold<P>>{in.sum, in.textured, in.mask, in.marks}; },
-        threshold_config_);
-    pass(majority_, binaries_, votes_,
-         [](const auto& in) { return InOf<stages::Majority<P>>{in.skin, in.decidable, in.mask, in.marks}; });
-    for (const auto& vote : votes_) emit(align_.step({vote.state, vote.marks}, align_config_), result);
+    interpolate_row();
+    const Pairs* grey = &pairs_;
+    if constexpr (P.subsample > 1) {
+      subsample_row();
+      grey = &halved_;
+    }
+    filter_row(lowpass_, *grey, smooth_);
+    sobel_row();
+    direction_row();
+    sum_row();
+    vote_row(result);
   }
 
-  template <class Stage, class From, class To, class Convert, class... Config>
-  static void pass(Stage& stage, const std::vector<From>& from, std::vector<To>& to, const Convert& convert,
-                   const Config&... config) {
-    to.resize(from.size());
-    // A local copy lets the compiler keep the registers in registers: bytes written to `to` cannot alias it.
-    Stage local = std::move(stage);
-    for (std::size_t i = 0; i < from.size(); ++i) to[i] = local.step(convert(from[i]), config...);
-    stage = std::move(local);
+  [[gnu::flatten]] void interpolate_row() {
+    stages::Interpolate<P> stage;  // has no state
+    const Taps& from = taps_;
+    Pairs& to = pairs_;
+    const int n = width_;
+    for (int i = 0; i < n; ++i) {
+      InOf<stages::Interpolate<P>> in;
+      in.p00 = from.p00[index(i)];
+      in.p01 = from.p01[index(i)];
+      in.p10 = from.p10[index(i)];
+      in.p11 = from.p11[index(i)];
+      in.wx = from.wx[index(i)];
+      in.wy = from.wy[index(i)];
+      in.left = from.left[index(i)];
+      in.mask = from.mask[index(i)];
+      const stages::GreyPair out = stage.step(in);
+      to.left[index(i)] = out.pixel[0];
+      to.right[index(i)] = out.pixel[1];
+      to.saturated[index(i)] = out.saturated;
+      to.mask[index(i)] = out.mask;
+    }
   }
 
-  void subsample() {
-    grey_.clear();
-    for (const stages::GreyPair& pair : pairs_) {
-      const OutOf<stages::Subsample<P>> out = subsample_.step(pair);
-      if (out.valid) grey_.push_back({out.pixel, out.saturated, out.mask, out.marks});
+  [[gnu::flatten]] void subsample_row() {
+    Borrowed stage(subsample_);
+    std::size_t written = 0;
+    for (int i = 0; i < width_; ++i) {
+      const auto out = stage->step(pairs_.get(index(i), {first_[index(i)], last_[index(i)]}));
+      if (out.valid) {
+        halved_.set(written, out);
+        ++written;
+      }
+    }
+  }
+
+  template <class Stage>
+  [[gnu::flatten]] void filter_row(Stage& filter, const Pairs& from, Pairs& to) {
+    Borrowed stage(filter);
+    for (int i = 0; i < result_width_; ++i) to.set(index(i), stage->step(from.get(index(i), marks(i))));
+  }
+
+  [[gnu::flatten]] void sobel_row() {
+    Borrowed stage(sobel_);
+    for (int i = 0; i < result_width_; ++i) {
+      const auto out = stage->step(smooth_.get(index(i), marks(i)));
+      for (std::size_t lane = 0; lane < 2; ++lane) {
+        gradients_.gx[lane][index(i)] = out.gx[lane];
+        gradients_.gy[lane][index(i)] = out.gy[lane];
+      }
+      gradients_.saturated[index(i)] = out.saturated;
+      gradients_.mask[index(i)] = out.mask;
+    }
+  }
+
+  [[gnu::flatten]] void direction_row() {
+    stages::DirectionFinder<1> stage;  // has no state, and does with both images the same
+    const int n = result_width_;
+    for (std::size_t lane = 0; lane < 2; ++lane) {
+      const hls::s<11>* gx = gradients_.gx[lane].data();
+      const hls::s<11>* gy = gradients_.gy[lane].data();
+      hls::u<8>* __restrict direction = directions_.direction[lane].data();
+      hls::u<8>* __restrict magnitude = directions_.magnitude[lane].data();
+#pragma clang loop vectorize(enable)
+      for (int i = 0; i < n; ++i) {
+        stages::Gradients<1> in;
+        in.gx[0] = gx[i];
+        in.gy[0] = gy[i];
+        const stages::Directions<1> out = stage.step(in);
+        direction[i] = out.direction[0];
+        magnitude[i] = out.magnitude[0];
+      }
+    }
+  }
+
+  [[gnu::flatten]] void sum_row() {
+    Borrowed difference(difference_);
+    for (int i = 0; i < result_width_; ++i) {
+      stages::Directions<2> in;
+      for (std::size_t lane = 0; lane < 2; ++lane) {
+        in.direction[lane] = directions_.direction[lane][index(i)];
+        in.magnitude[lane] = directions_.magnitude[lane][index(i)];
+      }
+      in.saturated = gradients_.saturated[index(i)];
+      in.mask = gradients_.mask[index(i)];
+      in.marks = marks(i);
+      differences_[index(i)] = difference->step(in);
+    }
+    Borrowed texture(texture_);
+    for (int i = 0; i < result_width_; ++i) {
+      const auto out = texture->step(differences_[index(i)], texture_config_);
+      textures_[index(i)] = {out.difference, out.textured, out.mask, out.marks};
+    }
+    Borrowed dsad(dsad_);
+    for (int i = 0; i < result_width_; ++i) {
+      const auto out = dsad->step(textures_[index(i)]);
+      sums_[index(i)] = {out.sum, out.textured, out.mask, out.marks};
+    }
+  }
+
+  [[gnu::flatten]] void vote_row(FrameResult& result) {
+    Borrowed majority(majority_);
+    for (int i = 0; i < result_width_; ++i) {
+      const auto in = threshold_.step(sums_[index(i)], threshold_config_);
+      votes_[index(i)] = majority->step({in.skin, in.decidable, in.mask, in.marks});
+    }
+    for (int i = 0; i < result_width_; ++i) {
+      emit(align_.step({votes_[index(i)].state, votes_[index(i)].marks}, align_config_), result);
     }
   }
 
@@ -374,19 +523,25 @@ class Pipeline {
   typename stages::Alarm<P>::Config alarm_config_;
   typename Health::Config health_config_;
 
-  // One row of beats after each stage.
-  std::vector<OutOf<stages::MapExpand<P>>> sources_;
-  std::vector<InOf<stages::Interpolate<P>>> taps_;
-  std::vector<stages::GreyPair> pairs_;
-  std::vector<stages::GreyPair> grey_;
-  std::vector<stages::GreyPair> smooth_;
-  std::vector<OutOf<stages::Sobel<P>>> gradients_;
-  std::vector<OutOf<stages::Direction<P>>> directions_;
-  std::vector<OutOf<stages::Difference<P>>> differences_;
-  std::vector<OutOf<stages::Texture<P>>> textures_;
-  std::vector<OutOf<stages::Dsad<P>>> sums_;
-  std::vector<OutOf<stages::Threshold<P>>> binaries_;
-  std::vector<OutOf<stages::Majority<P>>> votes_;
+  [[nodiscard]] stages::Marks marks(int i) const { return {result_first_[index(i)], result_last_[index(i)]}; }
+
+  int width_ = 0;
+  int result_width_ = 0;
+  Row<bool> first_{};
+  Row<bool> last_{};
+  ResultRow<bool> result_first_{};
+  ResultRow<bool> result_last_{};
+  Row<OutOf<stages::MapExpand<P>>> sources_{};
+  Taps taps_{};
+  Pairs pairs_{};
+  Pairs halved_{};
+  Pairs smooth_{};
+  GradientRow gradients_{};
+  DirectionRow directions_{};
+  ResultRow<OutOf<stages::Difference<P>>> differences_{};
+  ResultRow<InOf<stages::Dsad<P>>> textures_{};
+  ResultRow<InOf<stages::Threshold<P>>> sums_{};
+  ResultRow<OutOf<stages::Majority<P>>> votes_{};
 };
 
 }  // namespace horopter::native

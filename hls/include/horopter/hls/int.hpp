@@ -437,6 +437,67 @@ constexpr u<N> max(u<N> a, u<N> b) {
 }
 
 namespace detail {
+
+constexpr std::array<std::uint8_t, 512> make_popcount_table() {
+  std::array<std::uint8_t, 512> table{};
+  for (std::size_t i = 1; i < table.size(); ++i) table[i] = static_cast<std::uint8_t>(table[i / 2] + i % 2);
+  return table;
+}
+inline constexpr auto popcount_table = make_popcount_table();
+
+}  // namespace detail
+
+/// Number of ones.
+template <int N>
+constexpr u<bits_for(N)> popcount(u<N> value) {
+#ifndef __HLSC__
+  if constexpr (N <= 9) return {detail::exact_t{}, detail::popcount_table[value.value()]};
+#endif
+  u<bits_for(N)> sum(0);
+  for (int i = 0; i < N; ++i) sum = u<bits_for(N)>(sum + u<1>(value.bit(i)));
+  return sum;
+}
+
+namespace detail {
+
+/// Q steps of "twice the rest, less the divisor if that fits".
+template <int Q, int N>
+constexpr u<Q> ratio_by_subtraction(u<N> smaller, u<N> larger) {
+  std::uint64_t quotient = 0;
+  u<N> rest = smaller;
+  for (int i = 0; i < Q; ++i) {
+    const u<N + 1> twice(exact_t{}, static_cast<std::uint64_t>(rest.value()) << 1);
+    const bool fits = twice > larger;  // ">" keeps 0 / 0 at 0
+    rest = fits ? u<N>(twice - larger) : u<N>(twice);
+    quotient = quotient << 1 | (fits ? 1U : 0U);
+  }
+  return {exact_t{}, quotient};
+}
+
+/// Exact too: the operands have far fewer bits than the mantissa.
+template <int Q, int N>
+constexpr u<Q> ratio_by_division(u<N> smaller, u<N> larger) {
+  static_assert(Q + 2 * N <= 26);
+  const int scaled = (static_cast<int>(smaller.value()) << Q) - 1;
+  const int divisor = static_cast<int>(larger.value());
+  const float quotient = static_cast<float>(scaled < 0 ? 0 : scaled) / static_cast<float>(divisor < 1 ? 1 : divisor);
+  return {exact_t{}, static_cast<std::uint64_t>(static_cast<int>(quotient))};
+}
+
+}  // namespace detail
+
+/// The quotient in 1/2^Q, below 1: ⌈2^Q · smaller / larger⌉ − 1 for 0 < smaller ≤ larger, 0 for smaller = 0.
+/// Subtractions in hardware, a division on the CPU.
+template <int Q, int N>
+constexpr u<Q> ratio(u<N> smaller, u<N> larger) {
+#ifdef __HLSC__
+  return detail::ratio_by_subtraction<Q>(smaller, larger);
+#else
+  return detail::ratio_by_division<Q>(smaller, larger);
+#endif
+}
+
+namespace detail {
 template <class T>
 constexpr auto to_bits(T value) {
   if constexpr (std::same_as<T, bool>) {

@@ -5,29 +5,52 @@
 #pragma once
 
 #include <array>
+#include <bit>
+#include <cstddef>
 
 #include "horopter/hls/int.hpp"
 
 namespace horopter::hls {
 
-/// The last N beats. tap(i) is what was pushed i + 1 beats before; read taps before push.
+/// The last N beats. tap(i) is what was pushed i + 1 beats before; read taps before push. A shift register; the CPU
+/// moves an index instead of the values where they are many.
 template <class T, int N>
 class DelayLine {
  public:
-  [[nodiscard]] const T& tap(int index) const { return values_[static_cast<std::size_t>(index)]; }
-  [[nodiscard]] const T& oldest() const { return values_[N - 1]; }
+  [[nodiscard]] const T& tap(int index) const { return values_[place(static_cast<std::size_t>(index))]; }
+  [[nodiscard]] const T& oldest() const { return tap(N - 1); }
 
+#ifdef __HLSC__
   void push(const T& value) {
-    for (int i = N - 1; i > 0; --i) values_[static_cast<std::size_t>(i)] = values_[static_cast<std::size_t>(i - 1)];
+    for (std::size_t i = N - 1; i > 0; --i) values_[i] = values_[i - 1];
     values_[0] = value;
   }
+#else
+  void push(const T& value) {
+    if constexpr (ring) {
+      newest_ = (newest_ - 1) & (size - 1);
+    } else {
+      for (std::size_t i = N - 1; i > 0; --i) values_[i] = values_[i - 1];
+    }
+    values_[newest_] = value;
+  }
+#endif
 
   void fill(const T& value) {
     for (T& v : values_) v = value;
   }
 
  private:
-  std::array<T, static_cast<std::size_t>(N)> values_{};
+#ifdef __HLSC__
+  static constexpr std::size_t size = N;
+  static constexpr std::size_t place(std::size_t index) { return index; }
+#else
+  static constexpr bool ring = N > 2;
+  static constexpr std::size_t size = ring ? std::bit_ceil(static_cast<std::size_t>(N)) : static_cast<std::size_t>(N);
+  [[nodiscard]] std::size_t place(std::size_t index) const { return ring ? (newest_ + index) & (size - 1) : index; }
+  std::size_t newest_ = 0;
+#endif
+  std::array<T, size> values_{};
 };
 
 /// Sum of the last K column values (each at most COLUMN_MAX) of a row, K·STRIDE beats wide: S(x) = S(x−1) + (C(x) −
@@ -44,7 +67,9 @@ class HorizontalSum {
     const u<column_bits> leaving = filled ? columns_.oldest() : u<column_bits>(0);
     columns_.push(column_sum);
     const s<column_bits + 1> change = column_sum - leaving;
-    if (row_start) sums_.fill(u<sum_bits>(0));
+    if (row_start) [[unlikely]] {
+      sums_.fill(u<sum_bits>(0));
+    }
     const u<sum_bits> sum(sums_.oldest() + change);
     sums_.push(sum);
     return sum;
@@ -67,14 +92,20 @@ class WindowAnd {
   /// `above`: run length stored for this column, 0 in the frame's first row. `stored` becomes what to store.
   bool step(bool row_start, bool bit, ColumnRun<K> above, ColumnRun<K>& stored) {
     const bool column_full = bit && above == K - 1;
-    stored = !bit ? ColumnRun<K>(0) : above == K - 1 ? above : ColumnRun<K>(above + lit<1>());
-    if (row_start) runs_.fill(ColumnRun<K>(0));
+    stored = longer(above, bit);
+    if (row_start) [[unlikely]] {
+      runs_.fill(ColumnRun<K>(0));
+    }
     const ColumnRun<K> left = runs_.oldest();
-    runs_.push(!column_full ? ColumnRun<K>(0) : left == K - 1 ? left : ColumnRun<K>(left + lit<1>()));
+    runs_.push(longer(left, column_full));
     return column_full && left == K - 1;
   }
 
  private:
+  static ColumnRun<K> longer(ColumnRun<K> run, bool bit) {
+    return bit ? ColumnRun<K>(run + u<1>(run != K - 1)) : ColumnRun<K>(0);
+  }
+
   DelayLine<ColumnRun<K>, STRIDE> runs_;
 };
 
