@@ -10,6 +10,7 @@
 
 #include "horopter/error.hpp"
 #include "horopter/registers.hpp"
+#include "stages/pipeline.hpp"
 
 namespace horopter {
 namespace {
@@ -139,12 +140,13 @@ void Monitor::write_limits() {
   const double result = incoming / profile_.subsample;
   device_->write(reg::sum_limit::kAddress, share_of(settings_.threshold_percent, largest_sum));
   device_->write(reg::self_limit::kAddress, share_of(settings_.self_percent, largest_sum));
-  device_->write(reg::texture_limit::kAddress, static_cast<std::uint32_t>(settings_.texture));
+  device_->write(reg::texture_limit::kAddress,
+                 static_cast<std::uint32_t>(native::Settings::texture_limit_for(settings_.texture)));
   device_->write(reg::alarm_limit::kAddress, share_of(settings_.alarm_percent, result));
   device_->write(reg::undecidable_limit::kAddress, share_of(settings_.undecidable_percent, result));
   device_->write(reg::unsupervised_limit::kAddress, share_of(settings_.unsupervised_percent, result));
-  device_->write(reg::dark_limit::kAddress, share_of(settings_.dark_percent, incoming));
-  device_->write(reg::bright_limit::kAddress, share_of(settings_.bright_percent, incoming));
+  device_->write(reg::black_limit::kAddress, share_of(settings_.dark_percent, incoming));
+  device_->write(reg::white_limit::kAddress, share_of(settings_.bright_percent, incoming));
   device_->write(reg::frozen_limit::kAddress, static_cast<std::uint32_t>(settings_.frozen_limit));
 }
 

@@ -54,15 +54,15 @@ NativeDevice::NativeDevice(const MachineProfile& profile)
   stored(reg::table_select::kAddress) = kNoTable;
   stored(reg::sum_limit::kAddress) = static_cast<std::uint32_t>(defaults.sum_limit);
   stored(reg::self_limit::kAddress) = static_cast<std::uint32_t>(defaults.self_limit);
-  stored(reg::texture_limit::kAddress) = native::Settings::texture_threshold;
+  stored(reg::texture_limit::kAddress) = static_cast<std::uint32_t>(defaults.texture_limit);
   stored(reg::alarm_limit::kAddress) = static_cast<std::uint32_t>(defaults.alarm_limit);
   stored(reg::undecidable_limit::kAddress) = static_cast<std::uint32_t>(defaults.undecidable_limit);
   stored(reg::unsupervised_limit::kAddress) = static_cast<std::uint32_t>(defaults.unsupervised_limit);
-  stored(reg::dark_level::kAddress) = static_cast<std::uint32_t>(defaults.dark_level);
-  stored(reg::dark_limit::kAddress) = static_cast<std::uint32_t>(defaults.dark_limit);
-  stored(reg::bright_level::kAddress) = static_cast<std::uint32_t>(defaults.bright_level);
-  stored(reg::bright_limit::kAddress) = static_cast<std::uint32_t>(defaults.bright_limit);
-  stored(reg::contrast_limit::kAddress) = static_cast<std::uint32_t>(defaults.contrast_limit);
+  stored(reg::black_level::kAddress) = static_cast<std::uint32_t>(defaults.dark_level);
+  stored(reg::black_limit::kAddress) = static_cast<std::uint32_t>(defaults.dark_limit);
+  stored(reg::white_level::kAddress) = static_cast<std::uint32_t>(defaults.bright_level);
+  stored(reg::white_limit::kAddress) = static_cast<std::uint32_t>(defaults.bright_limit);
+  stored(reg::constant_limit::kAddress) = static_cast<std::uint32_t>(defaults.contrast_limit);
   stored(reg::frozen_limit::kAddress) = static_cast<std::uint32_t>(defaults.frozen_limit);
 }
 
@@ -280,15 +280,15 @@ native::Settings NativeDevice::settings() const {
   s.lookahead = value(reg::lookahead::kAddress);
   s.sum_limit = value(reg::sum_limit::kAddress);
   s.self_limit = value(reg::self_limit::kAddress);
-  s.texture_limit = native::Settings::texture_limit_for(value(reg::texture_limit::kAddress));
+  s.texture_limit = value(reg::texture_limit::kAddress);
   s.alarm_limit = value(reg::alarm_limit::kAddress);
   s.undecidable_limit = value(reg::undecidable_limit::kAddress);
   s.unsupervised_limit = value(reg::unsupervised_limit::kAddress);
-  s.dark_level = value(reg::dark_level::kAddress);
-  s.bright_level = value(reg::bright_level::kAddress);
-  s.dark_limit = value(reg::dark_limit::kAddress);
-  s.bright_limit = value(reg::bright_limit::kAddress);
-  s.contrast_limit = value(reg::contrast_limit::kAddress);
+  s.dark_level = value(reg::black_level::kAddress);
+  s.bright_level = value(reg::white_level::kAddress);
+  s.dark_limit = value(reg::black_limit::kAddress);
+  s.bright_limit = value(reg::white_limit::kAddress);
+  s.contrast_limit = value(reg::constant_limit::kAddress);
   s.frozen_limit = value(reg::frozen_limit::kAddress);
   return s;
 }

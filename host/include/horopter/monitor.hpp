@@ -15,7 +15,7 @@ namespace horopter {
 
 struct Settings {
   double threshold_percent = 25;     ///< of the largest DSAD sum, 15·k²; at most this is in the skin
-  int texture = 32;                  ///< 3×3 mean of the left unscaled Sobel magnitude that makes a pixel decidable
+  int texture = 32;                  ///< mean of the left unscaled Sobel magnitude that makes a pixel decidable
   double self_percent = 100.0 / 15;  ///< of 15·k²; a window whose directions vary less is no texture. Default: k²
   double alarm_percent = 5;          ///< of the result's pixels; more skin pixels are an alarm
   double undecidable_percent = 99;   ///< of the pixels that the table supervises; more are a fault
