@@ -38,9 +38,14 @@ class AlarmCounter {
   };
 
   Out step(const In& in, const Config& config) {
-    count(skin_, in, state::skin);
-    count(undecidable_, in, state::undecidable);
-    count(unsupervised_, in, state::unsupervised);
+    if (in.first) [[unlikely]] {
+      skin_ = undecidable_ = unsupervised_ = Count(0);
+    }
+    if (!in.idle) [[likely]] {
+      skin_ += u<1>(in.state == state::skin);
+      undecidable_ += u<1>(in.state == state::undecidable);
+      unsupervised_ += u<1>(in.state == state::unsupervised);
+    }
     Out out;
     out.valid = in.end && !in.idle;
     out.skin_pixels = skin_;
@@ -53,12 +58,6 @@ class AlarmCounter {
   }
 
  private:
-  static void count(Count& counter, const In& in, int which) {
-    const Count before = in.first ? Count(0) : counter;
-    const bool hit = in.state == which && !in.idle;
-    counter = Count(before + u<1>(hit));
-  }
-
   Count skin_{0};
   Count undecidable_{0};
   Count unsupervised_{0};

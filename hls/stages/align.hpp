@@ -36,31 +36,46 @@ class Aligner {
   };
 
   Out step(const In& in, const Config& config) {
-    const bool row_start = in.marks.first || row_ended_;
-    const Margin rows = in.marks.first ? Margin(0) : rows_;
-    const Margin columns = row_start ? Margin(0) : columns_;
-    const bool start = rows == OFFSET && columns == OFFSET && !started_;
-    const bool restart = in.marks.first;
-
-    const Phase phase = restart ? waiting : start ? pixels : phase_;
-    const Column x = start ? Column(0) : x_;
-    const Row y = start ? Row(0) : y_;
+    if (in.marks.first) [[unlikely]] {
+      rows_ = Margin(0);
+      started_ = false;
+      phase_ = waiting;
+    }
+    if (in.marks.first || row_ended_) [[unlikely]] {
+      columns_ = Margin(0);
+    }
+    const bool start = !started_ && rows_ == OFFSET && columns_ == OFFSET;
+    if (start) [[unlikely]] {
+      started_ = true;
+      phase_ = pixels;
+      x_ = Column(0);
+      y_ = Row(0);
+    }
     Out out;
     out.state = in.state;
+    out.idle = phase_ == idling;
+    out.valid = out.idle || phase_ == pixels;
     out.first = start;
-    out.last = x + lit<1>() == config.width;
-    out.end = out.last && y + lit<1>() == config.height;
-    out.idle = phase == idling;
-    out.valid = phase == pixels || out.idle;
-    if (out.idle) out.first = out.last = out.end = false;
+    const bool last = x_ + lit<1>() == config.width;
+    const bool end = last && y_ + lit<1>() == config.height;
+    out.last = last && !out.idle;
+    out.end = end && !out.idle;
 
-    x_ = out.last ? Column(0) : Column(x + lit<1>());
-    y_ = out.last ? Row(y + lit<1>()) : y;
-    phase_ = out.idle ? waiting : phase == pixels && out.end ? idling : phase;
-    started_ = !restart && (started_ || start);
+    if (out.idle) [[unlikely]] {
+      phase_ = waiting;
+    } else if (out.valid && end) [[unlikely]] {
+      phase_ = idling;
+    }
+    x_ += lit<1>();
+    if (last) [[unlikely]] {
+      x_ = Column(0);
+      y_ += lit<1>();
+    }
     row_ended_ = in.marks.last;
-    columns_ = columns == OFFSET ? columns : Margin(columns + lit<1>());
-    rows_ = in.marks.last && rows != OFFSET ? Margin(rows + lit<1>()) : rows;
+    columns_ += u<1>(columns_ != OFFSET);
+    if (in.marks.last) [[unlikely]] {
+      rows_ += u<1>(rows_ != OFFSET);
+    }
     return out;
   }
 

@@ -4,7 +4,7 @@
 // Out   sum[n], 0 … 15·K², exact. mask: all of the K×K exist. textured passes through, see texture.
 // Running sums: per column C(y) = C(y−1) + (d(y) − d(y−K)), along the row S(x) = S(x−1) + (C(x) − C(x−K)). They start
 // anew with each frame and row, so an upset bit of memory is gone with the frame. Offset: (K − 1) / 2 rows and columns.
-// Memory: per column K rows of 4-bit differences and their sum for each n, and one run length.
+// Memory: per column K rows of 4-bit differences and their sum for each n, and K − 1 bits of mask.
 #pragma once
 
 #include "stages/texture.hpp"
@@ -35,19 +35,21 @@ class DsadSum {
   Out step(const In& in) {
     memory_.begin_step();
     const auto at = raster_.step(in.marks.first, in.marks.last);
-    const Column above = memory_.read(at.column);
+    Column above = memory_.read(at.column);
+    if (at.frame_start_row) [[unlikely]] {
+      above.mask = ColumnBits<K>(0);
+      for (auto& sum : above.sum) sum = u<column_bits>(0);
+    }
     Column column;
     Out out;
     for (std::size_t n = 0; n < sums; ++n) {
       const u<4> leaving = at.rows == K ? above.difference[n][K - 1] : u<4>(0);
-      const u<column_bits> before = at.frame_start_row ? u<column_bits>(0) : above.sum[n];
-      column.sum[n] = u<column_bits>(before + (in.difference[n] - leaving));
+      column.sum[n] = u<column_bits>(above.sum[n] + (in.difference[n] - leaving));
       for (std::size_t i = K - 1; i > 0; --i) column.difference[n][i] = above.difference[n][i - 1];
       column.difference[n][0] = in.difference[n];
       out.sum[n] = rows_[n].step(at.row_start, at.column >= K, column.sum[n]);
     }
-    out.mask =
-        mask_.step(at.row_start, in.mask, at.frame_start_row ? ColumnRun<K>(0) : above.mask_run, column.mask_run);
+    out.mask = mask_.step(at.row_start, in.mask, above.mask, column.mask);
     out.textured = in.textured;
     out.marks = in.marks;
     memory_.write(at.column, column);
@@ -60,7 +62,7 @@ class DsadSum {
   struct Column {
     std::array<std::array<u<4>, K>, sums> difference{};
     std::array<u<column_bits>, sums> sum{};
-    ColumnRun<K> mask_run;
+    ColumnBits<K> mask;
   };
 
   ColumnMemory<Column, BEATS> memory_;

@@ -44,25 +44,29 @@ class CameraHealth {
   };
 
   Out step(const In& in, const Config& config) {
-    crc_ = crc32_byte(in.first ? crc32_initial : crc_, in.pixel);
-    darkest_ = in.first || in.pixel < darkest_ ? in.pixel : darkest_;
-    brightest_ = in.first || in.pixel > brightest_ ? in.pixel : brightest_;
-    black_ = Count((in.first ? Count(0) : black_) + u<1>(in.pixel <= config.dark_level));
-    white_ = Count((in.first ? Count(0) : white_) + u<1>(in.pixel >= config.bright_level));
-
-    const bool same = has_previous_ && crc_ == previous_crc_;
-    const u<8> repeats = !same ? u<8>(0) : repeats_ == 255 ? repeats_ : u<8>(repeats_ + lit<1>());
+    if (in.first) [[unlikely]] {
+      crc_ = crc32_initial;
+      darkest_ = u<8>(255);
+      brightest_ = u<8>(0);
+      dark_ = bright_ = Count(0);
+    }
+    crc_ = crc32_byte(crc_, in.pixel);
+    darkest_ = min(darkest_, in.pixel);
+    brightest_ = max(brightest_, in.pixel);
+    dark_ += u<1>(in.pixel <= config.dark_level);
+    bright_ += u<1>(in.pixel >= config.bright_level);
 
     Out out;
     out.valid = in.end;
-    out.black = black_ > config.dark_limit;
-    out.white = white_ > config.bright_limit;
-    out.constant = u<8>(brightest_ - darkest_) <= config.contrast_limit && !out.black && !out.white;
-    out.frozen = config.frozen_limit != 0 && repeats >= config.frozen_limit;
-    if (in.end) {
+    if (in.end) [[unlikely]] {
+      const bool same = has_previous_ && crc_ == previous_crc_;
+      repeats_ = !same ? u<8>(0) : repeats_ == 255 ? repeats_ : u<8>(repeats_ + lit<1>());
       previous_crc_ = crc_;
       has_previous_ = true;
-      repeats_ = repeats;
+      out.black = dark_ > config.dark_limit;
+      out.white = bright_ > config.bright_limit;
+      out.constant = u<8>(brightest_ - darkest_) <= config.contrast_limit && !out.black && !out.white;
+      out.frozen = config.frozen_limit != 0 && repeats_ >= config.frozen_limit;
     }
     return out;
   }
@@ -74,8 +78,8 @@ class CameraHealth {
   u<8> repeats_{0};
   u<8> darkest_{0};
   u<8> brightest_{0};
-  Count black_{0};
-  Count white_{0};
+  Count dark_{0};
+  Count bright_{0};
 };
 
 template <Profile P>

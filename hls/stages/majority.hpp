@@ -6,7 +6,7 @@
 //       else skin if more than half of the decidable ones are in the skin, else clear.
 // Only decidable pixels vote: the sum of an undecidable one is noise, and would outvote the edge it stands beside.
 // Where all are decidable this is the thesis's "more than M²/2". Offset: (M − 1) / 2 rows and columns. Memory: per
-// column M − 1 rows of two bits, and one run length.
+// column M − 1 rows of three bits.
 #pragma once
 
 #include "stages/threshold.hpp"
@@ -32,7 +32,10 @@ class MajorityVote {
   Out step(const In& in) {
     memory_.begin_step();
     const auto at = raster_.step(in.marks.first, in.marks.last);
-    const Column above = memory_.read(at.column);
+    Column above = memory_.read(at.column);
+    if (at.frame_start_row) [[unlikely]] {
+      above.mask = ColumnBits<M>(0);
+    }
     Column column;
     const u<M> decidable = cat(above.decidable, in.decidable);
     const u<M> skin = cat(above.skin, in.decidable && in.skin);
@@ -40,8 +43,7 @@ class MajorityVote {
     column.skin = u<M - 1>(skin);
     const auto decidable_sum = decidable_.step(at.row_start, at.column >= M, popcount(decidable));
     const auto skin_sum = skin_.step(at.row_start, at.column >= M, popcount(skin));
-    const bool mask =
-        mask_.step(at.row_start, in.mask, at.frame_start_row ? ColumnRun<M>(0) : above.mask_run, column.mask_run);
+    const bool mask = mask_.step(at.row_start, in.mask, above.mask, column.mask);
     memory_.write(at.column, column);
 
     Out out;
@@ -60,7 +62,7 @@ class MajorityVote {
   struct Column {
     u<M - 1> decidable;
     u<M - 1> skin;
-    ColumnRun<M> mask_run;
+    ColumnBits<M> mask;
   };
 
   ColumnMemory<Column, BEATS> memory_;

@@ -153,7 +153,8 @@ class Pipeline {
     FrameResult result;
     result.width = static_cast<int>(align_config_.width.value());
     result.height = left.height;
-    result.states.reserve(static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height));
+    result.states.resize(static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height));
+    written_ = 0;
 
     examine(left, right, result);
     for (int y = 0; y < left.height; ++y) {
@@ -280,9 +281,10 @@ class Pipeline {
     for (int y = 0; y < left.height; ++y) {
       const std::uint8_t* left_row = left.pixels + y * left.stride;
       const std::uint8_t* right_row = right.pixels + y * right.stride;
+      const int end = y + 1 == left.height ? width_ - 1 : -1;
+      in.first = y == 0;
       for (int x = 0; x < width_; ++x) {
-        in.first = x == 0 && y == 0;
-        in.end = x + 1 == width_ && y + 1 == left.height;
+        in.end = x == end;
         in.pixel = left_row[x];
         const OutOf<Health> l = left_health->step(in, health_config_);
         in.pixel = right_row[x];
@@ -291,6 +293,7 @@ class Pipeline {
           result.left = {l.black, l.white, l.constant, l.frozen};
           result.right = {r.black, r.white, r.constant, r.frozen};
         }
+        in.first = false;
       }
     }
   }
@@ -478,7 +481,9 @@ class Pipeline {
 
   void emit(const OutOf<stages::Align<P>>& pixel, FrameResult& result) {
     if (!pixel.valid) return;
-    if (!pixel.idle) result.states.push_back(pixel.state.value());
+    if (!pixel.idle) [[likely]] {
+      result.states[written_++] = pixel.state.value();
+    }
     const auto run = runs_.step({pixel.state, pixel.first, pixel.last, pixel.idle});
     if (run.valid) {
       result.runs.push_back({static_cast<std::uint16_t>(run.row.value()), static_cast<std::uint16_t>(run.start.value()),
@@ -525,6 +530,7 @@ class Pipeline {
 
   [[nodiscard]] stages::Marks marks(int i) const { return {result_first_[index(i)], result_last_[index(i)]}; }
 
+  std::size_t written_ = 0;  // pixels of the result
   int width_ = 0;
   int result_width_ = 0;
   Row<bool> first_{};

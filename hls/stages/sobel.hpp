@@ -5,7 +5,8 @@
 // In    grey values.   Out  gx, gy: −1020 … 1020, 8 per grey level and pixel, exact.
 // mask: all of the 3×3 exist. saturated: all of the 3×3 are (with the low-pass: all of 5×5 camera pixels).
 // Offset: 1 row and 1 column.
-// Memory: per column two rows of pixels and two run lengths; rows of at most BEATS and at least min_row_beats beats.
+// Memory: per column two rows of pixels, of mask and of saturated; rows of at most BEATS and at least min_row_beats
+// beats.
 #pragma once
 
 #include "stages/stream.hpp"
@@ -31,7 +32,10 @@ class SobelFilter {
   Out step(const In& in) {
     memory_.begin_step();
     const auto at = raster_.step(in.marks.first, in.marks.last);
-    const Column above = memory_.read(at.column);
+    Column above = memory_.read(at.column);
+    if (at.frame_start_row) [[unlikely]] {
+      above.mask = above.saturated = ColumnBits<3>(0);
+    }
     Column column;
     Out out;
     for (std::size_t i = 0; i < LANES; ++i) {
@@ -44,10 +48,8 @@ class SobelFilter {
       column.before_last[i] = above.last[i];
       column.last[i] = in.pixel[i];
     }
-    const ColumnRun<3> zero(0);
-    out.mask = mask_.step(at.row_start, in.mask, at.frame_start_row ? zero : above.mask_run, column.mask_run);
-    out.saturated = saturated_.step(at.row_start, in.saturated, at.frame_start_row ? zero : above.saturated_run,
-                                    column.saturated_run);
+    out.mask = mask_.step(at.row_start, in.mask, above.mask, column.mask);
+    out.saturated = saturated_.step(at.row_start, in.saturated, above.saturated, column.saturated);
     out.marks = in.marks;
     memory_.write(at.column, column);
     return out;
@@ -57,8 +59,8 @@ class SobelFilter {
   struct Column {
     std::array<u<8>, LANES> last{};
     std::array<u<8>, LANES> before_last{};
-    ColumnRun<3> mask_run;
-    ColumnRun<3> saturated_run;
+    ColumnBits<3> mask;
+    ColumnBits<3> saturated;
   };
 
   ColumnMemory<Column, BEATS> memory_;

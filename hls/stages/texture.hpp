@@ -37,13 +37,15 @@ class TextureDetector {
   Out step(const In& in, const Config& config) {
     memory_.begin_step();
     const auto at = raster_.step(in.marks.first, in.marks.last);
-    const Column above = memory_.read(at.column);
+    Column above = memory_.read(at.column);
+    if (at.frame_start_row) [[unlikely]] {
+      above.sum = u<column_bits>(0);
+    }
     Column column;
 
     // C(y) = C(y−1) + (d(y) − d(y−T)); both terms are 0 above the frame.
     const u<8> leaving = at.rows == T ? above.magnitude[T - 1] : u<8>(0);
-    const u<column_bits> before = at.frame_start_row ? u<column_bits>(0) : above.sum;
-    column.sum = u<column_bits>(before + (in.magnitude - leaving));
+    column.sum = u<column_bits>(above.sum + (in.magnitude - leaving));
     for (std::size_t i = T - 1; i > 0; --i) column.magnitude[i] = above.magnitude[i - 1];
     column.magnitude[0] = in.magnitude;
 

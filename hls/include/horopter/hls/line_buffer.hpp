@@ -34,14 +34,18 @@ class Raster {
   RasterPosition<BEATS, ROWS> step(bool first, bool last) {
     RasterPosition<BEATS, ROWS> position;
     position.row_start = first || row_ended_;
-    position.column = position.row_start ? u<bits_for(BEATS - 1)>(0) : next_column_;
-    position.rows = first ? u<bits_for(ROWS)>(0) : rows_;
-    position.frame_start_row = position.rows == 0;
-    next_column_ = u<bits_for(BEATS - 1)>(position.column + lit<1>());
-    if (last && position.rows != ROWS) {
-      rows_ = u<bits_for(ROWS)>(position.rows + lit<1>());
-    } else {
-      rows_ = position.rows;
+    if (position.row_start) [[unlikely]] {
+      next_column_ = u<bits_for(BEATS - 1)>(0);
+    }
+    if (first) [[unlikely]] {
+      rows_ = u<bits_for(ROWS)>(0);
+    }
+    position.column = next_column_;
+    position.rows = rows_;
+    position.frame_start_row = rows_ == 0;
+    next_column_ += lit<1>();
+    if (last) [[unlikely]] {
+      rows_ += u<1>(rows_ != ROWS);
     }
     row_ended_ = last;
     return position;

@@ -80,33 +80,28 @@ class HorizontalSum {
   DelayLine<u<sum_bits>, STRIDE> sums_;
 };
 
-/// Run length of true bits up the column, at most K: what WindowAnd keeps per column.
+/// The bits of the K − 1 pixels above in a column, the nearest lowest: what WindowAnd keeps per column.
 template <int K>
-using ColumnRun = u<bits_for(K - 1)>;
+using ColumnBits = u<K - 1>;
 
-/// AND of a bit over K×K pixels that ends at the current one, false where the window leaves the row or frame. Counts
-/// runs instead of keeping K rows of bits.
+/// AND of a bit over K×K pixels that ends at the current one, false where the window leaves the row or frame.
 template <int K, int STRIDE = 1>
 class WindowAnd {
  public:
-  /// `above`: run length stored for this column, 0 in the frame's first row. `stored` becomes what to store.
-  bool step(bool row_start, bool bit, ColumnRun<K> above, ColumnRun<K>& stored) {
-    const bool column_full = bit && above == K - 1;
-    stored = longer(above, bit);
+  /// `above`: bits stored for this column, 0 in the frame's first row. `stored` becomes what to store.
+  bool step(bool row_start, bool bit, ColumnBits<K> above, ColumnBits<K>& stored) {
+    const u<K> column = cat(above, bit);
+    stored = ColumnBits<K>(column);
     if (row_start) [[unlikely]] {
-      runs_.fill(ColumnRun<K>(0));
+      columns_.fill(ColumnBits<K>(0));
     }
-    const ColumnRun<K> left = runs_.oldest();
-    runs_.push(longer(left, column_full));
-    return column_full && left == K - 1;
+    const u<K> row = cat(columns_.oldest(), column == u<K>::max());
+    columns_.push(ColumnBits<K>(row));
+    return row == u<K>::max();
   }
 
  private:
-  static ColumnRun<K> longer(ColumnRun<K> run, bool bit) {
-    return bit ? ColumnRun<K>(run + u<1>(run != K - 1)) : ColumnRun<K>(0);
-  }
-
-  DelayLine<ColumnRun<K>, STRIDE> runs_;
+  DelayLine<ColumnBits<K>, STRIDE> columns_;  // whether the K − 1 columns to the left are all true, the nearest lowest
 };
 
 }  // namespace horopter::hls
