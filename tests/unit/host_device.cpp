@@ -1,0 +1,397 @@
+// SPDX-License-Identifier: Apache-2.0
+// Devices and the driver: the native engine behind registers, faults, uploads, the memory-mapped device.
+#include <sys/stat.h>
+
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <random>
+#include <thread>
+
+#include "horopter/crc32.hpp"
+#include "horopter/error.hpp"
+#include "horopter/monitor.hpp"
+#include "horopter/native_device.hpp"
+#include "horopter/registers.hpp"
+#include "horopter/report.hpp"
+#include "horopter/uio_device.hpp"
+#include "host_temporary.hpp"
+
+namespace horopter {
+namespace {
+
+namespace reg = registers;
+
+/// Noise smoothed a little, so that directions mean something; another seed is another image.
+Image textured(int width, int height, unsigned seed) {
+  std::mt19937 random(seed);
+  Image noise(width, height);
+  for (auto& pixel : noise.pixels) pixel = static_cast<std::uint8_t>(40 + random() % 170);
+  Image image(width, height);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      int sum = 0;
+      for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+          sum += noise.at(std::clamp(x + dx, 0, width - 1), std::clamp(y + dy, 0, height - 1));
+        }
+      }
+      image.at(x, y) = static_cast<std::uint8_t>(sum / 9);
+    }
+  }
+  return image;
+}
+
+/// The right image whose pixel (x + dx, y + dy) is the left pixel (x, y).
+Image moved(const Image& left, int dx, int dy) {
+  Image right = textured(left.width, left.height, 999);
+  for (int y = 0; y < left.height; ++y) {
+    for (int x = 0; x < left.width; ++x) {
+      if (x + dx >= 0 && x + dx < left.width && y + dy >= 0 && y + dy < left.height) right.at(x + dx, y + dy) = left.at(x, y);
+    }
+  }
+  return right;
+}
+
+MapTable shift_table(const MachineProfile& profile, int width, int height, double dx, double dy) {
+  return compile_map(HomographySkin({1, 0, dx, 0, 1, dy, 0, 0, 1}), profile, {width, height, Scan::progressive}).table;
+}
+
+constexpr int kWidth = 96;
+constexpr int kHeight = 64;
+
+/// A monitor of small frames with two tables: slot 0 on the object, slot 1 beside it.
+struct Small {
+  explicit Small(const Settings& settings = {})
+      : monitor(make_native_device(find_profile("vga")), find_profile("vga"), settings) {
+    monitor.start(kWidth, kHeight, 8);
+    monitor.upload(0, shift_table(profile, kWidth, kHeight, -6, 2));
+    monitor.upload(1, shift_table(profile, kWidth, kHeight, 5, 2));
+    monitor.select(0);
+  }
+  FrameResult frame(unsigned seed) {
+    const Image left = textured(kWidth, kHeight, seed);
+    return monitor.process(left, moved(left, -6, 2));
+  }
+
+  const MachineProfile& profile = find_profile("vga");
+  Monitor monitor;
+};
+
+}  // namespace
+
+TEST_CASE("What lies on the skin is in the skin, and beside it is not") {
+  Small small;
+  const auto on = small.frame(1);
+  CHECK(on.alarm);
+  CHECK(!on.safe);
+  CHECK(on.faults == 0);
+  CHECK(on.table == 0);
+  CHECK(on.sequence == 1);
+  CHECK(on.skin_pixels > 8 * on.undecidable_pixels);
+  CHECK(on.skin_pixels + on.undecidable_pixels + on.unsupervised_pixels > kWidth * kHeight * 95 / 100);
+  small.monitor.select(1);
+  const auto beside = small.frame(2);
+  CHECK(!beside.alarm);
+  CHECK(beside.safe);
+  CHECK(beside.table == 1);
+  CHECK(beside.table_crc != on.table_crc);
+  CHECK(beside.skin_pixels < kWidth * kHeight / 50);
+}
+
+TEST_CASE("The supervisor makes two fields of an image for the profile field") {
+  const MachineProfile& profile = find_profile("field");
+  SkinFile skin;
+  skin.path = "skin";
+  skin.skin = std::make_unique<HomographySkin>(Matrix3{1, 0, -8, 0, 1, 4, 0, 0, 1});
+  const auto maps = compile_maps(skin, profile, 160, 96);
+  Supervisor supervisor(make_native_device(profile), profile, maps);
+  const Image left = textured(160, 96, 5);
+  const auto results = supervisor.process(left, moved(left, -8, 4));
+  REQUIRE(results.size() == 2);
+  CHECK(results[0].scan == Scan::even_field);
+  CHECK(results[1].scan == Scan::odd_field);
+  for (const auto& result : results) {
+    CHECK(result.states.width == 80);
+    CHECK(result.states.height == 48);
+    CHECK(result.alarm);
+    CHECK(result.faults == 0);
+  }
+  CHECK(results[0].table_crc != 0);
+}
+
+TEST_CASE("Images that cannot be images are faults, each its own, and the next good frame is good") {
+  Small small;
+  small.monitor.select(1);
+  Image left = textured(kWidth, kHeight, 11);
+  Image right = moved(left, -6, 2);
+  std::vector<std::string> expected;
+  SECTION("black left") {
+    left = Image(kWidth, kHeight, 2);
+    expected = {"left_black"};
+  }
+  SECTION("white right") {
+    right = Image(kWidth, kHeight, 254);
+    expected = {"right_white"};
+  }
+  SECTION("constant right") {
+    right = Image(kWidth, kHeight, 100);
+    expected = {"right_constant"};
+  }
+  SECTION("frozen left") {
+    small.monitor.process(left, right);
+    right = textured(kWidth, kHeight, 12);
+    expected = {"left_frozen"};
+  }
+  SECTION("frozen both") {
+    small.monitor.process(left, right);
+    expected = {"left_frozen", "right_frozen"};
+  }
+  const auto bad = small.monitor.process(left, right);
+  auto names = bad.fault_names();
+  std::erase(names, "too_undecidable");  // a black image is that, too
+  CHECK(names == expected);
+  CHECK(!bad.safe);
+  const auto good = small.frame(13);
+  CHECK(good.faults == 0);
+  CHECK(good.safe);
+}
+
+TEST_CASE("Without a table everything is unsupervised, and that is a fault") {
+  Small small;
+  small.monitor.select(15);
+  const auto none = small.frame(1);
+  CHECK(none.unsupervised_pixels == kWidth * kHeight);
+  CHECK(none.table == 15);
+  CHECK(none.table_crc == 0);
+  CHECK(none.fault_names() == std::vector<std::string>{"no_table", "too_unsupervised"});
+  CHECK(!none.safe);
+  small.monitor.select(7);  // never uploaded
+  CHECK(small.frame(2).fault_names().front() == "no_table");
+}
+
+TEST_CASE("Limits on what cannot be judged are faults") {
+  Settings settings;
+  settings.undecidable_percent = 50;
+  settings.texture = 255;
+  settings.unsupervised_percent = 10;
+  Small small(settings);
+  const auto result = small.frame(1);
+  CHECK(result.fault_names() == std::vector<std::string>{"too_undecidable", "too_unsupervised"});
+}
+
+TEST_CASE("Rows that the store does not hold are misses") {
+  Small small;
+  Monitor& m = small.monitor;
+  MapTable far(ScanGeometry{kWidth, kHeight, Scan::progressive}, 5, 5);
+  for (int row = 0; row < far.rows(); ++row) {
+    for (int column = 0; column < far.columns(); ++column) {
+      far.set_control(column, row, MapTable::encode(Point{column * 32.0, row * 32.0 + 30}));
+    }
+  }
+  far.seal();
+  m.upload(2, far);
+  m.select(2);
+  const auto result = small.frame(1);
+  CHECK(result.fault_names().front() == "store_miss");
+  CHECK(m.device().read(reg::frame_misses::kAddress) > 0);
+}
+
+TEST_CASE("Fifteen tables fit, are switched at every frame, and a full pool says so") {
+  Small small;
+  for (int slot = 2; slot < 15; ++slot) small.monitor.upload(slot, shift_table(small.profile, kWidth, kHeight, slot, 2));
+  for (unsigned i = 0; i < 30; ++i) {
+    small.monitor.select(static_cast<int>(i % 15));
+    const auto result = small.frame(i + 1);
+    CHECK(result.table == static_cast<int>(i % 15));
+    CHECK(result.alarm == (i % 15 == 0));
+    CHECK(result.faults == 0);
+  }
+  const MachineProfile& hd = find_profile("hd");
+  Monitor large(make_native_device(hd), hd);
+  large.start(1920, 1080, 8);
+  const MapTable dense({1920, 1080, Scan::progressive}, 4, 4);  // 33 KiB of the pool's 64
+  large.upload(0, dense);
+  CHECK_THROWS_WITH(large.upload(1, dense), Catch::Contains("does not fit the pool"));
+  CHECK_NOTHROW(large.upload(0, dense));
+}
+
+TEST_CASE("Uploads are refused as the hardware refuses them") {
+  Small small;
+  Device& device = small.monitor.device();
+  const auto upload = [&](int slot, std::uint32_t base, const std::vector<std::uint32_t>& words) {
+    device.write(reg::map_slot::kAddress, static_cast<std::uint32_t>(slot));
+    device.write(reg::map_base::kAddress, base);
+    device.write(reg::map_control::kAddress, 1);
+    for (const auto word : words) device.write(reg::map_data::kAddress, word);
+    return reg::map_status::kError.get(device.read(reg::map_status::kAddress));
+  };
+  const auto words = shift_table(small.profile, kWidth, kHeight, 3, 3).words();
+  CHECK(upload(4, 1000, words) == 0);
+  CHECK((device.read(reg::map_valid::kAddress) & 1U << 4) != 0);
+  CHECK(device.read(reg::map_crc::kAddress) == words.back());
+
+  auto wrong_crc = words;
+  wrong_crc.back() ^= 1;
+  CHECK(upload(5, 2000, wrong_crc) == 4);
+  CHECK((device.read(reg::map_valid::kAddress) & 1U << 5) == 0);
+  auto bad_header = words;
+  bad_header[0] ^= 0x100;
+  CHECK(upload(5, 2000, bad_header) == 2);
+  CHECK(upload(5, 10239, words) == 3);
+  CHECK(upload(15, 2000, words) == 5);
+  CHECK((device.read(reg::faults::kAddress) & reg::faults::kMapCrc.mask()) != 0);
+  CHECK(small.frame(1).fault_names() == std::vector<std::string>{"map_crc"});
+  CHECK(small.frame(2).faults == 0);
+
+  // Slot 0 is selected: neither it nor its region can be written.
+  CHECK(upload(0, 3000, words) == 1);
+  CHECK(upload(6, 0, words) == 1);
+  CHECK(small.frame(3).fault_names() == std::vector<std::string>{"map_busy"});
+  CHECK(small.frame(4).table == 0);
+  // A table that is overlapped is gone.
+  CHECK(upload(6, 1000, words) == 0);
+  CHECK((device.read(reg::map_valid::kAddress) & 1U << 4) == 0);
+  // Data without start.
+  device.write(reg::map_data::kAddress, 1);
+  CHECK(reg::map_status::kError.get(device.read(reg::map_status::kAddress)) == 6);
+}
+
+TEST_CASE("Registers behave as described") {
+  const auto device = make_native_device(find_profile("vga"));
+  CHECK(device->read(reg::id::kAddress) == 0x484F524F);
+  CHECK_THROWS_AS(device->read(0x7F0), DeviceError);
+  CHECK_THROWS_AS(device->write(reg::id::kAddress, 0), DeviceError);
+  CHECK_THROWS_AS(device->read(reg::map_data::kAddress), DeviceError);
+  CHECK_THROWS_AS(device->send(Image(8, 8), Image(8, 8)), DeviceError);
+  device->write(reg::width::kAddress, 30);
+  device->write(reg::control::kAddress, 1);
+  CHECK(reg::status::kBadGeometry.get(device->read(reg::status::kAddress)) == 1);
+  CHECK_THROWS_AS(device->write(reg::width::kAddress, 96), DeviceError);  // locked
+  device->write(reg::control::kAddress, 0);
+  device->write(reg::width::kAddress, 96);
+  device->write(reg::control::kAddress, 1);
+  CHECK(reg::status::kRunning.get(device->read(reg::status::kAddress)) == 1);
+  CHECK(reg::status::kSafe.get(device->read(reg::status::kAddress)) == 0);
+}
+
+TEST_CASE("The driver refuses machines of another kind") {
+  CHECK_THROWS_WITH(Monitor(make_native_device(find_profile("hd")), find_profile("vga")),
+                    Catch::Contains("not one of profile vga"));
+  Monitor monitor(make_native_device(find_profile("vga")), find_profile("vga"));
+  CHECK_THROWS_AS(monitor.start(641, 480, 8), DeviceError);
+  CHECK_THROWS_AS(monitor.start(640, 480, 65), DeviceError);
+}
+
+namespace {
+
+/// Passes everything on, with one thing broken.
+class Broken : public Device {
+ public:
+  enum class How { count, state, run, sequence, silent };
+  explicit Broken(How how) : how_(how), device_(make_native_device(find_profile("vga"))) {}
+  std::uint32_t read(std::uint32_t address) override {
+    const auto value = device_->read(address);
+    if (how_ == How::count && address == reg::frame_skin::kAddress) return value + 1;
+    if (how_ == How::sequence && address == reg::frame_sequence::kAddress && value != 0) return value + 1;
+    if (how_ == How::silent && address == reg::frame_sequence::kAddress) return 0;
+    return value;
+  }
+  void write(std::uint32_t address, std::uint32_t value) override { device_->write(address, value); }
+  void send(const Image& left, const Image& right) override { device_->send(left, right); }
+  FrameStreams receive() override {
+    auto streams = device_->receive();
+    if (how_ == How::state) streams.states.at(40, 30) ^= 1U;
+    if (how_ == How::run) streams.runs.pop_back();
+    return streams;
+  }
+  std::string_view engine() const override { return "broken"; }
+  bool counts_cycles() const override { return false; }
+
+ private:
+  How how_;
+  std::unique_ptr<Device> device_;
+};
+
+}  // namespace
+
+TEST_CASE("A machine that contradicts itself is found out") {
+  const auto how = GENERATE(Broken::How::count, Broken::How::state, Broken::How::run, Broken::How::sequence,
+                            Broken::How::silent);
+  Monitor monitor(std::make_unique<Broken>(how), find_profile("vga"));
+  monitor.start(kWidth, kHeight, 8);
+  monitor.upload(0, shift_table(find_profile("vga"), kWidth, kHeight, -6, 2));
+  monitor.select(0);
+  const Image left = textured(kWidth, kHeight, 3);
+  CHECK_THROWS_AS(monitor.process(left, moved(left, -6, 2)), DeviceError);
+}
+
+TEST_CASE("Runs survive their beat") {
+  for (const Run run : {Run{0, 0, 0, State::clear}, Run{1079, 5, 1919, State::skin}, Run{3, 65535, 65535, State::unsupervised}}) {
+    CHECK(decode_run(encode_run(run)) == run);
+  }
+}
+
+TEST_CASE("Regions are the connected groups of the skin") {
+  Image states(10, 6);
+  const auto set = [&](int x, int y) { states.at(x, y) = static_cast<std::uint8_t>(State::skin); };
+  set(1, 1);
+  set(2, 2);  // touches by its corner
+  set(2, 3);
+  set(8, 5);
+  states.at(5, 5) = static_cast<std::uint8_t>(State::undecidable);
+  CHECK(regions_of(states) == std::vector<Region>{{1, 1, 2, 3, 3}, {8, 5, 1, 1, 1}});
+  CHECK(regions_of(Image(10, 6)).empty());
+  CHECK(state_picture(states).at(2, 2) == 255);
+  CHECK(state_picture(states).at(5, 5) == 128);
+  CHECK(state_picture(states).at(0, 0) == 0);
+}
+
+TEST_CASE("The memory-mapped device moves registers and streams") {
+  const TemporaryDirectory directory;
+  const auto memory = directory.write("registers", std::string(4096, '\0'));
+  UioDevice::Paths paths{memory, directory / "left", directory / "right", directory / "states", directory / "runs", 0};
+  for (const auto& fifo : {paths.left, paths.right, paths.states, paths.runs}) REQUIRE(::mkfifo(fifo.c_str(), 0600) == 0);
+  UioDevice device(paths, std::chrono::milliseconds(300));
+  device.write(reg::width::kAddress, kWidth);
+  device.write(reg::height::kAddress, kHeight);
+  device.write(reg::build_window::kAddress, reg::build_window::kSubsample.put(1));
+  CHECK(device.read(reg::width::kAddress) == kWidth);
+  {
+    std::ifstream file(memory, std::ios::binary);
+    file.seekg(reg::width::kAddress);
+    CHECK(file.get() == kWidth);
+  }
+  CHECK_THROWS_AS(device.read(0x1000), DeviceError);
+  CHECK_THROWS_AS(device.read(2), DeviceError);
+
+  // The machine: takes both images row by row, gives the difference as states and one run a row.
+  const Image left = textured(kWidth, kHeight, 1);
+  const Image right = textured(kWidth, kHeight, 2);
+  std::thread machine([&] {
+    std::ifstream left_in(paths.left, std::ios::binary);
+    std::ifstream right_in(paths.right, std::ios::binary);
+    std::ofstream states(paths.states, std::ios::binary);
+    std::ofstream runs(paths.runs, std::ios::binary);
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) states.put(left_in.get() == right_in.get() ? 1 : 0);
+      const auto beat = encode_run({y, 0, kWidth - 1, State::clear});
+      for (int i = 0; i < 8; ++i) runs.put(static_cast<char>(beat >> (8 * i)));
+    }
+  });
+  device.send(left, right);
+  const auto streams = device.receive();
+  machine.join();
+  REQUIRE(streams.runs.size() == kHeight);
+  CHECK(streams.runs.back() == Run{kHeight - 1, 0, kWidth - 1, State::clear});
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) REQUIRE(streams.states.at(x, y) == (left.at(x, y) == right.at(x, y) ? 1 : 0));
+  }
+  CHECK_THROWS_WITH(device.receive(), Catch::Contains("no frame comes"));
+
+  paths.states = directory / "none";
+  CHECK_THROWS_WITH(UioDevice(paths), Catch::Contains("cannot be opened"));
+  paths.registers = directory / "none";
+  CHECK_THROWS_WITH(UioDevice(paths), Catch::Contains("cannot be opened"));
+}
+
+}  // namespace horopter
