@@ -16,7 +16,7 @@ std::string wrapper_source(const Options& options) {
   text << "#include <new>\n#include <type_traits>\n";
   for (const std::string& header : options.extra_includes) text << "#include \"" << header << "\"\n";
   if (!options.stage_header.empty()) text << "#include \"" << options.stage_header << "\"\n";
-  text << "namespace hlsc_wrapper {\n"
+  text << "namespace horopter::hls {}\nnamespace hlsc_wrapper {\n"
        << "using Stage = " << options.stage_class << ";\n"
        << R"(static_assert(requires { typename Stage::In; typename Stage::Out; }, "a stage has nested types In and Out");
 static_assert(std::is_default_constructible_v<Stage>, "a stage is made without arguments");
@@ -40,6 +40,17 @@ extern "C" void __hlsc_step(hlsc_wrapper::Stage* stage, const hlsc_wrapper::In* 
                             hlsc_wrapper::Out* out) {
   ::new (static_cast<void*>(out)) hlsc_wrapper::Out(hlsc_wrapper::call(*stage, *in, *config));
 }
+#ifndef __HLSC__
+// The native twin, for tests.
+extern "C" unsigned long __hlsc_stage_size() { return sizeof(hlsc_wrapper::Stage); }
+extern "C" void __hlsc_reset(hlsc_wrapper::Stage* stage) {
+  if constexpr (requires { horopter::hls::reset(*stage); }) {
+    horopter::hls::reset(*stage);
+  } else {
+    *stage = hlsc_wrapper::Stage{};
+  }
+}
+#endif
 )";
   return text.str();
 }

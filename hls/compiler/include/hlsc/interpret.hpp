@@ -15,7 +15,7 @@ using Value = std::vector<bool>;
 
 class Interpreter {
  public:
-  explicit Interpreter(const Graph& graph);
+  explicit Interpreter(const Graph& graph, bool check_distance = true);
 
   struct Result {
     bool valid = false;
@@ -33,6 +33,7 @@ class Interpreter {
   [[nodiscard]] Value bits(const Bits& at) const;
 
   const Graph& graph_;
+  bool check_distance_;
   std::vector<Value> values_;  ///< by node
   std::vector<Value> states_;
   std::vector<std::vector<Value>> memories_;
