@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Multiplications without a hard multiplier become sums of shifted operands, in a balanced tree, so that the schedule
-// may cut them anywhere.
+// may cut them anywhere. Long chains of exclusive ors (a CRC, bit by bit) become one parity of their sources for each
+// bit, in which equal sources cancel.
 #include "hlsc/schedule.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 namespace hlsc {
@@ -15,8 +17,9 @@ class Lowering {
   Lowering(const Graph& graph, const ScheduleOptions& options) : in_(graph), options_(options) {}
 
   Graph run() {
+    find_parities();
     const bool any = std::ranges::any_of(in_.nodes, [&](const Node& node) { return wanted(node); });
-    if (!any) return in_;
+    if (!any && parities_.empty()) return in_;
     out_ = in_;
     out_.nodes.clear();
     map_.resize(in_.nodes.size());
@@ -29,6 +32,16 @@ class Lowering {
       Node copy = node;
       for (Bits& operand : copy.operands) operand = mapped(operand);
       map_[n] = append(std::move(copy));
+      for (std::uint32_t i = 0; i < node.width; ++i) {
+        const auto it = parities_.find({n, i});
+        if (it == parities_.end()) continue;
+        Node parity;
+        parity.op = Op::kReduceXor;
+        parity.operands = {mapped(it->second)};
+        parity.where = node.where;
+        parity.name = node.name;
+        map_[n][i] = append(std::move(parity))[0];
+      }
     }
     const auto node_of = [&](NodeId n) { return map_[n].at(0).node; };
     for (Port& p : out_.inputs) p.node = node_of(p.node);
@@ -63,6 +76,38 @@ class Lowering {
     const auto widest = std::max(variable_bits(node.operands[0]), variable_bits(node.operands[1]));
     return model.multiplier_bits == 0 || widest > model.multiplier_bits ||
            std::min(variable_bits(node.operands[0]), variable_bits(node.operands[1])) <= 3;
+  }
+
+  /// The exclusive ors whose chain is deeper than the tree of their sources. The chain itself stays in the graph and
+  /// dies, unless something needs a bit of it that is not deep.
+  void find_parities() {
+    constexpr std::size_t kLargest = 32;
+    struct Tree {
+      Bits sources;  ///< sorted, each once
+      unsigned depth = 0;
+    };
+    std::map<Bit, Tree> trees;
+    for (NodeId n = 1; n < in_.nodes.size(); ++n) {
+      const Node& node = in_.nodes[n];
+      if (node.op != Op::kXor) continue;
+      for (std::uint32_t i = 0; i < node.width; ++i) {
+        const auto tree_of = [&](Bit b) {
+          const auto it = trees.find(b);
+          return it != trees.end() ? it->second : Tree{{b}, 0};
+        };
+        const Tree a = tree_of(node.operands[0][i]), b = tree_of(node.operands[1][i]);
+        Tree tree;
+        std::ranges::set_symmetric_difference(a.sources, b.sources, std::back_inserter(tree.sources));
+        tree.depth = std::max(a.depth, b.depth) + 1;
+        if (tree.sources.size() > kLargest || tree.sources.empty()) continue;  // a source of what comes after
+        // As delay.cpp has it: 0.55 levels for each exclusive or; a tree of LUT4.
+        double levels = 1.0;
+        for (double inputs = static_cast<double>(tree.sources.size()); inputs > 4; inputs /= 4) ++levels;
+        if (0.55 * tree.depth > levels) parities_[{n, i}] = tree.sources;
+        trees[{n, i}] = std::move(tree);
+      }
+    }
+    // A source may itself be a parity: sources are bits of the graph before, and mapped() finds what they became.
   }
 
   /// Bits that carry information: constants and repetitions of the sign do not count.
@@ -230,6 +275,7 @@ class Lowering {
   const ScheduleOptions& options_;
   Graph out_;
   std::vector<Bits> map_;
+  std::map<Bit, Bits> parities_;
 };
 
 }  // namespace

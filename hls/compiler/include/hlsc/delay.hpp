@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Delay estimates, in ns, of the operations of a graph on one FPGA family. They steer the schedule; place and route has
-// the last word. Routing to an operation is part of its delay.
+// the last word. Routing to an operation is part of its delay. The delays of logic are typical ones, so the clock given
+// to the scheduler should leave a margin of some 20 % for routing detours; those of memories are maxima and are stated
+// less that margin.
 #pragma once
 
 #include "hlsc/graph.hpp"
