@@ -220,7 +220,7 @@ module horopter_frame_control #(
       time_q <= time_q + 32'd1;
       if (open_i) open_time_q[open_slot_i] <= time_q;
       if (arrived_i) arrived_time_q[open_slot_i] <= time_q;
-      if (begin_i) begin
+      if (begin_i || publish_q) begin
         state_ended_q <= 1'b0;
         runs_ended_q <= 1'b0;
         counted_q <= 1'b0;
@@ -279,6 +279,10 @@ module horopter_frame_control #(
   end
 
   // --- safe ---
+  initial begin  // before the first clock, too
+    safe_o   = 1'b0;
+    unsafe_o = 1'b1;
+  end
   logic bad_now;
   assign bad_now = found_q || fault_set_o != NONE || ((late_o || late_rises) && !publish_q) || silent_i != 2'b00 || !safe_allowed_i;
   always_ff @(posedge clk_i) begin

@@ -3,14 +3,14 @@
 //
 // A row is written pixel by pixel (write_*_o) into the ring slot slot_o and counts once it is complete (row_done_o);
 // a row with too few or too many pixels is complete too, but bad. A frame ends with its last row, or early: by a new
-// start of frame, by silence, by an overflow, or by cut_i. Rows that never came are not written: the store treats rows
+// start of frame, by silence (in live mode: by a pause of four line lengths), by an overflow, or by cut_i. Rows that never came are not written: the store treats rows
 // from the number of those that came as missing, so that ending a frame takes one clock, whatever is missing.
 //
 // Frames are opened by the pairing of the two cameras: start_o asks, grant_i admits, deny_i refuses (live mode, no
 // room). missing_start: after EXTRA_LINES lines without a start of frame, a frame without rows stands for the lost one.
 //
 // Stream: valid/ready with pixel, first (start of frame) and last (end of line); almost_full_i of the FIFO in front
-// tells in live mode that waiting is over. All outputs are registers but s_ready_o. Reset: waits for a start of frame.
+// tells in live mode that waiting is over. All outputs are registers but s_ready_o, near_o, far_o and deep_o. Reset: waits for a start of frame.
 module horopter_framer #(
     parameter int unsigned SLOTS = 64,  // rows of the ring
     parameter int unsigned EXTRA_LINES = 8,
@@ -40,7 +40,9 @@ module horopter_framer #(
     input  logic                 patience_i,  // silence counts from now on
     output logic                 near_o,  // in its first EXTRA_LINES rows
     output logic                 far_o,  // more than 64 px into the frame
-    output logic                 silent_o,
+    output logic                 deep_o,  // at least 3 / 2 EXTRA_LINES rows into the frame
+    output logic                 silent_o,  // for the timeout
+    output logic                 pausing_o,  // live: for longer than any pause within a frame
     // into the store
     input  logic [         11:0] keep_i,  // rows before this one (counted as stored_o) are no longer needed
     output logic [         11:0] stored_o,  // complete rows so far, modulo 4096
@@ -98,8 +100,17 @@ module horopter_framer #(
   end
   assign silent_o = silent_q;
 
+  // A live camera that pauses in a frame for four line lengths has lost lines: the frame ends now, not with the next
+  // start of frame, so that the result keeps up with the other camera.
+  logic pausing_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni || s_valid_i) pausing_q <= 1'b0;
+    else pausing_q <= pausing_q || (live_i && quiet_q >= {18'd0, width_i, 2'b00});
+  end
+  assign pausing_o = pausing_q;
+
   // What the head of the stream means in a frame.
-  logic in_frame, early, blocked, take, at_end, complete, last_row, overflow, ends_early;
+  logic in_frame, early, blocked, take, at_end, complete, last_row, overflow, ends_early, gone;
   assign in_frame = state_q == LINE || state_q == SKIP;
   assign early = in_frame && s_valid_i && s_first_i && !fresh_q;
   assign blocked = x_q == 12'd0 && !room_q;
@@ -108,7 +119,8 @@ module horopter_framer #(
   assign at_end = x_q == width_i - 12'd1;
   assign complete = take && (s_last_i || at_end);
   assign last_row = y_q == height_i - 12'd1;
-  assign ends_early = in_frame && (early || overflow || cut_i || silent_q);
+  assign gone = silent_q || pausing_q;
+  assign ends_early = in_frame && (early || overflow || cut_i || gone);
 
   always_comb begin
     case (state_q)
@@ -220,7 +232,7 @@ module horopter_framer #(
         frame_done_o <= 1'b1;
         missing_line_o <= early;
         overflow_o <= overflow && !early;
-        lost_silent_o <= silent_q;
+        lost_silent_o <= gone && !s_valid_i;
         state_q <= early ? START : WAIT;
       end
     end
@@ -241,9 +253,10 @@ module horopter_framer #(
       write_x_o <= x_q;
       write_pixel_o <= s_pixel_i;
     end
-    near_o <= 32'(y_q) < EXTRA_LINES;
-    far_o <= y_q != 12'd0 || x_q > 12'd64;
   end
+  assign near_o = 32'(y_q) < EXTRA_LINES;
+  assign deep_o = 32'(y_q) >= EXTRA_LINES + EXTRA_LINES / 2;
+  assign far_o = y_q != 12'd0 || x_q > 12'd64;
 
   assign start_o = state_q == START || state_q == LOST;
   assign empty_o = state_q == LOST;

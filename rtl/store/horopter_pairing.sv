@@ -4,7 +4,8 @@
 //
 // The first camera that asks opens a frame, the other joins it. With back-pressure a camera that is ahead waits; in live
 // mode, where waiting ends when its input FIFO fills (urgent), the frame of the one behind is cut short: what belongs
-// together is decided by time, so that one bad frame never shifts all later ones. More than 64 px apart at the join, or
+// together is decided by time, so that one bad frame never shifts all later ones; a camera that has not come when the
+// other is some rows into the frame will not come. More than 64 px apart at the join, or
 // cut for the other, is the fault skew. A silent camera gets a frame without rows.
 //
 // Index 0 = left, 1 = right. A slot is one of two frame records; it is busy from its opening until free_i.
@@ -24,7 +25,9 @@ module horopter_pairing #(
     output logic [          1:0] cut_o,
     input  logic [          1:0] near_i,
     input  logic [          1:0] far_i,
+    input  logic [          1:0] deep_i,
     input  logic [          1:0] silent_i,
+    input  logic [          1:0] pausing_i,
     input  logic [          1:0] row_done_i,
     input  logic [          1:0] frame_done_i,
     input  logic [         11:0] right_stored_i,
@@ -62,8 +65,8 @@ module horopter_pairing #(
 
   always_comb begin
     for (int unsigned c = 0; c < 2; c++) begin
-      // In live mode a frame is joined only near its start.
-      can_join[c] = open_q && !joined_q[c] && (!live_i || (near_i[1-c] && joined_q[1-c] && !ended_q[1-c]));
+      // In live mode a frame is joined only near its start (one without rows: any time).
+      can_join[c] = open_q && !joined_q[c] && (!live_i || empty_i[c] || (near_i[1-c] && joined_q[1-c] && !ended_q[1-c]));
     end
   end
   assign joins = start_i & can_join;
@@ -77,7 +80,7 @@ module horopter_pairing #(
     for (int unsigned c = 0; c < 2; c++) begin
       given_up[c] = silent_i[c] && (!live_i || far_i[1-c] || ended_q[1-c]);
       absent[c] = open_q && !joined_q[c] && !grant_o[c]
-          && (given_up[c] || (live_i && (start_i[c] || urgent_i[1-c])));
+          && (given_up[c] || (live_i && (start_i[c] || urgent_i[1-c] || deep_i[1-c])));
     end
   end
 
@@ -107,8 +110,8 @@ module horopter_pairing #(
         if (absent[c]) begin
           joined_q[c] <= 1'b1;
           ended_q[c] <= 1'b1;
-          lost_silent_o[c] <= silent_i[c];
-          skew_o <= !silent_i[c];
+          lost_silent_o[c] <= silent_i[c] || pausing_i[c];
+          skew_o <= !silent_i[c] && !pausing_i[c];
         end
         // Live: the other camera's next frame is here and this one is still in the last.
         if (live_i && open_q && joined_q[c] && !ended_q[c] && !frame_done_i[c] && !cut_q[c] && urgent_i[1-c]

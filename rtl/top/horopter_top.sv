@@ -82,7 +82,8 @@ module horopter_top (
   localparam int unsigned RESULT_WIDTH = WIDTH / SUBSAMPLE;
   localparam int unsigned RESULT_PIXELS = RESULT_WIDTH * HEIGHT;
   localparam int unsigned MAX_LOOKAHEAD = STORE_ROWS / 2;
-  localparam int unsigned LEFT_ROWS = STORE_ROWS / 2 + 4;  // LOOKAHEAD rows, one arriving, one leaving, and slack
+  localparam int unsigned LEFT_ROWS = STORE_ROWS / 2 + 8;  // LOOKAHEAD rows, one arriving, one leaving, and slack
+  // for a frame whose end is noticed only with the start of the next
   localparam int unsigned MIN_WIDTH = 32 * SUBSAMPLE;
   localparam int unsigned MIN_HEIGHT = 16;
   localparam int unsigned MAX_SUM = 15 * DSAD_WINDOW * DSAD_WINDOW;
@@ -311,6 +312,8 @@ module horopter_top (
   logic [1:0] in_valid, in_first, in_last, fifo_ready, fifo_overflow, head_valid, head_ready, head_first, head_last;
   logic [1:0] head_almost_full;
   logic [7:0] in_left, in_right, head_left, head_right;
+  logic [1:0] lost_pixel;  // only a live camera can lose one: without, a full FIFO makes it wait
+  assign lost_pixel = fifo_overflow & {2{live}};
   logic both_ready;
   assign both_ready = fifo_ready == 2'b11;
   assign s_axis_left_tready = live || (running_q && !test_input && fifo_ready[0]);
@@ -324,7 +327,7 @@ module horopter_top (
   assign in_right = test_input ? s_axis_test_tdata[15:8] : s_axis_right_tdata;
 
   // Pairing and framers.
-  logic [1:0] start, start_empty, urgent, grant, deny, cut, near, far;
+  logic [1:0] start, start_empty, urgent, grant, deny, cut, near, far, deep, pausing;
   logic [1:0] write_en, write_first, write_end, row_done, row_bad, frame_ended;
   logic [1:0] short_line, long_line, missing_line, missing_start, overflow, lost_silent, silence, pair_silent;
   logic [11:0] left_write_x, right_write_x, left_stored, right_stored, left_keep, right_keep;
@@ -393,7 +396,9 @@ module horopter_top (
       .patience_i(patience),
       .near_o(near[0]),
       .far_o(far[0]),
+      .deep_o(deep[0]),
       .silent_o(silent[0]),
+      .pausing_o(pausing[0]),
       .keep_i(left_keep),
       .stored_o(left_stored),
       .slot_o(left_slot),
@@ -438,7 +443,9 @@ module horopter_top (
       .patience_i(patience),
       .near_o(near[1]),
       .far_o(far[1]),
+      .deep_o(deep[1]),
       .silent_o(silent[1]),
+      .pausing_o(pausing[1]),
       .keep_i(right_keep),
       .stored_o(right_stored),
       .slot_o(right_slot),
@@ -477,7 +484,9 @@ module horopter_top (
       .cut_o(cut),
       .near_i(near),
       .far_i(far),
+      .deep_i(deep),
       .silent_i(silent),
+      .pausing_i(pausing),
       .row_done_i(row_done),
       .frame_done_i(frame_ended),
       .right_stored_i(right_stored),
@@ -1121,9 +1130,9 @@ module horopter_top (
   logic [FAULTS-1:0] arriving_faults, event_faults, transient_faults, output_faults;
   assign arriving_faults = {
     8'd0, skew,
-    5'd0, overflow[1] || fifo_overflow[1], lost_silent[1] || pair_silent[1], missing_start[1], missing_line[1],
+    5'd0, overflow[1] || lost_pixel[1], lost_silent[1] || pair_silent[1], missing_start[1], missing_line[1],
     long_line[1], short_line[1],
-    5'd0, overflow[0] || fifo_overflow[0], lost_silent[0] || pair_silent[0], missing_start[0], missing_line[0],
+    5'd0, overflow[0] || lost_pixel[0], lost_silent[0] || pair_silent[0], missing_start[0], missing_line[0],
     long_line[0], short_line[0]
   };
   assign event_faults = {3'd0, 1'b0, refused_upload, bad_upload, 25'd0};

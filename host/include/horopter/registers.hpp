@@ -371,7 +371,7 @@ inline constexpr Field kLeftLongLine{1, 1};
 inline constexpr Field kLeftMissingLine{2, 1};
 /// Left: lines after the last one of the frame, without a start of frame.
 inline constexpr Field kLeftMissingStart{3, 1};
-/// No pixel from the left camera for TIMEOUT clocks.
+/// No pixel from the left camera for TIMEOUT clocks; in live mode already for four line lengths within a frame.
 inline constexpr Field kLeftSilent{4, 1};
 /// Left camera in live mode: pixels came that could not be stored.
 inline constexpr Field kLeftOverflow{5, 1};
@@ -460,7 +460,7 @@ inline constexpr Field kLeftLongLine{1, 1};
 inline constexpr Field kLeftMissingLine{2, 1};
 /// Left: lines after the last one of the frame, without a start of frame.
 inline constexpr Field kLeftMissingStart{3, 1};
-/// No pixel from the left camera for TIMEOUT clocks.
+/// No pixel from the left camera for TIMEOUT clocks; in live mode already for four line lengths within a frame.
 inline constexpr Field kLeftSilent{4, 1};
 /// Left camera in live mode: pixels came that could not be stored.
 inline constexpr Field kLeftOverflow{5, 1};
