@@ -6,6 +6,7 @@
 // so, for speed; a program must not mix both.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -96,6 +97,7 @@ class TableView {
   [[nodiscard]] int width() const { return static_cast<int>(words_[2] & 0xFFFFU); }
   [[nodiscard]] int height() const { return static_cast<int>(words_[2] >> 16); }
   [[nodiscard]] std::uint32_t crc() const { return words_.back(); }
+  [[nodiscard]] std::span<const std::uint32_t> words() const { return words_; }
 
   [[nodiscard]] stages::ControlPoint control(int column, int row) const {
     const std::uint32_t word = words_[3 +
@@ -157,10 +159,12 @@ class Pipeline {
     written_ = 0;
 
     examine(left, right, result);
+    const Expansion& sources = expansion(table, settings.lookahead);
+    result.store_misses = sources.misses;
+    store(right);
     for (int y = 0; y < left.height; ++y) {
       mark(y == 0);
-      expand_row(y, table);
-      fetch_row(y, left, right, settings.lookahead, result.store_misses);
+      fetch_row(y, left, sources);
       finish_row(result);
     }
     taps_.mask.fill(false);
@@ -169,6 +173,9 @@ class Pipeline {
   }
 
  private:
+  static constexpr std::size_t table_slots = 15;
+  static constexpr std::size_t padded_stride = P.width + 1;
+
   template <class Stage>
   using InOf = typename Stage::In;
   template <class Stage>
@@ -298,58 +305,107 @@ class Pipeline {
     }
   }
 
-  /// Sources of one row of pixels.
-  [[gnu::flatten]] void expand_row(int y, const TableView& table) {
-    const int cell_row = y >> table.spacing_y_log2();
-    const int fraction = (y - (cell_row << table.spacing_y_log2())) << (6 - table.spacing_y_log2());
+  /// What map_expand and the image store's addressing make of a table: the same for every frame.
+  struct Expansion {
+    std::vector<std::uint32_t> words;
+    int lookahead = 0;
+    std::int64_t misses = 0;
+    // Per pixel, row by row:
+    std::vector<std::uint32_t> offset;  // of the top left source pixel in padded_
+    std::vector<hls::u<P.weight_bits>> wx, wy;
+    std::vector<char> mask;
+  };
+
+  /// As many tables as the hardware has slots are kept, the most recent first.
+  const Expansion& expansion(const TableView& table, int lookahead) {
+    const auto known = std::find_if(expansions_.begin(), expansions_.end(), [&](const Expansion& e) {
+      return e.lookahead == lookahead && e.words.size() == table.words().size() &&
+             e.words.back() == table.words().back() &&
+             std::equal(e.words.begin(), e.words.end(), table.words().begin());
+    });
+    if (known != expansions_.end()) {
+      std::rotate(expansions_.begin(), known, known + 1);
+    } else {
+      if (expansions_.size() == table_slots) expansions_.pop_back();
+      expansions_.insert(expansions_.begin(), expand(table, lookahead));
+    }
+    return expansions_.front();
+  }
+
+  Expansion expand(const TableView& table, int lookahead) {
+    Expansion result;
+    result.words.assign(table.words().begin(), table.words().end());
+    result.lookahead = lookahead;
+    const std::size_t pixels = index(table.width()) * index(table.height());
+    result.offset.reserve(pixels);
+    result.wx.reserve(pixels);
+    result.wy.reserve(pixels);
+    result.mask.reserve(pixels);
     const int cell_mask = (1 << table.spacing_x_log2()) - 1;
     map_config_.spacing_x_log2 = table.spacing_x_log2();
-    InOf<stages::MapExpand<P>> in;
-    in.row_fraction = fraction;
-    const auto fetch = [&](int column) {
-      return stages::ControlPair{table.control(column, cell_row), table.control(column, cell_row + 1)};
-    };
-    Borrowed expand(map_expand_);
-    in.prime = true;
-    in.column = fetch(0);
-    expand->step(in, map_config_);
-    in.prime = false;
-    for (int x = 0; x < width_; ++x) {
-      in.load = (x & cell_mask) == 0;
-      if (in.load) in.column = fetch((x >> table.spacing_x_log2()) + 1);
-      sources_[index(x)] = expand->step(in, map_config_);
+    for (int y = 0; y < table.height(); ++y) {
+      const int cell_row = y >> table.spacing_y_log2();
+      InOf<stages::MapExpand<P>> in;
+      in.row_fraction = (y - (cell_row << table.spacing_y_log2())) << (6 - table.spacing_y_log2());
+      const auto fetch = [&](int column) {
+        return stages::ControlPair{table.control(column, cell_row), table.control(column, cell_row + 1)};
+      };
+      in.prime = true;
+      in.column = fetch(0);
+      map_expand_.step(in, map_config_);
+      in.prime = false;
+      for (int x = 0; x < table.width(); ++x) {
+        in.load = (x & cell_mask) == 0;
+        if (in.load) in.column = fetch((x >> table.spacing_x_log2()) + 1);
+        locate(y, map_expand_.step(in, map_config_), table, result);
+      }
+    }
+    return result;
+  }
+
+  /// The image store: is the source in the image, and in the ring when output row y is made? A pixel of weight 0 is not
+  /// needed.
+  void locate(int y, const OutOf<stages::MapExpand<P>>& source, const TableView& table, Expansion& result) const {
+    const int x = source.x.value();
+    const int row = source.y.value();
+    const int last_x = x + (source.wx != 0 ? 1 : 0);
+    const int last_row = row + (source.wy != 0 ? 1 : 0);
+    bool mask = source.mapped && last_x < table.width() && last_row < table.height();
+    if (mask && (row < y - (P.store_rows / 2 - 2) || last_row > y + result.lookahead)) {
+      ++result.misses;
+      mask = false;
+    }
+    result.offset.push_back(mask ? static_cast<std::uint32_t>(index(row) * padded_stride + index(x)) : 0);
+    result.wx.push_back(source.wx);
+    result.wy.push_back(source.wy);
+    result.mask.push_back(mask);
+  }
+
+  /// The right image with a column and a row more, so that pixels of weight 0 can be read.
+  void store(const ImageView& right) {
+    padded_.resize(padded_stride * (P.height + 1));
+    for (int y = 0; y < right.height; ++y) {
+      std::copy_n(right.pixels + y * right.stride, right.width, padded_.begin() + y * std::ptrdiff_t{padded_stride});
     }
   }
 
-  /// The image store: 2×2 pixels of each source, as far as it holds them.
-  void fetch_row(int y, const ImageView& left, const ImageView& right, int lookahead, std::int64_t& misses) {
-    const int oldest = y - (P.store_rows / 2 - 2);
-    const int newest = y + lookahead;
-    const std::uint8_t* left_row = left.pixels + y * left.stride;
-    for (int i = 0; i < width_; ++i) {
-      const auto& source = sources_[index(i)];
-      const int x = source.x.value();
-      const int row = source.y.value();
-      const int right_of = source.wx != 0 ? 1 : 0;  // a pixel of weight 0 is not needed
-      const int below = source.wy != 0 ? 1 : 0;
-      bool mask = source.mapped && x + right_of < right.width && row + below < right.height;
-      if (mask && (row < oldest || row + below > newest)) [[unlikely]] {
-        ++misses;
-        mask = false;
-      }
-      taps_.mask[index(i)] = mask;
-      taps_.wx[index(i)] = source.wx;
-      taps_.wy[index(i)] = source.wy;
-      if (mask) [[likely]] {
-        const std::uint8_t* top = right.pixels + row * right.stride + x;
-        const std::uint8_t* bottom = top + below * right.stride;
-        taps_.p00[index(i)] = top[0];
-        taps_.p01[index(i)] = top[right_of];
-        taps_.p10[index(i)] = bottom[0];
-        taps_.p11[index(i)] = bottom[right_of];
-      }
+  void fetch_row(int y, const ImageView& left, const Expansion& sources) {
+    const std::size_t begin = index(y) * index(width_);
+    const std::uint32_t* offset = sources.offset.data() + begin;
+    const std::uint8_t* pixels = padded_.data();
+    Taps& taps = taps_;
+    const std::size_t n = index(width_);
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::uint8_t* top = pixels + offset[i];
+      taps.p00[i] = top[0];
+      taps.p01[i] = top[1];
+      taps.p10[i] = top[padded_stride];
+      taps.p11[i] = top[padded_stride + 1];
     }
-    for (int i = 0; i < width_; ++i) taps_.left[index(i)] = left_row[i];
+    std::copy_n(sources.wx.data() + begin, n, taps.wx.begin());
+    std::copy_n(sources.wy.data() + begin, n, taps.wy.begin());
+    std::copy_n(sources.mask.data() + begin, n, taps.mask.begin());
+    std::copy_n(left.pixels + y * left.stride, n, taps.left.begin());
   }
 
   /// Passes a row of beats through all stages from the interpolation on. A stage takes the whole row before the next
@@ -537,7 +593,8 @@ class Pipeline {
   Row<bool> last_{};
   ResultRow<bool> result_first_{};
   ResultRow<bool> result_last_{};
-  Row<OutOf<stages::MapExpand<P>>> sources_{};
+  std::vector<Expansion> expansions_;
+  std::vector<std::uint8_t> padded_;
   Taps taps_{};
   Pairs pairs_{};
   Pairs halved_{};
