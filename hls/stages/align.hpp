@@ -39,7 +39,8 @@ class Aligner {
     if (in.marks.first) [[unlikely]] {
       rows_ = Margin(0);
       started_ = false;
-      phase_ = waiting;
+      active_ = false;
+      idle_ = false;
     }
     if (in.marks.first || row_ended_) [[unlikely]] {
       columns_ = Margin(0);
@@ -47,29 +48,31 @@ class Aligner {
     const bool start = !started_ && rows_ == OFFSET && columns_ == OFFSET;
     if (start) [[unlikely]] {
       started_ = true;
-      phase_ = pixels;
-      x_ = Column(0);
-      y_ = Row(0);
+      active_ = true;
+      last_ = false;
+      final_row_ = config.height == 1;
+      columns_left_ = Column(config.width - lit<1>());
+      rows_left_ = Row(config.height - lit<1>());
     }
     Out out;
     out.state = in.state;
-    out.idle = phase_ == idling;
-    out.valid = out.idle || phase_ == pixels;
+    out.idle = idle_;
+    out.valid = idle_ || active_;
     out.first = start;
-    const bool last = x_ + lit<1>() == config.width;
-    const bool end = last && y_ + lit<1>() == config.height;
-    out.last = last && !out.idle;
-    out.end = end && !out.idle;
+    out.last = last_ && active_;
+    out.end = out.last && final_row_;
 
-    if (out.idle) [[unlikely]] {
-      phase_ = waiting;
-    } else if (out.valid && end) [[unlikely]] {
-      phase_ = idling;
-    }
-    x_ += lit<1>();
-    if (last) [[unlikely]] {
-      x_ = Column(0);
-      y_ += lit<1>();
+    idle_ = out.end;
+    active_ = active_ && !out.end;
+    // The next beat's `last_` is known from the count before, so that the counter's loop holds one subtraction only.
+    if (last_) [[unlikely]] {
+      final_row_ = rows_left_ == 1;
+      rows_left_ -= lit<1>();
+      last_ = false;
+      columns_left_ = Column(config.width - lit<1>());
+    } else {
+      last_ = columns_left_ == 1;
+      columns_left_ -= lit<1>();
     }
     row_ended_ = in.marks.last;
     columns_ += u<1>(columns_ != OFFSET);
@@ -83,18 +86,17 @@ class Aligner {
   using Margin = u<bits_for(OFFSET)>;
   using Column = u<bits_for(WIDTH)>;
   using Row = u<bits_for(HEIGHT)>;
-  using Phase = u<2>;
-  static constexpr int waiting = 0;  // for the first pixel of the result
-  static constexpr int pixels = 1;
-  static constexpr int idling = 2;  // the beat after the last pixel
 
-  Phase phase_{waiting};
-  bool started_ = true;  // this frame's result has begun; true until the first frame
+  bool active_ = false;    // this beat is a pixel of the result
+  bool idle_ = false;      // the beat after the last pixel
+  bool last_ = false;      // this beat is the last of its row
+  bool final_row_ = false;  // of the frame
+  bool started_ = true;    // this frame's result has begun; true until the first frame
   bool row_ended_ = true;
   Margin rows_{0};     // rows of beats before this one, at most OFFSET
   Margin columns_{0};  // beats of this row before this one, at most OFFSET
-  Column x_{0};
-  Row y_{0};
+  Column columns_left_{0};  // of the row, after this one
+  Row rows_left_{0};        // of the result, after this one
 };
 
 template <Profile P>
