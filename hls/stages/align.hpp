@@ -87,14 +87,14 @@ class Aligner {
   using Column = u<bits_for(WIDTH)>;
   using Row = u<bits_for(HEIGHT)>;
 
-  bool active_ = false;    // this beat is a pixel of the result
-  bool idle_ = false;      // the beat after the last pixel
-  bool last_ = false;      // this beat is the last of its row
+  bool active_ = false;     // this beat is a pixel of the result
+  bool idle_ = false;       // the beat after the last pixel
+  bool last_ = false;       // this beat is the last of its row
   bool final_row_ = false;  // of the frame
-  bool started_ = true;    // this frame's result has begun; true until the first frame
+  bool started_ = true;     // this frame's result has begun; true until the first frame
   bool row_ended_ = true;
-  Margin rows_{0};     // rows of beats before this one, at most OFFSET
-  Margin columns_{0};  // beats of this row before this one, at most OFFSET
+  Margin rows_{0};          // rows of beats before this one, at most OFFSET
+  Margin columns_{0};       // beats of this row before this one, at most OFFSET
   Column columns_left_{0};  // of the row, after this one
   Row rows_left_{0};        // of the result, after this one
 };

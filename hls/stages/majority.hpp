@@ -41,8 +41,10 @@ class MajorityVote {
     const u<M> skin = cat(above.skin, in.decidable && in.skin);
     column.decidable = u<M - 1>(decidable);
     column.skin = u<M - 1>(skin);
-    const auto decidable_sum = decidable_.step(at.row_start, at.column >= M, popcount(decidable));
-    const auto skin_sum = skin_.step(at.row_start, at.column >= M, popcount(skin));
+    const u<2 * sum_bits> sums =
+        sums_.step(at.row_start, at.column >= M, cat(u<sum_bits>(popcount(decidable)), u<sum_bits>(popcount(skin))));
+    const auto decidable_sum = sums.template bits<2 * sum_bits - 1, sum_bits>();
+    const auto skin_sum = sums.template bits<sum_bits - 1, 0>();
     const bool mask = mask_.step(at.row_start, in.mask, above.mask, column.mask);
     memory_.write(at.column, column);
 
@@ -59,6 +61,8 @@ class MajorityVote {
   }
 
  private:
+  static constexpr int sum_bits = bits_for(M * M);
+
   struct Column {
     u<M - 1> decidable;
     u<M - 1> skin;
@@ -67,8 +71,7 @@ class MajorityVote {
 
   ColumnMemory<Column, BEATS> memory_;
   Raster<BEATS, 1> raster_;
-  HorizontalSum<M, M> decidable_;
-  HorizontalSum<M, M> skin_;
+  HorizontalSum<M, 2 * sum_bits> sums_;  // of decidable, of skin
   WindowAnd<M> mask_;
 };
 

@@ -81,7 +81,7 @@ class TextureDetector {
 
   ColumnMemory<Column, BEATS> memory_;
   Raster<BEATS, T> raster_;
-  HorizontalSum<T, T * 255> row_;
+  HorizontalSum<T, sum_bits> row_;
   DelayLine<bool, stored_bits> columns_;
 };
 

@@ -53,31 +53,29 @@ class DelayLine {
   std::array<T, size> values_{};
 };
 
-/// Sum of the last K column values (each at most COLUMN_MAX) of a row, K·STRIDE beats wide: S(x) = S(x−1) + (C(x) −
-/// C(x−K)) (thesis 10.1.5). The difference is taken apart from the sum, so the recurrence is one addition. Each row
-/// starts from 0; columns before the row count as 0.
-template <int K, int COLUMN_MAX, int STRIDE = 1>
+/// Sum of the last K column values of a row, K·STRIDE beats wide: S(x) = S(x−1) + (C(x) − C(x−K)) (thesis 10.1.5). The
+/// difference is taken apart from the sum, so the recurrence is one addition. Each row starts from 0; columns before
+/// the row count as 0. A value may hold several fields side by side, each wide enough for its own sum: one adder for
+/// all.
+template <int K, int BITS, int STRIDE = 1>
 class HorizontalSum {
  public:
-  static constexpr int column_bits = bits_for(COLUMN_MAX);
-  static constexpr int sum_bits = bits_for(K * COLUMN_MAX);
-
   /// `filled`: at least K columns of this row lie before this one.
-  u<sum_bits> step(bool row_start, bool filled, u<column_bits> column_sum) {
-    const u<column_bits> leaving = filled ? columns_.oldest() : u<column_bits>(0);
-    columns_.push(column_sum);
-    const s<column_bits + 1> change = column_sum - leaving;
+  u<BITS> step(bool row_start, bool filled, u<BITS> column) {
+    const u<BITS> leaving = filled ? columns_.oldest() : u<BITS>(0);
+    columns_.push(column);
+    const u<BITS> change(column - leaving);
     if (row_start) [[unlikely]] {
-      sums_.fill(u<sum_bits>(0));
+      sums_.fill(u<BITS>(0));
     }
-    const u<sum_bits> sum(sums_.oldest() + change);
+    const u<BITS> sum(sums_.oldest() + change);
     sums_.push(sum);
     return sum;
   }
 
  private:
-  DelayLine<u<column_bits>, K * STRIDE> columns_;
-  DelayLine<u<sum_bits>, STRIDE> sums_;
+  DelayLine<u<BITS>, K * STRIDE> columns_;
+  DelayLine<u<BITS>, STRIDE> sums_;
 };
 
 /// The bits of the K − 1 pixels above in a column, the nearest lowest: what WindowAnd keeps per column.
