@@ -230,9 +230,9 @@ module horopter_framer #(
       // A frame cut short: by a new start of frame, or by what makes the rest of it worthless.
       if (ends_early) begin
         frame_done_o <= 1'b1;
-        missing_line_o <= early;
+        missing_line_o <= early || (gone && !s_valid_i && !silent_q);
         overflow_o <= overflow && !early;
-        lost_silent_o <= gone && !s_valid_i;
+        lost_silent_o <= silent_q && !s_valid_i;
         state_q <= early ? START : WAIT;
       end
     end

@@ -75,11 +75,12 @@ module horopter_pairing #(
   assign grant_o = joins | opens;
   assign deny_o = urgent_i & ~grant_o & {2{open_q && ended_q == 2'b11}};
 
-  // A frame that a camera will not deliver (any more). With back-pressure silence counts from the opening of the frame.
+  // A frame that a camera will not deliver (any more). With back-pressure silence counts from the opening of the frame,
+  // which the framer knows one clock later.
   always_comb begin
     for (int unsigned c = 0; c < 2; c++) begin
       given_up[c] = silent_i[c] && (!live_i || far_i[1-c] || ended_q[1-c]);
-      absent[c] = open_q && !joined_q[c] && !grant_o[c]
+      absent[c] = open_q && !open_o && !joined_q[c] && !grant_o[c]
           && (given_up[c] || (live_i && (start_i[c] || urgent_i[1-c] || deep_i[1-c])));
     end
   end
