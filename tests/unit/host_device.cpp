@@ -46,7 +46,8 @@ Image moved(const Image& left, int dx, int dy) {
   Image right = textured(left.width, left.height, 999);
   for (int y = 0; y < left.height; ++y) {
     for (int x = 0; x < left.width; ++x) {
-      if (x + dx >= 0 && x + dx < left.width && y + dy >= 0 && y + dy < left.height) right.at(x + dx, y + dy) = left.at(x, y);
+      if (x + dx >= 0 && x + dx < left.width && y + dy >= 0 && y + dy < left.height)
+        right.at(x + dx, y + dy) = left.at(x, y);
     }
   }
   return right;
@@ -198,7 +199,8 @@ TEST_CASE("Rows that the store does not hold are misses") {
 
 TEST_CASE("Fifteen tables fit, are switched at every frame, and a full pool says so") {
   Small small;
-  for (int slot = 2; slot < 15; ++slot) small.monitor.upload(slot, shift_table(small.profile, kWidth, kHeight, slot, 2));
+  for (int slot = 2; slot < 15; ++slot)
+    small.monitor.upload(slot, shift_table(small.profile, kWidth, kHeight, slot, 2));
   for (unsigned i = 0; i < 30; ++i) {
     small.monitor.select(static_cast<int>(i % 15));
     const auto result = small.frame(i + 1);
@@ -315,8 +317,8 @@ class Broken : public Device {
 }  // namespace
 
 TEST_CASE("A machine that contradicts itself is found out") {
-  const auto how = GENERATE(Broken::How::count, Broken::How::state, Broken::How::run, Broken::How::sequence,
-                            Broken::How::silent);
+  const auto how =
+      GENERATE(Broken::How::count, Broken::How::state, Broken::How::run, Broken::How::sequence, Broken::How::silent);
   Monitor monitor(std::make_unique<Broken>(how), find_profile("vga"));
   monitor.start(kWidth, kHeight, 8);
   monitor.upload(0, shift_table(find_profile("vga"), kWidth, kHeight, -6, 2));
@@ -326,7 +328,8 @@ TEST_CASE("A machine that contradicts itself is found out") {
 }
 
 TEST_CASE("Runs survive their beat") {
-  for (const Run run : {Run{0, 0, 0, State::clear}, Run{1079, 5, 1919, State::skin}, Run{3, 65535, 65535, State::unsupervised}}) {
+  for (const Run run :
+       {Run{0, 0, 0, State::clear}, Run{1079, 5, 1919, State::skin}, Run{3, 65535, 65535, State::unsupervised}}) {
     CHECK(decode_run(encode_run(run)) == run);
   }
 }
@@ -350,7 +353,8 @@ TEST_CASE("The memory-mapped device moves registers and streams") {
   const TemporaryDirectory directory;
   const auto memory = directory.write("registers", std::string(4096, '\0'));
   UioDevice::Paths paths{memory, directory / "left", directory / "right", directory / "states", directory / "runs", 0};
-  for (const auto& fifo : {paths.left, paths.right, paths.states, paths.runs}) REQUIRE(::mkfifo(fifo.c_str(), 0600) == 0);
+  for (const auto& fifo : {paths.left, paths.right, paths.states, paths.runs})
+    REQUIRE(::mkfifo(fifo.c_str(), 0600) == 0);
   UioDevice device(paths, std::chrono::milliseconds(300));
   device.write(reg::width::kAddress, kWidth);
   device.write(reg::height::kAddress, kHeight);

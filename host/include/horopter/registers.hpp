@@ -367,11 +367,13 @@ inline constexpr Access kAccess = Access::kWriteOneToClear;
 inline constexpr Field kLeftShortLine{0, 1};
 /// A line of the left camera had too many pixels; the whole row counts as missing.
 inline constexpr Field kLeftLongLine{1, 1};
-/// Left: a start of frame came before the last line; the other rows count as missing.
+/// Left: a start of frame, or in live mode a pause of four line lengths, came before the last line; the rows that did
+/// not come count as missing.
 inline constexpr Field kLeftMissingLine{2, 1};
 /// Left: lines after the last one of the frame, without a start of frame.
 inline constexpr Field kLeftMissingStart{3, 1};
-/// No pixel from the left camera for TIMEOUT clocks; in live mode already for four line lengths within a frame.
+/// No pixel from the left camera for TIMEOUT clocks; in live mode also: it did not come when the right one was 12 rows
+/// into the frame.
 inline constexpr Field kLeftSilent{4, 1};
 /// Left camera in live mode: pixels came that could not be stored.
 inline constexpr Field kLeftOverflow{5, 1};
@@ -456,11 +458,13 @@ inline constexpr Access kAccess = Access::kReadOnly;
 inline constexpr Field kLeftShortLine{0, 1};
 /// A line of the left camera had too many pixels; the whole row counts as missing.
 inline constexpr Field kLeftLongLine{1, 1};
-/// Left: a start of frame came before the last line; the other rows count as missing.
+/// Left: a start of frame, or in live mode a pause of four line lengths, came before the last line; the rows that did
+/// not come count as missing.
 inline constexpr Field kLeftMissingLine{2, 1};
 /// Left: lines after the last one of the frame, without a start of frame.
 inline constexpr Field kLeftMissingStart{3, 1};
-/// No pixel from the left camera for TIMEOUT clocks; in live mode already for four line lengths within a frame.
+/// No pixel from the left camera for TIMEOUT clocks; in live mode also: it did not come when the right one was 12 rows
+/// into the frame.
 inline constexpr Field kLeftSilent{4, 1};
 /// Left camera in live mode: pixels came that could not be stored.
 inline constexpr Field kLeftOverflow{5, 1};

@@ -1,0 +1,508 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program from outside: exit status, messages, files, and nothing left behind after an error.
+#include <fcntl.h>
+#include <spawn.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+extern char** environ;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class Sandbox {
+ public:
+  Sandbox() {
+    std::string name = (fs::temp_directory_path() / "horopter-cli-XXXXXX").string();
+    REQUIRE(::mkdtemp(name.data()) != nullptr);
+    path_ = name;
+  }
+  ~Sandbox() {
+    std::error_code error;
+    fs::remove_all(path_, error);
+  }
+  Sandbox(const Sandbox&) = delete;
+  Sandbox& operator=(const Sandbox&) = delete;
+
+  fs::path operator/(const std::string& name) const { return path_ / name; }
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ / name, std::ios::binary) << text;
+    return (path_ / name).string();
+  }
+  std::string read(const std::string& name) const {
+    std::ifstream stream(path_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+  std::set<std::string> files() const {
+    std::set<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(path_))
+      names.insert(fs::relative(entry.path(), path_).string());
+    return names;
+  }
+
+  struct Result {
+    int status = -1;
+    std::string out;
+    std::string err;
+  };
+  /// Runs the program in the sandbox, with its standard input closed: it must not ask questions.
+  Result run(std::vector<std::string> arguments) const {
+    const fs::path streams = fs::temp_directory_path() / ("horopter-cli-streams-" + std::to_string(::getpid()));
+    fs::create_directories(streams);
+    const std::string out = (streams / "out").string();
+    const std::string err = (streams / "err").string();
+    arguments.insert(arguments.begin(), HOROPTER_PROGRAM);
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_addchdir_np(&actions, path_.c_str());
+    pid_t child = 0;
+    REQUIRE(::posix_spawn(&child, HOROPTER_PROGRAM, &actions, nullptr, argv.data(), environ) == 0);
+    posix_spawn_file_actions_destroy(&actions);
+    int status = 0;
+    REQUIRE(::waitpid(child, &status, 0) == child);
+    REQUIRE(WIFEXITED(status));
+    const auto text = [](const std::string& file) {
+      std::ifstream stream(file, std::ios::binary);
+      return std::string(std::istreambuf_iterator<char>(stream), {});
+    };
+    Result result{WEXITSTATUS(status), text(out), text(err)};
+    fs::remove_all(streams);
+    return result;
+  }
+
+ private:
+  fs::path path_;
+};
+
+/// Smoothed noise, so that directions mean something.
+cv::Mat textured(int width, int height, std::uint64_t seed) {
+  cv::Mat image(height, width, CV_8UC1);
+  cv::RNG random(seed);
+  random.fill(image, cv::RNG::UNIFORM, 20, 236);
+  cv::GaussianBlur(image, image, {5, 5}, 1.0);
+  return image;
+}
+
+/// The right image in which a block of the left one appears on the skin, displaced by (dx, dy); the rest lies
+/// elsewhere.
+cv::Mat right_of(const cv::Mat& left, cv::Rect block, int dx, int dy) {
+  cv::Mat right = textured(left.cols, left.rows, 4711);
+  left(block).copyTo(right(block + cv::Point(dx, dy)));
+  return right;
+}
+
+constexpr const char* kSkin =
+    "surface:\n  type: homography\n  matrix:\n    - [1, 0, -10]\n    - [0, 1, 4]\n    - [0, 0, 1]\n";
+const cv::Rect kBlock(60, 30, 70, 50);
+
+/// Pairs left0.png, right0.png, … of 200x120 pixels with a block on the skin, and the skin.
+Sandbox& with_pairs(Sandbox& box, int pairs = 1) {
+  box.write("skin.yaml", kSkin);
+  for (int i = 0; i < pairs; ++i) {
+    const cv::Mat left = textured(200, 120, static_cast<std::uint64_t>(i) + 1);
+    cv::imwrite((box / ("left" + std::to_string(i) + ".png")).string(), left);
+    cv::imwrite((box / ("right" + std::to_string(i) + ".png")).string(), right_of(left, kBlock, -10, 4));
+  }
+  return box;
+}
+
+std::vector<std::string> run_arguments(const std::string& left = "left0.png", const std::string& right = "right0.png",
+                                       const std::string& skin = "skin.yaml") {
+  return {"run", "--left", left, "--right", right, "--skin", skin, "--out", "out"};
+}
+
+std::vector<std::string> operator+(std::vector<std::string> a, const std::vector<std::string>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+/// An input error: status 3, one line that names file and expectation, nothing written.
+void check_bad_file(const Sandbox& box, const std::vector<std::string>& arguments, const std::string& file,
+                    const std::string& message) {
+  const auto before = box.files();
+  const auto result = box.run(arguments);
+  CAPTURE(result.err);
+  CHECK(result.status == 3);
+  CHECK(result.out.empty());
+  CHECK_THAT(result.err, Catch::StartsWith("horopter: ") && Catch::Contains(file) && Catch::Contains(message) &&
+                             Catch::Contains("expected"));
+  CHECK(box.files() == before);
+}
+
+}  // namespace
+
+TEST_CASE("run writes states, overlays and summary") {
+  Sandbox box;
+  with_pairs(box, 2);
+  const auto result =
+      box.run({"run", "--left", "left*.png", "--right", "right*.png", "--skin", "skin.yaml", "--out", "out"});
+  CAPTURE(result.err);
+  REQUIRE(result.status == 0);
+  CHECK(result.err.empty());
+  CHECK(box.files().contains("out/frame-0001-overlay.png"));
+  CHECK(box.files().size() == 5 + 1 + 5);
+
+  const auto summary = nlohmann::json::parse(box.read("out/summary.json"));
+  CHECK(summary["engine"] == "native");
+  CHECK(summary["profile"] == "vga");
+  REQUIRE(summary["frames"].size() == 2);
+  for (int i = 0; i < 2; ++i) {
+    const auto& frame = summary["frames"][static_cast<std::size_t>(i)];
+    const std::string number = std::to_string(i);
+    CHECK(frame["frame"] == i);
+    CHECK(frame["left"] == "left" + number + ".png");
+    CHECK(frame["right"] == "right" + number + ".png");
+    CHECK(frame["table"] == 0);
+    CHECK(frame["table_crc"].get<std::string>().size() == 8);
+    CHECK(frame["alarm"] == true);
+    CHECK(frame["safe"] == false);
+    CHECK(frame["faults"].empty());
+    CHECK(!frame.contains("cycles"));
+
+    // The picture agrees with the numbers.
+    const cv::Mat state = cv::imread((box / ("out/frame-000" + number + "-state.png")).string(), cv::IMREAD_UNCHANGED);
+    REQUIRE(state.type() == CV_8UC1);
+    REQUIRE(state.size() == cv::Size(200, 120));
+    CHECK(cv::countNonZero(state == 255) == frame["skin_pixels"].get<int>());
+    CHECK(cv::countNonZero(state == 128) == frame["undecidable_pixels"].get<int>());
+    CHECK(cv::countNonZero(state == 64) == frame["unsupervised_pixels"].get<int>());
+    int pixels = 0;
+    for (const auto& region : frame["regions"]) pixels += region["pixels"].get<int>();
+    CHECK(pixels == frame["skin_pixels"].get<int>());
+    const auto& region = frame["regions"][0];
+    const cv::Rect found(region["x"], region["y"], region["width"], region["height"]);
+    CHECK((found & kBlock).area() * 10 > 8 * (found | kBlock).area());
+
+    const cv::Mat overlay = cv::imread((box / ("out/frame-000" + number + "-overlay.png")).string());
+    CHECK(overlay.cols == 600);
+  }
+}
+
+TEST_CASE("run --json prints the summary and nothing else") {
+  Sandbox box;
+  with_pairs(box);
+  const auto result = box.run(run_arguments() + std::vector<std::string>{"--json", "--no-overlay"});
+  CHECK(result.status == 0);
+  CHECK(nlohmann::json::parse(result.out) == nlohmann::json::parse(box.read("out/summary.json")));
+  CHECK(!fs::exists(box / "out/frame-0000-overlay.png"));
+}
+
+TEST_CASE("Thresholds and limits change what they name") {
+  Sandbox box;
+  with_pairs(box);
+  const auto frame = [&](const std::vector<std::string>& more) {
+    const auto result = box.run(run_arguments() + more + std::vector<std::string>{"--json"});
+    CAPTURE(result.err);
+    CHECK((result.status == 0 || result.status == 4));
+    return nlohmann::json::parse(result.out)["frames"][0];
+  };
+  const auto normal = frame({});
+  CHECK(frame({"--threshold", "0"})["skin_pixels"].get<int>() < normal["skin_pixels"].get<int>());
+  CHECK(frame({"--threshold", "60"})["skin_pixels"].get<int>() > normal["skin_pixels"].get<int>());
+  CHECK(frame({"--texture", "200"})["undecidable_pixels"].get<int>() > normal["undecidable_pixels"].get<int>());
+  const auto high = frame({"--alarm-limit", "90"});
+  CHECK(high["alarm"] == false);
+  CHECK(high["safe"] == true);
+  const auto blind = frame({"--unsupervised-limit", "1"});
+  CHECK(blind["faults"] == nlohmann::json{"too_unsupervised"});
+  CHECK(blind["safe"] == false);
+}
+
+TEST_CASE("A fault of a frame is exit status 4, with the results written") {
+  Sandbox box;
+  with_pairs(box);
+  fs::copy_file(box / "left0.png", box / "left1.png");
+  fs::copy_file(box / "right0.png", box / "right1.png");
+  const auto result = box.run({"run", "--left", "left0.png", "left1.png", "--right", "right0.png", "right1.png",
+                               "--skin", "skin.yaml", "--out", "out"});
+  CHECK(result.status == 4);
+  CHECK_THAT(result.err, Catch::Contains("fault"));
+  const auto summary = nlohmann::json::parse(box.read("out/summary.json"));
+  CHECK(summary["frames"][0]["faults"].empty());
+  CHECK(summary["frames"][1]["faults"] == nlohmann::json({"left_frozen", "right_frozen"}));
+  CHECK(summary["frames"][1]["safe"] == false);
+  CHECK(fs::exists(box / "out/frame-0001-state.png"));
+}
+
+TEST_CASE("A skin that the right camera does not see is a fault, not safe") {
+  Sandbox box;
+  with_pairs(box);
+  box.write("far.yaml", "surface:\n  type: homography\n  matrix: [[1, 0, 0], [0, 1, 400], [0, 0, 1]]\n");
+  const auto result = box.run(run_arguments("left0.png", "right0.png", "far.yaml"));
+  CHECK(result.status == 4);
+  CHECK_THAT(box.read("out/summary.json"), Catch::Contains("too_unsupervised"));
+}
+
+TEST_CASE("Profile field makes two fields of an image, at half the width") {
+  Sandbox box;
+  with_pairs(box);
+  const auto result = box.run(run_arguments() + std::vector<std::string>{"--profile", "field"});
+  CAPTURE(result.err);
+  REQUIRE(result.status == 0);
+  const auto summary = nlohmann::json::parse(box.read("out/summary.json"));
+  CHECK(summary["profile"] == "field");
+  REQUIRE(summary["frames"].size() == 2);
+  CHECK(summary["frames"][0]["field"] == "even");
+  CHECK(summary["frames"][1]["field"] == "odd");
+  CHECK(summary["frames"][1]["table"] == 1);
+  CHECK(cv::imread((box / "out/frame-0001-state.png").string(), cv::IMREAD_UNCHANGED).size() == cv::Size(100, 60));
+}
+
+TEST_CASE("Directories, videos and tables are inputs, too") {
+  Sandbox box;
+  with_pairs(box, 3);
+  fs::create_directory(box / "l");
+  fs::create_directory(box / "r");
+  for (int i = 0; i < 3; ++i) {
+    const std::string number = std::to_string(i);
+    fs::copy_file(box / ("left" + number + ".png"), box / ("l/" + number + ".png"));
+    fs::copy_file(box / ("right" + number + ".png"), box / ("r/" + number + ".png"));
+  }
+  auto result = box.run(run_arguments("l", "r"));
+  CHECK(result.status == 0);
+  const auto summary = nlohmann::json::parse(box.read("out/summary.json"));
+  CHECK(summary["frames"].size() == 3);
+
+  REQUIRE(box.run({"map", "--skin", "skin.yaml", "--profile", "vga", "--size", "200x120", "-o", "skin.hmap"}).status ==
+          0);
+  result = box.run(run_arguments("l", "r", "skin.hmap"));
+  CHECK(result.status == 0);
+  CHECK(nlohmann::json::parse(box.read("out/summary.json")) == summary);
+
+  cv::VideoWriter left((box / "left.avi").string(), cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 10, {200, 120});
+  cv::VideoWriter right((box / "right.avi").string(), cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 10, {200, 120});
+  REQUIRE(left.isOpened());
+  for (int i = 0; i < 3; ++i) {
+    const std::string number = std::to_string(i);
+    left.write(cv::imread((box / ("left" + number + ".png")).string()));
+    right.write(cv::imread((box / ("right" + number + ".png")).string()));
+  }
+  left.release();
+  right.release();
+  result = box.run(run_arguments("left.avi", "right.avi"));
+  CAPTURE(result.err);
+  CHECK(result.status == 0);
+  const auto video = nlohmann::json::parse(box.read("out/summary.json"));
+  REQUIRE(video["frames"].size() == 3);
+  CHECK(video["frames"][2]["left"] == "left.avi#2");
+  CHECK(video["frames"][2]["alarm"] == true);
+  CHECK(box.run(run_arguments("left.avi", "right.avi") + std::vector<std::string>{"--frames", "2"}).status == 0);
+  CHECK(nlohmann::json::parse(box.read("out/summary.json"))["frames"].size() == 2);
+  CHECK(!fs::exists(box / "out/frame-0002-state.png"));  // of the run before
+  fs::resize_file(box / "right.avi", fs::file_size(box / "right.avi") / 2);
+  check_bad_file(box, run_arguments("left.avi", "right.avi"), "right.avi", "truncated");
+}
+
+TEST_CASE("Bad images are exit status 3, with nothing left behind") {
+  Sandbox box;
+  with_pairs(box);
+  const auto bad = [&](const std::string& file, const std::string& message) {
+    check_bad_file(box, run_arguments("left0.png", file), file, message);
+    if (message != "200x120") check_bad_file(box, run_arguments(file, "right0.png"), file, message);
+  };
+  bad("none.png", "no such file");
+  bad("none*.png", "no file matches");
+  box.write("empty.png", "");
+  bad("empty.png", "empty");
+  box.write("text.png", "This is not an image, whatever its name says.");
+  bad("text.png", "not an image");
+  const std::string whole = box.read("right0.png");
+  box.write("cut.png", whole.substr(0, whole.size() / 2));
+  bad("cut.png", "truncated");
+  const cv::Mat image = textured(200, 120, 5);
+  for (const std::string extension : {".jpg", ".pgm", ".bmp", ".tiff"}) {
+    const std::string name = "cut" + extension;
+    cv::imwrite((box / name).string(), image);
+    const std::string bytes = box.read(name);
+    box.write(name, bytes.substr(0, bytes.size() - bytes.size() / 3));
+    bad(name, "truncated");
+  }
+  cv::imwrite((box / "deep.png").string(), cv::Mat(120, 200, CV_16UC1, cv::Scalar(500)));
+  bad("deep.png", "16 bits");
+  cv::imwrite((box / "small.png").string(), textured(100, 120, 6));
+  bad("small.png", "200x120");
+  fs::create_directory(box / "directory");
+  bad("directory", "no image in this directory");
+  cv::imwrite((box / "tiny.png").string(), textured(24, 12, 6));
+  check_bad_file(box, run_arguments("tiny.png", "tiny.png"), "tiny.png", "at least 32x16");
+  cv::imwrite((box / "large.png").string(), textured(1930, 120, 6));
+  check_bad_file(box, run_arguments("large.png", "large.png"), "large.png", "at most");
+  cv::imwrite((box / "wide.png").string(), textured(700, 120, 6));
+  check_bad_file(box, run_arguments("wide.png", "wide.png") + std::vector<std::string>{"--profile", "vga"}, "wide.png",
+                 "at most 640x480 for profile vga");
+  cv::imwrite((box / "odd.png").string(), textured(200, 121, 6));
+  check_bad_file(box, run_arguments("odd.png", "odd.png") + std::vector<std::string>{"--profile", "field"}, "odd.png",
+                 "even");
+  // The second pair is bad: the first one's results do not stay.
+  check_bad_file(box,
+                 {"run", "--left", "left0.png", "left0.png", "--right", "right0.png", "cut.png", "--skin", "skin.yaml",
+                  "--out", "deep/out", "--json"},
+                 "cut.png", "truncated");
+  check_bad_file(
+      box, {"run", "--left", "left0.png", "left0.png", "--right", "right0.png", "--skin", "skin.yaml", "--out", "out"},
+      "right0.png", "2 left images but 1 right");
+  // The place for the results is a file.
+  check_bad_file(box,
+                 {"run", "--left", "left0.png", "--right", "right0.png", "--skin", "skin.yaml", "--out", "skin.yaml"},
+                 "skin.yaml", "this is a file");
+}
+
+TEST_CASE("A JPEG that its decoder still shows is refused when it is truncated") {
+  Sandbox box;
+  with_pairs(box);
+  cv::imwrite((box / "whole.jpg").string(), textured(200, 120, 1));
+  const std::string bytes = box.read("whole.jpg");
+  for (const std::size_t cut : {std::size_t{2}, bytes.size() / 4}) {
+    box.write("cut.jpg", bytes.substr(0, bytes.size() - cut));
+    CHECK(!cv::imread((box / "cut.jpg").string(), cv::IMREAD_GRAYSCALE).empty());
+    check_bad_file(box, run_arguments("cut.jpg", "right0.png"), "cut.jpg", "truncated");
+  }
+  box.write("cut.jpg", bytes.substr(0, bytes.size() / 2) + "\xFF\xD9");
+  check_bad_file(box, run_arguments("cut.jpg", "right0.png"), "cut.jpg", "truncated");
+}
+
+TEST_CASE("Bad skins and rigs are exit status 3") {
+  Sandbox box;
+  with_pairs(box);
+  const auto bad = [&](const std::string& yaml, const std::string& message) {
+    box.write("bad.yaml", yaml);
+    check_bad_file(box, run_arguments("left0.png", "right0.png", "bad.yaml"), "bad.yaml", message);
+    check_bad_file(box, {"map", "--skin", "bad.yaml", "--profile", "vga", "-o", "bad.hmap"}, "bad.yaml", message);
+  };
+  bad("surface: [", "line");
+  bad("", "empty");
+  bad("surface:\n  type: ellipsoid\n", "not supported yet");
+  bad("surface:\n  type: homography\n  matrix: [[1, 0, 0], [2, 0, 0], [0, 0, 1]]\n", "singular");
+  bad("surface:\n  type: homography\n  matrix: [[1, 0, 0], [0, .nan, 0], [0, 0, 1]]\n", "finite");
+  bad("surface:\n  type: homography\n  matrix: [[1, 0, 0], [0, 1, 0], [0, 0, .inf]]\n", "finite");
+  bad("surface:\n  type: homography\n  matrix: [[1, 0], [0, 1]]\n", "3 rows of 3 numbers");
+  check_bad_file(box, run_arguments("left0.png", "right0.png", "none.yaml"), "none.yaml", "no such file");
+  check_bad_file(box, run_arguments() + std::vector<std::string>{"--rig", "none.yaml"}, "none.yaml", "no such file");
+  box.write("rig.yaml", "cameras: [");
+  check_bad_file(box, run_arguments() + std::vector<std::string>{"--rig", "rig.yaml"}, "rig.yaml", "not YAML");
+}
+
+TEST_CASE("Wrong usage is exit status 2") {
+  Sandbox box;
+  with_pairs(box);
+  const auto before = box.files();
+  for (const auto& arguments : std::vector<std::vector<std::string>>{
+           {},
+           {"fly"},
+           {"run"},
+           {"run", "--left", "left0.png"},
+           run_arguments() + std::vector<std::string>{"--profile", "pal"},
+           run_arguments() + std::vector<std::string>{"--engine", "analogue"},
+           run_arguments() + std::vector<std::string>{"--threshold", "101"},
+           run_arguments() + std::vector<std::string>{"--threshold", "many"},
+           run_arguments() + std::vector<std::string>{"--colour", "red"},
+           {"map"},
+           {"map", "--skin", "skin.yaml", "-o", "x.hmap"},
+           {"map", "--skin", "skin.yaml", "--profile", "pal", "-o", "x.hmap"},
+           {"map", "--skin", "skin.yaml", "--profile", "vga"},
+           {"map", "--skin", "skin.yaml", "--profile", "vga", "--size", "big", "-o", "x.hmap"},
+           {"map", "--skin", "skin.yaml", "--profile", "vga", "--size", "900x900", "-o", "x.hmap"},
+           {"map", "--inspect", "x.hmap", "--skin", "skin.yaml"}}) {
+    CAPTURE(arguments);
+    const auto result = box.run(arguments);
+    CAPTURE(result.err);
+    CHECK(result.status == 2);
+    CHECK(!result.err.empty());
+    CHECK(box.files() == before);
+  }
+  CHECK_THAT(box.run(run_arguments() + std::vector<std::string>{"--profile", "pal"}).err,
+             Catch::Contains("unknown profile 'pal'") && Catch::Contains("field, vga, hd"));
+}
+
+TEST_CASE("Help suffices") {
+  Sandbox box;
+  for (const auto& arguments : std::vector<std::vector<std::string>>{{"--help"}, {"run", "--help"}, {"map", "-h"}}) {
+    const auto result = box.run(arguments);
+    CHECK(result.status == 0);
+    CHECK(result.err.empty());
+    CHECK_THAT(result.out, Catch::Contains("Usage: horopter"));
+  }
+  CHECK_THAT(box.run({"--help"}).out, Catch::Contains("Exit status"));
+  CHECK_THAT(box.run({"run", "--help"}).out, Catch::Contains("--alarm-limit") && Catch::Contains("Example"));
+  CHECK(box.run({"--version"}).out == HOROPTER_VERSION "\n");
+}
+
+TEST_CASE("map makes, explains and draws tables") {
+  Sandbox box;
+  with_pairs(box);
+  auto result = box.run({"map", "--skin", "skin.yaml", "--profile", "field", "-o", "skin.hmap", "--draw", "map.png"});
+  CAPTURE(result.err);
+  REQUIRE(result.status == 0);
+  CHECK(cv::imread((box / "map.png").string()).size() == cv::Size(756, 572));
+  result = box.run({"map", "--inspect", "skin.hmap"});
+  CHECK(result.status == 0);
+  CHECK_THAT(result.out, Catch::Contains("even field") && Catch::Contains("CRC-32") && Catch::Contains("LOOKAHEAD"));
+  result = box.run({"map", "--inspect", "skin.hmap", "--json"});
+  CHECK(result.status == 0);
+  const auto json = nlohmann::json::parse(result.out);
+  CHECK(json["profile"] == "field");
+  CHECK(json["tables"].size() == 2);
+  CHECK(json["tables"][0]["error_largest_px"].get<double>() <= 0.25);
+
+  const std::string bytes = box.read("skin.hmap");
+  const auto bad = [&](const std::string& altered, const std::string& message) {
+    box.write("bad.hmap", altered);
+    check_bad_file(box, {"map", "--inspect", "bad.hmap"}, "bad.hmap", message);
+  };
+  bad(bytes.substr(0, bytes.size() - 5), "truncated");
+  bad(bytes.substr(0, 10), "truncated");
+  std::string altered = bytes;
+  altered[bytes.size() / 2] ^= 1;
+  bad(altered, "CRC");
+  altered = bytes;
+  altered[4] = 9;
+  bad(altered, "version 9");
+  bad("not a table", "not a mapping table");
+  check_bad_file(box, {"map", "--inspect", "none.hmap"}, "none.hmap", "no such file");
+  // For another profile, and for another size.
+  check_bad_file(box, run_arguments("left0.png", "right0.png", "skin.hmap"), "skin.hmap", "a table for profile field");
+  check_bad_file(box,
+                 run_arguments("left0.png", "right0.png", "skin.hmap") + std::vector<std::string>{"--profile", "field"},
+                 "skin.hmap", "756x572");
+}
+
+TEST_CASE("A skin that needs more rows than the store holds is refused with the number") {
+  Sandbox box;
+  with_pairs(box);
+  box.write("steep.yaml", "surface:\n  type: homography\n  matrix: [[1, 0, 0], [0.3, 1, 0], [0, 0, 1]]\n");
+  check_bad_file(box, {"map", "--skin", "steep.yaml", "--profile", "vga", "-o", "x.hmap"}, "steep.yaml",
+                 "holds 128 rows");
+}
+
+TEST_CASE("Correspondences make a skin") {
+  Sandbox box;
+  with_pairs(box);
+  std::string yaml = "surface:\n  type: correspondences\n  points:\n";
+  for (const auto& [x, y] : {std::pair{20, 10}, {180, 12}, {175, 100}, {25, 95}, {100, 50}}) {
+    yaml += "    - {left: [" + std::to_string(x) + ", " + std::to_string(y) + "], right: [" + std::to_string(x - 10) +
+            ", " + std::to_string(y + 4) + "]}\n";
+  }
+  box.write("points.yaml", yaml);
+  REQUIRE(box.run(run_arguments("left0.png", "right0.png", "points.yaml")).status == 0);
+  CHECK(nlohmann::json::parse(box.read("out/summary.json"))["frames"][0]["alarm"] == true);
+}
