@@ -385,8 +385,13 @@ class Symbolic::Run {
     const std::size_t n = a.size();
     const auto power = [&]() -> std::optional<unsigned> {
       const auto* divisor = llvm::dyn_cast<llvm::ConstantInt>(binary.getOperand(1));
-      if (divisor == nullptr || !divisor->getValue().isPowerOf2()) return std::nullopt;
-      return divisor->getValue().logBase2();
+      if (divisor == nullptr) return std::nullopt;
+      const llvm::APInt& by = divisor->getValue();
+      if (by.isPowerOf2()) return by.logBase2();
+      // InstCombine writes a subtracted quotient as an added one of the negated divisor.
+      const bool is_signed = binary.getOpcode() == Instruction::SDiv || binary.getOpcode() == Instruction::SRem;
+      if (is_signed && by.isNegatedPowerOf2()) return (-by).logBase2();
+      return std::nullopt;
     };
     switch (binary.getOpcode()) {
       case Instruction::Add: return builder_.add(a, b);
@@ -412,7 +417,10 @@ class Symbolic::Run {
         // Rounds towards zero: a negative dividend is first raised by 2^k - 1.
         const Bits bias = Builder::zero_extend(Bits(*k, a.back()), n), raised = builder_.add(a, bias);
         const Bits quotient = Builder::sign_extend(Builder::slice(raised, *k, n - *k), n);
-        if (binary.getOpcode() == Instruction::SDiv) return quotient;
+        if (binary.getOpcode() == Instruction::SDiv) {
+          const bool negate = llvm::cast<llvm::ConstantInt>(binary.getOperand(1))->isNegative();
+          return negate ? builder_.sub(Builder::constant(0, n), quotient) : quotient;
+        }
         Bits multiple = raised;
         std::fill_n(multiple.begin(), *k, kZero);
         return builder_.sub(a, multiple);

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace hlsc::test {
+
+/// A header with a class `random_stage::Stage` that is free of undefined behaviour and uses what hlsc supports:
+/// branches, loops, switches, arrays, structures, pointers, memories, tables. The same seed gives the same text.
+std::string random_stage(std::uint64_t seed);
+
+}  // namespace hlsc::test
