@@ -1148,7 +1148,7 @@ module horopter_top (
       .FAULTS(FAULTS)
   ) u_frame_control (
       .clk_i(clk_i),
-      .rst_ni(core_rst_n),
+      .rst_ni(core_rst_n && rst_ni),  // at once, not a clock later
       .safe_allowed_i(!test_input),
       .timeout_i(timeout),
       .open_i(frame_open),
