@@ -25,12 +25,11 @@ void bench(const std::string& name) {
   Rng rng{name};
   const auto model = HOROPTER_TB_MAKE_MODEL(rng.next());
   Dut& dut = model->dut("horopter_" + name);
-  RasterStimulus<Stage> feed{Rng{rng.next()}, horopter::hls::min_row_beats,
-                             static_cast<unsigned>(kProfile.result_width()), dut.memories.empty()};
-  StageBench<Stage, RasterStimulus<Stage>> stage_bench{*model, dut, rng.next(), feed};
+  RasterStimulus stimulus{Rng{rng.next()}, dut, horopter::hls::min_row_beats,
+                          static_cast<unsigned>(kProfile.result_width())};
   BenchOptions options;
   options.beats = 120'000;
-  const BenchReport report = stage_bench.run(options);
+  const BenchReport report = run_stage_bench<Stage>(*model, dut, stimulus, rng, options);
   CAPTURE(report.clocks, report.beats, report.outputs, report.gaps, report.stalls, report.resets,
           report.resets_in_flight);
   CHECK(report.failure == "");

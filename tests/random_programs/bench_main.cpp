@@ -15,12 +15,14 @@ namespace {
 template <class Program>
 bool bench(horopter::tb::DutModel& model, const char* name, std::uint64_t beats) {
   const std::uint64_t seed = std::strtoull(name + 1, nullptr, 10);  // P<seed>
-  horopter::tb::StageBench<Program> stage_bench{model, model.dut(std::string{"horopter_"} + name), seed};
+  horopter::tb::Rng rng{seed};
+  horopter::tb::Dut& dut = model.dut(std::string{"horopter_"} + name);
+  horopter::tb::RandomStimulus stimulus{horopter::tb::Rng{rng.next()}, dut};
   horopter::tb::BenchOptions options;
   options.beats = beats;
   options.reset_one_in = 2'000;
   options.config_one_in = 1'000;
-  const horopter::tb::BenchReport report = stage_bench.run(options);
+  const horopter::tb::BenchReport report = horopter::tb::run_stage_bench<Program>(model, dut, stimulus, rng, options);
   std::printf("%s %s beats=%llu outputs=%llu clocks=%llu resets=%llu in_flight=%llu %s\n", name,
               report.failure.empty() ? "ok" : "FAILED", static_cast<unsigned long long>(report.beats),
               static_cast<unsigned long long>(report.outputs), static_cast<unsigned long long>(report.clocks),

@@ -159,6 +159,17 @@ class Generator {
     add_inputs("in", in_);
     add_inputs("config", config_);
 
+    // Registers that depend on inputs only, so that addresses and enables of memories may use them: a recurrence cannot
+    // pass through a memory, which takes a clock to read.
+    const int controls = pick(3);
+    for (int n = 0; n < controls; ++n) {
+      const Variable v{"k" + to_string(n) + "_", chance(30) ? kBool : u(1 + pick(8)), false};
+      members_ += "  " + v.type.name() + " " + v.name + "{" + literal(v.type) + "};\n";
+      controls_.push_back(v);
+    }
+    for (const Variable& v : controls_) control_updates_ += "    " + v.name + " = " + deferred_of(v.type) + ";\n";
+    state_ = controls_;
+
     const int registers = 1 + pick(5);
     for (int n = 0; n < registers; ++n) {
       const Variable v{"r" + to_string(n) + "_", value_type(), true};
@@ -631,21 +642,26 @@ class Generator {
     rams_.push_back({begin, end, data, word_type, word_struct});
   }
 
-  /// Expressions at the place of a memory's first access: of inputs and registers only.
+  /// Addresses and enables of memories: of inputs and controls only.
   std::string deferred(int depth) { return deferred_of(kBool, depth); }
   std::string deferred_of(Type type, int depth = 2) {
     budget_ = 12;
-    const auto kept = std::exchange(locals_, {});
+    const auto locals = std::exchange(locals_, {});
+    const auto state = std::exchange(state_, controls_);
+    const auto arrays = std::exchange(arrays_, {});
     const std::string text = of(type, depth);
-    locals_ = kept;
+    locals_ = locals;
+    state_ = state;
+    arrays_ = arrays;
     return text;
   }
+  /// A word written before the first read of the step: of what exists at that place.
   template <class F>
   std::string deferred_word(F&& word_expression) {
     budget_ = 12;
-    const auto kept = std::exchange(locals_, {});
+    const auto locals = std::exchange(locals_, {});
     const std::string text = word_expression(2);
-    locals_ = kept;
+    locals_ = locals;
     return text;
   }
 
@@ -815,6 +831,7 @@ class Generator {
     }
     for (const StructVariable& v : struct_state_)
       add_fields(v.name, structs_[static_cast<std::size_t>(v.type)].fields, true, state_);
+    text += control_updates_;
     for (const Ram& ram : rams_) {
       text += ram.begin;
       if (ram.word_struct >= 0) {
@@ -836,7 +853,7 @@ class Generator {
         text += "    " + v.name + (v.type.fixed() && chance(20) ? " += " + fixed(any(3)).text : " = " + of(v.type, 4)) +
                 ";\n";
     }
-    if (has_valid) text += "    out.valid = " + condition(3) + ";\n";
+    if (has_valid) text += "    out.valid = " + condition(3) + (chance(70) ? " || " + of(kBool, 0) : "") + ";\n";
     return text + "    return out;\n";
   }
 
@@ -862,7 +879,8 @@ class Generator {
   std::vector<StructVariable> struct_state_, struct_locals_;
   std::vector<Function> functions_;
   std::vector<Ram> rams_;
-  std::string members_;
+  std::vector<Variable> controls_;
+  std::string members_, control_updates_;
 };
 
 }  // namespace
