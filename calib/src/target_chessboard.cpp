@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: Apache-2.0
+// Chessboards: found by OpenCV, their corners fitted as the crossing of two blurred edges.
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "target_internal.hpp"
+
+namespace horopter::calib::detail {
+namespace {
+
+using Eigen::Vector2d;
+using Reason = TargetError::Reason;
+
+struct Board {
+  int columns, rows;
+  std::vector<Vector2d> corners;  ///< row by row
+  const Vector2d& at(int x, int y) const { return corners[static_cast<std::size_t>(y) * columns + x]; }
+};
+
+std::optional<Board> find_board(const cv::Mat& grey, int columns, int rows, bool thorough) {
+  std::vector<cv::Point2f> found;
+  const int flags = cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE;
+  bool ok = cv::findChessboardCorners(grey, cv::Size(columns, rows), found, flags | cv::CALIB_CB_FAST_CHECK);
+  if (!ok && thorough) ok = cv::findChessboardCorners(grey, cv::Size(columns, rows), found, flags);
+  if (!ok) return std::nullopt;
+  Board board{columns, rows, {}};
+  for (const cv::Point2f& p : found) board.corners.emplace_back(p.x, p.y);
+  return board;
+}
+
+/// Neighbour steps at a corner, one square along x and y.
+std::pair<Vector2d, Vector2d> steps(const Board& board, int x, int y) {
+  const int xl = std::max(0, x - 1);
+  const int xr = std::min(board.columns - 1, x + 1);
+  const int yu = std::max(0, y - 1);
+  const int yl = std::min(board.rows - 1, y + 1);
+  return {(board.at(xr, y) - board.at(xl, y)) / (xr - xl), (board.at(x, yl) - board.at(x, yu)) / (yl - yu)};
+}
+
+/// Corners that a longer board would have beyond one of its sides.
+struct Beyond {
+  int crossings = 0;  ///< are corners
+  int outside = 0;    ///< lie outside the image, or too near its border
+  int places = 0;
+};
+Beyond look_beyond(const GreyImage& image, const Board& board, int side) {
+  Beyond result;
+  const bool vertical = side % 2 == 1;
+  const int n = vertical ? board.columns : board.rows;
+  for (int i = 0; i < n; ++i) {
+    const int x = vertical ? i : side == 0 ? 0 : board.columns - 1;
+    const int y = vertical ? side == 1 ? 0 : board.rows - 1 : i;
+    const auto [along_x, along_y] = steps(board, x, y);
+    const Vector2d outward =
+        vertical ? Vector2d(along_y * (side == 1 ? -1 : 1)) : Vector2d(along_x * (side == 0 ? -1 : 1));
+    const Vector2d p = board.at(x, y) + outward;
+    ++result.places;
+    // All four squares around the place.
+    const Vector2d far = p + outward;
+    if (far.x() < 0 || far.y() < 0 || far.x() > image.width - 1 || far.y() > image.height - 1) {
+      ++result.outside;
+      continue;
+    }
+    // Black and white change at a crossing; at the border of a board three of four squares are white.
+    const auto contrast = [&](const Vector2d& at) {
+      std::array<double, 4> square{};
+      for (int k = 0; k < 4; ++k) {
+        const Vector2d middle = at + 0.3 * (k == 0 || k == 3 ? 1 : -1) * along_x + 0.3 * (k < 2 ? 1 : -1) * along_y;
+        for (int dy = -1; dy <= 1; ++dy)
+          for (int dx = -1; dx <= 1; ++dx)
+            square[k] += image(std::clamp(static_cast<int>(std::lround(middle.x())) + dx, 0, image.width - 1),
+                               std::clamp(static_cast<int>(std::lround(middle.y())) + dy, 0, image.height - 1)) /
+                         9.0;
+      }
+      const double across = (square[0] + square[2] - square[1] - square[3]) / 2;
+      const double uneven = std::max(std::abs(square[0] - square[2]), std::abs(square[1] - square[3]));
+      return uneven < 0.4 * std::abs(across) ? across : 0.0;
+    };
+    const double here = contrast(board.at(x, y));
+    const double there = contrast(p);
+    if (here * there < 0 && std::abs(there) > 0.5 * std::abs(here)) ++result.crossings;
+  }
+  return result;
+}
+
+const char* side_name(const Board& board, int side) {
+  const Vector2d middle = (board.at(0, 0) + board.at(board.columns - 1, board.rows - 1)) / 2;
+  const Vector2d edge =
+      side == 0   ? Vector2d((board.at(0, 0) + board.at(0, board.rows - 1)) / 2)
+      : side == 1 ? Vector2d((board.at(0, 0) + board.at(board.columns - 1, 0)) / 2)
+      : side == 2 ? Vector2d((board.at(board.columns - 1, 0) + board.at(board.columns - 1, board.rows - 1)) / 2)
+                  : Vector2d((board.at(0, board.rows - 1) + board.at(board.columns - 1, board.rows - 1)) / 2);
+  const Vector2d d = edge - middle;
+  if (std::abs(d.x()) > std::abs(d.y())) return d.x() > 0 ? "right" : "left";
+  return d.y() > 0 ? "lower" : "upper";
+}
+
+std::string size_text(int columns, int rows) { return std::to_string(columns) + "x" + std::to_string(rows); }
+
+/// What else is in the image, for the message.
+[[noreturn]] void explain(const cv::Mat& grey, const GreyImage& image, const TargetSpec& spec) {
+  const std::string wanted = size_text(spec.columns, spec.rows);
+  // Sizes near the one asked for, and shorter ones, as of a board that leaves the image.
+  std::vector<cv::Size> sizes;
+  for (int c = spec.columns + 3; c >= 3; --c)
+    for (int r = spec.rows + 3; r >= 3; --r) {
+      const bool near = c >= spec.columns - 2 && r >= spec.rows - 2;
+      const bool cut = (c <= spec.columns && r == spec.rows) || (c == spec.columns && r <= spec.rows);
+      if ((near || cut) && (c != spec.columns || r != spec.rows)) sizes.emplace_back(c, r);
+    }
+  const auto unlike = [&](const cv::Size& size) {
+    return std::abs(size.width - spec.columns) + std::abs(size.height - spec.rows);
+  };
+  std::stable_sort(sizes.begin(), sizes.end(),
+                   [&](const cv::Size& one, const cv::Size& two) { return unlike(one) < unlike(two); });
+  if (cv::checkChessboard(grey, cv::Size(spec.columns, spec.rows))) {
+    for (const cv::Size& size : sizes) {
+      const auto board = find_board(grey, size.width, size.height, false);
+      if (!board) continue;
+      std::string borders;
+      if (size.width <= spec.columns && size.height <= spec.rows)
+        for (int side = 0; side < 4; ++side) {
+          const Beyond beyond = look_beyond(image, *board, side);
+          if (2 * beyond.outside > beyond.places)
+            borders += (borders.empty() ? "" : " and ") + std::string(side_name(*board, side));
+        }
+      if (!borders.empty())
+        throw TargetError(Reason::partly_outside, "the chessboard is partly outside the image: only " +
+                                                      size_text(size.width, size.height) + " of " + wanted +
+                                                      " inner corners are seen, next to the " + borders +
+                                                      " border of the image");
+      throw TargetError(Reason::wrong_size, "wrong pattern size: a chessboard of " +
+                                                size_text(size.width, size.height) + " inner corners found, expected " +
+                                                wanted);
+    }
+    throw TargetError(Reason::hidden, "something like a chessboard found, but not " + wanted +
+                                          " inner corners: it is partly hidden, outside the image or of another size");
+  }
+  throw TargetError(Reason::no_target, "no chessboard of " + wanted + " inner corners found");
+}
+
+}  // namespace
+
+std::optional<Saddle> fit_saddle(const GreyImage& image, const Vector2d& guess_px, const Vector2d& along_x,
+                                 const Vector2d& along_y, double half_px) {
+  if (!guess_px.allFinite()) return std::nullopt;
+  // I = b + g·(p − p0) + a · erf(d1 / √2σ) · erf(d2 / √2σ), d1 and d2 the distances from the two edges.
+  using Parameters = Eigen::Matrix<double, 9, 1>;  // x, y, angle of edge 1, of edge 2, log σ, a, b, gx, gy
+  const int half = static_cast<int>(std::floor(half_px));
+  const int cx = static_cast<int>(std::lround(guess_px.x()));
+  const int cy = static_cast<int>(std::lround(guess_px.y()));
+  if (cx - half < 0 || cy - half < 0 || cx + half >= image.width || cy + half >= image.height) return std::nullopt;
+  struct Pixel {
+    Vector2d p;
+    double value, weight;
+  };
+  std::vector<Pixel> pixels;
+  double low = 1e9;
+  double high = -1e9;
+  for (int y = -half; y <= half; ++y)
+    for (int x = -half; x <= half; ++x) {
+      const double distance = std::hypot(x, y) / (half + 0.5);
+      if (distance >= 1) continue;
+      const double value = image(cx + x, cy + y);
+      // A soft border, so that the result does not jump when the window moves by a pixel.
+      pixels.push_back({Vector2d(x, y), value, std::min(1.0, 3 * (1 - distance))});
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  if (high - low < 10) return std::nullopt;
+
+  Parameters p;
+  const Vector2d start = guess_px - Vector2d(cx, cy);
+  p << start.x(), start.y(), std::atan2(along_x.y(), along_x.x()), std::atan2(along_y.y(), along_y.x()), std::log(0.8),
+      0, (low + high) / 2, 0, 0;
+  const auto evaluate = [&](const Parameters& at, const Pixel& pixel, Parameters* row) {
+    const double sigma = std::exp(at[4]);
+    const double k = 1 / (sigma * std::numbers::sqrt2);
+    const Vector2d d(pixel.p.x() - at[0], pixel.p.y() - at[1]);
+    const double s1 = std::sin(at[2]);
+    const double c1 = std::cos(at[2]);
+    const double s2 = std::sin(at[3]);
+    const double c2 = std::cos(at[3]);
+    const double d1 = -s1 * d.x() + c1 * d.y();  // positive towards along_y
+    const double d2 = s2 * d.x() - c2 * d.y();   // positive towards along_x
+    const double e1 = std::erf(k * d1);
+    const double e2 = std::erf(k * d2);
+    if (row) {
+      const double g1 = 2 / std::sqrt(std::numbers::pi) * k * std::exp(-k * k * d1 * d1);
+      const double g2 = 2 / std::sqrt(std::numbers::pi) * k * std::exp(-k * k * d2 * d2);
+      (*row)[0] = at[5] * (g1 * e2 * s1 - g2 * e1 * s2);
+      (*row)[1] = at[5] * (-g1 * e2 * c1 + g2 * e1 * c2);
+      (*row)[2] = at[5] * g1 * e2 * (-c1 * d.x() - s1 * d.y());
+      (*row)[3] = at[5] * g2 * e1 * (c2 * d.x() + s2 * d.y());
+      (*row)[4] = -at[5] * (g1 * d1 * e2 + g2 * d2 * e1);
+      (*row)[5] = e1 * e2;
+      (*row)[6] = 1;
+      (*row)[7] = pixel.p.x();
+      (*row)[8] = pixel.p.y();
+    }
+    return at[6] + at[7] * pixel.p.x() + at[8] * pixel.p.y() + at[5] * e1 * e2;
+  };
+  // The amplitude's sign, from a linear fit.
+  {
+    Parameters one = p;
+    one[5] = 1;
+    one[6] = 0;
+    double n = 0;
+    double se = 0;
+    double sv = 0;
+    double see = 0;
+    double sev = 0;
+    for (const Pixel& pixel : pixels) {
+      const double e = evaluate(one, pixel, nullptr);
+      n += 1;
+      se += e;
+      sv += pixel.value;
+      see += e * e;
+      sev += e * pixel.value;
+    }
+    p[5] = (sev - se * sv / n) / std::max(1e-9, see - se * se / n);
+    if (std::abs(p[5]) < 3) return std::nullopt;
+  }
+  using Matrix = Eigen::Matrix<double, 9, 9>;
+  struct System {
+    Matrix matrix = Matrix::Zero();
+    Parameters gradient = Parameters::Zero();
+    double cost = 0;
+  };
+  const auto system_at = [&](const Parameters& at) {
+    System system;
+    for (const Pixel& pixel : pixels) {
+      Parameters row;
+      const double r = evaluate(at, pixel, &row) - pixel.value;
+      system.matrix.selfadjointView<Eigen::Lower>().rankUpdate(row, pixel.weight);
+      system.gradient += pixel.weight * r * row;
+      system.cost += pixel.weight * r * r;
+    }
+    system.matrix = system.matrix.selfadjointView<Eigen::Lower>();
+    return system;
+  };
+  System system = system_at(p);
+  double lambda = 1e-3;
+  for (int iteration = 0; iteration < 40; ++iteration) {
+    bool better = false;
+    double step = 0;
+    for (int attempt = 0; attempt < 6 && !better; ++attempt) {
+      Matrix damped = system.matrix;
+      for (int i = 0; i < 9; ++i) damped(i, i) += lambda * system.matrix(i, i) + 1e-9;
+      const Parameters delta = damped.ldlt().solve(system.gradient);
+      Parameters next = p - delta;
+      next[4] = std::clamp(next[4], std::log(0.25), std::log(4.0));
+      const System there = system_at(next);
+      if (there.cost <= system.cost) {
+        better = true;
+        step = delta.head<2>().norm();
+        p = next;
+        system = there;
+        lambda = std::max(lambda / 10, 1e-9);
+      } else {
+        lambda *= 10;
+      }
+    }
+    if (!better || step < 5e-4) break;
+  }
+  if (!p.allFinite() || p.head<2>().norm() > half_px) return std::nullopt;
+  double weights = 0;
+  for (const Pixel& pixel : pixels) weights += pixel.weight;
+  return Saddle{Vector2d(cx + p[0], cy + p[1]), p[5], std::sqrt(system.cost / weights)};
+}
+
+TargetView detect_chessboard(const cv::Mat& grey, const TargetSpec& spec) {
+  if (spec.columns < 3 || spec.rows < 3)
+    throw TargetError(Reason::wrong_size, "a chessboard of " + size_text(spec.columns, spec.rows) +
+                                              " inner corners cannot be found: at least 3x3 are needed");
+  const GreyImage image = grey_image(grey);
+  auto found = find_board(grey, spec.columns, spec.rows, true);
+  if (!found) explain(grey, image, spec);
+  Board board = *found;
+
+  // OpenCV may run a row from either end: never mirrored.
+  const Vector2d x_step = board.at(board.columns - 1, 0) - board.at(0, 0);
+  const Vector2d y_step = board.at(0, board.rows - 1) - board.at(0, 0);
+  if (x_step.x() * y_step.y() - x_step.y() * y_step.x() < 0)
+    for (int y = 0; y < board.rows; ++y)
+      std::reverse(board.corners.begin() + static_cast<long>(y) * board.columns,
+                   board.corners.begin() + static_cast<long>(y + 1) * board.columns);
+
+  // Corners; once more where the window was not centred on the result.
+  std::vector<double> spacings;
+  double sign = 0;
+  {
+    Board next = board;
+    for (int y = 0; y < board.rows; ++y)
+      for (int x = 0; x < board.columns; ++x) {
+        const auto [along_x, along_y] = steps(board, x, y);
+        const double spacing = std::min(along_x.norm(), along_y.norm());
+        spacings.push_back((along_x.norm() + along_y.norm()) / 2);
+        const Vector2d& guess = board.at(x, y);
+        Vector2d& corner = next.corners[static_cast<std::size_t>(y) * board.columns + x];
+        double half = std::clamp(0.45 * spacing, 3.0, 8.0);
+        const double room =
+            std::min({guess.x(), guess.y(), image.width - 1 - guess.x(), image.height - 1 - guess.y()}) - 0.5;
+        half = std::min(half, room);
+        auto saddle = half < 2 ? std::nullopt : fit_saddle(image, guess, along_x, along_y, half);
+        if (saddle && (saddle->position_px - guess).norm() > 0.7)
+          saddle = fit_saddle(image, saddle->position_px, along_x, along_y, half);
+        if (!saddle || (saddle->position_px - guess).norm() > std::max(2.0, 0.2 * spacing))
+          throw TargetError(Reason::hidden, "the chessboard corner near pixel (" +
+                                                std::to_string(std::lround(guess.x())) + ", " +
+                                                std::to_string(std::lround(guess.y())) + ") cannot be measured");
+        corner = saddle->position_px;
+        sign += ((x + y) % 2 ? -1 : 1) * saddle->amplitude;
+      }
+    board = next;
+  }
+
+  // A board that goes on is another board.
+  int more[4] = {0, 0, 0, 0};
+  for (int side = 0; side < 4; ++side) {
+    const Beyond beyond = look_beyond(image, board, side);
+    if (2 * beyond.crossings > beyond.places) more[side] = 1;
+  }
+  if (more[0] + more[1] + more[2] + more[3] > 0)
+    throw TargetError(Reason::wrong_size,
+                      "wrong pattern size: the chessboard has more than " + size_text(spec.columns, spec.rows) +
+                          " inner corners; it goes on at the " +
+                          side_name(board, static_cast<int>(std::max_element(more, more + 4) - more)) + " side");
+
+  TargetView view;
+  // The square inside the first corner (towards +x, +y) has the colour of the one outside it, diagonally.
+  const auto turn = [&] { std::reverse(board.corners.begin(), board.corners.end()); };
+  view.oriented = (spec.columns + spec.rows) % 2 == 1;
+  if (view.oriented ? sign > 0 : board.at(board.columns - 1, 0).x() < board.at(0, 0).x()) turn();
+  view.target_mm = spec.points_mm();
+  view.image_px = board.corners;
+  std::nth_element(spacings.begin(), spacings.begin() + spacings.size() / 2, spacings.end());
+  view.fiducial_px = spacings[spacings.size() / 2];
+  check_order(spec, view.image_px);
+  if (const auto fit = fit_plane(view.target_mm, view.image_px, image.width, image.height))
+    view.plane_rms_px = fit->rms_px;
+  return view;
+}
+
+}  // namespace horopter::calib::detail
