@@ -30,8 +30,8 @@ DelayModel make_delay_model(Target target) {
     case Target::kEcp5:  // speed grade 6
       m.launch_ns = 0.53;
       m.setup_ns = 0.05;
-      m.level_ns = 1.05;
-      m.carry_base_ns = 1.55;
+      m.level_ns = 1.12;
+      m.carry_base_ns = 1.75;
       m.carry_bit_ns = 0.04;
       m.memory_read_ns = 4.85;  // 5.7 without its output register, less the margin it does not need (delay.hpp)
       m.memory_setup_ns = 0.90;

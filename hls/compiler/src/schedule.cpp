@@ -91,31 +91,29 @@ class Scheduler {
     }
   }
 
+  /// What depends on configuration alone. It is quasi-static: its paths have more than one clock, so only what follows
+  /// counts against the clock.
   void find_static() {
     static_.assign(g_.nodes.size(), false);
     static_[0] = true;
-    static_arrival_.assign(g_.nodes.size(), 0.0);
+    std::vector<double> settled(g_.nodes.size(), 0.0);
     for (NodeId n = 1; n < g_.nodes.size(); ++n) {
       const Node& node = g_.nodes[n];
+      settled[n] = o_.delays.launch_ns;
       if (node.op == Op::kConfig) static_[n] = true;
-      if (node.op == Op::kInput || node.op == Op::kStateRead || node.op == Op::kRamRead || node.op == Op::kConfig) {
-        static_arrival_[n] = o_.delays.launch_ns;
-        continue;
-      }
+      if (node.operands.empty()) continue;
       bool all = true;
-      double latest = 0;
       for (const auto& operand : node.operands) {
         for (Bit b : operand) {
           all = all && static_[b.node];
-          latest = std::max(latest, static_arrival_[b.node]);
+          settled[n] = std::max(settled[n], settled[b.node]);
         }
       }
       static_[n] = all;
-      static_arrival_[n] = latest + o_.delays.node_ns(g_, node);
-      if (all && live_[n] && static_arrival_[n] + o_.delays.setup_ns > o_.clock_ns + kEpsilonNs) {
-        slow(node.where, "an expression of configuration values needs " +
-                             format_ns(static_arrival_[n] + o_.delays.setup_ns) + ", the clock is " +
-                             format_ns(o_.clock_ns) + "; configuration is not pipelined, so compute it on the host");
+      settled[n] = all ? settled[n] + o_.delays.node_ns(g_, node) : o_.delays.launch_ns;
+      if (all && live_[n] && settled[n] > 2 * limit()) {
+        warnings_.push_back(place(node.where) + ": warning: an expression of configuration values needs " +
+                            format_ns(settled[n]) + ", more than two clocks; compute it on the host");
       }
     }
   }
@@ -151,9 +149,6 @@ class Scheduler {
       if (!scheduled(n)) continue;
       const Node& node = g_.nodes[n];
       delay_[n] = rom_address_[n] != kNone ? o_.delays.memory_read_ns - o_.delays.launch_ns : o_.delays.node_ns(g_, node);
-      if (rom_address_[n] == kNone) {
-        for (const auto& operand : node.operands) start_[n] = std::max(start_[n], latest_static(operand));
-      }
     }
     for (std::size_t r = 0; r < g_.rams.size(); ++r) {
       if (!ram_live_[r]) continue;
@@ -163,14 +158,6 @@ class Scheduler {
     for (Item a : rom_address_) {
       if (a != kNone) delay_[a] = o_.delays.memory_setup_ns;
     }
-  }
-
-  double latest_static(const Bits& bits) const {
-    double latest = 0;
-    for (Bit b : bits) {
-      if (static_[b.node]) latest = std::max(latest, static_arrival_[b.node]);
-    }
-    return latest;
   }
 
   bool feeds_itself(NodeId rom) const {
@@ -281,6 +268,8 @@ class Scheduler {
         if (!calls.empty()) low[calls.back().first] = std::min(low[calls.back().first], low[v]);
         if (low[v] == index[v]) {
           ++components;
+          in_recurrence_.resize(components + 1, false);
+          in_recurrence_[components] = stack.back() != v;
           for (;;) {
             const Item w = stack.back();
             stack.pop_back();
@@ -331,6 +320,7 @@ class Scheduler {
     for (Item i = 0; i < items_; ++i) {
       if (i < g_.nodes.size() && !scheduled(i)) continue;
       if (i == end_ || start_[i] + delay_[i] <= limit()) continue;
+      if (in_recurrence_[component_[i]] && start_[i] + delay_[i] <= limit() * o_.recurrence_overrun) continue;
       slow(where_of(i), name_of(i) + " needs " + format_ns(start_[i] + delay_[i] + o_.delays.setup_ns) +
                             " by itself, the clock is " + format_ns(o_.clock_ns));
     }
@@ -353,8 +343,11 @@ class Scheduler {
         const Item v = *work.begin();
         work.erase(work.begin());
         if (v != u && arrival[v] > limit()) {
-          frontier[u].push_back(v);
-          continue;
+          if (component_[u] != component_[v]) {
+            frontier[u].push_back(v);
+            continue;
+          }
+          report_recurrence(u);  // tolerated, or only warned about: what follows it outside must still be cut off
         }
         for (Item w : successors_[v]) {
           const double at = arrival[v] + delay_[w];
@@ -370,16 +363,13 @@ class Scheduler {
         const bool implied = std::ranges::any_of(successors_[u], [&](Item s) {
           return s < g_.nodes.size() && s != v && std::ranges::binary_search(frontier[s], v);
         });
-        if (component_[u] == component_[v]) {
-          report_recurrence(u);
-          continue;
-        }
         if (!implied) edge(u, v, 1, EdgeKind::kTiming);
       }
       std::ranges::sort(frontier[u]);
     }
   }
 
+  /// A path between two items of one component misses the clock. No schedule can cut it.
   void report_recurrence(Item u) {
     // The longest path within the component, from a register to a register.
     const std::uint32_t component = component_[u];
@@ -390,7 +380,10 @@ class Scheduler {
     std::string names;
     for (Item i = 1; i < g_.nodes.size(); ++i) {
       if (component_[i] != component || !scheduled(i)) continue;
-      if (arrival[i] == 0.0) arrival[i] = start_[i] + delay_[i];
+      if (start_[i] + delay_[i] > arrival[i]) {
+        arrival[i] = start_[i] + delay_[i];
+        before[i] = kNone;
+      }
       if (arrival[i] > arrival[worst]) worst = i;
       if (g_.nodes[i].op == Op::kStateRead) {
         names += (names.empty() ? "'" : ", '") + g_.states[g_.nodes[i].port].name + "'";
@@ -408,7 +401,12 @@ class Scheduler {
         path = name_of(i) + (path.empty() ? "" : " -> " + path);
       }
     }
-    slow(where_of(worst), "the recurrence of state " + names + " needs " +
+    if (arrival[worst] <= limit() * o_.recurrence_overrun) return;
+    SourceLocation where = where_of(worst);
+    for (Item i = 1; i < g_.nodes.size() && where.line == 0; ++i) {
+      if (component_[i] == component && scheduled(i)) where = g_.nodes[i].where;
+    }
+    slow(where, "the recurrence of state " + names + " needs " +
                               format_ns(arrival[worst] + o_.delays.setup_ns) + ", the clock is " +
                               format_ns(o_.clock_ns) + " (longest path: " + path + ")");
   }
@@ -589,7 +587,7 @@ class Scheduler {
     for (NodeId n = 0; n < g_.nodes.size(); ++n) {
       if (n == 0 || (static_[n] && live_[n])) {
         r.stage[n] = kEveryStage;
-        r.arrival_ns[n] = static_arrival_[n];
+        r.arrival_ns[n] = o_.delays.launch_ns;
       }
       if (!scheduled(n)) continue;
       settle(n);
@@ -612,12 +610,13 @@ class Scheduler {
   const Graph& g_;
   const ScheduleOptions& o_;
   std::vector<bool> live_, static_, ram_live_;
-  std::vector<double> static_arrival_, delay_, start_;
+  std::vector<double> delay_, start_;
   std::vector<Item> ram_address_, ram_write_, rom_address_;
   Item end_ = 0, items_ = 0;
   std::vector<Edge> edges_;
   std::vector<std::vector<Item>> successors_;
   std::vector<std::uint32_t> component_;
+  std::vector<bool> in_recurrence_;  ///< of components: of more than one item
   std::set<std::uint32_t> reported_;
   std::vector<int> s_;
   std::vector<std::string> warnings_;

@@ -7,9 +7,52 @@
 
 namespace hlsc {
 
+namespace {
+
+/// Nodes on a path from a state's value back to its next value, states of other recurrences passed through.
+std::vector<bool> recurrent_nodes(const Graph& graph) {
+  const std::size_t count = graph.nodes.size();
+  std::vector<std::vector<NodeId>> sources(count), users(count);
+  const auto connect = [&](const Bits& bits, NodeId to) {
+    for (Bit b : bits) {
+      if (b.node == 0 || (!sources[to].empty() && sources[to].back() == b.node)) continue;
+      sources[to].push_back(b.node);
+      users[b.node].push_back(to);
+    }
+  };
+  for (NodeId n = 1; n < count; ++n) {
+    for (const Bits& operand : graph.nodes[n].operands) connect(operand, n);
+  }
+  for (const State& state : graph.states) connect(state.next, state.read);
+  const auto reach = [&](NodeId from, const std::vector<std::vector<NodeId>>& edges) {
+    std::vector<bool> reached(count, false);
+    std::vector<NodeId> work{from};
+    while (!work.empty()) {
+      const NodeId n = work.back();
+      work.pop_back();
+      for (NodeId next : edges[n]) {
+        if (reached[next]) continue;
+        reached[next] = true;
+        work.push_back(next);
+      }
+    }
+    return reached;
+  };
+  std::vector<bool> recurrent(count, false);
+  for (const State& state : graph.states) {
+    if (recurrent[state.read]) continue;
+    const auto after = reach(state.read, users), before = reach(state.read, sources);
+    for (NodeId n = 1; n < count; ++n) recurrent[n] = recurrent[n] || (after[n] && before[n]);
+  }
+  return recurrent;
+}
+
+}  // namespace
+
 std::vector<std::string> verify_schedule(const Graph& graph, const Schedule& result) {
   std::vector<std::string> problems;
   const auto& delays = result.options.delays;
+  const std::vector<bool> recurrent = recurrent_nodes(graph);
   const double limit = result.options.clock_ns - delays.setup_ns + 1e-6;
   const auto problem = [&](const std::string& text) { problems.push_back(text); };
   const auto describe = [&](NodeId n) {
@@ -36,13 +79,14 @@ std::vector<std::string> verify_schedule(const Graph& graph, const Schedule& res
     for (Bit b : bits) {
       if (b.node == 0) continue;
       const int made = result.stage[b.node];
-      at = std::max(at, made == kEveryStage || made == stage ? arrival[b.node] : delays.launch_ns);
+      at = std::max(at, made == stage ? arrival[b.node] : delays.launch_ns);
     }
     return at;
   };
-  const auto in_time = [&](double ns, const std::string& what) {
-    if (ns > limit && !result.options.allow_slow) {
-      problem(what + " is late: " + std::to_string(ns) + " ns of " + std::to_string(limit));
+  const auto in_time = [&](double ns, const std::string& what, bool may_overrun) {
+    const double allowed = may_overrun ? limit * result.options.recurrence_overrun : limit;
+    if (ns > allowed && !result.options.allow_slow) {
+      problem(what + " is late: " + std::to_string(ns) + " ns of " + std::to_string(allowed));
     }
   };
 
@@ -72,7 +116,8 @@ std::vector<std::string> verify_schedule(const Graph& graph, const Schedule& res
         if (!all_usable(ram.read_address, read) || !usable(ram.read_enable, read)) {
           problem("RAM '" + ram.name + "': read address too late");
         }
-        in_time(latest(ram.read_address, read) + delays.memory_setup_ns, "read address of RAM '" + ram.name + "'");
+        in_time(latest(ram.read_address, read) + delays.memory_setup_ns, "read address of RAM '" + ram.name + "'",
+                false);
         if (write == kDead) {
           if (ram.write_enable != kZero) problem("RAM '" + ram.name + "': its write is missing");
         } else {
@@ -87,7 +132,7 @@ std::vector<std::string> verify_schedule(const Graph& graph, const Schedule& res
           }
           const double write_ns = std::max({latest(ram.write_address, write), latest(ram.write_data, write),
                                             latest({ram.write_enable}, write)});
-          in_time(write_ns + delays.memory_setup_ns, "write of RAM '" + ram.name + "'");
+          in_time(write_ns + delays.memory_setup_ns, "write of RAM '" + ram.name + "'", false);
         }
         at = delays.memory_read_ns;
         break;
@@ -110,7 +155,7 @@ std::vector<std::string> verify_schedule(const Graph& graph, const Schedule& res
           if (!table) at = std::max(at, latest(operand, stage));
         }
         if (table) {
-          in_time(latest(node.operands[0], needed) + delays.memory_setup_ns, "table address of " + describe(n));
+          in_time(latest(node.operands[0], needed) + delays.memory_setup_ns, "table address of " + describe(n), false);
           at = delays.memory_read_ns;
         } else {
           at += delays.node_ns(graph, node);
@@ -119,7 +164,7 @@ std::vector<std::string> verify_schedule(const Graph& graph, const Schedule& res
       }
     }
     arrival[n] = at;
-    in_time(at, describe(n));
+    in_time(at, describe(n), recurrent[n]);
   }
 
   const int last = result.latency - 1;

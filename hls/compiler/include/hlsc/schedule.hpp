@@ -31,6 +31,8 @@ class ScheduleError : public CompileError {
 struct ScheduleOptions {
   DelayModel delays = make_delay_model(Target::kIce40Hx);
   double clock_ns = 8.0;
+  /// A recurrence cannot be cut, and place and route favours it: it may use part of the margin that clock_ns leaves.
+  double recurrence_overrun = 1.12;
   bool allow_slow = false;          ///< warn instead of refusing when a recurrence or a single operation misses the clock
   bool minimise_registers = true;   ///< false: as soon as possible
 };
