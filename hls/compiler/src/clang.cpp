@@ -73,7 +73,9 @@ std::string run_clang(const Options& options, const std::string& directory) {
   std::ofstream(source) << wrapper_source(options);
   std::vector<std::string> arguments{
       *clang,       "-std=c++20", "-O2", "-Xclang", "-disable-llvm-passes", "-g",        "-fstandalone-debug",
-      "-emit-llvm", "-c",         "-w",  "-DNDEBUG", "-D__HLSC__=1",        "-fno-strict-aliasing", "-Wfatal-errors"};
+      "-emit-llvm", "-c",         "-DNDEBUG", "-D__HLSC__=1",        "-fno-strict-aliasing", "-Wfatal-errors",
+      "-Wno-everything", "-Werror=uninitialized", "-Werror=sometimes-uninitialized", "-Werror=return-type",
+      "-Werror=array-bounds", "-Werror=shift-count-overflow", "-Werror=division-by-zero"};
   for (const std::string& path : options.include_paths) arguments.push_back("-I" + path);
   for (const std::string& define : options.defines) arguments.push_back("-D" + define);
   arguments.insert(arguments.end(), {"-I.", source, "-o", bitcode});

@@ -61,7 +61,7 @@ class Flattener {
 
  private:
   [[noreturn]] void refuse(const SourceLocation& where, const std::string& path, const std::string& why) const {
-    throw CompileError(where, "member `" + path + "` of " + role_ + " " + why);
+    throw CompileError(where, (path.empty() ? "an unnamed member" : "member `" + path + "`") + " of " + role_ + " " + why);
   }
 
   const DIType* strip(const DIType* type, const std::string& path, SourceLocation& where) const {
