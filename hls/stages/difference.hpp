@@ -9,11 +9,12 @@
 //       along a horizontal edge, every hypothesis fits (thesis 9.1, 11.2.3).
 //       magnitude: of the left gradient for the texture: 0 where saturated (see lowpass, sobel), for a gradient
 //       measured wholly on clipped pixels is no texture, in whichever image.
-// A zero gradient has no direction. Against a real one it counts 8, the mean of the differences to all directions, so
-// that even without noise an edge differs from a flat area; two zero gradients count 0. (atan2's 0 for it would take an
-// area without texture for a match of every edge that runs from dark to bright in +x.)
-// A pixel before the start of the row or outside the mask counts 15 in a shifted hypothesis and 0 in the self
-// difference: neither may make it look better. Offset: none.
+// A zero gradient has no direction, and atan2's 0 for it would take a flat area for a match of every edge that runs
+// from dark to bright in +x. Against a real direction it counts 8, the mean over all directions: an edge differs from a
+// flat area even without noise. Two of them say nothing: 4 in a hypothesis, the default threshold's share (25 % of 15)
+// of a pixel, so that the others decide; 0 in the self difference, as flat is not varied. A pixel before the start of
+// the row or outside the mask counts 15 in a shifted hypothesis and 0 in the self difference: neither may make it look
+// better. Offset: none.
 #pragma once
 
 #include "stages/direction.hpp"
@@ -48,13 +49,13 @@ class DirectionDifference {
     const Gradient right{in.direction[1], in.magnitude[1] != 0, in.mask};
 
     Out out;
-    out.difference[0] = between(left, right);
+    out.difference[0] = between(left, right, lit<4>());
     for (int n = 1; n < HYPOTHESES; ++n) {
       const Gradient& shifted = right_[n - 1];
-      out.difference[static_cast<std::size_t>(n)] = shifted.exists ? between(left, shifted) : u<4>(15);
+      out.difference[static_cast<std::size_t>(n)] = shifted.exists ? between(left, shifted, lit<4>()) : u<4>(15);
     }
     const Gradient& before = left_[self_shift - 1];
-    out.difference[HYPOTHESES] = before.exists ? between(left, before) : u<4>(0);
+    out.difference[HYPOTHESES] = before.exists ? between(left, before, lit<0>()) : u<4>(0);
     out.magnitude = in.saturated ? u<8>(0) : in.magnitude[0];
     out.mask = in.mask;
     out.marks = in.marks;
@@ -75,12 +76,13 @@ class DirectionDifference {
     bool exists = false;
   };
 
-  static u<4> between(const Gradient& a, const Gradient& b) {
+  static u<4> between(const Gradient& a, const Gradient& b, u<4> neither) {
     // Modulo 256; the sign bit tells which way round is shorter. −128 stays 128 and is clipped to 127.
     const s<8> turn(a.direction - b.direction);
     const u<8> shortest = abs(turn);
     const u<4> level = shortest.bit(7) ? u<4>(15) : shortest.template bits<6, 3>();
-    return a.has_direction != b.has_direction ? u<4>(8) : level;
+    if (a.has_direction && b.has_direction) return level;
+    return a.has_direction || b.has_direction ? u<4>(8) : neither;
   }
 
   bool row_ended_ = true;

@@ -166,10 +166,11 @@ inline Result decide(const Image& left, const Image& right, const Decision& d) {
   Image difference(w, h, missing);
   Image self(w, h, missing);
   Image magnitude(w, h, missing);
-  const auto compare = [](double ax, double ay, double bx, double by) {
+  const auto compare = [](double ax, double ay, double bx, double by, double neither) {
     const bool a = std::hypot(ax, ay) > 0;
     const bool b = std::hypot(bx, by) > 0;
     if (a != b) return 8.0;  // no direction against one
+    if (!a) return neither;
     return level(cyclic_difference(direction(ax, ay), direction(bx, by)));
   };
   for (int y = 0; y < h; ++y) {
@@ -179,11 +180,11 @@ inline Result decide(const Image& left, const Image& right, const Decision& d) {
       const double rx = r.x.at(x, y);
       const double ry = r.y.at(x, y);
       if (std::isnan(lx + ly + rx + ry)) continue;
-      difference(x, y) = compare(lx, ly, rx, ry);
+      difference(x, y) = compare(lx, ly, rx, ry, 4);
       magnitude(x, y) = std::min(std::hypot(lx, ly), 255.0);
       const int before = x - d.self_shift;
       const bool exists = !std::isnan(l.x.at(before, y) + l.y.at(before, y) + r.x.at(before, y) + r.y.at(before, y));
-      self(x, y) = exists ? compare(lx, ly, l.x.at(before, y), l.y.at(before, y)) : 0;
+      self(x, y) = exists ? compare(lx, ly, l.x.at(before, y), l.y.at(before, y), 0) : 0;
     }
   }
   Result result{

@@ -1,0 +1,584 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every stage against the reference or against plain counting, with its stated error bound.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <random>
+#include <vector>
+
+#include "raster.hpp"
+#include "reference/reference.hpp"
+#include "stages/alarm.hpp"
+#include "stages/dsad.hpp"
+#include "stages/health.hpp"
+#include "stages/interpolate.hpp"
+#include "stages/lowpass.hpp"
+#include "stages/map_expand.hpp"
+#include "stages/runs.hpp"
+#include "stages/subsample.hpp"
+
+using namespace horopter::stages;
+using namespace horopter::tests;
+namespace reference = horopter::tb::reference;
+
+namespace {
+
+Frame<GreyPair> random_greys(std::mt19937& random, int width, int height, unsigned holes) {
+  Frame<GreyPair> frame(width, height);
+  for (GreyPair& beat : frame.beats) {
+    beat.pixel = {u<8>(random()), u<8>(random())};
+    beat.saturated = !one_in(random, 6);
+    beat.mask = !one_in(random, holes);
+  }
+  return frame;
+}
+
+template <int W>
+void check_map_expand(std::mt19937& random, int spacing_x_log2, int spacing_y_log2) {
+  const int width = 61;
+  const int height = 9;
+  const int sx = 1 << spacing_x_log2;
+  const int sy = 1 << spacing_y_log2;
+  std::map<std::pair<int, int>, ControlPoint> points;
+  const auto control = [&](int column, int row) {
+    auto& point = points[{column, row}];
+    if (point.x == 0 && point.y == 0) {
+      point = {u<16>(random() | 1U), u<16>(random() | 1U)};
+      if (one_in(random, 6)) point = {u<16>(0xFFFF), u<16>(0xFFFF)};
+      if (one_in(random, 4)) point.x = u<16>(64 * 32 - 20 + random() % 40);  // around 0 px
+    }
+    return point;
+  };
+  const auto grid = [&](int column, int row) -> std::optional<reference::Point> {
+    const ControlPoint p = control(column, row);
+    if (!p.has_source()) return std::nullopt;
+    return reference::Point{p.x.value() / 32.0 - 64, p.y.value() / 32.0 - 64};
+  };
+
+  MapExpander<W> stage;
+  typename MapExpander<W>::Config config;
+  config.spacing_x_log2 = spacing_x_log2;
+  const double scale = 1 << W;
+  for (int y = 0; y < height; ++y) {
+    typename MapExpander<W>::In in;
+    in.row_fraction = (y % sy) * 64 / sy;
+    const auto column = [&](int j) { return ControlPair{control(j, y / sy), control(j, y / sy + 1)}; };
+    in.prime = true;
+    in.column = column(0);
+    REQUIRE(!stage.step(in, config).valid);
+    in.prime = false;
+    for (int x = 0; x < width; ++x) {
+      in.load = x % sx == 0;
+      if (in.load) in.column = column(x / sx + 1);
+      in.marks.first = one_in(random, 2);
+      in.marks.live = one_in(random, 2);
+      const auto out = stage.step(in, config);
+      CAPTURE(x, y, sx, sy);
+      REQUIRE(out.valid);
+      REQUIRE(out.marks.first == in.marks.first);
+      REQUIRE(out.marks.live == in.marks.live);
+      const auto exact = reference::expand(grid, sx, sy, x, y);
+      const double ex = exact ? std::floor(exact->x * scale + 0.5) / scale : -1;  // half up, exact in a double
+      const double ey = exact ? std::floor(exact->y * scale + 0.5) / scale : -1;
+      REQUIRE(out.mapped == (exact && ex >= 0 && ey >= 0));
+      if (!out.mapped) continue;
+      REQUIRE(out.x.value() + out.wx.value() / scale == ex);
+      REQUIRE(out.y.value() + out.wy.value() / scale == ey);
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("map_expand is the exact bilinear interpolation, rounded half up once", "[stages]") {
+  std::mt19937 random(11);
+  for (int sx = 0; sx <= 6; ++sx) {
+    for (int sy = 0; sy <= 6; sy += 2) {
+      check_map_expand<3>(random, sx, sy);
+      check_map_expand<5>(random, sx, sy);
+    }
+  }
+}
+
+TEST_CASE("interpolate: at most half a grey level from eq. 10.1", "[stages]") {
+  std::mt19937 random(12);
+  Interpolator<3> stage;
+  Interpolator<4> finer;
+  double worst = 0;
+  for (int i = 0; i < 200000; ++i) {
+    reference::Image image(2, 2);
+    for (double& v : image.values) v = one_in(random, 8) ? (one_in(random, 2) ? 0 : 255) : random() % 256;
+    const auto check = [&](auto& under_test, int weights) {
+      typename std::remove_reference_t<decltype(under_test)>::In in;
+      in.p00 = static_cast<int>(image.values[0]);
+      in.p01 = static_cast<int>(image.values[1]);
+      in.p10 = static_cast<int>(image.values[2]);
+      in.p11 = static_cast<int>(image.values[3]);
+      in.wx = random();
+      in.wy = random();
+      in.left = random();
+      in.mask = one_in(random, 2);
+      const GreyPair out = under_test.step(in);
+      const reference::Point p{in.wx.value() / double(weights), in.wy.value() / double(weights)};
+      worst = std::max(worst, std::fabs(out.pixel[1].value() - reference::bilinear(image, p)));
+      REQUIRE(out.pixel[0] == in.left);
+      REQUIRE(out.mask == in.mask);
+      bool saturated = in.left == 0 || in.left == 255;
+      for (int j = 0; j < 2; ++j) {
+        for (int k = 0; k < 2; ++k) {
+          const bool used = (k == 0 || in.wx != 0) && (j == 0 || in.wy != 0);
+          const double v = image.at(k, j);
+          saturated = saturated || (used && (v == 0 || v == 255));
+        }
+      }
+      REQUIRE(out.saturated == saturated);
+    };
+    check(stage, 8);
+    check(finer, 16);
+  }
+  REQUIRE(worst <= 0.5);
+}
+
+TEST_CASE("subsample: the mean of pairs, at most half a grey level up", "[stages]") {
+  std::mt19937 random(13);
+  const Frame<GreyPair> frame = random_greys(random, 40, 6, 5);
+  Subsampler<2> stage;
+  std::size_t i = 0;
+  for (const GreyPair& beat : frame.beats) {
+    const auto out = stage.step(beat);
+    REQUIRE(out.valid == (i % 2 == 1));
+    if (out.valid) {
+      const GreyPair& even = frame.beats[i - 1];
+      for (std::size_t lane = 0; lane < 2; ++lane) {
+        const double mean = (even.pixel[lane].value() + beat.pixel[lane].value()) / 2.0;
+        REQUIRE(out.pixel[lane].value() >= mean);
+        REQUIRE(out.pixel[lane].value() <= mean + 0.5);
+      }
+      REQUIRE(out.mask == (even.mask && beat.mask));
+      REQUIRE(out.saturated == (even.saturated || beat.saturated));
+      REQUIRE(out.marks.first == (i == 1));
+      REQUIRE(out.marks.last == ((i + 1) % 40 == 0));
+    }
+    ++i;
+  }
+
+  Subsampler<1> through;
+  for (const GreyPair& beat : frame.beats) {
+    const auto out = through.step(beat);
+    REQUIRE((out.valid && out.pixel[1] == beat.pixel[1] && out.mask == beat.mask && out.marks.last == beat.marks.last));
+  }
+}
+
+TEST_CASE("lowpass and sobel against the reference, mask and saturation over their windows", "[stages]") {
+  std::mt19937 random(14);
+  LowpassFilter<48> lowpass;
+  SobelFilter<48> sobel;
+  for (int repetition = 0; repetition < 4; ++repetition) {
+    const Frame<GreyPair> frame = random_greys(random, repetition % 2 == 0 ? 48 : 37, 14, 40);
+    const auto smooth = pass(lowpass, frame);
+    const auto gradients = pass(sobel, frame);
+    for (std::size_t lane = 0; lane < 2; ++lane) {
+      reference::Image image(frame.width, frame.height);
+      for (std::size_t i = 0; i < frame.beats.size(); ++i) {
+        image.values[i] = frame.beats[i].mask ? frame.beats[i].pixel[lane].value() : reference::missing;
+      }
+      const reference::Image exact = reference::lowpass(image);
+      const reference::Gradient gradient = reference::sobel(image);
+      for (int y = 0; y < frame.height; ++y) {
+        for (int x = 0; x < frame.width; ++x) {
+          CAPTURE(x, y, lane);
+          const double value = exact.at(x - 1, y - 1);
+          REQUIRE(smooth.at(x, y).mask == !std::isnan(value));
+          REQUIRE(gradients.at(x, y).mask == smooth.at(x, y).mask);
+          const bool saturated = window_all(frame, x, y, 3, [](const GreyPair& beat) { return beat.saturated; });
+          REQUIRE(smooth.at(x, y).saturated == saturated);
+          REQUIRE(gradients.at(x, y).saturated == saturated);
+          if (std::isnan(value)) continue;
+          REQUIRE(std::fabs(smooth.at(x, y).pixel[lane].value() - value) <= 0.5);
+          REQUIRE(gradients.at(x, y).gx[lane].value() == gradient.x.at(x - 1, y - 1));
+          REQUIRE(gradients.at(x, y).gy[lane].value() == gradient.y.at(x - 1, y - 1));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("two images packed into one stream give what two streams give", "[stages]") {
+  std::mt19937 random(15);
+  const Frame<GreyPair> frame = random_greys(random, 24, 12, 30);
+  Frame<Grey<1>> packed(48, 12);
+  for (int y = 0; y < 12; ++y) {
+    for (int x = 0; x < 48; ++x) {
+      const GreyPair& pair = frame.at(x / 2, y);
+      packed.at(x, y).pixel[0] = pair.pixel[static_cast<std::size_t>(x % 2)];
+      packed.at(x, y).mask = pair.mask;
+      packed.at(x, y).saturated = pair.saturated;
+    }
+  }
+  LowpassFilter<24> lowpass;
+  LowpassFilter<48, 1, 2> packed_lowpass;
+  SobelFilter<24> sobel;
+  SobelFilter<48, 1, 2> packed_sobel;
+  const auto smooth = pass(lowpass, frame);
+  const auto packed_smooth = pass(packed_lowpass, packed);
+  const auto gradients = pass(sobel, smooth);
+  const auto packed_gradients = pass(packed_sobel, packed_smooth);
+  for (int y = 0; y < 12; ++y) {
+    for (int x = 0; x < 48; ++x) {
+      const auto lane = static_cast<std::size_t>(x % 2);
+      const auto& one = gradients.at(x / 2, y);
+      const auto& other = packed_gradients.at(x, y);
+      REQUIRE(one.mask == other.mask);
+      REQUIRE(smooth.at(x / 2, y).saturated == packed_smooth.at(x, y).saturated);
+      if (!one.mask) continue;
+      REQUIRE(one.gx[lane] == other.gx[0]);
+      REQUIRE(one.gy[lane] == other.gy[0]);
+    }
+  }
+}
+
+TEST_CASE("direction: less than 0.5° beyond rounding for every gradient, magnitude within its bounds", "[stages]") {
+  DirectionFinder<1> stage;
+  Gradients<1> in;
+  in.mask = true;
+  double worst = 0;  // 1/256 turn
+  double over = 0;   // relative, beyond the rounding
+  double under = 0;
+  bool zero_only_for_zero = true;
+  for (int gy = -1020; gy <= 1020; ++gy) {
+    for (int gx = -1020; gx <= 1020; ++gx) {
+      in.gx[0] = gx;
+      in.gy[0] = gy;
+      const auto out = stage.step(in);
+      const double magnitude = std::hypot(gx, gy);
+      zero_only_for_zero = zero_only_for_zero && (out.magnitude[0] == 0) == (magnitude == 0);
+      if (out.magnitude[0] < 255) {
+        over = std::max(over, (out.magnitude[0].value() - 0.5 - magnitude) / std::max(magnitude, 1.0));
+        under = std::max(under, (magnitude - out.magnitude[0].value() - 0.5) / std::max(magnitude, 1.0));
+      } else if (magnitude < 255) {
+        over = std::max(over, (255 - 0.5 - magnitude) / magnitude);
+      }
+      if (gx == 0 && gy == 0) {
+        REQUIRE(out.direction[0] == 0);
+        continue;
+      }
+      const double error = reference::cyclic_difference(out.direction[0].value(), reference::direction(gx, gy));
+      worst = std::max(worst, error);
+    }
+  }
+  const double beyond_rounding_deg = (worst - 0.5) * 360 / 256;
+  CAPTURE(beyond_rounding_deg, over, under);
+  REQUIRE(beyond_rounding_deg < 0.46);  // required: 0.5
+  REQUIRE(over <= 0.069);
+  REQUIRE(under <= 0.028);
+  REQUIRE(zero_only_for_zero);
+}
+
+TEST_CASE("what the CPU computes differently is the same", "[stages]") {
+  for (int larger = 0; larger < 1024; ++larger) {
+    for (int smaller = 0; smaller <= larger; ++smaller) {
+      const u<10> a(smaller);
+      const u<10> b(larger);
+      if (detail::ratio_by_subtraction<6>(a, b) != detail::ratio_by_division<6>(a, b)) FAIL(smaller << "/" << larger);
+    }
+  }
+  std::mt19937 random(16);
+  for (int i = 0; i < 1000; ++i) {
+    const u<32> crc(random());
+    const u<8> byte(random());
+    REQUIRE(crc32_byte(crc, byte) == detail::crc32_shift8(crc.value() ^ byte.value()));
+    const u<9> bits(random());
+    int ones = 0;
+    for (int b = 0; b < 9; ++b) ones += bits.bit(b);
+    REQUIRE(popcount(bits) == ones);
+  }
+  u<32> crc = crc32_initial;
+  for (const char c : {'1', '2', '3', '4', '5', '6', '7', '8', '9'}) crc = crc32_byte(crc, u<8>(c));
+  REQUIRE(~crc == 0xCBF43926U);  // the check value of CRC-32
+}
+
+TEST_CASE("difference: eq. 10.4 in 4 bits for all directions, and what has no direction", "[stages]") {
+  DirectionDifference<3> stage;
+  for (int a = 0; a < 256; ++a) {
+    for (int b = 0; b < 256; ++b) {
+      Directions<2> in;
+      in.marks.first = true;  // forgets what was before
+      in.mask = true;
+      in.direction = {u<8>(a), u<8>(b)};
+      in.magnitude = {u<8>(1), u<8>(1)};
+      const auto out = stage.step(in);
+      REQUIRE(out.difference[0].value() == reference::level(reference::cyclic_difference(a, b)));
+      REQUIRE(out.difference[1] == 15);  // before the row
+      REQUIRE(out.difference[3] == 0);
+    }
+  }
+
+  std::mt19937 random(17);
+  Frame<Directions<2>> frame(40, 4);
+  for (auto& beat : frame.beats) {
+    beat.direction = {u<8>(random()), u<8>(random())};
+    beat.magnitude = {u<8>(one_in(random, 4) ? 0 : 9), u<8>(one_in(random, 4) ? 0 : 9)};
+    beat.mask = !one_in(random, 9);
+    beat.saturated = one_in(random, 3);
+  }
+  const auto out = pass(stage, frame);
+  for (int y = 0; y < 4; ++y) {
+    for (int x = 0; x < 40; ++x) {
+      const auto& here = frame.at(x, y);
+      const auto expected = [&](int shift, std::size_t lane, int outside) {
+        if (x < shift || (shift > 0 && !frame.at(x - shift, y).mask)) return outside;
+        const auto& there = frame.at(x - shift, y);
+        if ((here.magnitude[0] == 0) != (there.magnitude[lane] == 0)) return 8;
+        if (here.magnitude[0] == 0) return lane == 1 ? 4 : 0;
+        return static_cast<int>(
+            reference::level(reference::cyclic_difference(here.direction[0].value(), there.direction[lane].value())));
+      };
+      CAPTURE(x, y);
+      for (int n = 0; n < 3; ++n) REQUIRE(out.at(x, y).difference[static_cast<std::size_t>(n)] == expected(n, 1, 15));
+      REQUIRE(out.at(x, y).difference[3] == expected(self_shift, 0, 0));
+      REQUIRE(out.at(x, y).magnitude == (here.saturated ? u<8>(0) : here.magnitude[0]));
+      REQUIRE(out.at(x, y).mask == here.mask);
+    }
+  }
+}
+
+namespace {
+
+template <int HYPOTHESES, int K>
+void check_sums(std::mt19937& random) {
+  constexpr int delay = (K - 1) / 2;
+  using Texture = TextureDetector<48, HYPOTHESES, delay>;
+  using Dsad = DsadSum<48, HYPOTHESES, K>;
+  auto texture = std::make_unique<Texture>();
+  auto dsad = std::make_unique<Dsad>();
+  typename Texture::Config config;
+  config.texture_limit = 25 * 128;
+  for (const int width : {48, 33}) {
+    Frame<typename Texture::In> frame(width, 2 * K + 5);
+    for (auto& beat : frame.beats) {
+      for (auto& d : beat.difference) d = random();
+      beat.magnitude = random();
+      beat.mask = !one_in(random, 100);
+    }
+    const auto textured = pass(*texture, frame, config);
+    Frame<typename Dsad::In> passed(frame.width, frame.height);
+    for (std::size_t i = 0; i < passed.beats.size(); ++i) {
+      passed.beats[i] = {textured.beats[i].difference, textured.beats[i].textured, textured.beats[i].mask,
+                         textured.beats[i].marks};
+    }
+    const auto out = pass(*dsad, passed);
+    for (int y = 0; y < frame.height; ++y) {
+      for (int x = 0; x < frame.width; ++x) {
+        CAPTURE(K, HYPOTHESES, x, y);
+        const auto& beat = out.at(x, y);
+        REQUIRE(beat.mask == window_all(frame, x, y, K, [](const auto& b) { return b.mask; }));
+        if (x < K - 1 || y < K - 1) continue;
+        for (std::size_t n = 0; n <= HYPOTHESES; ++n) {
+          int sum = 0;
+          for (int j = 0; j < K; ++j) {
+            for (int i = 0; i < K; ++i) sum += frame.at(x - i, y - j).difference[n].value();
+          }
+          REQUIRE(beat.sum[n] == sum);
+        }
+        int magnitude = 0;
+        for (int j = -2; j <= 2; ++j) {
+          for (int i = -2; i <= 2; ++i) magnitude += frame.at(x - delay + i, y - delay + j).magnitude.value();
+        }
+        REQUIRE(beat.textured == (magnitude >= 25 * 128));
+      }
+    }
+  }
+}
+
+template <int M>
+void check_majority(std::mt19937& random) {
+  auto stage = std::make_unique<MajorityVote<48, M>>();
+  int seen[4] = {};
+  for (const unsigned rarity : {2U, 3U, 5U}) {
+    Frame<typename MajorityVote<48, M>::In> frame(48, 2 * M + 20);
+    for (auto& beat : frame.beats) {
+      beat.decidable = one_in(random, 2) || one_in(random, rarity);
+      beat.skin = one_in(random, 2);
+      beat.mask = !one_in(random, 300);
+    }
+    const auto out = pass(*stage, frame);
+    for (int y = 0; y < frame.height; ++y) {
+      for (int x = 0; x < frame.width; ++x) {
+        int expected = state::unsupervised;
+        if (window_all(frame, x, y, M, [](const auto& b) { return b.mask; })) {
+          int decidable = 0;
+          int skin = 0;
+          for (int j = 0; j < M; ++j) {
+            for (int i = 0; i < M; ++i) {
+              const auto& b = frame.at(x - i, y - j);
+              decidable += b.decidable;
+              skin += b.decidable && b.skin;
+            }
+          }
+          expected = 2 * decidable <= M * M ? state::undecidable : 2 * skin > decidable ? state::skin : state::clear;
+        }
+        CAPTURE(M, x, y);
+        REQUIRE(out.at(x, y).state == expected);
+        ++seen[expected];
+      }
+    }
+  }
+  for (const int count : seen) REQUIRE(count > 0);
+}
+
+}  // namespace
+
+TEST_CASE("texture and dsad count exactly, in step with each other", "[stages]") {
+  std::mt19937 random(18);
+  check_sums<1, 5>(random);
+  check_sums<1, 7>(random);
+  check_sums<1, 9>(random);
+  check_sums<2, 9>(random);
+  check_sums<4, 9>(random);
+  check_sums<1, 11>(random);
+  check_sums<3, 13>(random);
+}
+
+TEST_CASE("majority counts exactly", "[stages]") {
+  std::mt19937 random(19);
+  check_majority<3>(random);
+  check_majority<5>(random);
+  check_majority<7>(random);
+  check_majority<9>(random);
+}
+
+TEST_CASE("align, runs and alarm: every pixel once, in its place", "[stages]") {
+  std::mt19937 random(20);
+  constexpr int offset = 9;
+  constexpr int width = 48;
+  constexpr int height = 30;
+  Aligner<64, 40, offset> align;
+  RunEncoder<64, 40> runs;
+  AlarmCounter<64, 40> alarm;
+  decltype(align)::Config size;
+  size.width = width;
+  size.height = height;
+  for (int repetition = 0; repetition < 3; ++repetition) {
+    if (repetition == 2) {  // a frame that breaks off
+      Frame<Aligner<64, 40, offset>::In> cut(width, 17);
+      for (const auto& beat : cut.beats) {
+        const auto p = align.step(beat, size);
+        if (p.valid) runs.step({p.state, p.first, p.last, p.idle});
+      }
+    }
+    Frame<Aligner<64, 40, offset>::In> frame(width, height + offset + 1);
+    for (auto& beat : frame.beats) beat.state = one_in(random, 4) ? static_cast<int>(random() % 4) : repetition;
+    std::vector<int> pixels;
+    std::vector<int> from_runs(width * height, -1);
+    int counts[4] = {};
+    decltype(alarm)::Config limits;
+    limits.alarm_limit = 300;
+    limits.undecidable_limit = 300;
+    limits.unsupervised_limit = 300;
+    int ends = 0;
+    int last_runs = 0;
+    for (const auto& beat : frame.beats) {
+      const auto pixel = align.step(beat, size);
+      if (!pixel.valid) continue;
+      if (!pixel.idle) {
+        const int i = static_cast<int>(pixels.size());
+        REQUIRE(pixel.first == (i == 0));
+        REQUIRE(pixel.last == (i % width == width - 1));
+        REQUIRE(pixel.end == (i == width * height - 1));
+        pixels.push_back(pixel.state.value());
+        ++counts[pixel.state.value()];
+      }
+      const auto run = runs.step({pixel.state, pixel.first, pixel.last, pixel.idle});
+      if (run.valid) {
+        for (int x = run.start.value(); x <= run.end.value(); ++x) {
+          int& p = from_runs[static_cast<std::size_t>(run.row.value() * width + x)];
+          REQUIRE(p == -1);
+          p = run.state.value();
+        }
+        last_runs += run.last;
+      }
+      const auto total = alarm.step({pixel.state, pixel.first, pixel.end, pixel.idle}, limits);
+      if (total.valid) {
+        ++ends;
+        REQUIRE(total.skin_pixels == counts[state::skin]);
+        REQUIRE(total.undecidable_pixels == counts[state::undecidable]);
+        REQUIRE(total.unsupervised_pixels == counts[state::unsupervised]);
+        REQUIRE(total.alarm == (counts[state::skin] > 300));
+        REQUIRE(total.too_undecidable == (counts[state::undecidable] > 300));
+        REQUIRE(total.too_unsupervised == (counts[state::unsupervised] > 300));
+      }
+    }
+    REQUIRE(pixels.size() == width * height);
+    REQUIRE(pixels == from_runs);
+    REQUIRE(ends == 1);
+    REQUIRE(last_runs == 1);
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        const std::size_t beat =
+            static_cast<std::size_t>((y + offset) * width + x + offset);  // raster shifted as a whole
+        REQUIRE(pixels[static_cast<std::size_t>(y * width + x)] == frame.beats[beat].state.value());
+      }
+    }
+  }
+}
+
+TEST_CASE("health: black, white, constant and frozen images", "[stages]") {
+  CameraHealth<32, 16> stage;
+  decltype(stage)::Config config;
+  config.dark_level = 4;
+  config.bright_level = 251;
+  config.dark_limit = 486;  // of 512
+  config.bright_limit = 486;
+  config.contrast_limit = 8;
+  config.frozen_limit = 2;
+  std::mt19937 random(21);
+  const auto frame = [&](auto&& pixel) {
+    decltype(stage)::Out result;
+    for (int i = 0; i < 512; ++i) {
+      decltype(stage)::In in;
+      in.pixel = pixel(i);
+      in.first = i == 0;
+      in.end = i == 511;
+      result = stage.step(in, config);
+      REQUIRE(result.valid == in.end);
+    }
+    return result;
+  };
+  const auto noise = [&](int) { return 100 + static_cast<int>(random() % 40); };
+  const auto none = [](const auto& r) { return !r.black && !r.white && !r.constant && !r.frozen; };
+  REQUIRE(none(frame(noise)));
+  REQUIRE(frame([&](int) { return random() % 5; }).black);
+  REQUIRE(!frame([&](int) { return random() % 6; }).black);
+  REQUIRE(frame([&](int) { return 251 + random() % 5; }).white);
+  REQUIRE(none(frame([](int i) { return i < 26 ? 100 : 3; })));
+  REQUIRE(frame([](int i) { return i < 25 ? 100 : 3; }).black);
+  const auto flat = frame([&](int) { return 100 + random() % 9; });
+  REQUIRE((flat.constant && !flat.black && !flat.white));
+  REQUIRE(none(frame(noise)));
+  std::vector<int> picture(512);
+  for (int& p : picture) p = noise(0);
+  const auto same = [&](int i) { return picture[static_cast<std::size_t>(i)]; };
+  REQUIRE(none(frame(same)));
+  REQUIRE(none(frame(same)));  // the first repetition
+  REQUIRE(frame(same).frozen);
+  picture[100] += 1;
+  REQUIRE(none(frame(same)));
+  REQUIRE(none(frame(same)));
+  REQUIRE(frame(same).frozen);
+  config.frozen_limit = 0;
+  REQUIRE(none(frame(same)));
+  horopter::hls::reset(stage);
+  config.frozen_limit = 1;
+  REQUIRE(none(frame(same)));  // nothing before it
+  REQUIRE(frame(same).frozen);
+}
+
+TEST_CASE("a row shorter than the memories' distance is refused", "[stages]") {
+  LowpassFilter<48> lowpass;
+  const Frame<GreyPair> frame(min_row_beats - 1, 4);
+  REQUIRE_THROWS_AS(pass(lowpass, frame), horopter::hls::hazard_error);
+  LowpassFilter<48> narrow;
+  const Frame<GreyPair> wide(49, 2);
+  REQUIRE_THROWS_AS(pass(narrow, wide), horopter::hls::hazard_error);
+}
