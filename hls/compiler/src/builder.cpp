@@ -2,6 +2,7 @@
 #include "hlsc/builder.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <map>
 
@@ -36,6 +37,20 @@ std::size_t signed_length(const Bits& a) {
   return n;
 }
 
+constexpr std::uint64_t kUnbounded = ~std::uint64_t{0};
+constexpr std::uint64_t kLargestBound = (std::uint64_t{1} << 62) - 1;
+
+std::uint64_t mask_of(std::size_t width) { return width > 62 ? kUnbounded : (std::uint64_t{1} << width) - 1; }
+
+std::uint64_t bounded_sum(std::uint64_t a, std::uint64_t b) {
+  return a <= kLargestBound && b <= kLargestBound && a + b <= kLargestBound ? a + b : kUnbounded;
+}
+
+std::uint64_t bounded_product(std::uint64_t a, std::uint64_t b) {
+  if (a == 0 || b == 0) return 0;
+  return a <= kLargestBound && b <= kLargestBound / a ? a * b : kUnbounded;
+}
+
 bool top_is_zero(const Bits& a) { return a.back() == kZero; }
 
 Bit constant_bit(bool value) { return value ? kOne : kZero; }
@@ -64,6 +79,7 @@ Builder::Builder() {
   constant.op = Op::kConstant;
   constant.width = 2;
   nodes_.push_back(constant);
+  bounds_.push_back(kUnbounded);
 }
 
 bool Builder::is_constant(const Bits& bits) {
@@ -137,12 +153,55 @@ Bits Builder::make(Op op, std::uint32_t width, std::vector<Bits> operands, std::
   if (id == 0) {
     id = static_cast<NodeId>(nodes_.size());
     node.where = where;
+    bounds_.push_back(bound_of(node));
     nodes_.push_back(std::move(node));
     bucket.push_back(id);
   }
   Bits bits(width);
-  for (std::uint32_t i = 0; i < width; ++i) bits[i] = {id, i};
+  const std::uint64_t most = bounds_[id];
+  for (std::uint32_t i = 0; i < width; ++i) bits[i] = most != kUnbounded && (most >> i) == 0 ? kZero : Bit{id, i};
   return bits;
+}
+
+std::uint64_t Builder::bound(const Bits& a) const {
+  if (unsigned_length(a) > 62) return kUnbounded;
+  std::uint64_t total = 0;
+  for (std::size_t low = 0; low < a.size();) {
+    if (a[low].node == 0) {
+      if (a[low] == kOne) total += std::uint64_t{1} << low;
+      ++low;
+      continue;
+    }
+    std::size_t high = low + 1;
+    while (high < a.size() && a[high].node == a[low].node && a[high].index == a[high - 1].index + 1) ++high;
+    std::uint64_t most = mask_of(high - low);
+    const Node& node = nodes_[a[low].node];
+    // A run up to the top of a node inherits its bound.
+    if (a[high - 1].index + 1 == node.width && bounds_[a[low].node] != kUnbounded) {
+      most = std::min(most, bounds_[a[low].node] >> a[low].index);
+    }
+    total += most << low;
+    low = high;
+  }
+  return total;
+}
+
+std::uint64_t Builder::bound_of(const Node& node) const {
+  const std::uint64_t mask = mask_of(node.width);
+  const auto operand = [&](std::size_t i) { return bound(node.operands[i]); };
+  switch (node.op) {
+    case Op::kAdd: {
+      const std::uint64_t sum = bounded_sum(operand(0), operand(1));
+      return sum <= mask ? sum : mask;
+    }
+    case Op::kMul: {
+      const std::uint64_t product = bounded_product(operand(0), operand(1));
+      return product <= mask ? product : mask;
+    }
+    case Op::kMux: return std::min(mask, std::max(operand(1), operand(2)));
+    case Op::kAnd: return std::min({mask, operand(0), operand(1)});
+    default: return mask;
+  }
 }
 
 Bits Builder::source(Op op, std::uint32_t port, std::uint32_t width, const std::string& name) {
@@ -160,6 +219,7 @@ Bits Builder::undefined(std::uint32_t width, const std::string& what) {
   node.where = where;
   const auto id = static_cast<NodeId>(nodes_.size());
   nodes_.push_back(std::move(node));
+  bounds_.push_back(kUnbounded);
   Bits bits(width);
   for (std::uint32_t i = 0; i < width; ++i) bits[i] = {id, i};
   return bits;
@@ -280,8 +340,13 @@ Bits Builder::add(const Bits& a, const Bits& b) {
   if (is_constant(y) && unsigned_length(y) == 0) return append(result, x), result;
   if (is_constant(x) && unsigned_length(x) == 0) return append(result, y), result;
   const bool zero = top_is_zero(x) && top_is_zero(y);
-  const std::size_t length = zero ? std::max(unsigned_length(x), unsigned_length(y)) + 1
-                                  : std::max(signed_length(x), signed_length(y)) + 1;
+  std::size_t length = zero ? std::max(unsigned_length(x), unsigned_length(y)) + 1
+                            : std::max(signed_length(x), signed_length(y)) + 1;
+  if (zero) {
+    const std::uint64_t most = bounded_sum(bound(x), bound(y));
+    if (most == 0) return append(result, constant(0, n - low)), result;
+    if (most != kUnbounded) length = std::min<std::size_t>(length, static_cast<std::size_t>(std::bit_width(most)));
+  }
   const std::size_t width = std::min(n - low, length);
   x.resize(width);
   y.resize(width);
@@ -356,7 +421,9 @@ Bits Builder::multiply_by_constant(const Bits& a, const Bits& factor) {
     product = digits[i] > 0 ? (first ? shifted(i) : add(product, shifted(i))) : sub(product, shifted(i));
     first = false;
   }
-  const std::size_t length = unsigned_length(a) + unsigned_length(factor);
+  std::size_t length = unsigned_length(a) + unsigned_length(factor);
+  const std::uint64_t most = bounded_product(bound(a), bound(factor));
+  if (most != kUnbounded) length = std::min<std::size_t>(length, static_cast<std::size_t>(std::bit_width(most)));
   return length < n ? zero_extend(slice(product, 0, length), n) : product;
 }
 
@@ -381,7 +448,10 @@ Bits Builder::mul(const Bits& a, const Bits& b) {
       append(result, slice(zero_extend(bit_and(y, Bits(y.size(), x[0])), std::max(rest, y.size())), 0, rest));
       return result;
     }
-    const std::size_t width = std::min(rest, x.size() + y.size());
+    std::size_t width = std::min(rest, x.size() + y.size());
+    const std::uint64_t most = bounded_product(bound(x), bound(y));
+    if (most == 0) return constant(0, n);
+    if (most != kUnbounded) width = std::min<std::size_t>(width, static_cast<std::size_t>(std::bit_width(most)));
     if (x.size() > width) x.resize(width);
     if (y.size() > width) y.resize(width);
     append(result, zero_extend(make(Op::kMul, static_cast<std::uint32_t>(width), {x, y}), rest));
@@ -431,6 +501,8 @@ Bits Builder::ashr(const Bits& a, const Bits& amount) {
 
 Bit Builder::eq(const Bits& a, const Bits& b) {
   assert(a.size() == b.size());
+  if (is_constant(b) && unsigned_length(b) <= 62 && bound(a) < value_of(b)) return kZero;
+  if (is_constant(a) && unsigned_length(a) <= 62 && bound(b) < value_of(a)) return kZero;
   Bits left, right;
   std::map<std::pair<Bit, Bit>, bool> known;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -457,6 +529,8 @@ Bit Builder::eq(const Bits& a, const Bits& b) {
 
 Bit Builder::ult(const Bits& a, const Bits& b) {
   assert(a.size() == b.size());
+  if (is_constant(b) && unsigned_length(b) <= 62 && bound(a) < value_of(b)) return kOne;
+  if (is_constant(a) && unsigned_length(a) <= 62 && bound(b) <= value_of(a)) return kZero;
   Bits x, y;  // places where both are the same decide nothing
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (a[i] == b[i]) continue;

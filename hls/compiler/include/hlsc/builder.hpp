@@ -84,11 +84,15 @@ class Builder {
   Bits make(Op op, std::uint32_t width, std::vector<Bits> operands, std::uint32_t port = 0);
   [[nodiscard]] bool complementary(Bit a, Bit b) const;
   [[nodiscard]] bool simplify_bit(Op op, Bit a, Bit b, Bit& result) const;
+  /// Largest unsigned value; UINT64_MAX where it is not known to fit 62 bits.
+  [[nodiscard]] std::uint64_t bound(const Bits& a) const;
+  [[nodiscard]] std::uint64_t bound_of(const Node& node) const;
   Bits multiply_by_constant(const Bits& a, const Bits& constant);
   template <typename Stage>
   Bits barrel(Bits a, const Bits& amount, Stage stage);
 
   std::vector<Node> nodes_;
+  std::vector<std::uint64_t> bounds_;  ///< by node: largest unsigned value
   std::unordered_map<std::size_t, std::vector<NodeId>> table_;  ///< by hash
 };
 
