@@ -101,7 +101,7 @@ module horopter_map_store #(
   logic [23:0] left_q;  // words of data still to come, less one
   logic [16:0] write_addr_q;
   logic odd_q;
-  logic refuse_q, consistent_q;
+  logic consistent_q;
   logic [11:0] cells_x_q, cells_y_q;
 
   logic take, slot_in_use;
@@ -128,12 +128,15 @@ module horopter_map_store #(
       .read_data_o(extent),
       .parity_error_o(unused_extent_parity)
   );
-  logic overlaps;
+  logic overlaps, overlap_in_use;
   logic [3:0] walk_slot;
   assign walk_slot = step_q[4:1];
   assign overlaps = walk_slot != 4'd15 && valid_q[walk_slot] && walk_slot != slot_q
       && 24'(extent[15:0]) < end_q && extent[31:16] >= base_q;
 
+  // Decided when the walk is over: the selection may change during it.
+  assign overlap_in_use = running_i && ((selected_slot_i != 4'd15 && overlap_q[selected_slot_i])
+      || (active_slot_i != 4'd15 && overlap_q[active_slot_i]));
   assign store_entry = state_q == CHECK && take && data_i == ~crc_q;
 
   always_ff @(posedge clk_i) begin
@@ -217,7 +220,6 @@ module horopter_map_store #(
           end else begin
             step_q <= 6'd0;
             overlap_q <= 15'd0;
-            refuse_q <= 1'b0;
             state_q <= WALK;
           end
         end
@@ -225,15 +227,12 @@ module horopter_map_store #(
         // Two clocks a slot: read, judge.
         WALK: begin
           step_q <= step_q + 6'd1;
-          if (step_q[0] && overlaps) begin
-            overlap_q[walk_slot] <= 1'b1;
-            if (running_i && (walk_slot == selected_slot_i || walk_slot == active_slot_i)) refuse_q <= 1'b1;
-          end
+          if (step_q[0] && overlaps) overlap_q[walk_slot] <= 1'b1;
           if (step_q == 6'd32) begin
             write_addr_q <= 17'(base_q);
             left_q <= {size_q[22:0], 1'b0} - 24'd1;
             odd_q <= 1'b0;
-            if (refuse_q) begin
+            if (overlap_in_use) begin
               state_q <= IDLE;
               error_o <= IN_USE;
               refused_o <= 1'b1;

@@ -529,7 +529,7 @@ module horopter_top (
       .valid_i(write_en[0]),
       .pixel_i(left_write_pixel),
       .first_i(write_first[0]),
-      .end_i(write_end[0]),
+      .end_v_i(write_end[0]),
       .cfg_dark_level_i(sampled_black_level_q),
       .cfg_bright_level_i(sampled_white_level_q),
       .cfg_dark_limit_i(sampled_black_limit_q),
@@ -549,7 +549,7 @@ module horopter_top (
       .valid_i(write_en[1]),
       .pixel_i(right_write_pixel),
       .first_i(write_first[1]),
-      .end_i(write_end[1]),
+      .end_v_i(write_end[1]),
       .cfg_dark_level_i(sampled_black_level_q),
       .cfg_bright_level_i(sampled_white_level_q),
       .cfg_dark_limit_i(sampled_black_limit_q),
@@ -1032,7 +1032,7 @@ module horopter_top (
       .state_o(state),
       .first_o(state_first),
       .last_o(state_last),
-      .end_o(state_end),
+      .end_v_o(state_end),
       .idle_o(state_idle)
   );
 
@@ -1052,7 +1052,7 @@ module horopter_top (
       .valid_o(run_valid),
       .row_o(run_row),
       .start_o(run_start),
-      .end_o(run_end),
+      .end_v_o(run_end),
       .state_o(run_state),
       .last_o(run_last)
   );
@@ -1066,7 +1066,7 @@ module horopter_top (
       .valid_i(state_valid),
       .state_i(state),
       .first_i(state_first),
-      .end_i(state_end),
+      .end_v_i(state_end),
       .idle_i(state_idle),
       .cfg_alarm_limit_i(sampled_alarm_limit_q),
       .cfg_undecidable_limit_i(sampled_undecidable_limit_q),

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// horopter_map_store's switch, by induction: a table in use stays as it was uploaded.
+//
+// One arbitrary (constant, unknown) slot is followed, with the region that its last successful upload filled. While it
+// is valid, nothing writes into that region; while it is valid and in use, it stays valid. What is looked up is in use
+// and was valid. Taken for granted: the directory's memory reads what was written (as horopter_ram does).
+module formal_map_store (
+    input logic        clk_i,
+    input logic        rst_ni,
+    input logic        running,
+    input logic [11:0] width,
+    input logic [11:0] height,
+    input logic [ 3:0] selected_slot,
+    input logic [ 3:0] active_slot,
+    input logic [ 3:0] slot,
+    input logic [15:0] base,
+    input logic        start_valid,
+    input logic        data_valid,
+    input logic [31:0] data,
+    input logic        lookup
+);
+  logic start_ready, data_ready, busy, bad_upload, refused, table_ok;
+  logic [2:0] error;
+  logic [14:0] valid;
+  horopter_map_store #(
+      .POOL_BYTES(128),
+      .PARITY(1'b0)
+  ) dut (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .running_i(running),
+      .width_i(width),
+      .height_i(height),
+      .selected_slot_i(selected_slot),
+      .active_slot_i(active_slot),
+      .slot_i(slot),
+      .base_i(base),
+      .start_valid_i(start_valid),
+      .start_ready_o(start_ready),
+      .data_valid_i(data_valid),
+      .data_ready_o(data_ready),
+      .data_i(data),
+      .busy_o(busy),
+      .error_o(error),
+      .valid_o(valid),
+      .slot_crc_o(),
+      .bad_upload_o(bad_upload),
+      .refused_o(refused),
+      .lookup_i(lookup),
+      .lookup_slot_i(selected_slot),
+      .table_ok_o(table_ok),
+      .table_base_o(),
+      .table_nx_o(),
+      .table_ny_o(),
+      .table_columns_o(),
+      .table_crc_o(),
+      .read_en_i(1'b0),
+      .even_addr_i('0),
+      .odd_addr_i('0),
+      .even_data_o(),
+      .odd_data_o(),
+      .parity_error_o()
+  );
+  // Registers of the device, joined when the hierarchy is flattened (yosys: hierconn).
+  (* hierconn *) wire [2:0] \dut.state_q ;
+  (* hierconn *) wire [3:0] \dut.slot_q ;
+  (* hierconn *) wire [15:0] \dut.base_q ;
+  (* hierconn *) wire [23:0] \dut.size_q ;
+  (* hierconn *) wire [23:0] \dut.end_q ;
+  (* hierconn *) wire [23:0] \dut.left_q ;
+  (* hierconn *) wire [16:0] \dut.write_addr_q ;
+  (* hierconn *) wire \dut.odd_q ;
+  (* hierconn *) wire [5:0] \dut.step_q ;
+  (* hierconn *) wire [14:0] \dut.overlap_q ;
+  (* hierconn *) wire [31:0] \dut.extent ;
+  (* hierconn *) wire \dut.store_entry ;
+  (* hierconn *) wire \dut.write_even ;
+  (* hierconn *) wire \dut.write_odd ;
+  localparam logic [2:0] SIZE = 3'd4, WALK = 3'd5, DATA = 3'd6, CHECK = 3'd7;
+
+  (* anyconst *) logic [3:0] watched;
+  logic [15:0] first, last;  // region of the watched table
+  logic past_valid = 1'b0, past_in_use = 1'b0, past_lookup_valid = 1'b0;
+  logic in_use;
+  assign in_use = running && valid[watched] && (watched == selected_slot || watched == active_slot);
+
+  always @(posedge clk_i) begin
+    past_valid <= 1'b1;
+    past_in_use <= rst_ni && in_use;
+    if (\dut.store_entry && \dut.slot_q == watched) begin
+      first <= \dut.base_q ;
+      last <= \dut.end_q [15:0] - 16'd1;
+    end
+  end
+
+  logic [23:0] end_of_data;
+  logic apart;  // the upload's region and the watched table's
+  assign apart = 24'(last) < 24'(\dut.base_q ) || 24'(first) >= \dut.end_q ;
+
+  always @(*) begin
+    if (!past_valid) assume (!rst_ni);
+    assume (watched != 4'd15);
+    // The directory's memory.
+    if (\dut.state_q == WALK && \dut.step_q [0] && \dut.step_q [4:1] == watched && valid[watched])
+      assume (\dut.extent == {last, first});
+
+    if (past_valid) begin
+      // --- invariants that lead to the properties ---
+      if (valid[watched]) assert (first <= last && 32'(last) < 16);
+      if (\dut.state_q == SIZE) assert (\dut.step_q <= 6'd12);
+      if (\dut.state_q == SIZE && \dut.step_q == 6'd12 || \dut.state_q == WALK)
+        assert (\dut.end_q == \dut.size_q + 24'(\dut.base_q ) && \dut.size_q < 24'd4194304);
+      if (\dut.state_q == WALK) assert (\dut.step_q <= 6'd32);
+      if (\dut.state_q == WALK || \dut.state_q == DATA || \dut.state_q == CHECK) begin
+        assert (\dut.end_q <= 24'd16 && 24'(\dut.base_q ) < \dut.end_q );
+        assert (\dut.slot_q != 4'd15 && !valid[\dut.slot_q ]);
+      end
+      if (\dut.state_q == WALK && valid[watched] && \dut.step_q > {1'b0, watched, 1'b1})
+        assert (\dut.overlap_q [watched] == !apart);
+      if (\dut.state_q == DATA) begin
+        // Words left, the one expected included.
+        assert (\dut.left_q < 24'd32);
+        assert (24'(\dut.write_addr_q ) < \dut.end_q && \dut.write_addr_q >= 17'(\dut.base_q ));
+        assert (\dut.left_q + 24'd1 + 24'(\dut.odd_q ) == (\dut.end_q - 24'(\dut.write_addr_q )) * 24'd2);
+      end
+      if ((\dut.state_q == DATA || \dut.state_q == CHECK) && valid[watched]) assert (apart);
+
+      // --- properties ---
+      if ((\dut.write_even || \dut.write_odd ) && valid[watched])
+        assert (\dut.write_addr_q < 17'(first) || \dut.write_addr_q > 17'(last));
+      if (past_in_use) assert (valid[watched] || !rst_ni);
+      cover (refused);
+      cover (\dut.state_q == DATA);
+    end
+  end
+endmodule

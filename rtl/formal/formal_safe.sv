@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// horopter_frame_control's safe_o, bounded: it never rises but with the publication of a frame without fault or alarm and
+// with a valid table, never survives a fault by more than 3 clocks, is low after reset, and always differs from unsafe_o.
+module formal_safe (
+    input logic        clk_i,
+    input logic        rst_ni,
+    input logic        safe_allowed,
+    input logic        open,
+    input logic        open_slot,
+    input logic [ 1:0] busy,
+    input logic        arrived,
+    input logic [ 1:0] health_end,
+    input logic [ 1:0] health_valid,
+    input logic [ 3:0] left_health,
+    input logic [ 3:0] right_health,
+    input logic [30:0] arriving_faults,
+    input logic [30:0] event_faults,
+    input logic [30:0] transient_faults,
+    input logic [ 1:0] silent,
+    input logic        begin_frame,
+    input logic        active,
+    input logic        read_slot,
+    input logic        table_ok,
+    input logic [30:0] output_faults,
+    input logic        miss,
+    input logic        state_first,
+    input logic        state_end,
+    input logic        runs_end,
+    input logic        counts_valid,
+    input logic        alarm,
+    input logic        too_undecidable,
+    input logic        too_unsupervised
+);
+  logic publish, frame_alarm, frame_safe, frame_done, late, heartbeat, safe, unsafe;
+  logic [30:0] frame_faults, fault_set;
+  logic [31:0] sequence_number;
+  horopter_frame_control dut (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .safe_allowed_i(safe_allowed),
+      .timeout_i(32'd20),
+      .open_i(open),
+      .open_slot_i(open_slot),
+      .busy_i(busy),
+      .arrived_i(arrived),
+      .health_end_i(health_end),
+      .health_valid_i(health_valid),
+      .left_health_i(left_health),
+      .right_health_i(right_health),
+      .arriving_faults_i(arriving_faults),
+      .event_faults_i(event_faults),
+      .transient_faults_i(transient_faults),
+      .silent_i(silent),
+      .begin_i(begin_frame),
+      .active_i(active),
+      .read_slot_i(read_slot),
+      .table_ok_i(table_ok),
+      .table_slot_i(4'd0),
+      .table_crc_i(32'd0),
+      .output_faults_i(output_faults),
+      .miss_i(miss),
+      .state_first_i(state_first),
+      .state_end_i(state_end),
+      .runs_end_i(runs_end),
+      .counts_valid_i(counts_valid),
+      .skin_i(24'd0),
+      .undecidable_i(24'd0),
+      .unsupervised_i(24'd0),
+      .alarm_i(alarm),
+      .too_undecidable_i(too_undecidable),
+      .too_unsupervised_i(too_unsupervised),
+      .publish_o(publish),
+      .frame_sequence_o(sequence_number),
+      .frame_alarm_o(frame_alarm),
+      .frame_safe_o(frame_safe),
+      .frame_slot_o(),
+      .frame_faults_o(frame_faults),
+      .frame_table_crc_o(),
+      .frame_skin_o(),
+      .frame_undecidable_o(),
+      .frame_unsupervised_o(),
+      .frame_misses_o(),
+      .frame_cycles_o(),
+      .frame_latency_o(),
+      .frame_tail_o(),
+      .frame_done_o(frame_done),
+      .fault_set_o(fault_set),
+      .late_o(late),
+      .heartbeat_o(heartbeat),
+      .safe_o(safe),
+      .unsafe_o(unsafe)
+  );
+
+  logic past_valid = 1'b0, past_safe = 1'b0, past_reset = 1'b1;
+  logic [3:0] fault_age = 4'd0;  // bit i: a fault came i + 1 clocks ago
+  logic fault_now;
+  // Faults of a health result without valid, or of an alarm without counts, mean nothing.
+  assign fault_now = arriving_faults != '0 || event_faults != '0 || transient_faults != '0 || output_faults != '0
+      || (health_valid[0] && left_health != '0) || (health_valid[1] && right_health != '0)
+      || (counts_valid && (too_undecidable || too_unsupervised));
+  always @(posedge clk_i) begin
+    past_valid <= 1'b1;
+    past_reset <= !rst_ni;
+    past_safe <= safe;
+    fault_age <= rst_ni ? {fault_age[2:0], fault_now} : 4'd0;
+  end
+
+  always @(*) begin
+    if (!past_valid) assume (!rst_ni);
+    assert (safe != unsafe);
+    if (past_valid) begin
+      if (past_reset) assert (!safe);
+      // Rises only with a good frame.
+      if (safe && !past_safe) assert (frame_done && frame_safe && frame_faults == '0 && !frame_alarm);
+      // A fault is felt after its register, its collection and the decision: 3 clocks.
+      if (fault_age[2] || fault_age[3]) assert (!safe || frame_done);
+      if (fault_age[2]) assert (!safe);
+      // A published frame with a fault or an alarm.
+      if (frame_done && (frame_faults != '0 || frame_alarm)) assert (!safe && !frame_safe);
+      cover (safe && sequence_number == 32'd2);
+      cover (past_safe && !safe && late);
+    end
+  end
+endmodule
