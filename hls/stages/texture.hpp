@@ -3,8 +3,7 @@
 //
 // Out   textured: sum of the left magnitude over T×T ≥ texture_limit, that is a mean of at least the texture threshold
 //       with texture_limit = threshold · T². Everything else passes through.
-// T = 5, half of the 9×9 window of the direction sum: a mean over 3×3 calls pixels undecidable although gradients a few
-// pixels away fill most of their window; one over the whole window calls pixels decidable whose window is mostly flat.
+// T = 3, the thesis's low-pass of the magnitude against its variance (10.1.6).
 // Offset: `textured` belongs to the pixel DELAY rows and columns up and left, the rest has none. With DELAY = (k − 1) /
 // 2 it leaves dsad together with the sum around the same pixel. (What wraps around a border is masked there.) Memory:
 // per column T rows of magnitudes, their sum, and DELAY − (T − 1) / 2 bits.
@@ -14,7 +13,7 @@
 
 namespace horopter::stages {
 
-inline constexpr int texture_window = 5;
+inline constexpr int texture_window = 3;
 
 template <int BEATS, int HYPOTHESES, int DELAY, int T = texture_window>
 class TextureDetector {

@@ -233,10 +233,10 @@ module horopter_csr #(
   end
   assign self_limit_value_o = self_limit_value_q;
 
-  // TEXTURE_LIMIT: A pixel is decidable when the left magnitude, summed over 5×5, is at least this.
+  // TEXTURE_LIMIT: A pixel is decidable when the left magnitude, summed over 3×3, is at least this.
   logic [15:0] texture_limit_sum_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) texture_limit_sum_q <= 16'd800;
+    if (!rst_ni) texture_limit_sum_q <= 16'd288;
     else if (write_take && write_addr_i == 12'h088)
       texture_limit_sum_q <= (write_data_i[15:0] & write_mask[15:0]) | (texture_limit_sum_q & ~write_mask[15:0]);
   end

@@ -141,7 +141,7 @@ inline Image mean_of_pairs(const Image& image) {
 struct Decision {
   int dsad_window = 9;
   int majority_window = 7;
-  int texture_window = 5;
+  int texture_window = 3;
   int self_shift = 4;
   double threshold_percent = 25;
   double texture = 32;     // unscaled Sobel magnitude

@@ -348,12 +348,14 @@ namespace {
 template <int HYPOTHESES, int K>
 void check_sums(std::mt19937& random) {
   constexpr int delay = (K - 1) / 2;
+  constexpr int texture_limit = texture_window * texture_window * 128;
+  constexpr int reach = (texture_window - 1) / 2;
   using Texture = TextureDetector<48, HYPOTHESES, delay>;
   using Dsad = DsadSum<48, HYPOTHESES, K>;
   auto texture = std::make_unique<Texture>();
   auto dsad = std::make_unique<Dsad>();
   typename Texture::Config config;
-  config.texture_limit = 25 * 128;
+  config.texture_limit = texture_limit;
   for (const int width : {48, 33}) {
     Frame<typename Texture::In> frame(width, 2 * K + 5);
     for (auto& beat : frame.beats) {
@@ -382,10 +384,10 @@ void check_sums(std::mt19937& random) {
           REQUIRE(beat.sum[n] == sum);
         }
         int magnitude = 0;
-        for (int j = -2; j <= 2; ++j) {
-          for (int i = -2; i <= 2; ++i) magnitude += frame.at(x - delay + i, y - delay + j).magnitude.value();
+        for (int j = -reach; j <= reach; ++j) {
+          for (int i = -reach; i <= reach; ++i) magnitude += frame.at(x - delay + i, y - delay + j).magnitude.value();
         }
-        REQUIRE(beat.textured == (magnitude >= 25 * 128));
+        REQUIRE(beat.textured == (magnitude >= texture_limit));
       }
     }
   }

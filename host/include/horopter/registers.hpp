@@ -211,12 +211,12 @@ inline constexpr Access kAccess = Access::kReadWrite;
 inline constexpr Field kValue{0, 16};
 }  // namespace self_limit
 
-/// A pixel is decidable when the left magnitude, summed over 5×5, is at least this.
+/// A pixel is decidable when the left magnitude, summed over 3×3, is at least this.
 namespace texture_limit {
 inline constexpr std::uint32_t kAddress = 0x088;
 inline constexpr Access kAccess = Access::kReadWrite;
-inline constexpr std::uint32_t kReset = 0x320;
-/// 25 times the threshold in units of the unscaled Sobel magnitude; 25 · 32 = 4 grey levels per px.
+inline constexpr std::uint32_t kReset = 0x120;
+/// 9 times the threshold in units of the unscaled Sobel magnitude; 9 · 32 = 4 grey levels per px.
 inline constexpr Field kSum{0, 16};
 }  // namespace texture_limit
 
