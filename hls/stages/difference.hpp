@@ -25,16 +25,22 @@ namespace horopter::stages {
 /// independent.
 inline constexpr int self_shift = 4;
 
-template <int HYPOTHESES>
+template <int HYPOTHESES, class V = Scalar>
 class DirectionDifference {
   static_assert(HYPOTHESES >= 1 && HYPOTHESES <= 64);
 
  public:
-  using In = Directions<2>;
+  template <int N>
+  using U = typename V::template u<N>;
+  template <int N>
+  using S = typename V::template s<N>;
+  using Bit = typename V::bit;
+
+  using In = Directions<2, V>;
   struct Out {
-    std::array<u<4>, HYPOTHESES + 1> difference{};
-    u<8> magnitude;
-    bool mask = false;
+    std::array<U<4>, HYPOTHESES + 1> difference{};
+    U<8> magnitude;
+    Bit mask = false;
     Marks marks;
   };
 
@@ -52,11 +58,11 @@ class DirectionDifference {
     out.difference[0] = between(left, right, lit<4>());
     for (int n = 1; n < HYPOTHESES; ++n) {
       const Gradient& shifted = right_[n - 1];
-      out.difference[static_cast<std::size_t>(n)] = shifted.exists ? between(left, shifted, lit<4>()) : u<4>(15);
+      out.difference[static_cast<std::size_t>(n)] = select(shifted.exists, between(left, shifted, lit<4>()), U<4>(15));
     }
     const Gradient& before = left_[self_shift - 1];
-    out.difference[HYPOTHESES] = before.exists ? between(left, before, lit<0>()) : u<4>(0);
-    out.magnitude = in.saturated ? u<8>(0) : in.magnitude[0];
+    out.difference[HYPOTHESES] = select(before.exists, between(left, before, lit<0>()), U<4>(0));
+    out.magnitude = select(in.saturated, U<8>(0), in.magnitude[0]);
     out.mask = in.mask;
     out.marks = in.marks;
 
@@ -71,18 +77,18 @@ class DirectionDifference {
 
  private:
   struct Gradient {
-    u<8> direction;
-    bool has_direction = false;
-    bool exists = false;
+    U<8> direction;
+    Bit has_direction = false;
+    Bit exists = false;
   };
 
-  static u<4> between(const Gradient& a, const Gradient& b, u<4> neither) {
+  static U<4> between(const Gradient& a, const Gradient& b, U<4> neither) {
     // Modulo 256; the sign bit tells which way round is shorter. −128 stays 128 and is clipped to 127.
-    const s<8> turn(a.direction - b.direction);
-    const u<8> shortest = abs(turn);
-    const u<4> level = shortest.bit(7) ? u<4>(15) : shortest.template bits<6, 3>();
-    if (a.has_direction && b.has_direction) return level;
-    return a.has_direction || b.has_direction ? u<4>(8) : neither;
+    const S<8> turn(a.direction - b.direction);
+    const U<8> shortest = abs(turn);
+    const U<4> level = select(shortest.bit(7), U<4>(15), shortest.template bits<6, 3>());
+    const U<4> without = select(a.has_direction || b.has_direction, U<4>(8), neither);
+    return select(a.has_direction && b.has_direction, level, without);
   }
 
   bool row_ended_ = true;

@@ -18,29 +18,33 @@
 namespace horopter::stages {
 
 /// Directions and magnitudes of LANES images.
-template <int LANES>
+template <int LANES, class V = Scalar>
 struct Directions {
-  std::array<u<8>, LANES> direction{};
-  std::array<u<8>, LANES> magnitude{};
-  bool saturated = false;
-  bool mask = false;
+  std::array<typename V::template u<8>, LANES> direction{};
+  std::array<typename V::template u<8>, LANES> magnitude{};
+  typename V::bit saturated = false;
+  typename V::bit mask = false;
   Marks marks;
 };
 
-template <int LANES = 2>
+template <int LANES = 2, class V = Scalar>
 class DirectionFinder {
  public:
-  using In = Gradients<LANES>;
-  using Out = Directions<LANES>;
+  template <int N>
+  using U = typename V::template u<N>;
+  using Bit = typename V::bit;
+
+  using In = Gradients<LANES, V>;
+  using Out = Directions<LANES, V>;
 
   Out step(const In& in) {
     Out out;
     for (std::size_t i = 0; i < LANES; ++i) {
-      const u<10> x = u<10>(abs(in.gx[i]));
-      const u<10> y = u<10>(abs(in.gy[i]));
-      const bool steep = y > x;
-      const u<10> larger = steep ? y : x;
-      const u<10> smaller = steep ? x : y;
+      const U<10> x = U<10>(abs(in.gx[i]));
+      const U<10> y = U<10>(abs(in.gy[i]));
+      const Bit steep = y > x;
+      const U<10> larger = select(steep, y, x);
+      const U<10> smaller = select(steep, x, y);
       out.direction[i] = unfold(octant_angle(smaller, larger), in.gx[i].negative(), in.gy[i].negative(), steep);
       out.magnitude[i] = sat<8>(larger + shr<3>(smaller + shl<1>(smaller) + lit<4>()));
     }
@@ -54,16 +58,15 @@ class DirectionFinder {
   static constexpr int quotient_bits = 6;
 
   /// arctan(smaller / larger) in 1/256 turn, 0 … 32.
-  static u<6> octant_angle(u<10> smaller, u<10> larger) {
-    return arctangent_table<quotient_bits>[ratio<quotient_bits>(smaller, larger).value()];
+  static U<6> octant_angle(U<10> smaller, U<10> larger) {
+    return lookup(arctangent_table<quotient_bits>, ratio<quotient_bits>(smaller, larger));
   }
 
   /// Multiple of a quarter turn, plus or minus the angle from its axis.
-  static u<8> unfold(u<6> angle, bool left, bool up, bool steep) {
-    const u<2> quarter = steep ? (up ? u<2>(3) : u<2>(1)) : (left ? u<2>(2) : u<2>(0));
-    const bool backwards = left != (up != steep);
-    const u<8> axis = shl<6>(quarter);
-    return backwards ? u<8>(axis - angle) : u<8>(axis + angle);
+  static U<8> unfold(U<6> angle, Bit left, Bit up, Bit steep) {
+    const Bit backwards = left != (up != steep);
+    const U<8> axis = shl<6>(cat(select(steep, U<1>(up), U<1>(left)), steep));
+    return select(backwards, U<8>(axis - angle), U<8>(axis + angle));
   }
 };
 

@@ -13,26 +13,29 @@
 
 namespace horopter::stages {
 
-template <int BEATS, int LANES = 2, int STRIDE = 1>
+template <int BEATS, int LANES = 2, int STRIDE = 1, class V = Scalar>
 class LowpassFilter {
  public:
-  using In = Grey<LANES>;
-  using Out = Grey<LANES>;
+  template <int N>
+  using U = typename V::template u<N>;
+
+  using In = Grey<LANES, V>;
+  using Out = Grey<LANES, V>;
 
   Out step(const In& in) {
     memory_.begin_step();
     const auto at = raster_.step(in.marks.first, in.marks.last);
     Column above = memory_.read(at.column);
     if (at.frame_start_row) [[unlikely]] {
-      above.mask = above.saturated = ColumnBits<3>(0);
+      above.mask = above.saturated = ColumnBits<3, V>(0);
     }
     Column column;
     Out out;
     for (std::size_t i = 0; i < LANES; ++i) {
-      const u<10> sum = u<10>(above.before_last[i] + shl<1>(above.last[i]) + in.pixel[i]);
-      const u<10> left = columns_[i].tap(STRIDE - 1);
-      const u<10> left2 = columns_[i].tap(2 * STRIDE - 1);
-      out.pixel[i] = u<8>(shr<4>(left2 + shl<1>(left) + sum + lit<8>()));
+      const U<10> sum = U<10>(above.before_last[i] + shl<1>(above.last[i]) + in.pixel[i]);
+      const U<10> left = columns_[i].tap(STRIDE - 1);
+      const U<10> left2 = columns_[i].tap(2 * STRIDE - 1);
+      out.pixel[i] = U<8>(shr<4>(left2 + shl<1>(left) + sum + lit<8>()));
       columns_[i].push(sum);
       column.before_last[i] = above.last[i];
       column.last[i] = in.pixel[i];
@@ -46,17 +49,17 @@ class LowpassFilter {
 
  private:
   struct Column {
-    std::array<u<8>, LANES> last{};
-    std::array<u<8>, LANES> before_last{};
-    ColumnBits<3> mask;
-    ColumnBits<3> saturated;
+    std::array<U<8>, LANES> last{};
+    std::array<U<8>, LANES> before_last{};
+    ColumnBits<3, V> mask;
+    ColumnBits<3, V> saturated;
   };
 
   ColumnMemory<Column, BEATS> memory_;
   Raster<BEATS, 1> raster_;
-  std::array<DelayLine<u<10>, 2 * STRIDE>, LANES> columns_{};
-  WindowAnd<3, STRIDE> mask_;
-  WindowAnd<3, STRIDE> saturated_;
+  std::array<DelayLine<U<10>, 2 * STRIDE>, LANES> columns_{};
+  WindowAnd<3, STRIDE, V> mask_;
+  WindowAnd<3, STRIDE, V> saturated_;
 };
 
 template <Profile P>

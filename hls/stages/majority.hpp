@@ -13,19 +13,23 @@
 
 namespace horopter::stages {
 
-template <int BEATS, int M>
+template <int BEATS, int M, class V = Scalar>
 class MajorityVote {
   static_assert(M >= 3 && M <= 9 && M % 2 == 1, "the window is 3×3 to 9×9");
 
  public:
+  template <int N>
+  using U = typename V::template u<N>;
+  using Bit = typename V::bit;
+
   struct In {
-    bool skin = false;
-    bool decidable = false;
-    bool mask = false;
+    Bit skin = false;
+    Bit decidable = false;
+    Bit mask = false;
     Marks marks;
   };
   struct Out {
-    u<2> state;
+    U<2> state;
     Marks marks;
   };
 
@@ -34,29 +38,25 @@ class MajorityVote {
     const auto at = raster_.step(in.marks.first, in.marks.last);
     Column above = memory_.read(at.column);
     if (at.frame_start_row) [[unlikely]] {
-      above.mask = ColumnBits<M>(0);
+      above.mask = ColumnBits<M, V>(0);
     }
     Column column;
-    const u<M> decidable = cat(above.decidable, in.decidable);
-    const u<M> skin = cat(above.skin, in.decidable && in.skin);
-    column.decidable = u<M - 1>(decidable);
-    column.skin = u<M - 1>(skin);
-    const u<2 * sum_bits> sums =
-        sums_.step(at.row_start, at.column >= M, cat(u<sum_bits>(popcount(decidable)), u<sum_bits>(popcount(skin))));
+    const U<M> decidable = cat(above.decidable, in.decidable);
+    const U<M> skin = cat(above.skin, in.decidable && in.skin);
+    column.decidable = U<M - 1>(decidable);
+    column.skin = U<M - 1>(skin);
+    const U<2 * sum_bits> sums =
+        sums_.step(at.row_start, at.column >= M, cat(U<sum_bits>(popcount(decidable)), U<sum_bits>(popcount(skin))));
     const auto decidable_sum = sums.template bits<2 * sum_bits - 1, sum_bits>();
     const auto skin_sum = sums.template bits<sum_bits - 1, 0>();
-    const bool mask = mask_.step(at.row_start, in.mask, above.mask, column.mask);
+    const Bit mask = mask_.step(at.row_start, in.mask, above.mask, column.mask);
     memory_.write(at.column, column);
 
     Out out;
     out.marks = in.marks;
-    if (!mask) {
-      out.state = state::unsupervised;
-    } else if (decidable_sum <= lit<M * M / 2>()) {
-      out.state = state::undecidable;
-    } else {
-      out.state = shl<1>(skin_sum) > decidable_sum ? state::skin : state::clear;
-    }
+    const Bit decided = decidable_sum > lit<M * M / 2>();
+    const U<2> vote = select(shl<1>(skin_sum) > decidable_sum, U<2>(state::skin), U<2>(state::clear));
+    out.state = select(mask, select(decided, vote, U<2>(state::undecidable)), U<2>(state::unsupervised));
     return out;
   }
 
@@ -64,15 +64,15 @@ class MajorityVote {
   static constexpr int sum_bits = bits_for(M * M);
 
   struct Column {
-    u<M - 1> decidable;
-    u<M - 1> skin;
-    ColumnBits<M> mask;
+    U<M - 1> decidable;
+    U<M - 1> skin;
+    ColumnBits<M, V> mask;
   };
 
   ColumnMemory<Column, BEATS> memory_;
   Raster<BEATS, 1> raster_;
-  HorizontalSum<M, 2 * sum_bits> sums_;  // of decidable, of skin
-  WindowAnd<M> mask_;
+  HorizontalSum<M, 2 * sum_bits, 1, V> sums_;  // of decidable, of skin
+  WindowAnd<M, 1, V> mask_;
 };
 
 template <Profile P>

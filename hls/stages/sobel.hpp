@@ -14,35 +14,40 @@
 namespace horopter::stages {
 
 /// Gradients of LANES images.
-template <int LANES>
+template <int LANES, class V = Scalar>
 struct Gradients {
-  std::array<s<11>, LANES> gx{};
-  std::array<s<11>, LANES> gy{};
-  bool saturated = false;
-  bool mask = false;
+  std::array<typename V::template s<11>, LANES> gx{};
+  std::array<typename V::template s<11>, LANES> gy{};
+  typename V::bit saturated = false;
+  typename V::bit mask = false;
   Marks marks;
 };
 
-template <int BEATS, int LANES = 2, int STRIDE = 1>
+template <int BEATS, int LANES = 2, int STRIDE = 1, class V = Scalar>
 class SobelFilter {
  public:
-  using In = Grey<LANES>;
-  using Out = Gradients<LANES>;
+  template <int N>
+  using U = typename V::template u<N>;
+  template <int N>
+  using S = typename V::template s<N>;
+
+  using In = Grey<LANES, V>;
+  using Out = Gradients<LANES, V>;
 
   Out step(const In& in) {
     memory_.begin_step();
     const auto at = raster_.step(in.marks.first, in.marks.last);
     Column above = memory_.read(at.column);
     if (at.frame_start_row) [[unlikely]] {
-      above.mask = above.saturated = ColumnBits<3>(0);
+      above.mask = above.saturated = ColumnBits<3, V>(0);
     }
     Column column;
     Out out;
     for (std::size_t i = 0; i < LANES; ++i) {
-      const u<10> smooth = u<10>(above.before_last[i] + shl<1>(above.last[i]) + in.pixel[i]);
-      const s<9> slope = in.pixel[i] - above.before_last[i];
-      out.gx[i] = s<11>(smooth - smooth_[i].tap(2 * STRIDE - 1));
-      out.gy[i] = s<11>(slope + shl<1>(slope_[i].tap(STRIDE - 1)) + slope_[i].tap(2 * STRIDE - 1));
+      const U<10> smooth = U<10>(above.before_last[i] + shl<1>(above.last[i]) + in.pixel[i]);
+      const S<9> slope = in.pixel[i] - above.before_last[i];
+      out.gx[i] = S<11>(smooth - smooth_[i].tap(2 * STRIDE - 1));
+      out.gy[i] = S<11>(slope + shl<1>(slope_[i].tap(STRIDE - 1)) + slope_[i].tap(2 * STRIDE - 1));
       smooth_[i].push(smooth);
       slope_[i].push(slope);
       column.before_last[i] = above.last[i];
@@ -57,18 +62,18 @@ class SobelFilter {
 
  private:
   struct Column {
-    std::array<u<8>, LANES> last{};
-    std::array<u<8>, LANES> before_last{};
-    ColumnBits<3> mask;
-    ColumnBits<3> saturated;
+    std::array<U<8>, LANES> last{};
+    std::array<U<8>, LANES> before_last{};
+    ColumnBits<3, V> mask;
+    ColumnBits<3, V> saturated;
   };
 
   ColumnMemory<Column, BEATS> memory_;
   Raster<BEATS, 1> raster_;
-  std::array<DelayLine<u<10>, 2 * STRIDE>, LANES> smooth_{};
-  std::array<DelayLine<s<9>, 2 * STRIDE>, LANES> slope_{};
-  WindowAnd<3, STRIDE> mask_;
-  WindowAnd<3, STRIDE> saturated_;
+  std::array<DelayLine<U<10>, 2 * STRIDE>, LANES> smooth_{};
+  std::array<DelayLine<S<9>, 2 * STRIDE>, LANES> slope_{};
+  WindowAnd<3, STRIDE, V> mask_;
+  WindowAnd<3, STRIDE, V> saturated_;
 };
 
 template <Profile P>

@@ -40,11 +40,11 @@ inline constexpr int unsupervised = 3;  // a pixel of its support is missing
 
 /// Grey values of LANES images, from `interpolate` to `lowpass`. Two images packed into one stream have LANES = 1,
 /// STRIDE = 2.
-template <int LANES>
+template <int LANES, class V = Scalar>
 struct Grey {
-  std::array<u<8>, LANES> pixel{};
-  bool saturated = false;  // carries no information: black or white to the limit in one of the images
-  bool mask = false;       // both images exist here
+  std::array<typename V::template u<8>, LANES> pixel{};
+  typename V::bit saturated = false;  // carries no information: black or white to the limit in one of the images
+  typename V::bit mask = false;       // both images exist here
   Marks marks;
 };
 using GreyPair = Grey<2>;

@@ -15,21 +15,25 @@ namespace horopter::stages {
 
 inline constexpr int texture_window = 3;
 
-template <int BEATS, int HYPOTHESES, int DELAY, int T = texture_window>
+template <int BEATS, int HYPOTHESES, int DELAY, int T = texture_window, class V = Scalar>
 class TextureDetector {
   static_assert(T % 2 == 1 && DELAY >= (T - 1) / 2, "the texture window must fit into the delay");
 
  public:
+  template <int N>
+  using U = typename V::template u<N>;
+  using Bit = typename V::bit;
+
   static constexpr int sum_bits = bits_for(T * T * 255);
 
-  using In = typename DirectionDifference<HYPOTHESES>::Out;
+  using In = typename DirectionDifference<HYPOTHESES, V>::Out;
   struct Config {
     u<sum_bits> texture_limit;
   };
   struct Out {
-    std::array<u<4>, HYPOTHESES + 1> difference{};
-    bool textured = false;
-    bool mask = false;
+    std::array<U<4>, HYPOTHESES + 1> difference{};
+    Bit textured = false;
+    Bit mask = false;
     Marks marks;
   };
 
@@ -38,26 +42,26 @@ class TextureDetector {
     const auto at = raster_.step(in.marks.first, in.marks.last);
     Column above = memory_.read(at.column);
     if (at.frame_start_row) [[unlikely]] {
-      above.sum = u<column_bits>(0);
+      above.sum = U<column_bits>(0);
     }
     Column column;
 
     // C(y) = C(y−1) + (d(y) − d(y−T)); both terms are 0 above the frame.
-    const u<8> leaving = at.rows == T ? above.magnitude[T - 1] : u<8>(0);
-    column.sum = u<column_bits>(above.sum + (in.magnitude - leaving));
+    const U<8> leaving = at.rows == T ? above.magnitude[T - 1] : U<8>(0);
+    column.sum = U<column_bits>(above.sum + (in.magnitude - leaving));
     for (std::size_t i = T - 1; i > 0; --i) column.magnitude[i] = above.magnitude[i - 1];
     column.magnitude[0] = in.magnitude;
 
-    const auto sum = row_.step(at.row_start, at.column >= T, column.sum);
-    const bool textured = sum >= config.texture_limit;
+    const auto sum = row_.step(at.row_start, at.column >= T, U<sum_bits>(column.sum));
+    const Bit textured = sum >= config.texture_limit;
 
     Out out;
     out.difference = in.difference;
     out.mask = in.mask;
     out.marks = in.marks;
     if constexpr (delay_lines > 0) {
-      const bool delayed = above.textured.bit(delay_lines - 1);
-      column.textured = u<delay_lines>(cat(above.textured, textured));
+      const Bit delayed = above.textured.bit(delay_lines - 1);
+      column.textured = U<delay_lines>(cat(above.textured, textured));
       out.textured = columns_.oldest();
       columns_.push(delayed);
     } else {
@@ -73,15 +77,15 @@ class TextureDetector {
   static constexpr int stored_bits = delay_lines > 0 ? delay_lines : 1;
 
   struct Column {
-    std::array<u<8>, T> magnitude{};
-    u<column_bits> sum;
-    u<stored_bits> textured;
+    std::array<U<8>, T> magnitude{};
+    U<column_bits> sum;
+    U<stored_bits> textured;
   };
 
   ColumnMemory<Column, BEATS> memory_;
   Raster<BEATS, T> raster_;
-  HorizontalSum<T, sum_bits> row_;
-  DelayLine<bool, stored_bits> columns_;
+  HorizontalSum<T, sum_bits, 1, V> row_;
+  DelayLine<Bit, stored_bits> columns_;
 };
 
 template <Profile P>

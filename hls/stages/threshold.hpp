@@ -12,15 +12,19 @@
 
 namespace horopter::stages {
 
-template <int HYPOTHESES, int K>
+template <int HYPOTHESES, int K, class V = Scalar>
 class SumThreshold {
  public:
+  template <int N>
+  using U = typename V::template u<N>;
+  using Bit = typename V::bit;
+
   static constexpr int sum_bits = bits_for(15 * K * K);
 
   struct In {
-    std::array<u<sum_bits>, HYPOTHESES + 1> sum{};
-    bool textured = false;
-    bool mask = false;
+    std::array<U<sum_bits>, HYPOTHESES + 1> sum{};
+    Bit textured = false;
+    Bit mask = false;
     Marks marks;
   };
   struct Config {
@@ -28,9 +32,9 @@ class SumThreshold {
     u<sum_bits> self_limit;
   };
   struct Out {
-    bool skin = false;
-    bool decidable = false;
-    bool mask = false;
+    Bit skin = false;
+    Bit decidable = false;
+    Bit mask = false;
     Marks marks;
   };
 

@@ -8,7 +8,7 @@
 #include <bit>
 #include <cstddef>
 
-#include "horopter/hls/int.hpp"
+#include "horopter/hls/values.hpp"
 
 namespace horopter::hls {
 
@@ -57,49 +57,54 @@ class DelayLine {
 /// difference is taken apart from the sum, so the recurrence is one addition. Each row starts from 0; columns before
 /// the row count as 0. A value may hold several fields side by side, each wide enough for its own sum: one adder for
 /// all.
-template <int K, int BITS, int STRIDE = 1>
+template <int K, int BITS, int STRIDE = 1, class V = Scalar>
 class HorizontalSum {
  public:
+  using Sum = typename V::template u<BITS>;
+
   /// `filled`: at least K columns of this row lie before this one.
-  u<BITS> step(bool row_start, bool filled, u<BITS> column) {
-    const u<BITS> leaving = filled ? columns_.oldest() : u<BITS>(0);
+  Sum step(bool row_start, bool filled, Sum column) {
+    const Sum leaving = filled ? columns_.oldest() : Sum(0);
     columns_.push(column);
-    const u<BITS> change(column - leaving);
+    const Sum change(column - leaving);
     if (row_start) [[unlikely]] {
-      sums_.fill(u<BITS>(0));
+      sums_.fill(Sum(0));
     }
-    const u<BITS> sum(sums_.oldest() + change);
+    const Sum sum(sums_.oldest() + change);
     sums_.push(sum);
     return sum;
   }
 
  private:
-  DelayLine<u<BITS>, K * STRIDE> columns_;
-  DelayLine<u<BITS>, STRIDE> sums_;
+  DelayLine<Sum, K * STRIDE> columns_;
+  DelayLine<Sum, STRIDE> sums_;
 };
 
 /// The bits of the K − 1 pixels above in a column, the nearest lowest: what WindowAnd keeps per column.
-template <int K>
-using ColumnBits = u<K - 1>;
+template <int K, class V = Scalar>
+using ColumnBits = typename V::template u<K - 1>;
 
 /// AND of a bit over K×K pixels that ends at the current one, false where the window leaves the row or frame.
-template <int K, int STRIDE = 1>
+template <int K, int STRIDE = 1, class V = Scalar>
 class WindowAnd {
  public:
+  using Bits = ColumnBits<K, V>;
+  using Bit = typename V::bit;
+
   /// `above`: bits stored for this column, 0 in the frame's first row. `stored` becomes what to store.
-  bool step(bool row_start, bool bit, ColumnBits<K> above, ColumnBits<K>& stored) {
-    const u<K> column = cat(above, bit);
-    stored = ColumnBits<K>(column);
+  Bit step(bool row_start, Bit bit, Bits above, Bits& stored) {
+    const auto column = cat(above, bit);
+    stored = Bits(column);
     if (row_start) [[unlikely]] {
-      columns_.fill(ColumnBits<K>(0));
+      columns_.fill(Bits(0));
     }
-    const u<K> row = cat(columns_.oldest(), column == u<K>::max());
-    columns_.push(ColumnBits<K>(row));
+    const auto row = cat(columns_.oldest(), column == u<K>::max());
+    columns_.push(Bits(row));
     return row == u<K>::max();
   }
 
  private:
-  DelayLine<ColumnBits<K>, STRIDE> columns_;  // whether the K − 1 columns to the left are all true, the nearest lowest
+  DelayLine<Bits, STRIDE> columns_;  // whether the K − 1 columns to the left are all true, the nearest lowest
 };
 
 }  // namespace horopter::hls
