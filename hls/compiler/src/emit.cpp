@@ -15,21 +15,31 @@ namespace hlsc {
 namespace {
 
 constexpr std::array kReservedWords = std::to_array<std::string_view>(
-    {"accept_on", "alias", "always", "and", "assert", "assign", "assume", "automatic", "before", "begin", "bind", "bins",
-     "bit", "break", "buf", "byte", "case", "casex", "casez", "cell", "chandle", "checker", "class", "clocking",
-     "config", "const", "constraint", "context", "continue", "cover", "cross", "deassign", "default", "defparam",
-     "design", "disable", "dist", "do", "edge", "else", "end", "endcase", "enum", "event", "expect", "export",
-     "extends", "extern", "final", "first_match", "for", "force", "foreach", "forever", "fork", "function", "generate",
-     "genvar", "global", "if", "iff", "implements", "implies", "import", "incdir", "include", "initial", "inout",
-     "input", "inside", "instance", "int", "integer", "interface", "intersect", "join", "large", "let", "liblist",
-     "library", "local", "localparam", "logic", "longint", "macromodule", "matches", "medium", "modport", "module",
-     "nand", "negedge", "new", "nor", "not", "null", "or", "output", "package", "packed", "parameter", "posedge",
-     "primitive", "priority", "program", "property", "protected", "pull0", "pull1", "pure", "rand", "real", "realtime",
-     "ref", "reg", "release", "repeat", "restrict", "return", "scalared", "sequence", "shortint", "shortreal", "signed",
-     "small", "soft", "solve", "specify", "specparam", "static", "string", "strong", "struct", "super", "supply0",
-     "supply1", "table", "tagged", "task", "this", "throughout", "time", "timeprecision", "timeunit", "tran", "tri",
-     "type", "typedef", "union", "unique", "unique0", "unsigned", "until", "untyped", "use", "var", "vectored",
-     "virtual", "void", "wait", "wand", "weak", "while", "wildcard", "wire", "with", "within", "wor", "xnor", "xor"});
+    {"accept_on",   "alias",         "always",    "and",       "assert",     "assign",     "assume",
+     "automatic",   "before",        "begin",     "bind",      "bins",       "bit",        "break",
+     "buf",         "byte",          "case",      "casex",     "casez",      "cell",       "chandle",
+     "checker",     "class",         "clocking",  "config",    "const",      "constraint", "context",
+     "continue",    "cover",         "cross",     "deassign",  "default",    "defparam",   "design",
+     "disable",     "dist",          "do",        "edge",      "else",       "end",        "endcase",
+     "enum",        "event",         "expect",    "export",    "extends",    "extern",     "final",
+     "first_match", "for",           "force",     "foreach",   "forever",    "fork",       "function",
+     "generate",    "genvar",        "global",    "if",        "iff",        "implements", "implies",
+     "import",      "incdir",        "include",   "initial",   "inout",      "input",      "inside",
+     "instance",    "int",           "integer",   "interface", "intersect",  "join",       "large",
+     "let",         "liblist",       "library",   "local",     "localparam", "logic",      "longint",
+     "macromodule", "matches",       "medium",    "modport",   "module",     "nand",       "negedge",
+     "new",         "nor",           "not",       "null",      "or",         "output",     "package",
+     "packed",      "parameter",     "posedge",   "primitive", "priority",   "program",    "property",
+     "protected",   "pull0",         "pull1",     "pure",      "rand",       "real",       "realtime",
+     "ref",         "reg",           "release",   "repeat",    "restrict",   "return",     "scalared",
+     "sequence",    "shortint",      "shortreal", "signed",    "small",      "soft",       "solve",
+     "specify",     "specparam",     "static",    "string",    "strong",     "struct",     "super",
+     "supply0",     "supply1",       "table",     "tagged",    "task",       "this",       "throughout",
+     "time",        "timeprecision", "timeunit",  "tran",      "tri",        "type",       "typedef",
+     "union",       "unique",        "unique0",   "unsigned",  "until",      "untyped",    "use",
+     "var",         "vectored",      "virtual",   "void",      "wait",       "wand",       "weak",
+     "while",       "wildcard",      "wire",      "with",      "within",     "wor",        "xnor",
+     "xor"});
 
 std::string sanitise(std::string_view raw) {
   std::string name;
@@ -49,26 +59,42 @@ std::string sanitise(std::string_view raw) {
 
 std::string_view mnemonic(Op op) {
   switch (op) {
-    case Op::kRom: return "table";
-    case Op::kAnd: return "and";
-    case Op::kOr: return "or";
-    case Op::kXor: return "xor";
-    case Op::kNot: return "not";
-    case Op::kAdd: return "sum";
-    case Op::kSub: return "difference";
+    case Op::kRom:
+      return "table";
+    case Op::kAnd:
+      return "and";
+    case Op::kOr:
+      return "or";
+    case Op::kXor:
+      return "xor";
+    case Op::kNot:
+      return "not";
+    case Op::kAdd:
+      return "sum";
+    case Op::kSub:
+      return "difference";
     case Op::kMul:
-    case Op::kMulSigned: return "product";
+    case Op::kMulSigned:
+      return "product";
     case Op::kShl:
     case Op::kLshr:
-    case Op::kAshr: return "shifted";
-    case Op::kEq: return "equal";
+    case Op::kAshr:
+      return "shifted";
+    case Op::kEq:
+      return "equal";
     case Op::kUlt:
-    case Op::kSlt: return "less";
-    case Op::kMux: return "select";
-    case Op::kReduceOr: return "any";
-    case Op::kReduceAnd: return "all";
-    case Op::kReduceXor: return "parity";
-    default: return "value";
+    case Op::kSlt:
+      return "less";
+    case Op::kMux:
+      return "select";
+    case Op::kReduceOr:
+      return "any";
+    case Op::kReduceAnd:
+      return "all";
+    case Op::kReduceXor:
+      return "parity";
+    default:
+      return "value";
   }
 }
 
@@ -152,7 +178,8 @@ class Emitter {
 
   std::string unique(const std::string& wanted, std::string_view suffix = "") {
     std::string name = wanted + std::string(suffix);
-    for (unsigned i = 2; !names_.insert(name).second; ++i) name = wanted + "_" + std::to_string(i) + std::string(suffix);
+    for (unsigned i = 2; !names_.insert(name).second; ++i)
+      name = wanted + "_" + std::to_string(i) + std::string(suffix);
     return name;
   }
 
@@ -176,9 +203,7 @@ class Emitter {
   }
 
   static std::string enable(int stage) { return "s" + std::to_string(stage) + "_en"; }
-  static std::string valid(int stage) {
-    return stage == 0 ? "valid_i" : "valid_s" + std::to_string(stage) + "_q";
-  }
+  static std::string valid(int stage) { return stage == 0 ? "valid_i" : "valid_s" + std::to_string(stage) + "_q"; }
 
   void name_nodes() {
     node_signal_.assign(g_.nodes.size(), kNoSignal);
@@ -206,7 +231,8 @@ class Emitter {
       } else if (node.op == Op::kConfig) {
         node_signal_[n] = config_.at(node.port);
       } else {
-        base_name_[n] = node.name.empty() ? std::string(mnemonic(node.op)) + "_" + std::to_string(n) : sanitise(node.name);
+        base_name_[n] =
+            node.name.empty() ? std::string(mnemonic(node.op)) + "_" + std::to_string(n) : sanitise(node.name);
         const bool table = s_.synchronous_rom[n];
         node_signal_[n] = signal(unique(base_name_[n], table ? "_rdata_q" : ""), node.width);
         base_name_[n] = signals_[node_signal_[n]].name;
@@ -285,7 +311,8 @@ class Emitter {
   Reference resolve(Bit b, int stage) const {
     if (b.node == 0) return {kNoSignal, b.index};
     const int made = s_.stage[b.node];
-    if (made == kEveryStage && stage == last_) return {static_register_, static_cast<std::uint32_t>(output_static_.at(b))};
+    if (made == kEveryStage && stage == last_)
+      return {static_register_, static_cast<std::uint32_t>(output_static_.at(b))};
     if (made == kEveryStage || made == stage) return {node_signal_[b.node], b.index};
     if (const auto it = shared_.find({b, stage}); it != shared_.end()) return it->second;
     const auto& bits = registers_.at({stage, b.node});
@@ -392,31 +419,47 @@ class Emitter {
       return operand(0) + " " + symbol + " " + operand(1);
     };
     switch (node.op) {
-      case Op::kAnd: return binary("&");
-      case Op::kOr: return binary("|");
-      case Op::kXor: return binary("^");
-      case Op::kNot: return "~" + operand(0);
-      case Op::kAdd: return binary("+");
-      case Op::kSub: return binary("-");
+      case Op::kAnd:
+        return binary("&");
+      case Op::kOr:
+        return binary("|");
+      case Op::kXor:
+        return binary("^");
+      case Op::kNot:
+        return "~" + operand(0);
+      case Op::kAdd:
+        return binary("+");
+      case Op::kSub:
+        return binary("-");
       case Op::kMul:
         return expression(extended(node.operands[0], node.width, false), stage) + " * " +
                expression(extended(node.operands[1], node.width, false), stage);
       case Op::kMulSigned:
         return "$signed(" + expression(extended(node.operands[0], node.width, true), stage) + ") * $signed(" +
                expression(extended(node.operands[1], node.width, true), stage) + ")";
-      case Op::kShl: return shift("<<");
-      case Op::kLshr: return shift(">>");
+      case Op::kShl:
+        return shift("<<");
+      case Op::kLshr:
+        return shift(">>");
       case Op::kAshr:
         if (node.operands[1].size() > 31) throw ScheduleError(node.where, "a shift amount of more than 31 bits");
         return "$signed(" + operand(0) + ") >>> " + operand(1);
-      case Op::kEq: return binary("==");
-      case Op::kUlt: return binary("<");
-      case Op::kSlt: return "$signed(" + operand(0) + ") < $signed(" + operand(1) + ")";
-      case Op::kMux: return operand(0) + " ? " + operand(1) + " : " + operand(2);
-      case Op::kReduceOr: return "|" + operand(0);
-      case Op::kReduceAnd: return "&" + operand(0);
-      case Op::kReduceXor: return "^" + operand(0);
-      default: throw ScheduleError(node.where, "internal: operation cannot be emitted");
+      case Op::kEq:
+        return binary("==");
+      case Op::kUlt:
+        return binary("<");
+      case Op::kSlt:
+        return "$signed(" + operand(0) + ") < $signed(" + operand(1) + ")";
+      case Op::kMux:
+        return operand(0) + " ? " + operand(1) + " : " + operand(2);
+      case Op::kReduceOr:
+        return "|" + operand(0);
+      case Op::kReduceAnd:
+        return "&" + operand(0);
+      case Op::kReduceXor:
+        return "^" + operand(0);
+      default:
+        throw ScheduleError(node.where, "internal: operation cannot be emitted");
     }
   }
 
@@ -583,11 +626,13 @@ class Emitter {
       load_state << "      " << name << " <= " << assigned(state.next, stage) << ";\n";
     }
     if (!reset.str().empty()) {
-      out << "\n  always_ff @(posedge clk_i) begin\n    if (!rst_ni) begin\n" << reset.str() << "    end else if ("
-          << enable(stage) << ") begin\n" << load_state.str() << "    end\n  end\n";
+      out << "\n  always_ff @(posedge clk_i) begin\n    if (!rst_ni) begin\n"
+          << reset.str() << "    end else if (" << enable(stage) << ") begin\n"
+          << load_state.str() << "    end\n  end\n";
     }
     if (!load.str().empty()) {
-      out << "\n" << declare.str() << "  always_ff @(posedge clk_i) begin\n    if (" << enable(stage) << ") begin\n"
+      out << "\n"
+          << declare.str() << "  always_ff @(posedge clk_i) begin\n    if (" << enable(stage) << ") begin\n"
           << load.str() << "    end\n  end\n";
     }
   }
@@ -627,22 +672,23 @@ class Emitter {
     result_.memories.push_back({name, ram.depth, ram.width, ram.distance, stage, write});
     out << "\n  // Memory " << name << ", " << ram.depth << " x " << ram.width << ", DISTANCE " << ram.distance << ", "
         << place(ram.where) << "; read in stage " << stage;
-    if (write >= 0) out << ", written in stage " << write << ": " << stage << " < " << write << " < " << stage << " + DISTANCE";
+    if (write >= 0)
+      out << ", written in stage " << write << ": " << stage << " < " << write << " < " << stage << " + DISTANCE";
     out << ".\n";
     if (write >= 0) {
-      out << "  // So no address is read and written in one clock, and synthesis needs no bypass.\n  (* no_rw_check *)\n";
+      out << "  // So no address is read and written in one clock, and synthesis needs no bypass.\n  (* no_rw_check "
+             "*)\n";
     }
     out << "  logic " << range(ram.width) << name << "_mem [0:" << ram.depth - 1 << "];\n"
-        << "  initial for (int i = 0; i < " << ram.depth << "; i++) " << name << "_mem[i] = "
-        << literal(std::vector<bool>(ram.width, false)) << ";\n"
+        << "  initial for (int i = 0; i < " << ram.depth << "; i++) " << name
+        << "_mem[i] = " << literal(std::vector<bool>(ram.width, false)) << ";\n"
         << "  logic " << range(static_cast<std::uint32_t>(width)) << name << "_raddr;\n  assign " << name
         << "_raddr = " << assigned(ram.read_address, stage) << ";\n";
     out << "  logic " << name << "_re;\n  assign " << name << "_re = " << enable(stage);
     if (ram.read_enable != kOne) out << " & " << expression(Bits{ram.read_enable}, stage);
     out << ";\n  logic " << range(ram.width) << signals_[node_signal_[ram.read]].name << ";\n"
         << "  always_ff @(posedge clk_i) begin\n    if (" << name << "_re) " << signals_[node_signal_[ram.read]].name
-        << " <= " << name << "_mem[" << address_index(name + "_raddr", width, address_bits(ram.depth))
-        << "];\n  end\n";
+        << " <= " << name << "_mem[" << address_index(name + "_raddr", width, address_bits(ram.depth)) << "];\n  end\n";
   }
 
   void emit_memory_write(std::ostream& out, std::size_t r) {
@@ -655,8 +701,8 @@ class Emitter {
         << "_we;\n  assign " << name << "_we = " << enable(stage);
     if (ram.write_enable != kOne) out << " & " << expression(Bits{ram.write_enable}, stage);
     out << ";\n  always_ff @(posedge clk_i) begin\n    if (" << name << "_we) " << name << "_mem["
-        << address_index(name + "_waddr", width, address_bits(ram.depth)) << "] <= "
-        << assigned(ram.write_data, stage) << ";\n  end\n";
+        << address_index(name + "_waddr", width, address_bits(ram.depth)) << "] <= " << assigned(ram.write_data, stage)
+        << ";\n  end\n";
     // Later beats whose reads have already happened, or happen in this clock, must not have read this address.
     out << "`ifndef SYNTHESIS\n";
     const auto reader_width = ram.read_address.size();
@@ -676,17 +722,16 @@ class Emitter {
       for (int k = read + 1; k < stage; ++k) out << "      " << at(k, "re") << " <= 1'b0;\n";
       out << "    end else if (en_i) begin\n";
       for (int k = read + 1; k < stage; ++k) {
-        out << "      " << at(k, "re") << " <= " << at(k - 1, "re") << ";\n      " << at(k, "raddr") << " <= "
-            << at(k - 1, "raddr") << ";\n";
+        out << "      " << at(k, "re") << " <= " << at(k - 1, "re") << ";\n      " << at(k, "raddr")
+            << " <= " << at(k - 1, "raddr") << ";\n";
       }
       out << "    end\n  end\n";
     }
     out << "  always_ff @(posedge clk_i) begin\n    if (rst_ni && " << name << "_we) begin\n";
     for (int k = read; k < stage; ++k) {
-      out << "      if (" << at(k, "re") << " && " << wide(at(k, "raddr"), reader_width) << " == "
-          << wide(name + "_waddr", width) << ") begin\n        $error(\"" << name
-          << ": address %0d is read less than DISTANCE steps after its write\", " << name
-          << "_waddr);\n      end\n";
+      out << "      if (" << at(k, "re") << " && " << wide(at(k, "raddr"), reader_width)
+          << " == " << wide(name + "_waddr", width) << ") begin\n        $error(\"" << name
+          << ": address %0d is read less than DISTANCE steps after its write\", " << name << "_waddr);\n      end\n";
     }
     if (const auto check = outside(name + "_waddr", width, ram.depth); !check.empty()) {
       out << "      if (" << check << ") $error(\"" << name << ": write outside, address %0d\", " << name

@@ -148,7 +148,8 @@ class Scheduler {
     for (NodeId n = 1; n < nodes; ++n) {
       if (!scheduled(n)) continue;
       const Node& node = g_.nodes[n];
-      delay_[n] = rom_address_[n] != kNone ? o_.delays.memory_read_ns - o_.delays.launch_ns : o_.delays.node_ns(g_, node);
+      delay_[n] =
+          rom_address_[n] != kNone ? o_.delays.memory_read_ns - o_.delays.launch_ns : o_.delays.node_ns(g_, node);
     }
     for (std::size_t r = 0; r < g_.rams.size(); ++r) {
       if (!ram_live_[r]) continue;
@@ -406,9 +407,8 @@ class Scheduler {
     for (Item i = 1; i < g_.nodes.size() && where.line == 0; ++i) {
       if (component_[i] == component && scheduled(i)) where = g_.nodes[i].where;
     }
-    slow(where, "the recurrence of state " + names + " needs " +
-                              format_ns(arrival[worst] + o_.delays.setup_ns) + ", the clock is " +
-                              format_ns(o_.clock_ns) + " (longest path: " + path + ")");
+    slow(where, "the recurrence of state " + names + " needs " + format_ns(arrival[worst] + o_.delays.setup_ns) +
+                    ", the clock is " + format_ns(o_.clock_ns) + " (longest path: " + path + ")");
   }
 
   // Solving -----------------------------------------------------------------------------------------------------------
@@ -477,9 +477,10 @@ class Scheduler {
         if (ram_write_[r] != distance->from) continue;
         throw ScheduleError(g_.rams[r].where,
                             "RAM '" + g_.rams[r].name + "': its write comes " + std::to_string(needed) +
-                                " clocks after its read at " + format_ns(o_.clock_ns) + ", but DISTANCE = " +
-                                std::to_string(g_.rams[r].distance) + " allows at most " +
-                                std::to_string(static_cast<int>(g_.rams[r].distance) - 1) + " (through " + through + ")");
+                                " clocks after its read at " + format_ns(o_.clock_ns) +
+                                ", but DISTANCE = " + std::to_string(g_.rams[r].distance) + " allows at most " +
+                                std::to_string(static_cast<int>(g_.rams[r].distance) - 1) + " (through " + through +
+                                ")");
       }
     }
     if (memory != nullptr && state != kNone) {

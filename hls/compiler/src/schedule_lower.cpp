@@ -2,11 +2,11 @@
 // Multiplications without a hard multiplier become sums of shifted operands, in a balanced tree, so that the schedule
 // may cut them anywhere. Long chains of exclusive ors (a CRC, bit by bit) become one parity of their sources for each
 // bit, in which equal sources cancel.
-#include "hlsc/schedule.hpp"
-
 #include <algorithm>
 #include <iterator>
 #include <map>
+
+#include "hlsc/schedule.hpp"
 
 namespace hlsc {
 

@@ -3,11 +3,11 @@
 // ascent: from the least feasible point, raise by one the set of variables that lowers the objective most. Such a set
 // is a minimum weight closure under the tight constraints, found by one maximum flow. The objective is L-natural
 // convex, so when no set lowers it, it is the minimum (Murota, Discrete Convex Analysis, ch. 10).
-#include "hlsc/schedule.hpp"
-
 #include <algorithm>
 #include <limits>
 #include <queue>
+
+#include "hlsc/schedule.hpp"
 
 namespace hlsc::detail {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The check of a schedule, written from the rules in schedule.hpp alone.
-#include "hlsc/schedule.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "hlsc/schedule.hpp"
 
 namespace hlsc {
 
@@ -130,8 +130,8 @@ std::vector<std::string> verify_schedule(const Graph& graph, const Schedule& res
               !usable(ram.write_enable, write)) {
             problem("RAM '" + ram.name + "': write too early");
           }
-          const double write_ns = std::max({latest(ram.write_address, write), latest(ram.write_data, write),
-                                            latest({ram.write_enable}, write)});
+          const double write_ns = std::max(
+              {latest(ram.write_address, write), latest(ram.write_data, write), latest({ram.write_enable}, write)});
           in_time(write_ns + delays.memory_setup_ns, "write of RAM '" + ram.name + "'", false);
         }
         at = delays.memory_read_ns;

@@ -98,7 +98,8 @@ Bits Builder::rom(const std::string& name, const Bits& address, std::uint32_t wi
     for (std::uint32_t i = 0; i < width; ++i) rom.words.back().push_back(((w >> i) & 1U) != 0);
   }
   graph.roms.push_back(rom);
-  return all_bits(node({Op::kRom, width, {address}, static_cast<std::uint32_t>(graph.roms.size() - 1), name, {}}), width);
+  return all_bits(node({Op::kRom, width, {address}, static_cast<std::uint32_t>(graph.roms.size() - 1), name, {}}),
+                  width);
 }
 
 Bits Builder::ram_read(const std::string& name, std::uint32_t depth, std::uint32_t width, std::uint32_t distance,
@@ -143,7 +144,9 @@ Bits sign_extend(Bits bits, std::uint32_t width) {
   return bits;
 }
 
-Bits slice(const Bits& bits, std::uint32_t high, std::uint32_t low) { return {bits.begin() + low, bits.begin() + high + 1}; }
+Bits slice(const Bits& bits, std::uint32_t high, std::uint32_t low) {
+  return {bits.begin() + low, bits.begin() + high + 1};
+}
 
 Bits concat(const std::vector<Bits>& most_significant_first) {
   Bits bits;
@@ -182,11 +185,20 @@ Interpreter::Result Interpreter::step(const std::vector<std::uint64_t>& inputs,
     const auto s = [&](std::size_t i) { return as_signed(u(i), w(i)); };
     std::uint64_t v = 0;
     switch (node.op) {
-      case Op::kConstant: break;
-      case Op::kInput: v = inputs.at(node.port); break;
-      case Op::kConfig: v = configs.at(node.port); break;
-      case Op::kStateRead: v = state_.at(node.port); break;
-      case Op::kRamRead: v = memory_[node.port].at(gather(g_.rams[node.port].read_address)); break;
+      case Op::kConstant:
+        break;
+      case Op::kInput:
+        v = inputs.at(node.port);
+        break;
+      case Op::kConfig:
+        v = configs.at(node.port);
+        break;
+      case Op::kStateRead:
+        v = state_.at(node.port);
+        break;
+      case Op::kRamRead:
+        v = memory_[node.port].at(gather(g_.rams[node.port].read_address));
+        break;
       case Op::kRom: {
         const Rom& rom = g_.roms[node.port];
         if (u(0) < rom.words.size()) {
@@ -194,24 +206,60 @@ Interpreter::Result Interpreter::step(const std::vector<std::uint64_t>& inputs,
         }
         break;
       }
-      case Op::kAnd: v = u(0) & u(1); break;
-      case Op::kOr: v = u(0) | u(1); break;
-      case Op::kXor: v = u(0) ^ u(1); break;
-      case Op::kNot: v = ~u(0); break;
-      case Op::kAdd: v = u(0) + u(1); break;
-      case Op::kSub: v = u(0) - u(1); break;
-      case Op::kMul: v = u(0) * u(1); break;
-      case Op::kMulSigned: v = static_cast<std::uint64_t>(s(0)) * static_cast<std::uint64_t>(s(1)); break;
-      case Op::kShl: v = u(1) >= node.width ? 0 : u(0) << u(1); break;
-      case Op::kLshr: v = u(1) >= node.width ? 0 : u(0) >> u(1); break;
-      case Op::kAshr: v = static_cast<std::uint64_t>(s(0) >> std::min<std::uint64_t>(u(1), 63)); break;
-      case Op::kEq: v = u(0) == u(1); break;
-      case Op::kUlt: v = u(0) < u(1); break;
-      case Op::kSlt: v = s(0) < s(1); break;
-      case Op::kMux: v = u(0) != 0 ? u(1) : u(2); break;
-      case Op::kReduceOr: v = u(0) != 0; break;
-      case Op::kReduceAnd: v = u(0) == mask(w(0)); break;
-      case Op::kReduceXor: v = static_cast<unsigned>(__builtin_popcountll(u(0))) & 1U; break;
+      case Op::kAnd:
+        v = u(0) & u(1);
+        break;
+      case Op::kOr:
+        v = u(0) | u(1);
+        break;
+      case Op::kXor:
+        v = u(0) ^ u(1);
+        break;
+      case Op::kNot:
+        v = ~u(0);
+        break;
+      case Op::kAdd:
+        v = u(0) + u(1);
+        break;
+      case Op::kSub:
+        v = u(0) - u(1);
+        break;
+      case Op::kMul:
+        v = u(0) * u(1);
+        break;
+      case Op::kMulSigned:
+        v = static_cast<std::uint64_t>(s(0)) * static_cast<std::uint64_t>(s(1));
+        break;
+      case Op::kShl:
+        v = u(1) >= node.width ? 0 : u(0) << u(1);
+        break;
+      case Op::kLshr:
+        v = u(1) >= node.width ? 0 : u(0) >> u(1);
+        break;
+      case Op::kAshr:
+        v = static_cast<std::uint64_t>(s(0) >> std::min<std::uint64_t>(u(1), 63));
+        break;
+      case Op::kEq:
+        v = u(0) == u(1);
+        break;
+      case Op::kUlt:
+        v = u(0) < u(1);
+        break;
+      case Op::kSlt:
+        v = s(0) < s(1);
+        break;
+      case Op::kMux:
+        v = u(0) != 0 ? u(1) : u(2);
+        break;
+      case Op::kReduceOr:
+        v = u(0) != 0;
+        break;
+      case Op::kReduceAnd:
+        v = u(0) == mask(w(0));
+        break;
+      case Op::kReduceXor:
+        v = static_cast<unsigned>(__builtin_popcountll(u(0))) & 1U;
+        break;
     }
     value_[n] = v & mask(node.width);
   }
@@ -243,8 +291,8 @@ std::string check_module(const Graph& graph, const Schedule& schedule, unsigned 
     }
   }
   namespace fs = std::filesystem;
-  const fs::path directory =
-      fs::temp_directory_path() / ("hlsc-" + graph.top_name + "-" + std::to_string(getpid()) + "-" + std::to_string(seed));
+  const fs::path directory = fs::temp_directory_path() /
+                             ("hlsc-" + graph.top_name + "-" + std::to_string(getpid()) + "-" + std::to_string(seed));
   fs::create_directories(directory);
   const std::string module = (directory / (graph.top_name + ".sv")).string();
   std::ofstream(module) << emit(graph, schedule, {}).text;
@@ -290,7 +338,8 @@ std::string check_module(const Graph& graph, const Schedule& schedule, unsigned 
   std::ofstream bench(directory / "bench.sv");
   bench << "module bench;\n  reg clk = 0, rst_n = 0, en = 0, valid = 0;\n  always #1 clk = ~clk;\n"
            "  integer in_file, out_file, n, results = 0, errors = 0;\n  wire valid_o;\n";
-  for (std::size_t i = 0; i < graph.inputs.size(); ++i) bench << "  reg [" << graph.inputs[i].width - 1 << ":0] i" << i << ";\n";
+  for (std::size_t i = 0; i < graph.inputs.size(); ++i)
+    bench << "  reg [" << graph.inputs[i].width - 1 << ":0] i" << i << ";\n";
   for (std::size_t i = 0; i < graph.outputs.size(); ++i) {
     bench << "  wire [" << graph.outputs[i].width - 1 << ":0] o" << i << ";\n  reg [" << graph.outputs[i].width - 1
           << ":0] e" << i << ";\n";
@@ -311,14 +360,16 @@ std::string check_module(const Graph& graph, const Schedule& schedule, unsigned 
   }
   std::ostringstream line;
   line << "$fscanf(in_file, \"%h %h" << formats << "\\n\", en, valid" << arguments << ")";
-  bench << "      n = " << line.str() << ";\n      #0;\n      if (en && valid_o) begin\n        n = $fscanf(out_file, \"";
+  bench << "      n = " << line.str()
+        << ";\n      #0;\n      if (en && valid_o) begin\n        n = $fscanf(out_file, \"";
   for (std::size_t i = 0; i < graph.outputs.size(); ++i) bench << (i == 0 ? "%h" : " %h");
   bench << "\\n\"";
   for (std::size_t i = 0; i < graph.outputs.size(); ++i) bench << ", e" << i;
   bench << ");\n        results = results + 1;\n";
   for (std::size_t i = 0; i < graph.outputs.size(); ++i) {
-    bench << "        if (o" << i << " !== e" << i << ") begin errors = errors + 1; if (errors < 6) $display(\"result %0d, "
-          << graph.outputs[i].name << ": %h, expected %h\", results, o" << i << ", e" << i << "); end\n";
+    bench << "        if (o" << i << " !== e" << i
+          << ") begin errors = errors + 1; if (errors < 6) $display(\"result %0d, " << graph.outputs[i].name
+          << ": %h, expected %h\", results, o" << i << ", e" << i << "); end\n";
   }
   bench << "      end\n      @(negedge clk);\n    end\n    if (errors == 0 && results == " << results
         << ") $display(\"same\"); else $display(\"%0d errors, %0d results, expected " << results

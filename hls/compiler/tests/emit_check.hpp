@@ -3,14 +3,14 @@
 // emitted: lint, yosys, and a simulation in iverilog against the interpreter with gaps and stalls.
 #pragma once
 
-#include "hlsc/emit.hpp"
-#include "hlsc/graph.hpp"
-#include "hlsc/schedule.hpp"
-
 #include <cstdint>
 #include <random>
 #include <string>
 #include <vector>
+
+#include "hlsc/emit.hpp"
+#include "hlsc/graph.hpp"
+#include "hlsc/schedule.hpp"
 
 namespace hlsc::test {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "emit_check.hpp"
-
 #include <catch2/catch.hpp>
+
+#include "emit_check.hpp"
 
 using namespace hlsc;
 using namespace hlsc::test;

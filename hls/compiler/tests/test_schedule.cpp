@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+#include <optional>
+
 #include "emit_check.hpp"
 #include "hlsc/sidecar.hpp"
-
-#include <catch2/catch.hpp>
-
-#include <optional>
 
 using namespace hlsc;
 using namespace hlsc::test;
@@ -78,8 +77,7 @@ Graph column_sums(std::uint32_t columns, std::uint32_t distance) {
   const Bits column = counter(b, 9, columns);
   const Bits word = b.ram_read("columns", columns, 20, distance, column);  // {sum, x-3, x-2, x-1}
   const Bits old = slice(word, 11, 8), sum = slice(word, 19, 12);
-  const Bits next =
-      b.op(Op::kAdd, 8, {sum, b.sub(zero_extend(x, 8), zero_extend(old, 8), "change")}, "column_sum");
+  const Bits next = b.op(Op::kAdd, 8, {sum, b.sub(zero_extend(x, 8), zero_extend(old, 8), "change")}, "column_sum");
   b.ram_write("columns", column, concat({next, slice(word, 7, 0), x}), {kOne});
   b.output("sum", next);
   return b.graph;
@@ -130,6 +128,21 @@ TEST_CASE("a write later than DISTANCE permits is refused by name and place", "[
   CHECK(error.find("test.hpp:1: error: RAM 'columns'") == 0);
   CHECK(error.find("DISTANCE = " + std::to_string(needed)) != std::string::npos);
   CHECK(error_of(column_sums(384, 1), at(40)).find("DISTANCE = 1") != std::string::npos);
+}
+
+TEST_CASE("a violation of DISTANCE trips the assertion of the emitted module", "[emit]") {
+  const auto build = [](std::uint32_t address_bits) {
+    Builder b("distance");
+    const Bits x = b.input("x", 8), where = b.input("where", address_bits);
+    const Bits old = b.ram_read("totals", 256, 8, 64, zero_extend(where, 8));
+    const Bits next = b.op(Op::kAdd, 8, {old, x});
+    b.ram_write("totals", zero_extend(where, 8), next, {kOne});
+    b.output("total", next);
+    return b.graph;
+  };
+  const Graph g = build(2);  // four addresses at random: far closer than 64 steps
+  const auto result = check_module(g, schedule(g, at(8)));
+  CHECK(result.find("is read less than DISTANCE steps after its write") != std::string::npos);
 }
 
 TEST_CASE("a recurrence that misses the clock is reported by name", "[schedule]") {
@@ -232,7 +245,8 @@ TEST_CASE("multiplications become adders that mean the same", "[schedule]") {
   Interpreter before(b.graph), after(lowered);
   std::mt19937_64 random(7);
   for (int i = 0; i < 3000; ++i) {
-    const std::vector<std::uint64_t> in{random() & ((1ULL << widths.first) - 1), random() & ((1ULL << widths.second) - 1)};
+    const std::vector<std::uint64_t> in{random() & ((1ULL << widths.first) - 1),
+                                        random() & ((1ULL << widths.second) - 1)};
     REQUIRE(before.step(in, {}).outputs == after.step(in, {}).outputs);
   }
 }

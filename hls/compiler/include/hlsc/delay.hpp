@@ -5,10 +5,10 @@
 // less that margin.
 #pragma once
 
-#include "hlsc/graph.hpp"
-
 #include <optional>
 #include <string_view>
+
+#include "hlsc/graph.hpp"
 
 namespace hlsc {
 
@@ -19,14 +19,14 @@ std::optional<Target> target_from_name(std::string_view name);
 
 struct DelayModel {
   Target target = Target::kIce40Hx;
-  double launch_ns = 0;        ///< clock to output of a register; also what an input port is assumed to take
-  double setup_ns = 0;         ///< of a register behind a look-up table
-  double level_ns = 0;         ///< one level of LUT4 and the routing to it
-  double carry_base_ns = 0;    ///< an adder of no bits: routing, into the carry chain and out of it
-  double carry_bit_ns = 0;     ///< each further bit of a carry chain
-  double memory_read_ns = 0;   ///< clock to output of a block RAM, routing to the next operation excluded
-  double memory_setup_ns = 0;  ///< routing to and set-up of a block RAM's address, data and enable
-  double multiplier_ns = 0;    ///< a hard multiplier; 0: there is none, multipliers are made of adders
+  double launch_ns = 0;               ///< clock to output of a register; also what an input port is assumed to take
+  double setup_ns = 0;                ///< of a register behind a look-up table
+  double level_ns = 0;                ///< one level of LUT4 and the routing to it
+  double carry_base_ns = 0;           ///< an adder of no bits: routing, into the carry chain and out of it
+  double carry_bit_ns = 0;            ///< each further bit of a carry chain
+  double memory_read_ns = 0;          ///< clock to output of a block RAM, routing to the next operation excluded
+  double memory_setup_ns = 0;         ///< routing to and set-up of a block RAM's address, data and enable
+  double multiplier_ns = 0;           ///< a hard multiplier; 0: there is none, multipliers are made of adders
   std::uint32_t multiplier_bits = 0;  ///< widest operand of a hard multiplier
 
   /// A table of at least so many bits is read synchronously from a block RAM where the schedule permits.

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // SystemVerilog of a scheduled graph: one module per stage class. Ports: clk_i, rst_ni (synchronous), en_i (0: nothing
-// changes), valid_i, the leaves of In, of Config (cfg_…), valid_o, the leaves of Out. The same graph and schedule always
-// give the same text.
+// changes), valid_i, the leaves of In, of Config (cfg_…), valid_o, the leaves of Out. The same graph and schedule
+// always give the same text.
 #pragma once
-
-#include "hlsc/graph.hpp"
-#include "hlsc/schedule.hpp"
 
 #include <string>
 #include <vector>
+
+#include "hlsc/graph.hpp"
+#include "hlsc/schedule.hpp"
 
 namespace hlsc {
 

@@ -13,12 +13,12 @@
 // t(n)+k < t(m)+w for m >= n  if  k < w. Gaps only enlarge t(n)-t(m). Hence the proof obligation k < w < k+DISTANCE.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "hlsc/delay.hpp"
 #include "hlsc/diagnostics.hpp"
 #include "hlsc/graph.hpp"
-
-#include <string>
-#include <vector>
 
 namespace hlsc {
 
@@ -33,8 +33,8 @@ struct ScheduleOptions {
   double clock_ns = 8.0;
   /// A recurrence cannot be cut, and place and route favours it: it may use part of the margin that clock_ns leaves.
   double recurrence_overrun = 1.12;
-  bool allow_slow = false;          ///< warn instead of refusing when a recurrence or a single operation misses the clock
-  bool minimise_registers = true;   ///< false: as soon as possible
+  bool allow_slow = false;  ///< warn instead of refusing when a recurrence or a single operation misses the clock
+  bool minimise_registers = true;  ///< false: as soon as possible
 };
 
 inline constexpr int kEveryStage = -1;  ///< depends on configuration and constants only: no pipeline registers
@@ -42,13 +42,13 @@ inline constexpr int kDead = -2;        ///< no output depends on it
 
 struct Schedule {
   ScheduleOptions options;
-  int latency = 0;                      ///< enabled clocks from input to output, >= 1
-  std::vector<int> stage;               ///< of each node; of a state read: the state's stage; of a memory read: the data's
-  std::vector<double> arrival_ns;       ///< of each node's result, in its stage
-  std::vector<bool> synchronous_rom;    ///< of each kRom node: address in stage-1, data from a block RAM in stage
-  std::vector<int> ram_read_stage;      ///< of each RAM: stage of the address (data one later), kDead: not emitted
-  std::vector<int> ram_write_stage;     ///< of each RAM; kDead: never written
-  std::vector<double> stage_delay_ns;   ///< longest path in each stage, launch and set-up included
+  int latency = 0;                 ///< enabled clocks from input to output, >= 1
+  std::vector<int> stage;          ///< of each node; of a state read: the state's stage; of a memory read: the data's
+  std::vector<double> arrival_ns;  ///< of each node's result, in its stage
+  std::vector<bool> synchronous_rom;   ///< of each kRom node: address in stage-1, data from a block RAM in stage
+  std::vector<int> ram_read_stage;     ///< of each RAM: stage of the address (data one later), kDead: not emitted
+  std::vector<int> ram_write_stage;    ///< of each RAM; kDead: never written
+  std::vector<double> stage_delay_ns;  ///< longest path in each stage, launch and set-up included
   std::vector<std::string> warnings;
 };
 
