@@ -33,9 +33,12 @@ module horopter_ram #(
   logic [WORD_BITS-1:0] read_word_q;
   logic [WORD_BITS-1:0] out_word;
 
+`ifndef SYNTHESIS
+  // Synthesis leaves it away: block memories are zero after configuration anyway, and unrolling this takes minutes.
   initial begin
     for (int unsigned i = 0; i < DEPTH; i++) memory[i] = '0;
   end
+`endif
 
   if (PARITY) begin : g_parity
     assign write_word = {^write_data_i, write_data_i};

@@ -300,6 +300,7 @@ module horopter_top (
 
   // The streaming core runs while enabled with a possible geometry; otherwise it is in reset.
   logic core_rst_n;
+  initial running_q = 1'b0;  // in reset before the first clock, too
   always_ff @(posedge clk_i) begin
     bad_geometry_q <= 32'(width) > WIDTH || 32'(width) < MIN_WIDTH || 32'(width) % SUBSAMPLE != 0
         || 32'(height) > HEIGHT || 32'(height) < MIN_HEIGHT || 32'(lookahead) > MAX_LOOKAHEAD;
