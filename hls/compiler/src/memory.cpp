@@ -71,9 +71,10 @@ Bits Memory::move(const Bits& pointer, const AddressForm& form) {
   AddressForm total;
   if (Builder::is_constant(start)) {
     total.base = constant_offset(start);
-  } else if (const auto found = forms_.find(start); found != forms_.end()) {
+  } else if (const auto found = forms_.find(pointer); found != forms_.end()) {
     total = found->second;
   } else {
+    total.base_known = false;
     Bits index = Builder::zero_extend(start, 64);
     total.terms.push_back({index, 1, std::nullopt});
   }
@@ -86,9 +87,27 @@ Bits Memory::move(const Bits& pointer, const AddressForm& form) {
     sum = builder_.add(sum, scaled);
   }
   sum = builder_.add(sum, Builder::constant(static_cast<std::uint64_t>(form.base), kOffsetBits));
-  if (!Builder::is_constant(sum)) forms_.try_emplace(sum, total);
   Bits moved = sum;
   moved.insert(moved.end(), pointer.begin() + kOffsetBits, pointer.end());
+  if (Builder::is_constant(sum)) return moved;
+  const auto [place, added] = forms_.try_emplace(moved, total);
+  if (!added) {
+    // The same address by another way: what bounds one of them need not bound the other.
+    AddressForm& stored = place->second;
+    bool same =
+        stored.base == total.base && stored.base_known == total.base_known && stored.terms.size() == total.terms.size();
+    for (std::size_t i = 0; same && i < stored.terms.size(); ++i) {
+      same = stored.terms[i].index == total.terms[i].index && stored.terms[i].scale == total.terms[i].scale;
+    }
+    for (std::size_t i = 0; i < stored.terms.size(); ++i) {
+      auto& bounds = stored.terms[i].bounds;
+      if (!same || !bounds || !total.terms[i].bounds) {
+        bounds.reset();
+      } else {
+        bounds = {std::min(bounds->first, total.terms[i].bounds->first), std::max(bounds->second, total.terms[i].bounds->second)};
+      }
+    }
+  }
   return moved;
 }
 
@@ -111,45 +130,48 @@ std::vector<Memory::Target> Memory::targets(const Bits& pointer) {
   return found;
 }
 
-AddressForm Memory::form_of(const Bits& offset, const Object& object) {
+AddressForm Memory::form_of(const Bits& pointer, const Object& object) {
+  const Bits offset = offset_of(pointer);
   AddressForm form;
-  if (const auto found = forms_.find(offset); found != forms_.end()) {
+  if (const auto found = forms_.find(pointer); found != forms_.end()) {
     form = found->second;
   } else {
+    form.base_known = false;
     // Its low constant zeros are the scale.
     std::size_t zeros = 0;
     while (zeros < offset.size() && offset[zeros] == kZero) ++zeros;
     Bits index = Builder::slice(offset, zeros, offset.size() - zeros);
     form.terms.push_back({Builder::zero_extend(index, 64), std::int64_t{1} << zeros, std::nullopt});
   }
+  if (!form.base_known) return form;
+  // Pointer arithmetic stays inside the array it starts in: the outermost one, because C++ programs do walk through
+  // the rows of a two-dimensional one.
+  const ArrayMember* outermost = nullptr;
+  for (const ArrayMember& array : object.arrays) {
+    const auto low = static_cast<std::int64_t>(array.offset_bits / 8), size = static_cast<std::int64_t>(array.count * array.stride_bits / 8);
+    if (form.base < low || form.base >= low + size) continue;
+    if (outermost == nullptr || array.count * array.stride_bits > outermost->count * outermost->stride_bits) outermost = &array;
+  }
   for (AddressForm::Term& term : form.terms) {
-    if (term.bounds) continue;
-    // An index without an array of its own stays in the innermost array of this stride around the base.
-    const ArrayMember* best = nullptr;
-    for (const ArrayMember& array : object.arrays) {
-      const auto low = static_cast<std::int64_t>(array.offset_bits / 8);
-      const auto high = low + static_cast<std::int64_t>(array.count * array.stride_bits / 8);
-      if (static_cast<std::int64_t>(array.stride_bits / 8) != term.scale) continue;
-      if (form.base < low || form.base >= high) continue;
-      if (best == nullptr || array.count < best->count) best = &array;
-    }
-    if (best != nullptr) {
-      const auto here = (form.base - static_cast<std::int64_t>(best->offset_bits / 8)) / term.scale;
-      term.bounds = {-here, static_cast<std::int64_t>(best->count) - 1 - here};
-    }
+    if (term.bounds || outermost == nullptr || term.scale <= 0) continue;
+    const auto before = form.base - static_cast<std::int64_t>(outermost->offset_bits / 8),
+               behind = static_cast<std::int64_t>(outermost->count * outermost->stride_bits / 8) - 1 - before;
+    // With other terms beside it, one alone may reach further.
+    const std::int64_t slack = form.terms.size() > 1 ? before + behind : 0;
+    term.bounds = {-((before + slack) / term.scale), (behind + slack) / term.scale};
   }
   return form;
 }
 
 std::vector<std::int64_t> Memory::choices(const AddressForm& form, std::size_t term, std::int64_t base,
-                                          const Object& object, std::uint64_t bytes) {
+                                          const Object& object, std::uint64_t bytes, bool inside) {
   const AddressForm::Term& here = form.terms[term];
   auto [low, high] = range(here.index);
   if (here.bounds) {
     low = std::max(low, here.bounds->first);
     high = std::min(high, here.bounds->second);
   }
-  if (term + 1 == form.terms.size() || !here.bounds) {
+  if (inside && (term + 1 == form.terms.size() || !here.bounds)) {
     // The last index, or one without bounds of its own, is bounded by the object.
     const auto size = static_cast<std::int64_t>(object.size_bits / 8), last = size - static_cast<std::int64_t>(bytes);
     const std::int64_t reach = term + 1 == form.terms.size() ? 0 : size;
@@ -224,8 +246,10 @@ std::optional<Bits> Memory::load_rom(const Bits& contents, const AddressForm& fo
   unsigned total = 0;
   std::vector<std::uint64_t> key{bits, static_cast<std::uint64_t>(form.base)};
   for (std::size_t i = form.terms.size(); i-- > 0;) {
-    const std::vector<std::int64_t> ks = choices(form, i, form.base, object, bytes);
-    if (ks.empty() || (form.terms.size() > 1 && !form.terms[i].bounds)) return std::nullopt;
+    const bool single = form.terms.size() == 1;
+    if (!single && !form.terms[i].bounds) return std::nullopt;
+    const std::vector<std::int64_t> ks = choices(form, i, form.base, object, bytes, single);
+    if (ks.empty()) return std::nullopt;
     Axis axis;
     axis.first = std::min<std::int64_t>(0, ks.front());
     axis.scale = form.terms[i].scale;
@@ -267,14 +291,15 @@ std::optional<Bits> Memory::load_rom(const Bits& contents, const AddressForm& fo
   return builder_.rom(found->second, address, static_cast<std::uint32_t>(bits));
 }
 
-Bits Memory::load_object(const Contents& contents, ObjectId id, const Bits& offset, std::uint64_t bits) {
+Bits Memory::load_object(const Contents& contents, ObjectId id, const Bits& pointer, std::uint64_t bits) {
+  const Bits offset = offset_of(pointer);
   const Object& object = objects_[id];
   if (!contents.has(id)) throw CompileError(builder_.where, "`" + object.name + "` does not exist here");
   AddressForm form;
   if (Builder::is_constant(offset)) {
     form.base = constant_offset(offset);
   } else {
-    form = form_of(offset, object);
+    form = form_of(pointer, object);
     if (object.constant) {
       if (const auto value = load_rom(contents.of(id), form, id, bits)) return *value;
     }
@@ -283,12 +308,11 @@ Bits Memory::load_object(const Contents& contents, ObjectId id, const Bits& offs
 }
 
 Bits Memory::load(const Contents& contents, const Bits& pointer, std::uint64_t bits) {
-  const Bits offset = offset_of(pointer);
   const std::vector<Target> places = targets(pointer);
   Bits value;
   for (const Target& target : places) {
     if (!contents.has(target.object) && places.size() > 1) continue;
-    const Bits here = load_object(contents, target.object, offset, bits);
+    const Bits here = load_object(contents, target.object, pointer, bits);
     value = value.empty() ? here : builder_.mux(target.selected, here, value);
   }
   if (value.empty()) throw CompileError(builder_.where, "access through an undefined pointer");
@@ -346,7 +370,7 @@ void Memory::store(Contents& contents, const Bits& pointer, const Bits& value) {
     if (Builder::is_constant(offset)) {
       form.base = constant_offset(offset);
     } else {
-      form = form_of(offset, object);
+      form = form_of(pointer, object);
     }
     Bits bits = contents.of(target.object);
     store_term(bits, form, 0, form.base, object, value, target.selected);

@@ -341,16 +341,26 @@ class Symbolic::Run {
     } else if (const auto* cast = llvm::dyn_cast<llvm::CastInst>(&instruction)) {
       set(instruction, conversion(*cast));
     } else if (const auto* freeze = llvm::dyn_cast<llvm::FreezeInst>(&instruction)) {
-      set(instruction, value(freeze->getOperand(0)));
+      // Any value will do for what is undefined, but always the same one.
+      Bits bits = value(freeze->getOperand(0));
+      for (Bit& bit : bits) {
+        if (builder_.is_undefined(bit)) bit = kZero;
+      }
+      set(instruction, std::move(bits));
     } else if (const auto* alloca = llvm::dyn_cast<llvm::AllocaInst>(&instruction)) {
       allocate(*alloca, state);
     } else if (const auto* load = llvm::dyn_cast<llvm::LoadInst>(&instruction)) {
       const std::uint64_t bits = machine_.width(load->getType());
+      if (load->getType()->isAggregateType() && bits != layout_.getTypeStoreSizeInBits(load->getType())) {
+        refuse(instruction, "a whole structure with padding is loaded at once: not supported");
+      }
       const Bits stored = memory_.load(state.at_end, value(load->getPointerOperand()), layout_.getTypeStoreSizeInBits(load->getType()));
       set(instruction, Builder::slice(stored, 0, bits));
     } else if (const auto* store = llvm::dyn_cast<llvm::StoreInst>(&instruction)) {
       const llvm::Type* type = store->getValueOperand()->getType();
-      if (type->isAggregateType()) refuse(instruction, "a whole structure is stored at once: not supported");
+      if (type->isAggregateType() && machine_.width(type) != layout_.getTypeStoreSizeInBits(const_cast<llvm::Type*>(type))) {
+        refuse(instruction, "a whole structure with padding is stored at once: not supported");
+      }
       memory_.store(state.at_end, value(store->getPointerOperand()),
                     Builder::zero_extend(value(store->getValueOperand()), layout_.getTypeStoreSizeInBits(const_cast<llvm::Type*>(type))));
     } else if (const auto* address = llvm::dyn_cast<llvm::GEPOperator>(&instruction)) {

@@ -25,6 +25,16 @@ TEST_CASE("adder and accumulator") {
   CHECK(compare_with_native(stage_options("kernels/adder.hpp", "kernels::Accumulator")) == "");
 }
 
+TEST_CASE("indices and pointers") {
+  const std::string name = GENERATE("OneIndex", "ChosenPointer", "Tables");
+  CAPTURE(name);
+  CHECK(compare_with_native(stage_options("kernels/pointers.hpp", "kernels::" + name), {.steps = 6000}) == "");
+}
+
+TEST_CASE("the example of hls/README.md") {
+  CHECK(compare_with_native(stage_options("kernels/vertical.hpp", "Vertical"), {.steps = 3000, .reset_every = 0}) == "");
+}
+
 TEST_CASE("C++ storage leaves no trace in widths") {
   const hlsc::Graph graph = hlsc::compile_stage(kernel("Lowpass3x3<37>")).graph;
   REQUIRE(graph.rams.size() == 1);

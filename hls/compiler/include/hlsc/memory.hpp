@@ -51,6 +51,7 @@ struct AddressForm {
     std::optional<std::pair<std::int64_t, std::int64_t>> bounds;  ///< of the index, both included
   };
   std::int64_t base = 0;
+  bool base_known = true;  ///< false: where the pointer started is part of the terms
   std::vector<Term> terms;
 };
 
@@ -80,15 +81,15 @@ class Memory {
     Bit selected = kOne;
   };
   std::vector<Target> targets(const Bits& pointer);
-  AddressForm form_of(const Bits& offset, const Object& object);
-  /// Values a term's index can have if the access stays inside the object.
+  AddressForm form_of(const Bits& pointer, const Object& object);
+  /// Values a term's index can have; `inside`: if the access stays inside the object.
   std::vector<std::int64_t> choices(const AddressForm& form, std::size_t term, std::int64_t base, const Object& object,
-                                    std::uint64_t bytes);
+                                    std::uint64_t bytes, bool inside = true);
   Bits load_term(const Bits& contents, const AddressForm& form, std::size_t term, std::int64_t base,
                  const Object& object, std::uint64_t bits);
   void store_term(Bits& contents, const AddressForm& form, std::size_t term, std::int64_t base, Object& object,
                   const Bits& value, Bit selected);
-  Bits load_object(const Contents& contents, ObjectId id, const Bits& offset, std::uint64_t bits);
+  Bits load_object(const Contents& contents, ObjectId id, const Bits& pointer, std::uint64_t bits);
   std::optional<Bits> load_rom(const Bits& contents, const AddressForm& form, ObjectId id, std::uint64_t bits);
   Bits select(const Bits& index, std::vector<std::pair<std::int64_t, Bits>> values, int bit);
   void limit(const Object& object, std::size_t places, std::uint64_t bits) const;
@@ -97,7 +98,7 @@ class Memory {
   const Options& options_;
   std::vector<Rom>& roms_;
   std::vector<Object> objects_;
-  std::map<Bits, AddressForm> forms_;                        ///< by offset
+  std::map<Bits, AddressForm> forms_;                        ///< by pointer
   std::map<std::pair<ObjectId, std::vector<std::uint64_t>>, std::uint32_t> rom_of_;
 };
 

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// Indices and pointers in all the ways that once were, or could be, compiled wrongly.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include <horopter/hls/int.hpp>
+
+namespace kernels {
+
+using horopter::hls::u;
+
+/// One index into arrays of different sizes, in one object and in several, each used only where it is inside.
+class OneIndex {
+ public:
+  struct In {
+    u<4> i;
+    u<16> x;
+    bool write;
+  };
+  struct Out {
+    u<16> value;
+    u<16> sum;
+  };
+  Out step(const In& in) {
+    std::array<std::uint16_t, 4> tiny{7, 8, 9, 10};
+    std::array<std::uint16_t, 16> large{};
+    large[in.x.value() & 15] = 5;
+    std::uint16_t value = 0;
+    if (in.i < 4) {
+      value = tiny[in.i.value()];
+      small_[in.i.value()] = static_cast<std::uint16_t>(in.x.value());
+    } else {
+      value = large_[in.i.value()];
+    }
+    if (in.write) large_[in.i.value()] = static_cast<std::uint16_t>(in.x.value());
+    return {value, u<16>(large[in.i.value()] + small_[2])};
+  }
+
+ private:
+  std::array<std::uint16_t, 4> small_{};
+  std::array<std::uint16_t, 16> large_{1, 2, 3};
+};
+
+/// Pointers into different members at variable places, chosen by a condition; rows walked through by one pointer.
+class ChosenPointer {
+ public:
+  struct In {
+    u<3> i, k;
+    u<8> x;
+    bool which, other;
+  };
+  struct Out {
+    u<8> a, b, c;
+  };
+  Out step(const In& in) {
+    std::uint8_t* p = in.which ? &first_[in.i.value()] : &second_[in.k.value()];
+    const std::uint8_t old = *p;
+    *p = static_cast<std::uint8_t>(in.x.value());
+    std::uint8_t* flat = &grid_[0][0];
+    flat[in.i.value() + in.k.value()] ^= static_cast<std::uint8_t>(in.x.value() >> 3);
+    const std::uint8_t* q = in.other ? flat + in.k.value() : p;
+    const std::array<std::uint8_t, 5>& row = in.other ? grid_[2] : grid_[in.k.value() & 1];
+    return {u<8>(old), u<8>(*q), u<8>(row[in.i.value() & 3])};
+  }
+
+ private:
+  std::array<std::uint8_t, 8> first_{1, 2, 3, 4, 5, 6, 7, 8};
+  std::array<std::uint8_t, 8> second_{11, 12, 13};
+  std::array<std::array<std::uint8_t, 5>, 3> grid_{};
+};
+
+using Table = std::array<std::array<std::int16_t, 4>, 8>;
+
+constexpr Table made(int factor) {
+  Table table{};
+  for (int i = 0; i < 32; ++i) {
+    table[static_cast<std::size_t>(i / 4)][static_cast<std::size_t>(i % 4)] = static_cast<std::int16_t>(i * factor - 100);
+  }
+  return table;
+}
+
+/// A two-dimensional table, rows and columns offset and mirrored.
+class Tables {
+ public:
+  struct In {
+    u<3> i;
+    u<2> k;
+    bool which;
+  };
+  struct Out {
+    std::int16_t a, b, c, d;
+  };
+  Out step(const In& in) {
+    const int i = in.i.value(), k = in.k.value();
+    const std::int16_t mirrored = i > 0 ? kTable[static_cast<std::size_t>(8 - i)][static_cast<std::size_t>(3 - k)] : std::int16_t{0};
+    const std::int16_t before = i > 0 ? kTable[static_cast<std::size_t>(i - 1)][static_cast<std::size_t>(k)] : std::int16_t{-1};
+    const auto& table = in.which ? kTable : kOther;
+    return {kTable[in.i.value()][in.k.value()], mirrored, before, table[in.i.value()][1]};
+  }
+
+ private:
+  static constexpr Table kTable = made(37), kOther = made(-11);
+};
+
+}  // namespace kernels
