@@ -101,7 +101,7 @@ module horopter_top (
   localparam int unsigned LEFT_BITS = $clog2(LEFT_ROWS);
   localparam int unsigned MAP_ADDR_BITS = $clog2(POOL_BYTES / 8);
   localparam int unsigned SUM_BITS = $clog2(MAX_SUM + 1);
-  localparam int unsigned TEXTURE_BITS = $clog2(5 * 5 * 255 + 1);
+  localparam int unsigned TEXTURE_BITS = $clog2(3 * 3 * 255 + 1);
   localparam int unsigned COUNT_BITS = $clog2(RESULT_PIXELS + 1);
   localparam int unsigned PIXEL_BITS = $clog2(WIDTH * HEIGHT + 1);
   localparam int unsigned RESULT_WIDTH_BITS = $clog2(RESULT_WIDTH + 1);
