@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// Made by hlsc from horopter::stages::Difference<horopter::hls::profiles::vga>, hls/stages/difference.hpp. Do not edit.
+//
+// Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// State 41 bits, pipeline 18 bits, memories 0 bits.
+module horopter_difference (
+  input  logic clk_i,
+  input  logic rst_ni,
+  input  logic en_i,
+  input  logic valid_i,
+  input  logic [7:0] direction_0_i,
+  input  logic [7:0] direction_1_i,
+  input  logic [7:0] magnitude_0_i,
+  input  logic [7:0] magnitude_1_i,
+  input  logic saturated_i,
+  input  logic mask_i,
+  input  logic marks_first_i,
+  input  logic marks_last_i,
+  output logic valid_o,
+  output logic [3:0] difference_0_o,
+  output logic [3:0] difference_1_o,
+  output logic [7:0] magnitude_o,
+  output logic mask_o,
+  output logic marks_first_o,
+  output logic marks_last_o
+);
+
+  // A beat is in stage k, k enabled clocks after it entered.
+  logic valid_s1_q;
+  logic s0_en;
+  assign s0_en = en_i & valid_i;
+
+  // Stage 0 -----------------------------------------------------------------------------------------------------------
+  logic row_ended_q;
+  logic [7:0] left_0_direction_q;
+  logic left_0_has_direction_q;
+  logic left_0_exists_q;
+  logic [7:0] left_1_direction_q;
+  logic left_1_has_direction_q;
+  logic left_1_exists_q;
+  logic [7:0] left_2_direction_q;
+  logic left_2_has_direction_q;
+  logic left_2_exists_q;
+  logic [7:0] left_3_direction_q;
+  logic left_3_has_direction_q;
+  logic left_3_exists_q;
+  // hls/stages/difference.hpp:54
+  logic equal_22;
+  assign equal_22 = magnitude_0_i == 8'h0;
+  logic not_23;
+  assign not_23 = ~equal_22;
+  // hls/stages/difference.hpp:48
+  logic not_24;
+  assign not_24 = ~marks_first_i;
+  // hls/stages/difference.hpp:64
+  logic not_25;
+  assign not_25 = ~row_ended_q;
+  // hls/stages/difference.hpp:55
+  logic not_33;
+  assign not_33 = ~(magnitude_1_i == 8'h0);
+  // hls/stages/difference.hpp:87
+  logic [7:0] turn;
+  assign turn = direction_0_i - direction_1_i;
+  // hls/stages/difference.hpp:88
+  logic [7:0] difference_36;
+  assign difference_36 = 8'h0 - turn;
+  logic [4:0] shortest;
+  assign shortest = turn[7] ? difference_36[7:3] : {1'b0, turn[6:3]};
+  // hls/stages/difference.hpp:89
+  logic [3:0] level;
+  assign level = shortest[4] ? 4'hf : shortest[3:0];
+  // hls/stages/difference.hpp:64
+  logic or_39;
+  assign or_39 = not_33 | not_23;
+  // hls/stages/difference.hpp:90
+  logic not_40;
+  assign not_40 = ~or_39;
+  // hls/stages/difference.hpp:91
+  logic without;
+  assign without = left_3_has_direction_q | not_23;
+  // hls/stages/difference.hpp:87
+  logic [7:0] turn_2;
+  assign turn_2 = direction_0_i - left_3_direction_q;
+  // hls/stages/difference.hpp:88
+  logic [7:0] difference_46;
+  assign difference_46 = 8'h0 - turn_2;
+  logic [4:0] shortest_2;
+  assign shortest_2 = turn_2[7] ? difference_46[7:3] : {1'b0, turn_2[6:3]};
+  // hls/stages/difference.hpp:89
+  logic [3:0] level_2;
+  assign level_2 = shortest_2[4] ? 4'hf : shortest_2[3:0];
+  // hls/stages/difference.hpp:64
+  logic [3:0] select_50;
+  assign select_50 = equal_22 ? {without, 3'h0} : (left_3_has_direction_q ? level_2 : {without, 3'h0});
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      row_ended_q <= 1'b1;
+      left_0_direction_q <= 8'h0;
+      left_0_has_direction_q <= 1'b0;
+      left_0_exists_q <= 1'b0;
+      left_1_direction_q <= 8'h0;
+      left_1_has_direction_q <= 1'b0;
+      left_1_exists_q <= 1'b0;
+      left_2_direction_q <= 8'h0;
+      left_2_has_direction_q <= 1'b0;
+      left_2_exists_q <= 1'b0;
+      left_3_direction_q <= 8'h0;
+      left_3_has_direction_q <= 1'b0;
+      left_3_exists_q <= 1'b0;
+    end else if (s0_en) begin
+      row_ended_q <= marks_last_i;
+      left_0_direction_q <= direction_0_i;
+      left_0_has_direction_q <= not_23;
+      left_0_exists_q <= mask_i;
+      left_1_direction_q <= left_0_direction_q;
+      left_1_has_direction_q <= left_0_has_direction_q;
+      left_1_exists_q <= not_24 & (left_0_exists_q & not_25);
+      left_2_direction_q <= left_1_direction_q;
+      left_2_has_direction_q <= left_1_has_direction_q;
+      left_2_exists_q <= not_24 & (left_1_exists_q & not_25);
+      left_3_direction_q <= left_2_direction_q;
+      left_3_has_direction_q <= left_2_has_direction_q;
+      left_3_exists_q <= not_24 & (left_2_exists_q & not_25);
+    end
+  end
+
+  logic marks_first_s1_q;
+  logic [3:0] select_41_s1_q;
+  logic [3:0] select_51_s1_q;
+  logic [7:0] select_52_s1_q;
+  always_ff @(posedge clk_i) begin
+    if (s0_en) begin
+      marks_first_s1_q <= marks_first_i;
+      select_41_s1_q <= (not_33 & not_23) ? level : {or_39, not_40, 2'h0};
+      select_51_s1_q <= (not_24 & (left_3_exists_q & not_25)) ? select_50 : 4'h0;
+      select_52_s1_q <= saturated_i ? 8'h0 : magnitude_0_i;
+    end
+  end
+
+  // Outputs -----------------------------------------------------------------------------------------------------------
+  assign difference_0_o = select_41_s1_q;
+  assign difference_1_o = select_51_s1_q;
+  assign magnitude_o = select_52_s1_q;
+  assign mask_o = left_0_exists_q;
+  assign marks_first_o = marks_first_s1_q;
+  assign marks_last_o = row_ended_q;
+  assign valid_o = valid_s1_q;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      valid_s1_q <= 1'b0;
+    end else if (en_i) begin
+      valid_s1_q <= valid_i;
+    end
+  end
+
+  // Nothing depends on these bits.
+  logic unused_bits;
+  assign unused_bits = ^{difference_46[2:0], difference_36[2:0]};
+
+endmodule

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: Apache-2.0
+// horopter_top between two cameras, two sinks and a host, beside the native engine, which says what must come out.
+#pragma once
+
+#include <catch2/catch.hpp>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "horopter/crc32.hpp"
+#include "horopter/registers.hpp"
+#include "horopter/tb/axil.hpp"
+#include "horopter/tb/axis.hpp"
+#include "horopter/tb/image.hpp"
+#include "stages/engine.hpp"
+
+namespace horopter::tb {
+
+namespace reg = registers;
+
+/// Upload words of a table for width × height, control points every 2^nx × 2^ny px; `source` gives the right pixel of a
+/// left one, in px.
+inline std::vector<std::uint32_t> make_table(unsigned width, unsigned height, unsigned nx, unsigned ny,
+                                             const std::function<std::pair<double, double>(double, double)>& source) {
+  const unsigned columns = ((width + (1U << nx) - 1) >> nx) + 1;
+  const unsigned row_pairs = (((height + (1U << ny) - 1) >> ny) + 2) / 2;
+  std::vector<std::uint32_t> words{0x484D0100U | nx << 4 | ny, row_pairs << 16 | columns, height << 16 | width};
+  for (unsigned pair = 0; pair < row_pairs; ++pair) {
+    for (unsigned column = 0; column < columns; ++column) {
+      for (unsigned parity = 0; parity < 2; ++parity) {
+        const auto [x, y] = source(column << nx, (2 * pair + parity) << ny);
+        const auto code = [](double px) { return static_cast<std::uint32_t>((px + 64) * 32 + 0.5); };
+        const bool codable = x >= -64 && y >= -64 && x < 1983 && y < 1983;
+        words.push_back(codable ? code(y) << 16 | code(x) : 0xFFFFFFFFU);
+      }
+    }
+  }
+  words.push_back(crc32_words(words));
+  return words;
+}
+
+/// A plane seen by cameras side by side: shifted by (dx, dy) px, a little slanted.
+inline std::vector<std::uint32_t> plane_table(unsigned width, unsigned height, double dx, double dy = 0,
+                                              unsigned spacing_log2 = 4) {
+  return make_table(width, height, spacing_log2, spacing_log2, [=](double x, double y) {
+    return std::pair{x + dx + 0.004 * (x - width / 2.0) + 0.002 * y, y + dy + 0.003 * x - 0.002 * y};
+  });
+}
+
+struct FramePair {
+  Image left, right;
+};
+
+/// A scene of which some lies on the skin of plane_table(…, dx, …), some elsewhere, and some has no texture.
+inline FramePair random_pair(unsigned width, unsigned height, int dx, Rng& rng) {
+  FramePair pair{textured_image(width, height, rng), textured_image(width, height, rng)};
+  const unsigned block = 32;
+  for (unsigned by = 0; by < height; by += block) {
+    for (unsigned bx = 0; bx < width; bx += block) {
+      const auto kind = rng.below(4);
+      const auto grey = static_cast<std::uint8_t>(40 + rng.below(160));
+      for (unsigned y = by; y < by + block && y < height; ++y) {
+        for (unsigned x = bx; x < bx + block && x < width; ++x) {
+          const int source = static_cast<int>(x) + dx;
+          if (kind == 0) {
+            pair.left.at(x, y) = static_cast<std::uint8_t>(grey + rng.below(3));
+          } else if (kind < 3 && source >= 0 && source < static_cast<int>(width)) {
+            pair.left.at(x, y) = pair.right.at(static_cast<unsigned>(source), y);
+          }
+        }
+      }
+    }
+  }
+  return pair;
+}
+
+/// What left the machine for one frame.
+struct Published {
+  std::vector<std::uint8_t> states;
+  std::vector<native::Run> runs;
+  std::uint32_t sequence = 0, status = 0, faults = 0, table_crc = 0, skin = 0, undecidable = 0, unsupervised = 0;
+  std::uint32_t latency = 0, tail = 0;
+  bool safe_pin = false;
+
+  bool safe() const { return reg::frame_status::kSafe.get(status) != 0; }
+  bool alarm() const { return reg::frame_status::kAlarm.get(status) != 0; }
+  unsigned slot() const { return reg::frame_status::kSlot.get(status); }
+  std::set<std::string> fault_names() const {
+    std::set<std::string> names;
+    for (std::size_t bit = 0; bit < reg::kFaultNames.size(); ++bit) {
+      if ((faults >> bit & 1U) != 0) names.emplace(reg::kFaultNames[bit]);
+    }
+    return names;
+  }
+};
+
+struct MachineOptions {
+  unsigned width = 128, height = 48, lookahead = 16;
+  bool live = false;
+  std::uint32_t timeout_clocks = 0;  ///< 0: as by reset
+  unsigned gaps_percent = 0;         ///< of the cameras' clocks
+  unsigned stalls_percent = 0;       ///< of the sinks' clocks
+};
+
+template <class Model>
+class Machine : public Endpoint {
+ public:
+  Machine(std::string_view profile, const MachineOptions& options)
+      : options_{options},
+        simulation_{session_seed()},
+        left_{HOROPTER_TB_AXIS(simulation_.model(), s_axis_left), pace(options.gaps_percent, 1)},
+        right_{HOROPTER_TB_AXIS(simulation_.model(), s_axis_right), pace(options.gaps_percent, 2)},
+        states_{"m_axis_state", HOROPTER_TB_AXIS(simulation_.model(), m_axis_state), pace(options.stalls_percent, 3)},
+        runs_{"m_axis_runs",
+              {&model().m_axis_runs_tvalid, &model().m_axis_runs_tready, &model().m_axis_runs_tdata, nullptr,
+               &model().m_axis_runs_tlast},
+              pace(options.stalls_percent, 4)},
+        host_{HOROPTER_TB_AXIL(simulation_.model(), s_axil), session_seed(), 20},
+        engine_{native::make_engine(profile)},
+        settings_{native::Settings::defaults(engine_->profile(), static_cast<int>(options.width),
+                                             static_cast<int>(options.height))} {
+    settings_.lookahead = static_cast<int>(options.lookahead);
+    for (Endpoint* endpoint :
+         {static_cast<Endpoint*>(&left_), static_cast<Endpoint*>(&right_), static_cast<Endpoint*>(&states_),
+          static_cast<Endpoint*>(&runs_), static_cast<Endpoint*>(&host_), static_cast<Endpoint*>(this)}) {
+      simulation_.attach(*endpoint);
+    }
+    model().s_axis_test_tvalid = 0;
+    model().s_axil_awprot = model().s_axil_arprot = 0;
+    left_.set_live(options.live);
+    right_.set_live(options.live);
+    simulation_.reset();
+    configure();
+  }
+
+  Model& model() { return simulation_.model(); }
+  auto& simulation() { return simulation_; }
+  VideoSource& left() { return left_; }
+  VideoSource& right() { return right_; }
+  auto& states() { return states_; }
+  auto& runs() { return runs_; }
+  native::Settings& settings() { return settings_; }
+  const MachineOptions& options() const { return options_; }
+
+  /// Registers from settings() and the geometry; enables the machine.
+  void configure() {
+    write(reg::control::kAddress, 0);
+    write(reg::mode::kAddress, options_.live ? reg::mode::kLive.put(1) : 0);
+    write(reg::width::kAddress, options_.width);
+    write(reg::height::kAddress, options_.height);
+    write(reg::lookahead::kAddress, options_.lookahead);
+    if (options_.timeout_clocks != 0) write(reg::timeout::kAddress, options_.timeout_clocks);
+    write_limits();
+    write(reg::control::kAddress, reg::control::kEnable.put(1));
+    REQUIRE(reg::status::kBadGeometry.get(read(reg::status::kAddress)) == 0);
+  }
+  void write_limits() {
+    const auto put = [&](std::uint32_t address, int value) { write(address, static_cast<std::uint32_t>(value)); };
+    put(reg::sum_limit::kAddress, settings_.sum_limit);
+    put(reg::self_limit::kAddress, settings_.self_limit);
+    put(reg::texture_limit::kAddress, settings_.texture_limit);
+    put(reg::alarm_limit::kAddress, settings_.alarm_limit);
+    put(reg::undecidable_limit::kAddress, settings_.undecidable_limit);
+    put(reg::unsupervised_limit::kAddress, settings_.unsupervised_limit);
+    put(reg::black_limit::kAddress, settings_.dark_limit);
+    put(reg::white_limit::kAddress, settings_.bright_limit);
+    put(reg::frozen_limit::kAddress, settings_.frozen_limit);
+  }
+
+  void write(std::uint32_t address, std::uint32_t value) {
+    host_.post({true, address, value});
+    finish_access();
+    INFO("write to " << std::hex << address);
+    REQUIRE(host_.answer().response == 0);
+  }
+  std::uint32_t read(std::uint32_t address) {
+    host_.post({false, address});
+    finish_access();
+    INFO("read of " << std::hex << address);
+    REQUIRE(host_.answer().response == 0);
+    return host_.answer().data;
+  }
+
+  /// Words [begin, end) of an upload, the first of which starts it.
+  void upload_part(unsigned slot, unsigned base_word64, const std::vector<std::uint32_t>& words, std::size_t begin,
+                   std::size_t end) {
+    if (begin == 0) {
+      write(reg::map_slot::kAddress, slot);
+      write(reg::map_base::kAddress, base_word64);
+      write(reg::map_control::kAddress, reg::map_control::kStart.put(1));
+    }
+    for (std::size_t i = begin; i < end; ++i) write(reg::map_data::kAddress, words[i]);
+  }
+  void upload(unsigned slot, unsigned base_word64, const std::vector<std::uint32_t>& words) {
+    upload_part(slot, base_word64, words, 0, words.size());
+  }
+  std::uint32_t upload_error() { return reg::map_status::kError.get(read(reg::map_status::kAddress)); }
+  void select(unsigned slot) { write(reg::table_select::kAddress, slot); }
+
+  void send(const FramePair& pair, Damage left_damage = {}, Damage right_damage = {}) {
+    left_.send(pair.left, left_damage);
+    right_.send(pair.right, right_damage);
+  }
+
+  unsigned frames_done() const { return frames_done_; }
+
+  /// The next frame that the machine finishes. A frame that is never finished fails.
+  Published receive(std::uint64_t patience_frames = 8) {
+    const std::uint64_t clocks =
+        patience_frames * (std::uint64_t{options_.width + 64} * (options_.height + 64) + options_.timeout_clocks) * 4;
+    simulation_.run_until([&] { return frames_done_ > frames_taken_; }, clocks, "a finished frame");
+    ++frames_taken_;
+    Published p;
+    p.safe_pin = model().safe_o != 0;
+    CHECK(model().safe_o != model().unsafe_o);
+    p.sequence = read(reg::frame_sequence::kAddress);
+    p.status = read(reg::frame_status::kAddress);
+    p.faults = read(reg::frame_faults::kAddress);
+    p.table_crc = read(reg::frame_table_crc::kAddress);
+    p.skin = read(reg::frame_skin::kAddress);
+    p.undecidable = read(reg::frame_undecidable::kAddress);
+    p.unsupervised = read(reg::frame_unsupervised::kAddress);
+    p.latency = read(reg::frame_latency::kAddress);
+    p.tail = read(reg::frame_tail::kAddress);
+    take_frame(p);
+    return p;
+  }
+
+  /// Nothing more comes by itself.
+  void settle(std::uint64_t clocks = 20'000) { simulation_.run(clocks); }
+
+  native::FrameResult expected(const FramePair& pair, const std::vector<std::uint32_t>& table) {
+    const auto view = [](const Image& image) {
+      return native::ImageView{image.pixels.data(), static_cast<int>(image.width), static_cast<int>(image.height),
+                               static_cast<std::ptrdiff_t>(image.width)};
+    };
+    return engine_->process(view(pair.left), view(pair.right), native::TableView(table), settings_);
+  }
+
+  /// States, runs, counts, table and alarm of a frame without faults are those of the native engine.
+  void check(const Published& p, const FramePair& pair, const std::vector<std::uint32_t>& table) {
+    const native::FrameResult e = expected(pair, table);
+    CHECK(p.fault_names() == std::set<std::string>{});
+    REQUIRE(p.states.size() == e.states.size());
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < e.states.size(); ++i) different += p.states[i] != e.states[i] ? 1 : 0;
+    CHECK(different == 0);
+    CHECK(p.runs == e.runs);
+    CHECK(p.skin == static_cast<std::uint32_t>(e.skin_pixels));
+    CHECK(p.undecidable == static_cast<std::uint32_t>(e.undecidable_pixels));
+    CHECK(p.unsupervised == static_cast<std::uint32_t>(e.unsupervised_pixels));
+    CHECK(p.alarm() == e.alarm);
+    CHECK(p.table_crc == table.back());
+    CHECK(p.safe() == !e.alarm);
+    CHECK(p.safe_pin == !e.alarm);
+  }
+
+  void drive() override {}
+  void sample() override {
+    if (model().frame_done_o) ++frames_done_;
+    if (!model().safe_o) safe_was_low_ = true;
+    both_equal_ |= model().safe_o == model().unsafe_o;
+  }
+  /// Whether safe_o was low since the last call.
+  bool safe_was_low() { return std::exchange(safe_was_low_, false); }
+  bool pins_ever_equal() const { return both_equal_; }
+
+ private:
+  static Pace pace(unsigned pauses_percent, std::uint64_t purpose) {
+    return pauses_percent == 0 ? Pace{} : Pace::random(100 - pauses_percent, session_seed() * 8 + purpose);
+  }
+  void finish_access() {
+    simulation_.run_until([&] { return host_.idle(); }, 1000, "an answer on AXI4-Lite");
+  }
+  /// Cuts the first frame off what the sinks hold.
+  void take_frame(Published& p) {
+    auto& states = states_.beats();
+    const unsigned width = options_.width / static_cast<unsigned>(engine_->profile().subsample);
+    const std::size_t pixels = std::size_t{width} * options_.height;
+    REQUIRE(states.size() >= pixels);
+    for (std::size_t i = 0; i < pixels; ++i) {
+      if (states[i].user != (i == 0) || states[i].last != (i % width == width - 1)) {
+        FAIL("marks of m_axis_state at pixel " << i);
+      }
+      p.states.push_back(states[i].data);
+    }
+    states.erase(states.begin(), states.begin() + static_cast<std::ptrdiff_t>(pixels));
+    auto& runs = runs_.beats();
+    std::size_t used = 0;
+    for (bool last = false; !last; ++used) {
+      REQUIRE(used < runs.size());
+      const std::uint64_t data = runs[used].data;
+      p.runs.push_back({static_cast<std::uint16_t>(data >> 32), static_cast<std::uint16_t>(data >> 16),
+                        static_cast<std::uint16_t>(data), static_cast<std::uint8_t>(data >> 62)});
+      last = runs[used].last;
+    }
+    runs.erase(runs.begin(), runs.begin() + static_cast<std::ptrdiff_t>(used));
+  }
+
+  MachineOptions options_;
+  Simulation<Model> simulation_;
+  VideoSource left_, right_;
+  StreamSink<std::uint8_t> states_;
+  StreamSink<std::uint64_t> runs_;
+  AxilMaster<std::uint16_t> host_;
+  std::unique_ptr<native::Engine> engine_;
+  native::Settings settings_;
+  unsigned frames_done_ = 0, frames_taken_ = 0;
+  bool safe_was_low_ = false, both_equal_ = false;
+};
+
+}  // namespace horopter::tb

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: Apache-2.0
+// Everything bad that can come in: reported as what it is, never safe, and over with the next good frame.
+#include <Vhoropter_machine_vga.h>
+
+#include "machine_bench.hpp"
+
+namespace horopter::tb {
+namespace {
+
+using Faults = std::set<std::string>;
+using Vga = Machine<Vhoropter_machine_vga>;
+
+constexpr unsigned kWidth = 128;
+constexpr unsigned kHeight = 48;
+constexpr unsigned kTimeout = 40'000;
+constexpr int kShift = -5;
+
+/// A machine that has shown one good frame and is safe.
+struct Watch {
+  explicit Watch(MachineOptions options = {kWidth, kHeight, 16, false, kTimeout}, std::string_view purpose = "faults")
+      : rng{purpose}, machine{"vga", options} {
+    machine.upload(0, 0, table);
+    machine.select(0);
+    machine.settings().alarm_limit = static_cast<int>(kWidth * kHeight);  // no alarm: only faults are looked at here
+    machine.settings().frozen_limit = 1;
+    machine.write_limits();
+    CHECK(machine.safe_was_low());
+    good();
+    machine.safe_was_low();
+    CHECK_FALSE(machine.safe_was_low());
+  }
+
+  FramePair scene() { return random_pair(kWidth, kHeight, kShift, rng); }
+
+  /// A good frame comes out as it should, and safe.
+  void good() {
+    const FramePair pair = scene();
+    machine.send(pair);
+    const Published p = machine.receive();
+    machine.check(p, pair, table);
+    CHECK(p.safe());
+    CHECK(p.safe_pin);
+  }
+
+  /// Frames that are published within `clocks`: the faults of all of them; none reads as safe in the end.
+  Faults collect(unsigned clocks = 4 * kTimeout) {
+    Faults found;
+    const auto end = machine.simulation().cycle() + clocks;
+    while (machine.simulation().cycle() < end) {
+      if (machine.frames_done() > received) {
+        const Published p = receive();
+        for (const std::string& name : p.fault_names()) found.insert(name);
+        if (!p.fault_names().empty()) CHECK_FALSE(p.safe());
+      }
+      machine.simulation().tick();
+    }
+    return found;
+  }
+  Published receive() {
+    Published p = machine.receive();
+    received = machine.frames_done();
+    return p;
+  }
+
+  Rng rng;
+  Vga machine;
+  std::vector<std::uint32_t> table = plane_table(kWidth, kHeight, kShift);
+  unsigned received = 1;
+};
+
+/// One damaged frame, then good ones. The damaged one or the one after it carries the fault and is not safe; the first
+/// frame after that is right again.
+void damaged(Damage damage, bool left, const std::string& fault) {
+  CAPTURE(fault);
+  Watch watch;
+  const FramePair bad = watch.scene();
+  const FramePair after = watch.scene();
+  const FramePair last = watch.scene();
+  watch.machine.send(bad, left ? damage : Damage{}, left ? Damage{} : damage);
+  watch.machine.send(after);
+  const Published first = watch.receive();
+  Faults found = first.fault_names();
+  if (found.contains(fault)) {
+    CHECK_FALSE(first.safe_pin);
+    // The next good frame is processed correctly.
+    watch.machine.check(watch.receive(), after, watch.table);
+  } else {
+    const Published second = watch.receive();
+    for (const std::string& name : second.fault_names()) found.insert(name);
+    CHECK_FALSE(second.safe_pin);
+  }
+  CHECK(found == Faults{fault});
+  CHECK(watch.machine.safe_was_low());
+  watch.machine.send(last);
+  watch.machine.check(watch.receive(), last, watch.table);
+}
+
+TEST_CASE("short, long and missing lines, missing start of frame: named, not safe, and over", "[faults]") {
+  const auto side = GENERATE(std::string("left"), std::string("right"));
+  const bool left = side == "left";
+  const unsigned row = GENERATE(0U, 20U, kHeight - 1);
+  CAPTURE(row);
+  damaged({Damage::Kind::short_line, row, 3}, left, side + "_short_line");
+  damaged({Damage::Kind::long_line, row, 2}, left, side + "_long_line");
+  damaged({Damage::Kind::missing_line, row == 0 ? 1 : row, 1}, left, side + "_missing_line");
+}
+
+TEST_CASE("a frame without its start", "[faults]") {
+  const auto side = GENERATE(std::string("left"), std::string("right"));
+  Watch watch;
+  const FramePair bad = watch.scene();
+  watch.machine.send(bad, side == "left" ? Damage{Damage::Kind::missing_start} : Damage{},
+                     side == "right" ? Damage{Damage::Kind::missing_start} : Damage{});
+  const Faults found = watch.collect();
+  CHECK(found.contains(side + "_missing_start"));
+  CHECK(watch.machine.model().safe_o == 0);
+  watch.good();
+}
+
+TEST_CASE("a camera that falls silent", "[faults]") {
+  const auto side = GENERATE(std::string("left"), std::string("right"));
+  Watch watch;
+  const FramePair pair = watch.scene();
+  (side == "left" ? watch.machine.right() : watch.machine.left()).send(side == "left" ? pair.right : pair.left);
+  const Faults found = watch.collect();
+  CHECK(found.contains(side + "_silent"));
+  CHECK_FALSE(found.contains(side == "left" ? "right_silent" : "left_silent"));
+  CHECK(watch.machine.model().safe_o == 0);
+  // The cause is gone: both cameras run again.
+  watch.machine.send(watch.scene());
+  watch.collect();
+  watch.good();
+}
+
+TEST_CASE("both cameras silent: late, and no longer safe although nothing happens", "[faults]") {
+  Watch watch;
+  CHECK(watch.machine.model().safe_o == 1);
+  watch.machine.settle(2 * kTimeout);
+  CHECK(watch.machine.model().safe_o == 0);
+  CHECK(watch.machine.model().unsafe_o == 1);
+  const auto faults = watch.machine.read(reg::faults::kAddress);
+  Published p;
+  p.faults = faults;
+  CHECK(p.fault_names().contains("late"));
+  watch.collect(100);
+  watch.machine.send(watch.scene());
+  watch.collect();
+  watch.good();
+}
+
+TEST_CASE("live: one camera late by a line is skew", "[faults]") {
+  MachineOptions options{kWidth, kHeight, 16, true, kTimeout};
+  Watch watch{options};
+  // A line of blanking each, so that live cameras are slower than the machine.
+  const FramePair pair = watch.scene();
+  watch.machine.right().idle(kWidth + 40);
+  watch.machine.send(pair);
+  const Faults found = watch.collect();
+  CHECK(found.contains("skew"));
+  CHECK(watch.machine.model().safe_o == 0);
+  watch.good();
+}
+
+TEST_CASE("live: what cannot be stored is an overflow", "[faults]") {
+  MachineOptions options{kWidth, kHeight, 16, true, 8 * kTimeout};
+  Watch watch{options};
+  watch.machine.states().set_pace(Pace::periodic(1, 40));
+  for (int i = 0; i < 6; ++i) watch.machine.send(watch.scene());
+  const Faults found = watch.collect(40 * kTimeout);
+  CHECK((found.contains("left_overflow") || found.contains("right_overflow")));
+  CHECK(watch.machine.model().safe_o == 0);
+  watch.machine.states().set_pace({});
+  watch.machine.settle(2 * kTimeout);
+  watch.collect(100);
+  watch.good();
+}
+
+TEST_CASE("a map that wants rows the store does not hold", "[faults]") {
+  Watch watch;
+  // 30 rows below the output row, but only LOOKAHEAD = 16 rows have arrived.
+  watch.machine.upload(1, 500, plane_table(kWidth, kHeight, 0, 30));
+  watch.machine.select(1);
+  watch.machine.send(watch.scene());
+  const Published p = watch.receive();
+  CHECK(p.fault_names() == Faults{"store_miss"});
+  CHECK_FALSE(p.safe_pin);
+  watch.machine.select(0);
+  watch.good();
+}
+
+TEST_CASE("tables: none, of a wrong CRC, of another size, into one in use", "[faults]") {
+  Watch watch;
+  SECTION("none selected") {
+    watch.machine.select(15);
+    watch.machine.send(watch.scene());
+    const Published p = watch.receive();
+    CHECK(p.fault_names() == Faults{"no_table"});
+    CHECK(p.unsupervised == kWidth * kHeight);
+    CHECK_FALSE(p.safe_pin);
+  }
+  SECTION("a wrong CRC") {
+    auto words = plane_table(kWidth, kHeight, -2);
+    words[7] ^= 1U << 9;
+    watch.machine.upload(4, 600, words);
+    CHECK(watch.machine.upload_error() == 4);
+    CHECK((watch.machine.read(reg::map_valid::kAddress) >> 4 & 1U) == 0);
+    watch.machine.send(watch.scene());
+    const Published p = watch.receive();
+    CHECK(p.fault_names() == Faults{"map_crc"});
+    CHECK_FALSE(p.safe_pin);
+    watch.machine.select(4);
+    watch.machine.send(watch.scene());
+    CHECK(watch.receive().fault_names() == Faults{"no_table"});
+  }
+  SECTION("of another size") {
+    watch.machine.upload(4, 600, plane_table(kWidth, kHeight + 16, -2));
+    watch.machine.select(4);
+    watch.machine.send(watch.scene());
+    CHECK(watch.receive().fault_names() == Faults{"no_table"});
+  }
+  SECTION("into the slot in use") {
+    const FramePair pair = watch.scene();
+    watch.machine.send(pair);
+    watch.machine.settle(kWidth * 20);
+    watch.machine.upload(0, 0, plane_table(kWidth, kHeight, -2));
+    CHECK(watch.machine.upload_error() == 1);
+    const Published p = watch.receive();
+    CHECK(p.fault_names() == Faults{"map_busy"});
+    CHECK_FALSE(p.safe_pin);
+    // The table in use is as it was.
+    CHECK(p.states == watch.machine.expected(pair, watch.table).states);
+  }
+  watch.machine.select(0);
+  watch.good();
+}
+
+TEST_CASE("images that show nothing", "[faults]") {
+  const auto side = GENERATE(std::string("left"), std::string("right"));
+  const auto [kind, grey] = GENERATE(std::pair{std::string("black"), 1}, std::pair{std::string("white"), 254},
+                                     std::pair{std::string("constant"), 120});
+  Watch watch;
+  FramePair pair = watch.scene();
+  Image& image = side == "left" ? pair.left : pair.right;
+  for (std::uint8_t& pixel : image.pixels)
+    pixel = static_cast<std::uint8_t>(grey + static_cast<int>(watch.rng.below(2)));
+  watch.machine.send(pair);
+  const Published p = watch.receive();
+  CHECK(p.fault_names() == Faults{side + "_" + kind});
+  CHECK_FALSE(p.safe_pin);
+  watch.good();
+}
+
+TEST_CASE("a frozen camera: the same frame again, noise and all", "[faults]") {
+  const auto side = GENERATE(std::string("left"), std::string("right"));
+  Watch watch;
+  const FramePair first = watch.scene();
+  watch.machine.send(first);
+  watch.machine.check(watch.receive(), first, watch.table);
+  for (int again = 0; again < 3; ++again) {
+    FramePair second = watch.scene();
+    (side == "left" ? second.left : second.right) = side == "left" ? first.left : first.right;
+    watch.machine.send(second);
+    const Published p = watch.receive();
+    CHECK(p.fault_names() == Faults{side + "_frozen"});
+    CHECK_FALSE(p.safe_pin);
+  }
+  watch.good();
+}
+
+TEST_CASE("too much that cannot be decided or is not supervised", "[faults]") {
+  Watch watch;
+  auto& settings = watch.machine.settings();
+  const native::Settings usual = settings;
+  const bool undecidable = GENERATE(true, false);
+  (undecidable ? settings.undecidable_limit : settings.unsupervised_limit) = 5;
+  watch.machine.write_limits();
+  watch.machine.send(watch.scene());
+  const Published p = watch.receive();
+  CHECK(p.fault_names() == Faults{undecidable ? "too_undecidable" : "too_unsupervised"});
+  CHECK_FALSE(p.safe_pin);
+  settings = usual;
+  watch.machine.write_limits();
+  watch.good();
+}
+
+TEST_CASE("an alarm is not safe, and the frame after it is", "[faults]") {
+  Watch watch;
+  watch.machine.settings().alarm_limit = 3;
+  watch.machine.write_limits();
+  const FramePair pair = watch.scene();
+  watch.machine.send(pair);
+  const Published p = watch.receive();
+  watch.machine.check(p, pair, watch.table);
+  CHECK(p.alarm());
+  CHECK_FALSE(p.safe_pin);
+  watch.machine.settings().alarm_limit = static_cast<int>(kWidth * kHeight);
+  watch.machine.write_limits();
+  watch.good();
+}
+
+TEST_CASE("safe_o is low from reset until the first good frame, and after a reset again", "[faults]") {
+  Watch watch;
+  CHECK(watch.machine.model().safe_o == 1);
+  watch.machine.simulation().reset();
+  CHECK(watch.machine.model().safe_o == 0);
+  CHECK(watch.machine.model().unsafe_o == 1);
+  CHECK_FALSE(watch.machine.pins_ever_equal());
+}
+
+TEST_CASE("the registers refuse what they must", "[faults]") {
+  Watch watch;
+  auto& machine = watch.machine;
+  // Locked while running, and addresses that do not exist: an error answer, nothing changes.
+  AxilMaster<std::uint16_t> host{HOROPTER_TB_AXIL(machine.model(), s_axil), 1};
+  for (const std::uint32_t address : {reg::width::kAddress, std::uint32_t{0x7FC}, reg::id::kAddress}) {
+    host.post({true, address, 64});
+    while (!host.idle()) {
+      host.drive();
+      machine.model().clk_i = 0;
+      machine.model().eval();
+      host.sample();
+      machine.model().clk_i = 1;
+      machine.model().eval();
+    }
+    CAPTURE(address);
+    CHECK(host.answer().response == 2);
+  }
+  host.reset();
+  CHECK(machine.read(reg::width::kAddress) == kWidth);
+}
+
+}  // namespace
+}  // namespace horopter::tb

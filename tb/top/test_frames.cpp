@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whole frames through horopter_top: bit-exact with the native engine, whatever the handshakes do, and whichever table
+// is in use.
+#include <Vhoropter_machine_field.h>
+#include <Vhoropter_machine_hd.h>
+#include <Vhoropter_machine_vga.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <opencv2/imgcodecs.hpp>
+
+#include "machine_bench.hpp"
+
+namespace horopter::tb {
+namespace {
+
+/// `frames` random scenes, every one with gaps and stalls of its own kind.
+template <class Model>
+void random_frames(std::string_view profile, unsigned width, unsigned height, unsigned frames) {
+  Rng rng{profile};
+  for (const auto& [gaps, stalls] : {std::pair{0U, 0U}, {30U, 0U}, {0U, 30U}, {20U, 20U}}) {
+    CAPTURE(profile, gaps, stalls);
+    MachineOptions options{width, height, 32};
+    options.gaps_percent = gaps;
+    options.stalls_percent = stalls;
+    Machine<Model> machine{profile, options};
+    CHECK(machine.model().safe_o == 0);
+    const int dx = -static_cast<int>(rng.below(20));
+    const auto table = plane_table(width, height, dx);
+    machine.upload(3, 0, table);
+    machine.select(3);
+    for (unsigned frame = 0; frame < frames / 4; ++frame) {
+      CAPTURE(frame);
+      const FramePair pair = random_pair(width, height, dx, rng);
+      machine.send(pair);
+      const Published published = machine.receive();
+      machine.check(published, pair, table);
+      CHECK(published.slot() == 3);
+      // All four states occur, or the comparison would say little.
+      CHECK(published.skin > 0);
+      CHECK(published.undecidable > 0);
+      CHECK(published.unsupervised > 0);
+      CHECK(published.skin + published.undecidable + published.unsupervised < published.states.size());
+      if (gaps == 0 && stalls == 0) {
+        const double line = width;
+        const double lines = published.latency / line;
+        std::printf("%.*s: latency %.2f lines from a pixel to its state, LOOKAHEAD %u\n",
+                    static_cast<int>(profile.size()), profile.data(), lines, options.lookahead);
+        CHECK(lines <= options.lookahead + 12);
+      }
+    }
+    CHECK_FALSE(machine.pins_ever_equal());
+  }
+}
+
+TEST_CASE("field: random frames are bit-exact", "[top]") {
+  random_frames<Vhoropter_machine_field>("field", 756, 286, 20);
+}
+TEST_CASE("vga: random frames are bit-exact", "[top]") { random_frames<Vhoropter_machine_vga>("vga", 640, 480, 20); }
+TEST_CASE("small frames are bit-exact", "[top]") {
+  random_frames<Vhoropter_machine_field>("field", 128, 48, 8);
+  random_frames<Vhoropter_machine_vga>("vga", 96, 40, 8);
+}
+
+TEST_CASE("hd: a whole frame is bit-exact", "[top]") {
+  Rng rng{"hd"};
+  Machine<Vhoropter_machine_hd> machine{"hd", {1920, 1080, 32}};
+  const auto table = plane_table(1920, 1080, -12, 0, 5);
+  machine.upload(0, 0, table);
+  machine.select(0);
+  const FramePair pair = random_pair(1920, 1080, -12, rng);
+  machine.send(pair);
+  machine.check(machine.receive(), pair, table);
+}
+
+template <class Model>
+void real_pairs(std::string_view profile, unsigned width, unsigned height) {
+  const std::filesystem::path data = "/usr/share/doc/opencv-doc/examples/data";
+  if (!std::filesystem::exists(data / "left01.jpg")) {
+    WARN("skipped: no " << (data / "left01.jpg").string() << " (package opencv-doc)");
+    return;
+  }
+  Machine<Model> machine{profile, {width, height, 32, false, 0, 10, 10}};
+  const auto table = plane_table(width, height, -30, 8);
+  machine.upload(1, 0, table);
+  machine.select(1);
+  for (const int number : {1, 2, 3, 4, 5}) {
+    CAPTURE(profile, number);
+    const auto load = [&](const char* side) {
+      char name[16];
+      std::snprintf(name, sizeof name, "%s%02d.jpg", side, number);
+      const cv::Mat image = cv::imread((data / name).string(), cv::IMREAD_GRAYSCALE);
+      REQUIRE(image.cols >= static_cast<int>(width));
+      Image result{width, height};
+      for (unsigned y = 0; y < height; ++y) {
+        for (unsigned x = 0; x < width; ++x) {
+          result.at(x, y) = image.at<std::uint8_t>(static_cast<int>(y), static_cast<int>(x));
+        }
+      }
+      return result;
+    };
+    const FramePair pair{load("left"), load("right")};
+    machine.send(pair);
+    machine.check(machine.receive(), pair, table);
+  }
+}
+TEST_CASE("real pairs are bit-exact", "[top]") {
+  real_pairs<Vhoropter_machine_vga>("vga", 640, 480);
+  real_pairs<Vhoropter_machine_field>("field", 640, 286);
+}
+
+TEST_CASE("a table uploaded while another is in use changes the frames from its switch on, and no other", "[top]") {
+  Rng rng{"switch"};
+  Machine<Vhoropter_machine_vga> machine{"vga", {128, 64, 16}};
+  const auto first = plane_table(128, 64, -4);
+  const auto second = plane_table(128, 64, -9, 2);
+  machine.upload(0, 0, first);
+  machine.select(0);
+  std::vector<FramePair> pairs;
+  for (int i = 0; i < 6; ++i) pairs.push_back(random_pair(128, 64, i < 3 ? -4 : -9, rng));
+  // Frame 1 and 2 run while the upload goes on, in parts.
+  machine.send(pairs[0]);
+  machine.check(machine.receive(), pairs[0], first);
+  machine.send(pairs[1]);
+  machine.upload_part(7, 200, second, 0, second.size() / 2);
+  machine.check(machine.receive(), pairs[1], first);
+  machine.send(pairs[2]);
+  machine.upload_part(7, 200, second, second.size() / 2, second.size());
+  CHECK(machine.upload_error() == 0);
+  // Selected in the middle of frame 2: it takes effect with frame 3.
+  machine.select(7);
+  machine.check(machine.receive(), pairs[2], first);
+  for (int i = 3; i < 6; ++i) {
+    machine.send(pairs[static_cast<std::size_t>(i)]);
+    const Published p = machine.receive();
+    machine.check(p, pairs[static_cast<std::size_t>(i)], second);
+    CHECK(p.slot() == 7);
+  }
+}
+
+TEST_CASE("15 tables, another one for every frame", "[top]") {
+  Rng rng{"tables"};
+  Machine<Vhoropter_machine_field> machine{"field", {128, 32, 8}};
+  std::vector<std::vector<std::uint32_t>> tables;
+  unsigned base = 0;
+  for (unsigned slot = 0; slot < 15; ++slot) {
+    tables.push_back(plane_table(128, 32, -static_cast<int>(slot)));
+    machine.upload(slot, base, tables.back());
+    base += static_cast<unsigned>(tables.back().size() - 4) / 2;
+  }
+  for (unsigned n = 0; n < 30; ++n) {
+    const unsigned slot = n * 4 % 15;
+    const FramePair pair = random_pair(128, 32, -static_cast<int>(slot), rng);
+    machine.select(slot);
+    machine.send(pair);
+    const Published p = machine.receive();
+    CAPTURE(n, slot);
+    CHECK(p.slot() == slot);
+    machine.check(p, pair, tables[slot]);
+  }
+}
+
+TEST_CASE("a camera that stops right after its last pixel hides nothing of that frame", "[top]") {
+  Rng rng{"stops"};
+  Machine<Vhoropter_machine_vga> machine{"vga", {96, 64, 16, false, 50'000}};
+  const auto table = plane_table(96, 64, -3);
+  machine.upload(0, 0, table);
+  machine.select(0);
+  machine.settings().alarm_limit = 10;
+  machine.write_limits();
+  const FramePair pair = random_pair(96, 64, -3, rng);
+  machine.send(pair);
+  const Published p = machine.receive();  // no further pixel ever comes
+  machine.check(p, pair, table);
+  CHECK(p.alarm());
+  CHECK_FALSE(p.safe_pin);
+}
+
+}  // namespace
+}  // namespace horopter::tb
