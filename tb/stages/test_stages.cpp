@@ -38,7 +38,7 @@ void bench(const std::string& name) {
   CHECK(report.outputs >= 100);
   CHECK(report.gaps >= 1'000);
   CHECK(report.stalls >= 1'000);
-  CHECK(report.resets_in_flight >= 1);
+  CHECK((dut.latency == 1 || report.resets_in_flight >= 1));
 }
 
 }  // namespace

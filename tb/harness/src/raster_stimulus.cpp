@@ -19,7 +19,7 @@ RasterStimulus::RasterStimulus(Rng rng, const Dut& dut, unsigned min_row, unsign
   first_ = mark_port("first_i", "marks_first_i");
   last_ = mark_port("last_i", "marks_last_i");
   live_ = mark_port("live_i", "marks_live_i");
-  end_ = find(dut.in_ports, "end_i");
+  end_ = mark_port("end_i", "end_v_i");  // a reserved word
   idle_ = find(dut.in_ports, "idle_i");
   prime_ = find(dut.in_ports, "prime_i");
   load_ = find(dut.in_ports, "load_i");

@@ -192,7 +192,8 @@ class StageBench {
     const std::uint64_t clocks = 1 + rng_.below(3);
     for (std::uint64_t n = 0; n < clocks; ++n) {
       put_noise();
-      *dut_.enable = rng_.chance(2);
+      // At power-up the valid bits are unknown: with en_i low they cannot write to memories before they are reset.
+      *dut_.enable = report_.resets > 1 && rng_.chance(2);
       *dut_.valid_in = rng_.chance(2);
       edge();
       if (n == 0 && *dut_.enable) {
