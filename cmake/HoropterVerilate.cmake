@@ -17,8 +17,8 @@ if(NOT DEFINED HOROPTER_VERILATOR_ROOT)
   set(HOROPTER_VERILATOR_ROOT ${_root} CACHE INTERNAL "where Verilator keeps its runtime")
 endif()
 
-set(HOROPTER_VERILATED_DIR ${CMAKE_CURRENT_LIST_DIR}/verilated)
-set(HOROPTER_VERILATE_AMALGAMATE ${CMAKE_CURRENT_LIST_DIR}/verilated/amalgamate.cmake)
+set(HOROPTER_VERILATED_DIR ${CMAKE_CURRENT_LIST_DIR}/verilated CACHE INTERNAL "support files of the models")
+set(HOROPTER_VERILATE_AMALGAMATE ${CMAKE_CURRENT_LIST_DIR}/verilated/amalgamate.cmake CACHE INTERNAL "")
 set(HOROPTER_MODEL_OPTIMISATION "-O3" CACHE STRING "Optimisation of the part of Verilated models that runs every clock")
 
 function(horopter_verilated_runtime)
