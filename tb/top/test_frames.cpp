@@ -36,12 +36,14 @@ void random_frames(std::string_view profile, unsigned width, unsigned height, un
       const Published published = machine.receive();
       machine.check(published, pair, table);
       CHECK(published.slot() == 3);
-      // All four states occur, or the comparison would say little.
-      CHECK(published.skin > 0);
-      CHECK(published.undecidable > 0);
-      CHECK(published.unsupervised > 0);
-      CHECK(published.skin + published.undecidable + published.unsupervised < published.states.size());
-      if (gaps == 0 && stalls == 0) {
+      // All four states occur in a large frame, or the comparison would say little.
+      if (width * height > 100'000) {
+        CHECK(published.skin > 0);
+        CHECK(published.undecidable > 0);
+        CHECK(published.unsupervised > 0);
+        CHECK(published.skin + published.undecidable + published.unsupervised < published.states.size());
+      }
+      if (gaps == 0 && stalls == 0 && frame == 0) {
         const double line = width;
         const double lines = published.latency / line;
         std::printf("%.*s: latency %.2f lines from a pixel to its state, LOOKAHEAD %u\n",
@@ -127,7 +129,8 @@ TEST_CASE("a table uploaded while another is in use changes the frames from its 
   machine.send(pairs[2]);
   machine.upload_part(7, 200, second, second.size() / 2, second.size());
   CHECK(machine.upload_error() == 0);
-  // Selected in the middle of frame 2: it takes effect with frame 3.
+  // Selected when frame 2 has begun to come out: it takes effect with frame 3.
+  machine.simulation().run_until([&] { return !machine.states().beats().empty(); }, 100'000, "a state of frame 2");
   machine.select(7);
   machine.check(machine.receive(), pairs[2], first);
   for (int i = 3; i < 6; ++i) {
