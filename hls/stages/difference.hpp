@@ -55,13 +55,13 @@ class DirectionDifference {
     const Gradient right{in.direction[1], in.magnitude[1] != 0, in.mask};
 
     Out out;
-    out.difference[0] = between(left, right, lit<4>());
+    out.difference[0] = between(left, right, U<4>(4));
     for (int n = 1; n < HYPOTHESES; ++n) {
       const Gradient& shifted = right_[n - 1];
-      out.difference[static_cast<std::size_t>(n)] = select(shifted.exists, between(left, shifted, lit<4>()), U<4>(15));
+      out.difference[static_cast<std::size_t>(n)] = select(shifted.exists, between(left, shifted, U<4>(4)), U<4>(15));
     }
     const Gradient& before = left_[self_shift - 1];
-    out.difference[HYPOTHESES] = select(before.exists, between(left, before, lit<0>()), U<4>(0));
+    out.difference[HYPOTHESES] = select(before.exists, between(left, before, U<4>(0)), U<4>(0));
     out.magnitude = select(in.saturated, U<8>(0), in.magnitude[0]);
     out.mask = in.mask;
     out.marks = in.marks;

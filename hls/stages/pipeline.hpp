@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "horopter/hls/lanes.hpp"
 #include "stages/alarm.hpp"
 #include "stages/health.hpp"
 #include "stages/interpolate.hpp"
@@ -163,7 +164,7 @@ class Pipeline {
     result.store_misses = sources.misses;
     store(right);
     for (int y = 0; y < left.height; ++y) {
-      mark(y == 0);
+      first_row_ = y == 0;
       fetch_row(y, left, sources);
       finish_row(result);
     }
@@ -181,11 +182,31 @@ class Pipeline {
   template <class Stage>
   using OutOf = typename Stage::Out;
 
-  // One row of beats after each stage; marks are the same after all of them.
+  // The window stages see the row as eight strips side by side in the lanes of a vector: the same classes on another
+  // kind of value. Each strip begins `lead` columns early, as far left as anything that its results depend on.
+  using Lanes = hls::Lanes;
+  static constexpr std::size_t lanes = static_cast<std::size_t>(hls::lanes::count);
+  static constexpr std::size_t lead =
+      static_cast<std::size_t>(2 * P.offset() + std::max(stages::self_shift, P.hypotheses - 1));
+  static constexpr std::size_t largest_strip = (static_cast<std::size_t>(P.result_width()) + lanes - 1) / lanes;
+  static constexpr int strip_beats = static_cast<int>(lead + largest_strip);
+
+  using WideLowpass = stages::LowpassFilter<strip_beats, 2, 1, Lanes>;
+  using WideSobel = stages::SobelFilter<strip_beats, 2, 1, Lanes>;
+  using WideDirection = stages::DirectionFinder<2, Lanes>;
+  using WideDifference = stages::DirectionDifference<P.hypotheses, Lanes>;
+  using WideTexture =
+      stages::TextureDetector<strip_beats, P.hypotheses, (P.dsad_window - 1) / 2, stages::texture_window, Lanes>;
+  using WideDsad = stages::DsadSum<strip_beats, P.hypotheses, P.dsad_window, Lanes>;
+  using WideThreshold = stages::SumThreshold<P.hypotheses, P.dsad_window, Lanes>;
+  using WideMajority = stages::MajorityVote<strip_beats, P.majority_window, Lanes>;
+
   template <class T>
   using Row = std::array<T, P.width>;
   template <class T>
-  using ResultRow = std::array<T, P.result_width()>;
+  using PaddedRow = std::array<T, lead + lanes * largest_strip>;
+  template <class T>
+  using StripRow = std::array<T, lead + largest_strip>;
 
   struct Taps {
     Row<hls::u<8>> p00, p01, p10, p11, left;
@@ -196,26 +217,23 @@ class Pipeline {
   struct Pairs {
     Row<hls::u<8>> left, right;
     Row<bool> saturated, mask;
-
-    [[nodiscard]] stages::GreyPair get(std::size_t i, stages::Marks marks) const {
-      return {{left[i], right[i]}, saturated[i], mask[i], marks};
-    }
-    template <class Beat>
-    void set(std::size_t i, const Beat& beat) {
-      left[i] = beat.pixel[0];
-      right[i] = beat.pixel[1];
-      saturated[i] = beat.saturated;
-      mask[i] = beat.mask;
-    }
   };
 
-  struct GradientRow {
-    std::array<ResultRow<hls::s<11>>, 2> gx, gy;
-    ResultRow<bool> saturated, mask;
+  /// Column x of the result stands at lead + x; before and behind there is no image.
+  struct PaddedPairs {
+    PaddedRow<hls::u<8>> left, right;
+    PaddedRow<bool> saturated, mask;
   };
 
-  struct DirectionRow {
-    std::array<ResultRow<hls::u<8>>, 2> direction, magnitude;
+  struct Strips {
+    StripRow<stages::Grey<2, Lanes>> grey, smooth;
+    StripRow<OutOf<WideSobel>> gradients;
+    StripRow<OutOf<WideDirection>> directions;
+    StripRow<OutOf<WideDifference>> differences;
+    StripRow<OutOf<WideTexture>> textures;
+    StripRow<OutOf<WideDsad>> sums;
+    StripRow<OutOf<WideThreshold>> binaries;
+    StripRow<OutOf<WideMajority>> votes;
   };
 
   /// A stage as a local variable while a row passes: bytes written elsewhere cannot alias it, so its registers stay in
@@ -264,19 +282,12 @@ class Pipeline {
     health_config_.frozen_limit = settings.frozen_limit;
     width_ = image.width;
     result_width_ = image.width / P.subsample;
-    last_.fill(false);
-    last_[index(width_ - 1)] = true;
-    result_last_.fill(false);
-    result_last_[index(result_width_ - 1)] = true;
+    strip_ = (index(result_width_) + lanes - 1) / lanes;
+    beats_ = lead + strip_;
+    grey_.mask.fill(false);
   }
 
   static constexpr std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-  /// Marks of the next row of beats; the stages pass them on unchanged.
-  void mark(bool first_row) {
-    first_[0] = first_row;
-    result_first_[0] = first_row;
-  }
 
   using Health = stages::Health<P>;
 
@@ -409,129 +420,115 @@ class Pipeline {
   }
 
   /// Passes a row of beats through all stages from the interpolation on. A stage takes the whole row before the next
-  /// stage begins: the same as beat by beat, as none feeds back. Rows lie field by field, so that the compiler can
-  /// vectorise stages without state.
+  /// stage begins: the same as beat by beat, as none feeds back.
   void finish_row(FrameResult& result) {
-    interpolate_row();
-    const Pairs* grey = &pairs_;
-    if constexpr (P.subsample > 1) {
+    if constexpr (P.subsample == 1) {
+      interpolate_row(grey_, lead);
+    } else {
+      interpolate_row(pairs_, 0);
       subsample_row();
-      grey = &halved_;
     }
-    filter_row(lowpass_, *grey, smooth_);
-    sobel_row();
-    direction_row();
-    sum_row();
-    vote_row(result);
+    load_strips();
+    pass(lowpass_, strips_.grey, strips_.smooth);
+    pass(sobel_, strips_.smooth, strips_.gradients);
+    pass(direction_, strips_.gradients, strips_.directions);
+    pass(difference_, strips_.directions, strips_.differences);
+    pass(texture_, strips_.differences, strips_.textures, texture_config_);
+    pass(dsad_, strips_.textures, strips_.sums);
+    pass(threshold_, strips_.sums, strips_.binaries, threshold_config_);
+    pass(majority_, strips_.binaries, strips_.votes);
+    emit_row(result);
   }
 
-  [[gnu::flatten]] void interpolate_row() {
-    stages::Interpolate<P> stage;  // has no state
+  /// Fields in arrays of their own: the compiler vectorises this stage without state.
+  template <class To>
+  [[gnu::flatten]] void interpolate_row(To& to, std::size_t begin) {
+    stages::Interpolate<P> stage;
     const Taps& from = taps_;
-    Pairs& to = pairs_;
-    const int n = width_;
-    for (int i = 0; i < n; ++i) {
+    hls::u<8>* __restrict left = to.left.data() + begin;
+    hls::u<8>* __restrict right = to.right.data() + begin;
+    bool* __restrict saturated = to.saturated.data() + begin;
+    bool* __restrict mask = to.mask.data() + begin;
+    const std::size_t n = index(width_);
+    for (std::size_t i = 0; i < n; ++i) {
       InOf<stages::Interpolate<P>> in;
-      in.p00 = from.p00[index(i)];
-      in.p01 = from.p01[index(i)];
-      in.p10 = from.p10[index(i)];
-      in.p11 = from.p11[index(i)];
-      in.wx = from.wx[index(i)];
-      in.wy = from.wy[index(i)];
-      in.left = from.left[index(i)];
-      in.mask = from.mask[index(i)];
+      in.p00 = from.p00[i];
+      in.p01 = from.p01[i];
+      in.p10 = from.p10[i];
+      in.p11 = from.p11[i];
+      in.wx = from.wx[i];
+      in.wy = from.wy[i];
+      in.left = from.left[i];
+      in.mask = from.mask[i];
       const stages::GreyPair out = stage.step(in);
-      to.left[index(i)] = out.pixel[0];
-      to.right[index(i)] = out.pixel[1];
-      to.saturated[index(i)] = out.saturated;
-      to.mask[index(i)] = out.mask;
+      left[i] = out.pixel[0];
+      right[i] = out.pixel[1];
+      saturated[i] = out.saturated;
+      mask[i] = out.mask;
     }
   }
 
   [[gnu::flatten]] void subsample_row() {
     Borrowed stage(subsample_);
-    std::size_t written = 0;
-    for (int i = 0; i < width_; ++i) {
-      const auto out = stage->step(pairs_.get(index(i), {first_[index(i)], last_[index(i)]}));
+    std::size_t written = lead;
+    for (std::size_t i = 0; i < index(width_); ++i) {
+      stages::GreyPair in;
+      in.pixel = {pairs_.left[i], pairs_.right[i]};
+      in.saturated = pairs_.saturated[i];
+      in.mask = pairs_.mask[i];
+      in.marks = {i == 0 && first_row_, i + 1 == index(width_)};
+      const auto out = stage->step(in);
       if (out.valid) {
-        halved_.set(written, out);
+        grey_.left[written] = out.pixel[0];
+        grey_.right[written] = out.pixel[1];
+        grey_.saturated[written] = out.saturated;
+        grey_.mask[written] = out.mask;
         ++written;
       }
     }
   }
 
-  template <class Stage>
-  [[gnu::flatten]] void filter_row(Stage& filter, const Pairs& from, Pairs& to) {
-    Borrowed stage(filter);
-    for (int i = 0; i < result_width_; ++i) to.set(index(i), stage->step(from.get(index(i), marks(i))));
-  }
-
-  [[gnu::flatten]] void sobel_row() {
-    Borrowed stage(sobel_);
-    for (int i = 0; i < result_width_; ++i) {
-      const auto out = stage->step(smooth_.get(index(i), marks(i)));
-      for (std::size_t lane = 0; lane < 2; ++lane) {
-        gradients_.gx[lane][index(i)] = out.gx[lane];
-        gradients_.gy[lane][index(i)] = out.gy[lane];
+  void load_strips() {
+    for (std::size_t beat = 0; beat < beats_; ++beat) {
+      auto& to = strips_.grey[beat];
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        const std::size_t from = lane * strip_ + beat;
+        const int l = static_cast<int>(lane);
+        to.pixel[0].set_lane(l, grey_.left[from]);
+        to.pixel[1].set_lane(l, grey_.right[from]);
+        to.saturated.set_lane(l, grey_.saturated[from]);
+        to.mask.set_lane(l, grey_.mask[from]);
       }
-      gradients_.saturated[index(i)] = out.saturated;
-      gradients_.mask[index(i)] = out.mask;
+      to.marks = {beat == 0 && first_row_, beat + 1 == beats_};
     }
   }
 
-  [[gnu::flatten]] void direction_row() {
-    stages::DirectionFinder<1> stage;  // has no state, and does with both images the same
-    const int n = result_width_;
-    for (std::size_t lane = 0; lane < 2; ++lane) {
-      const hls::s<11>* gx = gradients_.gx[lane].data();
-      const hls::s<11>* gy = gradients_.gy[lane].data();
-      hls::u<8>* __restrict direction = directions_.direction[lane].data();
-      hls::u<8>* __restrict magnitude = directions_.magnitude[lane].data();
-#pragma clang loop vectorize(enable)
-      for (int i = 0; i < n; ++i) {
-        stages::Gradients<1> in;
-        in.gx[0] = gx[i];
-        in.gy[0] = gy[i];
-        const stages::Directions<1> out = stage.step(in);
-        direction[i] = out.direction[0];
-        magnitude[i] = out.magnitude[0];
+  template <class Stage, class From, class To, class... Config>
+  [[gnu::flatten]] void pass(Stage& owner, const From& from, To& to, const Config&... config) {
+    Borrowed stage(owner);
+    const std::size_t n = beats_;
+    for (std::size_t i = 0; i < n; ++i) {
+      if constexpr (std::is_same_v<typename From::value_type, typename Stage::In>) {
+        to[i] = stage->step(from[i], config...);
+      } else {
+        to[i] = stage->step(input_of(from[i]), config...);
       }
     }
   }
 
-  [[gnu::flatten]] void sum_row() {
-    Borrowed difference(difference_);
-    for (int i = 0; i < result_width_; ++i) {
-      stages::Directions<2> in;
-      for (std::size_t lane = 0; lane < 2; ++lane) {
-        in.direction[lane] = directions_.direction[lane][index(i)];
-        in.magnitude[lane] = directions_.magnitude[lane][index(i)];
-      }
-      in.saturated = gradients_.saturated[index(i)];
-      in.mask = gradients_.mask[index(i)];
-      in.marks = marks(i);
-      differences_[index(i)] = difference->step(in);
-    }
-    Borrowed texture(texture_);
-    for (int i = 0; i < result_width_; ++i) {
-      const auto out = texture->step(differences_[index(i)], texture_config_);
-      textures_[index(i)] = {out.difference, out.textured, out.mask, out.marks};
-    }
-    Borrowed dsad(dsad_);
-    for (int i = 0; i < result_width_; ++i) {
-      const auto out = dsad->step(textures_[index(i)]);
-      sums_[index(i)] = {out.sum, out.textured, out.mask, out.marks};
-    }
-  }
+  // Out of a stage → In of the next, where the types differ by name only.
+  static InOf<WideDsad> input_of(const OutOf<WideTexture>& o) { return {o.difference, o.textured, o.mask, o.marks}; }
+  static InOf<WideThreshold> input_of(const OutOf<WideDsad>& o) { return {o.sum, o.textured, o.mask, o.marks}; }
+  static InOf<WideMajority> input_of(const OutOf<WideThreshold>& o) { return {o.skin, o.decidable, o.mask, o.marks}; }
 
-  [[gnu::flatten]] void vote_row(FrameResult& result) {
-    Borrowed majority(majority_);
-    for (int i = 0; i < result_width_; ++i) {
-      const auto in = threshold_.step(sums_[index(i)], threshold_config_);
-      votes_[index(i)] = majority->step({in.skin, in.decidable, in.mask, in.marks});
+  void emit_row(FrameResult& result) {
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      for (std::size_t i = 0; i < strip_; ++i) {
+        votes_[lane * strip_ + i] = strips_.votes[lead + i].state.lane(static_cast<int>(lane));
+      }
     }
-    for (int i = 0; i < result_width_; ++i) {
-      emit(align_.step({votes_[index(i)].state, votes_[index(i)].marks}, align_config_), result);
+    for (int x = 0; x < result_width_; ++x) {
+      emit(align_.step({votes_[index(x)], {x == 0 && first_row_, x + 1 == result_width_}}, align_config_), result);
     }
   }
 
@@ -561,16 +558,15 @@ class Pipeline {
 #undef HOROPTER_STAGE
 
   stages::MapExpand<P> map_expand_;
-  stages::Interpolate<P> interpolate_;
   stages::Subsample<P> subsample_;
-  stages::Lowpass<P> lowpass_;
-  stages::Sobel<P> sobel_;
-  stages::Direction<P> direction_;
-  stages::Difference<P> difference_;
-  stages::Texture<P> texture_;
-  stages::Dsad<P> dsad_;
-  stages::Threshold<P> threshold_;
-  stages::Majority<P> majority_;
+  WideLowpass lowpass_;
+  WideSobel sobel_;
+  WideDirection direction_;
+  WideDifference difference_;
+  WideTexture texture_;
+  WideDsad dsad_;
+  WideThreshold threshold_;
+  WideMajority majority_;
   stages::Align<P> align_;
   stages::Runs<P> runs_;
   stages::Alarm<P> alarm_;
@@ -578,33 +574,25 @@ class Pipeline {
   Health right_health_;
 
   typename stages::MapExpand<P>::Config map_config_;
-  typename stages::Texture<P>::Config texture_config_;
-  typename stages::Threshold<P>::Config threshold_config_;
+  typename WideTexture::Config texture_config_;
+  typename WideThreshold::Config threshold_config_;
   typename stages::Align<P>::Config align_config_;
   typename stages::Alarm<P>::Config alarm_config_;
   typename Health::Config health_config_;
 
-  [[nodiscard]] stages::Marks marks(int i) const { return {result_first_[index(i)], result_last_[index(i)]}; }
-
   std::size_t written_ = 0;  // pixels of the result
   int width_ = 0;
   int result_width_ = 0;
-  Row<bool> first_{};
-  Row<bool> last_{};
-  ResultRow<bool> result_first_{};
-  ResultRow<bool> result_last_{};
+  std::size_t strip_ = 0;  // columns of a strip
+  std::size_t beats_ = 0;  // and beats: lead columns more
+  bool first_row_ = false;
   std::vector<Expansion> expansions_;
   std::vector<std::uint8_t> padded_;
   Taps taps_{};
   Pairs pairs_{};
-  Pairs halved_{};
-  Pairs smooth_{};
-  GradientRow gradients_{};
-  DirectionRow directions_{};
-  ResultRow<OutOf<stages::Difference<P>>> differences_{};
-  ResultRow<InOf<stages::Dsad<P>>> textures_{};
-  ResultRow<InOf<stages::Threshold<P>>> sums_{};
-  ResultRow<OutOf<stages::Majority<P>>> votes_{};
+  PaddedPairs grey_{};
+  Strips strips_{};
+  std::array<hls::u<2>, lanes * largest_strip> votes_{};
 };
 
 }  // namespace horopter::native
