@@ -198,9 +198,12 @@ std::uint64_t Builder::bound_of(const Node& node) const {
       const std::uint64_t product = bounded_product(operand(0), operand(1));
       return product <= mask ? product : mask;
     }
-    case Op::kMux: return std::min(mask, std::max(operand(1), operand(2)));
-    case Op::kAnd: return std::min({mask, operand(0), operand(1)});
-    default: return mask;
+    case Op::kMux:
+      return std::min(mask, std::max(operand(1), operand(2)));
+    case Op::kAnd:
+      return std::min({mask, operand(0), operand(1)});
+    default:
+      return mask;
   }
 }
 
@@ -340,8 +343,8 @@ Bits Builder::add(const Bits& a, const Bits& b) {
   if (is_constant(y) && unsigned_length(y) == 0) return append(result, x), result;
   if (is_constant(x) && unsigned_length(x) == 0) return append(result, y), result;
   const bool zero = top_is_zero(x) && top_is_zero(y);
-  std::size_t length = zero ? std::max(unsigned_length(x), unsigned_length(y)) + 1
-                            : std::max(signed_length(x), signed_length(y)) + 1;
+  std::size_t length =
+      zero ? std::max(unsigned_length(x), unsigned_length(y)) + 1 : std::max(signed_length(x), signed_length(y)) + 1;
   if (zero) {
     const std::uint64_t most = bounded_sum(bound(x), bound(y));
     if (most == 0) return append(result, constant(0, n - low)), result;
@@ -375,13 +378,12 @@ Bits Builder::sub(const Bits& a, const Bits& b) {
   while (low < n && b[low] == kZero) result.push_back(a[low++]);
   Bits x = slice(a, low, n - low), y = slice(b, low, n - low);
   const bool zero = top_is_zero(x) && top_is_zero(y);
-  const std::size_t length = zero ? std::max(unsigned_length(x), unsigned_length(y)) + 1
-                                  : std::max(signed_length(x), signed_length(y)) + 1;
+  const std::size_t length =
+      zero ? std::max(unsigned_length(x), unsigned_length(y)) + 1 : std::max(signed_length(x), signed_length(y)) + 1;
   const std::size_t width = std::min(n - low, length);
   x.resize(width);
   y.resize(width);
-  const Bits difference =
-      width == 1 ? bit_xor(x, y) : make(Op::kSub, static_cast<std::uint32_t>(width), {x, y});
+  const Bits difference = width == 1 ? bit_xor(x, y) : make(Op::kSub, static_cast<std::uint32_t>(width), {x, y});
   append(result, sign_extend(difference, n - low));
   return result;
 }

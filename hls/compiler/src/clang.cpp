@@ -16,9 +16,10 @@ std::string wrapper_source(const Options& options) {
   text << "#include <new>\n#include <type_traits>\n";
   for (const std::string& header : options.extra_includes) text << "#include \"" << header << "\"\n";
   if (!options.stage_header.empty()) text << "#include \"" << options.stage_header << "\"\n";
-  text << "namespace horopter::hls {}\nnamespace hlsc_wrapper {\n"
-       << "using Stage = " << options.stage_class << ";\n"
-       << R"(static_assert(requires { typename Stage::In; typename Stage::Out; }, "a stage has nested types In and Out");
+  text
+      << "namespace horopter::hls {}\nnamespace hlsc_wrapper {\n"
+      << "using Stage = " << options.stage_class << ";\n"
+      << R"(static_assert(requires { typename Stage::In; typename Stage::Out; }, "a stage has nested types In and Out");
 static_assert(std::is_default_constructible_v<Stage>, "a stage is made without arguments");
 struct NoConfig {};
 template <class S> struct config_of { using type = NoConfig; };
@@ -71,11 +72,26 @@ std::string run_clang(const Options& options, const std::string& directory) {
   const std::string source = directory + "/hlsc_wrapper.cpp", bitcode = directory + "/stage.bc",
                     messages = directory + "/messages";
   std::ofstream(source) << wrapper_source(options);
-  std::vector<std::string> arguments{
-      *clang,       "-std=c++20", "-O2", "-Xclang", "-disable-llvm-passes", "-g",        "-fstandalone-debug",
-      "-emit-llvm", "-c",         "-DNDEBUG", "-D__HLSC__=1",        "-fno-strict-aliasing", "-Wfatal-errors",
-      "-Wno-everything", "-Werror=uninitialized", "-Werror=sometimes-uninitialized", "-Werror=return-type",
-      "-Werror=array-bounds", "-Werror=shift-count-overflow", "-Werror=division-by-zero"};
+  std::vector<std::string> arguments{*clang,
+                                     "-std=c++20",
+                                     "-O2",
+                                     "-Xclang",
+                                     "-disable-llvm-passes",
+                                     "-g",
+                                     "-fstandalone-debug",
+                                     "-emit-llvm",
+                                     "-c",
+                                     "-DNDEBUG",
+                                     "-D__HLSC__=1",
+                                     "-fno-strict-aliasing",
+                                     "-Wfatal-errors",
+                                     "-Wno-everything",
+                                     "-Werror=uninitialized",
+                                     "-Werror=sometimes-uninitialized",
+                                     "-Werror=return-type",
+                                     "-Werror=array-bounds",
+                                     "-Werror=shift-count-overflow",
+                                     "-Werror=division-by-zero"};
   for (const std::string& path : options.include_paths) arguments.push_back("-I" + path);
   for (const std::string& define : options.defines) arguments.push_back("-D" + define);
   arguments.insert(arguments.end(), {"-I.", source, "-o", bitcode});

@@ -8,8 +8,6 @@ std::string format_error(const SourceLocation& where, const std::string& message
   return where.file + ":" + std::to_string(where.line) + ": error: " + message;
 }
 
-std::string tidy_path(std::string path) {
-  return path.starts_with("./") ? path.substr(2) : path;
-}
+std::string tidy_path(std::string path) { return path.starts_with("./") ? path.substr(2) : path; }
 
 }  // namespace hlsc

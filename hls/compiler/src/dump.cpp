@@ -7,30 +7,54 @@ namespace hlsc {
 
 const char* name_of(Op op) {
   switch (op) {
-    case Op::kConstant: return "constant";
-    case Op::kInput: return "input";
-    case Op::kConfig: return "config";
-    case Op::kStateRead: return "state";
-    case Op::kRamRead: return "ram";
-    case Op::kRom: return "rom";
-    case Op::kAnd: return "and";
-    case Op::kOr: return "or";
-    case Op::kXor: return "xor";
-    case Op::kNot: return "not";
-    case Op::kAdd: return "add";
-    case Op::kSub: return "sub";
-    case Op::kMul: return "mul";
-    case Op::kMulSigned: return "mul_signed";
-    case Op::kShl: return "shl";
-    case Op::kLshr: return "lshr";
-    case Op::kAshr: return "ashr";
-    case Op::kEq: return "eq";
-    case Op::kUlt: return "ult";
-    case Op::kSlt: return "slt";
-    case Op::kMux: return "mux";
-    case Op::kReduceOr: return "reduce_or";
-    case Op::kReduceAnd: return "reduce_and";
-    case Op::kReduceXor: return "reduce_xor";
+    case Op::kConstant:
+      return "constant";
+    case Op::kInput:
+      return "input";
+    case Op::kConfig:
+      return "config";
+    case Op::kStateRead:
+      return "state";
+    case Op::kRamRead:
+      return "ram";
+    case Op::kRom:
+      return "rom";
+    case Op::kAnd:
+      return "and";
+    case Op::kOr:
+      return "or";
+    case Op::kXor:
+      return "xor";
+    case Op::kNot:
+      return "not";
+    case Op::kAdd:
+      return "add";
+    case Op::kSub:
+      return "sub";
+    case Op::kMul:
+      return "mul";
+    case Op::kMulSigned:
+      return "mul_signed";
+    case Op::kShl:
+      return "shl";
+    case Op::kLshr:
+      return "lshr";
+    case Op::kAshr:
+      return "ashr";
+    case Op::kEq:
+      return "eq";
+    case Op::kUlt:
+      return "ult";
+    case Op::kSlt:
+      return "slt";
+    case Op::kMux:
+      return "mux";
+    case Op::kReduceOr:
+      return "reduce_or";
+    case Op::kReduceAnd:
+      return "reduce_and";
+    case Op::kReduceXor:
+      return "reduce_xor";
   }
   return "?";
 }
@@ -75,7 +99,8 @@ std::string dump(const Graph& graph) {
     if (node.op == Op::kRom) out << " #" << node.port;
     for (const Bits& operand : node.operands) out << ' ' << text(operand);
     if (!node.name.empty()) out << "  ; " << node.name;
-    if (!node.where.file.empty()) out << "  @" << node.where.file.substr(node.where.file.rfind('/') + 1) << ':' << node.where.line;
+    if (!node.where.file.empty())
+      out << "  @" << node.where.file.substr(node.where.file.rfind('/') + 1) << ':' << node.where.line;
     out << '\n';
   }
   for (const State& state : graph.states) {
@@ -84,12 +109,13 @@ std::string dump(const Graph& graph) {
     out << ", next " << text(state.next) << '\n';
   }
   for (const Ram& ram : graph.rams) {
-    out << "  ram " << ram.name << ' ' << ram.depth << " x " << ram.width << ", distance " << ram.distance << "\n    read "
-        << text(ram.read_address) << " if " << text({ram.read_enable}) << "\n    write " << text(ram.write_address) << " <- "
-        << text(ram.write_data) << " if " << text({ram.write_enable}) << '\n';
+    out << "  ram " << ram.name << ' ' << ram.depth << " x " << ram.width << ", distance " << ram.distance
+        << "\n    read " << text(ram.read_address) << " if " << text({ram.read_enable}) << "\n    write "
+        << text(ram.write_address) << " <- " << text(ram.write_data) << " if " << text({ram.write_enable}) << '\n';
   }
   for (std::size_t i = 0; i < graph.roms.size(); ++i) {
-    out << "  rom #" << i << ' ' << graph.roms[i].name << ' ' << graph.roms[i].words.size() << " x " << graph.roms[i].width << '\n';
+    out << "  rom #" << i << ' ' << graph.roms[i].name << ' ' << graph.roms[i].words.size() << " x "
+        << graph.roms[i].width << '\n';
   }
   for (const Port& port : graph.outputs) out << "  output " << port.name << " = " << text(port.value) << '\n';
   out << "  valid = " << text({graph.output_valid}) << '\n';

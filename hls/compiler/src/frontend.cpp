@@ -43,7 +43,8 @@ Object object_of(const std::string& name, const Layout& layout) {
 }
 
 void place(Bits& storage, const Leaf& leaf, const Bits& value) {
-  const Bits wide = leaf.is_signed ? Builder::sign_extend(value, leaf.storage_bits) : Builder::zero_extend(value, leaf.storage_bits);
+  const Bits wide =
+      leaf.is_signed ? Builder::sign_extend(value, leaf.storage_bits) : Builder::zero_extend(value, leaf.storage_bits);
   std::copy(wide.begin(), wide.end(), storage.begin() + static_cast<std::ptrdiff_t>(leaf.offset_bits));
 }
 
@@ -88,7 +89,8 @@ class Frontend {
     contents.set(config_id, inputs(Op::kConfig, result.config, graph.configs));
     contents.set(out_id, unset(result.out, "member `", "` of Out is not set"));
     const Contents after = machine.run(
-        *step, {Memory::pointer(stage_id), Memory::pointer(in_id), Memory::pointer(config_id), Memory::pointer(out_id)}, contents);
+        *step, {Memory::pointer(stage_id), Memory::pointer(in_id), Memory::pointer(config_id), Memory::pointer(out_id)},
+        contents);
 
     next_states(stage, after.of(stage_id));
     ports.finish(after, graph);
@@ -103,7 +105,8 @@ class Frontend {
     std::uint64_t bits = 0;
     for (const Leaf& leaf : stage.leaves) bits += leaf.width;
     if (bits <= options_.largest_state_bits) return;
-    throw CompileError(stage.leaves.back().where, "the stage has " + std::to_string(bits) + " bits of registers, at most " +
+    throw CompileError(stage.leaves.back().where, "the stage has " + std::to_string(bits) +
+                                                      " bits of registers, at most " +
                                                       std::to_string(options_.largest_state_bits) +
                                                       " are allowed: large arrays belong into horopter::hls::RAM");
   }
@@ -149,12 +152,14 @@ class Frontend {
       for (std::uint32_t i = 0; i < leaf.width; ++i) {
         const Bit bit = initial[leaf.offset_bits + i];
         if (bit.node != 0 && !builder_.is_undefined(bit)) {
-          throw CompileError(leaf.where, "the initial value of member `" + leaf.name + "` is not known at compile time");
+          throw CompileError(leaf.where,
+                             "the initial value of member `" + leaf.name + "` is not known at compile time");
         }
         state.initial.push_back(bit == kOne);
         uninitialised.push_back(bit.node != 0);
       }
-      const Bits value = builder_.source(Op::kStateRead, static_cast<std::uint32_t>(graph.states.size()), leaf.width, leaf.name);
+      const Bits value =
+          builder_.source(Op::kStateRead, static_cast<std::uint32_t>(graph.states.size()), leaf.width, leaf.name);
       state.read = value[0].node;
       // A pointer that the constructor sets is that constant; next_states() refuses a step that changes it.
       place(storage, leaf, leaf.is_pointer ? Builder::slice(initial, leaf.offset_bits, leaf.width) : value);
@@ -172,7 +177,8 @@ class Frontend {
       state.next = Builder::slice(storage, leaf.offset_bits, leaf.width);
       if (!leaf.is_pointer) continue;
       if (state.next != Builder::constant(state.initial)) {
-        throw CompileError(leaf.where, "pointer `" + leaf.name + "` of the stage changes: pointers must be known at compile time");
+        throw CompileError(leaf.where,
+                           "pointer `" + leaf.name + "` of the stage changes: pointers must be known at compile time");
       }
     }
   }

@@ -113,7 +113,9 @@ void Interpreter::evaluate(const Node& node, Value& value) {
     case Op::kInput:
     case Op::kConfig:
       return;
-    case Op::kStateRead: value = states_[node.port]; return;
+    case Op::kStateRead:
+      value = states_[node.port];
+      return;
     case Op::kRamRead: {
       const Ram& ram = graph_.rams[node.port];
       if (bit(ram.read_enable)) {
@@ -137,27 +139,49 @@ void Interpreter::evaluate(const Node& node, Value& value) {
       value = address < rom.words.size() ? rom.words[address] : Value(node.width, false);
       return;
     }
-    case Op::kAnd: bitwise([](bool a, bool b) { return a && b; }); return;
-    case Op::kOr: bitwise([](bool a, bool b) { return a || b; }); return;
-    case Op::kXor: bitwise([](bool a, bool b) { return a != b; }); return;
+    case Op::kAnd:
+      bitwise([](bool a, bool b) { return a && b; });
+      return;
+    case Op::kOr:
+      bitwise([](bool a, bool b) { return a || b; });
+      return;
+    case Op::kXor:
+      bitwise([](bool a, bool b) { return a != b; });
+      return;
     case Op::kNot:
       value = operand(0);
       value.flip();
       return;
-    case Op::kAdd: value = add(operand(0), operand(1), false); return;
+    case Op::kAdd:
+      value = add(operand(0), operand(1), false);
+      return;
     case Op::kSub: {
       Value inverted = operand(1);
       inverted.flip();
       value = add(operand(0), inverted, true);
       return;
     }
-    case Op::kMul: value = multiply(wide(0, false), wide(1, false)); return;
-    case Op::kMulSigned: value = multiply(wide(0, true), wide(1, true)); return;
-    case Op::kShl: shift(true, false); return;
-    case Op::kLshr: shift(false, false); return;
-    case Op::kAshr: shift(false, bit(node.operands[0].back())); return;
-    case Op::kEq: value = {operand(0) == operand(1)}; return;
-    case Op::kUlt: value = {less(operand(0), operand(1))}; return;
+    case Op::kMul:
+      value = multiply(wide(0, false), wide(1, false));
+      return;
+    case Op::kMulSigned:
+      value = multiply(wide(0, true), wide(1, true));
+      return;
+    case Op::kShl:
+      shift(true, false);
+      return;
+    case Op::kLshr:
+      shift(false, false);
+      return;
+    case Op::kAshr:
+      shift(false, bit(node.operands[0].back()));
+      return;
+    case Op::kEq:
+      value = {operand(0) == operand(1)};
+      return;
+    case Op::kUlt:
+      value = {less(operand(0), operand(1))};
+      return;
     case Op::kSlt: {
       Value a = operand(0), b = operand(1);
       a.back() = !a.back();
@@ -165,7 +189,9 @@ void Interpreter::evaluate(const Node& node, Value& value) {
       value = {less(a, b)};
       return;
     }
-    case Op::kMux: value = operand(bit(node.operands[0][0]) ? 1 : 2); return;
+    case Op::kMux:
+      value = operand(bit(node.operands[0][0]) ? 1 : 2);
+      return;
     case Op::kReduceOr:
     case Op::kReduceAnd:
     case Op::kReduceXor: {
@@ -184,7 +210,8 @@ Interpreter::Result Interpreter::step(const std::vector<Value>& inputs, const st
   for (std::size_t i = 0; i < graph_.configs.size(); ++i) values_[graph_.configs[i].node] = configs.at(i);
   for (std::size_t i = 1; i < graph_.nodes.size(); ++i) {
     evaluate(graph_.nodes[i], values_[i]);
-    if (values_[i].size() != graph_.nodes[i].width) throw std::logic_error("node " + std::to_string(i) + " has the wrong width");
+    if (values_[i].size() != graph_.nodes[i].width)
+      throw std::logic_error("node " + std::to_string(i) + " has the wrong width");
   }
   Result result;
   result.valid = bit(graph_.output_valid);

@@ -22,7 +22,8 @@ Bits reversed(Bits a) {
 Bits population(Builder& builder, const Bits& a) {
   if (a.size() == 1) return a;
   const std::size_t half = a.size() / 2;
-  Bits low = population(builder, Builder::slice(a, 0, half)), high = population(builder, Builder::slice(a, half, a.size() - half));
+  Bits low = population(builder, Builder::slice(a, 0, half)),
+       high = population(builder, Builder::slice(a, half, a.size() - half));
   const std::size_t width = std::max(low.size(), high.size()) + 1;
   return builder.add(Builder::zero_extend(low, width), Builder::zero_extend(high, width));
 }
@@ -72,7 +73,9 @@ struct Overflowing {
 /// a ± b or a · b exactly, and whether the exact result fits `a`'s size.
 Overflowing exact(Builder& builder, char operation, bool is_signed, const Bits& a, const Bits& b) {
   const std::size_t n = a.size(), wide = operation == '*' ? 2 * n : n + 1;
-  const auto extend = [&](const Bits& x) { return is_signed ? Builder::sign_extend(x, wide) : Builder::zero_extend(x, wide); };
+  const auto extend = [&](const Bits& x) {
+    return is_signed ? Builder::sign_extend(x, wide) : Builder::zero_extend(x, wide);
+  };
   const Bits x = extend(a), y = extend(b);
   const Bits result = operation == '+' ? builder.add(x, y) : operation == '-' ? builder.sub(x, y) : builder.mul(x, y);
   const Bits low = Builder::slice(result, 0, n), back = extend(low);
@@ -83,7 +86,8 @@ Bits saturating(Builder& builder, char operation, bool is_signed, const Bits& a,
   const Overflowing result = exact(builder, operation, is_signed, a, b);
   const std::size_t n = a.size();
   if (is_signed) {
-    return builder.mux(result.overflow, builder.mux(result.negative, smallest_signed(n), largest_signed(n)), result.value);
+    return builder.mux(result.overflow, builder.mux(result.negative, smallest_signed(n), largest_signed(n)),
+                       result.value);
   }
   return builder.mux(result.overflow, operation == '-' ? Bits(n, kZero) : Bits(n, kOne), result.value);
 }
@@ -136,20 +140,31 @@ bool is_ignored_intrinsic(ID id) {
 
 Bit comparison(Builder& builder, llvm::CmpInst::Predicate predicate, const Bits& a, const Bits& b) {
   switch (predicate) {
-    case llvm::CmpInst::ICMP_EQ: return builder.eq(a, b);
-    case llvm::CmpInst::ICMP_NE: return builder.bit_not(builder.eq(a, b));
-    case llvm::CmpInst::ICMP_ULT: return builder.ult(a, b);
-    case llvm::CmpInst::ICMP_UGT: return builder.ult(b, a);
-    case llvm::CmpInst::ICMP_ULE: return builder.bit_not(builder.ult(b, a));
-    case llvm::CmpInst::ICMP_UGE: return builder.bit_not(builder.ult(a, b));
-    case llvm::CmpInst::ICMP_SLT: return builder.slt(a, b);
-    case llvm::CmpInst::ICMP_SGT: return builder.slt(b, a);
-    case llvm::CmpInst::ICMP_SLE: return builder.bit_not(builder.slt(b, a));
-    default: return builder.bit_not(builder.slt(a, b));  // ICMP_SGE, the last one of integers
+    case llvm::CmpInst::ICMP_EQ:
+      return builder.eq(a, b);
+    case llvm::CmpInst::ICMP_NE:
+      return builder.bit_not(builder.eq(a, b));
+    case llvm::CmpInst::ICMP_ULT:
+      return builder.ult(a, b);
+    case llvm::CmpInst::ICMP_UGT:
+      return builder.ult(b, a);
+    case llvm::CmpInst::ICMP_ULE:
+      return builder.bit_not(builder.ult(b, a));
+    case llvm::CmpInst::ICMP_UGE:
+      return builder.bit_not(builder.ult(a, b));
+    case llvm::CmpInst::ICMP_SLT:
+      return builder.slt(a, b);
+    case llvm::CmpInst::ICMP_SGT:
+      return builder.slt(b, a);
+    case llvm::CmpInst::ICMP_SLE:
+      return builder.bit_not(builder.slt(b, a));
+    default:
+      return builder.bit_not(builder.slt(a, b));  // ICMP_SGE, the last one of integers
   }
 }
 
-std::optional<Bits> evaluate_intrinsic(Builder& builder, ID id, const std::vector<Bits>& arguments, std::uint64_t width) {
+std::optional<Bits> evaluate_intrinsic(Builder& builder, ID id, const std::vector<Bits>& arguments,
+                                       std::uint64_t width) {
   const auto& a = arguments[0];
   const auto b = [&]() -> const Bits& { return arguments[1]; };
   const auto three_way = [&](Bit less, Bit greater) {
@@ -158,37 +173,59 @@ std::optional<Bits> evaluate_intrinsic(Builder& builder, ID id, const std::vecto
     return result;
   };
   switch (id) {
-    case llvm::Intrinsic::umin: return builder.mux(builder.ult(b(), a), b(), a);
-    case llvm::Intrinsic::umax: return builder.mux(builder.ult(a, b()), b(), a);
-    case llvm::Intrinsic::smin: return builder.mux(builder.slt(b(), a), b(), a);
-    case llvm::Intrinsic::smax: return builder.mux(builder.slt(a, b()), b(), a);
-    case llvm::Intrinsic::ucmp: return three_way(builder.ult(a, b()), builder.ult(b(), a));
-    case llvm::Intrinsic::scmp: return three_way(builder.slt(a, b()), builder.slt(b(), a));
-    case llvm::Intrinsic::abs: return builder.mux(a.back(), builder.sub(Builder::constant(0, a.size()), a), a);
+    case llvm::Intrinsic::umin:
+      return builder.mux(builder.ult(b(), a), b(), a);
+    case llvm::Intrinsic::umax:
+      return builder.mux(builder.ult(a, b()), b(), a);
+    case llvm::Intrinsic::smin:
+      return builder.mux(builder.slt(b(), a), b(), a);
+    case llvm::Intrinsic::smax:
+      return builder.mux(builder.slt(a, b()), b(), a);
+    case llvm::Intrinsic::ucmp:
+      return three_way(builder.ult(a, b()), builder.ult(b(), a));
+    case llvm::Intrinsic::scmp:
+      return three_way(builder.slt(a, b()), builder.slt(b(), a));
+    case llvm::Intrinsic::abs:
+      return builder.mux(a.back(), builder.sub(Builder::constant(0, a.size()), a), a);
     case llvm::Intrinsic::ctpop: {
       const Bits count = population(builder, a);
       return count.size() >= width ? Builder::slice(count, 0, width) : Builder::zero_extend(count, width);
     }
-    case llvm::Intrinsic::ctlz: return leading_zeros(builder, a);
-    case llvm::Intrinsic::cttz: return leading_zeros(builder, reversed(a));
-    case llvm::Intrinsic::bitreverse: return reversed(a);
+    case llvm::Intrinsic::ctlz:
+      return leading_zeros(builder, a);
+    case llvm::Intrinsic::cttz:
+      return leading_zeros(builder, reversed(a));
+    case llvm::Intrinsic::bitreverse:
+      return reversed(a);
     case llvm::Intrinsic::bswap: {
       Bits swapped;
       for (std::size_t byte = a.size() / 8; byte-- > 0;) swapped = concatenate(swapped, Builder::slice(a, byte * 8, 8));
       return swapped;
     }
-    case llvm::Intrinsic::fshl: return funnel(builder, true, a, b(), arguments[2]);
-    case llvm::Intrinsic::fshr: return funnel(builder, false, a, b(), arguments[2]);
-    case llvm::Intrinsic::uadd_sat: return saturating(builder, '+', false, a, b());
-    case llvm::Intrinsic::sadd_sat: return saturating(builder, '+', true, a, b());
-    case llvm::Intrinsic::usub_sat: return saturating(builder, '-', false, a, b());
-    case llvm::Intrinsic::ssub_sat: return saturating(builder, '-', true, a, b());
-    case llvm::Intrinsic::uadd_with_overflow: return overflowing(builder, '+', false, a, b());
-    case llvm::Intrinsic::sadd_with_overflow: return overflowing(builder, '+', true, a, b());
-    case llvm::Intrinsic::usub_with_overflow: return overflowing(builder, '-', false, a, b());
-    case llvm::Intrinsic::ssub_with_overflow: return overflowing(builder, '-', true, a, b());
-    case llvm::Intrinsic::umul_with_overflow: return overflowing(builder, '*', false, a, b());
-    case llvm::Intrinsic::smul_with_overflow: return overflowing(builder, '*', true, a, b());
+    case llvm::Intrinsic::fshl:
+      return funnel(builder, true, a, b(), arguments[2]);
+    case llvm::Intrinsic::fshr:
+      return funnel(builder, false, a, b(), arguments[2]);
+    case llvm::Intrinsic::uadd_sat:
+      return saturating(builder, '+', false, a, b());
+    case llvm::Intrinsic::sadd_sat:
+      return saturating(builder, '+', true, a, b());
+    case llvm::Intrinsic::usub_sat:
+      return saturating(builder, '-', false, a, b());
+    case llvm::Intrinsic::ssub_sat:
+      return saturating(builder, '-', true, a, b());
+    case llvm::Intrinsic::uadd_with_overflow:
+      return overflowing(builder, '+', false, a, b());
+    case llvm::Intrinsic::sadd_with_overflow:
+      return overflowing(builder, '+', true, a, b());
+    case llvm::Intrinsic::usub_with_overflow:
+      return overflowing(builder, '-', false, a, b());
+    case llvm::Intrinsic::ssub_with_overflow:
+      return overflowing(builder, '-', true, a, b());
+    case llvm::Intrinsic::umul_with_overflow:
+      return overflowing(builder, '*', false, a, b());
+    case llvm::Intrinsic::smul_with_overflow:
+      return overflowing(builder, '*', true, a, b());
     case llvm::Intrinsic::expect:
     case llvm::Intrinsic::expect_with_probability:
     case llvm::Intrinsic::launder_invariant_group:

@@ -61,7 +61,8 @@ class Flattener {
 
  private:
   [[noreturn]] void refuse(const SourceLocation& where, const std::string& path, const std::string& why) const {
-    throw CompileError(where, (path.empty() ? "an unnamed member" : "member `" + path + "`") + " of " + role_ + " " + why);
+    throw CompileError(where,
+                       (path.empty() ? "an unnamed member" : "member `" + path + "`") + " of " + role_ + " " + why);
   }
 
   const DIType* strip(const DIType* type, const std::string& path, SourceLocation& where) const {
@@ -166,7 +167,8 @@ class Flattener {
       if (member->getTag() != llvm::dwarf::DW_TAG_member) continue;
       std::string member_name = member->getName().str();
       if (llvm::StringRef(member_name).starts_with("_vptr")) {
-        throw CompileError(location_of(type), "class " + name.str() + " has virtual functions: calls must be known at compile time");
+        throw CompileError(location_of(type),
+                           "class " + name.str() + " has virtual functions: calls must be known at compile time");
       }
       while (!member_name.empty() && member_name.back() == '_') member_name.pop_back();
       std::string inner = path;

@@ -33,18 +33,33 @@ int main(int argc, char** argv) {
 
   CLI::App app{kDescription, "hlsc"};
   app.footer(kExamples);
-  app.add_option("stage", options.stage.stage_header, "Header that defines the stage")->required()->type_name("STAGE.hpp");
-  app.add_option("--class", options.stage.stage_class, "The class, with template arguments")->required()->type_name("CLASS");
+  app.add_option("stage", options.stage.stage_header, "Header that defines the stage")
+      ->required()
+      ->type_name("STAGE.hpp");
+  app.add_option("--class", options.stage.stage_class, "The class, with template arguments")
+      ->required()
+      ->type_name("CLASS");
   app.add_option("--include", options.stage.extra_includes, "Header included before the stage's")->type_name("HEADER");
   app.add_option("-I", options.stage.include_paths, "Include path")->type_name("DIR")->allow_extra_args(false);
   app.add_option("-D", options.stage.defines, "Macro")->type_name("NAME[=VALUE]")->allow_extra_args(false);
   app.add_option("--top-name", options.stage.top_name, "Module name [horopter_<header>]")->type_name("NAME");
-  app.add_option("--clock-ns", options.schedule.clock_ns, "Clock period that logic may fill")->type_name("NS")->capture_default_str()->check(CLI::PositiveNumber);
+  app.add_option("--clock-ns", options.schedule.clock_ns, "Clock period that logic may fill")
+      ->type_name("NS")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
   app.add_option("--target", target, "Delay model")->type_name("ecp5|ice40")->capture_default_str();
-  app.add_option("-o,--output", directory, "Directory for NAME.sv and NAME.json")->type_name("DIR")->capture_default_str();
-  app.add_option("--source-root", options.emit.source_root, "Prefix taken off file names in the output")->type_name("DIR");
-  app.add_option("--max-loop", options.stage.largest_loop, "Largest number of iterations that is unrolled")->type_name("N")->capture_default_str();
-  app.add_option("--max-array-bits", options.stage.largest_indexed_array_bits, "Largest plain array indexed by a variable")->type_name("N")->capture_default_str();
+  app.add_option("-o,--output", directory, "Directory for NAME.sv and NAME.json")
+      ->type_name("DIR")
+      ->capture_default_str();
+  app.add_option("--source-root", options.emit.source_root, "Prefix taken off file names in the output")
+      ->type_name("DIR");
+  app.add_option("--max-loop", options.stage.largest_loop, "Largest number of iterations that is unrolled")
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_option("--max-array-bits", options.stage.largest_indexed_array_bits,
+                 "Largest plain array indexed by a variable")
+      ->type_name("N")
+      ->capture_default_str();
   app.add_option("--clang", options.stage.clang, "The compiler")->type_name("PROGRAM")->capture_default_str();
   app.add_flag("--allow-slow", options.schedule.allow_slow, "Warn where the clock is missed instead of refusing");
   app.add_flag("--dump-graph", dump_graph, "Print the dataflow graph and stop");

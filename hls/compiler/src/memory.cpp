@@ -41,9 +41,7 @@ std::pair<std::int64_t, std::int64_t> range(const Bits& index) {
 
 }  // namespace
 
-void Contents::set(ObjectId object, Bits bits) {
-  versions_[object] = std::make_shared<const Bits>(std::move(bits));
-}
+void Contents::set(ObjectId object, Bits bits) { versions_[object] = std::make_shared<const Bits>(std::move(bits)); }
 
 ObjectId Memory::add_object(Object object) {
   objects_.push_back(std::move(object));
@@ -104,7 +102,8 @@ Bits Memory::move(const Bits& pointer, const AddressForm& form) {
       if (!same || !bounds || !total.terms[i].bounds) {
         bounds.reset();
       } else {
-        bounds = {std::min(bounds->first, total.terms[i].bounds->first), std::max(bounds->second, total.terms[i].bounds->second)};
+        bounds = {std::min(bounds->first, total.terms[i].bounds->first),
+                  std::max(bounds->second, total.terms[i].bounds->second)};
       }
     }
   }
@@ -148,9 +147,11 @@ AddressForm Memory::form_of(const Bits& pointer, const Object& object) {
   // the rows of a two-dimensional one.
   const ArrayMember* outermost = nullptr;
   for (const ArrayMember& array : object.arrays) {
-    const auto low = static_cast<std::int64_t>(array.offset_bits / 8), size = static_cast<std::int64_t>(array.count * array.stride_bits / 8);
+    const auto low = static_cast<std::int64_t>(array.offset_bits / 8),
+               size = static_cast<std::int64_t>(array.count * array.stride_bits / 8);
     if (form.base < low || form.base >= low + size) continue;
-    if (outermost == nullptr || array.count * array.stride_bits > outermost->count * outermost->stride_bits) outermost = &array;
+    if (outermost == nullptr || array.count * array.stride_bits > outermost->count * outermost->stride_bits)
+      outermost = &array;
   }
   for (AddressForm::Term& term : form.terms) {
     if (term.bounds || outermost == nullptr || term.scale <= 0) continue;
@@ -175,7 +176,9 @@ std::vector<std::int64_t> Memory::choices(const AddressForm& form, std::size_t t
     // The last index, or one without bounds of its own, is bounded by the object.
     const auto size = static_cast<std::int64_t>(object.size_bits / 8), last = size - static_cast<std::int64_t>(bytes);
     const std::int64_t reach = term + 1 == form.terms.size() ? 0 : size;
-    const auto floor_div = [](std::int64_t a, std::int64_t b) { return a / b - ((a % b != 0 && (a < 0) != (b < 0)) ? 1 : 0); };
+    const auto floor_div = [](std::int64_t a, std::int64_t b) {
+      return a / b - ((a % b != 0 && (a < 0) != (b < 0)) ? 1 : 0);
+    };
     std::int64_t first = -floor_div(base + reach, here.scale), final = floor_div(last + reach - base, here.scale);
     if (here.scale < 0) {
       first = -floor_div(last + reach - base, -here.scale);
@@ -198,10 +201,10 @@ std::vector<std::int64_t> Memory::choices(const AddressForm& form, std::size_t t
 
 void Memory::limit(const Object& object, std::size_t places, std::uint64_t bits) const {
   if (object.constant || places * bits <= options_.largest_indexed_array_bits) return;
-  throw CompileError(builder_.where, "array of " + std::to_string(places * bits) + " bits in `" + object.name +
-                                         "` is indexed by a variable: plain arrays become registers and multiplexers, at most " +
-                                         std::to_string(options_.largest_indexed_array_bits) +
-                                         " bits; use horopter::hls::RAM");
+  throw CompileError(builder_.where,
+                     "array of " + std::to_string(places * bits) + " bits in `" + object.name +
+                         "` is indexed by a variable: plain arrays become registers and multiplexers, at most " +
+                         std::to_string(options_.largest_indexed_array_bits) + " bits; use horopter::hls::RAM");
 }
 
 Bits Memory::select(const Bits& index, std::vector<std::pair<std::int64_t, Bits>> values, int bit) {
@@ -254,7 +257,8 @@ std::optional<Bits> Memory::load_rom(const Bits& contents, const AddressForm& fo
     axis.first = std::min<std::int64_t>(0, ks.front());
     axis.scale = form.terms[i].scale;
     while ((std::int64_t{1} << axis.width) <= ks.back() - axis.first) ++axis.width;
-    const Bits shifted = builder_.sub(form.terms[i].index, Builder::constant(static_cast<std::uint64_t>(axis.first), 64));
+    const Bits shifted =
+        builder_.sub(form.terms[i].index, Builder::constant(static_cast<std::uint64_t>(axis.first), 64));
     for (unsigned bit = 0; bit < axis.width; ++bit) address.push_back(shifted[bit]);
     total += axis.width;
     key.insert(key.end(), {static_cast<std::uint64_t>(axis.first), static_cast<std::uint64_t>(axis.scale), axis.width});

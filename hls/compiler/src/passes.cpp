@@ -42,7 +42,9 @@ bool is_library(llvm::StringRef file) {
   return file.starts_with("/usr/") || file.contains("horopter/hls/") || file.contains("hlsc_wrapper.cpp");
 }
 
-SourceLocation place(const llvm::DILocation* location) { return {tidy_path(location->getFilename().str()), location->getLine()}; }
+SourceLocation place(const llvm::DILocation* location) {
+  return {tidy_path(location->getFilename().str()), location->getLine()};
+}
 
 bool is_hook(const llvm::Function& function) { return function.getName().starts_with("__hlsc_ram_"); }
 
@@ -50,8 +52,9 @@ bool is_hook(const llvm::Function& function) { return function.getName().starts_
 std::string explain_call(const llvm::CallBase& call) {
   const llvm::Function* callee = call.getCalledFunction();
   if (callee == nullptr) {
-    return call.isInlineAsm() ? "inline assembly has no hardware"
-                              : "call through a function pointer or of a virtual function: the callee must be known at compile time";
+    return call.isInlineAsm()
+               ? "inline assembly has no hardware"
+               : "call through a function pointer or of a virtual function: the callee must be known at compile time";
   }
   const std::string name = callee->getName().str(), readable = llvm::demangle(name);
   if (name.starts_with("__cxa_guard")) return "static local variable: state belongs into members of the stage";
@@ -59,12 +62,15 @@ std::string explain_call(const llvm::CallBase& call) {
       name.starts_with("_Zdl") || name.starts_with("_Zda") || name == "free") {
     return "heap allocation (" + readable + ") has no hardware";
   }
-  if (name.starts_with("__cxa_") || name.starts_with("_ZSt") || name == "_Unwind_Resume" || name == "__clang_call_terminate") {
-    if (name.starts_with("__cxa_") || name.find("throw") != std::string::npos || name.find("terminate") != std::string::npos) {
+  if (name.starts_with("__cxa_") || name.starts_with("_ZSt") || name == "_Unwind_Resume" ||
+      name == "__clang_call_terminate") {
+    if (name.starts_with("__cxa_") || name.find("throw") != std::string::npos ||
+        name.find("terminate") != std::string::npos) {
       return "an exception can be thrown here (" + readable + "): hardware has none";
     }
   }
-  if (name == "abort" || name == "__assert_fail" || name == "exit") return "the program can be aborted here (" + readable + ")";
+  if (name == "abort" || name == "__assert_fail" || name == "exit")
+    return "the program can be aborted here (" + readable + ")";
   if (!callee->isDeclaration()) return "recursive call of " + readable;
   return "call of " + readable + ", whose source hlsc does not see";
 }
@@ -211,9 +217,9 @@ class Pipeline {
         const unsigned count = scev.getSmallConstantMaxTripCount(loop);
         if (count == 0) continue;
         if (count > options_.largest_loop) {
-          throw CompileError(location_of(loop->getStartLoc()), "loop of " + std::to_string(count) + " iterations: at most " +
-                                                                   std::to_string(options_.largest_loop) +
-                                                                   " are unrolled (--max-loop)");
+          throw CompileError(location_of(loop->getStartLoc()),
+                             "loop of " + std::to_string(count) + " iterations: at most " +
+                                 std::to_string(options_.largest_loop) + " are unrolled (--max-loop)");
         }
         if (!loop->isLoopSimplifyForm() || loop->getLoopLatch() == nullptr) continue;
         llvm::UnrollLoopOptions unrolling{};
@@ -224,8 +230,9 @@ class Pipeline {
         unrolling.UnrollRemainder = false;
         unrolling.ForgetAllSCEV = true;
         unrolling.Heart = nullptr;
-        const auto result = llvm::UnrollLoop(loop, unrolling, &info, &scev, &dominators, &assumptions, &target, &remarks,
-                                             /*PreserveLCSSA=*/true);
+        const auto result =
+            llvm::UnrollLoop(loop, unrolling, &info, &scev, &dominators, &assumptions, &target, &remarks,
+                             /*PreserveLCSSA=*/true);
         if (result != llvm::LoopUnrollResult::Unmodified) {
           changed = any = true;
           break;

@@ -73,8 +73,9 @@ void StagePorts::init(Contents&, const Bits& pointer, const Bits& initial) {
   const std::size_t i = index_of(pointer);
   for (const Bit bit : pack_word(layout_.rams[i], initial)) {
     if (bit == kZero) continue;
-    throw CompileError(layout_.rams[i].where, "the words of memory `" + layout_.rams[i].name +
-                                                  "` are not zero when made without arguments: a RAM is zero at power-up");
+    throw CompileError(layout_.rams[i].where,
+                       "the words of memory `" + layout_.rams[i].name +
+                           "` are not zero when made without arguments: a RAM is zero at power-up");
   }
 }
 
@@ -92,7 +93,8 @@ Bits StagePorts::unpack_word(const RamMember& ram, const Bits& word, std::uint64
   std::size_t low = 0;
   for (const Leaf& leaf : ram.word.leaves) {
     const Bits part = Builder::slice(word, low, leaf.width);
-    const Bits wide = leaf.is_signed ? Builder::sign_extend(part, leaf.storage_bits) : Builder::zero_extend(part, leaf.storage_bits);
+    const Bits wide =
+        leaf.is_signed ? Builder::sign_extend(part, leaf.storage_bits) : Builder::zero_extend(part, leaf.storage_bits);
     std::copy(wide.begin(), wide.end(), storage.begin() + static_cast<std::ptrdiff_t>(leaf.offset_bits));
     low += leaf.width;
   }
@@ -106,7 +108,8 @@ Bits StagePorts::read(Contents& contents, const Bits& pointer, const Bits& addre
   const Bits short_address = Builder::slice(address, 0, port.address_bits);
   State reading = unpack(port, contents.of(port.read));
   if (reading.address != short_address && builder_.bit_and(reading.active, active) != kZero) {
-    throw CompileError(builder_.where, "memory `" + ram.name + "` is read at two addresses in one step: it has one read port");
+    throw CompileError(builder_.where,
+                       "memory `" + ram.name + "` is read at two addresses in one step: it has one read port");
   }
   reading.active = kOne;
   reading.address = short_address;
@@ -123,7 +126,8 @@ void StagePorts::write(Contents& contents, const Bits& pointer, const Bits& addr
   const Bits short_address = Builder::slice(address, 0, port.address_bits);
   State writing = unpack(port, contents.of(port.write));
   if (writing.address != short_address && builder_.bit_and(writing.active, active) != kZero) {
-    throw CompileError(builder_.where, "memory `" + ram.name + "` is written at two addresses in one step: it has one write port");
+    throw CompileError(builder_.where,
+                       "memory `" + ram.name + "` is written at two addresses in one step: it has one write port");
   }
   writing.active = kOne;
   writing.address = short_address;
@@ -133,7 +137,8 @@ void StagePorts::write(Contents& contents, const Bits& pointer, const Bits& addr
 
 void StagePorts::finish(const Contents& contents, Graph& graph) const {
   for (std::size_t i = 0; i < ports_.size(); ++i) {
-    const State reading = unpack(ports_[i], contents.of(ports_[i].read)), writing = unpack(ports_[i], contents.of(ports_[i].write));
+    const State reading = unpack(ports_[i], contents.of(ports_[i].read)),
+                writing = unpack(ports_[i], contents.of(ports_[i].write));
     Ram& ram = graph.rams[i];
     ram.read = ports_[i].data.empty() ? 0 : ports_[i].data[0].node;
     ram.read_enable = reading.active;

@@ -135,8 +135,8 @@ void Rebuild::make_sources() {
     }
   }
   // A state or memory keeps the bits that are alive and not taken for something else.
-  const auto keep = [&](Op op, std::uint32_t port, NodeId read, const std::string& name, const std::vector<Substitute>& substitutes,
-                        std::vector<std::uint32_t>& kept) {
+  const auto keep = [&](Op op, std::uint32_t port, NodeId read, const std::string& name,
+                        const std::vector<Substitute>& substitutes, std::vector<std::uint32_t>& kept) {
     if (read == 0) return;
     for (std::uint32_t i = 0; i < substitutes.size(); ++i) {
       if (live_[read][i] && substitutes[i].kind == Substitute::Kind::kItself) kept.push_back(i);
@@ -164,7 +164,8 @@ void Rebuild::make_sources() {
     keep(Op::kRamRead, i, graph.rams[i].read, graph.rams[i].name, assumptions_.rams[i], kept_rams_[i]);
   }
   for (std::uint32_t i = 0; i < graph.states.size(); ++i) {
-    substitute(graph.states[i].read, assumptions_.states[i], [&](std::uint32_t state) { return graph.states[state].read; });
+    substitute(graph.states[i].read, assumptions_.states[i],
+               [&](std::uint32_t state) { return graph.states[state].read; });
   }
   for (std::uint32_t i = 0; i < graph.rams.size(); ++i) {
     substitute(graph.rams[i].read, assumptions_.rams[i], [&](std::uint32_t) { return graph.rams[i].read; });
@@ -210,32 +211,64 @@ void Rebuild::make(NodeId id) {
     case Op::kStateRead:
     case Op::kRamRead:
       break;
-    case Op::kRom: set(make_rom(node, wanted)); break;
-    case Op::kAnd: set(builder_.bit_and(pick(node.operands[0]), pick(node.operands[1]))); break;
-    case Op::kOr: set(builder_.bit_or(pick(node.operands[0]), pick(node.operands[1]))); break;
-    case Op::kXor: set(builder_.bit_xor(pick(node.operands[0]), pick(node.operands[1]))); break;
-    case Op::kNot: set(builder_.bit_not(pick(node.operands[0]))); break;
-    case Op::kMux: set(builder_.mux(map(node.operands[0][0]), pick(node.operands[1]), pick(node.operands[2]))); break;
-    case Op::kAdd: narrow([&](const Bits& a, const Bits& b) { return builder_.add(a, b); }); break;
-    case Op::kSub: narrow([&](const Bits& a, const Bits& b) { return builder_.sub(a, b); }); break;
+    case Op::kRom:
+      set(make_rom(node, wanted));
+      break;
+    case Op::kAnd:
+      set(builder_.bit_and(pick(node.operands[0]), pick(node.operands[1])));
+      break;
+    case Op::kOr:
+      set(builder_.bit_or(pick(node.operands[0]), pick(node.operands[1])));
+      break;
+    case Op::kXor:
+      set(builder_.bit_xor(pick(node.operands[0]), pick(node.operands[1])));
+      break;
+    case Op::kNot:
+      set(builder_.bit_not(pick(node.operands[0])));
+      break;
+    case Op::kMux:
+      set(builder_.mux(map(node.operands[0][0]), pick(node.operands[1]), pick(node.operands[2])));
+      break;
+    case Op::kAdd:
+      narrow([&](const Bits& a, const Bits& b) { return builder_.add(a, b); });
+      break;
+    case Op::kSub:
+      narrow([&](const Bits& a, const Bits& b) { return builder_.sub(a, b); });
+      break;
     case Op::kMul:
-    case Op::kMulSigned: narrow([&](const Bits& a, const Bits& b) { return builder_.mul(a, b); }); break;
+    case Op::kMulSigned:
+      narrow([&](const Bits& a, const Bits& b) { return builder_.mul(a, b); });
+      break;
     case Op::kShl:
     case Op::kLshr:
     case Op::kAshr: {
       const Bits a = operand(0), amount = operand(1);
-      const Bits made = node.op == Op::kShl ? builder_.shl(a, amount) : node.op == Op::kLshr ? builder_.lshr(a, amount) : builder_.ashr(a, amount);
+      const Bits made = node.op == Op::kShl    ? builder_.shl(a, amount)
+                        : node.op == Op::kLshr ? builder_.lshr(a, amount)
+                                               : builder_.ashr(a, amount);
       Bits chosen;
       for (const std::size_t i : wanted) chosen.push_back(made[i]);
       set(chosen);
       break;
     }
-    case Op::kEq: set({builder_.eq(operand(0), operand(1))}); break;
-    case Op::kUlt: set({builder_.ult(operand(0), operand(1))}); break;
-    case Op::kSlt: set({builder_.slt(operand(0), operand(1))}); break;
-    case Op::kReduceOr: set({builder_.reduce_or(operand(0))}); break;
-    case Op::kReduceAnd: set({builder_.reduce_and(operand(0))}); break;
-    case Op::kReduceXor: set({builder_.reduce_xor(operand(0))}); break;
+    case Op::kEq:
+      set({builder_.eq(operand(0), operand(1))});
+      break;
+    case Op::kUlt:
+      set({builder_.ult(operand(0), operand(1))});
+      break;
+    case Op::kSlt:
+      set({builder_.slt(operand(0), operand(1))});
+      break;
+    case Op::kReduceOr:
+      set({builder_.reduce_or(operand(0))});
+      break;
+    case Op::kReduceAnd:
+      set({builder_.reduce_and(operand(0))});
+      break;
+    case Op::kReduceXor:
+      set({builder_.reduce_xor(operand(0))});
+      break;
   }
 }
 

@@ -71,7 +71,8 @@ Assumptions constant_bits(const Draft& draft, const Liveness& live) {
   return assumptions;
 }
 
-/// Bits that are equal after every number of steps: assume all with the same initial value are, split by their next values.
+/// Bits that are equal after every number of steps: assume all with the same initial value are, split by their next
+/// values.
 Assumptions equal_bits(const Draft& draft, const Liveness& live) {
   const Graph& graph = draft.graph;
   using Member = std::pair<std::uint32_t, std::uint32_t>;  // state or memory, bit
@@ -102,7 +103,8 @@ Assumptions equal_bits(const Draft& draft, const Liveness& live) {
     }
     const Rebuild rebuilt(draft, live, assumptions);
     bool changed = false;
-    const auto split = [&](std::vector<std::vector<Member>>& classes, const std::function<Bit(const Member&)>& next_of) {
+    const auto split = [&](std::vector<std::vector<Member>>& classes,
+                           const std::function<Bit(const Member&)>& next_of) {
       std::vector<std::vector<Member>> refined;
       for (const auto& members : classes) {
         std::map<Bit, std::size_t> by_next;
@@ -128,7 +130,8 @@ void check(const Draft& draft) {
     const Node& node = graph.nodes[id];
     if (node.op != Op::kInput || node.port != kUndefinedPort) continue;
     if (std::find(live[id].begin(), live[id].end(), true) == live[id].end()) continue;
-    const bool sentence = node.name.find(" is not set") != std::string::npos || node.name.find(" has no ") != std::string::npos;
+    const bool sentence =
+        node.name.find(" is not set") != std::string::npos || node.name.find(" has no ") != std::string::npos;
     throw CompileError(node.where, sentence ? node.name + " on some path" : node.name + " is used before it is set");
   }
   for (std::size_t i = 0; i < graph.states.size(); ++i) {
@@ -149,7 +152,8 @@ Graph ordered(Draft draft) {
     if (mark[id] == 2) return;
     const Node& node = graph.nodes[id];
     if (mark[id] == 1) {
-      throw CompileError(node.where, "memory `" + node.name + "` is read at an address that depends, in the same step, on its own data");
+      throw CompileError(node.where, "memory `" + node.name +
+                                         "` is read at an address that depends, in the same step, on its own data");
     }
     mark[id] = 1;
     const auto visit_bits = [&](const Bits& bits) {

@@ -102,7 +102,8 @@ class Symbolic::Run {
 
   SourceLocation where_of_function() const {
     const llvm::DISubprogram* program = function_.getSubprogram();
-    return program == nullptr ? SourceLocation{} : SourceLocation{tidy_path(program->getFilename().str()), program->getLine()};
+    return program == nullptr ? SourceLocation{}
+                              : SourceLocation{tidy_path(program->getFilename().str()), program->getLine()};
   }
 
   void find_returning() {
@@ -192,8 +193,7 @@ class Symbolic::Run {
         std::optional<Bits> value = along(block, *choice->getDefaultDest());
         for (const BasicBlock* next : order) {
           const std::optional<Bits> before = value;
-          value = choose(
-              cases[next], [&] { return along(block, *next); }, [&] { return before; });
+          value = choose(cases[next], [&] { return along(block, *next); }, [&] { return before; });
         }
         return value;
       }
@@ -220,13 +220,16 @@ class Symbolic::Run {
     if (!reached || (*reached)[0] == kZero) return;
     state.active = builder_.bit_and(blocks_.at(&top).active, (*reached)[0]);
     if (state.active == kZero) return;
-    if (builder_.is_undefined((*reached)[0])) throw CompileError(builder_.where, "a branch depends on an uninitialised value");
+    if (builder_.is_undefined((*reached)[0]))
+      throw CompileError(builder_.where, "a branch depends on an uninitialised value");
 
     for (const llvm::PHINode& phi : block.phis()) {
       builder_.where = location_of(phi);
-      const auto chosen = gate(
-          [&](const BasicBlock& before) { return std::optional(value(phi.getIncomingValueForBlock(&before))); }, std::nullopt);
-      set(phi, chosen ? *chosen : builder_.undefined(static_cast<std::uint32_t>(machine_.width(phi.getType())), "a value"));
+      const auto chosen =
+          gate([&](const BasicBlock& before) { return std::optional(value(phi.getIncomingValueForBlock(&before))); },
+               std::nullopt);
+      set(phi,
+          chosen ? *chosen : builder_.undefined(static_cast<std::uint32_t>(machine_.width(phi.getType())), "a value"));
     }
     merge(block, state, between, top);
   }
@@ -260,7 +263,8 @@ class Symbolic::Run {
         std::size_t high = low + 1;
         while (high < size && !cuts.contains(high) && differs(high) == different) ++high;
         if (!different) {
-          std::copy(version->begin() + static_cast<std::ptrdiff_t>(low), version->begin() + static_cast<std::ptrdiff_t>(high),
+          std::copy(version->begin() + static_cast<std::ptrdiff_t>(low),
+                    version->begin() + static_cast<std::ptrdiff_t>(high),
                     merged.begin() + static_cast<std::ptrdiff_t>(low));
         } else {
           const auto chosen = Gate(
@@ -309,7 +313,8 @@ class Symbolic::Run {
       if (usable(record->getVariable(), record->getExpression())) return record->getVariable()->getName().str();
     }
     for (const llvm::DbgValueInst* intrinsic : intrinsics) {
-      if (usable(intrinsic->getVariable(), intrinsic->getExpression())) return intrinsic->getVariable()->getName().str();
+      if (usable(intrinsic->getVariable(), intrinsic->getExpression()))
+        return intrinsic->getVariable()->getName().str();
     }
     return {};
   }
@@ -325,16 +330,19 @@ class Symbolic::Run {
     }
     if (instruction.getType()->isVectorTy()) refuse(instruction, "vector operations are not supported");
     for (const llvm::Value* operand : instruction.operand_values()) {
-      if (operand->getType()->isFPOrFPVectorTy()) refuse(instruction, "floating point has no hardware: use fixed point");
+      if (operand->getType()->isFPOrFPVectorTy())
+        refuse(instruction, "floating point has no hardware: use fixed point");
     }
-    if (instruction.getType()->isFPOrFPVectorTy()) refuse(instruction, "floating point has no hardware: use fixed point");
+    if (instruction.getType()->isFPOrFPVectorTy())
+      refuse(instruction, "floating point has no hardware: use fixed point");
     if (instruction.isAtomic()) refuse(instruction, "atomic access has no hardware");
     if (instruction.isVolatile()) refuse(instruction, "volatile access has no hardware");
 
     if (const auto* binary = llvm::dyn_cast<llvm::BinaryOperator>(&instruction)) {
       set(instruction, arithmetic(*binary));
     } else if (const auto* compare = llvm::dyn_cast<llvm::ICmpInst>(&instruction)) {
-      set(instruction, {comparison(builder_, compare->getPredicate(), value(compare->getOperand(0)), value(compare->getOperand(1)))});
+      set(instruction, {comparison(builder_, compare->getPredicate(), value(compare->getOperand(0)),
+                                   value(compare->getOperand(1)))});
     } else if (const auto* select = llvm::dyn_cast<llvm::SelectInst>(&instruction)) {
       const Bits condition = value(select->getCondition());
       set(instruction, builder_.mux(condition[0], value(select->getTrueValue()), value(select->getFalseValue())));
@@ -354,15 +362,18 @@ class Symbolic::Run {
       if (load->getType()->isAggregateType() && bits != layout_.getTypeStoreSizeInBits(load->getType())) {
         refuse(instruction, "a whole structure with padding is loaded at once: not supported");
       }
-      const Bits stored = memory_.load(state.at_end, value(load->getPointerOperand()), layout_.getTypeStoreSizeInBits(load->getType()));
+      const Bits stored =
+          memory_.load(state.at_end, value(load->getPointerOperand()), layout_.getTypeStoreSizeInBits(load->getType()));
       set(instruction, Builder::slice(stored, 0, bits));
     } else if (const auto* store = llvm::dyn_cast<llvm::StoreInst>(&instruction)) {
       const llvm::Type* type = store->getValueOperand()->getType();
-      if (type->isAggregateType() && machine_.width(type) != layout_.getTypeStoreSizeInBits(const_cast<llvm::Type*>(type))) {
+      if (type->isAggregateType() &&
+          machine_.width(type) != layout_.getTypeStoreSizeInBits(const_cast<llvm::Type*>(type))) {
         refuse(instruction, "a whole structure with padding is stored at once: not supported");
       }
       memory_.store(state.at_end, value(store->getPointerOperand()),
-                    Builder::zero_extend(value(store->getValueOperand()), layout_.getTypeStoreSizeInBits(const_cast<llvm::Type*>(type))));
+                    Builder::zero_extend(value(store->getValueOperand()),
+                                         layout_.getTypeStoreSizeInBits(const_cast<llvm::Type*>(type))));
     } else if (const auto* address = llvm::dyn_cast<llvm::GEPOperator>(&instruction)) {
       values_[&instruction] = element(*address);
     } else if (const auto* extract = llvm::dyn_cast<llvm::ExtractValueInst>(&instruction)) {
@@ -404,15 +415,24 @@ class Symbolic::Run {
       return std::nullopt;
     };
     switch (binary.getOpcode()) {
-      case Instruction::Add: return builder_.add(a, b);
-      case Instruction::Sub: return builder_.sub(a, b);
-      case Instruction::Mul: return builder_.mul(a, b);
-      case Instruction::And: return builder_.bit_and(a, b);
-      case Instruction::Or: return builder_.bit_or(a, b);
-      case Instruction::Xor: return builder_.bit_xor(a, b);
-      case Instruction::Shl: return builder_.shl(a, b);
-      case Instruction::LShr: return builder_.lshr(a, b);
-      case Instruction::AShr: return builder_.ashr(a, b);
+      case Instruction::Add:
+        return builder_.add(a, b);
+      case Instruction::Sub:
+        return builder_.sub(a, b);
+      case Instruction::Mul:
+        return builder_.mul(a, b);
+      case Instruction::And:
+        return builder_.bit_and(a, b);
+      case Instruction::Or:
+        return builder_.bit_or(a, b);
+      case Instruction::Xor:
+        return builder_.bit_xor(a, b);
+      case Instruction::Shl:
+        return builder_.shl(a, b);
+      case Instruction::LShr:
+        return builder_.lshr(a, b);
+      case Instruction::AShr:
+        return builder_.ashr(a, b);
       case Instruction::UDiv:
       case Instruction::URem: {
         const auto k = power();
@@ -449,22 +469,28 @@ class Symbolic::Run {
     const Bits from = value(cast.getOperand(0));
     const std::uint64_t to = machine_.width(cast.getType());
     switch (cast.getOpcode()) {
-      case Instruction::Trunc: return Builder::slice(from, 0, to);
-      case Instruction::ZExt: return Builder::zero_extend(from, to);
-      case Instruction::SExt: return Builder::sign_extend(from, to);
+      case Instruction::Trunc:
+        return Builder::slice(from, 0, to);
+      case Instruction::ZExt:
+        return Builder::zero_extend(from, to);
+      case Instruction::SExt:
+        return Builder::sign_extend(from, to);
       case Instruction::BitCast:
         if (from.size() == to) return from;
         break;
       case Instruction::PtrToInt:
-      case Instruction::IntToPtr: return Builder::slice(Builder::zero_extend(from, std::max<std::size_t>(to, from.size())), 0, to);
-      default: break;
+      case Instruction::IntToPtr:
+        return Builder::slice(Builder::zero_extend(from, std::max<std::size_t>(to, from.size())), 0, to);
+      default:
+        break;
     }
     refuse(cast, std::string("conversion `") + cast.getOpcodeName() + "` is not supported");
   }
 
   void allocate(const llvm::AllocaInst& alloca, Block& state) {
     const auto size = alloca.getAllocationSizeInBits(layout_);
-    if (!size || size->isScalable() || !alloca.isStaticAlloca()) refuse(alloca, "an array of variable size has no hardware");
+    if (!size || size->isScalable() || !alloca.isStaticAlloca())
+      refuse(alloca, "an array of variable size has no hardware");
     Object object;
     object.name = alloca.getName().empty() ? "a local variable" : "local variable " + alloca.getName().str();
     object.size_bits = size->getFixedValue();
@@ -526,8 +552,8 @@ class Symbolic::Run {
       const Bits data = machine_.rams_.read(state.at_end, argument(0), argument(1), bytes(3), state.active);
       memory_.store(state.at_end, argument(2), data);
     } else if (name == "__hlsc_ram_write") {
-      machine_.rams_.write(state.at_end, argument(0), argument(1), memory_.load(state.at_end, argument(2), bytes(3) * 8),
-                           state.active);
+      machine_.rams_.write(state.at_end, argument(0), argument(1),
+                           memory_.load(state.at_end, argument(2), bytes(3) * 8), state.active);
     } else {
       refuse(call, "call of " + (callee == nullptr ? std::string("an unknown function") : readable(*callee)));
     }
@@ -569,7 +595,8 @@ class Symbolic::Run {
       default:
         break;
     }
-    if (call.getType()->isVoidTy()) refuse(call, "`" + call.getCalledFunction()->getName().str() + "` is not supported");
+    if (call.getType()->isVoidTy())
+      refuse(call, "`" + call.getCalledFunction()->getName().str() + "` is not supported");
     std::vector<Bits> arguments;
     for (unsigned i = 0; i < call.arg_size(); ++i) {
       const llvm::Type* type = call.getArgOperand(i)->getType();
@@ -612,7 +639,8 @@ std::uint64_t Symbolic::width(const llvm::Type* type) const {
     for (const llvm::Type* element : structure->elements()) total += width(element);
     return total;
   }
-  if (const auto* array = llvm::dyn_cast<llvm::ArrayType>(type)) return array->getNumElements() * width(array->getElementType());
+  if (const auto* array = llvm::dyn_cast<llvm::ArrayType>(type))
+    return array->getNumElements() * width(array->getElementType());
   if (type->isFPOrFPVectorTy()) throw CompileError(builder_.where, "floating point has no hardware: use fixed point");
   throw CompileError(builder_.where, "a value of a type that has no hardware");
 }
@@ -620,8 +648,10 @@ std::uint64_t Symbolic::width(const llvm::Type* type) const {
 ObjectId Symbolic::object_of(const llvm::GlobalVariable& variable) {
   if (const auto found = globals_.find(&variable); found != globals_.end()) return found->second;
   if (!variable.isConstant() || !variable.hasInitializer()) {
-    throw CompileError(builder_.where, "`" + readable(variable) +
-                                           "` is a static or global variable: state belongs into members of the stage, tables must be constexpr");
+    throw CompileError(
+        builder_.where,
+        "`" + readable(variable) +
+            "` is a static or global variable: state belongs into members of the stage, tables must be constexpr");
   }
   const llvm::DataLayout& layout = module_.getDataLayout();
   Object object;
@@ -651,7 +681,8 @@ void Symbolic::fill(Bits& bits, std::uint64_t offset, const llvm::Constant& cons
   if (llvm::isa<llvm::ConstantAggregateZero>(constant)) return;
   if (type->isArrayTy()) {
     const std::uint64_t stride = layout.getTypeAllocSizeInBits(type->getArrayElementType());
-    for (unsigned i = 0; i < type->getArrayNumElements(); ++i) fill(bits, offset + i * stride, *constant.getAggregateElement(i));
+    for (unsigned i = 0; i < type->getArrayNumElements(); ++i)
+      fill(bits, offset + i * stride, *constant.getAggregateElement(i));
     return;
   }
   if (auto* structure = llvm::dyn_cast<llvm::StructType>(constant.getType())) {
@@ -667,11 +698,13 @@ void Symbolic::fill(Bits& bits, std::uint64_t offset, const llvm::Constant& cons
 
 Bits Symbolic::value_of_constant(const llvm::Constant& constant) {
   if (const auto* integer = llvm::dyn_cast<llvm::ConstantInt>(&constant)) return constant_of(integer->getValue());
-  if (llvm::isa<llvm::ConstantPointerNull, llvm::ConstantAggregateZero>(constant)) return Builder::constant(0, width(constant.getType()));
+  if (llvm::isa<llvm::ConstantPointerNull, llvm::ConstantAggregateZero>(constant))
+    return Builder::constant(0, width(constant.getType()));
   if (llvm::isa<llvm::UndefValue>(constant)) {
     return builder_.undefined(static_cast<std::uint32_t>(width(constant.getType())), "a value");
   }
-  if (const auto* variable = llvm::dyn_cast<llvm::GlobalVariable>(&constant)) return Memory::pointer(object_of(*variable));
+  if (const auto* variable = llvm::dyn_cast<llvm::GlobalVariable>(&constant))
+    return Memory::pointer(object_of(*variable));
   if (llvm::isa<llvm::ConstantAggregate>(constant)) {
     Bits bits;
     for (const llvm::Use& element : constant.operands()) {
@@ -689,9 +722,11 @@ Bits Symbolic::value_of_constant(const llvm::Constant& constant) {
     }
   }
   if (llvm::isa<llvm::Function>(constant)) {
-    throw CompileError(builder_.where, "the address of a function is used as a value: function pointers have no hardware");
+    throw CompileError(builder_.where,
+                       "the address of a function is used as a value: function pointers have no hardware");
   }
-  if (constant.getType()->isFPOrFPVectorTy()) throw CompileError(builder_.where, "floating point has no hardware: use fixed point");
+  if (constant.getType()->isFPOrFPVectorTy())
+    throw CompileError(builder_.where, "floating point has no hardware: use fixed point");
   throw CompileError(builder_.where, "a constant of a form that is not supported");
 }
 

@@ -2,7 +2,6 @@
 // Every operation of the builder, with all its simplifications, against plain arithmetic on random operands: bits of
 // inputs, constants, repeated bits, results of earlier operations.
 #include <catch2/catch.hpp>
-
 #include <random>
 
 #include "hlsc/builder.hpp"
@@ -28,13 +27,21 @@ class Bench {
       const Bits& from = pool[random() % pool.size()];
       const std::size_t low = random() % from.size(), count = 1 + random() % (from.size() - low);
       switch (random() % 6) {
-        case 0: bits.push_back(kZero); break;
-        case 1: bits.push_back(kOne); break;
-        case 2: bits.resize(width, kZero); break;
+        case 0:
+          bits.push_back(kZero);
+          break;
+        case 1:
+          bits.push_back(kOne);
+          break;
+        case 2:
+          bits.resize(width, kZero);
+          break;
         case 3:
           if (!bits.empty()) bits.resize(width, bits.back());
           break;
-        default: bits.insert(bits.end(), from.begin() + static_cast<std::ptrdiff_t>(low), from.begin() + static_cast<std::ptrdiff_t>(low + count));
+        default:
+          bits.insert(bits.end(), from.begin() + static_cast<std::ptrdiff_t>(low),
+                      from.begin() + static_cast<std::ptrdiff_t>(low + count));
       }
     }
     bits.resize(width);
@@ -83,24 +90,57 @@ TEST_CASE("operations and their simplifications", "[builder]") {
       const int operation = static_cast<int>(bench.random() % 16);
       Bits result;
       switch (operation) {
-        case 0: result = b.add(x, y); break;
-        case 1: result = b.sub(x, y); break;
-        case 2: result = b.mul(x, y); break;
-        case 3: result = b.bit_and(x, y); break;
-        case 4: result = b.bit_or(x, y); break;
-        case 5: result = b.bit_xor(x, y); break;
-        case 6: result = b.bit_not(x); break;
-        case 7: result = {b.eq(x, y)}; break;
-        case 8: result = {b.ult(x, y)}; break;
-        case 9: result = {b.slt(x, y)}; break;
-        case 10: result = b.mux(c[0], x, y); break;
-        case 11: result = b.shl(x, amount); break;
-        case 12: result = b.lshr(x, amount); break;
-        case 13: result = b.ashr(x, amount); break;
-        case 14: result = {b.reduce_or(x), b.reduce_and(x), b.reduce_xor(x)}; break;
-        default: result = b.mul(x, Builder::constant(bench.random(), width)); break;
+        case 0:
+          result = b.add(x, y);
+          break;
+        case 1:
+          result = b.sub(x, y);
+          break;
+        case 2:
+          result = b.mul(x, y);
+          break;
+        case 3:
+          result = b.bit_and(x, y);
+          break;
+        case 4:
+          result = b.bit_or(x, y);
+          break;
+        case 5:
+          result = b.bit_xor(x, y);
+          break;
+        case 6:
+          result = b.bit_not(x);
+          break;
+        case 7:
+          result = {b.eq(x, y)};
+          break;
+        case 8:
+          result = {b.ult(x, y)};
+          break;
+        case 9:
+          result = {b.slt(x, y)};
+          break;
+        case 10:
+          result = b.mux(c[0], x, y);
+          break;
+        case 11:
+          result = b.shl(x, amount);
+          break;
+        case 12:
+          result = b.lshr(x, amount);
+          break;
+        case 13:
+          result = b.ashr(x, amount);
+          break;
+        case 14:
+          result = {b.reduce_or(x), b.reduce_and(x), b.reduce_xor(x)};
+          break;
+        default:
+          result = b.mul(x, Builder::constant(bench.random(), width));
+          break;
       }
-      checks.push_back({"operation " + std::to_string(operation), result, x, operation >= 11 && operation <= 13 ? amount : y, c, operation});
+      checks.push_back({"operation " + std::to_string(operation), result, x,
+                        operation >= 11 && operation <= 13 ? amount : y, c, operation});
       bench.pool.push_back(result);
       if (operation == 15) checks.pop_back();
     }
@@ -110,30 +150,57 @@ TEST_CASE("operations and their simplifications", "[builder]") {
       for (const Check& check : checks) {
         const std::size_t width = check.x.size();
         const std::uint64_t mask = (std::uint64_t{1} << width) - 1;
-        const std::uint64_t x = bench.evaluate(check.x, values), y = bench.evaluate(check.y, values), z = bench.evaluate(check.z, values);
+        const std::uint64_t x = bench.evaluate(check.x, values), y = bench.evaluate(check.y, values),
+                            z = bench.evaluate(check.z, values);
         std::uint64_t expected = 0;
         switch (check.operation) {
-          case 0: expected = x + y; break;
-          case 1: expected = x - y; break;
-          case 2: expected = x * y; break;
-          case 3: expected = x & y; break;
-          case 4: expected = x | y; break;
-          case 5: expected = x ^ y; break;
-          case 6: expected = ~x; break;
-          case 7: expected = x == y ? 1 : 0; break;
-          case 8: expected = x < y ? 1 : 0; break;
-          case 9: expected = extended(x, width) < extended(y, width) ? 1 : 0; break;
-          case 10: expected = z != 0 ? x : y; break;
-          case 14: expected = (x != 0 ? 1U : 0U) | (x == mask ? 2U : 0U) | (static_cast<unsigned>(__builtin_parityll(x)) << 2); break;
+          case 0:
+            expected = x + y;
+            break;
+          case 1:
+            expected = x - y;
+            break;
+          case 2:
+            expected = x * y;
+            break;
+          case 3:
+            expected = x & y;
+            break;
+          case 4:
+            expected = x | y;
+            break;
+          case 5:
+            expected = x ^ y;
+            break;
+          case 6:
+            expected = ~x;
+            break;
+          case 7:
+            expected = x == y ? 1 : 0;
+            break;
+          case 8:
+            expected = x < y ? 1 : 0;
+            break;
+          case 9:
+            expected = extended(x, width) < extended(y, width) ? 1 : 0;
+            break;
+          case 10:
+            expected = z != 0 ? x : y;
+            break;
+          case 14:
+            expected = (x != 0 ? 1U : 0U) | (x == mask ? 2U : 0U) | (static_cast<unsigned>(__builtin_parityll(x)) << 2);
+            break;
           default:
             if (y >= width) continue;  // undefined in C++
-            expected = check.operation == 11 ? x << y : check.operation == 12 ? x >> y : static_cast<std::uint64_t>(extended(x, width) >> y);
+            expected = check.operation == 11   ? x << y
+                       : check.operation == 12 ? x >> y
+                                               : static_cast<std::uint64_t>(extended(x, width) >> y);
         }
         const std::uint64_t result_mask = (std::uint64_t{1} << check.result.size()) - 1;
         const std::uint64_t got = bench.evaluate(check.result, values);
         if (got != (expected & result_mask)) {
-          FAIL(check.name << ", seed " << seed << ", width " << width << ": " << x << ", " << y << ", " << z << " gave " << got << " instead of "
-                          << (expected & result_mask));
+          FAIL(check.name << ", seed " << seed << ", width " << width << ": " << x << ", " << y << ", " << z << " gave "
+                          << got << " instead of " << (expected & result_mask));
         }
       }
     }
@@ -169,6 +236,7 @@ TEST_CASE("an undefined side of a multiplexer is the other side", "[builder]") {
   const Bits c = b.source(Op::kInput, 0, 1, "c"), x = b.source(Op::kInput, 1, 8, "x"), u = b.undefined(8, "nobody's");
   CHECK(b.mux(c[0], x, u) == x);
   CHECK(b.mux(c[0], u, x) == x);
-  CHECK(b.mux(c[0], b.mux(c[0], x, Builder::constant(3, 8)), Builder::constant(5, 8)) == b.mux(c[0], x, Builder::constant(5, 8)));
+  CHECK(b.mux(c[0], b.mux(c[0], x, Builder::constant(3, 8)), Builder::constant(5, 8)) ==
+        b.mux(c[0], x, Builder::constant(5, 8)));
   CHECK(b.mux(b.bit_not(c[0]), x, Builder::constant(1, 8)) == b.mux(c[0], Builder::constant(1, 8), x));
 }

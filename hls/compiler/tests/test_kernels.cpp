@@ -14,8 +14,8 @@ hlsc::Options kernel(const std::string& name) { return stage_options("kernels/ke
 }  // namespace
 
 TEST_CASE("kernels do what their native twins do") {
-  const std::string name = GENERATE("Lowpass3x3<37>", "CyclicDifference", "BoxSum<29, 9>", "Majority5x5<100>", "Bilinear", "Cordic",
-                                    "TableDirection");
+  const std::string name = GENERATE("Lowpass3x3<37>", "CyclicDifference", "BoxSum<29, 9>", "Majority5x5<100>",
+                                    "Bilinear", "Cordic", "TableDirection");
   CAPTURE(name);
   CHECK(compare_with_native(kernel(name), {.steps = 4000, .seed = 7}) == "");
 }
@@ -32,7 +32,8 @@ TEST_CASE("indices and pointers") {
 }
 
 TEST_CASE("the example of hls/README.md") {
-  CHECK(compare_with_native(stage_options("kernels/vertical.hpp", "Vertical"), {.steps = 3000, .reset_every = 0}) == "");
+  CHECK(compare_with_native(stage_options("kernels/vertical.hpp", "Vertical"), {.steps = 3000, .reset_every = 0}) ==
+        "");
 }
 
 TEST_CASE("C++ storage leaves no trace in widths") {

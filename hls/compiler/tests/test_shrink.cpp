@@ -26,7 +26,8 @@ class Hand {
     state.name = name;
     state.width = width;
     for (std::uint32_t i = 0; i < width; ++i) state.initial.push_back(((initial >> i) & 1) != 0);
-    const Bits bits = builder.source(Op::kStateRead, static_cast<std::uint32_t>(draft.graph.states.size()), width, name);
+    const Bits bits =
+        builder.source(Op::kStateRead, static_cast<std::uint32_t>(draft.graph.states.size()), width, name);
     state.read = bits[0].node;
     state.next = bits;
     draft.graph.states.push_back(state);
@@ -95,7 +96,8 @@ TEST_CASE("states that are always equal become one", "[shrink]") {
 
 TEST_CASE("what no output depends on is gone, ports stay", "[shrink]") {
   Hand hand;
-  const Bits x = hand.input("x", 8), unused = hand.input("unused", 4), state = hand.state("dead", 8, 0), low = hand.state("sum", 8, 0);
+  const Bits x = hand.input("x", 8), unused = hand.input("unused", 4), state = hand.state("dead", 8, 0),
+             low = hand.state("sum", 8, 0);
   hand.next(0, hand.builder.add(state, x));
   hand.next(1, hand.builder.add(low, x));
   hand.output("y", Builder::slice(low, 0, 3));
@@ -116,8 +118,8 @@ TEST_CASE("memory bits: constant, equal, unread ones", "[shrink]") {
   ram.read_address = ram.write_address = x;
   ram.write_enable = kOne;
   ram.write_data = x;
-  ram.write_data.insert(ram.write_data.end(), x.begin(), x.end());             // 4..7 as 0..3
-  for (int i = 0; i < 4; ++i) ram.write_data.push_back(kZero);                 // 8..11 zero
+  ram.write_data.insert(ram.write_data.end(), x.begin(), x.end());              // 4..7 as 0..3
+  for (int i = 0; i < 4; ++i) ram.write_data.push_back(kZero);                  // 8..11 zero
   ram.write_data.insert(ram.write_data.end(), data.begin(), data.begin() + 4);  // 12..15 not read
   hand.output("y", Builder::slice(data, 0, 12));
   const Graph graph = hand.finish();

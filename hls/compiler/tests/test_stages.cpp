@@ -16,8 +16,8 @@ TEST_CASE("the project's stages do what their native twins do", "[stages]") {
   const std::string profile = "field";
   for (const auto& [name, class_name] : stages) {
     CAPTURE(name, profile);
-    const hlsc::Options options =
-        stage_options("stages/" + name + ".hpp", "horopter::stages::" + class_name + "<horopter::hls::profiles::" + profile + ">");
+    const hlsc::Options options = stage_options(
+        "stages/" + name + ".hpp", "horopter::stages::" + class_name + "<horopter::hls::profiles::" + profile + ">");
     CHECK(compare_with_native(options, {.steps = 4000, .seed = 3, .check_distance = false}) == "");
   }
 }

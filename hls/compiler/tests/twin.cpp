@@ -45,11 +45,13 @@ Storage storage(std::size_t size, int fill) {
 
 /// Zero- or sign-extends a leaf into its storage.
 void store(unsigned char* object, const Leaf& leaf, std::uint64_t value) {
-  if (leaf.is_signed && leaf.width < 64 && ((value >> (leaf.width - 1)) & 1) != 0) value |= ~std::uint64_t{0} << leaf.width;
+  if (leaf.is_signed && leaf.width < 64 && ((value >> (leaf.width - 1)) & 1) != 0)
+    value |= ~std::uint64_t{0} << leaf.width;
   for (std::uint32_t i = 0; i < leaf.storage_bits; ++i) {
     const std::uint64_t at = leaf.offset_bits + i;
     const auto mask = static_cast<unsigned char>(1U << (at % 8));
-    object[at / 8] = static_cast<unsigned char>((i < 64 && ((value >> i) & 1) != 0) ? object[at / 8] | mask : object[at / 8] & ~mask);
+    object[at / 8] = static_cast<unsigned char>((i < 64 && ((value >> i) & 1) != 0) ? object[at / 8] | mask
+                                                                                    : object[at / 8] & ~mask);
   }
 }
 
@@ -66,11 +68,16 @@ std::uint64_t load(const unsigned char* object, const Leaf& leaf) {
 std::uint64_t random_value(std::mt19937_64& random, std::uint32_t width) {
   const std::uint64_t mask = width >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << width) - 1;
   switch (random() % 8) {
-    case 0: return 0;
-    case 1: return mask;
-    case 2: return random() & 3 & mask;
-    case 3: return (mask >> 1) + (random() & 1);
-    default: return random() & mask;
+    case 0:
+      return 0;
+    case 1:
+      return mask;
+    case 2:
+      return random() & 3 & mask;
+    case 3:
+      return (mask >> 1) + (random() & 1);
+    default:
+      return random() & mask;
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes nodes of a graph: equal nodes are made once, and everything that can be simplified locally never becomes a node.
-// Every function works on bits, so constant, repeated and unchanged bits drop out of an operation: what remains of it
-// has the width that the arithmetic needs, whatever the width of the C++ type.
+// Makes nodes of a graph: equal nodes are made once, and everything that can be simplified locally never becomes a
+// node. Every function works on bits, so constant, repeated and unchanged bits drop out of an operation: what remains
+// of it has the width that the arithmetic needs, whatever the width of the C++ type.
 #pragma once
 
 #include <cstdint>
@@ -92,7 +92,7 @@ class Builder {
   Bits barrel(Bits a, const Bits& amount, Stage stage);
 
   std::vector<Node> nodes_;
-  std::vector<std::uint64_t> bounds_;  ///< by node: largest unsigned value
+  std::vector<std::uint64_t> bounds_;                           ///< by node: largest unsigned value
   std::unordered_map<std::size_t, std::vector<NodeId>> table_;  ///< by hash
 };
 

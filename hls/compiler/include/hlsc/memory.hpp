@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Byte memory of bit vectors: what the symbolic execution loads from and stores to.
 //
-// A pointer is 64 bits: the object in the upper 16, the offset in bytes in the lower 48. A pointer chosen by a condition
-// is then an ordinary multiplexer, and pointers can be stored, compared and subtracted like integers.
+// A pointer is 64 bits: the object in the upper 16, the offset in bytes in the lower 48. A pointer chosen by a
+// condition is then an ordinary multiplexer, and pointers can be stored, compared and subtracted like integers.
 #pragma once
 
 #include <cstdint>
@@ -98,7 +98,7 @@ class Memory {
   const Options& options_;
   std::vector<Rom>& roms_;
   std::vector<Object> objects_;
-  std::map<Bits, AddressForm> forms_;                        ///< by pointer
+  std::map<Bits, AddressForm> forms_;  ///< by pointer
   std::map<std::pair<ObjectId, std::vector<std::uint64_t>>, std::uint32_t> rom_of_;
 };
 

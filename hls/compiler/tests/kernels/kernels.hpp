@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-
 #include <horopter/hls/int.hpp>
 #include <horopter/hls/ram.hpp>
 
@@ -72,7 +71,8 @@ class BoxSum {
   Out step(const In& in) {
     Column column = memory_.read(x_);
     const u<4> leaving = column.rows[K - 1];
-    for (int i = K - 1; i > 0; --i) column.rows[static_cast<std::size_t>(i)] = column.rows[static_cast<std::size_t>(i - 1)];
+    for (int i = K - 1; i > 0; --i)
+      column.rows[static_cast<std::size_t>(i)] = column.rows[static_cast<std::size_t>(i - 1)];
     column.rows[0] = in.x;
     column.sum = u<8>(column.sum.value() + in.x.value() - leaving.value());
     memory_.write(x_, column);

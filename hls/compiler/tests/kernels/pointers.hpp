@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-
 #include <horopter/hls/int.hpp>
 
 namespace kernels {
@@ -76,7 +75,8 @@ using Table = std::array<std::array<std::int16_t, 4>, 8>;
 constexpr Table made(int factor) {
   Table table{};
   for (int i = 0; i < 32; ++i) {
-    table[static_cast<std::size_t>(i / 4)][static_cast<std::size_t>(i % 4)] = static_cast<std::int16_t>(i * factor - 100);
+    table[static_cast<std::size_t>(i / 4)][static_cast<std::size_t>(i % 4)] =
+        static_cast<std::int16_t>(i * factor - 100);
   }
   return table;
 }
@@ -94,8 +94,10 @@ class Tables {
   };
   Out step(const In& in) {
     const int i = in.i.value(), k = in.k.value();
-    const std::int16_t mirrored = i > 0 ? kTable[static_cast<std::size_t>(8 - i)][static_cast<std::size_t>(3 - k)] : std::int16_t{0};
-    const std::int16_t before = i > 0 ? kTable[static_cast<std::size_t>(i - 1)][static_cast<std::size_t>(k)] : std::int16_t{-1};
+    const std::int16_t mirrored =
+        i > 0 ? kTable[static_cast<std::size_t>(8 - i)][static_cast<std::size_t>(3 - k)] : std::int16_t{0};
+    const std::int16_t before =
+        i > 0 ? kTable[static_cast<std::size_t>(i - 1)][static_cast<std::size_t>(k)] : std::int16_t{-1};
     const auto& table = in.which ? kTable : kOther;
     return {kTable[in.i.value()][in.k.value()], mirrored, before, table[in.i.value()][1]};
   }
