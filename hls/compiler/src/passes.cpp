@@ -270,20 +270,25 @@ class Pipeline {
 
 SourceLocation location_of(const llvm::DebugLoc& location) {
   if (!location) return {};
+  const llvm::DILocation* library = nullptr;
   for (const llvm::DILocation* at = location.get(); at != nullptr; at = at->getInlinedAt()) {
-    if (!is_library(at->getFilename()) && at->getLine() != 0) return place(at);
+    // The generated translation unit is in a directory with a random name: it must not show.
+    if (at->getLine() == 0 || at->getFilename().contains("hlsc_wrapper.cpp")) continue;
+    if (!is_library(at->getFilename())) return place(at);
+    if (library == nullptr) library = at;
   }
-  return place(location.get());
+  return library == nullptr ? SourceLocation{} : place(library);
 }
 
 SourceLocation location_of(const llvm::Instruction& instruction) {
-  if (const llvm::DebugLoc& location = instruction.getDebugLoc()) return location_of(location);
-  // Optimised code may have lost its line: the nearest instruction that has one, then the function.
-  for (const llvm::Instruction* near = &instruction; near != nullptr; near = near->getPrevNode()) {
-    if (near->getDebugLoc()) return location_of(near->getDebugLoc());
+  const auto usable = [](const SourceLocation& where) { return !where.file.empty(); };
+  if (SourceLocation where = location_of(instruction.getDebugLoc()); usable(where)) return where;
+  // Optimised code may have lost its line: the nearest instruction that has one.
+  for (const llvm::Instruction* near = instruction.getPrevNode(); near != nullptr; near = near->getPrevNode()) {
+    if (SourceLocation where = location_of(near->getDebugLoc()); usable(where)) return where;
   }
-  for (const llvm::Instruction* near = &instruction; near != nullptr; near = near->getNextNode()) {
-    if (near->getDebugLoc()) return location_of(near->getDebugLoc());
+  for (const llvm::Instruction* near = instruction.getNextNode(); near != nullptr; near = near->getNextNode()) {
+    if (SourceLocation where = location_of(near->getDebugLoc()); usable(where)) return where;
   }
   return {};
 }

@@ -54,3 +54,10 @@ TEST_CASE("a table read at a variable index becomes a ROM of its significant bit
   CHECK(graph.roms[0].words.size() <= 64);
   CHECK(graph.roms[0].width <= 12);
 }
+
+TEST_CASE("the same source gives the same graph, wherever it is compiled") {
+  const hlsc::Options options = kernel("BoxSum<29, 9>");
+  const std::string text = hlsc::dump(hlsc::compile_stage(options).graph);
+  CHECK(hlsc::dump(hlsc::compile_stage(options).graph) == text);
+  CHECK(text.find("hlsc_wrapper") == std::string::npos);
+}
