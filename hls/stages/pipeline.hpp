@@ -521,36 +521,43 @@ class Pipeline {
   static InOf<WideThreshold> input_of(const OutOf<WideDsad>& o) { return {o.sum, o.textured, o.mask, o.marks}; }
   static InOf<WideMajority> input_of(const OutOf<WideThreshold>& o) { return {o.skin, o.decidable, o.mask, o.marks}; }
 
-  void emit_row(FrameResult& result) {
+  [[gnu::flatten]] void emit_row(FrameResult& result) {
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       for (std::size_t i = 0; i < strip_; ++i) {
         votes_[lane * strip_ + i] = strips_.votes[lead + i].state.lane(static_cast<int>(lane));
       }
     }
-    for (int x = 0; x < result_width_; ++x) {
-      emit(align_.step({votes_[index(x)], {x == 0 && first_row_, x + 1 == result_width_}}, align_config_), result);
+    Borrowed align(align_);
+    Borrowed runs(runs_);
+    Borrowed alarm(alarm_);
+    const int n = result_width_;
+    for (int x = 0; x < n; ++x) {
+      const auto pixel = align->step({votes_[index(x)], {x == 0 && first_row_, x + 1 == n}}, align_config_);
+      if (!pixel.valid) continue;
+      if (!pixel.idle) [[likely]] {
+        result.states[written_++] = pixel.state.value();
+      }
+      const auto run = runs->step({pixel.state, pixel.first, pixel.last, pixel.idle});
+      if (run.valid) add_run(run, result);
+      const auto counts = alarm->step({pixel.state, pixel.first, pixel.end, pixel.idle}, alarm_config_);
+      if (counts.valid) [[unlikely]] {
+        set_counts(counts, result);
+      }
     }
   }
 
-  void emit(const OutOf<stages::Align<P>>& pixel, FrameResult& result) {
-    if (!pixel.valid) return;
-    if (!pixel.idle) [[likely]] {
-      result.states[written_++] = pixel.state.value();
-    }
-    const auto run = runs_.step({pixel.state, pixel.first, pixel.last, pixel.idle});
-    if (run.valid) {
-      result.runs.push_back({static_cast<std::uint16_t>(run.row.value()), static_cast<std::uint16_t>(run.start.value()),
-                             static_cast<std::uint16_t>(run.end.value()), run.state.value()});
-    }
-    const auto alarm = alarm_.step({pixel.state, pixel.first, pixel.end, pixel.idle}, alarm_config_);
-    if (alarm.valid) {
-      result.skin_pixels = static_cast<int>(alarm.skin_pixels.value());
-      result.undecidable_pixels = static_cast<int>(alarm.undecidable_pixels.value());
-      result.unsupervised_pixels = static_cast<int>(alarm.unsupervised_pixels.value());
-      result.alarm = alarm.alarm;
-      result.too_undecidable = alarm.too_undecidable;
-      result.too_unsupervised = alarm.too_unsupervised;
-    }
+  [[gnu::noinline]] static void add_run(const OutOf<stages::Runs<P>>& run, FrameResult& result) {
+    result.runs.push_back({static_cast<std::uint16_t>(run.row.value()), static_cast<std::uint16_t>(run.start.value()),
+                           static_cast<std::uint16_t>(run.end.value()), run.state.value()});
+  }
+
+  [[gnu::noinline]] static void set_counts(const OutOf<stages::Alarm<P>>& counts, FrameResult& result) {
+    result.skin_pixels = static_cast<int>(counts.skin_pixels.value());
+    result.undecidable_pixels = static_cast<int>(counts.undecidable_pixels.value());
+    result.unsupervised_pixels = static_cast<int>(counts.unsupervised_pixels.value());
+    result.alarm = counts.alarm;
+    result.too_undecidable = counts.too_undecidable;
+    result.too_unsupervised = counts.too_unsupervised;
   }
 
 #define HOROPTER_STAGE(name, Class) static_assert(std::is_default_constructible_v<stages::Class<P>>);
