@@ -12,6 +12,7 @@
 #include <unsupported/Eigen/NumericalDiff>
 
 #include "horopter/calib/error.hpp"
+#include "internal.hpp"
 
 namespace horopter::calib {
 namespace {
@@ -304,14 +305,7 @@ void warn_sensor(PointCalibration& result, const Sensor& sensor, std::span<const
     result.warnings.push_back(fmt::format("centre_outside_sensor: the image centre is found at ({:.1f}, {:.1f})",
                                           model.cx_px(), model.cy_px()));
   }
-  const double corner = std::hypot(std::max(model.cx_px(), sensor.width_px - 1 - model.cx_px()),
-                                   std::max(model.cy_px(), sensor.height_px - 1 - model.cy_px()));
-  if (model.limit_radius_px() < corner) {
-    result.warnings.push_back(
-        fmt::format("lens_limit_inside_image: the distortion has no inverse beyond {:.0f} px from the centre, and the "
-                    "image reaches {:.0f} px",
-                    model.limit_radius_px(), corner));
-  }
+  if (const auto warning = lens_limit_warning(result.camera)) result.warnings.push_back(*warning);
 }
 
 void warn_outliers(PointCalibration& result) {
@@ -568,6 +562,8 @@ std::optional<Vector2d> search_centre(std::span<const PointPair> points, const S
 PointCalibration calibrate_points(std::span<const PointPair> points, const Sensor& sensor, PointMethod method,
                                   const PointOptions& options) {
   check_finite(points);
+  PointCalibration result;
+  for (const PointPair& point : points) result.pixels.push_back(point.pixel);
   if (!(sensor.dx_mm > 0 && sensor.dy_mm > 0) || sensor.width_px < 2 || sensor.height_px < 2 ||
       !(sensor.sx.value_or(1) > 0)) {
     throw CalibrationError("a sensor needs a width and height, and positive pitches and sx");
@@ -578,7 +574,6 @@ PointCalibration calibrate_points(std::span<const PointPair> points, const Senso
   if (!(frame.extent_mm[1] > kThin * frame.extent_mm[0])) {
     throw CalibrationError("the points lie on one line: they do not determine a camera");
   }
-  PointCalibration result;
   result.method = method;
   result.coplanar = !(frame.extent_mm[2] > kFlat * frame.extent_mm[0]);
   result.camera.name = "camera";

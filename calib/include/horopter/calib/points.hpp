@@ -84,6 +84,7 @@ struct PointCalibration {
   double tz_over_f = 0;
   double tz_over_f_sd = 0;
   PointErrors errors;
+  std::vector<Eigen::Vector2d> pixels;  ///< where the points were measured
   std::optional<double> matrix_rms_px;  ///< dlt: of the matrix M itself, with its 11 numbers
   int iterations = 0;
   std::vector<std::string> warnings;

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "horopter/calib/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "internal.hpp"
+
+namespace horopter::calib {
+namespace {
+
+using Eigen::Vector2d;
+using nlohmann::json;
+
+/// JSON has neither infinity nor NaN.
+json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
+
+json values(const std::vector<Parameter>& parameters) {
+  json object = json::object();
+  for (const Parameter& parameter : parameters) object[parameter.name] = number(parameter.value);
+  return object;
+}
+
+json deviations(const std::vector<Parameter>& parameters) {
+  json object = json::object();
+  for (const Parameter& parameter : parameters) {
+    if (parameter.free) object[parameter.name] = number(parameter.sd);
+  }
+  return object;
+}
+
+json error_json(const PointErrors& errors) {
+  return {{"mean", number(errors.mean_px)},
+          {"sd", number(errors.sd_px)},
+          {"max", number(errors.max_px)},
+          {"rms", number(errors.rms_px)},
+          {"points", errors.count}};
+}
+
+/// Enough digits for the deviation to be read.
+std::string parameter_text(const Parameter& parameter) {
+  if (!parameter.free) return fmt::format("{:.6g}  (fixed)", parameter.value);
+  if (!std::isfinite(parameter.sd)) return fmt::format("{:.6g}  (not determined)", parameter.value);
+  if (!(parameter.sd > 0)) return fmt::format("{:.8g}", parameter.value);
+  const int digits = std::clamp(1 - static_cast<int>(std::floor(std::log10(parameter.sd))), 0, 15);
+  const bool small = std::abs(parameter.value) < 1e-3 && parameter.value != 0;
+  return small ? fmt::format("{:.4e} ± {:.1e}", parameter.value, parameter.sd)
+               : fmt::format("{:.{}f} ± {:.{}f}", parameter.value, digits, parameter.sd, digits);
+}
+
+}  // namespace
+
+std::optional<std::string> lens_limit_warning(const Camera& camera) {
+  if (camera.width_px < 2 || camera.height_px < 2) return std::nullopt;
+  const CameraModel& model = camera.model;
+  std::size_t blind = 0, all = 0;
+  for (int row = 0; row <= 16; ++row) {
+    for (int column = 0; column <= 16; ++column) {
+      ++all;
+      const Vector2d pixel((camera.width_px - 1) * column / 16.0, (camera.height_px - 1) * row / 16.0);
+      if (!model.undistort(pixel)) ++blind;
+    }
+  }
+  if (blind == 0) return std::nullopt;
+  return fmt::format(
+      "lens_limit_inside_image: {}: {:.0f} % of the image lie beyond the radius where the distortion found turns back; "
+      "no direction belongs to them (another term, as k2, or targets nearer to the corners may mend it)",
+      camera.name, std::ceil(100.0 * static_cast<double>(blind) / static_cast<double>(all)));
+}
+
+PointErrors merge(std::span<const PointErrors> errors) {
+  PointErrors all;
+  double sum = 0, squares = 0, nce = 0;
+  for (const PointErrors& part : errors) {
+    all.count += part.count;
+    const auto n = static_cast<double>(part.count);
+    sum += n * part.mean_px;
+    squares += n * part.rms_px * part.rms_px;
+    nce += n * part.nce;
+    all.max_px = std::max(all.max_px, part.max_px);
+    all.residuals_px.insert(all.residuals_px.end(), part.residuals_px.begin(), part.residuals_px.end());
+  }
+  if (all.count == 0) return all;
+  const auto n = static_cast<double>(all.count);
+  all.mean_px = sum / n;
+  all.rms_px = std::sqrt(squares / n);
+  all.sd_px = all.count > 1 ? std::sqrt(std::max(0.0, (squares - sum * sum / n) / (n - 1))) : 0;
+  all.nce = nce / n;
+  all.nce_thesis = all.nce / 0.2;
+  return all;
+}
+
+Report report_of(std::span<const PointCalibration> cameras) {
+  Report report;
+  std::vector<PointErrors> errors;
+  for (const PointCalibration& calibration : cameras) {
+    report.method = point_method_name(calibration.method);
+    report.rig.cameras.push_back(calibration.camera);
+    report.iterations += calibration.iterations;
+    const std::string prefix = cameras.size() > 1 ? calibration.camera.name + ": " : "";
+    for (const std::string& warning : calibration.warnings) {
+      const auto colon = warning.find(": ");
+      report.warnings.push_back(warning.substr(0, colon + 2) + prefix + warning.substr(colon + 2));
+    }
+    CameraReport& own = report.cameras.emplace_back();
+    own.name = calibration.camera.name;
+    own.parameters = calibration.parameters;
+    own.parameters.push_back({"tz_over_f", calibration.tz_over_f, calibration.tz_over_f_sd, true});
+    own.rms_px = calibration.errors.rms_px;
+    own.pixels = calibration.pixels;
+    own.residuals = calibration.errors.residuals_px;
+    errors.push_back(calibration.errors);
+  }
+  report.rig.world = "the points' own";
+  report.errors = merge(errors);
+  if (cameras.size() > 1) {
+    const Pose relative = report.rig.between(0, 1);
+    report.baseline_mm = relative.translation_mm.norm();
+    const Eigen::Vector3d euler = euler_from_rotation_deg(relative.rotation);
+    static const char* const kNames[] = {"rx_deg", "ry_deg", "rz_deg", "tx_mm", "ty_mm", "tz_mm"};
+    for (int i = 0; i < 6; ++i) {
+      report.relative.push_back({kNames[i], i < 3 ? euler[i] : relative.translation_mm[i - 3], 0, true});
+    }
+    if (relative.translation_mm.x() > 0.7 * *report.baseline_mm) {
+      report.warnings.push_back(fmt::format("left_right_exchanged: {} stands to the left of {}", report.cameras[1].name,
+                                            report.cameras[0].name));
+    }
+  }
+  report.usable = true;
+  return report;
+}
+
+json to_json(const Report& report) {
+  json parameters = json::object(), sds = json::object();
+  if (!report.cameras.empty()) {
+    parameters = values(report.cameras.front().parameters);
+    sds = deviations(report.cameras.front().parameters);
+  }
+  json rms = json::object();
+  for (const CameraReport& camera : report.cameras) {
+    if (report.cameras.size() > 1) {
+      parameters[camera.name] = values(camera.parameters);
+      sds[camera.name] = deviations(camera.parameters);
+    }
+    rms[camera.name] = number(camera.rms_px);
+  }
+  // Always the same members: a single camera is the left one.
+  if (!rms.contains("left")) rms["left"] = report.cameras.empty() ? json(nullptr) : number(report.cameras[0].rms_px);
+  if (!rms.contains("right")) rms["right"] = nullptr;
+  rms["stereo"] = report.cameras.size() > 1 ? number(report.errors.rms_px) : json(nullptr);
+  rms["all"] = number(report.errors.rms_px);
+  if (!report.relative.empty()) {
+    parameters["relative"] = values(report.relative);
+    sds["relative"] = deviations(report.relative);
+  }
+  json views = json::array();
+  for (const ViewReport& view : report.views) {
+    views.push_back({{"file", view.file},
+                     {"camera", view.camera},
+                     {"view", view.view},
+                     {"found", view.found},
+                     {"used", view.used},
+                     {"rms_px", view.found && std::isfinite(view.rms_px) ? json(view.rms_px) : json(nullptr)},
+                     {"problem", view.problem}});
+  }
+  json result{{"method", report.method},
+              {"usable", report.usable},
+              {"image_error_px", error_json(report.errors)},
+              {"rms_px", rms},
+              {"nce", number(report.errors.nce)},
+              {"nce_thesis", number(report.errors.nce_thesis)},
+              {"baseline_mm", report.baseline_mm ? number(*report.baseline_mm) : json(nullptr)},
+              {"baseline_sd_mm", report.baseline_mm ? number(report.baseline_sd_mm) : json(nullptr)},
+              {"parameters", parameters},
+              {"standard_deviations", sds},
+              {"views", views},
+              {"warnings", report.warnings},
+              {"problems", report.problems},
+              {"iterations", report.iterations},
+              {"seconds", report.seconds}};
+  if (report.withheld) {
+    result["withheld"] = {{"image_error_px", error_json(*report.withheld)},
+                          {"nce", number(report.withheld->nce)},
+                          {"nce_thesis", number(report.withheld->nce_thesis)}};
+  }
+  return result;
+}
+
+std::string to_text(const Report& report) {
+  std::string text = fmt::format("method         {}\n", report.method);
+  const auto line = [&](const std::string& name, const PointErrors& e) {
+    text += fmt::format(
+        "{:<14} {} points: mean {:.4f}, sd {:.4f}, max {:.4f}, RMS {:.4f} px; NCE {:.4f} (r_sp = 1), "
+        "{:.3f} (r_sp = 0.2)\n",
+        name, e.count, e.mean_px, e.sd_px, e.max_px, e.rms_px, e.nce, e.nce_thesis);
+  };
+  line("image error", report.errors);
+  if (report.withheld) line("withheld", *report.withheld);
+  for (const CameraReport& camera : report.cameras) {
+    text += fmt::format("\ncamera {}: RMS {:.4f} px\n", camera.name, camera.rms_px);
+    for (const Parameter& parameter : camera.parameters) {
+      if (!parameter.free && parameter.value == 0) continue;
+      text += fmt::format("  {:<16} {}\n", parameter.name, parameter_text(parameter));
+    }
+  }
+  if (!report.relative.empty()) {
+    text += fmt::format("\n{} as seen from {}\n", report.cameras[1].name, report.cameras[0].name);
+    for (const Parameter& parameter : report.relative) {
+      text += fmt::format("  {:<16} {}\n", parameter.name, parameter_text(parameter));
+    }
+    text += fmt::format("  {:<16} {}\n", "baseline_mm",
+                        parameter_text({"", *report.baseline_mm, report.baseline_sd_mm, true}));
+  }
+  if (!report.views.empty()) {
+    text += "\nviews\n";
+    for (const ViewReport& view : report.views) {
+      text += view.found
+                  ? fmt::format("  {:<8} {:.4f} px{}  {}{}\n", view.camera, view.rms_px, view.used ? "" : "  left out",
+                                view.file, view.problem.empty() ? "" : " (" + view.problem + ")")
+                  : fmt::format("  {:<8} not found  {} ({})\n", view.camera, view.file, view.problem);
+    }
+  }
+  for (const std::string& warning : report.warnings) text += "warning: " + warning + "\n";
+  for (const std::string& problem : report.problems) text += "NOT USABLE: " + problem + "\n";
+  return text;
+}
+
+cv::Mat residual_picture(const Report& report) {
+  int width = 0, height = 0;
+  std::vector<int> lefts;
+  for (const Camera& camera : report.rig.cameras) {
+    lefts.push_back(width);
+    width += std::max(camera.width_px, 64) + 8;
+    height = std::max(height, std::max(camera.height_px, 64));
+  }
+  constexpr int kFooter = 40;
+  cv::Mat picture(height + kFooter, std::max(width, 320), CV_8UC3, cv::Scalar(255, 255, 255));
+  // The typical residual is drawn 15 pixels long, by a factor that is easy to read.
+  std::vector<double> sizes;
+  for (const CameraReport& camera : report.cameras) {
+    for (const Vector2d& residual : camera.residuals) {
+      if (residual.allFinite()) sizes.push_back(residual.norm());
+    }
+  }
+  std::ranges::sort(sizes);
+  const double typical = sizes.empty() ? 0 : sizes[sizes.size() * 3 / 4];
+  double factor = 1;
+  for (const double step : {2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 1e4, 1e5, 1e6}) {
+    if (typical * step <= 20) factor = step;
+  }
+  constexpr int kShift = 4;  // sub-pixel drawing, in sixteenths
+  const auto fixed = [](double x, double y) {
+    return cv::Point(cvRound(std::clamp(x, -1e5, 1e5) * (1 << kShift)),
+                     cvRound(std::clamp(y, -1e5, 1e5) * (1 << kShift)));
+  };
+  for (std::size_t c = 0; c < report.cameras.size(); ++c) {
+    const CameraReport& camera = report.cameras[c];
+    const Camera& model = report.rig.cameras[c];
+    const int left = lefts[c];
+    cv::rectangle(picture, {left, 0, std::max(model.width_px, 64), std::max(model.height_px, 64)}, {160, 160, 160});
+    for (std::size_t i = 0; i < camera.pixels.size() && i < camera.residuals.size(); ++i) {
+      const Vector2d& at = camera.pixels[i];
+      const Vector2d& residual = camera.residuals[i];
+      if (!residual.allFinite()) continue;
+      const bool large = residual.norm() > 3 * camera.rms_px;
+      const cv::Scalar colour = large ? cv::Scalar(0, 0, 220) : cv::Scalar(160, 80, 0);
+      const cv::Point start = fixed(left + at.x(), at.y());
+      const cv::Point end = fixed(left + at.x() + factor * residual.x(), at.y() + factor * residual.y());
+      cv::line(picture, start, end, colour, 1, cv::LINE_AA, kShift);
+      cv::circle(picture, start, 1 << kShift, colour, cv::FILLED, cv::LINE_AA, kShift);
+    }
+    const cv::Point centre = fixed(left + model.model.cx_px(), model.model.cy_px());
+    const int arm = 6 << kShift;
+    cv::line(picture, centre - cv::Point(arm, 0), centre + cv::Point(arm, 0), {0, 140, 0}, 1, cv::LINE_AA, kShift);
+    cv::line(picture, centre - cv::Point(0, arm), centre + cv::Point(0, arm), {0, 140, 0}, 1, cv::LINE_AA, kShift);
+    cv::putText(picture, fmt::format("{}: RMS {:.3f} px", camera.name, camera.rms_px), {left + 6, height + 16},
+                cv::FONT_HERSHEY_SIMPLEX, 0.45, {0, 0, 0}, 1, cv::LINE_AA);
+  }
+  const double bar_px = 30 / factor;
+  cv::line(picture, {6, height + 30}, {36, height + 30}, {0, 0, 0}, 2);
+  cv::putText(picture, fmt::format("{:.3g} px, residuals {:g} times enlarged; red: more than 3 RMS", bar_px, factor),
+              {44, height + 34}, cv::FONT_HERSHEY_SIMPLEX, 0.4, {0, 0, 0}, 1, cv::LINE_AA);
+  return picture;
+}
+
+}  // namespace horopter::calib
