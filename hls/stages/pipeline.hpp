@@ -295,24 +295,23 @@ class Pipeline {
   [[gnu::flatten]] void examine(const ImageView& left, const ImageView& right, FrameResult& result) {
     Borrowed left_health(left_health_);
     Borrowed right_health(right_health_);
-    InOf<Health> in;
-    for (int y = 0; y < left.height; ++y) {
-      const std::uint8_t* left_row = left.pixels + y * left.stride;
-      const std::uint8_t* right_row = right.pixels + y * right.stride;
-      const int end = y + 1 == left.height ? width_ - 1 : -1;
-      in.first = y == 0;
-      for (int x = 0; x < width_; ++x) {
-        in.end = x == end;
-        in.pixel = left_row[x];
-        const OutOf<Health> l = left_health->step(in, health_config_);
-        in.pixel = right_row[x];
-        const OutOf<Health> r = right_health->step(in, health_config_);
-        if (in.end) [[unlikely]] {
-          result.left = {l.black, l.white, l.constant, l.frozen};
-          result.right = {r.black, r.white, r.constant, r.frozen};
-        }
-        in.first = false;
+    const auto feed = [&](std::uint8_t l, std::uint8_t r, bool first, bool end) {
+      const OutOf<Health> of_left = left_health->step({l, first, end}, health_config_);
+      const OutOf<Health> of_right = right_health->step({r, first, end}, health_config_);
+      if (end) {
+        result.left = {of_left.black, of_left.white, of_left.constant, of_left.frozen};
+        result.right = {of_right.black, of_right.white, of_right.constant, of_right.frozen};
       }
+    };
+    const int last_row = left.height - 1;
+    for (int y = 0; y <= last_row; ++y) {
+      const std::uint8_t* l = left.pixels + y * left.stride;
+      const std::uint8_t* r = right.pixels + y * right.stride;
+      const int begin = y == 0 ? 1 : 0;
+      const int end = width_ - (y == last_row ? 1 : 0);
+      if (y == 0) feed(l[0], r[0], true, false);
+      for (int x = begin; x < end; ++x) feed(l[x], r[x], false, false);
+      if (y == last_row) feed(l[width_ - 1], r[width_ - 1], false, true);
     }
   }
 
