@@ -129,7 +129,7 @@ module horopter_lowpass (
   assign sum_36 = {1'b0, columns_1_values_0_q} + {2'h0, columns_1_values_1_q[9:1]};
   logic [11:0] sum_37;
   assign sum_37 = {sum_36, columns_1_values_1_q[0]} + {2'h0, sum_2};
-  // tmp/hlsc-b03410/hlsc_wrapper.cpp:27
+  // hls/stages/lowpass.hpp:48
   logic [8:0] sum_38;
   assign sum_38 = sum_37[11:3] + 9'h1;
 

@@ -52,7 +52,7 @@ module horopter_map_expand (
   // hls/stages/map_expand.hpp:61
   logic not_20;
   assign not_20 = ~prime_i;
-  // hls/stages/map_expand.hpp:0
+  // hls/stages/map_expand.hpp:62
   logic and_21;
   assign and_21 = load_i & not_20;
   // hls/stages/map_expand.hpp:63

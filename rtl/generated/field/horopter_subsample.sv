@@ -39,7 +39,7 @@ module horopter_subsample (
   // hls/stages/subsample.hpp:39
   logic and_14;
   assign and_14 = second_q & (~marks_first_i);
-  // tmp/hlsc-b5d1d2/hlsc_wrapper.cpp:27
+  // hls/stages/subsample.hpp:48
   logic [8:0] sum_24;
   assign sum_24 = ({1'b0, pixel_0_i} + {1'b0, even_pixel_0_q}) + 9'h1;
   // hls/stages/subsample.hpp:42

@@ -51,7 +51,7 @@ module horopter_align (
   assign select_23 = marks_first_i ? 4'h0 : (row_ended_q ? 4'h0 : columns_q);
   logic equal_24;
   assign equal_24 = select_23 == 4'h9;
-  // hls/stages/align.hpp:0
+  // hls/stages/align.hpp:49
   logic and_26;
   assign and_26 = (~and_18) & (equal_21 & equal_24);
   // hls/stages/align.hpp:80
@@ -100,7 +100,7 @@ module horopter_align (
   assign select_29 = and_26_s1_q ? (cfg_height_i == 11'h1) : final_row_q;
   logic and_31;
   assign and_31 = last_q & (~and_26_s1_q);
-  // hls/stages/align.hpp:0
+  // hls/stages/align.hpp:63
   logic and_32;
   assign and_32 = or_27 & and_31;
   logic and_33;

@@ -184,7 +184,7 @@ module horopter_interpolate (
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
-  // tmp/hlsc-849f95/hlsc_wrapper.cpp:27
+  // hls/stages/interpolate.hpp:47
   logic [11:0] sum_27;
   assign sum_27 = {1'b0, sum_25_s3_q} + {1'b0, chosen_9_s3_q};
   logic [11:0] sum_28;
@@ -208,7 +208,7 @@ module horopter_interpolate (
   end
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
-  // tmp/hlsc-849f95/hlsc_wrapper.cpp:27
+  // hls/stages/interpolate.hpp:47
   logic [8:0] sum_29;
   assign sum_29 = sum_28_s4_q + 9'h1;
 

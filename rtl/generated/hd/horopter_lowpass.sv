@@ -228,7 +228,7 @@ module horopter_lowpass (
   assign sum_35 = sum_34[11:3] + 9'h1;
   logic [11:0] sum_37;
   assign sum_37 = {sum_36_s3_q, columns_1_values_1_s3_q} + {2'h0, columns_1_values_0_q};
-  // tmp/hlsc-d3e1e8/hlsc_wrapper.cpp:27
+  // hls/stages/lowpass.hpp:48
   logic [8:0] sum_38;
   assign sum_38 = sum_37[11:3] + 9'h1;
 

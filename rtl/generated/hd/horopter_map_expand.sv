@@ -199,7 +199,7 @@ module horopter_map_expand (
   // hls/stages/map_expand.hpp:61
   logic not_20;
   assign not_20 = ~prime_s3_q;
-  // hls/stages/map_expand.hpp:0
+  // hls/stages/map_expand.hpp:62
   logic and_21;
   assign and_21 = load_s3_q & not_20;
   // hls/stages/map_expand.hpp:63

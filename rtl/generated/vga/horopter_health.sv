@@ -216,7 +216,6 @@ module horopter_health (
   assign parity_104 = ^{select_18[7], select_18[5:3], select_18[1], pixel_i[7], pixel_i[5:3], pixel_i[1]};
   logic parity_105;
   assign parity_105 = ^{select_18[7:5], select_18[1:0], pixel_i[7:5], pixel_i[1:0]};
-  // hls/stages/health.hpp:0
   logic [31:0] select_106;
   assign select_106 = end_v_i ? {parity_35, xor_93[12], parity_105, xor_82[11], parity_104, parity_103, parity_91, parity_102, parity_101, parity_89, parity_100, parity_99, parity_98, parity_86, parity_74, parity_62, parity_97, parity_85, parity_73, xor_59[3], parity_50, parity_45, parity_96, parity_95, xor_82[1], xor_70[1], parity_94, parity_83, parity_71, parity_60, xor_48[0], parity_43} : previous_crc_q;
   // hls/stages/health.hpp:62

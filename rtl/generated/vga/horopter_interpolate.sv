@@ -81,7 +81,7 @@ module horopter_interpolate (
   // hls/stages/interpolate.hpp:58
   logic [10:0] chosen_9;
   assign chosen_9 = wy_i[1] ? {sum_16, sum_14[0], sum[0]} : {sum_22, sum_20[0], sum_2[0]};
-  // tmp/hlsc-da9621/hlsc_wrapper.cpp:27
+  // hls/stages/interpolate.hpp:47
   logic [11:0] sum_27;
   assign sum_27 = {1'b0, sum_25[11:1]} + {1'b0, chosen_9};
   logic [11:0] sum_28;
