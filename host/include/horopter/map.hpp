@@ -98,7 +98,8 @@ struct RowReach {
   int ahead = 0;
 };
 
-/// The setting of LOOKAHEAD for which the store holds these rows, y - (ROWS/2 - 2) … y + LOOKAHEAD; nothing when none does.
+/// The setting of LOOKAHEAD for which the store holds these rows, y - (ROWS/2 - 2) … y + LOOKAHEAD; nothing when none
+/// does.
 std::optional<int> lookahead_for(const MachineProfile& profile, RowReach reach);
 
 struct MapReport {

@@ -26,7 +26,8 @@ class UioDevice : public Device {
     std::filesystem::path right;      ///< written
     std::filesystem::path states;     ///< read
     std::filesystem::path runs;       ///< read
-    std::uint64_t register_offset = 0;  ///< in the mapping; a multiple of the page size (UIO: page size times map number)
+    std::uint64_t register_offset =
+        0;  ///< in the mapping; a multiple of the page size (UIO: page size times map number)
   };
 
   /// Throws DeviceError when something cannot be opened or mapped.

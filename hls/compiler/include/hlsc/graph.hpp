@@ -31,14 +31,24 @@ enum class Op {
   kStateRead,  ///< value of a state register before the step: `port` indexes Graph::states
   kRamRead,    ///< data of a synchronous read: `port` indexes Graph::rams (address and enable stand there)
   kRom,        ///< constant table: operand 0 = address, `port` indexes Graph::roms
-  kAnd, kOr, kXor,              ///< bitwise, operands of equal width
-  kNot,                         ///< bitwise
-  kAdd, kSub, kMul,             ///< modulo 2^width, operands of the node's width (kMul: operands may be narrower, unsigned)
-  kMulSigned,                   ///< operands sign-extended to the node's width
-  kShl, kLshr, kAshr,           ///< variable shift: operand 1 unsigned; amounts ≥ width give zero (kAshr: sign)
-  kEq, kUlt, kSlt,              ///< 1 bit; operands of equal width
-  kMux,                         ///< operand 0 (1 bit) ? operand 1 : operand 2
-  kReduceOr, kReduceAnd, kReduceXor,  ///< 1 bit
+  kAnd,
+  kOr,
+  kXor,  ///< bitwise, operands of equal width
+  kNot,  ///< bitwise
+  kAdd,
+  kSub,
+  kMul,        ///< modulo 2^width, operands of the node's width (kMul: operands may be narrower, unsigned)
+  kMulSigned,  ///< operands sign-extended to the node's width
+  kShl,
+  kLshr,
+  kAshr,  ///< variable shift: operand 1 unsigned; amounts ≥ width give zero (kAshr: sign)
+  kEq,
+  kUlt,
+  kSlt,  ///< 1 bit; operands of equal width
+  kMux,  ///< operand 0 (1 bit) ? operand 1 : operand 2
+  kReduceOr,
+  kReduceAnd,
+  kReduceXor,  ///< 1 bit
 };
 
 struct SourceLocation {

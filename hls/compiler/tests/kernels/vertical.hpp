@@ -11,9 +11,16 @@ using horopter::hls::u;
 /// Mean of a pixel and the one above it, in rows of 640.
 class Vertical {
  public:
-  struct In { u<8> pixel; };
-  struct Config { bool round; };                      // optional: read where needed, never pipelined
-  struct Out { bool valid; u<8> mean; };              // `valid`, if there is one, drops this beat
+  struct In {
+    u<8> pixel;
+  };
+  struct Config {
+    bool round;
+  };  // optional: read where needed, never pipelined
+  struct Out {
+    bool valid;
+    u<8> mean;
+  };  // `valid`, if there is one, drops this beat
 
   Out step(const In& in, const Config& config) {
     const u<8> above = row_.read(x_);
@@ -24,7 +31,7 @@ class Vertical {
   }
 
  private:
-  RAM<u<8>, 640, 640> row_;                           // a memory
-  u<10> x_;                                           // a register, 0 after reset
+  RAM<u<8>, 640, 640> row_;  // a memory
+  u<10> x_;                  // a register, 0 after reset
   bool second_row_ = false;
 };
