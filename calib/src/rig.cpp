@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
+#include <Eigen/LU>
 #include <cmath>
 #include <limits>
 #include <set>
