@@ -85,6 +85,8 @@ MapTable control_grid(const Skin& skin, const ScanGeometry& geometry, int nx, in
   return table;
 }
 
+double distance(double x, double y) { return std::sqrt(x * x + y * y); }
+
 constexpr double kFraction = 1.0 / (1 << MapTable::kFractionBits);
 
 /// Unmaps a control point of each cell with a pixel that must not be supervised although its corners are mapped.
@@ -137,12 +139,12 @@ bool measure(const MapTable& table, const ExactMap& exact, int weight_bits, doub
       }
       ++report.supervised;
       const auto expanded = *table.expand(x, y);
-      const double error = std::hypot(static_cast<double>(expanded.x) * kFraction - exact.x[i],
-                                      static_cast<double>(expanded.y) * kFraction - exact.y[i]);
+      const double error = distance(static_cast<double>(expanded.x) * kFraction - exact.x[i],
+                                    static_cast<double>(expanded.y) * kFraction - exact.y[i]);
       if (error > largest_error_px) return false;
       errors.push_back(static_cast<float>(error));
-      const double rounded = std::hypot(std::ldexp(source->x, -weight_bits) - exact.x[i],
-                                        std::ldexp(source->y, -weight_bits) - exact.y[i]);
+      const double rounded =
+          distance(std::ldexp(source->x, -weight_bits) - exact.x[i], std::ldexp(source->y, -weight_bits) - exact.y[i]);
       report.rounded_largest_px = std::max(report.rounded_largest_px, rounded);
       const int first = source->y >> weight_bits;
       const int last = first + ((source->y & fraction_mask) != 0 ? 1 : 0);
