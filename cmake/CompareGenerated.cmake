@@ -1,5 +1,6 @@
 # Fails unless the modules that hlsc makes now are those in rtl/generated.
 #   cmake -D MADE=<dir> -D COMMITTED=<dir> -P CompareGenerated.cmake
+cmake_policy(SET CMP0057 NEW)  # IN_LIST
 set(different)
 file(GLOB made RELATIVE ${MADE} ${MADE}/horopter_*.sv ${MADE}/horopter_*.json)
 file(GLOB sidecars RELATIVE ${COMMITTED} ${COMMITTED}/horopter_*.json)

@@ -1,5 +1,9 @@
 # hlsc's runs: every stage of hls/stages/stage_list.def for every profile.
 #
+#   horopter_hlsc(<directory> STAGE <header> CLASS <C++ type> NAME <module> CLOCK_NS <ns>)
+#
+# makes <directory>/<module>.sv and .json of one stage.
+#
 #   horopter_generate_stages(<profile>)
 #
 # makes, in the build tree, horopter_<stage>.sv and .json of each stage; sets HOROPTER_GENERATED_<profile>_SOURCES and
@@ -37,6 +41,18 @@ function(_horopter_clock_ns profile result)
   set(${result} ${ns}.${hundredths} PARENT_SCOPE)
 endfunction()
 
+function(horopter_hlsc dir)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "STAGE;CLASS;NAME;CLOCK_NS" "")
+  add_custom_command(
+    OUTPUT ${dir}/${arg_NAME}.sv ${dir}/${arg_NAME}.json
+    COMMAND hlsc ${arg_STAGE} --class ${arg_CLASS} --top-name ${arg_NAME} --target ${HOROPTER_HLSC_TARGET}
+            --clock-ns ${arg_CLOCK_NS} -I ${PROJECT_SOURCE_DIR}/hls/include -I ${PROJECT_SOURCE_DIR}/hls
+            --source-root ${PROJECT_SOURCE_DIR} -o ${dir}
+    DEPENDS hlsc ${arg_STAGE} ${HOROPTER_STAGE_HEADERS}
+    COMMENT "hlsc ${arg_CLASS}"
+    VERBATIM)
+endfunction()
+
 function(horopter_generate_stages profile)
   set(dir ${PROJECT_BINARY_DIR}/generated/${profile})
   set(committed ${PROJECT_SOURCE_DIR}/rtl/generated/${profile})
@@ -44,17 +60,9 @@ function(horopter_generate_stages profile)
   set(sources)
   set(sidecars)
   foreach(stage IN LISTS HOROPTER_STAGES)
-    set(outputs ${dir}/horopter_${stage}.sv ${dir}/horopter_${stage}.json)
-    add_custom_command(
-      OUTPUT ${outputs}
-      COMMAND hlsc ${PROJECT_SOURCE_DIR}/hls/stages/${stage}.hpp
-              --class "horopter::stages::${HOROPTER_STAGE_CLASS_${stage}}<horopter::hls::profiles::${profile}>"
-              --top-name horopter_${stage} --target ${HOROPTER_HLSC_TARGET} --clock-ns ${clock_ns}
-              -I ${PROJECT_SOURCE_DIR}/hls/include -I ${PROJECT_SOURCE_DIR}/hls
-              --source-root ${PROJECT_SOURCE_DIR} -o ${dir}
-      DEPENDS hlsc ${HOROPTER_STAGE_HEADERS}
-      COMMENT "hlsc ${profile}/${stage}"
-      VERBATIM)
+    horopter_hlsc(${dir} STAGE ${PROJECT_SOURCE_DIR}/hls/stages/${stage}.hpp NAME horopter_${stage}
+      CLASS "horopter::stages::${HOROPTER_STAGE_CLASS_${stage}}<horopter::hls::profiles::${profile}>"
+      CLOCK_NS ${clock_ns})
     list(APPEND sources ${dir}/horopter_${stage}.sv)
     list(APPEND sidecars ${dir}/horopter_${stage}.json)
   endforeach()

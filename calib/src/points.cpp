@@ -600,7 +600,8 @@ PointCalibration calibrate_points(std::span<const PointPair> points, const Senso
         problem.cameras[0].free[P::cy] = true;
     const JointCovariance sd = covariance(problem);
     result.parameters = list_parameters(problem, sd, true);
-    result.parameters.push_back({"skew_px", physical.skew_px, 0, true});
+    result.parameters.push_back({"skew_px", physical.skew_px, 0, false});
+    result.parameters.push_back({"matrix_rms_px", *result.matrix_rms_px, 0, false});
     result.tz_over_f = physical.world_to_camera.translation_mm.z() / tsai.f_mm;
     result.errors = evaluate(result.camera, points);
     warn_sensor(result, sensor, points);

@@ -16,6 +16,9 @@ struct Outcome {
 
 void add_run(CLI::App& app, Outcome& outcome);
 void add_map(CLI::App& app, Outcome& outcome);
+void add_calibrate(CLI::App& app, Outcome& outcome);
+void add_pattern(CLI::App& app, Outcome& outcome);
+void add_study(CLI::App& app, Outcome& outcome);
 
 /// True once the user has asked to stop (SIGINT, SIGTERM).
 bool interrupted();

@@ -50,6 +50,9 @@ int run(int argc, char** argv) {
   Outcome outcome;
   add_run(app, outcome);
   add_map(app, outcome);
+  add_calibrate(app, outcome);
+  add_pattern(app, outcome);
+  add_study(app, outcome);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// horopter study: the thesis's measurements, repeated.
+#include "study.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "commands.hpp"
+
+namespace horopter::cli {
+namespace {
+
+struct StudyOptions {
+  std::string out;
+  std::uint64_t seed = 1;
+  bool json = false;
+};
+
+using Study = nlohmann::json (*)(OutputDirectory&, std::uint64_t);
+
+ExitStatus study(const StudyOptions& options, Study run) {
+  OutputDirectory directory(options.out);
+  nlohmann::json result = run(directory, options.seed);
+  result["seed"] = options.seed;
+  directory.write("summary.json", result.dump(2) + "\n");
+  directory.commit();
+  if (options.json) {
+    std::puts(result.dump(2).c_str());
+    return ExitStatus::done;
+  }
+  for (const auto& line : result.at("findings")) fmt::print("{}\n", line.get<std::string>());
+  fmt::print("Tables and plots are in {}\n", options.out);
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+void add_study(CLI::App& app, Outcome& outcome) {
+  CLI::App* command = app.add_subcommand("study", "Repeat the thesis's measurements, with tables and plots");
+  command->require_subcommand(1);
+  const auto add = [&](const char* name, const char* what, Study run) {
+    auto options = std::make_shared<StudyOptions>();
+    CLI::App* one = command->add_subcommand(name, what);
+    one->add_option("--out", options->out, "Directory for the tables (CSV) and plots (SVG)")
+        ->required()
+        ->type_name("DIR");
+    one->add_option("--seed", options->seed, "Of the noise")->capture_default_str();
+    one->add_flag("--json", options->json, "Print summary.json on standard output, and nothing else");
+    one->callback([options, run, &outcome] { outcome.status = study(*options, run); });
+  };
+  add("edges", "Sub-pixel edge estimators on simulated edges: position, blur, noise, points per edge (6.7)",
+      study_edges);
+  add("calibration", "Calibration with a rendered rig: NCE, image error, Cramer-Rao bound (6.8, 6.9)",
+      study_calibration);
+}
+
+}  // namespace horopter::cli
