@@ -76,7 +76,7 @@ module formal_map_store (
   (* hierconn *) wire \dut.store_entry ;
   (* hierconn *) wire \dut.write_even ;
   (* hierconn *) wire \dut.write_odd ;
-  localparam logic [2:0] SIZE = 3'd4, WALK = 3'd5, DATA = 3'd6, CHECK = 3'd7;
+  localparam logic [2:0] IDLE = 3'd0, SIZE = 3'd4, WALK = 3'd5, DATA = 3'd6, CHECK = 3'd7;
 
   (* anyconst *) logic [3:0] watched;
   logic [15:0] first, last;  // region of the watched table
@@ -93,7 +93,6 @@ module formal_map_store (
     end
   end
 
-  logic [23:0] end_of_data;
   logic apart;  // the upload's region and the watched table's
   assign apart = 24'(last) < 24'(\dut.base_q ) || 24'(first) >= \dut.end_q ;
 
@@ -107,16 +106,18 @@ module formal_map_store (
     if (past_valid) begin
       // --- invariants that lead to the properties ---
       if (valid[watched]) assert (first <= last && 32'(last) < 16);
-      if (\dut.state_q == SIZE) assert (\dut.step_q <= 6'd12);
-      if (\dut.state_q == SIZE && \dut.step_q == 6'd12 || \dut.state_q == WALK)
-        assert (\dut.end_q == \dut.size_q + 24'(\dut.base_q ) && \dut.size_q < 24'd4194304);
-      if (\dut.state_q == WALK) assert (\dut.step_q <= 6'd32);
-      if (\dut.state_q == WALK || \dut.state_q == DATA || \dut.state_q == CHECK) begin
-        assert (\dut.end_q <= 24'd16 && 24'(\dut.base_q ) < \dut.end_q );
-        assert (\dut.slot_q != 4'd15 && !valid[\dut.slot_q ]);
+      if (\dut.state_q == SIZE) begin
+        assert (\dut.step_q <= 6'd12);
+        if (\dut.step_q < 6'd12) assert (32'(\dut.size_q ) + 32'd4095 <= 32'd4095 << \dut.step_q );
       end
-      if (\dut.state_q == WALK && valid[watched] && \dut.step_q > {1'b0, watched, 1'b1})
-        assert (\dut.overlap_q [watched] == !apart);
+      if (\dut.state_q == SIZE && \dut.step_q == 6'd12 || \dut.state_q == WALK)
+        assert (\dut.end_q == \dut.size_q + 24'(\dut.base_q ) && \dut.size_q < 24'd8388608);
+      if (\dut.state_q == WALK) assert (\dut.step_q <= 6'd32);
+      if (\dut.state_q == WALK || \dut.state_q == DATA || \dut.state_q == CHECK)
+        assert (\dut.end_q <= 24'd16 && 24'(\dut.base_q ) < \dut.end_q );
+      if (\dut.state_q != IDLE) assert (\dut.slot_q != 4'd15 && !valid[\dut.slot_q ]);
+      if (\dut.state_q == WALK && valid[watched])
+        assert (\dut.overlap_q [watched] == (\dut.step_q > {1'b0, watched, 1'b1} && !apart));
       if (\dut.state_q == DATA) begin
         // Words left, the one expected included.
         assert (\dut.left_q < 24'd32);
@@ -129,8 +130,8 @@ module formal_map_store (
       if ((\dut.write_even || \dut.write_odd ) && valid[watched])
         assert (\dut.write_addr_q < 17'(first) || \dut.write_addr_q > 17'(last));
       if (past_in_use) assert (valid[watched] || !rst_ni);
-      cover (refused);
-      cover (\dut.state_q == DATA);
+      cover (\dut.state_q == WALK);
+      cover (error == 3'd2);
     end
   end
 endmodule

@@ -213,9 +213,9 @@ module horopter_map_store #(
             if (columns_q != cells_x_q + 12'd2 || 12'(pairs_q) != 12'(cells_y_q[11:1]) + 12'd1 + 12'(cells_y_q[0]))
               consistent_q <= 1'b0;
             end_q <= size_q + 24'(base_q);
-          end else if (!consistent_q || 32'(end_q) > WORDS) begin
+          end else if (!consistent_q || size_q == 24'd0 || 32'(end_q) > WORDS) begin
             state_q <= IDLE;
-            error_o <= consistent_q ? TOO_LARGE : BAD_HEADER;
+            error_o <= consistent_q && size_q != 24'd0 ? TOO_LARGE : BAD_HEADER;
             bad_upload_o <= 1'b1;
           end else begin
             step_q <= 6'd0;
