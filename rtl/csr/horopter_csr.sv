@@ -131,215 +131,175 @@ module horopter_csr #(
 
   // CONTROL: Run control. While enable is 0 the streaming core is in reset.
   logic        control_enable_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) control_enable_q <= 1'd0;
-    else if (write_take && write_addr_i == 12'h040)
-      control_enable_q <= (write_data_i[0] & write_mask[0]) | (control_enable_q & ~write_mask[0]);
-  end
   assign control_enable_o = control_enable_q;
-
   // MODE: What the streams are.
   logic        mode_live_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) mode_live_q <= 1'd0;
-    else if (write_take && write_addr_i == 12'h044)
-      mode_live_q <= (write_data_i[0] & write_mask[0]) | (mode_live_q & ~write_mask[0]);
-  end
   assign mode_live_o = mode_live_q;
   logic        mode_test_input_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) mode_test_input_q <= 1'd0;
-    else if (write_take && write_addr_i == 12'h044)
-      mode_test_input_q <= (write_data_i[1] & write_mask[1]) | (mode_test_input_q & ~write_mask[1]);
-  end
   assign mode_test_input_o = mode_test_input_q;
-
   // WIDTH: Width of the incoming images.
   logic [11:0] width_px_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) width_px_q <= WIDTH_PX_RESET;
-    else if (write_take && write_addr_i == 12'h04C)
-      width_px_q <= (write_data_i[11:0] & write_mask[11:0]) | (width_px_q & ~write_mask[11:0]);
-  end
   assign width_px_o = width_px_q;
-
   // HEIGHT: Height of the incoming images.
   logic [11:0] height_rows_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) height_rows_q <= HEIGHT_ROWS_RESET;
-    else if (write_take && write_addr_i == 12'h050)
-      height_rows_q <= (write_data_i[11:0] & write_mask[11:0]) | (height_rows_q & ~write_mask[11:0]);
-  end
   assign height_rows_o = height_rows_q;
-
   // LOOKAHEAD: Rows the right image is ahead of the output.
   logic [11:0] lookahead_rows_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) lookahead_rows_q <= LOOKAHEAD_ROWS_RESET;
-    else if (write_take && write_addr_i == 12'h054)
-      lookahead_rows_q <= (write_data_i[11:0] & write_mask[11:0]) | (lookahead_rows_q & ~write_mask[11:0]);
-  end
   assign lookahead_rows_o = lookahead_rows_q;
-
   // TIMEOUT: Watchdog: longest time without a pixel of a camera, and without a finished frame.
   logic [31:0] timeout_clocks_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) timeout_clocks_q <= TIMEOUT_CLOCKS_RESET;
-    else if (write_take && write_addr_i == 12'h058)
-      timeout_clocks_q <= (write_data_i[31:0] & write_mask[31:0]) | (timeout_clocks_q & ~write_mask[31:0]);
-  end
   assign timeout_clocks_o = timeout_clocks_q;
-
   // TABLE_SELECT: Mapping table of the next output frame.
   logic [ 3:0] table_select_slot_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) table_select_slot_q <= 4'd15;
-    else if (write_take && write_addr_i == 12'h05C)
-      table_select_slot_q <= (write_data_i[3:0] & write_mask[3:0]) | (table_select_slot_q & ~write_mask[3:0]);
-  end
   assign table_select_slot_o = table_select_slot_q;
-
   // IRQ_ENABLE: What raises irq_o.
   logic        irq_enable_frame_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) irq_enable_frame_q <= 1'd0;
-    else if (write_take && write_addr_i == 12'h060)
-      irq_enable_frame_q <= (write_data_i[0] & write_mask[0]) | (irq_enable_frame_q & ~write_mask[0]);
-  end
   assign irq_enable_frame_o = irq_enable_frame_q;
   logic        irq_enable_fault_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) irq_enable_fault_q <= 1'd0;
-    else if (write_take && write_addr_i == 12'h060)
-      irq_enable_fault_q <= (write_data_i[1] & write_mask[1]) | (irq_enable_fault_q & ~write_mask[1]);
-  end
   assign irq_enable_fault_o = irq_enable_fault_q;
-
   // SUM_LIMIT: A pixel is in the skin when its DSAD sum is at most this.
   logic [15:0] sum_limit_value_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) sum_limit_value_q <= SUM_LIMIT_VALUE_RESET;
-    else if (write_take && write_addr_i == 12'h080)
-      sum_limit_value_q <= (write_data_i[15:0] & write_mask[15:0]) | (sum_limit_value_q & ~write_mask[15:0]);
-  end
   assign sum_limit_value_o = sum_limit_value_q;
-
   // SELF_LIMIT: A window whose left directions differ from those of their neighbours by no more than this in sum is no texture.
   logic [15:0] self_limit_value_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) self_limit_value_q <= SELF_LIMIT_VALUE_RESET;
-    else if (write_take && write_addr_i == 12'h084)
-      self_limit_value_q <= (write_data_i[15:0] & write_mask[15:0]) | (self_limit_value_q & ~write_mask[15:0]);
-  end
   assign self_limit_value_o = self_limit_value_q;
-
   // TEXTURE_LIMIT: A pixel is decidable when the left magnitude, summed over 3×3, is at least this.
   logic [15:0] texture_limit_sum_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) texture_limit_sum_q <= 16'd288;
-    else if (write_take && write_addr_i == 12'h088)
-      texture_limit_sum_q <= (write_data_i[15:0] & write_mask[15:0]) | (texture_limit_sum_q & ~write_mask[15:0]);
-  end
   assign texture_limit_sum_o = texture_limit_sum_q;
-
   // ALARM_LIMIT: More skin pixels than this in a frame are an alarm.
   logic [23:0] alarm_limit_pixels_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) alarm_limit_pixels_q <= ALARM_LIMIT_PIXELS_RESET;
-    else if (write_take && write_addr_i == 12'h08C)
-      alarm_limit_pixels_q <= (write_data_i[23:0] & write_mask[23:0]) | (alarm_limit_pixels_q & ~write_mask[23:0]);
-  end
   assign alarm_limit_pixels_o = alarm_limit_pixels_q;
-
   // UNDECIDABLE_LIMIT: More undecidable pixels than this in a frame are a fault.
   logic [23:0] undecidable_limit_pixels_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) undecidable_limit_pixels_q <= UNDECIDABLE_LIMIT_PIXELS_RESET;
-    else if (write_take && write_addr_i == 12'h090)
-      undecidable_limit_pixels_q <= (write_data_i[23:0] & write_mask[23:0]) | (undecidable_limit_pixels_q & ~write_mask[23:0]);
-  end
   assign undecidable_limit_pixels_o = undecidable_limit_pixels_q;
-
   // UNSUPERVISED_LIMIT: More unsupervised pixels than this in a frame are a fault.
   logic [23:0] unsupervised_limit_pixels_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) unsupervised_limit_pixels_q <= UNSUPERVISED_LIMIT_PIXELS_RESET;
-    else if (write_take && write_addr_i == 12'h094)
-      unsupervised_limit_pixels_q <= (write_data_i[23:0] & write_mask[23:0]) | (unsupervised_limit_pixels_q & ~write_mask[23:0]);
-  end
   assign unsupervised_limit_pixels_o = unsupervised_limit_pixels_q;
-
   // BLACK_LEVEL: Black image: grey level at or below which a pixel is black.
   logic [ 7:0] black_level_grey_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) black_level_grey_q <= 8'd4;
-    else if (write_take && write_addr_i == 12'h0A0)
-      black_level_grey_q <= (write_data_i[7:0] & write_mask[7:0]) | (black_level_grey_q & ~write_mask[7:0]);
-  end
   assign black_level_grey_o = black_level_grey_q;
-
   // BLACK_LIMIT: Black image: more black pixels than this are a fault.
   logic [23:0] black_limit_pixels_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) black_limit_pixels_q <= BLACK_LIMIT_PIXELS_RESET;
-    else if (write_take && write_addr_i == 12'h0A4)
-      black_limit_pixels_q <= (write_data_i[23:0] & write_mask[23:0]) | (black_limit_pixels_q & ~write_mask[23:0]);
-  end
   assign black_limit_pixels_o = black_limit_pixels_q;
-
   // WHITE_LEVEL: White image: grey level at or above which a pixel is white.
   logic [ 7:0] white_level_grey_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) white_level_grey_q <= 8'd251;
-    else if (write_take && write_addr_i == 12'h0A8)
-      white_level_grey_q <= (write_data_i[7:0] & write_mask[7:0]) | (white_level_grey_q & ~write_mask[7:0]);
-  end
   assign white_level_grey_o = white_level_grey_q;
-
   // WHITE_LIMIT: White image: more white pixels than this are a fault.
   logic [23:0] white_limit_pixels_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) white_limit_pixels_q <= WHITE_LIMIT_PIXELS_RESET;
-    else if (write_take && write_addr_i == 12'h0AC)
-      white_limit_pixels_q <= (write_data_i[23:0] & write_mask[23:0]) | (white_limit_pixels_q & ~write_mask[23:0]);
-  end
   assign white_limit_pixels_o = white_limit_pixels_q;
-
   // CONSTANT_LIMIT: Constant image: brightest minus darkest pixel not above this is a fault.
   logic [ 7:0] constant_limit_grey_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) constant_limit_grey_q <= 8'd8;
-    else if (write_take && write_addr_i == 12'h0B0)
-      constant_limit_grey_q <= (write_data_i[7:0] & write_mask[7:0]) | (constant_limit_grey_q & ~write_mask[7:0]);
-  end
   assign constant_limit_grey_o = constant_limit_grey_q;
-
   // FROZEN_LIMIT: Frozen image: the same frame again this many times is a fault.
   logic [ 7:0] frozen_limit_frames_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) frozen_limit_frames_q <= 8'd1;
-    else if (write_take && write_addr_i == 12'h0B4)
-      frozen_limit_frames_q <= (write_data_i[7:0] & write_mask[7:0]) | (frozen_limit_frames_q & ~write_mask[7:0]);
-  end
   assign frozen_limit_frames_o = frozen_limit_frames_q;
-
   // MAP_SLOT: Slot of the next upload.
   logic [ 3:0] map_slot_slot_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) map_slot_slot_q <= 4'd0;
-    else if (write_take && write_addr_i == 12'h0C0)
-      map_slot_slot_q <= (write_data_i[3:0] & write_mask[3:0]) | (map_slot_slot_q & ~write_mask[3:0]);
-  end
   assign map_slot_slot_o = map_slot_slot_q;
-
   // MAP_BASE: Where the next upload goes in the pool.
   logic [15:0] map_base_word64_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) map_base_word64_q <= 16'd0;
-    else if (write_take && write_addr_i == 12'h0C4)
-      map_base_word64_q <= (write_data_i[15:0] & write_mask[15:0]) | (map_base_word64_q & ~write_mask[15:0]);
-  end
   assign map_base_word64_o = map_base_word64_q;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      control_enable_q <= 1'd0;
+      mode_live_q <= 1'd0;
+      mode_test_input_q <= 1'd0;
+      width_px_q <= WIDTH_PX_RESET;
+      height_rows_q <= HEIGHT_ROWS_RESET;
+      lookahead_rows_q <= LOOKAHEAD_ROWS_RESET;
+      timeout_clocks_q <= TIMEOUT_CLOCKS_RESET;
+      table_select_slot_q <= 4'd15;
+      irq_enable_frame_q <= 1'd0;
+      irq_enable_fault_q <= 1'd0;
+      sum_limit_value_q <= SUM_LIMIT_VALUE_RESET;
+      self_limit_value_q <= SELF_LIMIT_VALUE_RESET;
+      texture_limit_sum_q <= 16'd288;
+      alarm_limit_pixels_q <= ALARM_LIMIT_PIXELS_RESET;
+      undecidable_limit_pixels_q <= UNDECIDABLE_LIMIT_PIXELS_RESET;
+      unsupervised_limit_pixels_q <= UNSUPERVISED_LIMIT_PIXELS_RESET;
+      black_level_grey_q <= 8'd4;
+      black_limit_pixels_q <= BLACK_LIMIT_PIXELS_RESET;
+      white_level_grey_q <= 8'd251;
+      white_limit_pixels_q <= WHITE_LIMIT_PIXELS_RESET;
+      constant_limit_grey_q <= 8'd8;
+      frozen_limit_frames_q <= 8'd1;
+      map_slot_slot_q <= 4'd0;
+      map_base_word64_q <= 16'd0;
+    end else if (write_take) begin
+      case (write_addr_i)
+        12'h040: begin
+          control_enable_q <= (write_data_i[0] & write_mask[0]) | (control_enable_q & ~write_mask[0]);
+        end
+        12'h044: begin
+          mode_live_q <= (write_data_i[0] & write_mask[0]) | (mode_live_q & ~write_mask[0]);
+          mode_test_input_q <= (write_data_i[1] & write_mask[1]) | (mode_test_input_q & ~write_mask[1]);
+        end
+        12'h04C: begin
+          width_px_q <= (write_data_i[11:0] & write_mask[11:0]) | (width_px_q & ~write_mask[11:0]);
+        end
+        12'h050: begin
+          height_rows_q <= (write_data_i[11:0] & write_mask[11:0]) | (height_rows_q & ~write_mask[11:0]);
+        end
+        12'h054: begin
+          lookahead_rows_q <= (write_data_i[11:0] & write_mask[11:0]) | (lookahead_rows_q & ~write_mask[11:0]);
+        end
+        12'h058: begin
+          timeout_clocks_q <= (write_data_i[31:0] & write_mask[31:0]) | (timeout_clocks_q & ~write_mask[31:0]);
+        end
+        12'h05C: begin
+          table_select_slot_q <= (write_data_i[3:0] & write_mask[3:0]) | (table_select_slot_q & ~write_mask[3:0]);
+        end
+        12'h060: begin
+          irq_enable_frame_q <= (write_data_i[0] & write_mask[0]) | (irq_enable_frame_q & ~write_mask[0]);
+          irq_enable_fault_q <= (write_data_i[1] & write_mask[1]) | (irq_enable_fault_q & ~write_mask[1]);
+        end
+        12'h080: begin
+          sum_limit_value_q <= (write_data_i[15:0] & write_mask[15:0]) | (sum_limit_value_q & ~write_mask[15:0]);
+        end
+        12'h084: begin
+          self_limit_value_q <= (write_data_i[15:0] & write_mask[15:0]) | (self_limit_value_q & ~write_mask[15:0]);
+        end
+        12'h088: begin
+          texture_limit_sum_q <= (write_data_i[15:0] & write_mask[15:0]) | (texture_limit_sum_q & ~write_mask[15:0]);
+        end
+        12'h08C: begin
+          alarm_limit_pixels_q <= (write_data_i[23:0] & write_mask[23:0]) | (alarm_limit_pixels_q & ~write_mask[23:0]);
+        end
+        12'h090: begin
+          undecidable_limit_pixels_q <= (write_data_i[23:0] & write_mask[23:0]) | (undecidable_limit_pixels_q & ~write_mask[23:0]);
+        end
+        12'h094: begin
+          unsupervised_limit_pixels_q <= (write_data_i[23:0] & write_mask[23:0]) | (unsupervised_limit_pixels_q & ~write_mask[23:0]);
+        end
+        12'h0A0: begin
+          black_level_grey_q <= (write_data_i[7:0] & write_mask[7:0]) | (black_level_grey_q & ~write_mask[7:0]);
+        end
+        12'h0A4: begin
+          black_limit_pixels_q <= (write_data_i[23:0] & write_mask[23:0]) | (black_limit_pixels_q & ~write_mask[23:0]);
+        end
+        12'h0A8: begin
+          white_level_grey_q <= (write_data_i[7:0] & write_mask[7:0]) | (white_level_grey_q & ~write_mask[7:0]);
+        end
+        12'h0AC: begin
+          white_limit_pixels_q <= (write_data_i[23:0] & write_mask[23:0]) | (white_limit_pixels_q & ~write_mask[23:0]);
+        end
+        12'h0B0: begin
+          constant_limit_grey_q <= (write_data_i[7:0] & write_mask[7:0]) | (constant_limit_grey_q & ~write_mask[7:0]);
+        end
+        12'h0B4: begin
+          frozen_limit_frames_q <= (write_data_i[7:0] & write_mask[7:0]) | (frozen_limit_frames_q & ~write_mask[7:0]);
+        end
+        12'h0C0: begin
+          map_slot_slot_q <= (write_data_i[3:0] & write_mask[3:0]) | (map_slot_slot_q & ~write_mask[3:0]);
+        end
+        12'h0C4: begin
+          map_base_word64_q <= (write_data_i[15:0] & write_mask[15:0]) | (map_base_word64_q & ~write_mask[15:0]);
+        end
+        default: ;
+      endcase
+    end
+  end
 
   // IRQ_STATUS: Events since they were last cleared.
   logic [ 1:0] irq_status_q;
