@@ -271,8 +271,9 @@ ExitStatus demonstrate(const Options& options) {
   if (monitors.size() > 1) json["frames_different_from_native"] = different;
   const bool clocks = monitor.device().counts_cycles();
   const double clock_hz = 1000.0 * profile.clock_khz;
-  // A frame's beats: its rows and those that empty the windows; frames follow each other at this rate.
-  const double frame_clocks = static_cast<double>(width) * (height + profile.flush_rows());
+  // Frames follow each other at the rate of their rows and those that empty the windows; a row takes 4 clocks more than
+  // it has pixels.
+  const double frame_clocks = (width + 4.0) * (height + profile.flush_rows());
   if (clocks) {
     json["cycles"] = worst.cycles;
     json["latency_lines"] = static_cast<double>(worst.latency) / width;

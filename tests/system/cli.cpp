@@ -228,6 +228,35 @@ TEST_CASE("Thresholds and limits change what they name") {
   CHECK(blind["safe"] == false);
 }
 
+#ifdef HOROPTER_TEST_RTL
+TEST_CASE("The hardware and the native engine write the same pictures") {
+  Sandbox box;
+  with_pairs(box, 2);
+  const std::vector<std::string> profile =
+      GENERATE(std::vector<std::string>{}, std::vector<std::string>{"--profile", "field"});
+  const auto images =
+      std::vector<std::string>{"run",        "--left",     "left0.png",  "left1.png", "left1.png", "--right",
+                               "right0.png", "right1.png", "right1.png", "--skin",    "skin.yaml"};
+  const auto native = box.run(images + profile + std::vector<std::string>{"--out", "native"});
+  const auto rtl = box.run(images + profile + std::vector<std::string>{"--out", "rtl", "--engine", "rtl"});
+  CAPTURE(rtl.err);
+  if (profile.empty()) CHECK(native.status == 4);  // the last pair is frozen
+  CHECK(rtl.status == native.status);
+  auto expected = nlohmann::json::parse(box.read("native/summary.json"));
+  auto found = nlohmann::json::parse(box.read("rtl/summary.json"));
+  CHECK(found["engine"] == "rtl");
+  REQUIRE(found["frames"].size() == expected["frames"].size());
+  for (std::size_t i = 0; i < found["frames"].size(); ++i) {
+    auto& frame = found["frames"][i];
+    CHECK(frame["cycles"].get<int>() > 100 * 60);
+    frame.erase("cycles");
+    CHECK(frame == expected["frames"][i]);
+    const std::string name = "/frame-000" + std::to_string(i) + "-state.png";
+    CHECK(box.read("rtl" + name) == box.read("native" + name));
+  }
+}
+#endif
+
 TEST_CASE("A fault of a frame is exit status 4, with the results written") {
   Sandbox box;
   with_pairs(box);

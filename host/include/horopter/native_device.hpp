@@ -68,7 +68,7 @@ class NativeDevice : public Device {
 
   struct Frame {
     std::uint32_t sequence = 0;
-    std::uint32_t status = 0;
+    std::uint32_t status = 15U << 2;  ///< no table
     std::uint32_t faults = 0;
     std::uint32_t table_crc = 0;
     std::uint32_t skin = 0;

@@ -35,7 +35,10 @@ class Simulation {
     model_.clk_i = 0;
     model_.rst_ni = 0;
   }
-  ~Simulation() { model_.final(); }
+  ~Simulation() {
+    Verilated::threadContextp(&context_);  // else that of the model made last, which may be gone
+    model_.final();
+  }
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 

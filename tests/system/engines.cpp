@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+// The native engine behind its registers and the co-simulated hardware are one machine to software: the same accesses
+// give the same answers, refusals, states, runs and faults.
+#include <catch2/catch.hpp>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "horopter/error.hpp"
+#include "horopter/monitor.hpp"
+#include "horopter/native_device.hpp"
+#include "horopter/registers.hpp"
+#include "horopter/rtl_device.hpp"
+
+namespace horopter {
+namespace {
+
+namespace reg = registers;
+
+constexpr int kWidth = 96;
+constexpr int kHeight = 48;
+
+Image textured(unsigned seed) {
+  std::mt19937 random(seed);
+  Image image(kWidth, kHeight);
+  int value = 128;
+  for (auto& pixel : image.pixels) {
+    value = std::clamp(value + static_cast<int>(random() % 81) - 40, 0, 255);
+    pixel = static_cast<std::uint8_t>(value);
+  }
+  return image;
+}
+
+/// A right image that agrees with the left one in half of its area.
+Image right_of(const Image& left, unsigned seed) {
+  Image right = textured(seed + 1000);
+  for (int y = 0; y < kHeight - 3; ++y) {
+    for (int x = 10; x < kWidth / 2; ++x) right.at(x - 5, y + 3) = left.at(x, y);
+  }
+  return right;
+}
+
+std::vector<std::uint32_t> table(const MachineProfile& profile, const Matrix3& skin) {
+  return compile_map(HomographySkin(skin), profile, {kWidth, kHeight, Scan::progressive}).table.words();
+}
+
+/// Both machines, fed alike.
+class Pair {
+ public:
+  explicit Pair(const MachineProfile& profile) {
+    auto rtl = make_rtl_device(profile);
+    rtl_ = dynamic_cast<RtlDevice*>(rtl.get());
+    devices_[0] = std::move(rtl);
+    devices_[1] = make_native_device(profile);
+  }
+  RtlDevice& rtl() { return *rtl_; }
+
+  /// Compared, also in being refused.
+  std::uint32_t read(std::uint32_t address) {
+    std::uint32_t values[2] = {0, 0};
+    bool refused[2] = {false, false};
+    for (std::size_t i = 0; i < 2; ++i) {
+      try {
+        values[i] = devices_[i]->read(address);
+      } catch (const DeviceError&) {
+        refused[i] = true;
+      }
+    }
+    CAPTURE(address);
+    CHECK(refused[0] == refused[1]);
+    CHECK(values[0] == values[1]);
+    return values[0];
+  }
+  void write(std::uint32_t address, std::uint32_t value) {
+    bool refused[2] = {false, false};
+    for (std::size_t i = 0; i < 2; ++i) {
+      try {
+        devices_[i]->write(address, value);
+      } catch (const DeviceError&) {
+        refused[i] = true;
+      }
+    }
+    CAPTURE(address, value);
+    CHECK(refused[0] == refused[1]);
+  }
+  std::uint32_t upload(std::uint32_t slot, std::uint32_t base, const std::vector<std::uint32_t>& words) {
+    write(reg::map_slot::kAddress, slot);
+    write(reg::map_base::kAddress, base);
+    write(reg::map_control::kAddress, 1);
+    for (const auto word : words) write(reg::map_data::kAddress, word);
+    rtl().run(100);
+    read(reg::map_valid::kAddress);
+    read(reg::map_crc::kAddress);
+    return reg::map_status::kError.get(read(reg::map_status::kAddress));
+  }
+  /// One frame; states, runs and everything that the registers tell of it.
+  std::uint32_t frame(const Image& left, const Image& right) {
+    FrameStreams streams[2];
+    for (std::size_t i = 0; i < 2; ++i) {
+      devices_[i]->send(left, right);
+      streams[i] = devices_[i]->receive();
+    }
+    rtl().run(100);
+    CHECK(streams[0].states == streams[1].states);
+    CHECK(streams[0].runs == streams[1].runs);
+    for (const auto address :
+         {reg::frame_sequence::kAddress, reg::frame_status::kAddress, reg::frame_table_crc::kAddress,
+          reg::frame_skin::kAddress, reg::frame_undecidable::kAddress, reg::frame_unsupervised::kAddress,
+          reg::frame_misses::kAddress, reg::faults::kAddress}) {
+      read(address);
+    }
+    CHECK(rtl().safe_pin() != rtl().unsafe_pin());
+    CHECK(rtl().safe_pin() == (reg::frame_status::kSafe.get(read(reg::frame_status::kAddress)) != 0));
+    return read(reg::frame_faults::kAddress);
+  }
+
+  void start() {
+    write(reg::width::kAddress, kWidth);
+    write(reg::height::kAddress, kHeight);
+    write(reg::lookahead::kAddress, 8);
+    write(reg::sum_limit::kAddress, 303);
+    write(reg::alarm_limit::kAddress, kWidth * kHeight / 20);
+    write(reg::black_limit::kAddress, kWidth * kHeight * 95 / 100);
+    write(reg::white_limit::kAddress, kWidth * kHeight * 95 / 100);
+    write(reg::control::kAddress, 1);
+  }
+
+ private:
+  std::unique_ptr<Device> devices_[2];
+  RtlDevice* rtl_ = nullptr;
+};
+
+}  // namespace
+
+TEST_CASE("Registers answer alike after reset, and refuse alike") {
+  Pair pair(find_profile("vga"));
+  for (const auto& r : reg::kRegisters) {
+    CAPTURE(r.name);
+    if (r.address == reg::timeout::kAddress) continue;  // the native engine has no clock
+    pair.read(r.address);
+  }
+  pair.read(0x7F0);
+  pair.write(0x7F0, 1);
+  pair.write(reg::id::kAddress, 1);
+  pair.read(reg::map_data::kAddress);
+  pair.start();
+  pair.write(reg::width::kAddress, 100);
+  pair.read(reg::width::kAddress);
+  pair.write(reg::control::kAddress, 0);
+  pair.write(reg::width::kAddress, 20);
+  pair.write(reg::control::kAddress, 1);
+  CHECK(reg::status::kBadGeometry.get(pair.read(reg::status::kAddress)) == 1);
+}
+
+TEST_CASE("Frames, tables and faults are alike, with gaps and back-pressure on the hardware's side") {
+  const MachineProfile& profile = find_profile("vga");
+  Pair pair(profile);
+  const unsigned pauses = GENERATE(0U, 30U);
+  CAPTURE(pauses);
+  pair.rtl().set_pauses(pauses, pauses, 7);
+  const auto on = table(profile, {1, 0, -5, 0, 1, 3, 0, 0, 1});
+  const auto tilted = table(profile, {1.1, 0.02, -8, -0.03, 0.95, 6, 1e-4, 5e-5, 1});
+  pair.start();
+
+  const Image left = textured(1);
+  CHECK((pair.frame(left, right_of(left, 1)) & reg::faults::kNoTable.mask()) != 0);
+  CHECK(pair.upload(0, 0, on) == 0);
+  CHECK(pair.upload(1, 500, tilted) == 0);
+  for (unsigned seed = 2; seed < 8; ++seed) {
+    pair.write(reg::table_select::kAddress, seed % 2);
+    const Image image = textured(seed);
+    CHECK(pair.frame(image, right_of(image, seed)) == 0);
+  }
+
+  // Refused uploads, each with its fault in the next frame; the one after that is good again.
+  auto wrong_crc = on;
+  wrong_crc[7] ^= 0x100;
+  auto bad_header = on;
+  bad_header[1] += 1;
+  unsigned seed = 20;
+  const auto next = [&] {
+    const Image image = textured(++seed);
+    return pair.frame(image, right_of(image, seed));
+  };
+  CHECK(pair.upload(2, 1000, wrong_crc) == 4);
+  CHECK(next() == reg::faults::kMapCrc.mask());
+  CHECK(pair.upload(2, 1000, bad_header) == 2);
+  CHECK(next() == reg::faults::kMapCrc.mask());
+  CHECK(pair.upload(2, 10238, on) == 3);
+  CHECK(next() == reg::faults::kMapCrc.mask());
+  CHECK(pair.upload(15, 1000, on) == 5);
+  next();
+  CHECK(next() == 0);
+  CHECK(pair.upload(1, 2000, on) == 1);  // in use
+  CHECK(next() == reg::faults::kMapBusy.mask());
+  CHECK(pair.upload(3, 500, on) == 1);  // its region
+  CHECK(next() == reg::faults::kMapBusy.mask());
+  CHECK(next() == 0);
+  CHECK(pair.upload(3, 0, on) == 0);  // over slot 0, which is gone
+  pair.write(reg::table_select::kAddress, 0);
+  CHECK(next() == reg::faults::kNoTable.mask());
+  pair.write(reg::table_select::kAddress, 3);
+  CHECK(next() == 0);
+
+  // Images that cannot be images.
+  const Image good = textured(90);
+  CHECK(pair.frame(Image(kWidth, kHeight, 1), good) == reg::faults::kLeftBlack.mask());
+  CHECK(pair.frame(textured(91), Image(kWidth, kHeight, 255)) == reg::faults::kRightWhite.mask());
+  CHECK(pair.frame(Image(kWidth, kHeight, 90), textured(92)) == reg::faults::kLeftConstant.mask());
+  CHECK(pair.frame(textured(93), textured(94)) == 0);
+  CHECK(pair.frame(textured(93), textured(95)) == reg::faults::kLeftFrozen.mask());
+  pair.write(reg::undecidable_limit::kAddress, 100);
+  pair.write(reg::unsupervised_limit::kAddress, 100);
+  pair.write(reg::texture_limit::kAddress, 2000);
+  CHECK(pair.frame(textured(96), textured(97)) ==
+        (reg::faults::kTooUndecidable.mask() | reg::faults::kTooUnsupervised.mask()));
+}
+
+}  // namespace horopter
