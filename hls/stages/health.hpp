@@ -6,13 +6,13 @@
 //         dark_limit, bright_limit: pixels; contrast_limit: grey levels; frozen_limit: repetitions, 0 switches it off.
 // Out     one beat per frame, with its last pixel:
 //         black, white: more than the limit of pixels are; constant: the frame's grey levels span at most
-//         contrast_limit, and it is neither black nor white; frozen: its CRC-32 has equalled that of the frame before,
-//         for at least frozen_limit frames in a row. A live camera's noise changes the CRC of every frame; by chance
-//         two different frames have equal ones once in 2^32.
+//         contrast_limit, and it is neither black nor white; frozen: its signature has equalled that of the frame
+//         before, for at least frozen_limit frames in a row. The signature is that of a multiple-input shift register
+//         (MISR; Williams, Daehn, Gruetzner, Starke, IEEE Trans. CAD 7(2), 1988) with the polynomial of CRC-32: equal
+//         frames have equal ones, and two noisy frames by chance once in 2^32.
 // Illegal use: a frame without `end` is not judged; the next `first` starts anew.
 #pragma once
 
-#include "horopter/hls/crc.hpp"
 #include "stages/stream.hpp"
 
 namespace horopter::stages {
@@ -45,12 +45,12 @@ class CameraHealth {
 
   Out step(const In& in, const Config& config) {
     if (in.first) [[unlikely]] {
-      crc_ = crc32_initial;
+      signature_ = u<32>(0);
       darkest_ = u<8>(255);
       brightest_ = u<8>(0);
       dark_ = bright_ = Count(0);
     }
-    crc_ = crc32_byte(crc_, in.pixel);
+    signature_ = shr<1>(signature_) ^ (signature_.bit(0) ? u<32>(0xEDB88320U) : u<32>(0)) ^ in.pixel;
     darkest_ = min(darkest_, in.pixel);
     brightest_ = max(brightest_, in.pixel);
     dark_ += u<1>(in.pixel <= config.dark_level);
@@ -59,9 +59,9 @@ class CameraHealth {
     Out out;
     out.valid = in.end;
     if (in.end) [[unlikely]] {
-      const bool same = has_previous_ && crc_ == previous_crc_;
+      const bool same = has_previous_ && signature_ == previous_signature_;
       repeats_ = !same ? u<8>(0) : repeats_ == 255 ? repeats_ : u<8>(repeats_ + lit<1>());
-      previous_crc_ = crc_;
+      previous_signature_ = signature_;
       has_previous_ = true;
       out.black = dark_ > config.dark_limit;
       out.white = bright_ > config.bright_limit;
@@ -72,8 +72,8 @@ class CameraHealth {
   }
 
  private:
-  u<32> crc_{0};
-  u<32> previous_crc_{0};
+  u<32> signature_{0};
+  u<32> previous_signature_{0};
   bool has_previous_ = false;
   u<8> repeats_{0};
   u<8> darkest_{0};
