@@ -64,7 +64,7 @@ TemporaryDirectory::TemporaryDirectory() {
   path_ = path.str().str();
 }
 
-TemporaryDirectory::~TemporaryDirectory() { llvm::sys::fs::remove_directories(path_); }
+TemporaryDirectory::~TemporaryDirectory() { (void)llvm::sys::fs::remove_directories(path_); }
 
 std::string run_clang(const Options& options, const std::string& directory) {
   const llvm::ErrorOr<std::string> clang = llvm::sys::findProgramByName(options.clang);

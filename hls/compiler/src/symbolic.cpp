@@ -77,14 +77,12 @@ class Symbolic::Run {
     for (const auto& [object, bits] : machine_.tables_) contents.set(object, bits);
     std::optional<Contents> result;
     const llvm::ReversePostOrderTraversal<const llvm::Function*> order(&function_);
+    const BasicBlock* const entry = &function_.getEntryBlock();
+    blocks_[entry].active = kOne;
+    blocks_[entry].at_end = std::move(contents);
     for (const BasicBlock* block : order) {
       Block& state = blocks_[block];
-      if (block == &function_.getEntryBlock()) {
-        state.active = kOne;
-        state.at_end = std::move(contents);
-      } else {
-        enter(*block, state);
-      }
+      if (block != entry) enter(*block, state);
       if (state.active == kZero) continue;
       for (const Instruction& instruction : *block) {
         if (llvm::isa<llvm::PHINode>(instruction)) continue;

@@ -32,7 +32,8 @@ constexpr std::array<u<6>, (std::size_t{1} << INDEX_BITS)> make_arctangent_table
   std::array<u<6>, (std::size_t{1} << INDEX_BITS)> table{};
   for (std::size_t i = 0; i < table.size(); ++i) {
     const double ratio = (static_cast<double>(i) + 0.5) / static_cast<double>(table.size());
-    table[i] = u<6>(static_cast<int>(detail::constexpr_atan(ratio) * 128.0 / std::numbers::pi + 0.5));
+    const double code = detail::constexpr_atan(ratio) * 128.0 / std::numbers::pi;
+    table[i] = u<6>(static_cast<int>(code + 0.5));  // NOLINT(bugprone-incorrect-roundings): constexpr, code >= 0
   }
   return table;
 }
