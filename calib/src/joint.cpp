@@ -6,8 +6,10 @@
 #include <ceres/manifold.h>
 #include <ceres/problem.h>
 #include <ceres/solver.h>
+#include <glog/logging.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -83,6 +85,18 @@ class PointCost : public ceres::CostFunction {
   Vector3d point_;
   Vector2d pixel_;
   bool has_rig_;
+};
+
+/// While it lives, Ceres does not write to standard error: what it would say is in its summary.
+class QuietCeres {
+ public:
+  QuietCeres() { FLAGS_minloglevel = google::GLOG_FATAL; }
+  ~QuietCeres() { FLAGS_minloglevel = before_; }
+  QuietCeres(const QuietCeres&) = delete;
+  QuietCeres& operator=(const QuietCeres&) = delete;
+
+ private:
+  int before_ = FLAGS_minloglevel;
 };
 
 /// Holds what is not free.
@@ -190,6 +204,13 @@ bool predict(const Intrinsics& like, const CameraParameters::Vector& camera, con
 }
 
 JointReport optimise(JointProblem& joint, const JointOptions& options) {
+  const auto start = residuals_px(joint);
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    if (joint.observations[i].used && !std::ranges::all_of(start[i], [](const Vector2d& r) { return r.allFinite(); })) {
+      throw CalibrationError("the cameras to start from do not see all the points: some lie behind a camera or beyond "
+                             "the limit of its lens model");
+    }
+  }
   std::vector<CameraParameters::Vector> cameras;
   std::vector<Vector6> rigs, views;
   for (const JointCamera& camera : joint.cameras) {
@@ -244,9 +265,10 @@ JointReport optimise(JointProblem& joint, const JointOptions& options) {
     solver.linear_solver_ordering = ordering;
   }
   ceres::Solver::Summary summary;
+  const QuietCeres quiet;
   ceres::Solve(solver, &problem, &summary);
   if (summary.termination_type == ceres::FAILURE) {
-    throw CalibrationError("the optimisation cannot start or go on: " + summary.message);
+    throw CalibrationError("the optimisation cannot go on: " + summary.message);
   }
 
   for (std::size_t i = 0; i < cameras.size(); ++i) {

@@ -282,6 +282,16 @@ Single calibrate_single(const ViewCamera& camera, const std::vector<Vector2d>& p
   return std::move(*best);
 }
 
+/// Why f cannot be told from the distance of the targets; empty when it can.
+std::string focal_problem(const std::string& name, const Intrinsics& intrinsics, double f_sd_px) {
+  const double f_px = std::get<BrownConradyIntrinsics>(intrinsics).fy_px;
+  if (f_sd_px < 0.05 * f_px) return "";  // not >=: a NaN is a problem
+  return fmt::format(
+      "{}: f and the distance of the target cannot be told apart (f = {:.0f} ± {:.0f} px): its plane is too nearly "
+      "parallel to the image in all views; tilt it by 30 degrees or so, in different directions",
+      name, f_px, f_sd_px);
+}
+
 double angle_between(const Matrix3d& a, const Matrix3d& b) { return rotation_to_vector(a * b.transpose()).norm(); }
 
 /// Pose of a second camera: the pair's own estimate that agrees best with all others. Turns of symmetric targets are
@@ -488,8 +498,22 @@ Report calibrate_views(const std::vector<ViewCamera>& cameras, const std::vector
   }
 
   // All at once; views that disagree with the others are left out and named.
+  const auto solve = [&](const JointOptions& how) {
+    try {
+      return optimise(joint, how);
+    } catch (const CalibrationError&) {
+      // A camera that does not know f stands anywhere, and the others then do not see what it sees.
+      for (std::size_t c = 0; c < cameras.size(); ++c) {
+        const JointCovariance alone = covariance(singles[c].problem);
+        const std::string problem = focal_problem(cameras[c].name, singles[c].problem.cameras[0].intrinsics,
+                                                  std::sqrt(alone.cameras[0](P::f, P::f)));
+        if (!problem.empty()) throw CalibrationError(problem);
+      }
+      throw;
+    }
+  };
   JointReport optimised;
-  if (cameras.size() > 1 || raised) optimised = optimise(joint, {.huber_px = 1});
+  if (cameras.size() > 1 || raised) optimised = solve({.huber_px = 1});
   std::vector<bool> dropped(views, false);
   std::vector<std::string> reason(joint.observations.size());
   for (int round = 0; round < 4; ++round) {
@@ -520,7 +544,7 @@ Report calibrate_views(const std::vector<ViewCamera>& cameras, const std::vector
       if (dropped[source[i].second]) joint.observations[i].used = false;
     }
     if (!changed && round > 0) break;
-    optimised = optimise(joint, {.max_iterations = 300});
+    optimised = solve({.max_iterations = 300});
   }
   report.iterations = optimised.iterations;
   if (!optimised.converged) report.warnings.push_back("not_converged: the optimisation stopped: " + optimised.message);
@@ -602,15 +626,12 @@ Report calibrate_views(const std::vector<ViewCamera>& cameras, const std::vector
 
   // Is it any good?
   for (std::size_t c = 0; c < cameras.size(); ++c) {
-    const auto& brown = std::get<BrownConradyIntrinsics>(joint.cameras[c].intrinsics);
-    const double f_sd = std::sqrt(sd.cameras[c](P::f, P::f));
+    const std::string focal =
+        focal_problem(cameras[c].name, joint.cameras[c].intrinsics, std::sqrt(sd.cameras[c](P::f, P::f)));
     const double centre_sd = std::sqrt(std::max(sd.cameras[c](P::cx, P::cx), sd.cameras[c](P::cy, P::cy)));
     const std::string& name = cameras[c].name;
-    if (!(f_sd < 0.05 * brown.fy_px)) {
-      report.problems.push_back(fmt::format(
-          "{}: f and the distance of the target cannot be told apart (f = {:.0f} ± {:.0f} px): its plane is too "
-          "nearly parallel to the image in all views; tilt it by 30 degrees or so, in different directions",
-          name, brown.fy_px, f_sd));
+    if (!focal.empty()) {
+      report.problems.push_back(focal);
     } else if (!(centre_sd < 0.05 * cameras[c].width_px)) {
       report.problems.push_back(
           fmt::format("{}: the image centre is known to {:.0f} px only: more views, tilted in different directions",
