@@ -110,10 +110,14 @@ Container sniff_container(const fs::path& path) {
   std::array<char, 12> head{};
   std::ifstream stream(path, std::ios::binary);
   stream.read(head.data(), head.size());
-  const auto is = [&](int at, const char* magic, int length) { return std::memcmp(&head[at], magic, length) == 0; };
-  if (is(0, "RIFF", 4) && is(8, "AVI ", 4)) return Container::avi;
-  if (is(4, "ftyp", 4)) return Container::mp4;
-  if (is(0, "\x1A\x45\xDF\xA3", 4) || is(0, "\0\0\1\xBA", 4) || is(0, "OggS", 4)) return Container::other;
+  const auto is = [&](std::size_t at, std::array<unsigned char, 4> magic) {
+    return std::equal(magic.begin(), magic.end(), head.begin() + static_cast<std::ptrdiff_t>(at),
+                      [](unsigned char a, char b) { return a == static_cast<unsigned char>(b); });
+  };
+  if (is(0, {'R', 'I', 'F', 'F'}) && is(8, {'A', 'V', 'I', ' '})) return Container::avi;
+  if (is(4, {'f', 't', 'y', 'p'})) return Container::mp4;
+  const bool matroska = is(0, {0x1A, 0x45, 0xDF, 0xA3}), mpeg = is(0, {0, 0, 1, 0xBA});
+  if (matroska || mpeg || is(0, {'O', 'g', 'g', 'S'})) return Container::other;
   return Container::none;
 }
 

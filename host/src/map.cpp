@@ -106,7 +106,8 @@ void exclude(MapTable& table, const ExactMap& exact, int weight_bits) {
 /// Fills the report of a finished table. False as soon as an error beyond `largest_error_px` is seen.
 bool measure(const MapTable& table, const ExactMap& exact, int weight_bits, double largest_error_px,
              MapReport& report) {
-  const auto& [width, height, scan] = table.geometry();
+  const int width = table.geometry().width;
+  const int height = table.geometry().height;
   report = {};
   report.spacing_x = 1 << table.spacing_x_log2();
   report.spacing_y = 1 << table.spacing_y_log2();

@@ -63,8 +63,8 @@ std::vector<std::uint8_t> encode_png_bgr(int width, int height, std::span<const 
   return encode(cv::Mat(height, width, CV_8UC3, const_cast<std::uint8_t*>(bgr.data())));
 }
 
-OutputDirectory::OutputDirectory(fs::path path, IsResult is_result)
-    : path_(fs::absolute(std::move(path)).lexically_normal()), is_result_(is_result) {
+OutputDirectory::OutputDirectory(const fs::path& path, IsResult is_result)
+    : path_(fs::absolute(path).lexically_normal()), is_result_(is_result) {
   if (!path_.has_filename()) path_ = path_.parent_path();
   std::error_code error;
   if (fs::exists(path_, error) && !fs::is_directory(path_, error)) {

@@ -156,7 +156,7 @@ HomographyFit fit_homography(std::span<const Correspondence> points) {
     row += 2;
   }
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(equations, Eigen::ComputeThinV);
-  const Eigen::VectorXd singular = svd.singularValues();
+  const Eigen::VectorXd& singular = svd.singularValues();
   if (!(singular[7] > kDegenerate * singular[0])) {
     throw std::invalid_argument("the points do not determine a homography: too many of them lie on one line");
   }
@@ -189,7 +189,7 @@ SkinFile load_skin(const std::filesystem::path& path, Point centre) {
   const YAML::Node surface = yaml::member(file, root, "surface", "a map with `type`");
   const YAML::Node type_node = yaml::member(file, surface, "type", kTypes);
   if (!type_node.IsScalar()) yaml::fail(file, type_node, "surface.type", "", kTypes);
-  const std::string type = type_node.Scalar();
+  const std::string& type = type_node.Scalar();
 
   SkinFile result;
   result.path = file;

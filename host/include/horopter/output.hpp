@@ -28,7 +28,7 @@ class OutputDirectory {
   using IsResult = bool (*)(const std::string& file_name);
 
   /// Throws FileError when `path` is a file or cannot be written to.
-  explicit OutputDirectory(std::filesystem::path path, IsResult is_result = nullptr);
+  explicit OutputDirectory(const std::filesystem::path& path, IsResult is_result = nullptr);
   ~OutputDirectory();
   OutputDirectory(const OutputDirectory&) = delete;
   OutputDirectory& operator=(const OutputDirectory&) = delete;

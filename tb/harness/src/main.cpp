@@ -16,7 +16,7 @@ struct RepeatCommand : Catch::TestEventListenerBase {
     std::error_code ignored;
     std::cout << "repeat: HOROPTER_SEED=" << horopter::tb::session_seed() << ' '
               << std::filesystem::read_symlink("/proc/self/exe", ignored).string() << " \"" << stats.testInfo.name
-              << "\"" << std::endl;
+              << "\"\n";
   }
 };
 CATCH_REGISTER_LISTENER(RepeatCommand)

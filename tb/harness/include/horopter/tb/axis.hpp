@@ -48,7 +48,7 @@ struct Damage {
   unsigned row = 0, amount = 1;
 };
 
-class VideoSource : public Endpoint {
+class VideoSource final : public Endpoint {
  public:
   VideoSource(AxisPins<std::uint8_t> pins, Pace pace = {}) : pins_{pins}, pace_{pace} { reset(); }
 
@@ -95,7 +95,7 @@ class VideoSource : public Endpoint {
 };
 
 template <class Data>
-class StreamSink : public Endpoint {
+class StreamSink final : public Endpoint {
  public:
   struct Beat {
     Data data{};
