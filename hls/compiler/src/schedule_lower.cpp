@@ -181,7 +181,7 @@ class Lowering {
       // A run of equal bits at the top is the sign, of negative weight.
       std::uint32_t rows = width;
       while (rows > 1 && b[rows - 1] == b[rows - 2]) --rows;
-      const bool sign_row = rows < width && b[rows - 1].node != 0;
+      const bool sign_row = rows < width;
       for (std::uint32_t i = 0; i < rows; ++i) {
         if (b[i] == kZero) continue;
         Bits row = shifted(i);

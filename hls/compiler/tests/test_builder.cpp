@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every operation of the builder, with all its simplifications, against plain arithmetic on random operands: bits of
-// inputs, constants, repeated bits, results of earlier operations.
+// inputs, constants, repeated bits, results of earlier operations. What is lowered for a target must mean the same.
 #include <catch2/catch.hpp>
 #include <random>
 
 #include "hlsc/builder.hpp"
 #include "hlsc/interpret.hpp"
+#include "hlsc/schedule.hpp"
 
 using namespace hlsc;
 
@@ -48,7 +49,7 @@ class Bench {
     return bits;
   }
 
-  std::uint64_t evaluate(const Bits& bits, const std::vector<Value>& values) {
+  Graph graph_of(const std::vector<Bits>& outputs) {
     Graph graph;
     graph.nodes = builder.nodes();
     for (std::uint32_t i = 0; i < inputs.size(); ++i) {
@@ -57,10 +58,16 @@ class Bench {
       port.node = inputs[i][0].node;
       graph.inputs.push_back(port);
     }
-    Port port;
-    port.value = bits;
-    graph.outputs.push_back(port);
-    return to_integer(Interpreter(graph).step(values, {}).outputs[0]);
+    for (const Bits& bits : outputs) {
+      Port port;
+      port.value = bits;
+      graph.outputs.push_back(port);
+    }
+    return graph;
+  }
+
+  std::uint64_t evaluate(const Bits& bits, const std::vector<Value>& values) {
+    return to_integer(Interpreter(graph_of({bits})).step(values, {}).outputs[0]);
   }
 
   std::mt19937_64 random;
@@ -86,8 +93,9 @@ TEST_CASE("operations and their simplifications", "[builder]") {
     std::vector<Check> checks;
     for (int i = 0; i < 12; ++i) {
       const std::size_t width = 1 + bench.random() % 12;
-      const Bits x = bench.operand(width), y = bench.operand(width), c = bench.operand(1), amount = bench.operand(4);
       const int operation = static_cast<int>(bench.random() % 16);
+      const Bits x = bench.operand(width), c = bench.operand(1), amount = bench.operand(4);
+      const Bits y = operation == 15 ? Builder::constant(bench.random(), width) : bench.operand(width);
       Bits result;
       switch (operation) {
         case 0:
@@ -97,6 +105,7 @@ TEST_CASE("operations and their simplifications", "[builder]") {
           result = b.sub(x, y);
           break;
         case 2:
+        case 15:
           result = b.mul(x, y);
           break;
         case 3:
@@ -132,17 +141,22 @@ TEST_CASE("operations and their simplifications", "[builder]") {
         case 13:
           result = b.ashr(x, amount);
           break;
-        case 14:
-          result = {b.reduce_or(x), b.reduce_and(x), b.reduce_xor(x)};
-          break;
         default:
-          result = b.mul(x, Builder::constant(bench.random(), width));
+          result = {b.reduce_or(x), b.reduce_and(x), b.reduce_xor(x)};
           break;
       }
       checks.push_back({"operation " + std::to_string(operation), result, x,
                         operation >= 11 && operation <= 13 ? amount : y, c, operation});
       bench.pool.push_back(result);
-      if (operation == 15) checks.pop_back();
+    }
+    const std::vector<Bits> results(bench.pool.begin() + static_cast<std::ptrdiff_t>(bench.inputs.size()),
+                                    bench.pool.end());
+    const Graph plain = bench.graph_of(results);
+    std::vector<Graph> lowered;
+    for (const Target target : {Target::kIce40Hx, Target::kEcp5}) {
+      ScheduleOptions options;
+      options.delays = make_delay_model(target);
+      lowered.push_back(lower_for_target(plain, options));
     }
     for (int round = 0; round < 10; ++round) {
       std::vector<Value> values;
@@ -161,6 +175,7 @@ TEST_CASE("operations and their simplifications", "[builder]") {
             expected = x - y;
             break;
           case 2:
+          case 15:
             expected = x * y;
             break;
           case 3:
@@ -202,6 +217,11 @@ TEST_CASE("operations and their simplifications", "[builder]") {
           FAIL(check.name << ", seed " << seed << ", width " << width << ": " << x << ", " << y << ", " << z << " gave "
                           << got << " instead of " << (expected & result_mask));
         }
+      }
+      const std::vector<Value> outputs = Interpreter(plain).step(values, {}).outputs;
+      for (const Graph& graph : lowered) {
+        INFO("lowered, seed " << seed);
+        REQUIRE(Interpreter(graph).step(values, {}).outputs == outputs);
       }
     }
   }

@@ -251,6 +251,22 @@ TEST_CASE("multiplications become adders that mean the same", "[schedule]") {
   }
 }
 
+TEST_CASE("the sign of a factor may be constant", "[schedule]") {
+  Builder b("negative");
+  const Bits x = b.input("x", 12), y = b.input("y", 4);
+  // -8 + y[2:0], sign-extended: the row of negative weight is not gated by a variable bit.
+  b.output("negative", b.op(Op::kMulSigned, 12, {x, concat({constant(1, 1), slice(y, 2, 0)})}));
+  b.output("extended", b.op(Op::kMul, 12, {x, concat({constant(511, 9), slice(y, 2, 0)})}));
+  for (const Target target : {Target::kIce40Hx, Target::kEcp5}) {
+    const Graph lowered = lower_for_target(b.graph, at(8, target));
+    Interpreter before(b.graph), after(lowered);
+    for (std::uint64_t i = 0; i < 1U << 16U; i += 7) {
+      const std::vector<std::uint64_t> in{i & 0xFFFU, i >> 12U};
+      REQUIRE(before.step(in, {}).outputs == after.step(in, {}).outputs);
+    }
+  }
+}
+
 TEST_CASE("a CRC bit by bit becomes parities and meets the clock", "[schedule]") {
   Builder b("crc");
   const Bits x = b.input("x", 8), first = b.input("first", 1);
