@@ -511,7 +511,10 @@ Bit Builder::eq(const Bits& a, const Bits& b) {
     if (a[i] == b[i]) continue;
     if (complementary(a[i], b[i])) return kZero;
     const bool swap = a[i].node == 0 || (b[i].node != 0 && b[i] < a[i]);
-    const std::pair<Bit, Bit> pair = swap ? std::pair{b[i], a[i]} : std::pair{a[i], b[i]};
+    std::pair<Bit, Bit> pair = swap ? std::pair{b[i], a[i]} : std::pair{a[i], b[i]};
+    if (const Node& node = nodes_[pair.first.node]; node.op == Op::kNot && pair.second.node == 0) {
+      pair = {node.operands[0][pair.first.index], constant_bit(pair.second != kOne)};
+    }
     if (!known.try_emplace(pair, true).second) continue;
     if (pair.second.node == 0) {
       // The same bit against 0 and 1, or a bit and its complement against the same.

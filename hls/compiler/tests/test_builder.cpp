@@ -240,6 +240,14 @@ TEST_CASE("equal nodes are made once", "[builder]") {
   CHECK(b.nodes().size() == before);
 }
 
+TEST_CASE("a bit and its complement are one condition", "[builder]") {
+  Builder b;
+  const Bit c = b.source(Op::kInput, 0, 1, "c")[0];
+  CHECK(b.eq({c, b.bit_not(c)}, {kZero, kOne}) == b.bit_not(c));
+  CHECK(b.eq({b.bit_not(c), c}, {kZero, kOne}) == c);
+  CHECK(b.eq({c, b.bit_not(c)}, {kOne, kOne}) == kZero);
+}
+
 TEST_CASE("a sum is as wide as its largest value", "[builder]") {
   Builder b;
   Bits sum = Builder::constant(0, 32);

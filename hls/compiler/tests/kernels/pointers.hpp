@@ -5,9 +5,11 @@
 #include <array>
 #include <cstdint>
 #include <horopter/hls/int.hpp>
+#include <horopter/hls/ram.hpp>
 
 namespace kernels {
 
+using horopter::hls::RAM;
 using horopter::hls::u;
 
 /// One index into arrays of different sizes, in one object and in several, each used only where it is inside.
@@ -68,6 +70,32 @@ class ChosenPointer {
   std::array<std::uint8_t, 8> first_{1, 2, 3, 4, 5, 6, 7, 8};
   std::array<std::uint8_t, 8> second_{11, 12, 13};
   std::array<std::array<std::uint8_t, 5>, 3> grid_{};
+};
+
+/// An address from the input or from a register. total_ lies in the stage where in.x[2] lies in the input, and no
+/// address depends on it.
+class ChosenObject {
+ public:
+  struct In {
+    std::array<std::uint8_t, 4> x;
+    bool which;
+  };
+  struct Out {
+    u<16> total;
+  };
+  Out step(const In& in) {
+    const std::uint8_t& address = in.which ? in.x[2] : last_;
+    const std::uint8_t data = memory_.read(address);
+    memory_.write(address, in.x[1]);
+    total_ = static_cast<std::uint16_t>(total_ + data);
+    last_ = in.x[0];
+    return {u<16>(total_)};
+  }
+
+ private:
+  std::uint8_t last_ = 0;
+  std::uint16_t total_ = 0;
+  RAM<std::uint8_t, 256, 8> memory_;
 };
 
 using Table = std::array<std::array<std::int16_t, 4>, 8>;
