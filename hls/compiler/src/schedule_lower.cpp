@@ -102,7 +102,7 @@ class Lowering {
         if (tree.sources.size() > kLargest || tree.sources.empty()) continue;  // a source of what comes after
         // As delay.cpp has it: 0.55 levels for each exclusive or; a tree of LUT4.
         double levels = 1.0;
-        for (double inputs = static_cast<double>(tree.sources.size()); inputs > 4; inputs /= 4) ++levels;
+        for (std::size_t inputs = tree.sources.size(); inputs > 4; inputs = (inputs + 3) / 4) ++levels;
         if (0.55 * tree.depth > levels) parities_[{n, i}] = tree.sources;
         trees[{n, i}] = std::move(tree);
       }

@@ -52,10 +52,10 @@ class Bench {
   Graph graph_of(const std::vector<Bits>& outputs) {
     Graph graph;
     graph.nodes = builder.nodes();
-    for (std::uint32_t i = 0; i < inputs.size(); ++i) {
+    for (const Bits& input : inputs) {
       Port port;
       port.width = 7;
-      port.node = inputs[i][0].node;
+      port.node = input[0].node;
       graph.inputs.push_back(port);
     }
     for (const Bits& bits : outputs) {
@@ -160,6 +160,7 @@ TEST_CASE("operations and their simplifications", "[builder]") {
     }
     for (int round = 0; round < 10; ++round) {
       std::vector<Value> values;
+      values.reserve(bench.inputs.size());
       for (std::size_t i = 0; i < bench.inputs.size(); ++i) values.push_back(to_value(bench.random(), 7));
       for (const Check& check : checks) {
         const std::size_t width = check.x.size();
