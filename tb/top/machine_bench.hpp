@@ -3,6 +3,7 @@
 #pragma once
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -35,7 +36,7 @@ inline std::vector<std::uint32_t> make_table(unsigned width, unsigned height, un
     for (unsigned column = 0; column < columns; ++column) {
       for (unsigned parity = 0; parity < 2; ++parity) {
         const auto [x, y] = source(column << nx, (2 * pair + parity) << ny);
-        const auto code = [](double px) { return static_cast<std::uint32_t>((px + 64) * 32 + 0.5); };
+        const auto code = [](double px) { return static_cast<std::uint32_t>(std::lround((px + 64) * 32)); };
         const bool codable = x >= -64 && y >= -64 && x < 1983 && y < 1983;
         words.push_back(codable ? code(y) << 16 | code(x) : 0xFFFFFFFFU);
       }

@@ -49,7 +49,7 @@ void process(benchmark::State& state, const std::string& name) {
   const auto view = [&](const std::vector<std::uint8_t>& image) {
     return native::ImageView{image.data(), profile.width, profile.height, profile.width};
   };
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     benchmark::DoNotOptimize(engine->process(view(left), view(right), table, settings));
   }
   state.SetItemsProcessed(state.iterations());

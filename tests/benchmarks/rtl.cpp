@@ -34,7 +34,7 @@ void process(benchmark::State& state, const MachineProfile& profile) {
   monitor.select(0);
   std::mt19937 random(7);
   std::uint64_t passed = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     const Image left = noise(profile.width, profile.height, random);
     const Image right = noise(profile.width, profile.height, random);
     const auto before = clocks.clocks();

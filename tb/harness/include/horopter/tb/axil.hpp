@@ -34,7 +34,7 @@ struct AxilPins {
    &(model).prefix##_rready}
 
 template <class Address>
-class AxilMaster : public Endpoint {
+class AxilMaster final : public Endpoint {
  public:
   struct Access {
     bool write = false;
