@@ -207,8 +207,9 @@ JointReport optimise(JointProblem& joint, const JointOptions& options) {
   const auto start = residuals_px(joint);
   for (std::size_t i = 0; i < start.size(); ++i) {
     if (joint.observations[i].used && !std::ranges::all_of(start[i], [](const Vector2d& r) { return r.allFinite(); })) {
-      throw CalibrationError("the cameras to start from do not see all the points: some lie behind a camera or beyond "
-                             "the limit of its lens model");
+      throw CalibrationError(
+          "the cameras to start from do not see all the points: some lie behind a camera or beyond "
+          "the limit of its lens model");
     }
   }
   std::vector<CameraParameters::Vector> cameras;
