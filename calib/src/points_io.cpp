@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <string_view>
 
 #include "horopter/calib/error.hpp"
 #include "horopter/calib/points.hpp"
@@ -72,7 +74,7 @@ Sensor read_sensor(const std::filesystem::path& file) {
                     expected);
   }
   if (node.IsMap() && node["sensor"]) node.reset(node["sensor"]);
-  static const char* const kNames[] = {"width_px", "height_px", "dx_mm", "dy_mm", "cx_px", "cy_px", "sx"};
+  static constexpr std::string_view kNames[] = {"width_px", "height_px", "dx_mm", "dy_mm", "cx_px", "cy_px", "sx"};
   double values[7] = {0, 0, 0, 0, 0, 0, 1};
   bool has_sx = false;
   const auto store = [&](int index, const YAML::Node& value) {
@@ -80,7 +82,8 @@ Sensor read_sensor(const std::filesystem::path& file) {
     double number = NAN;
     if (!value.IsScalar() || !YAML::convert<double>::decode(value, number) || !std::isfinite(number) ||
         (positive && !(number > 0)) || (index < 2 && (number != std::floor(number) || number > 1e6))) {
-      throw FileError(file.string(), kNames[index], value.IsScalar() ? "'" + value.Scalar() + "'" : "not a number",
+      throw FileError(file.string(), std::string(kNames[index]),
+                      value.IsScalar() ? "'" + value.Scalar() + "'" : "not a number",
                       index < 2  ? "a whole number of pixels"
                       : positive ? "a number above 0"
                                  : "a number");
@@ -89,12 +92,19 @@ Sensor read_sensor(const std::filesystem::path& file) {
     has_sx = has_sx || index == 6;
   };
   if (node.IsMap()) {
+    // A misspelt sx would be taken for 1.
+    for (const auto& entry : node) {
+      if (std::ranges::find(kNames, entry.first.Scalar()) == std::end(kNames)) {
+        throw FileError(file.string(), fmt::format("line {}", entry.first.Mark().line + 1),
+                        "'" + entry.first.Scalar() + "' is not known", expected);
+      }
+    }
     for (int i = 0; i < 7; ++i) {
-      const YAML::Node value = node[kNames[i]];
+      const YAML::Node value = node[std::string(kNames[i])];
       if (value.IsDefined() && !value.IsNull()) {
         store(i, value);
       } else if (i < 6) {
-        throw FileError(file.string(), kNames[i], "missing", expected);
+        throw FileError(file.string(), std::string(kNames[i]), "missing", expected);
       }
     }
   } else {

@@ -33,11 +33,14 @@ json deviations(const std::vector<Parameter>& parameters) {
   return object;
 }
 
+/// A mean over the points; null where there are none.
+json over(const PointErrors& errors, double value) { return errors.count > 0 ? number(value) : json(nullptr); }
+
 json error_json(const PointErrors& errors) {
-  return {{"mean", number(errors.mean_px)},
-          {"sd", number(errors.sd_px)},
-          {"max", number(errors.max_px)},
-          {"rms", number(errors.rms_px)},
+  return {{"mean", over(errors, errors.mean_px)},
+          {"sd", over(errors, errors.sd_px)},
+          {"max", over(errors, errors.max_px)},
+          {"rms", over(errors, errors.rms_px)},
           {"points", errors.count}};
 }
 
@@ -151,8 +154,8 @@ json to_json(const Report& report) {
   // Always the same members: a single camera is the left one.
   if (!rms.contains("left")) rms["left"] = report.cameras.empty() ? json(nullptr) : number(report.cameras[0].rms_px);
   if (!rms.contains("right")) rms["right"] = nullptr;
-  rms["stereo"] = report.cameras.size() > 1 ? number(report.errors.rms_px) : json(nullptr);
-  rms["all"] = number(report.errors.rms_px);
+  rms["stereo"] = report.cameras.size() > 1 ? over(report.errors, report.errors.rms_px) : json(nullptr);
+  rms["all"] = over(report.errors, report.errors.rms_px);
   if (!report.relative.empty()) {
     parameters["relative"] = values(report.relative);
     sds["relative"] = deviations(report.relative);
@@ -171,8 +174,8 @@ json to_json(const Report& report) {
               {"usable", report.usable},
               {"image_error_px", error_json(report.errors)},
               {"rms_px", rms},
-              {"nce", number(report.errors.nce)},
-              {"nce_thesis", number(report.errors.nce_thesis)},
+              {"nce", over(report.errors, report.errors.nce)},
+              {"nce_thesis", over(report.errors, report.errors.nce_thesis)},
               {"baseline_mm", report.baseline_mm ? number(*report.baseline_mm) : json(nullptr)},
               {"baseline_sd_mm", report.baseline_mm ? number(report.baseline_sd_mm) : json(nullptr)},
               {"parameters", parameters},
@@ -184,8 +187,8 @@ json to_json(const Report& report) {
               {"seconds", report.seconds}};
   if (report.withheld) {
     result["withheld"] = {{"image_error_px", error_json(*report.withheld)},
-                          {"nce", number(report.withheld->nce)},
-                          {"nce_thesis", number(report.withheld->nce_thesis)}};
+                          {"nce", over(*report.withheld, report.withheld->nce)},
+                          {"nce_thesis", over(*report.withheld, report.withheld->nce_thesis)}};
   }
   return result;
 }

@@ -56,9 +56,12 @@ Beyond look_beyond(const GreyImage& image, const Board& board, int side) {
     const int x = vertical ? i : side == 0 ? 0 : board.columns - 1;
     const int y = vertical ? side == 1 ? 0 : board.rows - 1 : i;
     const auto [along_x, along_y] = steps(board, x, y);
-    const Vector2d outward =
-        vertical ? Vector2d(along_y * (side == 1 ? -1 : 1)) : Vector2d(along_x * (side == 0 ? -1 : 1));
-    const Vector2d p = board.at(x, y) + outward;
+    // Where the next corner of the line would be, by a parabola: squares shrink with distance, and the lens bends.
+    const int inward_x = vertical ? 0 : side == 0 ? 1 : -1;
+    const int inward_y = !vertical ? 0 : side == 1 ? 1 : -1;
+    const Vector2d p =
+        3 * board.at(x, y) - 3 * board.at(x + inward_x, y + inward_y) + board.at(x + 2 * inward_x, y + 2 * inward_y);
+    const Vector2d outward = p - board.at(x, y);
     ++result.places;
     // All four squares around the place.
     const Vector2d far = p + outward;
@@ -324,7 +327,7 @@ TargetView detect_chessboard(const cv::Mat& grey, const TargetSpec& spec) {
   int more[4] = {0, 0, 0, 0};
   for (int side = 0; side < 4; ++side) {
     const Beyond beyond = look_beyond(image, board, side);
-    if (2 * beyond.crossings > beyond.places) more[side] = 1;
+    if (beyond.crossings > 1 && 2 * beyond.crossings > beyond.places - beyond.outside) more[side] = 1;
   }
   if (more[0] + more[1] + more[2] + more[3] > 0)
     throw TargetError(Reason::wrong_size,

@@ -26,6 +26,9 @@ using P = CameraParameters;
 /// A view whose residual is this many times the median of all views, and at least kOutlier_px, disagrees with them.
 constexpr double kOutlierFactor = 4;
 constexpr double kOutlier_px = 0.7;
+/// The same before the cameras are optimised together.
+constexpr double kGrossFactor = 10;
+constexpr double kGross_px = 3;
 /// A rig that fits its views worse than this is none.
 constexpr double kLargestRms_px = 1.5;
 
@@ -512,11 +515,10 @@ Report calibrate_views(const std::vector<ViewCamera>& cameras, const std::vector
       throw;
     }
   };
-  JointReport optimised;
-  if (cameras.size() > 1 || raised) optimised = solve({.huber_px = 1});
   std::vector<bool> dropped(views, false);
   std::vector<std::string> reason(joint.observations.size());
-  for (int round = 0; round < 4; ++round) {
+  // Leaves out the views whose residual is more than `factor` times the median and `least_px`. False: there are none.
+  const auto drop_outliers = [&](double factor, double least_px) {
     const auto residuals = residuals_px(joint);
     std::vector<double> used;
     for (std::size_t i = 0; i < residuals.size(); ++i) {
@@ -524,26 +526,34 @@ Report calibrate_views(const std::vector<ViewCamera>& cameras, const std::vector
     }
     std::ranges::sort(used);
     const double median = used[(used.size() - 1) / 2];
-    const double limit = std::max(kOutlierFactor * median, kOutlier_px);
-    bool changed = false;
+    const double limit = std::max(factor * median, least_px);
     std::vector<std::size_t> bad;
     for (std::size_t i = 0; i < residuals.size(); ++i) {
       // not <=: a NaN is bad too
       if (joint.observations[i].used && !(rms_of(residuals[i]) <= limit)) bad.push_back(i);
     }
-    const auto left_over = static_cast<std::size_t>(
-        std::ranges::count_if(joint.observations, [](const JointObservation& o) { return o.used; }));
-    if (2 * bad.size() > left_over) bad.clear();  // no majority to disagree with
+    if (2 * bad.size() > used.size()) return false;  // no majority to disagree with
     for (const std::size_t i : bad) {
-      const std::size_t view = source[i].second;
       reason[i] = fmt::format("residual {:.2f} px, {:.1f} times the median of the views", rms_of(residuals[i]),
                               rms_of(residuals[i]) / median);
-      dropped[view] = changed = true;
+      dropped[source[i].second] = true;
     }
     for (std::size_t i = 0; i < joint.observations.size(); ++i) {
       if (dropped[source[i].second]) joint.observations[i].used = false;
     }
-    if (!changed && round > 0) break;
+    return !bad.empty();
+  };
+  if (cameras.size() > 1 || raised) {
+    // First with the cameras as they were found alone: a pair that is no pair would bend them.
+    for (JointCamera& camera : joint.cameras) camera.free = {};
+    solve({.huber_px = 1});
+    for (std::size_t c = 0; c < cameras.size(); ++c) joint.cameras[c].free = singles[c].problem.cameras[0].free;
+    drop_outliers(kGrossFactor, kGross_px);
+    solve({.huber_px = 1});
+  }
+  JointReport optimised;
+  for (int round = 0; round < 4; ++round) {
+    if (!drop_outliers(kOutlierFactor, kOutlier_px) && round > 0) break;
     optimised = solve({.max_iterations = 300});
   }
   report.iterations = optimised.iterations;

@@ -240,7 +240,6 @@ calib::RigFile import_files(const CalibrateOptions& options) {
 
 std::vector<std::string> write_rig(const CalibrateOptions& options, const calib::Rig& rig) {
   std::vector<std::string> warnings;
-  if (!options.output.empty()) write_file(options.output, calib::to_yaml(rig));
   if (!options.export_opencv.empty()) {
     const calib::Exported exported = calib::to_opencv(rig);
     write_file(options.export_opencv, exported.files.front().text);
@@ -253,6 +252,7 @@ std::vector<std::string> write_rig(const CalibrateOptions& options, const calib:
     directory.commit();
     warnings.insert(warnings.end(), exported.warnings.begin(), exported.warnings.end());
   }
+  if (!options.output.empty()) write_file(options.output, calib::to_yaml(rig));  // last: where it is, all is
   return warnings;
 }
 
@@ -345,13 +345,13 @@ ExitStatus calibrate(CalibrateOptions options) {
     report = from_images(options);
     determined = !report.cameras.empty();
   }
-  if (report.usable) {
-    const auto more = write_rig(options, report.rig);
-    report.warnings.insert(report.warnings.end(), more.begin(), more.end());
-  }
   if (!options.picture.empty() && determined) {
     const cv::Mat picture = calib::residual_picture(report);
     write_file(options.picture, encode_png_bgr(picture.cols, picture.rows, {picture.data, picture.total() * 3}));
+  }
+  if (report.usable) {
+    const auto more = write_rig(options, report.rig);
+    report.warnings.insert(report.warnings.end(), more.begin(), more.end());
   }
   if (options.json) {
     std::puts(calib::to_json(report).dump(2).c_str());

@@ -68,9 +68,11 @@ std::string plot_svg(const std::string& title, const std::vector<Panel>& panels,
   for (const Panel& panel : panels)
     for (const Curve& curve : panel.curves)
       if (std::find(names.begin(), names.end(), curve.name) == names.end()) names.push_back(curve.name);
-  const auto colour = [&](const std::string& name) {
-    return colours[static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin()) %
-                   colours.size()];
+  // Colours, and dashes once these are used up.
+  const auto pen = [&](const std::string& name) {
+    const auto index = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+    return fmt::format("fill=\"none\" stroke=\"{}\"{}", colours[index % colours.size()],
+                       index < colours.size() ? "" : " stroke-dasharray=\"5 3\"");
   };
   std::size_t longest = 1;
   for (const std::string& name : names) longest = std::max(longest, name.size());
@@ -131,11 +133,17 @@ std::string plot_svg(const std::string& title, const std::vector<Panel>& panels,
           "text-anchor=\"end\" font-size=\"9\">{5}</text>\n",
           ox + left, py(at), ox + left + w, ox + left - 4, py(at) + 3, label);
     };
-    if (panel.log_y)
-      for (int power = static_cast<int>(std::ceil(y_low)); power <= y_high; ++power)
-        y_tick(power, fmt::format("{:g}", std::pow(10.0, power)));
-    else
+    if (panel.log_y) {
+      // 1, 2, 5 within a decade where there are few of them.
+      for (int power = static_cast<int>(std::floor(y_low)); power <= y_high; ++power)
+        for (const double digit : {1.0, 2.0, 5.0}) {
+          const double at = power + std::log10(digit);
+          if (at < y_low || at > y_high || (digit > 1 && y_high - y_low > 2)) continue;
+          y_tick(at, fmt::format("{:g}", digit * std::pow(10.0, power)));
+        }
+    } else {
       for (const double y : ticks(y_low, y_high, 5)) y_tick(y, fmt::format("{:g}", y));
+    }
     svg += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"black\"/>\n",
                        ox + left, oy + top, w, h);
     svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" font-size=\"10\">{}</text>\n", ox + left + w / 2,
@@ -154,16 +162,16 @@ std::string plot_svg(const std::string& title, const std::vector<Panel>& panels,
         path += fmt::format("{}{:.1f} {:.1f}", pen_down ? "L" : "M", px(x), py(y_of(y)));
         pen_down = true;
       }
-      svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.4\"><title>{}</title></path>\n",
-                         path, colour(curve.name), escaped(curve.name));
+      svg += fmt::format("<path d=\"{}\" {} stroke-width=\"1.4\"><title>{}</title></path>\n", path, pen(curve.name),
+                         escaped(curve.name));
     }
   }
   for (std::size_t i = 0; i < names.size(); ++i) {
     const double x = 12 + static_cast<double>(i % static_cast<std::size_t>(entries)) * entry;
     const double y = head + rows * height + 12 + 16 * static_cast<double>(i / static_cast<std::size_t>(entries));
-    svg += fmt::format(
-        "<path d=\"M{:.1f} {:.1f}h18\" stroke=\"{}\" stroke-width=\"2\"/><text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
-        x, y - 4, colour(names[i]), x + 23, y, escaped(names[i]));
+    svg +=
+        fmt::format("<path d=\"M{:.1f} {:.1f}h18\" {} stroke-width=\"2\"/><text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
+                    x, y - 4, pen(names[i]), x + 23, y, escaped(names[i]));
   }
   return svg + "</svg>\n";
 }

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -16,16 +15,17 @@ namespace {
 
 struct StudyOptions {
   std::string out;
-  std::uint64_t seed = 1;
+  StudyScope scope;
   bool json = false;
 };
 
-using Study = nlohmann::json (*)(OutputDirectory&, std::uint64_t);
+using Study = nlohmann::json (*)(OutputDirectory&, const StudyScope&);
 
 ExitStatus study(const StudyOptions& options, Study run) {
   OutputDirectory directory(options.out);
-  nlohmann::json result = run(directory, options.seed);
-  result["seed"] = options.seed;
+  nlohmann::json result = run(directory, options.scope);
+  result["seed"] = options.scope.seed;
+  result["quick"] = options.scope.quick;
   directory.write("summary.json", result.dump(2) + "\n");
   directory.commit();
   if (options.json) {
@@ -48,7 +48,8 @@ void add_study(CLI::App& app, Outcome& outcome) {
     one->add_option("--out", options->out, "Directory for the tables (CSV) and plots (SVG)")
         ->required()
         ->type_name("DIR");
-    one->add_option("--seed", options->seed, "Of the noise")->capture_default_str();
+    one->add_option("--seed", options->scope.seed, "Of the noise")->capture_default_str()->type_name("N");
+    one->add_flag("--quick", options->scope.quick, "Fewer images, methods and runs: to see that all is well");
     one->add_flag("--json", options->json, "Print summary.json on standard output, and nothing else");
     one->callback([options, run, &outcome] { outcome.status = study(*options, run); });
   };

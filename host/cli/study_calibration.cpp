@@ -30,10 +30,12 @@ struct Method {
   TargetOptions options;
 };
 
-std::vector<Method> methods() {
+std::vector<Method> methods(bool quick) {
+  std::vector<EdgeMethod> of_the_thesis{EdgeMethod::linear, EdgeMethod::tabatabai_1d, EdgeMethod::tabatabai_2d,
+                                        EdgeMethod::zernike_9, EdgeMethod::zernike_13};
+  if (quick) of_the_thesis = {EdgeMethod::zernike_13};
   std::vector<Method> result;
-  for (const EdgeMethod method : {EdgeMethod::linear, EdgeMethod::tabatabai_1d, EdgeMethod::tabatabai_2d,
-                                  EdgeMethod::zernike_9, EdgeMethod::zernike_13}) {
+  for (const EdgeMethod method : of_the_thesis) {
     TargetOptions options;
     options.method = method;
     options.two_windows = false;
@@ -128,8 +130,8 @@ Parameters difference(const Camera& found, const RenderCamera& truth) {
   return result;
 }
 
-nlohmann::json cramer_rao(OutputDirectory& directory, std::uint64_t seed, Progress& progress) {
-  constexpr int runs = 200;
+nlohmann::json cramer_rao(OutputDirectory& directory, const StudyScope& scope, Progress& progress) {
+  const int runs = scope.quick ? 50 : 200;
   constexpr double noise_px = 0.05;
   const RenderCamera camera = true_camera();
   std::vector<Vector3d> points;
@@ -141,7 +143,7 @@ nlohmann::json cramer_rao(OutputDirectory& directory, std::uint64_t seed, Progre
   }
   const Information information_one = information(camera, points) / (noise_px * noise_px);
   const Information bound = information_one.inverse();
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random(scope.seed);
   std::normal_distribution<double> noise(0, noise_px);
   Information covariance = Information::Zero();
   Parameters bias = Parameters::Zero();
@@ -176,7 +178,8 @@ nlohmann::json cramer_rao(OutputDirectory& directory, std::uint64_t seed, Progre
 
 }  // namespace
 
-nlohmann::json study_calibration(OutputDirectory& directory, std::uint64_t seed) {
+nlohmann::json study_calibration(OutputDirectory& directory, const StudyScope& scope) {
+  const std::uint64_t seed = scope.seed;
   nlohmann::json summary;
   summary["study"] = "calibration";
   summary["heights_mm"] = heights_mm;
@@ -222,7 +225,7 @@ nlohmann::json study_calibration(OutputDirectory& directory, std::uint64_t seed)
                   "NCE (r_sp = 0.2)",
                   {},
                   false};
-      for (const Method& method : methods()) {
+      for (const Method& method : methods(scope.quick)) {
         std::array<std::vector<PointPair>, 3> pairs;
         for (int h = 0; h < 3; ++h) {
           const TargetView view = detect_target(pictures[h], target.spec, method.options);
@@ -277,7 +280,7 @@ nlohmann::json study_calibration(OutputDirectory& directory, std::uint64_t seed)
   directory.write("nce.svg", plot_svg("Normalised calibration error (Table 6.3)", panels, 2));
 
   Progress runs("calibration study: run");
-  summary["cramer_rao"] = cramer_rao(directory, seed, runs);
+  summary["cramer_rao"] = cramer_rao(directory, scope, runs);
   summary["findings"].push_back(
       fmt::format("Optimiser: deviation of the parameters {:.3f} of the Cramer-Rao bound ({} runs, corner noise {} px)",
                   summary["cramer_rao"]["ratio"].get<double>(), summary["cramer_rao"]["runs"].get<int>(),

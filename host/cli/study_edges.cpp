@@ -90,7 +90,8 @@ constexpr double side_px = 64;
 
 }  // namespace
 
-nlohmann::json study_edges(OutputDirectory& directory, std::uint64_t seed) {
+nlohmann::json study_edges(OutputDirectory& directory, const StudyScope& scope) {
+  const std::uint64_t seed = scope.seed;
   const std::vector<Contender> all = contenders();
   nlohmann::json summary;
   summary["study"] = "edges";
@@ -118,8 +119,9 @@ nlohmann::json study_edges(OutputDirectory& directory, std::uint64_t seed) {
           double largest = 0;
           double squares = 0;
           int n = 0;
-          for (int i = -25; i <= 25; ++i) {
-            const double position = i / 50.0;
+          const int half = scope.quick ? 5 : 25;
+          for (int i = -half; i <= half; ++i) {
+            const double position = 0.5 * i / half;
             Imaging imaging;
             imaging.blur_px = blur;
             const GreyImage image = simulate_edge(25, 25, Vector2d(12, 12) + position * normal, normal, imaging);
@@ -160,11 +162,10 @@ nlohmann::json study_edges(OutputDirectory& directory, std::uint64_t seed) {
   // ---- Table 6.1: 64 px squares and diamonds, noise of 1 grey level, the same place again and again.
   {
     Csv csv({"target", "method", "sd_x_px", "sd_y_px", "sd_cx_px", "sd_cy_px", "rms_corner_px", "images"});
-    constexpr int images = 40;
+    const int images = scope.quick ? 4 : 40;
     for (const auto& [target, angle] : {std::pair{"square", 0.0}, {"diamond", 45.0}}) {
       std::vector<GreyImage> series;
       const Vector2d centre(47.31, 47.67);
-      const double side = angle == 0 ? side_px : side_px;
       const int size = angle == 0 ? 96 : 120;
       const Vector2d middle = angle == 0 ? centre : Vector2d(centre + Vector2d(12, 12));
       for (int i = 0; i < images; ++i) {
@@ -172,15 +173,15 @@ nlohmann::json study_edges(OutputDirectory& directory, std::uint64_t seed) {
         imaging.blur_px = 0.8;
         imaging.noise = 1;
         imaging.quantise = true;
-        series.push_back(simulate_square(size, size, middle, side, angle, imaging, seed * 1000 + i));
+        series.push_back(simulate_square(size, size, middle, side_px, angle, imaging, seed * 1000 + i));
       }
-      const auto truth = square_corners(middle, side, angle);
+      const auto truth = square_corners(middle, side_px, angle);
       for (const Contender& contender : all) {
         progress.show(++step, steps);
         const auto estimator = make(contender, 0.8);
         std::vector<Corners> found;
         for (const GreyImage& image : series) {
-          const Corners corners = measure(image, *estimator, middle, side, angle, 16);
+          const Corners corners = measure(image, *estimator, middle, side_px, angle, 16);
           if (corners.found) found.push_back(corners);
         }
         csv << std::string(target) << contender.name;
@@ -215,7 +216,8 @@ nlohmann::json study_edges(OutputDirectory& directory, std::uint64_t seed) {
     directory.write("noise.csv", csv.text());
   }
 
-  // ---- Fig. 6.8: a target moved by 1/20 px a step along y, for several blurs: what the shape of the edge costs.
+  // ---- Fig. 6.8: a target moved by a part of a pixel a step along y, for several blurs: what the shape of the edge
+  // costs.
   {
     Csv csv({"target", "method", "blur_px", "steepness_per_px", "rms_px"});
     std::vector<Panel> panels;
@@ -228,12 +230,13 @@ nlohmann::json study_edges(OutputDirectory& directory, std::uint64_t seed) {
           const auto estimator = make(contender, blur);
           double squares = 0;
           int n = 0;
-          for (int i = 0; i < 10; ++i) {
+          const int images = scope.quick ? 1 : 10;
+          for (int i = 0; i < images; ++i) {
             Imaging imaging;
             imaging.blur_px = blur;
             imaging.noise = 1;
             imaging.quantise = true;
-            const Vector2d centre(60.27, 60 + i / 10.0);
+            const Vector2d centre(60.27, 60 + static_cast<double>(i) / images);
             const GreyImage image = simulate_square(121, 121, centre, side_px, angle, imaging, seed * 2000 + i);
             const Corners corners = measure(image, *estimator, centre, side_px, angle, 16);
             if (!corners.found) continue;
@@ -259,8 +262,7 @@ nlohmann::json study_edges(OutputDirectory& directory, std::uint64_t seed) {
   // ---- Fig. 6.9: points per edge.
   {
     Csv csv({"method", "points", "rms_px"});
-    Panel panel{
-        "64 px diamond, noise 1 grey level, blur 0.8 px", "points per edge", "RMS of the corners, px", {}, true};
+    Panel panel{"noise 1 grey level, blur 0.8 px", "points per edge", "RMS of the corners, px", {}, true};
     const auto zernike =
         std::find_if(all.begin(), all.end(), [](const Contender& c) { return c.method == EdgeMethod::zernike_13; });
     for (const Contender& contender : all) {
@@ -274,7 +276,8 @@ nlohmann::json study_edges(OutputDirectory& directory, std::uint64_t seed) {
       for (const int points : {2, 4, 8, 16, 32, 46}) {
         double squares = 0;
         int n = 0;
-        for (int i = 0; i < 20; ++i) {
+        const int images = scope.quick ? 4 : 20;
+        for (int i = 0; i < images; ++i) {
           Imaging imaging;
           imaging.blur_px = 0.8;
           imaging.noise = 1;
@@ -296,7 +299,7 @@ nlohmann::json study_edges(OutputDirectory& directory, std::uint64_t seed) {
       panel.curves.push_back(std::move(curve));
     }
     directory.write("points.csv", csv.text());
-    directory.write("points.svg", plot_svg("Points per edge (Fig. 6.9)", {panel}, 1));
+    directory.write("points.svg", plot_svg("64 px diamond (Fig. 6.9)", {panel}, 1));
   }
 
   const auto& steepest = summary["steepest_edge_max_error_px"];

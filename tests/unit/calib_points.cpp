@@ -6,9 +6,9 @@
 #include <fstream>
 #include <random>
 
-#include "calib_data.hpp"
 #include "horopter/calib/error.hpp"
 #include "horopter/calib/points.hpp"
+#include "shared_data.hpp"
 
 using namespace horopter::calib;
 using Catch::Contains;
@@ -90,7 +90,7 @@ TEST_CASE("Willson's points: errors, NCE and Tz/f as the reference program finds
       {"tsai/ncc_cd.dat", PointMethod::full, 0.0797, 0.0408, 0.2519, 0.1936, 28.578},
   };
   for (const Reference& reference : references) {
-    const auto file = test::data(reference.file);
+    const auto file = horopter::test::shared_data(reference.file);
     if (!file) return;
     const auto points = read_points(*file);
     const PointCalibration result = calibrate_points(points, {576, 384, 0.023, 0.023, 258, 204, 1.0}, reference.method);

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "calib_data.hpp"
 #include "horopter/calib/error.hpp"
 #include "horopter/calib/rig.hpp"
+#include "shared_data.hpp"
 
 using namespace horopter::calib;
 using Catch::Contains;
@@ -80,7 +80,7 @@ std::vector<fs::path> write_all(const Folder& folder, const Exported& exported) 
 }  // namespace
 
 TEST_CASE("one calibration in three formats is one rig") {
-  const auto folder = test::data("formats");
+  const auto folder = horopter::test::shared_data("formats");
   if (!folder) return;
   const std::vector<fs::path> yaml{*folder / "intrinsics.yml", *folder / "extrinsics.yml"};
   const std::vector<fs::path> ros{*folder / "ros_left.yaml", *folder / "ros_right.yaml"};

@@ -6,10 +6,10 @@
 #include <opencv2/imgcodecs.hpp>
 #include <random>
 
-#include "calib_data.hpp"
 #include "horopter/calib/error.hpp"
 #include "horopter/calib/target.hpp"
 #include "horopter/calib/views.hpp"
+#include "shared_data.hpp"
 
 using namespace horopter::calib;
 using Catch::Contains;
@@ -250,7 +250,7 @@ TEST_CASE("names of distortion terms") {
 }
 
 TEST_CASE("the chessboard pairs of opencv-doc") {
-  const auto folder = test::opencv_images();
+  const auto folder = horopter::test::opencv_images();
   if (!folder) return;
   const auto spec = TargetSpec::parse("chessboard:9x6:30mm");
   std::vector<ViewCamera> cameras{{"left", 0, 0, {}}, {"right", 0, 0, {}}};
@@ -286,7 +286,7 @@ TEST_CASE("the chessboard pairs of opencv-doc") {
 }
 
 TEST_CASE("the published corners of Zhang's images, and our own") {
-  const auto folder = test::data("zhang");
+  const auto folder = horopter::test::shared_data("zhang");
   if (!folder) return;
   const auto spec = TargetSpec::parse("squares:8x8:12.7mm:22.57779mm");
   std::vector<ViewCamera> cameras{{"camera", 0, 0, {}}};

@@ -10,7 +10,7 @@
 
 #include "horopter/calib/render.hpp"
 #include "horopter/calib/target.hpp"
-#include "target_data.hpp"
+#include "shared_data.hpp"
 
 using namespace horopter::calib;
 using Catch::Contains;
@@ -215,15 +215,15 @@ TEST_CASE("chessboards: orientation by colour, corners by their edges") {
 }
 
 TEST_CASE("real chessboards: all 26 images") {
+  const auto folder = horopter::test::opencv_images();
+  if (!folder) return;
   const TargetSpec spec = TargetSpec::parse("chessboard:9x6:30mm");
   int found = 0;
   for (int i = 1; i <= 14; ++i)
     for (const char* side : {"left", "right"}) {
       if (i == 10) continue;
       const std::string number = (i < 10 ? "0" : "") + std::to_string(i);
-      const auto path = horopter::test::opencv_doc(side + number + ".jpg");
-      if (!path) return;
-      const TargetView view = detect_target(cv::imread(*path, cv::IMREAD_GRAYSCALE), spec);
+      const TargetView view = detect_target(cv::imread(*folder / (side + number + ".jpg"), cv::IMREAD_GRAYSCALE), spec);
       CHECK(view.plane_rms_px < 0.45);
       ++found;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where tests of calibration find public data that is not part of the project.
+// Where tests find public data that is no part of the project. They say that they are skipped where it is absent.
 #pragma once
 
 #include <cstdlib>
@@ -8,10 +8,10 @@
 #include <optional>
 #include <string>
 
-namespace horopter::calib::test {
+namespace horopter::test {
 
-/// $HOROPTER_DATA or ../shared/data beside the source tree; says so when the test is skipped.
-inline std::optional<std::filesystem::path> data(const std::string& name) {
+/// A file or folder of $HOROPTER_DATA or, without it, of ../shared/data beside the project.
+inline std::optional<std::filesystem::path> shared_data(const std::string& name) {
   namespace fs = std::filesystem;
   const char* const given = std::getenv("HOROPTER_DATA");
   const fs::path root = given != nullptr ? fs::path(given) : fs::path(HOROPTER_SOURCE_DIR) / ".." / "shared" / "data";
@@ -20,7 +20,7 @@ inline std::optional<std::filesystem::path> data(const std::string& name) {
   return std::nullopt;
 }
 
-/// Images of Debian's package opencv-doc.
+/// The folder with the chessboard pictures of Debian's package opencv-doc.
 inline std::optional<std::filesystem::path> opencv_images() {
   const std::filesystem::path folder = "/usr/share/doc/opencv-doc/examples/data";
   if (std::filesystem::exists(folder / "left01.jpg")) return folder;
@@ -28,4 +28,4 @@ inline std::optional<std::filesystem::path> opencv_images() {
   return std::nullopt;
 }
 
-}  // namespace horopter::calib::test
+}  // namespace horopter::test

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program in a directory of its own, for tests from outside.
+#pragma once
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+#include <vector>
+
+extern char** environ;
+
+namespace horopter::test {
+
+namespace fs = std::filesystem;
+
+class Sandbox {
+ public:
+  Sandbox() {
+    std::string name = (fs::temp_directory_path() / "horopter-cli-XXXXXX").string();
+    REQUIRE(::mkdtemp(name.data()) != nullptr);
+    path_ = name;
+  }
+  ~Sandbox() {
+    std::error_code error;
+    fs::remove_all(path_, error);
+  }
+  Sandbox(const Sandbox&) = delete;
+  Sandbox& operator=(const Sandbox&) = delete;
+
+  fs::path operator/(const std::string& name) const { return path_ / name; }
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ / name, std::ios::binary) << text;
+    return (path_ / name).string();
+  }
+  std::string read(const std::string& name) const {
+    std::ifstream stream(path_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+  std::set<std::string> files() const {
+    std::set<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(path_))
+      names.insert(fs::relative(entry.path(), path_).string());
+    return names;
+  }
+
+  struct Result {
+    int status = -1;
+    std::string out;
+    std::string err;
+  };
+  /// Runs the program in the sandbox, with its standard input closed: it must not ask questions.
+  Result run(std::vector<std::string> arguments) const {
+    const fs::path streams = fs::temp_directory_path() / ("horopter-cli-streams-" + std::to_string(::getpid()));
+    fs::create_directories(streams);
+    const std::string out = (streams / "out").string();
+    const std::string err = (streams / "err").string();
+    arguments.insert(arguments.begin(), HOROPTER_PROGRAM);
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_addchdir_np(&actions, path_.c_str());
+    pid_t child = 0;
+    REQUIRE(::posix_spawn(&child, HOROPTER_PROGRAM, &actions, nullptr, argv.data(), environ) == 0);
+    posix_spawn_file_actions_destroy(&actions);
+    int status = 0;
+    REQUIRE(::waitpid(child, &status, 0) == child);
+    REQUIRE(WIFEXITED(status));
+    const auto text = [](const std::string& file) {
+      std::ifstream stream(file, std::ios::binary);
+      return std::string(std::istreambuf_iterator<char>(stream), {});
+    };
+    Result result{WEXITSTATUS(status), text(out), text(err)};
+    fs::remove_all(streams);
+    return result;
+  }
+
+ private:
+  fs::path path_;
+};
+
+inline std::vector<std::string> operator+(std::vector<std::string> a, const std::vector<std::string>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+/// An input error: status 3, one line that names file and expectation, nothing written.
+inline void check_bad_file(const Sandbox& box, const std::vector<std::string>& arguments, const std::string& file,
+                           const std::string& message) {
+  const auto before = box.files();
+  const auto result = box.run(arguments);
+  CAPTURE(result.err);
+  CHECK(result.status == 3);
+  CHECK(result.out.empty());
+  CHECK_THAT(result.err, Catch::StartsWith("horopter: ") && Catch::Contains(file) && Catch::Contains(message) &&
+                             Catch::Contains("expected"));
+  CHECK(box.files() == before);
+}
+
+}  // namespace horopter::test
