@@ -165,7 +165,7 @@ Conversion judge(Intrinsics intrinsics, const Samples& samples) {
     largest = std::max(largest, error);
   }
   if (!std::isfinite(largest)) throw CalibrationError("the converted lens model does not cover the image");
-  return {std::move(intrinsics), std::sqrt(sum / static_cast<double>(samples.pixels.size())), largest};
+  return {intrinsics, std::sqrt(sum / static_cast<double>(samples.pixels.size())), largest};
 }
 
 }  // namespace
@@ -176,6 +176,7 @@ Conversion to_brown_conrady(const CameraModel& model, int width_px, int height_p
   if (model.lens().coefficients() == LensCoefficients{}) return {brown, 0, 0};
   const Samples samples = sample(model, width_px, height_px);
   std::vector<Vector2d> distorted;
+  distorted.reserve(samples.pixels.size());
   for (const Vector2d& pixel : samples.pixels) {
     distorted.emplace_back((pixel.x() - brown.cx_px) / brown.fx_px, (pixel.y() - brown.cy_px) / brown.fy_px);
   }

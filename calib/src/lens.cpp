@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
 #include <vector>
 
 namespace horopter::calib {
@@ -50,7 +51,7 @@ Polynomial sum(Polynomial a, const Polynomial& b, double factor) {
 
 double evaluate(const Polynomial& p, double r) {
   double value = 0;
-  for (auto it = p.rbegin(); it != p.rend(); ++it) value = value * r + *it;
+  for (const double coefficient : std::views::reverse(p)) value = value * r + coefficient;
   return value;
 }
 

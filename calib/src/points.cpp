@@ -30,7 +30,7 @@ constexpr double kThin = 1e-3;
 /// Standard deviation of f, as a part of f, beyond which one plane does not tell f from Tz.
 constexpr double kFocalUnknown = 0.1;
 /// The least noise that is believed of measured points, px.
-constexpr double kLeastNoise_px = 0.02;
+constexpr double kLeastNoisePx = 0.02;
 
 /// World coordinates in which the points' mean is the origin and their plane of least squares z = 0.
 struct Frame {
@@ -241,7 +241,7 @@ double relative_sd_of_f(const JointProblem& problem) {
   JointProblem copy = problem;
   copy.cameras[0].free = {};
   copy.cameras[0].free[P::f] = true;
-  const JointCovariance result = covariance(copy, 0, kLeastNoise_px);
+  const JointCovariance result = covariance(copy, 0, kLeastNoisePx);
   return std::sqrt(result.cameras[0](P::f, P::f)) / CameraParameters::from(copy.cameras[0].intrinsics)[P::f];
 }
 
@@ -267,13 +267,13 @@ std::vector<Parameter> list_parameters(const JointProblem& problem, const JointC
       {"dx_mm", tsai.dx_mm, 0, false},
       {"dy_mm", tsai.dy_mm, 0, false},
   };
-  const std::pair<const char*, int> lens[] = {{"kappa1_per_mm2", 0}, {"kappa2_per_mm4", 1}, {"kappa3_per_mm6", 4},
-                                              {"p1_per_mm", 3},      {"p2_per_mm", 2},      {"s1_per_mm", 8},
-                                              {"s2_per_mm", 10}};
+  const std::pair<const char*, std::size_t> lens[] = {
+      {"kappa1_per_mm2", 0}, {"kappa2_per_mm4", 1}, {"kappa3_per_mm6", 4}, {"p1_per_mm", 3},
+      {"p2_per_mm", 2},      {"s1_per_mm", 8},      {"s2_per_mm", 10}};
   const auto values = tsai.lens().array();
   for (const auto& [name, index] : lens) {
-    list.push_back({name, values[static_cast<std::size_t>(index)], deviation(P::lens + index),
-                    free[static_cast<std::size_t>(P::lens + index)]});
+    list.push_back({name, values[index], deviation(P::lens + static_cast<int>(index)),
+                    free[static_cast<std::size_t>(P::lens) + index]});
   }
   const char* const angles[] = {"rx_deg", "ry_deg", "rz_deg"};
   const char* const lengths[] = {"tx_mm", "ty_mm", "tz_mm"};
@@ -311,6 +311,7 @@ void warn_sensor(PointCalibration& result, const Sensor& sensor, std::span<const
 void warn_outliers(PointCalibration& result) {
   const auto& residuals = result.errors.residuals_px;
   std::vector<double> sizes;
+  sizes.reserve(residuals.size());
   for (const Vector2d& residual : residuals) sizes.push_back(residual.norm());
   std::vector<double> sorted = sizes;
   std::ranges::sort(sorted);
@@ -333,8 +334,7 @@ struct CentreResidual {
   using InputType = VectorXd;
   using ValueType = VectorXd;
   using JacobianType = MatrixXd;
-  static constexpr int InputsAtCompileTime = Eigen::Dynamic;
-  static constexpr int ValuesAtCompileTime = Eigen::Dynamic;
+  enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
 
   std::span<const PointPair> points;
   Sensor sensor;
@@ -445,7 +445,7 @@ Eigen::Matrix<double, 3, 4> direct_linear_transform(std::span<const PointPair> p
   }
   const VectorXd solution = null_vector(a, kDegenerate);
   Eigen::Matrix<double, 3, 4> m;
-  for (int row = 0; row < 3; ++row) m.row(row) = solution.segment<4>(4 * row).transpose();
+  for (Eigen::Index row = 0; row < 3; ++row) m.row(row) = solution.segment<4>(4 * row).transpose();
   Matrix3d image = Matrix3d::Identity();
   image.topLeftCorner<2, 2>() /= image_scale;
   image.topRightCorner<2, 1>() = centre;
@@ -676,11 +676,11 @@ PointCalibration calibrate_points(std::span<const PointPair> points, const Senso
     if (2 * observation.points_mm.size() >= unknowns + 2) {
       try {
         result.iterations += optimise(outer).iterations;
-        problem.cameras[0].intrinsics = outer.cameras[0].intrinsics;
-        problem.views[0] = outer.views[0];
       } catch (const CalibrationError&) {
-        // the points left do not hold it; the second pass starts from Tsai's solution
+        outer = problem;  // the points left do not hold it; the second pass starts from Tsai's solution
       }
+      problem.cameras[0].intrinsics = outer.cameras[0].intrinsics;
+      problem.views[0] = outer.views[0];
     }
     const JointReport report = optimise(problem, {.max_iterations = 500});
     result.iterations += report.iterations;

@@ -23,14 +23,14 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using P = CameraParameters;
 
-/// A view whose residual is this many times the median of all views, and at least kOutlier_px, disagrees with them.
+/// A view whose residual is this many times the median of all views, and at least kOutlierPx, disagrees with them.
 constexpr double kOutlierFactor = 4;
-constexpr double kOutlier_px = 0.7;
+constexpr double kOutlierPx = 0.7;
 /// The same before the cameras are optimised together.
 constexpr double kGrossFactor = 10;
-constexpr double kGross_px = 3;
+constexpr double kGrossPx = 3;
 /// A rig that fits its views worse than this is none.
-constexpr double kLargestRms_px = 1.5;
+constexpr double kLargestRmsPx = 1.5;
 
 /// Coordinates of a target that lies on a table, from those of the printed plane: y up, z out of the print.
 Pose target_to_world() {
@@ -153,7 +153,7 @@ std::vector<FocalGuess> focal_guesses(const ViewCamera& camera, const std::vecto
       }
       known.push_back({{intrinsics.f_mm, intrinsics.kappa1}, std::pow(intrinsics.f_mm / std::max(sd, 1e-6), 2)});
     } catch (const CalibrationError&) {
-      // parallel to the image, or unfit: others tell f
+      return;  // parallel to the image, or unfit: others tell f
     }
   };
   if (!heights.empty()) {
@@ -548,12 +548,12 @@ Report calibrate_views(const std::vector<ViewCamera>& cameras, const std::vector
     for (JointCamera& camera : joint.cameras) camera.free = {};
     solve({.huber_px = 1});
     for (std::size_t c = 0; c < cameras.size(); ++c) joint.cameras[c].free = singles[c].problem.cameras[0].free;
-    drop_outliers(kGrossFactor, kGross_px);
+    drop_outliers(kGrossFactor, kGrossPx);
     solve({.huber_px = 1});
   }
   JointReport optimised;
   for (int round = 0; round < 4; ++round) {
-    if (!drop_outliers(kOutlierFactor, kOutlier_px) && round > 0) break;
+    if (!drop_outliers(kOutlierFactor, kOutlierPx) && round > 0) break;
     optimised = solve({.max_iterations = 300});
   }
   report.iterations = optimised.iterations;
@@ -702,7 +702,7 @@ Report calibrate_views(const std::vector<ViewCamera>& cameras, const std::vector
       report.warnings.push_back("one_pair: the relative pose rests on a single pair of images");
     }
   }
-  const double largest = std::max(kLargestRms_px, 0.002 * cameras.front().width_px);
+  const double largest = std::max(kLargestRmsPx, 0.002 * cameras.front().width_px);
   if (!(report.errors.rms_px < largest)) {
     report.problems.push_back(fmt::format(
         "the views do not fit one rig: RMS {:.2f} px; are the images of a pair taken at one time, and is the target "

@@ -79,7 +79,7 @@ cv::Mat small_image(const TargetSpec& spec, bool hole = false, double turn_deg =
   camera.rotation = Eigen::Quaterniond(0.99, 0.08, -0.06, 0.01).normalized().toRotationMatrix();
   camera.translation_mm = {3, -2, 1000};
   if (corners) *corners = projected(camera, target);
-  return to_mat(render_target(camera, target, camera_like(), 11, 3));
+  return to_mat(render_target(camera, target, camera_like(), 11, 2));
 }
 
 Reason reason_of(const cv::Mat& image, const std::string& spec, const std::string& words) {
@@ -161,7 +161,7 @@ TEST_CASE("a rendered pattern: corners where they were rendered") {
   for (const TargetKind kind : {TargetKind::squares, TargetKind::diamonds}) {
     RenderTarget target = thesis_pattern(kind);
     target.hole = kind == TargetKind::diamonds;
-    const cv::Mat image = to_mat(render_target(camera, target, camera_like(), 3, 4));
+    const cv::Mat image = to_mat(render_target(camera, target, camera_like(), 3, 2));
     const TargetView view = detect_target(image, target.spec);
     const Difference d = difference(view.image_px, projected(camera, target));
     CHECK(d.rms < 0.02);
@@ -180,7 +180,7 @@ TEST_CASE("edges that moved outward do not move the corners") {
   target.print_error_mm.assign(spec.points_mm().size(), Vector2d(0, 0));
   for (std::size_t i = 0; i < target.print_error_mm.size(); ++i)
     target.print_error_mm[i] = 0.25 * Vector2d(i % 4 == 0 || i % 4 == 3 ? -1 : 1, i % 4 < 2 ? -1 : 1);
-  const cv::Mat image = to_mat(render_target(camera, target, camera_like(), 3, 4));
+  const cv::Mat image = to_mat(render_target(camera, target, camera_like(), 3, 2));
   const TargetView view = detect_target(image, spec);
   CHECK(difference(view.image_px, right).rms < 0.03);
   CHECK(view.edge_shift_px.x() == Approx(0.29).margin(0.05));
@@ -190,8 +190,10 @@ TEST_CASE("edges that moved outward do not move the corners") {
 }
 
 TEST_CASE("the first fiducial is found by its hole, however the target is turned") {
-  for (const char* name : {"squares:5x4:20mm:40mm", "squares:4x4:20mm:40mm", "diamonds:5x4:18mm:40mm"})
-    for (const double turn : {0.0, 30.0, 90.0, 135.0, 180.0, -100.0}) {
+  const std::vector<double> all{0.0, 30.0, 90.0, 135.0, 180.0, -100.0}, some{-100.0, 30.0};
+  for (const auto& [name, turns] :
+       {std::pair{"squares:5x4:20mm:40mm", all}, {"squares:4x4:20mm:40mm", some}, {"diamonds:5x4:18mm:40mm", some}})
+    for (const double turn : turns) {
       INFO(name << " turned by " << turn);
       const TargetSpec spec = TargetSpec::parse(name);
       std::vector<Vector2d> corners;
@@ -261,7 +263,7 @@ TEST_CASE("what is wrong with an image is named") {
     CHECK(reason_of(noise, name, "no grid of 5x4") == Reason::no_target);
     CHECK(reason_of(cv::Mat(300, 400, CV_8U, cv::Scalar(128)), name, "nothing in the image") == Reason::no_target);
   }
-  CHECK(reason_of(noise, "chessboard:9x6:30mm", "no chessboard") == Reason::no_target);
+  CHECK(reason_of(noise(cv::Rect(0, 0, 160, 120)), "chessboard:9x6:30mm", "no chessboard") == Reason::no_target);
   CHECK(reason_of(cv::Mat(), "squares:5x4:20mm:40mm", "empty") == Reason::bad_image);
   CHECK(reason_of(cv::Mat(300, 400, CV_16U, cv::Scalar(0)), "squares:5x4:20mm:40mm", "8 bits") == Reason::bad_image);
 
