@@ -146,7 +146,7 @@ RigFile read_opencv(const std::vector<Source>& sources, const ImportOptions& opt
   for (const Source& source : sources) {
     std::string text = source.text;
     if (text.find("!!opencv-matrix") != std::string::npos && text.compare(0, 5, "%YAML") != 0) {
-      text = "%YAML:1.0\n---\n" + text;
+      text.insert(0, "%YAML:1.0\n---\n");
     }
     try {
       files.push_back({&source, cv::FileStorage(text, cv::FileStorage::READ | cv::FileStorage::MEMORY)});
@@ -281,18 +281,19 @@ RigFile read_ros(const std::vector<Source>& sources, const std::vector<YAML::Nod
     infos.push_back(std::move(info));
   }
   if (infos.size() == 2) {
-    if (!infos[0].translation_m || !infos[1].translation_m) {
-      throw FileError(sources[infos[0].translation_m ? 1 : 0].file, "", "no projection_matrix",
+    const auto &first_m = infos[0].translation_m, &second_m = infos[1].translation_m;
+    if (!first_m || !second_m) {
+      throw FileError(sources[first_m ? 1 : 0].file, "", "no projection_matrix",
                       "the baseline in P[3] of the right camera");
     }
-    const Vector3d between_m = *infos[1].translation_m - *infos[0].translation_m;
+    const Vector3d between_m = *second_m - *first_m;
     if (!(between_m.norm() > 0)) {
       throw FileError(sources[1].file, "projection_matrix", "P[3] is 0",
                       "the baseline: a stereo calibration, the left camera first");
     }
     const Matrix3d back = infos[1].rectification.transpose();
     infos[1].camera.world_to_camera = {back * infos[0].rectification, 1000 * (back * between_m)};
-    if (infos[1].translation_m->norm() < infos[0].translation_m->norm()) {
+    if (second_m->norm() < first_m->norm()) {
       result.warnings.push_back(fmt::format(
           "left_right_exchanged: {}: the first file holds the baseline, as right cameras do", sources[0].file));
     }

@@ -182,8 +182,10 @@ class Grid {
         plane.push_back(Vector2d(place.second, place.first) + template_[i]);
         pixels.push_back(fiducial.corners[i]);
       }
-    plane_ = detail::fit_plane(plane, pixels, image_.width, image_.height);
-    return plane_.has_value();
+    auto fitted = detail::fit_plane(plane, pixels, image_.width, image_.height);
+    if (!fitted) return false;
+    plane_ = std::move(*fitted);
+    return true;
   }
 
   /// Looks where the plane says that fiducials are missing: holes in the grid, and rows and columns beside it.
@@ -269,7 +271,7 @@ class Grid {
     for (int pass = 0; pass < 2; ++pass) {
       if (!fit()) return;
       for (auto& [place, fiducial] : fiducials_)
-        if (const auto refined = refiner_.refine(fiducial.corners, bright_, straighten_ ? &plane_->view : nullptr))
+        if (const auto refined = refiner_.refine(fiducial.corners, bright_, straighten_ ? &plane_.view : nullptr))
           fiducial = {refined->corners, refined->rms_px};
     }
     fit();
@@ -277,7 +279,7 @@ class Grid {
 
   /// The background shows in the middle of the fiducial.
   bool marked(int x, int y) const {
-    const PlaneView& view = plane_->view;
+    const PlaneView& view = plane_.view;
     const Vector2d middle(x, y);
     const double side = spec_.side_mm / spec_.pitch_mm;
     const auto mean = [&](double radius) {
@@ -295,18 +297,18 @@ class Grid {
     return (core - outside) / (inside - outside) < 0.6 && (inside > outside) == bright_;
   }
 
-  const PlaneFit& plane() const { return *plane_; }
+  const PlaneFit& plane() const { return plane_; }
   /// Image direction of the grid's x at the middle of the target.
   Eigen::Matrix2d directions() const {
     const Extent e = extent();
-    return plane_->view.jacobian(Vector2d((e.x0 + e.x1) / 2.0, (e.y0 + e.y1) / 2.0));
+    return plane_.view.jacobian(Vector2d((e.x0 + e.x1) / 2.0, (e.y0 + e.y1) / 2.0));
   }
   const GreyImage& image() const { return image_; }
 
  private:
   std::array<Vector2d, 4> predicted(int x, int y) const {
     std::array<Vector2d, 4> corners;
-    for (int i = 0; i < 4; ++i) corners[i] = plane_->view.project(Vector2d(x, y) + template_[i]);
+    for (int i = 0; i < 4; ++i) corners[i] = plane_.view.project(Vector2d(x, y) + template_[i]);
     return corners;
   }
 
@@ -327,7 +329,7 @@ class Grid {
   /// Quads that joined the grid by chance do not fit its plane.
   void drop_misfits() {
     for (int round = 0; round < 10 && fiducials_.size() > 6 && fit(); ++round) {
-      std::vector<double> sorted = plane_->residual_px;
+      std::vector<double> sorted = plane_.residual_px;
       std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
       const double limit = std::max(2.5, 8 * sorted[sorted.size() / 2]);
       std::size_t i = 0;
@@ -335,8 +337,8 @@ class Grid {
       double worst_residual = limit;
       for (const auto& entry : fiducials_)
         for (int k = 0; k < 4; ++k, ++i)
-          if (plane_->residual_px[i] > worst_residual) {
-            worst_residual = plane_->residual_px[i];
+          if (plane_.residual_px[i] > worst_residual) {
+            worst_residual = plane_.residual_px[i];
             worst = entry.first;
           }
       if (!worst) return;
@@ -352,7 +354,7 @@ class Grid {
   std::vector<Vector2d> template_;  ///< corners in pitches from the middle of a fiducial
   std::map<Place, std::array<Vector2d, 4>> rough_;
   std::map<Place, Fiducial> fiducials_;
-  std::optional<PlaneFit> plane_;
+  PlaneFit plane_;  ///< the last that could be fitted
 };
 
 [[noreturn]] void no_target(const std::vector<Quad>& quads, std::size_t largest, const TargetSpec& spec) {
