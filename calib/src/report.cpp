@@ -215,6 +215,8 @@ std::string to_text(const Report& report) {
     for (const Parameter& parameter : report.relative) {
       text += fmt::format("  {:<16} {}\n", parameter.name, parameter_text(parameter));
     }
+  }
+  if (report.baseline_mm) {
     text += fmt::format("  {:<16} {}\n", "baseline_mm",
                         parameter_text({"", *report.baseline_mm, report.baseline_sd_mm, true}));
   }

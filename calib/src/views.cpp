@@ -41,6 +41,7 @@ Pose target_to_world() {
 
 std::vector<Vector3d> at_height(const std::vector<Vector2d>& points, double height_mm) {
   std::vector<Vector3d> raised;
+  raised.reserve(points.size());
   for (const Vector2d& point : points) raised.emplace_back(point.x(), point.y(), -height_mm);
   return raised;
 }
@@ -169,6 +170,7 @@ std::vector<FocalGuess> focal_guesses(const ViewCamera& camera, const std::vecto
   if (known.empty()) {
     for (const SeenTarget& view : camera.views) {
       std::vector<PointPair> pairs;
+      pairs.reserve(view.pixels.size());
       for (std::size_t i = 0; i < view.pixels.size(); ++i) {
         pairs.push_back({{points[i].x(), points[i].y(), 0}, view.pixels[i]});
       }
@@ -196,9 +198,8 @@ FreeParameters free_parameters(const ViewOptions& options, bool few_views) {
   FreeParameters free{};
   free[P::f] = true;
   free[P::scale] = free[P::cx] = free[P::cy] = !few_views;
-  for (int i = 0; i < LensCoefficients::kCount; ++i) {
-    free[static_cast<std::size_t>(P::lens + i)] =
-        options.distortion[static_cast<std::size_t>(i)] && (!few_views || i == 0);
+  for (std::size_t i = 0; i < LensCoefficients::kCount; ++i) {
+    free[P::lens + i] = options.distortion[i] && (!few_views || i == 0);
   }
   return free;
 }
@@ -462,6 +463,7 @@ Report calibrate_views(const std::vector<ViewCamera>& cameras, const std::vector
 
   // Each camera on its own, then where the cameras stand to each other.
   std::vector<Single> singles;
+  singles.reserve(cameras.size());
   for (const ViewCamera& camera : cameras) singles.push_back(calibrate_single(camera, points, options));
   JointProblem joint;
   const std::size_t views = cameras.front().views.size();

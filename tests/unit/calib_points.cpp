@@ -200,7 +200,7 @@ TEST_CASE("NCE is 1/0.2 smaller pixels: its definition on a camera that is off b
 
 TEST_CASE("spread of repeated calibrations is what the covariance says, which is the Cramér-Rao bound") {
   const Camera truth = camera_at(tilted());
-  constexpr int kTrials = 60;
+  constexpr int kTrials = 20;
   constexpr double kNoise = 0.05;
   double f_square = 0, f_sd = 0, cx_square = 0, cx_sd = 0;
   for (unsigned trial = 0; trial < kTrials; ++trial) {
@@ -211,9 +211,9 @@ TEST_CASE("spread of repeated calibrations is what the covariance says, which is
       if (parameter.name == "cx_px") cx_square += std::pow(parameter.value - 381.5, 2), cx_sd += parameter.sd;
     }
   }
-  // 60 trials know a deviation to 9 %.
-  CHECK(std::sqrt(f_square / kTrials) == Approx(f_sd / kTrials).epsilon(0.3));
-  CHECK(std::sqrt(cx_square / kTrials) == Approx(cx_sd / kTrials).epsilon(0.3));
+  // 20 trials know a deviation to 16 %; the bound itself is tested by `horopter study calibration`.
+  CHECK(std::sqrt(f_square / kTrials) == Approx(f_sd / kTrials).epsilon(0.5));
+  CHECK(std::sqrt(cx_square / kTrials) == Approx(cx_sd / kTrials).epsilon(0.5));
 }
 
 TEST_CASE("points that do not determine a camera are refused by name") {

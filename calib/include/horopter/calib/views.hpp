@@ -32,7 +32,7 @@ struct ViewOptions {
   std::array<bool, LensCoefficients::kCount> distortion{true, true, true, true};
   /// Height of the target in each view, mm, towards the cameras; empty: the target is moved freely. All views share
   /// one pose then, and the world is that of the target: x right, y up the print, z out of it.
-  std::vector<double> heights_mm{};
+  std::vector<double> heights_mm;
   double pitch_mm = 0;  ///< of pixels, to report f in mm; 0: not known
 };
 
