@@ -22,7 +22,7 @@ inline std::optional<std::filesystem::path> shared_data(const std::string& name)
 
 /// The folder with the chessboard pictures of Debian's package opencv-doc.
 inline std::optional<std::filesystem::path> opencv_images() {
-  const std::filesystem::path folder = "/usr/share/doc/opencv-doc/examples/data";
+  std::filesystem::path folder = "/usr/share/doc/opencv-doc/examples/data";
   if (std::filesystem::exists(folder / "left01.jpg")) return folder;
   std::cout << "skipped: the images of the package opencv-doc are not installed\n";
   return std::nullopt;

@@ -42,6 +42,17 @@ std::pair<Vector2d, Vector2d> steps(const Board& board, int x, int y) {
   return {(board.at(xr, y) - board.at(xl, y)) / (xr - xl), (board.at(x, yl) - board.at(x, yu)) / (yl - yu)};
 }
 
+/// Grey level of 3×3 pixels; beyond the image its border goes on.
+double mean_around(const GreyImage& image, const Vector2d& p) {
+  const int x = static_cast<int>(std::lround(p.x()));
+  const int y = static_cast<int>(std::lround(p.y()));
+  double sum = 0;
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx)
+      sum += image(std::clamp(x + dx, 0, image.width - 1), std::clamp(y + dy, 0, image.height - 1));
+  return sum / 9;
+}
+
 /// Corners that a longer board would have beyond one of its sides.
 struct Beyond {
   int crossings = 0;  ///< are corners
@@ -74,11 +85,7 @@ Beyond look_beyond(const GreyImage& image, const Board& board, int side) {
       std::array<double, 4> square{};
       for (int k = 0; k < 4; ++k) {
         const Vector2d middle = at + 0.3 * (k == 0 || k == 3 ? 1 : -1) * along_x + 0.3 * (k < 2 ? 1 : -1) * along_y;
-        for (int dy = -1; dy <= 1; ++dy)
-          for (int dx = -1; dx <= 1; ++dx)
-            square[k] += image(std::clamp(static_cast<int>(std::lround(middle.x())) + dx, 0, image.width - 1),
-                               std::clamp(static_cast<int>(std::lround(middle.y())) + dy, 0, image.height - 1)) /
-                         9.0;
+        square[k] = mean_around(image, middle);
       }
       const double across = (square[0] + square[2] - square[1] - square[3]) / 2;
       const double uneven = std::max(std::abs(square[0] - square[2]), std::abs(square[1] - square[3]));
@@ -130,7 +137,7 @@ std::string size_text(int columns, int rows) { return std::to_string(columns) + 
         for (int side = 0; side < 4; ++side) {
           const Beyond beyond = look_beyond(image, *board, side);
           if (2 * beyond.outside > beyond.places)
-            borders += (borders.empty() ? "" : " and ") + std::string(side_name(*board, side));
+            (borders += borders.empty() ? "" : " and ") += side_name(*board, side);
         }
       if (!borders.empty())
         throw TargetError(Reason::partly_outside, "the chessboard is partly outside the image: only " +
@@ -240,11 +247,10 @@ std::optional<Saddle> fit_saddle(const GreyImage& image, const Vector2d& guess_p
     for (const Pixel& pixel : pixels) {
       Parameters row;
       const double r = evaluate(at, pixel, &row) - pixel.value;
-      system.matrix.selfadjointView<Eigen::Lower>().rankUpdate(row, pixel.weight);
+      system.matrix.noalias() += pixel.weight * row * row.transpose();
       system.gradient += pixel.weight * r * row;
       system.cost += pixel.weight * r * r;
     }
-    system.matrix = system.matrix.selfadjointView<Eigen::Lower>();
     return system;
   };
   System system = system_at(p);

@@ -26,7 +26,7 @@ std::optional<std::array<Vector2d, 4>> sharpen(const std::vector<cv::Point>& con
     double best_distance = 1e9;
     double best_along = 0;
     for (int i = 0; i < 4; ++i) {
-      const Vector2d a = rough[i];
+      const Vector2d& a = rough[i];
       const Vector2d side = rough[(i + 1) % 4] - a;
       const double length = side.norm();
       const double along = side.dot(p - a) / (length * length);

@@ -16,8 +16,6 @@
 #include <string>
 #include <vector>
 
-extern char** environ;
-
 namespace horopter::test {
 
 namespace fs = std::filesystem;
@@ -65,6 +63,7 @@ class Sandbox {
     const std::string err = (streams / "err").string();
     arguments.insert(arguments.begin(), HOROPTER_PROGRAM);
     std::vector<char*> argv;
+    argv.reserve(arguments.size() + 1);
     for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);
     posix_spawn_file_actions_t actions;

@@ -47,18 +47,18 @@ Imaging camera_like() {
   return imaging;
 }
 
-/// How a target is printed and laid down; its corners where they would be seen if the print had no errors.
+/// How a target is printed and laid down.
 struct Scene {
   bool hole = false;
   bool bright = false;
   double turn_deg = 0;
   double kappa1_per_mm2 = 0.003;
-  std::vector<Vector2d> print_error_mm{};
-  std::vector<Vector2d> corners{};
+  double ink_gain_mm = 0;  ///< of each edge of a square, outward
 };
 
-/// An image of a target in the middle of it, as by the thesis's camera, but smaller.
-cv::Mat small_image(const TargetSpec& spec, Scene& scene) {
+/// An image of a target in the middle of it, as by the thesis's camera, but smaller. `corners` are those of a perfect
+/// print.
+cv::Mat small_image(const TargetSpec& spec, const Scene& scene = {}, std::vector<Vector2d>* corners = nullptr) {
   RenderCamera camera;
   camera.width_px = 400;
   camera.height_px = 300;
@@ -80,14 +80,11 @@ cv::Mat small_image(const TargetSpec& spec, Scene& scene) {
   target.margin_mm = 25;
   camera.rotation = Eigen::Quaterniond(0.99, 0.08, -0.06, 0.01).normalized().toRotationMatrix();
   camera.translation_mm = {3, -2, 1000};
-  scene.corners = projected(camera, target);
-  target.print_error_mm = scene.print_error_mm;
+  if (corners) *corners = projected(camera, target);
+  for (std::size_t i = 0; scene.ink_gain_mm != 0 && i < points.size(); ++i)
+    target.print_error_mm.emplace_back(scene.ink_gain_mm *
+                                       Vector2d(i % 4 == 0 || i % 4 == 3 ? -1 : 1, i % 4 < 2 ? -1 : 1));
   return to_mat(render_target(camera, target, camera_like(), 11, 2));
-}
-
-cv::Mat small_image(const TargetSpec& spec, bool hole = false) {
-  Scene scene{.hole = hole};
-  return small_image(spec, scene);
 }
 
 Reason reason_of(const cv::Mat& image, const std::string& spec, const std::string& words) {
@@ -167,9 +164,10 @@ TEST_CASE("Zhang's squares: all 256 corners of all five images, and good enough 
 TEST_CASE("a rendered pattern: corners where they were rendered") {
   for (const char* const name : {"squares:5x4:33mm:60mm", "diamonds:5x4:33mm:60mm"}) {
     const TargetSpec spec = TargetSpec::parse(name);
-    Scene scene{.hole = spec.kind == TargetKind::diamonds, .bright = true, .kappa1_per_mm2 = 0.0008};
-    const TargetView view = detect_target(small_image(spec, scene), spec);
-    const Difference d = difference(view.image_px, scene.corners);
+    const Scene scene{.hole = spec.kind == TargetKind::diamonds, .bright = true, .kappa1_per_mm2 = 0.0008};
+    std::vector<Vector2d> corners;
+    const TargetView view = detect_target(small_image(spec, scene, &corners), spec);
+    const Difference d = difference(view.image_px, corners);
     // Twenty fiducials know how far their edges are displaced, here 0, to some hundredths of a pixel.
     CHECK(view.edge_shift_px.norm() < 0.06);
     CHECK(d.rms < 0.04);
@@ -180,18 +178,15 @@ TEST_CASE("a rendered pattern: corners where they were rendered") {
 
 TEST_CASE("edges that moved outward do not move the corners") {
   const TargetSpec spec = TargetSpec::parse("squares:5x4:33mm:60mm");
-  Scene scene{.bright = true};
-  // Ink gain of 0.25 mm on each side, about 0.3 px.
-  scene.print_error_mm.assign(spec.points_mm().size(), Vector2d(0, 0));
-  for (std::size_t i = 0; i < scene.print_error_mm.size(); ++i)
-    scene.print_error_mm[i] = 0.25 * Vector2d(i % 4 == 0 || i % 4 == 3 ? -1 : 1, i % 4 < 2 ? -1 : 1);
-  const cv::Mat image = small_image(spec, scene);
+  std::vector<Vector2d> corners;
+  // 0.25 mm on each side, about 0.3 px.
+  const cv::Mat image = small_image(spec, {.bright = true, .ink_gain_mm = 0.25}, &corners);
   const TargetView view = detect_target(image, spec);
-  CHECK(difference(view.image_px, scene.corners).rms < 0.03);
+  CHECK(difference(view.image_px, corners).rms < 0.03);
   CHECK(view.edge_shift_px.x() == Approx(0.29).margin(0.05));
   TargetOptions as_seen;
   as_seen.settle = false;
-  CHECK(difference(detect_target(image, spec, as_seen).image_px, scene.corners).rms > 0.3);
+  CHECK(difference(detect_target(image, spec, as_seen).image_px, corners).rms > 0.3);
 }
 
 TEST_CASE("the first fiducial is found by its hole, however the target is turned") {
@@ -201,10 +196,10 @@ TEST_CASE("the first fiducial is found by its hole, however the target is turned
     for (const double turn : turns) {
       INFO(name << " turned by " << turn);
       const TargetSpec spec = TargetSpec::parse(name);
-      Scene scene{.hole = true, .turn_deg = turn};
-      const TargetView view = detect_target(small_image(spec, scene), spec);
+      std::vector<Vector2d> corners;
+      const TargetView view = detect_target(small_image(spec, {.hole = true, .turn_deg = turn}, &corners), spec);
       CHECK(view.oriented);
-      CHECK(difference(view.image_px, scene.corners).max < 0.15);
+      CHECK(difference(view.image_px, corners).max < 0.15);
     }
 }
 
@@ -212,10 +207,10 @@ TEST_CASE("chessboards: orientation by colour, corners by their edges") {
   const TargetSpec spec = TargetSpec::parse("chessboard:7x4:28mm");
   for (const double turn : {0.0, 60.0, 260.0}) {
     INFO("turned by " << turn);
-    Scene scene{.turn_deg = turn};
-    const TargetView view = detect_target(small_image(spec, scene), spec);
+    std::vector<Vector2d> corners;
+    const TargetView view = detect_target(small_image(spec, {.turn_deg = turn}, &corners), spec);
     CHECK(view.oriented);
-    CHECK(difference(view.image_px, scene.corners).rms < 0.03);
+    CHECK(difference(view.image_px, corners).rms < 0.03);
   }
 }
 
@@ -266,7 +261,7 @@ TEST_CASE("what is wrong with an image is named") {
 
   // A mirror, where the print can tell.
   cv::Mat mirrored;
-  cv::flip(small_image(spec, true), mirrored, 1);
+  cv::flip(small_image(spec, {.hole = true}), mirrored, 1);
   CHECK(reason_of(mirrored, "squares:5x4:20mm:40mm", "mirrored") == Reason::mirrored);
 }
 
