@@ -94,6 +94,36 @@ std::optional<Vector2d> CameraModel::distort(const Vector2d& normalised, Matrix2
   return Vector2d(value->x() * unit_x_ + cx_, value->y() * unit_y_ + cy_);
 }
 
+std::optional<Vector2d> CameraModel::distort_near(const Vector2d& normalised, Vector2d& shift,
+                                                  Matrix2d* jacobian) const {
+  if (!tsai_) return distort(normalised, jacobian);
+  const Vector2d value = normalised * unit_;
+  Vector2d point = value + shift;
+  Matrix2d slope;
+  // Newton's error squares in each step: after a step of 1e-5 px another changes nothing that matters.
+  const double enough = 1e-5 / std::max(unit_x_, unit_y_);
+  for (int iteration = 0; iteration < 4; ++iteration) {
+    const Vector2d error = lens_forward(lens_.coefficients(), point, &slope) - value;
+    const double over = 1 / slope.determinant();
+    const Vector2d step(over * (slope(1, 1) * error.x() - slope(0, 1) * error.y()),
+                        over * (slope(0, 0) * error.y() - slope(1, 0) * error.x()));
+    point -= step;
+    if (!(step.squaredNorm() < enough * enough)) continue;
+    // Inside the disc the map is one to one: this is the inverse. At its border the careful way decides.
+    if (!(point.norm() < lens_.limit_radius() * (1 - 1e-6))) break;
+    shift = point - value;
+    if (jacobian != nullptr) {
+      *jacobian << over * slope(1, 1), -over * slope(0, 1), -over * slope(1, 0), over * slope(0, 0);
+      *jacobian = Vector2d(unit_x_ * unit_, unit_y_ * unit_).asDiagonal() * *jacobian;
+    }
+    return Vector2d(point.x() * unit_x_ + cx_, point.y() * unit_y_ + cy_);
+  }
+  const auto pixel = distort(normalised, jacobian);
+  shift = pixel ? Vector2d(Vector2d((pixel->x() - cx_) / unit_x_, (pixel->y() - cy_) / unit_y_) - value)
+                : Vector2d(Vector2d::Zero());
+  return pixel;
+}
+
 std::optional<Vector2d> CameraModel::project(const Vector3d& point) const {
   if (!(point.z() > 0)) return std::nullopt;
   return distort(point.head<2>() / point.z());

@@ -313,6 +313,16 @@ std::string to_yaml(const Rig& rig) {
   return text;
 }
 
+Rig rig_from_yaml(const std::string& text, const std::string& name) {
+  try {
+    const YAML::Node root = YAML::Load(text);
+    if (!root.IsMap() || !root["horopter_rig"].IsDefined()) throw FileError(name, "", "no rig.yaml", "horopter_rig: 1");
+    return read_rig({name, text}, root).rig;
+  } catch (const YAML::Exception& error) {
+    throw FileError(name, fmt::format("line {}", error.mark.line + 1), "not YAML (" + error.msg + ")", "rig.yaml");
+  }
+}
+
 RigFile load_rig(const std::filesystem::path& file, const ImportOptions& options) {
   return load_rig(std::span(&file, 1), options);
 }

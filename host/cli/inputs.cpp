@@ -2,11 +2,14 @@
 #include "inputs.hpp"
 
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
 
 #include "horopter/error.hpp"
 #include "horopter/image.hpp"
-#include "horopter/skin.hpp"
+#include "horopter/map_compiler.hpp"
+#include "horopter/map_json.hpp"
+#include "horopter/skin_file.hpp"
 
 namespace horopter::cli {
 namespace {
@@ -39,24 +42,29 @@ void check_image_size(const std::string& name, int width, int height, const Mach
   }
 }
 
-void check_rig(const std::string& path) {
-  if (path.empty()) return;
-  const auto bytes = read_file(path, "the cameras (rig.yaml)");
-  try {
-    YAML::Load(std::string(bytes.begin(), bytes.end()));
-  } catch (const YAML::Exception& error) {
-    throw FileError(path, fmt::format("line {}, column {}", error.mark.line + 1, error.mark.column + 1),
-                    "not YAML (" + error.msg + ")", "the cameras (rig.yaml)");
-  }
+std::optional<calib::Rig> read_rig_option(const std::string& path) {
+  if (path.empty()) return std::nullopt;
+  return read_rig(path);
 }
 
 void check_skin_file(const std::string& path) { read_file(path, kSkinExpected); }
 
-MapSet load_or_compile_maps(const std::string& skin, const MachineProfile& profile, int image_width, int image_height) {
+MapSet load_or_compile_maps(const std::string& skin, const std::optional<calib::Rig>& rig,
+                            const MachineProfile& profile, int image_width, int image_height) {
   const auto bytes = read_file(skin, kSkinExpected);
   if (std::string(bytes.begin(), bytes.begin() + std::min<std::size_t>(4, bytes.size())) != "HMAP") {
     const Point centre{0.5 * (image_width - 1), 0.5 * (image_height - 1)};
-    return compile_maps(load_skin(skin, centre), profile, image_width, image_height);
+    const SkinFile file = load_skin(skin, centre, rig ? &*rig : nullptr);
+    if (!file.rig.empty()) {
+      for (const calib::Camera& camera : calib::rig_from_yaml(file.rig, skin).cameras) {
+        if (camera.width_px == 0 || (camera.width_px == image_width && camera.height_px == image_height)) continue;
+        throw FileError(skin, "",
+                        fmt::format("camera {} of the rig takes images of {}x{} pixels", camera.name, camera.width_px,
+                                    camera.height_px),
+                        fmt::format("{}x{}, the size of the images", image_width, image_height));
+      }
+    }
+    return compile_maps(file, profile, image_width, image_height);
   }
   MapSet maps = load_maps(skin);
   if (maps.profile != profile.name) {
@@ -66,6 +74,18 @@ MapSet load_or_compile_maps(const std::string& skin, const MachineProfile& profi
   if (maps.image_width != image_width || maps.image_height != image_height) {
     throw FileError(skin, "", fmt::format("a table for images of {}x{} pixels", maps.image_width, maps.image_height),
                     fmt::format("{}x{}", image_width, image_height));
+  }
+  if (rig && !maps.rig.empty()) {
+    // The two cameras of the table, by name and every digit, wherever they stand in the rig.
+    calib::Rig same{rig->world, {}};
+    for (const calib::Camera& camera : calib::rig_from_yaml(maps.rig, skin).cameras) {
+      const auto found = std::ranges::find(rig->cameras, camera.name, &calib::Camera::name);
+      if (found != rig->cameras.end()) same.cameras.push_back(*found);
+    }
+    if (calib::to_yaml(same) != maps.rig) {
+      throw FileError(skin, "", fmt::format("a table for another rig, of CRC {}", crc_text(maps.rig_crc())),
+                      "that of --rig");
+    }
   }
   return maps;
 }

@@ -2,8 +2,10 @@
 // Inputs that several commands take, checked in one way.
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "horopter/calib/rig.hpp"
 #include "horopter/map.hpp"
 #include "horopter/profile.hpp"
 
@@ -11,11 +13,12 @@ namespace horopter::cli {
 
 /// Throws FileError when the profile does not hold an image of this size.
 void check_image_size(const std::string& name, int width, int height, const MachineProfile& profile);
-/// A rig that is named must be a YAML file, though no skin of today needs it.
-void check_rig(const std::string& path);
+/// The cameras of --rig; nothing where the option is not given. Throws FileError.
+std::optional<calib::Rig> read_rig_option(const std::string& path);
 /// There and not empty; contents are checked by load_or_compile_maps.
 void check_skin_file(const std::string& path);
-/// Tables from a skin.yaml, or from an .hmap of the same profile and size.
-MapSet load_or_compile_maps(const std::string& skin, const MachineProfile& profile, int image_width, int image_height);
+/// Tables from a skin.yaml, or from an .hmap of the same profile, size and, where one is given, rig.
+MapSet load_or_compile_maps(const std::string& skin, const std::optional<calib::Rig>& rig,
+                            const MachineProfile& profile, int image_width, int image_height);
 
 }  // namespace horopter::cli

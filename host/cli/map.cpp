@@ -2,6 +2,7 @@
 // horopter map: makes and explains mapping tables.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "commands.hpp"
 #include "horopter/map_json.hpp"
 #include "horopter/output.hpp"
+#include "horopter/skin_file.hpp"
 #include "inputs.hpp"
 
 namespace horopter::cli {
@@ -39,6 +41,7 @@ std::pair<int, int> parse_size(const std::string& text) {
 
 void explain(const MapSet& maps) {
   const MachineProfile& profile = find_profile(maps.profile);
+  if (!maps.rig.empty()) fmt::print("rig      CRC {}\n", crc_text(maps.rig_crc()));
   fmt::print("skin     {}\nprofile  {}, images of {}x{} pixels\n", maps.skin, maps.profile, maps.image_width,
              maps.image_height);
   for (const CompiledMap& map : maps.maps) {
@@ -60,20 +63,44 @@ void explain(const MapSet& maps) {
                r.rounded_largest_px);
     fmt::print("  right rows    from y{:+d} to y{:+d}; LOOKAHEAD {}, store of {} rows\n", -r.reach.behind,
                r.reach.ahead, r.lookahead, profile.store_rows);
-    fmt::print("  supervised    {} pixels ({:.1f} %)\n", r.supervised, percent(r.supervised));
-    fmt::print("  unsupervised  {:.1f} % outside the right image, {:.1f} % reduced to less than 1/2,\n",
-               percent(r.outside), percent(r.scale));
-    fmt::print("                {:.1f} % without a source, {:.1f} % in cells with such a corner\n",
-               percent(r.no_source), percent(r.grid));
+    fmt::print("  supervised    {} pixels ({:.1f} %), {:.1f} % of those that see the skin\n", r.supervised(),
+               percent(r.supervised()),
+               100.0 * static_cast<double>(r.supervised()) /
+                   static_cast<double>(std::max<std::int64_t>(1, r.pixels - r.count(Reason::no_source))));
+    const char* head = "unsupervised";
+    for (int i = 1; i < kReasonCount; ++i) {
+      if (r.by_reason[i] == 0) continue;
+      fmt::print("  {:12}  {:.1f} % {}\n", head, percent(r.by_reason[i]), reason_text(static_cast<Reason>(i)));
+      head = "";
+    }
   }
 }
 
-void draw(const MapSet& maps, const std::string& path) {
+/// Disparity tolerance D of 11.1 that pictures of thickness are for: D95 of Table 11.1, in pixels of the result.
+constexpr double kTolerance_px = 0.7;
+
+void draw(const MapSet& maps, const std::string& path, bool json) {
   // Fields stand one above the other.
   int height = 0;
   std::vector<std::uint8_t> picture;
+  const MachineProfile& profile = find_profile(maps.profile);
+  std::optional<CameraPair> cameras;
+  if (!maps.rig.empty()) {
+    const calib::Rig rig = calib::rig_from_yaml(maps.rig, path);
+    cameras.emplace(rig.cameras.at(0), rig.cameras.at(1));
+  }
   for (const CompiledMap& map : maps.maps) {
-    const auto part = draw_map(map.table, find_profile(maps.profile).weight_bits);
+    std::vector<std::uint8_t> part;
+    if (cameras) {
+      auto drawn = draw_thickness(map.table, profile.weight_bits, *cameras, kTolerance_px * profile.subsample);
+      if (!json) {
+        fmt::print("thickness {:.2f} to {:.2f} mm along the left line of sight for a disparity of +-{} px ({})\n",
+                   drawn.thinnest_mm, drawn.thickest_mm, kTolerance_px, scan_name(map.table.geometry().scan));
+      }
+      part = std::move(drawn.bgr);
+    } else {
+      part = draw_map(map.table, profile.weight_bits);
+    }
     picture.insert(picture.end(), part.begin(), part.end());
     height += map.table.geometry().height;
   }
@@ -84,6 +111,7 @@ ExitStatus map(const MapOptions& options) {
   MapSet maps;
   if (!options.inspect.empty()) {
     for (const auto& [name, value] : {std::pair{"--skin", &options.skin},
+                                      {"--rig", &options.rig},
                                       {"--output", &options.output},
                                       {"--profile", &options.profile},
                                       {"--size", &options.size}}) {
@@ -109,11 +137,10 @@ ExitStatus map(const MapOptions& options) {
         throw UsageError(error.what());
       }
     }
-    check_rig(options.rig);
-    maps = load_or_compile_maps(options.skin, profile, width, height);
+    maps = load_or_compile_maps(options.skin, read_rig_option(options.rig), profile, width, height);
     if (!options.output.empty()) save_maps(maps, options.output);
   }
-  if (!options.draw.empty()) draw(maps, options.draw);
+  if (!options.draw.empty()) draw(maps, options.draw, options.json);
   if (options.json) {
     std::puts(to_json(maps).dump(2).c_str());
   } else {
@@ -136,17 +163,19 @@ void add_map(CLI::App& app, Outcome& outcome) {
   command->add_option("-o,--output", options->output, "The table to write (.hmap)")->type_name("FILE");
   command->add_option("--inspect", options->inspect, "Explain this table instead of making one")->type_name("FILE");
   command
-      ->add_option("--draw", options->draw,
-                   "A picture (PNG) of the displacements: hue by direction, a line every 8 pixels, dots at control "
-                   "points, dark where nothing is supervised")
+      ->add_option(
+          "--draw", options->draw,
+          "A picture (PNG) with dots at control points, dark where nothing is supervised: with a rig the skin's "
+          "thickness, red thin to blue thick; else the displacements, hue by direction, a line every 8 pixels")
       ->type_name("FILE");
   command->add_flag("--json", options->json, "Print the report as JSON on standard output, and nothing else");
-  command->footer(
-      "The grid is the coarsest whose expansion, in the hardware's own arithmetic, stays within 1/16 px of the skin "
-      "for\n"
-      "99 % of the pixels and within 1/4 px for all. A skin that needs more rows than the image store holds is "
-      "refused.\n\n"
-      "Example: horopter map --skin skin.yaml --profile vga -o skin.hmap --draw skin.png");
+  command->footer(std::string("The grid is the coarsest whose expansion, in the hardware's own arithmetic, stays "
+                              "within 1/16 px of the skin for\n"
+                              "99 % of the pixels and within 1/4 px for all. A skin that needs more rows than the "
+                              "image store holds is refused.\n\n") +
+                  skin_file_help() +
+                  "\n"
+                  "Example: horopter map --skin skin.yaml --profile vga -o skin.hmap --draw skin.png");
   command->callback([options, &outcome] { outcome.status = map(*options); });
 }
 

@@ -43,7 +43,7 @@ bool is_result(const std::string& name) {
 
 /// The machine starts with the first pair: its size decides profile and tables.
 struct Session {
-  Session(const RunOptions& options, const NamedImage& first) {
+  Session(const RunOptions& options, const std::optional<calib::Rig>& rig, const NamedImage& first) {
     const int width = first.image.width;
     const int height = first.image.height;
     profile = options.profile.empty() ? smallest_profile(width, height) : &find_profile(options.profile);
@@ -52,7 +52,7 @@ struct Session {
                       fmt::format("at most the {} of profile hd", "1920x1080"));
     }
     check_image_size(first.name, width, height, *profile);
-    const MapSet maps = load_or_compile_maps(options.skin, *profile, width, height);
+    const MapSet maps = load_or_compile_maps(options.skin, rig, *profile, width, height);
     supervisor = std::make_unique<Supervisor>(make_device(options.engine, *profile), *profile, maps, options.settings);
   }
 
@@ -76,7 +76,7 @@ void print_frame(int frame, const FrameResult& result) {
 
 ExitStatus run(const RunOptions& options) {
   if (!options.profile.empty()) find_profile(options.profile);
-  check_rig(options.rig);
+  const auto rig = read_rig_option(options.rig);
   check_skin_file(options.skin);
   PairSource pairs(options.left, options.right);
   const auto count = pairs.count();
@@ -84,7 +84,7 @@ ExitStatus run(const RunOptions& options) {
   if (!pair) throw FileError(options.left.front(), "", "there is no image", "at least one");
 
   OutputDirectory output(options.out, is_result);
-  Session session(options, pair->left);
+  Session session(options, rig, pair->left);
   const Device& device = session.supervisor->monitor().device();
   auto summary = summary_json(device.engine(), session.profile->name);
   Progress progress("supervising pair");

@@ -24,6 +24,7 @@
 #include "horopter/error.hpp"
 #include "horopter/image.hpp"
 #include "horopter/map.hpp"
+#include "horopter/map_compiler.hpp"
 #include "horopter/monitor.hpp"
 #include "horopter/output.hpp"
 #include "horopter/report.hpp"

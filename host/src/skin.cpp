@@ -8,9 +8,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "horopter/error.hpp"
-#include "yaml.hpp"
-
 namespace horopter {
 namespace {
 
@@ -52,47 +49,40 @@ RowMajor3 normalisation(std::span<const Point> points) {
   return matrix;
 }
 
-const char* const kTypes = "homography or correspondences (plane, planes, ellipsoid, mesh and heightfield follow)";
-
-Point point(const std::string& file, const YAML::Node& node, const std::string& what) {
-  if (!node.IsSequence() || node.size() != 2) yaml::fail(file, node, what, "", "[x, y] in pixels");
-  return {yaml::number(file, node[0], what), yaml::number(file, node[1], what)};
-}
-
-Matrix3 read_matrix(const std::string& file, const YAML::Node& node) {
-  const std::string what = "surface.matrix";
-  const std::string expected = "3 rows of 3 numbers, left pixel to right pixel";
-  if (!node.IsSequence() || node.size() != 3) yaml::fail(file, node, what, "", expected);
-  Matrix3 matrix{};
-  for (std::size_t row = 0; row < 3; ++row) {
-    if (!node[row].IsSequence() || node[row].size() != 3) yaml::fail(file, node[row], what, "", expected);
-    for (std::size_t column = 0; column < 3; ++column) {
-      matrix[row * 3 + column] = yaml::number(file, node[row][column], what);
-    }
-  }
-  return matrix;
-}
-
-std::vector<Correspondence> read_points(const std::string& file, const YAML::Node& node) {
-  const std::string what = "surface.points";
-  if (!node.IsSequence() || node.size() < 4) {
-    yaml::fail(file, node, what, "", "a list of at least 4 {left: [x, y], right: [x, y]}");
-  }
-  std::vector<Correspondence> points;
-  for (const YAML::Node item : node) {
-    if (item.IsMap()) {
-      points.push_back({point(file, yaml::member(file, item, "left", "[x, y]"), what + ": left"),
-                        point(file, yaml::member(file, item, "right", "[x, y]"), what + ": right")});
-    } else if (item.IsSequence() && item.size() == 2) {
-      points.push_back({point(file, item[0], what + ": left"), point(file, item[1], what + ": right")});
-    } else {
-      yaml::fail(file, item, what, "", "{left: [x, y], right: [x, y]}");
-    }
-  }
-  return points;
-}
+/// A word for programs and a phrase for people, by Reason.
+constexpr std::pair<std::string_view, std::string_view> kReasons[kReasonCount] = {
+    {"supervised", "supervised"},
+    {"outside", "outside the right image"},
+    {"scale", "reduced to less than 1/2"},
+    {"angle", "seen too far from the skin's normal"},
+    {"no_source", "without a skin in their line of sight"},
+    {"hidden", "hidden from the right camera by a part of the skin"},
+    {"grid", "lost to the grid"},
+};
 
 }  // namespace
+
+std::string_view reason_name(Reason reason) { return kReasons[static_cast<std::size_t>(reason)].first; }
+std::string_view reason_text(Reason reason) { return kReasons[static_cast<std::size_t>(reason)].second; }
+
+std::optional<Point> Skin::source(Point left) const {
+  Look seen;
+  look({&left, 1}, 1, {}, {&seen, 1});
+  if (!std::isfinite(seen.source.x) || !std::isfinite(seen.source.y)) return std::nullopt;
+  return seen.source;
+}
+
+void HomographySkin::look(std::span<const Point> left, int row_step, const ViewLimits& limits,
+                          std::span<Look> looks) const {
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    const auto right = source(left[i]);
+    looks[i] = {{std::nan(""), std::nan("")}, std::nanf(""), Reason::no_source};
+    if (!right) continue;
+    const auto [a, b, c, d] = derivatives(left[i]);
+    const double scaled = largest_stretch({a, b * row_step, c / row_step, d}) * limits.smallest_scale;
+    looks[i] = {*right, static_cast<float>(1 - scaled), scaled <= 1 + 1e-9 ? Reason::none : Reason::scale};
+  }
+}
 
 HomographySkin::HomographySkin(const Matrix3& matrix, Point visible, std::string_view type)
     : matrix_(matrix), type_(type) {
@@ -181,41 +171,6 @@ HomographyFit fit_homography(std::span<const Correspondence> points) {
   }
   fit.rms_px = std::sqrt(sum / static_cast<double>(points.size()));
   return fit;
-}
-
-SkinFile load_skin(const std::filesystem::path& path, Point centre) {
-  const std::string file = path.string();
-  const YAML::Node root = yaml::load(path, "a skin: `surface:` with a `type`");
-  const YAML::Node surface = yaml::member(file, root, "surface", "a map with `type`");
-  const YAML::Node type_node = yaml::member(file, surface, "type", kTypes);
-  if (!type_node.IsScalar()) yaml::fail(file, type_node, "surface.type", "", kTypes);
-  const std::string& type = type_node.Scalar();
-
-  SkinFile result;
-  result.path = file;
-  YAML::Node source;
-  try {
-    if (type == "homography") {
-      source = yaml::member(file, surface, "matrix", "3 rows of 3 numbers");
-      result.skin = std::make_unique<HomographySkin>(read_matrix(file, source), centre);
-    } else if (type == "correspondences") {
-      source = yaml::member(file, surface, "points", "a list of at least 4 {left: [x, y], right: [x, y]}");
-      result.correspondences = read_points(file, source);
-      result.fit = fit_homography(result.correspondences);
-      result.skin =
-          std::make_unique<HomographySkin>(result.fit->matrix, result.correspondences.front().left, "correspondences");
-    } else {
-      for (const char* known : {"plane", "planes", "ellipsoid", "mesh", "heightfield"}) {
-        if (type == known) yaml::fail(file, type_node, "surface.type", "'" + type + "' is not supported yet", kTypes);
-      }
-      yaml::fail(file, type_node, "surface.type", "unknown type '" + type + "'", kTypes);
-    }
-  } catch (const std::invalid_argument& error) {
-    yaml::fail(
-        file, source, type == "homography" ? "surface.matrix" : "surface.points", error.what(),
-        type == "homography" ? "an invertible, finite 3x3 matrix" : "4 or more points, no line through nearly all");
-  }
-  return result;
 }
 
 }  // namespace horopter

@@ -6,6 +6,7 @@
 #include <random>
 #include <string>
 
+#include "horopter/map_compiler.hpp"
 #include "horopter/monitor.hpp"
 #include "horopter/rtl_device.hpp"
 #include "horopter/skin.hpp"

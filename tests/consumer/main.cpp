@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Supervises a synthetic pair with the installed library: a textured plane on the skin must alarm.
 #include <cstdio>
+#include <horopter/map_compiler.hpp>
 #include <horopter/monitor.hpp>
 #include <horopter/native_device.hpp>
 #include <horopter/report.hpp>

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "horopter/error.hpp"
+#include "horopter/map_compiler.hpp"
 #include "horopter/monitor.hpp"
 #include "horopter/native_device.hpp"
 #include "horopter/registers.hpp"

@@ -9,6 +9,7 @@
 
 #include "horopter/crc32.hpp"
 #include "horopter/error.hpp"
+#include "horopter/map_compiler.hpp"
 #include "horopter/monitor.hpp"
 #include "horopter/native_device.hpp"
 #include "horopter/registers.hpp"

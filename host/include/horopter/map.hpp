@@ -3,6 +3,7 @@
 // thesis 10.4.2). Dense tables are those of spacing 1.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -11,26 +12,11 @@
 
 #include "horopter/image.hpp"
 #include "horopter/profile.hpp"
+#include "horopter/rig_skin.hpp"
+#include "horopter/scan.hpp"
 #include "horopter/skin.hpp"
 
 namespace horopter {
-
-/// Which rows of the full frame a table is for.
-enum class Scan { progressive = 0, even_field = 1, odd_field = 2 };
-
-/// Size of what the hardware is fed with (a frame, or a field), and where it lies in the full frame:
-/// y = 2·y_f + parity for fields. Left and right fields of a pair have the same parity.
-struct ScanGeometry {
-  int width = 0;
-  int height = 0;
-  Scan scan = Scan::progressive;
-
-  int row_step() const { return scan == Scan::progressive ? 1 : 2; }
-  int first_row() const { return scan == Scan::odd_field ? 1 : 0; }
-  Point to_frame(Point scanned) const { return {scanned.x, row_step() * scanned.y + first_row()}; }
-  Point from_frame(Point frame) const { return {frame.x, (frame.y - first_row()) / row_step()}; }
-  friend bool operator==(const ScanGeometry&, const ScanGeometry&) = default;
-};
 
 /// What a profile makes of an image: one geometry, or two for profiles that take fields.
 std::vector<ScanGeometry> scans_of(const MachineProfile& profile, int image_width, int image_height);
@@ -42,7 +28,9 @@ class MapTable {
   /// Fraction bits of an expanded coordinate before it is rounded to the weights: 5 of the control point, 6 + 6 of the
   /// position in the cell.
   static constexpr int kFractionBits = 17;
+  static constexpr int kLargestSpacingLog2 = 6;
 
+  /// All control points unmapped; to be sealed.
   MapTable(ScanGeometry geometry, int spacing_x_log2, int spacing_y_log2);
   /// Checks header, length, control points and CRC. Throws std::invalid_argument. Upload words know no scan.
   MapTable(std::vector<std::uint32_t> words, Scan scan);
@@ -56,14 +44,15 @@ class MapTable {
   std::uint32_t crc() const { return words_.back(); }
   /// Control points only: what the pool must hold.
   std::size_t pool_bytes() const { return (words_.size() - 4) * sizeof(std::uint32_t); }
+  static std::size_t pool_bytes(const ScanGeometry& geometry, int spacing_x_log2, int spacing_y_log2);
 
   std::uint32_t control(int column, int row) const { return words_[index(column, row)]; }
   void set_control(int column, int row, std::uint32_t value) { words_[index(column, row)] = value; }
   /// To be called when the last control point is set.
   void seal();
 
-  /// Nearest control point to a source, or kUnmapped when it is out of the range of -64 … 1983.97 px.
-  static std::uint32_t encode(std::optional<Point> source);
+  /// Nearest control point to a source, or kUnmapped when it is not finite or out of the range of -64 … 1983.97 px.
+  static std::uint32_t encode(Point source);
 
   struct Expanded {
     std::int64_t x = 0;  ///< in 2^-kFractionBits pixels
@@ -110,16 +99,22 @@ struct MapReport {
   RowReach reach;
   int lookahead = 0;
   std::int64_t pixels = 0;
-  std::int64_t supervised = 0;
-  // Unsupervised pixels, by reason (T9). The borders that the filters' windows take are not counted here.
-  std::int64_t outside = 0;    ///< the source lies outside the right image
-  std::int64_t scale = 0;      ///< reduced to less than 1/2: source pixels would be skipped (thesis 7.5)
-  std::int64_t no_source = 0;  ///< beyond the horizon
-  std::int64_t grid = 0;       ///< lost because a control point of the cell is unmapped
+  std::int64_t checked = 0;  ///< pixels compared with the skin: all, or a sample; the shares below follow from them
+  /// Pixels by reason (T9), supervised ones at Reason::none. The borders that the filters' windows take are not
+  /// counted.
+  std::array<std::int64_t, kReasonCount> by_reason{};
   // Distance of the hardware's expansion, before rounding to the weights, from the skin's own mapping.
   double error_99_px = 0;
   double error_largest_px = 0;
-  double rounded_largest_px = 0;  ///< the same after rounding: up to 0.71/2^weight_bits more
+  double rounded_largest_px = 0;  ///< the same after rounding: up to 0.71/2^weight_bits more; of all pixels only
+
+  std::int64_t count(Reason reason) const { return by_reason[static_cast<std::size_t>(reason)]; }
+  std::int64_t supervised() const { return count(Reason::none); }
+  /// Share of the pixels that could be supervised which the grid loses.
+  double lost_share() const {
+    const auto lost = static_cast<double>(count(Reason::grid));
+    return lost > 0 ? lost / (lost + static_cast<double>(supervised())) : 0;
+  }
 };
 
 struct CompiledMap {
@@ -127,39 +122,36 @@ struct CompiledMap {
   MapReport report;
 };
 
-struct MapLimits {
-  double share = 0.99;             ///< of the pixels …
-  double error_px = 1.0 / 16;      ///< … stay within this distance of the skin
-  double largest_error_px = 0.25;  ///< all do
-  double smallest_scale = 0.5;
-};
-
-/// The table of the fewest bytes within the limits. Throws std::runtime_error when the skin needs more rows than the
-/// store holds, or no table within the limits fits the pool.
-CompiledMap compile_map(const Skin& skin, const MachineProfile& profile, const ScanGeometry& geometry,
-                        const MapLimits& limits = {});
-
 /// Tables of one skin for one profile and image size: as many as the profile makes scans of an image.
 struct MapSet {
   std::string profile;
   int image_width = 0;
   int image_height = 0;
   std::string skin;  ///< description, for people
+  std::string rig;   ///< the two cameras, as text of rig.yaml; empty for a skin that needs none
   std::vector<CompiledMap> maps;
 
   /// The LOOKAHEAD that serves all tables.
   int lookahead() const;
+  /// CRC-32 of the rig's text, by which a rig is told from another; 0 without.
+  std::uint32_t rig_crc() const;
 };
-
-/// Throws FileError naming the skin's file.
-MapSet compile_maps(const SkinFile& skin, const MachineProfile& profile, int image_width, int image_height);
 
 /// `.hmap`: versioned header, tables, reports, CRC-32. Throws FileError.
 void save_maps(const MapSet& maps, const std::filesystem::path& path);
 MapSet load_maps(const std::filesystem::path& path);
 
-/// Picture of where each left pixel's source lies: hue by direction and strength by length of the displacement,
-/// unsupervised pixels dark, control points as dots. Interleaved blue, green, red.
+/// Picture of a table, width × height of its scan: unsupervised pixels dark, control points as dots. Colour is where
+/// the source lies, hue by direction and strength by length of the displacement, a line every 8 pixels; or the
+/// thickness of the skin where the rig is known, red at the thinnest to blue at the thickest, a line every 2^(1/4) of
+/// it. Interleaved blue, green, red.
 std::vector<std::uint8_t> draw_map(const MapTable& table, int weight_bits);
+struct ThicknessPicture {
+  std::vector<std::uint8_t> bgr;
+  double thinnest_mm = 0;  ///< NaN without a supervised pixel
+  double thickest_mm = 0;
+};
+/// `tolerance_px`: disparity tolerance D of 11.1, in pixels of the right image.
+ThicknessPicture draw_thickness(const MapTable& table, int weight_bits, const CameraPair& cameras, double tolerance_px);
 
 }  // namespace horopter

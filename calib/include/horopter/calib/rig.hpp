@@ -56,6 +56,9 @@ struct ImportOptions {
 RigFile load_rig(std::span<const std::filesystem::path> files, const ImportOptions& options = {});
 RigFile load_rig(const std::filesystem::path& file, const ImportOptions& options = {});
 
+/// Reads the text of a rig.yaml; `name` stands for the file in errors. Throws FileError.
+Rig rig_from_yaml(const std::string& text, const std::string& name);
+
 /// The text of rig.yaml. All digits of a double survive.
 std::string to_yaml(const Rig& rig);
 

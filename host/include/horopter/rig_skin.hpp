@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Skins from a rig and a surface: undistort left, meet the surface, distort right (T1; thesis 7.1, Fig. 7.1).
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "horopter/calib/rig.hpp"
+#include "horopter/skin.hpp"
+#include "horopter/surface.hpp"
+
+namespace horopter {
+
+/// Lines of sight of left pixels, world coordinates, kept for surfaces that move while the cameras stand.
+struct Rays {
+  std::vector<Eigen::Vector3d> directions;              ///< camera z = 1; NaN where the pixel sees nothing
+  std::vector<Eigen::Matrix<double, 3, 3>> right_view;  ///< direction, and its derivatives by the pixel, right camera
+  std::size_t size() const { return directions.size(); }
+};
+
+/// The two cameras that watch a skin.
+class CameraPair {
+ public:
+  CameraPair(calib::Camera left, calib::Camera right);
+
+  const calib::Camera& left() const { return left_; }
+  const calib::Camera& right() const { return right_; }
+  Rays rays(std::span<const Point> left) const;
+  /// What the pixels of the rays see of a surface that check_cameras accepts. Points of one call are best neighbours.
+  void look(const Surface& surface, const Rays& rays, int row_step, const ViewLimits& limits,
+            std::span<Look> looks) const;
+  /// Thickness of the skin along its own line of sight at a left pixel, mm: from where the source is `tolerance_px`
+  /// nearer along the epipolar line to where it is as much further (2·D in 11.1, without its approximations).
+  /// NaN where the two lines of sight do not determine a distance.
+  double thickness_mm(Point left, Point right, double tolerance_px) const;
+
+ private:
+  calib::Camera left_;
+  calib::Camera right_;
+  Eigen::Vector3d left_centre_;
+  Eigen::Vector3d right_centre_;
+  Eigen::Vector3d between_;  ///< the left camera's centre, in the right camera's coordinates
+};
+
+class RigSkin : public Skin {
+ public:
+  /// Throws std::invalid_argument where the cameras cannot watch the surface.
+  RigSkin(CameraPair cameras, SurfacePtr surface, std::string_view type);
+  void look(std::span<const Point> left, int row_step, const ViewLimits& limits, std::span<Look> looks) const override;
+  std::string_view type() const override { return type_; }
+  std::string description() const override { return surface_->description(); }
+
+ private:
+  CameraPair cameras_;
+  SurfacePtr surface_;
+  std::string type_;
+};
+
+}  // namespace horopter
