@@ -250,7 +250,9 @@ class GridFit {
         });
         if (every_pixel_) continue;
         // Between samples: what the ones around say, of which the last may lie beyond the cell and the image.
-        const auto last = [](int first, int end, int log2) { return ((end - 1 - first + (1 << log2) - 1) >> log2 << log2) + first; };
+        const auto last = [](int first, int end, int log2) {
+          return ((end - 1 - first + (1 << log2) - 1) >> log2 << log2) + first;
+        };
         const int right = last(x0, std::min((column + 1) << nx_, geometry_.width), lattice_.x_log2);
         const int bottom = last(y0, std::min((row + 1) << ny_, geometry_.height), lattice_.y_log2);
         for (int y = y0; y <= bottom; y += 1 << lattice_.y_log2) {
@@ -426,11 +428,15 @@ CompiledMap choose(const MachineProfile& profile, const ScanGeometry& geometry, 
   std::optional<CompiledMap> best;
   std::string nothing;
   const auto attempt = [&](const Spacing& spacing) {
-    GridFit tried = fit(spacing.nx, spacing.ny);
-    if (tried.report().supervised() == 0) nothing = refusal(tried.report());
-    if (tried.report().supervised() == 0 || tried.report().error_99_px > limits.error_px) return false;
-    const bool good = tried.report().lost_share() <= limits.largest_lost_share;
-    if (good || !best || tried.report().lost_share() < best->report.lost_share()) best = tried.take();
+    std::optional<GridFit> tried(fit(spacing.nx, spacing.ny, limits.largest_error_px));
+    // Where creases alone are too far off, giving them up leaves the rest within the limit.
+    if (tried->report().error_99_px > limits.error_px) tried.emplace(fit(spacing.nx, spacing.ny, limits.error_px));
+    const MapReport& report = tried->report();
+    if (report.supervised() == 0) nothing = refusal(report);
+    if (report.supervised() == 0 || report.error_99_px > limits.error_px) return false;
+    const double lost = report.lost_share();
+    const bool good = lost <= limits.largest_lost_share;
+    if (good || !best || lost < best->report.lost_share()) best = tried->take();
     return good;
   };
   const auto precise = [&](const Spacing& s) {
@@ -487,7 +493,10 @@ CompiledMap compile_map(const Skin& skin, const MachineProfile& profile, const S
   // The forecast only sorts out what is far off.
   return choose(
       profile, geometry, limits, Forecast(lattice, geometry),
-      [&](int nx, int ny) { return GridFit(lattice, geometry, nx, ny, profile.weight_bits, limits); }, 4);
+      [&](int nx, int ny, double largest_error_px) {
+        return GridFit(lattice, geometry, nx, ny, profile.weight_bits, limits, largest_error_px);
+      },
+      4);
 }
 
 MapSet compile_maps(const SkinFile& skin, const MachineProfile& profile, int image_width, int image_height) {
@@ -537,14 +546,14 @@ CompiledMap MapCompiler::compile(const Surface& surface) {
   look(surface, kForecastLog2, kForecastLog2, lattice);
   const Forecast forecast(lattice, geometry_);
   const int coarsest = surface.simple() ? kSmoothLog2 : kFeatureLog2;
-  const auto fit = [&](int nx, int ny) {
+  const auto fit = [&](int nx, int ny, double largest_error_px) {
     const int x_log2 = std::min(std::max(nx - 1, 0), coarsest);
     const int y_log2 = std::min(std::max(ny - 1, 0), coarsest);
     if (lattice.x_log2 != x_log2 || lattice.y_log2 != y_log2) {
       look(surface, x_log2, y_log2, lattice);
       if (surface.simple()) keep_clear_of_limits(lattice);
     }
-    return GridFit(lattice, geometry_, nx, ny, profile_.weight_bits, limits_);
+    return GridFit(lattice, geometry_, nx, ny, profile_.weight_bits, limits_, largest_error_px);
   };
   return choose(profile_, geometry_, limits_, forecast, fit, 1);
 }
