@@ -27,6 +27,7 @@ struct Radial {
 Radial radial(const LensCoefficients& c, double r2) {
   const double a = 1 + r2 * (c.k1 + r2 * (c.k2 + r2 * c.k3));
   const double da = c.k1 + r2 * (2 * c.k2 + r2 * 3 * c.k3);
+  if (c.k4 == 0 && c.k5 == 0 && c.k6 == 0) return {a, da};
   const double b = 1 + r2 * (c.k4 + r2 * (c.k5 + r2 * c.k6));
   const double db = c.k4 + r2 * (2 * c.k5 + r2 * 3 * c.k6);
   return {a / b, (da * b - a * db) / (b * b)};

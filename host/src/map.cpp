@@ -83,38 +83,38 @@ std::optional<MapTable::Expanded> MapTable::expand(int x, int y) const {
   const int row = y >> spacing_y_log2_;
   const int fx = (x & ((1 << spacing_x_log2_) - 1)) << (6 - spacing_x_log2_);
   const int fy = (y & ((1 << spacing_y_log2_) - 1)) << (6 - spacing_y_log2_);
-  Expanded sum;
-  for (int right = 0; right < 2; ++right) {
-    const int weight_x = right != 0 ? fx : 64 - fx;
-    if (weight_x == 0) continue;
-    Expanded vertical;
-    for (int bottom = 0; bottom < 2; ++bottom) {
-      const int weight_y = bottom != 0 ? fy : 64 - fy;
-      if (weight_y == 0) continue;
-      const std::uint32_t point = control(column + right, row + bottom);
-      if (point == kUnmapped) return std::nullopt;
-      vertical.x += std::int64_t{point & 0xFFFFU} * weight_y;
-      vertical.y += std::int64_t{point >> 16} * weight_y;
-    }
-    sum.x += vertical.x * weight_x;
-    sum.y += vertical.y * weight_x;
+  // A control point without a weight need not exist.
+  const std::uint32_t top = control(column, row);
+  const std::uint32_t bottom = fy != 0 ? control(column, row + 1) : top;
+  const std::uint32_t top_right = fx != 0 ? control(column + 1, row) : top;
+  const std::uint32_t bottom_right = fx == 0 ? bottom : fy == 0 ? top_right : control(column + 1, row + 1);
+  if (top == kUnmapped || bottom == kUnmapped || top_right == kUnmapped || bottom_right == kUnmapped) {
+    return std::nullopt;
   }
-  constexpr std::int64_t kOffset = std::int64_t{kControlOffset_px} << kFractionBits;
-  return Expanded{sum.x - kOffset, sum.y - kOffset};
+  const auto weigh = [&](auto coordinate) {
+    const int left = coordinate(top) * (64 - fy) + coordinate(bottom) * fy;
+    const int right = coordinate(top_right) * (64 - fy) + coordinate(bottom_right) * fy;
+    return left * (64 - fx) + right * fx - (kControlOffset_px << kFractionBits);
+  };
+  return Expanded{weigh([](std::uint32_t point) { return static_cast<int>(point & 0xFFFFU); }),
+                  weigh([](std::uint32_t point) { return static_cast<int>(point >> 16); })};
+}
+
+std::optional<MapTable::Source> MapTable::round(const Expanded& expanded, int weight_bits) const {
+  const int drop = kFractionBits - weight_bits;
+  const std::int64_t half = std::int64_t{1} << (drop - 1);
+  const std::int64_t x = (expanded.x + half) >> drop;
+  const std::int64_t y = (expanded.y + half) >> drop;
+  if (x < 0 || y < 0 || x > std::int64_t{geometry_.width - 1} << weight_bits ||
+      y > std::int64_t{geometry_.height - 1} << weight_bits) {
+    return std::nullopt;
+  }
+  return Source{static_cast<int>(x), static_cast<int>(y)};
 }
 
 std::optional<MapTable::Source> MapTable::source(int x, int y, int weight_bits) const {
   const auto expanded = expand(x, y);
-  if (!expanded) return std::nullopt;
-  const int drop = kFractionBits - weight_bits;
-  const std::int64_t half = std::int64_t{1} << (drop - 1);
-  const std::int64_t source_x = (expanded->x + half) >> drop;
-  const std::int64_t source_y = (expanded->y + half) >> drop;
-  if (source_x < 0 || source_y < 0 || source_x > std::int64_t{geometry_.width - 1} << weight_bits ||
-      source_y > std::int64_t{geometry_.height - 1} << weight_bits) {
-    return std::nullopt;
-  }
-  return Source{static_cast<int>(source_x), static_cast<int>(source_y)};
+  return expanded ? round(*expanded, weight_bits) : std::nullopt;
 }
 
 std::optional<int> lookahead_for(const MachineProfile& profile, RowReach reach) {

@@ -14,16 +14,13 @@
 namespace horopter {
 
 struct LookLattice {
-  int x_log2 = 0;  ///< a look every 2^x_log2 pixels of the scan …
-  int y_log2 = 0;
-  int columns = 0;  ///< … and as far beyond its edges as control points of any spacing lie
-  int rows = 0;
+  LatticeShape shape;
   std::vector<Look> looks;  ///< with sources in the scan's coordinates
 
   /// At a pixel of the lattice.
   const Look& at(int x, int y) const {
-    return looks[static_cast<std::size_t>(y >> y_log2) * static_cast<std::size_t>(columns) +
-                 static_cast<std::size_t>(x >> x_log2)];
+    return looks[static_cast<std::size_t>(y >> shape.y_log2) * static_cast<std::size_t>(shape.columns) +
+                 static_cast<std::size_t>(x >> shape.x_log2)];
   }
 };
 
@@ -39,19 +36,23 @@ constexpr int kLastTries = 3;
 constexpr double kFraction = 1.0 / (1 << MapTable::kFractionBits);
 
 double distance(double x, double y) { return std::sqrt(x * x + y * y); }
+double distance(Point p) { return distance(p.x, p.y); }
 
 /// Never supervised, wherever the source lies.
 bool is_excluded(Reason reason) { return reason != Reason::none && reason != Reason::outside; }
 
-int lattice_count(int size, int log2) {
-  constexpr int kLargest = 1 << MapTable::kLargestSpacingLog2;
-  return ((size + kLargest - 1) / kLargest * kLargest >> log2) + 1;
+/// As far beyond the image as the control points of a spacing lie.
+int lattice_count(int size, int log2, int spacing_log2) {
+  return ((((size - 1) >> spacing_log2) + 1) << (spacing_log2 - log2)) + 1;
 }
 
-std::vector<Point> lattice_points(const ScanGeometry& geometry, int x_log2, int y_log2) {
+LatticeShape shape_of(const ScanGeometry& geometry, int x_log2, int y_log2, int nx, int ny) {
+  return {x_log2, y_log2, lattice_count(geometry.width, x_log2, nx), lattice_count(geometry.height, y_log2, ny)};
+}
+
+std::vector<Point> lattice_points(const ScanGeometry& geometry, const LatticeShape& shape) {
   std::vector<Point> points;
-  const int columns = lattice_count(geometry.width, x_log2);
-  const int rows = lattice_count(geometry.height, y_log2);
+  const auto [x_log2, y_log2, columns, rows] = shape;
   points.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
@@ -81,15 +82,15 @@ void keep_clear_of_limits(LookLattice& lattice) {
     const float value = std::abs(margin(at - step) - 2 * margin(at) + margin(at + step));
     return std::isnan(value) ? 0.0F : value;  // the border of what is seen: the margin is negative there
   };
-  for (int row = 0; row < lattice.rows; ++row) {
-    for (int column = 0; column < lattice.columns; ++column) {
-      const std::ptrdiff_t columns = lattice.columns;
+  for (int row = 0; row < lattice.shape.rows; ++row) {
+    for (int column = 0; column < lattice.shape.columns; ++column) {
+      const std::ptrdiff_t columns = lattice.shape.columns;
       const std::ptrdiff_t at = row * columns + column;
       Look& look = lattice.looks[static_cast<std::size_t>(at)];
       if (is_excluded(look.reason)) continue;
       // At the lattice's own border the neighbour's; twice what a quadratic needs.
       const std::ptrdiff_t here_x = at + (column == 0 ? 1 : 0) - (column == columns - 1 ? 1 : 0);
-      const std::ptrdiff_t here_y = at + (row == 0 ? columns : 0) - (row == lattice.rows - 1 ? columns : 0);
+      const std::ptrdiff_t here_y = at + (row == 0 ? columns : 0) - (row == lattice.shape.rows - 1 ? columns : 0);
       if (look.margin < 0.25F * (bend(here_x, 1) + bend(here_y, columns))) look.reason = Reason::grid;
     }
   }
@@ -122,10 +123,12 @@ class Forecast {
     }
   }
 
-  /// Share of the pixels, roughly, whose interpolation (the quadratic's, in the middle of a cell) is further off.
+  /// Share of the pixels, roughly, whose interpolation (the quadratic's, in the middle of a cell, 0.6 of it left by
+  /// the control points) is further off.
   double share_beyond(int nx, int ny, double error_px) const {
-    const double across = std::ldexp(1.0 / 8, 2 * (nx - kForecastLog2));
-    const double along = std::ldexp(1.0 / 8, 2 * (ny - kForecastLog2));
+    constexpr double kLeft = 0.6;
+    const double across = std::ldexp(kLeft / 8, 2 * (nx - kForecastLog2));
+    const double along = std::ldexp(kLeft / 8, 2 * (ny - kForecastLog2));
     const auto beyond = std::ranges::count_if(bends_, [&](const Bend& bend) {
       return distance(bend.x.x * across + bend.y.x * along, bend.x.y * across + bend.y.y * along) > error_px;
     });
@@ -160,12 +163,13 @@ class GridFit {
         nx_(nx),
         ny_(ny),
         weight_bits_(weight_bits),
-        every_pixel_(lattice.x_log2 == 0 && lattice.y_log2 == 0),
+        every_pixel_(lattice.shape.x_log2 == 0 && lattice.shape.y_log2 == 0),
         table_(geometry, nx, ny),
         cell_columns_(table_.columns() - 1),
         cell_rows_(((geometry.height - 1) >> ny) + 1),
         cells_(static_cast<std::size_t>(cell_columns_) * static_cast<std::size_t>(cell_rows_)) {
     set_controls();
+    centre_errors();
     find_bad();
     give_up_bad();
     measure();
@@ -187,10 +191,10 @@ class GridFit {
     float error = 0;  ///< largest of its samples
   };
 
-  Cell& cell(int column, int row) {
-    return cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(cell_columns_) +
-                  static_cast<std::size_t>(column)];
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(cell_columns_) + static_cast<std::size_t>(column);
   }
+  Cell& cell(int column, int row) { return cells_[index(column, row)]; }
   bool mapped(int column, int row) const { return table_.control(column, row) != MapTable::kUnmapped; }
   bool mapped_cell(int column, int row) const {
     return mapped(column, row) && mapped(column + 1, row) && mapped(column, row + 1) && mapped(column + 1, row + 1);
@@ -198,10 +202,52 @@ class GridFit {
 
   void set_controls() {
     // The last row of a pair may have no pixels above it, and then no look.
-    const int rows = std::min(table_.rows(), ((lattice_.rows - 1) << lattice_.y_log2 >> ny_) + 1);
+    const int rows = std::min(table_.rows(), ((lattice_.shape.rows - 1) << lattice_.shape.y_log2 >> ny_) + 1);
     for (int row = 0; row < rows; ++row) {
       for (int column = 0; column < table_.columns(); ++column) {
         table_.set_control(column, row, MapTable::encode(lattice_.at(column << nx_, row << ny_).source));
+      }
+    }
+  }
+
+  /// Between exact control points a smooth map errs to one side, most in the middle of the cell; half of that error
+  /// given to the control points leaves half of it. Only as far as all cells around a control point agree.
+  void centre_errors() {
+    if (nx_ == 0 && ny_ == 0) return;
+    const Point none{0, 0};
+    std::vector<Point> middles(cells_.size(), Point{std::nan(""), std::nan("")});  // NaN: no cell
+    for (int row = 0; row < cell_rows_; ++row) {
+      for (int column = 0; column < cell_columns_; ++column) {
+        const int x = (column << nx_) + (1 << nx_ >> 1);
+        const int y = (row << ny_) + (1 << ny_ >> 1);
+        const auto expanded = mapped_cell(column, row) ? table_.expand(x, y) : std::nullopt;
+        if (!expanded) continue;
+        const Look& look = lattice_.at(x, y);
+        const Point error = error_of(*expanded, look);
+        // What is too far off to be mended by half is a crease, or no part of the skin.
+        const bool smooth = !is_excluded(look.reason) && distance(error) <= 2 * limits_.largest_error_px;
+        middles[index(column, row)] = smooth ? error : none;
+      }
+    }
+    const auto agreed = [](double a, double b) {
+      if (std::isnan(a) || std::isnan(b)) return std::isnan(a) ? b : a;
+      if (std::signbit(a) != std::signbit(b)) return 0.0;
+      return std::abs(a) < std::abs(b) ? a : b;
+    };
+    for (int row = 0; row <= cell_rows_; ++row) {
+      for (int column = 0; column < table_.columns(); ++column) {
+        if (!mapped(column, row)) continue;
+        Point error{std::nan(""), std::nan("")};
+        for (int r = std::max(0, row - 1); r <= std::min(row, cell_rows_ - 1); ++r) {
+          for (int c = std::max(0, column - 1); c <= std::min(column, cell_columns_ - 1); ++c) {
+            const Point& middle = middles[index(c, r)];
+            error = {agreed(error.x, middle.x), agreed(error.y, middle.y)};
+          }
+        }
+        if (std::isnan(error.x)) continue;
+        const Point exact = lattice_.at(column << nx_, row << ny_).source;
+        const auto centred = MapTable::encode({exact.x - 0.5 * error.x, exact.y - 0.5 * error.y});
+        if (centred != MapTable::kUnmapped) table_.set_control(column, row, centred);
       }
     }
   }
@@ -211,8 +257,8 @@ class GridFit {
   void for_samples(int column, int row, Visit visit) const {
     const int right = std::min((column + 1) << nx_, geometry_.width);
     const int bottom = std::min((row + 1) << ny_, geometry_.height);
-    for (int y = row << ny_; y < bottom; y += 1 << lattice_.y_log2) {
-      for (int x = column << nx_; x < right; x += 1 << lattice_.x_log2) visit(x, y, lattice_.at(x, y));
+    for (int y = row << ny_; y < bottom; y += 1 << lattice_.shape.y_log2) {
+      for (int x = column << nx_; x < right; x += 1 << lattice_.shape.x_log2) visit(x, y, lattice_.at(x, y));
     }
   }
 
@@ -223,9 +269,8 @@ class GridFit {
            e.y < (std::int64_t{geometry_.height - 1} << MapTable::kFractionBits) + half;
   }
 
-  static double error_of(const MapTable::Expanded& e, const Look& look) {
-    return distance(static_cast<double>(e.x) * kFraction - look.source.x,
-                    static_cast<double>(e.y) * kFraction - look.source.y);
+  static Point error_of(const MapTable::Expanded& e, const Look& look) {
+    return {static_cast<double>(e.x) * kFraction - look.source.x, static_cast<double>(e.y) * kFraction - look.source.y};
   }
 
   void find_bad() {
@@ -237,7 +282,7 @@ class GridFit {
         for_samples(column, row, [&](int x, int y, const Look& look) {
           const auto expanded = table_.expand(x, y);
           if (!expanded || !reads_inside(*expanded)) return;
-          const double error = error_of(*expanded, look);
+          const double error = distance(error_of(*expanded, look));
           // A source just outside may be expanded to one just inside; one without a place has no error that is small.
           const bool bad = is_excluded(look.reason) || !(error <= largest_error_px_);
           if (!bad) {
@@ -253,10 +298,10 @@ class GridFit {
         const auto last = [](int first, int end, int log2) {
           return ((end - 1 - first + (1 << log2) - 1) >> log2 << log2) + first;
         };
-        const int right = last(x0, std::min((column + 1) << nx_, geometry_.width), lattice_.x_log2);
-        const int bottom = last(y0, std::min((row + 1) << ny_, geometry_.height), lattice_.y_log2);
-        for (int y = y0; y <= bottom; y += 1 << lattice_.y_log2) {
-          for (int x = x0; x <= right; x += 1 << lattice_.x_log2) {
+        const int right = last(x0, std::min((column + 1) << nx_, geometry_.width), lattice_.shape.x_log2);
+        const int bottom = last(y0, std::min((row + 1) << ny_, geometry_.height), lattice_.shape.y_log2);
+        for (int y = y0; y <= bottom; y += 1 << lattice_.shape.y_log2) {
+          for (int x = x0; x <= right; x += 1 << lattice_.shape.x_log2) {
             if (!is_excluded(lattice_.at(x, y).reason)) continue;
             c.rest = c.rest || right > x0 || bottom > y0;
             c.left = c.left || (x == x0 && bottom > y0);
@@ -319,7 +364,8 @@ class GridFit {
         bool supervised = false;
         for_samples(column, row, [&](int x, int y, const Look& look) {
           ++report_.checked;
-          const auto source = table_.source(x, y, weight_bits_);
+          const auto expanded = table_.expand(x, y);
+          const auto source = expanded ? table_.round(*expanded, weight_bits_) : std::nullopt;
           if (!source) {
             const Reason reason = look.reason == Reason::none ? Reason::grid : look.reason;
             ++report_.by_reason[static_cast<std::size_t>(reason)];
@@ -328,7 +374,7 @@ class GridFit {
           supervised = true;
           ++report_.by_reason[static_cast<std::size_t>(Reason::none)];
           if (!every_pixel_) return;
-          errors.push_back(static_cast<float>(error_of(*table_.expand(x, y), look)));
+          errors.push_back(static_cast<float>(distance(error_of(*expanded, look))));
           const double rounded = distance(std::ldexp(source->x, -weight_bits_) - look.source.x,
                                           std::ldexp(source->y, -weight_bits_) - look.source.y);
           report_.rounded_largest_px = std::max(report_.rounded_largest_px, rounded);
@@ -427,35 +473,32 @@ CompiledMap choose(const MachineProfile& profile, const ScanGeometry& geometry, 
   const std::vector<Spacing> spacings = spacings_of(geometry, limits.largest_spacing_log2, largest);
   std::optional<CompiledMap> best;
   std::string nothing;
-  const auto attempt = [&](const Spacing& spacing) {
-    std::optional<GridFit> tried(fit(spacing.nx, spacing.ny, limits.largest_error_px));
-    // Where creases alone are too far off, giving them up leaves the rest within the limit.
-    if (tried->report().error_99_px > limits.error_px) tried.emplace(fit(spacing.nx, spacing.ny, limits.error_px));
-    const MapReport& report = tried->report();
+  const auto attempt = [&](const Spacing& spacing, double largest_error_px) {
+    GridFit tried = fit(spacing.nx, spacing.ny, largest_error_px);
+    const MapReport& report = tried.report();
     if (report.supervised() == 0) nothing = refusal(report);
     if (report.supervised() == 0 || report.error_99_px > limits.error_px) return false;
     const double lost = report.lost_share();
     const bool good = lost <= limits.largest_lost_share;
-    if (good || !best || lost < best->report.lost_share()) best = tried->take();
+    if (good || !best || lost < best->report.lost_share()) best = tried.take();
     return good;
   };
   const auto precise = [&](const Spacing& s) {
     return forecast.share_beyond(s.nx, s.ny, limits.error_px * margin) <= (1 - limits.share) * margin;
   };
-  bool good = false;
-  for (const Spacing& spacing : spacings) {
-    if (!precise(spacing)) continue;
-    if (forecast.lost_share(spacing.nx, spacing.ny) > limits.largest_lost_share * 2 * margin) continue;
-    good = attempt(spacing);
-    if (good) break;
-  }
+  const auto likely = [&](const Spacing& s) {
+    return forecast.lost_share(s.nx, s.ny) <= limits.largest_lost_share * 2 * margin && precise(s);
+  };
+  const bool good =
+      std::ranges::any_of(spacings, [&](const Spacing& s) { return likely(s) && attempt(s, limits.largest_error_px); });
   if (!good) {
-    std::vector<Spacing> last = spacings;
-    std::ranges::sort(last, {},
-                      [&](const Spacing& s) { return forecast.lost_share(s.nx, s.ny) + (precise(s) ? 0 : 1); });
+    std::vector<std::pair<double, Spacing>> last;
+    for (const Spacing& s : spacings) last.emplace_back(forecast.lost_share(s.nx, s.ny) + (precise(s) ? 0 : 1), s);
+    std::ranges::stable_sort(last, {}, &std::pair<double, Spacing>::first);
     last.resize(std::min<std::size_t>(last.size(), kLastTries));
-    for (const Spacing& spacing : last) {
-      if (attempt(spacing)) break;
+    // Where creases, or the border of what is seen, keep too many pixels off, the grid loses them all.
+    for (const double largest_error_px : {limits.largest_error_px, limits.error_px}) {
+      if (std::ranges::any_of(last, [&](const auto& s) { return attempt(s.second, largest_error_px); })) break;
     }
   }
   if (!best && !nothing.empty()) throw std::runtime_error(nothing);
@@ -481,13 +524,14 @@ CompiledMap choose(const MachineProfile& profile, const ScanGeometry& geometry, 
 
 CompiledMap compile_map(const Skin& skin, const MachineProfile& profile, const ScanGeometry& geometry,
                         const MapLimits& limits) {
-  LookLattice lattice{0, 0, lattice_count(geometry.width, 0), lattice_count(geometry.height, 0), {}};
-  const std::vector<Point> points = lattice_points(geometry, 0, 0);
+  LookLattice lattice{shape_of(geometry, 0, 0, MapTable::kLargestSpacingLog2, MapTable::kLargestSpacingLog2), {}};
+  const std::vector<Point> points = lattice_points(geometry, lattice.shape);
   lattice.looks.resize(points.size());
   // Row by row: lines of sight of a whole frame would take more memory than the looks.
-  for (std::size_t first = 0; first < points.size(); first += static_cast<std::size_t>(lattice.columns)) {
-    skin.look(std::span(points).subspan(first, static_cast<std::size_t>(lattice.columns)), geometry.row_step(),
-              limits.view, std::span(lattice.looks).subspan(first, static_cast<std::size_t>(lattice.columns)));
+  const auto row = static_cast<std::size_t>(lattice.shape.columns);
+  for (std::size_t first = 0; first < points.size(); first += row) {
+    skin.look(std::span(points).subspan(first, row), geometry.row_step(), limits.view,
+              std::span(lattice.looks).subspan(first, row));
   }
   settle(geometry, lattice);
   // The forecast only sorts out what is far off.
@@ -526,15 +570,10 @@ MapCompiler::MapCompiler(CameraPair cameras, const MachineProfile& profile, cons
                          const MapLimits& limits)
     : cameras_(std::move(cameras)), profile_(profile), geometry_(geometry), limits_(limits) {}
 
-void MapCompiler::look(const Surface& surface, int x_log2, int y_log2, LookLattice& lattice) {
-  auto rays = rays_.find({x_log2, y_log2});
-  if (rays == rays_.end()) {
-    rays = rays_.emplace(std::pair{x_log2, y_log2}, cameras_.rays(lattice_points(geometry_, x_log2, y_log2))).first;
-  }
-  lattice.x_log2 = x_log2;
-  lattice.y_log2 = y_log2;
-  lattice.columns = lattice_count(geometry_.width, x_log2);
-  lattice.rows = lattice_count(geometry_.height, y_log2);
+void MapCompiler::look(const Surface& surface, const LatticeShape& shape, LookLattice& lattice) {
+  auto rays = rays_.find(shape);
+  if (rays == rays_.end()) rays = rays_.emplace(shape, cameras_.rays(lattice_points(geometry_, shape))).first;
+  lattice.shape = shape;
   lattice.looks.resize(rays->second.size());
   cameras_.look(surface, rays->second, geometry_.row_step(), limits_.view, lattice.looks);
   settle(geometry_, lattice);
@@ -543,14 +582,15 @@ void MapCompiler::look(const Surface& surface, int x_log2, int y_log2, LookLatti
 CompiledMap MapCompiler::compile(const Surface& surface) {
   surface.check_cameras(cameras_.left().world_to_camera.centre(), cameras_.right().world_to_camera.centre());
   LookLattice lattice;
-  look(surface, kForecastLog2, kForecastLog2, lattice);
+  look(surface, shape_of(geometry_, kForecastLog2, kForecastLog2, kForecastLog2, kForecastLog2), lattice);
   const Forecast forecast(lattice, geometry_);
   const int coarsest = surface.simple() ? kSmoothLog2 : kFeatureLog2;
   const auto fit = [&](int nx, int ny, double largest_error_px) {
     const int x_log2 = std::min(std::max(nx - 1, 0), coarsest);
     const int y_log2 = std::min(std::max(ny - 1, 0), coarsest);
-    if (lattice.x_log2 != x_log2 || lattice.y_log2 != y_log2) {
-      look(surface, x_log2, y_log2, lattice);
+    const LatticeShape shape = shape_of(geometry_, x_log2, y_log2, nx, ny);
+    if (shape != lattice.shape) {
+      look(surface, shape, lattice);
       if (surface.simple()) keep_clear_of_limits(lattice);
     }
     return GridFit(lattice, geometry_, nx, ny, profile_.weight_bits, limits_, largest_error_px);

@@ -61,7 +61,7 @@ void CameraPair::look(const Surface& surface, const Rays& rays, int row_step, co
   const double largest_stretch_allowed = 1 / limits.smallest_scale;
   const Matrix3d& to_right = right_.world_to_camera.rotation;
   const bool search_hidden = !surface.simple();
-  Vector2d lens_shift = Vector2d::Zero();
+  calib::CameraModel::LensPlace lens_place;
   for (std::size_t first = 0; first < rays.size(); first += kChunk) {
     const std::size_t count = std::min(kChunk, rays.size() - first);
     const auto directions = std::span(rays.directions).subspan(first, count);
@@ -86,7 +86,7 @@ void CameraPair::look(const Surface& surface, const Rays& rays, int row_step, co
       const double over_z = 1 / point.z();
       const Vector2d normalised = point.head<2>() * over_z;
       Matrix2d lens;
-      const auto pixel = right_.model.distort_near(normalised, lens_shift, &lens);
+      const auto pixel = right_.model.distort_near(normalised, lens_place, &lens);
       if (!pixel) continue;
       look.source = {pixel->x(), pixel->y()};
 

@@ -252,6 +252,34 @@ class Mesh : public Surface {
 
 }  // namespace
 
+TriangleMesh height_field(const Vector3d& origin_mm, const Eigen::Vector2d& step_mm,
+                          const std::vector<std::vector<double>>& heights_mm) {
+  if (!(step_mm.cwiseAbs().minCoeff() > 0)) throw std::invalid_argument("the steps of a height field are not 0");
+  if (heights_mm.size() < 2 || heights_mm[0].size() < 2) {
+    throw std::invalid_argument("a height field has 2 or more rows of 2 or more heights");
+  }
+  TriangleMesh mesh;
+  const std::size_t columns = heights_mm[0].size();
+  for (std::size_t row = 0; row < heights_mm.size(); ++row) {
+    if (heights_mm[row].size() != columns) throw std::invalid_argument("rows of a height field have one length");
+    for (std::size_t column = 0; column < columns; ++column) {
+      mesh.vertices_mm.emplace_back(origin_mm + Vector3d(static_cast<double>(column) * step_mm.x(),
+                                                         static_cast<double>(row) * step_mm.y(),
+                                                         heights_mm[row][column]));
+    }
+  }
+  for (std::size_t row = 0; row + 1 < heights_mm.size(); ++row) {
+    for (std::size_t column = 0; column + 1 < columns; ++column) {
+      const auto at = static_cast<std::uint32_t>(row * columns + column);
+      const auto below = static_cast<std::uint32_t>(at + columns);
+      mesh.triangles.push_back({at, at + 1, below + 1});
+      mesh.triangles.push_back({at, below + 1, below});
+    }
+  }
+  mesh.open = true;
+  return mesh;
+}
+
 SurfacePtr make_mesh(TriangleMesh mesh) { return std::make_shared<Mesh>(mesh); }
 
 }  // namespace horopter

@@ -22,7 +22,6 @@ using Eigen::Vector3d;
 
 constexpr int kWidth = 160;
 constexpr int kHeight = 96;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// What the reference knows of a surface: the first meeting beyond a distance.
 struct Reference {
@@ -232,8 +231,21 @@ Shape shape_of(const std::string& type, double z, std::mt19937& random) {
   }
   if (type == "box") {
     const Vector3d half(uniform(100, 200), uniform(100, 200), 150);
-    return {make_box(pose, 2 * half),
-            body([=](const Vector3d& p) { return ((pose.inverse() * p).cwiseAbs() - half).maxCoeff(); })};
+    TriangleMesh mesh;
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vector3d sign(corner % 2 * 2 - 1, corner / 2 % 2 * 2 - 1, corner / 4 * 2 - 1);
+      mesh.vertices_mm.emplace_back(pose * half.cwiseProduct(sign));
+    }
+    for (const auto& [a, b, c, d] : {std::array{0U, 2U, 3U, 1U},
+                                     {4U, 5U, 7U, 6U},
+                                     {0U, 1U, 5U, 4U},
+                                     {2U, 6U, 7U, 3U},
+                                     {0U, 4U, 6U, 2U},
+                                     {1U, 3U, 7U, 5U}}) {
+      mesh.triangles.push_back({a, b, c});
+      mesh.triangles.push_back({a, c, d});
+    }
+    return {make_box(pose, 2 * half), triangles(mesh, false)};
   }
   if (type == "capsules" || type == "union") {
     const std::vector<Capsule> capsules{{{-150, 60, z + 60}, {0, -60, z + 30}, 40},
@@ -428,7 +440,7 @@ TEST_CASE("What is no skin is refused, with the reason") {
   CHECK_THROWS_WITH(RigSkin(cameras, make_plane({0, 0, 0}, {1, 0, 0}), ""), Catch::Contains("same side"));
   CHECK_THROWS_WITH(compile_map(RigSkin(cameras, make_plane({0, 0, -10}, {0, 0, 1}), ""), vga(), kScan),
                     Catch::Contains("no pixel is supervised"));
-  CHECK_THROWS_WITH(compile_map(RigSkin(cameras, make_plane({0, 0, 800}, {1, 0, 0.05}), ""), vga(), kScan),
+  CHECK_THROWS_WITH(compile_map(RigSkin(cameras, make_plane({0, 0, 800}, {0, 1, 0.05}), ""), vga(), kScan),
                     Catch::Contains("no pixel is supervised") && Catch::Contains("normal"));
 }
 
@@ -487,7 +499,41 @@ TEST_CASE("Meshes are read from PLY, STL and OBJ") {
     CHECK_NOTHROW(make_mesh(mesh));
   }
   CHECK_THROWS_AS(read_mesh(directory / "none.ply", 1), FileError);
-  CHECK_THROWS_AS(read_mesh(directory.write("cut.ply", ply.substr(0, 200)), 1), FileError);
+  const auto refuses_cuts = [&](const char* name, const std::string& text, std::size_t longest) {
+    CAPTURE(name);
+    for (std::size_t length = 1; length <= longest; ++length) {
+      CAPTURE(length);
+      REQUIRE_THROWS_AS(read_mesh(directory.write(name, text.substr(0, length)), 1), FileError);
+    }
+  };
+  refuses_cuts("cut.ply", ply, ply.size() - 2);
+  refuses_cuts("cut.stl", stl, stl.size() - 4);
+  const auto bytes = [](auto value) { return std::string(reinterpret_cast<const char*>(&value), sizeof(value)); };
+  std::string binary_ply = ply.substr(0, ply.find("end_header")) + "end_header\n";
+  binary_ply.replace(binary_ply.find("ascii"), 5, "binary_little_endian");
+  for (const float value : {0.F, 0.F, 1.F, 1.F, 0.F, 1.F, 1.F, 1.F, 1.F, 0.F, 1.F, 1.F}) binary_ply += bytes(value);
+  for (const std::array<int, 3>& face : {std::array{0, 1, 2}, {0, 2, 3}}) {
+    binary_ply += '\3';
+    for (const int corner : face) binary_ply += bytes(corner);
+  }
+  std::string binary_stl = std::string(80, ' ') + bytes(std::uint32_t{1});
+  for (const float value : {0.F, 0.F, 1.F, 0.F, 0.F, 1.F, 1.F, 0.F, 1.F, 1.F, 1.F, 1.F}) binary_stl += bytes(value);
+  binary_stl += bytes(std::uint16_t{0});
+  CHECK(read_mesh(directory.write("s.ply", binary_ply), 1).triangles.size() == 2);
+  CHECK(read_mesh(directory.write("s.stl", binary_stl), 1).triangles.size() == 1);
+  refuses_cuts("cut.ply", binary_ply, binary_ply.size() - 1);
+  refuses_cuts("cut.stl", binary_stl, binary_stl.size() - 1);
+  const auto error = [&](const char* name, const std::string& text) -> std::string {
+    try {
+      read_mesh(directory.write(name, text), 1);
+    } catch (const FileError& e) {
+      return e.what();
+    }
+    return {};
+  };
+  CHECK_THAT(error("bad.obj", obj + "f 1 2 9\n"), Catch::Contains("line 6") && Catch::Contains("vertex 8"));
+  CHECK_THAT(error("bad.obj", obj + "f 1 3 2 4\n"), Catch::Contains("line 6") && Catch::Contains("convex"));
+  CHECK_THAT(error("bad.ply", ply + "1\n"), Catch::Contains("more than the header announces"));
   CHECK_THROWS_AS(read_mesh(directory.write("s.txt", obj), 1), FileError);
 }
 

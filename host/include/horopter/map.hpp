@@ -65,7 +65,9 @@ class MapTable {
     int x = 0;  ///< in 2^-weight_bits pixels
     int y = 0;
   };
-  /// The source that the hardware reads, rounded half up to the weights; nothing when unmapped or outside the image.
+  /// Rounded half up to the weights; nothing outside the image.
+  std::optional<Source> round(const Expanded& expanded, int weight_bits) const;
+  /// The source that the hardware reads: expanded and rounded; nothing when unmapped or outside the image.
   std::optional<Source> source(int x, int y, int weight_bits) const;
 
  private:

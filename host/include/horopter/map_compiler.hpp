@@ -2,8 +2,8 @@
 // From a skin to its mapping table: the coarsest grid whose expansion stays within a bound (T10).
 #pragma once
 
+#include <compare>
 #include <map>
-#include <utility>
 #include <vector>
 
 #include "horopter/map.hpp"
@@ -30,7 +30,13 @@ CompiledMap compile_map(const Skin& skin, const MachineProfile& profile, const S
 /// Throws FileError naming the skin's file.
 MapSet compile_maps(const SkinFile& skin, const MachineProfile& profile, int image_width, int image_height);
 
-/// What the compiler knows of the looks on a lattice of left pixels.
+/// Left pixels that are looked at: every 2^x_log2-th of 2^y_log2-th rows, and as far beyond the image as control points
+/// lie.
+struct LatticeShape {
+  int x_log2 = 0, y_log2 = 0;
+  int columns = 0, rows = 0;
+  friend auto operator<=>(const LatticeShape&, const LatticeShape&) = default;
+};
 struct LookLattice;
 
 /// The same for skins that move while the cameras stand, a thousand tables a second. The lines of sight are computed
@@ -47,13 +53,13 @@ class MapCompiler {
   CompiledMap compile(const Surface& surface);
 
  private:
-  void look(const Surface& surface, int x_log2, int y_log2, LookLattice& lattice);
+  void look(const Surface& surface, const LatticeShape& shape, LookLattice& lattice);
 
   CameraPair cameras_;
   const MachineProfile& profile_;
   ScanGeometry geometry_;
   MapLimits limits_;
-  std::map<std::pair<int, int>, Rays> rays_;  ///< by the binary logarithms of the lattice's steps
+  std::map<LatticeShape, Rays> rays_;
 };
 
 }  // namespace horopter

@@ -77,7 +77,9 @@ struct TriangleMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise seen from outside
   bool open = false;                                    ///< its borders are meant
 };
-/// PLY, STL or OBJ; vertices at the same place become one. Throws std::runtime_error for files that cannot be read.
+/// PLY or STL, text or binary, or OBJ, of triangles and convex polygons; vertices at the same place become one. Throws
+/// FileError, with the place, for a file that is not complete; of OBJ, which announces nothing, only what is damaged
+/// shows, or leaves a hole.
 TriangleMesh read_mesh(const std::filesystem::path& path, double unit_mm);
 /// Heights above (x, y) = origin + (column, row)·step, in rows; ≥ 2 × 2.
 TriangleMesh height_field(const Eigen::Vector3d& origin_mm, const Eigen::Vector2d& step_mm,

@@ -83,9 +83,14 @@ class CameraModel {
   std::optional<Eigen::Vector2d> undistort(const Eigen::Vector2d& pixel, Eigen::Matrix2d* jacobian = nullptr) const;
   /// The pixel that sees undistorted (x/z, y/z). Nothing where no pixel does: the limit of the lens model.
   std::optional<Eigen::Vector2d> distort(const Eigen::Vector2d& normalised, Eigen::Matrix2d* jacobian = nullptr) const;
-  /// The same, to 1e-6 px and several times faster, for a sequence of points that lie near each other. `shift` is kept
-  /// from call to call, and starts at zero.
-  std::optional<Eigen::Vector2d> distort_near(const Eigen::Vector2d& normalised, Eigen::Vector2d& shift,
+  /// A place in the lens map's plane, before and after the map, and the slope of the map's inverse there.
+  struct LensPlace {
+    Eigen::Vector2d distorted = Eigen::Vector2d::Zero(), undistorted = Eigen::Vector2d::Zero();
+    Eigen::Matrix2d slope = Eigen::Matrix2d::Identity();
+  };
+  /// The same, to 1e-6 px and several times faster, for a sequence of points that lie near each other. `last` is kept
+  /// from call to call.
+  std::optional<Eigen::Vector2d> distort_near(const Eigen::Vector2d& normalised, LensPlace& last,
                                               Eigen::Matrix2d* jacobian = nullptr) const;
   /// The pixel that sees a point in camera coordinates. Nothing behind the camera and beyond the limit.
   std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& point_mm) const;
