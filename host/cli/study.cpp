@@ -9,6 +9,7 @@
 #include <string>
 
 #include "commands.hpp"
+#include "horopter/engines.hpp"
 
 namespace horopter::cli {
 namespace {
@@ -28,13 +29,14 @@ ExitStatus study(const StudyOptions& options, Study run) {
   result["quick"] = options.scope.quick;
   directory.write("summary.json", result.dump(2) + "\n");
   directory.commit();
+  const auto status = result.value("frames_different", 0) == 0 ? ExitStatus::done : ExitStatus::check_failed;
   if (options.json) {
     std::puts(result.dump(2).c_str());
-    return ExitStatus::done;
+    return status;
   }
   for (const auto& line : result.at("findings")) fmt::print("{}\n", line.get<std::string>());
   fmt::print("Tables and plots are in {}\n", options.out);
-  return ExitStatus::done;
+  return status;
 }
 
 }  // namespace
@@ -52,11 +54,24 @@ void add_study(CLI::App& app, Outcome& outcome) {
     one->add_flag("--quick", options->scope.quick, "Fewer images, methods and runs: to see that all is well");
     one->add_flag("--json", options->json, "Print summary.json on standard output, and nothing else");
     one->callback([options, run, &outcome] { outcome.status = study(*options, run); });
+    return std::pair(one, options);
   };
   add("edges", "Sub-pixel edge estimators on simulated edges: position, blur, noise, points per edge (6.7)",
       study_edges);
   add("calibration", "Calibration with a rendered rig: NCE, image error, Cramer-Rao bound (6.8, 6.9)",
       study_calibration);
+  const auto [board, options] =
+      add("board", "A skin in mm on photographs of a chessboard, calibrated on the others, moved through the board",
+          study_board);
+  options->scope.engines = engine_names();
+  board->add_option("--data", options->scope.data, "Directory with left01.jpg … right14.jpg")
+      ->capture_default_str()
+      ->type_name("DIR");
+  board->add_option("--engines", options->scope.engines, "Engines, which must see the same")
+      ->capture_default_str()
+      ->check(CLI::IsMember(engine_names()))
+      ->delimiter(',')
+      ->type_name("LIST");
 }
 
 }  // namespace horopter::cli

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "horopter/output.hpp"
 
@@ -13,11 +14,16 @@ namespace horopter::cli {
 struct StudyScope {
   std::uint64_t seed = 1;  ///< of the noise
   bool quick = false;      ///< about a tenth of the images, methods and runs: to see that all is well
+  std::string data = "/usr/share/doc/opencv-doc/examples/data";  ///< photographs of studies that take some
+  std::vector<std::string> engines;                              ///< that must agree
 };
 
 /// Sub-pixel edge estimators on simulated edges (thesis 6.7).
 nlohmann::json study_edges(OutputDirectory& directory, const StudyScope& scope);
 /// Calibration with a rendered rig (thesis 6.8, 6.9).
 nlohmann::json study_calibration(OutputDirectory& directory, const StudyScope& scope);
+
+/// A skin in millimetres on photographs of a chessboard, moved through it (10.4, 11.2).
+nlohmann::json study_board(OutputDirectory& directory, const StudyScope& scope);
 
 }  // namespace horopter::cli

@@ -2,6 +2,9 @@
 #include "horopter/engines.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 #include "horopter/error.hpp"
 #include "horopter/native_device.hpp"
@@ -23,12 +26,16 @@ std::vector<Engine>& engines() {
 
 void register_engine(std::string_view name, DeviceFactory factory) { engines().push_back({name, factory}); }
 
+std::vector<std::string> engine_names() {
+  std::vector<std::string> names;
+  for (const Engine& engine : engines()) names.emplace_back(engine.name);
+  return names;
+}
+
 std::unique_ptr<Device> make_device(std::string_view engine, const MachineProfile& profile) {
-  std::string names;
-  for (const Engine& candidate : engines()) {
-    if (candidate.name == engine) return candidate.make(profile);
-    names += (names.empty() ? "" : ", ") + std::string(candidate.name);
-  }
+  const auto found = std::ranges::find(engines(), engine, &Engine::name);
+  if (found != engines().end()) return found->make(profile);
+  const std::string names = fmt::format("{}", fmt::join(engine_names(), ", "));
   if (engine == "rtl") {
     throw UsageError("this build has no engine 'rtl': it was configured with HOROPTER_COSIM=OFF; there is: " + names);
   }

@@ -59,8 +59,10 @@ class Builder {
     const auto at = [&](std::size_t i) -> const Vector3d& { return mesh_.vertices_mm[polygon[i % polygon.size()]]; };
     Vector3d normal = Vector3d::Zero();
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i) normal += (at(i) - at(0)).cross(at(i + 1) - at(0));
+    const double area = normal.squaredNorm();
     for (std::size_t i = 0; polygon.size() > 3 && i < polygon.size(); ++i) {
-      if (normal.dot((at(i + 1) - at(i)).cross(at(i + 2) - at(i + 1))) < -1e-6 * normal.squaredNorm()) {
+      const double turn = normal.dot((at(i + 1) - at(i)).cross(at(i + 2) - at(i + 1)));
+      if (!(area > 0) || turn < -1e-6 * area) {
         fail(place, "a polygon that is not convex", "triangles, or convex polygons");
       }
     }
