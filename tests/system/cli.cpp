@@ -175,10 +175,12 @@ TEST_CASE("A fault of a frame is exit status 4, with the results written") {
   CHECK(fs::exists(box / "out/frame-0001-state.png"));
 }
 
-TEST_CASE("A skin that the right camera does not see is a fault, not safe") {
+TEST_CASE("A skin that the right camera hardly sees is a fault, not safe; one that it does not see is refused") {
   Sandbox box;
   with_pairs(box);
-  box.write("far.yaml", "surface:\n  type: homography\n  matrix: [[1, 0, 0], [0, 1, 400], [0, 0, 1]]\n");
+  box.write("none.yaml", "surface:\n  type: homography\n  matrix: [[1, 0, 0], [0, 1, 400], [0, 0, 1]]\n");
+  check_bad_file(box, run_arguments("left0.png", "right0.png", "none.yaml"), "none.yaml", "no pixel is supervised");
+  box.write("far.yaml", "surface:\n  type: homography\n  matrix: [[1, 0, 196], [0, 1, 0], [0, 0, 1]]\n");
   const auto result = box.run(run_arguments("left0.png", "right0.png", "far.yaml"));
   CHECK(result.status == 4);
   CHECK_THAT(box.read("out/summary.json"), Catch::Contains("too_unsupervised"));
@@ -322,13 +324,13 @@ TEST_CASE("Bad skins and rigs are exit status 3") {
   };
   bad("surface: [", "line");
   bad("", "empty");
-  bad("surface:\n  type: ellipsoid\n", "not supported yet");
+  bad("surface:\n  type: ellipsoid\n", "centre_mm: missing");
   bad("surface:\n  type: homography\n  matrix: [[1, 0, 0], [2, 0, 0], [0, 0, 1]]\n", "singular");
   bad("surface:\n  type: homography\n  matrix: [[1, 0, 0], [0, .nan, 0], [0, 0, 1]]\n", "finite");
   bad("surface:\n  type: homography\n  matrix: [[1, 0, 0], [0, 1, 0], [0, 0, .inf]]\n", "finite");
   bad("surface:\n  type: homography\n  matrix: [[1, 0], [0, 1]]\n", "3 rows of 3 numbers");
   check_bad_file(box, run_arguments("left0.png", "right0.png", "none.yaml"), "none.yaml", "no such file");
-  check_bad_file(box, run_arguments() + std::vector<std::string>{"--rig", "none.yaml"}, "none.yaml", "no such file");
+  check_bad_file(box, run_arguments() + std::vector<std::string>{"--rig", "none.yaml"}, "none.yaml", "missing");
   box.write("rig.yaml", "cameras: [");
   check_bad_file(box, run_arguments() + std::vector<std::string>{"--rig", "rig.yaml"}, "rig.yaml", "not YAML");
 }

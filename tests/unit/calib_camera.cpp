@@ -92,6 +92,28 @@ TEST_CASE("distort after undistort is the identity over the sensor") {
   }
 }
 
+TEST_CASE("distort_near is distort to 1e-6 px, along rows and after leaps") {
+  for (const auto& [name, intrinsics] : cameras()) {
+    CAPTURE(name);
+    const CameraModel model(intrinsics);
+    CameraModel::LensPlace last;
+    for (int y = -40; y < kHeight + 40; y += 20) {
+      for (int x = -40; x < kWidth + 40; x += 16) {
+        CAPTURE(x, y);
+        const Vector2d seen((x - model.cx_px()) / model.fx_px(), (y - model.cy_px()) / model.fy_px());
+        Matrix2d exact_slope;
+        Matrix2d slope;
+        const auto exact = model.distort(seen, &exact_slope);
+        const auto near = model.distort_near(seen, last, &slope);
+        REQUIRE(exact.has_value() == near.has_value());
+        if (!exact) continue;
+        REQUIRE((*exact - *near).norm() < 1e-6);
+        REQUIRE((exact_slope - slope).norm() < 1e-4 * exact_slope.norm());
+      }
+    }
+  }
+}
+
 TEST_CASE("Jacobians of undistort and distort agree with differences") {
   for (const auto& [name, intrinsics] : cameras()) {
     INFO(name);
