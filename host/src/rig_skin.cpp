@@ -36,6 +36,7 @@ Rays CameraPair::rays(std::span<const Point> left) const {
   Rays rays;
   rays.directions.reserve(left.size());
   rays.right_view.reserve(left.size());
+  rays.over_length.reserve(left.size());
   const Matrix3d to_world = left_.world_to_camera.rotation.transpose();
   const Matrix3d to_right = right_.world_to_camera.rotation * to_world;
   for (const Point& pixel : left) {
@@ -48,6 +49,7 @@ Rays CameraPair::rays(std::span<const Point> left) const {
     }
     rays.directions.emplace_back(to_world * view.col(0));
     rays.right_view.emplace_back(to_right * view);
+    rays.over_length.push_back(1 / view.col(0).norm());
   }
   return rays;
 }
@@ -96,7 +98,7 @@ void CameraPair::look(const Surface& surface, const Rays& rays, int row_step, co
       const Eigen::Matrix<double, 3, 2> moved = hit.distance * (view.rightCols<2>() - sight * tilt);
       const Matrix2d d = lens * (moved.topRows<2>() - normalised * moved.row(2)) * over_z;
       const double stretch = largest_stretch({d(0, 0), d(0, 1) * row_step, d(1, 0) / row_step, d(1, 1)});
-      const double left_cosine = -facing / sight.norm();
+      const double left_cosine = -facing * rays.over_length[first + i];
       const double right_cosine = -normal.dot(point) / point.norm();
       const double cosine = std::min(left_cosine, right_cosine);
       look.margin = static_cast<float>(

@@ -29,16 +29,16 @@ struct Reference {
   bool sheet = false;  ///< seen from both sides
 };
 
-/// Of a body given by a function that is negative inside, by steps of 0.5 mm and bisection.
+/// Of a body given by a function that is negative inside, by steps of 1 mm and bisection.
 Reference body(std::function<double(const Vector3d&)> f, bool sheet = false) {
   return {[f = std::move(f)](const Vector3d& origin, const Vector3d& direction) -> Hit {
             const Vector3d unit = direction.normalized();
             const auto at = [&](double t) { return f(origin + t * unit); };
             const double sign = at(0) > 0 ? 1 : -1;
-            for (double near = 0; near < 3000; near += 0.5) {
-              if (sign * at(near + 0.5) > 0) continue;
+            for (double near = 0; near < 3000; near += 1) {
+              if (sign * at(near + 1) > 0) continue;
               double low = near;
-              double high = near + 0.5;
+              double high = near + 1;
               for (int i = 0; i < 50; ++i) (sign * at(0.5 * (low + high)) > 0 ? low : high) = 0.5 * (low + high);
               const Vector3d p = origin + low * unit;
               Vector3d gradient;

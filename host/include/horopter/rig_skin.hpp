@@ -17,6 +17,7 @@ namespace horopter {
 struct Rays {
   std::vector<Eigen::Vector3d> directions;              ///< camera z = 1; NaN where the pixel sees nothing
   std::vector<Eigen::Matrix<double, 3, 3>> right_view;  ///< direction, and its derivatives by the pixel, right camera
+  std::vector<double> over_length;                      ///< 1 / length of the direction
   std::size_t size() const { return directions.size(); }
 };
 
