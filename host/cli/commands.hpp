@@ -18,6 +18,7 @@ void add_run(CLI::App& app, Outcome& outcome);
 void add_map(CLI::App& app, Outcome& outcome);
 void add_calibrate(CLI::App& app, Outcome& outcome);
 void add_pattern(CLI::App& app, Outcome& outcome);
+void add_plan(CLI::App& app, Outcome& outcome);
 void add_study(CLI::App& app, Outcome& outcome);
 
 /// True once the user has asked to stop (SIGINT, SIGTERM).

@@ -52,6 +52,7 @@ int run(int argc, char** argv) {
   add_map(app, outcome);
   add_calibrate(app, outcome);
   add_pattern(app, outcome);
+  add_plan(app, outcome);
   add_study(app, outcome);
   try {
     app.parse(argc, argv);

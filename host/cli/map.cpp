@@ -11,6 +11,7 @@
 #include "commands.hpp"
 #include "horopter/map_json.hpp"
 #include "horopter/output.hpp"
+#include "horopter/plan.hpp"
 #include "horopter/skin_file.hpp"
 #include "inputs.hpp"
 
@@ -76,9 +77,6 @@ void explain(const MapSet& maps) {
   }
 }
 
-/// Disparity tolerance D of 11.1 that pictures of thickness are for: D95 of Table 11.1, in pixels of the result.
-constexpr double kTolerance_px = 0.7;
-
 void draw(const MapSet& maps, const std::string& path, bool json) {
   // Fields stand one above the other.
   int height = 0;
@@ -92,10 +90,10 @@ void draw(const MapSet& maps, const std::string& path, bool json) {
   for (const CompiledMap& map : maps.maps) {
     std::vector<std::uint8_t> part;
     if (cameras) {
-      auto drawn = draw_thickness(map.table, profile.weight_bits, *cameras, kTolerance_px * profile.subsample);
+      auto drawn = draw_thickness(map.table, profile.weight_bits, *cameras, kD95_px * profile.subsample);
       if (!json) {
         fmt::print("thickness {:.2f} to {:.2f} mm along the left line of sight for a disparity of +-{} px ({})\n",
-                   drawn.thinnest_mm, drawn.thickest_mm, kTolerance_px, scan_name(map.table.geometry().scan));
+                   drawn.thinnest_mm, drawn.thickest_mm, kD95_px, scan_name(map.table.geometry().scan));
       }
       part = std::move(drawn.bgr);
     } else {

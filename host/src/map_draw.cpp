@@ -32,11 +32,33 @@ cv::Vec3b hsv(double hue_deg, double strength, bool contour) {
 
 cv::Mat dark(int width, int height) { return {height, width, CV_8UC3, cv::Scalar(0, 0, 40)}; }
 
-std::vector<std::uint8_t> finished(const cv::Mat& in_hsv, const MapTable& table) {
+cv::Mat in_bgr(const cv::Mat& in_hsv) {
   cv::Mat picture;
   cv::cvtColor(in_hsv, picture, cv::COLOR_HSV2BGR);
-  draw_grid(table, picture);
-  return {picture.datastart, picture.dataend};
+  return picture;
+}
+
+std::vector<std::uint8_t> bytes_of(const cv::Mat& picture) { return {picture.datastart, picture.dataend}; }
+
+cv::Mat thickness_hsv(int width, int height, std::span<const double> thickness_mm, ThicknessPicture& range) {
+  range.thinnest_mm = INFINITY;
+  for (const double mm : thickness_mm) {
+    if (!std::isfinite(mm)) continue;
+    range.thinnest_mm = std::min(range.thinnest_mm, mm);
+    range.thickest_mm = std::max(range.thickest_mm, mm);
+  }
+  if (range.thickest_mm == 0) range.thinnest_mm = range.thickest_mm = NAN;
+  cv::Mat picture = dark(width, height);
+  const double all_octaves = std::max(std::log2(range.thickest_mm / range.thinnest_mm), 1e-9);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const double mm = thickness_mm[static_cast<std::size_t>(y) * width + x];
+      if (!std::isfinite(mm)) continue;
+      const double octaves = std::log2(mm / range.thinnest_mm);
+      picture.at<cv::Vec3b>(y, x) = hsv(240 * octaves / all_octaves, 1, std::fmod(octaves * 4, 1.0) < 0.06);
+    }
+  }
+  return picture;
 }
 
 }  // namespace
@@ -63,14 +85,21 @@ std::vector<std::uint8_t> draw_map(const MapTable& table, int weight_bits) {
           hsv((std::atan2(d[1], d[0]) / CV_PI + 1) * 180, cv::norm(d) / largest, std::fmod(cv::norm(d), 8.0) < 0.5);
     }
   }
-  return finished(picture, table);
+  picture = in_bgr(picture);
+  draw_grid(table, picture);
+  return bytes_of(picture);
+}
+
+ThicknessPicture draw_thickness(int width, int height, std::span<const double> thickness_mm) {
+  ThicknessPicture result;
+  result.bgr = bytes_of(in_bgr(thickness_hsv(width, height, thickness_mm, result)));
+  return result;
 }
 
 ThicknessPicture draw_thickness(const MapTable& table, int weight_bits, const CameraPair& cameras,
                                 double tolerance_px) {
   const ScanGeometry& scan = table.geometry();
-  cv::Mat thickness(scan.height, scan.width, CV_64F, cv::Scalar(NAN));
-  ThicknessPicture result{{}, INFINITY, 0};
+  std::vector<double> thickness_mm(static_cast<std::size_t>(scan.width) * scan.height, NAN);
   for (int y = 0; y < scan.height; ++y) {
     for (int x = 0; x < scan.width; ++x) {
       // Without the rounding to the weights, which would hide the shape.
@@ -78,26 +107,14 @@ ThicknessPicture draw_thickness(const MapTable& table, int weight_bits, const Ca
       const auto source = *table.expand(x, y);
       const Point right{std::ldexp(static_cast<double>(source.x), -MapTable::kFractionBits),
                         std::ldexp(static_cast<double>(source.y), -MapTable::kFractionBits)};
-      const double mm = cameras.thickness_mm(scan.to_frame({static_cast<double>(x), static_cast<double>(y)}),
-                                             scan.to_frame(right), tolerance_px);
-      if (!std::isfinite(mm)) continue;
-      thickness.at<double>(y, x) = mm;
-      result.thinnest_mm = std::min(result.thinnest_mm, mm);
-      result.thickest_mm = std::max(result.thickest_mm, mm);
+      thickness_mm[static_cast<std::size_t>(y) * scan.width + x] = cameras.thickness_mm(
+          scan.to_frame({static_cast<double>(x), static_cast<double>(y)}), scan.to_frame(right), tolerance_px);
     }
   }
-  if (result.thickest_mm == 0) result.thinnest_mm = result.thickest_mm = NAN;
-  cv::Mat picture = dark(scan.width, scan.height);
-  const double range = std::max(std::log2(result.thickest_mm / result.thinnest_mm), 1e-9);
-  for (int y = 0; y < scan.height; ++y) {
-    for (int x = 0; x < scan.width; ++x) {
-      const double mm = thickness.at<double>(y, x);
-      if (std::isnan(mm)) continue;
-      const double octaves = std::log2(mm / result.thinnest_mm);
-      picture.at<cv::Vec3b>(y, x) = hsv(240 * octaves / range, 1, std::fmod(octaves * 4, 1.0) < 0.06);
-    }
-  }
-  result.bgr = finished(picture, table);
+  ThicknessPicture result;
+  cv::Mat picture = in_bgr(thickness_hsv(scan.width, scan.height, thickness_mm, result));
+  draw_grid(table, picture);
+  result.bgr = bytes_of(picture);
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -153,6 +154,8 @@ struct ThicknessPicture {
   double thinnest_mm = 0;  ///< NaN without a supervised pixel
   double thickest_mm = 0;
 };
+/// The thickness of each pixel, row by row; dark where it is NaN.
+ThicknessPicture draw_thickness(int width, int height, std::span<const double> thickness_mm);
 /// `tolerance_px`: disparity tolerance D of 11.1, in pixels of the right image.
 ThicknessPicture draw_thickness(const MapTable& table, int weight_bits, const CameraPair& cameras, double tolerance_px);
 

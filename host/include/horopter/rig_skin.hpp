@@ -52,6 +52,8 @@ class RigSkin : public Skin {
   void look(std::span<const Point> left, int row_step, const ViewLimits& limits, std::span<Look> looks) const override;
   std::string_view type() const override { return type_; }
   std::string description() const override { return surface_->description(); }
+  const CameraPair& cameras() const { return cameras_; }
+  const SurfacePtr& surface() const { return surface_; }
 
  private:
   CameraPair cameras_;

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+// horopter plan: what an installation will see, before it is built.
+#include "horopter/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "horopter/output.hpp"
+#include "horopter/skin_file.hpp"
+#include "inputs.hpp"
+
+namespace horopter::cli {
+namespace {
+
+struct ThicknessOptions {
+  std::string rig;
+  std::string skin;
+  std::vector<double> distances_mm;
+  std::string profile;
+  double tolerance_px = kD95_px;
+  double images_per_s = 0;
+  double stopping_ms = 0;
+  std::string out;
+  bool json = false;
+};
+
+/// A skin to plan: the user's, or a plane across the axis of symmetry.
+struct PlannedSkin {
+  std::string name;
+  std::string picture;
+  SurfacePtr surface;
+};
+
+nlohmann::ordered_json to_json(const Spread& spread) {
+  return {{"smallest", spread.smallest}, {"mean", spread.mean}, {"largest", spread.largest}};
+}
+
+nlohmann::ordered_json to_json(const PlannedSkin& skin, const ThicknessPlan& plan, double images_per_s) {
+  return {{"skin", skin.name},
+          {"pixels", plan.pixels},
+          {"exploitation", plan.exploitation()},
+          {"supervised_pixels", plan.supervised},
+          {"distance_mm", to_json(plan.distance)},
+          {"slope_deg", to_json(plan.slope_deg)},
+          {"thickness_mm",
+           {{"sight", to_json(plan.sight)},
+            {"across", to_json(plan.across)},
+            {"formula", to_json(plan.formula)},
+            {"on_axis", plan.on_axis},
+            {"on_axis_formula", plan.on_axis_formula}}},
+          {"face_width_mm", plan.face_width},
+          {"largest_speed_m_s", largest_speed_m_s(plan.across.smallest, images_per_s)}};
+}
+
+void print_spread(const char* name, const Spread& spread, const char* unit, const std::string& note = "") {
+  fmt::print("  {:30} {:8.2f} {:8.2f} {:8.2f} {}{}\n", name, spread.smallest, spread.mean, spread.largest, unit, note);
+}
+
+void print(const PlannedSkin& skin, const ThicknessPlan& plan, double images_per_s) {
+  fmt::print("{}\n", skin.name);
+  fmt::print("  {:30} {:8.1f} % of the left image has its part of the skin in the right one; {:.1f} % is supervised\n",
+             "exploitation", 100 * plan.exploitation(),
+             100 * static_cast<double>(plan.supervised) / static_cast<double>(plan.pixels));
+  if (plan.supervised == 0) return;
+  fmt::print("  {:30} {:>8} {:>8} {:>8}\n", "", "smallest", "mean", "largest");
+  print_spread("distance along the axis", plan.distance, "mm");
+  print_spread("slope against the axis", plan.slope_deg, "degrees");
+  print_spread("thickness, camera model", plan.across, "mm", fmt::format("; on the axis {:.2f}", plan.on_axis));
+  print_spread("  along the line of sight", plan.sight, "mm");
+  print_spread("thickness, 11.1 and 11.2", plan.formula, "mm",
+               fmt::format("; on the axis {:.2f}", plan.on_axis_formula));
+  if (std::isfinite(plan.face_width)) {
+    fmt::print("  {:30} {:8.2f} mm of a face across the axis are in the skin where it slopes most (11.3)\n",
+               "detectable width", plan.face_width);
+  }
+  fmt::print("  {:30} {:8.3f} m/s through the thinnest place, {:.3f} m/s through the mean\n", "largest speed",
+             largest_speed_m_s(plan.across.smallest, images_per_s), largest_speed_m_s(plan.across.mean, images_per_s));
+}
+
+ExitStatus plan_thickness(const ThicknessOptions& options) {
+  if (options.skin.empty() == options.distances_mm.empty()) {
+    throw UsageError("either --skin or --distance is required");
+  }
+  if (!options.profile.empty()) find_profile(options.profile);
+  const calib::Rig rig = read_rig(options.rig);
+  std::vector<PlannedSkin> skins;
+  std::optional<CameraPair> cameras;
+  if (!options.skin.empty()) {
+    const SkinFile file = load_skin(options.skin, {}, &rig);
+    const auto* skin = dynamic_cast<const RigSkin*>(file.skin.get());
+    if (skin == nullptr) {
+      throw FileError(options.skin, "surface", fmt::format("a {} has no place in space", file.skin->type()),
+                      "a surface in the rig's world");
+    }
+    cameras = skin->cameras();
+    skins.push_back({skin->description(), "thickness.png", skin->surface()});
+  } else {
+    if (rig.cameras.size() < 2) throw FileError(options.rig, "cameras", "one camera", "two");
+    cameras.emplace(rig.cameras[0], rig.cameras[1]);
+    for (const double distance : options.distances_mm) {
+      skins.push_back({fmt::format("plane across the axis of symmetry, {} mm from the cameras", distance),
+                       fmt::format("thickness-{}-mm.png", distance), StereoAxis(*cameras).plane_at(distance)});
+    }
+  }
+  const int width = cameras->left().width_px;
+  const int height = cameras->left().height_px;
+  if (width == 0 || height == 0) {
+    throw FileError(options.rig, "cameras", "camera " + cameras->left().name + " has no image size",
+                    "image_size: [width, height]");
+  }
+  const MachineProfile* profile =
+      options.profile.empty() ? smallest_profile(width, height) : &find_profile(options.profile);
+  if (profile == nullptr) {
+    throw FileError(options.rig, "cameras", fmt::format("images of {}x{} pixels", width, height),
+                    "at most what profile hd takes");
+  }
+  check_image_size(options.rig, width, height, *profile);
+  // As cameras of the thesis and of today have it.
+  const double images_per_s = options.images_per_s > 0 ? options.images_per_s : profile->takes_fields() ? 50 : 60;
+  const ScanGeometry geometry = scans_of(*profile, width, height).front();
+
+  std::optional<OutputDirectory> output;
+  if (!options.out.empty()) output.emplace(options.out);
+  const StereoAxis axis(*cameras);
+  const double detection_s = detection_time_s(*profile, geometry.height, images_per_s);
+  const double response_s = detection_s + options.stopping_ms * 1e-3;
+  nlohmann::ordered_json json{
+      {"rig", {{"baseline_mm", axis.baseline_mm}, {"tilt_deg", axis.tilt_deg}, {"f_px", axis.f_px}}},
+      {"profile", profile->name},
+      {"tolerance_px", options.tolerance_px},
+      {"images_per_s", images_per_s},
+      {"detection_ms", detection_s * 1e3},
+      {"stopping_ms", options.stopping_ms},
+      {"safety_distance_mm",
+       {{"hand_1.6_m_s", safety_distance_mm(response_s, kHandSpeed_m_s)},
+        {"hand_2.0_m_s", safety_distance_mm(response_s, kIsoHandSpeed_m_s)},
+        {"iso_13855_without_c", iso_13855_distance_mm(response_s)}}},
+      {"skins", nlohmann::ordered_json::array()}};
+  if (!options.json) {
+    fmt::print("rig      baseline {:.2f} mm, each optical axis {:.2f} degrees off the axis of symmetry, f {:.1f} px\n",
+               axis.baseline_mm, axis.tilt_deg, axis.f_px);
+    fmt::print("profile  {}, {} images a second, disparity tolerance {} px of the result ({} px of the image)\n",
+               profile->name, images_per_s, options.tolerance_px, options.tolerance_px * profile->subsample);
+  }
+  bool nothing = false;
+  for (const PlannedSkin& skin : skins) {
+    ThicknessPlan plan;
+    try {
+      plan = plan_thickness(*cameras, *skin.surface, *profile, geometry, options.tolerance_px);
+    } catch (const std::invalid_argument& error) {
+      throw FileError(options.rig, "", skin.name + ": " + error.what(), "a skin in front of both cameras");
+    }
+    json["skins"].push_back(to_json(skin, plan, images_per_s));
+    if (!options.json) print(skin, plan, images_per_s);
+    nothing = nothing || plan.supervised == 0;
+    if (output) {
+      output->write(skin.picture, encode_png_bgr(geometry.width, geometry.height,
+                                                 draw_thickness(geometry.width, geometry.height, plan.across_mm).bgr));
+    }
+  }
+  if (output) {
+    output->write("thickness.json", json.dump(2) + "\n");
+    output->commit();
+  }
+  if (options.json) {
+    std::puts(json.dump(2).c_str());
+  } else {
+    fmt::print("response {:.1f} ms to the alarm and {:.1f} ms to stop{}\n", detection_s * 1e3, options.stopping_ms,
+               options.stopping_ms == 0 ? " (--stopping-ms: the robot's stopping time is not in it)" : "");
+    fmt::print(
+        "safety   {:.0f} mm at a hand's 1.6 m/s (thesis 2.3); {:.0f} mm at 2.0 m/s; {:.0f} mm by ISO 13855:2010 "
+        "(K T alone: its supplement C comes on top)\n",
+        safety_distance_mm(response_s, kHandSpeed_m_s), safety_distance_mm(response_s, kIsoHandSpeed_m_s),
+        iso_13855_distance_mm(response_s));
+    if (output) fmt::print("thickness.json and pictures are in {}\n", options.out);
+  }
+  if (nothing) std::fprintf(stderr, "horopter: nothing of a skin is supervised\n");
+  return nothing ? ExitStatus::check_failed : ExitStatus::done;
+}
+
+}  // namespace
+
+void add_plan(CLI::App& app, Outcome& outcome) {
+  CLI::App* command = app.add_subcommand("plan", "Plan an installation");
+  command->require_subcommand(1);
+  auto options = std::make_shared<ThicknessOptions>();
+  CLI::App* thickness = command->add_subcommand(
+      "thickness", "How thick a skin is, how fast an object may be, how far away the danger must be (2.3, 11.1, 11.2)");
+  thickness->add_option("--rig", options->rig, "The cameras (rig.yaml), with their image size")
+      ->required()
+      ->type_name("FILE");
+  thickness->add_option("--skin", options->skin, "The skin (skin.yaml; see `horopter map --help`)")->type_name("FILE");
+  thickness
+      ->add_option("--distance", options->distances_mm,
+                   "Instead of a skin: planes across the axis of symmetry, at these distances from the cameras")
+      ->check(CLI::PositiveNumber)
+      ->type_name("MM...");
+  thickness
+      ->add_option("--profile", options->profile,
+                   "Build of the machine: " + profile_names() + " (default: the smallest that holds the image)")
+      ->type_name("P");
+  thickness
+      ->add_option("--tolerance", options->tolerance_px,
+                   "Disparity tolerance D, pixels of the result (after sub-sampling), or D95: that of Table 11.1")
+      ->transform(CLI::Transformer({{std::string("D95"), fmt::format("{}", kD95_px)}}))
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str()
+      ->type_name("PX");
+  thickness
+      ->add_option("--frame-rate", options->images_per_s,
+                   "Results a second: frames, or fields of profile field (default: 50 fields, 60 frames)")
+      ->check(CLI::PositiveNumber)
+      ->type_name("HZ");
+  thickness->add_option("--stopping-ms", options->stopping_ms, "Time that the robot takes to stop after the alarm, ms")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str()
+      ->type_name("MS");
+  thickness
+      ->add_option("--out", options->out,
+                   "Directory for thickness.json and pictures of the thickness (red thin to blue thick, dark where "
+                   "nothing is supervised)")
+      ->type_name("DIR");
+  thickness->add_flag("--json", options->json, "Print the report as JSON on standard output, and nothing else");
+  thickness->footer(
+      "Thickness is measured across the skin, along its normal, between disparities of -D and +D: at every supervised\n"
+      "pixel by the camera model, and as 2 D z^2 d_x / (b f) cos(slope) by equations 11.1 and 11.2, which hold for\n"
+      "parallel cameras. D95 is the disparity up to which 95 % of an object's pixels are found; it depends on the\n"
+      "threshold (Table 11.2: 0.4, 0.6, 0.7, 0.9, 1.0, 1.1 px at 11.3, 15.0, 18.4, 21.9, 25.1, 28.4 %).\n"
+      "Largest speed is thickness times results a second: a faster object can pass between two images. The safety\n"
+      "distance is response time times speed: to the alarm two image periods and the machine's lines, and the robot's\n"
+      "stopping time. Exit status 1: nothing of a skin is supervised.\n\n"
+      "Examples: horopter plan thickness --rig rig.yaml --skin skin.yaml --stopping-ms 120 --out plan\n"
+      "          horopter plan thickness --rig host/examples/table_11_1.yaml --profile field --distance 700 800 900");
+  thickness->callback([options, &outcome] { outcome.status = plan_thickness(*options); });
+}
+
+}  // namespace horopter::cli
