@@ -49,20 +49,42 @@ std::optional<calib::Rig> read_rig_option(const std::string& path) {
 
 void check_skin_file(const std::string& path) { read_file(path, kSkinExpected); }
 
+namespace {
+
+bool is_table(const std::string& skin) {
+  const auto bytes = read_file(skin, kSkinExpected);
+  return std::string(bytes.begin(), bytes.begin() + std::min<std::size_t>(4, bytes.size())) == "HMAP";
+}
+
+}  // namespace
+
+SkinFile load_skin_for(const std::string& skin, const std::optional<calib::Rig>& rig, int image_width,
+                       int image_height) {
+  const Point centre{0.5 * (image_width - 1), 0.5 * (image_height - 1)};
+  SkinFile file = load_skin(skin, centre, rig ? &*rig : nullptr);
+  if (file.rig.empty()) return file;
+  for (const calib::Camera& camera : calib::rig_from_yaml(file.rig, skin).cameras) {
+    if (camera.width_px == 0 || (camera.width_px == image_width && camera.height_px == image_height)) continue;
+    throw FileError(skin, "",
+                    fmt::format("camera {} of the rig takes images of {}x{} pixels", camera.name, camera.width_px,
+                                camera.height_px),
+                    fmt::format("{}x{}, the size of the images", image_width, image_height));
+  }
+  return file;
+}
+
+bool is_moving_skin(const std::string& skin) {
+  if (is_table(skin)) return false;
+  return has_motion(skin);
+}
+
 MapSet load_or_compile_maps(const std::string& skin, const std::optional<calib::Rig>& rig,
                             const MachineProfile& profile, int image_width, int image_height) {
-  const auto bytes = read_file(skin, kSkinExpected);
-  if (std::string(bytes.begin(), bytes.begin() + std::min<std::size_t>(4, bytes.size())) != "HMAP") {
-    const Point centre{0.5 * (image_width - 1), 0.5 * (image_height - 1)};
-    const SkinFile file = load_skin(skin, centre, rig ? &*rig : nullptr);
-    if (!file.rig.empty()) {
-      for (const calib::Camera& camera : calib::rig_from_yaml(file.rig, skin).cameras) {
-        if (camera.width_px == 0 || (camera.width_px == image_width && camera.height_px == image_height)) continue;
-        throw FileError(skin, "",
-                        fmt::format("camera {} of the rig takes images of {}x{} pixels", camera.name, camera.width_px,
-                                    camera.height_px),
-                        fmt::format("{}x{}, the size of the images", image_width, image_height));
-      }
+  if (!is_table(skin)) {
+    const SkinFile file = load_skin_for(skin, rig, image_width, image_height);
+    if (file.motion) {
+      throw FileError(skin, "motion", "a skin that moves has a table for each frame",
+                      "a skin without motion (horopter run takes both)");
     }
     return compile_maps(file, profile, image_width, image_height);
   }

@@ -8,6 +8,7 @@
 #include "horopter/calib/rig.hpp"
 #include "horopter/map.hpp"
 #include "horopter/profile.hpp"
+#include "horopter/skin_file.hpp"
 
 namespace horopter::cli {
 
@@ -17,6 +18,11 @@ void check_image_size(const std::string& name, int width, int height, const Mach
 std::optional<calib::Rig> read_rig_option(const std::string& path);
 /// There and not empty; contents are checked by load_or_compile_maps.
 void check_skin_file(const std::string& path);
+/// A skin.yaml, not a table (.hmap), whose skin moves.
+bool is_moving_skin(const std::string& skin);
+/// A skin.yaml for images of this size. Throws FileError where the rig's are others.
+SkinFile load_skin_for(const std::string& skin, const std::optional<calib::Rig>& rig, int image_width,
+                       int image_height);
 /// Tables from a skin.yaml, or from an .hmap of the same profile, size and, where one is given, rig.
 MapSet load_or_compile_maps(const std::string& skin, const std::optional<calib::Rig>& rig,
                             const MachineProfile& profile, int image_width, int image_height);

@@ -14,6 +14,7 @@
 #include "horopter/frames.hpp"
 #include "horopter/map_json.hpp"
 #include "horopter/monitor.hpp"
+#include "horopter/moving_skin.hpp"
 #include "horopter/output.hpp"
 #include "horopter/report.hpp"
 #include "inputs.hpp"
@@ -52,12 +53,23 @@ struct Session {
                       fmt::format("at most the {} of profile hd", "1920x1080"));
     }
     check_image_size(first.name, width, height, *profile);
+    if (is_moving_skin(options.skin)) {
+      MovingMaps maps = compile_motion(load_skin_for(options.skin, rig, width, height), *profile, width, height);
+      moving = std::make_unique<MovingSupervisor>(make_device(options.engine, *profile), *profile, std::move(maps),
+                                                  options.settings);
+      return;
+    }
     const MapSet maps = load_or_compile_maps(options.skin, rig, *profile, width, height);
     supervisor = std::make_unique<Supervisor>(make_device(options.engine, *profile), *profile, maps, options.settings);
   }
+  std::vector<FrameResult> process(const Image& left, const Image& right) {
+    return moving ? moving->process(left, right) : supervisor->process(left, right);
+  }
+  const Device& device() { return (moving ? moving->monitor() : supervisor->monitor()).device(); }
 
   const MachineProfile* profile = nullptr;
   std::unique_ptr<Supervisor> supervisor;
+  std::unique_ptr<MovingSupervisor> moving;  ///< instead, for a skin that moves
 };
 
 void print_frame(int frame, const FrameResult& result) {
@@ -85,13 +97,21 @@ ExitStatus run(const RunOptions& options) {
 
   OutputDirectory output(options.out, is_result);
   Session session(options, rig, pair->left);
-  const Device& device = session.supervisor->monitor().device();
+  const Device& device = session.device();
   auto summary = summary_json(device.engine(), session.profile->name);
+  if (session.moving) {
+    const MovingMaps& maps = session.moving->maps();
+    summary["motion"] = {{"tables", maps.steps.size()}, {"inserted", maps.inserted}};
+    if (!options.json) {
+      fmt::print("the skin moves in {} tables; {} of them are intermediate skins, by which it comes later\n",
+                 maps.steps.size(), maps.inserted);
+    }
+  }
   Progress progress("supervising pair");
   ExitStatus status = ExitStatus::done;
   int frame = 0;
   for (std::size_t index = 0; pair; ++index) {
-    const auto results = session.supervisor->process(pair->left.image, pair->right.image);
+    const auto results = session.process(pair->left.image, pair->right.image);
     for (const FrameResult& result : results) {
       const std::string base = fmt::format("frame-{:04}", frame);
       output.write(base + "-state.png", encode_png(state_picture(result.states)));
@@ -200,6 +220,7 @@ void add_run(CLI::App& app, Outcome& outcome) {
   command->footer(
       "Writes per frame frame-NNNN-state.png (0 clear, 255 skin, 128 undecidable, 64 unsupervised) and\n"
       "frame-NNNN-overlay.png, and summary.json. All of it appears at the end, or nothing after an error.\n"
+      "The frames of a moving skin (`motion` in skin.yaml, see `horopter map --help`) name its time, skin_time_s.\n"
       "A fault of a frame is an exit status of 4; the results are written all the same.\n\n"
       "Example: horopter run --left 'left*.jpg' --right 'right*.jpg' --skin skin.yaml --out results");
   command->callback([options, &outcome] { outcome.status = run(*options); });

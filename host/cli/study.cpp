@@ -60,6 +60,8 @@ void add_study(CLI::App& app, Outcome& outcome) {
       study_edges);
   add("calibration", "Calibration with a rendered rig: NCE, image error, Cramer-Rao bound (6.8, 6.9)",
       study_calibration);
+  add("interpolation", "Bilinear interpolation with weights of few bits: scaling, translation (7.5)",
+      study_interpolation);
   const auto [board, options] =
       add("board", "A skin in mm on photographs of a chessboard, calibrated on the others, moved through the board",
           study_board);

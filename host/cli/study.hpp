@@ -22,6 +22,8 @@ struct StudyScope {
 nlohmann::json study_edges(OutputDirectory& directory, const StudyScope& scope);
 /// Calibration with a rendered rig (thesis 6.8, 6.9).
 nlohmann::json study_calibration(OutputDirectory& directory, const StudyScope& scope);
+/// Bilinear interpolation with weights of few bits, for scaling and translation (thesis 7.5).
+nlohmann::json study_interpolation(OutputDirectory& directory, const StudyScope& scope);
 
 /// A skin in millimetres on photographs of a chessboard, moved through it (10.4, 11.2).
 nlohmann::json study_board(OutputDirectory& directory, const StudyScope& scope);

@@ -22,6 +22,7 @@ constexpr int kSlots = 15;
 constexpr std::uint32_t kRegisterMapMajor = 1;
 /// Reads of FRAME_SEQUENCE before a machine that has sent all its states counts as broken.
 constexpr int kStatusPolls = 100'000;
+constexpr int kTablePolls = 1'000'000;  // a frame may stand between
 
 std::uint32_t share_of(double percent, double of) {
   return static_cast<std::uint32_t>(std::max(0.0, std::floor(percent * of / 100 + 1e-9)));
@@ -120,6 +121,7 @@ void Monitor::start(int width, int height, int lookahead) {
   width_ = width;
   height_ = height;
   sequence_ = 0;
+  in_machine_.clear();
   device_->write(reg::width::kAddress, static_cast<std::uint32_t>(width));
   device_->write(reg::height::kAddress, static_cast<std::uint32_t>(height));
   device_->write(reg::lookahead::kAddress, static_cast<std::uint32_t>(lookahead));
@@ -150,7 +152,7 @@ void Monitor::write_limits() {
   device_->write(reg::frozen_limit::kAddress, static_cast<std::uint32_t>(settings_.frozen_limit));
 }
 
-void Monitor::upload(int slot, const MapTable& table) {
+void Monitor::upload(int slot, const MapTable& table, std::optional<std::size_t> base_word64) {
   if (slot < 0 || slot >= kSlots) throw UsageError(fmt::format("slot {}; expected 0 to {}", slot, kSlots - 1));
   const std::size_t words64 = (table.words().size() - 4 + 1) / 2;
   const std::size_t pool64 = static_cast<std::size_t>(profile_.pool_bytes) / 8;
@@ -166,6 +168,7 @@ void Monitor::upload(int slot, const MapTable& table) {
     if (base + words64 <= begin) break;
     base = begin + length;
   }
+  if (base_word64) base = *base_word64;
   if (base + words64 > pool64) {
     throw DeviceError(fmt::format("table {} of {} bytes does not fit the pool of {} bytes beside the others", slot,
                                   words64 * 8, profile_.pool_bytes));
@@ -200,6 +203,12 @@ void Monitor::upload(int slot, const MapTable& table) {
 
 void Monitor::select(int slot) {
   device_->write(reg::table_select::kAddress, static_cast<std::uint32_t>(slot));
+  selected_ = slot;
+  // A frame in the machine is judged by the limit of its own table.
+  if (in_machine_.empty()) write_undecidable_limit(slot);
+}
+
+void Monitor::write_undecidable_limit(int slot) {
   if (slot < 0 || slot >= kSlots) return;
   const auto supervised = slots_[static_cast<std::size_t>(slot)].supervised;
   device_->write(reg::undecidable_limit::kAddress,
@@ -207,11 +216,27 @@ void Monitor::select(int slot) {
 }
 
 FrameResult Monitor::process(const Image& left, const Image& right) {
+  begin(left, right);
+  return finish();
+}
+
+void Monitor::wait_for_table(int slot) {
+  for (int poll = 0; poll < kTablePolls; ++poll) {
+    if (static_cast<int>(reg::map_status::kActiveSlot.get(device_->read(reg::map_status::kAddress))) == slot) return;
+  }
+  throw DeviceError(fmt::format("no frame begins with table {}", slot));
+}
+
+void Monitor::begin(const Image& left, const Image& right) {
   if (left.width != width_ || left.height != height_ || right.width != width_ || right.height != height_) {
     throw DeviceError(fmt::format("images of {}x{} and {}x{} pixels for a machine set to {}x{}", left.width,
                                   left.height, right.width, right.height, width_, height_));
   }
   device_->send(left, right);
+  in_machine_.push_back(selected_);
+}
+
+FrameResult Monitor::finish() {
   FrameStreams streams = device_->receive();
 
   FrameResult result;
@@ -239,6 +264,8 @@ FrameResult Monitor::process(const Image& left, const Image& right) {
     throw DeviceError(fmt::format("frame {} came after frame {}: one is lost", result.sequence, sequence_));
   }
   sequence_ = result.sequence;
+  if (!in_machine_.empty()) in_machine_.pop_front();
+  write_undecidable_limit(in_machine_.empty() ? selected_ : in_machine_.front());
   check_consistent(streams, result, width_ / profile_.subsample, height_);
   result.states = std::move(streams.states);
   result.runs = std::move(streams.runs);

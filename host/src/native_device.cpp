@@ -304,6 +304,16 @@ void NativeDevice::send(const Image& left, const Image& right) {
     }
   }
   pending_.push_back({left, right});
+  if (pending_.size() == 1) start_frame();
+}
+
+/// The table is looked up at the start of the output frame.
+void NativeDevice::start_frame() {
+  const auto selected = stored(reg::table_select::kAddress);
+  const auto geometry = stored(reg::height::kAddress) << 16 | stored(reg::width::kAddress);
+  const bool fits =
+      selected < tables_.size() && tables_[selected].has_value() && tables_[selected]->words[2] == geometry;
+  active_slot_ = fits ? static_cast<int>(selected) : kNoTable;
 }
 
 FrameStreams NativeDevice::receive() {
@@ -311,12 +321,8 @@ FrameStreams NativeDevice::receive() {
   const auto [left, right] = std::move(pending_.front());
   pending_.pop_front();
 
-  // The table is looked up at the start of the output frame.
-  const auto selected = stored(reg::table_select::kAddress);
-  const Table* table = selected < tables_.size() && tables_[selected] ? &*tables_[selected] : nullptr;
-  const auto geometry = static_cast<std::uint32_t>(left.height) << 16 | static_cast<std::uint32_t>(left.width);
-  if (table != nullptr && table->words[2] != geometry) table = nullptr;
-  active_slot_ = table != nullptr ? static_cast<int>(selected) : kNoTable;
+  // What is in use cannot be overwritten.
+  const Table* table = active_slot_ != kNoTable ? &*tables_.at(static_cast<std::size_t>(active_slot_)) : nullptr;
   const std::vector<std::uint32_t> none =
       table == nullptr ? empty_table(left.width, left.height) : std::vector<std::uint32_t>();
   const auto result =
@@ -351,6 +357,8 @@ FrameStreams NativeDevice::receive() {
             static_cast<std::uint32_t>(result.undecidable_pixels),
             static_cast<std::uint32_t>(result.unsupervised_pixels),
             static_cast<std::uint32_t>(result.store_misses)};
+
+  if (!pending_.empty()) start_frame();
 
   FrameStreams streams;
   streams.states = Image(result.width, result.height);

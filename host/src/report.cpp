@@ -124,6 +124,7 @@ nlohmann::ordered_json frame_json(int frame, const std::string& left, const std:
                                {"height", region.height},
                                {"pixels", region.pixels}});
   }
+  if (result.skin_time_s) json["skin_time_s"] = *result.skin_time_s;
   if (result.scan != Scan::progressive) json["field"] = scan_name(result.scan);
   if (with_cycles) json["cycles"] = result.cycles;
   return json;

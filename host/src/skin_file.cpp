@@ -143,6 +143,21 @@ std::filesystem::path beside(const std::string& file, const std::string& name) {
 
 SurfacePtr read_surface(Keys& keys);
 
+Capsule read_segment(Keys& segment) {
+  return {segment.vector("from_mm"), segment.vector("to_mm"),
+          yaml::number(segment.file(), segment.get("radius_mm", "a number"), segment.path("radius_mm"))};
+}
+
+std::vector<Capsule> read_capsules(Keys& keys) {
+  std::vector<Capsule> capsules;
+  for (const YAML::Node& item : keys.list("segments", "a list of {from_mm, to_mm, radius_mm}")) {
+    Keys segment(keys.file(), item, keys.path("segments"));
+    capsules.push_back(read_segment(segment));
+    segment.finish();
+  }
+  return capsules;
+}
+
 SurfacePtr read_mesh_surface(Keys& keys) {
   const YAML::Node name = keys.get("file", "a PLY, STL or OBJ file");
   if (!name.IsScalar()) keys.fail("file", "", "the name of a PLY, STL or OBJ file");
@@ -204,17 +219,7 @@ const std::vector<Type>& types() {
       {"box", "centre_mm, size_mm: [x, y, z], rotation_deg (0)",
        [](Keys& keys) { return make_box(keys.pose(keys.vector("centre_mm")), keys.vector("size_mm")); }},
       {"capsules", "segments: a list of {from_mm, to_mm, radius_mm}",
-       [](Keys& keys) {
-         std::vector<Capsule> capsules;
-         for (const YAML::Node& item : keys.list("segments", "a list of {from_mm, to_mm, radius_mm}")) {
-           Keys segment(keys.file(), item, keys.path("segments"));
-           capsules.push_back(
-               {segment.vector("from_mm"), segment.vector("to_mm"),
-                yaml::number(keys.file(), segment.get("radius_mm", "a number"), segment.path("radius_mm"))});
-           segment.finish();
-         }
-         return make_capsules(capsules);
-       }},
+       [](Keys& keys) { return make_capsules(read_capsules(keys)); }},
       {"union", "surfaces: a list of surfaces",
        [](Keys& keys) {
          std::vector<SurfacePtr> surfaces;
@@ -255,6 +260,63 @@ SurfacePtr read_surface(Keys& keys) {
   }
   keys.finish();
   return surface;
+}
+
+double read_time(Keys& key) { return yaml::number(key.file(), key.get("time_s", "a number"), key.path("time_s")); }
+
+MovingSurfacePtr read_poses(Keys& motion, SurfacePtr surface) {
+  const Vector3d about = motion.vector("about_mm", Vector3d::Zero());
+  std::vector<TimedPose> poses;
+  for (const YAML::Node& item : motion.list("poses", "a list of {time_s, shift_mm, rotation_deg}")) {
+    Keys key(motion.file(), item, motion.path("poses"));
+    const double time_s = read_time(key);
+    const calib::Pose pose = key.pose(key.vector("shift_mm", Vector3d::Zero()));
+    poses.push_back({time_s, pose.translation_mm, pose.rotation});
+    key.finish();
+  }
+  return make_moving(std::move(surface), about, poses);
+}
+
+MovingSurfacePtr read_moving_segments(Keys& motion, Keys& surface) {
+  const std::vector<Capsule> first = read_capsules(surface);
+  const std::string expected =
+      fmt::format("[[from, to], …], each [x, y, z], of {} segments, whose radii `surface` gives", first.size());
+  std::vector<TimedCapsules> later;
+  for (const YAML::Node& item : motion.list("segments", "a list of {time_s, ends_mm}")) {
+    Keys key(motion.file(), item, motion.path("segments"));
+    TimedCapsules timed{read_time(key), first};
+    const auto ends = key.list("ends_mm", expected);
+    if (ends.size() != first.size()) key.fail("ends_mm", "", expected);
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      if (!ends[i].IsSequence() || ends[i].size() != 2)
+        yaml::fail(key.file(), ends[i], key.path("ends_mm"), "", expected);
+      timed.capsules[i].from_mm = key.vector(ends[i][0], key.path("ends_mm"));
+      timed.capsules[i].to_mm = key.vector(ends[i][1], key.path("ends_mm"));
+    }
+    key.finish();
+    later.push_back(std::move(timed));
+  }
+  return make_moving_capsules(first, later);
+}
+
+void read_motion(Keys& root, Keys& surface, SurfacePtr shape, SkinFile& result) {
+  Keys motion(root.file(), root.get("motion", "a map"), "motion");
+  for (const auto& [key, value] : {std::pair{"frame_rate_per_s", &result.motion_limits.images_per_s},
+                                   {"object_speed_m_s", &result.motion_limits.object_speed_m_s}}) {
+    motion.get(key, "a number above 0");
+    *value = motion.positive(key, 0);
+  }
+  result.motion_limits.tolerance_px = motion.positive("tolerance_px", kD95_px);
+  try {
+    if (motion.has("segments")) {
+      result.motion = read_moving_segments(motion, surface);
+    } else {
+      result.motion = read_poses(motion, std::move(shape));
+    }
+  } catch (const std::invalid_argument& error) {
+    yaml::fail(root.file(), motion.node(), "motion", error.what(), "a surface at times that rise");
+  }
+  motion.finish();
 }
 
 /// The two cameras that skin.yaml names, or the first two.
@@ -326,6 +388,7 @@ SkinFile load_skin(const std::filesystem::path& path, Point centre, const calib:
     throw UsageError(fmt::format("{}: a {} is seen through cameras: --rig is required", file, type));
   }
   const calib::Rig cameras = two_cameras(root, *rig);
+  if (root.has("motion")) read_motion(root, surface, shape, result);
   root.finish();
   try {
     result.skin = std::make_unique<RigSkin>(CameraPair(cameras.cameras[0], cameras.cameras[1]), shape, type);
@@ -336,6 +399,11 @@ SkinFile load_skin(const std::filesystem::path& path, Point centre, const calib:
   return result;
 }
 
+bool has_motion(const std::filesystem::path& path) {
+  const YAML::Node root = yaml::load(path, "a skin: `surface:` with a `type`");
+  return root.IsMap() && root["motion"].IsDefined();
+}
+
 std::string skin_file_help() {
   std::string text =
       "skin.yaml holds `surface:` with `type:` and what belongs to it, in the world coordinates of the rig; values in\n"
@@ -344,6 +412,13 @@ std::string skin_file_help() {
   for (const Type& type : types()) text += fmt::format("  {:16} {}\n", type.name, type.keys);
   text += fmt::format("  {:16} matrix: 3 rows of 3 numbers, left pixel to right pixel; no rig\n", kHomography);
   text += fmt::format("  {:16} points: 4 or more of {{left: [x, y], right: [x, y]}}; no rig\n", kCorrespondences);
+  text +=
+      "`motion:` beside it makes a skin that moves, for `run`: from `surface` at time 0 to what it lists, one table a\n"
+      "frame, in steps that no object slips through; intermediate skins are inserted where it would move too far.\n"
+      "  frame_rate_per_s  frames a second, or fields of profile field\n"
+      "  object_speed_m_s  of the fastest object that is not to be missed; tolerance_px (0.7): D of `plan thickness`\n"
+      "  poses             a list of {time_s, shift_mm (0), rotation_deg (0)}; about_mm (0): what it is turned about\n"
+      "  segments          for capsules instead: a list of {time_s, ends_mm: [[from, to], ...]}\n";
   return text + "rotation_deg: angles about x, y, z; R = Rz Ry Rx takes the surface's coordinates to the world's.\n";
 }
 

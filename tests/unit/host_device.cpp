@@ -212,7 +212,8 @@ TEST_CASE("Fifteen tables fit, are switched at every frame, and a full pool says
   const MachineProfile& hd = find_profile("hd");
   Monitor large(make_native_device(hd), hd);
   large.start(1920, 1080, 8);
-  const MapTable dense({1920, 1080, Scan::progressive}, 4, 4);  // 33 KiB of the pool's 64
+  MapTable dense({1920, 1080, Scan::progressive}, 4, 4);  // 33 KiB of the pool's 64
+  dense.seal();
   large.upload(0, dense);
   CHECK_THROWS_WITH(large.upload(1, dense), Catch::Contains("does not fit the pool"));
   CHECK_NOTHROW(large.upload(0, dense));

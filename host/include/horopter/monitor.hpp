@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +44,7 @@ struct FrameResult {
   std::uint32_t latency = 0;  ///< first pixel in to first state out, clocks
   std::uint32_t tail = 0;     ///< last pixel in to last state out, clocks
   Scan scan = Scan::progressive;
+  std::optional<double> skin_time_s;  ///< of a moving skin's motion
 
   std::vector<std::string> fault_names() const;
 };
@@ -60,19 +63,25 @@ class Monitor {
   void stop();
 
   /// Uploads a table into slot 0 … 14 while the machine runs. The pool is filled slot by slot; throws DeviceError when
-  /// it is full or the machine refuses the table.
-  void upload(int slot, const MapTable& table);
-  /// Table of the next frame.
+  /// it is full or the machine refuses the table. `base_word64`: place in the pool instead, in 8 bytes.
+  void upload(int slot, const MapTable& table, std::optional<std::size_t> base_word64 = {});
+  /// Table of the next frame: to be called before its begin(), after the output of the frame before has begun.
   void select(int slot);
 
   /// One frame (or field) of both cameras, of the size given to start().
   FrameResult process(const Image& left, const Image& right);
+  /// The two halves of process(). Between them tables that are not in use can be uploaded.
+  void begin(const Image& left, const Image& right);
+  FrameResult finish();
+  /// Waits until the output of a frame that was begun is made by this table. Throws DeviceError when it never is.
+  void wait_for_table(int slot);
 
   Device& device() { return *device_; }
   const MachineProfile& profile() const { return profile_; }
 
  private:
   void write_limits();
+  void write_undecidable_limit(int slot);
 
   struct Slot {
     std::size_t base_word64 = 0;
@@ -87,6 +96,8 @@ class Monitor {
   int height_ = 0;
   std::vector<Slot> slots_;
   std::uint32_t sequence_ = 0;
+  int selected_ = -1;
+  std::deque<int> in_machine_;  ///< tables of the frames begun and not finished
 };
 
 /// A monitor for image pairs of one skin: every image makes one result, or two for profiles that take fields.

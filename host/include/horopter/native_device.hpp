@@ -50,6 +50,7 @@ class NativeDevice : public Device {
   void end_upload(UploadError error);
   native::Settings settings() const;
   void reset_stream();
+  void start_frame();
 
   const MachineProfile& profile_;
   std::unique_ptr<native::Engine> engine_;
@@ -58,7 +59,7 @@ class NativeDevice : public Device {
   std::uint32_t irq_status_ = 0;
 
   std::array<std::optional<Table>, 15> tables_;
-  int active_slot_ = 15;
+  int active_slot_ = 15;                    ///< of the first of `pending_`, from its arrival on, or of the frame before
   std::uint32_t frame_faults_pending_ = 0;  ///< of the control side since the last frame
   bool uploading_ = false;
   int upload_slot_ = 15;

@@ -9,10 +9,19 @@
 #include <vector>
 
 #include "horopter/calib/rig.hpp"
+#include "horopter/moving_surface.hpp"
+#include "horopter/plan.hpp"
 #include "horopter/skin.hpp"
 #include "horopter/surface.hpp"
 
 namespace horopter {
+
+/// How a skin may move from one frame (or field) to the next, so that no object is missed.
+struct MotionLimits {
+  double images_per_s = 0;        ///< frames, or fields, a second
+  double object_speed_m_s = 0;    ///< of the fastest object that is not to be missed
+  double tolerance_px = kD95_px;  ///< disparity tolerance D of 11.1, in pixels of the result
+};
 
 /// A skin as read from skin.yaml.
 struct SkinFile {
@@ -20,6 +29,8 @@ struct SkinFile {
   std::string path;
   std::vector<Correspondence> correspondences;  ///< those given in the file, if any
   std::optional<HomographyFit> fit;
+  MovingSurfacePtr motion;  ///< of a skin that moves; `skin` is then where its motion begins
+  MotionLimits motion_limits;
   std::string rig;  ///< text of rig.yaml of the two cameras; empty for a skin that needs none
 };
 
@@ -30,6 +41,9 @@ calib::Rig read_rig(const std::filesystem::path& path);
 /// homography is used on that side of its horizon. `rig` is needed by surfaces, and not used by homographies and
 /// correspondences. Throws FileError with the line, UsageError where a rig is needed.
 SkinFile load_skin(const std::filesystem::path& path, Point centre, const calib::Rig* rig = nullptr);
+
+/// Whether a skin.yaml has `motion`. Throws FileError.
+bool has_motion(const std::filesystem::path& path);
 
 /// The types of surfaces and their keys, for --help.
 std::string skin_file_help();
