@@ -542,6 +542,41 @@ TEST_CASE("study edges finds what the thesis found (6.7)") {
   CHECK(json::parse(box.read("study/summary.json")) == result);
 }
 
+TEST_CASE("study interpolation: weights of three bits are enough (7.5)") {
+  Sandbox box;
+  const json result = report(box, {"study", "interpolation", "--quick", "--out", "study"});
+  const auto figure = [&](const char* kind, const char* method, const char* key) {
+    return result[kind][method][key].get<double>();
+  };
+  // The thesis: sigma 7 for nearest, 1.5 for steps of 1/4, proportional to the step.
+  CHECK(figure("scaling", "nearest", "sigma_grey") == Approx(7).margin(1.5));
+  CHECK(figure("scaling", "step 1/4", "sigma_grey") == Approx(1.5).margin(0.4));
+  CHECK(figure("scaling", "step 1/2", "sigma_grey") / figure("scaling", "step 1/4", "sigma_grey") ==
+        Approx(2).margin(0.2));
+  // Nearest is half a pixel off at most; steps of 1/8 add little to what bilinear interpolation costs.
+  CHECK(figure("translation", "nearest", "largest_equivalent_px") == Approx(0.5).margin(0.05));
+  const double bilinear = figure("translation", "bilinear", "largest_equivalent_px");
+  CHECK(bilinear > 0.05);
+  CHECK(figure("translation", "step 1/8", "largest_equivalent_px") < bilinear + 0.03);
+  CHECK(figure("translation", "step 1/2", "largest_equivalent_px") > bilinear + 0.1);
+  CHECK(figure("translation", "cubic", "largest_equivalent_px") < bilinear);
+  double before = 100;
+  for (const char* const step : {"nearest", "step 1/2", "step 1/4", "step 1/8", "step 1/16", "step 1/32"}) {
+    CHECK(figure("scaling", step, "sigma_grey") < before);
+    before = figure("scaling", step, "sigma_grey");
+  }
+  // A translation by a multiple of the step is the same as with continuous weights.
+  const std::string table = box.read("study/translation.csv");
+  const auto row = [&](const std::string& start) {
+    const auto at = table.find("\n" + start) + 1;
+    REQUIRE(at != 0);
+    return table.substr(at + start.size(), table.find('\n', at) - at - start.size());
+  };
+  CHECK(row("step 1/4,2,0.25,") == row("bilinear,,0.25,"));
+  CHECK(row("step 1/4,2,0.375,") != row("bilinear,,0.375,"));
+  CHECK_THAT(box.read("study/interpolation.svg"), Catch::EndsWith("</svg>\n") && !Catch::Contains("nan"));
+}
+
 TEST_CASE("study calibration: the rendered rig of 6.8, and the Cramer-Rao bound") {
   Sandbox box;
   const json result = report(box, {"study", "calibration", "--quick", "--out", "study"});

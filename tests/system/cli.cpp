@@ -159,6 +159,55 @@ TEST_CASE("The hardware and the native engine write the same pictures") {
 }
 #endif
 
+TEST_CASE("A skin that moves: every frame names its table and time") {
+  Sandbox box;
+  with_pairs(box, 5);
+  const std::string camera =
+      "    image_size: [200, 120]\n    model: brown_conrady\n    fx_px: 200\n    fy_px: 200\n    cx_px: 99.5\n"
+      "    cy_px: 59.5\n    distortion: {}\n    rotation: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n";
+  box.write("rig.yaml", "horopter_rig: 1\nworld: left\ncameras:\n  - name: left\n" + camera +
+                            "    translation_mm: [0, 0, 0]\n  - name: right\n" + camera +
+                            "    translation_mm: [-50, 0, 0]\n");
+  const std::string motion =
+      "surface: {type: plane, point_mm: [0, 0, 800], normal: [0, 0, 1]}\n"
+      "motion: {frame_rate_per_s: 50, object_speed_m_s: 1.6, poses: [{time_s: 0.06, shift_mm: [0, 0, 100]}]}\n";
+  box.write("moving.yaml", motion);
+  const std::vector<std::string> arguments{"run",    "--left",      "left*.png", "--right", "right*.png",
+                                           "--skin", "moving.yaml", "--out",     "out",     "--json"};
+  const std::vector<std::string> rig{"--rig", "rig.yaml"};
+#ifdef HOROPTER_TEST_RTL
+  const std::string engine = GENERATE("native", "rtl");
+#else
+  const std::string engine = "native";
+#endif
+  const auto result = box.run(arguments + rig + std::vector<std::string>{"--engine", engine});
+  CAPTURE(result.err);
+  REQUIRE(result.status == 0);
+  const auto summary = nlohmann::json::parse(result.out);
+  CHECK(summary["motion"]["tables"] == 4);
+  CHECK(summary["motion"]["inserted"] == 0);
+  const auto& frames = summary["frames"];
+  REQUIRE(frames.size() == 5);
+  for (std::size_t i = 0; i < 5; ++i) {
+    CHECK(frames[i]["skin_time_s"].get<double>() == Approx(0.02 * static_cast<double>(std::min<std::size_t>(i, 3))));
+    CHECK(frames[i]["table"] == (std::min<std::size_t>(i, 3)) % 2);
+  }
+  CHECK(frames[0]["table_crc"] != frames[1]["table_crc"]);
+  CHECK(frames[1]["table_crc"] != frames[3]["table_crc"]);
+  CHECK(frames[3]["table_crc"] == frames[4]["table_crc"]);
+
+  CHECK(box.run(arguments).status == 2);  // no rig
+  fs::remove_all(box / "out");
+  check_bad_file(
+      box,
+      {"map", "--skin", "moving.yaml", "--rig", "rig.yaml", "--profile", "vga", "--size", "200x120", "-o", "m.hmap"},
+      "moving.yaml", "a table for each frame");
+  std::string fast = motion;
+  fast.replace(fast.find("1.6"), 3, "16");
+  box.write("moving.yaml", fast);
+  check_bad_file(box, arguments + rig, "moving.yaml", "must be below");
+}
+
 TEST_CASE("A fault of a frame is exit status 4, with the results written") {
   Sandbox box;
   with_pairs(box);

@@ -46,15 +46,16 @@ Image right_of(const Image& left, const MapTable& table) {
 MovingMaps moving_plane(const MachineProfile& profile) {
   const CameraPair cameras = table_11_1(kWidth, kHeight);
   const TemporaryDirectory directory;
-  const std::filesystem::path skin = directory.write("skin.yaml",
-                                           "surface: {type: plane, point_mm: [0, 0, 800], normal: [0, 0, 1]}\n"
-                                           "motion:\n"
-                                           "  frame_rate_per_s: 60\n"
-                                           "  object_speed_m_s: 1.6\n"
-                                           "  about_mm: [0, 0, 800]\n"
-                                           "  poses:\n"
-                                           "    - {time_s: 0.8, shift_mm: [0, 0, 120], rotation_deg: [10, 0, 0]}\n"
-                                           "    - {time_s: 1.65, shift_mm: [0, 0, -50], rotation_deg: [0, 20, 0]}\n");
+  const std::filesystem::path skin =
+      directory.write("skin.yaml",
+                      "surface: {type: plane, point_mm: [0, 0, 800], normal: [0, 0, 1]}\n"
+                      "motion:\n"
+                      "  frame_rate_per_s: 60\n"
+                      "  object_speed_m_s: 1.6\n"
+                      "  about_mm: [0, 0, 800]\n"
+                      "  poses:\n"
+                      "    - {time_s: 0.8, shift_mm: [0, 0, 120], rotation_deg: [10, 0, 0]}\n"
+                      "    - {time_s: 1.65, shift_mm: [0, 0, -50], rotation_deg: [0, 20, 0]}\n");
   const calib::Rig rig{"", {cameras.left(), cameras.right()}};
   return compile_motion(load_skin(skin, {}, &rig), profile, kWidth, kHeight);
 }
