@@ -577,6 +577,28 @@ TEST_CASE("study interpolation: weights of three bits are enough (7.5)") {
   CHECK_THAT(box.read("study/interpolation.svg"), Catch::EndsWith("</svg>\n") && !Catch::Contains("nan"));
 }
 
+TEST_CASE("study board: a skin in mm on photographs finds the board, and does not find it 50 mm away") {
+  if (!horopter::test::opencv_images()) return;
+  Sandbox box;
+  const json result = report(box, {"study", "board", "--quick", "--engines", "native", "--out", "study"});
+  CHECK(result["corners_rms_px"]["k1k2p1p2"].get<double>() <= 0.30);
+  CHECK(result["corners_rms_px"]["k1"].get<double>() <= 0.42);
+  for (const json& share : result["shares"]) {
+    CAPTURE(share.dump());
+    CHECK(share["decidable"].get<double>() > 0.25);
+    if (share["shift_mm"] == 0) {
+      CHECK(share["in_skin"].get<double>() >= 0.98);
+      CHECK(share["alarms"] == result["pairs"]);
+    } else {
+      CHECK(share["in_skin"].get<double>() <= 0.10);
+      CHECK(share["alarms"] == 0);
+    }
+  }
+  CHECK_THAT(box.read("study/displacement.svg"), Catch::EndsWith("</svg>\n") && !Catch::Contains("nan"));
+  box.write("empty.txt", "");
+  check_bad_file(box, {"study", "board", "--data", ".", "--out", "none"}, ".", "0 pairs");
+}
+
 TEST_CASE("study calibration: the rendered rig of 6.8, and the Cramer-Rao bound") {
   Sandbox box;
   const json result = report(box, {"study", "calibration", "--quick", "--out", "study"});
