@@ -193,12 +193,7 @@ void Monitor::upload(int slot, const MapTable& table, std::optional<std::size_t>
     throw DeviceError(fmt::format("table {} is not in the machine after its upload", slot));
   }
   Slot& entry = slots_[static_cast<std::size_t>(slot)];
-  entry = {base, words64, 0};
-  const auto& geometry = table.geometry();
-  for (int y = 0; y < geometry.height; ++y) {
-    for (int x = 0; x < geometry.width; ++x) entry.supervised += table.source(x, y, profile_.weight_bits) ? 1 : 0;
-  }
-  entry.supervised /= profile_.subsample;
+  entry = {base, words64, table.supervised_pixels(profile_.weight_bits) / profile_.subsample};
 }
 
 void Monitor::select(int slot) {

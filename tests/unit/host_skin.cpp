@@ -319,4 +319,25 @@ TEST_CASE("The default profile is the smallest that takes the image as it is") {
   CHECK_THROWS_WITH(find_profile("pal"), Catch::Contains("unknown profile 'pal'") && Catch::Contains("field, vga, hd"));
 }
 
+TEST_CASE("Supervised pixels of a table are those that have a source") {
+  std::mt19937 random(7);
+  for (const auto& [nx, ny] : {std::pair{0, 0}, {1, 0}, {0, 2}, {2, 1}, {3, 3}, {5, 4}, {6, 6}}) {
+    CAPTURE(nx, ny);
+    MapTable table({97, 61, Scan::progressive}, nx, ny);
+    for (int row = 0; row < table.rows(); ++row) {
+      for (int column = 0; column < table.columns(); ++column) {
+        const double shift = static_cast<double>(random() % 3) * 3;
+        const Point source{std::ldexp(column, nx) + shift, std::ldexp(row, ny) - shift};
+        table.set_control(column, row, random() % 8 == 0 ? MapTable::kUnmapped : MapTable::encode(source));
+      }
+    }
+    std::int64_t count = 0;
+    for (int y = 0; y < 61; ++y) {
+      for (int x = 0; x < 97; ++x) count += table.source(x, y, 3) ? 1 : 0;
+    }
+    CHECK(table.supervised_pixels(3) == count);
+    CHECK(count > 0);
+  }
+}
+
 }  // namespace horopter
