@@ -9,6 +9,8 @@
 #include <ranges>
 #include <vector>
 
+#include "lens_evaluate.hpp"
+
 namespace horopter::calib {
 namespace {
 
@@ -17,21 +19,6 @@ using Eigen::Vector2d;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-
-/// L(r²) and its derivative by r².
-struct Radial {
-  double value;
-  double derivative;
-};
-
-Radial radial(const LensCoefficients& c, double r2) {
-  const double a = 1 + r2 * (c.k1 + r2 * (c.k2 + r2 * c.k3));
-  const double da = c.k1 + r2 * (2 * c.k2 + r2 * 3 * c.k3);
-  if (c.k4 == 0 && c.k5 == 0 && c.k6 == 0) return {a, da};
-  const double b = 1 + r2 * (c.k4 + r2 * (c.k5 + r2 * c.k6));
-  const double db = c.k4 + r2 * (2 * c.k5 + r2 * 3 * c.k6);
-  return {a / b, (da * b - a * db) / (b * b)};
-}
 
 // Polynomials in r, lowest power first.
 using Polynomial = std::vector<double>;
@@ -131,17 +118,11 @@ LensCoefficients LensCoefficients::from(const std::array<double, kCount>& v) {
 Vector2d lens_forward(const LensCoefficients& c, const Vector2d& point, Matrix2d* by_point,
                       Eigen::Matrix<double, 2, LensCoefficients::kCount>* by_coefficients) {
   const double x = point.x(), y = point.y();
-  const double r2 = x * x + y * y, r4 = r2 * r2;
-  const auto [l, dl] = radial(c, r2);
-  const Vector2d value(x * l + 2 * c.p1 * x * y + c.p2 * (r2 + 2 * x * x) + c.s1 * r2 + c.s2 * r4,
-                       y * l + c.p1 * (r2 + 2 * y * y) + 2 * c.p2 * x * y + c.s3 * r2 + c.s4 * r4);
-  if (by_point != nullptr) {
-    const double cross = 2 * x * y * dl + 2 * c.p1 * x + 2 * c.p2 * y;
-    const double gx = 2 * c.s1 + 4 * r2 * c.s2, gy = 2 * c.s3 + 4 * r2 * c.s4;
-    *by_point << l + 2 * x * x * dl + 2 * c.p1 * y + 6 * c.p2 * x + gx * x, cross + gx * y, cross + gy * x,
-        l + 2 * y * y * dl + 6 * c.p1 * y + 2 * c.p2 * x + gy * y;
-  }
+  const LensValue value = lens_value(c, x, y);
+  if (by_point != nullptr) *by_point << value.xx, value.xy, value.yx, value.yy;
   if (by_coefficients != nullptr) {
+    const double r2 = x * x + y * y, r4 = r2 * r2;
+    const double l = radial(c, r2).value;
     const double b = 1 + r2 * (c.k4 + r2 * (c.k5 + r2 * c.k6));
     const double over = 1 / b, under = -l / b;
     const double powers[3] = {r2, r4, r4 * r2};
@@ -150,7 +131,7 @@ Vector2d lens_forward(const LensCoefficients& c, const Vector2d& point, Matrix2d
         y * powers[0] * over, y * powers[1] * over, r2 + 2 * y * y, 2 * x * y, y * powers[2] * over,
         y * powers[0] * under, y * powers[1] * under, y * powers[2] * under, 0, 0, r2, r4;
   }
-  return value;
+  return {value.x, value.y};
 }
 
 std::optional<Vector2d> lens_inverse_near(const LensCoefficients& c, const Vector2d& value, const Vector2d& start) {

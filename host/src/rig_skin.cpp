@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+
+#include "horopter/calib/vectorised.hpp"
 
 namespace horopter {
 namespace {
@@ -18,8 +21,66 @@ using Eigen::Vector3d;
 /// Share of the distance from the right camera by which another part of the skin must be nearer to hide a point: above
 /// the rounding of a search in single precision, below any thickness of a skin.
 constexpr double kSamePoint = 1e-5;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Lines of sight at a time: what stays in the fastest cache.
-constexpr std::size_t kChunk = 128;
+constexpr std::size_t kChunk = calib::PixelBatch::kSize;
+using Lane = std::array<double, kChunk>;
+
+/// Numbers of a chunk side by side, as a processor's vectors like them.
+struct Chunk {
+  Lane distance, normal_x, normal_y, normal_z;  // normal in world coordinates
+  Lane x, y, over_z;                            // point in the right camera, normalised, and 1/z
+  Lane facing;                                  // normal · direction
+  Lane right_cosine, stretch;
+  calib::PixelBatch pixels;
+};
+
+/// Where the lines of sight meet the skin, in the right camera.
+[[gnu::always_inline]] inline void place_points(const Matrix3d& to_right, const Vector3d& between,
+                                                const std::array<const double*, 9>& view, std::size_t count, Chunk& c) {
+  const double r[9] = {to_right(0, 0), to_right(0, 1), to_right(0, 2), to_right(1, 0), to_right(1, 1),
+                       to_right(1, 2), to_right(2, 0), to_right(2, 1), to_right(2, 2)};
+  const double b[3] = {between.x(), between.y(), between.z()};
+  for (std::size_t i = 0; i < count; ++i) {
+    const double sight[3] = {view[0][i], view[3][i], view[6][i]};
+    const double n[3] = {c.normal_x[i], c.normal_y[i], c.normal_z[i]};
+    const double nx = r[0] * n[0] + r[1] * n[1] + r[2] * n[2];
+    const double ny = r[3] * n[0] + r[4] * n[1] + r[5] * n[2];
+    const double nz = r[6] * n[0] + r[7] * n[1] + r[8] * n[2];
+    const double px = b[0] + c.distance[i] * sight[0];
+    const double py = b[1] + c.distance[i] * sight[1];
+    const double pz = b[2] + c.distance[i] * sight[2];
+    c.normal_x[i] = nx;
+    c.normal_y[i] = ny;
+    c.normal_z[i] = nz;
+    c.over_z[i] = pz > 0 && pz < kInfinity ? 1 / pz : std::numeric_limits<double>::quiet_NaN();
+    c.x[i] = px * c.over_z[i];
+    c.y[i] = py * c.over_z[i];
+    c.facing[i] = nx * sight[0] + ny * sight[1] + nz * sight[2];
+    c.right_cosine[i] = -(nx * px + ny * py + nz * pz) / std::sqrt(px * px + py * py + pz * pz);
+  }
+}
+
+/// The map's derivatives are those of the skin's tangent plane: dP = t (dv − v (n·dv)/(n·v)).
+[[gnu::always_inline]] inline void stretch_points(const std::array<const double*, 9>& view, int row_step,
+                                                  std::size_t count, Chunk& c) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const double over = 1 / c.facing[i];
+    const double scale = c.distance[i] * c.over_z[i];
+    double d[2][2];  // of the normalised point, by the left pixel
+    for (int k = 0; k < 2; ++k) {
+      const double dx = view[1 + k][i], dy = view[4 + k][i], dz = view[7 + k][i];
+      const double tilt = (c.normal_x[i] * dx + c.normal_y[i] * dy + c.normal_z[i] * dz) * over;
+      const double mx = dx - view[0][i] * tilt, my = dy - view[3][i] * tilt, mz = dz - view[6][i] * tilt;
+      d[0][k] = scale * (mx - c.x[i] * mz);
+      d[1][k] = scale * (my - c.y[i] * mz);
+    }
+    const auto& p = c.pixels;
+    c.stretch[i] =
+        largest_stretch({p.xx[i] * d[0][0] + p.xy[i] * d[1][0], (p.xx[i] * d[0][1] + p.xy[i] * d[1][1]) * row_step,
+                         (p.yx[i] * d[0][0] + p.yy[i] * d[1][0]) / row_step, p.yx[i] * d[0][1] + p.yy[i] * d[1][1]});
+  }
+}
 
 const Point kNowhere{std::nan(""), std::nan("")};
 
@@ -35,7 +96,7 @@ CameraPair::CameraPair(calib::Camera left, calib::Camera right)
 Rays CameraPair::rays(std::span<const Point> left) const {
   Rays rays;
   rays.directions.reserve(left.size());
-  rays.right_view.reserve(left.size());
+  for (auto& entry : rays.right_view) entry.reserve(left.size());
   rays.over_length.reserve(left.size());
   const Matrix3d to_world = left_.world_to_camera.rotation.transpose();
   const Matrix3d to_right = right_.world_to_camera.rotation * to_world;
@@ -48,8 +109,9 @@ Rays CameraPair::rays(std::span<const Point> left) const {
       view.rightCols<2>() << slope, 0, 0;
     }
     rays.directions.emplace_back(to_world * view.col(0));
-    rays.right_view.emplace_back(to_right * view);
     rays.over_length.push_back(1 / view.col(0).norm());
+    view = to_right * view;
+    for (int i = 0; i < 9; ++i) rays.right_view[static_cast<std::size_t>(i)].push_back(view(i / 3, i % 3));
   }
   return rays;
 }
@@ -59,11 +121,10 @@ void CameraPair::look(const Surface& surface, const Rays& rays, int row_step, co
   std::array<Hit, kChunk> hits;
   std::array<Hit, kChunk> right_hits;
   std::array<Vector3d, kChunk> sights;  // from the right camera to the point on the skin
+  Chunk c;
   const double smallest_cosine = std::cos(limits.largest_angle_deg * std::numbers::pi / 180);
   const double largest_stretch_allowed = 1 / limits.smallest_scale;
-  const Matrix3d& to_right = right_.world_to_camera.rotation;
   const bool search_hidden = !surface.simple();
-  calib::CameraModel::LensPlace lens_place;
   for (std::size_t first = 0; first < rays.size(); first += kChunk) {
     const std::size_t count = std::min(kChunk, rays.size() - first);
     const auto directions = std::span(rays.directions).subspan(first, count);
@@ -75,32 +136,25 @@ void CameraPair::look(const Surface& surface, const Rays& rays, int row_step, co
       surface.intersect(right_centre_, std::span(sights).first(count), std::span(right_hits).first(count));
     }
     for (std::size_t i = 0; i < count; ++i) {
+      c.distance[i] = hits[i].distance;
+      c.normal_x[i] = hits[i].normal.x();
+      c.normal_y[i] = hits[i].normal.y();
+      c.normal_z[i] = hits[i].normal.z();
+    }
+    std::array<const double*, 9> view;
+    for (std::size_t i = 0; i < 9; ++i) view[i] = rays.right_view[i].data() + first;
+    calib::vectorised<place_points>(right_.world_to_camera.rotation, between_, view, count, c);
+    right_.model.distort(std::span(c.x).first(count), std::span(c.y).first(count), c.pixels);
+    calib::vectorised<stretch_points>(view, row_step, count, c);
+    for (std::size_t i = 0; i < count; ++i) {
       Look& look = looks[first + i];
       look = {kNowhere, std::nanf(""), Reason::no_source};
-      const Hit& hit = hits[i];
-      if (!std::isfinite(hit.distance)) continue;
+      if (!std::isfinite(c.distance[i])) continue;
       look.reason = Reason::outside;
-      const Matrix3d& view = rays.right_view[first + i];
-      const Vector3d sight = view.col(0);
-      const Vector3d normal = to_right * hit.normal;
-      const Vector3d point = between_ + hit.distance * sight;
-      if (!(point.z() > 0)) continue;
-      const double over_z = 1 / point.z();
-      const Vector2d normalised = point.head<2>() * over_z;
-      Matrix2d lens;
-      const auto pixel = right_.model.distort_near(normalised, lens_place, &lens);
-      if (!pixel) continue;
-      look.source = {pixel->x(), pixel->y()};
-
-      // The map's derivatives are those of the skin's tangent plane: dP = t (dv − v (n·dv)/(n·v)).
-      const double facing = normal.dot(sight);
-      const Eigen::RowVector2d tilt = normal.transpose() * view.rightCols<2>() / facing;
-      const Eigen::Matrix<double, 3, 2> moved = hit.distance * (view.rightCols<2>() - sight * tilt);
-      const Matrix2d d = lens * (moved.topRows<2>() - normalised * moved.row(2)) * over_z;
-      const double stretch = largest_stretch({d(0, 0), d(0, 1) * row_step, d(1, 0) / row_step, d(1, 1)});
-      const double left_cosine = -facing * rays.over_length[first + i];
-      const double right_cosine = -normal.dot(point) / point.norm();
-      const double cosine = std::min(left_cosine, right_cosine);
+      if (std::isnan(c.pixels.x[i])) continue;
+      look.source = {c.pixels.x[i], c.pixels.y[i]};
+      const double cosine = std::min(-c.facing[i] * rays.over_length[first + i], c.right_cosine[i]);
+      const double stretch = c.stretch[i];
       look.margin = static_cast<float>(
           std::min(cosine - smallest_cosine, (largest_stretch_allowed - stretch) / largest_stretch_allowed));
       if (search_hidden && !(right_hits[i].distance >= 1 - kSamePoint)) {

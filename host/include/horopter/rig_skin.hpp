@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,9 +16,10 @@ namespace horopter {
 
 /// Lines of sight of left pixels, world coordinates, kept for surfaces that move while the cameras stand.
 struct Rays {
-  std::vector<Eigen::Vector3d> directions;              ///< camera z = 1; NaN where the pixel sees nothing
-  std::vector<Eigen::Matrix<double, 3, 3>> right_view;  ///< direction, and its derivatives by the pixel, right camera
-  std::vector<double> over_length;                      ///< 1 / length of the direction
+  std::vector<Eigen::Vector3d> directions;  ///< camera z = 1; NaN where the pixel sees nothing
+  /// Row by row a 3×3 matrix for each: the direction and its derivatives by the pixel, right camera.
+  std::array<std::vector<double>, 9> right_view;
+  std::vector<double> over_length;  ///< 1 / length of the direction
   std::size_t size() const { return directions.size(); }
 };
 

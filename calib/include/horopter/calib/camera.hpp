@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 
@@ -64,6 +65,13 @@ struct BrownConradyIntrinsics {
 
 using Intrinsics = std::variant<TsaiIntrinsics, BrownConradyIntrinsics>;
 
+/// Pixels and their derivatives by normalised coordinates, side by side. NaN: no pixel.
+struct PixelBatch {
+  static constexpr std::size_t kSize = 128;
+  std::array<double, kSize> x, y;
+  std::array<double, kSize> xx, xy, yx, yy;  ///< ∂x/∂X, ∂x/∂Y, ∂y/∂X, ∂y/∂Y
+};
+
 class CameraModel {
  public:
   CameraModel() : CameraModel(BrownConradyIntrinsics{.fx_px = 1, .fy_px = 1, .lens = {}}) {}
@@ -83,15 +91,8 @@ class CameraModel {
   std::optional<Eigen::Vector2d> undistort(const Eigen::Vector2d& pixel, Eigen::Matrix2d* jacobian = nullptr) const;
   /// The pixel that sees undistorted (x/z, y/z). Nothing where no pixel does: the limit of the lens model.
   std::optional<Eigen::Vector2d> distort(const Eigen::Vector2d& normalised, Eigen::Matrix2d* jacobian = nullptr) const;
-  /// A place in the lens map's plane, before and after the map, and the slope of the map's inverse there.
-  struct LensPlace {
-    Eigen::Vector2d distorted = Eigen::Vector2d::Zero(), undistorted = Eigen::Vector2d::Zero();
-    Eigen::Matrix2d slope = Eigen::Matrix2d::Identity();
-  };
-  /// The same, to 1e-6 px and several times faster, for a sequence of points that lie near each other. `last` is kept
-  /// from call to call.
-  std::optional<Eigen::Vector2d> distort_near(const Eigen::Vector2d& normalised, LensPlace& last,
-                                              Eigen::Matrix2d* jacobian = nullptr) const;
+  /// The same of many, to 1e-6 px and ten times faster.
+  void distort(std::span<const double> normalised_x, std::span<const double> normalised_y, PixelBatch& pixels) const;
   /// The pixel that sees a point in camera coordinates. Nothing behind the camera and beyond the limit.
   std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& point_mm) const;
 
