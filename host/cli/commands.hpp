@@ -16,6 +16,7 @@ struct Outcome {
 
 void add_run(CLI::App& app, Outcome& outcome);
 void add_map(CLI::App& app, Outcome& outcome);
+void add_evaluate(CLI::App& app, Outcome& outcome);
 void add_calibrate(CLI::App& app, Outcome& outcome);
 void add_pattern(CLI::App& app, Outcome& outcome);
 void add_plan(CLI::App& app, Outcome& outcome);

@@ -50,6 +50,7 @@ int run(int argc, char** argv) {
   Outcome outcome;
   add_run(app, outcome);
   add_map(app, outcome);
+  add_evaluate(app, outcome);
   add_calibrate(app, outcome);
   add_pattern(app, outcome);
   add_plan(app, outcome);

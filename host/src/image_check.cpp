@@ -96,7 +96,7 @@ void check_jpeg(const Reader& file) {
   if (!frame || !scan) file.bad(at, "the JPEG ends without an image", "a frame header and a scan");
 }
 
-void check_png(const Reader& file) {
+void check_png(const Reader& file, unsigned largest_bits) {
   std::size_t at = 8;
   bool header = false;
   bool data = false;
@@ -113,7 +113,7 @@ void check_png(const Reader& file) {
     if (type == 0x49484452) {  // IHDR
       header = true;
       if (length != 13) file.bad(at, "a PNG header of a wrong length", "13 bytes");
-      if (file.u8(at + 16) > 8) file.bad_depth(at + 16, file.u8(at + 16));
+      if (file.u8(at + 16) > largest_bits) file.bad_depth(at + 16, file.u8(at + 16));
     }
     data = data || type == 0x49444154;  // IDAT
     if (type == 0x49454E44) break;      // IEND
@@ -122,7 +122,7 @@ void check_png(const Reader& file) {
   if (!header || !data) file.bad(at, "the PNG ends without an image", "IHDR and IDAT chunks");
 }
 
-void check_pnm(const Reader& file) {
+void check_pnm(const Reader& file, unsigned largest_bits) {
   const char kind = static_cast<char>(file.u8(1));
   std::size_t at = 2;
   const auto space = [&] { return at < file.size() && std::isspace(file.u8(at)) != 0; };
@@ -152,18 +152,20 @@ void check_pnm(const Reader& file) {
   }
   const auto [width, height, largest] = header;
   if (width == 0 || height == 0) file.bad(0, fmt::format("an image of {}x{} pixels", width, height), "an image");
-  if (largest > 255)
+  const bool wide = largest_bits == 16 && largest == 65535;
+  if (largest > 255 && !wide)
     file.bad(at, fmt::format("16-bit samples (largest value {})", largest), "an 8-bit image, grey or colour");
-  if (largest != 255) file.bad(at, fmt::format("largest value {}", largest), "255, an 8-bit image");
+  if (largest != 255 && !wide) file.bad(at, fmt::format("largest value {}", largest), "255, an 8-bit image");
   const std::size_t samples = std::size_t{width} * height * (kind == '3' || kind == '6' ? 3 : 1);
+  const std::size_t bytes = wide ? 2 : 1;
   if (kind == '5' || kind == '6') {
     file.need(at, 1, "a space before the pixels");
-    file.need(at + 1, samples, "pixels");
+    file.need(at + 1, samples * bytes, "pixels");
   } else {
     for (std::size_t i = 0; i < samples; ++i) {
       const auto value = number("a grey value");
       if (!value) file.truncated("grey values", at, samples);
-      if (*value > 255) file.bad(at, fmt::format("grey value {}", *value), "at most 255");
+      if (*value > largest) file.bad(at, fmt::format("grey value {}", *value), fmt::format("at most {}", largest));
     }
   }
 }
@@ -248,14 +250,14 @@ ImageFormat sniff_format(Bytes bytes) {
   return ImageFormat::unknown;
 }
 
-void check_structure(Bytes bytes, ImageFormat format, const std::string& name) {
+void check_structure(Bytes bytes, ImageFormat format, const std::string& name, unsigned largest_bits) {
   switch (format) {
     case ImageFormat::jpeg:
       return check_jpeg({bytes, name, true});
     case ImageFormat::png:
-      return check_png({bytes, name, true});
+      return check_png({bytes, name, true}, largest_bits);
     case ImageFormat::pnm:
-      return check_pnm({bytes, name, true});
+      return check_pnm({bytes, name, true}, largest_bits);
     case ImageFormat::bmp:
       return check_bmp({bytes, name, false});
     case ImageFormat::tiff:

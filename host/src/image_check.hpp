@@ -13,7 +13,9 @@ enum class ImageFormat { jpeg, png, pnm, bmp, tiff, unknown };
 
 ImageFormat sniff_format(std::span<const std::uint8_t> bytes);
 
-/// Throws FileError, unless the file is complete and holds 8-bit (or fewer, for palettes) samples.
-void check_structure(std::span<const std::uint8_t> bytes, ImageFormat format, const std::string& name);
+/// Throws FileError, unless the file is complete and holds samples of 8 bits (or fewer, for palettes); `largest_bits`
+/// 16 allows PNG and PNM of 16 bits too.
+void check_structure(std::span<const std::uint8_t> bytes, ImageFormat format, const std::string& name,
+                     unsigned largest_bits = 8);
 
 }  // namespace horopter

@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: Apache-2.0
+// horopter evaluate: "which pixels lie within ±t of disparity d?" against ground truth, beside stereo matching.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <opencv2/core/version.hpp>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "horopter/engines.hpp"
+#include "horopter/evaluation.hpp"
+#include "horopter/monitor.hpp"
+#include "inputs.hpp"
+#include "progress.hpp"
+#include "stereo_matching.hpp"
+#include "stereo_pairs.hpp"
+
+namespace horopter::cli {
+namespace {
+
+using nlohmann::json;
+
+struct EvaluateOptions {
+  StereoPairFiles pair;
+  std::string list;
+  double tolerance_px = 1;
+  std::vector<double> disparities;
+  std::vector<std::string> changes;
+  std::string decision = "thesis";
+  Settings settings;
+  std::string engine = "native";
+  std::string profile;
+  bool json = false;
+};
+
+constexpr std::array<const char*, 3> method_names{"horopter", "stereobm", "stereosgbm"};
+/// Each is timed so often; the fastest run counts, the least disturbed one.
+constexpr int timed_runs = 3;
+
+/// One method on one pair.
+struct MethodResult {
+  std::vector<Score> by_disparity;
+  double seconds = 0;
+  json parameters;
+};
+
+struct PairResult {
+  std::string name;
+  std::vector<double> disparities;
+  std::array<MethodResult, method_names.size()> methods;
+};
+
+/// A plane at the disparity, parallel to the images: an integer shift is a homography.
+SkinFile skin_at(double disparity_px, const Image& image) {
+  const Point centre{image.width / 2.0, image.height / 2.0};
+  SkinFile skin;
+  skin.skin = std::make_unique<HomographySkin>(Matrix3{1, 0, -disparity_px, 0, 1, 0, 0, 0, 1}, centre);
+  skin.path = fmt::format("the plane at disparity {:g}", disparity_px);
+  return skin;
+}
+
+const MachineProfile& profile_for(const EvaluateOptions& options, const StereoPair& pair) {
+  const MachineProfile* profile =
+      options.profile.empty() ? smallest_profile(pair.left.width, pair.left.height) : &find_profile(options.profile);
+  if (profile == nullptr) {
+    throw FileError(pair.name, "", fmt::format("the images are {}x{} pixels", pair.left.width, pair.left.height),
+                    "at most the 1920x1080 of profile hd (a pair's `resize` makes it smaller)");
+  }
+  if (profile->takes_fields()) throw UsageError("fields are not evaluated: ground truth is for full frames");
+  check_image_size(pair.name, pair.left.width, pair.left.height, *profile);
+  return *profile;
+}
+
+MethodResult run_horopter(const EvaluateOptions& options, const StereoPair& pair, const GroundTruth& truth,
+                          const std::vector<double>& disparities, const Image& right, int runs) {
+  const MachineProfile& profile = profile_for(options, pair);
+  Settings settings = options.settings;
+  settings.undecidable_percent = settings.unsupervised_percent = 100;
+  settings.frozen_limit = 0;  // the same images again and again
+  MethodResult result;
+  result.seconds = std::numeric_limits<double>::infinity();
+  for (const double d : disparities) {
+    const MapSet maps = compile_maps(skin_at(d, pair.left), profile, pair.left.width, pair.left.height);
+    Supervisor supervisor(make_device(options.engine, profile), profile, maps, settings);
+    FrameResult frame;
+    for (int run = 0; run < runs; ++run) {
+      const auto start = std::chrono::steady_clock::now();
+      frame = std::move(supervisor.process(pair.left, right).front());
+      const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+      result.seconds = std::min(result.seconds, took.count());
+    }
+    if (frame.faults != 0) {
+      throw DeviceError(fmt::format("{} at disparity {:g}: fault {}", pair.name, d, frame.fault_names().front()));
+    }
+    std::vector<Answer> answers;
+    answers.reserve(frame.states.pixels.size());
+    for (const std::uint8_t state : frame.states.pixels) {
+      answers.push_back(static_cast<State>(state) == State::skin          ? Answer::skin
+                        : static_cast<State>(state) == State::undecidable ? Answer::undecidable
+                                                                          : Answer::clear);
+    }
+    result.by_disparity.push_back(score(truth, d, options.tolerance_px, answers));
+  }
+  result.parameters = {{"decision", options.decision},
+                       {"engine", options.engine},
+                       {"profile", profile.name},
+                       {"dsad_window", profile.dsad_window},
+                       {"majority_window", profile.majority_window},
+                       {"threshold_percent", settings.threshold_percent},
+                       {"texture", settings.texture},
+                       {"self_percent", settings.self_percent}};
+  return result;
+}
+
+MethodResult score_matching(const Matching& matching, const GroundTruth& truth, const std::vector<double>& disparities,
+                            double tolerance_px) {
+  MethodResult result;
+  result.seconds = matching.seconds;
+  result.parameters = matching.parameters;
+  for (const double d : disparities) {
+    std::vector<Answer> answers;
+    answers.reserve(matching.disparity_px.size());
+    for (const float found : matching.disparity_px) {
+      answers.push_back(std::isnan(found)                             ? Answer::undecidable
+                        : std::abs(double{found} - d) <= tolerance_px ? Answer::skin
+                                                                      : Answer::clear);
+    }
+    result.by_disparity.push_back(score(truth, d, tolerance_px, answers));
+  }
+  return result;
+}
+
+PairResult evaluate_pair(const EvaluateOptions& options, const StereoPair& pair, const GroundTruth& truth,
+                         const std::string& change) {
+  PairResult result;
+  result.name = pair.name;
+  result.disparities = options.disparities.empty() ? truth.frequent() : options.disparities;
+  if (result.disparities.empty()) {
+    throw FileError(pair.name, "", "no pixel of the ground truth counts", "known pixels visible in both images");
+  }
+  const Image right = changed(pair.right, change);
+  const int runs = change == "none" ? timed_runs : 1;
+  const double largest = std::max(truth.largest_px(), std::ranges::max(result.disparities) + options.tolerance_px);
+  auto& [horopter, bm, sgbm] = result.methods;
+  horopter = run_horopter(options, pair, truth, result.disparities, right, runs);
+  bm = score_matching(match_bm(pair.left, right, largest, runs), truth, result.disparities, options.tolerance_px);
+  sgbm = score_matching(match_sgbm(pair.left, right, largest, runs), truth, result.disparities, options.tolerance_px);
+  return result;
+}
+
+json to_json(const Score& s) {
+  return {{"precision", s.precision()},
+          {"recall", s.recall()},
+          {"iou", s.iou()},
+          {"objects", s.objects},
+          {"found", s.found},
+          {"false_per_frame", s.false_objects},
+          {"undecidable", s.undecidable_share()}};
+}
+
+/// Mean of every figure, over frames or pairs; of objects the sum.
+json mean_of(const std::vector<json>& rows) {
+  json mean = json::object();
+  for (const auto& [key, first] : rows.front().items()) {
+    if (!first.is_number() || key == "disparity") continue;
+    double sum = 0;
+    for (const json& row : rows) sum += row.at(key).get<double>();
+    if (key == "objects" || key == "found") {
+      mean[key] = std::lround(sum);
+    } else {
+      mean[key] = sum / static_cast<double>(rows.size());
+    }
+  }
+  return mean;
+}
+
+json to_json(const std::vector<PairResult>& pairs) {
+  json result{{"pairs", json::array()}, {"mean", json::object()}};
+  std::array<std::vector<json>, method_names.size()> all;
+  for (const PairResult& pair : pairs) {
+    json methods = json::object();
+    for (std::size_t m = 0; m < method_names.size(); ++m) {
+      const MethodResult& method = pair.methods[m];
+      std::vector<json> rows;
+      for (std::size_t i = 0; i < pair.disparities.size(); ++i) {
+        rows.push_back(to_json(method.by_disparity[i]));
+        rows.back()["disparity"] = pair.disparities[i];
+      }
+      json one = mean_of(rows);
+      one["seconds"] = method.seconds;
+      all[m].push_back(one);
+      one["parameters"] = method.parameters;
+      one["by_disparity"] = rows;
+      methods[method_names[m]] = one;
+    }
+    result["pairs"].push_back({{"name", pair.name}, {"disparities", pair.disparities}, {"methods", methods}});
+  }
+  for (std::size_t m = 0; m < method_names.size(); ++m) result["mean"][method_names[m]] = mean_of(all[m]);
+  return result;
+}
+
+void print_row(const std::string& pair, const std::string& method, const json& row, bool timed) {
+  fmt::print("{:<12} {:<11} {:9.3f} {:7.3f} {:6.3f}   {:4}/{:<4} {:9.2f} {:11.3f}", pair, method,
+             row["precision"].get<double>(), row["recall"].get<double>(), row["iou"].get<double>(),
+             row["found"].get<int>(), row["objects"].get<int>(), row["false_per_frame"].get<double>(),
+             row["undecidable"].get<double>());
+  if (timed) fmt::print(" {:7.1f}", 1000 * row["seconds"].get<double>());
+  fmt::print("\n");
+}
+
+void print_table(const json& result) {
+  fmt::print("{:<12} {:<11} {:>9} {:>7} {:>6}   {:>9} {:>9} {:>11} {:>7}\n", "pair", "method", "precision", "recall",
+             "IoU", "found", "false", "undecidable", "ms");
+  for (const json& pair : result["pairs"]) {
+    const auto name = pair["name"].get<std::string>();
+    for (const char* method : method_names) {
+      const json& one = pair["methods"][method];
+      for (const json& row : one["by_disparity"]) {
+        print_row(fmt::format("{} {:g}", name.substr(0, 8), row["disparity"].get<double>()), method, row, false);
+      }
+      print_row(name, method, one, true);
+    }
+  }
+}
+
+void print(const json& result) {
+  print_table(result);
+  fmt::print("\nParameters\n");
+  for (const char* method : method_names) {
+    fmt::print("  {}:", method);
+    for (const auto& [key, value] : result["pairs"][0]["methods"][method]["parameters"].items()) {
+      fmt::print(" {}={}", key, value.is_string() ? value.get<std::string>() : value.dump());
+    }
+    fmt::print("\n");
+  }
+  fmt::print("  numDisparities as each pair's ground truth needs; OpenCV {}\n", CV_VERSION);
+  const auto print_mean = [](const json& one) {
+    for (const char* method : method_names) print_row("mean", method, one["mean"][method], true);
+  };
+  fmt::print("\nMean of all pairs: {}\n", describe_change("none"));
+  print_mean(result);
+  for (const auto& [change, one] : result["changed"].items()) {
+    fmt::print("\nMean of all pairs: {}\n", describe_change(change));
+    print_mean(one);
+  }
+}
+
+ExitStatus evaluate(const EvaluateOptions& options) {
+  std::vector<StereoPairFiles> files;
+  const bool single = !options.pair.left.empty() || !options.pair.right.empty() || !options.pair.disparity.empty();
+  if (single == !options.list.empty()) throw UsageError("either --list, or --left, --right and --disparity");
+  if (single) {
+    if (options.pair.left.empty() || options.pair.right.empty() || options.pair.disparity.empty()) {
+      throw UsageError("--left, --right and --disparity go together");
+    }
+    files.push_back(options.pair);
+    files.back().name = std::filesystem::path(options.pair.left).parent_path().filename().string();
+    if (files.back().name.empty()) files.back().name = std::filesystem::path(options.pair.left).stem().string();
+  } else {
+    files = read_pair_list(options.list);
+  }
+  std::vector<StereoPair> pairs;
+  for (const StereoPairFiles& one : files) pairs.push_back(load_pair(one));
+  std::vector<GroundTruth> truths;
+  for (const StereoPair& pair : pairs) truths.emplace_back(pair.truth);
+
+  std::vector<std::string> changes{"none"};
+  for (const std::string& name : options.changes) {
+    if (name != "none") changes.push_back(name);
+  }
+  Progress progress("evaluating pair");
+  const std::size_t steps = changes.size() * pairs.size();
+  std::size_t step = 0;
+  json result;
+  json by_change = json::object();
+  for (const std::string& change : changes) {
+    std::vector<PairResult> results;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      if (interrupted()) throw Error(ExitStatus::fault, "interrupted");
+      progress.show(++step, steps);
+      results.push_back(evaluate_pair(options, pairs[i], truths[i], change));
+    }
+    if (change == "none") {
+      result = to_json(results);
+    } else {
+      by_change[change] = to_json(results);
+    }
+  }
+  progress.clear();
+  result["tolerance_px"] = options.tolerance_px;
+  result["changed"] = by_change;
+  if (options.json) {
+    std::puts(result.dump(2).c_str());
+  } else {
+    print(result);
+  }
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+void add_evaluate(CLI::App& app, Outcome& outcome) {
+  auto options = std::make_shared<EvaluateOptions>();
+  // Every pixel that counts wants an answer, so none is left undecidable here; 21 % are 36 degrees.
+  options->settings.threshold_percent = 21;
+  options->settings.texture = 0;
+  options->settings.self_percent = 0;
+  options->changes = change_names();
+  CLI::App* command = app.add_subcommand(
+      "evaluate", "Which pixels lie within a tolerance of a disparity? Against ground truth, beside stereo matching");
+  command->add_option("--left", options->pair.left, "Left image of a rectified pair")->type_name("FILE");
+  command->add_option("--right", options->pair.right, "Right image")->type_name("FILE");
+  command->add_option("--disparity", options->pair.disparity, "Ground truth for the left image: PNG, PGM or PFM")
+      ->type_name("FILE");
+  command->add_option("--scale", options->pair.scale, "Value of the ground truth for 1 px")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("--resize", options->pair.resize, "Factor by which images and ground truth are made smaller")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command
+      ->add_option("--list", options->list,
+                   "Several pairs: a line `name left right disparity scale resize` each, paths relative to the list")
+      ->type_name("FILE");
+  command->add_option("--tolerance", options->tolerance_px, "Half the thickness of the skin, px")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command
+      ->add_option("--disparities", options->disparities,
+                   "Disparities of the skins, px (default: up to six of the most frequent, at least 3 px apart)")
+      ->delimiter(',')
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("D,…");
+  command
+      ->add_option("--change", options->changes,
+                   "Evaluate also with these changes of the right image: gain, noise, vertical (default: all)")
+      ->delimiter(',')
+      ->check(CLI::IsMember(change_names()))
+      ->type_name("NAME,…");
+  command->add_option("--decision", options->decision, "thesis: one skin, one threshold")
+      ->check(CLI::IsMember({"thesis"}))
+      ->capture_default_str();
+  command
+      ->add_option("--threshold", options->settings.threshold_percent,
+                   "thesis: in the skin up to this share of the largest sum of direction differences, %")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
+  command
+      ->add_option("--texture", options->settings.texture,
+                   "thesis: smallest mean gradient that decides, in units of the Sobel magnitude")
+      ->check(CLI::Range(0, 255))
+      ->capture_default_str();
+  command
+      ->add_option("--self", options->settings.self_percent,
+                   "thesis: a window whose directions vary less is no texture, % as --threshold")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
+  command->add_option("--engine", options->engine, "native: C++ on this CPU; rtl: the co-simulated hardware")
+      ->check(CLI::IsMember({"native", "rtl"}))
+      ->capture_default_str();
+  command
+      ->add_option("--profile", options->profile,
+                   "Build of the machine: " + profile_names() + " (default: the smallest that holds the image)")
+      ->type_name("P");
+  command->add_flag("--json", options->json, "Print the result as JSON on standard output, and nothing else");
+  command->footer(
+      "A pixel counts where ground truth is known, x >= largest disparity + 8, and no pixel of the same row nearer by\n"
+      "more than 1 px lands on the same right column. An object is a connected region in the skin of at least 0.2 % "
+      "of\n"
+      "the image, found where at least 30 % of it is answered; a false object is an answered region of that size with\n"
+      "less than 10 % of it within the tolerance + 1 px. Undecidable pixels count as not in the skin. Times are of "
+      "one\n"
+      "thread: of one skin for Horopter, of all disparities for the matchers.\n\n"
+      "Example: horopter evaluate --left im2.png --right im6.png --disparity disp2.png --scale 4");
+  command->callback([options, &outcome] { outcome.status = evaluate(*options); });
+}
+
+}  // namespace horopter::cli

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stereo_pairs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <opencv2/imgproc.hpp>
+#include <sstream>
+#include <string_view>
+
+#include "horopter/error.hpp"
+
+namespace horopter::cli {
+namespace {
+
+constexpr double kNoiseSigma = 5;
+constexpr std::uint64_t kNoiseSeed = 6;
+
+cv::Mat view(const Image& image) {
+  return {image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.pixels.data())};
+}
+
+Image resize_image(const Image& image, double factor) {
+  if (factor == 1) return image;
+  Image result(static_cast<int>(std::lround(image.width * factor)),
+               static_cast<int>(std::lround(image.height * factor)));
+  cv::Mat to = view(result);
+  cv::resize(view(image), to, to.size(), 0, 0, factor < 1 ? cv::INTER_AREA : cv::INTER_LINEAR);
+  return result;
+}
+
+std::uint8_t clip(double value) { return static_cast<std::uint8_t>(std::clamp(std::floor(value + 0.5), 0.0, 255.0)); }
+
+Image with_gain(const Image& image) {
+  Image result = image;
+  for (auto& g : result.pixels) g = clip(0.5 * g + 40);
+  return result;
+}
+
+Image with_noise(const Image& image) {
+  cv::Mat noise(image.height, image.width, CV_64F);
+  cv::RNG random(kNoiseSeed);
+  random.fill(noise, cv::RNG::NORMAL, 0, kNoiseSigma);
+  Image result = image;
+  for (std::size_t i = 0; i < result.pixels.size(); ++i) {
+    result.pixels[i] = clip(result.pixels[i] + noise.ptr<double>()[i]);
+  }
+  return result;
+}
+
+Image shifted_vertically(const Image& image) {
+  Image result = image;
+  for (int y = 0; y + 1 < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) result.at(x, y) = clip(0.5 * (image.at(x, y) + image.at(x, y + 1)));
+  }
+  return result;
+}
+
+struct Change {
+  std::string name;
+  const char* what;
+  Image (*apply)(const Image&);
+};
+
+const std::vector<Change>& changes() {
+  static const std::vector<Change> all{
+      {"none", "as it is", [](const Image& image) { return image; }},
+      {"gain", "right image times 0.5, plus 40", with_gain},
+      {"noise", "right image with noise, sigma 5 grey levels", with_noise},
+      {"vertical", "right image shifted by 0.5 px vertically", shifted_vertically},
+  };
+  return all;
+}
+
+const Change& find_change(const std::string& name) {
+  const auto found = std::ranges::find(changes(), name, &Change::name);
+  if (found == changes().end()) throw UsageError(fmt::format("no change is named '{}'", name));
+  return *found;
+}
+
+}  // namespace
+
+std::vector<StereoPairFiles> read_pair_list(const std::string& path) {
+  const std::string expected = "`name left right disparity scale resize`, the last two positive numbers or left out";
+  const auto bytes = read_file(path, "a list of pairs: " + expected);
+  std::istringstream text(std::string(bytes.begin(), bytes.end()));
+  const auto directory = std::filesystem::path(path).parent_path();
+  std::vector<StereoPairFiles> pairs;
+  std::string line;
+  for (int number = 1; std::getline(text, line); ++number) {
+    std::istringstream words(line.substr(0, line.find('#')));
+    std::vector<std::string> fields;
+    for (std::string word; words >> word;) fields.push_back(word);
+    if (fields.empty()) continue;
+    const std::string place = fmt::format("line {}", number);
+    if (fields.size() < 4 || fields.size() > 6) {
+      throw FileError(path, place, fmt::format("{} fields", fields.size()), expected);
+    }
+    const auto factor = [&](std::size_t index) {
+      if (index >= fields.size()) return 1.0;
+      char* end = nullptr;
+      const double value = std::strtod(fields[index].c_str(), &end);
+      if (*end != '\0' || !std::isfinite(value) || value <= 0) {
+        throw FileError(path, place, fmt::format("'{}'", fields[index]), expected);
+      }
+      return value;
+    };
+    const auto file = [&](std::size_t index) { return (directory / fields[index]).string(); };
+    pairs.push_back({fields[0], file(1), file(2), file(3), factor(4), factor(5)});
+  }
+  if (pairs.empty()) throw FileError(path, "", "no pair", expected);
+  return pairs;
+}
+
+StereoPair load_pair(const StereoPairFiles& files) {
+  const Image left = load_image(files.left);
+  const Image right = load_image(files.right);
+  const DisparityMap truth = load_disparity(files.disparity, files.scale);
+  for (const auto& [file, width, height] :
+       {std::tuple(files.right, right.width, right.height), {files.disparity, truth.width, truth.height}}) {
+    if (width != left.width || height != left.height) {
+      throw FileError(file, "", fmt::format("{}x{} pixels", width, height),
+                      fmt::format("{}x{}, as {}", left.width, left.height, files.left));
+    }
+  }
+  StereoPair pair{files.name, resize_image(left, files.resize), resize_image(right, files.resize), truth};
+  if (files.resize != 1) pair.truth = resized(truth, files.resize, pair.left.width, pair.left.height);
+  return pair;
+}
+
+const std::vector<std::string>& change_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const Change& change : changes()) all.push_back(change.name);
+    return all;
+  }();
+  return names;
+}
+
+std::string describe_change(const std::string& name) { return find_change(name).what; }
+
+Image changed(const Image& right, const std::string& name) { return find_change(name).apply(right); }
+
+}  // namespace horopter::cli

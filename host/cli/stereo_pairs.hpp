@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rectified pairs with ground truth, from options or a list, and what may happen to the right camera's image.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "horopter/disparity.hpp"
+#include "horopter/image.hpp"
+
+namespace horopter::cli {
+
+struct StereoPairFiles {
+  std::string name;
+  std::string left;
+  std::string right;
+  std::string disparity;
+  double scale = 1;   ///< of the disparity file: its value for 1 px
+  double resize = 1;  ///< factor by which images and disparities are made smaller or larger
+};
+
+struct StereoPair {
+  std::string name;
+  Image left;
+  Image right;
+  DisparityMap truth;
+};
+
+/// One pair a line: `name left right disparity scale resize`, separated by blanks; the last two may be left out (1).
+/// Paths are relative to the list; `#` begins a comment. Throws FileError with the line.
+std::vector<StereoPairFiles> read_pair_list(const std::string& path);
+
+/// Throws FileError for files that are bad or do not fit each other.
+StereoPair load_pair(const StereoPairFiles& files);
+
+/// Names of the changes, `none` first.
+const std::vector<std::string>& change_names();
+/// What the change does, for people.
+std::string describe_change(const std::string& name);
+/// The right image, changed: `gain` 0.5·g + 40, `noise` of σ = 5 grey levels, `vertical` half a pixel up.
+Image changed(const Image& right, const std::string& name);
+
+}  // namespace horopter::cli

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// `horopter evaluate` from outside, on a made-up pair.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "sandbox.hpp"
+
+using namespace horopter::test;
+
+namespace {
+
+constexpr int kBackground = 4;
+constexpr int kBlock = 14;
+
+/// A textured block at disparity 14 before a background at 4; disparities times 8.
+Sandbox& with_pair(Sandbox& box) {
+  cv::Mat left(120, 200, CV_8UC1);
+  cv::RNG random(3);
+  random.fill(left, cv::RNG::UNIFORM, 20, 236);
+  cv::GaussianBlur(left, left, {5, 5}, 1.2);
+  cv::Mat disparity(left.size(), CV_8UC1, cv::Scalar(8 * kBackground));
+  disparity(cv::Rect(90, 40, 60, 50)) = 8 * kBlock;
+  cv::Mat right = left.clone();
+  for (const int d : {kBackground, kBlock}) {
+    for (int y = 0; y < left.rows; ++y) {
+      for (int x = d; x < left.cols; ++x) {
+        if (disparity.at<std::uint8_t>(y, x) == 8 * d) right.at<std::uint8_t>(y, x - d) = left.at<std::uint8_t>(y, x);
+      }
+    }
+  }
+  cv::imwrite((box / "left.png").string(), left);
+  cv::imwrite((box / "right.png").string(), right);
+  cv::imwrite((box / "truth.pgm").string(), disparity);
+  return box;
+}
+
+std::vector<std::string> on_pair() {
+  return {"evaluate",    "--left",    "left.png", "--right", "right.png",
+          "--disparity", "truth.pgm", "--scale",  "8",       "--json"};
+}
+
+}  // namespace
+
+TEST_CASE("evaluate compares the skin with two matchers") {
+  Sandbox box;
+  with_pair(box);
+  const auto result = box.run(on_pair());
+  CAPTURE(result.err);
+  REQUIRE(result.status == 0);
+  CHECK(result.err.empty());
+  const auto json = nlohmann::json::parse(result.out);
+  REQUIRE(json["pairs"].size() == 1);
+  CHECK(json["pairs"][0]["disparities"] == nlohmann::json({kBackground, kBlock}));
+  for (const char* method : {"horopter", "stereobm", "stereosgbm"}) {
+    CAPTURE(method);
+    const auto& found = json["pairs"][0]["methods"][method];
+    CHECK(found["iou"].get<double>() > 0.7);
+    CHECK(found["found"] == 2);
+    CHECK(found["objects"] == 2);
+    CHECK(found["false_per_frame"] == 0);
+    CHECK(found["seconds"].get<double>() > 0);
+    CHECK(found["by_disparity"].size() == 2);
+    CHECK(!found["parameters"].empty());
+    CHECK(json["mean"][method]["iou"] == found["iou"]);
+    for (const char* change : {"gain", "noise", "vertical"}) {
+      CHECK(json["changed"][change]["mean"][method]["iou"].get<double>() > 0.5);
+    }
+    CHECK(json["changed"]["noise"]["mean"][method]["iou"] != found["iou"]);
+  }
+}
+
+TEST_CASE("evaluate takes a list, with paths relative to it, and sizes") {
+  Sandbox box;
+  fs::create_directory(box / "data");
+  with_pair(box);
+  for (const char* name : {"left.png", "right.png", "truth.pgm"}) fs::rename(box / name, box / "data" / name);
+  box.write("data/pairs.txt",
+            "# two pairs\nwhole left.png right.png truth.pgm 8\n\nhalf left.png right.png truth.pgm 8 0.5\n");
+  const auto result =
+      box.run({"evaluate", "--list", "data/pairs.txt", "--change", "none", "--disparities", "4,7,14", "--json"});
+  CAPTURE(result.err);
+  REQUIRE(result.status == 0);
+  const auto json = nlohmann::json::parse(result.out);
+  REQUIRE(json["pairs"].size() == 2);
+  const auto iou = [&](int pair, int disparity) {
+    return json["pairs"][pair]["methods"]["stereosgbm"]["by_disparity"][disparity]["iou"].get<double>();
+  };
+  CHECK(json["changed"].empty());
+  CHECK(json["pairs"][1]["name"] == "half");
+  CHECK(iou(0, 2) > 0.7);
+  CHECK(iou(1, 1) > 0.5);  // 14 px at half the size
+}
+
+TEST_CASE("evaluate prints the same as a table") {
+  Sandbox box;
+  with_pair(box);
+  auto arguments = on_pair();
+  arguments.pop_back();
+  const auto result = box.run(arguments + std::vector<std::string>{"--change", "none"});
+  REQUIRE(result.status == 0);
+  CHECK_THAT(result.out, Catch::Contains("stereosgbm") && Catch::Contains("numDisparities") && Catch::Contains("mean"));
+}
+
+TEST_CASE("evaluate refuses what it cannot use") {
+  Sandbox box;
+  with_pair(box);
+  CHECK(box.run({"evaluate"}).status == 2);
+  CHECK(box.run({"evaluate", "--left", "left.png"}).status == 2);
+  CHECK(box.run(on_pair() + std::vector<std::string>{"--list", "pairs.txt"}).status == 2);
+  CHECK(box.run(on_pair() + std::vector<std::string>{"--scale", "0"}).status == 2);
+  CHECK(box.run(on_pair() + std::vector<std::string>{"--profile", "field"}).status == 2);
+  box.write("pairs.txt", "one left.png right.png\n");
+  check_bad_file(box, {"evaluate", "--list", "pairs.txt"}, "pairs.txt", "line 1");
+  box.write("pairs.txt", "one left.png right.png truth.pgm eight\n");
+  check_bad_file(box, {"evaluate", "--list", "pairs.txt"}, "pairs.txt", "'eight'");
+  box.write("pairs.txt", "# nothing\n");
+  check_bad_file(box, {"evaluate", "--list", "pairs.txt"}, "pairs.txt", "no pair");
+  cv::imwrite((box / "small.png").string(), cv::Mat(20, 30, CV_8UC1, cv::Scalar(8)));
+  check_bad_file(box, {"evaluate", "--left", "left.png", "--right", "right.png", "--disparity", "small.png"},
+                 "small.png", "30x20");
+}
