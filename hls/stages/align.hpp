@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // align: from beats to pixels of the result. The windows before it end at the current pixel, so the state of pixel
-// (x, y) comes OFFSET rows and OFFSET columns after it.
+// (x, y) comes OFFSET rows and COLUMNS columns after it (as many, unless a stage before delays the marks as well).
 //
 // Config  width, height of the result in px, at most the template's; width > OFFSET.
 // Out     one beat for each pixel of the result, in raster order from (0, 0): first, last (of a row), end (last of the
@@ -15,7 +15,7 @@
 
 namespace horopter::stages {
 
-template <int WIDTH, int HEIGHT, int OFFSET>
+template <int WIDTH, int HEIGHT, int OFFSET, int COLUMNS = OFFSET>
 class Aligner {
  public:
   struct In {
@@ -45,7 +45,7 @@ class Aligner {
     if (in.marks.first || row_ended_) [[unlikely]] {
       columns_ = Margin(0);
     }
-    const bool start = !started_ && rows_ == OFFSET && columns_ == OFFSET;
+    const bool start = !started_ && rows_ == OFFSET && columns_ == COLUMNS;
     if (start) [[unlikely]] {
       started_ = true;
       active_ = true;
@@ -75,7 +75,7 @@ class Aligner {
       columns_left_ -= lit<1>();
     }
     row_ended_ = in.marks.last;
-    columns_ += u<1>(columns_ != OFFSET);
+    columns_ += u<1>(columns_ != COLUMNS);
     if (in.marks.last) [[unlikely]] {
       rows_ += u<1>(rows_ != OFFSET);
     }

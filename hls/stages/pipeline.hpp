@@ -18,6 +18,7 @@
 
 #include "horopter/hls/lanes.hpp"
 #include "stages/alarm.hpp"
+#include "stages/compete_rows.hpp"
 #include "stages/health.hpp"
 #include "stages/interpolate.hpp"
 #include "stages/lowpass.hpp"
@@ -50,6 +51,8 @@ struct Settings {
   int bright_limit = 0;
   int contrast_limit = 8;  // grey levels
   int frozen_limit = 1;    // repetitions, 0: off
+  bool compete = false;    // the rule: competing planes instead of one threshold
+  CompeteSettings competition;
 
   static constexpr int threshold_percent = 25;
   static constexpr int texture_threshold = 32;  // unscaled Sobel magnitude: 4 grey levels per pixel
@@ -169,7 +172,8 @@ class Pipeline {
       finish_row(result);
     }
     taps_.mask.fill(false);
-    for (int y = 0; y < P.flush_rows(); ++y) finish_row(result);
+    const int flush_rows = compete_ ? stages::Competition<P>::flush_rows : P.flush_rows();
+    for (int y = 0; y < flush_rows; ++y) finish_row(result);
     return result;
   }
 
@@ -274,6 +278,8 @@ class Pipeline {
     alarm_config_.alarm_limit = settings.alarm_limit;
     alarm_config_.undecidable_limit = settings.undecidable_limit;
     alarm_config_.unsupervised_limit = settings.unsupervised_limit;
+    compete_ = settings.compete;
+    if (compete_) competition_.begin(image.width / P.subsample, settings.competition);
     health_config_.dark_level = settings.dark_level;
     health_config_.bright_level = settings.bright_level;
     health_config_.dark_limit = settings.dark_limit;
@@ -427,6 +433,7 @@ class Pipeline {
       interpolate_row(pairs_, 0);
       subsample_row();
     }
+    if (compete_) return compete_row(result);
     load_strips();
     pass(lowpass_, strips_.grey, strips_.smooth);
     pass(sobel_, strips_.smooth, strips_.gradients);
@@ -532,17 +539,44 @@ class Pipeline {
     const int n = result_width_;
     for (int x = 0; x < n; ++x) {
       const auto pixel = align->step({votes_[index(x)], {x == 0 && first_row_, x + 1 == n}}, align_config_);
-      if (!pixel.valid) continue;
-      if (!pixel.idle) [[likely]] {
-        result.states[written_++] = pixel.state.value();
-      }
-      const auto run = runs->step({pixel.state, pixel.first, pixel.last, pixel.idle});
-      if (run.valid) add_run(run, result);
-      const auto counts = alarm->step({pixel.state, pixel.first, pixel.end, pixel.idle}, alarm_config_);
-      if (counts.valid) [[unlikely]] {
-        set_counts(counts, result);
-      }
+      if (pixel.valid) emit(pixel, *runs.operator->(), *alarm.operator->(), result);
     }
+  }
+
+  void emit(const OutOf<stages::Align<P>>& pixel, stages::Runs<P>& runs, stages::Alarm<P>& alarm, FrameResult& result) {
+    if (!pixel.idle) [[likely]] {
+      result.states[written_++] = pixel.state.value();
+    }
+    const auto run = runs.step({pixel.state, pixel.first, pixel.last, pixel.idle});
+    if (run.valid) add_run(run, result);
+    const auto counts = alarm.step({pixel.state, pixel.first, pixel.end, pixel.idle}, alarm_config_);
+    if (counts.valid) [[unlikely]] {
+      set_counts(counts, result);
+    }
+  }
+
+  /// The same with the rule `compete`.
+  void compete_row(FrameResult& result) {
+    const auto source = [&](int x) {
+      const std::size_t at = lead + index(x);
+      return CompetePixel{grey_.left[at], grey_.right[at], grey_.saturated[at], grey_.mask[at]};
+    };
+    competition_.row(source, first_row_, [&](const OutOf<typename stages::Competition<P>::Consensus>& out) {
+      const auto pixel = compete_align_.step({out.state, out.marks}, compete_align_config_());
+      if (!pixel.valid) return;
+      OutOf<stages::Align<P>> same;
+      same.valid = pixel.valid;
+      same.state = pixel.state;
+      same.first = pixel.first;
+      same.last = pixel.last;
+      same.end = pixel.end;
+      same.idle = pixel.idle;
+      emit(same, runs_, alarm_, result);
+    });
+  }
+
+  [[nodiscard]] typename stages::Competition<P>::Align::Config compete_align_config_() const {
+    return {align_config_.width, align_config_.height};
   }
 
   [[gnu::noinline]] static void add_run(const OutOf<stages::Runs<P>>& run, FrameResult& result) {
@@ -585,6 +619,10 @@ class Pipeline {
   typename stages::Align<P>::Config align_config_;
   typename stages::Alarm<P>::Config alarm_config_;
   typename Health::Config health_config_;
+
+  CompeteRows<P> competition_;
+  typename stages::Competition<P>::Align compete_align_;
+  bool compete_ = false;
 
   std::size_t written_ = 0;  // pixels of the result
   int width_ = 0;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -21,6 +22,7 @@
 #include "horopter/monitor.hpp"
 #include "inputs.hpp"
 #include "progress.hpp"
+#include "stages/engine.hpp"
 #include "stereo_matching.hpp"
 #include "stereo_pairs.hpp"
 
@@ -37,6 +39,7 @@ struct EvaluateOptions {
   std::vector<std::string> changes;
   std::string decision = "thesis";
   Settings settings;
+  native::CompeteSettings competition;
   std::string engine = "native";
   std::string profile;
   bool json = false;
@@ -80,44 +83,86 @@ const MachineProfile& profile_for(const EvaluateOptions& options, const StereoPa
   return *profile;
 }
 
-MethodResult run_horopter(const EvaluateOptions& options, const StereoPair& pair, const GroundTruth& truth,
-                          const std::vector<double>& disparities, const Image& right, int runs) {
-  const MachineProfile& profile = profile_for(options, pair);
+/// The machine with one skin: states of the pixels of a pair, again and again.
+using Machine = std::function<Image(const Image& left, const Image& right)>;
+
+Machine thesis_machine(const EvaluateOptions& options, const MachineProfile& profile, const MapSet& maps) {
   Settings settings = options.settings;
   settings.undecidable_percent = settings.unsupervised_percent = 100;
   settings.frozen_limit = 0;  // the same images again and again
+  const auto supervisor = std::make_shared<Supervisor>(make_device(options.engine, profile), profile, maps, settings);
+  return [supervisor](const Image& left, const Image& right) {
+    FrameResult frame = std::move(supervisor->process(left, right).front());
+    if (frame.faults != 0) throw DeviceError("fault " + frame.fault_names().front());
+    return std::move(frame.states);
+  };
+}
+
+Machine compete_machine(const EvaluateOptions& options, const MachineProfile& profile, const MapSet& maps) {
+  if (options.engine != "native") throw UsageError("--decision compete: only --engine native has it");
+  const std::shared_ptr<native::Engine> engine = native::make_engine(profile.name);
+  auto settings = native::Settings::defaults(profile, maps.image_width, maps.image_height);
+  settings.lookahead = maps.lookahead();
+  settings.compete = true;
+  settings.competition = options.competition;
+  return [engine, settings, words = maps.maps.front().table.words()](const Image& left, const Image& right) {
+    const auto view = [](const Image& image) {
+      return native::ImageView{image.pixels.data(), image.width, image.height, image.width};
+    };
+    native::FrameResult frame = engine->process(view(left), view(right), native::TableView(words), settings);
+    Image states;
+    states.width = frame.width;
+    states.height = frame.height;
+    states.pixels = std::move(frame.states);
+    return states;
+  };
+}
+
+json rule_parameters(const EvaluateOptions& options, const MachineProfile& profile) {
+  json result{{"decision", options.decision},
+              {"engine", options.engine},
+              {"profile", profile.name},
+              {"majority_window", profile.majority_window}};
+  if (options.decision == "thesis") {
+    result.update({{"dsad_window", profile.dsad_window},
+                   {"threshold_percent", options.settings.threshold_percent},
+                   {"texture", options.settings.texture},
+                   {"self_percent", options.settings.self_percent}});
+  } else {
+    result.update({{"bias", options.competition.bias},
+                   {"smooth", options.competition.smooth},
+                   {"similar", options.competition.similar},
+                   {"quorum", options.competition.quorum}});
+  }
+  return result;
+}
+
+MethodResult run_horopter(const EvaluateOptions& options, const StereoPair& pair, const GroundTruth& truth,
+                          const std::vector<double>& disparities, const Image& right, int runs) {
+  const MachineProfile& profile = profile_for(options, pair);
   MethodResult result;
+  result.parameters = rule_parameters(options, profile);
   result.seconds = std::numeric_limits<double>::infinity();
   for (const double d : disparities) {
     const MapSet maps = compile_maps(skin_at(d, pair.left), profile, pair.left.width, pair.left.height);
-    Supervisor supervisor(make_device(options.engine, profile), profile, maps, settings);
-    FrameResult frame;
+    const Machine machine =
+        options.decision == "thesis" ? thesis_machine(options, profile, maps) : compete_machine(options, profile, maps);
+    Image states;
     for (int run = 0; run < runs; ++run) {
       const auto start = std::chrono::steady_clock::now();
-      frame = std::move(supervisor.process(pair.left, right).front());
+      states = machine(pair.left, right);
       const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
       result.seconds = std::min(result.seconds, took.count());
     }
-    if (frame.faults != 0) {
-      throw DeviceError(fmt::format("{} at disparity {:g}: fault {}", pair.name, d, frame.fault_names().front()));
-    }
     std::vector<Answer> answers;
-    answers.reserve(frame.states.pixels.size());
-    for (const std::uint8_t state : frame.states.pixels) {
+    answers.reserve(states.pixels.size());
+    for (const std::uint8_t state : states.pixels) {
       answers.push_back(static_cast<State>(state) == State::skin          ? Answer::skin
                         : static_cast<State>(state) == State::undecidable ? Answer::undecidable
                                                                           : Answer::clear);
     }
     result.by_disparity.push_back(score(truth, d, options.tolerance_px, answers));
   }
-  result.parameters = {{"decision", options.decision},
-                       {"engine", options.engine},
-                       {"profile", profile.name},
-                       {"dsad_window", profile.dsad_window},
-                       {"majority_window", profile.majority_window},
-                       {"threshold_percent", settings.threshold_percent},
-                       {"texture", settings.texture},
-                       {"self_percent", settings.self_percent}};
   return result;
 }
 
@@ -346,8 +391,10 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
       ->delimiter(',')
       ->check(CLI::IsMember(change_names()))
       ->type_name("NAME,…");
-  command->add_option("--decision", options->decision, "thesis: one skin, one threshold")
-      ->check(CLI::IsMember({"thesis"}))
+  command
+      ->add_option("--decision", options->decision,
+                   "thesis: one skin, one threshold; compete: parallel skins compete, pixels that look alike vote")
+      ->check(CLI::IsMember({"thesis", "compete"}))
       ->capture_default_str();
   command
       ->add_option("--threshold", options->settings.threshold_percent,
@@ -364,6 +411,14 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
                    "thesis: a window whose directions vary less is no texture, % as --threshold")
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
+  const auto compete_option = [&](const char* name, int& value, int largest, const char* what) {
+    command->add_option(name, value, what)->check(CLI::Range(0, largest))->capture_default_str();
+  };
+  compete_option("--bias", options->competition.bias, 15, "compete: added to every vote");
+  compete_option("--smooth", options->competition.smooth, 7,
+                 "compete: neighbours of a row are alike up to this difference, 4 grey levels");
+  compete_option("--similar", options->competition.similar, 15, "compete: pixels of a column likewise");
+  compete_option("--quorum", options->competition.quorum, 255, "compete: smallest sum of votes that decides");
   command->add_option("--engine", options->engine, "native: C++ on this CPU; rtl: the co-simulated hardware")
       ->check(CLI::IsMember({"native", "rtl"}))
       ->capture_default_str();

@@ -120,6 +120,10 @@ template <int N>
 u<N> spread(hls::u<N> value) {
   return u<N>(value);
 }
+template <int N>
+s<N> spread(hls::s<N> value) {
+  return s<N>(signed_vector{} + static_cast<std::int16_t>(value.value()));
+}
 template <vector T>
 T spread(T value) {
   return value;
@@ -226,6 +230,11 @@ u<N - K> shr(u<N> value) {
   return u<N - K>(value.vector() >> K);
 }
 
+template <int K, int N>
+s<N - K> shr(s<N> value) {
+  return s<N - K>(value.vector() >> K);
+}
+
 template <int N>
 u<N> abs(s<N> value) {
   const signed_vector sign = value.vector() >> 15;
@@ -236,6 +245,20 @@ template <int N>
 u<N> select(bit condition, u<N> a, u<N> b) {
   const auto mask = reinterpret_cast<unsigned_vector>(condition.mask());
   return u<N>((a.vector() & mask) | (b.vector() & ~mask));
+}
+
+template <int N>
+s<N> select(bit condition, s<N> a, s<N> b) {
+  return s<N>((a.vector() & condition.mask()) | (b.vector() & ~condition.mask()));
+}
+
+template <int N>
+u<N> min(u<N> a, u<N> b) {
+  return select(a < b, a, b);
+}
+template <int N>
+u<N> max(u<N> a, u<N> b) {
+  return select(a < b, b, a);
 }
 
 template <int N, int M>

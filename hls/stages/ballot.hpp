@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// ballot: along the column, the votes of pixels whose left grey level is like the pixel's own.
+//
+// sum = Σ vote over the pixels up to R rows above and below whose grey level differs by at most `similar` · 4 levels.
+// Out   skin: sum > 0. decidable: |sum| ≥ `quorum`: where (nearly) nobody votes, nothing is decided. exists: a pixel.
+// Offset: R rows. Memory: per column 2R rows of 15 bits.
+#pragma once
+
+#include "stages/spread.hpp"
+
+namespace horopter::stages {
+
+template <int BEATS, int R>
+class ColumnBallot {
+  static_assert(R >= 2 && R <= 12);
+
+ public:
+  using In = VoteSpread::Out;
+  struct Config {
+    u<4> similar;  // 4 grey levels
+    u<8> quorum;
+  };
+  struct Out {
+    bool skin = false;
+    bool decidable = false;
+    bool exists = false;
+    Marks marks;
+  };
+
+  Out step(const In& in, const Config& config) {
+    memory_.begin_step();
+    const auto at = raster_.step(in.marks.first, in.marks.last);
+    running_ = running_ || in.marks.first;
+    Column above;
+    if (running_) above = memory_.read(at.column);
+    if (at.frame_start_row) [[unlikely]] {
+      above = Column{};
+    }
+    const Ballot own{in.vote, in.grey, in.exists};
+    const Ballot& centre = above.ballot[R - 1];
+    std::array<Sum, 2 * R + 1> votes{};
+    for (std::size_t i = 0; i <= 2 * R; ++i) {
+      const Ballot& other = i == 2 * R ? own : above.ballot[i];
+      const u<7> difference = abs(s<7>(other.grey - centre.grey));
+      if (difference <= config.similar) votes[i] = Sum(other.vote);
+    }
+    for (std::size_t n = 2 * R + 1; n > 1; n = (n + 1) / 2) {
+      for (std::size_t i = 0; i < n / 2; ++i) votes[i] = Sum(votes[2 * i] + votes[2 * i + 1]);
+      if (n % 2 == 1) votes[n / 2] = votes[n - 1];
+    }
+    Column column;
+    for (std::size_t i = 2 * R - 1; i > 0; --i) column.ballot[i] = above.ballot[i - 1];
+    column.ballot[0] = own;
+    if (running_) memory_.write(at.column, column);
+
+    Out out;
+    out.skin = votes[0] > lit<0>();
+    out.decidable = abs(votes[0]) >= config.quorum;
+    out.exists = centre.exists;
+    out.marks = in.marks;
+    return out;
+  }
+
+ private:
+  using Sum = s<13>;  // 25 · 127 and its sign
+
+  struct Ballot {
+    s<8> vote;
+    u<6> grey;
+    bool exists = false;
+  };
+  struct Column {
+    std::array<Ballot, 2 * R> ballot{};  // the nearest row first
+  };
+
+  ColumnMemory<Column, BEATS> memory_;
+  Raster<BEATS, 1> raster_;
+  bool running_ = false;
+};
+
+}  // namespace horopter::stages

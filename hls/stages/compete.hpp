@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rule `compete`: parallel skins compete for each pixel, their votes are shared with pixels that look alike.
+//
+//   lowpass → sobel → direction → plane_sums → plane_paths → contest → spread → ballot → consensus → align
+//
+// plane_sums also takes the low-passed left grey level. Everything from plane_sums on delays its marks with the pixel,
+// so `align` has no offset in columns.
+#pragma once
+
+#include "stages/align.hpp"
+#include "stages/consensus.hpp"
+
+namespace horopter::stages {
+
+/// The stages of a profile. All pixels whose low-pass exists are decided: at the image's border by those that vote.
+template <Profile P>
+struct Competition {
+  static constexpr const auto& planes = planes_19;
+  static constexpr int sum_window = 7;
+  static constexpr int ballot_reach = 9;  // rows
+
+  template <class V, int BEATS>
+  using SumsOf = PlaneSummer<BEATS, planes, sum_window, V>;
+  template <class V, int BEATS>
+  using PathsOf = PlanePaths<BEATS, planes, sum_window, V>;
+  template <class V, int BEATS>
+  using ContestOf = PlaneContest<BEATS, planes, sum_window, V>;
+
+  using PlaneSums = SumsOf<Scalar, P.result_width()>;
+  using Paths = PathsOf<Scalar, P.result_width()>;
+  using Contest = ContestOf<Scalar, P.result_width()>;
+  using Spread = VoteSpread;
+  using Ballot = ColumnBallot<P.result_width(), ballot_reach>;
+  using Consensus = stages::ConsensusVote<P.result_width(), P.majority_window>;
+
+  /// Rows by which the result of a pixel leaves late: low-pass and Sobel, sum, ballot, consensus.
+  static constexpr int offset = 2 + (sum_window - 1) / 2 + ballot_reach + (P.majority_window - 1) / 2;
+  /// Rows without pixels after each frame: the offset, and what is late within the row.
+  static constexpr int flush_rows = offset + 3;
+  using Align = Aligner<P.result_width(), P.height, offset, 0>;
+};
+
+}  // namespace horopter::stages

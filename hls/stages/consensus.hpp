@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// consensus: the M×M majority of the decidable pixels that exist → state of the pixel, up to the image's border.
+//
+// Out   state: unsupervised if there is no pixel; else undecidable unless the pixel itself is decidable and more than
+//       half of the pixels that exist in its M×M are; else skin if more than half of the decidable are, else clear.
+// Unlike `majority` it asks no more of the window than the pixel: each voter has its own support. Marks are delayed
+// with the pixel. Offset: (M − 1) / 2 rows. Memory: per column M − 1 rows of three bits. The window may leave the row:
+// `sums_` restarts with each row, and for the last (M − 1) / 2 pixels of a row, which come with the first beats of the
+// next one, `rest_` goes on without it.
+#pragma once
+
+#include "stages/ballot.hpp"
+
+namespace horopter::stages {
+
+template <int BEATS, int M>
+class ConsensusVote {
+  static_assert(M >= 3 && M <= 9 && M % 2 == 1, "the window is 3×3 to 9×9");
+
+ public:
+  struct In {
+    bool skin = false;
+    bool decidable = false;
+    bool exists = false;
+    Marks marks;
+  };
+  struct Out {
+    u<2> state;
+    Marks marks;
+  };
+
+  static constexpr int delay = (M - 1) / 2;
+
+  Out step(const In& in) {
+    memory_.begin_step();
+    const auto at = raster_.step(in.marks.first, in.marks.last);
+    running_ = running_ || in.marks.first;
+    Column above;
+    if (running_) above = memory_.read(at.column);
+    if (at.frame_start_row) [[unlikely]] {
+      above = Column{};
+    }
+    const bool decidable = in.exists && in.decidable;
+    const u<M> exists_column = cat(above.exists, in.exists);
+    const u<M> decidable_column = cat(above.decidable, decidable);
+    const u<M> skin_column = cat(above.skin, decidable && in.skin);
+    Column column;
+    column.exists = u<M - 1>(exists_column);
+    column.decidable = u<M - 1>(decidable_column);
+    column.skin = u<M - 1>(skin_column);
+    if (running_) memory_.write(at.column, column);
+
+    const Counts counts{popcount(exists_column), popcount(decidable_column), popcount(skin_column)};
+    const Counts leaving = columns_.oldest();
+    columns_.push(counts);
+    const bool early = at.column < delay;  // the centre is still in the row before
+    if (at.row_start) rest_ = sums_;
+    if (at.row_start) sums_ = Totals{};
+    const bool filled = at.column >= M;
+    advance(sums_.exists, counts.exists, leaving.exists, filled);
+    advance(sums_.decidable, counts.decidable, leaving.decidable, filled);
+    advance(sums_.skin, counts.skin, leaving.skin, filled);
+    rest_.exists -= leaving.exists;
+    rest_.decidable -= leaving.decidable;
+    rest_.skin -= leaving.skin;
+    const Totals& total = early ? rest_ : sums_;
+
+    const Centre centre = centres_.oldest();
+    centres_.push({exists_column.bit(delay), decidable_column.bit(delay), in.marks});
+    Out out;
+    out.marks = centre.marks;
+    const bool decided = centre.decidable && shl<1>(total.decidable) > total.exists;
+    const u<2> vote = shl<1>(total.skin) > total.decidable ? u<2>(state::skin) : u<2>(state::clear);
+    out.state = !centre.exists ? u<2>(state::unsupervised) : decided ? vote : u<2>(state::undecidable);
+    return out;
+  }
+
+ private:
+  using Count = u<bits_for(M)>;
+  using Total = u<bits_for(M* M)>;
+
+  struct Counts {
+    Count exists, decidable, skin;
+  };
+  struct Totals {
+    Total exists, decidable, skin;
+  };
+  struct Centre {
+    bool exists = false;
+    bool decidable = false;
+    Marks marks;
+  };
+  struct Column {
+    u<M - 1> exists, decidable, skin;
+  };
+
+  static void advance(Total& total, Count entering, Count leaving, bool filled) {
+    total += entering - (filled ? leaving : Count(0));
+  }
+
+  ColumnMemory<Column, BEATS> memory_;
+  Raster<BEATS, 1> raster_;
+  bool running_ = false;
+  DelayLine<Counts, M> columns_;
+  Totals sums_;
+  Totals rest_;
+  DelayLine<Centre, (M - 1) / 2> centres_;
+};
+
+}  // namespace horopter::stages

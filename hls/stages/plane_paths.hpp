@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// plane_paths: the sums of a pixel, helped by those of the pixel above: neighbours lie on the same plane or the next,
+// seldom elsewhere (dynamic programming along one path, as in semi-global matching).
+//
+// T(n) = S(n) + 4·min(A(n), A(n±1) + step · px between the planes, 127), A(n) = min((T(n) − min T) / 4, 127) of the
+// pixel above: 0 for its best plane, 127 the price of any jump. A pixel without sums, and the row above the frame, have
+// no opinion: 0. A wrong A is forgotten at 127: nothing grows from row to row.
+// Out   cost[n] = T(n). The rest passes through. Offset: none. Memory: per column 7 bits for each plane.
+#pragma once
+
+#include "stages/plane_sums.hpp"
+
+namespace horopter::stages {
+
+template <int BEATS, const auto& PLANES, int K, class V = Scalar>
+class PlanePaths {
+ public:
+  template <int N>
+  using U = typename V::template u<N>;
+  using Bit = typename V::bit;
+
+  static constexpr std::size_t planes = PLANES.count;
+  static constexpr int sum_bits = PlaneSummer<BEATS, PLANES, K, V>::sum_bits;
+  static constexpr int cost_bits = bits_for((1U << sum_bits) - 1 + 4 * 127);
+  /// A quarter of the price of a step of 1 px between planes: about 5/2 of a pixel's cost per pixel of the window's
+  /// sum.
+  static constexpr int step_price = 5 * K * K / 8;
+
+  using In = typename PlaneSummer<BEATS, PLANES, K, V>::Out;
+  struct Out {
+    std::array<U<cost_bits>, planes> cost{};
+    U<6> grey;
+    Bit valid = false;
+    Bit exists = false;
+    Marks marks;
+  };
+
+  Out step(const In& in) {
+    memory_.begin_step();
+    const auto at = raster_.step(in.marks.first, in.marks.last);
+    running_ = running_ || in.marks.first;
+    Column above;
+    if (running_) above = memory_.read(at.column);
+    if (at.frame_start_row) [[unlikely]] {
+      above.opinion.fill(U<7>(0));
+    }
+    Out out;
+    for (std::size_t n = 0; n < planes; ++n) {
+      U<7> price = above.opinion[n];
+      if (n > 0) price = min(price, stepped(above.opinion[n - 1], PLANES.shift[n] - PLANES.shift[n - 1]));
+      if (n + 1 < planes) price = min(price, stepped(above.opinion[n + 1], PLANES.shift[n + 1] - PLANES.shift[n]));
+      out.cost[n] = U<cost_bits>(in.sum[n] + shl<2>(price));
+    }
+    const U<cost_bits> best = smallest(out.cost);
+    Column column;
+    for (std::size_t n = 0; n < planes; ++n) {
+      const U<7> opinion = sat<7>(shr<2>(U<cost_bits>(out.cost[n] - best)));
+      column.opinion[n] = select(in.valid, opinion, U<7>(0));
+    }
+    if (running_) memory_.write(at.column, column);
+    out.grey = in.grey;
+    out.valid = in.valid;
+    out.exists = in.exists;
+    out.marks = in.marks;
+    return out;
+  }
+
+ private:
+  struct Column {
+    std::array<U<7>, planes> opinion{};
+  };
+
+  static U<7> stepped(U<7> opinion, int px) {
+    if (step_price * px >= 127) return U<7>(127);
+    return sat<7>(opinion + U<7>(step_price * px));
+  }
+
+  /// A tree, not a chain.
+  static U<cost_bits> smallest(const std::array<U<cost_bits>, planes>& costs) {
+    auto least = costs;
+    for (std::size_t n = planes; n > 1; n = (n + 1) / 2) {
+      for (std::size_t i = 0; i < n / 2; ++i) least[i] = min(least[2 * i], least[2 * i + 1]);
+      if (n % 2 == 1) least[n / 2] = least[n - 1];
+    }
+    return least[0];
+  }
+
+  ColumnMemory<Column, BEATS> memory_;
+  Raster<BEATS, 1> raster_;
+  bool running_ = false;
+};
+
+}  // namespace horopter::stages

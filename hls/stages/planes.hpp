@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// The planes that compete in the rule `compete`: the skin and parallel skins beside it. The hypothesis shifted by s
+// whole pixels in x is the hypothesis of the skin whose disparity is larger by s (thesis 12.2: several skins at once),
+// so a plane costs one more difference and sum and no transformation.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace horopter::stages {
+
+/// Shifts in px, ascending, symmetrical, 0 … ±3 all there: the boundary of the skin lies between the planes ±1 and ±2.
+template <std::size_t COUNT>
+struct PlaneSet {
+  std::array<int, COUNT> shift{};
+
+  static constexpr std::size_t count = COUNT;
+  static constexpr std::size_t zero = COUNT / 2;
+  [[nodiscard]] constexpr int reach() const { return shift[COUNT - 1]; }
+  [[nodiscard]] constexpr bool valid() const {
+    if (COUNT % 2 == 0 || COUNT < 7) return false;
+    for (std::size_t i = 0; i <= zero; ++i) {
+      if (shift[zero + i] != -shift[zero - i] || (i > 0 && shift[zero + i] <= shift[zero + i - 1])) return false;
+    }
+    return shift[zero + 3] == 3;
+  }
+};
+
+/// Near planes bound the skin; far ones keep what repeats or lies far away from looking like it.
+inline constexpr PlaneSet<19> planes_19{{-13, -10, -8, -6, -5, -4, -3, -2, -1, 0, 1, 2, 3, 4, 5, 6, 8, 10, 13}};
+inline constexpr PlaneSet<15> planes_15{{-12, -8, -6, -4, -3, -2, -1, 0, 1, 2, 3, 4, 6, 8, 12}};
+static_assert(planes_19.valid() && planes_15.valid());
+
+}  // namespace horopter::stages

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// spread: along the row, votes reach as far as the left grey level stays alike from pixel to pixel: what an edge of an
+// object decides holds for the flat area beside it, up to its other edge.
+//
+// Out   vote: Σ over up to 31 px to either side of ρ^distance · vote, ρ = 15/16, ended where neighbours differ by more
+//       than `smooth` · 4 grey levels; / 4, clipped to ±127. 0 where there is no pixel.
+// Sums of 2, 4, … 32 pixels from two of half the length (as many additions as doublings), each only where all of the
+// nearer half are alike. Marks are delayed with the pixel. Offset: none. No memory.
+#pragma once
+
+#include "stages/contest.hpp"
+
+namespace horopter::stages {
+
+class VoteSpread {
+ public:
+  struct In {
+    s<7> vote;
+    u<6> grey;
+    bool exists = false;
+    Marks marks;
+  };
+  struct Config {
+    u<3> smooth;  // 4 grey levels
+  };
+  struct Out {
+    s<8> vote;
+    u<6> grey;
+    bool exists = false;
+    Marks marks;
+  };
+
+  static constexpr int doublings = 5;
+  static constexpr int reach = (1 << doublings) - 1;
+  static constexpr int delay = reach + 1;
+
+  Out step(const In& in, const Config& config) {
+    // A pixel is known to join its right neighbour one beat later.
+    const bool row_start = in.marks.first || row_ended_;
+    row_ended_ = in.marks.last;
+    const u<7> difference = abs(s<7>(in.grey - last_.grey));
+    const bool joined = !row_start && in.exists && last_.exists && difference <= config.smooth;
+    Arms arms{Sum(last_.vote), Sum(last_.vote), joined};
+    last_ = in;
+
+    arms = doubled<1>(arms, first_);
+    arms = doubled<2>(arms, second_);
+    arms = doubled<4>(arms, third_);
+    arms = doubled<8>(arms, fourth_);
+    arms = doubled<16>(arms, fifth_);
+
+    const In centre = centres_.oldest();
+    centres_.push(in);
+    const s<12> sum(arms.left + arms.right - centre.vote);
+    const s<10> quarter = shr<2>(sum);
+    Out out;
+    out.vote = quarter > lit<127>() ? s<8>(127) : quarter < lit<-127>() ? s<8>(-127) : s<8>(quarter);
+    if (!centre.exists) out.vote = s<8>(0);
+    out.grey = centre.grey;
+    out.exists = centre.exists;
+    out.marks = centre.marks;
+    return out;
+  }
+
+ private:
+  using Sum = s<11>;  // 34 · Σ ρ^i < 512, and floors
+
+  struct Arms {
+    Sum left, right;      // of the pixel itself and those to its left, to its right
+    bool joined = false;  // from the pixel to the first beyond its right arm, all are alike
+  };
+
+  /// value · ρ^DISTANCE, rounded to a shift and a subtraction.
+  template <int DISTANCE>
+  static Sum faded(Sum value) {
+    if constexpr (DISTANCE == 1) return Sum(value - shr<4>(value));
+    if constexpr (DISTANCE == 2) return Sum(value - shr<3>(value));
+    if constexpr (DISTANCE == 4) return Sum(value - shr<2>(value));
+    if constexpr (DISTANCE == 8) return Sum(value - shr<1>(value) + shr<3>(value));
+    return Sum(shr<1>(value) - shr<3>(value));
+  }
+
+  /// Arms of DISTANCE pixels become arms of twice as many, DISTANCE beats later.
+  template <int DISTANCE>
+  static Arms doubled(const Arms& right, DelayLine<Arms, 2 * DISTANCE>& line) {
+    const Arms centre = line.tap(DISTANCE - 1);
+    const Arms left = line.oldest();
+    line.push(right);
+    Arms result = centre;
+    if (left.joined) result.left = Sum(centre.left + faded<DISTANCE>(left.left));
+    if (centre.joined) result.right = Sum(centre.right + faded<DISTANCE>(right.right));
+    result.joined = centre.joined && right.joined;
+    return result;
+  }
+
+  bool row_ended_ = true;
+  In last_;
+  DelayLine<Arms, 2> first_;
+  DelayLine<Arms, 4> second_;
+  DelayLine<Arms, 8> third_;
+  DelayLine<Arms, 16> fourth_;
+  DelayLine<Arms, 32> fifth_;
+  DelayLine<In, delay> centres_;
+};
+
+}  // namespace horopter::stages
