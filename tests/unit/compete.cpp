@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rule `compete`: the native engine against the same stages beat by beat, and on images made for a purpose.
+#include "stages/compete.hpp"
+
+#include <catch2/catch.hpp>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "stages/pipeline.hpp"
+
+using namespace horopter;
+using namespace horopter::stages;
+
+namespace {
+
+constexpr hls::Profile plain{149, 90, 1, 9, 7, 3, 32, 0, 1, 1};
+using Chain = Competition<plain>;
+
+struct Picture {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> pixels;
+
+  Picture(int w, int h, const std::function<int(int, int)>& value) : width(w), height(h) {
+    for (int y = 0; y < h; ++y) {
+      for (int x = 0; x < w; ++x) pixels.push_back(static_cast<std::uint8_t>(value(x, y)));
+    }
+  }
+  [[nodiscard]] int at(int x, int y) const { return pixels[static_cast<std::size_t>(y * width + x)]; }
+  [[nodiscard]] native::ImageView view() const { return {pixels.data(), width, height, width}; }
+};
+
+/// A table of control points every 8 px: the right pixel `shift` px to the left.
+std::vector<std::uint32_t> table_of(int width, int height, int shift) {
+  const int columns = ((width + 7) >> 3) + 1;
+  const int row_pairs = (((height + 7) >> 3) + 2) / 2;
+  std::vector<std::uint32_t> words{0x484D0133U, static_cast<std::uint32_t>(row_pairs << 16 | columns),
+                                   static_cast<std::uint32_t>(height << 16 | width)};
+  for (int pair = 0; pair < row_pairs; ++pair) {
+    for (int column = 0; column < columns; ++column) {
+      for (int parity = 0; parity < 2; ++parity) {
+        const int x = (column * 8 - shift + 64) * 32;
+        const int y = ((2 * pair + parity) * 8 + 64) * 32;
+        words.push_back(static_cast<std::uint32_t>(y << 16 | x));
+      }
+    }
+  }
+  words.push_back(0);
+  return words;
+}
+
+std::vector<std::uint8_t> engine_states(native::Pipeline<plain>& engine, const Picture& left, const Picture& right,
+                                        int shift, const native::CompeteSettings& competition = {}) {
+  auto settings = native::Settings::defaults(plain, left.width, left.height);
+  settings.compete = true;
+  settings.competition = competition;
+  const auto words = table_of(left.width, left.height, shift);
+  return engine.process(left.view(), right.view(), native::TableView(words), settings).states;
+}
+
+/// The same stages, each called once per beat of the whole stream; garbage where there is no pixel.
+class BeatByBeat {
+ public:
+  std::vector<std::uint8_t> frame(const Picture& left, const Picture& right, int shift,
+                                  const native::CompeteSettings& competition, std::mt19937& random) {
+    Chain::Align::Config size;
+    size.width = left.width;
+    size.height = left.height;
+    Chain::Contest::Config contest_config;
+    contest_config.bias = competition.bias;
+    VoteSpread::Config spread_config;
+    spread_config.smooth = competition.smooth;
+    Chain::Ballot::Config ballot_config;
+    ballot_config.similar = competition.similar;
+    ballot_config.quorum = competition.quorum;
+    std::vector<std::uint8_t> states;
+    for (int y = 0; y < left.height + Chain::flush_rows; ++y) {
+      for (int x = 0; x < left.width; ++x) {
+        GreyPair pair;
+        pair.pixel = {u<8>(random()), u<8>(random())};
+        pair.mask = y < left.height && x >= shift && x - shift < right.width;
+        if (pair.mask) {
+          pair.pixel = {u<8>(left.at(x, y)), u<8>(right.at(x - shift, y))};
+          pair.saturated = left.at(x, y) == 0 || left.at(x, y) == 255 || right.at(x - shift, y) == 0 ||
+                           right.at(x - shift, y) == 255;
+        }
+        pair.marks = {x == 0 && y == 0, x + 1 == left.width};
+        const auto smooth = lowpass_.step(pair);
+        const auto direction = direction_.step(sobel_.step(smooth));
+        Chain::PlaneSums::In in;
+        in.direction = direction.direction;
+        in.magnitude = direction.magnitude;
+        in.saturated = direction.saturated;
+        in.mask = direction.mask;
+        in.grey = smooth.pixel[0];
+        in.exists = smooth.mask;
+        in.marks = direction.marks;
+        const auto vote = contest_.step(paths_.step(sums_.step(in)), contest_config);
+        const auto spread = spread_.step({vote.vote, vote.grey, vote.exists, vote.marks}, spread_config);
+        const auto ballot = ballot_.step(spread, ballot_config);
+        const auto out = consensus_.step({ballot.skin, ballot.decidable, ballot.exists, ballot.marks});
+        const auto pixel = align_.step({out.state, out.marks}, size);
+        if (pixel.valid && !pixel.idle) states.push_back(pixel.state.value());
+      }
+    }
+    return states;
+  }
+
+ private:
+  Lowpass<plain> lowpass_;
+  Sobel<plain> sobel_;
+  Direction<plain> direction_;
+  Chain::PlaneSums sums_;
+  Chain::Paths paths_;
+  Chain::Contest contest_;
+  Chain::Spread spread_;
+  Chain::Ballot ballot_;
+  Chain::Consensus consensus_;
+  Chain::Align align_;
+};
+
+/// Smoothed noise; beyond the image too, so that shifted pictures agree.
+int texture(int x, int y, unsigned seed) {
+  const auto noise = [seed](int u, int v) {
+    auto h = static_cast<std::uint32_t>(u * 73856093) ^ static_cast<std::uint32_t>(v * 19349663) ^ seed * 83492791U;
+    h = (h ^ h >> 13) * 0x5BD1E995U;
+    return static_cast<int>((h ^ h >> 15) & 255U);
+  };
+  int sum = 0;
+  for (int j = -1; j <= 1; ++j) {
+    for (int i = -1; i <= 1; ++i) sum += noise(x + i, y + j) * (2 - std::abs(i)) * (2 - std::abs(j));
+  }
+  return 20 + sum * 200 / (16 * 255);
+}
+
+/// Share of a state in a rectangle.
+double share(const std::vector<std::uint8_t>& states, int width, int state, int x0, int y0, int x1, int y1) {
+  int found = 0;
+  for (int y = y0; y < y1; ++y) {
+    for (int x = x0; x < x1; ++x) found += states[static_cast<std::size_t>(y * width + x)] == state ? 1 : 0;
+  }
+  return static_cast<double>(found) / ((x1 - x0) * (y1 - y0));
+}
+
+}  // namespace
+
+TEST_CASE("compete: the engine equals its stages beat by beat") {
+  const int width = GENERATE(149, 96, 33);
+  const int height = GENERATE(90, 16);
+  const auto engine = std::make_unique<native::Pipeline<plain>>();
+  const auto stages = std::make_unique<BeatByBeat>();
+  std::mt19937 random(static_cast<unsigned>(width * 1000 + height));
+  // Frames after each other: what a frame leaves behind must not show in the next.
+  for (int frame = 0; frame < 3; ++frame) {
+    CAPTURE(width, height, frame);
+    const int shift = 3 * frame;
+    native::CompeteSettings competition;
+    competition.bias = frame;
+    competition.smooth = 1 + frame;
+    competition.quorum = 1 + 20 * frame;
+    const Picture left(width, height, [&](int x, int y) {
+      if (y < height / 3) return static_cast<int>(random() & 255U);
+      return y < 2 * height / 3 ? texture(x, y, 1) : texture(x, y, 1) / 16 + (x > 50 ? 120 : 60);
+    });
+    const Picture right(width, height, [&](int x, int y) {
+      const int from = x + shift + (y % 20 < 10 ? 0 : 1) + (x > width / 2 ? 5 : 0);
+      return from < width ? left.at(from, y) : texture(x, y, 2);
+    });
+    const auto found = engine_states(*engine, left, right, shift, competition);
+    const auto expected = stages->frame(left, right, shift, competition, random);
+    REQUIRE(found.size() == static_cast<std::size_t>(width * height));
+    REQUIRE(expected.size() == found.size());
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) different += found[i] != expected[i] ? 1 : 0;
+    CHECK(different == 0);
+  }
+}
+
+TEST_CASE("compete: an object in the skin is found among others, to the image's border") {
+  const auto engine = std::make_unique<native::Pipeline<plain>>();
+  constexpr int shift = 6;
+  // Background 4 px behind the skin; in it a block on the skin that reaches the lower border, and one 3 px before it.
+  const auto depth = [](int x, int y) {
+    if (x >= 40 && x < 75 && y >= 45) return 0;
+    if (x >= 95 && x < 130 && y >= 20 && y < 60) return 3;
+    return -4;
+  };
+  const Picture left(149, 90, [](int x, int y) { return texture(x, y, 5); });
+  Picture right = left;
+  for (const int d : {-4, 0, 3}) {
+    for (int y = 0; y < 90; ++y) {
+      for (int x = 0; x < 149; ++x) {
+        const int to = x - shift - d;
+        if (depth(x, y) == d && to >= 0 && to < 149) {
+          right.pixels[static_cast<std::size_t>(y * 149 + to)] = static_cast<std::uint8_t>(left.at(x, y));
+        }
+      }
+    }
+  }
+  const auto states = engine_states(*engine, left, right, shift);
+  CHECK(share(states, 149, state::skin, 44, 50, 71, 89) > 0.95);
+  CHECK(share(states, 149, state::clear, 99, 24, 126, 56) > 0.95);
+  CHECK(share(states, 149, state::clear, 10, 5, 148, 15) > 0.95);
+  // No pixel of the right image, or none for the low-pass: never guessed.
+  CHECK(share(states, 149, state::unsupervised, 0, 0, shift + 1, 90) == 1);
+  CHECK(share(states, 149, state::unsupervised, 0, 0, 149, 1) == 1);
+  CHECK(share(states, 149, state::unsupervised, 0, 89, 149, 90) == 1);
+  CHECK(share(states, 149, state::unsupervised, 148, 0, 149, 90) == 1);
+  CHECK(share(states, 149, state::unsupervised, shift + 1, 1, 148, 89) == 0);
+}
+
+TEST_CASE("compete: where nothing can be seen nothing is decided") {
+  const auto engine = std::make_unique<native::Pipeline<plain>>();
+  const Picture flat(149, 90, [](int, int) { return 100; });
+  const auto states = engine_states(*engine, flat, flat, 6);
+  CHECK(share(states, 149, state::undecidable, 7, 1, 148, 89) == 1);
+  // Nor far from the only thing that can be seen.
+  const Picture block(149, 90, [](int x, int y) { return x >= 100 && y < 40 ? texture(x, y, 3) : 20; });
+  const auto around = engine_states(*engine, block, block, 0);
+  CHECK(share(around, 149, state::skin, 104, 3, 148, 36) > 0.95);
+  CHECK(share(around, 149, state::undecidable, 1, 60, 148, 89) == 1);
+}
+
+TEST_CASE("compete: what repeats within reach is not in the skin; gain and offset do not matter") {
+  const auto engine = std::make_unique<native::Pipeline<plain>>();
+  const Picture stripes(149, 90, [](int x, int) { return x % 8 < 4 ? 60 : 180; });
+  const auto repeated = engine_states(*engine, stripes, stripes, 0);
+  CHECK(share(repeated, 149, state::skin, 10, 5, 140, 85) < 0.05);
+
+  const Picture left(149, 90, [](int x, int y) { return texture(x, y, 9); });
+  const Picture dark(149, 90, [&](int x, int y) { return left.at(x, y) / 2 + 40; });
+  CHECK(share(engine_states(*engine, left, dark, 0), 149, state::skin, 10, 5, 140, 85) > 0.98);
+  CHECK(share(engine_states(*engine, left, dark, 3), 149, state::clear, 20, 5, 140, 85) > 0.98);
+}
