@@ -16,15 +16,16 @@ namespace horopter::stages {
 template <Profile P>
 struct Competition {
   static constexpr const auto& planes = planes_19;
-  static constexpr int sum_window = 7;
+  static constexpr int sum_rows = 7;
+  static constexpr int sum_columns = 9;
   static constexpr int ballot_reach = 9;  // rows
 
   template <class V, int BEATS>
-  using SumsOf = PlaneSummer<BEATS, planes, sum_window, V>;
+  using SumsOf = PlaneSummer<BEATS, planes, sum_rows, sum_columns, V>;
   template <class V, int BEATS>
-  using PathsOf = PlanePaths<BEATS, planes, sum_window, V>;
+  using PathsOf = PlanePaths<BEATS, planes, sum_rows, sum_columns, V>;
   template <class V, int BEATS>
-  using ContestOf = PlaneContest<BEATS, planes, sum_window, V>;
+  using ContestOf = PlaneContest<BEATS, planes, sum_rows, sum_columns, V>;
 
   using PlaneSums = SumsOf<Scalar, P.result_width()>;
   using Paths = PathsOf<Scalar, P.result_width()>;
@@ -34,7 +35,7 @@ struct Competition {
   using Consensus = stages::ConsensusVote<P.result_width(), P.majority_window>;
 
   /// Rows by which the result of a pixel leaves late: low-pass and Sobel, sum, ballot, consensus.
-  static constexpr int offset = 2 + (sum_window - 1) / 2 + ballot_reach + (P.majority_window - 1) / 2;
+  static constexpr int offset = 2 + (sum_rows - 1) / 2 + ballot_reach + (P.majority_window - 1) / 2;
   /// Rows without pixels after each frame: the offset, and what is late within the row.
   static constexpr int flush_rows = offset + 3;
   using Align = Aligner<P.result_width(), P.height, offset, 0>;

@@ -67,9 +67,10 @@ class CompeteRows {
  private:
   static constexpr int lanes = hls::lanes::count;
   static constexpr int reach = Chain::planes.reach();
-  static constexpr int delay = stages::PlaneSummer<1, Chain::planes, Chain::sum_window>::delay;
+  static constexpr int delay = stages::PlaneSummer<1, Chain::planes, Chain::sum_rows, Chain::sum_columns>::delay +
+                               stages::PlaneContest<1, Chain::planes, Chain::sum_rows, Chain::sum_columns>::delay;
   /// A strip begins as far left as anything that its results depend on, and ends when the last of them has left.
-  static constexpr int lead = Chain::sum_window + reach + 2 * stages::gradient_delay;
+  static constexpr int lead = Chain::sum_columns + 2 * reach + 2 * stages::gradient_delay;
   static constexpr int largest_strip = (P.result_width() + lanes - 1) / lanes;
   static constexpr int strip_beats = lead + largest_strip + delay;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// contest: which plane is the best, and by how much: the pixel's vote for or against the skin. No state, offset none.
+// contest: which plane is the best, and by how much: the pixel's vote for or against the skin.
 //
 // The skin is what lies nearer to the planes −1, 0, 1 than to any other: z = min T(outside) − min T(−1, 0, 1).
 // Sub-pixel boundary: where the best is +1, z = min(z, T(2) − T(1) − 3/4 · (T(0) − T(1))), mirrored for −1: the
@@ -12,7 +12,7 @@
 
 namespace horopter::stages {
 
-template <int BEATS, const auto& PLANES, int K, class V = Scalar>
+template <int BEATS, const auto& PLANES, int ROWS, int COLUMNS, class V = Scalar>
 class PlaneContest {
  public:
   template <int N>
@@ -22,13 +22,15 @@ class PlaneContest {
   using Bit = typename V::bit;
 
   static constexpr std::size_t planes = PLANES.count;
-  static constexpr int cost_bits = PlanePaths<BEATS, PLANES, K, V>::cost_bits;
+  static constexpr int cost_bits = PlanePaths<BEATS, PLANES, ROWS, COLUMNS, V>::cost_bits;
   static constexpr int largest_vote = 31;
+  static constexpr int hidden_vote = 8;
 
-  using In = typename PlanePaths<BEATS, PLANES, K, V>::Out;
+  using In = typename PlanePaths<BEATS, PLANES, ROWS, COLUMNS, V>::Out;
   struct Config {
     u<4> bias;
   };
+  static constexpr int delay = PLANES.reach();
   struct Out {
     S<7> vote;
     U<6> grey;
@@ -38,10 +40,22 @@ class PlaneContest {
 
   Out step(const In& in, const Config& config) {
     constexpr std::size_t zero = PLANES.zero;
-    const auto& t = in.cost;
+    const bool row_start = in.marks.first || row_ended_;
+    row_ended_ = in.marks.last;
+    if (row_start) row_parity_ = !row_parity_;
+    line_.push({in, row_parity_});
+    const Beat& centre = line_.tap(PLANES.reach());
+    const auto& t = centre.left.cost;
+    std::array<U<cost_bits>, planes> seen_from_right;
+    for (std::size_t n = 0; n < planes; ++n) {
+      const Beat& beat = line_.tap(PLANES.reach() - PLANES.shift[n]);
+      seen_from_right[n] =
+          select(beat.left.valid && Bit(beat.row == centre.row), beat.left.cost[n], U<cost_bits>::max());
+    }
+    const Bit hidden = outside_of(seen_from_right) < inside_of(seen_from_right);
     const U<cost_bits> far = min(smallest(t, 0, zero - 2), smallest(t, zero + 3, planes));
     const U<cost_bits> outside = min(far, min(t[zero - 2], t[zero + 2]));
-    const U<cost_bits> inside = min(t[zero], min(t[zero - 1], t[zero + 1]));
+    const U<cost_bits> inside = inside_of(t);
     using Z = S<cost_bits + 3>;
     Z z(outside - inside);
     z = select(t[zero + 1] < t[zero] && t[zero + 1] < t[zero - 1],
@@ -54,17 +68,31 @@ class PlaneContest {
     const S<6> lowest(S<6>(U<5>(0)) - lit<largest_vote>());
     S<6> clipped = select(eighth > lit<largest_vote>(), S<6>(U<5>(largest_vote)), S<6>(eighth));
     clipped = select(eighth < lit<-largest_vote>() || ambiguous, lowest, clipped);
-    const Bit votes = in.valid && !(clipped == lit<0>());
+    clipped = select(hidden && clipped > lit<-hidden_vote>(), S<6>(S<6>(U<5>(0)) - lit<hidden_vote>()), clipped);
+    const Bit votes = centre.left.valid && !(clipped == lit<0>());
 
     Out out;
     out.vote = select(votes, S<7>(clipped + config.bias), S<7>(U<5>(0)));
-    out.grey = in.grey;
-    out.exists = in.exists;
-    out.marks = in.marks;
+    out.grey = centre.left.grey;
+    out.exists = centre.left.exists;
+    out.marks = centre.left.marks;
     return out;
   }
 
  private:
+  using Costs = std::array<U<cost_bits>, planes>;
+  struct Beat {
+    In left;
+    bool row = false;
+  };
+
+  static U<cost_bits> inside_of(const Costs& t) {
+    return min(t[PLANES.zero], min(t[PLANES.zero - 1], t[PLANES.zero + 1]));
+  }
+  static U<cost_bits> outside_of(const Costs& t) {
+    return min(smallest(t, 0, PLANES.zero - 1), smallest(t, PLANES.zero + 2, planes));
+  }
+
   template <class T>
   static T least(T a, T b) {
     return select(a < b, a, b);
@@ -86,6 +114,10 @@ class PlaneContest {
     }
     return best[0];
   }
+
+  DelayLine<Beat, 2 * PLANES.reach() + 1> line_;
+  bool row_ended_ = true;
+  bool row_parity_ = false;
 };
 
 }  // namespace horopter::stages

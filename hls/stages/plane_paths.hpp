@@ -12,7 +12,7 @@
 
 namespace horopter::stages {
 
-template <int BEATS, const auto& PLANES, int K, class V = Scalar>
+template <int BEATS, const auto& PLANES, int ROWS, int COLUMNS, class V = Scalar>
 class PlanePaths {
  public:
   template <int N>
@@ -20,13 +20,13 @@ class PlanePaths {
   using Bit = typename V::bit;
 
   static constexpr std::size_t planes = PLANES.count;
-  static constexpr int sum_bits = PlaneSummer<BEATS, PLANES, K, V>::sum_bits;
+  static constexpr int sum_bits = PlaneSummer<BEATS, PLANES, ROWS, COLUMNS, V>::sum_bits;
   static constexpr int cost_bits = bits_for((1U << sum_bits) - 1 + 4 * 127);
   /// A quarter of the price of a step of 1 px between planes: about 5/2 of a pixel's cost per pixel of the window's
   /// sum.
-  static constexpr int step_price = 5 * K * K / 8;
+  static constexpr int step_price = 5 * ROWS * COLUMNS / 8;
 
-  using In = typename PlaneSummer<BEATS, PLANES, K, V>::Out;
+  using In = typename PlaneSummer<BEATS, PLANES, ROWS, COLUMNS, V>::Out;
   struct Out {
     std::array<U<cost_bits>, planes> cost{};
     U<6> grey;
@@ -55,7 +55,7 @@ class PlanePaths {
     Column column;
     for (std::size_t n = 0; n < planes; ++n) {
       const U<7> opinion = sat<7>(shr<2>(U<cost_bits>(out.cost[n] - best)));
-      column.opinion[n] = select(in.valid, opinion, U<7>(0));
+      column.opinion[n] = select(in.valid, U<7>(opinion - shr<3>(opinion)), U<7>(0));
     }
     if (running_) memory_.write(at.column, column);
     out.grey = in.grey;

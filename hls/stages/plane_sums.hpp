@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// plane_sums: for each plane the sum over K×K of the cost of a pixel, 0 … 31.
+// plane_sums: for each plane the sum over ROWS×COLUMNS of the cost of a pixel, 0 … 31.
 //
 // The cost of a pixel is the cyclic difference of the directions in steps of 11.25°, at most 8 (90°), times the larger
 // of both magnitudes in quarters, full from 21/8 grey levels per pixel on: noise in flat areas costs nothing, in no
@@ -10,11 +10,11 @@
 // Out   of the pixel, not of the beat: marks are delayed with it, so what follows needs no offset in columns.
 //       sum[n] for planes.shift[n]. valid: the gradient exists, and the window lies in the row to the right.
 //       grey: left, in 4 grey levels; exists: there is a pixel.
-// Offset: (K − 1) / 2 rows, and that of Sobel and low-pass before it; columns: none after it.
+// Offset: (ROWS − 1) / 2 rows, and that of Sobel and low-pass before it; columns: none after it.
 // Both directions of shift share one delayed stream: the left features wait for planes.reach() columns, the right ones
-// pass by them. The features are kept for K rows and the costs of the leaving row computed again: less memory than
+// pass by them. The features are kept for ROWS rows and the costs of the leaving row computed again: less memory than
 // costs of every plane.
-// Memory: per column K rows of 17 bits, (K + 1) / 2 rows of 8 bits, and a column sum for each plane.
+// Memory: per column ROWS rows of 17 bits, (ROWS + 1) / 2 rows of 8 bits, and a column sum for each plane.
 #pragma once
 
 #include "stages/direction.hpp"
@@ -25,9 +25,10 @@ namespace horopter::stages {
 /// Columns by which low-pass and Sobel leave a pixel's gradient late.
 inline constexpr int gradient_delay = 2;
 
-template <int BEATS, const auto& PLANES, int K, class V = Scalar>
+template <int BEATS, const auto& PLANES, int ROWS, int COLUMNS, class V = Scalar>
 class PlaneSummer {
-  static_assert(K >= 5 && K <= 9 && K % 2 == 1, "the window is 5×5 to 9×9");
+  static_assert(ROWS >= 5 && ROWS <= 9 && ROWS % 2 == 1, "the window has 5, 7 or 9 rows");
+  static_assert(COLUMNS >= 5 && COLUMNS <= 15 && COLUMNS % 2 == 1, "the window has 5 to 15 columns");
 
  public:
   template <int N>
@@ -36,9 +37,9 @@ class PlaneSummer {
 
   static constexpr std::size_t planes = PLANES.count;
   static constexpr int largest_cost = 31;
-  static constexpr int sum_bits = bits_for(largest_cost * K * K);
+  static constexpr int sum_bits = bits_for(largest_cost * ROWS * COLUMNS);
   /// Beats from a pixel's arrival at the low-pass to its sums, within the row.
-  static constexpr int delay = PLANES.reach() + gradient_delay + (K - 1) / 2;
+  static constexpr int delay = PLANES.reach() + gradient_delay + (COLUMNS - 1) / 2;
 
   struct In {
     std::array<U<8>, 2> direction{};
@@ -68,9 +69,9 @@ class PlaneSummer {
     FeaturePair entering;
     for (std::size_t i = 0; i < 2; ++i) entering.image[i] = feature(in, i);
     entering.mask = in.mask;
-    FeaturePair leaving = rows.row[K - 1];
-    leaving.mask = leaving.mask && Bit(arriving_at.rows == K);
-    for (std::size_t i = K - 1; i > 0; --i) rows.row[i] = rows.row[i - 1];
+    FeaturePair leaving = rows.row[ROWS - 1];
+    leaving.mask = leaving.mask && Bit(arriving_at.rows == ROWS);
+    for (std::size_t i = ROWS - 1; i > 0; --i) rows.row[i] = rows.row[i - 1];
     rows.row[0] = entering;
     feature_memory_.write(arriving_at.column, rows);
     entering_.push({entering, row_parity_});
@@ -89,7 +90,7 @@ class PlaneSummer {
       const U<5> plus = cost(entering_, PLANES.shift[n]);
       const U<5> minus = cost(leaving_, PLANES.shift[n]);
       column.sum[n] = U<column_bits>(above + (plus - minus));
-      out.sum[n] = rows_[n].step(at.row_start, at.column >= K, U<sum_bits>(column.sum[n]));
+      out.sum[n] = rows_[n].step(at.row_start, at.column >= COLUMNS, U<sum_bits>(column.sum[n]));
     }
 
     // Grey value and masks wait for the centre of the window; the low-pass is a row and a column ahead of the gradient.
@@ -109,15 +110,15 @@ class PlaneSummer {
     out.grey = pixel.seen.grey;
     out.exists = pixel.seen.exists && Bit(rows_seen_.oldest());
     rows_seen_.push(at.rows > half);
-    out.valid = pixel.gradient && centre.gradient && Bit(at.column >= half);
+    out.valid = pixel.gradient && centre.gradient && Bit(at.column >= (COLUMNS - 1) / 2);
     out.marks = centre_marks_.oldest();
     centre_marks_.push(marks);
     return out;
   }
 
  private:
-  static constexpr std::size_t half = (K - 1) / 2;
-  static constexpr int column_bits = bits_for(largest_cost * K);
+  static constexpr std::size_t half = (ROWS - 1) / 2;  // rows
+  static constexpr int column_bits = bits_for(largest_cost * ROWS);
 
   struct Feature {
     U<5> direction;  // 11.25°
@@ -128,7 +129,7 @@ class PlaneSummer {
     Bit mask = false;
   };
   struct FeatureRows {
-    std::array<FeaturePair, K> row{};
+    std::array<FeaturePair, ROWS> row{};
   };
   struct Tap {
     FeaturePair features;
@@ -176,18 +177,18 @@ class PlaneSummer {
 
   ColumnMemory<FeatureRows, BEATS> feature_memory_;
   ColumnMemory<Column, BEATS> column_memory_;
-  Raster<BEATS, K> arriving_;
-  Raster<BEATS, K> delayed_;
+  Raster<BEATS, ROWS> arriving_;
+  Raster<BEATS, ROWS> delayed_;
   bool row_parity_ = false;
   bool running_ = false;  // a frame's first delayed beat has come: columns count from it
   Taps entering_;
   Taps leaving_;
   DelayLine<Marks, PLANES.reach() + gradient_delay> marks_;
   DelayLine<Seen, PLANES.reach() + 1> seen_;
-  std::array<HorizontalSum<K, sum_bits, 1, V>, planes> rows_{};
-  DelayLine<Centre, (K - 1) / 2> centres_;
-  DelayLine<bool, (K - 1) / 2> rows_seen_;
-  DelayLine<Marks, (K - 1) / 2> centre_marks_;
+  std::array<HorizontalSum<COLUMNS, sum_bits, 1, V>, planes> rows_{};
+  DelayLine<Centre, (COLUMNS - 1) / 2> centres_;
+  DelayLine<bool, (COLUMNS - 1) / 2> rows_seen_;
+  DelayLine<Marks, (COLUMNS - 1) / 2> centre_marks_;
 };
 
 }  // namespace horopter::stages
