@@ -17,8 +17,8 @@ namespace horopter::native {
 
 /// The registers of the rule `compete`.
 struct CompeteSettings {
-  int bias = 2;     // added to every vote: above 0 a doubtful pixel is rather in the skin
-  int smooth = 1;   // in 4 grey levels: pixels of a row that differ by more are not alike
+  int bias = 3;     // added to every vote: above 0 a doubtful pixel is rather in the skin
+  int smooth = 2;   // in 4 grey levels: pixels of a row that differ by more are not alike
   int similar = 3;  // in 4 grey levels: pixels of a column that differ by more do not vote for each other
   int quorum = 1;   // smallest sum of votes that decides
 };

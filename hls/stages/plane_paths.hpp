@@ -2,10 +2,10 @@
 // plane_paths: the sums of a pixel, helped by those of the pixel above: neighbours lie on the same plane or the next,
 // seldom elsewhere (dynamic programming along one path, as in semi-global matching).
 //
-// T(n) = S(n) + 4·min(A(n), A(n±1) + step · px between the planes, 127), A(n) = min((T(n) − min T) / 4, 127) of the
-// pixel above: 0 for its best plane, 127 the price of any jump. A pixel without sums, and the row above the frame, have
-// no opinion: 0. A wrong A is forgotten at 127: nothing grows from row to row.
-// Out   cost[n] = T(n). The rest passes through. Offset: none. Memory: per column 7 bits for each plane.
+// T(n) = S(n) + 4·min(A(n), A(n±1) + step · px between the planes, 127), A(n) = 7/8 · min((T(n) − min T) / 4, 127) of
+// the pixel above: 0 for its best plane, 127 the price of any jump. A pixel without sums, and the row above the frame,
+// have no opinion: 0. A fades by an eighth a row: flat areas learn from above, but not for ever. Out   cost[n] = T(n).
+// The rest passes through. Offset: none. Memory: per column 7 bits for each plane.
 #pragma once
 
 #include "stages/plane_sums.hpp"
@@ -55,7 +55,7 @@ class PlanePaths {
     Column column;
     for (std::size_t n = 0; n < planes; ++n) {
       const U<7> opinion = sat<7>(shr<2>(U<cost_bits>(out.cost[n] - best)));
-      column.opinion[n] = select(in.valid, U<7>(opinion - shr<3>(opinion)), U<7>(0));
+      column.opinion[n] = select(in.valid, U<7>(opinion - shr<3>(opinion + lit<7>())), U<7>(0));
     }
     if (running_) memory_.write(at.column, column);
     out.grey = in.grey;

@@ -28,8 +28,8 @@ struct PlaneSet {
 };
 
 /// Near planes bound the skin; far ones keep what repeats or lies far away from looking like it.
-inline constexpr PlaneSet<19> planes_19{{-13, -10, -8, -6, -5, -4, -3, -2, -1, 0, 1, 2, 3, 4, 5, 6, 8, 10, 13}};
-inline constexpr PlaneSet<15> planes_15{{-12, -8, -6, -4, -3, -2, -1, 0, 1, 2, 3, 4, 6, 8, 12}};
-static_assert(planes_19.valid() && planes_15.valid());
+inline constexpr PlaneSet<19> planes_19{{-24, -18, -13, -9, -6, -4, -3, -2, -1, 0, 1, 2, 3, 4, 6, 9, 13, 18, 24}};
+
+static_assert(planes_19.valid());
 
 }  // namespace horopter::stages
