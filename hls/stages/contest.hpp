@@ -67,9 +67,9 @@ class PlaneContest {
     const S<cost_bits> eighth = shr<3>(z);
     const S<6> lowest(S<6>(U<5>(0)) - lit<largest_vote>());
     S<6> clipped = select(eighth > lit<largest_vote>(), S<6>(U<5>(largest_vote)), S<6>(eighth));
-    clipped = select(eighth < lit<-largest_vote>() || ambiguous, lowest, clipped);
+    clipped = select(eighth < lit<-largest_vote>(), lowest, clipped);
     clipped = select(hidden && clipped > lit<-hidden_vote>(), S<6>(S<6>(U<5>(0)) - lit<hidden_vote>()), clipped);
-    const Bit votes = centre.left.valid && !(clipped == lit<0>());
+    const Bit votes = centre.left.valid && !ambiguous && !(clipped == lit<0>());
 
     Out out;
     out.vote = select(votes, S<7>(clipped + config.bias), S<7>(U<5>(0)));
