@@ -2,10 +2,16 @@
 // contest: which plane is the best, and by how much: the pixel's vote for or against the skin.
 //
 // The skin is what lies nearer to the planes −1, 0, 1 than to any other: z = min T(outside) − min T(−1, 0, 1).
+//
 // Sub-pixel boundary: where the best is +1, z = min(z, T(2) − T(1) − 3/4 · (T(0) − T(1))), mirrored for −1: the
-// parabola through three planes has its minimum nearer to the skin than the boundary when this is positive. Ambiguity:
-// a plane 3 px away or more within 1/16 of the best makes z the lowest: what repeats is not in the skin. Out   vote: z
-// / 8, clipped to ±31, plus `bias` unless 0: a pixel that prefers nothing does not vote. 0 where not valid.
+// parabola through three planes has its minimum nearer to the skin than the boundary when this is positive.
+//
+// From the right: the same question asked by the right pixel, T(s) of the left pixels s columns further right. Where it
+// prefers a plane outside, the left pixel sees what is hidden to the right camera, or is wrong: its vote is at most −8.
+//
+// Out   vote: z / 8, clipped to ±31, plus `bias`. 0, no vote: where not valid, where nothing is preferred (z / 8 = 0),
+//       and where something repeats (the skin is best, but a plane 3 px away or more within 1/16 of it).
+// Marks are delayed with the pixel, by the reach of the planes. Offset: none. No memory.
 #pragma once
 
 #include "stages/plane_paths.hpp"
@@ -62,14 +68,14 @@ class PlaneContest {
                least(z, boundary(t[zero], t[zero + 1], t[zero + 2])), z);
     z = select(t[zero - 1] < t[zero] && t[zero - 1] <= t[zero + 1],
                least(z, boundary(t[zero], t[zero - 1], t[zero - 2])), z);
-    const Bit ambiguous = inside <= outside && far < inside + shr<4>(inside);
+    const Bit repeats = inside <= outside && far < inside + shr<4>(inside);
 
     const S<cost_bits> eighth = shr<3>(z);
     const S<6> lowest(S<6>(U<5>(0)) - lit<largest_vote>());
     S<6> clipped = select(eighth > lit<largest_vote>(), S<6>(U<5>(largest_vote)), S<6>(eighth));
     clipped = select(eighth < lit<-largest_vote>(), lowest, clipped);
     clipped = select(hidden && clipped > lit<-hidden_vote>(), S<6>(S<6>(U<5>(0)) - lit<hidden_vote>()), clipped);
-    const Bit votes = centre.left.valid && !ambiguous && !(clipped == lit<0>());
+    const Bit votes = centre.left.valid && !repeats && !(clipped == lit<0>());
 
     Out out;
     out.vote = select(votes, S<7>(clipped + config.bias), S<7>(U<5>(0)));

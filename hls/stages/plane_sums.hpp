@@ -2,7 +2,7 @@
 // plane_sums: for each plane the sum over ROWS×COLUMNS of the cost of a pixel, 0 … 31.
 //
 // The cost of a pixel is the cyclic difference of the directions in steps of 11.25°, at most 8 (90°), times the larger
-// of both magnitudes in quarters, full from 21/8 grey levels per pixel on: noise in flat areas costs nothing, in no
+// of both magnitudes in quarters, full from 21/8 grey levels per pixel on: below 3/8 noise costs nothing, in any
 // plane. A pixel whose own gradient is missing costs nothing in any plane; one whose partner of a shifted plane is
 // missing (or in another row) costs 31 there: a plane that cannot be seen cannot win.
 //
