@@ -562,7 +562,7 @@ class Pipeline {
       return CompetePixel{grey_.left[at], grey_.right[at], grey_.saturated[at], grey_.mask[at]};
     };
     competition_.row(source, first_row_, [&](const OutOf<typename stages::Competition<P>::Consensus>& out) {
-      const auto pixel = compete_align_.step({out.state, out.marks}, compete_align_config_());
+      const auto pixel = compete_align_.step({out.state, out.marks}, compete_align_config());
       if (!pixel.valid) return;
       OutOf<stages::Align<P>> same;
       same.valid = pixel.valid;
@@ -575,7 +575,7 @@ class Pipeline {
     });
   }
 
-  [[nodiscard]] typename stages::Competition<P>::Align::Config compete_align_config_() const {
+  [[nodiscard]] typename stages::Competition<P>::Align::Config compete_align_config() const {
     return {align_config_.width, align_config_.height};
   }
 
