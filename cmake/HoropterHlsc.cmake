@@ -28,11 +28,17 @@ file(GLOB_RECURSE HOROPTER_STAGE_HEADERS CONFIGURE_DEPENDS
 set(HOROPTER_HLSC_TARGET ecp5 CACHE STRING "Delay model of the committed modules")
 # The rest of the clock is for what the delay model does not know: routing detours, skew.
 set(HOROPTER_HLSC_CLOCK_PERCENT 80 CACHE STRING "Percent of a profile's clock period that hlsc may fill with logic")
+# Slower profiles are scheduled as if for this, so that they also fit parts slower than the model's.
+set(HOROPTER_HLSC_MIN_KHZ 30000 CACHE STRING "Least clock for which hlsc schedules")
 
 function(_horopter_clock_ns profile result)
   file(STRINGS ${PROJECT_SOURCE_DIR}/hls/include/horopter/hls/profiles.def line REGEX "^HOROPTER_PROFILE\\(${profile},")
   string(REGEX MATCH "([0-9]+)\\)$" _ "${line}")  # the last column: clock_khz
-  math(EXPR ps "10000000 * ${HOROPTER_HLSC_CLOCK_PERCENT} / ${CMAKE_MATCH_1}")
+  set(clock_khz ${CMAKE_MATCH_1})
+  if(clock_khz LESS HOROPTER_HLSC_MIN_KHZ)
+    set(clock_khz ${HOROPTER_HLSC_MIN_KHZ})
+  endif()
+  math(EXPR ps "10000000 * ${HOROPTER_HLSC_CLOCK_PERCENT} / ${clock_khz}")
   math(EXPR ns "${ps} / 1000")
   math(EXPR hundredths "${ps} % 1000 / 10")
   if(hundredths LESS 10)

@@ -17,6 +17,8 @@
 // better. Offset: none.
 #pragma once
 
+#include <type_traits>
+
 #include "stages/direction.hpp"
 
 namespace horopter::stages {
@@ -44,10 +46,12 @@ class DirectionDifference {
     Marks marks;
   };
 
-  Out step(const In& in) {
+  Out step(const In& in) { return step(in, true); }
+
+  /// Not `taken`: nothing is remembered, and the result means nothing.
+  Out step(const In& in, bool taken) {
     const bool row_start = in.marks.first || row_ended_;
-    row_ended_ = in.marks.last;
-    if (row_start) {
+    if (taken && row_start) {
       for (int i = 0; i < self_shift; ++i) left_[i].exists = false;
       for (int i = 0; i < HYPOTHESES; ++i) right_[i].exists = false;
     }
@@ -66,11 +70,14 @@ class DirectionDifference {
     out.mask = in.mask;
     out.marks = in.marks;
 
-    for (int i = self_shift - 1; i > 0; --i) left_[i] = left_[i - 1];
-    left_[0] = left;
-    if constexpr (HYPOTHESES > 1) {
-      for (int i = HYPOTHESES - 1; i > 0; --i) right_[i] = right_[i - 1];
-      right_[0] = right;
+    if (taken) {
+      row_ended_ = in.marks.last;
+      for (int i = self_shift - 1; i > 0; --i) left_[i] = left_[i - 1];
+      left_[0] = left;
+      if constexpr (HYPOTHESES > 1) {
+        for (int i = HYPOTHESES - 1; i > 0; --i) right_[i] = right_[i - 1];
+        right_[0] = right;
+      }
     }
     return out;
   }
@@ -96,7 +103,41 @@ class DirectionDifference {
   Gradient right_[HYPOTHESES];
 };
 
+/// The same behind a packed stream: the pair is complete with the right image's beat.
+template <int HYPOTHESES>
+class UnpackingDifference {
+ public:
+  using In = Directions<1>;
+  struct Out {
+    bool valid = false;
+    std::array<u<4>, HYPOTHESES + 1> difference{};
+    u<8> magnitude;
+    bool mask = false;
+    Marks marks;
+  };
+
+  Out step(const In& in) {
+    const bool second = second_ && !in.marks.first;
+    Directions<2> pair;
+    pair.direction = {left_.direction[0], in.direction[0]};
+    pair.magnitude = {left_.magnitude[0], in.magnitude[0]};
+    pair.saturated = in.saturated;  // of both images, in both beats
+    pair.mask = in.mask;
+    pair.marks = {left_.marks.first, in.marks.last};
+    const auto result = difference_.step(pair, second);
+    if (!second) left_ = in;
+    second_ = !second;
+    return {second, result.difference, result.magnitude, result.mask, result.marks};
+  }
+
+ private:
+  DirectionDifference<HYPOTHESES> difference_;
+  Directions<1> left_;
+  bool second_ = false;  // the next beat is the right image's
+};
+
 template <Profile P>
-using Difference = DirectionDifference<P.hypotheses>;
+using Difference =
+    std::conditional_t<P.packed(), UnpackingDifference<P.hypotheses>, DirectionDifference<P.hypotheses>>;
 
 }  // namespace horopter::stages

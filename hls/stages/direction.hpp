@@ -71,6 +71,6 @@ class DirectionFinder {
 };
 
 template <Profile P>
-using Direction = DirectionFinder<2>;
+using Direction = DirectionFinder<P.stream_lanes()>;
 
 }  // namespace horopter::stages

@@ -63,6 +63,6 @@ class LowpassFilter {
 };
 
 template <Profile P>
-using Lowpass = LowpassFilter<P.result_width()>;
+using Lowpass = LowpassFilter<P.stream_beats(), P.stream_lanes(), P.stream_stride()>;
 
 }  // namespace horopter::stages

@@ -598,7 +598,7 @@ class Pipeline {
 #undef HOROPTER_STAGE
 
   stages::MapExpand<P> map_expand_;
-  stages::Subsample<P> subsample_;
+  stages::Subsampler<P.subsample> subsample_;
   WideLowpass lowpass_;
   WideSobel sobel_;
   WideDirection direction_;

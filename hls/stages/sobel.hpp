@@ -77,6 +77,6 @@ class SobelFilter {
 };
 
 template <Profile P>
-using Sobel = SobelFilter<P.result_width()>;
+using Sobel = SobelFilter<P.stream_beats(), P.stream_lanes(), P.stream_stride()>;
 
 }  // namespace horopter::stages

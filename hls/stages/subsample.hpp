@@ -9,6 +9,8 @@
 // Illegal use: a row with an odd number of beats ends with a pixel of its own, mask 0.
 #pragma once
 
+#include <type_traits>
+
 #include "stages/stream.hpp"
 
 namespace horopter::stages {
@@ -55,7 +57,51 @@ class Subsampler {
   GreyPair even_;
 };
 
+/// The same means, packed: the left image's leaves with the pair's second pixel, the right image's with the beat after
+/// it. Illegal use: a row with an odd number of beats loses its last pixel.
+class PackingSubsampler {
+ public:
+  using In = GreyPair;
+  struct Out {
+    bool valid = false;
+    std::array<u<8>, 1> pixel{};
+    bool saturated = false;
+    bool mask = false;
+    Marks marks;
+  };
+
+  Out step(const In& in) {
+    const bool second = second_ && !in.marks.first;
+    const auto mean = [&](std::size_t i) { return u<8>(shr<1>(in.pixel[i] + kept_.pixel[i] + lit<1>())); };
+    const bool saturated = in.saturated || kept_.saturated;
+    const bool mask = in.mask && kept_.mask;
+    Out out;
+    out.valid = second || right_waits_;
+    out.pixel[0] = second ? mean(0) : kept_.pixel[1];
+    out.saturated = second ? saturated : kept_.saturated;
+    out.mask = second ? mask : kept_.mask;
+    out.marks.first = second && kept_.marks.first;
+    out.marks.last = !second && (kept_.marks.last || in.marks.last);
+
+    const u<8> right = second ? mean(1) : in.pixel[1];
+    kept_ = in;
+    kept_.pixel[1] = right;
+    if (second) {
+      kept_.saturated = saturated;
+      kept_.mask = mask;
+    }
+    right_waits_ = second;
+    second_ = !second && !in.marks.last;
+    return out;
+  }
+
+ private:
+  bool second_ = false;       // the next beat is the second of its pair
+  bool right_waits_ = false;  // kept_ holds the right image's mean, not the first beat of a pair
+  GreyPair kept_;
+};
+
 template <Profile P>
-using Subsample = Subsampler<P.subsample>;
+using Subsample = std::conditional_t<P.packed(), PackingSubsampler, Subsampler<P.subsample>>;
 
 }  // namespace horopter::stages

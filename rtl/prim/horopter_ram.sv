@@ -6,11 +6,15 @@
 // Reading an address in the clock in which it is written gives an undefined word, so that no bypass logic is needed.
 // PARITY = 1 stores even parity beside each word (the ninth bit of block memories); parity_error_o comes with the data.
 // Contents are zero at power-up (with correct parity) and survive reset: there is none.
+// FAST = 1 with OUTPUT_REGISTER: banks that are one block memory deep, each with its own output register, and the
+// multiplexer behind them. Deep memories are laid out as far as they fill it in banks of 16384 words of 1-bit blocks,
+// which need no multiplexer, the rest in banks of 2048 words.
 module horopter_ram #(
     parameter int unsigned WIDTH = 8,
     parameter int unsigned DEPTH = 1024,
     parameter bit PARITY = 1'b0,
     parameter bit OUTPUT_REGISTER = 1'b0,
+    parameter bit FAST = 1'b0,
     parameter int unsigned ADDR_BITS = DEPTH > 1 ? $clog2(DEPTH) : 1
 ) (
     input  logic                 clk_i,
@@ -23,23 +27,19 @@ module horopter_ram #(
     output logic                 parity_error_o
 );
   localparam int unsigned WORD_BITS = WIDTH + (PARITY ? 1 : 0);
+  localparam int unsigned DEEP = 16384;
+  localparam int unsigned SHALLOW = 2048;
+  localparam bit BANKED = FAST && OUTPUT_REGISTER && DEPTH > SHALLOW;
+  localparam int unsigned DEEP_BANKS = BANKED ? DEPTH / DEEP : 0;
+  localparam int unsigned BANKS = BANKED ? DEEP_BANKS + (DEPTH - DEEP_BANKS * DEEP + SHALLOW - 1) / SHALLOW : 1;
+  localparam int unsigned BANK_BITS = BANKS > 1 ? $clog2(BANKS) : 1;
 
   if (WIDTH == 0 || DEPTH < 2 || ADDR_BITS != $clog2(DEPTH)) begin : g_illegal
     $fatal(1, "horopter_ram: WIDTH must be positive, DEPTH at least 2, ADDR_BITS left alone");
   end
 
-  logic [WORD_BITS-1:0] memory[DEPTH];
   logic [WORD_BITS-1:0] write_word;
-  logic [WORD_BITS-1:0] read_word_q;
   logic [WORD_BITS-1:0] out_word;
-
-`ifndef SYNTHESIS
-  // Synthesis leaves it away: block memories are zero after configuration anyway, and unrolling this takes minutes.
-  initial begin
-    for (int unsigned i = 0; i < DEPTH; i++) memory[i] = '0;
-  end
-`endif
-
   if (PARITY) begin : g_parity
     assign write_word = {^write_data_i, write_data_i};
     assign parity_error_o = ^out_word;
@@ -47,21 +47,65 @@ module horopter_ram #(
     assign write_word = write_data_i;
     assign parity_error_o = 1'b0;
   end
+  assign read_data_o = out_word[WIDTH-1:0];
 
-  always_ff @(posedge clk_i) begin
-    if (write_en_i) memory[write_addr_i] <= write_word;
-    if (read_en_i) begin
-      read_word_q <= memory[read_addr_i];
-      if (write_en_i && write_addr_i == read_addr_i) read_word_q <= 'x;
+  if (!BANKED) begin : g_one
+    horopter_ram_bank #(
+        .WIDTH(WORD_BITS),
+        .DEPTH(DEPTH),
+        .OUTPUT_REGISTER(OUTPUT_REGISTER)
+    ) u_bank (
+        .clk_i(clk_i),
+        .write_en_i(write_en_i),
+        .write_addr_i(write_addr_i),
+        .write_data_i(write_word),
+        .read_en_i(read_en_i),
+        .read_addr_i(read_addr_i),
+        .read_data_o(out_word)
+    );
+  end else begin : g_banks
+    // The deep banks come first, so a bank's number follows from the upper bits of the address.
+    function automatic [BANK_BITS-1:0] bank_of(input [ADDR_BITS-1:0] addr);
+      bank_of = BANK_BITS'(32'(addr) / DEEP);
+      if (32'(addr) / DEEP == DEEP_BANKS) bank_of = BANK_BITS'(DEEP_BANKS + 32'(addr) % DEEP / SHALLOW);
+    endfunction
+
+    logic [BANK_BITS-1:0] write_bank, read_bank_q, read_bank_q2;
+    assign write_bank = bank_of(write_addr_i);
+    always_ff @(posedge clk_i) begin
+      if (read_en_i) read_bank_q <= bank_of(read_addr_i);
+      read_bank_q2 <= read_bank_q;
+    end
+    logic [BANKS*WORD_BITS-1:0] words;
+    for (genvar b = 0; b < BANKS; b++) begin : g_bank
+      localparam int unsigned BANK_DEPTH = b < DEEP_BANKS ? DEEP : SHALLOW;
+      localparam int unsigned BANK_ADDR_BITS = $clog2(BANK_DEPTH);
+`ifdef SYNTHESIS
+      localparam int unsigned SLICE = b < DEEP_BANKS ? 1 : WORD_BITS;
+`else
+      localparam int unsigned SLICE = WORD_BITS;  // the same, in one array
+`endif
+      for (genvar s = 0; s < WORD_BITS; s += SLICE) begin : g_slice
+        horopter_ram_bank #(
+            .WIDTH(SLICE),
+            .DEPTH(BANK_DEPTH),
+            .OUTPUT_REGISTER(1'b1)
+        ) u_bank (
+            .clk_i(clk_i),
+            .write_en_i(write_en_i && write_bank == BANK_BITS'(b)),
+            .write_addr_i(write_addr_i[BANK_ADDR_BITS-1:0]),
+            .write_data_i(write_word[s+:SLICE]),
+            .read_en_i(read_en_i),
+            .read_addr_i(read_addr_i[BANK_ADDR_BITS-1:0]),
+            .read_data_o(words[b*WORD_BITS+s+:SLICE])
+        );
+      end
+    end
+    always_comb begin
+      out_word = '0;
+      for (int unsigned b = 0; b < BANKS; b++) begin
+        if (read_bank_q2 == BANK_BITS'(b)) out_word = words[b*WORD_BITS+:WORD_BITS];
+      end
     end
   end
-
-  if (OUTPUT_REGISTER) begin : g_output
-    logic [WORD_BITS-1:0] out_word_q;
-    always_ff @(posedge clk_i) out_word_q <= read_word_q;
-    assign out_word = out_word_q;
-  end else begin : g_no_output
-    assign out_word = read_word_q;
-  end
-  assign read_data_o = out_word[WIDTH-1:0];
 endmodule

@@ -15,6 +15,7 @@ module horopter_image_store #(
     parameter int unsigned ROWS = 64,
     parameter int unsigned WEIGHT_BITS = 3,
     parameter bit PARITY = 1'b1,
+    parameter bit FAST = 1'b0,  // see horopter_ram
     parameter int unsigned SLOT_BITS = $clog2(ROWS)
 ) (
     input  logic                   clk_i,
@@ -65,7 +66,8 @@ module horopter_image_store #(
     output logic                   parity_error_o  // with valid_o
 );
   localparam int unsigned READ_LATENCY = 8;
-  localparam int unsigned STRIDE = (WIDTH + 1) / 2;
+  // A multiple of 32 has few ones, and block memories have room for it.
+  localparam int unsigned STRIDE = ((WIDTH + 1) / 2 + 31) / 32 * 32;
   localparam int unsigned HALF_ROWS = ROWS / 2;
   localparam int unsigned DEPTH = HALF_ROWS * STRIDE;
   localparam int unsigned ADDR_BITS = $clog2(DEPTH);
@@ -75,6 +77,17 @@ module horopter_image_store #(
   if (ROWS < 8 || ROWS > 2048 || ROWS % 2 != 0 || WIDTH < 4 || WIDTH > 2046 || SLOT_BITS != $clog2(ROWS)) begin : g_illegal
     $fatal(1, "horopter_image_store: ROWS must be even, 8 to 2048, WIDTH 4 to 2046");
   end
+
+  // Row pair * STRIDE, by shifts: added for the digits 1 of STRIDE's non-adjacent form, subtracted for the digits -1.
+  localparam int unsigned PLUS = ((3 * STRIDE) & ~STRIDE) >> 1;
+  localparam int unsigned MINUS = (STRIDE & ~(3 * STRIDE)) >> 1;
+  function automatic [ADDR_BITS-1:0] row_start(input [INDEX_BITS-1:0] pair);
+    row_start = '0;
+    for (int unsigned i = 0; i < 12; i++) begin
+      if (PLUS[i]) row_start = row_start + (ADDR_BITS'(pair) << i);
+      if (MINUS[i]) row_start = row_start - (ADDR_BITS'(pair) << i);
+    end
+  endfunction
 
   // --- write: bank by parity, address = row pair * STRIDE + x / 2 ---
   logic write_en_q, write_en_q2, bad_en_q;
@@ -89,7 +102,7 @@ module horopter_image_store #(
     bad_en_q <= row_done_i;
     write_en_q2 <= write_en_q;
     if (write_en_i) begin
-      write_base_q <= ADDR_BITS'(32'(write_slot_i[SLOT_BITS-1:1]) * STRIDE);
+      write_base_q <= row_start(write_slot_i[SLOT_BITS-1:1]);
       write_column_q <= write_x_i[11:1];
       write_bank_q <= {write_slot_i[0], write_x_i[0]};
       write_pixel_q <= write_pixel_i;
@@ -205,8 +218,8 @@ module horopter_image_store #(
     below_q <= {below_q[READ_LATENCY-2:5], s4_below};
     row_odd_q <= {row_odd_q[READ_LATENCY-2:5], s4_row_odd};
     column_odd_q <= {column_odd_q[READ_LATENCY-2:5], s4_x[0]};
-    s5_even_base <= ADDR_BITS'(32'(s4_even_row) * STRIDE);
-    s5_odd_base <= ADDR_BITS'(32'(s4_odd_row) * STRIDE);
+    s5_even_base <= row_start(s4_even_row);
+    s5_odd_base <= row_start(s4_odd_row);
     s5_even_column <= s4_x[10:1] + 10'(s4_x[0]);
     s5_odd_column <= s4_x[10:1];
   end
@@ -224,7 +237,8 @@ module horopter_image_store #(
           .WIDTH(8),
           .DEPTH(DEPTH),
           .PARITY(PARITY),
-          .OUTPUT_REGISTER(1'b1)
+          .OUTPUT_REGISTER(1'b1),
+          .FAST(FAST)
       ) u_bank (
           .clk_i(clk_i),
           .write_en_i(write_en_q2 && write_bank_q2 == {1'(r), 1'(c)}),

@@ -9,6 +9,7 @@ module horopter_left_store #(
     parameter int unsigned WIDTH = 640,
     parameter int unsigned ROWS = 36,
     parameter bit PARITY = 1'b1,
+    parameter bit FAST = 1'b0,  // see horopter_ram
     parameter int unsigned SLOT_BITS = $clog2(ROWS)
 ) (
     input  logic                 clk_i,
@@ -32,12 +33,25 @@ module horopter_left_store #(
     output logic                 mask_o,
     output logic                 parity_error_o
 );
-  localparam int unsigned DEPTH = ROWS * WIDTH;
+  // A multiple of 32 has few ones, and block memories have room for it.
+  localparam int unsigned STRIDE = (WIDTH + 31) / 32 * 32;
+  localparam int unsigned DEPTH = ROWS * STRIDE;
   localparam int unsigned ADDR_BITS = $clog2(DEPTH);
 
   if (ROWS < 4 || ROWS > 2048 || WIDTH < 4 || SLOT_BITS != $clog2(ROWS)) begin : g_illegal
     $fatal(1, "horopter_left_store: ROWS must be 4 to 2048, WIDTH at least 4");
   end
+
+  // Slot * STRIDE, by shifts: added for the digits 1 of STRIDE's non-adjacent form, subtracted for the digits -1.
+  localparam int unsigned PLUS = ((3 * STRIDE) & ~STRIDE) >> 1;
+  localparam int unsigned MINUS = (STRIDE & ~(3 * STRIDE)) >> 1;
+  function automatic [ADDR_BITS-1:0] row_start(input [SLOT_BITS-1:0] slot);
+    row_start = '0;
+    for (int unsigned i = 0; i < 12; i++) begin
+      if (PLUS[i]) row_start = row_start + (ADDR_BITS'(slot) << i);
+      if (MINUS[i]) row_start = row_start - (ADDR_BITS'(slot) << i);
+    end
+  endfunction
 
   // --- write ---
   logic write_en_q, write_en_q2, bad_en_q, bad_q;
@@ -50,7 +64,7 @@ module horopter_left_store #(
     write_en_q2 <= write_en_q;
     bad_en_q <= row_done_i;
     if (write_en_i) begin
-      write_base_q <= ADDR_BITS'(32'(write_slot_i) * WIDTH);
+      write_base_q <= row_start(write_slot_i);
       write_x_q <= write_x_i;
       write_pixel_q <= write_pixel_i;
       bad_q <= row_bad_i;
@@ -86,8 +100,8 @@ module horopter_left_store #(
       if (read && last_i) begin
         keep_q <= keep_q + 12'd1;
         slot_q <= wraps ? '0 : slot_q + 1'b1;
-        row_addr_q <= wraps ? '0 : row_addr_q + ADDR_BITS'(WIDTH);
-        addr_q <= wraps ? '0 : row_addr_q + ADDR_BITS'(WIDTH);
+        row_addr_q <= wraps ? '0 : row_addr_q + ADDR_BITS'(STRIDE);
+        addr_q <= wraps ? '0 : row_addr_q + ADDR_BITS'(STRIDE);
       end else if (read) begin
         addr_q <= addr_q + 1'b1;
       end
@@ -102,7 +116,8 @@ module horopter_left_store #(
       .WIDTH(8),
       .DEPTH(DEPTH),
       .PARITY(PARITY),
-      .OUTPUT_REGISTER(1'b1)
+      .OUTPUT_REGISTER(1'b1),
+      .FAST(FAST)
   ) u_pixels (
       .clk_i(clk_i),
       .write_en_i(write_en_q2),

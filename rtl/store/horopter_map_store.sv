@@ -17,6 +17,7 @@
 module horopter_map_store #(
     parameter int unsigned POOL_BYTES = 81920,
     parameter bit PARITY = 1'b1,
+    parameter bit FAST = 1'b0,  // see horopter_ram
     parameter int unsigned WORDS = POOL_BYTES / 8,
     parameter int unsigned ADDR_BITS = $clog2(WORDS)
 ) (
@@ -323,7 +324,8 @@ module horopter_map_store #(
       .WIDTH(32),
       .DEPTH(WORDS),
       .PARITY(PARITY),
-      .OUTPUT_REGISTER(1'b1)
+      .OUTPUT_REGISTER(1'b1),
+      .FAST(FAST)
   ) u_even (
       .clk_i(clk_i),
       .write_en_i(write_even),
@@ -338,7 +340,8 @@ module horopter_map_store #(
       .WIDTH(32),
       .DEPTH(WORDS),
       .PARITY(PARITY),
-      .OUTPUT_REGISTER(1'b1)
+      .OUTPUT_REGISTER(1'b1),
+      .FAST(FAST)
   ) u_odd (
       .clk_i(clk_i),
       .write_en_i(write_odd),

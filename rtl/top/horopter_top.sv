@@ -13,7 +13,13 @@
 // safe_o, unsafe_o           complements, from separate registers; safe only while the last frame was complete, in time,
 //                            free of faults and of alarm. Anything but safe_o = 1 and unsafe_o = 0 means not safe.
 // heartbeat_o                toggles with every finished frame. frame_done_o: one clock, the FRAME registers are new.
-module horopter_top (
+//
+// Parameters fit the memories of a small part: the pool of mapping tables, and the largest LOOKAHEAD, that is the left
+// delay: a larger one is a bad geometry.
+module horopter_top #(
+    parameter int unsigned POOL_BYTES = horopter_profile_pkg::POOL_BYTES,
+    parameter int unsigned MAX_LOOKAHEAD = horopter_profile_pkg::STORE_ROWS / 2
+) (
     input  logic        clk_i,
     input  logic        rst_ni,
     // AXI4-Lite slave
@@ -78,11 +84,10 @@ module horopter_top (
   localparam int unsigned DSAD_WINDOW = horopter_profile_pkg::DSAD_WINDOW;
   localparam int unsigned WEIGHT_BITS = horopter_profile_pkg::WEIGHT_BITS;
   localparam int unsigned STORE_ROWS = horopter_profile_pkg::STORE_ROWS;
-  localparam int unsigned POOL_BYTES = horopter_profile_pkg::POOL_BYTES;
   localparam int unsigned RESULT_WIDTH = WIDTH / SUBSAMPLE;
   localparam int unsigned RESULT_PIXELS = RESULT_WIDTH * HEIGHT;
-  localparam int unsigned MAX_LOOKAHEAD = STORE_ROWS / 2;
-  localparam int unsigned LEFT_ROWS = STORE_ROWS / 2 + 8;  // LOOKAHEAD rows, one arriving, one leaving, and slack
+  localparam bit FAST = horopter_profile_pkg::CLOCK_KHZ > 50_000;  // beyond, block memories need registers behind them
+  localparam int unsigned LEFT_ROWS = MAX_LOOKAHEAD + 8;  // LOOKAHEAD rows, one arriving, one leaving, and slack
   // for a frame whose end is noticed only with the start of the next
   localparam int unsigned MIN_WIDTH = 32 * SUBSAMPLE;
   localparam int unsigned MIN_HEIGHT = 16;
@@ -117,6 +122,9 @@ module horopter_top (
   end
   if (STORE_ROWS != 1 << RING_BITS && STORE_ROWS < HEIGHT) begin : g_illegal_ring
     $fatal(1, "horopter_top: STORE_ROWS must be a power of two or at least HEIGHT");
+  end
+  if (MAX_LOOKAHEAD == 0 || MAX_LOOKAHEAD > STORE_ROWS / 2) begin : g_illegal_lookahead
+    $fatal(1, "horopter_top: MAX_LOOKAHEAD must be 1 to half of STORE_ROWS");
   end
   if (horopter_profile_pkg::HYPOTHESES != 1) begin : g_illegal_hypotheses
     $fatal(1, "horopter_top: connects stages with one hypothesis");
@@ -576,7 +584,8 @@ module horopter_top (
   logic [5:0] beat_fraction;
 
   horopter_map_store #(
-      .POOL_BYTES(POOL_BYTES)
+      .POOL_BYTES(POOL_BYTES),
+      .FAST(FAST)
   ) u_map_store (
       .clk_i(clk_i),
       .rst_ni(rst_ni),
@@ -717,7 +726,8 @@ module horopter_top (
   horopter_image_store #(
       .WIDTH(WIDTH),
       .ROWS(STORE_ROWS),
-      .WEIGHT_BITS(WEIGHT_BITS)
+      .WEIGHT_BITS(WEIGHT_BITS),
+      .FAST(FAST)
   ) u_image_store (
       .clk_i(clk_i),
       .rst_ni(core_rst_n),
@@ -763,7 +773,8 @@ module horopter_top (
   );
   horopter_left_store #(
       .WIDTH(WIDTH),
-      .ROWS(LEFT_ROWS)
+      .ROWS(LEFT_ROWS),
+      .FAST(FAST)
   ) u_left_store (
       .clk_i(clk_i),
       .rst_ni(core_rst_n),
@@ -787,12 +798,17 @@ module horopter_top (
   assign unused_quad = quad_live;
 
   // ------------------------------------------------------------------------------------------------ stages
-  logic grey_valid, grey_saturated, grey_mask, grey_first, grey_last;
-  logic [7:0] grey_0, grey_1;
-  horopter_interpolate u_interpolate (
+  logic state_valid, state_first, state_last, state_end, state_idle;
+  logic [1:0] state;
+  logic run_valid, run_last;
+  logic [ROW_BITS-1:0] run_row;
+  logic [COLUMN_BITS-1:0] run_start, run_end;
+  logic [1:0] run_state;
+  logic counts_valid, alarm, too_undecidable, too_unsupervised;
+  logic [COUNT_BITS-1:0] skin_pixels, undecidable_pixels, unsupervised_pixels;
+  horopter_stages u_stages (
       .clk_i(clk_i),
       .rst_ni(core_rst_n),
-      .en_i(1'b1),
       .valid_i(quad_valid),
       .p00_i(p00),
       .p01_i(p01),
@@ -804,281 +820,33 @@ module horopter_top (
       .mask_i(quad_mask && left_mask),
       .marks_first_i(quad_first),
       .marks_last_i(quad_last),
-      .valid_o(grey_valid),
-      .pixel_0_o(grey_0),
-      .pixel_1_o(grey_1),
-      .saturated_o(grey_saturated),
-      .mask_o(grey_mask),
-      .marks_first_o(grey_first),
-      .marks_last_o(grey_last)
-  );
-
-  logic square_valid, square_saturated, square_mask, square_first, square_last;
-  logic [7:0] square_0, square_1;
-  horopter_subsample u_subsample (
-      .clk_i(clk_i),
-      .rst_ni(core_rst_n),
-      .en_i(1'b1),
-      .valid_i(grey_valid),
-      .pixel_0_i(grey_0),
-      .pixel_1_i(grey_1),
-      .saturated_i(grey_saturated),
-      .mask_i(grey_mask),
-      .marks_first_i(grey_first),
-      .marks_last_i(grey_last),
-      .valid_o(square_valid),
-      .pixel_0_o(square_0),
-      .pixel_1_o(square_1),
-      .saturated_o(square_saturated),
-      .mask_o(square_mask),
-      .marks_first_o(square_first),
-      .marks_last_o(square_last)
-  );
-
-  logic smooth_valid, smooth_saturated, smooth_mask, smooth_first, smooth_last;
-  logic [7:0] smooth_0, smooth_1;
-  horopter_lowpass u_lowpass (
-      .clk_i(clk_i),
-      .rst_ni(core_rst_n),
-      .en_i(1'b1),
-      .valid_i(square_valid),
-      .pixel_0_i(square_0),
-      .pixel_1_i(square_1),
-      .saturated_i(square_saturated),
-      .mask_i(square_mask),
-      .marks_first_i(square_first),
-      .marks_last_i(square_last),
-      .valid_o(smooth_valid),
-      .pixel_0_o(smooth_0),
-      .pixel_1_o(smooth_1),
-      .saturated_o(smooth_saturated),
-      .mask_o(smooth_mask),
-      .marks_first_o(smooth_first),
-      .marks_last_o(smooth_last)
-  );
-
-  logic gradient_valid, gradient_saturated, gradient_mask, gradient_first, gradient_last;
-  logic signed [10:0] gx_0, gx_1, gy_0, gy_1;
-  horopter_sobel u_sobel (
-      .clk_i(clk_i),
-      .rst_ni(core_rst_n),
-      .en_i(1'b1),
-      .valid_i(smooth_valid),
-      .pixel_0_i(smooth_0),
-      .pixel_1_i(smooth_1),
-      .saturated_i(smooth_saturated),
-      .mask_i(smooth_mask),
-      .marks_first_i(smooth_first),
-      .marks_last_i(smooth_last),
-      .valid_o(gradient_valid),
-      .gx_0_o(gx_0),
-      .gx_1_o(gx_1),
-      .gy_0_o(gy_0),
-      .gy_1_o(gy_1),
-      .saturated_o(gradient_saturated),
-      .mask_o(gradient_mask),
-      .marks_first_o(gradient_first),
-      .marks_last_o(gradient_last)
-  );
-
-  logic direction_valid, direction_saturated, direction_mask, direction_first, direction_last;
-  logic [7:0] direction_0, direction_1, magnitude_0, magnitude_1;
-  horopter_direction u_direction (
-      .clk_i(clk_i),
-      .rst_ni(core_rst_n),
-      .en_i(1'b1),
-      .valid_i(gradient_valid),
-      .gx_0_i(gx_0),
-      .gx_1_i(gx_1),
-      .gy_0_i(gy_0),
-      .gy_1_i(gy_1),
-      .saturated_i(gradient_saturated),
-      .mask_i(gradient_mask),
-      .marks_first_i(gradient_first),
-      .marks_last_i(gradient_last),
-      .valid_o(direction_valid),
-      .direction_0_o(direction_0),
-      .direction_1_o(direction_1),
-      .magnitude_0_o(magnitude_0),
-      .magnitude_1_o(magnitude_1),
-      .saturated_o(direction_saturated),
-      .mask_o(direction_mask),
-      .marks_first_o(direction_first),
-      .marks_last_o(direction_last)
-  );
-
-  logic difference_valid, difference_mask, difference_first, difference_last;
-  logic [3:0] difference_0, difference_1;
-  logic [7:0] left_magnitude;
-  horopter_difference u_difference (
-      .clk_i(clk_i),
-      .rst_ni(core_rst_n),
-      .en_i(1'b1),
-      .valid_i(direction_valid),
-      .direction_0_i(direction_0),
-      .direction_1_i(direction_1),
-      .magnitude_0_i(magnitude_0),
-      .magnitude_1_i(magnitude_1),
-      .saturated_i(direction_saturated),
-      .mask_i(direction_mask),
-      .marks_first_i(direction_first),
-      .marks_last_i(direction_last),
-      .valid_o(difference_valid),
-      .difference_0_o(difference_0),
-      .difference_1_o(difference_1),
-      .magnitude_o(left_magnitude),
-      .mask_o(difference_mask),
-      .marks_first_o(difference_first),
-      .marks_last_o(difference_last)
-  );
-
-  logic texture_valid, texture_textured, texture_mask, texture_first, texture_last;
-  logic [3:0] texture_difference_0, texture_difference_1;
-  horopter_texture u_texture (
-      .clk_i(clk_i),
-      .rst_ni(core_rst_n),
-      .en_i(1'b1),
-      .valid_i(difference_valid),
-      .difference_0_i(difference_0),
-      .difference_1_i(difference_1),
-      .magnitude_i(left_magnitude),
-      .mask_i(difference_mask),
-      .marks_first_i(difference_first),
-      .marks_last_i(difference_last),
       .cfg_texture_limit_i(sampled_texture_limit_q),
-      .valid_o(texture_valid),
-      .difference_0_o(texture_difference_0),
-      .difference_1_o(texture_difference_1),
-      .textured_o(texture_textured),
-      .mask_o(texture_mask),
-      .marks_first_o(texture_first),
-      .marks_last_o(texture_last)
-  );
-
-  logic dsad_valid, dsad_textured, dsad_mask, dsad_first, dsad_last;
-  logic [SUM_BITS-1:0] sum_0, sum_1;
-  horopter_dsad u_dsad (
-      .clk_i(clk_i),
-      .rst_ni(core_rst_n),
-      .en_i(1'b1),
-      .valid_i(texture_valid),
-      .difference_0_i(texture_difference_0),
-      .difference_1_i(texture_difference_1),
-      .textured_i(texture_textured),
-      .mask_i(texture_mask),
-      .marks_first_i(texture_first),
-      .marks_last_i(texture_last),
-      .valid_o(dsad_valid),
-      .sum_0_o(sum_0),
-      .sum_1_o(sum_1),
-      .textured_o(dsad_textured),
-      .mask_o(dsad_mask),
-      .marks_first_o(dsad_first),
-      .marks_last_o(dsad_last)
-  );
-
-  logic binary_valid, binary_skin, binary_decidable, binary_mask, binary_first, binary_last;
-  horopter_threshold u_threshold (
-      .clk_i(clk_i),
-      .rst_ni(core_rst_n),
-      .en_i(1'b1),
-      .valid_i(dsad_valid),
-      .sum_0_i(sum_0),
-      .sum_1_i(sum_1),
-      .textured_i(dsad_textured),
-      .mask_i(dsad_mask),
-      .marks_first_i(dsad_first),
-      .marks_last_i(dsad_last),
       .cfg_sum_limit_i(sampled_sum_limit_q),
       .cfg_self_limit_i(sampled_self_limit_q),
-      .valid_o(binary_valid),
-      .skin_o(binary_skin),
-      .decidable_o(binary_decidable),
-      .mask_o(binary_mask),
-      .marks_first_o(binary_first),
-      .marks_last_o(binary_last)
-  );
-
-  logic vote_valid, vote_first, vote_last;
-  logic [1:0] vote_state;
-  horopter_majority u_majority (
-      .clk_i(clk_i),
-      .rst_ni(core_rst_n),
-      .en_i(1'b1),
-      .valid_i(binary_valid),
-      .skin_i(binary_skin),
-      .decidable_i(binary_decidable),
-      .mask_i(binary_mask),
-      .marks_first_i(binary_first),
-      .marks_last_i(binary_last),
-      .valid_o(vote_valid),
-      .state_o(vote_state),
-      .marks_first_o(vote_first),
-      .marks_last_o(vote_last)
-  );
-
-  logic state_valid, state_first, state_last, state_end, state_idle;
-  logic [1:0] state;
-  horopter_align u_align (
-      .clk_i(clk_i),
-      .rst_ni(core_rst_n),
-      .en_i(1'b1),
-      .valid_i(vote_valid),
-      .state_i(vote_state),
-      .marks_first_i(vote_first),
-      .marks_last_i(vote_last),
       .cfg_width_i(result_width_q),
       .cfg_height_i(result_height_q),
-      .valid_o(state_valid),
-      .state_o(state),
-      .first_o(state_first),
-      .last_o(state_last),
-      .end_v_o(state_end),
-      .idle_o(state_idle)
-  );
-
-  logic run_valid, run_last;
-  logic [ROW_BITS-1:0] run_row;
-  logic [COLUMN_BITS-1:0] run_start, run_end;
-  logic [1:0] run_state;
-  horopter_runs u_runs (
-      .clk_i(clk_i),
-      .rst_ni(core_rst_n),
-      .en_i(1'b1),
-      .valid_i(state_valid),
-      .state_i(state),
-      .first_i(state_first),
-      .last_i(state_last),
-      .idle_i(state_idle),
-      .valid_o(run_valid),
-      .row_o(run_row),
-      .start_o(run_start),
-      .end_v_o(run_end),
-      .state_o(run_state),
-      .last_o(run_last)
-  );
-
-  logic counts_valid, alarm, too_undecidable, too_unsupervised;
-  logic [COUNT_BITS-1:0] skin_pixels, undecidable_pixels, unsupervised_pixels;
-  horopter_alarm u_alarm (
-      .clk_i(clk_i),
-      .rst_ni(core_rst_n),
-      .en_i(1'b1),
-      .valid_i(state_valid),
-      .state_i(state),
-      .first_i(state_first),
-      .end_v_i(state_end),
-      .idle_i(state_idle),
       .cfg_alarm_limit_i(sampled_alarm_limit_q),
       .cfg_undecidable_limit_i(sampled_undecidable_limit_q),
       .cfg_unsupervised_limit_i(sampled_unsupervised_limit_q),
-      .valid_o(counts_valid),
-      .skin_pixels_o(skin_pixels),
-      .undecidable_pixels_o(undecidable_pixels),
-      .unsupervised_pixels_o(unsupervised_pixels),
-      .alarm_o(alarm),
-      .too_undecidable_o(too_undecidable),
-      .too_unsupervised_o(too_unsupervised)
+      .align_valid_o(state_valid),
+      .align_state_o(state),
+      .align_first_o(state_first),
+      .align_last_o(state_last),
+      .align_end_v_o(state_end),
+      .align_idle_o(state_idle),
+      .runs_valid_o(run_valid),
+      .runs_row_o(run_row),
+      .runs_start_o(run_start),
+      .runs_end_v_o(run_end),
+      .runs_state_o(run_state),
+      .runs_last_o(run_last),
+      .alarm_valid_o(counts_valid),
+      .alarm_skin_pixels_o(skin_pixels),
+      .alarm_undecidable_pixels_o(undecidable_pixels),
+      .alarm_unsupervised_pixels_o(unsupervised_pixels),
+      .alarm_alarm_o(alarm),
+      .alarm_too_undecidable_o(too_undecidable),
+      .alarm_too_unsupervised_o(too_unsupervised)
   );
 
   // ------------------------------------------------------------------------------------------------ outputs

@@ -127,8 +127,12 @@ class BeatByBeat {
             std::vector<native::Run>& found) {
     const auto halved = subsample.step(interpolate.step(taps));
     if (!halved.valid) return;
-    const GreyPair grey{halved.pixel, halved.saturated, halved.mask, halved.marks};
-    const auto differences = difference.step(direction.step(sobel.step(lowpass.step(grey))));
+    const Grey<P.stream_lanes()> grey{halved.pixel, halved.saturated, halved.mask, halved.marks};
+    const auto unpacked = difference.step(direction.step(sobel.step(lowpass.step(grey))));
+    if constexpr (P.packed()) {
+      if (!unpacked.valid) return;
+    }
+    const typename Texture<P>::In differences{unpacked.difference, unpacked.magnitude, unpacked.mask, unpacked.marks};
     typename Texture<P>::Config texture_config;
     texture_config.texture_limit = settings_.texture_limit;
     const auto t = texture.step(differences, texture_config);

@@ -170,6 +170,42 @@ TEST_CASE("subsample: the mean of pairs, at most half a grey level up", "[stages
   }
 }
 
+TEST_CASE("subsample packs the same means into one stream, the left image's first", "[stages]") {
+  std::mt19937 random(14);
+  const Frame<GreyPair> frame = random_greys(random, 20, 6, 30);
+  Subsampler<2> plain;
+  PackingSubsampler packing;
+  std::vector<Subsampler<2>::Out> pairs;
+  std::vector<PackingSubsampler::Out> packed;
+  for (const auto& beat : frame.beats) {
+    if (const auto out = plain.step(beat); out.valid) pairs.push_back(out);
+    if (const auto out = packing.step(beat); out.valid) packed.push_back(out);
+  }
+  REQUIRE(packed.size() == 2 * pairs.size() - 1);  // the last one comes with the next beat
+  for (std::size_t i = 0; i < packed.size(); ++i) {
+    const auto& pair = pairs[i / 2];
+    CAPTURE(i);
+    REQUIRE(packed[i].pixel[0] == pair.pixel[i % 2]);
+    REQUIRE(packed[i].mask == pair.mask);
+    REQUIRE(packed[i].saturated == pair.saturated);
+    REQUIRE(packed[i].marks.first == (i % 2 == 0 && pair.marks.first));
+    REQUIRE(packed[i].marks.last == (i % 2 == 1 && pair.marks.last));
+  }
+
+  // A frame that starts in the middle of a pair drops the pair; a row with an odd number of beats its last pixel.
+  PackingSubsampler stage;
+  const auto step = [&](int grey, bool first, bool last) {
+    return stage.step({{u<8>(grey), u<8>(grey + 100)}, false, true, {first, last}});
+  };
+  CHECK_FALSE(step(10, true, false).valid);
+  CHECK_FALSE(step(20, true, false).valid);
+  CHECK(step(22, false, false).pixel[0] == 21);
+  const auto right = step(30, false, true);
+  CHECK((right.valid && right.pixel[0] == 121 && right.marks.last));
+  CHECK_FALSE(step(40, false, false).valid);
+  CHECK(step(42, false, false).pixel[0] == 41);
+}
+
 TEST_CASE("lowpass and sobel against the reference, mask and saturation over their windows", "[stages]") {
   std::mt19937 random(14);
   LowpassFilter<48> lowpass;

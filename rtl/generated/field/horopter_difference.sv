@@ -3,16 +3,14 @@
 //
 // Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 41 bits, pipeline 18 bits, memories 0 bits.
+// State 59 bits, pipeline 20 bits, memories 0 bits.
 module horopter_difference (
   input  logic clk_i,
   input  logic rst_ni,
   input  logic en_i,
   input  logic valid_i,
   input  logic [7:0] direction_0_i,
-  input  logic [7:0] direction_1_i,
   input  logic [7:0] magnitude_0_i,
-  input  logic [7:0] magnitude_1_i,
   input  logic saturated_i,
   input  logic mask_i,
   input  logic marks_first_i,
@@ -32,132 +30,173 @@ module horopter_difference (
   assign s0_en = en_i & valid_i;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
-  logic row_ended_q;
-  logic [7:0] left_0_direction_q;
-  logic left_0_has_direction_q;
-  logic left_0_exists_q;
-  logic [7:0] left_1_direction_q;
-  logic left_1_has_direction_q;
-  logic left_1_exists_q;
-  logic [7:0] left_2_direction_q;
-  logic left_2_has_direction_q;
-  logic left_2_exists_q;
-  logic [7:0] left_3_direction_q;
-  logic left_3_has_direction_q;
-  logic left_3_exists_q;
-  // hls/stages/difference.hpp:54
-  logic equal_22;
-  assign equal_22 = magnitude_0_i == 8'h0;
-  logic not_23;
-  assign not_23 = ~equal_22;
-  // hls/stages/difference.hpp:48
-  logic not_24;
-  assign not_24 = ~marks_first_i;
-  // hls/stages/difference.hpp:64
-  logic not_25;
-  assign not_25 = ~row_ended_q;
-  // hls/stages/difference.hpp:55
+  logic difference_row_ended_q;
+  logic [7:0] difference_left_0_direction_q;
+  logic difference_left_0_has_direction_q;
+  logic difference_left_0_exists_q;
+  logic [7:0] difference_left_1_direction_q;
+  logic difference_left_1_has_direction_q;
+  logic difference_left_1_exists_q;
+  logic [7:0] difference_left_2_direction_q;
+  logic difference_left_2_has_direction_q;
+  logic difference_left_2_exists_q;
+  logic [7:0] difference_left_3_direction_q;
+  logic difference_left_3_has_direction_q;
+  logic difference_left_3_exists_q;
+  logic [7:0] left_direction_0_q;
+  logic [7:0] left_magnitude_0_q;
+  logic left_marks_first_q;
+  logic second_q;
+  // hls/stages/difference.hpp:122
+  logic and_25;
+  assign and_25 = second_q & (~marks_first_i);
+  // hls/stages/difference.hpp:58
+  logic equal_28;
+  assign equal_28 = left_magnitude_0_q == 8'h0;
+  logic not_29;
+  assign not_29 = ~equal_28;
+  // hls/stages/difference.hpp:68
   logic not_33;
-  assign not_33 = ~(magnitude_1_i == 8'h0);
-  // hls/stages/difference.hpp:87
+  assign not_33 = ~(and_25 & (difference_row_ended_q | left_marks_first_q));
+  logic and_34;
+  assign and_34 = difference_left_0_exists_q & not_33;
+  // hls/stages/difference.hpp:128
+  logic [7:0] select_36;
+  assign select_36 = and_25 ? difference_left_0_direction_q : difference_left_1_direction_q;
+  logic select_37;
+  assign select_37 = and_25 ? difference_left_0_has_direction_q : difference_left_1_has_direction_q;
+  // hls/stages/difference.hpp:68
+  logic and_38;
+  assign and_38 = difference_left_1_exists_q & not_33;
+  // hls/stages/difference.hpp:128
+  logic [7:0] select_40;
+  assign select_40 = and_25 ? difference_left_1_direction_q : difference_left_2_direction_q;
+  logic select_41;
+  assign select_41 = and_25 ? difference_left_1_has_direction_q : difference_left_2_has_direction_q;
+  // hls/stages/difference.hpp:68
+  logic and_42;
+  assign and_42 = difference_left_2_exists_q & not_33;
+  // hls/stages/difference.hpp:128
+  logic [7:0] select_44;
+  assign select_44 = and_25 ? difference_left_2_direction_q : difference_left_3_direction_q;
+  logic select_45;
+  assign select_45 = and_25 ? difference_left_2_has_direction_q : difference_left_3_has_direction_q;
+  // hls/stages/difference.hpp:68
+  logic and_46;
+  assign and_46 = difference_left_3_exists_q & not_33;
+  // hls/stages/difference.hpp:59
+  logic not_53;
+  assign not_53 = ~(magnitude_0_i == 8'h0);
+  // hls/stages/difference.hpp:94
   logic [7:0] turn;
-  assign turn = direction_0_i - direction_1_i;
-  // hls/stages/difference.hpp:88
-  logic [7:0] difference_36;
-  assign difference_36 = 8'h0 - turn;
+  assign turn = left_direction_0_q - direction_0_i;
+  // hls/stages/difference.hpp:95
+  logic [7:0] difference_56;
+  assign difference_56 = 8'h0 - turn;
   logic [4:0] shortest;
-  assign shortest = turn[7] ? difference_36[7:3] : {1'b0, turn[6:3]};
-  // hls/stages/difference.hpp:89
+  assign shortest = turn[7] ? difference_56[7:3] : {1'b0, turn[6:3]};
+  // hls/stages/difference.hpp:96
   logic [3:0] level;
   assign level = shortest[4] ? 4'hf : shortest[3:0];
-  // hls/stages/difference.hpp:64
-  logic or_39;
-  assign or_39 = not_33 | not_23;
-  // hls/stages/difference.hpp:90
-  logic not_40;
-  assign not_40 = ~or_39;
-  // hls/stages/difference.hpp:91
+  // hls/stages/difference.hpp:97
+  logic or_59;
+  assign or_59 = not_29 | not_53;
+  logic not_60;
+  assign not_60 = ~or_59;
+  // hls/stages/difference.hpp:98
   logic without;
-  assign without = left_3_has_direction_q | not_23;
-  // hls/stages/difference.hpp:87
+  assign without = difference_left_3_has_direction_q | not_29;
+  // hls/stages/difference.hpp:94
   logic [7:0] turn_2;
-  assign turn_2 = direction_0_i - left_3_direction_q;
-  // hls/stages/difference.hpp:88
-  logic [7:0] difference_46;
-  assign difference_46 = 8'h0 - turn_2;
+  assign turn_2 = left_direction_0_q - difference_left_3_direction_q;
+  // hls/stages/difference.hpp:95
+  logic [7:0] difference_64;
+  assign difference_64 = 8'h0 - turn_2;
   logic [4:0] shortest_2;
-  assign shortest_2 = turn_2[7] ? difference_46[7:3] : {1'b0, turn_2[6:3]};
-  // hls/stages/difference.hpp:89
+  assign shortest_2 = turn_2[7] ? difference_64[7:3] : {1'b0, turn_2[6:3]};
+  // hls/stages/difference.hpp:96
   logic [3:0] level_2;
   assign level_2 = shortest_2[4] ? 4'hf : shortest_2[3:0];
-  // hls/stages/difference.hpp:64
-  logic [3:0] select_50;
-  assign select_50 = equal_22 ? {without, 3'h0} : (left_3_has_direction_q ? level_2 : {without, 3'h0});
+  // hls/stages/difference.hpp:68
+  logic [3:0] select_68;
+  assign select_68 = equal_28 ? {without, 3'h0} : (difference_left_3_has_direction_q ? level_2 : {without, 3'h0});
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      row_ended_q <= 1'b1;
-      left_0_direction_q <= 8'h0;
-      left_0_has_direction_q <= 1'b0;
-      left_0_exists_q <= 1'b0;
-      left_1_direction_q <= 8'h0;
-      left_1_has_direction_q <= 1'b0;
-      left_1_exists_q <= 1'b0;
-      left_2_direction_q <= 8'h0;
-      left_2_has_direction_q <= 1'b0;
-      left_2_exists_q <= 1'b0;
-      left_3_direction_q <= 8'h0;
-      left_3_has_direction_q <= 1'b0;
-      left_3_exists_q <= 1'b0;
+      difference_row_ended_q <= 1'b1;
+      difference_left_0_direction_q <= 8'h0;
+      difference_left_0_has_direction_q <= 1'b0;
+      difference_left_0_exists_q <= 1'b0;
+      difference_left_1_direction_q <= 8'h0;
+      difference_left_1_has_direction_q <= 1'b0;
+      difference_left_1_exists_q <= 1'b0;
+      difference_left_2_direction_q <= 8'h0;
+      difference_left_2_has_direction_q <= 1'b0;
+      difference_left_2_exists_q <= 1'b0;
+      difference_left_3_direction_q <= 8'h0;
+      difference_left_3_has_direction_q <= 1'b0;
+      difference_left_3_exists_q <= 1'b0;
+      left_direction_0_q <= 8'h0;
+      left_magnitude_0_q <= 8'h0;
+      left_marks_first_q <= 1'b0;
+      second_q <= 1'b0;
     end else if (s0_en) begin
-      row_ended_q <= marks_last_i;
-      left_0_direction_q <= direction_0_i;
-      left_0_has_direction_q <= not_23;
-      left_0_exists_q <= mask_i;
-      left_1_direction_q <= left_0_direction_q;
-      left_1_has_direction_q <= left_0_has_direction_q;
-      left_1_exists_q <= not_24 & (left_0_exists_q & not_25);
-      left_2_direction_q <= left_1_direction_q;
-      left_2_has_direction_q <= left_1_has_direction_q;
-      left_2_exists_q <= not_24 & (left_1_exists_q & not_25);
-      left_3_direction_q <= left_2_direction_q;
-      left_3_has_direction_q <= left_2_has_direction_q;
-      left_3_exists_q <= not_24 & (left_2_exists_q & not_25);
+      difference_row_ended_q <= and_25 ? marks_last_i : difference_row_ended_q;
+      difference_left_0_direction_q <= and_25 ? left_direction_0_q : difference_left_0_direction_q;
+      difference_left_0_has_direction_q <= and_25 ? not_29 : difference_left_0_has_direction_q;
+      difference_left_0_exists_q <= and_25 ? mask_i : and_34;
+      difference_left_1_direction_q <= select_36;
+      difference_left_1_has_direction_q <= select_37;
+      difference_left_1_exists_q <= and_25 ? and_34 : and_38;
+      difference_left_2_direction_q <= select_40;
+      difference_left_2_has_direction_q <= select_41;
+      difference_left_2_exists_q <= and_25 ? and_38 : and_42;
+      difference_left_3_direction_q <= select_44;
+      difference_left_3_has_direction_q <= select_45;
+      difference_left_3_exists_q <= and_25 ? and_42 : and_46;
+      left_direction_0_q <= and_25 ? left_direction_0_q : direction_0_i;
+      left_magnitude_0_q <= and_25 ? left_magnitude_0_q : magnitude_0_i;
+      left_marks_first_q <= and_25 ? left_marks_first_q : marks_first_i;
+      second_q <= ~and_25;
     end
   end
 
-  logic marks_first_s1_q;
-  logic [3:0] select_41_s1_q;
-  logic [3:0] select_51_s1_q;
-  logic [7:0] select_52_s1_q;
+  logic mask_s1_q;
+  logic marks_last_s1_q;
+  logic left_marks_first_s1_q;
+  logic [3:0] select_61_s1_q;
+  logic [3:0] select_69_s1_q;
+  logic [7:0] select_70_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
-      marks_first_s1_q <= marks_first_i;
-      select_41_s1_q <= (not_33 & not_23) ? level : {or_39, not_40, 2'h0};
-      select_51_s1_q <= (not_24 & (left_3_exists_q & not_25)) ? select_50 : 4'h0;
-      select_52_s1_q <= saturated_i ? 8'h0 : magnitude_0_i;
+      mask_s1_q <= mask_i;
+      marks_last_s1_q <= marks_last_i;
+      left_marks_first_s1_q <= left_marks_first_q;
+      select_61_s1_q <= (not_29 & not_53) ? level : {or_59, not_60, 2'h0};
+      select_69_s1_q <= and_46 ? select_68 : 4'h0;
+      select_70_s1_q <= saturated_i ? 8'h0 : left_magnitude_0_q;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign difference_0_o = select_41_s1_q;
-  assign difference_1_o = select_51_s1_q;
-  assign magnitude_o = select_52_s1_q;
-  assign mask_o = left_0_exists_q;
-  assign marks_first_o = marks_first_s1_q;
-  assign marks_last_o = row_ended_q;
+  assign difference_0_o = select_61_s1_q;
+  assign difference_1_o = select_69_s1_q;
+  assign magnitude_o = select_70_s1_q;
+  assign mask_o = mask_s1_q;
+  assign marks_first_o = left_marks_first_s1_q;
+  assign marks_last_o = marks_last_s1_q;
   assign valid_o = valid_s1_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       valid_s1_q <= 1'b0;
     end else if (en_i) begin
-      valid_s1_q <= valid_i;
+      valid_s1_q <= valid_i & and_25;
     end
   end
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{difference_46[2:0], difference_36[2:0]};
+  assign unused_bits = ^{difference_64[2:0], difference_56[2:0]};
 
 endmodule

@@ -1,27 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Direction<horopter::hls::profiles::field>, hls/stages/direction.hpp. Do not edit.
 //
-// Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 0 bits, pipeline 37 bits, memories 0 bits.
+// State 0 bits, pipeline 43 bits, memories 0 bits.
 module horopter_direction (
   input  logic clk_i,
   input  logic rst_ni,
   input  logic en_i,
   input  logic valid_i,
   input  logic signed [10:0] gx_0_i,
-  input  logic signed [10:0] gx_1_i,
   input  logic signed [10:0] gy_0_i,
-  input  logic signed [10:0] gy_1_i,
   input  logic saturated_i,
   input  logic mask_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
   output logic valid_o,
   output logic [7:0] direction_0_o,
-  output logic [7:0] direction_1_o,
   output logic [7:0] magnitude_0_o,
-  output logic [7:0] magnitude_1_o,
   output logic saturated_o,
   output logic mask_o,
   output logic marks_first_o,
@@ -29,9 +25,10 @@ module horopter_direction (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q;
-  logic s0_en;
+  logic valid_s1_q, valid_s2_q;
+  logic s0_en, s1_en;
   assign s0_en = en_i & valid_i;
+  assign s1_en = en_i & valid_s1_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   // hls/stages/direction.hpp:43
@@ -41,39 +38,80 @@ module horopter_direction (
   logic [9:0] y;
   assign y = gy_0_i[10] ? (10'h0 - gy_0_i[9:0]) : gy_0_i[9:0];
   // hls/stages/direction.hpp:46
-  logic less_13;
-  assign less_13 = x < y;
+  logic less_11;
+  assign less_11 = x < y;
   logic [9:0] larger;
-  assign larger = less_13 ? y : x;
+  assign larger = less_11 ? y : x;
   // hls/stages/direction.hpp:47
   logic [9:0] smaller;
   assign smaller = (y < x) ? y : x;
   // hls/stages/direction.hpp:62
-  logic less_20;
-  assign less_20 = {1'b0, larger[9:1]} < smaller;
-  logic [9:0] select_22;
-  assign select_22 = less_20 ? ({smaller[8:0], 1'b0} - larger) : {smaller[8:0], 1'b0};
-  logic less_23;
-  assign less_23 = {1'b0, larger[9:1]} < select_22;
-  logic [9:0] select_25;
-  assign select_25 = less_23 ? ({select_22[8:0], 1'b0} - larger) : {select_22[8:0], 1'b0};
-  logic less_26;
-  assign less_26 = {1'b0, larger[9:1]} < select_25;
-  logic [9:0] select_28;
-  assign select_28 = less_26 ? ({select_25[8:0], 1'b0} - larger) : {select_25[8:0], 1'b0};
-  logic less_29;
-  assign less_29 = {1'b0, larger[9:1]} < select_28;
-  logic [9:0] select_31;
-  assign select_31 = less_29 ? ({select_28[8:0], 1'b0} - larger) : {select_28[8:0], 1'b0};
-  logic less_32;
-  assign less_32 = {1'b0, larger[9:1]} < select_31;
-  logic [9:0] select_34;
-  assign select_34 = less_32 ? ({select_31[8:0], 1'b0} - larger) : {select_31[8:0], 1'b0};
-  logic less_35;
-  assign less_35 = {1'b0, larger[9:1]} < select_34;
+  logic less_18;
+  assign less_18 = {1'b0, larger[9:1]} < smaller;
+  logic [9:0] select_20;
+  assign select_20 = less_18 ? ({smaller[8:0], 1'b0} - larger) : {smaller[8:0], 1'b0};
+  logic less_21;
+  assign less_21 = {1'b0, larger[9:1]} < select_20;
+  logic [9:0] select_23;
+  assign select_23 = less_21 ? ({select_20[8:0], 1'b0} - larger) : {select_20[8:0], 1'b0};
+  logic less_24;
+  assign less_24 = {1'b0, larger[9:1]} < select_23;
+  logic [9:0] select_26;
+  assign select_26 = less_24 ? ({select_23[8:0], 1'b0} - larger) : {select_23[8:0], 1'b0};
+  logic less_27;
+  assign less_27 = {1'b0, larger[9:1]} < select_26;
+  logic [9:0] select_29;
+  assign select_29 = less_27 ? ({select_26[8:0], 1'b0} - larger) : {select_26[8:0], 1'b0};
+  logic less_30;
+  assign less_30 = {1'b0, larger[9:1]} < select_29;
+  logic [9:0] select_32;
+  assign select_32 = less_30 ? ({select_29[8:0], 1'b0} - larger) : {select_29[8:0], 1'b0};
+  // hls/stages/direction.hpp:49
+  logic [10:0] sum_39;
+  assign sum_39 = {1'b0, smaller} + {2'h0, smaller[9:1]};
+  logic [9:0] sum_40;
+  assign sum_40 = sum_39[10:1] + 10'h1;
+  logic [10:0] sum_41;
+  assign sum_41 = {1'b0, larger} + {2'h0, sum_40[9:1]};
+
+  logic saturated_s1_q;
+  logic mask_s1_q;
+  logic marks_first_s1_q;
+  logic marks_last_s1_q;
+  logic less_11_s1_q;
+  logic xor_14_s1_q;
+  logic less_18_s1_q;
+  logic less_21_s1_q;
+  logic less_24_s1_q;
+  logic less_27_s1_q;
+  logic less_30_s1_q;
+  logic less_33_s1_q;
+  logic select_37_s1_q;
+  logic [7:0] select_43_s1_q;
+  always_ff @(posedge clk_i) begin
+    if (s0_en) begin
+      saturated_s1_q <= saturated_i;
+      mask_s1_q <= mask_i;
+      marks_first_s1_q <= marks_first_i;
+      marks_last_s1_q <= marks_last_i;
+      less_11_s1_q <= less_11;
+      xor_14_s1_q <= less_11 ^ (~(gx_0_i[10] ^ gy_0_i[10]));
+      less_18_s1_q <= less_18;
+      less_21_s1_q <= less_21;
+      less_24_s1_q <= less_24;
+      less_27_s1_q <= less_27;
+      less_30_s1_q <= less_30;
+      less_33_s1_q <= {1'b0, larger[9:1]} < select_32;
+      select_37_s1_q <= less_11 ? gy_0_i[10] : gx_0_i[10];
+      select_43_s1_q <= (sum_41[10:8] == 3'h0) ? sum_41[7:0] : 8'hff;
+    end
+  end
+
+  // Stage 1 -----------------------------------------------------------------------------------------------------------
+  // hls/stages/direction.hpp:62
   logic [5:0] angle;  // table arctangent_table
   always_comb begin
-    case ({less_20, less_23, less_26, less_29, less_32, less_35})
+    case ({less_18_s1_q, less_21_s1_q, less_24_s1_q, less_27_s1_q, less_30_s1_q, less_33_s1_q})
       6'd1: angle = 6'h1;
       6'd2: angle = 6'h2;
       6'd3: angle = 6'h2;
@@ -141,189 +179,49 @@ module horopter_direction (
     endcase
   end
   // hls/stages/direction.hpp:69
-  logic [6:0] select_38;
-  assign select_38 = (less_13 ^ (~(gx_0_i[10] ^ gy_0_i[10]))) ? {1'b0, angle} : (7'h0 - {1'b0, angle});
-  // hls/stages/direction.hpp:68
-  logic select_39;
-  assign select_39 = less_13 ? gy_0_i[10] : gx_0_i[10];
-  // hls/stages/direction.hpp:43
-  logic [9:0] x_2;
-  assign x_2 = gx_1_i[10] ? (10'h0 - gx_1_i[9:0]) : gx_1_i[9:0];
-  // hls/stages/direction.hpp:44
-  logic [9:0] y_2;
-  assign y_2 = gy_1_i[10] ? (10'h0 - gy_1_i[9:0]) : gy_1_i[9:0];
-  // hls/stages/direction.hpp:46
-  logic less_45;
-  assign less_45 = x_2 < y_2;
-  logic [9:0] larger_2;
-  assign larger_2 = less_45 ? y_2 : x_2;
-  // hls/stages/direction.hpp:47
-  logic [9:0] smaller_2;
-  assign smaller_2 = (y_2 < x_2) ? y_2 : x_2;
-  // hls/stages/direction.hpp:62
-  logic less_52;
-  assign less_52 = {1'b0, larger_2[9:1]} < smaller_2;
-  logic [9:0] select_54;
-  assign select_54 = less_52 ? ({smaller_2[8:0], 1'b0} - larger_2) : {smaller_2[8:0], 1'b0};
-  logic less_55;
-  assign less_55 = {1'b0, larger_2[9:1]} < select_54;
-  logic [9:0] select_57;
-  assign select_57 = less_55 ? ({select_54[8:0], 1'b0} - larger_2) : {select_54[8:0], 1'b0};
-  logic less_58;
-  assign less_58 = {1'b0, larger_2[9:1]} < select_57;
-  logic [9:0] select_60;
-  assign select_60 = less_58 ? ({select_57[8:0], 1'b0} - larger_2) : {select_57[8:0], 1'b0};
-  logic less_61;
-  assign less_61 = {1'b0, larger_2[9:1]} < select_60;
-  logic [9:0] select_63;
-  assign select_63 = less_61 ? ({select_60[8:0], 1'b0} - larger_2) : {select_60[8:0], 1'b0};
-  logic less_64;
-  assign less_64 = {1'b0, larger_2[9:1]} < select_63;
-  logic [9:0] select_66;
-  assign select_66 = less_64 ? ({select_63[8:0], 1'b0} - larger_2) : {select_63[8:0], 1'b0};
-  logic less_67;
-  assign less_67 = {1'b0, larger_2[9:1]} < select_66;
-  logic [5:0] angle_2;  // table arctangent_table
-  always_comb begin
-    case ({less_52, less_55, less_58, less_61, less_64, less_67})
-      6'd1: angle_2 = 6'h1;
-      6'd2: angle_2 = 6'h2;
-      6'd3: angle_2 = 6'h2;
-      6'd4: angle_2 = 6'h3;
-      6'd5: angle_2 = 6'h3;
-      6'd6: angle_2 = 6'h4;
-      6'd7: angle_2 = 6'h5;
-      6'd8: angle_2 = 6'h5;
-      6'd9: angle_2 = 6'h6;
-      6'd10: angle_2 = 6'h7;
-      6'd11: angle_2 = 6'h7;
-      6'd12: angle_2 = 6'h8;
-      6'd13: angle_2 = 6'h8;
-      6'd14: angle_2 = 6'h9;
-      6'd15: angle_2 = 6'ha;
-      6'd16: angle_2 = 6'ha;
-      6'd17: angle_2 = 6'hb;
-      6'd18: angle_2 = 6'hb;
-      6'd19: angle_2 = 6'hc;
-      6'd20: angle_2 = 6'hd;
-      6'd21: angle_2 = 6'hd;
-      6'd22: angle_2 = 6'he;
-      6'd23: angle_2 = 6'he;
-      6'd24: angle_2 = 6'hf;
-      6'd25: angle_2 = 6'hf;
-      6'd26: angle_2 = 6'h10;
-      6'd27: angle_2 = 6'h11;
-      6'd28: angle_2 = 6'h11;
-      6'd29: angle_2 = 6'h12;
-      6'd30: angle_2 = 6'h12;
-      6'd31: angle_2 = 6'h13;
-      6'd32: angle_2 = 6'h13;
-      6'd33: angle_2 = 6'h14;
-      6'd34: angle_2 = 6'h14;
-      6'd35: angle_2 = 6'h15;
-      6'd36: angle_2 = 6'h15;
-      6'd37: angle_2 = 6'h16;
-      6'd38: angle_2 = 6'h16;
-      6'd39: angle_2 = 6'h17;
-      6'd40: angle_2 = 6'h17;
-      6'd41: angle_2 = 6'h17;
-      6'd42: angle_2 = 6'h18;
-      6'd43: angle_2 = 6'h18;
-      6'd44: angle_2 = 6'h19;
-      6'd45: angle_2 = 6'h19;
-      6'd46: angle_2 = 6'h1a;
-      6'd47: angle_2 = 6'h1a;
-      6'd48: angle_2 = 6'h1a;
-      6'd49: angle_2 = 6'h1b;
-      6'd50: angle_2 = 6'h1b;
-      6'd51: angle_2 = 6'h1c;
-      6'd52: angle_2 = 6'h1c;
-      6'd53: angle_2 = 6'h1c;
-      6'd54: angle_2 = 6'h1d;
-      6'd55: angle_2 = 6'h1d;
-      6'd56: angle_2 = 6'h1d;
-      6'd57: angle_2 = 6'h1e;
-      6'd58: angle_2 = 6'h1e;
-      6'd59: angle_2 = 6'h1f;
-      6'd60: angle_2 = 6'h1f;
-      6'd61: angle_2 = 6'h1f;
-      6'd62: angle_2 = 6'h20;
-      6'd63: angle_2 = 6'h20;
-      default: angle_2 = 6'h0;
-    endcase
-  end
-  // hls/stages/direction.hpp:69
-  logic [6:0] select_70;
-  assign select_70 = (less_45 ^ (~(gx_1_i[10] ^ gy_1_i[10]))) ? {1'b0, angle_2} : (7'h0 - {1'b0, angle_2});
-  // hls/stages/direction.hpp:68
-  logic select_71;
-  assign select_71 = less_45 ? gy_1_i[10] : gx_1_i[10];
-  // hls/stages/direction.hpp:49
-  logic [10:0] sum_73;
-  assign sum_73 = {1'b0, smaller} + {2'h0, smaller[9:1]};
-  logic [9:0] sum_74;
-  assign sum_74 = sum_73[10:1] + 10'h1;
-  logic [10:0] sum_75;
-  assign sum_75 = {1'b0, larger} + {2'h0, sum_74[9:1]};
-  logic [10:0] select_77;
-  assign select_77 = (sum_75[10:8] == 3'h0) ? sum_75 : 11'hff;
-  logic [10:0] sum_78;
-  assign sum_78 = {1'b0, smaller_2} + {2'h0, smaller_2[9:1]};
-  logic [9:0] sum_79;
-  assign sum_79 = sum_78[10:1] + 10'h1;
-  logic [10:0] sum_80;
-  assign sum_80 = {1'b0, larger_2} + {2'h0, sum_79[9:1]};
-  logic [8:0] select_82;
-  assign select_82 = (sum_80[10:8] == 3'h0) ? sum_80[8:0] : 9'hff;
+  logic [6:0] select_36;
+  assign select_36 = xor_14_s1_q ? {1'b0, angle} : (7'h0 - {1'b0, angle});
 
-  logic mask_s1_q;
-  logic marks_first_s1_q;
-  logic marks_last_s1_q;
-  logic [5:0] select_38_s1_q;
-  logic [1:0] sum_40_s1_q;
-  logic [5:0] select_70_s1_q;
-  logic [1:0] sum_72_s1_q;
-  logic [7:0] select_77_s1_q;
-  logic [4:0] select_82_s1_q;
-  logic [2:0] or_83_s1_q;
-  logic or_84_s1_q;
+  logic saturated_s2_q;
+  logic mask_s2_q;
+  logic marks_first_s2_q;
+  logic marks_last_s2_q;
+  logic [5:0] select_36_s2_q;
+  logic [1:0] sum_38_s2_q;
+  logic [7:0] select_43_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
-      mask_s1_q <= mask_i;
-      marks_first_s1_q <= marks_first_i;
-      marks_last_s1_q <= marks_last_i;
-      select_38_s1_q <= select_38[5:0];
-      sum_40_s1_q <= {select_39, less_13} + {2{select_38[6]}};
-      select_70_s1_q <= select_70[5:0];
-      sum_72_s1_q <= {select_71, less_45} + {2{select_70[6]}};
-      select_77_s1_q <= select_77[7:0];
-      select_82_s1_q <= select_82[7:3];
-      or_83_s1_q <= select_77[10:8] | select_82[2:0];
-      or_84_s1_q <= saturated_i | select_82[8];
+    if (s1_en) begin
+      saturated_s2_q <= saturated_s1_q;
+      mask_s2_q <= mask_s1_q;
+      marks_first_s2_q <= marks_first_s1_q;
+      marks_last_s2_q <= marks_last_s1_q;
+      select_36_s2_q <= select_36[5:0];
+      sum_38_s2_q <= {select_37_s1_q, less_11_s1_q} + {2{select_36[6]}};
+      select_43_s2_q <= select_43_s1_q;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign direction_0_o = {sum_40_s1_q, select_38_s1_q};
-  assign direction_1_o = {sum_72_s1_q, select_70_s1_q};
-  assign magnitude_0_o = select_77_s1_q;
-  assign magnitude_1_o = {select_82_s1_q, or_83_s1_q};
-  assign saturated_o = or_84_s1_q;
-  assign mask_o = mask_s1_q;
-  assign marks_first_o = marks_first_s1_q;
-  assign marks_last_o = marks_last_s1_q;
-  assign valid_o = valid_s1_q;
+  assign direction_0_o = {sum_38_s2_q, select_36_s2_q};
+  assign magnitude_0_o = select_43_s2_q;
+  assign saturated_o = saturated_s2_q;
+  assign mask_o = mask_s2_q;
+  assign marks_first_o = marks_first_s2_q;
+  assign marks_last_o = marks_last_s2_q;
+  assign valid_o = valid_s2_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       valid_s1_q <= 1'b0;
+      valid_s2_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
+      valid_s2_q <= valid_s1_q;
     end
   end
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_79[0], sum_78[0], sum_74[0], sum_73[0]};
+  assign unused_bits = ^{sum_40[0], sum_39[0]};
 
 endmodule

@@ -3,21 +3,19 @@
 //
 // Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 55 bits, pipeline 51 bits, memories 13608 bits.
+// State 60 bits, pipeline 36 bits, memories 15120 bits.
 module horopter_lowpass (
   input  logic clk_i,
   input  logic rst_ni,
   input  logic en_i,
   input  logic valid_i,
   input  logic [7:0] pixel_0_i,
-  input  logic [7:0] pixel_1_i,
   input  logic saturated_i,
   input  logic mask_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
   output logic valid_o,
   output logic [7:0] pixel_0_o,
-  output logic [7:0] pixel_1_o,
   output logic saturated_o,
   output logic mask_o,
   output logic marks_first_o,
@@ -31,54 +29,52 @@ module horopter_lowpass (
   assign s1_en = en_i & valid_s1_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
-  logic [8:0] raster_next_column_q;
+  logic [9:0] raster_next_column_q;
   logic raster_row_ended_q;
   // hls/stages/lowpass.hpp:27
-  logic or_16;
-  assign or_16 = marks_first_i | raster_row_ended_q;
-  logic [8:0] select_17;
-  assign select_17 = or_16 ? 9'h0 : raster_next_column_q;
+  logic or_17;
+  assign or_17 = marks_first_i | raster_row_ended_q;
+  logic [9:0] select_18;
+  assign select_18 = or_17 ? 10'h0 : raster_next_column_q;
 
-  // Memory memory, 378 x 36, DISTANCE 16, hls/stages/lowpass.hpp:58; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory memory, 756 x 20, DISTANCE 16, hls/stages/lowpass.hpp:58; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [35:0] memory_mem [0:377];
-  initial for (int i = 0; i < 378; i++) memory_mem[i] = 36'h0;
-  logic [8:0] memory_raddr;
-  assign memory_raddr = select_17;
+  logic [19:0] memory_mem [0:755];
+  initial for (int i = 0; i < 756; i++) memory_mem[i] = 20'h0;
+  logic [9:0] memory_raddr;
+  assign memory_raddr = select_18;
   logic memory_re;
   assign memory_re = s0_en;
-  logic [35:0] memory_rdata_q;
+  logic [19:0] memory_rdata_q;
   always_ff @(posedge clk_i) begin
     if (memory_re) memory_rdata_q <= memory_mem[memory_raddr];
   end
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      raster_next_column_q <= 9'h0;
+      raster_next_column_q <= 10'h0;
       raster_row_ended_q <= 1'b1;
     end else if (s0_en) begin
-      raster_next_column_q <= select_17 + 9'h1;
+      raster_next_column_q <= select_18 + 10'h1;
       raster_row_ended_q <= marks_last_i;
     end
   end
 
   logic [7:0] pixel_0_s1_q;
-  logic [7:0] pixel_1_s1_q;
   logic saturated_s1_q;
   logic mask_s1_q;
   logic marks_first_s1_q;
-  logic or_16_s1_q;
-  logic [8:0] select_17_s1_q;
+  logic or_17_s1_q;
+  logic [9:0] select_18_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       pixel_0_s1_q <= pixel_0_i;
-      pixel_1_s1_q <= pixel_1_i;
       saturated_s1_q <= saturated_i;
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;
-      or_16_s1_q <= or_16;
-      select_17_s1_q <= select_17;
+      or_17_s1_q <= or_17;
+      select_18_s1_q <= select_18;
     end
   end
 
@@ -86,60 +82,51 @@ module horopter_lowpass (
   logic raster_rows_q;
   logic [9:0] columns_0_values_0_q;
   logic [9:0] columns_0_values_1_q;
-  logic [9:0] columns_1_values_0_q;
-  logic [9:0] columns_1_values_1_q;
+  logic [9:0] columns_0_values_2_q;
+  logic [9:0] columns_0_values_3_q;
   logic [1:0] mask_columns_values_0_q;
+  logic [1:0] mask_columns_values_1_q;
   logic [1:0] saturated_columns_values_0_q;
+  logic [1:0] saturated_columns_values_1_q;
   // hls/stages/lowpass.hpp:27
-  logic and_20;
-  assign and_20 = raster_rows_q & (~marks_first_s1_q);
+  logic and_21;
+  assign and_21 = raster_rows_q & (~marks_first_s1_q);
   // hls/stages/lowpass.hpp:43
-  logic [1:0] select_21;
-  assign select_21 = and_20 ? memory_rdata_q[33:32] : 2'h0;
-  // hls/stages/lowpass.hpp:44
   logic [1:0] select_22;
-  assign select_22 = and_20 ? memory_rdata_q[35:34] : 2'h0;
+  assign select_22 = and_21 ? memory_rdata_q[17:16] : 2'h0;
+  // hls/stages/lowpass.hpp:44
+  logic [1:0] select_23;
+  assign select_23 = and_21 ? memory_rdata_q[19:18] : 2'h0;
   // hls/stages/lowpass.hpp:35
-  logic [8:0] sum_25;
-  assign sum_25 = {1'b0, memory_rdata_q[7:0]} + {2'h0, memory_rdata_q[23:17]};
+  logic [8:0] sum_26;
+  assign sum_26 = {1'b0, memory_rdata_q[7:0]} + {2'h0, memory_rdata_q[15:9]};
   logic [9:0] sum;
-  assign sum = {2'h0, pixel_0_s1_q} + {sum_25, memory_rdata_q[16]};
-  logic [8:0] sum_27;
-  assign sum_27 = {1'b0, memory_rdata_q[15:8]} + {2'h0, memory_rdata_q[31:25]};
-  logic [9:0] sum_2;
-  assign sum_2 = {2'h0, pixel_1_s1_q} + {sum_27, memory_rdata_q[24]};
+  assign sum = {2'h0, pixel_0_s1_q} + {sum_26, memory_rdata_q[8]};
   // hls/stages/lowpass.hpp:43
-  logic equal_29;
-  assign equal_29 = {select_21, mask_s1_q} == 3'h7;
-  logic [1:0] select_30;
-  assign select_30 = or_16_s1_q ? 2'h0 : mask_columns_values_0_q;
+  logic equal_28;
+  assign equal_28 = {select_22, mask_s1_q} == 3'h7;
+  logic [1:0] select_29;
+  assign select_29 = or_17_s1_q ? 2'h0 : mask_columns_values_1_q;
   // hls/stages/lowpass.hpp:44
   logic equal_31;
-  assign equal_31 = {select_22, saturated_s1_q} == 3'h7;
+  assign equal_31 = {select_23, saturated_s1_q} == 3'h7;
   logic [1:0] select_32;
-  assign select_32 = or_16_s1_q ? 2'h0 : saturated_columns_values_0_q;
+  assign select_32 = or_17_s1_q ? 2'h0 : saturated_columns_values_1_q;
   // hls/stages/lowpass.hpp:38
-  logic [10:0] sum_33;
-  assign sum_33 = {1'b0, columns_0_values_0_q} + {2'h0, columns_0_values_1_q[9:1]};
-  logic [11:0] sum_34;
-  assign sum_34 = {sum_33, columns_0_values_1_q[0]} + {2'h0, sum};
-  logic [8:0] sum_35;
-  assign sum_35 = sum_34[11:3] + 9'h1;
-  logic [10:0] sum_36;
-  assign sum_36 = {1'b0, columns_1_values_0_q} + {2'h0, columns_1_values_1_q[9:1]};
-  logic [11:0] sum_37;
-  assign sum_37 = {sum_36, columns_1_values_1_q[0]} + {2'h0, sum_2};
-  // hls/stages/lowpass.hpp:48
-  logic [8:0] sum_38;
-  assign sum_38 = sum_37[11:3] + 9'h1;
+  logic [10:0] sum_34;
+  assign sum_34 = {1'b0, columns_0_values_1_q} + {2'h0, columns_0_values_3_q[9:1]};
+  logic [11:0] sum_35;
+  assign sum_35 = {sum_34, columns_0_values_3_q[0]} + {2'h0, sum};
+  logic [8:0] sum_36;
+  assign sum_36 = sum_35[11:3] + 9'h1;
 
   // Memory memory, write
-  logic [8:0] memory_waddr;
-  assign memory_waddr = select_17_s1_q;
+  logic [9:0] memory_waddr;
+  assign memory_waddr = select_18_s1_q;
   logic memory_we;
   assign memory_we = s1_en;
   always_ff @(posedge clk_i) begin
-    if (memory_we) memory_mem[memory_waddr] <= {select_22[0], saturated_s1_q, select_21[0], mask_s1_q, memory_rdata_q[15:0], pixel_1_s1_q, pixel_0_s1_q};
+    if (memory_we) memory_mem[memory_waddr] <= {select_23[0], saturated_s1_q, select_22[0], mask_s1_q, memory_rdata_q[7:0], pixel_0_s1_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -147,9 +134,9 @@ module horopter_lowpass (
       if (memory_re && memory_raddr == memory_waddr) begin
         $error("memory: address %0d is read less than DISTANCE steps after its write", memory_waddr);
       end
-      if (memory_waddr >= 9'd378) $error("memory: write outside, address %0d", memory_waddr);
+      if (memory_waddr >= 10'd756) $error("memory: write outside, address %0d", memory_waddr);
     end
-    if (rst_ni && memory_re && memory_raddr >= 9'd378) $error("memory: read outside, address %0d", memory_raddr);
+    if (rst_ni && memory_re && memory_raddr >= 10'd756) $error("memory: read outside, address %0d", memory_raddr);
   end
 `endif
 
@@ -158,43 +145,44 @@ module horopter_lowpass (
       raster_rows_q <= 1'b0;
       columns_0_values_0_q <= 10'h0;
       columns_0_values_1_q <= 10'h0;
-      columns_1_values_0_q <= 10'h0;
-      columns_1_values_1_q <= 10'h0;
+      columns_0_values_2_q <= 10'h0;
+      columns_0_values_3_q <= 10'h0;
       mask_columns_values_0_q <= 2'h0;
+      mask_columns_values_1_q <= 2'h0;
       saturated_columns_values_0_q <= 2'h0;
+      saturated_columns_values_1_q <= 2'h0;
     end else if (s1_en) begin
-      raster_rows_q <= raster_row_ended_q | and_20;
+      raster_rows_q <= raster_row_ended_q | and_21;
       columns_0_values_0_q <= sum;
       columns_0_values_1_q <= columns_0_values_0_q;
-      columns_1_values_0_q <= sum_2;
-      columns_1_values_1_q <= columns_1_values_0_q;
-      mask_columns_values_0_q <= {select_30[0], equal_29};
+      columns_0_values_2_q <= columns_0_values_1_q;
+      columns_0_values_3_q <= columns_0_values_2_q;
+      mask_columns_values_0_q <= {select_29[0], equal_28};
+      mask_columns_values_1_q <= or_17_s1_q ? 2'h0 : mask_columns_values_0_q;
       saturated_columns_values_0_q <= {select_32[0], equal_31};
+      saturated_columns_values_1_q <= or_17_s1_q ? 2'h0 : saturated_columns_values_0_q;
     end
   end
 
   logic marks_first_s2_q;
   logic marks_last_s2_q;
-  logic [7:0] sum_35_s2_q;
-  logic [7:0] sum_38_s2_q;
-  logic equal_39_s2_q;
-  logic equal_40_s2_q;
+  logic [7:0] sum_36_s2_q;
+  logic equal_37_s2_q;
+  logic equal_38_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       marks_first_s2_q <= marks_first_s1_q;
       marks_last_s2_q <= raster_row_ended_q;
-      sum_35_s2_q <= sum_35[8:1];
-      sum_38_s2_q <= sum_38[8:1];
-      equal_39_s2_q <= {select_32, equal_31} == 3'h7;
-      equal_40_s2_q <= {select_30, equal_29} == 3'h7;
+      sum_36_s2_q <= sum_36[8:1];
+      equal_37_s2_q <= {select_32, equal_31} == 3'h7;
+      equal_38_s2_q <= {select_29, equal_28} == 3'h7;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign pixel_0_o = sum_35_s2_q;
-  assign pixel_1_o = sum_38_s2_q;
-  assign saturated_o = equal_39_s2_q;
-  assign mask_o = equal_40_s2_q;
+  assign pixel_0_o = sum_36_s2_q;
+  assign saturated_o = equal_37_s2_q;
+  assign mask_o = equal_38_s2_q;
   assign marks_first_o = marks_first_s2_q;
   assign marks_last_o = marks_last_s2_q;
   assign valid_o = valid_s2_q;
@@ -211,6 +199,6 @@ module horopter_lowpass (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_38[0], sum_37[2:0], sum_35[0], sum_34[2:0]};
+  assign unused_bits = ^{sum_36[0], sum_35[2:0]};
 
 endmodule

@@ -3,23 +3,20 @@
 //
 // Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 91 bits, pipeline 79 bits, memories 13608 bits.
+// State 96 bits, pipeline 50 bits, memories 15120 bits.
 module horopter_sobel (
   input  logic clk_i,
   input  logic rst_ni,
   input  logic en_i,
   input  logic valid_i,
   input  logic [7:0] pixel_0_i,
-  input  logic [7:0] pixel_1_i,
   input  logic saturated_i,
   input  logic mask_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
   output logic valid_o,
   output logic signed [10:0] gx_0_o,
-  output logic signed [10:0] gx_1_o,
   output logic signed [10:0] gy_0_o,
-  output logic signed [10:0] gy_1_o,
   output logic saturated_o,
   output logic mask_o,
   output logic marks_first_o,
@@ -33,54 +30,52 @@ module horopter_sobel (
   assign s1_en = en_i & valid_s1_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
-  logic [8:0] raster_next_column_q;
+  logic [9:0] raster_next_column_q;
   logic raster_row_ended_q;
   // hls/stages/sobel.hpp:39
-  logic or_20;
-  assign or_20 = marks_first_i | raster_row_ended_q;
-  logic [8:0] select_21;
-  assign select_21 = or_20 ? 9'h0 : raster_next_column_q;
+  logic or_21;
+  assign or_21 = marks_first_i | raster_row_ended_q;
+  logic [9:0] select_22;
+  assign select_22 = or_21 ? 10'h0 : raster_next_column_q;
 
-  // Memory memory, 378 x 36, DISTANCE 16, hls/stages/sobel.hpp:71; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory memory, 756 x 20, DISTANCE 16, hls/stages/sobel.hpp:71; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [35:0] memory_mem [0:377];
-  initial for (int i = 0; i < 378; i++) memory_mem[i] = 36'h0;
-  logic [8:0] memory_raddr;
-  assign memory_raddr = select_21;
+  logic [19:0] memory_mem [0:755];
+  initial for (int i = 0; i < 756; i++) memory_mem[i] = 20'h0;
+  logic [9:0] memory_raddr;
+  assign memory_raddr = select_22;
   logic memory_re;
   assign memory_re = s0_en;
-  logic [35:0] memory_rdata_q;
+  logic [19:0] memory_rdata_q;
   always_ff @(posedge clk_i) begin
     if (memory_re) memory_rdata_q <= memory_mem[memory_raddr];
   end
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      raster_next_column_q <= 9'h0;
+      raster_next_column_q <= 10'h0;
       raster_row_ended_q <= 1'b1;
     end else if (s0_en) begin
-      raster_next_column_q <= select_21 + 9'h1;
+      raster_next_column_q <= select_22 + 10'h1;
       raster_row_ended_q <= marks_last_i;
     end
   end
 
   logic [7:0] pixel_0_s1_q;
-  logic [7:0] pixel_1_s1_q;
   logic saturated_s1_q;
   logic mask_s1_q;
   logic marks_first_s1_q;
-  logic or_20_s1_q;
-  logic [8:0] select_21_s1_q;
+  logic or_21_s1_q;
+  logic [9:0] select_22_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       pixel_0_s1_q <= pixel_0_i;
-      pixel_1_s1_q <= pixel_1_i;
       saturated_s1_q <= saturated_i;
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;
-      or_20_s1_q <= or_20;
-      select_21_s1_q <= select_21;
+      or_21_s1_q <= or_21;
+      select_22_s1_q <= select_22;
     end
   end
 
@@ -88,64 +83,56 @@ module horopter_sobel (
   logic raster_rows_q;
   logic [9:0] smooth_0_values_0_q;
   logic [9:0] smooth_0_values_1_q;
-  logic [9:0] smooth_1_values_0_q;
-  logic [9:0] smooth_1_values_1_q;
+  logic [9:0] smooth_0_values_2_q;
+  logic [9:0] smooth_0_values_3_q;
   logic [8:0] slope_0_values_0_q;
   logic [8:0] slope_0_values_1_q;
-  logic [8:0] slope_1_values_0_q;
-  logic [8:0] slope_1_values_1_q;
+  logic [8:0] slope_0_values_2_q;
+  logic [8:0] slope_0_values_3_q;
   logic [1:0] mask_columns_values_0_q;
+  logic [1:0] mask_columns_values_1_q;
   logic [1:0] saturated_columns_values_0_q;
+  logic [1:0] saturated_columns_values_1_q;
   // hls/stages/sobel.hpp:39
-  logic and_24;
-  assign and_24 = raster_rows_q & (~marks_first_s1_q);
+  logic and_25;
+  assign and_25 = raster_rows_q & (~marks_first_s1_q);
   // hls/stages/sobel.hpp:56
-  logic [1:0] select_25;
-  assign select_25 = and_24 ? memory_rdata_q[33:32] : 2'h0;
-  // hls/stages/sobel.hpp:57
   logic [1:0] select_26;
-  assign select_26 = and_24 ? memory_rdata_q[35:34] : 2'h0;
+  assign select_26 = and_25 ? memory_rdata_q[17:16] : 2'h0;
+  // hls/stages/sobel.hpp:57
+  logic [1:0] select_27;
+  assign select_27 = and_25 ? memory_rdata_q[19:18] : 2'h0;
   // hls/stages/sobel.hpp:47
-  logic [8:0] sum_29;
-  assign sum_29 = {1'b0, memory_rdata_q[7:0]} + {2'h0, memory_rdata_q[23:17]};
+  logic [8:0] sum_30;
+  assign sum_30 = {1'b0, memory_rdata_q[7:0]} + {2'h0, memory_rdata_q[15:9]};
   logic [9:0] smooth;
-  assign smooth = {2'h0, pixel_0_s1_q} + {sum_29, memory_rdata_q[16]};
-  logic [8:0] sum_31;
-  assign sum_31 = {1'b0, memory_rdata_q[15:8]} + {2'h0, memory_rdata_q[31:25]};
-  logic [9:0] smooth_2;
-  assign smooth_2 = {2'h0, pixel_1_s1_q} + {sum_31, memory_rdata_q[24]};
+  assign smooth = {2'h0, pixel_0_s1_q} + {sum_30, memory_rdata_q[8]};
   // hls/stages/sobel.hpp:48
   logic [8:0] slope;
-  assign slope = {1'b0, pixel_0_s1_q} - {1'b0, memory_rdata_q[23:16]};
-  logic [8:0] slope_2;
-  assign slope_2 = {1'b0, pixel_1_s1_q} - {1'b0, memory_rdata_q[31:24]};
+  assign slope = {1'b0, pixel_0_s1_q} - {1'b0, memory_rdata_q[15:8]};
   // hls/stages/sobel.hpp:56
-  logic equal_35;
-  assign equal_35 = {select_25, mask_s1_q} == 3'h7;
-  logic [1:0] select_36;
-  assign select_36 = or_20_s1_q ? 2'h0 : mask_columns_values_0_q;
+  logic equal_33;
+  assign equal_33 = {select_26, mask_s1_q} == 3'h7;
+  logic [1:0] select_34;
+  assign select_34 = or_21_s1_q ? 2'h0 : mask_columns_values_1_q;
   // hls/stages/sobel.hpp:57
-  logic equal_37;
-  assign equal_37 = {select_26, saturated_s1_q} == 3'h7;
-  logic [1:0] select_38;
-  assign select_38 = or_20_s1_q ? 2'h0 : saturated_columns_values_0_q;
+  logic equal_36;
+  assign equal_36 = {select_27, saturated_s1_q} == 3'h7;
+  logic [1:0] select_37;
+  assign select_37 = or_21_s1_q ? 2'h0 : saturated_columns_values_1_q;
   // hls/stages/sobel.hpp:50
-  logic [9:0] sum_41;
-  assign sum_41 = {slope_0_values_0_q[8], slope_0_values_0_q} + {{2{slope[8]}}, slope[8:1]};
-  logic [10:0] sum_42;
-  assign sum_42 = {{2{slope_0_values_1_q[8]}}, slope_0_values_1_q} + {sum_41, slope[0]};
-  logic [9:0] sum_43;
-  assign sum_43 = {slope_1_values_0_q[8], slope_1_values_0_q} + {{2{slope_2[8]}}, slope_2[8:1]};
-  logic [10:0] sum_44;
-  assign sum_44 = {{2{slope_1_values_1_q[8]}}, slope_1_values_1_q} + {sum_43, slope_2[0]};
+  logic [9:0] sum_40;
+  assign sum_40 = {slope_0_values_1_q[8], slope_0_values_1_q} + {{2{slope[8]}}, slope[8:1]};
+  logic [10:0] sum_41;
+  assign sum_41 = {{2{slope_0_values_3_q[8]}}, slope_0_values_3_q} + {sum_40, slope[0]};
 
   // Memory memory, write
-  logic [8:0] memory_waddr;
-  assign memory_waddr = select_21_s1_q;
+  logic [9:0] memory_waddr;
+  assign memory_waddr = select_22_s1_q;
   logic memory_we;
   assign memory_we = s1_en;
   always_ff @(posedge clk_i) begin
-    if (memory_we) memory_mem[memory_waddr] <= {select_26[0], saturated_s1_q, select_25[0], mask_s1_q, memory_rdata_q[15:0], pixel_1_s1_q, pixel_0_s1_q};
+    if (memory_we) memory_mem[memory_waddr] <= {select_27[0], saturated_s1_q, select_26[0], mask_s1_q, memory_rdata_q[7:0], pixel_0_s1_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -153,9 +140,9 @@ module horopter_sobel (
       if (memory_re && memory_raddr == memory_waddr) begin
         $error("memory: address %0d is read less than DISTANCE steps after its write", memory_waddr);
       end
-      if (memory_waddr >= 9'd378) $error("memory: write outside, address %0d", memory_waddr);
+      if (memory_waddr >= 10'd756) $error("memory: write outside, address %0d", memory_waddr);
     end
-    if (rst_ni && memory_re && memory_raddr >= 9'd378) $error("memory: read outside, address %0d", memory_raddr);
+    if (rst_ni && memory_re && memory_raddr >= 10'd756) $error("memory: read outside, address %0d", memory_raddr);
   end
 `endif
 
@@ -164,57 +151,55 @@ module horopter_sobel (
       raster_rows_q <= 1'b0;
       smooth_0_values_0_q <= 10'h0;
       smooth_0_values_1_q <= 10'h0;
-      smooth_1_values_0_q <= 10'h0;
-      smooth_1_values_1_q <= 10'h0;
+      smooth_0_values_2_q <= 10'h0;
+      smooth_0_values_3_q <= 10'h0;
       slope_0_values_0_q <= 9'h0;
       slope_0_values_1_q <= 9'h0;
-      slope_1_values_0_q <= 9'h0;
-      slope_1_values_1_q <= 9'h0;
+      slope_0_values_2_q <= 9'h0;
+      slope_0_values_3_q <= 9'h0;
       mask_columns_values_0_q <= 2'h0;
+      mask_columns_values_1_q <= 2'h0;
       saturated_columns_values_0_q <= 2'h0;
+      saturated_columns_values_1_q <= 2'h0;
     end else if (s1_en) begin
-      raster_rows_q <= raster_row_ended_q | and_24;
+      raster_rows_q <= raster_row_ended_q | and_25;
       smooth_0_values_0_q <= smooth;
       smooth_0_values_1_q <= smooth_0_values_0_q;
-      smooth_1_values_0_q <= smooth_2;
-      smooth_1_values_1_q <= smooth_1_values_0_q;
+      smooth_0_values_2_q <= smooth_0_values_1_q;
+      smooth_0_values_3_q <= smooth_0_values_2_q;
       slope_0_values_0_q <= slope;
       slope_0_values_1_q <= slope_0_values_0_q;
-      slope_1_values_0_q <= slope_2;
-      slope_1_values_1_q <= slope_1_values_0_q;
-      mask_columns_values_0_q <= {select_36[0], equal_35};
-      saturated_columns_values_0_q <= {select_38[0], equal_37};
+      slope_0_values_2_q <= slope_0_values_1_q;
+      slope_0_values_3_q <= slope_0_values_2_q;
+      mask_columns_values_0_q <= {select_34[0], equal_33};
+      mask_columns_values_1_q <= or_21_s1_q ? 2'h0 : mask_columns_values_0_q;
+      saturated_columns_values_0_q <= {select_37[0], equal_36};
+      saturated_columns_values_1_q <= or_21_s1_q ? 2'h0 : saturated_columns_values_0_q;
     end
   end
 
   logic marks_first_s2_q;
   logic marks_last_s2_q;
   logic [10:0] difference_39_s2_q;
-  logic [10:0] difference_40_s2_q;
-  logic [10:0] sum_42_s2_q;
-  logic [10:0] sum_44_s2_q;
-  logic equal_45_s2_q;
-  logic equal_46_s2_q;
+  logic [10:0] sum_41_s2_q;
+  logic equal_42_s2_q;
+  logic equal_43_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       marks_first_s2_q <= marks_first_s1_q;
       marks_last_s2_q <= raster_row_ended_q;
-      difference_39_s2_q <= {1'b0, smooth} - {1'b0, smooth_0_values_1_q};
-      difference_40_s2_q <= {1'b0, smooth_2} - {1'b0, smooth_1_values_1_q};
-      sum_42_s2_q <= sum_42;
-      sum_44_s2_q <= sum_44;
-      equal_45_s2_q <= {select_38, equal_37} == 3'h7;
-      equal_46_s2_q <= {select_36, equal_35} == 3'h7;
+      difference_39_s2_q <= {1'b0, smooth} - {1'b0, smooth_0_values_3_q};
+      sum_41_s2_q <= sum_41;
+      equal_42_s2_q <= {select_37, equal_36} == 3'h7;
+      equal_43_s2_q <= {select_34, equal_33} == 3'h7;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
   assign gx_0_o = difference_39_s2_q;
-  assign gx_1_o = difference_40_s2_q;
-  assign gy_0_o = sum_42_s2_q;
-  assign gy_1_o = sum_44_s2_q;
-  assign saturated_o = equal_45_s2_q;
-  assign mask_o = equal_46_s2_q;
+  assign gy_0_o = sum_41_s2_q;
+  assign saturated_o = equal_42_s2_q;
+  assign mask_o = equal_43_s2_q;
   assign marks_first_o = marks_first_s2_q;
   assign marks_last_o = marks_last_s2_q;
   assign valid_o = valid_s2_q;

