@@ -137,7 +137,6 @@ class UnpackingDifference {
 };
 
 template <Profile P>
-using Difference =
-    std::conditional_t<P.packed(), UnpackingDifference<P.hypotheses>, DirectionDifference<P.hypotheses>>;
+using Difference = std::conditional_t<P.packed(), UnpackingDifference<P.hypotheses>, DirectionDifference<P.hypotheses>>;
 
 }  // namespace horopter::stages

@@ -48,8 +48,8 @@ void random_frames(std::string_view profile, unsigned width, unsigned height, un
         const double lines = published.latency / line;
         const double mhz = reg::build_clock::kKhz.get(machine.read(reg::build_clock::kAddress)) / 1e3;
         std::printf("%.*s: latency %.2f lines from a pixel to its state, LOOKAHEAD %u; %.0f us at %.3f MHz\n",
-                    static_cast<int>(profile.size()), profile.data(), lines, options.lookahead,
-                    published.latency / mhz, mhz);
+                    static_cast<int>(profile.size()), profile.data(), lines, options.lookahead, published.latency / mhz,
+                    mhz);
         CHECK(lines <= options.lookahead + 12);
       }
     }
