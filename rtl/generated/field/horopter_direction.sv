@@ -3,7 +3,7 @@
 //
 // Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 0 bits, pipeline 43 bits, memories 0 bits.
+// State 0 bits, pipeline 59 bits, memories 0 bits.
 module horopter_direction (
   input  logic clk_i,
   input  logic rst_ni,
@@ -54,18 +54,6 @@ module horopter_direction (
   assign less_21 = {1'b0, larger[9:1]} < select_20;
   logic [9:0] select_23;
   assign select_23 = less_21 ? ({select_20[8:0], 1'b0} - larger) : {select_20[8:0], 1'b0};
-  logic less_24;
-  assign less_24 = {1'b0, larger[9:1]} < select_23;
-  logic [9:0] select_26;
-  assign select_26 = less_24 ? ({select_23[8:0], 1'b0} - larger) : {select_23[8:0], 1'b0};
-  logic less_27;
-  assign less_27 = {1'b0, larger[9:1]} < select_26;
-  logic [9:0] select_29;
-  assign select_29 = less_27 ? ({select_26[8:0], 1'b0} - larger) : {select_26[8:0], 1'b0};
-  logic less_30;
-  assign less_30 = {1'b0, larger[9:1]} < select_29;
-  logic [9:0] select_32;
-  assign select_32 = less_30 ? ({select_29[8:0], 1'b0} - larger) : {select_29[8:0], 1'b0};
   // hls/stages/direction.hpp:49
   logic [10:0] sum_39;
   assign sum_39 = {1'b0, smaller} + {2'h0, smaller[9:1]};
@@ -80,12 +68,11 @@ module horopter_direction (
   logic marks_last_s1_q;
   logic less_11_s1_q;
   logic xor_14_s1_q;
+  logic [9:0] larger_s1_q;
   logic less_18_s1_q;
   logic less_21_s1_q;
+  logic [8:0] select_23_s1_q;
   logic less_24_s1_q;
-  logic less_27_s1_q;
-  logic less_30_s1_q;
-  logic less_33_s1_q;
   logic select_37_s1_q;
   logic [7:0] select_43_s1_q;
   always_ff @(posedge clk_i) begin
@@ -96,12 +83,11 @@ module horopter_direction (
       marks_last_s1_q <= marks_last_i;
       less_11_s1_q <= less_11;
       xor_14_s1_q <= less_11 ^ (~(gx_0_i[10] ^ gy_0_i[10]));
+      larger_s1_q <= larger;
       less_18_s1_q <= less_18;
       less_21_s1_q <= less_21;
-      less_24_s1_q <= less_24;
-      less_27_s1_q <= less_27;
-      less_30_s1_q <= less_30;
-      less_33_s1_q <= {1'b0, larger[9:1]} < select_32;
+      select_23_s1_q <= select_23[8:0];
+      less_24_s1_q <= {1'b0, larger[9:1]} < select_23;
       select_37_s1_q <= less_11 ? gy_0_i[10] : gx_0_i[10];
       select_43_s1_q <= (sum_41[10:8] == 3'h0) ? sum_41[7:0] : 8'hff;
     end
@@ -109,9 +95,21 @@ module horopter_direction (
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   // hls/stages/direction.hpp:62
+  logic [9:0] select_26;
+  assign select_26 = less_24_s1_q ? ({select_23_s1_q, 1'b0} - larger_s1_q) : {select_23_s1_q, 1'b0};
+  logic less_27;
+  assign less_27 = {1'b0, larger_s1_q[9:1]} < select_26;
+  logic [9:0] select_29;
+  assign select_29 = less_27 ? ({select_26[8:0], 1'b0} - larger_s1_q) : {select_26[8:0], 1'b0};
+  logic less_30;
+  assign less_30 = {1'b0, larger_s1_q[9:1]} < select_29;
+  logic [9:0] select_32;
+  assign select_32 = less_30 ? ({select_29[8:0], 1'b0} - larger_s1_q) : {select_29[8:0], 1'b0};
+  logic less_33;
+  assign less_33 = {1'b0, larger_s1_q[9:1]} < select_32;
   logic [5:0] angle;  // table arctangent_table
   always_comb begin
-    case ({less_18_s1_q, less_21_s1_q, less_24_s1_q, less_27_s1_q, less_30_s1_q, less_33_s1_q})
+    case ({less_18_s1_q, less_21_s1_q, less_24_s1_q, less_27, less_30, less_33})
       6'd1: angle = 6'h1;
       6'd2: angle = 6'h2;
       6'd3: angle = 6'h2;

@@ -3,7 +3,7 @@
 //
 // Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 0 bits, pipeline 76 bits, memories 0 bits.
+// State 0 bits, pipeline 108 bits, memories 0 bits.
 module horopter_direction (
   input  logic clk_i,
   input  logic rst_ni,
@@ -58,18 +58,6 @@ module horopter_direction (
   assign less_23 = {1'b0, larger[9:1]} < select_22;
   logic [9:0] select_25;
   assign select_25 = less_23 ? ({select_22[8:0], 1'b0} - larger) : {select_22[8:0], 1'b0};
-  logic less_26;
-  assign less_26 = {1'b0, larger[9:1]} < select_25;
-  logic [9:0] select_28;
-  assign select_28 = less_26 ? ({select_25[8:0], 1'b0} - larger) : {select_25[8:0], 1'b0};
-  logic less_29;
-  assign less_29 = {1'b0, larger[9:1]} < select_28;
-  logic [9:0] select_31;
-  assign select_31 = less_29 ? ({select_28[8:0], 1'b0} - larger) : {select_28[8:0], 1'b0};
-  logic less_32;
-  assign less_32 = {1'b0, larger[9:1]} < select_31;
-  logic [9:0] select_34;
-  assign select_34 = less_32 ? ({select_31[8:0], 1'b0} - larger) : {select_31[8:0], 1'b0};
   // hls/stages/direction.hpp:43
   logic [9:0] x_2;
   assign x_2 = gx_1_i[10] ? (10'h0 - gx_1_i[9:0]) : gx_1_i[9:0];
@@ -93,18 +81,6 @@ module horopter_direction (
   assign less_55 = {1'b0, larger_2[9:1]} < select_54;
   logic [9:0] select_57;
   assign select_57 = less_55 ? ({select_54[8:0], 1'b0} - larger_2) : {select_54[8:0], 1'b0};
-  logic less_58;
-  assign less_58 = {1'b0, larger_2[9:1]} < select_57;
-  logic [9:0] select_60;
-  assign select_60 = less_58 ? ({select_57[8:0], 1'b0} - larger_2) : {select_57[8:0], 1'b0};
-  logic less_61;
-  assign less_61 = {1'b0, larger_2[9:1]} < select_60;
-  logic [9:0] select_63;
-  assign select_63 = less_61 ? ({select_60[8:0], 1'b0} - larger_2) : {select_60[8:0], 1'b0};
-  logic less_64;
-  assign less_64 = {1'b0, larger_2[9:1]} < select_63;
-  logic [9:0] select_66;
-  assign select_66 = less_64 ? ({select_63[8:0], 1'b0} - larger_2) : {select_63[8:0], 1'b0};
   // hls/stages/direction.hpp:49
   logic [10:0] sum_73;
   assign sum_73 = {1'b0, smaller} + {2'h0, smaller[9:1]};
@@ -128,21 +104,19 @@ module horopter_direction (
   logic marks_last_s1_q;
   logic less_13_s1_q;
   logic xor_16_s1_q;
+  logic [9:0] larger_s1_q;
   logic less_20_s1_q;
   logic less_23_s1_q;
+  logic [8:0] select_25_s1_q;
   logic less_26_s1_q;
-  logic less_29_s1_q;
-  logic less_32_s1_q;
-  logic less_35_s1_q;
   logic select_39_s1_q;
   logic less_45_s1_q;
   logic xor_48_s1_q;
+  logic [9:0] larger_2_s1_q;
   logic less_52_s1_q;
   logic less_55_s1_q;
+  logic [8:0] select_57_s1_q;
   logic less_58_s1_q;
-  logic less_61_s1_q;
-  logic less_64_s1_q;
-  logic less_67_s1_q;
   logic select_71_s1_q;
   logic [7:0] select_77_s1_q;
   logic [4:0] select_82_s1_q;
@@ -155,21 +129,19 @@ module horopter_direction (
       marks_last_s1_q <= marks_last_i;
       less_13_s1_q <= less_13;
       xor_16_s1_q <= less_13 ^ (~(gx_0_i[10] ^ gy_0_i[10]));
+      larger_s1_q <= larger;
       less_20_s1_q <= less_20;
       less_23_s1_q <= less_23;
-      less_26_s1_q <= less_26;
-      less_29_s1_q <= less_29;
-      less_32_s1_q <= less_32;
-      less_35_s1_q <= {1'b0, larger[9:1]} < select_34;
+      select_25_s1_q <= select_25[8:0];
+      less_26_s1_q <= {1'b0, larger[9:1]} < select_25;
       select_39_s1_q <= less_13 ? gy_0_i[10] : gx_0_i[10];
       less_45_s1_q <= less_45;
       xor_48_s1_q <= less_45 ^ (~(gx_1_i[10] ^ gy_1_i[10]));
+      larger_2_s1_q <= larger_2;
       less_52_s1_q <= less_52;
       less_55_s1_q <= less_55;
-      less_58_s1_q <= less_58;
-      less_61_s1_q <= less_61;
-      less_64_s1_q <= less_64;
-      less_67_s1_q <= {1'b0, larger_2[9:1]} < select_66;
+      select_57_s1_q <= select_57[8:0];
+      less_58_s1_q <= {1'b0, larger_2[9:1]} < select_57;
       select_71_s1_q <= less_45 ? gy_1_i[10] : gx_1_i[10];
       select_77_s1_q <= select_77[7:0];
       select_82_s1_q <= select_82[7:3];
@@ -180,9 +152,21 @@ module horopter_direction (
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   // hls/stages/direction.hpp:62
+  logic [9:0] select_28;
+  assign select_28 = less_26_s1_q ? ({select_25_s1_q, 1'b0} - larger_s1_q) : {select_25_s1_q, 1'b0};
+  logic less_29;
+  assign less_29 = {1'b0, larger_s1_q[9:1]} < select_28;
+  logic [9:0] select_31;
+  assign select_31 = less_29 ? ({select_28[8:0], 1'b0} - larger_s1_q) : {select_28[8:0], 1'b0};
+  logic less_32;
+  assign less_32 = {1'b0, larger_s1_q[9:1]} < select_31;
+  logic [9:0] select_34;
+  assign select_34 = less_32 ? ({select_31[8:0], 1'b0} - larger_s1_q) : {select_31[8:0], 1'b0};
+  logic less_35;
+  assign less_35 = {1'b0, larger_s1_q[9:1]} < select_34;
   logic [5:0] angle;  // table arctangent_table
   always_comb begin
-    case ({less_20_s1_q, less_23_s1_q, less_26_s1_q, less_29_s1_q, less_32_s1_q, less_35_s1_q})
+    case ({less_20_s1_q, less_23_s1_q, less_26_s1_q, less_29, less_32, less_35})
       6'd1: angle = 6'h1;
       6'd2: angle = 6'h2;
       6'd3: angle = 6'h2;
@@ -253,9 +237,21 @@ module horopter_direction (
   logic [6:0] select_38;
   assign select_38 = xor_16_s1_q ? {1'b0, angle} : (7'h0 - {1'b0, angle});
   // hls/stages/direction.hpp:62
+  logic [9:0] select_60;
+  assign select_60 = less_58_s1_q ? ({select_57_s1_q, 1'b0} - larger_2_s1_q) : {select_57_s1_q, 1'b0};
+  logic less_61;
+  assign less_61 = {1'b0, larger_2_s1_q[9:1]} < select_60;
+  logic [9:0] select_63;
+  assign select_63 = less_61 ? ({select_60[8:0], 1'b0} - larger_2_s1_q) : {select_60[8:0], 1'b0};
+  logic less_64;
+  assign less_64 = {1'b0, larger_2_s1_q[9:1]} < select_63;
+  logic [9:0] select_66;
+  assign select_66 = less_64 ? ({select_63[8:0], 1'b0} - larger_2_s1_q) : {select_63[8:0], 1'b0};
+  logic less_67;
+  assign less_67 = {1'b0, larger_2_s1_q[9:1]} < select_66;
   logic [5:0] angle_2;  // table arctangent_table
   always_comb begin
-    case ({less_52_s1_q, less_55_s1_q, less_58_s1_q, less_61_s1_q, less_64_s1_q, less_67_s1_q})
+    case ({less_52_s1_q, less_55_s1_q, less_58_s1_q, less_61, less_64, less_67})
       6'd1: angle_2 = 6'h1;
       6'd2: angle_2 = 6'h2;
       6'd3: angle_2 = 6'h2;

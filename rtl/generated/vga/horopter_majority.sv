@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Majority<horopter::hls::profiles::vga>, hls/stages/majority.hpp. Do not edit.
 //
-// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 3 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 72 bits, pipeline 21 bits, memories 11520 bits.
+// State 72 bits, pipeline 25 bits, memories 11520 bits.
 module horopter_majority (
   input  logic clk_i,
   input  logic rst_ni,
@@ -21,10 +21,11 @@ module horopter_majority (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q, valid_s2_q;
-  logic s0_en, s1_en;
+  logic valid_s1_q, valid_s2_q, valid_s3_q;
+  logic s0_en, s1_en, s2_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
+  assign s2_en = en_i & valid_s2_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [9:0] raster_next_column_q;
@@ -117,17 +118,6 @@ module horopter_majority (
   assign equal_44 = {select_24, mask_s1_q} == 7'h7f;
   logic [5:0] select_45;
   assign select_45 = or_18_s1_q ? 6'h0 : mask_columns_values_0_q;
-  // hls/stages/majority.hpp:57
-  logic less_47;
-  assign less_47 = 6'h18 < sum_43[11:6];
-  // hls/stages/majority.hpp:58
-  logic vote;
-  assign vote = {1'b0, sum_43[11:7]} < sum_43[5:0];
-  // hls/stages/majority.hpp:59
-  logic and_49;
-  assign and_49 = less_47 & vote;
-  logic not_50;
-  assign not_50 = ~less_47;
 
   // Memory memory, write
   logic [9:0] memory_waddr;
@@ -177,28 +167,54 @@ module horopter_majority (
 
   logic marks_first_s2_q;
   logic marks_last_s2_q;
-  logic [1:0] select_51_s2_q;
+  logic equal_46_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       marks_first_s2_q <= marks_first_s1_q;
       marks_last_s2_q <= raster_row_ended_q;
-      select_51_s2_q <= ({select_45, equal_44} == 7'h7f) ? {not_50, and_49} : 2'h3;
+      equal_46_s2_q <= {select_45, equal_44} == 7'h7f;
+    end
+  end
+
+  // Stage 2 -----------------------------------------------------------------------------------------------------------
+  // hls/stages/majority.hpp:57
+  logic less_47;
+  assign less_47 = 6'h18 < sums_sums_values_0_q[11:6];
+  // hls/stages/majority.hpp:58
+  logic vote;
+  assign vote = {1'b0, sums_sums_values_0_q[11:7]} < sums_sums_values_0_q[5:0];
+  // hls/stages/majority.hpp:59
+  logic and_49;
+  assign and_49 = less_47 & vote;
+  logic not_50;
+  assign not_50 = ~less_47;
+
+  logic marks_first_s3_q;
+  logic marks_last_s3_q;
+  logic [1:0] select_51_s3_q;
+  always_ff @(posedge clk_i) begin
+    if (s2_en) begin
+      marks_first_s3_q <= marks_first_s2_q;
+      marks_last_s3_q <= marks_last_s2_q;
+      select_51_s3_q <= equal_46_s2_q ? {not_50, and_49} : 2'h3;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign state_o = select_51_s2_q;
-  assign marks_first_o = marks_first_s2_q;
-  assign marks_last_o = marks_last_s2_q;
-  assign valid_o = valid_s2_q;
+  assign state_o = select_51_s3_q;
+  assign marks_first_o = marks_first_s3_q;
+  assign marks_last_o = marks_last_s3_q;
+  assign valid_o = valid_s3_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       valid_s1_q <= 1'b0;
       valid_s2_q <= 1'b0;
+      valid_s3_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
       valid_s2_q <= valid_s1_q;
+      valid_s3_q <= valid_s2_q;
     end
   end
 
