@@ -87,6 +87,14 @@ module horopter_framer #(
   logic fresh_q;  // the next pixel is the first of the frame
   logic room_q;  // the slot of the row in progress may be written
   logic pending_start_fault_q;
+  logic near_q, deep_q, far_q;  // what y_q and x_q say, decided with them: the pairing takes its time
+
+  // The geometry does not change while this runs.
+  logic [11:0] last_x_q, last_y_q;
+  always_ff @(posedge clk_i) begin
+    last_x_q <= width_i - 12'd1;
+    last_y_q <= height_i - 12'd1;
+  end
 
   // Silence: the camera could send and does not.
   logic [31:0] quiet_q;
@@ -116,9 +124,9 @@ module horopter_framer #(
   assign blocked = x_q == 12'd0 && !room_q;
   assign overflow = state_q == LINE && blocked && live_i && almost_full_i;
   assign take = state_q == LINE && s_valid_i && !early && !blocked && !cut_i;
-  assign at_end = x_q == width_i - 12'd1;
+  assign at_end = x_q == last_x_q;
   assign complete = take && (s_last_i || at_end);
-  assign last_row = y_q == height_i - 12'd1;
+  assign last_row = y_q == last_y_q;
   assign gone = silent_q || pausing_q;
   assign ends_early = in_frame && (early || overflow || cut_i || gone);
 
@@ -150,6 +158,9 @@ module horopter_framer #(
       stored_q <= 12'd0;
       x_q <= 12'd0;
       y_q <= 12'd0;
+      near_q <= 1'b1;
+      deep_q <= 1'b0;
+      far_q <= 1'b0;
       fresh_q <= 1'b0;
     end else begin
       case (state_q)
@@ -187,6 +198,9 @@ module horopter_framer #(
         START: begin
           x_q <= 12'd0;
           y_q <= 12'd0;
+          near_q <= 1'b1;
+          deep_q <= 1'b0;
+          far_q <= 1'b0;
           fresh_q <= 1'b1;
           if (grant_i) begin
             state_q <= LINE;
@@ -202,10 +216,14 @@ module horopter_framer #(
           if (take) begin
             fresh_q <= 1'b0;
             x_q <= x_q + 12'd1;
+            if (x_q >= 12'd64) far_q <= 1'b1;
           end
           if (complete) begin
             x_q <= 12'd0;
             y_q <= y_q + 12'd1;
+            near_q <= 32'(y_q) + 1 < EXTRA_LINES;
+            deep_q <= 32'(y_q) + 1 >= EXTRA_LINES + EXTRA_LINES / 2;
+            far_q <= 1'b1;
             stored_q <= stored_q + 12'd1;
             slot_q <= 32'(slot_q) == SLOTS - 1 ? '0 : slot_q + 1'b1;
             row_done_o <= 1'b1;
@@ -254,9 +272,9 @@ module horopter_framer #(
       write_pixel_o <= s_pixel_i;
     end
   end
-  assign near_o = 32'(y_q) < EXTRA_LINES;
-  assign deep_o = 32'(y_q) >= EXTRA_LINES + EXTRA_LINES / 2;
-  assign far_o = y_q != 12'd0 || x_q > 12'd64;
+  assign near_o = near_q;
+  assign deep_o = deep_q;
+  assign far_o = far_q;
 
   assign start_o = state_q == START || state_q == LOST;
   assign empty_o = state_q == LOST;

@@ -78,15 +78,16 @@ module horopter_raster #(
   logic [5:0] fraction_q, cell_mask_x_q, cell_mask_y_q;
 
   // Is the row in progress there? One clock behind, but rows only ever arrive. Before a frame begins, y_q is 0.
-  logic [11:0] last_row;
-  assign last_row = height_i - 12'd1;
+  logic [11:0] last_row_q, last_column_q;  // the geometry does not change while this runs
   always_ff @(posedge clk_i) begin
-    need_right_q <= y_q + lookahead_i < last_row ? y_q + lookahead_i : last_row;
+    last_row_q <= height_i - 12'd1;
+    last_column_q <= width_i - 12'd1;
+    need_right_q <= y_q + lookahead_i < last_row_q ? y_q + lookahead_i : last_row_q;
     ready_q <= !live_q || ((right_rows_i > need_right_q || right_ended_i) && (left_rows_i > y_q || left_ended_i));
   end
 
   logic last_x, cell_end_x, cell_end_y;
-  assign last_x = x_q == width_i - 12'd1;
+  assign last_x = x_q == last_column_q;
   assign cell_end_x = (x_q[5:0] & cell_mask_x_q) == 6'd0;  // this pixel loads the next column
   assign cell_end_y = (y_q[5:0] & cell_mask_y_q) == cell_mask_y_q;  // the next row is in another cell
 
@@ -164,8 +165,8 @@ module horopter_raster #(
           if (last_x) begin
             y_q <= y_q + 12'd1;
             state_q <= WAIT_ROW;
-            if (y_q == last_row) live_q <= 1'b0;
-            if (!live_q && y_q == last_row + 12'(FLUSH_ROWS)) begin
+            if (y_q == last_row_q) live_q <= 1'b0;
+            if (!live_q && y_q == last_row_q + 12'(FLUSH_ROWS)) begin
               state_q <= DRAIN;
               y_q <= 12'd0;
               live_q <= 1'b1;
