@@ -19,6 +19,7 @@
 #include "commands.hpp"
 #include "horopter/engines.hpp"
 #include "horopter/evaluation.hpp"
+#include "horopter/map_compiler.hpp"
 #include "horopter/monitor.hpp"
 #include "inputs.hpp"
 #include "progress.hpp"
