@@ -497,9 +497,10 @@ CompiledMap choose(const MachineProfile& profile, const ScanGeometry& geometry, 
     std::ranges::stable_sort(last, {}, &std::pair<double, Spacing>::first);
     last.resize(std::min<std::size_t>(last.size(), kLastTries));
     // Where creases, or the border of what is seen, keep too many pixels off, the grid loses them all.
-    for (const double largest_error_px : {limits.largest_error_px, limits.error_px}) {
-      if (std::ranges::any_of(last, [&](const auto& s) { return attempt(s.second, largest_error_px); })) break;
-    }
+    std::ranges::any_of(last, [&](const auto& entry) {
+      const Spacing& s = entry.second;
+      return (!likely(s) && attempt(s, limits.largest_error_px)) || attempt(s, limits.error_px);
+    });
   }
   if (!best && !nothing.empty()) throw std::runtime_error(nothing);
   if (!best) {
