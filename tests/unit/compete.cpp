@@ -125,7 +125,7 @@ class BeatByBeat {
 /// Smoothed noise; beyond the image too, so that shifted pictures agree.
 int texture(int x, int y, unsigned seed) {
   const auto noise = [seed](int u, int v) {
-    auto h = static_cast<std::uint32_t>(u * 73856093) ^ static_cast<std::uint32_t>(v * 19349663) ^ seed * 83492791U;
+    auto h = static_cast<std::uint32_t>(u) * 73856093U ^ static_cast<std::uint32_t>(v) * 19349663U ^ seed * 83492791U;
     h = (h ^ h >> 13) * 0x5BD1E995U;
     return static_cast<int>((h ^ h >> 15) & 255U);
   };
