@@ -59,7 +59,8 @@ TEST_CASE("Correspondences give the least squares homography") {
   std::normal_distribution<double> noise(0, GENERATE(0.0, 0.3));
   std::string yaml = "surface:\n  type: correspondences\n  points:\n";
   for (int i = 0; i < 54; ++i) {
-    const Point left{120.0 + 35 * (i % 9), 100.0 + 40 * (i / 9)};
+    const int row = i / 9;
+    const Point left{120.0 + 35 * (i % 9), 100.0 + 40 * row};
     const Point right = *truth.source(left);
     yaml += "  - {left: [" + std::to_string(left.x) + ", " + std::to_string(left.y) + "], right: [" +
             std::to_string(right.x + noise(random)) + ", " + std::to_string(right.y + noise(random)) + "]}\n";
@@ -95,7 +96,10 @@ TEST_CASE("Points that do not determine a homography are refused") {
   }
   SECTION("one point, again and again") { points.assign(5, {{3, 4}, {5, 6}}); }
   SECTION("a line in the right image") {
-    for (int i = 0; i < 9; ++i) points.push_back({{i % 3 * 50.0, i / 3 * 50.0}, {i % 3 * 50.0, 7}});
+    for (int i = 0; i < 9; ++i) {
+      const int row = i / 3;
+      points.push_back({{i % 3 * 50.0, row * 50.0}, {i % 3 * 50.0, 7}});
+    }
   }
   SECTION("not finite") { points = {{{0, 0}, {0, 0}}, {{9, 0}, {9, 0}}, {{0, 9}, {0, 9}}, {{9, 9}, {NAN, 9}}}; }
   CHECK_THROWS_AS(fit_homography(points), std::invalid_argument);
