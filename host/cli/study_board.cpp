@@ -10,8 +10,8 @@
 #include <cmath>
 #include <filesystem>
 #include <opencv2/calib3d.hpp>
-#include <opencv2/imgproc.hpp>
 
+#include "board.hpp"
 #include "horopter/calib/joint.hpp"
 #include "horopter/calib/target.hpp"
 #include "horopter/calib/views.hpp"
@@ -142,38 +142,6 @@ Vector2d carried(const MapTable& table, const Vector2d& pixel) {
   return sum;
 }
 
-/// Pixels of the board, the hull of its inner corners.
-cv::Mat board_mask(const Board& board) {
-  std::vector<cv::Point> corners;
-  for (const Vector2d& c : board.corners[0]) corners.emplace_back(cvRound(c.x()), cvRound(c.y()));
-  std::vector<cv::Point> hull;
-  cv::convexHull(corners, hull);
-  cv::Mat mask = cv::Mat::zeros(board.left.height, board.left.width, CV_8UC1);
-  cv::fillConvexPoly(mask, hull, 255);
-  return mask;
-}
-
-struct Share {
-  double decidable = 0;  ///< of the board's pixels
-  double in_skin = 0;    ///< of the decidable ones
-};
-
-Share share_of(const cv::Mat& mask, const Image& states) {
-  std::int64_t all = 0;
-  std::int64_t decidable = 0;
-  std::int64_t skin = 0;
-  for (int y = 0; y < mask.rows; ++y) {
-    for (int x = 0; x < mask.cols; ++x) {
-      if (mask.at<std::uint8_t>(y, x) == 0) continue;
-      const auto state = static_cast<State>(states.at(x, y));
-      ++all;
-      decidable += state == State::skin || state == State::clear ? 1 : 0;
-      skin += state == State::skin ? 1 : 0;
-    }
-  }
-  return {all == 0 ? 0 : double(decidable) / double(all), decidable == 0 ? 0 : double(skin) / double(decidable)};
-}
-
 }  // namespace
 
 nlohmann::json study_board(OutputDirectory& directory, const StudyScope& scope) {
@@ -259,13 +227,17 @@ nlohmann::json study_board(OutputDirectory& directory, const StudyScope& scope) 
         const FrameResult& b = results.back();
         different += a.states == b.states && a.alarm == b.alarm && a.table_crc == b.table_crc ? 0 : 1;
       }
-      const Share share = share_of(board_mask(boards[i]), results.front().states);
-      csv << shifts_mm[s] << boards[i].name << share.decidable << share.in_skin << (results.front().alarm ? 1.0 : 0.0);
+      std::vector<cv::Point2d> corners;
+      for (const Vector2d& corner : boards[i].corners[0]) corners.emplace_back(corner.x(), corner.y());
+      const BoardPixels pixels = count_board(corners, results.front().states);
+      const double in_skin = pixels.skin_share();
+      csv << shifts_mm[s] << boards[i].name << pixels.decidable_share() << in_skin
+          << (results.front().alarm ? 1.0 : 0.0);
       csv.end_row();
-      sums[0] += share.in_skin / static_cast<double>(boards.size());
-      sums[1] = std::min(sums[1], share.in_skin);
-      sums[2] = std::max(sums[2], share.in_skin);
-      sums[3] += share.decidable / static_cast<double>(boards.size());
+      sums[0] += in_skin / static_cast<double>(boards.size());
+      sums[1] = std::min(sums[1], in_skin);
+      sums[2] = std::max(sums[2], in_skin);
+      sums[3] += pixels.decidable_share() / static_cast<double>(boards.size());
       alarms += results.front().alarm ? 1 : 0;
     }
     for (std::size_t k = 0; k < sums.size(); ++k) panel.curves[k].points.emplace_back(shifts_mm[s], sums[k]);

@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "../cli/board.hpp"
 #include "../cli/progress.hpp"
 #include "horopter/engines.hpp"
 #include "horopter/error.hpp"
@@ -60,24 +61,15 @@ struct Options {
 };
 
 /// What one skin shows of the board.
-struct Found {
-  std::int64_t board = 0;  ///< pixels
-  std::int64_t decidable = 0;
-  std::int64_t in_skin = 0;
+struct Found : cli::BoardPixels {
   bool alarm = false;
-  double decidable_share() const {
-    return board == 0 ? 0 : static_cast<double>(decidable) / static_cast<double>(board);
-  }
-  double skin_share() const {
-    return decidable == 0 ? 0 : static_cast<double>(in_skin) / static_cast<double>(decidable);
-  }
 };
 
 struct Pair {
   std::string name;
   Image left;
   Image right;
-  std::vector<cv::Point> board;  ///< hull of the inner corners in the left image
+  std::vector<cv::Point2d> board;  ///< inner corners in the left image
   std::array<std::optional<CompiledMap>, kSkins> maps;
   std::array<Found, kSkins> found;
 };
@@ -113,12 +105,10 @@ Pair load_pair(const Options& options, const std::string& number, const MachineP
   const auto left = corners_of(pair.left, left_path.string());
   const auto right = corners_of(pair.right, right_path.string());
   std::vector<Correspondence> points;
-  std::vector<cv::Point> rounded;
   for (std::size_t i = 0; i < left.size(); ++i) {
     points.push_back({{left[i].x, left[i].y}, {right[i].x, right[i].y}});
-    rounded.emplace_back(cvRound(left[i].x), cvRound(left[i].y));
+    pair.board.emplace_back(left[i]);
   }
-  cv::convexHull(rounded, pair.board);
   const Matrix3 skin = fit_homography(points).matrix;
   const std::array<double, kSkins> shifts{0, options.displacement_px, -options.displacement_px};
   for (std::size_t i = 0; i < kSkins; ++i) {
@@ -126,23 +116,6 @@ Pair load_pair(const Options& options, const std::string& number, const MachineP
     pair.maps[i] = compile_map(moved, profile, {pair.left.width, pair.left.height, Scan::progressive});
   }
   return pair;
-}
-
-Found look_at_board(const Pair& pair, const FrameResult& result) {
-  cv::Mat mask = cv::Mat::zeros(pair.left.height, pair.left.width, CV_8UC1);
-  cv::fillConvexPoly(mask, pair.board, 255);
-  Found found;
-  found.alarm = result.alarm;
-  for (int y = 0; y < mask.rows; ++y) {
-    for (int x = 0; x < mask.cols; ++x) {
-      if (mask.at<std::uint8_t>(y, x) == 0) continue;
-      const auto state = static_cast<State>(result.states.at(x, y));
-      ++found.board;
-      found.decidable += state == State::skin || state == State::clear ? 1 : 0;
-      found.in_skin += state == State::skin ? 1 : 0;
-    }
-  }
-  return found;
 }
 
 /// A second engine that must see the same.
@@ -223,7 +196,7 @@ ExitStatus demonstrate(const Options& options) {
       }
       const FrameResult& result = results.front();
       for (const FrameResult& other : results) different += other.states == result.states ? 0 : 1;
-      pair.found[skin] = look_at_board(pair, result);
+      pair.found[skin] = {cli::count_board(pair.board, result.states), result.alarm};
       faults |= result.faults;
       worst = {std::max(worst.cycles, result.cycles), std::max(worst.latency, result.latency),
                std::max(worst.tail, result.tail)};
