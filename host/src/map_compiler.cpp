@@ -62,15 +62,11 @@ std::vector<Point> lattice_points(const ScanGeometry& geometry, const LatticeSha
   return points;
 }
 
-bool inside(const ScanGeometry& geometry, double x, double y) {
-  return x >= 0 && y >= 0 && x <= geometry.width - 1 && y <= geometry.height - 1;
-}
-
 /// Sources to the scan's coordinates, and those outside the image by name.
 void settle(const ScanGeometry& geometry, LookLattice& lattice) {
   for (Look& look : lattice.looks) {
     look.source = geometry.from_frame(look.source);
-    if (look.reason == Reason::none && !inside(geometry, look.source.x, look.source.y)) look.reason = Reason::outside;
+    if (look.reason == Reason::none && !geometry.holds(look.source)) look.reason = Reason::outside;
   }
 }
 

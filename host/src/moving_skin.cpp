@@ -33,13 +33,15 @@ struct Sight {
 class Watcher {
  public:
   Watcher(const CameraPair& cameras, const MachineProfile& profile, double tolerance_px, int width, int height)
-      : cameras_(cameras), row_step_(profile.fields_per_image()), tolerance_px_(tolerance_px * profile.subsample) {
+      : cameras_(cameras),
+        row_step_(profile.fields_per_image()),
+        tolerance_px_(tolerance_px * profile.subsample),
+        frame_{width, height, Scan::progressive} {
     const int step = std::clamp(width / 32, 1, kLatticeStep_px);
     for (int y = 0; y < height; y += step) {
       for (int x = 0; x < width; x += step) points_.push_back({static_cast<double>(x), static_cast<double>(y)});
     }
     rays_ = cameras.rays(points_);
-    largest_ = {static_cast<double>(width - 1), static_cast<double>(height - 1)};
   }
 
   const Point& pixel(std::size_t i) const { return points_[i]; }
@@ -60,10 +62,7 @@ class Watcher {
       if (!std::isfinite(sight.distance_mm)) continue;
       sight.cosine = std::abs(hits[i].normal.dot(direction)) / direction.norm();
       sight.point_mm = eye + hits[i].distance * direction;
-      if (looks[i].reason != Reason::none || !(source.x >= 0 && source.y >= 0) || source.x > largest_.x ||
-          source.y > largest_.y) {
-        continue;
-      }
+      if (looks[i].reason != Reason::none || !frame_.holds(source)) continue;
       sight.across_mm = cameras_.thickness_mm(points_[i], source, tolerance_px_) * sight.cosine;
       sight.supervised = std::isfinite(sight.across_mm);
     }
@@ -74,9 +73,9 @@ class Watcher {
   const CameraPair& cameras_;
   int row_step_;
   double tolerance_px_;  ///< in pixels of the frame
+  ScanGeometry frame_;
   std::vector<Point> points_;
   Rays rays_;
-  Point largest_;
 };
 
 /// Whether no object slips through between two frames.

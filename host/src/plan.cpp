@@ -118,10 +118,7 @@ ThicknessPlan plan_thickness(const CameraPair& cameras, const Surface& surface, 
     cameras.look(surface, rays, geometry.row_step(), limits, looks);
     for (std::size_t x = 0; x < width; ++x) {
       const Look& look = looks[x];
-      const Point source = geometry.from_frame(look.source);
-      const bool inside =
-          source.x >= 0 && source.x <= geometry.width - 1 && source.y >= 0 && source.y <= geometry.height - 1;
-      if (!inside || look.reason == Reason::hidden) continue;
+      if (!geometry.holds(geometry.from_frame(look.source)) || look.reason == Reason::hidden) continue;
       ++plan.shared;
       const double along = cameras.thickness_mm(points[x], look.source, tolerance_frame_px);
       if (look.reason != Reason::none || !std::isfinite(along)) continue;

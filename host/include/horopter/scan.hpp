@@ -23,6 +23,10 @@ struct ScanGeometry {
   int first_row() const { return scan == Scan::odd_field ? 1 : 0; }
   Point to_frame(Point scanned) const { return {scanned.x, row_step() * scanned.y + first_row()}; }
   Point from_frame(Point frame) const { return {frame.x, (frame.y - first_row()) / row_step()}; }
+  /// Whether a place is on the pixels; NaN is not.
+  bool holds(Point scanned) const {
+    return scanned.x >= 0 && scanned.y >= 0 && scanned.x <= width - 1 && scanned.y <= height - 1;
+  }
   friend bool operator==(const ScanGeometry&, const ScanGeometry&) = default;
 };
 
