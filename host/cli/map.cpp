@@ -125,6 +125,7 @@ ExitStatus map(const MapOptions& options) {
       throw UsageError("--output is required (or --draw, or --json to see the report only)");
     }
     const MachineProfile& profile = find_profile(options.profile);
+    const auto rig = read_rig_option(options.rig);
     int width = profile.largest_image_width();
     int height = profile.largest_image_height();
     if (!options.size.empty()) {
@@ -134,8 +135,12 @@ ExitStatus map(const MapOptions& options) {
       } catch (const FileError& error) {
         throw UsageError(error.what());
       }
+    } else if (rig && rig->cameras.front().width_px != 0) {
+      width = rig->cameras.front().width_px;
+      height = rig->cameras.front().height_px;
+      check_image_size(options.rig, width, height, profile);
     }
-    maps = load_or_compile_maps(options.skin, read_rig_option(options.rig), profile, width, height);
+    maps = load_or_compile_maps(options.skin, rig, profile, width, height);
     if (!options.output.empty()) save_maps(maps, options.output);
   }
   if (!options.draw.empty()) draw(maps, options.draw, options.json);
@@ -156,7 +161,9 @@ void add_map(CLI::App& app, Outcome& outcome) {
   command->add_option("--rig", options->rig, "The cameras (rig.yaml); homographies and correspondences need none")
       ->type_name("FILE");
   command->add_option("--profile", options->profile, "Build of the machine: " + profile_names())->type_name("P");
-  command->add_option("--size", options->size, "Size of the images, WIDTHxHEIGHT (default: the profile's largest)")
+  command
+      ->add_option("--size", options->size,
+                   "Size of the images, WIDTHxHEIGHT (default: that of the rig's cameras, or the profile's largest)")
       ->type_name("WxH");
   command->add_option("-o,--output", options->output, "The table to write (.hmap)")->type_name("FILE");
   command->add_option("--inspect", options->inspect, "Explain this table instead of making one")->type_name("FILE");

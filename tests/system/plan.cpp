@@ -37,6 +37,19 @@ TEST_CASE("plan thickness: Table 11.1, with pictures") {
   }
 }
 
+TEST_CASE("map takes the size of the images from the rig, and refuses a profile that does not hold it") {
+  Sandbox box;
+  box.write("skin.yaml", "surface:\n  type: plane\n  point_mm: [0, 0, 800]\n  normal: [0, 0, -1]\n");
+  const auto arguments = [](const char* profile) {
+    return std::vector<std::string>{"map", "--rig", kTable, "--skin", "skin.yaml", "--profile", profile, "--json"};
+  };
+  const auto result = box.run(arguments("hd"));
+  CAPTURE(result.err);
+  REQUIRE(result.status == 0);
+  CHECK(json::parse(result.out)["width"] == 756);
+  check_bad_file(box, arguments("vga"), "table_11_1.yaml", "756x572");
+}
+
 TEST_CASE("plan thickness: a user's skin, and what is refused") {
   Sandbox box;
   const std::vector<std::string> plan{"plan", "thickness", "--rig", kTable};
