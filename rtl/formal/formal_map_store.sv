@@ -72,6 +72,8 @@ module formal_map_store (
   (* hierconn *) wire \dut.odd_q ;
   (* hierconn *) wire [5:0] \dut.step_q ;
   (* hierconn *) wire [14:0] \dut.overlap_q ;
+  (* hierconn *) wire \dut.waiting_q ;
+  (* hierconn *) wire \dut.take ;
   (* hierconn *) wire [31:0] \dut.extent ;
   (* hierconn *) wire \dut.store_entry ;
   (* hierconn *) wire \dut.write_even ;
@@ -106,6 +108,8 @@ module formal_map_store (
     if (past_valid) begin
       // --- invariants that lead to the properties ---
       if (valid[watched]) assert (first <= last && 32'(last) < 16);
+      assert (!(\dut.waiting_q && \dut.take ));
+      if (\dut.state_q == SIZE || \dut.state_q == WALK) assert (!\dut.waiting_q && !\dut.take );
       if (\dut.state_q == SIZE) begin
         assert (\dut.step_q <= 6'd12);
         if (\dut.step_q < 6'd12) assert (32'(\dut.size_q ) + 32'd4095 <= 32'd4095 << \dut.step_q );

@@ -13,7 +13,8 @@
 //
 // Directory: lookup_i for one clock asks for lookup_slot_i; from two clocks later on the table_* outputs tell,
 // until the next lookup. table_ok_o: it was valid, and made for this width and height.
-// data_ready_o falls for some 50 clocks after the third word. Reset: all slots invalid.
+// data_ready_o falls for 5 clocks after each word, in which its bytes go through the CRC, and for some 50 after the
+// third. busy_o: an upload or a word of one is under way, error_o may still change. Reset: all slots invalid.
 module horopter_map_store #(
     parameter int unsigned POOL_BYTES = 81920,
     parameter bit PARITY = 1'b1,
@@ -83,10 +84,12 @@ module horopter_map_store #(
   } state_e;
   state_e state_q;
 
-  // CRC-32, reflected, of one more word, least significant byte and bit first.
-  function automatic [31:0] crc_word(input [31:0] crc, input [31:0] data);
-    crc_word = crc ^ data;
-    for (int i = 0; i < 32; i++) crc_word = crc_word[0] ? (crc_word >> 1) ^ 32'hEDB88320 : crc_word >> 1;
+  // CRC-32, reflected, of one more byte, least significant bit first. After a word that is the CRC of all before it, the
+  // register holds CRC_RIGHT.
+  localparam logic [31:0] CRC_RIGHT = 32'hDEBB20E3;
+  function automatic [31:0] crc_byte(input [31:0] crc, input [7:0] data);
+    crc_byte = crc ^ {24'd0, data};
+    for (int i = 0; i < 8; i++) crc_byte = crc_byte[0] ? (crc_byte >> 1) ^ 32'hEDB88320 : crc_byte >> 1;
   endfunction
 
   logic [3:0] slot_q;
@@ -105,10 +108,28 @@ module horopter_map_store #(
   logic consistent_q;
   logic [11:0] cells_x_q, cells_y_q;
 
-  logic take, slot_in_use;
-  assign data_ready_o = state_q != SIZE && state_q != WALK && !start_valid_i;
+  // A word turns once through the CRC, byte by byte, then it is taken.
+  logic [31:0] data;
+  logic [3:0] byte_q;  // one-hot: bytes that are through
+  logic waiting_q, take, slot_in_use;
+  assign data_ready_o = state_q != SIZE && state_q != WALK && !start_valid_i && !waiting_q && !take;
   assign start_ready_o = 1'b1;
-  assign take = data_valid_i && data_ready_o;
+  always_ff @(posedge clk_i) begin
+    take <= 1'b0;
+    if (!rst_ni || start_valid_i) begin
+      waiting_q <= 1'b0;
+    end else if (waiting_q) begin
+      waiting_q <= !byte_q[3];
+      take <= byte_q[3];
+    end else begin
+      waiting_q <= data_valid_i && data_ready_o;
+    end
+    byte_q <= waiting_q ? {byte_q[2:0], 1'b0} : 4'd1;
+    if (waiting_q) data <= {data[7:0], data[31:8]};
+    else if (data_valid_i && data_ready_o) data <= data_i;
+    if (start_valid_i) crc_q <= 32'hFFFFFFFF;
+    else if (waiting_q) crc_q <= crc_byte(crc_q, data[7:0]);
+  end
   assign slot_in_use = running_i && (slot_i == selected_slot_i || slot_i == active_slot_i)
       && slot_i != 4'd15 && valid_q[slot_i];
 
@@ -138,7 +159,7 @@ module horopter_map_store #(
   // Decided when the walk is over: the selection may change during it.
   assign overlap_in_use = running_i && ((selected_slot_i != 4'd15 && overlap_q[selected_slot_i])
       || (active_slot_i != 4'd15 && overlap_q[active_slot_i]));
-  assign store_entry = state_q == CHECK && take && data_i == ~crc_q;
+  assign store_entry = state_q == CHECK && take && crc_q == CRC_RIGHT;
 
   always_ff @(posedge clk_i) begin
     bad_upload_o <= 1'b0;
@@ -148,7 +169,6 @@ module horopter_map_store #(
       valid_q <= 15'd0;
       error_o <= NO_ERROR;
     end else if (start_valid_i) begin
-      crc_q <= 32'hFFFFFFFF;
       slot_q <= slot_i;
       base_q <= base_i;
       if (slot_i == 4'd15) begin
@@ -165,13 +185,12 @@ module horopter_map_store #(
         valid_q[slot_i] <= 1'b0;
       end
     end else begin
-      if (take && state_q != CHECK && state_q != IDLE) crc_q <= crc_word(crc_q, data_i);
       case (state_q)
         HEAD0:
         if (take) begin
-          nx_q <= data_i[6:4];
-          ny_q <= data_i[2:0];
-          if (data_i[31:8] != 24'h484D01 || data_i[7] || data_i[3] || data_i[6:4] == 3'd7 || data_i[2:0] == 3'd7) begin
+          nx_q <= data[6:4];
+          ny_q <= data[2:0];
+          if (data[31:8] != 24'h484D01 || data[7] || data[3] || data[6:4] == 3'd7 || data[2:0] == 3'd7) begin
             state_q <= IDLE;
             error_o <= BAD_HEADER;
             bad_upload_o <= 1'b1;
@@ -182,20 +201,20 @@ module horopter_map_store #(
 
         HEAD1:
         if (take) begin
-          columns_q <= data_i[11:0];
-          pairs_q <= data_i[26:16];
-          consistent_q <= data_i[15:12] == 4'd0 && data_i[31:27] == 5'd0;
+          columns_q <= data[11:0];
+          pairs_q <= data[26:16];
+          consistent_q <= data[15:12] == 4'd0 && data[31:27] == 5'd0;
           state_q <= HEAD2;
         end
 
         HEAD2:
         if (take) begin
-          width_q <= data_i[11:0];
-          height_q <= data_i[27:16];
-          if (data_i[15:12] != 4'd0 || data_i[31:28] != 4'd0 || data_i[11:0] == 12'd0 || data_i[27:16] == 12'd0)
+          width_q <= data[11:0];
+          height_q <= data[27:16];
+          if (data[15:12] != 4'd0 || data[31:28] != 4'd0 || data[11:0] == 12'd0 || data[27:16] == 12'd0)
             consistent_q <= 1'b0;
-          cells_x_q <= data_i[11:0] - 12'd1;
-          cells_y_q <= data_i[27:16] - 12'd1;
+          cells_x_q <= data[11:0] - 12'd1;
+          cells_y_q <= data[27:16] - 12'd1;
           size_q <= 24'd0;
           step_q <= 6'd0;
           state_q <= SIZE;
@@ -268,7 +287,7 @@ module horopter_map_store #(
       endcase
     end
   end
-  assign busy_o = state_q != IDLE;
+  assign busy_o = state_q != IDLE || waiting_q || take;
   assign valid_o = valid_q;
 
   // --- directory ---
@@ -283,7 +302,7 @@ module horopter_map_store #(
       .clk_i(clk_i),
       .write_en_i(store_entry),
       .write_addr_i(slot_q),
-      .write_data_i({data_i, height_q, width_q, columns_q, ny_q, nx_q, base_q[ADDR_BITS-1:0]}),
+      .write_data_i({data, height_q, width_q, columns_q, ny_q, nx_q, base_q[ADDR_BITS-1:0]}),
       .read_en_i(lookup_i),
       .read_addr_i(lookup_slot_i),
       .read_data_o(entry),
@@ -307,7 +326,7 @@ module horopter_map_store #(
       .clk_i(clk_i),
       .write_en_i(store_entry),
       .write_addr_i(slot_q),
-      .write_data_i(data_i),
+      .write_data_i(data),
       .read_en_i(!store_entry),
       .read_addr_i(slot_i),
       .read_data_o(slot_crc),
@@ -330,7 +349,7 @@ module horopter_map_store #(
       .clk_i(clk_i),
       .write_en_i(write_even),
       .write_addr_i(write_addr_q[ADDR_BITS-1:0]),
-      .write_data_i(data_i),
+      .write_data_i(data),
       .read_en_i(read_en_i),
       .read_addr_i(even_addr_i),
       .read_data_o(even_data_o),
@@ -346,7 +365,7 @@ module horopter_map_store #(
       .clk_i(clk_i),
       .write_en_i(write_odd),
       .write_addr_i(write_addr_q[ADDR_BITS-1:0]),
-      .write_data_i(data_i),
+      .write_data_i(data),
       .read_en_i(read_en_i),
       .read_addr_i(odd_addr_i),
       .read_data_o(odd_data_o),
