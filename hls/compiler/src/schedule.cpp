@@ -150,6 +150,7 @@ class Scheduler {
       const Node& node = g_.nodes[n];
       delay_[n] =
           rom_address_[n] != kNone ? o_.delays.memory_read_ns - o_.delays.launch_ns : o_.delays.node_ns(g_, node);
+      if (rom_address_[n] == kNone && reads_memory(node)) start_[n] += o_.delays.memory_route_ns;
     }
     for (std::size_t r = 0; r < g_.rams.size(); ++r) {
       if (!ram_live_[r]) continue;
@@ -159,6 +160,13 @@ class Scheduler {
     for (Item a : rom_address_) {
       if (a != kNone) delay_[a] = o_.delays.memory_setup_ns;
     }
+  }
+
+  bool reads_memory(const Node& node) const {
+    return std::ranges::any_of(node.operands, [&](const Bits& operand) {
+      return std::ranges::any_of(
+          operand, [&](Bit b) { return g_.nodes[b.node].op == Op::kRamRead || rom_address_[b.node] != kNone; });
+    });
   }
 
   bool feeds_itself(NodeId rom) const {

@@ -79,7 +79,9 @@ std::vector<std::string> verify_schedule(const Graph& graph, const Schedule& res
     for (Bit b : bits) {
       if (b.node == 0) continue;
       const int made = result.stage[b.node];
-      at = std::max(at, made == stage ? arrival[b.node] : delays.launch_ns);
+      const bool memory = graph.nodes[b.node].op == Op::kRamRead || result.synchronous_rom[b.node];
+      const double launch = delays.launch_ns + (memory ? delays.memory_route_ns : 0.0);
+      at = std::max(at, made == stage ? arrival[b.node] : launch);
     }
     return at;
   };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Lowpass<horopter::hls::profiles::hd>, hls/stages/lowpass.hpp. Do not edit.
 //
-// Latency 4 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 5 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 57 bits, pipeline 151 bits, memories 69120 bits.
+// State 57 bits, pipeline 223 bits, memories 69120 bits.
 module horopter_lowpass (
   input  logic clk_i,
   input  logic rst_ni,
@@ -25,12 +25,13 @@ module horopter_lowpass (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q;
-  logic s0_en, s1_en, s2_en, s3_en;
+  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q;
+  logic s0_en, s1_en, s2_en, s3_en, s4_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
   assign s3_en = en_i & valid_s3_q;
+  assign s4_en = en_i & valid_s4_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [10:0] raster_next_column_q;
@@ -41,7 +42,7 @@ module horopter_lowpass (
   logic [10:0] select_17;
   assign select_17 = or_16 ? 11'h0 : raster_next_column_q;
 
-  // Memory memory, 1920 x 36, DISTANCE 16, hls/stages/lowpass.hpp:58; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
+  // Memory memory, 1920 x 36, DISTANCE 16, hls/stages/lowpass.hpp:58; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [35:0] memory_mem [0:1919];
@@ -111,10 +112,6 @@ module horopter_lowpass (
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
   logic raster_rows_q;
-  logic [9:0] columns_0_values_0_q;
-  logic [9:0] columns_0_values_1_q;
-  logic [9:0] columns_1_values_0_q;
-  logic [9:0] columns_1_values_1_q;
   logic [1:0] mask_columns_values_0_q;
   logic [1:0] saturated_columns_values_0_q;
   // hls/stages/lowpass.hpp:27
@@ -129,12 +126,8 @@ module horopter_lowpass (
   // hls/stages/lowpass.hpp:35
   logic [8:0] sum_25;
   assign sum_25 = {1'b0, memory_rdata_s2_q[7:0]} + {2'h0, memory_rdata_s2_q[23:17]};
-  logic [9:0] sum;
-  assign sum = {2'h0, pixel_0_s2_q} + {sum_25, memory_rdata_s2_q[16]};
   logic [8:0] sum_27;
   assign sum_27 = {1'b0, memory_rdata_s2_q[15:8]} + {2'h0, memory_rdata_s2_q[31:25]};
-  logic [9:0] sum_2;
-  assign sum_2 = {2'h0, pixel_1_s2_q} + {sum_27, memory_rdata_s2_q[24]};
   // hls/stages/lowpass.hpp:43
   logic equal_29;
   assign equal_29 = {select_21, mask_s2_q} == 3'h7;
@@ -146,23 +139,84 @@ module horopter_lowpass (
   logic [1:0] select_32;
   assign select_32 = or_16_s2_q ? 2'h0 : saturated_columns_values_0_q;
 
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      raster_rows_q <= 1'b0;
+      mask_columns_values_0_q <= 2'h0;
+      saturated_columns_values_0_q <= 2'h0;
+    end else if (s2_en) begin
+      raster_rows_q <= marks_last_s2_q | and_20;
+      mask_columns_values_0_q <= {select_30[0], equal_29};
+      saturated_columns_values_0_q <= {select_32[0], equal_31};
+    end
+  end
+
+  logic [7:0] pixel_0_s3_q;
+  logic [7:0] pixel_1_s3_q;
+  logic saturated_s3_q;
+  logic mask_s3_q;
+  logic marks_first_s3_q;
+  logic marks_last_s3_q;
+  logic [10:0] select_17_s3_q;
+  logic [17:0] memory_rdata_s3_q;
+  logic select_21_s3_q;
+  logic select_22_s3_q;
+  logic [8:0] sum_25_s3_q;
+  logic [8:0] sum_27_s3_q;
+  logic equal_39_s3_q;
+  logic equal_40_s3_q;
+  always_ff @(posedge clk_i) begin
+    if (s2_en) begin
+      pixel_0_s3_q <= pixel_0_s2_q;
+      pixel_1_s3_q <= pixel_1_s2_q;
+      saturated_s3_q <= saturated_s2_q;
+      mask_s3_q <= mask_s2_q;
+      marks_first_s3_q <= marks_first_s2_q;
+      marks_last_s3_q <= marks_last_s2_q;
+      select_17_s3_q <= select_17_s2_q;
+      memory_rdata_s3_q <= {memory_rdata_s2_q[24], memory_rdata_s2_q[16:0]};
+      select_21_s3_q <= select_21[0];
+      select_22_s3_q <= select_22[0];
+      sum_25_s3_q <= sum_25;
+      sum_27_s3_q <= sum_27;
+      equal_39_s3_q <= {select_32, equal_31} == 3'h7;
+      equal_40_s3_q <= {select_30, equal_29} == 3'h7;
+    end
+  end
+
+  // Stage 3 -----------------------------------------------------------------------------------------------------------
+  logic [9:0] columns_0_values_0_q;
+  logic [9:0] columns_0_values_1_q;
+  logic [9:0] columns_1_values_0_q;
+  logic [9:0] columns_1_values_1_q;
+  // hls/stages/lowpass.hpp:35
+  logic [9:0] sum;
+  assign sum = {2'h0, pixel_0_s3_q} + {sum_25_s3_q, memory_rdata_s3_q[16]};
+  logic [9:0] sum_2;
+  assign sum_2 = {2'h0, pixel_1_s3_q} + {sum_27_s3_q, memory_rdata_s3_q[17]};
+
   // Memory memory, write
   logic [10:0] memory_waddr;
-  assign memory_waddr = select_17_s2_q;
+  assign memory_waddr = select_17_s3_q;
   logic memory_we;
-  assign memory_we = s2_en;
+  assign memory_we = s3_en;
   always_ff @(posedge clk_i) begin
-    if (memory_we) memory_mem[memory_waddr] <= {select_22[0], saturated_s2_q, select_21[0], mask_s2_q, memory_rdata_s2_q[15:0], pixel_1_s2_q, pixel_0_s2_q};
+    if (memory_we) memory_mem[memory_waddr] <= {select_22_s3_q, saturated_s3_q, select_21_s3_q, mask_s3_q, memory_rdata_s3_q[15:0], pixel_1_s3_q, pixel_0_s3_q};
   end
 `ifndef SYNTHESIS
   logic [10:0] memory_raddr_s1_sim;
   logic memory_re_s1_sim;
+  logic [10:0] memory_raddr_s2_sim;
+  logic memory_re_s2_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       memory_re_s1_sim <= 1'b0;
+      memory_re_s2_sim <= 1'b0;
     end else if (en_i) begin
       memory_re_s1_sim <= memory_re;
       memory_raddr_s1_sim <= memory_raddr;
+      memory_re_s2_sim <= memory_re_s1_sim;
+      memory_raddr_s2_sim <= memory_raddr_s1_sim;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -173,6 +227,9 @@ module horopter_lowpass (
       if (memory_re_s1_sim && memory_raddr_s1_sim == memory_waddr) begin
         $error("memory: address %0d is read less than DISTANCE steps after its write", memory_waddr);
       end
+      if (memory_re_s2_sim && memory_raddr_s2_sim == memory_waddr) begin
+        $error("memory: address %0d is read less than DISTANCE steps after its write", memory_waddr);
+      end
       if (memory_waddr >= 11'd1920) $error("memory: write outside, address %0d", memory_waddr);
     end
     if (rst_ni && memory_re && memory_raddr >= 11'd1920) $error("memory: read outside, address %0d", memory_raddr);
@@ -181,82 +238,76 @@ module horopter_lowpass (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      raster_rows_q <= 1'b0;
       columns_0_values_0_q <= 10'h0;
       columns_0_values_1_q <= 10'h0;
       columns_1_values_0_q <= 10'h0;
       columns_1_values_1_q <= 10'h0;
-      mask_columns_values_0_q <= 2'h0;
-      saturated_columns_values_0_q <= 2'h0;
-    end else if (s2_en) begin
-      raster_rows_q <= marks_last_s2_q | and_20;
+    end else if (s3_en) begin
       columns_0_values_0_q <= sum;
       columns_0_values_1_q <= columns_0_values_0_q;
       columns_1_values_0_q <= sum_2;
       columns_1_values_1_q <= columns_1_values_0_q;
-      mask_columns_values_0_q <= {select_30[0], equal_29};
-      saturated_columns_values_0_q <= {select_32[0], equal_31};
     end
   end
-
-  logic marks_first_s3_q;
-  logic marks_last_s3_q;
-  logic columns_0_values_1_s3_q;
-  logic columns_1_values_1_s3_q;
-  logic [10:0] sum_33_s3_q;
-  logic [10:0] sum_36_s3_q;
-  logic equal_39_s3_q;
-  logic equal_40_s3_q;
-  always_ff @(posedge clk_i) begin
-    if (s2_en) begin
-      marks_first_s3_q <= marks_first_s2_q;
-      marks_last_s3_q <= marks_last_s2_q;
-      columns_0_values_1_s3_q <= columns_0_values_1_q[0];
-      columns_1_values_1_s3_q <= columns_1_values_1_q[0];
-      sum_33_s3_q <= {1'b0, columns_0_values_0_q} + {2'h0, columns_0_values_1_q[9:1]};
-      sum_36_s3_q <= {1'b0, columns_1_values_0_q} + {2'h0, columns_1_values_1_q[9:1]};
-      equal_39_s3_q <= {select_32, equal_31} == 3'h7;
-      equal_40_s3_q <= {select_30, equal_29} == 3'h7;
-    end
-  end
-
-  // Stage 3 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/lowpass.hpp:38
-  logic [11:0] sum_34;
-  assign sum_34 = {sum_33_s3_q, columns_0_values_1_s3_q} + {2'h0, columns_0_values_0_q};
-  logic [8:0] sum_35;
-  assign sum_35 = sum_34[11:3] + 9'h1;
-  logic [11:0] sum_37;
-  assign sum_37 = {sum_36_s3_q, columns_1_values_1_s3_q} + {2'h0, columns_1_values_0_q};
-  // hls/stages/lowpass.hpp:48
-  logic [8:0] sum_38;
-  assign sum_38 = sum_37[11:3] + 9'h1;
 
   logic marks_first_s4_q;
   logic marks_last_s4_q;
-  logic [7:0] sum_35_s4_q;
-  logic [7:0] sum_38_s4_q;
+  logic columns_0_values_1_s4_q;
+  logic columns_1_values_1_s4_q;
+  logic [10:0] sum_33_s4_q;
+  logic [10:0] sum_36_s4_q;
   logic equal_39_s4_q;
   logic equal_40_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= marks_last_s3_q;
-      sum_35_s4_q <= sum_35[8:1];
-      sum_38_s4_q <= sum_38[8:1];
+      columns_0_values_1_s4_q <= columns_0_values_1_q[0];
+      columns_1_values_1_s4_q <= columns_1_values_1_q[0];
+      sum_33_s4_q <= {1'b0, columns_0_values_0_q} + {2'h0, columns_0_values_1_q[9:1]};
+      sum_36_s4_q <= {1'b0, columns_1_values_0_q} + {2'h0, columns_1_values_1_q[9:1]};
       equal_39_s4_q <= equal_39_s3_q;
       equal_40_s4_q <= equal_40_s3_q;
     end
   end
 
+  // Stage 4 -----------------------------------------------------------------------------------------------------------
+  // hls/stages/lowpass.hpp:38
+  logic [11:0] sum_34;
+  assign sum_34 = {sum_33_s4_q, columns_0_values_1_s4_q} + {2'h0, columns_0_values_0_q};
+  logic [8:0] sum_35;
+  assign sum_35 = sum_34[11:3] + 9'h1;
+  logic [11:0] sum_37;
+  assign sum_37 = {sum_36_s4_q, columns_1_values_1_s4_q} + {2'h0, columns_1_values_0_q};
+  // hls/stages/lowpass.hpp:48
+  logic [8:0] sum_38;
+  assign sum_38 = sum_37[11:3] + 9'h1;
+
+  logic marks_first_s5_q;
+  logic marks_last_s5_q;
+  logic [7:0] sum_35_s5_q;
+  logic [7:0] sum_38_s5_q;
+  logic equal_39_s5_q;
+  logic equal_40_s5_q;
+  always_ff @(posedge clk_i) begin
+    if (s4_en) begin
+      marks_first_s5_q <= marks_first_s4_q;
+      marks_last_s5_q <= marks_last_s4_q;
+      sum_35_s5_q <= sum_35[8:1];
+      sum_38_s5_q <= sum_38[8:1];
+      equal_39_s5_q <= equal_39_s4_q;
+      equal_40_s5_q <= equal_40_s4_q;
+    end
+  end
+
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign pixel_0_o = sum_35_s4_q;
-  assign pixel_1_o = sum_38_s4_q;
-  assign saturated_o = equal_39_s4_q;
-  assign mask_o = equal_40_s4_q;
-  assign marks_first_o = marks_first_s4_q;
-  assign marks_last_o = marks_last_s4_q;
-  assign valid_o = valid_s4_q;
+  assign pixel_0_o = sum_35_s5_q;
+  assign pixel_1_o = sum_38_s5_q;
+  assign saturated_o = equal_39_s5_q;
+  assign mask_o = equal_40_s5_q;
+  assign marks_first_o = marks_first_s5_q;
+  assign marks_last_o = marks_last_s5_q;
+  assign valid_o = valid_s5_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -264,11 +315,13 @@ module horopter_lowpass (
       valid_s2_q <= 1'b0;
       valid_s3_q <= 1'b0;
       valid_s4_q <= 1'b0;
+      valid_s5_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
       valid_s2_q <= valid_s1_q;
       valid_s3_q <= valid_s2_q;
       valid_s4_q <= valid_s3_q;
+      valid_s5_q <= valid_s4_q;
     end
   end
 

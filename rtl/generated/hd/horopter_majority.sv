@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Majority<horopter::hls::profiles::hd>, hls/stages/majority.hpp. Do not edit.
 //
-// Latency 7 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 73 bits, pipeline 105 bits, memories 34560 bits.
+// State 73 bits, pipeline 161 bits, memories 34560 bits.
 module horopter_majority (
   input  logic clk_i,
   input  logic rst_ni,
@@ -21,8 +21,8 @@ module horopter_majority (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en;
+  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q, valid_s9_q;
+  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en, s8_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
@@ -30,6 +30,8 @@ module horopter_majority (
   assign s4_en = en_i & valid_s4_q;
   assign s5_en = en_i & valid_s5_q;
   assign s6_en = en_i & valid_s6_q;
+  assign s7_en = en_i & valid_s7_q;
+  assign s8_en = en_i & valid_s8_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [10:0] raster_next_column_q;
@@ -40,7 +42,7 @@ module horopter_majority (
   logic [10:0] select_19;
   assign select_19 = or_18 ? 11'h0 : raster_next_column_q;
 
-  // Memory memory, 1920 x 18, DISTANCE 16, hls/stages/majority.hpp:72; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
+  // Memory memory, 1920 x 18, DISTANCE 16, hls/stages/majority.hpp:72; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [17:0] memory_mem [0:1919];
@@ -124,39 +126,6 @@ module horopter_majority (
   logic [5:0] select_45;
   assign select_45 = or_18_s2_q ? 6'h0 : mask_columns_values_0_q;
 
-  // Memory memory, write
-  logic [10:0] memory_waddr;
-  assign memory_waddr = select_19_s2_q;
-  logic memory_we;
-  assign memory_we = s2_en;
-  always_ff @(posedge clk_i) begin
-    if (memory_we) memory_mem[memory_waddr] <= {select_24[4:0], mask_s2_q, memory_rdata_s2_q[10:6], and_21_s2_q, memory_rdata_s2_q[4:0], decidable_s2_q};
-  end
-`ifndef SYNTHESIS
-  logic [10:0] memory_raddr_s1_sim;
-  logic memory_re_s1_sim;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      memory_re_s1_sim <= 1'b0;
-    end else if (en_i) begin
-      memory_re_s1_sim <= memory_re;
-      memory_raddr_s1_sim <= memory_raddr;
-    end
-  end
-  always_ff @(posedge clk_i) begin
-    if (rst_ni && memory_we) begin
-      if (memory_re && memory_raddr == memory_waddr) begin
-        $error("memory: address %0d is read less than DISTANCE steps after its write", memory_waddr);
-      end
-      if (memory_re_s1_sim && memory_raddr_s1_sim == memory_waddr) begin
-        $error("memory: address %0d is read less than DISTANCE steps after its write", memory_waddr);
-      end
-      if (memory_waddr >= 11'd1920) $error("memory: write outside, address %0d", memory_waddr);
-    end
-    if (rst_ni && memory_re && memory_raddr >= 11'd1920) $error("memory: read outside, address %0d", memory_raddr);
-  end
-`endif
-
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       raster_rows_q <= 1'b0;
@@ -167,40 +136,84 @@ module horopter_majority (
     end
   end
 
+  logic decidable_s3_q;
+  logic mask_s3_q;
   logic marks_first_s3_q;
   logic marks_last_s3_q;
   logic or_18_s3_q;
-  logic [5:0] memory_rdata_s3_q;
-  logic [2:0] sum_29_s3_q;
-  logic [2:0] sum_35_s3_q;
-  logic less_39_s3_q;
-  logic equal_46_s3_q;
+  logic [10:0] select_19_s3_q;
+  logic [11:0] memory_rdata_s3_q;
+  logic and_21_s3_q;
+  logic [4:0] select_24_s3_q;
+  logic [1:0] sum_28_s3_q;
+  logic [1:0] sum_34_s3_q;
+  logic select_45_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
+      decidable_s3_q <= decidable_s2_q;
+      mask_s3_q <= mask_s2_q;
       marks_first_s3_q <= marks_first_s2_q;
       marks_last_s3_q <= marks_last_s2_q;
       or_18_s3_q <= or_18_s2_q;
-      memory_rdata_s3_q <= {memory_rdata_s2_q[11:9], memory_rdata_s2_q[5:3]};
-      sum_29_s3_q <= {2'h0, memory_rdata_s2_q[8]} + {1'b0, sum_28};
-      sum_35_s3_q <= {2'h0, memory_rdata_s2_q[2]} + {1'b0, sum_34};
-      less_39_s3_q <= 11'h6 < select_19_s2_q;
-      equal_46_s3_q <= {select_45, equal_44} == 7'h7f;
+      select_19_s3_q <= select_19_s2_q;
+      memory_rdata_s3_q <= memory_rdata_s2_q[11:0];
+      and_21_s3_q <= and_21_s2_q;
+      select_24_s3_q <= select_24[4:0];
+      sum_28_s3_q <= sum_28;
+      sum_34_s3_q <= sum_34;
+      select_45_s3_q <= select_45[5];
     end
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/majority.hpp:49
-  logic [2:0] sum_31;
-  assign sum_31 = {2'h0, memory_rdata_s3_q[4]} + ({2'h0, memory_rdata_s3_q[3]} + sum_29_s3_q);
-  logic [2:0] sum_37;
-  assign sum_37 = {2'h0, memory_rdata_s3_q[1]} + ({2'h0, memory_rdata_s3_q[0]} + sum_35_s3_q);
+
+  // Memory memory, write
+  logic [10:0] memory_waddr;
+  assign memory_waddr = select_19_s3_q;
+  logic memory_we;
+  assign memory_we = s3_en;
+  always_ff @(posedge clk_i) begin
+    if (memory_we) memory_mem[memory_waddr] <= {select_24_s3_q, mask_s3_q, memory_rdata_s3_q[10:6], and_21_s3_q, memory_rdata_s3_q[4:0], decidable_s3_q};
+  end
+`ifndef SYNTHESIS
+  logic [10:0] memory_raddr_s1_sim;
+  logic memory_re_s1_sim;
+  logic [10:0] memory_raddr_s2_sim;
+  logic memory_re_s2_sim;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      memory_re_s1_sim <= 1'b0;
+      memory_re_s2_sim <= 1'b0;
+    end else if (en_i) begin
+      memory_re_s1_sim <= memory_re;
+      memory_raddr_s1_sim <= memory_raddr;
+      memory_re_s2_sim <= memory_re_s1_sim;
+      memory_raddr_s2_sim <= memory_raddr_s1_sim;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && memory_we) begin
+      if (memory_re && memory_raddr == memory_waddr) begin
+        $error("memory: address %0d is read less than DISTANCE steps after its write", memory_waddr);
+      end
+      if (memory_re_s1_sim && memory_raddr_s1_sim == memory_waddr) begin
+        $error("memory: address %0d is read less than DISTANCE steps after its write", memory_waddr);
+      end
+      if (memory_re_s2_sim && memory_raddr_s2_sim == memory_waddr) begin
+        $error("memory: address %0d is read less than DISTANCE steps after its write", memory_waddr);
+      end
+      if (memory_waddr >= 11'd1920) $error("memory: write outside, address %0d", memory_waddr);
+    end
+    if (rst_ni && memory_re && memory_raddr >= 11'd1920) $error("memory: read outside, address %0d", memory_raddr);
+  end
+`endif
 
   logic marks_first_s4_q;
   logic marks_last_s4_q;
   logic or_18_s4_q;
-  logic [1:0] memory_rdata_s4_q;
-  logic [2:0] sum_31_s4_q;
-  logic [2:0] sum_37_s4_q;
+  logic [5:0] memory_rdata_s4_q;
+  logic [2:0] sum_29_s4_q;
+  logic [2:0] sum_35_s4_q;
   logic less_39_s4_q;
   logic equal_46_s4_q;
   always_ff @(posedge clk_i) begin
@@ -208,15 +221,61 @@ module horopter_majority (
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= marks_last_s3_q;
       or_18_s4_q <= or_18_s3_q;
-      memory_rdata_s4_q <= {memory_rdata_s3_q[5], memory_rdata_s3_q[2]};
-      sum_31_s4_q <= sum_31;
-      sum_37_s4_q <= sum_37;
-      less_39_s4_q <= less_39_s3_q;
-      equal_46_s4_q <= equal_46_s3_q;
+      memory_rdata_s4_q <= {memory_rdata_s3_q[11:9], memory_rdata_s3_q[5:3]};
+      sum_29_s4_q <= {2'h0, memory_rdata_s3_q[8]} + {1'b0, sum_28_s3_q};
+      sum_35_s4_q <= {2'h0, memory_rdata_s3_q[2]} + {1'b0, sum_34_s3_q};
+      less_39_s4_q <= 11'h6 < select_19_s3_q;
+      equal_46_s4_q <= {select_45_s3_q, mask_columns_values_0_q} == 7'h7f;
     end
   end
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
+
+  logic marks_first_s5_q;
+  logic marks_last_s5_q;
+  logic or_18_s5_q;
+  logic [3:0] memory_rdata_s5_q;
+  logic [2:0] sum_30_s5_q;
+  logic [2:0] sum_36_s5_q;
+  logic less_39_s5_q;
+  logic equal_46_s5_q;
+  always_ff @(posedge clk_i) begin
+    if (s4_en) begin
+      marks_first_s5_q <= marks_first_s4_q;
+      marks_last_s5_q <= marks_last_s4_q;
+      or_18_s5_q <= or_18_s4_q;
+      memory_rdata_s5_q <= {memory_rdata_s4_q[5:4], memory_rdata_s4_q[2:1]};
+      sum_30_s5_q <= {2'h0, memory_rdata_s4_q[3]} + sum_29_s4_q;
+      sum_36_s5_q <= {2'h0, memory_rdata_s4_q[0]} + sum_35_s4_q;
+      less_39_s5_q <= less_39_s4_q;
+      equal_46_s5_q <= equal_46_s4_q;
+    end
+  end
+
+  // Stage 5 -----------------------------------------------------------------------------------------------------------
+
+  logic marks_first_s6_q;
+  logic marks_last_s6_q;
+  logic or_18_s6_q;
+  logic [1:0] memory_rdata_s6_q;
+  logic [2:0] sum_31_s6_q;
+  logic [2:0] sum_37_s6_q;
+  logic less_39_s6_q;
+  logic equal_46_s6_q;
+  always_ff @(posedge clk_i) begin
+    if (s5_en) begin
+      marks_first_s6_q <= marks_first_s5_q;
+      marks_last_s6_q <= marks_last_s5_q;
+      or_18_s6_q <= or_18_s5_q;
+      memory_rdata_s6_q <= {memory_rdata_s5_q[3], memory_rdata_s5_q[1]};
+      sum_31_s6_q <= {2'h0, memory_rdata_s5_q[2]} + sum_30_s5_q;
+      sum_37_s6_q <= {2'h0, memory_rdata_s5_q[0]} + sum_36_s5_q;
+      less_39_s6_q <= less_39_s5_q;
+      equal_46_s6_q <= equal_46_s5_q;
+    end
+  end
+
+  // Stage 6 -----------------------------------------------------------------------------------------------------------
   logic [5:0] sums_columns_values_0_q;
   logic [5:0] sums_columns_values_1_q;
   logic [5:0] sums_columns_values_2_q;
@@ -226,9 +285,9 @@ module horopter_majority (
   logic [5:0] sums_columns_values_6_q;
   // hls/stages/majority.hpp:49
   logic [2:0] sum_32;
-  assign sum_32 = {2'h0, memory_rdata_s4_q[1]} + sum_31_s4_q;
+  assign sum_32 = {2'h0, memory_rdata_s6_q[1]} + sum_31_s6_q;
   logic [2:0] sum_38;
-  assign sum_38 = {2'h0, memory_rdata_s4_q[0]} + sum_37_s4_q;
+  assign sum_38 = {2'h0, memory_rdata_s6_q[0]} + sum_37_s6_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -239,7 +298,7 @@ module horopter_majority (
       sums_columns_values_4_q <= 6'h0;
       sums_columns_values_5_q <= 6'h0;
       sums_columns_values_6_q <= 6'h0;
-    end else if (s4_en) begin
+    end else if (s6_en) begin
       sums_columns_values_0_q <= {sum_38, sum_32};
       sums_columns_values_1_q <= sums_columns_values_0_q;
       sums_columns_values_2_q <= sums_columns_values_1_q;
@@ -250,49 +309,49 @@ module horopter_majority (
     end
   end
 
-  logic marks_first_s5_q;
-  logic marks_last_s5_q;
-  logic or_18_s5_q;
-  logic [5:0] select_40_s5_q;
-  logic equal_46_s5_q;
+  logic marks_first_s7_q;
+  logic marks_last_s7_q;
+  logic or_18_s7_q;
+  logic [5:0] select_40_s7_q;
+  logic equal_46_s7_q;
   always_ff @(posedge clk_i) begin
-    if (s4_en) begin
-      marks_first_s5_q <= marks_first_s4_q;
-      marks_last_s5_q <= marks_last_s4_q;
-      or_18_s5_q <= or_18_s4_q;
-      select_40_s5_q <= less_39_s4_q ? sums_columns_values_6_q : 6'h0;
-      equal_46_s5_q <= equal_46_s4_q;
+    if (s6_en) begin
+      marks_first_s7_q <= marks_first_s6_q;
+      marks_last_s7_q <= marks_last_s6_q;
+      or_18_s7_q <= or_18_s6_q;
+      select_40_s7_q <= less_39_s6_q ? sums_columns_values_6_q : 6'h0;
+      equal_46_s7_q <= equal_46_s6_q;
     end
   end
 
-  // Stage 5 -----------------------------------------------------------------------------------------------------------
+  // Stage 7 -----------------------------------------------------------------------------------------------------------
   logic [11:0] sums_sums_values_0_q;
   // hls/stages/majority.hpp:49
   logic [9:0] difference_41;
-  assign difference_41 = {1'b0, sums_columns_values_0_q[5:3], 3'h0, sums_columns_values_0_q[2:0]} - {1'b0, select_40_s5_q[5:3], 3'h0, select_40_s5_q[2:0]};
+  assign difference_41 = {1'b0, sums_columns_values_0_q[5:3], 3'h0, sums_columns_values_0_q[2:0]} - {1'b0, select_40_s7_q[5:3], 3'h0, select_40_s7_q[2:0]};
   logic [11:0] sum_43;
-  assign sum_43 = {{2{difference_41[9]}}, difference_41} + (or_18_s5_q ? 12'h0 : sums_sums_values_0_q);
+  assign sum_43 = {{2{difference_41[9]}}, difference_41} + (or_18_s7_q ? 12'h0 : sums_sums_values_0_q);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       sums_sums_values_0_q <= 12'h0;
-    end else if (s5_en) begin
+    end else if (s7_en) begin
       sums_sums_values_0_q <= sum_43;
     end
   end
 
-  logic marks_first_s6_q;
-  logic marks_last_s6_q;
-  logic equal_46_s6_q;
+  logic marks_first_s8_q;
+  logic marks_last_s8_q;
+  logic equal_46_s8_q;
   always_ff @(posedge clk_i) begin
-    if (s5_en) begin
-      marks_first_s6_q <= marks_first_s5_q;
-      marks_last_s6_q <= marks_last_s5_q;
-      equal_46_s6_q <= equal_46_s5_q;
+    if (s7_en) begin
+      marks_first_s8_q <= marks_first_s7_q;
+      marks_last_s8_q <= marks_last_s7_q;
+      equal_46_s8_q <= equal_46_s7_q;
     end
   end
 
-  // Stage 6 -----------------------------------------------------------------------------------------------------------
+  // Stage 8 -----------------------------------------------------------------------------------------------------------
   // hls/stages/majority.hpp:57
   logic less_47;
   assign less_47 = 6'h18 < sums_sums_values_0_q[11:6];
@@ -305,22 +364,22 @@ module horopter_majority (
   logic not_50;
   assign not_50 = ~less_47;
 
-  logic marks_first_s7_q;
-  logic marks_last_s7_q;
-  logic [1:0] select_51_s7_q;
+  logic marks_first_s9_q;
+  logic marks_last_s9_q;
+  logic [1:0] select_51_s9_q;
   always_ff @(posedge clk_i) begin
-    if (s6_en) begin
-      marks_first_s7_q <= marks_first_s6_q;
-      marks_last_s7_q <= marks_last_s6_q;
-      select_51_s7_q <= equal_46_s6_q ? {not_50, and_49} : 2'h3;
+    if (s8_en) begin
+      marks_first_s9_q <= marks_first_s8_q;
+      marks_last_s9_q <= marks_last_s8_q;
+      select_51_s9_q <= equal_46_s8_q ? {not_50, and_49} : 2'h3;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign state_o = select_51_s7_q;
-  assign marks_first_o = marks_first_s7_q;
-  assign marks_last_o = marks_last_s7_q;
-  assign valid_o = valid_s7_q;
+  assign state_o = select_51_s9_q;
+  assign marks_first_o = marks_first_s9_q;
+  assign marks_last_o = marks_last_s9_q;
+  assign valid_o = valid_s9_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -331,6 +390,8 @@ module horopter_majority (
       valid_s5_q <= 1'b0;
       valid_s6_q <= 1'b0;
       valid_s7_q <= 1'b0;
+      valid_s8_q <= 1'b0;
+      valid_s9_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
       valid_s2_q <= valid_s1_q;
@@ -339,6 +400,8 @@ module horopter_majority (
       valid_s5_q <= valid_s4_q;
       valid_s6_q <= valid_s5_q;
       valid_s7_q <= valid_s6_q;
+      valid_s8_q <= valid_s7_q;
+      valid_s9_q <= valid_s8_q;
     end
   end
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Sobel<horopter::hls::profiles::hd>, hls/stages/sobel.hpp. Do not edit.
 //
-// Latency 4 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 5 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 93 bits, pipeline 193 bits, memories 69120 bits.
+// State 93 bits, pipeline 279 bits, memories 69120 bits.
 module horopter_sobel (
   input  logic clk_i,
   input  logic rst_ni,
@@ -27,12 +27,13 @@ module horopter_sobel (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q;
-  logic s0_en, s1_en, s2_en, s3_en;
+  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q;
+  logic s0_en, s1_en, s2_en, s3_en, s4_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
   assign s3_en = en_i & valid_s3_q;
+  assign s4_en = en_i & valid_s4_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [10:0] raster_next_column_q;
@@ -43,7 +44,7 @@ module horopter_sobel (
   logic [10:0] select_21;
   assign select_21 = or_20 ? 11'h0 : raster_next_column_q;
 
-  // Memory memory, 1920 x 36, DISTANCE 16, hls/stages/sobel.hpp:71; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
+  // Memory memory, 1920 x 36, DISTANCE 16, hls/stages/sobel.hpp:71; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [35:0] memory_mem [0:1919];
@@ -113,14 +114,6 @@ module horopter_sobel (
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
   logic raster_rows_q;
-  logic [9:0] smooth_0_values_0_q;
-  logic [9:0] smooth_0_values_1_q;
-  logic [9:0] smooth_1_values_0_q;
-  logic [9:0] smooth_1_values_1_q;
-  logic [8:0] slope_0_values_0_q;
-  logic [8:0] slope_0_values_1_q;
-  logic [8:0] slope_1_values_0_q;
-  logic [8:0] slope_1_values_1_q;
   logic [1:0] mask_columns_values_0_q;
   logic [1:0] saturated_columns_values_0_q;
   // hls/stages/sobel.hpp:39
@@ -135,17 +128,8 @@ module horopter_sobel (
   // hls/stages/sobel.hpp:47
   logic [8:0] sum_29;
   assign sum_29 = {1'b0, memory_rdata_s2_q[7:0]} + {2'h0, memory_rdata_s2_q[23:17]};
-  logic [9:0] smooth;
-  assign smooth = {2'h0, pixel_0_s2_q} + {sum_29, memory_rdata_s2_q[16]};
   logic [8:0] sum_31;
   assign sum_31 = {1'b0, memory_rdata_s2_q[15:8]} + {2'h0, memory_rdata_s2_q[31:25]};
-  logic [9:0] smooth_2;
-  assign smooth_2 = {2'h0, pixel_1_s2_q} + {sum_31, memory_rdata_s2_q[24]};
-  // hls/stages/sobel.hpp:48
-  logic [8:0] slope;
-  assign slope = {1'b0, pixel_0_s2_q} - {1'b0, memory_rdata_s2_q[23:16]};
-  logic [8:0] slope_2;
-  assign slope_2 = {1'b0, pixel_1_s2_q} - {1'b0, memory_rdata_s2_q[31:24]};
   // hls/stages/sobel.hpp:56
   logic equal_35;
   assign equal_35 = {select_25, mask_s2_q} == 3'h7;
@@ -157,23 +141,93 @@ module horopter_sobel (
   logic [1:0] select_38;
   assign select_38 = or_20_s2_q ? 2'h0 : saturated_columns_values_0_q;
 
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      raster_rows_q <= 1'b0;
+      mask_columns_values_0_q <= 2'h0;
+      saturated_columns_values_0_q <= 2'h0;
+    end else if (s2_en) begin
+      raster_rows_q <= marks_last_s2_q | and_24;
+      mask_columns_values_0_q <= {select_36[0], equal_35};
+      saturated_columns_values_0_q <= {select_38[0], equal_37};
+    end
+  end
+
+  logic [7:0] pixel_0_s3_q;
+  logic [7:0] pixel_1_s3_q;
+  logic saturated_s3_q;
+  logic mask_s3_q;
+  logic marks_first_s3_q;
+  logic marks_last_s3_q;
+  logic [10:0] select_21_s3_q;
+  logic [31:0] memory_rdata_s3_q;
+  logic select_25_s3_q;
+  logic select_26_s3_q;
+  logic [8:0] sum_29_s3_q;
+  logic [8:0] sum_31_s3_q;
+  logic equal_45_s3_q;
+  logic equal_46_s3_q;
+  always_ff @(posedge clk_i) begin
+    if (s2_en) begin
+      pixel_0_s3_q <= pixel_0_s2_q;
+      pixel_1_s3_q <= pixel_1_s2_q;
+      saturated_s3_q <= saturated_s2_q;
+      mask_s3_q <= mask_s2_q;
+      marks_first_s3_q <= marks_first_s2_q;
+      marks_last_s3_q <= marks_last_s2_q;
+      select_21_s3_q <= select_21_s2_q;
+      memory_rdata_s3_q <= memory_rdata_s2_q[31:0];
+      select_25_s3_q <= select_25[0];
+      select_26_s3_q <= select_26[0];
+      sum_29_s3_q <= sum_29;
+      sum_31_s3_q <= sum_31;
+      equal_45_s3_q <= {select_38, equal_37} == 3'h7;
+      equal_46_s3_q <= {select_36, equal_35} == 3'h7;
+    end
+  end
+
+  // Stage 3 -----------------------------------------------------------------------------------------------------------
+  logic [9:0] smooth_0_values_0_q;
+  logic [9:0] smooth_0_values_1_q;
+  logic [9:0] smooth_1_values_0_q;
+  logic [9:0] smooth_1_values_1_q;
+  logic [8:0] slope_0_values_0_q;
+  logic [8:0] slope_0_values_1_q;
+  logic [8:0] slope_1_values_0_q;
+  logic [8:0] slope_1_values_1_q;
+  // hls/stages/sobel.hpp:47
+  logic [9:0] smooth;
+  assign smooth = {2'h0, pixel_0_s3_q} + {sum_29_s3_q, memory_rdata_s3_q[16]};
+  logic [9:0] smooth_2;
+  assign smooth_2 = {2'h0, pixel_1_s3_q} + {sum_31_s3_q, memory_rdata_s3_q[24]};
+  // hls/stages/sobel.hpp:48
+  logic [8:0] slope;
+  assign slope = {1'b0, pixel_0_s3_q} - {1'b0, memory_rdata_s3_q[23:16]};
+  logic [8:0] slope_2;
+  assign slope_2 = {1'b0, pixel_1_s3_q} - {1'b0, memory_rdata_s3_q[31:24]};
+
   // Memory memory, write
   logic [10:0] memory_waddr;
-  assign memory_waddr = select_21_s2_q;
+  assign memory_waddr = select_21_s3_q;
   logic memory_we;
-  assign memory_we = s2_en;
+  assign memory_we = s3_en;
   always_ff @(posedge clk_i) begin
-    if (memory_we) memory_mem[memory_waddr] <= {select_26[0], saturated_s2_q, select_25[0], mask_s2_q, memory_rdata_s2_q[15:0], pixel_1_s2_q, pixel_0_s2_q};
+    if (memory_we) memory_mem[memory_waddr] <= {select_26_s3_q, saturated_s3_q, select_25_s3_q, mask_s3_q, memory_rdata_s3_q[15:0], pixel_1_s3_q, pixel_0_s3_q};
   end
 `ifndef SYNTHESIS
   logic [10:0] memory_raddr_s1_sim;
   logic memory_re_s1_sim;
+  logic [10:0] memory_raddr_s2_sim;
+  logic memory_re_s2_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       memory_re_s1_sim <= 1'b0;
+      memory_re_s2_sim <= 1'b0;
     end else if (en_i) begin
       memory_re_s1_sim <= memory_re;
       memory_raddr_s1_sim <= memory_raddr;
+      memory_re_s2_sim <= memory_re_s1_sim;
+      memory_raddr_s2_sim <= memory_raddr_s1_sim;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -184,6 +238,9 @@ module horopter_sobel (
       if (memory_re_s1_sim && memory_raddr_s1_sim == memory_waddr) begin
         $error("memory: address %0d is read less than DISTANCE steps after its write", memory_waddr);
       end
+      if (memory_re_s2_sim && memory_raddr_s2_sim == memory_waddr) begin
+        $error("memory: address %0d is read less than DISTANCE steps after its write", memory_waddr);
+      end
       if (memory_waddr >= 11'd1920) $error("memory: write outside, address %0d", memory_waddr);
     end
     if (rst_ni && memory_re && memory_raddr >= 11'd1920) $error("memory: read outside, address %0d", memory_raddr);
@@ -192,7 +249,6 @@ module horopter_sobel (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      raster_rows_q <= 1'b0;
       smooth_0_values_0_q <= 10'h0;
       smooth_0_values_1_q <= 10'h0;
       smooth_1_values_0_q <= 10'h0;
@@ -201,10 +257,7 @@ module horopter_sobel (
       slope_0_values_1_q <= 9'h0;
       slope_1_values_0_q <= 9'h0;
       slope_1_values_1_q <= 9'h0;
-      mask_columns_values_0_q <= 2'h0;
-      saturated_columns_values_0_q <= 2'h0;
-    end else if (s2_en) begin
-      raster_rows_q <= marks_last_s2_q | and_24;
+    end else if (s3_en) begin
       smooth_0_values_0_q <= smooth;
       smooth_0_values_1_q <= smooth_0_values_0_q;
       smooth_1_values_0_q <= smooth_2;
@@ -213,74 +266,72 @@ module horopter_sobel (
       slope_0_values_1_q <= slope_0_values_0_q;
       slope_1_values_0_q <= slope_2;
       slope_1_values_1_q <= slope_1_values_0_q;
-      mask_columns_values_0_q <= {select_36[0], equal_35};
-      saturated_columns_values_0_q <= {select_38[0], equal_37};
     end
   end
-
-  logic marks_first_s3_q;
-  logic marks_last_s3_q;
-  logic [9:0] smooth_0_values_1_s3_q;
-  logic [9:0] smooth_1_values_1_s3_q;
-  logic [8:0] slope_0_values_1_s3_q;
-  logic [8:0] slope_1_values_1_s3_q;
-  logic equal_45_s3_q;
-  logic equal_46_s3_q;
-  always_ff @(posedge clk_i) begin
-    if (s2_en) begin
-      marks_first_s3_q <= marks_first_s2_q;
-      marks_last_s3_q <= marks_last_s2_q;
-      smooth_0_values_1_s3_q <= smooth_0_values_1_q;
-      smooth_1_values_1_s3_q <= smooth_1_values_1_q;
-      slope_0_values_1_s3_q <= slope_0_values_1_q;
-      slope_1_values_1_s3_q <= slope_1_values_1_q;
-      equal_45_s3_q <= {select_38, equal_37} == 3'h7;
-      equal_46_s3_q <= {select_36, equal_35} == 3'h7;
-    end
-  end
-
-  // Stage 3 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/sobel.hpp:50
-  logic [9:0] sum_41;
-  assign sum_41 = {slope_0_values_1_q[8], slope_0_values_1_q} + {{2{slope_0_values_0_q[8]}}, slope_0_values_0_q[8:1]};
-  logic [10:0] sum_42;
-  assign sum_42 = {{2{slope_0_values_1_s3_q[8]}}, slope_0_values_1_s3_q} + {sum_41, slope_0_values_0_q[0]};
-  logic [9:0] sum_43;
-  assign sum_43 = {slope_1_values_1_q[8], slope_1_values_1_q} + {{2{slope_1_values_0_q[8]}}, slope_1_values_0_q[8:1]};
-  logic [10:0] sum_44;
-  assign sum_44 = {{2{slope_1_values_1_s3_q[8]}}, slope_1_values_1_s3_q} + {sum_43, slope_1_values_0_q[0]};
 
   logic marks_first_s4_q;
   logic marks_last_s4_q;
-  logic [10:0] difference_39_s4_q;
-  logic [10:0] difference_40_s4_q;
-  logic [10:0] sum_42_s4_q;
-  logic [10:0] sum_44_s4_q;
+  logic [9:0] smooth_0_values_1_s4_q;
+  logic [9:0] smooth_1_values_1_s4_q;
+  logic [8:0] slope_0_values_1_s4_q;
+  logic [8:0] slope_1_values_1_s4_q;
   logic equal_45_s4_q;
   logic equal_46_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= marks_last_s3_q;
-      difference_39_s4_q <= {1'b0, smooth_0_values_0_q} - {1'b0, smooth_0_values_1_s3_q};
-      difference_40_s4_q <= {1'b0, smooth_1_values_0_q} - {1'b0, smooth_1_values_1_s3_q};
-      sum_42_s4_q <= sum_42;
-      sum_44_s4_q <= sum_44;
+      smooth_0_values_1_s4_q <= smooth_0_values_1_q;
+      smooth_1_values_1_s4_q <= smooth_1_values_1_q;
+      slope_0_values_1_s4_q <= slope_0_values_1_q;
+      slope_1_values_1_s4_q <= slope_1_values_1_q;
       equal_45_s4_q <= equal_45_s3_q;
       equal_46_s4_q <= equal_46_s3_q;
     end
   end
 
+  // Stage 4 -----------------------------------------------------------------------------------------------------------
+  // hls/stages/sobel.hpp:50
+  logic [9:0] sum_41;
+  assign sum_41 = {slope_0_values_1_q[8], slope_0_values_1_q} + {{2{slope_0_values_0_q[8]}}, slope_0_values_0_q[8:1]};
+  logic [10:0] sum_42;
+  assign sum_42 = {{2{slope_0_values_1_s4_q[8]}}, slope_0_values_1_s4_q} + {sum_41, slope_0_values_0_q[0]};
+  logic [9:0] sum_43;
+  assign sum_43 = {slope_1_values_1_q[8], slope_1_values_1_q} + {{2{slope_1_values_0_q[8]}}, slope_1_values_0_q[8:1]};
+  logic [10:0] sum_44;
+  assign sum_44 = {{2{slope_1_values_1_s4_q[8]}}, slope_1_values_1_s4_q} + {sum_43, slope_1_values_0_q[0]};
+
+  logic marks_first_s5_q;
+  logic marks_last_s5_q;
+  logic [10:0] difference_39_s5_q;
+  logic [10:0] difference_40_s5_q;
+  logic [10:0] sum_42_s5_q;
+  logic [10:0] sum_44_s5_q;
+  logic equal_45_s5_q;
+  logic equal_46_s5_q;
+  always_ff @(posedge clk_i) begin
+    if (s4_en) begin
+      marks_first_s5_q <= marks_first_s4_q;
+      marks_last_s5_q <= marks_last_s4_q;
+      difference_39_s5_q <= {1'b0, smooth_0_values_0_q} - {1'b0, smooth_0_values_1_s4_q};
+      difference_40_s5_q <= {1'b0, smooth_1_values_0_q} - {1'b0, smooth_1_values_1_s4_q};
+      sum_42_s5_q <= sum_42;
+      sum_44_s5_q <= sum_44;
+      equal_45_s5_q <= equal_45_s4_q;
+      equal_46_s5_q <= equal_46_s4_q;
+    end
+  end
+
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign gx_0_o = difference_39_s4_q;
-  assign gx_1_o = difference_40_s4_q;
-  assign gy_0_o = sum_42_s4_q;
-  assign gy_1_o = sum_44_s4_q;
-  assign saturated_o = equal_45_s4_q;
-  assign mask_o = equal_46_s4_q;
-  assign marks_first_o = marks_first_s4_q;
-  assign marks_last_o = marks_last_s4_q;
-  assign valid_o = valid_s4_q;
+  assign gx_0_o = difference_39_s5_q;
+  assign gx_1_o = difference_40_s5_q;
+  assign gy_0_o = sum_42_s5_q;
+  assign gy_1_o = sum_44_s5_q;
+  assign saturated_o = equal_45_s5_q;
+  assign mask_o = equal_46_s5_q;
+  assign marks_first_o = marks_first_s5_q;
+  assign marks_last_o = marks_last_s5_q;
+  assign valid_o = valid_s5_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -288,11 +339,13 @@ module horopter_sobel (
       valid_s2_q <= 1'b0;
       valid_s3_q <= 1'b0;
       valid_s4_q <= 1'b0;
+      valid_s5_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
       valid_s2_q <= valid_s1_q;
       valid_s3_q <= valid_s2_q;
       valid_s4_q <= valid_s3_q;
+      valid_s5_q <= valid_s4_q;
     end
   end
 

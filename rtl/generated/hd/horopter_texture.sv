@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Texture<horopter::hls::profiles::hd>, hls/stages/texture.hpp. Do not edit.
 //
-// Latency 6 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 7 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 59 bits, pipeline 303 bits, memories 71040 bits.
+// State 59 bits, pipeline 364 bits, memories 71040 bits.
 module horopter_texture (
   input  logic clk_i,
   input  logic rst_ni,
@@ -26,14 +26,15 @@ module horopter_texture (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en;
+  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q;
+  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
   assign s3_en = en_i & valid_s3_q;
   assign s4_en = en_i & valid_s4_q;
   assign s5_en = en_i & valid_s5_q;
+  assign s6_en = en_i & valid_s6_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [10:0] raster_next_column_q;
@@ -44,7 +45,7 @@ module horopter_texture (
   logic [10:0] select_19;
   assign select_19 = or_18 ? 11'h0 : raster_next_column_q;
 
-  // Memory memory, 1920 x 37, DISTANCE 16, hls/stages/texture.hpp:85; read in stage 0, written in stage 5: 0 < 5 < 0 + DISTANCE.
+  // Memory memory, 1920 x 37, DISTANCE 16, hls/stages/texture.hpp:85; read in stage 0, written in stage 6: 0 < 6 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [36:0] memory_mem [0:1919];
@@ -265,17 +266,43 @@ module horopter_texture (
   end
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/texture.hpp:56
-  logic not_34;
-  assign not_34 = ~(row_sums_values_0_q < cfg_texture_limit_i);
+
+  logic [3:0] difference_0_s6_q;
+  logic [3:0] difference_1_s6_q;
+  logic [7:0] magnitude_s6_q;
+  logic mask_s6_q;
+  logic marks_first_s6_q;
+  logic marks_last_s6_q;
+  logic columns_values_2_s6_q;
+  logic [10:0] select_19_s6_q;
+  logic [17:0] memory_rdata_s6_q;
+  logic [9:0] sum_27_s6_q;
+  logic not_34_s6_q;
+  always_ff @(posedge clk_i) begin
+    if (s5_en) begin
+      difference_0_s6_q <= difference_0_s5_q;
+      difference_1_s6_q <= difference_1_s5_q;
+      magnitude_s6_q <= magnitude_s5_q;
+      mask_s6_q <= mask_s5_q;
+      marks_first_s6_q <= marks_first_s5_q;
+      marks_last_s6_q <= marks_last_s5_q;
+      columns_values_2_s6_q <= columns_values_2_s5_q;
+      select_19_s6_q <= select_19_s5_q;
+      memory_rdata_s6_q <= memory_rdata_s5_q;
+      sum_27_s6_q <= sum_27_s5_q;
+      not_34_s6_q <= ~(row_sums_values_0_q < cfg_texture_limit_i);
+    end
+  end
+
+  // Stage 6 -----------------------------------------------------------------------------------------------------------
 
   // Memory memory, write
   logic [10:0] memory_waddr;
-  assign memory_waddr = select_19_s5_q;
+  assign memory_waddr = select_19_s6_q;
   logic memory_we;
-  assign memory_we = s5_en;
+  assign memory_we = s6_en;
   always_ff @(posedge clk_i) begin
-    if (memory_we) memory_mem[memory_waddr] <= {memory_rdata_s5_q[17:16], not_34, sum_27_s5_q, memory_rdata_s5_q[15:0], magnitude_s5_q};
+    if (memory_we) memory_mem[memory_waddr] <= {memory_rdata_s6_q[17:16], not_34_s6_q, sum_27_s6_q, memory_rdata_s6_q[15:0], magnitude_s6_q};
   end
 `ifndef SYNTHESIS
   logic [10:0] memory_raddr_s1_sim;
@@ -286,12 +313,15 @@ module horopter_texture (
   logic memory_re_s3_sim;
   logic [10:0] memory_raddr_s4_sim;
   logic memory_re_s4_sim;
+  logic [10:0] memory_raddr_s5_sim;
+  logic memory_re_s5_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       memory_re_s1_sim <= 1'b0;
       memory_re_s2_sim <= 1'b0;
       memory_re_s3_sim <= 1'b0;
       memory_re_s4_sim <= 1'b0;
+      memory_re_s5_sim <= 1'b0;
     end else if (en_i) begin
       memory_re_s1_sim <= memory_re;
       memory_raddr_s1_sim <= memory_raddr;
@@ -301,6 +331,8 @@ module horopter_texture (
       memory_raddr_s3_sim <= memory_raddr_s2_sim;
       memory_re_s4_sim <= memory_re_s3_sim;
       memory_raddr_s4_sim <= memory_raddr_s3_sim;
+      memory_re_s5_sim <= memory_re_s4_sim;
+      memory_raddr_s5_sim <= memory_raddr_s4_sim;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -320,37 +352,40 @@ module horopter_texture (
       if (memory_re_s4_sim && memory_raddr_s4_sim == memory_waddr) begin
         $error("memory: address %0d is read less than DISTANCE steps after its write", memory_waddr);
       end
+      if (memory_re_s5_sim && memory_raddr_s5_sim == memory_waddr) begin
+        $error("memory: address %0d is read less than DISTANCE steps after its write", memory_waddr);
+      end
       if (memory_waddr >= 11'd1920) $error("memory: write outside, address %0d", memory_waddr);
     end
     if (rst_ni && memory_re && memory_raddr >= 11'd1920) $error("memory: read outside, address %0d", memory_raddr);
   end
 `endif
 
-  logic [3:0] difference_0_s6_q;
-  logic [3:0] difference_1_s6_q;
-  logic mask_s6_q;
-  logic marks_first_s6_q;
-  logic marks_last_s6_q;
-  logic columns_values_2_s6_q;
+  logic [3:0] difference_0_s7_q;
+  logic [3:0] difference_1_s7_q;
+  logic mask_s7_q;
+  logic marks_first_s7_q;
+  logic marks_last_s7_q;
+  logic columns_values_2_s7_q;
   always_ff @(posedge clk_i) begin
-    if (s5_en) begin
-      difference_0_s6_q <= difference_0_s5_q;
-      difference_1_s6_q <= difference_1_s5_q;
-      mask_s6_q <= mask_s5_q;
-      marks_first_s6_q <= marks_first_s5_q;
-      marks_last_s6_q <= marks_last_s5_q;
-      columns_values_2_s6_q <= columns_values_2_s5_q;
+    if (s6_en) begin
+      difference_0_s7_q <= difference_0_s6_q;
+      difference_1_s7_q <= difference_1_s6_q;
+      mask_s7_q <= mask_s6_q;
+      marks_first_s7_q <= marks_first_s6_q;
+      marks_last_s7_q <= marks_last_s6_q;
+      columns_values_2_s7_q <= columns_values_2_s6_q;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign difference_0_o = difference_0_s6_q;
-  assign difference_1_o = difference_1_s6_q;
-  assign textured_o = columns_values_2_s6_q;
-  assign mask_o = mask_s6_q;
-  assign marks_first_o = marks_first_s6_q;
-  assign marks_last_o = marks_last_s6_q;
-  assign valid_o = valid_s6_q;
+  assign difference_0_o = difference_0_s7_q;
+  assign difference_1_o = difference_1_s7_q;
+  assign textured_o = columns_values_2_s7_q;
+  assign mask_o = mask_s7_q;
+  assign marks_first_o = marks_first_s7_q;
+  assign marks_last_o = marks_last_s7_q;
+  assign valid_o = valid_s7_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -360,6 +395,7 @@ module horopter_texture (
       valid_s4_q <= 1'b0;
       valid_s5_q <= 1'b0;
       valid_s6_q <= 1'b0;
+      valid_s7_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
       valid_s2_q <= valid_s1_q;
@@ -367,6 +403,7 @@ module horopter_texture (
       valid_s4_q <= valid_s3_q;
       valid_s5_q <= valid_s4_q;
       valid_s6_q <= valid_s5_q;
+      valid_s7_q <= valid_s6_q;
     end
   end
 

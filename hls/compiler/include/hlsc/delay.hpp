@@ -25,6 +25,7 @@ struct DelayModel {
   double carry_base_ns = 0;           ///< an adder of no bits: routing, into the carry chain and out of it
   double carry_bit_ns = 0;            ///< each further bit of a carry chain
   double memory_read_ns = 0;          ///< clock to output of a block RAM, routing to the next operation excluded
+  double memory_route_ns = 0;         ///< what the way from its output (register) is longer than any other's
   double memory_setup_ns = 0;         ///< routing to and set-up of a block RAM's address, data and enable
   double multiplier_ns = 0;           ///< a hard multiplier; 0: there is none, multipliers are made of adders
   std::uint32_t multiplier_bits = 0;  ///< widest operand of a hard multiplier
