@@ -2,14 +2,15 @@
 // Left delay: the left image waits here, row by row, until the right image is LOOKAHEAD rows ahead.
 //
 // A ring of ROWS rows. Write side: as the framer gives them; a bad row counts as missing. Read side: requests in raster
-// order, those of live rows only; the pixel comes 3 clocks later (out of step with nothing: the image store asks at the
-// right time). mask_o = the row came and was good. Rows that never came are not in the ring.
+// order, those of live rows only; the pixel comes 3 clocks later if FAST, else 1 (out of step with nothing: the image store
+// asks at the right time). mask_o = the row came and was good. Rows that never came are not in the ring.
 // keep_o: rows before it (counted as the framer counts stored rows) are read for good and may be overwritten.
 module horopter_left_store #(
     parameter int unsigned WIDTH = 640,
+    parameter int unsigned HEIGHT = 480,
     parameter int unsigned ROWS = 36,
     parameter bit PARITY = 1'b1,
-    parameter bit FAST = 1'b0,  // see horopter_ram
+    parameter bit FAST = 1'b0,  // for clocks that need a register after every step, see horopter_ram
     parameter int unsigned SLOT_BITS = $clog2(ROWS)
 ) (
     input  logic                 clk_i,
@@ -37,6 +38,8 @@ module horopter_left_store #(
   localparam int unsigned STRIDE = (WIDTH + 31) / 32 * 32;
   localparam int unsigned DEPTH = ROWS * STRIDE;
   localparam int unsigned ADDR_BITS = $clog2(DEPTH);
+  localparam int unsigned ROW_BITS = $clog2(HEIGHT + 1);
+  localparam int unsigned X_BITS = $clog2(WIDTH);
 
   if (ROWS < 4 || ROWS > 2048 || WIDTH < 4 || SLOT_BITS != $clog2(ROWS)) begin : g_illegal
     $fatal(1, "horopter_left_store: ROWS must be 4 to 2048, WIDTH at least 4");
@@ -53,78 +56,23 @@ module horopter_left_store #(
     end
   endfunction
 
-  // --- write ---
-  logic write_en_q, write_en_q2, bad_en_q, bad_q;
-  logic [SLOT_BITS-1:0] bad_slot_q;
-  logic [ADDR_BITS-1:0] write_base_q, write_addr_q;
-  logic [11:0] write_x_q;
-  logic [7:0] write_pixel_q, write_pixel_q2;
-  always_ff @(posedge clk_i) begin
-    write_en_q <= write_en_i;
-    write_en_q2 <= write_en_q;
-    bad_en_q <= row_done_i;
-    if (write_en_i) begin
-      write_base_q <= row_start(write_slot_i);
-      write_x_q <= write_x_i;
-      write_pixel_q <= write_pixel_i;
-      bad_q <= row_bad_i;
-      bad_slot_q <= write_slot_i;
-    end
-    if (write_en_q) begin
-      write_addr_q <= write_base_q + ADDR_BITS'(write_x_q);
-      write_pixel_q2 <= write_pixel_q;
-    end
-  end
-
-  // --- read ---
-  // There is at least one clock without a request between two rows, in which present_q settles.
-  logic [11:0] row_q, keep_q;
-  logic [SLOT_BITS-1:0] slot_q;
-  logic [ADDR_BITS-1:0] row_addr_q, addr_q;
-  logic present_q, read, end_of_row, wraps;
-  assign read = valid_i && live_i && present_q;
-  assign end_of_row = valid_i && live_i && last_i;
-  assign wraps = 32'(slot_q) == ROWS - 1;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      row_q <= 12'd0;
-      keep_q <= 12'd0;
-      slot_q <= '0;
-      row_addr_q <= '0;
-      addr_q <= '0;
-      present_q <= 1'b0;
-    end else begin
-      present_q <= row_q < rows_i;
-      if (begin_i) row_q <= 12'd0;
-      else if (end_of_row) row_q <= row_q + 12'd1;
-      if (read && last_i) begin
-        keep_q <= keep_q + 12'd1;
-        slot_q <= wraps ? '0 : slot_q + 1'b1;
-        row_addr_q <= wraps ? '0 : row_addr_q + ADDR_BITS'(STRIDE);
-        addr_q <= wraps ? '0 : row_addr_q + ADDR_BITS'(STRIDE);
-      end else if (read) begin
-        addr_q <= addr_q + 1'b1;
-      end
-    end
-  end
-  assign keep_o = keep_q;
-
-  logic [7:0] pixel;
-  logic error, bad, bad_q1;
-  logic read_q, read_q2;
+  logic write_en, bad_en, bad_value, read, is_bad, error;
+  logic [SLOT_BITS-1:0] bad_slot, slot_q;
+  logic [ADDR_BITS-1:0] write_addr, read_addr;
+  logic [7:0] write_pixel, pixel;
   horopter_ram #(
       .WIDTH(8),
       .DEPTH(DEPTH),
       .PARITY(PARITY),
-      .OUTPUT_REGISTER(1'b1),
+      .OUTPUT_REGISTER(FAST),
       .FAST(FAST)
   ) u_pixels (
       .clk_i(clk_i),
-      .write_en_i(write_en_q2),
-      .write_addr_i(write_addr_q),
-      .write_data_i(write_pixel_q2),
+      .write_en_i(write_en),
+      .write_addr_i(write_addr),
+      .write_data_i(write_pixel),
       .read_en_i(read),
-      .read_addr_i(addr_q),
+      .read_addr_i(read_addr),
       .read_data_o(pixel),
       .parity_error_o(error)
   );
@@ -134,20 +82,121 @@ module horopter_left_store #(
       .DEPTH(ROWS)
   ) u_bad (
       .clk_i(clk_i),
-      .write_en_i(bad_en_q),
-      .write_addr_i(bad_slot_q),
-      .write_data_i(bad_q),
+      .write_en_i(bad_en),
+      .write_addr_i(bad_slot),
+      .write_data_i(bad_value),
       .read_en_i(read),
       .read_addr_i(slot_q),
-      .read_data_o(bad),
+      .read_data_o(is_bad),
       .parity_error_o(unused_bad_parity)
   );
+
+  // --- rows of the ring and of the frame ---
+  logic [ROW_BITS-1:0] row_q;
+  logic [11:0] keep_q;
+  logic present, end_of_row, wraps;
+  assign read = valid_i && live_i && present;
+  assign end_of_row = valid_i && live_i && last_i;
+  assign wraps = 32'(slot_q) == ROWS - 1;
   always_ff @(posedge clk_i) begin
-    read_q <= read;
-    read_q2 <= read_q;
-    bad_q1 <= bad;
-    pixel_o <= pixel;
-    mask_o <= read_q2 && !bad_q1;
-    parity_error_o <= read_q2 && error;
+    if (!rst_ni) begin
+      row_q <= '0;
+      keep_q <= 12'd0;
+      slot_q <= '0;
+    end else begin
+      if (begin_i) row_q <= '0;
+      else if (end_of_row) row_q <= row_q + 1'b1;
+      if (read && last_i) begin
+        keep_q <= keep_q + 12'd1;
+        slot_q <= wraps ? '0 : slot_q + 1'b1;
+      end
+    end
+  end
+  assign keep_o = keep_q;
+
+  if (FAST) begin : g_fast
+    // --- write ---
+    logic write_en_q, write_en_q2, bad_en_q, bad_q;
+    logic [SLOT_BITS-1:0] bad_slot_q;
+    logic [ADDR_BITS-1:0] write_base_q, write_addr_q;
+    logic [11:0] write_x_q;
+    logic [7:0] write_pixel_q, write_pixel_q2;
+    always_ff @(posedge clk_i) begin
+      write_en_q <= write_en_i;
+      write_en_q2 <= write_en_q;
+      bad_en_q <= row_done_i;
+      if (write_en_i) begin
+        write_base_q <= row_start(write_slot_i);
+        write_x_q <= write_x_i;
+        write_pixel_q <= write_pixel_i;
+        bad_q <= row_bad_i;
+        bad_slot_q <= write_slot_i;
+      end
+      if (write_en_q) begin
+        write_addr_q <= write_base_q + ADDR_BITS'(write_x_q);
+        write_pixel_q2 <= write_pixel_q;
+      end
+    end
+    assign write_en = write_en_q2;
+    assign write_addr = write_addr_q;
+    assign write_pixel = write_pixel_q2;
+    assign bad_en = bad_en_q;
+    assign bad_value = bad_q;
+    assign bad_slot = bad_slot_q;
+
+    // --- read ---
+    // There is at least one clock without a request between two rows, in which present_q settles.
+    logic [ADDR_BITS-1:0] row_addr_q, addr_q;
+    logic present_q;
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni) begin
+        row_addr_q <= '0;
+        addr_q <= '0;
+        present_q <= 1'b0;
+      end else begin
+        present_q <= 12'(row_q) < rows_i;
+        if (read && last_i) begin
+          row_addr_q <= wraps ? '0 : row_addr_q + ADDR_BITS'(STRIDE);
+          addr_q <= wraps ? '0 : row_addr_q + ADDR_BITS'(STRIDE);
+        end else if (read) begin
+          addr_q <= addr_q + 1'b1;
+        end
+      end
+    end
+    assign present = present_q;
+    assign read_addr = addr_q;
+
+    logic read_q, read_q2, is_bad_q;
+    always_ff @(posedge clk_i) begin
+      read_q <= read;
+      read_q2 <= read_q;
+      is_bad_q <= is_bad;
+      pixel_o <= pixel;
+      mask_o <= read_q2 && !is_bad_q;
+      parity_error_o <= read_q2 && error;
+    end
+  end else begin : g_slow
+    assign write_en = write_en_i;
+    assign write_addr = row_start(write_slot_i) + ADDR_BITS'(write_x_i[X_BITS-1:0]);
+    assign write_pixel = write_pixel_i;
+    assign bad_en = row_done_i;
+    assign bad_value = row_bad_i;
+    assign bad_slot = write_slot_i;
+
+    logic [X_BITS-1:0] x_q;
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni || (read && last_i)) x_q <= '0;
+      else if (read) x_q <= x_q + 1'b1;
+    end
+    assign present = row_q < rows_i[ROW_BITS-1:0];
+    assign read_addr = row_start(slot_q) + ADDR_BITS'(x_q);
+
+    logic read_q;
+    always_ff @(posedge clk_i) read_q <= read;
+    assign pixel_o = pixel;
+    assign mask_o = read_q && !is_bad;
+    assign parity_error_o = read_q && error;
+    logic unused_bits;
+    assign unused_bits = ^{write_x_i[11:X_BITS], rows_i[11:ROW_BITS]};
   end
 endmodule

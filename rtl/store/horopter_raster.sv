@@ -8,8 +8,12 @@
 // passed since its last beat, so that frames never share the pipeline.
 //
 // begin_o: one clock, settings and table may change now; at least 8 clocks before the first beat.
-// Beats are registers; the control points come in the clock in which the beat leaves (3 clocks after the addresses).
+// The control points of a beat come 2 clocks after their addresses. FAST: the beats are registers, and leave a clock later;
+// FAST = 0 computes where it can what FAST keeps in registers.
 module horopter_raster #(
+    parameter int unsigned WIDTH = 640,
+    parameter int unsigned HEIGHT = 480,
+    parameter bit FAST = 1'b0,
     parameter int unsigned FLUSH_ROWS = 10,
     parameter int unsigned IN_FLIGHT = 256,
     parameter int unsigned MAP_ADDR_BITS = 14
@@ -70,32 +74,27 @@ module horopter_raster #(
   } state_e;
   state_e state_q;
 
-  logic [11:0] x_q, y_q, need_right_q;
-  logic [12:0] count_q;
+  localparam int unsigned X_BITS = $clog2(WIDTH);
+  localparam int unsigned ROW_BITS = $clog2(HEIGHT + FLUSH_ROWS);
+  localparam int unsigned COUNT_BITS = $clog2(IN_FLIGHT + 1);
+
+  logic [X_BITS-1:0] x_q, last_column;
+  logic [ROW_BITS-1:0] y_q, last_row;
+  logic [COUNT_BITS-1:0] count_q;
   logic live_q, first_q, slot_q, ready_q, active_q, published_q;
-  logic [MAP_ADDR_BITS-1:0] even_row_q, odd_row_q, even_addr_q, odd_addr_q;
-  logic odd_cell_q;
-  logic [5:0] fraction_q, cell_mask_x_q, cell_mask_y_q;
-
-  // Is the row in progress there? One clock behind, but rows only ever arrive. Before a frame begins, y_q is 0.
-  logic [11:0] last_row_q, last_column_q;  // the geometry does not change while this runs
-  always_ff @(posedge clk_i) begin
-    last_row_q <= height_i - 12'd1;
-    last_column_q <= width_i - 12'd1;
-    need_right_q <= y_q + lookahead_i < last_row_q ? y_q + lookahead_i : last_row_q;
-    ready_q <= !live_q || ((right_rows_i > need_right_q || right_ended_i) && (left_rows_i > y_q || left_ended_i));
-  end
-
-  logic last_x, cell_end_x, cell_end_y;
-  assign last_x = x_q == last_column_q;
-  assign cell_end_x = (x_q[5:0] & cell_mask_x_q) == 6'd0;  // this pixel loads the next column
-  assign cell_end_y = (y_q[5:0] & cell_mask_y_q) == cell_mask_y_q;  // the next row is in another cell
+  logic ready;  // the row in progress is there
+  logic cell_end_x;  // this pixel loads the next column
+  logic last_x;
+  assign last_x = x_q == last_column;
 
   // Stage 0 of the beat.
   logic issue_prime, issue_pixel, loads;
   assign issue_prime = state_q == PRIME && go_i;
   assign issue_pixel = state_q == PIXELS && go_i;
   assign loads = cell_end_x && live_q;
+  assign map_read_o = issue_prime || (issue_pixel && loads);
+  // One behind, but rows only ever arrive. Before a frame begins, y_q is 0.
+  always_ff @(posedge clk_i) ready_q <= ready;
 
   always_ff @(posedge clk_i) begin
     begin_o <= 1'b0;
@@ -106,8 +105,8 @@ module horopter_raster #(
       active_q <= 1'b0;
       published_q <= 1'b0;
       live_q <= 1'b1;
-      y_q <= 12'd0;
-      count_q <= 13'd0;
+      y_q <= '0;
+      count_q <= '0;
     end else begin
       if (published_i) begin
         active_q <= 1'b0;
@@ -117,41 +116,33 @@ module horopter_raster #(
         // A few clocks for the record's registers to follow slot_q and y_q.
         IDLE: begin
           if (!count_q[3]) begin
-            count_q <= count_q + 13'd1;
+            count_q <= count_q + 1'b1;
           end else if (busy_i[slot_q] && ready_q) begin
             begin_o <= 1'b1;
             lookup_o <= 1'b1;
             active_q <= 1'b1;
             published_q <= 1'b0;
-            count_q <= 13'd0;
+            count_q <= '0;
             state_q <= SETUP;
           end
         end
 
         SETUP: begin
-          count_q <= count_q + 13'd1;
+          count_q <= count_q + 1'b1;
           first_q <= 1'b1;
-          even_row_q <= table_base_i;
-          odd_row_q <= table_base_i;
-          odd_cell_q <= 1'b0;
-          fraction_q <= 6'd0;
-          cell_mask_x_q <= ~(6'h3F << table_nx_i);
-          cell_mask_y_q <= ~(6'h3F << table_ny_i);
           if (count_q[3]) begin
-            count_q <= 13'd0;
+            count_q <= '0;
             state_q <= WAIT_ROW;
           end
         end
 
         WAIT_ROW: begin
-          x_q <= 12'd0;
-          even_addr_q <= even_row_q;
-          odd_addr_q <= odd_row_q;
-          // Two clocks for need_right_q and ready_q to follow y_q.
+          x_q <= '0;
+          // Two clocks for ready_q to follow y_q.
           if (!count_q[1]) begin
-            count_q <= count_q + 13'd1;
+            count_q <= count_q + 1'b1;
           end else if (ready_q) begin
-            count_q <= 13'd0;
+            count_q <= '0;
             state_q <= PRIME;
           end
         end
@@ -160,79 +151,167 @@ module horopter_raster #(
 
         PIXELS:
         if (go_i) begin
-          x_q <= x_q + 12'd1;
+          x_q <= x_q + 1'b1;
           first_q <= 1'b0;
           if (last_x) begin
-            y_q <= y_q + 12'd1;
+            y_q <= y_q + 1'b1;
             state_q <= WAIT_ROW;
-            if (y_q == last_row_q) live_q <= 1'b0;
-            if (!live_q && y_q == last_row_q + 12'(FLUSH_ROWS)) begin
+            if (y_q == last_row) live_q <= 1'b0;
+            if (!live_q && y_q == last_row + ROW_BITS'(FLUSH_ROWS)) begin
               state_q <= DRAIN;
-              y_q <= 12'd0;
+              y_q <= '0;
               live_q <= 1'b1;
-            end
-            // The cell's lower row becomes the upper one of the next: only the other bank moves on.
-            if (live_q) begin
-              fraction_q <= cell_end_y ? 6'd0 : fraction_q + (6'd1 << (3'd6 - table_ny_i));
-              if (cell_end_y) begin
-                odd_cell_q <= !odd_cell_q;
-                if (odd_cell_q) odd_row_q <= odd_row_q + MAP_ADDR_BITS'(table_columns_i);
-                else even_row_q <= even_row_q + MAP_ADDR_BITS'(table_columns_i);
-              end
             end
           end
         end
 
         DRAIN: begin
-          count_q <= count_q + 13'd1;
+          count_q <= count_q + 1'b1;
           if (32'(count_q) == IN_FLIGHT) state_q <= WAIT_PUBLISHED;
         end
 
         default:  // WAIT_PUBLISHED
         if (published_q) begin
           slot_q <= !slot_q;
-          count_q <= 13'd0;
+          count_q <= '0;
           state_q <= IDLE;
         end
       endcase
-      if ((issue_prime || (issue_pixel && loads))) begin
-        even_addr_q <= even_addr_q + 1'b1;
-        odd_addr_q <= odd_addr_q + 1'b1;
-      end
     end
   end
-  assign slot_o = slot_q;
-  assign active_o = active_q;
-  assign map_read_o = issue_prime || (issue_pixel && loads);
-  assign map_even_addr_o = even_addr_q;
-  assign map_odd_addr_o = odd_addr_q;
 
-  // Stages 1 and 2 wait for the control points, 3 puts them in their order.
-  logic [2:1] valid_q, prime_q, load_q, beat_first_q, beat_last_q, beat_live_q, beat_odd_q;
-  logic [11:0] beat_fraction_q;  // stage 2, stage 1
+  // Stages 1 and 2 of the beat wait for the control points.
+  logic [2:1] valid_q, prime_q, load_q, beat_first_q, beat_last_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      valid_q <= 2'b00;
-      valid_o <= 1'b0;
-    end else begin
-      valid_q <= {valid_q[1], issue_prime || issue_pixel};
-      valid_o <= valid_q[2];
-    end
+    if (!rst_ni) valid_q <= 2'b00;
+    else valid_q <= {valid_q[1], issue_prime || issue_pixel};
     prime_q <= {prime_q[1], issue_prime};
     load_q <= {load_q[1], issue_pixel && loads};
     beat_first_q <= {beat_first_q[1], issue_pixel && first_q};
     beat_last_q <= {beat_last_q[1], issue_pixel && last_x};
-    beat_live_q <= {beat_live_q[1], live_q};
-    beat_odd_q <= {beat_odd_q[1], odd_cell_q};
-    beat_fraction_q <= {beat_fraction_q[5:0], fraction_q};
-    prime_o <= prime_q[2];
-    load_o <= load_q[2];
-    first_o <= beat_first_q[2];
-    last_o <= beat_last_q[2];
-    live_o <= beat_live_q[2];
-    row_fraction_o <= beat_fraction_q[11:6];
-    top_o <= beat_odd_q[2] ? map_odd_i : map_even_i;
-    bottom_o <= beat_odd_q[2] ? map_even_i : map_odd_i;
-    map_parity_error_o <= map_error_i && (prime_q[2] || load_q[2]) && beat_live_q[2] && table_ok_i;
   end
+
+  // Cells have rows of control points above and below; the even ones are in one bank, the odd ones in the other.
+  if (FAST) begin : g_fast
+    // The geometry does not change while this runs.
+    logic [ROW_BITS-1:0] last_row_q;
+    logic [X_BITS-1:0] last_column_q;
+    logic [11:0] need_right_q;
+    always_ff @(posedge clk_i) begin
+      last_row_q <= ROW_BITS'(height_i - 12'd1);
+      last_column_q <= X_BITS'(width_i - 12'd1);
+      need_right_q <= 12'(y_q) + lookahead_i < 12'(last_row_q) ? 12'(y_q) + lookahead_i : 12'(last_row_q);
+    end
+    assign last_row = last_row_q;
+    assign last_column = last_column_q;
+    assign ready = !live_q || ((right_rows_i > need_right_q || right_ended_i) && (left_rows_i > 12'(y_q) || left_ended_i));
+
+    logic [MAP_ADDR_BITS-1:0] even_row_q, odd_row_q, even_addr_q, odd_addr_q;
+    logic odd_cell_q, cell_end_y;
+    logic [5:0] fraction_q, cell_mask_x_q, cell_mask_y_q;
+    assign cell_end_x = (x_q[5:0] & cell_mask_x_q) == 6'd0;
+    assign cell_end_y = (y_q[5:0] & cell_mask_y_q) == cell_mask_y_q;  // the next row is in another cell
+    always_ff @(posedge clk_i) begin
+      if (map_read_o) begin
+        even_addr_q <= even_addr_q + 1'b1;
+        odd_addr_q <= odd_addr_q + 1'b1;
+      end
+      if (state_q == SETUP) begin
+        even_row_q <= table_base_i;
+        odd_row_q <= table_base_i;
+        odd_cell_q <= 1'b0;
+        fraction_q <= 6'd0;
+        cell_mask_x_q <= ~(6'h3F << table_nx_i);
+        cell_mask_y_q <= ~(6'h3F << table_ny_i);
+      end else if (state_q == WAIT_ROW) begin
+        even_addr_q <= even_row_q;
+        odd_addr_q <= odd_row_q;
+      end else if (issue_pixel && last_x && live_q) begin
+        // The cell's lower row becomes the upper one of the next: only the other bank moves on.
+        fraction_q <= cell_end_y ? 6'd0 : fraction_q + (6'd1 << (3'd6 - table_ny_i));
+        if (cell_end_y) begin
+          odd_cell_q <= !odd_cell_q;
+          if (odd_cell_q) odd_row_q <= odd_row_q + MAP_ADDR_BITS'(table_columns_i);
+          else even_row_q <= even_row_q + MAP_ADDR_BITS'(table_columns_i);
+        end
+      end
+    end
+    assign map_even_addr_o = even_addr_q;
+    assign map_odd_addr_o = odd_addr_q;
+
+    // Stage 3 puts the control points in their order.
+    logic [2:1] beat_live_q, beat_odd_q;
+    logic [11:0] beat_fraction_q;  // stage 2, stage 1
+    always_ff @(posedge clk_i) begin
+      beat_live_q <= {beat_live_q[1], live_q};
+      beat_odd_q <= {beat_odd_q[1], odd_cell_q};
+      beat_fraction_q <= {beat_fraction_q[5:0], fraction_q};
+      if (!rst_ni) valid_o <= 1'b0;
+      else valid_o <= valid_q[2];
+      prime_o <= prime_q[2];
+      load_o <= load_q[2];
+      first_o <= beat_first_q[2];
+      last_o <= beat_last_q[2];
+      live_o <= beat_live_q[2];
+      row_fraction_o <= beat_fraction_q[11:6];
+      top_o <= beat_odd_q[2] ? map_odd_i : map_even_i;
+      bottom_o <= beat_odd_q[2] ? map_even_i : map_odd_i;
+      map_parity_error_o <= map_error_i && (prime_q[2] || load_q[2]) && beat_live_q[2] && table_ok_i;
+    end
+  end else begin : g_slow
+    assign last_row = ROW_BITS'(height_i - 12'd1);
+    assign last_column = X_BITS'(width_i - 12'd1);
+    // Row min(y + lookahead, height - 1).
+    logic right_ready;
+    assign right_ready = 32'(right_rows_i) > 32'(y_q) + 32'(lookahead_i[ROW_BITS-1:0]) || right_rows_i == height_i || right_ended_i;
+    assign ready = !live_q || (right_ready && (left_rows_i > 12'(y_q) || left_ended_i));
+
+    // A row reads as many control points of each bank as the table has columns; then its addresses go back, or stay where
+    // the next row of cells has its control points. The upper row of an even cell is in the even bank, with the same
+    // address as the lower one in the odd bank; below it lies the next row of the even bank.
+    logic [MAP_ADDR_BITS-1:0] odd_addr_q;
+    logic odd_cell_q, new_row_of_cells;
+    logic [5:0] fraction;
+    assign cell_end_x = 6'(x_q[5:0] << (3'd6 - table_nx_i)) == 6'd0;
+    assign fraction = y_q[5:0] << (3'd6 - table_ny_i);
+    assign new_row_of_cells = fraction == 6'd0;
+    always_ff @(posedge clk_i) begin
+      if (state_q == SETUP) begin
+        odd_addr_q <= table_base_i;
+        odd_cell_q <= 1'b1;  // before the first one, which is even
+      end else if (state_q == WAIT_ROW && count_q == '0) begin
+        if (new_row_of_cells) odd_cell_q <= !odd_cell_q;
+        if (!new_row_of_cells || !odd_cell_q) odd_addr_q <= odd_addr_q - MAP_ADDR_BITS'(table_columns_i);
+      end else if (map_read_o) begin
+        odd_addr_q <= odd_addr_q + 1'b1;
+      end
+    end
+    assign map_odd_addr_o = odd_addr_q;
+    assign map_even_addr_o = odd_addr_q + (odd_cell_q ? MAP_ADDR_BITS'(table_columns_i) : '0);
+
+    // What does not change in a row; the one before has left when the next one's first beat is issued.
+    logic row_live_q, row_odd_q;
+    logic [5:0] row_fraction_q;
+    always_ff @(posedge clk_i) begin
+      if (issue_prime) begin
+        row_live_q <= live_q;
+        row_odd_q <= odd_cell_q;
+        row_fraction_q <= fraction;
+      end
+    end
+    assign valid_o = valid_q[2];
+    assign prime_o = prime_q[2];
+    assign load_o = load_q[2];
+    assign first_o = beat_first_q[2];
+    assign last_o = beat_last_q[2];
+    assign live_o = row_live_q;
+    assign row_fraction_o = row_fraction_q;
+    assign top_o = row_odd_q ? map_odd_i : map_even_i;
+    assign bottom_o = row_odd_q ? map_even_i : map_odd_i;
+    assign map_parity_error_o = map_error_i && (prime_q[2] || load_q[2]) && row_live_q && table_ok_i;
+    logic unused_bits;
+    assign unused_bits = ^lookahead_i[11:ROW_BITS];
+  end
+  assign slot_o = slot_q;
+  assign active_o = active_q;
 endmodule

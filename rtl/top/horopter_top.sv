@@ -86,7 +86,7 @@ module horopter_top #(
   localparam int unsigned STORE_ROWS = horopter_profile_pkg::STORE_ROWS;
   localparam int unsigned RESULT_WIDTH = WIDTH / SUBSAMPLE;
   localparam int unsigned RESULT_PIXELS = RESULT_WIDTH * HEIGHT;
-  localparam bit FAST = horopter_profile_pkg::CLOCK_KHZ > 50_000;  // beyond, block memories need registers behind them
+  localparam bit FAST = horopter_profile_pkg::CLOCK_KHZ > 50_000;  // beyond, a register must follow every step
   localparam int unsigned LEFT_ROWS = MAX_LOOKAHEAD + 8;  // LOOKAHEAD rows, one arriving, one leaving, and slack
   // for a frame whose end is noticed only with the start of the next
   localparam int unsigned MIN_WIDTH = 32 * SUBSAMPLE;
@@ -119,9 +119,6 @@ module horopter_top #(
   end
   if (WIDTH % SUBSAMPLE != 0 || WIDTH < MIN_WIDTH || WIDTH > 2046 || HEIGHT < MIN_HEIGHT || HEIGHT > 2046) begin : g_illegal_size
     $fatal(1, "horopter_top: WIDTH must be a multiple of SUBSAMPLE, WIDTH and HEIGHT in the range of the registers");
-  end
-  if (STORE_ROWS != 1 << RING_BITS && STORE_ROWS < HEIGHT) begin : g_illegal_ring
-    $fatal(1, "horopter_top: STORE_ROWS must be a power of two or at least HEIGHT");
   end
   if (MAX_LOOKAHEAD == 0 || MAX_LOOKAHEAD > STORE_ROWS / 2) begin : g_illegal_lookahead
     $fatal(1, "horopter_top: MAX_LOOKAHEAD must be 1 to half of STORE_ROWS");
@@ -624,6 +621,9 @@ module horopter_top #(
   );
 
   horopter_raster #(
+      .WIDTH(WIDTH),
+      .HEIGHT(HEIGHT),
+      .FAST(FAST),
       .FLUSH_ROWS(horopter_profile_pkg::FLUSH_ROWS),
       .IN_FLIGHT(IN_FLIGHT),
       .MAP_ADDR_BITS(MAP_ADDR_BITS)
@@ -725,6 +725,7 @@ module horopter_top #(
   logic left_read_valid, left_read_last, left_read_live, left_mask, left_parity_error;
   horopter_image_store #(
       .WIDTH(WIDTH),
+      .HEIGHT(HEIGHT),
       .ROWS(STORE_ROWS),
       .WEIGHT_BITS(WEIGHT_BITS),
       .FAST(FAST)
@@ -773,6 +774,7 @@ module horopter_top #(
   );
   horopter_left_store #(
       .WIDTH(WIDTH),
+      .HEIGHT(HEIGHT),
       .ROWS(LEFT_ROWS),
       .FAST(FAST)
   ) u_left_store (
