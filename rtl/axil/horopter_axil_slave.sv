@@ -3,7 +3,7 @@
 //
 // Address and data of a write may come in either order. One write and one read at a time, each answered after its
 // access; awready, wready and arready come from registers and do not wait for valid. A write access (write_valid_o) is
-// held until write_ready_i. A read access is read_valid_o for one clock; its data is taken one clock later.
+// held until write_ready_i. A read access is read_valid_o for one clock; its data is taken two clocks later.
 // write_error_i, read_error_i become SLVERR. awprot and arprot are ignored. Reset: idle, what was under way is dropped.
 module horopter_axil_slave #(
     parameter int unsigned ADDR_BITS = 12
@@ -77,9 +77,10 @@ module horopter_axil_slave #(
   end
 
   // Read: address caught, access, answer.
-  typedef enum logic [1:0] {
+  typedef enum logic [2:0] {
     READ_IDLE,
     READ_ACCESS,
+    READ_WAIT,
     READ_TAKE,
     READ_ANSWER
   } read_state_e;
@@ -96,7 +97,8 @@ module horopter_axil_slave #(
     end else begin
       case (read_q)
         READ_IDLE: if (s_axil_arvalid) read_q <= READ_ACCESS;
-        READ_ACCESS: read_q <= READ_TAKE;
+        READ_ACCESS: read_q <= READ_WAIT;
+        READ_WAIT: read_q <= READ_TAKE;
         READ_TAKE: begin
           read_q <= READ_ANSWER;
           s_axil_rresp <= read_error_i ? SLVERR : OKAY;

@@ -2,8 +2,9 @@
 // FIFO of a valid/ready stream in a synchronous memory, with its output in a register.
 //
 // Holds DEPTH words in the memory (a power of two) and two more at its output. Throughput one word a clock, latency
-// 3 clocks when empty. s_ready_o is 1 while the memory has room. almost_full_o (registered) is 1 once ALMOST_FULL or
-// more words are in the memory: a source that sees it may have DEPTH - ALMOST_FULL - 2 words under way.
+// 4 clocks when empty. s_ready_o is 0 while the memory is full, and for a clock after a word has left it. almost_full_o
+// (registered) is 1 once ALMOST_FULL or more words are in the memory: a source that sees it may have
+// DEPTH - ALMOST_FULL - 2 words under way.
 // overflow_o: one clock, a word came while s_ready_o was 0 and was dropped (a source that ignores s_ready_o).
 // Once m_valid_o is 1, m_data_o holds until m_ready_i. Reset: empty.
 module horopter_axis_fifo #(
@@ -32,18 +33,18 @@ module horopter_axis_fifo #(
   end
 
   // Pointers have one bit more than an address: equal = empty, equal but for the top bit = full.
-  logic [ADDR_BITS:0] write_q, read_q, level;
-  logic full, empty, write, read, fetched_q, valid_q, advance;
+  // Each side learns of the other's step a clock later, so that full and empty come from registers.
+  localparam logic [ADDR_BITS:0] ALL = (ADDR_BITS + 1)'(DEPTH);
+  logic [ADDR_BITS:0] write_q, read_q, next_write_q, next_read_q, level;
+  logic full_q, empty_q, write, read, fetched_q, valid_q, advance;
   logic [WIDTH-1:0] fetched, data_q;
 
   assign level = write_q - read_q;
-  assign full = level[ADDR_BITS];
-  assign empty = level == '0;
-  assign s_ready_o = !full;
-  assign write = s_valid_i && !full;
+  assign s_ready_o = !full_q;
+  assign write = s_valid_i && !full_q;
   // Output register, then the memory's own output, move up when they are empty or emptied.
   assign advance = !valid_q || m_ready_i;
-  assign read = !empty && (!fetched_q || advance);
+  assign read = !empty_q && (!fetched_q || advance);
 
   logic unused_parity;
   horopter_ram #(
@@ -63,19 +64,31 @@ module horopter_axis_fifo #(
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       write_q <= '0;
+      next_write_q <= (ADDR_BITS + 1)'(1);
       read_q <= '0;
+      next_read_q <= (ADDR_BITS + 1)'(1);
+      full_q <= 1'b0;
+      empty_q <= 1'b1;
       fetched_q <= 1'b0;
       valid_q <= 1'b0;
       almost_full_o <= 1'b0;
       overflow_o <= 1'b0;
     end else begin
-      if (write) write_q <= write_q + 1'b1;
-      if (read) read_q <= read_q + 1'b1;
+      if (write) begin
+        write_q <= next_write_q;
+        next_write_q <= next_write_q + 1'b1;
+      end
+      if (read) begin
+        read_q <= next_read_q;
+        next_read_q <= next_read_q + 1'b1;
+      end
+      full_q <= (write ? next_write_q : write_q) == (read_q ^ ALL);
+      empty_q <= (read ? next_read_q : read_q) == write_q;
       if (read) fetched_q <= 1'b1;
       else if (advance) fetched_q <= 1'b0;
       if (advance) valid_q <= fetched_q;
       almost_full_o <= 32'(level) >= ALMOST_FULL;
-      overflow_o <= s_valid_i && full;
+      overflow_o <= s_valid_i && full_q;
     end
     if (advance) data_q <= fetched;
   end

@@ -3,7 +3,8 @@
 //
 // The register block. Write: write_valid_i with address, data and strobes stays until write_ready_o (in the next clock
 // but for stream registers); write_error_o is valid with it, and a refused write changes nothing. Read: read_valid_i for one
-// clock; read_data_o and read_error_o are valid from the next clock until the next read. Partial writes follow the
+// clock; read_data_o and read_error_o are valid from the next clock but one until the next read; read_addr_i stays until
+// then. Partial writes follow the
 // strobes; of a stream register they are an error. Reset: synchronous, all storage to its reset value.
 module horopter_csr #(
     parameter logic [11:0] WIDTH_PX_RESET = 12'd0,
@@ -384,61 +385,179 @@ module horopter_csr #(
   end
   assign faults_o = faults_q;
 
-  // Reads.
+  // Reads, in two steps: the word of each group of eight, then the group.
+  logic [31:0] group_00_q;
+  logic known_00_q;
+  logic [31:0] group_02_q;
+  logic known_02_q;
+  logic [31:0] group_03_q;
+  logic known_03_q;
+  logic [31:0] group_04_q;
+  logic known_04_q;
+  logic [31:0] group_05_q;
+  logic known_05_q;
+  logic [31:0] group_06_q;
+  logic known_06_q;
+  logic [31:0] group_07_q;
+  logic known_07_q;
+  logic [31:0] group_08_q;
+  logic known_08_q;
+  logic [31:0] group_09_q;
+  logic known_09_q;
+  logic read_valid_q;
   always_ff @(posedge clk_i) begin
+    read_valid_q <= read_valid_i;
+    known_00_q <= 1'b1;
+    case (read_addr_i[4:0])
+      5'h00: group_00_q <= 32'h484F524F;
+      5'h04: group_00_q <= {16'h1, 16'h1};
+      5'h08: group_00_q <= {build_size_height_i, build_size_width_i};
+      5'h0C: group_00_q <= {build_store_pool_kib_i, build_store_rows_i};
+      5'h10: group_00_q <= {4'd0, build_window_hypotheses_i, build_window_weight_bits_i, build_window_subsample_i, build_window_majority_i, build_window_dsad_i};
+      5'h14: group_00_q <= build_clock_khz_i;
+      default: begin
+        group_00_q <= 32'd0;
+        known_00_q <= 1'b0;
+      end
+    endcase
+    known_02_q <= 1'b1;
+    case (read_addr_i[4:0])
+      5'h00: group_02_q <= {31'd0, control_enable_q};
+      5'h04: group_02_q <= {30'd0, mode_test_input_q, mode_live_q};
+      5'h08: group_02_q <= {24'd0, status_late_i, status_right_silent_i, status_left_silent_i, status_unsafe_i, status_safe_i, status_busy_i, status_bad_geometry_i, status_running_i};
+      5'h0C: group_02_q <= {20'd0, width_px_q};
+      5'h10: group_02_q <= {20'd0, height_rows_q};
+      5'h14: group_02_q <= {20'd0, lookahead_rows_q};
+      5'h18: group_02_q <= timeout_clocks_q;
+      5'h1C: group_02_q <= {28'd0, table_select_slot_q};
+      default: begin
+        group_02_q <= 32'd0;
+        known_02_q <= 1'b0;
+      end
+    endcase
+    known_03_q <= 1'b1;
+    case (read_addr_i[4:0])
+      5'h00: group_03_q <= {30'd0, irq_enable_fault_q, irq_enable_frame_q};
+      5'h04: group_03_q <= {30'd0, irq_status_q};
+      default: begin
+        group_03_q <= 32'd0;
+        known_03_q <= 1'b0;
+      end
+    endcase
+    known_04_q <= 1'b1;
+    case (read_addr_i[4:0])
+      5'h00: group_04_q <= {16'd0, sum_limit_value_q};
+      5'h04: group_04_q <= {16'd0, self_limit_value_q};
+      5'h08: group_04_q <= {16'd0, texture_limit_sum_q};
+      5'h0C: group_04_q <= {8'd0, alarm_limit_pixels_q};
+      5'h10: group_04_q <= {8'd0, undecidable_limit_pixels_q};
+      5'h14: group_04_q <= {8'd0, unsupervised_limit_pixels_q};
+      default: begin
+        group_04_q <= 32'd0;
+        known_04_q <= 1'b0;
+      end
+    endcase
+    known_05_q <= 1'b1;
+    case (read_addr_i[4:0])
+      5'h00: group_05_q <= {24'd0, black_level_grey_q};
+      5'h04: group_05_q <= {8'd0, black_limit_pixels_q};
+      5'h08: group_05_q <= {24'd0, white_level_grey_q};
+      5'h0C: group_05_q <= {8'd0, white_limit_pixels_q};
+      5'h10: group_05_q <= {24'd0, constant_limit_grey_q};
+      5'h14: group_05_q <= {24'd0, frozen_limit_frames_q};
+      default: begin
+        group_05_q <= 32'd0;
+        known_05_q <= 1'b0;
+      end
+    endcase
+    known_06_q <= 1'b1;
+    case (read_addr_i[4:0])
+      5'h00: group_06_q <= {28'd0, map_slot_slot_q};
+      5'h04: group_06_q <= {16'd0, map_base_word64_q};
+      5'h10: group_06_q <= {24'd0, map_status_active_slot_i, map_status_error_i, map_status_busy_i};
+      5'h14: group_06_q <= {17'd0, map_valid_slots_i};
+      5'h18: group_06_q <= map_crc_value_i;
+      default: begin
+        group_06_q <= 32'd0;
+        known_06_q <= 1'b0;
+      end
+    endcase
+    known_07_q <= 1'b1;
+    case (read_addr_i[4:0])
+      5'h00: group_07_q <= {1'd0, faults_q};
+      default: begin
+        group_07_q <= 32'd0;
+        known_07_q <= 1'b0;
+      end
+    endcase
+    known_08_q <= 1'b1;
+    case (read_addr_i[4:0])
+      5'h00: group_08_q <= frame_sequence_value_i;
+      5'h04: group_08_q <= {26'd0, frame_status_slot_i, frame_status_safe_i, frame_status_alarm_i};
+      5'h08: group_08_q <= {1'd0, frame_faults_i};
+      5'h0C: group_08_q <= frame_table_crc_value_i;
+      5'h10: group_08_q <= {8'd0, frame_skin_pixels_i};
+      5'h14: group_08_q <= {8'd0, frame_undecidable_pixels_i};
+      5'h18: group_08_q <= {8'd0, frame_unsupervised_pixels_i};
+      5'h1C: group_08_q <= {8'd0, frame_misses_pixels_i};
+      default: begin
+        group_08_q <= 32'd0;
+        known_08_q <= 1'b0;
+      end
+    endcase
+    known_09_q <= 1'b1;
+    case (read_addr_i[4:0])
+      5'h00: group_09_q <= frame_cycles_clocks_i;
+      5'h04: group_09_q <= frame_latency_clocks_i;
+      5'h08: group_09_q <= frame_tail_clocks_i;
+      default: begin
+        group_09_q <= 32'd0;
+        known_09_q <= 1'b0;
+      end
+    endcase
     if (!rst_ni) begin
-      read_data_o  <= 32'd0;
+      read_data_o <= 32'd0;
       read_error_o <= 1'b0;
-    end else if (read_valid_i) begin
-      read_error_o <= 1'b0;
-      case (read_addr_i)
-        12'h000: read_data_o <= 32'h484F524F;
-        12'h004: read_data_o <= {16'h1, 16'h1};
-        12'h008: read_data_o <= {build_size_height_i, build_size_width_i};
-        12'h00C: read_data_o <= {build_store_pool_kib_i, build_store_rows_i};
-        12'h010: read_data_o <= {4'd0, build_window_hypotheses_i, build_window_weight_bits_i, build_window_subsample_i, build_window_majority_i, build_window_dsad_i};
-        12'h014: read_data_o <= build_clock_khz_i;
-        12'h040: read_data_o <= {31'd0, control_enable_q};
-        12'h044: read_data_o <= {30'd0, mode_test_input_q, mode_live_q};
-        12'h048: read_data_o <= {24'd0, status_late_i, status_right_silent_i, status_left_silent_i, status_unsafe_i, status_safe_i, status_busy_i, status_bad_geometry_i, status_running_i};
-        12'h04C: read_data_o <= {20'd0, width_px_q};
-        12'h050: read_data_o <= {20'd0, height_rows_q};
-        12'h054: read_data_o <= {20'd0, lookahead_rows_q};
-        12'h058: read_data_o <= timeout_clocks_q;
-        12'h05C: read_data_o <= {28'd0, table_select_slot_q};
-        12'h060: read_data_o <= {30'd0, irq_enable_fault_q, irq_enable_frame_q};
-        12'h064: read_data_o <= {30'd0, irq_status_q};
-        12'h080: read_data_o <= {16'd0, sum_limit_value_q};
-        12'h084: read_data_o <= {16'd0, self_limit_value_q};
-        12'h088: read_data_o <= {16'd0, texture_limit_sum_q};
-        12'h08C: read_data_o <= {8'd0, alarm_limit_pixels_q};
-        12'h090: read_data_o <= {8'd0, undecidable_limit_pixels_q};
-        12'h094: read_data_o <= {8'd0, unsupervised_limit_pixels_q};
-        12'h0A0: read_data_o <= {24'd0, black_level_grey_q};
-        12'h0A4: read_data_o <= {8'd0, black_limit_pixels_q};
-        12'h0A8: read_data_o <= {24'd0, white_level_grey_q};
-        12'h0AC: read_data_o <= {8'd0, white_limit_pixels_q};
-        12'h0B0: read_data_o <= {24'd0, constant_limit_grey_q};
-        12'h0B4: read_data_o <= {24'd0, frozen_limit_frames_q};
-        12'h0C0: read_data_o <= {28'd0, map_slot_slot_q};
-        12'h0C4: read_data_o <= {16'd0, map_base_word64_q};
-        12'h0D0: read_data_o <= {24'd0, map_status_active_slot_i, map_status_error_i, map_status_busy_i};
-        12'h0D4: read_data_o <= {17'd0, map_valid_slots_i};
-        12'h0D8: read_data_o <= map_crc_value_i;
-        12'h0E0: read_data_o <= {1'd0, faults_q};
-        12'h100: read_data_o <= frame_sequence_value_i;
-        12'h104: read_data_o <= {26'd0, frame_status_slot_i, frame_status_safe_i, frame_status_alarm_i};
-        12'h108: read_data_o <= {1'd0, frame_faults_i};
-        12'h10C: read_data_o <= frame_table_crc_value_i;
-        12'h110: read_data_o <= {8'd0, frame_skin_pixels_i};
-        12'h114: read_data_o <= {8'd0, frame_undecidable_pixels_i};
-        12'h118: read_data_o <= {8'd0, frame_unsupervised_pixels_i};
-        12'h11C: read_data_o <= {8'd0, frame_misses_pixels_i};
-        12'h120: read_data_o <= frame_cycles_clocks_i;
-        12'h124: read_data_o <= frame_latency_clocks_i;
-        12'h128: read_data_o <= frame_tail_clocks_i;
+    end else if (read_valid_q) begin
+      case (read_addr_i[11:5])
+        7'h00: begin
+          read_data_o <= group_00_q;
+          read_error_o <= !known_00_q;
+        end
+        7'h02: begin
+          read_data_o <= group_02_q;
+          read_error_o <= !known_02_q;
+        end
+        7'h03: begin
+          read_data_o <= group_03_q;
+          read_error_o <= !known_03_q;
+        end
+        7'h04: begin
+          read_data_o <= group_04_q;
+          read_error_o <= !known_04_q;
+        end
+        7'h05: begin
+          read_data_o <= group_05_q;
+          read_error_o <= !known_05_q;
+        end
+        7'h06: begin
+          read_data_o <= group_06_q;
+          read_error_o <= !known_06_q;
+        end
+        7'h07: begin
+          read_data_o <= group_07_q;
+          read_error_o <= !known_07_q;
+        end
+        7'h08: begin
+          read_data_o <= group_08_q;
+          read_error_o <= !known_08_q;
+        end
+        7'h09: begin
+          read_data_o <= group_09_q;
+          read_error_o <= !known_09_q;
+        end
         default: begin
-          read_data_o  <= 32'd0;
+          read_data_o <= 32'd0;
           read_error_o <= 1'b1;
         end
       endcase

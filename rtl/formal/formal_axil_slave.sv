@@ -59,6 +59,7 @@ module formal_axil_slave (
   // Registers of the device, joined when the hierarchy is flattened (yosys: hierconn).
   (* hierconn *) wire \dut.have_addr_q ;
   (* hierconn *) wire \dut.have_data_q ;
+  (* hierconn *) wire [2:0] \dut.read_q ;
 
   logic past_valid = 1'b0, past_reset = 1'b1;
   logic past_b_stall = 1'b0, past_r_stall = 1'b0, past_access_stall = 1'b0, past_write = 1'b0;
@@ -101,6 +102,7 @@ module formal_axil_slave (
       assert (aw_open == {2'd0, \dut.have_addr_q } + {2'd0, bvalid});
       assert (w_open == {2'd0, \dut.have_data_q } + {2'd0, bvalid});
       assert (ar_open == {2'd0, !arready});
+      assert (\dut.read_q <= 3'd4);
       if (bvalid) assert (aw_open != 3'd0 && w_open != 3'd0 && bresp == expected_bresp);
       if (rvalid) assert (ar_open != 3'd0 && !rresp[0]);
       // Stable until taken.

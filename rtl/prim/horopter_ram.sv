@@ -2,13 +2,14 @@
 // Synchronous simple dual-port memory, one clock: one write port, one read port.
 //
 // Read latency 1 clock (OUTPUT_REGISTER = 0) or 2 (= 1: block memories are slow at their output). The read data holds
-// while read_en_i is 0; with OUTPUT_REGISTER the second stage always follows the first by one clock.
+// while read_en_i is 0; with OUTPUT_REGISTER the further stages always follow the first.
 // Reading an address in the clock in which it is written gives an undefined word, so that no bypass logic is needed.
 // PARITY = 1 stores even parity beside each word (the ninth bit of block memories); parity_error_o comes with the data.
 // Contents are zero at power-up (with correct parity) and survive reset: there is none.
-// FAST = 1 with OUTPUT_REGISTER: banks that are one block memory deep, each with its own output register, and the
-// multiplexer behind them. Deep memories are laid out as far as they fill it in banks of 16384 words of 1-bit blocks,
-// which need no multiplexer, the rest in banks of 2048 words.
+// FAST = 1 with OUTPUT_REGISTER: read latency 4, writes a clock later. Registers take the ways to and from the blocks,
+// which lie far apart. Banks are one block deep, each with its own output register, the multiplexer behind them. Deep
+// memories are laid out as far as they fill it in banks of 16384 words of 1-bit blocks, which need no multiplexer, the
+// rest in banks of 2048 words.
 module horopter_ram #(
     parameter int unsigned WIDTH = 8,
     parameter int unsigned DEPTH = 1024,
@@ -29,9 +30,8 @@ module horopter_ram #(
   localparam int unsigned WORD_BITS = WIDTH + (PARITY ? 1 : 0);
   localparam int unsigned DEEP = 16384;
   localparam int unsigned SHALLOW = 2048;
-  localparam bit BANKED = FAST && OUTPUT_REGISTER && DEPTH > SHALLOW;
-  localparam int unsigned DEEP_BANKS = BANKED ? DEPTH / DEEP : 0;
-  localparam int unsigned BANKS = BANKED ? DEEP_BANKS + (DEPTH - DEEP_BANKS * DEEP + SHALLOW - 1) / SHALLOW : 1;
+  localparam int unsigned DEEP_BANKS = FAST && OUTPUT_REGISTER ? DEPTH / DEEP : 0;
+  localparam int unsigned BANKS = FAST && OUTPUT_REGISTER ? DEEP_BANKS + (DEPTH - DEEP_BANKS * DEEP + SHALLOW - 1) / SHALLOW : 1;
   localparam int unsigned BANK_BITS = BANKS > 1 ? $clog2(BANKS) : 1;
 
   if (WIDTH == 0 || DEPTH < 2 || ADDR_BITS != $clog2(DEPTH)) begin : g_illegal
@@ -49,7 +49,7 @@ module horopter_ram #(
   end
   assign read_data_o = out_word[WIDTH-1:0];
 
-  if (!BANKED) begin : g_one
+  if (!(FAST && OUTPUT_REGISTER)) begin : g_one
     horopter_ram_bank #(
         .WIDTH(WORD_BITS),
         .DEPTH(DEPTH),
@@ -69,22 +69,34 @@ module horopter_ram #(
       bank_of = BANK_BITS'(32'(addr) / DEEP);
       if (32'(addr) / DEEP == DEEP_BANKS) bank_of = BANK_BITS'(DEEP_BANKS + 32'(addr) % DEEP / SHALLOW);
     endfunction
-
-    logic [BANK_BITS-1:0] write_bank, read_bank_q, read_bank_q2;
-    assign write_bank = bank_of(write_addr_i);
-    always_ff @(posedge clk_i) begin
-      if (read_en_i) read_bank_q <= bank_of(read_addr_i);
-      read_bank_q2 <= read_bank_q;
-    end
+    localparam int unsigned IN_BANK_BITS = DEEP_BANKS > 0 ? $clog2(DEEP) : $clog2(DEPTH < SHALLOW ? DEPTH : SHALLOW);
+    logic read_en_q;
+    logic [IN_BANK_BITS-1:0] write_addr_q;
+    logic [ADDR_BITS-1:0] read_addr_q;
+    logic [WORD_BITS-1:0] write_word_q;
+    logic [BANK_BITS-1:0] read_bank_q, read_bank_q2;
     logic [BANKS*WORD_BITS-1:0] words;
+    always_ff @(posedge clk_i) begin
+      write_addr_q <= write_addr_i[IN_BANK_BITS-1:0];
+      write_word_q <= write_word;
+      read_en_q <= read_en_i;
+      read_addr_q <= read_addr_i;
+      if (read_en_q) read_bank_q <= bank_of(read_addr_q);
+      read_bank_q2 <= read_bank_q;
+      for (int unsigned b = 0; b < BANKS; b++) begin
+        if (read_bank_q2 == BANK_BITS'(b)) out_word <= words[b*WORD_BITS+:WORD_BITS];
+      end
+    end
     for (genvar b = 0; b < BANKS; b++) begin : g_bank
-      localparam int unsigned BANK_DEPTH = b < DEEP_BANKS ? DEEP : SHALLOW;
+      localparam int unsigned BANK_DEPTH = b < DEEP_BANKS ? DEEP : (DEPTH < SHALLOW ? DEPTH : SHALLOW);
       localparam int unsigned BANK_ADDR_BITS = $clog2(BANK_DEPTH);
 `ifdef SYNTHESIS
       localparam int unsigned SLICE = b < DEEP_BANKS ? 1 : WORD_BITS;
 `else
       localparam int unsigned SLICE = WORD_BITS;  // the same, in one array
 `endif
+      logic write_en_q;
+      always_ff @(posedge clk_i) write_en_q <= write_en_i && bank_of(write_addr_i) == BANK_BITS'(b);
       for (genvar s = 0; s < WORD_BITS; s += SLICE) begin : g_slice
         horopter_ram_bank #(
             .WIDTH(SLICE),
@@ -92,19 +104,13 @@ module horopter_ram #(
             .OUTPUT_REGISTER(1'b1)
         ) u_bank (
             .clk_i(clk_i),
-            .write_en_i(write_en_i && write_bank == BANK_BITS'(b)),
-            .write_addr_i(write_addr_i[BANK_ADDR_BITS-1:0]),
-            .write_data_i(write_word[s+:SLICE]),
-            .read_en_i(read_en_i),
-            .read_addr_i(read_addr_i[BANK_ADDR_BITS-1:0]),
+            .write_en_i(write_en_q),
+            .write_addr_i(write_addr_q[BANK_ADDR_BITS-1:0]),
+            .write_data_i(write_word_q[s+:SLICE]),
+            .read_en_i(read_en_q),
+            .read_addr_i(read_addr_q[BANK_ADDR_BITS-1:0]),
             .read_data_o(words[b*WORD_BITS+s+:SLICE])
         );
-      end
-    end
-    always_comb begin
-      out_word = '0;
-      for (int unsigned b = 0; b < BANKS; b++) begin
-        if (read_bank_q2 == BANK_BITS'(b)) out_word = words[b*WORD_BITS+:WORD_BITS];
       end
     end
   end

@@ -90,11 +90,12 @@ module horopter_framer #(
   logic near_q, deep_q, far_q;  // what y_q and x_q say, decided with them: the pairing takes its time
 
   // The geometry does not change while this runs.
-  logic [11:0] last_x_q, last_y_q;
+  logic [11:0] before_last_x_q, before_last_y_q;
   always_ff @(posedge clk_i) begin
-    last_x_q <= width_i - 12'd1;
-    last_y_q <= height_i - 12'd1;
+    before_last_x_q <= width_i - 12'd2;
+    before_last_y_q <= height_i - 12'd2;
   end
+  logic row_start_q, row_end_q, last_row_q;  // where x_q and y_q stand, decided with them
 
   // Silence: the camera could send and does not.
   logic [31:0] quiet_q;
@@ -121,12 +122,12 @@ module horopter_framer #(
   logic in_frame, early, blocked, take, at_end, complete, last_row, overflow, ends_early, gone;
   assign in_frame = state_q == LINE || state_q == SKIP;
   assign early = in_frame && s_valid_i && s_first_i && !fresh_q;
-  assign blocked = x_q == 12'd0 && !room_q;
+  assign blocked = row_start_q && !room_q;
   assign overflow = state_q == LINE && blocked && live_i && almost_full_i;
   assign take = state_q == LINE && s_valid_i && !early && !blocked && !cut_i;
-  assign at_end = x_q == last_x_q;
+  assign at_end = row_end_q;
   assign complete = take && (s_last_i || at_end);
-  assign last_row = y_q == last_y_q;
+  assign last_row = last_row_q;
   assign gone = silent_q || pausing_q;
   assign ends_early = in_frame && (early || overflow || cut_i || gone);
 
@@ -198,6 +199,9 @@ module horopter_framer #(
         START: begin
           x_q <= 12'd0;
           y_q <= 12'd0;
+          row_start_q <= 1'b1;
+          row_end_q <= 1'b0;
+          last_row_q <= 1'b0;
           near_q <= 1'b1;
           deep_q <= 1'b0;
           far_q <= 1'b0;
@@ -216,11 +220,16 @@ module horopter_framer #(
           if (take) begin
             fresh_q <= 1'b0;
             x_q <= x_q + 12'd1;
+            row_start_q <= 1'b0;
+            row_end_q <= x_q == before_last_x_q;
             if (x_q >= 12'd64) far_q <= 1'b1;
           end
           if (complete) begin
             x_q <= 12'd0;
             y_q <= y_q + 12'd1;
+            row_start_q <= 1'b1;
+            row_end_q <= 1'b0;
+            last_row_q <= y_q == before_last_y_q;
             near_q <= 32'(y_q) + 1 < EXTRA_LINES;
             deep_q <= 32'(y_q) + 1 >= EXTRA_LINES + EXTRA_LINES / 2;
             far_q <= 1'b1;

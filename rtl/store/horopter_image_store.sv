@@ -3,10 +3,10 @@
 // 2×2 pixels at any address are read in one clock (thesis 10.4.2).
 //
 // Write side: as the framer gives them; a bad row counts as missing. Read side: one request a clock from map_expand;
-// the 2×2 pixels come READ_LATENCY clocks later (8 if FAST, else 1), with mask = all of the following: mapped, in the image, in the window
-// of rows that the ring holds for this output row, [row - (ROWS/2 - 2), row + lookahead], and received well. A pixel
-// with weight 0 is not needed: it need not exist, and its value is anything. A mapped place in the image but outside
-// the window is a miss.
+// the 2×2 pixels come READ_LATENCY clocks later (10 if FAST, else 1), with mask = all of the following: mapped, in the
+// image, in the window of rows that the ring holds for this output row, [row - (ROWS/2 - 2), row + lookahead], and
+// received well. A pixel with weight 0 is not needed: it need not exist, and its value is anything. A mapped place in
+// the image but outside the window is a miss.
 //
 // keep_o: rows before it (counted as the framer counts stored rows) are read for good and may be overwritten.
 // left_* is the same request as old as it takes for the left store's pixel to come out in step: 5 clocks if FAST, else 0.
@@ -127,12 +127,9 @@ module horopter_image_store #(
         .parity_error_o(unused_bad_parity)
     );
     if (FAST) begin : g_fast
-      logic bad_now_q, bad_now_q2;
-      always_ff @(posedge clk_i) begin
-        bad_now_q <= bad_now;
-        bad_now_q2 <= bad_now_q;
-      end
-      assign row_is_bad[r] = bad_now_q2;
+      logic [4:1] bad_now_q;
+      always_ff @(posedge clk_i) bad_now_q <= {bad_now_q[3:1], bad_now};
+      assign row_is_bad[r] = bad_now_q[4];
     end else begin : g_slow
       assign row_is_bad[r] = bad_now;
     end
@@ -146,7 +143,7 @@ module horopter_image_store #(
   end
 
   if (FAST) begin : g_fast
-    localparam int unsigned READ_LATENCY = 8;
+    localparam int unsigned READ_LATENCY = 10;
 
     // --- write ---
     logic write_en_q, write_en_q2, bad_en_q, bad_q, bad_row_q;
@@ -270,23 +267,23 @@ module horopter_image_store #(
     end
     assign bank_read = ok_q[5];
 
-    // 6 is the memories' address register, 7 their output, 8 has the four pixels in their places.
+    // 6 is the memories' address register, 7 to 9 their output, 10 has the four pixels in their places.
     logic row_odd, column_odd;
-    assign row_odd = row_odd_q[7];
-    assign column_odd = column_odd_q[7];
+    assign row_odd = row_odd_q[9];
+    assign column_odd = column_odd_q[9];
     always_ff @(posedge clk_i) begin
       p00_o <= bank_pixel[{row_odd, column_odd, 3'b000}+:8];
       p01_o <= bank_pixel[{row_odd, !column_odd, 3'b000}+:8];
       p10_o <= bank_pixel[{!row_odd, column_odd, 3'b000}+:8];
       p11_o <= bank_pixel[{!row_odd, !column_odd, 3'b000}+:8];
-      mask_o <= ok_q[7] && !row_is_bad[row_odd] && !(below_q[7] && row_is_bad[!row_odd]);
-      miss_o <= miss_q[7];
-      parity_error_o <= ok_q[7] && bank_error != '0;
+      mask_o <= ok_q[9] && !row_is_bad[row_odd] && !(below_q[9] && row_is_bad[!row_odd]);
+      miss_o <= miss_q[9];
+      parity_error_o <= ok_q[9] && bank_error != '0;
     end
-    assign valid_o = valid_q[8];
-    assign first_o = first_q[8];
-    assign last_o = last_q[8];
-    assign live_o = live_q[8];
+    assign valid_o = valid_q[10];
+    assign first_o = first_q[10];
+    assign last_o = last_q[10];
+    assign live_o = live_q[10];
     assign wx_o = wx_q[(READ_LATENCY-1)*WEIGHT_BITS+:WEIGHT_BITS];
     assign wy_o = wy_q[(READ_LATENCY-1)*WEIGHT_BITS+:WEIGHT_BITS];
 
@@ -296,9 +293,11 @@ module horopter_image_store #(
 
     // --- rows that are no longer needed ---
     logic [11:0] rows_read_q, keep_rows_q, keep_base_q;
-    logic row_read;
-    assign row_read = valid_q[6] && last_q[6] && live_q[6];
+    logic row_read, last_read_q, passes_q;  // rows are read at intervals, the decisions have a clock of their own
+    assign row_read = valid_q[8] && last_q[8] && live_q[8];
     always_ff @(posedge clk_i) begin
+      last_read_q <= rows_read_q == height_i - 12'd1;
+      passes_q <= 32'(rows_read_q) >= BACK && keep_rows_q != rows_i;
       if (!rst_ni) begin
         rows_read_q <= 12'd0;
         keep_rows_q <= 12'd0;
@@ -309,8 +308,8 @@ module horopter_image_store #(
         keep_base_q <= base_i;
       end else if (row_read) begin
         rows_read_q <= rows_read_q + 12'd1;
-        if (rows_read_q == height_i - 12'd1) keep_rows_q <= rows_i;
-        else if (32'(rows_read_q) >= BACK && keep_rows_q != rows_i) keep_rows_q <= keep_rows_q + 12'd1;
+        if (last_read_q) keep_rows_q <= rows_i;
+        else if (passes_q) keep_rows_q <= keep_rows_q + 12'd1;
       end
       keep_o <= keep_base_q + keep_rows_q;
     end

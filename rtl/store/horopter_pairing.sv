@@ -58,22 +58,24 @@ module horopter_pairing #(
   logic [RING_BITS-1:0] base_slot_q[2];
   logic [1:0] cut_q;
 
-  logic [1:0] can_join, joins, may_open, opens, absent, given_up;
-  logic can_open, next_slot;
+  logic [1:0] can_join_q, joins, may_open, opens, absent, given_up;
+  logic next_slot, can_open_q, done_q;
   assign next_slot = open_q ? !slot_q : slot_q;
-  assign can_open = (!open_q || ended_q == 2'b11) && !busy_q[next_slot];
 
-  always_comb begin
+  // What a camera may do, decided a clock ahead: it waits for it. Whoever can join does not open.
+  always_ff @(posedge clk_i) begin
+    done_q <= rst_ni && open_q && ended_q == 2'b11 && opens == 2'b00;
+    can_open_q <= rst_ni && (!open_q || ended_q == 2'b11) && !busy_q[next_slot] && opens == 2'b00;
     for (int unsigned c = 0; c < 2; c++) begin
       // In live mode a frame is joined only near its start (one without rows: any time).
-      can_join[c] = open_q && !joined_q[c] && (!live_i || empty_i[c] || (near_i[1-c] && joined_q[1-c] && !ended_q[1-c]));
+      can_join_q[c] <= rst_ni && open_q && !joined_q[c] && (!live_i || empty_i[c] || (near_i[1-c] && joined_q[1-c] && !ended_q[1-c]));
     end
   end
-  assign joins = start_i & can_join;
-  assign may_open = start_i & ~can_join & {2{can_open}};
+  assign joins = start_i & can_join_q & ~joined_q;
+  assign may_open = start_i & {2{can_open_q}};
   assign opens = joins != 2'b00 ? 2'b00 : {may_open[1] && !may_open[0], may_open[0]};
   assign grant_o = joins | opens;
-  assign deny_o = urgent_i & ~grant_o & {2{open_q && ended_q == 2'b11}};
+  assign deny_o = urgent_i & ~grant_o & {2{done_q}};
 
   // A frame that a camera will not deliver (any more). With back-pressure silence counts from the opening of the frame,
   // which the framer knows one clock later.

@@ -78,14 +78,13 @@ module horopter_raster #(
   localparam int unsigned ROW_BITS = $clog2(HEIGHT + FLUSH_ROWS);
   localparam int unsigned COUNT_BITS = $clog2(IN_FLIGHT + 1);
 
-  logic [X_BITS-1:0] x_q, last_column;
-  logic [ROW_BITS-1:0] y_q, last_row;
+  logic [X_BITS-1:0] x_q;
+  logic [ROW_BITS-1:0] y_q;
   logic [COUNT_BITS-1:0] count_q;
   logic live_q, first_q, slot_q, ready_q, active_q, published_q;
   logic ready;  // the row in progress is there
   logic cell_end_x;  // this pixel loads the next column
-  logic last_x;
-  assign last_x = x_q == last_column;
+  logic last_x, last_y, flushed;  // x_q, y_q are the last of the image, y_q is that of the flush rows
 
   // Stage 0 of the beat.
   logic issue_prime, issue_pixel, loads;
@@ -138,8 +137,8 @@ module horopter_raster #(
 
         WAIT_ROW: begin
           x_q <= '0;
-          // Two clocks for ready_q to follow y_q.
-          if (!count_q[1]) begin
+          // Clocks for ready_q to follow y_q.
+          if (32'(count_q) != (FAST ? 3 : 2)) begin
             count_q <= count_q + 1'b1;
           end else if (ready_q) begin
             count_q <= '0;
@@ -156,8 +155,8 @@ module horopter_raster #(
           if (last_x) begin
             y_q <= y_q + 1'b1;
             state_q <= WAIT_ROW;
-            if (y_q == last_row) live_q <= 1'b0;
-            if (!live_q && y_q == last_row + ROW_BITS'(FLUSH_ROWS)) begin
+            if (last_y) live_q <= 1'b0;
+            if (!live_q && flushed) begin
               state_q <= DRAIN;
               y_q <= '0;
               live_q <= 1'b1;
@@ -180,38 +179,53 @@ module horopter_raster #(
     end
   end
 
-  // Stages 1 and 2 of the beat wait for the control points.
-  logic [2:1] valid_q, prime_q, load_q, beat_first_q, beat_last_q;
+  // The beat waits for the control points, as long as the map store takes.
+  localparam int unsigned READ = FAST ? 4 : 2;
+  logic [READ:1] valid_q, prime_q, load_q, beat_first_q, beat_last_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) valid_q <= 2'b00;
-    else valid_q <= {valid_q[1], issue_prime || issue_pixel};
-    prime_q <= {prime_q[1], issue_prime};
-    load_q <= {load_q[1], issue_pixel && loads};
-    beat_first_q <= {beat_first_q[1], issue_pixel && first_q};
-    beat_last_q <= {beat_last_q[1], issue_pixel && last_x};
+    if (!rst_ni) valid_q <= '0;
+    else valid_q <= {valid_q[READ-1:1], issue_prime || issue_pixel};
+    prime_q <= {prime_q[READ-1:1], issue_prime};
+    load_q <= {load_q[READ-1:1], issue_pixel && loads};
+    beat_first_q <= {beat_first_q[READ-1:1], issue_pixel && first_q};
+    beat_last_q <= {beat_last_q[READ-1:1], issue_pixel && last_x};
   end
 
   // Cells have rows of control points above and below; the even ones are in one bank, the odd ones in the other.
   if (FAST) begin : g_fast
-    // The geometry does not change while this runs.
-    logic [ROW_BITS-1:0] last_row_q;
-    logic [X_BITS-1:0] last_column_q;
-    logic [11:0] need_right_q;
+    // The geometry does not change while this runs, y_q does after a row.
+    logic [ROW_BITS-1:0] last_row_q, flush_end_q;
+    logic [X_BITS-1:0] before_last_column_q;
+    logic [11:0] ahead_q, need_right_q;
+    logic last_x_q, last_y_q, flushed_q;
     always_ff @(posedge clk_i) begin
       last_row_q <= ROW_BITS'(height_i - 12'd1);
-      last_column_q <= X_BITS'(width_i - 12'd1);
-      need_right_q <= 12'(y_q) + lookahead_i < 12'(last_row_q) ? 12'(y_q) + lookahead_i : 12'(last_row_q);
+      flush_end_q <= last_row_q + ROW_BITS'(FLUSH_ROWS);
+      before_last_column_q <= X_BITS'(width_i - 12'd2);
+      ahead_q <= 12'(y_q) + lookahead_i;
+      need_right_q <= ahead_q < 12'(last_row_q) ? ahead_q : 12'(last_row_q);
+      last_y_q <= y_q == last_row_q;
+      flushed_q <= y_q == flush_end_q;
     end
-    assign last_row = last_row_q;
-    assign last_column = last_column_q;
+    assign last_x = last_x_q;
+    assign last_y = last_y_q;
+    assign flushed = flushed_q;
     assign ready = !live_q || ((right_rows_i > need_right_q || right_ended_i) && (left_rows_i > 12'(y_q) || left_ended_i));
 
     logic [MAP_ADDR_BITS-1:0] even_row_q, odd_row_q, even_addr_q, odd_addr_q;
-    logic odd_cell_q, cell_end_y;
+    logic odd_cell_q, cell_end_x_q, cell_end_y_q;
     logic [5:0] fraction_q, cell_mask_x_q, cell_mask_y_q;
-    assign cell_end_x = (x_q[5:0] & cell_mask_x_q) == 6'd0;
-    assign cell_end_y = (y_q[5:0] & cell_mask_y_q) == cell_mask_y_q;  // the next row is in another cell
+    assign cell_end_x = cell_end_x_q;
     always_ff @(posedge clk_i) begin
+      // Decided with the pixel before.
+      if (state_q == WAIT_ROW) begin
+        last_x_q <= 1'b0;
+        cell_end_x_q <= 1'b1;
+      end else if (issue_pixel) begin
+        last_x_q <= x_q == before_last_column_q;
+        cell_end_x_q <= (x_q[5:0] & cell_mask_x_q) == cell_mask_x_q;
+      end
+      cell_end_y_q <= (y_q[5:0] & cell_mask_y_q) == cell_mask_y_q;  // the next row is in another cell
       if (map_read_o) begin
         even_addr_q <= even_addr_q + 1'b1;
         odd_addr_q <= odd_addr_q + 1'b1;
@@ -228,8 +242,8 @@ module horopter_raster #(
         odd_addr_q <= odd_row_q;
       end else if (issue_pixel && last_x && live_q) begin
         // The cell's lower row becomes the upper one of the next: only the other bank moves on.
-        fraction_q <= cell_end_y ? 6'd0 : fraction_q + (6'd1 << (3'd6 - table_ny_i));
-        if (cell_end_y) begin
+        fraction_q <= cell_end_y_q ? 6'd0 : fraction_q + (6'd1 << (3'd6 - table_ny_i));
+        if (cell_end_y_q) begin
           odd_cell_q <= !odd_cell_q;
           if (odd_cell_q) odd_row_q <= odd_row_q + MAP_ADDR_BITS'(table_columns_i);
           else even_row_q <= even_row_q + MAP_ADDR_BITS'(table_columns_i);
@@ -239,28 +253,31 @@ module horopter_raster #(
     assign map_even_addr_o = even_addr_q;
     assign map_odd_addr_o = odd_addr_q;
 
-    // Stage 3 puts the control points in their order.
-    logic [2:1] beat_live_q, beat_odd_q;
-    logic [11:0] beat_fraction_q;  // stage 2, stage 1
+    // A last stage puts the control points in their order.
+    logic [READ:1] beat_live_q, beat_odd_q;
+    logic [6*READ-1:0] beat_fraction_q;  // the oldest in the highest bits
     always_ff @(posedge clk_i) begin
-      beat_live_q <= {beat_live_q[1], live_q};
-      beat_odd_q <= {beat_odd_q[1], odd_cell_q};
-      beat_fraction_q <= {beat_fraction_q[5:0], fraction_q};
+      beat_live_q <= {beat_live_q[READ-1:1], live_q};
+      beat_odd_q <= {beat_odd_q[READ-1:1], odd_cell_q};
+      beat_fraction_q <= {beat_fraction_q[6*(READ-1)-1:0], fraction_q};
       if (!rst_ni) valid_o <= 1'b0;
-      else valid_o <= valid_q[2];
-      prime_o <= prime_q[2];
-      load_o <= load_q[2];
-      first_o <= beat_first_q[2];
-      last_o <= beat_last_q[2];
-      live_o <= beat_live_q[2];
-      row_fraction_o <= beat_fraction_q[11:6];
-      top_o <= beat_odd_q[2] ? map_odd_i : map_even_i;
-      bottom_o <= beat_odd_q[2] ? map_even_i : map_odd_i;
-      map_parity_error_o <= map_error_i && (prime_q[2] || load_q[2]) && beat_live_q[2] && table_ok_i;
+      else valid_o <= valid_q[READ];
+      prime_o <= prime_q[READ];
+      load_o <= load_q[READ];
+      first_o <= beat_first_q[READ];
+      last_o <= beat_last_q[READ];
+      live_o <= beat_live_q[READ];
+      row_fraction_o <= beat_fraction_q[6*(READ-1)+:6];
+      top_o <= beat_odd_q[READ] ? map_odd_i : map_even_i;
+      bottom_o <= beat_odd_q[READ] ? map_even_i : map_odd_i;
+      map_parity_error_o <= map_error_i && (prime_q[READ] || load_q[READ]) && beat_live_q[READ] && table_ok_i;
     end
   end else begin : g_slow
+    logic [ROW_BITS-1:0] last_row;
     assign last_row = ROW_BITS'(height_i - 12'd1);
-    assign last_column = X_BITS'(width_i - 12'd1);
+    assign last_x = x_q == X_BITS'(width_i - 12'd1);
+    assign last_y = y_q == last_row;
+    assign flushed = y_q == last_row + ROW_BITS'(FLUSH_ROWS);
     // Row min(y + lookahead, height - 1).
     logic right_ready;
     assign right_ready = 32'(right_rows_i) > 32'(y_q) + 32'(lookahead_i[ROW_BITS-1:0]) || right_rows_i == height_i || right_ended_i;

@@ -316,7 +316,8 @@ module horopter_top #(
   // ------------------------------------------------------------------------------------------------ cameras in
   // Index 0 = left, 1 = right. A test frame takes the place of both images.
   logic [1:0] in_valid, in_first, in_last, fifo_ready, fifo_overflow, head_valid, head_ready, head_first, head_last;
-  logic [1:0] head_almost_full;
+  logic [1:0] head_almost_full, queue_valid, queue_ready;
+  logic [19:0] queue_data;
   logic [7:0] in_left, in_right, head_left, head_right;
   logic [1:0] lost_pixel;  // only a live camera can lose one: without, a full FIFO makes it wait
   assign lost_pixel = fifo_overflow & {2{live}};
@@ -355,9 +356,9 @@ module horopter_top #(
       .s_valid_i(in_valid[0]),
       .s_ready_o(fifo_ready[0]),
       .s_data_i({in_first[0], in_last[0], in_left}),
-      .m_valid_o(head_valid[0]),
-      .m_ready_i(head_ready[0]),
-      .m_data_o({head_first[0], head_last[0], head_left}),
+      .m_valid_o(queue_valid[0]),
+      .m_ready_i(queue_ready[0]),
+      .m_data_o(queue_data[10*0+:10]),
       .almost_full_o(head_almost_full[0]),
       .overflow_o(fifo_overflow[0])
   );
@@ -371,12 +372,46 @@ module horopter_top #(
       .s_valid_i(in_valid[1]),
       .s_ready_o(fifo_ready[1]),
       .s_data_i({in_first[1], in_last[1], in_right}),
-      .m_valid_o(head_valid[1]),
-      .m_ready_i(head_ready[1]),
-      .m_data_o({head_first[1], head_last[1], head_right}),
+      .m_valid_o(queue_valid[1]),
+      .m_ready_i(queue_ready[1]),
+      .m_data_o(queue_data[10*1+:10]),
       .almost_full_o(head_almost_full[1]),
       .overflow_o(fifo_overflow[1])
   );
+
+  // A framer says late what it takes.
+  logic [19:0] head_data;
+  assign {head_first[1], head_last[1], head_right, head_first[0], head_last[0], head_left} = head_data;
+  if (FAST) begin : g_head
+    horopter_axis_skid #(
+        .WIDTH(10)
+    ) u_left_skid (
+        .clk_i(clk_i),
+        .rst_ni(core_rst_n),
+        .s_valid_i(queue_valid[0]),
+        .s_ready_o(queue_ready[0]),
+        .s_data_i(queue_data[9:0]),
+        .m_valid_o(head_valid[0]),
+        .m_ready_i(head_ready[0]),
+        .m_data_o(head_data[9:0])
+    );
+    horopter_axis_skid #(
+        .WIDTH(10)
+    ) u_right_skid (
+        .clk_i(clk_i),
+        .rst_ni(core_rst_n),
+        .s_valid_i(queue_valid[1]),
+        .s_ready_o(queue_ready[1]),
+        .s_data_i(queue_data[19:10]),
+        .m_valid_o(head_valid[1]),
+        .m_ready_i(head_ready[1]),
+        .m_data_o(head_data[19:10])
+    );
+  end else begin : g_head
+    assign head_valid = queue_valid;
+    assign queue_ready = head_ready;
+    assign head_data = queue_data;
+  end
 
   horopter_framer #(
       .SLOTS(LEFT_ROWS)

@@ -201,7 +201,14 @@ class Machine : public Endpoint {
   void upload(unsigned slot, unsigned base_word64, const std::vector<std::uint32_t>& words) {
     upload_part(slot, base_word64, words, 0, words.size());
   }
-  std::uint32_t upload_error() { return reg::map_status::kError.get(read(reg::map_status::kAddress)); }
+  /// Of the upload that has been sent: a word is judged some clocks after it was taken.
+  std::uint32_t upload_error() {
+    std::uint32_t status = read(reg::map_status::kAddress);
+    for (int poll = 0; poll < 4 && reg::map_status::kBusy.get(status) != 0; ++poll) {
+      status = read(reg::map_status::kAddress);
+    }
+    return reg::map_status::kError.get(status);
+  }
   void select(unsigned slot) { write(reg::table_select::kAddress, slot); }
 
   void send(const FramePair& pair, Damage left_damage = {}, Damage right_damage = {}) {
