@@ -104,73 +104,69 @@ module horopter_csr #(
     input  logic [31:0] frame_tail_clocks_i
 );
   // A write is decoded in its first clock and taken, or refused, from the second on.
-  logic decoded_q, foreign_q, locks_q;
+  logic comes, decoded_q;
   logic [25:0] selected_q;
+  assign comes = rst_ni && write_valid_i && !write_ready_o;
   always_ff @(posedge clk_i) begin
-    decoded_q <= rst_ni && write_valid_i && !write_ready_o;
-    foreign_q <= 1'b0;
-    locks_q <= 1'b0;
+    decoded_q <= comes;
+    write_error_o <= 1'b0;
     selected_q <= '0;
     case (write_addr_i)
-      12'h040: selected_q[0] <= 1'b1;  // CONTROL
+      12'h040: selected_q[0] <= comes;  // CONTROL
       12'h044: begin
-        selected_q[1] <= 1'b1;
-        locks_q <= 1'b1;
+        selected_q[1] <= comes && !locked_i;
+        write_error_o <= locked_i;
       end
       12'h04C: begin
-        selected_q[2] <= 1'b1;
-        locks_q <= 1'b1;
+        selected_q[2] <= comes && !locked_i;
+        write_error_o <= locked_i;
       end
       12'h050: begin
-        selected_q[3] <= 1'b1;
-        locks_q <= 1'b1;
+        selected_q[3] <= comes && !locked_i;
+        write_error_o <= locked_i;
       end
       12'h054: begin
-        selected_q[4] <= 1'b1;
-        locks_q <= 1'b1;
+        selected_q[4] <= comes && !locked_i;
+        write_error_o <= locked_i;
       end
-      12'h058: selected_q[5] <= 1'b1;  // TIMEOUT
-      12'h05C: selected_q[6] <= 1'b1;  // TABLE_SELECT
-      12'h060: selected_q[7] <= 1'b1;  // IRQ_ENABLE
-      12'h064: selected_q[8] <= 1'b1;  // IRQ_STATUS
-      12'h080: selected_q[9] <= 1'b1;  // SUM_LIMIT
-      12'h084: selected_q[10] <= 1'b1;  // SELF_LIMIT
-      12'h088: selected_q[11] <= 1'b1;  // TEXTURE_LIMIT
-      12'h08C: selected_q[12] <= 1'b1;  // ALARM_LIMIT
-      12'h090: selected_q[13] <= 1'b1;  // UNDECIDABLE_LIMIT
-      12'h094: selected_q[14] <= 1'b1;  // UNSUPERVISED_LIMIT
-      12'h0A0: selected_q[15] <= 1'b1;  // BLACK_LEVEL
-      12'h0A4: selected_q[16] <= 1'b1;  // BLACK_LIMIT
-      12'h0A8: selected_q[17] <= 1'b1;  // WHITE_LEVEL
-      12'h0AC: selected_q[18] <= 1'b1;  // WHITE_LIMIT
-      12'h0B0: selected_q[19] <= 1'b1;  // CONSTANT_LIMIT
-      12'h0B4: selected_q[20] <= 1'b1;  // FROZEN_LIMIT
-      12'h0C0: selected_q[21] <= 1'b1;  // MAP_SLOT
-      12'h0C4: selected_q[22] <= 1'b1;  // MAP_BASE
+      12'h058: selected_q[5] <= comes;  // TIMEOUT
+      12'h05C: selected_q[6] <= comes;  // TABLE_SELECT
+      12'h060: selected_q[7] <= comes;  // IRQ_ENABLE
+      12'h064: selected_q[8] <= comes;  // IRQ_STATUS
+      12'h080: selected_q[9] <= comes;  // SUM_LIMIT
+      12'h084: selected_q[10] <= comes;  // SELF_LIMIT
+      12'h088: selected_q[11] <= comes;  // TEXTURE_LIMIT
+      12'h08C: selected_q[12] <= comes;  // ALARM_LIMIT
+      12'h090: selected_q[13] <= comes;  // UNDECIDABLE_LIMIT
+      12'h094: selected_q[14] <= comes;  // UNSUPERVISED_LIMIT
+      12'h0A0: selected_q[15] <= comes;  // BLACK_LEVEL
+      12'h0A4: selected_q[16] <= comes;  // BLACK_LIMIT
+      12'h0A8: selected_q[17] <= comes;  // WHITE_LEVEL
+      12'h0AC: selected_q[18] <= comes;  // WHITE_LIMIT
+      12'h0B0: selected_q[19] <= comes;  // CONSTANT_LIMIT
+      12'h0B4: selected_q[20] <= comes;  // FROZEN_LIMIT
+      12'h0C0: selected_q[21] <= comes;  // MAP_SLOT
+      12'h0C4: selected_q[22] <= comes;  // MAP_BASE
       12'h0C8: begin
-        selected_q[23] <= 1'b1;
-        foreign_q <= write_strb_i != 4'hF;
+        selected_q[23] <= comes && write_strb_i == 4'hF;
+        write_error_o <= write_strb_i != 4'hF;
       end
       12'h0CC: begin
-        selected_q[24] <= 1'b1;
-        foreign_q <= write_strb_i != 4'hF;
+        selected_q[24] <= comes && write_strb_i == 4'hF;
+        write_error_o <= write_strb_i != 4'hF;
       end
-      12'h0E0: selected_q[25] <= 1'b1;  // FAULTS
-      default: foreign_q <= 1'b1;
+      12'h0E0: selected_q[25] <= comes;  // FAULTS
+      default: write_error_o <= 1'b1;
     endcase
   end
-  assign write_error_o = foreign_q || (locks_q && locked_i);
 
-  assign map_control_valid_o = decoded_q && selected_q[23] && !foreign_q;
+  assign map_control_valid_o = selected_q[23];
   assign map_control_start_o = write_data_i[0];
-  assign map_data_valid_o = decoded_q && selected_q[24] && !foreign_q;
+  assign map_data_valid_o = selected_q[24];
   assign map_data_word_o = write_data_i[31:0];
   assign write_ready_o = decoded_q
       && !(map_control_valid_o && !map_control_ready_i)
       && !(map_data_valid_o && !map_data_ready_i);
-
-  logic write_take;
-  assign write_take = decoded_q && !write_error_o;
 
   // CONTROL: Run control. While enable is 0 the streaming core is in reset.
   logic        control_enable_q;
@@ -269,7 +265,7 @@ module horopter_csr #(
       frozen_limit_frames_q <= 8'd1;
       map_slot_slot_q <= 4'd0;
       map_base_word64_q <= 16'd0;
-    end else if (write_take) begin
+    end else begin
       if (selected_q[0]) begin  // CONTROL
         if (write_strb_i[0]) control_enable_q <= write_data_i[0];
       end
@@ -369,7 +365,7 @@ module horopter_csr #(
   logic [ 1:0] irq_status_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) irq_status_q <= 2'd0;
-    else if (write_take && selected_q[8])
+    else if (selected_q[8])
       irq_status_q <= (irq_status_q & ~(write_data_i[1:0] & {{2{write_strb_i[0]}}})) | irq_status_set_i;
     else irq_status_q <= irq_status_q | irq_status_set_i;
   end
@@ -379,7 +375,7 @@ module horopter_csr #(
   logic [30:0] faults_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) faults_q <= 31'd0;
-    else if (write_take && selected_q[25])
+    else if (selected_q[25])
       faults_q <= (faults_q & ~(write_data_i[30:0] & {{7{write_strb_i[3]}}, {8{write_strb_i[2]}}, {8{write_strb_i[1]}}, {8{write_strb_i[0]}}})) | faults_set_i;
     else faults_q <= faults_q | faults_set_i;
   end

@@ -70,7 +70,11 @@ module formal_map_store (
   (* hierconn *) wire [23:0] \dut.left_q ;
   (* hierconn *) wire [16:0] \dut.write_addr_q ;
   (* hierconn *) wire \dut.odd_q ;
-  (* hierconn *) wire [5:0] \dut.step_q ;
+  (* hierconn *) wire [6:0] \dut.step_q ;
+  (* hierconn *) wire \dut.meets_q ;
+  (* hierconn *) wire \dut.overlaps_q ;
+  (* hierconn *) wire \dut.bad_size_q ;
+  (* hierconn *) wire \dut.too_large_q ;
   (* hierconn *) wire [14:0] \dut.overlap_q ;
   (* hierconn *) wire \dut.waiting_q ;
   (* hierconn *) wire \dut.take ;
@@ -83,11 +87,17 @@ module formal_map_store (
   (* anyconst *) logic [3:0] watched;
   logic [15:0] first, last;  // region of the watched table
   logic past_valid = 1'b0, past_in_use = 1'b0, past_lookup_valid = 1'b0;
+  logic [3:0] past_slot, past_selected, past_active;
+  logic past_running;
   logic in_use;
   assign in_use = running && valid[watched] && (watched == selected_slot || watched == active_slot);
 
   always @(posedge clk_i) begin
     past_valid <= 1'b1;
+    past_slot <= slot;
+    past_selected <= selected_slot;
+    past_active <= active_slot;
+    past_running <= running;
     past_in_use <= rst_ni && in_use;
     if (\dut.store_entry && \dut.slot_q == watched) begin
       first <= \dut.base_q ;
@@ -102,8 +112,11 @@ module formal_map_store (
     if (!past_valid) assume (!rst_ni);
     assume (watched != 4'd15);
     // The directory's memory.
-    if (\dut.state_q == WALK && \dut.step_q [0] && \dut.step_q [4:1] == watched && valid[watched])
+    if (\dut.state_q == WALK && \dut.step_q [1:0] != 2'd0 && \dut.step_q [5:2] == watched && valid[watched])
       assume (\dut.extent == {last, first});
+    // The bus: a start's slot and the selection were there before it; a begin makes the selected slot the active one.
+    if (start_valid) assume (slot == past_slot && selected_slot == past_selected && running == past_running);
+    assume (active_slot == past_active || active_slot == past_selected);
 
     if (past_valid) begin
       // --- invariants that lead to the properties ---
@@ -111,17 +124,21 @@ module formal_map_store (
       assert (!(\dut.waiting_q && \dut.take ));
       if (\dut.state_q == SIZE || \dut.state_q == WALK) assert (!\dut.waiting_q && !\dut.take );
       if (\dut.state_q == SIZE) begin
-        assert (\dut.step_q <= 6'd12);
-        if (\dut.step_q < 6'd12) assert (32'(\dut.size_q ) + 32'd4095 <= 32'd4095 << \dut.step_q );
+        assert (\dut.step_q <= 7'd13);
+        if (\dut.step_q < 7'd12) assert (32'(\dut.size_q ) + 32'd4095 <= 32'd4095 << \dut.step_q );
       end
-      if (\dut.state_q == SIZE && \dut.step_q == 6'd12 || \dut.state_q == WALK)
+      if (\dut.state_q == SIZE && \dut.step_q == 7'd13) assert (\dut.too_large_q == (\dut.end_q > 24'd16) && (\dut.bad_size_q || \dut.size_q != 24'd0));
+      if (\dut.state_q == SIZE && \dut.step_q >= 7'd12 || \dut.state_q == WALK)
         assert (\dut.end_q == \dut.size_q + 24'(\dut.base_q ) && \dut.size_q < 24'd8388608);
-      if (\dut.state_q == WALK) assert (\dut.step_q <= 6'd32);
+      if (\dut.state_q == WALK) assert (\dut.step_q <= 7'd64);
       if (\dut.state_q == WALK || \dut.state_q == DATA || \dut.state_q == CHECK)
         assert (\dut.end_q <= 24'd16 && 24'(\dut.base_q ) < \dut.end_q );
       if (\dut.state_q != IDLE) assert (\dut.slot_q != 4'd15 && !valid[\dut.slot_q ]);
-      if (\dut.state_q == WALK && valid[watched])
-        assert (\dut.overlap_q [watched] == (\dut.step_q > {1'b0, watched, 1'b1} && !apart));
+      if (\dut.state_q == WALK && valid[watched]) begin
+        assert (\dut.overlap_q [watched] == (\dut.step_q > {1'b0, watched, 2'b11} && !apart));
+        if (\dut.step_q == {1'b0, watched, 2'b10}) assert (\dut.meets_q == !apart);
+        if (\dut.step_q == {1'b0, watched, 2'b11}) assert (\dut.overlaps_q == !apart);
+      end
       if (\dut.state_q == DATA) begin
         // Words left, the one expected included.
         assert (\dut.left_q < 24'd32);

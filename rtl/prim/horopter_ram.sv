@@ -75,7 +75,7 @@ module horopter_ram #(
     logic [ADDR_BITS-1:0] read_addr_q;
     logic [WORD_BITS-1:0] write_word_q;
     logic [BANK_BITS-1:0] read_bank_q, read_bank_q2;
-    logic [BANKS*WORD_BITS-1:0] words;
+    logic [(WORD_BITS<<BANK_BITS)-1:0] words;
     always_ff @(posedge clk_i) begin
       write_addr_q <= write_addr_i[IN_BANK_BITS-1:0];
       write_word_q <= write_word;
@@ -83,10 +83,9 @@ module horopter_ram #(
       read_addr_q <= read_addr_i;
       if (read_en_q) read_bank_q <= bank_of(read_addr_q);
       read_bank_q2 <= read_bank_q;
-      for (int unsigned b = 0; b < BANKS; b++) begin
-        if (read_bank_q2 == BANK_BITS'(b)) out_word <= words[b*WORD_BITS+:WORD_BITS];
-      end
+      out_word <= words[32'(read_bank_q2)*WORD_BITS+:WORD_BITS];
     end
+    if (BANKS < 1 << BANK_BITS) assign words[(WORD_BITS<<BANK_BITS)-1:BANKS*WORD_BITS] = '0;
     for (genvar b = 0; b < BANKS; b++) begin : g_bank
       localparam int unsigned BANK_DEPTH = b < DEEP_BANKS ? DEEP : (DEPTH < SHALLOW ? DEPTH : SHALLOW);
       localparam int unsigned BANK_ADDR_BITS = $clog2(BANK_DEPTH);

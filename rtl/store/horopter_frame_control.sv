@@ -122,13 +122,16 @@ module horopter_frame_control #(
 
   // --- where they belong: a frame record, or, if that is closed already, to the next frame published ---
   logic state_ended_q, runs_ended_q, counted_q;
-  logic publishing, publish_q;
+  logic complete, publishing, publish_q;
   logic [1:0] accepts;  // records that still take faults
   logic [FAULTS-1:0] set_record0, set_record1, set_event;
-  assign publishing = active_i && state_ended_q && runs_ended_q && counted_q && !publish_q && !publish_o;
+  assign complete = active_i && state_ended_q && runs_ended_q && counted_q && !publishing && !publish_q && !publish_o;
+  always_ff @(posedge clk_i) begin
+    publishing <= rst_ni && complete;
+    accepts <= busy_i;
+    if (complete || publishing || publish_q || publish_o) accepts[read_slot_i] <= 1'b0;
+  end
   always_comb begin
-    accepts = busy_i;
-    if (publishing || publish_q || publish_o) accepts[read_slot_i] = 1'b0;
     set_record0 = NONE;
     set_record1 = NONE;
     set_event = event_in_q;

@@ -13,7 +13,7 @@
 //
 // Directory: lookup_i for one clock asks for lookup_slot_i; from two clocks later on the table_* outputs tell,
 // until the next lookup. table_ok_o: it was valid, and made for this width and height.
-// data_ready_o falls for 5 clocks after each word, in which its bytes go through the CRC, and for some 50 after the
+// data_ready_o falls for 5 clocks after each word, in which its bytes go through the CRC, and for some 80 after the
 // third. busy_o: an upload or a word of one is under way, error_o may still change. Reset: all slots invalid.
 module horopter_map_store #(
     parameter int unsigned POOL_BYTES = 81920,
@@ -100,18 +100,18 @@ module horopter_map_store #(
   logic [31:0] crc_q;
   logic [14:0] valid_q;
   logic [14:0] overlap_q;
-  logic [5:0] step_q;
+  logic [6:0] step_q;
   logic [23:0] size_q, end_q;  // words; address after the last
   logic [23:0] left_q;  // words of data still to come, less one
   logic [16:0] write_addr_q;
   logic odd_q;
-  logic consistent_q;
+  logic consistent_q, bad_size_q, too_large_q;
   logic [11:0] cells_x_q, cells_y_q;
 
   // A word turns once through the CRC, byte by byte, then it is taken.
   logic [31:0] data;
   logic [3:0] byte_q;  // one-hot: bytes that are through
-  logic waiting_q, take, slot_in_use;
+  logic waiting_q, take, slot_in_use_q, store_entry;
   assign data_ready_o = state_q != SIZE && state_q != WALK && !start_valid_i && !waiting_q && !take;
   assign start_ready_o = 1'b1;
   always_ff @(posedge clk_i) begin
@@ -130,12 +130,15 @@ module horopter_map_store #(
     if (start_valid_i) crc_q <= 32'hFFFFFFFF;
     else if (waiting_q) crc_q <= crc_byte(crc_q, data[7:0]);
   end
-  assign slot_in_use = running_i && (slot_i == selected_slot_i || slot_i == active_slot_i)
-      && slot_i != 4'd15 && valid_q[slot_i];
+  // As of the clock before a start: slot_i and the selection do not change in the clock of a start, and the active slot
+  // can only become the selected one.
+  always_ff @(posedge clk_i)
+    slot_in_use_q <= running_i && (slot_i == selected_slot_i || slot_i == active_slot_i)
+        && slot_i != 4'd15 && (valid_q[slot_i] || store_entry);
 
   // Extent of each table, for the walk.
   logic [31:0] extent;
-  logic store_entry;
+  logic [3:0] walk_slot;
   logic unused_extent_parity, unused_entry_parity, unused_crc_parity;
   horopter_ram #(
       .WIDTH(32),
@@ -146,15 +149,16 @@ module horopter_map_store #(
       .write_addr_i(slot_q),
       .write_data_i({end_q[15:0] - 16'd1, base_q}),  // its last and first word
       .read_en_i(state_q == WALK),
-      .read_addr_i(step_q[4:1]),
+      .read_addr_i(walk_slot),
       .read_data_o(extent),
       .parity_error_o(unused_extent_parity)
   );
-  logic overlaps, overlap_in_use;
-  logic [3:0] walk_slot;
-  assign walk_slot = step_q[4:1];
-  assign overlaps = walk_slot != 4'd15 && valid_q[walk_slot] && walk_slot != slot_q
-      && 24'(extent[15:0]) < end_q && extent[31:16] >= base_q;
+  logic meets_q, overlaps_q, overlap_in_use;
+  assign walk_slot = step_q[5:2];
+  always_ff @(posedge clk_i) begin
+    meets_q <= 24'(extent[15:0]) < end_q && extent[31:16] >= base_q;
+    overlaps_q <= walk_slot != 4'd15 && valid_q[walk_slot] && walk_slot != slot_q && meets_q;
+  end
 
   // Decided when the walk is over: the selection may change during it.
   assign overlap_in_use = running_i && ((selected_slot_i != 4'd15 && overlap_q[selected_slot_i])
@@ -175,7 +179,7 @@ module horopter_map_store #(
         state_q <= IDLE;
         error_o <= NO_SLOT;
         bad_upload_o <= 1'b1;
-      end else if (slot_in_use) begin
+      end else if (slot_in_use_q) begin
         state_q <= IDLE;
         error_o <= IN_USE;
         refused_o <= 1'b1;
@@ -216,39 +220,44 @@ module horopter_map_store #(
           cells_x_q <= data[11:0] - 12'd1;
           cells_y_q <= data[27:16] - 12'd1;
           size_q <= 24'd0;
-          step_q <= 6'd0;
+          step_q <= 7'd0;
           state_q <= SIZE;
         end
 
         // One bit of the product and one place of the shifts a clock. With c = (size - 1) >> n there are c + 1 cells,
         // c + 2 control points.
         SIZE: begin
-          step_q <= step_q + 6'd1;
-          if (step_q < 6'd11) begin
-            size_q <= {size_q[22:0], 1'b0} + (pairs_q[4'd10 - step_q[3:0]] ? 24'(columns_q) : 24'd0);
-            if (step_q < 6'(nx_q)) cells_x_q <= {1'b0, cells_x_q[11:1]};
-            if (step_q < 6'(ny_q)) cells_y_q <= {1'b0, cells_y_q[11:1]};
-          end else if (step_q == 6'd11) begin
+          step_q <= step_q + 7'd1;
+          bad_size_q <= !consistent_q || size_q == 24'd0;
+          too_large_q <= 32'(end_q) > WORDS;
+          if (step_q < 7'd11) begin
+            pairs_q <= {pairs_q[9:0], pairs_q[10]};  // back in place after all 11
+            size_q <= {size_q[22:0], 1'b0} + (pairs_q[10] ? 24'(columns_q) : 24'd0);
+            if (step_q < 7'(nx_q)) cells_x_q <= {1'b0, cells_x_q[11:1]};
+            if (step_q < 7'(ny_q)) cells_y_q <= {1'b0, cells_y_q[11:1]};
+          end else if (step_q == 7'd11) begin
             // Pairs of c + 2 rows: c / 2 + 1, and one more if c is odd.
             if (columns_q != cells_x_q + 12'd2 || 12'(pairs_q) != 12'(cells_y_q[11:1]) + 12'd1 + 12'(cells_y_q[0]))
               consistent_q <= 1'b0;
             end_q <= size_q + 24'(base_q);
-          end else if (!consistent_q || size_q == 24'd0 || 32'(end_q) > WORDS) begin
-            state_q <= IDLE;
-            error_o <= consistent_q && size_q != 24'd0 ? TOO_LARGE : BAD_HEADER;
-            bad_upload_o <= 1'b1;
-          end else begin
-            step_q <= 6'd0;
+          end else if (step_q == 7'd13) begin
+            step_q <= 7'd0;
             overlap_q <= 15'd0;
-            state_q <= WALK;
+            if (bad_size_q || too_large_q) begin
+              state_q <= IDLE;
+              error_o <= bad_size_q ? BAD_HEADER : TOO_LARGE;
+              bad_upload_o <= 1'b1;
+            end else begin
+              state_q <= WALK;
+            end
           end
         end
 
-        // Two clocks a slot: read, judge.
+        // Four clocks a slot: read, compare, judge, note.
         WALK: begin
-          step_q <= step_q + 6'd1;
-          if (step_q[0] && overlaps) overlap_q[walk_slot] <= 1'b1;
-          if (step_q == 6'd32) begin
+          step_q <= step_q + 7'd1;
+          if (step_q[1:0] == 2'd3 && overlaps_q) overlap_q[walk_slot] <= 1'b1;
+          if (step_q == 7'd64) begin
             write_addr_q <= 17'(base_q);
             left_q <= {size_q[22:0], 1'b0} - 24'd1;
             odd_q <= 1'b0;

@@ -99,10 +99,20 @@ module horopter_pairing #(
       joined_q <= 2'b00;
       ended_q <= 2'b00;
       busy_q <= 2'b00;
+      for (int unsigned s = 0; s < 2; s++) begin
+        left_rows_q[s] <= 12'd0;
+        right_rows_q[s] <= 12'd0;
+      end
       left_ended_q <= 2'b00;
       right_ended_q <= 2'b00;
     end else begin
-      if (free_i) busy_q[read_slot_i] <= 1'b0;
+      if (free_i) begin
+        busy_q[read_slot_i] <= 1'b0;
+        left_rows_q[read_slot_i] <= 12'd0;
+        right_rows_q[read_slot_i] <= 12'd0;
+        left_ended_q[read_slot_i] <= 1'b0;
+        right_ended_q[read_slot_i] <= 1'b0;
+      end
 
       for (int unsigned c = 0; c < 2; c++) begin
         if (joins[c]) begin
@@ -137,13 +147,15 @@ module horopter_pairing #(
         joined_q <= opens;
         ended_q <= 2'b00;
         busy_q[next_slot] <= 1'b1;
-        left_rows_q[next_slot] <= 12'd0;
-        right_rows_q[next_slot] <= 12'd0;
-        left_ended_q[next_slot] <= 1'b0;
-        right_ended_q[next_slot] <= 1'b0;
-        base_q[next_slot] <= right_stored_i;
-        base_slot_q[next_slot] <= right_slot_i;
       end
+    end
+  end
+
+  // Where a frame begins that may be opened now.
+  always_ff @(posedge clk_i) begin
+    if (can_open_q) begin
+      base_q[next_slot] <= right_stored_i;
+      base_slot_q[next_slot] <= right_slot_i;
     end
   end
 
