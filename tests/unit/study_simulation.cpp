@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+// The simulated photographs: what each condition does to them, and that a seed repeats them.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numeric>
+
+#include "horopter/study/random.hpp"
+#include "horopter/study/simulation.hpp"
+
+using namespace horopter;
+using namespace horopter::study;
+
+namespace {
+
+Conditions small() {
+  Conditions conditions;
+  conditions.camera.width = 96;
+  conditions.camera.height = 64;
+  return conditions;
+}
+
+double mean_of(const Plane& plane) {
+  return std::accumulate(plane.values.begin(), plane.values.end(), 0.0) / static_cast<double>(plane.values.size());
+}
+
+double rms_difference(const Plane& a, const Plane& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.values.size(); ++i) sum += std::pow(a.values[i] - b.values[i], 2);
+  return std::sqrt(sum / static_cast<double>(a.values.size()));
+}
+
+}  // namespace
+
+TEST_CASE("gaussian numbers have mean 0 and deviation 1") {
+  Random random(3);
+  double sum = 0;
+  double square = 0;
+  constexpr int count = 400000;
+  for (int i = 0; i < count; ++i) {
+    const double value = random.gaussian();
+    sum += value;
+    square += value * value;
+  }
+  CHECK(std::abs(sum / count) < 0.01);
+  CHECK(square / count == Approx(1).epsilon(0.01));
+}
+
+TEST_CASE("every texture has the contrast and brightness asked for, and comes again with its seed") {
+  Conditions conditions = small();
+  conditions.texture.kind =
+      GENERATE(TextureKind::dead_leaves, TextureKind::band_noise, TextureKind::printed_dots, TextureKind::picture);
+  auto picture = std::make_shared<Image>(40, 30);
+  Random random(7);
+  for (auto& pixel : picture->pixels) pixel = static_cast<std::uint8_t>(random.next());
+  conditions.texture.picture = picture;
+  conditions.texture.picture_scale = 1.7;
+  const Simulation simulation(conditions, 3);
+  const Plane exact = simulation.exact(0);
+  CAPTURE(name_of(conditions.texture.kind));
+  CHECK(texture_kind(name_of(conditions.texture.kind)) == conditions.texture.kind);
+  CHECK(local_deviation(exact) == Approx(conditions.lighting.deviation_grey).epsilon(1e-4));
+  CHECK(mean_of(exact) == Approx(conditions.lighting.mean_grey).epsilon(1e-4));
+  CHECK(simulation.photograph(1.3, 4) == Simulation(conditions, 3).photograph(1.3, 4));
+  CHECK_FALSE(simulation.photograph(1.3, 4) == simulation.photograph(1.3, 5));
+  if (conditions.texture.kind != TextureKind::picture) {
+    conditions.seed = 2;
+    CHECK_FALSE(Simulation(conditions, 3).exact(0) == exact);
+  }
+}
+
+TEST_CASE("a shift by whole pixels moves the image, halves lie between") {
+  const Simulation simulation(small(), 5);
+  const Plane still = simulation.exact(0);
+  const Plane moved = simulation.exact(3);
+  for (int y = 0; y < still.height; ++y)
+    for (int x = 3; x < still.width; ++x) REQUIRE(moved.at(x - 3, y) == Approx(still.at(x, y)).epsilon(1e-4));
+  double last = 0;
+  for (const double shift : {0.1, 0.3, 0.5, 0.8}) {
+    const double difference = rms_difference(still, simulation.exact(shift));
+    CHECK(difference > last);
+    last = difference;
+  }
+  CHECK_THROWS_AS(simulation.exact(5.5), std::invalid_argument);
+}
+
+TEST_CASE("a picture is shown where it is, blurred by lens and pixel as they are said to") {
+  // A vertical edge in a picture with steps of a quarter pixel: its image is the integral of pixel and Gaussian.
+  Conditions conditions = small();
+  auto picture = std::make_shared<Image>(800, 40, 0);
+  for (int y = 0; y < 40; ++y)
+    for (int x = 240; x < 800; ++x) picture->at(x, y) = 200;
+  conditions.texture = {TextureKind::picture, 1, 3, picture, 0.25};
+  conditions.camera.fill_factor = GENERATE(0.25, 0.85, 1.0);
+  conditions.camera.blur_px = GENERATE(0.0, 0.4, 1.0);
+  const Simulation simulation(conditions, 8);
+  const Plane image = simulation.exact(0);
+  int edge = 0;
+  while (image.at(edge, 0) < (image.at(0, 0) + image.at(95, 0)) / 2) ++edge;
+  double variance = 0;
+  double weight = 0;
+  double mean = 0;
+  const int row = 30;
+  // The derivative over shifts of 1/8 px is the line spread; its variance that of lens, pixel, sample and picture.
+  constexpr double step = 0.125;
+  double before = simulation.exact(-8).at(edge, row);
+  for (double shift = -8 + step; shift <= 8; shift += step) {
+    const double now = simulation.exact(shift).at(edge, row);
+    const double place = shift - step / 2;
+    weight += now - before;
+    mean += place * (now - before);
+    variance += place * place * (now - before);
+    before = now;
+  }
+  mean /= weight;
+  variance = variance / weight - mean * mean;
+  const double expected = conditions.camera.blur_px * conditions.camera.blur_px + conditions.camera.fill_factor / 12;
+  CAPTURE(conditions.camera.fill_factor, conditions.camera.blur_px);
+  CHECK(variance == Approx(expected).margin(0.012));
+}
+
+TEST_CASE("noise, averaging and conversion are what they say") {
+  Conditions conditions = small();
+  conditions.lighting.deviation_grey = 0;
+  conditions.electronics.noise_grey = 4;
+  conditions.electronics.averaged = GENERATE(1, 4);
+  const Simulation simulation(conditions, 0);
+  const Image image = simulation.photograph(0, 9);
+  double square = 0;
+  for (const auto pixel : image.pixels) square += std::pow(pixel - conditions.lighting.mean_grey, 2);
+  // Conversion adds 1/12 for each image and once more for the mean.
+  const int n = conditions.electronics.averaged;
+  const double expected = (16 + 1 / 12.0) / n + (n > 1 ? 1 / 12.0 : 0);
+  CHECK(square / static_cast<double>(image.pixels.size()) == Approx(expected).epsilon(0.06));
+
+  conditions.electronics.bits = 2;
+  conditions.electronics.averaged = 1;
+  for (const auto pixel : Simulation(conditions, 0).photograph(0, 1).pixels) REQUIRE(pixel % 85 == 0);
+}
+
+TEST_CASE("light and jitter") {
+  Conditions conditions = small();
+  conditions.lighting.deviation_grey = 0;
+  conditions.lighting.slope_x = 0.4;
+  conditions.lighting.falloff = 0.2;
+  const Plane lit = Simulation(conditions, 0).exact(0);
+  const double u = 95.0 / 96;
+  const double v = 1.0 / 64;
+  CHECK(lit.at(95, 32) == Approx(110 * (1 + 0.4 * u - 0.1 * (u * u + v * v))).epsilon(1e-5));
+  CHECK(lit.at(0, 32) == Approx(110 * (1 - 0.4 * u - 0.1 * (u * u + v * v))).epsilon(1e-5));
+
+  // A line is displaced as a whole: its difference from the exact one goes with the gradient, and lines differ.
+  conditions = small();
+  conditions.electronics = {0, 0.3, 8, 1};
+  const Simulation jittered(conditions, 0);
+  const Image image = jittered.photograph(0, 3);
+  const Plane exact = jittered.exact(0);
+  double variance_of_slopes = 0;
+  for (int y = 0; y < exact.height; ++y) {
+    double along = 0;
+    double gradients = 0;
+    for (int x = 1; x + 1 < exact.width; ++x) {
+      const double gradient = (exact.at(x + 1, y) - exact.at(x - 1, y)) / 2;
+      along += gradient * (image.at(x, y) - exact.at(x, y));
+      gradients += gradient * gradient;
+    }
+    variance_of_slopes += std::pow(along / gradients, 2);
+  }
+  CHECK(std::sqrt(variance_of_slopes / exact.height) == Approx(0.3).epsilon(0.35));
+
+  conditions.lighting.slope_x = 0.7;
+  conditions.lighting.slope_y = 0.4;
+  CHECK_THROWS_AS(Simulation(conditions, 0), std::invalid_argument);
+}
