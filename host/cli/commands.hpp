@@ -20,6 +20,7 @@ void add_evaluate(CLI::App& app, Outcome& outcome);
 void add_calibrate(CLI::App& app, Outcome& outcome);
 void add_pattern(CLI::App& app, Outcome& outcome);
 void add_plan(CLI::App& app, Outcome& outcome);
+void add_plan_rig(CLI::App& plan, Outcome& outcome);
 void add_study(CLI::App& app, Outcome& outcome);
 
 /// True once the user has asked to stop (SIGINT, SIGTERM).

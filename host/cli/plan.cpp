@@ -239,6 +239,7 @@ void add_plan(CLI::App& app, Outcome& outcome) {
       "Examples: horopter plan thickness --rig rig.yaml --skin skin.yaml --stopping-ms 120 --out plan\n"
       "          horopter plan thickness --rig host/examples/table_11_1.yaml --profile field --distance 700 800 900");
   thickness->callback([options, &outcome] { outcome.status = plan_thickness(*options); });
+  add_plan_rig(*command, outcome);
 }
 
 }  // namespace horopter::cli

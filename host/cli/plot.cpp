@@ -13,12 +13,6 @@ namespace {
 constexpr std::array colours{"#1f77b4", "#d62728", "#2ca02c", "#ff7f0e", "#9467bd", "#8c564b",
                              "#e377c2", "#17becf", "#7f7f7f", "#bcbd22", "#000000", "#3b3b98"};
 
-std::string escaped(const std::string& words) {
-  std::string result;
-  for (const char c : words) result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-  return result;
-}
-
 /// About `count` round steps between two values.
 std::vector<double> ticks(double low, double high, int count) {
   const double rough = (high - low) / count;
@@ -36,6 +30,12 @@ std::vector<double> ticks(double low, double high, int count) {
 }
 
 }  // namespace
+
+std::string svg_text(const std::string& words) {
+  std::string result;
+  for (const char c : words) result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+  return result;
+}
 
 Csv::Csv(const std::vector<std::string>& header) {
   for (const std::string& field : header) *this << field;
@@ -87,7 +87,7 @@ std::string plot_svg(const std::string& title, const std::vector<Panel>& panels,
       "height=\"{1}\" viewBox=\"0 0 {0} {1}\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"11\">\n"
       "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n<text x=\"{2}\" y=\"19\" font-size=\"14\" "
       "text-anchor=\"middle\">{3}</text>\n",
-      total_width, total_height, total_width / 2, escaped(title));
+      total_width, total_height, total_width / 2, svg_text(title));
 
   for (std::size_t index = 0; index < panels.size(); ++index) {
     const Panel& panel = panels[index];
@@ -121,7 +121,7 @@ std::string plot_svg(const std::string& title, const std::vector<Panel>& panels,
     const auto py = [&](double y) { return oy + top + (y_high - y) / (y_high - y_low) * h; };
 
     svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" font-weight=\"bold\">{}</text>\n",
-                       ox + left + w / 2, oy + 15, escaped(panel.title));
+                       ox + left + w / 2, oy + 15, svg_text(panel.title));
     for (const double x : ticks(x_low, x_high, 5))
       svg += fmt::format(
           "<path d=\"M{0:.1f} {1:.1f}V{2:.1f}\" stroke=\"#ddd\"/><text x=\"{0:.1f}\" y=\"{3:.1f}\" "
@@ -147,10 +147,10 @@ std::string plot_svg(const std::string& title, const std::vector<Panel>& panels,
     svg += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"black\"/>\n",
                        ox + left, oy + top, w, h);
     svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" font-size=\"10\">{}</text>\n", ox + left + w / 2,
-                       oy + height - 10, escaped(panel.x_label));
+                       oy + height - 10, svg_text(panel.x_label));
     svg += fmt::format(
         "<text transform=\"translate({} {}) rotate(-90)\" text-anchor=\"middle\" font-size=\"10\">{}</text>\n", ox + 12,
-        oy + top + h / 2, escaped(panel.y_label));
+        oy + top + h / 2, svg_text(panel.y_label));
     for (const Curve& curve : panel.curves) {
       std::string path;
       bool pen_down = false;
@@ -163,7 +163,7 @@ std::string plot_svg(const std::string& title, const std::vector<Panel>& panels,
         pen_down = true;
       }
       svg += fmt::format("<path d=\"{}\" {} stroke-width=\"1.4\"><title>{}</title></path>\n", path, pen(curve.name),
-                         escaped(curve.name));
+                         svg_text(curve.name));
     }
   }
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -171,7 +171,7 @@ std::string plot_svg(const std::string& title, const std::vector<Panel>& panels,
     const double y = head + rows * height + 12 + 16 * static_cast<double>(i / static_cast<std::size_t>(entries));
     svg +=
         fmt::format("<path d=\"M{:.1f} {:.1f}h18\" {} stroke-width=\"2\"/><text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
-                    x, y - 4, pen(names[i]), x + 23, y, escaped(names[i]));
+                    x, y - 4, pen(names[i]), x + 23, y, svg_text(names[i]));
   }
   return svg + "</svg>\n";
 }

@@ -8,6 +8,9 @@
 
 namespace horopter::cli {
 
+/// As text of an SVG.
+std::string svg_text(const std::string& words);
+
 struct Curve {
   std::string name;
   std::vector<std::pair<double, double>> points;

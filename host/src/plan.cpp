@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "statistics.hpp"
+
 namespace horopter {
 namespace {
 
@@ -13,26 +15,6 @@ using Eigen::Vector3d;
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kIsoNear_mm = 500;
-
-class Statistics {
- public:
-  void add(double value) {
-    smallest_ = std::min(smallest_, value);
-    largest_ = std::max(largest_, value);
-    sum_ += value;
-    ++count_;
-  }
-  Spread spread() const {
-    if (count_ == 0) return {std::nan(""), std::nan(""), std::nan("")};
-    return {smallest_, sum_ / static_cast<double>(count_), largest_};
-  }
-
- private:
-  double smallest_ = std::numeric_limits<double>::infinity();
-  double largest_ = -std::numeric_limits<double>::infinity();
-  double sum_ = 0;
-  std::int64_t count_ = 0;
-};
 
 double slope_deg(const Vector3d& normal, const Vector3d& axis) {
   return std::acos(std::min(1.0, std::abs(normal.dot(axis)))) / kDegree;

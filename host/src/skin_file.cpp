@@ -399,6 +399,17 @@ SkinFile load_skin(const std::filesystem::path& path, Point centre, const calib:
   return result;
 }
 
+SurfacePtr load_surface(const std::filesystem::path& path) {
+  const std::string file = path.string();
+  const YAML::Node node = yaml::load(path, "a shape: `surface:` with a `type`");
+  Keys root(file, node, "shape");
+  Keys surface(file, root.get("surface", "a map with `type`"), "surface");
+  SurfacePtr shape = read_surface(surface);
+  for (const char* of_skins : {"cameras", "motion"}) root.has(of_skins);
+  root.finish();
+  return shape;
+}
+
 bool has_motion(const std::filesystem::path& path) {
   const YAML::Node root = yaml::load(path, "a skin: `surface:` with a `type`");
   return root.IsMap() && root["motion"].IsDefined();

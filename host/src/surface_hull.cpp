@@ -59,6 +59,12 @@ class Box : public Surface {
     }
   }
 
+  void extend(Eigen::AlignedBox3d& box) const override {
+    const Vector3d reach = pose_.rotation.cwiseAbs() * half_;
+    box.extend(Vector3d(pose_.translation_mm - reach));
+    box.extend(Vector3d(pose_.translation_mm + reach));
+  }
+
   std::string description() const override {
     const Vector3d& c = pose_.translation_mm;
     return fmt::format("box around ({:.6g}, {:.6g}, {:.6g}) mm of {:.6g} x {:.6g} x {:.6g} mm", c.x(), c.y(), c.z(),
@@ -119,6 +125,15 @@ class Capsules : public Surface {
         if (!((camera - c.from_mm - place * axis).norm() > c.radius_mm)) {
           throw std::invalid_argument("a camera stands inside a segment's hull");
         }
+      }
+    }
+  }
+
+  void extend(Eigen::AlignedBox3d& box) const override {
+    for (const Capsule& c : capsules_) {
+      for (const Vector3d& end : {c.from_mm, c.to_mm}) {
+        box.extend(Vector3d(end.array() - c.radius_mm));
+        box.extend(Vector3d(end.array() + c.radius_mm));
       }
     }
   }

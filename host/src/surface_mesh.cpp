@@ -147,6 +147,7 @@ class Mesh : public Surface {
  public:
   explicit Mesh(const TriangleMesh& mesh) {
     const std::vector<bool> is_body = check(mesh);
+    for (const Vector3d& vertex : mesh.vertices_mm) box_.extend(vertex);
     for (const Vector3d& vertex : mesh.vertices_mm) centre_ += vertex / static_cast<double>(mesh.vertices_mm.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       const auto& c = mesh.triangles[t];
@@ -234,6 +235,8 @@ class Mesh : public Surface {
     }
   }
 
+  void extend(Eigen::AlignedBox3d& box) const override { box.extend(box_); }
+
   std::string description() const override { return fmt::format("mesh of {} triangles", facets_.size()); }
 
  private:
@@ -244,6 +247,7 @@ class Mesh : public Surface {
   };
 
   Vector3d centre_ = Vector3d::Zero();  ///< coordinates are relative to it: single precision goes further
+  Eigen::AlignedBox3d box_;
   std::vector<Facet> facets_;
   std::vector<Vector3d> inside_probe_;  ///< a place on a body
   std::unique_ptr<std::remove_pointer_t<RTCDevice>, Release> device_;

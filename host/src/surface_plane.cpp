@@ -39,6 +39,14 @@ class Plane : public Surface {
     if (!(a * b > 0)) throw std::invalid_argument("the cameras do not stand on the same side of the plane");
   }
 
+  void extend(Eigen::AlignedBox3d& box) const override {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (std::abs(normal_[axis]) < 1 - 1e-12) continue;
+      box.min()[axis] = std::min(box.min()[axis], offset_ / normal_[axis]);
+      box.max()[axis] = std::max(box.max()[axis], offset_ / normal_[axis]);
+    }
+  }
+
   std::string description() const override {
     return fmt::format("plane {:.6g} X + {:.6g} Y + {:.6g} Z = {:.6g} mm", normal_.x(), normal_.y(), normal_.z(),
                        offset_);
@@ -79,6 +87,10 @@ class Piece {
         if (cross_each_other(i, j)) throw std::invalid_argument("the border of a piece crosses itself");
       }
     }
+  }
+
+  void extend(Eigen::AlignedBox3d& box) const {
+    for (const Vector2d& c : corners_) box.extend(Vector3d(origin_ + c.x() * axis_x_ + c.y() * axis_y_));
   }
 
   void intersect(const Vector3d& origin, const Vector3d& direction, Hit& nearest) const {
@@ -133,6 +145,10 @@ class Polygons : public Surface {
   /// A piece seen from behind by one camera is hidden by itself: its normal then faces that camera only, and the
   /// other's line of sight lies beyond every angle.
   void check_cameras(const Vector3d& /*left*/, const Vector3d& /*right*/) const override {}
+
+  void extend(Eigen::AlignedBox3d& box) const override {
+    for (const Piece& piece : pieces_) piece.extend(box);
+  }
 
   std::string description() const override { return fmt::format("{} pieces of planes", pieces_.size()); }
 

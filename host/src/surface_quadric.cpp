@@ -2,7 +2,7 @@
 // Ellipsoids (thesis 7.1.2).
 #include <fmt/format.h>
 
-#include <Eigen/Core>
+#include <Eigen/LU>
 #include <cmath>
 #include <stdexcept>
 
@@ -52,6 +52,13 @@ class Ellipsoid : public Surface {
         throw std::invalid_argument("a camera stands inside the ellipsoid");
       }
     }
+  }
+
+  void extend(Eigen::AlignedBox3d& box) const override {
+    // The columns of to_sphere_'s inverse are the half axes; the ellipsoid reaches their root sum square.
+    const Vector3d reach = to_sphere_.inverse().rowwise().norm();
+    box.extend(Vector3d(centre_ - reach));
+    box.extend(Vector3d(centre_ + reach));
   }
 
   std::string description() const override {

@@ -39,6 +39,10 @@ class Union : public Surface {
     for (const SurfacePtr& part : parts_) part->check_cameras(left, right);
   }
 
+  void extend(Eigen::AlignedBox3d& box) const override {
+    for (const SurfacePtr& part : parts_) part->extend(box);
+  }
+
   std::string description() const override {
     std::string text;
     for (const SurfacePtr& part : parts_) text += (text.empty() ? "" : "; ") + part->description();
@@ -74,6 +78,16 @@ class Moved : public Surface {
   void check_cameras(const Vector3d& left, const Vector3d& right) const override {
     const calib::Pose back = pose_.inverse();
     surface_->check_cameras(back * left, back * right);
+  }
+
+  void extend(Eigen::AlignedBox3d& box) const override {
+    Eigen::AlignedBox3d own;
+    surface_->extend(own);
+    if (!own.sizes().allFinite() || own.isEmpty()) return;  // a plane's ends are on other axes now
+    const Vector3d middle = pose_ * own.center();
+    const Vector3d reach = pose_.rotation.cwiseAbs() * own.sizes() / 2;
+    box.extend(Vector3d(middle - reach));
+    box.extend(Vector3d(middle + reach));
   }
 
   std::string description() const override { return surface_->description() + ", moved"; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // horopter plan from outside.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "sandbox.hpp"
@@ -76,4 +77,99 @@ TEST_CASE("plan thickness: a user's skin, and what is refused") {
   CHECK(box.run(plan + std::vector<std::string>{"--distance", "60"}).status == 1);
   CHECK_THAT(box.run({"plan", "thickness", "--help"}).out,
              Catch::Contains("--tolerance") && Catch::Contains("D95") && Catch::Contains("Example"));
+}
+
+TEST_CASE("plan rig: from lenses and a wanted thickness to a rig, which is planned again as it was written") {
+  Sandbox box;
+  const std::vector<std::string> cameras{"plan", "rig",          "--focal", "10", "--pixel",
+                                         "8.5",  "--image-size", "756",     "572"};
+  const std::vector<std::string> distance{"--profile", "field", "--distance", "800", "--json"};
+  const auto result = box.run(cameras + std::vector<std::string>{"--thickness", "10", "--out", "designed"} + distance);
+  CAPTURE(result.err);
+  REQUIRE(result.status == 0);
+  const json report = json::parse(result.out);
+  CHECK(json::parse(box.read("designed/rig.json")) == report);
+  // 11.1 backwards: 2 D z^2 d_x / (t f), and axes that meet.
+  const double baseline_mm = 2 * 0.7 * 800 * 800 * 0.017 / (10 * 10);
+  CHECK(report["rig"]["baseline_mm"].get<double>() == Approx(baseline_mm));
+  CHECK(report["rig"]["tilt_deg"].get<double>() == Approx(std::atan(baseline_mm / 1600) * 180 / M_PI));
+  const json& skin = report["skins"][0];
+  CHECK(skin["thickness_mm"]["on_axis_formula"].get<double>() == Approx(10));
+  CHECK(skin["common_field"]["exploitation"].get<double>() > 0.9);
+  CHECK(skin["viewing_angle_deg"]["left"]["largest"].get<double>() < 45);
+  CHECK_THAT(box.read("designed/rig.svg"), Catch::StartsWith("<?xml") && Catch::Contains("baseline into the page") &&
+                                               Catch::Contains("plane at 800 mm") && Catch::EndsWith("</svg>\n"));
+  CHECK_THAT(box.read("designed/distance.svg"), Catch::Contains("Thickness of the skin"));
+  CHECK_THAT(box.read("designed/distance.csv"), Catch::StartsWith("distance_mm,thickness_smallest_mm"));
+  const auto again = box.run(std::vector<std::string>{"plan", "rig", "--rig", "designed/rig.yaml"} + distance);
+  REQUIRE(again.status == 0);
+  const json second = json::parse(again.out);
+  CHECK(second["skins"][0]["common_field"]["common_m2"].get<double>() ==
+        Approx(skin["common_field"]["common_m2"].get<double>()));
+  // More tilt than that: less in common.
+  const auto parallel = box.run(cameras + std::vector<std::string>{"--baseline", "152", "--tilt", "0"} + distance);
+  REQUIRE(parallel.status == 0);
+  CHECK(json::parse(parallel.out)["skins"][0]["common_field"]["exploitation"].get<double>() <
+        skin["common_field"]["exploitation"].get<double>() - 0.05);
+}
+
+TEST_CASE("plan rig: where a zone is entered unseen, and what is refused") {
+  Sandbox box;
+  const std::vector<std::string> rig{"plan", "rig", "--rig", kTable};
+  const std::vector<std::string> profile{"--profile", "field"};
+  const std::string zone =
+      box.write("box.yaml", "surface:\n  type: box\n  centre_mm: [0, 0, 800]\n  size_mm: [160, 120, 200]\n");
+  const std::string table =
+      box.write("table.yaml", "surface:\n  type: plane\n  point_mm: [0, 0, 900]\n  normal: [0, 0, -1]\n");
+  const auto open = box.run(
+      rig + profile +
+      std::vector<std::string>{"--skin", zone, "--zone", zone, "--obstacle", table, "--step", "15", "--out", "open"});
+  CAPTURE(open.out, open.err);
+  CHECK(open.status == 1);  // past the upright sides, which the top hides
+  CHECK_THAT(open.out, Catch::Contains("can be entered unseen") && Catch::Contains("hidden by another part of it"));
+  CHECK_THAT(box.read("open/rig.svg"), Catch::Contains("entered unseen, a way in"));
+  const json report = json::parse(box.read("open/rig.json"));
+  CHECK(report["entry"]["unseen"].get<int>() > 0);
+  CHECK(report["entry"]["path_mm"].size() > 1);
+  // A low hood with slanting sides and a brim along the table closes it.
+  const std::string hood =
+      box.write("hood.yaml",
+                "surface:\n  type: planes\n  polygons_mm:\n"
+                "    - [[-120, -100, 900], [120, -100, 900], [50, -40, 830], [-50, -40, 830]]\n"
+                "    - [[120, -100, 900], [120, 100, 900], [50, 40, 830], [50, -40, 830]]\n"
+                "    - [[120, 100, 900], [-120, 100, 900], [-50, 40, 830], [50, 40, 830]]\n"
+                "    - [[-120, 100, 900], [-120, -100, 900], [-50, -40, 830], [-50, 40, 830]]\n"
+                "    - [[-170, -150, 900], [170, -150, 900], [120, -100, 900], [-120, -100, 900]]\n"
+                "    - [[170, -150, 900], [170, 150, 900], [120, 100, 900], [120, -100, 900]]\n"
+                "    - [[170, 150, 900], [-170, 150, 900], [-120, 100, 900], [120, 100, 900]]\n"
+                "    - [[-170, 150, 900], [-170, -150, 900], [-120, -100, 900], [-120, 100, 900]]\n"
+                "    - [[-50, -40, 830], [50, -40, 830], [50, 40, 830], [-50, 40, 830]]\n");
+  const std::string low =
+      box.write("low.yaml", "surface:\n  type: box\n  centre_mm: [0, 0, 880]\n  size_mm: [60, 50, 38]\n");
+  const auto closed = box.run(rig + profile +
+                              std::vector<std::string>{"--skin", hood, "--zone", low, "--obstacle", table, "--from",
+                                                       "0", "0", "600", "--step", "8"});
+  CAPTURE(closed.out);
+  CHECK(closed.status == 0);
+  CHECK_THAT(closed.out, Catch::Contains("nowhere entered unseen, by openings of 8 mm and more"));
+
+  const std::vector<std::string> distance{"--distance", "800"};
+  CHECK(box.run(rig).status == 2);
+  CHECK(box.run(rig + distance + std::vector<std::string>{"--baseline", "100"}).status == 2);
+  CHECK(box.run(rig + distance + std::vector<std::string>{"--step", "5"}).status == 2);
+  CHECK(box.run({"plan", "rig", "--distance", "800"}).status == 2);
+  const auto no_baseline =
+      box.run({"plan", "rig", "--focal", "10", "--pixel", "8", "--image-size", "640", "480", "--distance", "800"});
+  CHECK(no_baseline.status == 2);
+  CHECK_THAT(no_baseline.err, Catch::Contains("--baseline") && Catch::Contains("--thickness"));
+  check_bad_file(box, rig + distance + std::vector<std::string>{"--zone", table}, "table.yaml", "the zone has no ends");
+  check_bad_file(box, rig + distance + std::vector<std::string>{"--zone", zone, "--step", "0.1"}, "box.yaml",
+                 "too fine");
+  check_bad_file(box, rig + distance + std::vector<std::string>{"--zone", "none.yaml"}, "none.yaml", "");
+  // Cameras turned away from each other.
+  CHECK(box.run({"plan", "rig", "--focal", "10", "--pixel", "8", "--image-size", "640", "480", "--distance", "800",
+                 "--baseline", "100", "--tilt", "-40"})
+            .status == 1);
+  CHECK_THAT(box.run({"plan", "rig", "--help"}).out,
+             Catch::Contains("--zone") && Catch::Contains("exploitation") && Catch::Contains("Example"));
 }

@@ -42,6 +42,10 @@ calib::Rig read_rig(const std::filesystem::path& path);
 /// correspondences. Throws FileError with the line, UsageError where a rig is needed.
 SkinFile load_skin(const std::filesystem::path& path, Point centre, const calib::Rig* rig = nullptr);
 
+/// The surface of a file like skin.yaml: a protected zone, an obstacle. Of a skin that moves, where it begins. Throws
+/// FileError.
+SurfacePtr load_surface(const std::filesystem::path& path);
+
 /// Whether a skin.yaml has `motion`. Throws FileError.
 bool has_motion(const std::filesystem::path& path);
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -35,6 +36,9 @@ class Surface {
   /// Throws std::invalid_argument, saying why, where cameras at these places cannot watch it: inside a body, on
   /// different sides of a plane.
   virtual void check_cameras(const Eigen::Vector3d& left_mm, const Eigen::Vector3d& right_mm) const = 0;
+  /// Extends a box by where the surface ends. A plane across an axis of the world adds its place on that axis, other
+  /// planes add nothing.
+  virtual void extend(Eigen::AlignedBox3d& box_mm) const = 0;
   /// One line for reports.
   virtual std::string description() const = 0;
 };

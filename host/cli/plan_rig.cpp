@@ -1,0 +1,416 @@
+// SPDX-License-Identifier: Apache-2.0
+// horopter plan rig: which cameras, how far apart, turned by how much, and what they leave unseen.
+#include "horopter/plan_rig.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "horopter/output.hpp"
+#include "horopter/skin_file.hpp"
+#include "horopter/watch.hpp"
+#include "inputs.hpp"
+#include "plan_drawing.hpp"
+#include "plot.hpp"
+#include "progress.hpp"
+
+namespace horopter::cli {
+namespace {
+
+struct RigOptions {
+  std::string rig;
+  RigDesign design;
+  std::vector<int> image_size;
+  double thickness_mm = 0;
+  std::optional<double> tilt_deg;
+  std::vector<double> distances_mm;
+  std::string skin;
+  std::string profile;
+  double tolerance_px = kD95_px;
+  std::string zone;
+  std::vector<std::string> obstacles;
+  std::vector<double> from_mm;
+  EntrySearch search;
+  std::string out;
+  bool json = false;
+};
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const Spread& spread) {
+  return {{"smallest", spread.smallest}, {"mean", spread.mean}, {"largest", spread.largest}};
+}
+Json to_json(const Eigen::Vector3d& place) { return {place.x(), place.y(), place.z()}; }
+
+/// The cameras of --rig, or those designed.
+calib::Rig rig_of(RigOptions& options) {
+  RigDesign& design = options.design;
+  const bool designed = design.f_mm > 0 || design.pitch_um > 0 || !options.image_size.empty() ||
+                        design.baseline_mm > 0 || options.thickness_mm > 0 || options.tilt_deg;
+  if (!options.rig.empty()) {
+    if (designed) {
+      throw UsageError(
+          "--rig has cameras: leave out --focal, --pixel, --image-size, --baseline, --thickness and --tilt");
+    }
+    calib::Rig rig = read_rig(options.rig);
+    if (rig.cameras.size() < 2) throw FileError(options.rig, "cameras", "one camera", "two");
+    return rig;
+  }
+  if (!(design.f_mm > 0) || !(design.pitch_um > 0) || options.image_size.empty()) {
+    throw UsageError("cameras are required: --rig FILE, or --focal, --pixel and --image-size of those you think of");
+  }
+  design.width_px = options.image_size[0];
+  design.height_px = options.image_size[1];
+  const auto distance = [&](const char* what) {
+    if (options.distances_mm.empty()) throw UsageError(fmt::format("--{} requires --distance", what));
+    return options.distances_mm.front();
+  };
+  if ((design.baseline_mm > 0) == (options.thickness_mm > 0)) {
+    throw UsageError("one of --baseline and --thickness is required: how far apart the cameras are, or what for");
+  }
+  if (options.thickness_mm > 0) {
+    const auto subsample = options.profile.empty() ? 1 : find_profile(options.profile).subsample;
+    design.baseline_mm =
+        baseline_for_mm(options.thickness_mm, options.tolerance_px * subsample, distance("thickness"), design.f_px());
+  }
+  design.tilt_deg = options.tilt_deg ? *options.tilt_deg
+                                     : converging_tilt_deg(design.baseline_mm, distance("baseline without --tilt"));
+  return make_rig(design);
+}
+
+/// A skin to look at: the user's, or a plane across the axis of symmetry.
+struct Planned {
+  std::string name;
+  SurfacePtr surface;
+};
+
+struct Views {
+  ThicknessPlan thickness;
+  CommonField field;
+};
+
+Json to_json(const Planned& skin, const Views& views) {
+  const CommonField& f = views.field;
+  return {{"skin", skin.name},
+          {"distance_mm", to_json(views.thickness.distance)},
+          {"common_field",
+           {{"left_m2", f.left_m2},
+            {"common_m2", f.common_m2},
+            {"supervised_m2", f.supervised_m2},
+            {"width_mm", f.width_mm},
+            {"height_mm", f.height_mm},
+            {"exploitation", f.exploitation()}}},
+          {"viewing_angle_deg", {{"left", to_json(f.left_angle_deg)}, {"right", to_json(f.right_angle_deg)}}},
+          {"thickness_mm",
+           {{"across", to_json(views.thickness.across)},
+            {"on_axis", views.thickness.on_axis},
+            {"on_axis_formula", views.thickness.on_axis_formula}}}};
+}
+
+Json to_json(const EntryPlan& plan) {
+  Json openings = Json::array();
+  for (const Opening& opening : plan.openings) {
+    openings.push_back({{"from_mm", to_json(opening.box_mm.min())},
+                        {"to_mm", to_json(opening.box_mm.max())},
+                        {"places", opening.places},
+                        {"reason", sight_name(opening.reason)}});
+  }
+  Json path = Json::array();
+  for (const auto& place : plan.path_mm) path.push_back(to_json(place));
+  return {{"step_mm", plan.step_mm},         {"space_mm", {to_json(plan.space_mm.min()), to_json(plan.space_mm.max())}},
+          {"places", plan.zone_mm.size()},   {"unseen", plan.unseen_mm.size()},
+          {"openings", std::move(openings)}, {"path_mm", std::move(path)}};
+}
+
+void print(const Planned& skin, const Views& views) {
+  const CommonField& f = views.field;
+  fmt::print("{}\n", skin.name);
+  if (!(f.common_m2 > 0)) {
+    fmt::print("  the cameras see nothing of it in common\n");
+    return;
+  }
+  fmt::print("  common field       {:.0f} x {:.0f} mm, {:.4g} m2: {:.1f} % of what the left camera sees of it\n",
+             f.width_mm, f.height_mm, f.common_m2, 100 * f.exploitation());
+  fmt::print("  supervised         {:.1f} % of the common field\n", 100 * f.supervised_m2 / f.common_m2);
+  const auto spread = [](const char* name, const Spread& s, const char* unit) {
+    fmt::print("  {:18} {:.2f} to {:.2f}, mean {:.2f} {}\n", name, s.smallest, s.largest, s.mean, unit);
+  };
+  spread("viewing angle left", f.left_angle_deg, "degrees from the normal");
+  spread("              right", f.right_angle_deg, "degrees from the normal");
+  if (views.thickness.supervised == 0) return;
+  spread("thickness", views.thickness.across, "mm");
+  fmt::print("    on the axis      {:.2f} mm, by 11.1 and 11.2 {:.2f} mm\n", views.thickness.on_axis,
+             views.thickness.on_axis_formula);
+}
+
+void print(const EntryPlan& plan) {
+  if (plan.unseen_mm.empty()) {
+    fmt::print("zone     nowhere entered unseen, by openings of {:.3g} mm and more\n", plan.step_mm);
+    return;
+  }
+  fmt::print("zone     can be entered unseen through {:.1f} % of its surface ({} of {} places, {:.3g} mm apart):\n",
+             100 * static_cast<double>(plan.unseen_mm.size()) / static_cast<double>(plan.zone_mm.size()),
+             plan.unseen_mm.size(), plan.zone_mm.size(), plan.step_mm);
+  constexpr std::size_t kShown = 8;
+  for (std::size_t i = 0; i < std::min(plan.openings.size(), kShown); ++i) {
+    const Opening& o = plan.openings[i];
+    const auto& a = o.box_mm.min();
+    const auto& b = o.box_mm.max();
+    fmt::print("  x {:.0f} to {:.0f}, y {:.0f} to {:.0f}, z {:.0f} to {:.0f} mm: {}\n", a.x(), b.x(), a.y(), b.y(),
+               a.z(), b.z(), sight_text(o.reason));
+  }
+  if (plan.openings.size() > kShown) fmt::print("  and {} smaller ones\n", plan.openings.size() - kShown);
+}
+
+/// Thickness and common field over distance, as CSV and SVG.
+void write_over_distance(OutputDirectory& output, const CameraPair& cameras, const MachineProfile& profile,
+                         const ScanGeometry& geometry, double tolerance_px, double middle_mm) {
+  const StereoAxis axis(cameras);
+  Csv csv({"distance_mm", "thickness_smallest_mm", "thickness_mean_mm", "thickness_largest_mm", "thickness_11_1_mm",
+           "common_width_mm", "common_height_mm", "exploitation"});
+  std::array<Curve, 4> thickness{{{"smallest", {}}, {"mean", {}}, {"largest", {}}, {"by 11.1", {}}}};
+  std::array<Curve, 2> extent{{{"width", {}}, {"height", {}}}};
+  Curve exploitation{"A_c / A_L", {}};
+  constexpr int kPlaces = 13;
+  Progress progress("distance");
+  for (int i = 0; i < kPlaces; ++i) {
+    progress.show(static_cast<std::size_t>(i), kPlaces);
+    const double z = middle_mm * std::pow(2.0, 2.0 * i / (kPlaces - 1) - 1);  // half to twice
+    const SurfacePtr plane = axis.plane_at(z);
+    ThicknessPlan plan;
+    CommonField field;
+    try {
+      plan = plan_thickness(cameras, *plane, profile, geometry, tolerance_px);
+      field = common_field(cameras, *plane, geometry);
+    } catch (const std::invalid_argument&) {
+      continue;  // too near to be before both cameras
+    }
+    const std::array figures{plan.across.smallest, plan.across.mean, plan.across.largest, plan.on_axis_formula,
+                             field.width_mm,       field.height_mm,  field.exploitation()};
+    csv << z;
+    for (const double figure : figures) csv << figure;
+    csv.end_row();
+    for (std::size_t k = 0; k < 4; ++k) thickness[k].points.emplace_back(z, figures[k]);
+    for (std::size_t k = 0; k < 2; ++k) extent[k].points.emplace_back(z, figures[4 + k]);
+    exploitation.points.emplace_back(z, figures[6]);
+  }
+  output.write("distance.csv", csv.text());
+  output.write("distance.svg",
+               plot_svg("Planes across the axis of symmetry, over their distance",
+                        {{"Thickness of the skin", "distance, mm", "mm", {thickness.begin(), thickness.end()}},
+                         {"Common field", "distance, mm", "mm", {extent.begin(), extent.end()}},
+                         {"Exploitation of the left image", "distance, mm", "share", {exploitation}}}));
+}
+
+ExitStatus plan_rig(RigOptions options) {
+  if (options.skin.empty() && options.distances_mm.empty()) throw UsageError("either --skin or --distance is required");
+  if (!options.zone.empty() && options.skin.empty() && options.distances_mm.size() > 1) {
+    throw UsageError("--zone is watched by one skin: give --skin, or one --distance");
+  }
+  if (options.zone.empty() && (!options.obstacles.empty() || !options.from_mm.empty() || options.search.step_mm > 0)) {
+    throw UsageError("--obstacle, --from and --step say how --zone is entered: give --zone");
+  }
+  calib::Rig rig = rig_of(options);
+  const std::string rig_name = options.rig.empty() ? "the rig" : options.rig;
+  CameraPair cameras(rig.cameras[0], rig.cameras[1]);
+  std::vector<Planned> skins;
+  if (!options.skin.empty()) {
+    const SkinFile file = load_skin(options.skin, {}, &rig);
+    const auto* skin = dynamic_cast<const RigSkin*>(file.skin.get());
+    if (skin == nullptr) {
+      throw FileError(options.skin, "surface", fmt::format("a {} has no place in space", file.skin->type()),
+                      "a surface in the rig's world");
+    }
+    cameras = skin->cameras();
+    skins.push_back({skin->description(), skin->surface()});
+  }
+  const StereoAxis axis(cameras);
+  if (options.skin.empty()) {
+    for (const double distance : options.distances_mm) {
+      skins.push_back({fmt::format("plane at {:g} mm", distance), axis.plane_at(distance)});
+    }
+  }
+  const int width = cameras.left().width_px;
+  const int height = cameras.left().height_px;
+  for (const calib::Camera* camera : {&cameras.left(), &cameras.right()}) {
+    if (camera->width_px > 0 && camera->height_px > 0) continue;
+    throw FileError(rig_name, "cameras", "camera " + camera->name + " has no image size",
+                    "image_size: [width, height]");
+  }
+  const MachineProfile* profile =
+      options.profile.empty() ? smallest_profile(width, height) : &find_profile(options.profile);
+  if (profile == nullptr) {
+    throw FileError(rig_name, "image size", fmt::format("images of {}x{} pixels", width, height),
+                    "at most what profile hd takes");
+  }
+  check_image_size(rig_name, width, height, *profile);
+  const ScanGeometry geometry = scans_of(*profile, width, height).front();
+  const SurfacePtr zone = options.zone.empty() ? nullptr : load_surface(options.zone);
+  SurfacePtr obstacles;
+  if (!options.obstacles.empty()) {
+    std::vector<SurfacePtr> parts;
+    for (const std::string& file : options.obstacles) parts.push_back(load_surface(file));
+    obstacles = make_union(std::move(parts));
+  }
+  if (!options.from_mm.empty()) options.search.from_mm.emplace(options.from_mm.data());
+
+  std::optional<OutputDirectory> output;
+  if (!options.out.empty()) output.emplace(options.out);
+  std::vector<Views> views;
+  std::vector<Watch> watches;
+  for (const Planned& skin : skins) {
+    try {
+      views.push_back({plan_thickness(cameras, *skin.surface, *profile, geometry, options.tolerance_px),
+                       common_field(cameras, *skin.surface, geometry)});
+      watches.emplace_back(cameras, skin.surface, obstacles, *profile, geometry);
+    } catch (const std::invalid_argument& error) {
+      throw FileError(options.skin.empty() ? rig_name : options.skin, "", skin.name + ": " + error.what(),
+                      "a skin in front of both cameras");
+    }
+  }
+  const double distance =
+      options.distances_mm.empty() ? views.front().thickness.distance.mean : options.distances_mm.front();
+  const auto depth = depth_range(cameras);
+  std::optional<EntryPlan> entries;
+  if (zone) {
+    try {
+      entries = plan_entries(watches.front(), *zone, options.search);
+    } catch (const std::invalid_argument& error) {
+      throw FileError(options.zone, "surface", error.what(), "a zone with ends, or a larger --step");
+    }
+  }
+
+  Json json{{"rig",
+             {{"baseline_mm", axis.baseline_mm},
+              {"tilt_deg", axis.tilt_deg},
+              {"f_px", axis.f_px},
+              {"converging_tilt_deg", converging_tilt_deg(axis.baseline_mm, distance)},
+              {"axis_seen_from_mm", depth ? Json(depth->nearest_mm) : Json()},
+              {"axis_seen_to_mm", depth ? Json(depth->farthest_mm) : Json()}}},
+            {"profile", profile->name},
+            {"tolerance_px", options.tolerance_px},
+            {"skins", Json::array()}};
+  for (std::size_t i = 0; i < skins.size(); ++i) json["skins"].push_back(to_json(skins[i], views[i]));
+  if (entries) json["entry"] = to_json(*entries);
+  if (output) {
+    std::vector<PlannedView> drawn;
+    for (std::size_t i = 0; i < skins.size(); ++i) drawn.push_back({skins[i].name, &watches[i]});
+    output->write("rig.svg", draw_plan(fmt::format("Baseline {:.4g} mm, tilt {:.3g} degrees, f {:.5g} px",
+                                                   axis.baseline_mm, axis.tilt_deg, axis.f_px),
+                                       cameras, drawn, entries ? &*entries : nullptr));
+    if (std::isfinite(distance)) {
+      write_over_distance(*output, cameras, *profile, geometry, options.tolerance_px, distance);
+    }
+    if (options.rig.empty()) output->write("rig.yaml", calib::to_yaml(rig));
+    output->write("rig.json", json.dump(2) + "\n");
+    output->commit();
+  }
+  if (options.json) {
+    std::puts(json.dump(2).c_str());
+  } else {
+    fmt::print(
+        "rig      baseline {:.2f} mm, tilt {:.3f} degrees; at {:.3f} degrees the axes would meet {:.0f} mm away\n",
+        axis.baseline_mm, axis.tilt_deg, converging_tilt_deg(axis.baseline_mm, distance), distance);
+    if (depth) {
+      fmt::print("axis     seen by both cameras from {:.0f} mm {}\n", depth->nearest_mm,
+                 std::isfinite(depth->farthest_mm) ? fmt::format("to {:.0f} mm", depth->farthest_mm) : "on");
+    } else {
+      fmt::print("axis     nowhere seen by both cameras: change the tilt\n");
+    }
+    fmt::print("profile  {}, disparity tolerance {} px of the result ({} px of the image)\n", profile->name,
+               options.tolerance_px, options.tolerance_px * profile->subsample);
+    for (std::size_t i = 0; i < skins.size(); ++i) print(skins[i], views[i]);
+    if (entries) print(*entries);
+    if (output) fmt::print("rig.svg and the rest are in {}\n", options.out);
+  }
+  bool nothing = false;
+  for (const Views& view : views) nothing = nothing || view.thickness.supervised == 0;
+  if (nothing) std::fprintf(stderr, "horopter: nothing of a skin is supervised\n");
+  return nothing || (entries && !entries->unseen_mm.empty()) ? ExitStatus::check_failed : ExitStatus::done;
+}
+
+}  // namespace
+
+void add_plan_rig(CLI::App& plan, Outcome& outcome) {
+  auto options = std::make_shared<RigOptions>();
+  CLI::App* rig = plan.add_subcommand(
+      "rig",
+      "Which cameras, how far apart, turned by how much: common field, viewing angle, thickness, unseen entries "
+      "(11.1)");
+  rig->add_option("--rig", options->rig, "The cameras there are (rig.yaml), with their image size")->type_name("FILE");
+  rig->add_option("--focal", options->design.f_mm, "Instead of --rig: focal length of two like cameras, mm")
+      ->check(CLI::PositiveNumber)
+      ->type_name("MM");
+  rig->add_option("--pixel", options->design.pitch_um, "Their pixels, um, square")
+      ->check(CLI::PositiveNumber)
+      ->type_name("UM");
+  rig->add_option("--image-size", options->image_size, "Their images, pixels")
+      ->expected(2)
+      ->check(CLI::PositiveNumber)
+      ->type_name("WIDTH HEIGHT");
+  rig->add_option("--baseline", options->design.baseline_mm, "How far apart they are, mm")
+      ->check(CLI::PositiveNumber)
+      ->type_name("MM");
+  rig->add_option("--thickness", options->thickness_mm,
+                  "Instead of --baseline: the baseline that gives this thickness at the first --distance (11.1)")
+      ->check(CLI::PositiveNumber)
+      ->type_name("MM");
+  rig->add_option("--tilt", options->tilt_deg,
+                  "Each camera is turned towards the other by this (default: their axes meet at the first --distance)")
+      ->check(CLI::Range(-80.0, 80.0))
+      ->type_name("DEG");
+  rig->add_option("--distance", options->distances_mm, "Planes across the axis of symmetry, at these distances")
+      ->check(CLI::PositiveNumber)
+      ->type_name("MM...");
+  rig->add_option("--skin", options->skin, "Instead of planes: the skin (skin.yaml; see `horopter map --help`)")
+      ->type_name("FILE");
+  rig->add_option("--profile", options->profile,
+                  "Build of the machine: " + profile_names() + " (default: the smallest that holds the image)")
+      ->type_name("P");
+  rig->add_option("--tolerance", options->tolerance_px, "Disparity tolerance D, pixels of the result")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str()
+      ->type_name("PX");
+  rig->add_option("--zone", options->zone,
+                  "What must not be entered unseen: a file with `surface:` as in skin.yaml, or the skin's own file")
+      ->type_name("FILE");
+  rig->add_option("--obstacle", options->obstacles,
+                  "Files with `surface:`: floor, walls, tables. Nobody passes them, and they hide what is behind")
+      ->type_name("FILE...");
+  rig->add_option("--from", options->from_mm, "Where people are (default: everywhere around zone, skin and obstacles)")
+      ->expected(3)
+      ->type_name("X Y Z");
+  rig->add_option("--step", options->search.step_mm,
+                  "Narrower openings are not looked for, mm (default: 1/64 of the space)")
+      ->check(CLI::PositiveNumber)
+      ->type_name("MM");
+  rig->add_option("--out", options->out,
+                  "Directory for rig.svg (drawing), distance.svg and .csv, rig.json, and the designed rig.yaml")
+      ->type_name("DIR");
+  rig->add_flag("--json", options->json, "Print the report as JSON on standard output, and nothing else");
+  rig->footer(
+      "World of a designed rig: mm, origin between the cameras, x from left to right, y down, z along the axis of\n"
+      "symmetry. Common field: the part of a skin that both cameras see; exploitation is its share of what the left "
+      "one\n"
+      "sees (Fig. 11.2). Viewing angle: between line of sight and the skin's normal; beyond 70 degrees it is not\n"
+      "supervised. A place counts as seen when the machine decides about it: in both images, within the limits, not\n"
+      "hidden, and with all of its windows (Fig. 11.4 shows an entry that is not). The way into the zone is searched "
+      "on a\n"
+      "lattice, around obstacles, and through whatever of the skin is not seen.\n"
+      "At its rim a skin is not decided, for half a window: where it ends at a table, let it go on along the table.\n"
+      "Exit status 1: nothing of a skin is supervised, or the zone can be entered unseen.\n\n"
+      "Examples: horopter plan rig --focal 10 --pixel 8.5 --image-size 756 572 --thickness 10 --distance 800 --profile "
+      "field --out plan\n"
+      "          horopter plan rig --rig plan/rig.yaml --skin box.yaml --zone box.yaml --obstacle table.yaml --out "
+      "plan");
+  rig->callback([options, &outcome] { outcome.status = plan_rig(*options); });
+}
+
+}  // namespace horopter::cli
