@@ -20,15 +20,7 @@ struct StudyOptions {
   bool json = false;
 };
 
-using Study = nlohmann::json (*)(OutputDirectory&, const StudyScope&);
-
-ExitStatus study(const StudyOptions& options, Study run) {
-  OutputDirectory directory(options.out);
-  nlohmann::json result = run(directory, options.scope);
-  result["seed"] = options.scope.seed;
-  result["quick"] = options.scope.quick;
-  directory.write("summary.json", result.dump(2) + "\n");
-  directory.commit();
+ExitStatus report(const StudyOptions& options, const nlohmann::json& result) {
   const auto status = result.value("frames_different", 0) == 0 ? ExitStatus::done : ExitStatus::check_failed;
   if (options.json) {
     std::puts(result.dump(2).c_str());
@@ -39,12 +31,46 @@ ExitStatus study(const StudyOptions& options, Study run) {
   return status;
 }
 
+ExitStatus run_study(const StudyOptions& options, Study run) {
+  OutputDirectory directory(options.out);
+  nlohmann::json result = run(directory, options.scope);
+  result["seed"] = options.scope.seed;
+  result["quick"] = options.scope.quick;
+  directory.write("summary.json", result.dump(2) + "\n");
+  directory.commit();
+  return report(options, result);
+}
+
+void add_texture_options(CLI::App& command, StudyScope& scope) {
+  auto* texture = command.add_option("--texture", scope.texture, "Simulated texture")
+                      ->check(CLI::IsMember({"dead-leaves", "band-noise", "printed-dots"}))
+                      ->type_name("KIND");
+  command
+      .add_option("--picture", scope.picture, "Your own image as texture, a pixel of it as large as one of the camera")
+      ->excludes(texture)
+      ->type_name("FILE");
+}
+
 }  // namespace
+
+const std::vector<NamedStudy>& studies() {
+  static const std::vector<NamedStudy> list{
+      {"edges", "Sub-pixel edge estimators on simulated edges: position, blur, noise, points per edge (6.7)",
+       study_edges},
+      {"calibration", "Calibration with a rendered rig: NCE, image error, Cramer-Rao bound (6.8, 6.9)",
+       study_calibration},
+      {"interpolation", "Bilinear interpolation with weights of few bits: scaling, translation (7.5)",
+       study_interpolation},
+      {"segmentation", "Every correlation criterion over disparity: detection rates, segmentation errors (8.4, 11.2.1)",
+       study_segmentation},
+  };
+  return list;
+}
 
 void add_study(CLI::App& app, Outcome& outcome) {
   CLI::App* command = app.add_subcommand("study", "Repeat the thesis's measurements, with tables and plots");
   command->require_subcommand(1);
-  const auto add = [&](const char* name, const char* what, Study run) {
+  const auto add = [&](const char* name, const char* what) {
     auto options = std::make_shared<StudyOptions>();
     CLI::App* one = command->add_subcommand(name, what);
     one->add_option("--out", options->out, "Directory for the tables (CSV) and plots (SVG)")
@@ -53,18 +79,28 @@ void add_study(CLI::App& app, Outcome& outcome) {
     one->add_option("--seed", options->scope.seed, "Of the noise")->capture_default_str()->type_name("N");
     one->add_flag("--quick", options->scope.quick, "Fewer images, methods and runs: to see that all is well");
     one->add_flag("--json", options->json, "Print summary.json on standard output, and nothing else");
-    one->callback([options, run, &outcome] { outcome.status = study(*options, run); });
     return std::pair(one, options);
   };
-  add("edges", "Sub-pixel edge estimators on simulated edges: position, blur, noise, points per edge (6.7)",
-      study_edges);
-  add("calibration", "Calibration with a rendered rig: NCE, image error, Cramer-Rao bound (6.8, 6.9)",
-      study_calibration);
-  add("interpolation", "Bilinear interpolation with weights of few bits: scaling, translation (7.5)",
-      study_interpolation);
+  const auto add_one = [&](const char* name, const char* what, Study run) {
+    const auto [one, options] = add(name, what);
+    one->callback([options = options, run, &outcome] { outcome.status = run_study(*options, run); });
+    return std::pair(one, options);
+  };
+  for (const NamedStudy& named : studies()) {
+    const auto [one, options] = add_one(named.name, named.what, named.run);
+    if (named.run == study_segmentation) {
+      add_texture_options(*one, options->scope);
+      one->add_option("--series", options->scope.series,
+                      "Your own images instead: a CSV file with the columns file,disparity_px, the reference first")
+          ->type_name("FILE");
+    }
+  }
+  const auto [all, of_all] = add("all", "All of these (not board), with a page of every figure and STUDY.md");
+  all->callback(
+      [options = of_all, &outcome] { outcome.status = report(*options, study_all(options->out, options->scope)); });
   const auto [board, options] =
-      add("board", "A skin in mm on photographs of a chessboard, calibrated on the others, moved through the board",
-          study_board);
+      add_one("board", "A skin in mm on photographs of a chessboard, calibrated on the others, moved through the board",
+              study_board);
   options->scope.engines = engine_names();
   board->add_option("--data", options->scope.data, "Directory with left01.jpg … right14.jpg")
       ->capture_default_str()

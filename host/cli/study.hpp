@@ -16,6 +16,9 @@ struct StudyScope {
   bool quick = false;      ///< about a tenth of the images, methods and runs: to see that all is well
   std::string data = "/usr/share/doc/opencv-doc/examples/data";  ///< photographs of studies that take some
   std::vector<std::string> engines;                              ///< that must agree
+  std::string texture;                                           ///< kind of simulated texture; empty: the study's own
+  std::string picture;                                           ///< a user's image as texture; empty: none
+  std::string series;  ///< list of a user's image series instead of simulated images; empty: none
 };
 
 /// Sub-pixel edge estimators on simulated edges (thesis 6.7).
@@ -25,7 +28,23 @@ nlohmann::json study_calibration(OutputDirectory& directory, const StudyScope& s
 /// Bilinear interpolation with weights of few bits, for scaling and translation (thesis 7.5).
 nlohmann::json study_interpolation(OutputDirectory& directory, const StudyScope& scope);
 
+/// Every correlation criterion over disparity (thesis 8.4, 11.2.1).
+nlohmann::json study_segmentation(OutputDirectory& directory, const StudyScope& scope);
 /// A skin in millimetres on photographs of a chessboard, moved through it (10.4, 11.2).
 nlohmann::json study_board(OutputDirectory& directory, const StudyScope& scope);
+
+using Study = nlohmann::json (*)(OutputDirectory&, const StudyScope&);
+
+struct NamedStudy {
+  const char* name;
+  const char* what;
+  Study run;
+};
+/// Those of `horopter study all`, in the order of its page. A result may hold "findings" (lines for the terminal),
+/// "figures" ([{"file", "title"}]; without it every SVG is one), "conditions" and "statements" (study_statements.hpp).
+const std::vector<NamedStudy>& studies();
+
+/// Runs all of studies(), each into a directory of its name, and writes index.html and STUDY.md beside them.
+nlohmann::json study_all(const std::string& out, const StudyScope& scope);
 
 }  // namespace horopter::cli

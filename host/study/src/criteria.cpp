@@ -25,8 +25,10 @@ std::string name_of(const Preparation& preparation) {
   }
 }
 
-Plane prepare(const Image& image, const Preparation& preparation) {
-  Plane plane = to_plane(image);
+Plane prepare(const Image& image, const Preparation& preparation) { return prepare(to_plane(image), preparation); }
+
+Plane prepare(const Plane& image, const Preparation& preparation) {
+  Plane plane = image;
   if (preparation.feature == Feature::camera) return plane;
   if (preparation.feature == Feature::log_sign) return log_sign(plane, preparation.log_w_px);
   if (preparation.lowpass) plane = lowpass(plane);

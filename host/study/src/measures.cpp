@@ -9,7 +9,7 @@
 namespace horopter::study {
 namespace {
 
-constexpr int kClassBits = 8;  ///< of a float's 23 bits after the point
+constexpr int kClassBits = 7;  ///< of a float's 23 bits after the point
 constexpr int kLowestOctave = -24;
 constexpr int kOctaves = 64;
 constexpr std::size_t kClasses = (std::size_t{kOctaves} << kClassBits) + 2;
@@ -64,7 +64,7 @@ Histogram::Histogram(const Plane& values, double best, int margin) {
   while (first_ + 1 < kClasses && counts[first_] == 0) ++first_;
   std::size_t last = kClasses - 1;
   while (last > first_ && counts[last] == 0) --last;
-  std::uint64_t below = 0;
+  std::uint32_t below = 0;
   for (std::size_t i = first_; i <= last; ++i) below_.push_back(below += counts[i]);
 }
 
@@ -87,7 +87,7 @@ double Histogram::share(double threshold) const {
 double Histogram::quantile(double share) const {
   if (below_.empty()) throw std::invalid_argument("the quantile of nothing");
   const double wanted = share * static_cast<double>(below_.back());
-  const auto found = std::lower_bound(below_.begin(), below_.end(), wanted, [](std::uint64_t count, double value) {
+  const auto found = std::lower_bound(below_.begin(), below_.end(), wanted, [](std::uint32_t count, double value) {
     return static_cast<double>(count) < value;
   });
   const std::size_t index = first_ + static_cast<std::size_t>(std::min(found, below_.end() - 1) - below_.begin());

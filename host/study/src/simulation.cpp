@@ -187,29 +187,21 @@ Plane Simulation::exact(double shift_px) const {
   return image;
 }
 
-Image Simulation::photograph(double shift_px, std::uint64_t number) const {
-  const auto& [texture, camera, lighting, electronics, seed] = conditions_;
-  const Plane still = exact(shift_px);
-  Random random(mix(seed + 0x4E01), number);
-  std::vector<int> sums(still.values.size());
+/// line(y, random) is the row of grey values of one of the images to be averaged.
+template <class Line>
+Image Simulation::convert(const Electronics& electronics, std::uint64_t number, Line line) const {
+  const Camera& camera = conditions_.camera;
+  Random random(mix(conditions_.seed + 0x4E01), number);
+  std::vector<int> sums(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height));
   const double step = 255.0 / ((1 << electronics.bits) - 1);
-  const auto noise = static_cast<float>(electronics.noise_grey);
-  std::vector<double> line(static_cast<std::size_t>(camera.width));
   for (int frame = 0; frame < electronics.averaged; ++frame) {
+    int* sum = sums.data();
     for (int y = 0; y < camera.height; ++y) {
-      const double* row = still.row(y);
-      if (electronics.jitter_px > 0) {
-        const double jitter =
-            std::clamp(static_cast<double>(random.gaussian()), -kJitterReach, kJitterReach) * electronics.jitter_px;
-        for (int x = 0; x < camera.width; ++x)
-          line[static_cast<std::size_t>(x)] = sample(fine_.row(y), x, shift_px + jitter) * light_.at(x, y);
-        row = line.data();
-      }
-      int* sum = sums.data() + static_cast<std::ptrdiff_t>(y) * camera.width;
+      const double* row = line(y, random);
       for (int x = 0; x < camera.width; ++x) {
-        const double grey = std::clamp(row[x] + noise * random.gaussian(), 0.0, 255.0);
+        const double grey = std::clamp(row[x] + electronics.noise_grey * random.gaussian(), 0.0, 255.0);
         const int code = static_cast<int>(grey / step + 0.5);
-        sum[x] += static_cast<int>(code * step + 0.5);
+        *sum++ += static_cast<int>(code * step + 0.5);
       }
     }
   }
@@ -217,6 +209,26 @@ Image Simulation::photograph(double shift_px, std::uint64_t number) const {
   for (std::size_t i = 0; i < sums.size(); ++i)
     image.pixels[i] = static_cast<std::uint8_t>((2 * sums[i] + electronics.averaged) / (2 * electronics.averaged));
   return image;
+}
+
+Image Simulation::photograph(double shift_px, std::uint64_t number) const {
+  const Electronics& electronics = conditions_.electronics;
+  const Plane still = exact(shift_px);
+  std::vector<double> moved(static_cast<std::size_t>(still.width));
+  return convert(electronics, number, [&](int y, Random& random) {
+    if (electronics.jitter_px <= 0) return still.row(y);
+    const double jitter =
+        std::clamp(static_cast<double>(random.gaussian()), -kJitterReach, kJitterReach) * electronics.jitter_px;
+    for (int x = 0; x < still.width; ++x)
+      moved[static_cast<std::size_t>(x)] = sample(fine_.row(y), x, shift_px + jitter) * light_.at(x, y);
+    return static_cast<const double*>(moved.data());
+  });
+}
+
+Image Simulation::expose(const Plane& still, const Electronics& electronics, std::uint64_t number) const {
+  if (still.width != conditions_.camera.width || still.height != conditions_.camera.height)
+    throw std::invalid_argument("simulation: a plane of another size than the camera's");
+  return convert(electronics, number, [&](int y, Random&) { return still.row(y); });
 }
 
 double local_deviation(const Plane& image, int size) {

@@ -31,6 +31,7 @@ struct Preparation {
 };
 
 std::string name_of(const Preparation& preparation);
+Plane prepare(const Plane& image, const Preparation& preparation);
 Plane prepare(const Image& image, const Preparation& preparation);
 
 /// Two prepared images of one size, and what criteria share of them: made when first asked for.

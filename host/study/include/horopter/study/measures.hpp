@@ -11,7 +11,7 @@
 
 namespace horopter::study {
 
-/// Histogram of values ≥ 0 in 256 classes an octave, 2⁻²⁴ to 2⁴⁰; smaller ones in one class, larger and undefined ones
+/// Histogram of values ≥ 0 in 128 classes an octave, 2⁻²⁴ to 2⁴⁰; smaller ones in one class, larger and undefined ones
 /// in another. Within a class values are taken as evenly spread, so few discrete values are decided as by lot.
 class Histogram {
  public:
@@ -37,7 +37,7 @@ class Histogram {
   double cumulative(std::size_t end) const;
 
   std::size_t first_ = 0;             ///< class of counts_[0]
-  std::vector<std::uint64_t> below_;  ///< values in all classes up to and with this one
+  std::vector<std::uint32_t> below_;  ///< values in all classes up to and with this one
   double mean_ = 0;
   double deviation_ = 0;
 };

@@ -22,9 +22,8 @@ struct Setting {
   Preparation preparation;
   int kernel = 9;
   ResultFilter filter = ResultFilter::none;
-  friend auto operator<=>(const Setting&, const Setting&) = default;
 };
-/// "DSAD LP 9×9", "NCC LP+HP 13×13 median".
+/// "DSAD LP 9×9", "NCC LP+HP 13×13 median": another name for each setting.
 std::string name_of(const Setting& setting);
 
 /// Pixels from the border in which some filter or window of a setting misses pixels.

@@ -59,10 +59,16 @@ class Simulation {
   /// The same before noise, jitter and conversion.
   Plane exact(double shift_px) const;
 
+  /// What the electronics make of `still` (jitter moves what the simulation shows at shift_px 0, so there is none
+  /// here).
+  Image expose(const Plane& still, const Electronics& electronics, std::uint64_t number) const;
+
   const Conditions& conditions() const { return conditions_; }
 
  private:
   double sample(const float* row, int x, double shift_px) const;
+  template <class Line>
+  Image convert(const Electronics& electronics, std::uint64_t number, Line line) const;
 
   Conditions conditions_;
   int margin_px_;

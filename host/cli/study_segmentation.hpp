@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Figures of the experiment of 8.4: every criterion, prefilter, kernel and filter of the result, over disparities.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "horopter/study/series.hpp"
+
+namespace horopter::cli {
+
+/// How grey values are filtered before a criterion.
+enum class Prefilter { none, lowpass, highpass, lowpass_highpass };
+
+/// All settings of one experiment with their detections.
+class Segmentation {
+ public:
+  void add(const study::Setting& setting, study::Detection detection);
+  /// In the order in which they were added.
+  const std::vector<std::pair<study::Setting, study::Detection>>& all() const { return all_; }
+
+  /// For NISH `log_w_px` instead of a prefilter; a direction is taken with or without low-pass. Throws
+  /// std::out_of_range when it was not measured.
+  const study::Detection& of(const std::string& criterion, Prefilter prefilter, int kernel = 9,
+                             study::ResultFilter filter = study::ResultFilter::none) const;
+  const study::Detection& nish(double log_w_px, int kernel = 9) const;
+
+ private:
+  const study::Detection& of(const study::Setting& setting) const;
+
+  std::vector<std::pair<study::Setting, study::Detection>> all_;
+  std::map<std::string, std::size_t> index_;  ///< by name
+};
+
+inline const std::vector<std::string> cross_group{"NCC", "ZNCC", "MOR"};
+inline const std::vector<std::string> normalised_group{"NCC", "ZNCC", "MOR", "ZNSSD", "NSAD"};  ///< of 8.4.4
+inline const std::vector<std::string> difference_group{"SAD", "ZSAD", "LSAD", "SSD", "ZSSD", "LSSD"};
+inline const std::vector<std::string> zero_mean_group{"SAD", "SSD", "ZSAD", "ZSSD"};
+inline const std::vector<std::string> local_group{"LSAD", "LSSD", "NSAD"};
+inline const std::vector<std::string> grey_criteria{"NCC",   "ZNCC", "MOR",  "SSD",  "ZSSD", "LSSD",
+                                                    "ZNSSD", "SAD",  "ZSAD", "LSAD", "NSAD"};
+
+/// Verdicts on what 8.4 and 11.2 say about segmentation.
+class Statements;
+void judge_segmentation(const Segmentation& found, const std::vector<int>& kernels, const std::vector<double>& log_w_px,
+                        Statements& statements);
+
+}  // namespace horopter::cli
