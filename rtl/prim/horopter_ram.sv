@@ -6,8 +6,8 @@
 // Reading an address in the clock in which it is written gives an undefined word, so that no bypass logic is needed.
 // PARITY = 1 stores even parity beside each word (the ninth bit of block memories); parity_error_o comes with the data.
 // Contents are zero at power-up (with correct parity) and survive reset: there is none.
-// FAST = 1 with OUTPUT_REGISTER: read latency 4, writes a clock later. Registers take the ways to and from the blocks,
-// which lie far apart. Banks are one block deep, each with its own output register, the multiplexer behind them. Deep
+// FAST = 1 with OUTPUT_REGISTER: read latency 5, writes a clock later. Registers take the ways to and from the blocks,
+// which lie far apart. Banks are one block deep, each with its own output register, a multiplexer in two steps behind them. Deep
 // memories are laid out as far as they fill it in banks of 16384 words of 1-bit blocks, which need no multiplexer, the
 // rest in banks of 2048 words.
 module horopter_ram #(
@@ -74,18 +74,38 @@ module horopter_ram #(
     logic [IN_BANK_BITS-1:0] write_addr_q;
     logic [ADDR_BITS-1:0] read_addr_q;
     logic [WORD_BITS-1:0] write_word_q;
-    logic [BANK_BITS-1:0] read_bank_q, read_bank_q2;
-    logic [(WORD_BITS<<BANK_BITS)-1:0] words;
+    // Four banks share a group.
+    localparam int unsigned GROUP_BITS = BANK_BITS > 3 ? BANK_BITS - 2 : 1;
+    localparam int unsigned GROUPS = 1 << GROUP_BITS;
+    logic [GROUP_BITS+1:0] read_bank_q, read_bank_q2;
+    logic [GROUP_BITS-1:0] read_group_q;
+    logic [GROUPS*4*WORD_BITS-1:0] words;
+    logic [GROUPS*WORD_BITS-1:0] group_words_q;
+    logic [WORD_BITS-1:0] chosen_word;
     always_ff @(posedge clk_i) begin
       write_addr_q <= write_addr_i[IN_BANK_BITS-1:0];
       write_word_q <= write_word;
       read_en_q <= read_en_i;
       read_addr_q <= read_addr_i;
-      if (read_en_q) read_bank_q <= bank_of(read_addr_q);
+      if (read_en_q) read_bank_q <= (GROUP_BITS + 2)'(bank_of(read_addr_q));
       read_bank_q2 <= read_bank_q;
-      out_word <= words[32'(read_bank_q2)*WORD_BITS+:WORD_BITS];
+      read_group_q <= read_bank_q2[2+:GROUP_BITS];
+      for (int unsigned g = 0; g < GROUPS; g++) begin
+        case (read_bank_q2[1:0])
+          2'd0: group_words_q[g*WORD_BITS+:WORD_BITS] <= words[4*g*WORD_BITS+:WORD_BITS];
+          2'd1: group_words_q[g*WORD_BITS+:WORD_BITS] <= words[(4*g+1)*WORD_BITS+:WORD_BITS];
+          2'd2: group_words_q[g*WORD_BITS+:WORD_BITS] <= words[(4*g+2)*WORD_BITS+:WORD_BITS];
+          default: group_words_q[g*WORD_BITS+:WORD_BITS] <= words[(4*g+3)*WORD_BITS+:WORD_BITS];
+        endcase
+      end
+      out_word <= chosen_word;
     end
-    if (BANKS < 1 << BANK_BITS) assign words[(WORD_BITS<<BANK_BITS)-1:BANKS*WORD_BITS] = '0;
+    if (BANKS < 4 * GROUPS) assign words[GROUPS*4*WORD_BITS-1:BANKS*WORD_BITS] = '0;
+    always_comb begin
+      chosen_word = '0;
+      for (int unsigned g = 0; g < GROUPS; g++)
+        if (read_group_q == GROUP_BITS'(g)) chosen_word |= group_words_q[g*WORD_BITS+:WORD_BITS];
+    end
     for (genvar b = 0; b < BANKS; b++) begin : g_bank
       localparam int unsigned BANK_DEPTH = b < DEEP_BANKS ? DEEP : (DEPTH < SHALLOW ? DEPTH : SHALLOW);
       localparam int unsigned BANK_ADDR_BITS = $clog2(BANK_DEPTH);

@@ -85,7 +85,7 @@ module horopter_framer #(
   logic [SLOT_BITS-1:0] slot_q;
   logic [2:0] extra_q;
   logic fresh_q;  // the next pixel is the first of the frame
-  logic room_q;  // the slot of the row in progress may be written
+  logic blocked_q;  // the slot of the row that begins may not be written yet
   logic pending_start_fault_q;
   logic near_q, deep_q, far_q;  // what y_q and x_q say, decided with them: the pairing takes its time
 
@@ -119,12 +119,11 @@ module horopter_framer #(
   assign pausing_o = pausing_q;
 
   // What the head of the stream means in a frame.
-  logic in_frame, early, blocked, take, at_end, complete, last_row, overflow, ends_early, gone;
+  logic in_frame, early, take, at_end, complete, last_row, overflow, ends_early, gone;
   assign in_frame = state_q == LINE || state_q == SKIP;
   assign early = in_frame && s_valid_i && s_first_i && !fresh_q;
-  assign blocked = row_start_q && !room_q;
-  assign overflow = state_q == LINE && blocked && live_i && almost_full_i;
-  assign take = state_q == LINE && s_valid_i && !early && !blocked && !cut_i;
+  assign overflow = state_q == LINE && blocked_q && live_i && almost_full_i;
+  assign take = state_q == LINE && s_valid_i && !early && !blocked_q && !cut_i;
   assign at_end = row_end_q;
   assign complete = take && (s_last_i || at_end);
   assign last_row = last_row_q;
@@ -269,7 +268,10 @@ module horopter_framer #(
   logic [11:0] used, used_next;
   assign used = stored_q - keep_i;
   assign used_next = used + 12'd1;
-  always_ff @(posedge clk_i) room_q <= complete ? 32'(used_next) < SLOTS : 32'(used) < SLOTS;
+  always_ff @(posedge clk_i) begin
+    if (complete) blocked_q <= 32'(used_next) >= SLOTS;
+    else blocked_q <= 32'(used) >= SLOTS && (state_q == START || (row_start_q && !take));
+  end
 
   always_ff @(posedge clk_i) begin
     write_en_o <= rst_ni && take;

@@ -3,7 +3,7 @@
 // 2×2 pixels at any address are read in one clock (thesis 10.4.2).
 //
 // Write side: as the framer gives them; a bad row counts as missing. Read side: one request a clock from map_expand;
-// the 2×2 pixels come READ_LATENCY clocks later (10 if FAST, else 1), with mask = all of the following: mapped, in the
+// the 2×2 pixels come READ_LATENCY clocks later (11 if FAST, else 1), with mask = all of the following: mapped, in the
 // image, in the window of rows that the ring holds for this output row, [row - (ROWS/2 - 2), row + lookahead], and
 // received well. A pixel with weight 0 is not needed: it need not exist, and its value is anything. A mapped place in
 // the image but outside the window is a miss.
@@ -127,9 +127,9 @@ module horopter_image_store #(
         .parity_error_o(unused_bad_parity)
     );
     if (FAST) begin : g_fast
-      logic [4:1] bad_now_q;
-      always_ff @(posedge clk_i) bad_now_q <= {bad_now_q[3:1], bad_now};
-      assign row_is_bad[r] = bad_now_q[4];
+      logic [5:1] bad_now_q;
+      always_ff @(posedge clk_i) bad_now_q <= {bad_now_q[4:1], bad_now};
+      assign row_is_bad[r] = bad_now_q[5];
     end else begin : g_slow
       assign row_is_bad[r] = bad_now;
     end
@@ -143,7 +143,7 @@ module horopter_image_store #(
   end
 
   if (FAST) begin : g_fast
-    localparam int unsigned READ_LATENCY = 10;
+    localparam int unsigned READ_LATENCY = 11;
 
     // --- write ---
     logic write_en_q, write_en_q2, bad_en_q, bad_q, bad_row_q;
@@ -267,23 +267,23 @@ module horopter_image_store #(
     end
     assign bank_read = ok_q[5];
 
-    // 6 is the memories' address register, 7 to 9 their output, 10 has the four pixels in their places.
+    // 6 is the memories' address register, 7 to 10 their output, 11 has the four pixels in their places.
     logic row_odd, column_odd;
-    assign row_odd = row_odd_q[9];
-    assign column_odd = column_odd_q[9];
+    assign row_odd = row_odd_q[10];
+    assign column_odd = column_odd_q[10];
     always_ff @(posedge clk_i) begin
       p00_o <= bank_pixel[{row_odd, column_odd, 3'b000}+:8];
       p01_o <= bank_pixel[{row_odd, !column_odd, 3'b000}+:8];
       p10_o <= bank_pixel[{!row_odd, column_odd, 3'b000}+:8];
       p11_o <= bank_pixel[{!row_odd, !column_odd, 3'b000}+:8];
-      mask_o <= ok_q[9] && !row_is_bad[row_odd] && !(below_q[9] && row_is_bad[!row_odd]);
-      miss_o <= miss_q[9];
-      parity_error_o <= ok_q[9] && bank_error != '0;
+      mask_o <= ok_q[10] && !row_is_bad[row_odd] && !(below_q[10] && row_is_bad[!row_odd]);
+      miss_o <= miss_q[10];
+      parity_error_o <= ok_q[10] && bank_error != '0;
     end
-    assign valid_o = valid_q[10];
-    assign first_o = first_q[10];
-    assign last_o = last_q[10];
-    assign live_o = live_q[10];
+    assign valid_o = valid_q[11];
+    assign first_o = first_q[11];
+    assign last_o = last_q[11];
+    assign live_o = live_q[11];
     assign wx_o = wx_q[(READ_LATENCY-1)*WEIGHT_BITS+:WEIGHT_BITS];
     assign wy_o = wy_q[(READ_LATENCY-1)*WEIGHT_BITS+:WEIGHT_BITS];
 

@@ -2,7 +2,7 @@
 // Left delay: the left image waits here, row by row, until the right image is LOOKAHEAD rows ahead.
 //
 // A ring of ROWS rows. Write side: as the framer gives them; a bad row counts as missing. Read side: requests in raster
-// order, those of live rows only; the pixel comes 5 clocks later if FAST, else 1 (out of step with nothing: the image store
+// order, those of live rows only; the pixel comes 6 clocks later if FAST, else 1 (out of step with nothing: the image store
 // asks at the right time). mask_o = the row came and was good. Rows that never came are not in the ring.
 // keep_o: rows before it (counted as the framer counts stored rows) are read for good and may be overwritten.
 module horopter_left_store #(
@@ -166,14 +166,14 @@ module horopter_left_store #(
     assign present = present_q;
     assign read_addr = addr_q;
 
-    logic [4:1] read_q;
-    logic [3:1] is_bad_q;  // a clock older than is_bad, which belongs to read_q[1]
+    logic [5:1] read_q;
+    logic [4:1] is_bad_q;  // a clock older than is_bad, which belongs to read_q[1]
     always_ff @(posedge clk_i) begin
-      read_q <= {read_q[3:1], read};
-      is_bad_q <= {is_bad_q[2:1], is_bad};
+      read_q <= {read_q[4:1], read};
+      is_bad_q <= {is_bad_q[3:1], is_bad};
       pixel_o <= pixel;
-      mask_o <= read_q[4] && !is_bad_q[3];
-      parity_error_o <= read_q[4] && error;
+      mask_o <= read_q[5] && !is_bad_q[4];
+      parity_error_o <= read_q[5] && error;
     end
   end else begin : g_slow
     assign write_en = write_en_i;

@@ -3,7 +3,7 @@
 //
 // Pool: word64 w = control points of an even (bank 0) and of the odd control row below (bank 1) at one column; the
 // banks have their own addresses, so that any two rows above each other are read in one clock. Data comes 2 clocks
-// after the address, 4 with FAST.
+// after the address, 5 with FAST.
 //
 // Upload (start, then words): {24'h484D01, nx, ny}, {row pairs, columns}, {height, width}, row pairs × columns × 2
 // control points (pair by pair, column by column, even row first), CRC-32 (IEEE 802.3) of all words before it as

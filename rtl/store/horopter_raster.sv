@@ -180,7 +180,7 @@ module horopter_raster #(
   end
 
   // The beat waits for the control points, as long as the map store takes.
-  localparam int unsigned READ = FAST ? 4 : 2;
+  localparam int unsigned READ = FAST ? 5 : 2;
   logic [READ:1] valid_q, prime_q, load_q, beat_first_q, beat_last_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) valid_q <= '0;
