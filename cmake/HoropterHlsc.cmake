@@ -1,6 +1,6 @@
 # hlsc's runs: every stage of hls/stages/stage_list.def for every profile.
 #
-#   horopter_hlsc(<directory> STAGE <header> CLASS <C++ type> NAME <module> CLOCK_NS <ns>)
+#   horopter_hlsc(<directory> STAGE <header> CLASS <C++ type> NAME <module> CLOCK_NS <ns> [TIMING <option of hlsc>...])
 #
 # makes <directory>/<module>.sv and .json of one stage.
 #
@@ -28,15 +28,20 @@ file(GLOB_RECURSE HOROPTER_STAGE_HEADERS CONFIGURE_DEPENDS
 set(HOROPTER_HLSC_TARGET ecp5 CACHE STRING "Delay model of the committed modules")
 # The rest of the clock is for what the delay model does not know: routing detours, skew.
 set(HOROPTER_HLSC_CLOCK_PERCENT 80 CACHE STRING "Percent of a profile's clock period that hlsc may fill with logic")
-# Slower profiles are scheduled as if for this: 30 MHz on an iCE40 HX, a third slower than the model's ECP5.
-set(HOROPTER_HLSC_MIN_KHZ 40000 CACHE STRING "Least clock for which hlsc schedules")
+# Slower profiles are scheduled as if for this, 28.6 ns of logic: all of them reach 30 MHz, on an iCE40 HX, too.
+set(HOROPTER_HLSC_SLOWEST_KHZ 28000 CACHE STRING "Least clock for which hlsc schedules")
+# In slow profiles some stages hand on logic instead of registers: the ns after the clock by which it ends, and at which
+# the next stage of the list takes it. The image store hands on its memories' data.
+set(HOROPTER_HLSC_OUTPUT_NS
+  interpolate 23 lowpass 14 sobel 12 difference 9 texture 1 threshold 4 majority 6 align 12 runs 15)
+set(HOROPTER_HLSC_INPUT_NS interpolate 5.9)
 
-function(_horopter_clock_ns profile result)
+function(_horopter_clock_ns profile result slow)
   file(STRINGS ${PROJECT_SOURCE_DIR}/hls/include/horopter/hls/profiles.def line REGEX "^HOROPTER_PROFILE\\(${profile},")
   string(REGEX MATCH "([0-9]+)\\)$" _ "${line}")  # the last column: clock_khz
   set(clock_khz ${CMAKE_MATCH_1})
-  if(clock_khz LESS HOROPTER_HLSC_MIN_KHZ)
-    set(clock_khz ${HOROPTER_HLSC_MIN_KHZ})
+  if(clock_khz LESS HOROPTER_HLSC_SLOWEST_KHZ)
+    set(clock_khz ${HOROPTER_HLSC_SLOWEST_KHZ})
   endif()
   math(EXPR ps "10000000 * ${HOROPTER_HLSC_CLOCK_PERCENT} / ${clock_khz}")
   math(EXPR ns "${ps} / 1000")
@@ -45,14 +50,29 @@ function(_horopter_clock_ns profile result)
     set(hundredths 0${hundredths})
   endif()
   set(${result} ${ns}.${hundredths} PARENT_SCOPE)
+  set(${slow} OFF PARENT_SCOPE)
+  if(clock_khz EQUAL HOROPTER_HLSC_SLOWEST_KHZ)
+    set(${slow} ON PARENT_SCOPE)
+  endif()
+endfunction()
+
+# The value behind `key` in a list of keys and values.
+function(_horopter_lookup list key result default)
+  list(FIND ${list} ${key} at)
+  set(value "${default}")
+  if(NOT at EQUAL -1)
+    math(EXPR at "${at} + 1")
+    list(GET ${list} ${at} value)
+  endif()
+  set(${result} "${value}" PARENT_SCOPE)
 endfunction()
 
 function(horopter_hlsc dir)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "STAGE;CLASS;NAME;CLOCK_NS" "")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "STAGE;CLASS;NAME;CLOCK_NS" "TIMING")
   add_custom_command(
     OUTPUT ${dir}/${arg_NAME}.sv ${dir}/${arg_NAME}.json
     COMMAND hlsc ${arg_STAGE} --class ${arg_CLASS} --top-name ${arg_NAME} --target ${HOROPTER_HLSC_TARGET}
-            --clock-ns ${arg_CLOCK_NS} -I ${PROJECT_SOURCE_DIR}/hls/include -I ${PROJECT_SOURCE_DIR}/hls
+            --clock-ns ${arg_CLOCK_NS} ${arg_TIMING} -I ${PROJECT_SOURCE_DIR}/hls/include -I ${PROJECT_SOURCE_DIR}/hls
             --source-root ${PROJECT_SOURCE_DIR} -o ${dir}
     DEPENDS hlsc ${arg_STAGE} ${HOROPTER_STAGE_HEADERS}
     COMMENT "hlsc ${arg_CLASS}"
@@ -62,13 +82,25 @@ endfunction()
 function(horopter_generate_stages profile)
   set(dir ${PROJECT_BINARY_DIR}/generated/${profile})
   set(committed ${PROJECT_SOURCE_DIR}/rtl/generated/${profile})
-  _horopter_clock_ns(${profile} clock_ns)
+  _horopter_clock_ns(${profile} clock_ns slow)
+  set(before)  # output_ns of the stage before
   set(sources)
   set(sidecars)
   foreach(stage IN LISTS HOROPTER_STAGES)
+    set(timing)
+    if(slow)
+      _horopter_lookup(HOROPTER_HLSC_INPUT_NS ${stage} input "${before}")
+      _horopter_lookup(HOROPTER_HLSC_OUTPUT_NS ${stage} before "")
+      if(input)
+        list(APPEND timing --input-ns ${input})
+      endif()
+      if(before)
+        list(APPEND timing --output-ns ${before})
+      endif()
+    endif()
     horopter_hlsc(${dir} STAGE ${PROJECT_SOURCE_DIR}/hls/stages/${stage}.hpp NAME horopter_${stage}
       CLASS "horopter::stages::${HOROPTER_STAGE_CLASS_${stage}}<horopter::hls::profiles::${profile}>"
-      CLOCK_NS ${clock_ns})
+      CLOCK_NS ${clock_ns} TIMING ${timing})
     list(APPEND sources ${dir}/horopter_${stage}.sv)
     list(APPEND sidecars ${dir}/horopter_${stage}.json)
   endforeach()

@@ -4,14 +4,15 @@
 // Out   sum[n], 0 … 15·K², exact. mask: all of the K×K exist. textured passes through, see texture.
 // Running sums: per column C(y) = C(y−1) + (d(y) − d(y−K)), along the row S(x) = S(x−1) + (C(x) − C(x−K)). They start
 // anew with each frame and row, so an upset bit of memory is gone with the frame. Offset: (K − 1) / 2 rows and columns.
-// Memory: per column K rows of 4-bit differences and their sum for each n, and K − 1 bits of mask.
+// Memory: per column K rows of 4-bit differences and their sum for each n, and K − 1 bits of mask. DELAY_IN_RAM: the last
+// column sums of the row, too, in place of K registers each.
 #pragma once
 
 #include "stages/texture.hpp"
 
 namespace horopter::stages {
 
-template <int BEATS, int HYPOTHESES, int K, class V = Scalar>
+template <int BEATS, int HYPOTHESES, int K, class V = Scalar, bool DELAY_IN_RAM = false>
 class DsadSum {
   static_assert(K >= 5 && K <= 13 && K % 2 == 1, "the window is 5×5 to 13×13");
 
@@ -51,7 +52,11 @@ class DsadSum {
       column.sum[n] = U<column_bits>(above.sum[n] + (in.difference[n] - leaving));
       for (std::size_t i = K - 1; i > 0; --i) column.difference[n][i] = above.difference[n][i - 1];
       column.difference[n][0] = in.difference[n];
-      out.sum[n] = rows_[n].step(at.row_start, at.column >= K, U<sum_bits>(column.sum[n]));
+    }
+    const auto leaving = columns_.step(column.sum);
+    const bool filled = at.column >= K;  // else it lies before the row
+    for (std::size_t n = 0; n < sums; ++n) {
+      out.sum[n] = rows_[n].step(at.row_start, U<sum_bits>(column.sum[n]), filled ? U<sum_bits>(leaving[n]) : U<sum_bits>(0));
     }
     out.mask = mask_.step(at.row_start, in.mask, above.mask, column.mask);
     out.textured = in.textured;
@@ -69,13 +74,44 @@ class DsadSum {
     ColumnBits<K, V> mask;
   };
 
+  using ColumnSums = std::array<U<column_bits>, sums>;
+
+  /// The column sums of K beats before.
+  class DelayRegisters {
+   public:
+    ColumnSums step(const ColumnSums& value) {
+      const ColumnSums oldest = values_.oldest();
+      values_.push(value);
+      return oldest;
+    }
+
+   private:
+    DelayLine<ColumnSums, K> values_;
+  };
+  class DelayRam {
+   public:
+    ColumnSums step(const ColumnSums& value) {
+      values_.begin_step();
+      const ColumnSums oldest = values_.read(u<4>(place_ - lit<K>()));
+      values_.write(place_, value);
+      place_ += lit<1>();
+      return oldest;
+    }
+
+   private:
+    static constexpr int words = 16;
+    RAM<ColumnSums, words, (words - K < K ? words - K : K)> values_;
+    u<4> place_{0};
+  };
+
   ColumnMemory<Column, BEATS> memory_;
   Raster<BEATS, K> raster_;
-  std::array<HorizontalSum<K, sum_bits, 1, V>, sums> rows_{};
+  std::conditional_t<DELAY_IN_RAM, DelayRam, DelayRegisters> columns_;
+  std::array<RowSum<sum_bits, 1, V>, sums> rows_{};
   WindowAnd<K, 1, V> mask_;
 };
 
 template <Profile P>
-using Dsad = DsadSum<P.result_width(), P.hypotheses, P.dsad_window>;
+using Dsad = DsadSum<P.result_width(), P.hypotheses, P.dsad_window, Scalar, P.packed()>;
 
 }  // namespace horopter::stages

@@ -11,9 +11,13 @@
 // Exact bilinear interpolation: vertical, (64 − f)·top + f·bottom, then along the row by adding the 1/64 part of the
 // difference of two columns per pixel; rounded half up to 1/2^W px at the end only. Error against real arithmetic:
 // 1/2^(W+1) px. Offset: none.
+// COMPACT trades the speed of the clock for gates: a row's place is the only register of coordinates, as a cell ends where
+// the next one begins, and the factor f is recoded to half as many digits.
 // Illegal use: a row without prime beat takes its first column from the row before; load in the wrong place gives wrong
 // addresses until the next row; spacing_x_log2 above 6 counts as 6.
 #pragma once
+
+#include <type_traits>
 
 #include "stages/stream.hpp"
 
@@ -31,7 +35,7 @@ struct ControlPair {
   ControlPoint bottom;
 };
 
-template <int WEIGHT_BITS>
+template <int WEIGHT_BITS, bool COMPACT = false>
 class MapExpander {
   static_assert(WEIGHT_BITS >= 1 && WEIGHT_BITS <= 8);
 
@@ -59,21 +63,17 @@ class MapExpander {
   Out step(const In& in, const Config& config) {
     Out out;
     const bool load = in.load && !in.prime;
-    const bool right_valid = load || right_.valid;  // has no weight at the column itself
-    if (in.prime || load) {
-      const Node arriving = node(in.column, in.row_fraction);
-      if (load) {
-        // One pixel further is 2^(6 − spacing) of the 64 parts of the cell.
-        const u<3> up = config.spacing_x_log2 >= 6 ? u<3>(0) : u<3>(lit<6>() - config.spacing_x_log2);
-        x_.load(right_.x, arriving.x, up);
-        y_.load(right_.y, arriving.y, up);
-        left_valid_ = right_.valid;
-      }
-      right_ = arriving;
-    }
+    const bool right_valid = load || right_valid_;  // has no weight at the column itself
+    // One pixel further is 2^(6 − spacing) of the 64 parts of the cell.
+    const u<3> up = config.spacing_x_log2 >= 6 ? u<3>(0) : u<3>(lit<6>() - config.spacing_x_log2);
+    const Node arriving = node(in.column, in.row_fraction);
+    const Place x = x_.step(in.prime, load, arriving.x, up);
+    const Place y = y_.step(in.prime, load, arriving.y, up);
+    if (load) left_valid_ = right_valid_;
+    if (in.prime || load) right_valid_ = arriving.valid;
     out.valid = !in.prime;
-    const bool x_inside = place(x_.step(), out.x, out.wx);
-    const bool y_inside = place(y_.step(), out.y, out.wy);
+    const bool x_inside = place(x, out.x, out.wx);
+    const bool y_inside = place(y, out.y, out.wy);
     out.mapped = left_valid_ && right_valid && x_inside && y_inside;
     out.marks = in.marks;
     return out;
@@ -90,30 +90,46 @@ class MapExpander {
 
   using Place = u<28>;  // (px + 64) · 2^17
 
+  static s<29> scaled(s<23> difference, u<3> up) {
+    s<29> value(difference);
+    if (up.bit(0)) value = s<29>(shl<1>(value));
+    if (up.bit(1)) value = s<29>(shl<2>(value));
+    if (up.bit(2)) value = s<29>(shl<4>(value));
+    return value;
+  }
+
   /// One coordinate along the row.
   class Axis {
    public:
-    void load(u<22> left, u<22> right, u<3> up) {
-      place_ = shl<6>(left);
-      increment_ = scaled(right - left, up);
-    }
-
-    Place step() {
+    /// The place of this pixel. `arriving`: the right column of the cell that begins here, or of the row's first one.
+    Place step(bool prime, bool load, u<22> arriving, u<3> up) {
+      if (load) {
+        place_ = shl<6>(right_);
+        increment_ = scaled(arriving - right_, up);
+      }
+      if (prime || load) right_ = arriving;
       const Place place = place_;
       place_ = Place(place + increment_);
       return place;
     }
 
    private:
-    static s<29> scaled(s<23> difference, u<3> up) {
-      s<29> value(difference);
-      if (up.bit(0)) value = s<29>(shl<1>(value));
-      if (up.bit(1)) value = s<29>(shl<2>(value));
-      if (up.bit(2)) value = s<29>(shl<4>(value));
-      return value;
+    u<22> right_;      // the cell's right column
+    Place place_{0};   // of the next pixel, unless that loads
+    s<29> increment_{0};
+  };
+
+  class CompactAxis {
+   public:
+    Place step(bool prime, bool load, u<22> arriving, u<3> up) {
+      const Place place = place_;
+      if (load) increment_ = scaled(arriving - place.template bits<27, 6>(), up);
+      place_ = prime ? Place(shl<6>(arriving)) : Place(place + increment_);
+      return place;
     }
 
-    Place place_{0};  // of the next pixel, unless that loads
+   private:
+    Place place_{0};  // of the next pixel; at the end of a cell, its right column
     s<29> increment_{0};
   };
 
@@ -126,10 +142,31 @@ class MapExpander {
     return u<22>(low + shl<2>(middle + shl<2>(high)));
   }
 
+  /// The same as 64·(f_5 ? b : a) + Σ 4^i d_i (b − a) with Booth's digits of f, d_i = −2 f_2i+1 + f_2i + f_2i−1.
+  static u<22> compact_between(u<16> a, u<16> b, u<6> f) {
+    const s<17> difference = b - a;
+    u<22> sum = u<22>(f.bit(5) ? b : a);
+    for (int i = 2; i >= 0; --i) {
+      const bool below = i > 0 && f.bit(2 * i - 1);
+      const bool negative = f.bit(2 * i + 1);
+      const bool one = f.bit(2 * i) != below;
+      const bool two = !one && negative != below;
+      const u<22> once = u<22>(s<22>(difference));
+      const u<22> twice = u<22>(s<22>(shl<1>(difference)));
+      const u<22> size = one ? once : two ? twice : u<22>(0);
+      const u<22> digit = negative ? ~size : size;
+      // The one that −size = ~size + 1 lacks comes as a carry, from a bit below.
+      const u<23> both = u<23>(cat(u<22>(shl<2>(sum)), u<1>(1)) + cat(digit, u<1>(negative)));
+      sum = both.template bits<22, 1>();
+    }
+    return sum;
+  }
+
   static Node node(const ControlPair& column, u<6> fraction) {
     Node result;
-    result.x = between(column.top.x, column.bottom.x, fraction);
-    result.y = between(column.top.y, column.bottom.y, fraction);
+    constexpr auto interpolate = COMPACT ? compact_between : between;
+    result.x = interpolate(column.top.x, column.bottom.x, fraction);
+    result.y = interpolate(column.top.y, column.bottom.y, fraction);
     result.valid = column.top.has_source() && (fraction == 0 || column.bottom.has_source());
     return result;
   }
@@ -143,13 +180,13 @@ class MapExpander {
     return !source.negative();
   }
 
-  Node right_;  // vertical interpolation of the cell's right column
+  bool right_valid_ = false;  // of the cell's columns
   bool left_valid_ = false;
-  Axis x_;
-  Axis y_;
+  std::conditional_t<COMPACT, CompactAxis, Axis> x_;
+  std::conditional_t<COMPACT, CompactAxis, Axis> y_;
 };
 
 template <Profile P>
-using MapExpand = MapExpander<P.weight_bits>;
+using MapExpand = MapExpander<P.weight_bits, (P.clock_khz < 40'000)>;
 
 }  // namespace horopter::stages

@@ -124,7 +124,7 @@ class Emitter {
  public:
   /// `may_inline`: nodes to be written inside the expression that uses them; empty: none.
   Emitter(const Graph& graph, const Schedule& schedule, const EmitOptions& options, std::vector<bool> may_inline)
-      : g_(graph), s_(schedule), o_(options), last_(schedule.latency), may_inline_(std::move(may_inline)) {}
+      : g_(graph), s_(schedule), o_(options), last_(schedule.latency), registered_(registered_outputs(schedule.options)), may_inline_(std::move(may_inline)) {}
 
   /// After run(): unnamed nodes that are used once and as a whole.
   std::vector<bool> used_once() const {
@@ -198,10 +198,11 @@ class Emitter {
     for (SignalId id : input_) result_.input_names.push_back(signals_[id].name);
     for (SignalId id : config_) result_.config_names.push_back(signals_[id].name);
     result_.output_names = output_;
-    for (int stage = 0; stage < last_; ++stage) names_.insert(enable(stage));
+    for (int stage = 0; stage < stages(); ++stage) names_.insert(enable(stage));
     for (int stage = 1; stage <= last_; ++stage) names_.insert(valid(stage));
   }
 
+  int stages() const { return registered_ ? last_ : last_ + 1; }  ///< that hold logic
   static std::string enable(int stage) { return "s" + std::to_string(stage) + "_en"; }
   static std::string valid(int stage) { return stage == 0 ? "valid_i" : "valid_s" + std::to_string(stage) + "_q"; }
 
@@ -287,14 +288,14 @@ class Emitter {
     }
     for (const Port& out : g_.outputs) {
       for (Bit b : out.value) {
-        if (b.node != 0 && s_.stage[b.node] == kEveryStage) {
+        if (registered_ && b.node != 0 && s_.stage[b.node] == kEveryStage) {
           output_static_.try_emplace(b, output_static_.size());
         } else {
           demand(b, last_);
         }
       }
     }
-    demand(g_.output_valid, last_ - 1);
+    demand(g_.output_valid, stages() - 1);
     for (const auto& [key, bits] : registers_) {
       const auto& [stage, node] = key;
       const std::string name = unique(base_name_[node] + "_s" + std::to_string(stage), "_q");
@@ -311,7 +312,7 @@ class Emitter {
   Reference resolve(Bit b, int stage) const {
     if (b.node == 0) return {kNoSignal, b.index};
     const int made = s_.stage[b.node];
-    if (made == kEveryStage && stage == last_)
+    if (registered_ && made == kEveryStage && stage == last_)
       return {static_register_, static_cast<std::uint32_t>(output_static_.at(b))};
     if (made == kEveryStage || made == stage) return {node_signal_[b.node], b.index};
     if (const auto it = shared_.find({b, stage}); it != shared_.end()) return it->second;
@@ -481,6 +482,7 @@ class Emitter {
     out << ". Do not edit.\n//\n"
         << "// Latency " << last_ << " enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage\n"
         << "// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.\n"
+        << (registered_ ? "" : "// Outputs are logic: what they go to takes them with the clock if en_i = 1.\n")
         << "// State " << result_.state_bits << " bits, pipeline " << result_.pipeline_bits << " bits, memories "
         << memory_bits << " bits.\n"
         << "module " << g_.top_name << " (\n  input  logic clk_i,\n  input  logic rst_ni,\n  input  logic en_i,\n"
@@ -504,12 +506,23 @@ class Emitter {
   }
 
   void emit_valid(std::ostream& out) {
-    out << "\n  // A beat is in stage k, k enabled clocks after it entered.\n  logic ";
-    for (int k = 1; k <= last_; ++k) out << (k == 1 ? "" : ", ") << valid(k);
-    out << ";\n  logic ";
-    for (int k = 0; k < last_; ++k) out << (k == 0 ? "" : ", ") << enable(k);
+    out << "\n  // A beat is in stage k, k enabled clocks after it entered.\n";
+    for (int k = 1; k <= last_; ++k) out << (k == 1 ? "  logic " : ", ") << valid(k) << (k == last_ ? ";\n" : "");
+    std::vector<int> needed;
+    for (int k = 0; k < stages(); ++k) {
+      if (registered_ || k < last_ || uses_enable(k)) needed.push_back(k);
+    }
+    if (needed.empty()) return;
+    for (int k : needed) out << (k == needed.front() ? "  logic " : ", ") << enable(k);
     out << ";\n";
-    for (int k = 0; k < last_; ++k) out << "  assign " << enable(k) << " = en_i & " << valid(k) << ";\n";
+    for (int k : needed) out << "  assign " << enable(k) << " = en_i & " << valid(k) << ";\n";
+  }
+
+  /// Does anything load in this stage, but for registers of the pipeline?
+  bool uses_enable(int stage) const {
+    const bool state = std::ranges::any_of(g_.states, [&](const State& s) { return s_.stage[s.read] == stage; });
+    return state || std::ranges::find(s_.ram_read_stage, stage) != s_.ram_read_stage.end() ||
+           std::ranges::find(s_.ram_write_stage, stage) != s_.ram_write_stage.end();
   }
 
   void emit_static(std::ostream& out) {
@@ -558,15 +571,23 @@ class Emitter {
   }
 
   void emit_stage(std::ostream& out, int stage) {
-    const std::string title = stage == last_ ? "Outputs" : "Stage " + std::to_string(stage);
-    out << "\n  // " << title << " " << std::string(114 - title.size(), '-') << "\n";
-    if (stage == last_) {
-      for (std::size_t i = 0; i < g_.outputs.size(); ++i) {
-        out << "  assign " << output_[i] << " = " << assigned(g_.outputs[i].value, last_) << ";\n";
-      }
-      out << "  assign valid_o = " << valid(last_) << ";\n";
-      return;
+    const auto headline = [&](const std::string& title) {
+      out << "\n  // " << title << " " << std::string(114 - title.size(), '-') << "\n";
+    };
+    if (stage < stages()) emit_logic(out, stage, headline);
+    if (stage < last_) return;
+    headline("Outputs");
+    for (std::size_t i = 0; i < g_.outputs.size(); ++i) {
+      out << "  assign " << output_[i] << " = " << assigned(g_.outputs[i].value, last_) << ";\n";
     }
+    out << "  assign valid_o = " << valid(last_);
+    if (!registered_ && g_.output_valid != kOne) out << " & " << expression(Bits{g_.output_valid}, last_);
+    out << ";\n";
+  }
+
+  template <class Headline>
+  void emit_logic(std::ostream& out, int stage, Headline headline) {
+    headline("Stage " + std::to_string(stage));
     for (const State& state : g_.states) {
       if (s_.stage[state.read] != stage) continue;
       const Signal& s = signals_[node_signal_[state.read]];
@@ -639,12 +660,13 @@ class Emitter {
 
   // The valid bits; at the end, because the last one may depend on the leaf `valid` of Out.
   void emit_valid_registers(std::ostream& out) {
+    if (last_ == 0) return;
     out << "\n  always_ff @(posedge clk_i) begin\n    if (!rst_ni) begin\n";
     for (int k = 1; k <= last_; ++k) out << "      " << valid(k) << " <= 1'b0;\n";
     out << "    end else if (en_i) begin\n";
     for (int k = 1; k <= last_; ++k) {
       out << "      " << valid(k) << " <= " << valid(k - 1);
-      if (k == last_ && g_.output_valid != kOne) out << " & " << expression(Bits{g_.output_valid}, last_ - 1);
+      if (registered_ && k == last_ && g_.output_valid != kOne) out << " & " << expression(Bits{g_.output_valid}, last_ - 1);
       out << ";\n";
     }
     out << "    end\n  end\n";
@@ -772,15 +794,22 @@ class Emitter {
         if (!signals_[id].used[i]) unused.push_back({id, i});
       }
     }
-    if (unused.empty()) return;
-    out << "\n  // Nothing depends on these bits.\n  logic unused_bits;\n  assign unused_bits = ^" << expression(unused)
-        << ";\n";
+    const bool clocked = last_ > 0 || uses_enable(0);
+    if (unused.empty() && clocked) return;
+    out << "\n  // Nothing depends on these bits.\n  logic unused_bits;\n  assign unused_bits = ^";
+    if (clocked) {
+      out << expression(unused);
+    } else {
+      out << "{clk_i, rst_ni, en_i" << (unused.empty() ? "" : ", " + expression(unused)) << "}";
+    }
+    out << ";\n";
   }
 
   const Graph& g_;
   const Schedule& s_;
   const EmitOptions& o_;
   int last_;
+  bool registered_;
   std::vector<bool> may_inline_;
   EmittedModule result_;
   std::set<std::string> names_;

@@ -47,6 +47,13 @@ int main(int argc, char** argv) {
       ->type_name("NS")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
+  app.add_option("--input-ns", options.schedule.input_ns, "When inputs come, after the clock: logic in front of them")
+      ->type_name("NS")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--output-ns", options.schedule.output_ns,
+                 "Outputs may be logic, if it ends by then [0: outputs are registers]")
+      ->type_name("NS")
+      ->check(CLI::NonNegativeNumber);
   app.add_option("--target", target, "Delay model")->type_name("ecp5|ice40")->capture_default_str();
   app.add_option("-o,--output", directory, "Directory for NAME.sv and NAME.json")
       ->type_name("DIR")

@@ -152,6 +152,9 @@ class Scheduler {
           rom_address_[n] != kNone ? o_.delays.memory_read_ns - o_.delays.launch_ns : o_.delays.node_ns(g_, node);
       if (rom_address_[n] == kNone && reads_memory(node)) start_[n] += o_.delays.memory_route_ns;
     }
+    for (const NodeId n : inputs()) start_[n] = std::max(o_.delays.launch_ns, o_.input_ns);
+    // What a clock has left after output_ns is for what the outputs go to.
+    if (!registered_outputs(o_)) delay_[end_] = std::max(0.0, limit() - o_.output_ns);
     for (std::size_t r = 0; r < g_.rams.size(); ++r) {
       if (!ram_live_[r]) continue;
       delay_[ram_address_[r]] = o_.delays.memory_setup_ns;
@@ -167,6 +170,14 @@ class Scheduler {
       return std::ranges::any_of(
           operand, [&](Bit b) { return g_.nodes[b.node].op == Op::kRamRead || rom_address_[b.node] != kNone; });
     });
+  }
+
+  std::vector<NodeId> inputs() const {
+    std::vector<NodeId> found;
+    for (NodeId n = 1; n < g_.nodes.size(); ++n) {
+      if (g_.nodes[n].op == Op::kInput) found.push_back(n);
+    }
+    return found;
   }
 
   bool feeds_itself(NodeId rom) const {
@@ -194,6 +205,7 @@ class Scheduler {
 
   void build_edges() {
     std::set<std::pair<Item, Item>> seen;
+    const int behind = registered_outputs(o_) ? 1 : 0;  // stages that the outputs come after what makes them
     const auto data = [&](const Bits& bits, Item to) {
       for (Bit b : bits) {
         if (scheduled(b.node) && seen.emplace(b.node, to).second) edge(b.node, to, 0, EdgeKind::kData);
@@ -220,7 +232,7 @@ class Scheduler {
       data(ram.write_data, ram_write_[r]);
       data({ram.write_enable}, ram_write_[r]);
       edge(ram_address_[r], ram_write_[r], 1, EdgeKind::kMemory);
-      edge(ram_write_[r], end_, 1, EdgeKind::kEnd);
+      edge(ram_write_[r], end_, behind, EdgeKind::kEnd);
       edge(ram_write_[r], ram_address_[r], 1 - static_cast<int>(ram.distance), EdgeKind::kDistance);
     }
     for (const State& state : g_.states) {
@@ -232,7 +244,8 @@ class Scheduler {
       for (Item source : sources) edge(source, state.read, 0, EdgeKind::kClose);
     }
     const auto output = [&](Bit b) {
-      if (scheduled(b.node) && seen.emplace(b.node, end_).second) edge(b.node, end_, 1, EdgeKind::kEnd);
+      if (!scheduled(b.node) || !seen.emplace(b.node, end_).second) return;
+      edge(b.node, end_, behind, behind == 0 ? EdgeKind::kData : EdgeKind::kEnd);
     };
     for (const auto& out : g_.outputs) std::ranges::for_each(out.value, output);
     output(g_.output_valid);
@@ -423,7 +436,7 @@ class Scheduler {
 
   void as_soon_as_possible() {
     s_.assign(items_, 0);
-    s_[end_] = 1;
+    s_[end_] = registered_outputs(o_) ? 1 : 0;
     std::vector<std::uint32_t> cause(items_, ~0U);
     // Edges in order of their source make most sweeps single.
     std::vector<std::uint32_t> order(edges_.size());
@@ -562,9 +575,7 @@ class Scheduler {
     }
     std::vector<bool> pinned(next, false);
     pinned[end_] = true;
-    for (NodeId n = 1; n < g_.nodes.size(); ++n) {
-      if (g_.nodes[n].op == Op::kInput) pinned[n] = true;
-    }
+    for (const NodeId n : inputs()) pinned[n] = true;
     detail::minimise_linear(constraints, weight, pinned, s);
     std::copy_n(s.begin(), items_, s_.begin());
   }
@@ -578,7 +589,8 @@ class Scheduler {
     r.synchronous_rom.assign(g_.nodes.size(), false);
     r.ram_read_stage.assign(g_.rams.size(), kDead);
     r.ram_write_stage.assign(g_.rams.size(), kDead);
-    r.stage_delay_ns.assign(static_cast<std::size_t>(r.latency), o_.delays.launch_ns + o_.delays.setup_ns);
+    const int stages = r.latency + (registered_outputs(o_) ? 0 : 1);
+    r.stage_delay_ns.assign(static_cast<std::size_t>(stages), o_.delays.launch_ns + o_.delays.setup_ns);
     std::vector<double> arrival(items_, 0.0);
     for (Item i = 0; i < items_; ++i) arrival[i] = start_[i];
     std::vector<std::vector<Item>> predecessors(items_);

@@ -30,6 +30,7 @@ std::string sidecar(const Graph& graph, const Schedule& schedule, const EmitOpti
   json["target"] = target_name(schedule.options.delays.target);
   json["clock_ns"] = schedule.options.clock_ns;
   json["latency"] = schedule.latency;
+  json["registered_outputs"] = registered_outputs(schedule.options);
   json["register_bits"] = {{"state", module.state_bits}, {"pipeline", module.pipeline_bits}};
   unsigned long memory_bits = 0;
   json["memories"] = Json::array();
@@ -43,7 +44,7 @@ std::string sidecar(const Graph& graph, const Schedule& schedule, const EmitOpti
   }
   json["memory_bits"] = memory_bits;
   json["stages"] = Json::array();
-  for (int stage = 0; stage < schedule.latency; ++stage) {
+  for (int stage = 0; stage < static_cast<int>(schedule.stage_delay_ns.size()); ++stage) {
     Json entry;
     entry["stage"] = stage;
     entry["delay_ns"] = rounded(schedule.stage_delay_ns[static_cast<std::size_t>(stage)]);

@@ -60,7 +60,9 @@ std::vector<std::string> verify_schedule(const Graph& graph, const Schedule& res
     return "node " + std::to_string(n) + (node.name.empty() ? "" : " '" + node.name + "'") + " (" + node.where.file +
            ":" + std::to_string(node.where.line) + ")";
   };
-  if (result.latency < 1) problem("latency below 1");
+  const bool registered = registered_outputs(result.options);
+  if (result.latency < (registered ? 1 : 0)) problem("latency below 1");
+  const int last = registered ? result.latency - 1 : result.latency;  // stage
   if (result.stage.size() != graph.nodes.size()) return {"a stage for each node is missing"};
 
   // A bit is usable in `stage` if it is made there or earlier.
@@ -96,10 +98,11 @@ std::vector<std::string> verify_schedule(const Graph& graph, const Schedule& res
     const Node& node = graph.nodes[n];
     const int stage = result.stage[n];
     if (stage == kDead) continue;
-    if (stage >= result.latency) problem(describe(n) + " lies beyond the last stage");
+    if (stage > last) problem(describe(n) + " lies beyond the last stage");
     double at = delays.launch_ns;
     switch (node.op) {
       case Op::kInput:
+        at = std::max(at, result.options.input_ns);
         if (stage != 0) problem(describe(n) + ": an input outside stage 0");
         break;
       case Op::kConfig:
@@ -127,7 +130,7 @@ std::vector<std::string> verify_schedule(const Graph& graph, const Schedule& res
             problem("RAM '" + ram.name + "': read in stage " + std::to_string(read) + ", write in stage " +
                     std::to_string(write) + ", DISTANCE " + std::to_string(ram.distance));
           }
-          if (write >= result.latency) problem("RAM '" + ram.name + "': write beyond the last stage");
+          if (write > last) problem("RAM '" + ram.name + "': write beyond the last stage");
           if (!all_usable(ram.write_address, write) || !all_usable(ram.write_data, write) ||
               !usable(ram.write_enable, write)) {
             problem("RAM '" + ram.name + "': write too early");
@@ -169,9 +172,11 @@ std::vector<std::string> verify_schedule(const Graph& graph, const Schedule& res
     in_time(at, describe(n), recurrent[n]);
   }
 
-  const int last = result.latency - 1;
   for (const Port& out : graph.outputs) {
     if (!all_usable(out.value, last)) problem("output '" + out.name + "' comes after the last stage");
+    if (!registered && latest(out.value, last) > std::max(result.options.output_ns, delays.launch_ns) + 1e-6) {
+      problem("output '" + out.name + "' is late: " + std::to_string(latest(out.value, last)) + " ns");
+    }
   }
   if (!usable(graph.output_valid, last)) problem("the valid output comes after the last stage");
   return problems;

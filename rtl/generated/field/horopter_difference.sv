@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Difference<horopter::hls::profiles::field>, hls/stages/difference.hpp. Do not edit.
 //
-// Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 0 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 59 bits, pipeline 20 bits, memories 0 bits.
+// Outputs are logic: what they go to takes them with the clock if en_i = 1.
+// State 59 bits, pipeline 0 bits, memories 0 bits.
 module horopter_difference (
   input  logic clk_i,
   input  logic rst_ni,
@@ -25,7 +26,6 @@ module horopter_difference (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q;
   logic s0_en;
   assign s0_en = en_i & valid_i;
 
@@ -161,39 +161,14 @@ module horopter_difference (
     end
   end
 
-  logic mask_s1_q;
-  logic marks_last_s1_q;
-  logic left_marks_first_s1_q;
-  logic [3:0] select_61_s1_q;
-  logic [3:0] select_69_s1_q;
-  logic [7:0] select_70_s1_q;
-  always_ff @(posedge clk_i) begin
-    if (s0_en) begin
-      mask_s1_q <= mask_i;
-      marks_last_s1_q <= marks_last_i;
-      left_marks_first_s1_q <= left_marks_first_q;
-      select_61_s1_q <= (not_29 & not_53) ? level : {or_59, not_60, 2'h0};
-      select_69_s1_q <= and_46 ? select_68 : 4'h0;
-      select_70_s1_q <= saturated_i ? 8'h0 : left_magnitude_0_q;
-    end
-  end
-
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign difference_0_o = select_61_s1_q;
-  assign difference_1_o = select_69_s1_q;
-  assign magnitude_o = select_70_s1_q;
-  assign mask_o = mask_s1_q;
-  assign marks_first_o = left_marks_first_s1_q;
-  assign marks_last_o = marks_last_s1_q;
-  assign valid_o = valid_s1_q;
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      valid_s1_q <= 1'b0;
-    end else if (en_i) begin
-      valid_s1_q <= valid_i & and_25;
-    end
-  end
+  assign difference_0_o = (not_29 & not_53) ? level : {or_59, not_60, 2'h0};
+  assign difference_1_o = and_46 ? select_68 : 4'h0;
+  assign magnitude_o = saturated_i ? 8'h0 : left_magnitude_0_q;
+  assign mask_o = mask_i;
+  assign marks_first_o = left_marks_first_q;
+  assign marks_last_o = marks_last_i;
+  assign valid_o = valid_i & and_25;
 
   // Nothing depends on these bits.
   logic unused_bits;

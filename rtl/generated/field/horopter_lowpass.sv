@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Lowpass<horopter::hls::profiles::field>, hls/stages/lowpass.hpp. Do not edit.
 //
-// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 60 bits, pipeline 36 bits, memories 15120 bits.
+// Outputs are logic: what they go to takes them with the clock if en_i = 1.
+// State 60 bits, pipeline 13 bits, memories 15120 bits.
 module horopter_lowpass (
   input  logic clk_i,
   input  logic rst_ni,
@@ -23,19 +24,19 @@ module horopter_lowpass (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q, valid_s2_q;
+  logic valid_s1_q;
   logic s0_en, s1_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
-  logic [9:0] raster_next_column_q;
+  logic [9:0] raster_column_q;
   logic raster_row_ended_q;
   // hls/stages/lowpass.hpp:27
   logic or_17;
   assign or_17 = marks_first_i | raster_row_ended_q;
-  logic [9:0] select_18;
-  assign select_18 = or_17 ? 10'h0 : raster_next_column_q;
+  logic [9:0] select_19;
+  assign select_19 = or_17 ? 10'h0 : (raster_column_q + 10'h1);
 
   // Memory memory, 756 x 20, DISTANCE 16, hls/stages/lowpass.hpp:58; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -43,7 +44,7 @@ module horopter_lowpass (
   logic [19:0] memory_mem [0:755];
   initial for (int i = 0; i < 756; i++) memory_mem[i] = 20'h0;
   logic [9:0] memory_raddr;
-  assign memory_raddr = select_18;
+  assign memory_raddr = select_19;
   logic memory_re;
   assign memory_re = s0_en;
   logic [19:0] memory_rdata_q;
@@ -53,10 +54,10 @@ module horopter_lowpass (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      raster_next_column_q <= 10'h0;
+      raster_column_q <= 10'h0;
       raster_row_ended_q <= 1'b1;
     end else if (s0_en) begin
-      raster_next_column_q <= select_18 + 10'h1;
+      raster_column_q <= select_19;
       raster_row_ended_q <= marks_last_i;
     end
   end
@@ -66,7 +67,6 @@ module horopter_lowpass (
   logic mask_s1_q;
   logic marks_first_s1_q;
   logic or_17_s1_q;
-  logic [9:0] select_18_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       pixel_0_s1_q <= pixel_0_i;
@@ -74,7 +74,6 @@ module horopter_lowpass (
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;
       or_17_s1_q <= or_17;
-      select_18_s1_q <= select_18;
     end
   end
 
@@ -89,14 +88,14 @@ module horopter_lowpass (
   logic [1:0] saturated_columns_values_0_q;
   logic [1:0] saturated_columns_values_1_q;
   // hls/stages/lowpass.hpp:27
-  logic and_21;
-  assign and_21 = raster_rows_q & (~marks_first_s1_q);
+  logic and_22;
+  assign and_22 = raster_rows_q & (~marks_first_s1_q);
   // hls/stages/lowpass.hpp:43
-  logic [1:0] select_22;
-  assign select_22 = and_21 ? memory_rdata_q[17:16] : 2'h0;
-  // hls/stages/lowpass.hpp:44
   logic [1:0] select_23;
-  assign select_23 = and_21 ? memory_rdata_q[19:18] : 2'h0;
+  assign select_23 = and_22 ? memory_rdata_q[17:16] : 2'h0;
+  // hls/stages/lowpass.hpp:44
+  logic [1:0] select_24;
+  assign select_24 = and_22 ? memory_rdata_q[19:18] : 2'h0;
   // hls/stages/lowpass.hpp:35
   logic [8:0] sum_26;
   assign sum_26 = {1'b0, memory_rdata_q[7:0]} + {2'h0, memory_rdata_q[15:9]};
@@ -104,12 +103,12 @@ module horopter_lowpass (
   assign sum = {2'h0, pixel_0_s1_q} + {sum_26, memory_rdata_q[8]};
   // hls/stages/lowpass.hpp:43
   logic equal_28;
-  assign equal_28 = {select_22, mask_s1_q} == 3'h7;
+  assign equal_28 = {select_23, mask_s1_q} == 3'h7;
   logic [1:0] select_29;
   assign select_29 = or_17_s1_q ? 2'h0 : mask_columns_values_1_q;
   // hls/stages/lowpass.hpp:44
   logic equal_31;
-  assign equal_31 = {select_23, saturated_s1_q} == 3'h7;
+  assign equal_31 = {select_24, saturated_s1_q} == 3'h7;
   logic [1:0] select_32;
   assign select_32 = or_17_s1_q ? 2'h0 : saturated_columns_values_1_q;
   // hls/stages/lowpass.hpp:38
@@ -122,11 +121,11 @@ module horopter_lowpass (
 
   // Memory memory, write
   logic [9:0] memory_waddr;
-  assign memory_waddr = select_18_s1_q;
+  assign memory_waddr = raster_column_q;
   logic memory_we;
   assign memory_we = s1_en;
   always_ff @(posedge clk_i) begin
-    if (memory_we) memory_mem[memory_waddr] <= {select_23[0], saturated_s1_q, select_22[0], mask_s1_q, memory_rdata_q[7:0], pixel_0_s1_q};
+    if (memory_we) memory_mem[memory_waddr] <= {select_24[0], saturated_s1_q, select_23[0], mask_s1_q, memory_rdata_q[7:0], pixel_0_s1_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -152,7 +151,7 @@ module horopter_lowpass (
       saturated_columns_values_0_q <= 2'h0;
       saturated_columns_values_1_q <= 2'h0;
     end else if (s1_en) begin
-      raster_rows_q <= raster_row_ended_q | and_21;
+      raster_rows_q <= raster_row_ended_q | and_22;
       columns_0_values_0_q <= sum;
       columns_0_values_1_q <= columns_0_values_0_q;
       columns_0_values_2_q <= columns_0_values_1_q;
@@ -164,36 +163,19 @@ module horopter_lowpass (
     end
   end
 
-  logic marks_first_s2_q;
-  logic marks_last_s2_q;
-  logic [7:0] sum_36_s2_q;
-  logic equal_37_s2_q;
-  logic equal_38_s2_q;
-  always_ff @(posedge clk_i) begin
-    if (s1_en) begin
-      marks_first_s2_q <= marks_first_s1_q;
-      marks_last_s2_q <= raster_row_ended_q;
-      sum_36_s2_q <= sum_36[8:1];
-      equal_37_s2_q <= {select_32, equal_31} == 3'h7;
-      equal_38_s2_q <= {select_29, equal_28} == 3'h7;
-    end
-  end
-
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign pixel_0_o = sum_36_s2_q;
-  assign saturated_o = equal_37_s2_q;
-  assign mask_o = equal_38_s2_q;
-  assign marks_first_o = marks_first_s2_q;
-  assign marks_last_o = marks_last_s2_q;
-  assign valid_o = valid_s2_q;
+  assign pixel_0_o = sum_36[8:1];
+  assign saturated_o = {select_32, equal_31} == 3'h7;
+  assign mask_o = {select_29, equal_28} == 3'h7;
+  assign marks_first_o = marks_first_s1_q;
+  assign marks_last_o = raster_row_ended_q;
+  assign valid_o = valid_s1_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       valid_s1_q <= 1'b0;
-      valid_s2_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
-      valid_s2_q <= valid_s1_q;
     end
   end
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Sobel<horopter::hls::profiles::field>, hls/stages/sobel.hpp. Do not edit.
 //
-// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 96 bits, pipeline 50 bits, memories 15120 bits.
+// Outputs are logic: what they go to takes them with the clock if en_i = 1.
+// State 96 bits, pipeline 13 bits, memories 15120 bits.
 module horopter_sobel (
   input  logic clk_i,
   input  logic rst_ni,
@@ -24,19 +25,19 @@ module horopter_sobel (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q, valid_s2_q;
+  logic valid_s1_q;
   logic s0_en, s1_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
-  logic [9:0] raster_next_column_q;
+  logic [9:0] raster_column_q;
   logic raster_row_ended_q;
   // hls/stages/sobel.hpp:39
   logic or_21;
   assign or_21 = marks_first_i | raster_row_ended_q;
-  logic [9:0] select_22;
-  assign select_22 = or_21 ? 10'h0 : raster_next_column_q;
+  logic [9:0] select_23;
+  assign select_23 = or_21 ? 10'h0 : (raster_column_q + 10'h1);
 
   // Memory memory, 756 x 20, DISTANCE 16, hls/stages/sobel.hpp:71; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -44,7 +45,7 @@ module horopter_sobel (
   logic [19:0] memory_mem [0:755];
   initial for (int i = 0; i < 756; i++) memory_mem[i] = 20'h0;
   logic [9:0] memory_raddr;
-  assign memory_raddr = select_22;
+  assign memory_raddr = select_23;
   logic memory_re;
   assign memory_re = s0_en;
   logic [19:0] memory_rdata_q;
@@ -54,10 +55,10 @@ module horopter_sobel (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      raster_next_column_q <= 10'h0;
+      raster_column_q <= 10'h0;
       raster_row_ended_q <= 1'b1;
     end else if (s0_en) begin
-      raster_next_column_q <= select_22 + 10'h1;
+      raster_column_q <= select_23;
       raster_row_ended_q <= marks_last_i;
     end
   end
@@ -67,7 +68,6 @@ module horopter_sobel (
   logic mask_s1_q;
   logic marks_first_s1_q;
   logic or_21_s1_q;
-  logic [9:0] select_22_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       pixel_0_s1_q <= pixel_0_i;
@@ -75,7 +75,6 @@ module horopter_sobel (
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;
       or_21_s1_q <= or_21;
-      select_22_s1_q <= select_22;
     end
   end
 
@@ -94,14 +93,14 @@ module horopter_sobel (
   logic [1:0] saturated_columns_values_0_q;
   logic [1:0] saturated_columns_values_1_q;
   // hls/stages/sobel.hpp:39
-  logic and_25;
-  assign and_25 = raster_rows_q & (~marks_first_s1_q);
+  logic and_26;
+  assign and_26 = raster_rows_q & (~marks_first_s1_q);
   // hls/stages/sobel.hpp:56
-  logic [1:0] select_26;
-  assign select_26 = and_25 ? memory_rdata_q[17:16] : 2'h0;
-  // hls/stages/sobel.hpp:57
   logic [1:0] select_27;
-  assign select_27 = and_25 ? memory_rdata_q[19:18] : 2'h0;
+  assign select_27 = and_26 ? memory_rdata_q[17:16] : 2'h0;
+  // hls/stages/sobel.hpp:57
+  logic [1:0] select_28;
+  assign select_28 = and_26 ? memory_rdata_q[19:18] : 2'h0;
   // hls/stages/sobel.hpp:47
   logic [8:0] sum_30;
   assign sum_30 = {1'b0, memory_rdata_q[7:0]} + {2'h0, memory_rdata_q[15:9]};
@@ -112,12 +111,12 @@ module horopter_sobel (
   assign slope = {1'b0, pixel_0_s1_q} - {1'b0, memory_rdata_q[15:8]};
   // hls/stages/sobel.hpp:56
   logic equal_33;
-  assign equal_33 = {select_26, mask_s1_q} == 3'h7;
+  assign equal_33 = {select_27, mask_s1_q} == 3'h7;
   logic [1:0] select_34;
   assign select_34 = or_21_s1_q ? 2'h0 : mask_columns_values_1_q;
   // hls/stages/sobel.hpp:57
   logic equal_36;
-  assign equal_36 = {select_27, saturated_s1_q} == 3'h7;
+  assign equal_36 = {select_28, saturated_s1_q} == 3'h7;
   logic [1:0] select_37;
   assign select_37 = or_21_s1_q ? 2'h0 : saturated_columns_values_1_q;
   // hls/stages/sobel.hpp:50
@@ -128,11 +127,11 @@ module horopter_sobel (
 
   // Memory memory, write
   logic [9:0] memory_waddr;
-  assign memory_waddr = select_22_s1_q;
+  assign memory_waddr = raster_column_q;
   logic memory_we;
   assign memory_we = s1_en;
   always_ff @(posedge clk_i) begin
-    if (memory_we) memory_mem[memory_waddr] <= {select_27[0], saturated_s1_q, select_26[0], mask_s1_q, memory_rdata_q[7:0], pixel_0_s1_q};
+    if (memory_we) memory_mem[memory_waddr] <= {select_28[0], saturated_s1_q, select_27[0], mask_s1_q, memory_rdata_q[7:0], pixel_0_s1_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -162,7 +161,7 @@ module horopter_sobel (
       saturated_columns_values_0_q <= 2'h0;
       saturated_columns_values_1_q <= 2'h0;
     end else if (s1_en) begin
-      raster_rows_q <= raster_row_ended_q | and_25;
+      raster_rows_q <= raster_row_ended_q | and_26;
       smooth_0_values_0_q <= smooth;
       smooth_0_values_1_q <= smooth_0_values_0_q;
       smooth_0_values_2_q <= smooth_0_values_1_q;
@@ -178,39 +177,20 @@ module horopter_sobel (
     end
   end
 
-  logic marks_first_s2_q;
-  logic marks_last_s2_q;
-  logic [10:0] difference_39_s2_q;
-  logic [10:0] sum_41_s2_q;
-  logic equal_42_s2_q;
-  logic equal_43_s2_q;
-  always_ff @(posedge clk_i) begin
-    if (s1_en) begin
-      marks_first_s2_q <= marks_first_s1_q;
-      marks_last_s2_q <= raster_row_ended_q;
-      difference_39_s2_q <= {1'b0, smooth} - {1'b0, smooth_0_values_3_q};
-      sum_41_s2_q <= sum_41;
-      equal_42_s2_q <= {select_37, equal_36} == 3'h7;
-      equal_43_s2_q <= {select_34, equal_33} == 3'h7;
-    end
-  end
-
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign gx_0_o = difference_39_s2_q;
-  assign gy_0_o = sum_41_s2_q;
-  assign saturated_o = equal_42_s2_q;
-  assign mask_o = equal_43_s2_q;
-  assign marks_first_o = marks_first_s2_q;
-  assign marks_last_o = marks_last_s2_q;
-  assign valid_o = valid_s2_q;
+  assign gx_0_o = {1'b0, smooth} - {1'b0, smooth_0_values_3_q};
+  assign gy_0_o = sum_41;
+  assign saturated_o = {select_37, equal_36} == 3'h7;
+  assign mask_o = {select_34, equal_33} == 3'h7;
+  assign marks_first_o = marks_first_s1_q;
+  assign marks_last_o = raster_row_ended_q;
+  assign valid_o = valid_s1_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       valid_s1_q <= 1'b0;
-      valid_s2_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
-      valid_s2_q <= valid_s1_q;
     end
   end
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Texture<horopter::hls::profiles::field>, hls/stages/texture.hpp. Do not edit.
 //
-// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 57 bits, pipeline 42 bits, memories 13986 bits.
+// Outputs are logic: what they go to takes them with the clock if en_i = 1.
+// State 57 bits, pipeline 20 bits, memories 13986 bits.
 module horopter_texture (
   input  logic clk_i,
   input  logic rst_ni,
@@ -26,19 +27,19 @@ module horopter_texture (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q, valid_s2_q;
+  logic valid_s1_q;
   logic s0_en, s1_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
-  logic [8:0] raster_next_column_q;
+  logic [8:0] raster_column_q;
   logic raster_row_ended_q;
   // hls/stages/texture.hpp:42
   logic or_18;
   assign or_18 = marks_first_i | raster_row_ended_q;
-  logic [8:0] select_19;
-  assign select_19 = or_18 ? 9'h0 : raster_next_column_q;
+  logic [8:0] select_20;
+  assign select_20 = or_18 ? 9'h0 : (raster_column_q + 9'h1);
 
   // Memory memory, 378 x 37, DISTANCE 16, hls/stages/texture.hpp:85; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -46,7 +47,7 @@ module horopter_texture (
   logic [36:0] memory_mem [0:377];
   initial for (int i = 0; i < 378; i++) memory_mem[i] = 37'h0;
   logic [8:0] memory_raddr;
-  assign memory_raddr = select_19;
+  assign memory_raddr = select_20;
   logic memory_re;
   assign memory_re = s0_en;
   logic [36:0] memory_rdata_q;
@@ -56,10 +57,10 @@ module horopter_texture (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      raster_next_column_q <= 9'h0;
+      raster_column_q <= 9'h0;
       raster_row_ended_q <= 1'b1;
     end else if (s0_en) begin
-      raster_next_column_q <= select_19 + 9'h1;
+      raster_column_q <= select_20;
       raster_row_ended_q <= marks_last_i;
     end
   end
@@ -70,7 +71,6 @@ module horopter_texture (
   logic mask_s1_q;
   logic marks_first_s1_q;
   logic or_18_s1_q;
-  logic [8:0] select_19_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       difference_0_s1_q <= difference_0_i;
@@ -79,7 +79,6 @@ module horopter_texture (
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;
       or_18_s1_q <= or_18;
-      select_19_s1_q <= select_19;
     end
   end
 
@@ -88,43 +87,43 @@ module horopter_texture (
   logic [9:0] row_columns_values_0_q;
   logic [9:0] row_columns_values_1_q;
   logic [9:0] row_columns_values_2_q;
-  logic [11:0] row_sums_values_0_q;
+  logic [11:0] row_sum_sums_values_0_q;
   logic columns_values_0_q;
   logic columns_values_1_q;
   logic columns_values_2_q;
   // hls/stages/texture.hpp:42
-  logic [1:0] select_21;
-  assign select_21 = marks_first_s1_q ? 2'h0 : raster_rows_q;
-  logic equal_24;
-  assign equal_24 = select_21 == 2'h3;
+  logic [1:0] select_22;
+  assign select_22 = marks_first_s1_q ? 2'h0 : raster_rows_q;
+  logic equal_25;
+  assign equal_25 = select_22 == 2'h3;
   // hls/stages/texture.hpp:51
-  logic [7:0] select_25;
-  assign select_25 = equal_24 ? memory_rdata_q[23:16] : 8'h0;
-  logic [8:0] difference_26;
-  assign difference_26 = {1'b0, magnitude_s1_q} - {1'b0, select_25};
-  logic [9:0] sum_27;
-  assign sum_27 = ((select_21 == 2'h0) ? 10'h0 : memory_rdata_q[33:24]) + {difference_26[8], difference_26};
+  logic [7:0] select_26;
+  assign select_26 = equal_25 ? memory_rdata_q[23:16] : 8'h0;
+  logic [8:0] difference_27;
+  assign difference_27 = {1'b0, magnitude_s1_q} - {1'b0, select_26};
+  logic [9:0] sum_28;
+  assign sum_28 = ((select_22 == 2'h0) ? 10'h0 : memory_rdata_q[33:24]) + {difference_27[8], difference_27};
   // hls/stages/texture.hpp:55
-  logic [9:0] select_30;
-  assign select_30 = (9'h2 < select_19_s1_q) ? row_columns_values_2_q : 10'h0;
-  logic [10:0] difference_31;
-  assign difference_31 = {1'b0, sum_27} - {1'b0, select_30};
+  logic [9:0] select_31;
+  assign select_31 = (9'h2 < raster_column_q) ? row_columns_values_2_q : 10'h0;
+  logic [10:0] difference_32;
+  assign difference_32 = {1'b0, sum_28} - {1'b0, select_31};
   logic [11:0] sum;
-  assign sum = (or_18_s1_q ? 12'h0 : row_sums_values_0_q) + {difference_31[10], difference_31};
+  assign sum = (or_18_s1_q ? 12'h0 : row_sum_sums_values_0_q) + {difference_32[10], difference_32};
   // hls/stages/texture.hpp:56
-  logic not_34;
-  assign not_34 = ~(sum < cfg_texture_limit_i);
+  logic not_35;
+  assign not_35 = ~(sum < cfg_texture_limit_i);
   // hls/stages/texture.hpp:42
   logic not_36;
-  assign not_36 = ~equal_24;
+  assign not_36 = ~equal_25;
 
   // Memory memory, write
   logic [8:0] memory_waddr;
-  assign memory_waddr = select_19_s1_q;
+  assign memory_waddr = raster_column_q;
   logic memory_we;
   assign memory_we = s1_en;
   always_ff @(posedge clk_i) begin
-    if (memory_we) memory_mem[memory_waddr] <= {memory_rdata_q[35:34], not_34, sum_27, memory_rdata_q[15:0], magnitude_s1_q};
+    if (memory_we) memory_mem[memory_waddr] <= {memory_rdata_q[35:34], not_35, sum_28, memory_rdata_q[15:0], magnitude_s1_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -144,55 +143,36 @@ module horopter_texture (
       row_columns_values_0_q <= 10'h0;
       row_columns_values_1_q <= 10'h0;
       row_columns_values_2_q <= 10'h0;
-      row_sums_values_0_q <= 12'h0;
+      row_sum_sums_values_0_q <= 12'h0;
       columns_values_0_q <= 1'b0;
       columns_values_1_q <= 1'b0;
       columns_values_2_q <= 1'b0;
     end else if (s1_en) begin
-      raster_rows_q <= raster_row_ended_q ? (select_21 + {1'b0, not_36}) : select_21;
-      row_columns_values_0_q <= sum_27;
+      raster_rows_q <= raster_row_ended_q ? (select_22 + {1'b0, not_36}) : select_22;
+      row_columns_values_0_q <= sum_28;
       row_columns_values_1_q <= row_columns_values_0_q;
       row_columns_values_2_q <= row_columns_values_1_q;
-      row_sums_values_0_q <= sum;
+      row_sum_sums_values_0_q <= sum;
       columns_values_0_q <= memory_rdata_q[36];
       columns_values_1_q <= columns_values_0_q;
       columns_values_2_q <= columns_values_1_q;
     end
   end
 
-  logic [3:0] difference_0_s2_q;
-  logic [3:0] difference_1_s2_q;
-  logic mask_s2_q;
-  logic marks_first_s2_q;
-  logic marks_last_s2_q;
-  logic columns_values_2_s2_q;
-  always_ff @(posedge clk_i) begin
-    if (s1_en) begin
-      difference_0_s2_q <= difference_0_s1_q;
-      difference_1_s2_q <= difference_1_s1_q;
-      mask_s2_q <= mask_s1_q;
-      marks_first_s2_q <= marks_first_s1_q;
-      marks_last_s2_q <= raster_row_ended_q;
-      columns_values_2_s2_q <= columns_values_2_q;
-    end
-  end
-
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign difference_0_o = difference_0_s2_q;
-  assign difference_1_o = difference_1_s2_q;
-  assign textured_o = columns_values_2_s2_q;
-  assign mask_o = mask_s2_q;
-  assign marks_first_o = marks_first_s2_q;
-  assign marks_last_o = marks_last_s2_q;
-  assign valid_o = valid_s2_q;
+  assign difference_0_o = difference_0_s1_q;
+  assign difference_1_o = difference_1_s1_q;
+  assign textured_o = columns_values_2_q;
+  assign mask_o = mask_s1_q;
+  assign marks_first_o = marks_first_s1_q;
+  assign marks_last_o = raster_row_ended_q;
+  assign valid_o = valid_s1_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       valid_s1_q <= 1'b0;
-      valid_s2_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
-      valid_s2_q <= valid_s1_q;
     end
   end
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Threshold<horopter::hls::profiles::field>, hls/stages/threshold.hpp. Do not edit.
 //
-// Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 0 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 0 bits, pipeline 6 bits, memories 0 bits.
+// Outputs are logic: what they go to takes them with the clock if en_i = 1.
+// State 0 bits, pipeline 0 bits, memories 0 bits.
 module horopter_threshold (
   input  logic clk_i,
   input  logic rst_ni,
@@ -26,41 +27,19 @@ module horopter_threshold (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q;
-  logic s0_en;
-  assign s0_en = en_i & valid_i;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
 
-  logic mask_s1_q;
-  logic marks_first_s1_q;
-  logic marks_last_s1_q;
-  logic not_10_s1_q;
-  logic and_12_s1_q;
-  always_ff @(posedge clk_i) begin
-    if (s0_en) begin
-      mask_s1_q <= mask_i;
-      marks_first_s1_q <= marks_first_i;
-      marks_last_s1_q <= marks_last_i;
-      not_10_s1_q <= ~(cfg_sum_limit_i < sum_0_i);
-      and_12_s1_q <= textured_i & (cfg_self_limit_i < sum_1_i);
-    end
-  end
-
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign skin_o = not_10_s1_q;
-  assign decidable_o = and_12_s1_q;
-  assign mask_o = mask_s1_q;
-  assign marks_first_o = marks_first_s1_q;
-  assign marks_last_o = marks_last_s1_q;
-  assign valid_o = valid_s1_q;
+  assign skin_o = ~(cfg_sum_limit_i < sum_0_i);
+  assign decidable_o = textured_i & (cfg_self_limit_i < sum_1_i);
+  assign mask_o = mask_i;
+  assign marks_first_o = marks_first_i;
+  assign marks_last_o = marks_last_i;
+  assign valid_o = valid_i;
 
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      valid_s1_q <= 1'b0;
-    end else if (en_i) begin
-      valid_s1_q <= valid_i;
-    end
-  end
+  // Nothing depends on these bits.
+  logic unused_bits;
+  assign unused_bits = ^{clk_i, rst_ni, en_i};
 
 endmodule

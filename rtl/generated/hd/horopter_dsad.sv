@@ -34,15 +34,15 @@ module horopter_dsad (
   assign s4_en = en_i & valid_s4_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
-  logic [10:0] raster_next_column_q;
+  logic [10:0] raster_column_q;
   logic raster_row_ended_q;
-  // hls/stages/dsad.hpp:41
+  // hls/stages/dsad.hpp:42
   logic or_31;
   assign or_31 = marks_first_i | raster_row_ended_q;
   logic [10:0] select_32;
-  assign select_32 = or_31 ? 11'h0 : raster_next_column_q;
+  assign select_32 = or_31 ? 11'h0 : raster_column_q;
 
-  // Memory memory, 1920 x 96, DISTANCE 16, hls/stages/dsad.hpp:72; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
+  // Memory memory, 1920 x 96, DISTANCE 16, hls/stages/dsad.hpp:107; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [95:0] memory_mem [0:1919];
@@ -58,10 +58,10 @@ module horopter_dsad (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      raster_next_column_q <= 11'h0;
+      raster_column_q <= 11'h0;
       raster_row_ended_q <= 1'b1;
     end else if (s0_en) begin
-      raster_next_column_q <= select_32 + 11'h1;
+      raster_column_q <= select_32 + 11'h1;
       raster_row_ended_q <= marks_last_i;
     end
   end
@@ -113,25 +113,25 @@ module horopter_dsad (
   // Stage 2 -----------------------------------------------------------------------------------------------------------
   logic [3:0] raster_rows_q;
   logic [7:0] mask_columns_values_0_q;
-  // hls/stages/dsad.hpp:41
+  // hls/stages/dsad.hpp:42
   logic [3:0] select_34;
   assign select_34 = marks_first_s2_q ? 4'h0 : raster_rows_q;
   logic equal_35;
   assign equal_35 = select_34 == 4'h0;
   logic equal_37;
   assign equal_37 = select_34 == 4'h9;
-  // hls/stages/dsad.hpp:50
+  // hls/stages/dsad.hpp:51
   logic [3:0] leaving;
   assign leaving = equal_37 ? memory_rdata_s2_q[35:32] : 4'h0;
   logic [3:0] leaving_2;
   assign leaving_2 = equal_37 ? memory_rdata_s2_q[71:68] : 4'h0;
-  // hls/stages/dsad.hpp:51
+  // hls/stages/dsad.hpp:52
   logic [7:0] select_45;
   assign select_45 = equal_35 ? 8'h0 : memory_rdata_s2_q[95:88];
-  // hls/stages/dsad.hpp:41
+  // hls/stages/dsad.hpp:42
   logic not_47;
   assign not_47 = ~equal_37;
-  // hls/stages/dsad.hpp:56
+  // hls/stages/dsad.hpp:61
   logic equal_59;
   assign equal_59 = {select_45, mask_s2_q} == 9'h1ff;
   logic [7:0] select_60;
@@ -183,72 +183,72 @@ module horopter_dsad (
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
-  logic [7:0] rows_0_columns_values_0_q;
-  logic [7:0] rows_0_columns_values_1_q;
-  logic [7:0] rows_0_columns_values_2_q;
-  logic [7:0] rows_0_columns_values_3_q;
-  logic [7:0] rows_0_columns_values_4_q;
-  logic [7:0] rows_0_columns_values_5_q;
-  logic [7:0] rows_0_columns_values_6_q;
-  logic [7:0] rows_0_columns_values_7_q;
-  logic [7:0] rows_0_columns_values_8_q;
-  logic [7:0] rows_1_columns_values_0_q;
-  logic [7:0] rows_1_columns_values_1_q;
-  logic [7:0] rows_1_columns_values_2_q;
-  logic [7:0] rows_1_columns_values_3_q;
-  logic [7:0] rows_1_columns_values_4_q;
-  logic [7:0] rows_1_columns_values_5_q;
-  logic [7:0] rows_1_columns_values_6_q;
-  logic [7:0] rows_1_columns_values_7_q;
-  logic [7:0] rows_1_columns_values_8_q;
-  // hls/stages/dsad.hpp:51
+  logic [7:0] columns_values_values_0_0_q;
+  logic [7:0] columns_values_values_0_1_q;
+  logic [7:0] columns_values_values_1_0_q;
+  logic [7:0] columns_values_values_1_1_q;
+  logic [7:0] columns_values_values_2_0_q;
+  logic [7:0] columns_values_values_2_1_q;
+  logic [7:0] columns_values_values_3_0_q;
+  logic [7:0] columns_values_values_3_1_q;
+  logic [7:0] columns_values_values_4_0_q;
+  logic [7:0] columns_values_values_4_1_q;
+  logic [7:0] columns_values_values_5_0_q;
+  logic [7:0] columns_values_values_5_1_q;
+  logic [7:0] columns_values_values_6_0_q;
+  logic [7:0] columns_values_values_6_1_q;
+  logic [7:0] columns_values_values_7_0_q;
+  logic [7:0] columns_values_values_7_1_q;
+  logic [7:0] columns_values_values_8_0_q;
+  logic [7:0] columns_values_values_8_1_q;
+  // hls/stages/dsad.hpp:52
   logic [4:0] difference_39;
   assign difference_39 = {1'b0, difference_0_s3_q} - {1'b0, leaving_s3_q};
   logic [4:0] difference_43;
   assign difference_43 = {1'b0, difference_1_s3_q} - {1'b0, leaving_2_s3_q};
-  // hls/stages/dsad.hpp:54
+  // hls/stages/dsad.hpp:57
   logic less_50;
   assign less_50 = 11'h8 < select_32_s3_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      rows_0_columns_values_0_q <= 8'h0;
-      rows_0_columns_values_1_q <= 8'h0;
-      rows_0_columns_values_2_q <= 8'h0;
-      rows_0_columns_values_3_q <= 8'h0;
-      rows_0_columns_values_4_q <= 8'h0;
-      rows_0_columns_values_5_q <= 8'h0;
-      rows_0_columns_values_6_q <= 8'h0;
-      rows_0_columns_values_7_q <= 8'h0;
-      rows_0_columns_values_8_q <= 8'h0;
-      rows_1_columns_values_0_q <= 8'h0;
-      rows_1_columns_values_1_q <= 8'h0;
-      rows_1_columns_values_2_q <= 8'h0;
-      rows_1_columns_values_3_q <= 8'h0;
-      rows_1_columns_values_4_q <= 8'h0;
-      rows_1_columns_values_5_q <= 8'h0;
-      rows_1_columns_values_6_q <= 8'h0;
-      rows_1_columns_values_7_q <= 8'h0;
-      rows_1_columns_values_8_q <= 8'h0;
+      columns_values_values_0_0_q <= 8'h0;
+      columns_values_values_0_1_q <= 8'h0;
+      columns_values_values_1_0_q <= 8'h0;
+      columns_values_values_1_1_q <= 8'h0;
+      columns_values_values_2_0_q <= 8'h0;
+      columns_values_values_2_1_q <= 8'h0;
+      columns_values_values_3_0_q <= 8'h0;
+      columns_values_values_3_1_q <= 8'h0;
+      columns_values_values_4_0_q <= 8'h0;
+      columns_values_values_4_1_q <= 8'h0;
+      columns_values_values_5_0_q <= 8'h0;
+      columns_values_values_5_1_q <= 8'h0;
+      columns_values_values_6_0_q <= 8'h0;
+      columns_values_values_6_1_q <= 8'h0;
+      columns_values_values_7_0_q <= 8'h0;
+      columns_values_values_7_1_q <= 8'h0;
+      columns_values_values_8_0_q <= 8'h0;
+      columns_values_values_8_1_q <= 8'h0;
     end else if (s3_en) begin
-      rows_0_columns_values_0_q <= select_36_s3_q + {{3{difference_39[4]}}, difference_39};
-      rows_0_columns_values_1_q <= rows_0_columns_values_0_q;
-      rows_0_columns_values_2_q <= rows_0_columns_values_1_q;
-      rows_0_columns_values_3_q <= rows_0_columns_values_2_q;
-      rows_0_columns_values_4_q <= rows_0_columns_values_3_q;
-      rows_0_columns_values_5_q <= rows_0_columns_values_4_q;
-      rows_0_columns_values_6_q <= rows_0_columns_values_5_q;
-      rows_0_columns_values_7_q <= rows_0_columns_values_6_q;
-      rows_0_columns_values_8_q <= rows_0_columns_values_7_q;
-      rows_1_columns_values_0_q <= select_41_s3_q + {{3{difference_43[4]}}, difference_43};
-      rows_1_columns_values_1_q <= rows_1_columns_values_0_q;
-      rows_1_columns_values_2_q <= rows_1_columns_values_1_q;
-      rows_1_columns_values_3_q <= rows_1_columns_values_2_q;
-      rows_1_columns_values_4_q <= rows_1_columns_values_3_q;
-      rows_1_columns_values_5_q <= rows_1_columns_values_4_q;
-      rows_1_columns_values_6_q <= rows_1_columns_values_5_q;
-      rows_1_columns_values_7_q <= rows_1_columns_values_6_q;
-      rows_1_columns_values_8_q <= rows_1_columns_values_7_q;
+      columns_values_values_0_0_q <= select_36_s3_q + {{3{difference_39[4]}}, difference_39};
+      columns_values_values_0_1_q <= select_41_s3_q + {{3{difference_43[4]}}, difference_43};
+      columns_values_values_1_0_q <= columns_values_values_0_0_q;
+      columns_values_values_1_1_q <= columns_values_values_0_1_q;
+      columns_values_values_2_0_q <= columns_values_values_1_0_q;
+      columns_values_values_2_1_q <= columns_values_values_1_1_q;
+      columns_values_values_3_0_q <= columns_values_values_2_0_q;
+      columns_values_values_3_1_q <= columns_values_values_2_1_q;
+      columns_values_values_4_0_q <= columns_values_values_3_0_q;
+      columns_values_values_4_1_q <= columns_values_values_3_1_q;
+      columns_values_values_5_0_q <= columns_values_values_4_0_q;
+      columns_values_values_5_1_q <= columns_values_values_4_1_q;
+      columns_values_values_6_0_q <= columns_values_values_5_0_q;
+      columns_values_values_6_1_q <= columns_values_values_5_1_q;
+      columns_values_values_7_0_q <= columns_values_values_6_0_q;
+      columns_values_values_7_1_q <= columns_values_values_6_1_q;
+      columns_values_values_8_0_q <= columns_values_values_7_0_q;
+      columns_values_values_8_1_q <= columns_values_values_7_1_q;
     end
   end
 
@@ -277,8 +277,8 @@ module horopter_dsad (
       select_32_s4_q <= select_32_s3_q;
       memory_rdata_s4_q <= memory_rdata_s3_q;
       select_45_s4_q <= select_45_s3_q;
-      select_51_s4_q <= less_50 ? rows_0_columns_values_8_q : 8'h0;
-      select_55_s4_q <= less_50 ? rows_1_columns_values_8_q : 8'h0;
+      select_51_s4_q <= less_50 ? columns_values_values_8_0_q : 8'h0;
+      select_55_s4_q <= less_50 ? columns_values_values_8_1_q : 8'h0;
       equal_61_s4_q <= {select_60_s3_q, mask_columns_values_0_q} == 9'h1ff;
     end
   end
@@ -286,13 +286,13 @@ module horopter_dsad (
   // Stage 4 -----------------------------------------------------------------------------------------------------------
   logic [10:0] rows_0_sums_values_0_q;
   logic [10:0] rows_1_sums_values_0_q;
-  // hls/stages/dsad.hpp:54
+  // hls/stages/dsad.hpp:59
   logic [8:0] difference_52;
-  assign difference_52 = {1'b0, rows_0_columns_values_0_q} - {1'b0, select_51_s4_q};
+  assign difference_52 = {1'b0, columns_values_values_0_0_q} - {1'b0, select_51_s4_q};
   logic [10:0] sum_54;
   assign sum_54 = {{2{difference_52[8]}}, difference_52} + (or_31_s4_q ? 11'h0 : rows_0_sums_values_0_q);
   logic [8:0] difference_56;
-  assign difference_56 = {1'b0, rows_1_columns_values_0_q} - {1'b0, select_55_s4_q};
+  assign difference_56 = {1'b0, columns_values_values_0_1_q} - {1'b0, select_55_s4_q};
   logic [10:0] sum_58;
   assign sum_58 = {{2{difference_56[8]}}, difference_56} + (or_31_s4_q ? 11'h0 : rows_1_sums_values_0_q);
 
@@ -302,7 +302,7 @@ module horopter_dsad (
   logic memory_we;
   assign memory_we = s4_en;
   always_ff @(posedge clk_i) begin
-    if (memory_we) memory_mem[memory_waddr] <= {select_45_s4_q, mask_s4_q, rows_1_columns_values_0_q, rows_0_columns_values_0_q, memory_rdata_s4_q[63:32], difference_1_s4_q, memory_rdata_s4_q[31:0], difference_0_s4_q};
+    if (memory_we) memory_mem[memory_waddr] <= {select_45_s4_q, mask_s4_q, columns_values_values_0_1_q, columns_values_values_0_0_q, memory_rdata_s4_q[63:32], difference_1_s4_q, memory_rdata_s4_q[31:0], difference_0_s4_q};
   end
 `ifndef SYNTHESIS
   logic [10:0] memory_raddr_s1_sim;

@@ -34,13 +34,13 @@ module horopter_lowpass (
   assign s4_en = en_i & valid_s4_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
-  logic [10:0] raster_next_column_q;
+  logic [10:0] raster_column_q;
   logic raster_row_ended_q;
   // hls/stages/lowpass.hpp:27
   logic or_16;
   assign or_16 = marks_first_i | raster_row_ended_q;
   logic [10:0] select_17;
-  assign select_17 = or_16 ? 11'h0 : raster_next_column_q;
+  assign select_17 = or_16 ? 11'h0 : raster_column_q;
 
   // Memory memory, 1920 x 36, DISTANCE 16, hls/stages/lowpass.hpp:58; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -58,10 +58,10 @@ module horopter_lowpass (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      raster_next_column_q <= 11'h0;
+      raster_column_q <= 11'h0;
       raster_row_ended_q <= 1'b1;
     end else if (s0_en) begin
-      raster_next_column_q <= select_17 + 11'h1;
+      raster_column_q <= select_17 + 11'h1;
       raster_row_ended_q <= marks_last_i;
     end
   end

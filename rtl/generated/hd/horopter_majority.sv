@@ -34,13 +34,13 @@ module horopter_majority (
   assign s8_en = en_i & valid_s8_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
-  logic [10:0] raster_next_column_q;
+  logic [10:0] raster_column_q;
   logic raster_row_ended_q;
   // hls/stages/majority.hpp:38
   logic or_18;
   assign or_18 = marks_first_i | raster_row_ended_q;
   logic [10:0] select_19;
-  assign select_19 = or_18 ? 11'h0 : raster_next_column_q;
+  assign select_19 = or_18 ? 11'h0 : raster_column_q;
 
   // Memory memory, 1920 x 18, DISTANCE 16, hls/stages/majority.hpp:72; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -58,10 +58,10 @@ module horopter_majority (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      raster_next_column_q <= 11'h0;
+      raster_column_q <= 11'h0;
       raster_row_ended_q <= 1'b1;
     end else if (s0_en) begin
-      raster_next_column_q <= select_19 + 11'h1;
+      raster_column_q <= select_19 + 11'h1;
       raster_row_ended_q <= marks_last_i;
     end
   end
@@ -325,18 +325,18 @@ module horopter_majority (
   end
 
   // Stage 7 -----------------------------------------------------------------------------------------------------------
-  logic [11:0] sums_sums_values_0_q;
+  logic [11:0] sums_sum_sums_values_0_q;
   // hls/stages/majority.hpp:49
   logic [9:0] difference_41;
   assign difference_41 = {1'b0, sums_columns_values_0_q[5:3], 3'h0, sums_columns_values_0_q[2:0]} - {1'b0, select_40_s7_q[5:3], 3'h0, select_40_s7_q[2:0]};
   logic [11:0] sum_43;
-  assign sum_43 = {{2{difference_41[9]}}, difference_41} + (or_18_s7_q ? 12'h0 : sums_sums_values_0_q);
+  assign sum_43 = {{2{difference_41[9]}}, difference_41} + (or_18_s7_q ? 12'h0 : sums_sum_sums_values_0_q);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      sums_sums_values_0_q <= 12'h0;
+      sums_sum_sums_values_0_q <= 12'h0;
     end else if (s7_en) begin
-      sums_sums_values_0_q <= sum_43;
+      sums_sum_sums_values_0_q <= sum_43;
     end
   end
 
@@ -354,10 +354,10 @@ module horopter_majority (
   // Stage 8 -----------------------------------------------------------------------------------------------------------
   // hls/stages/majority.hpp:57
   logic less_47;
-  assign less_47 = 6'h18 < sums_sums_values_0_q[11:6];
+  assign less_47 = 6'h18 < sums_sum_sums_values_0_q[11:6];
   // hls/stages/majority.hpp:58
   logic vote;
-  assign vote = {1'b0, sums_sums_values_0_q[11:7]} < sums_sums_values_0_q[5:0];
+  assign vote = {1'b0, sums_sum_sums_values_0_q[11:7]} < sums_sum_sums_values_0_q[5:0];
   // hls/stages/majority.hpp:59
   logic and_49;
   assign and_49 = less_47 & vote;

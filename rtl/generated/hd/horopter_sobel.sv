@@ -36,13 +36,13 @@ module horopter_sobel (
   assign s4_en = en_i & valid_s4_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
-  logic [10:0] raster_next_column_q;
+  logic [10:0] raster_column_q;
   logic raster_row_ended_q;
   // hls/stages/sobel.hpp:39
   logic or_20;
   assign or_20 = marks_first_i | raster_row_ended_q;
   logic [10:0] select_21;
-  assign select_21 = or_20 ? 11'h0 : raster_next_column_q;
+  assign select_21 = or_20 ? 11'h0 : raster_column_q;
 
   // Memory memory, 1920 x 36, DISTANCE 16, hls/stages/sobel.hpp:71; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -60,10 +60,10 @@ module horopter_sobel (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      raster_next_column_q <= 11'h0;
+      raster_column_q <= 11'h0;
       raster_row_ended_q <= 1'b1;
     end else if (s0_en) begin
-      raster_next_column_q <= select_21 + 11'h1;
+      raster_column_q <= select_21 + 11'h1;
       raster_row_ended_q <= marks_last_i;
     end
   end

@@ -37,13 +37,13 @@ module horopter_texture (
   assign s6_en = en_i & valid_s6_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
-  logic [10:0] raster_next_column_q;
+  logic [10:0] raster_column_q;
   logic raster_row_ended_q;
   // hls/stages/texture.hpp:42
   logic or_18;
   assign or_18 = marks_first_i | raster_row_ended_q;
   logic [10:0] select_19;
-  assign select_19 = or_18 ? 11'h0 : raster_next_column_q;
+  assign select_19 = or_18 ? 11'h0 : raster_column_q;
 
   // Memory memory, 1920 x 37, DISTANCE 16, hls/stages/texture.hpp:85; read in stage 0, written in stage 6: 0 < 6 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -61,10 +61,10 @@ module horopter_texture (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      raster_next_column_q <= 11'h0;
+      raster_column_q <= 11'h0;
       raster_row_ended_q <= 1'b1;
     end else if (s0_en) begin
-      raster_next_column_q <= select_19 + 11'h1;
+      raster_column_q <= select_19 + 11'h1;
       raster_row_ended_q <= marks_last_i;
     end
   end
@@ -225,18 +225,18 @@ module horopter_texture (
   end
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
-  logic [11:0] row_sums_values_0_q;
+  logic [11:0] row_sum_sums_values_0_q;
   // hls/stages/texture.hpp:55
   logic [10:0] difference_31;
   assign difference_31 = {1'b0, row_columns_values_0_q} - {1'b0, select_30_s4_q};
   logic [11:0] sum;
-  assign sum = (or_18_s4_q ? 12'h0 : row_sums_values_0_q) + {difference_31[10], difference_31};
+  assign sum = (or_18_s4_q ? 12'h0 : row_sum_sums_values_0_q) + {difference_31[10], difference_31};
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      row_sums_values_0_q <= 12'h0;
+      row_sum_sums_values_0_q <= 12'h0;
     end else if (s4_en) begin
-      row_sums_values_0_q <= sum;
+      row_sum_sums_values_0_q <= sum;
     end
   end
 
@@ -290,7 +290,7 @@ module horopter_texture (
       select_19_s6_q <= select_19_s5_q;
       memory_rdata_s6_q <= memory_rdata_s5_q;
       sum_27_s6_q <= sum_27_s5_q;
-      not_34_s6_q <= ~(row_sums_values_0_q < cfg_texture_limit_i);
+      not_34_s6_q <= ~(row_sum_sums_values_0_q < cfg_texture_limit_i);
     end
   end
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Align<horopter::hls::profiles::vga>, hls/stages/align.hpp. Do not edit.
 //
-// Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 0 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 33 bits, pipeline 6 bits, memories 0 bits.
+// Outputs are logic: what they go to takes them with the clock if en_i = 1.
+// State 33 bits, pipeline 0 bits, memories 0 bits.
 module horopter_align (
   input  logic clk_i,
   input  logic rst_ni,
@@ -23,7 +24,6 @@ module horopter_align (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q;
   logic s0_en;
   assign s0_en = en_i & valid_i;
 
@@ -112,33 +112,12 @@ module horopter_align (
     end
   end
 
-  logic [1:0] state_s1_q;
-  logic and_26_s1_q;
-  logic and_32_s1_q;
-  logic and_55_s1_q;
-  always_ff @(posedge clk_i) begin
-    if (s0_en) begin
-      state_s1_q <= state_i;
-      and_26_s1_q <= and_26;
-      and_32_s1_q <= and_32;
-      and_55_s1_q <= and_55;
-    end
-  end
-
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign state_o = state_s1_q;
-  assign first_o = and_26_s1_q;
-  assign last_o = and_32_s1_q;
-  assign end_v_o = idle_q;
-  assign idle_o = and_55_s1_q;
-  assign valid_o = valid_s1_q;
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      valid_s1_q <= 1'b0;
-    end else if (en_i) begin
-      valid_s1_q <= valid_i & (and_55 | or_27);
-    end
-  end
+  assign state_o = state_i;
+  assign first_o = and_26;
+  assign last_o = and_32;
+  assign end_v_o = and_33;
+  assign idle_o = and_55;
+  assign valid_o = valid_i & (and_55 | or_27);
 
 endmodule

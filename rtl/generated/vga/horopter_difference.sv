@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Difference<horopter::hls::profiles::vga>, hls/stages/difference.hpp. Do not edit.
 //
-// Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 0 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 41 bits, pipeline 18 bits, memories 0 bits.
+// Outputs are logic: what they go to takes them with the clock if en_i = 1.
+// State 41 bits, pipeline 0 bits, memories 0 bits.
 module horopter_difference (
   input  logic clk_i,
   input  logic rst_ni,
@@ -27,7 +28,6 @@ module horopter_difference (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q;
   logic s0_en;
   assign s0_en = en_i & valid_i;
 
@@ -126,35 +126,14 @@ module horopter_difference (
     end
   end
 
-  logic marks_first_s1_q;
-  logic [3:0] select_41_s1_q;
-  logic [3:0] select_51_s1_q;
-  logic [7:0] select_52_s1_q;
-  always_ff @(posedge clk_i) begin
-    if (s0_en) begin
-      marks_first_s1_q <= marks_first_i;
-      select_41_s1_q <= (not_33 & not_23) ? level : {or_39, not_40, 2'h0};
-      select_51_s1_q <= (not_24 & (left_3_exists_q & not_25)) ? select_50 : 4'h0;
-      select_52_s1_q <= saturated_i ? 8'h0 : magnitude_0_i;
-    end
-  end
-
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign difference_0_o = select_41_s1_q;
-  assign difference_1_o = select_51_s1_q;
-  assign magnitude_o = select_52_s1_q;
-  assign mask_o = left_0_exists_q;
-  assign marks_first_o = marks_first_s1_q;
-  assign marks_last_o = row_ended_q;
-  assign valid_o = valid_s1_q;
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      valid_s1_q <= 1'b0;
-    end else if (en_i) begin
-      valid_s1_q <= valid_i;
-    end
-  end
+  assign difference_0_o = (not_33 & not_23) ? level : {or_39, not_40, 2'h0};
+  assign difference_1_o = (not_24 & (left_3_exists_q & not_25)) ? select_50 : 4'h0;
+  assign magnitude_o = saturated_i ? 8'h0 : magnitude_0_i;
+  assign mask_o = mask_i;
+  assign marks_first_o = marks_first_i;
+  assign marks_last_o = marks_last_i;
+  assign valid_o = valid_i;
 
   // Nothing depends on these bits.
   logic unused_bits;

@@ -3,7 +3,7 @@
 //
 // Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 189 bits, pipeline 28 bits, memories 61440 bits.
+// State 189 bits, pipeline 18 bits, memories 61440 bits.
 module horopter_dsad (
   input  logic clk_i,
   input  logic rst_ni,
@@ -31,21 +31,21 @@ module horopter_dsad (
   assign s1_en = en_i & valid_s1_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
-  logic [9:0] raster_next_column_q;
+  logic [9:0] raster_column_q;
   logic raster_row_ended_q;
-  // hls/stages/dsad.hpp:41
+  // hls/stages/dsad.hpp:42
   logic or_31;
   assign or_31 = marks_first_i | raster_row_ended_q;
-  logic [9:0] select_32;
-  assign select_32 = or_31 ? 10'h0 : raster_next_column_q;
+  logic [9:0] select_33;
+  assign select_33 = or_31 ? 10'h0 : (raster_column_q + 10'h1);
 
-  // Memory memory, 640 x 96, DISTANCE 16, hls/stages/dsad.hpp:72; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory memory, 640 x 96, DISTANCE 16, hls/stages/dsad.hpp:107; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [95:0] memory_mem [0:639];
   initial for (int i = 0; i < 640; i++) memory_mem[i] = 96'h0;
   logic [9:0] memory_raddr;
-  assign memory_raddr = select_32;
+  assign memory_raddr = select_33;
   logic memory_re;
   assign memory_re = s0_en;
   logic [95:0] memory_rdata_q;
@@ -55,10 +55,10 @@ module horopter_dsad (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      raster_next_column_q <= 10'h0;
+      raster_column_q <= 10'h0;
       raster_row_ended_q <= 1'b1;
     end else if (s0_en) begin
-      raster_next_column_q <= select_32 + 10'h1;
+      raster_column_q <= select_33;
       raster_row_ended_q <= marks_last_i;
     end
   end
@@ -69,7 +69,6 @@ module horopter_dsad (
   logic mask_s1_q;
   logic marks_first_s1_q;
   logic or_31_s1_q;
-  logic [9:0] select_32_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       difference_0_s1_q <= difference_0_i;
@@ -78,89 +77,89 @@ module horopter_dsad (
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;
       or_31_s1_q <= or_31;
-      select_32_s1_q <= select_32;
     end
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   logic [3:0] raster_rows_q;
-  logic [7:0] rows_0_columns_values_0_q;
-  logic [7:0] rows_0_columns_values_1_q;
-  logic [7:0] rows_0_columns_values_2_q;
-  logic [7:0] rows_0_columns_values_3_q;
-  logic [7:0] rows_0_columns_values_4_q;
-  logic [7:0] rows_0_columns_values_5_q;
-  logic [7:0] rows_0_columns_values_6_q;
-  logic [7:0] rows_0_columns_values_7_q;
-  logic [7:0] rows_0_columns_values_8_q;
+  logic [7:0] columns_values_values_0_0_q;
+  logic [7:0] columns_values_values_0_1_q;
+  logic [7:0] columns_values_values_1_0_q;
+  logic [7:0] columns_values_values_1_1_q;
+  logic [7:0] columns_values_values_2_0_q;
+  logic [7:0] columns_values_values_2_1_q;
+  logic [7:0] columns_values_values_3_0_q;
+  logic [7:0] columns_values_values_3_1_q;
+  logic [7:0] columns_values_values_4_0_q;
+  logic [7:0] columns_values_values_4_1_q;
+  logic [7:0] columns_values_values_5_0_q;
+  logic [7:0] columns_values_values_5_1_q;
+  logic [7:0] columns_values_values_6_0_q;
+  logic [7:0] columns_values_values_6_1_q;
+  logic [7:0] columns_values_values_7_0_q;
+  logic [7:0] columns_values_values_7_1_q;
+  logic [7:0] columns_values_values_8_0_q;
+  logic [7:0] columns_values_values_8_1_q;
   logic [10:0] rows_0_sums_values_0_q;
-  logic [7:0] rows_1_columns_values_0_q;
-  logic [7:0] rows_1_columns_values_1_q;
-  logic [7:0] rows_1_columns_values_2_q;
-  logic [7:0] rows_1_columns_values_3_q;
-  logic [7:0] rows_1_columns_values_4_q;
-  logic [7:0] rows_1_columns_values_5_q;
-  logic [7:0] rows_1_columns_values_6_q;
-  logic [7:0] rows_1_columns_values_7_q;
-  logic [7:0] rows_1_columns_values_8_q;
   logic [10:0] rows_1_sums_values_0_q;
   logic [7:0] mask_columns_values_0_q;
-  // hls/stages/dsad.hpp:41
-  logic [3:0] select_34;
-  assign select_34 = marks_first_s1_q ? 4'h0 : raster_rows_q;
-  logic equal_35;
-  assign equal_35 = select_34 == 4'h0;
-  logic equal_37;
-  assign equal_37 = select_34 == 4'h9;
-  // hls/stages/dsad.hpp:50
+  // hls/stages/dsad.hpp:42
+  logic [3:0] select_35;
+  assign select_35 = marks_first_s1_q ? 4'h0 : raster_rows_q;
+  logic equal_36;
+  assign equal_36 = select_35 == 4'h0;
+  logic equal_38;
+  assign equal_38 = select_35 == 4'h9;
+  // hls/stages/dsad.hpp:51
   logic [3:0] leaving;
-  assign leaving = equal_37 ? memory_rdata_q[35:32] : 4'h0;
+  assign leaving = equal_38 ? memory_rdata_q[35:32] : 4'h0;
+  // hls/stages/dsad.hpp:52
+  logic [4:0] difference_40;
+  assign difference_40 = {1'b0, difference_0_s1_q} - {1'b0, leaving};
+  logic [7:0] sum_41;
+  assign sum_41 = (equal_36 ? 8'h0 : memory_rdata_q[79:72]) + {{3{difference_40[4]}}, difference_40};
   // hls/stages/dsad.hpp:51
-  logic [4:0] difference_39;
-  assign difference_39 = {1'b0, difference_0_s1_q} - {1'b0, leaving};
-  logic [7:0] sum_40;
-  assign sum_40 = (equal_35 ? 8'h0 : memory_rdata_q[79:72]) + {{3{difference_39[4]}}, difference_39};
-  // hls/stages/dsad.hpp:50
   logic [3:0] leaving_2;
-  assign leaving_2 = equal_37 ? memory_rdata_q[71:68] : 4'h0;
-  // hls/stages/dsad.hpp:51
-  logic [4:0] difference_43;
-  assign difference_43 = {1'b0, difference_1_s1_q} - {1'b0, leaving_2};
-  logic [7:0] sum_44;
-  assign sum_44 = (equal_35 ? 8'h0 : memory_rdata_q[87:80]) + {{3{difference_43[4]}}, difference_43};
-  logic [7:0] select_45;
-  assign select_45 = equal_35 ? 8'h0 : memory_rdata_q[95:88];
-  // hls/stages/dsad.hpp:41
+  assign leaving_2 = equal_38 ? memory_rdata_q[71:68] : 4'h0;
+  // hls/stages/dsad.hpp:52
+  logic [4:0] difference_44;
+  assign difference_44 = {1'b0, difference_1_s1_q} - {1'b0, leaving_2};
+  logic [7:0] sum_45;
+  assign sum_45 = (equal_36 ? 8'h0 : memory_rdata_q[87:80]) + {{3{difference_44[4]}}, difference_44};
+  logic [7:0] select_46;
+  assign select_46 = equal_36 ? 8'h0 : memory_rdata_q[95:88];
+  // hls/stages/dsad.hpp:42
   logic not_47;
-  assign not_47 = ~equal_37;
-  // hls/stages/dsad.hpp:54
+  assign not_47 = ~equal_38;
+  // hls/stages/dsad.hpp:57
   logic less_50;
-  assign less_50 = 10'h8 < select_32_s1_q;
+  assign less_50 = 10'h8 < raster_column_q;
+  // hls/stages/dsad.hpp:59
   logic [7:0] select_51;
-  assign select_51 = less_50 ? rows_0_columns_values_8_q : 8'h0;
+  assign select_51 = less_50 ? columns_values_values_8_0_q : 8'h0;
   logic [8:0] difference_52;
-  assign difference_52 = {1'b0, sum_40} - {1'b0, select_51};
+  assign difference_52 = {1'b0, sum_41} - {1'b0, select_51};
   logic [10:0] sum_54;
   assign sum_54 = {{2{difference_52[8]}}, difference_52} + (or_31_s1_q ? 11'h0 : rows_0_sums_values_0_q);
   logic [7:0] select_55;
-  assign select_55 = less_50 ? rows_1_columns_values_8_q : 8'h0;
+  assign select_55 = less_50 ? columns_values_values_8_1_q : 8'h0;
   logic [8:0] difference_56;
-  assign difference_56 = {1'b0, sum_44} - {1'b0, select_55};
+  assign difference_56 = {1'b0, sum_45} - {1'b0, select_55};
   logic [10:0] sum_58;
   assign sum_58 = {{2{difference_56[8]}}, difference_56} + (or_31_s1_q ? 11'h0 : rows_1_sums_values_0_q);
-  // hls/stages/dsad.hpp:56
+  // hls/stages/dsad.hpp:61
   logic equal_59;
-  assign equal_59 = {select_45, mask_s1_q} == 9'h1ff;
+  assign equal_59 = {select_46, mask_s1_q} == 9'h1ff;
   logic [7:0] select_60;
   assign select_60 = or_31_s1_q ? 8'h0 : mask_columns_values_0_q;
 
   // Memory memory, write
   logic [9:0] memory_waddr;
-  assign memory_waddr = select_32_s1_q;
+  assign memory_waddr = raster_column_q;
   logic memory_we;
   assign memory_we = s1_en;
   always_ff @(posedge clk_i) begin
-    if (memory_we) memory_mem[memory_waddr] <= {select_45[6:0], mask_s1_q, sum_44, sum_40, memory_rdata_q[67:36], difference_1_s1_q, memory_rdata_q[31:0], difference_0_s1_q};
+    if (memory_we) memory_mem[memory_waddr] <= {select_46[6:0], mask_s1_q, sum_45, sum_41, memory_rdata_q[67:36], difference_1_s1_q, memory_rdata_q[31:0], difference_0_s1_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -177,48 +176,48 @@ module horopter_dsad (
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       raster_rows_q <= 4'h0;
-      rows_0_columns_values_0_q <= 8'h0;
-      rows_0_columns_values_1_q <= 8'h0;
-      rows_0_columns_values_2_q <= 8'h0;
-      rows_0_columns_values_3_q <= 8'h0;
-      rows_0_columns_values_4_q <= 8'h0;
-      rows_0_columns_values_5_q <= 8'h0;
-      rows_0_columns_values_6_q <= 8'h0;
-      rows_0_columns_values_7_q <= 8'h0;
-      rows_0_columns_values_8_q <= 8'h0;
+      columns_values_values_0_0_q <= 8'h0;
+      columns_values_values_0_1_q <= 8'h0;
+      columns_values_values_1_0_q <= 8'h0;
+      columns_values_values_1_1_q <= 8'h0;
+      columns_values_values_2_0_q <= 8'h0;
+      columns_values_values_2_1_q <= 8'h0;
+      columns_values_values_3_0_q <= 8'h0;
+      columns_values_values_3_1_q <= 8'h0;
+      columns_values_values_4_0_q <= 8'h0;
+      columns_values_values_4_1_q <= 8'h0;
+      columns_values_values_5_0_q <= 8'h0;
+      columns_values_values_5_1_q <= 8'h0;
+      columns_values_values_6_0_q <= 8'h0;
+      columns_values_values_6_1_q <= 8'h0;
+      columns_values_values_7_0_q <= 8'h0;
+      columns_values_values_7_1_q <= 8'h0;
+      columns_values_values_8_0_q <= 8'h0;
+      columns_values_values_8_1_q <= 8'h0;
       rows_0_sums_values_0_q <= 11'h0;
-      rows_1_columns_values_0_q <= 8'h0;
-      rows_1_columns_values_1_q <= 8'h0;
-      rows_1_columns_values_2_q <= 8'h0;
-      rows_1_columns_values_3_q <= 8'h0;
-      rows_1_columns_values_4_q <= 8'h0;
-      rows_1_columns_values_5_q <= 8'h0;
-      rows_1_columns_values_6_q <= 8'h0;
-      rows_1_columns_values_7_q <= 8'h0;
-      rows_1_columns_values_8_q <= 8'h0;
       rows_1_sums_values_0_q <= 11'h0;
       mask_columns_values_0_q <= 8'h0;
     end else if (s1_en) begin
-      raster_rows_q <= raster_row_ended_q ? (select_34 + {3'h0, not_47}) : select_34;
-      rows_0_columns_values_0_q <= sum_40;
-      rows_0_columns_values_1_q <= rows_0_columns_values_0_q;
-      rows_0_columns_values_2_q <= rows_0_columns_values_1_q;
-      rows_0_columns_values_3_q <= rows_0_columns_values_2_q;
-      rows_0_columns_values_4_q <= rows_0_columns_values_3_q;
-      rows_0_columns_values_5_q <= rows_0_columns_values_4_q;
-      rows_0_columns_values_6_q <= rows_0_columns_values_5_q;
-      rows_0_columns_values_7_q <= rows_0_columns_values_6_q;
-      rows_0_columns_values_8_q <= rows_0_columns_values_7_q;
+      raster_rows_q <= raster_row_ended_q ? (select_35 + {3'h0, not_47}) : select_35;
+      columns_values_values_0_0_q <= sum_41;
+      columns_values_values_0_1_q <= sum_45;
+      columns_values_values_1_0_q <= columns_values_values_0_0_q;
+      columns_values_values_1_1_q <= columns_values_values_0_1_q;
+      columns_values_values_2_0_q <= columns_values_values_1_0_q;
+      columns_values_values_2_1_q <= columns_values_values_1_1_q;
+      columns_values_values_3_0_q <= columns_values_values_2_0_q;
+      columns_values_values_3_1_q <= columns_values_values_2_1_q;
+      columns_values_values_4_0_q <= columns_values_values_3_0_q;
+      columns_values_values_4_1_q <= columns_values_values_3_1_q;
+      columns_values_values_5_0_q <= columns_values_values_4_0_q;
+      columns_values_values_5_1_q <= columns_values_values_4_1_q;
+      columns_values_values_6_0_q <= columns_values_values_5_0_q;
+      columns_values_values_6_1_q <= columns_values_values_5_1_q;
+      columns_values_values_7_0_q <= columns_values_values_6_0_q;
+      columns_values_values_7_1_q <= columns_values_values_6_1_q;
+      columns_values_values_8_0_q <= columns_values_values_7_0_q;
+      columns_values_values_8_1_q <= columns_values_values_7_1_q;
       rows_0_sums_values_0_q <= sum_54;
-      rows_1_columns_values_0_q <= sum_44;
-      rows_1_columns_values_1_q <= rows_1_columns_values_0_q;
-      rows_1_columns_values_2_q <= rows_1_columns_values_1_q;
-      rows_1_columns_values_3_q <= rows_1_columns_values_2_q;
-      rows_1_columns_values_4_q <= rows_1_columns_values_3_q;
-      rows_1_columns_values_5_q <= rows_1_columns_values_4_q;
-      rows_1_columns_values_6_q <= rows_1_columns_values_5_q;
-      rows_1_columns_values_7_q <= rows_1_columns_values_6_q;
-      rows_1_columns_values_8_q <= rows_1_columns_values_7_q;
       rows_1_sums_values_0_q <= sum_58;
       mask_columns_values_0_q <= {select_60[6:0], equal_59};
     end

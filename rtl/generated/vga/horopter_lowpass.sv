@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Lowpass<horopter::hls::profiles::vga>, hls/stages/lowpass.hpp. Do not edit.
 //
-// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 56 bits, pipeline 52 bits, memories 23040 bits.
+// Outputs are logic: what they go to takes them with the clock if en_i = 1.
+// State 56 bits, pipeline 21 bits, memories 23040 bits.
 module horopter_lowpass (
   input  logic clk_i,
   input  logic rst_ni,
@@ -25,19 +26,19 @@ module horopter_lowpass (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q, valid_s2_q;
+  logic valid_s1_q;
   logic s0_en, s1_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
-  logic [9:0] raster_next_column_q;
+  logic [9:0] raster_column_q;
   logic raster_row_ended_q;
   // hls/stages/lowpass.hpp:27
   logic or_16;
   assign or_16 = marks_first_i | raster_row_ended_q;
-  logic [9:0] select_17;
-  assign select_17 = or_16 ? 10'h0 : raster_next_column_q;
+  logic [9:0] select_18;
+  assign select_18 = or_16 ? 10'h0 : (raster_column_q + 10'h1);
 
   // Memory memory, 640 x 36, DISTANCE 16, hls/stages/lowpass.hpp:58; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -45,7 +46,7 @@ module horopter_lowpass (
   logic [35:0] memory_mem [0:639];
   initial for (int i = 0; i < 640; i++) memory_mem[i] = 36'h0;
   logic [9:0] memory_raddr;
-  assign memory_raddr = select_17;
+  assign memory_raddr = select_18;
   logic memory_re;
   assign memory_re = s0_en;
   logic [35:0] memory_rdata_q;
@@ -55,10 +56,10 @@ module horopter_lowpass (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      raster_next_column_q <= 10'h0;
+      raster_column_q <= 10'h0;
       raster_row_ended_q <= 1'b1;
     end else if (s0_en) begin
-      raster_next_column_q <= select_17 + 10'h1;
+      raster_column_q <= select_18;
       raster_row_ended_q <= marks_last_i;
     end
   end
@@ -69,7 +70,6 @@ module horopter_lowpass (
   logic mask_s1_q;
   logic marks_first_s1_q;
   logic or_16_s1_q;
-  logic [9:0] select_17_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       pixel_0_s1_q <= pixel_0_i;
@@ -78,7 +78,6 @@ module horopter_lowpass (
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;
       or_16_s1_q <= or_16;
-      select_17_s1_q <= select_17;
     end
   end
 
@@ -91,14 +90,14 @@ module horopter_lowpass (
   logic [1:0] mask_columns_values_0_q;
   logic [1:0] saturated_columns_values_0_q;
   // hls/stages/lowpass.hpp:27
-  logic and_20;
-  assign and_20 = raster_rows_q & (~marks_first_s1_q);
+  logic and_21;
+  assign and_21 = raster_rows_q & (~marks_first_s1_q);
   // hls/stages/lowpass.hpp:43
-  logic [1:0] select_21;
-  assign select_21 = and_20 ? memory_rdata_q[33:32] : 2'h0;
-  // hls/stages/lowpass.hpp:44
   logic [1:0] select_22;
-  assign select_22 = and_20 ? memory_rdata_q[35:34] : 2'h0;
+  assign select_22 = and_21 ? memory_rdata_q[33:32] : 2'h0;
+  // hls/stages/lowpass.hpp:44
+  logic [1:0] select_23;
+  assign select_23 = and_21 ? memory_rdata_q[35:34] : 2'h0;
   // hls/stages/lowpass.hpp:35
   logic [8:0] sum_25;
   assign sum_25 = {1'b0, memory_rdata_q[7:0]} + {2'h0, memory_rdata_q[23:17]};
@@ -110,12 +109,12 @@ module horopter_lowpass (
   assign sum_2 = {2'h0, pixel_1_s1_q} + {sum_27, memory_rdata_q[24]};
   // hls/stages/lowpass.hpp:43
   logic equal_29;
-  assign equal_29 = {select_21, mask_s1_q} == 3'h7;
+  assign equal_29 = {select_22, mask_s1_q} == 3'h7;
   logic [1:0] select_30;
   assign select_30 = or_16_s1_q ? 2'h0 : mask_columns_values_0_q;
   // hls/stages/lowpass.hpp:44
   logic equal_31;
-  assign equal_31 = {select_22, saturated_s1_q} == 3'h7;
+  assign equal_31 = {select_23, saturated_s1_q} == 3'h7;
   logic [1:0] select_32;
   assign select_32 = or_16_s1_q ? 2'h0 : saturated_columns_values_0_q;
   // hls/stages/lowpass.hpp:38
@@ -135,11 +134,11 @@ module horopter_lowpass (
 
   // Memory memory, write
   logic [9:0] memory_waddr;
-  assign memory_waddr = select_17_s1_q;
+  assign memory_waddr = raster_column_q;
   logic memory_we;
   assign memory_we = s1_en;
   always_ff @(posedge clk_i) begin
-    if (memory_we) memory_mem[memory_waddr] <= {select_22[0], saturated_s1_q, select_21[0], mask_s1_q, memory_rdata_q[15:0], pixel_1_s1_q, pixel_0_s1_q};
+    if (memory_we) memory_mem[memory_waddr] <= {select_23[0], saturated_s1_q, select_22[0], mask_s1_q, memory_rdata_q[15:0], pixel_1_s1_q, pixel_0_s1_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -163,7 +162,7 @@ module horopter_lowpass (
       mask_columns_values_0_q <= 2'h0;
       saturated_columns_values_0_q <= 2'h0;
     end else if (s1_en) begin
-      raster_rows_q <= raster_row_ended_q | and_20;
+      raster_rows_q <= raster_row_ended_q | and_21;
       columns_0_values_0_q <= sum;
       columns_0_values_1_q <= columns_0_values_0_q;
       columns_1_values_0_q <= sum_2;
@@ -173,39 +172,20 @@ module horopter_lowpass (
     end
   end
 
-  logic marks_first_s2_q;
-  logic marks_last_s2_q;
-  logic [7:0] sum_35_s2_q;
-  logic [7:0] sum_38_s2_q;
-  logic equal_39_s2_q;
-  logic equal_40_s2_q;
-  always_ff @(posedge clk_i) begin
-    if (s1_en) begin
-      marks_first_s2_q <= marks_first_s1_q;
-      marks_last_s2_q <= raster_row_ended_q;
-      sum_35_s2_q <= sum_35[8:1];
-      sum_38_s2_q <= sum_38[8:1];
-      equal_39_s2_q <= {select_32, equal_31} == 3'h7;
-      equal_40_s2_q <= {select_30, equal_29} == 3'h7;
-    end
-  end
-
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign pixel_0_o = sum_35_s2_q;
-  assign pixel_1_o = sum_38_s2_q;
-  assign saturated_o = equal_39_s2_q;
-  assign mask_o = equal_40_s2_q;
-  assign marks_first_o = marks_first_s2_q;
-  assign marks_last_o = marks_last_s2_q;
-  assign valid_o = valid_s2_q;
+  assign pixel_0_o = sum_35[8:1];
+  assign pixel_1_o = sum_38[8:1];
+  assign saturated_o = {select_32, equal_31} == 3'h7;
+  assign mask_o = {select_30, equal_29} == 3'h7;
+  assign marks_first_o = marks_first_s1_q;
+  assign marks_last_o = raster_row_ended_q;
+  assign valid_o = valid_s1_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       valid_s1_q <= 1'b0;
-      valid_s2_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
-      valid_s2_q <= valid_s1_q;
     end
   end
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Majority<horopter::hls::profiles::vga>, hls/stages/majority.hpp. Do not edit.
 //
-// Latency 3 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 72 bits, pipeline 25 bits, memories 11520 bits.
+// Outputs are logic: what they go to takes them with the clock if en_i = 1.
+// State 72 bits, pipeline 10 bits, memories 11520 bits.
 module horopter_majority (
   input  logic clk_i,
   input  logic rst_ni,
@@ -21,20 +22,19 @@ module horopter_majority (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q, valid_s2_q, valid_s3_q;
-  logic s0_en, s1_en, s2_en;
+  logic valid_s1_q, valid_s2_q;
+  logic s0_en, s1_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
-  assign s2_en = en_i & valid_s2_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
-  logic [9:0] raster_next_column_q;
+  logic [9:0] raster_column_q;
   logic raster_row_ended_q;
   // hls/stages/majority.hpp:38
   logic or_18;
   assign or_18 = marks_first_i | raster_row_ended_q;
-  logic [9:0] select_19;
-  assign select_19 = or_18 ? 10'h0 : raster_next_column_q;
+  logic [9:0] select_20;
+  assign select_20 = or_18 ? 10'h0 : (raster_column_q + 10'h1);
 
   // Memory memory, 640 x 18, DISTANCE 16, hls/stages/majority.hpp:72; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -42,7 +42,7 @@ module horopter_majority (
   logic [17:0] memory_mem [0:639];
   initial for (int i = 0; i < 640; i++) memory_mem[i] = 18'h0;
   logic [9:0] memory_raddr;
-  assign memory_raddr = select_19;
+  assign memory_raddr = select_20;
   logic memory_re;
   assign memory_re = s0_en;
   logic [17:0] memory_rdata_q;
@@ -52,10 +52,10 @@ module horopter_majority (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      raster_next_column_q <= 10'h0;
+      raster_column_q <= 10'h0;
       raster_row_ended_q <= 1'b1;
     end else if (s0_en) begin
-      raster_next_column_q <= select_19 + 10'h1;
+      raster_column_q <= select_20;
       raster_row_ended_q <= marks_last_i;
     end
   end
@@ -64,16 +64,14 @@ module horopter_majority (
   logic mask_s1_q;
   logic marks_first_s1_q;
   logic or_18_s1_q;
-  logic [9:0] select_19_s1_q;
-  logic and_21_s1_q;
+  logic and_22_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       decidable_s1_q <= decidable_i;
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;
       or_18_s1_q <= or_18;
-      select_19_s1_q <= select_19;
-      and_21_s1_q <= skin_i & decidable_i;
+      and_22_s1_q <= skin_i & decidable_i;
     end
   end
 
@@ -86,17 +84,17 @@ module horopter_majority (
   logic [5:0] sums_columns_values_4_q;
   logic [5:0] sums_columns_values_5_q;
   logic [5:0] sums_columns_values_6_q;
-  logic [11:0] sums_sums_values_0_q;
+  logic [11:0] sums_sum_sums_values_0_q;
   logic [5:0] mask_columns_values_0_q;
   // hls/stages/majority.hpp:38
-  logic and_23;
-  assign and_23 = raster_rows_q & (~marks_first_s1_q);
+  logic and_24;
+  assign and_24 = raster_rows_q & (~marks_first_s1_q);
   // hls/stages/majority.hpp:52
-  logic [5:0] select_24;
-  assign select_24 = and_23 ? memory_rdata_q[17:12] : 6'h0;
+  logic [5:0] select_25;
+  assign select_25 = and_24 ? memory_rdata_q[17:12] : 6'h0;
   // hls/stages/majority.hpp:49
   logic [1:0] sum_28;
-  assign sum_28 = {1'b0, memory_rdata_q[7]} + ({1'b0, memory_rdata_q[6]} + {1'b0, and_21_s1_q});
+  assign sum_28 = {1'b0, memory_rdata_q[7]} + ({1'b0, memory_rdata_q[6]} + {1'b0, and_22_s1_q});
   logic [2:0] sum_30;
   assign sum_30 = {2'h0, memory_rdata_q[9]} + ({2'h0, memory_rdata_q[8]} + {1'b0, sum_28});
   logic [2:0] sum_32;
@@ -108,24 +106,24 @@ module horopter_majority (
   logic [2:0] sum_38;
   assign sum_38 = {2'h0, memory_rdata_q[5]} + ({2'h0, memory_rdata_q[4]} + sum_36);
   logic [5:0] select_40;
-  assign select_40 = (10'h6 < select_19_s1_q) ? sums_columns_values_6_q : 6'h0;
+  assign select_40 = (10'h6 < raster_column_q) ? sums_columns_values_6_q : 6'h0;
   logic [9:0] difference_41;
   assign difference_41 = {1'b0, sum_38, 3'h0, sum_32} - {1'b0, select_40[5:3], 3'h0, select_40[2:0]};
   logic [11:0] sum_43;
-  assign sum_43 = {{2{difference_41[9]}}, difference_41} + (or_18_s1_q ? 12'h0 : sums_sums_values_0_q);
+  assign sum_43 = {{2{difference_41[9]}}, difference_41} + (or_18_s1_q ? 12'h0 : sums_sum_sums_values_0_q);
   // hls/stages/majority.hpp:52
   logic equal_44;
-  assign equal_44 = {select_24, mask_s1_q} == 7'h7f;
+  assign equal_44 = {select_25, mask_s1_q} == 7'h7f;
   logic [5:0] select_45;
   assign select_45 = or_18_s1_q ? 6'h0 : mask_columns_values_0_q;
 
   // Memory memory, write
   logic [9:0] memory_waddr;
-  assign memory_waddr = select_19_s1_q;
+  assign memory_waddr = raster_column_q;
   logic memory_we;
   assign memory_we = s1_en;
   always_ff @(posedge clk_i) begin
-    if (memory_we) memory_mem[memory_waddr] <= {select_24[4:0], mask_s1_q, memory_rdata_q[10:6], and_21_s1_q, memory_rdata_q[4:0], decidable_s1_q};
+    if (memory_we) memory_mem[memory_waddr] <= {select_25[4:0], mask_s1_q, memory_rdata_q[10:6], and_22_s1_q, memory_rdata_q[4:0], decidable_s1_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -149,10 +147,10 @@ module horopter_majority (
       sums_columns_values_4_q <= 6'h0;
       sums_columns_values_5_q <= 6'h0;
       sums_columns_values_6_q <= 6'h0;
-      sums_sums_values_0_q <= 12'h0;
+      sums_sum_sums_values_0_q <= 12'h0;
       mask_columns_values_0_q <= 6'h0;
     end else if (s1_en) begin
-      raster_rows_q <= raster_row_ended_q | and_23;
+      raster_rows_q <= raster_row_ended_q | and_24;
       sums_columns_values_0_q <= {sum_38, sum_32};
       sums_columns_values_1_q <= sums_columns_values_0_q;
       sums_columns_values_2_q <= sums_columns_values_1_q;
@@ -160,7 +158,7 @@ module horopter_majority (
       sums_columns_values_4_q <= sums_columns_values_3_q;
       sums_columns_values_5_q <= sums_columns_values_4_q;
       sums_columns_values_6_q <= sums_columns_values_5_q;
-      sums_sums_values_0_q <= sum_43;
+      sums_sum_sums_values_0_q <= sum_43;
       mask_columns_values_0_q <= {select_45[4:0], equal_44};
     end
   end
@@ -179,42 +177,29 @@ module horopter_majority (
   // Stage 2 -----------------------------------------------------------------------------------------------------------
   // hls/stages/majority.hpp:57
   logic less_47;
-  assign less_47 = 6'h18 < sums_sums_values_0_q[11:6];
+  assign less_47 = 6'h18 < sums_sum_sums_values_0_q[11:6];
   // hls/stages/majority.hpp:58
   logic vote;
-  assign vote = {1'b0, sums_sums_values_0_q[11:7]} < sums_sums_values_0_q[5:0];
+  assign vote = {1'b0, sums_sum_sums_values_0_q[11:7]} < sums_sum_sums_values_0_q[5:0];
   // hls/stages/majority.hpp:59
   logic and_49;
   assign and_49 = less_47 & vote;
   logic not_50;
   assign not_50 = ~less_47;
 
-  logic marks_first_s3_q;
-  logic marks_last_s3_q;
-  logic [1:0] select_51_s3_q;
-  always_ff @(posedge clk_i) begin
-    if (s2_en) begin
-      marks_first_s3_q <= marks_first_s2_q;
-      marks_last_s3_q <= marks_last_s2_q;
-      select_51_s3_q <= equal_46_s2_q ? {not_50, and_49} : 2'h3;
-    end
-  end
-
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign state_o = select_51_s3_q;
-  assign marks_first_o = marks_first_s3_q;
-  assign marks_last_o = marks_last_s3_q;
-  assign valid_o = valid_s3_q;
+  assign state_o = equal_46_s2_q ? {not_50, and_49} : 2'h3;
+  assign marks_first_o = marks_first_s2_q;
+  assign marks_last_o = marks_last_s2_q;
+  assign valid_o = valid_s2_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       valid_s1_q <= 1'b0;
       valid_s2_q <= 1'b0;
-      valid_s3_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
       valid_s2_q <= valid_s1_q;
-      valid_s3_q <= valid_s2_q;
     end
   end
 

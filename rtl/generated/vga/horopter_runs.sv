@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Runs<horopter::hls::profiles::vga>, hls/stages/runs.hpp. Do not edit.
 //
-// Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 0 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 43 bits, pipeline 33 bits, memories 0 bits.
+// Outputs are logic: what they go to takes them with the clock if en_i = 1.
+// State 43 bits, pipeline 0 bits, memories 0 bits.
 module horopter_runs (
   input  logic clk_i,
   input  logic rst_ni,
@@ -22,7 +23,6 @@ module horopter_runs (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q;
   logic s0_en;
   assign s0_en = en_i & valid_i;
 
@@ -64,35 +64,12 @@ module horopter_runs (
     end
   end
 
-  logic idle_s1_q;
-  logic [8:0] row_s1_q;
-  logic [9:0] start_s1_q;
-  logic [9:0] end_v_s1_q;
-  logic [1:0] state_s1_q;
-  always_ff @(posedge clk_i) begin
-    if (s0_en) begin
-      idle_s1_q <= idle_i;
-      row_s1_q <= row_q;
-      start_s1_q <= start_q;
-      end_v_s1_q <= end_v_q;
-      state_s1_q <= state_q;
-    end
-  end
-
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign row_o = row_s1_q;
-  assign start_o = start_s1_q;
-  assign end_v_o = end_v_s1_q;
-  assign state_o = state_s1_q;
-  assign last_o = idle_s1_q;
-  assign valid_o = valid_s1_q;
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      valid_s1_q <= 1'b0;
-    end else if (en_i) begin
-      valid_s1_q <= valid_i & (or_20 & (open_q & (~first_i)));
-    end
-  end
+  assign row_o = row_q;
+  assign start_o = start_q;
+  assign end_v_o = end_v_q;
+  assign state_o = state_q;
+  assign last_o = idle_i;
+  assign valid_o = valid_i & (or_20 & (open_q & (~first_i)));
 
 endmodule

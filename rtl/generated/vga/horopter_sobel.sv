@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Sobel<horopter::hls::profiles::vga>, hls/stages/sobel.hpp. Do not edit.
 //
-// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 92 bits, pipeline 80 bits, memories 23040 bits.
+// Outputs are logic: what they go to takes them with the clock if en_i = 1.
+// State 92 bits, pipeline 21 bits, memories 23040 bits.
 module horopter_sobel (
   input  logic clk_i,
   input  logic rst_ni,
@@ -27,19 +28,19 @@ module horopter_sobel (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q, valid_s2_q;
+  logic valid_s1_q;
   logic s0_en, s1_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
-  logic [9:0] raster_next_column_q;
+  logic [9:0] raster_column_q;
   logic raster_row_ended_q;
   // hls/stages/sobel.hpp:39
   logic or_20;
   assign or_20 = marks_first_i | raster_row_ended_q;
-  logic [9:0] select_21;
-  assign select_21 = or_20 ? 10'h0 : raster_next_column_q;
+  logic [9:0] select_22;
+  assign select_22 = or_20 ? 10'h0 : (raster_column_q + 10'h1);
 
   // Memory memory, 640 x 36, DISTANCE 16, hls/stages/sobel.hpp:71; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -47,7 +48,7 @@ module horopter_sobel (
   logic [35:0] memory_mem [0:639];
   initial for (int i = 0; i < 640; i++) memory_mem[i] = 36'h0;
   logic [9:0] memory_raddr;
-  assign memory_raddr = select_21;
+  assign memory_raddr = select_22;
   logic memory_re;
   assign memory_re = s0_en;
   logic [35:0] memory_rdata_q;
@@ -57,10 +58,10 @@ module horopter_sobel (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      raster_next_column_q <= 10'h0;
+      raster_column_q <= 10'h0;
       raster_row_ended_q <= 1'b1;
     end else if (s0_en) begin
-      raster_next_column_q <= select_21 + 10'h1;
+      raster_column_q <= select_22;
       raster_row_ended_q <= marks_last_i;
     end
   end
@@ -71,7 +72,6 @@ module horopter_sobel (
   logic mask_s1_q;
   logic marks_first_s1_q;
   logic or_20_s1_q;
-  logic [9:0] select_21_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       pixel_0_s1_q <= pixel_0_i;
@@ -80,7 +80,6 @@ module horopter_sobel (
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;
       or_20_s1_q <= or_20;
-      select_21_s1_q <= select_21;
     end
   end
 
@@ -97,14 +96,14 @@ module horopter_sobel (
   logic [1:0] mask_columns_values_0_q;
   logic [1:0] saturated_columns_values_0_q;
   // hls/stages/sobel.hpp:39
-  logic and_24;
-  assign and_24 = raster_rows_q & (~marks_first_s1_q);
+  logic and_25;
+  assign and_25 = raster_rows_q & (~marks_first_s1_q);
   // hls/stages/sobel.hpp:56
-  logic [1:0] select_25;
-  assign select_25 = and_24 ? memory_rdata_q[33:32] : 2'h0;
-  // hls/stages/sobel.hpp:57
   logic [1:0] select_26;
-  assign select_26 = and_24 ? memory_rdata_q[35:34] : 2'h0;
+  assign select_26 = and_25 ? memory_rdata_q[33:32] : 2'h0;
+  // hls/stages/sobel.hpp:57
+  logic [1:0] select_27;
+  assign select_27 = and_25 ? memory_rdata_q[35:34] : 2'h0;
   // hls/stages/sobel.hpp:47
   logic [8:0] sum_29;
   assign sum_29 = {1'b0, memory_rdata_q[7:0]} + {2'h0, memory_rdata_q[23:17]};
@@ -121,12 +120,12 @@ module horopter_sobel (
   assign slope_2 = {1'b0, pixel_1_s1_q} - {1'b0, memory_rdata_q[31:24]};
   // hls/stages/sobel.hpp:56
   logic equal_35;
-  assign equal_35 = {select_25, mask_s1_q} == 3'h7;
+  assign equal_35 = {select_26, mask_s1_q} == 3'h7;
   logic [1:0] select_36;
   assign select_36 = or_20_s1_q ? 2'h0 : mask_columns_values_0_q;
   // hls/stages/sobel.hpp:57
   logic equal_37;
-  assign equal_37 = {select_26, saturated_s1_q} == 3'h7;
+  assign equal_37 = {select_27, saturated_s1_q} == 3'h7;
   logic [1:0] select_38;
   assign select_38 = or_20_s1_q ? 2'h0 : saturated_columns_values_0_q;
   // hls/stages/sobel.hpp:50
@@ -141,11 +140,11 @@ module horopter_sobel (
 
   // Memory memory, write
   logic [9:0] memory_waddr;
-  assign memory_waddr = select_21_s1_q;
+  assign memory_waddr = raster_column_q;
   logic memory_we;
   assign memory_we = s1_en;
   always_ff @(posedge clk_i) begin
-    if (memory_we) memory_mem[memory_waddr] <= {select_26[0], saturated_s1_q, select_25[0], mask_s1_q, memory_rdata_q[15:0], pixel_1_s1_q, pixel_0_s1_q};
+    if (memory_we) memory_mem[memory_waddr] <= {select_27[0], saturated_s1_q, select_26[0], mask_s1_q, memory_rdata_q[15:0], pixel_1_s1_q, pixel_0_s1_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -173,7 +172,7 @@ module horopter_sobel (
       mask_columns_values_0_q <= 2'h0;
       saturated_columns_values_0_q <= 2'h0;
     end else if (s1_en) begin
-      raster_rows_q <= raster_row_ended_q | and_24;
+      raster_rows_q <= raster_row_ended_q | and_25;
       smooth_0_values_0_q <= smooth;
       smooth_0_values_1_q <= smooth_0_values_0_q;
       smooth_1_values_0_q <= smooth_2;
@@ -187,45 +186,22 @@ module horopter_sobel (
     end
   end
 
-  logic marks_first_s2_q;
-  logic marks_last_s2_q;
-  logic [10:0] difference_39_s2_q;
-  logic [10:0] difference_40_s2_q;
-  logic [10:0] sum_42_s2_q;
-  logic [10:0] sum_44_s2_q;
-  logic equal_45_s2_q;
-  logic equal_46_s2_q;
-  always_ff @(posedge clk_i) begin
-    if (s1_en) begin
-      marks_first_s2_q <= marks_first_s1_q;
-      marks_last_s2_q <= raster_row_ended_q;
-      difference_39_s2_q <= {1'b0, smooth} - {1'b0, smooth_0_values_1_q};
-      difference_40_s2_q <= {1'b0, smooth_2} - {1'b0, smooth_1_values_1_q};
-      sum_42_s2_q <= sum_42;
-      sum_44_s2_q <= sum_44;
-      equal_45_s2_q <= {select_38, equal_37} == 3'h7;
-      equal_46_s2_q <= {select_36, equal_35} == 3'h7;
-    end
-  end
-
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign gx_0_o = difference_39_s2_q;
-  assign gx_1_o = difference_40_s2_q;
-  assign gy_0_o = sum_42_s2_q;
-  assign gy_1_o = sum_44_s2_q;
-  assign saturated_o = equal_45_s2_q;
-  assign mask_o = equal_46_s2_q;
-  assign marks_first_o = marks_first_s2_q;
-  assign marks_last_o = marks_last_s2_q;
-  assign valid_o = valid_s2_q;
+  assign gx_0_o = {1'b0, smooth} - {1'b0, smooth_0_values_1_q};
+  assign gx_1_o = {1'b0, smooth_2} - {1'b0, smooth_1_values_1_q};
+  assign gy_0_o = sum_42;
+  assign gy_1_o = sum_44;
+  assign saturated_o = {select_38, equal_37} == 3'h7;
+  assign mask_o = {select_36, equal_35} == 3'h7;
+  assign marks_first_o = marks_first_s1_q;
+  assign marks_last_o = raster_row_ended_q;
+  assign valid_o = valid_s1_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       valid_s1_q <= 1'b0;
-      valid_s2_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
-      valid_s2_q <= valid_s1_q;
     end
   end
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Places every node of a graph in a pipeline stage; initiation interval 1.
 //
-// Stage 0 works combinationally on the input ports (assumed to come from registers); outputs leave the registers behind
-// stage latency-1. A beat is in stage k exactly k enabled clocks after it entered; registers behind a stage load only
+// Stage 0 works combinationally on the input ports (assumed to come from registers unless input_ns says when they come);
+// outputs leave the registers behind stage latency-1. With output_ns they may be logic of a further stage, `latency`,
+// with no registers behind it. A beat is in stage k exactly k enabled clocks after it entered; registers behind a stage load only
 // when a valid beat is in it. So a state that is read and written in stage k holds its `next` of beat n while beat n is
 // in stage k+1, and doubles as the pipeline register of that value.
 //
@@ -31,6 +32,8 @@ class ScheduleError : public CompileError {
 struct ScheduleOptions {
   DelayModel delays = make_delay_model(Target::kIce40Hx);
   double clock_ns = 8.0;
+  double input_ns = 0;   ///< when inputs come, after the clock; below the launch of a register: from registers
+  double output_ns = 0;  ///< outputs may be logic that ends by then, in stage `latency`; 0: outputs are registers
   /// A recurrence cannot be cut, and place and route favours it: it may use part of the margin that clock_ns leaves.
   double recurrence_overrun = 1.12;
   bool allow_slow = false;  ///< warn instead of refusing when a recurrence or a single operation misses the clock
@@ -42,7 +45,7 @@ inline constexpr int kDead = -2;        ///< no output depends on it
 
 struct Schedule {
   ScheduleOptions options;
-  int latency = 0;                 ///< enabled clocks from input to output, >= 1
+  int latency = 0;                 ///< enabled clocks from input to output, >= 1 if outputs are registers
   std::vector<int> stage;          ///< of each node; of a state read: the state's stage; of a memory read: the data's
   std::vector<double> arrival_ns;  ///< of each node's result, in its stage
   std::vector<bool> synchronous_rom;   ///< of each kRom node: address in stage-1, data from a block RAM in stage
@@ -51,6 +54,8 @@ struct Schedule {
   std::vector<double> stage_delay_ns;  ///< longest path in each stage, launch and set-up included
   std::vector<std::string> warnings;
 };
+
+inline bool registered_outputs(const ScheduleOptions& options) { return options.output_ns <= 0; }
 
 /// Throws ScheduleError. The result has been checked by verify_schedule.
 Schedule schedule(const Graph& graph, const ScheduleOptions& options);

@@ -34,16 +34,21 @@ class Raster {
   RasterPosition<BEATS, ROWS> step(bool first, bool last) {
     RasterPosition<BEATS, ROWS> position;
     position.row_start = first || row_ended_;
-    if (position.row_start) [[unlikely]] {
-      next_column_ = u<bits_for(BEATS - 1)>(0);
+    if constexpr (count_ahead) {
+      if (position.row_start) [[unlikely]] {
+        column_ = Column(0);
+      }
+      position.column = column_;
+      column_ += lit<1>();
+    } else {
+      column_ = position.row_start ? Column(0) : Column(column_ + lit<1>());
+      position.column = column_;
     }
     if (first) [[unlikely]] {
       rows_ = u<bits_for(ROWS)>(0);
     }
-    position.column = next_column_;
     position.rows = rows_;
     position.frame_start_row = rows_ == 0;
-    next_column_ += lit<1>();
     if (last) [[unlikely]] {
       rows_ += u<1>(rows_ != ROWS);
     }
@@ -52,7 +57,13 @@ class Raster {
   }
 
  private:
-  u<bits_for(BEATS - 1)> next_column_{0};
+  using Column = u<bits_for(BEATS - 1)>;
+
+  // Long rows come at fast clocks: the register holds the next beat's column, for nothing but a multiplexer to come before
+  // a memory's address. Otherwise it holds this beat's, and serves as the address to write as well.
+  static constexpr bool count_ahead = BEATS > 1024;
+
+  Column column_{0};
   u<bits_for(ROWS)> rows_{0};
   bool row_ended_ = true;
 };

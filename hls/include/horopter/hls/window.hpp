@@ -53,20 +53,17 @@ class DelayLine {
   std::array<T, size> values_{};
 };
 
-/// Sum of the last K column values of a row, K·STRIDE beats wide: S(x) = S(x−1) + (C(x) − C(x−K)) (thesis 10.1.5). The
-/// difference is taken apart from the sum, so the recurrence is one addition. Each row starts from 0; columns before
-/// the row count as 0. A value may hold several fields side by side, each wide enough for its own sum: one adder for
-/// all.
-template <int K, int BITS, int STRIDE = 1, class V = Scalar>
-class HorizontalSum {
+/// Sum of the last column values of a row: S(x) = S(x−1) + (C(x) − C(x−K)) (thesis 10.1.5). The difference is taken apart
+/// from the sum, so the recurrence is one addition. Each row starts from 0. A value may hold several fields side by side,
+/// each wide enough for its own sum: one adder for all.
+template <int BITS, int STRIDE = 1, class V = Scalar>
+class RowSum {
  public:
   using Sum = typename V::template u<BITS>;
 
-  /// `filled`: at least K columns of this row lie before this one.
-  Sum step(bool row_start, bool filled, Sum column) {
-    const Sum leaving = filled ? columns_.oldest() : Sum(0);
-    columns_.push(column);
-    const Sum change(column - leaving);
+  /// `leaving`: the column value that leaves the window; 0 if it lies before the row.
+  Sum step(bool row_start, Sum entering, Sum leaving) {
+    const Sum change(entering - leaving);
     if (row_start) [[unlikely]] {
       sums_.fill(Sum(0));
     }
@@ -76,8 +73,25 @@ class HorizontalSum {
   }
 
  private:
-  DelayLine<Sum, K * STRIDE> columns_;
   DelayLine<Sum, STRIDE> sums_;
+};
+
+/// The same with the last K column values, K·STRIDE beats wide, in registers.
+template <int K, int BITS, int STRIDE = 1, class V = Scalar>
+class HorizontalSum {
+ public:
+  using Sum = typename V::template u<BITS>;
+
+  /// `filled`: at least K columns of this row lie before this one.
+  Sum step(bool row_start, bool filled, Sum column) {
+    const Sum leaving = filled ? columns_.oldest() : Sum(0);
+    columns_.push(column);
+    return sum_.step(row_start, column, leaving);
+  }
+
+ private:
+  DelayLine<Sum, K * STRIDE> columns_;
+  RowSum<BITS, STRIDE, V> sum_;
 };
 
 /// The bits of the K − 1 pixels above in a column, the nearest lowest: what WindowAnd keeps per column.
