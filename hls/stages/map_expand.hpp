@@ -123,8 +123,10 @@ class MapExpander {
    public:
     Place step(bool prime, bool load, u<22> arriving, u<3> up) {
       const Place place = place_;
-      if (load) increment_ = scaled(arriving - place.template bits<27, 6>(), up);
-      place_ = prime ? Place(shl<6>(arriving)) : Place(place + increment_);
+      // All 64 parts of a cell lead to the row's first column, from wherever the row before has ended.
+      if (prime || load) increment_ = scaled(arriving - place.template bits<27, 6>(), prime ? u<3>(6) : up);
+      const Place next(place + increment_);
+      place_ = Place(cat(next.template bits<27, 6>(), prime ? u<6>(0) : next.template bits<5, 0>()));
       return place;
     }
 

@@ -96,7 +96,7 @@ module horopter_top #(
 
   // Beats that can be under way from the raster generator to the output FIFOs: a bound on the sum of all latencies.
   localparam int unsigned IN_FLIGHT = 128;
-  localparam int unsigned OUTPUT_DEPTH = 512;
+  localparam int unsigned OUTPUT_DEPTH = FAST ? 512 : 256;
   localparam int unsigned OUTPUT_LEVEL = OUTPUT_DEPTH - IN_FLIGHT - 8;
   // The two cameras may be 64 px apart.
   localparam int unsigned INPUT_DEPTH = 64;

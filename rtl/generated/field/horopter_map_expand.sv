@@ -53,140 +53,156 @@ module horopter_map_expand (
   // hls/stages/map_expand.hpp:66
   logic and_19;
   assign and_19 = load_i & not_18;
+  // hls/stages/map_expand.hpp:127
+  logic or_20;
+  assign or_20 = prime_i | and_19;
   // hls/stages/map_expand.hpp:30
   logic or_25;
   assign or_25 = (~(column_top_x_i == 16'hffff)) | (~(column_top_y_i == 16'hffff));
-  // hls/stages/map_expand.hpp:170
+  // hls/stages/map_expand.hpp:172
   logic or_32;
   assign or_32 = (~(column_bottom_y_i == 16'hffff)) | ((row_fraction_i == 6'h0) | (~(column_bottom_x_i == 16'hffff)));
   // hls/stages/map_expand.hpp:73
   logic select_35;
   assign select_35 = and_19 ? right_valid_q : left_valid_q;
-  // hls/stages/map_expand.hpp:148
+  // hls/stages/map_expand.hpp:95
+  logic [2:0] up_2;
+  assign up_2 = prime_i ? 3'h6 : up;
+  // hls/stages/map_expand.hpp:150
   logic [15:0] sum;
   assign sum = row_fraction_i[5] ? column_bottom_x_i : column_top_x_i;
-  // hls/stages/map_expand.hpp:152
-  logic xor_37;
-  assign xor_37 = row_fraction_i[3] ^ row_fraction_i[4];
-  // hls/stages/map_expand.hpp:147
+  // hls/stages/map_expand.hpp:154
+  logic xor_41;
+  assign xor_41 = row_fraction_i[3] ^ row_fraction_i[4];
+  // hls/stages/map_expand.hpp:149
   logic [16:0] difference;
   assign difference = {1'b0, column_bottom_x_i} - {1'b0, column_top_x_i};
-  // hls/stages/map_expand.hpp:153
-  logic and_41;
-  assign and_41 = (~xor_37) & (row_fraction_i[3] ^ row_fraction_i[5]);
-  // hls/stages/map_expand.hpp:156
-  logic [16:0] select_42;
-  assign select_42 = and_41 ? difference : 17'h0;
+  // hls/stages/map_expand.hpp:155
+  logic and_45;
+  assign and_45 = (~xor_41) & (row_fraction_i[3] ^ row_fraction_i[5]);
+  // hls/stages/map_expand.hpp:158
+  logic [16:0] select_46;
+  assign select_46 = and_45 ? difference : 17'h0;
   logic [17:0] size;
-  assign size = xor_37 ? {difference[16], difference} : {select_42, 1'b0};
-  // hls/stages/map_expand.hpp:159
-  logic [17:0] select_45;
-  assign select_45 = row_fraction_i[5] ? (~size) : size;
-  logic [18:0] sum_46;
-  assign sum_46 = {sum, 3'h1} + {select_45, row_fraction_i[5]};
-  // hls/stages/map_expand.hpp:152
-  logic xor_47;
-  assign xor_47 = row_fraction_i[1] ^ row_fraction_i[2];
-  // hls/stages/map_expand.hpp:153
-  logic and_50;
-  assign and_50 = (~xor_47) & (row_fraction_i[1] ^ row_fraction_i[3]);
-  // hls/stages/map_expand.hpp:156
-  logic [16:0] select_51;
-  assign select_51 = and_50 ? difference : 17'h0;
+  assign size = xor_41 ? {difference[16], difference} : {select_46, 1'b0};
+  // hls/stages/map_expand.hpp:161
+  logic [17:0] select_49;
+  assign select_49 = row_fraction_i[5] ? (~size) : size;
+  logic [18:0] sum_50;
+  assign sum_50 = {sum, 3'h1} + {select_49, row_fraction_i[5]};
+  // hls/stages/map_expand.hpp:154
+  logic xor_51;
+  assign xor_51 = row_fraction_i[1] ^ row_fraction_i[2];
+  // hls/stages/map_expand.hpp:155
+  logic and_54;
+  assign and_54 = (~xor_51) & (row_fraction_i[1] ^ row_fraction_i[3]);
+  // hls/stages/map_expand.hpp:158
+  logic [16:0] select_55;
+  assign select_55 = and_54 ? difference : 17'h0;
   logic [17:0] size_2;
-  assign size_2 = xor_47 ? {difference[16], difference} : {select_51, 1'b0};
-  // hls/stages/map_expand.hpp:159
-  logic [17:0] select_54;
-  assign select_54 = row_fraction_i[3] ? (~size_2) : size_2;
-  logic [20:0] sum_55;
-  assign sum_55 = {sum_46[18:1], 3'h1} + {{2{select_54[17]}}, select_54, row_fraction_i[3]};
-  // hls/stages/map_expand.hpp:153
-  logic and_57;
-  assign and_57 = row_fraction_i[1] & (~row_fraction_i[0]);
-  // hls/stages/map_expand.hpp:156
-  logic [16:0] select_58;
-  assign select_58 = and_57 ? difference : 17'h0;
+  assign size_2 = xor_51 ? {difference[16], difference} : {select_55, 1'b0};
+  // hls/stages/map_expand.hpp:161
+  logic [17:0] select_58;
+  assign select_58 = row_fraction_i[3] ? (~size_2) : size_2;
+  logic [20:0] sum_59;
+  assign sum_59 = {sum_50[18:1], 3'h1} + {{2{select_58[17]}}, select_58, row_fraction_i[3]};
+  // hls/stages/map_expand.hpp:155
+  logic and_61;
+  assign and_61 = row_fraction_i[1] & (~row_fraction_i[0]);
+  // hls/stages/map_expand.hpp:158
+  logic [16:0] select_62;
+  assign select_62 = and_61 ? difference : 17'h0;
   logic [17:0] size_3;
-  assign size_3 = row_fraction_i[0] ? {difference[16], difference} : {select_58, 1'b0};
-  // hls/stages/map_expand.hpp:159
-  logic [17:0] select_61;
-  assign select_61 = row_fraction_i[1] ? (~size_3) : size_3;
+  assign size_3 = row_fraction_i[0] ? {difference[16], difference} : {select_62, 1'b0};
+  // hls/stages/map_expand.hpp:161
+  logic [17:0] select_65;
+  assign select_65 = row_fraction_i[1] ? (~size_3) : size_3;
   logic [22:0] arriving;
-  assign arriving = {sum_55[20:1], 3'h1} + {{4{select_61[17]}}, select_61, row_fraction_i[1]};
-  // hls/stages/map_expand.hpp:126
+  assign arriving = {sum_59[20:1], 3'h1} + {{4{select_65[17]}}, select_65, row_fraction_i[1]};
+  // hls/stages/map_expand.hpp:127
   logic [22:0] value;
   assign value = {1'b0, arriving[22:1]} - {1'b0, x_place_q[27:6]};
   // hls/stages/map_expand.hpp:95
-  logic [22:0] select_67;
-  assign select_67 = up[0] ? {value[21:0], 1'b0} : value;
+  logic [22:0] select_68;
+  assign select_68 = up_2[0] ? {value[21:0], 1'b0} : value;
   // hls/stages/map_expand.hpp:96
-  logic [24:0] select_68;
-  assign select_68 = up[1] ? {select_67, 2'h0} : {{2{value[22]}}, select_67};
+  logic [24:0] select_69;
+  assign select_69 = up_2[1] ? {select_68, 2'h0} : {{2{value[22]}}, select_68};
   // hls/stages/map_expand.hpp:97
   logic [27:0] value_2;
-  assign value_2 = up[2] ? {select_68[23:0], 4'h0} : {{3{value[22]}}, select_68};
-  // hls/stages/map_expand.hpp:127
-  logic [27:0] select_70;
-  assign select_70 = and_19 ? value_2 : x_increment_q;
-  // hls/stages/map_expand.hpp:148
+  assign value_2 = up_2[2] ? {select_69[23:0], 4'h0} : {{3{value[22]}}, select_69};
+  // hls/stages/map_expand.hpp:128
+  logic [27:0] select_71;
+  assign select_71 = or_20 ? value_2 : x_increment_q;
+  logic [27:0] sum_72;
+  assign sum_72 = x_place_q + select_71;
+  // hls/stages/map_expand.hpp:129
+  logic [5:0] select_73;
+  assign select_73 = prime_i ? 6'h0 : sum_72[5:0];
+  // hls/stages/map_expand.hpp:150
   logic [15:0] sum_2;
   assign sum_2 = row_fraction_i[5] ? column_bottom_y_i : column_top_y_i;
-  // hls/stages/map_expand.hpp:147
+  // hls/stages/map_expand.hpp:149
   logic [16:0] difference_2;
   assign difference_2 = {1'b0, column_bottom_y_i} - {1'b0, column_top_y_i};
-  // hls/stages/map_expand.hpp:156
-  logic [16:0] select_75;
-  assign select_75 = and_41 ? difference_2 : 17'h0;
+  // hls/stages/map_expand.hpp:158
+  logic [16:0] select_76;
+  assign select_76 = and_45 ? difference_2 : 17'h0;
   logic [17:0] size_4;
-  assign size_4 = xor_37 ? {difference_2[16], difference_2} : {select_75, 1'b0};
-  // hls/stages/map_expand.hpp:159
-  logic [17:0] select_78;
-  assign select_78 = row_fraction_i[5] ? (~size_4) : size_4;
-  logic [18:0] sum_79;
-  assign sum_79 = {sum_2, 3'h1} + {select_78, row_fraction_i[5]};
-  // hls/stages/map_expand.hpp:156
-  logic [16:0] select_80;
-  assign select_80 = and_50 ? difference_2 : 17'h0;
+  assign size_4 = xor_41 ? {difference_2[16], difference_2} : {select_76, 1'b0};
+  // hls/stages/map_expand.hpp:161
+  logic [17:0] select_79;
+  assign select_79 = row_fraction_i[5] ? (~size_4) : size_4;
+  logic [18:0] sum_80;
+  assign sum_80 = {sum_2, 3'h1} + {select_79, row_fraction_i[5]};
+  // hls/stages/map_expand.hpp:158
+  logic [16:0] select_81;
+  assign select_81 = and_54 ? difference_2 : 17'h0;
   logic [17:0] size_5;
-  assign size_5 = xor_47 ? {difference_2[16], difference_2} : {select_80, 1'b0};
-  // hls/stages/map_expand.hpp:159
-  logic [17:0] select_83;
-  assign select_83 = row_fraction_i[3] ? (~size_5) : size_5;
-  logic [20:0] sum_84;
-  assign sum_84 = {sum_79[18:1], 3'h1} + {{2{select_83[17]}}, select_83, row_fraction_i[3]};
-  // hls/stages/map_expand.hpp:156
-  logic [16:0] select_85;
-  assign select_85 = and_57 ? difference_2 : 17'h0;
+  assign size_5 = xor_51 ? {difference_2[16], difference_2} : {select_81, 1'b0};
+  // hls/stages/map_expand.hpp:161
+  logic [17:0] select_84;
+  assign select_84 = row_fraction_i[3] ? (~size_5) : size_5;
+  logic [20:0] sum_85;
+  assign sum_85 = {sum_80[18:1], 3'h1} + {{2{select_84[17]}}, select_84, row_fraction_i[3]};
+  // hls/stages/map_expand.hpp:158
+  logic [16:0] select_86;
+  assign select_86 = and_61 ? difference_2 : 17'h0;
   logic [17:0] size_6;
-  assign size_6 = row_fraction_i[0] ? {difference_2[16], difference_2} : {select_85, 1'b0};
-  // hls/stages/map_expand.hpp:159
-  logic [17:0] select_88;
-  assign select_88 = row_fraction_i[1] ? (~size_6) : size_6;
+  assign size_6 = row_fraction_i[0] ? {difference_2[16], difference_2} : {select_86, 1'b0};
+  // hls/stages/map_expand.hpp:161
+  logic [17:0] select_89;
+  assign select_89 = row_fraction_i[1] ? (~size_6) : size_6;
   logic [22:0] arriving_2;
-  assign arriving_2 = {sum_84[20:1], 3'h1} + {{4{select_88[17]}}, select_88, row_fraction_i[1]};
-  // hls/stages/map_expand.hpp:126
+  assign arriving_2 = {sum_85[20:1], 3'h1} + {{4{select_89[17]}}, select_89, row_fraction_i[1]};
+  // hls/stages/map_expand.hpp:127
   logic [22:0] value_3;
   assign value_3 = {1'b0, arriving_2[22:1]} - {1'b0, y_place_q[27:6]};
   // hls/stages/map_expand.hpp:95
-  logic [22:0] select_91;
-  assign select_91 = up[0] ? {value_3[21:0], 1'b0} : value_3;
+  logic [22:0] select_92;
+  assign select_92 = up_2[0] ? {value_3[21:0], 1'b0} : value_3;
   // hls/stages/map_expand.hpp:96
-  logic [24:0] select_92;
-  assign select_92 = up[1] ? {select_91, 2'h0} : {{2{value_3[22]}}, select_91};
+  logic [24:0] select_93;
+  assign select_93 = up_2[1] ? {select_92, 2'h0} : {{2{value_3[22]}}, select_92};
   // hls/stages/map_expand.hpp:97
   logic [27:0] value_4;
-  assign value_4 = up[2] ? {select_92[23:0], 4'h0} : {{3{value_3[22]}}, select_92};
-  // hls/stages/map_expand.hpp:127
-  logic [27:0] select_94;
-  assign select_94 = and_19 ? value_4 : y_increment_q;
-  // hls/stages/map_expand.hpp:176
-  logic [15:0] sum_97;
-  assign sum_97 = {1'b0, x_place_q[27:13]} + 16'h1;
-  logic [15:0] sum_99;
-  assign sum_99 = {1'b0, y_place_q[27:13]} + 16'h1;
+  assign value_4 = up_2[2] ? {select_93[23:0], 4'h0} : {{3{value_3[22]}}, select_93};
+  // hls/stages/map_expand.hpp:128
+  logic [27:0] select_95;
+  assign select_95 = or_20 ? value_4 : y_increment_q;
+  logic [27:0] sum_96;
+  assign sum_96 = y_place_q + select_95;
+  // hls/stages/map_expand.hpp:129
+  logic [5:0] select_97;
+  assign select_97 = prime_i ? 6'h0 : sum_96[5:0];
+  // hls/stages/map_expand.hpp:178
+  logic [15:0] sum_98;
+  assign sum_98 = {1'b0, x_place_q[27:13]} + 16'h1;
+  logic [15:0] sum_100;
+  assign sum_100 = {1'b0, y_place_q[27:13]} + 16'h1;
   // hls/stages/map_expand.hpp:77
-  logic and_107;
-  assign and_107 = (~(sum_97[15:10] == 6'h0)) & ((right_valid_q | and_19) & select_35);
+  logic and_108;
+  assign and_108 = (~(sum_98[15:10] == 6'h0)) & ((right_valid_q | and_19) & select_35);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -197,42 +213,42 @@ module horopter_map_expand (
       y_place_q <= 28'h0;
       y_increment_q <= 28'h0;
     end else if (s0_en) begin
-      right_valid_q <= (prime_i | and_19) ? (or_25 & or_32) : right_valid_q;
+      right_valid_q <= or_20 ? (or_25 & or_32) : right_valid_q;
       left_valid_q <= select_35;
-      x_place_q <= prime_i ? {arriving[22:1], 6'h0} : (x_place_q + select_70);
-      x_increment_q <= select_70;
-      y_place_q <= prime_i ? {arriving_2[22:1], 6'h0} : (y_place_q + select_94);
-      y_increment_q <= select_94;
+      x_place_q <= {sum_72[27:6], select_73};
+      x_increment_q <= select_71;
+      y_place_q <= {sum_96[27:6], select_97};
+      y_increment_q <= select_95;
     end
   end
 
   logic marks_first_s1_q;
   logic marks_last_s1_q;
   logic marks_live_s1_q;
-  logic [8:0] sum_97_s1_q;
-  logic [4:0] sum_98_s1_q;
-  logic [8:0] sum_99_s1_q;
-  logic [4:0] sum_100_s1_q;
-  logic and_108_s1_q;
+  logic [8:0] sum_98_s1_q;
+  logic [4:0] sum_99_s1_q;
+  logic [8:0] sum_100_s1_q;
+  logic [4:0] sum_101_s1_q;
+  logic and_109_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       marks_first_s1_q <= marks_first_i;
       marks_last_s1_q <= marks_last_i;
       marks_live_s1_q <= marks_live_i;
-      sum_97_s1_q <= sum_97[9:1];
-      sum_98_s1_q <= sum_97[14:10] + 5'h1f;
-      sum_99_s1_q <= sum_99[9:1];
-      sum_100_s1_q <= sum_99[14:10] + 5'h1f;
-      and_108_s1_q <= (~(sum_99[15:10] == 6'h0)) & and_107;
+      sum_98_s1_q <= sum_98[9:1];
+      sum_99_s1_q <= sum_98[14:10] + 5'h1f;
+      sum_100_s1_q <= sum_100[9:1];
+      sum_101_s1_q <= sum_100[14:10] + 5'h1f;
+      and_109_s1_q <= (~(sum_100[15:10] == 6'h0)) & and_108;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign x_o = {sum_98_s1_q, sum_97_s1_q[8:3]};
-  assign y_o = {sum_100_s1_q, sum_99_s1_q[8:3]};
-  assign wx_o = sum_97_s1_q[2:0];
-  assign wy_o = sum_99_s1_q[2:0];
-  assign mapped_o = and_108_s1_q;
+  assign x_o = {sum_99_s1_q, sum_98_s1_q[8:3]};
+  assign y_o = {sum_101_s1_q, sum_100_s1_q[8:3]};
+  assign wx_o = sum_98_s1_q[2:0];
+  assign wy_o = sum_100_s1_q[2:0];
+  assign mapped_o = and_109_s1_q;
   assign marks_first_o = marks_first_s1_q;
   assign marks_last_o = marks_last_s1_q;
   assign marks_live_o = marks_live_s1_q;
@@ -248,6 +264,6 @@ module horopter_map_expand (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_99[0], sum_97[0], arriving_2[0], sum_84[0], sum_79[0], arriving[0], sum_55[0], sum_46[0]};
+  assign unused_bits = ^{sum_100[0], sum_98[0], arriving_2[0], sum_85[0], sum_80[0], arriving[0], sum_59[0], sum_50[0]};
 
 endmodule

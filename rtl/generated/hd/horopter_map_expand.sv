@@ -51,7 +51,7 @@ module horopter_map_expand (
   assign or_27 = (~(column_top_x_i == 16'hffff)) | (~(column_top_y_i == 16'hffff));
   logic or_33;
   assign or_33 = (~(column_bottom_x_i == 16'hffff)) | (~(column_bottom_y_i == 16'hffff));
-  // hls/stages/map_expand.hpp:138
+  // hls/stages/map_expand.hpp:140
   logic [15:0] select_38;
   assign select_38 = row_fraction_i[0] ? column_bottom_x_i : column_top_x_i;
   logic [15:0] select_42;
@@ -154,10 +154,10 @@ module horopter_map_expand (
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/map_expand.hpp:142
+  // hls/stages/map_expand.hpp:144
   logic [19:0] sum_49;
   assign sum_49 = {4'h0, sum_41_s2_q[16:1]} + {sum_48_s2_q, sum_44_s2_q, select_42_s2_q};
-  // hls/stages/map_expand.hpp:172
+  // hls/stages/map_expand.hpp:174
   logic [19:0] sum_72;
   assign sum_72 = {sum_71_s2_q, sum_67_s2_q, select_65_s2_q} + {4'h0, sum_64_s2_q[16:1]};
 
@@ -285,7 +285,7 @@ module horopter_map_expand (
   // hls/stages/map_expand.hpp:110
   logic [27:0] select_79;
   assign select_79 = and_21_s4_q ? value_6 : y_increment_q;
-  // hls/stages/map_expand.hpp:176
+  // hls/stages/map_expand.hpp:178
   logic [15:0] sum_81;
   assign sum_81 = {1'b0, value[27:13]} + 16'h1;
   logic [15:0] sum_83;
