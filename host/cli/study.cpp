@@ -63,6 +63,12 @@ const std::vector<NamedStudy>& studies() {
        study_interpolation},
       {"segmentation", "Every correlation criterion over disparity: detection rates, segmentation errors (8.4, 11.2.1)",
        study_segmentation},
+      {"invariance", "Changes of brightness: what they do to each criterion (Table 8.3)", study_invariance},
+      {"influences", "Noise, differing scale, differing blur: what is still detected (Table 8.4)", study_influences},
+      {"objects", "Small objects: what of them is detected (8.5)", study_objects},
+      {"cost", "Operations of each criterion (Table 8.5)", study_cost},
+      {"detection", "What the hardware's stage detects at which displacement; thresholds for tolerances (11.2)",
+       study_detection},
   };
   return list;
 }
@@ -82,14 +88,16 @@ void add_study(CLI::App& app, Outcome& outcome) {
     return std::pair(one, options);
   };
   const auto add_one = [&](const char* name, const char* what, Study run) {
-    const auto [one, options] = add(name, what);
-    one->callback([options = options, run, &outcome] { outcome.status = run_study(*options, run); });
-    return std::pair(one, options);
+    const auto added = add(name, what);
+    added.first->callback([mine = added.second, run, &outcome] { outcome.status = run_study(*mine, run); });
+    return added;
   };
   for (const NamedStudy& named : studies()) {
     const auto [one, options] = add_one(named.name, named.what, named.run);
-    if (named.run == study_segmentation) {
+    if (named.run == study_segmentation || named.run == study_objects || named.run == study_detection ||
+        named.run == study_influences)
       add_texture_options(*one, options->scope);
+    if (named.run == study_segmentation) {
       one->add_option("--series", options->scope.series,
                       "Your own images instead: a CSV file with the columns file,disparity_px, the reference first")
           ->type_name("FILE");

@@ -30,6 +30,16 @@ nlohmann::json study_interpolation(OutputDirectory& directory, const StudyScope&
 
 /// Every correlation criterion over disparity (thesis 8.4, 11.2.1).
 nlohmann::json study_segmentation(OutputDirectory& directory, const StudyScope& scope);
+/// Changes of brightness (Table 8.3).
+nlohmann::json study_invariance(OutputDirectory& directory, const StudyScope& scope);
+/// Noise, differing scale, differing blur (Table 8.4).
+nlohmann::json study_influences(OutputDirectory& directory, const StudyScope& scope);
+/// Small objects (thesis 8.5).
+nlohmann::json study_objects(OutputDirectory& directory, const StudyScope& scope);
+/// Operations of each criterion (Table 8.5).
+nlohmann::json study_cost(OutputDirectory& directory, const StudyScope& scope);
+/// What the hardware's stage detects at which displacement (thesis 11.2).
+nlohmann::json study_detection(OutputDirectory& directory, const StudyScope& scope);
 /// A skin in millimetres on photographs of a chessboard, moved through it (10.4, 11.2).
 nlohmann::json study_board(OutputDirectory& directory, const StudyScope& scope);
 

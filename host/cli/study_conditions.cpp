@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <memory>
 #include <sstream>
+#include <utility>
 
 #include "horopter/error.hpp"
 
@@ -18,7 +20,10 @@ study::Conditions chapter8_conditions(const StudyScope& scope) {
   conditions.texture.kind = study::TextureKind::dead_leaves;
   if (!scope.picture.empty()) {
     conditions.texture.kind = study::TextureKind::picture;
-    conditions.texture.picture = std::make_shared<const Image>(load_image(scope.picture));
+    auto picture = std::make_shared<const Image>(load_image(scope.picture));
+    const auto [low, high] = std::minmax_element(picture->pixels.begin(), picture->pixels.end());
+    if (*low == *high) throw FileError(scope.picture, "", "an image of one grey value", "a picture with contrast");
+    conditions.texture.picture = std::move(picture);
   } else if (!scope.texture.empty()) {
     conditions.texture.kind = study::texture_kind(scope.texture);
   }
@@ -65,6 +70,8 @@ study::ImageSeries load_series(const std::string& path) {
     if (error != std::errc() || rest != end || !std::isfinite(disparity))
       fail("'" + line.substr(comma + 1) + "'", "a disparity in px");
     Image image = load_image(std::filesystem::path(path).parent_path() / line.substr(0, comma));
+    if (image.width < 64 || image.height < 64)
+      fail(fmt::format("an image of {}×{}", image.width, image.height), "64×64 pixels or more");
     if (series.reference.empty()) {
       if (disparity != 0) fail(fmt::format("disparity {}", disparity), "0, the reference's own");
       series.reference = std::move(image);

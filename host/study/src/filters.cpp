@@ -120,6 +120,21 @@ Plane median(const Plane& image) {
   return result;
 }
 
+Plane gaussian(const Plane& image, double deviation_px) {
+  if (deviation_px <= 0) return image;
+  const int reach = static_cast<int>(std::ceil(4 * deviation_px));
+  std::vector<double> weights;
+  double sum = 0;
+  for (int i = -reach; i <= reach; ++i) {
+    weights.push_back(std::exp(-i * i / (2 * deviation_px * deviation_px)));
+    sum += weights.back();
+  }
+  for (double& weight : weights) weight /= sum;
+  Plane result(image.width, image.height);
+  add_separable(result, image, weights, weights);
+  return result;
+}
+
 int log_reach(double w) { return static_cast<int>(std::ceil(1.5 * w)); }
 
 Plane log_filter(const Plane& image, double w) {

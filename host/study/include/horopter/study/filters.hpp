@@ -17,6 +17,9 @@ Plane highpass(const Plane& image);
 /// Median of 3×3.
 Plane median(const Plane& image);
 
+/// Gaussian of a standard deviation in px, as far as 4 of them.
+Plane gaussian(const Plane& image, double deviation_px);
+
 /// Half of the side of log_filter's window, for w of 1 px at least.
 int log_reach(double w);
 /// Laplacian of Gaussian (eq. 8.7): weights (1 − a)·e^(−a), a = 4(i² + j²) / w², less their mean over the window of

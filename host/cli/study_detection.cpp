@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// Thesis 11.2: what the hardware's stage detects at which displacement, and the threshold for a wanted tolerance.
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "horopter/study/measures.hpp"
+#include "plot.hpp"
+#include "progress.hpp"
+#include "study.hpp"
+#include "study_conditions.hpp"
+#include "study_statements.hpp"
+
+namespace horopter::cli {
+namespace {
+
+using study::Detection;
+using study::Feature;
+using study::Setting;
+
+constexpr double kInterpolated = 0.375;  ///< px of each displacement that bilinear interpolation makes, weights of 1/8
+
+std::vector<Detection> measure(const study::ImageSeries& series, const std::vector<Setting>& settings) {
+  Progress progress("image");
+  return study::detect(series, settings, [&](std::size_t done) { progress.show(done, series.disparities_px.size()); });
+}
+
+/// The same displacements when the right image comes through the transformation, as in the system.
+study::ImageSeries transformed(const study::Simulation& simulation, const std::vector<double>& disparities_px) {
+  study::ImageSeries series = photographs(simulation, disparities_px);
+  series.image = [&simulation, disparities_px](std::size_t i) {
+    const Image source = simulation.photograph(disparities_px[i] - kInterpolated, i + 1);
+    Image result(source.width, source.height);
+    constexpr int weight = static_cast<int>(8 * kInterpolated);
+    for (int y = 0; y < source.height; ++y)
+      for (int x = 0; x < source.width; ++x) {
+        const int next = x + 1 < source.width ? x + 1 : x;
+        result.at(x, y) =
+            static_cast<std::uint8_t>(((8 - weight) * source.at(x, y) + weight * source.at(next, y) + 4) / 8);
+      }
+    return result;
+  };
+  return series;
+}
+
+}  // namespace
+
+nlohmann::json study_detection(OutputDirectory& directory, const StudyScope& scope) {
+  study::Conditions conditions = chapter8_conditions(scope);
+  const std::vector<double> disparities = chapter8_disparities(scope);
+  const Setting dsad{&study::criterion("DSAD"), {Feature::direction, true}, 9};
+  const Setting hardware{&study::criterion("hardware"), {Feature::camera}, 9};
+  const double full = dsad.criterion->worst(9);
+  const double full_hardware = hardware.criterion->worst(9);
+
+  constexpr double farthest_px = 14;
+  const study::Simulation averaged(conditions, farthest_px + 1);
+  const auto ideal = measure(photographs(averaged, disparities), {dsad});
+  conditions.electronics.averaged = 1;
+  const study::Simulation single(conditions, farthest_px + 1);
+  const auto real = measure(transformed(single, disparities), {dsad, hardware});
+  std::vector<double> far_places;
+  for (int i = 4; i <= static_cast<int>(farthest_px); ++i) far_places.push_back(i);
+  const auto far = measure(photographs(single, far_places), {dsad, hardware});
+
+  nlohmann::json result{{"conditions", to_json(conditions)}, {"findings", nlohmann::json::array()}};
+  result["conditions"]["interpolated_px"] = kInterpolated;
+
+  // Thresholds for tolerances, as C++ that threshold_percent_for() is made of.
+  std::string table =
+      "// Tolerance in px, threshold in % of T_max of the hardware's 9×9 stage: written by `horopter study "
+      "detection`.\n";
+  Csv thresholds({"tolerance_px", "threshold_percent", "d95_px", "detected_4_to_14_px"});
+  Panel threshold_panel{
+      "Threshold for half of the pixels", "displacement [px]", "% of T_max", {{"hardware", {}}}, false};
+  const auto far_share = [&](const Detection& detection, double threshold) {
+    double sum = 0;
+    for (const double rate : detection.rates(threshold)) sum += rate / static_cast<double>(far_places.size());
+    return sum;
+  };
+  for (int i = 2; i <= 25; ++i) {
+    const double tolerance = i / 10.0;
+    const double threshold = real[1].threshold(tolerance);
+    const double percent = 100 * threshold / full_hardware;
+    table += fmt::format("THRESHOLD({:.1f}, {:.2f})\n", tolerance, percent);
+    thresholds << tolerance << percent << real[1].disparity_at(threshold, 0.95).value_or(0)
+               << far_share(far[1], threshold);
+    thresholds.end_row();
+    threshold_panel.curves[0].points.emplace_back(tolerance, percent);
+    result["threshold_percent"][fmt::format("{:.1f}", tolerance)] = percent;
+  }
+  directory.write("threshold_table.def", table);
+  directory.write("thresholds.csv", thresholds.text());
+  Csv rates({"threshold_percent", "displacement_px", "detection_rate"});
+  Panel rate_panel{"Hardware 9×9, thresholds in % of T_max", "displacement [px]", "detection rate [%]", {}, false};
+  for (int percent = 2; percent <= 50; ++percent) {
+    Curve curve{fmt::format("{} %", percent), {}};
+    const auto all = real[1].rates(std::floor(percent * full_hardware / 100));
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      rates << static_cast<double>(percent) << disparities[i] << all[i];
+      rates.end_row();
+      curve.points.emplace_back(disparities[i], 100 * all[i]);
+    }
+    if (percent % 5 == 0) rate_panel.curves.push_back(curve);
+  }
+  directory.write("rates.csv", rates.text());
+  directory.write("detection.svg",
+                  plot_svg("What the hardware's stage detects, single images with interpolation (Fig. 11.7)",
+                           {rate_panel, threshold_panel}, 2));
+  result["figures"] = {
+      {{"file", "detection.svg"},
+       {"title",
+        "Detection by the hardware's stage over displacement (Fig. 11.7), and the threshold for a tolerance"}}};
+
+  Statements statements;
+  std::string deviations;
+  double worst = 0;
+  double smallest = 0;
+  for (const double percent : {11.3, 15.0, 18.4, 21.9, 25.1, 28.4}) {
+    const double threshold = percent / 100 * full;
+    const double expected = ideal[0].disparity_at(threshold, 0.95).value_or(0);
+    const double measured = real[0].disparity_at(threshold, 0.95).value_or(0);
+    const double deviation = measured > 0 ? expected / measured - 1 : 1;
+    deviations += fmt::format(" {:+.1f}", 100 * deviation);
+    if (percent < 12) {
+      smallest = std::abs(deviation);
+    } else {
+      worst = std::max(worst, std::abs(deviation));
+    }
+  }
+  statements.add(
+      "11.2.1",
+      "Table 11.2: thickness expected from averaged images agrees with the system's, except for the smallest "
+      "threshold (noise of the transformation).",
+      "Expected over measured D95 on single, interpolated images:" + deviations + " %",
+      verdict(worst <= 0.08 && smallest > worst, worst <= 0.15),
+      "Within 8 %, the smallest threshold off by more; partly: within 15 %");
+  const double at_25 = far_share(far[0], 0.251 * full);
+  const double at_28 = far_share(far[0], 0.284 * full);
+  statements.add(
+      "11.2.2", "A threshold above 25 % results in wrongly segmented pixels.",
+      fmt::format("Detected at 4 to 14 px: {:.2f} % with 25.1 %, {:.2f} % with 28.4 %", 100 * at_25, 100 * at_28),
+      verdict(at_28 >= 0.01 && at_25<at_28 / 1.5, at_28> at_25),
+      "At least 1 % with 28.4 %, 1.5 times what 25.1 % gives; partly: more");
+  result["statements"] = statements.json();
+  result["findings"].push_back(
+      fmt::format("The hardware's 9×9 stage detects half of the pixels displaced by 0.5, 1.0, 1.5, 2.0 px at {:.1f}, "
+                  "{:.1f}, {:.1f}, "
+                  "{:.1f} % of T_max",
+                  100 * real[1].threshold(0.5) / full_hardware, 100 * real[1].threshold(1) / full_hardware,
+                  100 * real[1].threshold(1.5) / full_hardware, 100 * real[1].threshold(2) / full_hardware));
+  const double normal = 0.25 * full_hardware;
+  result["findings"].push_back(
+      fmt::format("With the threshold of 25 %: 95 % detected at {:.2f} px, half at {:.2f} px, {:.2f} % at 4 to 14 px",
+                  real[1].disparity_at(normal, 0.95).value_or(0), real[1].disparity_at(normal, 0.5).value_or(0),
+                  100 * far_share(far[1], normal)));
+  return result;
+}
+
+}  // namespace horopter::cli

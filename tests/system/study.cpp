@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// horopter study from outside: what it finds on simulated images, its page, and that a seed repeats it to the byte.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <string>
+#include <vector>
+
+#include "horopter/study/threshold.hpp"
+#include "sandbox.hpp"
+
+using namespace horopter::test;
+using nlohmann::json;
+
+namespace {
+
+json summary(const Sandbox& box, const std::string& directory) {
+  return json::parse(box.read(directory + "/summary.json"));
+}
+
+std::string verdict_of(const json& result, const std::string& statement) {
+  for (const auto& row : result.at("statements"))
+    if (row.at("statement").get<std::string>().find(statement) != std::string::npos) return row.at("verdict");
+  FAIL("no statement with '" << statement << "'");
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("study all: figures, verdicts and a page of its own, the same for the same seed") {
+  Sandbox box;
+  const auto result = box.run({"study", "all", "--quick", "--out", "once", "--json"});
+  CAPTURE(result.err);
+  REQUIRE(result.status == 0);
+  CHECK(result.err.empty());
+  const json all = json::parse(result.out);
+  CHECK(all == summary(box, "once"));
+  CHECK(all["statements"]["all"].get<int>() >= 40);
+  CHECK(all["statements"]["confirmed"].get<int>() >= 20);
+
+  SECTION("files") {
+    REQUIRE(box.run({"study", "all", "--quick", "--out", "again"}).status == 0);
+    int compared = 0;
+    for (const std::string& file : box.files()) {
+      if (!file.starts_with("once/") || fs::is_directory(box / file)) continue;
+      const std::string other = "again/" + file.substr(5);
+      REQUIRE(fs::exists(box / other));
+      if (file == "once/summary.json") continue;  // names its directory
+      CAPTURE(file);
+      CHECK(box.read(file) == box.read(other));
+      if (file.ends_with(".svg"))
+        CHECK_THAT(box.read(file), Catch::EndsWith("</svg>\n") && !Catch::Contains("nan") && !Catch::Contains("inf"));
+      ++compared;
+    }
+    CHECK(compared > 40);
+  }
+
+  SECTION("page") {
+    std::string page = box.read("once/index.html");
+    for (const auto& study : all["studies"]) {
+      const json one = summary(box, "once/" + study.get<std::string>());
+      if (one.contains("figures"))
+        for (const auto& figure : one["figures"]) {
+          CHECK(fs::exists(box / ("once/" + study.get<std::string>() + "/" + figure["file"].get<std::string>())));
+          CHECK_THAT(page, Catch::Contains("<figcaption>" + figure["title"].get<std::string>()));
+        }
+    }
+    // Nothing is fetched: the only addresses are the names of SVG's vocabulary.
+    const std::string vocabulary = "http://www.w3.org/2000/svg";
+    for (auto at = page.find(vocabulary); at != std::string::npos; at = page.find(vocabulary))
+      page.erase(at, vocabulary.size());
+    CHECK_THAT(page, !Catch::Contains("http:") && !Catch::Contains("https:") && !Catch::Contains("<script"));
+    const std::string study = box.read("once/STUDY.md");
+    CHECK_THAT(study,
+               Catch::Contains("| 40 |") && Catch::Contains("**confirmed**") && Catch::Contains("**not confirmed**"));
+  }
+
+  SECTION("figures") {
+    const json invariance = summary(box, "once/invariance");
+    CHECK(invariance["cells"] == invariance["cells_as_in_the_thesis"]);
+    CHECK(invariance["largest_change_of_invariant"].get<double>() <= 1e-4);
+    CHECK(invariance["smallest_change_of_variant"].get<double>() > 2e-4);
+
+    const json segmentation = summary(box, "once/segmentation");
+    const std::vector<std::string> places{"0.6", "0.8", "1.0", "1.2", "1.4", "1.6"};
+    const std::vector<double> thesis{11.3, 15.0, 18.4, 21.9, 25.1, 28.4};
+    for (std::size_t i = 0; i < thesis.size(); ++i)
+      CHECK(std::abs(segmentation["threshold_percent"].at(places[i]).get<double>() - thesis[i]) <= 1.5);
+    CHECK(verdict_of(segmentation, "Grey values, 9×9: DSAD is best") == "confirmed");
+    CHECK(verdict_of(segmentation, "the smallest segmentation error is above 0.15") == "confirmed");
+    CHECK_THAT(box.read("once/segmentation/errors.csv"),
+               Catch::StartsWith("criterion,prefilter,kernel,result_filter,"));
+
+    // The committed thresholds, made of more and larger images, are those of a quick run.
+    const json detection = summary(box, "once/detection");
+    for (int i = 3; i <= 20; ++i) {
+      const std::string tolerance = std::to_string(i / 10) + "." + std::to_string(i % 10);
+      CAPTURE(tolerance);
+      CHECK(detection["threshold_percent"][tolerance].get<double>() ==
+            Approx(horopter::study::threshold_percent_for(i / 10.0)).margin(1.5));
+    }
+  }
+}
+
+TEST_CASE("study segmentation on images of one's own") {
+  Sandbox box;
+  cv::Mat texture(140, 800, CV_8UC1);
+  cv::RNG random(5);
+  random.fill(texture, cv::RNG::UNIFORM, 0, 256);
+  cv::GaussianBlur(texture, texture, {}, 4);
+  cv::normalize(texture, texture, 60, 200, cv::NORM_MINMAX);
+  std::string list = "file,disparity_px\n";
+  const auto add = [&](const std::string& name, int shift, const std::string& disparity) {
+    // Four pixels of the texture are one of the image.
+    cv::Mat image;
+    cv::resize(texture(cv::Rect(shift, 0, 560, 140)), image, {140, 70}, 0, 0, cv::INTER_AREA);
+    cv::imwrite((box / name).string(), image);
+    list += name + "," + disparity + "\n";
+  };
+  add("reference.png", 0, "0");
+  for (int i = 0; i <= 12; ++i) add("moved" + std::to_string(i) + ".png", i, std::to_string(0.25 * i));
+  box.write("series.csv", list);
+  const auto result =
+      box.run({"study", "segmentation", "--quick", "--series", "series.csv", "--out", "study", "--json"});
+  CAPTURE(result.err);
+  REQUIRE(result.status == 0);
+  const json found = json::parse(result.out);
+  CHECK(found["images"] == 13);
+  CHECK(found["conditions"]["series"] == "series.csv");
+  const double at_one = found["threshold_percent"]["1.0"];
+  CHECK(at_one > 2);
+  CHECK(at_one < found["threshold_percent"]["1.6"].get<double>());
+
+  const auto refused = [&](const std::string& text, const std::string& expected) {
+    box.write("bad.csv", text);
+    check_bad_file(box, {"study", "segmentation", "--quick", "--series", "bad.csv", "--out", "none"}, "bad.csv",
+                   expected);
+  };
+  refused("left,right\n", "file,disparity_px");
+  refused("file,disparity_px\nreference.png,0.5\n", "0, the reference's own");
+  refused("file,disparity_px\nreference.png,0\nmoved1.png,x\n", "line 3");
+  refused("file,disparity_px\nreference.png,0\nmoved1.png,1\nmoved2.png,0.5\n", "ascend");
+  refused("file,disparity_px\nreference.png,0\nmoved1.png,1\n", "3 or more");
+  check_bad_file(box, {"study", "segmentation", "--quick", "--series", "none.csv", "--out", "none"}, "none.csv",
+                 "expected");
+  check_bad_file(box, {"study", "objects", "--quick", "--picture", "none.png", "--out", "none"}, "none.png",
+                 "expected");
+  cv::imwrite((box / "flat.png").string(), cv::Mat(50, 50, CV_8UC1, cv::Scalar(9)));
+  check_bad_file(box, {"study", "objects", "--quick", "--picture", "flat.png", "--out", "none"}, "flat.png",
+                 "contrast");
+}
