@@ -2,6 +2,7 @@
 #include "horopter/plan_rig.hpp"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -100,26 +101,22 @@ CommonField common_field(const CameraPair& cameras, const Surface& surface, cons
   std::vector<Point> points(width);
   std::vector<Hit> hits(width);
   std::vector<Look> looks(width);
-  const auto directions_at = [&](double row, double shift) {
-    for (std::size_t i = 0; i < width; ++i) points[i] = geometry.to_frame({static_cast<double>(i) + shift, row});
-    return cameras.rays(points);
-  };
   for (int row = 0; row < geometry.height; ++row) {
-    // The sides of the pixels: across them, directions change by what the pixels see.
-    const Rays before = directions_at(row, -0.5);
-    const Rays behind = directions_at(row, 0.5);
-    const Rays above = directions_at(row - 0.5, 0);
-    const Rays below = directions_at(row + 0.5, 0);
-    const Rays rays = directions_at(row, 0);
+    for (std::size_t i = 0; i < width; ++i) {
+      points[i] = geometry.to_frame({static_cast<double>(i), static_cast<double>(row)});
+    }
+    const Rays rays = cameras.rays(points);
     surface.intersect(left_mm, rays.directions, hits);
     cameras.look(surface, rays, geometry.row_step(), limits, looks);
     for (std::size_t i = 0; i < width; ++i) {
       if (!std::isfinite(hits[i].distance)) continue;
       const Vector3d& direction = rays.directions[i];
-      const Vector3d across =
-          (behind.directions[i] - before.directions[i]).cross(below.directions[i] - above.directions[i]);
+      // What a pixel sees at distance 1, as a parallelepiped: its direction and the derivatives of it.
+      Eigen::Matrix3d view;
+      for (int k = 0; k < 9; ++k) view(k / 3, k % 3) = rays.right_view[static_cast<std::size_t>(k)][i];
+      const double parallelepiped = std::abs(view.determinant()) * geometry.row_step();
       const double facing = std::abs(hits[i].normal.dot(direction));
-      const double m2 = hits[i].distance * hits[i].distance * std::abs(direction.dot(across)) / facing * 1e-6;
+      const double m2 = hits[i].distance * hits[i].distance * parallelepiped / facing * 1e-6;
       if (!std::isfinite(m2)) continue;
       field.left_m2 += m2;
       if (!geometry.holds(geometry.from_frame(looks[i].source)) || looks[i].reason == Reason::hidden) continue;
