@@ -178,7 +178,7 @@ void write_over_distance(OutputDirectory& output, const CameraPair& cameras, con
   std::array<Curve, 4> thickness{{{"smallest", {}}, {"mean", {}}, {"largest", {}}, {"by 11.1", {}}}};
   std::array<Curve, 2> extent{{{"width", {}}, {"height", {}}}};
   Curve exploitation{"A_c / A_L", {}};
-  constexpr int kPlaces = 13;
+  constexpr int kPlaces = 9;
   Progress progress("distance");
   for (int i = 0; i < kPlaces; ++i) {
     progress.show(static_cast<std::size_t>(i), kPlaces);

@@ -27,6 +27,16 @@ nlohmann::json study_edges(OutputDirectory& directory, const StudyScope& scope);
 nlohmann::json study_calibration(OutputDirectory& directory, const StudyScope& scope);
 /// Bilinear interpolation with weights of few bits, for scaling and translation (thesis 7.5).
 nlohmann::json study_interpolation(OutputDirectory& directory, const StudyScope& scope);
+/// Thickness and exploitation over tilt and place (thesis 11.1, Fig. 11.2, 11.3).
+nlohmann::json study_geometry(OutputDirectory& directory, const StudyScope& scope);
+/// The morphological operators side by side (thesis 5.2, Fig. 5.7).
+nlohmann::json study_operators(OutputDirectory& directory, const StudyScope& scope);
+/// Measures of texture, and texture against noise (thesis 9, Tables 9.1, 9.2, Fig. 9.1, 9.2).
+nlohmann::json study_texture(OutputDirectory& directory, const StudyScope& scope);
+/// Bits of the direction and of its difference (thesis 10.4.5, Fig. 10.4).
+nlohmann::json study_resolution(OutputDirectory& directory, const StudyScope& scope);
+/// Operations and memory accesses of each step (thesis 10.1, Table 10.1).
+nlohmann::json study_computation(OutputDirectory& directory, const StudyScope& scope);
 
 /// Every correlation criterion over disparity (thesis 8.4, 11.2.1).
 nlohmann::json study_segmentation(OutputDirectory& directory, const StudyScope& scope);

@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: Apache-2.0
+// Thesis chapter 9: measures of texture (Tables 9.1, 9.2), and how much of it the correlation needs against the noise
+// (Fig. 9.1, 9.2).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "horopter/image.hpp"
+#include "horopter/study/filters.hpp"
+#include "horopter/study/random.hpp"
+#include "horopter/study/series.hpp"
+#include "horopter/study/simulation.hpp"
+#include "horopter/study/texture_measures.hpp"
+#include "plot.hpp"
+#include "progress.hpp"
+#include "study.hpp"
+
+namespace horopter::cli {
+namespace {
+
+using study::Plane;
+
+constexpr int kBorder = 4;  ///< px that measures reach beyond the image
+
+struct MeanAndDeviation {
+  double mean = 0, deviation = 0;
+};
+
+std::vector<double> inner(const Plane& plane) {
+  std::vector<double> values;
+  for (int y = kBorder; y < plane.height - kBorder; ++y) {
+    values.insert(values.end(), plane.row(y) + kBorder, plane.row(y) + plane.width - kBorder);
+  }
+  return values;
+}
+
+MeanAndDeviation statistics(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value;
+  const double mean = sum / static_cast<double>(values.size());
+  double squares = 0;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  return {mean, std::sqrt(squares / static_cast<double>(values.size()))};
+}
+
+/// Smallest sum, over all thresholds, of the weak pattern's share above and the strong one's share below.
+double discrimination_error(std::vector<double> weak, std::vector<double> strong) {
+  std::ranges::sort(weak);
+  std::ranges::sort(strong);
+  const auto n = static_cast<double>(weak.size());
+  const auto m = static_cast<double>(strong.size());
+  double least = 1;
+  std::size_t below = 0;
+  for (std::size_t i = 0; i < weak.size(); ++i) {
+    while (below < strong.size() && strong[below] <= weak[i]) ++below;
+    least = std::min(least, (n - static_cast<double>(i) - 1) / n + static_cast<double>(below) / m);
+  }
+  return least;
+}
+
+/// Random noise of Table 9.1, blurred, rounded to grey values, with a given mean deviation in 7×7 pixels.
+Plane noise_pattern(int size, double deviation, double blur_px, std::uint64_t seed, std::uint64_t number) {
+  study::Random random(seed, number);
+  Plane white(size, size);
+  for (double& value : white.values) value = random.gaussian();
+  std::vector<double> weights;
+  for (int i = -3; i <= 3; ++i) weights.push_back(std::exp(-0.5 * i * i / (blur_px * blur_px)));
+  const auto blurred = [&](const Plane& from, bool down) {
+    Plane to(size, size);
+    for (int y = 0; y < size; ++y) {
+      for (int x = 0; x < size; ++x) {
+        for (int i = -3; i <= 3; ++i) {
+          const int u = std::clamp(x + (down ? 0 : i), 0, size - 1);
+          const int v = std::clamp(y + (down ? i : 0), 0, size - 1);
+          to.at(x, y) += weights[static_cast<std::size_t>(i + 3)] * from.at(u, v);
+        }
+      }
+    }
+    return to;
+  };
+  Plane pattern = blurred(blurred(white, false), true);
+  const double scale = deviation / statistics(inner(study::deviation_in_window(pattern, 7))).mean;
+  for (double& value : pattern.values) value = std::clamp(std::round(128 + scale * value), 0.0, 255.0);
+  return pattern;
+}
+
+struct Printed {
+  const char* name;
+  double scale, deviation, error_2, error_3;
+};
+/// Table 9.1.
+constexpr std::array printed{
+    Printed{"Std dev 7×7", 1.0, 0.125, 0.003, 0},     Printed{"Std dev 3×3", 0.9, 0.275, 0.19, 0.044},
+    Printed{"Kirsch compass", 17, 0.42, 0.44, 0.216}, Printed{"Sobel", 6.8, 0.525, 0.53, 0.32},
+    Printed{"Prewitt", 4.7, 0.525, 0.53, 0.32},       Printed{"Roberts", 2.3, 0.56, 0.54, 0.36},
+    Printed{"Prewitt compass", 4.2, 0.6, 0.55, 0.35}, Printed{"Laplace", 2.6, 0.72, 0.65, 0.5}};
+
+constexpr double kPatternBlur_px = 0.53;
+
+void measures(OutputDirectory& directory, const StudyScope& scope, nlohmann::json& result,
+              std::vector<std::string>& findings) {
+  const int size = scope.quick ? 256 : 512;
+  const Plane weak = noise_pattern(size, 6.2, kPatternBlur_px, scope.seed, 1);
+  const Plane twice = noise_pattern(size, 12.2, kPatternBlur_px, scope.seed, 2);
+  const Plane thrice = noise_pattern(size, 18.5, kPatternBlur_px, scope.seed, 3);
+  Csv table({"measure", "lowpass", "scale_factor", "relative_std_dev", "error_6.2_12.2", "error_6.2_18.5",
+             "printed_scale_factor", "printed_relative_std_dev", "printed_error_6.2_12.2", "printed_error_6.2_18.5"});
+  double unit = 0;
+  double furthest_scale = 0;
+  double furthest_deviation = 0;
+  for (const study::TextureMeasure& measure : study::texture_measures()) {
+    const auto of_thesis = std::ranges::find(printed, measure.name, &Printed::name);
+    for (const bool lowpass : {false, true}) {
+      const auto values = [&](const Plane& pattern) {
+        const Plane plane = measure.of(pattern);
+        return inner(lowpass ? study::lowpass(plane) : plane);
+      };
+      const auto of_weak = values(weak);
+      const auto of_twice = values(twice);
+      const auto [mean, deviation] = statistics(of_twice);
+      if (unit == 0) unit = mean;
+      const double scale = mean / unit;
+      const double relative = deviation / mean;
+      const double error_2 = discrimination_error(of_weak, of_twice);
+      const double error_3 = discrimination_error(of_weak, values(thrice));
+      table << measure.name << std::string(lowpass ? "3x3" : "none") << scale << relative << error_2 << error_3;
+      if (lowpass) {
+        for (int i = 0; i < 4; ++i) table << std::string();
+      } else {
+        table << of_thesis->scale << of_thesis->deviation << of_thesis->error_2 << of_thesis->error_3;
+        furthest_scale = std::max(furthest_scale, std::abs(scale / of_thesis->scale - 1));
+        furthest_deviation = std::max(furthest_deviation, std::abs(relative / of_thesis->deviation - 1));
+      }
+      table.end_row();
+      result["measures"][measure.name][lowpass ? "lowpass" : "plain"] = {{"scale_factor", scale},
+                                                                         {"relative_std_dev", relative},
+                                                                         {"error_6.2_12.2", error_2},
+                                                                         {"error_6.2_18.5", error_3}};
+    }
+  }
+  directory.write("table_9_1.csv", table.text());
+  result["pattern_blur_px"] = kPatternBlur_px;
+  findings.push_back(
+      fmt::format("Table 9.1: scale factors within {:.1f} %, relative deviations within {:.1f} % of the "
+                  "thesis's",
+                  100 * furthest_scale, 100 * furthest_deviation));
+}
+
+/// Table 9.2 of what we have: simulated textures, and photographs.
+void surfaces(OutputDirectory& directory, const StudyScope& scope, nlohmann::json& result) {
+  Csv table({"surface", "local_deviation_mean", "relative_std_dev"});
+  const auto add = [&](const std::string& name, const Plane& image) {
+    const auto [mean, deviation] = statistics(inner(study::deviation_in_window(image, 7)));
+    table << name << mean << deviation / mean;
+    table.end_row();
+    result["surfaces"][name] = {{"local_deviation_mean", mean}, {"relative_std_dev", deviation / mean}};
+  };
+  for (const auto kind :
+       {study::TextureKind::dead_leaves, study::TextureKind::band_noise, study::TextureKind::printed_dots}) {
+    study::Conditions conditions;
+    conditions.texture.kind = kind;
+    conditions.camera.width = 320;
+    conditions.camera.height = 240;
+    conditions.seed = scope.seed;
+    add("simulated " + study::name_of(kind), study::to_plane(study::Simulation(conditions, 0).photograph(0, 0)));
+  }
+  for (const char* name : {"left01.jpg", "box.png", "fruits.jpg", "baboon.jpg", "building.jpg", "home.jpg"}) {
+    const std::filesystem::path path = std::filesystem::path(scope.data) / name;
+    if (std::filesystem::exists(path)) add(name, study::to_plane(load_image(path)));
+  }
+  directory.write("table_9_2.csv", table.text());
+}
+
+study::Setting dsad() {
+  study::Setting setting;
+  setting.criterion = &study::criterion("DSAD");
+  setting.preparation = {study::Feature::direction, true};
+  setting.kernel = 9;
+  return setting;
+}
+
+study::Conditions conditions_of(const StudyScope& scope, double texture_grey, double noise_grey) {
+  study::Conditions conditions;
+  conditions.camera.width = scope.quick ? 320 : 630;
+  conditions.camera.height = scope.quick ? 240 : 470;
+  conditions.lighting.mean_grey = 128;
+  conditions.lighting.deviation_grey = texture_grey;
+  conditions.electronics = {.noise_grey = noise_grey, .averaged = 1};
+  conditions.seed = scope.seed;
+  return conditions;
+}
+
+/// Deviation of the converter's rounding.
+const double kRounding = 1 / std::sqrt(12.0);
+/// Less noise than this does not spread the rounding evenly.
+constexpr double kLeastNoise = 0.5;
+
+/// The errors of patterns over the ratio of texture to noise, D50 by D50; none where there is less noise than can be.
+class NoiseStudy {
+ public:
+  static constexpr std::array d50s_px{0.4, 0.7, 1.0, 1.4};
+
+  explicit NoiseStudy(const StudyScope& scope)
+      : scope_(scope),
+        ratios_(scope.quick ? std::vector<double>{2, 5, 10} : std::vector<double>{2, 2.5, 3, 4, 5, 7, 10, 14, 20}) {
+    const double step_px = scope.quick ? 0.2 : 0.1;
+    for (int i = 0; i * step_px <= study::Detection::kLargest_px + 1e-9; ++i) disparities_.push_back(i * step_px);
+    for (const double d50 : d50s_px) panels_.push_back({fmt::format("D50 {:g} px", d50), "texture / noise", "px", {}});
+  }
+
+  /// Another pattern for each: with one pattern all strengths would be the same but for the converter.
+  void add(const std::string& name, study::TextureKind kind, double texture_grey, std::uint64_t seed) {
+    for (Panel& panel : panels_) panel.curves.push_back({name, {}});
+    for (const double ratio : ratios_) {
+      progress_.show(done_++, {});
+      // The rounding is a part of the noise.
+      const double total = texture_grey / ratio;
+      const double analogue = std::sqrt(std::max(0.0, total * total - kRounding * kRounding));
+      if (analogue < kLeastNoise) continue;
+      study::Conditions conditions = conditions_of(scope_, texture_grey, analogue);
+      conditions.texture.kind = kind;
+      conditions.seed = seed;
+      const study::Simulation simulation(conditions, disparities_.back());
+      const auto detection = study::detect(study::photographs(simulation, disparities_), {dsad()}).front();
+      for (std::size_t d = 0; d < d50s_px.size(); ++d) {
+        const double error = detection.segmentation_error(d50s_px[d]);
+        table_ << name << texture_grey << total << ratio << d50s_px[d] << error;
+        table_.end_row();
+        panels_[d].curves.back().points.emplace_back(ratio, error);
+      }
+    }
+  }
+
+  /// How far curves are apart at most: half of the difference over the mean, of the furthest two at one ratio.
+  struct Apart {
+    double share = 0, ratio = 0, d50_px = 0;
+  };
+  Apart apart(std::size_t first, std::size_t last) const {
+    Apart furthest;
+    for (std::size_t d = 0; d < d50s_px.size(); ++d) {
+      for (const double ratio : ratios_) {
+        double least = INFINITY;
+        double most = 0;
+        for (std::size_t i = first; i < last; ++i) {
+          for (const auto& [at, error] : panels_[d].curves[i].points) {
+            if (at != ratio) continue;
+            least = std::min(least, error);
+            most = std::max(most, error);
+          }
+        }
+        const double share = most > 0 ? (most - least) / (most + least) : 0;
+        if (share > furthest.share) furthest = {share, ratio, d50s_px[d]};
+      }
+    }
+    return furthest;
+  }
+  std::size_t curves() const { return panels_.front().curves.size(); }
+  const std::string& table() const { return table_.text(); }
+  const std::vector<Panel>& panels() const { return panels_; }
+
+ private:
+  const StudyScope& scope_;
+  std::vector<double> ratios_;
+  std::vector<double> disparities_;
+  std::vector<Panel> panels_;
+  Csv table_{{"pattern", "texture_grey", "noise_grey", "ratio", "d50_px", "segmentation_error_px"}};
+  Progress progress_{"pattern"};
+  std::size_t done_ = 0;
+};
+
+void noise(OutputDirectory& directory, const StudyScope& scope, nlohmann::json& result,
+           std::vector<std::string>& findings) {
+  NoiseStudy noise(scope);
+  for (const double texture : scope.quick ? std::vector<double>{8, 32} : std::vector<double>{5, 10, 20, 40}) {
+    noise.add(fmt::format("texture {:g}", texture), study::TextureKind::dead_leaves, texture,
+              scope.seed + static_cast<std::uint64_t>(texture));
+  }
+  const std::size_t strengths = noise.curves();
+  for (const auto kind : {study::TextureKind::band_noise, study::TextureKind::printed_dots}) {
+    noise.add(study::name_of(kind), kind, 20, scope.seed);
+  }
+  directory.write("fig_9_2.csv", noise.table());
+  directory.write("fig_9_2.svg",
+                  plot_svg("Fig. 9.2: segmentation error of DSAD 9x9 over texture to noise (7x7)", noise.panels(), 2));
+  const auto report = [&](const char* key, const NoiseStudy::Apart& apart, const char* what) {
+    result[key] = {{"within", apart.share}, {"ratio", apart.ratio}, {"d50_px", apart.d50_px}};
+    findings.push_back(
+        fmt::format("Fig. 9.2: {} lie within +-{:.1f} % at one ratio of texture to noise (furthest at "
+                    "ratio {:g}, D50 {:g} px)",
+                    what, 100 * apart.share, apart.ratio, apart.d50_px));
+  };
+  report("strengths", noise.apart(0, strengths), "the errors of all strengths of texture");
+  report("kinds", noise.apart(0, noise.curves()), "with other kinds of texture (band noise, dots), the errors");
+}
+
+void histograms(OutputDirectory& directory, const StudyScope& scope) {
+  Csv table({"texture_to_noise", "disparity_px", "from", "to", "density"});
+  std::vector<Panel> panels;
+  const double largest = dsad().criterion->worst(9);
+  for (const double ratio : {3.0, 20.0}) {
+    Panel panel{fmt::format("texture / noise {:g}", ratio), "DSAD, share of the largest", "density", {}};
+    const std::vector<double> disparities{0, 0.5, 1, 1.5, 2, 3};
+    const study::Simulation simulation(conditions_of(scope, 20, 20 / ratio), disparities.back());
+    const auto detection = study::detect(study::photographs(simulation, disparities), {dsad()}).front();
+    for (std::size_t i = 0; i < disparities.size(); ++i) {
+      Curve curve{fmt::format("{:g} px", disparities[i]), {}};
+      for (const auto& bar : detection.histograms()[i].density(60)) {
+        table << ratio << disparities[i] << bar.from / largest << bar.to / largest << bar.density * largest;
+        table.end_row();
+        curve.points.emplace_back(0.5 * (bar.from + bar.to) / largest, bar.density * largest);
+      }
+      panel.curves.push_back(std::move(curve));
+    }
+    panels.push_back(std::move(panel));
+  }
+  directory.write("fig_9_1.csv", table.text());
+  directory.write("fig_9_1.svg", plot_svg("Fig. 9.1: histograms of DSAD 9x9, weak and strong texture", panels, 2));
+}
+
+}  // namespace
+
+nlohmann::json study_texture(OutputDirectory& directory, const StudyScope& scope) {
+  nlohmann::json result;
+  std::vector<std::string> findings;
+  measures(directory, scope, result, findings);
+  surfaces(directory, scope, result);
+  histograms(directory, scope);
+  noise(directory, scope, result, findings);
+  result["conditions"] = study::to_json(conditions_of(scope, 20, 2));
+  result["findings"] = findings;
+  return result;
+}
+
+}  // namespace horopter::cli
