@@ -43,6 +43,7 @@ class TextureDetector {
     Column above = memory_.read(at.column);
     if (at.frame_start_row) [[unlikely]] {
       above.sum = U<column_bits>(0);
+      above.textured = U<stored_bits>(0);
     }
     Column column;
 

@@ -264,13 +264,16 @@ module horopter_framer #(
     end
   end
 
-  // Room for the row in progress, from the registers only: right with the first pixel after a row, too.
-  logic [11:0] used, used_next;
+  // Room for the row that begins. What the counters say is a clock old, and older than the row that has just been stored.
+  logic [11:0] used;
+  logic full_q, nearly_full_q, stored_now_q;
   assign used = stored_q - keep_i;
-  assign used_next = used + 12'd1;
   always_ff @(posedge clk_i) begin
-    if (complete) blocked_q <= 32'(used_next) >= SLOTS;
-    else blocked_q <= 32'(used) >= SLOTS && (state_q == START || (row_start_q && !take));
+    full_q <= 32'(used) >= SLOTS;
+    nearly_full_q <= 32'(used) >= SLOTS - 1;
+    stored_now_q <= complete;
+    if (complete) blocked_q <= nearly_full_q;
+    else blocked_q <= (stored_now_q ? blocked_q : full_q) && (state_q == START || (row_start_q && !take));
   end
 
   always_ff @(posedge clk_i) begin

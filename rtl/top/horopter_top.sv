@@ -908,11 +908,25 @@ module horopter_top #(
   );
   assign m_axis_state_tdata = {6'd0, out_state};
 
-  logic [ROW_BITS-1:0] out_row;
-  logic [COLUMN_BITS-1:0] out_run_start, out_run_end;
+  // Runs cover their rows, so that the ends tell row and start of each.
+  logic [ROW_BITS-1:0] out_row_q;
+  logic [COLUMN_BITS-1:0] out_run_start_q, out_run_end, last_result_column_q;
   logic [1:0] out_run_state;
+  logic out_row_ends, unused_run;
+  assign unused_run = ^{run_row, run_start};
+  always_ff @(posedge clk_i) begin
+    last_result_column_q <= COLUMN_BITS'(result_width_q - 1'b1);
+    if (!core_rst_n) begin
+      out_row_q <= '0;
+      out_run_start_q <= '0;
+    end else if (m_axis_runs_tvalid && m_axis_runs_tready) begin
+      out_run_start_q <= out_row_ends ? '0 : out_run_end + 1'b1;
+      if (m_axis_runs_tlast) out_row_q <= '0;
+      else if (out_row_ends) out_row_q <= out_row_q + 1'b1;
+    end
+  end
   horopter_axis_fifo #(
-      .WIDTH(1 + 2 + ROW_BITS + 2 * COLUMN_BITS),
+      .WIDTH(1 + 1 + 2 + COLUMN_BITS),
       .DEPTH(OUTPUT_DEPTH),
       .ALMOST_FULL(OUTPUT_LEVEL)
   ) u_runs_fifo (
@@ -920,14 +934,14 @@ module horopter_top #(
       .rst_ni(core_rst_n),
       .s_valid_i(run_valid),
       .s_ready_o(unused_runs_ready),
-      .s_data_i({run_last, run_state, run_row, run_start, run_end}),
+      .s_data_i({run_last, run_end == last_result_column_q, run_state, run_end}),
       .m_valid_o(m_axis_runs_tvalid),
       .m_ready_i(m_axis_runs_tready),
-      .m_data_o({m_axis_runs_tlast, out_run_state, out_row, out_run_start, out_run_end}),
+      .m_data_o({m_axis_runs_tlast, out_row_ends, out_run_state, out_run_end}),
       .almost_full_o(runs_almost_full),
       .overflow_o(runs_overflow)
   );
-  assign m_axis_runs_tdata = {out_run_state, 14'd0, 16'(out_row), 16'(out_run_start), 16'(out_run_end)};
+  assign m_axis_runs_tdata = {out_run_state, 14'd0, 16'(out_row_q), 16'(out_run_start_q), 16'(out_run_end)};
 
   always_ff @(posedge clk_i) go_q <= core_rst_n && !state_almost_full && !runs_almost_full;
 

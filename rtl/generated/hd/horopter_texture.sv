@@ -45,7 +45,7 @@ module horopter_texture (
   logic [10:0] select_19;
   assign select_19 = or_18 ? 11'h0 : raster_column_q;
 
-  // Memory memory, 1920 x 37, DISTANCE 16, hls/stages/texture.hpp:85; read in stage 0, written in stage 6: 0 < 6 < 0 + DISTANCE.
+  // Memory memory, 1920 x 37, DISTANCE 16, hls/stages/texture.hpp:86; read in stage 0, written in stage 6: 0 < 6 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [36:0] memory_mem [0:1919];
@@ -89,21 +89,6 @@ module horopter_texture (
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
-  logic columns_values_0_q;
-  logic columns_values_1_q;
-  logic columns_values_2_q;
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      columns_values_0_q <= 1'b0;
-      columns_values_1_q <= 1'b0;
-      columns_values_2_q <= 1'b0;
-    end else if (s1_en) begin
-      columns_values_0_q <= memory_rdata_q[36];
-      columns_values_1_q <= columns_values_0_q;
-      columns_values_2_q <= columns_values_1_q;
-    end
-  end
 
   logic [3:0] difference_0_s2_q;
   logic [3:0] difference_1_s2_q;
@@ -111,10 +96,9 @@ module horopter_texture (
   logic mask_s2_q;
   logic marks_first_s2_q;
   logic marks_last_s2_q;
-  logic columns_values_2_s2_q;
   logic or_18_s2_q;
   logic [10:0] select_19_s2_q;
-  logic [35:0] memory_rdata_s2_q;
+  logic [36:0] memory_rdata_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       difference_0_s2_q <= difference_0_s1_q;
@@ -123,18 +107,24 @@ module horopter_texture (
       mask_s2_q <= mask_s1_q;
       marks_first_s2_q <= marks_first_s1_q;
       marks_last_s2_q <= raster_row_ended_q;
-      columns_values_2_s2_q <= columns_values_2_q;
       or_18_s2_q <= or_18_s1_q;
       select_19_s2_q <= select_19_s1_q;
-      memory_rdata_s2_q <= memory_rdata_q[35:0];
+      memory_rdata_s2_q <= memory_rdata_q;
     end
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
   logic [1:0] raster_rows_q;
+  logic columns_values_0_q;
+  logic columns_values_1_q;
+  logic columns_values_2_q;
   // hls/stages/texture.hpp:42
   logic [1:0] select_21;
   assign select_21 = marks_first_s2_q ? 2'h0 : raster_rows_q;
+  // hls/stages/texture.hpp:44
+  logic [12:0] delayed;
+  assign delayed = (select_21 == 2'h0) ? 13'h0 : memory_rdata_s2_q[36:24];
+  // hls/stages/texture.hpp:42
   logic equal_24;
   assign equal_24 = select_21 == 2'h3;
   logic not_36;
@@ -143,8 +133,14 @@ module horopter_texture (
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       raster_rows_q <= 2'h0;
+      columns_values_0_q <= 1'b0;
+      columns_values_1_q <= 1'b0;
+      columns_values_2_q <= 1'b0;
     end else if (s2_en) begin
       raster_rows_q <= marks_last_s2_q ? (select_21 + {1'b0, not_36}) : select_21;
+      columns_values_0_q <= delayed[12];
+      columns_values_1_q <= columns_values_0_q;
+      columns_values_2_q <= columns_values_1_q;
     end
   end
 
@@ -157,8 +153,8 @@ module horopter_texture (
   logic columns_values_2_s3_q;
   logic or_18_s3_q;
   logic [10:0] select_19_s3_q;
-  logic [17:0] memory_rdata_s3_q;
-  logic [9:0] select_23_s3_q;
+  logic [15:0] memory_rdata_s3_q;
+  logic [11:0] delayed_s3_q;
   logic [7:0] select_25_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
@@ -168,11 +164,11 @@ module horopter_texture (
       mask_s3_q <= mask_s2_q;
       marks_first_s3_q <= marks_first_s2_q;
       marks_last_s3_q <= marks_last_s2_q;
-      columns_values_2_s3_q <= columns_values_2_s2_q;
+      columns_values_2_s3_q <= columns_values_2_q;
       or_18_s3_q <= or_18_s2_q;
       select_19_s3_q <= select_19_s2_q;
-      memory_rdata_s3_q <= {memory_rdata_s2_q[35:34], memory_rdata_s2_q[15:0]};
-      select_23_s3_q <= (select_21 == 2'h0) ? 10'h0 : memory_rdata_s2_q[33:24];
+      memory_rdata_s3_q <= memory_rdata_s2_q[15:0];
+      delayed_s3_q <= delayed[11:0];
       select_25_s3_q <= equal_24 ? memory_rdata_s2_q[23:16] : 8'h0;
     end
   end
@@ -181,7 +177,7 @@ module horopter_texture (
   logic [9:0] row_columns_values_0_q;
   logic [9:0] row_columns_values_1_q;
   logic [9:0] row_columns_values_2_q;
-  // hls/stages/texture.hpp:51
+  // hls/stages/texture.hpp:52
   logic [8:0] difference_26;
   assign difference_26 = {1'b0, magnitude_s3_q} - {1'b0, select_25_s3_q};
 
@@ -191,7 +187,7 @@ module horopter_texture (
       row_columns_values_1_q <= 10'h0;
       row_columns_values_2_q <= 10'h0;
     end else if (s3_en) begin
-      row_columns_values_0_q <= select_23_s3_q + {difference_26[8], difference_26};
+      row_columns_values_0_q <= delayed_s3_q[9:0] + {difference_26[8], difference_26};
       row_columns_values_1_q <= row_columns_values_0_q;
       row_columns_values_2_q <= row_columns_values_1_q;
     end
@@ -206,7 +202,8 @@ module horopter_texture (
   logic columns_values_2_s4_q;
   logic or_18_s4_q;
   logic [10:0] select_19_s4_q;
-  logic [17:0] memory_rdata_s4_q;
+  logic [15:0] memory_rdata_s4_q;
+  logic [1:0] delayed_s4_q;
   logic [9:0] select_30_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
@@ -220,13 +217,14 @@ module horopter_texture (
       or_18_s4_q <= or_18_s3_q;
       select_19_s4_q <= select_19_s3_q;
       memory_rdata_s4_q <= memory_rdata_s3_q;
+      delayed_s4_q <= delayed_s3_q[11:10];
       select_30_s4_q <= (11'h2 < select_19_s3_q) ? row_columns_values_2_q : 10'h0;
     end
   end
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
   logic [11:0] row_sum_sums_values_0_q;
-  // hls/stages/texture.hpp:55
+  // hls/stages/texture.hpp:56
   logic [10:0] difference_31;
   assign difference_31 = {1'b0, row_columns_values_0_q} - {1'b0, select_30_s4_q};
   logic [11:0] sum;
@@ -248,7 +246,8 @@ module horopter_texture (
   logic marks_last_s5_q;
   logic columns_values_2_s5_q;
   logic [10:0] select_19_s5_q;
-  logic [17:0] memory_rdata_s5_q;
+  logic [15:0] memory_rdata_s5_q;
+  logic [1:0] delayed_s5_q;
   logic [9:0] sum_27_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
@@ -261,6 +260,7 @@ module horopter_texture (
       columns_values_2_s5_q <= columns_values_2_s4_q;
       select_19_s5_q <= select_19_s4_q;
       memory_rdata_s5_q <= memory_rdata_s4_q;
+      delayed_s5_q <= delayed_s4_q;
       sum_27_s5_q <= row_columns_values_0_q;
     end
   end
@@ -275,7 +275,8 @@ module horopter_texture (
   logic marks_last_s6_q;
   logic columns_values_2_s6_q;
   logic [10:0] select_19_s6_q;
-  logic [17:0] memory_rdata_s6_q;
+  logic [15:0] memory_rdata_s6_q;
+  logic [1:0] delayed_s6_q;
   logic [9:0] sum_27_s6_q;
   logic not_34_s6_q;
   always_ff @(posedge clk_i) begin
@@ -289,6 +290,7 @@ module horopter_texture (
       columns_values_2_s6_q <= columns_values_2_s5_q;
       select_19_s6_q <= select_19_s5_q;
       memory_rdata_s6_q <= memory_rdata_s5_q;
+      delayed_s6_q <= delayed_s5_q;
       sum_27_s6_q <= sum_27_s5_q;
       not_34_s6_q <= ~(row_sum_sums_values_0_q < cfg_texture_limit_i);
     end
@@ -302,7 +304,7 @@ module horopter_texture (
   logic memory_we;
   assign memory_we = s6_en;
   always_ff @(posedge clk_i) begin
-    if (memory_we) memory_mem[memory_waddr] <= {memory_rdata_s6_q[17:16], not_34_s6_q, sum_27_s6_q, memory_rdata_s6_q[15:0], magnitude_s6_q};
+    if (memory_we) memory_mem[memory_waddr] <= {delayed_s6_q, not_34_s6_q, sum_27_s6_q, memory_rdata_s6_q, magnitude_s6_q};
   end
 `ifndef SYNTHESIS
   logic [10:0] memory_raddr_s1_sim;

@@ -41,7 +41,7 @@ module horopter_texture (
   logic [9:0] select_20;
   assign select_20 = or_18 ? 10'h0 : (raster_column_q + 10'h1);
 
-  // Memory memory, 640 x 37, DISTANCE 16, hls/stages/texture.hpp:85; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory memory, 640 x 37, DISTANCE 16, hls/stages/texture.hpp:86; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [36:0] memory_mem [0:639];
@@ -94,23 +94,27 @@ module horopter_texture (
   // hls/stages/texture.hpp:42
   logic [1:0] select_22;
   assign select_22 = marks_first_s1_q ? 2'h0 : raster_rows_q;
+  // hls/stages/texture.hpp:44
+  logic [12:0] delayed;
+  assign delayed = (select_22 == 2'h0) ? 13'h0 : memory_rdata_q[36:24];
+  // hls/stages/texture.hpp:42
   logic equal_25;
   assign equal_25 = select_22 == 2'h3;
-  // hls/stages/texture.hpp:51
+  // hls/stages/texture.hpp:52
   logic [7:0] select_26;
   assign select_26 = equal_25 ? memory_rdata_q[23:16] : 8'h0;
   logic [8:0] difference_27;
   assign difference_27 = {1'b0, magnitude_s1_q} - {1'b0, select_26};
   logic [9:0] sum_28;
-  assign sum_28 = ((select_22 == 2'h0) ? 10'h0 : memory_rdata_q[33:24]) + {difference_27[8], difference_27};
-  // hls/stages/texture.hpp:55
+  assign sum_28 = delayed[9:0] + {difference_27[8], difference_27};
+  // hls/stages/texture.hpp:56
   logic [9:0] select_31;
   assign select_31 = (10'h2 < raster_column_q) ? row_columns_values_2_q : 10'h0;
   logic [10:0] difference_32;
   assign difference_32 = {1'b0, sum_28} - {1'b0, select_31};
   logic [11:0] sum;
   assign sum = (or_18_s1_q ? 12'h0 : row_sum_sums_values_0_q) + {difference_32[10], difference_32};
-  // hls/stages/texture.hpp:56
+  // hls/stages/texture.hpp:57
   logic not_35;
   assign not_35 = ~(sum < cfg_texture_limit_i);
   // hls/stages/texture.hpp:42
@@ -123,7 +127,7 @@ module horopter_texture (
   logic memory_we;
   assign memory_we = s1_en;
   always_ff @(posedge clk_i) begin
-    if (memory_we) memory_mem[memory_waddr] <= {memory_rdata_q[35:34], not_35, sum_28, memory_rdata_q[15:0], magnitude_s1_q};
+    if (memory_we) memory_mem[memory_waddr] <= {delayed[11:10], not_35, sum_28, memory_rdata_q[15:0], magnitude_s1_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -153,7 +157,7 @@ module horopter_texture (
       row_columns_values_1_q <= row_columns_values_0_q;
       row_columns_values_2_q <= row_columns_values_1_q;
       row_sum_sums_values_0_q <= sum;
-      columns_values_0_q <= memory_rdata_q[36];
+      columns_values_0_q <= delayed[12];
       columns_values_1_q <= columns_values_0_q;
       columns_values_2_q <= columns_values_1_q;
     end
