@@ -69,11 +69,11 @@ const std::vector<NamedStudy>& studies() {
       {"cost", "Operations of each criterion (Table 8.5)", study_cost},
       {"detection", "What the hardware's stage detects at which displacement; thresholds for tolerances (11.2)",
        study_detection},
-      {"geometry", "Thickness of the skin and exploitation of the images over tilt and place (11.1)", study_geometry},
       {"operators", "Morphological operators side by side (5.2)", study_operators},
       {"texture", "Measures of texture, and how much of it is needed against the noise (9)", study_texture},
       {"resolution", "Bits of the direction and of its difference (10.4.5)", study_resolution},
       {"computation", "Operations and memory accesses of each step (10.1)", study_computation},
+      {"geometry", "Thickness of the skin and exploitation of the images over tilt and place (11.1)", study_geometry},
   };
   return list;
 }

@@ -16,6 +16,7 @@
 #include "horopter/study/simulation.hpp"
 #include "plot.hpp"
 #include "study.hpp"
+#include "study_statements.hpp"
 
 namespace horopter::cli {
 namespace {
@@ -107,46 +108,28 @@ Score score(const Image& result, const Image& truth) {
           alarmed / (clear + alarmed), components(inner, 1), components(inner, 0) - 1};
 }
 
-std::string base64(const std::vector<std::uint8_t>& bytes) {
-  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const auto byte = [&](std::size_t k) { return k < bytes.size() ? std::uint32_t{bytes[k]} : 0U; };
-    const std::uint32_t three = byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2);
-    for (std::size_t k = 0; k < 4; ++k) {
-      text += i + k <= bytes.size() ? digits[three >> (18 - 6 * k) & 63] : '=';
-    }
-  }
-  return text;
-}
-
 struct Picture {
   std::string name;
   Image image;  ///< 0 and 1
 };
 
 /// Pictures with their names, four in a row.
-std::string gallery(const std::string& title, const std::vector<Picture>& pictures) {
+Image gallery(const std::vector<Picture>& pictures) {
   constexpr int kColumns = 4;
   constexpr int kGap = 8;
   constexpr int kLabel = 18;
   const int rows = (static_cast<int>(pictures.size()) + kColumns - 1) / kColumns;
-  std::string svg = fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" "
-      "height=\"{1}\" viewBox=\"0 0 {0} {1}\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"12\">\n"
-      "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n<text x=\"{2}\" y=\"19\" font-size=\"14\">{3}</text>\n",
-      kColumns * (kWidth + kGap) + kGap, 28 + rows * (kHeight + kLabel + kGap), kGap, svg_text(title));
+  Image page(kColumns * (kWidth + kGap) + kGap, rows * (kHeight + kLabel + kGap) + kGap, 255);
+  const cv::Mat canvas(page.height, page.width, CV_8U, page.pixels.data());
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    Image shown = pictures[i].image;
-    for (auto& pixel : shown.pixels) pixel = pixel == 1 ? 255 : 0;
-    const int x = kGap + static_cast<int>(i) % kColumns * (kWidth + kGap);
-    const int y = 28 + static_cast<int>(i) / kColumns * (kHeight + kLabel + kGap);
-    svg += fmt::format(
-        "<text x=\"{0}\" y=\"{1}\">{2}</text>\n<image x=\"{0}\" y=\"{3}\" width=\"{4}\" height=\"{5}\" "
-        "href=\"data:image/png;base64,{6}\"/>\n",
-        x, y + 13, svg_text(pictures[i].name), y + kLabel, kWidth, kHeight, base64(encode_png(shown)));
+    const int left = kGap + static_cast<int>(i) % kColumns * (kWidth + kGap);
+    const int top = kLabel + static_cast<int>(i) / kColumns * (kHeight + kLabel + kGap);
+    cv::putText(canvas, pictures[i].name, {left, top - 5}, cv::FONT_HERSHEY_SIMPLEX, 0.42, cv::Scalar(0), 1);
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) page.at(left + x, top + y) = pictures[i].image.at(x, y) == 1 ? 255 : 0;
+    }
   }
-  return svg + "</svg>\n";
+  return page;
 }
 
 }  // namespace
@@ -160,6 +143,10 @@ nlohmann::json study_operators(OutputDirectory& directory, const StudyScope& sco
   for (double& value : similarity.values) value = 1 - value / largest;
   Image binary(kWidth, kHeight);
   for (std::size_t i = 0; i < binary.pixels.size(); ++i) {
+    // Windows that leave the image say nothing.
+    const int x = static_cast<int>(i) % kWidth;
+    const int y = static_cast<int>(i) / kWidth;
+    if (std::min({x, y, kWidth - 1 - x, kHeight - 1 - y}) < kKernel / 2 + 2) similarity.values[i] = 0;
     binary.pixels[i] = similarity.values[i] >= 1 - kThreshold ? 1 : 0;
   }
 
@@ -188,12 +175,8 @@ nlohmann::json study_operators(OutputDirectory& directory, const StudyScope& sco
   const Score plain = add("threshold", binary);
   add("hysteresis", study::hysteresis(similarity, 1 - kThreshold, 1 - kSurely));
   for (const study::Operator& op : study::binary_operators()) add(op.name, op.apply(binary, op.size));
-  directory.write("fig_5_7.csv", table.text());
-  directory.write("fig_5_7.svg",
-                  gallery(fmt::format("Fig. 5.7: operators on binarised sums of {0}x{0} pixels, noise of "
-                                      "{1:g} grey levels",
-                                      kKernel, kNoise_grey),
-                          pictures));
+  directory.write("fig-5-7.csv", table.text());
+  directory.write("fig-5-7.png", encode_png(gallery(pictures)));
 
   // Pixels turned over at random.
   Csv noise_table({"turned_over", "operator", "wrong"});
@@ -222,8 +205,8 @@ nlohmann::json study_operators(OutputDirectory& directory, const StudyScope& sco
     }
   }
   panel.curves = std::move(curves);
-  directory.write("operators_noise.csv", noise_table.text());
-  directory.write("operators_noise.svg", plot_svg("Operators of 5.2 and noise", {panel}, 1));
+  directory.write("operators-noise.csv", noise_table.text());
+  directory.write("operators-noise.svg", plot_svg("Operators of 5.2 and noise", {panel}, 1));
 
   const auto& of = result["operators"];
   result["conditions"] = {{"kernel", kKernel},
@@ -232,13 +215,32 @@ nlohmann::json study_operators(OutputDirectory& directory, const StudyScope& sco
                           {"threshold", kThreshold},
                           {"true_clusters", true_score.clusters}};
   const auto wrong = [&](const char* name) { return 100 * of.at(name).at("wrong").get<double>(); };
+  result["figures"] = {
+      {{"file", "fig-5-7.png"}, {"title", "Fig. 5.7: operators on binarised sums of 5×5 pixels of a noisy pair"}},
+      {{"file", "operators-noise.svg"}, {"title", "Operators of 5.2 on pixels turned over at random"}}};
+  Statements statements;
+  const double opened = wrong("opening 5x5");
+  const double closed = wrong("closing 5x5");
+  const double few = wrong("clusterlets 5x5");
+  const double most = wrong("majority 5x5");
+  const std::string figures = fmt::format(
+      "Wrong pixels with 5×5: majority {:.2f} %, clusterlets {:.2f} %, opening {:.2f} %, closing {:.2f} %, "
+      "none {:.2f} %",
+      most, few, opened, closed, 100 * plain.wrong);
+  statements.add("5.2", "The majority decision produces better results than opening and closing.", figures,
+                 verdict(most < std::min(opened, closed), most < std::max(opened, closed)),
+                 "Fewer wrong pixels than both; partly: than one");
+  statements.add("5.2", "Clusterlet elimination performs much better than opening and closing.", figures,
+                 verdict(few < 0.8 * std::min(opened, closed), few < std::max(opened, closed)),
+                 "A fifth fewer wrong pixels than both; partly: fewer than one");
+  result["statements"] = statements.json();
   result["findings"] = std::vector<std::string>{
       fmt::format(
           "Threshold alone: {:.1f} % of the pixels wrong, {} clusters of {} true ones; least wrong: {}, {:.1f} %",
           100 * plain.wrong, plain.clusters, true_score.clusters, best, 100 * least),
       fmt::format("Of about one size, 5x5: majority {:.1f} %, clusterlets {:.1f} %, opening {:.1f} %, closing {:.1f} % "
                   "wrong",
-                  wrong("majority 5×5"), wrong("clusterlets 5×5"), wrong("opening 5×5"), wrong("closing 5×5"))};
+                  wrong("majority 5x5"), wrong("clusterlets 5x5"), wrong("opening 5x5"), wrong("closing 5x5"))};
   return result;
 }
 

@@ -14,6 +14,7 @@
 #include "plot.hpp"
 #include "progress.hpp"
 #include "study.hpp"
+#include "study_statements.hpp"
 
 namespace horopter::cli {
 namespace {
@@ -135,8 +136,31 @@ nlohmann::json study_resolution(OutputDirectory& directory, const StudyScope& sc
     panels.push_back(std::move(after));
     panels.push_back(std::move(before));
   }
-  directory.write("fig_10_4.csv", table.text());
-  directory.write("fig_10_4.svg", plot_svg("Fig. 10.4: segmentation error and the bits of the direction", panels, 2));
+  directory.write("fig-10-4.csv", table.text());
+  directory.write("fig-10-4.svg", plot_svg("Fig. 10.4: segmentation error and the bits of the direction", panels, 2));
+  result["figures"] = {
+      {{"file", "fig-10-4.svg"}, {"title", "Fig. 10.4: segmentation error and the bits of the direction"}}};
+  const auto loss = [&](const char* kernel, const char* name) {
+    return result["losses"][kernel][name]["largest_from_0.3_px"].get<double>();
+  };
+  Statements statements;
+  const auto enough = [&](const char* kernel, const char* name, const char* statement) {
+    const double cost = loss(kernel, name);
+    statements.add("10.4.5", statement,
+                   fmt::format("{}, {}: costs at most {:.1f} % against 7 bit", kernel, name, 100 * cost),
+                   verdict(cost < 0.07, cost < 0.15), "Below 7 % for D50 of 0.3 to 2 px; partly: below 15 %");
+  };
+  enough("5x5", "4 bit after differencing", "4 bits after differencing are enough.");
+  enough("5x5", "5 bit before differencing", "5 bits before differencing are enough.");
+  enough("9x9", "3 bit after differencing", "Larger kernels need 3 bits after differencing.");
+  enough("5x5", "7 bit before differencing", "Directions of 8 and 7 bits produce the same result.");
+  const double after = loss("5x5", "3 bit after differencing");
+  const double before = loss("5x5", "4 bit before differencing");
+  statements.add("10.4.5", "Reducing after differencing is almost as good as before it with a bit more.",
+                 fmt::format("5×5: 3 bit after cost {:.1f} %, 4 bit before {:.1f} %", 100 * after, 100 * before),
+                 verdict(std::abs(after - before) < 0.05, std::abs(after - before) < 0.1),
+                 "Losses within 5 points; partly: 10");
+  result["statements"] = statements.json();
   result["findings"] = findings;
   return result;
 }

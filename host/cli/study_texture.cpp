@@ -20,6 +20,7 @@
 #include "plot.hpp"
 #include "progress.hpp"
 #include "study.hpp"
+#include "study_statements.hpp"
 
 namespace horopter::cli {
 namespace {
@@ -104,7 +105,7 @@ constexpr std::array printed{
 constexpr double kPatternBlur_px = 0.53;
 
 void measures(OutputDirectory& directory, const StudyScope& scope, nlohmann::json& result,
-              std::vector<std::string>& findings) {
+              std::vector<std::string>& findings, Statements& statements) {
   const int size = scope.quick ? 256 : 512;
   const Plane weak = noise_pattern(size, 6.2, kPatternBlur_px, scope.seed, 1);
   const Plane twice = noise_pattern(size, 12.2, kPatternBlur_px, scope.seed, 2);
@@ -114,8 +115,12 @@ void measures(OutputDirectory& directory, const StudyScope& scope, nlohmann::jso
   double unit = 0;
   double furthest_scale = 0;
   double furthest_deviation = 0;
+  double furthest_error = 0;
+  double least_gain = 1;  // of the low-pass, gradient operators
+  double steadiest = 1;   // relative deviation of a gradient operator
   for (const study::TextureMeasure& measure : study::texture_measures()) {
     const auto of_thesis = std::ranges::find(printed, measure.name, &Printed::name);
+    double plain_deviation = 0;
     for (const bool lowpass : {false, true}) {
       const auto values = [&](const Plane& pattern) {
         const Plane plane = measure.of(pattern);
@@ -132,7 +137,12 @@ void measures(OutputDirectory& directory, const StudyScope& scope, nlohmann::jso
       table << measure.name << std::string(lowpass ? "3x3" : "none") << scale << relative << error_2 << error_3;
       if (lowpass) {
         for (int i = 0; i < 4; ++i) table << std::string();
+        if (!measure.name.starts_with("Std")) least_gain = std::min(least_gain, 1 - relative / plain_deviation);
       } else {
+        plain_deviation = relative;
+        if (!measure.name.starts_with("Std")) steadiest = std::min(steadiest, relative);
+        furthest_error =
+            std::max({furthest_error, std::abs(error_2 - of_thesis->error_2), std::abs(error_3 - of_thesis->error_3)});
         table << of_thesis->scale << of_thesis->deviation << of_thesis->error_2 << of_thesis->error_3;
         furthest_scale = std::max(furthest_scale, std::abs(scale / of_thesis->scale - 1));
         furthest_deviation = std::max(furthest_deviation, std::abs(relative / of_thesis->deviation - 1));
@@ -144,12 +154,26 @@ void measures(OutputDirectory& directory, const StudyScope& scope, nlohmann::jso
                                                                          {"error_6.2_18.5", error_3}};
     }
   }
-  directory.write("table_9_1.csv", table.text());
+  directory.write("table-9-1.csv", table.text());
   result["pattern_blur_px"] = kPatternBlur_px;
   findings.push_back(
       fmt::format("Table 9.1: scale factors within {:.1f} %, relative deviations within {:.1f} % of the "
                   "thesis's",
                   100 * furthest_scale, 100 * furthest_deviation));
+  const double window = result["measures"]["Std dev 7×7"]["plain"]["relative_std_dev"];
+  statements.add(
+      "9.1", "Means, relative deviations and errors of the texture measures are those of Table 9.1.",
+      fmt::format("Scale factors within {:.1f} %, relative deviations within {:.1f} %, errors within {:.3f}",
+                  100 * furthest_scale, 100 * furthest_deviation, furthest_error),
+      verdict(furthest_scale <= 0.1 && furthest_deviation <= 0.1 && furthest_error <= 0.05, furthest_scale <= 0.1),
+      "Within 10 %, 10 % and 0.05; partly: scale factors are");
+  statements.add(
+      "9.1", "The local standard deviation varies less than the gradient operators.",
+      fmt::format("Relative deviation {:.3f} in 7×7; of gradient operators {:.3f} at least", window, steadiest),
+      verdict(window < steadiest), "The smaller relative deviation");
+  statements.add("9.1", "A low-pass after them reduces the deviation of gradient operators.",
+                 fmt::format("3×3: by {:.0f} % at least", 100 * least_gain), verdict(least_gain > 0.1, least_gain > 0),
+                 "By more than 10 % for each; partly: for each at all");
 }
 
 /// Table 9.2 of what we have: simulated textures, and photographs.
@@ -174,7 +198,7 @@ void surfaces(OutputDirectory& directory, const StudyScope& scope, nlohmann::jso
     const std::filesystem::path path = std::filesystem::path(scope.data) / name;
     if (std::filesystem::exists(path)) add(name, study::to_plane(load_image(path)));
   }
-  directory.write("table_9_2.csv", table.text());
+  directory.write("table-9-2.csv", table.text());
 }
 
 study::Setting dsad() {
@@ -275,7 +299,7 @@ class NoiseStudy {
 };
 
 void noise(OutputDirectory& directory, const StudyScope& scope, nlohmann::json& result,
-           std::vector<std::string>& findings) {
+           std::vector<std::string>& findings, Statements& statements) {
   NoiseStudy noise(scope);
   for (const double texture : scope.quick ? std::vector<double>{8, 32} : std::vector<double>{5, 10, 20, 40}) {
     noise.add(fmt::format("texture {:g}", texture), study::TextureKind::dead_leaves, texture,
@@ -285,8 +309,8 @@ void noise(OutputDirectory& directory, const StudyScope& scope, nlohmann::json& 
   for (const auto kind : {study::TextureKind::band_noise, study::TextureKind::printed_dots}) {
     noise.add(study::name_of(kind), kind, 20, scope.seed);
   }
-  directory.write("fig_9_2.csv", noise.table());
-  directory.write("fig_9_2.svg",
+  directory.write("fig-9-2.csv", noise.table());
+  directory.write("fig-9-2.svg",
                   plot_svg("Fig. 9.2: segmentation error of DSAD 9x9 over texture to noise (7x7)", noise.panels(), 2));
   const auto report = [&](const char* key, const NoiseStudy::Apart& apart, const char* what) {
     result[key] = {{"within", apart.share}, {"ratio", apart.ratio}, {"d50_px", apart.d50_px}};
@@ -295,8 +319,17 @@ void noise(OutputDirectory& directory, const StudyScope& scope, nlohmann::json& 
                     "ratio {:g}, D50 {:g} px)",
                     what, 100 * apart.share, apart.ratio, apart.d50_px));
   };
-  report("strengths", noise.apart(0, strengths), "the errors of all strengths of texture");
-  report("kinds", noise.apart(0, noise.curves()), "with other kinds of texture (band noise, dots), the errors");
+  const auto of_strengths = noise.apart(0, strengths);
+  const auto of_kinds = noise.apart(0, noise.curves());
+  report("strengths", of_strengths, "the errors of all strengths of texture");
+  report("kinds", of_kinds, "with other kinds of texture (band noise, dots), the errors");
+  statements.add(
+      "9.2", "The segmentation error depends on the ratio of texture to noise alone.",
+      fmt::format("Textures of deviation 5 to 40, another pattern each: within ±{:.1f} %; with band noise and "
+                  "printed dots, whose spectra differ: ±{:.1f} %",
+                  100 * of_strengths.share, 100 * of_kinds.share),
+      verdict(of_strengths.share <= 0.03 && of_kinds.share <= 0.03, of_strengths.share <= 0.03),
+      "Within ±3 % at ratios from 2 to 20; partly: for all strengths of one kind of texture");
 }
 
 void histograms(OutputDirectory& directory, const StudyScope& scope) {
@@ -319,8 +352,8 @@ void histograms(OutputDirectory& directory, const StudyScope& scope) {
     }
     panels.push_back(std::move(panel));
   }
-  directory.write("fig_9_1.csv", table.text());
-  directory.write("fig_9_1.svg", plot_svg("Fig. 9.1: histograms of DSAD 9x9, weak and strong texture", panels, 2));
+  directory.write("fig-9-1.csv", table.text());
+  directory.write("fig-9-1.svg", plot_svg("Fig. 9.1: histograms of DSAD 9x9, weak and strong texture", panels, 2));
 }
 
 }  // namespace
@@ -328,10 +361,14 @@ void histograms(OutputDirectory& directory, const StudyScope& scope) {
 nlohmann::json study_texture(OutputDirectory& directory, const StudyScope& scope) {
   nlohmann::json result;
   std::vector<std::string> findings;
-  measures(directory, scope, result, findings);
+  Statements statements;
+  measures(directory, scope, result, findings, statements);
   surfaces(directory, scope, result);
   histograms(directory, scope);
-  noise(directory, scope, result, findings);
+  noise(directory, scope, result, findings, statements);
+  result["statements"] = statements.json();
+  result["figures"] = {{{"file", "fig-9-1.svg"}, {"title", "Fig. 9.1: histograms of weak and strong texture"}},
+                       {{"file", "fig-9-2.svg"}, {"title", "Fig. 9.2: segmentation error over texture to noise"}}};
   result["conditions"] = study::to_json(conditions_of(scope, 20, 2));
   result["findings"] = findings;
   return result;

@@ -130,19 +130,19 @@ Image hysteresis(const Plane& values, double low, double high) {
 
 const std::vector<Operator>& binary_operators() {
   static const std::vector<Operator> all{
-      {"dilation 3×3", dilation, 1},
-      {"erosion 3×3", erosion, 1},
-      {"opening 3×3", opening, 1},
-      {"opening 5×5", opening, 2},
-      {"closing 3×3", closing, 1},
-      {"closing 5×5", closing, 2},
-      {"clusterlets 3×3", eliminate_both, 2},
-      {"clusterlets 5×5", eliminate_both, 3},
-      {"clusterlets 7×7", eliminate_both, 4},
-      {"majority 3×3", majority, 1},
-      {"majority 5×5", majority, 2},
-      {"majority 7×7", majority, 3},
-      {"majority 9×9", majority, 4},
+      {"dilation 3x3", dilation, 1},
+      {"erosion 3x3", erosion, 1},
+      {"opening 3x3", opening, 1},
+      {"opening 5x5", opening, 2},
+      {"closing 3x3", closing, 1},
+      {"closing 5x5", closing, 2},
+      {"clusterlets 3x3", eliminate_both, 2},
+      {"clusterlets 5x5", eliminate_both, 3},
+      {"clusterlets 7x7", eliminate_both, 4},
+      {"majority 3x3", majority, 1},
+      {"majority 5x5", majority, 2},
+      {"majority 7x7", majority, 3},
+      {"majority 9x9", majority, 4},
   };
   return all;
 }

@@ -30,7 +30,7 @@ json study(const Sandbox& box, const std::string& name, const std::set<std::stri
 
 TEST_CASE("study resolution: 4 bits after differencing cost less than 7 %, 8-bit directions less than 2 %") {
   Sandbox box;
-  const json figures = study(box, "resolution", {"fig_10_4.csv", "fig_10_4.svg"});
+  const json figures = study(box, "resolution", {"fig-10-4.csv", "fig-10-4.svg"});
   const json& losses = figures["losses"]["5x5"];
   CHECK(losses["4 bit after differencing"]["largest_from_0.3_px"].get<double>() < 0.07);
   CHECK(losses["7 bit after differencing"]["against_floating_point"].get<double>() < 0.02);
@@ -43,7 +43,7 @@ TEST_CASE("study resolution: 4 bits after differencing cost less than 7 %, 8-bit
 TEST_CASE("study texture: Table 9.1, and one curve over texture to noise") {
   Sandbox box;
   const json figures = study(
-      box, "texture", {"table_9_1.csv", "table_9_2.csv", "fig_9_1.csv", "fig_9_1.svg", "fig_9_2.csv", "fig_9_2.svg"});
+      box, "texture", {"table-9-1.csv", "table-9-2.csv", "fig-9-1.csv", "fig-9-1.svg", "fig-9-2.csv", "fig-9-2.svg"});
   CHECK(figures["strengths"]["within"].get<double>() < 0.03);
   const auto scale = [&](const char* measure) {
     return figures["measures"][measure]["plain"]["scale_factor"].get<double>();
@@ -61,16 +61,16 @@ TEST_CASE("study texture: Table 9.1, and one curve over texture to noise") {
 TEST_CASE("study operators: majority and clusterlet elimination are better than opening and closing") {
   Sandbox box;
   const json figures =
-      study(box, "operators", {"fig_5_7.csv", "fig_5_7.svg", "operators_noise.csv", "operators_noise.svg"});
+      study(box, "operators", {"fig-5-7.csv", "fig-5-7.png", "operators-noise.csv", "operators-noise.svg"});
   const auto wrong = [&](const char* name) { return figures["operators"][name]["wrong"].get<double>(); };
-  CHECK(wrong("majority 7×7") < wrong("threshold"));
-  CHECK(wrong("majority 7×7") < wrong("opening 5×5"));
-  CHECK(wrong("majority 7×7") < wrong("closing 5×5"));
-  CHECK(figures["operators"]["majority 7×7"]["clusters"].get<int>() <
+  CHECK(wrong("majority 7x7") < wrong("threshold"));
+  CHECK(wrong("majority 7x7") < wrong("opening 5x5"));
+  CHECK(wrong("majority 7x7") < wrong("closing 5x5"));
+  CHECK(figures["operators"]["majority 7x7"]["clusters"].get<int>() <
         figures["operators"]["threshold"]["clusters"].get<int>());
   // Two runs are one.
   box.run({"study", "operators", "--quick", "--out", "again"});
-  for (const char* file : {"fig_5_7.svg", "operators_noise.csv", "summary.json"}) {
+  for (const char* file : {"fig-5-7.png", "operators-noise.csv", "summary.json"}) {
     CHECK(box.read(std::string("operators/") + file) == box.read(std::string("again/") + file));
   }
 }
@@ -78,7 +78,7 @@ TEST_CASE("study operators: majority and clusterlet elimination are better than 
 TEST_CASE("study geometry: the images are exploited best where the axes meet") {
   Sandbox box;
   const json figures =
-      study(box, "geometry", {"fig_11_2.csv", "fig_11_2.svg", "fig_11_3.csv", "fig_11_3.svg", "fig_11_3.png"});
+      study(box, "geometry", {"fig-11-2.csv", "fig-11-2.svg", "fig-11-3.csv", "fig-11-3.svg", "fig-11-3.png"});
   for (const auto& [name, setup] : figures["tilt"].items()) {
     CAPTURE(name);
     CHECK(setup["best_tilt_deg"].get<double>() == Approx(setup["converging_tilt_deg"].get<double>()).margin(1));
@@ -89,7 +89,7 @@ TEST_CASE("study geometry: the images are exploited best where the axes meet") {
 
 TEST_CASE("study computation: Table 10.1") {
   Sandbox box;
-  const json figures = study(box, "computation", {"table_10_1.csv"});
+  const json figures = study(box, "computation", {"table-10-1.csv"});
   for (const auto& [name, step] : figures["steps"].items()) {
     CAPTURE(name);
     // Printed in whole millions, most of them rounded up, which adds up.
