@@ -22,6 +22,8 @@ struct BoardPixels {
   double skin_share() const {
     return decidable == 0 ? 0 : static_cast<double>(in_skin) / static_cast<double>(decidable);
   }
+  /// Of all of the board's.
+  double skin_of_all() const { return board == 0 ? 0 : static_cast<double>(in_skin) / static_cast<double>(board); }
 };
 
 /// Of a board with these corners, in any order, in pixels of the states.

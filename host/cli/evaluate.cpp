@@ -17,13 +17,13 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "compete_machine.hpp"
 #include "horopter/engines.hpp"
 #include "horopter/evaluation.hpp"
 #include "horopter/map_compiler.hpp"
 #include "horopter/monitor.hpp"
 #include "inputs.hpp"
 #include "progress.hpp"
-#include "stages/engine.hpp"
 #include "stereo_matching.hpp"
 #include "stereo_pairs.hpp"
 
@@ -101,21 +101,10 @@ Machine thesis_machine(const EvaluateOptions& options, const MachineProfile& pro
 
 Machine compete_machine(const EvaluateOptions& options, const MachineProfile& profile, const MapSet& maps) {
   if (options.engine != "native") throw UsageError("--decision compete: only --engine native has it");
-  const std::shared_ptr<native::Engine> engine = native::make_engine(profile.name);
-  auto settings = native::Settings::defaults(profile, maps.image_width, maps.image_height);
-  settings.lookahead = maps.lookahead();
-  settings.compete = true;
-  settings.competition = options.competition;
-  return [engine, settings, words = maps.maps.front().table.words()](const Image& left, const Image& right) {
-    const auto view = [](const Image& image) {
-      return native::ImageView{image.pixels.data(), image.width, image.height, image.width};
-    };
-    native::FrameResult frame = engine->process(view(left), view(right), native::TableView(words), settings);
-    Image states;
-    states.width = frame.width;
-    states.height = frame.height;
-    states.pixels = std::move(frame.states);
-    return states;
+  const auto machine = std::make_shared<CompeteMachine>(profile, maps.image_width, maps.image_height, maps.lookahead(),
+                                                        options.competition);
+  return [machine, table = maps.maps.front().table](const Image& left, const Image& right) {
+    return machine->process(table, left, right).states;
   };
 }
 

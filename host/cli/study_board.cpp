@@ -12,6 +12,7 @@
 #include <opencv2/calib3d.hpp>
 
 #include "board.hpp"
+#include "compete_machine.hpp"
 #include "horopter/calib/joint.hpp"
 #include "horopter/calib/target.hpp"
 #include "horopter/calib/views.hpp"
@@ -201,44 +202,58 @@ nlohmann::json study_board(OutputDirectory& directory, const StudyScope& scope) 
     }
   }
   compiling.clear();
+  const bool compete = scope.decision == "compete";
+  CompeteMachine competition(profile, boards[0].left.width, boards[0].left.height, lookahead, {});
   std::vector<std::unique_ptr<Monitor>> monitors;
-  for (const std::string& engine : scope.engines) {
+  for (const std::string& engine : compete ? std::vector<std::string>{} : scope.engines) {
     monitors.push_back(std::make_unique<Monitor>(make_device(engine, profile), profile));
     monitors.back()->start(boards[0].left.width, boards[0].left.height, lookahead);
   }
-  Csv csv({"shift_mm", "pair", "decidable", "in_skin", "alarm"});
+  Csv csv({"shift_mm", "pair", "decidable", "in_skin", "skin_of_all", "alarm"});
   Panel panel{"the board's share in the skin", "displacement along the normal [mm]", "of the decidable pixels", {}};
-  panel.curves = {{"mean", {}}, {"least", {}}, {"most", {}}, {"decidable, of all (mean)", {}}};
+  panel.curves = {
+      {"mean", {}}, {"least", {}}, {"most", {}}, {"decidable, of all (mean)", {}}, {"in the skin, of all (mean)", {}}};
   int frames = 0;
   int different = 0;
   Progress running("frame");
   for (std::size_t s = 0; s < shifts_mm.size(); ++s) {
-    std::array<double, 4> sums{0, 1, 0, 0};
+    std::array<double, 5> sums{0, 1, 0, 0, 0};
     int alarms = 0;
     for (std::size_t i = 0; i < boards.size(); ++i) {
       running.show(static_cast<std::size_t>(frames), shifts_mm.size() * boards.size());
       const int slot = frames++ % kSlots;
-      std::vector<FrameResult> results;
-      for (const auto& monitor : monitors) {
-        monitor->upload(slot, maps[s][i].table);
-        monitor->select(slot);
-        results.push_back(monitor->process(boards[i].left, boards[i].right));
-        const FrameResult& a = results.front();
-        const FrameResult& b = results.back();
-        different += a.states == b.states && a.alarm == b.alarm && a.table_crc == b.table_crc ? 0 : 1;
+      Image states;
+      bool alarm = false;
+      if (compete) {
+        auto result = competition.process(maps[s][i].table, boards[i].left, boards[i].right);
+        states = std::move(result.states);
+        alarm = result.alarm;
+      } else {
+        std::vector<FrameResult> results;
+        for (const auto& monitor : monitors) {
+          monitor->upload(slot, maps[s][i].table);
+          monitor->select(slot);
+          results.push_back(monitor->process(boards[i].left, boards[i].right));
+          const FrameResult& a = results.front();
+          const FrameResult& b = results.back();
+          different += a.states == b.states && a.alarm == b.alarm && a.table_crc == b.table_crc ? 0 : 1;
+        }
+        states = std::move(results.front().states);
+        alarm = results.front().alarm;
       }
       std::vector<cv::Point2d> corners;
       for (const Vector2d& corner : boards[i].corners[0]) corners.emplace_back(corner.x(), corner.y());
-      const BoardPixels pixels = count_board(corners, results.front().states);
+      const BoardPixels pixels = count_board(corners, states);
       const double in_skin = pixels.skin_share();
-      csv << shifts_mm[s] << boards[i].name << pixels.decidable_share() << in_skin
-          << (results.front().alarm ? 1.0 : 0.0);
+      csv << shifts_mm[s] << boards[i].name << pixels.decidable_share() << in_skin << pixels.skin_of_all()
+          << (alarm ? 1.0 : 0.0);
       csv.end_row();
       sums[0] += in_skin / static_cast<double>(boards.size());
       sums[1] = std::min(sums[1], in_skin);
       sums[2] = std::max(sums[2], in_skin);
       sums[3] += pixels.decidable_share() / static_cast<double>(boards.size());
-      alarms += results.front().alarm ? 1 : 0;
+      sums[4] += pixels.skin_of_all() / static_cast<double>(boards.size());
+      alarms += alarm ? 1 : 0;
     }
     for (std::size_t k = 0; k < sums.size(); ++k) panel.curves[k].points.emplace_back(shifts_mm[s], sums[k]);
     result["shares"].push_back({{"shift_mm", shifts_mm[s]},
@@ -246,19 +261,21 @@ nlohmann::json study_board(OutputDirectory& directory, const StudyScope& scope) 
                                 {"in_skin", sums[0]},
                                 {"least", sums[1]},
                                 {"most", sums[2]},
+                                {"skin_of_all", sums[4]},
                                 {"alarms", alarms}});
     result["findings"].push_back(
         fmt::format("skin displaced by {:+4.0f} mm: {:.3f} of the board decidable; of that {:.3f} in the skin ({:.3f} "
-                    "to {:.3f}), alarms {}/{}",
-                    shifts_mm[s], sums[3], sums[0], sums[1], sums[2], alarms, boards.size()));
+                    "to {:.3f}), {:.3f} of all; alarms {}/{}",
+                    shifts_mm[s], sums[3], sums[0], sums[1], sums[2], sums[4], alarms, boards.size()));
   }
   running.clear();
   directory.write("displacement.csv", csv.text());
   directory.write("displacement.svg", plot_svg("Skins through a real chessboard, displaced", {panel}, 1));
-  result["engines"] = scope.engines;
+  result["decision"] = scope.decision;
+  result["engines"] = compete ? std::vector<std::string>{"native"} : scope.engines;
   result["frames"] = frames;
   result["frames_different"] = different;
-  if (scope.engines.size() > 1) {
+  if (monitors.size() > 1) {
     result["findings"].push_back(different == 0 ? fmt::format("native and rtl: all {} frames identical", frames)
                                                 : fmt::format("{} of {} frames DIFFER", different, frames));
   }
