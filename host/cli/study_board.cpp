@@ -225,9 +225,9 @@ nlohmann::json study_board(OutputDirectory& directory, const StudyScope& scope) 
       Image states;
       bool alarm = false;
       if (compete) {
-        auto result = competition.process(maps[s][i].table, boards[i].left, boards[i].right);
-        states = std::move(result.states);
-        alarm = result.alarm;
+        auto seen = competition.process(maps[s][i].table, boards[i].left, boards[i].right);
+        states = std::move(seen.states);
+        alarm = seen.alarm;
       } else {
         std::vector<FrameResult> results;
         for (const auto& monitor : monitors) {
