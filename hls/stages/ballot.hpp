@@ -2,8 +2,9 @@
 // ballot: along the column, the votes of pixels whose left grey level is like the pixel's own.
 //
 // sum = Σ vote over the pixels up to R rows above and below whose grey level differs by at most `similar` · 4 levels.
-// Out   skin: sum > 0. decidable: |sum| ≥ `quorum`: where (nearly) nobody votes, nothing is decided. exists: a pixel.
-// Offset: R rows. Memory: per column 2R rows of 15 bits.
+// Out   skin: sum ≥ `quorum`. clear: −sum ≥ 8 · `clear_quorum`, or sum < 0 and the pixel is firm: that nothing is
+//       there takes more than a doubt. Neither where (nearly) nobody votes. exists: there is a pixel.
+// Offset: R rows. Memory: per column 2R rows of 15 bits and R bits.
 #pragma once
 
 #include "stages/spread.hpp"
@@ -17,12 +18,13 @@ class ColumnBallot {
  public:
   using In = VoteSpread::Out;
   struct Config {
-    u<4> similar;  // 4 grey levels
-    u<8> quorum;
+    u<4> similar;       // 4 grey levels
+    u<8> quorum;        // votes; at least 1
+    u<8> clear_quorum;  // 8 votes; at least 1
   };
   struct Out {
     bool skin = false;
-    bool decidable = false;
+    bool clear = false;
     bool exists = false;
     Marks marks;
   };
@@ -51,11 +53,12 @@ class ColumnBallot {
     Column column;
     for (std::size_t i = 2 * R - 1; i > 0; --i) column.ballot[i] = above.ballot[i - 1];
     column.ballot[0] = own;
+    column.firm = u<R>(cat(above.firm, in.firm));
     if (running_) memory_.write(at.column, column);
 
     Out out;
-    out.skin = votes[0] > lit<0>();
-    out.decidable = abs(votes[0]) >= config.quorum;
+    out.skin = votes[0] >= config.quorum;
+    out.clear = -votes[0] >= shl<3>(config.clear_quorum) || (votes[0] < lit<0>() && above.firm.bit(R - 1));
     out.exists = centre.exists;
     out.marks = in.marks;
     return out;
@@ -71,6 +74,7 @@ class ColumnBallot {
   };
   struct Column {
     std::array<Ballot, 2 * R> ballot{};  // the nearest row first
+    u<R> firm;                           // the nearest row lowest
   };
 
   ColumnMemory<Column, BEATS> memory_;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rule `compete`: parallel skins compete for each pixel, their votes are shared with pixels that look alike.
 //
-//   lowpass → sobel → direction → plane_sums → plane_paths → contest → spread → ballot → consensus → align
+//   lowpass → sobel → contrast → plane_sums → plane_paths → contest → spread → ballot → consensus → align
 //
-// plane_sums also takes the low-passed left grey level. Everything from plane_sums on delays its marks with the pixel,
+// contrast also takes the low-passed left grey level. Everything from plane_sums on delays its marks with the pixel,
 // so `align` has no offset in columns.
 //
-// Known fault: where there is little but noise, the best of many planes outside beats the best of the three inside, and
-// the votes of plain areas outnumber those of the edges beside them: a chessboard in the skin is called clear. Not for
-// supervision until that is mended; `horopter run` does not offer it.
+// Where there is little but noise, the best of many planes outside beats the best of the three inside. So a pixel votes
+// only where a plane explains what the left image shows (`evident`), and `clear` takes a larger majority than `skin`;
+// what is left is undecidable.
 #pragma once
 
 #include "stages/align.hpp"
@@ -23,6 +23,8 @@ struct Competition {
   static constexpr int sum_rows = 7;
   static constexpr int sum_columns = 9;
   static constexpr int ballot_reach = 9;  // rows
+
+  using Contrast = ContrastFinder<P.result_width()>;
 
   template <class V, int BEATS>
   using SumsOf = PlaneSummer<BEATS, planes, sum_rows, sum_columns, V>;

@@ -17,10 +17,11 @@ namespace horopter::native {
 
 /// The registers of the rule `compete`.
 struct CompeteSettings {
-  int bias = 3;     // added to every vote: above 0 a doubtful pixel is rather in the skin
-  int smooth = 2;   // in 4 grey levels: pixels of a row that differ by more are not alike
-  int similar = 3;  // in 4 grey levels: pixels of a column that differ by more do not vote for each other
-  int quorum = 1;   // smallest sum of votes that decides
+  int bias = 2;           // added to every vote: above 0 a doubtful pixel is rather in the skin
+  int smooth = 2;         // in 4 grey levels: pixels of a row that differ by more are not alike
+  int similar = 3;        // in 4 grey levels: pixels of a column that differ by more do not vote for each other
+  int quorum = 1;         // smallest sum of votes that says skin
+  int clear_quorum = 50;  // 8 votes: smallest sum of votes against that says clear
 };
 
 struct CompetePixel {
@@ -43,24 +44,26 @@ class CompeteRows {
     spread_config_.smooth = settings.smooth;
     ballot_config_.similar = settings.similar;
     ballot_config_.quorum = settings.quorum;
+    ballot_config_.clear_quorum = settings.clear_quorum;
   }
 
   /// `source(x)`: the pixel pair of a column; `sink`: every beat that leaves the consensus.
   template <class Source, class Sink>
   void row(const Source& source, bool first_row, const Sink& sink) {
     load(source, first_row);
-    contest_row();
+    contest_row(first_row);
     for (int x = 0; x < width_; ++x) {
       const auto& from = decided_[static_cast<std::size_t>(lead + delay + x % strip_)];
       const int lane = x / strip_;
       stages::VoteSpread::In in;
       in.vote = from.vote.lane(lane);
+      in.firm = from.firm.lane(lane);
       in.grey = from.grey.lane(lane);
       in.exists = from.exists.lane(lane);
       in.marks = {x == 0 && first_row, x + 1 == width_};
       const auto spread = spread_.step(in, spread_config_);
       const auto ballot = ballot_.step(spread, ballot_config_);
-      sink(consensus_.step({ballot.skin, ballot.decidable, ballot.exists, ballot.marks}));
+      sink(consensus_.step({ballot.skin, ballot.clear, ballot.exists, ballot.marks}));
     }
   }
 
@@ -73,10 +76,12 @@ class CompeteRows {
   static constexpr int lead = Chain::sum_columns + 2 * reach + 2 * stages::gradient_delay;
   static constexpr int largest_strip = (P.result_width() + lanes - 1) / lanes;
   static constexpr int strip_beats = lead + largest_strip + delay;
+  static_assert(255 * largest_strip < 1 << 16, "a lane sums the gradients of its strip");
 
   using Lowpass = stages::LowpassFilter<strip_beats, 2, 1, Lanes>;
   using Sobel = stages::SobelFilter<strip_beats, 2, 1, Lanes>;
-  using Direction = stages::DirectionFinder<2, Lanes>;
+  using Contrast = stages::Contrast<Lanes>;
+  using GradientSums = stages::GradientSums<P.result_width()>;
   using Sums = typename Chain::template SumsOf<Lanes, strip_beats>;
   using Paths = typename Chain::template PathsOf<Lanes, strip_beats>;
   using Contest = typename Chain::template ContestOf<Lanes, strip_beats>;
@@ -98,21 +103,36 @@ class CompeteRows {
     }
   }
 
-  [[gnu::flatten]] void contest_row() {
+  [[gnu::flatten]] void contest_row(bool first_row) {
+    if (first_row) {
+      gradients_ = GradientSums{};
+      gain_ = next_gain_ = stages::gain_1;
+    }
+    hls::lanes::unsigned_vector left{};
+    hls::lanes::unsigned_vector right{};
     for (int beat = 0; beat < beats_; ++beat) {
       const auto at = static_cast<std::size_t>(beat);
       const auto smooth = lowpass_.step(grey_[at]);
-      const auto direction = direction_.step(sobel_.step(smooth));
-      typename Sums::In in;
-      in.direction = direction.direction;
-      in.magnitude = direction.magnitude;
-      in.saturated = direction.saturated;
-      in.mask = direction.mask;
+      const auto gradients = sobel_.step(smooth);
+      Contrast in;
+      in.set(gradients, gain_);
       in.grey = smooth.pixel[0];
       in.exists = smooth.mask;
-      in.marks = direction.marks;
+      if (beat >= lead && beat < lead + strip_) {
+        left += select(gradients.mask, Contrast::magnitude(gradients.gx[0]), Lanes::u<8>(0)).vector();
+        right += select(gradients.mask, Contrast::magnitude(gradients.gx[1]), Lanes::u<8>(0)).vector();
+      }
       decided_[at] = contest_.step(paths_.step(sums_.step(in)), contest_config_);
     }
+    gain_ = next_gain_;
+    gradients_.add(sum_of(left), sum_of(right));
+    next_gain_ = gradients_.gain();
+  }
+
+  static typename GradientSums::Row sum_of(hls::lanes::unsigned_vector strips) {
+    std::uint32_t sum = 0;
+    for (int lane = 0; lane < lanes; ++lane) sum += strips[lane];
+    return sum;
   }
 
   template <class T>
@@ -120,7 +140,8 @@ class CompeteRows {
 
   Lowpass lowpass_;
   Sobel sobel_;
-  Direction direction_;
+  GradientSums gradients_;
+  hls::u<8> gain_, next_gain_;
   Sums sums_;
   Paths paths_;
   Contest contest_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// consensus: the M×M majority of the decidable pixels that exist → state of the pixel, up to the image's border.
+// consensus: the state of a pixel is what more than half of the pixels that exist in its M×M say, up to the image's
+// border.
 //
-// Out   state: unsupervised if there is no pixel; else undecidable unless the pixel itself is decidable and more than
-//       half of the pixels that exist in its M×M are; else skin if more than half of the decidable are, else clear.
+// Out   state: unsupervised if there is no pixel; skin, or clear, if more than half say so; else undecidable.
 // Unlike `majority` it asks no more of the window than the pixel: each voter has its own support. Marks are delayed
 // with the pixel. Offset: (M − 1) / 2 rows. Memory: per column M − 1 rows of three bits. The window may leave the row:
 // `sums_` restarts with each row, and for the last (M − 1) / 2 pixels of a row, which come with the first beats of the
@@ -20,7 +20,7 @@ class ConsensusVote {
  public:
   struct In {
     bool skin = false;
-    bool decidable = false;
+    bool clear = false;
     bool exists = false;
     Marks marks;
   };
@@ -40,17 +40,16 @@ class ConsensusVote {
     if (at.frame_start_row) [[unlikely]] {
       above = Column{};
     }
-    const bool decidable = in.exists && in.decidable;
     const u<M> exists_column = cat(above.exists, in.exists);
-    const u<M> decidable_column = cat(above.decidable, decidable);
-    const u<M> skin_column = cat(above.skin, decidable && in.skin);
+    const u<M> clear_column = cat(above.clear, in.exists && in.clear);
+    const u<M> skin_column = cat(above.skin, in.exists && in.skin);
     Column column;
     column.exists = u<M - 1>(exists_column);
-    column.decidable = u<M - 1>(decidable_column);
+    column.clear = u<M - 1>(clear_column);
     column.skin = u<M - 1>(skin_column);
     if (running_) memory_.write(at.column, column);
 
-    const Counts counts{popcount(exists_column), popcount(decidable_column), popcount(skin_column)};
+    const Counts counts{popcount(exists_column), popcount(clear_column), popcount(skin_column)};
     const Counts leaving = columns_.oldest();
     columns_.push(counts);
     const bool early = at.column < delay;  // the centre is still in the row before
@@ -58,20 +57,23 @@ class ConsensusVote {
     if (at.row_start) sums_ = Totals{};
     const bool filled = at.column >= M;
     advance(sums_.exists, counts.exists, leaving.exists, filled);
-    advance(sums_.decidable, counts.decidable, leaving.decidable, filled);
+    advance(sums_.clear, counts.clear, leaving.clear, filled);
     advance(sums_.skin, counts.skin, leaving.skin, filled);
     rest_.exists -= leaving.exists;
-    rest_.decidable -= leaving.decidable;
+    rest_.clear -= leaving.clear;
     rest_.skin -= leaving.skin;
     const Totals& total = early ? rest_ : sums_;
 
     const Centre centre = centres_.oldest();
-    centres_.push({exists_column.bit(delay), decidable_column.bit(delay), in.marks});
+    centres_.push({exists_column.bit(delay), in.marks});
     Out out;
     out.marks = centre.marks;
-    const bool decided = centre.decidable && shl<1>(total.decidable) > total.exists;
-    const u<2> vote = shl<1>(total.skin) > total.decidable ? u<2>(state::skin) : u<2>(state::clear);
-    out.state = !centre.exists ? u<2>(state::unsupervised) : decided ? vote : u<2>(state::undecidable);
+    const bool skin = shl<1>(total.skin) > total.exists;
+    const bool clear = shl<1>(total.clear) > total.exists;
+    out.state = !centre.exists ? u<2>(state::unsupervised)
+                : skin         ? u<2>(state::skin)
+                : clear        ? u<2>(state::clear)
+                               : u<2>(state::undecidable);
     return out;
   }
 
@@ -80,18 +82,17 @@ class ConsensusVote {
   using Total = u<bits_for(M* M)>;
 
   struct Counts {
-    Count exists, decidable, skin;
+    Count exists, clear, skin;
   };
   struct Totals {
-    Total exists, decidable, skin;
+    Total exists, clear, skin;
   };
   struct Centre {
     bool exists = false;
-    bool decidable = false;
     Marks marks;
   };
   struct Column {
-    u<M - 1> exists, decidable, skin;
+    u<M - 1> exists, clear, skin;
   };
 
   static void advance(Total& total, Count entering, Count leaving, bool filled) {

@@ -9,8 +9,9 @@
 // From the right: the same question asked by the right pixel, T(s) of the left pixels s columns further right. Where it
 // prefers a plane outside, the left pixel sees what is hidden to the right camera, or is wrong: its vote is at most −8.
 //
-// Out   vote: z / 8, clipped to ±31, plus `bias`. 0, no vote: where not valid, where nothing is preferred (z / 8 = 0),
-//       and where something repeats (the skin is best, but a plane 3 px away or more within 1/16 of it).
+// Out   vote: z / 8, clipped to ±31, plus `bias`. 0, no vote: where not evident, where nothing is preferred (z / 8 =
+//       0), and where something repeats (the skin is best, but a plane 3 px away or more within 1/16 of it).
+// firm: it votes, evidence is strong, and z ≤ −512: this alone is enough not to leave the pixel undecided.
 // Marks are delayed with the pixel, by the reach of the planes. Offset: none. No memory.
 #pragma once
 
@@ -31,6 +32,7 @@ class PlaneContest {
   static constexpr int cost_bits = PlanePaths<BEATS, PLANES, ROWS, COLUMNS, V>::cost_bits;
   static constexpr int largest_vote = 31;
   static constexpr int hidden_vote = 8;
+  static constexpr int firm_z = -512;
 
   using In = typename PlanePaths<BEATS, PLANES, ROWS, COLUMNS, V>::Out;
   struct Config {
@@ -39,6 +41,7 @@ class PlaneContest {
   static constexpr int delay = PLANES.reach();
   struct Out {
     S<7> vote;
+    Bit firm = false;
     U<6> grey;
     Bit exists = false;
     Marks marks;
@@ -56,7 +59,7 @@ class PlaneContest {
     for (std::size_t n = 0; n < planes; ++n) {
       const Beat& beat = line_.tap(PLANES.reach() - PLANES.shift[n]);
       seen_from_right[n] =
-          select(beat.left.valid && Bit(beat.row == centre.row), beat.left.cost[n], U<cost_bits>::max());
+          select(beat.left.known && Bit(beat.row == centre.row), beat.left.cost[n], U<cost_bits>::max());
     }
     const Bit hidden = outside_of(seen_from_right) < inside_of(seen_from_right);
     const U<cost_bits> far = min(smallest(t, 0, zero - 2), smallest(t, zero + 3, planes));
@@ -75,10 +78,11 @@ class PlaneContest {
     S<6> clipped = select(eighth > lit<largest_vote>(), S<6>(U<5>(largest_vote)), S<6>(eighth));
     clipped = select(eighth < lit<-largest_vote>(), lowest, clipped);
     clipped = select(hidden && clipped > lit<-hidden_vote>(), S<6>(S<6>(U<5>(0)) - lit<hidden_vote>()), clipped);
-    const Bit votes = centre.left.valid && !repeats && !(clipped == lit<0>());
+    const Bit votes = centre.left.evident && !repeats && !(clipped == lit<0>());
 
     Out out;
     out.vote = select(votes, S<7>(clipped + config.bias), S<7>(U<5>(0)));
+    out.firm = votes && centre.left.strong && z <= lit<firm_z>();
     out.grey = centre.left.grey;
     out.exists = centre.left.exists;
     out.marks = centre.left.marks;

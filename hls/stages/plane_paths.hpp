@@ -2,10 +2,14 @@
 // plane_paths: the sums of a pixel, helped by those of the pixel above: neighbours lie on the same plane or the next,
 // seldom elsewhere (dynamic programming along one path, as in semi-global matching).
 //
-// T(n) = S(n) + 4·min(A(n), A(n±1) + step · px between the planes, 127), A(n) = 7/8 · min((T(n) − min T) / 4, 127) of
-// the pixel above: 0 for its best plane, 127 the price of any jump. A pixel without sums, and the row above the frame,
-// have no opinion: 0. A fades by an eighth a row: flat areas learn from above, but not for ever. Out   cost[n] = T(n).
-// The rest passes through. Offset: none. Memory: per column 7 bits for each plane.
+// T(n) = S(n) + 4·min(A(n), A(n±1) + step · px between the planes), A(n) = 3/4 · min((T(n) − min T) / 4, 63) of the
+// pixel above: 0 for its best plane, 63 the price of any jump. A pixel without sums, and the row above the frame, have
+// no opinion: 0. A fades by a quarter a row: flat areas learn from above, but not for ever.
+//
+// Out   cost[n] = T(n). evident: known, and min S < 13/16 · evidence: some plane explains what the left image shows.
+//       Or strong: evidence too strong for noise: then what no plane explains is hidden or far from them all, not in
+//       the skin.
+// The rest passes through. Offset: none. Memory: per column 6 bits for each plane.
 #pragma once
 
 #include "stages/plane_sums.hpp"
@@ -21,16 +25,22 @@ class PlanePaths {
 
   static constexpr std::size_t planes = PLANES.count;
   static constexpr int sum_bits = PlaneSummer<BEATS, PLANES, ROWS, COLUMNS, V>::sum_bits;
-  static constexpr int cost_bits = bits_for((1U << sum_bits) - 1 + 4 * 127);
+  static constexpr int largest_opinion = 63;
+  static constexpr int cost_bits = bits_for((1U << sum_bits) - 1 + 4 * largest_opinion);
   /// A quarter of the price of a step of 1 px between planes: about 5/2 of a pixel's cost per pixel of the window's
   /// sum.
   static constexpr int step_price = 5 * ROWS * COLUMNS / 8;
+
+  /// A mean gradient of 5/4 grey levels per pixel: after the low-pass, that of noise of 6 grey levels.
+  static constexpr int strong_evidence = 10 * ROWS * COLUMNS;
 
   using In = typename PlaneSummer<BEATS, PLANES, ROWS, COLUMNS, V>::Out;
   struct Out {
     std::array<U<cost_bits>, planes> cost{};
     U<6> grey;
-    Bit valid = false;
+    Bit known = false;
+    Bit evident = false;
+    Bit strong = false;
     Bit exists = false;
     Marks marks;
   };
@@ -42,11 +52,11 @@ class PlanePaths {
     Column above;
     if (running_) above = memory_.read(at.column);
     if (at.frame_start_row) [[unlikely]] {
-      above.opinion.fill(U<7>(0));
+      above.opinion.fill(U<6>(0));
     }
     Out out;
     for (std::size_t n = 0; n < planes; ++n) {
-      U<7> price = above.opinion[n];
+      U<6> price = above.opinion[n];
       if (n > 0) price = min(price, stepped(above.opinion[n - 1], PLANES.shift[n] - PLANES.shift[n - 1]));
       if (n + 1 < planes) price = min(price, stepped(above.opinion[n + 1], PLANES.shift[n + 1] - PLANES.shift[n]));
       out.cost[n] = U<cost_bits>(in.sum[n] + shl<2>(price));
@@ -54,12 +64,16 @@ class PlanePaths {
     const U<cost_bits> best = smallest(out.cost);
     Column column;
     for (std::size_t n = 0; n < planes; ++n) {
-      const U<7> opinion = sat<7>(shr<2>(U<cost_bits>(out.cost[n] - best)));
-      column.opinion[n] = select(in.valid, U<7>(opinion - shr<3>(opinion + lit<7>())), U<7>(0));
+      const U<6> opinion = sat<6>(shr<2>(U<cost_bits>(out.cost[n] - best)));
+      column.opinion[n] = select(in.known, U<6>(opinion - shr<2>(opinion + lit<3>())), U<6>(0));
     }
     if (running_) memory_.write(at.column, column);
     out.grey = in.grey;
-    out.valid = in.valid;
+    out.known = in.known;
+    const U<sum_bits + 4> needed(shl<3>(in.evidence) + shl<2>(in.evidence) + in.evidence);
+    const Bit explained = shl<4>(smallest(in.sum)) < needed;
+    out.strong = in.evidence >= lit<strong_evidence>();
+    out.evident = in.known && (explained || out.strong);
     out.exists = in.exists;
     out.marks = in.marks;
     return out;
@@ -67,16 +81,17 @@ class PlanePaths {
 
  private:
   struct Column {
-    std::array<U<7>, planes> opinion{};
+    std::array<U<6>, planes> opinion{};
   };
 
-  static U<7> stepped(U<7> opinion, int px) {
-    if (step_price * px >= 127) return U<7>(127);
-    return sat<7>(opinion + U<7>(step_price * px));
+  static U<6> stepped(U<6> opinion, int px) {
+    if (step_price * px >= largest_opinion) return U<6>(largest_opinion);
+    return sat<6>(opinion + U<6>(step_price * px));
   }
 
   /// A tree, not a chain.
-  static U<cost_bits> smallest(const std::array<U<cost_bits>, planes>& costs) {
+  template <class T>
+  static T smallest(const std::array<T, planes>& costs) {
     auto least = costs;
     for (std::size_t n = planes; n > 1; n = (n + 1) / 2) {
       for (std::size_t i = 0; i < n / 2; ++i) least[i] = min(least[2 * i], least[2 * i + 1]);

@@ -1,23 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 // plane_sums: for each plane the sum over ROWS×COLUMNS of the cost of a pixel, 0 … 31.
 //
-// The cost of a pixel is the cyclic difference of the directions in steps of 11.25°, at most 8 (90°), times the larger
-// of both magnitudes in quarters, full from 21/8 grey levels per pixel on: below 3/8 noise costs nothing, in any
-// plane. A pixel whose own gradient is missing costs nothing in any plane; one whose partner of a shifted plane is
-// missing (or in another row) costs 31 there: a plane that cannot be seen cannot win.
+// The cost of a pixel is the difference of the clipped x gradients of both images, at most 31. A pixel whose own
+// gradient is missing costs nothing in any plane; one whose partner of a shifted plane is missing (or in another row)
+// costs 31 there: a plane that cannot be seen cannot win.
 //
-// In    directions, and the low-passed left grey level and mask of the same beat.
+// evidence: the sum over the same window of the left gradient's size: the cost of a plane on which the right image is
+// plain. A plane that costs no less explains nothing of what the left image shows.
+//
+// In    of `contrast`.
 // Out   of the pixel, not of the beat: marks are delayed with it, so what follows needs no offset in columns.
-//       sum[n] for planes.shift[n]. valid: the gradient exists, and the window lies in the row to the right.
+//       sum[n] for planes.shift[n]. known: the gradient exists, and the window lies in the row to the right.
 //       grey: left, in 4 grey levels; exists: there is a pixel.
 // Offset: (ROWS − 1) / 2 rows, and that of Sobel and low-pass before it; columns: none after it.
 // Both directions of shift share one delayed stream: the left features wait for planes.reach() columns, the right ones
 // pass by them. The features are kept for ROWS rows and the costs of the leaving row computed again: less memory than
 // costs of every plane.
-// Memory: per column ROWS rows of 17 bits, (ROWS + 1) / 2 rows of 8 bits, and a column sum for each plane.
+// Memory: per column ROWS rows of 13 bits, (ROWS + 1) / 2 rows of 8 bits, a column sum for each plane and the evidence.
 #pragma once
 
-#include "stages/direction.hpp"
+#include "stages/contrast.hpp"
 #include "stages/planes.hpp"
 
 namespace horopter::stages {
@@ -33,6 +35,8 @@ class PlaneSummer {
  public:
   template <int N>
   using U = typename V::template u<N>;
+  template <int N>
+  using S = typename V::template s<N>;
   using Bit = typename V::bit;
 
   static constexpr std::size_t planes = PLANES.count;
@@ -41,19 +45,12 @@ class PlaneSummer {
   /// Beats from a pixel's arrival at the low-pass to its sums, within the row.
   static constexpr int delay = PLANES.reach() + gradient_delay + (COLUMNS - 1) / 2;
 
-  struct In {
-    std::array<U<8>, 2> direction{};
-    std::array<U<8>, 2> magnitude{};
-    Bit saturated = false;
-    Bit mask = false;
-    U<8> grey;  // of `lowpass`, in this beat
-    Bit exists = false;
-    Marks marks;
-  };
+  using In = Contrast<V>;
   struct Out {
     std::array<U<sum_bits>, planes> sum{};
+    U<sum_bits> evidence;
     U<6> grey;
-    Bit valid = false;
+    Bit known = false;
     Bit exists = false;
     Marks marks;
   };
@@ -67,7 +64,8 @@ class PlaneSummer {
     if (arriving_at.row_start) row_parity_ = !row_parity_;
     FeatureRows rows = feature_memory_.read(arriving_at.column);
     FeaturePair entering;
-    for (std::size_t i = 0; i < 2; ++i) entering.image[i] = feature(in, i);
+    entering.left = in.left;
+    entering.right = in.right;
     entering.mask = in.mask;
     FeaturePair leaving = rows.row[ROWS - 1];
     leaving.mask = leaving.mask && Bit(arriving_at.rows == ROWS);
@@ -86,12 +84,11 @@ class PlaneSummer {
     if (running_) column = column_memory_.read(at.column);
     Out out;
     for (std::size_t n = 0; n < planes; ++n) {
-      const U<column_bits> above = at.frame_start_row ? U<column_bits>(0) : column.sum[n];
       const U<5> plus = cost(entering_, PLANES.shift[n]);
       const U<5> minus = cost(leaving_, PLANES.shift[n]);
-      column.sum[n] = U<column_bits>(above + (plus - minus));
-      out.sum[n] = rows_[n].step(at.row_start, at.column >= COLUMNS, U<sum_bits>(column.sum[n]));
+      out.sum[n] = window_sum(n, column, at, plus, minus);
     }
+    out.evidence = window_sum(planes, column, at, size(entering_), size(leaving_));
 
     // Grey value and masks wait for the centre of the window; the low-pass is a row and a column ahead of the gradient.
     const Seen seen{U<6>(in.grey.template bits<7, 2>()), in.exists};
@@ -110,7 +107,7 @@ class PlaneSummer {
     out.grey = pixel.seen.grey;
     out.exists = pixel.seen.exists && Bit(rows_seen_.oldest());
     rows_seen_.push(at.rows > half);
-    out.valid = pixel.gradient && centre.gradient && Bit(at.column >= (COLUMNS - 1) / 2);
+    out.known = pixel.gradient && centre.gradient && Bit(at.column >= (COLUMNS - 1) / 2);
     out.marks = centre_marks_.oldest();
     centre_marks_.push(marks);
     return out;
@@ -120,12 +117,8 @@ class PlaneSummer {
   static constexpr std::size_t half = (ROWS - 1) / 2;  // rows
   static constexpr int column_bits = bits_for(largest_cost * ROWS);
 
-  struct Feature {
-    U<5> direction;  // 11.25°
-    U<3> level;      // of magnitude, 0 … 4
-  };
   struct FeaturePair {
-    std::array<Feature, 2> image{};
+    S<6> left, right;
     Bit mask = false;
   };
   struct FeatureRows {
@@ -144,35 +137,30 @@ class PlaneSummer {
     Bit gradient = false;
   };
   struct Column {
-    std::array<U<column_bits>, planes> sum{};
+    std::array<U<column_bits>, planes + 1> sum{};
     std::array<Seen, half + 1> seen{};
     std::array<Bit, half> gradient{};
   };
   using Taps = DelayLine<Tap, 2 * PLANES.reach() + 1>;
 
-  static Feature feature(const In& in, std::size_t image) {
-    Feature result;
-    result.direction = U<5>(shr<3>(in.direction[image] + lit<4>()));
-    const U<8> m = in.magnitude[image];
-    const U<3> level(U<1>(m >= lit<3>()) + U<1>(m >= lit<9>()) + (U<1>(m >= lit<15>()) + U<1>(m >= lit<21>())));
-    result.level = select(in.saturated, U<3>(0), level);
-    return result;
+  template <class At>
+  U<sum_bits> window_sum(std::size_t n, Column& column, const At& at, U<5> plus, U<5> minus) {
+    const U<column_bits> above = at.frame_start_row ? U<column_bits>(0) : column.sum[n];
+    column.sum[n] = U<column_bits>(above + (plus - minus));
+    return rows_[n].step(at.row_start, at.column >= COLUMNS, U<sum_bits>(column.sum[n]));
   }
 
   static U<5> cost(const Taps& taps, int shift) {
     const Tap& left = taps.tap(PLANES.reach());
     const Tap& right = taps.tap(PLANES.reach() + shift);
-    const Feature& l = left.features.image[0];
-    const Feature& r = right.features.image[1];
-    const U<5> turn = abs(typename V::template s<5>(l.direction - r.direction));
-    const U<4> steps = select(turn > lit<8>(), U<4>(8), U<4>(turn));
-    const U<3> level = max(l.level, r.level);
-    const U<4> once = select(level.bit(0), steps, U<4>(0));
-    const U<5> twice = select(level.bit(1), shl<1>(steps), U<5>(0));
-    const U<6> four = select(level.bit(2), shl<2>(steps), U<6>(0));
-    const U<5> seen = sat<5>(once + twice + four);
+    const U<5> difference = sat<5>(abs(S<7>(left.features.left - right.features.right)));
     const Bit partner = right.features.mask && Bit(left.row == right.row);
-    return select(left.features.mask, select(partner, seen, U<5>(largest_cost)), U<5>(0));
+    return select(left.features.mask, select(partner, difference, U<5>(largest_cost)), U<5>(0));
+  }
+
+  static U<5> size(const Taps& taps) {
+    const FeaturePair& features = taps.tap(PLANES.reach()).features;
+    return select(features.mask, U<5>(abs(features.left)), U<5>(0));
   }
 
   ColumnMemory<FeatureRows, BEATS> feature_memory_;
@@ -185,7 +173,7 @@ class PlaneSummer {
   Taps leaving_;
   DelayLine<Marks, PLANES.reach() + gradient_delay> marks_;
   DelayLine<Seen, PLANES.reach() + 1> seen_;
-  std::array<HorizontalSum<COLUMNS, sum_bits, 1, V>, planes> rows_{};
+  std::array<HorizontalSum<COLUMNS, sum_bits, 1, V>, planes + 1> rows_{};
   DelayLine<Centre, (COLUMNS - 1) / 2> centres_;
   DelayLine<bool, (COLUMNS - 1) / 2> rows_seen_;
   DelayLine<Marks, (COLUMNS - 1) / 2> centre_marks_;

@@ -4,6 +4,7 @@
 //
 // Out   vote: Σ over up to 31 px to either side of ρ^distance · vote, ρ = 15/16, ended where neighbours differ by more
 //       than `smooth` · 4 grey levels; / 4, clipped to ±127. 0 where there is no pixel.
+//       firm, grey and exists pass through.
 // Sums of 2, 4, … 32 pixels from two of half the length (as many additions as doublings), each only where all of the
 // nearer half are alike. Marks are delayed with the pixel. Offset: none. No memory.
 #pragma once
@@ -16,6 +17,7 @@ class VoteSpread {
  public:
   struct In {
     s<7> vote;
+    bool firm = false;
     u<6> grey;
     bool exists = false;
     Marks marks;
@@ -25,6 +27,7 @@ class VoteSpread {
   };
   struct Out {
     s<8> vote;
+    bool firm = false;
     u<6> grey;
     bool exists = false;
     Marks marks;
@@ -56,6 +59,7 @@ class VoteSpread {
     Out out;
     out.vote = quarter > lit<127>() ? s<8>(127) : quarter < lit<-127>() ? s<8>(-127) : s<8>(quarter);
     if (!centre.exists) out.vote = s<8>(0);
+    out.firm = centre.firm;
     out.grey = centre.grey;
     out.exists = centre.exists;
     out.marks = centre.marks;

@@ -122,7 +122,8 @@ json rule_parameters(const EvaluateOptions& options, const MachineProfile& profi
     result.update({{"bias", options.competition.bias},
                    {"smooth", options.competition.smooth},
                    {"similar", options.competition.similar},
-                   {"quorum", options.competition.quorum}});
+                   {"quorum", options.competition.quorum},
+                   {"clear_quorum", options.competition.clear_quorum}});
   }
   return result;
 }
@@ -408,7 +409,9 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
   compete_option("--smooth", options->competition.smooth, 7,
                  "compete: neighbours of a row are alike up to this difference, 4 grey levels");
   compete_option("--similar", options->competition.similar, 15, "compete: pixels of a column likewise");
-  compete_option("--quorum", options->competition.quorum, 255, "compete: smallest sum of votes that decides");
+  compete_option("--quorum", options->competition.quorum, 255, "compete: smallest sum of votes that says skin");
+  compete_option("--clear-quorum", options->competition.clear_quorum, 255,
+                 "compete: smallest sum of votes against that says clear, 8 votes");
   command->add_option("--engine", options->engine, "native: C++ on this CPU; rtl: the co-simulated hardware")
       ->check(CLI::IsMember({"native", "rtl"}))
       ->capture_default_str();

@@ -76,6 +76,7 @@ class BeatByBeat {
     Chain::Ballot::Config ballot_config;
     ballot_config.similar = competition.similar;
     ballot_config.quorum = competition.quorum;
+    ballot_config.clear_quorum = competition.clear_quorum;
     std::vector<std::uint8_t> states;
     for (int y = 0; y < left.height + Chain::flush_rows; ++y) {
       for (int x = 0; x < left.width; ++x) {
@@ -89,19 +90,11 @@ class BeatByBeat {
         }
         pair.marks = {x == 0 && y == 0, x + 1 == left.width};
         const auto smooth = lowpass_.step(pair);
-        const auto direction = direction_.step(sobel_.step(smooth));
-        Chain::PlaneSums::In in;
-        in.direction = direction.direction;
-        in.magnitude = direction.magnitude;
-        in.saturated = direction.saturated;
-        in.mask = direction.mask;
-        in.grey = smooth.pixel[0];
-        in.exists = smooth.mask;
-        in.marks = direction.marks;
-        const auto vote = contest_.step(paths_.step(sums_.step(in)), contest_config);
-        const auto spread = spread_.step({vote.vote, vote.grey, vote.exists, vote.marks}, spread_config);
+        const auto contrast = contrast_.step({sobel_.step(smooth), smooth.pixel[0], smooth.mask});
+        const auto vote = contest_.step(paths_.step(sums_.step(contrast)), contest_config);
+        const auto spread = spread_.step({vote.vote, vote.firm, vote.grey, vote.exists, vote.marks}, spread_config);
         const auto ballot = ballot_.step(spread, ballot_config);
-        const auto out = consensus_.step({ballot.skin, ballot.decidable, ballot.exists, ballot.marks});
+        const auto out = consensus_.step({ballot.skin, ballot.clear, ballot.exists, ballot.marks});
         const auto pixel = align_.step({out.state, out.marks}, size);
         if (pixel.valid && !pixel.idle) states.push_back(pixel.state.value());
       }
@@ -112,7 +105,7 @@ class BeatByBeat {
  private:
   Lowpass<plain> lowpass_;
   Sobel<plain> sobel_;
-  Direction<plain> direction_;
+  Chain::Contrast contrast_;
   Chain::PlaneSums sums_;
   Chain::Paths paths_;
   Chain::Contest contest_;
@@ -161,6 +154,7 @@ TEST_CASE("compete: the engine equals its stages beat by beat") {
     competition.bias = frame;
     competition.smooth = 1 + frame;
     competition.quorum = 1 + 20 * frame;
+    competition.clear_quorum = 1 + 25 * frame;
     const Picture left(width, height, [&](int x, int y) {
       if (y < height / 3) return static_cast<int>(random() & 255U);
       return y < 2 * height / 3 ? texture(x, y, 1) : texture(x, y, 1) / 16 + (x > 50 ? 120 : 60);
@@ -222,6 +216,25 @@ TEST_CASE("compete: where nothing can be seen nothing is decided") {
   const auto around = engine_states(*engine, block, block, 0);
   CHECK(share(around, 149, state::skin, 104, 3, 148, 16) > 0.95);
   CHECK(share(around, 149, state::undecidable, 1, 65, 148, 89) == 1);
+}
+
+TEST_CASE("compete: plain squares of a board in the skin are never called clear for their noise") {
+  const auto engine = std::make_unique<native::Pipeline<plain>>();
+  std::mt19937 random(7);
+  const auto board = [&](int shift, int noise) {
+    return Picture(149, 90, [&](int x, int y) {
+      const bool white = ((x + shift) / 24 + y / 22) % 2 == 0;
+      return (white ? 180 : 50) + static_cast<int>(random() % static_cast<unsigned>(2 * noise + 1)) - noise;
+    });
+  };
+  const int noise = GENERATE(1, 4, 8);
+  CAPTURE(noise);
+  const Picture left = board(0, noise);
+  const auto in_skin = engine_states(*engine, left, board(0, noise), 0);
+  CHECK(share(in_skin, 149, state::skin, 8, 8, 140, 82) > 0.6);
+  CHECK(share(in_skin, 149, state::clear, 8, 8, 140, 82) < 0.01);
+  const auto before = engine_states(*engine, left, board(8, noise), 0);
+  CHECK(share(before, 149, state::skin, 20, 8, 125, 82) < 0.05);
 }
 
 TEST_CASE("compete: what repeats within reach is not in the skin; gain and offset do not matter") {

@@ -208,6 +208,11 @@ template <class A, class B>
 bit operator==(A a, B b) {
   return bit(as_signed(spread(a)) == as_signed(spread(b)));
 }
+/// By a scalar; up to 16 bits in all.
+template <int N, int M>
+u<N + M> operator*(u<N> a, hls::u<M> b) {
+  return u<N + M>(a.vector() * static_cast<std::uint16_t>(b.value()));
+}
 template <int N>
 bit operator==(u<N> a, int b) {
   return a == hls::u<N>(b);

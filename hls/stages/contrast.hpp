@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// contrast: what the planes of `compete` are compared by: the x gradient of both images, the right one scaled to the
+// left camera's gain, both clipped to ±31 (4 grey levels per pixel).
+//
+// Only x: along a row a horizontal edge looks the same at every shift, so it says nothing of disparity. Clipped before
+// they are compared: two edges agree however strong or blurred they are, and noise, small beside them, costs little.
+//
+// Gain: 1/64, 16 … 255, the ratio of the sums of |gx| (each at most 255) of both images where both exist: sums in which
+// a row counts 7/8 of the next one, from 1 at the start of each frame, so that a frame does not depend on those before
+// it. What the rows up to y − 2 say holds for row y: the quotient is formed, a bit a beat, while row y − 1 passes.
+//
+// In    gradients, and the low-passed left grey level and mask of the same beat, which pass through.
+// Out   left, right: 0 where saturated. Offset: none. No memory. Rows of at least 9 beats.
+#pragma once
+
+#include "stages/sobel.hpp"
+
+namespace horopter::stages {
+
+/// The arithmetic of a pixel.
+template <class V = Scalar>
+struct Contrast {
+  template <int N>
+  using U = typename V::template u<N>;
+  template <int N>
+  using S = typename V::template s<N>;
+  using Bit = typename V::bit;
+  static constexpr int largest = 31;
+
+  S<6> left;
+  S<6> right;
+  Bit mask = false;
+  U<8> grey;
+  Bit exists = false;
+  Marks marks;
+
+  static U<8> magnitude(S<11> gx) { return sat<8>(abs(gx)); }
+
+  static S<6> clipped(S<11> gx, U<8> magnitude, Bit saturated) {
+    const U<5> size = select(saturated, U<5>(0), sat<5>(magnitude));
+    return select(gx.negative(), S<6>(S<6>(U<5>(0)) - size), S<6>(size));
+  }
+
+  void set(const Gradients<2, V>& in, u<8> gain) {
+    left = clipped(in.gx[0], magnitude(in.gx[0]), in.saturated);
+    right = clipped(in.gx[1], sat<8>(shr<6>(U<16>(magnitude(in.gx[1]) * gain))), in.saturated);
+    mask = in.mask;
+    marks = in.marks;
+  }
+};
+
+inline constexpr int gain_1 = 64;
+inline constexpr int least_gain = 16;
+
+/// Sums of |gx| over a frame's rows so far.
+template <int BEATS>
+struct GradientSums {
+  static constexpr int row_bits = bits_for(255 * BEATS);
+  static constexpr int bits = row_bits + 3;
+  using Row = u<row_bits>;
+  using Sum = u<bits>;
+
+  /// A row of a tenth of a grey level per pixel and of gain 1 lies above the frame.
+  Sum left = Sum(BEATS);
+  Sum right = Sum(BEATS);
+
+  void add(Row row_left, Row row_right) {
+    left = Sum(left - shr<3>(left) + row_left);
+    right = Sum(right - shr<3>(right) + row_right);
+  }
+
+  [[nodiscard]] u<8> gain() const {
+    const std::uint64_t quotient = 64U * std::uint64_t{left.value()} / right.value();
+    return u<8>(std::clamp<std::uint64_t>(quotient, least_gain, 255));
+  }
+};
+
+template <int BEATS>
+class ContrastFinder {
+ public:
+  struct In {
+    Gradients<2> gradients;
+    u<8> grey;  // of `lowpass`, in this beat
+    bool exists = false;
+  };
+  using Out = Contrast<>;
+
+  Out step(const In& in) {
+    const Marks& marks = in.gradients.marks;
+    if (marks.first) [[unlikely]] {
+      sums_ = Sums{};
+      left_ = right_ = Row(0);
+      gain_ = next_gain_ = u<8>(gain_1);
+      bits_left_ = u<4>(0);
+    }
+    Out out;
+    out.set(in.gradients, gain_);
+    out.grey = in.grey;
+    out.exists = in.exists;
+    if (in.gradients.mask) {
+      left_ = Row(left_ + Out::magnitude(in.gradients.gx[0]));
+      right_ = Row(right_ + Out::magnitude(in.gradients.gx[1]));
+    }
+    // A bit of 256 · left / (4 · right) a beat.
+    const Dividend doubled(shl<1>(remainder_));
+    const bool bit = doubled >= divisor_;
+    if (bits_left_ != lit<0>()) {
+      remainder_ = bit ? Dividend(doubled - divisor_) : doubled;
+      next_gain_ = u<8>(cat(next_gain_, bit));
+      bits_left_ -= lit<1>();
+    }
+    if (marks.last) [[unlikely]] {
+      gain_ = next_gain_ > lit<least_gain>() ? next_gain_ : u<8>(least_gain);
+      sums_.add(left_, right_);
+      left_ = right_ = Row(0);
+      divisor_ = Dividend(shl<2>(sums_.right));
+      remainder_ = min(Dividend(sums_.left), divisor_);  // 4 and more stay 255 / 64
+      bits_left_ = u<4>(8);
+    }
+    return out;
+  }
+
+ private:
+  using Sums = GradientSums<BEATS>;
+  using Row = typename Sums::Row;
+  using Dividend = u<Sums::bits + 3>;
+
+  Sums sums_;
+  Row left_, right_;
+  u<8> gain_{gain_1};
+  u<8> next_gain_{gain_1};
+  Dividend divisor_;
+  Dividend remainder_;
+  u<4> bits_left_;
+};
+
+}  // namespace horopter::stages
