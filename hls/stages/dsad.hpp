@@ -4,8 +4,8 @@
 // Out   sum[n], 0 … 15·K², exact. mask: all of the K×K exist. textured passes through, see texture.
 // Running sums: per column C(y) = C(y−1) + (d(y) − d(y−K)), along the row S(x) = S(x−1) + (C(x) − C(x−K)). They start
 // anew with each frame and row, so an upset bit of memory is gone with the frame. Offset: (K − 1) / 2 rows and columns.
-// Memory: per column K rows of 4-bit differences and their sum for each n, and K − 1 bits of mask. DELAY_IN_RAM: the last
-// column sums of the row, too, in place of K registers each.
+// Memory: per column K rows of 4-bit differences and their sum for each n, and K − 1 bits of mask. DELAY_IN_RAM: the
+// last column sums of the row, too, in place of K registers each.
 #pragma once
 
 #include "stages/texture.hpp"
@@ -56,7 +56,8 @@ class DsadSum {
     const auto leaving = columns_.step(column.sum);
     const bool filled = at.column >= K;  // else it lies before the row
     for (std::size_t n = 0; n < sums; ++n) {
-      out.sum[n] = rows_[n].step(at.row_start, U<sum_bits>(column.sum[n]), filled ? U<sum_bits>(leaving[n]) : U<sum_bits>(0));
+      out.sum[n] =
+          rows_[n].step(at.row_start, U<sum_bits>(column.sum[n]), filled ? U<sum_bits>(leaving[n]) : U<sum_bits>(0));
     }
     out.mask = mask_.step(at.row_start, in.mask, above.mask, column.mask);
     out.textured = in.textured;

@@ -11,10 +11,10 @@
 // Exact bilinear interpolation: vertical, (64 − f)·top + f·bottom, then along the row by adding the 1/64 part of the
 // difference of two columns per pixel; rounded half up to 1/2^W px at the end only. Error against real arithmetic:
 // 1/2^(W+1) px. Offset: none.
-// COMPACT trades the speed of the clock for gates: a row's place is the only register of coordinates, as a cell ends where
-// the next one begins, and the factor f is recoded to half as many digits.
-// Illegal use: a row without prime beat takes its first column from the row before; load in the wrong place gives wrong
-// addresses until the next row; spacing_x_log2 above 6 counts as 6.
+// COMPACT trades the speed of the clock for gates: a row's place is the only register of coordinates, as a cell ends
+// where the next one begins, and the factor f is recoded to half as many digits. Illegal use: a row without prime beat
+// takes its first column from the row before; load in the wrong place gives wrong addresses until the next row;
+// spacing_x_log2 above 6 counts as 6.
 #pragma once
 
 #include <type_traits>
@@ -114,8 +114,8 @@ class MapExpander {
     }
 
    private:
-    u<22> right_;      // the cell's right column
-    Place place_{0};   // of the next pixel, unless that loads
+    u<22> right_;     // the cell's right column
+    Place place_{0};  // of the next pixel, unless that loads
     s<29> increment_{0};
   };
 

@@ -124,7 +124,12 @@ class Emitter {
  public:
   /// `may_inline`: nodes to be written inside the expression that uses them; empty: none.
   Emitter(const Graph& graph, const Schedule& schedule, const EmitOptions& options, std::vector<bool> may_inline)
-      : g_(graph), s_(schedule), o_(options), last_(schedule.latency), registered_(registered_outputs(schedule.options)), may_inline_(std::move(may_inline)) {}
+      : g_(graph),
+        s_(schedule),
+        o_(options),
+        last_(schedule.latency),
+        registered_(registered_outputs(schedule.options)),
+        may_inline_(std::move(may_inline)) {}
 
   /// After run(): unnamed nodes that are used once and as a whole.
   std::vector<bool> used_once() const {
@@ -666,7 +671,8 @@ class Emitter {
     out << "    end else if (en_i) begin\n";
     for (int k = 1; k <= last_; ++k) {
       out << "      " << valid(k) << " <= " << valid(k - 1);
-      if (registered_ && k == last_ && g_.output_valid != kOne) out << " & " << expression(Bits{g_.output_valid}, last_ - 1);
+      if (registered_ && k == last_ && g_.output_valid != kOne)
+        out << " & " << expression(Bits{g_.output_valid}, last_ - 1);
       out << ";\n";
     }
     out << "    end\n  end\n";

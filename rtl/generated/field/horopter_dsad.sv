@@ -40,7 +40,7 @@ module horopter_dsad (
   logic [8:0] select_16;
   assign select_16 = or_14 ? 9'h0 : (raster_column_q + 9'h1);
 
-  // Memory memory, 378 x 96, DISTANCE 16, hls/stages/dsad.hpp:107; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory memory, 378 x 96, DISTANCE 16, hls/stages/dsad.hpp:108; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [95:0] memory_mem [0:377];
@@ -54,7 +54,7 @@ module horopter_dsad (
     if (memory_re) memory_rdata_q <= memory_mem[memory_raddr];
   end
 
-  // Memory columns_values, 16 x 16, DISTANCE 7, hls/stages/dsad.hpp:103; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory columns_values, 16 x 16, DISTANCE 7, hls/stages/dsad.hpp:104; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [15:0] columns_values_mem [0:15];
@@ -135,7 +135,7 @@ module horopter_dsad (
   // hls/stages/dsad.hpp:57
   logic less_36;
   assign less_36 = 9'h8 < raster_column_q;
-  // hls/stages/dsad.hpp:59
+  // hls/stages/dsad.hpp:60
   logic [7:0] select_37;
   assign select_37 = less_36 ? columns_values_rdata_q[7:0] : 8'h0;
   logic [8:0] difference_38;
@@ -148,7 +148,7 @@ module horopter_dsad (
   assign difference_42 = {1'b0, sum_28} - {1'b0, select_41};
   logic [10:0] sum_44;
   assign sum_44 = {{2{difference_42[8]}}, difference_42} + (or_14_s1_q ? 11'h0 : rows_1_sums_values_0_q);
-  // hls/stages/dsad.hpp:61
+  // hls/stages/dsad.hpp:62
   logic equal_45;
   assign equal_45 = {select_29, mask_s1_q} == 9'h1ff;
   logic [7:0] select_46;

@@ -39,7 +39,7 @@ module horopter_dsad (
   logic [9:0] select_33;
   assign select_33 = or_31 ? 10'h0 : (raster_column_q + 10'h1);
 
-  // Memory memory, 640 x 96, DISTANCE 16, hls/stages/dsad.hpp:107; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory memory, 640 x 96, DISTANCE 16, hls/stages/dsad.hpp:108; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [95:0] memory_mem [0:639];
@@ -134,7 +134,7 @@ module horopter_dsad (
   // hls/stages/dsad.hpp:57
   logic less_50;
   assign less_50 = 10'h8 < raster_column_q;
-  // hls/stages/dsad.hpp:59
+  // hls/stages/dsad.hpp:60
   logic [7:0] select_51;
   assign select_51 = less_50 ? columns_values_values_8_0_q : 8'h0;
   logic [8:0] difference_52;
@@ -147,7 +147,7 @@ module horopter_dsad (
   assign difference_56 = {1'b0, sum_45} - {1'b0, select_55};
   logic [10:0] sum_58;
   assign sum_58 = {{2{difference_56[8]}}, difference_56} + (or_31_s1_q ? 11'h0 : rows_1_sums_values_0_q);
-  // hls/stages/dsad.hpp:61
+  // hls/stages/dsad.hpp:62
   logic equal_59;
   assign equal_59 = {select_46, mask_s1_q} == 9'h1ff;
   logic [7:0] select_60;

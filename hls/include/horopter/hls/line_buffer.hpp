@@ -59,8 +59,8 @@ class Raster {
  private:
   using Column = u<bits_for(BEATS - 1)>;
 
-  // Long rows come at fast clocks: the register holds the next beat's column, for nothing but a multiplexer to come before
-  // a memory's address. Otherwise it holds this beat's, and serves as the address to write as well.
+  // Long rows come at fast clocks: the register holds the next beat's column, for nothing but a multiplexer to come
+  // before a memory's address. Otherwise it holds this beat's, and serves as the address to write as well.
   static constexpr bool count_ahead = BEATS > 1024;
 
   Column column_{0};

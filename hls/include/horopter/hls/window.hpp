@@ -53,9 +53,9 @@ class DelayLine {
   std::array<T, size> values_{};
 };
 
-/// Sum of the last column values of a row: S(x) = S(x−1) + (C(x) − C(x−K)) (thesis 10.1.5). The difference is taken apart
-/// from the sum, so the recurrence is one addition. Each row starts from 0. A value may hold several fields side by side,
-/// each wide enough for its own sum: one adder for all.
+/// Sum of the last column values of a row: S(x) = S(x−1) + (C(x) − C(x−K)) (thesis 10.1.5). The difference is taken
+/// apart from the sum, so the recurrence is one addition. Each row starts from 0. A value may hold several fields side
+/// by side, each wide enough for its own sum: one adder for all.
 template <int BITS, int STRIDE = 1, class V = Scalar>
 class RowSum {
  public:
