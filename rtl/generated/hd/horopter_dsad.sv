@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Dsad<horopter::hls::profiles::hd>, hls/stages/dsad.hpp. Do not edit.
 //
-// Latency 4 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 5 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 190 bits, pipeline 265 bits, memories 184320 bits.
+// State 190 bits, pipeline 384 bits, memories 184320 bits.
 module horopter_dsad (
   input  logic clk_i,
   input  logic rst_ni,
@@ -25,12 +25,13 @@ module horopter_dsad (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q;
-  logic s0_en, s1_en, s2_en, s3_en;
+  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q;
+  logic s0_en, s1_en, s2_en, s3_en, s4_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
   assign s3_en = en_i & valid_s3_q;
+  assign s4_en = en_i & valid_s4_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [10:0] raster_column_q;
@@ -41,7 +42,7 @@ module horopter_dsad (
   logic [10:0] select_32;
   assign select_32 = or_31 ? 11'h0 : raster_column_q;
 
-  // Memory memory, 1920 x 96, DISTANCE 16, hls/stages/dsad.hpp:108; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
+  // Memory memory, 1920 x 96, DISTANCE 16, hls/stages/dsad.hpp:108; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [95:0] memory_mem [0:1919];
@@ -85,22 +86,6 @@ module horopter_dsad (
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
-  logic [3:0] raster_rows_q;
-  // hls/stages/dsad.hpp:42
-  logic [3:0] select_34;
-  assign select_34 = marks_first_s1_q ? 4'h0 : raster_rows_q;
-  logic equal_37;
-  assign equal_37 = select_34 == 4'h9;
-  logic not_47;
-  assign not_47 = ~equal_37;
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      raster_rows_q <= 4'h0;
-    end else if (s1_en) begin
-      raster_rows_q <= raster_row_ended_q ? (select_34 + {3'h0, not_47}) : select_34;
-    end
-  end
 
   logic [3:0] difference_0_s2_q;
   logic [3:0] difference_1_s2_q;
@@ -111,8 +96,6 @@ module horopter_dsad (
   logic or_31_s2_q;
   logic [10:0] select_32_s2_q;
   logic [95:0] memory_rdata_s2_q;
-  logic equal_35_s2_q;
-  logic equal_37_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       difference_0_s2_q <= difference_0_s1_q;
@@ -124,12 +107,82 @@ module horopter_dsad (
       or_31_s2_q <= or_31_s1_q;
       select_32_s2_q <= select_32_s1_q;
       memory_rdata_s2_q <= memory_rdata_q;
-      equal_35_s2_q <= select_34 == 4'h0;
-      equal_37_s2_q <= equal_37;
     end
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
+  logic [3:0] raster_rows_q;
+  logic [7:0] mask_columns_values_0_q;
+  // hls/stages/dsad.hpp:42
+  logic [3:0] select_34;
+  assign select_34 = marks_first_s2_q ? 4'h0 : raster_rows_q;
+  logic equal_35;
+  assign equal_35 = select_34 == 4'h0;
+  logic equal_37;
+  assign equal_37 = select_34 == 4'h9;
+  // hls/stages/dsad.hpp:51
+  logic [3:0] leaving;
+  assign leaving = equal_37 ? memory_rdata_s2_q[35:32] : 4'h0;
+  logic [3:0] leaving_2;
+  assign leaving_2 = equal_37 ? memory_rdata_s2_q[71:68] : 4'h0;
+  // hls/stages/dsad.hpp:52
+  logic [7:0] select_45;
+  assign select_45 = equal_35 ? 8'h0 : memory_rdata_s2_q[95:88];
+  // hls/stages/dsad.hpp:42
+  logic not_47;
+  assign not_47 = ~equal_37;
+  // hls/stages/dsad.hpp:62
+  logic equal_59;
+  assign equal_59 = {select_45, mask_s2_q} == 9'h1ff;
+  logic [7:0] select_60;
+  assign select_60 = or_31_s2_q ? 8'h0 : mask_columns_values_0_q;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      raster_rows_q <= 4'h0;
+      mask_columns_values_0_q <= 8'h0;
+    end else if (s2_en) begin
+      raster_rows_q <= marks_last_s2_q ? (select_34 + {3'h0, not_47}) : select_34;
+      mask_columns_values_0_q <= {select_60[6:0], equal_59};
+    end
+  end
+
+  logic [3:0] difference_0_s3_q;
+  logic [3:0] difference_1_s3_q;
+  logic textured_s3_q;
+  logic mask_s3_q;
+  logic marks_first_s3_q;
+  logic marks_last_s3_q;
+  logic or_31_s3_q;
+  logic [10:0] select_32_s3_q;
+  logic [63:0] memory_rdata_s3_q;
+  logic [7:0] select_36_s3_q;
+  logic [3:0] leaving_s3_q;
+  logic [7:0] select_41_s3_q;
+  logic [3:0] leaving_2_s3_q;
+  logic [6:0] select_45_s3_q;
+  logic select_60_s3_q;
+  always_ff @(posedge clk_i) begin
+    if (s2_en) begin
+      difference_0_s3_q <= difference_0_s2_q;
+      difference_1_s3_q <= difference_1_s2_q;
+      textured_s3_q <= textured_s2_q;
+      mask_s3_q <= mask_s2_q;
+      marks_first_s3_q <= marks_first_s2_q;
+      marks_last_s3_q <= marks_last_s2_q;
+      or_31_s3_q <= or_31_s2_q;
+      select_32_s3_q <= select_32_s2_q;
+      memory_rdata_s3_q <= {memory_rdata_s2_q[67:36], memory_rdata_s2_q[31:0]};
+      select_36_s3_q <= equal_35 ? 8'h0 : memory_rdata_s2_q[79:72];
+      leaving_s3_q <= leaving;
+      select_41_s3_q <= equal_35 ? 8'h0 : memory_rdata_s2_q[87:80];
+      leaving_2_s3_q <= leaving_2;
+      select_45_s3_q <= select_45[6:0];
+      select_60_s3_q <= select_60[7];
+    end
+  end
+
+  // Stage 3 -----------------------------------------------------------------------------------------------------------
   logic [7:0] columns_values_values_0_0_q;
   logic [7:0] columns_values_values_0_1_q;
   logic [7:0] columns_values_values_1_0_q;
@@ -148,33 +201,14 @@ module horopter_dsad (
   logic [7:0] columns_values_values_7_1_q;
   logic [7:0] columns_values_values_8_0_q;
   logic [7:0] columns_values_values_8_1_q;
-  logic [7:0] mask_columns_values_0_q;
-  // hls/stages/dsad.hpp:51
-  logic [3:0] leaving;
-  assign leaving = equal_37_s2_q ? memory_rdata_s2_q[35:32] : 4'h0;
   // hls/stages/dsad.hpp:52
   logic [4:0] difference_39;
-  assign difference_39 = {1'b0, difference_0_s2_q} - {1'b0, leaving};
-  logic [7:0] sum_40;
-  assign sum_40 = (equal_35_s2_q ? 8'h0 : memory_rdata_s2_q[79:72]) + {{3{difference_39[4]}}, difference_39};
-  // hls/stages/dsad.hpp:51
-  logic [3:0] leaving_2;
-  assign leaving_2 = equal_37_s2_q ? memory_rdata_s2_q[71:68] : 4'h0;
-  // hls/stages/dsad.hpp:52
+  assign difference_39 = {1'b0, difference_0_s3_q} - {1'b0, leaving_s3_q};
   logic [4:0] difference_43;
-  assign difference_43 = {1'b0, difference_1_s2_q} - {1'b0, leaving_2};
-  logic [7:0] sum_44;
-  assign sum_44 = (equal_35_s2_q ? 8'h0 : memory_rdata_s2_q[87:80]) + {{3{difference_43[4]}}, difference_43};
-  logic [7:0] select_45;
-  assign select_45 = equal_35_s2_q ? 8'h0 : memory_rdata_s2_q[95:88];
+  assign difference_43 = {1'b0, difference_1_s3_q} - {1'b0, leaving_2_s3_q};
   // hls/stages/dsad.hpp:57
   logic less_50;
-  assign less_50 = 11'h8 < select_32_s2_q;
-  // hls/stages/dsad.hpp:62
-  logic equal_59;
-  assign equal_59 = {select_45, mask_s2_q} == 9'h1ff;
-  logic [7:0] select_60;
-  assign select_60 = or_31_s2_q ? 8'h0 : mask_columns_values_0_q;
+  assign less_50 = 11'h8 < select_32_s3_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -196,10 +230,9 @@ module horopter_dsad (
       columns_values_values_7_1_q <= 8'h0;
       columns_values_values_8_0_q <= 8'h0;
       columns_values_values_8_1_q <= 8'h0;
-      mask_columns_values_0_q <= 8'h0;
-    end else if (s2_en) begin
-      columns_values_values_0_0_q <= sum_40;
-      columns_values_values_0_1_q <= sum_44;
+    end else if (s3_en) begin
+      columns_values_values_0_0_q <= select_36_s3_q + {{3{difference_39[4]}}, difference_39};
+      columns_values_values_0_1_q <= select_41_s3_q + {{3{difference_43[4]}}, difference_43};
       columns_values_values_1_0_q <= columns_values_values_0_0_q;
       columns_values_values_1_1_q <= columns_values_values_0_1_q;
       columns_values_values_2_0_q <= columns_values_values_1_0_q;
@@ -216,76 +249,80 @@ module horopter_dsad (
       columns_values_values_7_1_q <= columns_values_values_6_1_q;
       columns_values_values_8_0_q <= columns_values_values_7_0_q;
       columns_values_values_8_1_q <= columns_values_values_7_1_q;
-      mask_columns_values_0_q <= {select_60[6:0], equal_59};
     end
   end
 
-  logic [3:0] difference_0_s3_q;
-  logic [3:0] difference_1_s3_q;
-  logic textured_s3_q;
-  logic mask_s3_q;
-  logic marks_first_s3_q;
-  logic marks_last_s3_q;
-  logic or_31_s3_q;
-  logic [10:0] select_32_s3_q;
-  logic [63:0] memory_rdata_s3_q;
-  logic [6:0] select_45_s3_q;
-  logic [7:0] select_51_s3_q;
-  logic [7:0] select_55_s3_q;
-  logic equal_61_s3_q;
+  logic [3:0] difference_0_s4_q;
+  logic [3:0] difference_1_s4_q;
+  logic textured_s4_q;
+  logic mask_s4_q;
+  logic marks_first_s4_q;
+  logic marks_last_s4_q;
+  logic or_31_s4_q;
+  logic [10:0] select_32_s4_q;
+  logic [63:0] memory_rdata_s4_q;
+  logic [6:0] select_45_s4_q;
+  logic [7:0] select_51_s4_q;
+  logic [7:0] select_55_s4_q;
+  logic equal_61_s4_q;
   always_ff @(posedge clk_i) begin
-    if (s2_en) begin
-      difference_0_s3_q <= difference_0_s2_q;
-      difference_1_s3_q <= difference_1_s2_q;
-      textured_s3_q <= textured_s2_q;
-      mask_s3_q <= mask_s2_q;
-      marks_first_s3_q <= marks_first_s2_q;
-      marks_last_s3_q <= marks_last_s2_q;
-      or_31_s3_q <= or_31_s2_q;
-      select_32_s3_q <= select_32_s2_q;
-      memory_rdata_s3_q <= {memory_rdata_s2_q[67:36], memory_rdata_s2_q[31:0]};
-      select_45_s3_q <= select_45[6:0];
-      select_51_s3_q <= less_50 ? columns_values_values_8_0_q : 8'h0;
-      select_55_s3_q <= less_50 ? columns_values_values_8_1_q : 8'h0;
-      equal_61_s3_q <= {select_60, equal_59} == 9'h1ff;
+    if (s3_en) begin
+      difference_0_s4_q <= difference_0_s3_q;
+      difference_1_s4_q <= difference_1_s3_q;
+      textured_s4_q <= textured_s3_q;
+      mask_s4_q <= mask_s3_q;
+      marks_first_s4_q <= marks_first_s3_q;
+      marks_last_s4_q <= marks_last_s3_q;
+      or_31_s4_q <= or_31_s3_q;
+      select_32_s4_q <= select_32_s3_q;
+      memory_rdata_s4_q <= memory_rdata_s3_q;
+      select_45_s4_q <= select_45_s3_q;
+      select_51_s4_q <= less_50 ? columns_values_values_8_0_q : 8'h0;
+      select_55_s4_q <= less_50 ? columns_values_values_8_1_q : 8'h0;
+      equal_61_s4_q <= {select_60_s3_q, mask_columns_values_0_q} == 9'h1ff;
     end
   end
 
-  // Stage 3 -----------------------------------------------------------------------------------------------------------
+  // Stage 4 -----------------------------------------------------------------------------------------------------------
   logic [10:0] rows_0_sums_values_0_q;
   logic [10:0] rows_1_sums_values_0_q;
   // hls/stages/dsad.hpp:60
   logic [8:0] difference_52;
-  assign difference_52 = {1'b0, columns_values_values_0_0_q} - {1'b0, select_51_s3_q};
+  assign difference_52 = {1'b0, columns_values_values_0_0_q} - {1'b0, select_51_s4_q};
   logic [10:0] sum_54;
-  assign sum_54 = {{2{difference_52[8]}}, difference_52} + (or_31_s3_q ? 11'h0 : rows_0_sums_values_0_q);
+  assign sum_54 = {{2{difference_52[8]}}, difference_52} + (or_31_s4_q ? 11'h0 : rows_0_sums_values_0_q);
   logic [8:0] difference_56;
-  assign difference_56 = {1'b0, columns_values_values_0_1_q} - {1'b0, select_55_s3_q};
+  assign difference_56 = {1'b0, columns_values_values_0_1_q} - {1'b0, select_55_s4_q};
   logic [10:0] sum_58;
-  assign sum_58 = {{2{difference_56[8]}}, difference_56} + (or_31_s3_q ? 11'h0 : rows_1_sums_values_0_q);
+  assign sum_58 = {{2{difference_56[8]}}, difference_56} + (or_31_s4_q ? 11'h0 : rows_1_sums_values_0_q);
 
   // Memory memory, write
   logic [10:0] memory_waddr;
-  assign memory_waddr = select_32_s3_q;
+  assign memory_waddr = select_32_s4_q;
   logic memory_we;
-  assign memory_we = s3_en;
+  assign memory_we = s4_en;
   always_ff @(posedge clk_i) begin
-    if (memory_we) memory_mem[memory_waddr] <= {select_45_s3_q, mask_s3_q, columns_values_values_0_1_q, columns_values_values_0_0_q, memory_rdata_s3_q[63:32], difference_1_s3_q, memory_rdata_s3_q[31:0], difference_0_s3_q};
+    if (memory_we) memory_mem[memory_waddr] <= {select_45_s4_q, mask_s4_q, columns_values_values_0_1_q, columns_values_values_0_0_q, memory_rdata_s4_q[63:32], difference_1_s4_q, memory_rdata_s4_q[31:0], difference_0_s4_q};
   end
 `ifndef SYNTHESIS
   logic [10:0] memory_raddr_s1_sim;
   logic memory_re_s1_sim;
   logic [10:0] memory_raddr_s2_sim;
   logic memory_re_s2_sim;
+  logic [10:0] memory_raddr_s3_sim;
+  logic memory_re_s3_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       memory_re_s1_sim <= 1'b0;
       memory_re_s2_sim <= 1'b0;
+      memory_re_s3_sim <= 1'b0;
     end else if (en_i) begin
       memory_re_s1_sim <= memory_re;
       memory_raddr_s1_sim <= memory_raddr;
       memory_re_s2_sim <= memory_re_s1_sim;
       memory_raddr_s2_sim <= memory_raddr_s1_sim;
+      memory_re_s3_sim <= memory_re_s2_sim;
+      memory_raddr_s3_sim <= memory_raddr_s2_sim;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -299,6 +336,9 @@ module horopter_dsad (
       if (memory_re_s2_sim && memory_raddr_s2_sim == memory_waddr) begin
         $error("memory: address %0d is read less than DISTANCE steps after its write", memory_waddr);
       end
+      if (memory_re_s3_sim && memory_raddr_s3_sim == memory_waddr) begin
+        $error("memory: address %0d is read less than DISTANCE steps after its write", memory_waddr);
+      end
       if (memory_waddr >= 11'd1920) $error("memory: write outside, address %0d", memory_waddr);
     end
     if (rst_ni && memory_re && memory_raddr >= 11'd1920) $error("memory: read outside, address %0d", memory_raddr);
@@ -309,33 +349,33 @@ module horopter_dsad (
     if (!rst_ni) begin
       rows_0_sums_values_0_q <= 11'h0;
       rows_1_sums_values_0_q <= 11'h0;
-    end else if (s3_en) begin
+    end else if (s4_en) begin
       rows_0_sums_values_0_q <= sum_54;
       rows_1_sums_values_0_q <= sum_58;
     end
   end
 
-  logic textured_s4_q;
-  logic marks_first_s4_q;
-  logic marks_last_s4_q;
-  logic equal_61_s4_q;
+  logic textured_s5_q;
+  logic marks_first_s5_q;
+  logic marks_last_s5_q;
+  logic equal_61_s5_q;
   always_ff @(posedge clk_i) begin
-    if (s3_en) begin
-      textured_s4_q <= textured_s3_q;
-      marks_first_s4_q <= marks_first_s3_q;
-      marks_last_s4_q <= marks_last_s3_q;
-      equal_61_s4_q <= equal_61_s3_q;
+    if (s4_en) begin
+      textured_s5_q <= textured_s4_q;
+      marks_first_s5_q <= marks_first_s4_q;
+      marks_last_s5_q <= marks_last_s4_q;
+      equal_61_s5_q <= equal_61_s4_q;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
   assign sum_0_o = rows_0_sums_values_0_q;
   assign sum_1_o = rows_1_sums_values_0_q;
-  assign textured_o = textured_s4_q;
-  assign mask_o = equal_61_s4_q;
-  assign marks_first_o = marks_first_s4_q;
-  assign marks_last_o = marks_last_s4_q;
-  assign valid_o = valid_s4_q;
+  assign textured_o = textured_s5_q;
+  assign mask_o = equal_61_s5_q;
+  assign marks_first_o = marks_first_s5_q;
+  assign marks_last_o = marks_last_s5_q;
+  assign valid_o = valid_s5_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -343,11 +383,13 @@ module horopter_dsad (
       valid_s2_q <= 1'b0;
       valid_s3_q <= 1'b0;
       valid_s4_q <= 1'b0;
+      valid_s5_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
       valid_s2_q <= valid_s1_q;
       valid_s3_q <= valid_s2_q;
       valid_s4_q <= valid_s3_q;
+      valid_s5_q <= valid_s4_q;
     end
   end
 
