@@ -189,7 +189,7 @@ module horopter_frame_control #(
   logic [31:0] time_q, first_time_q, watchdog_q;
   logic [31:0] open_time_q[2];
   logic [31:0] arrived_time_q[2];
-  logic first_seen_q, alarm_q;
+  logic state_first_q, first_seen_q, alarm_q;
   logic [23:0] skin_q, undecidable_q, unsupervised_q, misses_q;
   logic good;
   assign good = total_q == NONE && !alarm_q && table_ok_i;
@@ -197,6 +197,7 @@ module horopter_frame_control #(
     publish_q <= 1'b0;
     publish_o <= 1'b0;
     frame_done_o <= 1'b0;
+    state_first_q <= state_first_i;
     if (!rst_ni) begin
       time_q <= 32'd0;
       state_ended_q <= 1'b0;
@@ -231,7 +232,7 @@ module horopter_frame_control #(
         alarm_q <= 1'b1;
         misses_q <= 24'd0;
       end else if (active_i) begin
-        if (state_first_i && !first_seen_q) begin
+        if (state_first_q && !first_seen_q) begin
           first_seen_q <= 1'b1;
           first_time_q <= time_q;
         end
@@ -263,7 +264,7 @@ module horopter_frame_control #(
         frame_unsupervised_o <= unsupervised_q;
         frame_misses_o <= misses_q;
         frame_cycles_o <= time_q - open_time_q[read_slot_i];
-        frame_latency_o <= first_time_q - open_time_q[read_slot_i];
+        frame_latency_o <= first_time_q + ~open_time_q[read_slot_i];  // one less: it was noted a clock late
         frame_tail_o <= time_q - arrived_time_q[read_slot_i];
       end
     end

@@ -105,7 +105,7 @@ module horopter_map_store #(
   logic [23:0] left_q;  // words of data still to come, less one
   logic [16:0] write_addr_q;
   logic odd_q;
-  logic consistent_q, bad_size_q, too_large_q;
+  logic consistent_q, differs_q, bad_size_q, too_large_q;
   logic [11:0] cells_x_q, cells_y_q;
 
   // A word turns once through the CRC, byte by byte, then it is taken.
@@ -228,7 +228,9 @@ module horopter_map_store #(
         // c + 2 control points.
         SIZE: begin
           step_q <= step_q + 7'd1;
-          bad_size_q <= !consistent_q || size_q == 24'd0;
+          // Pairs of c + 2 rows: c / 2 + 1, and one more if c is odd.
+          differs_q <= columns_q != cells_x_q + 12'd2 || 12'(pairs_q) != 12'(cells_y_q[11:1]) + 12'd1 + 12'(cells_y_q[0]);
+          bad_size_q <= !consistent_q || differs_q || size_q == 24'd0;
           too_large_q <= 32'(end_q) > WORDS;
           if (step_q < 7'd11) begin
             pairs_q <= {pairs_q[9:0], pairs_q[10]};  // back in place after all 11
@@ -236,9 +238,6 @@ module horopter_map_store #(
             if (step_q < 7'(nx_q)) cells_x_q <= {1'b0, cells_x_q[11:1]};
             if (step_q < 7'(ny_q)) cells_y_q <= {1'b0, cells_y_q[11:1]};
           end else if (step_q == 7'd11) begin
-            // Pairs of c + 2 rows: c / 2 + 1, and one more if c is odd.
-            if (columns_q != cells_x_q + 12'd2 || 12'(pairs_q) != 12'(cells_y_q[11:1]) + 12'd1 + 12'(cells_y_q[0]))
-              consistent_q <= 1'b0;
             end_q <= size_q + 24'(base_q);
           end else if (step_q == 7'd13) begin
             step_q <= 7'd0;
