@@ -41,7 +41,7 @@ TEST_CASE("study all: figures, verdicts and a page of its own, the same for the 
   CHECK(all["statements"]["all"].get<int>() >= 40);
   CHECK(all["statements"]["confirmed"].get<int>() >= 20);
 
-  SECTION("files") {
+  {  // files
     REQUIRE(box.run({"study", "all", "--quick", "--out", "again"}).status == 0);
     int compared = 0;
     for (const std::string& file : box.files()) {
@@ -58,7 +58,7 @@ TEST_CASE("study all: figures, verdicts and a page of its own, the same for the 
     CHECK(compared > 40);
   }
 
-  SECTION("page") {
+  {  // page
     std::string page = box.read("once/index.html");
     for (const auto& study : all["studies"]) {
       const json one = summary(box, "once/" + study.get<std::string>());
@@ -78,7 +78,7 @@ TEST_CASE("study all: figures, verdicts and a page of its own, the same for the 
                Catch::Contains("| 40 |") && Catch::Contains("**confirmed**") && Catch::Contains("**not confirmed**"));
   }
 
-  SECTION("figures") {
+  {  // figures
     const json invariance = summary(box, "once/invariance");
     CHECK(invariance["cells"] == invariance["cells_as_in_the_thesis"]);
     CHECK(invariance["largest_change_of_invariant"].get<double>() <= 1e-4);
