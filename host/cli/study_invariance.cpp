@@ -198,6 +198,8 @@ nlohmann::json study_invariance(OutputDirectory& directory, const StudyScope& sc
                                                               : "no high-pass");
     for (std::size_t i = 0; i < labels.size(); ++i)
       text += fmt::format("{}{} {}", i == 0 ? "" : ", ", labels[i], name_of(row.effects[i]));
+    if (different > 0 && who.starts_with("LS"))
+      differing += " (where the means differ in sign the factor is 1, footnote 4: nothing scales)";
     statements.add(
         "8.3.1", "Table 8.3, " + text + ".",
         fmt::format("Largest change of an invariant one {:.1e}{}{}", row_yes,

@@ -41,7 +41,9 @@ std::string study_markdown(const nlohmann::ordered_json& results) {
   std::string table;
   std::string conditions;
   int number = 0;
+  bool quick = false;
   for (const auto& [study, result] : results.items()) {
+    quick = quick || result.value("quick", false);
     if (result.contains("conditions"))
       conditions += fmt::format("- **{}**: `{}`\n", study, result["conditions"].dump());
     if (!result.contains("statements")) continue;
@@ -53,12 +55,12 @@ std::string study_markdown(const nlohmann::ordered_json& results) {
     }
   }
   return fmt::format(
-             "# What of the thesis holds\n\nWritten by `horopter study all`: do not edit. A verdict follows from the "
+             "# What of the thesis holds\n\nWritten by `horopter study all{}`: do not edit. A verdict follows from the "
              "figures by the rule beside it, the same for every run; nothing was tuned for a statement. {} statements: "
              "{} confirmed, {} partly, {} not confirmed.\n\n"
              "| # | § | The thesis says | We found | Verdict | Rule and reason | Study "
              "|\n|---|---|---|---|---|---|---|\n",
-             number, counts["confirmed"], counts["partly"], counts["not confirmed"]) +
+             quick ? " --quick" : "", number, counts["confirmed"], counts["partly"], counts["not confirmed"]) +
          table + "\n## Conditions\n\nEvery study's conditions, beside which its figures hold:\n\n" + conditions;
 }
 

@@ -80,7 +80,10 @@ TEST_CASE("study all: figures, verdicts and a page of its own, the same for the 
 
   {  // figures
     const json invariance = summary(box, "once/invariance");
-    CHECK(invariance["cells"] == invariance["cells_as_in_the_thesis"]);
+    // All but the different scaling of LSAD and LSSD after a high-pass, with and without low-pass: where the means have
+    // different signs the factor is 1 (footnote 4 of 8.1.2), and nothing scales.
+    CHECK(invariance["cells"].get<int>() - invariance["cells_as_in_the_thesis"].get<int>() == 4);
+    CHECK(verdict_of(invariance, "LSAD, LSSD (no high-pass)") == "confirmed");
     CHECK(invariance["largest_change_of_invariant"].get<double>() <= 1e-4);
     CHECK(invariance["smallest_change_of_variant"].get<double>() > 2e-4);
 
