@@ -34,7 +34,7 @@ set(HOROPTER_HLSC_SLOWEST_KHZ 32000 CACHE STRING "Least clock for which hlsc sch
 # the next stage of the list takes it. The image store hands on its memories' data, in 5.9 ns: this path may use 3.6 ns of
 # the margin.
 set(HOROPTER_HLSC_OUTPUT_NS
-  interpolate 19.6 lowpass 14 sobel 12 difference 9 texture 1 threshold 4 majority 6 align 12 runs 15)
+  lowpass 14 sobel 12 difference 9 texture 1 threshold 4 majority 6 align 12 runs 15)
 set(HOROPTER_HLSC_INPUT_NS interpolate 2.3)
 
 function(_horopter_clock_ns profile result slow)

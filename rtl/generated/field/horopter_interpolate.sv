@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Interpolate<horopter::hls::profiles::field>, hls/stages/interpolate.hpp. Do not edit.
 //
-// Latency 0 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// Outputs are logic: what they go to takes them with the clock if en_i = 1.
-// State 0 bits, pipeline 0 bits, memories 0 bits.
+// State 0 bits, pipeline 21 bits, memories 0 bits.
 module horopter_interpolate (
   input  logic clk_i,
   input  logic rst_ni,
@@ -30,6 +29,9 @@ module horopter_interpolate (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
+  logic valid_s1_q;
+  logic s0_en;
+  assign s0_en = en_i & valid_i;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   // hls/stages/interpolate.hpp:58
@@ -105,17 +107,42 @@ module horopter_interpolate (
   logic or_54;
   assign or_54 = ((left_i == 8'hff) | (left_i == 8'h0)) | (((p00_i == 8'hff) | (p00_i == 8'h0)) | select_52);
 
+  logic [7:0] left_s1_q;
+  logic mask_s1_q;
+  logic marks_first_s1_q;
+  logic marks_last_s1_q;
+  logic [7:0] sum_29_s1_q;
+  logic or_54_s1_q;
+  always_ff @(posedge clk_i) begin
+    if (s0_en) begin
+      left_s1_q <= left_i;
+      mask_s1_q <= mask_i;
+      marks_first_s1_q <= marks_first_i;
+      marks_last_s1_q <= marks_last_i;
+      sum_29_s1_q <= sum_29[8:1];
+      or_54_s1_q <= or_54;
+    end
+  end
+
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign pixel_0_o = left_i;
-  assign pixel_1_o = sum_29[8:1];
-  assign saturated_o = or_54;
-  assign mask_o = mask_i;
-  assign marks_first_o = marks_first_i;
-  assign marks_last_o = marks_last_i;
-  assign valid_o = valid_i;
+  assign pixel_0_o = left_s1_q;
+  assign pixel_1_o = sum_29_s1_q;
+  assign saturated_o = or_54_s1_q;
+  assign mask_o = mask_s1_q;
+  assign marks_first_o = marks_first_s1_q;
+  assign marks_last_o = marks_last_s1_q;
+  assign valid_o = valid_s1_q;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      valid_s1_q <= 1'b0;
+    end else if (en_i) begin
+      valid_s1_q <= valid_i;
+    end
+  end
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{clk_i, rst_ni, en_i, {sum_40[0], sum_29[0], sum_28[2:0], sum_27[0], sum_25[0]}};
+  assign unused_bits = ^{sum_40[0], sum_29[0], sum_28[2:0], sum_27[0], sum_25[0]};
 
 endmodule
