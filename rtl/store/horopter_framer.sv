@@ -123,7 +123,7 @@ module horopter_framer #(
   assign in_frame = state_q == LINE || state_q == SKIP;
   assign early = in_frame && s_valid_i && s_first_i && !fresh_q;
   assign overflow = state_q == LINE && blocked_q && live_i && almost_full_i;
-  assign take = state_q == LINE && s_valid_i && !early && !blocked_q && !cut_i;
+  assign take = state_q == LINE && s_valid_i && !early && !blocked_q;  // a row may end with the frame
   assign at_end = row_end_q;
   assign complete = take && (s_last_i || at_end);
   assign last_row = last_row_q;

@@ -58,12 +58,13 @@ module horopter_pairing #(
   logic [RING_BITS-1:0] base_slot_q[2];
   logic [1:0] cut_q;
 
-  logic [1:0] can_join_q, joins, may_open, opens, absent, given_up;
+  logic [1:0] urgent_q, can_join_q, joins, may_open, opens, absent, given_up;
   logic next_slot, can_open_q, done_q;
   assign next_slot = open_q ? !slot_q : slot_q;
 
   // What a camera may do, decided a clock ahead: it waits for it. Whoever can join does not open.
   always_ff @(posedge clk_i) begin
+    urgent_q <= urgent_i;
     done_q <= rst_ni && open_q && ended_q == 2'b11 && opens == 2'b00;
     can_open_q <= rst_ni && (!open_q || ended_q == 2'b11) && !busy_q[next_slot] && opens == 2'b00;
     for (int unsigned c = 0; c < 2; c++) begin
@@ -83,7 +84,7 @@ module horopter_pairing #(
     for (int unsigned c = 0; c < 2; c++) begin
       given_up[c] = silent_i[c] && (!live_i || far_i[1-c] || ended_q[1-c]);
       absent[c] = open_q && !open_o && !joined_q[c] && !grant_o[c]
-          && (given_up[c] || (live_i && (start_i[c] || urgent_i[1-c] || deep_i[1-c])));
+          && (given_up[c] || (live_i && (start_i[c] || urgent_q[1-c] || deep_i[1-c])));
     end
   end
 
@@ -127,7 +128,7 @@ module horopter_pairing #(
           skew_o <= !silent_i[c] && !pausing_i[c];
         end
         // Live: the other camera's next frame is here and this one is still in the last.
-        if (live_i && open_q && joined_q[c] && !ended_q[c] && !frame_done_i[c] && !cut_q[c] && urgent_i[1-c]
+        if (live_i && open_q && joined_q[c] && !ended_q[c] && !frame_done_i[c] && !cut_q[c] && urgent_q[1-c]
             && joined_q[1-c] && ended_q[1-c]) begin
           cut_q[c] <= 1'b1;
           skew_o <= 1'b1;
