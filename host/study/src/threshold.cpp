@@ -28,7 +28,7 @@ double threshold_percent_for(double tolerance_px) {
   for (std::size_t i = 1; i < table.size(); ++i) {
     const Row& low = table[i - 1];
     const Row& high = table[i];
-    if (tolerance_px < low.tolerance_px || tolerance_px > high.tolerance_px) continue;
+    if (!(tolerance_px >= low.tolerance_px && tolerance_px <= high.tolerance_px)) continue;  // a NaN is in none
     return low.percent +
            (high.percent - low.percent) * (tolerance_px - low.tolerance_px) / (high.tolerance_px - low.tolerance_px);
   }

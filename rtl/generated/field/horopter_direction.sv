@@ -3,7 +3,7 @@
 //
 // Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 0 bits, pipeline 48 bits, memories 0 bits.
+// State 0 bits, pipeline 59 bits, memories 0 bits.
 module horopter_direction (
   input  logic clk_i,
   input  logic rst_ni,
@@ -37,63 +37,75 @@ module horopter_direction (
   // hls/stages/direction.hpp:44
   logic [9:0] y;
   assign y = gy_0_i[10] ? (10'h0 - gy_0_i[9:0]) : gy_0_i[9:0];
-
-  logic gx_0_s1_q;
-  logic gy_0_s1_q;
-  logic saturated_s1_q;
-  logic mask_s1_q;
-  logic marks_first_s1_q;
-  logic marks_last_s1_q;
-  logic [9:0] x_s1_q;
-  logic [9:0] y_s1_q;
-  always_ff @(posedge clk_i) begin
-    if (s0_en) begin
-      gx_0_s1_q <= gx_0_i[10];
-      gy_0_s1_q <= gy_0_i[10];
-      saturated_s1_q <= saturated_i;
-      mask_s1_q <= mask_i;
-      marks_first_s1_q <= marks_first_i;
-      marks_last_s1_q <= marks_last_i;
-      x_s1_q <= x;
-      y_s1_q <= y;
-    end
-  end
-
-  // Stage 1 -----------------------------------------------------------------------------------------------------------
   // hls/stages/direction.hpp:46
   logic less_11;
-  assign less_11 = x_s1_q < y_s1_q;
+  assign less_11 = x < y;
   logic [9:0] larger;
-  assign larger = less_11 ? y_s1_q : x_s1_q;
+  assign larger = less_11 ? y : x;
   // hls/stages/direction.hpp:47
   logic [9:0] smaller;
-  assign smaller = (y_s1_q < x_s1_q) ? y_s1_q : x_s1_q;
+  assign smaller = (y < x) ? y : x;
   // hls/stages/direction.hpp:62
   logic less_18;
   assign less_18 = {1'b0, larger[9:1]} < smaller;
   logic [9:0] select_20;
   assign select_20 = less_18 ? ({smaller[8:0], 1'b0} - larger) : {smaller[8:0], 1'b0};
-  logic less_21;
-  assign less_21 = {1'b0, larger[9:1]} < select_20;
+  // hls/stages/direction.hpp:49
+  logic [10:0] sum_39;
+  assign sum_39 = {1'b0, smaller} + {2'h0, smaller[9:1]};
+  logic [9:0] sum_40;
+  assign sum_40 = sum_39[10:1] + 10'h1;
+
+  logic saturated_s1_q;
+  logic mask_s1_q;
+  logic marks_first_s1_q;
+  logic marks_last_s1_q;
+  logic less_11_s1_q;
+  logic xor_14_s1_q;
+  logic [9:0] larger_s1_q;
+  logic less_18_s1_q;
+  logic [8:0] select_20_s1_q;
+  logic less_21_s1_q;
+  logic select_37_s1_q;
+  logic [8:0] sum_40_s1_q;
+  always_ff @(posedge clk_i) begin
+    if (s0_en) begin
+      saturated_s1_q <= saturated_i;
+      mask_s1_q <= mask_i;
+      marks_first_s1_q <= marks_first_i;
+      marks_last_s1_q <= marks_last_i;
+      less_11_s1_q <= less_11;
+      xor_14_s1_q <= less_11 ^ (~(gx_0_i[10] ^ gy_0_i[10]));
+      larger_s1_q <= larger;
+      less_18_s1_q <= less_18;
+      select_20_s1_q <= select_20[8:0];
+      less_21_s1_q <= {1'b0, larger[9:1]} < select_20;
+      select_37_s1_q <= less_11 ? gy_0_i[10] : gx_0_i[10];
+      sum_40_s1_q <= sum_40[9:1];
+    end
+  end
+
+  // Stage 1 -----------------------------------------------------------------------------------------------------------
+  // hls/stages/direction.hpp:62
   logic [9:0] select_23;
-  assign select_23 = less_21 ? ({select_20[8:0], 1'b0} - larger) : {select_20[8:0], 1'b0};
+  assign select_23 = less_21_s1_q ? ({select_20_s1_q, 1'b0} - larger_s1_q) : {select_20_s1_q, 1'b0};
   logic less_24;
-  assign less_24 = {1'b0, larger[9:1]} < select_23;
+  assign less_24 = {1'b0, larger_s1_q[9:1]} < select_23;
   logic [9:0] select_26;
-  assign select_26 = less_24 ? ({select_23[8:0], 1'b0} - larger) : {select_23[8:0], 1'b0};
+  assign select_26 = less_24 ? ({select_23[8:0], 1'b0} - larger_s1_q) : {select_23[8:0], 1'b0};
   logic less_27;
-  assign less_27 = {1'b0, larger[9:1]} < select_26;
+  assign less_27 = {1'b0, larger_s1_q[9:1]} < select_26;
   logic [9:0] select_29;
-  assign select_29 = less_27 ? ({select_26[8:0], 1'b0} - larger) : {select_26[8:0], 1'b0};
+  assign select_29 = less_27 ? ({select_26[8:0], 1'b0} - larger_s1_q) : {select_26[8:0], 1'b0};
   logic less_30;
-  assign less_30 = {1'b0, larger[9:1]} < select_29;
+  assign less_30 = {1'b0, larger_s1_q[9:1]} < select_29;
   logic [9:0] select_32;
-  assign select_32 = less_30 ? ({select_29[8:0], 1'b0} - larger) : {select_29[8:0], 1'b0};
+  assign select_32 = less_30 ? ({select_29[8:0], 1'b0} - larger_s1_q) : {select_29[8:0], 1'b0};
   logic less_33;
-  assign less_33 = {1'b0, larger[9:1]} < select_32;
+  assign less_33 = {1'b0, larger_s1_q[9:1]} < select_32;
   logic [5:0] angle;  // table arctangent_table
   always_comb begin
-    case ({less_18, less_21, less_24, less_27, less_30, less_33})
+    case ({less_18_s1_q, less_21_s1_q, less_24, less_27, less_30, less_33})
       6'd1: angle = 6'h1;
       6'd2: angle = 6'h2;
       6'd3: angle = 6'h2;
@@ -162,17 +174,10 @@ module horopter_direction (
   end
   // hls/stages/direction.hpp:69
   logic [6:0] select_36;
-  assign select_36 = (less_11 ^ (~(gx_0_s1_q ^ gy_0_s1_q))) ? {1'b0, angle} : (7'h0 - {1'b0, angle});
-  // hls/stages/direction.hpp:68
-  logic select_37;
-  assign select_37 = less_11 ? gy_0_s1_q : gx_0_s1_q;
+  assign select_36 = xor_14_s1_q ? {1'b0, angle} : (7'h0 - {1'b0, angle});
   // hls/stages/direction.hpp:49
-  logic [10:0] sum_39;
-  assign sum_39 = {1'b0, smaller} + {2'h0, smaller[9:1]};
-  logic [9:0] sum_40;
-  assign sum_40 = sum_39[10:1] + 10'h1;
   logic [10:0] sum_41;
-  assign sum_41 = {1'b0, larger} + {2'h0, sum_40[9:1]};
+  assign sum_41 = {1'b0, larger_s1_q} + {2'h0, sum_40_s1_q};
 
   logic saturated_s2_q;
   logic mask_s2_q;
@@ -188,7 +193,7 @@ module horopter_direction (
       marks_first_s2_q <= marks_first_s1_q;
       marks_last_s2_q <= marks_last_s1_q;
       select_36_s2_q <= select_36[5:0];
-      sum_38_s2_q <= {select_37, less_11} + {2{select_36[6]}};
+      sum_38_s2_q <= {select_37_s1_q, less_11_s1_q} + {2{select_36[6]}};
       select_43_s2_q <= (sum_41[10:8] == 3'h0) ? sum_41[7:0] : 8'hff;
     end
   end

@@ -3,7 +3,7 @@
 //
 // Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 0 bits, pipeline 86 bits, memories 0 bits.
+// State 0 bits, pipeline 108 bits, memories 0 bits.
 module horopter_direction (
   input  logic clk_i,
   input  logic rst_ni,
@@ -41,77 +41,114 @@ module horopter_direction (
   // hls/stages/direction.hpp:44
   logic [9:0] y;
   assign y = gy_0_i[10] ? (10'h0 - gy_0_i[9:0]) : gy_0_i[9:0];
+  // hls/stages/direction.hpp:46
+  logic less_13;
+  assign less_13 = x < y;
+  logic [9:0] larger;
+  assign larger = less_13 ? y : x;
+  // hls/stages/direction.hpp:47
+  logic [9:0] smaller;
+  assign smaller = (y < x) ? y : x;
+  // hls/stages/direction.hpp:62
+  logic less_20;
+  assign less_20 = {1'b0, larger[9:1]} < smaller;
+  logic [9:0] select_22;
+  assign select_22 = less_20 ? ({smaller[8:0], 1'b0} - larger) : {smaller[8:0], 1'b0};
   // hls/stages/direction.hpp:43
   logic [9:0] x_2;
   assign x_2 = gx_1_i[10] ? (10'h0 - gx_1_i[9:0]) : gx_1_i[9:0];
   // hls/stages/direction.hpp:44
   logic [9:0] y_2;
   assign y_2 = gy_1_i[10] ? (10'h0 - gy_1_i[9:0]) : gy_1_i[9:0];
+  // hls/stages/direction.hpp:46
+  logic less_45;
+  assign less_45 = x_2 < y_2;
+  logic [9:0] larger_2;
+  assign larger_2 = less_45 ? y_2 : x_2;
+  // hls/stages/direction.hpp:47
+  logic [9:0] smaller_2;
+  assign smaller_2 = (y_2 < x_2) ? y_2 : x_2;
+  // hls/stages/direction.hpp:62
+  logic less_52;
+  assign less_52 = {1'b0, larger_2[9:1]} < smaller_2;
+  logic [9:0] select_54;
+  assign select_54 = less_52 ? ({smaller_2[8:0], 1'b0} - larger_2) : {smaller_2[8:0], 1'b0};
+  // hls/stages/direction.hpp:49
+  logic [10:0] sum_73;
+  assign sum_73 = {1'b0, smaller} + {2'h0, smaller[9:1]};
+  logic [9:0] sum_74;
+  assign sum_74 = sum_73[10:1] + 10'h1;
+  logic [10:0] sum_78;
+  assign sum_78 = {1'b0, smaller_2} + {2'h0, smaller_2[9:1]};
+  logic [9:0] sum_79;
+  assign sum_79 = sum_78[10:1] + 10'h1;
 
-  logic gx_0_s1_q;
-  logic gx_1_s1_q;
-  logic gy_0_s1_q;
-  logic gy_1_s1_q;
   logic saturated_s1_q;
   logic mask_s1_q;
   logic marks_first_s1_q;
   logic marks_last_s1_q;
-  logic [9:0] x_s1_q;
-  logic [9:0] y_s1_q;
-  logic [9:0] x_2_s1_q;
-  logic [9:0] y_2_s1_q;
+  logic less_13_s1_q;
+  logic xor_16_s1_q;
+  logic [9:0] larger_s1_q;
+  logic less_20_s1_q;
+  logic [8:0] select_22_s1_q;
+  logic less_23_s1_q;
+  logic select_39_s1_q;
+  logic less_45_s1_q;
+  logic xor_48_s1_q;
+  logic [9:0] larger_2_s1_q;
+  logic less_52_s1_q;
+  logic [8:0] select_54_s1_q;
+  logic less_55_s1_q;
+  logic select_71_s1_q;
+  logic [8:0] sum_74_s1_q;
+  logic [8:0] sum_79_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
-      gx_0_s1_q <= gx_0_i[10];
-      gx_1_s1_q <= gx_1_i[10];
-      gy_0_s1_q <= gy_0_i[10];
-      gy_1_s1_q <= gy_1_i[10];
       saturated_s1_q <= saturated_i;
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;
       marks_last_s1_q <= marks_last_i;
-      x_s1_q <= x;
-      y_s1_q <= y;
-      x_2_s1_q <= x_2;
-      y_2_s1_q <= y_2;
+      less_13_s1_q <= less_13;
+      xor_16_s1_q <= less_13 ^ (~(gx_0_i[10] ^ gy_0_i[10]));
+      larger_s1_q <= larger;
+      less_20_s1_q <= less_20;
+      select_22_s1_q <= select_22[8:0];
+      less_23_s1_q <= {1'b0, larger[9:1]} < select_22;
+      select_39_s1_q <= less_13 ? gy_0_i[10] : gx_0_i[10];
+      less_45_s1_q <= less_45;
+      xor_48_s1_q <= less_45 ^ (~(gx_1_i[10] ^ gy_1_i[10]));
+      larger_2_s1_q <= larger_2;
+      less_52_s1_q <= less_52;
+      select_54_s1_q <= select_54[8:0];
+      less_55_s1_q <= {1'b0, larger_2[9:1]} < select_54;
+      select_71_s1_q <= less_45 ? gy_1_i[10] : gx_1_i[10];
+      sum_74_s1_q <= sum_74[9:1];
+      sum_79_s1_q <= sum_79[9:1];
     end
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/direction.hpp:46
-  logic less_13;
-  assign less_13 = x_s1_q < y_s1_q;
-  logic [9:0] larger;
-  assign larger = less_13 ? y_s1_q : x_s1_q;
-  // hls/stages/direction.hpp:47
-  logic [9:0] smaller;
-  assign smaller = (y_s1_q < x_s1_q) ? y_s1_q : x_s1_q;
   // hls/stages/direction.hpp:62
-  logic less_20;
-  assign less_20 = {1'b0, larger[9:1]} < smaller;
-  logic [9:0] select_22;
-  assign select_22 = less_20 ? ({smaller[8:0], 1'b0} - larger) : {smaller[8:0], 1'b0};
-  logic less_23;
-  assign less_23 = {1'b0, larger[9:1]} < select_22;
   logic [9:0] select_25;
-  assign select_25 = less_23 ? ({select_22[8:0], 1'b0} - larger) : {select_22[8:0], 1'b0};
+  assign select_25 = less_23_s1_q ? ({select_22_s1_q, 1'b0} - larger_s1_q) : {select_22_s1_q, 1'b0};
   logic less_26;
-  assign less_26 = {1'b0, larger[9:1]} < select_25;
+  assign less_26 = {1'b0, larger_s1_q[9:1]} < select_25;
   logic [9:0] select_28;
-  assign select_28 = less_26 ? ({select_25[8:0], 1'b0} - larger) : {select_25[8:0], 1'b0};
+  assign select_28 = less_26 ? ({select_25[8:0], 1'b0} - larger_s1_q) : {select_25[8:0], 1'b0};
   logic less_29;
-  assign less_29 = {1'b0, larger[9:1]} < select_28;
+  assign less_29 = {1'b0, larger_s1_q[9:1]} < select_28;
   logic [9:0] select_31;
-  assign select_31 = less_29 ? ({select_28[8:0], 1'b0} - larger) : {select_28[8:0], 1'b0};
+  assign select_31 = less_29 ? ({select_28[8:0], 1'b0} - larger_s1_q) : {select_28[8:0], 1'b0};
   logic less_32;
-  assign less_32 = {1'b0, larger[9:1]} < select_31;
+  assign less_32 = {1'b0, larger_s1_q[9:1]} < select_31;
   logic [9:0] select_34;
-  assign select_34 = less_32 ? ({select_31[8:0], 1'b0} - larger) : {select_31[8:0], 1'b0};
+  assign select_34 = less_32 ? ({select_31[8:0], 1'b0} - larger_s1_q) : {select_31[8:0], 1'b0};
   logic less_35;
-  assign less_35 = {1'b0, larger[9:1]} < select_34;
+  assign less_35 = {1'b0, larger_s1_q[9:1]} < select_34;
   logic [5:0] angle;  // table arctangent_table
   always_comb begin
-    case ({less_20, less_23, less_26, less_29, less_32, less_35})
+    case ({less_20_s1_q, less_23_s1_q, less_26, less_29, less_32, less_35})
       6'd1: angle = 6'h1;
       6'd2: angle = 6'h2;
       6'd3: angle = 6'h2;
@@ -180,44 +217,27 @@ module horopter_direction (
   end
   // hls/stages/direction.hpp:69
   logic [6:0] select_38;
-  assign select_38 = (less_13 ^ (~(gx_0_s1_q ^ gy_0_s1_q))) ? {1'b0, angle} : (7'h0 - {1'b0, angle});
-  // hls/stages/direction.hpp:68
-  logic select_39;
-  assign select_39 = less_13 ? gy_0_s1_q : gx_0_s1_q;
-  // hls/stages/direction.hpp:46
-  logic less_45;
-  assign less_45 = x_2_s1_q < y_2_s1_q;
-  logic [9:0] larger_2;
-  assign larger_2 = less_45 ? y_2_s1_q : x_2_s1_q;
-  // hls/stages/direction.hpp:47
-  logic [9:0] smaller_2;
-  assign smaller_2 = (y_2_s1_q < x_2_s1_q) ? y_2_s1_q : x_2_s1_q;
+  assign select_38 = xor_16_s1_q ? {1'b0, angle} : (7'h0 - {1'b0, angle});
   // hls/stages/direction.hpp:62
-  logic less_52;
-  assign less_52 = {1'b0, larger_2[9:1]} < smaller_2;
-  logic [9:0] select_54;
-  assign select_54 = less_52 ? ({smaller_2[8:0], 1'b0} - larger_2) : {smaller_2[8:0], 1'b0};
-  logic less_55;
-  assign less_55 = {1'b0, larger_2[9:1]} < select_54;
   logic [9:0] select_57;
-  assign select_57 = less_55 ? ({select_54[8:0], 1'b0} - larger_2) : {select_54[8:0], 1'b0};
+  assign select_57 = less_55_s1_q ? ({select_54_s1_q, 1'b0} - larger_2_s1_q) : {select_54_s1_q, 1'b0};
   logic less_58;
-  assign less_58 = {1'b0, larger_2[9:1]} < select_57;
+  assign less_58 = {1'b0, larger_2_s1_q[9:1]} < select_57;
   logic [9:0] select_60;
-  assign select_60 = less_58 ? ({select_57[8:0], 1'b0} - larger_2) : {select_57[8:0], 1'b0};
+  assign select_60 = less_58 ? ({select_57[8:0], 1'b0} - larger_2_s1_q) : {select_57[8:0], 1'b0};
   logic less_61;
-  assign less_61 = {1'b0, larger_2[9:1]} < select_60;
+  assign less_61 = {1'b0, larger_2_s1_q[9:1]} < select_60;
   logic [9:0] select_63;
-  assign select_63 = less_61 ? ({select_60[8:0], 1'b0} - larger_2) : {select_60[8:0], 1'b0};
+  assign select_63 = less_61 ? ({select_60[8:0], 1'b0} - larger_2_s1_q) : {select_60[8:0], 1'b0};
   logic less_64;
-  assign less_64 = {1'b0, larger_2[9:1]} < select_63;
+  assign less_64 = {1'b0, larger_2_s1_q[9:1]} < select_63;
   logic [9:0] select_66;
-  assign select_66 = less_64 ? ({select_63[8:0], 1'b0} - larger_2) : {select_63[8:0], 1'b0};
+  assign select_66 = less_64 ? ({select_63[8:0], 1'b0} - larger_2_s1_q) : {select_63[8:0], 1'b0};
   logic less_67;
-  assign less_67 = {1'b0, larger_2[9:1]} < select_66;
+  assign less_67 = {1'b0, larger_2_s1_q[9:1]} < select_66;
   logic [5:0] angle_2;  // table arctangent_table
   always_comb begin
-    case ({less_52, less_55, less_58, less_61, less_64, less_67})
+    case ({less_52_s1_q, less_55_s1_q, less_58, less_61, less_64, less_67})
       6'd1: angle_2 = 6'h1;
       6'd2: angle_2 = 6'h2;
       6'd3: angle_2 = 6'h2;
@@ -286,25 +306,14 @@ module horopter_direction (
   end
   // hls/stages/direction.hpp:69
   logic [6:0] select_70;
-  assign select_70 = (less_45 ^ (~(gx_1_s1_q ^ gy_1_s1_q))) ? {1'b0, angle_2} : (7'h0 - {1'b0, angle_2});
-  // hls/stages/direction.hpp:68
-  logic select_71;
-  assign select_71 = less_45 ? gy_1_s1_q : gx_1_s1_q;
+  assign select_70 = xor_48_s1_q ? {1'b0, angle_2} : (7'h0 - {1'b0, angle_2});
   // hls/stages/direction.hpp:49
-  logic [10:0] sum_73;
-  assign sum_73 = {1'b0, smaller} + {2'h0, smaller[9:1]};
-  logic [9:0] sum_74;
-  assign sum_74 = sum_73[10:1] + 10'h1;
   logic [10:0] sum_75;
-  assign sum_75 = {1'b0, larger} + {2'h0, sum_74[9:1]};
+  assign sum_75 = {1'b0, larger_s1_q} + {2'h0, sum_74_s1_q};
   logic [10:0] select_77;
   assign select_77 = (sum_75[10:8] == 3'h0) ? sum_75 : 11'hff;
-  logic [10:0] sum_78;
-  assign sum_78 = {1'b0, smaller_2} + {2'h0, smaller_2[9:1]};
-  logic [9:0] sum_79;
-  assign sum_79 = sum_78[10:1] + 10'h1;
   logic [10:0] sum_80;
-  assign sum_80 = {1'b0, larger_2} + {2'h0, sum_79[9:1]};
+  assign sum_80 = {1'b0, larger_2_s1_q} + {2'h0, sum_79_s1_q};
   logic [8:0] select_82;
   assign select_82 = (sum_80[10:8] == 3'h0) ? sum_80[8:0] : 9'hff;
 
@@ -325,9 +334,9 @@ module horopter_direction (
       marks_first_s2_q <= marks_first_s1_q;
       marks_last_s2_q <= marks_last_s1_q;
       select_38_s2_q <= select_38[5:0];
-      sum_40_s2_q <= {select_39, less_13} + {2{select_38[6]}};
+      sum_40_s2_q <= {select_39_s1_q, less_13_s1_q} + {2{select_38[6]}};
       select_70_s2_q <= select_70[5:0];
-      sum_72_s2_q <= {select_71, less_45} + {2{select_70[6]}};
+      sum_72_s2_q <= {select_71_s1_q, less_45_s1_q} + {2{select_70[6]}};
       select_77_s2_q <= select_77[7:0];
       select_82_s2_q <= select_82[7:3];
       or_83_s2_q <= select_77[10:8] | select_82[2:0];
