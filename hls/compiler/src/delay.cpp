@@ -33,7 +33,7 @@ DelayModel make_delay_model(Target target) {
       m.level_ns = 1.12;
       m.carry_base_ns = 1.75;
       m.carry_bit_ns = 0.04;
-      m.memory_read_ns = 5.30;  // 5.7 without its output register, less the margin it does not need (delay.hpp)
+      m.memory_read_ns = 5.30;   // 5.7 without its output register, less the margin it does not need (delay.hpp)
       m.memory_route_ns = 1.80;  // block RAMs lie in few rows; of hd's, routed, half are further away than this
       m.memory_setup_ns = 2.80;
       m.multiplier_ns = 4.60;
