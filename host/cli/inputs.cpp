@@ -78,6 +78,15 @@ bool is_moving_skin(const std::string& skin) {
   return has_motion(skin);
 }
 
+std::unique_ptr<RigSkin> load_rig_skin(const std::string& skin, const calib::Rig& rig) {
+  SkinFile file = load_skin(skin, {}, &rig);
+  if (dynamic_cast<RigSkin*>(file.skin.get()) == nullptr) {
+    throw FileError(skin, "surface", fmt::format("a {} has no place in space", file.skin->type()),
+                    "a surface in the rig's world");
+  }
+  return std::unique_ptr<RigSkin>(static_cast<RigSkin*>(file.skin.release()));
+}
+
 MapSet load_or_compile_maps(const std::string& skin, const std::optional<calib::Rig>& rig,
                             const MachineProfile& profile, int image_width, int image_height) {
   if (!is_table(skin)) {

@@ -2,12 +2,14 @@
 // Inputs that several commands take, checked in one way.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "horopter/calib/rig.hpp"
 #include "horopter/map.hpp"
 #include "horopter/profile.hpp"
+#include "horopter/rig_skin.hpp"
 #include "horopter/skin_file.hpp"
 
 namespace horopter::cli {
@@ -23,6 +25,8 @@ bool is_moving_skin(const std::string& skin);
 /// A skin.yaml for images of this size. Throws FileError where the rig's are others.
 SkinFile load_skin_for(const std::string& skin, const std::optional<calib::Rig>& rig, int image_width,
                        int image_height);
+/// A skin.yaml whose surface lies in the rig's world. Throws FileError.
+std::unique_ptr<RigSkin> load_rig_skin(const std::string& skin, const calib::Rig& rig);
 /// Tables from a skin.yaml, or from an .hmap of the same profile, size and, where one is given, rig.
 MapSet load_or_compile_maps(const std::string& skin, const std::optional<calib::Rig>& rig,
                             const MachineProfile& profile, int image_width, int image_height);

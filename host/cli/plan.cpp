@@ -93,12 +93,7 @@ ExitStatus plan_thickness(const ThicknessOptions& options) {
   std::vector<PlannedSkin> skins;
   std::optional<CameraPair> cameras;
   if (!options.skin.empty()) {
-    const SkinFile file = load_skin(options.skin, {}, &rig);
-    const auto* skin = dynamic_cast<const RigSkin*>(file.skin.get());
-    if (skin == nullptr) {
-      throw FileError(options.skin, "surface", fmt::format("a {} has no place in space", file.skin->type()),
-                      "a surface in the rig's world");
-    }
+    const auto skin = load_rig_skin(options.skin, rig);
     cameras = skin->cameras();
     skins.push_back({skin->description(), "thickness.png", skin->surface()});
   } else {

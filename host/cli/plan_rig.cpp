@@ -222,12 +222,7 @@ ExitStatus plan_rig(RigOptions options) {
   CameraPair cameras(rig.cameras[0], rig.cameras[1]);
   std::vector<Planned> skins;
   if (!options.skin.empty()) {
-    const SkinFile file = load_skin(options.skin, {}, &rig);
-    const auto* skin = dynamic_cast<const RigSkin*>(file.skin.get());
-    if (skin == nullptr) {
-      throw FileError(options.skin, "surface", fmt::format("a {} has no place in space", file.skin->type()),
-                      "a surface in the rig's world");
-    }
+    const auto skin = load_rig_skin(options.skin, rig);
     cameras = skin->cameras();
     skins.push_back({skin->description(), skin->surface()});
   }

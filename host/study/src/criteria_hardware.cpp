@@ -7,45 +7,29 @@
 #include <memory>
 #include <stdexcept>
 
+#include "hardware_directions.hpp"
 #include "horopter/study/criteria.hpp"
 #include "stages/difference.hpp"
-#include "stages/direction.hpp"
 #include "stages/dsad.hpp"
-#include "stages/lowpass.hpp"
-#include "stages/sobel.hpp"
 
 namespace horopter::study {
 namespace {
 
-constexpr int kColumns = 2048;
-
 /// The differences of 0 … 15, moved back to the pixels they belong to.
 Plane differences(const Plane& left, const Plane& right) {
-  using namespace stages;
-  constexpr int offset = 2;  // low-pass and Sobel, a pixel each
-  const auto lowpass = std::make_unique<LowpassFilter<kColumns>>();
-  const auto sobel = std::make_unique<SobelFilter<kColumns>>();
-  const auto direction = std::make_unique<DirectionFinder<>>();
-  const auto difference = std::make_unique<DirectionDifference<1>>();
+  stages::DirectionDifference<1> difference;
   Plane result(left.width, left.height);
-  for (int y = 0; y < left.height; ++y) {
-    for (int x = 0; x < left.width; ++x) {
-      GreyPair in;
-      in.pixel = {u<8>(static_cast<std::uint32_t>(left.at(x, y))), u<8>(static_cast<std::uint32_t>(right.at(x, y)))};
-      in.mask = true;
-      in.marks = {x == 0 && y == 0, x == left.width - 1};
-      const auto out = difference->step(direction->step(sobel->step(lowpass->step(in))));
-      if (x >= offset && y >= offset)
-        result.at(x - offset, y - offset) = static_cast<double>(out.difference[0].value());
-    }
-  }
+  for_hardware_directions(left, right, [&](int x, int y, const auto&, const auto& direction) {
+    const auto out = difference.step(direction);
+    if (x >= 0 && y >= 0) result.at(x, y) = static_cast<double>(out.difference[0].value());
+  });
   return result;
 }
 
 template <int K>
 Plane sums(const Plane& difference) {
   using namespace stages;
-  using Sum = DsadSum<kColumns, 1, K>;
+  using Sum = DsadSum<kHardwareColumns, 1, K>;
   constexpr int offset = K / 2;
   const auto dsad = std::make_unique<Sum>();
   Plane result(difference.width, difference.height);
@@ -69,8 +53,9 @@ class Hardware final : public Criterion {
   bool similarity() const override { return false; }
   double worst(int kernel) const override { return 15.0 * kernel * kernel; }
   Plane compare(Pair& pair) const override {
-    if (pair.r().width > kColumns || pair.r().width < 16)
-      throw std::invalid_argument(fmt::format("the hardware's stages take images of 16 to {} px width here", kColumns));
+    if (pair.r().width > kHardwareColumns || pair.r().width < 16)
+      throw std::invalid_argument(
+          fmt::format("the hardware's stages take images of 16 to {} px width here", kHardwareColumns));
     const Plane& difference = pair.shared("hardware difference", [&] { return differences(pair.r(), pair.s()); });
     switch (pair.kernel()) {
       case 5:

@@ -10,45 +10,29 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "hardware_directions.hpp"
 #include "horopter/study/filters.hpp"
-#include "stages/direction.hpp"
-#include "stages/lowpass.hpp"
-#include "stages/sobel.hpp"
 
 namespace horopter::study {
 namespace {
 
-constexpr int kColumns = 2048;
 constexpr double kFlat = -1;
 
 /// Directions of both images in 1/256 turn, kFlat where the gradient is 0, at the pixels that they belong to: the
 /// hardware's 8 bits, or what the same gradients have in floating point.
 std::pair<Plane, Plane> directions(const Plane& left, const Plane& right, bool exact) {
-  using namespace stages;
-  constexpr int offset = 2;  // low-pass and Sobel, a pixel each
-  const auto lowpass = std::make_unique<LowpassFilter<kColumns>>();
-  const auto sobel = std::make_unique<SobelFilter<kColumns>>();
-  const auto direction = std::make_unique<DirectionFinder<>>();
   std::pair<Plane, Plane> result{Plane(left.width, left.height, kFlat), Plane(left.width, left.height, kFlat)};
-  for (int y = 0; y < left.height; ++y) {
-    for (int x = 0; x < left.width; ++x) {
-      GreyPair in;
-      in.pixel = {u<8>(static_cast<std::uint32_t>(left.at(x, y))), u<8>(static_cast<std::uint32_t>(right.at(x, y)))};
-      in.mask = true;
-      in.marks = {x == 0 && y == 0, x == left.width - 1};
-      const auto gradient = sobel->step(lowpass->step(in));
-      const auto out = direction->step(gradient);
-      if (x < offset || y < offset) continue;
-      const auto value = [&](std::size_t i) {
-        if (out.magnitude[i].value() == 0) return kFlat;
-        if (!exact) return static_cast<double>(out.direction[i].value());
-        const double turn = std::atan2(gradient.gy[i].value(), gradient.gx[i].value()) * 128 / std::numbers::pi;
-        return turn < 0 ? turn + 256 : turn;
-      };
-      result.first.at(x - offset, y - offset) = value(0);
-      result.second.at(x - offset, y - offset) = value(1);
-    }
-  }
+  for_hardware_directions(left, right, [&](int x, int y, const auto& gradient, const auto& direction) {
+    if (x < 0 || y < 0) return;
+    const auto value = [&](std::size_t i) {
+      if (direction.magnitude[i].value() == 0) return kFlat;
+      if (!exact) return static_cast<double>(direction.direction[i].value());
+      const double turn = std::atan2(gradient.gy[i].value(), gradient.gx[i].value()) * 128 / std::numbers::pi;
+      return turn < 0 ? turn + 256 : turn;
+    };
+    result.first.at(x, y) = value(0);
+    result.second.at(x, y) = value(1);
+  });
   return result;
 }
 
@@ -64,8 +48,9 @@ class DirectionResolution final : public Criterion {
   bool similarity() const override { return false; }
   double worst(int kernel) const override { return static_cast<double>(largest()) * kernel * kernel; }
   Plane compare(Pair& pair) const override {
-    if (pair.r().width > kColumns || pair.r().width < 16)
-      throw std::invalid_argument(fmt::format("the hardware's stages take images of 16 to {} px width here", kColumns));
+    if (pair.r().width > kHardwareColumns || pair.r().width < 16)
+      throw std::invalid_argument(
+          fmt::format("the hardware's stages take images of 16 to {} px width here", kHardwareColumns));
     // Both are made at once, and kept for the other resolutions.
     const std::string key = exact() ? "direction in floating point" : "8-bit direction";
     const Plane& left = pair.shared(key + ", left", [&] {
