@@ -1,4 +1,4 @@
-# hlsc's runs: every stage of hls/stages/stage_list.def for every profile.
+# hlsc's runs: for every profile every stage of hls/stages/stage_list.def that its rules need.
 #
 #   horopter_hlsc(<directory> STAGE <header> CLASS <C++ type> NAME <module> CLOCK_NS <ns> [TIMING <option of hlsc>...])
 #
@@ -16,9 +16,10 @@ set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEP
 file(STRINGS ${_stage_list} _lines REGEX "^HOROPTER_STAGE\\(")
 set(HOROPTER_STAGES)
 foreach(_line IN LISTS _lines)
-  string(REGEX MATCH "^HOROPTER_STAGE\\( *([a-z0-9_]+) *, *([A-Za-z0-9_]+)" _ "${_line}")
+  string(REGEX MATCH "^HOROPTER_STAGE\\( *([a-z0-9_]+) *, *([A-Za-z0-9_]+) *, *([a-z]+)" _ "${_line}")
   list(APPEND HOROPTER_STAGES ${CMAKE_MATCH_1})
   set(HOROPTER_STAGE_CLASS_${CMAKE_MATCH_1} ${CMAKE_MATCH_2})
+  set(HOROPTER_STAGE_RULE_${CMAKE_MATCH_1} ${CMAKE_MATCH_3})
 endforeach()
 
 # Every header that a stage may include: hlsc gives no dependency file.
@@ -37,8 +38,13 @@ set(HOROPTER_HLSC_OUTPUT_NS
   lowpass 14 sobel 12 difference 9 texture 1 threshold 4 majority 6 align 12 runs 15)
 set(HOROPTER_HLSC_INPUT_NS interpolate 2.3)
 
-function(_horopter_clock_ns profile result slow)
+function(_horopter_profile_line profile result)
   file(STRINGS ${PROJECT_SOURCE_DIR}/hls/include/horopter/hls/profiles.def line REGEX "^HOROPTER_PROFILE\\(${profile},")
+  set(${result} ${line} PARENT_SCOPE)
+endfunction()
+
+function(_horopter_clock_ns profile result slow)
+  _horopter_profile_line(${profile} line)
   string(REGEX MATCH "([0-9]+)\\)$" _ "${line}")  # the last column: clock_khz
   set(clock_khz ${CMAKE_MATCH_1})
   if(clock_khz LESS HOROPTER_HLSC_SLOWEST_KHZ)
@@ -87,7 +93,13 @@ function(horopter_generate_stages profile)
   set(before)  # output_ns of the stage before
   set(sources)
   set(sidecars)
+  _horopter_profile_line(${profile} line)
+  string(REGEX MATCH "thesis|compete|both" decisions "${line}")
   foreach(stage IN LISTS HOROPTER_STAGES)
+    set(rule ${HOROPTER_STAGE_RULE_${stage}})
+    if(NOT rule STREQUAL always AND NOT decisions STREQUAL both AND NOT rule STREQUAL decisions)
+      continue()
+    endif()
     set(timing)
     if(slow)
       _horopter_lookup(HOROPTER_HLSC_INPUT_NS ${stage} input "${before}")

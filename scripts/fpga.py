@@ -19,11 +19,11 @@ def targets():
 
 
 def profiles():
-    """Columns of profiles.def by profile."""
+    """Columns of profiles.def by profile: numbers, and the name of the decisions."""
     text = (ROOT / "hls/include/horopter/hls/profiles.def").read_text(encoding="utf-8")
     found = {}
     for name, columns in re.findall(r"^HOROPTER_PROFILE\((\w+),([^)]*)\)", text, re.M):
-        found[name] = [int(c) for c in columns.split(",")]
+        found[name] = [int(c) if c.strip().isdigit() else c.strip() for c in columns.split(",")]
     return found
 
 

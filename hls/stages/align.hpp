@@ -1,31 +1,47 @@
 // SPDX-License-Identifier: Apache-2.0
 // align: from beats to pixels of the result. The windows before it end at the current pixel, so the state of pixel
-// (x, y) comes OFFSET rows and COLUMNS columns after it (as many, unless a stage before delays the marks as well).
+// (x, y) comes some rows and columns after it (no columns where the stages before delay the marks as well). With both
+// rules there are two such offsets.
 //
-// Config  width, height of the result in px, at most the template's; width > OFFSET.
+// Config  width, height of the result in px, at most the template's; width > the offset. compete, where there are two
+//         offsets: the second holds; it may change between frames.
 // Out     one beat for each pixel of the result, in raster order from (0, 0): first, last (of a row), end (last of the
-//         frame). The raster is shifted as a whole: the last OFFSET pixels of a row come with the next row's first
-//         beats, which belong to the border and are unsupervised. After `end` follows one beat with `idle` set, not a
-//         pixel, in which `runs` emits its last run.
-// `first` starts a new frame at once, whatever has become of the last one. Illegal use: fewer than height + OFFSET + 1
-// rows in a frame cut it off without `end`.
+//         frame). The raster is shifted as a whole: the last pixels of a row, as many as the offset's columns, come
+//         with the next row's first beats, which belong to the border and are unsupervised. After `end` follows one
+//         beat with `idle` set, not a pixel, in which `runs` emits its last run.
+// `first` starts a new frame at once, whatever has become of the last one. Illegal use: a frame
+// without a row more than height and offset is cut off without `end`.
 #pragma once
 
 #include "stages/majority.hpp"
 
 namespace horopter::stages {
 
-template <int WIDTH, int HEIGHT, int OFFSET, int COLUMNS = OFFSET>
+struct ResultOffset {
+  int rows = 0;
+  int columns = 0;
+  friend bool operator==(const ResultOffset&, const ResultOffset&) = default;
+};
+
+template <int WIDTH, int HEIGHT, ResultOffset OFFSET, ResultOffset COMPETE = OFFSET>
 class Aligner {
+  struct Size {
+    u<bits_for(WIDTH)> width;
+    u<bits_for(HEIGHT)> height;
+  };
+  struct SizeAndRule {
+    u<bits_for(WIDTH)> width;
+    u<bits_for(HEIGHT)> height;
+    bool compete = false;
+  };
+  static constexpr bool two = OFFSET != COMPETE;
+
  public:
   struct In {
     u<2> state;
     Marks marks;
   };
-  struct Config {
-    u<bits_for(WIDTH)> width;
-    u<bits_for(HEIGHT)> height;
-  };
+  using Config = std::conditional_t<two, SizeAndRule, Size>;
   struct Out {
     bool valid = false;
     u<2> state;
@@ -36,6 +52,12 @@ class Aligner {
   };
 
   Out step(const In& in, const Config& config) {
+    Margin rows(OFFSET.rows);
+    Margin columns(OFFSET.columns);
+    if constexpr (two) {
+      if (config.compete) rows = Margin(COMPETE.rows);
+      if (config.compete) columns = Margin(COMPETE.columns);
+    }
     if (in.marks.first) [[unlikely]] {
       rows_ = Margin(0);
       started_ = false;
@@ -45,7 +67,7 @@ class Aligner {
     if (in.marks.first || row_ended_) [[unlikely]] {
       columns_ = Margin(0);
     }
-    const bool start = !started_ && rows_ == OFFSET && columns_ == COLUMNS;
+    const bool start = !started_ && rows_ == rows && columns_ == columns;
     if (start) [[unlikely]] {
       started_ = true;
       active_ = true;
@@ -75,15 +97,15 @@ class Aligner {
       columns_left_ -= lit<1>();
     }
     row_ended_ = in.marks.last;
-    columns_ += u<1>(columns_ != COLUMNS);
+    columns_ += u<1>(columns_ != columns);
     if (in.marks.last) [[unlikely]] {
-      rows_ += u<1>(rows_ != OFFSET);
+      rows_ += u<1>(rows_ != rows);
     }
     return out;
   }
 
  private:
-  using Margin = u<bits_for(OFFSET)>;
+  using Margin = u<bits_for(std::max({OFFSET.rows, OFFSET.columns, COMPETE.rows, COMPETE.columns}))>;
   using Column = u<bits_for(WIDTH)>;
   using Row = u<bits_for(HEIGHT)>;
 
@@ -93,13 +115,18 @@ class Aligner {
   bool final_row_ = false;  // of the frame
   bool started_ = true;     // this frame's result has begun; true until the first frame
   bool row_ended_ = true;
-  Margin rows_{0};          // rows of beats before this one, at most OFFSET
-  Margin columns_{0};       // beats of this row before this one, at most OFFSET
+  Margin rows_{0};          // rows of beats before this one, at most the offset's
+  Margin columns_{0};       // beats of this row before this one, at most the offset's
   Column columns_left_{0};  // of the row, after this one
   Row rows_left_{0};        // of the result, after this one
 };
 
 template <Profile P>
-using Align = Aligner<P.result_width(), P.height, P.offset()>;
+inline constexpr ResultOffset thesis_offset{P.offset(), P.offset()};
+template <Profile P>
+inline constexpr ResultOffset compete_offset{P.compete_offset(), 0};
+template <Profile P>
+using Align = Aligner<P.result_width(), P.height, P.has_thesis() ? thesis_offset<P> : compete_offset<P>,
+                      P.has_compete() ? compete_offset<P> : thesis_offset<P>>;
 
 }  // namespace horopter::stages

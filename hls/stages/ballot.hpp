@@ -82,4 +82,7 @@ class ColumnBallot {
   bool running_ = false;
 };
 
+template <Profile P>
+using Ballot = ColumnBallot<P.result_width(), P.ballot_reach>;
+
 }  // namespace horopter::stages

@@ -9,20 +9,14 @@
 #include <cstdint>
 #include <vector>
 
+#include "horopter/hls/compete_settings.hpp"
 #include "horopter/hls/lanes.hpp"
 #include "stages/compete.hpp"
 #include "stages/lowpass.hpp"
 
 namespace horopter::native {
 
-/// The registers of the rule `compete`.
-struct CompeteSettings {
-  int bias = 2;           // added to every vote: above 0 a doubtful pixel is rather in the skin
-  int smooth = 2;         // in 4 grey levels: pixels of a row that differ by more are not alike
-  int similar = 3;        // in 4 grey levels: pixels of a column that differ by more do not vote for each other
-  int quorum = 1;         // smallest sum of votes that says skin
-  int clear_quorum = 50;  // 8 votes: smallest sum of votes against that says clear
-};
+using hls::CompeteSettings;
 
 struct CompetePixel {
   hls::u<8> left;
@@ -33,7 +27,6 @@ struct CompetePixel {
 
 template <hls::Profile P>
 class CompeteRows {
-  using Chain = stages::Competition<P>;
   using Lanes = hls::Lanes;
 
  public:
@@ -69,22 +62,21 @@ class CompeteRows {
 
  private:
   static constexpr int lanes = hls::lanes::count;
-  static constexpr int reach = Chain::planes.reach();
-  static constexpr int delay = stages::PlaneSummer<1, Chain::planes, Chain::sum_rows, Chain::sum_columns>::delay +
-                               stages::PlaneContest<1, Chain::planes, Chain::sum_rows, Chain::sum_columns>::delay;
+  static constexpr int reach = stages::planes_of<P.planes>.reach();
+  static constexpr int delay = stages::PlaneSums<P>::delay + stages::Contest<P>::delay;
   /// A strip begins as far left as anything that its results depend on, and ends when the last of them has left.
-  static constexpr int lead = Chain::sum_columns + 2 * reach + 2 * stages::gradient_delay;
+  static constexpr int lead = P.sum_columns + 2 * reach + 2 * stages::gradient_delay;
   static constexpr int largest_strip = (P.result_width() + lanes - 1) / lanes;
   static constexpr int strip_beats = lead + largest_strip + delay;
   static_assert(255 * largest_strip < 1 << 16, "a lane sums the gradients of its strip");
 
   using Lowpass = stages::LowpassFilter<strip_beats, 2, 1, Lanes>;
-  using Sobel = stages::SobelFilter<strip_beats, 2, 1, Lanes>;
+  using Sobel = stages::SobelFilter<strip_beats, 2, 1, Lanes, true>;
   using Contrast = stages::Contrast<Lanes>;
   using GradientSums = stages::GradientSums<P.result_width()>;
-  using Sums = typename Chain::template SumsOf<Lanes, strip_beats>;
-  using Paths = typename Chain::template PathsOf<Lanes, strip_beats>;
-  using Contest = typename Chain::template ContestOf<Lanes, strip_beats>;
+  using Sums = stages::PlaneSums<P, Lanes, strip_beats>;
+  using Paths = stages::Paths<P, Lanes, strip_beats>;
+  using Contest = stages::Contest<P, Lanes, strip_beats>;
 
   template <class Source>
   void load(const Source& source, bool first_row) {
@@ -112,12 +104,9 @@ class CompeteRows {
     hls::lanes::unsigned_vector right{};
     for (int beat = 0; beat < beats_; ++beat) {
       const auto at = static_cast<std::size_t>(beat);
-      const auto smooth = lowpass_.step(grey_[at]);
-      const auto gradients = sobel_.step(smooth);
+      const auto gradients = sobel_.step(lowpass_.step(grey_[at]));
       Contrast in;
       in.set(gradients, gain_);
-      in.grey = smooth.pixel[0];
-      in.exists = smooth.mask;
       if (beat >= lead && beat < lead + strip_) {
         left += select(gradients.mask, Contrast::magnitude(gradients.gx[0]), Lanes::u<8>(0)).vector();
         right += select(gradients.mask, Contrast::magnitude(gradients.gx[1]), Lanes::u<8>(0)).vector();
@@ -125,6 +114,7 @@ class CompeteRows {
       decided_[at] = contest_.step(paths_.step(sums_.step(in)), contest_config_);
     }
     gain_ = next_gain_;
+    gradients_.fade();
     gradients_.add(sum_of(left), sum_of(right));
     next_gain_ = gradients_.gain();
   }
@@ -145,13 +135,13 @@ class CompeteRows {
   Sums sums_;
   Paths paths_;
   Contest contest_;
-  typename Chain::Spread spread_;
-  typename Chain::Ballot ballot_;
-  typename Chain::Consensus consensus_;
+  stages::Spread<P> spread_;
+  stages::Ballot<P> ballot_;
+  stages::Consensus<P> consensus_;
 
   typename Contest::Config contest_config_;
   stages::VoteSpread::Config spread_config_;
-  typename Chain::Ballot::Config ballot_config_;
+  typename stages::Ballot<P>::Config ballot_config_;
 
   int width_ = 0;
   int strip_ = 0;  // columns of a strip

@@ -108,4 +108,7 @@ class ConsensusVote {
   DelayLine<Centre, (M - 1) / 2> centres_;
 };
 
+template <Profile P>
+using Consensus = ConsensusVote<P.result_width(), P.majority_window>;
+
 }  // namespace horopter::stages

@@ -15,6 +15,8 @@
 // Marks are delayed with the pixel, by the reach of the planes. Offset: none. No memory.
 #pragma once
 
+#include <algorithm>
+
 #include "stages/plane_paths.hpp"
 
 namespace horopter::stages {
@@ -48,23 +50,52 @@ class PlaneContest {
   };
 
   Out step(const In& in, const Config& config) {
-    constexpr std::size_t zero = PLANES.zero;
     const bool row_start = in.marks.first || row_ended_;
     row_ended_ = in.marks.last;
-    if (row_start) row_parity_ = !row_parity_;
-    line_.push({in, row_parity_});
-    const Beat& centre = line_.tap(PLANES.reach());
-    const auto& t = centre.left.cost;
-    std::array<U<cost_bits>, planes> seen_from_right;
-    for (std::size_t n = 0; n < planes; ++n) {
-      const Beat& beat = line_.tap(PLANES.reach() - PLANES.shift[n]);
-      seen_from_right[n] =
-          select(beat.left.known && Bit(beat.row == centre.row), beat.left.cost[n], U<cost_bits>::max());
-    }
-    const Bit hidden = outside_of(seen_from_right) < inside_of(seen_from_right);
-    const U<cost_bits> far = min(smallest(t, 0, zero - 2), smallest(t, zero + 3, planes));
-    const U<cost_bits> outside = min(far, min(t[zero - 2], t[zero + 2]));
-    const U<cost_bits> inside = inside_of(t);
+    const Bit hidden = seen_from_right(in, row_start);
+    const Vote vote = centres_.oldest();
+    centres_.push(vote_of(in));
+
+    const S<6> clipped = select(hidden && vote.clipped > lit<-hidden_vote>(), negative<hidden_vote>(), vote.clipped);
+    Out out;
+    const Bit votes = vote.votes && !(clipped == lit<0>());
+    out.vote = select(votes, S<7>(clipped + config.bias), S<7>(U<5>(0)));
+    out.firm = votes && vote.firm;
+    out.grey = vote.grey;
+    out.exists = vote.exists;
+    out.marks = vote.marks;
+    return out;
+  }
+
+ private:
+  using Cost = U<cost_bits>;
+  using Costs = std::array<Cost, planes>;
+  static constexpr std::size_t zero = PLANES.zero;
+
+  struct Vote {
+    S<6> clipped;
+    Bit votes = false;
+    Bit firm = false;
+    U<6> grey;
+    Bit exists = false;
+    Marks marks;
+  };
+  struct Seen {
+    Cost inside;
+    Bit hidden = false;
+  };
+
+  template <int MAGNITUDE>
+  static S<6> negative() {
+    return S<6>(S<6>(U<5>(0)) - lit<MAGNITUDE>());
+  }
+
+  /// What the pixel says by itself.
+  static Vote vote_of(const In& in) {
+    const auto& t = in.cost;
+    const Cost far = min(smallest(t, 0, zero - 2), smallest(t, zero + 3, planes));
+    const Cost outside = min(far, min(t[zero - 2], t[zero + 2]));
+    const Cost inside = min(t[zero], min(t[zero - 1], t[zero + 1]));
     using Z = S<cost_bits + 3>;
     Z z(outside - inside);
     z = select(t[zero + 1] < t[zero] && t[zero + 1] < t[zero - 1],
@@ -74,33 +105,47 @@ class PlaneContest {
     const Bit repeats = inside <= outside && far < inside + shr<4>(inside);
 
     const S<cost_bits> eighth = shr<3>(z);
-    const S<6> lowest(S<6>(U<5>(0)) - lit<largest_vote>());
-    S<6> clipped = select(eighth > lit<largest_vote>(), S<6>(U<5>(largest_vote)), S<6>(eighth));
-    clipped = select(eighth < lit<-largest_vote>(), lowest, clipped);
-    clipped = select(hidden && clipped > lit<-hidden_vote>(), S<6>(S<6>(U<5>(0)) - lit<hidden_vote>()), clipped);
-    const Bit votes = centre.left.evident && !repeats && !(clipped == lit<0>());
-
-    Out out;
-    out.vote = select(votes, S<7>(clipped + config.bias), S<7>(U<5>(0)));
-    out.firm = votes && centre.left.strong && z <= lit<firm_z>();
-    out.grey = centre.left.grey;
-    out.exists = centre.left.exists;
-    out.marks = centre.left.marks;
-    return out;
+    Vote vote;
+    vote.clipped = select(eighth > lit<largest_vote>(), S<6>(U<5>(largest_vote)), S<6>(eighth));
+    vote.clipped = select(eighth < lit<-largest_vote>(), negative<largest_vote>(), vote.clipped);
+    vote.votes = in.evident && !repeats;
+    vote.firm = in.strong && z <= lit<firm_z>();
+    vote.grey = in.grey;
+    vote.exists = in.exists;
+    vote.marks = in.marks;
+    return vote;
   }
 
- private:
-  using Costs = std::array<U<cost_bits>, planes>;
-  struct Beat {
-    In left;
-    bool row = false;
-  };
-
-  static U<cost_bits> inside_of(const Costs& t) {
-    return min(t[PLANES.zero], min(t[PLANES.zero - 1], t[PLANES.zero + 1]));
-  }
-  static U<cost_bits> outside_of(const Costs& t) {
-    return min(smallest(t, 0, PLANES.zero - 1), smallest(t, PLANES.zero + 2, planes));
+  /// Of the pixel PLANES.reach() columns to the left, in whose row all that it saw has come by now: does it prefer a
+  /// plane outside? The pixel at x is seen in plane s by the one at x − s: instead of the costs of all planes, the
+  /// smallest so far travels along with the pixel that sees them: outside, until it has seen the planes −1, 0, 1, then
+  /// of these.
+  Bit seen_from_right(const In& in, bool row_start) {
+    constexpr int reach = PLANES.reach();
+    outside_.push(Cost::max());
+    if (row_start) {  // what the row before showed to this row's pixels
+      for (int i = 0; i <= reach; ++i) outside_.at(i) = Cost::max();
+      inside_next_ = Cost::max();
+      columns_ = u<bits_for(reach)>(0);
+    }
+    const auto cost = [&](std::size_t n) {
+      return select(in.known && Bit(columns_ >= std::max(PLANES.shift[n], 0)), in.cost[n], Cost::max());
+    };
+    for (std::size_t n = 0; n + 1 < zero; ++n) {
+      Cost& smallest = outside_.at(reach + PLANES.shift[n]);  // of x − s
+      smallest = min(smallest, cost(n));
+    }
+    seen_.push({min(inside_here_, cost(zero + 1)), false});
+    Seen& left = seen_.at(0);  // x − 1
+    left.hidden = outside_.oldest() < left.inside;
+    inside_here_ = min(inside_next_, cost(zero));
+    inside_next_ = cost(zero - 1);
+    for (std::size_t n = zero + 2; n < planes; ++n) {
+      Seen& other = seen_.at(PLANES.shift[n] - 1);  // x − s
+      other.hidden = other.hidden || cost(n) < other.inside;
+    }
+    columns_ += u<1>(columns_ != reach);
+    return seen_.oldest().hidden;
   }
 
   template <class T>
@@ -125,9 +170,16 @@ class PlaneContest {
     return best[0];
   }
 
-  DelayLine<Beat, 2 * PLANES.reach() + 1> line_;
   bool row_ended_ = true;
-  bool row_parity_ = false;
+  u<bits_for(PLANES.reach())> columns_{0};       // of this row to the left, at most the reach
+  DelayLine<Cost, PLANES.reach() + 2> outside_;  // smallest of the planes outside, of the pixels x + reach … x − 1
+  Cost inside_next_;                             // smallest of the planes −1, 0, 1, of x + 1,
+  Cost inside_here_;                             // of x,
+  DelayLine<Seen, PLANES.reach()> seen_;         // of x − 1 … x − reach
+  DelayLine<Vote, PLANES.reach()> centres_;
 };
+
+template <Profile P, class V = Scalar, int BEATS = P.result_width()>
+using Contest = PlaneContest<BEATS, planes_of<P.planes>, P.sum_rows, P.sum_columns, V>;
 
 }  // namespace horopter::stages

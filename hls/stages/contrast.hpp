@@ -7,10 +7,11 @@
 //
 // Gain: 1/64, 16 … 255, the ratio of the sums of |gx| (each at most 255) of both images where both exist: sums in which
 // a row counts 7/8 of the next one, from 1 at the start of each frame, so that a frame does not depend on those before
-// it. What the rows up to y − 2 say holds for row y: the quotient is formed, a bit a beat, while row y − 1 passes.
+// it. What the rows up to y − 2 say holds for row y: the quotient is formed, a bit in two
+// beats, while row y − 1 passes.
 //
 // In    gradients, and the low-passed left grey level and mask of the same beat, which pass through.
-// Out   left, right: 0 where saturated. Offset: none. No memory. Rows of at least 9 beats.
+// Out   left, right: 0 where saturated. Offset: none. No memory. Rows of at least 19 beats.
 #pragma once
 
 #include "stages/sobel.hpp"
@@ -41,10 +42,12 @@ struct Contrast {
     return select(gx.negative(), S<6>(S<6>(U<5>(0)) - size), S<6>(size));
   }
 
-  void set(const Gradients<2, V>& in, u<8> gain) {
+  void set(const Gradients<2, V, true>& in, u<8> gain) {
     left = clipped(in.gx[0], magnitude(in.gx[0]), in.saturated);
     right = clipped(in.gx[1], sat<8>(shr<6>(U<16>(magnitude(in.gx[1]) * gain))), in.saturated);
     mask = in.mask;
+    grey = in.smooth.grey;
+    exists = in.smooth.exists;
     marks = in.marks;
   }
 };
@@ -64,9 +67,13 @@ struct GradientSums {
   Sum left = Sum(BEATS);
   Sum right = Sum(BEATS);
 
+  void fade() {
+    left = Sum(left - shr<3>(left));
+    right = Sum(right - shr<3>(right));
+  }
   void add(Row row_left, Row row_right) {
-    left = Sum(left - shr<3>(left) + row_left);
-    right = Sum(right - shr<3>(right) + row_right);
+    left = Sum(left + row_left);
+    right = Sum(right + row_right);
   }
 
   [[nodiscard]] u<8> gain() const {
@@ -78,44 +85,49 @@ struct GradientSums {
 template <int BEATS>
 class ContrastFinder {
  public:
-  struct In {
-    Gradients<2> gradients;
-    u<8> grey;  // of `lowpass`, in this beat
-    bool exists = false;
-  };
+  using In = Gradients<2, Scalar, true>;
   using Out = Contrast<>;
 
   Out step(const In& in) {
-    const Marks& marks = in.gradients.marks;
+    const Marks& marks = in.marks;
     if (marks.first) [[unlikely]] {
-      sums_ = Sums{};
       left_ = right_ = Row(0);
       gain_ = next_gain_ = u<8>(gain_1);
-      bits_left_ = u<4>(0);
+      beats_left_ = u<5>(0);
     }
     Out out;
-    out.set(in.gradients, gain_);
-    out.grey = in.grey;
-    out.exists = in.exists;
-    if (in.gradients.mask) {
-      left_ = Row(left_ + Out::magnitude(in.gradients.gx[0]));
-      right_ = Row(right_ + Out::magnitude(in.gradients.gx[1]));
+    out.set(in, gain_);
+    if (in.mask) {
+      left_ = Row(left_ + Out::magnitude(in.gx[0]));
+      right_ = Row(right_ + Out::magnitude(in.gx[1]));
     }
-    // A bit of 256 · left / (4 · right) a beat.
+    // After a row: its sums, then the division. One addition a beat, so that the loop fits the clock.
+    if (marks.first) {
+      sums_ = Sums{};
+    } else if (marks.last) {
+      sums_.fade();
+    } else if (beats_left_ == lit<division_beats + 2>()) {
+      sums_.add(row_left_, row_right_);
+    }
+    // A bit of 256 · left / (4 · right): the difference in one beat, the choice in the next.
     const Dividend doubled(shl<1>(remainder_));
-    const bool bit = doubled >= divisor_;
-    if (bits_left_ != lit<0>()) {
-      remainder_ = bit ? Dividend(doubled - divisor_) : doubled;
-      next_gain_ = u<8>(cat(next_gain_, bit));
-      bits_left_ -= lit<1>();
-    }
-    if (marks.last) [[unlikely]] {
-      gain_ = next_gain_ > lit<least_gain>() ? next_gain_ : u<8>(least_gain);
-      sums_.add(left_, right_);
-      left_ = right_ = Row(0);
+    const bool bit = !difference_.negative();
+    if (beats_left_ == lit<division_beats + 1>()) {
       divisor_ = Dividend(shl<2>(sums_.right));
       remainder_ = min(Dividend(sums_.left), divisor_);  // 4 and more stay 255 / 64
-      bits_left_ = u<4>(8);
+    } else if (beats_left_.bit(0)) {
+      remainder_ = bit ? Dividend(difference_) : doubled;
+      next_gain_ = u<8>(cat(next_gain_, bit));
+    } else {
+      difference_ = doubled - divisor_;
+    }
+    beats_left_ -= u<1>(beats_left_ != lit<0>());
+    if (marks.last) [[unlikely]] {
+      gain_ = next_gain_ > lit<least_gain>() ? next_gain_ : u<8>(least_gain);
+      row_left_ = left_;
+      row_right_ = right_;
+      left_ = right_ = Row(0);
+      beats_left_ = u<5>(division_beats + 2);
     }
     return out;
   }
@@ -123,15 +135,21 @@ class ContrastFinder {
  private:
   using Sums = GradientSums<BEATS>;
   using Row = typename Sums::Row;
+  static constexpr int division_beats = 16;
   using Dividend = u<Sums::bits + 3>;
 
   Sums sums_;
-  Row left_, right_;
+  Row left_, right_;          // of this row so far
+  Row row_left_, row_right_;  // of the row before
   u<8> gain_{gain_1};
   u<8> next_gain_{gain_1};
   Dividend divisor_;
   Dividend remainder_;
-  u<4> bits_left_;
+  s<Sums::bits + 4> difference_;
+  u<5> beats_left_;
 };
+
+template <Profile P>
+using Contrasts = ContrastFinder<P.result_width()>;
 
 }  // namespace horopter::stages

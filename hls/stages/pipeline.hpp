@@ -172,8 +172,7 @@ class Pipeline {
       finish_row(result);
     }
     taps_.mask.fill(false);
-    const int flush_rows = compete_ ? stages::Competition<P>::flush_rows : P.flush_rows();
-    for (int y = 0; y < flush_rows; ++y) finish_row(result);
+    for (int y = 0; y < P.flush_rows(compete_); ++y) finish_row(result);
     return result;
   }
 
@@ -181,6 +180,7 @@ class Pipeline {
   static constexpr std::size_t table_slots = 15;
   static constexpr std::size_t padded_stride = P.width + 1;
 
+  struct Nothing {};
   template <class Stage>
   using InOf = typename Stage::In;
   template <class Stage>
@@ -266,6 +266,7 @@ class Pipeline {
     }
     if (left.height < 16) fail("the height must be at least 16");
     if (table.width() != left.width || table.height() != left.height) fail("the table is for another image size");
+    if (!P.has(settings.compete ? hls::Rule::compete : hls::Rule::thesis)) fail("the profile does not have this rule");
     if (settings.lookahead < 0 || settings.lookahead > P.store_rows / 2) fail("LOOKAHEAD is more than half the ring");
   }
 
@@ -273,13 +274,14 @@ class Pipeline {
     texture_config_.texture_limit = settings.texture_limit;
     threshold_config_.sum_limit = settings.sum_limit;
     threshold_config_.self_limit = settings.self_limit;
+    compete_ = settings.compete;
+    if constexpr (P.has_compete()) competition_.begin(image.width / P.subsample, settings.competition);
+    if constexpr (requires { align_config_.compete; }) align_config_.compete = compete_;
     align_config_.width = image.width / P.subsample;
     align_config_.height = image.height;
     alarm_config_.alarm_limit = settings.alarm_limit;
     alarm_config_.undecidable_limit = settings.undecidable_limit;
     alarm_config_.unsupervised_limit = settings.unsupervised_limit;
-    compete_ = settings.compete;
-    if (compete_) competition_.begin(image.width / P.subsample, settings.competition);
     health_config_.dark_level = settings.dark_level;
     health_config_.bright_level = settings.bright_level;
     health_config_.dark_limit = settings.dark_limit;
@@ -433,7 +435,9 @@ class Pipeline {
       interpolate_row(pairs_, 0);
       subsample_row();
     }
-    if (compete_) return compete_row(result);
+    if constexpr (P.has_compete()) {
+      if (compete_) return compete_row(result);
+    }
     load_strips();
     pass(lowpass_, strips_.grey, strips_.smooth);
     pass(sobel_, strips_.smooth, strips_.gradients);
@@ -561,22 +565,10 @@ class Pipeline {
       const std::size_t at = lead + index(x);
       return CompetePixel{grey_.left[at], grey_.right[at], grey_.saturated[at], grey_.mask[at]};
     };
-    competition_.row(source, first_row_, [&](const OutOf<typename stages::Competition<P>::Consensus>& out) {
-      const auto pixel = compete_align_.step({out.state, out.marks}, compete_align_config());
-      if (!pixel.valid) return;
-      OutOf<stages::Align<P>> same;
-      same.valid = pixel.valid;
-      same.state = pixel.state;
-      same.first = pixel.first;
-      same.last = pixel.last;
-      same.end = pixel.end;
-      same.idle = pixel.idle;
-      emit(same, runs_, alarm_, result);
+    competition_.row(source, first_row_, [&](const OutOf<stages::Consensus<P>>& out) {
+      const auto pixel = align_.step({out.state, out.marks}, align_config_);
+      if (pixel.valid) emit(pixel, runs_, alarm_, result);
     });
-  }
-
-  [[nodiscard]] typename stages::Competition<P>::Align::Config compete_align_config() const {
-    return {align_config_.width, align_config_.height};
   }
 
   [[gnu::noinline]] static void add_run(const OutOf<stages::Runs<P>>& run, FrameResult& result) {
@@ -593,7 +585,8 @@ class Pipeline {
     result.too_unsupervised = counts.too_unsupervised;
   }
 
-#define HOROPTER_STAGE(name, Class) static_assert(std::is_default_constructible_v<stages::Class<P>>);
+#define HOROPTER_STAGE(name, Class, rule) \
+  static_assert(std::is_default_constructible_v<std::conditional_t<P.has(hls::Rule::rule), stages::Class<P>, Nothing>>);
 #include "stages/stage_list.def"
 #undef HOROPTER_STAGE
 
@@ -620,8 +613,7 @@ class Pipeline {
   typename stages::Alarm<P>::Config alarm_config_;
   typename Health::Config health_config_;
 
-  CompeteRows<P> competition_;
-  typename stages::Competition<P>::Align compete_align_;
+  std::conditional_t<P.has_compete(), CompeteRows<P>, Nothing> competition_;
   bool compete_ = false;
 
   std::size_t written_ = 0;  // pixels of the result

@@ -105,4 +105,7 @@ class PlanePaths {
   bool running_ = false;
 };
 
+template <Profile P, class V = Scalar, int BEATS = P.result_width()>
+using Paths = PlanePaths<BEATS, planes_of<P.planes>, P.sum_rows, P.sum_columns, V>;
+
 }  // namespace horopter::stages

@@ -30,6 +30,14 @@ struct PlaneSet {
 /// Near planes bound the skin; far ones keep what repeats or lies far away from looking like it.
 inline constexpr PlaneSet<19> planes_19{{-24, -18, -13, -9, -6, -4, -3, -2, -1, 0, 1, 2, 3, 4, 6, 9, 13, 18, 24}};
 
-static_assert(planes_19.valid());
+inline constexpr PlaneSet<13> planes_13{{-18, -10, -6, -3, -2, -1, 0, 1, 2, 3, 6, 10, 18}};
+
+static_assert(planes_19.valid() && planes_13.valid());
+
+/// The set of so many.
+template <int COUNT>
+inline constexpr const auto& planes_of = planes_19;
+template <>
+inline constexpr const auto& planes_of<13> = planes_13;
 
 }  // namespace horopter::stages

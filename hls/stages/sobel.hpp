@@ -14,16 +14,18 @@
 namespace horopter::stages {
 
 /// Gradients of LANES images.
-template <int LANES, class V = Scalar>
+template <int LANES, class V = Scalar, bool SMOOTH = false>
 struct Gradients {
   std::array<typename V::template s<11>, LANES> gx{};
   std::array<typename V::template s<11>, LANES> gy{};
   typename V::bit saturated = false;
   typename V::bit mask = false;
   Marks marks;
+  SmoothIf<SMOOTH, V> smooth;
 };
 
-template <int BEATS, int LANES = 2, int STRIDE = 1, class V = Scalar>
+/// SMOOTH: the left grey value and mask of the beat travel along.
+template <int BEATS, int LANES = 2, int STRIDE = 1, class V = Scalar, bool SMOOTH = false>
 class SobelFilter {
  public:
   template <int N>
@@ -32,7 +34,7 @@ class SobelFilter {
   using S = typename V::template s<N>;
 
   using In = Grey<LANES, V>;
-  using Out = Gradients<LANES, V>;
+  using Out = Gradients<LANES, V, SMOOTH>;
 
   Out step(const In& in) {
     memory_.begin_step();
@@ -56,6 +58,7 @@ class SobelFilter {
     out.mask = mask_.step(at.row_start, in.mask, above.mask, column.mask);
     out.saturated = saturated_.step(at.row_start, in.saturated, above.saturated, column.saturated);
     out.marks = in.marks;
+    if constexpr (SMOOTH) out.smooth = {in.pixel[0], in.mask};
     memory_.write(at.column, column);
     return out;
   }
@@ -77,6 +80,6 @@ class SobelFilter {
 };
 
 template <Profile P>
-using Sobel = SobelFilter<P.stream_beats(), P.stream_lanes(), P.stream_stride()>;
+using Sobel = SobelFilter<P.stream_beats(), P.stream_lanes(), P.stream_stride(), Scalar, P.has_compete()>;
 
 }  // namespace horopter::stages

@@ -107,4 +107,7 @@ class VoteSpread {
   DelayLine<In, delay> centres_;
 };
 
+template <Profile P>
+using Spread = VoteSpread;
+
 }  // namespace horopter::stages

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "horopter/error.hpp"
+#include "horopter/monitor.hpp"
 
 namespace horopter::cli {
 
@@ -22,6 +23,9 @@ void add_pattern(CLI::App& app, Outcome& outcome);
 void add_plan(CLI::App& app, Outcome& outcome);
 void add_plan_rig(CLI::App& plan, Outcome& outcome);
 void add_study(CLI::App& app, Outcome& outcome);
+
+/// --decision of the commands that run the machine.
+void add_decision(CLI::App& command, Decision& decision);
 
 /// True once the user has asked to stop (SIGINT, SIGTERM).
 bool interrupted();

@@ -17,7 +17,6 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "compete_machine.hpp"
 #include "horopter/engines.hpp"
 #include "horopter/evaluation.hpp"
 #include "horopter/map_compiler.hpp"
@@ -38,9 +37,7 @@ struct EvaluateOptions {
   double tolerance_px = 1;
   std::vector<double> disparities;
   std::vector<std::string> changes;
-  std::string decision = "thesis";
   Settings settings;
-  native::CompeteSettings competition;
   std::string engine = "native";
   std::string profile;
   bool json = false;
@@ -87,7 +84,7 @@ const MachineProfile& profile_for(const EvaluateOptions& options, const StereoPa
 /// The machine with one skin: states of the pixels of a pair, again and again.
 using Machine = std::function<Image(const Image& left, const Image& right)>;
 
-Machine thesis_machine(const EvaluateOptions& options, const MachineProfile& profile, const MapSet& maps) {
+Machine make_machine(const EvaluateOptions& options, const MachineProfile& profile, const MapSet& maps) {
   Settings settings = options.settings;
   settings.undecidable_percent = settings.unsupervised_percent = 100;
   settings.frozen_limit = 0;  // the same images again and again
@@ -99,31 +96,22 @@ Machine thesis_machine(const EvaluateOptions& options, const MachineProfile& pro
   };
 }
 
-Machine compete_machine(const EvaluateOptions& options, const MachineProfile& profile, const MapSet& maps) {
-  if (options.engine != "native") throw UsageError("--decision compete: only --engine native has it");
-  const auto machine = std::make_shared<CompeteMachine>(profile, maps.image_width, maps.image_height, maps.lookahead(),
-                                                        options.competition);
-  return [machine, table = maps.maps.front().table](const Image& left, const Image& right) {
-    return machine->process(table, left, right).states;
-  };
-}
-
 json rule_parameters(const EvaluateOptions& options, const MachineProfile& profile) {
-  json result{{"decision", options.decision},
+  json result{{"decision", name_of(options.settings.decision)},
               {"engine", options.engine},
               {"profile", profile.name},
               {"majority_window", profile.majority_window}};
-  if (options.decision == "thesis") {
+  if (options.settings.decision == Decision::thesis) {
     result.update({{"dsad_window", profile.dsad_window},
                    {"threshold_percent", options.settings.threshold_percent},
                    {"texture", options.settings.texture},
                    {"self_percent", options.settings.self_percent}});
   } else {
-    result.update({{"bias", options.competition.bias},
-                   {"smooth", options.competition.smooth},
-                   {"similar", options.competition.similar},
-                   {"quorum", options.competition.quorum},
-                   {"clear_quorum", options.competition.clear_quorum}});
+    result.update({{"bias", options.settings.competition.bias},
+                   {"smooth", options.settings.competition.smooth},
+                   {"similar", options.settings.competition.similar},
+                   {"quorum", options.settings.competition.quorum},
+                   {"clear_quorum", options.settings.competition.clear_quorum}});
   }
   return result;
 }
@@ -136,8 +124,7 @@ MethodResult run_horopter(const EvaluateOptions& options, const StereoPair& pair
   result.seconds = std::numeric_limits<double>::infinity();
   for (const double d : disparities) {
     const MapSet maps = compile_maps(skin_at(d, pair.left), profile, pair.left.width, pair.left.height);
-    const Machine machine =
-        options.decision == "thesis" ? thesis_machine(options, profile, maps) : compete_machine(options, profile, maps);
+    const Machine machine = make_machine(options, profile, maps);
     Image states;
     for (int run = 0; run < runs; ++run) {
       const auto start = std::chrono::steady_clock::now();
@@ -382,11 +369,7 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
       ->delimiter(',')
       ->check(CLI::IsMember(change_names()))
       ->type_name("NAME,…");
-  command
-      ->add_option("--decision", options->decision,
-                   "thesis: one skin, one threshold; compete: parallel skins compete, pixels that look alike vote")
-      ->check(CLI::IsMember({"thesis", "compete"}))
-      ->capture_default_str();
+  add_decision(*command, options->settings.decision);
   command
       ->add_option("--threshold", options->settings.threshold_percent,
                    "thesis: in the skin up to this share of the largest sum of direction differences, %")
@@ -405,12 +388,13 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
   const auto compete_option = [&](const char* name, int& value, int largest, const char* what) {
     command->add_option(name, value, what)->check(CLI::Range(0, largest))->capture_default_str();
   };
-  compete_option("--bias", options->competition.bias, 15, "compete: added to every vote");
-  compete_option("--smooth", options->competition.smooth, 7,
+  compete_option("--bias", options->settings.competition.bias, 15, "compete: added to every vote");
+  compete_option("--smooth", options->settings.competition.smooth, 7,
                  "compete: neighbours of a row are alike up to this difference, 4 grey levels");
-  compete_option("--similar", options->competition.similar, 15, "compete: pixels of a column likewise");
-  compete_option("--quorum", options->competition.quorum, 255, "compete: smallest sum of votes that says skin");
-  compete_option("--clear-quorum", options->competition.clear_quorum, 255,
+  compete_option("--similar", options->settings.competition.similar, 15, "compete: pixels of a column likewise");
+  compete_option("--quorum", options->settings.competition.quorum, 255,
+                 "compete: smallest sum of votes that says skin");
+  compete_option("--clear-quorum", options->settings.competition.clear_quorum, 255,
                  "compete: smallest sum of votes against that says clear, 8 votes");
   command->add_option("--engine", options->engine, "native: C++ on this CPU; rtl: the co-simulated hardware")
       ->check(CLI::IsMember({"native", "rtl"}))

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <map>
 #include <opencv2/core/utils/logger.hpp>
 
 #include "commands.hpp"
@@ -64,6 +65,16 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
+
+void add_decision(CLI::App& command, Decision& decision) {
+  const std::map<std::string, Decision> names{{"thesis", Decision::thesis}, {"compete", Decision::compete}};
+  command
+      .add_option("--decision", decision,
+                  "thesis: one skin, one threshold; compete: parallel skins compete, pixels that look alike vote")
+      ->transform(CLI::CheckedTransformer(names))
+      ->default_str(std::string(name_of(decision)))
+      ->type_name("thesis|compete");
+}
 
 bool interrupted() { return stop_requested != 0; }
 

@@ -184,14 +184,16 @@ void add_run(CLI::App& app, Outcome& outcome) {
   command->add_option("--engine", options->engine, "native: C++ on this CPU; rtl: the co-simulated hardware")
       ->check(CLI::IsMember({"native", "rtl"}))
       ->capture_default_str();
+  add_decision(*command, options->settings.decision);
   command
       ->add_option("--threshold", options->settings.threshold_percent,
-                   "In the skin up to this share of the largest sum of direction differences, %")
+                   "thesis: in the skin up to this share of the largest sum of direction differences, %")
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
   command
-      ->add_option("--texture", options->settings.texture,
-                   "Smallest mean gradient that decides, in units of the Sobel magnitude (8 = 1 grey level per pixel)")
+      ->add_option(
+          "--texture", options->settings.texture,
+          "thesis: smallest mean gradient that decides, in units of the Sobel magnitude (8 = 1 grey level per pixel)")
       ->check(CLI::Range(0, 255))
       ->capture_default_str();
   command

@@ -118,10 +118,8 @@ void add_study(CLI::App& app, Outcome& outcome) {
   board->add_option("--data", options->scope.data, "Directory with left01.jpg … right14.jpg")
       ->capture_default_str()
       ->type_name("DIR");
-  board->add_option("--decision", options->scope.decision, "Rule: thesis, or compete (native engine)")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"thesis", "compete"}));
-  board->add_option("--engines", options->scope.engines, "thesis: engines, which must see the same")
+  add_decision(*board, options->scope.decision);
+  board->add_option("--engines", options->scope.engines, "Engines, which must see the same")
       ->capture_default_str()
       ->check(CLI::IsMember(engine_names()))
       ->delimiter(',')

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "horopter/monitor.hpp"
 #include "horopter/output.hpp"
 
 namespace horopter::cli {
@@ -18,8 +19,8 @@ struct StudyScope {
   std::vector<std::string> engines;                              ///< that must agree
   std::string texture;                                           ///< kind of simulated texture; empty: the study's own
   std::string picture;                                           ///< a user's image as texture; empty: none
-  std::string series;               ///< list of a user's image series instead of simulated images; empty: none
-  std::string decision = "thesis";  ///< or "compete", by the native engine
+  std::string series;  ///< list of a user's image series instead of simulated images; empty: none
+  Decision decision = Decision::thesis;
 };
 
 /// Sub-pixel edge estimators on simulated edges (thesis 6.7).

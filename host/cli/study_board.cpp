@@ -12,7 +12,6 @@
 #include <opencv2/calib3d.hpp>
 
 #include "board.hpp"
-#include "compete_machine.hpp"
 #include "horopter/calib/joint.hpp"
 #include "horopter/calib/target.hpp"
 #include "horopter/calib/views.hpp"
@@ -202,11 +201,11 @@ nlohmann::json study_board(OutputDirectory& directory, const StudyScope& scope) 
     }
   }
   compiling.clear();
-  const bool compete = scope.decision == "compete";
-  CompeteMachine competition(profile, boards[0].left.width, boards[0].left.height, lookahead, {});
+  Settings settings;
+  settings.decision = scope.decision;
   std::vector<std::unique_ptr<Monitor>> monitors;
-  for (const std::string& engine : compete ? std::vector<std::string>{} : scope.engines) {
-    monitors.push_back(std::make_unique<Monitor>(make_device(engine, profile), profile));
+  for (const std::string& engine : scope.engines) {
+    monitors.push_back(std::make_unique<Monitor>(make_device(engine, profile), profile, settings));
     monitors.back()->start(boards[0].left.width, boards[0].left.height, lookahead);
   }
   Csv csv({"shift_mm", "pair", "decidable", "in_skin", "skin_of_all", "alarm"});
@@ -222,38 +221,28 @@ nlohmann::json study_board(OutputDirectory& directory, const StudyScope& scope) 
     for (std::size_t i = 0; i < boards.size(); ++i) {
       running.show(static_cast<std::size_t>(frames), shifts_mm.size() * boards.size());
       const int slot = frames++ % kSlots;
-      Image states;
-      bool alarm = false;
-      if (compete) {
-        auto seen = competition.process(maps[s][i].table, boards[i].left, boards[i].right);
-        states = std::move(seen.states);
-        alarm = seen.alarm;
-      } else {
-        std::vector<FrameResult> results;
-        for (const auto& monitor : monitors) {
-          monitor->upload(slot, maps[s][i].table);
-          monitor->select(slot);
-          results.push_back(monitor->process(boards[i].left, boards[i].right));
-          const FrameResult& a = results.front();
-          const FrameResult& b = results.back();
-          different += a.states == b.states && a.alarm == b.alarm && a.table_crc == b.table_crc ? 0 : 1;
-        }
-        states = std::move(results.front().states);
-        alarm = results.front().alarm;
+      std::vector<FrameResult> results;
+      for (const auto& monitor : monitors) {
+        monitor->upload(slot, maps[s][i].table);
+        monitor->select(slot);
+        results.push_back(monitor->process(boards[i].left, boards[i].right));
+        const FrameResult& a = results.front();
+        const FrameResult& b = results.back();
+        different += a.states == b.states && a.alarm == b.alarm && a.table_crc == b.table_crc ? 0 : 1;
       }
       std::vector<cv::Point2d> corners;
       for (const Vector2d& corner : boards[i].corners[0]) corners.emplace_back(corner.x(), corner.y());
-      const BoardPixels pixels = count_board(corners, states);
+      const BoardPixels pixels = count_board(corners, results.front().states);
       const double in_skin = pixels.skin_share();
       csv << shifts_mm[s] << boards[i].name << pixels.decidable_share() << in_skin << pixels.skin_of_all()
-          << (alarm ? 1.0 : 0.0);
+          << (results.front().alarm ? 1.0 : 0.0);
       csv.end_row();
       sums[0] += in_skin / static_cast<double>(boards.size());
       sums[1] = std::min(sums[1], in_skin);
       sums[2] = std::max(sums[2], in_skin);
       sums[3] += pixels.decidable_share() / static_cast<double>(boards.size());
       sums[4] += pixels.skin_of_all() / static_cast<double>(boards.size());
-      alarms += alarm ? 1 : 0;
+      alarms += results.front().alarm ? 1 : 0;
     }
     for (std::size_t k = 0; k < sums.size(); ++k) panel.curves[k].points.emplace_back(shifts_mm[s], sums[k]);
     result["shares"].push_back({{"shift_mm", shifts_mm[s]},
@@ -271,8 +260,8 @@ nlohmann::json study_board(OutputDirectory& directory, const StudyScope& scope) 
   running.clear();
   directory.write("displacement.csv", csv.text());
   directory.write("displacement.svg", plot_svg("Skins through a real chessboard, displaced", {panel}, 1));
-  result["decision"] = scope.decision;
-  result["engines"] = compete ? std::vector<std::string>{"native"} : scope.engines;
+  result["decision"] = name_of(scope.decision);
+  result["engines"] = scope.engines;
   result["frames"] = frames;
   result["frames_different"] = different;
   if (monitors.size() > 1) {

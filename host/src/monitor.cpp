@@ -32,6 +32,20 @@ constexpr std::array<const char*, 7> kUploadErrors = {
     "none",      "slot or region in use", "bad header",        "does not fit the pool",
     "wrong CRC", "no such slot",          "data without start"};
 
+/// The register COMPETE.
+std::uint32_t compete_word(const CompeteSettings& settings) {
+  const auto put = [](const char* what, const reg::Field& field, int value) {
+    if (value < 0 || value >= 1 << field.bits) {
+      throw UsageError(fmt::format("{} {}; expected 0 to {}", what, value, (1 << field.bits) - 1));
+    }
+    return field.put(static_cast<std::uint32_t>(value));
+  };
+  return put("bias", reg::compete::kBias, settings.bias) | put("smooth", reg::compete::kSmooth, settings.smooth) |
+         put("similar", reg::compete::kSimilar, settings.similar) |
+         put("quorum", reg::compete::kQuorum, settings.quorum) |
+         put("clear quorum", reg::compete::kClearQuorum, settings.clear_quorum);
+}
+
 /// What left the machine must agree with itself and with the registers: a machine that contradicts itself is broken.
 void check_consistent(const FrameStreams& streams, const FrameResult& result, int width, int height) {
   if (streams.states.width != width || streams.states.height != height) {
@@ -67,6 +81,8 @@ void check_consistent(const FrameStreams& streams, const FrameResult& result, in
 }
 
 }  // namespace
+
+std::string_view name_of(Decision decision) { return decision == Decision::compete ? "compete" : "thesis"; }
 
 std::vector<std::string> fault_names(std::uint32_t faults) {
   std::vector<std::string> names;
@@ -104,6 +120,18 @@ Monitor::Monitor(std::unique_ptr<Device> device, const MachineProfile& profile, 
   must_be("majority window", reg::build_window::kMajority.get(window), profile.majority_window);
   must_be("sub-sampling", reg::build_window::kSubsample.get(window), profile.subsample);
   must_be("weight bits", reg::build_window::kWeightBits.get(window), profile.weight_bits);
+  must_be("rule `thesis`", reg::build_window::kThesis.get(window), profile.has_thesis() ? 1 : 0);
+  must_be("rule `compete`", reg::build_window::kCompete.get(window), profile.has_compete() ? 1 : 0);
+  const auto competition = device_->read(reg::build_compete::kAddress);
+  must_be("competing planes", reg::build_compete::kPlanes.get(competition), profile.planes);
+  must_be("rows of the sum", reg::build_compete::kSumRows.get(competition), profile.sum_rows);
+  must_be("columns of the sum", reg::build_compete::kSumColumns.get(competition), profile.sum_columns);
+  must_be("reach of the ballot", reg::build_compete::kBallotReach.get(competition), profile.ballot_reach);
+  const bool compete = settings.decision == Decision::compete;
+  if (!profile.has(compete ? hls::Rule::compete : hls::Rule::thesis)) {
+    throw UsageError(
+        fmt::format("profile {} does not have the decision '{}'", profile.name, name_of(settings.decision)));
+  }
 }
 
 Monitor::~Monitor() {
@@ -150,6 +178,9 @@ void Monitor::write_limits() {
   device_->write(reg::black_limit::kAddress, share_of(settings_.dark_percent, incoming));
   device_->write(reg::white_limit::kAddress, share_of(settings_.bright_percent, incoming));
   device_->write(reg::frozen_limit::kAddress, static_cast<std::uint32_t>(settings_.frozen_limit));
+  const bool compete = settings_.decision == Decision::compete;
+  device_->write(reg::decision::kAddress, reg::decision::kCompete.put(compete ? 1 : 0));
+  if (compete) device_->write(reg::compete::kAddress, compete_word(settings_.competition));
 }
 
 void Monitor::upload(int slot, const MapTable& table, std::optional<std::size_t> base_word64) {

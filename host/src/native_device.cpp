@@ -16,6 +16,12 @@ namespace {
 namespace reg = registers;
 
 constexpr int kNoTable = 15;
+constexpr hls::CompeteSettings kCompetition;
+static_assert(reg::compete::kReset ==
+                  (reg::compete::kBias.put(kCompetition.bias) | reg::compete::kSmooth.put(kCompetition.smooth) |
+                   reg::compete::kSimilar.put(kCompetition.similar) | reg::compete::kQuorum.put(kCompetition.quorum) |
+                   reg::compete::kClearQuorum.put(kCompetition.clear_quorum)),
+              "registers.yaml has other defaults");
 constexpr std::uint32_t kTableHeader = 0x484D0100;
 
 const reg::Register* find_register(std::uint32_t address) {
@@ -64,6 +70,8 @@ NativeDevice::NativeDevice(const MachineProfile& profile)
   stored(reg::white_limit::kAddress) = static_cast<std::uint32_t>(defaults.bright_limit);
   stored(reg::constant_limit::kAddress) = static_cast<std::uint32_t>(defaults.contrast_limit);
   stored(reg::frozen_limit::kAddress) = static_cast<std::uint32_t>(defaults.frozen_limit);
+  stored(reg::decision::kAddress) = reg::decision::kCompete.put(profile.has_thesis() ? 0 : 1);
+  stored(reg::compete::kAddress) = profile.has_compete() ? reg::compete::kReset : 0;
 }
 
 NativeDevice::~NativeDevice() = default;
@@ -107,7 +115,14 @@ std::uint32_t NativeDevice::read(std::uint32_t address) {
              reg::build_window::kMajority.put(static_cast<std::uint32_t>(profile_.majority_window)) |
              reg::build_window::kSubsample.put(static_cast<std::uint32_t>(profile_.subsample)) |
              reg::build_window::kWeightBits.put(static_cast<std::uint32_t>(profile_.weight_bits)) |
-             reg::build_window::kHypotheses.put(static_cast<std::uint32_t>(profile_.hypotheses));
+             reg::build_window::kHypotheses.put(static_cast<std::uint32_t>(profile_.hypotheses)) |
+             reg::build_window::kThesis.put(profile_.has_thesis()) |
+             reg::build_window::kCompete.put(profile_.has_compete());
+    case reg::build_compete::kAddress:
+      return reg::build_compete::kPlanes.put(static_cast<std::uint32_t>(profile_.planes)) |
+             reg::build_compete::kSumRows.put(static_cast<std::uint32_t>(profile_.sum_rows)) |
+             reg::build_compete::kSumColumns.put(static_cast<std::uint32_t>(profile_.sum_columns)) |
+             reg::build_compete::kBallotReach.put(static_cast<std::uint32_t>(profile_.ballot_reach));
     case reg::build_clock::kAddress:
       return static_cast<std::uint32_t>(profile_.clock_khz);
     case reg::status::kAddress: {
@@ -194,6 +209,15 @@ void NativeDevice::write(std::uint32_t address, std::uint32_t value) {
       return;
     case reg::map_base::kAddress:
       stored(address) = reg::map_base::kWord64.get(value);
+      return;
+    case reg::decision::kAddress:
+      if (profile_.has_thesis() && profile_.has_compete()) stored(address) = value & reg::decision::kCompete.mask();
+      return;
+    case reg::compete::kAddress:
+      if (!profile_.has_compete()) return;
+      stored(address) =
+          value & (reg::compete::kBias.mask() | reg::compete::kSmooth.mask() | reg::compete::kSimilar.mask() |
+                   reg::compete::kQuorum.mask() | reg::compete::kClearQuorum.mask());
       return;
     default:
       stored(address) = value;
@@ -290,6 +314,13 @@ native::Settings NativeDevice::settings() const {
   s.bright_limit = value(reg::white_limit::kAddress);
   s.contrast_limit = value(reg::constant_limit::kAddress);
   s.frozen_limit = value(reg::frozen_limit::kAddress);
+  const std::uint32_t compete = registers_[reg::compete::kAddress / 4];
+  s.compete = reg::decision::kCompete.get(registers_[reg::decision::kAddress / 4]) != 0;
+  s.competition.bias = static_cast<int>(reg::compete::kBias.get(compete));
+  s.competition.smooth = static_cast<int>(reg::compete::kSmooth.get(compete));
+  s.competition.similar = static_cast<int>(reg::compete::kSimilar.get(compete));
+  s.competition.quorum = static_cast<int>(reg::compete::kQuorum.get(compete));
+  s.competition.clear_quorum = static_cast<int>(reg::compete::kClearQuorum.get(compete));
   return s;
 }
 

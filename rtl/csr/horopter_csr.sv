@@ -7,6 +7,8 @@
 // then. Partial writes follow the
 // strobes; of a stream register they are an error. Reset: synchronous, all storage to its reset value.
 module horopter_csr #(
+    parameter bit BOTH_RULES = 1'b1,
+    parameter bit COMPETE = 1'b1,
     parameter logic [11:0] WIDTH_PX_RESET = 12'd0,
     parameter logic [11:0] HEIGHT_ROWS_RESET = 12'd0,
     parameter logic [11:0] LOOKAHEAD_ROWS_RESET = 12'd0,
@@ -17,7 +19,8 @@ module horopter_csr #(
     parameter logic [23:0] UNDECIDABLE_LIMIT_PIXELS_RESET = 24'd0,
     parameter logic [23:0] UNSUPERVISED_LIMIT_PIXELS_RESET = 24'd0,
     parameter logic [23:0] BLACK_LIMIT_PIXELS_RESET = 24'd0,
-    parameter logic [23:0] WHITE_LIMIT_PIXELS_RESET = 24'd0
+    parameter logic [23:0] WHITE_LIMIT_PIXELS_RESET = 24'd0,
+    parameter logic [0:0] DECISION_COMPETE_RESET = 1'd0
 ) (
     input  logic        clk_i,
     input  logic        rst_ni,
@@ -41,7 +44,13 @@ module horopter_csr #(
     input  logic [ 3:0] build_window_subsample_i,
     input  logic [ 3:0] build_window_weight_bits_i,
     input  logic [ 3:0] build_window_hypotheses_i,
+    input  logic        build_window_thesis_i,
+    input  logic        build_window_compete_i,
     input  logic [31:0] build_clock_khz_i,
+    input  logic [ 7:0] build_compete_planes_i,
+    input  logic [ 3:0] build_compete_sum_rows_i,
+    input  logic [ 3:0] build_compete_sum_columns_i,
+    input  logic [ 3:0] build_compete_ballot_reach_i,
     output logic        control_enable_o,
     output logic        mode_live_o,
     output logic        mode_test_input_o,
@@ -74,6 +83,12 @@ module horopter_csr #(
     output logic [23:0] white_limit_pixels_o,
     output logic [ 7:0] constant_limit_grey_o,
     output logic [ 7:0] frozen_limit_frames_o,
+    output logic        decision_compete_o,
+    output logic [ 3:0] compete_bias_o,
+    output logic [ 2:0] compete_smooth_o,
+    output logic [ 3:0] compete_similar_o,
+    output logic [ 7:0] compete_quorum_o,
+    output logic [ 7:0] compete_clear_quorum_o,
     output logic [ 3:0] map_slot_slot_o,
     output logic [15:0] map_base_word64_o,
     output logic        map_control_valid_o,
@@ -105,7 +120,7 @@ module horopter_csr #(
 );
   // A write is decoded in its first clock and taken, or refused, from the second on.
   logic comes, decoded_q;
-  logic [25:0] selected_q;
+  logic [27:0] selected_q;
   assign comes = rst_ni && write_valid_i && !write_ready_o;
   always_ff @(posedge clk_i) begin
     decoded_q <= comes;
@@ -145,24 +160,26 @@ module horopter_csr #(
       12'h0AC: selected_q[18] <= comes;  // WHITE_LIMIT
       12'h0B0: selected_q[19] <= comes;  // CONSTANT_LIMIT
       12'h0B4: selected_q[20] <= comes;  // FROZEN_LIMIT
-      12'h0C0: selected_q[21] <= comes;  // MAP_SLOT
-      12'h0C4: selected_q[22] <= comes;  // MAP_BASE
+      12'h0B8: selected_q[21] <= comes;  // DECISION
+      12'h0BC: selected_q[22] <= comes;  // COMPETE
+      12'h0C0: selected_q[23] <= comes;  // MAP_SLOT
+      12'h0C4: selected_q[24] <= comes;  // MAP_BASE
       12'h0C8: begin
-        selected_q[23] <= comes && write_strb_i == 4'hF;
+        selected_q[25] <= comes && write_strb_i == 4'hF;
         write_error_o <= write_strb_i != 4'hF;
       end
       12'h0CC: begin
-        selected_q[24] <= comes && write_strb_i == 4'hF;
+        selected_q[26] <= comes && write_strb_i == 4'hF;
         write_error_o <= write_strb_i != 4'hF;
       end
-      12'h0E0: selected_q[25] <= comes;  // FAULTS
+      12'h0E0: selected_q[27] <= comes;  // FAULTS
       default: write_error_o <= 1'b1;
     endcase
   end
 
-  assign map_control_valid_o = selected_q[23];
+  assign map_control_valid_o = selected_q[25];
   assign map_control_start_o = write_data_i[0];
-  assign map_data_valid_o = selected_q[24];
+  assign map_data_valid_o = selected_q[26];
   assign map_data_word_o = write_data_i[31:0];
   assign write_ready_o = decoded_q
       && !(map_control_valid_o && !map_control_ready_i)
@@ -232,6 +249,20 @@ module horopter_csr #(
   // FROZEN_LIMIT: Frozen image: the same frame again this many times is a fault.
   logic [ 7:0] frozen_limit_frames_q;
   assign frozen_limit_frames_o = frozen_limit_frames_q;
+  // DECISION: The rule; fixed where the profile has one only: read it back.
+  logic        decision_compete_q;
+  assign decision_compete_o = decision_compete_q;
+  // COMPETE: Settings of the rule `compete`; 0 where the profile does not have it.
+  logic [ 3:0] compete_bias_q;
+  assign compete_bias_o = compete_bias_q;
+  logic [ 2:0] compete_smooth_q;
+  assign compete_smooth_o = compete_smooth_q;
+  logic [ 3:0] compete_similar_q;
+  assign compete_similar_o = compete_similar_q;
+  logic [ 7:0] compete_quorum_q;
+  assign compete_quorum_o = compete_quorum_q;
+  logic [ 7:0] compete_clear_quorum_q;
+  assign compete_clear_quorum_o = compete_clear_quorum_q;
   // MAP_SLOT: Slot of the next upload.
   logic [ 3:0] map_slot_slot_q;
   assign map_slot_slot_o = map_slot_slot_q;
@@ -263,6 +294,12 @@ module horopter_csr #(
       white_limit_pixels_q <= WHITE_LIMIT_PIXELS_RESET;
       constant_limit_grey_q <= 8'd8;
       frozen_limit_frames_q <= 8'd1;
+      decision_compete_q <= DECISION_COMPETE_RESET;
+      compete_bias_q <= COMPETE ? 4'd2 : 4'd0;
+      compete_smooth_q <= COMPETE ? 3'd2 : 3'd0;
+      compete_similar_q <= COMPETE ? 4'd3 : 4'd0;
+      compete_quorum_q <= COMPETE ? 8'd1 : 8'd0;
+      compete_clear_quorum_q <= COMPETE ? 8'd50 : 8'd0;
       map_slot_slot_q <= 4'd0;
       map_base_word64_q <= 16'd0;
     end else begin
@@ -351,10 +388,29 @@ module horopter_csr #(
       if (selected_q[20]) begin  // FROZEN_LIMIT
         if (write_strb_i[0]) frozen_limit_frames_q[7:0] <= write_data_i[7:0];
       end
-      if (selected_q[21]) begin  // MAP_SLOT
+      if (BOTH_RULES && selected_q[21]) begin  // DECISION
+        if (write_strb_i[0]) decision_compete_q <= write_data_i[0];
+      end
+      if (COMPETE && selected_q[22]) begin  // COMPETE
+        if (write_strb_i[0]) begin
+          compete_bias_q[3:0] <= write_data_i[3:0];
+          compete_smooth_q[2:0] <= write_data_i[6:4];
+          compete_similar_q[0] <= write_data_i[7];
+        end
+        if (write_strb_i[1]) begin
+          compete_similar_q[3:1] <= write_data_i[10:8];
+          compete_quorum_q[4:0] <= write_data_i[15:11];
+        end
+        if (write_strb_i[2]) begin
+          compete_quorum_q[7:5] <= write_data_i[18:16];
+          compete_clear_quorum_q[4:0] <= write_data_i[23:19];
+        end
+        if (write_strb_i[3]) compete_clear_quorum_q[7:5] <= write_data_i[26:24];
+      end
+      if (selected_q[23]) begin  // MAP_SLOT
         if (write_strb_i[0]) map_slot_slot_q[3:0] <= write_data_i[3:0];
       end
-      if (selected_q[22]) begin  // MAP_BASE
+      if (selected_q[24]) begin  // MAP_BASE
         if (write_strb_i[0]) map_base_word64_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) map_base_word64_q[15:8] <= write_data_i[15:8];
       end
@@ -375,7 +431,7 @@ module horopter_csr #(
   logic [30:0] faults_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) faults_q <= 31'd0;
-    else if (selected_q[25])
+    else if (selected_q[27])
       faults_q <= (faults_q & ~(write_data_i[30:0] & {{7{write_strb_i[3]}}, {8{write_strb_i[2]}}, {8{write_strb_i[1]}}, {8{write_strb_i[0]}}})) | faults_set_i;
     else faults_q <= faults_q | faults_set_i;
   end
@@ -406,11 +462,12 @@ module horopter_csr #(
     known_00_q <= 1'b1;
     case (read_addr_i[4:0])
       5'h00: group_00_q <= 32'h484F524F;
-      5'h04: group_00_q <= {16'h1, 16'h1};
+      5'h04: group_00_q <= {16'h1, 16'h2};
       5'h08: group_00_q <= {build_size_height_i, build_size_width_i};
       5'h0C: group_00_q <= {build_store_pool_kib_i, build_store_rows_i};
-      5'h10: group_00_q <= {4'd0, build_window_hypotheses_i, build_window_weight_bits_i, build_window_subsample_i, build_window_majority_i, build_window_dsad_i};
+      5'h10: group_00_q <= {2'd0, build_window_compete_i, build_window_thesis_i, build_window_hypotheses_i, build_window_weight_bits_i, build_window_subsample_i, build_window_majority_i, build_window_dsad_i};
       5'h14: group_00_q <= build_clock_khz_i;
+      5'h18: group_00_q <= {12'd0, build_compete_ballot_reach_i, build_compete_sum_columns_i, build_compete_sum_rows_i, build_compete_planes_i};
       default: begin
         group_00_q <= 32'd0;
         known_00_q <= 1'b0;
@@ -461,6 +518,8 @@ module horopter_csr #(
       5'h0C: group_05_q <= {8'd0, white_limit_pixels_q};
       5'h10: group_05_q <= {24'd0, constant_limit_grey_q};
       5'h14: group_05_q <= {24'd0, frozen_limit_frames_q};
+      5'h18: group_05_q <= {31'd0, decision_compete_q};
+      5'h1C: group_05_q <= {5'd0, compete_clear_quorum_q, compete_quorum_q, compete_similar_q, compete_smooth_q, compete_bias_q};
       default: begin
         group_05_q <= 32'd0;
         known_05_q <= 1'b0;

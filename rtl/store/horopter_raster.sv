@@ -15,6 +15,7 @@ module horopter_raster #(
     parameter int unsigned HEIGHT = 480,
     parameter bit FAST = 1'b0,
     parameter int unsigned FLUSH_ROWS = 10,
+    parameter int unsigned COMPETE_FLUSH_ROWS = 10,  // with compete_i
     parameter int unsigned IN_FLIGHT = 256,
     parameter int unsigned MAP_ADDR_BITS = 14
 ) (
@@ -23,6 +24,7 @@ module horopter_raster #(
     input  logic [             11:0] width_i,
     input  logic [             11:0] height_i,
     input  logic [             11:0] lookahead_i,
+    input  logic                     compete_i,  // constant from the clock after begin_o to the next
     input  logic                     go_i,
     // frame records
     input  logic [              1:0] busy_i,
@@ -59,8 +61,8 @@ module horopter_raster #(
     output logic                     live_o,
     output logic                     map_parity_error_o
 );
-  if (FLUSH_ROWS == 0 || FLUSH_ROWS > 64 || IN_FLIGHT < 16 || IN_FLIGHT > 4096) begin : g_illegal
-    $fatal(1, "horopter_raster: FLUSH_ROWS must be 1 to 64, IN_FLIGHT 16 to 4096");
+  if (FLUSH_ROWS == 0 || FLUSH_ROWS > 64 || COMPETE_FLUSH_ROWS < FLUSH_ROWS || COMPETE_FLUSH_ROWS > 64 || IN_FLIGHT < 16 || IN_FLIGHT > 4096) begin : g_illegal
+    $fatal(1, "horopter_raster: FLUSH_ROWS must be 1 to 64, COMPETE_FLUSH_ROWS FLUSH_ROWS to 64, IN_FLIGHT 16 to 4096");
   end
 
   typedef enum logic [2:0] {
@@ -75,7 +77,7 @@ module horopter_raster #(
   state_e state_q;
 
   localparam int unsigned X_BITS = $clog2(WIDTH);
-  localparam int unsigned ROW_BITS = $clog2(HEIGHT + FLUSH_ROWS);
+  localparam int unsigned ROW_BITS = $clog2(HEIGHT + COMPETE_FLUSH_ROWS);
   localparam int unsigned COUNT_BITS = $clog2(IN_FLIGHT + 1);
 
   logic [X_BITS-1:0] x_q;
@@ -84,6 +86,8 @@ module horopter_raster #(
   logic live_q, first_q, slot_q, ready_q, active_q, published_q;
   logic ready;  // the row in progress is there
   logic cell_end_x;  // this pixel loads the next column
+  logic [ROW_BITS-1:0] flush_rows;
+  assign flush_rows = compete_i ? ROW_BITS'(COMPETE_FLUSH_ROWS) : ROW_BITS'(FLUSH_ROWS);
   logic last_x, last_y, flushed;  // x_q, y_q are the last of the image, y_q is that of the flush rows
 
   // Stage 0 of the beat.
@@ -200,7 +204,7 @@ module horopter_raster #(
     logic last_x_q, last_y_q, flushed_q;
     always_ff @(posedge clk_i) begin
       last_row_q <= ROW_BITS'(height_i - 12'd1);
-      flush_end_q <= last_row_q + ROW_BITS'(FLUSH_ROWS);
+      flush_end_q <= last_row_q + flush_rows;
       before_last_column_q <= X_BITS'(width_i - 12'd2);
       ahead_q <= 12'(y_q) + lookahead_i;
       need_right_q <= ahead_q < 12'(last_row_q) ? ahead_q : 12'(last_row_q);
@@ -277,7 +281,7 @@ module horopter_raster #(
     assign last_row = ROW_BITS'(height_i - 12'd1);
     assign last_x = x_q == X_BITS'(width_i - 12'd1);
     assign last_y = y_q == last_row;
-    assign flushed = y_q == last_row + ROW_BITS'(FLUSH_ROWS);
+    assign flushed = y_q == last_row + flush_rows;
     // Row min(y + lookahead, height - 1).
     logic right_ready;
     assign right_ready = 32'(right_rows_i) > 32'(y_q) + 32'(lookahead_i[ROW_BITS-1:0]) || right_rows_i == height_i || right_ended_i;

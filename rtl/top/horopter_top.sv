@@ -179,6 +179,10 @@ module horopter_top #(
   logic [15:0] sum_limit, self_limit, texture_limit;
   logic [23:0] alarm_limit, undecidable_limit, unsupervised_limit, black_limit, white_limit;
   logic [7:0] black_level, white_level, constant_limit, frozen_limit;
+  logic decision_compete;
+  logic [3:0] compete_bias, compete_similar;
+  logic [2:0] compete_smooth;
+  logic [7:0] compete_quorum, compete_clear_quorum;
   logic [3:0] map_slot;
   logic [15:0] map_base;
   logic map_control_valid, map_control_ready, map_start, map_data_valid, map_data_ready;
@@ -196,7 +200,13 @@ module horopter_top #(
   logic [23:0] frame_skin, frame_undecidable, frame_unsupervised, frame_misses;
   logic [FAULTS-1:0] faults_now;
 
+  localparam bit THESIS = horopter_profile_pkg::THESIS;
+  localparam bit COMPETE = horopter_profile_pkg::COMPETE;
+
   horopter_csr #(
+      .BOTH_RULES(THESIS && COMPETE),
+      .COMPETE(COMPETE),
+      .DECISION_COMPETE_RESET(!THESIS),
       .WIDTH_PX_RESET(12'(WIDTH)),
       .HEIGHT_ROWS_RESET(12'(HEIGHT)),
       .LOOKAHEAD_ROWS_RESET(12'(MAX_LOOKAHEAD)),
@@ -231,6 +241,12 @@ module horopter_top #(
       .build_window_subsample_i(4'(SUBSAMPLE)),
       .build_window_weight_bits_i(4'(WEIGHT_BITS)),
       .build_window_hypotheses_i(4'(horopter_profile_pkg::HYPOTHESES)),
+      .build_window_thesis_i(THESIS),
+      .build_window_compete_i(COMPETE),
+      .build_compete_planes_i(8'(horopter_profile_pkg::PLANES)),
+      .build_compete_sum_rows_i(4'(horopter_profile_pkg::SUM_ROWS)),
+      .build_compete_sum_columns_i(4'(horopter_profile_pkg::SUM_COLUMNS)),
+      .build_compete_ballot_reach_i(4'(horopter_profile_pkg::BALLOT_REACH)),
       .build_clock_khz_i(32'(horopter_profile_pkg::CLOCK_KHZ)),
       .control_enable_o(enable),
       .mode_live_o(live),
@@ -264,6 +280,12 @@ module horopter_top #(
       .white_limit_pixels_o(white_limit),
       .constant_limit_grey_o(constant_limit),
       .frozen_limit_frames_o(frozen_limit),
+      .decision_compete_o(decision_compete),
+      .compete_bias_o(compete_bias),
+      .compete_smooth_o(compete_smooth),
+      .compete_similar_o(compete_similar),
+      .compete_quorum_o(compete_quorum),
+      .compete_clear_quorum_o(compete_clear_quorum),
       .map_slot_slot_o(map_slot),
       .map_base_word64_o(map_base),
       .map_control_valid_o(map_control_valid),
@@ -660,6 +682,7 @@ module horopter_top #(
       .HEIGHT(HEIGHT),
       .FAST(FAST),
       .FLUSH_ROWS(horopter_profile_pkg::FLUSH_ROWS),
+      .COMPETE_FLUSH_ROWS(horopter_profile_pkg::COMPETE_FLUSH_ROWS),
       .IN_FLIGHT(IN_FLIGHT),
       .MAP_ADDR_BITS(MAP_ADDR_BITS)
   ) u_raster (
@@ -668,6 +691,7 @@ module horopter_top #(
       .width_i(width),
       .height_i(height),
       .lookahead_i(lookahead),
+      .compete_i(sampled_compete),
       .go_i(go_q),
       .busy_i(frame_busy),
       .slot_o(read_slot),
@@ -721,6 +745,27 @@ module horopter_top #(
       result_width_q <= RESULT_WIDTH_BITS'(32'(width) / SUBSAMPLE);
       result_height_q <= RESULT_HEIGHT_BITS'(height);
     end
+  end
+
+  // The rule, and what only one of them needs; the same way.
+  logic sampled_compete;
+  logic [26:0] sampled_settings;  // of `compete`
+  if (COMPETE) begin : g_compete
+    logic sampled_compete_q;
+    logic [26:0] sampled_settings_q;
+    always_ff @(posedge clk_i) begin
+      if (frame_begin) begin
+        sampled_compete_q <= decision_compete;
+        sampled_settings_q <= {compete_clear_quorum, compete_quorum, compete_similar, compete_smooth, compete_bias};
+      end
+    end
+    assign sampled_compete = THESIS ? sampled_compete_q : 1'b1;
+    assign sampled_settings = sampled_settings_q;
+  end else begin : g_thesis
+    logic unused_settings;
+    assign unused_settings = ^{decision_compete, compete_clear_quorum, compete_quorum, compete_similar, compete_smooth, compete_bias};
+    assign sampled_compete = 1'b0;
+    assign sampled_settings = '0;
   end
 
   // ------------------------------------------------------------------------------------------------ right image, transformed
@@ -860,6 +905,12 @@ module horopter_top #(
       .cfg_texture_limit_i(sampled_texture_limit_q),
       .cfg_sum_limit_i(sampled_sum_limit_q),
       .cfg_self_limit_i(sampled_self_limit_q),
+      .cfg_compete_i(sampled_compete),
+      .cfg_bias_i(sampled_settings[3:0]),
+      .cfg_smooth_i(sampled_settings[6:4]),
+      .cfg_similar_i(sampled_settings[10:7]),
+      .cfg_quorum_i(sampled_settings[18:11]),
+      .cfg_clear_quorum_i(sampled_settings[26:19]),
       .cfg_width_i(result_width_q),
       .cfg_height_i(result_height_q),
       .cfg_alarm_limit_i(sampled_alarm_limit_q),

@@ -17,7 +17,6 @@ using namespace horopter::stages;
 namespace {
 
 constexpr hls::Profile plain{149, 90, 1, 9, 7, 3, 32, 0, 1, 1};
-using Chain = Competition<plain>;
 
 struct Picture {
   int width = 0;
@@ -66,19 +65,20 @@ class BeatByBeat {
  public:
   std::vector<std::uint8_t> frame(const Picture& left, const Picture& right, int shift,
                                   const native::CompeteSettings& competition, std::mt19937& random) {
-    Chain::Align::Config size;
+    Align<plain>::Config size;
+    size.compete = true;
     size.width = left.width;
     size.height = left.height;
-    Chain::Contest::Config contest_config;
+    Contest<plain>::Config contest_config;
     contest_config.bias = competition.bias;
     VoteSpread::Config spread_config;
     spread_config.smooth = competition.smooth;
-    Chain::Ballot::Config ballot_config;
+    Ballot<plain>::Config ballot_config;
     ballot_config.similar = competition.similar;
     ballot_config.quorum = competition.quorum;
     ballot_config.clear_quorum = competition.clear_quorum;
     std::vector<std::uint8_t> states;
-    for (int y = 0; y < left.height + Chain::flush_rows; ++y) {
+    for (int y = 0; y < left.height + plain.flush_rows(true); ++y) {
       for (int x = 0; x < left.width; ++x) {
         GreyPair pair;
         pair.pixel = {u<8>(random()), u<8>(random())};
@@ -89,8 +89,7 @@ class BeatByBeat {
                            right.at(x - shift, y) == 255;
         }
         pair.marks = {x == 0 && y == 0, x + 1 == left.width};
-        const auto smooth = lowpass_.step(pair);
-        const auto contrast = contrast_.step({sobel_.step(smooth), smooth.pixel[0], smooth.mask});
+        const auto contrast = contrast_.step(sobel_.step(lowpass_.step(pair)));
         const auto vote = contest_.step(paths_.step(sums_.step(contrast)), contest_config);
         const auto spread = spread_.step({vote.vote, vote.firm, vote.grey, vote.exists, vote.marks}, spread_config);
         const auto ballot = ballot_.step(spread, ballot_config);
@@ -105,14 +104,14 @@ class BeatByBeat {
  private:
   Lowpass<plain> lowpass_;
   Sobel<plain> sobel_;
-  Chain::Contrast contrast_;
-  Chain::PlaneSums sums_;
-  Chain::Paths paths_;
-  Chain::Contest contest_;
-  Chain::Spread spread_;
-  Chain::Ballot ballot_;
-  Chain::Consensus consensus_;
-  Chain::Align align_;
+  Contrasts<plain> contrast_;
+  PlaneSums<plain> sums_;
+  Paths<plain> paths_;
+  Contest<plain> contest_;
+  Spread<plain> spread_;
+  Ballot<plain> ballot_;
+  Consensus<plain> consensus_;
+  Align<plain> align_;
 };
 
 /// Smoothed noise; beyond the image too, so that shifted pictures agree.

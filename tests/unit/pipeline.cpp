@@ -20,9 +20,9 @@ namespace reference = horopter::tb::reference;
 
 namespace {
 
-constexpr hls::Profile plain{96, 64, 1, 9, 7, 3, 32, 0, 1, 1};
-constexpr hls::Profile halving{128, 48, 2, 7, 5, 3, 32, 0, 2, 1};
-constexpr hls::Profile wide{160, 120, 1, 9, 7, 3, 64, 0, 1, 1};
+constexpr hls::Profile plain{96, 64, 1, 9, 7, 3, 32, 0, 1, 1, hls::Decisions::thesis};
+constexpr hls::Profile halving{128, 48, 2, 7, 5, 3, 32, 0, 2, 1, hls::Decisions::thesis};
+constexpr hls::Profile wide{160, 120, 1, 9, 7, 3, 64, 0, 1, 1, hls::Decisions::thesis};
 
 struct Picture {
   int width = 0;

@@ -485,7 +485,7 @@ TEST_CASE("align, runs and alarm: every pixel once, in its place", "[stages]") {
   constexpr int offset = 9;
   constexpr int width = 48;
   constexpr int height = 30;
-  Aligner<64, 40, offset> align;
+  Aligner<64, 40, {offset, offset}> align;
   RunEncoder<64, 40> runs;
   AlarmCounter<64, 40> alarm;
   decltype(align)::Config size;
@@ -493,13 +493,13 @@ TEST_CASE("align, runs and alarm: every pixel once, in its place", "[stages]") {
   size.height = height;
   for (int repetition = 0; repetition < 3; ++repetition) {
     if (repetition == 2) {  // a frame that breaks off
-      Frame<Aligner<64, 40, offset>::In> cut(width, 17);
+      Frame<Aligner<64, 40, {offset, offset}>::In> cut(width, 17);
       for (const auto& beat : cut.beats) {
         const auto p = align.step(beat, size);
         if (p.valid) runs.step({p.state, p.first, p.last, p.idle});
       }
     }
-    Frame<Aligner<64, 40, offset>::In> frame(width, height + offset + 1);
+    Frame<Aligner<64, 40, {offset, offset}>::In> frame(width, height + offset + 1);
     for (auto& beat : frame.beats) beat.state = one_in(random, 4) ? static_cast<int>(random() % 4) : repetition;
     std::vector<int> pixels;
     std::vector<int> from_runs(width * height, -1);

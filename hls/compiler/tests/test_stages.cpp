@@ -7,14 +7,16 @@
 using namespace hlsc::test;
 
 TEST_CASE("the project's stages do what their native twins do", "[stages]") {
-  using Stage = std::pair<std::string, std::string>;
-#define HOROPTER_STAGE(name, class_name) Stage{#name, #class_name},
+  struct Stage {
+    std::string name, class_name, rule;
+  };
+#define HOROPTER_STAGE(name, class_name, rule) Stage{#name, #class_name, #rule},
   const std::vector<Stage> stages{
 #include "stages/stage_list.def"
   };
 #undef HOROPTER_STAGE
-  const std::string profile = "field";
-  for (const auto& [name, class_name] : stages) {
+  for (const auto& [name, class_name, rule] : stages) {
+    const std::string profile = rule == "compete" ? "vga" : "field";
     CAPTURE(name, profile);
     const hlsc::Options options = stage_options(
         "stages/" + name + ".hpp", "horopter::stages::" + class_name + "<horopter::hls::profiles::" + profile + ">");

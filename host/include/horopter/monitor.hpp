@@ -7,18 +7,30 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "horopter/device.hpp"
+#include "horopter/hls/compete_settings.hpp"
 #include "horopter/map.hpp"
 #include "horopter/profile.hpp"
 
 namespace horopter {
 
+using hls::CompeteSettings;
+
+/// The rule that decides a pixel: one threshold for one skin, or parallel skins that compete.
+enum class Decision { thesis, compete };
+std::string_view name_of(Decision decision);
+
 struct Settings {
+  Decision decision = Decision::thesis;  ///< the profile must have it
+  CompeteSettings competition;
+  // Of `thesis`:
   double threshold_percent = 25;     ///< of the largest DSAD sum, 15·k²; at most this is in the skin
   int texture = 32;                  ///< mean of the left unscaled Sobel magnitude that makes a pixel decidable
   double self_percent = 100.0 / 15;  ///< of 15·k²; a window whose directions vary less is no texture. Default: k²
+  // Of both:
   double alarm_percent = 5;          ///< of the result's pixels; more skin pixels are an alarm
   double undecidable_percent = 99;   ///< of the pixels that the table supervises; more are a fault
   double unsupervised_percent = 99;  ///< of the result's pixels; more are a fault
@@ -54,7 +66,8 @@ std::vector<std::string> fault_names(std::uint32_t faults);
 
 class Monitor {
  public:
-  /// Checks that the device is a Horopter of this profile and version. Throws DeviceError.
+  /// Checks that the device is a Horopter of this profile and version. Throws DeviceError; UsageError where the profile
+  /// does not have the rule of the settings.
   Monitor(std::unique_ptr<Device> device, const MachineProfile& profile, const Settings& settings = {});
   ~Monitor();
 

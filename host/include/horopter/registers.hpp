@@ -41,7 +41,7 @@ inline constexpr std::uint32_t kAddress = 0x004;
 inline constexpr Access kAccess = Access::kReadOnly;
 /// Counts compatible additions.
 inline constexpr Field kMinor{0, 16};
-inline constexpr std::uint32_t kMinorValue = 0x1;
+inline constexpr std::uint32_t kMinorValue = 0x2;
 /// Counts incompatible changes.
 inline constexpr Field kMajor{16, 16};
 inline constexpr std::uint32_t kMajorValue = 0x1;
@@ -81,6 +81,10 @@ inline constexpr Field kSubsample{16, 4};
 inline constexpr Field kWeightBits{20, 4};
 /// Hypotheses compared at once.
 inline constexpr Field kHypotheses{24, 4};
+/// Has the rule `thesis`: one threshold.
+inline constexpr Field kThesis{28, 1};
+/// Has the rule `compete`: parallel skins compete.
+inline constexpr Field kCompete{29, 1};
 }  // namespace build_window
 
 /// Clock the profile is meant for.
@@ -90,6 +94,20 @@ inline constexpr Access kAccess = Access::kReadOnly;
 /// Clock in kHz.
 inline constexpr Field kKhz{0, 32};
 }  // namespace build_clock
+
+/// The rule `compete`, fixed by the profile; 0 without it.
+namespace build_compete {
+inline constexpr std::uint32_t kAddress = 0x018;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Parallel skins that compete.
+inline constexpr Field kPlanes{0, 8};
+/// Rows of the window in which costs are summed.
+inline constexpr Field kSumRows{8, 4};
+/// Its columns in px.
+inline constexpr Field kSumColumns{12, 4};
+/// Rows above and below that vote.
+inline constexpr Field kBallotReach{16, 4};
+}  // namespace build_compete
 
 /// Run control. While enable is 0 the streaming core is in reset.
 namespace control {
@@ -295,6 +313,31 @@ inline constexpr std::uint32_t kReset = 0x1;
 /// Repetitions; 1 = the first repetition; 0 = never.
 inline constexpr Field kFrames{0, 8};
 }  // namespace frozen_limit
+
+/// The rule; fixed where the profile has one only: read it back.
+namespace decision {
+inline constexpr std::uint32_t kAddress = 0x0B8;
+inline constexpr Access kAccess = Access::kReadWrite;
+/// 0 = thesis: SUM_LIMIT, SELF_LIMIT and TEXTURE_LIMIT decide. 1 = compete: parallel skins do.
+inline constexpr Field kCompete{0, 1};
+}  // namespace decision
+
+/// Settings of the rule `compete`; 0 where the profile does not have it.
+namespace compete {
+inline constexpr std::uint32_t kAddress = 0x0BC;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0x19009A2;
+/// Added to every vote: above 0 a doubtful pixel is rather in the skin.
+inline constexpr Field kBias{0, 4};
+/// Pixels of a row that differ by more are not alike; 4 grey levels.
+inline constexpr Field kSmooth{4, 3};
+/// Pixels of a column that differ by more do not vote for each other; 4 grey levels.
+inline constexpr Field kSimilar{7, 4};
+/// Smallest sum of votes that says skin; at least 1.
+inline constexpr Field kQuorum{11, 8};
+/// Smallest sum of votes against that says clear; 8 votes, at least 1.
+inline constexpr Field kClearQuorum{19, 8};
+}  // namespace compete
 
 /// Slot of the next upload.
 namespace map_slot {
@@ -627,13 +670,14 @@ struct Register {
   bool locked;  ///< writes are refused while CONTROL.enable is 1
 };
 
-inline constexpr std::array<Register, 47> kRegisters = {{
+inline constexpr std::array<Register, 50> kRegisters = {{
     {"id", 0x000, Access::kReadOnly, false},
     {"version", 0x004, Access::kReadOnly, false},
     {"build_size", 0x008, Access::kReadOnly, false},
     {"build_store", 0x00C, Access::kReadOnly, false},
     {"build_window", 0x010, Access::kReadOnly, false},
     {"build_clock", 0x014, Access::kReadOnly, false},
+    {"build_compete", 0x018, Access::kReadOnly, false},
     {"control", 0x040, Access::kReadWrite, false},
     {"mode", 0x044, Access::kReadWrite, true},
     {"status", 0x048, Access::kReadOnly, false},
@@ -656,6 +700,8 @@ inline constexpr std::array<Register, 47> kRegisters = {{
     {"white_limit", 0x0AC, Access::kReadWrite, false},
     {"constant_limit", 0x0B0, Access::kReadWrite, false},
     {"frozen_limit", 0x0B4, Access::kReadWrite, false},
+    {"decision", 0x0B8, Access::kReadWrite, false},
+    {"compete", 0x0BC, Access::kReadWrite, false},
     {"map_slot", 0x0C0, Access::kReadWrite, false},
     {"map_base", 0x0C4, Access::kReadWrite, false},
     {"map_control", 0x0C8, Access::kWriteStream, false},

@@ -42,47 +42,47 @@ module horopter_align (
   logic [3:0] columns_q;
   logic [8:0] columns_left_q;
   logic [8:0] rows_left_q;
-  // hls/stages/align.hpp:45
+  // hls/stages/align.hpp:67
   logic not_16;
   assign not_16 = ~marks_first_i;
   logic and_18;
   assign and_18 = started_q & not_16;
   logic [3:0] select_20;
   assign select_20 = marks_first_i ? 4'h0 : rows_q;
-  // hls/stages/align.hpp:48
+  // hls/stages/align.hpp:70
   logic equal_21;
   assign equal_21 = select_20 == 4'h9;
   logic [3:0] select_23;
   assign select_23 = marks_first_i ? 4'h0 : (row_ended_q ? 4'h0 : columns_q);
   logic equal_24;
   assign equal_24 = select_23 == 4'h9;
-  // hls/stages/align.hpp:49
+  // hls/stages/align.hpp:71
   logic and_26;
   assign and_26 = (~and_18) & (equal_21 & equal_24);
-  // hls/stages/align.hpp:58
+  // hls/stages/align.hpp:80
   logic or_27;
   assign or_27 = (active_q & not_16) | and_26;
   logic select_29;
   assign select_29 = and_26 ? (cfg_height_i == 9'h1) : final_row_q;
   logic and_31;
   assign and_31 = last_q & (~and_26);
-  // hls/stages/align.hpp:63
+  // hls/stages/align.hpp:85
   logic and_32;
   assign and_32 = or_27 & and_31;
   logic and_33;
   assign and_33 = select_29 & and_32;
-  // hls/stages/align.hpp:58
+  // hls/stages/align.hpp:80
   logic [8:0] select_38;
   assign select_38 = and_26 ? sum_37 : columns_left_q;
   logic [8:0] select_42;
   assign select_42 = and_26 ? (cfg_height_i + 9'h1ff) : rows_left_q;
-  // hls/stages/align.hpp:80
+  // hls/stages/align.hpp:102
   logic not_46;
   assign not_46 = ~equal_21;
-  // hls/stages/align.hpp:78
+  // hls/stages/align.hpp:100
   logic not_49;
   assign not_49 = ~equal_24;
-  // hls/stages/align.hpp:45
+  // hls/stages/align.hpp:67
   logic and_55;
   assign and_55 = idle_q & not_16;
 

@@ -33,13 +33,13 @@ module horopter_sobel (
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [9:0] raster_column_q;
   logic raster_row_ended_q;
-  // hls/stages/sobel.hpp:39
+  // hls/stages/sobel.hpp:41
   logic or_21;
   assign or_21 = marks_first_i | raster_row_ended_q;
   logic [9:0] select_23;
   assign select_23 = or_21 ? 10'h0 : (raster_column_q + 10'h1);
 
-  // Memory memory, 756 x 20, DISTANCE 16, hls/stages/sobel.hpp:71; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory memory, 756 x 20, DISTANCE 16, hls/stages/sobel.hpp:74; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [19:0] memory_mem [0:755];
@@ -92,34 +92,34 @@ module horopter_sobel (
   logic [1:0] mask_columns_values_1_q;
   logic [1:0] saturated_columns_values_0_q;
   logic [1:0] saturated_columns_values_1_q;
-  // hls/stages/sobel.hpp:39
-  logic and_26;
-  assign and_26 = raster_rows_q & (~marks_first_s1_q);
-  // hls/stages/sobel.hpp:56
+  // hls/stages/sobel.hpp:41
+  logic and_25;
+  assign and_25 = raster_rows_q & (~marks_first_s1_q);
+  // hls/stages/sobel.hpp:58
+  logic [1:0] select_26;
+  assign select_26 = and_25 ? memory_rdata_q[17:16] : 2'h0;
+  // hls/stages/sobel.hpp:59
   logic [1:0] select_27;
-  assign select_27 = and_26 ? memory_rdata_q[17:16] : 2'h0;
-  // hls/stages/sobel.hpp:57
-  logic [1:0] select_28;
-  assign select_28 = and_26 ? memory_rdata_q[19:18] : 2'h0;
-  // hls/stages/sobel.hpp:47
+  assign select_27 = and_25 ? memory_rdata_q[19:18] : 2'h0;
+  // hls/stages/sobel.hpp:49
   logic [8:0] sum_30;
   assign sum_30 = {1'b0, memory_rdata_q[7:0]} + {2'h0, memory_rdata_q[15:9]};
   logic [9:0] smooth;
   assign smooth = {2'h0, pixel_0_s1_q} + {sum_30, memory_rdata_q[8]};
-  // hls/stages/sobel.hpp:48
+  // hls/stages/sobel.hpp:50
   logic [8:0] slope;
   assign slope = {1'b0, pixel_0_s1_q} - {1'b0, memory_rdata_q[15:8]};
-  // hls/stages/sobel.hpp:56
+  // hls/stages/sobel.hpp:58
   logic equal_33;
   assign equal_33 = {select_27, mask_s1_q} == 3'h7;
   logic [1:0] select_34;
   assign select_34 = or_21_s1_q ? 2'h0 : mask_columns_values_1_q;
-  // hls/stages/sobel.hpp:57
+  // hls/stages/sobel.hpp:59
   logic equal_36;
   assign equal_36 = {select_28, saturated_s1_q} == 3'h7;
   logic [1:0] select_37;
   assign select_37 = or_21_s1_q ? 2'h0 : saturated_columns_values_1_q;
-  // hls/stages/sobel.hpp:50
+  // hls/stages/sobel.hpp:52
   logic [9:0] sum_40;
   assign sum_40 = {slope_0_values_1_q[8], slope_0_values_1_q} + {{2{slope[8]}}, slope[8:1]};
   logic [10:0] sum_41;

@@ -23,6 +23,12 @@ module horopter_stages (
   input  logic [16:0] cfg_alarm_limit_i,
   input  logic [16:0] cfg_undecidable_limit_i,
   input  logic [16:0] cfg_unsupervised_limit_i,
+  input  logic [3:0] cfg_bias_i,
+  input  logic [2:0] cfg_smooth_i,
+  input  logic [3:0] cfg_similar_i,
+  input  logic [7:0] cfg_quorum_i,
+  input  logic [7:0] cfg_clear_quorum_i,
+  input  logic cfg_compete_i,
   output logic align_valid_o,
   output logic [1:0] align_state_o,
   output logic align_first_o,
@@ -360,4 +366,8 @@ module horopter_stages (
     .too_undecidable_o(alarm_too_undecidable_o),
     .too_unsupervised_o(alarm_too_unsupervised_o)
   );
+
+  // Of the rule that this profile does not have.
+  logic unused_settings;
+  assign unused_settings = ^{cfg_bias_i, cfg_smooth_i, cfg_similar_i, cfg_quorum_i, cfg_clear_quorum_i, cfg_compete_i};
 endmodule

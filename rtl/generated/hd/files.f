@@ -1,6 +1,10 @@
 rtl/generated/hd/horopter_profile_pkg.sv
 rtl/generated/hd/horopter_alarm.sv
 rtl/generated/hd/horopter_align.sv
+rtl/generated/hd/horopter_ballot.sv
+rtl/generated/hd/horopter_consensus.sv
+rtl/generated/hd/horopter_contest.sv
+rtl/generated/hd/horopter_contrast.sv
 rtl/generated/hd/horopter_difference.sv
 rtl/generated/hd/horopter_direction.sv
 rtl/generated/hd/horopter_dsad.sv
@@ -9,8 +13,11 @@ rtl/generated/hd/horopter_interpolate.sv
 rtl/generated/hd/horopter_lowpass.sv
 rtl/generated/hd/horopter_majority.sv
 rtl/generated/hd/horopter_map_expand.sv
+rtl/generated/hd/horopter_plane_paths.sv
+rtl/generated/hd/horopter_plane_sums.sv
 rtl/generated/hd/horopter_runs.sv
 rtl/generated/hd/horopter_sobel.sv
+rtl/generated/hd/horopter_spread.sv
 rtl/generated/hd/horopter_stages.sv
 rtl/generated/hd/horopter_subsample.sv
 rtl/generated/hd/horopter_texture.sv

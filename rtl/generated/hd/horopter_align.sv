@@ -14,6 +14,7 @@ module horopter_align (
   input  logic marks_last_i,
   input  logic [10:0] cfg_width_i,
   input  logic [10:0] cfg_height_i,
+  input  logic cfg_compete_i,
   output logic valid_o,
   output logic [1:0] state_o,
   output logic first_o,
@@ -29,37 +30,39 @@ module horopter_align (
   assign s1_en = en_i & valid_s1_q;
 
   // Of the configuration alone: not pipelined.
-  logic [10:0] sum_37;
-  assign sum_37 = cfg_width_i + 11'h7ff;
+  logic columns;
+  assign columns = ~cfg_compete_i;
+  logic [10:0] sum_39;
+  assign sum_39 = cfg_width_i + 11'h7ff;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic started_q;
   logic row_ended_q;
   logic [3:0] rows_q;
   logic [3:0] columns_q;
-  // hls/stages/align.hpp:45
-  logic not_16;
-  assign not_16 = ~marks_first_i;
-  logic and_18;
-  assign and_18 = started_q & not_16;
-  logic [3:0] select_20;
-  assign select_20 = marks_first_i ? 4'h0 : rows_q;
-  // hls/stages/align.hpp:48
-  logic equal_21;
-  assign equal_21 = select_20 == 4'h9;
-  logic [3:0] select_23;
-  assign select_23 = marks_first_i ? 4'h0 : (row_ended_q ? 4'h0 : columns_q);
-  logic equal_24;
-  assign equal_24 = select_23 == 4'h9;
-  // hls/stages/align.hpp:49
-  logic and_26;
-  assign and_26 = (~and_18) & (equal_21 & equal_24);
-  // hls/stages/align.hpp:80
-  logic not_46;
-  assign not_46 = ~equal_21;
-  // hls/stages/align.hpp:78
-  logic not_49;
-  assign not_49 = ~equal_24;
+  // hls/stages/align.hpp:67
+  logic not_17;
+  assign not_17 = ~marks_first_i;
+  logic and_19;
+  assign and_19 = started_q & not_17;
+  logic [3:0] select_21;
+  assign select_21 = marks_first_i ? 4'h0 : rows_q;
+  // hls/stages/align.hpp:70
+  logic equal_22;
+  assign equal_22 = {select_21[3], cfg_compete_i, select_21[1:0]} == {1'b1, select_21[2], 2'h1};
+  logic [3:0] select_25;
+  assign select_25 = marks_first_i ? 4'h0 : (row_ended_q ? 4'h0 : columns_q);
+  logic equal_26;
+  assign equal_26 = {columns, select_25[2:1], columns} == {select_25[3], 2'h0, select_25[0]};
+  // hls/stages/align.hpp:71
+  logic and_28;
+  assign and_28 = (~and_19) & (equal_22 & equal_26);
+  // hls/stages/align.hpp:102
+  logic not_48;
+  assign not_48 = ~equal_22;
+  // hls/stages/align.hpp:100
+  logic not_51;
+  assign not_51 = ~equal_26;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -68,21 +71,21 @@ module horopter_align (
       rows_q <= 4'h0;
       columns_q <= 4'h0;
     end else if (s0_en) begin
-      started_q <= and_18 | and_26;
+      started_q <= and_19 | and_28;
       row_ended_q <= marks_last_i;
-      rows_q <= marks_last_i ? (select_20 + {3'h0, not_46}) : select_20;
-      columns_q <= select_23 + {3'h0, not_49};
+      rows_q <= marks_last_i ? (select_21 + {3'h0, not_48}) : select_21;
+      columns_q <= select_25 + {3'h0, not_51};
     end
   end
 
   logic [1:0] state_s1_q;
-  logic not_16_s1_q;
-  logic and_26_s1_q;
+  logic not_17_s1_q;
+  logic and_28_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       state_s1_q <= state_i;
-      not_16_s1_q <= not_16;
-      and_26_s1_q <= and_26;
+      not_17_s1_q <= not_17;
+      and_28_s1_q <= and_28;
     end
   end
 
@@ -93,26 +96,26 @@ module horopter_align (
   logic final_row_q;
   logic [10:0] columns_left_q;
   logic [10:0] rows_left_q;
-  // hls/stages/align.hpp:58
-  logic or_27;
-  assign or_27 = (active_q & not_16_s1_q) | and_26_s1_q;
-  logic select_29;
-  assign select_29 = and_26_s1_q ? (cfg_height_i == 11'h1) : final_row_q;
-  logic and_31;
-  assign and_31 = last_q & (~and_26_s1_q);
-  // hls/stages/align.hpp:63
-  logic and_32;
-  assign and_32 = or_27 & and_31;
+  // hls/stages/align.hpp:80
+  logic or_29;
+  assign or_29 = (active_q & not_17_s1_q) | and_28_s1_q;
+  logic select_31;
+  assign select_31 = and_28_s1_q ? (cfg_height_i == 11'h1) : final_row_q;
   logic and_33;
-  assign and_33 = select_29 & and_32;
-  // hls/stages/align.hpp:58
-  logic [10:0] select_38;
-  assign select_38 = and_26_s1_q ? sum_37 : columns_left_q;
-  logic [10:0] select_42;
-  assign select_42 = and_26_s1_q ? (cfg_height_i + 11'h7ff) : rows_left_q;
-  // hls/stages/align.hpp:45
-  logic and_55;
-  assign and_55 = idle_q & not_16_s1_q;
+  assign and_33 = last_q & (~and_28_s1_q);
+  // hls/stages/align.hpp:85
+  logic and_34;
+  assign and_34 = or_29 & and_33;
+  logic and_35;
+  assign and_35 = select_31 & and_34;
+  // hls/stages/align.hpp:80
+  logic [10:0] select_40;
+  assign select_40 = and_28_s1_q ? sum_39 : columns_left_q;
+  logic [10:0] select_44;
+  assign select_44 = and_28_s1_q ? (cfg_height_i + 11'h7ff) : rows_left_q;
+  // hls/stages/align.hpp:67
+  logic and_57;
+  assign and_57 = idle_q & not_17_s1_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -123,34 +126,34 @@ module horopter_align (
       columns_left_q <= 11'h0;
       rows_left_q <= 11'h0;
     end else if (s1_en) begin
-      active_q <= or_27 & (~and_33);
-      idle_q <= and_33;
-      last_q <= (~and_31) & (select_38 == 11'h1);
-      final_row_q <= and_31 ? (select_42 == 11'h1) : select_29;
-      columns_left_q <= and_31 ? sum_37 : (select_38 + 11'h7ff);
-      rows_left_q <= and_31 ? (select_42 + 11'h7ff) : select_42;
+      active_q <= or_29 & (~and_35);
+      idle_q <= and_35;
+      last_q <= (~and_33) & (select_40 == 11'h1);
+      final_row_q <= and_33 ? (select_44 == 11'h1) : select_31;
+      columns_left_q <= and_33 ? sum_39 : (select_40 + 11'h7ff);
+      rows_left_q <= and_33 ? (select_44 + 11'h7ff) : select_44;
     end
   end
 
   logic [1:0] state_s2_q;
-  logic and_26_s2_q;
-  logic and_32_s2_q;
-  logic and_55_s2_q;
+  logic and_28_s2_q;
+  logic and_34_s2_q;
+  logic and_57_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       state_s2_q <= state_s1_q;
-      and_26_s2_q <= and_26_s1_q;
-      and_32_s2_q <= and_32;
-      and_55_s2_q <= and_55;
+      and_28_s2_q <= and_28_s1_q;
+      and_34_s2_q <= and_34;
+      and_57_s2_q <= and_57;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
   assign state_o = state_s2_q;
-  assign first_o = and_26_s2_q;
-  assign last_o = and_32_s2_q;
+  assign first_o = and_28_s2_q;
+  assign last_o = and_34_s2_q;
   assign end_v_o = idle_q;
-  assign idle_o = and_55_s2_q;
+  assign idle_o = and_57_s2_q;
   assign valid_o = valid_s2_q;
 
   always_ff @(posedge clk_i) begin
@@ -159,7 +162,7 @@ module horopter_align (
       valid_s2_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
-      valid_s2_q <= valid_s1_q & (and_55 | or_27);
+      valid_s2_q <= valid_s1_q & (and_57 | or_29);
     end
   end
 

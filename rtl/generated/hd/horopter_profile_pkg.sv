@@ -11,7 +11,14 @@ package horopter_profile_pkg;
   localparam int unsigned STORE_ROWS = 64;  // rows of the right image's ring
   localparam int unsigned POOL_BYTES = 65536;  // pool of the mapping tables
   localparam int unsigned HYPOTHESES = 1;  // hypotheses compared at once
+  localparam int unsigned PLANES = 13;  // parallel skins that compete
+  localparam int unsigned SUM_ROWS = 7;  // rows of the window in which compete sums costs
+  localparam int unsigned SUM_COLUMNS = 9;  // columns of the window in which compete sums costs, px
+  localparam int unsigned BALLOT_REACH = 5;  // rows above and below that vote in compete
   localparam int unsigned CLOCK_KHZ = 148500;  // clock the profile is meant for
+  localparam bit THESIS = 1'b1;  // has the rule `thesis`
+  localparam bit COMPETE = 1'b1;  // has the rule `compete`
   localparam int unsigned OFFSET = 9;  // a state belongs to the px this far up and left of the beat
   localparam int unsigned FLUSH_ROWS = OFFSET + 1;  // rows after the last of a frame that empty the windows
+  localparam int unsigned COMPETE_FLUSH_ROWS = 16;  // the same with `compete`
 endpackage

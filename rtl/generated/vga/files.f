@@ -1,6 +1,10 @@
 rtl/generated/vga/horopter_profile_pkg.sv
 rtl/generated/vga/horopter_alarm.sv
 rtl/generated/vga/horopter_align.sv
+rtl/generated/vga/horopter_ballot.sv
+rtl/generated/vga/horopter_consensus.sv
+rtl/generated/vga/horopter_contest.sv
+rtl/generated/vga/horopter_contrast.sv
 rtl/generated/vga/horopter_difference.sv
 rtl/generated/vga/horopter_direction.sv
 rtl/generated/vga/horopter_dsad.sv
@@ -9,8 +13,11 @@ rtl/generated/vga/horopter_interpolate.sv
 rtl/generated/vga/horopter_lowpass.sv
 rtl/generated/vga/horopter_majority.sv
 rtl/generated/vga/horopter_map_expand.sv
+rtl/generated/vga/horopter_plane_paths.sv
+rtl/generated/vga/horopter_plane_sums.sv
 rtl/generated/vga/horopter_runs.sv
 rtl/generated/vga/horopter_sobel.sv
+rtl/generated/vga/horopter_spread.sv
 rtl/generated/vga/horopter_stages.sv
 rtl/generated/vga/horopter_subsample.sv
 rtl/generated/vga/horopter_texture.sv

@@ -3,8 +3,7 @@
 //
 // Latency 0 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// Outputs are logic: what they go to takes them with the clock if en_i = 1.
-// State 33 bits, pipeline 0 bits, memories 0 bits.
+// State 35 bits, pipeline 6 bits, memories 0 bits.
 module horopter_align (
   input  logic clk_i,
   input  logic rst_ni,
@@ -15,6 +14,7 @@ module horopter_align (
   input  logic marks_last_i,
   input  logic [9:0] cfg_width_i,
   input  logic [8:0] cfg_height_i,
+  input  logic cfg_compete_i,
   output logic valid_o,
   output logic [1:0] state_o,
   output logic first_o,
@@ -28,8 +28,10 @@ module horopter_align (
   assign s0_en = en_i & valid_i;
 
   // Of the configuration alone: not pipelined.
-  logic [9:0] sum_37;
-  assign sum_37 = cfg_width_i + 10'h3ff;
+  logic columns;
+  assign columns = ~cfg_compete_i;
+  logic [9:0] sum_39;
+  assign sum_39 = cfg_width_i + 10'h3ff;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic active_q;
@@ -38,53 +40,53 @@ module horopter_align (
   logic final_row_q;
   logic started_q;
   logic row_ended_q;
-  logic [3:0] rows_q;
-  logic [3:0] columns_q;
+  logic [4:0] rows_q;
+  logic [4:0] columns_q;
   logic [9:0] columns_left_q;
   logic [8:0] rows_left_q;
-  // hls/stages/align.hpp:45
-  logic not_16;
-  assign not_16 = ~marks_first_i;
-  logic and_18;
-  assign and_18 = started_q & not_16;
-  logic [3:0] select_20;
-  assign select_20 = marks_first_i ? 4'h0 : rows_q;
-  // hls/stages/align.hpp:48
-  logic equal_21;
-  assign equal_21 = select_20 == 4'h9;
-  logic [3:0] select_23;
-  assign select_23 = marks_first_i ? 4'h0 : (row_ended_q ? 4'h0 : columns_q);
-  logic equal_24;
-  assign equal_24 = select_23 == 4'h9;
-  // hls/stages/align.hpp:49
-  logic and_26;
-  assign and_26 = (~and_18) & (equal_21 & equal_24);
-  // hls/stages/align.hpp:58
-  logic or_27;
-  assign or_27 = (active_q & not_16) | and_26;
-  logic select_29;
-  assign select_29 = and_26 ? (cfg_height_i == 9'h1) : final_row_q;
-  logic and_31;
-  assign and_31 = last_q & (~and_26);
-  // hls/stages/align.hpp:63
-  logic and_32;
-  assign and_32 = or_27 & and_31;
-  logic and_33;
-  assign and_33 = select_29 & and_32;
-  // hls/stages/align.hpp:58
-  logic [9:0] select_38;
-  assign select_38 = and_26 ? sum_37 : columns_left_q;
-  logic [8:0] select_42;
-  assign select_42 = and_26 ? (cfg_height_i + 9'h1ff) : rows_left_q;
+  // hls/stages/align.hpp:67
+  logic not_17;
+  assign not_17 = ~marks_first_i;
+  logic and_19;
+  assign and_19 = started_q & not_17;
+  logic [4:0] select_21;
+  assign select_21 = marks_first_i ? 5'h0 : rows_q;
+  // hls/stages/align.hpp:70
+  logic equal_23;
+  assign equal_23 = {cfg_compete_i, columns, select_21[2:0]} == {select_21[4:3], 3'h1};
+  logic [4:0] select_25;
+  assign select_25 = marks_first_i ? 5'h0 : (row_ended_q ? 5'h0 : columns_q);
+  logic equal_26;
+  assign equal_26 = {select_25[4], columns, select_25[2:1], columns} == {1'b0, select_25[3], 2'h0, select_25[0]};
+  // hls/stages/align.hpp:71
+  logic and_28;
+  assign and_28 = (~and_19) & (equal_23 & equal_26);
   // hls/stages/align.hpp:80
-  logic not_46;
-  assign not_46 = ~equal_21;
-  // hls/stages/align.hpp:78
-  logic not_49;
-  assign not_49 = ~equal_24;
-  // hls/stages/align.hpp:45
-  logic and_55;
-  assign and_55 = idle_q & not_16;
+  logic or_29;
+  assign or_29 = (active_q & not_17) | and_28;
+  logic select_31;
+  assign select_31 = and_28 ? (cfg_height_i == 9'h1) : final_row_q;
+  logic and_33;
+  assign and_33 = last_q & (~and_28);
+  // hls/stages/align.hpp:85
+  logic and_34;
+  assign and_34 = or_29 & and_33;
+  logic and_35;
+  assign and_35 = select_31 & and_34;
+  // hls/stages/align.hpp:80
+  logic [9:0] select_40;
+  assign select_40 = and_28 ? sum_39 : columns_left_q;
+  logic [8:0] select_44;
+  assign select_44 = and_28 ? (cfg_height_i + 9'h1ff) : rows_left_q;
+  // hls/stages/align.hpp:102
+  logic not_48;
+  assign not_48 = ~equal_23;
+  // hls/stages/align.hpp:100
+  logic not_51;
+  assign not_51 = ~equal_26;
+  // hls/stages/align.hpp:67
+  logic and_57;
+  assign and_57 = idle_q & not_17;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -94,30 +96,51 @@ module horopter_align (
       final_row_q <= 1'b0;
       started_q <= 1'b1;
       row_ended_q <= 1'b1;
-      rows_q <= 4'h0;
-      columns_q <= 4'h0;
+      rows_q <= 5'h0;
+      columns_q <= 5'h0;
       columns_left_q <= 10'h0;
       rows_left_q <= 9'h0;
     end else if (s0_en) begin
-      active_q <= or_27 & (~and_33);
-      idle_q <= and_33;
-      last_q <= (~and_31) & (select_38 == 10'h1);
-      final_row_q <= and_31 ? (select_42 == 9'h1) : select_29;
-      started_q <= and_18 | and_26;
+      active_q <= or_29 & (~and_35);
+      idle_q <= and_35;
+      last_q <= (~and_33) & (select_40 == 10'h1);
+      final_row_q <= and_33 ? (select_44 == 9'h1) : select_31;
+      started_q <= and_19 | and_28;
       row_ended_q <= marks_last_i;
-      rows_q <= marks_last_i ? (select_20 + {3'h0, not_46}) : select_20;
-      columns_q <= select_23 + {3'h0, not_49};
-      columns_left_q <= and_31 ? sum_37 : (select_38 + 10'h3ff);
-      rows_left_q <= and_31 ? (select_42 + 9'h1ff) : select_42;
+      rows_q <= marks_last_i ? (select_21 + {4'h0, not_48}) : select_21;
+      columns_q <= select_25 + {4'h0, not_51};
+      columns_left_q <= and_33 ? sum_39 : (select_40 + 10'h3ff);
+      rows_left_q <= and_33 ? (select_44 + 9'h1ff) : select_44;
+    end
+  end
+
+  logic [1:0] state_s1_q;
+  logic and_28_s1_q;
+  logic and_34_s1_q;
+  logic and_57_s1_q;
+  always_ff @(posedge clk_i) begin
+    if (s0_en) begin
+      state_s1_q <= state_i;
+      and_28_s1_q <= and_28;
+      and_34_s1_q <= and_34;
+      and_57_s1_q <= and_57;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign state_o = state_i;
-  assign first_o = and_26;
-  assign last_o = and_32;
-  assign end_v_o = and_33;
-  assign idle_o = and_55;
-  assign valid_o = valid_i & (and_55 | or_27);
+  assign state_o = state_s1_q;
+  assign first_o = and_28_s1_q;
+  assign last_o = and_34_s1_q;
+  assign end_v_o = idle_q;
+  assign idle_o = and_57_s1_q;
+  assign valid_o = valid_s1_q;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      valid_s1_q <= 1'b0;
+    end else if (en_i) begin
+      valid_s1_q <= valid_i & (and_57 | or_29);
+    end
+  end
 
 endmodule

@@ -3,8 +3,7 @@
 //
 // Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// Outputs are logic: what they go to takes them with the clock if en_i = 1.
-// State 92 bits, pipeline 21 bits, memories 23040 bits.
+// State 92 bits, pipeline 89 bits, memories 23040 bits.
 module horopter_sobel (
   input  logic clk_i,
   input  logic rst_ni,
@@ -24,7 +23,9 @@ module horopter_sobel (
   output logic saturated_o,
   output logic mask_o,
   output logic marks_first_o,
-  output logic marks_last_o
+  output logic marks_last_o,
+  output logic [7:0] smooth_grey_o,
+  output logic smooth_exists_o
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
@@ -36,13 +37,13 @@ module horopter_sobel (
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [9:0] raster_column_q;
   logic raster_row_ended_q;
-  // hls/stages/sobel.hpp:39
+  // hls/stages/sobel.hpp:41
   logic or_20;
   assign or_20 = marks_first_i | raster_row_ended_q;
   logic [9:0] select_22;
   assign select_22 = or_20 ? 10'h0 : (raster_column_q + 10'h1);
 
-  // Memory memory, 640 x 36, DISTANCE 16, hls/stages/sobel.hpp:71; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory memory, 640 x 36, DISTANCE 16, hls/stages/sobel.hpp:74; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [35:0] memory_mem [0:639];
@@ -95,16 +96,16 @@ module horopter_sobel (
   logic [8:0] slope_1_values_1_q;
   logic [1:0] mask_columns_values_0_q;
   logic [1:0] saturated_columns_values_0_q;
-  // hls/stages/sobel.hpp:39
-  logic and_25;
-  assign and_25 = raster_rows_q & (~marks_first_s1_q);
-  // hls/stages/sobel.hpp:56
+  // hls/stages/sobel.hpp:41
+  logic and_24;
+  assign and_24 = raster_rows_q & (~marks_first_s1_q);
+  // hls/stages/sobel.hpp:58
+  logic [1:0] select_25;
+  assign select_25 = and_24 ? memory_rdata_q[33:32] : 2'h0;
+  // hls/stages/sobel.hpp:59
   logic [1:0] select_26;
-  assign select_26 = and_25 ? memory_rdata_q[33:32] : 2'h0;
-  // hls/stages/sobel.hpp:57
-  logic [1:0] select_27;
-  assign select_27 = and_25 ? memory_rdata_q[35:34] : 2'h0;
-  // hls/stages/sobel.hpp:47
+  assign select_26 = and_24 ? memory_rdata_q[35:34] : 2'h0;
+  // hls/stages/sobel.hpp:49
   logic [8:0] sum_29;
   assign sum_29 = {1'b0, memory_rdata_q[7:0]} + {2'h0, memory_rdata_q[23:17]};
   logic [9:0] smooth;
@@ -113,22 +114,22 @@ module horopter_sobel (
   assign sum_31 = {1'b0, memory_rdata_q[15:8]} + {2'h0, memory_rdata_q[31:25]};
   logic [9:0] smooth_2;
   assign smooth_2 = {2'h0, pixel_1_s1_q} + {sum_31, memory_rdata_q[24]};
-  // hls/stages/sobel.hpp:48
+  // hls/stages/sobel.hpp:50
   logic [8:0] slope;
   assign slope = {1'b0, pixel_0_s1_q} - {1'b0, memory_rdata_q[23:16]};
   logic [8:0] slope_2;
   assign slope_2 = {1'b0, pixel_1_s1_q} - {1'b0, memory_rdata_q[31:24]};
-  // hls/stages/sobel.hpp:56
+  // hls/stages/sobel.hpp:58
   logic equal_35;
   assign equal_35 = {select_26, mask_s1_q} == 3'h7;
   logic [1:0] select_36;
   assign select_36 = or_20_s1_q ? 2'h0 : mask_columns_values_0_q;
-  // hls/stages/sobel.hpp:57
+  // hls/stages/sobel.hpp:59
   logic equal_37;
   assign equal_37 = {select_27, saturated_s1_q} == 3'h7;
   logic [1:0] select_38;
   assign select_38 = or_20_s1_q ? 2'h0 : saturated_columns_values_0_q;
-  // hls/stages/sobel.hpp:50
+  // hls/stages/sobel.hpp:52
   logic [9:0] sum_41;
   assign sum_41 = {slope_0_values_0_q[8], slope_0_values_0_q} + {{2{slope[8]}}, slope[8:1]};
   logic [10:0] sum_42;
@@ -186,16 +187,43 @@ module horopter_sobel (
     end
   end
 
+  logic [7:0] pixel_0_s2_q;
+  logic mask_s2_q;
+  logic marks_first_s2_q;
+  logic marks_last_s2_q;
+  logic [10:0] difference_39_s2_q;
+  logic [10:0] difference_40_s2_q;
+  logic [10:0] sum_42_s2_q;
+  logic [10:0] sum_44_s2_q;
+  logic equal_45_s2_q;
+  logic equal_46_s2_q;
+  always_ff @(posedge clk_i) begin
+    if (s1_en) begin
+      pixel_0_s2_q <= pixel_0_s1_q;
+      mask_s2_q <= mask_s1_q;
+      marks_first_s2_q <= marks_first_s1_q;
+      marks_last_s2_q <= raster_row_ended_q;
+      difference_39_s2_q <= {1'b0, smooth} - {1'b0, smooth_0_values_1_q};
+      difference_40_s2_q <= {1'b0, smooth_2} - {1'b0, smooth_1_values_1_q};
+      sum_42_s2_q <= sum_42;
+      sum_44_s2_q <= sum_44;
+      equal_45_s2_q <= {select_38, equal_37} == 3'h7;
+      equal_46_s2_q <= {select_36, equal_35} == 3'h7;
+    end
+  end
+
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign gx_0_o = {1'b0, smooth} - {1'b0, smooth_0_values_1_q};
-  assign gx_1_o = {1'b0, smooth_2} - {1'b0, smooth_1_values_1_q};
-  assign gy_0_o = sum_42;
-  assign gy_1_o = sum_44;
-  assign saturated_o = {select_38, equal_37} == 3'h7;
-  assign mask_o = {select_36, equal_35} == 3'h7;
-  assign marks_first_o = marks_first_s1_q;
-  assign marks_last_o = raster_row_ended_q;
-  assign valid_o = valid_s1_q;
+  assign gx_0_o = difference_39_s2_q;
+  assign gx_1_o = difference_40_s2_q;
+  assign gy_0_o = sum_42_s2_q;
+  assign gy_1_o = sum_44_s2_q;
+  assign saturated_o = equal_45_s2_q;
+  assign mask_o = equal_46_s2_q;
+  assign marks_first_o = marks_first_s2_q;
+  assign marks_last_o = marks_last_s2_q;
+  assign smooth_grey_o = pixel_0_s2_q;
+  assign smooth_exists_o = mask_s2_q;
+  assign valid_o = valid_s2_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin

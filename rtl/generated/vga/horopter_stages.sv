@@ -18,8 +18,14 @@ module horopter_stages (
   input  logic [11:0] cfg_texture_limit_i,
   input  logic [10:0] cfg_sum_limit_i,
   input  logic [10:0] cfg_self_limit_i,
+  input  logic [3:0] cfg_bias_i,
+  input  logic [2:0] cfg_smooth_i,
+  input  logic [3:0] cfg_similar_i,
+  input  logic [7:0] cfg_quorum_i,
+  input  logic [7:0] cfg_clear_quorum_i,
   input  logic [9:0] cfg_width_i,
   input  logic [8:0] cfg_height_i,
+  input  logic cfg_compete_i,
   input  logic [18:0] cfg_alarm_limit_i,
   input  logic [18:0] cfg_undecidable_limit_i,
   input  logic [18:0] cfg_unsupervised_limit_i,
@@ -137,6 +143,8 @@ module horopter_stages (
   logic sobel_mask_o;
   logic sobel_marks_first_o;
   logic sobel_marks_last_o;
+  logic [7:0] sobel_smooth_grey_o;
+  logic sobel_smooth_exists_o;
   horopter_sobel u_sobel (
     .clk_i(clk_i),
     .rst_ni(rst_ni),
@@ -156,7 +164,9 @@ module horopter_stages (
     .saturated_o(sobel_saturated_o),
     .mask_o(sobel_mask_o),
     .marks_first_o(sobel_marks_first_o),
-    .marks_last_o(sobel_marks_last_o)
+    .marks_last_o(sobel_marks_last_o),
+    .smooth_grey_o(sobel_smooth_grey_o),
+    .smooth_exists_o(sobel_smooth_exists_o)
   );
 
   logic direction_valid_o;
@@ -323,16 +333,334 @@ module horopter_stages (
     .marks_last_o(majority_marks_last_o)
   );
 
+  logic contrast_valid_o;
+  logic signed [5:0] contrast_left_o;
+  logic signed [5:0] contrast_right_o;
+  logic contrast_mask_o;
+  logic [7:0] contrast_grey_o;
+  logic contrast_exists_o;
+  logic contrast_marks_first_o;
+  logic contrast_marks_last_o;
+  horopter_contrast u_contrast (
+    .clk_i(clk_i),
+    .rst_ni(rst_ni),
+    .en_i(1'b1),
+    .valid_i(sobel_valid_o),
+    .gx_0_i(sobel_gx_0_o),
+    .gx_1_i(sobel_gx_1_o),
+    .gy_0_i(sobel_gy_0_o),
+    .gy_1_i(sobel_gy_1_o),
+    .saturated_i(sobel_saturated_o),
+    .mask_i(sobel_mask_o),
+    .marks_first_i(sobel_marks_first_o),
+    .marks_last_i(sobel_marks_last_o),
+    .smooth_grey_i(sobel_smooth_grey_o),
+    .smooth_exists_i(sobel_smooth_exists_o),
+    .valid_o(contrast_valid_o),
+    .left_o(contrast_left_o),
+    .right_o(contrast_right_o),
+    .mask_o(contrast_mask_o),
+    .grey_o(contrast_grey_o),
+    .exists_o(contrast_exists_o),
+    .marks_first_o(contrast_marks_first_o),
+    .marks_last_o(contrast_marks_last_o)
+  );
+
+  logic plane_sums_valid_o;
+  logic [10:0] plane_sums_sum_0_o;
+  logic [10:0] plane_sums_sum_1_o;
+  logic [10:0] plane_sums_sum_2_o;
+  logic [10:0] plane_sums_sum_3_o;
+  logic [10:0] plane_sums_sum_4_o;
+  logic [10:0] plane_sums_sum_5_o;
+  logic [10:0] plane_sums_sum_6_o;
+  logic [10:0] plane_sums_sum_7_o;
+  logic [10:0] plane_sums_sum_8_o;
+  logic [10:0] plane_sums_sum_9_o;
+  logic [10:0] plane_sums_sum_10_o;
+  logic [10:0] plane_sums_sum_11_o;
+  logic [10:0] plane_sums_sum_12_o;
+  logic [10:0] plane_sums_sum_13_o;
+  logic [10:0] plane_sums_sum_14_o;
+  logic [10:0] plane_sums_sum_15_o;
+  logic [10:0] plane_sums_sum_16_o;
+  logic [10:0] plane_sums_sum_17_o;
+  logic [10:0] plane_sums_sum_18_o;
+  logic [10:0] plane_sums_evidence_o;
+  logic [5:0] plane_sums_grey_o;
+  logic plane_sums_known_o;
+  logic plane_sums_exists_o;
+  logic plane_sums_marks_first_o;
+  logic plane_sums_marks_last_o;
+  horopter_plane_sums u_plane_sums (
+    .clk_i(clk_i),
+    .rst_ni(rst_ni),
+    .en_i(1'b1),
+    .valid_i(contrast_valid_o),
+    .left_i(contrast_left_o),
+    .right_i(contrast_right_o),
+    .mask_i(contrast_mask_o),
+    .grey_i(contrast_grey_o),
+    .exists_i(contrast_exists_o),
+    .marks_first_i(contrast_marks_first_o),
+    .marks_last_i(contrast_marks_last_o),
+    .valid_o(plane_sums_valid_o),
+    .sum_0_o(plane_sums_sum_0_o),
+    .sum_1_o(plane_sums_sum_1_o),
+    .sum_2_o(plane_sums_sum_2_o),
+    .sum_3_o(plane_sums_sum_3_o),
+    .sum_4_o(plane_sums_sum_4_o),
+    .sum_5_o(plane_sums_sum_5_o),
+    .sum_6_o(plane_sums_sum_6_o),
+    .sum_7_o(plane_sums_sum_7_o),
+    .sum_8_o(plane_sums_sum_8_o),
+    .sum_9_o(plane_sums_sum_9_o),
+    .sum_10_o(plane_sums_sum_10_o),
+    .sum_11_o(plane_sums_sum_11_o),
+    .sum_12_o(plane_sums_sum_12_o),
+    .sum_13_o(plane_sums_sum_13_o),
+    .sum_14_o(plane_sums_sum_14_o),
+    .sum_15_o(plane_sums_sum_15_o),
+    .sum_16_o(plane_sums_sum_16_o),
+    .sum_17_o(plane_sums_sum_17_o),
+    .sum_18_o(plane_sums_sum_18_o),
+    .evidence_o(plane_sums_evidence_o),
+    .grey_o(plane_sums_grey_o),
+    .known_o(plane_sums_known_o),
+    .exists_o(plane_sums_exists_o),
+    .marks_first_o(plane_sums_marks_first_o),
+    .marks_last_o(plane_sums_marks_last_o)
+  );
+
+  logic plane_paths_valid_o;
+  logic [11:0] plane_paths_cost_0_o;
+  logic [11:0] plane_paths_cost_1_o;
+  logic [11:0] plane_paths_cost_2_o;
+  logic [11:0] plane_paths_cost_3_o;
+  logic [11:0] plane_paths_cost_4_o;
+  logic [11:0] plane_paths_cost_5_o;
+  logic [11:0] plane_paths_cost_6_o;
+  logic [11:0] plane_paths_cost_7_o;
+  logic [11:0] plane_paths_cost_8_o;
+  logic [11:0] plane_paths_cost_9_o;
+  logic [11:0] plane_paths_cost_10_o;
+  logic [11:0] plane_paths_cost_11_o;
+  logic [11:0] plane_paths_cost_12_o;
+  logic [11:0] plane_paths_cost_13_o;
+  logic [11:0] plane_paths_cost_14_o;
+  logic [11:0] plane_paths_cost_15_o;
+  logic [11:0] plane_paths_cost_16_o;
+  logic [11:0] plane_paths_cost_17_o;
+  logic [11:0] plane_paths_cost_18_o;
+  logic [5:0] plane_paths_grey_o;
+  logic plane_paths_known_o;
+  logic plane_paths_evident_o;
+  logic plane_paths_strong_v_o;
+  logic plane_paths_exists_o;
+  logic plane_paths_marks_first_o;
+  logic plane_paths_marks_last_o;
+  horopter_plane_paths u_plane_paths (
+    .clk_i(clk_i),
+    .rst_ni(rst_ni),
+    .en_i(1'b1),
+    .valid_i(plane_sums_valid_o),
+    .sum_0_i(plane_sums_sum_0_o),
+    .sum_1_i(plane_sums_sum_1_o),
+    .sum_2_i(plane_sums_sum_2_o),
+    .sum_3_i(plane_sums_sum_3_o),
+    .sum_4_i(plane_sums_sum_4_o),
+    .sum_5_i(plane_sums_sum_5_o),
+    .sum_6_i(plane_sums_sum_6_o),
+    .sum_7_i(plane_sums_sum_7_o),
+    .sum_8_i(plane_sums_sum_8_o),
+    .sum_9_i(plane_sums_sum_9_o),
+    .sum_10_i(plane_sums_sum_10_o),
+    .sum_11_i(plane_sums_sum_11_o),
+    .sum_12_i(plane_sums_sum_12_o),
+    .sum_13_i(plane_sums_sum_13_o),
+    .sum_14_i(plane_sums_sum_14_o),
+    .sum_15_i(plane_sums_sum_15_o),
+    .sum_16_i(plane_sums_sum_16_o),
+    .sum_17_i(plane_sums_sum_17_o),
+    .sum_18_i(plane_sums_sum_18_o),
+    .evidence_i(plane_sums_evidence_o),
+    .grey_i(plane_sums_grey_o),
+    .known_i(plane_sums_known_o),
+    .exists_i(plane_sums_exists_o),
+    .marks_first_i(plane_sums_marks_first_o),
+    .marks_last_i(plane_sums_marks_last_o),
+    .valid_o(plane_paths_valid_o),
+    .cost_0_o(plane_paths_cost_0_o),
+    .cost_1_o(plane_paths_cost_1_o),
+    .cost_2_o(plane_paths_cost_2_o),
+    .cost_3_o(plane_paths_cost_3_o),
+    .cost_4_o(plane_paths_cost_4_o),
+    .cost_5_o(plane_paths_cost_5_o),
+    .cost_6_o(plane_paths_cost_6_o),
+    .cost_7_o(plane_paths_cost_7_o),
+    .cost_8_o(plane_paths_cost_8_o),
+    .cost_9_o(plane_paths_cost_9_o),
+    .cost_10_o(plane_paths_cost_10_o),
+    .cost_11_o(plane_paths_cost_11_o),
+    .cost_12_o(plane_paths_cost_12_o),
+    .cost_13_o(plane_paths_cost_13_o),
+    .cost_14_o(plane_paths_cost_14_o),
+    .cost_15_o(plane_paths_cost_15_o),
+    .cost_16_o(plane_paths_cost_16_o),
+    .cost_17_o(plane_paths_cost_17_o),
+    .cost_18_o(plane_paths_cost_18_o),
+    .grey_o(plane_paths_grey_o),
+    .known_o(plane_paths_known_o),
+    .evident_o(plane_paths_evident_o),
+    .strong_v_o(plane_paths_strong_v_o),
+    .exists_o(plane_paths_exists_o),
+    .marks_first_o(plane_paths_marks_first_o),
+    .marks_last_o(plane_paths_marks_last_o)
+  );
+
+  logic contest_valid_o;
+  logic signed [6:0] contest_vote_o;
+  logic contest_firm_o;
+  logic [5:0] contest_grey_o;
+  logic contest_exists_o;
+  logic contest_marks_first_o;
+  logic contest_marks_last_o;
+  horopter_contest u_contest (
+    .clk_i(clk_i),
+    .rst_ni(rst_ni),
+    .en_i(1'b1),
+    .valid_i(plane_paths_valid_o),
+    .cost_0_i(plane_paths_cost_0_o),
+    .cost_1_i(plane_paths_cost_1_o),
+    .cost_2_i(plane_paths_cost_2_o),
+    .cost_3_i(plane_paths_cost_3_o),
+    .cost_4_i(plane_paths_cost_4_o),
+    .cost_5_i(plane_paths_cost_5_o),
+    .cost_6_i(plane_paths_cost_6_o),
+    .cost_7_i(plane_paths_cost_7_o),
+    .cost_8_i(plane_paths_cost_8_o),
+    .cost_9_i(plane_paths_cost_9_o),
+    .cost_10_i(plane_paths_cost_10_o),
+    .cost_11_i(plane_paths_cost_11_o),
+    .cost_12_i(plane_paths_cost_12_o),
+    .cost_13_i(plane_paths_cost_13_o),
+    .cost_14_i(plane_paths_cost_14_o),
+    .cost_15_i(plane_paths_cost_15_o),
+    .cost_16_i(plane_paths_cost_16_o),
+    .cost_17_i(plane_paths_cost_17_o),
+    .cost_18_i(plane_paths_cost_18_o),
+    .grey_i(plane_paths_grey_o),
+    .known_i(plane_paths_known_o),
+    .evident_i(plane_paths_evident_o),
+    .strong_v_i(plane_paths_strong_v_o),
+    .exists_i(plane_paths_exists_o),
+    .marks_first_i(plane_paths_marks_first_o),
+    .marks_last_i(plane_paths_marks_last_o),
+    .cfg_bias_i(cfg_bias_i),
+    .valid_o(contest_valid_o),
+    .vote_o(contest_vote_o),
+    .firm_o(contest_firm_o),
+    .grey_o(contest_grey_o),
+    .exists_o(contest_exists_o),
+    .marks_first_o(contest_marks_first_o),
+    .marks_last_o(contest_marks_last_o)
+  );
+
+  logic spread_valid_o;
+  logic signed [7:0] spread_vote_o;
+  logic spread_firm_o;
+  logic [5:0] spread_grey_o;
+  logic spread_exists_o;
+  logic spread_marks_first_o;
+  logic spread_marks_last_o;
+  horopter_spread u_spread (
+    .clk_i(clk_i),
+    .rst_ni(rst_ni),
+    .en_i(1'b1),
+    .valid_i(contest_valid_o),
+    .vote_i(contest_vote_o),
+    .firm_i(contest_firm_o),
+    .grey_i(contest_grey_o),
+    .exists_i(contest_exists_o),
+    .marks_first_i(contest_marks_first_o),
+    .marks_last_i(contest_marks_last_o),
+    .cfg_smooth_i(cfg_smooth_i),
+    .valid_o(spread_valid_o),
+    .vote_o(spread_vote_o),
+    .firm_o(spread_firm_o),
+    .grey_o(spread_grey_o),
+    .exists_o(spread_exists_o),
+    .marks_first_o(spread_marks_first_o),
+    .marks_last_o(spread_marks_last_o)
+  );
+
+  logic ballot_valid_o;
+  logic ballot_skin_o;
+  logic ballot_clear_o;
+  logic ballot_exists_o;
+  logic ballot_marks_first_o;
+  logic ballot_marks_last_o;
+  horopter_ballot u_ballot (
+    .clk_i(clk_i),
+    .rst_ni(rst_ni),
+    .en_i(1'b1),
+    .valid_i(spread_valid_o),
+    .vote_i(spread_vote_o),
+    .firm_i(spread_firm_o),
+    .grey_i(spread_grey_o),
+    .exists_i(spread_exists_o),
+    .marks_first_i(spread_marks_first_o),
+    .marks_last_i(spread_marks_last_o),
+    .cfg_similar_i(cfg_similar_i),
+    .cfg_quorum_i(cfg_quorum_i),
+    .cfg_clear_quorum_i(cfg_clear_quorum_i),
+    .valid_o(ballot_valid_o),
+    .skin_o(ballot_skin_o),
+    .clear_o(ballot_clear_o),
+    .exists_o(ballot_exists_o),
+    .marks_first_o(ballot_marks_first_o),
+    .marks_last_o(ballot_marks_last_o)
+  );
+
+  logic consensus_valid_o;
+  logic [1:0] consensus_state_o;
+  logic consensus_marks_first_o;
+  logic consensus_marks_last_o;
+  horopter_consensus u_consensus (
+    .clk_i(clk_i),
+    .rst_ni(rst_ni),
+    .en_i(1'b1),
+    .valid_i(ballot_valid_o),
+    .skin_i(ballot_skin_o),
+    .clear_i(ballot_clear_o),
+    .exists_i(ballot_exists_o),
+    .marks_first_i(ballot_marks_first_o),
+    .marks_last_i(ballot_marks_last_o),
+    .valid_o(consensus_valid_o),
+    .state_o(consensus_state_o),
+    .marks_first_o(consensus_marks_first_o),
+    .marks_last_o(consensus_marks_last_o)
+  );
+
+  logic align_valid_i;
+  assign align_valid_i = cfg_compete_i ? consensus_valid_o : majority_valid_o;
+  logic [1:0] align_state_i;
+  assign align_state_i = cfg_compete_i ? consensus_state_o : majority_state_o;
+  logic align_marks_first_i;
+  assign align_marks_first_i = cfg_compete_i ? consensus_marks_first_o : majority_marks_first_o;
+  logic align_marks_last_i;
+  assign align_marks_last_i = cfg_compete_i ? consensus_marks_last_o : majority_marks_last_o;
   horopter_align u_align (
     .clk_i(clk_i),
     .rst_ni(rst_ni),
     .en_i(1'b1),
-    .valid_i(majority_valid_o),
-    .state_i(majority_state_o),
-    .marks_first_i(majority_marks_first_o),
-    .marks_last_i(majority_marks_last_o),
+    .valid_i(align_valid_i),
+    .state_i(align_state_i),
+    .marks_first_i(align_marks_first_i),
+    .marks_last_i(align_marks_last_i),
     .cfg_width_i(cfg_width_i),
     .cfg_height_i(cfg_height_i),
+    .cfg_compete_i(cfg_compete_i),
     .valid_o(align_valid_o),
     .state_o(align_state_o),
     .first_o(align_first_o),

@@ -7,6 +7,11 @@
 
 namespace horopter::hls {
 
+/// The rules that a build has; where it has both, a register chooses for each frame.
+enum class Decisions { thesis, compete, both };
+/// Which of them needs a stage.
+enum class Rule { always, thesis, compete };
+
 /// The largest sizes a build supports. A structural type: stages take it as a template argument.
 struct Profile {
   int width = 0;            // of the camera images, px
@@ -19,6 +24,18 @@ struct Profile {
   int pool_bytes = 0;       // mapping tables
   int hypotheses = 1;       // right images compared: the skin and its neighbours in disparity
   int clock_khz = 0;
+  Decisions decisions = Decisions::both;
+  // Of the rule `compete`:
+  int planes = 19;       // that compete, see stages/planes.hpp
+  int sum_rows = 7;      // of the window in which costs are summed
+  int sum_columns = 9;   // px
+  int ballot_reach = 9;  // rows above and below that vote
+
+  [[nodiscard]] constexpr bool has_thesis() const { return decisions != Decisions::compete; }
+  [[nodiscard]] constexpr bool has_compete() const { return decisions != Decisions::thesis; }
+  [[nodiscard]] constexpr bool has(Rule rule) const {
+    return rule == Rule::always || (rule == Rule::thesis ? has_thesis() : has_compete());
+  }
 
   /// Width of the result, px.
   [[nodiscard]] constexpr int result_width() const { return width / subsample; }
@@ -34,18 +51,38 @@ struct Profile {
   /// Rows (and columns) by which the result of a pixel leaves the window stages late: 3×3 low-pass, 3×3 Sobel, k×k sum,
   /// m×m majority, all causal.
   [[nodiscard]] constexpr int offset() const { return 2 + (dsad_window - 1) / 2 + (majority_window - 1) / 2; }
+  /// The same of `compete`, whose stages delay their marks with the pixel, so that there is no offset in columns.
+  [[nodiscard]] constexpr int compete_offset() const {
+    return 2 + (sum_rows - 1) / 2 + ballot_reach + (majority_window - 1) / 2;
+  }
 
-  /// Rows of beats without pixels after each frame: enough for the result of its last pixel and one beat more.
-  [[nodiscard]] constexpr int flush_rows() const { return offset() + 1; }
+  /// Rows of beats without pixels after each frame: enough for the result of its last pixel and one beat more; with
+  /// `compete`, in rows of 32 px, for its delay within the row, too.
+  [[nodiscard]] constexpr int flush_rows(bool compete = false) const {
+    return compete ? compete_offset() + 3 : offset() + 1;
+  }
 
   friend constexpr bool operator==(const Profile&, const Profile&) = default;
 };
 
 namespace profiles {
 #define HOROPTER_PROFILE(name, width, height, subsample, dsad, majority, weight_bits, store_rows, pool_bytes, \
-                         hypotheses, clock_khz)                                                               \
-  inline constexpr Profile name{width,       height,     subsample,  dsad,       majority,                    \
-                                weight_bits, store_rows, pool_bytes, hypotheses, clock_khz};
+                         hypotheses, decisions, planes, sum_rows, sum_columns, ballot_reach, clock_khz)       \
+  inline constexpr Profile name{width,                                                                        \
+                                height,                                                                       \
+                                subsample,                                                                    \
+                                dsad,                                                                         \
+                                majority,                                                                     \
+                                weight_bits,                                                                  \
+                                store_rows,                                                                   \
+                                pool_bytes,                                                                   \
+                                hypotheses,                                                                   \
+                                clock_khz,                                                                    \
+                                Decisions::decisions,                                                         \
+                                planes,                                                                       \
+                                sum_rows,                                                                     \
+                                sum_columns,                                                                  \
+                                ballot_reach};
 #include "horopter/hls/profiles.def"
 #undef HOROPTER_PROFILE
 }  // namespace profiles

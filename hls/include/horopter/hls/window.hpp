@@ -18,6 +18,8 @@ template <class T, int N>
 class DelayLine {
  public:
   [[nodiscard]] const T& tap(int index) const { return values_[place(static_cast<std::size_t>(index))]; }
+  /// To change it: after push, at(0) is what was pushed in this beat.
+  [[nodiscard]] T& at(int index) { return values_[place(static_cast<std::size_t>(index))]; }
   [[nodiscard]] const T& oldest() const { return tap(N - 1); }
 
 #ifdef __HLSC__

@@ -1,0 +1,471 @@
+// SPDX-License-Identifier: Apache-2.0
+// Made by hlsc from horopter::stages::Contrasts<horopter::hls::profiles::hd>, hls/stages/contrast.hpp. Do not edit.
+//
+// Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// State 211 bits, pipeline 370 bits, memories 0 bits.
+module horopter_contrast (
+  input  logic clk_i,
+  input  logic rst_ni,
+  input  logic en_i,
+  input  logic valid_i,
+  input  logic signed [10:0] gx_0_i,
+  input  logic signed [10:0] gx_1_i,
+  input  logic signed [10:0] gy_0_i,
+  input  logic signed [10:0] gy_1_i,
+  input  logic saturated_i,
+  input  logic mask_i,
+  input  logic marks_first_i,
+  input  logic marks_last_i,
+  input  logic [7:0] smooth_grey_i,
+  input  logic smooth_exists_i,
+  output logic valid_o,
+  output logic signed [5:0] left_o,
+  output logic signed [5:0] right_o,
+  output logic mask_o,
+  output logic [7:0] grey_o,
+  output logic exists_o,
+  output logic marks_first_o,
+  output logic marks_last_o
+);
+
+  // A beat is in stage k, k enabled clocks after it entered.
+  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q, valid_s9_q;
+  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en, s8_en;
+  assign s0_en = en_i & valid_i;
+  assign s1_en = en_i & valid_s1_q;
+  assign s2_en = en_i & valid_s2_q;
+  assign s3_en = en_i & valid_s3_q;
+  assign s4_en = en_i & valid_s4_q;
+  assign s5_en = en_i & valid_s5_q;
+  assign s6_en = en_i & valid_s6_q;
+  assign s7_en = en_i & valid_s7_q;
+  assign s8_en = en_i & valid_s8_q;
+
+  // Stage 0 -----------------------------------------------------------------------------------------------------------
+  // hls/stages/contrast.hpp:38
+  logic [11:0] select_37;
+  assign select_37 = gx_0_i[10] ? (12'h0 - {gx_0_i[10], $unsigned(gx_0_i)}) : {2'h0, gx_0_i[9:0]};
+  logic [11:0] select_45;
+  assign select_45 = gx_1_i[10] ? (12'h0 - {gx_1_i[10], $unsigned(gx_1_i)}) : {2'h0, gx_1_i[9:0]};
+
+  logic gx_0_s1_q;
+  logic gx_1_s1_q;
+  logic saturated_s1_q;
+  logic mask_s1_q;
+  logic marks_first_s1_q;
+  logic marks_last_s1_q;
+  logic [7:0] smooth_grey_s1_q;
+  logic smooth_exists_s1_q;
+  logic [7:0] select_37_s1_q;
+  logic equal_38_s1_q;
+  logic [11:0] select_45_s1_q;
+  logic equal_46_s1_q;
+  always_ff @(posedge clk_i) begin
+    if (s0_en) begin
+      gx_0_s1_q <= gx_0_i[10];
+      gx_1_s1_q <= gx_1_i[10];
+      saturated_s1_q <= saturated_i;
+      mask_s1_q <= mask_i;
+      marks_first_s1_q <= marks_first_i;
+      marks_last_s1_q <= marks_last_i;
+      smooth_grey_s1_q <= smooth_grey_i;
+      smooth_exists_s1_q <= smooth_exists_i;
+      select_37_s1_q <= select_37[7:0];
+      equal_38_s1_q <= select_37[11:8] == 4'h0;
+      select_45_s1_q <= select_45;
+      equal_46_s1_q <= select_45[11:8] == 4'h0;
+    end
+  end
+
+  // Stage 1 -----------------------------------------------------------------------------------------------------------
+  logic [18:0] left_q;
+  logic [18:0] right_q;
+  // hls/stages/contrast.hpp:99
+  logic [18:0] select_35;
+  assign select_35 = marks_first_s1_q ? 19'h0 : left_q;
+  // hls/stages/contrast.hpp:101
+  logic [7:0] magnitude;
+  assign magnitude = equal_38_s1_q ? select_37_s1_q : 8'hff;
+  // hls/stages/contrast.hpp:105
+  logic [18:0] select_41;
+  assign select_41 = mask_s1_q ? (select_35 + {11'h0, magnitude}) : select_35;
+  // hls/stages/contrast.hpp:99
+  logic [18:0] select_43;
+  assign select_43 = marks_first_s1_q ? 19'h0 : right_q;
+  // hls/stages/contrast.hpp:38
+  logic [11:0] select_47;
+  assign select_47 = equal_46_s1_q ? select_45_s1_q : 12'hff;
+  // hls/stages/contrast.hpp:105
+  logic [18:0] select_49;
+  assign select_49 = mask_s1_q ? (select_43 + {3'h0, {4{select_47[11]}}, select_47}) : select_43;
+  // hls/stages/contrast.hpp:41
+  logic [4:0] size;
+  assign size = saturated_s1_q ? 5'h0 : ((magnitude[7:5] == 3'h0) ? magnitude[4:0] : 5'h1f);
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      left_q <= 19'h0;
+      right_q <= 19'h0;
+    end else if (s1_en) begin
+      left_q <= marks_last_s1_q ? 19'h0 : select_41;
+      right_q <= marks_last_s1_q ? 19'h0 : select_49;
+    end
+  end
+
+  logic gx_0_s2_q;
+  logic gx_1_s2_q;
+  logic saturated_s2_q;
+  logic mask_s2_q;
+  logic marks_first_s2_q;
+  logic marks_last_s2_q;
+  logic [7:0] smooth_grey_s2_q;
+  logic smooth_exists_s2_q;
+  logic [18:0] select_41_s2_q;
+  logic [11:0] select_47_s2_q;
+  logic [18:0] select_49_s2_q;
+  logic [4:0] size_s2_q;
+  always_ff @(posedge clk_i) begin
+    if (s1_en) begin
+      gx_0_s2_q <= gx_0_s1_q;
+      gx_1_s2_q <= gx_1_s1_q;
+      saturated_s2_q <= saturated_s1_q;
+      mask_s2_q <= mask_s1_q;
+      marks_first_s2_q <= marks_first_s1_q;
+      marks_last_s2_q <= marks_last_s1_q;
+      smooth_grey_s2_q <= smooth_grey_s1_q;
+      smooth_exists_s2_q <= smooth_exists_s1_q;
+      select_41_s2_q <= select_41;
+      select_47_s2_q <= select_47;
+      select_49_s2_q <= select_49;
+      size_s2_q <= size;
+    end
+  end
+
+  // Stage 2 -----------------------------------------------------------------------------------------------------------
+  logic [18:0] row_left_q;
+  logic [18:0] row_right_q;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      row_left_q <= 19'h0;
+      row_right_q <= 19'h0;
+    end else if (s2_en) begin
+      row_left_q <= marks_last_s2_q ? select_41_s2_q : row_left_q;
+      row_right_q <= marks_last_s2_q ? select_49_s2_q : row_right_q;
+    end
+  end
+
+  logic gx_1_s3_q;
+  logic saturated_s3_q;
+  logic mask_s3_q;
+  logic marks_first_s3_q;
+  logic marks_last_s3_q;
+  logic [7:0] smooth_grey_s3_q;
+  logic smooth_exists_s3_q;
+  logic [18:0] row_left_s3_q;
+  logic [18:0] row_right_s3_q;
+  logic [11:0] select_47_s3_q;
+  logic [5:0] select_79_s3_q;
+  always_ff @(posedge clk_i) begin
+    if (s2_en) begin
+      gx_1_s3_q <= gx_1_s2_q;
+      saturated_s3_q <= saturated_s2_q;
+      mask_s3_q <= mask_s2_q;
+      marks_first_s3_q <= marks_first_s2_q;
+      marks_last_s3_q <= marks_last_s2_q;
+      smooth_grey_s3_q <= smooth_grey_s2_q;
+      smooth_exists_s3_q <= smooth_exists_s2_q;
+      row_left_s3_q <= row_left_q;
+      row_right_s3_q <= row_right_q;
+      select_47_s3_q <= select_47_s2_q;
+      select_79_s3_q <= gx_0_s2_q ? (6'h0 - {1'b0, size_s2_q}) : {1'b0, size_s2_q};
+    end
+  end
+
+  // Stage 3 -----------------------------------------------------------------------------------------------------------
+  logic [21:0] sums_left_q;
+  logic [21:0] sums_right_q;
+  logic [4:0] beats_left_q;
+  // hls/stages/contrast.hpp:99
+  logic [4:0] select_24;
+  assign select_24 = marks_first_s3_q ? 5'h0 : beats_left_q;
+  // hls/stages/contrast.hpp:109
+  logic equal_25;
+  assign equal_25 = select_24 == 5'h12;
+  // hls/stages/contrast.hpp:113
+  logic [21:0] select_28;
+  assign select_28 = marks_last_s3_q ? (sums_left_q - {3'h0, sums_left_q[21:3]}) : (equal_25 ? (sums_left_q + {3'h0, row_left_s3_q}) : sums_left_q);
+  logic [21:0] select_32;
+  assign select_32 = equal_25 ? (sums_right_q + {3'h0, row_right_s3_q}) : sums_right_q;
+  logic [21:0] select_33;
+  assign select_33 = marks_last_s3_q ? (sums_right_q - {3'h0, sums_right_q[21:3]}) : select_32;
+  // hls/stages/contrast.hpp:124
+  logic not_72;
+  assign not_72 = ~(select_24 == 5'h0);
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      sums_left_q <= 22'h780;
+      sums_right_q <= 22'h780;
+      beats_left_q <= 5'h0;
+    end else if (s3_en) begin
+      sums_left_q <= marks_first_s3_q ? 22'h780 : select_28;
+      sums_right_q <= marks_first_s3_q ? 22'h780 : select_33;
+      beats_left_q <= marks_last_s3_q ? 5'h12 : (select_24 + {5{not_72}});
+    end
+  end
+
+  logic gx_1_s4_q;
+  logic saturated_s4_q;
+  logic mask_s4_q;
+  logic marks_first_s4_q;
+  logic marks_last_s4_q;
+  logic [7:0] smooth_grey_s4_q;
+  logic smooth_exists_s4_q;
+  logic select_24_s4_q;
+  logic [11:0] select_47_s4_q;
+  logic equal_53_s4_q;
+  logic [5:0] select_79_s4_q;
+  always_ff @(posedge clk_i) begin
+    if (s3_en) begin
+      gx_1_s4_q <= gx_1_s3_q;
+      saturated_s4_q <= saturated_s3_q;
+      mask_s4_q <= mask_s3_q;
+      marks_first_s4_q <= marks_first_s3_q;
+      marks_last_s4_q <= marks_last_s3_q;
+      smooth_grey_s4_q <= smooth_grey_s3_q;
+      smooth_exists_s4_q <= smooth_exists_s3_q;
+      select_24_s4_q <= select_24[0];
+      select_47_s4_q <= select_47_s3_q;
+      equal_53_s4_q <= select_24 == 5'h11;
+      select_79_s4_q <= select_79_s3_q;
+    end
+  end
+
+  // Stage 4 -----------------------------------------------------------------------------------------------------------
+  logic [7:0] next_gain_q;
+  logic [21:0] divisor_q;
+  logic [23:0] remainder_q;
+  logic [23:0] difference_q;
+  // hls/stages/contrast.hpp:99
+  logic [7:0] select_54;
+  assign select_54 = marks_first_s4_q ? 8'h40 : next_gain_q;
+  // hls/stages/contrast.hpp:114
+  logic not_55;
+  assign not_55 = ~difference_q[23];
+  // hls/stages/contrast.hpp:124
+  logic [7:0] select_57;
+  assign select_57 = equal_53_s4_q ? select_54 : (select_24_s4_q ? {select_54[6:0], not_55} : select_54);
+  // hls/stages/contrast.hpp:117
+  logic [23:0] select_64;
+  assign select_64 = ({sums_right_q, 2'h0} < {2'h0, sums_left_q}) ? {sums_right_q, 2'h0} : {2'h0, sums_left_q};
+  // hls/stages/contrast.hpp:119
+  logic [22:0] select_65;
+  assign select_65 = difference_q[23] ? remainder_q[22:0] : difference_q[22:0];
+  // hls/stages/contrast.hpp:124
+  logic [23:0] select_67;
+  assign select_67 = equal_53_s4_q ? select_64 : (select_24_s4_q ? {select_65, 1'b0} : remainder_q);
+  // hls/stages/contrast.hpp:122
+  logic [23:0] difference_68;
+  assign difference_68 = {1'b0, remainder_q[23:1]} - {2'h0, divisor_q};
+  // hls/stages/contrast.hpp:124
+  logic [23:0] select_69;
+  assign select_69 = select_24_s4_q ? difference_q : {difference_68[23], difference_68[21:0], remainder_q[0]};
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      next_gain_q <= 8'h40;
+      divisor_q <= 22'h0;
+      remainder_q <= 24'h0;
+      difference_q <= 24'h0;
+    end else if (s4_en) begin
+      next_gain_q <= select_57;
+      divisor_q <= equal_53_s4_q ? sums_right_q : divisor_q;
+      remainder_q <= select_67;
+      difference_q <= equal_53_s4_q ? difference_q : select_69;
+    end
+  end
+
+  logic gx_1_s5_q;
+  logic saturated_s5_q;
+  logic mask_s5_q;
+  logic marks_first_s5_q;
+  logic marks_last_s5_q;
+  logic [7:0] smooth_grey_s5_q;
+  logic smooth_exists_s5_q;
+  logic [11:0] select_47_s5_q;
+  logic [5:0] select_79_s5_q;
+  always_ff @(posedge clk_i) begin
+    if (s4_en) begin
+      gx_1_s5_q <= gx_1_s4_q;
+      saturated_s5_q <= saturated_s4_q;
+      mask_s5_q <= mask_s4_q;
+      marks_first_s5_q <= marks_first_s4_q;
+      marks_last_s5_q <= marks_last_s4_q;
+      smooth_grey_s5_q <= smooth_grey_s4_q;
+      smooth_exists_s5_q <= smooth_exists_s4_q;
+      select_47_s5_q <= select_47_s4_q;
+      select_79_s5_q <= select_79_s4_q;
+    end
+  end
+
+  // Stage 5 -----------------------------------------------------------------------------------------------------------
+  logic [7:0] gain_q;
+  // hls/stages/contrast.hpp:99
+  logic [7:0] gain;
+  assign gain = marks_first_s5_q ? 8'h40 : gain_q;
+  // hls/stages/contrast.hpp:38
+  logic [7:0] select_61;
+  assign select_61 = marks_last_s5_q ? ((next_gain_q[7:4] == 4'h0) ? 8'h10 : next_gain_q) : gain;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      gain_q <= 8'h40;
+    end else if (s5_en) begin
+      gain_q <= select_61;
+    end
+  end
+
+  logic gx_1_s6_q;
+  logic saturated_s6_q;
+  logic mask_s6_q;
+  logic marks_first_s6_q;
+  logic marks_last_s6_q;
+  logic [7:0] smooth_grey_s6_q;
+  logic smooth_exists_s6_q;
+  logic [11:0] select_47_s6_q;
+  logic [7:0] gain_s6_q;
+  logic [5:0] select_79_s6_q;
+  always_ff @(posedge clk_i) begin
+    if (s5_en) begin
+      gx_1_s6_q <= gx_1_s5_q;
+      saturated_s6_q <= saturated_s5_q;
+      mask_s6_q <= mask_s5_q;
+      marks_first_s6_q <= marks_first_s5_q;
+      marks_last_s6_q <= marks_last_s5_q;
+      smooth_grey_s6_q <= smooth_grey_s5_q;
+      smooth_exists_s6_q <= smooth_exists_s5_q;
+      select_47_s6_q <= select_47_s5_q;
+      gain_s6_q <= gain;
+      select_79_s6_q <= select_79_s5_q;
+    end
+  end
+
+  // Stage 6 -----------------------------------------------------------------------------------------------------------
+  // hls/stages/contrast.hpp:47
+  logic [15:0] product_80;
+  assign product_80 = $signed({8'h0, gain_s6_q}) * $signed({{4{select_47_s6_q[11]}}, select_47_s6_q});
+
+  logic gx_1_s7_q;
+  logic saturated_s7_q;
+  logic mask_s7_q;
+  logic marks_first_s7_q;
+  logic marks_last_s7_q;
+  logic [7:0] smooth_grey_s7_q;
+  logic smooth_exists_s7_q;
+  logic [5:0] select_79_s7_q;
+  logic [9:0] product_80_s7_q;
+  always_ff @(posedge clk_i) begin
+    if (s6_en) begin
+      gx_1_s7_q <= gx_1_s6_q;
+      saturated_s7_q <= saturated_s6_q;
+      mask_s7_q <= mask_s6_q;
+      marks_first_s7_q <= marks_first_s6_q;
+      marks_last_s7_q <= marks_last_s6_q;
+      smooth_grey_s7_q <= smooth_grey_s6_q;
+      smooth_exists_s7_q <= smooth_exists_s6_q;
+      select_79_s7_q <= select_79_s6_q;
+      product_80_s7_q <= product_80[15:6];
+    end
+  end
+
+  // Stage 7 -----------------------------------------------------------------------------------------------------------
+  // hls/stages/contrast.hpp:47
+  logic [7:0] magnitude_2;
+  assign magnitude_2 = (product_80_s7_q[9:8] == 2'h0) ? product_80_s7_q[7:0] : 8'hff;
+  // hls/stages/contrast.hpp:41
+  logic [4:0] size_2;
+  assign size_2 = saturated_s7_q ? 5'h0 : ((magnitude_2[7:5] == 3'h0) ? magnitude_2[4:0] : 5'h1f);
+
+  logic gx_1_s8_q;
+  logic mask_s8_q;
+  logic marks_first_s8_q;
+  logic marks_last_s8_q;
+  logic [7:0] smooth_grey_s8_q;
+  logic smooth_exists_s8_q;
+  logic [5:0] select_79_s8_q;
+  logic [4:0] size_2_s8_q;
+  always_ff @(posedge clk_i) begin
+    if (s7_en) begin
+      gx_1_s8_q <= gx_1_s7_q;
+      mask_s8_q <= mask_s7_q;
+      marks_first_s8_q <= marks_first_s7_q;
+      marks_last_s8_q <= marks_last_s7_q;
+      smooth_grey_s8_q <= smooth_grey_s7_q;
+      smooth_exists_s8_q <= smooth_exists_s7_q;
+      select_79_s8_q <= select_79_s7_q;
+      size_2_s8_q <= size_2;
+    end
+  end
+
+  // Stage 8 -----------------------------------------------------------------------------------------------------------
+
+  logic mask_s9_q;
+  logic marks_first_s9_q;
+  logic marks_last_s9_q;
+  logic [7:0] smooth_grey_s9_q;
+  logic smooth_exists_s9_q;
+  logic [5:0] select_79_s9_q;
+  logic [5:0] select_87_s9_q;
+  always_ff @(posedge clk_i) begin
+    if (s8_en) begin
+      mask_s9_q <= mask_s8_q;
+      marks_first_s9_q <= marks_first_s8_q;
+      marks_last_s9_q <= marks_last_s8_q;
+      smooth_grey_s9_q <= smooth_grey_s8_q;
+      smooth_exists_s9_q <= smooth_exists_s8_q;
+      select_79_s9_q <= select_79_s8_q;
+      select_87_s9_q <= gx_1_s8_q ? (6'h0 - {1'b0, size_2_s8_q}) : {1'b0, size_2_s8_q};
+    end
+  end
+
+  // Outputs -----------------------------------------------------------------------------------------------------------
+  assign left_o = select_79_s9_q;
+  assign right_o = select_87_s9_q;
+  assign mask_o = mask_s9_q;
+  assign grey_o = smooth_grey_s9_q;
+  assign exists_o = smooth_exists_s9_q;
+  assign marks_first_o = marks_first_s9_q;
+  assign marks_last_o = marks_last_s9_q;
+  assign valid_o = valid_s9_q;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      valid_s1_q <= 1'b0;
+      valid_s2_q <= 1'b0;
+      valid_s3_q <= 1'b0;
+      valid_s4_q <= 1'b0;
+      valid_s5_q <= 1'b0;
+      valid_s6_q <= 1'b0;
+      valid_s7_q <= 1'b0;
+      valid_s8_q <= 1'b0;
+      valid_s9_q <= 1'b0;
+    end else if (en_i) begin
+      valid_s1_q <= valid_i;
+      valid_s2_q <= valid_s1_q;
+      valid_s3_q <= valid_s2_q;
+      valid_s4_q <= valid_s3_q;
+      valid_s5_q <= valid_s4_q;
+      valid_s6_q <= valid_s5_q;
+      valid_s7_q <= valid_s6_q;
+      valid_s8_q <= valid_s7_q;
+      valid_s9_q <= valid_s8_q;
+    end
+  end
+
+  // Nothing depends on these bits.
+  logic unused_bits;
+  assign unused_bits = ^{product_80[5:0], difference_68[22], $unsigned(gy_1_i), $unsigned(gy_0_i)};
+
+endmodule
