@@ -135,7 +135,8 @@ TEST_CASE("The hardware and the native engine write the same pictures") {
   Sandbox box;
   with_pairs(box, 2);
   const std::vector<std::string> profile =
-      GENERATE(std::vector<std::string>{}, std::vector<std::string>{"--profile", "field"});
+      GENERATE(std::vector<std::string>{}, std::vector<std::string>{"--profile", "field"},
+               std::vector<std::string>{"--profile", "vga", "--decision", "compete"});
   const auto images =
       std::vector<std::string>{"run",        "--left",     "left0.png",  "left1.png", "left1.png", "--right",
                                "right0.png", "right1.png", "right1.png", "--skin",    "skin.yaml"};
@@ -395,6 +396,8 @@ TEST_CASE("Wrong usage is exit status 2") {
            {"run", "--left", "left0.png"},
            run_arguments() + std::vector<std::string>{"--profile", "pal"},
            run_arguments() + std::vector<std::string>{"--engine", "analogue"},
+           run_arguments() + std::vector<std::string>{"--decision", "guess"},
+           run_arguments() + std::vector<std::string>{"--profile", "field", "--decision", "compete"},
            run_arguments() + std::vector<std::string>{"--threshold", "101"},
            run_arguments() + std::vector<std::string>{"--threshold", "many"},
            run_arguments() + std::vector<std::string>{"--colour", "red"},

@@ -135,7 +135,7 @@ class Pair {
 }  // namespace
 
 TEST_CASE("Registers answer alike after reset, and refuse alike") {
-  Pair pair(find_profile("vga"));
+  Pair pair(find_profile(GENERATE("vga", "field")));
   for (const auto& r : reg::kRegisters) {
     CAPTURE(r.name);
     if (r.address == reg::timeout::kAddress) continue;  // the native engine has no clock
@@ -145,6 +145,13 @@ TEST_CASE("Registers answer alike after reset, and refuse alike") {
   pair.write(0x7F0, 1);
   pair.write(reg::id::kAddress, 1);
   pair.read(reg::map_data::kAddress);
+  // A profile with one rule keeps it, and has no settings of the other.
+  for (const std::uint32_t value : {1U, 0xFFFFFFFFU, 0U}) {
+    for (const auto address : {reg::decision::kAddress, reg::compete::kAddress}) {
+      pair.write(address, value);
+      pair.read(address);
+    }
+  }
   pair.start();
   pair.write(reg::width::kAddress, 100);
   pair.read(reg::width::kAddress);
@@ -170,9 +177,12 @@ TEST_CASE("Frames, tables and faults are alike, with gaps and back-pressure on t
   CHECK(pair.upload(1, 500, tilted) == 0);
   for (unsigned seed = 2; seed < 8; ++seed) {
     pair.write(reg::table_select::kAddress, seed % 2);
+    pair.write(reg::decision::kAddress, seed / 2 % 2);
+    pair.write(reg::compete::kAddress, reg::compete::kReset + seed % 3);
     const Image image = textured(seed);
     CHECK(pair.frame(image, right_of(image, seed)) == 0);
   }
+  pair.write(reg::decision::kAddress, 0);
 
   // Refused uploads, each with its fault in the next frame; the one after that is good again.
   auto wrong_crc = on;

@@ -278,6 +278,24 @@ TEST_CASE("Registers behave as described") {
   CHECK(reg::status::kSafe.get(device->read(reg::status::kAddress)) == 0);
 }
 
+TEST_CASE("The rule of the settings decides, and settings that it cannot take are refused") {
+  Settings settings;
+  settings.decision = Decision::compete;
+  settings.competition.quorum = 255;
+  settings.texture = 255;  // of the other rule
+  Small small(settings);
+  const auto strict = small.frame(1);
+  small.monitor.device().write(reg::compete::kAddress, reg::compete::kReset);
+  const auto usual = small.frame(2);
+  CHECK(usual.skin_pixels > kWidth * kHeight / 2);
+  CHECK(strict.skin_pixels < usual.skin_pixels);
+  settings.competition.quorum = 256;
+  CHECK_THROWS_WITH(Small(settings), Catch::Contains("quorum 256; expected 0 to 255"));
+  settings.competition.quorum = 1;
+  CHECK_THROWS_WITH(Monitor(make_native_device(find_profile("field")), find_profile("field"), settings),
+                    Catch::Contains("profile field does not have the decision 'compete'"));
+}
+
 TEST_CASE("The driver refuses machines of another kind") {
   CHECK_THROWS_WITH(Monitor(make_native_device(find_profile("hd")), find_profile("vga")),
                     Catch::Contains("not one of profile vga"));
