@@ -31,6 +31,17 @@ def profile(name):
     return {"clock_khz": profiles()[name][-1]}
 
 
+DECISIONS = {"thesis": ("thesis",), "compete": ("compete",), "both": ("thesis", "compete")}
+
+
+def rule_parameters(profile_name, decision):
+    """Parameters of horopter_top that build one rule of decision or both; a sentence where the profile lacks one."""
+    lacking = set(DECISIONS[decision]) - set(DECISIONS[next(c for c in profiles()[profile_name] if c in DECISIONS)])
+    if lacking:
+        sys.exit(f"the profile '{profile_name}' does not have the rule {', '.join(lacking)}")
+    return {rule.upper(): int(rule in DECISIONS[decision]) for rule in DECISIONS["both"]}
+
+
 def sources(profile_name):
     """The files of a build of one profile: its package, its emitted stages, the hand-written modules of rtl/files.f."""
     folder = ROOT / "rtl/generated" / profile_name

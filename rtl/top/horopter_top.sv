@@ -15,8 +15,10 @@
 // heartbeat_o                toggles with every finished frame. frame_done_o: one clock, the FRAME registers are new.
 //
 // Parameters fit the memories of a small part: the pool of mapping tables, and the largest LOOKAHEAD, that is the left
-// delay: a larger one is a bad geometry.
+// delay: a larger one is a bad geometry. A profile that has both rules of decision can be built with one of them.
 module horopter_top #(
+    parameter bit THESIS = horopter_profile_pkg::THESIS,
+    parameter bit COMPETE = horopter_profile_pkg::COMPETE,
     parameter int unsigned POOL_BYTES = horopter_profile_pkg::POOL_BYTES,
     parameter int unsigned MAX_LOOKAHEAD = horopter_profile_pkg::STORE_ROWS / 2
 ) (
@@ -199,9 +201,6 @@ module horopter_top #(
   logic [FAULTS-1:0] frame_faults;
   logic [23:0] frame_skin, frame_undecidable, frame_unsupervised, frame_misses;
   logic [FAULTS-1:0] faults_now;
-
-  localparam bit THESIS = horopter_profile_pkg::THESIS;
-  localparam bit COMPETE = horopter_profile_pkg::COMPETE;
 
   horopter_csr #(
       .BOTH_RULES(THESIS && COMPETE),
@@ -682,7 +681,7 @@ module horopter_top #(
       .HEIGHT(HEIGHT),
       .FAST(FAST),
       .FLUSH_ROWS(horopter_profile_pkg::FLUSH_ROWS),
-      .COMPETE_FLUSH_ROWS(horopter_profile_pkg::COMPETE_FLUSH_ROWS),
+      .COMPETE_FLUSH_ROWS(COMPETE ? horopter_profile_pkg::COMPETE_FLUSH_ROWS : horopter_profile_pkg::FLUSH_ROWS),
       .IN_FLIGHT(IN_FLIGHT),
       .MAP_ADDR_BITS(MAP_ADDR_BITS)
   ) u_raster (
@@ -888,7 +887,10 @@ module horopter_top #(
   logic [1:0] run_state;
   logic counts_valid, alarm, too_undecidable, too_unsupervised;
   logic [COUNT_BITS-1:0] skin_pixels, undecidable_pixels, unsupervised_pixels;
-  horopter_stages u_stages (
+  horopter_stages #(
+      .THESIS(THESIS),
+      .COMPETE(COMPETE)
+  ) u_stages (
       .clk_i(clk_i),
       .rst_ni(core_rst_n),
       .valid_i(quad_valid),

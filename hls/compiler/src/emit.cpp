@@ -708,8 +708,9 @@ class Emitter {
              "*)\n";
     }
     out << "  logic " << range(ram.width) << name << "_mem [0:" << ram.depth - 1 << "];\n"
+        << "`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop\n"
         << "  initial for (int i = 0; i < " << ram.depth << "; i++) " << name
-        << "_mem[i] = " << literal(std::vector<bool>(ram.width, false)) << ";\n"
+        << "_mem[i] = " << literal(std::vector<bool>(ram.width, false)) << ";\n`endif\n"
         << "  logic " << range(static_cast<std::uint32_t>(width)) << name << "_raddr;\n  assign " << name
         << "_raddr = " << assigned(ram.read_address, stage) << ";\n";
     out << "  logic " << name << "_re;\n  assign " << name << "_re = " << enable(stage);

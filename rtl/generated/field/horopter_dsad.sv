@@ -44,7 +44,9 @@ module horopter_dsad (
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [95:0] memory_mem [0:377];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 378; i++) memory_mem[i] = 96'h0;
+`endif
   logic [8:0] memory_raddr;
   assign memory_raddr = select_16;
   logic memory_re;
@@ -58,7 +60,9 @@ module horopter_dsad (
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [15:0] columns_values_mem [0:15];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 16; i++) columns_values_mem[i] = 16'h0;
+`endif
   logic [3:0] columns_values_raddr;
   assign columns_values_raddr = columns_place_q + 4'h7;
   logic columns_values_re;

@@ -42,7 +42,9 @@ module horopter_lowpass (
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [19:0] memory_mem [0:755];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 756; i++) memory_mem[i] = 20'h0;
+`endif
   logic [9:0] memory_raddr;
   assign memory_raddr = select_19;
   logic memory_re;

@@ -40,7 +40,9 @@ module horopter_majority (
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [17:0] memory_mem [0:377];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 378; i++) memory_mem[i] = 18'h0;
+`endif
   logic [8:0] memory_raddr;
   assign memory_raddr = select_20;
   logic memory_re;

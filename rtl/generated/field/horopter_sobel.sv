@@ -43,7 +43,9 @@ module horopter_sobel (
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [19:0] memory_mem [0:755];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 756; i++) memory_mem[i] = 20'h0;
+`endif
   logic [9:0] memory_raddr;
   assign memory_raddr = select_23;
   logic memory_re;
@@ -93,14 +95,14 @@ module horopter_sobel (
   logic [1:0] saturated_columns_values_0_q;
   logic [1:0] saturated_columns_values_1_q;
   // hls/stages/sobel.hpp:41
-  logic and_25;
-  assign and_25 = raster_rows_q & (~marks_first_s1_q);
+  logic and_26;
+  assign and_26 = raster_rows_q & (~marks_first_s1_q);
   // hls/stages/sobel.hpp:58
-  logic [1:0] select_26;
-  assign select_26 = and_25 ? memory_rdata_q[17:16] : 2'h0;
-  // hls/stages/sobel.hpp:59
   logic [1:0] select_27;
-  assign select_27 = and_25 ? memory_rdata_q[19:18] : 2'h0;
+  assign select_27 = and_26 ? memory_rdata_q[17:16] : 2'h0;
+  // hls/stages/sobel.hpp:59
+  logic [1:0] select_28;
+  assign select_28 = and_26 ? memory_rdata_q[19:18] : 2'h0;
   // hls/stages/sobel.hpp:49
   logic [8:0] sum_30;
   assign sum_30 = {1'b0, memory_rdata_q[7:0]} + {2'h0, memory_rdata_q[15:9]};

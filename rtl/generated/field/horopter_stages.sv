@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by scripts/generate-profiles from hls/stages/stage_list.def: change that, not this.
 // The stages of the profile `field` from the 2x2 source pixels to states, runs and counts. Ports: their modules.
-module horopter_stages (
+// THESIS, COMPETE: the rules that are built, of those that the profile has.
+module horopter_stages #(
+  parameter bit THESIS = horopter_profile_pkg::THESIS,
+  parameter bit COMPETE = horopter_profile_pkg::COMPETE
+) (
   input  logic clk_i,
   input  logic rst_ni,
   input  logic valid_i,
@@ -49,6 +53,10 @@ module horopter_stages (
   output logic alarm_too_undecidable_o,
   output logic alarm_too_unsupervised_o
 );
+  if (!THESIS || COMPETE) begin : g_illegal
+    $fatal(1, "horopter_stages: field has the rule thesis alone");
+  end
+
   logic interpolate_valid_o;
   logic [7:0] interpolate_pixel_0_o;
   logic [7:0] interpolate_pixel_1_o;

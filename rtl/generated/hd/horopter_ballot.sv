@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Ballot<horopter::hls::profiles::hd>, hls/stages/ballot.hpp. Do not edit.
 //
-// Latency 8 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 14 bits, pipeline 654 bits, memories 288000 bits.
+// State 14 bits, pipeline 794 bits, memories 288000 bits.
 module horopter_ballot (
   input  logic clk_i,
   input  logic rst_ni,
@@ -27,8 +27,8 @@ module horopter_ballot (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en;
+  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q, valid_s9_q;
+  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en, s8_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
@@ -37,23 +37,26 @@ module horopter_ballot (
   assign s5_en = en_i & valid_s5_q;
   assign s6_en = en_i & valid_s6_q;
   assign s7_en = en_i & valid_s7_q;
+  assign s8_en = en_i & valid_s8_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
-  logic [10:0] raster_next_column_q;
+  logic [10:0] raster_column_q;
   logic raster_row_ended_q;
   logic running_q;
   // hls/stages/ballot.hpp:34
   logic [10:0] select_15;
-  assign select_15 = (marks_first_i | raster_row_ended_q) ? 11'h0 : raster_next_column_q;
+  assign select_15 = (marks_first_i | raster_row_ended_q) ? 11'h0 : raster_column_q;
   // hls/stages/ballot.hpp:37
   logic or_16;
   assign or_16 = marks_first_i | running_q;
 
-  // Memory memory, 1920 x 150, DISTANCE 16, hls/stages/ballot.hpp:80; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
+  // Memory memory, 1920 x 150, DISTANCE 16, hls/stages/ballot.hpp:80; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [149:0] memory_mem [0:1919];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 1920; i++) memory_mem[i] = 150'h0;
+`endif
   logic [10:0] memory_raddr;
   assign memory_raddr = select_15;
   logic memory_re;
@@ -65,11 +68,11 @@ module horopter_ballot (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      raster_next_column_q <= 11'h0;
+      raster_column_q <= 11'h0;
       raster_row_ended_q <= 1'b1;
       running_q <= 1'b0;
     end else if (s0_en) begin
-      raster_next_column_q <= select_15 + 11'h1;
+      raster_column_q <= select_15 + 11'h1;
       raster_row_ended_q <= marks_last_i;
       running_q <= running_q ? or_16 : (marks_first_i & or_16);
     end
@@ -129,185 +132,56 @@ module horopter_ballot (
   // hls/stages/ballot.hpp:38
   logic [7:0] select_21;
   assign select_21 = running_s2_q ? memory_rdata_s2_q[7:0] : (marks_first_s2_q ? memory_rdata_s2_q[7:0] : 8'h0);
-  // hls/stages/ballot.hpp:41
-  logic [7:0] select_22;
-  assign select_22 = and_19 ? select_21 : 8'h0;
-  // hls/stages/ballot.hpp:38
   logic [5:0] select_24;
   assign select_24 = running_s2_q ? memory_rdata_s2_q[13:8] : (marks_first_s2_q ? memory_rdata_s2_q[13:8] : 6'h0);
-  // hls/stages/ballot.hpp:41
-  logic [5:0] select_25;
-  assign select_25 = and_19 ? select_24 : 6'h0;
-  // hls/stages/ballot.hpp:38
   logic select_27;
   assign select_27 = running_s2_q ? memory_rdata_s2_q[14] : (marks_first_s2_q & memory_rdata_s2_q[14]);
-  // hls/stages/ballot.hpp:41
-  logic and_28;
-  assign and_28 = and_19 & select_27;
-  // hls/stages/ballot.hpp:38
   logic [7:0] select_30;
   assign select_30 = running_s2_q ? memory_rdata_s2_q[22:15] : (marks_first_s2_q ? memory_rdata_s2_q[22:15] : 8'h0);
-  // hls/stages/ballot.hpp:41
-  logic [7:0] select_31;
-  assign select_31 = and_19 ? select_30 : 8'h0;
-  // hls/stages/ballot.hpp:38
   logic [5:0] select_33;
   assign select_33 = running_s2_q ? memory_rdata_s2_q[28:23] : (marks_first_s2_q ? memory_rdata_s2_q[28:23] : 6'h0);
-  // hls/stages/ballot.hpp:41
-  logic [5:0] select_34;
-  assign select_34 = and_19 ? select_33 : 6'h0;
-  // hls/stages/ballot.hpp:38
   logic select_36;
   assign select_36 = running_s2_q ? memory_rdata_s2_q[29] : (marks_first_s2_q & memory_rdata_s2_q[29]);
-  // hls/stages/ballot.hpp:41
-  logic and_37;
-  assign and_37 = and_19 & select_36;
-  // hls/stages/ballot.hpp:38
   logic [7:0] select_39;
   assign select_39 = running_s2_q ? memory_rdata_s2_q[37:30] : (marks_first_s2_q ? memory_rdata_s2_q[37:30] : 8'h0);
-  // hls/stages/ballot.hpp:41
-  logic [7:0] select_40;
-  assign select_40 = and_19 ? select_39 : 8'h0;
-  // hls/stages/ballot.hpp:38
   logic [5:0] select_42;
   assign select_42 = running_s2_q ? memory_rdata_s2_q[43:38] : (marks_first_s2_q ? memory_rdata_s2_q[43:38] : 6'h0);
-  // hls/stages/ballot.hpp:41
-  logic [5:0] select_43;
-  assign select_43 = and_19 ? select_42 : 6'h0;
-  // hls/stages/ballot.hpp:38
   logic select_45;
   assign select_45 = running_s2_q ? memory_rdata_s2_q[44] : (marks_first_s2_q & memory_rdata_s2_q[44]);
-  // hls/stages/ballot.hpp:41
-  logic and_46;
-  assign and_46 = and_19 & select_45;
-  // hls/stages/ballot.hpp:38
   logic [7:0] select_48;
   assign select_48 = running_s2_q ? memory_rdata_s2_q[52:45] : (marks_first_s2_q ? memory_rdata_s2_q[52:45] : 8'h0);
-  // hls/stages/ballot.hpp:41
-  logic [7:0] select_49;
-  assign select_49 = and_19 ? select_48 : 8'h0;
-  // hls/stages/ballot.hpp:38
   logic [5:0] select_51;
   assign select_51 = running_s2_q ? memory_rdata_s2_q[58:53] : (marks_first_s2_q ? memory_rdata_s2_q[58:53] : 6'h0);
-  // hls/stages/ballot.hpp:41
-  logic [5:0] select_52;
-  assign select_52 = and_19 ? select_51 : 6'h0;
-  // hls/stages/ballot.hpp:38
   logic select_54;
   assign select_54 = running_s2_q ? memory_rdata_s2_q[59] : (marks_first_s2_q & memory_rdata_s2_q[59]);
-  // hls/stages/ballot.hpp:41
-  logic and_55;
-  assign and_55 = and_19 & select_54;
-  // hls/stages/ballot.hpp:38
   logic [7:0] select_57;
   assign select_57 = running_s2_q ? memory_rdata_s2_q[67:60] : (marks_first_s2_q ? memory_rdata_s2_q[67:60] : 8'h0);
-  // hls/stages/ballot.hpp:41
-  logic [7:0] select_58;
-  assign select_58 = and_19 ? select_57 : 8'h0;
-  // hls/stages/ballot.hpp:38
   logic [5:0] select_60;
   assign select_60 = running_s2_q ? memory_rdata_s2_q[73:68] : (marks_first_s2_q ? memory_rdata_s2_q[73:68] : 6'h0);
-  // hls/stages/ballot.hpp:41
-  logic [5:0] select_61;
-  assign select_61 = and_19 ? select_60 : 6'h0;
-  // hls/stages/ballot.hpp:38
   logic [7:0] select_63;
   assign select_63 = running_s2_q ? memory_rdata_s2_q[82:75] : (marks_first_s2_q ? memory_rdata_s2_q[82:75] : 8'h0);
-  // hls/stages/ballot.hpp:41
-  logic [7:0] select_64;
-  assign select_64 = and_19 ? select_63 : 8'h0;
-  // hls/stages/ballot.hpp:38
   logic [5:0] select_66;
   assign select_66 = running_s2_q ? memory_rdata_s2_q[88:83] : (marks_first_s2_q ? memory_rdata_s2_q[88:83] : 6'h0);
-  // hls/stages/ballot.hpp:41
-  logic [5:0] select_67;
-  assign select_67 = and_19 ? select_66 : 6'h0;
-  // hls/stages/ballot.hpp:38
   logic [7:0] select_69;
   assign select_69 = running_s2_q ? memory_rdata_s2_q[96:89] : (marks_first_s2_q ? memory_rdata_s2_q[96:89] : 8'h0);
-  // hls/stages/ballot.hpp:41
-  logic [7:0] select_70;
-  assign select_70 = and_19 ? select_69 : 8'h0;
-  // hls/stages/ballot.hpp:38
   logic [5:0] select_72;
   assign select_72 = running_s2_q ? memory_rdata_s2_q[102:97] : (marks_first_s2_q ? memory_rdata_s2_q[102:97] : 6'h0);
-  // hls/stages/ballot.hpp:41
-  logic [5:0] select_73;
-  assign select_73 = and_19 ? select_72 : 6'h0;
-  // hls/stages/ballot.hpp:38
   logic [7:0] select_75;
   assign select_75 = running_s2_q ? memory_rdata_s2_q[110:103] : (marks_first_s2_q ? memory_rdata_s2_q[110:103] : 8'h0);
-  // hls/stages/ballot.hpp:41
-  logic [7:0] select_76;
-  assign select_76 = and_19 ? select_75 : 8'h0;
-  // hls/stages/ballot.hpp:38
   logic [5:0] select_78;
   assign select_78 = running_s2_q ? memory_rdata_s2_q[116:111] : (marks_first_s2_q ? memory_rdata_s2_q[116:111] : 6'h0);
-  // hls/stages/ballot.hpp:41
-  logic [5:0] select_79;
-  assign select_79 = and_19 ? select_78 : 6'h0;
-  // hls/stages/ballot.hpp:38
   logic [7:0] select_81;
   assign select_81 = running_s2_q ? memory_rdata_s2_q[124:117] : (marks_first_s2_q ? memory_rdata_s2_q[124:117] : 8'h0);
-  // hls/stages/ballot.hpp:41
-  logic [7:0] select_82;
-  assign select_82 = and_19 ? select_81 : 8'h0;
-  // hls/stages/ballot.hpp:38
   logic [5:0] select_84;
   assign select_84 = running_s2_q ? memory_rdata_s2_q[130:125] : (marks_first_s2_q ? memory_rdata_s2_q[130:125] : 6'h0);
-  // hls/stages/ballot.hpp:41
-  logic [5:0] select_85;
-  assign select_85 = and_19 ? select_84 : 6'h0;
-  // hls/stages/ballot.hpp:38
   logic [4:0] select_87;
   assign select_87 = running_s2_q ? memory_rdata_s2_q[149:145] : (marks_first_s2_q ? memory_rdata_s2_q[149:145] : 5'h0);
-  // hls/stages/ballot.hpp:41
-  logic [4:0] select_88;
-  assign select_88 = and_19 ? select_87 : 5'h0;
-  // hls/stages/ballot.hpp:38
   logic [5:0] select_104;
   assign select_104 = running_s2_q ? memory_rdata_s2_q[144:139] : (marks_first_s2_q ? memory_rdata_s2_q[144:139] : 6'h0);
-  // hls/stages/ballot.hpp:41
-  logic [5:0] select_105;
-  assign select_105 = and_19 ? select_104 : 6'h0;
-  // hls/stages/ballot.hpp:38
   logic [7:0] select_111;
   assign select_111 = running_s2_q ? memory_rdata_s2_q[138:131] : (marks_first_s2_q ? memory_rdata_s2_q[138:131] : 8'h0);
   logic select_167;
   assign select_167 = running_s2_q ? memory_rdata_s2_q[74] : (marks_first_s2_q & memory_rdata_s2_q[74]);
-
-  // Memory memory, write
-  logic [10:0] memory_waddr;
-  assign memory_waddr = select_15_s2_q;
-  logic memory_we;
-  assign memory_we = s2_en & select_90_s2_q;
-  always_ff @(posedge clk_i) begin
-    if (memory_we) memory_mem[memory_waddr] <= {select_88[3:0], firm_s2_q, select_85, select_82, select_79, select_76, select_73, select_70, select_67, select_64, select_61, select_58, and_55, select_52, select_49, and_46, select_43, select_40, and_37, select_34, select_31, and_28, select_25, select_22, exists_s2_q, grey_s2_q, vote_s2_q};
-  end
-`ifndef SYNTHESIS
-  logic [10:0] memory_raddr_s1_sim;
-  logic memory_re_s1_sim;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      memory_re_s1_sim <= 1'b0;
-    end else if (en_i) begin
-      memory_re_s1_sim <= memory_re;
-      memory_raddr_s1_sim <= memory_raddr;
-    end
-  end
-  always_ff @(posedge clk_i) begin
-    if (rst_ni && memory_we) begin
-      if (memory_re && memory_raddr == memory_waddr) begin
-        $error("memory: address %0d is read less than DISTANCE steps after its write", memory_waddr);
-      end
-      if (memory_re_s1_sim && memory_raddr_s1_sim == memory_waddr) begin
-        $error("memory: address %0d is read less than DISTANCE steps after its write", memory_waddr);
-      end
-      if (memory_waddr >= 11'd1920) $error("memory: write outside, address %0d", memory_waddr);
-    end
-    if (rst_ni && memory_re && memory_raddr >= 11'd1920) $error("memory: read outside, address %0d", memory_raddr);
-  end
-`endif
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -318,82 +192,141 @@ module horopter_ballot (
   end
 
   logic [7:0] vote_s3_q;
+  logic firm_s3_q;
+  logic [5:0] grey_s3_q;
+  logic exists_s3_q;
   logic marks_first_s3_q;
   logic marks_last_s3_q;
+  logic [10:0] select_15_s3_q;
   logic [7:0] select_22_s3_q;
+  logic [5:0] select_25_s3_q;
+  logic and_28_s3_q;
   logic [7:0] select_31_s3_q;
+  logic [5:0] select_34_s3_q;
+  logic and_37_s3_q;
   logic [7:0] select_40_s3_q;
+  logic [5:0] select_43_s3_q;
+  logic and_46_s3_q;
   logic [7:0] select_49_s3_q;
+  logic [5:0] select_52_s3_q;
+  logic and_55_s3_q;
   logic [7:0] select_58_s3_q;
+  logic [5:0] select_61_s3_q;
   logic [7:0] select_64_s3_q;
+  logic [5:0] select_67_s3_q;
   logic [7:0] select_70_s3_q;
+  logic [5:0] select_73_s3_q;
   logic [7:0] select_76_s3_q;
+  logic [5:0] select_79_s3_q;
   logic [7:0] select_82_s3_q;
-  logic select_88_s3_q;
-  logic [6:0] difference_93_s3_q;
-  logic [6:0] difference_98_s3_q;
-  logic [6:0] difference_106_s3_q;
+  logic [5:0] select_85_s3_q;
+  logic [4:0] select_88_s3_q;
+  logic select_90_s3_q;
+  logic [5:0] select_105_s3_q;
   logic [7:0] select_112_s3_q;
-  logic [6:0] difference_116_s3_q;
-  logic [6:0] difference_121_s3_q;
-  logic [6:0] difference_127_s3_q;
-  logic [6:0] difference_132_s3_q;
-  logic [6:0] difference_139_s3_q;
-  logic [6:0] difference_145_s3_q;
-  logic [6:0] difference_150_s3_q;
   logic and_168_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       vote_s3_q <= vote_s2_q;
+      firm_s3_q <= firm_s2_q;
+      grey_s3_q <= grey_s2_q;
+      exists_s3_q <= exists_s2_q;
       marks_first_s3_q <= marks_first_s2_q;
       marks_last_s3_q <= marks_last_s2_q;
-      select_22_s3_q <= select_22;
-      select_31_s3_q <= select_31;
-      select_40_s3_q <= select_40;
-      select_49_s3_q <= select_49;
-      select_58_s3_q <= select_58;
-      select_64_s3_q <= select_64;
-      select_70_s3_q <= select_70;
-      select_76_s3_q <= select_76;
-      select_82_s3_q <= select_82;
-      select_88_s3_q <= select_88[4];
-      difference_93_s3_q <= {1'b0, grey_s2_q} - {1'b0, select_61};
-      difference_98_s3_q <= {1'b0, select_85} - {1'b0, select_61};
-      difference_106_s3_q <= {1'b0, select_105} - {1'b0, select_61};
+      select_15_s3_q <= select_15_s2_q;
+      select_22_s3_q <= and_19 ? select_21 : 8'h0;
+      select_25_s3_q <= and_19 ? select_24 : 6'h0;
+      and_28_s3_q <= and_19 & select_27;
+      select_31_s3_q <= and_19 ? select_30 : 8'h0;
+      select_34_s3_q <= and_19 ? select_33 : 6'h0;
+      and_37_s3_q <= and_19 & select_36;
+      select_40_s3_q <= and_19 ? select_39 : 8'h0;
+      select_43_s3_q <= and_19 ? select_42 : 6'h0;
+      and_46_s3_q <= and_19 & select_45;
+      select_49_s3_q <= and_19 ? select_48 : 8'h0;
+      select_52_s3_q <= and_19 ? select_51 : 6'h0;
+      and_55_s3_q <= and_19 & select_54;
+      select_58_s3_q <= and_19 ? select_57 : 8'h0;
+      select_61_s3_q <= and_19 ? select_60 : 6'h0;
+      select_64_s3_q <= and_19 ? select_63 : 8'h0;
+      select_67_s3_q <= and_19 ? select_66 : 6'h0;
+      select_70_s3_q <= and_19 ? select_69 : 8'h0;
+      select_73_s3_q <= and_19 ? select_72 : 6'h0;
+      select_76_s3_q <= and_19 ? select_75 : 8'h0;
+      select_79_s3_q <= and_19 ? select_78 : 6'h0;
+      select_82_s3_q <= and_19 ? select_81 : 8'h0;
+      select_85_s3_q <= and_19 ? select_84 : 6'h0;
+      select_88_s3_q <= and_19 ? select_87 : 5'h0;
+      select_90_s3_q <= select_90_s2_q;
+      select_105_s3_q <= and_19 ? select_104 : 6'h0;
       select_112_s3_q <= and_19 ? select_111 : 8'h0;
-      difference_116_s3_q <= {1'b0, select_25} - {1'b0, select_61};
-      difference_121_s3_q <= {1'b0, select_34} - {1'b0, select_61};
-      difference_127_s3_q <= {1'b0, select_43} - {1'b0, select_61};
-      difference_132_s3_q <= {1'b0, select_52} - {1'b0, select_61};
-      difference_139_s3_q <= {1'b0, select_67} - {1'b0, select_61};
-      difference_145_s3_q <= {1'b0, select_73} - {1'b0, select_61};
-      difference_150_s3_q <= {1'b0, select_79} - {1'b0, select_61};
       and_168_s3_q <= and_19 & select_167;
     end
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
   // hls/stages/ballot.hpp:46
-  logic [7:0] difference;
-  assign difference = difference_93_s3_q[6] ? (8'h0 - {difference_93_s3_q[6], difference_93_s3_q}) : {2'h0, difference_93_s3_q[5:0]};
-  logic [7:0] difference_2;
-  assign difference_2 = difference_98_s3_q[6] ? (8'h0 - {difference_98_s3_q[6], difference_98_s3_q}) : {2'h0, difference_98_s3_q[5:0]};
-  logic [7:0] difference_3;
-  assign difference_3 = difference_106_s3_q[6] ? (8'h0 - {difference_106_s3_q[6], difference_106_s3_q}) : {2'h0, difference_106_s3_q[5:0]};
-  logic [7:0] difference_4;
-  assign difference_4 = difference_116_s3_q[6] ? (8'h0 - {difference_116_s3_q[6], difference_116_s3_q}) : {2'h0, difference_116_s3_q[5:0]};
-  logic [7:0] difference_5;
-  assign difference_5 = difference_121_s3_q[6] ? (8'h0 - {difference_121_s3_q[6], difference_121_s3_q}) : {2'h0, difference_121_s3_q[5:0]};
-  logic [7:0] difference_6;
-  assign difference_6 = difference_127_s3_q[6] ? (8'h0 - {difference_127_s3_q[6], difference_127_s3_q}) : {2'h0, difference_127_s3_q[5:0]};
-  logic [7:0] difference_7;
-  assign difference_7 = difference_132_s3_q[6] ? (8'h0 - {difference_132_s3_q[6], difference_132_s3_q}) : {2'h0, difference_132_s3_q[5:0]};
-  logic [7:0] difference_8;
-  assign difference_8 = difference_139_s3_q[6] ? (8'h0 - {difference_139_s3_q[6], difference_139_s3_q}) : {2'h0, difference_139_s3_q[5:0]};
-  logic [7:0] difference_9;
-  assign difference_9 = difference_145_s3_q[6] ? (8'h0 - {difference_145_s3_q[6], difference_145_s3_q}) : {2'h0, difference_145_s3_q[5:0]};
-  logic [7:0] difference_10;
-  assign difference_10 = difference_150_s3_q[6] ? (8'h0 - {difference_150_s3_q[6], difference_150_s3_q}) : {2'h0, difference_150_s3_q[5:0]};
+  logic [6:0] difference_93;
+  assign difference_93 = {1'b0, grey_s3_q} - {1'b0, select_61_s3_q};
+  logic [6:0] difference_98;
+  assign difference_98 = {1'b0, select_85_s3_q} - {1'b0, select_61_s3_q};
+  logic [6:0] difference_106;
+  assign difference_106 = {1'b0, select_105_s3_q} - {1'b0, select_61_s3_q};
+  logic [6:0] difference_116;
+  assign difference_116 = {1'b0, select_25_s3_q} - {1'b0, select_61_s3_q};
+  logic [6:0] difference_121;
+  assign difference_121 = {1'b0, select_34_s3_q} - {1'b0, select_61_s3_q};
+  logic [6:0] difference_127;
+  assign difference_127 = {1'b0, select_43_s3_q} - {1'b0, select_61_s3_q};
+  logic [6:0] difference_132;
+  assign difference_132 = {1'b0, select_52_s3_q} - {1'b0, select_61_s3_q};
+  logic [6:0] difference_139;
+  assign difference_139 = {1'b0, select_67_s3_q} - {1'b0, select_61_s3_q};
+  logic [6:0] difference_145;
+  assign difference_145 = {1'b0, select_73_s3_q} - {1'b0, select_61_s3_q};
+  logic [6:0] difference_150;
+  assign difference_150 = {1'b0, select_79_s3_q} - {1'b0, select_61_s3_q};
+
+  // Memory memory, write
+  logic [10:0] memory_waddr;
+  assign memory_waddr = select_15_s3_q;
+  logic memory_we;
+  assign memory_we = s3_en & select_90_s3_q;
+  always_ff @(posedge clk_i) begin
+    if (memory_we) memory_mem[memory_waddr] <= {select_88_s3_q[3:0], firm_s3_q, select_85_s3_q, select_82_s3_q, select_79_s3_q, select_76_s3_q, select_73_s3_q, select_70_s3_q, select_67_s3_q, select_64_s3_q, select_61_s3_q, select_58_s3_q, and_55_s3_q, select_52_s3_q, select_49_s3_q, and_46_s3_q, select_43_s3_q, select_40_s3_q, and_37_s3_q, select_34_s3_q, select_31_s3_q, and_28_s3_q, select_25_s3_q, select_22_s3_q, exists_s3_q, grey_s3_q, vote_s3_q};
+  end
+`ifndef SYNTHESIS
+  logic [10:0] memory_raddr_s1_sim;
+  logic memory_re_s1_sim;
+  logic [10:0] memory_raddr_s2_sim;
+  logic memory_re_s2_sim;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      memory_re_s1_sim <= 1'b0;
+      memory_re_s2_sim <= 1'b0;
+    end else if (en_i) begin
+      memory_re_s1_sim <= memory_re;
+      memory_raddr_s1_sim <= memory_raddr;
+      memory_re_s2_sim <= memory_re_s1_sim;
+      memory_raddr_s2_sim <= memory_raddr_s1_sim;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && memory_we) begin
+      if (memory_re && memory_raddr == memory_waddr) begin
+        $error("memory: address %0d is read less than DISTANCE steps after its write", memory_waddr);
+      end
+      if (memory_re_s1_sim && memory_raddr_s1_sim == memory_waddr) begin
+        $error("memory: address %0d is read less than DISTANCE steps after its write", memory_waddr);
+      end
+      if (memory_re_s2_sim && memory_raddr_s2_sim == memory_waddr) begin
+        $error("memory: address %0d is read less than DISTANCE steps after its write", memory_waddr);
+      end
+      if (memory_waddr >= 11'd1920) $error("memory: write outside, address %0d", memory_waddr);
+    end
+    if (rst_ni && memory_re && memory_raddr >= 11'd1920) $error("memory: read outside, address %0d", memory_raddr);
+  end
+`endif
 
   logic [7:0] vote_s4_q;
   logic marks_first_s4_q;
@@ -408,17 +341,27 @@ module horopter_ballot (
   logic [7:0] select_76_s4_q;
   logic [7:0] select_82_s4_q;
   logic select_88_s4_q;
-  logic [7:0] difference_s4_q;
-  logic [7:0] difference_2_s4_q;
-  logic [7:0] difference_3_s4_q;
+  logic [6:0] difference_93_s4_q;
+  logic [7:0] difference_94_s4_q;
+  logic [6:0] difference_98_s4_q;
+  logic [7:0] difference_99_s4_q;
+  logic [6:0] difference_106_s4_q;
+  logic [7:0] difference_107_s4_q;
   logic [7:0] select_112_s4_q;
-  logic [7:0] difference_4_s4_q;
-  logic [7:0] difference_5_s4_q;
-  logic [7:0] difference_6_s4_q;
-  logic [7:0] difference_7_s4_q;
-  logic [7:0] difference_8_s4_q;
-  logic [7:0] difference_9_s4_q;
-  logic [7:0] difference_10_s4_q;
+  logic [6:0] difference_116_s4_q;
+  logic [7:0] difference_117_s4_q;
+  logic [6:0] difference_121_s4_q;
+  logic [7:0] difference_122_s4_q;
+  logic [6:0] difference_127_s4_q;
+  logic [7:0] difference_128_s4_q;
+  logic [6:0] difference_132_s4_q;
+  logic [7:0] difference_133_s4_q;
+  logic [6:0] difference_139_s4_q;
+  logic [7:0] difference_140_s4_q;
+  logic [6:0] difference_145_s4_q;
+  logic [7:0] difference_146_s4_q;
+  logic [6:0] difference_150_s4_q;
+  logic [7:0] difference_151_s4_q;
   logic and_168_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
@@ -434,150 +377,190 @@ module horopter_ballot (
       select_70_s4_q <= select_70_s3_q;
       select_76_s4_q <= select_76_s3_q;
       select_82_s4_q <= select_82_s3_q;
-      select_88_s4_q <= select_88_s3_q;
-      difference_s4_q <= difference;
-      difference_2_s4_q <= difference_2;
-      difference_3_s4_q <= difference_3;
+      select_88_s4_q <= select_88_s3_q[4];
+      difference_93_s4_q <= difference_93;
+      difference_94_s4_q <= 8'h0 - {difference_93[6], difference_93};
+      difference_98_s4_q <= difference_98;
+      difference_99_s4_q <= 8'h0 - {difference_98[6], difference_98};
+      difference_106_s4_q <= difference_106;
+      difference_107_s4_q <= 8'h0 - {difference_106[6], difference_106};
       select_112_s4_q <= select_112_s3_q;
-      difference_4_s4_q <= difference_4;
-      difference_5_s4_q <= difference_5;
-      difference_6_s4_q <= difference_6;
-      difference_7_s4_q <= difference_7;
-      difference_8_s4_q <= difference_8;
-      difference_9_s4_q <= difference_9;
-      difference_10_s4_q <= difference_10;
+      difference_116_s4_q <= difference_116;
+      difference_117_s4_q <= 8'h0 - {difference_116[6], difference_116};
+      difference_121_s4_q <= difference_121;
+      difference_122_s4_q <= 8'h0 - {difference_121[6], difference_121};
+      difference_127_s4_q <= difference_127;
+      difference_128_s4_q <= 8'h0 - {difference_127[6], difference_127};
+      difference_132_s4_q <= difference_132;
+      difference_133_s4_q <= 8'h0 - {difference_132[6], difference_132};
+      difference_139_s4_q <= difference_139;
+      difference_140_s4_q <= 8'h0 - {difference_139[6], difference_139};
+      difference_145_s4_q <= difference_145;
+      difference_146_s4_q <= 8'h0 - {difference_145[6], difference_145};
+      difference_150_s4_q <= difference_150;
+      difference_151_s4_q <= 8'h0 - {difference_150[6], difference_150};
       and_168_s4_q <= and_168_s3_q;
     end
   end
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/ballot.hpp:47
-  logic [7:0] select_102;
-  assign select_102 = ({4'h0, cfg_similar_i} < difference_2_s4_q) ? 8'h0 : select_82_s4_q;
-  logic [7:0] select_113;
-  assign select_113 = ({4'h0, cfg_similar_i} < difference_3_s4_q) ? 8'h0 : select_112_s4_q;
-  logic [7:0] select_120;
-  assign select_120 = ({4'h0, cfg_similar_i} < difference_4_s4_q) ? 8'h0 : select_22_s4_q;
-  logic [7:0] select_125;
-  assign select_125 = ({4'h0, cfg_similar_i} < difference_5_s4_q) ? 8'h0 : select_31_s4_q;
-  logic [7:0] select_131;
-  assign select_131 = ({4'h0, cfg_similar_i} < difference_6_s4_q) ? 8'h0 : select_40_s4_q;
-  logic [7:0] select_136;
-  assign select_136 = ({4'h0, cfg_similar_i} < difference_7_s4_q) ? 8'h0 : select_49_s4_q;
-  logic [7:0] select_143;
-  assign select_143 = ({4'h0, cfg_similar_i} < difference_8_s4_q) ? 8'h0 : select_64_s4_q;
-  // hls/stages/ballot.hpp:50
-  logic [8:0] sum_144;
-  assign sum_144 = {select_58_s4_q[7], select_58_s4_q} + {select_143[7], select_143};
-  // hls/stages/ballot.hpp:47
-  logic [7:0] select_149;
-  assign select_149 = ({4'h0, cfg_similar_i} < difference_9_s4_q) ? 8'h0 : select_70_s4_q;
-  logic [7:0] select_154;
-  assign select_154 = ({4'h0, cfg_similar_i} < difference_10_s4_q) ? 8'h0 : select_76_s4_q;
+  // hls/stages/ballot.hpp:46
+  logic [7:0] difference;
+  assign difference = difference_93_s4_q[6] ? difference_94_s4_q : {2'h0, difference_93_s4_q[5:0]};
+  logic [7:0] difference_2;
+  assign difference_2 = difference_98_s4_q[6] ? difference_99_s4_q : {2'h0, difference_98_s4_q[5:0]};
+  logic [7:0] difference_3;
+  assign difference_3 = difference_106_s4_q[6] ? difference_107_s4_q : {2'h0, difference_106_s4_q[5:0]};
+  logic [7:0] difference_4;
+  assign difference_4 = difference_116_s4_q[6] ? difference_117_s4_q : {2'h0, difference_116_s4_q[5:0]};
+  logic [7:0] difference_5;
+  assign difference_5 = difference_121_s4_q[6] ? difference_122_s4_q : {2'h0, difference_121_s4_q[5:0]};
+  logic [7:0] difference_6;
+  assign difference_6 = difference_127_s4_q[6] ? difference_128_s4_q : {2'h0, difference_127_s4_q[5:0]};
+  logic [7:0] difference_7;
+  assign difference_7 = difference_132_s4_q[6] ? difference_133_s4_q : {2'h0, difference_132_s4_q[5:0]};
+  logic [7:0] difference_8;
+  assign difference_8 = difference_139_s4_q[6] ? difference_140_s4_q : {2'h0, difference_139_s4_q[5:0]};
+  logic [7:0] difference_9;
+  assign difference_9 = difference_145_s4_q[6] ? difference_146_s4_q : {2'h0, difference_145_s4_q[5:0]};
+  logic [7:0] difference_10;
+  assign difference_10 = difference_150_s4_q[6] ? difference_151_s4_q : {2'h0, difference_150_s4_q[5:0]};
 
   logic marks_first_s5_q;
   logic marks_last_s5_q;
+  logic [7:0] select_58_s5_q;
   logic select_88_s5_q;
   logic [7:0] select_97_s5_q;
-  logic [8:0] sum_114_s5_q;
-  logic [8:0] sum_126_s5_q;
-  logic [8:0] sum_137_s5_q;
-  logic [8:0] sum_144_s5_q;
-  logic [8:0] sum_155_s5_q;
+  logic [7:0] select_102_s5_q;
+  logic [7:0] select_113_s5_q;
+  logic [7:0] select_120_s5_q;
+  logic [7:0] select_125_s5_q;
+  logic [7:0] select_131_s5_q;
+  logic [7:0] select_136_s5_q;
+  logic [7:0] select_143_s5_q;
+  logic [7:0] select_149_s5_q;
+  logic [7:0] select_154_s5_q;
   logic and_168_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
       marks_first_s5_q <= marks_first_s4_q;
       marks_last_s5_q <= marks_last_s4_q;
+      select_58_s5_q <= select_58_s4_q;
       select_88_s5_q <= select_88_s4_q;
-      select_97_s5_q <= ({4'h0, cfg_similar_i} < difference_s4_q) ? 8'h0 : vote_s4_q;
-      sum_114_s5_q <= {select_102[7], select_102} + {select_113[7], select_113};
-      sum_126_s5_q <= {select_120[7], select_120} + {select_125[7], select_125};
-      sum_137_s5_q <= {select_131[7], select_131} + {select_136[7], select_136};
-      sum_144_s5_q <= sum_144;
-      sum_155_s5_q <= {select_149[7], select_149} + {select_154[7], select_154};
+      select_97_s5_q <= ({4'h0, cfg_similar_i} < difference) ? 8'h0 : vote_s4_q;
+      select_102_s5_q <= ({4'h0, cfg_similar_i} < difference_2) ? 8'h0 : select_82_s4_q;
+      select_113_s5_q <= ({4'h0, cfg_similar_i} < difference_3) ? 8'h0 : select_112_s4_q;
+      select_120_s5_q <= ({4'h0, cfg_similar_i} < difference_4) ? 8'h0 : select_22_s4_q;
+      select_125_s5_q <= ({4'h0, cfg_similar_i} < difference_5) ? 8'h0 : select_31_s4_q;
+      select_131_s5_q <= ({4'h0, cfg_similar_i} < difference_6) ? 8'h0 : select_40_s4_q;
+      select_136_s5_q <= ({4'h0, cfg_similar_i} < difference_7) ? 8'h0 : select_49_s4_q;
+      select_143_s5_q <= ({4'h0, cfg_similar_i} < difference_8) ? 8'h0 : select_64_s4_q;
+      select_149_s5_q <= ({4'h0, cfg_similar_i} < difference_9) ? 8'h0 : select_70_s4_q;
+      select_154_s5_q <= ({4'h0, cfg_similar_i} < difference_10) ? 8'h0 : select_76_s4_q;
       and_168_s5_q <= and_168_s4_q;
     end
   end
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
   // hls/stages/ballot.hpp:50
-  logic [9:0] sum_115;
-  assign sum_115 = {{2{select_97_s5_q[7]}}, select_97_s5_q} + {sum_114_s5_q[8], sum_114_s5_q};
-  logic [9:0] sum_138;
-  assign sum_138 = {sum_126_s5_q[8], sum_126_s5_q} + {sum_137_s5_q[8], sum_137_s5_q};
-  logic [9:0] sum_156;
-  assign sum_156 = {sum_144_s5_q[8], sum_144_s5_q} + {sum_155_s5_q[8], sum_155_s5_q};
+  logic [8:0] sum_114;
+  assign sum_114 = {select_102_s5_q[7], select_102_s5_q} + {select_113_s5_q[7], select_113_s5_q};
+  logic [8:0] sum_126;
+  assign sum_126 = {select_120_s5_q[7], select_120_s5_q} + {select_125_s5_q[7], select_125_s5_q};
+  logic [8:0] sum_137;
+  assign sum_137 = {select_131_s5_q[7], select_131_s5_q} + {select_136_s5_q[7], select_136_s5_q};
+  logic [8:0] sum_144;
+  assign sum_144 = {select_58_s5_q[7], select_58_s5_q} + {select_143_s5_q[7], select_143_s5_q};
+  logic [8:0] sum_155;
+  assign sum_155 = {select_149_s5_q[7], select_149_s5_q} + {select_154_s5_q[7], select_154_s5_q};
 
   logic marks_first_s6_q;
   logic marks_last_s6_q;
   logic select_88_s6_q;
   logic [9:0] sum_115_s6_q;
-  logic [10:0] sum_157_s6_q;
+  logic [9:0] sum_138_s6_q;
+  logic [9:0] sum_156_s6_q;
   logic and_168_s6_q;
   always_ff @(posedge clk_i) begin
     if (s5_en) begin
       marks_first_s6_q <= marks_first_s5_q;
       marks_last_s6_q <= marks_last_s5_q;
       select_88_s6_q <= select_88_s5_q;
-      sum_115_s6_q <= sum_115;
-      sum_157_s6_q <= {sum_138[9], sum_138} + {sum_156[9], sum_156};
+      sum_115_s6_q <= {{2{select_97_s5_q[7]}}, select_97_s5_q} + {sum_114[8], sum_114};
+      sum_138_s6_q <= {sum_126[8], sum_126} + {sum_137[8], sum_137};
+      sum_156_s6_q <= {sum_144[8], sum_144} + {sum_155[8], sum_155};
       and_168_s6_q <= and_168_s5_q;
     end
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
   // hls/stages/ballot.hpp:50
-  logic [11:0] sum_158;
-  assign sum_158 = {{2{sum_115_s6_q[9]}}, sum_115_s6_q} + {sum_157_s6_q[10], sum_157_s6_q};
-  // hls/stages/ballot.hpp:61
-  logic [12:0] difference_162;
-  assign difference_162 = 13'h0 - {sum_158[11], sum_158};
+  logic [10:0] sum_157;
+  assign sum_157 = {sum_138_s6_q[9], sum_138_s6_q} + {sum_156_s6_q[9], sum_156_s6_q};
 
   logic marks_first_s7_q;
   logic marks_last_s7_q;
-  logic not_160_s7_q;
-  logic and_161_s7_q;
-  logic [9:0] difference_162_s7_q;
+  logic select_88_s7_q;
+  logic [11:0] sum_158_s7_q;
   logic and_168_s7_q;
   always_ff @(posedge clk_i) begin
     if (s6_en) begin
       marks_first_s7_q <= marks_first_s6_q;
       marks_last_s7_q <= marks_last_s6_q;
-      not_160_s7_q <= ~($signed(sum_158) < $signed({4'h0, cfg_quorum_i}));
-      and_161_s7_q <= select_88_s6_q & sum_158[11];
-      difference_162_s7_q <= difference_162[12:3];
+      select_88_s7_q <= select_88_s6_q;
+      sum_158_s7_q <= {{2{sum_115_s6_q[9]}}, sum_115_s6_q} + {sum_157[10], sum_157};
       and_168_s7_q <= and_168_s6_q;
     end
   end
 
   // Stage 7 -----------------------------------------------------------------------------------------------------------
   // hls/stages/ballot.hpp:61
+  logic [12:0] difference_162;
+  assign difference_162 = 13'h0 - {sum_158_s7_q[11], sum_158_s7_q};
   logic less_163;
-  assign less_163 = $signed(difference_162_s7_q) < $signed({2'h0, cfg_clear_quorum_i});
+  assign less_163 = $signed(difference_162[12:3]) < $signed({2'h0, cfg_clear_quorum_i});
 
   logic marks_first_s8_q;
   logic marks_last_s8_q;
   logic not_160_s8_q;
-  logic or_165_s8_q;
+  logic and_161_s8_q;
+  logic not_164_s8_q;
   logic and_168_s8_q;
   always_ff @(posedge clk_i) begin
     if (s7_en) begin
       marks_first_s8_q <= marks_first_s7_q;
       marks_last_s8_q <= marks_last_s7_q;
-      not_160_s8_q <= not_160_s7_q;
-      or_165_s8_q <= and_161_s7_q | (~less_163);
+      not_160_s8_q <= ~($signed(sum_158_s7_q) < $signed({4'h0, cfg_quorum_i}));
+      and_161_s8_q <= select_88_s7_q & sum_158_s7_q[11];
+      not_164_s8_q <= ~less_163;
       and_168_s8_q <= and_168_s7_q;
     end
   end
 
+  // Stage 8 -----------------------------------------------------------------------------------------------------------
+
+  logic marks_first_s9_q;
+  logic marks_last_s9_q;
+  logic not_160_s9_q;
+  logic or_165_s9_q;
+  logic and_168_s9_q;
+  always_ff @(posedge clk_i) begin
+    if (s8_en) begin
+      marks_first_s9_q <= marks_first_s8_q;
+      marks_last_s9_q <= marks_last_s8_q;
+      not_160_s9_q <= not_160_s8_q;
+      or_165_s9_q <= and_161_s8_q | not_164_s8_q;
+      and_168_s9_q <= and_168_s8_q;
+    end
+  end
+
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign skin_o = not_160_s8_q;
-  assign clear_o = or_165_s8_q;
-  assign exists_o = and_168_s8_q;
-  assign marks_first_o = marks_first_s8_q;
-  assign marks_last_o = marks_last_s8_q;
-  assign valid_o = valid_s8_q;
+  assign skin_o = not_160_s9_q;
+  assign clear_o = or_165_s9_q;
+  assign exists_o = and_168_s9_q;
+  assign marks_first_o = marks_first_s9_q;
+  assign marks_last_o = marks_last_s9_q;
+  assign valid_o = valid_s9_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -589,6 +572,7 @@ module horopter_ballot (
       valid_s6_q <= 1'b0;
       valid_s7_q <= 1'b0;
       valid_s8_q <= 1'b0;
+      valid_s9_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
       valid_s2_q <= valid_s1_q;
@@ -598,6 +582,7 @@ module horopter_ballot (
       valid_s6_q <= valid_s5_q;
       valid_s7_q <= valid_s6_q;
       valid_s8_q <= valid_s7_q;
+      valid_s9_q <= valid_s8_q;
     end
   end
 

@@ -3,7 +3,7 @@
 //
 // Latency 12 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 14 bits, pipeline 2702 bits, memories 149760 bits.
+// State 14 bits, pipeline 2733 bits, memories 149760 bits.
 module horopter_plane_paths (
   input  logic clk_i,
   input  logic rst_ni,
@@ -68,12 +68,12 @@ module horopter_plane_paths (
   assign s11_en = en_i & valid_s11_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
-  logic [10:0] raster_next_column_q;
+  logic [10:0] raster_column_q;
   logic raster_row_ended_q;
   logic running_q;
   // hls/stages/plane_paths.hpp:50
   logic [10:0] select_25;
-  assign select_25 = (marks_first_i | raster_row_ended_q) ? 11'h0 : raster_next_column_q;
+  assign select_25 = (marks_first_i | raster_row_ended_q) ? 11'h0 : raster_column_q;
   // hls/stages/plane_paths.hpp:84
   logic or_26;
   assign or_26 = marks_first_i | running_q;
@@ -82,7 +82,9 @@ module horopter_plane_paths (
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [77:0] memory_mem [0:1919];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 1920; i++) memory_mem[i] = 78'h0;
+`endif
   logic [10:0] memory_raddr;
   assign memory_raddr = select_25;
   logic memory_re;
@@ -94,11 +96,11 @@ module horopter_plane_paths (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      raster_next_column_q <= 11'h0;
+      raster_column_q <= 11'h0;
       raster_row_ended_q <= 1'b1;
       running_q <= 1'b0;
     end else if (s0_en) begin
-      raster_next_column_q <= select_25 + 11'h1;
+      raster_column_q <= select_25 + 11'h1;
       raster_row_ended_q <= marks_last_i;
       running_q <= running_q ? or_26 : (marks_first_i & or_26);
     end
@@ -286,9 +288,9 @@ module horopter_plane_paths (
     end
   end
 
-  logic [1:0] sum_0_s3_q;
-  logic [1:0] sum_1_s3_q;
-  logic [1:0] sum_2_s3_q;
+  logic [10:0] sum_0_s3_q;
+  logic [10:0] sum_1_s3_q;
+  logic [10:0] sum_2_s3_q;
   logic [10:0] sum_3_s3_q;
   logic [10:0] sum_4_s3_q;
   logic [10:0] sum_5_s3_q;
@@ -296,9 +298,9 @@ module horopter_plane_paths (
   logic [10:0] sum_7_s3_q;
   logic [10:0] sum_8_s3_q;
   logic [10:0] sum_9_s3_q;
-  logic [1:0] sum_10_s3_q;
-  logic [1:0] sum_11_s3_q;
-  logic [1:0] sum_12_s3_q;
+  logic [10:0] sum_10_s3_q;
+  logic [10:0] sum_11_s3_q;
+  logic [10:0] sum_12_s3_q;
   logic [10:0] evidence_s3_q;
   logic [5:0] grey_s3_q;
   logic known_s3_q;
@@ -306,25 +308,20 @@ module horopter_plane_paths (
   logic marks_first_s3_q;
   logic marks_last_s3_q;
   logic [10:0] select_25_s3_q;
-  logic [29:0] price_s3_q;
-  logic [9:0] sum_33_s3_q;
-  logic [9:0] sum_37_s3_q;
-  logic [9:0] sum_41_s3_q;
-  logic [9:0] sum_45_s3_q;
+  logic [47:0] price_s3_q;
+  logic [5:0] price_2_s3_q;
+  logic [5:0] price_3_s3_q;
+  logic [5:0] price_4_s3_q;
   logic [5:0] opinion_s3_q;
   logic [5:0] price_5_s3_q;
-  logic [6:0] sum_90_s3_q;
-  logic [6:0] sum_97_s3_q;
-  logic [9:0] sum_111_s3_q;
-  logic [9:0] sum_114_s3_q;
   logic select_202_s3_q;
   logic [10:0] select_212_s3_q;
   logic [10:0] select_226_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
-      sum_0_s3_q <= sum_0_s2_q[1:0];
-      sum_1_s3_q <= sum_1_s2_q[1:0];
-      sum_2_s3_q <= sum_2_s2_q[1:0];
+      sum_0_s3_q <= sum_0_s2_q;
+      sum_1_s3_q <= sum_1_s2_q;
+      sum_2_s3_q <= sum_2_s2_q;
       sum_3_s3_q <= sum_3_s2_q;
       sum_4_s3_q <= sum_4_s2_q;
       sum_5_s3_q <= sum_5_s2_q;
@@ -332,9 +329,9 @@ module horopter_plane_paths (
       sum_7_s3_q <= sum_7_s2_q;
       sum_8_s3_q <= sum_8_s2_q;
       sum_9_s3_q <= sum_9_s2_q;
-      sum_10_s3_q <= sum_10_s2_q[1:0];
-      sum_11_s3_q <= sum_11_s2_q[1:0];
-      sum_12_s3_q <= sum_12_s2_q[1:0];
+      sum_10_s3_q <= sum_10_s2_q;
+      sum_11_s3_q <= sum_11_s2_q;
+      sum_12_s3_q <= sum_12_s2_q;
       evidence_s3_q <= evidence_s2_q;
       grey_s3_q <= grey_s2_q;
       known_s3_q <= known_s2_q;
@@ -342,17 +339,12 @@ module horopter_plane_paths (
       marks_first_s3_q <= marks_first_s2_q;
       marks_last_s3_q <= marks_last_s2_q;
       select_25_s3_q <= select_25_s2_q;
-      price_s3_q <= price[47:18];
-      sum_33_s3_q <= {1'b0, sum_0_s2_q[10:2]} + {4'h0, price[5:0]};
-      sum_37_s3_q <= {1'b0, sum_12_s2_q[10:2]} + {4'h0, price_2};
-      sum_41_s3_q <= {1'b0, sum_11_s2_q[10:2]} + {4'h0, price_3};
-      sum_45_s3_q <= {1'b0, sum_10_s2_q[10:2]} + {4'h0, price_4};
+      price_s3_q <= price;
+      price_2_s3_q <= price_2;
+      price_3_s3_q <= price_3;
+      price_4_s3_q <= price_4;
       opinion_s3_q <= opinion;
       price_5_s3_q <= price_5;
-      sum_90_s3_q <= {1'b0, price[29:24]} + 7'h27;
-      sum_97_s3_q <= {1'b0, price[23:18]} + 7'h27;
-      sum_111_s3_q <= {1'b0, sum_2_s2_q[10:2]} + {4'h0, price[17:12]};
-      sum_114_s3_q <= {1'b0, sum_1_s2_q[10:2]} + {4'h0, price[11:6]};
       select_202_s3_q <= select_202_s2_q;
       select_212_s3_q <= (sum_12_s2_q < select_210_s2_q) ? sum_12_s2_q : select_210_s2_q;
       select_226_s3_q <= select_226;
@@ -368,31 +360,25 @@ module horopter_plane_paths (
   logic [6:0] sum_59;
   assign sum_59 = {1'b0, price_5_s3_q} + 7'h27;
   logic [6:0] sum_61;
-  assign sum_61 = {1'b0, price_s3_q[29:24]} + 7'h27;
+  assign sum_61 = {1'b0, price_s3_q[47:42]} + 7'h27;
   logic [5:0] select_62;
   assign select_62 = sum_61[6] ? 6'h3f : sum_61[5:0];
   logic [6:0] sum_74;
-  assign sum_74 = {1'b0, price_s3_q[23:18]} + 7'h27;
+  assign sum_74 = {1'b0, price_s3_q[41:36]} + 7'h27;
   logic [5:0] select_75;
   assign select_75 = sum_74[6] ? 6'h3f : sum_74[5:0];
   logic [6:0] sum_81;
-  assign sum_81 = {1'b0, price_s3_q[17:12]} + 7'h27;
+  assign sum_81 = {1'b0, price_s3_q[35:30]} + 7'h27;
   logic [5:0] select_82;
   assign select_82 = sum_81[6] ? 6'h3f : sum_81[5:0];
+  logic [6:0] sum_90;
+  assign sum_90 = {1'b0, price_s3_q[29:24]} + 7'h27;
   logic [5:0] select_91;
-  assign select_91 = sum_90_s3_q[6] ? 6'h3f : sum_90_s3_q[5:0];
-  // hls/stages/plane_paths.hpp:60
-  logic [5:0] price_13;
-  assign price_13 = (select_91 < price_s3_q[17:12]) ? select_91 : price_s3_q[17:12];
-  // hls/stages/plane_paths.hpp:89
+  assign select_91 = sum_90[6] ? 6'h3f : sum_90[5:0];
+  logic [6:0] sum_97;
+  assign sum_97 = {1'b0, price_s3_q[23:18]} + 7'h27;
   logic [5:0] select_98;
-  assign select_98 = sum_97_s3_q[6] ? 6'h3f : sum_97_s3_q[5:0];
-  // hls/stages/plane_paths.hpp:60
-  logic [5:0] price_15;
-  assign price_15 = (select_98 < price_s3_q[11:6]) ? select_98 : price_s3_q[11:6];
-  // hls/stages/plane_paths.hpp:61
-  logic [5:0] price_17;
-  assign price_17 = (select_91 < price_s3_q[5:0]) ? select_91 : price_s3_q[5:0];
+  assign select_98 = sum_97[6] ? 6'h3f : sum_97[5:0];
   // hls/stages/plane_paths.hpp:97
   logic [10:0] select_228;
   assign select_228 = (select_212_s3_q < select_226_s3_q) ? select_212_s3_q : select_226_s3_q;
@@ -420,7 +406,7 @@ module horopter_plane_paths (
   logic marks_first_s4_q;
   logic marks_last_s4_q;
   logic [10:0] select_25_s4_q;
-  logic [11:0] price_s4_q;
+  logic [29:0] price_s4_q;
   logic [9:0] sum_33_s4_q;
   logic [9:0] sum_37_s4_q;
   logic [9:0] sum_41_s4_q;
@@ -436,9 +422,11 @@ module horopter_plane_paths (
   logic less_76_s4_q;
   logic [5:0] select_82_s4_q;
   logic less_83_s4_q;
-  logic [5:0] price_13_s4_q;
-  logic [5:0] price_15_s4_q;
-  logic [5:0] price_17_s4_q;
+  logic [5:0] select_91_s4_q;
+  logic less_92_s4_q;
+  logic [5:0] select_98_s4_q;
+  logic less_99_s4_q;
+  logic less_108_s4_q;
   logic [9:0] sum_111_s4_q;
   logic [9:0] sum_114_s4_q;
   logic select_202_s4_q;
@@ -448,9 +436,9 @@ module horopter_plane_paths (
   logic less_232_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
-      sum_0_s4_q <= sum_0_s3_q;
-      sum_1_s4_q <= sum_1_s3_q;
-      sum_2_s4_q <= sum_2_s3_q;
+      sum_0_s4_q <= sum_0_s3_q[1:0];
+      sum_1_s4_q <= sum_1_s3_q[1:0];
+      sum_2_s4_q <= sum_2_s3_q[1:0];
       sum_3_s4_q <= sum_3_s3_q;
       sum_4_s4_q <= sum_4_s3_q;
       sum_5_s4_q <= sum_5_s3_q;
@@ -458,9 +446,9 @@ module horopter_plane_paths (
       sum_7_s4_q <= sum_7_s3_q;
       sum_8_s4_q <= sum_8_s3_q;
       sum_9_s4_q <= sum_9_s3_q;
-      sum_10_s4_q <= sum_10_s3_q;
-      sum_11_s4_q <= sum_11_s3_q;
-      sum_12_s4_q <= sum_12_s3_q;
+      sum_10_s4_q <= sum_10_s3_q[1:0];
+      sum_11_s4_q <= sum_11_s3_q[1:0];
+      sum_12_s4_q <= sum_12_s3_q[1:0];
       evidence_s4_q <= evidence_s3_q[1:0];
       grey_s4_q <= grey_s3_q;
       known_s4_q <= known_s3_q;
@@ -468,11 +456,11 @@ module horopter_plane_paths (
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= marks_last_s3_q;
       select_25_s4_q <= select_25_s3_q;
-      price_s4_q <= price_s3_q[29:18];
-      sum_33_s4_q <= sum_33_s3_q;
-      sum_37_s4_q <= sum_37_s3_q;
-      sum_41_s4_q <= sum_41_s3_q;
-      sum_45_s4_q <= sum_45_s3_q;
+      price_s4_q <= price_s3_q[47:18];
+      sum_33_s4_q <= {1'b0, sum_0_s3_q[10:2]} + {4'h0, price_s3_q[5:0]};
+      sum_37_s4_q <= {1'b0, sum_12_s3_q[10:2]} + {4'h0, price_2_s3_q};
+      sum_41_s4_q <= {1'b0, sum_11_s3_q[10:2]} + {4'h0, price_3_s3_q};
+      sum_45_s4_q <= {1'b0, sum_10_s3_q[10:2]} + {4'h0, price_4_s3_q};
       opinion_s4_q <= opinion_s3_q;
       select_52_s4_q <= select_52;
       price_5_s4_q <= price_5_s3_q;
@@ -481,14 +469,16 @@ module horopter_plane_paths (
       select_62_s4_q <= select_62;
       less_63_s4_q <= select_62 < opinion_s3_q;
       select_75_s4_q <= select_75;
-      less_76_s4_q <= select_75 < price_s3_q[29:24];
+      less_76_s4_q <= select_75 < price_s3_q[47:42];
       select_82_s4_q <= select_82;
-      less_83_s4_q <= select_82 < price_s3_q[23:18];
-      price_13_s4_q <= price_13;
-      price_15_s4_q <= price_15;
-      price_17_s4_q <= price_17;
-      sum_111_s4_q <= sum_111_s3_q;
-      sum_114_s4_q <= sum_114_s3_q;
+      less_83_s4_q <= select_82 < price_s3_q[41:36];
+      select_91_s4_q <= select_91;
+      less_92_s4_q <= select_91 < price_s3_q[35:30];
+      select_98_s4_q <= select_98;
+      less_99_s4_q <= select_98 < price_s3_q[29:24];
+      less_108_s4_q <= select_91 < price_s3_q[23:18];
+      sum_111_s4_q <= {1'b0, sum_2_s3_q[10:2]} + {4'h0, price_s3_q[17:12]};
+      sum_114_s4_q <= {1'b0, sum_1_s3_q[10:2]} + {4'h0, price_s3_q[11:6]};
       select_202_s4_q <= select_202_s3_q;
       select_228_s4_q <= select_228;
       sum_229_s4_q <= sum_229[0];
@@ -508,20 +498,30 @@ module horopter_plane_paths (
   assign price_8 = (select_60_s4_q < price_7) ? select_60_s4_q : price_7;
   // hls/stages/plane_paths.hpp:60
   logic [5:0] price_9;
-  assign price_9 = less_76_s4_q ? select_75_s4_q : price_s4_q[11:6];
+  assign price_9 = less_76_s4_q ? select_75_s4_q : price_s4_q[29:24];
   // hls/stages/plane_paths.hpp:61
   logic [5:0] price_10;
   assign price_10 = (select_52_s4_q < price_9) ? select_52_s4_q : price_9;
   // hls/stages/plane_paths.hpp:60
   logic [5:0] price_11;
-  assign price_11 = less_83_s4_q ? select_82_s4_q : price_s4_q[5:0];
+  assign price_11 = less_83_s4_q ? select_82_s4_q : price_s4_q[23:18];
   // hls/stages/plane_paths.hpp:61
   logic [5:0] price_12;
   assign price_12 = (select_62_s4_q < price_11) ? select_62_s4_q : price_11;
+  // hls/stages/plane_paths.hpp:60
+  logic [5:0] price_13;
+  assign price_13 = less_92_s4_q ? select_91_s4_q : price_s4_q[17:12];
+  // hls/stages/plane_paths.hpp:61
   logic [5:0] price_14;
-  assign price_14 = (select_75_s4_q < price_13_s4_q) ? select_75_s4_q : price_13_s4_q;
+  assign price_14 = (select_75_s4_q < price_13) ? select_75_s4_q : price_13;
+  // hls/stages/plane_paths.hpp:60
+  logic [5:0] price_15;
+  assign price_15 = less_99_s4_q ? select_98_s4_q : price_s4_q[11:6];
+  // hls/stages/plane_paths.hpp:61
   logic [5:0] price_16;
-  assign price_16 = (select_82_s4_q < price_15_s4_q) ? select_82_s4_q : price_15_s4_q;
+  assign price_16 = (select_82_s4_q < price_15) ? select_82_s4_q : price_15;
+  logic [5:0] price_17;
+  assign price_17 = less_108_s4_q ? select_91_s4_q : price_s4_q[5:0];
   // hls/stages/plane_paths.hpp:74
   logic less_231;
   assign less_231 = {select_228_s4_q, 4'h0} < {sum_230_s4_q, sum_229_s4_q, evidence_s4_q};
@@ -592,7 +592,7 @@ module horopter_plane_paths (
       price_12_s5_q <= price_12;
       price_14_s5_q <= price_14;
       price_16_s5_q <= price_16;
-      sum_110_s5_q <= {1'b0, sum_3_s4_q[10:2]} + {4'h0, price_17_s4_q};
+      sum_110_s5_q <= {1'b0, sum_3_s4_q[10:2]} + {4'h0, price_17};
       sum_111_s5_q <= sum_111_s4_q;
       sum_114_s5_q <= sum_114_s4_q;
       select_202_s5_q <= select_202_s4_q;

@@ -3,7 +3,7 @@
 //
 // Latency 5 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 93 bits, pipeline 211 bits, memories 69120 bits.
+// State 93 bits, pipeline 297 bits, memories 69120 bits.
 module horopter_sobel (
   input  logic clk_i,
   input  logic rst_ni,
@@ -46,11 +46,13 @@ module horopter_sobel (
   logic [10:0] select_21;
   assign select_21 = or_20 ? 11'h0 : raster_column_q;
 
-  // Memory memory, 1920 x 36, DISTANCE 16, hls/stages/sobel.hpp:74; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
+  // Memory memory, 1920 x 36, DISTANCE 16, hls/stages/sobel.hpp:74; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [35:0] memory_mem [0:1919];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 1920; i++) memory_mem[i] = 36'h0;
+`endif
   logic [10:0] memory_raddr;
   assign memory_raddr = select_21;
   logic memory_re;
@@ -132,13 +134,6 @@ module horopter_sobel (
   assign sum_29 = {1'b0, memory_rdata_s2_q[7:0]} + {2'h0, memory_rdata_s2_q[23:17]};
   logic [8:0] sum_31;
   assign sum_31 = {1'b0, memory_rdata_s2_q[15:8]} + {2'h0, memory_rdata_s2_q[31:25]};
-  logic [9:0] smooth_2;
-  assign smooth_2 = {2'h0, pixel_1_s2_q} + {sum_31, memory_rdata_s2_q[24]};
-  // hls/stages/sobel.hpp:50
-  logic [8:0] slope;
-  assign slope = {1'b0, pixel_0_s2_q} - {1'b0, memory_rdata_s2_q[23:16]};
-  logic [8:0] slope_2;
-  assign slope_2 = {1'b0, pixel_1_s2_q} - {1'b0, memory_rdata_s2_q[31:24]};
   // hls/stages/sobel.hpp:58
   logic equal_35;
   assign equal_35 = {select_25, mask_s2_q} == 3'h7;
@@ -204,12 +199,12 @@ module horopter_sobel (
   logic [8:0] slope_0_values_1_q;
   logic [8:0] slope_1_values_0_q;
   logic [8:0] slope_1_values_1_q;
-  // hls/stages/sobel.hpp:47
+  // hls/stages/sobel.hpp:49
   logic [9:0] smooth;
   assign smooth = {2'h0, pixel_0_s3_q} + {sum_29_s3_q, memory_rdata_s3_q[16]};
   logic [9:0] smooth_2;
   assign smooth_2 = {2'h0, pixel_1_s3_q} + {sum_31_s3_q, memory_rdata_s3_q[24]};
-  // hls/stages/sobel.hpp:48
+  // hls/stages/sobel.hpp:50
   logic [8:0] slope;
   assign slope = {1'b0, pixel_0_s3_q} - {1'b0, memory_rdata_s3_q[23:16]};
   logic [8:0] slope_2;
@@ -278,42 +273,6 @@ module horopter_sobel (
     end
   end
 
-  logic [7:0] pixel_0_s3_q;
-  logic mask_s3_q;
-  logic marks_first_s3_q;
-  logic marks_last_s3_q;
-  logic [9:0] smooth_0_values_1_s3_q;
-  logic [9:0] smooth_1_values_1_s3_q;
-  logic [8:0] slope_0_values_1_s3_q;
-  logic [8:0] slope_1_values_1_s3_q;
-  logic equal_45_s3_q;
-  logic equal_46_s3_q;
-  always_ff @(posedge clk_i) begin
-    if (s2_en) begin
-      pixel_0_s3_q <= pixel_0_s2_q;
-      mask_s3_q <= mask_s2_q;
-      marks_first_s3_q <= marks_first_s2_q;
-      marks_last_s3_q <= marks_last_s2_q;
-      smooth_0_values_1_s3_q <= smooth_0_values_1_q;
-      smooth_1_values_1_s3_q <= smooth_1_values_1_q;
-      slope_0_values_1_s3_q <= slope_0_values_1_q;
-      slope_1_values_1_s3_q <= slope_1_values_1_q;
-      equal_45_s3_q <= {select_38, equal_37} == 3'h7;
-      equal_46_s3_q <= {select_36, equal_35} == 3'h7;
-    end
-  end
-
-  // Stage 3 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/sobel.hpp:52
-  logic [9:0] sum_41;
-  assign sum_41 = {slope_0_values_1_q[8], slope_0_values_1_q} + {{2{slope_0_values_0_q[8]}}, slope_0_values_0_q[8:1]};
-  logic [10:0] sum_42;
-  assign sum_42 = {{2{slope_0_values_1_s3_q[8]}}, slope_0_values_1_s3_q} + {sum_41, slope_0_values_0_q[0]};
-  logic [9:0] sum_43;
-  assign sum_43 = {slope_1_values_1_q[8], slope_1_values_1_q} + {{2{slope_1_values_0_q[8]}}, slope_1_values_0_q[8:1]};
-  logic [10:0] sum_44;
-  assign sum_44 = {{2{slope_1_values_1_s3_q[8]}}, slope_1_values_1_s3_q} + {sum_43, slope_1_values_0_q[0]};
-
   logic [7:0] pixel_0_s4_q;
   logic mask_s4_q;
   logic marks_first_s4_q;
@@ -340,7 +299,7 @@ module horopter_sobel (
   end
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/sobel.hpp:50
+  // hls/stages/sobel.hpp:52
   logic [9:0] sum_41;
   assign sum_41 = {slope_0_values_1_q[8], slope_0_values_1_q} + {{2{slope_0_values_0_q[8]}}, slope_0_values_0_q[8:1]};
   logic [10:0] sum_42;
@@ -350,6 +309,8 @@ module horopter_sobel (
   logic [10:0] sum_44;
   assign sum_44 = {{2{slope_1_values_1_s4_q[8]}}, slope_1_values_1_s4_q} + {sum_43, slope_1_values_0_q[0]};
 
+  logic [7:0] pixel_0_s5_q;
+  logic mask_s5_q;
   logic marks_first_s5_q;
   logic marks_last_s5_q;
   logic [10:0] difference_39_s5_q;
@@ -360,6 +321,8 @@ module horopter_sobel (
   logic equal_46_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
+      pixel_0_s5_q <= pixel_0_s4_q;
+      mask_s5_q <= mask_s4_q;
       marks_first_s5_q <= marks_first_s4_q;
       marks_last_s5_q <= marks_last_s4_q;
       difference_39_s5_q <= {1'b0, smooth_0_values_0_q} - {1'b0, smooth_0_values_1_s4_q};
@@ -372,17 +335,17 @@ module horopter_sobel (
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign gx_0_o = difference_39_s4_q;
-  assign gx_1_o = difference_40_s4_q;
-  assign gy_0_o = sum_42_s4_q;
-  assign gy_1_o = sum_44_s4_q;
-  assign saturated_o = equal_45_s4_q;
-  assign mask_o = equal_46_s4_q;
-  assign marks_first_o = marks_first_s4_q;
-  assign marks_last_o = marks_last_s4_q;
-  assign smooth_grey_o = pixel_0_s4_q;
-  assign smooth_exists_o = mask_s4_q;
-  assign valid_o = valid_s4_q;
+  assign gx_0_o = difference_39_s5_q;
+  assign gx_1_o = difference_40_s5_q;
+  assign gy_0_o = sum_42_s5_q;
+  assign gy_1_o = sum_44_s5_q;
+  assign saturated_o = equal_45_s5_q;
+  assign mask_o = equal_46_s5_q;
+  assign marks_first_o = marks_first_s5_q;
+  assign marks_last_o = marks_last_s5_q;
+  assign smooth_grey_o = pixel_0_s5_q;
+  assign smooth_exists_o = mask_s5_q;
+  assign valid_o = valid_s5_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin

@@ -49,7 +49,9 @@ module horopter_texture (
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [36:0] memory_mem [0:1919];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 1920; i++) memory_mem[i] = 37'h0;
+`endif
   logic [10:0] memory_raddr;
   assign memory_raddr = select_19;
   logic memory_re;

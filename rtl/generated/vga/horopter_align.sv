@@ -3,7 +3,8 @@
 //
 // Latency 0 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 35 bits, pipeline 6 bits, memories 0 bits.
+// Outputs are logic: what they go to takes them with the clock if en_i = 1.
+// State 35 bits, pipeline 0 bits, memories 0 bits.
 module horopter_align (
   input  logic clk_i,
   input  logic rst_ni,
@@ -114,33 +115,12 @@ module horopter_align (
     end
   end
 
-  logic [1:0] state_s1_q;
-  logic and_28_s1_q;
-  logic and_34_s1_q;
-  logic and_57_s1_q;
-  always_ff @(posedge clk_i) begin
-    if (s0_en) begin
-      state_s1_q <= state_i;
-      and_28_s1_q <= and_28;
-      and_34_s1_q <= and_34;
-      and_57_s1_q <= and_57;
-    end
-  end
-
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign state_o = state_s1_q;
-  assign first_o = and_28_s1_q;
-  assign last_o = and_34_s1_q;
-  assign end_v_o = idle_q;
-  assign idle_o = and_57_s1_q;
-  assign valid_o = valid_s1_q;
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      valid_s1_q <= 1'b0;
-    end else if (en_i) begin
-      valid_s1_q <= valid_i & (and_57 | or_29);
-    end
-  end
+  assign state_o = state_i;
+  assign first_o = and_28;
+  assign last_o = and_34;
+  assign end_v_o = and_35;
+  assign idle_o = and_57;
+  assign valid_o = valid_i & (and_57 | or_29);
 
 endmodule

@@ -3,7 +3,7 @@
 //
 // Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 1037 bits, pipeline 76 bits, memories 0 bits.
+// State 1037 bits, pipeline 62 bits, memories 0 bits.
 module horopter_contest (
   input  logic clk_i,
   input  logic rst_ni,
@@ -378,6 +378,12 @@ module horopter_contest (
   // hls/stages/contest.hpp:100
   logic [12:0] z;
   assign z = {1'b0, outside} - {1'b0, inside_v};
+  // hls/stages/contest.hpp:153
+  logic [14:0] select_418;
+  assign select_418 = ($signed(b_2) < $signed({{2{z[12]}}, z})) ? b_2 : {{2{z[12]}}, z};
+  // hls/stages/contest.hpp:101
+  logic [14:0] z_2;
+  assign z_2 = (less_370 & (cost_10_i < cost_9_i)) ? select_418 : {{2{z[12]}}, z};
   // hls/stages/contest.hpp:105
   logic or_431;
   assign or_431 = (outside < inside_v) | (~({1'b0, far} < ({1'b0, inside_v} + {5'h0, inside_v[11:4]})));
@@ -789,9 +795,7 @@ module horopter_contest (
   logic centres_values_23_marks_last_s1_q;
   logic and_372_s1_q;
   logic [14:0] b_s1_q;
-  logic and_378_s1_q;
-  logic [14:0] b_2_s1_q;
-  logic [12:0] z_s1_q;
+  logic [14:0] z_2_s1_q;
   logic or_439_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
@@ -803,9 +807,7 @@ module horopter_contest (
       centres_values_23_marks_last_s1_q <= centres_values_23_marks_last_q;
       and_372_s1_q <= (cost_8_i < cost_9_i) & (~less_370);
       b_s1_q <= b;
-      and_378_s1_q <= less_370 & (cost_10_i < cost_9_i);
-      b_2_s1_q <= b_2;
-      z_s1_q <= z;
+      z_2_s1_q <= z_2;
       or_439_s1_q <= seen_values_22_hidden_q | (select_437 < seen_values_22_inside_q);
     end
   end
@@ -859,15 +861,9 @@ module horopter_contest (
   logic centres_values_22_firm_q;
   logic [5:0] centres_values_23_clipped_q;
   logic centres_values_23_firm_q;
-  // hls/stages/contest.hpp:153
-  logic [14:0] select_418;
-  assign select_418 = ($signed(b_2_s1_q) < $signed({{2{z_s1_q[12]}}, z_s1_q})) ? b_2_s1_q : {{2{z_s1_q[12]}}, z_s1_q};
-  // hls/stages/contest.hpp:101
-  logic [14:0] z_2;
-  assign z_2 = and_378_s1_q ? select_418 : {{2{z_s1_q[12]}}, z_s1_q};
   // hls/stages/contest.hpp:103
   logic [14:0] z_3;
-  assign z_3 = and_372_s1_q ? (($signed(b_s1_q) < $signed(z_2)) ? b_s1_q : z_2) : z_2;
+  assign z_3 = and_372_s1_q ? (($signed(b_s1_q) < $signed(z_2_s1_q)) ? b_s1_q : z_2_s1_q) : z_2_s1_q;
   // hls/stages/contest.hpp:57
   logic [5:0] select_426;
   assign select_426 = ($signed(z_3[14:3]) < $signed(12'hfe1)) ? 6'h21 : (($signed(7'h0) < $signed(z_3[14:8])) ? 6'h1f : z_3[8:3]);

@@ -44,7 +44,9 @@ module horopter_lowpass (
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [35:0] memory_mem [0:639];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 640; i++) memory_mem[i] = 36'h0;
+`endif
   logic [9:0] memory_raddr;
   assign memory_raddr = select_18;
   logic memory_re;

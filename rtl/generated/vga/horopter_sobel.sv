@@ -3,7 +3,8 @@
 //
 // Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 92 bits, pipeline 89 bits, memories 23040 bits.
+// Outputs are logic: what they go to takes them with the clock if en_i = 1.
+// State 92 bits, pipeline 21 bits, memories 23040 bits.
 module horopter_sobel (
   input  logic clk_i,
   input  logic rst_ni,
@@ -47,7 +48,9 @@ module horopter_sobel (
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [35:0] memory_mem [0:639];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 640; i++) memory_mem[i] = 36'h0;
+`endif
   logic [9:0] memory_raddr;
   assign memory_raddr = select_22;
   logic memory_re;
@@ -97,14 +100,14 @@ module horopter_sobel (
   logic [1:0] mask_columns_values_0_q;
   logic [1:0] saturated_columns_values_0_q;
   // hls/stages/sobel.hpp:41
-  logic and_24;
-  assign and_24 = raster_rows_q & (~marks_first_s1_q);
+  logic and_25;
+  assign and_25 = raster_rows_q & (~marks_first_s1_q);
   // hls/stages/sobel.hpp:58
-  logic [1:0] select_25;
-  assign select_25 = and_24 ? memory_rdata_q[33:32] : 2'h0;
-  // hls/stages/sobel.hpp:59
   logic [1:0] select_26;
-  assign select_26 = and_24 ? memory_rdata_q[35:34] : 2'h0;
+  assign select_26 = and_25 ? memory_rdata_q[33:32] : 2'h0;
+  // hls/stages/sobel.hpp:59
+  logic [1:0] select_27;
+  assign select_27 = and_25 ? memory_rdata_q[35:34] : 2'h0;
   // hls/stages/sobel.hpp:49
   logic [8:0] sum_29;
   assign sum_29 = {1'b0, memory_rdata_q[7:0]} + {2'h0, memory_rdata_q[23:17]};
@@ -187,43 +190,18 @@ module horopter_sobel (
     end
   end
 
-  logic [7:0] pixel_0_s2_q;
-  logic mask_s2_q;
-  logic marks_first_s2_q;
-  logic marks_last_s2_q;
-  logic [10:0] difference_39_s2_q;
-  logic [10:0] difference_40_s2_q;
-  logic [10:0] sum_42_s2_q;
-  logic [10:0] sum_44_s2_q;
-  logic equal_45_s2_q;
-  logic equal_46_s2_q;
-  always_ff @(posedge clk_i) begin
-    if (s1_en) begin
-      pixel_0_s2_q <= pixel_0_s1_q;
-      mask_s2_q <= mask_s1_q;
-      marks_first_s2_q <= marks_first_s1_q;
-      marks_last_s2_q <= raster_row_ended_q;
-      difference_39_s2_q <= {1'b0, smooth} - {1'b0, smooth_0_values_1_q};
-      difference_40_s2_q <= {1'b0, smooth_2} - {1'b0, smooth_1_values_1_q};
-      sum_42_s2_q <= sum_42;
-      sum_44_s2_q <= sum_44;
-      equal_45_s2_q <= {select_38, equal_37} == 3'h7;
-      equal_46_s2_q <= {select_36, equal_35} == 3'h7;
-    end
-  end
-
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign gx_0_o = difference_39_s2_q;
-  assign gx_1_o = difference_40_s2_q;
-  assign gy_0_o = sum_42_s2_q;
-  assign gy_1_o = sum_44_s2_q;
-  assign saturated_o = equal_45_s2_q;
-  assign mask_o = equal_46_s2_q;
-  assign marks_first_o = marks_first_s2_q;
-  assign marks_last_o = marks_last_s2_q;
-  assign smooth_grey_o = pixel_0_s2_q;
-  assign smooth_exists_o = mask_s2_q;
-  assign valid_o = valid_s2_q;
+  assign gx_0_o = {1'b0, smooth} - {1'b0, smooth_0_values_1_q};
+  assign gx_1_o = {1'b0, smooth_2} - {1'b0, smooth_1_values_1_q};
+  assign gy_0_o = sum_42;
+  assign gy_1_o = sum_44;
+  assign saturated_o = {select_38, equal_37} == 3'h7;
+  assign mask_o = {select_36, equal_35} == 3'h7;
+  assign marks_first_o = marks_first_s1_q;
+  assign marks_last_o = raster_row_ended_q;
+  assign smooth_grey_o = pixel_0_s1_q;
+  assign smooth_exists_o = mask_s1_q;
+  assign valid_o = valid_s1_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin

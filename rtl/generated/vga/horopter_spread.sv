@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Spread<horopter::hls::profiles::vga>, hls/stages/spread.hpp. Do not edit.
 //
-// Latency 3 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 1569 bits, pipeline 72 bits, memories 0 bits.
+// State 1569 bits, pipeline 51 bits, memories 0 bits.
 module horopter_spread (
   input  logic clk_i,
   input  logic rst_ni,
@@ -26,11 +26,10 @@ module horopter_spread (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q, valid_s2_q, valid_s3_q;
-  logic s0_en, s1_en, s2_en;
+  logic valid_s1_q, valid_s2_q;
+  logic s0_en, s1_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
-  assign s2_en = en_i & valid_s2_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic row_ended_q;
@@ -946,6 +945,11 @@ module horopter_spread (
   // hls/stages/spread.hpp:57
   logic [11:0] difference_400;
   assign difference_400 = ({select_395[10], select_395} + {select_398[10], select_398}) - {{5{centres_values_31_vote_s1_q[6]}}, centres_values_31_vote_s1_q};
+  // hls/stages/spread.hpp:60
+  logic [9:0] select_402;
+  assign select_402 = ($signed(difference_400[11:2]) < $signed(10'h381)) ? 10'h381 : difference_400[11:2];
+  logic [7:0] select_404;
+  assign select_404 = ($signed(3'h0) < $signed(select_402[9:7])) ? 8'h7f : select_402[7:0];
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -1206,7 +1210,7 @@ module horopter_spread (
   logic centres_values_31_exists_s2_q;
   logic centres_values_31_marks_first_s2_q;
   logic centres_values_31_marks_last_s2_q;
-  logic [9:0] difference_400_s2_q;
+  logic [7:0] select_405_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       centres_values_31_firm_s2_q <= centres_values_31_firm_s1_q;
@@ -1214,52 +1218,26 @@ module horopter_spread (
       centres_values_31_exists_s2_q <= centres_values_31_exists_s1_q;
       centres_values_31_marks_first_s2_q <= centres_values_31_marks_first_s1_q;
       centres_values_31_marks_last_s2_q <= centres_values_31_marks_last_s1_q;
-      difference_400_s2_q <= difference_400[11:2];
-    end
-  end
-
-  // Stage 2 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/spread.hpp:60
-  logic [9:0] select_402;
-  assign select_402 = ($signed(difference_400_s2_q) < $signed(10'h381)) ? 10'h381 : difference_400_s2_q;
-  logic [7:0] select_404;
-  assign select_404 = ($signed(3'h0) < $signed(select_402[9:7])) ? 8'h7f : select_402[7:0];
-
-  logic centres_values_31_firm_s3_q;
-  logic [5:0] centres_values_31_grey_s3_q;
-  logic centres_values_31_exists_s3_q;
-  logic centres_values_31_marks_first_s3_q;
-  logic centres_values_31_marks_last_s3_q;
-  logic [7:0] select_405_s3_q;
-  always_ff @(posedge clk_i) begin
-    if (s2_en) begin
-      centres_values_31_firm_s3_q <= centres_values_31_firm_s2_q;
-      centres_values_31_grey_s3_q <= centres_values_31_grey_s2_q;
-      centres_values_31_exists_s3_q <= centres_values_31_exists_s2_q;
-      centres_values_31_marks_first_s3_q <= centres_values_31_marks_first_s2_q;
-      centres_values_31_marks_last_s3_q <= centres_values_31_marks_last_s2_q;
-      select_405_s3_q <= centres_values_31_exists_s2_q ? select_404 : 8'h0;
+      select_405_s2_q <= centres_values_31_exists_s1_q ? select_404 : 8'h0;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign vote_o = select_405_s3_q;
-  assign firm_o = centres_values_31_firm_s3_q;
-  assign grey_o = centres_values_31_grey_s3_q;
-  assign exists_o = centres_values_31_exists_s3_q;
-  assign marks_first_o = centres_values_31_marks_first_s3_q;
-  assign marks_last_o = centres_values_31_marks_last_s3_q;
-  assign valid_o = valid_s3_q;
+  assign vote_o = select_405_s2_q;
+  assign firm_o = centres_values_31_firm_s2_q;
+  assign grey_o = centres_values_31_grey_s2_q;
+  assign exists_o = centres_values_31_exists_s2_q;
+  assign marks_first_o = centres_values_31_marks_first_s2_q;
+  assign marks_last_o = centres_values_31_marks_last_s2_q;
+  assign valid_o = valid_s2_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       valid_s1_q <= 1'b0;
       valid_s2_q <= 1'b0;
-      valid_s3_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
       valid_s2_q <= valid_s1_q;
-      valid_s3_q <= valid_s2_q;
     end
   end
 

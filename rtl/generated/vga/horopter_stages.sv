@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by scripts/generate-profiles from hls/stages/stage_list.def: change that, not this.
 // The stages of the profile `vga` from the 2x2 source pixels to states, runs and counts. Ports: their modules.
-module horopter_stages (
+// THESIS, COMPETE: the rules that are built, of those that the profile has.
+module horopter_stages #(
+  parameter bit THESIS = horopter_profile_pkg::THESIS,
+  parameter bit COMPETE = horopter_profile_pkg::COMPETE
+) (
   input  logic clk_i,
   input  logic rst_ni,
   input  logic valid_i,
@@ -49,6 +53,12 @@ module horopter_stages (
   output logic alarm_too_undecidable_o,
   output logic alarm_too_unsupervised_o
 );
+  if (!THESIS && !COMPETE) begin : g_illegal
+    $fatal(1, "horopter_stages: neither THESIS nor COMPETE");
+  end
+  logic compete;
+  assign compete = COMPETE && (cfg_compete_i || !THESIS);
+
   logic interpolate_valid_o;
   logic [7:0] interpolate_pixel_0_o;
   logic [7:0] interpolate_pixel_1_o;
@@ -178,29 +188,41 @@ module horopter_stages (
   logic direction_mask_o;
   logic direction_marks_first_o;
   logic direction_marks_last_o;
-  horopter_direction u_direction (
-    .clk_i(clk_i),
-    .rst_ni(rst_ni),
-    .en_i(1'b1),
-    .valid_i(sobel_valid_o),
-    .gx_0_i(sobel_gx_0_o),
-    .gx_1_i(sobel_gx_1_o),
-    .gy_0_i(sobel_gy_0_o),
-    .gy_1_i(sobel_gy_1_o),
-    .saturated_i(sobel_saturated_o),
-    .mask_i(sobel_mask_o),
-    .marks_first_i(sobel_marks_first_o),
-    .marks_last_i(sobel_marks_last_o),
-    .valid_o(direction_valid_o),
-    .direction_0_o(direction_direction_0_o),
-    .direction_1_o(direction_direction_1_o),
-    .magnitude_0_o(direction_magnitude_0_o),
-    .magnitude_1_o(direction_magnitude_1_o),
-    .saturated_o(direction_saturated_o),
-    .mask_o(direction_mask_o),
-    .marks_first_o(direction_marks_first_o),
-    .marks_last_o(direction_marks_last_o)
-  );
+  if (THESIS) begin : g_direction
+    horopter_direction u_direction (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .en_i(1'b1),
+      .valid_i(sobel_valid_o),
+      .gx_0_i(sobel_gx_0_o),
+      .gx_1_i(sobel_gx_1_o),
+      .gy_0_i(sobel_gy_0_o),
+      .gy_1_i(sobel_gy_1_o),
+      .saturated_i(sobel_saturated_o),
+      .mask_i(sobel_mask_o),
+      .marks_first_i(sobel_marks_first_o),
+      .marks_last_i(sobel_marks_last_o),
+      .valid_o(direction_valid_o),
+      .direction_0_o(direction_direction_0_o),
+      .direction_1_o(direction_direction_1_o),
+      .magnitude_0_o(direction_magnitude_0_o),
+      .magnitude_1_o(direction_magnitude_1_o),
+      .saturated_o(direction_saturated_o),
+      .mask_o(direction_mask_o),
+      .marks_first_o(direction_marks_first_o),
+      .marks_last_o(direction_marks_last_o)
+    );
+  end else begin : g_no_direction
+    assign direction_valid_o = '0;
+    assign direction_direction_0_o = '0;
+    assign direction_direction_1_o = '0;
+    assign direction_magnitude_0_o = '0;
+    assign direction_magnitude_1_o = '0;
+    assign direction_saturated_o = '0;
+    assign direction_mask_o = '0;
+    assign direction_marks_first_o = '0;
+    assign direction_marks_last_o = '0;
+  end
 
   logic difference_valid_o;
   logic [3:0] difference_difference_0_o;
@@ -209,27 +231,37 @@ module horopter_stages (
   logic difference_mask_o;
   logic difference_marks_first_o;
   logic difference_marks_last_o;
-  horopter_difference u_difference (
-    .clk_i(clk_i),
-    .rst_ni(rst_ni),
-    .en_i(1'b1),
-    .valid_i(direction_valid_o),
-    .direction_0_i(direction_direction_0_o),
-    .direction_1_i(direction_direction_1_o),
-    .magnitude_0_i(direction_magnitude_0_o),
-    .magnitude_1_i(direction_magnitude_1_o),
-    .saturated_i(direction_saturated_o),
-    .mask_i(direction_mask_o),
-    .marks_first_i(direction_marks_first_o),
-    .marks_last_i(direction_marks_last_o),
-    .valid_o(difference_valid_o),
-    .difference_0_o(difference_difference_0_o),
-    .difference_1_o(difference_difference_1_o),
-    .magnitude_o(difference_magnitude_o),
-    .mask_o(difference_mask_o),
-    .marks_first_o(difference_marks_first_o),
-    .marks_last_o(difference_marks_last_o)
-  );
+  if (THESIS) begin : g_difference
+    horopter_difference u_difference (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .en_i(1'b1),
+      .valid_i(direction_valid_o),
+      .direction_0_i(direction_direction_0_o),
+      .direction_1_i(direction_direction_1_o),
+      .magnitude_0_i(direction_magnitude_0_o),
+      .magnitude_1_i(direction_magnitude_1_o),
+      .saturated_i(direction_saturated_o),
+      .mask_i(direction_mask_o),
+      .marks_first_i(direction_marks_first_o),
+      .marks_last_i(direction_marks_last_o),
+      .valid_o(difference_valid_o),
+      .difference_0_o(difference_difference_0_o),
+      .difference_1_o(difference_difference_1_o),
+      .magnitude_o(difference_magnitude_o),
+      .mask_o(difference_mask_o),
+      .marks_first_o(difference_marks_first_o),
+      .marks_last_o(difference_marks_last_o)
+    );
+  end else begin : g_no_difference
+    assign difference_valid_o = '0;
+    assign difference_difference_0_o = '0;
+    assign difference_difference_1_o = '0;
+    assign difference_magnitude_o = '0;
+    assign difference_mask_o = '0;
+    assign difference_marks_first_o = '0;
+    assign difference_marks_last_o = '0;
+  end
 
   logic texture_valid_o;
   logic [3:0] texture_difference_0_o;
@@ -238,26 +270,36 @@ module horopter_stages (
   logic texture_mask_o;
   logic texture_marks_first_o;
   logic texture_marks_last_o;
-  horopter_texture u_texture (
-    .clk_i(clk_i),
-    .rst_ni(rst_ni),
-    .en_i(1'b1),
-    .valid_i(difference_valid_o),
-    .difference_0_i(difference_difference_0_o),
-    .difference_1_i(difference_difference_1_o),
-    .magnitude_i(difference_magnitude_o),
-    .mask_i(difference_mask_o),
-    .marks_first_i(difference_marks_first_o),
-    .marks_last_i(difference_marks_last_o),
-    .cfg_texture_limit_i(cfg_texture_limit_i),
-    .valid_o(texture_valid_o),
-    .difference_0_o(texture_difference_0_o),
-    .difference_1_o(texture_difference_1_o),
-    .textured_o(texture_textured_o),
-    .mask_o(texture_mask_o),
-    .marks_first_o(texture_marks_first_o),
-    .marks_last_o(texture_marks_last_o)
-  );
+  if (THESIS) begin : g_texture
+    horopter_texture u_texture (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .en_i(1'b1),
+      .valid_i(difference_valid_o),
+      .difference_0_i(difference_difference_0_o),
+      .difference_1_i(difference_difference_1_o),
+      .magnitude_i(difference_magnitude_o),
+      .mask_i(difference_mask_o),
+      .marks_first_i(difference_marks_first_o),
+      .marks_last_i(difference_marks_last_o),
+      .cfg_texture_limit_i(cfg_texture_limit_i),
+      .valid_o(texture_valid_o),
+      .difference_0_o(texture_difference_0_o),
+      .difference_1_o(texture_difference_1_o),
+      .textured_o(texture_textured_o),
+      .mask_o(texture_mask_o),
+      .marks_first_o(texture_marks_first_o),
+      .marks_last_o(texture_marks_last_o)
+    );
+  end else begin : g_no_texture
+    assign texture_valid_o = '0;
+    assign texture_difference_0_o = '0;
+    assign texture_difference_1_o = '0;
+    assign texture_textured_o = '0;
+    assign texture_mask_o = '0;
+    assign texture_marks_first_o = '0;
+    assign texture_marks_last_o = '0;
+  end
 
   logic dsad_valid_o;
   logic [10:0] dsad_sum_0_o;
@@ -266,25 +308,35 @@ module horopter_stages (
   logic dsad_mask_o;
   logic dsad_marks_first_o;
   logic dsad_marks_last_o;
-  horopter_dsad u_dsad (
-    .clk_i(clk_i),
-    .rst_ni(rst_ni),
-    .en_i(1'b1),
-    .valid_i(texture_valid_o),
-    .difference_0_i(texture_difference_0_o),
-    .difference_1_i(texture_difference_1_o),
-    .textured_i(texture_textured_o),
-    .mask_i(texture_mask_o),
-    .marks_first_i(texture_marks_first_o),
-    .marks_last_i(texture_marks_last_o),
-    .valid_o(dsad_valid_o),
-    .sum_0_o(dsad_sum_0_o),
-    .sum_1_o(dsad_sum_1_o),
-    .textured_o(dsad_textured_o),
-    .mask_o(dsad_mask_o),
-    .marks_first_o(dsad_marks_first_o),
-    .marks_last_o(dsad_marks_last_o)
-  );
+  if (THESIS) begin : g_dsad
+    horopter_dsad u_dsad (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .en_i(1'b1),
+      .valid_i(texture_valid_o),
+      .difference_0_i(texture_difference_0_o),
+      .difference_1_i(texture_difference_1_o),
+      .textured_i(texture_textured_o),
+      .mask_i(texture_mask_o),
+      .marks_first_i(texture_marks_first_o),
+      .marks_last_i(texture_marks_last_o),
+      .valid_o(dsad_valid_o),
+      .sum_0_o(dsad_sum_0_o),
+      .sum_1_o(dsad_sum_1_o),
+      .textured_o(dsad_textured_o),
+      .mask_o(dsad_mask_o),
+      .marks_first_o(dsad_marks_first_o),
+      .marks_last_o(dsad_marks_last_o)
+    );
+  end else begin : g_no_dsad
+    assign dsad_valid_o = '0;
+    assign dsad_sum_0_o = '0;
+    assign dsad_sum_1_o = '0;
+    assign dsad_textured_o = '0;
+    assign dsad_mask_o = '0;
+    assign dsad_marks_first_o = '0;
+    assign dsad_marks_last_o = '0;
+  end
 
   logic threshold_valid_o;
   logic threshold_skin_o;
@@ -292,46 +344,62 @@ module horopter_stages (
   logic threshold_mask_o;
   logic threshold_marks_first_o;
   logic threshold_marks_last_o;
-  horopter_threshold u_threshold (
-    .clk_i(clk_i),
-    .rst_ni(rst_ni),
-    .en_i(1'b1),
-    .valid_i(dsad_valid_o),
-    .sum_0_i(dsad_sum_0_o),
-    .sum_1_i(dsad_sum_1_o),
-    .textured_i(dsad_textured_o),
-    .mask_i(dsad_mask_o),
-    .marks_first_i(dsad_marks_first_o),
-    .marks_last_i(dsad_marks_last_o),
-    .cfg_sum_limit_i(cfg_sum_limit_i),
-    .cfg_self_limit_i(cfg_self_limit_i),
-    .valid_o(threshold_valid_o),
-    .skin_o(threshold_skin_o),
-    .decidable_o(threshold_decidable_o),
-    .mask_o(threshold_mask_o),
-    .marks_first_o(threshold_marks_first_o),
-    .marks_last_o(threshold_marks_last_o)
-  );
+  if (THESIS) begin : g_threshold
+    horopter_threshold u_threshold (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .en_i(1'b1),
+      .valid_i(dsad_valid_o),
+      .sum_0_i(dsad_sum_0_o),
+      .sum_1_i(dsad_sum_1_o),
+      .textured_i(dsad_textured_o),
+      .mask_i(dsad_mask_o),
+      .marks_first_i(dsad_marks_first_o),
+      .marks_last_i(dsad_marks_last_o),
+      .cfg_sum_limit_i(cfg_sum_limit_i),
+      .cfg_self_limit_i(cfg_self_limit_i),
+      .valid_o(threshold_valid_o),
+      .skin_o(threshold_skin_o),
+      .decidable_o(threshold_decidable_o),
+      .mask_o(threshold_mask_o),
+      .marks_first_o(threshold_marks_first_o),
+      .marks_last_o(threshold_marks_last_o)
+    );
+  end else begin : g_no_threshold
+    assign threshold_valid_o = '0;
+    assign threshold_skin_o = '0;
+    assign threshold_decidable_o = '0;
+    assign threshold_mask_o = '0;
+    assign threshold_marks_first_o = '0;
+    assign threshold_marks_last_o = '0;
+  end
 
   logic majority_valid_o;
   logic [1:0] majority_state_o;
   logic majority_marks_first_o;
   logic majority_marks_last_o;
-  horopter_majority u_majority (
-    .clk_i(clk_i),
-    .rst_ni(rst_ni),
-    .en_i(1'b1),
-    .valid_i(threshold_valid_o),
-    .skin_i(threshold_skin_o),
-    .decidable_i(threshold_decidable_o),
-    .mask_i(threshold_mask_o),
-    .marks_first_i(threshold_marks_first_o),
-    .marks_last_i(threshold_marks_last_o),
-    .valid_o(majority_valid_o),
-    .state_o(majority_state_o),
-    .marks_first_o(majority_marks_first_o),
-    .marks_last_o(majority_marks_last_o)
-  );
+  if (THESIS) begin : g_majority
+    horopter_majority u_majority (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .en_i(1'b1),
+      .valid_i(threshold_valid_o),
+      .skin_i(threshold_skin_o),
+      .decidable_i(threshold_decidable_o),
+      .mask_i(threshold_mask_o),
+      .marks_first_i(threshold_marks_first_o),
+      .marks_last_i(threshold_marks_last_o),
+      .valid_o(majority_valid_o),
+      .state_o(majority_state_o),
+      .marks_first_o(majority_marks_first_o),
+      .marks_last_o(majority_marks_last_o)
+    );
+  end else begin : g_no_majority
+    assign majority_valid_o = '0;
+    assign majority_state_o = '0;
+    assign majority_marks_first_o = '0;
+    assign majority_marks_last_o = '0;
+  end
 
   logic contrast_valid_o;
   logic signed [5:0] contrast_left_o;
@@ -341,30 +409,41 @@ module horopter_stages (
   logic contrast_exists_o;
   logic contrast_marks_first_o;
   logic contrast_marks_last_o;
-  horopter_contrast u_contrast (
-    .clk_i(clk_i),
-    .rst_ni(rst_ni),
-    .en_i(1'b1),
-    .valid_i(sobel_valid_o),
-    .gx_0_i(sobel_gx_0_o),
-    .gx_1_i(sobel_gx_1_o),
-    .gy_0_i(sobel_gy_0_o),
-    .gy_1_i(sobel_gy_1_o),
-    .saturated_i(sobel_saturated_o),
-    .mask_i(sobel_mask_o),
-    .marks_first_i(sobel_marks_first_o),
-    .marks_last_i(sobel_marks_last_o),
-    .smooth_grey_i(sobel_smooth_grey_o),
-    .smooth_exists_i(sobel_smooth_exists_o),
-    .valid_o(contrast_valid_o),
-    .left_o(contrast_left_o),
-    .right_o(contrast_right_o),
-    .mask_o(contrast_mask_o),
-    .grey_o(contrast_grey_o),
-    .exists_o(contrast_exists_o),
-    .marks_first_o(contrast_marks_first_o),
-    .marks_last_o(contrast_marks_last_o)
-  );
+  if (COMPETE) begin : g_contrast
+    horopter_contrast u_contrast (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .en_i(1'b1),
+      .valid_i(sobel_valid_o),
+      .gx_0_i(sobel_gx_0_o),
+      .gx_1_i(sobel_gx_1_o),
+      .gy_0_i(sobel_gy_0_o),
+      .gy_1_i(sobel_gy_1_o),
+      .saturated_i(sobel_saturated_o),
+      .mask_i(sobel_mask_o),
+      .marks_first_i(sobel_marks_first_o),
+      .marks_last_i(sobel_marks_last_o),
+      .smooth_grey_i(sobel_smooth_grey_o),
+      .smooth_exists_i(sobel_smooth_exists_o),
+      .valid_o(contrast_valid_o),
+      .left_o(contrast_left_o),
+      .right_o(contrast_right_o),
+      .mask_o(contrast_mask_o),
+      .grey_o(contrast_grey_o),
+      .exists_o(contrast_exists_o),
+      .marks_first_o(contrast_marks_first_o),
+      .marks_last_o(contrast_marks_last_o)
+    );
+  end else begin : g_no_contrast
+    assign contrast_valid_o = '0;
+    assign contrast_left_o = '0;
+    assign contrast_right_o = '0;
+    assign contrast_mask_o = '0;
+    assign contrast_grey_o = '0;
+    assign contrast_exists_o = '0;
+    assign contrast_marks_first_o = '0;
+    assign contrast_marks_last_o = '0;
+  end
 
   logic plane_sums_valid_o;
   logic [10:0] plane_sums_sum_0_o;
@@ -392,45 +471,74 @@ module horopter_stages (
   logic plane_sums_exists_o;
   logic plane_sums_marks_first_o;
   logic plane_sums_marks_last_o;
-  horopter_plane_sums u_plane_sums (
-    .clk_i(clk_i),
-    .rst_ni(rst_ni),
-    .en_i(1'b1),
-    .valid_i(contrast_valid_o),
-    .left_i(contrast_left_o),
-    .right_i(contrast_right_o),
-    .mask_i(contrast_mask_o),
-    .grey_i(contrast_grey_o),
-    .exists_i(contrast_exists_o),
-    .marks_first_i(contrast_marks_first_o),
-    .marks_last_i(contrast_marks_last_o),
-    .valid_o(plane_sums_valid_o),
-    .sum_0_o(plane_sums_sum_0_o),
-    .sum_1_o(plane_sums_sum_1_o),
-    .sum_2_o(plane_sums_sum_2_o),
-    .sum_3_o(plane_sums_sum_3_o),
-    .sum_4_o(plane_sums_sum_4_o),
-    .sum_5_o(plane_sums_sum_5_o),
-    .sum_6_o(plane_sums_sum_6_o),
-    .sum_7_o(plane_sums_sum_7_o),
-    .sum_8_o(plane_sums_sum_8_o),
-    .sum_9_o(plane_sums_sum_9_o),
-    .sum_10_o(plane_sums_sum_10_o),
-    .sum_11_o(plane_sums_sum_11_o),
-    .sum_12_o(plane_sums_sum_12_o),
-    .sum_13_o(plane_sums_sum_13_o),
-    .sum_14_o(plane_sums_sum_14_o),
-    .sum_15_o(plane_sums_sum_15_o),
-    .sum_16_o(plane_sums_sum_16_o),
-    .sum_17_o(plane_sums_sum_17_o),
-    .sum_18_o(plane_sums_sum_18_o),
-    .evidence_o(plane_sums_evidence_o),
-    .grey_o(plane_sums_grey_o),
-    .known_o(plane_sums_known_o),
-    .exists_o(plane_sums_exists_o),
-    .marks_first_o(plane_sums_marks_first_o),
-    .marks_last_o(plane_sums_marks_last_o)
-  );
+  if (COMPETE) begin : g_plane_sums
+    horopter_plane_sums u_plane_sums (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .en_i(1'b1),
+      .valid_i(contrast_valid_o),
+      .left_i(contrast_left_o),
+      .right_i(contrast_right_o),
+      .mask_i(contrast_mask_o),
+      .grey_i(contrast_grey_o),
+      .exists_i(contrast_exists_o),
+      .marks_first_i(contrast_marks_first_o),
+      .marks_last_i(contrast_marks_last_o),
+      .valid_o(plane_sums_valid_o),
+      .sum_0_o(plane_sums_sum_0_o),
+      .sum_1_o(plane_sums_sum_1_o),
+      .sum_2_o(plane_sums_sum_2_o),
+      .sum_3_o(plane_sums_sum_3_o),
+      .sum_4_o(plane_sums_sum_4_o),
+      .sum_5_o(plane_sums_sum_5_o),
+      .sum_6_o(plane_sums_sum_6_o),
+      .sum_7_o(plane_sums_sum_7_o),
+      .sum_8_o(plane_sums_sum_8_o),
+      .sum_9_o(plane_sums_sum_9_o),
+      .sum_10_o(plane_sums_sum_10_o),
+      .sum_11_o(plane_sums_sum_11_o),
+      .sum_12_o(plane_sums_sum_12_o),
+      .sum_13_o(plane_sums_sum_13_o),
+      .sum_14_o(plane_sums_sum_14_o),
+      .sum_15_o(plane_sums_sum_15_o),
+      .sum_16_o(plane_sums_sum_16_o),
+      .sum_17_o(plane_sums_sum_17_o),
+      .sum_18_o(plane_sums_sum_18_o),
+      .evidence_o(plane_sums_evidence_o),
+      .grey_o(plane_sums_grey_o),
+      .known_o(plane_sums_known_o),
+      .exists_o(plane_sums_exists_o),
+      .marks_first_o(plane_sums_marks_first_o),
+      .marks_last_o(plane_sums_marks_last_o)
+    );
+  end else begin : g_no_plane_sums
+    assign plane_sums_valid_o = '0;
+    assign plane_sums_sum_0_o = '0;
+    assign plane_sums_sum_1_o = '0;
+    assign plane_sums_sum_2_o = '0;
+    assign plane_sums_sum_3_o = '0;
+    assign plane_sums_sum_4_o = '0;
+    assign plane_sums_sum_5_o = '0;
+    assign plane_sums_sum_6_o = '0;
+    assign plane_sums_sum_7_o = '0;
+    assign plane_sums_sum_8_o = '0;
+    assign plane_sums_sum_9_o = '0;
+    assign plane_sums_sum_10_o = '0;
+    assign plane_sums_sum_11_o = '0;
+    assign plane_sums_sum_12_o = '0;
+    assign plane_sums_sum_13_o = '0;
+    assign plane_sums_sum_14_o = '0;
+    assign plane_sums_sum_15_o = '0;
+    assign plane_sums_sum_16_o = '0;
+    assign plane_sums_sum_17_o = '0;
+    assign plane_sums_sum_18_o = '0;
+    assign plane_sums_evidence_o = '0;
+    assign plane_sums_grey_o = '0;
+    assign plane_sums_known_o = '0;
+    assign plane_sums_exists_o = '0;
+    assign plane_sums_marks_first_o = '0;
+    assign plane_sums_marks_last_o = '0;
+  end
 
   logic plane_paths_valid_o;
   logic [11:0] plane_paths_cost_0_o;
@@ -459,64 +567,94 @@ module horopter_stages (
   logic plane_paths_exists_o;
   logic plane_paths_marks_first_o;
   logic plane_paths_marks_last_o;
-  horopter_plane_paths u_plane_paths (
-    .clk_i(clk_i),
-    .rst_ni(rst_ni),
-    .en_i(1'b1),
-    .valid_i(plane_sums_valid_o),
-    .sum_0_i(plane_sums_sum_0_o),
-    .sum_1_i(plane_sums_sum_1_o),
-    .sum_2_i(plane_sums_sum_2_o),
-    .sum_3_i(plane_sums_sum_3_o),
-    .sum_4_i(plane_sums_sum_4_o),
-    .sum_5_i(plane_sums_sum_5_o),
-    .sum_6_i(plane_sums_sum_6_o),
-    .sum_7_i(plane_sums_sum_7_o),
-    .sum_8_i(plane_sums_sum_8_o),
-    .sum_9_i(plane_sums_sum_9_o),
-    .sum_10_i(plane_sums_sum_10_o),
-    .sum_11_i(plane_sums_sum_11_o),
-    .sum_12_i(plane_sums_sum_12_o),
-    .sum_13_i(plane_sums_sum_13_o),
-    .sum_14_i(plane_sums_sum_14_o),
-    .sum_15_i(plane_sums_sum_15_o),
-    .sum_16_i(plane_sums_sum_16_o),
-    .sum_17_i(plane_sums_sum_17_o),
-    .sum_18_i(plane_sums_sum_18_o),
-    .evidence_i(plane_sums_evidence_o),
-    .grey_i(plane_sums_grey_o),
-    .known_i(plane_sums_known_o),
-    .exists_i(plane_sums_exists_o),
-    .marks_first_i(plane_sums_marks_first_o),
-    .marks_last_i(plane_sums_marks_last_o),
-    .valid_o(plane_paths_valid_o),
-    .cost_0_o(plane_paths_cost_0_o),
-    .cost_1_o(plane_paths_cost_1_o),
-    .cost_2_o(plane_paths_cost_2_o),
-    .cost_3_o(plane_paths_cost_3_o),
-    .cost_4_o(plane_paths_cost_4_o),
-    .cost_5_o(plane_paths_cost_5_o),
-    .cost_6_o(plane_paths_cost_6_o),
-    .cost_7_o(plane_paths_cost_7_o),
-    .cost_8_o(plane_paths_cost_8_o),
-    .cost_9_o(plane_paths_cost_9_o),
-    .cost_10_o(plane_paths_cost_10_o),
-    .cost_11_o(plane_paths_cost_11_o),
-    .cost_12_o(plane_paths_cost_12_o),
-    .cost_13_o(plane_paths_cost_13_o),
-    .cost_14_o(plane_paths_cost_14_o),
-    .cost_15_o(plane_paths_cost_15_o),
-    .cost_16_o(plane_paths_cost_16_o),
-    .cost_17_o(plane_paths_cost_17_o),
-    .cost_18_o(plane_paths_cost_18_o),
-    .grey_o(plane_paths_grey_o),
-    .known_o(plane_paths_known_o),
-    .evident_o(plane_paths_evident_o),
-    .strong_v_o(plane_paths_strong_v_o),
-    .exists_o(plane_paths_exists_o),
-    .marks_first_o(plane_paths_marks_first_o),
-    .marks_last_o(plane_paths_marks_last_o)
-  );
+  if (COMPETE) begin : g_plane_paths
+    horopter_plane_paths u_plane_paths (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .en_i(1'b1),
+      .valid_i(plane_sums_valid_o),
+      .sum_0_i(plane_sums_sum_0_o),
+      .sum_1_i(plane_sums_sum_1_o),
+      .sum_2_i(plane_sums_sum_2_o),
+      .sum_3_i(plane_sums_sum_3_o),
+      .sum_4_i(plane_sums_sum_4_o),
+      .sum_5_i(plane_sums_sum_5_o),
+      .sum_6_i(plane_sums_sum_6_o),
+      .sum_7_i(plane_sums_sum_7_o),
+      .sum_8_i(plane_sums_sum_8_o),
+      .sum_9_i(plane_sums_sum_9_o),
+      .sum_10_i(plane_sums_sum_10_o),
+      .sum_11_i(plane_sums_sum_11_o),
+      .sum_12_i(plane_sums_sum_12_o),
+      .sum_13_i(plane_sums_sum_13_o),
+      .sum_14_i(plane_sums_sum_14_o),
+      .sum_15_i(plane_sums_sum_15_o),
+      .sum_16_i(plane_sums_sum_16_o),
+      .sum_17_i(plane_sums_sum_17_o),
+      .sum_18_i(plane_sums_sum_18_o),
+      .evidence_i(plane_sums_evidence_o),
+      .grey_i(plane_sums_grey_o),
+      .known_i(plane_sums_known_o),
+      .exists_i(plane_sums_exists_o),
+      .marks_first_i(plane_sums_marks_first_o),
+      .marks_last_i(plane_sums_marks_last_o),
+      .valid_o(plane_paths_valid_o),
+      .cost_0_o(plane_paths_cost_0_o),
+      .cost_1_o(plane_paths_cost_1_o),
+      .cost_2_o(plane_paths_cost_2_o),
+      .cost_3_o(plane_paths_cost_3_o),
+      .cost_4_o(plane_paths_cost_4_o),
+      .cost_5_o(plane_paths_cost_5_o),
+      .cost_6_o(plane_paths_cost_6_o),
+      .cost_7_o(plane_paths_cost_7_o),
+      .cost_8_o(plane_paths_cost_8_o),
+      .cost_9_o(plane_paths_cost_9_o),
+      .cost_10_o(plane_paths_cost_10_o),
+      .cost_11_o(plane_paths_cost_11_o),
+      .cost_12_o(plane_paths_cost_12_o),
+      .cost_13_o(plane_paths_cost_13_o),
+      .cost_14_o(plane_paths_cost_14_o),
+      .cost_15_o(plane_paths_cost_15_o),
+      .cost_16_o(plane_paths_cost_16_o),
+      .cost_17_o(plane_paths_cost_17_o),
+      .cost_18_o(plane_paths_cost_18_o),
+      .grey_o(plane_paths_grey_o),
+      .known_o(plane_paths_known_o),
+      .evident_o(plane_paths_evident_o),
+      .strong_v_o(plane_paths_strong_v_o),
+      .exists_o(plane_paths_exists_o),
+      .marks_first_o(plane_paths_marks_first_o),
+      .marks_last_o(plane_paths_marks_last_o)
+    );
+  end else begin : g_no_plane_paths
+    assign plane_paths_valid_o = '0;
+    assign plane_paths_cost_0_o = '0;
+    assign plane_paths_cost_1_o = '0;
+    assign plane_paths_cost_2_o = '0;
+    assign plane_paths_cost_3_o = '0;
+    assign plane_paths_cost_4_o = '0;
+    assign plane_paths_cost_5_o = '0;
+    assign plane_paths_cost_6_o = '0;
+    assign plane_paths_cost_7_o = '0;
+    assign plane_paths_cost_8_o = '0;
+    assign plane_paths_cost_9_o = '0;
+    assign plane_paths_cost_10_o = '0;
+    assign plane_paths_cost_11_o = '0;
+    assign plane_paths_cost_12_o = '0;
+    assign plane_paths_cost_13_o = '0;
+    assign plane_paths_cost_14_o = '0;
+    assign plane_paths_cost_15_o = '0;
+    assign plane_paths_cost_16_o = '0;
+    assign plane_paths_cost_17_o = '0;
+    assign plane_paths_cost_18_o = '0;
+    assign plane_paths_grey_o = '0;
+    assign plane_paths_known_o = '0;
+    assign plane_paths_evident_o = '0;
+    assign plane_paths_strong_v_o = '0;
+    assign plane_paths_exists_o = '0;
+    assign plane_paths_marks_first_o = '0;
+    assign plane_paths_marks_last_o = '0;
+  end
 
   logic contest_valid_o;
   logic signed [6:0] contest_vote_o;
@@ -525,46 +663,56 @@ module horopter_stages (
   logic contest_exists_o;
   logic contest_marks_first_o;
   logic contest_marks_last_o;
-  horopter_contest u_contest (
-    .clk_i(clk_i),
-    .rst_ni(rst_ni),
-    .en_i(1'b1),
-    .valid_i(plane_paths_valid_o),
-    .cost_0_i(plane_paths_cost_0_o),
-    .cost_1_i(plane_paths_cost_1_o),
-    .cost_2_i(plane_paths_cost_2_o),
-    .cost_3_i(plane_paths_cost_3_o),
-    .cost_4_i(plane_paths_cost_4_o),
-    .cost_5_i(plane_paths_cost_5_o),
-    .cost_6_i(plane_paths_cost_6_o),
-    .cost_7_i(plane_paths_cost_7_o),
-    .cost_8_i(plane_paths_cost_8_o),
-    .cost_9_i(plane_paths_cost_9_o),
-    .cost_10_i(plane_paths_cost_10_o),
-    .cost_11_i(plane_paths_cost_11_o),
-    .cost_12_i(plane_paths_cost_12_o),
-    .cost_13_i(plane_paths_cost_13_o),
-    .cost_14_i(plane_paths_cost_14_o),
-    .cost_15_i(plane_paths_cost_15_o),
-    .cost_16_i(plane_paths_cost_16_o),
-    .cost_17_i(plane_paths_cost_17_o),
-    .cost_18_i(plane_paths_cost_18_o),
-    .grey_i(plane_paths_grey_o),
-    .known_i(plane_paths_known_o),
-    .evident_i(plane_paths_evident_o),
-    .strong_v_i(plane_paths_strong_v_o),
-    .exists_i(plane_paths_exists_o),
-    .marks_first_i(plane_paths_marks_first_o),
-    .marks_last_i(plane_paths_marks_last_o),
-    .cfg_bias_i(cfg_bias_i),
-    .valid_o(contest_valid_o),
-    .vote_o(contest_vote_o),
-    .firm_o(contest_firm_o),
-    .grey_o(contest_grey_o),
-    .exists_o(contest_exists_o),
-    .marks_first_o(contest_marks_first_o),
-    .marks_last_o(contest_marks_last_o)
-  );
+  if (COMPETE) begin : g_contest
+    horopter_contest u_contest (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .en_i(1'b1),
+      .valid_i(plane_paths_valid_o),
+      .cost_0_i(plane_paths_cost_0_o),
+      .cost_1_i(plane_paths_cost_1_o),
+      .cost_2_i(plane_paths_cost_2_o),
+      .cost_3_i(plane_paths_cost_3_o),
+      .cost_4_i(plane_paths_cost_4_o),
+      .cost_5_i(plane_paths_cost_5_o),
+      .cost_6_i(plane_paths_cost_6_o),
+      .cost_7_i(plane_paths_cost_7_o),
+      .cost_8_i(plane_paths_cost_8_o),
+      .cost_9_i(plane_paths_cost_9_o),
+      .cost_10_i(plane_paths_cost_10_o),
+      .cost_11_i(plane_paths_cost_11_o),
+      .cost_12_i(plane_paths_cost_12_o),
+      .cost_13_i(plane_paths_cost_13_o),
+      .cost_14_i(plane_paths_cost_14_o),
+      .cost_15_i(plane_paths_cost_15_o),
+      .cost_16_i(plane_paths_cost_16_o),
+      .cost_17_i(plane_paths_cost_17_o),
+      .cost_18_i(plane_paths_cost_18_o),
+      .grey_i(plane_paths_grey_o),
+      .known_i(plane_paths_known_o),
+      .evident_i(plane_paths_evident_o),
+      .strong_v_i(plane_paths_strong_v_o),
+      .exists_i(plane_paths_exists_o),
+      .marks_first_i(plane_paths_marks_first_o),
+      .marks_last_i(plane_paths_marks_last_o),
+      .cfg_bias_i(cfg_bias_i),
+      .valid_o(contest_valid_o),
+      .vote_o(contest_vote_o),
+      .firm_o(contest_firm_o),
+      .grey_o(contest_grey_o),
+      .exists_o(contest_exists_o),
+      .marks_first_o(contest_marks_first_o),
+      .marks_last_o(contest_marks_last_o)
+    );
+  end else begin : g_no_contest
+    assign contest_valid_o = '0;
+    assign contest_vote_o = '0;
+    assign contest_firm_o = '0;
+    assign contest_grey_o = '0;
+    assign contest_exists_o = '0;
+    assign contest_marks_first_o = '0;
+    assign contest_marks_last_o = '0;
+  end
 
   logic spread_valid_o;
   logic signed [7:0] spread_vote_o;
@@ -573,26 +721,36 @@ module horopter_stages (
   logic spread_exists_o;
   logic spread_marks_first_o;
   logic spread_marks_last_o;
-  horopter_spread u_spread (
-    .clk_i(clk_i),
-    .rst_ni(rst_ni),
-    .en_i(1'b1),
-    .valid_i(contest_valid_o),
-    .vote_i(contest_vote_o),
-    .firm_i(contest_firm_o),
-    .grey_i(contest_grey_o),
-    .exists_i(contest_exists_o),
-    .marks_first_i(contest_marks_first_o),
-    .marks_last_i(contest_marks_last_o),
-    .cfg_smooth_i(cfg_smooth_i),
-    .valid_o(spread_valid_o),
-    .vote_o(spread_vote_o),
-    .firm_o(spread_firm_o),
-    .grey_o(spread_grey_o),
-    .exists_o(spread_exists_o),
-    .marks_first_o(spread_marks_first_o),
-    .marks_last_o(spread_marks_last_o)
-  );
+  if (COMPETE) begin : g_spread
+    horopter_spread u_spread (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .en_i(1'b1),
+      .valid_i(contest_valid_o),
+      .vote_i(contest_vote_o),
+      .firm_i(contest_firm_o),
+      .grey_i(contest_grey_o),
+      .exists_i(contest_exists_o),
+      .marks_first_i(contest_marks_first_o),
+      .marks_last_i(contest_marks_last_o),
+      .cfg_smooth_i(cfg_smooth_i),
+      .valid_o(spread_valid_o),
+      .vote_o(spread_vote_o),
+      .firm_o(spread_firm_o),
+      .grey_o(spread_grey_o),
+      .exists_o(spread_exists_o),
+      .marks_first_o(spread_marks_first_o),
+      .marks_last_o(spread_marks_last_o)
+    );
+  end else begin : g_no_spread
+    assign spread_valid_o = '0;
+    assign spread_vote_o = '0;
+    assign spread_firm_o = '0;
+    assign spread_grey_o = '0;
+    assign spread_exists_o = '0;
+    assign spread_marks_first_o = '0;
+    assign spread_marks_last_o = '0;
+  end
 
   logic ballot_valid_o;
   logic ballot_skin_o;
@@ -600,56 +758,72 @@ module horopter_stages (
   logic ballot_exists_o;
   logic ballot_marks_first_o;
   logic ballot_marks_last_o;
-  horopter_ballot u_ballot (
-    .clk_i(clk_i),
-    .rst_ni(rst_ni),
-    .en_i(1'b1),
-    .valid_i(spread_valid_o),
-    .vote_i(spread_vote_o),
-    .firm_i(spread_firm_o),
-    .grey_i(spread_grey_o),
-    .exists_i(spread_exists_o),
-    .marks_first_i(spread_marks_first_o),
-    .marks_last_i(spread_marks_last_o),
-    .cfg_similar_i(cfg_similar_i),
-    .cfg_quorum_i(cfg_quorum_i),
-    .cfg_clear_quorum_i(cfg_clear_quorum_i),
-    .valid_o(ballot_valid_o),
-    .skin_o(ballot_skin_o),
-    .clear_o(ballot_clear_o),
-    .exists_o(ballot_exists_o),
-    .marks_first_o(ballot_marks_first_o),
-    .marks_last_o(ballot_marks_last_o)
-  );
+  if (COMPETE) begin : g_ballot
+    horopter_ballot u_ballot (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .en_i(1'b1),
+      .valid_i(spread_valid_o),
+      .vote_i(spread_vote_o),
+      .firm_i(spread_firm_o),
+      .grey_i(spread_grey_o),
+      .exists_i(spread_exists_o),
+      .marks_first_i(spread_marks_first_o),
+      .marks_last_i(spread_marks_last_o),
+      .cfg_similar_i(cfg_similar_i),
+      .cfg_quorum_i(cfg_quorum_i),
+      .cfg_clear_quorum_i(cfg_clear_quorum_i),
+      .valid_o(ballot_valid_o),
+      .skin_o(ballot_skin_o),
+      .clear_o(ballot_clear_o),
+      .exists_o(ballot_exists_o),
+      .marks_first_o(ballot_marks_first_o),
+      .marks_last_o(ballot_marks_last_o)
+    );
+  end else begin : g_no_ballot
+    assign ballot_valid_o = '0;
+    assign ballot_skin_o = '0;
+    assign ballot_clear_o = '0;
+    assign ballot_exists_o = '0;
+    assign ballot_marks_first_o = '0;
+    assign ballot_marks_last_o = '0;
+  end
 
   logic consensus_valid_o;
   logic [1:0] consensus_state_o;
   logic consensus_marks_first_o;
   logic consensus_marks_last_o;
-  horopter_consensus u_consensus (
-    .clk_i(clk_i),
-    .rst_ni(rst_ni),
-    .en_i(1'b1),
-    .valid_i(ballot_valid_o),
-    .skin_i(ballot_skin_o),
-    .clear_i(ballot_clear_o),
-    .exists_i(ballot_exists_o),
-    .marks_first_i(ballot_marks_first_o),
-    .marks_last_i(ballot_marks_last_o),
-    .valid_o(consensus_valid_o),
-    .state_o(consensus_state_o),
-    .marks_first_o(consensus_marks_first_o),
-    .marks_last_o(consensus_marks_last_o)
-  );
+  if (COMPETE) begin : g_consensus
+    horopter_consensus u_consensus (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .en_i(1'b1),
+      .valid_i(ballot_valid_o),
+      .skin_i(ballot_skin_o),
+      .clear_i(ballot_clear_o),
+      .exists_i(ballot_exists_o),
+      .marks_first_i(ballot_marks_first_o),
+      .marks_last_i(ballot_marks_last_o),
+      .valid_o(consensus_valid_o),
+      .state_o(consensus_state_o),
+      .marks_first_o(consensus_marks_first_o),
+      .marks_last_o(consensus_marks_last_o)
+    );
+  end else begin : g_no_consensus
+    assign consensus_valid_o = '0;
+    assign consensus_state_o = '0;
+    assign consensus_marks_first_o = '0;
+    assign consensus_marks_last_o = '0;
+  end
 
   logic align_valid_i;
-  assign align_valid_i = cfg_compete_i ? consensus_valid_o : majority_valid_o;
+  assign align_valid_i = compete ? consensus_valid_o : majority_valid_o;
   logic [1:0] align_state_i;
-  assign align_state_i = cfg_compete_i ? consensus_state_o : majority_state_o;
+  assign align_state_i = compete ? consensus_state_o : majority_state_o;
   logic align_marks_first_i;
-  assign align_marks_first_i = cfg_compete_i ? consensus_marks_first_o : majority_marks_first_o;
+  assign align_marks_first_i = compete ? consensus_marks_first_o : majority_marks_first_o;
   logic align_marks_last_i;
-  assign align_marks_last_i = cfg_compete_i ? consensus_marks_last_o : majority_marks_last_o;
+  assign align_marks_last_i = compete ? consensus_marks_last_o : majority_marks_last_o;
   horopter_align u_align (
     .clk_i(clk_i),
     .rst_ni(rst_ni),

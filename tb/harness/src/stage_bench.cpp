@@ -174,9 +174,14 @@ class StageBench {
     for (unsigned n = 0; n <= dut_.latency; ++n) clock(true, false);
   }
 
-  /// Before a reset: no beat between the first and the last writing stage, so that each has written all or nothing.
+  /// Before a reset: no beat between the first and the last writing stage, so that each has written all or nothing, and
+  /// one in the first stage where none needs to be kept out.
   void separate() {
-    if (first_write_ == last_write_) return;
+    if (first_write_ == last_write_) {
+      if (!pending_) offer();
+      clock(true, true);
+      return;
+    }
     const std::uint64_t young = rng_.below(first_write_);
     for (std::uint64_t n = young; n < last_write_; ++n) clock(true, false);
     for (std::uint64_t n = 0; n < young; ++n) {
