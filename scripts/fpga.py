@@ -35,11 +35,12 @@ DECISIONS = {"thesis": ("thesis",), "compete": ("compete",), "both": ("thesis", 
 
 
 def rule_parameters(profile_name, decision):
-    """Parameters of horopter_top that build one rule of decision or both; a sentence where the profile lacks one."""
-    lacking = set(DECISIONS[decision]) - set(DECISIONS[next(c for c in profiles()[profile_name] if c in DECISIONS)])
+    """Parameters of horopter_top that leave out what a decision does not need; a sentence where the profile lacks it."""
+    has = next(c for c in profiles()[profile_name] if c in DECISIONS)
+    lacking = set(DECISIONS[decision]) - set(DECISIONS[has])
     if lacking:
         sys.exit(f"the profile '{profile_name}' does not have the rule {', '.join(lacking)}")
-    return {rule.upper(): int(rule in DECISIONS[decision]) for rule in DECISIONS["both"]}
+    return {rule.upper(): 0 for rule in DECISIONS[has] if rule not in DECISIONS[decision]}
 
 
 def sources(profile_name):
