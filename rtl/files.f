@@ -6,6 +6,7 @@ rtl/axil/horopter_axil_slave.sv
 rtl/csr/horopter_csr.sv
 rtl/store/horopter_framer.sv
 rtl/store/horopter_pairing.sv
+rtl/store/horopter_bad_rows.sv
 rtl/store/horopter_image_store.sv
 rtl/store/horopter_left_store.sv
 rtl/store/horopter_map_store.sv

@@ -423,7 +423,14 @@ class Pipeline {
     std::copy_n(sources.wx.data() + begin, n, taps.wx.begin());
     std::copy_n(sources.wy.data() + begin, n, taps.wy.begin());
     std::copy_n(sources.mask.data() + begin, n, taps.mask.begin());
-    std::copy_n(left.pixels + y * left.stride, n, taps.left.begin());
+    const std::uint8_t* waiting = left.pixels + y * left.stride;
+    if constexpr (P.subsample == 1) {
+      std::copy_n(waiting, n, taps.left.begin());
+    } else {  // the left store keeps the mean of a pair only
+      for (std::size_t i = 0; i + 1 < n; i += 2) {
+        taps.left[i] = taps.left[i + 1] = static_cast<std::uint8_t>((waiting[i] + waiting[i + 1] + 1) / 2);
+      }
+    }
   }
 
   /// Passes a row of beats through all stages from the interpolation on. A stage takes the whole row before the next

@@ -2,10 +2,11 @@
 // subsample: the mean of pixel pairs in x, so that a field's pixels are square (thesis 10.4.3); factor 1 passes
 // through.
 //
-// In, Out   grey values of both images. Out has one beat per pair, at its second pixel: (a + b + 1) >> 1, at most 1/2
-// grey
-//           level above the real mean; saturated if one of the two is, mask if both are. first belongs to the pair that
-//           holds the frame's first pixel. Pixel x of the result is centred on 2x + 1/2 of the input. Offset: none.
+// In, Out   grey values of both images; the left image's come as means of the pair, from the store. Out has one beat
+// per
+//           pair, at its second pixel: left as it came, right (a + b + 1) >> 1, at most 1/2 grey level above the real
+//           mean; saturated if one of the two beats is, mask if both are. first belongs to the pair that holds the
+//           frame's first pixel. Pixel x of the result is centred on 2x + 1/2 of the input. Offset: none.
 // Illegal use: a row with an odd number of beats ends with a pixel of its own, mask 0.
 #pragma once
 
@@ -40,9 +41,8 @@ class Subsampler {
     } else {
       const bool second = second_ && !in.marks.first;
       out.valid = second || in.marks.last;
-      for (std::size_t i = 0; i < 2; ++i) {
-        out.pixel[i] = u<8>(shr<1>(in.pixel[i] + even_.pixel[i] + lit<1>()));
-      }
+      out.pixel[0] = in.pixel[0];
+      out.pixel[1] = u<8>(shr<1>(in.pixel[1] + even_.pixel[1] + lit<1>()));
       out.saturated = in.saturated || even_.saturated;
       out.mask = second && in.mask && even_.mask;
       out.marks.first = second ? even_.marks.first : in.marks.first;
@@ -72,18 +72,17 @@ class PackingSubsampler {
 
   Out step(const In& in) {
     const bool second = second_ && !in.marks.first;
-    const auto mean = [&](std::size_t i) { return u<8>(shr<1>(in.pixel[i] + kept_.pixel[i] + lit<1>())); };
     const bool saturated = in.saturated || kept_.saturated;
     const bool mask = in.mask && kept_.mask;
     Out out;
     out.valid = second || right_waits_;
-    out.pixel[0] = second ? mean(0) : kept_.pixel[1];
+    out.pixel[0] = second ? in.pixel[0] : kept_.pixel[1];
     out.saturated = second ? saturated : kept_.saturated;
     out.mask = second ? mask : kept_.mask;
     out.marks.first = second && kept_.marks.first;
     out.marks.last = !second && (kept_.marks.last || in.marks.last);
 
-    const u<8> right = second ? mean(1) : in.pixel[1];
+    const u<8> right = second ? u<8>(shr<1>(in.pixel[1] + kept_.pixel[1] + lit<1>())) : in.pixel[1];
     kept_ = in;
     kept_.pixel[1] = right;
     if (second) {

@@ -80,18 +80,15 @@ module horopter_image_store #(
   end
 
   // Four banks {row parity, column parity}; within a bank {column / 2, slot / 2}, so that no address is computed.
-  logic write_en, bad_en, bad;
+  logic write_en;
   logic [ADDR_BITS-1:0] write_addr;
   logic [1:0] write_bank;
   logic [7:0] write_pixel;
-  logic [INDEX_BITS-1:0] bad_index;
-  logic bad_row;
-  logic bank_read, bad_read;
-  logic [INDEX_BITS-1:0] even_row, odd_row, bad_even_row, bad_odd_row;  // row pairs, of slots with even and odd number
+  logic bank_read;
+  logic [INDEX_BITS-1:0] even_row, odd_row;  // row pairs, of slots with even and odd number
   logic [COLUMN_BITS-1:0] even_column, odd_column;
   logic [31:0] bank_pixel;  // bank {row parity, column parity} in byte 0 to 3
   logic [3:0] bank_error;
-  logic [1:0] row_is_bad;
   for (genvar r = 0; r < 2; r++) begin : g_row
     for (genvar c = 0; c < 2; c++) begin : g_column
       horopter_ram #(
@@ -111,29 +108,22 @@ module horopter_image_store #(
           .parity_error_o(bank_error[2*r+c])
       );
     end
-
-    logic bad_now, unused_bad_parity;
-    horopter_ram #(
-        .WIDTH(1),
-        .DEPTH(HALF_ROWS)
-    ) u_bad (
-        .clk_i(clk_i),
-        .write_en_i(bad_en && bad_row == 1'(r)),
-        .write_addr_i(bad_index),
-        .write_data_i(bad),
-        .read_en_i(bad_read),
-        .read_addr_i(r == 0 ? bad_even_row : bad_odd_row),
-        .read_data_o(bad_now),
-        .parity_error_o(unused_bad_parity)
-    );
-    if (FAST) begin : g_fast
-      logic [5:1] bad_now_q;
-      always_ff @(posedge clk_i) bad_now_q <= {bad_now_q[4:1], bad_now};
-      assign row_is_bad[r] = bad_now_q[5];
-    end else begin : g_slow
-      assign row_is_bad[r] = bad_now;
-    end
   end
+
+  logic [SLOT_BITS-1:0] asked_slot;
+  logic asked_below, is_bad;  // the row of the 2x2, whether the one below counts, whether one of them is bad
+  horopter_bad_rows #(
+      .ROWS(ROWS)
+  ) u_bad_rows (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .row_done_i(row_done_i),
+      .row_bad_i(row_bad_i),
+      .slot_i(write_slot_i),
+      .row_i(asked_slot),
+      .below_i(asked_below),
+      .bad_o(is_bad)
+  );
 
   // The row of the output that the request belongs to.
   logic [ROW_BITS-1:0] row_q;
@@ -146,22 +136,17 @@ module horopter_image_store #(
     localparam int unsigned READ_LATENCY = 11;
 
     // --- write ---
-    logic write_en_q, write_en_q2, bad_en_q, bad_q, bad_row_q;
-    logic [INDEX_BITS-1:0] bad_index_q;
+    logic write_en_q, write_en_q2;
     logic [ADDR_BITS-1:0] write_addr_q, write_addr_q2;
     logic [1:0] write_bank_q, write_bank_q2;
     logic [7:0] write_pixel_q, write_pixel_q2;
     always_ff @(posedge clk_i) begin
       write_en_q <= write_en_i;
-      bad_en_q <= row_done_i;
       write_en_q2 <= write_en_q;
       if (write_en_i) begin
         write_addr_q <= {write_x_i[COLUMN_BITS:1], write_slot_i[SLOT_BITS-1:1]};
         write_bank_q <= {write_slot_i[0], write_x_i[0]};
         write_pixel_q <= write_pixel_i;
-        bad_q <= row_bad_i;
-        bad_row_q <= write_slot_i[0];
-        bad_index_q <= write_slot_i[SLOT_BITS-1:1];
       end
       if (write_en_q) begin
         write_addr_q2 <= write_addr_q;
@@ -173,10 +158,6 @@ module horopter_image_store #(
     assign write_addr = write_addr_q2;
     assign write_bank = write_bank_q2;
     assign write_pixel = write_pixel_q2;
-    assign bad_en = bad_en_q;
-    assign bad = bad_q;
-    assign bad_row = bad_row_q;
-    assign bad_index = bad_index_q;
 
     // --- read ---
     // Marks and weights travel beside the address, all READ_LATENCY stages.
@@ -248,16 +229,14 @@ module horopter_image_store #(
       s4_odd_row <= s3_slot[SLOT_BITS-1:1];
       s4_even_row <= s3_slot[SLOT_BITS-1:1] + INDEX_BITS'(s3_slot[0]);
     end
-    assign bad_read = s4_ok;
-    assign bad_even_row = s4_even_row;
-    assign bad_odd_row = s4_odd_row;
+    assign asked_slot = {s4_odd_row, s4_row_odd};
+    assign asked_below = s4_below;
 
     // 5: columns of the two column parities.
-    logic [READ_LATENCY-1:5] ok_q, miss_q, below_q, row_odd_q, column_odd_q;
+    logic [READ_LATENCY-1:5] ok_q, miss_q, row_odd_q, column_odd_q;
     always_ff @(posedge clk_i) begin
-      ok_q <= {ok_q[READ_LATENCY-2:5], s4_ok};
+      ok_q <= {ok_q[READ_LATENCY-2:5], s4_ok && !is_bad};
       miss_q <= {miss_q[READ_LATENCY-2:5], s4_miss};
-      below_q <= {below_q[READ_LATENCY-2:5], s4_below};
       row_odd_q <= {row_odd_q[READ_LATENCY-2:5], s4_row_odd};
       column_odd_q <= {column_odd_q[READ_LATENCY-2:5], s4_x[0]};
       even_row <= s4_even_row;
@@ -276,7 +255,7 @@ module horopter_image_store #(
       p01_o <= bank_pixel[{row_odd, !column_odd, 3'b000}+:8];
       p10_o <= bank_pixel[{!row_odd, column_odd, 3'b000}+:8];
       p11_o <= bank_pixel[{!row_odd, !column_odd, 3'b000}+:8];
-      mask_o <= ok_q[10] && !row_is_bad[row_odd] && !(below_q[10] && row_is_bad[!row_odd]);
+      mask_o <= ok_q[10];
       miss_o <= miss_q[10];
       parity_error_o <= ok_q[10] && bank_error != '0;
     end
@@ -321,10 +300,6 @@ module horopter_image_store #(
     assign write_addr = {write_x_i[COLUMN_BITS:1], write_slot_i[SLOT_BITS-1:1]};
     assign write_bank = {write_slot_i[0], write_x_i[0]};
     assign write_pixel = write_pixel_i;
-    assign bad_en = row_done_i;
-    assign bad = row_bad_i;
-    assign bad_row = write_slot_i[0];
-    assign bad_index = write_slot_i[SLOT_BITS-1:1];
 
     // --- read: all of it in the clock in which the memories take their addresses ---
     logic right, below, in_image, in_window, came;
@@ -349,12 +324,11 @@ module horopter_image_store #(
     assign odd_column = x_i[COLUMN_BITS:1];
     assign even_column = x_i[COLUMN_BITS:1] + COLUMN_BITS'(x_i[0] && right);
     assign bank_read = in_image && in_window && came;
-    assign bad_read = bank_read;
-    assign bad_even_row = even_row;
-    assign bad_odd_row = odd_row;
+    assign asked_slot = slot;
+    assign asked_below = below;
 
     // --- answer ---
-    logic ok_q, below_q, row_odd_q, column_odd_q;
+    logic ok_q, row_odd_q, column_odd_q;
     always_ff @(posedge clk_i) begin
       if (!rst_ni) valid_o <= 1'b0;
       else valid_o <= valid_i;
@@ -364,8 +338,7 @@ module horopter_image_store #(
       wx_o <= wx_i;
       wy_o <= wy_i;
       miss_o <= in_image && !in_window;
-      ok_q <= bank_read;
-      below_q <= below;
+      ok_q <= bank_read && !is_bad;
       row_odd_q <= slot[0];
       column_odd_q <= x_i[0];
     end
@@ -373,7 +346,7 @@ module horopter_image_store #(
     assign p01_o = bank_pixel[{row_odd_q, !column_odd_q, 3'b000}+:8];
     assign p10_o = bank_pixel[{!row_odd_q, column_odd_q, 3'b000}+:8];
     assign p11_o = bank_pixel[{!row_odd_q, !column_odd_q, 3'b000}+:8];
-    assign mask_o = ok_q && !row_is_bad[row_odd_q] && !(below_q && row_is_bad[!row_odd_q]);
+    assign mask_o = ok_q;
     assign parity_error_o = ok_q && bank_error != '0;
 
     assign left_valid_o = valid_i;

@@ -4,11 +4,13 @@
 // A ring of ROWS rows. Write side: as the framer gives them; a bad row counts as missing. Read side: requests in raster
 // order, those of live rows only; the pixel comes 6 clocks later if FAST, else 1 (out of step with nothing: the image store
 // asks at the right time). mask_o = the row came and was good. Rows that never came are not in the ring.
+// SUBSAMPLE = 2: what waits is the mean of two pixels, all that is needed of them; both requests of a pair get it.
 // keep_o: rows before it (counted as the framer counts stored rows) are read for good and may be overwritten.
 module horopter_left_store #(
     parameter int unsigned WIDTH = 640,
     parameter int unsigned HEIGHT = 480,
     parameter int unsigned ROWS = 36,
+    parameter int unsigned SUBSAMPLE = 1,
     parameter bit PARITY = 1'b1,
     parameter bit FAST = 1'b0,  // for clocks that need a register after every step, see horopter_ram
     parameter int unsigned SLOT_BITS = $clog2(ROWS)
@@ -35,7 +37,7 @@ module horopter_left_store #(
     output logic                 parity_error_o
 );
   // A multiple of 32 has few ones, and block memories have room for it.
-  localparam int unsigned STRIDE = (WIDTH + 31) / 32 * 32;
+  localparam int unsigned STRIDE = (WIDTH / SUBSAMPLE + 31) / 32 * 32;
   localparam int unsigned DEPTH = ROWS * STRIDE;
   localparam int unsigned ADDR_BITS = $clog2(DEPTH);
   localparam int unsigned ROW_BITS = $clog2(HEIGHT + 1);
@@ -43,6 +45,9 @@ module horopter_left_store #(
 
   if (ROWS < 4 || ROWS > 2048 || WIDTH < 4 || SLOT_BITS != $clog2(ROWS)) begin : g_illegal
     $fatal(1, "horopter_left_store: ROWS must be 4 to 2048, WIDTH at least 4");
+  end
+  if (SUBSAMPLE < 1 || SUBSAMPLE > 2 || WIDTH % SUBSAMPLE != 0 || (SUBSAMPLE != 1 && FAST)) begin : g_illegal_subsample
+    $fatal(1, "horopter_left_store: SUBSAMPLE must be 1, or 2 without FAST and divide WIDTH");
   end
 
   // Slot * STRIDE, by shifts: added for the digits 1 of STRIDE's non-adjacent form, subtracted for the digits -1.
@@ -56,8 +61,8 @@ module horopter_left_store #(
     end
   endfunction
 
-  logic write_en, bad_en, bad_value, read, is_bad, error;
-  logic [SLOT_BITS-1:0] bad_slot, slot_q;
+  logic write_en, read, is_bad, error;
+  logic [SLOT_BITS-1:0] slot_q;
   logic [ADDR_BITS-1:0] write_addr, read_addr;
   logic [7:0] write_pixel, pixel;
   horopter_ram #(
@@ -76,19 +81,17 @@ module horopter_left_store #(
       .read_data_o(pixel),
       .parity_error_o(error)
   );
-  logic unused_bad_parity;
-  horopter_ram #(
-      .WIDTH(1),
-      .DEPTH(ROWS)
-  ) u_bad (
+  horopter_bad_rows #(
+      .ROWS(ROWS)
+  ) u_bad_rows (
       .clk_i(clk_i),
-      .write_en_i(bad_en),
-      .write_addr_i(bad_slot),
-      .write_data_i(bad_value),
-      .read_en_i(read),
-      .read_addr_i(slot_q),
-      .read_data_o(is_bad),
-      .parity_error_o(unused_bad_parity)
+      .rst_ni(rst_ni),
+      .row_done_i(row_done_i),
+      .row_bad_i(row_bad_i),
+      .slot_i(write_slot_i),
+      .row_i(slot_q),
+      .below_i(1'b0),
+      .bad_o(is_bad)
   );
 
   // --- rows of the ring and of the frame ---
@@ -116,21 +119,17 @@ module horopter_left_store #(
 
   if (FAST) begin : g_fast
     // --- write ---
-    logic write_en_q, write_en_q2, bad_en_q, bad_q;
-    logic [SLOT_BITS-1:0] bad_slot_q;
+    logic write_en_q, write_en_q2;
     logic [ADDR_BITS-1:0] write_base_q, write_addr_q;
     logic [11:0] write_x_q;
     logic [7:0] write_pixel_q, write_pixel_q2;
     always_ff @(posedge clk_i) begin
       write_en_q <= write_en_i;
       write_en_q2 <= write_en_q;
-      bad_en_q <= row_done_i;
       if (write_en_i) begin
         write_base_q <= row_start(write_slot_i);
         write_x_q <= write_x_i;
         write_pixel_q <= write_pixel_i;
-        bad_q <= row_bad_i;
-        bad_slot_q <= write_slot_i;
       end
       if (write_en_q) begin
         write_addr_q <= write_base_q + ADDR_BITS'(write_x_q);
@@ -140,9 +139,6 @@ module horopter_left_store #(
     assign write_en = write_en_q2;
     assign write_addr = write_addr_q;
     assign write_pixel = write_pixel_q2;
-    assign bad_en = bad_en_q;
-    assign bad_value = bad_q;
-    assign bad_slot = bad_slot_q;
 
     // --- read ---
     // There is at least one clock without a request between two rows, in which present_q settles.
@@ -167,21 +163,25 @@ module horopter_left_store #(
     assign read_addr = addr_q;
 
     logic [5:1] read_q;
-    logic [4:1] is_bad_q;  // a clock older than is_bad, which belongs to read_q[1]
+    logic [5:1] good_q;
     always_ff @(posedge clk_i) begin
       read_q <= {read_q[4:1], read};
-      is_bad_q <= {is_bad_q[3:1], is_bad};
+      good_q <= {good_q[4:1], read && !is_bad};
       pixel_o <= pixel;
-      mask_o <= read_q[5] && !is_bad_q[4];
+      mask_o <= good_q[5];
       parity_error_o <= read_q[5] && error;
     end
   end else begin : g_slow
-    assign write_en = write_en_i;
-    assign write_addr = row_start(write_slot_i) + ADDR_BITS'(write_x_i[X_BITS-1:0]);
-    assign write_pixel = write_pixel_i;
-    assign bad_en = row_done_i;
-    assign bad_value = row_bad_i;
-    assign bad_slot = write_slot_i;
+    assign write_addr = row_start(write_slot_i) + ADDR_BITS'(write_x_i[X_BITS-1:SUBSAMPLE-1]);
+    if (SUBSAMPLE == 2) begin : g_mean
+      logic [7:0] even_q;
+      always_ff @(posedge clk_i) if (write_en_i) even_q <= write_pixel_i;
+      assign write_en = write_en_i && write_x_i[0];
+      assign write_pixel = 8'((9'(even_q) + 9'(write_pixel_i) + 9'd1) >> 1);
+    end else begin : g_pixel
+      assign write_en = write_en_i;
+      assign write_pixel = write_pixel_i;
+    end
 
     logic [X_BITS-1:0] x_q;
     always_ff @(posedge clk_i) begin
@@ -189,12 +189,12 @@ module horopter_left_store #(
       else if (read) x_q <= x_q + 1'b1;
     end
     assign present = row_q < rows_i[ROW_BITS-1:0];
-    assign read_addr = row_start(slot_q) + ADDR_BITS'(x_q);
+    assign read_addr = row_start(slot_q) + ADDR_BITS'(x_q[X_BITS-1:SUBSAMPLE-1]);
 
     logic read_q;
-    always_ff @(posedge clk_i) read_q <= read;
+    always_ff @(posedge clk_i) read_q <= read && !is_bad;
     assign pixel_o = pixel;
-    assign mask_o = read_q && !is_bad;
+    assign mask_o = read_q;
     assign parity_error_o = read_q && error;
     logic unused_bits;
     assign unused_bits = ^{write_x_i[11:X_BITS], rows_i[11:ROW_BITS]};

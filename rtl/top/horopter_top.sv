@@ -855,6 +855,7 @@ module horopter_top #(
       .WIDTH(WIDTH),
       .HEIGHT(HEIGHT),
       .ROWS(LEFT_ROWS),
+      .SUBSAMPLE(SUBSAMPLE),
       .FAST(FAST)
   ) u_left_store (
       .clk_i(clk_i),

@@ -116,7 +116,10 @@ class BeatByBeat {
           if (s.wx != 0) taps.p01 = pixel(bx, ry);
           if (s.wy != 0) taps.p10 = pixel(rx, by);
           if (s.wx != 0 && s.wy != 0) taps.p11 = pixel(bx, by);
-          taps.left = left.pixels[y * left.stride + x];
+          const int pair = x - x % P.subsample;  // their mean comes for both
+          int sum = 0;
+          for (int i = 0; i < P.subsample; ++i) sum += left.pixels[y * left.stride + pair + i];
+          taps.left = u<8>((sum + P.subsample / 2) / P.subsample);
         }
         beat(taps, states, found);
       }

@@ -3,7 +3,7 @@
 //
 // Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 22 bits, pipeline 13 bits, memories 0 bits.
+// State 14 bits, pipeline 13 bits, memories 0 bits.
 module horopter_subsample (
   input  logic clk_i,
   input  logic rst_ni,
@@ -31,7 +31,6 @@ module horopter_subsample (
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic second_q;
   logic right_waits_q;
-  logic [7:0] kept_pixel_0_q;
   logic [7:0] kept_pixel_1_q;
   logic kept_saturated_q;
   logic kept_mask_q;
@@ -40,38 +39,32 @@ module horopter_subsample (
   // hls/stages/subsample.hpp:74
   logic second;
   assign second = second_q & (~marks_first_i);
-  // hls/stages/subsample.hpp:79
-  logic not_17;
-  assign not_17 = ~second;
-  // hls/stages/subsample.hpp:75
+  // hls/stages/subsample.hpp:78
+  logic not_16;
+  assign not_16 = ~second;
+  // hls/stages/subsample.hpp:85
   logic [8:0] right;
   assign right = ({1'b0, pixel_1_i} + {1'b0, kept_pixel_1_q}) + 9'h1;
-  // hls/stages/subsample.hpp:86
   logic [7:0] right_2;
   assign right_2 = second ? right[8:1] : pixel_1_i;
-  // hls/stages/subsample.hpp:77
+  // hls/stages/subsample.hpp:76
   logic saturated;
   assign saturated = saturated_i | kept_saturated_q;
   logic mask;
   assign mask = mask_i & kept_mask_q;
-  // hls/stages/subsample.hpp:75
-  logic [8:0] sum_28;
-  assign sum_28 = ({1'b0, pixel_0_i} + {1'b0, kept_pixel_0_q}) + 9'h1;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       second_q <= 1'b0;
       right_waits_q <= 1'b0;
-      kept_pixel_0_q <= 8'h0;
       kept_pixel_1_q <= 8'h0;
       kept_saturated_q <= 1'b0;
       kept_mask_q <= 1'b0;
       kept_marks_first_q <= 1'b0;
       kept_marks_last_q <= 1'b0;
     end else if (s0_en) begin
-      second_q <= not_17 & (~marks_last_i);
+      second_q <= not_16 & (~marks_last_i);
       right_waits_q <= second;
-      kept_pixel_0_q <= pixel_0_i;
       kept_pixel_1_q <= right_2;
       kept_saturated_q <= second ? saturated : saturated_i;
       kept_mask_q <= second ? mask : mask_i;
@@ -80,27 +73,27 @@ module horopter_subsample (
     end
   end
 
-  logic [7:0] select_29_s1_q;
-  logic select_30_s1_q;
-  logic select_31_s1_q;
-  logic and_32_s1_q;
-  logic and_34_s1_q;
+  logic [7:0] select_26_s1_q;
+  logic select_27_s1_q;
+  logic select_28_s1_q;
+  logic and_29_s1_q;
+  logic and_31_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
-      select_29_s1_q <= second ? sum_28[8:1] : kept_pixel_1_q;
-      select_30_s1_q <= second ? saturated : kept_saturated_q;
-      select_31_s1_q <= second ? mask : kept_mask_q;
-      and_32_s1_q <= kept_marks_first_q & second;
-      and_34_s1_q <= not_17 & (marks_last_i | kept_marks_last_q);
+      select_26_s1_q <= second ? pixel_0_i : kept_pixel_1_q;
+      select_27_s1_q <= second ? saturated : kept_saturated_q;
+      select_28_s1_q <= second ? mask : kept_mask_q;
+      and_29_s1_q <= kept_marks_first_q & second;
+      and_31_s1_q <= not_16 & (marks_last_i | kept_marks_last_q);
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign pixel_0_o = select_29_s1_q;
-  assign saturated_o = select_30_s1_q;
-  assign mask_o = select_31_s1_q;
-  assign marks_first_o = and_32_s1_q;
-  assign marks_last_o = and_34_s1_q;
+  assign pixel_0_o = select_26_s1_q;
+  assign saturated_o = select_27_s1_q;
+  assign mask_o = select_28_s1_q;
+  assign marks_first_o = and_29_s1_q;
+  assign marks_last_o = and_31_s1_q;
   assign valid_o = valid_s1_q;
 
   always_ff @(posedge clk_i) begin
@@ -113,6 +106,6 @@ module horopter_subsample (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_28[0], right[0]};
+  assign unused_bits = ^right[0];
 
 endmodule
