@@ -3,7 +3,7 @@
 //
 // In    a row is one `prime` beat, which brings column 0 of the grid, then one beat per pixel; a pixel with
 //       x mod 2^spacing = 0 has `load` set and brings column x / 2^spacing + 1. `column` holds the control points above
-//       and below the row, `row_fraction` the row's place between them in 1/64 of a cell.
+//       and below the row (swapped: below and above), `row_fraction` the row's place between them in 1/64 of a cell.
 //       Control points are (coordinate in px + 64) · 32, both parts all ones: no source.
 // Out   none for prime beats; else the top left of the 2×2 source pixels in px, weights of the right and lower ones in
 //       1/2^W, `mapped` if all control points of non-zero weight have a source and the address is not negative.
@@ -33,6 +33,7 @@ struct ControlPoint {
 struct ControlPair {
   ControlPoint top;
   ControlPoint bottom;
+  bool swapped = false;  // top is the bottom one
 };
 
 template <int WEIGHT_BITS, bool COMPACT = false>
@@ -136,18 +137,18 @@ class MapExpander {
   };
 
   /// (64 − f)·a + f·b as a + Σ 2^i (f_i ? b : a): adders and multiplexers, no multiplier.
-  static u<22> between(u<16> a, u<16> b, u<6> f) {
-    const auto pick = [&](int i) { return f.bit(i) ? b : a; };
-    const u<18> low = u<18>(shl<1>(pick(1)) + (pick(0) + a));
+  static u<22> between(u<16> a, u<16> b, u<6> f, bool swapped) {
+    const auto pick = [&](int i) { return f.bit(i) != swapped ? b : a; };
+    const u<18> low = u<18>(shl<1>(pick(1)) + (pick(0) + (swapped ? b : a)));
     const u<18> middle = u<18>(shl<1>(pick(3)) + pick(2));
     const u<18> high = u<18>(shl<1>(pick(5)) + pick(4));
     return u<22>(low + shl<2>(middle + shl<2>(high)));
   }
 
   /// The same as 64·(f_5 ? b : a) + Σ 4^i d_i (b − a) with Booth's digits of f, d_i = −2 f_2i+1 + f_2i + f_2i−1.
-  static u<22> compact_between(u<16> a, u<16> b, u<6> f) {
+  static u<22> compact_between(u<16> a, u<16> b, u<6> f, bool swapped) {
     const s<17> difference = b - a;
-    u<22> sum = u<22>(f.bit(5) ? b : a);
+    u<22> sum = u<22>(f.bit(5) != swapped ? b : a);
     for (int i = 2; i >= 0; --i) {
       const bool below = i > 0 && f.bit(2 * i - 1);
       const bool negative = f.bit(2 * i + 1);
@@ -156,9 +157,10 @@ class MapExpander {
       const u<22> once = u<22>(s<22>(difference));
       const u<22> twice = u<22>(s<22>(shl<1>(difference)));
       const u<22> size = one ? once : two ? twice : u<22>(0);
-      const u<22> digit = negative ? ~size : size;
+      const bool minus = negative != swapped;
+      const u<22> digit = minus ? ~size : size;
       // The one that −size = ~size + 1 lacks comes as a carry, from a bit below.
-      const u<23> both = u<23>(cat(u<22>(shl<2>(sum)), u<1>(1)) + cat(digit, u<1>(negative)));
+      const u<23> both = u<23>(cat(u<22>(shl<2>(sum)), u<1>(1)) + cat(digit, u<1>(minus)));
       sum = both.template bits<22, 1>();
     }
     return sum;
@@ -167,9 +169,10 @@ class MapExpander {
   static Node node(const ControlPair& column, u<6> fraction) {
     Node result;
     constexpr auto interpolate = COMPACT ? compact_between : between;
-    result.x = interpolate(column.top.x, column.bottom.x, fraction);
-    result.y = interpolate(column.top.y, column.bottom.y, fraction);
-    result.valid = column.top.has_source() && (fraction == 0 || column.bottom.has_source());
+    result.x = interpolate(column.top.x, column.bottom.x, fraction, column.swapped);
+    result.y = interpolate(column.top.y, column.bottom.y, fraction, column.swapped);
+    result.valid = (column.top.has_source() || (fraction == 0 && column.swapped)) &&
+                   (column.bottom.has_source() || (fraction == 0 && !column.swapped));
     return result;
   }
 

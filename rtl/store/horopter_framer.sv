@@ -44,8 +44,8 @@ module horopter_framer #(
     output logic                 silent_o,  // for the timeout
     output logic                 pausing_o,  // live: for longer than any pause within a frame
     // into the store
-    input  logic [         11:0] keep_i,  // rows before this one (counted as stored_o) are no longer needed
-    output logic [         11:0] stored_o,  // complete rows so far, modulo 4096
+    input  logic [  SLOT_BITS:0] keep_i,  // rows before this one (counted as stored_o) are no longer needed
+    output logic [  SLOT_BITS:0] stored_o,  // complete rows so far, modulo twice the ring's or a little more
     output logic [SLOT_BITS-1:0] slot_o,  // slot of the row in progress
     output logic                 write_en_o,
     output logic [SLOT_BITS-1:0] write_slot_o,
@@ -81,7 +81,8 @@ module horopter_framer #(
   } state_e;
   state_e state_q;
 
-  logic [11:0] x_q, y_q, stored_q;
+  logic [11:0] x_q, y_q;
+  logic [SLOT_BITS:0] stored_q;
   logic [SLOT_BITS-1:0] slot_q;
   logic [2:0] extra_q;
   logic fresh_q;  // the next pixel is the first of the frame
@@ -155,7 +156,7 @@ module horopter_framer #(
       extra_q <= 3'd0;
       pending_start_fault_q <= 1'b0;
       slot_q <= '0;
-      stored_q <= 12'd0;
+      stored_q <= '0;
       x_q <= 12'd0;
       y_q <= 12'd0;
       near_q <= 1'b1;
@@ -232,7 +233,7 @@ module horopter_framer #(
             near_q <= 32'(y_q) + 1 < EXTRA_LINES;
             deep_q <= 32'(y_q) + 1 >= EXTRA_LINES + EXTRA_LINES / 2;
             far_q <= 1'b1;
-            stored_q <= stored_q + 12'd1;
+            stored_q <= stored_q + 1'b1;
             slot_q <= 32'(slot_q) == SLOTS - 1 ? '0 : slot_q + 1'b1;
             row_done_o <= 1'b1;
             row_bad_o <= s_last_i != at_end;
@@ -265,7 +266,7 @@ module horopter_framer #(
   end
 
   // Room for the row that begins. What the counters say is a clock old, and older than the row that has just been stored.
-  logic [11:0] used;
+  logic [SLOT_BITS:0] used;
   logic full_q, nearly_full_q, stored_now_q;
   assign used = stored_q - keep_i;
   always_ff @(posedge clk_i) begin

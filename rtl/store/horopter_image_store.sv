@@ -33,10 +33,10 @@ module horopter_image_store #(
     input  logic                   row_bad_i,
     // frame
     input  logic                   begin_i,  // a new output frame; base_* valid
-    input  logic [           11:0] base_i,  // count of its first row
+    input  logic [    SLOT_BITS:0] base_i,  // count of its first row
     input  logic [  SLOT_BITS-1:0] base_slot_i,
     input  logic [           11:0] rows_i,  // rows that came so far
-    output logic [           11:0] keep_o,
+    output logic [    SLOT_BITS:0] keep_o,
     // request
     input  logic                   valid_i,
     input  logic [           10:0] x_i,
@@ -53,10 +53,12 @@ module horopter_image_store #(
     output logic                   left_live_o,
     // answer
     output logic                   valid_o,
-    output logic [            7:0] p00_o,
+    output logic [            7:0] p00_o,  // of the even row and the even column
     output logic [            7:0] p01_o,
     output logic [            7:0] p10_o,
     output logic [            7:0] p11_o,
+    output logic                   swapped_x_o,  // the odd column is the left one
+    output logic                   swapped_y_o,  // the odd row is the upper one
     output logic [WEIGHT_BITS-1:0] wx_o,
     output logic [WEIGHT_BITS-1:0] wy_o,
     output logic                   mask_o,
@@ -246,15 +248,14 @@ module horopter_image_store #(
     end
     assign bank_read = ok_q[5];
 
-    // 6 is the memories' address register, 7 to 10 their output, 11 has the four pixels in their places.
-    logic row_odd, column_odd;
-    assign row_odd = row_odd_q[10];
-    assign column_odd = column_odd_q[10];
+    // 6 is the memories' address register, 7 to 10 their output, 11 has the four pixels.
     always_ff @(posedge clk_i) begin
-      p00_o <= bank_pixel[{row_odd, column_odd, 3'b000}+:8];
-      p01_o <= bank_pixel[{row_odd, !column_odd, 3'b000}+:8];
-      p10_o <= bank_pixel[{!row_odd, column_odd, 3'b000}+:8];
-      p11_o <= bank_pixel[{!row_odd, !column_odd, 3'b000}+:8];
+      p00_o <= bank_pixel[0+:8];
+      p01_o <= bank_pixel[8+:8];
+      p10_o <= bank_pixel[16+:8];
+      p11_o <= bank_pixel[24+:8];
+      swapped_x_o <= column_odd_q[10];
+      swapped_y_o <= row_odd_q[10];
       mask_o <= ok_q[10];
       miss_o <= miss_q[10];
       parity_error_o <= ok_q[10] && bank_error != '0;
@@ -271,7 +272,8 @@ module horopter_image_store #(
     assign left_live_o = live_q[5];
 
     // --- rows that are no longer needed ---
-    logic [11:0] rows_read_q, keep_rows_q, keep_base_q;
+    logic [11:0] rows_read_q, keep_rows_q;
+    logic [SLOT_BITS:0] keep_base_q;
     logic row_read, last_read_q, passes_q;  // rows are read at intervals, the decisions have a clock of their own
     assign row_read = valid_q[8] && last_q[8] && live_q[8];
     always_ff @(posedge clk_i) begin
@@ -280,7 +282,7 @@ module horopter_image_store #(
       if (!rst_ni) begin
         rows_read_q <= 12'd0;
         keep_rows_q <= 12'd0;
-        keep_base_q <= 12'd0;
+        keep_base_q <= '0;
       end else if (begin_i) begin
         rows_read_q <= 12'd0;
         keep_rows_q <= 12'd0;
@@ -290,7 +292,7 @@ module horopter_image_store #(
         if (last_read_q) keep_rows_q <= rows_i;
         else if (passes_q) keep_rows_q <= keep_rows_q + 12'd1;
       end
-      keep_o <= keep_base_q + keep_rows_q;
+      keep_o <= keep_base_q + keep_rows_q[SLOT_BITS:0];
     end
     logic unused_bits;
     assign unused_bits = ^write_x_i[11:COLUMN_BITS+1];
@@ -342,10 +344,12 @@ module horopter_image_store #(
       row_odd_q <= slot[0];
       column_odd_q <= x_i[0];
     end
-    assign p00_o = bank_pixel[{row_odd_q, column_odd_q, 3'b000}+:8];
-    assign p01_o = bank_pixel[{row_odd_q, !column_odd_q, 3'b000}+:8];
-    assign p10_o = bank_pixel[{!row_odd_q, column_odd_q, 3'b000}+:8];
-    assign p11_o = bank_pixel[{!row_odd_q, !column_odd_q, 3'b000}+:8];
+    assign p00_o = bank_pixel[0+:8];
+    assign p01_o = bank_pixel[8+:8];
+    assign p10_o = bank_pixel[16+:8];
+    assign p11_o = bank_pixel[24+:8];
+    assign swapped_x_o = column_odd_q;
+    assign swapped_y_o = row_odd_q;
     assign mask_o = ok_q;
     assign parity_error_o = ok_q && bank_error != '0;
 
@@ -354,16 +358,16 @@ module horopter_image_store #(
     assign left_live_o = live_i;
 
     // --- rows that are no longer needed; base_i stays as long as the frame is output ---
-    logic [11:0] end_of_rows;
-    assign end_of_rows = base_i + 12'(rows_i[ROW_BITS-1:0]);
+    logic [SLOT_BITS:0] end_of_rows;  // within a ring's rows of keep_o
+    assign end_of_rows = base_i + rows_i[SLOT_BITS:0];
     always_ff @(posedge clk_i) begin
       if (!rst_ni) begin
-        keep_o <= 12'd0;
+        keep_o <= '0;
       end else if (begin_i) begin
         keep_o <= base_i;
       end else if (valid_i && last_i && live_i) begin
         if (row_q == last_row[ROW_BITS-1:0]) keep_o <= end_of_rows;
-        else if (32'(row_q) >= BACK && keep_o != end_of_rows) keep_o <= keep_o + 12'd1;
+        else if (32'(row_q) >= BACK && keep_o != end_of_rows) keep_o <= keep_o + 1'b1;
       end
     end
     logic unused_bits;

@@ -27,7 +27,7 @@ module horopter_left_store #(
     // frame
     input  logic                 begin_i,  // a new output frame
     input  logic [         11:0] rows_i,  // rows of it that came so far
-    output logic [         11:0] keep_o,
+    output logic [  SLOT_BITS:0] keep_o,
     // request and answer
     input  logic                 valid_i,
     input  logic                 last_i,
@@ -36,10 +36,13 @@ module horopter_left_store #(
     output logic                 mask_o,
     output logic                 parity_error_o
 );
-  // A multiple of 32 has few ones, and block memories have room for it.
-  localparam int unsigned STRIDE = (WIDTH / SUBSAMPLE + 31) / 32 * 32;
-  localparam int unsigned DEPTH = ROWS * STRIDE;
+  // In blocks of up to 128 columns: block by block, row by row, so that a row's start needs no multiplication.
+  localparam int unsigned COLUMNS = WIDTH / SUBSAMPLE;
+  localparam int unsigned BLOCK_BITS = COLUMNS < 128 ? $clog2(COLUMNS) : 7;
+  localparam int unsigned BLOCKS = (COLUMNS + 2 ** BLOCK_BITS - 1) / 2 ** BLOCK_BITS;
+  localparam int unsigned DEPTH = BLOCKS * ROWS * 2 ** BLOCK_BITS;
   localparam int unsigned ADDR_BITS = $clog2(DEPTH);
+  localparam int unsigned ROW_ADDR_BITS = ADDR_BITS - BLOCK_BITS;
   localparam int unsigned ROW_BITS = $clog2(HEIGHT + 1);
   localparam int unsigned X_BITS = $clog2(WIDTH);
 
@@ -49,17 +52,6 @@ module horopter_left_store #(
   if (SUBSAMPLE < 1 || SUBSAMPLE > 2 || WIDTH % SUBSAMPLE != 0 || (SUBSAMPLE != 1 && FAST)) begin : g_illegal_subsample
     $fatal(1, "horopter_left_store: SUBSAMPLE must be 1, or 2 without FAST and divide WIDTH");
   end
-
-  // Slot * STRIDE, by shifts: added for the digits 1 of STRIDE's non-adjacent form, subtracted for the digits -1.
-  localparam int unsigned PLUS = ((3 * STRIDE) & ~STRIDE) >> 1;
-  localparam int unsigned MINUS = (STRIDE & ~(3 * STRIDE)) >> 1;
-  function automatic [ADDR_BITS-1:0] row_start(input [SLOT_BITS-1:0] slot);
-    row_start = '0;
-    for (int unsigned i = 0; i < 12; i++) begin
-      if (PLUS[i]) row_start = row_start + (ADDR_BITS'(slot) << i);
-      if (MINUS[i]) row_start = row_start - (ADDR_BITS'(slot) << i);
-    end
-  endfunction
 
   logic write_en, read, is_bad, error;
   logic [SLOT_BITS-1:0] slot_q;
@@ -96,7 +88,7 @@ module horopter_left_store #(
 
   // --- rows of the ring and of the frame ---
   logic [ROW_BITS-1:0] row_q;
-  logic [11:0] keep_q;
+  logic [SLOT_BITS:0] keep_q;
   logic present, end_of_row, wraps;
   assign read = valid_i && live_i && present;
   assign end_of_row = valid_i && live_i && last_i;
@@ -104,13 +96,13 @@ module horopter_left_store #(
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       row_q <= '0;
-      keep_q <= 12'd0;
+      keep_q <= '0;
       slot_q <= '0;
     end else begin
       if (begin_i) row_q <= '0;
       else if (end_of_row) row_q <= row_q + 1'b1;
       if (read && last_i) begin
-        keep_q <= keep_q + 12'd1;
+        keep_q <= keep_q + 1'b1;
         slot_q <= wraps ? '0 : slot_q + 1'b1;
       end
     end
@@ -120,19 +112,22 @@ module horopter_left_store #(
   if (FAST) begin : g_fast
     // --- write ---
     logic write_en_q, write_en_q2;
-    logic [ADDR_BITS-1:0] write_base_q, write_addr_q;
-    logic [11:0] write_x_q;
+    logic [ROW_ADDR_BITS-1:0] write_block_q;
+    logic [SLOT_BITS-1:0] write_slot_q;
+    logic [BLOCK_BITS-1:0] write_x_q;
+    logic [ADDR_BITS-1:0] write_addr_q;
     logic [7:0] write_pixel_q, write_pixel_q2;
     always_ff @(posedge clk_i) begin
       write_en_q <= write_en_i;
       write_en_q2 <= write_en_q;
       if (write_en_i) begin
-        write_base_q <= row_start(write_slot_i);
-        write_x_q <= write_x_i;
+        write_block_q <= ROW_ADDR_BITS'(ROWS) * ROW_ADDR_BITS'(write_x_i >> BLOCK_BITS);
+        write_slot_q <= write_slot_i;
+        write_x_q <= write_x_i[BLOCK_BITS-1:0];
         write_pixel_q <= write_pixel_i;
       end
       if (write_en_q) begin
-        write_addr_q <= write_base_q + ADDR_BITS'(write_x_q);
+        write_addr_q <= {write_block_q + ROW_ADDR_BITS'(write_slot_q), write_x_q};
         write_pixel_q2 <= write_pixel_q;
       end
     end
@@ -142,28 +137,29 @@ module horopter_left_store #(
 
     // --- read ---
     // There is at least one clock without a request between two rows, in which present_q settles.
-    logic [ADDR_BITS-1:0] row_addr_q, addr_q;
+    logic [ROW_ADDR_BITS-1:0] block_row_q;
+    logic [BLOCK_BITS-1:0] x_q;
     logic present_q;
     always_ff @(posedge clk_i) begin
       if (!rst_ni) begin
-        row_addr_q <= '0;
-        addr_q <= '0;
+        block_row_q <= '0;
+        x_q <= '0;
         present_q <= 1'b0;
       end else begin
         present_q <= 12'(row_q) < rows_i;
         if (read && last_i) begin
-          row_addr_q <= wraps ? '0 : row_addr_q + ADDR_BITS'(STRIDE);
-          addr_q <= wraps ? '0 : row_addr_q + ADDR_BITS'(STRIDE);
+          block_row_q <= wraps ? '0 : ROW_ADDR_BITS'(slot_q) + 1'b1;
+          x_q <= '0;
         end else if (read) begin
-          addr_q <= addr_q + 1'b1;
+          x_q <= x_q + 1'b1;
+          if (&x_q) block_row_q <= block_row_q + ROW_ADDR_BITS'(ROWS);
         end
       end
     end
     assign present = present_q;
-    assign read_addr = addr_q;
+    assign read_addr = {block_row_q, x_q};
 
-    logic [5:1] read_q;
-    logic [5:1] good_q;
+    logic [5:1] read_q, good_q;
     always_ff @(posedge clk_i) begin
       read_q <= {read_q[4:1], read};
       good_q <= {good_q[4:1], read && !is_bad};
@@ -172,7 +168,10 @@ module horopter_left_store #(
       parity_error_o <= read_q[5] && error;
     end
   end else begin : g_slow
-    assign write_addr = row_start(write_slot_i) + ADDR_BITS'(write_x_i[X_BITS-1:SUBSAMPLE-1]);
+    function automatic [ADDR_BITS-1:0] place(input [SLOT_BITS-1:0] slot, input [$clog2(COLUMNS)-1:0] x);
+      place = {ROW_ADDR_BITS'(ROWS) * ROW_ADDR_BITS'(x >> BLOCK_BITS) + ROW_ADDR_BITS'(slot), x[BLOCK_BITS-1:0]};
+    endfunction
+    assign write_addr = place(write_slot_i, write_x_i[X_BITS-1:SUBSAMPLE-1]);
     if (SUBSAMPLE == 2) begin : g_mean
       logic [7:0] even_q;
       always_ff @(posedge clk_i) if (write_en_i) even_q <= write_pixel_i;
@@ -189,7 +188,7 @@ module horopter_left_store #(
       else if (read) x_q <= x_q + 1'b1;
     end
     assign present = row_q < rows_i[ROW_BITS-1:0];
-    assign read_addr = row_start(slot_q) + ADDR_BITS'(x_q[X_BITS-1:SUBSAMPLE-1]);
+    assign read_addr = place(slot_q, x_q[X_BITS-1:SUBSAMPLE-1]);
 
     logic read_q;
     always_ff @(posedge clk_i) read_q <= read && !is_bad;

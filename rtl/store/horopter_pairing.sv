@@ -30,7 +30,7 @@ module horopter_pairing #(
     input  logic [          1:0] pausing_i,
     input  logic [          1:0] row_done_i,
     input  logic [          1:0] frame_done_i,
-    input  logic [         11:0] right_stored_i,
+    input  logic [  RING_BITS:0] right_stored_i,
     input  logic [RING_BITS-1:0] right_slot_i,
     // the arriving frame
     output logic                 slot_o,
@@ -45,7 +45,7 @@ module horopter_pairing #(
     output logic                 left_ended_o,  // no more will come
     output logic [         11:0] right_rows_o,
     output logic                 right_ended_o,
-    output logic [         11:0] right_base_o,  // count (as right_stored_i) of its first row
+    output logic [  RING_BITS:0] right_base_o,  // count (as right_stored_i) of its first row
     output logic [RING_BITS-1:0] right_base_slot_o,
     input  logic                 free_i  // read_slot_i is published
 );
@@ -53,7 +53,7 @@ module horopter_pairing #(
   logic [1:0] joined_q, ended_q, busy_q;
   logic [11:0] left_rows_q[2];
   logic [11:0] right_rows_q[2];
-  logic [11:0] base_q[2];
+  logic [RING_BITS:0] base_q[2];
   logic [1:0] left_ended_q, right_ended_q;
   logic [RING_BITS-1:0] base_slot_q[2];
   logic [1:0] cut_q;

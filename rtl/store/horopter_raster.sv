@@ -53,8 +53,9 @@ module horopter_raster #(
     output logic                     valid_o,
     output logic                     prime_o,
     output logic                     load_o,
-    output logic [             31:0] top_o,
-    output logic [             31:0] bottom_o,
+    output logic [             31:0] even_o,
+    output logic [             31:0] odd_o,
+    output logic                     swapped_o,  // the odd one is above
     output logic [              5:0] row_fraction_o,
     output logic                     first_o,
     output logic                     last_o,
@@ -272,8 +273,9 @@ module horopter_raster #(
       last_o <= beat_last_q[READ];
       live_o <= beat_live_q[READ];
       row_fraction_o <= beat_fraction_q[6*(READ-1)+:6];
-      top_o <= beat_odd_q[READ] ? map_odd_i : map_even_i;
-      bottom_o <= beat_odd_q[READ] ? map_even_i : map_odd_i;
+      even_o <= map_even_i;
+      odd_o <= map_odd_i;
+      swapped_o <= beat_odd_q[READ];
       map_parity_error_o <= map_error_i && (prime_q[READ] || load_q[READ]) && beat_live_q[READ] && table_ok_i;
     end
   end else begin : g_slow
@@ -327,8 +329,9 @@ module horopter_raster #(
     assign last_o = beat_last_q[2];
     assign live_o = row_live_q;
     assign row_fraction_o = row_fraction_q;
-    assign top_o = row_odd_q ? map_odd_i : map_even_i;
-    assign bottom_o = row_odd_q ? map_even_i : map_odd_i;
+    assign even_o = map_even_i;
+    assign odd_o = map_odd_i;
+    assign swapped_o = row_odd_q;
     assign map_parity_error_o = map_error_i && (prime_q[2] || load_q[2]) && row_live_q && table_ok_i;
     logic unused_bits;
     assign unused_bits = ^lookahead_i[11:ROW_BITS];

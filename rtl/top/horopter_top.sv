@@ -358,7 +358,9 @@ module horopter_top #(
   logic [1:0] start, start_empty, urgent, grant, deny, cut, near, far, deep, pausing;
   logic [1:0] write_en, write_first, write_end, row_done, row_bad, frame_ended;
   logic [1:0] short_line, long_line, missing_line, missing_start, overflow, lost_silent, silence, pair_silent;
-  logic [11:0] left_write_x, right_write_x, left_stored, right_stored, left_keep, right_keep;
+  logic [11:0] left_write_x, right_write_x;
+  logic [LEFT_BITS:0] left_stored, left_keep;
+  logic [RING_BITS:0] right_stored, right_keep;
   logic [7:0] left_write_pixel, right_write_pixel;
   logic [LEFT_BITS-1:0] left_slot, left_write_slot;
   logic [RING_BITS-1:0] right_slot, right_write_slot;
@@ -530,7 +532,8 @@ module horopter_top #(
   );
 
   logic read_slot, published, left_ended, right_ended;
-  logic [11:0] left_rows, right_rows, right_base;
+  logic [11:0] left_rows, right_rows;
+  logic [RING_BITS:0] right_base;
   logic [RING_BITS-1:0] right_base_slot;
   horopter_pairing #(
       .RING_BITS(RING_BITS)
@@ -633,7 +636,8 @@ module horopter_top #(
   logic [31:0] table_crc, map_even, map_odd;
   logic map_read, map_parity_error;
   logic go_q, beat_valid, beat_prime, beat_load, beat_first, beat_last, beat_live, beat_parity_error;
-  logic [31:0] beat_top, beat_bottom;
+  logic [31:0] beat_even, beat_odd;
+  logic beat_swapped;
   logic [5:0] beat_fraction;
 
   horopter_map_store #(
@@ -716,8 +720,9 @@ module horopter_top #(
       .valid_o(beat_valid),
       .prime_o(beat_prime),
       .load_o(beat_load),
-      .top_o(beat_top),
-      .bottom_o(beat_bottom),
+      .even_o(beat_even),
+      .odd_o(beat_odd),
+      .swapped_o(beat_swapped),
       .row_fraction_o(beat_fraction),
       .first_o(beat_first),
       .last_o(beat_last),
@@ -778,10 +783,11 @@ module horopter_top #(
       .valid_i(beat_valid),
       .prime_i(beat_prime),
       .load_i(beat_load),
-      .column_top_x_i(beat_top[15:0]),
-      .column_top_y_i(beat_top[31:16]),
-      .column_bottom_x_i(beat_bottom[15:0]),
-      .column_bottom_y_i(beat_bottom[31:16]),
+      .column_top_x_i(beat_even[15:0]),
+      .column_top_y_i(beat_even[31:16]),
+      .column_bottom_x_i(beat_odd[15:0]),
+      .column_bottom_y_i(beat_odd[31:16]),
+      .column_swapped_i(beat_swapped),
       .row_fraction_i(beat_fraction),
       .marks_first_i(beat_first),
       .marks_last_i(beat_last),
@@ -800,6 +806,7 @@ module horopter_top #(
 
   logic quad_valid, quad_mask, quad_first, quad_last, quad_live, quad_miss, quad_parity_error;
   logic [7:0] p00, p01, p10, p11, left_pixel;
+  logic swapped_x, swapped_y;
   logic [WEIGHT_BITS-1:0] quad_wx, quad_wy;
   logic left_read_valid, left_read_last, left_read_live, left_mask, left_parity_error;
   horopter_image_store #(
@@ -842,6 +849,8 @@ module horopter_top #(
       .p01_o(p01),
       .p10_o(p10),
       .p11_o(p11),
+      .swapped_x_o(swapped_x),
+      .swapped_y_o(swapped_y),
       .wx_o(quad_wx),
       .wy_o(quad_wy),
       .mask_o(quad_mask),
@@ -899,6 +908,8 @@ module horopter_top #(
       .p01_i(p01),
       .p10_i(p10),
       .p11_i(p11),
+      .swapped_x_i(swapped_x),
+      .swapped_y_i(swapped_y),
       .wx_i(quad_wx),
       .wy_i(quad_wy),
       .left_i(left_pixel),

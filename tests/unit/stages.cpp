@@ -34,7 +34,7 @@ Frame<GreyPair> random_greys(std::mt19937& random, int width, int height, unsign
   return frame;
 }
 
-template <int W>
+template <int W, bool COMPACT>
 void check_map_expand(std::mt19937& random, int spacing_x_log2, int spacing_y_log2) {
   const int width = 61;
   const int height = 9;
@@ -56,14 +56,19 @@ void check_map_expand(std::mt19937& random, int spacing_x_log2, int spacing_y_lo
     return reference::Point{p.x.value() / 32.0 - 64, p.y.value() / 32.0 - 64};
   };
 
-  MapExpander<W> stage;
-  typename MapExpander<W>::Config config;
+  MapExpander<W, COMPACT> stage;
+  typename MapExpander<W, COMPACT>::Config config;
   config.spacing_x_log2 = spacing_x_log2;
   const double scale = 1 << W;
   for (int y = 0; y < height; ++y) {
-    typename MapExpander<W>::In in;
+    typename MapExpander<W, COMPACT>::In in;
     in.row_fraction = (y % sy) * 64 / sy;
-    const auto column = [&](int j) { return ControlPair{control(j, y / sy), control(j, y / sy + 1)}; };
+    const bool swapped = one_in(random, 2);
+    const auto column = [&](int j) {
+      const ControlPoint above = control(j, y / sy);
+      const ControlPoint below = control(j, y / sy + 1);
+      return swapped ? ControlPair{below, above, true} : ControlPair{above, below, false};
+    };
     in.prime = true;
     in.column = column(0);
     REQUIRE(!stage.step(in, config).valid);
@@ -95,8 +100,9 @@ TEST_CASE("map_expand is the exact bilinear interpolation, rounded half up once"
   std::mt19937 random(11);
   for (int sx = 0; sx <= 6; ++sx) {
     for (int sy = 0; sy <= 6; sy += 2) {
-      check_map_expand<3>(random, sx, sy);
-      check_map_expand<5>(random, sx, sy);
+      check_map_expand<3, false>(random, sx, sy);
+      check_map_expand<5, false>(random, sx, sy);
+      check_map_expand<3, true>(random, sx, sy);
     }
   }
 }
@@ -111,10 +117,13 @@ TEST_CASE("interpolate: at most half a grey level from eq. 10.1", "[stages]") {
     for (double& v : image.values) v = one_in(random, 8) ? (one_in(random, 2) ? 0 : 255) : random() % 256;
     const auto check = [&](auto& under_test, int weights) {
       typename std::remove_reference_t<decltype(under_test)>::In in;
-      in.p00 = static_cast<int>(image.values[0]);
-      in.p01 = static_cast<int>(image.values[1]);
-      in.p10 = static_cast<int>(image.values[2]);
-      in.p11 = static_cast<int>(image.values[3]);
+      in.swapped_x = one_in(random, 2);
+      in.swapped_y = one_in(random, 2);
+      const std::size_t first = (in.swapped_x ? 1 : 0) + (in.swapped_y ? 2 : 0);
+      in.p00 = static_cast<int>(image.values[first]);
+      in.p01 = static_cast<int>(image.values[first ^ 1]);
+      in.p10 = static_cast<int>(image.values[first ^ 2]);
+      in.p11 = static_cast<int>(image.values[first ^ 3]);
       in.wx = random();
       in.wy = random();
       in.left = random();

@@ -15,6 +15,8 @@ module horopter_interpolate (
   input  logic [7:0] p11_i,
   input  logic [2:0] wx_i,
   input  logic [2:0] wy_i,
+  input  logic swapped_x_i,
+  input  logic swapped_y_i,
   input  logic [7:0] left_i,
   input  logic mask_i,
   input  logic marks_first_i,
@@ -34,100 +36,126 @@ module horopter_interpolate (
   assign s0_en = en_i & valid_i;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/interpolate.hpp:58
+  // hls/stages/interpolate.hpp:61
+  logic [7:0] select_14;
+  assign select_14 = swapped_x_i ? p11_i : p10_i;
+  // hls/stages/interpolate.hpp:63
+  logic xor_15;
+  assign xor_15 = wx_i[0] ^ swapped_x_i;
   logic [7:0] chosen;
-  assign chosen = wx_i[0] ? p11_i : p10_i;
-  // hls/stages/interpolate.hpp:59
+  assign chosen = xor_15 ? p11_i : p10_i;
+  // hls/stages/interpolate.hpp:64
   logic [8:0] sum;
-  assign sum = {1'b0, p10_i} + {1'b0, chosen};
-  // hls/stages/interpolate.hpp:58
+  assign sum = {1'b0, select_14} + {1'b0, chosen};
+  // hls/stages/interpolate.hpp:63
+  logic xor_18;
+  assign xor_18 = wx_i[1] ^ swapped_x_i;
   logic [7:0] chosen_2;
-  assign chosen_2 = wx_i[1] ? p11_i : p10_i;
-  // hls/stages/interpolate.hpp:59
-  logic [8:0] sum_14;
-  assign sum_14 = {1'b0, sum[8:1]} + {1'b0, chosen_2};
-  // hls/stages/interpolate.hpp:58
-  logic [7:0] chosen_3;
-  assign chosen_3 = wx_i[2] ? p11_i : p10_i;
-  // hls/stages/interpolate.hpp:59
-  logic [8:0] sum_16;
-  assign sum_16 = {1'b0, sum_14[8:1]} + {1'b0, chosen_3};
-  // hls/stages/interpolate.hpp:58
-  logic [7:0] chosen_4;
-  assign chosen_4 = wx_i[0] ? p01_i : p00_i;
-  // hls/stages/interpolate.hpp:59
-  logic [8:0] sum_2;
-  assign sum_2 = {1'b0, p00_i} + {1'b0, chosen_4};
-  // hls/stages/interpolate.hpp:58
-  logic [7:0] chosen_5;
-  assign chosen_5 = wx_i[1] ? p01_i : p00_i;
-  // hls/stages/interpolate.hpp:59
+  assign chosen_2 = xor_18 ? p11_i : p10_i;
+  // hls/stages/interpolate.hpp:64
   logic [8:0] sum_20;
-  assign sum_20 = {1'b0, sum_2[8:1]} + {1'b0, chosen_5};
-  // hls/stages/interpolate.hpp:58
+  assign sum_20 = {1'b0, sum[8:1]} + {1'b0, chosen_2};
+  // hls/stages/interpolate.hpp:63
+  logic xor_21;
+  assign xor_21 = wx_i[2] ^ swapped_x_i;
+  logic [7:0] chosen_3;
+  assign chosen_3 = xor_21 ? p11_i : p10_i;
+  // hls/stages/interpolate.hpp:64
+  logic [8:0] sum_23;
+  assign sum_23 = {1'b0, sum_20[8:1]} + {1'b0, chosen_3};
+  // hls/stages/interpolate.hpp:61
+  logic [7:0] sum_2;
+  assign sum_2 = swapped_x_i ? p01_i : p00_i;
+  // hls/stages/interpolate.hpp:63
+  logic [7:0] chosen_4;
+  assign chosen_4 = xor_15 ? p01_i : p00_i;
+  // hls/stages/interpolate.hpp:64
+  logic [8:0] sum_3;
+  assign sum_3 = {1'b0, sum_2} + {1'b0, chosen_4};
+  // hls/stages/interpolate.hpp:63
+  logic [7:0] chosen_5;
+  assign chosen_5 = xor_18 ? p01_i : p00_i;
+  // hls/stages/interpolate.hpp:64
+  logic [8:0] sum_28;
+  assign sum_28 = {1'b0, sum_3[8:1]} + {1'b0, chosen_5};
+  // hls/stages/interpolate.hpp:63
   logic [7:0] chosen_6;
-  assign chosen_6 = wx_i[2] ? p01_i : p00_i;
-  // hls/stages/interpolate.hpp:59
-  logic [8:0] sum_22;
-  assign sum_22 = {1'b0, sum_20[8:1]} + {1'b0, chosen_6};
-  // hls/stages/interpolate.hpp:58
+  assign chosen_6 = xor_21 ? p01_i : p00_i;
+  // hls/stages/interpolate.hpp:64
+  logic [8:0] sum_30;
+  assign sum_30 = {1'b0, sum_28[8:1]} + {1'b0, chosen_6};
+  // hls/stages/interpolate.hpp:63
   logic [10:0] chosen_7;
-  assign chosen_7 = wy_i[2] ? {sum_16, sum_14[0], sum[0]} : {sum_22, sum_20[0], sum_2[0]};
+  assign chosen_7 = (wy_i[2] ^ swapped_y_i) ? {sum_23, sum_20[0], sum[0]} : {sum_30, sum_28[0], sum_3[0]};
+  // hls/stages/interpolate.hpp:61
+  logic [10:0] select_32;
+  assign select_32 = swapped_y_i ? {sum_23, sum_20[0], sum[0]} : {sum_30, sum_28[0], sum_3[0]};
+  // hls/stages/interpolate.hpp:63
   logic [10:0] chosen_8;
-  assign chosen_8 = wy_i[0] ? {sum_16, sum_14[0], sum[0]} : {sum_22, sum_20[0], sum_2[0]};
-  // hls/stages/interpolate.hpp:59
-  logic [11:0] sum_25;
-  assign sum_25 = {1'b0, sum_22, sum_20[0], sum_2[0]} + {1'b0, chosen_8};
-  // hls/stages/interpolate.hpp:58
+  assign chosen_8 = (wy_i[0] ^ swapped_y_i) ? {sum_23, sum_20[0], sum[0]} : {sum_30, sum_28[0], sum_3[0]};
+  // hls/stages/interpolate.hpp:64
+  logic [11:0] sum_35;
+  assign sum_35 = {1'b0, select_32} + {1'b0, chosen_8};
+  // hls/stages/interpolate.hpp:63
   logic [10:0] chosen_9;
-  assign chosen_9 = wy_i[1] ? {sum_16, sum_14[0], sum[0]} : {sum_22, sum_20[0], sum_2[0]};
-  // hls/stages/interpolate.hpp:47
-  logic [11:0] sum_27;
-  assign sum_27 = {1'b0, sum_25[11:1]} + {1'b0, chosen_9};
-  logic [11:0] sum_28;
-  assign sum_28 = {1'b0, chosen_7} + {1'b0, sum_27[11:1]};
-  logic [8:0] sum_29;
-  assign sum_29 = sum_28[11:3] + 9'h1;
-  // hls/stages/interpolate.hpp:42
-  logic equal_36;
-  assign equal_36 = wx_i == 3'h0;
-  // hls/stages/interpolate.hpp:43
-  logic equal_37;
-  assign equal_37 = wy_i == 3'h0;
+  assign chosen_9 = (wy_i[1] ^ swapped_y_i) ? {sum_23, sum_20[0], sum[0]} : {sum_30, sum_28[0], sum_3[0]};
   // hls/stages/interpolate.hpp:52
-  logic [7:0] sum_40;
-  assign sum_40 = p11_i + 8'h1;
-  // hls/stages/interpolate.hpp:56
-  logic and_42;
-  assign and_42 = (~(equal_36 | equal_37)) & (sum_40[7:1] == 7'h0);
-  logic select_47;
-  assign select_47 = equal_37 ? and_42 : (((p10_i == 8'hff) | (p10_i == 8'h0)) | and_42);
-  logic select_52;
-  assign select_52 = equal_36 ? select_47 : (((p01_i == 8'hff) | (p01_i == 8'h0)) | select_47);
-  logic or_54;
-  assign or_54 = ((left_i == 8'hff) | (left_i == 8'h0)) | (((p00_i == 8'hff) | (p00_i == 8'h0)) | select_52);
+  logic [11:0] sum_38;
+  assign sum_38 = {1'b0, sum_35[11:1]} + {1'b0, chosen_9};
+  logic [11:0] sum_39;
+  assign sum_39 = {1'b0, chosen_7} + {1'b0, sum_38[11:1]};
+  logic [8:0] sum_40;
+  assign sum_40 = sum_39[11:3] + 9'h1;
+  // hls/stages/interpolate.hpp:45
+  logic not_45;
+  assign not_45 = ~(wx_i == 3'h0);
+  logic or_47;
+  assign or_47 = not_45 | (~swapped_x_i);
+  // hls/stages/interpolate.hpp:47
+  logic not_49;
+  assign not_49 = ~(wy_i == 3'h0);
+  logic or_51;
+  assign or_51 = not_49 | (~swapped_y_i);
+  // hls/stages/interpolate.hpp:46
+  logic or_56;
+  assign or_56 = swapped_x_i | not_45;
+  // hls/stages/interpolate.hpp:48
+  logic or_61;
+  assign or_61 = swapped_y_i | not_49;
+  // hls/stages/interpolate.hpp:57
+  logic [7:0] sum_67;
+  assign sum_67 = p11_i + 8'h1;
+  // hls/stages/interpolate.hpp:61
+  logic and_69;
+  assign and_69 = (or_56 & or_61) & (sum_67[7:1] == 7'h0);
+  logic select_71;
+  assign select_71 = (or_47 & or_61) ? (((p10_i == 8'hff) | (p10_i == 8'h0)) | and_69) : and_69;
+  logic select_73;
+  assign select_73 = (or_56 & or_51) ? (((p01_i == 8'hff) | (p01_i == 8'h0)) | select_71) : select_71;
+  logic select_75;
+  assign select_75 = (or_47 & or_51) ? (((p00_i == 8'hff) | (p00_i == 8'h0)) | select_73) : select_73;
 
   logic [7:0] left_s1_q;
   logic mask_s1_q;
   logic marks_first_s1_q;
   logic marks_last_s1_q;
-  logic [7:0] sum_29_s1_q;
-  logic or_54_s1_q;
+  logic [7:0] sum_40_s1_q;
+  logic or_76_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       left_s1_q <= left_i;
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;
       marks_last_s1_q <= marks_last_i;
-      sum_29_s1_q <= sum_29[8:1];
-      or_54_s1_q <= or_54;
+      sum_40_s1_q <= sum_40[8:1];
+      or_76_s1_q <= ((left_i == 8'hff) | (left_i == 8'h0)) | select_75;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
   assign pixel_0_o = left_s1_q;
-  assign pixel_1_o = sum_29_s1_q;
-  assign saturated_o = or_54_s1_q;
+  assign pixel_1_o = sum_40_s1_q;
+  assign saturated_o = or_76_s1_q;
   assign mask_o = mask_s1_q;
   assign marks_first_o = marks_first_s1_q;
   assign marks_last_o = marks_last_s1_q;
@@ -143,6 +171,6 @@ module horopter_interpolate (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_40[0], sum_29[0], sum_28[2:0], sum_27[0], sum_25[0]};
+  assign unused_bits = ^{sum_67[0], sum_40[0], sum_39[2:0], sum_38[0], sum_35[0]};
 
 endmodule
