@@ -68,6 +68,68 @@ TEST_CASE("every texture has the contrast and brightness asked for, and comes ag
   }
 }
 
+TEST_CASE("textures have the structures asked for") {
+  // Correlation of a texture with itself at a distance along x, over its theory.
+  constexpr int oversampling = 4;
+  const auto correlation = [](const Raster<float>& image, int distance) {
+    const double n = static_cast<double>(image.values.size());
+    const double mean = std::accumulate(image.values.begin(), image.values.end(), 0.0) / n;
+    double variance = 0;
+    for (const float value : image.values) variance += (value - mean) * (value - mean) / n;
+    double product = 0;
+    for (int y = 0; y < image.height; ++y)
+      for (int x = distance; x < image.width; ++x)
+        product += (image.at(x, y) - mean) * (image.at(x - distance, y) - mean);
+    return product / (static_cast<double>(image.width - distance) * image.height) / variance;
+  };
+  Texture texture;
+  texture.smallest_px = 2;
+  texture.largest_px = 6;
+
+  texture.kind = TextureKind::dead_leaves;
+  const Raster<float> leaves = draw_texture(texture, 250, 250, oversampling, 3);
+  // Mean area that a disc shares with itself displaced, over diameters with density d⁻³.
+  const auto shared_area = [&](double h) {
+    double sum = 0;
+    constexpr int steps = 1000;
+    for (int i = 0; i < steps; ++i) {
+      const double d =
+          texture.smallest_px + (texture.largest_px - texture.smallest_px) * (i + 0.5) / static_cast<double>(steps);
+      if (h < d) sum += (d * d * std::acos(h / d) - h * std::sqrt(d * d - h * h)) / 2 / (d * d * d);
+    }
+    return sum;
+  };
+  for (const double h : {0.5, 1.0, 2.0, 3.0, 6.0}) {
+    // Of leaves that cover either of two places, those that cover both.
+    const double expected = shared_area(h) / (2 * shared_area(0) - shared_area(h));
+    CAPTURE(h);
+    CHECK(correlation(leaves, static_cast<int>(h * oversampling)) == Approx(expected).margin(0.03));
+  }
+
+  texture.kind = TextureKind::band_noise;
+  const Raster<float> band = draw_texture(texture, 250, 250, oversampling, 3);
+  // A Gaussian of the smallest half-width less one of the largest; both are means of whole samples, within 6 %.
+  const double narrow = std::pow(texture.smallest_px / 2.3548, 2);
+  const double wide = std::pow(texture.largest_px / 2.3548, 2);
+  const auto covariance = [&](double h) {
+    const auto bell = [h](double v) { return std::exp(-h * h / (2 * v)) / v; };
+    return bell(2 * narrow) + bell(2 * wide) - 2 * bell(narrow + wide);
+  };
+  for (const double h : {0.5, 1.0, 2.0, 3.0, 6.0}) {
+    CAPTURE(h);
+    CHECK(correlation(band, static_cast<int>(h * oversampling)) == Approx(covariance(h) / covariance(0)).margin(0.07));
+  }
+
+  texture.kind = TextureKind::printed_dots;
+  const Raster<float> dots = draw_texture(texture, 250, 250, oversampling, 3);
+  double paper = 0;
+  for (const float value : dots.values) {
+    REQUIRE((value == 0 || value == 1));
+    paper += value;
+  }
+  CHECK(paper / static_cast<double>(dots.values.size()) == Approx(0.6).margin(0.02));
+}
+
 TEST_CASE("a shift by whole pixels moves the image, halves lie between") {
   const Simulation simulation(small(), 5);
   const Plane still = simulation.exact(0);
