@@ -142,6 +142,10 @@ TEST_CASE("a shift by whole pixels moves the image, halves lie between") {
     CHECK(difference > last);
     last = difference;
   }
+  // Between two samples, an eighth of a pixel apart, as well.
+  Plane middle = simulation.exact(0.125);
+  for (std::size_t i = 0; i < middle.values.size(); ++i) middle.values[i] = (middle.values[i] + still.values[i]) / 2;
+  CHECK(rms_difference(middle, simulation.exact(0.0625)) < 0.2 * rms_difference(still, simulation.exact(0.0625)));
   CHECK_THROWS_AS(simulation.exact(5.5), std::invalid_argument);
 }
 
@@ -178,6 +182,8 @@ TEST_CASE("a picture is shown where it is, blurred by lens and pixel as they are
   const double expected = conditions.camera.blur_px * conditions.camera.blur_px + conditions.camera.fill_factor / 12;
   CAPTURE(conditions.camera.fill_factor, conditions.camera.blur_px);
   CHECK(variance == Approx(expected).margin(0.012));
+  // The edge lies between two pixels of the camera: column 240 of the picture is 60 px.
+  CHECK(std::abs(std::remainder(edge + mean + 0.5, 1.0)) < 0.01);
 }
 
 TEST_CASE("noise, averaging and conversion are what they say") {
@@ -203,12 +209,13 @@ TEST_CASE("light and jitter") {
   Conditions conditions = small();
   conditions.lighting.deviation_grey = 0;
   conditions.lighting.slope_x = 0.4;
+  conditions.lighting.slope_y = -0.3;
   conditions.lighting.falloff = 0.2;
   const Plane lit = Simulation(conditions, 0).exact(0);
   const double u = 95.0 / 96;
   const double v = 1.0 / 64;
-  CHECK(lit.at(95, 32) == Approx(110 * (1 + 0.4 * u - 0.1 * (u * u + v * v))).epsilon(1e-5));
-  CHECK(lit.at(0, 32) == Approx(110 * (1 - 0.4 * u - 0.1 * (u * u + v * v))).epsilon(1e-5));
+  CHECK(lit.at(95, 32) == Approx(110 * (1 + 0.4 * u - 0.3 * v - 0.1 * (u * u + v * v))).epsilon(1e-5));
+  CHECK(lit.at(0, 32) == Approx(110 * (1 - 0.4 * u - 0.3 * v - 0.1 * (u * u + v * v))).epsilon(1e-5));
 
   // A line is displaced as a whole: its difference from the exact one goes with the gradient, and lines differ.
   conditions = small();
