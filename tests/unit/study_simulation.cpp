@@ -130,6 +130,22 @@ TEST_CASE("textures have the structures asked for") {
   CHECK(paper / static_cast<double>(dots.values.size()) == Approx(0.6).margin(0.02));
 }
 
+TEST_CASE("a picture goes on mirrored where it ends") {
+  auto picture = std::make_shared<Image>(20, 12);
+  Random random(7);
+  for (auto& pixel : picture->pixels) pixel = static_cast<std::uint8_t>(random.next());
+  Texture texture;
+  texture.kind = TextureKind::picture;
+  texture.picture = picture;
+  const Raster<float> drawn = draw_texture(texture, 50, 30, 1, 1);
+  for (int y = 0; y < drawn.height; ++y)
+    for (int x = 0; x < drawn.width; ++x) {
+      const int u = x < 20 ? x : x < 40 ? 39 - x : x - 40;
+      const int v = y < 12 ? y : y < 24 ? 23 - y : y - 24;
+      REQUIRE(drawn.at(x, y) == picture->at(u, v));
+    }
+}
+
 TEST_CASE("a shift by whole pixels moves the image, halves lie between") {
   const Simulation simulation(small(), 5);
   const Plane still = simulation.exact(0);
@@ -203,6 +219,24 @@ TEST_CASE("noise, averaging and conversion are what they say") {
   conditions.electronics.bits = 2;
   conditions.electronics.averaged = 1;
   for (const auto pixel : Simulation(conditions, 0).photograph(0, 1).pixels) REQUIRE(pixel % 85 == 0);
+}
+
+TEST_CASE("electronics can be exchanged") {
+  const Simulation simulation(small(), 0);
+  const Plane still = simulation.exact(0);
+  CHECK(simulation.expose(still, small().electronics, 7) == simulation.photograph(0, 7));
+  const Image noiseless = simulation.expose(still, {.noise_grey = 0, .averaged = 1}, 7);
+  for (std::size_t i = 0; i < still.values.size(); ++i) REQUIRE(noiseless.pixels[i] == std::lround(still.values[i]));
+  CHECK_THROWS_AS(simulation.expose(Plane(5, 5), small().electronics, 7), std::invalid_argument);
+}
+
+TEST_CASE("the local deviation is of the window's own mean") {
+  Plane ramp(20, 15);
+  for (int y = 0; y < ramp.height; ++y)
+    for (int x = 0; x < ramp.width; ++x) ramp.at(x, y) = 100 + 3 * x;
+  CHECK(local_deviation(ramp, 7) == Approx(3 * 2));  // of −3 … 3
+  CHECK(local_deviation(ramp, 3) == Approx(3 * std::sqrt(2 / 3.0)));
+  CHECK_THROWS_AS(local_deviation(ramp, 4), std::invalid_argument);
 }
 
 TEST_CASE("light and jitter") {
