@@ -74,7 +74,7 @@ constexpr std::array amounts{
 const double kRounding = 1 / std::sqrt(12.0);
 /// Less noise than this does not spread the rounding evenly.
 constexpr double kLeastNoise = 0.5;
-/// Ratios that the acceptance of a curve is judged from.
+/// Curves are compared from here on.
 constexpr double kSmallestRatio = 2;
 
 study::Texture of_kind(study::TextureKind kind, double largest_px = 3) {
@@ -161,10 +161,9 @@ class NoiseStudy {
 
   using Choice = std::vector<std::string>;
   /// Of patterns by their names, with `measure` of texture and noise; `relative`: to each one's error without noise.
-  Apart apart(const Choice& names, std::size_t measure = 0, bool relative = false, double from_d50_px = 0) const {
+  Apart apart(const Choice& names, std::size_t measure = 0, bool relative = false) const {
     Apart furthest;
     for (std::size_t d = 0; d < d50s_px.size(); ++d) {
-      if (d50s_px[d] < from_d50_px) continue;
       for (const double ratio : ratios_) {
         if (ratio < kSmallestRatio) continue;
         std::vector<double> errors;
@@ -275,7 +274,6 @@ void noise(OutputDirectory& directory, const StudyScope& scope, nlohmann::json& 
   report("kinds_without_noise", least, "the same kinds without noise, where no ratio can bring them together,");
   report("kinds_relative", noise.apart(kinds, 0, true), "errors as multiples of the kind's own without noise");
   report("kinds_of_like_spectrum", of_alike, "kinds of like spectra (leaves, dots, band noise up to 12 px)");
-  report("kinds_of_like_spectrum_from_0.7_px", noise.apart(alike, 0, false, 0.7), "the same for D50 of 0.7 px or more");
   Csv measures({"measure_of_texture_and_noise", "kinds_within", "ratio", "d50_px"});
   std::string others;
   for (std::size_t m = 0; m < amounts.size(); ++m) {
