@@ -174,7 +174,8 @@ TEST_CASE("the hardware's criterion is its stages' arithmetic on whole images") 
         int sum = 8;
         for (int j = -1; j <= 1; ++j)
           for (int i = -1; i <= 1; ++i) sum += (2 - std::abs(i)) * (2 - std::abs(j)) * image.at(x + i, y + j);
-        smooth.at(x, y) = sum / 16;
+        const int rounded = sum / 16;
+        smooth.at(x, y) = rounded;
       }
     Plane result(kWidth, kHeight);
     for (int y = 2; y < kHeight - 2; ++y)
