@@ -129,7 +129,7 @@ nlohmann::json study_all(const std::string& out, const StudyScope& scope) {
     }
     contents += fmt::format("<li><a href=\"#{0}\">{0}</a>: {1}</li>\n", study.name, escaped(study.what));
     sections += section(place, study, result);
-    results[study.name] = std::move(result);
+    results[study.name] = result;
   }
   int statements = 0;
   int confirmed = 0;
@@ -147,8 +147,8 @@ nlohmann::json study_all(const std::string& out, const StudyScope& scope) {
                            {"confirmed", confirmed},
                            {"partly", partly},
                            {"not_confirmed", statements - confirmed - partly}};
-  summary["findings"].push_back(fmt::format("{} statements of the thesis: {} confirmed, {} partly, {} not confirmed",
-                                            statements, confirmed, partly, statements - confirmed - partly));
+  summary["findings"].push_back(fmt::format("{} statements: {} confirmed, {} partly, {} not confirmed", statements,
+                                            confirmed, partly, statements - confirmed - partly));
   summary["findings"].push_back(fmt::format("The page is {}, the statements are in {}",
                                             (fs::path(out) / "index.html").string(),
                                             (fs::path(out) / "STUDY.md").string()));

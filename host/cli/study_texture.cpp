@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// Thesis chapter 9: measures of texture (Tables 9.1, 9.2), and how much of it the correlation needs against the noise
-// (Fig. 9.1, 9.2).
+// Thesis 9.1: measures of texture (Tables 9.1, 9.2); study_texture_noise.cpp is 9.2.
+#include "study_texture.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "horopter/image.hpp"
 #include "horopter/study/filters.hpp"
 #include "horopter/study/random.hpp"
-#include "horopter/study/series.hpp"
 #include "horopter/study/simulation.hpp"
 #include "horopter/study/texture_measures.hpp"
 #include "plot.hpp"
-#include "progress.hpp"
 #include "study.hpp"
 #include "study_statements.hpp"
 
@@ -201,161 +199,6 @@ void surfaces(OutputDirectory& directory, const StudyScope& scope, nlohmann::jso
   directory.write("table-9-2.csv", table.text());
 }
 
-study::Setting dsad() {
-  study::Setting setting;
-  setting.criterion = &study::criterion("DSAD");
-  setting.preparation = {study::Feature::direction, true};
-  setting.kernel = 9;
-  return setting;
-}
-
-study::Conditions conditions_of(const StudyScope& scope, double texture_grey, double noise_grey) {
-  study::Conditions conditions;
-  conditions.camera.width = scope.quick ? 320 : 630;
-  conditions.camera.height = scope.quick ? 240 : 470;
-  conditions.lighting.mean_grey = 128;
-  conditions.lighting.deviation_grey = texture_grey;
-  conditions.electronics = {.noise_grey = noise_grey, .averaged = 1};
-  conditions.seed = scope.seed;
-  return conditions;
-}
-
-/// Deviation of the converter's rounding.
-const double kRounding = 1 / std::sqrt(12.0);
-/// Less noise than this does not spread the rounding evenly.
-constexpr double kLeastNoise = 0.5;
-
-/// The errors of patterns over the ratio of texture to noise, D50 by D50; none where there is less noise than can be.
-class NoiseStudy {
- public:
-  static constexpr std::array d50s_px{0.4, 0.7, 1.0, 1.4};
-
-  explicit NoiseStudy(const StudyScope& scope)
-      : scope_(scope),
-        ratios_(scope.quick ? std::vector<double>{2, 5, 10} : std::vector<double>{2, 2.5, 3, 4, 5, 7, 10, 14, 20}) {
-    const double step_px = scope.quick ? 0.2 : 0.1;
-    for (int i = 0; i * step_px <= study::Detection::kLargest_px + 1e-9; ++i) disparities_.push_back(i * step_px);
-    for (const double d50 : d50s_px) panels_.push_back({fmt::format("D50 {:g} px", d50), "texture / noise", "px", {}});
-  }
-
-  /// Another pattern for each: with one pattern all strengths would be the same but for the converter.
-  void add(const std::string& name, study::TextureKind kind, double texture_grey, std::uint64_t seed) {
-    for (Panel& panel : panels_) panel.curves.push_back({name, {}});
-    for (const double ratio : ratios_) {
-      progress_.show(done_++, {});
-      // The rounding is a part of the noise.
-      const double total = texture_grey / ratio;
-      const double analogue = std::sqrt(std::max(0.0, total * total - kRounding * kRounding));
-      if (analogue < kLeastNoise) continue;
-      study::Conditions conditions = conditions_of(scope_, texture_grey, analogue);
-      conditions.texture.kind = kind;
-      conditions.seed = seed;
-      const study::Simulation simulation(conditions, disparities_.back());
-      const auto detection = study::detect(study::photographs(simulation, disparities_), {dsad()}).front();
-      for (std::size_t d = 0; d < d50s_px.size(); ++d) {
-        const double error = detection.segmentation_error(d50s_px[d]);
-        table_ << name << texture_grey << total << ratio << d50s_px[d] << error;
-        table_.end_row();
-        panels_[d].curves.back().points.emplace_back(ratio, error);
-      }
-    }
-  }
-
-  /// How far curves are apart at most: half of the difference over the mean, of the furthest two at one ratio.
-  struct Apart {
-    double share = 0, ratio = 0, d50_px = 0;
-  };
-  Apart apart(std::size_t first, std::size_t last) const {
-    Apart furthest;
-    for (std::size_t d = 0; d < d50s_px.size(); ++d) {
-      for (const double ratio : ratios_) {
-        double least = INFINITY;
-        double most = 0;
-        for (std::size_t i = first; i < last; ++i) {
-          for (const auto& [at, error] : panels_[d].curves[i].points) {
-            if (at != ratio) continue;
-            least = std::min(least, error);
-            most = std::max(most, error);
-          }
-        }
-        const double share = most > 0 ? (most - least) / (most + least) : 0;
-        if (share > furthest.share) furthest = {share, ratio, d50s_px[d]};
-      }
-    }
-    return furthest;
-  }
-  std::size_t curves() const { return panels_.front().curves.size(); }
-  const std::string& table() const { return table_.text(); }
-  const std::vector<Panel>& panels() const { return panels_; }
-
- private:
-  const StudyScope& scope_;
-  std::vector<double> ratios_;
-  std::vector<double> disparities_;
-  std::vector<Panel> panels_;
-  Csv table_{{"pattern", "texture_grey", "noise_grey", "ratio", "d50_px", "segmentation_error_px"}};
-  Progress progress_{"pattern"};
-  std::size_t done_ = 0;
-};
-
-void noise(OutputDirectory& directory, const StudyScope& scope, nlohmann::json& result,
-           std::vector<std::string>& findings, Statements& statements) {
-  NoiseStudy noise(scope);
-  for (const double texture : scope.quick ? std::vector<double>{8, 32} : std::vector<double>{5, 10, 20, 40}) {
-    noise.add(fmt::format("texture {:g}", texture), study::TextureKind::dead_leaves, texture,
-              scope.seed + static_cast<std::uint64_t>(texture));
-  }
-  const std::size_t strengths = noise.curves();
-  for (const auto kind : {study::TextureKind::band_noise, study::TextureKind::printed_dots}) {
-    noise.add(study::name_of(kind), kind, 20, scope.seed);
-  }
-  directory.write("fig-9-2.csv", noise.table());
-  directory.write("fig-9-2.svg",
-                  plot_svg("Fig. 9.2: segmentation error of DSAD 9x9 over texture to noise (7x7)", noise.panels(), 2));
-  const auto report = [&](const char* key, const NoiseStudy::Apart& apart, const char* what) {
-    result[key] = {{"within", apart.share}, {"ratio", apart.ratio}, {"d50_px", apart.d50_px}};
-    findings.push_back(
-        fmt::format("Fig. 9.2: {} lie within +-{:.1f} % at one ratio of texture to noise (furthest at "
-                    "ratio {:g}, D50 {:g} px)",
-                    what, 100 * apart.share, apart.ratio, apart.d50_px));
-  };
-  const auto of_strengths = noise.apart(0, strengths);
-  const auto of_kinds = noise.apart(0, noise.curves());
-  report("strengths", of_strengths, "the errors of all strengths of texture");
-  report("kinds", of_kinds, "with other kinds of texture (band noise, dots), the errors");
-  statements.add(
-      "9.2", "The segmentation error depends on the ratio of texture to noise alone.",
-      fmt::format("Textures of deviation 5 to 40, another pattern each: within ±{:.1f} %; with band noise and "
-                  "printed dots, whose spectra differ: ±{:.1f} %",
-                  100 * of_strengths.share, 100 * of_kinds.share),
-      verdict(of_strengths.share <= 0.03 && of_kinds.share <= 0.03, of_strengths.share <= 0.03),
-      "Within ±3 % at ratios from 2 to 20; partly: for all strengths of one kind of texture");
-}
-
-void histograms(OutputDirectory& directory, const StudyScope& scope) {
-  Csv table({"texture_to_noise", "disparity_px", "from", "to", "density"});
-  std::vector<Panel> panels;
-  const double largest = dsad().criterion->worst(9);
-  for (const double ratio : {3.0, 20.0}) {
-    Panel panel{fmt::format("texture / noise {:g}", ratio), "DSAD, share of the largest", "density", {}};
-    const std::vector<double> disparities{0, 0.5, 1, 1.5, 2, 3};
-    const study::Simulation simulation(conditions_of(scope, 20, 20 / ratio), disparities.back());
-    const auto detection = study::detect(study::photographs(simulation, disparities), {dsad()}).front();
-    for (std::size_t i = 0; i < disparities.size(); ++i) {
-      Curve curve{fmt::format("{:g} px", disparities[i]), {}};
-      for (const auto& bar : detection.histograms()[i].density(60)) {
-        table << ratio << disparities[i] << bar.from / largest << bar.to / largest << bar.density * largest;
-        table.end_row();
-        curve.points.emplace_back(0.5 * (bar.from + bar.to) / largest, bar.density * largest);
-      }
-      panel.curves.push_back(std::move(curve));
-    }
-    panels.push_back(std::move(panel));
-  }
-  directory.write("fig-9-1.csv", table.text());
-  directory.write("fig-9-1.svg", plot_svg("Fig. 9.1: histograms of DSAD 9x9, weak and strong texture", panels, 2));
-}
-
 }  // namespace
 
 nlohmann::json study_texture(OutputDirectory& directory, const StudyScope& scope) {
@@ -364,12 +207,8 @@ nlohmann::json study_texture(OutputDirectory& directory, const StudyScope& scope
   Statements statements;
   measures(directory, scope, result, findings, statements);
   surfaces(directory, scope, result);
-  histograms(directory, scope);
-  noise(directory, scope, result, findings, statements);
+  texture_against_noise(directory, scope, result, findings, statements);
   result["statements"] = statements.json();
-  result["figures"] = {{{"file", "fig-9-1.svg"}, {"title", "Fig. 9.1: histograms of weak and strong texture"}},
-                       {{"file", "fig-9-2.svg"}, {"title", "Fig. 9.2: segmentation error over texture to noise"}}};
-  result["conditions"] = study::to_json(conditions_of(scope, 20, 2));
   result["findings"] = findings;
   return result;
 }

@@ -174,7 +174,8 @@ TEST_CASE("the hardware's criterion is its stages' arithmetic on whole images") 
         int sum = 8;
         for (int j = -1; j <= 1; ++j)
           for (int i = -1; i <= 1; ++i) sum += (2 - std::abs(i)) * (2 - std::abs(j)) * image.at(x + i, y + j);
-        smooth.at(x, y) = sum / 16;
+        const int rounded = sum / 16;
+        smooth.at(x, y) = rounded;
       }
     Plane result(kWidth, kHeight);
     for (int y = 2; y < kHeight - 2; ++y)
@@ -234,6 +235,7 @@ TEST_CASE("filters are their definitions") {
   // Eq. 8.7 with the mean of the weights removed.
   for (const double w : {2.0, 5.0}) {
     const int reach = log_reach(w);
+    CHECK(reach == (w == 2.0 ? 3 : 8));  // 1.5 w
     double removed = 0;
     const auto weight = [&](int i, int j) {
       const double a = 4.0 * (i * i + j * j) / (w * w);
@@ -255,4 +257,35 @@ TEST_CASE("filters are their definitions") {
   CHECK(sobel(image).x.at(x, y) == gx);
   CHECK(sobel(image).y.at(x, y) == gy);
   CHECK(sobel_direction(image).at(x, y) == Approx(std::atan2(gy, gx) / (2 * std::numbers::pi)));
+
+  // A Gaussian of a point has its deviation, and keeps the sum.
+  Plane point(41, 41);
+  point.at(20, 20) = 1;
+  const Plane bell = gaussian(point, 2);
+  double sum = 0;
+  double across = 0;
+  double down = 0;
+  for (int j = 0; j < 41; ++j)
+    for (int i = 0; i < 41; ++i) {
+      sum += bell.at(i, j);
+      across += bell.at(i, j) * (i - 20) * (i - 20);
+      down += bell.at(i, j) * (j - 20) * (j - 20);
+    }
+  CHECK(sum == Approx(1));
+  CHECK(across == Approx(4).epsilon(0.01));
+  CHECK(down == Approx(4).epsilon(0.01));
+}
+
+TEST_CASE("images are prepared in the order low-pass, high-pass or direction") {
+  const Image image = random_image(6);
+  const Plane grey = to_plane(image);
+  CHECK(prepare(image, {}) == grey);
+  CHECK(prepare(image, {Feature::camera}) == grey);
+  CHECK(prepare(image, {Feature::grey, true}) == lowpass(grey));
+  CHECK(prepare(image, {Feature::grey, false, true}) == highpass(grey));
+  CHECK(prepare(image, {Feature::grey, true, true}) == highpass(lowpass(grey)));
+  CHECK(prepare(image, {Feature::log_sign, false, false, 3}) == log_sign(grey, 3));
+  const auto direction_at = [](const Plane& plane) { return sobel_direction(plane).at(17, 14); };
+  CHECK(prepare(image, {Feature::direction}).at(17, 14) == direction_at(grey));
+  CHECK(prepare(image, {Feature::direction, true}).at(17, 14) == direction_at(lowpass(grey)));
 }

@@ -3,7 +3,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
+#include "horopter/study/filters.hpp"
 #include "horopter/study/measures.hpp"
 #include "horopter/study/random.hpp"
 #include "horopter/study/series.hpp"
@@ -47,7 +49,7 @@ TEST_CASE("a histogram knows shares, quantiles, mean and deviation") {
 
   // From the best value on, borders left out.
   Plane similar(30, 30, 0.75);
-  similar.at(1, 1) = 0;
+  for (const auto& [x, y] : {std::pair{1, 1}, {15, 1}, {1, 15}, {28, 15}, {15, 28}}) similar.at(x, y) = 0;
   CHECK(Histogram(similar, 1, 2).mean() == Approx(0.25));
 }
 
@@ -107,6 +109,35 @@ TEST_CASE("a series: every setting on every image, the same on every run") {
   const double steps = once[2].threshold(1) / 16;
   CHECK(steps < degrees);
   CHECK(steps > degrees - 0.06 * 81);
+
+  // Each image has noise of its own, and shows what lies its disparity further along the lines.
+  const ImageSeries series = photographs(simulation, disparities);
+  CHECK_FALSE(series.image(0) == series.reference);
+  const Plane moved = simulation.exact(2);
+  double off = 0;
+  const Image image = series.image(3);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) off += std::abs(image.pixels[i] - moved.values[i]);
+  CHECK(off / static_cast<double>(image.pixels.size()) < 1);
+
+  // The filter of a result is the one asked for, and what it reaches beyond the image does not count.
+  const auto plane_of = [&](const Image& one) { return prepare(one, settings[0].preparation); };
+  const Plane r = plane_of(series.reference);
+  const Plane s = plane_of(image);
+  Pair pair(r, s);
+  const Plane plain = settings[0].criterion->compare(pair);
+  constexpr int margin = 4 + 2 + 1;  // window, Sobel and low-pass, filter
+  for (const auto& [filter, filtered] : {std::pair{ResultFilter::none, plain},
+                                         {ResultFilter::lowpass, lowpass(plain)},
+                                         {ResultFilter::median, median(plain)}}) {
+    Setting setting = settings[0];
+    setting.filter = filter;
+    CAPTURE(name_of(filter));
+    CHECK(reach_of(setting) == margin - (filter == ResultFilter::none ? 1 : 0));
+    CHECK(detect(series, {setting}).front().histograms()[3].mean() == Histogram(filtered, 0, reach_of(setting)).mean());
+  }
+  CHECK(reach_of({&criterion("hardware"), {Feature::camera}, 9}) == 4 + 2);
+  CHECK(reach_of({&criterion("NISH"), {Feature::log_sign, false, false, 4}, 5}) == 2 + 6);
+  CHECK(reach_of({&criterion("ZNCC"), {Feature::grey, true, true}, 7}) == 3 + 2);
 
   ImageSeries other = photographs(simulation, disparities);
   other.image = [](std::size_t) { return Image(5, 5); };

@@ -113,11 +113,9 @@ TEST_CASE("hysteresis takes OpenCV's components that hold a high value") {
   CHECK(wrong == 0);
   CHECK(taken > 100);
   CHECK(taken < cv::countNonZero(weak));
-  CHECK(hysteresis(values, 0.97, 0.97) == [&] {
-    Image plain(90, 60);
-    for (std::size_t i = 0; i < values.values.size(); ++i) plain.pixels[i] = values.values[i] >= 0.97 ? 1 : 0;
-    return plain;
-  }());
+  Image plain(90, 60);
+  for (std::size_t i = 0; i < values.values.size(); ++i) plain.pixels[i] = values.values[i] >= 0.97 ? 1 : 0;
+  CHECK(hysteresis(values, 0.97, 0.97) == plain);
   CHECK_THROWS_AS(hysteresis(values, 0.9, 0.8), std::invalid_argument);
 }
 

@@ -68,6 +68,84 @@ TEST_CASE("every texture has the contrast and brightness asked for, and comes ag
   }
 }
 
+TEST_CASE("textures have the structures asked for") {
+  // Correlation of a texture with itself at a distance along x, over its theory.
+  constexpr int oversampling = 4;
+  const auto correlation = [](const Raster<float>& image, int distance) {
+    const double n = static_cast<double>(image.values.size());
+    const double mean = std::accumulate(image.values.begin(), image.values.end(), 0.0) / n;
+    double variance = 0;
+    for (const float value : image.values) variance += (value - mean) * (value - mean) / n;
+    double product = 0;
+    for (int y = 0; y < image.height; ++y)
+      for (int x = distance; x < image.width; ++x)
+        product += (image.at(x, y) - mean) * (image.at(x - distance, y) - mean);
+    return product / (static_cast<double>(image.width - distance) * image.height) / variance;
+  };
+  Texture texture;
+  texture.smallest_px = 2;
+  texture.largest_px = 6;
+
+  texture.kind = TextureKind::dead_leaves;
+  const Raster<float> leaves = draw_texture(texture, 250, 250, oversampling, 3);
+  // Mean area that a disc shares with itself displaced, over diameters with density d⁻³.
+  const auto shared_area = [&](double h) {
+    double sum = 0;
+    constexpr int steps = 1000;
+    for (int i = 0; i < steps; ++i) {
+      const double d =
+          texture.smallest_px + (texture.largest_px - texture.smallest_px) * (i + 0.5) / static_cast<double>(steps);
+      if (h < d) sum += (d * d * std::acos(h / d) - h * std::sqrt(d * d - h * h)) / 2 / (d * d * d);
+    }
+    return sum;
+  };
+  for (const double h : {0.5, 1.0, 2.0, 3.0, 6.0}) {
+    // Of leaves that cover either of two places, those that cover both.
+    const double expected = shared_area(h) / (2 * shared_area(0) - shared_area(h));
+    CAPTURE(h);
+    CHECK(correlation(leaves, static_cast<int>(h * oversampling)) == Approx(expected).margin(0.03));
+  }
+
+  texture.kind = TextureKind::band_noise;
+  const Raster<float> band = draw_texture(texture, 250, 250, oversampling, 3);
+  // A Gaussian of the smallest half-width less one of the largest; both are means of whole samples, within 6 %.
+  const double narrow = std::pow(texture.smallest_px / 2.3548, 2);
+  const double wide = std::pow(texture.largest_px / 2.3548, 2);
+  const auto covariance = [&](double h) {
+    const auto bell = [h](double v) { return std::exp(-h * h / (2 * v)) / v; };
+    return bell(2 * narrow) + bell(2 * wide) - 2 * bell(narrow + wide);
+  };
+  for (const double h : {0.5, 1.0, 2.0, 3.0, 6.0}) {
+    CAPTURE(h);
+    CHECK(correlation(band, static_cast<int>(h * oversampling)) == Approx(covariance(h) / covariance(0)).margin(0.07));
+  }
+
+  texture.kind = TextureKind::printed_dots;
+  const Raster<float> dots = draw_texture(texture, 250, 250, oversampling, 3);
+  double paper = 0;
+  for (const float value : dots.values) {
+    REQUIRE((value == 0 || value == 1));
+    paper += value;
+  }
+  CHECK(paper / static_cast<double>(dots.values.size()) == Approx(0.6).margin(0.02));
+}
+
+TEST_CASE("a picture goes on mirrored where it ends") {
+  auto picture = std::make_shared<Image>(20, 12);
+  Random random(7);
+  for (auto& pixel : picture->pixels) pixel = static_cast<std::uint8_t>(random.next());
+  Texture texture;
+  texture.kind = TextureKind::picture;
+  texture.picture = picture;
+  const Raster<float> drawn = draw_texture(texture, 50, 30, 1, 1);
+  for (int y = 0; y < drawn.height; ++y)
+    for (int x = 0; x < drawn.width; ++x) {
+      const int u = x < 20 ? x : x < 40 ? 39 - x : x - 40;
+      const int v = y < 12 ? y : y < 24 ? 23 - y : y - 24;
+      REQUIRE(drawn.at(x, y) == picture->at(u, v));
+    }
+}
+
 TEST_CASE("a shift by whole pixels moves the image, halves lie between") {
   const Simulation simulation(small(), 5);
   const Plane still = simulation.exact(0);
@@ -80,6 +158,10 @@ TEST_CASE("a shift by whole pixels moves the image, halves lie between") {
     CHECK(difference > last);
     last = difference;
   }
+  // Between two samples, an eighth of a pixel apart, as well.
+  Plane middle = simulation.exact(0.125);
+  for (std::size_t i = 0; i < middle.values.size(); ++i) middle.values[i] = (middle.values[i] + still.values[i]) / 2;
+  CHECK(rms_difference(middle, simulation.exact(0.0625)) < 0.2 * rms_difference(still, simulation.exact(0.0625)));
   CHECK_THROWS_AS(simulation.exact(5.5), std::invalid_argument);
 }
 
@@ -116,6 +198,8 @@ TEST_CASE("a picture is shown where it is, blurred by lens and pixel as they are
   const double expected = conditions.camera.blur_px * conditions.camera.blur_px + conditions.camera.fill_factor / 12;
   CAPTURE(conditions.camera.fill_factor, conditions.camera.blur_px);
   CHECK(variance == Approx(expected).margin(0.012));
+  // The edge lies between two pixels of the camera: column 240 of the picture is 60 px.
+  CHECK(std::abs(std::remainder(edge + mean + 0.5, 1.0)) < 0.01);
 }
 
 TEST_CASE("noise, averaging and conversion are what they say") {
@@ -137,16 +221,35 @@ TEST_CASE("noise, averaging and conversion are what they say") {
   for (const auto pixel : Simulation(conditions, 0).photograph(0, 1).pixels) REQUIRE(pixel % 85 == 0);
 }
 
+TEST_CASE("electronics can be exchanged") {
+  const Simulation simulation(small(), 0);
+  const Plane still = simulation.exact(0);
+  CHECK(simulation.expose(still, small().electronics, 7) == simulation.photograph(0, 7));
+  const Image noiseless = simulation.expose(still, {.noise_grey = 0, .averaged = 1}, 7);
+  for (std::size_t i = 0; i < still.values.size(); ++i) REQUIRE(noiseless.pixels[i] == std::lround(still.values[i]));
+  CHECK_THROWS_AS(simulation.expose(Plane(5, 5), small().electronics, 7), std::invalid_argument);
+}
+
+TEST_CASE("the local deviation is of the window's own mean") {
+  Plane ramp(20, 15);
+  for (int y = 0; y < ramp.height; ++y)
+    for (int x = 0; x < ramp.width; ++x) ramp.at(x, y) = 100 + 3 * x;
+  CHECK(local_deviation(ramp, 7) == Approx(3 * 2));  // of −3 … 3
+  CHECK(local_deviation(ramp, 3) == Approx(3 * std::sqrt(2 / 3.0)));
+  CHECK_THROWS_AS(local_deviation(ramp, 4), std::invalid_argument);
+}
+
 TEST_CASE("light and jitter") {
   Conditions conditions = small();
   conditions.lighting.deviation_grey = 0;
   conditions.lighting.slope_x = 0.4;
+  conditions.lighting.slope_y = -0.3;
   conditions.lighting.falloff = 0.2;
   const Plane lit = Simulation(conditions, 0).exact(0);
   const double u = 95.0 / 96;
   const double v = 1.0 / 64;
-  CHECK(lit.at(95, 32) == Approx(110 * (1 + 0.4 * u - 0.1 * (u * u + v * v))).epsilon(1e-5));
-  CHECK(lit.at(0, 32) == Approx(110 * (1 - 0.4 * u - 0.1 * (u * u + v * v))).epsilon(1e-5));
+  CHECK(lit.at(95, 32) == Approx(110 * (1 + 0.4 * u - 0.3 * v - 0.1 * (u * u + v * v))).epsilon(1e-5));
+  CHECK(lit.at(0, 32) == Approx(110 * (1 - 0.4 * u - 0.3 * v - 0.1 * (u * u + v * v))).epsilon(1e-5));
 
   // A line is displaced as a whole: its difference from the exact one goes with the gradient, and lines differ.
   conditions = small();

@@ -138,6 +138,18 @@ TEST_CASE("a ramp's direction differs from a turned one's by what the bits can t
   // Before differencing: 45° classes, so 60° is one or two of them.
   CHECK(steps(60, 3, 2) >= 1);
   CHECK(steps(60, 3, 2) <= 2);
+  // In floating point as far as the ramps are straight in whole grey levels, across the turn's end too.
+  const auto exact = [&](double from, double to) {
+    const Plane left = ramp(from);
+    const Plane right = ramp(to);
+    Pair pair(left, right);
+    pair.set_kernel(9);
+    return direction_in_floating_point()->compare(pair).at(12, 12) / 81;
+  };
+  CHECK(exact(10, 70) == Approx(60 / 360.0 * 256).margin(0.7));
+  CHECK(exact(-20, 40) == Approx(60 / 360.0 * 256).margin(0.7));
+  CHECK(exact(0, 26) == Approx(26 / 360.0 * 256).margin(0.7));
+  CHECK(exact(20, 200) == Approx(127).margin(0.7));
   CHECK(direction_resolution(5, 4)->worst(5) == 15 * 25);
   CHECK_THROWS_AS(direction_resolution(8, 8), std::invalid_argument);
   CHECK_THROWS_AS(direction_resolution(9, 4), std::invalid_argument);

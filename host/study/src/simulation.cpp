@@ -200,8 +200,8 @@ Image Simulation::convert(const Electronics& electronics, std::uint64_t number, 
       const double* row = line(y, random);
       for (int x = 0; x < camera.width; ++x) {
         const double grey = std::clamp(row[x] + electronics.noise_grey * random.gaussian(), 0.0, 255.0);
-        const int code = static_cast<int>(grey / step + 0.5);
-        *sum++ += static_cast<int>(code * step + 0.5);
+        const auto code = static_cast<double>(std::lround(grey / step));
+        *sum++ += static_cast<int>(std::lround(code * step));
       }
     }
   }
