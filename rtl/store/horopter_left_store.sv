@@ -53,6 +53,12 @@ module horopter_left_store #(
     $fatal(1, "horopter_left_store: SUBSAMPLE must be 1, or 2 without FAST and divide WIDTH");
   end
 
+  // Block * ROWS, by additions: a multiplier block would lie far away.
+  function automatic [ROW_ADDR_BITS-1:0] block_start(input [ROW_ADDR_BITS-1:0] block);
+    block_start = '0;
+    for (int unsigned i = 0; i < 11; i++) if (ROWS[i]) block_start = block_start + (block << i);
+  endfunction
+
   logic write_en, read, is_bad, error;
   logic [SLOT_BITS-1:0] slot_q;
   logic [ADDR_BITS-1:0] write_addr, read_addr;
@@ -121,7 +127,7 @@ module horopter_left_store #(
       write_en_q <= write_en_i;
       write_en_q2 <= write_en_q;
       if (write_en_i) begin
-        write_block_q <= ROW_ADDR_BITS'(ROWS) * ROW_ADDR_BITS'(write_x_i >> BLOCK_BITS);
+        write_block_q <= block_start(ROW_ADDR_BITS'(write_x_i >> BLOCK_BITS));
         write_slot_q <= write_slot_i;
         write_x_q <= write_x_i[BLOCK_BITS-1:0];
         write_pixel_q <= write_pixel_i;
@@ -169,7 +175,7 @@ module horopter_left_store #(
     end
   end else begin : g_slow
     function automatic [ADDR_BITS-1:0] place(input [SLOT_BITS-1:0] slot, input [$clog2(COLUMNS)-1:0] x);
-      place = {ROW_ADDR_BITS'(ROWS) * ROW_ADDR_BITS'(x >> BLOCK_BITS) + ROW_ADDR_BITS'(slot), x[BLOCK_BITS-1:0]};
+      place = {block_start(ROW_ADDR_BITS'(x >> BLOCK_BITS)) + ROW_ADDR_BITS'(slot), x[BLOCK_BITS-1:0]};
     endfunction
     assign write_addr = place(write_slot_i, write_x_i[X_BITS-1:SUBSAMPLE-1]);
     if (SUBSAMPLE == 2) begin : g_mean
