@@ -52,8 +52,8 @@ class DirectionDifference {
   Out step(const In& in, bool taken) {
     const bool row_start = in.marks.first || row_ended_;
     if (taken && row_start) {
-      for (int i = 0; i < self_shift; ++i) left_[i].exists = false;
-      for (int i = 0; i < HYPOTHESES; ++i) right_[i].exists = false;
+      for (int i = 0; i < self_shift; ++i) (*left_)[i].exists = false;
+      for (int i = 0; i < HYPOTHESES; ++i) (*right_)[i].exists = false;
     }
     const Gradient left{in.direction[0], in.magnitude[0] != 0, in.mask};
     const Gradient right{in.direction[1], in.magnitude[1] != 0, in.mask};
@@ -61,10 +61,10 @@ class DirectionDifference {
     Out out;
     out.difference[0] = between(left, right, U<4>(4));
     for (int n = 1; n < HYPOTHESES; ++n) {
-      const Gradient& shifted = right_[n - 1];
+      const Gradient& shifted = (*right_)[n - 1];
       out.difference[static_cast<std::size_t>(n)] = select(shifted.exists, between(left, shifted, U<4>(4)), U<4>(15));
     }
-    const Gradient& before = left_[self_shift - 1];
+    const Gradient& before = (*left_)[self_shift - 1];
     out.difference[HYPOTHESES] = select(before.exists, between(left, before, U<4>(0)), U<4>(0));
     out.magnitude = select(in.saturated, U<8>(0), in.magnitude[0]);
     out.mask = in.mask;
@@ -72,11 +72,11 @@ class DirectionDifference {
 
     if (taken) {
       row_ended_ = in.marks.last;
-      for (int i = self_shift - 1; i > 0; --i) left_[i] = left_[i - 1];
-      left_[0] = left;
+      for (int i = self_shift - 1; i > 0; --i) (*left_)[i] = (*left_)[i - 1];
+      (*left_)[0] = left;
       if constexpr (HYPOTHESES > 1) {
-        for (int i = HYPOTHESES - 1; i > 0; --i) right_[i] = right_[i - 1];
-        right_[0] = right;
+        for (int i = HYPOTHESES - 1; i > 0; --i) (*right_)[i] = (*right_)[i - 1];
+        (*right_)[0] = right;
       }
     }
     return out;
@@ -99,8 +99,8 @@ class DirectionDifference {
   }
 
   bool row_ended_ = true;
-  Gradient left_[self_shift];
-  Gradient right_[HYPOTHESES];
+  Kept<std::array<Gradient, self_shift>> left_;
+  Kept<std::array<Gradient, HYPOTHESES>> right_;
 };
 
 /// The same behind a packed stream: the pair is complete with the right image's beat.
@@ -119,20 +119,20 @@ class UnpackingDifference {
   Out step(const In& in) {
     const bool second = second_ && !in.marks.first;
     Directions<2> pair;
-    pair.direction = {left_.direction[0], in.direction[0]};
-    pair.magnitude = {left_.magnitude[0], in.magnitude[0]};
+    pair.direction = {left_->direction[0], in.direction[0]};
+    pair.magnitude = {left_->magnitude[0], in.magnitude[0]};
     pair.saturated = in.saturated;  // of both images, in both beats
     pair.mask = in.mask;
-    pair.marks = {left_.marks.first, in.marks.last};
+    pair.marks = {left_->marks.first, in.marks.last};
     const auto result = difference_.step(pair, second);
-    if (!second) left_ = in;
+    if (!second) *left_ = in;
     second_ = !second;
     return {second, result.difference, result.magnitude, result.mask, result.marks};
   }
 
  private:
   DirectionDifference<HYPOTHESES> difference_;
-  Directions<1> left_;
+  Kept<Directions<1>> left_;
   bool second_ = false;  // the next beat is the right image's
 };
 

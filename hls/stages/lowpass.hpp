@@ -33,10 +33,10 @@ class LowpassFilter {
     Out out;
     for (std::size_t i = 0; i < LANES; ++i) {
       const U<10> sum = U<10>(above.before_last[i] + shl<1>(above.last[i]) + in.pixel[i]);
-      const U<10> left = columns_[i].tap(STRIDE - 1);
-      const U<10> left2 = columns_[i].tap(2 * STRIDE - 1);
+      const U<10> left = columns_[i]->tap(STRIDE - 1);
+      const U<10> left2 = columns_[i]->tap(2 * STRIDE - 1);
       out.pixel[i] = U<8>(shr<4>(left2 + shl<1>(left) + sum + lit<8>()));
-      columns_[i].push(sum);
+      columns_[i]->push(sum);
       column.before_last[i] = above.last[i];
       column.last[i] = in.pixel[i];
     }
@@ -57,7 +57,7 @@ class LowpassFilter {
 
   ColumnMemory<Column, BEATS> memory_;
   Raster<BEATS, 1> raster_;
-  std::array<DelayLine<U<10>, 2 * STRIDE>, LANES> columns_{};
+  std::array<Kept<DelayLine<U<10>, 2 * STRIDE>>, LANES> columns_{};
   WindowAnd<3, STRIDE, V> mask_;
   WindowAnd<3, STRIDE, V> saturated_;
 };

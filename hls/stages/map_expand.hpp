@@ -123,17 +123,17 @@ class MapExpander {
   class CompactAxis {
    public:
     Place step(bool prime, bool load, u<22> arriving, u<3> up) {
-      const Place place = place_;
+      const Place place = *place_;
       // All 64 parts of a cell lead to the row's first column, from wherever the row before has ended.
-      if (prime || load) increment_ = scaled(arriving - place.template bits<27, 6>(), prime ? u<3>(6) : up);
-      const Place next(place + increment_);
-      place_ = Place(cat(next.template bits<27, 6>(), prime ? u<6>(0) : next.template bits<5, 0>()));
+      if (prime || load) *increment_ = scaled(arriving - place.template bits<27, 6>(), prime ? u<3>(6) : up);
+      const Place next(place + *increment_);
+      *place_ = Place(cat(next.template bits<27, 6>(), prime ? u<6>(0) : next.template bits<5, 0>()));
       return place;
     }
 
    private:
-    Place place_{0};  // of the next pixel; at the end of a cell, its right column
-    s<29> increment_{0};
+    Kept<Place> place_;  // of the next pixel; at the end of a cell, its right column
+    Kept<s<29>> increment_;
   };
 
   /// (64 − f)·a + f·b as a + Σ 2^i (f_i ? b : a): adders and multiplexers, no multiplier.

@@ -48,10 +48,10 @@ class SobelFilter {
     for (std::size_t i = 0; i < LANES; ++i) {
       const U<10> smooth = U<10>(above.before_last[i] + shl<1>(above.last[i]) + in.pixel[i]);
       const S<9> slope = in.pixel[i] - above.before_last[i];
-      out.gx[i] = S<11>(smooth - smooth_[i].tap(2 * STRIDE - 1));
-      out.gy[i] = S<11>(slope + shl<1>(slope_[i].tap(STRIDE - 1)) + slope_[i].tap(2 * STRIDE - 1));
-      smooth_[i].push(smooth);
-      slope_[i].push(slope);
+      out.gx[i] = S<11>(smooth - smooth_[i]->tap(2 * STRIDE - 1));
+      out.gy[i] = S<11>(slope + shl<1>(slope_[i]->tap(STRIDE - 1)) + slope_[i]->tap(2 * STRIDE - 1));
+      smooth_[i]->push(smooth);
+      slope_[i]->push(slope);
       column.before_last[i] = above.last[i];
       column.last[i] = in.pixel[i];
     }
@@ -73,8 +73,8 @@ class SobelFilter {
 
   ColumnMemory<Column, BEATS> memory_;
   Raster<BEATS, 1> raster_;
-  std::array<DelayLine<U<10>, 2 * STRIDE>, LANES> smooth_{};
-  std::array<DelayLine<S<9>, 2 * STRIDE>, LANES> slope_{};
+  std::array<Kept<DelayLine<U<10>, 2 * STRIDE>>, LANES> smooth_{};
+  std::array<Kept<DelayLine<S<9>, 2 * STRIDE>>, LANES> slope_{};
   WindowAnd<3, STRIDE, V> mask_;
   WindowAnd<3, STRIDE, V> saturated_;
 };

@@ -42,11 +42,11 @@ class Subsampler {
       const bool second = second_ && !in.marks.first;
       out.valid = second || in.marks.last;
       out.pixel[0] = in.pixel[0];
-      out.pixel[1] = u<8>(shr<1>(in.pixel[1] + even_.pixel[1] + lit<1>()));
-      out.saturated = in.saturated || even_.saturated;
-      out.mask = second && in.mask && even_.mask;
-      out.marks.first = second ? even_.marks.first : in.marks.first;
-      if (!second) even_ = in;
+      out.pixel[1] = u<8>(shr<1>(in.pixel[1] + even_->pixel[1] + lit<1>()));
+      out.saturated = in.saturated || even_->saturated;
+      out.mask = second && in.mask && even_->mask;
+      out.marks.first = second ? even_->marks.first : in.marks.first;
+      if (!second) *even_ = in;
       second_ = !second && !in.marks.last;
     }
     return out;
@@ -54,7 +54,7 @@ class Subsampler {
 
  private:
   bool second_ = false;  // the next beat is the second of its pair
-  GreyPair even_;
+  Kept<GreyPair> even_;
 };
 
 /// The same means, packed: the left image's leaves with the pair's second pixel, the right image's with the beat after
@@ -72,22 +72,22 @@ class PackingSubsampler {
 
   Out step(const In& in) {
     const bool second = second_ && !in.marks.first;
-    const bool saturated = in.saturated || kept_.saturated;
-    const bool mask = in.mask && kept_.mask;
+    const bool saturated = in.saturated || kept_->saturated;
+    const bool mask = in.mask && kept_->mask;
     Out out;
     out.valid = second || right_waits_;
-    out.pixel[0] = second ? in.pixel[0] : kept_.pixel[1];
-    out.saturated = second ? saturated : kept_.saturated;
-    out.mask = second ? mask : kept_.mask;
-    out.marks.first = second && kept_.marks.first;
-    out.marks.last = !second && (kept_.marks.last || in.marks.last);
+    out.pixel[0] = second ? in.pixel[0] : kept_->pixel[1];
+    out.saturated = second ? saturated : kept_->saturated;
+    out.mask = second ? mask : kept_->mask;
+    out.marks.first = second && kept_->marks.first;
+    out.marks.last = !second && (kept_->marks.last || in.marks.last);
 
-    const u<8> right = second ? u<8>(shr<1>(in.pixel[1] + kept_.pixel[1] + lit<1>())) : in.pixel[1];
-    kept_ = in;
-    kept_.pixel[1] = right;
+    const u<8> right = second ? u<8>(shr<1>(in.pixel[1] + kept_->pixel[1] + lit<1>())) : in.pixel[1];
+    *kept_ = in;
+    kept_->pixel[1] = right;
     if (second) {
-      kept_.saturated = saturated;
-      kept_.mask = mask;
+      kept_->saturated = saturated;
+      kept_->mask = mask;
     }
     right_waits_ = second;
     second_ = !second && !in.marks.last;
@@ -97,7 +97,7 @@ class PackingSubsampler {
  private:
   bool second_ = false;       // the next beat is the second of its pair
   bool right_waits_ = false;  // kept_ holds the right image's mean, not the first beat of a pair
-  GreyPair kept_;
+  Kept<GreyPair> kept_;
 };
 
 template <Profile P>

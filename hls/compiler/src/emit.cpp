@@ -629,7 +629,7 @@ class Emitter {
   }
 
   void emit_registers(std::ostream& out, int stage) {
-    std::ostringstream declare, load, reset, load_state;
+    std::ostringstream declare, load, reset, load_state, load_kept, power_up;
     for (const auto& [key, id] : register_signal_) {
       if (key.first != stage + 1) continue;
       Bits bits;
@@ -648,13 +648,23 @@ class Emitter {
       const std::string& name = signals_[node_signal_[state.read]].name;
       std::vector<bool> initial = state.initial;
       initial.resize(state.width, false);
-      reset << "      " << name << " <= " << literal(initial) << ";\n";
-      load_state << "      " << name << " <= " << assigned(state.next, stage) << ";\n";
+      if (state.kept) {
+        power_up << "    " << name << " = " << literal(initial) << ";\n";
+      } else {
+        reset << "      " << name << " <= " << literal(initial) << ";\n";
+      }
+      (state.kept ? load_kept : load_state) << "      " << name << " <= " << assigned(state.next, stage) << ";\n";
     }
     if (!reset.str().empty()) {
       out << "\n  always_ff @(posedge clk_i) begin\n    if (!rst_ni) begin\n"
           << reset.str() << "    end else if (" << enable(stage) << ") begin\n"
           << load_state.str() << "    end\n  end\n";
+    }
+    if (!load_kept.str().empty()) {
+      out << "\n  // Not reset: nothing of it counts before it is written anew.\n`ifndef SYNTHESIS\n  initial begin\n"
+          << power_up.str() << "  end\n`endif\n  always_ff @(posedge clk_i) begin\n    if ("
+          << (stage == 0 ? "rst_ni & " : "") << enable(stage) << ") begin\n"
+          << load_kept.str() << "    end\n  end\n";
     }
     if (!load.str().empty()) {
       out << "\n"

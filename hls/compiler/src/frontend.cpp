@@ -148,6 +148,7 @@ class Frontend {
       State state;
       state.name = leaf.name;
       state.width = leaf.width;
+      state.kept = leaf.kept;
       std::vector<bool> uninitialised;
       for (std::uint32_t i = 0; i < leaf.width; ++i) {
         const Bit bit = initial[leaf.offset_bits + i];

@@ -66,6 +66,7 @@ Value to_value(std::uint64_t value, std::size_t width) {
 Interpreter::Interpreter(const Graph& graph, bool check_distance) : graph_(graph), check_distance_(check_distance) {
   values_.resize(graph.nodes.size());
   values_[0] = {false, true};
+  for (const State& state : graph.states) states_.push_back(state.initial);
   for (const Ram& ram : graph.rams) {
     memories_.emplace_back(ram.depth, Value(ram.width, false));
     last_access_.emplace_back(ram.depth, 0);
@@ -74,8 +75,9 @@ Interpreter::Interpreter(const Graph& graph, bool check_distance) : graph_(graph
 }
 
 void Interpreter::reset() {
-  states_.clear();
-  for (const State& state : graph_.states) states_.push_back(state.initial);
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    if (!graph_.states[i].kept) states_[i] = graph_.states[i].initial;
+  }
   for (auto& last : last_access_) std::fill(last.begin(), last.end(), 0);
 }
 

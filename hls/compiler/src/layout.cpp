@@ -87,6 +87,7 @@ class Flattener {
 
   void add_leaf(Leaf leaf) {
     if (leaf.name.empty()) leaf.name = "value";
+    leaf.kept = kept_ > 0;
     int& uses = names_[leaf.name];
     if (uses++ > 0) refuse(leaf.where, leaf.name, "has the same flattened name as another one");
     layout_.leaves.push_back(std::move(leaf));
@@ -154,11 +155,21 @@ class Flattener {
         return;
       }
     }
-    const bool is_std_array = name.starts_with("array<") && in_namespace(type->getScope(), "std");
+    const bool is_kept = name.starts_with("Kept<") && in_namespace(type->getScope(), "hls");
+    kept_ += is_kept ? 1 : 0;
+    add_members(type, offset, path, where,
+                is_kept || (name.starts_with("array<") && in_namespace(type->getScope(), "std")));
+    kept_ -= is_kept ? 1 : 0;
+  }
+
+  /// `transparent`: the members' names are not part of the path.
+  void add_members(const DICompositeType* type, std::uint64_t offset, const std::string& path,
+                   const SourceLocation& where, bool transparent) {
+    const llvm::StringRef name = type->getName();
     for (const llvm::DINode* node : type->getElements()) {
       const auto* member = llvm::dyn_cast<DIDerivedType>(node);
       if (member == nullptr || member->isStaticMember()) continue;
-      const SourceLocation place = member->getName().empty() || is_std_array ? where : location_of(member);
+      const SourceLocation place = member->getName().empty() || transparent ? where : location_of(member);
       if (member->getTag() == llvm::dwarf::DW_TAG_inheritance) {
         if (member->isVirtual()) refuse(where, path.empty() ? name.str() : path, "has a virtual base class");
         flatten(member->getBaseType(), offset + member->getOffsetInBits(), path, place);
@@ -172,7 +183,7 @@ class Flattener {
       }
       while (!member_name.empty() && member_name.back() == '_') member_name.pop_back();
       std::string inner = path;
-      if (!is_std_array && !member_name.empty()) inner = path.empty() ? member_name : path + "_" + member_name;
+      if (!transparent && !member_name.empty()) inner = path.empty() ? member_name : path + "_" + member_name;
       if (member->isBitField()) {
         SourceLocation bit_place = place;
         const DIType* base = strip(member->getBaseType(), inner, bit_place);
@@ -243,6 +254,7 @@ class Flattener {
   Layout& layout_;
   std::string role_;
   std::map<std::string, int> names_;
+  int kept_ = 0;  // Kept<> around the current member
 };
 
 }  // namespace

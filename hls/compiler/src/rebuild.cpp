@@ -364,6 +364,7 @@ Draft Rebuild::take() {
     const State& from = old.states[i];
     State state;
     state.name = from.name;
+    state.kept = from.kept;
     state.width = static_cast<std::uint32_t>(kept_states_[i].size());
     state.read = bits_[from.read][kept_states_[i][0]].node;
     std::vector<bool> uninitialised;

@@ -40,7 +40,7 @@ Assumptions constant_bits(const Draft& draft, const Liveness& live) {
   Assumptions assumptions(draft);
   for (std::size_t i = 0; i < graph.states.size(); ++i) {
     for (std::uint32_t bit = 0; bit < graph.states[i].width; ++bit) {
-      if (draft.uninitialised[i][bit]) continue;
+      if (draft.uninitialised[i][bit] || graph.states[i].kept) continue;
       assumptions.states[i][bit].kind = graph.states[i].initial[bit] ? Kind::kOne : Kind::kZero;
     }
   }
@@ -79,7 +79,7 @@ Assumptions equal_bits(const Draft& draft, const Liveness& live) {
   std::vector<std::vector<Member>> state_classes(2), ram_classes;
   for (std::uint32_t i = 0; i < graph.states.size(); ++i) {
     for (std::uint32_t bit = 0; bit < graph.states[i].width; ++bit) {
-      if (!live[graph.states[i].read][bit] || draft.uninitialised[i][bit]) continue;
+      if (!live[graph.states[i].read][bit] || draft.uninitialised[i][bit] || graph.states[i].kept) continue;
       state_classes[graph.states[i].initial[bit] ? 1 : 0].emplace_back(i, bit);
     }
   }

@@ -50,8 +50,9 @@ std::string sidecar(const Graph& graph, const Schedule& schedule, const EmitOpti
     entry["delay_ns"] = rounded(schedule.stage_delay_ns[static_cast<std::size_t>(stage)]);
     entry["states"] = Json::array();
     for (const State& state : graph.states) {
-      if (schedule.stage[state.read] == stage)
-        entry["states"].push_back({{"name", state.name}, {"width", state.width}});
+      if (schedule.stage[state.read] != stage) continue;
+      entry["states"].push_back({{"name", state.name}, {"width", state.width}});
+      if (state.kept) entry["states"].back()["kept"] = true;
     }
     // Nodes of one source line together, in the order of their first node.
     std::vector<std::string> order;

@@ -124,24 +124,35 @@ module horopter_difference (
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       difference_row_ended_q <= 1'b1;
-      difference_left_0_direction_q <= 8'h0;
-      difference_left_0_has_direction_q <= 1'b0;
-      difference_left_0_exists_q <= 1'b0;
-      difference_left_1_direction_q <= 8'h0;
-      difference_left_1_has_direction_q <= 1'b0;
-      difference_left_1_exists_q <= 1'b0;
-      difference_left_2_direction_q <= 8'h0;
-      difference_left_2_has_direction_q <= 1'b0;
-      difference_left_2_exists_q <= 1'b0;
-      difference_left_3_direction_q <= 8'h0;
-      difference_left_3_has_direction_q <= 1'b0;
-      difference_left_3_exists_q <= 1'b0;
-      left_direction_0_q <= 8'h0;
-      left_magnitude_0_q <= 8'h0;
-      left_marks_first_q <= 1'b0;
       second_q <= 1'b0;
     end else if (s0_en) begin
       difference_row_ended_q <= and_25 ? marks_last_i : difference_row_ended_q;
+      second_q <= ~and_25;
+    end
+  end
+
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
+    difference_left_0_direction_q = 8'h0;
+    difference_left_0_has_direction_q = 1'b0;
+    difference_left_0_exists_q = 1'b0;
+    difference_left_1_direction_q = 8'h0;
+    difference_left_1_has_direction_q = 1'b0;
+    difference_left_1_exists_q = 1'b0;
+    difference_left_2_direction_q = 8'h0;
+    difference_left_2_has_direction_q = 1'b0;
+    difference_left_2_exists_q = 1'b0;
+    difference_left_3_direction_q = 8'h0;
+    difference_left_3_has_direction_q = 1'b0;
+    difference_left_3_exists_q = 1'b0;
+    left_direction_0_q = 8'h0;
+    left_magnitude_0_q = 8'h0;
+    left_marks_first_q = 1'b0;
+  end
+`endif
+  always_ff @(posedge clk_i) begin
+    if (rst_ni & s0_en) begin
       difference_left_0_direction_q <= and_25 ? left_direction_0_q : difference_left_0_direction_q;
       difference_left_0_has_direction_q <= and_25 ? not_29 : difference_left_0_has_direction_q;
       difference_left_0_exists_q <= and_25 ? mask_i : and_34;
@@ -157,7 +168,6 @@ module horopter_difference (
       left_direction_0_q <= and_25 ? left_direction_0_q : direction_0_i;
       left_magnitude_0_q <= and_25 ? left_magnitude_0_q : magnitude_0_i;
       left_marks_first_q <= and_25 ? left_marks_first_q : marks_first_i;
-      second_q <= ~and_25;
     end
   end
 

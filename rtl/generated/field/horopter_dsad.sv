@@ -199,11 +199,21 @@ module horopter_dsad (
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       raster_rows_q <= 4'h0;
-      rows_0_sums_values_0_q <= 11'h0;
-      rows_1_sums_values_0_q <= 11'h0;
-      mask_columns_values_0_q <= 8'h0;
     end else if (s1_en) begin
       raster_rows_q <= raster_row_ended_q ? (select_18 + {3'h0, not_32}) : select_18;
+    end
+  end
+
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
+    rows_0_sums_values_0_q = 11'h0;
+    rows_1_sums_values_0_q = 11'h0;
+    mask_columns_values_0_q = 8'h0;
+  end
+`endif
+  always_ff @(posedge clk_i) begin
+    if (s1_en) begin
       rows_0_sums_values_0_q <= sum_40;
       rows_1_sums_values_0_q <= sum_44;
       mask_columns_values_0_q <= {select_46[6:0], equal_45};

@@ -144,16 +144,26 @@ module horopter_lowpass (
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       raster_rows_q <= 1'b0;
-      columns_0_values_0_q <= 10'h0;
-      columns_0_values_1_q <= 10'h0;
-      columns_0_values_2_q <= 10'h0;
-      columns_0_values_3_q <= 10'h0;
-      mask_columns_values_0_q <= 2'h0;
-      mask_columns_values_1_q <= 2'h0;
-      saturated_columns_values_0_q <= 2'h0;
-      saturated_columns_values_1_q <= 2'h0;
     end else if (s1_en) begin
       raster_rows_q <= raster_row_ended_q | and_22;
+    end
+  end
+
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
+    columns_0_values_0_q = 10'h0;
+    columns_0_values_1_q = 10'h0;
+    columns_0_values_2_q = 10'h0;
+    columns_0_values_3_q = 10'h0;
+    mask_columns_values_0_q = 2'h0;
+    mask_columns_values_1_q = 2'h0;
+    saturated_columns_values_0_q = 2'h0;
+    saturated_columns_values_1_q = 2'h0;
+  end
+`endif
+  always_ff @(posedge clk_i) begin
+    if (s1_en) begin
       columns_0_values_0_q <= sum;
       columns_0_values_1_q <= columns_0_values_0_q;
       columns_0_values_2_q <= columns_0_values_1_q;

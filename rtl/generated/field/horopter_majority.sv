@@ -4,7 +4,7 @@
 // Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
 // Outputs are logic: what they go to takes them with the clock if en_i = 1.
-// State 71 bits, pipeline 10 bits, memories 6804 bits.
+// State 113 bits, pipeline 10 bits, memories 6804 bits.
 module horopter_majority (
   input  logic clk_i,
   input  logic rst_ni,
@@ -79,13 +79,13 @@ module horopter_majority (
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   logic raster_rows_q;
-  logic [5:0] sums_columns_values_0_q;
-  logic [5:0] sums_columns_values_1_q;
-  logic [5:0] sums_columns_values_2_q;
-  logic [5:0] sums_columns_values_3_q;
-  logic [5:0] sums_columns_values_4_q;
-  logic [5:0] sums_columns_values_5_q;
-  logic [5:0] sums_columns_values_6_q;
+  logic [11:0] sums_columns_values_0_q;
+  logic [11:0] sums_columns_values_1_q;
+  logic [11:0] sums_columns_values_2_q;
+  logic [11:0] sums_columns_values_3_q;
+  logic [11:0] sums_columns_values_4_q;
+  logic [11:0] sums_columns_values_5_q;
+  logic [11:0] sums_columns_values_6_q;
   logic [11:0] sums_sum_sums_values_0_q;
   logic [5:0] mask_columns_values_0_q;
   // hls/stages/majority.hpp:38
@@ -107,12 +107,8 @@ module horopter_majority (
   assign sum_36 = {2'h0, memory_rdata_q[3]} + ({2'h0, memory_rdata_q[2]} + {1'b0, sum_34});
   logic [2:0] sum_38;
   assign sum_38 = {2'h0, memory_rdata_q[5]} + ({2'h0, memory_rdata_q[4]} + sum_36);
-  logic [5:0] select_40;
-  assign select_40 = (9'h6 < raster_column_q) ? sums_columns_values_6_q : 6'h0;
-  logic [9:0] difference_41;
-  assign difference_41 = {1'b0, sum_38, 3'h0, sum_32} - {1'b0, select_40[5:3], 3'h0, select_40[2:0]};
-  logic [11:0] sum_43;
-  assign sum_43 = {{2{difference_41[9]}}, difference_41} + (or_18_s1_q ? 12'h0 : sums_sum_sums_values_0_q);
+  logic [11:0] difference_41;
+  assign difference_41 = {3'h0, sum_38, 3'h0, sum_32} - ((9'h6 < raster_column_q) ? sums_columns_values_6_q : 12'h0);
   // hls/stages/majority.hpp:52
   logic equal_44;
   assign equal_44 = {select_25, mask_s1_q} == 7'h7f;
@@ -142,25 +138,35 @@ module horopter_majority (
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       raster_rows_q <= 1'b0;
-      sums_columns_values_0_q <= 6'h0;
-      sums_columns_values_1_q <= 6'h0;
-      sums_columns_values_2_q <= 6'h0;
-      sums_columns_values_3_q <= 6'h0;
-      sums_columns_values_4_q <= 6'h0;
-      sums_columns_values_5_q <= 6'h0;
-      sums_columns_values_6_q <= 6'h0;
-      sums_sum_sums_values_0_q <= 12'h0;
-      mask_columns_values_0_q <= 6'h0;
     end else if (s1_en) begin
       raster_rows_q <= raster_row_ended_q | and_24;
-      sums_columns_values_0_q <= {sum_38, sum_32};
+    end
+  end
+
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
+    sums_columns_values_0_q = 12'h0;
+    sums_columns_values_1_q = 12'h0;
+    sums_columns_values_2_q = 12'h0;
+    sums_columns_values_3_q = 12'h0;
+    sums_columns_values_4_q = 12'h0;
+    sums_columns_values_5_q = 12'h0;
+    sums_columns_values_6_q = 12'h0;
+    sums_sum_sums_values_0_q = 12'h0;
+    mask_columns_values_0_q = 6'h0;
+  end
+`endif
+  always_ff @(posedge clk_i) begin
+    if (s1_en) begin
+      sums_columns_values_0_q <= {3'h0, sum_38, 3'h0, sum_32};
       sums_columns_values_1_q <= sums_columns_values_0_q;
       sums_columns_values_2_q <= sums_columns_values_1_q;
       sums_columns_values_3_q <= sums_columns_values_2_q;
       sums_columns_values_4_q <= sums_columns_values_3_q;
       sums_columns_values_5_q <= sums_columns_values_4_q;
       sums_columns_values_6_q <= sums_columns_values_5_q;
-      sums_sum_sums_values_0_q <= sum_43;
+      sums_sum_sums_values_0_q <= difference_41 + (or_18_s1_q ? 12'h0 : sums_sum_sums_values_0_q);
       mask_columns_values_0_q <= {select_45[4:0], equal_44};
     end
   end

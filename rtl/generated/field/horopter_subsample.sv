@@ -57,14 +57,24 @@ module horopter_subsample (
     if (!rst_ni) begin
       second_q <= 1'b0;
       right_waits_q <= 1'b0;
-      kept_pixel_1_q <= 8'h0;
-      kept_saturated_q <= 1'b0;
-      kept_mask_q <= 1'b0;
-      kept_marks_first_q <= 1'b0;
-      kept_marks_last_q <= 1'b0;
     end else if (s0_en) begin
       second_q <= not_16 & (~marks_last_i);
       right_waits_q <= second;
+    end
+  end
+
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
+    kept_pixel_1_q = 8'h0;
+    kept_saturated_q = 1'b0;
+    kept_mask_q = 1'b0;
+    kept_marks_first_q = 1'b0;
+    kept_marks_last_q = 1'b0;
+  end
+`endif
+  always_ff @(posedge clk_i) begin
+    if (rst_ni & s0_en) begin
       kept_pixel_1_q <= right_2;
       kept_saturated_q <= second ? saturated : saturated_i;
       kept_mask_q <= second ? mask : mask_i;

@@ -142,9 +142,19 @@ module horopter_dsad (
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       raster_rows_q <= 4'h0;
-      mask_columns_values_0_q <= 8'h0;
     end else if (s2_en) begin
       raster_rows_q <= marks_last_s2_q ? (select_34 + {3'h0, not_47}) : select_34;
+    end
+  end
+
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
+    mask_columns_values_0_q = 8'h0;
+  end
+`endif
+  always_ff @(posedge clk_i) begin
+    if (s2_en) begin
       mask_columns_values_0_q <= {select_60[6:0], equal_59};
     end
   end
@@ -347,11 +357,15 @@ module horopter_dsad (
   end
 `endif
 
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
+    rows_0_sums_values_0_q = 11'h0;
+    rows_1_sums_values_0_q = 11'h0;
+  end
+`endif
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      rows_0_sums_values_0_q <= 11'h0;
-      rows_1_sums_values_0_q <= 11'h0;
-    end else if (s4_en) begin
+    if (s4_en) begin
       rows_0_sums_values_0_q <= sum_54;
       rows_1_sums_values_0_q <= sum_58;
     end

@@ -144,10 +144,20 @@ module horopter_lowpass (
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       raster_rows_q <= 1'b0;
-      mask_columns_values_0_q <= 2'h0;
-      saturated_columns_values_0_q <= 2'h0;
     end else if (s2_en) begin
       raster_rows_q <= marks_last_s2_q | and_20;
+    end
+  end
+
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
+    mask_columns_values_0_q = 2'h0;
+    saturated_columns_values_0_q = 2'h0;
+  end
+`endif
+  always_ff @(posedge clk_i) begin
+    if (s2_en) begin
       mask_columns_values_0_q <= {select_30[0], equal_29};
       saturated_columns_values_0_q <= {select_32[0], equal_31};
     end
@@ -238,13 +248,17 @@ module horopter_lowpass (
   end
 `endif
 
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
+    columns_0_values_0_q = 10'h0;
+    columns_0_values_1_q = 10'h0;
+    columns_1_values_0_q = 10'h0;
+    columns_1_values_1_q = 10'h0;
+  end
+`endif
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      columns_0_values_0_q <= 10'h0;
-      columns_0_values_1_q <= 10'h0;
-      columns_1_values_0_q <= 10'h0;
-      columns_1_values_1_q <= 10'h0;
-    end else if (s3_en) begin
+    if (s3_en) begin
       columns_0_values_0_q <= sum;
       columns_0_values_1_q <= columns_0_values_0_q;
       columns_1_values_0_q <= sum_2;

@@ -3,7 +3,7 @@
 //
 // Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 73 bits, pipeline 161 bits, memories 34560 bits.
+// State 115 bits, pipeline 167 bits, memories 34560 bits.
 module horopter_majority (
   input  logic clk_i,
   input  logic rst_ni,
@@ -131,9 +131,19 @@ module horopter_majority (
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       raster_rows_q <= 1'b0;
-      mask_columns_values_0_q <= 6'h0;
     end else if (s2_en) begin
       raster_rows_q <= marks_last_s2_q | and_23;
+    end
+  end
+
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
+    mask_columns_values_0_q = 6'h0;
+  end
+`endif
+  always_ff @(posedge clk_i) begin
+    if (s2_en) begin
       mask_columns_values_0_q <= {select_45[4:0], equal_44};
     end
   end
@@ -278,30 +288,34 @@ module horopter_majority (
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
-  logic [5:0] sums_columns_values_0_q;
-  logic [5:0] sums_columns_values_1_q;
-  logic [5:0] sums_columns_values_2_q;
-  logic [5:0] sums_columns_values_3_q;
-  logic [5:0] sums_columns_values_4_q;
-  logic [5:0] sums_columns_values_5_q;
-  logic [5:0] sums_columns_values_6_q;
+  logic [11:0] sums_columns_values_0_q;
+  logic [11:0] sums_columns_values_1_q;
+  logic [11:0] sums_columns_values_2_q;
+  logic [11:0] sums_columns_values_3_q;
+  logic [11:0] sums_columns_values_4_q;
+  logic [11:0] sums_columns_values_5_q;
+  logic [11:0] sums_columns_values_6_q;
   // hls/stages/majority.hpp:49
   logic [2:0] sum_32;
   assign sum_32 = {2'h0, memory_rdata_s6_q[1]} + sum_31_s6_q;
   logic [2:0] sum_38;
   assign sum_38 = {2'h0, memory_rdata_s6_q[0]} + sum_37_s6_q;
 
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
+    sums_columns_values_0_q = 12'h0;
+    sums_columns_values_1_q = 12'h0;
+    sums_columns_values_2_q = 12'h0;
+    sums_columns_values_3_q = 12'h0;
+    sums_columns_values_4_q = 12'h0;
+    sums_columns_values_5_q = 12'h0;
+    sums_columns_values_6_q = 12'h0;
+  end
+`endif
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      sums_columns_values_0_q <= 6'h0;
-      sums_columns_values_1_q <= 6'h0;
-      sums_columns_values_2_q <= 6'h0;
-      sums_columns_values_3_q <= 6'h0;
-      sums_columns_values_4_q <= 6'h0;
-      sums_columns_values_5_q <= 6'h0;
-      sums_columns_values_6_q <= 6'h0;
-    end else if (s6_en) begin
-      sums_columns_values_0_q <= {sum_38, sum_32};
+    if (s6_en) begin
+      sums_columns_values_0_q <= {3'h0, sum_38, 3'h0, sum_32};
       sums_columns_values_1_q <= sums_columns_values_0_q;
       sums_columns_values_2_q <= sums_columns_values_1_q;
       sums_columns_values_3_q <= sums_columns_values_2_q;
@@ -314,14 +328,14 @@ module horopter_majority (
   logic marks_first_s7_q;
   logic marks_last_s7_q;
   logic or_18_s7_q;
-  logic [5:0] select_40_s7_q;
+  logic [11:0] select_40_s7_q;
   logic equal_46_s7_q;
   always_ff @(posedge clk_i) begin
     if (s6_en) begin
       marks_first_s7_q <= marks_first_s6_q;
       marks_last_s7_q <= marks_last_s6_q;
       or_18_s7_q <= or_18_s6_q;
-      select_40_s7_q <= less_39_s6_q ? sums_columns_values_6_q : 6'h0;
+      select_40_s7_q <= less_39_s6_q ? sums_columns_values_6_q : 12'h0;
       equal_46_s7_q <= equal_46_s6_q;
     end
   end
@@ -329,16 +343,18 @@ module horopter_majority (
   // Stage 7 -----------------------------------------------------------------------------------------------------------
   logic [11:0] sums_sum_sums_values_0_q;
   // hls/stages/majority.hpp:49
-  logic [9:0] difference_41;
-  assign difference_41 = {1'b0, sums_columns_values_0_q[5:3], 3'h0, sums_columns_values_0_q[2:0]} - {1'b0, select_40_s7_q[5:3], 3'h0, select_40_s7_q[2:0]};
-  logic [11:0] sum_43;
-  assign sum_43 = {{2{difference_41[9]}}, difference_41} + (or_18_s7_q ? 12'h0 : sums_sum_sums_values_0_q);
+  logic [11:0] difference_41;
+  assign difference_41 = {3'h0, sums_columns_values_0_q[8:6], 3'h0, sums_columns_values_0_q[2:0]} - select_40_s7_q;
 
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
+    sums_sum_sums_values_0_q = 12'h0;
+  end
+`endif
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      sums_sum_sums_values_0_q <= 12'h0;
-    end else if (s7_en) begin
-      sums_sum_sums_values_0_q <= sum_43;
+    if (s7_en) begin
+      sums_sum_sums_values_0_q <= difference_41 + (or_18_s7_q ? 12'h0 : sums_sum_sums_values_0_q);
     end
   end
 

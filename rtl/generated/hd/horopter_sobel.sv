@@ -148,10 +148,20 @@ module horopter_sobel (
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       raster_rows_q <= 1'b0;
-      mask_columns_values_0_q <= 2'h0;
-      saturated_columns_values_0_q <= 2'h0;
     end else if (s2_en) begin
       raster_rows_q <= marks_last_s2_q | and_24;
+    end
+  end
+
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
+    mask_columns_values_0_q = 2'h0;
+    saturated_columns_values_0_q = 2'h0;
+  end
+`endif
+  always_ff @(posedge clk_i) begin
+    if (s2_en) begin
       mask_columns_values_0_q <= {select_36[0], equal_35};
       saturated_columns_values_0_q <= {select_38[0], equal_37};
     end
@@ -251,17 +261,21 @@ module horopter_sobel (
   end
 `endif
 
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
+    smooth_0_values_0_q = 10'h0;
+    smooth_0_values_1_q = 10'h0;
+    smooth_1_values_0_q = 10'h0;
+    smooth_1_values_1_q = 10'h0;
+    slope_0_values_0_q = 9'h0;
+    slope_0_values_1_q = 9'h0;
+    slope_1_values_0_q = 9'h0;
+    slope_1_values_1_q = 9'h0;
+  end
+`endif
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      smooth_0_values_0_q <= 10'h0;
-      smooth_0_values_1_q <= 10'h0;
-      smooth_1_values_0_q <= 10'h0;
-      smooth_1_values_1_q <= 10'h0;
-      slope_0_values_0_q <= 9'h0;
-      slope_0_values_1_q <= 9'h0;
-      slope_1_values_0_q <= 9'h0;
-      slope_1_values_1_q <= 9'h0;
-    end else if (s3_en) begin
+    if (s3_en) begin
       smooth_0_values_0_q <= smooth;
       smooth_0_values_1_q <= smooth_0_values_0_q;
       smooth_1_values_0_q <= smooth_2;

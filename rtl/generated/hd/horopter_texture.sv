@@ -3,7 +3,7 @@
 //
 // Latency 7 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 59 bits, pipeline 364 bits, memories 71040 bits.
+// State 65 bits, pipeline 366 bits, memories 71040 bits.
 module horopter_texture (
   input  logic clk_i,
   input  logic rst_ni,
@@ -176,20 +176,26 @@ module horopter_texture (
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
-  logic [9:0] row_columns_values_0_q;
-  logic [9:0] row_columns_values_1_q;
-  logic [9:0] row_columns_values_2_q;
+  logic [11:0] row_columns_values_0_q;
+  logic [11:0] row_columns_values_1_q;
+  logic [11:0] row_columns_values_2_q;
   // hls/stages/texture.hpp:52
   logic [8:0] difference_26;
   assign difference_26 = {1'b0, magnitude_s3_q} - {1'b0, select_25_s3_q};
+  logic [9:0] sum_27;
+  assign sum_27 = delayed_s3_q[9:0] + {difference_26[8], difference_26};
 
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
+    row_columns_values_0_q = 12'h0;
+    row_columns_values_1_q = 12'h0;
+    row_columns_values_2_q = 12'h0;
+  end
+`endif
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      row_columns_values_0_q <= 10'h0;
-      row_columns_values_1_q <= 10'h0;
-      row_columns_values_2_q <= 10'h0;
-    end else if (s3_en) begin
-      row_columns_values_0_q <= delayed_s3_q[9:0] + {difference_26[8], difference_26};
+    if (s3_en) begin
+      row_columns_values_0_q <= {2'h0, sum_27};
       row_columns_values_1_q <= row_columns_values_0_q;
       row_columns_values_2_q <= row_columns_values_1_q;
     end
@@ -206,7 +212,7 @@ module horopter_texture (
   logic [10:0] select_19_s4_q;
   logic [15:0] memory_rdata_s4_q;
   logic [1:0] delayed_s4_q;
-  logic [9:0] select_30_s4_q;
+  logic [11:0] select_30_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       difference_0_s4_q <= difference_0_s3_q;
@@ -220,22 +226,24 @@ module horopter_texture (
       select_19_s4_q <= select_19_s3_q;
       memory_rdata_s4_q <= memory_rdata_s3_q;
       delayed_s4_q <= delayed_s3_q[11:10];
-      select_30_s4_q <= (11'h2 < select_19_s3_q) ? row_columns_values_2_q : 10'h0;
+      select_30_s4_q <= (11'h2 < select_19_s3_q) ? row_columns_values_2_q : 12'h0;
     end
   end
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
   logic [11:0] row_sum_sums_values_0_q;
   // hls/stages/texture.hpp:56
-  logic [10:0] difference_31;
-  assign difference_31 = {1'b0, row_columns_values_0_q} - {1'b0, select_30_s4_q};
   logic [11:0] sum;
-  assign sum = (or_18_s4_q ? 12'h0 : row_sum_sums_values_0_q) + {difference_31[10], difference_31};
+  assign sum = (or_18_s4_q ? 12'h0 : row_sum_sums_values_0_q) + ({2'h0, row_columns_values_0_q[9:0]} - select_30_s4_q);
 
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
+    row_sum_sums_values_0_q = 12'h0;
+  end
+`endif
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      row_sum_sums_values_0_q <= 12'h0;
-    end else if (s4_en) begin
+    if (s4_en) begin
       row_sum_sums_values_0_q <= sum;
     end
   end
@@ -263,7 +271,7 @@ module horopter_texture (
       select_19_s5_q <= select_19_s4_q;
       memory_rdata_s5_q <= memory_rdata_s4_q;
       delayed_s5_q <= delayed_s4_q;
-      sum_27_s5_q <= row_columns_values_0_q;
+      sum_27_s5_q <= row_columns_values_0_q[9:0];
     end
   end
 

@@ -97,20 +97,30 @@ module horopter_difference (
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       row_ended_q <= 1'b1;
-      left_0_direction_q <= 8'h0;
-      left_0_has_direction_q <= 1'b0;
-      left_0_exists_q <= 1'b0;
-      left_1_direction_q <= 8'h0;
-      left_1_has_direction_q <= 1'b0;
-      left_1_exists_q <= 1'b0;
-      left_2_direction_q <= 8'h0;
-      left_2_has_direction_q <= 1'b0;
-      left_2_exists_q <= 1'b0;
-      left_3_direction_q <= 8'h0;
-      left_3_has_direction_q <= 1'b0;
-      left_3_exists_q <= 1'b0;
     end else if (s0_en) begin
       row_ended_q <= marks_last_i;
+    end
+  end
+
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
+    left_0_direction_q = 8'h0;
+    left_0_has_direction_q = 1'b0;
+    left_0_exists_q = 1'b0;
+    left_1_direction_q = 8'h0;
+    left_1_has_direction_q = 1'b0;
+    left_1_exists_q = 1'b0;
+    left_2_direction_q = 8'h0;
+    left_2_has_direction_q = 1'b0;
+    left_2_exists_q = 1'b0;
+    left_3_direction_q = 8'h0;
+    left_3_has_direction_q = 1'b0;
+    left_3_exists_q = 1'b0;
+  end
+`endif
+  always_ff @(posedge clk_i) begin
+    if (rst_ni & s0_en) begin
       left_0_direction_q <= direction_0_i;
       left_0_has_direction_q <= not_23;
       left_0_exists_q <= mask_i;

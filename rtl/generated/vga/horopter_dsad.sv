@@ -196,9 +196,6 @@ module horopter_dsad (
       columns_values_values_7_1_q <= 8'h0;
       columns_values_values_8_0_q <= 8'h0;
       columns_values_values_8_1_q <= 8'h0;
-      rows_0_sums_values_0_q <= 11'h0;
-      rows_1_sums_values_0_q <= 11'h0;
-      mask_columns_values_0_q <= 8'h0;
     end else if (s1_en) begin
       raster_rows_q <= raster_row_ended_q ? (select_35 + {3'h0, not_47}) : select_35;
       columns_values_values_0_0_q <= sum_41;
@@ -219,6 +216,19 @@ module horopter_dsad (
       columns_values_values_7_1_q <= columns_values_values_6_1_q;
       columns_values_values_8_0_q <= columns_values_values_7_0_q;
       columns_values_values_8_1_q <= columns_values_values_7_1_q;
+    end
+  end
+
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
+    rows_0_sums_values_0_q = 11'h0;
+    rows_1_sums_values_0_q = 11'h0;
+    mask_columns_values_0_q = 8'h0;
+  end
+`endif
+  always_ff @(posedge clk_i) begin
+    if (s1_en) begin
       rows_0_sums_values_0_q <= sum_54;
       rows_1_sums_values_0_q <= sum_58;
       mask_columns_values_0_q <= {select_60[6:0], equal_59};

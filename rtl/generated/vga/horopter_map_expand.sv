@@ -221,13 +221,23 @@ module horopter_map_expand (
     if (!rst_ni) begin
       right_valid_q <= 1'b0;
       left_valid_q <= 1'b0;
-      x_place_q <= 28'h0;
-      x_increment_q <= 28'h0;
-      y_place_q <= 28'h0;
-      y_increment_q <= 28'h0;
     end else if (s0_en) begin
       right_valid_q <= or_21 ? and_38 : right_valid_q;
       left_valid_q <= select_40;
+    end
+  end
+
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
+    x_place_q = 28'h0;
+    x_increment_q = 28'h0;
+    y_place_q = 28'h0;
+    y_increment_q = 28'h0;
+  end
+`endif
+  always_ff @(posedge clk_i) begin
+    if (rst_ni & s0_en) begin
       x_place_q <= {sum_80[27:6], select_81};
       x_increment_q <= select_79;
       y_place_q <= {sum_104[27:6], select_105};

@@ -165,18 +165,28 @@ module horopter_sobel (
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       raster_rows_q <= 1'b0;
-      smooth_0_values_0_q <= 10'h0;
-      smooth_0_values_1_q <= 10'h0;
-      smooth_1_values_0_q <= 10'h0;
-      smooth_1_values_1_q <= 10'h0;
-      slope_0_values_0_q <= 9'h0;
-      slope_0_values_1_q <= 9'h0;
-      slope_1_values_0_q <= 9'h0;
-      slope_1_values_1_q <= 9'h0;
-      mask_columns_values_0_q <= 2'h0;
-      saturated_columns_values_0_q <= 2'h0;
     end else if (s1_en) begin
       raster_rows_q <= raster_row_ended_q | and_25;
+    end
+  end
+
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
+    smooth_0_values_0_q = 10'h0;
+    smooth_0_values_1_q = 10'h0;
+    smooth_1_values_0_q = 10'h0;
+    smooth_1_values_1_q = 10'h0;
+    slope_0_values_0_q = 9'h0;
+    slope_0_values_1_q = 9'h0;
+    slope_1_values_0_q = 9'h0;
+    slope_1_values_1_q = 9'h0;
+    mask_columns_values_0_q = 2'h0;
+    saturated_columns_values_0_q = 2'h0;
+  end
+`endif
+  always_ff @(posedge clk_i) begin
+    if (s1_en) begin
       smooth_0_values_0_q <= smooth;
       smooth_0_values_1_q <= smooth_0_values_0_q;
       smooth_1_values_0_q <= smooth_2;

@@ -4,7 +4,7 @@
 // Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
 // Outputs are logic: what they go to takes them with the clock if en_i = 1.
-// State 58 bits, pipeline 20 bits, memories 23680 bits.
+// State 64 bits, pipeline 20 bits, memories 23680 bits.
 module horopter_texture (
   input  logic clk_i,
   input  logic rst_ni,
@@ -86,9 +86,9 @@ module horopter_texture (
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   logic [1:0] raster_rows_q;
-  logic [9:0] row_columns_values_0_q;
-  logic [9:0] row_columns_values_1_q;
-  logic [9:0] row_columns_values_2_q;
+  logic [11:0] row_columns_values_0_q;
+  logic [11:0] row_columns_values_1_q;
+  logic [11:0] row_columns_values_2_q;
   logic [11:0] row_sum_sums_values_0_q;
   logic columns_values_0_q;
   logic columns_values_1_q;
@@ -110,12 +110,10 @@ module horopter_texture (
   logic [9:0] sum_28;
   assign sum_28 = delayed[9:0] + {difference_27[8], difference_27};
   // hls/stages/texture.hpp:56
-  logic [9:0] select_31;
-  assign select_31 = (10'h2 < raster_column_q) ? row_columns_values_2_q : 10'h0;
-  logic [10:0] difference_32;
-  assign difference_32 = {1'b0, sum_28} - {1'b0, select_31};
+  logic [11:0] difference_32;
+  assign difference_32 = {2'h0, sum_28} - ((10'h2 < raster_column_q) ? row_columns_values_2_q : 12'h0);
   logic [11:0] sum;
-  assign sum = (or_18_s1_q ? 12'h0 : row_sum_sums_values_0_q) + {difference_32[10], difference_32};
+  assign sum = (or_18_s1_q ? 12'h0 : row_sum_sums_values_0_q) + difference_32;
   // hls/stages/texture.hpp:57
   logic not_35;
   assign not_35 = ~(sum < cfg_texture_limit_i);
@@ -146,22 +144,32 @@ module horopter_texture (
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       raster_rows_q <= 2'h0;
-      row_columns_values_0_q <= 10'h0;
-      row_columns_values_1_q <= 10'h0;
-      row_columns_values_2_q <= 10'h0;
-      row_sum_sums_values_0_q <= 12'h0;
       columns_values_0_q <= 1'b0;
       columns_values_1_q <= 1'b0;
       columns_values_2_q <= 1'b0;
     end else if (s1_en) begin
       raster_rows_q <= raster_row_ended_q ? (select_22 + {1'b0, not_36}) : select_22;
-      row_columns_values_0_q <= sum_28;
-      row_columns_values_1_q <= row_columns_values_0_q;
-      row_columns_values_2_q <= row_columns_values_1_q;
-      row_sum_sums_values_0_q <= sum;
       columns_values_0_q <= delayed[12];
       columns_values_1_q <= columns_values_0_q;
       columns_values_2_q <= columns_values_1_q;
+    end
+  end
+
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
+    row_columns_values_0_q = 12'h0;
+    row_columns_values_1_q = 12'h0;
+    row_columns_values_2_q = 12'h0;
+    row_sum_sums_values_0_q = 12'h0;
+  end
+`endif
+  always_ff @(posedge clk_i) begin
+    if (s1_en) begin
+      row_columns_values_0_q <= {2'h0, sum_28};
+      row_columns_values_1_q <= row_columns_values_0_q;
+      row_columns_values_2_q <= row_columns_values_1_q;
+      row_sum_sums_values_0_q <= sum;
     end
   end
 

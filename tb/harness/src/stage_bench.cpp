@@ -177,12 +177,12 @@ class StageBench {
   /// Before a reset: no beat between the first and the last writing stage, so that each has written all or nothing, and
   /// one in the first stage where none needs to be kept out.
   void separate() {
-    if (first_write_ == last_write_) {
+    if (!first_write_ || *first_write_ == last_write_) {
       if (!pending_) offer();
       clock(true, true);
       return;
     }
-    const std::uint64_t young = rng_.below(first_write_);
+    const std::uint64_t young = *first_write_ == 0 ? 0 : rng_.below(*first_write_);
     for (std::uint64_t n = young; n < last_write_; ++n) clock(true, false);
     for (std::uint64_t n = 0; n < young; ++n) {
       if (!pending_) offer();
@@ -325,7 +325,7 @@ class StageBench {
     check("Config", native_.config_leaves, dut_.config_ports);
     check("Out", native_.out_leaves, dut_.out_ports);
     for (const DutMemory& memory : dut_.memories) {
-      first_write_ = first_write_ ? std::min(first_write_, memory.write_stage) : memory.write_stage;
+      first_write_ = first_write_ ? std::min(*first_write_, memory.write_stage) : memory.write_stage;
       last_write_ = std::max(last_write_, memory.write_stage);
     }
   }
@@ -343,7 +343,8 @@ class StageBench {
   std::deque<Flying> flying_;
   std::uint64_t enabled_ = 0;
   std::optional<std::uint64_t> last_taken_;
-  unsigned first_write_ = 0, last_write_ = 0;  ///< pipeline stages; no memory is written in stage 0
+  std::optional<unsigned> first_write_;  ///< pipeline stages in which memories or kept registers are written
+  unsigned last_write_ = 0;
   Beat config_, held_, now_, scratch_, noise_beat_;
   bool held_valid_ = false;
   BenchReport report_;

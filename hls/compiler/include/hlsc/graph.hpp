@@ -79,6 +79,7 @@ struct State {
   std::vector<bool> initial;  ///< reset value, least significant bit first
   NodeId read = 0;            ///< its kStateRead node
   Bits next;                  ///< value after the step
+  bool kept = false;          ///< not reset: `initial` at power-up only
 };
 
 /// One synchronous memory: at most one read and one write a step. The read returns the contents before the step; what

@@ -23,6 +23,7 @@ struct Leaf {
   bool is_signed = false;
   bool is_pointer = false;  ///< allowed in stages only
   SourceLocation where;
+  bool kept = false;  ///< within a Kept<>: reset leaves it as it is
 };
 
 struct RamMember;

@@ -21,6 +21,8 @@
 #include <utility>
 #include <vector>
 
+#include "horopter/hls/kept.hpp"
+
 #ifdef __HLSC__
 // Hooks that hlsc replaces by ports of a memory. `bytes` is sizeof(T).
 extern "C" {
@@ -46,12 +48,6 @@ constexpr std::size_t ram_address(const A& address) {
   } else {
     return static_cast<std::size_t>(address.value());
   }
-}
-
-/// While true, assigning to a RAM keeps its contents: see reset().
-inline bool& keep_ram_contents() {
-  thread_local bool keep = false;
-  return keep;
 }
 
 }  // namespace detail
@@ -92,12 +88,12 @@ class RAM {
   RAM(RAM&&) noexcept = default;
   ~RAM() = default;
   RAM& operator=(const RAM& other) {
-    if (this != &other && !detail::keep_ram_contents()) words_ = other.words_;
+    if (this != &other && !detail::keep_contents()) words_ = other.words_;
     forget_accesses();
     return *this;
   }
   RAM& operator=(RAM&& other) noexcept {
-    if (this != &other && !detail::keep_ram_contents()) words_ = std::move(other.words_);
+    if (this != &other && !detail::keep_contents()) words_ = std::move(other.words_);
     forget_accesses();
     return *this;
   }
@@ -174,17 +170,5 @@ class RAM {
   bool explicit_steps_ = false;
 #endif
 };
-
-#ifndef __HLSC__
-/// What rst_ni does: registers to their initial values, RAM contents kept.
-template <typename Stage>
-void reset(Stage& stage) {
-  struct Keep {
-    Keep() { detail::keep_ram_contents() = true; }
-    ~Keep() { detail::keep_ram_contents() = false; }
-  } keep;
-  stage = Stage{};
-}
-#endif
 
 }  // namespace horopter::hls

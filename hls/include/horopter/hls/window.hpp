@@ -8,6 +8,7 @@
 #include <bit>
 #include <cstddef>
 
+#include "horopter/hls/kept.hpp"
 #include "horopter/hls/values.hpp"
 
 namespace horopter::hls {
@@ -67,15 +68,15 @@ class RowSum {
   Sum step(bool row_start, Sum entering, Sum leaving) {
     const Sum change(entering - leaving);
     if (row_start) [[unlikely]] {
-      sums_.fill(Sum(0));
+      sums_->fill(Sum(0));
     }
-    const Sum sum(sums_.oldest() + change);
-    sums_.push(sum);
+    const Sum sum(sums_->oldest() + change);
+    sums_->push(sum);
     return sum;
   }
 
  private:
-  DelayLine<Sum, STRIDE> sums_;
+  Kept<DelayLine<Sum, STRIDE>> sums_;
 };
 
 /// The same with the last K column values, K·STRIDE beats wide, in registers.
@@ -86,13 +87,13 @@ class HorizontalSum {
 
   /// `filled`: at least K columns of this row lie before this one.
   Sum step(bool row_start, bool filled, Sum column) {
-    const Sum leaving = filled ? columns_.oldest() : Sum(0);
-    columns_.push(column);
+    const Sum leaving = filled ? columns_->oldest() : Sum(0);
+    columns_->push(column);
     return sum_.step(row_start, column, leaving);
   }
 
  private:
-  DelayLine<Sum, K * STRIDE> columns_;
+  Kept<DelayLine<Sum, K * STRIDE>> columns_;
   RowSum<BITS, STRIDE, V> sum_;
 };
 
@@ -112,15 +113,15 @@ class WindowAnd {
     const auto column = cat(above, bit);
     stored = Bits(column);
     if (row_start) [[unlikely]] {
-      columns_.fill(Bits(0));
+      columns_->fill(Bits(0));
     }
-    const auto row = cat(columns_.oldest(), column == u<K>::max());
-    columns_.push(Bits(row));
+    const auto row = cat(columns_->oldest(), column == u<K>::max());
+    columns_->push(Bits(row));
     return row == u<K>::max();
   }
 
  private:
-  DelayLine<Bits, STRIDE> columns_;  // whether the K − 1 columns to the left are all true, the nearest lowest
+  Kept<DelayLine<Bits, STRIDE>> columns_;  // whether the K − 1 columns to the left are all true, the nearest lowest
 };
 
 }  // namespace horopter::hls

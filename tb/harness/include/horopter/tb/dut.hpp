@@ -16,7 +16,8 @@ struct DutPort {
   bool is_signed = false;
 };
 
-/// A memory of the emitted module and the pipeline stage (0 = the clock in which the beat is taken) that writes it.
+/// A memory of the emitted module, or registers that reset does not clear, and the pipeline stage (0 = the clock in
+/// which the beat is taken) that writes it.
 struct DutMemory {
   std::string name;
   unsigned write_stage = 0;
