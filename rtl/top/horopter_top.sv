@@ -990,6 +990,17 @@ module horopter_top #(
       else if (out_row_ends) out_row_q <= out_row_q + 1'b1;
     end
   end
+  logic written_run;
+  logic [COLUMN_BITS+3:0] written_data;
+  if (FAST) begin : g_written
+    always_ff @(posedge clk_i) begin
+      written_run <= core_rst_n && run_valid;
+      written_data <= {run_last, run_end == last_result_column_q, run_state, run_end};
+    end
+  end else begin : g_written
+    assign written_run = run_valid;
+    assign written_data = {run_last, run_end == last_result_column_q, run_state, run_end};
+  end
   horopter_axis_fifo #(
       .WIDTH(1 + 1 + 2 + COLUMN_BITS),
       .DEPTH(OUTPUT_DEPTH),
@@ -997,9 +1008,9 @@ module horopter_top #(
   ) u_runs_fifo (
       .clk_i(clk_i),
       .rst_ni(core_rst_n),
-      .s_valid_i(run_valid),
+      .s_valid_i(written_run),
       .s_ready_o(unused_runs_ready),
-      .s_data_i({run_last, run_end == last_result_column_q, run_state, run_end}),
+      .s_data_i(written_data),
       .m_valid_o(m_axis_runs_tvalid),
       .m_ready_i(m_axis_runs_tready),
       .m_data_o({m_axis_runs_tlast, out_row_ends, out_run_state, out_run_end}),

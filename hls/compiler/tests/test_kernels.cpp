@@ -26,6 +26,14 @@ TEST_CASE("adder and accumulator") {
   CHECK(compare_with_native(stage_options("kernels/adder.hpp", "kernels::Accumulator")) == "");
 }
 
+TEST_CASE("reset leaves Kept registers as they are") {
+  const hlsc::Options options = stage_options("kernels/adder.hpp", "kernels::Kept");
+  CHECK(compare_with_native(options, {.steps = 4000, .reset_every = 50}) == "");
+  const hlsc::Graph graph = hlsc::compile_stage(options).graph;
+  REQUIRE(graph.states.size() == 2);
+  for (const hlsc::State& state : graph.states) CHECK(state.kept == (state.name == "total"));
+}
+
 TEST_CASE("indices and pointers") {
   const std::string name = GENERATE("OneIndex", "ChosenPointer", "Tables");
   CAPTURE(name);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <horopter/hls/int.hpp>
+#include <horopter/hls/kept.hpp>
 
 namespace kernels {
 
@@ -46,6 +47,28 @@ class Accumulator {
  private:
   s<12> sum_ = s<12>(-5);
   u<4> count_ = u<4>(3);
+};
+
+/// The last value and what reset does not forget: a total.
+class Kept {
+ public:
+  struct In {
+    u<8> x;
+  };
+  struct Out {
+    u<8> last;
+    u<12> total;
+  };
+  Out step(const In& in) {
+    const Out out{last_, *total_};
+    last_ = in.x;
+    *total_ += in.x;
+    return out;
+  }
+
+ private:
+  u<8> last_{7};
+  horopter::hls::Kept<u<12>> total_;
 };
 
 }  // namespace kernels
