@@ -21,6 +21,7 @@
 #include "horopter/evaluation.hpp"
 #include "horopter/map_compiler.hpp"
 #include "horopter/monitor.hpp"
+#include "horopter/tolerance.hpp"
 #include "inputs.hpp"
 #include "progress.hpp"
 #include "stereo_matching.hpp"
@@ -111,7 +112,8 @@ json rule_parameters(const EvaluateOptions& options, const MachineProfile& profi
                    {"smooth", options.settings.competition.smooth},
                    {"similar", options.settings.competition.similar},
                    {"quorum", options.settings.competition.quorum},
-                   {"clear_quorum", options.settings.competition.clear_quorum}});
+                   {"clear_quorum", options.settings.competition.clear_quorum},
+                   {"boundary", options.settings.competition.boundary}});
   }
   return result;
 }
@@ -354,9 +356,13 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
       ->add_option("--list", options->list,
                    "Several pairs: a line `name left right disparity scale resize` each, paths relative to the list")
       ->type_name("FILE");
-  command->add_option("--tolerance", options->tolerance_px, "Half the thickness of the skin, px")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  const CLI::Option* tolerance =
+      command
+          ->add_option("--tolerance", options->tolerance_px,
+                       "Half the thickness of the skin, px. If given, the rule is set to it, too, unless its own "
+                       "--threshold or --boundary is given")
+          ->check(CLI::PositiveNumber)
+          ->capture_default_str();
   command
       ->add_option("--disparities", options->disparities,
                    "Disparities of the skins, px (default: up to six of the most frequent, at least 3 px apart)")
@@ -370,11 +376,12 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
       ->check(CLI::IsMember(change_names()))
       ->type_name("NAME,…");
   add_decision(*command, options->settings.decision);
-  command
-      ->add_option("--threshold", options->settings.threshold_percent,
-                   "thesis: in the skin up to this share of the largest sum of direction differences, %")
-      ->check(CLI::Range(0.0, 100.0))
-      ->capture_default_str();
+  const CLI::Option* threshold =
+      command
+          ->add_option("--threshold", options->settings.threshold_percent,
+                       "thesis: in the skin up to this share of the largest sum of direction differences, %")
+          ->check(CLI::Range(0.0, 100.0))
+          ->capture_default_str();
   command
       ->add_option("--texture", options->settings.texture,
                    "thesis: smallest mean gradient that decides, in units of the Sobel magnitude")
@@ -386,7 +393,7 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
   const auto compete_option = [&](const char* name, int& value, int largest, const char* what) {
-    command->add_option(name, value, what)->check(CLI::Range(0, largest))->capture_default_str();
+    return command->add_option(name, value, what)->check(CLI::Range(0, largest))->capture_default_str();
   };
   compete_option("--bias", options->settings.competition.bias, 15, "compete: added to every vote");
   compete_option("--smooth", options->settings.competition.smooth, 7,
@@ -396,6 +403,9 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
                  "compete: smallest sum of votes that says skin");
   compete_option("--clear-quorum", options->settings.competition.clear_quorum, 255,
                  "compete: smallest sum of votes against that says clear, 8 votes");
+  const CLI::Option* boundary =
+      compete_option("--boundary", options->settings.competition.boundary, 14,
+                     "compete: where the skin ends, about 1/2 + boundary / 14 px before and behind it");
   command->add_option("--engine", options->engine, "native: C++ on this CPU; rtl: the co-simulated hardware")
       ->check(CLI::IsMember({"native", "rtl"}))
       ->capture_default_str();
@@ -413,7 +423,11 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
       "one\n"
       "thread: of one skin for Horopter, of all disparities for the matchers.\n\n"
       "Example: horopter evaluate --left im2.png --right im6.png --disparity disp2.png --scale 4");
-  command->callback([options, &outcome] { outcome.status = evaluate(*options); });
+  command->callback([=, &outcome] {
+    const CLI::Option* own = options->settings.decision == Decision::thesis ? threshold : boundary;
+    if (tolerance->count() > 0 && own->count() == 0) set_tolerance(options->settings, options->tolerance_px);
+    outcome.status = evaluate(*options);
+  });
 }
 
 }  // namespace horopter::cli

@@ -71,6 +71,24 @@ TEST_CASE("evaluate compares the skin with two matchers") {
   }
 }
 
+TEST_CASE("evaluate sets the rule to a tolerance that is given") {
+  Sandbox box;
+  with_pair(box);
+  const auto parameters = [&](const std::vector<std::string>& more) {
+    const auto result = box.run(on_pair() + std::vector<std::string>{"--change", "none"} + more);
+    CAPTURE(result.err);
+    REQUIRE(result.status == 0);
+    return nlohmann::json::parse(result.out)["pairs"][0]["methods"]["horopter"]["parameters"];
+  };
+  CHECK(parameters({})["threshold_percent"] == 21);
+  CHECK(parameters({"--tolerance", "1"})["threshold_percent"].get<double>() < 20);
+  CHECK(parameters({"--tolerance", "4", "--threshold", "30"})["threshold_percent"] == 30);
+  CHECK(parameters({"--decision", "compete"})["boundary"] == 8);
+  CHECK(parameters({"--decision", "compete", "--tolerance", "0.7"})["boundary"].get<int>() < 6);
+  CHECK(parameters({"--decision", "compete", "--tolerance", "0.7", "--boundary", "9"})["boundary"] == 9);
+  CHECK(box.run(on_pair() + std::vector<std::string>{"--tolerance", "4"}).status == 2);
+}
+
 TEST_CASE("evaluate takes a list, with paths relative to it, and sizes") {
   Sandbox box;
   fs::create_directory(box / "data");
