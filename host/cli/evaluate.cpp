@@ -32,10 +32,13 @@ namespace {
 
 using nlohmann::json;
 
+/// What the settings of both rules are tuned for.
+constexpr double kUsualTolerance_px = 1;
+
 struct EvaluateOptions {
   StereoPairFiles pair;
   std::string list;
-  double tolerance_px = 1;
+  double tolerance_px = kUsualTolerance_px;
   std::vector<double> disparities;
   std::vector<std::string> changes;
   Settings settings;
@@ -356,13 +359,12 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
       ->add_option("--list", options->list,
                    "Several pairs: a line `name left right disparity scale resize` each, paths relative to the list")
       ->type_name("FILE");
-  const CLI::Option* tolerance =
-      command
-          ->add_option("--tolerance", options->tolerance_px,
-                       "Half the thickness of the skin, px. If given, the rule is set to it, too, unless its own "
-                       "--threshold or --boundary is given")
-          ->check(CLI::PositiveNumber)
-          ->capture_default_str();
+  command
+      ->add_option("--tolerance", options->tolerance_px,
+                   "Half the thickness of the skin, px. The rules are made for the default; to another one they are "
+                   "set, too, unless --threshold or --boundary is given")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   command
       ->add_option("--disparities", options->disparities,
                    "Disparities of the skins, px (default: up to six of the most frequent, at least 3 px apart)")
@@ -405,7 +407,7 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
                  "compete: smallest sum of votes against that says clear, 8 votes");
   const CLI::Option* boundary =
       compete_option("--boundary", options->settings.competition.boundary, 14,
-                     "compete: where the skin ends, about 1/2 + boundary / 14 px before and behind it");
+                     "compete: where the skin ends, from about 1/2 to 3/2 px before and behind it");
   command->add_option("--engine", options->engine, "native: C++ on this CPU; rtl: the co-simulated hardware")
       ->check(CLI::IsMember({"native", "rtl"}))
       ->capture_default_str();
@@ -425,7 +427,9 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
       "Example: horopter evaluate --left im2.png --right im6.png --disparity disp2.png --scale 4");
   command->callback([=, &outcome] {
     const CLI::Option* own = options->settings.decision == Decision::thesis ? threshold : boundary;
-    if (tolerance->count() > 0 && own->count() == 0) set_tolerance(options->settings, options->tolerance_px);
+    if (options->tolerance_px != kUsualTolerance_px && own->count() == 0) {
+      set_tolerance(options->settings, options->tolerance_px);
+    }
     outcome.status = evaluate(*options);
   });
 }

@@ -337,7 +337,8 @@ inline constexpr Field kSimilar{7, 4};
 inline constexpr Field kQuorum{11, 8};
 /// Smallest sum of votes against that says clear; 8 votes, at least 1.
 inline constexpr Field kClearQuorum{19, 8};
-/// Where the skin ends, between the planes ±1 and ±2 px: about 1/2 + boundary / 14 px; 0 to 14.
+/// Where the skin ends, 0 (nearest) to 14: before and behind it at 1/2 + boundary / 14 px by a parabola; measured:
+/// host/src/boundary_table.def.
 inline constexpr Field kBoundary{27, 4};
 }  // namespace compete
 
