@@ -133,6 +133,10 @@ void add_study(CLI::App& app, Outcome& outcome) {
   decision->add_option("--generated", of_decision->scope.generated, "What hlsc made of the stages")
       ->capture_default_str()
       ->type_name("DIR");
+  decision
+      ->add_option("--synth", of_decision->scope.synthesised,
+                   "Directory with what scripts/synth --json wrote of each stage, <stage>.json, for its gates")
+      ->type_name("DIR");
   board->add_option("--engines", options->scope.engines, "Engines, which must see the same")
       ->capture_default_str()
       ->check(CLI::IsMember(engine_names()))

@@ -299,6 +299,31 @@ std::vector<StereoPair> pairs_of(const StudyScope& scope) {
   return pairs;
 }
 
+/// Gates of the stages that only one rule needs, from what scripts/synth wrote of each.
+std::string gates_text(const std::string& synthesised) {
+  std::string text =
+      "\nGates are known of what is built: `scripts/synth --target ecp5-85k --profile hd --decision compete --module "
+      "contest --seeds 0 --json DIR/contest.json`, and so on for each stage; `--synth DIR` brings them here.\n";
+  if (synthesised.empty()) return text;
+  text +=
+      "\n| stage | rule | profile | LUT4 | flip-flops | memory blocks | multipliers |\n| --- | --- | --- | --- | --- | "
+      "--- | --- |\n";
+  const auto add = [&](const char* stage, hls::Rule rule) {
+    if (rule == hls::Rule::always) return;
+    const std::string file = fmt::format("{}/{}.json", synthesised, stage);
+    const auto json = nlohmann::json::parse(read_file(file, "what scripts/synth --json writes"), nullptr, false);
+    if (!json.contains("resources")) throw FileError(file, "resources", "not there", "as scripts/synth writes it");
+    const auto count = [&](const char* kind) { return json["resources"].value(kind, 0); };
+    text +=
+        fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", stage, rule == hls::Rule::thesis ? "thesis" : "compete",
+                    json.value("profile", "?"), count("LUT4"), count("FF"), count("BRAM"), count("MULT"));
+  };
+#define HOROPTER_STAGE(name, Class, rule) add(#name, hls::Rule::rule);
+#include "stages/stage_list.def"
+#undef HOROPTER_STAGE
+  return text;
+}
+
 Score score_of(const Variant& variant, const StereoPair& pair, const GroundTruth& truth, double disparity_px) {
   const Image states = variant.states(pair.left, pair.right, static_cast<int>(disparity_px));
   std::vector<Answer> answers;
@@ -383,10 +408,7 @@ nlohmann::json study_decision(OutputDirectory& directory, const StudyScope& scop
                     "rows",
                     name, means[v].iou, means[v].false_objects, means[v].undecidable, bits, rows));
   }
-  page +=
-      "\nGates: `scripts/synth --target ecp5-85k --profile vga --decision compete --seeds 0` prints LUT4, flip-flops "
-      "and "
-      "memory blocks of each stage that is built; the same with `--profile hd` and `--decision thesis`.\n";
+  page += gates_text(scope.synthesised);
   directory.write("DECISION.md", page);
   directory.write("decision.csv", csv.text());
   return result;
