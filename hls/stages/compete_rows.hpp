@@ -34,6 +34,7 @@ class CompeteRows {
     width_ = width;
     strip_ = (width + lanes - 1) / lanes;
     contest_config_.bias = settings.bias;
+    contest_config_.boundary = settings.boundary;
     spread_config_.smooth = settings.smooth;
     ballot_config_.similar = settings.similar;
     ballot_config_.quorum = settings.quorum;

@@ -3,8 +3,9 @@
 //
 // The skin is what lies nearer to the planes −1, 0, 1 than to any other: z = min T(outside) − min T(−1, 0, 1).
 //
-// Sub-pixel boundary: where the best is +1, z = min(z, T(2) − T(1) − 3/4 · (T(0) − T(1))), mirrored for −1: the
-// parabola through three planes has its minimum nearer to the skin than the boundary when this is positive.
+// Sub-pixel boundary: where the best is +1, z = min(z, (n · b − (14 − n) · a) / 8) with b = T(2) − T(1), a = T(0) −
+// T(1), mirrored for −1, n the setting `boundary`, 0 … 14: the parabola through three planes has its minimum nearer to
+// the skin than 1/2 + n/14 px when this is positive. Both terms are rounded down.
 //
 // From the right: the same question asked by the right pixel, T(s) of the left pixels s columns further right. Where it
 // prefers a plane outside, the left pixel sees what is hidden to the right camera, or is wrong: its vote is at most −8.
@@ -39,6 +40,7 @@ class PlaneContest {
   using In = typename PlanePaths<BEATS, PLANES, ROWS, COLUMNS, V>::Out;
   struct Config {
     u<4> bias;
+    u<4> boundary;  // 15 is as 14
   };
   static constexpr int delay = PLANES.reach();
   struct Out {
@@ -54,7 +56,7 @@ class PlaneContest {
     row_ended_ = in.marks.last;
     const Bit hidden = seen_from_right(in, row_start);
     const Vote vote = centres_.oldest();
-    centres_.push(vote_of(in));
+    centres_.push(vote_of(in, config.boundary));
 
     const S<6> clipped = select(hidden && vote.clipped > lit<-hidden_vote>(), negative<hidden_vote>(), vote.clipped);
     Out out;
@@ -91,20 +93,19 @@ class PlaneContest {
   }
 
   /// What the pixel says by itself.
-  static Vote vote_of(const In& in) {
+  static Vote vote_of(const In& in, u<4> at) {
     const auto& t = in.cost;
     const Cost far = min(smallest(t, 0, zero - 2), smallest(t, zero + 3, planes));
     const Cost outside = min(far, min(t[zero - 2], t[zero + 2]));
-    const Cost inside = min(t[zero], min(t[zero - 1], t[zero + 1]));
-    using Z = S<cost_bits + 3>;
+    const Cost beside = min(t[zero - 1], t[zero + 1]);
+    const Cost inside = min(t[zero], beside);
+    const Cost outer = select(t[zero + 1] < t[zero - 1], t[zero + 2], t[zero - 2]);
+    using Z = S<cost_bits + 4>;
     Z z(outside - inside);
-    z = select(t[zero + 1] < t[zero] && t[zero + 1] < t[zero - 1],
-               least(z, boundary(t[zero], t[zero + 1], t[zero + 2])), z);
-    z = select(t[zero - 1] < t[zero] && t[zero - 1] <= t[zero + 1],
-               least(z, boundary(t[zero], t[zero - 1], t[zero - 2])), z);
+    z = select(beside < t[zero], least(z, boundary(t[zero], beside, outer, at)), z);
     const Bit repeats = inside <= outside && far < inside + shr<4>(inside);
 
-    const S<cost_bits> eighth = shr<3>(z);
+    const S<cost_bits + 1> eighth = shr<3>(z);
     Vote vote;
     vote.clipped = select(eighth > lit<largest_vote>(), S<6>(U<5>(largest_vote)), S<6>(eighth));
     vote.clipped = select(eighth < lit<-largest_vote>(), negative<largest_vote>(), vote.clipped);
@@ -153,10 +154,18 @@ class PlaneContest {
     return select(a < b, a, b);
   }
 
-  /// T(outer) − T(best) − 3/4 · (T(centre) − T(best)).
-  static S<cost_bits + 3> boundary(U<cost_bits> centre, U<cost_bits> best, U<cost_bits> outer) {
-    const S<cost_bits + 1> inner(centre - best);
-    return S<cost_bits + 3>(outer - best - (inner - shr<2>(inner)));
+  /// (n · (T(outer) − T(best)) − (14 − n) · (T(centre) − T(best))) / 8, both terms rounded down.
+  static S<cost_bits + 4> boundary(Cost centre, Cost best, Cost outer, u<4> n) {
+    const u<4> rest = n == 15 ? u<4>(0) : u<4>(lit<14>() - n);
+    return S<cost_bits + 4>(eighths(n, outer - best) + eighths(rest, best - centre));
+  }
+
+  /// ⌊factor · value / 8⌋, without a multiplier.
+  static S<cost_bits + 3> eighths(u<4> factor, S<cost_bits + 1> value) {
+    const auto part = [&](int bit) { return select(Bit(factor.bit(bit)), value, S<cost_bits + 1>(U<5>(0))); };
+    const auto low = part(0) + shl<1>(part(1));
+    const auto high = part(2) + shl<1>(part(3));
+    return S<cost_bits + 3>(shr<1>(shr<2>(low) + high));
   }
 
   static U<cost_bits> smallest(const std::array<U<cost_bits>, planes>& costs, std::size_t begin, std::size_t end) {

@@ -26,7 +26,8 @@ class PlanePaths {
   static constexpr std::size_t planes = PLANES.count;
   static constexpr int sum_bits = PlaneSummer<BEATS, PLANES, ROWS, COLUMNS, V>::sum_bits;
   static constexpr int largest_opinion = 63;
-  static constexpr int cost_bits = bits_for((1U << sum_bits) - 1 + 4 * largest_opinion);
+  static constexpr int cost_bits =
+      bits_for(PlaneSummer<BEATS, PLANES, ROWS, COLUMNS, V>::largest_cost * ROWS * COLUMNS + 4 * largest_opinion);
   /// A quarter of the price of a step of 1 px between planes: about 5/2 of a pixel's cost per pixel of the window's
   /// sum.
   static constexpr int step_price = 5 * ROWS * COLUMNS / 8;

@@ -21,6 +21,7 @@
 #include "horopter/evaluation.hpp"
 #include "horopter/map_compiler.hpp"
 #include "horopter/monitor.hpp"
+#include "horopter/tolerance.hpp"
 #include "inputs.hpp"
 #include "progress.hpp"
 #include "stereo_matching.hpp"
@@ -31,10 +32,13 @@ namespace {
 
 using nlohmann::json;
 
+/// What the settings of both rules are tuned for.
+constexpr double kUsualTolerance_px = 1;
+
 struct EvaluateOptions {
   StereoPairFiles pair;
   std::string list;
-  double tolerance_px = 1;
+  double tolerance_px = kUsualTolerance_px;
   std::vector<double> disparities;
   std::vector<std::string> changes;
   Settings settings;
@@ -111,7 +115,8 @@ json rule_parameters(const EvaluateOptions& options, const MachineProfile& profi
                    {"smooth", options.settings.competition.smooth},
                    {"similar", options.settings.competition.similar},
                    {"quorum", options.settings.competition.quorum},
-                   {"clear_quorum", options.settings.competition.clear_quorum}});
+                   {"clear_quorum", options.settings.competition.clear_quorum},
+                   {"boundary", options.settings.competition.boundary}});
   }
   return result;
 }
@@ -354,7 +359,10 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
       ->add_option("--list", options->list,
                    "Several pairs: a line `name left right disparity scale resize` each, paths relative to the list")
       ->type_name("FILE");
-  command->add_option("--tolerance", options->tolerance_px, "Half the thickness of the skin, px")
+  command
+      ->add_option("--tolerance", options->tolerance_px,
+                   "Half the thickness of the skin, px. The rules are made for the default; to another one they are "
+                   "set, too, unless --threshold or --boundary is given")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command
@@ -370,11 +378,12 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
       ->check(CLI::IsMember(change_names()))
       ->type_name("NAME,…");
   add_decision(*command, options->settings.decision);
-  command
-      ->add_option("--threshold", options->settings.threshold_percent,
-                   "thesis: in the skin up to this share of the largest sum of direction differences, %")
-      ->check(CLI::Range(0.0, 100.0))
-      ->capture_default_str();
+  const CLI::Option* threshold =
+      command
+          ->add_option("--threshold", options->settings.threshold_percent,
+                       "thesis: in the skin up to this share of the largest sum of direction differences, %")
+          ->check(CLI::Range(0.0, 100.0))
+          ->capture_default_str();
   command
       ->add_option("--texture", options->settings.texture,
                    "thesis: smallest mean gradient that decides, in units of the Sobel magnitude")
@@ -386,7 +395,7 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
   const auto compete_option = [&](const char* name, int& value, int largest, const char* what) {
-    command->add_option(name, value, what)->check(CLI::Range(0, largest))->capture_default_str();
+    return command->add_option(name, value, what)->check(CLI::Range(0, largest))->capture_default_str();
   };
   compete_option("--bias", options->settings.competition.bias, 15, "compete: added to every vote");
   compete_option("--smooth", options->settings.competition.smooth, 7,
@@ -396,6 +405,9 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
                  "compete: smallest sum of votes that says skin");
   compete_option("--clear-quorum", options->settings.competition.clear_quorum, 255,
                  "compete: smallest sum of votes against that says clear, 8 votes");
+  const CLI::Option* boundary =
+      compete_option("--boundary", options->settings.competition.boundary, 14,
+                     "compete: where the skin ends, from about 1/2 to 3/2 px before and behind it");
   command->add_option("--engine", options->engine, "native: C++ on this CPU; rtl: the co-simulated hardware")
       ->check(CLI::IsMember({"native", "rtl"}))
       ->capture_default_str();
@@ -413,7 +425,13 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
       "one\n"
       "thread: of one skin for Horopter, of all disparities for the matchers.\n\n"
       "Example: horopter evaluate --left im2.png --right im6.png --disparity disp2.png --scale 4");
-  command->callback([options, &outcome] { outcome.status = evaluate(*options); });
+  command->callback([=, &outcome] {
+    const CLI::Option* own = options->settings.decision == Decision::thesis ? threshold : boundary;
+    if (options->tolerance_px != kUsualTolerance_px && own->count() == 0) {
+      set_tolerance(options->settings, options->tolerance_px);
+    }
+    outcome.status = evaluate(*options);
+  });
 }
 
 }  // namespace horopter::cli

@@ -49,14 +49,10 @@ std::optional<calib::Rig> read_rig_option(const std::string& path) {
 
 void check_skin_file(const std::string& path) { read_file(path, kSkinExpected); }
 
-namespace {
-
 bool is_table(const std::string& skin) {
   const auto bytes = read_file(skin, kSkinExpected);
   return std::string(bytes.begin(), bytes.begin() + std::min<std::size_t>(4, bytes.size())) == "HMAP";
 }
-
-}  // namespace
 
 SkinFile load_skin_for(const std::string& skin, const std::optional<calib::Rig>& rig, int image_width,
                        int image_height) {

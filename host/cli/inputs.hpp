@@ -20,6 +20,8 @@ void check_image_size(const std::string& name, int width, int height, const Mach
 std::optional<calib::Rig> read_rig_option(const std::string& path);
 /// There and not empty; contents are checked by load_or_compile_maps.
 void check_skin_file(const std::string& path);
+/// A table (.hmap), not a skin.yaml. Throws FileError where there is neither.
+bool is_table(const std::string& skin);
 /// A skin.yaml, not a table (.hmap), whose skin moves.
 bool is_moving_skin(const std::string& skin);
 /// A skin.yaml for images of this size. Throws FileError where the rig's are others.

@@ -19,6 +19,7 @@
 #include "horopter/report.hpp"
 #include "inputs.hpp"
 #include "progress.hpp"
+#include "thickness.hpp"
 
 namespace horopter::cli {
 namespace {
@@ -32,6 +33,7 @@ struct RunOptions {
   std::string engine = "native";
   std::string out;
   Settings settings;
+  ThicknessOption thickness;
   std::size_t frames = 0;
   bool overlay = true;
   bool json = false;
@@ -53,14 +55,16 @@ struct Session {
                       fmt::format("at most the {} of profile hd", "1920x1080"));
     }
     check_image_size(first.name, width, height, *profile);
+    settings = options.settings;
+    thickness = set_thickness(options.thickness, options.skin, rig, *profile, width, height, settings);
     if (is_moving_skin(options.skin)) {
       MovingMaps maps = compile_motion(load_skin_for(options.skin, rig, width, height), *profile, width, height);
       moving = std::make_unique<MovingSupervisor>(make_device(options.engine, *profile), *profile, std::move(maps),
-                                                  options.settings);
+                                                  settings);
       return;
     }
     const MapSet maps = load_or_compile_maps(options.skin, rig, *profile, width, height);
-    supervisor = std::make_unique<Supervisor>(make_device(options.engine, *profile), *profile, maps, options.settings);
+    supervisor = std::make_unique<Supervisor>(make_device(options.engine, *profile), *profile, maps, settings);
   }
   std::vector<FrameResult> process(const Image& left, const Image& right) {
     return moving ? moving->process(left, right) : supervisor->process(left, right);
@@ -68,6 +72,8 @@ struct Session {
   const Device& device() { return (moving ? moving->monitor() : supervisor->monitor()).device(); }
 
   const MachineProfile* profile = nullptr;
+  Settings settings;
+  std::optional<ChosenThickness> thickness;
   std::unique_ptr<Supervisor> supervisor;
   std::unique_ptr<MovingSupervisor> moving;  ///< instead, for a skin that moves
 };
@@ -99,6 +105,10 @@ ExitStatus run(const RunOptions& options) {
   Session session(options, rig, pair->left);
   const Device& device = session.device();
   auto summary = summary_json(device.engine(), session.profile->name);
+  if (session.thickness) {
+    summary.update(session.thickness->json());
+    if (!options.json) fmt::print("{}\n", session.thickness->text(session.settings));
+  }
   if (session.moving) {
     const MovingMaps& maps = session.moving->maps();
     summary["motion"] = {{"tables", maps.steps.size()}, {"inserted", maps.inserted}};
@@ -185,10 +195,13 @@ void add_run(CLI::App& app, Outcome& outcome) {
       ->check(CLI::IsMember({"native", "rtl"}))
       ->capture_default_str();
   add_decision(*command, options->settings.decision);
+  add_thickness(*command, options->thickness);
   command
       ->add_option("--threshold", options->settings.threshold_percent,
                    "thesis: in the skin up to this share of the largest sum of direction differences, %")
       ->check(CLI::Range(0.0, 100.0))
+      ->excludes("--tolerance")
+      ->excludes("--thickness")
       ->capture_default_str();
   command
       ->add_option(

@@ -108,7 +108,8 @@ void add_study(CLI::App& app, Outcome& outcome) {
           ->type_name("FILE");
     }
   }
-  const auto [all, of_all] = add("all", "All of these (not board), with a page of every figure and STUDY.md");
+  const auto [all, of_all] =
+      add("all", "All of these (not board and decision), with a page of every figure and STUDY.md");
   all->callback(
       [options = of_all, &outcome] { outcome.status = report(*options, study_all(options->out, options->scope)); });
   const auto [board, options] =
@@ -119,6 +120,23 @@ void add_study(CLI::App& app, Outcome& outcome) {
       ->capture_default_str()
       ->type_name("DIR");
   add_decision(*board, options->scope.decision);
+  add_thickness(*board, options->scope.thickness);
+  const auto [decision, of_decision] = add_one(
+      "decision", "The rules with parts left out, larger and smaller: what each gains and costs (12)", study_decision);
+  decision
+      ->add_option("--list", of_decision->scope.list,
+                   "Stereo pairs, as of `horopter evaluate` (default: opencv-doc's aloe and two simulated scenes)")
+      ->type_name("FILE");
+  decision->add_option("--data", of_decision->scope.data, "Directory with aloeL.jpg, aloeR.jpg, aloeGT.png")
+      ->capture_default_str()
+      ->type_name("DIR");
+  decision->add_option("--generated", of_decision->scope.generated, "What hlsc made of the stages")
+      ->capture_default_str()
+      ->type_name("DIR");
+  decision
+      ->add_option("--synth", of_decision->scope.synthesised,
+                   "Directory with what scripts/synth --json wrote of each stage, <stage>.json, for its gates")
+      ->type_name("DIR");
   board->add_option("--engines", options->scope.engines, "Engines, which must see the same")
       ->capture_default_str()
       ->check(CLI::IsMember(engine_names()))

@@ -9,6 +9,7 @@
 
 #include "horopter/monitor.hpp"
 #include "horopter/output.hpp"
+#include "thickness.hpp"
 
 namespace horopter::cli {
 
@@ -21,6 +22,10 @@ struct StudyScope {
   std::string picture;                                           ///< a user's image as texture; empty: none
   std::string series;  ///< list of a user's image series instead of simulated images; empty: none
   Decision decision = Decision::thesis;
+  std::string list;                         ///< of stereo pairs; empty: the study's own
+  std::string synthesised;                  ///< what scripts/synth wrote of the stages; empty: none
+  std::string generated = "rtl/generated";  ///< what hlsc made of the stages
+  ThicknessOption thickness;
 };
 
 /// Sub-pixel edge estimators on simulated edges (thesis 6.7).
@@ -54,6 +59,9 @@ nlohmann::json study_cost(OutputDirectory& directory, const StudyScope& scope);
 nlohmann::json study_detection(OutputDirectory& directory, const StudyScope& scope);
 /// A skin in millimetres on photographs of a chessboard, moved through it (10.4, 11.2).
 nlohmann::json study_board(OutputDirectory& directory, const StudyScope& scope);
+
+/// Variants of the rules of decision: what each gains and costs (12.1 to 12.4).
+nlohmann::json study_decision(OutputDirectory& directory, const StudyScope& scope);
 
 using Study = nlohmann::json (*)(OutputDirectory&, const StudyScope&);
 

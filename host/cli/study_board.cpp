@@ -142,6 +142,29 @@ Vector2d carried(const MapTable& table, const Vector2d& pixel) {
   return sum;
 }
 
+/// One for all boards, as each of them lies in its own plane: the median.
+std::optional<ChosenThickness> thickness_of(const std::vector<BoardPlane>& planes, const Board& board,
+                                            ThicknessOption option, const MachineProfile& profile, Settings& settings) {
+  const ScanGeometry geometry{board.left.width, board.left.height, Scan::progressive};
+  std::vector<ChosenThickness> all;
+  for (const BoardPlane& plane : planes) {
+    const auto chosen = set_thickness(option, plane.moved(0), profile, geometry, settings);
+    if (!chosen) return {};
+    all.push_back(*chosen);
+  }
+  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+  std::ranges::nth_element(all, middle, {}, &ChosenThickness::tolerance_px);
+  option = {.tolerance_px = middle->tolerance_px, .thickness_mm = {}};
+  Spread across_mm{INFINITY, 0, 0};
+  for (const BoardPlane& plane : planes) {
+    const Spread one = set_thickness(option, plane.moved(0), profile, geometry, settings)->across_mm;
+    across_mm.smallest = std::min(across_mm.smallest, one.smallest);
+    across_mm.largest = std::max(across_mm.largest, one.largest);
+    across_mm.mean += one.mean / static_cast<double>(planes.size());
+  }
+  return ChosenThickness{middle->tolerance_px, across_mm};
+}
+
 }  // namespace
 
 nlohmann::json study_board(OutputDirectory& directory, const StudyScope& scope) {
@@ -203,6 +226,10 @@ nlohmann::json study_board(OutputDirectory& directory, const StudyScope& scope) 
   compiling.clear();
   Settings settings;
   settings.decision = scope.decision;
+  if (const auto chosen = thickness_of(planes, boards[0], scope.thickness, profile, settings)) {
+    result.update(chosen->json());
+    result["findings"].push_back(chosen->text(settings));
+  }
   std::vector<std::unique_ptr<Monitor>> monitors;
   for (const std::string& engine : scope.engines) {
     monitors.push_back(std::make_unique<Monitor>(make_device(engine, profile), profile, settings));

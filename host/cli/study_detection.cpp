@@ -6,7 +6,11 @@
 #include <cmath>
 #include <vector>
 
+#include "horopter/engines.hpp"
+#include "horopter/map_compiler.hpp"
+#include "horopter/monitor.hpp"
 #include "horopter/study/measures.hpp"
+#include "horopter/study/parallel.hpp"
 #include "plot.hpp"
 #include "progress.hpp"
 #include "study.hpp"
@@ -25,6 +29,68 @@ constexpr double kInterpolated = 0.375;  ///< px of each displacement that bilin
 std::vector<Detection> measure(const study::ImageSeries& series, const std::vector<Setting>& settings) {
   Progress progress("image");
   return study::detect(series, settings, [&](std::size_t done) { progress.show(done, series.disparities_px.size()); });
+}
+
+/// Share of the pixels of one image that `compete` takes for the skin, where its windows lie in the image.
+double skin_share(Supervisor& supervisor, const Image& left, const Image& right) {
+  constexpr int margin = 32;
+  const FrameResult frame = std::move(supervisor.process(left, right).front());
+  std::int64_t skin = 0;
+  for (int y = margin; y < left.height - margin; ++y) {
+    for (int x = margin; x < left.width - margin; ++x) {
+      skin += static_cast<State>(frame.states.at(x, y)) == State::skin ? 1 : 0;
+    }
+  }
+  return static_cast<double>(skin) / ((left.width - 2 * margin) * (left.height - 2 * margin));
+}
+
+/// Where a curve falls to 1/2, walked outwards.
+double half_of(const std::vector<std::pair<double, double>>& curve) {
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    const auto& [x0, y0] = curve[i - 1];
+    const auto& [x1, y1] = curve[i];
+    if (y0 > 0.5 && y1 <= 0.5) return x0 + (x1 - x0) * (y0 - 0.5) / (y0 - y1);
+  }
+  throw Error(ExitStatus::check_failed, "half of the pixels are taken for the skin at no displacement");
+}
+
+/// What `compete` detects with a setting of its boundary, over the displacement.
+struct BoundaryDetection {
+  int setting = 0;
+  std::vector<std::pair<double, double>> rates;  ///< mean of before and behind the skin
+  double tolerance_px = 0;
+};
+
+std::vector<BoundaryDetection> detect_boundaries(const study::ImageSeries& series, const std::vector<int>& settings,
+                                                 const char* profile_name) {
+  const MachineProfile& profile = find_profile(profile_name);
+  const Image& left = series.reference;
+  SkinFile skin;
+  skin.skin =
+      std::make_unique<HomographySkin>(Matrix3{1, 0, 0, 0, 1, 0, 0, 0, 1}, Point{left.width / 2.0, left.height / 2.0});
+  const MapSet maps = compile_maps(skin, profile, left.width, left.height);
+  std::vector<Image> images;
+  for (std::size_t i = 0; i < series.disparities_px.size(); ++i) images.push_back(series.image(i));
+  std::vector<BoundaryDetection> result(settings.size());
+  Progress progress("boundary");
+  study::parallel_for(
+      settings.size(),
+      [&](std::size_t n) {
+        Settings machine;
+        machine.decision = Decision::compete;
+        machine.competition.boundary = settings[n];
+        Supervisor supervisor(make_device("native", profile), profile, maps, machine);
+        result[n].setting = settings[n];
+        const std::size_t half = images.size() / 2;  // displacements: −far … −near, near … far
+        for (std::size_t i = 0; i < half; ++i) {
+          const double before = skin_share(supervisor, left, images[half - 1 - i]);
+          const double behind = skin_share(supervisor, left, images[half + i]);
+          result[n].rates.emplace_back(series.disparities_px[half + i], (before + behind) / 2);
+        }
+        result[n].tolerance_px = half_of(result[n].rates);
+      },
+      [&](std::size_t done) { progress.show(done, settings.size()); });
+  return result;
 }
 
 /// The same displacements when the right image comes through the transformation, as in the system.
@@ -111,8 +177,41 @@ nlohmann::json study_detection(OutputDirectory& directory, const StudyScope& sco
                            {rate_panel, threshold_panel}, 2));
   result["figures"] = {
       {{"file", "detection.svg"},
-       {"title",
-        "Detection by the hardware's stage over displacement (Fig. 11.7), and the threshold for a tolerance"}}};
+       {"title", "Detection by the hardware's stage over displacement (Fig. 11.7), and the threshold for a tolerance"}},
+      {{"file", "boundaries.svg"}, {"title", "Detection by the rule compete over displacement"}}};
+
+  // The same of `compete`: its boundary has few settings, each with the tolerance that it has.
+  std::vector<double> places;
+  for (int i = -20; i <= 20; ++i) {
+    if (std::abs(i) >= 2) places.push_back(i / 10.0);
+  }
+  std::vector<int> settings;
+  for (int n = 0; n <= 14; n += scope.quick ? 7 : 1) settings.push_back(n);
+  const study::ImageSeries both_sides = transformed(single, places);
+  const auto boundaries = detect_boundaries(both_sides, settings, "vga");
+  table = "// Setting `boundary` of compete, its tolerance in px: written by `horopter study detection`.\n";
+  Csv boundary_rates({"boundary", "displacement_px", "detection_rate"});
+  Panel boundary_panel{"compete, settings of its boundary", "displacement [px]", "detection rate [%]", {}, false};
+  for (const BoundaryDetection& boundary : boundaries) {
+    table += fmt::format("BOUNDARY({}, {:.3f})\n", boundary.setting, boundary.tolerance_px);
+    result["boundary_px"][fmt::format("{}", boundary.setting)] = boundary.tolerance_px;
+    Curve curve{fmt::format("{}", boundary.setting), {}};
+    for (const auto& [displacement_px, rate] : boundary.rates) {
+      boundary_rates << static_cast<double>(boundary.setting) << displacement_px << rate;
+      boundary_rates.end_row();
+      curve.points.emplace_back(displacement_px, 100 * rate);
+    }
+    if (boundary.setting % 2 == 0) boundary_panel.curves.push_back(curve);
+  }
+  directory.write("boundary_table.def", table);
+  directory.write("boundaries.csv", boundary_rates.text());
+  directory.write("boundaries.svg", plot_svg("What `compete` detects", {boundary_panel}, 1));
+  const auto of_hd = detect_boundaries(both_sides, {settings.front(), settings.back()}, "hd");
+  result["findings"].push_back(
+      fmt::format("compete: half of the pixels displaced by {:.2f} to {:.2f} px are detected with its boundary at {} "
+                  "to {}; by {:.2f} to {:.2f} px with the planes of hd",
+                  boundaries.front().tolerance_px, boundaries.back().tolerance_px, settings.front(), settings.back(),
+                  of_hd.front().tolerance_px, of_hd.back().tolerance_px));
 
   Statements statements;
   std::string deviations;

@@ -43,7 +43,8 @@ std::uint32_t compete_word(const CompeteSettings& settings) {
   return put("bias", reg::compete::kBias, settings.bias) | put("smooth", reg::compete::kSmooth, settings.smooth) |
          put("similar", reg::compete::kSimilar, settings.similar) |
          put("quorum", reg::compete::kQuorum, settings.quorum) |
-         put("clear quorum", reg::compete::kClearQuorum, settings.clear_quorum);
+         put("clear quorum", reg::compete::kClearQuorum, settings.clear_quorum) |
+         put("boundary", reg::compete::kBoundary, settings.boundary);
 }
 
 /// What left the machine must agree with itself and with the registers: a machine that contradicts itself is broken.

@@ -20,7 +20,8 @@ constexpr hls::CompeteSettings kCompetition;
 static_assert(reg::compete::kReset ==
                   (reg::compete::kBias.put(kCompetition.bias) | reg::compete::kSmooth.put(kCompetition.smooth) |
                    reg::compete::kSimilar.put(kCompetition.similar) | reg::compete::kQuorum.put(kCompetition.quorum) |
-                   reg::compete::kClearQuorum.put(kCompetition.clear_quorum)),
+                   reg::compete::kClearQuorum.put(kCompetition.clear_quorum) |
+                   reg::compete::kBoundary.put(kCompetition.boundary)),
               "registers.yaml has other defaults");
 constexpr std::uint32_t kTableHeader = 0x484D0100;
 
@@ -217,7 +218,7 @@ void NativeDevice::write(std::uint32_t address, std::uint32_t value) {
       if (!profile_.has_compete()) return;
       stored(address) =
           value & (reg::compete::kBias.mask() | reg::compete::kSmooth.mask() | reg::compete::kSimilar.mask() |
-                   reg::compete::kQuorum.mask() | reg::compete::kClearQuorum.mask());
+                   reg::compete::kQuorum.mask() | reg::compete::kClearQuorum.mask() | reg::compete::kBoundary.mask());
       return;
     default:
       stored(address) = value;
@@ -321,6 +322,7 @@ native::Settings NativeDevice::settings() const {
   s.competition.similar = static_cast<int>(reg::compete::kSimilar.get(compete));
   s.competition.quorum = static_cast<int>(reg::compete::kQuorum.get(compete));
   s.competition.clear_quorum = static_cast<int>(reg::compete::kClearQuorum.get(compete));
+  s.competition.boundary = static_cast<int>(reg::compete::kBoundary.get(compete));
   return s;
 }
 

@@ -89,6 +89,7 @@ module horopter_csr #(
     output logic [ 3:0] compete_similar_o,
     output logic [ 7:0] compete_quorum_o,
     output logic [ 7:0] compete_clear_quorum_o,
+    output logic [ 3:0] compete_boundary_o,
     output logic [ 3:0] map_slot_slot_o,
     output logic [15:0] map_base_word64_o,
     output logic        map_control_valid_o,
@@ -263,6 +264,8 @@ module horopter_csr #(
   assign compete_quorum_o = compete_quorum_q;
   logic [ 7:0] compete_clear_quorum_q;
   assign compete_clear_quorum_o = compete_clear_quorum_q;
+  logic [ 3:0] compete_boundary_q;
+  assign compete_boundary_o = compete_boundary_q;
   // MAP_SLOT: Slot of the next upload.
   logic [ 3:0] map_slot_slot_q;
   assign map_slot_slot_o = map_slot_slot_q;
@@ -300,6 +303,7 @@ module horopter_csr #(
       compete_similar_q <= COMPETE ? 4'd3 : 4'd0;
       compete_quorum_q <= COMPETE ? 8'd1 : 8'd0;
       compete_clear_quorum_q <= COMPETE ? 8'd50 : 8'd0;
+      compete_boundary_q <= COMPETE ? 4'd8 : 4'd0;
       map_slot_slot_q <= 4'd0;
       map_base_word64_q <= 16'd0;
     end else begin
@@ -405,7 +409,10 @@ module horopter_csr #(
           compete_quorum_q[7:5] <= write_data_i[18:16];
           compete_clear_quorum_q[4:0] <= write_data_i[23:19];
         end
-        if (write_strb_i[3]) compete_clear_quorum_q[7:5] <= write_data_i[26:24];
+        if (write_strb_i[3]) begin
+          compete_clear_quorum_q[7:5] <= write_data_i[26:24];
+          compete_boundary_q[3:0] <= write_data_i[30:27];
+        end
       end
       if (selected_q[23]) begin  // MAP_SLOT
         if (write_strb_i[0]) map_slot_slot_q[3:0] <= write_data_i[3:0];
@@ -519,7 +526,7 @@ module horopter_csr #(
       5'h10: group_05_q <= {24'd0, constant_limit_grey_q};
       5'h14: group_05_q <= {24'd0, frozen_limit_frames_q};
       5'h18: group_05_q <= {31'd0, decision_compete_q};
-      5'h1C: group_05_q <= {5'd0, compete_clear_quorum_q, compete_quorum_q, compete_similar_q, compete_smooth_q, compete_bias_q};
+      5'h1C: group_05_q <= {1'd0, compete_boundary_q, compete_clear_quorum_q, compete_quorum_q, compete_similar_q, compete_smooth_q, compete_bias_q};
       default: begin
         group_05_q <= 32'd0;
         known_05_q <= 1'b0;

@@ -182,7 +182,7 @@ module horopter_top #(
   logic [23:0] alarm_limit, undecidable_limit, unsupervised_limit, black_limit, white_limit;
   logic [7:0] black_level, white_level, constant_limit, frozen_limit;
   logic decision_compete;
-  logic [3:0] compete_bias, compete_similar;
+  logic [3:0] compete_bias, compete_similar, compete_boundary;
   logic [2:0] compete_smooth;
   logic [7:0] compete_quorum, compete_clear_quorum;
   logic [3:0] map_slot;
@@ -285,6 +285,7 @@ module horopter_top #(
       .compete_similar_o(compete_similar),
       .compete_quorum_o(compete_quorum),
       .compete_clear_quorum_o(compete_clear_quorum),
+      .compete_boundary_o(compete_boundary),
       .map_slot_slot_o(map_slot),
       .map_base_word64_o(map_base),
       .map_control_valid_o(map_control_valid),
@@ -753,21 +754,21 @@ module horopter_top #(
 
   // The rule, and what only one of them needs; the same way.
   logic sampled_compete;
-  logic [26:0] sampled_settings;  // of `compete`
+  logic [30:0] sampled_settings;  // of `compete`
   if (COMPETE) begin : g_compete
     logic sampled_compete_q;
-    logic [26:0] sampled_settings_q;
+    logic [30:0] sampled_settings_q;
     always_ff @(posedge clk_i) begin
       if (frame_begin) begin
         sampled_compete_q <= decision_compete;
-        sampled_settings_q <= {compete_clear_quorum, compete_quorum, compete_similar, compete_smooth, compete_bias};
+        sampled_settings_q <= {compete_boundary, compete_clear_quorum, compete_quorum, compete_similar, compete_smooth, compete_bias};
       end
     end
     assign sampled_compete = THESIS ? sampled_compete_q : 1'b1;
     assign sampled_settings = sampled_settings_q;
   end else begin : g_thesis
     logic unused_settings;
-    assign unused_settings = ^{decision_compete, compete_clear_quorum, compete_quorum, compete_similar, compete_smooth, compete_bias};
+    assign unused_settings = ^{decision_compete, compete_boundary, compete_clear_quorum, compete_quorum, compete_similar, compete_smooth, compete_bias};
     assign sampled_compete = 1'b0;
     assign sampled_settings = '0;
   end
@@ -925,6 +926,7 @@ module horopter_top #(
       .cfg_similar_i(sampled_settings[10:7]),
       .cfg_quorum_i(sampled_settings[18:11]),
       .cfg_clear_quorum_i(sampled_settings[26:19]),
+      .cfg_boundary_i(sampled_settings[30:27]),
       .cfg_width_i(result_width_q),
       .cfg_height_i(result_height_q),
       .cfg_alarm_limit_i(sampled_alarm_limit_q),

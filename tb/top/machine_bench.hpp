@@ -179,7 +179,8 @@ class Machine : public Endpoint {
                          reg::compete::kSmooth.put(static_cast<std::uint32_t>(c.smooth)) |
                          reg::compete::kSimilar.put(static_cast<std::uint32_t>(c.similar)) |
                          reg::compete::kQuorum.put(static_cast<std::uint32_t>(c.quorum)) |
-                         reg::compete::kClearQuorum.put(static_cast<std::uint32_t>(c.clear_quorum))));
+                         reg::compete::kClearQuorum.put(static_cast<std::uint32_t>(c.clear_quorum)) |
+                         reg::compete::kBoundary.put(static_cast<std::uint32_t>(c.boundary))));
   }
 
   void write(std::uint32_t address, std::uint32_t value) {

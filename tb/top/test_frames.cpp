@@ -87,9 +87,9 @@ void changing_rules(std::string_view profile, unsigned width, unsigned height, u
       CAPTURE(frame);
       auto& settings = machine.settings();
       settings.compete = frame % 4 != 2;
-      settings.competition = {static_cast<int>(rng.below(16)), static_cast<int>(rng.below(8)),
-                              static_cast<int>(rng.below(16)), static_cast<int>(1 + rng.below(64)),
-                              static_cast<int>(1 + rng.below(64))};
+      settings.competition = {static_cast<int>(rng.below(16)),     static_cast<int>(rng.below(8)),
+                              static_cast<int>(rng.below(16)),     static_cast<int>(1 + rng.below(64)),
+                              static_cast<int>(1 + rng.below(64)), static_cast<int>(rng.below(16))};
       machine.write_limits();
       const FramePair pair = random_pair(width, height, -6, rng);
       machine.send(pair);

@@ -121,6 +121,8 @@ TEST_CASE("Thresholds and limits change what they name") {
   const auto normal = frame({});
   CHECK(frame({"--threshold", "0"})["skin_pixels"].get<int>() < normal["skin_pixels"].get<int>());
   CHECK(frame({"--threshold", "60"})["skin_pixels"].get<int>() > normal["skin_pixels"].get<int>());
+  CHECK(frame({"--tolerance", "0.3"})["skin_pixels"].get<int>() < normal["skin_pixels"].get<int>());
+  CHECK(frame({"--tolerance", "2.4"})["skin_pixels"].get<int>() > normal["skin_pixels"].get<int>());
   CHECK(frame({"--texture", "200"})["undecidable_pixels"].get<int>() > normal["undecidable_pixels"].get<int>());
   const auto high = frame({"--alarm-limit", "90"});
   CHECK(high["alarm"] == false);
@@ -385,6 +387,31 @@ TEST_CASE("Bad skins and rigs are exit status 3") {
   check_bad_file(box, run_arguments() + std::vector<std::string>{"--rig", "rig.yaml"}, "rig.yaml", "not YAML");
 }
 
+TEST_CASE("run takes the thickness of a surface in mm") {
+  Sandbox box;
+  with_pairs(box);
+  const std::vector<std::string> design{"plan",         "rig",       "--focal", "2",          "--pixel", "10",
+                                        "--image-size", "200",       "120",     "--baseline", "100",     "--distance",
+                                        "800",          "--profile", "vga",     "--out",      "rig"};
+  REQUIRE(box.run(design).status == 0);
+  box.write("surface.yaml", "surface:\n  type: plane\n  point_mm: [0, 0, 800]\n  normal: [0.3, 0, -1]\n");
+  auto arguments = run_arguments("left0.png", "right0.png", "surface.yaml") +
+                   std::vector<std::string>{"--rig", "rig/rig.yaml", "--thickness"};
+  for (const char* decision : {"thesis", "compete"}) {
+    const auto result = box.run(arguments + std::vector<std::string>{"60", "--decision", decision, "--json"});
+    CAPTURE(decision, result.err);
+    REQUIRE((result.status == 0 || result.status == 4));
+    const auto summary = nlohmann::json::parse(result.out);
+    CHECK(summary["thickness_mm"]["smallest"].get<double>() < 60);
+    CHECK(summary["thickness_mm"]["largest"].get<double>() > 60);
+    // 2 D z^2 / (b f) on the axis of a skin whose normal is 16.7 degrees off it.
+    CHECK(summary["tolerance_px"].get<double>() == Approx(60 * 100 * 200 / (2 * 800 * 800.0) * 1.044).epsilon(0.06));
+  }
+  const auto refused = box.run(arguments + std::vector<std::string>{"400", "--decision", "compete"});
+  CHECK(refused.status == 2);
+  CHECK_THAT(refused.err, Catch::Contains("a thickness of 400 mm") && Catch::Contains("can be set to"));
+}
+
 TEST_CASE("Wrong usage is exit status 2") {
   Sandbox box;
   with_pairs(box);
@@ -400,6 +427,12 @@ TEST_CASE("Wrong usage is exit status 2") {
            run_arguments() + std::vector<std::string>{"--profile", "field", "--decision", "compete"},
            run_arguments() + std::vector<std::string>{"--threshold", "101"},
            run_arguments() + std::vector<std::string>{"--threshold", "many"},
+           run_arguments() + std::vector<std::string>{"--threshold", "20", "--tolerance", "1"},
+           run_arguments() + std::vector<std::string>{"--threshold", "20", "--thickness", "20"},
+           run_arguments() + std::vector<std::string>{"--thickness", "20", "--tolerance", "1"},
+           run_arguments() + std::vector<std::string>{"--thickness", "20"},  // of a homography
+           run_arguments() + std::vector<std::string>{"--tolerance", "3"},
+           run_arguments() + std::vector<std::string>{"--profile", "vga", "--decision", "compete", "--tolerance", "2"},
            run_arguments() + std::vector<std::string>{"--colour", "red"},
            {"map"},
            {"map", "--skin", "skin.yaml", "-o", "x.hmap"},
@@ -490,4 +523,8 @@ TEST_CASE("Correspondences make a skin") {
   box.write("points.yaml", yaml);
   REQUIRE(box.run(run_arguments("left0.png", "right0.png", "points.yaml")).status == 0);
   CHECK(nlohmann::json::parse(box.read("out/summary.json"))["frames"][0]["alarm"] == true);
+  CHECK_THAT(box.run(run_arguments() + std::vector<std::string>{"--tolerance", "3"}).err,
+             Catch::Contains("tolerance of 3 px") && Catch::Contains("0.2 to 2.5 px"));
+  CHECK_THAT(box.run(run_arguments() + std::vector<std::string>{"--thickness", "20"}).err,
+             Catch::Contains("needs a surface and cameras"));
 }

@@ -71,6 +71,49 @@ TEST_CASE("evaluate compares the skin with two matchers") {
   }
 }
 
+TEST_CASE("evaluate sets the rule to a tolerance that is given") {
+  Sandbox box;
+  with_pair(box);
+  const auto parameters = [&](const std::vector<std::string>& more) {
+    const auto result = box.run(on_pair() + std::vector<std::string>{"--change", "none"} + more);
+    CAPTURE(result.err);
+    REQUIRE(result.status == 0);
+    return nlohmann::json::parse(result.out)["pairs"][0]["methods"]["horopter"]["parameters"];
+  };
+  CHECK(parameters({})["threshold_percent"] == 21);
+  CHECK(parameters({"--tolerance", "1"})["threshold_percent"] == 21);
+  CHECK(parameters({"--tolerance", "0.8"})["threshold_percent"].get<double>() < 20);
+  CHECK(parameters({"--tolerance", "4", "--threshold", "30"})["threshold_percent"] == 30);
+  CHECK(parameters({"--decision", "compete"})["boundary"] == 8);
+  CHECK(parameters({"--decision", "compete", "--tolerance", "0.7"})["boundary"].get<int>() < 6);
+  CHECK(parameters({"--decision", "compete", "--tolerance", "0.7", "--boundary", "9"})["boundary"] == 9);
+  CHECK(box.run(on_pair() + std::vector<std::string>{"--tolerance", "4"}).status == 2);
+}
+
+TEST_CASE("study decision: its chain of stages is the engine, and every part is worth something") {
+  Sandbox box;
+  with_pair(box);
+  box.write("pairs.txt", "made left.png right.png truth.pgm 8\n");
+  const std::vector<std::string> study{"study", "decision", "--quick", "--list", "pairs.txt", "--out", "decision"};
+  const auto result =
+      box.run(study + std::vector<std::string>{"--generated", HOROPTER_SOURCE_DIR "/rtl/generated", "--json"});
+  CAPTURE(result.err);
+  REQUIRE(result.status == 0);
+  const auto found = nlohmann::json::parse(result.out)["variants"];
+  const auto evaluated = box.run(on_pair() + std::vector<std::string>{"--change", "none", "--decision", "compete"});
+  const auto engine = nlohmann::json::parse(evaluated.out)["mean"]["horopter"];
+  REQUIRE(found[2]["name"] == "compete, as in vga");
+  for (const char* figure : {"iou", "undecidable", "false_per_frame"}) {
+    CHECK(found[2][figure].get<double>() == Approx(engine[figure].get<double>()).margin(1e-9));
+  }
+  CHECK(found[0]["iou"].get<double>() < found[2]["iou"].get<double>());
+  CHECK(found[3]["memory_bits_per_column"].get<int>() == found[2]["memory_bits_per_column"].get<int>() - 19 * 6);
+  CHECK(found[4]["iou"] != found[2]["iou"]);
+  CHECK_THAT(box.read("decision/DECISION.md"), Catch::Contains("| without paths |"));
+  const auto refused = box.run(study + std::vector<std::string>{"--generated", "nowhere"});
+  CHECK(refused.status == 3);
+}
+
 TEST_CASE("evaluate takes a list, with paths relative to it, and sizes") {
   Sandbox box;
   fs::create_directory(box / "data");

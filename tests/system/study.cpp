@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "horopter/study/threshold.hpp"
+#include "horopter/tolerance.hpp"
 #include "sandbox.hpp"
 
 using namespace horopter::test;
@@ -103,7 +103,14 @@ TEST_CASE("study all: figures, verdicts and a page of its own, the same for the 
       const std::string tolerance = std::to_string(i / 10) + "." + std::to_string(i % 10);
       CAPTURE(tolerance);
       CHECK(detection["threshold_percent"][tolerance].get<double>() ==
-            Approx(horopter::study::threshold_percent_for(i / 10.0)).margin(1.5));
+            Approx(horopter::threshold_percent_for(i / 10.0)).margin(1.5));
+    }
+    CHECK(detection["boundary_px"].size() == 3);
+    for (const auto& [setting, tolerance_px] : detection["boundary_px"].items()) {
+      CAPTURE(setting, tolerance_px);
+      // Near its ends the boundary moves little from setting to setting.
+      const int committed = horopter::boundary_for(tolerance_px.get<double>()).setting;
+      CHECK(std::abs(committed - std::stoi(setting)) <= (setting == "7" ? 1 : 4));
     }
   }
 }

@@ -71,6 +71,7 @@ class BeatByBeat {
     size.height = left.height;
     Contest<plain>::Config contest_config;
     contest_config.bias = competition.bias;
+    contest_config.boundary = competition.boundary;
     VoteSpread::Config spread_config;
     spread_config.smooth = competition.smooth;
     Ballot<plain>::Config ballot_config;
@@ -154,6 +155,7 @@ TEST_CASE("compete: the engine equals its stages beat by beat") {
     competition.smooth = 1 + frame;
     competition.quorum = 1 + 20 * frame;
     competition.clear_quorum = 1 + 25 * frame;
+    competition.boundary = 15 - 7 * frame;
     const Picture left(width, height, [&](int x, int y) {
       if (y < height / 3) return static_cast<int>(random() & 255U);
       return y < 2 * height / 3 ? texture(x, y, 1) : texture(x, y, 1) / 16 + (x > 50 ? 120 : 60);
@@ -246,4 +248,24 @@ TEST_CASE("compete: what repeats within reach is not in the skin; gain and offse
   const Picture dark(149, 90, [&](int x, int y) { return left.at(x, y) / 2 + 40; });
   CHECK(share(engine_states(*engine, left, dark, 0), 149, state::skin, 10, 5, 140, 85) > 0.98);
   CHECK(share(engine_states(*engine, left, dark, 3), 149, state::clear, 20, 5, 140, 85) > 0.98);
+}
+
+TEST_CASE("compete: the boundary says what of a parallel plane 1 px away is in the skin") {
+  const auto engine = std::make_unique<native::Pipeline<plain>>();
+  const Picture left(149, 90, [](int x, int y) { return texture(x, y, 9); });
+  const auto displaced = [&](int boundary, int px) {
+    native::CompeteSettings competition;
+    competition.boundary = boundary;
+    return share(engine_states(*engine, left, left, px, competition), 149, state::skin, 20, 8, 130, 82);
+  };
+  for (const int side : {-1, 1}) {
+    CAPTURE(side);
+    CHECK(displaced(0, side) < 0.02);
+    CHECK(displaced(5, side) < 0.1);
+    CHECK(displaced(9, side) > 0.9);
+    CHECK(displaced(14, side) > 0.98);
+    CHECK(displaced(14, 2 * side) < 0.02);
+  }
+  CHECK(displaced(0, 0) > 0.98);
+  CHECK(displaced(15, 1) == displaced(14, 1));
 }

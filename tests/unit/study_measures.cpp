@@ -9,7 +9,6 @@
 #include "horopter/study/measures.hpp"
 #include "horopter/study/random.hpp"
 #include "horopter/study/series.hpp"
-#include "horopter/study/threshold.hpp"
 
 using namespace horopter;
 using namespace horopter::study;
@@ -142,18 +141,4 @@ TEST_CASE("a series: every setting on every image, the same on every run") {
   ImageSeries other = photographs(simulation, disparities);
   other.image = [](std::size_t) { return Image(5, 5); };
   CHECK_THROWS_WITH(detect(other, settings), Catch::Contains("5×5"));
-}
-
-TEST_CASE("a threshold for a tolerance") {
-  double last = 0;
-  for (double tolerance = smallest_tolerance_px(); tolerance <= largest_tolerance_px(); tolerance += 0.05) {
-    const double percent = threshold_percent_for(tolerance);
-    CHECK(percent > last);
-    CHECK(percent < 60);
-    last = percent;
-  }
-  CHECK(threshold_percent_for(0.85) == Approx((threshold_percent_for(0.8) + threshold_percent_for(0.9)) / 2));
-  CHECK_THROWS_AS(threshold_percent_for(smallest_tolerance_px() - 0.01), std::out_of_range);
-  CHECK_THROWS_AS(threshold_percent_for(largest_tolerance_px() + 0.01), std::out_of_range);
-  CHECK_THROWS_AS(threshold_percent_for(std::nan("")), std::out_of_range);
 }

@@ -326,7 +326,7 @@ inline constexpr Field kCompete{0, 1};
 namespace compete {
 inline constexpr std::uint32_t kAddress = 0x0BC;
 inline constexpr Access kAccess = Access::kReadWrite;
-inline constexpr std::uint32_t kReset = 0x19009A2;
+inline constexpr std::uint32_t kReset = 0x419009A2;
 /// Added to every vote: above 0 a doubtful pixel is rather in the skin.
 inline constexpr Field kBias{0, 4};
 /// Pixels of a row that differ by more are not alike; 4 grey levels.
@@ -337,6 +337,9 @@ inline constexpr Field kSimilar{7, 4};
 inline constexpr Field kQuorum{11, 8};
 /// Smallest sum of votes against that says clear; 8 votes, at least 1.
 inline constexpr Field kClearQuorum{19, 8};
+/// Where the skin ends, 0 (nearest) to 14: before and behind it at 1/2 + boundary / 14 px by a parabola; measured:
+/// host/src/boundary_table.def.
+inline constexpr Field kBoundary{27, 4};
 }  // namespace compete
 
 /// Slot of the next upload.

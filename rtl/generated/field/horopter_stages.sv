@@ -30,6 +30,7 @@ module horopter_stages #(
   input  logic [16:0] cfg_undecidable_limit_i,
   input  logic [16:0] cfg_unsupervised_limit_i,
   input  logic [3:0] cfg_bias_i,
+  input  logic [3:0] cfg_boundary_i,
   input  logic [2:0] cfg_smooth_i,
   input  logic [3:0] cfg_similar_i,
   input  logic [7:0] cfg_quorum_i,
@@ -381,5 +382,5 @@ module horopter_stages #(
 
   // Of the rule that this profile does not have.
   logic unused_settings;
-  assign unused_settings = ^{cfg_bias_i, cfg_smooth_i, cfg_similar_i, cfg_quorum_i, cfg_clear_quorum_i, cfg_compete_i};
+  assign unused_settings = ^{cfg_bias_i, cfg_boundary_i, cfg_smooth_i, cfg_similar_i, cfg_quorum_i, cfg_clear_quorum_i, cfg_compete_i};
 endmodule

@@ -71,14 +71,14 @@ module horopter_plane_paths (
   logic [10:0] raster_column_q;
   logic raster_row_ended_q;
   logic running_q;
-  // hls/stages/plane_paths.hpp:50
+  // hls/stages/plane_paths.hpp:51
   logic [10:0] select_25;
   assign select_25 = (marks_first_i | raster_row_ended_q) ? 11'h0 : raster_column_q;
-  // hls/stages/plane_paths.hpp:84
+  // hls/stages/plane_paths.hpp:85
   logic or_26;
   assign or_26 = marks_first_i | running_q;
 
-  // Memory memory, 1920 x 78, DISTANCE 16, hls/stages/plane_paths.hpp:103; read in stage 0, written in stage 11: 0 < 11 < 0 + DISTANCE.
+  // Memory memory, 1920 x 78, DISTANCE 16, hls/stages/plane_paths.hpp:104; read in stage 0, written in stage 11: 0 < 11 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [77:0] memory_mem [0:1919];
@@ -164,7 +164,7 @@ module horopter_plane_paths (
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/plane_paths.hpp:97
+  // hls/stages/plane_paths.hpp:98
   logic [10:0] select_206;
   assign select_206 = less_205_s1_q ? sum_11_s1_q : sum_10_s1_q;
   logic [10:0] select_208;
@@ -237,46 +237,46 @@ module horopter_plane_paths (
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
   logic raster_rows_q;
-  // hls/stages/plane_paths.hpp:50
+  // hls/stages/plane_paths.hpp:51
   logic and_29;
   assign and_29 = raster_rows_q & (~marks_first_s2_q);
-  // hls/stages/plane_paths.hpp:54
+  // hls/stages/plane_paths.hpp:55
   logic [47:0] select_31;
   assign select_31 = running_s2_q ? memory_rdata_s2_q[47:0] : (marks_first_s2_q ? memory_rdata_s2_q[47:0] : 48'h0);
-  // hls/stages/plane_paths.hpp:39
+  // hls/stages/plane_paths.hpp:40
   logic [47:0] price;
   assign price = and_29 ? select_31 : 48'h0;
-  // hls/stages/plane_paths.hpp:54
+  // hls/stages/plane_paths.hpp:55
   logic [5:0] select_35;
   assign select_35 = running_s2_q ? memory_rdata_s2_q[77:72] : (marks_first_s2_q ? memory_rdata_s2_q[77:72] : 6'h0);
-  // hls/stages/plane_paths.hpp:39
+  // hls/stages/plane_paths.hpp:40
   logic [5:0] price_2;
   assign price_2 = and_29 ? select_35 : 6'h0;
-  // hls/stages/plane_paths.hpp:54
+  // hls/stages/plane_paths.hpp:55
   logic [5:0] select_39;
   assign select_39 = running_s2_q ? memory_rdata_s2_q[71:66] : (marks_first_s2_q ? memory_rdata_s2_q[71:66] : 6'h0);
-  // hls/stages/plane_paths.hpp:39
+  // hls/stages/plane_paths.hpp:40
   logic [5:0] price_3;
   assign price_3 = and_29 ? select_39 : 6'h0;
-  // hls/stages/plane_paths.hpp:54
+  // hls/stages/plane_paths.hpp:55
   logic [5:0] select_43;
   assign select_43 = running_s2_q ? memory_rdata_s2_q[65:60] : (marks_first_s2_q ? memory_rdata_s2_q[65:60] : 6'h0);
-  // hls/stages/plane_paths.hpp:39
+  // hls/stages/plane_paths.hpp:40
   logic [5:0] price_4;
   assign price_4 = and_29 ? select_43 : 6'h0;
-  // hls/stages/plane_paths.hpp:54
+  // hls/stages/plane_paths.hpp:55
   logic [5:0] select_49;
   assign select_49 = running_s2_q ? memory_rdata_s2_q[53:48] : (marks_first_s2_q ? memory_rdata_s2_q[53:48] : 6'h0);
-  // hls/stages/plane_paths.hpp:39
+  // hls/stages/plane_paths.hpp:40
   logic [5:0] opinion;
   assign opinion = and_29 ? select_49 : 6'h0;
-  // hls/stages/plane_paths.hpp:54
+  // hls/stages/plane_paths.hpp:55
   logic [5:0] select_54;
   assign select_54 = running_s2_q ? memory_rdata_s2_q[59:54] : (marks_first_s2_q ? memory_rdata_s2_q[59:54] : 6'h0);
-  // hls/stages/plane_paths.hpp:39
+  // hls/stages/plane_paths.hpp:40
   logic [5:0] price_5;
   assign price_5 = and_29 ? select_54 : 6'h0;
-  // hls/stages/plane_paths.hpp:97
+  // hls/stages/plane_paths.hpp:98
   logic [10:0] select_226;
   assign select_226 = (select_218_s2_q < select_224_s2_q) ? select_218_s2_q : select_224_s2_q;
 
@@ -352,7 +352,7 @@ module horopter_plane_paths (
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/plane_paths.hpp:89
+  // hls/stages/plane_paths.hpp:90
   logic [6:0] sum_51;
   assign sum_51 = {1'b0, opinion_s3_q} + 7'h27;
   logic [5:0] select_52;
@@ -379,10 +379,10 @@ module horopter_plane_paths (
   assign sum_97 = {1'b0, price_s3_q[23:18]} + 7'h27;
   logic [5:0] select_98;
   assign select_98 = sum_97[6] ? 6'h3f : sum_97[5:0];
-  // hls/stages/plane_paths.hpp:97
+  // hls/stages/plane_paths.hpp:98
   logic [10:0] select_228;
   assign select_228 = (select_212_s3_q < select_226_s3_q) ? select_212_s3_q : select_226_s3_q;
-  // hls/stages/plane_paths.hpp:73
+  // hls/stages/plane_paths.hpp:74
   logic [11:0] sum_229;
   assign sum_229 = {1'b0, evidence_s3_q} + {3'h0, evidence_s3_q[10:2]};
 
@@ -488,41 +488,41 @@ module horopter_plane_paths (
   end
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/plane_paths.hpp:60
+  // hls/stages/plane_paths.hpp:61
   logic [5:0] price_6;
   assign price_6 = less_56_s4_q ? select_52_s4_q : price_5_s4_q;
   logic [5:0] price_7;
   assign price_7 = less_63_s4_q ? select_62_s4_q : opinion_s4_q;
-  // hls/stages/plane_paths.hpp:61
+  // hls/stages/plane_paths.hpp:62
   logic [5:0] price_8;
   assign price_8 = (select_60_s4_q < price_7) ? select_60_s4_q : price_7;
-  // hls/stages/plane_paths.hpp:60
+  // hls/stages/plane_paths.hpp:61
   logic [5:0] price_9;
   assign price_9 = less_76_s4_q ? select_75_s4_q : price_s4_q[29:24];
-  // hls/stages/plane_paths.hpp:61
+  // hls/stages/plane_paths.hpp:62
   logic [5:0] price_10;
   assign price_10 = (select_52_s4_q < price_9) ? select_52_s4_q : price_9;
-  // hls/stages/plane_paths.hpp:60
+  // hls/stages/plane_paths.hpp:61
   logic [5:0] price_11;
   assign price_11 = less_83_s4_q ? select_82_s4_q : price_s4_q[23:18];
-  // hls/stages/plane_paths.hpp:61
+  // hls/stages/plane_paths.hpp:62
   logic [5:0] price_12;
   assign price_12 = (select_62_s4_q < price_11) ? select_62_s4_q : price_11;
-  // hls/stages/plane_paths.hpp:60
+  // hls/stages/plane_paths.hpp:61
   logic [5:0] price_13;
   assign price_13 = less_92_s4_q ? select_91_s4_q : price_s4_q[17:12];
-  // hls/stages/plane_paths.hpp:61
+  // hls/stages/plane_paths.hpp:62
   logic [5:0] price_14;
   assign price_14 = (select_75_s4_q < price_13) ? select_75_s4_q : price_13;
-  // hls/stages/plane_paths.hpp:60
+  // hls/stages/plane_paths.hpp:61
   logic [5:0] price_15;
   assign price_15 = less_99_s4_q ? select_98_s4_q : price_s4_q[11:6];
-  // hls/stages/plane_paths.hpp:61
+  // hls/stages/plane_paths.hpp:62
   logic [5:0] price_16;
   assign price_16 = (select_82_s4_q < price_15) ? select_82_s4_q : price_15;
   logic [5:0] price_17;
   assign price_17 = less_108_s4_q ? select_91_s4_q : price_s4_q[5:0];
-  // hls/stages/plane_paths.hpp:74
+  // hls/stages/plane_paths.hpp:75
   logic less_231;
   assign less_231 = {select_228_s4_q, 4'h0} < {sum_230_s4_q, sum_229_s4_q, evidence_s4_q};
 
@@ -602,7 +602,7 @@ module horopter_plane_paths (
   end
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/plane_paths.hpp:62
+  // hls/stages/plane_paths.hpp:63
   logic [9:0] sum_67;
   assign sum_67 = {1'b0, sum_8_s5_q[10:2]} + {4'h0, price_8_s5_q};
   logic [9:0] sum_80;
@@ -702,7 +702,7 @@ module horopter_plane_paths (
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/plane_paths.hpp:97
+  // hls/stages/plane_paths.hpp:98
   logic [11:0] select_47;
   assign select_47 = less_46_s6_q ? {sum_41_s6_q, sum_11_s6_q} : {sum_45_s6_q, sum_10_s6_q};
   logic [11:0] select_69;
@@ -798,7 +798,7 @@ module horopter_plane_paths (
   end
 
   // Stage 7 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/plane_paths.hpp:97
+  // hls/stages/plane_paths.hpp:98
   logic [11:0] select_73;
   assign select_73 = ({sum_37_s7_q, sum_12_s7_q} < select_71_s7_q) ? {sum_37_s7_q, sum_12_s7_q} : select_71_s7_q;
   logic [11:0] select_120;
@@ -884,7 +884,7 @@ module horopter_plane_paths (
   end
 
   // Stage 8 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/plane_paths.hpp:97
+  // hls/stages/plane_paths.hpp:98
   logic [11:0] best;
   assign best = (select_73_s8_q < select_120_s8_q) ? select_73_s8_q : select_120_s8_q;
 
@@ -966,7 +966,7 @@ module horopter_plane_paths (
   end
 
   // Stage 9 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/plane_paths.hpp:67
+  // hls/stages/plane_paths.hpp:68
   logic [11:0] difference_123;
   assign difference_123 = {sum_33_s9_q, sum_0_s9_q} - best_s9_q;
   logic [11:0] difference_129;
@@ -1096,7 +1096,7 @@ module horopter_plane_paths (
   end
 
   // Stage 10 ----------------------------------------------------------------------------------------------------------
-  // hls/stages/plane_paths.hpp:68
+  // hls/stages/plane_paths.hpp:69
   logic [6:0] sum_126;
   assign sum_126 = {1'b0, select_125_s10_q} + 7'h3;
   logic [6:0] sum_132;

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// --tolerance and --thickness: how thick the skin is to be, instead of a rule's own setting.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "commands.hpp"
+#include "horopter/calib/rig.hpp"
+#include "horopter/plan.hpp"
+#include "horopter/profile.hpp"
+#include "horopter/rig_skin.hpp"
+#include "horopter/scan.hpp"
+
+namespace horopter::cli {
+
+struct ThicknessOption {
+  std::optional<double> tolerance_px;
+  std::optional<double> thickness_mm;
+};
+
+/// Both options, which exclude each other.
+void add_thickness(CLI::App& command, ThicknessOption& option);
+
+/// The thickness that a rule was set to.
+struct ChosenThickness {
+  double tolerance_px = 0;
+  Spread across_mm;  ///< of the skin over the image; NaN where it has no place in space
+  std::string text(const Settings& settings) const;
+  nlohmann::ordered_json json() const;
+};
+
+/// Sets the rule; nothing where neither is given. Of a skin that moves: where its motion begins. Throws UsageError for
+/// what the rule cannot be set to, a thickness of a skin without a surface in a rig's world, and a tolerance below that
+/// which the steps of a motion are made for.
+std::optional<ChosenThickness> set_thickness(const ThicknessOption& option, const std::string& skin,
+                                             const std::optional<calib::Rig>& rig, const MachineProfile& profile,
+                                             int image_width, int image_height, Settings& settings);
+/// The same for one skin in space.
+std::optional<ChosenThickness> set_thickness(const ThicknessOption& option, const RigSkin& skin,
+                                             const MachineProfile& profile, const ScanGeometry& geometry,
+                                             Settings& settings);
+
+}  // namespace horopter::cli
