@@ -22,7 +22,7 @@
 
 namespace horopter::stages {
 
-template <int BEATS, const auto& PLANES, int ROWS, int COLUMNS, class V = Scalar>
+template <int BEATS, const auto& PLANES, int ROWS, int COLUMNS, bool PATHS, class V = Scalar>
 class PlaneContest {
  public:
   template <int N>
@@ -32,12 +32,12 @@ class PlaneContest {
   using Bit = typename V::bit;
 
   static constexpr std::size_t planes = PLANES.count;
-  static constexpr int cost_bits = PlanePaths<BEATS, PLANES, ROWS, COLUMNS, V>::cost_bits;
+  static constexpr int cost_bits = PlanePaths<BEATS, PLANES, ROWS, COLUMNS, PATHS, V>::cost_bits;
   static constexpr int largest_vote = 31;
   static constexpr int hidden_vote = 8;
   static constexpr int firm_z = -512;
 
-  using In = typename PlanePaths<BEATS, PLANES, ROWS, COLUMNS, V>::Out;
+  using In = typename PlanePaths<BEATS, PLANES, ROWS, COLUMNS, PATHS, V>::Out;
   struct Config {
     u<4> bias;
     u<4> boundary;  // 15 is as 14
@@ -189,6 +189,6 @@ class PlaneContest {
 };
 
 template <Profile P, class V = Scalar, int BEATS = P.result_width()>
-using Contest = PlaneContest<BEATS, planes_of<P.planes>, P.sum_rows, P.sum_columns, V>;
+using Contest = PlaneContest<BEATS, planes_of<P.planes>, P.sum_rows, P.sum_columns, P.paths, V>;
 
 }  // namespace horopter::stages

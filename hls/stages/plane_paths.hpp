@@ -10,13 +10,16 @@
 //       Or strong: evidence too strong for noise: then what no plane explains is hidden or far from them all, not in
 //       the skin.
 // The rest passes through. Offset: none. Memory: per column 6 bits for each plane.
+// Without PATHS, T = S and there is no memory.
 #pragma once
+
+#include <type_traits>
 
 #include "stages/plane_sums.hpp"
 
 namespace horopter::stages {
 
-template <int BEATS, const auto& PLANES, int ROWS, int COLUMNS, class V = Scalar>
+template <int BEATS, const auto& PLANES, int ROWS, int COLUMNS, bool PATHS, class V = Scalar>
 class PlanePaths {
  public:
   template <int N>
@@ -25,7 +28,7 @@ class PlanePaths {
 
   static constexpr std::size_t planes = PLANES.count;
   static constexpr int sum_bits = PlaneSummer<BEATS, PLANES, ROWS, COLUMNS, V>::sum_bits;
-  static constexpr int largest_opinion = 63;
+  static constexpr int largest_opinion = PATHS ? 63 : 0;
   static constexpr int cost_bits =
       bits_for(PlaneSummer<BEATS, PLANES, ROWS, COLUMNS, V>::largest_cost * ROWS * COLUMNS + 4 * largest_opinion);
   /// A quarter of the price of a step of 1 px between planes: about 5/2 of a pixel's cost per pixel of the window's
@@ -47,28 +50,12 @@ class PlanePaths {
   };
 
   Out step(const In& in) {
-    memory_.begin_step();
-    const auto at = raster_.step(in.marks.first, in.marks.last);
-    running_ = running_ || in.marks.first;
-    Column above;
-    if (running_) above = memory_.read(at.column);
-    if (at.frame_start_row) [[unlikely]] {
-      above.opinion.fill(U<6>(0));
-    }
     Out out;
-    for (std::size_t n = 0; n < planes; ++n) {
-      U<6> price = above.opinion[n];
-      if (n > 0) price = min(price, stepped(above.opinion[n - 1], PLANES.shift[n] - PLANES.shift[n - 1]));
-      if (n + 1 < planes) price = min(price, stepped(above.opinion[n + 1], PLANES.shift[n + 1] - PLANES.shift[n]));
-      out.cost[n] = U<cost_bits>(in.sum[n] + shl<2>(price));
+    if constexpr (PATHS) {
+      out.cost = helped(in);
+    } else {
+      out.cost = in.sum;
     }
-    const U<cost_bits> best = smallest(out.cost);
-    Column column;
-    for (std::size_t n = 0; n < planes; ++n) {
-      const U<6> opinion = sat<6>(shr<2>(U<cost_bits>(out.cost[n] - best)));
-      column.opinion[n] = select(in.known, U<6>(opinion - shr<2>(opinion + lit<3>())), U<6>(0));
-    }
-    if (running_) memory_.write(at.column, column);
     out.grey = in.grey;
     out.known = in.known;
     const U<sum_bits + 4> needed(shl<3>(in.evidence) + shl<2>(in.evidence) + in.evidence);
@@ -84,6 +71,34 @@ class PlanePaths {
   struct Column {
     std::array<U<6>, planes> opinion{};
   };
+  struct Nothing {};
+  using Costs = std::array<U<cost_bits>, planes>;
+
+  Costs helped(const In& in) {
+    memory_.begin_step();
+    const auto at = raster_.step(in.marks.first, in.marks.last);
+    running_ = running_ || in.marks.first;
+    Column above;
+    if (running_) above = memory_.read(at.column);
+    if (at.frame_start_row) [[unlikely]] {
+      above.opinion.fill(U<6>(0));
+    }
+    Costs costs{};
+    for (std::size_t n = 0; n < planes; ++n) {
+      U<6> price = above.opinion[n];
+      if (n > 0) price = min(price, stepped(above.opinion[n - 1], PLANES.shift[n] - PLANES.shift[n - 1]));
+      if (n + 1 < planes) price = min(price, stepped(above.opinion[n + 1], PLANES.shift[n + 1] - PLANES.shift[n]));
+      costs[n] = U<cost_bits>(in.sum[n] + shl<2>(price));
+    }
+    const U<cost_bits> best = smallest(costs);
+    Column column;
+    for (std::size_t n = 0; n < planes; ++n) {
+      const U<6> opinion = sat<6>(shr<2>(U<cost_bits>(costs[n] - best)));
+      column.opinion[n] = select(in.known, U<6>(opinion - shr<2>(opinion + lit<3>())), U<6>(0));
+    }
+    if (running_) memory_.write(at.column, column);
+    return costs;
+  }
 
   static U<6> stepped(U<6> opinion, int px) {
     if (step_price * px >= largest_opinion) return U<6>(largest_opinion);
@@ -101,12 +116,12 @@ class PlanePaths {
     return least[0];
   }
 
-  ColumnMemory<Column, BEATS> memory_;
-  Raster<BEATS, 1> raster_;
+  std::conditional_t<PATHS, ColumnMemory<Column, BEATS>, Nothing> memory_;
+  std::conditional_t<PATHS, Raster<BEATS, 1>, Nothing> raster_;
   bool running_ = false;
 };
 
 template <Profile P, class V = Scalar, int BEATS = P.result_width()>
-using Paths = PlanePaths<BEATS, planes_of<P.planes>, P.sum_rows, P.sum_columns, V>;
+using Paths = PlanePaths<BEATS, planes_of<P.planes>, P.sum_rows, P.sum_columns, P.paths, V>;
 
 }  // namespace horopter::stages

@@ -30,14 +30,14 @@ struct PlaneSet {
 /// Near planes bound the skin; far ones keep what repeats or lies far away from looking like it.
 inline constexpr PlaneSet<19> planes_19{{-24, -18, -13, -9, -6, -4, -3, -2, -1, 0, 1, 2, 3, 4, 6, 9, 13, 18, 24}};
 
-inline constexpr PlaneSet<13> planes_13{{-18, -10, -6, -3, -2, -1, 0, 1, 2, 3, 6, 10, 18}};
+static_assert(planes_19.valid());
 
-static_assert(planes_19.valid() && planes_13.valid());
-
-/// The set of so many.
+/// The set of so many; 0 stands in profiles that do not have `compete`. Others are not there.
 template <int COUNT>
-inline constexpr const auto& planes_of = planes_19;
+inline constexpr std::nullptr_t planes_of = nullptr;
 template <>
-inline constexpr const auto& planes_of<13> = planes_13;
+inline constexpr const auto& planes_of<19> = planes_19;
+template <>
+inline constexpr const auto& planes_of<0> = planes_19;
 
 }  // namespace horopter::stages

@@ -26,8 +26,11 @@
 
 namespace horopter::stages {
 
+inline constexpr PlaneSet<13> planes_13{{-18, -10, -6, -3, -2, -1, 0, 1, 2, 3, 6, 10, 18}};
 inline constexpr PlaneSet<15> planes_15{{-18, -10, -6, -4, -3, -2, -1, 0, 1, 2, 3, 4, 6, 10, 18}};
-static_assert(planes_15.valid());
+static_assert(planes_13.valid() && planes_15.valid());
+template <>
+inline constexpr const auto& planes_of<13> = planes_13;
 template <>
 inline constexpr const auto& planes_of<15> = planes_15;
 
@@ -44,14 +47,13 @@ constexpr double kTolerance_px = 1;
 
 /// Parts of the rule that a variant has.
 struct Parts {
-  bool paths = true;
   bool boundary = true;  ///< between pixels
   bool evidence = true;
   bool from_right = true;
   bool ballot = true;
 };
 
-constexpr Profile profile_of(int planes = 19, int rows = 7, int columns = 9, int reach = 9) {
+constexpr Profile profile_of(int planes = 19, int rows = 7, int columns = 9, int reach = 9, bool paths = true) {
   Profile profile = hls::profiles::vga;
   profile.width = kWidest;
   profile.height = kHighest;
@@ -59,6 +61,7 @@ constexpr Profile profile_of(int planes = 19, int rows = 7, int columns = 9, int
   profile.sum_rows = rows;
   profile.sum_columns = columns;
   profile.ballot_reach = reach;
+  profile.paths = paths;
   return profile;
 }
 
@@ -113,9 +116,6 @@ class Chain {
   typename stages::Align<P>::In decided(const stages::GreyPair& pair) {
     const auto sums = sums_.step(contrast_.step(sobel_.step(lowpass_.step(pair))));
     auto costs = paths_.step(sums);
-    if (!parts_.paths) {
-      for (std::size_t n = 0; n < costs.cost.size(); ++n) costs.cost[n] = sums.sum[n];
-    }
     if (!parts_.evidence) costs.evident = costs.known;
     if (!parts_.from_right) costs.known = false;  // of use only there
     const auto vote = contest_.step(costs, contest_config_);
@@ -173,7 +173,7 @@ int memory_bits(const Profile& p, const Parts& parts) {
   const int half = (p.sum_rows - 1) / 2;
   const int column_sum = hls::bits_for(static_cast<std::uint64_t>(31 * p.sum_rows));
   const int sums = 13 * p.sum_rows + (p.planes + 1) * column_sum + 7 * (half + 1) + half;
-  const int paths = parts.paths ? 6 * p.planes : 0;
+  const int paths = p.paths ? 6 * p.planes : 0;
   const int ballot = parts.ballot ? 2 * p.ballot_reach * 14 + 2 * p.ballot_reach : 0;
   return sums + paths + ballot + 3 * (p.majority_window - 1);
 }
@@ -237,7 +237,7 @@ std::vector<Variant> variants(const StudyScope& scope) {
   std::vector<Variant> list{thesis("thesis, 25 %, texture 32", as_run, thesis_bits),
                             thesis("thesis, 21 %, every pixel decided", all_decided, thesis_bits),
                             variant<profile_of()>("compete, as in vga"),
-                            variant<profile_of()>("without paths", {.paths = false}),
+                            variant<profile_of(19, 7, 9, 9, false)>("without paths"),
                             variant<profile_of()>("without the boundary between pixels", {.boundary = false})};
   if (scope.quick) return list;
   list.push_back(variant<profile_of()>("without the ballot", {.ballot = false}));
@@ -249,7 +249,7 @@ std::vector<Variant> variants(const StudyScope& scope) {
   list.push_back(variant<profile_of(19, 7, 9, 5)>("ballot of 5 rows each way"));
   list.push_back(variant<profile_of(19, 5, 7)>("sums of 5x7"));
   list.push_back(variant<profile_of(19, 9, 11)>("sums of 9x11"));
-  list.push_back(variant<profile_of(13, 7, 9, 5)>("compete, as in hd: 13 planes, ballot of 5 rows"));
+  list.push_back(variant<profile_of(19, 7, 9, 5, false)>("compete, as in hd: no paths, ballot of 5 rows"));
   return list;
 }
 

@@ -128,6 +128,7 @@ Monitor::Monitor(std::unique_ptr<Device> device, const MachineProfile& profile, 
   must_be("rows of the sum", reg::build_compete::kSumRows.get(competition), profile.sum_rows);
   must_be("columns of the sum", reg::build_compete::kSumColumns.get(competition), profile.sum_columns);
   must_be("reach of the ballot", reg::build_compete::kBallotReach.get(competition), profile.ballot_reach);
+  must_be("paths", reg::build_compete::kPaths.get(competition), profile.paths ? 1 : 0);
   const bool compete = settings.decision == Decision::compete;
   if (!profile.has(compete ? hls::Rule::compete : hls::Rule::thesis)) {
     throw UsageError(

@@ -123,7 +123,8 @@ std::uint32_t NativeDevice::read(std::uint32_t address) {
       return reg::build_compete::kPlanes.put(static_cast<std::uint32_t>(profile_.planes)) |
              reg::build_compete::kSumRows.put(static_cast<std::uint32_t>(profile_.sum_rows)) |
              reg::build_compete::kSumColumns.put(static_cast<std::uint32_t>(profile_.sum_columns)) |
-             reg::build_compete::kBallotReach.put(static_cast<std::uint32_t>(profile_.ballot_reach));
+             reg::build_compete::kBallotReach.put(static_cast<std::uint32_t>(profile_.ballot_reach)) |
+             reg::build_compete::kPaths.put(profile_.paths ? 1 : 0);
     case reg::build_clock::kAddress:
       return static_cast<std::uint32_t>(profile_.clock_khz);
     case reg::status::kAddress: {

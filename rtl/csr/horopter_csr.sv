@@ -51,6 +51,7 @@ module horopter_csr #(
     input  logic [ 3:0] build_compete_sum_rows_i,
     input  logic [ 3:0] build_compete_sum_columns_i,
     input  logic [ 3:0] build_compete_ballot_reach_i,
+    input  logic        build_compete_paths_i,
     output logic        control_enable_o,
     output logic        mode_live_o,
     output logic        mode_test_input_o,
@@ -474,7 +475,7 @@ module horopter_csr #(
       5'h0C: group_00_q <= {build_store_pool_kib_i, build_store_rows_i};
       5'h10: group_00_q <= {2'd0, build_window_compete_i, build_window_thesis_i, build_window_hypotheses_i, build_window_weight_bits_i, build_window_subsample_i, build_window_majority_i, build_window_dsad_i};
       5'h14: group_00_q <= build_clock_khz_i;
-      5'h18: group_00_q <= {12'd0, build_compete_ballot_reach_i, build_compete_sum_columns_i, build_compete_sum_rows_i, build_compete_planes_i};
+      5'h18: group_00_q <= {11'd0, build_compete_paths_i, build_compete_ballot_reach_i, build_compete_sum_columns_i, build_compete_sum_rows_i, build_compete_planes_i};
       default: begin
         group_00_q <= 32'd0;
         known_00_q <= 1'b0;

@@ -246,6 +246,7 @@ module horopter_top #(
       .build_compete_sum_rows_i(4'(horopter_profile_pkg::SUM_ROWS)),
       .build_compete_sum_columns_i(4'(horopter_profile_pkg::SUM_COLUMNS)),
       .build_compete_ballot_reach_i(4'(horopter_profile_pkg::BALLOT_REACH)),
+      .build_compete_paths_i(1'(horopter_profile_pkg::PATHS)),
       .build_clock_khz_i(32'(horopter_profile_pkg::CLOCK_KHZ)),
       .control_enable_o(enable),
       .mode_live_o(live),

@@ -107,6 +107,8 @@ inline constexpr Field kSumRows{8, 4};
 inline constexpr Field kSumColumns{12, 4};
 /// Rows above and below that vote.
 inline constexpr Field kBallotReach{16, 4};
+/// 1: the pixel above helps.
+inline constexpr Field kPaths{20, 1};
 }  // namespace build_compete
 
 /// Run control. While enable is 0 the streaming core is in reset.

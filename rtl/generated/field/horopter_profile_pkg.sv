@@ -15,6 +15,7 @@ package horopter_profile_pkg;
   localparam int unsigned SUM_ROWS = 0;  // rows of the window in which compete sums costs
   localparam int unsigned SUM_COLUMNS = 0;  // columns of the window in which compete sums costs, px
   localparam int unsigned BALLOT_REACH = 0;  // rows above and below that vote in compete
+  localparam int unsigned PATHS = 0;  // 1: the pixel above helps in compete
   localparam int unsigned CLOCK_KHZ = 15000;  // clock the profile is meant for
   localparam bit THESIS = 1'b1;  // has the rule `thesis`
   localparam bit COMPETE = 1'b0;  // has the rule `compete`

@@ -1,27 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Contest<horopter::hls::profiles::hd>, hls/stages/contest.hpp. Do not edit.
 //
-// Latency 8 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 785 bits, pipeline 533 bits, memories 0 bits.
+// State 987 bits, pipeline 658 bits, memories 0 bits.
 module horopter_contest (
   input  logic clk_i,
   input  logic rst_ni,
   input  logic en_i,
   input  logic valid_i,
-  input  logic [11:0] cost_0_i,
-  input  logic [11:0] cost_1_i,
-  input  logic [11:0] cost_2_i,
-  input  logic [11:0] cost_3_i,
-  input  logic [11:0] cost_4_i,
-  input  logic [11:0] cost_5_i,
-  input  logic [11:0] cost_6_i,
-  input  logic [11:0] cost_7_i,
-  input  logic [11:0] cost_8_i,
-  input  logic [11:0] cost_9_i,
-  input  logic [11:0] cost_10_i,
-  input  logic [11:0] cost_11_i,
-  input  logic [11:0] cost_12_i,
+  input  logic [10:0] cost_0_i,
+  input  logic [10:0] cost_1_i,
+  input  logic [10:0] cost_2_i,
+  input  logic [10:0] cost_3_i,
+  input  logic [10:0] cost_4_i,
+  input  logic [10:0] cost_5_i,
+  input  logic [10:0] cost_6_i,
+  input  logic [10:0] cost_7_i,
+  input  logic [10:0] cost_8_i,
+  input  logic [10:0] cost_9_i,
+  input  logic [10:0] cost_10_i,
+  input  logic [10:0] cost_11_i,
+  input  logic [10:0] cost_12_i,
+  input  logic [10:0] cost_13_i,
+  input  logic [10:0] cost_14_i,
+  input  logic [10:0] cost_15_i,
+  input  logic [10:0] cost_16_i,
+  input  logic [10:0] cost_17_i,
+  input  logic [10:0] cost_18_i,
   input  logic [5:0] grey_i,
   input  logic known_i,
   input  logic evident_i,
@@ -41,8 +47,8 @@ module horopter_contest (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en;
+  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q, valid_s9_q;
+  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en, s8_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
@@ -51,6 +57,7 @@ module horopter_contest (
   assign s5_en = en_i & valid_s5_q;
   assign s6_en = en_i & valid_s6_q;
   assign s7_en = en_i & valid_s7_q;
+  assign s8_en = en_i & valid_s8_q;
 
   // Of the configuration alone: not pipelined.
   logic [3:0] rest;
@@ -59,25 +66,31 @@ module horopter_contest (
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic row_ended_q;
   logic [4:0] columns_q;
-  logic [11:0] outside_values_0_q;
-  logic [11:0] outside_values_1_q;
-  logic [11:0] outside_values_2_q;
-  logic [11:0] outside_values_3_q;
-  logic [11:0] outside_values_4_q;
-  logic [11:0] outside_values_5_q;
-  logic [11:0] outside_values_6_q;
-  logic [11:0] outside_values_7_q;
-  logic [11:0] outside_values_8_q;
-  logic [11:0] outside_values_9_q;
-  logic [11:0] outside_values_10_q;
-  logic [11:0] outside_values_11_q;
-  logic [11:0] outside_values_12_q;
-  logic [11:0] outside_values_13_q;
-  logic [11:0] outside_values_14_q;
-  logic [11:0] outside_values_15_q;
-  logic [11:0] outside_values_16_q;
-  logic [11:0] outside_values_17_q;
-  logic [11:0] outside_values_18_q;
+  logic [10:0] outside_values_0_q;
+  logic [10:0] outside_values_1_q;
+  logic [10:0] outside_values_2_q;
+  logic [10:0] outside_values_3_q;
+  logic [10:0] outside_values_4_q;
+  logic [10:0] outside_values_5_q;
+  logic [10:0] outside_values_6_q;
+  logic [10:0] outside_values_7_q;
+  logic [10:0] outside_values_8_q;
+  logic [10:0] outside_values_9_q;
+  logic [10:0] outside_values_10_q;
+  logic [10:0] outside_values_11_q;
+  logic [10:0] outside_values_12_q;
+  logic [10:0] outside_values_13_q;
+  logic [10:0] outside_values_14_q;
+  logic [10:0] outside_values_15_q;
+  logic [10:0] outside_values_16_q;
+  logic [10:0] outside_values_17_q;
+  logic [10:0] outside_values_18_q;
+  logic [10:0] outside_values_19_q;
+  logic [10:0] outside_values_20_q;
+  logic [10:0] outside_values_21_q;
+  logic [10:0] outside_values_22_q;
+  logic [10:0] outside_values_23_q;
+  logic [10:0] outside_values_24_q;
   logic [5:0] centres_values_0_grey_q;
   logic centres_values_0_exists_q;
   logic centres_values_0_marks_first_q;
@@ -150,56 +163,98 @@ module horopter_contest (
   logic centres_values_17_exists_q;
   logic centres_values_17_marks_first_q;
   logic centres_values_17_marks_last_q;
+  logic [5:0] centres_values_18_grey_q;
+  logic centres_values_18_exists_q;
+  logic centres_values_18_marks_first_q;
+  logic centres_values_18_marks_last_q;
+  logic [5:0] centres_values_19_grey_q;
+  logic centres_values_19_exists_q;
+  logic centres_values_19_marks_first_q;
+  logic centres_values_19_marks_last_q;
+  logic [5:0] centres_values_20_grey_q;
+  logic centres_values_20_exists_q;
+  logic centres_values_20_marks_first_q;
+  logic centres_values_20_marks_last_q;
+  logic [5:0] centres_values_21_grey_q;
+  logic centres_values_21_exists_q;
+  logic centres_values_21_marks_first_q;
+  logic centres_values_21_marks_last_q;
+  logic [5:0] centres_values_22_grey_q;
+  logic centres_values_22_exists_q;
+  logic centres_values_22_marks_first_q;
+  logic centres_values_22_marks_last_q;
+  logic [5:0] centres_values_23_grey_q;
+  logic centres_values_23_exists_q;
+  logic centres_values_23_marks_first_q;
+  logic centres_values_23_marks_last_q;
   // hls/stages/contest.hpp:56
-  logic or_206;
-  assign or_206 = marks_first_i | row_ended_q;
+  logic or_272;
+  assign or_272 = marks_first_i | row_ended_q;
   // hls/stages/contest.hpp:133
-  logic [4:0] select_207;
-  assign select_207 = or_206 ? 5'h0 : columns_q;
+  logic [4:0] select_273;
+  assign select_273 = or_272 ? 5'h0 : columns_q;
   // hls/stages/contest.hpp:148
-  logic not_209;
-  assign not_209 = ~(select_207 == 5'h12);
+  logic not_275;
+  assign not_275 = ~(select_273 == 5'h18);
   // hls/stages/contest.hpp:133
-  logic [11:0] select_219;
-  assign select_219 = known_i ? cost_1_i : 12'hfff;
-  logic [11:0] select_220;
-  assign select_220 = or_206 ? 12'hfff : outside_values_7_q;
-  logic [11:0] select_226;
-  assign select_226 = known_i ? cost_2_i : 12'hfff;
-  logic [11:0] select_227;
-  assign select_227 = or_206 ? 12'hfff : outside_values_11_q;
-  logic [11:0] select_232;
-  assign select_232 = known_i ? cost_3_i : 12'hfff;
-  logic [11:0] select_233;
-  assign select_233 = or_206 ? 12'hfff : outside_values_14_q;
-  logic [11:0] select_236;
-  assign select_236 = known_i ? cost_4_i : 12'hfff;
-  logic [11:0] select_237;
-  assign select_237 = or_206 ? 12'hfff : outside_values_15_q;
+  logic [10:0] select_283;
+  assign select_283 = known_i ? cost_1_i : 11'h7ff;
+  logic [10:0] select_284;
+  assign select_284 = or_272 ? 11'h7ff : outside_values_5_q;
+  logic [10:0] select_291;
+  assign select_291 = known_i ? cost_2_i : 11'h7ff;
+  logic [10:0] select_292;
+  assign select_292 = or_272 ? 11'h7ff : outside_values_10_q;
+  logic [10:0] select_298;
+  assign select_298 = known_i ? cost_3_i : 11'h7ff;
+  logic [10:0] select_299;
+  assign select_299 = or_272 ? 11'h7ff : outside_values_14_q;
+  logic [10:0] select_304;
+  assign select_304 = known_i ? cost_4_i : 11'h7ff;
+  logic [10:0] select_305;
+  assign select_305 = or_272 ? 11'h7ff : outside_values_17_q;
+  logic [10:0] select_309;
+  assign select_309 = known_i ? cost_5_i : 11'h7ff;
+  logic [10:0] select_310;
+  assign select_310 = or_272 ? 11'h7ff : outside_values_19_q;
+  logic [10:0] select_313;
+  assign select_313 = known_i ? cost_6_i : 11'h7ff;
+  logic [10:0] select_314;
+  assign select_314 = or_272 ? 11'h7ff : outside_values_20_q;
+  logic [10:0] select_317;
+  assign select_317 = known_i ? cost_7_i : 11'h7ff;
+  logic [10:0] select_318;
+  assign select_318 = or_272 ? 11'h7ff : outside_values_21_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       row_ended_q <= 1'b1;
       columns_q <= 5'h0;
-      outside_values_0_q <= 12'h0;
-      outside_values_1_q <= 12'h0;
-      outside_values_2_q <= 12'h0;
-      outside_values_3_q <= 12'h0;
-      outside_values_4_q <= 12'h0;
-      outside_values_5_q <= 12'h0;
-      outside_values_6_q <= 12'h0;
-      outside_values_7_q <= 12'h0;
-      outside_values_8_q <= 12'h0;
-      outside_values_9_q <= 12'h0;
-      outside_values_10_q <= 12'h0;
-      outside_values_11_q <= 12'h0;
-      outside_values_12_q <= 12'h0;
-      outside_values_13_q <= 12'h0;
-      outside_values_14_q <= 12'h0;
-      outside_values_15_q <= 12'h0;
-      outside_values_16_q <= 12'h0;
-      outside_values_17_q <= 12'h0;
-      outside_values_18_q <= 12'h0;
+      outside_values_0_q <= 11'h0;
+      outside_values_1_q <= 11'h0;
+      outside_values_2_q <= 11'h0;
+      outside_values_3_q <= 11'h0;
+      outside_values_4_q <= 11'h0;
+      outside_values_5_q <= 11'h0;
+      outside_values_6_q <= 11'h0;
+      outside_values_7_q <= 11'h0;
+      outside_values_8_q <= 11'h0;
+      outside_values_9_q <= 11'h0;
+      outside_values_10_q <= 11'h0;
+      outside_values_11_q <= 11'h0;
+      outside_values_12_q <= 11'h0;
+      outside_values_13_q <= 11'h0;
+      outside_values_14_q <= 11'h0;
+      outside_values_15_q <= 11'h0;
+      outside_values_16_q <= 11'h0;
+      outside_values_17_q <= 11'h0;
+      outside_values_18_q <= 11'h0;
+      outside_values_19_q <= 11'h0;
+      outside_values_20_q <= 11'h0;
+      outside_values_21_q <= 11'h0;
+      outside_values_22_q <= 11'h0;
+      outside_values_23_q <= 11'h0;
+      outside_values_24_q <= 11'h0;
       centres_values_0_grey_q <= 6'h0;
       centres_values_0_exists_q <= 1'b0;
       centres_values_0_marks_first_q <= 1'b0;
@@ -272,28 +327,58 @@ module horopter_contest (
       centres_values_17_exists_q <= 1'b0;
       centres_values_17_marks_first_q <= 1'b0;
       centres_values_17_marks_last_q <= 1'b0;
+      centres_values_18_grey_q <= 6'h0;
+      centres_values_18_exists_q <= 1'b0;
+      centres_values_18_marks_first_q <= 1'b0;
+      centres_values_18_marks_last_q <= 1'b0;
+      centres_values_19_grey_q <= 6'h0;
+      centres_values_19_exists_q <= 1'b0;
+      centres_values_19_marks_first_q <= 1'b0;
+      centres_values_19_marks_last_q <= 1'b0;
+      centres_values_20_grey_q <= 6'h0;
+      centres_values_20_exists_q <= 1'b0;
+      centres_values_20_marks_first_q <= 1'b0;
+      centres_values_20_marks_last_q <= 1'b0;
+      centres_values_21_grey_q <= 6'h0;
+      centres_values_21_exists_q <= 1'b0;
+      centres_values_21_marks_first_q <= 1'b0;
+      centres_values_21_marks_last_q <= 1'b0;
+      centres_values_22_grey_q <= 6'h0;
+      centres_values_22_exists_q <= 1'b0;
+      centres_values_22_marks_first_q <= 1'b0;
+      centres_values_22_marks_last_q <= 1'b0;
+      centres_values_23_grey_q <= 6'h0;
+      centres_values_23_exists_q <= 1'b0;
+      centres_values_23_marks_first_q <= 1'b0;
+      centres_values_23_marks_last_q <= 1'b0;
     end else if (s0_en) begin
       row_ended_q <= marks_last_i;
-      columns_q <= select_207 + {4'h0, not_209};
-      outside_values_0_q <= known_i ? cost_0_i : 12'hfff;
-      outside_values_1_q <= or_206 ? 12'hfff : outside_values_0_q;
-      outside_values_2_q <= or_206 ? 12'hfff : outside_values_1_q;
-      outside_values_3_q <= or_206 ? 12'hfff : outside_values_2_q;
-      outside_values_4_q <= or_206 ? 12'hfff : outside_values_3_q;
-      outside_values_5_q <= or_206 ? 12'hfff : outside_values_4_q;
-      outside_values_6_q <= or_206 ? 12'hfff : outside_values_5_q;
-      outside_values_7_q <= or_206 ? 12'hfff : outside_values_6_q;
-      outside_values_8_q <= (select_219 < select_220) ? select_219 : select_220;
-      outside_values_9_q <= or_206 ? 12'hfff : outside_values_8_q;
-      outside_values_10_q <= or_206 ? 12'hfff : outside_values_9_q;
-      outside_values_11_q <= or_206 ? 12'hfff : outside_values_10_q;
-      outside_values_12_q <= (select_226 < select_227) ? select_226 : select_227;
-      outside_values_13_q <= or_206 ? 12'hfff : outside_values_12_q;
-      outside_values_14_q <= or_206 ? 12'hfff : outside_values_13_q;
-      outside_values_15_q <= (select_232 < select_233) ? select_232 : select_233;
-      outside_values_16_q <= (select_236 < select_237) ? select_236 : select_237;
-      outside_values_17_q <= or_206 ? 12'hfff : outside_values_16_q;
-      outside_values_18_q <= or_206 ? 12'hfff : outside_values_17_q;
+      columns_q <= select_273 + {4'h0, not_275};
+      outside_values_0_q <= known_i ? cost_0_i : 11'h7ff;
+      outside_values_1_q <= or_272 ? 11'h7ff : outside_values_0_q;
+      outside_values_2_q <= or_272 ? 11'h7ff : outside_values_1_q;
+      outside_values_3_q <= or_272 ? 11'h7ff : outside_values_2_q;
+      outside_values_4_q <= or_272 ? 11'h7ff : outside_values_3_q;
+      outside_values_5_q <= or_272 ? 11'h7ff : outside_values_4_q;
+      outside_values_6_q <= (select_283 < select_284) ? select_283 : select_284;
+      outside_values_7_q <= or_272 ? 11'h7ff : outside_values_6_q;
+      outside_values_8_q <= or_272 ? 11'h7ff : outside_values_7_q;
+      outside_values_9_q <= or_272 ? 11'h7ff : outside_values_8_q;
+      outside_values_10_q <= or_272 ? 11'h7ff : outside_values_9_q;
+      outside_values_11_q <= (select_291 < select_292) ? select_291 : select_292;
+      outside_values_12_q <= or_272 ? 11'h7ff : outside_values_11_q;
+      outside_values_13_q <= or_272 ? 11'h7ff : outside_values_12_q;
+      outside_values_14_q <= or_272 ? 11'h7ff : outside_values_13_q;
+      outside_values_15_q <= (select_298 < select_299) ? select_298 : select_299;
+      outside_values_16_q <= or_272 ? 11'h7ff : outside_values_15_q;
+      outside_values_17_q <= or_272 ? 11'h7ff : outside_values_16_q;
+      outside_values_18_q <= (select_304 < select_305) ? select_304 : select_305;
+      outside_values_19_q <= or_272 ? 11'h7ff : outside_values_18_q;
+      outside_values_20_q <= (select_309 < select_310) ? select_309 : select_310;
+      outside_values_21_q <= (select_313 < select_314) ? select_313 : select_314;
+      outside_values_22_q <= (select_317 < select_318) ? select_317 : select_318;
+      outside_values_23_q <= or_272 ? 11'h7ff : outside_values_22_q;
+      outside_values_24_q <= or_272 ? 11'h7ff : outside_values_23_q;
       centres_values_0_grey_q <= grey_i;
       centres_values_0_exists_q <= exists_i;
       centres_values_0_marks_first_q <= marks_first_i;
@@ -366,42 +451,69 @@ module horopter_contest (
       centres_values_17_exists_q <= centres_values_16_exists_q;
       centres_values_17_marks_first_q <= centres_values_16_marks_first_q;
       centres_values_17_marks_last_q <= centres_values_16_marks_last_q;
+      centres_values_18_grey_q <= centres_values_17_grey_q;
+      centres_values_18_exists_q <= centres_values_17_exists_q;
+      centres_values_18_marks_first_q <= centres_values_17_marks_first_q;
+      centres_values_18_marks_last_q <= centres_values_17_marks_last_q;
+      centres_values_19_grey_q <= centres_values_18_grey_q;
+      centres_values_19_exists_q <= centres_values_18_exists_q;
+      centres_values_19_marks_first_q <= centres_values_18_marks_first_q;
+      centres_values_19_marks_last_q <= centres_values_18_marks_last_q;
+      centres_values_20_grey_q <= centres_values_19_grey_q;
+      centres_values_20_exists_q <= centres_values_19_exists_q;
+      centres_values_20_marks_first_q <= centres_values_19_marks_first_q;
+      centres_values_20_marks_last_q <= centres_values_19_marks_last_q;
+      centres_values_21_grey_q <= centres_values_20_grey_q;
+      centres_values_21_exists_q <= centres_values_20_exists_q;
+      centres_values_21_marks_first_q <= centres_values_20_marks_first_q;
+      centres_values_21_marks_last_q <= centres_values_20_marks_last_q;
+      centres_values_22_grey_q <= centres_values_21_grey_q;
+      centres_values_22_exists_q <= centres_values_21_exists_q;
+      centres_values_22_marks_first_q <= centres_values_21_marks_first_q;
+      centres_values_22_marks_last_q <= centres_values_21_marks_last_q;
+      centres_values_23_grey_q <= centres_values_22_grey_q;
+      centres_values_23_exists_q <= centres_values_22_exists_q;
+      centres_values_23_marks_first_q <= centres_values_22_marks_first_q;
+      centres_values_23_marks_last_q <= centres_values_22_marks_last_q;
     end
   end
 
-  logic [11:0] cost_4_s1_q;
-  logic [11:0] cost_5_s1_q;
-  logic [11:0] cost_6_s1_q;
-  logic [11:0] cost_7_s1_q;
-  logic [11:0] cost_8_s1_q;
-  logic [11:0] cost_9_s1_q;
-  logic [11:0] cost_10_s1_q;
-  logic [11:0] cost_11_s1_q;
-  logic [11:0] cost_12_s1_q;
+  logic [10:0] cost_6_s1_q;
+  logic [10:0] cost_7_s1_q;
+  logic [10:0] cost_8_s1_q;
+  logic [10:0] cost_9_s1_q;
+  logic [10:0] cost_10_s1_q;
+  logic [10:0] cost_11_s1_q;
+  logic [10:0] cost_12_s1_q;
+  logic [10:0] cost_13_s1_q;
+  logic [10:0] cost_14_s1_q;
+  logic [10:0] cost_15_s1_q;
+  logic [10:0] cost_16_s1_q;
+  logic [10:0] cost_17_s1_q;
+  logic [10:0] cost_18_s1_q;
   logic known_s1_q;
   logic evident_s1_q;
   logic strong_v_s1_q;
-  logic [11:0] outside_values_18_s1_q;
-  logic [5:0] centres_values_17_grey_s1_q;
-  logic centres_values_17_exists_s1_q;
-  logic centres_values_17_marks_first_s1_q;
-  logic centres_values_17_marks_last_s1_q;
-  logic or_206_s1_q;
-  logic and_249_s1_q;
-  logic equal_254_s1_q;
-  logic less_259_s1_q;
-  logic less_264_s1_q;
-  logic less_269_s1_q;
-  logic less_274_s1_q;
-  logic less_300_s1_q;
-  logic less_302_s1_q;
-  logic [11:0] select_307_s1_q;
-  logic [11:0] select_309_s1_q;
-  logic less_333_s1_q;
+  logic [10:0] outside_values_24_s1_q;
+  logic [5:0] centres_values_23_grey_s1_q;
+  logic centres_values_23_exists_s1_q;
+  logic centres_values_23_marks_first_s1_q;
+  logic centres_values_23_marks_last_s1_q;
+  logic or_272_s1_q;
+  logic [3:0] select_273_s1_q;
+  logic and_330_s1_q;
+  logic less_340_s1_q;
+  logic less_355_s1_q;
+  logic less_360_s1_q;
+  logic less_370_s1_q;
+  logic less_396_s1_q;
+  logic less_400_s1_q;
+  logic less_402_s1_q;
+  logic [10:0] select_409_s1_q;
+  logic [10:0] select_413_s1_q;
+  logic [10:0] select_415_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
-      cost_4_s1_q <= cost_4_i;
-      cost_5_s1_q <= cost_5_i;
       cost_6_s1_q <= cost_6_i;
       cost_7_s1_q <= cost_7_i;
       cost_8_s1_q <= cost_8_i;
@@ -409,118 +521,148 @@ module horopter_contest (
       cost_10_s1_q <= cost_10_i;
       cost_11_s1_q <= cost_11_i;
       cost_12_s1_q <= cost_12_i;
+      cost_13_s1_q <= cost_13_i;
+      cost_14_s1_q <= cost_14_i;
+      cost_15_s1_q <= cost_15_i;
+      cost_16_s1_q <= cost_16_i;
+      cost_17_s1_q <= cost_17_i;
+      cost_18_s1_q <= cost_18_i;
       known_s1_q <= known_i;
       evident_s1_q <= evident_i;
       strong_v_s1_q <= strong_v_i;
-      outside_values_18_s1_q <= outside_values_18_q;
-      centres_values_17_grey_s1_q <= centres_values_17_grey_q;
-      centres_values_17_exists_s1_q <= centres_values_17_exists_q;
-      centres_values_17_marks_first_s1_q <= centres_values_17_marks_first_q;
-      centres_values_17_marks_last_s1_q <= centres_values_17_marks_last_q;
-      or_206_s1_q <= or_206;
-      and_249_s1_q <= known_i & (~(select_207 == 5'h0));
-      equal_254_s1_q <= select_207[4:1] == 4'h0;
-      less_259_s1_q <= select_207 < 5'h3;
-      less_264_s1_q <= select_207[4:1] < 4'h3;
-      less_269_s1_q <= select_207[4:1] < 4'h5;
-      less_274_s1_q <= cost_7_i < cost_5_i;
-      less_300_s1_q <= cost_12_i < cost_11_i;
-      less_302_s1_q <= cost_10_i < cost_9_i;
-      select_307_s1_q <= (cost_3_i < cost_2_i) ? cost_3_i : cost_2_i;
-      select_309_s1_q <= (cost_1_i < cost_0_i) ? cost_1_i : cost_0_i;
-      less_333_s1_q <= select_207[4:1] < 4'h9;
+      outside_values_24_s1_q <= outside_values_24_q;
+      centres_values_23_grey_s1_q <= centres_values_23_grey_q;
+      centres_values_23_exists_s1_q <= centres_values_23_exists_q;
+      centres_values_23_marks_first_s1_q <= centres_values_23_marks_first_q;
+      centres_values_23_marks_last_s1_q <= centres_values_23_marks_last_q;
+      or_272_s1_q <= or_272;
+      select_273_s1_q <= select_273[4:1];
+      and_330_s1_q <= known_i & (~(select_273 == 5'h0));
+      less_340_s1_q <= select_273 < 5'h3;
+      less_355_s1_q <= select_273 < 5'h9;
+      less_360_s1_q <= select_273 < 5'hd;
+      less_370_s1_q <= cost_10_i < cost_8_i;
+      less_396_s1_q <= cost_17_i < cost_16_i;
+      less_400_s1_q <= cost_15_i < cost_14_i;
+      less_402_s1_q <= cost_13_i < cost_12_i;
+      select_409_s1_q <= (cost_5_i < cost_4_i) ? cost_5_i : cost_4_i;
+      select_413_s1_q <= (cost_3_i < cost_2_i) ? cost_3_i : cost_2_i;
+      select_415_s1_q <= (cost_1_i < cost_0_i) ? cost_1_i : cost_0_i;
     end
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
-  logic [11:0] inside_next_q;
-  logic [11:0] inside_here_q;
-  logic [11:0] seen_values_0_inside_q;
-  logic [11:0] seen_values_1_inside_q;
-  logic [11:0] seen_values_2_inside_q;
-  logic [11:0] seen_values_3_inside_q;
-  logic [11:0] seen_values_4_inside_q;
-  logic [11:0] seen_values_5_inside_q;
-  logic [11:0] seen_values_6_inside_q;
-  logic [11:0] seen_values_7_inside_q;
-  logic [11:0] seen_values_8_inside_q;
-  logic [11:0] seen_values_9_inside_q;
-  logic [11:0] seen_values_10_inside_q;
-  logic [11:0] seen_values_11_inside_q;
-  logic [11:0] seen_values_12_inside_q;
-  logic [11:0] seen_values_13_inside_q;
-  logic [11:0] seen_values_14_inside_q;
-  logic [11:0] seen_values_15_inside_q;
-  logic [11:0] seen_values_16_inside_q;
+  logic [10:0] inside_next_q;
+  logic [10:0] inside_here_q;
+  logic [10:0] seen_values_0_inside_q;
+  logic [10:0] seen_values_1_inside_q;
+  logic [10:0] seen_values_2_inside_q;
+  logic [10:0] seen_values_3_inside_q;
+  logic [10:0] seen_values_4_inside_q;
+  logic [10:0] seen_values_5_inside_q;
+  logic [10:0] seen_values_6_inside_q;
+  logic [10:0] seen_values_7_inside_q;
+  logic [10:0] seen_values_8_inside_q;
+  logic [10:0] seen_values_9_inside_q;
+  logic [10:0] seen_values_10_inside_q;
+  logic [10:0] seen_values_11_inside_q;
+  logic [10:0] seen_values_12_inside_q;
+  logic [10:0] seen_values_13_inside_q;
+  logic [10:0] seen_values_14_inside_q;
+  logic [10:0] seen_values_15_inside_q;
+  logic [10:0] seen_values_16_inside_q;
+  logic [10:0] seen_values_17_inside_q;
+  logic [10:0] seen_values_18_inside_q;
+  logic [10:0] seen_values_19_inside_q;
+  logic [10:0] seen_values_20_inside_q;
+  logic [10:0] seen_values_21_inside_q;
+  logic [10:0] seen_values_22_inside_q;
   // hls/stages/contest.hpp:133
-  logic [11:0] select_243;
-  assign select_243 = known_s1_q ? cost_6_s1_q : 12'hfff;
-  logic [11:0] select_244;
-  assign select_244 = or_206_s1_q ? 12'hfff : inside_next_q;
-  logic [11:0] select_250;
-  assign select_250 = and_249_s1_q ? cost_7_s1_q : 12'hfff;
+  logic [10:0] select_324;
+  assign select_324 = known_s1_q ? cost_9_s1_q : 11'h7ff;
+  logic [10:0] select_325;
+  assign select_325 = or_272_s1_q ? 11'h7ff : inside_next_q;
+  logic [10:0] select_331;
+  assign select_331 = and_330_s1_q ? cost_10_s1_q : 11'h7ff;
+  logic [10:0] select_337;
+  assign select_337 = known_s1_q ? ((select_273_s1_q == 4'h0) ? 11'h7ff : cost_11_s1_q) : 11'h7ff;
   // hls/stages/contest.hpp:146
-  logic less_257;
-  assign less_257 = (known_s1_q ? (equal_254_s1_q ? 12'hfff : cost_8_s1_q) : 12'hfff) < seen_values_0_inside_q;
-  logic less_262;
-  assign less_262 = (known_s1_q ? (less_259_s1_q ? 12'hfff : cost_9_s1_q) : 12'hfff) < seen_values_1_inside_q;
-  logic less_267;
-  assign less_267 = (known_s1_q ? (less_264_s1_q ? 12'hfff : cost_10_s1_q) : 12'hfff) < seen_values_4_inside_q;
-  logic less_272;
-  assign less_272 = (known_s1_q ? (less_269_s1_q ? 12'hfff : cost_11_s1_q) : 12'hfff) < seen_values_8_inside_q;
+  logic less_343;
+  assign less_343 = (known_s1_q ? (less_340_s1_q ? 11'h7ff : cost_12_s1_q) : 11'h7ff) < seen_values_1_inside_q;
+  // hls/stages/contest.hpp:133
+  logic [10:0] select_347;
+  assign select_347 = known_s1_q ? ((select_273_s1_q[3:1] == 3'h0) ? 11'h7ff : cost_13_s1_q) : 11'h7ff;
+  logic [10:0] select_352;
+  assign select_352 = known_s1_q ? ((select_273_s1_q < 4'h3) ? 11'h7ff : cost_14_s1_q) : 11'h7ff;
+  // hls/stages/contest.hpp:146
+  logic less_358;
+  assign less_358 = (known_s1_q ? (less_355_s1_q ? 11'h7ff : cost_15_s1_q) : 11'h7ff) < seen_values_7_inside_q;
+  logic less_363;
+  assign less_363 = (known_s1_q ? (less_360_s1_q ? 11'h7ff : cost_16_s1_q) : 11'h7ff) < seen_values_11_inside_q;
+  // hls/stages/contest.hpp:133
+  logic [10:0] select_367;
+  assign select_367 = known_s1_q ? ((select_273_s1_q < 4'h9) ? 11'h7ff : cost_17_s1_q) : 11'h7ff;
   // hls/stages/contest.hpp:100
-  logic [11:0] beside;
-  assign beside = less_274_s1_q ? cost_7_s1_q : cost_5_s1_q;
+  logic [10:0] beside;
+  assign beside = less_370_s1_q ? cost_10_s1_q : cost_8_s1_q;
   // hls/stages/contest.hpp:101
-  logic less_276;
-  assign less_276 = beside < cost_6_s1_q;
+  logic less_372;
+  assign less_372 = beside < cost_9_s1_q;
   // hls/stages/contest.hpp:102
-  logic [11:0] outer;
-  assign outer = less_274_s1_q ? cost_8_s1_q : cost_4_s1_q;
+  logic [10:0] outer;
+  assign outer = less_370_s1_q ? cost_11_s1_q : cost_7_s1_q;
   // hls/stages/contest.hpp:160
-  logic [12:0] value;
+  logic [11:0] value;
   assign value = {1'b0, outer} - {1'b0, beside};
-  logic [12:0] value_2;
-  assign value_2 = {1'b0, beside} - {1'b0, cost_6_s1_q};
+  logic [11:0] value_2;
+  assign value_2 = {1'b0, beside} - {1'b0, cost_9_s1_q};
   // hls/stages/contest.hpp:176
-  logic [11:0] select_301;
-  assign select_301 = less_300_s1_q ? cost_12_s1_q : cost_11_s1_q;
-  logic [11:0] select_303;
-  assign select_303 = less_302_s1_q ? cost_10_s1_q : cost_9_s1_q;
-  logic [11:0] select_311;
-  assign select_311 = (select_307_s1_q < select_309_s1_q) ? select_307_s1_q : select_309_s1_q;
+  logic [10:0] select_397;
+  assign select_397 = less_396_s1_q ? cost_17_s1_q : cost_16_s1_q;
+  logic [10:0] select_401;
+  assign select_401 = less_400_s1_q ? cost_15_s1_q : cost_14_s1_q;
+  logic [10:0] select_403;
+  assign select_403 = less_402_s1_q ? cost_13_s1_q : cost_12_s1_q;
+  logic [10:0] select_417;
+  assign select_417 = (select_413_s1_q < select_415_s1_q) ? select_413_s1_q : select_415_s1_q;
   // hls/stages/contest.hpp:101
-  logic [11:0] inside_v;
-  assign inside_v = less_276 ? beside : cost_6_s1_q;
-  // hls/stages/contest.hpp:146
-  logic less_336;
-  assign less_336 = (known_s1_q ? (less_333_s1_q ? 12'hfff : cost_12_s1_q) : 12'hfff) < seen_values_16_inside_q;
+  logic [10:0] inside_v;
+  assign inside_v = less_372 ? beside : cost_9_s1_q;
+  // hls/stages/contest.hpp:133
+  logic [10:0] select_443;
+  assign select_443 = known_s1_q ? ((select_273_s1_q[3:2] == 2'h3) ? cost_18_s1_q : 11'h7ff) : 11'h7ff;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      inside_next_q <= 12'h0;
-      inside_here_q <= 12'h0;
-      seen_values_0_inside_q <= 12'h0;
-      seen_values_1_inside_q <= 12'h0;
-      seen_values_2_inside_q <= 12'h0;
-      seen_values_3_inside_q <= 12'h0;
-      seen_values_4_inside_q <= 12'h0;
-      seen_values_5_inside_q <= 12'h0;
-      seen_values_6_inside_q <= 12'h0;
-      seen_values_7_inside_q <= 12'h0;
-      seen_values_8_inside_q <= 12'h0;
-      seen_values_9_inside_q <= 12'h0;
-      seen_values_10_inside_q <= 12'h0;
-      seen_values_11_inside_q <= 12'h0;
-      seen_values_12_inside_q <= 12'h0;
-      seen_values_13_inside_q <= 12'h0;
-      seen_values_14_inside_q <= 12'h0;
-      seen_values_15_inside_q <= 12'h0;
-      seen_values_16_inside_q <= 12'h0;
+      inside_next_q <= 11'h0;
+      inside_here_q <= 11'h0;
+      seen_values_0_inside_q <= 11'h0;
+      seen_values_1_inside_q <= 11'h0;
+      seen_values_2_inside_q <= 11'h0;
+      seen_values_3_inside_q <= 11'h0;
+      seen_values_4_inside_q <= 11'h0;
+      seen_values_5_inside_q <= 11'h0;
+      seen_values_6_inside_q <= 11'h0;
+      seen_values_7_inside_q <= 11'h0;
+      seen_values_8_inside_q <= 11'h0;
+      seen_values_9_inside_q <= 11'h0;
+      seen_values_10_inside_q <= 11'h0;
+      seen_values_11_inside_q <= 11'h0;
+      seen_values_12_inside_q <= 11'h0;
+      seen_values_13_inside_q <= 11'h0;
+      seen_values_14_inside_q <= 11'h0;
+      seen_values_15_inside_q <= 11'h0;
+      seen_values_16_inside_q <= 11'h0;
+      seen_values_17_inside_q <= 11'h0;
+      seen_values_18_inside_q <= 11'h0;
+      seen_values_19_inside_q <= 11'h0;
+      seen_values_20_inside_q <= 11'h0;
+      seen_values_21_inside_q <= 11'h0;
+      seen_values_22_inside_q <= 11'h0;
     end else if (s1_en) begin
-      inside_next_q <= known_s1_q ? cost_5_s1_q : 12'hfff;
-      inside_here_q <= (select_243 < select_244) ? select_243 : select_244;
-      seen_values_0_inside_q <= (select_250 < inside_here_q) ? select_250 : inside_here_q;
+      inside_next_q <= known_s1_q ? cost_8_s1_q : 11'h7ff;
+      inside_here_q <= (select_324 < select_325) ? select_324 : select_325;
+      seen_values_0_inside_q <= (select_331 < inside_here_q) ? select_331 : inside_here_q;
       seen_values_1_inside_q <= seen_values_0_inside_q;
       seen_values_2_inside_q <= seen_values_1_inside_q;
       seen_values_3_inside_q <= seen_values_2_inside_q;
@@ -537,49 +679,65 @@ module horopter_contest (
       seen_values_14_inside_q <= seen_values_13_inside_q;
       seen_values_15_inside_q <= seen_values_14_inside_q;
       seen_values_16_inside_q <= seen_values_15_inside_q;
+      seen_values_17_inside_q <= seen_values_16_inside_q;
+      seen_values_18_inside_q <= seen_values_17_inside_q;
+      seen_values_19_inside_q <= seen_values_18_inside_q;
+      seen_values_20_inside_q <= seen_values_19_inside_q;
+      seen_values_21_inside_q <= seen_values_20_inside_q;
+      seen_values_22_inside_q <= seen_values_21_inside_q;
     end
   end
 
   logic evident_s2_q;
   logic strong_v_s2_q;
-  logic [11:0] outside_values_18_s2_q;
-  logic [5:0] centres_values_17_grey_s2_q;
-  logic centres_values_17_exists_s2_q;
-  logic centres_values_17_marks_first_s2_q;
-  logic centres_values_17_marks_last_s2_q;
-  logic less_257_s2_q;
-  logic less_262_s2_q;
-  logic less_267_s2_q;
-  logic less_272_s2_q;
-  logic less_276_s2_q;
-  logic [12:0] value_s2_q;
-  logic [12:0] value_2_s2_q;
-  logic [11:0] select_299_s2_q;
-  logic [11:0] select_305_s2_q;
-  logic [11:0] select_311_s2_q;
-  logic [11:0] inside_v_s2_q;
-  logic less_336_s2_q;
+  logic [10:0] outside_values_24_s2_q;
+  logic [5:0] centres_values_23_grey_s2_q;
+  logic centres_values_23_exists_s2_q;
+  logic centres_values_23_marks_first_s2_q;
+  logic centres_values_23_marks_last_s2_q;
+  logic less_338_s2_q;
+  logic less_343_s2_q;
+  logic less_348_s2_q;
+  logic less_353_s2_q;
+  logic less_358_s2_q;
+  logic less_363_s2_q;
+  logic less_368_s2_q;
+  logic less_372_s2_q;
+  logic [11:0] value_s2_q;
+  logic [11:0] value_2_s2_q;
+  logic [10:0] select_395_s2_q;
+  logic [10:0] select_399_s2_q;
+  logic [10:0] select_405_s2_q;
+  logic [10:0] select_411_s2_q;
+  logic [10:0] select_417_s2_q;
+  logic [10:0] inside_v_s2_q;
+  logic less_444_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       evident_s2_q <= evident_s1_q;
       strong_v_s2_q <= strong_v_s1_q;
-      outside_values_18_s2_q <= outside_values_18_s1_q;
-      centres_values_17_grey_s2_q <= centres_values_17_grey_s1_q;
-      centres_values_17_exists_s2_q <= centres_values_17_exists_s1_q;
-      centres_values_17_marks_first_s2_q <= centres_values_17_marks_first_s1_q;
-      centres_values_17_marks_last_s2_q <= centres_values_17_marks_last_s1_q;
-      less_257_s2_q <= less_257;
-      less_262_s2_q <= less_262;
-      less_267_s2_q <= less_267;
-      less_272_s2_q <= less_272;
-      less_276_s2_q <= less_276;
+      outside_values_24_s2_q <= outside_values_24_s1_q;
+      centres_values_23_grey_s2_q <= centres_values_23_grey_s1_q;
+      centres_values_23_exists_s2_q <= centres_values_23_exists_s1_q;
+      centres_values_23_marks_first_s2_q <= centres_values_23_marks_first_s1_q;
+      centres_values_23_marks_last_s2_q <= centres_values_23_marks_last_s1_q;
+      less_338_s2_q <= select_337 < seen_values_0_inside_q;
+      less_343_s2_q <= less_343;
+      less_348_s2_q <= select_347 < seen_values_2_inside_q;
+      less_353_s2_q <= select_352 < seen_values_4_inside_q;
+      less_358_s2_q <= less_358;
+      less_363_s2_q <= less_363;
+      less_368_s2_q <= select_367 < seen_values_16_inside_q;
+      less_372_s2_q <= less_372;
       value_s2_q <= value;
       value_2_s2_q <= value_2;
-      select_299_s2_q <= (cost_8_s1_q < cost_4_s1_q) ? cost_8_s1_q : cost_4_s1_q;
-      select_305_s2_q <= (select_301 < select_303) ? select_301 : select_303;
-      select_311_s2_q <= select_311;
+      select_395_s2_q <= (cost_11_s1_q < cost_7_s1_q) ? cost_11_s1_q : cost_7_s1_q;
+      select_399_s2_q <= (cost_18_s1_q < select_397) ? cost_18_s1_q : select_397;
+      select_405_s2_q <= (select_401 < select_403) ? select_401 : select_403;
+      select_411_s2_q <= (cost_6_s1_q < select_409_s1_q) ? cost_6_s1_q : select_409_s1_q;
+      select_417_s2_q <= select_417;
       inside_v_s2_q <= inside_v;
-      less_336_s2_q <= less_336;
+      less_444_s2_q <= select_443 < seen_values_22_inside_q;
     end
   end
 
@@ -601,37 +759,45 @@ module horopter_contest (
   logic seen_values_14_hidden_q;
   logic seen_values_15_hidden_q;
   logic seen_values_16_hidden_q;
+  logic seen_values_17_hidden_q;
+  logic seen_values_18_hidden_q;
+  logic seen_values_19_hidden_q;
+  logic seen_values_20_hidden_q;
+  logic seen_values_21_hidden_q;
+  logic seen_values_22_hidden_q;
   // hls/stages/contest.hpp:166
-  logic [11:0] select_279;
-  assign select_279 = cfg_boundary_i[0] ? value_s2_q[12:1] : 12'h0;
-  logic [12:0] select_280;
-  assign select_280 = cfg_boundary_i[1] ? value_s2_q : 13'h0;
-  logic [13:0] sum_281;
-  assign sum_281 = {{2{select_279[11]}}, select_279} + {select_280[12], select_280};
+  logic [10:0] select_375;
+  assign select_375 = cfg_boundary_i[0] ? value_s2_q[11:1] : 11'h0;
+  logic [11:0] select_376;
+  assign select_376 = cfg_boundary_i[1] ? value_s2_q : 12'h0;
+  logic [12:0] sum_377;
+  assign sum_377 = {{2{select_375[10]}}, select_375} + {select_376[11], select_376};
   // hls/stages/contest.hpp:167
-  logic [12:0] select_282;
-  assign select_282 = cfg_boundary_i[2] ? value_s2_q : 13'h0;
-  logic [12:0] select_283;
-  assign select_283 = cfg_boundary_i[3] ? value_s2_q : 13'h0;
-  logic [13:0] sum_284;
-  assign sum_284 = {{2{select_282[12]}}, select_282[12:1]} + {select_283[12], select_283};
+  logic [11:0] select_378;
+  assign select_378 = cfg_boundary_i[2] ? value_s2_q : 12'h0;
+  logic [11:0] select_379;
+  assign select_379 = cfg_boundary_i[3] ? value_s2_q : 12'h0;
+  logic [12:0] sum_380;
+  assign sum_380 = {{2{select_378[11]}}, select_378[11:1]} + {select_379[11], select_379};
   // hls/stages/contest.hpp:166
-  logic [11:0] select_290;
-  assign select_290 = rest[0] ? value_2_s2_q[12:1] : 12'h0;
-  logic [12:0] select_291;
-  assign select_291 = rest[1] ? value_2_s2_q : 13'h0;
-  logic [13:0] sum_292;
-  assign sum_292 = {{2{select_290[11]}}, select_290} + {select_291[12], select_291};
+  logic [10:0] select_386;
+  assign select_386 = rest[0] ? value_2_s2_q[11:1] : 11'h0;
+  logic [11:0] select_387;
+  assign select_387 = rest[1] ? value_2_s2_q : 12'h0;
+  logic [12:0] sum_388;
+  assign sum_388 = {{2{select_386[10]}}, select_386} + {select_387[11], select_387};
   // hls/stages/contest.hpp:167
-  logic [12:0] select_293;
-  assign select_293 = rest[2] ? value_2_s2_q : 13'h0;
-  logic [12:0] select_294;
-  assign select_294 = rest[3] ? value_2_s2_q : 13'h0;
-  logic [13:0] sum_295;
-  assign sum_295 = {{2{select_293[12]}}, select_293[12:1]} + {select_294[12], select_294};
-  // hls/stages/contest.hpp:98
-  logic [11:0] far;
-  assign far = (select_305_s2_q < select_311_s2_q) ? select_305_s2_q : select_311_s2_q;
+  logic [11:0] select_389;
+  assign select_389 = rest[2] ? value_2_s2_q : 12'h0;
+  logic [11:0] select_390;
+  assign select_390 = rest[3] ? value_2_s2_q : 12'h0;
+  logic [12:0] sum_391;
+  assign sum_391 = {{2{select_389[11]}}, select_389[11:1]} + {select_390[11], select_390};
+  // hls/stages/contest.hpp:176
+  logic [10:0] select_407;
+  assign select_407 = (select_399_s2_q < select_405_s2_q) ? select_399_s2_q : select_405_s2_q;
+  logic [10:0] select_419;
+  assign select_419 = (select_411_s2_q < select_417_s2_q) ? select_411_s2_q : select_417_s2_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -652,112 +818,160 @@ module horopter_contest (
       seen_values_14_hidden_q <= 1'b0;
       seen_values_15_hidden_q <= 1'b0;
       seen_values_16_hidden_q <= 1'b0;
+      seen_values_17_hidden_q <= 1'b0;
+      seen_values_18_hidden_q <= 1'b0;
+      seen_values_19_hidden_q <= 1'b0;
+      seen_values_20_hidden_q <= 1'b0;
+      seen_values_21_hidden_q <= 1'b0;
+      seen_values_22_hidden_q <= 1'b0;
     end else if (s2_en) begin
-      seen_values_0_hidden_q <= outside_values_18_s2_q < seen_values_0_inside_q;
-      seen_values_1_hidden_q <= seen_values_0_hidden_q | less_257_s2_q;
-      seen_values_2_hidden_q <= seen_values_1_hidden_q | less_262_s2_q;
-      seen_values_3_hidden_q <= seen_values_2_hidden_q;
+      seen_values_0_hidden_q <= outside_values_24_s2_q < seen_values_0_inside_q;
+      seen_values_1_hidden_q <= seen_values_0_hidden_q | less_338_s2_q;
+      seen_values_2_hidden_q <= seen_values_1_hidden_q | less_343_s2_q;
+      seen_values_3_hidden_q <= seen_values_2_hidden_q | less_348_s2_q;
       seen_values_4_hidden_q <= seen_values_3_hidden_q;
-      seen_values_5_hidden_q <= seen_values_4_hidden_q | less_267_s2_q;
+      seen_values_5_hidden_q <= seen_values_4_hidden_q | less_353_s2_q;
       seen_values_6_hidden_q <= seen_values_5_hidden_q;
       seen_values_7_hidden_q <= seen_values_6_hidden_q;
-      seen_values_8_hidden_q <= seen_values_7_hidden_q;
-      seen_values_9_hidden_q <= seen_values_8_hidden_q | less_272_s2_q;
+      seen_values_8_hidden_q <= seen_values_7_hidden_q | less_358_s2_q;
+      seen_values_9_hidden_q <= seen_values_8_hidden_q;
       seen_values_10_hidden_q <= seen_values_9_hidden_q;
       seen_values_11_hidden_q <= seen_values_10_hidden_q;
-      seen_values_12_hidden_q <= seen_values_11_hidden_q;
+      seen_values_12_hidden_q <= seen_values_11_hidden_q | less_363_s2_q;
       seen_values_13_hidden_q <= seen_values_12_hidden_q;
       seen_values_14_hidden_q <= seen_values_13_hidden_q;
       seen_values_15_hidden_q <= seen_values_14_hidden_q;
       seen_values_16_hidden_q <= seen_values_15_hidden_q;
+      seen_values_17_hidden_q <= seen_values_16_hidden_q | less_368_s2_q;
+      seen_values_18_hidden_q <= seen_values_17_hidden_q;
+      seen_values_19_hidden_q <= seen_values_18_hidden_q;
+      seen_values_20_hidden_q <= seen_values_19_hidden_q;
+      seen_values_21_hidden_q <= seen_values_20_hidden_q;
+      seen_values_22_hidden_q <= seen_values_21_hidden_q;
     end
   end
 
   logic evident_s3_q;
   logic strong_v_s3_q;
-  logic [5:0] centres_values_17_grey_s3_q;
-  logic centres_values_17_exists_s3_q;
-  logic centres_values_17_marks_first_s3_q;
-  logic centres_values_17_marks_last_s3_q;
-  logic less_276_s3_q;
-  logic [12:0] sum_281_s3_q;
-  logic select_282_s3_q;
-  logic [13:0] sum_284_s3_q;
-  logic [12:0] sum_292_s3_q;
-  logic select_293_s3_q;
-  logic [13:0] sum_295_s3_q;
-  logic [11:0] select_299_s3_q;
-  logic [11:0] far_s3_q;
-  logic [11:0] inside_v_s3_q;
-  logic or_337_s3_q;
+  logic [5:0] centres_values_23_grey_s3_q;
+  logic centres_values_23_exists_s3_q;
+  logic centres_values_23_marks_first_s3_q;
+  logic centres_values_23_marks_last_s3_q;
+  logic less_372_s3_q;
+  logic [11:0] sum_377_s3_q;
+  logic select_378_s3_q;
+  logic [12:0] sum_380_s3_q;
+  logic [11:0] sum_388_s3_q;
+  logic select_389_s3_q;
+  logic [12:0] sum_391_s3_q;
+  logic [10:0] select_395_s3_q;
+  logic [10:0] select_407_s3_q;
+  logic [10:0] select_419_s3_q;
+  logic [10:0] inside_v_s3_q;
+  logic or_445_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       evident_s3_q <= evident_s2_q;
       strong_v_s3_q <= strong_v_s2_q;
-      centres_values_17_grey_s3_q <= centres_values_17_grey_s2_q;
-      centres_values_17_exists_s3_q <= centres_values_17_exists_s2_q;
-      centres_values_17_marks_first_s3_q <= centres_values_17_marks_first_s2_q;
-      centres_values_17_marks_last_s3_q <= centres_values_17_marks_last_s2_q;
-      less_276_s3_q <= less_276_s2_q;
-      sum_281_s3_q <= sum_281[13:1];
-      select_282_s3_q <= select_282[0];
-      sum_284_s3_q <= sum_284;
-      sum_292_s3_q <= sum_292[13:1];
-      select_293_s3_q <= select_293[0];
-      sum_295_s3_q <= sum_295;
-      select_299_s3_q <= select_299_s2_q;
-      far_s3_q <= far;
+      centres_values_23_grey_s3_q <= centres_values_23_grey_s2_q;
+      centres_values_23_exists_s3_q <= centres_values_23_exists_s2_q;
+      centres_values_23_marks_first_s3_q <= centres_values_23_marks_first_s2_q;
+      centres_values_23_marks_last_s3_q <= centres_values_23_marks_last_s2_q;
+      less_372_s3_q <= less_372_s2_q;
+      sum_377_s3_q <= sum_377[12:1];
+      select_378_s3_q <= select_378[0];
+      sum_380_s3_q <= sum_380;
+      sum_388_s3_q <= sum_388[12:1];
+      select_389_s3_q <= select_389[0];
+      sum_391_s3_q <= sum_391;
+      select_395_s3_q <= select_395_s2_q;
+      select_407_s3_q <= select_407;
+      select_419_s3_q <= select_419;
       inside_v_s3_q <= inside_v_s2_q;
-      or_337_s3_q <= seen_values_16_hidden_q | less_336_s2_q;
+      or_445_s3_q <= seen_values_22_hidden_q | less_444_s2_q;
     end
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
   // hls/stages/contest.hpp:168
-  logic [15:0] sum_285;
-  assign sum_285 = {{3{sum_281_s3_q[12]}}, sum_281_s3_q} + {sum_284_s3_q[13], sum_284_s3_q, select_282_s3_q};
-  logic [15:0] sum_296;
-  assign sum_296 = {{3{sum_292_s3_q[12]}}, sum_292_s3_q} + {sum_295_s3_q[13], sum_295_s3_q, select_293_s3_q};
+  logic [14:0] sum_381;
+  assign sum_381 = {{3{sum_377_s3_q[11]}}, sum_377_s3_q} + {sum_380_s3_q[12], sum_380_s3_q, select_378_s3_q};
+  logic [14:0] sum_392;
+  assign sum_392 = {{3{sum_388_s3_q[11]}}, sum_388_s3_q} + {sum_391_s3_q[12], sum_391_s3_q, select_389_s3_q};
   // hls/stages/contest.hpp:160
-  logic [15:0] b;
-  assign b = {sum_285[15], sum_285[15:1]} + {sum_296[15], sum_296[15:1]};
-  // hls/stages/contest.hpp:99
-  logic [11:0] outside;
-  assign outside = (select_299_s3_q < far_s3_q) ? select_299_s3_q : far_s3_q;
-  // hls/stages/contest.hpp:106
-  logic less_327;
-  assign less_327 = {1'b0, far_s3_q} < ({1'b0, inside_v_s3_q} + {5'h0, inside_v_s3_q[11:4]});
+  logic [14:0] b;
+  assign b = {sum_381[14], sum_381[14:1]} + {sum_392[14], sum_392[14:1]};
+  // hls/stages/contest.hpp:98
+  logic [10:0] far;
+  assign far = (select_407_s3_q < select_419_s3_q) ? select_407_s3_q : select_419_s3_q;
 
   logic evident_s4_q;
   logic strong_v_s4_q;
-  logic [5:0] centres_values_17_grey_s4_q;
-  logic centres_values_17_exists_s4_q;
-  logic centres_values_17_marks_first_s4_q;
-  logic centres_values_17_marks_last_s4_q;
-  logic less_276_s4_q;
-  logic [15:0] b_s4_q;
-  logic [11:0] outside_s4_q;
-  logic [11:0] inside_v_s4_q;
-  logic not_328_s4_q;
-  logic or_337_s4_q;
+  logic [5:0] centres_values_23_grey_s4_q;
+  logic centres_values_23_exists_s4_q;
+  logic centres_values_23_marks_first_s4_q;
+  logic centres_values_23_marks_last_s4_q;
+  logic less_372_s4_q;
+  logic [14:0] b_s4_q;
+  logic [10:0] select_395_s4_q;
+  logic [10:0] far_s4_q;
+  logic [10:0] inside_v_s4_q;
+  logic or_445_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       evident_s4_q <= evident_s3_q;
       strong_v_s4_q <= strong_v_s3_q;
-      centres_values_17_grey_s4_q <= centres_values_17_grey_s3_q;
-      centres_values_17_exists_s4_q <= centres_values_17_exists_s3_q;
-      centres_values_17_marks_first_s4_q <= centres_values_17_marks_first_s3_q;
-      centres_values_17_marks_last_s4_q <= centres_values_17_marks_last_s3_q;
-      less_276_s4_q <= less_276_s3_q;
+      centres_values_23_grey_s4_q <= centres_values_23_grey_s3_q;
+      centres_values_23_exists_s4_q <= centres_values_23_exists_s3_q;
+      centres_values_23_marks_first_s4_q <= centres_values_23_marks_first_s3_q;
+      centres_values_23_marks_last_s4_q <= centres_values_23_marks_last_s3_q;
+      less_372_s4_q <= less_372_s3_q;
       b_s4_q <= b;
-      outside_s4_q <= outside;
+      select_395_s4_q <= select_395_s3_q;
+      far_s4_q <= far;
       inside_v_s4_q <= inside_v_s3_q;
-      not_328_s4_q <= ~less_327;
-      or_337_s4_q <= or_337_s3_q;
+      or_445_s4_q <= or_445_s3_q;
     end
   end
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
+  // hls/stages/contest.hpp:99
+  logic [10:0] outside;
+  assign outside = (select_395_s4_q < far_s4_q) ? select_395_s4_q : far_s4_q;
+  // hls/stages/contest.hpp:106
+  logic less_435;
+  assign less_435 = {1'b0, far_s4_q} < ({1'b0, inside_v_s4_q} + {5'h0, inside_v_s4_q[10:4]});
+
+  logic evident_s5_q;
+  logic strong_v_s5_q;
+  logic [5:0] centres_values_23_grey_s5_q;
+  logic centres_values_23_exists_s5_q;
+  logic centres_values_23_marks_first_s5_q;
+  logic centres_values_23_marks_last_s5_q;
+  logic less_372_s5_q;
+  logic [14:0] b_s5_q;
+  logic [10:0] outside_s5_q;
+  logic [10:0] inside_v_s5_q;
+  logic not_436_s5_q;
+  logic or_445_s5_q;
+  always_ff @(posedge clk_i) begin
+    if (s4_en) begin
+      evident_s5_q <= evident_s4_q;
+      strong_v_s5_q <= strong_v_s4_q;
+      centres_values_23_grey_s5_q <= centres_values_23_grey_s4_q;
+      centres_values_23_exists_s5_q <= centres_values_23_exists_s4_q;
+      centres_values_23_marks_first_s5_q <= centres_values_23_marks_first_s4_q;
+      centres_values_23_marks_last_s5_q <= centres_values_23_marks_last_s4_q;
+      less_372_s5_q <= less_372_s4_q;
+      b_s5_q <= b_s4_q;
+      outside_s5_q <= outside;
+      inside_v_s5_q <= inside_v_s4_q;
+      not_436_s5_q <= ~less_435;
+      or_445_s5_q <= or_445_s4_q;
+    end
+  end
+
+  // Stage 5 -----------------------------------------------------------------------------------------------------------
   logic centres_values_0_votes_q;
   logic centres_values_1_votes_q;
   logic centres_values_2_votes_q;
@@ -776,9 +990,15 @@ module horopter_contest (
   logic centres_values_15_votes_q;
   logic centres_values_16_votes_q;
   logic centres_values_17_votes_q;
+  logic centres_values_18_votes_q;
+  logic centres_values_19_votes_q;
+  logic centres_values_20_votes_q;
+  logic centres_values_21_votes_q;
+  logic centres_values_22_votes_q;
+  logic centres_values_23_votes_q;
   // hls/stages/contest.hpp:104
-  logic [12:0] z;
-  assign z = {1'b0, outside_s4_q} - {1'b0, inside_v_s4_q};
+  logic [11:0] z;
+  assign z = {1'b0, outside_s5_q} - {1'b0, inside_v_s5_q};
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -800,8 +1020,14 @@ module horopter_contest (
       centres_values_15_votes_q <= 1'b0;
       centres_values_16_votes_q <= 1'b0;
       centres_values_17_votes_q <= 1'b0;
-    end else if (s4_en) begin
-      centres_values_0_votes_q <= evident_s4_q & ((outside_s4_q < inside_v_s4_q) | not_328_s4_q);
+      centres_values_18_votes_q <= 1'b0;
+      centres_values_19_votes_q <= 1'b0;
+      centres_values_20_votes_q <= 1'b0;
+      centres_values_21_votes_q <= 1'b0;
+      centres_values_22_votes_q <= 1'b0;
+      centres_values_23_votes_q <= 1'b0;
+    end else if (s5_en) begin
+      centres_values_0_votes_q <= evident_s5_q & ((outside_s5_q < inside_v_s5_q) | not_436_s5_q);
       centres_values_1_votes_q <= centres_values_0_votes_q;
       centres_values_2_votes_q <= centres_values_1_votes_q;
       centres_values_3_votes_q <= centres_values_2_votes_q;
@@ -819,67 +1045,73 @@ module horopter_contest (
       centres_values_15_votes_q <= centres_values_14_votes_q;
       centres_values_16_votes_q <= centres_values_15_votes_q;
       centres_values_17_votes_q <= centres_values_16_votes_q;
+      centres_values_18_votes_q <= centres_values_17_votes_q;
+      centres_values_19_votes_q <= centres_values_18_votes_q;
+      centres_values_20_votes_q <= centres_values_19_votes_q;
+      centres_values_21_votes_q <= centres_values_20_votes_q;
+      centres_values_22_votes_q <= centres_values_21_votes_q;
+      centres_values_23_votes_q <= centres_values_22_votes_q;
     end
   end
-
-  logic strong_v_s5_q;
-  logic centres_values_17_votes_s5_q;
-  logic [5:0] centres_values_17_grey_s5_q;
-  logic centres_values_17_exists_s5_q;
-  logic centres_values_17_marks_first_s5_q;
-  logic centres_values_17_marks_last_s5_q;
-  logic less_276_s5_q;
-  logic [15:0] b_s5_q;
-  logic [12:0] z_s5_q;
-  logic less_318_s5_q;
-  logic or_337_s5_q;
-  always_ff @(posedge clk_i) begin
-    if (s4_en) begin
-      strong_v_s5_q <= strong_v_s4_q;
-      centres_values_17_votes_s5_q <= centres_values_17_votes_q;
-      centres_values_17_grey_s5_q <= centres_values_17_grey_s4_q;
-      centres_values_17_exists_s5_q <= centres_values_17_exists_s4_q;
-      centres_values_17_marks_first_s5_q <= centres_values_17_marks_first_s4_q;
-      centres_values_17_marks_last_s5_q <= centres_values_17_marks_last_s4_q;
-      less_276_s5_q <= less_276_s4_q;
-      b_s5_q <= b_s4_q;
-      z_s5_q <= z;
-      less_318_s5_q <= $signed(b_s4_q) < $signed({{3{z[12]}}, z});
-      or_337_s5_q <= or_337_s4_q;
-    end
-  end
-
-  // Stage 5 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/contest.hpp:105
-  logic [15:0] z_2;
-  assign z_2 = less_276_s5_q ? (less_318_s5_q ? b_s5_q : {{3{z_s5_q[12]}}, z_s5_q}) : {{3{z_s5_q[12]}}, z_s5_q};
 
   logic strong_v_s6_q;
-  logic centres_values_17_votes_s6_q;
-  logic [5:0] centres_values_17_grey_s6_q;
-  logic centres_values_17_exists_s6_q;
-  logic centres_values_17_marks_first_s6_q;
-  logic centres_values_17_marks_last_s6_q;
-  logic less_321_s6_q;
-  logic [5:0] select_323_s6_q;
-  logic less_331_s6_q;
-  logic or_337_s6_q;
+  logic centres_values_23_votes_s6_q;
+  logic [5:0] centres_values_23_grey_s6_q;
+  logic centres_values_23_exists_s6_q;
+  logic centres_values_23_marks_first_s6_q;
+  logic centres_values_23_marks_last_s6_q;
+  logic less_372_s6_q;
+  logic [14:0] b_s6_q;
+  logic [11:0] z_s6_q;
+  logic less_426_s6_q;
+  logic or_445_s6_q;
   always_ff @(posedge clk_i) begin
     if (s5_en) begin
       strong_v_s6_q <= strong_v_s5_q;
-      centres_values_17_votes_s6_q <= centres_values_17_votes_s5_q;
-      centres_values_17_grey_s6_q <= centres_values_17_grey_s5_q;
-      centres_values_17_exists_s6_q <= centres_values_17_exists_s5_q;
-      centres_values_17_marks_first_s6_q <= centres_values_17_marks_first_s5_q;
-      centres_values_17_marks_last_s6_q <= centres_values_17_marks_last_s5_q;
-      less_321_s6_q <= $signed(z_2[15:3]) < $signed(13'h1fe1);
-      select_323_s6_q <= ($signed(8'h0) < $signed(z_2[15:8])) ? 6'h1f : z_2[8:3];
-      less_331_s6_q <= $signed(z_2) < $signed(16'hfe01);
-      or_337_s6_q <= or_337_s5_q;
+      centres_values_23_votes_s6_q <= centres_values_23_votes_q;
+      centres_values_23_grey_s6_q <= centres_values_23_grey_s5_q;
+      centres_values_23_exists_s6_q <= centres_values_23_exists_s5_q;
+      centres_values_23_marks_first_s6_q <= centres_values_23_marks_first_s5_q;
+      centres_values_23_marks_last_s6_q <= centres_values_23_marks_last_s5_q;
+      less_372_s6_q <= less_372_s5_q;
+      b_s6_q <= b_s5_q;
+      z_s6_q <= z;
+      less_426_s6_q <= $signed(b_s5_q) < $signed({{3{z[11]}}, z});
+      or_445_s6_q <= or_445_s5_q;
     end
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
+  // hls/stages/contest.hpp:105
+  logic [14:0] z_2;
+  assign z_2 = less_372_s6_q ? (less_426_s6_q ? b_s6_q : {{3{z_s6_q[11]}}, z_s6_q}) : {{3{z_s6_q[11]}}, z_s6_q};
+
+  logic strong_v_s7_q;
+  logic centres_values_23_votes_s7_q;
+  logic [5:0] centres_values_23_grey_s7_q;
+  logic centres_values_23_exists_s7_q;
+  logic centres_values_23_marks_first_s7_q;
+  logic centres_values_23_marks_last_s7_q;
+  logic less_429_s7_q;
+  logic [5:0] select_431_s7_q;
+  logic less_439_s7_q;
+  logic or_445_s7_q;
+  always_ff @(posedge clk_i) begin
+    if (s6_en) begin
+      strong_v_s7_q <= strong_v_s6_q;
+      centres_values_23_votes_s7_q <= centres_values_23_votes_s6_q;
+      centres_values_23_grey_s7_q <= centres_values_23_grey_s6_q;
+      centres_values_23_exists_s7_q <= centres_values_23_exists_s6_q;
+      centres_values_23_marks_first_s7_q <= centres_values_23_marks_first_s6_q;
+      centres_values_23_marks_last_s7_q <= centres_values_23_marks_last_s6_q;
+      less_429_s7_q <= $signed(z_2[14:3]) < $signed(12'hfe1);
+      select_431_s7_q <= ($signed(7'h0) < $signed(z_2[14:8])) ? 6'h1f : z_2[8:3];
+      less_439_s7_q <= $signed(z_2) < $signed(15'h7e01);
+      or_445_s7_q <= or_445_s6_q;
+    end
+  end
+
+  // Stage 7 -----------------------------------------------------------------------------------------------------------
   logic [5:0] centres_values_0_clipped_q;
   logic centres_values_0_firm_q;
   logic [5:0] centres_values_1_clipped_q;
@@ -916,11 +1148,23 @@ module horopter_contest (
   logic centres_values_16_firm_q;
   logic [5:0] centres_values_17_clipped_q;
   logic centres_values_17_firm_q;
+  logic [5:0] centres_values_18_clipped_q;
+  logic centres_values_18_firm_q;
+  logic [5:0] centres_values_19_clipped_q;
+  logic centres_values_19_firm_q;
+  logic [5:0] centres_values_20_clipped_q;
+  logic centres_values_20_firm_q;
+  logic [5:0] centres_values_21_clipped_q;
+  logic centres_values_21_firm_q;
+  logic [5:0] centres_values_22_clipped_q;
+  logic centres_values_22_firm_q;
+  logic [5:0] centres_values_23_clipped_q;
+  logic centres_values_23_firm_q;
   // hls/stages/contest.hpp:61
-  logic [5:0] select_339;
-  assign select_339 = ($signed(6'h38) < $signed(centres_values_17_clipped_q)) ? 6'h38 : centres_values_17_clipped_q;
+  logic [5:0] select_447;
+  assign select_447 = ($signed(6'h38) < $signed(centres_values_23_clipped_q)) ? 6'h38 : centres_values_23_clipped_q;
   logic [5:0] clipped;
-  assign clipped = or_337_s6_q ? select_339 : centres_values_17_clipped_q;
+  assign clipped = or_445_s7_q ? select_447 : centres_values_23_clipped_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -960,9 +1204,21 @@ module horopter_contest (
       centres_values_16_firm_q <= 1'b0;
       centres_values_17_clipped_q <= 6'h0;
       centres_values_17_firm_q <= 1'b0;
-    end else if (s6_en) begin
-      centres_values_0_clipped_q <= less_321_s6_q ? 6'h21 : select_323_s6_q;
-      centres_values_0_firm_q <= strong_v_s6_q & less_331_s6_q;
+      centres_values_18_clipped_q <= 6'h0;
+      centres_values_18_firm_q <= 1'b0;
+      centres_values_19_clipped_q <= 6'h0;
+      centres_values_19_firm_q <= 1'b0;
+      centres_values_20_clipped_q <= 6'h0;
+      centres_values_20_firm_q <= 1'b0;
+      centres_values_21_clipped_q <= 6'h0;
+      centres_values_21_firm_q <= 1'b0;
+      centres_values_22_clipped_q <= 6'h0;
+      centres_values_22_firm_q <= 1'b0;
+      centres_values_23_clipped_q <= 6'h0;
+      centres_values_23_firm_q <= 1'b0;
+    end else if (s7_en) begin
+      centres_values_0_clipped_q <= less_429_s7_q ? 6'h21 : select_431_s7_q;
+      centres_values_0_firm_q <= strong_v_s7_q & less_439_s7_q;
       centres_values_1_clipped_q <= centres_values_0_clipped_q;
       centres_values_1_firm_q <= centres_values_0_firm_q;
       centres_values_2_clipped_q <= centres_values_1_clipped_q;
@@ -997,61 +1253,73 @@ module horopter_contest (
       centres_values_16_firm_q <= centres_values_15_firm_q;
       centres_values_17_clipped_q <= centres_values_16_clipped_q;
       centres_values_17_firm_q <= centres_values_16_firm_q;
+      centres_values_18_clipped_q <= centres_values_17_clipped_q;
+      centres_values_18_firm_q <= centres_values_17_firm_q;
+      centres_values_19_clipped_q <= centres_values_18_clipped_q;
+      centres_values_19_firm_q <= centres_values_18_firm_q;
+      centres_values_20_clipped_q <= centres_values_19_clipped_q;
+      centres_values_20_firm_q <= centres_values_19_firm_q;
+      centres_values_21_clipped_q <= centres_values_20_clipped_q;
+      centres_values_21_firm_q <= centres_values_20_firm_q;
+      centres_values_22_clipped_q <= centres_values_21_clipped_q;
+      centres_values_22_firm_q <= centres_values_21_firm_q;
+      centres_values_23_clipped_q <= centres_values_22_clipped_q;
+      centres_values_23_firm_q <= centres_values_22_firm_q;
     end
   end
 
-  logic centres_values_17_votes_s7_q;
-  logic centres_values_17_firm_s7_q;
-  logic [5:0] centres_values_17_grey_s7_q;
-  logic centres_values_17_exists_s7_q;
-  logic centres_values_17_marks_first_s7_q;
-  logic centres_values_17_marks_last_s7_q;
-  logic [5:0] clipped_s7_q;
-  always_ff @(posedge clk_i) begin
-    if (s6_en) begin
-      centres_values_17_votes_s7_q <= centres_values_17_votes_s6_q;
-      centres_values_17_firm_s7_q <= centres_values_17_firm_q;
-      centres_values_17_grey_s7_q <= centres_values_17_grey_s6_q;
-      centres_values_17_exists_s7_q <= centres_values_17_exists_s6_q;
-      centres_values_17_marks_first_s7_q <= centres_values_17_marks_first_s6_q;
-      centres_values_17_marks_last_s7_q <= centres_values_17_marks_last_s6_q;
-      clipped_s7_q <= clipped;
-    end
-  end
-
-  // Stage 7 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/contest.hpp:63
-  logic and_343;
-  assign and_343 = centres_values_17_votes_s7_q & (~(clipped_s7_q == 6'h0));
-  // hls/stages/contest.hpp:67
-  logic [6:0] select_345;
-  assign select_345 = and_343 ? ({3'h0, cfg_bias_i} + {clipped_s7_q[5], clipped_s7_q}) : 7'h0;
-
-  logic [5:0] centres_values_17_grey_s8_q;
-  logic centres_values_17_exists_s8_q;
-  logic centres_values_17_marks_first_s8_q;
-  logic centres_values_17_marks_last_s8_q;
-  logic [6:0] select_345_s8_q;
-  logic and_346_s8_q;
+  logic centres_values_23_votes_s8_q;
+  logic centres_values_23_firm_s8_q;
+  logic [5:0] centres_values_23_grey_s8_q;
+  logic centres_values_23_exists_s8_q;
+  logic centres_values_23_marks_first_s8_q;
+  logic centres_values_23_marks_last_s8_q;
+  logic [5:0] clipped_s8_q;
   always_ff @(posedge clk_i) begin
     if (s7_en) begin
-      centres_values_17_grey_s8_q <= centres_values_17_grey_s7_q;
-      centres_values_17_exists_s8_q <= centres_values_17_exists_s7_q;
-      centres_values_17_marks_first_s8_q <= centres_values_17_marks_first_s7_q;
-      centres_values_17_marks_last_s8_q <= centres_values_17_marks_last_s7_q;
-      select_345_s8_q <= select_345;
-      and_346_s8_q <= centres_values_17_firm_s7_q & and_343;
+      centres_values_23_votes_s8_q <= centres_values_23_votes_s7_q;
+      centres_values_23_firm_s8_q <= centres_values_23_firm_q;
+      centres_values_23_grey_s8_q <= centres_values_23_grey_s7_q;
+      centres_values_23_exists_s8_q <= centres_values_23_exists_s7_q;
+      centres_values_23_marks_first_s8_q <= centres_values_23_marks_first_s7_q;
+      centres_values_23_marks_last_s8_q <= centres_values_23_marks_last_s7_q;
+      clipped_s8_q <= clipped;
+    end
+  end
+
+  // Stage 8 -----------------------------------------------------------------------------------------------------------
+  // hls/stages/contest.hpp:63
+  logic and_451;
+  assign and_451 = centres_values_23_votes_s8_q & (~(clipped_s8_q == 6'h0));
+  // hls/stages/contest.hpp:67
+  logic [6:0] select_453;
+  assign select_453 = and_451 ? ({3'h0, cfg_bias_i} + {clipped_s8_q[5], clipped_s8_q}) : 7'h0;
+
+  logic [5:0] centres_values_23_grey_s9_q;
+  logic centres_values_23_exists_s9_q;
+  logic centres_values_23_marks_first_s9_q;
+  logic centres_values_23_marks_last_s9_q;
+  logic [6:0] select_453_s9_q;
+  logic and_454_s9_q;
+  always_ff @(posedge clk_i) begin
+    if (s8_en) begin
+      centres_values_23_grey_s9_q <= centres_values_23_grey_s8_q;
+      centres_values_23_exists_s9_q <= centres_values_23_exists_s8_q;
+      centres_values_23_marks_first_s9_q <= centres_values_23_marks_first_s8_q;
+      centres_values_23_marks_last_s9_q <= centres_values_23_marks_last_s8_q;
+      select_453_s9_q <= select_453;
+      and_454_s9_q <= centres_values_23_firm_s8_q & and_451;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign vote_o = select_345_s8_q;
-  assign firm_o = and_346_s8_q;
-  assign grey_o = centres_values_17_grey_s8_q;
-  assign exists_o = centres_values_17_exists_s8_q;
-  assign marks_first_o = centres_values_17_marks_first_s8_q;
-  assign marks_last_o = centres_values_17_marks_last_s8_q;
-  assign valid_o = valid_s8_q;
+  assign vote_o = select_453_s9_q;
+  assign firm_o = and_454_s9_q;
+  assign grey_o = centres_values_23_grey_s9_q;
+  assign exists_o = centres_values_23_exists_s9_q;
+  assign marks_first_o = centres_values_23_marks_first_s9_q;
+  assign marks_last_o = centres_values_23_marks_last_s9_q;
+  assign valid_o = valid_s9_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -1063,6 +1331,7 @@ module horopter_contest (
       valid_s6_q <= 1'b0;
       valid_s7_q <= 1'b0;
       valid_s8_q <= 1'b0;
+      valid_s9_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
       valid_s2_q <= valid_s1_q;
@@ -1072,11 +1341,12 @@ module horopter_contest (
       valid_s6_q <= valid_s5_q;
       valid_s7_q <= valid_s6_q;
       valid_s8_q <= valid_s7_q;
+      valid_s9_q <= valid_s8_q;
     end
   end
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_296[0], sum_292[0], sum_285[0], sum_281[0]};
+  assign unused_bits = ^{sum_392[0], sum_388[0], sum_381[0], sum_377[0]};
 
 endmodule

@@ -3,7 +3,7 @@
 //
 // Latency 7 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 2544 bits, pipeline 1144 bits, memories 449280 bits.
+// State 3510 bits, pipeline 1486 bits, memories 541440 bits.
 module horopter_plane_sums (
   input  logic clk_i,
   input  logic rst_ni,
@@ -30,6 +30,12 @@ module horopter_plane_sums (
   output logic [10:0] sum_10_o,
   output logic [10:0] sum_11_o,
   output logic [10:0] sum_12_o,
+  output logic [10:0] sum_13_o,
+  output logic [10:0] sum_14_o,
+  output logic [10:0] sum_15_o,
+  output logic [10:0] sum_16_o,
+  output logic [10:0] sum_17_o,
+  output logic [10:0] sum_18_o,
   output logic [10:0] evidence_o,
   output logic [5:0] grey_o,
   output logic known_o,
@@ -90,11 +96,23 @@ module horopter_plane_sums (
   logic seen_values_17_exists_q;
   logic [5:0] seen_values_18_grey_q;
   logic seen_values_18_exists_q;
+  logic [5:0] seen_values_19_grey_q;
+  logic seen_values_19_exists_q;
+  logic [5:0] seen_values_20_grey_q;
+  logic seen_values_20_exists_q;
+  logic [5:0] seen_values_21_grey_q;
+  logic seen_values_21_exists_q;
+  logic [5:0] seen_values_22_grey_q;
+  logic seen_values_22_exists_q;
+  logic [5:0] seen_values_23_grey_q;
+  logic seen_values_23_exists_q;
+  logic [5:0] seen_values_24_grey_q;
+  logic seen_values_24_exists_q;
   // hls/stages/plane_sums.hpp:63
-  logic or_473;
-  assign or_473 = marks_first_i | arriving_row_ended_q;
-  logic [10:0] select_474;
-  assign select_474 = or_473 ? 11'h0 : arriving_column_q;
+  logic or_629;
+  assign or_629 = marks_first_i | arriving_row_ended_q;
+  logic [10:0] select_630;
+  assign select_630 = or_629 ? 11'h0 : arriving_column_q;
 
   // Memory feature_memory, 1920 x 91, DISTANCE 16, hls/stages/plane_sums.hpp:166; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -104,7 +122,7 @@ module horopter_plane_sums (
   initial for (int i = 0; i < 1920; i++) feature_memory_mem[i] = 91'h0;
 `endif
   logic [10:0] feature_memory_raddr;
-  assign feature_memory_raddr = select_474;
+  assign feature_memory_raddr = select_630;
   logic feature_memory_re;
   assign feature_memory_re = s0_en;
   logic [90:0] feature_memory_rdata_q;
@@ -154,8 +172,20 @@ module horopter_plane_sums (
       seen_values_17_exists_q <= 1'b0;
       seen_values_18_grey_q <= 6'h0;
       seen_values_18_exists_q <= 1'b0;
+      seen_values_19_grey_q <= 6'h0;
+      seen_values_19_exists_q <= 1'b0;
+      seen_values_20_grey_q <= 6'h0;
+      seen_values_20_exists_q <= 1'b0;
+      seen_values_21_grey_q <= 6'h0;
+      seen_values_21_exists_q <= 1'b0;
+      seen_values_22_grey_q <= 6'h0;
+      seen_values_22_exists_q <= 1'b0;
+      seen_values_23_grey_q <= 6'h0;
+      seen_values_23_exists_q <= 1'b0;
+      seen_values_24_grey_q <= 6'h0;
+      seen_values_24_exists_q <= 1'b0;
     end else if (s0_en) begin
-      arriving_column_q <= select_474 + 11'h1;
+      arriving_column_q <= select_630 + 11'h1;
       arriving_row_ended_q <= marks_last_i;
       seen_values_0_grey_q <= grey_i[7:2];
       seen_values_0_exists_q <= exists_i;
@@ -195,6 +225,18 @@ module horopter_plane_sums (
       seen_values_17_exists_q <= seen_values_16_exists_q;
       seen_values_18_grey_q <= seen_values_17_grey_q;
       seen_values_18_exists_q <= seen_values_17_exists_q;
+      seen_values_19_grey_q <= seen_values_18_grey_q;
+      seen_values_19_exists_q <= seen_values_18_exists_q;
+      seen_values_20_grey_q <= seen_values_19_grey_q;
+      seen_values_20_exists_q <= seen_values_19_exists_q;
+      seen_values_21_grey_q <= seen_values_20_grey_q;
+      seen_values_21_exists_q <= seen_values_20_exists_q;
+      seen_values_22_grey_q <= seen_values_21_grey_q;
+      seen_values_22_exists_q <= seen_values_21_exists_q;
+      seen_values_23_grey_q <= seen_values_22_grey_q;
+      seen_values_23_exists_q <= seen_values_22_exists_q;
+      seen_values_24_grey_q <= seen_values_23_grey_q;
+      seen_values_24_exists_q <= seen_values_23_exists_q;
     end
   end
 
@@ -202,20 +244,20 @@ module horopter_plane_sums (
   logic [5:0] right_s1_q;
   logic mask_s1_q;
   logic marks_first_s1_q;
-  logic [5:0] seen_values_18_grey_s1_q;
-  logic seen_values_18_exists_s1_q;
-  logic or_473_s1_q;
-  logic [10:0] select_474_s1_q;
+  logic [5:0] seen_values_24_grey_s1_q;
+  logic seen_values_24_exists_s1_q;
+  logic or_629_s1_q;
+  logic [10:0] select_630_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       left_s1_q <= $unsigned(left_i);
       right_s1_q <= $unsigned(right_i);
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;
-      seen_values_18_grey_s1_q <= seen_values_18_grey_q;
-      seen_values_18_exists_s1_q <= seen_values_18_exists_q;
-      or_473_s1_q <= or_473;
-      select_474_s1_q <= select_474;
+      seen_values_24_grey_s1_q <= seen_values_24_grey_q;
+      seen_values_24_exists_s1_q <= seen_values_24_exists_q;
+      or_629_s1_q <= or_629;
+      select_630_s1_q <= select_630;
     end
   end
 
@@ -256,11 +298,17 @@ module horopter_plane_sums (
   logic [5:0] entering_values_16_features_right_q;
   logic [5:0] entering_values_17_features_left_q;
   logic [5:0] entering_values_17_features_right_q;
+  logic [5:0] entering_values_18_features_left_q;
   logic [5:0] entering_values_18_features_right_q;
+  logic [5:0] entering_values_19_features_left_q;
   logic [5:0] entering_values_19_features_right_q;
+  logic [5:0] entering_values_20_features_left_q;
   logic [5:0] entering_values_20_features_right_q;
+  logic [5:0] entering_values_21_features_left_q;
   logic [5:0] entering_values_21_features_right_q;
+  logic [5:0] entering_values_22_features_left_q;
   logic [5:0] entering_values_22_features_right_q;
+  logic [5:0] entering_values_23_features_left_q;
   logic [5:0] entering_values_23_features_right_q;
   logic [5:0] entering_values_24_features_right_q;
   logic [5:0] entering_values_25_features_right_q;
@@ -274,6 +322,18 @@ module horopter_plane_sums (
   logic [5:0] entering_values_33_features_right_q;
   logic [5:0] entering_values_34_features_right_q;
   logic [5:0] entering_values_35_features_right_q;
+  logic [5:0] entering_values_36_features_right_q;
+  logic [5:0] entering_values_37_features_right_q;
+  logic [5:0] entering_values_38_features_right_q;
+  logic [5:0] entering_values_39_features_right_q;
+  logic [5:0] entering_values_40_features_right_q;
+  logic [5:0] entering_values_41_features_right_q;
+  logic [5:0] entering_values_42_features_right_q;
+  logic [5:0] entering_values_43_features_right_q;
+  logic [5:0] entering_values_44_features_right_q;
+  logic [5:0] entering_values_45_features_right_q;
+  logic [5:0] entering_values_46_features_right_q;
+  logic [5:0] entering_values_47_features_right_q;
   logic [5:0] leaving_values_0_features_left_q;
   logic [5:0] leaving_values_0_features_right_q;
   logic [5:0] leaving_values_1_features_left_q;
@@ -310,11 +370,17 @@ module horopter_plane_sums (
   logic [5:0] leaving_values_16_features_right_q;
   logic [5:0] leaving_values_17_features_left_q;
   logic [5:0] leaving_values_17_features_right_q;
+  logic [5:0] leaving_values_18_features_left_q;
   logic [5:0] leaving_values_18_features_right_q;
+  logic [5:0] leaving_values_19_features_left_q;
   logic [5:0] leaving_values_19_features_right_q;
+  logic [5:0] leaving_values_20_features_left_q;
   logic [5:0] leaving_values_20_features_right_q;
+  logic [5:0] leaving_values_21_features_left_q;
   logic [5:0] leaving_values_21_features_right_q;
+  logic [5:0] leaving_values_22_features_left_q;
   logic [5:0] leaving_values_22_features_right_q;
+  logic [5:0] leaving_values_23_features_left_q;
   logic [5:0] leaving_values_23_features_right_q;
   logic [5:0] leaving_values_24_features_right_q;
   logic [5:0] leaving_values_25_features_right_q;
@@ -328,6 +394,18 @@ module horopter_plane_sums (
   logic [5:0] leaving_values_33_features_right_q;
   logic [5:0] leaving_values_34_features_right_q;
   logic [5:0] leaving_values_35_features_right_q;
+  logic [5:0] leaving_values_36_features_right_q;
+  logic [5:0] leaving_values_37_features_right_q;
+  logic [5:0] leaving_values_38_features_right_q;
+  logic [5:0] leaving_values_39_features_right_q;
+  logic [5:0] leaving_values_40_features_right_q;
+  logic [5:0] leaving_values_41_features_right_q;
+  logic [5:0] leaving_values_42_features_right_q;
+  logic [5:0] leaving_values_43_features_right_q;
+  logic [5:0] leaving_values_44_features_right_q;
+  logic [5:0] leaving_values_45_features_right_q;
+  logic [5:0] leaving_values_46_features_right_q;
+  logic [5:0] leaving_values_47_features_right_q;
   logic marks_values_0_first_q;
   logic marks_values_0_last_q;
   logic marks_values_1_first_q;
@@ -368,11 +446,23 @@ module horopter_plane_sums (
   logic marks_values_18_last_q;
   logic marks_values_19_first_q;
   logic marks_values_19_last_q;
+  logic marks_values_20_first_q;
+  logic marks_values_20_last_q;
+  logic marks_values_21_first_q;
+  logic marks_values_21_last_q;
+  logic marks_values_22_first_q;
+  logic marks_values_22_last_q;
+  logic marks_values_23_first_q;
+  logic marks_values_23_last_q;
+  logic marks_values_24_first_q;
+  logic marks_values_24_last_q;
+  logic marks_values_25_first_q;
+  logic marks_values_25_last_q;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_746;
-  assign difference_746 = {entering_values_17_features_left_q[5], entering_values_17_features_left_q} - {entering_values_35_features_right_q[5], entering_values_35_features_right_q};
-  logic [6:0] difference_754;
-  assign difference_754 = {leaving_values_17_features_left_q[5], leaving_values_17_features_left_q} - {leaving_values_35_features_right_q[5], leaving_values_35_features_right_q};
+  logic [6:0] difference_1034;
+  assign difference_1034 = {entering_values_23_features_left_q[5], entering_values_23_features_left_q} - {entering_values_47_features_right_q[5], entering_values_47_features_right_q};
+  logic [6:0] difference_1042;
+  assign difference_1042 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_47_features_right_q[5], leaving_values_47_features_right_q};
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -412,11 +502,17 @@ module horopter_plane_sums (
       entering_values_16_features_right_q <= 6'h0;
       entering_values_17_features_left_q <= 6'h0;
       entering_values_17_features_right_q <= 6'h0;
+      entering_values_18_features_left_q <= 6'h0;
       entering_values_18_features_right_q <= 6'h0;
+      entering_values_19_features_left_q <= 6'h0;
       entering_values_19_features_right_q <= 6'h0;
+      entering_values_20_features_left_q <= 6'h0;
       entering_values_20_features_right_q <= 6'h0;
+      entering_values_21_features_left_q <= 6'h0;
       entering_values_21_features_right_q <= 6'h0;
+      entering_values_22_features_left_q <= 6'h0;
       entering_values_22_features_right_q <= 6'h0;
+      entering_values_23_features_left_q <= 6'h0;
       entering_values_23_features_right_q <= 6'h0;
       entering_values_24_features_right_q <= 6'h0;
       entering_values_25_features_right_q <= 6'h0;
@@ -430,6 +526,18 @@ module horopter_plane_sums (
       entering_values_33_features_right_q <= 6'h0;
       entering_values_34_features_right_q <= 6'h0;
       entering_values_35_features_right_q <= 6'h0;
+      entering_values_36_features_right_q <= 6'h0;
+      entering_values_37_features_right_q <= 6'h0;
+      entering_values_38_features_right_q <= 6'h0;
+      entering_values_39_features_right_q <= 6'h0;
+      entering_values_40_features_right_q <= 6'h0;
+      entering_values_41_features_right_q <= 6'h0;
+      entering_values_42_features_right_q <= 6'h0;
+      entering_values_43_features_right_q <= 6'h0;
+      entering_values_44_features_right_q <= 6'h0;
+      entering_values_45_features_right_q <= 6'h0;
+      entering_values_46_features_right_q <= 6'h0;
+      entering_values_47_features_right_q <= 6'h0;
       leaving_values_0_features_left_q <= 6'h0;
       leaving_values_0_features_right_q <= 6'h0;
       leaving_values_1_features_left_q <= 6'h0;
@@ -466,11 +574,17 @@ module horopter_plane_sums (
       leaving_values_16_features_right_q <= 6'h0;
       leaving_values_17_features_left_q <= 6'h0;
       leaving_values_17_features_right_q <= 6'h0;
+      leaving_values_18_features_left_q <= 6'h0;
       leaving_values_18_features_right_q <= 6'h0;
+      leaving_values_19_features_left_q <= 6'h0;
       leaving_values_19_features_right_q <= 6'h0;
+      leaving_values_20_features_left_q <= 6'h0;
       leaving_values_20_features_right_q <= 6'h0;
+      leaving_values_21_features_left_q <= 6'h0;
       leaving_values_21_features_right_q <= 6'h0;
+      leaving_values_22_features_left_q <= 6'h0;
       leaving_values_22_features_right_q <= 6'h0;
+      leaving_values_23_features_left_q <= 6'h0;
       leaving_values_23_features_right_q <= 6'h0;
       leaving_values_24_features_right_q <= 6'h0;
       leaving_values_25_features_right_q <= 6'h0;
@@ -484,6 +598,18 @@ module horopter_plane_sums (
       leaving_values_33_features_right_q <= 6'h0;
       leaving_values_34_features_right_q <= 6'h0;
       leaving_values_35_features_right_q <= 6'h0;
+      leaving_values_36_features_right_q <= 6'h0;
+      leaving_values_37_features_right_q <= 6'h0;
+      leaving_values_38_features_right_q <= 6'h0;
+      leaving_values_39_features_right_q <= 6'h0;
+      leaving_values_40_features_right_q <= 6'h0;
+      leaving_values_41_features_right_q <= 6'h0;
+      leaving_values_42_features_right_q <= 6'h0;
+      leaving_values_43_features_right_q <= 6'h0;
+      leaving_values_44_features_right_q <= 6'h0;
+      leaving_values_45_features_right_q <= 6'h0;
+      leaving_values_46_features_right_q <= 6'h0;
+      leaving_values_47_features_right_q <= 6'h0;
       marks_values_0_first_q <= 1'b0;
       marks_values_0_last_q <= 1'b0;
       marks_values_1_first_q <= 1'b0;
@@ -524,6 +650,18 @@ module horopter_plane_sums (
       marks_values_18_last_q <= 1'b0;
       marks_values_19_first_q <= 1'b0;
       marks_values_19_last_q <= 1'b0;
+      marks_values_20_first_q <= 1'b0;
+      marks_values_20_last_q <= 1'b0;
+      marks_values_21_first_q <= 1'b0;
+      marks_values_21_last_q <= 1'b0;
+      marks_values_22_first_q <= 1'b0;
+      marks_values_22_last_q <= 1'b0;
+      marks_values_23_first_q <= 1'b0;
+      marks_values_23_last_q <= 1'b0;
+      marks_values_24_first_q <= 1'b0;
+      marks_values_24_last_q <= 1'b0;
+      marks_values_25_first_q <= 1'b0;
+      marks_values_25_last_q <= 1'b0;
     end else if (s1_en) begin
       entering_values_0_features_left_q <= left_s1_q;
       entering_values_0_features_right_q <= right_s1_q;
@@ -561,11 +699,17 @@ module horopter_plane_sums (
       entering_values_16_features_right_q <= entering_values_15_features_right_q;
       entering_values_17_features_left_q <= entering_values_16_features_left_q;
       entering_values_17_features_right_q <= entering_values_16_features_right_q;
+      entering_values_18_features_left_q <= entering_values_17_features_left_q;
       entering_values_18_features_right_q <= entering_values_17_features_right_q;
+      entering_values_19_features_left_q <= entering_values_18_features_left_q;
       entering_values_19_features_right_q <= entering_values_18_features_right_q;
+      entering_values_20_features_left_q <= entering_values_19_features_left_q;
       entering_values_20_features_right_q <= entering_values_19_features_right_q;
+      entering_values_21_features_left_q <= entering_values_20_features_left_q;
       entering_values_21_features_right_q <= entering_values_20_features_right_q;
+      entering_values_22_features_left_q <= entering_values_21_features_left_q;
       entering_values_22_features_right_q <= entering_values_21_features_right_q;
+      entering_values_23_features_left_q <= entering_values_22_features_left_q;
       entering_values_23_features_right_q <= entering_values_22_features_right_q;
       entering_values_24_features_right_q <= entering_values_23_features_right_q;
       entering_values_25_features_right_q <= entering_values_24_features_right_q;
@@ -579,6 +723,18 @@ module horopter_plane_sums (
       entering_values_33_features_right_q <= entering_values_32_features_right_q;
       entering_values_34_features_right_q <= entering_values_33_features_right_q;
       entering_values_35_features_right_q <= entering_values_34_features_right_q;
+      entering_values_36_features_right_q <= entering_values_35_features_right_q;
+      entering_values_37_features_right_q <= entering_values_36_features_right_q;
+      entering_values_38_features_right_q <= entering_values_37_features_right_q;
+      entering_values_39_features_right_q <= entering_values_38_features_right_q;
+      entering_values_40_features_right_q <= entering_values_39_features_right_q;
+      entering_values_41_features_right_q <= entering_values_40_features_right_q;
+      entering_values_42_features_right_q <= entering_values_41_features_right_q;
+      entering_values_43_features_right_q <= entering_values_42_features_right_q;
+      entering_values_44_features_right_q <= entering_values_43_features_right_q;
+      entering_values_45_features_right_q <= entering_values_44_features_right_q;
+      entering_values_46_features_right_q <= entering_values_45_features_right_q;
+      entering_values_47_features_right_q <= entering_values_46_features_right_q;
       leaving_values_0_features_left_q <= feature_memory_rdata_q[83:78];
       leaving_values_0_features_right_q <= feature_memory_rdata_q[89:84];
       leaving_values_1_features_left_q <= leaving_values_0_features_left_q;
@@ -615,11 +771,17 @@ module horopter_plane_sums (
       leaving_values_16_features_right_q <= leaving_values_15_features_right_q;
       leaving_values_17_features_left_q <= leaving_values_16_features_left_q;
       leaving_values_17_features_right_q <= leaving_values_16_features_right_q;
+      leaving_values_18_features_left_q <= leaving_values_17_features_left_q;
       leaving_values_18_features_right_q <= leaving_values_17_features_right_q;
+      leaving_values_19_features_left_q <= leaving_values_18_features_left_q;
       leaving_values_19_features_right_q <= leaving_values_18_features_right_q;
+      leaving_values_20_features_left_q <= leaving_values_19_features_left_q;
       leaving_values_20_features_right_q <= leaving_values_19_features_right_q;
+      leaving_values_21_features_left_q <= leaving_values_20_features_left_q;
       leaving_values_21_features_right_q <= leaving_values_20_features_right_q;
+      leaving_values_22_features_left_q <= leaving_values_21_features_left_q;
       leaving_values_22_features_right_q <= leaving_values_21_features_right_q;
+      leaving_values_23_features_left_q <= leaving_values_22_features_left_q;
       leaving_values_23_features_right_q <= leaving_values_22_features_right_q;
       leaving_values_24_features_right_q <= leaving_values_23_features_right_q;
       leaving_values_25_features_right_q <= leaving_values_24_features_right_q;
@@ -633,6 +795,18 @@ module horopter_plane_sums (
       leaving_values_33_features_right_q <= leaving_values_32_features_right_q;
       leaving_values_34_features_right_q <= leaving_values_33_features_right_q;
       leaving_values_35_features_right_q <= leaving_values_34_features_right_q;
+      leaving_values_36_features_right_q <= leaving_values_35_features_right_q;
+      leaving_values_37_features_right_q <= leaving_values_36_features_right_q;
+      leaving_values_38_features_right_q <= leaving_values_37_features_right_q;
+      leaving_values_39_features_right_q <= leaving_values_38_features_right_q;
+      leaving_values_40_features_right_q <= leaving_values_39_features_right_q;
+      leaving_values_41_features_right_q <= leaving_values_40_features_right_q;
+      leaving_values_42_features_right_q <= leaving_values_41_features_right_q;
+      leaving_values_43_features_right_q <= leaving_values_42_features_right_q;
+      leaving_values_44_features_right_q <= leaving_values_43_features_right_q;
+      leaving_values_45_features_right_q <= leaving_values_44_features_right_q;
+      leaving_values_46_features_right_q <= leaving_values_45_features_right_q;
+      leaving_values_47_features_right_q <= leaving_values_46_features_right_q;
       marks_values_0_first_q <= marks_first_s1_q;
       marks_values_0_last_q <= arriving_row_ended_q;
       marks_values_1_first_q <= marks_values_0_first_q;
@@ -673,35 +847,47 @@ module horopter_plane_sums (
       marks_values_18_last_q <= marks_values_17_last_q;
       marks_values_19_first_q <= marks_values_18_first_q;
       marks_values_19_last_q <= marks_values_18_last_q;
+      marks_values_20_first_q <= marks_values_19_first_q;
+      marks_values_20_last_q <= marks_values_19_last_q;
+      marks_values_21_first_q <= marks_values_20_first_q;
+      marks_values_21_last_q <= marks_values_20_last_q;
+      marks_values_22_first_q <= marks_values_21_first_q;
+      marks_values_22_last_q <= marks_values_21_last_q;
+      marks_values_23_first_q <= marks_values_22_first_q;
+      marks_values_23_last_q <= marks_values_22_last_q;
+      marks_values_24_first_q <= marks_values_23_first_q;
+      marks_values_24_last_q <= marks_values_23_last_q;
+      marks_values_25_first_q <= marks_values_24_first_q;
+      marks_values_25_last_q <= marks_values_24_last_q;
     end
   end
 
   logic mask_s2_q;
-  logic [5:0] entering_values_17_features_left_s2_q;
-  logic [5:0] leaving_values_17_features_left_s2_q;
-  logic marks_values_19_first_s2_q;
-  logic marks_values_19_last_s2_q;
-  logic [5:0] seen_values_18_grey_s2_q;
-  logic seen_values_18_exists_s2_q;
-  logic or_473_s2_q;
-  logic [10:0] select_474_s2_q;
+  logic [5:0] entering_values_23_features_left_s2_q;
+  logic [5:0] leaving_values_23_features_left_s2_q;
+  logic marks_values_25_first_s2_q;
+  logic marks_values_25_last_s2_q;
+  logic [5:0] seen_values_24_grey_s2_q;
+  logic seen_values_24_exists_s2_q;
+  logic or_629_s2_q;
+  logic [10:0] select_630_s2_q;
   logic [78:0] feature_memory_rdata_s2_q;
-  logic [6:0] difference_746_s2_q;
-  logic [6:0] difference_754_s2_q;
+  logic [6:0] difference_1034_s2_q;
+  logic [6:0] difference_1042_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       mask_s2_q <= mask_s1_q;
-      entering_values_17_features_left_s2_q <= entering_values_17_features_left_q;
-      leaving_values_17_features_left_s2_q <= leaving_values_17_features_left_q;
-      marks_values_19_first_s2_q <= marks_values_19_first_q;
-      marks_values_19_last_s2_q <= marks_values_19_last_q;
-      seen_values_18_grey_s2_q <= seen_values_18_grey_s1_q;
-      seen_values_18_exists_s2_q <= seen_values_18_exists_s1_q;
-      or_473_s2_q <= or_473_s1_q;
-      select_474_s2_q <= select_474_s1_q;
+      entering_values_23_features_left_s2_q <= entering_values_23_features_left_q;
+      leaving_values_23_features_left_s2_q <= leaving_values_23_features_left_q;
+      marks_values_25_first_s2_q <= marks_values_25_first_q;
+      marks_values_25_last_s2_q <= marks_values_25_last_q;
+      seen_values_24_grey_s2_q <= seen_values_24_grey_s1_q;
+      seen_values_24_exists_s2_q <= seen_values_24_exists_s1_q;
+      or_629_s2_q <= or_629_s1_q;
+      select_630_s2_q <= select_630_s1_q;
       feature_memory_rdata_s2_q <= {feature_memory_rdata_q[90], feature_memory_rdata_q[77:0]};
-      difference_746_s2_q <= difference_746;
-      difference_754_s2_q <= difference_754;
+      difference_1034_s2_q <= difference_1034;
+      difference_1042_s2_q <= difference_1042;
     end
   end
 
@@ -711,106 +897,130 @@ module horopter_plane_sums (
   logic delayed_row_ended_q;
   logic running_q;
   // hls/stages/plane_sums.hpp:81
-  logic or_476;
-  assign or_476 = delayed_row_ended_q | marks_values_19_first_s2_q;
-  logic [10:0] select_477;
-  assign select_477 = or_476 ? 11'h0 : delayed_column_q;
+  logic or_632;
+  assign or_632 = delayed_row_ended_q | marks_values_25_first_s2_q;
+  logic [10:0] select_633;
+  assign select_633 = or_632 ? 11'h0 : delayed_column_q;
   // hls/stages/plane_sums.hpp:82
-  logic or_478;
-  assign or_478 = running_q | marks_values_19_first_s2_q;
+  logic or_634;
+  assign or_634 = running_q | marks_values_25_first_s2_q;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_489;
-  assign difference_489 = {entering_values_17_features_left_s2_q[5], entering_values_17_features_left_s2_q} - {entering_values_0_features_right_q[5], entering_values_0_features_right_q};
+  logic [6:0] difference_645;
+  assign difference_645 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_0_features_right_q[5], entering_values_0_features_right_q};
   // hls/stages/plane_sums.hpp:63
-  logic [2:0] select_496;
-  assign select_496 = marks_values_0_first_q ? 3'h0 : arriving_rows_q;
-  logic equal_497;
-  assign equal_497 = select_496 == 3'h7;
+  logic [2:0] select_652;
+  assign select_652 = marks_values_0_first_q ? 3'h0 : arriving_rows_q;
+  logic equal_653;
+  assign equal_653 = select_652 == 3'h7;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_500;
-  assign difference_500 = {leaving_values_17_features_left_s2_q[5], leaving_values_17_features_left_s2_q} - {leaving_values_0_features_right_q[5], leaving_values_0_features_right_q};
-  logic [6:0] difference_514;
-  assign difference_514 = {entering_values_17_features_left_s2_q[5], entering_values_17_features_left_s2_q} - {entering_values_8_features_right_q[5], entering_values_8_features_right_q};
-  logic [6:0] difference_522;
-  assign difference_522 = {leaving_values_17_features_left_s2_q[5], leaving_values_17_features_left_s2_q} - {leaving_values_8_features_right_q[5], leaving_values_8_features_right_q};
-  logic [6:0] difference_536;
-  assign difference_536 = {entering_values_17_features_left_s2_q[5], entering_values_17_features_left_s2_q} - {entering_values_12_features_right_q[5], entering_values_12_features_right_q};
-  logic [6:0] difference_544;
-  assign difference_544 = {leaving_values_17_features_left_s2_q[5], leaving_values_17_features_left_s2_q} - {leaving_values_12_features_right_q[5], leaving_values_12_features_right_q};
-  logic [6:0] difference_558;
-  assign difference_558 = {entering_values_17_features_left_s2_q[5], entering_values_17_features_left_s2_q} - {entering_values_15_features_right_q[5], entering_values_15_features_right_q};
-  logic [6:0] difference_566;
-  assign difference_566 = {leaving_values_17_features_left_s2_q[5], leaving_values_17_features_left_s2_q} - {leaving_values_15_features_right_q[5], leaving_values_15_features_right_q};
-  logic [6:0] difference_580;
-  assign difference_580 = {entering_values_17_features_left_s2_q[5], entering_values_17_features_left_s2_q} - {entering_values_16_features_right_q[5], entering_values_16_features_right_q};
-  logic [6:0] difference_588;
-  assign difference_588 = {leaving_values_17_features_left_s2_q[5], leaving_values_17_features_left_s2_q} - {leaving_values_16_features_right_q[5], leaving_values_16_features_right_q};
-  logic [6:0] difference_602;
-  assign difference_602 = {entering_values_17_features_left_s2_q[5], entering_values_17_features_left_s2_q} - {entering_values_17_features_right_q[5], entering_values_17_features_right_q};
-  logic [6:0] difference_610;
-  assign difference_610 = {leaving_values_17_features_left_s2_q[5], leaving_values_17_features_left_s2_q} - {leaving_values_17_features_right_q[5], leaving_values_17_features_right_q};
-  logic [6:0] difference_621;
-  assign difference_621 = {entering_values_17_features_left_s2_q[5], entering_values_17_features_left_s2_q} - {entering_values_18_features_right_q[5], entering_values_18_features_right_q};
-  logic [6:0] difference_627;
-  assign difference_627 = {leaving_values_17_features_left_s2_q[5], leaving_values_17_features_left_s2_q} - {leaving_values_18_features_right_q[5], leaving_values_18_features_right_q};
-  logic [6:0] difference_640;
-  assign difference_640 = {entering_values_17_features_left_s2_q[5], entering_values_17_features_left_s2_q} - {entering_values_19_features_right_q[5], entering_values_19_features_right_q};
-  logic [6:0] difference_648;
-  assign difference_648 = {leaving_values_17_features_left_s2_q[5], leaving_values_17_features_left_s2_q} - {leaving_values_19_features_right_q[5], leaving_values_19_features_right_q};
-  logic [6:0] difference_662;
-  assign difference_662 = {entering_values_17_features_left_s2_q[5], entering_values_17_features_left_s2_q} - {entering_values_20_features_right_q[5], entering_values_20_features_right_q};
+  logic [6:0] difference_656;
+  assign difference_656 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_0_features_right_q[5], leaving_values_0_features_right_q};
   logic [6:0] difference_670;
-  assign difference_670 = {leaving_values_17_features_left_s2_q[5], leaving_values_17_features_left_s2_q} - {leaving_values_20_features_right_q[5], leaving_values_20_features_right_q};
-  logic [6:0] difference_684;
-  assign difference_684 = {entering_values_17_features_left_s2_q[5], entering_values_17_features_left_s2_q} - {entering_values_21_features_right_q[5], entering_values_21_features_right_q};
+  assign difference_670 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_6_features_right_q[5], entering_values_6_features_right_q};
+  logic [6:0] difference_678;
+  assign difference_678 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_6_features_right_q[5], leaving_values_6_features_right_q};
   logic [6:0] difference_692;
-  assign difference_692 = {leaving_values_17_features_left_s2_q[5], leaving_values_17_features_left_s2_q} - {leaving_values_21_features_right_q[5], leaving_values_21_features_right_q};
-  logic [6:0] difference_704;
-  assign difference_704 = {entering_values_17_features_left_s2_q[5], entering_values_17_features_left_s2_q} - {entering_values_24_features_right_q[5], entering_values_24_features_right_q};
-  logic [6:0] difference_712;
-  assign difference_712 = {leaving_values_17_features_left_s2_q[5], leaving_values_17_features_left_s2_q} - {leaving_values_24_features_right_q[5], leaving_values_24_features_right_q};
-  logic [6:0] difference_725;
-  assign difference_725 = {entering_values_17_features_left_s2_q[5], entering_values_17_features_left_s2_q} - {entering_values_28_features_right_q[5], entering_values_28_features_right_q};
-  logic [6:0] difference_733;
-  assign difference_733 = {leaving_values_17_features_left_s2_q[5], leaving_values_17_features_left_s2_q} - {leaving_values_28_features_right_q[5], leaving_values_28_features_right_q};
-  logic [7:0] select_748;
-  assign select_748 = difference_746_s2_q[6] ? (8'h0 - {difference_746_s2_q[6], difference_746_s2_q}) : {2'h0, difference_746_s2_q[5:0]};
-  logic [4:0] difference_25;
-  assign difference_25 = (select_748[7:5] == 3'h0) ? select_748[4:0] : 5'h1f;
-  logic [7:0] select_756;
-  assign select_756 = difference_754_s2_q[6] ? (8'h0 - {difference_754_s2_q[6], difference_754_s2_q}) : {2'h0, difference_754_s2_q[5:0]};
-  logic [4:0] difference_26;
-  assign difference_26 = (select_756[7:5] == 3'h0) ? select_756[4:0] : 5'h1f;
+  assign difference_692 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_11_features_right_q[5], entering_values_11_features_right_q};
+  logic [6:0] difference_700;
+  assign difference_700 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_11_features_right_q[5], leaving_values_11_features_right_q};
+  logic [6:0] difference_714;
+  assign difference_714 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_15_features_right_q[5], entering_values_15_features_right_q};
+  logic [6:0] difference_722;
+  assign difference_722 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_15_features_right_q[5], leaving_values_15_features_right_q};
+  logic [6:0] difference_736;
+  assign difference_736 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_18_features_right_q[5], entering_values_18_features_right_q};
+  logic [6:0] difference_744;
+  assign difference_744 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_18_features_right_q[5], leaving_values_18_features_right_q};
+  logic [6:0] difference_758;
+  assign difference_758 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_20_features_right_q[5], entering_values_20_features_right_q};
+  logic [6:0] difference_766;
+  assign difference_766 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_20_features_right_q[5], leaving_values_20_features_right_q};
+  logic [6:0] difference_780;
+  assign difference_780 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_21_features_right_q[5], entering_values_21_features_right_q};
+  logic [6:0] difference_788;
+  assign difference_788 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_21_features_right_q[5], leaving_values_21_features_right_q};
+  logic [6:0] difference_802;
+  assign difference_802 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_22_features_right_q[5], entering_values_22_features_right_q};
+  logic [6:0] difference_810;
+  assign difference_810 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_22_features_right_q[5], leaving_values_22_features_right_q};
+  logic [6:0] difference_824;
+  assign difference_824 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_23_features_right_q[5], entering_values_23_features_right_q};
+  logic [6:0] difference_832;
+  assign difference_832 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_23_features_right_q[5], leaving_values_23_features_right_q};
+  logic [6:0] difference_843;
+  assign difference_843 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_24_features_right_q[5], entering_values_24_features_right_q};
+  logic [6:0] difference_849;
+  assign difference_849 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_24_features_right_q[5], leaving_values_24_features_right_q};
+  logic [6:0] difference_862;
+  assign difference_862 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_25_features_right_q[5], entering_values_25_features_right_q};
+  logic [6:0] difference_870;
+  assign difference_870 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_25_features_right_q[5], leaving_values_25_features_right_q};
+  logic [6:0] difference_884;
+  assign difference_884 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_26_features_right_q[5], entering_values_26_features_right_q};
+  logic [6:0] difference_892;
+  assign difference_892 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_26_features_right_q[5], leaving_values_26_features_right_q};
+  logic [6:0] difference_906;
+  assign difference_906 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_27_features_right_q[5], entering_values_27_features_right_q};
+  logic [6:0] difference_914;
+  assign difference_914 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_27_features_right_q[5], leaving_values_27_features_right_q};
+  logic [6:0] difference_928;
+  assign difference_928 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_28_features_right_q[5], entering_values_28_features_right_q};
+  logic [6:0] difference_936;
+  assign difference_936 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_28_features_right_q[5], leaving_values_28_features_right_q};
+  logic [6:0] difference_950;
+  assign difference_950 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_30_features_right_q[5], entering_values_30_features_right_q};
+  logic [6:0] difference_958;
+  assign difference_958 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_30_features_right_q[5], leaving_values_30_features_right_q};
+  logic [6:0] difference_972;
+  assign difference_972 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_33_features_right_q[5], entering_values_33_features_right_q};
+  logic [6:0] difference_980;
+  assign difference_980 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_33_features_right_q[5], leaving_values_33_features_right_q};
+  logic [6:0] difference_992;
+  assign difference_992 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_37_features_right_q[5], entering_values_37_features_right_q};
+  logic [6:0] difference_1000;
+  assign difference_1000 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_37_features_right_q[5], leaving_values_37_features_right_q};
+  logic [6:0] difference_1013;
+  assign difference_1013 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_42_features_right_q[5], entering_values_42_features_right_q};
+  logic [6:0] difference_1021;
+  assign difference_1021 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_42_features_right_q[5], leaving_values_42_features_right_q};
+  logic [7:0] select_1036;
+  assign select_1036 = difference_1034_s2_q[6] ? (8'h0 - {difference_1034_s2_q[6], difference_1034_s2_q}) : {2'h0, difference_1034_s2_q[5:0]};
+  logic [4:0] difference_37;
+  assign difference_37 = (select_1036[7:5] == 3'h0) ? select_1036[4:0] : 5'h1f;
+  logic [7:0] select_1044;
+  assign select_1044 = difference_1042_s2_q[6] ? (8'h0 - {difference_1042_s2_q[6], difference_1042_s2_q}) : {2'h0, difference_1042_s2_q[5:0]};
+  logic [4:0] difference_38;
+  assign difference_38 = (select_1044[7:5] == 3'h0) ? select_1044[4:0] : 5'h1f;
   // hls/stages/plane_sums.hpp:163
-  logic [4:0] select_767;
-  assign select_767 = entering_values_17_features_left_s2_q[5] ? (5'h0 - entering_values_17_features_left_s2_q[4:0]) : entering_values_17_features_left_s2_q[4:0];
-  logic [4:0] select_770;
-  assign select_770 = leaving_values_17_features_left_s2_q[5] ? (5'h0 - leaving_values_17_features_left_s2_q[4:0]) : leaving_values_17_features_left_s2_q[4:0];
+  logic [4:0] select_1055;
+  assign select_1055 = entering_values_23_features_left_s2_q[5] ? (5'h0 - entering_values_23_features_left_s2_q[4:0]) : entering_values_23_features_left_s2_q[4:0];
+  logic [4:0] select_1058;
+  assign select_1058 = leaving_values_23_features_left_s2_q[5] ? (5'h0 - leaving_values_23_features_left_s2_q[4:0]) : leaving_values_23_features_left_s2_q[4:0];
   // hls/stages/plane_sums.hpp:63
-  logic not_780;
-  assign not_780 = ~equal_497;
-  logic [2:0] select_782;
-  assign select_782 = marks_values_0_last_q ? (select_496 + {2'h0, not_780}) : select_496;
+  logic not_1068;
+  assign not_1068 = ~equal_653;
+  logic [2:0] select_1070;
+  assign select_1070 = marks_values_0_last_q ? (select_652 + {2'h0, not_1068}) : select_652;
 
-  // Memory column_memory, 1920 x 143, DISTANCE 16, hls/stages/plane_sums.hpp:167; read in stage 2, written in stage 6: 2 < 6 < 2 + DISTANCE.
+  // Memory column_memory, 1920 x 191, DISTANCE 16, hls/stages/plane_sums.hpp:167; read in stage 2, written in stage 6: 2 < 6 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [142:0] column_memory_mem [0:1919];
+  logic [190:0] column_memory_mem [0:1919];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 1920; i++) column_memory_mem[i] = 143'h0;
+  initial for (int i = 0; i < 1920; i++) column_memory_mem[i] = 191'h0;
 `endif
   logic [10:0] column_memory_raddr;
-  assign column_memory_raddr = select_477;
+  assign column_memory_raddr = select_633;
   logic column_memory_re;
-  assign column_memory_re = s2_en & or_478;
-  logic [142:0] column_memory_rdata_q;
+  assign column_memory_re = s2_en & or_634;
+  logic [190:0] column_memory_rdata_q;
   always_ff @(posedge clk_i) begin
     if (column_memory_re) column_memory_rdata_q <= column_memory_mem[column_memory_raddr];
   end
 
   // Memory feature_memory, write
   logic [10:0] feature_memory_waddr;
-  assign feature_memory_waddr = select_474_s2_q;
+  assign feature_memory_waddr = select_630_s2_q;
   logic feature_memory_we;
   assign feature_memory_we = s2_en;
   always_ff @(posedge clk_i) begin
@@ -848,87 +1058,111 @@ module horopter_plane_sums (
       delayed_row_ended_q <= 1'b1;
       running_q <= 1'b0;
     end else if (s2_en) begin
-      arriving_rows_q <= select_782;
-      delayed_column_q <= select_477 + 11'h1;
-      delayed_row_ended_q <= marks_values_19_last_s2_q;
-      running_q <= or_478;
+      arriving_rows_q <= select_1070;
+      delayed_column_q <= select_633 + 11'h1;
+      delayed_row_ended_q <= marks_values_25_last_s2_q;
+      running_q <= or_634;
     end
   end
 
   logic mask_s3_q;
-  logic marks_values_19_first_s3_q;
-  logic [5:0] seen_values_18_grey_s3_q;
-  logic seen_values_18_exists_s3_q;
-  logic or_473_s3_q;
-  logic or_476_s3_q;
-  logic [10:0] select_477_s3_q;
-  logic [6:0] difference_489_s3_q;
-  logic and_498_s3_q;
-  logic [6:0] difference_500_s3_q;
-  logic [6:0] difference_514_s3_q;
-  logic [6:0] difference_522_s3_q;
-  logic [6:0] difference_536_s3_q;
-  logic [6:0] difference_544_s3_q;
-  logic [6:0] difference_558_s3_q;
-  logic [6:0] difference_566_s3_q;
-  logic [6:0] difference_580_s3_q;
-  logic [6:0] difference_588_s3_q;
-  logic [6:0] difference_602_s3_q;
-  logic [6:0] difference_610_s3_q;
-  logic [6:0] difference_621_s3_q;
-  logic [6:0] difference_627_s3_q;
-  logic [6:0] difference_640_s3_q;
-  logic [6:0] difference_648_s3_q;
-  logic [6:0] difference_662_s3_q;
+  logic marks_values_25_first_s3_q;
+  logic [5:0] seen_values_24_grey_s3_q;
+  logic seen_values_24_exists_s3_q;
+  logic or_629_s3_q;
+  logic or_632_s3_q;
+  logic [10:0] select_633_s3_q;
+  logic [6:0] difference_645_s3_q;
+  logic and_654_s3_q;
+  logic [6:0] difference_656_s3_q;
   logic [6:0] difference_670_s3_q;
-  logic [6:0] difference_684_s3_q;
+  logic [6:0] difference_678_s3_q;
   logic [6:0] difference_692_s3_q;
-  logic [6:0] difference_704_s3_q;
-  logic [6:0] difference_712_s3_q;
-  logic [6:0] difference_725_s3_q;
-  logic [6:0] difference_733_s3_q;
-  logic [4:0] difference_25_s3_q;
-  logic [4:0] difference_26_s3_q;
-  logic [4:0] select_767_s3_q;
-  logic [4:0] select_770_s3_q;
+  logic [6:0] difference_700_s3_q;
+  logic [6:0] difference_714_s3_q;
+  logic [6:0] difference_722_s3_q;
+  logic [6:0] difference_736_s3_q;
+  logic [6:0] difference_744_s3_q;
+  logic [6:0] difference_758_s3_q;
+  logic [6:0] difference_766_s3_q;
+  logic [6:0] difference_780_s3_q;
+  logic [6:0] difference_788_s3_q;
+  logic [6:0] difference_802_s3_q;
+  logic [6:0] difference_810_s3_q;
+  logic [6:0] difference_824_s3_q;
+  logic [6:0] difference_832_s3_q;
+  logic [6:0] difference_843_s3_q;
+  logic [6:0] difference_849_s3_q;
+  logic [6:0] difference_862_s3_q;
+  logic [6:0] difference_870_s3_q;
+  logic [6:0] difference_884_s3_q;
+  logic [6:0] difference_892_s3_q;
+  logic [6:0] difference_906_s3_q;
+  logic [6:0] difference_914_s3_q;
+  logic [6:0] difference_928_s3_q;
+  logic [6:0] difference_936_s3_q;
+  logic [6:0] difference_950_s3_q;
+  logic [6:0] difference_958_s3_q;
+  logic [6:0] difference_972_s3_q;
+  logic [6:0] difference_980_s3_q;
+  logic [6:0] difference_992_s3_q;
+  logic [6:0] difference_1000_s3_q;
+  logic [6:0] difference_1013_s3_q;
+  logic [6:0] difference_1021_s3_q;
+  logic [4:0] difference_37_s3_q;
+  logic [4:0] difference_38_s3_q;
+  logic [4:0] select_1055_s3_q;
+  logic [4:0] select_1058_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       mask_s3_q <= mask_s2_q;
-      marks_values_19_first_s3_q <= marks_values_19_first_s2_q;
-      seen_values_18_grey_s3_q <= seen_values_18_grey_s2_q;
-      seen_values_18_exists_s3_q <= seen_values_18_exists_s2_q;
-      or_473_s3_q <= or_473_s2_q;
-      or_476_s3_q <= or_476;
-      select_477_s3_q <= select_477;
-      difference_489_s3_q <= difference_489;
-      and_498_s3_q <= feature_memory_rdata_s2_q[78] & equal_497;
-      difference_500_s3_q <= difference_500;
-      difference_514_s3_q <= difference_514;
-      difference_522_s3_q <= difference_522;
-      difference_536_s3_q <= difference_536;
-      difference_544_s3_q <= difference_544;
-      difference_558_s3_q <= difference_558;
-      difference_566_s3_q <= difference_566;
-      difference_580_s3_q <= difference_580;
-      difference_588_s3_q <= difference_588;
-      difference_602_s3_q <= difference_602;
-      difference_610_s3_q <= difference_610;
-      difference_621_s3_q <= difference_621;
-      difference_627_s3_q <= difference_627;
-      difference_640_s3_q <= difference_640;
-      difference_648_s3_q <= difference_648;
-      difference_662_s3_q <= difference_662;
+      marks_values_25_first_s3_q <= marks_values_25_first_s2_q;
+      seen_values_24_grey_s3_q <= seen_values_24_grey_s2_q;
+      seen_values_24_exists_s3_q <= seen_values_24_exists_s2_q;
+      or_629_s3_q <= or_629_s2_q;
+      or_632_s3_q <= or_632;
+      select_633_s3_q <= select_633;
+      difference_645_s3_q <= difference_645;
+      and_654_s3_q <= feature_memory_rdata_s2_q[78] & equal_653;
+      difference_656_s3_q <= difference_656;
       difference_670_s3_q <= difference_670;
-      difference_684_s3_q <= difference_684;
+      difference_678_s3_q <= difference_678;
       difference_692_s3_q <= difference_692;
-      difference_704_s3_q <= difference_704;
-      difference_712_s3_q <= difference_712;
-      difference_725_s3_q <= difference_725;
-      difference_733_s3_q <= difference_733;
-      difference_25_s3_q <= difference_25;
-      difference_26_s3_q <= difference_26;
-      select_767_s3_q <= select_767;
-      select_770_s3_q <= select_770;
+      difference_700_s3_q <= difference_700;
+      difference_714_s3_q <= difference_714;
+      difference_722_s3_q <= difference_722;
+      difference_736_s3_q <= difference_736;
+      difference_744_s3_q <= difference_744;
+      difference_758_s3_q <= difference_758;
+      difference_766_s3_q <= difference_766;
+      difference_780_s3_q <= difference_780;
+      difference_788_s3_q <= difference_788;
+      difference_802_s3_q <= difference_802;
+      difference_810_s3_q <= difference_810;
+      difference_824_s3_q <= difference_824;
+      difference_832_s3_q <= difference_832;
+      difference_843_s3_q <= difference_843;
+      difference_849_s3_q <= difference_849;
+      difference_862_s3_q <= difference_862;
+      difference_870_s3_q <= difference_870;
+      difference_884_s3_q <= difference_884;
+      difference_892_s3_q <= difference_892;
+      difference_906_s3_q <= difference_906;
+      difference_914_s3_q <= difference_914;
+      difference_928_s3_q <= difference_928;
+      difference_936_s3_q <= difference_936;
+      difference_950_s3_q <= difference_950;
+      difference_958_s3_q <= difference_958;
+      difference_972_s3_q <= difference_972;
+      difference_980_s3_q <= difference_980;
+      difference_992_s3_q <= difference_992;
+      difference_1000_s3_q <= difference_1000;
+      difference_1013_s3_q <= difference_1013;
+      difference_1021_s3_q <= difference_1021;
+      difference_37_s3_q <= difference_37;
+      difference_38_s3_q <= difference_38;
+      select_1055_s3_q <= select_1055;
+      select_1058_s3_q <= select_1058;
     end
   end
 
@@ -1005,6 +1239,30 @@ module horopter_plane_sums (
   logic entering_values_34_row_q;
   logic entering_values_35_features_mask_q;
   logic entering_values_35_row_q;
+  logic entering_values_36_features_mask_q;
+  logic entering_values_36_row_q;
+  logic entering_values_37_features_mask_q;
+  logic entering_values_37_row_q;
+  logic entering_values_38_features_mask_q;
+  logic entering_values_38_row_q;
+  logic entering_values_39_features_mask_q;
+  logic entering_values_39_row_q;
+  logic entering_values_40_features_mask_q;
+  logic entering_values_40_row_q;
+  logic entering_values_41_features_mask_q;
+  logic entering_values_41_row_q;
+  logic entering_values_42_features_mask_q;
+  logic entering_values_42_row_q;
+  logic entering_values_43_features_mask_q;
+  logic entering_values_43_row_q;
+  logic entering_values_44_features_mask_q;
+  logic entering_values_44_row_q;
+  logic entering_values_45_features_mask_q;
+  logic entering_values_45_row_q;
+  logic entering_values_46_features_mask_q;
+  logic entering_values_46_row_q;
+  logic entering_values_47_features_mask_q;
+  logic entering_values_47_row_q;
   logic leaving_values_0_features_mask_q;
   logic leaving_values_1_features_mask_q;
   logic leaving_values_2_features_mask_q;
@@ -1041,6 +1299,18 @@ module horopter_plane_sums (
   logic leaving_values_33_features_mask_q;
   logic leaving_values_34_features_mask_q;
   logic leaving_values_35_features_mask_q;
+  logic leaving_values_36_features_mask_q;
+  logic leaving_values_37_features_mask_q;
+  logic leaving_values_38_features_mask_q;
+  logic leaving_values_39_features_mask_q;
+  logic leaving_values_40_features_mask_q;
+  logic leaving_values_41_features_mask_q;
+  logic leaving_values_42_features_mask_q;
+  logic leaving_values_43_features_mask_q;
+  logic leaving_values_44_features_mask_q;
+  logic leaving_values_45_features_mask_q;
+  logic leaving_values_46_features_mask_q;
+  logic leaving_values_47_features_mask_q;
   logic centre_marks_values_0_first_q;
   logic centre_marks_values_0_last_q;
   logic centre_marks_values_1_first_q;
@@ -1050,121 +1320,169 @@ module horopter_plane_sums (
   logic centre_marks_values_3_first_q;
   logic centre_marks_values_3_last_q;
   // hls/stages/plane_sums.hpp:156
-  logic [7:0] select_491;
-  assign select_491 = difference_489_s3_q[6] ? (8'h0 - {difference_489_s3_q[6], difference_489_s3_q}) : {2'h0, difference_489_s3_q[5:0]};
+  logic [7:0] select_647;
+  assign select_647 = difference_645_s3_q[6] ? (8'h0 - {difference_645_s3_q[6], difference_645_s3_q}) : {2'h0, difference_645_s3_q[5:0]};
   logic [4:0] difference;
-  assign difference = (select_491[7:5] == 3'h0) ? select_491[4:0] : 5'h1f;
-  logic [7:0] select_502;
-  assign select_502 = difference_500_s3_q[6] ? (8'h0 - {difference_500_s3_q[6], difference_500_s3_q}) : {2'h0, difference_500_s3_q[5:0]};
+  assign difference = (select_647[7:5] == 3'h0) ? select_647[4:0] : 5'h1f;
+  logic [7:0] select_658;
+  assign select_658 = difference_656_s3_q[6] ? (8'h0 - {difference_656_s3_q[6], difference_656_s3_q}) : {2'h0, difference_656_s3_q[5:0]};
   logic [4:0] difference_2;
-  assign difference_2 = (select_502[7:5] == 3'h0) ? select_502[4:0] : 5'h1f;
-  logic [7:0] select_516;
-  assign select_516 = difference_514_s3_q[6] ? (8'h0 - {difference_514_s3_q[6], difference_514_s3_q}) : {2'h0, difference_514_s3_q[5:0]};
-  logic [4:0] difference_3;
-  assign difference_3 = (select_516[7:5] == 3'h0) ? select_516[4:0] : 5'h1f;
-  logic [7:0] select_524;
-  assign select_524 = difference_522_s3_q[6] ? (8'h0 - {difference_522_s3_q[6], difference_522_s3_q}) : {2'h0, difference_522_s3_q[5:0]};
-  logic [4:0] difference_4;
-  assign difference_4 = (select_524[7:5] == 3'h0) ? select_524[4:0] : 5'h1f;
-  logic [7:0] select_538;
-  assign select_538 = difference_536_s3_q[6] ? (8'h0 - {difference_536_s3_q[6], difference_536_s3_q}) : {2'h0, difference_536_s3_q[5:0]};
-  logic [4:0] difference_5;
-  assign difference_5 = (select_538[7:5] == 3'h0) ? select_538[4:0] : 5'h1f;
-  logic [7:0] select_546;
-  assign select_546 = difference_544_s3_q[6] ? (8'h0 - {difference_544_s3_q[6], difference_544_s3_q}) : {2'h0, difference_544_s3_q[5:0]};
-  logic [4:0] difference_6;
-  assign difference_6 = (select_546[7:5] == 3'h0) ? select_546[4:0] : 5'h1f;
-  logic [7:0] select_560;
-  assign select_560 = difference_558_s3_q[6] ? (8'h0 - {difference_558_s3_q[6], difference_558_s3_q}) : {2'h0, difference_558_s3_q[5:0]};
-  logic [4:0] difference_7;
-  assign difference_7 = (select_560[7:5] == 3'h0) ? select_560[4:0] : 5'h1f;
-  logic [7:0] select_568;
-  assign select_568 = difference_566_s3_q[6] ? (8'h0 - {difference_566_s3_q[6], difference_566_s3_q}) : {2'h0, difference_566_s3_q[5:0]};
-  logic [4:0] difference_8;
-  assign difference_8 = (select_568[7:5] == 3'h0) ? select_568[4:0] : 5'h1f;
-  logic [7:0] select_582;
-  assign select_582 = difference_580_s3_q[6] ? (8'h0 - {difference_580_s3_q[6], difference_580_s3_q}) : {2'h0, difference_580_s3_q[5:0]};
-  logic [4:0] difference_9;
-  assign difference_9 = (select_582[7:5] == 3'h0) ? select_582[4:0] : 5'h1f;
-  logic [7:0] select_590;
-  assign select_590 = difference_588_s3_q[6] ? (8'h0 - {difference_588_s3_q[6], difference_588_s3_q}) : {2'h0, difference_588_s3_q[5:0]};
-  logic [4:0] difference_10;
-  assign difference_10 = (select_590[7:5] == 3'h0) ? select_590[4:0] : 5'h1f;
-  logic [7:0] select_604;
-  assign select_604 = difference_602_s3_q[6] ? (8'h0 - {difference_602_s3_q[6], difference_602_s3_q}) : {2'h0, difference_602_s3_q[5:0]};
-  logic [4:0] difference_11;
-  assign difference_11 = (select_604[7:5] == 3'h0) ? select_604[4:0] : 5'h1f;
-  logic [7:0] select_612;
-  assign select_612 = difference_610_s3_q[6] ? (8'h0 - {difference_610_s3_q[6], difference_610_s3_q}) : {2'h0, difference_610_s3_q[5:0]};
-  logic [4:0] difference_12;
-  assign difference_12 = (select_612[7:5] == 3'h0) ? select_612[4:0] : 5'h1f;
-  logic [7:0] select_623;
-  assign select_623 = difference_621_s3_q[6] ? (8'h0 - {difference_621_s3_q[6], difference_621_s3_q}) : {2'h0, difference_621_s3_q[5:0]};
-  logic [4:0] difference_13;
-  assign difference_13 = (select_623[7:5] == 3'h0) ? select_623[4:0] : 5'h1f;
-  logic [7:0] select_629;
-  assign select_629 = difference_627_s3_q[6] ? (8'h0 - {difference_627_s3_q[6], difference_627_s3_q}) : {2'h0, difference_627_s3_q[5:0]};
-  logic [4:0] difference_14;
-  assign difference_14 = (select_629[7:5] == 3'h0) ? select_629[4:0] : 5'h1f;
-  logic [7:0] select_642;
-  assign select_642 = difference_640_s3_q[6] ? (8'h0 - {difference_640_s3_q[6], difference_640_s3_q}) : {2'h0, difference_640_s3_q[5:0]};
-  logic [4:0] difference_15;
-  assign difference_15 = (select_642[7:5] == 3'h0) ? select_642[4:0] : 5'h1f;
-  logic [7:0] select_650;
-  assign select_650 = difference_648_s3_q[6] ? (8'h0 - {difference_648_s3_q[6], difference_648_s3_q}) : {2'h0, difference_648_s3_q[5:0]};
-  logic [4:0] difference_16;
-  assign difference_16 = (select_650[7:5] == 3'h0) ? select_650[4:0] : 5'h1f;
-  logic [7:0] select_664;
-  assign select_664 = difference_662_s3_q[6] ? (8'h0 - {difference_662_s3_q[6], difference_662_s3_q}) : {2'h0, difference_662_s3_q[5:0]};
-  logic [4:0] difference_17;
-  assign difference_17 = (select_664[7:5] == 3'h0) ? select_664[4:0] : 5'h1f;
+  assign difference_2 = (select_658[7:5] == 3'h0) ? select_658[4:0] : 5'h1f;
   logic [7:0] select_672;
   assign select_672 = difference_670_s3_q[6] ? (8'h0 - {difference_670_s3_q[6], difference_670_s3_q}) : {2'h0, difference_670_s3_q[5:0]};
-  logic [4:0] difference_18;
-  assign difference_18 = (select_672[7:5] == 3'h0) ? select_672[4:0] : 5'h1f;
-  logic [7:0] select_686;
-  assign select_686 = difference_684_s3_q[6] ? (8'h0 - {difference_684_s3_q[6], difference_684_s3_q}) : {2'h0, difference_684_s3_q[5:0]};
-  logic [4:0] difference_19;
-  assign difference_19 = (select_686[7:5] == 3'h0) ? select_686[4:0] : 5'h1f;
+  logic [4:0] difference_3;
+  assign difference_3 = (select_672[7:5] == 3'h0) ? select_672[4:0] : 5'h1f;
+  logic [7:0] select_680;
+  assign select_680 = difference_678_s3_q[6] ? (8'h0 - {difference_678_s3_q[6], difference_678_s3_q}) : {2'h0, difference_678_s3_q[5:0]};
+  logic [4:0] difference_4;
+  assign difference_4 = (select_680[7:5] == 3'h0) ? select_680[4:0] : 5'h1f;
   logic [7:0] select_694;
   assign select_694 = difference_692_s3_q[6] ? (8'h0 - {difference_692_s3_q[6], difference_692_s3_q}) : {2'h0, difference_692_s3_q[5:0]};
+  logic [4:0] difference_5;
+  assign difference_5 = (select_694[7:5] == 3'h0) ? select_694[4:0] : 5'h1f;
+  logic [7:0] select_702;
+  assign select_702 = difference_700_s3_q[6] ? (8'h0 - {difference_700_s3_q[6], difference_700_s3_q}) : {2'h0, difference_700_s3_q[5:0]};
+  logic [4:0] difference_6;
+  assign difference_6 = (select_702[7:5] == 3'h0) ? select_702[4:0] : 5'h1f;
+  logic [7:0] select_716;
+  assign select_716 = difference_714_s3_q[6] ? (8'h0 - {difference_714_s3_q[6], difference_714_s3_q}) : {2'h0, difference_714_s3_q[5:0]};
+  logic [4:0] difference_7;
+  assign difference_7 = (select_716[7:5] == 3'h0) ? select_716[4:0] : 5'h1f;
+  logic [7:0] select_724;
+  assign select_724 = difference_722_s3_q[6] ? (8'h0 - {difference_722_s3_q[6], difference_722_s3_q}) : {2'h0, difference_722_s3_q[5:0]};
+  logic [4:0] difference_8;
+  assign difference_8 = (select_724[7:5] == 3'h0) ? select_724[4:0] : 5'h1f;
+  logic [7:0] select_738;
+  assign select_738 = difference_736_s3_q[6] ? (8'h0 - {difference_736_s3_q[6], difference_736_s3_q}) : {2'h0, difference_736_s3_q[5:0]};
+  logic [4:0] difference_9;
+  assign difference_9 = (select_738[7:5] == 3'h0) ? select_738[4:0] : 5'h1f;
+  logic [7:0] select_746;
+  assign select_746 = difference_744_s3_q[6] ? (8'h0 - {difference_744_s3_q[6], difference_744_s3_q}) : {2'h0, difference_744_s3_q[5:0]};
+  logic [4:0] difference_10;
+  assign difference_10 = (select_746[7:5] == 3'h0) ? select_746[4:0] : 5'h1f;
+  logic [7:0] select_760;
+  assign select_760 = difference_758_s3_q[6] ? (8'h0 - {difference_758_s3_q[6], difference_758_s3_q}) : {2'h0, difference_758_s3_q[5:0]};
+  logic [4:0] difference_11;
+  assign difference_11 = (select_760[7:5] == 3'h0) ? select_760[4:0] : 5'h1f;
+  logic [7:0] select_768;
+  assign select_768 = difference_766_s3_q[6] ? (8'h0 - {difference_766_s3_q[6], difference_766_s3_q}) : {2'h0, difference_766_s3_q[5:0]};
+  logic [4:0] difference_12;
+  assign difference_12 = (select_768[7:5] == 3'h0) ? select_768[4:0] : 5'h1f;
+  logic [7:0] select_782;
+  assign select_782 = difference_780_s3_q[6] ? (8'h0 - {difference_780_s3_q[6], difference_780_s3_q}) : {2'h0, difference_780_s3_q[5:0]};
+  logic [4:0] difference_13;
+  assign difference_13 = (select_782[7:5] == 3'h0) ? select_782[4:0] : 5'h1f;
+  logic [7:0] select_790;
+  assign select_790 = difference_788_s3_q[6] ? (8'h0 - {difference_788_s3_q[6], difference_788_s3_q}) : {2'h0, difference_788_s3_q[5:0]};
+  logic [4:0] difference_14;
+  assign difference_14 = (select_790[7:5] == 3'h0) ? select_790[4:0] : 5'h1f;
+  logic [7:0] select_804;
+  assign select_804 = difference_802_s3_q[6] ? (8'h0 - {difference_802_s3_q[6], difference_802_s3_q}) : {2'h0, difference_802_s3_q[5:0]};
+  logic [4:0] difference_15;
+  assign difference_15 = (select_804[7:5] == 3'h0) ? select_804[4:0] : 5'h1f;
+  logic [7:0] select_812;
+  assign select_812 = difference_810_s3_q[6] ? (8'h0 - {difference_810_s3_q[6], difference_810_s3_q}) : {2'h0, difference_810_s3_q[5:0]};
+  logic [4:0] difference_16;
+  assign difference_16 = (select_812[7:5] == 3'h0) ? select_812[4:0] : 5'h1f;
+  logic [7:0] select_826;
+  assign select_826 = difference_824_s3_q[6] ? (8'h0 - {difference_824_s3_q[6], difference_824_s3_q}) : {2'h0, difference_824_s3_q[5:0]};
+  logic [4:0] difference_17;
+  assign difference_17 = (select_826[7:5] == 3'h0) ? select_826[4:0] : 5'h1f;
+  logic [7:0] select_834;
+  assign select_834 = difference_832_s3_q[6] ? (8'h0 - {difference_832_s3_q[6], difference_832_s3_q}) : {2'h0, difference_832_s3_q[5:0]};
+  logic [4:0] difference_18;
+  assign difference_18 = (select_834[7:5] == 3'h0) ? select_834[4:0] : 5'h1f;
+  logic [7:0] select_845;
+  assign select_845 = difference_843_s3_q[6] ? (8'h0 - {difference_843_s3_q[6], difference_843_s3_q}) : {2'h0, difference_843_s3_q[5:0]};
+  logic [4:0] difference_19;
+  assign difference_19 = (select_845[7:5] == 3'h0) ? select_845[4:0] : 5'h1f;
+  logic [7:0] select_851;
+  assign select_851 = difference_849_s3_q[6] ? (8'h0 - {difference_849_s3_q[6], difference_849_s3_q}) : {2'h0, difference_849_s3_q[5:0]};
   logic [4:0] difference_20;
-  assign difference_20 = (select_694[7:5] == 3'h0) ? select_694[4:0] : 5'h1f;
-  logic [7:0] select_706;
-  assign select_706 = difference_704_s3_q[6] ? (8'h0 - {difference_704_s3_q[6], difference_704_s3_q}) : {2'h0, difference_704_s3_q[5:0]};
+  assign difference_20 = (select_851[7:5] == 3'h0) ? select_851[4:0] : 5'h1f;
+  logic [7:0] select_864;
+  assign select_864 = difference_862_s3_q[6] ? (8'h0 - {difference_862_s3_q[6], difference_862_s3_q}) : {2'h0, difference_862_s3_q[5:0]};
   logic [4:0] difference_21;
-  assign difference_21 = (select_706[7:5] == 3'h0) ? select_706[4:0] : 5'h1f;
-  logic [7:0] select_714;
-  assign select_714 = difference_712_s3_q[6] ? (8'h0 - {difference_712_s3_q[6], difference_712_s3_q}) : {2'h0, difference_712_s3_q[5:0]};
+  assign difference_21 = (select_864[7:5] == 3'h0) ? select_864[4:0] : 5'h1f;
+  logic [7:0] select_872;
+  assign select_872 = difference_870_s3_q[6] ? (8'h0 - {difference_870_s3_q[6], difference_870_s3_q}) : {2'h0, difference_870_s3_q[5:0]};
   logic [4:0] difference_22;
-  assign difference_22 = (select_714[7:5] == 3'h0) ? select_714[4:0] : 5'h1f;
-  logic [7:0] select_727;
-  assign select_727 = difference_725_s3_q[6] ? (8'h0 - {difference_725_s3_q[6], difference_725_s3_q}) : {2'h0, difference_725_s3_q[5:0]};
+  assign difference_22 = (select_872[7:5] == 3'h0) ? select_872[4:0] : 5'h1f;
+  logic [7:0] select_886;
+  assign select_886 = difference_884_s3_q[6] ? (8'h0 - {difference_884_s3_q[6], difference_884_s3_q}) : {2'h0, difference_884_s3_q[5:0]};
   logic [4:0] difference_23;
-  assign difference_23 = (select_727[7:5] == 3'h0) ? select_727[4:0] : 5'h1f;
-  logic [7:0] select_735;
-  assign select_735 = difference_733_s3_q[6] ? (8'h0 - {difference_733_s3_q[6], difference_733_s3_q}) : {2'h0, difference_733_s3_q[5:0]};
+  assign difference_23 = (select_886[7:5] == 3'h0) ? select_886[4:0] : 5'h1f;
+  logic [7:0] select_894;
+  assign select_894 = difference_892_s3_q[6] ? (8'h0 - {difference_892_s3_q[6], difference_892_s3_q}) : {2'h0, difference_892_s3_q[5:0]};
   logic [4:0] difference_24;
-  assign difference_24 = (select_735[7:5] == 3'h0) ? select_735[4:0] : 5'h1f;
+  assign difference_24 = (select_894[7:5] == 3'h0) ? select_894[4:0] : 5'h1f;
+  logic [7:0] select_908;
+  assign select_908 = difference_906_s3_q[6] ? (8'h0 - {difference_906_s3_q[6], difference_906_s3_q}) : {2'h0, difference_906_s3_q[5:0]};
+  logic [4:0] difference_25;
+  assign difference_25 = (select_908[7:5] == 3'h0) ? select_908[4:0] : 5'h1f;
+  logic [7:0] select_916;
+  assign select_916 = difference_914_s3_q[6] ? (8'h0 - {difference_914_s3_q[6], difference_914_s3_q}) : {2'h0, difference_914_s3_q[5:0]};
+  logic [4:0] difference_26;
+  assign difference_26 = (select_916[7:5] == 3'h0) ? select_916[4:0] : 5'h1f;
+  logic [7:0] select_930;
+  assign select_930 = difference_928_s3_q[6] ? (8'h0 - {difference_928_s3_q[6], difference_928_s3_q}) : {2'h0, difference_928_s3_q[5:0]};
+  logic [4:0] difference_27;
+  assign difference_27 = (select_930[7:5] == 3'h0) ? select_930[4:0] : 5'h1f;
+  logic [7:0] select_938;
+  assign select_938 = difference_936_s3_q[6] ? (8'h0 - {difference_936_s3_q[6], difference_936_s3_q}) : {2'h0, difference_936_s3_q[5:0]};
+  logic [4:0] difference_28;
+  assign difference_28 = (select_938[7:5] == 3'h0) ? select_938[4:0] : 5'h1f;
+  logic [7:0] select_952;
+  assign select_952 = difference_950_s3_q[6] ? (8'h0 - {difference_950_s3_q[6], difference_950_s3_q}) : {2'h0, difference_950_s3_q[5:0]};
+  logic [4:0] difference_29;
+  assign difference_29 = (select_952[7:5] == 3'h0) ? select_952[4:0] : 5'h1f;
+  logic [7:0] select_960;
+  assign select_960 = difference_958_s3_q[6] ? (8'h0 - {difference_958_s3_q[6], difference_958_s3_q}) : {2'h0, difference_958_s3_q[5:0]};
+  logic [4:0] difference_30;
+  assign difference_30 = (select_960[7:5] == 3'h0) ? select_960[4:0] : 5'h1f;
+  logic [7:0] select_974;
+  assign select_974 = difference_972_s3_q[6] ? (8'h0 - {difference_972_s3_q[6], difference_972_s3_q}) : {2'h0, difference_972_s3_q[5:0]};
+  logic [4:0] difference_31;
+  assign difference_31 = (select_974[7:5] == 3'h0) ? select_974[4:0] : 5'h1f;
+  logic [7:0] select_982;
+  assign select_982 = difference_980_s3_q[6] ? (8'h0 - {difference_980_s3_q[6], difference_980_s3_q}) : {2'h0, difference_980_s3_q[5:0]};
+  logic [4:0] difference_32;
+  assign difference_32 = (select_982[7:5] == 3'h0) ? select_982[4:0] : 5'h1f;
+  logic [7:0] select_994;
+  assign select_994 = difference_992_s3_q[6] ? (8'h0 - {difference_992_s3_q[6], difference_992_s3_q}) : {2'h0, difference_992_s3_q[5:0]};
+  logic [4:0] difference_33;
+  assign difference_33 = (select_994[7:5] == 3'h0) ? select_994[4:0] : 5'h1f;
+  logic [7:0] select_1002;
+  assign select_1002 = difference_1000_s3_q[6] ? (8'h0 - {difference_1000_s3_q[6], difference_1000_s3_q}) : {2'h0, difference_1000_s3_q[5:0]};
+  logic [4:0] difference_34;
+  assign difference_34 = (select_1002[7:5] == 3'h0) ? select_1002[4:0] : 5'h1f;
+  logic [7:0] select_1015;
+  assign select_1015 = difference_1013_s3_q[6] ? (8'h0 - {difference_1013_s3_q[6], difference_1013_s3_q}) : {2'h0, difference_1013_s3_q[5:0]};
+  logic [4:0] difference_35;
+  assign difference_35 = (select_1015[7:5] == 3'h0) ? select_1015[4:0] : 5'h1f;
+  logic [7:0] select_1023;
+  assign select_1023 = difference_1021_s3_q[6] ? (8'h0 - {difference_1021_s3_q[6], difference_1021_s3_q}) : {2'h0, difference_1021_s3_q[5:0]};
+  logic [4:0] difference_36;
+  assign difference_36 = (select_1023[7:5] == 3'h0) ? select_1023[4:0] : 5'h1f;
   // hls/stages/plane_sums.hpp:157
-  logic xor_745;
-  assign xor_745 = entering_values_17_row_q ^ entering_values_35_row_q;
+  logic xor_1033;
+  assign xor_1033 = entering_values_23_row_q ^ entering_values_47_row_q;
   // hls/stages/plane_sums.hpp:87
-  logic [4:0] select_752;
-  assign select_752 = entering_values_35_features_mask_q ? (xor_745 ? 5'h1f : difference_25_s3_q) : 5'h1f;
+  logic [4:0] select_1040;
+  assign select_1040 = entering_values_47_features_mask_q ? (xor_1033 ? 5'h1f : difference_37_s3_q) : 5'h1f;
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_753;
-  assign select_753 = entering_values_17_features_mask_q ? select_752 : 5'h0;
+  logic [4:0] select_1041;
+  assign select_1041 = entering_values_23_features_mask_q ? select_1040 : 5'h0;
   // hls/stages/plane_sums.hpp:88
-  logic [4:0] select_760;
-  assign select_760 = leaving_values_35_features_mask_q ? (xor_745 ? 5'h1f : difference_26_s3_q) : 5'h1f;
+  logic [4:0] select_1048;
+  assign select_1048 = leaving_values_47_features_mask_q ? (xor_1033 ? 5'h1f : difference_38_s3_q) : 5'h1f;
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_761;
-  assign select_761 = leaving_values_17_features_mask_q ? select_760 : 5'h0;
-  logic [4:0] select_768;
-  assign select_768 = entering_values_17_features_mask_q ? select_767_s3_q : 5'h0;
-  logic [4:0] select_771;
-  assign select_771 = leaving_values_17_features_mask_q ? select_770_s3_q : 5'h0;
+  logic [4:0] select_1049;
+  assign select_1049 = leaving_values_23_features_mask_q ? select_1048 : 5'h0;
+  logic [4:0] select_1056;
+  assign select_1056 = entering_values_23_features_mask_q ? select_1055_s3_q : 5'h0;
+  logic [4:0] select_1059;
+  assign select_1059 = leaving_values_23_features_mask_q ? select_1058_s3_q : 5'h0;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -1240,6 +1558,30 @@ module horopter_plane_sums (
       entering_values_34_row_q <= 1'b0;
       entering_values_35_features_mask_q <= 1'b0;
       entering_values_35_row_q <= 1'b0;
+      entering_values_36_features_mask_q <= 1'b0;
+      entering_values_36_row_q <= 1'b0;
+      entering_values_37_features_mask_q <= 1'b0;
+      entering_values_37_row_q <= 1'b0;
+      entering_values_38_features_mask_q <= 1'b0;
+      entering_values_38_row_q <= 1'b0;
+      entering_values_39_features_mask_q <= 1'b0;
+      entering_values_39_row_q <= 1'b0;
+      entering_values_40_features_mask_q <= 1'b0;
+      entering_values_40_row_q <= 1'b0;
+      entering_values_41_features_mask_q <= 1'b0;
+      entering_values_41_row_q <= 1'b0;
+      entering_values_42_features_mask_q <= 1'b0;
+      entering_values_42_row_q <= 1'b0;
+      entering_values_43_features_mask_q <= 1'b0;
+      entering_values_43_row_q <= 1'b0;
+      entering_values_44_features_mask_q <= 1'b0;
+      entering_values_44_row_q <= 1'b0;
+      entering_values_45_features_mask_q <= 1'b0;
+      entering_values_45_row_q <= 1'b0;
+      entering_values_46_features_mask_q <= 1'b0;
+      entering_values_46_row_q <= 1'b0;
+      entering_values_47_features_mask_q <= 1'b0;
+      entering_values_47_row_q <= 1'b0;
       leaving_values_0_features_mask_q <= 1'b0;
       leaving_values_1_features_mask_q <= 1'b0;
       leaving_values_2_features_mask_q <= 1'b0;
@@ -1276,6 +1618,18 @@ module horopter_plane_sums (
       leaving_values_33_features_mask_q <= 1'b0;
       leaving_values_34_features_mask_q <= 1'b0;
       leaving_values_35_features_mask_q <= 1'b0;
+      leaving_values_36_features_mask_q <= 1'b0;
+      leaving_values_37_features_mask_q <= 1'b0;
+      leaving_values_38_features_mask_q <= 1'b0;
+      leaving_values_39_features_mask_q <= 1'b0;
+      leaving_values_40_features_mask_q <= 1'b0;
+      leaving_values_41_features_mask_q <= 1'b0;
+      leaving_values_42_features_mask_q <= 1'b0;
+      leaving_values_43_features_mask_q <= 1'b0;
+      leaving_values_44_features_mask_q <= 1'b0;
+      leaving_values_45_features_mask_q <= 1'b0;
+      leaving_values_46_features_mask_q <= 1'b0;
+      leaving_values_47_features_mask_q <= 1'b0;
       centre_marks_values_0_first_q <= 1'b0;
       centre_marks_values_0_last_q <= 1'b0;
       centre_marks_values_1_first_q <= 1'b0;
@@ -1285,7 +1639,7 @@ module horopter_plane_sums (
       centre_marks_values_3_first_q <= 1'b0;
       centre_marks_values_3_last_q <= 1'b0;
     end else if (s3_en) begin
-      row_parity_q <= row_parity_q ^ or_473_s3_q;
+      row_parity_q <= row_parity_q ^ or_629_s3_q;
       entering_values_0_features_mask_q <= mask_s3_q;
       entering_values_1_features_mask_q <= entering_values_0_features_mask_q;
       entering_values_1_row_q <= row_parity_q;
@@ -1357,7 +1711,31 @@ module horopter_plane_sums (
       entering_values_34_row_q <= entering_values_33_row_q;
       entering_values_35_features_mask_q <= entering_values_34_features_mask_q;
       entering_values_35_row_q <= entering_values_34_row_q;
-      leaving_values_0_features_mask_q <= and_498_s3_q;
+      entering_values_36_features_mask_q <= entering_values_35_features_mask_q;
+      entering_values_36_row_q <= entering_values_35_row_q;
+      entering_values_37_features_mask_q <= entering_values_36_features_mask_q;
+      entering_values_37_row_q <= entering_values_36_row_q;
+      entering_values_38_features_mask_q <= entering_values_37_features_mask_q;
+      entering_values_38_row_q <= entering_values_37_row_q;
+      entering_values_39_features_mask_q <= entering_values_38_features_mask_q;
+      entering_values_39_row_q <= entering_values_38_row_q;
+      entering_values_40_features_mask_q <= entering_values_39_features_mask_q;
+      entering_values_40_row_q <= entering_values_39_row_q;
+      entering_values_41_features_mask_q <= entering_values_40_features_mask_q;
+      entering_values_41_row_q <= entering_values_40_row_q;
+      entering_values_42_features_mask_q <= entering_values_41_features_mask_q;
+      entering_values_42_row_q <= entering_values_41_row_q;
+      entering_values_43_features_mask_q <= entering_values_42_features_mask_q;
+      entering_values_43_row_q <= entering_values_42_row_q;
+      entering_values_44_features_mask_q <= entering_values_43_features_mask_q;
+      entering_values_44_row_q <= entering_values_43_row_q;
+      entering_values_45_features_mask_q <= entering_values_44_features_mask_q;
+      entering_values_45_row_q <= entering_values_44_row_q;
+      entering_values_46_features_mask_q <= entering_values_45_features_mask_q;
+      entering_values_46_row_q <= entering_values_45_row_q;
+      entering_values_47_features_mask_q <= entering_values_46_features_mask_q;
+      entering_values_47_row_q <= entering_values_46_row_q;
+      leaving_values_0_features_mask_q <= and_654_s3_q;
       leaving_values_1_features_mask_q <= leaving_values_0_features_mask_q;
       leaving_values_2_features_mask_q <= leaving_values_1_features_mask_q;
       leaving_values_3_features_mask_q <= leaving_values_2_features_mask_q;
@@ -1393,7 +1771,19 @@ module horopter_plane_sums (
       leaving_values_33_features_mask_q <= leaving_values_32_features_mask_q;
       leaving_values_34_features_mask_q <= leaving_values_33_features_mask_q;
       leaving_values_35_features_mask_q <= leaving_values_34_features_mask_q;
-      centre_marks_values_0_first_q <= marks_values_19_first_s3_q;
+      leaving_values_36_features_mask_q <= leaving_values_35_features_mask_q;
+      leaving_values_37_features_mask_q <= leaving_values_36_features_mask_q;
+      leaving_values_38_features_mask_q <= leaving_values_37_features_mask_q;
+      leaving_values_39_features_mask_q <= leaving_values_38_features_mask_q;
+      leaving_values_40_features_mask_q <= leaving_values_39_features_mask_q;
+      leaving_values_41_features_mask_q <= leaving_values_40_features_mask_q;
+      leaving_values_42_features_mask_q <= leaving_values_41_features_mask_q;
+      leaving_values_43_features_mask_q <= leaving_values_42_features_mask_q;
+      leaving_values_44_features_mask_q <= leaving_values_43_features_mask_q;
+      leaving_values_45_features_mask_q <= leaving_values_44_features_mask_q;
+      leaving_values_46_features_mask_q <= leaving_values_45_features_mask_q;
+      leaving_values_47_features_mask_q <= leaving_values_46_features_mask_q;
+      centre_marks_values_0_first_q <= marks_values_25_first_s3_q;
       centre_marks_values_0_last_q <= delayed_row_ended_q;
       centre_marks_values_1_first_q <= centre_marks_values_0_first_q;
       centre_marks_values_1_last_q <= centre_marks_values_0_last_q;
@@ -1404,15 +1794,15 @@ module horopter_plane_sums (
     end
   end
 
-  logic [5:0] seen_values_18_grey_s4_q;
-  logic seen_values_18_exists_s4_q;
+  logic [5:0] seen_values_24_grey_s4_q;
+  logic seen_values_24_exists_s4_q;
   logic centre_marks_values_3_first_s4_q;
   logic centre_marks_values_3_last_s4_q;
-  logic or_476_s4_q;
-  logic [10:0] select_477_s4_q;
-  logic or_478_s4_q;
-  logic [142:0] column_memory_rdata_s4_q;
-  logic not_487_s4_q;
+  logic or_632_s4_q;
+  logic [10:0] select_633_s4_q;
+  logic or_634_s4_q;
+  logic [190:0] column_memory_rdata_s4_q;
+  logic not_643_s4_q;
   logic [4:0] difference_s4_q;
   logic [4:0] difference_2_s4_q;
   logic [4:0] difference_3_s4_q;
@@ -1437,19 +1827,31 @@ module horopter_plane_sums (
   logic [4:0] difference_22_s4_q;
   logic [4:0] difference_23_s4_q;
   logic [4:0] difference_24_s4_q;
-  logic [5:0] difference_762_s4_q;
-  logic [5:0] difference_772_s4_q;
+  logic [4:0] difference_25_s4_q;
+  logic [4:0] difference_26_s4_q;
+  logic [4:0] difference_27_s4_q;
+  logic [4:0] difference_28_s4_q;
+  logic [4:0] difference_29_s4_q;
+  logic [4:0] difference_30_s4_q;
+  logic [4:0] difference_31_s4_q;
+  logic [4:0] difference_32_s4_q;
+  logic [4:0] difference_33_s4_q;
+  logic [4:0] difference_34_s4_q;
+  logic [4:0] difference_35_s4_q;
+  logic [4:0] difference_36_s4_q;
+  logic [5:0] difference_1050_s4_q;
+  logic [5:0] difference_1060_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
-      seen_values_18_grey_s4_q <= seen_values_18_grey_s3_q;
-      seen_values_18_exists_s4_q <= seen_values_18_exists_s3_q;
+      seen_values_24_grey_s4_q <= seen_values_24_grey_s3_q;
+      seen_values_24_exists_s4_q <= seen_values_24_exists_s3_q;
       centre_marks_values_3_first_s4_q <= centre_marks_values_3_first_q;
       centre_marks_values_3_last_s4_q <= centre_marks_values_3_last_q;
-      or_476_s4_q <= or_476_s3_q;
-      select_477_s4_q <= select_477_s3_q;
-      or_478_s4_q <= running_q;
+      or_632_s4_q <= or_632_s3_q;
+      select_633_s4_q <= select_633_s3_q;
+      or_634_s4_q <= running_q;
       column_memory_rdata_s4_q <= column_memory_rdata_q;
-      not_487_s4_q <= ~(^{or_473_s3_q, entering_values_17_row_q, row_parity_q});
+      not_643_s4_q <= ~(^{or_629_s3_q, entering_values_23_row_q, row_parity_q});
       difference_s4_q <= difference;
       difference_2_s4_q <= difference_2;
       difference_3_s4_q <= difference_3;
@@ -1474,8 +1876,20 @@ module horopter_plane_sums (
       difference_22_s4_q <= difference_22;
       difference_23_s4_q <= difference_23;
       difference_24_s4_q <= difference_24;
-      difference_762_s4_q <= {1'b0, select_753} - {1'b0, select_761};
-      difference_772_s4_q <= {1'b0, select_768} - {1'b0, select_771};
+      difference_25_s4_q <= difference_25;
+      difference_26_s4_q <= difference_26;
+      difference_27_s4_q <= difference_27;
+      difference_28_s4_q <= difference_28;
+      difference_29_s4_q <= difference_29;
+      difference_30_s4_q <= difference_30;
+      difference_31_s4_q <= difference_31;
+      difference_32_s4_q <= difference_32;
+      difference_33_s4_q <= difference_33;
+      difference_34_s4_q <= difference_34;
+      difference_35_s4_q <= difference_35;
+      difference_36_s4_q <= difference_36;
+      difference_1050_s4_q <= {1'b0, select_1041} - {1'b0, select_1049};
+      difference_1060_s4_q <= {1'b0, select_1056} - {1'b0, select_1059};
     end
   end
 
@@ -1498,202 +1912,292 @@ module horopter_plane_sums (
   logic rows_seen_values_2_q;
   logic rows_seen_values_3_q;
   // hls/stages/plane_sums.hpp:81
-  logic [2:0] select_480;
-  assign select_480 = centre_marks_values_0_first_q ? 3'h0 : delayed_rows_q;
-  logic equal_481;
-  assign equal_481 = select_480 == 3'h0;
+  logic [2:0] select_636;
+  assign select_636 = centre_marks_values_0_first_q ? 3'h0 : delayed_rows_q;
+  logic equal_637;
+  assign equal_637 = select_636 == 3'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above;
-  assign above = equal_481 ? 8'h0 : (or_478_s4_q ? column_memory_rdata_s4_q[7:0] : 8'h0);
+  assign above = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[7:0] : 8'h0);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_494;
-  assign select_494 = (entering_values_0_features_mask_q & not_487_s4_q) ? difference_s4_q : 5'h1f;
-  logic [4:0] select_495;
-  assign select_495 = entering_values_18_features_mask_q ? select_494 : 5'h0;
-  logic [4:0] select_505;
-  assign select_505 = (leaving_values_0_features_mask_q & not_487_s4_q) ? difference_2_s4_q : 5'h1f;
-  logic [4:0] select_506;
-  assign select_506 = leaving_values_18_features_mask_q ? select_505 : 5'h0;
+  logic [4:0] select_650;
+  assign select_650 = (entering_values_0_features_mask_q & not_643_s4_q) ? difference_s4_q : 5'h1f;
+  logic [4:0] select_651;
+  assign select_651 = entering_values_24_features_mask_q ? select_650 : 5'h0;
+  logic [4:0] select_661;
+  assign select_661 = (leaving_values_0_features_mask_q & not_643_s4_q) ? difference_2_s4_q : 5'h1f;
+  logic [4:0] select_662;
+  assign select_662 = leaving_values_24_features_mask_q ? select_661 : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_2;
-  assign above_2 = equal_481 ? 8'h0 : (or_478_s4_q ? column_memory_rdata_s4_q[15:8] : 8'h0);
+  assign above_2 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[15:8] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic not_512;
-  assign not_512 = ~(entering_values_8_row_q ^ entering_values_18_row_q);
+  logic not_668;
+  assign not_668 = ~(entering_values_6_row_q ^ entering_values_24_row_q);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_519;
-  assign select_519 = (entering_values_8_features_mask_q & not_512) ? difference_3_s4_q : 5'h1f;
-  logic [4:0] select_520;
-  assign select_520 = entering_values_18_features_mask_q ? select_519 : 5'h0;
-  logic [4:0] select_527;
-  assign select_527 = (leaving_values_8_features_mask_q & not_512) ? difference_4_s4_q : 5'h1f;
-  logic [4:0] select_528;
-  assign select_528 = leaving_values_18_features_mask_q ? select_527 : 5'h0;
+  logic [4:0] select_675;
+  assign select_675 = (entering_values_6_features_mask_q & not_668) ? difference_3_s4_q : 5'h1f;
+  logic [4:0] select_676;
+  assign select_676 = entering_values_24_features_mask_q ? select_675 : 5'h0;
+  logic [4:0] select_683;
+  assign select_683 = (leaving_values_6_features_mask_q & not_668) ? difference_4_s4_q : 5'h1f;
+  logic [4:0] select_684;
+  assign select_684 = leaving_values_24_features_mask_q ? select_683 : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_3;
-  assign above_3 = equal_481 ? 8'h0 : (or_478_s4_q ? column_memory_rdata_s4_q[23:16] : 8'h0);
+  assign above_3 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[23:16] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic not_534;
-  assign not_534 = ~(entering_values_12_row_q ^ entering_values_18_row_q);
+  logic not_690;
+  assign not_690 = ~(entering_values_11_row_q ^ entering_values_24_row_q);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_541;
-  assign select_541 = (entering_values_12_features_mask_q & not_534) ? difference_5_s4_q : 5'h1f;
-  logic [4:0] select_542;
-  assign select_542 = entering_values_18_features_mask_q ? select_541 : 5'h0;
-  logic [4:0] select_549;
-  assign select_549 = (leaving_values_12_features_mask_q & not_534) ? difference_6_s4_q : 5'h1f;
-  logic [4:0] select_550;
-  assign select_550 = leaving_values_18_features_mask_q ? select_549 : 5'h0;
+  logic [4:0] select_697;
+  assign select_697 = (entering_values_11_features_mask_q & not_690) ? difference_5_s4_q : 5'h1f;
+  logic [4:0] select_698;
+  assign select_698 = entering_values_24_features_mask_q ? select_697 : 5'h0;
+  logic [4:0] select_705;
+  assign select_705 = (leaving_values_11_features_mask_q & not_690) ? difference_6_s4_q : 5'h1f;
+  logic [4:0] select_706;
+  assign select_706 = leaving_values_24_features_mask_q ? select_705 : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_4;
-  assign above_4 = equal_481 ? 8'h0 : (or_478_s4_q ? column_memory_rdata_s4_q[31:24] : 8'h0);
+  assign above_4 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[31:24] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic not_556;
-  assign not_556 = ~(entering_values_15_row_q ^ entering_values_18_row_q);
-  // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_563;
-  assign select_563 = (entering_values_15_features_mask_q & not_556) ? difference_7_s4_q : 5'h1f;
-  logic [4:0] select_564;
-  assign select_564 = entering_values_18_features_mask_q ? select_563 : 5'h0;
-  logic [4:0] select_571;
-  assign select_571 = (leaving_values_15_features_mask_q & not_556) ? difference_8_s4_q : 5'h1f;
-  logic [4:0] select_572;
-  assign select_572 = leaving_values_18_features_mask_q ? select_571 : 5'h0;
-  // hls/stages/plane_sums.hpp:148
-  logic [7:0] above_5;
-  assign above_5 = equal_481 ? 8'h0 : (or_478_s4_q ? column_memory_rdata_s4_q[39:32] : 8'h0);
-  // hls/stages/plane_sums.hpp:157
-  logic not_578;
-  assign not_578 = ~(entering_values_16_row_q ^ entering_values_18_row_q);
-  // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_585;
-  assign select_585 = (entering_values_16_features_mask_q & not_578) ? difference_9_s4_q : 5'h1f;
-  logic [4:0] select_586;
-  assign select_586 = entering_values_18_features_mask_q ? select_585 : 5'h0;
-  logic [4:0] select_593;
-  assign select_593 = (leaving_values_16_features_mask_q & not_578) ? difference_10_s4_q : 5'h1f;
-  logic [4:0] select_594;
-  assign select_594 = leaving_values_18_features_mask_q ? select_593 : 5'h0;
-  // hls/stages/plane_sums.hpp:148
-  logic [7:0] above_6;
-  assign above_6 = equal_481 ? 8'h0 : (or_478_s4_q ? column_memory_rdata_s4_q[47:40] : 8'h0);
-  // hls/stages/plane_sums.hpp:157
-  logic not_600;
-  assign not_600 = ~(entering_values_17_row_q ^ entering_values_18_row_q);
-  // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_607;
-  assign select_607 = (entering_values_17_features_mask_q & not_600) ? difference_11_s4_q : 5'h1f;
-  logic [4:0] select_608;
-  assign select_608 = entering_values_18_features_mask_q ? select_607 : 5'h0;
-  logic [4:0] select_615;
-  assign select_615 = (leaving_values_17_features_mask_q & not_600) ? difference_12_s4_q : 5'h1f;
-  logic [4:0] select_616;
-  assign select_616 = leaving_values_18_features_mask_q ? select_615 : 5'h0;
-  // hls/stages/plane_sums.hpp:148
-  logic [7:0] above_7;
-  assign above_7 = equal_481 ? 8'h0 : (or_478_s4_q ? column_memory_rdata_s4_q[55:48] : 8'h0);
-  // hls/stages/plane_sums.hpp:158
-  logic [4:0] select_626;
-  assign select_626 = entering_values_18_features_mask_q ? difference_13_s4_q : 5'h0;
-  logic [4:0] select_632;
-  assign select_632 = leaving_values_18_features_mask_q ? difference_14_s4_q : 5'h0;
-  // hls/stages/plane_sums.hpp:148
-  logic [7:0] above_8;
-  assign above_8 = equal_481 ? 8'h0 : (or_478_s4_q ? column_memory_rdata_s4_q[63:56] : 8'h0);
-  // hls/stages/plane_sums.hpp:157
-  logic not_638;
-  assign not_638 = ~(entering_values_18_row_q ^ entering_values_19_row_q);
-  // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_645;
-  assign select_645 = (entering_values_19_features_mask_q & not_638) ? difference_15_s4_q : 5'h1f;
-  logic [4:0] select_646;
-  assign select_646 = entering_values_18_features_mask_q ? select_645 : 5'h0;
-  logic [4:0] select_653;
-  assign select_653 = (leaving_values_19_features_mask_q & not_638) ? difference_16_s4_q : 5'h1f;
-  logic [4:0] select_654;
-  assign select_654 = leaving_values_18_features_mask_q ? select_653 : 5'h0;
-  // hls/stages/plane_sums.hpp:148
-  logic [7:0] above_9;
-  assign above_9 = equal_481 ? 8'h0 : (or_478_s4_q ? column_memory_rdata_s4_q[71:64] : 8'h0);
-  // hls/stages/plane_sums.hpp:157
-  logic not_660;
-  assign not_660 = ~(entering_values_18_row_q ^ entering_values_20_row_q);
-  // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_667;
-  assign select_667 = (entering_values_20_features_mask_q & not_660) ? difference_17_s4_q : 5'h1f;
-  logic [4:0] select_668;
-  assign select_668 = entering_values_18_features_mask_q ? select_667 : 5'h0;
-  logic [4:0] select_675;
-  assign select_675 = (leaving_values_20_features_mask_q & not_660) ? difference_18_s4_q : 5'h1f;
-  logic [4:0] select_676;
-  assign select_676 = leaving_values_18_features_mask_q ? select_675 : 5'h0;
-  // hls/stages/plane_sums.hpp:148
-  logic [7:0] above_10;
-  assign above_10 = equal_481 ? 8'h0 : (or_478_s4_q ? column_memory_rdata_s4_q[79:72] : 8'h0);
-  // hls/stages/plane_sums.hpp:157
-  logic not_682;
-  assign not_682 = ~(entering_values_18_row_q ^ entering_values_21_row_q);
-  // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_689;
-  assign select_689 = (entering_values_21_features_mask_q & not_682) ? difference_19_s4_q : 5'h1f;
-  logic [4:0] select_690;
-  assign select_690 = entering_values_18_features_mask_q ? select_689 : 5'h0;
-  logic [4:0] select_697;
-  assign select_697 = (leaving_values_21_features_mask_q & not_682) ? difference_20_s4_q : 5'h1f;
-  logic [4:0] select_698;
-  assign select_698 = leaving_values_18_features_mask_q ? select_697 : 5'h0;
-  // hls/stages/plane_sums.hpp:148
-  logic [7:0] above_11;
-  assign above_11 = equal_481 ? 8'h0 : (or_478_s4_q ? column_memory_rdata_s4_q[87:80] : 8'h0);
-  // hls/stages/plane_sums.hpp:157
-  logic xor_703;
-  assign xor_703 = entering_values_18_row_q ^ entering_values_24_row_q;
-  // hls/stages/plane_sums.hpp:87
-  logic [4:0] select_710;
-  assign select_710 = entering_values_24_features_mask_q ? (xor_703 ? 5'h1f : difference_21_s4_q) : 5'h1f;
-  // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_711;
-  assign select_711 = entering_values_18_features_mask_q ? select_710 : 5'h0;
-  // hls/stages/plane_sums.hpp:88
-  logic [4:0] select_718;
-  assign select_718 = leaving_values_24_features_mask_q ? (xor_703 ? 5'h1f : difference_22_s4_q) : 5'h1f;
+  logic not_712;
+  assign not_712 = ~(entering_values_15_row_q ^ entering_values_24_row_q);
   // hls/stages/plane_sums.hpp:149
   logic [4:0] select_719;
-  assign select_719 = leaving_values_18_features_mask_q ? select_718 : 5'h0;
+  assign select_719 = (entering_values_15_features_mask_q & not_712) ? difference_7_s4_q : 5'h1f;
+  logic [4:0] select_720;
+  assign select_720 = entering_values_24_features_mask_q ? select_719 : 5'h0;
+  logic [4:0] select_727;
+  assign select_727 = (leaving_values_15_features_mask_q & not_712) ? difference_8_s4_q : 5'h1f;
+  logic [4:0] select_728;
+  assign select_728 = leaving_values_24_features_mask_q ? select_727 : 5'h0;
+  // hls/stages/plane_sums.hpp:148
+  logic [7:0] above_5;
+  assign above_5 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[39:32] : 8'h0);
+  // hls/stages/plane_sums.hpp:157
+  logic not_734;
+  assign not_734 = ~(entering_values_18_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_741;
+  assign select_741 = (entering_values_18_features_mask_q & not_734) ? difference_9_s4_q : 5'h1f;
+  logic [4:0] select_742;
+  assign select_742 = entering_values_24_features_mask_q ? select_741 : 5'h0;
+  logic [4:0] select_749;
+  assign select_749 = (leaving_values_18_features_mask_q & not_734) ? difference_10_s4_q : 5'h1f;
+  logic [4:0] select_750;
+  assign select_750 = leaving_values_24_features_mask_q ? select_749 : 5'h0;
+  // hls/stages/plane_sums.hpp:148
+  logic [7:0] above_6;
+  assign above_6 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[47:40] : 8'h0);
+  // hls/stages/plane_sums.hpp:157
+  logic not_756;
+  assign not_756 = ~(entering_values_20_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_763;
+  assign select_763 = (entering_values_20_features_mask_q & not_756) ? difference_11_s4_q : 5'h1f;
+  logic [4:0] select_764;
+  assign select_764 = entering_values_24_features_mask_q ? select_763 : 5'h0;
+  logic [4:0] select_771;
+  assign select_771 = (leaving_values_20_features_mask_q & not_756) ? difference_12_s4_q : 5'h1f;
+  logic [4:0] select_772;
+  assign select_772 = leaving_values_24_features_mask_q ? select_771 : 5'h0;
+  // hls/stages/plane_sums.hpp:148
+  logic [7:0] above_7;
+  assign above_7 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[55:48] : 8'h0);
+  // hls/stages/plane_sums.hpp:157
+  logic not_778;
+  assign not_778 = ~(entering_values_21_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_785;
+  assign select_785 = (entering_values_21_features_mask_q & not_778) ? difference_13_s4_q : 5'h1f;
+  logic [4:0] select_786;
+  assign select_786 = entering_values_24_features_mask_q ? select_785 : 5'h0;
+  logic [4:0] select_793;
+  assign select_793 = (leaving_values_21_features_mask_q & not_778) ? difference_14_s4_q : 5'h1f;
+  logic [4:0] select_794;
+  assign select_794 = leaving_values_24_features_mask_q ? select_793 : 5'h0;
+  // hls/stages/plane_sums.hpp:148
+  logic [7:0] above_8;
+  assign above_8 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[63:56] : 8'h0);
+  // hls/stages/plane_sums.hpp:157
+  logic not_800;
+  assign not_800 = ~(entering_values_22_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_807;
+  assign select_807 = (entering_values_22_features_mask_q & not_800) ? difference_15_s4_q : 5'h1f;
+  logic [4:0] select_808;
+  assign select_808 = entering_values_24_features_mask_q ? select_807 : 5'h0;
+  logic [4:0] select_815;
+  assign select_815 = (leaving_values_22_features_mask_q & not_800) ? difference_16_s4_q : 5'h1f;
+  logic [4:0] select_816;
+  assign select_816 = leaving_values_24_features_mask_q ? select_815 : 5'h0;
+  // hls/stages/plane_sums.hpp:148
+  logic [7:0] above_9;
+  assign above_9 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[71:64] : 8'h0);
+  // hls/stages/plane_sums.hpp:157
+  logic not_822;
+  assign not_822 = ~(entering_values_23_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_829;
+  assign select_829 = (entering_values_23_features_mask_q & not_822) ? difference_17_s4_q : 5'h1f;
+  logic [4:0] select_830;
+  assign select_830 = entering_values_24_features_mask_q ? select_829 : 5'h0;
+  logic [4:0] select_837;
+  assign select_837 = (leaving_values_23_features_mask_q & not_822) ? difference_18_s4_q : 5'h1f;
+  logic [4:0] select_838;
+  assign select_838 = leaving_values_24_features_mask_q ? select_837 : 5'h0;
+  // hls/stages/plane_sums.hpp:148
+  logic [7:0] above_10;
+  assign above_10 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[79:72] : 8'h0);
+  // hls/stages/plane_sums.hpp:158
+  logic [4:0] select_848;
+  assign select_848 = entering_values_24_features_mask_q ? difference_19_s4_q : 5'h0;
+  logic [4:0] select_854;
+  assign select_854 = leaving_values_24_features_mask_q ? difference_20_s4_q : 5'h0;
+  // hls/stages/plane_sums.hpp:148
+  logic [7:0] above_11;
+  assign above_11 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[87:80] : 8'h0);
+  // hls/stages/plane_sums.hpp:157
+  logic not_860;
+  assign not_860 = ~(entering_values_24_row_q ^ entering_values_25_row_q);
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_867;
+  assign select_867 = (entering_values_25_features_mask_q & not_860) ? difference_21_s4_q : 5'h1f;
+  logic [4:0] select_868;
+  assign select_868 = entering_values_24_features_mask_q ? select_867 : 5'h0;
+  logic [4:0] select_875;
+  assign select_875 = (leaving_values_25_features_mask_q & not_860) ? difference_22_s4_q : 5'h1f;
+  logic [4:0] select_876;
+  assign select_876 = leaving_values_24_features_mask_q ? select_875 : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_12;
-  assign above_12 = equal_481 ? 8'h0 : (or_478_s4_q ? column_memory_rdata_s4_q[95:88] : 8'h0);
+  assign above_12 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[95:88] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic xor_724;
-  assign xor_724 = entering_values_18_row_q ^ entering_values_28_row_q;
-  // hls/stages/plane_sums.hpp:87
-  logic [4:0] select_731;
-  assign select_731 = entering_values_28_features_mask_q ? (xor_724 ? 5'h1f : difference_23_s4_q) : 5'h1f;
+  logic not_882;
+  assign not_882 = ~(entering_values_24_row_q ^ entering_values_26_row_q);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_732;
-  assign select_732 = entering_values_18_features_mask_q ? select_731 : 5'h0;
-  // hls/stages/plane_sums.hpp:88
-  logic [4:0] select_739;
-  assign select_739 = leaving_values_28_features_mask_q ? (xor_724 ? 5'h1f : difference_24_s4_q) : 5'h1f;
-  // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_740;
-  assign select_740 = leaving_values_18_features_mask_q ? select_739 : 5'h0;
+  logic [4:0] select_889;
+  assign select_889 = (entering_values_26_features_mask_q & not_882) ? difference_23_s4_q : 5'h1f;
+  logic [4:0] select_890;
+  assign select_890 = entering_values_24_features_mask_q ? select_889 : 5'h0;
+  logic [4:0] select_897;
+  assign select_897 = (leaving_values_26_features_mask_q & not_882) ? difference_24_s4_q : 5'h1f;
+  logic [4:0] select_898;
+  assign select_898 = leaving_values_24_features_mask_q ? select_897 : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_13;
-  assign above_13 = equal_481 ? 8'h0 : (or_478_s4_q ? column_memory_rdata_s4_q[103:96] : 8'h0);
+  assign above_13 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[103:96] : 8'h0);
+  // hls/stages/plane_sums.hpp:157
+  logic not_904;
+  assign not_904 = ~(entering_values_24_row_q ^ entering_values_27_row_q);
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_911;
+  assign select_911 = (entering_values_27_features_mask_q & not_904) ? difference_25_s4_q : 5'h1f;
+  logic [4:0] select_912;
+  assign select_912 = entering_values_24_features_mask_q ? select_911 : 5'h0;
+  logic [4:0] select_919;
+  assign select_919 = (leaving_values_27_features_mask_q & not_904) ? difference_26_s4_q : 5'h1f;
+  logic [4:0] select_920;
+  assign select_920 = leaving_values_24_features_mask_q ? select_919 : 5'h0;
+  // hls/stages/plane_sums.hpp:148
   logic [7:0] above_14;
-  assign above_14 = equal_481 ? 8'h0 : (or_478_s4_q ? column_memory_rdata_s4_q[111:104] : 8'h0);
+  assign above_14 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[111:104] : 8'h0);
+  // hls/stages/plane_sums.hpp:157
+  logic not_926;
+  assign not_926 = ~(entering_values_24_row_q ^ entering_values_28_row_q);
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_933;
+  assign select_933 = (entering_values_28_features_mask_q & not_926) ? difference_27_s4_q : 5'h1f;
+  logic [4:0] select_934;
+  assign select_934 = entering_values_24_features_mask_q ? select_933 : 5'h0;
+  logic [4:0] select_941;
+  assign select_941 = (leaving_values_28_features_mask_q & not_926) ? difference_28_s4_q : 5'h1f;
+  logic [4:0] select_942;
+  assign select_942 = leaving_values_24_features_mask_q ? select_941 : 5'h0;
+  // hls/stages/plane_sums.hpp:148
+  logic [7:0] above_15;
+  assign above_15 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[119:112] : 8'h0);
+  // hls/stages/plane_sums.hpp:157
+  logic not_948;
+  assign not_948 = ~(entering_values_24_row_q ^ entering_values_30_row_q);
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_955;
+  assign select_955 = (entering_values_30_features_mask_q & not_948) ? difference_29_s4_q : 5'h1f;
+  logic [4:0] select_956;
+  assign select_956 = entering_values_24_features_mask_q ? select_955 : 5'h0;
+  logic [4:0] select_963;
+  assign select_963 = (leaving_values_30_features_mask_q & not_948) ? difference_30_s4_q : 5'h1f;
+  logic [4:0] select_964;
+  assign select_964 = leaving_values_24_features_mask_q ? select_963 : 5'h0;
+  // hls/stages/plane_sums.hpp:148
+  logic [7:0] above_16;
+  assign above_16 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[127:120] : 8'h0);
+  // hls/stages/plane_sums.hpp:157
+  logic not_970;
+  assign not_970 = ~(entering_values_24_row_q ^ entering_values_33_row_q);
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_977;
+  assign select_977 = (entering_values_33_features_mask_q & not_970) ? difference_31_s4_q : 5'h1f;
+  logic [4:0] select_978;
+  assign select_978 = entering_values_24_features_mask_q ? select_977 : 5'h0;
+  logic [4:0] select_985;
+  assign select_985 = (leaving_values_33_features_mask_q & not_970) ? difference_32_s4_q : 5'h1f;
+  logic [4:0] select_986;
+  assign select_986 = leaving_values_24_features_mask_q ? select_985 : 5'h0;
+  // hls/stages/plane_sums.hpp:148
+  logic [7:0] above_17;
+  assign above_17 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[135:128] : 8'h0);
+  // hls/stages/plane_sums.hpp:157
+  logic xor_991;
+  assign xor_991 = entering_values_24_row_q ^ entering_values_37_row_q;
+  // hls/stages/plane_sums.hpp:87
+  logic [4:0] select_998;
+  assign select_998 = entering_values_37_features_mask_q ? (xor_991 ? 5'h1f : difference_33_s4_q) : 5'h1f;
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_999;
+  assign select_999 = entering_values_24_features_mask_q ? select_998 : 5'h0;
+  // hls/stages/plane_sums.hpp:88
+  logic [4:0] select_1006;
+  assign select_1006 = leaving_values_37_features_mask_q ? (xor_991 ? 5'h1f : difference_34_s4_q) : 5'h1f;
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_1007;
+  assign select_1007 = leaving_values_24_features_mask_q ? select_1006 : 5'h0;
+  // hls/stages/plane_sums.hpp:148
+  logic [7:0] above_18;
+  assign above_18 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[143:136] : 8'h0);
+  // hls/stages/plane_sums.hpp:157
+  logic xor_1012;
+  assign xor_1012 = entering_values_24_row_q ^ entering_values_42_row_q;
+  // hls/stages/plane_sums.hpp:87
+  logic [4:0] select_1019;
+  assign select_1019 = entering_values_42_features_mask_q ? (xor_1012 ? 5'h1f : difference_35_s4_q) : 5'h1f;
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_1020;
+  assign select_1020 = entering_values_24_features_mask_q ? select_1019 : 5'h0;
+  // hls/stages/plane_sums.hpp:88
+  logic [4:0] select_1027;
+  assign select_1027 = leaving_values_42_features_mask_q ? (xor_1012 ? 5'h1f : difference_36_s4_q) : 5'h1f;
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_1028;
+  assign select_1028 = leaving_values_24_features_mask_q ? select_1027 : 5'h0;
+  // hls/stages/plane_sums.hpp:148
+  logic [7:0] above_19;
+  assign above_19 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[151:144] : 8'h0);
+  logic [7:0] above_20;
+  assign above_20 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[159:152] : 8'h0);
   // hls/stages/plane_sums.hpp:81
-  logic not_785;
-  assign not_785 = ~(select_480 == 3'h7);
-  logic [2:0] select_787;
-  assign select_787 = centre_marks_values_0_last_q ? (select_480 + {2'h0, not_785}) : select_480;
+  logic not_1073;
+  assign not_1073 = ~(select_636 == 3'h7);
+  logic [2:0] select_1075;
+  assign select_1075 = centre_marks_values_0_last_q ? (select_636 + {2'h0, not_1073}) : select_636;
   // hls/stages/plane_sums.hpp:99
-  logic and_849;
-  assign and_849 = (column_memory_rdata_s4_q[142] & or_478_s4_q) & (3'h2 < select_480);
+  logic and_1161;
+  assign and_1161 = (column_memory_rdata_s4_q[190] & or_634_s4_q) & (3'h2 < select_636);
   // hls/stages/plane_sums.hpp:110
-  logic and_853;
-  assign and_853 = (centres_values_3_gradient_q & and_849) & (~(select_477_s4_q[10:2] == 9'h0));
+  logic and_1165;
+  assign and_1165 = (centres_values_3_gradient_q & and_1161) & (~(select_633_s4_q[10:2] == 9'h0));
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -1715,10 +2219,10 @@ module horopter_plane_sums (
       rows_seen_values_2_q <= 1'b0;
       rows_seen_values_3_q <= 1'b0;
     end else if (s4_en) begin
-      delayed_rows_q <= select_787;
-      centres_values_0_seen_grey_q <= or_478_s4_q ? column_memory_rdata_s4_q[138:133] : 6'h0;
-      centres_values_0_seen_exists_q <= column_memory_rdata_s4_q[139] & or_478_s4_q;
-      centres_values_0_gradient_q <= and_849;
+      delayed_rows_q <= select_1075;
+      centres_values_0_seen_grey_q <= or_634_s4_q ? column_memory_rdata_s4_q[186:181] : 6'h0;
+      centres_values_0_seen_exists_q <= column_memory_rdata_s4_q[187] & or_634_s4_q;
+      centres_values_0_gradient_q <= and_1161;
       centres_values_1_seen_grey_q <= centres_values_0_seen_grey_q;
       centres_values_1_seen_exists_q <= centres_values_0_seen_exists_q;
       centres_values_1_gradient_q <= centres_values_0_gradient_q;
@@ -1728,105 +2232,129 @@ module horopter_plane_sums (
       centres_values_3_seen_grey_q <= centres_values_2_seen_grey_q;
       centres_values_3_seen_exists_q <= centres_values_2_seen_exists_q;
       centres_values_3_gradient_q <= centres_values_2_gradient_q;
-      rows_seen_values_0_q <= select_480[2];
+      rows_seen_values_0_q <= select_636[2];
       rows_seen_values_1_q <= rows_seen_values_0_q;
       rows_seen_values_2_q <= rows_seen_values_1_q;
       rows_seen_values_3_q <= rows_seen_values_2_q;
     end
   end
 
-  logic entering_values_17_features_mask_s5_q;
-  logic [5:0] seen_values_18_grey_s5_q;
-  logic seen_values_18_exists_s5_q;
+  logic entering_values_23_features_mask_s5_q;
+  logic [5:0] seen_values_24_grey_s5_q;
+  logic seen_values_24_exists_s5_q;
   logic [5:0] centres_values_3_seen_grey_s5_q;
   logic centre_marks_values_3_first_s5_q;
   logic centre_marks_values_3_last_s5_q;
-  logic or_476_s5_q;
-  logic [10:0] select_477_s5_q;
-  logic or_478_s5_q;
+  logic or_632_s5_q;
+  logic [10:0] select_633_s5_q;
+  logic or_634_s5_q;
   logic [17:0] column_memory_rdata_s5_q;
   logic [7:0] above_s5_q;
-  logic [5:0] difference_507_s5_q;
+  logic [5:0] difference_663_s5_q;
   logic [7:0] above_2_s5_q;
-  logic [5:0] difference_529_s5_q;
+  logic [5:0] difference_685_s5_q;
   logic [7:0] above_3_s5_q;
-  logic [5:0] difference_551_s5_q;
+  logic [5:0] difference_707_s5_q;
   logic [7:0] above_4_s5_q;
-  logic [5:0] difference_573_s5_q;
+  logic [5:0] difference_729_s5_q;
   logic [7:0] above_5_s5_q;
-  logic [5:0] difference_595_s5_q;
+  logic [5:0] difference_751_s5_q;
   logic [7:0] above_6_s5_q;
-  logic [5:0] difference_617_s5_q;
+  logic [5:0] difference_773_s5_q;
   logic [7:0] above_7_s5_q;
-  logic [5:0] difference_633_s5_q;
+  logic [5:0] difference_795_s5_q;
   logic [7:0] above_8_s5_q;
-  logic [5:0] difference_655_s5_q;
+  logic [5:0] difference_817_s5_q;
   logic [7:0] above_9_s5_q;
-  logic [5:0] difference_677_s5_q;
+  logic [5:0] difference_839_s5_q;
   logic [7:0] above_10_s5_q;
-  logic [5:0] difference_699_s5_q;
+  logic [5:0] difference_855_s5_q;
   logic [7:0] above_11_s5_q;
-  logic [5:0] difference_720_s5_q;
+  logic [5:0] difference_877_s5_q;
   logic [7:0] above_12_s5_q;
-  logic [5:0] difference_741_s5_q;
+  logic [5:0] difference_899_s5_q;
   logic [7:0] above_13_s5_q;
-  logic [5:0] difference_762_s5_q;
+  logic [5:0] difference_921_s5_q;
   logic [7:0] above_14_s5_q;
-  logic [5:0] difference_772_s5_q;
-  logic and_774_s5_q;
-  logic and_775_s5_q;
-  logic and_776_s5_q;
-  logic and_777_s5_q;
-  logic and_778_s5_q;
-  logic and_853_s5_q;
-  logic and_854_s5_q;
+  logic [5:0] difference_943_s5_q;
+  logic [7:0] above_15_s5_q;
+  logic [5:0] difference_965_s5_q;
+  logic [7:0] above_16_s5_q;
+  logic [5:0] difference_987_s5_q;
+  logic [7:0] above_17_s5_q;
+  logic [5:0] difference_1008_s5_q;
+  logic [7:0] above_18_s5_q;
+  logic [5:0] difference_1029_s5_q;
+  logic [7:0] above_19_s5_q;
+  logic [5:0] difference_1050_s5_q;
+  logic [7:0] above_20_s5_q;
+  logic [5:0] difference_1060_s5_q;
+  logic and_1062_s5_q;
+  logic and_1063_s5_q;
+  logic and_1064_s5_q;
+  logic and_1065_s5_q;
+  logic and_1066_s5_q;
+  logic and_1165_s5_q;
+  logic and_1166_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
-      entering_values_17_features_mask_s5_q <= entering_values_18_features_mask_q;
-      seen_values_18_grey_s5_q <= seen_values_18_grey_s4_q;
-      seen_values_18_exists_s5_q <= seen_values_18_exists_s4_q;
+      entering_values_23_features_mask_s5_q <= entering_values_24_features_mask_q;
+      seen_values_24_grey_s5_q <= seen_values_24_grey_s4_q;
+      seen_values_24_exists_s5_q <= seen_values_24_exists_s4_q;
       centres_values_3_seen_grey_s5_q <= centres_values_3_seen_grey_q;
       centre_marks_values_3_first_s5_q <= centre_marks_values_3_first_s4_q;
       centre_marks_values_3_last_s5_q <= centre_marks_values_3_last_s4_q;
-      or_476_s5_q <= or_476_s4_q;
-      select_477_s5_q <= select_477_s4_q;
-      or_478_s5_q <= or_478_s4_q;
-      column_memory_rdata_s5_q <= {column_memory_rdata_s4_q[131:126], column_memory_rdata_s4_q[124:119], column_memory_rdata_s4_q[117:112]};
+      or_632_s5_q <= or_632_s4_q;
+      select_633_s5_q <= select_633_s4_q;
+      or_634_s5_q <= or_634_s4_q;
+      column_memory_rdata_s5_q <= {column_memory_rdata_s4_q[179:174], column_memory_rdata_s4_q[172:167], column_memory_rdata_s4_q[165:160]};
       above_s5_q <= above;
-      difference_507_s5_q <= {1'b0, select_495} - {1'b0, select_506};
+      difference_663_s5_q <= {1'b0, select_651} - {1'b0, select_662};
       above_2_s5_q <= above_2;
-      difference_529_s5_q <= {1'b0, select_520} - {1'b0, select_528};
+      difference_685_s5_q <= {1'b0, select_676} - {1'b0, select_684};
       above_3_s5_q <= above_3;
-      difference_551_s5_q <= {1'b0, select_542} - {1'b0, select_550};
+      difference_707_s5_q <= {1'b0, select_698} - {1'b0, select_706};
       above_4_s5_q <= above_4;
-      difference_573_s5_q <= {1'b0, select_564} - {1'b0, select_572};
+      difference_729_s5_q <= {1'b0, select_720} - {1'b0, select_728};
       above_5_s5_q <= above_5;
-      difference_595_s5_q <= {1'b0, select_586} - {1'b0, select_594};
+      difference_751_s5_q <= {1'b0, select_742} - {1'b0, select_750};
       above_6_s5_q <= above_6;
-      difference_617_s5_q <= {1'b0, select_608} - {1'b0, select_616};
+      difference_773_s5_q <= {1'b0, select_764} - {1'b0, select_772};
       above_7_s5_q <= above_7;
-      difference_633_s5_q <= {1'b0, select_626} - {1'b0, select_632};
+      difference_795_s5_q <= {1'b0, select_786} - {1'b0, select_794};
       above_8_s5_q <= above_8;
-      difference_655_s5_q <= {1'b0, select_646} - {1'b0, select_654};
+      difference_817_s5_q <= {1'b0, select_808} - {1'b0, select_816};
       above_9_s5_q <= above_9;
-      difference_677_s5_q <= {1'b0, select_668} - {1'b0, select_676};
+      difference_839_s5_q <= {1'b0, select_830} - {1'b0, select_838};
       above_10_s5_q <= above_10;
-      difference_699_s5_q <= {1'b0, select_690} - {1'b0, select_698};
+      difference_855_s5_q <= {1'b0, select_848} - {1'b0, select_854};
       above_11_s5_q <= above_11;
-      difference_720_s5_q <= {1'b0, select_711} - {1'b0, select_719};
+      difference_877_s5_q <= {1'b0, select_868} - {1'b0, select_876};
       above_12_s5_q <= above_12;
-      difference_741_s5_q <= {1'b0, select_732} - {1'b0, select_740};
+      difference_899_s5_q <= {1'b0, select_890} - {1'b0, select_898};
       above_13_s5_q <= above_13;
-      difference_762_s5_q <= difference_762_s4_q;
+      difference_921_s5_q <= {1'b0, select_912} - {1'b0, select_920};
       above_14_s5_q <= above_14;
-      difference_772_s5_q <= difference_772_s4_q;
-      and_774_s5_q <= column_memory_rdata_s4_q[118] & or_478_s4_q;
-      and_775_s5_q <= column_memory_rdata_s4_q[125] & or_478_s4_q;
-      and_776_s5_q <= column_memory_rdata_s4_q[132] & or_478_s4_q;
-      and_777_s5_q <= column_memory_rdata_s4_q[140] & or_478_s4_q;
-      and_778_s5_q <= column_memory_rdata_s4_q[141] & or_478_s4_q;
-      and_853_s5_q <= and_853;
-      and_854_s5_q <= centres_values_3_seen_exists_q & rows_seen_values_3_q;
+      difference_943_s5_q <= {1'b0, select_934} - {1'b0, select_942};
+      above_15_s5_q <= above_15;
+      difference_965_s5_q <= {1'b0, select_956} - {1'b0, select_964};
+      above_16_s5_q <= above_16;
+      difference_987_s5_q <= {1'b0, select_978} - {1'b0, select_986};
+      above_17_s5_q <= above_17;
+      difference_1008_s5_q <= {1'b0, select_999} - {1'b0, select_1007};
+      above_18_s5_q <= above_18;
+      difference_1029_s5_q <= {1'b0, select_1020} - {1'b0, select_1028};
+      above_19_s5_q <= above_19;
+      difference_1050_s5_q <= difference_1050_s4_q;
+      above_20_s5_q <= above_20;
+      difference_1060_s5_q <= difference_1060_s4_q;
+      and_1062_s5_q <= column_memory_rdata_s4_q[166] & or_634_s4_q;
+      and_1063_s5_q <= column_memory_rdata_s4_q[173] & or_634_s4_q;
+      and_1064_s5_q <= column_memory_rdata_s4_q[180] & or_634_s4_q;
+      and_1065_s5_q <= column_memory_rdata_s4_q[188] & or_634_s4_q;
+      and_1066_s5_q <= column_memory_rdata_s4_q[189] & or_634_s4_q;
+      and_1165_s5_q <= and_1165;
+      and_1166_s5_q <= centres_values_3_seen_exists_q & rows_seen_values_3_q;
     end
   end
 
@@ -1957,38 +2485,104 @@ module horopter_plane_sums (
   logic [10:0] rows_13_columns_values_6_q;
   logic [10:0] rows_13_columns_values_7_q;
   logic [10:0] rows_13_columns_values_8_q;
+  logic [10:0] rows_14_columns_values_0_q;
+  logic [10:0] rows_14_columns_values_1_q;
+  logic [10:0] rows_14_columns_values_2_q;
+  logic [10:0] rows_14_columns_values_3_q;
+  logic [10:0] rows_14_columns_values_4_q;
+  logic [10:0] rows_14_columns_values_5_q;
+  logic [10:0] rows_14_columns_values_6_q;
+  logic [10:0] rows_14_columns_values_7_q;
+  logic [10:0] rows_14_columns_values_8_q;
+  logic [10:0] rows_15_columns_values_0_q;
+  logic [10:0] rows_15_columns_values_1_q;
+  logic [10:0] rows_15_columns_values_2_q;
+  logic [10:0] rows_15_columns_values_3_q;
+  logic [10:0] rows_15_columns_values_4_q;
+  logic [10:0] rows_15_columns_values_5_q;
+  logic [10:0] rows_15_columns_values_6_q;
+  logic [10:0] rows_15_columns_values_7_q;
+  logic [10:0] rows_15_columns_values_8_q;
+  logic [10:0] rows_16_columns_values_0_q;
+  logic [10:0] rows_16_columns_values_1_q;
+  logic [10:0] rows_16_columns_values_2_q;
+  logic [10:0] rows_16_columns_values_3_q;
+  logic [10:0] rows_16_columns_values_4_q;
+  logic [10:0] rows_16_columns_values_5_q;
+  logic [10:0] rows_16_columns_values_6_q;
+  logic [10:0] rows_16_columns_values_7_q;
+  logic [10:0] rows_16_columns_values_8_q;
+  logic [10:0] rows_17_columns_values_0_q;
+  logic [10:0] rows_17_columns_values_1_q;
+  logic [10:0] rows_17_columns_values_2_q;
+  logic [10:0] rows_17_columns_values_3_q;
+  logic [10:0] rows_17_columns_values_4_q;
+  logic [10:0] rows_17_columns_values_5_q;
+  logic [10:0] rows_17_columns_values_6_q;
+  logic [10:0] rows_17_columns_values_7_q;
+  logic [10:0] rows_17_columns_values_8_q;
+  logic [10:0] rows_18_columns_values_0_q;
+  logic [10:0] rows_18_columns_values_1_q;
+  logic [10:0] rows_18_columns_values_2_q;
+  logic [10:0] rows_18_columns_values_3_q;
+  logic [10:0] rows_18_columns_values_4_q;
+  logic [10:0] rows_18_columns_values_5_q;
+  logic [10:0] rows_18_columns_values_6_q;
+  logic [10:0] rows_18_columns_values_7_q;
+  logic [10:0] rows_18_columns_values_8_q;
+  logic [10:0] rows_19_columns_values_0_q;
+  logic [10:0] rows_19_columns_values_1_q;
+  logic [10:0] rows_19_columns_values_2_q;
+  logic [10:0] rows_19_columns_values_3_q;
+  logic [10:0] rows_19_columns_values_4_q;
+  logic [10:0] rows_19_columns_values_5_q;
+  logic [10:0] rows_19_columns_values_6_q;
+  logic [10:0] rows_19_columns_values_7_q;
+  logic [10:0] rows_19_columns_values_8_q;
   // hls/stages/plane_sums.hpp:149
-  logic [7:0] sum_508;
-  assign sum_508 = above_s5_q + {{2{difference_507_s5_q[5]}}, difference_507_s5_q};
-  logic [7:0] sum_530;
-  assign sum_530 = above_2_s5_q + {{2{difference_529_s5_q[5]}}, difference_529_s5_q};
-  logic [7:0] sum_552;
-  assign sum_552 = above_3_s5_q + {{2{difference_551_s5_q[5]}}, difference_551_s5_q};
-  logic [7:0] sum_574;
-  assign sum_574 = above_4_s5_q + {{2{difference_573_s5_q[5]}}, difference_573_s5_q};
-  logic [7:0] sum_596;
-  assign sum_596 = above_5_s5_q + {{2{difference_595_s5_q[5]}}, difference_595_s5_q};
-  logic [7:0] sum_618;
-  assign sum_618 = above_6_s5_q + {{2{difference_617_s5_q[5]}}, difference_617_s5_q};
-  logic [7:0] sum_634;
-  assign sum_634 = above_7_s5_q + {{2{difference_633_s5_q[5]}}, difference_633_s5_q};
-  logic [7:0] sum_656;
-  assign sum_656 = above_8_s5_q + {{2{difference_655_s5_q[5]}}, difference_655_s5_q};
-  logic [7:0] sum_678;
-  assign sum_678 = above_9_s5_q + {{2{difference_677_s5_q[5]}}, difference_677_s5_q};
-  logic [7:0] sum_700;
-  assign sum_700 = above_10_s5_q + {{2{difference_699_s5_q[5]}}, difference_699_s5_q};
-  logic [7:0] sum_721;
-  assign sum_721 = above_11_s5_q + {{2{difference_720_s5_q[5]}}, difference_720_s5_q};
-  logic [7:0] sum_742;
-  assign sum_742 = above_12_s5_q + {{2{difference_741_s5_q[5]}}, difference_741_s5_q};
-  logic [7:0] sum_763;
-  assign sum_763 = above_13_s5_q + {{2{difference_762_s5_q[5]}}, difference_762_s5_q};
-  logic [7:0] sum_773;
-  assign sum_773 = above_14_s5_q + {{2{difference_772_s5_q[5]}}, difference_772_s5_q};
+  logic [7:0] sum_664;
+  assign sum_664 = above_s5_q + {{2{difference_663_s5_q[5]}}, difference_663_s5_q};
+  logic [7:0] sum_686;
+  assign sum_686 = above_2_s5_q + {{2{difference_685_s5_q[5]}}, difference_685_s5_q};
+  logic [7:0] sum_708;
+  assign sum_708 = above_3_s5_q + {{2{difference_707_s5_q[5]}}, difference_707_s5_q};
+  logic [7:0] sum_730;
+  assign sum_730 = above_4_s5_q + {{2{difference_729_s5_q[5]}}, difference_729_s5_q};
+  logic [7:0] sum_752;
+  assign sum_752 = above_5_s5_q + {{2{difference_751_s5_q[5]}}, difference_751_s5_q};
+  logic [7:0] sum_774;
+  assign sum_774 = above_6_s5_q + {{2{difference_773_s5_q[5]}}, difference_773_s5_q};
+  logic [7:0] sum_796;
+  assign sum_796 = above_7_s5_q + {{2{difference_795_s5_q[5]}}, difference_795_s5_q};
+  logic [7:0] sum_818;
+  assign sum_818 = above_8_s5_q + {{2{difference_817_s5_q[5]}}, difference_817_s5_q};
+  logic [7:0] sum_840;
+  assign sum_840 = above_9_s5_q + {{2{difference_839_s5_q[5]}}, difference_839_s5_q};
+  logic [7:0] sum_856;
+  assign sum_856 = above_10_s5_q + {{2{difference_855_s5_q[5]}}, difference_855_s5_q};
+  logic [7:0] sum_878;
+  assign sum_878 = above_11_s5_q + {{2{difference_877_s5_q[5]}}, difference_877_s5_q};
+  logic [7:0] sum_900;
+  assign sum_900 = above_12_s5_q + {{2{difference_899_s5_q[5]}}, difference_899_s5_q};
+  logic [7:0] sum_922;
+  assign sum_922 = above_13_s5_q + {{2{difference_921_s5_q[5]}}, difference_921_s5_q};
+  logic [7:0] sum_944;
+  assign sum_944 = above_14_s5_q + {{2{difference_943_s5_q[5]}}, difference_943_s5_q};
+  logic [7:0] sum_966;
+  assign sum_966 = above_15_s5_q + {{2{difference_965_s5_q[5]}}, difference_965_s5_q};
+  logic [7:0] sum_988;
+  assign sum_988 = above_16_s5_q + {{2{difference_987_s5_q[5]}}, difference_987_s5_q};
+  logic [7:0] sum_1009;
+  assign sum_1009 = above_17_s5_q + {{2{difference_1008_s5_q[5]}}, difference_1008_s5_q};
+  logic [7:0] sum_1030;
+  assign sum_1030 = above_18_s5_q + {{2{difference_1029_s5_q[5]}}, difference_1029_s5_q};
+  logic [7:0] sum_1051;
+  assign sum_1051 = above_19_s5_q + {{2{difference_1050_s5_q[5]}}, difference_1050_s5_q};
+  logic [7:0] sum_1061;
+  assign sum_1061 = above_20_s5_q + {{2{difference_1060_s5_q[5]}}, difference_1060_s5_q};
   // hls/stages/plane_sums.hpp:150
-  logic less_788;
-  assign less_788 = 11'h8 < select_477_s5_q;
+  logic less_1076;
+  assign less_1076 = 11'h8 < select_633_s5_q;
 
   // Not reset: nothing of it counts before it is written anew.
 `ifndef SYNTHESIS
@@ -2119,11 +2713,65 @@ module horopter_plane_sums (
     rows_13_columns_values_6_q = 11'h0;
     rows_13_columns_values_7_q = 11'h0;
     rows_13_columns_values_8_q = 11'h0;
+    rows_14_columns_values_0_q = 11'h0;
+    rows_14_columns_values_1_q = 11'h0;
+    rows_14_columns_values_2_q = 11'h0;
+    rows_14_columns_values_3_q = 11'h0;
+    rows_14_columns_values_4_q = 11'h0;
+    rows_14_columns_values_5_q = 11'h0;
+    rows_14_columns_values_6_q = 11'h0;
+    rows_14_columns_values_7_q = 11'h0;
+    rows_14_columns_values_8_q = 11'h0;
+    rows_15_columns_values_0_q = 11'h0;
+    rows_15_columns_values_1_q = 11'h0;
+    rows_15_columns_values_2_q = 11'h0;
+    rows_15_columns_values_3_q = 11'h0;
+    rows_15_columns_values_4_q = 11'h0;
+    rows_15_columns_values_5_q = 11'h0;
+    rows_15_columns_values_6_q = 11'h0;
+    rows_15_columns_values_7_q = 11'h0;
+    rows_15_columns_values_8_q = 11'h0;
+    rows_16_columns_values_0_q = 11'h0;
+    rows_16_columns_values_1_q = 11'h0;
+    rows_16_columns_values_2_q = 11'h0;
+    rows_16_columns_values_3_q = 11'h0;
+    rows_16_columns_values_4_q = 11'h0;
+    rows_16_columns_values_5_q = 11'h0;
+    rows_16_columns_values_6_q = 11'h0;
+    rows_16_columns_values_7_q = 11'h0;
+    rows_16_columns_values_8_q = 11'h0;
+    rows_17_columns_values_0_q = 11'h0;
+    rows_17_columns_values_1_q = 11'h0;
+    rows_17_columns_values_2_q = 11'h0;
+    rows_17_columns_values_3_q = 11'h0;
+    rows_17_columns_values_4_q = 11'h0;
+    rows_17_columns_values_5_q = 11'h0;
+    rows_17_columns_values_6_q = 11'h0;
+    rows_17_columns_values_7_q = 11'h0;
+    rows_17_columns_values_8_q = 11'h0;
+    rows_18_columns_values_0_q = 11'h0;
+    rows_18_columns_values_1_q = 11'h0;
+    rows_18_columns_values_2_q = 11'h0;
+    rows_18_columns_values_3_q = 11'h0;
+    rows_18_columns_values_4_q = 11'h0;
+    rows_18_columns_values_5_q = 11'h0;
+    rows_18_columns_values_6_q = 11'h0;
+    rows_18_columns_values_7_q = 11'h0;
+    rows_18_columns_values_8_q = 11'h0;
+    rows_19_columns_values_0_q = 11'h0;
+    rows_19_columns_values_1_q = 11'h0;
+    rows_19_columns_values_2_q = 11'h0;
+    rows_19_columns_values_3_q = 11'h0;
+    rows_19_columns_values_4_q = 11'h0;
+    rows_19_columns_values_5_q = 11'h0;
+    rows_19_columns_values_6_q = 11'h0;
+    rows_19_columns_values_7_q = 11'h0;
+    rows_19_columns_values_8_q = 11'h0;
   end
 `endif
   always_ff @(posedge clk_i) begin
     if (s5_en) begin
-      rows_0_columns_values_0_q <= {3'h0, sum_508};
+      rows_0_columns_values_0_q <= {3'h0, sum_664};
       rows_0_columns_values_1_q <= rows_0_columns_values_0_q;
       rows_0_columns_values_2_q <= rows_0_columns_values_1_q;
       rows_0_columns_values_3_q <= rows_0_columns_values_2_q;
@@ -2132,7 +2780,7 @@ module horopter_plane_sums (
       rows_0_columns_values_6_q <= rows_0_columns_values_5_q;
       rows_0_columns_values_7_q <= rows_0_columns_values_6_q;
       rows_0_columns_values_8_q <= rows_0_columns_values_7_q;
-      rows_1_columns_values_0_q <= {3'h0, sum_530};
+      rows_1_columns_values_0_q <= {3'h0, sum_686};
       rows_1_columns_values_1_q <= rows_1_columns_values_0_q;
       rows_1_columns_values_2_q <= rows_1_columns_values_1_q;
       rows_1_columns_values_3_q <= rows_1_columns_values_2_q;
@@ -2141,7 +2789,7 @@ module horopter_plane_sums (
       rows_1_columns_values_6_q <= rows_1_columns_values_5_q;
       rows_1_columns_values_7_q <= rows_1_columns_values_6_q;
       rows_1_columns_values_8_q <= rows_1_columns_values_7_q;
-      rows_2_columns_values_0_q <= {3'h0, sum_552};
+      rows_2_columns_values_0_q <= {3'h0, sum_708};
       rows_2_columns_values_1_q <= rows_2_columns_values_0_q;
       rows_2_columns_values_2_q <= rows_2_columns_values_1_q;
       rows_2_columns_values_3_q <= rows_2_columns_values_2_q;
@@ -2150,7 +2798,7 @@ module horopter_plane_sums (
       rows_2_columns_values_6_q <= rows_2_columns_values_5_q;
       rows_2_columns_values_7_q <= rows_2_columns_values_6_q;
       rows_2_columns_values_8_q <= rows_2_columns_values_7_q;
-      rows_3_columns_values_0_q <= {3'h0, sum_574};
+      rows_3_columns_values_0_q <= {3'h0, sum_730};
       rows_3_columns_values_1_q <= rows_3_columns_values_0_q;
       rows_3_columns_values_2_q <= rows_3_columns_values_1_q;
       rows_3_columns_values_3_q <= rows_3_columns_values_2_q;
@@ -2159,7 +2807,7 @@ module horopter_plane_sums (
       rows_3_columns_values_6_q <= rows_3_columns_values_5_q;
       rows_3_columns_values_7_q <= rows_3_columns_values_6_q;
       rows_3_columns_values_8_q <= rows_3_columns_values_7_q;
-      rows_4_columns_values_0_q <= {3'h0, sum_596};
+      rows_4_columns_values_0_q <= {3'h0, sum_752};
       rows_4_columns_values_1_q <= rows_4_columns_values_0_q;
       rows_4_columns_values_2_q <= rows_4_columns_values_1_q;
       rows_4_columns_values_3_q <= rows_4_columns_values_2_q;
@@ -2168,7 +2816,7 @@ module horopter_plane_sums (
       rows_4_columns_values_6_q <= rows_4_columns_values_5_q;
       rows_4_columns_values_7_q <= rows_4_columns_values_6_q;
       rows_4_columns_values_8_q <= rows_4_columns_values_7_q;
-      rows_5_columns_values_0_q <= {3'h0, sum_618};
+      rows_5_columns_values_0_q <= {3'h0, sum_774};
       rows_5_columns_values_1_q <= rows_5_columns_values_0_q;
       rows_5_columns_values_2_q <= rows_5_columns_values_1_q;
       rows_5_columns_values_3_q <= rows_5_columns_values_2_q;
@@ -2177,7 +2825,7 @@ module horopter_plane_sums (
       rows_5_columns_values_6_q <= rows_5_columns_values_5_q;
       rows_5_columns_values_7_q <= rows_5_columns_values_6_q;
       rows_5_columns_values_8_q <= rows_5_columns_values_7_q;
-      rows_6_columns_values_0_q <= {3'h0, sum_634};
+      rows_6_columns_values_0_q <= {3'h0, sum_796};
       rows_6_columns_values_1_q <= rows_6_columns_values_0_q;
       rows_6_columns_values_2_q <= rows_6_columns_values_1_q;
       rows_6_columns_values_3_q <= rows_6_columns_values_2_q;
@@ -2186,7 +2834,7 @@ module horopter_plane_sums (
       rows_6_columns_values_6_q <= rows_6_columns_values_5_q;
       rows_6_columns_values_7_q <= rows_6_columns_values_6_q;
       rows_6_columns_values_8_q <= rows_6_columns_values_7_q;
-      rows_7_columns_values_0_q <= {3'h0, sum_656};
+      rows_7_columns_values_0_q <= {3'h0, sum_818};
       rows_7_columns_values_1_q <= rows_7_columns_values_0_q;
       rows_7_columns_values_2_q <= rows_7_columns_values_1_q;
       rows_7_columns_values_3_q <= rows_7_columns_values_2_q;
@@ -2195,7 +2843,7 @@ module horopter_plane_sums (
       rows_7_columns_values_6_q <= rows_7_columns_values_5_q;
       rows_7_columns_values_7_q <= rows_7_columns_values_6_q;
       rows_7_columns_values_8_q <= rows_7_columns_values_7_q;
-      rows_8_columns_values_0_q <= {3'h0, sum_678};
+      rows_8_columns_values_0_q <= {3'h0, sum_840};
       rows_8_columns_values_1_q <= rows_8_columns_values_0_q;
       rows_8_columns_values_2_q <= rows_8_columns_values_1_q;
       rows_8_columns_values_3_q <= rows_8_columns_values_2_q;
@@ -2204,7 +2852,7 @@ module horopter_plane_sums (
       rows_8_columns_values_6_q <= rows_8_columns_values_5_q;
       rows_8_columns_values_7_q <= rows_8_columns_values_6_q;
       rows_8_columns_values_8_q <= rows_8_columns_values_7_q;
-      rows_9_columns_values_0_q <= {3'h0, sum_700};
+      rows_9_columns_values_0_q <= {3'h0, sum_856};
       rows_9_columns_values_1_q <= rows_9_columns_values_0_q;
       rows_9_columns_values_2_q <= rows_9_columns_values_1_q;
       rows_9_columns_values_3_q <= rows_9_columns_values_2_q;
@@ -2213,7 +2861,7 @@ module horopter_plane_sums (
       rows_9_columns_values_6_q <= rows_9_columns_values_5_q;
       rows_9_columns_values_7_q <= rows_9_columns_values_6_q;
       rows_9_columns_values_8_q <= rows_9_columns_values_7_q;
-      rows_10_columns_values_0_q <= {3'h0, sum_721};
+      rows_10_columns_values_0_q <= {3'h0, sum_878};
       rows_10_columns_values_1_q <= rows_10_columns_values_0_q;
       rows_10_columns_values_2_q <= rows_10_columns_values_1_q;
       rows_10_columns_values_3_q <= rows_10_columns_values_2_q;
@@ -2222,7 +2870,7 @@ module horopter_plane_sums (
       rows_10_columns_values_6_q <= rows_10_columns_values_5_q;
       rows_10_columns_values_7_q <= rows_10_columns_values_6_q;
       rows_10_columns_values_8_q <= rows_10_columns_values_7_q;
-      rows_11_columns_values_0_q <= {3'h0, sum_742};
+      rows_11_columns_values_0_q <= {3'h0, sum_900};
       rows_11_columns_values_1_q <= rows_11_columns_values_0_q;
       rows_11_columns_values_2_q <= rows_11_columns_values_1_q;
       rows_11_columns_values_3_q <= rows_11_columns_values_2_q;
@@ -2231,7 +2879,7 @@ module horopter_plane_sums (
       rows_11_columns_values_6_q <= rows_11_columns_values_5_q;
       rows_11_columns_values_7_q <= rows_11_columns_values_6_q;
       rows_11_columns_values_8_q <= rows_11_columns_values_7_q;
-      rows_12_columns_values_0_q <= {3'h0, sum_763};
+      rows_12_columns_values_0_q <= {3'h0, sum_922};
       rows_12_columns_values_1_q <= rows_12_columns_values_0_q;
       rows_12_columns_values_2_q <= rows_12_columns_values_1_q;
       rows_12_columns_values_3_q <= rows_12_columns_values_2_q;
@@ -2240,7 +2888,7 @@ module horopter_plane_sums (
       rows_12_columns_values_6_q <= rows_12_columns_values_5_q;
       rows_12_columns_values_7_q <= rows_12_columns_values_6_q;
       rows_12_columns_values_8_q <= rows_12_columns_values_7_q;
-      rows_13_columns_values_0_q <= {3'h0, sum_773};
+      rows_13_columns_values_0_q <= {3'h0, sum_944};
       rows_13_columns_values_1_q <= rows_13_columns_values_0_q;
       rows_13_columns_values_2_q <= rows_13_columns_values_1_q;
       rows_13_columns_values_3_q <= rows_13_columns_values_2_q;
@@ -2249,73 +2897,139 @@ module horopter_plane_sums (
       rows_13_columns_values_6_q <= rows_13_columns_values_5_q;
       rows_13_columns_values_7_q <= rows_13_columns_values_6_q;
       rows_13_columns_values_8_q <= rows_13_columns_values_7_q;
+      rows_14_columns_values_0_q <= {3'h0, sum_966};
+      rows_14_columns_values_1_q <= rows_14_columns_values_0_q;
+      rows_14_columns_values_2_q <= rows_14_columns_values_1_q;
+      rows_14_columns_values_3_q <= rows_14_columns_values_2_q;
+      rows_14_columns_values_4_q <= rows_14_columns_values_3_q;
+      rows_14_columns_values_5_q <= rows_14_columns_values_4_q;
+      rows_14_columns_values_6_q <= rows_14_columns_values_5_q;
+      rows_14_columns_values_7_q <= rows_14_columns_values_6_q;
+      rows_14_columns_values_8_q <= rows_14_columns_values_7_q;
+      rows_15_columns_values_0_q <= {3'h0, sum_988};
+      rows_15_columns_values_1_q <= rows_15_columns_values_0_q;
+      rows_15_columns_values_2_q <= rows_15_columns_values_1_q;
+      rows_15_columns_values_3_q <= rows_15_columns_values_2_q;
+      rows_15_columns_values_4_q <= rows_15_columns_values_3_q;
+      rows_15_columns_values_5_q <= rows_15_columns_values_4_q;
+      rows_15_columns_values_6_q <= rows_15_columns_values_5_q;
+      rows_15_columns_values_7_q <= rows_15_columns_values_6_q;
+      rows_15_columns_values_8_q <= rows_15_columns_values_7_q;
+      rows_16_columns_values_0_q <= {3'h0, sum_1009};
+      rows_16_columns_values_1_q <= rows_16_columns_values_0_q;
+      rows_16_columns_values_2_q <= rows_16_columns_values_1_q;
+      rows_16_columns_values_3_q <= rows_16_columns_values_2_q;
+      rows_16_columns_values_4_q <= rows_16_columns_values_3_q;
+      rows_16_columns_values_5_q <= rows_16_columns_values_4_q;
+      rows_16_columns_values_6_q <= rows_16_columns_values_5_q;
+      rows_16_columns_values_7_q <= rows_16_columns_values_6_q;
+      rows_16_columns_values_8_q <= rows_16_columns_values_7_q;
+      rows_17_columns_values_0_q <= {3'h0, sum_1030};
+      rows_17_columns_values_1_q <= rows_17_columns_values_0_q;
+      rows_17_columns_values_2_q <= rows_17_columns_values_1_q;
+      rows_17_columns_values_3_q <= rows_17_columns_values_2_q;
+      rows_17_columns_values_4_q <= rows_17_columns_values_3_q;
+      rows_17_columns_values_5_q <= rows_17_columns_values_4_q;
+      rows_17_columns_values_6_q <= rows_17_columns_values_5_q;
+      rows_17_columns_values_7_q <= rows_17_columns_values_6_q;
+      rows_17_columns_values_8_q <= rows_17_columns_values_7_q;
+      rows_18_columns_values_0_q <= {3'h0, sum_1051};
+      rows_18_columns_values_1_q <= rows_18_columns_values_0_q;
+      rows_18_columns_values_2_q <= rows_18_columns_values_1_q;
+      rows_18_columns_values_3_q <= rows_18_columns_values_2_q;
+      rows_18_columns_values_4_q <= rows_18_columns_values_3_q;
+      rows_18_columns_values_5_q <= rows_18_columns_values_4_q;
+      rows_18_columns_values_6_q <= rows_18_columns_values_5_q;
+      rows_18_columns_values_7_q <= rows_18_columns_values_6_q;
+      rows_18_columns_values_8_q <= rows_18_columns_values_7_q;
+      rows_19_columns_values_0_q <= {3'h0, sum_1061};
+      rows_19_columns_values_1_q <= rows_19_columns_values_0_q;
+      rows_19_columns_values_2_q <= rows_19_columns_values_1_q;
+      rows_19_columns_values_3_q <= rows_19_columns_values_2_q;
+      rows_19_columns_values_4_q <= rows_19_columns_values_3_q;
+      rows_19_columns_values_5_q <= rows_19_columns_values_4_q;
+      rows_19_columns_values_6_q <= rows_19_columns_values_5_q;
+      rows_19_columns_values_7_q <= rows_19_columns_values_6_q;
+      rows_19_columns_values_8_q <= rows_19_columns_values_7_q;
     end
   end
 
-  logic entering_values_17_features_mask_s6_q;
-  logic [5:0] seen_values_18_grey_s6_q;
-  logic seen_values_18_exists_s6_q;
+  logic entering_values_23_features_mask_s6_q;
+  logic [5:0] seen_values_24_grey_s6_q;
+  logic seen_values_24_exists_s6_q;
   logic [5:0] centres_values_3_seen_grey_s6_q;
   logic centre_marks_values_3_first_s6_q;
   logic centre_marks_values_3_last_s6_q;
-  logic or_476_s6_q;
-  logic [10:0] select_477_s6_q;
-  logic or_478_s6_q;
+  logic or_632_s6_q;
+  logic [10:0] select_633_s6_q;
+  logic or_634_s6_q;
   logic [17:0] column_memory_rdata_s6_q;
-  logic and_774_s6_q;
-  logic and_775_s6_q;
-  logic and_776_s6_q;
-  logic and_777_s6_q;
-  logic and_778_s6_q;
-  logic [10:0] select_789_s6_q;
-  logic [10:0] select_793_s6_q;
-  logic [10:0] select_797_s6_q;
-  logic [10:0] select_801_s6_q;
-  logic [10:0] select_805_s6_q;
-  logic [10:0] select_809_s6_q;
-  logic [10:0] select_813_s6_q;
-  logic [10:0] select_817_s6_q;
-  logic [10:0] select_821_s6_q;
-  logic [10:0] select_825_s6_q;
-  logic [10:0] select_829_s6_q;
-  logic [10:0] select_833_s6_q;
-  logic [10:0] select_837_s6_q;
-  logic [10:0] select_841_s6_q;
-  logic and_853_s6_q;
-  logic and_854_s6_q;
+  logic and_1062_s6_q;
+  logic and_1063_s6_q;
+  logic and_1064_s6_q;
+  logic and_1065_s6_q;
+  logic and_1066_s6_q;
+  logic [10:0] select_1077_s6_q;
+  logic [10:0] select_1081_s6_q;
+  logic [10:0] select_1085_s6_q;
+  logic [10:0] select_1089_s6_q;
+  logic [10:0] select_1093_s6_q;
+  logic [10:0] select_1097_s6_q;
+  logic [10:0] select_1101_s6_q;
+  logic [10:0] select_1105_s6_q;
+  logic [10:0] select_1109_s6_q;
+  logic [10:0] select_1113_s6_q;
+  logic [10:0] select_1117_s6_q;
+  logic [10:0] select_1121_s6_q;
+  logic [10:0] select_1125_s6_q;
+  logic [10:0] select_1129_s6_q;
+  logic [10:0] select_1133_s6_q;
+  logic [10:0] select_1137_s6_q;
+  logic [10:0] select_1141_s6_q;
+  logic [10:0] select_1145_s6_q;
+  logic [10:0] select_1149_s6_q;
+  logic [10:0] select_1153_s6_q;
+  logic and_1165_s6_q;
+  logic and_1166_s6_q;
   always_ff @(posedge clk_i) begin
     if (s5_en) begin
-      entering_values_17_features_mask_s6_q <= entering_values_17_features_mask_s5_q;
-      seen_values_18_grey_s6_q <= seen_values_18_grey_s5_q;
-      seen_values_18_exists_s6_q <= seen_values_18_exists_s5_q;
+      entering_values_23_features_mask_s6_q <= entering_values_23_features_mask_s5_q;
+      seen_values_24_grey_s6_q <= seen_values_24_grey_s5_q;
+      seen_values_24_exists_s6_q <= seen_values_24_exists_s5_q;
       centres_values_3_seen_grey_s6_q <= centres_values_3_seen_grey_s5_q;
       centre_marks_values_3_first_s6_q <= centre_marks_values_3_first_s5_q;
       centre_marks_values_3_last_s6_q <= centre_marks_values_3_last_s5_q;
-      or_476_s6_q <= or_476_s5_q;
-      select_477_s6_q <= select_477_s5_q;
-      or_478_s6_q <= or_478_s5_q;
+      or_632_s6_q <= or_632_s5_q;
+      select_633_s6_q <= select_633_s5_q;
+      or_634_s6_q <= or_634_s5_q;
       column_memory_rdata_s6_q <= column_memory_rdata_s5_q;
-      and_774_s6_q <= and_774_s5_q;
-      and_775_s6_q <= and_775_s5_q;
-      and_776_s6_q <= and_776_s5_q;
-      and_777_s6_q <= and_777_s5_q;
-      and_778_s6_q <= and_778_s5_q;
-      select_789_s6_q <= less_788 ? rows_0_columns_values_8_q : 11'h0;
-      select_793_s6_q <= less_788 ? rows_1_columns_values_8_q : 11'h0;
-      select_797_s6_q <= less_788 ? rows_2_columns_values_8_q : 11'h0;
-      select_801_s6_q <= less_788 ? rows_3_columns_values_8_q : 11'h0;
-      select_805_s6_q <= less_788 ? rows_4_columns_values_8_q : 11'h0;
-      select_809_s6_q <= less_788 ? rows_5_columns_values_8_q : 11'h0;
-      select_813_s6_q <= less_788 ? rows_6_columns_values_8_q : 11'h0;
-      select_817_s6_q <= less_788 ? rows_7_columns_values_8_q : 11'h0;
-      select_821_s6_q <= less_788 ? rows_8_columns_values_8_q : 11'h0;
-      select_825_s6_q <= less_788 ? rows_9_columns_values_8_q : 11'h0;
-      select_829_s6_q <= less_788 ? rows_10_columns_values_8_q : 11'h0;
-      select_833_s6_q <= less_788 ? rows_11_columns_values_8_q : 11'h0;
-      select_837_s6_q <= less_788 ? rows_12_columns_values_8_q : 11'h0;
-      select_841_s6_q <= less_788 ? rows_13_columns_values_8_q : 11'h0;
-      and_853_s6_q <= and_853_s5_q;
-      and_854_s6_q <= and_854_s5_q;
+      and_1062_s6_q <= and_1062_s5_q;
+      and_1063_s6_q <= and_1063_s5_q;
+      and_1064_s6_q <= and_1064_s5_q;
+      and_1065_s6_q <= and_1065_s5_q;
+      and_1066_s6_q <= and_1066_s5_q;
+      select_1077_s6_q <= less_1076 ? rows_0_columns_values_8_q : 11'h0;
+      select_1081_s6_q <= less_1076 ? rows_1_columns_values_8_q : 11'h0;
+      select_1085_s6_q <= less_1076 ? rows_2_columns_values_8_q : 11'h0;
+      select_1089_s6_q <= less_1076 ? rows_3_columns_values_8_q : 11'h0;
+      select_1093_s6_q <= less_1076 ? rows_4_columns_values_8_q : 11'h0;
+      select_1097_s6_q <= less_1076 ? rows_5_columns_values_8_q : 11'h0;
+      select_1101_s6_q <= less_1076 ? rows_6_columns_values_8_q : 11'h0;
+      select_1105_s6_q <= less_1076 ? rows_7_columns_values_8_q : 11'h0;
+      select_1109_s6_q <= less_1076 ? rows_8_columns_values_8_q : 11'h0;
+      select_1113_s6_q <= less_1076 ? rows_9_columns_values_8_q : 11'h0;
+      select_1117_s6_q <= less_1076 ? rows_10_columns_values_8_q : 11'h0;
+      select_1121_s6_q <= less_1076 ? rows_11_columns_values_8_q : 11'h0;
+      select_1125_s6_q <= less_1076 ? rows_12_columns_values_8_q : 11'h0;
+      select_1129_s6_q <= less_1076 ? rows_13_columns_values_8_q : 11'h0;
+      select_1133_s6_q <= less_1076 ? rows_14_columns_values_8_q : 11'h0;
+      select_1137_s6_q <= less_1076 ? rows_15_columns_values_8_q : 11'h0;
+      select_1141_s6_q <= less_1076 ? rows_16_columns_values_8_q : 11'h0;
+      select_1145_s6_q <= less_1076 ? rows_17_columns_values_8_q : 11'h0;
+      select_1149_s6_q <= less_1076 ? rows_18_columns_values_8_q : 11'h0;
+      select_1153_s6_q <= less_1076 ? rows_19_columns_values_8_q : 11'h0;
+      and_1165_s6_q <= and_1165_s5_q;
+      and_1166_s6_q <= and_1166_s5_q;
     end
   end
 
@@ -2334,43 +3048,61 @@ module horopter_plane_sums (
   logic [10:0] rows_11_sum_sums_values_0_q;
   logic [10:0] rows_12_sum_sums_values_0_q;
   logic [10:0] rows_13_sum_sums_values_0_q;
+  logic [10:0] rows_14_sum_sums_values_0_q;
+  logic [10:0] rows_15_sum_sums_values_0_q;
+  logic [10:0] rows_16_sum_sums_values_0_q;
+  logic [10:0] rows_17_sum_sums_values_0_q;
+  logic [10:0] rows_18_sum_sums_values_0_q;
+  logic [10:0] rows_19_sum_sums_values_0_q;
   // hls/stages/plane_sums.hpp:150
-  logic [10:0] sum_792;
-  assign sum_792 = ({3'h0, rows_0_columns_values_0_q[7:0]} - select_789_s6_q) + (or_476_s6_q ? 11'h0 : rows_0_sum_sums_values_0_q);
-  logic [10:0] sum_796;
-  assign sum_796 = ({3'h0, rows_1_columns_values_0_q[7:0]} - select_793_s6_q) + (or_476_s6_q ? 11'h0 : rows_1_sum_sums_values_0_q);
-  logic [10:0] sum_800;
-  assign sum_800 = ({3'h0, rows_2_columns_values_0_q[7:0]} - select_797_s6_q) + (or_476_s6_q ? 11'h0 : rows_2_sum_sums_values_0_q);
-  logic [10:0] sum_804;
-  assign sum_804 = ({3'h0, rows_3_columns_values_0_q[7:0]} - select_801_s6_q) + (or_476_s6_q ? 11'h0 : rows_3_sum_sums_values_0_q);
-  logic [10:0] sum_808;
-  assign sum_808 = ({3'h0, rows_4_columns_values_0_q[7:0]} - select_805_s6_q) + (or_476_s6_q ? 11'h0 : rows_4_sum_sums_values_0_q);
-  logic [10:0] sum_812;
-  assign sum_812 = ({3'h0, rows_5_columns_values_0_q[7:0]} - select_809_s6_q) + (or_476_s6_q ? 11'h0 : rows_5_sum_sums_values_0_q);
-  logic [10:0] sum_816;
-  assign sum_816 = ({3'h0, rows_6_columns_values_0_q[7:0]} - select_813_s6_q) + (or_476_s6_q ? 11'h0 : rows_6_sum_sums_values_0_q);
-  logic [10:0] sum_820;
-  assign sum_820 = ({3'h0, rows_7_columns_values_0_q[7:0]} - select_817_s6_q) + (or_476_s6_q ? 11'h0 : rows_7_sum_sums_values_0_q);
-  logic [10:0] sum_824;
-  assign sum_824 = ({3'h0, rows_8_columns_values_0_q[7:0]} - select_821_s6_q) + (or_476_s6_q ? 11'h0 : rows_8_sum_sums_values_0_q);
-  logic [10:0] sum_828;
-  assign sum_828 = ({3'h0, rows_9_columns_values_0_q[7:0]} - select_825_s6_q) + (or_476_s6_q ? 11'h0 : rows_9_sum_sums_values_0_q);
-  logic [10:0] sum_832;
-  assign sum_832 = ({3'h0, rows_10_columns_values_0_q[7:0]} - select_829_s6_q) + (or_476_s6_q ? 11'h0 : rows_10_sum_sums_values_0_q);
-  logic [10:0] sum_836;
-  assign sum_836 = ({3'h0, rows_11_columns_values_0_q[7:0]} - select_833_s6_q) + (or_476_s6_q ? 11'h0 : rows_11_sum_sums_values_0_q);
-  logic [10:0] sum_840;
-  assign sum_840 = ({3'h0, rows_12_columns_values_0_q[7:0]} - select_837_s6_q) + (or_476_s6_q ? 11'h0 : rows_12_sum_sums_values_0_q);
-  logic [10:0] sum_844;
-  assign sum_844 = ({3'h0, rows_13_columns_values_0_q[7:0]} - select_841_s6_q) + (or_476_s6_q ? 11'h0 : rows_13_sum_sums_values_0_q);
+  logic [10:0] sum_1080;
+  assign sum_1080 = ({3'h0, rows_0_columns_values_0_q[7:0]} - select_1077_s6_q) + (or_632_s6_q ? 11'h0 : rows_0_sum_sums_values_0_q);
+  logic [10:0] sum_1084;
+  assign sum_1084 = ({3'h0, rows_1_columns_values_0_q[7:0]} - select_1081_s6_q) + (or_632_s6_q ? 11'h0 : rows_1_sum_sums_values_0_q);
+  logic [10:0] sum_1088;
+  assign sum_1088 = ({3'h0, rows_2_columns_values_0_q[7:0]} - select_1085_s6_q) + (or_632_s6_q ? 11'h0 : rows_2_sum_sums_values_0_q);
+  logic [10:0] sum_1092;
+  assign sum_1092 = ({3'h0, rows_3_columns_values_0_q[7:0]} - select_1089_s6_q) + (or_632_s6_q ? 11'h0 : rows_3_sum_sums_values_0_q);
+  logic [10:0] sum_1096;
+  assign sum_1096 = ({3'h0, rows_4_columns_values_0_q[7:0]} - select_1093_s6_q) + (or_632_s6_q ? 11'h0 : rows_4_sum_sums_values_0_q);
+  logic [10:0] sum_1100;
+  assign sum_1100 = ({3'h0, rows_5_columns_values_0_q[7:0]} - select_1097_s6_q) + (or_632_s6_q ? 11'h0 : rows_5_sum_sums_values_0_q);
+  logic [10:0] sum_1104;
+  assign sum_1104 = ({3'h0, rows_6_columns_values_0_q[7:0]} - select_1101_s6_q) + (or_632_s6_q ? 11'h0 : rows_6_sum_sums_values_0_q);
+  logic [10:0] sum_1108;
+  assign sum_1108 = ({3'h0, rows_7_columns_values_0_q[7:0]} - select_1105_s6_q) + (or_632_s6_q ? 11'h0 : rows_7_sum_sums_values_0_q);
+  logic [10:0] sum_1112;
+  assign sum_1112 = ({3'h0, rows_8_columns_values_0_q[7:0]} - select_1109_s6_q) + (or_632_s6_q ? 11'h0 : rows_8_sum_sums_values_0_q);
+  logic [10:0] sum_1116;
+  assign sum_1116 = ({3'h0, rows_9_columns_values_0_q[7:0]} - select_1113_s6_q) + (or_632_s6_q ? 11'h0 : rows_9_sum_sums_values_0_q);
+  logic [10:0] sum_1120;
+  assign sum_1120 = ({3'h0, rows_10_columns_values_0_q[7:0]} - select_1117_s6_q) + (or_632_s6_q ? 11'h0 : rows_10_sum_sums_values_0_q);
+  logic [10:0] sum_1124;
+  assign sum_1124 = ({3'h0, rows_11_columns_values_0_q[7:0]} - select_1121_s6_q) + (or_632_s6_q ? 11'h0 : rows_11_sum_sums_values_0_q);
+  logic [10:0] sum_1128;
+  assign sum_1128 = ({3'h0, rows_12_columns_values_0_q[7:0]} - select_1125_s6_q) + (or_632_s6_q ? 11'h0 : rows_12_sum_sums_values_0_q);
+  logic [10:0] sum_1132;
+  assign sum_1132 = ({3'h0, rows_13_columns_values_0_q[7:0]} - select_1129_s6_q) + (or_632_s6_q ? 11'h0 : rows_13_sum_sums_values_0_q);
+  logic [10:0] sum_1136;
+  assign sum_1136 = ({3'h0, rows_14_columns_values_0_q[7:0]} - select_1133_s6_q) + (or_632_s6_q ? 11'h0 : rows_14_sum_sums_values_0_q);
+  logic [10:0] sum_1140;
+  assign sum_1140 = ({3'h0, rows_15_columns_values_0_q[7:0]} - select_1137_s6_q) + (or_632_s6_q ? 11'h0 : rows_15_sum_sums_values_0_q);
+  logic [10:0] sum_1144;
+  assign sum_1144 = ({3'h0, rows_16_columns_values_0_q[7:0]} - select_1141_s6_q) + (or_632_s6_q ? 11'h0 : rows_16_sum_sums_values_0_q);
+  logic [10:0] sum_1148;
+  assign sum_1148 = ({3'h0, rows_17_columns_values_0_q[7:0]} - select_1145_s6_q) + (or_632_s6_q ? 11'h0 : rows_17_sum_sums_values_0_q);
+  logic [10:0] sum_1152;
+  assign sum_1152 = ({3'h0, rows_18_columns_values_0_q[7:0]} - select_1149_s6_q) + (or_632_s6_q ? 11'h0 : rows_18_sum_sums_values_0_q);
+  logic [10:0] sum_1156;
+  assign sum_1156 = ({3'h0, rows_19_columns_values_0_q[7:0]} - select_1153_s6_q) + (or_632_s6_q ? 11'h0 : rows_19_sum_sums_values_0_q);
 
   // Memory column_memory, write
   logic [10:0] column_memory_waddr;
-  assign column_memory_waddr = select_477_s6_q;
+  assign column_memory_waddr = select_633_s6_q;
   logic column_memory_we;
-  assign column_memory_we = s6_en & or_478_s6_q;
+  assign column_memory_we = s6_en & or_634_s6_q;
   always_ff @(posedge clk_i) begin
-    if (column_memory_we) column_memory_mem[column_memory_waddr] <= {and_778_s6_q, and_777_s6_q, entering_values_17_features_mask_s6_q, and_776_s6_q, column_memory_rdata_s6_q[17:12], and_775_s6_q, column_memory_rdata_s6_q[11:6], and_774_s6_q, column_memory_rdata_s6_q[5:0], seen_values_18_exists_s6_q, seen_values_18_grey_s6_q, rows_13_columns_values_0_q[7:0], rows_12_columns_values_0_q[7:0], rows_11_columns_values_0_q[7:0], rows_10_columns_values_0_q[7:0], rows_9_columns_values_0_q[7:0], rows_8_columns_values_0_q[7:0], rows_7_columns_values_0_q[7:0], rows_6_columns_values_0_q[7:0], rows_5_columns_values_0_q[7:0], rows_4_columns_values_0_q[7:0], rows_3_columns_values_0_q[7:0], rows_2_columns_values_0_q[7:0], rows_1_columns_values_0_q[7:0], rows_0_columns_values_0_q[7:0]};
+    if (column_memory_we) column_memory_mem[column_memory_waddr] <= {and_1066_s6_q, and_1065_s6_q, entering_values_23_features_mask_s6_q, and_1064_s6_q, column_memory_rdata_s6_q[17:12], and_1063_s6_q, column_memory_rdata_s6_q[11:6], and_1062_s6_q, column_memory_rdata_s6_q[5:0], seen_values_24_exists_s6_q, seen_values_24_grey_s6_q, rows_19_columns_values_0_q[7:0], rows_18_columns_values_0_q[7:0], rows_17_columns_values_0_q[7:0], rows_16_columns_values_0_q[7:0], rows_15_columns_values_0_q[7:0], rows_14_columns_values_0_q[7:0], rows_13_columns_values_0_q[7:0], rows_12_columns_values_0_q[7:0], rows_11_columns_values_0_q[7:0], rows_10_columns_values_0_q[7:0], rows_9_columns_values_0_q[7:0], rows_8_columns_values_0_q[7:0], rows_7_columns_values_0_q[7:0], rows_6_columns_values_0_q[7:0], rows_5_columns_values_0_q[7:0], rows_4_columns_values_0_q[7:0], rows_3_columns_values_0_q[7:0], rows_2_columns_values_0_q[7:0], rows_1_columns_values_0_q[7:0], rows_0_columns_values_0_q[7:0]};
   end
 `ifndef SYNTHESIS
   logic [10:0] column_memory_raddr_s3_sim;
@@ -2430,39 +3162,51 @@ module horopter_plane_sums (
     rows_11_sum_sums_values_0_q = 11'h0;
     rows_12_sum_sums_values_0_q = 11'h0;
     rows_13_sum_sums_values_0_q = 11'h0;
+    rows_14_sum_sums_values_0_q = 11'h0;
+    rows_15_sum_sums_values_0_q = 11'h0;
+    rows_16_sum_sums_values_0_q = 11'h0;
+    rows_17_sum_sums_values_0_q = 11'h0;
+    rows_18_sum_sums_values_0_q = 11'h0;
+    rows_19_sum_sums_values_0_q = 11'h0;
   end
 `endif
   always_ff @(posedge clk_i) begin
     if (s6_en) begin
-      rows_0_sum_sums_values_0_q <= sum_792;
-      rows_1_sum_sums_values_0_q <= sum_796;
-      rows_2_sum_sums_values_0_q <= sum_800;
-      rows_3_sum_sums_values_0_q <= sum_804;
-      rows_4_sum_sums_values_0_q <= sum_808;
-      rows_5_sum_sums_values_0_q <= sum_812;
-      rows_6_sum_sums_values_0_q <= sum_816;
-      rows_7_sum_sums_values_0_q <= sum_820;
-      rows_8_sum_sums_values_0_q <= sum_824;
-      rows_9_sum_sums_values_0_q <= sum_828;
-      rows_10_sum_sums_values_0_q <= sum_832;
-      rows_11_sum_sums_values_0_q <= sum_836;
-      rows_12_sum_sums_values_0_q <= sum_840;
-      rows_13_sum_sums_values_0_q <= sum_844;
+      rows_0_sum_sums_values_0_q <= sum_1080;
+      rows_1_sum_sums_values_0_q <= sum_1084;
+      rows_2_sum_sums_values_0_q <= sum_1088;
+      rows_3_sum_sums_values_0_q <= sum_1092;
+      rows_4_sum_sums_values_0_q <= sum_1096;
+      rows_5_sum_sums_values_0_q <= sum_1100;
+      rows_6_sum_sums_values_0_q <= sum_1104;
+      rows_7_sum_sums_values_0_q <= sum_1108;
+      rows_8_sum_sums_values_0_q <= sum_1112;
+      rows_9_sum_sums_values_0_q <= sum_1116;
+      rows_10_sum_sums_values_0_q <= sum_1120;
+      rows_11_sum_sums_values_0_q <= sum_1124;
+      rows_12_sum_sums_values_0_q <= sum_1128;
+      rows_13_sum_sums_values_0_q <= sum_1132;
+      rows_14_sum_sums_values_0_q <= sum_1136;
+      rows_15_sum_sums_values_0_q <= sum_1140;
+      rows_16_sum_sums_values_0_q <= sum_1144;
+      rows_17_sum_sums_values_0_q <= sum_1148;
+      rows_18_sum_sums_values_0_q <= sum_1152;
+      rows_19_sum_sums_values_0_q <= sum_1156;
     end
   end
 
   logic [5:0] centres_values_3_seen_grey_s7_q;
   logic centre_marks_values_3_first_s7_q;
   logic centre_marks_values_3_last_s7_q;
-  logic and_853_s7_q;
-  logic and_854_s7_q;
+  logic and_1165_s7_q;
+  logic and_1166_s7_q;
   always_ff @(posedge clk_i) begin
     if (s6_en) begin
       centres_values_3_seen_grey_s7_q <= centres_values_3_seen_grey_s6_q;
       centre_marks_values_3_first_s7_q <= centre_marks_values_3_first_s6_q;
       centre_marks_values_3_last_s7_q <= centre_marks_values_3_last_s6_q;
-      and_853_s7_q <= and_853_s6_q;
-      and_854_s7_q <= and_854_s6_q;
+      and_1165_s7_q <= and_1165_s6_q;
+      and_1166_s7_q <= and_1166_s6_q;
     end
   end
 
@@ -2480,10 +3224,16 @@ module horopter_plane_sums (
   assign sum_10_o = rows_10_sum_sums_values_0_q;
   assign sum_11_o = rows_11_sum_sums_values_0_q;
   assign sum_12_o = rows_12_sum_sums_values_0_q;
-  assign evidence_o = rows_13_sum_sums_values_0_q;
+  assign sum_13_o = rows_13_sum_sums_values_0_q;
+  assign sum_14_o = rows_14_sum_sums_values_0_q;
+  assign sum_15_o = rows_15_sum_sums_values_0_q;
+  assign sum_16_o = rows_16_sum_sums_values_0_q;
+  assign sum_17_o = rows_17_sum_sums_values_0_q;
+  assign sum_18_o = rows_18_sum_sums_values_0_q;
+  assign evidence_o = rows_19_sum_sums_values_0_q;
   assign grey_o = centres_values_3_seen_grey_s7_q;
-  assign known_o = and_853_s7_q;
-  assign exists_o = and_854_s7_q;
+  assign known_o = and_1165_s7_q;
+  assign exists_o = and_1166_s7_q;
   assign marks_first_o = centre_marks_values_3_first_s7_q;
   assign marks_last_o = centre_marks_values_3_last_s7_q;
   assign valid_o = valid_s7_q;

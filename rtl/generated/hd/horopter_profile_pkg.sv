@@ -11,10 +11,11 @@ package horopter_profile_pkg;
   localparam int unsigned STORE_ROWS = 64;  // rows of the right image's ring
   localparam int unsigned POOL_BYTES = 65536;  // pool of the mapping tables
   localparam int unsigned HYPOTHESES = 1;  // hypotheses compared at once
-  localparam int unsigned PLANES = 13;  // parallel skins that compete
+  localparam int unsigned PLANES = 19;  // parallel skins that compete
   localparam int unsigned SUM_ROWS = 7;  // rows of the window in which compete sums costs
   localparam int unsigned SUM_COLUMNS = 9;  // columns of the window in which compete sums costs, px
   localparam int unsigned BALLOT_REACH = 5;  // rows above and below that vote in compete
+  localparam int unsigned PATHS = 0;  // 1: the pixel above helps in compete
   localparam int unsigned CLOCK_KHZ = 148500;  // clock the profile is meant for
   localparam bit THESIS = 1'b1;  // has the rule `thesis`
   localparam bit COMPETE = 1'b1;  // has the rule `compete`

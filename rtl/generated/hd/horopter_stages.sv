@@ -464,6 +464,12 @@ module horopter_stages #(
   logic [10:0] plane_sums_sum_10_o;
   logic [10:0] plane_sums_sum_11_o;
   logic [10:0] plane_sums_sum_12_o;
+  logic [10:0] plane_sums_sum_13_o;
+  logic [10:0] plane_sums_sum_14_o;
+  logic [10:0] plane_sums_sum_15_o;
+  logic [10:0] plane_sums_sum_16_o;
+  logic [10:0] plane_sums_sum_17_o;
+  logic [10:0] plane_sums_sum_18_o;
   logic [10:0] plane_sums_evidence_o;
   logic [5:0] plane_sums_grey_o;
   logic plane_sums_known_o;
@@ -497,6 +503,12 @@ module horopter_stages #(
       .sum_10_o(plane_sums_sum_10_o),
       .sum_11_o(plane_sums_sum_11_o),
       .sum_12_o(plane_sums_sum_12_o),
+      .sum_13_o(plane_sums_sum_13_o),
+      .sum_14_o(plane_sums_sum_14_o),
+      .sum_15_o(plane_sums_sum_15_o),
+      .sum_16_o(plane_sums_sum_16_o),
+      .sum_17_o(plane_sums_sum_17_o),
+      .sum_18_o(plane_sums_sum_18_o),
       .evidence_o(plane_sums_evidence_o),
       .grey_o(plane_sums_grey_o),
       .known_o(plane_sums_known_o),
@@ -519,6 +531,12 @@ module horopter_stages #(
     assign plane_sums_sum_10_o = '0;
     assign plane_sums_sum_11_o = '0;
     assign plane_sums_sum_12_o = '0;
+    assign plane_sums_sum_13_o = '0;
+    assign plane_sums_sum_14_o = '0;
+    assign plane_sums_sum_15_o = '0;
+    assign plane_sums_sum_16_o = '0;
+    assign plane_sums_sum_17_o = '0;
+    assign plane_sums_sum_18_o = '0;
     assign plane_sums_evidence_o = '0;
     assign plane_sums_grey_o = '0;
     assign plane_sums_known_o = '0;
@@ -528,19 +546,25 @@ module horopter_stages #(
   end
 
   logic plane_paths_valid_o;
-  logic [11:0] plane_paths_cost_0_o;
-  logic [11:0] plane_paths_cost_1_o;
-  logic [11:0] plane_paths_cost_2_o;
-  logic [11:0] plane_paths_cost_3_o;
-  logic [11:0] plane_paths_cost_4_o;
-  logic [11:0] plane_paths_cost_5_o;
-  logic [11:0] plane_paths_cost_6_o;
-  logic [11:0] plane_paths_cost_7_o;
-  logic [11:0] plane_paths_cost_8_o;
-  logic [11:0] plane_paths_cost_9_o;
-  logic [11:0] plane_paths_cost_10_o;
-  logic [11:0] plane_paths_cost_11_o;
-  logic [11:0] plane_paths_cost_12_o;
+  logic [10:0] plane_paths_cost_0_o;
+  logic [10:0] plane_paths_cost_1_o;
+  logic [10:0] plane_paths_cost_2_o;
+  logic [10:0] plane_paths_cost_3_o;
+  logic [10:0] plane_paths_cost_4_o;
+  logic [10:0] plane_paths_cost_5_o;
+  logic [10:0] plane_paths_cost_6_o;
+  logic [10:0] plane_paths_cost_7_o;
+  logic [10:0] plane_paths_cost_8_o;
+  logic [10:0] plane_paths_cost_9_o;
+  logic [10:0] plane_paths_cost_10_o;
+  logic [10:0] plane_paths_cost_11_o;
+  logic [10:0] plane_paths_cost_12_o;
+  logic [10:0] plane_paths_cost_13_o;
+  logic [10:0] plane_paths_cost_14_o;
+  logic [10:0] plane_paths_cost_15_o;
+  logic [10:0] plane_paths_cost_16_o;
+  logic [10:0] plane_paths_cost_17_o;
+  logic [10:0] plane_paths_cost_18_o;
   logic [5:0] plane_paths_grey_o;
   logic plane_paths_known_o;
   logic plane_paths_evident_o;
@@ -567,6 +591,12 @@ module horopter_stages #(
       .sum_10_i(plane_sums_sum_10_o),
       .sum_11_i(plane_sums_sum_11_o),
       .sum_12_i(plane_sums_sum_12_o),
+      .sum_13_i(plane_sums_sum_13_o),
+      .sum_14_i(plane_sums_sum_14_o),
+      .sum_15_i(plane_sums_sum_15_o),
+      .sum_16_i(plane_sums_sum_16_o),
+      .sum_17_i(plane_sums_sum_17_o),
+      .sum_18_i(plane_sums_sum_18_o),
       .evidence_i(plane_sums_evidence_o),
       .grey_i(plane_sums_grey_o),
       .known_i(plane_sums_known_o),
@@ -587,6 +617,12 @@ module horopter_stages #(
       .cost_10_o(plane_paths_cost_10_o),
       .cost_11_o(plane_paths_cost_11_o),
       .cost_12_o(plane_paths_cost_12_o),
+      .cost_13_o(plane_paths_cost_13_o),
+      .cost_14_o(plane_paths_cost_14_o),
+      .cost_15_o(plane_paths_cost_15_o),
+      .cost_16_o(plane_paths_cost_16_o),
+      .cost_17_o(plane_paths_cost_17_o),
+      .cost_18_o(plane_paths_cost_18_o),
       .grey_o(plane_paths_grey_o),
       .known_o(plane_paths_known_o),
       .evident_o(plane_paths_evident_o),
@@ -610,6 +646,12 @@ module horopter_stages #(
     assign plane_paths_cost_10_o = '0;
     assign plane_paths_cost_11_o = '0;
     assign plane_paths_cost_12_o = '0;
+    assign plane_paths_cost_13_o = '0;
+    assign plane_paths_cost_14_o = '0;
+    assign plane_paths_cost_15_o = '0;
+    assign plane_paths_cost_16_o = '0;
+    assign plane_paths_cost_17_o = '0;
+    assign plane_paths_cost_18_o = '0;
     assign plane_paths_grey_o = '0;
     assign plane_paths_known_o = '0;
     assign plane_paths_evident_o = '0;
@@ -645,6 +687,12 @@ module horopter_stages #(
       .cost_10_i(plane_paths_cost_10_o),
       .cost_11_i(plane_paths_cost_11_o),
       .cost_12_i(plane_paths_cost_12_o),
+      .cost_13_i(plane_paths_cost_13_o),
+      .cost_14_i(plane_paths_cost_14_o),
+      .cost_15_i(plane_paths_cost_15_o),
+      .cost_16_i(plane_paths_cost_16_o),
+      .cost_17_i(plane_paths_cost_17_o),
+      .cost_18_i(plane_paths_cost_18_o),
       .grey_i(plane_paths_grey_o),
       .known_i(plane_paths_known_o),
       .evident_i(plane_paths_evident_o),

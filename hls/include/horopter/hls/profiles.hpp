@@ -30,6 +30,7 @@ struct Profile {
   int sum_rows = 7;      // of the window in which costs are summed
   int sum_columns = 9;   // px
   int ballot_reach = 9;  // rows above and below that vote
+  bool paths = true;     // whether the pixel above helps, see stages/plane_paths.hpp
 
   [[nodiscard]] constexpr bool has_thesis() const { return decisions != Decisions::compete; }
   [[nodiscard]] constexpr bool has_compete() const { return decisions != Decisions::thesis; }
@@ -66,23 +67,24 @@ struct Profile {
 };
 
 namespace profiles {
-#define HOROPTER_PROFILE(name, width, height, subsample, dsad, majority, weight_bits, store_rows, pool_bytes, \
-                         hypotheses, decisions, planes, sum_rows, sum_columns, ballot_reach, clock_khz)       \
-  inline constexpr Profile name{width,                                                                        \
-                                height,                                                                       \
-                                subsample,                                                                    \
-                                dsad,                                                                         \
-                                majority,                                                                     \
-                                weight_bits,                                                                  \
-                                store_rows,                                                                   \
-                                pool_bytes,                                                                   \
-                                hypotheses,                                                                   \
-                                clock_khz,                                                                    \
-                                Decisions::decisions,                                                         \
-                                planes,                                                                       \
-                                sum_rows,                                                                     \
-                                sum_columns,                                                                  \
-                                ballot_reach};
+#define HOROPTER_PROFILE(name, width, height, subsample, dsad, majority, weight_bits, store_rows, pool_bytes,  \
+                         hypotheses, decisions, planes, sum_rows, sum_columns, ballot_reach, paths, clock_khz) \
+  inline constexpr Profile name{width,                                                                         \
+                                height,                                                                        \
+                                subsample,                                                                     \
+                                dsad,                                                                          \
+                                majority,                                                                      \
+                                weight_bits,                                                                   \
+                                store_rows,                                                                    \
+                                pool_bytes,                                                                    \
+                                hypotheses,                                                                    \
+                                clock_khz,                                                                     \
+                                Decisions::decisions,                                                          \
+                                planes,                                                                        \
+                                sum_rows,                                                                      \
+                                sum_columns,                                                                   \
+                                ballot_reach,                                                                  \
+                                paths != 0};
 #include "horopter/hls/profiles.def"
 #undef HOROPTER_PROFILE
 }  // namespace profiles
