@@ -38,14 +38,9 @@ class AlarmCounter {
   };
 
   Out step(const In& in, const Config& config) {
-    if (in.first) [[unlikely]] {
-      skin_ = undecidable_ = unsupervised_ = Count(0);
-    }
-    if (!in.idle) [[likely]] {
-      skin_ += u<1>(in.state == state::skin);
-      undecidable_ += u<1>(in.state == state::undecidable);
-      unsupervised_ += u<1>(in.state == state::unsupervised);
-    }
+    count(skin_, in.first, !in.idle && in.state == state::skin);
+    count(undecidable_, in.first, !in.idle && in.state == state::undecidable);
+    count(unsupervised_, in.first, !in.idle && in.state == state::unsupervised);
     Out out;
     out.valid = in.end && !in.idle;
     out.skin_pixels = skin_;

@@ -44,17 +44,12 @@ class CameraHealth {
   };
 
   Out step(const In& in, const Config& config) {
-    if (in.first) [[unlikely]] {
-      signature_ = u<32>(0);
-      darkest_ = u<8>(255);
-      brightest_ = u<8>(0);
-      dark_ = bright_ = Count(0);
-    }
+    if (in.first) [[unlikely]] signature_ = u<32>(0);
     signature_ = shr<1>(signature_) ^ (signature_.bit(0) ? u<32>(0xEDB88320U) : u<32>(0)) ^ in.pixel;
-    darkest_ = min(darkest_, in.pixel);
-    brightest_ = max(brightest_, in.pixel);
-    dark_ += u<1>(in.pixel <= config.dark_level);
-    bright_ += u<1>(in.pixel >= config.bright_level);
+    if (in.first || in.pixel < darkest_) darkest_ = in.pixel;
+    if (in.first || in.pixel > brightest_) brightest_ = in.pixel;
+    count(dark_, in.first, in.pixel <= config.dark_level);
+    count(bright_, in.first, in.pixel >= config.bright_level);
 
     Out out;
     out.valid = in.end;

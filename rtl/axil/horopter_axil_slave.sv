@@ -3,10 +3,11 @@
 //
 // Address and data of a write may come in either order. One write and one read at a time, each answered after its
 // access; awready, wready and arready come from registers and do not wait for valid. A write access (write_valid_o) is
-// held until write_ready_i. A read access is read_valid_o for one clock; its data is taken two clocks later.
+// held until write_ready_i. The data of a read is taken READ_CLOCKS after its address.
 // write_error_i, read_error_i become SLVERR. awprot and arprot are ignored. Reset: idle, what was under way is dropped.
 module horopter_axil_slave #(
-    parameter int unsigned ADDR_BITS = 12
+    parameter int unsigned ADDR_BITS = 12,
+    parameter int unsigned READ_CLOCKS = 3
 ) (
     input  logic                 clk_i,
     input  logic                 rst_ni,
@@ -33,7 +34,6 @@ module horopter_axil_slave #(
     output logic [         31:0] write_data_o,
     output logic [          3:0] write_strb_o,
     input  logic                 write_error_i,
-    output logic                 read_valid_o,
     output logic [ADDR_BITS-1:0] read_addr_o,
     input  logic [         31:0] read_data_i,
     input  logic                 read_error_i
@@ -76,30 +76,28 @@ module horopter_axil_slave #(
     end
   end
 
-  // Read: address caught, access, answer.
-  typedef enum logic [2:0] {
+  // Read: address caught, its clocks counted, answer.
+  typedef enum logic [1:0] {
     READ_IDLE,
-    READ_ACCESS,
     READ_WAIT,
-    READ_TAKE,
     READ_ANSWER
   } read_state_e;
   read_state_e read_q;
+  logic [READ_CLOCKS:1] waited_q;
 
   assign s_axil_arready = read_q == READ_IDLE;
-  assign read_valid_o = read_q == READ_ACCESS;
   assign s_axil_rvalid = read_q == READ_ANSWER;
 
   always_ff @(posedge clk_i) begin
+    waited_q <= read_q == READ_WAIT ? {waited_q[READ_CLOCKS-1:1], 1'b1} : '0;
     if (!rst_ni) begin
       read_q <= READ_IDLE;
       s_axil_rresp <= OKAY;
     end else begin
       case (read_q)
-        READ_IDLE: if (s_axil_arvalid) read_q <= READ_ACCESS;
-        READ_ACCESS: read_q <= READ_WAIT;
-        READ_WAIT: read_q <= READ_TAKE;
-        READ_TAKE: begin
+        READ_IDLE: if (s_axil_arvalid) read_q <= READ_WAIT;
+        READ_WAIT:
+        if (waited_q[READ_CLOCKS]) begin
           read_q <= READ_ANSWER;
           s_axil_rresp <= read_error_i ? SLVERR : OKAY;
         end
@@ -107,6 +105,6 @@ module horopter_axil_slave #(
       endcase
     end
     if (read_q == READ_IDLE) read_addr_o <= s_axil_araddr;
-    if (read_q == READ_TAKE) s_axil_rdata <= read_data_i;
+    if (read_q == READ_WAIT) s_axil_rdata <= read_data_i;
   end
 endmodule

@@ -82,8 +82,8 @@ module horopter_axis_fifo #(
         read_q <= next_read_q;
         next_read_q <= next_read_q + 1'b1;
       end
-      full_q <= (write ? next_write_q : write_q) == (read_q ^ ALL);
-      empty_q <= (read ? next_read_q : read_q) == write_q;
+      full_q <= write ? next_write_q == (read_q ^ ALL) : write_q == (read_q ^ ALL);
+      empty_q <= read ? next_read_q == write_q : read_q == write_q;
       if (read) fetched_q <= 1'b1;
       else if (advance) fetched_q <= 1'b0;
       if (advance) valid_q <= fetched_q;

@@ -2,10 +2,9 @@
 // Made by scripts/generate-registers from rtl/csr/registers.yaml: change that, not this.
 //
 // The register block. Write: write_valid_i with address, data and strobes stays until write_ready_o (in the next clock
-// but for stream registers); write_error_o is valid with it, and a refused write changes nothing. Read: read_valid_i for one
-// clock; read_data_o and read_error_o are valid from the next clock but one until the next read; read_addr_i stays until
-// then. Partial writes follow the
-// strobes; of a stream register they are an error. Reset: synchronous, all storage to its reset value.
+// but for stream registers); write_error_o is valid with it, and a refused write changes nothing. Read: read_data_o and
+// read_error_o follow read_addr_i three clocks later, every clock. Partial writes follow the strobes; of a stream
+// register they are an error. Reset: synchronous, all storage to its reset value.
 module horopter_csr #(
     parameter bit BOTH_RULES = 1'b1,
     parameter bit COMPETE = 1'b1,
@@ -31,7 +30,6 @@ module horopter_csr #(
     input  logic [31:0] write_data_i,
     input  logic [ 3:0] write_strb_i,
     output logic        write_error_o,
-    input  logic        read_valid_i,
     input  logic [11:0] read_addr_i,
     output logic [31:0] read_data_o,
     output logic        read_error_o,
@@ -120,70 +118,69 @@ module horopter_csr #(
     input  logic [31:0] frame_latency_clocks_i,
     input  logic [31:0] frame_tail_clocks_i
 );
-  // A write is decoded in its first clock and taken, or refused, from the second on.
-  logic comes, decoded_q;
+  // The address is decoded always; what it selects counts from the second clock of a write on.
+  logic taken_q;
   logic [27:0] selected_q;
-  assign comes = rst_ni && write_valid_i && !write_ready_o;
   always_ff @(posedge clk_i) begin
-    decoded_q <= comes;
+    taken_q <= rst_ni && write_valid_i && !write_ready_o;
     write_error_o <= 1'b0;
     selected_q <= '0;
     case (write_addr_i)
-      12'h040: selected_q[0] <= comes;  // CONTROL
+      12'h040: selected_q[0] <= 1'b1;  // CONTROL
       12'h044: begin
-        selected_q[1] <= comes && !locked_i;
+        selected_q[1] <= !locked_i;
         write_error_o <= locked_i;
       end
       12'h04C: begin
-        selected_q[2] <= comes && !locked_i;
+        selected_q[2] <= !locked_i;
         write_error_o <= locked_i;
       end
       12'h050: begin
-        selected_q[3] <= comes && !locked_i;
+        selected_q[3] <= !locked_i;
         write_error_o <= locked_i;
       end
       12'h054: begin
-        selected_q[4] <= comes && !locked_i;
+        selected_q[4] <= !locked_i;
         write_error_o <= locked_i;
       end
-      12'h058: selected_q[5] <= comes;  // TIMEOUT
-      12'h05C: selected_q[6] <= comes;  // TABLE_SELECT
-      12'h060: selected_q[7] <= comes;  // IRQ_ENABLE
-      12'h064: selected_q[8] <= comes;  // IRQ_STATUS
-      12'h080: selected_q[9] <= comes;  // SUM_LIMIT
-      12'h084: selected_q[10] <= comes;  // SELF_LIMIT
-      12'h088: selected_q[11] <= comes;  // TEXTURE_LIMIT
-      12'h08C: selected_q[12] <= comes;  // ALARM_LIMIT
-      12'h090: selected_q[13] <= comes;  // UNDECIDABLE_LIMIT
-      12'h094: selected_q[14] <= comes;  // UNSUPERVISED_LIMIT
-      12'h0A0: selected_q[15] <= comes;  // BLACK_LEVEL
-      12'h0A4: selected_q[16] <= comes;  // BLACK_LIMIT
-      12'h0A8: selected_q[17] <= comes;  // WHITE_LEVEL
-      12'h0AC: selected_q[18] <= comes;  // WHITE_LIMIT
-      12'h0B0: selected_q[19] <= comes;  // CONSTANT_LIMIT
-      12'h0B4: selected_q[20] <= comes;  // FROZEN_LIMIT
-      12'h0B8: selected_q[21] <= comes;  // DECISION
-      12'h0BC: selected_q[22] <= comes;  // COMPETE
-      12'h0C0: selected_q[23] <= comes;  // MAP_SLOT
-      12'h0C4: selected_q[24] <= comes;  // MAP_BASE
+      12'h058: selected_q[5] <= 1'b1;  // TIMEOUT
+      12'h05C: selected_q[6] <= 1'b1;  // TABLE_SELECT
+      12'h060: selected_q[7] <= 1'b1;  // IRQ_ENABLE
+      12'h064: selected_q[8] <= 1'b1;  // IRQ_STATUS
+      12'h080: selected_q[9] <= 1'b1;  // SUM_LIMIT
+      12'h084: selected_q[10] <= 1'b1;  // SELF_LIMIT
+      12'h088: selected_q[11] <= 1'b1;  // TEXTURE_LIMIT
+      12'h08C: selected_q[12] <= 1'b1;  // ALARM_LIMIT
+      12'h090: selected_q[13] <= 1'b1;  // UNDECIDABLE_LIMIT
+      12'h094: selected_q[14] <= 1'b1;  // UNSUPERVISED_LIMIT
+      12'h0A0: selected_q[15] <= 1'b1;  // BLACK_LEVEL
+      12'h0A4: selected_q[16] <= 1'b1;  // BLACK_LIMIT
+      12'h0A8: selected_q[17] <= 1'b1;  // WHITE_LEVEL
+      12'h0AC: selected_q[18] <= 1'b1;  // WHITE_LIMIT
+      12'h0B0: selected_q[19] <= 1'b1;  // CONSTANT_LIMIT
+      12'h0B4: selected_q[20] <= 1'b1;  // FROZEN_LIMIT
+      12'h0B8: selected_q[21] <= 1'b1;  // DECISION
+      12'h0BC: selected_q[22] <= 1'b1;  // COMPETE
+      12'h0C0: selected_q[23] <= 1'b1;  // MAP_SLOT
+      12'h0C4: selected_q[24] <= 1'b1;  // MAP_BASE
       12'h0C8: begin
-        selected_q[25] <= comes && write_strb_i == 4'hF;
+        selected_q[25] <= write_strb_i == 4'hF;
         write_error_o <= write_strb_i != 4'hF;
       end
       12'h0CC: begin
-        selected_q[26] <= comes && write_strb_i == 4'hF;
+        selected_q[26] <= write_strb_i == 4'hF;
         write_error_o <= write_strb_i != 4'hF;
       end
-      12'h0E0: selected_q[27] <= comes;  // FAULTS
+      12'h0E0: selected_q[27] <= 1'b1;  // FAULTS
       default: write_error_o <= 1'b1;
     endcase
   end
 
-  assign map_control_valid_o = selected_q[25];
+  assign map_control_valid_o = taken_q && selected_q[25];
   assign map_control_start_o = write_data_i[0];
-  assign map_data_valid_o = selected_q[26];
+  assign map_data_valid_o = taken_q && selected_q[26];
   assign map_data_word_o = write_data_i[31:0];
-  assign write_ready_o = decoded_q
+  assign write_ready_o = taken_q
       && !(map_control_valid_o && !map_control_ready_i)
       && !(map_data_valid_o && !map_data_ready_i);
 
@@ -308,95 +305,95 @@ module horopter_csr #(
       map_slot_slot_q <= 4'd0;
       map_base_word64_q <= 16'd0;
     end else begin
-      if (selected_q[0]) begin  // CONTROL
+      if (taken_q && selected_q[0]) begin  // CONTROL
         if (write_strb_i[0]) control_enable_q <= write_data_i[0];
       end
-      if (selected_q[1]) begin  // MODE
+      if (taken_q && selected_q[1]) begin  // MODE
         if (write_strb_i[0]) begin
           mode_live_q <= write_data_i[0];
           mode_test_input_q <= write_data_i[1];
         end
       end
-      if (selected_q[2]) begin  // WIDTH
+      if (taken_q && selected_q[2]) begin  // WIDTH
         if (write_strb_i[0]) width_px_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) width_px_q[11:8] <= write_data_i[11:8];
       end
-      if (selected_q[3]) begin  // HEIGHT
+      if (taken_q && selected_q[3]) begin  // HEIGHT
         if (write_strb_i[0]) height_rows_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) height_rows_q[11:8] <= write_data_i[11:8];
       end
-      if (selected_q[4]) begin  // LOOKAHEAD
+      if (taken_q && selected_q[4]) begin  // LOOKAHEAD
         if (write_strb_i[0]) lookahead_rows_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) lookahead_rows_q[11:8] <= write_data_i[11:8];
       end
-      if (selected_q[5]) begin  // TIMEOUT
+      if (taken_q && selected_q[5]) begin  // TIMEOUT
         if (write_strb_i[0]) timeout_clocks_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) timeout_clocks_q[15:8] <= write_data_i[15:8];
         if (write_strb_i[2]) timeout_clocks_q[23:16] <= write_data_i[23:16];
         if (write_strb_i[3]) timeout_clocks_q[31:24] <= write_data_i[31:24];
       end
-      if (selected_q[6]) begin  // TABLE_SELECT
+      if (taken_q && selected_q[6]) begin  // TABLE_SELECT
         if (write_strb_i[0]) table_select_slot_q[3:0] <= write_data_i[3:0];
       end
-      if (selected_q[7]) begin  // IRQ_ENABLE
+      if (taken_q && selected_q[7]) begin  // IRQ_ENABLE
         if (write_strb_i[0]) begin
           irq_enable_frame_q <= write_data_i[0];
           irq_enable_fault_q <= write_data_i[1];
         end
       end
-      if (selected_q[9]) begin  // SUM_LIMIT
+      if (taken_q && selected_q[9]) begin  // SUM_LIMIT
         if (write_strb_i[0]) sum_limit_value_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) sum_limit_value_q[15:8] <= write_data_i[15:8];
       end
-      if (selected_q[10]) begin  // SELF_LIMIT
+      if (taken_q && selected_q[10]) begin  // SELF_LIMIT
         if (write_strb_i[0]) self_limit_value_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) self_limit_value_q[15:8] <= write_data_i[15:8];
       end
-      if (selected_q[11]) begin  // TEXTURE_LIMIT
+      if (taken_q && selected_q[11]) begin  // TEXTURE_LIMIT
         if (write_strb_i[0]) texture_limit_sum_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) texture_limit_sum_q[15:8] <= write_data_i[15:8];
       end
-      if (selected_q[12]) begin  // ALARM_LIMIT
+      if (taken_q && selected_q[12]) begin  // ALARM_LIMIT
         if (write_strb_i[0]) alarm_limit_pixels_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) alarm_limit_pixels_q[15:8] <= write_data_i[15:8];
         if (write_strb_i[2]) alarm_limit_pixels_q[23:16] <= write_data_i[23:16];
       end
-      if (selected_q[13]) begin  // UNDECIDABLE_LIMIT
+      if (taken_q && selected_q[13]) begin  // UNDECIDABLE_LIMIT
         if (write_strb_i[0]) undecidable_limit_pixels_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) undecidable_limit_pixels_q[15:8] <= write_data_i[15:8];
         if (write_strb_i[2]) undecidable_limit_pixels_q[23:16] <= write_data_i[23:16];
       end
-      if (selected_q[14]) begin  // UNSUPERVISED_LIMIT
+      if (taken_q && selected_q[14]) begin  // UNSUPERVISED_LIMIT
         if (write_strb_i[0]) unsupervised_limit_pixels_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) unsupervised_limit_pixels_q[15:8] <= write_data_i[15:8];
         if (write_strb_i[2]) unsupervised_limit_pixels_q[23:16] <= write_data_i[23:16];
       end
-      if (selected_q[15]) begin  // BLACK_LEVEL
+      if (taken_q && selected_q[15]) begin  // BLACK_LEVEL
         if (write_strb_i[0]) black_level_grey_q[7:0] <= write_data_i[7:0];
       end
-      if (selected_q[16]) begin  // BLACK_LIMIT
+      if (taken_q && selected_q[16]) begin  // BLACK_LIMIT
         if (write_strb_i[0]) black_limit_pixels_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) black_limit_pixels_q[15:8] <= write_data_i[15:8];
         if (write_strb_i[2]) black_limit_pixels_q[23:16] <= write_data_i[23:16];
       end
-      if (selected_q[17]) begin  // WHITE_LEVEL
+      if (taken_q && selected_q[17]) begin  // WHITE_LEVEL
         if (write_strb_i[0]) white_level_grey_q[7:0] <= write_data_i[7:0];
       end
-      if (selected_q[18]) begin  // WHITE_LIMIT
+      if (taken_q && selected_q[18]) begin  // WHITE_LIMIT
         if (write_strb_i[0]) white_limit_pixels_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) white_limit_pixels_q[15:8] <= write_data_i[15:8];
         if (write_strb_i[2]) white_limit_pixels_q[23:16] <= write_data_i[23:16];
       end
-      if (selected_q[19]) begin  // CONSTANT_LIMIT
+      if (taken_q && selected_q[19]) begin  // CONSTANT_LIMIT
         if (write_strb_i[0]) constant_limit_grey_q[7:0] <= write_data_i[7:0];
       end
-      if (selected_q[20]) begin  // FROZEN_LIMIT
+      if (taken_q && selected_q[20]) begin  // FROZEN_LIMIT
         if (write_strb_i[0]) frozen_limit_frames_q[7:0] <= write_data_i[7:0];
       end
-      if (BOTH_RULES && selected_q[21]) begin  // DECISION
+      if (BOTH_RULES && taken_q && selected_q[21]) begin  // DECISION
         if (write_strb_i[0]) decision_compete_q <= write_data_i[0];
       end
-      if (COMPETE && selected_q[22]) begin  // COMPETE
+      if (COMPETE && taken_q && selected_q[22]) begin  // COMPETE
         if (write_strb_i[0]) begin
           compete_bias_q[3:0] <= write_data_i[3:0];
           compete_smooth_q[2:0] <= write_data_i[6:4];
@@ -415,10 +412,10 @@ module horopter_csr #(
           compete_boundary_q[3:0] <= write_data_i[30:27];
         end
       end
-      if (selected_q[23]) begin  // MAP_SLOT
+      if (taken_q && selected_q[23]) begin  // MAP_SLOT
         if (write_strb_i[0]) map_slot_slot_q[3:0] <= write_data_i[3:0];
       end
-      if (selected_q[24]) begin  // MAP_BASE
+      if (taken_q && selected_q[24]) begin  // MAP_BASE
         if (write_strb_i[0]) map_base_word64_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) map_base_word64_q[15:8] <= write_data_i[15:8];
       end
@@ -429,7 +426,7 @@ module horopter_csr #(
   logic [ 1:0] irq_status_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) irq_status_q <= 2'd0;
-    else if (selected_q[8])
+    else if (taken_q && selected_q[8])
       irq_status_q <= (irq_status_q & ~(write_data_i[1:0] & {{2{write_strb_i[0]}}})) | irq_status_set_i;
     else irq_status_q <= irq_status_q | irq_status_set_i;
   end
@@ -439,191 +436,138 @@ module horopter_csr #(
   logic [30:0] faults_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) faults_q <= 31'd0;
-    else if (selected_q[27])
+    else if (taken_q && selected_q[27])
       faults_q <= (faults_q & ~(write_data_i[30:0] & {{7{write_strb_i[3]}}, {8{write_strb_i[2]}}, {8{write_strb_i[1]}}, {8{write_strb_i[0]}}})) | faults_set_i;
     else faults_q <= faults_q | faults_set_i;
   end
   assign faults_o = faults_q;
 
-  // Reads, in two steps: the word of each group of eight, then the group.
+  // Reads, in three steps: which group of eight, its word (zero in the others), all of them together.
   logic [31:0] group_00_q;
-  logic known_00_q;
   logic [31:0] group_02_q;
-  logic known_02_q;
   logic [31:0] group_03_q;
-  logic known_03_q;
   logic [31:0] group_04_q;
-  logic known_04_q;
   logic [31:0] group_05_q;
-  logic known_05_q;
   logic [31:0] group_06_q;
-  logic known_06_q;
   logic [31:0] group_07_q;
-  logic known_07_q;
   logic [31:0] group_08_q;
-  logic known_08_q;
   logic [31:0] group_09_q;
-  logic known_09_q;
-  logic read_valid_q;
+  logic [8:0] wanted_q, known_q;
+  logic [4:0] word_q;
   always_ff @(posedge clk_i) begin
-    read_valid_q <= read_valid_i;
-    known_00_q <= 1'b1;
-    case (read_addr_i[4:0])
-      5'h00: group_00_q <= 32'h484F524F;
-      5'h04: group_00_q <= {16'h1, 16'h2};
-      5'h08: group_00_q <= {build_size_height_i, build_size_width_i};
-      5'h0C: group_00_q <= {build_store_pool_kib_i, build_store_rows_i};
-      5'h10: group_00_q <= {2'd0, build_window_compete_i, build_window_thesis_i, build_window_hypotheses_i, build_window_weight_bits_i, build_window_subsample_i, build_window_majority_i, build_window_dsad_i};
-      5'h14: group_00_q <= build_clock_khz_i;
-      5'h18: group_00_q <= {11'd0, build_compete_paths_i, build_compete_ballot_reach_i, build_compete_sum_columns_i, build_compete_sum_rows_i, build_compete_planes_i};
-      default: begin
-        group_00_q <= 32'd0;
-        known_00_q <= 1'b0;
-      end
-    endcase
-    known_02_q <= 1'b1;
-    case (read_addr_i[4:0])
-      5'h00: group_02_q <= {31'd0, control_enable_q};
-      5'h04: group_02_q <= {30'd0, mode_test_input_q, mode_live_q};
-      5'h08: group_02_q <= {24'd0, status_late_i, status_right_silent_i, status_left_silent_i, status_unsafe_i, status_safe_i, status_busy_i, status_bad_geometry_i, status_running_i};
-      5'h0C: group_02_q <= {20'd0, width_px_q};
-      5'h10: group_02_q <= {20'd0, height_rows_q};
-      5'h14: group_02_q <= {20'd0, lookahead_rows_q};
-      5'h18: group_02_q <= timeout_clocks_q;
-      5'h1C: group_02_q <= {28'd0, table_select_slot_q};
-      default: begin
-        group_02_q <= 32'd0;
-        known_02_q <= 1'b0;
-      end
-    endcase
-    known_03_q <= 1'b1;
-    case (read_addr_i[4:0])
-      5'h00: group_03_q <= {30'd0, irq_enable_fault_q, irq_enable_frame_q};
-      5'h04: group_03_q <= {30'd0, irq_status_q};
-      default: begin
-        group_03_q <= 32'd0;
-        known_03_q <= 1'b0;
-      end
-    endcase
-    known_04_q <= 1'b1;
-    case (read_addr_i[4:0])
-      5'h00: group_04_q <= {16'd0, sum_limit_value_q};
-      5'h04: group_04_q <= {16'd0, self_limit_value_q};
-      5'h08: group_04_q <= {16'd0, texture_limit_sum_q};
-      5'h0C: group_04_q <= {8'd0, alarm_limit_pixels_q};
-      5'h10: group_04_q <= {8'd0, undecidable_limit_pixels_q};
-      5'h14: group_04_q <= {8'd0, unsupervised_limit_pixels_q};
-      default: begin
-        group_04_q <= 32'd0;
-        known_04_q <= 1'b0;
-      end
-    endcase
-    known_05_q <= 1'b1;
-    case (read_addr_i[4:0])
-      5'h00: group_05_q <= {24'd0, black_level_grey_q};
-      5'h04: group_05_q <= {8'd0, black_limit_pixels_q};
-      5'h08: group_05_q <= {24'd0, white_level_grey_q};
-      5'h0C: group_05_q <= {8'd0, white_limit_pixels_q};
-      5'h10: group_05_q <= {24'd0, constant_limit_grey_q};
-      5'h14: group_05_q <= {24'd0, frozen_limit_frames_q};
-      5'h18: group_05_q <= {31'd0, decision_compete_q};
-      5'h1C: group_05_q <= {1'd0, compete_boundary_q, compete_clear_quorum_q, compete_quorum_q, compete_similar_q, compete_smooth_q, compete_bias_q};
-      default: begin
-        group_05_q <= 32'd0;
-        known_05_q <= 1'b0;
-      end
-    endcase
-    known_06_q <= 1'b1;
-    case (read_addr_i[4:0])
-      5'h00: group_06_q <= {28'd0, map_slot_slot_q};
-      5'h04: group_06_q <= {16'd0, map_base_word64_q};
-      5'h10: group_06_q <= {24'd0, map_status_active_slot_i, map_status_error_i, map_status_busy_i};
-      5'h14: group_06_q <= {17'd0, map_valid_slots_i};
-      5'h18: group_06_q <= map_crc_value_i;
-      default: begin
-        group_06_q <= 32'd0;
-        known_06_q <= 1'b0;
-      end
-    endcase
-    known_07_q <= 1'b1;
-    case (read_addr_i[4:0])
-      5'h00: group_07_q <= {1'd0, faults_q};
-      default: begin
-        group_07_q <= 32'd0;
-        known_07_q <= 1'b0;
-      end
-    endcase
-    known_08_q <= 1'b1;
-    case (read_addr_i[4:0])
-      5'h00: group_08_q <= frame_sequence_value_i;
-      5'h04: group_08_q <= {26'd0, frame_status_slot_i, frame_status_safe_i, frame_status_alarm_i};
-      5'h08: group_08_q <= {1'd0, frame_faults_i};
-      5'h0C: group_08_q <= frame_table_crc_value_i;
-      5'h10: group_08_q <= {8'd0, frame_skin_pixels_i};
-      5'h14: group_08_q <= {8'd0, frame_undecidable_pixels_i};
-      5'h18: group_08_q <= {8'd0, frame_unsupervised_pixels_i};
-      5'h1C: group_08_q <= {8'd0, frame_misses_pixels_i};
-      default: begin
-        group_08_q <= 32'd0;
-        known_08_q <= 1'b0;
-      end
-    endcase
-    known_09_q <= 1'b1;
-    case (read_addr_i[4:0])
-      5'h00: group_09_q <= frame_cycles_clocks_i;
-      5'h04: group_09_q <= frame_latency_clocks_i;
-      5'h08: group_09_q <= frame_tail_clocks_i;
-      default: begin
-        group_09_q <= 32'd0;
-        known_09_q <= 1'b0;
-      end
-    endcase
-    if (!rst_ni) begin
-      read_data_o <= 32'd0;
-      read_error_o <= 1'b0;
-    end else if (read_valid_q) begin
-      case (read_addr_i[11:5])
-        7'h00: begin
-          read_data_o <= group_00_q;
-          read_error_o <= !known_00_q;
-        end
-        7'h02: begin
-          read_data_o <= group_02_q;
-          read_error_o <= !known_02_q;
-        end
-        7'h03: begin
-          read_data_o <= group_03_q;
-          read_error_o <= !known_03_q;
-        end
-        7'h04: begin
-          read_data_o <= group_04_q;
-          read_error_o <= !known_04_q;
-        end
-        7'h05: begin
-          read_data_o <= group_05_q;
-          read_error_o <= !known_05_q;
-        end
-        7'h06: begin
-          read_data_o <= group_06_q;
-          read_error_o <= !known_06_q;
-        end
-        7'h07: begin
-          read_data_o <= group_07_q;
-          read_error_o <= !known_07_q;
-        end
-        7'h08: begin
-          read_data_o <= group_08_q;
-          read_error_o <= !known_08_q;
-        end
-        7'h09: begin
-          read_data_o <= group_09_q;
-          read_error_o <= !known_09_q;
-        end
-        default: begin
-          read_data_o <= 32'd0;
-          read_error_o <= 1'b1;
-        end
+    word_q <= read_addr_i[4:0];
+    wanted_q[0] <= read_addr_i[11:5] == 7'h00;
+    wanted_q[1] <= read_addr_i[11:5] == 7'h02;
+    wanted_q[2] <= read_addr_i[11:5] == 7'h03;
+    wanted_q[3] <= read_addr_i[11:5] == 7'h04;
+    wanted_q[4] <= read_addr_i[11:5] == 7'h05;
+    wanted_q[5] <= read_addr_i[11:5] == 7'h06;
+    wanted_q[6] <= read_addr_i[11:5] == 7'h07;
+    wanted_q[7] <= read_addr_i[11:5] == 7'h08;
+    wanted_q[8] <= read_addr_i[11:5] == 7'h09;
+    known_q[0] <= wanted_q[0];
+    group_00_q <= 32'd0;
+    if (wanted_q[0])
+      case (word_q)
+        5'h00: group_00_q <= 32'h484F524F;
+        5'h04: group_00_q <= {16'h1, 16'h2};
+        5'h08: group_00_q <= {build_size_height_i, build_size_width_i};
+        5'h0C: group_00_q <= {build_store_pool_kib_i, build_store_rows_i};
+        5'h10: group_00_q <= {2'd0, build_window_compete_i, build_window_thesis_i, build_window_hypotheses_i, build_window_weight_bits_i, build_window_subsample_i, build_window_majority_i, build_window_dsad_i};
+        5'h14: group_00_q <= build_clock_khz_i;
+        5'h18: group_00_q <= {11'd0, build_compete_paths_i, build_compete_ballot_reach_i, build_compete_sum_columns_i, build_compete_sum_rows_i, build_compete_planes_i};
+        default: known_q[0] <= 1'b0;
       endcase
-    end
+    known_q[1] <= wanted_q[1];
+    group_02_q <= 32'd0;
+    if (wanted_q[1])
+      case (word_q)
+        5'h00: group_02_q <= {31'd0, control_enable_q};
+        5'h04: group_02_q <= {30'd0, mode_test_input_q, mode_live_q};
+        5'h08: group_02_q <= {24'd0, status_late_i, status_right_silent_i, status_left_silent_i, status_unsafe_i, status_safe_i, status_busy_i, status_bad_geometry_i, status_running_i};
+        5'h0C: group_02_q <= {20'd0, width_px_q};
+        5'h10: group_02_q <= {20'd0, height_rows_q};
+        5'h14: group_02_q <= {20'd0, lookahead_rows_q};
+        5'h18: group_02_q <= timeout_clocks_q;
+        5'h1C: group_02_q <= {28'd0, table_select_slot_q};
+        default: known_q[1] <= 1'b0;
+      endcase
+    known_q[2] <= wanted_q[2];
+    group_03_q <= 32'd0;
+    if (wanted_q[2])
+      case (word_q)
+        5'h00: group_03_q <= {30'd0, irq_enable_fault_q, irq_enable_frame_q};
+        5'h04: group_03_q <= {30'd0, irq_status_q};
+        default: known_q[2] <= 1'b0;
+      endcase
+    known_q[3] <= wanted_q[3];
+    group_04_q <= 32'd0;
+    if (wanted_q[3])
+      case (word_q)
+        5'h00: group_04_q <= {16'd0, sum_limit_value_q};
+        5'h04: group_04_q <= {16'd0, self_limit_value_q};
+        5'h08: group_04_q <= {16'd0, texture_limit_sum_q};
+        5'h0C: group_04_q <= {8'd0, alarm_limit_pixels_q};
+        5'h10: group_04_q <= {8'd0, undecidable_limit_pixels_q};
+        5'h14: group_04_q <= {8'd0, unsupervised_limit_pixels_q};
+        default: known_q[3] <= 1'b0;
+      endcase
+    known_q[4] <= wanted_q[4];
+    group_05_q <= 32'd0;
+    if (wanted_q[4])
+      case (word_q)
+        5'h00: group_05_q <= {24'd0, black_level_grey_q};
+        5'h04: group_05_q <= {8'd0, black_limit_pixels_q};
+        5'h08: group_05_q <= {24'd0, white_level_grey_q};
+        5'h0C: group_05_q <= {8'd0, white_limit_pixels_q};
+        5'h10: group_05_q <= {24'd0, constant_limit_grey_q};
+        5'h14: group_05_q <= {24'd0, frozen_limit_frames_q};
+        5'h18: group_05_q <= {31'd0, decision_compete_q};
+        5'h1C: group_05_q <= {1'd0, compete_boundary_q, compete_clear_quorum_q, compete_quorum_q, compete_similar_q, compete_smooth_q, compete_bias_q};
+        default: known_q[4] <= 1'b0;
+      endcase
+    known_q[5] <= wanted_q[5];
+    group_06_q <= 32'd0;
+    if (wanted_q[5])
+      case (word_q)
+        5'h00: group_06_q <= {28'd0, map_slot_slot_q};
+        5'h04: group_06_q <= {16'd0, map_base_word64_q};
+        5'h10: group_06_q <= {24'd0, map_status_active_slot_i, map_status_error_i, map_status_busy_i};
+        5'h14: group_06_q <= {17'd0, map_valid_slots_i};
+        5'h18: group_06_q <= map_crc_value_i;
+        default: known_q[5] <= 1'b0;
+      endcase
+    known_q[6] <= wanted_q[6];
+    group_07_q <= 32'd0;
+    if (wanted_q[6])
+      case (word_q)
+        5'h00: group_07_q <= {1'd0, faults_q};
+        default: known_q[6] <= 1'b0;
+      endcase
+    known_q[7] <= wanted_q[7];
+    group_08_q <= 32'd0;
+    if (wanted_q[7])
+      case (word_q)
+        5'h00: group_08_q <= frame_sequence_value_i;
+        5'h04: group_08_q <= {26'd0, frame_status_slot_i, frame_status_safe_i, frame_status_alarm_i};
+        5'h08: group_08_q <= {1'd0, frame_faults_i};
+        5'h0C: group_08_q <= frame_table_crc_value_i;
+        5'h10: group_08_q <= {8'd0, frame_skin_pixels_i};
+        5'h14: group_08_q <= {8'd0, frame_undecidable_pixels_i};
+        5'h18: group_08_q <= {8'd0, frame_unsupervised_pixels_i};
+        5'h1C: group_08_q <= {8'd0, frame_misses_pixels_i};
+        default: known_q[7] <= 1'b0;
+      endcase
+    known_q[8] <= wanted_q[8];
+    group_09_q <= 32'd0;
+    if (wanted_q[8])
+      case (word_q)
+        5'h00: group_09_q <= frame_cycles_clocks_i;
+        5'h04: group_09_q <= frame_latency_clocks_i;
+        5'h08: group_09_q <= frame_tail_clocks_i;
+        default: known_q[8] <= 1'b0;
+      endcase
+    read_data_o <= group_00_q | group_02_q | group_03_q | group_04_q | group_05_q | group_06_q | group_07_q | group_08_q | group_09_q;
+    read_error_o <= known_q == '0;
   end
 endmodule

@@ -76,6 +76,7 @@ module formal_map_store (
   (* hierconn *) wire \dut.bad_size_q ;
   (* hierconn *) wire \dut.too_large_q ;
   (* hierconn *) wire [14:0] \dut.overlap_q ;
+  (* hierconn *) wire \dut.start_q ;
   (* hierconn *) wire \dut.waiting_q ;
   (* hierconn *) wire \dut.take ;
   (* hierconn *) wire [31:0] \dut.extent ;
@@ -114,8 +115,8 @@ module formal_map_store (
     // The directory's memory.
     if (\dut.state_q == WALK && \dut.step_q [1:0] != 2'd0 && \dut.step_q [5:2] == watched && valid[watched])
       assume (\dut.extent == {last, first});
-    // The bus: a start's slot and the selection were there before it; a begin makes the selected slot the active one.
-    if (start_valid) assume (slot == past_slot && selected_slot == past_selected && running == past_running);
+    // The bus: a start's slot and the selection were there before it counts; a begin makes the selected slot the active one.
+    if (\dut.start_q ) assume (slot == past_slot && selected_slot == past_selected && running == past_running);
     assume (active_slot == past_active || active_slot == past_selected);
 
     if (past_valid) begin

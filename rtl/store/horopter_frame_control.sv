@@ -198,6 +198,11 @@ module horopter_frame_control #(
     publish_o <= 1'b0;
     frame_done_o <= 1'b0;
     state_first_q <= state_first_i;
+    if (counts_valid_i) begin
+      skin_q <= skin_i;
+      undecidable_q <= undecidable_i;
+      unsupervised_q <= unsupervised_i;
+    end
     if (!rst_ni) begin
       time_q <= 32'd0;
       state_ended_q <= 1'b0;
@@ -241,9 +246,6 @@ module horopter_frame_control #(
         if (counts_valid_i) begin
           counted_q <= 1'b1;
           alarm_q <= alarm_i;
-          skin_q <= skin_i;
-          undecidable_q <= undecidable_i;
-          unsupervised_q <= unsupervised_i;
         end
         if (miss_i && misses_q != '1) misses_q <= misses_q + 24'd1;
       end

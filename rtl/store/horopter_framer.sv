@@ -85,6 +85,7 @@ module horopter_framer #(
   logic [SLOT_BITS:0] stored_q;
   logic [SLOT_BITS-1:0] slot_q;
   logic [2:0] extra_q;
+  logic stored_now_q;  // a row was completed in the clock before
   logic fresh_q;  // the next pixel is the first of the frame
   logic blocked_q;  // the slot of the row that begins may not be written yet
   logic pending_start_fault_q;
@@ -115,7 +116,7 @@ module horopter_framer #(
   logic pausing_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni || s_valid_i) pausing_q <= 1'b0;
-    else pausing_q <= pausing_q || (live_i && quiet_q >= {18'd0, width_i, 2'b00});
+    else pausing_q <= pausing_q || (live_i && (quiet_q[31:14] != 18'd0 || quiet_q[13:0] >= {width_i, 2'b00}));
   end
   assign pausing_o = pausing_q;
 
@@ -226,12 +227,8 @@ module horopter_framer #(
           end
           if (complete) begin
             x_q <= 12'd0;
-            y_q <= y_q + 12'd1;
             row_start_q <= 1'b1;
             row_end_q <= 1'b0;
-            last_row_q <= y_q == before_last_y_q;
-            near_q <= 32'(y_q) + 1 < EXTRA_LINES;
-            deep_q <= 32'(y_q) + 1 >= EXTRA_LINES + EXTRA_LINES / 2;
             far_q <= 1'b1;
             stored_q <= stored_q + 1'b1;
             slot_q <= 32'(slot_q) == SLOTS - 1 ? '0 : slot_q + 1'b1;
@@ -254,6 +251,14 @@ module horopter_framer #(
         end
       endcase
 
+      // A clock after the row's end, never in START.
+      if (stored_now_q) begin
+        y_q <= y_q + 12'd1;
+        last_row_q <= y_q == before_last_y_q;
+        near_q <= 32'(y_q) + 1 < EXTRA_LINES;
+        deep_q <= 32'(y_q) + 1 >= EXTRA_LINES + EXTRA_LINES / 2;
+      end
+
       // A frame cut short: by a new start of frame, or by what makes the rest of it worthless.
       if (ends_early) begin
         frame_done_o <= 1'b1;
@@ -267,7 +272,7 @@ module horopter_framer #(
 
   // Room for the row that begins. What the counters say is a clock old, and older than the row that has just been stored.
   logic [SLOT_BITS:0] used;
-  logic full_q, nearly_full_q, stored_now_q;
+  logic full_q, nearly_full_q;
   assign used = stored_q - keep_i;
   always_ff @(posedge clk_i) begin
     full_q <= 32'(used) >= SLOTS;

@@ -111,12 +111,13 @@ module horopter_map_store #(
   // A word turns once through the CRC, byte by byte, then it is taken.
   logic [31:0] data;
   logic [3:0] byte_q;  // one-hot: bytes that are through
-  logic waiting_q, take, slot_in_use_q, store_entry;
-  assign data_ready_o = state_q != SIZE && state_q != WALK && !start_valid_i && !waiting_q && !take;
+  logic start_q, waiting_q, take, slot_in_use_q, store_entry;  // a start counts a clock later
+  assign data_ready_o = state_q != SIZE && state_q != WALK && !start_valid_i && !start_q && !waiting_q && !take;
   assign start_ready_o = 1'b1;
   always_ff @(posedge clk_i) begin
+    start_q <= rst_ni && start_valid_i;
     take <= 1'b0;
-    if (!rst_ni || start_valid_i) begin
+    if (!rst_ni || start_q) begin
       waiting_q <= 1'b0;
     end else if (waiting_q) begin
       waiting_q <= !byte_q[3];
@@ -127,11 +128,11 @@ module horopter_map_store #(
     byte_q <= waiting_q ? {byte_q[2:0], 1'b0} : 4'd1;
     if (waiting_q) data <= {data[7:0], data[31:8]};
     else if (data_valid_i && data_ready_o) data <= data_i;
-    if (start_valid_i) crc_q <= 32'hFFFFFFFF;
+    if (start_q) crc_q <= 32'hFFFFFFFF;
     else if (waiting_q) crc_q <= crc_byte(crc_q, data[7:0]);
   end
-  // As of the clock before a start: slot_i and the selection do not change in the clock of a start, and the active slot
-  // can only become the selected one.
+  // As of the clock of a start: slot_i and the selection do not change then nor in the next, and the active slot can only
+  // become the selected one.
   always_ff @(posedge clk_i)
     slot_in_use_q <= running_i && (slot_i == selected_slot_i || slot_i == active_slot_i)
         && slot_i != 4'd15 && (valid_q[slot_i] || store_entry);
@@ -172,7 +173,7 @@ module horopter_map_store #(
       state_q <= IDLE;
       valid_q <= 15'd0;
       error_o <= NO_ERROR;
-    end else if (start_valid_i) begin
+    end else if (start_q) begin
       slot_q <= slot_i;
       base_q <= base_i;
       if (slot_i == 4'd15) begin
@@ -229,7 +230,7 @@ module horopter_map_store #(
         SIZE: begin
           step_q <= step_q + 7'd1;
           // Pairs of c + 2 rows: c / 2 + 1, and one more if c is odd.
-          differs_q <= columns_q != cells_x_q + 12'd2 || 12'(pairs_q) != 12'(cells_y_q[11:1]) + 12'd1 + 12'(cells_y_q[0]);
+          differs_q <= columns_q != cells_x_q || 12'(pairs_q) != cells_y_q;
           bad_size_q <= !consistent_q || differs_q || size_q == 24'd0;
           too_large_q <= 32'(end_q) > WORDS;
           if (step_q < 7'd11) begin
@@ -237,6 +238,10 @@ module horopter_map_store #(
             size_q <= {size_q[22:0], 1'b0} + (pairs_q[10] ? 24'(columns_q) : 24'd0);
             if (step_q < 7'(nx_q)) cells_x_q <= {1'b0, cells_x_q[11:1]};
             if (step_q < 7'(ny_q)) cells_y_q <= {1'b0, cells_y_q[11:1]};
+            if (step_q == 7'd7) begin  // both shifts are over
+              cells_x_q <= cells_x_q + 12'd2;
+              cells_y_q <= 12'(cells_y_q[11:1]) + 12'd1 + 12'(cells_y_q[0]);
+            end
           end else if (step_q == 7'd11) begin
             end_q <= size_q + 24'(base_q);
           end else if (step_q == 7'd13) begin
@@ -295,7 +300,7 @@ module horopter_map_store #(
       endcase
     end
   end
-  assign busy_o = state_q != IDLE || waiting_q || take;
+  assign busy_o = state_q != IDLE || start_q || waiting_q || take;
   assign valid_o = valid_q;
 
   // --- directory ---

@@ -221,7 +221,9 @@ module horopter_raster #(
     logic odd_cell_q, cell_end_x_q, cell_end_y_q;
     logic [5:0] fraction_q, cell_mask_x_q, cell_mask_y_q;
     assign cell_end_x = cell_end_x_q;
+    logic row_over_q;  // the row's last pixel was issued in the clock before; its successor waits for some clocks
     always_ff @(posedge clk_i) begin
+      row_over_q <= issue_pixel && last_x && live_q;
       // Decided with the pixel before.
       if (state_q == WAIT_ROW) begin
         last_x_q <= 1'b0;
@@ -235,6 +237,10 @@ module horopter_raster #(
         even_addr_q <= even_addr_q + 1'b1;
         odd_addr_q <= odd_addr_q + 1'b1;
       end
+      if (state_q == WAIT_ROW) begin
+        even_addr_q <= even_row_q;
+        odd_addr_q <= odd_row_q;
+      end
       if (state_q == SETUP) begin
         even_row_q <= table_base_i;
         odd_row_q <= table_base_i;
@@ -242,10 +248,7 @@ module horopter_raster #(
         fraction_q <= 6'd0;
         cell_mask_x_q <= ~(6'h3F << table_nx_i);
         cell_mask_y_q <= ~(6'h3F << table_ny_i);
-      end else if (state_q == WAIT_ROW) begin
-        even_addr_q <= even_row_q;
-        odd_addr_q <= odd_row_q;
-      end else if (issue_pixel && last_x && live_q) begin
+      end else if (row_over_q) begin
         // The cell's lower row becomes the upper one of the next: only the other bank moves on.
         fraction_q <= cell_end_y_q ? 6'd0 : fraction_q + (6'd1 << (3'd6 - table_ny_i));
         if (cell_end_y_q) begin

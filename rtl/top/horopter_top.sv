@@ -130,7 +130,7 @@ module horopter_top #(
   end
 
   // ------------------------------------------------------------------------------------------------ registers
-  logic write_valid, write_ready, write_error, read_valid, read_error;
+  logic write_valid, write_ready, write_error, read_error;
   logic [11:0] write_addr, read_addr;
   logic [31:0] write_data, read_data;
   logic [3:0] write_strb;
@@ -163,7 +163,6 @@ module horopter_top #(
       .write_data_o(write_data),
       .write_strb_o(write_strb),
       .write_error_i(write_error),
-      .read_valid_o(read_valid),
       .read_addr_o(read_addr),
       .read_data_i(read_data),
       .read_error_i(read_error)
@@ -227,7 +226,6 @@ module horopter_top #(
       .write_data_i(write_data),
       .write_strb_i(write_strb),
       .write_error_o(write_error),
-      .read_valid_i(read_valid),
       .read_addr_i(read_addr),
       .read_data_o(read_data),
       .read_error_o(read_error),

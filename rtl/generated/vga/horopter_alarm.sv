@@ -34,33 +34,22 @@ module horopter_alarm (
   logic [18:0] skin_q;
   logic [18:0] undecidable_q;
   logic [18:0] unsupervised_q;
-  // hls/stages/alarm.hpp:44
-  logic [18:0] select_11;
-  assign select_11 = first_i ? 19'h0 : skin_q;
-  // hls/stages/alarm.hpp:45
-  logic equal_12;
-  assign equal_12 = state_i == 2'h1;
-  // hls/stages/alarm.hpp:31
-  logic [18:0] select_14;
-  assign select_14 = idle_i ? select_11 : (select_11 + {18'h0, equal_12});
-  // hls/stages/alarm.hpp:44
+  // hls/stages/alarm.hpp:41
+  logic not_11;
+  assign not_11 = ~idle_i;
+  // hls/stages/stream.hpp:45
+  logic and_13;
+  assign and_13 = not_11 & (state_i == 2'h1);
   logic [18:0] select_15;
-  assign select_15 = first_i ? 19'h0 : undecidable_q;
-  // hls/stages/alarm.hpp:46
-  logic equal_16;
-  assign equal_16 = state_i == 2'h2;
-  // hls/stages/alarm.hpp:31
-  logic [18:0] select_18;
-  assign select_18 = idle_i ? select_15 : (select_15 + {18'h0, equal_16});
-  // hls/stages/alarm.hpp:44
+  assign select_15 = first_i ? {18'h0, and_13} : (skin_q + {18'h0, and_13});
+  logic and_17;
+  assign and_17 = not_11 & (state_i == 2'h2);
   logic [18:0] select_19;
-  assign select_19 = first_i ? 19'h0 : unsupervised_q;
-  // hls/stages/alarm.hpp:47
-  logic equal_20;
-  assign equal_20 = state_i == 2'h3;
-  // hls/stages/alarm.hpp:31
-  logic [18:0] select_22;
-  assign select_22 = idle_i ? select_19 : (select_19 + {18'h0, equal_20});
+  assign select_19 = first_i ? {18'h0, and_17} : (undecidable_q + {18'h0, and_17});
+  logic and_21;
+  assign and_21 = not_11 & (state_i == 2'h3);
+  logic [18:0] select_23;
+  assign select_23 = first_i ? {18'h0, and_21} : (unsupervised_q + {18'h0, and_21});
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -68,20 +57,20 @@ module horopter_alarm (
       undecidable_q <= 19'h0;
       unsupervised_q <= 19'h0;
     end else if (s0_en) begin
-      skin_q <= select_14;
-      undecidable_q <= select_18;
-      unsupervised_q <= select_22;
+      skin_q <= select_15;
+      undecidable_q <= select_19;
+      unsupervised_q <= select_23;
     end
   end
 
-  logic less_23_s1_q;
   logic less_24_s1_q;
   logic less_25_s1_q;
+  logic less_26_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
-      less_23_s1_q <= cfg_alarm_limit_i < select_14;
-      less_24_s1_q <= cfg_undecidable_limit_i < select_18;
-      less_25_s1_q <= cfg_unsupervised_limit_i < select_22;
+      less_24_s1_q <= cfg_alarm_limit_i < select_15;
+      less_25_s1_q <= cfg_undecidable_limit_i < select_19;
+      less_26_s1_q <= cfg_unsupervised_limit_i < select_23;
     end
   end
 
@@ -89,16 +78,16 @@ module horopter_alarm (
   assign skin_pixels_o = skin_q;
   assign undecidable_pixels_o = undecidable_q;
   assign unsupervised_pixels_o = unsupervised_q;
-  assign alarm_o = less_23_s1_q;
-  assign too_undecidable_o = less_24_s1_q;
-  assign too_unsupervised_o = less_25_s1_q;
+  assign alarm_o = less_24_s1_q;
+  assign too_undecidable_o = less_25_s1_q;
+  assign too_unsupervised_o = less_26_s1_q;
   assign valid_o = valid_s1_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       valid_s1_q <= 1'b0;
     end else if (en_i) begin
-      valid_s1_q <= valid_i & (end_v_i & (~idle_i));
+      valid_s1_q <= valid_i & (end_v_i & not_11);
     end
   end
 
