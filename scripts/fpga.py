@@ -95,6 +95,33 @@ def use_output_registers(module):
     return moved
 
 
+def place_memories(module, target, profile_name):
+    """Gives the block memories of the whole design (instance u_dut) their sites, where constraints/floorplan.yaml plans
+    the profile on the target. Changes the netlist; returns how many have one."""
+    plan = yaml.safe_load((ROOT / "constraints/floorplan.yaml").read_text(encoding="utf-8")).get(target, {})
+    if profile_name not in plan.get("plans", {}):
+        return 0
+    columns = plan["sites"]["columns"]
+    natural = lambda name: [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", name)]
+    memories = sorted((n for n, c in module["cells"].items() if c["type"] == "DP16KD"), key=natural)
+    taken = set()
+    for area in plan["plans"][profile_name]:
+        prefix = "u_dut." + (area["instance"] + "." if area["instance"] else "")
+        names = [n for n in memories if n not in taken and n.lstrip("\\").startswith(prefix)]
+        sites = []
+        for part in area["areas"]:
+            first, last = part["columns"]
+            for column in range(first, last + 1) if first <= last else range(first, last - 1, -1):
+                sites += [f"X{columns[column]}/Y{row}/EBR{column % 4}" for row in part["rows"]]
+        if len(names) > len(sites):
+            sys.exit(f"constraints/floorplan.yaml: {target}, {profile_name}: '{area['instance']}' has {len(names)} block memories, "
+                     f"its areas {len(sites)} sites")
+        for name, site in zip(names, sites):
+            module["cells"][name]["attributes"]["BEL"] = site
+        taken |= set(names)
+    return len(taken)
+
+
 def _version(command):
     out = subprocess.run([*command, "--version"], capture_output=True, text=True, check=False)
     return (out.stdout + out.stderr).strip().splitlines()[-1]

@@ -86,6 +86,7 @@ module horopter_framer #(
   logic [SLOT_BITS-1:0] slot_q;
   logic [2:0] extra_q;
   logic stored_now_q;  // a row was completed in the clock before
+  logic drop_q;  // the start of frame that has just been denied goes
   logic fresh_q;  // the next pixel is the first of the frame
   logic blocked_q;  // the slot of the row that begins may not be written yet
   logic pending_start_fault_q;
@@ -132,15 +133,8 @@ module horopter_framer #(
   assign gone = silent_q || pausing_q;
   assign ends_early = in_frame && (early || overflow || cut_i || gone);
 
-  always_comb begin
-    case (state_q)
-      WAIT, IDLE, EXTRA, LOST, SKIP_END: s_ready_o = !s_first_i;
-      START: s_ready_o = deny_i;
-      LINE: s_ready_o = take;
-      SKIP: s_ready_o = !s_first_i && !cut_i;
-      default: s_ready_o = 1'b0;
-    endcase
-  end
+  // A start of frame waits for its grant, or is dropped; what comes between frames, or is too much of a row, goes.
+  assign s_ready_o = state_q == LINE ? !blocked_q && (fresh_q || !s_first_i) : drop_q || !s_first_i;
 
   always_ff @(posedge clk_i) begin
     short_line_o <= 1'b0;
@@ -152,6 +146,7 @@ module horopter_framer #(
     row_done_o <= 1'b0;
     row_bad_o <= 1'b0;
     frame_done_o <= 1'b0;
+    drop_q <= 1'b0;
     if (!rst_ni) begin
       state_q <= WAIT;
       extra_q <= 3'd0;
@@ -166,7 +161,7 @@ module horopter_framer #(
       fresh_q <= 1'b0;
     end else begin
       case (state_q)
-        WAIT: if (s_valid_i && s_first_i) state_q <= START;
+        WAIT: if (s_valid_i && s_first_i && !drop_q) state_q <= START;
 
         IDLE:
         if (s_valid_i) begin
@@ -213,6 +208,7 @@ module horopter_framer #(
             pending_start_fault_q <= 1'b0;
           end else if (deny_i) begin
             state_q <= WAIT;
+            drop_q <= 1'b1;
             overflow_o <= 1'b1;
           end
         end
