@@ -77,6 +77,7 @@ module formal_map_store (
   (* hierconn *) wire \dut.too_large_q ;
   (* hierconn *) wire [14:0] \dut.overlap_q ;
   (* hierconn *) wire \dut.start_q ;
+  (* hierconn *) wire \dut.checked_q ;
   (* hierconn *) wire \dut.waiting_q ;
   (* hierconn *) wire \dut.take ;
   (* hierconn *) wire [31:0] \dut.extent ;
@@ -124,6 +125,7 @@ module formal_map_store (
       if (valid[watched]) assert (first <= last && 32'(last) < 16);
       assert (!(\dut.waiting_q && \dut.take ));
       if (\dut.state_q == SIZE || \dut.state_q == WALK) assert (!\dut.waiting_q && !\dut.take );
+      if (\dut.checked_q ) assert (\dut.state_q == CHECK && !\dut.waiting_q && !\dut.take );
       if (\dut.state_q == SIZE) begin
         assert (\dut.step_q <= 7'd13);
         if (\dut.step_q < 7'd12) assert (32'(\dut.size_q ) + 32'd4095 <= 32'd4095 << \dut.step_q );

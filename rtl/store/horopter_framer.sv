@@ -86,6 +86,8 @@ module horopter_framer #(
   logic [SLOT_BITS-1:0] slot_q;
   logic [2:0] extra_q;
   logic stored_now_q;  // a row was completed in the clock before
+  logic granted_q, denied_q;  // what was asked for a clock ago
+  logic empty_q;  // and that it was a frame without rows
   logic drop_q;  // the start of frame that has just been denied goes
   logic fresh_q;  // the next pixel is the first of the frame
   logic blocked_q;  // the slot of the row that begins may not be written yet
@@ -182,13 +184,11 @@ module horopter_framer #(
         end
 
         LOST: begin
-          if (grant_i) begin
-            missing_start_o <= 1'b1;
-            frame_done_o <= 1'b1;
-            state_q <= WAIT;
-          end else if (s_valid_i && s_first_i) begin
+          if (s_valid_i && s_first_i) begin
             state_q <= START;
-            pending_start_fault_q <= 1'b1;
+            pending_start_fault_q <= !granted_q;
+          end else if (granted_q) begin
+            state_q <= WAIT;
           end
         end
 
@@ -202,11 +202,11 @@ module horopter_framer #(
           deep_q <= 1'b0;
           far_q <= 1'b0;
           fresh_q <= 1'b1;
-          if (grant_i) begin
+          if (granted_q && !empty_q) begin
             state_q <= LINE;
             missing_start_o <= pending_start_fault_q;
             pending_start_fault_q <= 1'b0;
-          end else if (deny_i) begin
+          end else if (denied_q) begin
             state_q <= WAIT;
             drop_q <= 1'b1;
             overflow_o <= 1'b1;
@@ -246,6 +246,13 @@ module horopter_framer #(
           else if (silent_q) state_q <= WAIT;
         end
       endcase
+
+      // The frame without rows; the start of the next may have come while it was granted.
+      if (granted_q && empty_q) begin
+        missing_start_o <= 1'b1;
+        frame_done_o <= 1'b1;
+        pending_start_fault_q <= 1'b0;
+      end
 
       // A clock after the row's end, never in START.
       if (stored_now_q) begin
@@ -292,9 +299,15 @@ module horopter_framer #(
   assign deep_o = deep_q;
   assign far_o = far_q;
 
-  assign start_o = state_q == START || state_q == LOST;
+  // The answer counts a clock later; until then nothing more is asked.
+  always_ff @(posedge clk_i) begin
+    granted_q <= rst_ni && grant_i;
+    denied_q <= rst_ni && deny_i;
+    empty_q <= empty_o;
+  end
+  assign start_o = (state_q == START || state_q == LOST) && !granted_q && !denied_q;
   assign empty_o = state_q == LOST;
-  assign urgent_o = state_q == START && live_i && almost_full_i;
+  assign urgent_o = state_q == START && !granted_q && !denied_q && live_i && almost_full_i;
   assign stored_o = stored_q;
   assign slot_o = slot_q;
 endmodule

@@ -9,7 +9,7 @@
 // the image but outside the window is a miss.
 //
 // keep_o: rows before it (counted as the framer counts stored rows) are read for good and may be overwritten.
-// left_* is the same request as old as it takes for the left store's pixel to come out in step: 5 clocks if FAST, else 0.
+// left_* is the same request as old as it takes for the left store's pixel to come out in step: 4 clocks if FAST, else 0.
 module horopter_image_store #(
     parameter int unsigned WIDTH = 640,
     parameter int unsigned HEIGHT = 480,
@@ -267,9 +267,9 @@ module horopter_image_store #(
     assign wx_o = wx_q[(READ_LATENCY-1)*WEIGHT_BITS+:WEIGHT_BITS];
     assign wy_o = wy_q[(READ_LATENCY-1)*WEIGHT_BITS+:WEIGHT_BITS];
 
-    assign left_valid_o = valid_q[5];
-    assign left_last_o = last_q[5];
-    assign left_live_o = live_q[5];
+    assign left_valid_o = valid_q[4];
+    assign left_last_o = last_q[4];
+    assign left_live_o = live_q[4];
 
     // --- rows that are no longer needed ---
     logic [11:0] rows_read_q, keep_rows_q;

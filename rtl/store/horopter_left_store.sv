@@ -2,7 +2,7 @@
 // Left delay: the left image waits here, row by row, until the right image is LOOKAHEAD rows ahead.
 //
 // A ring of ROWS rows. Write side: as the framer gives them; a bad row counts as missing. Read side: requests in raster
-// order, those of live rows only; the pixel comes 6 clocks later if FAST, else 1 (out of step with nothing: the image store
+// order, those of live rows only; the pixel comes 7 clocks later if FAST, else 1 (out of step with nothing: the image store
 // asks at the right time). mask_o = the row came and was good. Rows that never came are not in the ring.
 // SUBSAMPLE = 2: what waits is the mean of two pixels, all that is needed of them; both requests of a pair get it.
 // keep_o: rows before it (counted as the framer counts stored rows) are read for good and may be overwritten.
@@ -96,10 +96,11 @@ module horopter_left_store #(
   logic [ROW_BITS-1:0] row_q;
   logic [SLOT_BITS:0] keep_q;
   logic present, end_of_row, wraps;
-  assign read = valid_i && live_i && present;
-  assign end_of_row = valid_i && live_i && last_i;
-  assign wraps = 32'(slot_q) == ROWS - 1;
+  logic asks, last;  // the request; if FAST, of the clock before
+  assign read = asks && present;
+  assign end_of_row = asks && last;
   always_ff @(posedge clk_i) begin
+    wraps <= 32'(slot_q) == ROWS - 1;  // rows are longer than a clock
     if (!rst_ni) begin
       row_q <= '0;
       keep_q <= '0;
@@ -107,7 +108,7 @@ module horopter_left_store #(
     end else begin
       if (begin_i) row_q <= '0;
       else if (end_of_row) row_q <= row_q + 1'b1;
-      if (read && last_i) begin
+      if (read && last) begin
         keep_q <= keep_q + 1'b1;
         slot_q <= wraps ? '0 : slot_q + 1'b1;
       end
@@ -145,15 +146,19 @@ module horopter_left_store #(
     // There is at least one clock without a request between two rows, in which present_q settles.
     logic [ROW_ADDR_BITS-1:0] block_row_q;
     logic [BLOCK_BITS-1:0] x_q;
-    logic present_q;
+    logic present_q, asks_q, last_q;
+    assign asks = asks_q;
+    assign last = last_q;
     always_ff @(posedge clk_i) begin
+      asks_q <= rst_ni && valid_i && live_i;
+      last_q <= last_i;
       if (!rst_ni) begin
         block_row_q <= '0;
         x_q <= '0;
         present_q <= 1'b0;
       end else begin
         present_q <= 12'(row_q) < rows_i;
-        if (read && last_i) begin
+        if (read && last) begin
           block_row_q <= wraps ? '0 : ROW_ADDR_BITS'(slot_q) + 1'b1;
           x_q <= '0;
         end else if (read) begin
@@ -190,9 +195,11 @@ module horopter_left_store #(
 
     logic [X_BITS-1:0] x_q;
     always_ff @(posedge clk_i) begin
-      if (!rst_ni || (read && last_i)) x_q <= '0;
+      if (!rst_ni || (read && last)) x_q <= '0;
       else if (read) x_q <= x_q + 1'b1;
     end
+    assign asks = valid_i && live_i;
+    assign last = last_i;
     assign present = row_q < rows_i[ROW_BITS-1:0];
     assign read_addr = place(slot_q, x_q[X_BITS-1:SUBSAMPLE-1]);
 

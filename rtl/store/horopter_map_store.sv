@@ -112,10 +112,13 @@ module horopter_map_store #(
   logic [31:0] data;
   logic [3:0] byte_q;  // one-hot: bytes that are through
   logic start_q, waiting_q, take, slot_in_use_q, store_entry;  // a start counts a clock later
-  assign data_ready_o = state_q != SIZE && state_q != WALK && !start_valid_i && !start_q && !waiting_q && !take;
+  logic checked_q, right_q;  // the last word was taken in the clock before, and was the CRC
+  assign data_ready_o = state_q != SIZE && state_q != WALK && !start_valid_i && !start_q && !waiting_q && !take && !checked_q;
   assign start_ready_o = 1'b1;
   always_ff @(posedge clk_i) begin
     start_q <= rst_ni && start_valid_i;
+    checked_q <= rst_ni && !start_q && state_q == CHECK && take;
+    right_q <= crc_q == CRC_RIGHT;
     take <= 1'b0;
     if (!rst_ni || start_q) begin
       waiting_q <= 1'b0;
@@ -164,7 +167,7 @@ module horopter_map_store #(
   // Decided when the walk is over: the selection may change during it.
   assign overlap_in_use = running_i && ((selected_slot_i != 4'd15 && overlap_q[selected_slot_i])
       || (active_slot_i != 4'd15 && overlap_q[active_slot_i]));
-  assign store_entry = state_q == CHECK && take && crc_q == CRC_RIGHT;
+  assign store_entry = checked_q && right_q;
 
   always_ff @(posedge clk_i) begin
     bad_upload_o <= 1'b0;
@@ -285,9 +288,9 @@ module horopter_map_store #(
         end
 
         CHECK:
-        if (take) begin
+        if (checked_q) begin
           state_q <= IDLE;
-          if (store_entry) begin
+          if (right_q) begin
             valid_q[slot_q] <= 1'b1;
           end else begin
             error_o <= WRONG_CRC;
