@@ -442,7 +442,7 @@ module horopter_csr #(
   end
   assign faults_o = faults_q;
 
-  // Reads, in three steps: which group of eight, its word (zero in the others), all of them together.
+  // Reads, in three steps: which group of eight, if the word exists; the word (zero in the others); all together.
   logic [31:0] group_00_q;
   logic [31:0] group_02_q;
   logic [31:0] group_03_q;
@@ -452,122 +452,106 @@ module horopter_csr #(
   logic [31:0] group_07_q;
   logic [31:0] group_08_q;
   logic [31:0] group_09_q;
-  logic [8:0] wanted_q, known_q;
-  logic [4:0] word_q;
+  logic [8:0] wanted_q;
+  logic known_q;
+  logic [2:0] word_q;
   always_ff @(posedge clk_i) begin
-    word_q <= read_addr_i[4:0];
-    wanted_q[0] <= read_addr_i[11:5] == 7'h00;
-    wanted_q[1] <= read_addr_i[11:5] == 7'h02;
-    wanted_q[2] <= read_addr_i[11:5] == 7'h03;
-    wanted_q[3] <= read_addr_i[11:5] == 7'h04;
-    wanted_q[4] <= read_addr_i[11:5] == 7'h05;
-    wanted_q[5] <= read_addr_i[11:5] == 7'h06;
-    wanted_q[6] <= read_addr_i[11:5] == 7'h07;
-    wanted_q[7] <= read_addr_i[11:5] == 7'h08;
-    wanted_q[8] <= read_addr_i[11:5] == 7'h09;
-    known_q[0] <= wanted_q[0];
+    word_q <= read_addr_i[4:2];
+    wanted_q <= '0;
+    case (read_addr_i)
+      12'h000, 12'h004, 12'h008, 12'h00C, 12'h010, 12'h014, 12'h018: wanted_q[0] <= 1'b1;
+      12'h040, 12'h044, 12'h048, 12'h04C, 12'h050, 12'h054, 12'h058, 12'h05C: wanted_q[1] <= 1'b1;
+      12'h060, 12'h064: wanted_q[2] <= 1'b1;
+      12'h080, 12'h084, 12'h088, 12'h08C, 12'h090, 12'h094: wanted_q[3] <= 1'b1;
+      12'h0A0, 12'h0A4, 12'h0A8, 12'h0AC, 12'h0B0, 12'h0B4, 12'h0B8, 12'h0BC: wanted_q[4] <= 1'b1;
+      12'h0C0, 12'h0C4, 12'h0D0, 12'h0D4, 12'h0D8: wanted_q[5] <= 1'b1;
+      12'h0E0: wanted_q[6] <= 1'b1;
+      12'h100, 12'h104, 12'h108, 12'h10C, 12'h110, 12'h114, 12'h118, 12'h11C: wanted_q[7] <= 1'b1;
+      12'h120, 12'h124, 12'h128: wanted_q[8] <= 1'b1;
+      default: ;  // no register
+    endcase
     group_00_q <= 32'd0;
     if (wanted_q[0])
       case (word_q)
-        5'h00: group_00_q <= 32'h484F524F;
-        5'h04: group_00_q <= {16'h1, 16'h2};
-        5'h08: group_00_q <= {build_size_height_i, build_size_width_i};
-        5'h0C: group_00_q <= {build_store_pool_kib_i, build_store_rows_i};
-        5'h10: group_00_q <= {2'd0, build_window_compete_i, build_window_thesis_i, build_window_hypotheses_i, build_window_weight_bits_i, build_window_subsample_i, build_window_majority_i, build_window_dsad_i};
-        5'h14: group_00_q <= build_clock_khz_i;
-        5'h18: group_00_q <= {11'd0, build_compete_paths_i, build_compete_ballot_reach_i, build_compete_sum_columns_i, build_compete_sum_rows_i, build_compete_planes_i};
-        default: known_q[0] <= 1'b0;
+        3'h0: group_00_q <= 32'h484F524F;
+        3'h1: group_00_q <= {16'h1, 16'h2};
+        3'h2: group_00_q <= {build_size_height_i, build_size_width_i};
+        3'h3: group_00_q <= {build_store_pool_kib_i, build_store_rows_i};
+        3'h4: group_00_q <= {2'd0, build_window_compete_i, build_window_thesis_i, build_window_hypotheses_i, build_window_weight_bits_i, build_window_subsample_i, build_window_majority_i, build_window_dsad_i};
+        3'h5: group_00_q <= build_clock_khz_i;
+        default: group_00_q <= {11'd0, build_compete_paths_i, build_compete_ballot_reach_i, build_compete_sum_columns_i, build_compete_sum_rows_i, build_compete_planes_i};
       endcase
-    known_q[1] <= wanted_q[1];
     group_02_q <= 32'd0;
     if (wanted_q[1])
       case (word_q)
-        5'h00: group_02_q <= {31'd0, control_enable_q};
-        5'h04: group_02_q <= {30'd0, mode_test_input_q, mode_live_q};
-        5'h08: group_02_q <= {24'd0, status_late_i, status_right_silent_i, status_left_silent_i, status_unsafe_i, status_safe_i, status_busy_i, status_bad_geometry_i, status_running_i};
-        5'h0C: group_02_q <= {20'd0, width_px_q};
-        5'h10: group_02_q <= {20'd0, height_rows_q};
-        5'h14: group_02_q <= {20'd0, lookahead_rows_q};
-        5'h18: group_02_q <= timeout_clocks_q;
-        5'h1C: group_02_q <= {28'd0, table_select_slot_q};
-        default: known_q[1] <= 1'b0;
+        3'h0: group_02_q <= {31'd0, control_enable_q};
+        3'h1: group_02_q <= {30'd0, mode_test_input_q, mode_live_q};
+        3'h2: group_02_q <= {24'd0, status_late_i, status_right_silent_i, status_left_silent_i, status_unsafe_i, status_safe_i, status_busy_i, status_bad_geometry_i, status_running_i};
+        3'h3: group_02_q <= {20'd0, width_px_q};
+        3'h4: group_02_q <= {20'd0, height_rows_q};
+        3'h5: group_02_q <= {20'd0, lookahead_rows_q};
+        3'h6: group_02_q <= timeout_clocks_q;
+        default: group_02_q <= {28'd0, table_select_slot_q};
       endcase
-    known_q[2] <= wanted_q[2];
     group_03_q <= 32'd0;
     if (wanted_q[2])
       case (word_q)
-        5'h00: group_03_q <= {30'd0, irq_enable_fault_q, irq_enable_frame_q};
-        5'h04: group_03_q <= {30'd0, irq_status_q};
-        default: known_q[2] <= 1'b0;
+        3'h0: group_03_q <= {30'd0, irq_enable_fault_q, irq_enable_frame_q};
+        default: group_03_q <= {30'd0, irq_status_q};
       endcase
-    known_q[3] <= wanted_q[3];
     group_04_q <= 32'd0;
     if (wanted_q[3])
       case (word_q)
-        5'h00: group_04_q <= {16'd0, sum_limit_value_q};
-        5'h04: group_04_q <= {16'd0, self_limit_value_q};
-        5'h08: group_04_q <= {16'd0, texture_limit_sum_q};
-        5'h0C: group_04_q <= {8'd0, alarm_limit_pixels_q};
-        5'h10: group_04_q <= {8'd0, undecidable_limit_pixels_q};
-        5'h14: group_04_q <= {8'd0, unsupervised_limit_pixels_q};
-        default: known_q[3] <= 1'b0;
+        3'h0: group_04_q <= {16'd0, sum_limit_value_q};
+        3'h1: group_04_q <= {16'd0, self_limit_value_q};
+        3'h2: group_04_q <= {16'd0, texture_limit_sum_q};
+        3'h3: group_04_q <= {8'd0, alarm_limit_pixels_q};
+        3'h4: group_04_q <= {8'd0, undecidable_limit_pixels_q};
+        default: group_04_q <= {8'd0, unsupervised_limit_pixels_q};
       endcase
-    known_q[4] <= wanted_q[4];
     group_05_q <= 32'd0;
     if (wanted_q[4])
       case (word_q)
-        5'h00: group_05_q <= {24'd0, black_level_grey_q};
-        5'h04: group_05_q <= {8'd0, black_limit_pixels_q};
-        5'h08: group_05_q <= {24'd0, white_level_grey_q};
-        5'h0C: group_05_q <= {8'd0, white_limit_pixels_q};
-        5'h10: group_05_q <= {24'd0, constant_limit_grey_q};
-        5'h14: group_05_q <= {24'd0, frozen_limit_frames_q};
-        5'h18: group_05_q <= {31'd0, decision_compete_q};
-        5'h1C: group_05_q <= {1'd0, compete_boundary_q, compete_clear_quorum_q, compete_quorum_q, compete_similar_q, compete_smooth_q, compete_bias_q};
-        default: known_q[4] <= 1'b0;
+        3'h0: group_05_q <= {24'd0, black_level_grey_q};
+        3'h1: group_05_q <= {8'd0, black_limit_pixels_q};
+        3'h2: group_05_q <= {24'd0, white_level_grey_q};
+        3'h3: group_05_q <= {8'd0, white_limit_pixels_q};
+        3'h4: group_05_q <= {24'd0, constant_limit_grey_q};
+        3'h5: group_05_q <= {24'd0, frozen_limit_frames_q};
+        3'h6: group_05_q <= {31'd0, decision_compete_q};
+        default: group_05_q <= {1'd0, compete_boundary_q, compete_clear_quorum_q, compete_quorum_q, compete_similar_q, compete_smooth_q, compete_bias_q};
       endcase
-    known_q[5] <= wanted_q[5];
     group_06_q <= 32'd0;
     if (wanted_q[5])
       case (word_q)
-        5'h00: group_06_q <= {28'd0, map_slot_slot_q};
-        5'h04: group_06_q <= {16'd0, map_base_word64_q};
-        5'h10: group_06_q <= {24'd0, map_status_active_slot_i, map_status_error_i, map_status_busy_i};
-        5'h14: group_06_q <= {17'd0, map_valid_slots_i};
-        5'h18: group_06_q <= map_crc_value_i;
-        default: known_q[5] <= 1'b0;
+        3'h0: group_06_q <= {28'd0, map_slot_slot_q};
+        3'h1: group_06_q <= {16'd0, map_base_word64_q};
+        3'h4: group_06_q <= {24'd0, map_status_active_slot_i, map_status_error_i, map_status_busy_i};
+        3'h5: group_06_q <= {17'd0, map_valid_slots_i};
+        default: group_06_q <= map_crc_value_i;
       endcase
-    known_q[6] <= wanted_q[6];
-    group_07_q <= 32'd0;
-    if (wanted_q[6])
-      case (word_q)
-        5'h00: group_07_q <= {1'd0, faults_q};
-        default: known_q[6] <= 1'b0;
-      endcase
-    known_q[7] <= wanted_q[7];
+    group_07_q <= wanted_q[6] ? {1'd0, faults_q} : 32'd0;
     group_08_q <= 32'd0;
     if (wanted_q[7])
       case (word_q)
-        5'h00: group_08_q <= frame_sequence_value_i;
-        5'h04: group_08_q <= {26'd0, frame_status_slot_i, frame_status_safe_i, frame_status_alarm_i};
-        5'h08: group_08_q <= {1'd0, frame_faults_i};
-        5'h0C: group_08_q <= frame_table_crc_value_i;
-        5'h10: group_08_q <= {8'd0, frame_skin_pixels_i};
-        5'h14: group_08_q <= {8'd0, frame_undecidable_pixels_i};
-        5'h18: group_08_q <= {8'd0, frame_unsupervised_pixels_i};
-        5'h1C: group_08_q <= {8'd0, frame_misses_pixels_i};
-        default: known_q[7] <= 1'b0;
+        3'h0: group_08_q <= frame_sequence_value_i;
+        3'h1: group_08_q <= {26'd0, frame_status_slot_i, frame_status_safe_i, frame_status_alarm_i};
+        3'h2: group_08_q <= {1'd0, frame_faults_i};
+        3'h3: group_08_q <= frame_table_crc_value_i;
+        3'h4: group_08_q <= {8'd0, frame_skin_pixels_i};
+        3'h5: group_08_q <= {8'd0, frame_undecidable_pixels_i};
+        3'h6: group_08_q <= {8'd0, frame_unsupervised_pixels_i};
+        default: group_08_q <= {8'd0, frame_misses_pixels_i};
       endcase
-    known_q[8] <= wanted_q[8];
     group_09_q <= 32'd0;
     if (wanted_q[8])
       case (word_q)
-        5'h00: group_09_q <= frame_cycles_clocks_i;
-        5'h04: group_09_q <= frame_latency_clocks_i;
-        5'h08: group_09_q <= frame_tail_clocks_i;
-        default: known_q[8] <= 1'b0;
+        3'h0: group_09_q <= frame_cycles_clocks_i;
+        3'h1: group_09_q <= frame_latency_clocks_i;
+        default: group_09_q <= frame_tail_clocks_i;
       endcase
+    known_q <= wanted_q != '0;
     read_data_o <= group_00_q | group_02_q | group_03_q | group_04_q | group_05_q | group_06_q | group_07_q | group_08_q | group_09_q;
-    read_error_o <= known_q == '0;
+    read_error_o <= !known_q;
   end
 endmodule

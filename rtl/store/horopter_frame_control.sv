@@ -198,6 +198,7 @@ module horopter_frame_control #(
     publish_o <= 1'b0;
     frame_done_o <= 1'b0;
     state_first_q <= state_first_i;
+    if (state_first_q && !first_seen_q) first_time_q <= time_q;
     if (counts_valid_i) begin
       skin_q <= skin_i;
       undecidable_q <= undecidable_i;
@@ -237,10 +238,7 @@ module horopter_frame_control #(
         alarm_q <= 1'b1;
         misses_q <= 24'd0;
       end else if (active_i) begin
-        if (state_first_q && !first_seen_q) begin
-          first_seen_q <= 1'b1;
-          first_time_q <= time_q;
-        end
+        if (state_first_q) first_seen_q <= 1'b1;
         if (state_end_i) state_ended_q <= 1'b1;
         if (runs_end_i) runs_ended_q <= 1'b1;
         if (counts_valid_i) begin

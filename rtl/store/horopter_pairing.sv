@@ -58,7 +58,7 @@ module horopter_pairing #(
   logic [RING_BITS-1:0] base_slot_q[2];
   logic [1:0] cut_q;
 
-  logic [1:0] urgent_q, can_join_q, joins, may_open, opens, absent, given_up;
+  logic [1:0] urgent_q, can_join_q, joins, may_open, opens, missed_q, absent, given_up;
   logic next_slot, can_open_q, done_q;
   assign next_slot = open_q ? !slot_q : slot_q;
 
@@ -72,21 +72,23 @@ module horopter_pairing #(
       can_join_q[c] <= rst_ni && open_q && !joined_q[c] && (!live_i || empty_i[c] || (near_i[1-c] && joined_q[1-c] && !ended_q[1-c]));
     end
   end
-  assign joins = start_i & can_join_q & ~joined_q;
+  assign joins = start_i & can_join_q & ~joined_q & ~missed_q;
   assign may_open = start_i & {2{can_open_q}};
   assign opens = joins != 2'b00 ? 2'b00 : {may_open[1] && !may_open[0], may_open[0]};
   assign grant_o = joins | opens;
   assign deny_o = urgent_i & ~grant_o & {2{done_q}};
 
   // A frame that a camera will not deliver (any more). With back-pressure silence counts from the opening of the frame,
-  // which the framer knows one clock later.
+  // which the framer knows one clock later. It joins no more; if it has joined in the clock of the decision, it is there.
   always_comb begin
-    for (int unsigned c = 0; c < 2; c++) begin
-      given_up[c] = silent_i[c] && (!live_i || far_i[1-c] || ended_q[1-c]);
-      absent[c] = open_q && !open_o && !joined_q[c] && !grant_o[c]
-          && (given_up[c] || (live_i && (start_i[c] || urgent_q[1-c] || deep_i[1-c])));
-    end
+    for (int unsigned c = 0; c < 2; c++) given_up[c] = silent_i[c] && (!live_i || far_i[1-c] || ended_q[1-c]);
   end
+  always_ff @(posedge clk_i) begin
+    for (int unsigned c = 0; c < 2; c++)
+      missed_q[c] <= rst_ni && open_q && !open_o && !joined_q[c] && !missed_q[c]
+          && (given_up[c] || (live_i && (start_i[c] || urgent_q[1-c] || deep_i[1-c])));
+  end
+  assign absent = missed_q & ~joined_q;
 
   always_ff @(posedge clk_i) begin
     open_o <= 1'b0;
