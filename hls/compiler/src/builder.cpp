@@ -342,6 +342,12 @@ Bits Builder::add(const Bits& a, const Bits& b) {
   Bits x = slice(a, low, n - low), y = slice(b, low, n - low);
   if (is_constant(y) && unsigned_length(y) == 0) return append(result, x), result;
   if (is_constant(x) && unsigned_length(x) == 0) return append(result, y), result;
+  if (is_constant(x)) std::swap(x, y);
+  // A bit less one is its complement in every place: how optimisers write "mask unless".
+  if (y == Bits(y.size(), kOne) && unsigned_length(x) == 1) {
+    append(result, sign_extend(bit_not(slice(x, 0, 1)), n - low));
+    return result;
+  }
   const bool zero = top_is_zero(x) && top_is_zero(y);
   std::size_t length =
       zero ? std::max(unsigned_length(x), unsigned_length(y)) + 1 : std::max(signed_length(x), signed_length(y)) + 1;
@@ -357,7 +363,7 @@ Bits Builder::add(const Bits& a, const Bits& b) {
   if (width == 1) {
     sum = bit_xor(x, y);
   } else {
-    if (!is_constant(y) && (is_constant(x) || y < x)) std::swap(x, y);
+    if (!is_constant(y) && y < x) std::swap(x, y);
     sum = make(Op::kAdd, static_cast<std::uint32_t>(width), {x, y});
   }
   append(result, zero ? zero_extend(sum, n - low) : sign_extend(sum, n - low));

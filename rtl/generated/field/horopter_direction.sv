@@ -3,7 +3,7 @@
 //
 // Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 0 bits, pipeline 59 bits, memories 0 bits.
+// State 0 bits, pipeline 49 bits, memories 0 bits.
 module horopter_direction (
   input  logic clk_i,
   input  logic rst_ni,
@@ -45,16 +45,6 @@ module horopter_direction (
   // hls/stages/direction.hpp:47
   logic [9:0] smaller;
   assign smaller = (y < x) ? y : x;
-  // hls/stages/direction.hpp:62
-  logic less_18;
-  assign less_18 = {1'b0, larger[9:1]} < smaller;
-  logic [9:0] select_20;
-  assign select_20 = less_18 ? ({smaller[8:0], 1'b0} - larger) : {smaller[8:0], 1'b0};
-  // hls/stages/direction.hpp:49
-  logic [10:0] sum_39;
-  assign sum_39 = {1'b0, smaller} + {2'h0, smaller[9:1]};
-  logic [9:0] sum_40;
-  assign sum_40 = sum_39[10:1] + 10'h1;
 
   logic saturated_s1_q;
   logic mask_s1_q;
@@ -63,11 +53,8 @@ module horopter_direction (
   logic less_11_s1_q;
   logic xor_14_s1_q;
   logic [9:0] larger_s1_q;
-  logic less_18_s1_q;
-  logic [8:0] select_20_s1_q;
-  logic less_21_s1_q;
+  logic [9:0] smaller_s1_q;
   logic select_37_s1_q;
-  logic [8:0] sum_40_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       saturated_s1_q <= saturated_i;
@@ -77,35 +64,48 @@ module horopter_direction (
       less_11_s1_q <= less_11;
       xor_14_s1_q <= less_11 ^ (~(gx_0_i[10] ^ gy_0_i[10]));
       larger_s1_q <= larger;
-      less_18_s1_q <= less_18;
-      select_20_s1_q <= select_20[8:0];
-      less_21_s1_q <= {1'b0, larger[9:1]} < select_20;
+      smaller_s1_q <= smaller;
       select_37_s1_q <= less_11 ? gy_0_i[10] : gx_0_i[10];
-      sum_40_s1_q <= sum_40[9:1];
     end
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   // hls/stages/direction.hpp:62
-  logic [9:0] select_23;
-  assign select_23 = less_21_s1_q ? ({select_20_s1_q, 1'b0} - larger_s1_q) : {select_20_s1_q, 1'b0};
-  logic less_24;
-  assign less_24 = {1'b0, larger_s1_q[9:1]} < select_23;
-  logic [9:0] select_26;
-  assign select_26 = less_24 ? ({select_23[8:0], 1'b0} - larger_s1_q) : {select_23[8:0], 1'b0};
-  logic less_27;
-  assign less_27 = {1'b0, larger_s1_q[9:1]} < select_26;
-  logic [9:0] select_29;
-  assign select_29 = less_27 ? ({select_26[8:0], 1'b0} - larger_s1_q) : {select_26[8:0], 1'b0};
-  logic less_30;
-  assign less_30 = {1'b0, larger_s1_q[9:1]} < select_29;
-  logic [9:0] select_32;
-  assign select_32 = less_30 ? ({select_29[8:0], 1'b0} - larger_s1_q) : {select_29[8:0], 1'b0};
-  logic less_33;
-  assign less_33 = {1'b0, larger_s1_q[9:1]} < select_32;
+  logic [9:0] difference_18;
+  assign difference_18 = {1'b0, larger_s1_q[9:1]} - smaller_s1_q;
+  logic not_19;
+  assign not_19 = ~difference_18[9];
+  logic [9:0] xor_20;
+  assign xor_20 = larger_s1_q ^ {10{not_19}};
+  logic [10:0] sum_21;
+  assign sum_21 = {difference_18[8:0], larger_s1_q[0], not_19} + {not_19, xor_20};
+  logic not_22;
+  assign not_22 = ~sum_21[10];
+  logic [9:0] xor_23;
+  assign xor_23 = larger_s1_q ^ {10{not_22}};
+  logic [10:0] sum_24;
+  assign sum_24 = {sum_21[9:0], not_22} + {not_22, xor_23};
+  logic not_25;
+  assign not_25 = ~sum_24[10];
+  logic [9:0] xor_26;
+  assign xor_26 = larger_s1_q ^ {10{not_25}};
+  logic [10:0] sum_27;
+  assign sum_27 = {sum_24[9:0], not_25} + {not_25, xor_26};
+  logic not_28;
+  assign not_28 = ~sum_27[10];
+  logic [9:0] xor_29;
+  assign xor_29 = larger_s1_q ^ {10{not_28}};
+  logic [10:0] sum_30;
+  assign sum_30 = {sum_27[9:0], not_28} + {not_28, xor_29};
+  logic not_31;
+  assign not_31 = ~sum_30[10];
+  logic [9:0] xor_32;
+  assign xor_32 = larger_s1_q ^ {10{not_31}};
+  logic [10:0] sum_33;
+  assign sum_33 = {sum_30[9:0], not_31} + {not_31, xor_32};
   logic [5:0] angle;  // table arctangent_table
   always_comb begin
-    case ({less_18_s1_q, less_21_s1_q, less_24, less_27, less_30, less_33})
+    case ({difference_18[9], sum_21[10], sum_24[10], sum_27[10], sum_30[10], sum_33[10]})
       6'd1: angle = 6'h1;
       6'd2: angle = 6'h2;
       6'd3: angle = 6'h2;
@@ -176,8 +176,12 @@ module horopter_direction (
   logic [6:0] select_36;
   assign select_36 = xor_14_s1_q ? {1'b0, angle} : (7'h0 - {1'b0, angle});
   // hls/stages/direction.hpp:49
+  logic [10:0] sum_39;
+  assign sum_39 = {1'b0, smaller_s1_q} + {2'h0, smaller_s1_q[9:1]};
+  logic [9:0] sum_40;
+  assign sum_40 = sum_39[10:1] + 10'h1;
   logic [10:0] sum_41;
-  assign sum_41 = {1'b0, larger_s1_q} + {2'h0, sum_40_s1_q};
+  assign sum_41 = {1'b0, larger_s1_q} + {2'h0, sum_40[9:1]};
 
   logic saturated_s2_q;
   logic mask_s2_q;
@@ -219,6 +223,6 @@ module horopter_direction (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_40[0], sum_39[0]};
+  assign unused_bits = ^{sum_40[0], sum_39[0], sum_33[9:0]};
 
 endmodule

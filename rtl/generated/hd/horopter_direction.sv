@@ -137,15 +137,6 @@ module horopter_direction (
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/direction.hpp:62
-  logic less_20;
-  assign less_20 = {1'b0, larger_s2_q[9:1]} < smaller_s2_q;
-  logic [9:0] select_22;
-  assign select_22 = less_20 ? ({smaller_s2_q[8:0], 1'b0} - larger_s2_q) : {smaller_s2_q[8:0], 1'b0};
-  logic less_52;
-  assign less_52 = {1'b0, larger_2_s2_q[9:1]} < smaller_2_s2_q;
-  logic [9:0] select_54;
-  assign select_54 = less_52 ? ({smaller_2_s2_q[8:0], 1'b0} - larger_2_s2_q) : {smaller_2_s2_q[8:0], 1'b0};
   // hls/stages/direction.hpp:49
   logic [10:0] sum_73;
   assign sum_73 = {1'b0, smaller_s2_q} + {2'h0, smaller_s2_q[9:1]};
@@ -163,14 +154,12 @@ module horopter_direction (
   logic less_13_s3_q;
   logic xor_16_s3_q;
   logic [9:0] larger_s3_q;
-  logic less_20_s3_q;
-  logic [9:0] select_22_s3_q;
+  logic [9:0] difference_20_s3_q;
   logic select_39_s3_q;
   logic less_45_s3_q;
   logic xor_48_s3_q;
   logic [9:0] larger_2_s3_q;
-  logic less_52_s3_q;
-  logic [9:0] select_54_s3_q;
+  logic [9:0] difference_52_s3_q;
   logic select_71_s3_q;
   logic [8:0] sum_74_s3_q;
   logic [8:0] sum_79_s3_q;
@@ -183,14 +172,12 @@ module horopter_direction (
       less_13_s3_q <= less_13_s2_q;
       xor_16_s3_q <= xor_16_s2_q;
       larger_s3_q <= larger_s2_q;
-      less_20_s3_q <= less_20;
-      select_22_s3_q <= select_22;
+      difference_20_s3_q <= {1'b0, larger_s2_q[9:1]} - smaller_s2_q;
       select_39_s3_q <= select_39_s2_q;
       less_45_s3_q <= less_45_s2_q;
       xor_48_s3_q <= xor_48_s2_q;
       larger_2_s3_q <= larger_2_s2_q;
-      less_52_s3_q <= less_52;
-      select_54_s3_q <= select_54;
+      difference_52_s3_q <= {1'b0, larger_2_s2_q[9:1]} - smaller_2_s2_q;
       select_71_s3_q <= select_71_s2_q;
       sum_74_s3_q <= sum_74[9:1];
       sum_79_s3_q <= sum_79[9:1];
@@ -199,14 +186,18 @@ module horopter_direction (
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
   // hls/stages/direction.hpp:62
-  logic less_23;
-  assign less_23 = {1'b0, larger_s3_q[9:1]} < select_22_s3_q;
-  logic [9:0] select_25;
-  assign select_25 = less_23 ? ({select_22_s3_q[8:0], 1'b0} - larger_s3_q) : {select_22_s3_q[8:0], 1'b0};
-  logic less_55;
-  assign less_55 = {1'b0, larger_2_s3_q[9:1]} < select_54_s3_q;
-  logic [9:0] select_57;
-  assign select_57 = less_55 ? ({select_54_s3_q[8:0], 1'b0} - larger_2_s3_q) : {select_54_s3_q[8:0], 1'b0};
+  logic not_21;
+  assign not_21 = ~difference_20_s3_q[9];
+  logic [9:0] xor_22;
+  assign xor_22 = larger_s3_q ^ {10{not_21}};
+  logic [10:0] sum_23;
+  assign sum_23 = {difference_20_s3_q[8:0], larger_s3_q[0], not_21} + {not_21, xor_22};
+  logic not_53;
+  assign not_53 = ~difference_52_s3_q[9];
+  logic [9:0] xor_54;
+  assign xor_54 = larger_2_s3_q ^ {10{not_53}};
+  logic [10:0] sum_55;
+  assign sum_55 = {difference_52_s3_q[8:0], larger_2_s3_q[0], not_53} + {not_53, xor_54};
   // hls/stages/direction.hpp:49
   logic [10:0] sum_75;
   assign sum_75 = {1'b0, larger_s3_q} + {2'h0, sum_74_s3_q};
@@ -223,16 +214,14 @@ module horopter_direction (
   logic less_13_s4_q;
   logic xor_16_s4_q;
   logic [9:0] larger_s4_q;
-  logic less_20_s4_q;
-  logic less_23_s4_q;
-  logic [9:0] select_25_s4_q;
+  logic difference_20_s4_q;
+  logic [10:0] sum_23_s4_q;
   logic select_39_s4_q;
   logic less_45_s4_q;
   logic xor_48_s4_q;
   logic [9:0] larger_2_s4_q;
-  logic less_52_s4_q;
-  logic less_55_s4_q;
-  logic [9:0] select_57_s4_q;
+  logic difference_52_s4_q;
+  logic [10:0] sum_55_s4_q;
   logic select_71_s4_q;
   logic [7:0] select_77_s4_q;
   logic [4:0] select_82_s4_q;
@@ -246,16 +235,14 @@ module horopter_direction (
       less_13_s4_q <= less_13_s3_q;
       xor_16_s4_q <= xor_16_s3_q;
       larger_s4_q <= larger_s3_q;
-      less_20_s4_q <= less_20_s3_q;
-      less_23_s4_q <= less_23;
-      select_25_s4_q <= select_25;
+      difference_20_s4_q <= difference_20_s3_q[9];
+      sum_23_s4_q <= sum_23;
       select_39_s4_q <= select_39_s3_q;
       less_45_s4_q <= less_45_s3_q;
       xor_48_s4_q <= xor_48_s3_q;
       larger_2_s4_q <= larger_2_s3_q;
-      less_52_s4_q <= less_52_s3_q;
-      less_55_s4_q <= less_55;
-      select_57_s4_q <= select_57;
+      difference_52_s4_q <= difference_52_s3_q[9];
+      sum_55_s4_q <= sum_55;
       select_71_s4_q <= select_71_s3_q;
       select_77_s4_q <= select_77[7:0];
       select_82_s4_q <= select_82[7:3];
@@ -266,14 +253,14 @@ module horopter_direction (
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
   // hls/stages/direction.hpp:62
-  logic less_26;
-  assign less_26 = {1'b0, larger_s4_q[9:1]} < select_25_s4_q;
-  logic [9:0] select_28;
-  assign select_28 = less_26 ? ({select_25_s4_q[8:0], 1'b0} - larger_s4_q) : {select_25_s4_q[8:0], 1'b0};
-  logic less_58;
-  assign less_58 = {1'b0, larger_2_s4_q[9:1]} < select_57_s4_q;
-  logic [9:0] select_60;
-  assign select_60 = less_58 ? ({select_57_s4_q[8:0], 1'b0} - larger_2_s4_q) : {select_57_s4_q[8:0], 1'b0};
+  logic not_24;
+  assign not_24 = ~sum_23_s4_q[10];
+  logic [9:0] xor_25;
+  assign xor_25 = larger_s4_q ^ {10{not_24}};
+  logic not_56;
+  assign not_56 = ~sum_55_s4_q[10];
+  logic [9:0] xor_57;
+  assign xor_57 = larger_2_s4_q ^ {10{not_56}};
 
   logic mask_s5_q;
   logic marks_first_s5_q;
@@ -281,18 +268,16 @@ module horopter_direction (
   logic less_13_s5_q;
   logic xor_16_s5_q;
   logic [9:0] larger_s5_q;
-  logic less_20_s5_q;
-  logic less_23_s5_q;
-  logic less_26_s5_q;
-  logic [9:0] select_28_s5_q;
+  logic difference_20_s5_q;
+  logic sum_23_s5_q;
+  logic [10:0] sum_26_s5_q;
   logic select_39_s5_q;
   logic less_45_s5_q;
   logic xor_48_s5_q;
   logic [9:0] larger_2_s5_q;
-  logic less_52_s5_q;
-  logic less_55_s5_q;
-  logic less_58_s5_q;
-  logic [9:0] select_60_s5_q;
+  logic difference_52_s5_q;
+  logic sum_55_s5_q;
+  logic [10:0] sum_58_s5_q;
   logic select_71_s5_q;
   logic [7:0] select_77_s5_q;
   logic [4:0] select_82_s5_q;
@@ -306,18 +291,16 @@ module horopter_direction (
       less_13_s5_q <= less_13_s4_q;
       xor_16_s5_q <= xor_16_s4_q;
       larger_s5_q <= larger_s4_q;
-      less_20_s5_q <= less_20_s4_q;
-      less_23_s5_q <= less_23_s4_q;
-      less_26_s5_q <= less_26;
-      select_28_s5_q <= select_28;
+      difference_20_s5_q <= difference_20_s4_q;
+      sum_23_s5_q <= sum_23_s4_q[10];
+      sum_26_s5_q <= {sum_23_s4_q[9:0], not_24} + {not_24, xor_25};
       select_39_s5_q <= select_39_s4_q;
       less_45_s5_q <= less_45_s4_q;
       xor_48_s5_q <= xor_48_s4_q;
       larger_2_s5_q <= larger_2_s4_q;
-      less_52_s5_q <= less_52_s4_q;
-      less_55_s5_q <= less_55_s4_q;
-      less_58_s5_q <= less_58;
-      select_60_s5_q <= select_60;
+      difference_52_s5_q <= difference_52_s4_q;
+      sum_55_s5_q <= sum_55_s4_q[10];
+      sum_58_s5_q <= {sum_55_s4_q[9:0], not_56} + {not_56, xor_57};
       select_71_s5_q <= select_71_s4_q;
       select_77_s5_q <= select_77_s4_q;
       select_82_s5_q <= select_82_s4_q;
@@ -328,14 +311,14 @@ module horopter_direction (
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
   // hls/stages/direction.hpp:62
-  logic less_29;
-  assign less_29 = {1'b0, larger_s5_q[9:1]} < select_28_s5_q;
-  logic [9:0] select_31;
-  assign select_31 = less_29 ? ({select_28_s5_q[8:0], 1'b0} - larger_s5_q) : {select_28_s5_q[8:0], 1'b0};
-  logic less_61;
-  assign less_61 = {1'b0, larger_2_s5_q[9:1]} < select_60_s5_q;
-  logic [9:0] select_63;
-  assign select_63 = less_61 ? ({select_60_s5_q[8:0], 1'b0} - larger_2_s5_q) : {select_60_s5_q[8:0], 1'b0};
+  logic not_27;
+  assign not_27 = ~sum_26_s5_q[10];
+  logic [9:0] xor_28;
+  assign xor_28 = larger_s5_q ^ {10{not_27}};
+  logic not_59;
+  assign not_59 = ~sum_58_s5_q[10];
+  logic [9:0] xor_60;
+  assign xor_60 = larger_2_s5_q ^ {10{not_59}};
 
   logic mask_s6_q;
   logic marks_first_s6_q;
@@ -343,20 +326,18 @@ module horopter_direction (
   logic less_13_s6_q;
   logic xor_16_s6_q;
   logic [9:0] larger_s6_q;
-  logic less_20_s6_q;
-  logic less_23_s6_q;
-  logic less_26_s6_q;
-  logic less_29_s6_q;
-  logic [9:0] select_31_s6_q;
+  logic difference_20_s6_q;
+  logic sum_23_s6_q;
+  logic sum_26_s6_q;
+  logic [10:0] sum_29_s6_q;
   logic select_39_s6_q;
   logic less_45_s6_q;
   logic xor_48_s6_q;
   logic [9:0] larger_2_s6_q;
-  logic less_52_s6_q;
-  logic less_55_s6_q;
-  logic less_58_s6_q;
-  logic less_61_s6_q;
-  logic [9:0] select_63_s6_q;
+  logic difference_52_s6_q;
+  logic sum_55_s6_q;
+  logic sum_58_s6_q;
+  logic [10:0] sum_61_s6_q;
   logic select_71_s6_q;
   logic [7:0] select_77_s6_q;
   logic [4:0] select_82_s6_q;
@@ -370,20 +351,18 @@ module horopter_direction (
       less_13_s6_q <= less_13_s5_q;
       xor_16_s6_q <= xor_16_s5_q;
       larger_s6_q <= larger_s5_q;
-      less_20_s6_q <= less_20_s5_q;
-      less_23_s6_q <= less_23_s5_q;
-      less_26_s6_q <= less_26_s5_q;
-      less_29_s6_q <= less_29;
-      select_31_s6_q <= select_31;
+      difference_20_s6_q <= difference_20_s5_q;
+      sum_23_s6_q <= sum_23_s5_q;
+      sum_26_s6_q <= sum_26_s5_q[10];
+      sum_29_s6_q <= {sum_26_s5_q[9:0], not_27} + {not_27, xor_28};
       select_39_s6_q <= select_39_s5_q;
       less_45_s6_q <= less_45_s5_q;
       xor_48_s6_q <= xor_48_s5_q;
       larger_2_s6_q <= larger_2_s5_q;
-      less_52_s6_q <= less_52_s5_q;
-      less_55_s6_q <= less_55_s5_q;
-      less_58_s6_q <= less_58_s5_q;
-      less_61_s6_q <= less_61;
-      select_63_s6_q <= select_63;
+      difference_52_s6_q <= difference_52_s5_q;
+      sum_55_s6_q <= sum_55_s5_q;
+      sum_58_s6_q <= sum_58_s5_q[10];
+      sum_61_s6_q <= {sum_58_s5_q[9:0], not_59} + {not_59, xor_60};
       select_71_s6_q <= select_71_s5_q;
       select_77_s6_q <= select_77_s5_q;
       select_82_s6_q <= select_82_s5_q;
@@ -394,37 +373,35 @@ module horopter_direction (
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
   // hls/stages/direction.hpp:62
-  logic less_32;
-  assign less_32 = {1'b0, larger_s6_q[9:1]} < select_31_s6_q;
-  logic [9:0] select_34;
-  assign select_34 = less_32 ? ({select_31_s6_q[8:0], 1'b0} - larger_s6_q) : {select_31_s6_q[8:0], 1'b0};
-  logic less_64;
-  assign less_64 = {1'b0, larger_2_s6_q[9:1]} < select_63_s6_q;
-  logic [9:0] select_66;
-  assign select_66 = less_64 ? ({select_63_s6_q[8:0], 1'b0} - larger_2_s6_q) : {select_63_s6_q[8:0], 1'b0};
+  logic not_30;
+  assign not_30 = ~sum_29_s6_q[10];
+  logic [9:0] xor_31;
+  assign xor_31 = larger_s6_q ^ {10{not_30}};
+  logic not_62;
+  assign not_62 = ~sum_61_s6_q[10];
+  logic [9:0] xor_63;
+  assign xor_63 = larger_2_s6_q ^ {10{not_62}};
 
   logic mask_s7_q;
   logic marks_first_s7_q;
   logic marks_last_s7_q;
   logic less_13_s7_q;
   logic xor_16_s7_q;
-  logic [8:0] larger_s7_q;
-  logic less_20_s7_q;
-  logic less_23_s7_q;
-  logic less_26_s7_q;
-  logic less_29_s7_q;
-  logic less_32_s7_q;
-  logic [9:0] select_34_s7_q;
+  logic [9:0] larger_s7_q;
+  logic difference_20_s7_q;
+  logic sum_23_s7_q;
+  logic sum_26_s7_q;
+  logic sum_29_s7_q;
+  logic [10:0] sum_32_s7_q;
   logic select_39_s7_q;
   logic less_45_s7_q;
   logic xor_48_s7_q;
-  logic [8:0] larger_2_s7_q;
-  logic less_52_s7_q;
-  logic less_55_s7_q;
-  logic less_58_s7_q;
-  logic less_61_s7_q;
-  logic less_64_s7_q;
-  logic [9:0] select_66_s7_q;
+  logic [9:0] larger_2_s7_q;
+  logic difference_52_s7_q;
+  logic sum_55_s7_q;
+  logic sum_58_s7_q;
+  logic sum_61_s7_q;
+  logic [10:0] sum_64_s7_q;
   logic select_71_s7_q;
   logic [7:0] select_77_s7_q;
   logic [4:0] select_82_s7_q;
@@ -437,23 +414,21 @@ module horopter_direction (
       marks_last_s7_q <= marks_last_s6_q;
       less_13_s7_q <= less_13_s6_q;
       xor_16_s7_q <= xor_16_s6_q;
-      larger_s7_q <= larger_s6_q[9:1];
-      less_20_s7_q <= less_20_s6_q;
-      less_23_s7_q <= less_23_s6_q;
-      less_26_s7_q <= less_26_s6_q;
-      less_29_s7_q <= less_29_s6_q;
-      less_32_s7_q <= less_32;
-      select_34_s7_q <= select_34;
+      larger_s7_q <= larger_s6_q;
+      difference_20_s7_q <= difference_20_s6_q;
+      sum_23_s7_q <= sum_23_s6_q;
+      sum_26_s7_q <= sum_26_s6_q;
+      sum_29_s7_q <= sum_29_s6_q[10];
+      sum_32_s7_q <= {sum_29_s6_q[9:0], not_30} + {not_30, xor_31};
       select_39_s7_q <= select_39_s6_q;
       less_45_s7_q <= less_45_s6_q;
       xor_48_s7_q <= xor_48_s6_q;
-      larger_2_s7_q <= larger_2_s6_q[9:1];
-      less_52_s7_q <= less_52_s6_q;
-      less_55_s7_q <= less_55_s6_q;
-      less_58_s7_q <= less_58_s6_q;
-      less_61_s7_q <= less_61_s6_q;
-      less_64_s7_q <= less_64;
-      select_66_s7_q <= select_66;
+      larger_2_s7_q <= larger_2_s6_q;
+      difference_52_s7_q <= difference_52_s6_q;
+      sum_55_s7_q <= sum_55_s6_q;
+      sum_58_s7_q <= sum_58_s6_q;
+      sum_61_s7_q <= sum_61_s6_q[10];
+      sum_64_s7_q <= {sum_61_s6_q[9:0], not_62} + {not_62, xor_63};
       select_71_s7_q <= select_71_s6_q;
       select_77_s7_q <= select_77_s6_q;
       select_82_s7_q <= select_82_s6_q;
@@ -463,27 +438,40 @@ module horopter_direction (
   end
 
   // Stage 7 -----------------------------------------------------------------------------------------------------------
+  // hls/stages/direction.hpp:62
+  logic not_33;
+  assign not_33 = ~sum_32_s7_q[10];
+  logic [9:0] xor_34;
+  assign xor_34 = larger_s7_q ^ {10{not_33}};
+  logic [10:0] sum_35;
+  assign sum_35 = {sum_32_s7_q[9:0], not_33} + {not_33, xor_34};
+  logic not_65;
+  assign not_65 = ~sum_64_s7_q[10];
+  logic [9:0] xor_66;
+  assign xor_66 = larger_2_s7_q ^ {10{not_65}};
+  logic [10:0] sum_67;
+  assign sum_67 = {sum_64_s7_q[9:0], not_65} + {not_65, xor_66};
 
   logic mask_s8_q;
   logic marks_first_s8_q;
   logic marks_last_s8_q;
   logic less_13_s8_q;
   logic xor_16_s8_q;
-  logic less_20_s8_q;
-  logic less_23_s8_q;
-  logic less_26_s8_q;
-  logic less_29_s8_q;
-  logic less_32_s8_q;
-  logic less_35_s8_q;
+  logic difference_20_s8_q;
+  logic sum_23_s8_q;
+  logic sum_26_s8_q;
+  logic sum_29_s8_q;
+  logic sum_32_s8_q;
+  logic sum_35_s8_q;
   logic select_39_s8_q;
   logic less_45_s8_q;
   logic xor_48_s8_q;
-  logic less_52_s8_q;
-  logic less_55_s8_q;
-  logic less_58_s8_q;
-  logic less_61_s8_q;
-  logic less_64_s8_q;
-  logic less_67_s8_q;
+  logic difference_52_s8_q;
+  logic sum_55_s8_q;
+  logic sum_58_s8_q;
+  logic sum_61_s8_q;
+  logic sum_64_s8_q;
+  logic sum_67_s8_q;
   logic select_71_s8_q;
   logic [7:0] select_77_s8_q;
   logic [4:0] select_82_s8_q;
@@ -496,21 +484,21 @@ module horopter_direction (
       marks_last_s8_q <= marks_last_s7_q;
       less_13_s8_q <= less_13_s7_q;
       xor_16_s8_q <= xor_16_s7_q;
-      less_20_s8_q <= less_20_s7_q;
-      less_23_s8_q <= less_23_s7_q;
-      less_26_s8_q <= less_26_s7_q;
-      less_29_s8_q <= less_29_s7_q;
-      less_32_s8_q <= less_32_s7_q;
-      less_35_s8_q <= {1'b0, larger_s7_q} < select_34_s7_q;
+      difference_20_s8_q <= difference_20_s7_q;
+      sum_23_s8_q <= sum_23_s7_q;
+      sum_26_s8_q <= sum_26_s7_q;
+      sum_29_s8_q <= sum_29_s7_q;
+      sum_32_s8_q <= sum_32_s7_q[10];
+      sum_35_s8_q <= sum_35[10];
       select_39_s8_q <= select_39_s7_q;
       less_45_s8_q <= less_45_s7_q;
       xor_48_s8_q <= xor_48_s7_q;
-      less_52_s8_q <= less_52_s7_q;
-      less_55_s8_q <= less_55_s7_q;
-      less_58_s8_q <= less_58_s7_q;
-      less_61_s8_q <= less_61_s7_q;
-      less_64_s8_q <= less_64_s7_q;
-      less_67_s8_q <= {1'b0, larger_2_s7_q} < select_66_s7_q;
+      difference_52_s8_q <= difference_52_s7_q;
+      sum_55_s8_q <= sum_55_s7_q;
+      sum_58_s8_q <= sum_58_s7_q;
+      sum_61_s8_q <= sum_61_s7_q;
+      sum_64_s8_q <= sum_64_s7_q[10];
+      sum_67_s8_q <= sum_67[10];
       select_71_s8_q <= select_71_s7_q;
       select_77_s8_q <= select_77_s7_q;
       select_82_s8_q <= select_82_s7_q;
@@ -523,7 +511,7 @@ module horopter_direction (
   // hls/stages/direction.hpp:62
   logic [5:0] angle;  // table arctangent_table
   always_comb begin
-    case ({less_20_s8_q, less_23_s8_q, less_26_s8_q, less_29_s8_q, less_32_s8_q, less_35_s8_q})
+    case ({difference_20_s8_q, sum_23_s8_q, sum_26_s8_q, sum_29_s8_q, sum_32_s8_q, sum_35_s8_q})
       6'd1: angle = 6'h1;
       6'd2: angle = 6'h2;
       6'd3: angle = 6'h2;
@@ -592,7 +580,7 @@ module horopter_direction (
   end
   logic [5:0] angle_2;  // table arctangent_table
   always_comb begin
-    case ({less_52_s8_q, less_55_s8_q, less_58_s8_q, less_61_s8_q, less_64_s8_q, less_67_s8_q})
+    case ({difference_52_s8_q, sum_55_s8_q, sum_58_s8_q, sum_61_s8_q, sum_64_s8_q, sum_67_s8_q})
       6'd1: angle_2 = 6'h1;
       6'd2: angle_2 = 6'h2;
       6'd3: angle_2 = 6'h2;
@@ -768,6 +756,6 @@ module horopter_direction (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_79[0], sum_78[0], sum_74[0], sum_73[0]};
+  assign unused_bits = ^{sum_79[0], sum_78[0], sum_74[0], sum_73[0], sum_67[9:0], sum_35[9:0]};
 
 endmodule

@@ -3,7 +3,7 @@
 //
 // Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 0 bits, pipeline 108 bits, memories 0 bits.
+// State 0 bits, pipeline 88 bits, memories 0 bits.
 module horopter_direction (
   input  logic clk_i,
   input  logic rst_ni,
@@ -49,11 +49,6 @@ module horopter_direction (
   // hls/stages/direction.hpp:47
   logic [9:0] smaller;
   assign smaller = (y < x) ? y : x;
-  // hls/stages/direction.hpp:62
-  logic less_20;
-  assign less_20 = {1'b0, larger[9:1]} < smaller;
-  logic [9:0] select_22;
-  assign select_22 = less_20 ? ({smaller[8:0], 1'b0} - larger) : {smaller[8:0], 1'b0};
   // hls/stages/direction.hpp:43
   logic [9:0] x_2;
   assign x_2 = gx_1_i[10] ? (10'h0 - gx_1_i[9:0]) : gx_1_i[9:0];
@@ -68,20 +63,6 @@ module horopter_direction (
   // hls/stages/direction.hpp:47
   logic [9:0] smaller_2;
   assign smaller_2 = (y_2 < x_2) ? y_2 : x_2;
-  // hls/stages/direction.hpp:62
-  logic less_52;
-  assign less_52 = {1'b0, larger_2[9:1]} < smaller_2;
-  logic [9:0] select_54;
-  assign select_54 = less_52 ? ({smaller_2[8:0], 1'b0} - larger_2) : {smaller_2[8:0], 1'b0};
-  // hls/stages/direction.hpp:49
-  logic [10:0] sum_73;
-  assign sum_73 = {1'b0, smaller} + {2'h0, smaller[9:1]};
-  logic [9:0] sum_74;
-  assign sum_74 = sum_73[10:1] + 10'h1;
-  logic [10:0] sum_78;
-  assign sum_78 = {1'b0, smaller_2} + {2'h0, smaller_2[9:1]};
-  logic [9:0] sum_79;
-  assign sum_79 = sum_78[10:1] + 10'h1;
 
   logic saturated_s1_q;
   logic mask_s1_q;
@@ -90,19 +71,13 @@ module horopter_direction (
   logic less_13_s1_q;
   logic xor_16_s1_q;
   logic [9:0] larger_s1_q;
-  logic less_20_s1_q;
-  logic [8:0] select_22_s1_q;
-  logic less_23_s1_q;
+  logic [9:0] smaller_s1_q;
   logic select_39_s1_q;
   logic less_45_s1_q;
   logic xor_48_s1_q;
   logic [9:0] larger_2_s1_q;
-  logic less_52_s1_q;
-  logic [8:0] select_54_s1_q;
-  logic less_55_s1_q;
+  logic [9:0] smaller_2_s1_q;
   logic select_71_s1_q;
-  logic [8:0] sum_74_s1_q;
-  logic [8:0] sum_79_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       saturated_s1_q <= saturated_i;
@@ -112,43 +87,53 @@ module horopter_direction (
       less_13_s1_q <= less_13;
       xor_16_s1_q <= less_13 ^ (~(gx_0_i[10] ^ gy_0_i[10]));
       larger_s1_q <= larger;
-      less_20_s1_q <= less_20;
-      select_22_s1_q <= select_22[8:0];
-      less_23_s1_q <= {1'b0, larger[9:1]} < select_22;
+      smaller_s1_q <= smaller;
       select_39_s1_q <= less_13 ? gy_0_i[10] : gx_0_i[10];
       less_45_s1_q <= less_45;
       xor_48_s1_q <= less_45 ^ (~(gx_1_i[10] ^ gy_1_i[10]));
       larger_2_s1_q <= larger_2;
-      less_52_s1_q <= less_52;
-      select_54_s1_q <= select_54[8:0];
-      less_55_s1_q <= {1'b0, larger_2[9:1]} < select_54;
+      smaller_2_s1_q <= smaller_2;
       select_71_s1_q <= less_45 ? gy_1_i[10] : gx_1_i[10];
-      sum_74_s1_q <= sum_74[9:1];
-      sum_79_s1_q <= sum_79[9:1];
     end
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   // hls/stages/direction.hpp:62
-  logic [9:0] select_25;
-  assign select_25 = less_23_s1_q ? ({select_22_s1_q, 1'b0} - larger_s1_q) : {select_22_s1_q, 1'b0};
-  logic less_26;
-  assign less_26 = {1'b0, larger_s1_q[9:1]} < select_25;
-  logic [9:0] select_28;
-  assign select_28 = less_26 ? ({select_25[8:0], 1'b0} - larger_s1_q) : {select_25[8:0], 1'b0};
-  logic less_29;
-  assign less_29 = {1'b0, larger_s1_q[9:1]} < select_28;
-  logic [9:0] select_31;
-  assign select_31 = less_29 ? ({select_28[8:0], 1'b0} - larger_s1_q) : {select_28[8:0], 1'b0};
-  logic less_32;
-  assign less_32 = {1'b0, larger_s1_q[9:1]} < select_31;
-  logic [9:0] select_34;
-  assign select_34 = less_32 ? ({select_31[8:0], 1'b0} - larger_s1_q) : {select_31[8:0], 1'b0};
-  logic less_35;
-  assign less_35 = {1'b0, larger_s1_q[9:1]} < select_34;
+  logic [9:0] difference_20;
+  assign difference_20 = {1'b0, larger_s1_q[9:1]} - smaller_s1_q;
+  logic not_21;
+  assign not_21 = ~difference_20[9];
+  logic [9:0] xor_22;
+  assign xor_22 = larger_s1_q ^ {10{not_21}};
+  logic [10:0] sum_23;
+  assign sum_23 = {difference_20[8:0], larger_s1_q[0], not_21} + {not_21, xor_22};
+  logic not_24;
+  assign not_24 = ~sum_23[10];
+  logic [9:0] xor_25;
+  assign xor_25 = larger_s1_q ^ {10{not_24}};
+  logic [10:0] sum_26;
+  assign sum_26 = {sum_23[9:0], not_24} + {not_24, xor_25};
+  logic not_27;
+  assign not_27 = ~sum_26[10];
+  logic [9:0] xor_28;
+  assign xor_28 = larger_s1_q ^ {10{not_27}};
+  logic [10:0] sum_29;
+  assign sum_29 = {sum_26[9:0], not_27} + {not_27, xor_28};
+  logic not_30;
+  assign not_30 = ~sum_29[10];
+  logic [9:0] xor_31;
+  assign xor_31 = larger_s1_q ^ {10{not_30}};
+  logic [10:0] sum_32;
+  assign sum_32 = {sum_29[9:0], not_30} + {not_30, xor_31};
+  logic not_33;
+  assign not_33 = ~sum_32[10];
+  logic [9:0] xor_34;
+  assign xor_34 = larger_s1_q ^ {10{not_33}};
+  logic [10:0] sum_35;
+  assign sum_35 = {sum_32[9:0], not_33} + {not_33, xor_34};
   logic [5:0] angle;  // table arctangent_table
   always_comb begin
-    case ({less_20_s1_q, less_23_s1_q, less_26, less_29, less_32, less_35})
+    case ({difference_20[9], sum_23[10], sum_26[10], sum_29[10], sum_32[10], sum_35[10]})
       6'd1: angle = 6'h1;
       6'd2: angle = 6'h2;
       6'd3: angle = 6'h2;
@@ -219,25 +204,41 @@ module horopter_direction (
   logic [6:0] select_38;
   assign select_38 = xor_16_s1_q ? {1'b0, angle} : (7'h0 - {1'b0, angle});
   // hls/stages/direction.hpp:62
-  logic [9:0] select_57;
-  assign select_57 = less_55_s1_q ? ({select_54_s1_q, 1'b0} - larger_2_s1_q) : {select_54_s1_q, 1'b0};
-  logic less_58;
-  assign less_58 = {1'b0, larger_2_s1_q[9:1]} < select_57;
-  logic [9:0] select_60;
-  assign select_60 = less_58 ? ({select_57[8:0], 1'b0} - larger_2_s1_q) : {select_57[8:0], 1'b0};
-  logic less_61;
-  assign less_61 = {1'b0, larger_2_s1_q[9:1]} < select_60;
-  logic [9:0] select_63;
-  assign select_63 = less_61 ? ({select_60[8:0], 1'b0} - larger_2_s1_q) : {select_60[8:0], 1'b0};
-  logic less_64;
-  assign less_64 = {1'b0, larger_2_s1_q[9:1]} < select_63;
-  logic [9:0] select_66;
-  assign select_66 = less_64 ? ({select_63[8:0], 1'b0} - larger_2_s1_q) : {select_63[8:0], 1'b0};
-  logic less_67;
-  assign less_67 = {1'b0, larger_2_s1_q[9:1]} < select_66;
+  logic [9:0] difference_52;
+  assign difference_52 = {1'b0, larger_2_s1_q[9:1]} - smaller_2_s1_q;
+  logic not_53;
+  assign not_53 = ~difference_52[9];
+  logic [9:0] xor_54;
+  assign xor_54 = larger_2_s1_q ^ {10{not_53}};
+  logic [10:0] sum_55;
+  assign sum_55 = {difference_52[8:0], larger_2_s1_q[0], not_53} + {not_53, xor_54};
+  logic not_56;
+  assign not_56 = ~sum_55[10];
+  logic [9:0] xor_57;
+  assign xor_57 = larger_2_s1_q ^ {10{not_56}};
+  logic [10:0] sum_58;
+  assign sum_58 = {sum_55[9:0], not_56} + {not_56, xor_57};
+  logic not_59;
+  assign not_59 = ~sum_58[10];
+  logic [9:0] xor_60;
+  assign xor_60 = larger_2_s1_q ^ {10{not_59}};
+  logic [10:0] sum_61;
+  assign sum_61 = {sum_58[9:0], not_59} + {not_59, xor_60};
+  logic not_62;
+  assign not_62 = ~sum_61[10];
+  logic [9:0] xor_63;
+  assign xor_63 = larger_2_s1_q ^ {10{not_62}};
+  logic [10:0] sum_64;
+  assign sum_64 = {sum_61[9:0], not_62} + {not_62, xor_63};
+  logic not_65;
+  assign not_65 = ~sum_64[10];
+  logic [9:0] xor_66;
+  assign xor_66 = larger_2_s1_q ^ {10{not_65}};
+  logic [10:0] sum_67;
+  assign sum_67 = {sum_64[9:0], not_65} + {not_65, xor_66};
   logic [5:0] angle_2;  // table arctangent_table
   always_comb begin
-    case ({less_52_s1_q, less_55_s1_q, less_58, less_61, less_64, less_67})
+    case ({difference_52[9], sum_55[10], sum_58[10], sum_61[10], sum_64[10], sum_67[10]})
       6'd1: angle_2 = 6'h1;
       6'd2: angle_2 = 6'h2;
       6'd3: angle_2 = 6'h2;
@@ -308,12 +309,20 @@ module horopter_direction (
   logic [6:0] select_70;
   assign select_70 = xor_48_s1_q ? {1'b0, angle_2} : (7'h0 - {1'b0, angle_2});
   // hls/stages/direction.hpp:49
+  logic [10:0] sum_73;
+  assign sum_73 = {1'b0, smaller_s1_q} + {2'h0, smaller_s1_q[9:1]};
+  logic [9:0] sum_74;
+  assign sum_74 = sum_73[10:1] + 10'h1;
   logic [10:0] sum_75;
-  assign sum_75 = {1'b0, larger_s1_q} + {2'h0, sum_74_s1_q};
+  assign sum_75 = {1'b0, larger_s1_q} + {2'h0, sum_74[9:1]};
   logic [10:0] select_77;
   assign select_77 = (sum_75[10:8] == 3'h0) ? sum_75 : 11'hff;
+  logic [10:0] sum_78;
+  assign sum_78 = {1'b0, smaller_2_s1_q} + {2'h0, smaller_2_s1_q[9:1]};
+  logic [9:0] sum_79;
+  assign sum_79 = sum_78[10:1] + 10'h1;
   logic [10:0] sum_80;
-  assign sum_80 = {1'b0, larger_2_s1_q} + {2'h0, sum_79_s1_q};
+  assign sum_80 = {1'b0, larger_2_s1_q} + {2'h0, sum_79[9:1]};
   logic [8:0] select_82;
   assign select_82 = (sum_80[10:8] == 3'h0) ? sum_80[8:0] : 9'hff;
 
@@ -367,6 +376,6 @@ module horopter_direction (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_79[0], sum_78[0], sum_74[0], sum_73[0]};
+  assign unused_bits = ^{sum_79[0], sum_78[0], sum_74[0], sum_73[0], sum_67[9:0], sum_35[9:0]};
 
 endmodule

@@ -460,16 +460,17 @@ constexpr u<bits_for(N)> popcount(u<N> value) {
 
 namespace detail {
 
-/// Q steps of "twice the rest, less the divisor if that fits".
+/// Non-restoring division (Flores, The Logic of Computer Arithmetic, 1963): one adder a step. `over` is the divisor less
+/// twice the rest, negative where the divisor fits; ">" keeps 0 / 0 at 0.
 template <int Q, int N>
 constexpr u<Q> ratio_by_subtraction(u<N> smaller, u<N> larger) {
   std::uint64_t quotient = 0;
-  u<N> rest = smaller;
+  u<N + 1> over(larger - u<N + 1>(exact_t{}, static_cast<std::uint64_t>(smaller.value()) << 1));  // two's complement
   for (int i = 0; i < Q; ++i) {
-    const u<N + 1> twice(exact_t{}, static_cast<std::uint64_t>(rest.value()) << 1);
-    const bool fits = twice > larger;  // ">" keeps 0 / 0 at 0
-    rest = fits ? u<N>(twice - larger) : u<N>(twice);
+    const bool fits = over.bit(N);
     quotient = quotient << 1 | (fits ? 1U : 0U);
+    const u<N + 1> added = fits ? u<N + 1>(larger) : u<N + 1>(~u<N + 1>(larger));  // with the carry below: larger, -larger
+    over = u<N + 1>(cat(u<N>(over), u<1>(!fits)) + added);
   }
   return {exact_t{}, quotient};
 }
