@@ -425,7 +425,7 @@ TEST_CASE("A build with anything more or other than the profile is refused") {
                                       {reg::build_window::kAddress, reg::build_window::kMajority, 5},
                                       {reg::build_window::kAddress, reg::build_window::kSubsample, 2},
                                       {reg::build_window::kAddress, reg::build_window::kWeightBits, 4},
-                                      {reg::build_window::kAddress, reg::build_window::kHypotheses, 2},
+                                      {reg::build_window::kAddress, reg::build_window::kHypotheses, 0},
                                       {reg::build_window::kAddress, reg::build_window::kCompete, 0},  // but its planes
                                       {reg::build_compete::kAddress, reg::build_compete::kPlanes, 15},
                                       {reg::build_compete::kAddress, reg::build_compete::kSumRows, 5},
