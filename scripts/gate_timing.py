@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The longest path of a flat netlist in the cells of constraints/gates.lib, for scripts/budget."""
+"""The longest path of a flat netlist in the cells of constraints/gates.lib, for scripts/budget. As a program: tests itself."""
 import re
 
 CLOCK_TO_OUTPUT_NS = 0.6
@@ -82,3 +82,34 @@ def longest_path(module, library):
         ns, start = arrive(bit)
         worst = max(worst, (ns, start, end))
     return worst
+
+
+def self_test():
+    """Paths counted by hand: gates of 0.15 ns and 0.1 ns for each input that they drive."""
+    library = '  cell (NAND2) {\n    capacitance : 0.1; cell_rise (one) { values ("0.15, 1.14", "0, 0") }\n  }\n'
+    ends = {"D": "input", "Q": "output"}
+
+    def cell(kind, **connections):
+        return {"type": kind, "port_directions": ends, "connections": {port: [bit] for port, bit in connections.items()}}
+
+    def check(cells, expected_ns):
+        ns, start, end = longest_path({"cells": cells}, library)
+        if abs(ns - expected_ns) > 1e-9 or (start, end) != ("from", "to"):
+            raise SystemExit(f"gate_timing: {ns} ns from '{start}' to '{end}' instead of {expected_ns} from 'from' to 'to'")
+
+    chain = {"from": cell("$_DFF_P_", D=9, Q=1), "first": cell("NAND2", A=1, Y=2), "second": cell("NAND2", A=1, B=2, Y=3),
+             "to": cell("$_DFF_P_", D=3, Q=4)}
+    check(chain, 0.6 + 2 * 0.25)
+    # 17 inputs are driven by two buffers.
+    load = {f"load{n}": cell("$_DFF_P_", D=2, Q=10 + n) for n in range(TREE)}
+    check(chain | load, 0.6 + (0.15 + 2 * 0.1 + BUFFER_NS) + 0.25)
+    check(chain | {"from": cell("$mem_v2", D=9, Q=1)}, MEMORY_ACCESS_NS + 2 * 0.25)
+    try:
+        longest_path({"cells": chain | {"first": cell("NAND2", A=3, Y=2)}}, library)
+    except ValueError:
+        return
+    raise SystemExit("gate_timing: a loop of gates was not noticed")
+
+
+if __name__ == "__main__":
+    self_test()

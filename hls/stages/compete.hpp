@@ -12,5 +12,28 @@
 // what is left is undecidable.
 #pragma once
 
+#include "horopter/hls/compete_settings.hpp"
 #include "stages/align.hpp"
 #include "stages/consensus.hpp"
+
+namespace horopter::stages {
+
+/// The settings, as the stages take them.
+template <hls::Profile P, class ContestStage = Contest<P>>
+struct CompeteConfig {
+  CompeteConfig() = default;
+  explicit CompeteConfig(const hls::CompeteSettings& settings) {
+    contest.bias = settings.bias;
+    contest.boundary = settings.boundary;
+    spread.smooth = settings.smooth;
+    ballot.similar = settings.similar;
+    ballot.quorum = settings.quorum;
+    ballot.clear_quorum = settings.clear_quorum;
+  }
+
+  typename ContestStage::Config contest;
+  VoteSpread::Config spread;
+  typename Ballot<P>::Config ballot;
+};
+
+}  // namespace horopter::stages

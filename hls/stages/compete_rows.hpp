@@ -33,12 +33,7 @@ class CompeteRows {
   void begin(int width, const CompeteSettings& settings) {
     width_ = width;
     strip_ = (width + lanes - 1) / lanes;
-    contest_config_.bias = settings.bias;
-    contest_config_.boundary = settings.boundary;
-    spread_config_.smooth = settings.smooth;
-    ballot_config_.similar = settings.similar;
-    ballot_config_.quorum = settings.quorum;
-    ballot_config_.clear_quorum = settings.clear_quorum;
+    config_ = Config(settings);
   }
 
   /// `source(x)`: the pixel pair of a column; `sink`: every beat that leaves the consensus.
@@ -55,8 +50,8 @@ class CompeteRows {
       in.grey = from.grey.lane(lane);
       in.exists = from.exists.lane(lane);
       in.marks = {x == 0 && first_row, x + 1 == width_};
-      const auto spread = spread_.step(in, spread_config_);
-      const auto ballot = ballot_.step(spread, ballot_config_);
+      const auto spread = spread_.step(in, config_.spread);
+      const auto ballot = ballot_.step(spread, config_.ballot);
       sink(consensus_.step({ballot.skin, ballot.clear, ballot.exists, ballot.marks}));
     }
   }
@@ -78,6 +73,7 @@ class CompeteRows {
   using Sums = stages::PlaneSums<P, Lanes, strip_beats>;
   using Paths = stages::Paths<P, Lanes, strip_beats>;
   using Contest = stages::Contest<P, Lanes, strip_beats>;
+  using Config = stages::CompeteConfig<P, Contest>;
 
   template <class Source>
   void load(const Source& source, bool first_row) {
@@ -112,7 +108,7 @@ class CompeteRows {
         left += select(gradients.mask, Contrast::magnitude(gradients.gx[0]), Lanes::u<8>(0)).vector();
         right += select(gradients.mask, Contrast::magnitude(gradients.gx[1]), Lanes::u<8>(0)).vector();
       }
-      decided_[at] = contest_.step(paths_.step(sums_.step(in)), contest_config_);
+      decided_[at] = contest_.step(paths_.step(sums_.step(in)), config_.contest);
     }
     gain_ = next_gain_;
     gradients_.fade();
@@ -140,9 +136,7 @@ class CompeteRows {
   stages::Ballot<P> ballot_;
   stages::Consensus<P> consensus_;
 
-  typename Contest::Config contest_config_;
-  stages::VoteSpread::Config spread_config_;
-  typename stages::Ballot<P>::Config ballot_config_;
+  Config config_;
 
   int width_ = 0;
   int strip_ = 0;  // columns of a strip

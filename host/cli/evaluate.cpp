@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "horopter/compete_register.hpp"
 #include "horopter/engines.hpp"
 #include "horopter/evaluation.hpp"
 #include "horopter/map_compiler.hpp"
@@ -111,12 +112,7 @@ json rule_parameters(const EvaluateOptions& options, const MachineProfile& profi
                    {"texture", options.settings.texture},
                    {"self_percent", options.settings.self_percent}});
   } else {
-    result.update({{"bias", options.settings.competition.bias},
-                   {"smooth", options.settings.competition.smooth},
-                   {"similar", options.settings.competition.similar},
-                   {"quorum", options.settings.competition.quorum},
-                   {"clear_quorum", options.settings.competition.clear_quorum},
-                   {"boundary", options.settings.competition.boundary}});
+    for (const CompeteField& f : kCompeteFields) result[std::string(f.name)] = options.settings.competition.*f.setting;
   }
   return result;
 }

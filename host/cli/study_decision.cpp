@@ -70,13 +70,9 @@ template <Profile P>
 class Chain {
  public:
   explicit Chain(const Parts& parts) : parts_(parts) {
-    const CompeteSettings settings;
-    contest_config_.bias = settings.bias;
-    contest_config_.boundary = parts.boundary ? settings.boundary : 14;  // where outer planes win by themselves
-    spread_config_.smooth = settings.smooth;
-    ballot_config_.similar = settings.similar;
-    ballot_config_.quorum = settings.quorum;
-    ballot_config_.clear_quorum = settings.clear_quorum;
+    CompeteSettings settings;
+    if (!parts.boundary) settings.boundary = 14;  // where outer planes win by themselves
+    config_ = stages::CompeteConfig<P>(settings);
     quorum_ = settings.quorum;
     // Of one row instead of all that the ballot asks.
     clear_quorum_ = 8 * settings.clear_quorum / (2 * P.ballot_reach + 1);
@@ -118,11 +114,11 @@ class Chain {
     auto costs = paths_.step(sums);
     if (!parts_.evidence) costs.evident = costs.known;
     if (!parts_.from_right) costs.known = false;  // of use only there
-    const auto vote = contest_.step(costs, contest_config_);
-    const auto spread = spread_.step({vote.vote, vote.firm, vote.grey, vote.exists, vote.marks}, spread_config_);
+    const auto vote = contest_.step(costs, config_.contest);
+    const auto spread = spread_.step({vote.vote, vote.firm, vote.grey, vote.exists, vote.marks}, config_.spread);
     typename stages::Consensus<P>::In said;
     if (parts_.ballot) {
-      const auto ballot = ballot_.step(spread, ballot_config_);
+      const auto ballot = ballot_.step(spread, config_.ballot);
       said = {ballot.skin, ballot.clear, ballot.exists, ballot.marks};
     } else {
       const int sum = static_cast<int>(spread.vote.value());
@@ -154,9 +150,7 @@ class Chain {
   stages::Ballot<P> ballot_;
   stages::Consensus<P> consensus_;
   stages::Align<P> align_;
-  typename stages::Contest<P>::Config contest_config_;
-  stages::VoteSpread::Config spread_config_;
-  typename stages::Ballot<P>::Config ballot_config_;
+  stages::CompeteConfig<P> config_;
 };
 
 using States = std::function<Image(const Image& left, const Image& right, int disparity_px)>;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "horopter/compete_register.hpp"
 #include "horopter/error.hpp"
 #include "horopter/registers.hpp"
 #include "stages/pipeline.hpp"
@@ -32,19 +33,64 @@ constexpr std::array<const char*, 7> kUploadErrors = {
     "none",      "slot or region in use", "bad header",        "does not fit the pool",
     "wrong CRC", "no such slot",          "data without start"};
 
-/// The register COMPETE.
-std::uint32_t compete_word(const CompeteSettings& settings) {
-  const auto put = [](const char* what, const reg::Field& field, int value) {
-    if (value < 0 || value >= 1 << field.bits) {
-      throw UsageError(fmt::format("{} {}; expected 0 to {}", what, value, (1 << field.bits) - 1));
+void check_settings(const CompeteSettings& settings) {
+  for (const CompeteField& f : kCompeteFields) {
+    if (const int value = settings.*f.setting; value < 0 || value > f.largest()) {
+      throw UsageError(fmt::format("{} {}; expected 0 to {}", f.name, value, f.largest()));
     }
-    return field.put(static_cast<std::uint32_t>(value));
+  }
+}
+
+/// The device's build is of this profile. It may have less than the profile where that only limits what it can be asked
+/// for: one of two rules, a smaller pool. Gives the pool's bytes.
+std::size_t check_build(Device& device, const MachineProfile& profile, Decision decision) {
+  const auto size = device.read(reg::build_size::kAddress);
+  const auto store = device.read(reg::build_store::kAddress);
+  const auto window = device.read(reg::build_window::kAddress);
+  const auto competition = device.read(reg::build_compete::kAddress);
+  const auto refuse = [&](const char* what, std::uint32_t found, const char* expected, int value) {
+    throw DeviceError(fmt::format("the machine is not one of profile {}: {} {} instead of {}{}", profile.name, what,
+                                  found, expected, value));
   };
-  return put("bias", reg::compete::kBias, settings.bias) | put("smooth", reg::compete::kSmooth, settings.smooth) |
-         put("similar", reg::compete::kSimilar, settings.similar) |
-         put("quorum", reg::compete::kQuorum, settings.quorum) |
-         put("clear quorum", reg::compete::kClearQuorum, settings.clear_quorum) |
-         put("boundary", reg::compete::kBoundary, settings.boundary);
+  const auto must_be = [&](const char* what, std::uint32_t found, int expected) {
+    if (found != static_cast<std::uint32_t>(expected)) refuse(what, found, "", expected);
+  };
+  const auto at_most = [&](const char* what, std::uint32_t found, int largest) {
+    if (found > static_cast<std::uint32_t>(largest)) refuse(what, found, "at most ", largest);
+  };
+  must_be("width", reg::build_size::kWidth.get(size), profile.width);
+  must_be("height", reg::build_size::kHeight.get(size), profile.height);
+  must_be("store rows", reg::build_store::kRows.get(store), profile.store_rows);
+  at_most("pool KiB", reg::build_store::kPoolKib.get(store), profile.pool_bytes / 1024);
+  must_be("DSAD window", reg::build_window::kDsad.get(window), profile.dsad_window);
+  must_be("majority window", reg::build_window::kMajority.get(window), profile.majority_window);
+  must_be("sub-sampling", reg::build_window::kSubsample.get(window), profile.subsample);
+  must_be("weight bits", reg::build_window::kWeightBits.get(window), profile.weight_bits);
+  must_be("hypotheses", reg::build_window::kHypotheses.get(window), profile.hypotheses);
+  const auto thesis = reg::build_window::kThesis.get(window);
+  const auto compete = reg::build_window::kCompete.get(window);
+  at_most("rule `thesis`", thesis, profile.has_thesis() ? 1 : 0);
+  at_most("rule `compete`", compete, profile.has_compete() ? 1 : 0);
+  must_be("competing planes", reg::build_compete::kPlanes.get(competition), compete != 0 ? profile.planes : 0);
+  must_be("rows of the sum", reg::build_compete::kSumRows.get(competition), compete != 0 ? profile.sum_rows : 0);
+  must_be("columns of the sum", reg::build_compete::kSumColumns.get(competition),
+          compete != 0 ? profile.sum_columns : 0);
+  must_be("reach of the ballot", reg::build_compete::kBallotReach.get(competition),
+          compete != 0 ? profile.ballot_reach : 0);
+  must_be("paths", reg::build_compete::kPaths.get(competition), compete != 0 && profile.paths ? 1 : 0);
+
+  const bool wants_compete = decision == Decision::compete;
+  if (!profile.has(wants_compete ? hls::Rule::compete : hls::Rule::thesis)) {
+    throw UsageError(fmt::format("profile {} does not have the decision '{}'", profile.name, name_of(decision)));
+  }
+  if ((wants_compete ? compete : thesis) == 0) {
+    const Decision other = wants_compete ? Decision::thesis : Decision::compete;
+    throw UsageError(
+        fmt::format("this machine of profile {} is built without the decision '{}'; choose '{}', or build "
+                    "the machine with it",
+                    profile.name, name_of(decision), name_of(other)));
+  }
+  return std::size_t{1024} * reg::build_store::kPoolKib.get(store);
 }
 
 /// What left the machine must agree with itself and with the registers: a machine that contradicts itself is broken.
@@ -104,36 +150,7 @@ Monitor::Monitor(std::unique_ptr<Device> device, const MachineProfile& profile, 
   if (const auto major = reg::version::kMajor.get(device_->read(reg::version::kAddress)); major != kRegisterMapMajor) {
     throw DeviceError(fmt::format("register map {}.x; expected {}.x", major, kRegisterMapMajor));
   }
-  const auto size = device_->read(reg::build_size::kAddress);
-  const auto store = device_->read(reg::build_store::kAddress);
-  const auto window = device_->read(reg::build_window::kAddress);
-  const auto must_be = [&](const char* what, std::uint32_t found, int expected) {
-    if (found != static_cast<std::uint32_t>(expected)) {
-      throw DeviceError(fmt::format("the machine is not one of profile {}: {} {} instead of {}", profile.name, what,
-                                    found, expected));
-    }
-  };
-  must_be("width", reg::build_size::kWidth.get(size), profile.width);
-  must_be("height", reg::build_size::kHeight.get(size), profile.height);
-  must_be("store rows", reg::build_store::kRows.get(store), profile.store_rows);
-  must_be("pool KiB", reg::build_store::kPoolKib.get(store), profile.pool_bytes / 1024);
-  must_be("DSAD window", reg::build_window::kDsad.get(window), profile.dsad_window);
-  must_be("majority window", reg::build_window::kMajority.get(window), profile.majority_window);
-  must_be("sub-sampling", reg::build_window::kSubsample.get(window), profile.subsample);
-  must_be("weight bits", reg::build_window::kWeightBits.get(window), profile.weight_bits);
-  must_be("rule `thesis`", reg::build_window::kThesis.get(window), profile.has_thesis() ? 1 : 0);
-  must_be("rule `compete`", reg::build_window::kCompete.get(window), profile.has_compete() ? 1 : 0);
-  const auto competition = device_->read(reg::build_compete::kAddress);
-  must_be("competing planes", reg::build_compete::kPlanes.get(competition), profile.planes);
-  must_be("rows of the sum", reg::build_compete::kSumRows.get(competition), profile.sum_rows);
-  must_be("columns of the sum", reg::build_compete::kSumColumns.get(competition), profile.sum_columns);
-  must_be("reach of the ballot", reg::build_compete::kBallotReach.get(competition), profile.ballot_reach);
-  must_be("paths", reg::build_compete::kPaths.get(competition), profile.paths ? 1 : 0);
-  const bool compete = settings.decision == Decision::compete;
-  if (!profile.has(compete ? hls::Rule::compete : hls::Rule::thesis)) {
-    throw UsageError(
-        fmt::format("profile {} does not have the decision '{}'", profile.name, name_of(settings.decision)));
-  }
+  pool_bytes_ = check_build(*device_, profile, settings.decision);
 }
 
 Monitor::~Monitor() {
@@ -182,13 +199,16 @@ void Monitor::write_limits() {
   device_->write(reg::frozen_limit::kAddress, static_cast<std::uint32_t>(settings_.frozen_limit));
   const bool compete = settings_.decision == Decision::compete;
   device_->write(reg::decision::kAddress, reg::decision::kCompete.put(compete ? 1 : 0));
-  if (compete) device_->write(reg::compete::kAddress, compete_word(settings_.competition));
+  if (compete) {
+    check_settings(settings_.competition);
+    device_->write(reg::compete::kAddress, compete_word(settings_.competition));
+  }
 }
 
 void Monitor::upload(int slot, const MapTable& table, std::optional<std::size_t> base_word64) {
   if (slot < 0 || slot >= kSlots) throw UsageError(fmt::format("slot {}; expected 0 to {}", slot, kSlots - 1));
   const std::size_t words64 = (table.words().size() - 4 + 1) / 2;
-  const std::size_t pool64 = static_cast<std::size_t>(profile_.pool_bytes) / 8;
+  const std::size_t pool64 = pool_bytes_ / 8;
   // First fit between the other tables; a table of the same slot makes room for its successor.
   std::vector<std::pair<std::size_t, std::size_t>> taken;
   for (int other = 0; other < kSlots; ++other) {
@@ -204,7 +224,7 @@ void Monitor::upload(int slot, const MapTable& table, std::optional<std::size_t>
   if (base_word64) base = *base_word64;
   if (base + words64 > pool64) {
     throw DeviceError(fmt::format("table {} of {} bytes does not fit the pool of {} bytes beside the others", slot,
-                                  words64 * 8, profile_.pool_bytes));
+                                  words64 * 8, pool_bytes_));
   }
   slots_[static_cast<std::size_t>(slot)] = {};
   device_->write(reg::map_slot::kAddress, static_cast<std::uint32_t>(slot));

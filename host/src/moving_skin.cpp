@@ -207,6 +207,14 @@ MovingMaps compile_motion(const SkinFile& skin, const MachineProfile& profile, i
 MovingSupervisor::MovingSupervisor(std::unique_ptr<Device> device, const MachineProfile& profile, MovingMaps maps,
                                    const Settings& settings)
     : maps_(std::move(maps)), monitor_(std::move(device), profile, settings) {
+  for (const MovingStep& step : maps_.steps) {
+    if (const std::size_t bytes = step.map.table.pool_bytes(); bytes > monitor_.pool_bytes() / 2) {
+      throw DeviceError(
+          fmt::format("the table at {:.3f} s, of {} bytes, is more than half of the machine's pool of {}: "
+                      "two tables must fit it",
+                      step.time_s, bytes, monitor_.pool_bytes()));
+    }
+  }
   const ScanGeometry& geometry = maps_.geometry();
   monitor_.start(geometry.width, geometry.height, maps_.lookahead);
   monitor_.upload(0, maps_.steps[0].map.table, 0);
@@ -226,7 +234,7 @@ void MovingSupervisor::begin(const Image& left, const Image& right) {
   monitor_.wait_for_table(slot);
   if (loaded_[other] != next) {
     loaded_[other] = SIZE_MAX;
-    const auto half_word64 = static_cast<std::size_t>(monitor_.profile().pool_bytes) / 16;
+    const std::size_t half_word64 = monitor_.pool_bytes() / 16;
     monitor_.upload(other, maps_.steps[next].map.table, static_cast<std::size_t>(other) * half_word64);
     loaded_[other] = next;
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "horopter/compete_register.hpp"
 #include "horopter/crc32.hpp"
 #include "horopter/error.hpp"
 #include "horopter/registers.hpp"
@@ -16,13 +17,6 @@ namespace {
 namespace reg = registers;
 
 constexpr int kNoTable = 15;
-constexpr hls::CompeteSettings kCompetition;
-static_assert(reg::compete::kReset ==
-                  (reg::compete::kBias.put(kCompetition.bias) | reg::compete::kSmooth.put(kCompetition.smooth) |
-                   reg::compete::kSimilar.put(kCompetition.similar) | reg::compete::kQuorum.put(kCompetition.quorum) |
-                   reg::compete::kClearQuorum.put(kCompetition.clear_quorum) |
-                   reg::compete::kBoundary.put(kCompetition.boundary)),
-              "registers.yaml has other defaults");
 constexpr std::uint32_t kTableHeader = 0x484D0100;
 
 const reg::Register* find_register(std::uint32_t address) {
@@ -217,9 +211,7 @@ void NativeDevice::write(std::uint32_t address, std::uint32_t value) {
       return;
     case reg::compete::kAddress:
       if (!profile_.has_compete()) return;
-      stored(address) =
-          value & (reg::compete::kBias.mask() | reg::compete::kSmooth.mask() | reg::compete::kSimilar.mask() |
-                   reg::compete::kQuorum.mask() | reg::compete::kClearQuorum.mask() | reg::compete::kBoundary.mask());
+      stored(address) = compete_word(compete_settings(value));
       return;
     default:
       stored(address) = value;
@@ -316,14 +308,8 @@ native::Settings NativeDevice::settings() const {
   s.bright_limit = value(reg::white_limit::kAddress);
   s.contrast_limit = value(reg::constant_limit::kAddress);
   s.frozen_limit = value(reg::frozen_limit::kAddress);
-  const std::uint32_t compete = registers_[reg::compete::kAddress / 4];
   s.compete = reg::decision::kCompete.get(registers_[reg::decision::kAddress / 4]) != 0;
-  s.competition.bias = static_cast<int>(reg::compete::kBias.get(compete));
-  s.competition.smooth = static_cast<int>(reg::compete::kSmooth.get(compete));
-  s.competition.similar = static_cast<int>(reg::compete::kSimilar.get(compete));
-  s.competition.quorum = static_cast<int>(reg::compete::kQuorum.get(compete));
-  s.competition.clear_quorum = static_cast<int>(reg::compete::kClearQuorum.get(compete));
-  s.competition.boundary = static_cast<int>(reg::compete::kBoundary.get(compete));
+  s.competition = compete_settings(registers_[reg::compete::kAddress / 4]);
   return s;
 }
 

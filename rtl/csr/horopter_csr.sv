@@ -248,10 +248,10 @@ module horopter_csr #(
   // FROZEN_LIMIT: Frozen image: the same frame again this many times is a fault.
   logic [ 7:0] frozen_limit_frames_q;
   assign frozen_limit_frames_o = frozen_limit_frames_q;
-  // DECISION: The rule; fixed where the profile has one only: read it back.
+  // DECISION: The rule; fixed where only one is built: a write changes nothing, read it back.
   logic        decision_compete_q;
   assign decision_compete_o = decision_compete_q;
-  // COMPETE: Settings of the rule `compete`; 0 where the profile does not have it.
+  // COMPETE: Settings of the rule `compete`; 0 where it is not built.
   logic [ 3:0] compete_bias_q;
   assign compete_bias_o = compete_bias_q;
   logic [ 2:0] compete_smooth_q;

@@ -125,6 +125,9 @@ module horopter_top #(
   if (MAX_LOOKAHEAD == 0 || MAX_LOOKAHEAD > STORE_ROWS / 2) begin : g_illegal_lookahead
     $fatal(1, "horopter_top: MAX_LOOKAHEAD must be 1 to half of STORE_ROWS");
   end
+  if (POOL_BYTES > horopter_profile_pkg::POOL_BYTES) begin : g_illegal_pool
+    $fatal(1, "horopter_top: POOL_BYTES must be at most the profile's");
+  end
   if (horopter_profile_pkg::HYPOTHESES != 1) begin : g_illegal_hypotheses
     $fatal(1, "horopter_top: connects stages with one hypothesis");
   end
@@ -240,11 +243,11 @@ module horopter_top #(
       .build_window_hypotheses_i(4'(horopter_profile_pkg::HYPOTHESES)),
       .build_window_thesis_i(THESIS),
       .build_window_compete_i(COMPETE),
-      .build_compete_planes_i(8'(horopter_profile_pkg::PLANES)),
-      .build_compete_sum_rows_i(4'(horopter_profile_pkg::SUM_ROWS)),
-      .build_compete_sum_columns_i(4'(horopter_profile_pkg::SUM_COLUMNS)),
-      .build_compete_ballot_reach_i(4'(horopter_profile_pkg::BALLOT_REACH)),
-      .build_compete_paths_i(1'(horopter_profile_pkg::PATHS)),
+      .build_compete_planes_i(COMPETE ? 8'(horopter_profile_pkg::PLANES) : 8'd0),
+      .build_compete_sum_rows_i(COMPETE ? 4'(horopter_profile_pkg::SUM_ROWS) : 4'd0),
+      .build_compete_sum_columns_i(COMPETE ? 4'(horopter_profile_pkg::SUM_COLUMNS) : 4'd0),
+      .build_compete_ballot_reach_i(COMPETE ? 4'(horopter_profile_pkg::BALLOT_REACH) : 4'd0),
+      .build_compete_paths_i(COMPETE && 1'(horopter_profile_pkg::PATHS)),
       .build_clock_khz_i(32'(horopter_profile_pkg::CLOCK_KHZ)),
       .control_enable_o(enable),
       .mode_live_o(live),

@@ -10,7 +10,7 @@
 #include "horopter/tb/stage_bench.hpp"
 #include "horopter/verilated/stop.hpp"
 
-std::unique_ptr<horopter::tb::DutModel> make_tb_histogram(std::uint64_t seed);
+std::unique_ptr<horopter::tb::DutModel> make_tb_contents(std::uint64_t seed);
 
 namespace horopter::tb {
 namespace {
@@ -37,7 +37,7 @@ class Apart : public Stimulus {
 
 /// Beats one after another; the counts that come out.
 std::vector<std::uint64_t> emitted(const std::vector<std::uint64_t>& values) {
-  const auto model = make_tb_histogram(1);
+  const auto model = make_tb_contents(1);
   Dut& dut = model->dut("horopter_histogram");
   std::vector<std::uint64_t> counts;
   const auto edge = [&] {
@@ -59,7 +59,7 @@ std::vector<std::uint64_t> emitted(const std::vector<std::uint64_t>& values) {
 }
 
 TEST_CASE("a memory whose DISTANCE the data keep is exact") {
-  const auto model = make_tb_histogram(1);
+  const auto model = make_tb_contents(1);
   Rng rng{"histogram"};
   Apart stimulus{Rng{rng.next()}};
   const BenchReport report =

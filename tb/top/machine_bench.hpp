@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "horopter/compete_register.hpp"
 #include "horopter/crc32.hpp"
 #include "horopter/registers.hpp"
 #include "horopter/tb/axil.hpp"
@@ -173,14 +174,7 @@ class Machine : public Endpoint {
     put(reg::white_limit::kAddress, settings_.bright_limit);
     put(reg::frozen_limit::kAddress, settings_.frozen_limit);
     put(reg::decision::kAddress, settings_.compete ? 1 : 0);
-    const hls::CompeteSettings& c = settings_.competition;
-    put(reg::compete::kAddress,
-        static_cast<int>(reg::compete::kBias.put(static_cast<std::uint32_t>(c.bias)) |
-                         reg::compete::kSmooth.put(static_cast<std::uint32_t>(c.smooth)) |
-                         reg::compete::kSimilar.put(static_cast<std::uint32_t>(c.similar)) |
-                         reg::compete::kQuorum.put(static_cast<std::uint32_t>(c.quorum)) |
-                         reg::compete::kClearQuorum.put(static_cast<std::uint32_t>(c.clear_quorum)) |
-                         reg::compete::kBoundary.put(static_cast<std::uint32_t>(c.boundary))));
+    write(reg::compete::kAddress, compete_word(settings_.competition));
   }
 
   void write(std::uint32_t address, std::uint32_t value) {

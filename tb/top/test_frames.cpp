@@ -4,6 +4,8 @@
 #include <Vhoropter_machine_field.h>
 #include <Vhoropter_machine_hd.h>
 #include <Vhoropter_machine_vga.h>
+#include <Vmachine_vga_compete.h>
+#include <Vmachine_vga_thesis.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -133,6 +135,59 @@ TEST_CASE("a profile with one rule keeps it", "[top][compete]") {
   CHECK(machine.read(reg::decision::kAddress) == 0);
   CHECK(machine.read(reg::compete::kAddress) == 0);
   CHECK(reg::build_window::kCompete.get(machine.read(reg::build_window::kAddress)) == 0);
+}
+
+/// A build of vga with one of its rules decides by that one, whichever is asked for.
+template <class Model>
+void built_with(bool compete, unsigned width, unsigned height) {
+  CAPTURE(compete, width);
+  Rng rng{"one rule"};
+  Machine<Model> machine{"vga", {width, height, 24, false, 0, 20, 20}};
+  const auto window = machine.read(reg::build_window::kAddress);
+  CHECK(reg::build_window::kCompete.get(window) == (compete ? 1 : 0));
+  CHECK(reg::build_window::kThesis.get(window) == (compete ? 0 : 1));
+  CHECK((machine.read(reg::build_compete::kAddress) != 0) == compete);
+  const auto table = plane_table(width, height, -6, 0.3);
+  machine.upload(0, 0, table);
+  machine.select(0);
+  for (unsigned frame = 0; frame < 4; ++frame) {
+    CAPTURE(frame);
+    auto& settings = machine.settings();
+    settings.compete = frame % 2 == 0;
+    settings.competition.bias = static_cast<int>(rng.below(4));
+    settings.competition.boundary = static_cast<int>(rng.below(16));
+    settings.sum_limit = static_cast<int>(200 + rng.below(200));
+    settings.alarm_limit = static_cast<int>(frame < 2 ? width * height / 20 : width * height);
+    machine.write_limits();
+    CHECK(machine.read(reg::decision::kAddress) == (compete ? 1 : 0));
+    CHECK((machine.read(reg::compete::kAddress) != 0) == compete);
+    settings.compete = compete;
+    const FramePair pair = random_pair(width, height, -6, rng);
+    machine.send(pair);
+    const Published published = machine.receive();
+    machine.check(published, pair, table);
+    if (width * height > 5'000) CHECK(published.alarm() == (frame < 2));
+  }
+  CHECK_FALSE(machine.pins_ever_equal());
+}
+
+TEST_CASE("a build with one rule of two is bit-exact, and keeps it", "[top][compete]") {
+  built_with<Vmachine_vga_thesis>(false, 160, 96);
+  built_with<Vmachine_vga_compete>(true, 160, 96);
+  built_with<Vmachine_vga_thesis>(false, 33, 16);
+  built_with<Vmachine_vga_compete>(true, 33, 16);
+}
+
+TEST_CASE("a build with a smaller pool refuses what does not fit it", "[top]") {
+  Machine<Vmachine_vga_compete> machine{"vga", {128, 64, 16}};
+  CHECK(reg::build_store::kPoolKib.get(machine.read(reg::build_store::kAddress)) == 4);
+  const auto table = plane_table(128, 64, -4, 0, 3);
+  const unsigned last = 4096 / 8 - static_cast<unsigned>(table.size() - 4) / 2;
+  machine.upload(0, last, table);
+  CHECK(machine.upload_error() == 0);
+  machine.upload(1, last + 1, table);
+  CHECK(machine.upload_error() == 3);
+  CHECK(machine.read(reg::map_valid::kAddress) == 1);
 }
 
 TEST_CASE("hd: a whole frame is bit-exact", "[top]") {

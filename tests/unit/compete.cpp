@@ -69,15 +69,7 @@ class BeatByBeat {
     size.compete = true;
     size.width = left.width;
     size.height = left.height;
-    Contest<plain>::Config contest_config;
-    contest_config.bias = competition.bias;
-    contest_config.boundary = competition.boundary;
-    VoteSpread::Config spread_config;
-    spread_config.smooth = competition.smooth;
-    Ballot<plain>::Config ballot_config;
-    ballot_config.similar = competition.similar;
-    ballot_config.quorum = competition.quorum;
-    ballot_config.clear_quorum = competition.clear_quorum;
+    const CompeteConfig<plain> config(competition);
     std::vector<std::uint8_t> states;
     for (int y = 0; y < left.height + plain.flush_rows(true); ++y) {
       for (int x = 0; x < left.width; ++x) {
@@ -91,9 +83,9 @@ class BeatByBeat {
         }
         pair.marks = {x == 0 && y == 0, x + 1 == left.width};
         const auto contrast = contrast_.step(sobel_.step(lowpass_.step(pair)));
-        const auto vote = contest_.step(paths_.step(sums_.step(contrast)), contest_config);
-        const auto spread = spread_.step({vote.vote, vote.firm, vote.grey, vote.exists, vote.marks}, spread_config);
-        const auto ballot = ballot_.step(spread, ballot_config);
+        const auto vote = contest_.step(paths_.step(sums_.step(contrast)), config.contest);
+        const auto spread = spread_.step({vote.vote, vote.firm, vote.grey, vote.exists, vote.marks}, config.spread);
+        const auto ballot = ballot_.step(spread, config.ballot);
         const auto out = consensus_.step({ballot.skin, ballot.clear, ballot.exists, ballot.marks});
         const auto pixel = align_.step({out.state, out.marks}, size);
         if (pixel.valid && !pixel.idle) states.push_back(pixel.state.value());

@@ -11,6 +11,7 @@
 #include "horopter/error.hpp"
 #include "horopter/map_compiler.hpp"
 #include "horopter/monitor.hpp"
+#include "horopter/moving_skin.hpp"
 #include "horopter/native_device.hpp"
 #include "horopter/registers.hpp"
 #include "horopter/report.hpp"
@@ -306,35 +307,140 @@ TEST_CASE("The driver refuses machines of another kind") {
 
 namespace {
 
-/// Passes everything on, with one thing broken.
-class Broken : public Device {
+/// Passes everything on.
+class Passing : public Device {
+ public:
+  explicit Passing(std::string_view profile) : device_(make_native_device(find_profile(profile))) {}
+  std::uint32_t read(std::uint32_t address) override { return device_->read(address); }
+  void write(std::uint32_t address, std::uint32_t value) override { device_->write(address, value); }
+  void send(const Image& left, const Image& right) override { device_->send(left, right); }
+  FrameStreams receive() override { return device_->receive(); }
+  std::string_view engine() const override { return "passing"; }
+  bool counts_cycles() const override { return false; }
+
+ private:
+  std::unique_ptr<Device> device_;
+};
+
+/// With one thing broken.
+class Broken : public Passing {
  public:
   enum class How { count, state, run, sequence, silent };
-  explicit Broken(How how) : how_(how), device_(make_native_device(find_profile("vga"))) {}
+  explicit Broken(How how) : Passing("vga"), how_(how) {}
   std::uint32_t read(std::uint32_t address) override {
-    const auto value = device_->read(address);
+    const auto value = Passing::read(address);
     if (how_ == How::count && address == reg::frame_skin::kAddress) return value + 1;
     if (how_ == How::sequence && address == reg::frame_sequence::kAddress && value != 0) return value + 1;
     if (how_ == How::silent && address == reg::frame_sequence::kAddress) return 0;
     return value;
   }
-  void write(std::uint32_t address, std::uint32_t value) override { device_->write(address, value); }
-  void send(const Image& left, const Image& right) override { device_->send(left, right); }
   FrameStreams receive() override {
-    auto streams = device_->receive();
+    auto streams = Passing::receive();
     if (how_ == How::state) streams.states.at(40, 30) ^= 1U;
     if (how_ == How::run) streams.runs.pop_back();
     return streams;
   }
-  std::string_view engine() const override { return "broken"; }
-  bool counts_cycles() const override { return false; }
 
  private:
   How how_;
-  std::unique_ptr<Device> device_;
 };
 
+/// Says to be built otherwise.
+class Built : public Passing {
+ public:
+  struct Change {
+    std::uint32_t address;
+    reg::Field field;
+    std::uint32_t value;
+  };
+  explicit Built(std::vector<Change> changes, std::string_view profile = "vga")
+      : Passing(profile), changes_(std::move(changes)) {}
+  std::uint32_t read(std::uint32_t address) override {
+    auto word = Passing::read(address);
+    for (const Change& c : changes_) {
+      if (c.address == address) word = (word & ~c.field.mask()) | c.field.put(c.value);
+    }
+    return word;
+  }
+
+ private:
+  std::vector<Change> changes_;
+};
+
+const Built::Change kNoThesis{reg::build_window::kAddress, reg::build_window::kThesis, 0};
+const std::vector<Built::Change> kNoCompete{{reg::build_window::kAddress, reg::build_window::kCompete, 0},
+                                            {reg::build_compete::kAddress, {0, 32}, 0}};
+Built::Change pool_kib(std::uint32_t kib) { return {reg::build_store::kAddress, reg::build_store::kPoolKib, kib}; }
+
+Monitor monitor_of(std::vector<Built::Change> changes, Decision decision = Decision::thesis) {
+  Settings settings;
+  settings.decision = decision;
+  return {std::make_unique<Built>(std::move(changes)), find_profile("vga"), settings};
+}
+
 }  // namespace
+
+TEST_CASE("A build with one of the profile's rules is taken, and asked for the other it is refused") {
+  CHECK_NOTHROW(monitor_of({kNoThesis}, Decision::compete));
+  CHECK_THROWS_WITH(monitor_of({kNoThesis}), Catch::Contains("without the decision 'thesis'; choose 'compete'"));
+  CHECK_NOTHROW(monitor_of(kNoCompete));
+  CHECK_THROWS_WITH(monitor_of(kNoCompete, Decision::compete),
+                    Catch::Contains("without the decision 'compete'; choose 'thesis'"));
+  // Neither rule.
+  auto none = kNoCompete;
+  none.push_back(kNoThesis);
+  CHECK_THROWS_AS(monitor_of(none), UsageError);
+  CHECK_THROWS_AS(monitor_of(none, Decision::compete), UsageError);
+}
+
+TEST_CASE("A build with a smaller pool takes the tables that fit it") {
+  Monitor monitor = monitor_of({pool_kib(1)});
+  const MachineProfile& profile = find_profile("vga");
+  monitor.start(kWidth, kHeight, 8);
+  MapTable table(ScanGeometry{kWidth, kHeight, Scan::progressive}, 3, 3);  // 13 columns, 10 rows
+  table.seal();
+  REQUIRE(table.pool_bytes() == 520);
+  monitor.upload(0, table);
+  CHECK_THROWS_WITH(monitor.upload(1, table), Catch::Contains("does not fit the pool of 1024 bytes"));
+  CHECK_NOTHROW(monitor.upload(1, shift_table(profile, kWidth, kHeight, -6, 2)));
+
+  // A skin that moves needs room for two.
+  MovingMaps maps;
+  maps.steps = {{0.5, {table, {}}}};
+  maps.lookahead = 8;
+  const auto moving = [&](std::uint32_t kib) {
+    MovingSupervisor(std::make_unique<Built>(std::vector{pool_kib(kib)}), profile, maps);
+  };
+  CHECK_THROWS_WITH(moving(1), Catch::Contains("at 0.500 s, of 520 bytes, is more than half"));
+  CHECK_NOTHROW(moving(2));
+}
+
+TEST_CASE("A build with anything more or other than the profile is refused") {
+  const auto change =
+      GENERATE(values<Built::Change>({pool_kib(81),
+                                      {reg::build_size::kAddress, reg::build_size::kWidth, 639},
+                                      {reg::build_size::kAddress, reg::build_size::kHeight, 479},
+                                      {reg::build_store::kAddress, reg::build_store::kRows, 64},
+                                      {reg::build_window::kAddress, reg::build_window::kDsad, 7},
+                                      {reg::build_window::kAddress, reg::build_window::kMajority, 5},
+                                      {reg::build_window::kAddress, reg::build_window::kSubsample, 2},
+                                      {reg::build_window::kAddress, reg::build_window::kWeightBits, 4},
+                                      {reg::build_window::kAddress, reg::build_window::kHypotheses, 0},
+                                      {reg::build_window::kAddress, reg::build_window::kCompete, 0},  // but its planes
+                                      {reg::build_compete::kAddress, reg::build_compete::kPlanes, 15},
+                                      {reg::build_compete::kAddress, reg::build_compete::kSumRows, 5},
+                                      {reg::build_compete::kAddress, reg::build_compete::kSumColumns, 7},
+                                      {reg::build_compete::kAddress, reg::build_compete::kBallotReach, 5},
+                                      {reg::build_compete::kAddress, reg::build_compete::kPaths, 0},
+                                      {reg::id::kAddress, {0, 32}, 0},
+                                      {reg::version::kAddress, reg::version::kMajor, 2}}));
+  CAPTURE(change.address, change.field.lsb);
+  const auto decision = GENERATE(Decision::thesis, Decision::compete);
+  CHECK_THROWS_AS(monitor_of({change}, decision), DeviceError);
+  // A rule that the profile does not have.
+  const Built::Change more{reg::build_window::kAddress, reg::build_window::kCompete, 1};
+  CHECK_THROWS_AS(Monitor(std::make_unique<Built>(std::vector{more}, "field"), find_profile("field")), DeviceError);
+}
 
 TEST_CASE("A machine that contradicts itself is found out") {
   const auto how =

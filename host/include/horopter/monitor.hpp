@@ -24,7 +24,7 @@ enum class Decision { thesis, compete };
 std::string_view name_of(Decision decision);
 
 struct Settings {
-  Decision decision = Decision::thesis;  ///< the profile must have it
+  Decision decision = Decision::thesis;  ///< the profile and the machine must have it
   CompeteSettings competition;
   // Of `thesis`:
   double threshold_percent = 25;     ///< of the largest DSAD sum, 15·k²; at most this is in the skin
@@ -66,8 +66,9 @@ std::vector<std::string> fault_names(std::uint32_t faults);
 
 class Monitor {
  public:
-  /// Checks that the device is a Horopter of this profile and version. Throws DeviceError; UsageError where the profile
-  /// does not have the rule of the settings.
+  /// Checks that the device is a Horopter of this profile and version; its build may have one of the profile's two
+  /// rules and a smaller pool. Throws DeviceError; UsageError where the profile or the build does not have the
+  /// settings' rule.
   Monitor(std::unique_ptr<Device> device, const MachineProfile& profile, const Settings& settings = {});
   ~Monitor();
 
@@ -91,6 +92,8 @@ class Monitor {
 
   Device& device() { return *device_; }
   const MachineProfile& profile() const { return profile_; }
+  /// Of the device's mapping tables.
+  std::size_t pool_bytes() const { return pool_bytes_; }
 
  private:
   void write_limits();
@@ -105,6 +108,7 @@ class Monitor {
   std::unique_ptr<Device> device_;
   const MachineProfile& profile_;
   Settings settings_;
+  std::size_t pool_bytes_ = 0;
   int width_ = 0;
   int height_ = 0;
   std::vector<Slot> slots_;

@@ -57,7 +57,7 @@ inline constexpr Field kWidth{0, 16};
 inline constexpr Field kHeight{16, 16};
 }  // namespace build_size
 
-/// Stores, fixed by the profile.
+/// Stores, fixed by the build: the profile's, or a smaller pool.
 namespace build_store {
 inline constexpr std::uint32_t kAddress = 0x00C;
 inline constexpr Access kAccess = Access::kReadOnly;
@@ -67,7 +67,7 @@ inline constexpr Field kRows{0, 16};
 inline constexpr Field kPoolKib{16, 16};
 }  // namespace build_store
 
-/// Windows and arithmetic, fixed by the profile.
+/// Windows and arithmetic, fixed by the profile, and the rules that are built.
 namespace build_window {
 inline constexpr std::uint32_t kAddress = 0x010;
 inline constexpr Access kAccess = Access::kReadOnly;
@@ -95,7 +95,7 @@ inline constexpr Access kAccess = Access::kReadOnly;
 inline constexpr Field kKhz{0, 32};
 }  // namespace build_clock
 
-/// The rule `compete`, fixed by the profile; 0 without it.
+/// The rule `compete`, fixed by the profile; 0 where it is not built.
 namespace build_compete {
 inline constexpr std::uint32_t kAddress = 0x018;
 inline constexpr Access kAccess = Access::kReadOnly;
@@ -316,7 +316,7 @@ inline constexpr std::uint32_t kReset = 0x1;
 inline constexpr Field kFrames{0, 8};
 }  // namespace frozen_limit
 
-/// The rule; fixed where the profile has one only: read it back.
+/// The rule; fixed where only one is built: a write changes nothing, read it back.
 namespace decision {
 inline constexpr std::uint32_t kAddress = 0x0B8;
 inline constexpr Access kAccess = Access::kReadWrite;
@@ -324,7 +324,7 @@ inline constexpr Access kAccess = Access::kReadWrite;
 inline constexpr Field kCompete{0, 1};
 }  // namespace decision
 
-/// Settings of the rule `compete`; 0 where the profile does not have it.
+/// Settings of the rule `compete`; 0 where it is not built.
 namespace compete {
 inline constexpr std::uint32_t kAddress = 0x0BC;
 inline constexpr Access kAccess = Access::kReadWrite;

@@ -218,6 +218,8 @@ module horopter_stages #(
       .marks_last_o(direction_marks_last_o)
     );
   end else begin : g_no_direction
+    logic unused;
+    assign unused = ^{sobel_valid_o, sobel_gx_0_o, sobel_gx_1_o, sobel_gy_0_o, sobel_gy_1_o, sobel_saturated_o, sobel_mask_o, sobel_marks_first_o, sobel_marks_last_o};
     assign direction_valid_o = '0;
     assign direction_direction_0_o = '0;
     assign direction_direction_1_o = '0;
@@ -259,6 +261,8 @@ module horopter_stages #(
       .marks_last_o(difference_marks_last_o)
     );
   end else begin : g_no_difference
+    logic unused;
+    assign unused = ^{direction_valid_o, direction_direction_0_o, direction_direction_1_o, direction_magnitude_0_o, direction_magnitude_1_o, direction_saturated_o, direction_mask_o, direction_marks_first_o, direction_marks_last_o};
     assign difference_valid_o = '0;
     assign difference_difference_0_o = '0;
     assign difference_difference_1_o = '0;
@@ -297,6 +301,8 @@ module horopter_stages #(
       .marks_last_o(texture_marks_last_o)
     );
   end else begin : g_no_texture
+    logic unused;
+    assign unused = ^{difference_valid_o, difference_difference_0_o, difference_difference_1_o, difference_magnitude_o, difference_mask_o, difference_marks_first_o, difference_marks_last_o, cfg_texture_limit_i};
     assign texture_valid_o = '0;
     assign texture_difference_0_o = '0;
     assign texture_difference_1_o = '0;
@@ -334,6 +340,8 @@ module horopter_stages #(
       .marks_last_o(dsad_marks_last_o)
     );
   end else begin : g_no_dsad
+    logic unused;
+    assign unused = ^{texture_valid_o, texture_difference_0_o, texture_difference_1_o, texture_textured_o, texture_mask_o, texture_marks_first_o, texture_marks_last_o};
     assign dsad_valid_o = '0;
     assign dsad_sum_0_o = '0;
     assign dsad_sum_1_o = '0;
@@ -371,6 +379,8 @@ module horopter_stages #(
       .marks_last_o(threshold_marks_last_o)
     );
   end else begin : g_no_threshold
+    logic unused;
+    assign unused = ^{dsad_valid_o, dsad_sum_0_o, dsad_sum_1_o, dsad_textured_o, dsad_mask_o, dsad_marks_first_o, dsad_marks_last_o, cfg_sum_limit_i, cfg_self_limit_i};
     assign threshold_valid_o = '0;
     assign threshold_skin_o = '0;
     assign threshold_decidable_o = '0;
@@ -400,6 +410,8 @@ module horopter_stages #(
       .marks_last_o(majority_marks_last_o)
     );
   end else begin : g_no_majority
+    logic unused;
+    assign unused = ^{threshold_valid_o, threshold_skin_o, threshold_decidable_o, threshold_mask_o, threshold_marks_first_o, threshold_marks_last_o};
     assign majority_valid_o = '0;
     assign majority_state_o = '0;
     assign majority_marks_first_o = '0;
@@ -440,6 +452,8 @@ module horopter_stages #(
       .marks_last_o(contrast_marks_last_o)
     );
   end else begin : g_no_contrast
+    logic unused;
+    assign unused = ^{sobel_valid_o, sobel_gx_0_o, sobel_gx_1_o, sobel_gy_0_o, sobel_gy_1_o, sobel_saturated_o, sobel_mask_o, sobel_marks_first_o, sobel_marks_last_o, sobel_smooth_grey_o, sobel_smooth_exists_o};
     assign contrast_valid_o = '0;
     assign contrast_left_o = '0;
     assign contrast_right_o = '0;
@@ -517,6 +531,8 @@ module horopter_stages #(
       .marks_last_o(plane_sums_marks_last_o)
     );
   end else begin : g_no_plane_sums
+    logic unused;
+    assign unused = ^{contrast_valid_o, contrast_left_o, contrast_right_o, contrast_mask_o, contrast_grey_o, contrast_exists_o, contrast_marks_first_o, contrast_marks_last_o};
     assign plane_sums_valid_o = '0;
     assign plane_sums_sum_0_o = '0;
     assign plane_sums_sum_1_o = '0;
@@ -632,6 +648,8 @@ module horopter_stages #(
       .marks_last_o(plane_paths_marks_last_o)
     );
   end else begin : g_no_plane_paths
+    logic unused;
+    assign unused = ^{plane_sums_valid_o, plane_sums_sum_0_o, plane_sums_sum_1_o, plane_sums_sum_2_o, plane_sums_sum_3_o, plane_sums_sum_4_o, plane_sums_sum_5_o, plane_sums_sum_6_o, plane_sums_sum_7_o, plane_sums_sum_8_o, plane_sums_sum_9_o, plane_sums_sum_10_o, plane_sums_sum_11_o, plane_sums_sum_12_o, plane_sums_sum_13_o, plane_sums_sum_14_o, plane_sums_sum_15_o, plane_sums_sum_16_o, plane_sums_sum_17_o, plane_sums_sum_18_o, plane_sums_evidence_o, plane_sums_grey_o, plane_sums_known_o, plane_sums_exists_o, plane_sums_marks_first_o, plane_sums_marks_last_o};
     assign plane_paths_valid_o = '0;
     assign plane_paths_cost_0_o = '0;
     assign plane_paths_cost_1_o = '0;
@@ -711,6 +729,8 @@ module horopter_stages #(
       .marks_last_o(contest_marks_last_o)
     );
   end else begin : g_no_contest
+    logic unused;
+    assign unused = ^{plane_paths_valid_o, plane_paths_cost_0_o, plane_paths_cost_1_o, plane_paths_cost_2_o, plane_paths_cost_3_o, plane_paths_cost_4_o, plane_paths_cost_5_o, plane_paths_cost_6_o, plane_paths_cost_7_o, plane_paths_cost_8_o, plane_paths_cost_9_o, plane_paths_cost_10_o, plane_paths_cost_11_o, plane_paths_cost_12_o, plane_paths_cost_13_o, plane_paths_cost_14_o, plane_paths_cost_15_o, plane_paths_cost_16_o, plane_paths_cost_17_o, plane_paths_cost_18_o, plane_paths_grey_o, plane_paths_known_o, plane_paths_evident_o, plane_paths_strong_v_o, plane_paths_exists_o, plane_paths_marks_first_o, plane_paths_marks_last_o, cfg_bias_i, cfg_boundary_i};
     assign contest_valid_o = '0;
     assign contest_vote_o = '0;
     assign contest_firm_o = '0;
@@ -749,6 +769,8 @@ module horopter_stages #(
       .marks_last_o(spread_marks_last_o)
     );
   end else begin : g_no_spread
+    logic unused;
+    assign unused = ^{contest_valid_o, contest_vote_o, contest_firm_o, contest_grey_o, contest_exists_o, contest_marks_first_o, contest_marks_last_o, cfg_smooth_i};
     assign spread_valid_o = '0;
     assign spread_vote_o = '0;
     assign spread_firm_o = '0;
@@ -787,6 +809,8 @@ module horopter_stages #(
       .marks_last_o(ballot_marks_last_o)
     );
   end else begin : g_no_ballot
+    logic unused;
+    assign unused = ^{spread_valid_o, spread_vote_o, spread_firm_o, spread_grey_o, spread_exists_o, spread_marks_first_o, spread_marks_last_o, cfg_similar_i, cfg_quorum_i, cfg_clear_quorum_i};
     assign ballot_valid_o = '0;
     assign ballot_skin_o = '0;
     assign ballot_clear_o = '0;
@@ -816,6 +840,8 @@ module horopter_stages #(
       .marks_last_o(consensus_marks_last_o)
     );
   end else begin : g_no_consensus
+    logic unused;
+    assign unused = ^{ballot_valid_o, ballot_skin_o, ballot_clear_o, ballot_exists_o, ballot_marks_first_o, ballot_marks_last_o};
     assign consensus_valid_o = '0;
     assign consensus_state_o = '0;
     assign consensus_marks_first_o = '0;
