@@ -85,6 +85,11 @@ void check_consistent(const FrameStreams& streams, const FrameResult& result, in
 
 std::string_view name_of(Decision decision) { return decision == Decision::compete ? "compete" : "thesis"; }
 
+void check_decision(const MachineProfile& profile, Decision decision) {
+  if (profile.has(decision == Decision::compete ? hls::Rule::compete : hls::Rule::thesis)) return;
+  throw UsageError(fmt::format("profile {} does not have the decision '{}'", profile.name, name_of(decision)));
+}
+
 std::vector<std::string> fault_names(std::uint32_t faults) {
   std::vector<std::string> names;
   for (std::size_t bit = 0; bit < 32; ++bit) {
@@ -129,11 +134,7 @@ Monitor::Monitor(std::unique_ptr<Device> device, const MachineProfile& profile, 
   must_be("columns of the sum", reg::build_compete::kSumColumns.get(competition), profile.sum_columns);
   must_be("reach of the ballot", reg::build_compete::kBallotReach.get(competition), profile.ballot_reach);
   must_be("paths", reg::build_compete::kPaths.get(competition), profile.paths ? 1 : 0);
-  const bool compete = settings.decision == Decision::compete;
-  if (!profile.has(compete ? hls::Rule::compete : hls::Rule::thesis)) {
-    throw UsageError(
-        fmt::format("profile {} does not have the decision '{}'", profile.name, name_of(settings.decision)));
-  }
+  check_decision(profile, settings.decision);
 }
 
 Monitor::~Monitor() {
