@@ -44,7 +44,8 @@ class CameraHealth {
   };
 
   Out step(const In& in, const Config& config) {
-    if (in.first) [[unlikely]] signature_ = u<32>(0);
+    if (in.first) [[unlikely]]
+      signature_ = u<32>(0);
     signature_ = shr<1>(signature_) ^ (signature_.bit(0) ? u<32>(0xEDB88320U) : u<32>(0)) ^ in.pixel;
     if (in.first || in.pixel < darkest_) darkest_ = in.pixel;
     if (in.first || in.pixel > brightest_) brightest_ = in.pixel;

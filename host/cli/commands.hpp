@@ -25,7 +25,7 @@ void add_plan_rig(CLI::App& plan, Outcome& outcome);
 void add_study(CLI::App& app, Outcome& outcome);
 
 /// --decision of the commands that run the machine.
-void add_decision(CLI::App& command, Decision& decision);
+CLI::Option* add_decision(CLI::App& command, Decision& decision);
 
 /// True once the user has asked to stop (SIGINT, SIGTERM).
 bool interrupted();

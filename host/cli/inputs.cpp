@@ -84,14 +84,15 @@ std::unique_ptr<RigSkin> load_rig_skin(const std::string& skin, const calib::Rig
 }
 
 MapSet load_or_compile_maps(const std::string& skin, const std::optional<calib::Rig>& rig,
-                            const MachineProfile& profile, int image_width, int image_height) {
+                            const MachineProfile& profile, int image_width, int image_height, Decision decision) {
+  const ViewLimits view = view_limits(profile, decision);
   if (!is_table(skin)) {
     const SkinFile file = load_skin_for(skin, rig, image_width, image_height);
     if (file.motion) {
       throw FileError(skin, "motion", "a skin that moves has a table for each frame",
                       "a skin without motion (horopter run takes both)");
     }
-    return compile_maps(file, profile, image_width, image_height);
+    return compile_maps(file, profile, image_width, image_height, view);
   }
   MapSet maps = load_maps(skin);
   if (maps.profile != profile.name) {
@@ -114,7 +115,23 @@ MapSet load_or_compile_maps(const std::string& skin, const std::optional<calib::
                       "that of --rig");
     }
   }
+  if (view.largest_shift_px != 0 && !maps.rig.empty()) {
+    if (const double share = share_beyond_rows(maps, profile, view); share > 0) {
+      throw FileError(skin, "",
+                      fmt::format("at {:.1f} % of the supervised pixels the epipolar line leaves the row, so that the "
+                                  "neighbours of the rule {} are no parallel skins",
+                                  100 * share, name_of(decision)),
+                      fmt::format("a table made with `horopter map --decision {}`", name_of(decision)));
+    }
+  }
   return maps;
+}
+
+void report_rows(Decision decision, bool has_rig, nlohmann::ordered_json& summary, bool json) {
+  if (decision != Decision::compete) return;
+  summary["rows_checked"] = has_rig;
+  if (has_rig || json) return;
+  fmt::print("no rig: compete supposes rectified images, and whether epipolar lines stay in their rows is not known\n");
 }
 
 }  // namespace horopter::cli

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
 #include "horopter/calib/rig.hpp"
 #include "horopter/map.hpp"
+#include "horopter/monitor.hpp"
 #include "horopter/profile.hpp"
 #include "horopter/rig_skin.hpp"
 #include "horopter/skin_file.hpp"
@@ -29,8 +31,14 @@ SkinFile load_skin_for(const std::string& skin, const std::optional<calib::Rig>&
                        int image_height);
 /// A skin.yaml whose surface lies in the rig's world. Throws FileError.
 std::unique_ptr<RigSkin> load_rig_skin(const std::string& skin, const calib::Rig& rig);
-/// Tables from a skin.yaml, or from an .hmap of the same profile, size and, where one is given, rig.
+/// Tables for a rule from a skin.yaml, or from an .hmap of the same profile, size and, where one is given, rig. Throws
+/// FileError, also for an .hmap with a pixel that the rule cannot serve. Without a rig of their own that is not known:
+/// see rows_checked.
 MapSet load_or_compile_maps(const std::string& skin, const std::optional<calib::Rig>& rig,
-                            const MachineProfile& profile, int image_width, int image_height);
+                            const MachineProfile& profile, int image_width, int image_height, Decision decision);
+
+/// Whether epipolar lines were followed, for programs (`rows_checked`) and, where they could not be, for people.
+/// Nothing for a rule that does not need it.
+void report_rows(Decision decision, bool has_rig, nlohmann::ordered_json& summary, bool json);
 
 }  // namespace horopter::cli

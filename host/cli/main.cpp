@@ -66,9 +66,9 @@ int run(int argc, char** argv) {
 
 }  // namespace
 
-void add_decision(CLI::App& command, Decision& decision) {
+CLI::Option* add_decision(CLI::App& command, Decision& decision) {
   const std::map<std::string, Decision> names{{"thesis", Decision::thesis}, {"compete", Decision::compete}};
-  command
+  return command
       .add_option("--decision", decision,
                   "thesis: one skin, one threshold; compete: parallel skins compete, pixels that look alike vote")
       ->transform(CLI::CheckedTransformer(names))

@@ -26,6 +26,7 @@ struct MapOptions {
   std::string output;
   std::string inspect;
   std::string draw;
+  Decision decision = Decision::thesis;
   bool json = false;
 };
 
@@ -140,12 +141,14 @@ ExitStatus map(const MapOptions& options) {
       height = rig->cameras.front().height_px;
       check_image_size(options.rig, width, height, profile);
     }
-    maps = load_or_compile_maps(options.skin, rig, profile, width, height);
+    maps = load_or_compile_maps(options.skin, rig, profile, width, height, options.decision);
     if (!options.output.empty()) save_maps(maps, options.output);
   }
   if (!options.draw.empty()) draw(maps, options.draw, options.json);
+  auto report = to_json(maps);
+  report_rows(options.decision, !maps.rig.empty(), report, options.json);
   if (options.json) {
-    std::puts(to_json(maps).dump(2).c_str());
+    std::puts(report.dump(2).c_str());
   } else {
     explain(maps);
   }
@@ -167,6 +170,7 @@ void add_map(CLI::App& app, Outcome& outcome) {
       ->type_name("WxH");
   command->add_option("-o,--output", options->output, "The table to write (.hmap)")->type_name("FILE");
   command->add_option("--inspect", options->inspect, "Explain this table instead of making one")->type_name("FILE");
+  add_decision(*command, options->decision)->excludes("--inspect");
   command
       ->add_option(
           "--draw", options->draw,
@@ -177,7 +181,13 @@ void add_map(CLI::App& app, Outcome& outcome) {
   command->footer(std::string("The grid is the coarsest whose expansion, in the hardware's own arithmetic, stays "
                               "within 1/16 px of the skin for\n"
                               "99 % of the pixels and within 1/4 px for all. A skin that needs more rows than the "
-                              "image store holds is refused.\n\n") +
+                              "image store holds is refused.\n"
+                              "For --decision compete, pixels whose epipolar line leaves the row by more than 1/2 px "
+                              "within the largest shift of its\n"
+                              "planes are not supervised, as with cameras that are not parallel, or images that are "
+                              "not rectified; where that is\n"
+                              "more than 90 % of those that see the skin, the cameras are refused. Without a rig it "
+                              "is not known.\n\n") +
                   skin_file_help() +
                   "\n"
                   "Example: horopter map --skin skin.yaml --profile vga -o skin.hmap --draw skin.png");

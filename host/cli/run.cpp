@@ -58,12 +58,14 @@ struct Session {
     settings = options.settings;
     thickness = set_thickness(options.thickness, options.skin, rig, *profile, width, height, settings);
     if (is_moving_skin(options.skin)) {
-      MovingMaps maps = compile_motion(load_skin_for(options.skin, rig, width, height), *profile, width, height);
+      MovingMaps maps = compile_motion(load_skin_for(options.skin, rig, width, height), *profile, width, height,
+                                       view_limits(*profile, settings.decision));
       moving = std::make_unique<MovingSupervisor>(make_device(options.engine, *profile), *profile, std::move(maps),
                                                   settings);
       return;
     }
-    const MapSet maps = load_or_compile_maps(options.skin, rig, *profile, width, height);
+    const MapSet maps = load_or_compile_maps(options.skin, rig, *profile, width, height, settings.decision);
+    has_rig = !maps.rig.empty();
     supervisor = std::make_unique<Supervisor>(make_device(options.engine, *profile), *profile, maps, settings);
   }
   std::vector<FrameResult> process(const Image& left, const Image& right) {
@@ -74,6 +76,7 @@ struct Session {
   const MachineProfile* profile = nullptr;
   Settings settings;
   std::optional<ChosenThickness> thickness;
+  bool has_rig = true;
   std::unique_ptr<Supervisor> supervisor;
   std::unique_ptr<MovingSupervisor> moving;  ///< instead, for a skin that moves
 };
@@ -109,6 +112,7 @@ ExitStatus run(const RunOptions& options) {
     summary.update(session.thickness->json());
     if (!options.json) fmt::print("{}\n", session.thickness->text(session.settings));
   }
+  report_rows(session.settings.decision, session.has_rig, summary, options.json);
   if (session.moving) {
     const MovingMaps& maps = session.moving->maps();
     summary["motion"] = {{"tables", maps.steps.size()}, {"inserted", maps.inserted}};

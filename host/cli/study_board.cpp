@@ -122,6 +122,26 @@ BoardPlane plane_of(const calib::Rig& rig, const Board& board, const calib::Targ
   return {CameraPair(rig.cameras[0], rig.cameras[1]), pose.translation_mm, normal};
 }
 
+/// Share of the board whose pixels a table for `compete` would supervise.
+double staying_in_rows(const CameraPair& cameras, const Board& board) {
+  const ViewLimits view = view_limits(find_profile(kProfile), Decision::compete);
+  Image states = board.left;
+  std::vector<Point> row(static_cast<std::size_t>(states.width));
+  for (int y = 0; y < states.height; ++y) {
+    for (std::size_t x = 0; x < row.size(); ++x) row[x] = {static_cast<double>(x), static_cast<double>(y)};
+    const Rays rays = cameras.rays(row, view);
+    for (std::size_t x = 0; x < row.size(); ++x) {
+      const bool stays = rays.row_error[x] <= kLargestRowError;
+      states.pixels[static_cast<std::size_t>(y) * row.size() + x] =
+          static_cast<std::uint8_t>(stays ? State::clear : State::unsupervised);
+    }
+  }
+  std::vector<cv::Point2d> corners;
+  for (const Vector2d& corner : board.corners[0]) corners.emplace_back(corner.x(), corner.y());
+  return count_board(corners, states).decidable_share();
+}
+
+/// Every pixel, whatever the rule: the images are not rectified, and that shows what the rule makes of it.
 CompiledMap table_of(const RigSkin& skin, const Board& board) {
   return compile_map(skin, find_profile(kProfile), {board.left.width, board.left.height, Scan::progressive});
 }
@@ -229,6 +249,16 @@ nlohmann::json study_board(OutputDirectory& directory, const StudyScope& scope) 
   if (const auto chosen = thickness_of(planes, boards[0], scope.thickness, profile, settings)) {
     result.update(chosen->json());
     result["findings"].push_back(chosen->text(settings));
+  }
+  if (settings.decision == Decision::compete) {
+    double staying = 0;
+    for (std::size_t i = 0; i < boards.size(); ++i) staying += staying_in_rows(planes[i].cameras, boards[i]);
+    staying /= static_cast<double>(boards.size());
+    result["staying_in_rows"] = staying;
+    result["findings"].push_back(
+        fmt::format("a table made with --decision compete would supervise {:.3f} of the board: elsewhere epipolar "
+                    "lines, bent by the lenses, leave the row by more than {} px; these tables supervise all of it",
+                    staying, kLargestRowError));
   }
   std::vector<std::unique_ptr<Monitor>> monitors;
   for (const std::string& engine : scope.engines) {

@@ -4,12 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "horopter/error.hpp"
+#include "stages/planes.hpp"
 
 namespace horopter {
 
@@ -68,6 +71,38 @@ void settle(const ScanGeometry& geometry, LookLattice& lattice) {
     look.source = geometry.from_frame(look.source);
     if (look.reason == Reason::none && !geometry.holds(look.source)) look.reason = Reason::outside;
   }
+}
+
+/// Reach of the planes that compete, px of the frame.
+int largest_shift_px(const MachineProfile& profile) {
+  constexpr auto kReaches = []<std::size_t... I>(std::index_sequence<I...>) {
+    return std::array{stages::planes_of<hls::named_profiles[I].profile.planes>.reach()...};
+  }(std::make_index_sequence<hls::named_profiles.size()>());
+  const auto built = std::ranges::find(hls::named_profiles, profile.planes,
+                                       [](const hls::NamedProfile& named) { return named.profile.planes; });
+  return profile.subsample * kReaches.at(static_cast<std::size_t>(built - hls::named_profiles.begin()));
+}
+
+std::string row_text(double share, const ViewLimits& view) {
+  return fmt::format(
+      "at {:.1f} % of the pixels that see it the epipolar line leaves the row by more than {} px within "
+      "the {} px by which neighbours that compete are shifted",
+      100 * share, kLargestRowError, view.largest_shift_px);
+}
+
+/// Throws RowError.
+void check_rows(const LookLattice& lattice, const ScanGeometry& geometry, const ViewLimits& view) {
+  std::int64_t leaving = 0;
+  std::int64_t staying = 0;
+  for (int y = 0; y < geometry.height; y += 1 << lattice.shape.y_log2) {
+    for (int x = 0; x < geometry.width; x += 1 << lattice.shape.x_log2) {
+      const Reason reason = lattice.at(x, y).reason;
+      leaving += reason == Reason::row ? 1 : 0;
+      staying += reason == Reason::none ? 1 : 0;
+    }
+  }
+  const double share = static_cast<double>(leaving) / static_cast<double>(std::max<std::int64_t>(1, leaving + staying));
+  if (share > RowError::kLargestShare) throw RowError(row_text(share, view));
 }
 
 /// Gives to the grid what lies so near the limits of angle and scale that the space between the samples may cross them:
@@ -519,6 +554,19 @@ CompiledMap choose(const MachineProfile& profile, const ScanGeometry& geometry, 
 
 }  // namespace
 
+ViewLimits view_limits(const MachineProfile& profile, Decision decision) {
+  check_decision(profile, decision);
+  ViewLimits limits;
+  if (decision == Decision::thesis) return limits;
+  limits.largest_shift_px = largest_shift_px(profile);
+  return limits;
+}
+
+std::string RowError::expected() {
+  return fmt::format("cameras side by side and parallel, their images rectified, or --decision {}",
+                     name_of(Decision::thesis));
+}
+
 CompiledMap compile_map(const Skin& skin, const MachineProfile& profile, const ScanGeometry& geometry,
                         const MapLimits& limits) {
   LookLattice lattice{shape_of(geometry, 0, 0, MapTable::kLargestSpacingLog2, MapTable::kLargestSpacingLog2), {}};
@@ -531,6 +579,7 @@ CompiledMap compile_map(const Skin& skin, const MachineProfile& profile, const S
               std::span(lattice.looks).subspan(first, row));
   }
   settle(geometry, lattice);
+  check_rows(lattice, geometry, limits.view);
   // The forecast only sorts out what is far off.
   return choose(
       profile, geometry, limits, Forecast(lattice, geometry),
@@ -540,12 +589,17 @@ CompiledMap compile_map(const Skin& skin, const MachineProfile& profile, const S
       4);
 }
 
-MapSet compile_maps(const SkinFile& skin, const MachineProfile& profile, int image_width, int image_height) {
+MapSet compile_maps(const SkinFile& skin, const MachineProfile& profile, int image_width, int image_height,
+                    const ViewLimits& view) {
   MapSet set{std::string(profile.name), image_width, image_height, skin.skin->description(), skin.rig, {}};
   RowReach reach;
+  MapLimits limits;
+  limits.view = view;
   for (const ScanGeometry& geometry : scans_of(profile, image_width, image_height)) {
     try {
-      set.maps.push_back(compile_map(*skin.skin, profile, geometry));
+      set.maps.push_back(compile_map(*skin.skin, profile, geometry, limits));
+    } catch (const RowError& error) {
+      throw FileError(skin.path, "surface", error.what(), RowError::expected());
     } catch (const std::runtime_error& error) {
       throw FileError(skin.path, "surface",
                       fmt::format("this skin does not fit profile {}: {}", profile.name, error.what()),
@@ -563,17 +617,41 @@ MapSet compile_maps(const SkinFile& skin, const MachineProfile& profile, int ima
   return set;
 }
 
+double share_beyond_rows(const MapSet& maps, const MachineProfile& profile, const ViewLimits& view) {
+  const calib::Rig rig = calib::rig_from_yaml(maps.rig, maps.skin);
+  const CameraPair cameras(rig.cameras.at(0), rig.cameras.at(1));
+  std::int64_t supervised = 0;
+  std::int64_t beyond = 0;
+  for (const CompiledMap& map : maps.maps) {
+    const ScanGeometry& geometry = map.table.geometry();
+    std::vector<Point> points;
+    for (int y = 0; y < geometry.height; ++y) {
+      for (int x = 0; x < geometry.width; ++x) {
+        if (!map.table.source(x, y, profile.weight_bits)) continue;
+        points.push_back(geometry.to_frame({static_cast<double>(x), static_cast<double>(y)}));
+      }
+    }
+    const Rays rays = cameras.rays(points, view);
+    const double largest = kLargestRowError * geometry.row_step();
+    supervised += std::ssize(points);
+    beyond += std::ranges::count_if(rays.row_error, [&](double error) { return !(error <= largest); });
+  }
+  return supervised == 0 ? 0 : static_cast<double>(beyond) / static_cast<double>(supervised);
+}
+
 MapCompiler::MapCompiler(CameraPair cameras, const MachineProfile& profile, const ScanGeometry& geometry,
                          const MapLimits& limits)
     : cameras_(std::move(cameras)), profile_(profile), geometry_(geometry), limits_(limits) {}
 
 void MapCompiler::look(const Surface& surface, const LatticeShape& shape, LookLattice& lattice) {
   auto rays = rays_.find(shape);
-  if (rays == rays_.end()) rays = rays_.emplace(shape, cameras_.rays(lattice_points(geometry_, shape))).first;
+  if (rays == rays_.end())
+    rays = rays_.emplace(shape, cameras_.rays(lattice_points(geometry_, shape), limits_.view)).first;
   lattice.shape = shape;
   lattice.looks.resize(rays->second.size());
   cameras_.look(surface, rays->second, geometry_.row_step(), limits_.view, lattice.looks);
   settle(geometry_, lattice);
+  check_rows(lattice, geometry_, limits_.view);
 }
 
 CompiledMap MapCompiler::compile(const Surface& surface) {

@@ -174,7 +174,9 @@ MapReport map_report_from_json(const nlohmann::json& json) {
   report.checked = json.at("checked");
   report.by_reason[0] = json.at("supervised");
   for (int i = 1; i < kReasonCount; ++i) {
-    report.by_reason[i] = json.at("unsupervised").at(std::string(reason_name(static_cast<Reason>(i))));
+    // Tables that were made before there was a reason do not have it.
+    report.by_reason[i] =
+        json.at("unsupervised").value(std::string(reason_name(static_cast<Reason>(i))), std::int64_t{0});
   }
   report.error_99_px = json.at("error_99_px");
   report.error_largest_px = json.at("error_largest_px");

@@ -79,10 +79,8 @@ std::size_t check_build(Device& device, const MachineProfile& profile, Decision 
           compete != 0 ? profile.ballot_reach : 0);
   must_be("paths", reg::build_compete::kPaths.get(competition), compete != 0 && profile.paths ? 1 : 0);
 
+  check_decision(profile, decision);
   const bool wants_compete = decision == Decision::compete;
-  if (!profile.has(wants_compete ? hls::Rule::compete : hls::Rule::thesis)) {
-    throw UsageError(fmt::format("profile {} does not have the decision '{}'", profile.name, name_of(decision)));
-  }
   if ((wants_compete ? compete : thesis) == 0) {
     const Decision other = wants_compete ? Decision::thesis : Decision::compete;
     throw UsageError(
@@ -130,6 +128,11 @@ void check_consistent(const FrameStreams& streams, const FrameResult& result, in
 }  // namespace
 
 std::string_view name_of(Decision decision) { return decision == Decision::compete ? "compete" : "thesis"; }
+
+void check_decision(const MachineProfile& profile, Decision decision) {
+  if (profile.has(decision == Decision::compete ? hls::Rule::compete : hls::Rule::thesis)) return;
+  throw UsageError(fmt::format("profile {} does not have the decision '{}'", profile.name, name_of(decision)));
+}
 
 std::vector<std::string> fault_names(std::uint32_t faults) {
   std::vector<std::string> names;

@@ -154,7 +154,8 @@ std::vector<double> plan_motion(const CameraPair& cameras, const MovingSurface& 
   return times_s;
 }
 
-MovingMaps compile_motion(const SkinFile& skin, const MachineProfile& profile, int image_width, int image_height) {
+MovingMaps compile_motion(const SkinFile& skin, const MachineProfile& profile, int image_width, int image_height,
+                          const ViewLimits& view) {
   const auto* rig_skin = dynamic_cast<const RigSkin*>(skin.skin.get());
   if (rig_skin == nullptr || !skin.motion) {
     throw FileError(skin.path, "motion", "this skin does not move", "a surface with `motion`");
@@ -179,6 +180,7 @@ MovingMaps compile_motion(const SkinFile& skin, const MachineProfile& profile, i
 
   MapLimits limits;
   limits.largest_bytes = static_cast<std::size_t>(profile.pool_bytes) / 2;
+  limits.view = view;
   const std::vector<ScanGeometry> scans = scans_of(profile, image_width, image_height);
   std::vector<MapCompiler> compilers;
   for (const ScanGeometry& scan : scans) compilers.emplace_back(cameras, profile, scan, limits);
@@ -186,6 +188,9 @@ MovingMaps compile_motion(const SkinFile& skin, const MachineProfile& profile, i
   for (std::size_t i = 0; i < times_s.size(); ++i) {
     try {
       maps.steps.push_back({times_s[i], compilers[i % scans.size()].compile(*skin.motion->at(times_s[i]))});
+    } catch (const RowError& error) {
+      throw FileError(skin.path, "motion", fmt::format("at {:.3f} s: {}", times_s[i], error.what()),
+                      RowError::expected());
     } catch (const std::exception& error) {
       throw bad(fmt::format("at {:.3f} s: {}", times_s[i], error.what()));
     }

@@ -95,7 +95,7 @@ ThicknessPlan plan_thickness(const CameraPair& cameras, const Surface& surface, 
     for (std::size_t x = 0; x < width; ++x) {
       points[x] = geometry.to_frame({static_cast<double>(x), static_cast<double>(y)});
     }
-    const Rays rays = cameras.rays(points);
+    const Rays rays = cameras.rays(points, limits);
     surface.intersect(left_mm, rays.directions, hits);
     cameras.look(surface, rays, geometry.row_step(), limits, looks);
     for (std::size_t x = 0; x < width; ++x) {

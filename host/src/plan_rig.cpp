@@ -105,7 +105,7 @@ CommonField common_field(const CameraPair& cameras, const Surface& surface, cons
     for (std::size_t i = 0; i < width; ++i) {
       points[i] = geometry.to_frame({static_cast<double>(i), static_cast<double>(row)});
     }
-    const Rays rays = cameras.rays(points);
+    const Rays rays = cameras.rays(points, limits);
     surface.intersect(left_mm, rays.directions, hits);
     cameras.look(surface, rays, geometry.row_step(), limits, looks);
     for (std::size_t i = 0; i < width; ++i) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
 #include "horopter/calib/vectorised.hpp"
 
@@ -84,6 +85,29 @@ struct Chunk {
 
 const Point kNowhere{std::nan(""), std::nan("")};
 
+/// How far the left epipolar line of a pixel is off its row where it is `shift` columns further; NaN where it does not
+/// get there. `sight` is the pixel's, z = 1, `baseline` the direction to the other camera: the line is what
+/// sight + s·baseline is seen at.
+double row_error_at(const calib::CameraModel& model, Point pixel, const Vector3d& sight, const Vector3d& baseline,
+                    double shift) {
+  constexpr int kMostSteps = 10;
+  constexpr double kClose_px = 1e-3;
+  double s = 0;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const Vector3d point = sight + s * baseline;
+    Matrix2d lens;
+    if (!(point.z() > 0)) break;
+    const Vector2d normalised = point.head<2>() / point.z();
+    const auto seen = model.distort(normalised, &lens);
+    if (!seen) break;
+    const double missing = pixel.x + shift - seen->x();
+    if (std::abs(missing) < kClose_px) return seen->y() - pixel.y;
+    const Vector2d along = lens * (baseline.head<2>() - normalised * baseline.z()) / point.z();
+    s += missing / along.x();
+  }
+  return std::nan("");
+}
+
 }  // namespace
 
 CameraPair::CameraPair(calib::Camera left, calib::Camera right)
@@ -93,8 +117,10 @@ CameraPair::CameraPair(calib::Camera left, calib::Camera right)
       right_centre_(right_.world_to_camera.centre()),
       between_(right_.world_to_camera * left_centre_) {}
 
-Rays CameraPair::rays(std::span<const Point> left) const {
+Rays CameraPair::rays(std::span<const Point> left, const ViewLimits& limits) const {
   Rays rays;
+  rays.largest_shift_px = limits.largest_shift_px;
+  const Vector3d baseline = (left_.world_to_camera.rotation * (right_centre_ - left_centre_)).normalized();
   rays.directions.reserve(left.size());
   for (auto& entry : rays.right_view) entry.reserve(left.size());
   rays.over_length.reserve(left.size());
@@ -110,6 +136,12 @@ Rays CameraPair::rays(std::span<const Point> left) const {
     }
     rays.directions.emplace_back(to_world * view.col(0));
     rays.over_length.push_back(1 / view.col(0).norm());
+    if (limits.largest_shift_px != 0) {
+      const double shift = limits.largest_shift_px;
+      const double ahead = row_error_at(left_.model, pixel, view.col(0), baseline, shift);
+      const double behind = row_error_at(left_.model, pixel, view.col(0), baseline, -shift);
+      rays.row_error.push_back(std::isnan(ahead) ? ahead : std::max(std::abs(behind), std::abs(ahead)));
+    }
     view = to_right * view;
     for (int i = 0; i < 9; ++i) rays.right_view[static_cast<std::size_t>(i)].push_back(view(i / 3, i % 3));
   }
@@ -118,12 +150,16 @@ Rays CameraPair::rays(std::span<const Point> left) const {
 
 void CameraPair::look(const Surface& surface, const Rays& rays, int row_step, const ViewLimits& limits,
                       std::span<Look> looks) const {
+  if (limits.largest_shift_px > rays.largest_shift_px) {
+    throw std::invalid_argument("lines of sight that were not followed as far as the neighbours are shifted");
+  }
   std::array<Hit, kChunk> hits;
   std::array<Hit, kChunk> right_hits;
   std::array<Vector3d, kChunk> sights;  // from the right camera to the point on the skin
   Chunk c;
   const double smallest_cosine = std::cos(limits.largest_angle_deg * std::numbers::pi / 180);
   const double largest_stretch_allowed = 1 / limits.smallest_scale;
+  const double largest_row_error = kLargestRowError * row_step;
   const bool search_hidden = !surface.simple();
   for (std::size_t first = 0; first < rays.size(); first += kChunk) {
     const std::size_t count = std::min(kChunk, rays.size() - first);
@@ -166,6 +202,12 @@ void CameraPair::look(const Surface& surface, const Rays& rays, int row_step, co
       } else {
         look.reason = Reason::none;
       }
+      if (limits.largest_shift_px == 0) continue;
+      const double row_error = rays.row_error[first + i];
+      const bool stays = row_error <= largest_row_error;
+      look.margin =
+          std::min(look.margin, std::isnan(row_error) ? -1.0F : static_cast<float>(1 - row_error / largest_row_error));
+      if (!stays && look.reason == Reason::none) look.reason = Reason::row;
     }
   }
 }
@@ -195,7 +237,7 @@ RigSkin::RigSkin(CameraPair cameras, SurfacePtr surface, std::string_view type)
 }
 
 void RigSkin::look(std::span<const Point> left, int row_step, const ViewLimits& limits, std::span<Look> looks) const {
-  cameras_.look(*surface_, cameras_.rays(left), row_step, limits, looks);
+  cameras_.look(*surface_, cameras_.rays(left, limits), row_step, limits, looks);
 }
 
 }  // namespace horopter

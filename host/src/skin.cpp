@@ -57,6 +57,7 @@ constexpr std::pair<std::string_view, std::string_view> kReasons[kReasonCount] =
     {"angle", "seen too far from the skin's normal"},
     {"no_source", "without a skin in their line of sight"},
     {"hidden", "hidden from the right camera by a part of the skin"},
+    {"row", "with an epipolar line that leaves the row"},
     {"grid", "lost to the grid"},
 };
 

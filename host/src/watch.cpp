@@ -32,6 +32,7 @@ constexpr std::array<SightWords, kSightCount> words{{
     {"outside_right", "the skin is outside the right image"},
     {"angle", "the skin is seen too far from its normal"},
     {"scale", "the skin is reduced to less than 1/2 in the right image"},
+    {"row", "the epipolar line of the skin's pixel leaves the row"},
     {"hidden", "the skin is hidden by another part of it"},
     {"obstacle", "the skin is hidden by an obstacle"},
     {"border", "the skin is at the border of what is watched, within the machine's windows"},
@@ -47,6 +48,8 @@ Sight sight_of(Reason reason) {
       return Sight::scale;
     case Reason::angle:
       return Sight::angle;
+    case Reason::row:
+      return Sight::row;
     case Reason::hidden:
       return Sight::hidden;
     case Reason::no_source:
@@ -201,7 +204,7 @@ Watch::Watch(CameraPair cameras, SurfacePtr skin, SurfacePtr obstacles, const Ma
     for (std::size_t x = 0; x < frame_width; ++x) {
       points[x] = geometry.to_frame({static_cast<double>(x), static_cast<double>(y)});
     }
-    const Rays rays = cameras_.rays(points);
+    const Rays rays = cameras_.rays(points, limits);
     cameras_.look(*skin_, rays, geometry.row_step(), limits, looks);
     if (obstacles_) skin_->intersect(left_mm, rays.directions, hits);
     for (std::size_t x = 0; x < static_cast<std::size_t>(width_) * subsample_; ++x) {

@@ -10,7 +10,7 @@
 // room). missing_start: after EXTRA_LINES lines without a start of frame, a frame without rows stands for the lost one.
 //
 // Stream: valid/ready with pixel, first (start of frame) and last (end of line); almost_full_i of the FIFO in front
-// tells in live mode that waiting is over. All outputs are registers but s_ready_o, near_o, far_o and deep_o. Reset: waits for a start of frame.
+// tells in live mode that waiting is over. All outputs are registers but s_ready_o. Reset: waits for a start of frame.
 module horopter_framer #(
     parameter int unsigned SLOTS = 64,  // rows of the ring
     parameter int unsigned EXTRA_LINES = 8,
@@ -128,7 +128,7 @@ module horopter_framer #(
   assign in_frame = state_q == LINE || state_q == SKIP;
   assign early = in_frame && s_valid_i && s_first_i && !fresh_q;
   assign overflow = state_q == LINE && blocked_q && live_i && almost_full_i;
-  assign take = state_q == LINE && s_valid_i && !early && !blocked_q;  // a row may end with the frame
+  assign take = state_q == LINE && s_valid_i && !blocked_q && (fresh_q || !s_first_i);  // a row may end with the frame
   assign at_end = row_end_q;
   assign complete = take && (s_last_i || at_end);
   assign last_row = last_row_q;
@@ -299,15 +299,17 @@ module horopter_framer #(
   assign deep_o = deep_q;
   assign far_o = far_q;
 
-  // The answer counts a clock later; until then nothing more is asked.
+  // Question and answer count a clock later; until the answer has counted nothing more is asked.
+  logic may_ask;
+  assign may_ask = rst_ni && !grant_i && !deny_i && !granted_q && !denied_q;
   always_ff @(posedge clk_i) begin
     granted_q <= rst_ni && grant_i;
     denied_q <= rst_ni && deny_i;
     empty_q <= empty_o;
+    start_o <= may_ask && (state_q == START || state_q == LOST);
+    urgent_o <= may_ask && state_q == START && live_i && almost_full_i;
+    empty_o <= state_q == LOST;
   end
-  assign start_o = (state_q == START || state_q == LOST) && !granted_q && !denied_q;
-  assign empty_o = state_q == LOST;
-  assign urgent_o = state_q == START && !granted_q && !denied_q && live_i && almost_full_i;
   assign stored_o = stored_q;
   assign slot_o = slot_q;
 endmodule

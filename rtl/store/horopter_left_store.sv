@@ -95,10 +95,8 @@ module horopter_left_store #(
   // --- rows of the ring and of the frame ---
   logic [ROW_BITS-1:0] row_q;
   logic [SLOT_BITS:0] keep_q;
-  logic present, end_of_row, wraps;
-  logic asks, last;  // the request; if FAST, of the clock before
-  assign read = asks && present;
-  assign end_of_row = asks && last;
+  logic end_of_row, wraps;
+  logic last;  // with read
   always_ff @(posedge clk_i) begin
     wraps <= 32'(slot_q) == ROWS - 1;  // rows are longer than a clock
     if (!rst_ni) begin
@@ -143,31 +141,29 @@ module horopter_left_store #(
     assign write_pixel = write_pixel_q2;
 
     // --- read ---
-    // There is at least one clock without a request between two rows, in which present_q settles.
+    // The raster waits for some clocks between two rows, in which present_q settles.
     logic [ROW_ADDR_BITS-1:0] block_row_q;
     logic [BLOCK_BITS-1:0] x_q;
-    logic present_q, asks_q, last_q;
-    assign asks = asks_q;
+    logic present_q, asked_q, last_q, end_of_row_q;
+    assign read = asked_q;
     assign last = last_q;
+    assign end_of_row = end_of_row_q;
     always_ff @(posedge clk_i) begin
-      asks_q <= rst_ni && valid_i && live_i;
+      asked_q <= rst_ni && valid_i && live_i && present_q;
       last_q <= last_i;
+      end_of_row_q <= rst_ni && valid_i && live_i && last_i;
       if (!rst_ni) begin
         block_row_q <= '0;
         x_q <= '0;
         present_q <= 1'b0;
       end else begin
         present_q <= 12'(row_q) < rows_i;
-        if (read && last) begin
-          block_row_q <= wraps ? '0 : ROW_ADDR_BITS'(slot_q) + 1'b1;
-          x_q <= '0;
-        end else if (read) begin
-          x_q <= x_q + 1'b1;
-          if (&x_q) block_row_q <= block_row_q + ROW_ADDR_BITS'(ROWS);
-        end
+        if (read && last) block_row_q <= wraps ? '0 : ROW_ADDR_BITS'(slot_q) + 1'b1;
+        else if (read && &x_q) block_row_q <= block_row_q + ROW_ADDR_BITS'(ROWS);
+        if (end_of_row) x_q <= '0;
+        else if (read) x_q <= x_q + 1'b1;
       end
     end
-    assign present = present_q;
     assign read_addr = {block_row_q, x_q};
 
     logic [5:1] read_q, good_q;
@@ -198,9 +194,9 @@ module horopter_left_store #(
       if (!rst_ni || (read && last)) x_q <= '0;
       else if (read) x_q <= x_q + 1'b1;
     end
-    assign asks = valid_i && live_i;
+    assign read = valid_i && live_i && row_q < rows_i[ROW_BITS-1:0];
     assign last = last_i;
-    assign present = row_q < rows_i[ROW_BITS-1:0];
+    assign end_of_row = valid_i && live_i && last_i;
     assign read_addr = place(slot_q, x_q[X_BITS-1:SUBSAMPLE-1]);
 
     logic read_q;

@@ -51,6 +51,17 @@ std::vector<std::string> run_arguments(const std::string& left = "left0.png", co
   return {"run", "--left", left, "--right", right, "--skin", skin, "--out", "out"};
 }
 
+/// Two cameras for pairs of 200x120 pixels, the right one 50 mm to the right and some lower.
+std::string rig_text(const std::string& lower_mm = "0", const std::string& distortion = "{}") {
+  const std::string camera =
+      "    image_size: [200, 120]\n    model: brown_conrady\n    fx_px: 200\n    fy_px: 200\n    cx_px: 99.5\n"
+      "    cy_px: 59.5\n    distortion: " +
+      distortion + "\n    rotation: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n";
+  return "horopter_rig: 1\nworld: left\ncameras:\n  - name: left\n" + camera +
+         "    translation_mm: [0, 0, 0]\n  - name: right\n" + camera + "    translation_mm: [-50, -" + lower_mm +
+         ", 0]\n";
+}
+
 }  // namespace
 
 TEST_CASE("run writes states, overlays and summary") {
@@ -165,12 +176,7 @@ TEST_CASE("The hardware and the native engine write the same pictures") {
 TEST_CASE("A skin that moves: every frame names its table and time") {
   Sandbox box;
   with_pairs(box, 5);
-  const std::string camera =
-      "    image_size: [200, 120]\n    model: brown_conrady\n    fx_px: 200\n    fy_px: 200\n    cx_px: 99.5\n"
-      "    cy_px: 59.5\n    distortion: {}\n    rotation: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n";
-  box.write("rig.yaml", "horopter_rig: 1\nworld: left\ncameras:\n  - name: left\n" + camera +
-                            "    translation_mm: [0, 0, 0]\n  - name: right\n" + camera +
-                            "    translation_mm: [-50, 0, 0]\n");
+  box.write("rig.yaml", rig_text());
   const std::string motion =
       "surface: {type: plane, point_mm: [0, 0, 800], normal: [0, 0, 1]}\n"
       "motion: {frame_rate_per_s: 50, object_speed_m_s: 1.6, poses: [{time_s: 0.06, shift_mm: [0, 0, 100]}]}\n";
@@ -209,6 +215,74 @@ TEST_CASE("A skin that moves: every frame names its table and time") {
   fast.replace(fast.find("1.6"), 3, "16");
   box.write("moving.yaml", fast);
   check_bad_file(box, arguments + rig, "moving.yaml", "must be below");
+}
+
+TEST_CASE("compete: cameras that cannot serve neighbours are refused, pixels that they cannot serve are reported") {
+  Sandbox box;
+  with_pairs(box);
+  box.write("wall.yaml", "surface: {type: plane, point_mm: [0, 0, 800], normal: [0, 0, 1]}\n");
+  const std::vector<std::string> compete{"--decision", "compete"};
+  const std::vector<std::string> map{"map", "--skin", "wall.yaml", "--rig", "rig.yaml", "--profile", "vga", "--json"};
+  const auto run = run_arguments("left0.png", "right0.png", "wall.yaml") +
+                   std::vector<std::string>{"--rig", "rig.yaml", "--json", "--unsupervised-limit", "100"};
+  const auto by_row = [&](const std::vector<std::string>& arguments) {
+    const auto result = box.run(arguments);
+    CAPTURE(result.err);
+    REQUIRE(result.status == 0);
+    return nlohmann::json::parse(result.out)["tables"][0]["unsupervised"]["row"].get<int>();
+  };
+  const auto unsupervised = [&](const std::vector<std::string>& arguments) {
+    const auto result = box.run(arguments);
+    CAPTURE(result.err);
+    REQUIRE((result.status == 0 || result.status == 4));
+    return nlohmann::json::parse(result.out)["frames"][0]["unsupervised_pixels"].get<int>();
+  };
+
+  // Over 24 px the line falls by 0.48 px, or by 0.58.
+  box.write("rig.yaml", rig_text("1"));
+  CHECK(by_row(map + compete) == 0);
+  CHECK(nlohmann::json::parse(box.run(map + compete).out)["rows_checked"] == true);
+  const int served = unsupervised(run + compete);
+  box.write("rig.yaml", rig_text("1.2"));
+  check_bad_file(box, map + compete, "wall.yaml",
+                 "at 100.0 % of the pixels that see it the epipolar line leaves the row by more than 0.5 px within the "
+                 "24 px");
+  check_bad_file(box, run + compete, "wall.yaml", "images rectified, or --decision thesis");
+  CHECK(by_row(map) == 0);
+  box.write("moving.yaml",
+            "surface: {type: plane, point_mm: [0, 0, 800], normal: [0, 0, 1]}\n"
+            "motion: {frame_rate_per_s: 50, object_speed_m_s: 1, poses: [{time_s: 0.02, shift_mm: [0, 0, 10]}]}\n");
+  const auto moving =
+      run_arguments("left0.png", "right0.png", "moving.yaml") + std::vector<std::string>{"--rig", "rig.yaml", "--json"};
+  CHECK(box.run(moving).status == 0);
+  check_bad_file(box, moving + compete, "moving.yaml", "leaves the row");
+
+  // A lens bends the lines most in the corners.
+  box.write("rig.yaml", rig_text("0", "{k1: -0.2}"));
+  const int bent = by_row(map + compete);
+  CHECK(bent > 200 * 120 / 10);
+  CHECK(bent < 200 * 120 / 2);
+  CHECK(unsupervised(run + compete) > served + bent / 2);
+  const auto explained = box.run({"map", "--skin", "wall.yaml", "--rig", "rig.yaml", "--profile", "vga", "-o",
+                                  "compete.hmap", "--decision", "compete"});
+  REQUIRE(explained.status == 0);
+  CHECK_THAT(explained.out, Catch::Contains("% with an epipolar line that leaves the row"));
+  // Tables know their rig.
+  REQUIRE(box.run(map + std::vector<std::string>{"-o", "thesis.hmap"}).status == 0);
+  const auto by_table = [](const std::string& table) {
+    return run_arguments("left0.png", "right0.png", table) +
+           std::vector<std::string>{"--json", "--unsupervised-limit", "100"};
+  };
+  CHECK(unsupervised(by_table("compete.hmap") + compete) == unsupervised(run + compete));
+  CHECK(unsupervised(by_table("thesis.hmap")) == unsupervised(run));
+  check_bad_file(box, by_table("thesis.hmap") + compete, "thesis.hmap", "`horopter map --decision compete`");
+
+  // Without a rig it is not known, and said.
+  const auto blind = box.run(run_arguments() + compete);
+  CAPTURE(blind.err);
+  CHECK((blind.status == 0 || blind.status == 4));
+  CHECK_THAT(blind.out, Catch::Contains("no rig"));
+  CHECK(nlohmann::json::parse(box.read("out/summary.json"))["rows_checked"] == false);
 }
 
 TEST_CASE("A fault of a frame is exit status 4, with the results written") {
@@ -440,6 +514,8 @@ TEST_CASE("Wrong usage is exit status 2") {
            {"map", "--skin", "skin.yaml", "--profile", "vga"},
            {"map", "--skin", "skin.yaml", "--profile", "vga", "--size", "big", "-o", "x.hmap"},
            {"map", "--skin", "skin.yaml", "--profile", "vga", "--size", "900x900", "-o", "x.hmap"},
+           {"map", "--skin", "skin.yaml", "--profile", "field", "--decision", "compete", "-o", "x.hmap"},
+           {"map", "--inspect", "x.hmap", "--decision", "compete"},
            {"map", "--inspect", "x.hmap", "--skin", "skin.yaml"}}) {
     CAPTURE(arguments);
     const auto result = box.run(arguments);

@@ -22,6 +22,8 @@ using hls::CompeteSettings;
 /// The rule that decides a pixel: one threshold for one skin, or parallel skins that compete.
 enum class Decision { thesis, compete };
 std::string_view name_of(Decision decision);
+/// Throws UsageError where the profile does not have the rule.
+void check_decision(const MachineProfile& profile, Decision decision);
 
 struct Settings {
   Decision decision = Decision::thesis;  ///< the profile and the machine must have it

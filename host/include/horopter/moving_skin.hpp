@@ -43,7 +43,8 @@ std::vector<double> plan_motion(const CameraPair& cameras, const MovingSurface& 
                                 const MachineProfile& profile, int image_width, int image_height);
 
 /// Times and tables of a skin file with `motion`. Tables of two consecutive frames fit the pool. Throws FileError.
-MovingMaps compile_motion(const SkinFile& skin, const MachineProfile& profile, int image_width, int image_height);
+MovingMaps compile_motion(const SkinFile& skin, const MachineProfile& profile, int image_width, int image_height,
+                          const ViewLimits& view = {});
 
 /// A monitor for a skin that moves with every frame. While a frame is in the machine, the next one's table is uploaded
 /// beside its own, and selected.

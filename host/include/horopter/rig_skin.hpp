@@ -20,6 +20,10 @@ struct Rays {
   /// Row by row a 3×3 matrix for each: the direction and its derivatives by the pixel, right camera.
   std::array<std::vector<double>, 9> right_view;
   std::vector<double> over_length;  ///< 1 / length of the direction
+  /// Where the epipolar line leaves the pixel's row, rows of the full frame: the larger of both ends of
+  /// ±`largest_shift_px`; NaN where it does not get there, or the lens model ends before. Empty at 0.
+  std::vector<double> row_error;
+  int largest_shift_px = 0;
   std::size_t size() const { return directions.size(); }
 };
 
@@ -30,8 +34,12 @@ class CameraPair {
 
   const calib::Camera& left() const { return left_; }
   const calib::Camera& right() const { return right_; }
-  Rays rays(std::span<const Point> left) const;
+  /// Epipolar lines are those of the left image, bent as its lens bends them: of two points on the skin in one plane
+  /// with both cameras the map makes two in the same plane, so whatever the skin and the right camera, what a neighbour
+  /// sees lies on the pixel's left epipolar line.
+  Rays rays(std::span<const Point> left, const ViewLimits& limits = {}) const;
   /// What the pixels of the rays see of a surface that check_cameras accepts. Points of one call are best neighbours.
+  /// Throws std::invalid_argument for rays of smaller shifts than the limits'.
   void look(const Surface& surface, const Rays& rays, int row_step, const ViewLimits& limits,
             std::span<Look> looks) const;
   /// Thickness of the skin along its own line of sight at a left pixel, mm: from where the source is `tolerance_px`

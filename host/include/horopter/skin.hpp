@@ -31,9 +31,10 @@ enum class Reason : std::uint8_t {
   angle,      ///< a line of sight lies too far from the skin's normal (thesis 11.1, 11.2.2)
   no_source,  ///< the line of sight does not meet the skin
   hidden,     ///< a part of the skin stands between it and the right camera
+  row,        ///< its epipolar line leaves the row within the shifts of the neighbours that compete
   grid,       ///< lost to the grid: a control point of its cell has no source
 };
-inline constexpr int kReasonCount = 7;
+inline constexpr int kReasonCount = 8;
 /// As in reports: a word for programs, and a phrase for people.
 std::string_view reason_name(Reason reason);
 std::string_view reason_text(Reason reason);
@@ -42,7 +43,12 @@ std::string_view reason_text(Reason reason);
 struct ViewLimits {
   double smallest_scale = 0.5;    ///< left pixels per source pixel, in the direction of the strongest reduction
   double largest_angle_deg = 70;  ///< between a line of sight, of either camera, and the skin's normal
+  /// Of the neighbours that compete with the skin, px along the row, either way; 0: there are none. They are the skin's
+  /// image shifted, so they are parallel skins only where the left image's epipolar line stays within half a row. Needs
+  /// a rig: skins without one are not looked at for it.
+  int largest_shift_px = 0;
 };
+inline constexpr double kLargestRowError = 0.5;  ///< in rows of the scan
 
 /// What a left pixel sees of the skin.
 struct Look {

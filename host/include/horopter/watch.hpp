@@ -25,11 +25,12 @@ enum class Sight : std::uint8_t {
   outside_right,  ///< nor the right one
   angle,          ///< too far from the skin's normal (11.2.2)
   scale,          ///< reduced to less than 1/2 in the right image (7.5)
+  row,            ///< an epipolar line leaves the row: `ViewLimits::largest_shift_px`
   hidden,         ///< another part of the skin stands before it
   obstacle,       ///< an obstacle stands before it
   border,         ///< a pixel of the windows around it is one of those above
 };
-inline constexpr int kSightCount = 9;
+inline constexpr int kSightCount = 10;
 /// As in reports: a word for programs, and a phrase for people.
 std::string_view sight_name(Sight sight);
 std::string_view sight_text(Sight sight);

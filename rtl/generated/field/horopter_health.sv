@@ -41,7 +41,7 @@ module horopter_health (
   logic [7:0] brightest_q;
   logic [17:0] dark_q;
   logic [17:0] bright_q;
-  // hls/stages/health.hpp:48
+  // hls/stages/health.hpp:49
   logic [31:0] select_18;
   assign select_18 = first_i ? 32'h0 : signature_q;
   logic [12:0] xor_19;
@@ -52,18 +52,18 @@ module horopter_health (
   assign parity_21 = ^{select_18[6], select_18[0], pixel_i[5]};
   logic [31:0] select_22;
   assign select_22 = end_v_i ? {select_18[0], xor_19[12:11], select_18[29], xor_19[10:9], select_18[26], xor_19[8:7], select_18[23], xor_19[6:4], select_18[19:17], xor_19[3], select_18[15:11], xor_19[2:1], xor_20[7:6], parity_21, xor_20[4:0]} : previous_signature_q;
-  // hls/stages/health.hpp:57
+  // hls/stages/health.hpp:58
   logic equal_24;
   assign equal_24 = previous_signature_q == {select_18[0], xor_19[12:11], select_18[29], xor_19[10:9], select_18[26], xor_19[8:7], select_18[23], xor_19[6:4], select_18[19:17], xor_19[3], select_18[15:11], xor_19[2:1], xor_20[7:6], parity_21, xor_20[4:0]};
-  // hls/stages/health.hpp:58
+  // hls/stages/health.hpp:59
   logic [7:0] select_28;
   assign select_28 = equal_24 ? ((repeats_q == 8'hff) ? 8'hff : (repeats_q + 8'h1)) : 8'h0;
   logic [7:0] select_29;
   assign select_29 = has_previous_q ? select_28 : 8'h0;
-  // hls/stages/health.hpp:50
+  // hls/stages/health.hpp:51
   logic [7:0] select_33;
   assign select_33 = first_i ? pixel_i : ((pixel_i < darkest_q) ? pixel_i : darkest_q);
-  // hls/stages/health.hpp:51
+  // hls/stages/health.hpp:52
   logic [7:0] select_36;
   assign select_36 = first_i ? pixel_i : ((brightest_q < pixel_i) ? pixel_i : brightest_q);
   logic not_38;
@@ -71,19 +71,19 @@ module horopter_health (
   // hls/stages/stream.hpp:45
   logic [17:0] select_40;
   assign select_40 = first_i ? {17'h0, not_38} : (dark_q + {17'h0, not_38});
-  // hls/stages/health.hpp:52
+  // hls/stages/health.hpp:53
   logic not_42;
   assign not_42 = ~(pixel_i < cfg_bright_level_i);
   // hls/stages/stream.hpp:45
   logic [17:0] select_44;
   assign select_44 = first_i ? {17'h0, not_42} : (bright_q + {17'h0, not_42});
-  // hls/stages/health.hpp:61
+  // hls/stages/health.hpp:62
   logic less_45;
   assign less_45 = cfg_dark_limit_i < select_40;
-  // hls/stages/health.hpp:62
+  // hls/stages/health.hpp:63
   logic less_47;
   assign less_47 = cfg_bright_limit_i < select_44;
-  // hls/stages/health.hpp:63
+  // hls/stages/health.hpp:64
   logic and_54;
   assign and_54 = (~(cfg_contrast_limit_i < (select_36 - select_33))) & (~(less_45 | less_47));
 

@@ -39,7 +39,7 @@ module horopter_health (
   logic [31:0] signature_q;
   logic [7:0] darkest_q;
   logic [7:0] brightest_q;
-  // hls/stages/health.hpp:48
+  // hls/stages/health.hpp:49
   logic [31:0] select_18;
   assign select_18 = first_i ? 32'h0 : signature_q;
   logic [12:0] xor_19;
@@ -48,10 +48,10 @@ module horopter_health (
   assign xor_20 = pixel_i ^ {select_18[8:7], xor_19[0], select_18[5:1]};
   logic parity_21;
   assign parity_21 = ^{select_18[6], select_18[0], pixel_i[5]};
-  // hls/stages/health.hpp:50
+  // hls/stages/health.hpp:51
   logic [7:0] select_33;
   assign select_33 = first_i ? pixel_i : ((pixel_i < darkest_q) ? pixel_i : darkest_q);
-  // hls/stages/health.hpp:51
+  // hls/stages/health.hpp:52
   logic [7:0] select_36;
   assign select_36 = first_i ? pixel_i : ((brightest_q < pixel_i) ? pixel_i : brightest_q);
 
@@ -116,15 +116,15 @@ module horopter_health (
   // Stage 2 -----------------------------------------------------------------------------------------------------------
   logic has_previous_q;
   logic [7:0] repeats_q;
-  // hls/stages/health.hpp:58
+  // hls/stages/health.hpp:59
   logic [7:0] select_28;
   assign select_28 = equal_24_s2_q ? ((repeats_q == 8'hff) ? 8'hff : (repeats_q + 8'h1)) : 8'h0;
   logic [7:0] select_29;
   assign select_29 = has_previous_q ? select_28 : 8'h0;
-  // hls/stages/health.hpp:61
+  // hls/stages/health.hpp:62
   logic less_45;
   assign less_45 = cfg_dark_limit_i < dark_q;
-  // hls/stages/health.hpp:62
+  // hls/stages/health.hpp:63
   logic less_47;
   assign less_47 = cfg_bright_limit_i < bright_q;
 

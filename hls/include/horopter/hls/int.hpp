@@ -460,8 +460,8 @@ constexpr u<bits_for(N)> popcount(u<N> value) {
 
 namespace detail {
 
-/// Non-restoring division (Flores, The Logic of Computer Arithmetic, 1963): one adder a step. `over` is the divisor less
-/// twice the rest, negative where the divisor fits; ">" keeps 0 / 0 at 0.
+/// Non-restoring division (Flores, The Logic of Computer Arithmetic, 1963): one adder a step. `over` is the divisor
+/// less twice the rest, negative where the divisor fits; ">" keeps 0 / 0 at 0.
 template <int Q, int N>
 constexpr u<Q> ratio_by_subtraction(u<N> smaller, u<N> larger) {
   std::uint64_t quotient = 0;
@@ -469,7 +469,8 @@ constexpr u<Q> ratio_by_subtraction(u<N> smaller, u<N> larger) {
   for (int i = 0; i < Q; ++i) {
     const bool fits = over.bit(N);
     quotient = quotient << 1 | (fits ? 1U : 0U);
-    const u<N + 1> added = fits ? u<N + 1>(larger) : u<N + 1>(~u<N + 1>(larger));  // with the carry below: larger, -larger
+    const u<N + 1> wide(larger);
+    const u<N + 1> added = fits ? wide : u<N + 1>(~wide);  // with the carry below: larger, -larger
     over = u<N + 1>(cat(u<N>(over), u<1>(!fits)) + added);
   }
   return {exact_t{}, quotient};
