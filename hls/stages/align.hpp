@@ -68,32 +68,30 @@ class Aligner {
       columns_ = Margin(0);
     }
     const bool start = !started_ && rows_ == rows && columns_ == columns;
-    if (start) [[unlikely]] {
-      started_ = true;
-      active_ = true;
-      last_ = false;
-      final_row_ = config.height == 1;
-      columns_left_ = Column(config.width - lit<1>());
-      rows_left_ = Row(config.height - lit<1>());
-    }
     Out out;
     out.state = in.state;
     out.idle = idle_;
-    out.valid = idle_ || active_;
+    out.valid = idle_ || active_ || start;
     out.first = start;
     out.last = last_ && active_;
     out.end = out.last && final_row_;
 
     idle_ = out.end;
-    active_ = active_ && !out.end;
+    started_ = started_ || start;
+    active_ = (active_ || start) && !out.end;
     // The next beat's `last_` is known from the count before, so that the counter's loop holds one subtraction only.
-    if (last_) [[unlikely]] {
-      final_row_ = rows_left_ == 1;
+    if (start) [[unlikely]] {
+      final_row_ = config.height == 1;
+      last_ = config.width == 2;
+      columns_left_ = Column(config.width - lit<1>());
+      rows_left_ = config.height;
+    } else if (last_) [[unlikely]] {
+      final_row_ = rows_left_ == 2;
       rows_left_ -= lit<1>();
       last_ = false;
-      columns_left_ = Column(config.width - lit<1>());
+      columns_left_ = config.width;
     } else {
-      last_ = columns_left_ == 1;
+      last_ = columns_left_ == 2;
       columns_left_ -= lit<1>();
     }
     row_ended_ = in.marks.last;
@@ -117,8 +115,8 @@ class Aligner {
   bool row_ended_ = true;
   Margin rows_{0};          // rows of beats before this one, at most the offset's
   Margin columns_{0};       // beats of this row before this one, at most the offset's
-  Column columns_left_{0};  // of the row, after this one
-  Row rows_left_{0};        // of the result, after this one
+  Column columns_left_{0};  // of the row, from this beat on
+  Row rows_left_{0};        // of the result, from this one on
 };
 
 template <Profile P>

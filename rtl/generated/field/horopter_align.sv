@@ -28,8 +28,6 @@ module horopter_align (
   assign s0_en = en_i & valid_i;
 
   // Of the configuration alone: not pipelined.
-  logic [8:0] sum_37;
-  assign sum_37 = cfg_width_i + 9'h1ff;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic active_q;
@@ -45,6 +43,8 @@ module horopter_align (
   // hls/stages/align.hpp:67
   logic not_16;
   assign not_16 = ~marks_first_i;
+  logic and_17;
+  assign and_17 = active_q & not_16;
   logic and_18;
   assign and_18 = started_q & not_16;
   logic [3:0] select_20;
@@ -56,35 +56,38 @@ module horopter_align (
   assign select_23 = marks_first_i ? 4'h0 : (row_ended_q ? 4'h0 : columns_q);
   logic equal_24;
   assign equal_24 = select_23 == 4'h9;
-  // hls/stages/align.hpp:71
+  // hls/stages/align.hpp:72
+  logic and_25;
+  assign and_25 = equal_21 & equal_24;
   logic and_26;
-  assign and_26 = (~and_18) & (equal_21 & equal_24);
-  // hls/stages/align.hpp:80
+  assign and_26 = (~and_18) & and_25;
+  // hls/stages/align.hpp:74
   logic or_27;
-  assign or_27 = (active_q & not_16) | and_26;
-  logic select_29;
-  assign select_29 = and_26 ? (cfg_height_i == 9'h1) : final_row_q;
-  logic and_31;
-  assign and_31 = last_q & (~and_26);
-  // hls/stages/align.hpp:85
-  logic and_32;
-  assign and_32 = or_27 & and_31;
-  logic and_33;
-  assign and_33 = select_29 & and_32;
-  // hls/stages/align.hpp:80
-  logic [8:0] select_38;
-  assign select_38 = and_26 ? sum_37 : columns_left_q;
-  logic [8:0] select_42;
-  assign select_42 = and_26 ? (cfg_height_i + 9'h1ff) : rows_left_q;
-  // hls/stages/align.hpp:102
-  logic not_46;
-  assign not_46 = ~equal_21;
+  assign or_27 = and_17 | and_26;
+  // hls/stages/align.hpp:77
+  logic and_28;
+  assign and_28 = last_q & and_17;
+  logic and_29;
+  assign and_29 = final_row_q & and_28;
+  // hls/stages/align.hpp:97
+  logic select_36;
+  assign select_36 = and_26 ? (cfg_width_i == 9'h2) : ((~last_q) & (columns_left_q == 9'h2));
+  logic select_40;
+  assign select_40 = and_26 ? (cfg_height_i == 9'h1) : (last_q ? (rows_left_q == 9'h2) : final_row_q);
   // hls/stages/align.hpp:100
-  logic not_49;
-  assign not_49 = ~equal_24;
+  logic not_42;
+  assign not_42 = ~equal_21;
+  // hls/stages/align.hpp:98
+  logic not_45;
+  assign not_45 = ~equal_24;
+  // hls/stages/align.hpp:97
+  logic [8:0] select_50;
+  assign select_50 = and_26 ? (cfg_width_i + 9'h1ff) : (last_q ? cfg_width_i : (columns_left_q + 9'h1ff));
+  logic [8:0] select_53;
+  assign select_53 = and_26 ? cfg_height_i : (last_q ? (rows_left_q + 9'h1ff) : rows_left_q);
   // hls/stages/align.hpp:67
-  logic and_55;
-  assign and_55 = idle_q & not_16;
+  logic and_54;
+  assign and_54 = idle_q & not_16;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -99,25 +102,25 @@ module horopter_align (
       columns_left_q <= 9'h0;
       rows_left_q <= 9'h0;
     end else if (s0_en) begin
-      active_q <= or_27 & (~and_33);
-      idle_q <= and_33;
-      last_q <= (~and_31) & (select_38 == 9'h1);
-      final_row_q <= and_31 ? (select_42 == 9'h1) : select_29;
-      started_q <= and_18 | and_26;
+      active_q <= or_27 & (~and_29);
+      idle_q <= and_29;
+      last_q <= select_36;
+      final_row_q <= select_40;
+      started_q <= and_18 | and_25;
       row_ended_q <= marks_last_i;
-      rows_q <= marks_last_i ? (select_20 + {3'h0, not_46}) : select_20;
-      columns_q <= select_23 + {3'h0, not_49};
-      columns_left_q <= and_31 ? sum_37 : (select_38 + 9'h1ff);
-      rows_left_q <= and_31 ? (select_42 + 9'h1ff) : select_42;
+      rows_q <= marks_last_i ? (select_20 + {3'h0, not_42}) : select_20;
+      columns_q <= select_23 + {3'h0, not_45};
+      columns_left_q <= select_50;
+      rows_left_q <= select_53;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
   assign state_o = state_i;
   assign first_o = and_26;
-  assign last_o = and_32;
-  assign end_v_o = and_33;
-  assign idle_o = and_55;
-  assign valid_o = valid_i & (and_55 | or_27);
+  assign last_o = and_28;
+  assign end_v_o = and_29;
+  assign idle_o = and_54;
+  assign valid_o = valid_i & (and_54 | or_27);
 
 endmodule

@@ -32,8 +32,6 @@ module horopter_align (
   // Of the configuration alone: not pipelined.
   logic columns;
   assign columns = ~cfg_compete_i;
-  logic [10:0] sum_39;
-  assign sum_39 = cfg_width_i + 11'h7ff;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic started_q;
@@ -54,15 +52,15 @@ module horopter_align (
   assign select_25 = marks_first_i ? 4'h0 : (row_ended_q ? 4'h0 : columns_q);
   logic equal_26;
   assign equal_26 = {columns, select_25[2:1], columns} == {select_25[3], 2'h0, select_25[0]};
-  // hls/stages/align.hpp:71
-  logic and_28;
-  assign and_28 = (~and_19) & (equal_22 & equal_26);
-  // hls/stages/align.hpp:102
-  logic not_48;
-  assign not_48 = ~equal_22;
+  // hls/stages/align.hpp:72
+  logic and_27;
+  assign and_27 = equal_22 & equal_26;
   // hls/stages/align.hpp:100
-  logic not_51;
-  assign not_51 = ~equal_26;
+  logic not_44;
+  assign not_44 = ~equal_22;
+  // hls/stages/align.hpp:98
+  logic not_47;
+  assign not_47 = ~equal_26;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -71,10 +69,10 @@ module horopter_align (
       rows_q <= 4'h0;
       columns_q <= 4'h0;
     end else if (s0_en) begin
-      started_q <= and_19 | and_28;
+      started_q <= and_19 | and_27;
       row_ended_q <= marks_last_i;
-      rows_q <= marks_last_i ? (select_21 + {3'h0, not_48}) : select_21;
-      columns_q <= select_25 + {3'h0, not_51};
+      rows_q <= marks_last_i ? (select_21 + {3'h0, not_44}) : select_21;
+      columns_q <= select_25 + {3'h0, not_47};
     end
   end
 
@@ -85,7 +83,7 @@ module horopter_align (
     if (s0_en) begin
       state_s1_q <= state_i;
       not_17_s1_q <= not_17;
-      and_28_s1_q <= and_28;
+      and_28_s1_q <= (~and_19) & and_27;
     end
   end
 
@@ -96,26 +94,29 @@ module horopter_align (
   logic final_row_q;
   logic [10:0] columns_left_q;
   logic [10:0] rows_left_q;
-  // hls/stages/align.hpp:80
-  logic or_29;
-  assign or_29 = (active_q & not_17_s1_q) | and_28_s1_q;
-  logic select_31;
-  assign select_31 = and_28_s1_q ? (cfg_height_i == 11'h1) : final_row_q;
-  logic and_33;
-  assign and_33 = last_q & (~and_28_s1_q);
-  // hls/stages/align.hpp:85
-  logic and_34;
-  assign and_34 = or_29 & and_33;
-  logic and_35;
-  assign and_35 = select_31 & and_34;
-  // hls/stages/align.hpp:80
-  logic [10:0] select_40;
-  assign select_40 = and_28_s1_q ? sum_39 : columns_left_q;
-  logic [10:0] select_44;
-  assign select_44 = and_28_s1_q ? (cfg_height_i + 11'h7ff) : rows_left_q;
   // hls/stages/align.hpp:67
-  logic and_57;
-  assign and_57 = idle_q & not_17_s1_q;
+  logic and_18;
+  assign and_18 = active_q & not_17_s1_q;
+  // hls/stages/align.hpp:74
+  logic or_29;
+  assign or_29 = and_18 | and_28_s1_q;
+  // hls/stages/align.hpp:77
+  logic and_30;
+  assign and_30 = last_q & and_18;
+  logic and_31;
+  assign and_31 = final_row_q & and_30;
+  // hls/stages/align.hpp:97
+  logic select_38;
+  assign select_38 = and_28_s1_q ? (cfg_width_i == 11'h2) : ((~last_q) & (columns_left_q == 11'h2));
+  logic select_42;
+  assign select_42 = and_28_s1_q ? (cfg_height_i == 11'h1) : (last_q ? (rows_left_q == 11'h2) : final_row_q);
+  logic [10:0] select_52;
+  assign select_52 = and_28_s1_q ? (cfg_width_i + 11'h7ff) : (last_q ? cfg_width_i : (columns_left_q + 11'h7ff));
+  logic [10:0] select_55;
+  assign select_55 = and_28_s1_q ? cfg_height_i : (last_q ? (rows_left_q + 11'h7ff) : rows_left_q);
+  // hls/stages/align.hpp:67
+  logic and_56;
+  assign and_56 = idle_q & not_17_s1_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -126,34 +127,34 @@ module horopter_align (
       columns_left_q <= 11'h0;
       rows_left_q <= 11'h0;
     end else if (s1_en) begin
-      active_q <= or_29 & (~and_35);
-      idle_q <= and_35;
-      last_q <= (~and_33) & (select_40 == 11'h1);
-      final_row_q <= and_33 ? (select_44 == 11'h1) : select_31;
-      columns_left_q <= and_33 ? sum_39 : (select_40 + 11'h7ff);
-      rows_left_q <= and_33 ? (select_44 + 11'h7ff) : select_44;
+      active_q <= or_29 & (~and_31);
+      idle_q <= and_31;
+      last_q <= select_38;
+      final_row_q <= select_42;
+      columns_left_q <= select_52;
+      rows_left_q <= select_55;
     end
   end
 
   logic [1:0] state_s2_q;
   logic and_28_s2_q;
-  logic and_34_s2_q;
-  logic and_57_s2_q;
+  logic and_30_s2_q;
+  logic and_56_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       state_s2_q <= state_s1_q;
       and_28_s2_q <= and_28_s1_q;
-      and_34_s2_q <= and_34;
-      and_57_s2_q <= and_57;
+      and_30_s2_q <= and_30;
+      and_56_s2_q <= and_56;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
   assign state_o = state_s2_q;
   assign first_o = and_28_s2_q;
-  assign last_o = and_34_s2_q;
+  assign last_o = and_30_s2_q;
   assign end_v_o = idle_q;
-  assign idle_o = and_57_s2_q;
+  assign idle_o = and_56_s2_q;
   assign valid_o = valid_s2_q;
 
   always_ff @(posedge clk_i) begin
@@ -162,7 +163,7 @@ module horopter_align (
       valid_s2_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
-      valid_s2_q <= valid_s1_q & (and_57 | or_29);
+      valid_s2_q <= valid_s1_q & (and_56 | or_29);
     end
   end
 

@@ -31,8 +31,6 @@ module horopter_align (
   // Of the configuration alone: not pipelined.
   logic columns;
   assign columns = ~cfg_compete_i;
-  logic [9:0] sum_39;
-  assign sum_39 = cfg_width_i + 10'h3ff;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic active_q;
@@ -48,6 +46,8 @@ module horopter_align (
   // hls/stages/align.hpp:67
   logic not_17;
   assign not_17 = ~marks_first_i;
+  logic and_18;
+  assign and_18 = active_q & not_17;
   logic and_19;
   assign and_19 = started_q & not_17;
   logic [4:0] select_21;
@@ -59,35 +59,38 @@ module horopter_align (
   assign select_25 = marks_first_i ? 5'h0 : (row_ended_q ? 5'h0 : columns_q);
   logic equal_26;
   assign equal_26 = {select_25[4], columns, select_25[2:1], columns} == {1'b0, select_25[3], 2'h0, select_25[0]};
-  // hls/stages/align.hpp:71
+  // hls/stages/align.hpp:72
+  logic and_27;
+  assign and_27 = equal_23 & equal_26;
   logic and_28;
-  assign and_28 = (~and_19) & (equal_23 & equal_26);
-  // hls/stages/align.hpp:80
+  assign and_28 = (~and_19) & and_27;
+  // hls/stages/align.hpp:74
   logic or_29;
-  assign or_29 = (active_q & not_17) | and_28;
-  logic select_31;
-  assign select_31 = and_28 ? (cfg_height_i == 9'h1) : final_row_q;
-  logic and_33;
-  assign and_33 = last_q & (~and_28);
-  // hls/stages/align.hpp:85
-  logic and_34;
-  assign and_34 = or_29 & and_33;
-  logic and_35;
-  assign and_35 = select_31 & and_34;
-  // hls/stages/align.hpp:80
-  logic [9:0] select_40;
-  assign select_40 = and_28 ? sum_39 : columns_left_q;
-  logic [8:0] select_44;
-  assign select_44 = and_28 ? (cfg_height_i + 9'h1ff) : rows_left_q;
-  // hls/stages/align.hpp:102
-  logic not_48;
-  assign not_48 = ~equal_23;
+  assign or_29 = and_18 | and_28;
+  // hls/stages/align.hpp:77
+  logic and_30;
+  assign and_30 = last_q & and_18;
+  logic and_31;
+  assign and_31 = final_row_q & and_30;
+  // hls/stages/align.hpp:97
+  logic select_38;
+  assign select_38 = and_28 ? (cfg_width_i == 10'h2) : ((~last_q) & (columns_left_q == 10'h2));
+  logic select_42;
+  assign select_42 = and_28 ? (cfg_height_i == 9'h1) : (last_q ? (rows_left_q == 9'h2) : final_row_q);
   // hls/stages/align.hpp:100
-  logic not_51;
-  assign not_51 = ~equal_26;
+  logic not_44;
+  assign not_44 = ~equal_23;
+  // hls/stages/align.hpp:98
+  logic not_47;
+  assign not_47 = ~equal_26;
+  // hls/stages/align.hpp:97
+  logic [9:0] select_52;
+  assign select_52 = and_28 ? (cfg_width_i + 10'h3ff) : (last_q ? cfg_width_i : (columns_left_q + 10'h3ff));
+  logic [8:0] select_55;
+  assign select_55 = and_28 ? cfg_height_i : (last_q ? (rows_left_q + 9'h1ff) : rows_left_q);
   // hls/stages/align.hpp:67
-  logic and_57;
-  assign and_57 = idle_q & not_17;
+  logic and_56;
+  assign and_56 = idle_q & not_17;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -102,25 +105,25 @@ module horopter_align (
       columns_left_q <= 10'h0;
       rows_left_q <= 9'h0;
     end else if (s0_en) begin
-      active_q <= or_29 & (~and_35);
-      idle_q <= and_35;
-      last_q <= (~and_33) & (select_40 == 10'h1);
-      final_row_q <= and_33 ? (select_44 == 9'h1) : select_31;
-      started_q <= and_19 | and_28;
+      active_q <= or_29 & (~and_31);
+      idle_q <= and_31;
+      last_q <= select_38;
+      final_row_q <= select_42;
+      started_q <= and_19 | and_27;
       row_ended_q <= marks_last_i;
-      rows_q <= marks_last_i ? (select_21 + {4'h0, not_48}) : select_21;
-      columns_q <= select_25 + {4'h0, not_51};
-      columns_left_q <= and_33 ? sum_39 : (select_40 + 10'h3ff);
-      rows_left_q <= and_33 ? (select_44 + 9'h1ff) : select_44;
+      rows_q <= marks_last_i ? (select_21 + {4'h0, not_44}) : select_21;
+      columns_q <= select_25 + {4'h0, not_47};
+      columns_left_q <= select_52;
+      rows_left_q <= select_55;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
   assign state_o = state_i;
   assign first_o = and_28;
-  assign last_o = and_34;
-  assign end_v_o = and_35;
-  assign idle_o = and_57;
-  assign valid_o = valid_i & (and_57 | or_29);
+  assign last_o = and_30;
+  assign end_v_o = and_31;
+  assign idle_o = and_56;
+  assign valid_o = valid_i & (and_56 | or_29);
 
 endmodule
