@@ -3,7 +3,7 @@
 //
 // Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 0 bits, pipeline 49 bits, memories 0 bits.
+// State 0 bits, pipeline 59 bits, memories 0 bits.
 module horopter_direction (
   input  logic clk_i,
   input  logic rst_ni,
@@ -45,6 +45,9 @@ module horopter_direction (
   // hls/stages/direction.hpp:47
   logic [9:0] smaller;
   assign smaller = (y < x) ? y : x;
+  // hls/stages/direction.hpp:49
+  logic [10:0] sum_39;
+  assign sum_39 = {1'b0, smaller} + {2'h0, smaller[9:1]};
 
   logic saturated_s1_q;
   logic mask_s1_q;
@@ -53,8 +56,9 @@ module horopter_direction (
   logic less_11_s1_q;
   logic xor_14_s1_q;
   logic [9:0] larger_s1_q;
-  logic [9:0] smaller_s1_q;
+  logic [9:0] difference_18_s1_q;
   logic select_37_s1_q;
+  logic [9:0] sum_39_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       saturated_s1_q <= saturated_i;
@@ -64,21 +68,20 @@ module horopter_direction (
       less_11_s1_q <= less_11;
       xor_14_s1_q <= less_11 ^ (~(gx_0_i[10] ^ gy_0_i[10]));
       larger_s1_q <= larger;
-      smaller_s1_q <= smaller;
+      difference_18_s1_q <= {1'b0, larger[9:1]} - smaller;
       select_37_s1_q <= less_11 ? gy_0_i[10] : gx_0_i[10];
+      sum_39_s1_q <= sum_39[10:1];
     end
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   // hls/stages/direction.hpp:62
-  logic [9:0] difference_18;
-  assign difference_18 = {1'b0, larger_s1_q[9:1]} - smaller_s1_q;
   logic not_19;
-  assign not_19 = ~difference_18[9];
+  assign not_19 = ~difference_18_s1_q[9];
   logic [9:0] xor_20;
   assign xor_20 = larger_s1_q ^ {10{not_19}};
   logic [10:0] sum_21;
-  assign sum_21 = {difference_18[8:0], larger_s1_q[0], not_19} + {not_19, xor_20};
+  assign sum_21 = {difference_18_s1_q[8:0], larger_s1_q[0], not_19} + {not_19, xor_20};
   logic not_22;
   assign not_22 = ~sum_21[10];
   logic [9:0] xor_23;
@@ -105,7 +108,7 @@ module horopter_direction (
   assign sum_33 = {sum_30[9:0], not_31} + {not_31, xor_32};
   logic [5:0] angle;  // table arctangent_table
   always_comb begin
-    case ({difference_18[9], sum_21[10], sum_24[10], sum_27[10], sum_30[10], sum_33[10]})
+    case ({difference_18_s1_q[9], sum_21[10], sum_24[10], sum_27[10], sum_30[10], sum_33[10]})
       6'd1: angle = 6'h1;
       6'd2: angle = 6'h2;
       6'd3: angle = 6'h2;
@@ -176,10 +179,8 @@ module horopter_direction (
   logic [6:0] select_36;
   assign select_36 = xor_14_s1_q ? {1'b0, angle} : (7'h0 - {1'b0, angle});
   // hls/stages/direction.hpp:49
-  logic [10:0] sum_39;
-  assign sum_39 = {1'b0, smaller_s1_q} + {2'h0, smaller_s1_q[9:1]};
   logic [9:0] sum_40;
-  assign sum_40 = sum_39[10:1] + 10'h1;
+  assign sum_40 = sum_39_s1_q + 10'h1;
   logic [10:0] sum_41;
   assign sum_41 = {1'b0, larger_s1_q} + {2'h0, sum_40[9:1]};
 

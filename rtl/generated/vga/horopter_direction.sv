@@ -3,7 +3,7 @@
 //
 // Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 0 bits, pipeline 88 bits, memories 0 bits.
+// State 0 bits, pipeline 108 bits, memories 0 bits.
 module horopter_direction (
   input  logic clk_i,
   input  logic rst_ni,
@@ -63,6 +63,11 @@ module horopter_direction (
   // hls/stages/direction.hpp:47
   logic [9:0] smaller_2;
   assign smaller_2 = (y_2 < x_2) ? y_2 : x_2;
+  // hls/stages/direction.hpp:49
+  logic [10:0] sum_73;
+  assign sum_73 = {1'b0, smaller} + {2'h0, smaller[9:1]};
+  logic [10:0] sum_78;
+  assign sum_78 = {1'b0, smaller_2} + {2'h0, smaller_2[9:1]};
 
   logic saturated_s1_q;
   logic mask_s1_q;
@@ -71,13 +76,15 @@ module horopter_direction (
   logic less_13_s1_q;
   logic xor_16_s1_q;
   logic [9:0] larger_s1_q;
-  logic [9:0] smaller_s1_q;
+  logic [9:0] difference_20_s1_q;
   logic select_39_s1_q;
   logic less_45_s1_q;
   logic xor_48_s1_q;
   logic [9:0] larger_2_s1_q;
-  logic [9:0] smaller_2_s1_q;
+  logic [9:0] difference_52_s1_q;
   logic select_71_s1_q;
+  logic [9:0] sum_73_s1_q;
+  logic [9:0] sum_78_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       saturated_s1_q <= saturated_i;
@@ -87,26 +94,26 @@ module horopter_direction (
       less_13_s1_q <= less_13;
       xor_16_s1_q <= less_13 ^ (~(gx_0_i[10] ^ gy_0_i[10]));
       larger_s1_q <= larger;
-      smaller_s1_q <= smaller;
+      difference_20_s1_q <= {1'b0, larger[9:1]} - smaller;
       select_39_s1_q <= less_13 ? gy_0_i[10] : gx_0_i[10];
       less_45_s1_q <= less_45;
       xor_48_s1_q <= less_45 ^ (~(gx_1_i[10] ^ gy_1_i[10]));
       larger_2_s1_q <= larger_2;
-      smaller_2_s1_q <= smaller_2;
+      difference_52_s1_q <= {1'b0, larger_2[9:1]} - smaller_2;
       select_71_s1_q <= less_45 ? gy_1_i[10] : gx_1_i[10];
+      sum_73_s1_q <= sum_73[10:1];
+      sum_78_s1_q <= sum_78[10:1];
     end
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   // hls/stages/direction.hpp:62
-  logic [9:0] difference_20;
-  assign difference_20 = {1'b0, larger_s1_q[9:1]} - smaller_s1_q;
   logic not_21;
-  assign not_21 = ~difference_20[9];
+  assign not_21 = ~difference_20_s1_q[9];
   logic [9:0] xor_22;
   assign xor_22 = larger_s1_q ^ {10{not_21}};
   logic [10:0] sum_23;
-  assign sum_23 = {difference_20[8:0], larger_s1_q[0], not_21} + {not_21, xor_22};
+  assign sum_23 = {difference_20_s1_q[8:0], larger_s1_q[0], not_21} + {not_21, xor_22};
   logic not_24;
   assign not_24 = ~sum_23[10];
   logic [9:0] xor_25;
@@ -133,7 +140,7 @@ module horopter_direction (
   assign sum_35 = {sum_32[9:0], not_33} + {not_33, xor_34};
   logic [5:0] angle;  // table arctangent_table
   always_comb begin
-    case ({difference_20[9], sum_23[10], sum_26[10], sum_29[10], sum_32[10], sum_35[10]})
+    case ({difference_20_s1_q[9], sum_23[10], sum_26[10], sum_29[10], sum_32[10], sum_35[10]})
       6'd1: angle = 6'h1;
       6'd2: angle = 6'h2;
       6'd3: angle = 6'h2;
@@ -204,14 +211,12 @@ module horopter_direction (
   logic [6:0] select_38;
   assign select_38 = xor_16_s1_q ? {1'b0, angle} : (7'h0 - {1'b0, angle});
   // hls/stages/direction.hpp:62
-  logic [9:0] difference_52;
-  assign difference_52 = {1'b0, larger_2_s1_q[9:1]} - smaller_2_s1_q;
   logic not_53;
-  assign not_53 = ~difference_52[9];
+  assign not_53 = ~difference_52_s1_q[9];
   logic [9:0] xor_54;
   assign xor_54 = larger_2_s1_q ^ {10{not_53}};
   logic [10:0] sum_55;
-  assign sum_55 = {difference_52[8:0], larger_2_s1_q[0], not_53} + {not_53, xor_54};
+  assign sum_55 = {difference_52_s1_q[8:0], larger_2_s1_q[0], not_53} + {not_53, xor_54};
   logic not_56;
   assign not_56 = ~sum_55[10];
   logic [9:0] xor_57;
@@ -238,7 +243,7 @@ module horopter_direction (
   assign sum_67 = {sum_64[9:0], not_65} + {not_65, xor_66};
   logic [5:0] angle_2;  // table arctangent_table
   always_comb begin
-    case ({difference_52[9], sum_55[10], sum_58[10], sum_61[10], sum_64[10], sum_67[10]})
+    case ({difference_52_s1_q[9], sum_55[10], sum_58[10], sum_61[10], sum_64[10], sum_67[10]})
       6'd1: angle_2 = 6'h1;
       6'd2: angle_2 = 6'h2;
       6'd3: angle_2 = 6'h2;
@@ -309,18 +314,14 @@ module horopter_direction (
   logic [6:0] select_70;
   assign select_70 = xor_48_s1_q ? {1'b0, angle_2} : (7'h0 - {1'b0, angle_2});
   // hls/stages/direction.hpp:49
-  logic [10:0] sum_73;
-  assign sum_73 = {1'b0, smaller_s1_q} + {2'h0, smaller_s1_q[9:1]};
   logic [9:0] sum_74;
-  assign sum_74 = sum_73[10:1] + 10'h1;
+  assign sum_74 = sum_73_s1_q + 10'h1;
   logic [10:0] sum_75;
   assign sum_75 = {1'b0, larger_s1_q} + {2'h0, sum_74[9:1]};
   logic [10:0] select_77;
   assign select_77 = (sum_75[10:8] == 3'h0) ? sum_75 : 11'hff;
-  logic [10:0] sum_78;
-  assign sum_78 = {1'b0, smaller_2_s1_q} + {2'h0, smaller_2_s1_q[9:1]};
   logic [9:0] sum_79;
-  assign sum_79 = sum_78[10:1] + 10'h1;
+  assign sum_79 = sum_78_s1_q + 10'h1;
   logic [10:0] sum_80;
   assign sum_80 = {1'b0, larger_2_s1_q} + {2'h0, sum_79[9:1]};
   logic [8:0] select_82;
