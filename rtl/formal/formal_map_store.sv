@@ -125,6 +125,8 @@ module formal_map_store (
       if (valid[watched]) assert (first <= last && 32'(last) < 16);
       assert (!(\dut.waiting_q && \dut.take ));
       if (\dut.state_q == SIZE || \dut.state_q == WALK) assert (!\dut.waiting_q && !\dut.take );
+      if (data_ready)
+        assert (\dut.state_q != SIZE && \dut.state_q != WALK && !\dut.start_q && !\dut.waiting_q && !\dut.take && !\dut.checked_q );
       if (\dut.checked_q ) assert (\dut.state_q == CHECK && !\dut.waiting_q && !\dut.take );
       if (\dut.state_q == SIZE) begin
         assert (\dut.step_q <= 7'd13);

@@ -13,7 +13,7 @@
 //
 // Directory: lookup_i for one clock asks for lookup_slot_i; from two clocks later on the table_* outputs tell,
 // until the next lookup. table_ok_o: it was valid, and made for this width and height.
-// data_ready_o falls for 5 clocks after each word, in which its bytes go through the CRC, and for some 80 after the
+// data_ready_o falls for 6 clocks after each word, in which its bytes go through the CRC, and for some 80 after the
 // third. busy_o: an upload or a word of one is under way, error_o may still change. Reset: all slots invalid.
 module horopter_map_store #(
     parameter int unsigned POOL_BYTES = 81920,
@@ -113,9 +113,12 @@ module horopter_map_store #(
   logic [3:0] byte_q;  // one-hot: bytes that are through
   logic start_q, waiting_q, take, slot_in_use_q, store_entry;  // a start counts a clock later
   logic checked_q, right_q;  // the last word was taken in the clock before, and was the CRC
-  assign data_ready_o = state_q != SIZE && state_q != WALK && !start_valid_i && !start_q && !waiting_q && !take && !checked_q;
+  logic data_ready_q;  // of the clock before: later than need be, never too early
+  assign data_ready_o = data_ready_q;
   assign start_ready_o = 1'b1;
   always_ff @(posedge clk_i) begin
+    data_ready_q <= rst_ni && state_q != SIZE && state_q != WALK && !start_valid_i && !start_q && !(data_valid_i && data_ready_q)
+        && !waiting_q && !take && !checked_q;
     start_q <= rst_ni && start_valid_i;
     checked_q <= rst_ni && !start_q && state_q == CHECK && take;
     right_q <= crc_q == CRC_RIGHT;
@@ -177,8 +180,6 @@ module horopter_map_store #(
       valid_q <= 15'd0;
       error_o <= NO_ERROR;
     end else if (start_q) begin
-      slot_q <= slot_i;
-      base_q <= base_i;
       if (slot_i == 4'd15) begin
         state_q <= IDLE;
         error_o <= NO_SLOT;
@@ -196,8 +197,6 @@ module horopter_map_store #(
       case (state_q)
         HEAD0:
         if (take) begin
-          nx_q <= data[6:4];
-          ny_q <= data[2:0];
           if (data[31:8] != 24'h484D01 || data[7] || data[3] || data[6:4] == 3'd7 || data[2:0] == 3'd7) begin
             state_q <= IDLE;
             error_o <= BAD_HEADER;
@@ -207,85 +206,34 @@ module horopter_map_store #(
           end
         end
 
-        HEAD1:
-        if (take) begin
-          columns_q <= data[11:0];
-          pairs_q <= data[26:16];
-          consistent_q <= data[15:12] == 4'd0 && data[31:27] == 5'd0;
-          state_q <= HEAD2;
-        end
+        HEAD1: if (take) state_q <= HEAD2;
 
-        HEAD2:
-        if (take) begin
-          width_q <= data[11:0];
-          height_q <= data[27:16];
-          if (data[15:12] != 4'd0 || data[31:28] != 4'd0 || data[11:0] == 12'd0 || data[27:16] == 12'd0)
-            consistent_q <= 1'b0;
-          cells_x_q <= data[11:0] - 12'd1;
-          cells_y_q <= data[27:16] - 12'd1;
-          size_q <= 24'd0;
-          step_q <= 7'd0;
-          state_q <= SIZE;
-        end
+        HEAD2: if (take) state_q <= SIZE;
 
-        // One bit of the product and one place of the shifts a clock. With c = (size - 1) >> n there are c + 1 cells,
-        // c + 2 control points.
-        SIZE: begin
-          step_q <= step_q + 7'd1;
-          // Pairs of c + 2 rows: c / 2 + 1, and one more if c is odd.
-          differs_q <= columns_q != cells_x_q || 12'(pairs_q) != cells_y_q;
-          bad_size_q <= !consistent_q || differs_q || size_q == 24'd0;
-          too_large_q <= 32'(end_q) > WORDS;
-          if (step_q < 7'd11) begin
-            pairs_q <= {pairs_q[9:0], pairs_q[10]};  // back in place after all 11
-            size_q <= {size_q[22:0], 1'b0} + (pairs_q[10] ? 24'(columns_q) : 24'd0);
-            if (step_q < 7'(nx_q)) cells_x_q <= {1'b0, cells_x_q[11:1]};
-            if (step_q < 7'(ny_q)) cells_y_q <= {1'b0, cells_y_q[11:1]};
-            if (step_q == 7'd7) begin  // both shifts are over
-              cells_x_q <= cells_x_q + 12'd2;
-              cells_y_q <= 12'(cells_y_q[11:1]) + 12'd1 + 12'(cells_y_q[0]);
-            end
-          end else if (step_q == 7'd11) begin
-            end_q <= size_q + 24'(base_q);
-          end else if (step_q == 7'd13) begin
-            step_q <= 7'd0;
-            overlap_q <= 15'd0;
-            if (bad_size_q || too_large_q) begin
-              state_q <= IDLE;
-              error_o <= bad_size_q ? BAD_HEADER : TOO_LARGE;
-              bad_upload_o <= 1'b1;
-            end else begin
-              state_q <= WALK;
-            end
+        SIZE:
+        if (step_q == 7'd13) begin
+          if (bad_size_q || too_large_q) begin
+            state_q <= IDLE;
+            error_o <= bad_size_q ? BAD_HEADER : TOO_LARGE;
+            bad_upload_o <= 1'b1;
+          end else begin
+            state_q <= WALK;
           end
         end
 
-        // Four clocks a slot: read, compare, judge, note.
-        WALK: begin
-          step_q <= step_q + 7'd1;
-          if (step_q[1:0] == 2'd3 && overlaps_q) overlap_q[walk_slot] <= 1'b1;
-          if (step_q == 7'd64) begin
-            write_addr_q <= 17'(base_q);
-            left_q <= {size_q[22:0], 1'b0} - 24'd1;
-            odd_q <= 1'b0;
-            if (overlap_in_use) begin
-              state_q <= IDLE;
-              error_o <= IN_USE;
-              refused_o <= 1'b1;
-            end else begin
-              state_q <= DATA;
-              valid_q <= valid_q & ~overlap_q;
-            end
+        WALK:
+        if (step_q == 7'd64) begin
+          if (overlap_in_use) begin
+            state_q <= IDLE;
+            error_o <= IN_USE;
+            refused_o <= 1'b1;
+          end else begin
+            state_q <= DATA;
+            valid_q <= valid_q & ~overlap_q;
           end
         end
 
-        DATA:
-        if (take) begin
-          odd_q <= !odd_q;
-          if (odd_q) write_addr_q <= write_addr_q + 17'd1;
-          left_q <= left_q - 24'd1;
-          if (left_q == 24'd0) state_q <= CHECK;
-        end
+        DATA: if (take && left_q == 24'd0) state_q <= CHECK;
 
         CHECK:
         if (checked_q) begin
@@ -302,6 +250,84 @@ module horopter_map_store #(
         if (take && error_o == NO_ERROR) error_o <= NOT_STARTED;
       endcase
     end
+  end
+
+  // What the states work with; none of it needs a reset, a start sets the state that sets it.
+  logic halve_x_q, halve_y_q;  // this place of the shifts counts
+  logic [6:0] next_step;
+  assign next_step = state_q == SIZE ? step_q + 7'd1 : 7'd0;
+  always_ff @(posedge clk_i) begin
+    if (start_q) begin
+      slot_q <= slot_i;
+      base_q <= base_i;
+    end
+    halve_x_q <= next_step < 7'(nx_q);
+    halve_y_q <= next_step < 7'(ny_q);
+    // Pairs of c + 2 rows: c / 2 + 1, and one more if c is odd.
+    differs_q <= columns_q != cells_x_q || 12'(pairs_q) != cells_y_q;
+    bad_size_q <= !consistent_q || differs_q || size_q == 24'd0;
+    too_large_q <= 32'(end_q) > WORDS;
+    case (state_q)
+      HEAD0:
+      if (take) begin
+        nx_q <= data[6:4];
+        ny_q <= data[2:0];
+      end
+
+      HEAD1:
+      if (take) begin
+        columns_q <= data[11:0];
+        pairs_q <= data[26:16];
+        consistent_q <= data[15:12] == 4'd0 && data[31:27] == 5'd0;
+      end
+
+      HEAD2:
+      if (take) begin
+        width_q <= data[11:0];
+        height_q <= data[27:16];
+        if (data[15:12] != 4'd0 || data[31:28] != 4'd0 || data[11:0] == 12'd0 || data[27:16] == 12'd0) consistent_q <= 1'b0;
+        cells_x_q <= data[11:0] - 12'd1;
+        cells_y_q <= data[27:16] - 12'd1;
+        size_q <= 24'd0;
+        step_q <= 7'd0;
+      end
+
+      // One bit of the product and one place of the shifts a clock. With c = (size - 1) >> n there are c + 1 cells,
+      // c + 2 control points.
+      SIZE: begin
+        step_q <= step_q == 7'd13 ? 7'd0 : next_step;
+        overlap_q <= 15'd0;
+        if (step_q < 7'd11) begin
+          pairs_q <= {pairs_q[9:0], pairs_q[10]};  // back in place after all 11
+          size_q <= {size_q[22:0], 1'b0} + (pairs_q[10] ? 24'(columns_q) : 24'd0);
+        end
+        if (halve_x_q) cells_x_q <= {1'b0, cells_x_q[11:1]};
+        if (halve_y_q) cells_y_q <= {1'b0, cells_y_q[11:1]};
+        if (step_q == 7'd7) begin  // both shifts are over
+          cells_x_q <= cells_x_q + 12'd2;
+          cells_y_q <= 12'(cells_y_q[11:1]) + 12'd1 + 12'(cells_y_q[0]);
+        end
+        if (step_q == 7'd11) end_q <= size_q + 24'(base_q);
+      end
+
+      // Four clocks a slot: read, compare, judge, note.
+      WALK: begin
+        step_q <= step_q + 7'd1;
+        if (step_q[1:0] == 2'd3 && overlaps_q) overlap_q[walk_slot] <= 1'b1;
+        write_addr_q <= 17'(base_q);
+        left_q <= {size_q[22:0], 1'b0} - 24'd1;
+        odd_q <= 1'b0;
+      end
+
+      DATA:
+      if (take) begin
+        odd_q <= !odd_q;
+        if (odd_q) write_addr_q <= write_addr_q + 17'd1;
+        left_q <= left_q - 24'd1;
+      end
+
+      default: ;
+    endcase
   end
   assign busy_o = state_q != IDLE || start_q || waiting_q || take;
   assign valid_o = valid_q;
