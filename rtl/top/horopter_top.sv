@@ -1048,8 +1048,8 @@ module horopter_top #(
       .FAULTS(FAULTS)
   ) u_frame_control (
       .clk_i(clk_i),
-      .rst_ni(core_rst_n && rst_ni),  // at once, not a clock later
-      .safe_allowed_i(!test_input),
+      .rst_ni(core_rst_n),
+      .safe_allowed_i(rst_ni && !test_input),  // a reset ends it at once, not a clock later
       .timeout_i(timeout),
       .open_i(frame_open),
       .open_slot_i(open_slot),
