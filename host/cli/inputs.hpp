@@ -32,8 +32,8 @@ SkinFile load_skin_for(const std::string& skin, const std::optional<calib::Rig>&
 /// A skin.yaml whose surface lies in the rig's world. Throws FileError.
 std::unique_ptr<RigSkin> load_rig_skin(const std::string& skin, const calib::Rig& rig);
 /// Tables for a rule from a skin.yaml, or from an .hmap of the same profile, size and, where one is given, rig. Throws
-/// FileError, also for an .hmap with a pixel that the rule cannot serve. Without a rig of their own that is not known:
-/// see rows_checked.
+/// FileError, also for an .hmap with a pixel that the rule cannot serve. Without a rig of their own that is not known,
+/// see report_rows.
 MapSet load_or_compile_maps(const std::string& skin, const std::optional<calib::Rig>& rig,
                             const MachineProfile& profile, int image_width, int image_height, Decision decision);
 
