@@ -300,7 +300,15 @@ TEST_CASE("an alarm is not safe, and the frame after it is", "[faults]") {
 
 TEST_CASE("safe_o is low from reset until the first good frame, and after a reset again", "[faults]") {
   Watch watch;
-  CHECK(watch.machine.model().safe_o == 1);
+  auto& model = watch.machine.model();
+  CHECK(model.safe_o == 1);
+  model.rst_ni = 0;
+  for (const int clock : {0, 1}) {
+    model.clk_i = clock;
+    model.eval();
+  }
+  CHECK(model.safe_o == 0);  // with the first clock of the reset
+  CHECK(model.unsafe_o == 1);
   watch.machine.simulation().reset();
   CHECK(watch.machine.model().safe_o == 0);
   CHECK(watch.machine.model().unsafe_o == 1);
