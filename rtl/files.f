@@ -1,3 +1,4 @@
+rtl/prim/horopter_mux.sv
 rtl/prim/horopter_ram_bank.sv
 rtl/prim/horopter_ram.sv
 rtl/axis/horopter_axis_skid.sv

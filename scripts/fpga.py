@@ -43,56 +43,15 @@ def rule_parameters(profile_name, decision):
     return {rule.upper(): 0 for rule in DECISIONS[has] if rule not in DECISIONS[decision]}
 
 
-def sources(profile_name):
-    """The files of a build of one profile: its package, its emitted stages, the hand-written modules of rtl/files.f."""
+def sources(profile_name, family=None):
+    """The files of a build of one profile: its package, its emitted stages, the hand-written modules of rtl/files.f, those of
+    rtl/prim as rtl/prim/<family> has them, if it does."""
     folder = ROOT / "rtl/generated" / profile_name
     emitted = sorted(f for f in folder.glob("horopter_*.sv") if not f.name.endswith("_pkg.sv"))
     written = [ROOT / line for line in (ROOT / "rtl/files.f").read_text(encoding="utf-8").split()]
+    own = [f.parent / str(family) / f.name for f in written]
+    written = [o if o.is_file() else f for o, f in zip(own, written)]
     return [folder / "horopter_profile_pkg.sv", *emitted, *written]
-
-
-def use_output_registers(module):
-    """yosys does not use the output registers of ECP5's block memories: where every bit that is read goes to a flip-flop
-    of the same clock and nowhere else, that flip-flop moves into the memory. Changes the netlist; returns how many did."""
-    cells = module["cells"]
-    users = {}
-    for name, cell in cells.items():
-        for port, bits in cell["connections"].items():
-            if cell["port_directions"][port] == "input":
-                for bit in bits:
-                    users.setdefault(bit, []).append((name, port))
-    for port in module["ports"].values():
-        for bit in port["bits"]:
-            users.setdefault(bit, []).append((None, None))
-    moved = 0
-    for cell in list(cells.values()):
-        if cell["type"] != "DP16KD" or cell["parameters"]["REGMODE_B"] != "NOREG":
-            continue
-        ports, chosen, enables, fits = cell["connections"], {}, set(), True
-        if any(users.get(bit) for i in range(18) for bit in ports[f"DOA{i}"]):
-            continue  # the write port is read, too
-        for i in range(18):
-            readers = users.get(ports[f"DOB{i}"][0], [])
-            if not readers:
-                continue
-            flip_flop = cells.get(readers[0][0])
-            fits = (len(readers) == 1 and flip_flop is not None and flip_flop["type"] == "TRELLIS_FF" and readers[0][1] == "DI"
-                    and flip_flop["connections"]["CLK"] == ports["CLKB"] and flip_flop["parameters"]["CLKMUX"] == "CLK"
-                    and flip_flop["parameters"]["REGSET"] == "RESET" and flip_flop["connections"].get("LSR", ["0"]) == ["0"])
-            if not fits:
-                break
-            enabled = flip_flop["parameters"]["CEMUX"].strip() != "1"
-            enables.add(flip_flop["connections"]["CE"][0] if enabled else "1")
-            chosen[f"DOB{i}"] = readers[0][0]
-        if not fits or not chosen or len(enables) != 1:
-            continue
-        cell["parameters"]["REGMODE_B"] = "OUTREG"
-        ports["OCEB"] = [enables.pop()]
-        for port, name in chosen.items():
-            ports[port] = cells[name]["connections"]["Q"]
-            del cells[name]
-        moved += len(chosen)
-    return moved
 
 
 def place_memories(module, target, profile_name):

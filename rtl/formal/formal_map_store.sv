@@ -67,8 +67,8 @@ module formal_map_store (
   (* hierconn *) wire [15:0] \dut.base_q ;
   (* hierconn *) wire [23:0] \dut.size_q ;
   (* hierconn *) wire [23:0] \dut.end_q ;
-  (* hierconn *) wire [23:0] \dut.left_q ;
-  (* hierconn *) wire [16:0] \dut.write_addr_q ;
+  (* hierconn *) wire \dut.complete_q ;
+  (* hierconn *) wire [4:0] \dut.write_addr_q ;
   (* hierconn *) wire \dut.odd_q ;
   (* hierconn *) wire [6:0] \dut.step_q ;
   (* hierconn *) wire \dut.meets_q ;
@@ -80,14 +80,15 @@ module formal_map_store (
   (* hierconn *) wire \dut.checked_q ;
   (* hierconn *) wire \dut.waiting_q ;
   (* hierconn *) wire \dut.take ;
-  (* hierconn *) wire [31:0] \dut.extent ;
+  (* hierconn *) wire [8:0] \dut.extent ;
   (* hierconn *) wire \dut.store_entry ;
   (* hierconn *) wire \dut.write_even ;
   (* hierconn *) wire \dut.write_odd ;
   localparam logic [2:0] IDLE = 3'd0, SIZE = 3'd4, WALK = 3'd5, DATA = 3'd6, CHECK = 3'd7;
 
   (* anyconst *) logic [3:0] watched;
-  logic [15:0] first, last;  // region of the watched table
+  logic [3:0] first;  // region of the watched table
+  logic [4:0] behind;
   logic past_valid = 1'b0, past_in_use = 1'b0, past_lookup_valid = 1'b0;
   logic [3:0] past_slot, past_selected, past_active;
   logic past_running;
@@ -102,27 +103,27 @@ module formal_map_store (
     past_running <= running;
     past_in_use <= rst_ni && in_use;
     if (\dut.store_entry && \dut.slot_q == watched) begin
-      first <= \dut.base_q ;
-      last <= \dut.end_q [15:0] - 16'd1;
+      first <= \dut.base_q [3:0];
+      behind <= \dut.end_q [4:0];
     end
   end
 
   logic apart;  // the upload's region and the watched table's
-  assign apart = 24'(last) < 24'(\dut.base_q ) || 24'(first) >= \dut.end_q ;
+  assign apart = 24'(behind) <= 24'(\dut.base_q ) || 24'(first) >= \dut.end_q ;
 
   always @(*) begin
     if (!past_valid) assume (!rst_ni);
     assume (watched != 4'd15);
     // The directory's memory.
     if (\dut.state_q == WALK && \dut.step_q [1:0] != 2'd0 && \dut.step_q [5:2] == watched && valid[watched])
-      assume (\dut.extent == {last, first});
+      assume (\dut.extent == {behind, first});
     // The bus: a start's slot and the selection were there before it counts; a begin makes the selected slot the active one.
     if (\dut.start_q ) assume (slot == past_slot && selected_slot == past_selected && running == past_running);
     assume (active_slot == past_active || active_slot == past_selected);
 
     if (past_valid) begin
       // --- invariants that lead to the properties ---
-      if (valid[watched]) assert (first <= last && 32'(last) < 16);
+      if (valid[watched]) assert (5'(first) < behind && behind <= 5'd16);
       assert (!(\dut.waiting_q && \dut.take ));
       if (\dut.state_q == SIZE || \dut.state_q == WALK) assert (!\dut.waiting_q && !\dut.take );
       if (data_ready)
@@ -145,16 +146,18 @@ module formal_map_store (
         if (\dut.step_q == {1'b0, watched, 2'b11}) assert (\dut.overlaps_q == !apart);
       end
       if (\dut.state_q == DATA) begin
-        // Words left, the one expected included.
-        assert (\dut.left_q < 24'd32);
-        assert (24'(\dut.write_addr_q ) < \dut.end_q && \dut.write_addr_q >= 17'(\dut.base_q ));
-        assert (\dut.left_q + 24'd1 + 24'(\dut.odd_q ) == (\dut.end_q - 24'(\dut.write_addr_q )) * 24'd2);
+        assert (24'(\dut.write_addr_q ) <= \dut.end_q && 16'(\dut.write_addr_q ) >= \dut.base_q );
+        if (24'(\dut.write_addr_q ) == \dut.end_q )
+          assert (!\dut.odd_q && !\dut.take && !\dut.waiting_q && (\dut.complete_q || !data_ready));
+        else assert (!\dut.complete_q );
       end
+      if (\dut.state_q == WALK && \dut.step_q >= 7'd1) assert (16'(\dut.write_addr_q ) == \dut.base_q );
+      if (\dut.state_q == WALK && \dut.step_q >= 7'd2) assert (!\dut.complete_q );
       if ((\dut.state_q == DATA || \dut.state_q == CHECK) && valid[watched]) assert (apart);
 
       // --- properties ---
       if ((\dut.write_even || \dut.write_odd ) && valid[watched])
-        assert (\dut.write_addr_q < 17'(first) || \dut.write_addr_q > 17'(last));
+        assert (\dut.write_addr_q < 5'(first) || \dut.write_addr_q >= behind);
       if (past_in_use) assert (valid[watched] || !rst_ni);
       cover (\dut.state_q == WALK);
       cover (error == 3'd2);

@@ -74,37 +74,49 @@ module horopter_ram #(
     logic [IN_BANK_BITS-1:0] write_addr_q;
     logic [ADDR_BITS-1:0] read_addr_q;
     logic [WORD_BITS-1:0] write_word_q;
-    // Four banks share a group.
-    localparam int unsigned GROUP_BITS = BANK_BITS > 3 ? BANK_BITS - 2 : 1;
-    localparam int unsigned GROUPS = 1 << GROUP_BITS;
-    logic [GROUP_BITS+1:0] read_bank_q, read_bank_q2;
+    // Eight banks share a group.
+    localparam int unsigned GROUPS = (BANKS + 7) / 8;
+    localparam int unsigned GROUP_BITS = GROUPS > 1 ? $clog2(GROUPS) : 1;
+    localparam int unsigned GROUP_BANKS = GROUPS > 1 ? 8 : BANKS;
+    localparam int unsigned LAST_BANKS = BANKS - (GROUPS - 1) * GROUP_BANKS;
+    logic [GROUP_BITS+2:0] read_bank_q, read_bank_q2;
     logic [GROUP_BITS-1:0] read_group_q;
-    logic [GROUPS*4*WORD_BITS-1:0] words;
-    logic [GROUPS*WORD_BITS-1:0] group_words_q;
+    logic [BANKS*WORD_BITS-1:0] words;
+    logic [GROUPS*WORD_BITS-1:0] group_words, group_words_q;
     logic [WORD_BITS-1:0] chosen_word;
     always_ff @(posedge clk_i) begin
       write_addr_q <= write_addr_i[IN_BANK_BITS-1:0];
       write_word_q <= write_word;
       read_en_q <= read_en_i;
       read_addr_q <= read_addr_i;
-      if (read_en_q) read_bank_q <= (GROUP_BITS + 2)'(bank_of(read_addr_q));
+      if (read_en_q) read_bank_q <= (GROUP_BITS + 3)'(bank_of(read_addr_q));
       read_bank_q2 <= read_bank_q;
-      read_group_q <= read_bank_q2[2+:GROUP_BITS];
-      for (int unsigned g = 0; g < GROUPS; g++) begin
-        case (read_bank_q2[1:0])
-          2'd0: group_words_q[g*WORD_BITS+:WORD_BITS] <= words[4*g*WORD_BITS+:WORD_BITS];
-          2'd1: group_words_q[g*WORD_BITS+:WORD_BITS] <= words[(4*g+1)*WORD_BITS+:WORD_BITS];
-          2'd2: group_words_q[g*WORD_BITS+:WORD_BITS] <= words[(4*g+2)*WORD_BITS+:WORD_BITS];
-          default: group_words_q[g*WORD_BITS+:WORD_BITS] <= words[(4*g+3)*WORD_BITS+:WORD_BITS];
-        endcase
-      end
+      read_group_q <= read_bank_q2[3+:GROUP_BITS];
+      group_words_q <= group_words;
       out_word <= chosen_word;
     end
-    if (BANKS < 4 * GROUPS) assign words[GROUPS*4*WORD_BITS-1:BANKS*WORD_BITS] = '0;
-    always_comb begin
-      chosen_word = '0;
-      for (int unsigned g = 0; g < GROUPS; g++)
-        if (read_group_q == GROUP_BITS'(g)) chosen_word |= group_words_q[g*WORD_BITS+:WORD_BITS];
+    for (genvar g = 0; g < GROUPS; g++) begin : g_group
+      localparam int unsigned COUNT = g < GROUPS - 1 ? GROUP_BANKS : LAST_BANKS;
+      horopter_mux #(
+          .WIDTH(WORD_BITS),
+          .COUNT(COUNT)
+      ) u_mux (
+          .select_i(read_bank_q2[(COUNT > 1 ? $clog2(COUNT) : 1)-1:0]),
+          .words_i(words[g*GROUP_BANKS*WORD_BITS+:COUNT*WORD_BITS]),
+          .word_o(group_words[g*WORD_BITS+:WORD_BITS])
+      );
+    end
+    if (GROUPS == 1) begin : g_one_group
+      assign chosen_word = group_words_q;
+    end else begin : g_groups
+      horopter_mux #(
+          .WIDTH(WORD_BITS),
+          .COUNT(GROUPS)
+      ) u_mux (
+          .select_i(read_group_q),
+          .words_i(group_words_q),
+          .word_o(chosen_word)
+      );
     end
     for (genvar b = 0; b < BANKS; b++) begin : g_bank
       localparam int unsigned BANK_DEPTH = b < DEEP_BANKS ? DEEP : (DEPTH < SHALLOW ? DEPTH : SHALLOW);

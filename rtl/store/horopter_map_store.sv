@@ -102,9 +102,10 @@ module horopter_map_store #(
   logic [14:0] overlap_q;
   logic [6:0] step_q;
   logic [23:0] size_q, end_q;  // words; address after the last
-  logic [23:0] left_q;  // words of data still to come, less one
-  logic [16:0] write_addr_q;
-  logic odd_q;
+  logic [ADDR_BITS:0] end_addr;  // the same, once it is known to be in the pool
+  logic [ADDR_BITS:0] write_addr_q;
+  logic odd_q, complete_q;  // data: the odd row's is next; all is there
+  assign end_addr = end_q[ADDR_BITS:0];
   logic consistent_q, differs_q, bad_size_q, too_large_q;
   logic [11:0] cells_x_q, cells_y_q;
 
@@ -144,17 +145,17 @@ module horopter_map_store #(
         && slot_i != 4'd15 && (valid_q[slot_i] || store_entry);
 
   // Extent of each table, for the walk.
-  logic [31:0] extent;
+  logic [2*ADDR_BITS:0] extent;
   logic [3:0] walk_slot;
   logic unused_extent_parity, unused_entry_parity, unused_crc_parity;
   horopter_ram #(
-      .WIDTH(32),
+      .WIDTH(2 * ADDR_BITS + 1),
       .DEPTH(16)
   ) u_extent (
       .clk_i(clk_i),
       .write_en_i(store_entry),
       .write_addr_i(slot_q),
-      .write_data_i({end_q[15:0] - 16'd1, base_q}),  // its last and first word
+      .write_data_i({end_addr, base_q[ADDR_BITS-1:0]}),
       .read_en_i(state_q == WALK),
       .read_addr_i(walk_slot),
       .read_data_o(extent),
@@ -163,7 +164,7 @@ module horopter_map_store #(
   logic meets_q, overlaps_q, overlap_in_use;
   assign walk_slot = step_q[5:2];
   always_ff @(posedge clk_i) begin
-    meets_q <= 24'(extent[15:0]) < end_q && extent[31:16] >= base_q;
+    meets_q <= {1'b0, extent[ADDR_BITS-1:0]} < end_addr && extent[2*ADDR_BITS:ADDR_BITS] > {1'b0, base_q[ADDR_BITS-1:0]};
     overlaps_q <= walk_slot != 4'd15 && valid_q[walk_slot] && walk_slot != slot_q && meets_q;
   end
 
@@ -233,7 +234,7 @@ module horopter_map_store #(
           end
         end
 
-        DATA: if (take && left_q == 24'd0) state_q <= CHECK;
+        DATA: if (complete_q) state_q <= CHECK;  // words are more than two clocks apart
 
         CHECK:
         if (checked_q) begin
@@ -267,6 +268,7 @@ module horopter_map_store #(
     differs_q <= columns_q != cells_x_q || 12'(pairs_q) != cells_y_q;
     bad_size_q <= !consistent_q || differs_q || size_q == 24'd0;
     too_large_q <= 32'(end_q) > WORDS;
+    complete_q <= write_addr_q == end_addr;
     case (state_q)
       HEAD0:
       if (take) begin
@@ -314,16 +316,14 @@ module horopter_map_store #(
       WALK: begin
         step_q <= step_q + 7'd1;
         if (step_q[1:0] == 2'd3 && overlaps_q) overlap_q[walk_slot] <= 1'b1;
-        write_addr_q <= 17'(base_q);
-        left_q <= {size_q[22:0], 1'b0} - 24'd1;
+        write_addr_q <= {1'b0, base_q[ADDR_BITS-1:0]};
         odd_q <= 1'b0;
       end
 
       DATA:
       if (take) begin
         odd_q <= !odd_q;
-        if (odd_q) write_addr_q <= write_addr_q + 17'd1;
-        left_q <= left_q - 24'd1;
+        if (odd_q) write_addr_q <= write_addr_q + 1'b1;
       end
 
       default: ;

@@ -37,19 +37,19 @@ module horopter_alarm (
   // hls/stages/alarm.hpp:41
   logic not_11;
   assign not_11 = ~idle_i;
-  // hls/stages/stream.hpp:45
+  // hls/stages/stream.hpp:46
   logic and_13;
   assign and_13 = not_11 & (state_i == 2'h1);
-  logic [16:0] select_15;
-  assign select_15 = first_i ? {16'h0, and_13} : (skin_q + {16'h0, and_13});
+  logic [16:0] sum_15;
+  assign sum_15 = {16'h0, and_13} + (first_i ? 17'h0 : skin_q);
   logic and_17;
   assign and_17 = not_11 & (state_i == 2'h2);
-  logic [16:0] select_19;
-  assign select_19 = first_i ? {16'h0, and_17} : (undecidable_q + {16'h0, and_17});
+  logic [16:0] sum_19;
+  assign sum_19 = {16'h0, and_17} + (first_i ? 17'h0 : undecidable_q);
   logic and_21;
   assign and_21 = not_11 & (state_i == 2'h3);
-  logic [16:0] select_23;
-  assign select_23 = first_i ? {16'h0, and_21} : (unsupervised_q + {16'h0, and_21});
+  logic [16:0] sum_23;
+  assign sum_23 = {16'h0, and_21} + (first_i ? 17'h0 : unsupervised_q);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -57,9 +57,9 @@ module horopter_alarm (
       undecidable_q <= 17'h0;
       unsupervised_q <= 17'h0;
     end else if (s0_en) begin
-      skin_q <= select_15;
-      undecidable_q <= select_19;
-      unsupervised_q <= select_23;
+      skin_q <= sum_15;
+      undecidable_q <= sum_19;
+      unsupervised_q <= sum_23;
     end
   end
 
@@ -68,9 +68,9 @@ module horopter_alarm (
   logic less_26_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
-      less_24_s1_q <= cfg_alarm_limit_i < select_15;
-      less_25_s1_q <= cfg_undecidable_limit_i < select_19;
-      less_26_s1_q <= cfg_unsupervised_limit_i < select_23;
+      less_24_s1_q <= cfg_alarm_limit_i < sum_15;
+      less_25_s1_q <= cfg_undecidable_limit_i < sum_19;
+      less_26_s1_q <= cfg_unsupervised_limit_i < sum_23;
     end
   end
 

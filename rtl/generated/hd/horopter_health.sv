@@ -3,7 +3,7 @@
 //
 // Latency 4 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 131 bits, pipeline 27 bits, memories 0 bits.
+// State 131 bits, pipeline 26 bits, memories 0 bits.
 module horopter_health (
   input  logic clk_i,
   input  logic rst_ni,
@@ -39,6 +39,8 @@ module horopter_health (
   logic [31:0] signature_q;
   logic [7:0] darkest_q;
   logic [7:0] brightest_q;
+  logic [20:0] dark_q;
+  logic [20:0] bright_q;
   // hls/stages/health.hpp:49
   logic [31:0] select_18;
   assign select_18 = first_i ? 32'h0 : signature_q;
@@ -54,62 +56,67 @@ module horopter_health (
   // hls/stages/health.hpp:52
   logic [7:0] select_36;
   assign select_36 = first_i ? pixel_i : ((brightest_q < pixel_i) ? pixel_i : brightest_q);
+  logic not_38;
+  assign not_38 = ~(cfg_dark_level_i < pixel_i);
+  // hls/stages/health.hpp:53
+  logic not_42;
+  assign not_42 = ~(pixel_i < cfg_bright_level_i);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       signature_q <= 32'h0;
       darkest_q <= 8'h0;
       brightest_q <= 8'h0;
+      dark_q <= 21'h0;
+      bright_q <= 21'h0;
     end else if (s0_en) begin
       signature_q <= {select_18[0], xor_19[12:11], select_18[29], xor_19[10:9], select_18[26], xor_19[8:7], select_18[23], xor_19[6:4], select_18[19:17], xor_19[3], select_18[15:11], xor_19[2:1], xor_20[7:6], parity_21, xor_20[4:0]};
       darkest_q <= select_33;
       brightest_q <= select_36;
+      dark_q <= {20'h0, not_38} + (first_i ? 21'h0 : dark_q);
+      bright_q <= {20'h0, not_42} + (first_i ? 21'h0 : bright_q);
     end
   end
 
-  logic first_s1_q;
   logic end_v_s1_q;
-  logic not_38_s1_q;
-  logic not_42_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
-      first_s1_q <= first_i;
       end_v_s1_q <= end_v_i;
-      not_38_s1_q <= ~(cfg_dark_level_i < pixel_i);
-      not_42_s1_q <= ~(pixel_i < cfg_bright_level_i);
     end
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   logic [31:0] previous_signature_q;
-  logic [20:0] dark_q;
-  logic [20:0] bright_q;
-  // hls/stages/stream.hpp:45
-  logic [20:0] select_40;
-  assign select_40 = first_s1_q ? {20'h0, not_38_s1_q} : (dark_q + {20'h0, not_38_s1_q});
-  logic [20:0] select_44;
-  assign select_44 = first_s1_q ? {20'h0, not_42_s1_q} : (bright_q + {20'h0, not_42_s1_q});
+  // hls/stages/health.hpp:62
+  logic less_45;
+  assign less_45 = cfg_dark_limit_i < dark_q;
+  // hls/stages/health.hpp:63
+  logic less_47;
+  assign less_47 = cfg_bright_limit_i < bright_q;
+  // hls/stages/health.hpp:64
+  logic and_54;
+  assign and_54 = (~(cfg_contrast_limit_i < (brightest_q - darkest_q))) & (~(less_45 | less_47));
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       previous_signature_q <= 32'h0;
-      dark_q <= 21'h0;
-      bright_q <= 21'h0;
     end else if (s1_en) begin
       previous_signature_q <= end_v_s1_q ? signature_q : previous_signature_q;
-      dark_q <= select_40;
-      bright_q <= select_44;
     end
   end
 
   logic end_v_s2_q;
   logic equal_24_s2_q;
-  logic not_51_s2_q;
+  logic and_46_s2_q;
+  logic and_48_s2_q;
+  logic and_54_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       end_v_s2_q <= end_v_s1_q;
       equal_24_s2_q <= previous_signature_q == signature_q;
-      not_51_s2_q <= ~(cfg_contrast_limit_i < (brightest_q - darkest_q));
+      and_46_s2_q <= end_v_s1_q & less_45;
+      and_48_s2_q <= end_v_s1_q & less_47;
+      and_54_s2_q <= and_54;
     end
   end
 
@@ -121,12 +128,6 @@ module horopter_health (
   assign select_28 = equal_24_s2_q ? ((repeats_q == 8'hff) ? 8'hff : (repeats_q + 8'h1)) : 8'h0;
   logic [7:0] select_29;
   assign select_29 = has_previous_q ? select_28 : 8'h0;
-  // hls/stages/health.hpp:62
-  logic less_45;
-  assign less_45 = cfg_dark_limit_i < dark_q;
-  // hls/stages/health.hpp:63
-  logic less_47;
-  assign less_47 = cfg_bright_limit_i < bright_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -147,9 +148,9 @@ module horopter_health (
     if (s2_en) begin
       end_v_s3_q <= end_v_s2_q;
       select_29_s3_q <= select_29;
-      and_46_s3_q <= end_v_s2_q & less_45;
-      and_48_s3_q <= end_v_s2_q & less_47;
-      and_55_s3_q <= end_v_s2_q & (not_51_s2_q & (~(less_45 | less_47)));
+      and_46_s3_q <= and_46_s2_q;
+      and_48_s3_q <= and_48_s2_q;
+      and_55_s3_q <= end_v_s2_q & and_54_s2_q;
     end
   end
 

@@ -68,21 +68,21 @@ module horopter_health (
   assign select_36 = first_i ? pixel_i : ((brightest_q < pixel_i) ? pixel_i : brightest_q);
   logic not_38;
   assign not_38 = ~(cfg_dark_level_i < pixel_i);
-  // hls/stages/stream.hpp:45
-  logic [18:0] select_40;
-  assign select_40 = first_i ? {18'h0, not_38} : (dark_q + {18'h0, not_38});
+  // hls/stages/stream.hpp:46
+  logic [18:0] sum_40;
+  assign sum_40 = {18'h0, not_38} + (first_i ? 19'h0 : dark_q);
   // hls/stages/health.hpp:53
   logic not_42;
   assign not_42 = ~(pixel_i < cfg_bright_level_i);
-  // hls/stages/stream.hpp:45
-  logic [18:0] select_44;
-  assign select_44 = first_i ? {18'h0, not_42} : (bright_q + {18'h0, not_42});
+  // hls/stages/stream.hpp:46
+  logic [18:0] sum_44;
+  assign sum_44 = {18'h0, not_42} + (first_i ? 19'h0 : bright_q);
   // hls/stages/health.hpp:62
   logic less_45;
-  assign less_45 = cfg_dark_limit_i < select_40;
+  assign less_45 = cfg_dark_limit_i < sum_40;
   // hls/stages/health.hpp:63
   logic less_47;
-  assign less_47 = cfg_bright_limit_i < select_44;
+  assign less_47 = cfg_bright_limit_i < sum_44;
   // hls/stages/health.hpp:64
   logic and_54;
   assign and_54 = (~(cfg_contrast_limit_i < (select_36 - select_33))) & (~(less_45 | less_47));
@@ -104,8 +104,8 @@ module horopter_health (
       repeats_q <= end_v_i ? select_29 : repeats_q;
       darkest_q <= select_33;
       brightest_q <= select_36;
-      dark_q <= select_40;
-      bright_q <= select_44;
+      dark_q <= sum_40;
+      bright_q <= sum_44;
     end
   end
 

@@ -1,0 +1,162 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""What the ECP5's cells can do and yosys does not use: changes to a netlist in yosys's JSON, between synthesis and placing.
+
+  scripts/ecp5.py FILE MODULE    merges look-up tables into carry cells; rtl/equivalence proves the result equal
+"""
+import itertools
+import json
+import pathlib
+import sys
+
+
+def _users(module):
+    """(cell, port) of all that a bit is an input of; (None, None) for a port of the module."""
+    users = {}
+    for name, cell in module["cells"].items():
+        for port, bits in cell["connections"].items():
+            if cell["port_directions"][port] == "input":
+                for bit in bits:
+                    users.setdefault(bit, []).append((name, port))
+    for port in module["ports"].values():
+        for bit in port["bits"]:
+            users.setdefault(bit, []).append((None, None))
+    return users
+
+
+def use_output_registers(module):
+    """yosys does not use the output registers of ECP5's block memories: where every bit that is read goes to a flip-flop
+    of the same clock and nowhere else, that flip-flop moves into the memory. Changes the netlist; returns how many did."""
+    cells, users = module["cells"], _users(module)
+    moved = 0
+    for cell in list(cells.values()):
+        if cell["type"] != "DP16KD" or cell["parameters"]["REGMODE_B"] != "NOREG":
+            continue
+        ports, chosen, enables, fits = cell["connections"], {}, set(), True
+        if any(users.get(bit) for i in range(18) for bit in ports[f"DOA{i}"]):
+            continue  # the write port is read, too
+        for i in range(18):
+            readers = users.get(ports[f"DOB{i}"][0], [])
+            if not readers:
+                continue
+            flip_flop = cells.get(readers[0][0])
+            fits = (len(readers) == 1 and flip_flop is not None and flip_flop["type"] == "TRELLIS_FF" and readers[0][1] == "DI"
+                    and flip_flop["connections"]["CLK"] == ports["CLKB"] and flip_flop["parameters"]["CLKMUX"] == "CLK"
+                    and flip_flop["parameters"]["REGSET"] == "RESET" and flip_flop["connections"].get("LSR", ["0"]) == ["0"])
+            if not fits:
+                break
+            enabled = flip_flop["parameters"]["CEMUX"].strip() != "1"
+            enables.add(flip_flop["connections"]["CE"][0] if enabled else "1")
+            chosen[f"DOB{i}"] = readers[0][0]
+        if not fits or not chosen or len(enables) != 1:
+            continue
+        cell["parameters"]["REGMODE_B"] = "OUTREG"
+        ports["OCEB"] = [enables.pop()]
+        for port, name in chosen.items():
+            ports[port] = cells[name]["connections"]["Q"]
+            del cells[name]
+        moved += len(chosen)
+    return moved
+
+
+def _table_value(init, inputs, values):
+    """Output of a look-up table whose inputs A to D are nets or constants."""
+    index = sum(values.get(net, net == "1") << place for place, net in enumerate(inputs))
+    return init >> index & 1
+
+
+def _support(init, inputs):
+    """Nets that the output of a look-up table depends on, in the order of its inputs."""
+    nets = [net for net in dict.fromkeys(inputs) if isinstance(net, int)]
+    needed = []
+    for net in nets:
+        others = [other for other in nets if other != net]
+        for case in itertools.product((0, 1), repeat=len(others)):
+            values = dict(zip(others, case))
+            if _table_value(init, inputs, {**values, net: 0}) != _table_value(init, inputs, {**values, net: 1}):
+                needed.append(net)
+                break
+    return needed
+
+
+def _half_with(half, out, table):
+    """Table and inputs of half a carry cell that has the look-up table with the output `out` merged into it; None where it
+    does not fit. Where the table of all four inputs is 1 the half passes the carry on; where it is 0 it gives the carry that
+    the first four entries, a table of inputs A and B alone, tell (CCU2C in yosys's cells_sim.v)."""
+    init, inputs = half
+    nets = []
+    for net in inputs:
+        nets += _support(*table) if net == out else [net] if isinstance(net, int) else []
+    nets = list(dict.fromkeys(nets))
+    if len(nets) > 4:
+        return None
+    cases = []  # values of the nets, whether the carry passes, the carry if not
+    for case in itertools.product((0, 1), repeat=len(nets)):
+        values = dict(zip(nets, case))
+        inner = {**values, out: _table_value(*table, values)}
+        cases.append((values, _table_value(init, inputs, inner), _table_value(init, [*inputs[:2], "0", "0"], inner)))
+    for order in itertools.permutations(nets):
+        placed = [*order, *["1"] * (4 - len(nets))]
+        entries, fits = {}, True
+        for values, passes, carry in cases:
+            index = sum(values.get(net, 1) << place for place, net in enumerate(placed))
+            fits &= entries.setdefault(index, passes) == passes
+            if not passes:
+                fits &= entries.setdefault(index & 3, carry) == carry
+        if fits:
+            return sum(value << index for index, value in entries.items()), placed
+    return None
+
+
+def merge_into_carries(module):
+    """Half a carry cell has a look-up table of four inputs, of which yosys uses two or three for the summands: a look-up
+    table in front of it that feeds nothing else moves in where it fits. Changes the netlist; returns how many did."""
+    cells, users = module["cells"], _users(module)
+    merged, before = 0, -1
+    while merged != before:
+        before = merged
+        for name in [n for n, c in cells.items() if c["type"] == "LUT4"]:
+            ports = cells[name]["connections"]
+            out = ports["Z"][0]
+            readers = users.get(out, [])
+            if not readers or not all(cell and cells[cell]["type"] == "CCU2C" and port[0] in "ABCD" and port[1] in "01"
+                                      and cells[cell]["parameters"][f"INJECT1_{port[1]}"] == "NO" for cell, port in readers):
+                continue
+            table = int(cells[name]["parameters"]["INIT"], 2), [ports[p][0] for p in "ABCD"]
+            halves = {}
+            for cell, place in {(cell, port[1]) for cell, port in readers}:
+                half = int(cells[cell]["parameters"][f"INIT{place}"], 2), [cells[cell]["connections"][p + place][0] for p in "ABCD"]
+                halves[cell, place] = _half_with(half, out, table)
+            if None in halves.values():
+                continue
+            for (cell, place), (init, inputs) in halves.items():
+                cells[cell]["parameters"][f"INIT{place}"] = f"{init:016b}"
+                for port, net in zip("ABCD", inputs):
+                    old = cells[cell]["connections"][port + place][0]
+                    users[old].remove((cell, port + place))
+                    users.setdefault(net, []).append((cell, port + place))
+                    cells[cell]["connections"][port + place] = [net]
+            for port in "ABCD":
+                users[ports[port][0]].remove((name, port))
+            del cells[name]
+            merged += 1
+    return merged
+
+
+def improve(module):
+    """All of the above. Changes the netlist; returns a sentence for each that found something."""
+    found = ((merge_into_carries(module), "look-up tables merged into carry cells"),
+             (use_output_registers(module), "flip-flops moved into the output registers of block memories"))
+    return [f"{count} {what}" for count, what in found if count]
+
+
+def main():
+    file, name = pathlib.Path(sys.argv[1]), sys.argv[2]
+    design = json.loads(file.read_text(encoding="utf-8"))
+    merged = merge_into_carries(design["modules"][name])
+    print(f"{name}: {merged} look-up tables merged into carry cells", file=sys.stderr)
+    file.write_text(json.dumps(design), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
