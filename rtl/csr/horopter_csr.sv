@@ -201,7 +201,7 @@ module horopter_csr #(
   // LOOKAHEAD: Rows the right image is ahead of the output.
   logic [11:0] lookahead_rows_q;
   assign lookahead_rows_o = lookahead_rows_q;
-  // TIMEOUT: Watchdog: longest time without a pixel of a camera, and without a finished frame.
+  // TIMEOUT: Watchdog: longest time without a pixel of a camera, and without a finished frame. A new value counts from the next pixel, the next frame on.
   logic [31:0] timeout_clocks_q;
   assign timeout_clocks_o = timeout_clocks_q;
   // TABLE_SELECT: Mapping table of the next output frame.

@@ -76,11 +76,9 @@ module horopter_ram #(
     logic [WORD_BITS-1:0] write_word_q;
     // Eight banks share a group.
     localparam int unsigned GROUPS = (BANKS + 7) / 8;
-    localparam int unsigned GROUP_BITS = GROUPS > 1 ? $clog2(GROUPS) : 1;
     localparam int unsigned GROUP_BANKS = GROUPS > 1 ? 8 : BANKS;
     localparam int unsigned LAST_BANKS = BANKS - (GROUPS - 1) * GROUP_BANKS;
-    logic [GROUP_BITS+2:0] read_bank_q, read_bank_q2;
-    logic [GROUP_BITS-1:0] read_group_q;
+    logic [BANK_BITS-1:0] read_bank_q, read_bank_q2;
     logic [BANKS*WORD_BITS-1:0] words;
     logic [GROUPS*WORD_BITS-1:0] group_words, group_words_q;
     logic [WORD_BITS-1:0] chosen_word;
@@ -89,9 +87,8 @@ module horopter_ram #(
       write_word_q <= write_word;
       read_en_q <= read_en_i;
       read_addr_q <= read_addr_i;
-      if (read_en_q) read_bank_q <= (GROUP_BITS + 3)'(bank_of(read_addr_q));
+      if (read_en_q) read_bank_q <= bank_of(read_addr_q);
       read_bank_q2 <= read_bank_q;
-      read_group_q <= read_bank_q2[3+:GROUP_BITS];
       group_words_q <= group_words;
       out_word <= chosen_word;
     end
@@ -109,6 +106,8 @@ module horopter_ram #(
     if (GROUPS == 1) begin : g_one_group
       assign chosen_word = group_words_q;
     end else begin : g_groups
+      logic [BANK_BITS-4:0] read_group_q;
+      always_ff @(posedge clk_i) read_group_q <= read_bank_q2[BANK_BITS-1:3];
       horopter_mux #(
           .WIDTH(WORD_BITS),
           .COUNT(GROUPS)

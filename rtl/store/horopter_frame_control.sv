@@ -186,7 +186,7 @@ module horopter_frame_control #(
   end
 
   // --- publishing: publishing closes the record, publish_q takes the picture, publish_o tells ---
-  logic [31:0] time_q, first_time_q, watchdog_q;
+  logic [31:0] time_q, first_time_q;
   logic [31:0] open_time_q[2];
   logic [31:0] arrived_time_q[2];
   logic state_first_q, first_seen_q, alarm_q;
@@ -270,16 +270,16 @@ module horopter_frame_control #(
     end
   end
 
-  // --- watchdog ---
-  assign late_rises = !late_o && watchdog_q >= timeout_i;
+  // --- watchdog: counts down, the choice before the adder, see horopter_framer ---
+  logic [31:0] watchdog_q;
+  logic [32:0] next_watchdog;
+  logic finished;
+  assign finished = !rst_ni || publish_q;
+  assign next_watchdog = {1'b0, finished ? timeout_i : watchdog_q} + {33{!finished}};
+  assign late_rises = !late_o && next_watchdog[32];
   always_ff @(posedge clk_i) begin
-    if (!rst_ni || publish_q) begin
-      watchdog_q <= 32'd0;
-      late_o <= 1'b0;
-    end else begin
-      if (!late_o) watchdog_q <= watchdog_q + 32'd1;
-      if (late_rises) late_o <= 1'b1;
-    end
+    watchdog_q <= next_watchdog[31:0];
+    late_o <= !finished && (late_o || late_rises);
   end
 
   // --- safe ---

@@ -102,24 +102,31 @@ module horopter_framer #(
   end
   logic row_start_q, row_end_q, last_row_q;  // where x_q and y_q stand, decided with them
 
-  // Silence: the camera could send and does not.
-  logic [31:0] quiet_q;
-  logic silent_q;
+  // Silence: the camera could send and does not. Clocks left count down, from a clock later on, as that needs no comparison;
+  // the choice stands before the adder, whose carry cells take it in.
+  logic [31:0] patience_q;
+  logic heard, heard_q, out_of_patience, silent_q;
+  logic [32:0] next_patience;
+  assign heard = !rst_ni || s_valid_i || patience_i;
+  assign next_patience = {1'b0, heard_q ? timeout_i : patience_q} + {33{!heard_q}};
+  assign out_of_patience = next_patience[32];
   always_ff @(posedge clk_i) begin
-    if (!rst_ni || s_valid_i || patience_i) quiet_q <= 32'd0;
-    else if (!silent_q) quiet_q <= quiet_q + 32'd1;
-    if (!rst_ni || s_valid_i || patience_i) silent_q <= 1'b0;
-    else silent_q <= silent_q || quiet_q >= timeout_i;
-    silence_o <= rst_ni && !s_valid_i && !patience_i && !silent_q && quiet_q >= timeout_i;
+    heard_q <= heard;
+    patience_q <= next_patience[31:0];
+    silent_q <= !heard && (silent_q || out_of_patience);
+    silence_o <= !heard && !silent_q && out_of_patience;
   end
   assign silent_o = silent_q;
 
   // A live camera that pauses in a frame for four line lengths has lost lines: the frame ends now, not with the next
   // start of frame, so that the result keeps up with the other camera.
+  logic [13:0] pause_q;
+  logic [14:0] next_pause;
   logic pausing_q;
+  assign next_pause = {1'b0, heard_q ? {width_i, 2'b00} : pause_q} + {15{!heard_q}};
   always_ff @(posedge clk_i) begin
-    if (!rst_ni || s_valid_i) pausing_q <= 1'b0;
-    else pausing_q <= pausing_q || (live_i && (quiet_q[31:14] != 18'd0 || quiet_q[13:0] >= {width_i, 2'b00}));
+    pause_q <= next_pause[13:0];
+    pausing_q <= rst_ni && !s_valid_i && (pausing_q || (live_i && next_pause[14]));
   end
   assign pausing_o = pausing_q;
 
@@ -155,8 +162,6 @@ module horopter_framer #(
       pending_start_fault_q <= 1'b0;
       slot_q <= '0;
       stored_q <= '0;
-      x_q <= 12'd0;
-      y_q <= 12'd0;
       near_q <= 1'b1;
       deep_q <= 1'b0;
       far_q <= 1'b0;
@@ -193,8 +198,6 @@ module horopter_framer #(
         end
 
         START: begin
-          x_q <= 12'd0;
-          y_q <= 12'd0;
           row_start_q <= 1'b1;
           row_end_q <= 1'b0;
           last_row_q <= 1'b0;
@@ -216,13 +219,11 @@ module horopter_framer #(
         LINE: begin
           if (take) begin
             fresh_q <= 1'b0;
-            x_q <= x_q + 12'd1;
             row_start_q <= 1'b0;
             row_end_q <= x_q == before_last_x_q;
-            if (x_q >= 12'd64) far_q <= 1'b1;
+            if (x_q[6]) far_q <= 1'b1;
           end
           if (complete) begin
-            x_q <= 12'd0;
             row_start_q <= 1'b1;
             row_end_q <= 1'b0;
             far_q <= 1'b1;
@@ -256,10 +257,10 @@ module horopter_framer #(
 
       // A clock after the row's end, never in START.
       if (stored_now_q) begin
-        y_q <= y_q + 12'd1;
         last_row_q <= y_q == before_last_y_q;
-        near_q <= 32'(y_q) + 1 < EXTRA_LINES;
-        deep_q <= 32'(y_q) + 1 >= EXTRA_LINES + EXTRA_LINES / 2;
+        // Rows come one by one: it is the first of those with these lowest bits.
+        if (y_q[3:0] == 4'(EXTRA_LINES - 1)) near_q <= 1'b0;
+        if (y_q[3:0] == 4'(EXTRA_LINES + EXTRA_LINES / 2 - 1)) deep_q <= 1'b1;
       end
 
       // A frame cut short: by a new start of frame, or by what makes the rest of it worthless.
@@ -271,6 +272,14 @@ module horopter_framer #(
         state_q <= early ? START : WAIT;
       end
     end
+  end
+
+  // Where the next pixel goes.
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni || state_q == START || complete) x_q <= 12'd0;
+    else if (take) x_q <= x_q + 12'd1;
+    if (!rst_ni || state_q == START) y_q <= 12'd0;
+    else if (stored_now_q) y_q <= y_q + 12'd1;
   end
 
   // Room for the row that begins. What the counters say is a clock old, and older than the row that has just been stored.

@@ -188,10 +188,10 @@ module horopter_image_store #(
       s1_row <= 12'(row_q);
     end
 
-    // 2: the last pixel needed, the window's ends, the ring slot.
+    // 2: the last pixel needed, the ring slot.
     logic s2_possible, s2_below;
     logic [10:0] s2_x;
-    logic [11:0] s2_far_x, s2_far_y, s2_high, s2_y_back, s2_row;
+    logic [11:0] s2_far_x, s2_far_y, s2_row;
     logic [SLOT_BITS-1:0] s2_slot;
     always_ff @(posedge clk_i) begin
       s2_possible <= s1_mapped;
@@ -199,32 +199,34 @@ module horopter_image_store #(
       s2_x <= s1_x;
       s2_far_x <= 12'(s1_x) + 12'(s1_right);
       s2_far_y <= 12'(s1_y) + 12'(s1_below);
-      s2_high <= s1_row + lookahead_i;
-      s2_y_back <= 12'(s1_y) + 12'(BACK);
       s2_row <= s1_row;
       s2_slot <= s1_y[SLOT_BITS-1:0] + base_slot_i;
     end
 
-    // 3: decisions.
-    logic s3_inside, s3_in_window, s3_came, s3_below;
+    // 3: decisions, and how far the last row needed is before that of the output, in two's complement.
+    logic s3_inside, s3_came, s3_below;
+    logic [12:0] s3_ahead;
     logic [10:0] s3_x;
     logic [SLOT_BITS-1:0] s3_slot;
     always_ff @(posedge clk_i) begin
       s3_inside <= s2_possible && s2_far_x < width_i && s2_far_y < height_i;
-      s3_in_window <= s2_far_y <= s2_high && s2_y_back >= s2_row;
+      s3_ahead <= {1'b0, s2_far_y} - {1'b0, s2_row};
       s3_came <= s2_far_y < rows_i;
       s3_below <= s2_below;
       s3_x <= s2_x;
       s3_slot <= s2_slot;
     end
 
-    // 4: row pairs of the two row parities.
-    logic s4_ok, s4_miss, s4_below, s4_row_odd;
+    // 4: the window, row pairs of the two row parities.
+    logic s4_ok, s4_miss, s4_below, s4_row_odd, in_window;
     logic [10:0] s4_x;
     logic [INDEX_BITS-1:0] s4_even_row, s4_odd_row;
+    // -BACK is 2 more than a power of two's negative.
+    assign in_window = s3_ahead[12] ? &s3_ahead[11:INDEX_BITS] && s3_ahead[INDEX_BITS-1:0] >= INDEX_BITS'(2) + INDEX_BITS'(s3_below)
+        : s3_ahead[11:0] <= lookahead_i;
     always_ff @(posedge clk_i) begin
-      s4_ok <= s3_inside && s3_in_window && s3_came;
-      s4_miss <= s3_inside && !s3_in_window;
+      s4_ok <= s3_inside && in_window && s3_came;
+      s4_miss <= s3_inside && !in_window;
       s4_below <= s3_below;
       s4_row_odd <= s3_slot[0];
       s4_x <= s3_x;
@@ -272,27 +274,22 @@ module horopter_image_store #(
     assign left_live_o = live_q[4];
 
     // --- rows that are no longer needed ---
-    logic [11:0] rows_read_q, keep_rows_q;
-    logic [SLOT_BITS:0] keep_base_q;
-    logic row_read, last_read_q, passes_q;  // rows are read at intervals, the decisions have a clock of their own
+    // Requests for the next row end long after the answers for this one, so that what was said of it then still holds.
+    logic [SLOT_BITS:0] keep_rows_q, keep_base_q;  // modulo, within a ring's rows of rows_i
+    logic row_asked, row_read, last_row_q, past_back_q, passes_q;
+    assign row_asked = valid_i && last_i && live_i;
     assign row_read = valid_q[8] && last_q[8] && live_q[8];
     always_ff @(posedge clk_i) begin
-      last_read_q <= rows_read_q == height_i - 12'd1;
-      passes_q <= 32'(rows_read_q) >= BACK && keep_rows_q != rows_i;
-      if (!rst_ni) begin
-        rows_read_q <= 12'd0;
-        keep_rows_q <= 12'd0;
-        keep_base_q <= '0;
-      end else if (begin_i) begin
-        rows_read_q <= 12'd0;
-        keep_rows_q <= 12'd0;
-        keep_base_q <= base_i;
-      end else if (row_read) begin
-        rows_read_q <= rows_read_q + 12'd1;
-        if (last_read_q) keep_rows_q <= rows_i;
-        else if (passes_q) keep_rows_q <= keep_rows_q + 12'd1;
-      end
-      keep_o <= keep_base_q + keep_rows_q[SLOT_BITS:0];
+      if (row_asked) last_row_q <= 12'(row_q) == height_i - 12'd1;
+      if (begin_i) past_back_q <= 1'b0;
+      else if (row_asked && row_q[INDEX_BITS-1:0] == INDEX_BITS'(BACK)) past_back_q <= 1'b1;  // the first of those
+      passes_q <= past_back_q && keep_rows_q != rows_i[SLOT_BITS:0];
+      if (!rst_ni || begin_i) keep_rows_q <= '0;
+      else if (row_read && last_row_q) keep_rows_q <= rows_i[SLOT_BITS:0];
+      else if (row_read && passes_q) keep_rows_q <= keep_rows_q + 1'b1;
+      if (!rst_ni) keep_base_q <= '0;
+      else if (begin_i) keep_base_q <= base_i;
+      keep_o <= keep_base_q + keep_rows_q;
     end
     logic unused_bits;
     assign unused_bits = ^write_x_i[11:COLUMN_BITS+1];

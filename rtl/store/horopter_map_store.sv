@@ -264,8 +264,8 @@ module horopter_map_store #(
     end
     halve_x_q <= next_step < 7'(nx_q);
     halve_y_q <= next_step < 7'(ny_q);
-    // Pairs of c + 2 rows: c / 2 + 1, and one more if c is odd.
-    differs_q <= columns_q != cells_x_q || 12'(pairs_q) != cells_y_q;
+    // With c = (size - 1) >> n there are c + 1 cells, c + 2 control points; in pairs c / 2 + 1, and one more if c is odd.
+    differs_q <= columns_q != cells_x_q + 12'd2 || 12'(pairs_q) != 12'(cells_y_q[11:1]) + 12'd1 + 12'(cells_y_q[0]);
     bad_size_q <= !consistent_q || differs_q || size_q == 24'd0;
     too_large_q <= 32'(end_q) > WORDS;
     complete_q <= write_addr_q == end_addr;
@@ -294,8 +294,7 @@ module horopter_map_store #(
         step_q <= 7'd0;
       end
 
-      // One bit of the product and one place of the shifts a clock. With c = (size - 1) >> n there are c + 1 cells,
-      // c + 2 control points.
+      // One bit of the product and one place of the shifts a clock.
       SIZE: begin
         step_q <= step_q == 7'd13 ? 7'd0 : next_step;
         overlap_q <= 15'd0;
@@ -305,10 +304,6 @@ module horopter_map_store #(
         end
         if (halve_x_q) cells_x_q <= {1'b0, cells_x_q[11:1]};
         if (halve_y_q) cells_y_q <= {1'b0, cells_y_q[11:1]};
-        if (step_q == 7'd7) begin  // both shifts are over
-          cells_x_q <= cells_x_q + 12'd2;
-          cells_y_q <= 12'(cells_y_q[11:1]) + 12'd1 + 12'(cells_y_q[0]);
-        end
         if (step_q == 7'd11) end_q <= size_q + 24'(base_q);
       end
 

@@ -201,23 +201,24 @@ module horopter_raster #(
     // The geometry does not change while this runs, y_q does after a row.
     logic [ROW_BITS-1:0] last_row_q, flush_end_q;
     logic [X_BITS-1:0] before_last_column_q;
-    logic [11:0] ahead_q, need_right_q;
-    logic last_x_q, last_y_q, flushed_q;
+    logic [11:0] ahead_q;
+    logic last_x_q, last_y_q, flushed_q, right_complete_q;
     always_ff @(posedge clk_i) begin
       last_row_q <= ROW_BITS'(height_i - 12'd1);
       flush_end_q <= last_row_q + flush_rows;
       before_last_column_q <= X_BITS'(width_i - 12'd2);
       ahead_q <= 12'(y_q) + lookahead_i;
-      need_right_q <= ahead_q < 12'(last_row_q) ? ahead_q : 12'(last_row_q);
+      right_complete_q <= right_rows_i == height_i;
       last_y_q <= y_q == last_row_q;
       flushed_q <= y_q == flush_end_q;
     end
     assign last_x = last_x_q;
     assign last_y = last_y_q;
     assign flushed = flushed_q;
-    assign ready = !live_q || ((right_rows_i > need_right_q || right_ended_i) && (left_rows_i > 12'(y_q) || left_ended_i));
+    assign ready = !live_q || ((right_rows_i > ahead_q || right_complete_q || right_ended_i) && (left_rows_i > 12'(y_q) || left_ended_i));
 
-    logic [MAP_ADDR_BITS-1:0] even_row_q, odd_row_q, even_addr_q, odd_addr_q;
+    logic [MAP_ADDR_BITS-1:0] even_row_q, odd_row_q, even_addr_q, odd_addr_q, row_below;
+    assign row_below = (odd_cell_q ? odd_row_q : even_row_q) + MAP_ADDR_BITS'(table_columns_i);
     logic odd_cell_q, cell_end_x_q, cell_end_y_q;
     logic [5:0] fraction_q, cell_mask_x_q, cell_mask_y_q;
     assign cell_end_x = cell_end_x_q;
@@ -233,14 +234,9 @@ module horopter_raster #(
         cell_end_x_q <= (x_q[5:0] & cell_mask_x_q) == cell_mask_x_q;
       end
       cell_end_y_q <= (y_q[5:0] & cell_mask_y_q) == cell_mask_y_q;  // the next row is in another cell
-      if (map_read_o) begin
-        even_addr_q <= even_addr_q + 1'b1;
-        odd_addr_q <= odd_addr_q + 1'b1;
-      end
-      if (state_q == WAIT_ROW) begin
-        even_addr_q <= even_row_q;
-        odd_addr_q <= odd_row_q;
-      end
+      // Nothing is read while a row waits.
+      even_addr_q <= (state_q == WAIT_ROW ? even_row_q : even_addr_q) + MAP_ADDR_BITS'(map_read_o);
+      odd_addr_q <= (state_q == WAIT_ROW ? odd_row_q : odd_addr_q) + MAP_ADDR_BITS'(map_read_o);
       if (state_q == SETUP) begin
         even_row_q <= table_base_i;
         odd_row_q <= table_base_i;
@@ -253,8 +249,8 @@ module horopter_raster #(
         fraction_q <= cell_end_y_q ? 6'd0 : fraction_q + (6'd1 << (3'd6 - table_ny_i));
         if (cell_end_y_q) begin
           odd_cell_q <= !odd_cell_q;
-          if (odd_cell_q) odd_row_q <= odd_row_q + MAP_ADDR_BITS'(table_columns_i);
-          else even_row_q <= even_row_q + MAP_ADDR_BITS'(table_columns_i);
+          if (odd_cell_q) odd_row_q <= row_below;
+          else even_row_q <= row_below;
         end
       end
     end

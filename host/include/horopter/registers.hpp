@@ -177,7 +177,8 @@ inline constexpr Access kAccess = Access::kReadWrite;
 inline constexpr Field kRows{0, 12};
 }  // namespace lookahead
 
-/// Watchdog: longest time without a pixel of a camera, and without a finished frame.
+/// Watchdog: longest time without a pixel of a camera, and without a finished frame. A new value counts from the next
+/// pixel, the next frame on.
 namespace timeout {
 inline constexpr std::uint32_t kAddress = 0x058;
 inline constexpr Access kAccess = Access::kReadWrite;
