@@ -11,7 +11,7 @@ import yaml
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 VENV = ROOT / "build/fpga"
 REQUIREMENTS = ROOT / "constraints/requirements.txt"
-SYNTHESIS = {"ecp5": "synth_ecp5", "ice40": "synth_ice40 -abc9 -device hx"}
+SYNTHESIS = {"ecp5": "proc; opt_expr; techmap -map constraints/compare.v; synth_ecp5", "ice40": "synth_ice40 -abc9 -device hx"}
 
 
 def targets():

@@ -2,8 +2,7 @@
 // FIFO of a valid/ready stream in a synchronous memory, with its output in a register.
 //
 // Holds DEPTH words in the memory (a power of two) and two more at its output. Throughput one word a clock, latency
-// 4 clocks when empty. s_ready_o is 0 while the memory is full, and for a clock after a word has left it. almost_full_o
-// (registered) is 1 once ALMOST_FULL or more words are in the memory: a source that sees it may have
+// 4 clocks when empty. s_ready_o is 0 while the memory is full. almost_full_o (registered) is 1 once ALMOST_FULL or more words are in the memory: a source that sees it may have
 // DEPTH - ALMOST_FULL - 2 words under way.
 // overflow_o: one clock, a word came while s_ready_o was 0 and was dropped (a source that ignores s_ready_o).
 // Once m_valid_o is 1, m_data_o holds until m_ready_i. Reset: empty.
@@ -32,16 +31,14 @@ module horopter_axis_fifo #(
     $fatal(1, "horopter_axis_fifo: ALMOST_FULL must be from 1 to DEPTH");
   end
 
-  // Pointers have one bit more than an address: equal = empty, equal but for the top bit = full.
-  // Each side learns of the other's step a clock later, so that full and empty come from registers.
-  localparam logic [ADDR_BITS:0] ALL = (ADDR_BITS + 1)'(DEPTH);
-  logic [ADDR_BITS:0] write_q, read_q, next_write_q, next_read_q, level;
-  logic full_q, empty_q, write, read, fetched_q, valid_q, advance;
+  logic [ADDR_BITS-1:0] write_q, read_q;
+  logic [ADDR_BITS:0] level;  // words in the memory
+  logic full, empty_q, write, read, fetched_q, valid_q, advance;
   logic [WIDTH-1:0] fetched, data_q;
 
-  assign level = write_q - read_q;
-  assign s_ready_o = !full_q;
-  assign write = s_valid_i && !full_q;
+  assign full = level[ADDR_BITS];
+  assign s_ready_o = !full;
+  assign write = s_valid_i && !full;
   // Output register, then the memory's own output, move up when they are empty or emptied.
   assign advance = !valid_q || m_ready_i;
   assign read = !empty_q && (!fetched_q || advance);
@@ -53,10 +50,10 @@ module horopter_axis_fifo #(
   ) u_ram (
       .clk_i(clk_i),
       .write_en_i(write),
-      .write_addr_i(write_q[ADDR_BITS-1:0]),
+      .write_addr_i(write_q),
       .write_data_i(s_data_i),
       .read_en_i(read),
-      .read_addr_i(read_q[ADDR_BITS-1:0]),
+      .read_addr_i(read_q),
       .read_data_o(fetched),
       .parity_error_o(unused_parity)
   );
@@ -64,31 +61,23 @@ module horopter_axis_fifo #(
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       write_q <= '0;
-      next_write_q <= (ADDR_BITS + 1)'(1);
       read_q <= '0;
-      next_read_q <= (ADDR_BITS + 1)'(1);
-      full_q <= 1'b0;
+      level <= '0;
       empty_q <= 1'b1;
       fetched_q <= 1'b0;
       valid_q <= 1'b0;
       almost_full_o <= 1'b0;
       overflow_o <= 1'b0;
     end else begin
-      if (write) begin
-        write_q <= next_write_q;
-        next_write_q <= next_write_q + 1'b1;
-      end
-      if (read) begin
-        read_q <= next_read_q;
-        next_read_q <= next_read_q + 1'b1;
-      end
-      full_q <= write ? next_write_q == (read_q ^ ALL) : write_q == (read_q ^ ALL);
-      empty_q <= read ? next_read_q == write_q : read_q == write_q;
+      if (write) write_q <= write_q + 1'b1;
+      if (read) read_q <= read_q + 1'b1;
+      if (write != read) level <= level + {{ADDR_BITS{read}}, 1'b1};  // one less or one more
+      empty_q <= level[ADDR_BITS:1] == '0 && (read || !level[0]);  // a word that comes counts a clock later
       if (read) fetched_q <= 1'b1;
       else if (advance) fetched_q <= 1'b0;
       if (advance) valid_q <= fetched_q;
       almost_full_o <= 32'(level) >= ALMOST_FULL;
-      overflow_o <= s_valid_i && full_q;
+      overflow_o <= s_valid_i && full;
     end
     if (advance) data_q <= fetched;
   end

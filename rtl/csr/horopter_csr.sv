@@ -118,67 +118,32 @@ module horopter_csr #(
     input  logic [31:0] frame_latency_clocks_i,
     input  logic [31:0] frame_tail_clocks_i
 );
-  // The address is decoded always; what it selects counts from the second clock of a write on.
-  logic taken_q;
-  logic [27:0] selected_q;
+  // The address is decoded always, into a group of eight words and the word; it counts from the second clock of a write on.
+  logic taken_q, write_q;
+  logic [5:0] write_group_q;
+  logic [7:0] write_word_q;
+  assign write_q = taken_q && !write_error_o;
   always_ff @(posedge clk_i) begin
     taken_q <= rst_ni && write_valid_i && !write_ready_o;
-    write_error_o <= 1'b0;
-    selected_q <= '0;
+    write_word_q <= 8'd1 << write_addr_i[4:2];
+    write_group_q[0] <= write_addr_i[11:5] == 7'h02;
+    write_group_q[1] <= write_addr_i[11:5] == 7'h03;
+    write_group_q[2] <= write_addr_i[11:5] == 7'h04;
+    write_group_q[3] <= write_addr_i[11:5] == 7'h05;
+    write_group_q[4] <= write_addr_i[11:5] == 7'h06;
+    write_group_q[5] <= write_addr_i[11:5] == 7'h07;
     case (write_addr_i)
-      12'h040: selected_q[0] <= 1'b1;  // CONTROL
-      12'h044: begin
-        selected_q[1] <= !locked_i;
-        write_error_o <= locked_i;
-      end
-      12'h04C: begin
-        selected_q[2] <= !locked_i;
-        write_error_o <= locked_i;
-      end
-      12'h050: begin
-        selected_q[3] <= !locked_i;
-        write_error_o <= locked_i;
-      end
-      12'h054: begin
-        selected_q[4] <= !locked_i;
-        write_error_o <= locked_i;
-      end
-      12'h058: selected_q[5] <= 1'b1;  // TIMEOUT
-      12'h05C: selected_q[6] <= 1'b1;  // TABLE_SELECT
-      12'h060: selected_q[7] <= 1'b1;  // IRQ_ENABLE
-      12'h064: selected_q[8] <= 1'b1;  // IRQ_STATUS
-      12'h080: selected_q[9] <= 1'b1;  // SUM_LIMIT
-      12'h084: selected_q[10] <= 1'b1;  // SELF_LIMIT
-      12'h088: selected_q[11] <= 1'b1;  // TEXTURE_LIMIT
-      12'h08C: selected_q[12] <= 1'b1;  // ALARM_LIMIT
-      12'h090: selected_q[13] <= 1'b1;  // UNDECIDABLE_LIMIT
-      12'h094: selected_q[14] <= 1'b1;  // UNSUPERVISED_LIMIT
-      12'h0A0: selected_q[15] <= 1'b1;  // BLACK_LEVEL
-      12'h0A4: selected_q[16] <= 1'b1;  // BLACK_LIMIT
-      12'h0A8: selected_q[17] <= 1'b1;  // WHITE_LEVEL
-      12'h0AC: selected_q[18] <= 1'b1;  // WHITE_LIMIT
-      12'h0B0: selected_q[19] <= 1'b1;  // CONSTANT_LIMIT
-      12'h0B4: selected_q[20] <= 1'b1;  // FROZEN_LIMIT
-      12'h0B8: selected_q[21] <= 1'b1;  // DECISION
-      12'h0BC: selected_q[22] <= 1'b1;  // COMPETE
-      12'h0C0: selected_q[23] <= 1'b1;  // MAP_SLOT
-      12'h0C4: selected_q[24] <= 1'b1;  // MAP_BASE
-      12'h0C8: begin
-        selected_q[25] <= write_strb_i == 4'hF;
-        write_error_o <= write_strb_i != 4'hF;
-      end
-      12'h0CC: begin
-        selected_q[26] <= write_strb_i == 4'hF;
-        write_error_o <= write_strb_i != 4'hF;
-      end
-      12'h0E0: selected_q[27] <= 1'b1;  // FAULTS
+      12'h040, 12'h058, 12'h05C, 12'h060, 12'h064, 12'h080, 12'h084, 12'h088, 12'h08C, 12'h090, 12'h094, 12'h0A0,
+      12'h0A4, 12'h0A8, 12'h0AC, 12'h0B0, 12'h0B4, 12'h0B8, 12'h0BC, 12'h0C0, 12'h0C4, 12'h0E0: write_error_o <= 1'b0;
+      12'h044, 12'h04C, 12'h050, 12'h054: write_error_o <= locked_i;
+      12'h0C8, 12'h0CC: write_error_o <= write_strb_i != 4'hF;
       default: write_error_o <= 1'b1;
     endcase
   end
 
-  assign map_control_valid_o = taken_q && selected_q[25];
+  assign map_control_valid_o = write_q && write_group_q[4] && write_word_q[2];
   assign map_control_start_o = write_data_i[0];
-  assign map_data_valid_o = taken_q && selected_q[26];
+  assign map_data_valid_o = write_q && write_group_q[4] && write_word_q[3];
   assign map_data_word_o = write_data_i[31:0];
   assign write_ready_o = taken_q
       && !(map_control_valid_o && !map_control_ready_i)
@@ -305,95 +270,95 @@ module horopter_csr #(
       map_slot_slot_q <= 4'd0;
       map_base_word64_q <= 16'd0;
     end else begin
-      if (taken_q && selected_q[0]) begin  // CONTROL
+      if (write_q && write_group_q[0] && write_word_q[0]) begin  // CONTROL
         if (write_strb_i[0]) control_enable_q <= write_data_i[0];
       end
-      if (taken_q && selected_q[1]) begin  // MODE
+      if (write_q && write_group_q[0] && write_word_q[1]) begin  // MODE
         if (write_strb_i[0]) begin
           mode_live_q <= write_data_i[0];
           mode_test_input_q <= write_data_i[1];
         end
       end
-      if (taken_q && selected_q[2]) begin  // WIDTH
+      if (write_q && write_group_q[0] && write_word_q[3]) begin  // WIDTH
         if (write_strb_i[0]) width_px_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) width_px_q[11:8] <= write_data_i[11:8];
       end
-      if (taken_q && selected_q[3]) begin  // HEIGHT
+      if (write_q && write_group_q[0] && write_word_q[4]) begin  // HEIGHT
         if (write_strb_i[0]) height_rows_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) height_rows_q[11:8] <= write_data_i[11:8];
       end
-      if (taken_q && selected_q[4]) begin  // LOOKAHEAD
+      if (write_q && write_group_q[0] && write_word_q[5]) begin  // LOOKAHEAD
         if (write_strb_i[0]) lookahead_rows_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) lookahead_rows_q[11:8] <= write_data_i[11:8];
       end
-      if (taken_q && selected_q[5]) begin  // TIMEOUT
+      if (write_q && write_group_q[0] && write_word_q[6]) begin  // TIMEOUT
         if (write_strb_i[0]) timeout_clocks_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) timeout_clocks_q[15:8] <= write_data_i[15:8];
         if (write_strb_i[2]) timeout_clocks_q[23:16] <= write_data_i[23:16];
         if (write_strb_i[3]) timeout_clocks_q[31:24] <= write_data_i[31:24];
       end
-      if (taken_q && selected_q[6]) begin  // TABLE_SELECT
+      if (write_q && write_group_q[0] && write_word_q[7]) begin  // TABLE_SELECT
         if (write_strb_i[0]) table_select_slot_q[3:0] <= write_data_i[3:0];
       end
-      if (taken_q && selected_q[7]) begin  // IRQ_ENABLE
+      if (write_q && write_group_q[1] && write_word_q[0]) begin  // IRQ_ENABLE
         if (write_strb_i[0]) begin
           irq_enable_frame_q <= write_data_i[0];
           irq_enable_fault_q <= write_data_i[1];
         end
       end
-      if (taken_q && selected_q[9]) begin  // SUM_LIMIT
+      if (write_q && write_group_q[2] && write_word_q[0]) begin  // SUM_LIMIT
         if (write_strb_i[0]) sum_limit_value_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) sum_limit_value_q[15:8] <= write_data_i[15:8];
       end
-      if (taken_q && selected_q[10]) begin  // SELF_LIMIT
+      if (write_q && write_group_q[2] && write_word_q[1]) begin  // SELF_LIMIT
         if (write_strb_i[0]) self_limit_value_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) self_limit_value_q[15:8] <= write_data_i[15:8];
       end
-      if (taken_q && selected_q[11]) begin  // TEXTURE_LIMIT
+      if (write_q && write_group_q[2] && write_word_q[2]) begin  // TEXTURE_LIMIT
         if (write_strb_i[0]) texture_limit_sum_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) texture_limit_sum_q[15:8] <= write_data_i[15:8];
       end
-      if (taken_q && selected_q[12]) begin  // ALARM_LIMIT
+      if (write_q && write_group_q[2] && write_word_q[3]) begin  // ALARM_LIMIT
         if (write_strb_i[0]) alarm_limit_pixels_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) alarm_limit_pixels_q[15:8] <= write_data_i[15:8];
         if (write_strb_i[2]) alarm_limit_pixels_q[23:16] <= write_data_i[23:16];
       end
-      if (taken_q && selected_q[13]) begin  // UNDECIDABLE_LIMIT
+      if (write_q && write_group_q[2] && write_word_q[4]) begin  // UNDECIDABLE_LIMIT
         if (write_strb_i[0]) undecidable_limit_pixels_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) undecidable_limit_pixels_q[15:8] <= write_data_i[15:8];
         if (write_strb_i[2]) undecidable_limit_pixels_q[23:16] <= write_data_i[23:16];
       end
-      if (taken_q && selected_q[14]) begin  // UNSUPERVISED_LIMIT
+      if (write_q && write_group_q[2] && write_word_q[5]) begin  // UNSUPERVISED_LIMIT
         if (write_strb_i[0]) unsupervised_limit_pixels_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) unsupervised_limit_pixels_q[15:8] <= write_data_i[15:8];
         if (write_strb_i[2]) unsupervised_limit_pixels_q[23:16] <= write_data_i[23:16];
       end
-      if (taken_q && selected_q[15]) begin  // BLACK_LEVEL
+      if (write_q && write_group_q[3] && write_word_q[0]) begin  // BLACK_LEVEL
         if (write_strb_i[0]) black_level_grey_q[7:0] <= write_data_i[7:0];
       end
-      if (taken_q && selected_q[16]) begin  // BLACK_LIMIT
+      if (write_q && write_group_q[3] && write_word_q[1]) begin  // BLACK_LIMIT
         if (write_strb_i[0]) black_limit_pixels_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) black_limit_pixels_q[15:8] <= write_data_i[15:8];
         if (write_strb_i[2]) black_limit_pixels_q[23:16] <= write_data_i[23:16];
       end
-      if (taken_q && selected_q[17]) begin  // WHITE_LEVEL
+      if (write_q && write_group_q[3] && write_word_q[2]) begin  // WHITE_LEVEL
         if (write_strb_i[0]) white_level_grey_q[7:0] <= write_data_i[7:0];
       end
-      if (taken_q && selected_q[18]) begin  // WHITE_LIMIT
+      if (write_q && write_group_q[3] && write_word_q[3]) begin  // WHITE_LIMIT
         if (write_strb_i[0]) white_limit_pixels_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) white_limit_pixels_q[15:8] <= write_data_i[15:8];
         if (write_strb_i[2]) white_limit_pixels_q[23:16] <= write_data_i[23:16];
       end
-      if (taken_q && selected_q[19]) begin  // CONSTANT_LIMIT
+      if (write_q && write_group_q[3] && write_word_q[4]) begin  // CONSTANT_LIMIT
         if (write_strb_i[0]) constant_limit_grey_q[7:0] <= write_data_i[7:0];
       end
-      if (taken_q && selected_q[20]) begin  // FROZEN_LIMIT
+      if (write_q && write_group_q[3] && write_word_q[5]) begin  // FROZEN_LIMIT
         if (write_strb_i[0]) frozen_limit_frames_q[7:0] <= write_data_i[7:0];
       end
-      if (BOTH_RULES && taken_q && selected_q[21]) begin  // DECISION
+      if (BOTH_RULES && write_q && write_group_q[3] && write_word_q[6]) begin  // DECISION
         if (write_strb_i[0]) decision_compete_q <= write_data_i[0];
       end
-      if (COMPETE && taken_q && selected_q[22]) begin  // COMPETE
+      if (COMPETE && write_q && write_group_q[3] && write_word_q[7]) begin  // COMPETE
         if (write_strb_i[0]) begin
           compete_bias_q[3:0] <= write_data_i[3:0];
           compete_smooth_q[2:0] <= write_data_i[6:4];
@@ -412,10 +377,10 @@ module horopter_csr #(
           compete_boundary_q[3:0] <= write_data_i[30:27];
         end
       end
-      if (taken_q && selected_q[23]) begin  // MAP_SLOT
+      if (write_q && write_group_q[4] && write_word_q[0]) begin  // MAP_SLOT
         if (write_strb_i[0]) map_slot_slot_q[3:0] <= write_data_i[3:0];
       end
-      if (taken_q && selected_q[24]) begin  // MAP_BASE
+      if (write_q && write_group_q[4] && write_word_q[1]) begin  // MAP_BASE
         if (write_strb_i[0]) map_base_word64_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) map_base_word64_q[15:8] <= write_data_i[15:8];
       end
@@ -426,7 +391,7 @@ module horopter_csr #(
   logic [ 1:0] irq_status_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) irq_status_q <= 2'd0;
-    else if (taken_q && selected_q[8])
+    else if (write_q && write_group_q[1] && write_word_q[1])
       irq_status_q <= (irq_status_q & ~(write_data_i[1:0] & {{2{write_strb_i[0]}}})) | irq_status_set_i;
     else irq_status_q <= irq_status_q | irq_status_set_i;
   end
@@ -436,7 +401,7 @@ module horopter_csr #(
   logic [30:0] faults_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) faults_q <= 31'd0;
-    else if (taken_q && selected_q[27])
+    else if (write_q && write_group_q[5] && write_word_q[0])
       faults_q <= (faults_q & ~(write_data_i[30:0] & {{7{write_strb_i[3]}}, {8{write_strb_i[2]}}, {8{write_strb_i[1]}}, {8{write_strb_i[0]}}})) | faults_set_i;
     else faults_q <= faults_q | faults_set_i;
   end

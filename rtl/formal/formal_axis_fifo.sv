@@ -69,7 +69,7 @@ module formal_axis_fifo (
       assert (held == {3'd0, \dut.level } + {5'd0, \dut.fetched_q } + {5'd0, \dut.valid_q });
       assert (!m_valid || held != 6'd0);
       assert (!s_ready || \dut.level  != 3'd4);
-      assert (s_ready || \dut.level  >= 3'd3);
+      assert (s_ready || \dut.level  == 3'd4);
       if (m_valid && out_count == watched) assert (seen && m_data == seen_data);
       if (past_stall) assert (m_valid && m_data == past_data);
       assert (overflow == past_refused);

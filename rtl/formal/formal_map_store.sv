@@ -75,7 +75,8 @@ module formal_map_store (
   (* hierconn *) wire \dut.overlaps_q ;
   (* hierconn *) wire \dut.bad_size_q ;
   (* hierconn *) wire \dut.too_large_q ;
-  (* hierconn *) wire [14:0] \dut.overlap_q ;
+  (* hierconn *) wire [15:0] \dut.overlap_q ;
+  (* hierconn *) wire [15:0] \dut.valid_q ;
   (* hierconn *) wire \dut.start_q ;
   (* hierconn *) wire \dut.checked_q ;
   (* hierconn *) wire \dut.waiting_q ;
@@ -124,6 +125,7 @@ module formal_map_store (
     if (past_valid) begin
       // --- invariants that lead to the properties ---
       if (valid[watched]) assert (5'(first) < behind && behind <= 5'd16);
+      assert (!\dut.valid_q [15]);
       assert (!(\dut.waiting_q && \dut.take ));
       if (\dut.state_q == SIZE || \dut.state_q == WALK) assert (!\dut.waiting_q && !\dut.take );
       if (data_ready)

@@ -181,14 +181,16 @@ module horopter_frame_control #(
                || (!right_checked_q[read_slot_i] && (read_faults & RIGHT_EXCUSE) == NONE) ? INTERNAL : NONE);
       fault_set_o <= set_record0 | set_record1 | set_event | transient_q | (publish_q ? total_q & INTERNAL : NONE);
       found_q <= fault_set_o != NONE;
-      others_bad_q <= (read_slot_i ? faults0_q : faults1_q) != NONE && busy_i[!read_slot_i];
+      others_bad_q <= (read_slot_i ? faults0_q != NONE : faults1_q != NONE) && busy_i[!read_slot_i];
     end
   end
 
   // --- publishing: publishing closes the record, publish_q takes the picture, publish_o tells ---
-  logic [31:0] time_q, first_time_q;
-  logic [31:0] open_time_q[2];
-  logic [31:0] arrived_time_q[2];
+  logic [31:0] time_q, first_time_q;  // counts down: so the choice of a record merges into the subtraction (scripts/ecp5.py)
+  logic [31:0] open_time0_q, open_time1_q, arrived_time0_q, arrived_time1_q;  // by record; a memory for two would be larger
+  logic [31:0] open_time, arrived_time;  // of the frame being output
+  assign open_time = read_slot_i ? open_time1_q : open_time0_q;
+  assign arrived_time = read_slot_i ? arrived_time1_q : arrived_time0_q;
   logic state_first_q, first_seen_q, alarm_q;
   logic [23:0] skin_q, undecidable_q, unsupervised_q, misses_q;
   logic good;
@@ -217,7 +219,6 @@ module horopter_frame_control #(
       frame_safe_o <= 1'b0;
       frame_slot_o <= 4'd15;
       frame_faults_o <= NONE;
-      frame_table_crc_o <= 32'd0;
       frame_skin_o <= 24'd0;
       frame_undecidable_o <= 24'd0;
       frame_unsupervised_o <= 24'd0;
@@ -227,9 +228,11 @@ module horopter_frame_control #(
       frame_tail_o <= 32'd0;
       heartbeat_o <= 1'b0;
     end else begin
-      time_q <= time_q + 32'd1;
-      if (open_i) open_time_q[open_slot_i] <= time_q;
-      if (arrived_i) arrived_time_q[open_slot_i] <= time_q;
+      time_q <= time_q - 32'd1;
+      if (open_i && !open_slot_i) open_time0_q <= time_q;
+      if (open_i && open_slot_i) open_time1_q <= time_q;
+      if (arrived_i && !open_slot_i) arrived_time0_q <= time_q;
+      if (arrived_i && open_slot_i) arrived_time1_q <= time_q;
       if (begin_i || publish_q) begin
         state_ended_q <= 1'b0;
         runs_ended_q <= 1'b0;
@@ -258,16 +261,20 @@ module horopter_frame_control #(
         frame_safe_o <= good;
         frame_slot_o <= table_ok_i ? table_slot_i : 4'd15;
         frame_faults_o <= total_q;
-        frame_table_crc_o <= table_ok_i ? table_crc_i : 32'd0;
         frame_skin_o <= skin_q;
         frame_undecidable_o <= undecidable_q;
         frame_unsupervised_o <= unsupervised_q;
         frame_misses_o <= misses_q;
-        frame_cycles_o <= time_q - open_time_q[read_slot_i];
-        frame_latency_o <= first_time_q + ~open_time_q[read_slot_i];  // one less: it was noted a clock late
-        frame_tail_o <= time_q - arrived_time_q[read_slot_i];
+        frame_cycles_o <= open_time - time_q;
+        frame_latency_o <= open_time + ~first_time_q;  // one less: it was noted a clock late
+        frame_tail_o <= arrived_time - time_q;
       end
     end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni || (publish_q && !table_ok_i)) frame_table_crc_o <= 32'd0;
+    else if (publish_q) frame_table_crc_o <= table_crc_i;
   end
 
   // --- watchdog: counts down, the choice before the adder, see horopter_framer ---

@@ -98,8 +98,8 @@ module horopter_map_store #(
   logic [10:0] pairs_q;
   logic [15:0] base_q;
   logic [31:0] crc_q;
-  logic [14:0] valid_q;
-  logic [14:0] overlap_q;
+  // By slot; the last one, which is none, stays 0, as a power of two needs no bounds.
+  logic [15:0] valid_q, overlap_q;
   logic [6:0] step_q;
   logic [23:0] size_q, end_q;  // words; address after the last
   logic [ADDR_BITS:0] end_addr;  // the same, once it is known to be in the pool
@@ -165,12 +165,11 @@ module horopter_map_store #(
   assign walk_slot = step_q[5:2];
   always_ff @(posedge clk_i) begin
     meets_q <= {1'b0, extent[ADDR_BITS-1:0]} < end_addr && extent[2*ADDR_BITS:ADDR_BITS] > {1'b0, base_q[ADDR_BITS-1:0]};
-    overlaps_q <= walk_slot != 4'd15 && valid_q[walk_slot] && walk_slot != slot_q && meets_q;
+    overlaps_q <= valid_q[walk_slot] && walk_slot != slot_q && meets_q;
   end
 
   // Decided when the walk is over: the selection may change during it.
-  assign overlap_in_use = running_i && ((selected_slot_i != 4'd15 && overlap_q[selected_slot_i])
-      || (active_slot_i != 4'd15 && overlap_q[active_slot_i]));
+  assign overlap_in_use = running_i && (overlap_q[selected_slot_i] || overlap_q[active_slot_i]);
   assign store_entry = checked_q && right_q;
 
   always_ff @(posedge clk_i) begin
@@ -178,7 +177,7 @@ module horopter_map_store #(
     refused_o <= 1'b0;
     if (!rst_ni) begin
       state_q <= IDLE;
-      valid_q <= 15'd0;
+      valid_q <= 16'd0;
       error_o <= NO_ERROR;
     end else if (start_q) begin
       if (slot_i == 4'd15) begin
@@ -192,7 +191,7 @@ module horopter_map_store #(
       end else begin
         state_q <= HEAD0;
         error_o <= NO_ERROR;
-        valid_q[slot_i] <= 1'b0;
+        valid_q <= valid_q & ~(16'd1 << slot_i);
       end
     end else begin
       case (state_q)
@@ -240,7 +239,7 @@ module horopter_map_store #(
         if (checked_q) begin
           state_q <= IDLE;
           if (right_q) begin
-            valid_q[slot_q] <= 1'b1;
+            valid_q <= valid_q | 16'd1 << slot_q;
           end else begin
             error_o <= WRONG_CRC;
             bad_upload_o <= 1'b1;
@@ -297,7 +296,7 @@ module horopter_map_store #(
       // One bit of the product and one place of the shifts a clock.
       SIZE: begin
         step_q <= step_q == 7'd13 ? 7'd0 : next_step;
-        overlap_q <= 15'd0;
+        overlap_q <= 16'd0;
         if (step_q < 7'd11) begin
           pairs_q <= {pairs_q[9:0], pairs_q[10]};  // back in place after all 11
           size_q <= {size_q[22:0], 1'b0} + (pairs_q[10] ? 24'(columns_q) : 24'd0);
@@ -310,7 +309,7 @@ module horopter_map_store #(
       // Four clocks a slot: read, compare, judge, note.
       WALK: begin
         step_q <= step_q + 7'd1;
-        if (step_q[1:0] == 2'd3 && overlaps_q) overlap_q[walk_slot] <= 1'b1;
+        if (step_q[1:0] == 2'd3 && overlaps_q) overlap_q <= overlap_q | 16'd1 << walk_slot;
         write_addr_q <= {1'b0, base_q[ADDR_BITS-1:0]};
         odd_q <= 1'b0;
       end
@@ -325,7 +324,7 @@ module horopter_map_store #(
     endcase
   end
   assign busy_o = state_q != IDLE || start_q || waiting_q || take;
-  assign valid_o = valid_q;
+  assign valid_o = valid_q[14:0];
 
   // --- directory ---
   localparam int unsigned ENTRY_BITS = 32 + 12 + 12 + 12 + 3 + 3 + ADDR_BITS;
@@ -349,7 +348,7 @@ module horopter_map_store #(
   always_ff @(posedge clk_i) begin
     lookup_q <= lookup_i;
     // A table that is being stored in this very clock counts from the next lookup on.
-    lookup_valid_q <= lookup_slot_i != 4'd15 && valid_q[lookup_slot_i];
+    lookup_valid_q <= valid_q[lookup_slot_i];
     if (!rst_ni) table_ok_o <= 1'b0;
     else if (lookup_q) table_ok_o <= lookup_valid_q && entry_width == width_i && entry_height == height_i;
   end
@@ -369,7 +368,7 @@ module horopter_map_store #(
       .read_data_o(slot_crc),
       .parity_error_o(unused_crc_parity)
   );
-  always_ff @(posedge clk_i) slot_crc_valid_q <= slot_i != 4'd15 && valid_q[slot_i];
+  always_ff @(posedge clk_i) slot_crc_valid_q <= valid_q[slot_i];
   assign slot_crc_o = slot_crc_valid_q ? slot_crc : 32'd0;
 
   // --- pool ---
