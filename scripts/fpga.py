@@ -11,7 +11,8 @@ import yaml
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 VENV = ROOT / "build/fpga"
 REQUIREMENTS = ROOT / "constraints/requirements.txt"
-SYNTHESIS = {"ecp5": "proc; opt_expr; techmap -map constraints/compare.v; synth_ecp5", "ice40": "synth_ice40 -abc9 -device hx"}
+ECP5_FIRST = "proc; opt_expr; techmap -map constraints/compare.v"
+SYNTHESIS = {"ecp5": f"{ECP5_FIRST}; synth_ecp5", "ice40": "synth_ice40 -abc9 -device hx"}
 
 
 def targets():

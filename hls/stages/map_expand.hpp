@@ -136,13 +136,13 @@ class MapExpander {
     Kept<s<29>> increment_;
   };
 
-  /// (64 − f)·a + f·b as a + Σ 2^i (f_i ? b : a): adders and multiplexers, no multiplier.
+  /// (64 − f)·a + f·b as 64·a + Σ 2^i f_i (b − a): no multiplier, and an FPGA's carry cells take the bits f_i in.
   static u<22> between(u<16> a, u<16> b, u<6> f, bool swapped) {
-    const auto pick = [&](int i) { return f.bit(i) != swapped ? b : a; };
-    const u<18> low = u<18>(shl<1>(pick(1)) + (pick(0) + (swapped ? b : a)));
-    const u<18> middle = u<18>(shl<1>(pick(3)) + pick(2));
-    const u<18> high = u<18>(shl<1>(pick(5)) + pick(4));
-    return u<22>(low + shl<2>(middle + shl<2>(high)));
+    const u<16> from = swapped ? b : a;
+    const s<17> difference = (swapped ? a : b) - from;
+    const auto part = [&](int i) { return f.bit(i) ? difference : s<17>(0); };
+    const auto pair = [&](int i) { return s<19>(shl<1>(part(i + 1)) + part(i)); };
+    return u<22>(shl<6>(from) + s<23>(pair(0) + shl<2>(s<21>(pair(2) + shl<2>(pair(4))))));
   }
 
   /// The same as 64·(f_5 ? b : a) + Σ 4^i d_i (b − a) with Booth's digits of f, d_i = −2 f_2i+1 + f_2i + f_2i−1.

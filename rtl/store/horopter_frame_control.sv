@@ -248,7 +248,7 @@ module horopter_frame_control #(
           counted_q <= 1'b1;
           alarm_q <= alarm_i;
         end
-        if (miss_i && misses_q != '1) misses_q <= misses_q + 24'd1;
+        if (miss_i) misses_q <= misses_q + 24'd1;  // no more than pixels
       end
 
       publish_q <= publishing;

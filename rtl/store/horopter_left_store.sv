@@ -144,7 +144,7 @@ module horopter_left_store #(
     // The raster waits for some clocks between two rows, in which present_q settles.
     logic [ROW_ADDR_BITS-1:0] block_row_q;
     logic [BLOCK_BITS-1:0] x_q;
-    logic present_q, asked_q, last_q, end_of_row_q;
+    logic present_q, asked_q, last_q, end_of_row_q, row_starts_q;
     assign read = asked_q;
     assign last = last_q;
     assign end_of_row = end_of_row_q;
@@ -156,10 +156,11 @@ module horopter_left_store #(
         block_row_q <= '0;
         x_q <= '0;
         present_q <= 1'b0;
+        row_starts_q <= 1'b0;
       end else begin
         present_q <= 12'(row_q) < rows_i;
-        if (read && last) block_row_q <= wraps ? '0 : ROW_ADDR_BITS'(slot_q) + 1'b1;
-        else if (read && &x_q) block_row_q <= block_row_q + ROW_ADDR_BITS'(ROWS);
+        row_starts_q <= read && last;  // then slot_q has moved on, and nothing is read
+        block_row_q <= (row_starts_q ? ROW_ADDR_BITS'(slot_q) : block_row_q) + (read && &x_q ? ROW_ADDR_BITS'(ROWS) : '0);
         if (end_of_row) x_q <= '0;
         else if (read) x_q <= x_q + 1'b1;
       end

@@ -40,7 +40,7 @@ module horopter_map_store #(
     output logic                 busy_o,
     output logic [          2:0] error_o,
     output logic [         14:0] valid_o,
-    output logic [         31:0] slot_crc_o,  // of slot_i, one clock later
+    output logic [         31:0] slot_crc_o,  // of slot_i, two clocks later, three at a lookup or the end of an upload
     output logic                 bad_upload_o,  // one clock
     output logic                 refused_o,  // one clock
     // directory
@@ -147,7 +147,7 @@ module horopter_map_store #(
   // Extent of each table, for the walk.
   logic [2*ADDR_BITS:0] extent;
   logic [3:0] walk_slot;
-  logic unused_extent_parity, unused_entry_parity, unused_crc_parity;
+  logic unused_extent_parity, unused_entry_parity;
   horopter_ram #(
       .WIDTH(2 * ADDR_BITS + 1),
       .DEPTH(16)
@@ -326,11 +326,14 @@ module horopter_map_store #(
   assign busy_o = state_q != IDLE || start_q || waiting_q || take;
   assign valid_o = valid_q[14:0];
 
-  // --- directory ---
+  // --- directory: read by a lookup, else of slot_i, what its CRC is ---
   localparam int unsigned ENTRY_BITS = 32 + 12 + 12 + 12 + 3 + 3 + ADDR_BITS;
   logic [ENTRY_BITS-1:0] entry;
-  logic [11:0] entry_width, entry_height;
-  logic lookup_q, lookup_valid_q;
+  logic [31:0] entry_crc;
+  logic [11:0] entry_width, entry_height, entry_columns;
+  logic [2:0] entry_ny, entry_nx;
+  logic [ADDR_BITS-1:0] entry_base;
+  logic lookup_q, lookup_valid_q, slot_read_q, slot_valid_q;
   horopter_ram #(
       .WIDTH(ENTRY_BITS),
       .DEPTH(16)
@@ -339,37 +342,30 @@ module horopter_map_store #(
       .write_en_i(store_entry),
       .write_addr_i(slot_q),
       .write_data_i({data, height_q, width_q, columns_q, ny_q, nx_q, base_q[ADDR_BITS-1:0]}),
-      .read_en_i(lookup_i),
-      .read_addr_i(lookup_slot_i),
+      .read_en_i(lookup_i || !store_entry),
+      .read_addr_i(lookup_i ? lookup_slot_i : slot_i),
       .read_data_o(entry),
       .parity_error_o(unused_entry_parity)
   );
-  assign {table_crc_o, entry_height, entry_width, table_columns_o, table_ny_o, table_nx_o, table_base_o} = entry;
+  assign {entry_crc, entry_height, entry_width, entry_columns, entry_ny, entry_nx, entry_base} = entry;
   always_ff @(posedge clk_i) begin
     lookup_q <= lookup_i;
     // A table that is being stored in this very clock counts from the next lookup on.
     lookup_valid_q <= valid_q[lookup_slot_i];
     if (!rst_ni) table_ok_o <= 1'b0;
     else if (lookup_q) table_ok_o <= lookup_valid_q && entry_width == width_i && entry_height == height_i;
+    if (lookup_q) begin
+      table_crc_o <= entry_crc;
+      table_columns_o <= entry_columns;
+      table_ny_o <= entry_ny;
+      table_nx_o <= entry_nx;
+      table_base_o <= entry_base;
+    end
+    slot_read_q <= !lookup_i && !store_entry;
+    slot_valid_q <= valid_q[slot_i];
+    if (slot_read_q && !slot_valid_q) slot_crc_o <= 32'd0;
+    else if (slot_read_q) slot_crc_o <= entry_crc;
   end
-
-  logic [31:0] slot_crc;
-  logic slot_crc_valid_q;
-  horopter_ram #(
-      .WIDTH(32),
-      .DEPTH(16)
-  ) u_crc (
-      .clk_i(clk_i),
-      .write_en_i(store_entry),
-      .write_addr_i(slot_q),
-      .write_data_i(data),
-      .read_en_i(!store_entry),
-      .read_addr_i(slot_i),
-      .read_data_o(slot_crc),
-      .parity_error_o(unused_crc_parity)
-  );
-  always_ff @(posedge clk_i) slot_crc_valid_q <= valid_q[slot_i];
-  assign slot_crc_o = slot_crc_valid_q ? slot_crc : 32'd0;
 
   // --- pool ---
   logic write_even, write_odd, even_error, odd_error;

@@ -109,7 +109,6 @@ module horopter_raster #(
       active_q <= 1'b0;
       published_q <= 1'b0;
       live_q <= 1'b1;
-      y_q <= '0;
       count_q <= '0;
     end else begin
       if (published_i) begin
@@ -158,12 +157,10 @@ module horopter_raster #(
           x_q <= x_q + 1'b1;
           first_q <= 1'b0;
           if (last_x) begin
-            y_q <= y_q + 1'b1;
             state_q <= WAIT_ROW;
             if (last_y) live_q <= 1'b0;
             if (!live_q && flushed) begin
               state_q <= DRAIN;
-              y_q <= '0;
               live_q <= 1'b1;
             end
           end
@@ -182,6 +179,11 @@ module horopter_raster #(
         end
       endcase
     end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni || (issue_pixel && last_x && !live_q && flushed)) y_q <= '0;
+    else if (issue_pixel && last_x) y_q <= y_q + 1'b1;
   end
 
   // The beat waits for the control points, as long as the map store takes.

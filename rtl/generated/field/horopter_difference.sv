@@ -91,13 +91,13 @@ module horopter_difference (
   logic [7:0] turn;
   assign turn = left_direction_0_q - direction_0_i;
   // hls/stages/difference.hpp:95
-  logic [7:0] difference_56;
-  assign difference_56 = 8'h0 - turn;
-  logic [4:0] shortest;
-  assign shortest = turn[7] ? difference_56[7:3] : {1'b0, turn[6:3]};
+  logic [6:0] xor_56;
+  assign xor_56 = turn[6:0] ^ {7{turn[7]}};
+  logic [7:0] shortest;
+  assign shortest = {7'h0, turn[7]} + {1'b0, xor_56};
   // hls/stages/difference.hpp:96
   logic [3:0] level;
-  assign level = shortest[4] ? 4'hf : shortest[3:0];
+  assign level = shortest[7] ? 4'hf : shortest[6:3];
   // hls/stages/difference.hpp:97
   logic or_59;
   assign or_59 = not_29 | not_53;
@@ -110,13 +110,13 @@ module horopter_difference (
   logic [7:0] turn_2;
   assign turn_2 = left_direction_0_q - difference_left_3_direction_q;
   // hls/stages/difference.hpp:95
-  logic [7:0] difference_64;
-  assign difference_64 = 8'h0 - turn_2;
-  logic [4:0] shortest_2;
-  assign shortest_2 = turn_2[7] ? difference_64[7:3] : {1'b0, turn_2[6:3]};
+  logic [6:0] xor_64;
+  assign xor_64 = turn_2[6:0] ^ {7{turn_2[7]}};
+  logic [7:0] shortest_2;
+  assign shortest_2 = {7'h0, turn_2[7]} + {1'b0, xor_64};
   // hls/stages/difference.hpp:96
   logic [3:0] level_2;
-  assign level_2 = shortest_2[4] ? 4'hf : shortest_2[3:0];
+  assign level_2 = shortest_2[7] ? 4'hf : shortest_2[6:3];
   // hls/stages/difference.hpp:68
   logic [3:0] select_68;
   assign select_68 = equal_28 ? {without, 3'h0} : (difference_left_3_has_direction_q ? level_2 : {without, 3'h0});
@@ -182,6 +182,6 @@ module horopter_difference (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{difference_64[2:0], difference_56[2:0]};
+  assign unused_bits = ^{shortest_2[2:0], shortest[2:0]};
 
 endmodule

@@ -33,10 +33,10 @@ module horopter_direction (
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   // hls/stages/direction.hpp:43
   logic [9:0] x;
-  assign x = gx_0_i[10] ? (10'h0 - gx_0_i[9:0]) : gx_0_i[9:0];
+  assign x = {9'h0, gx_0_i[10]} + (gx_0_i[9:0] ^ {10{gx_0_i[10]}});
   // hls/stages/direction.hpp:44
   logic [9:0] y;
-  assign y = gy_0_i[10] ? (10'h0 - gy_0_i[9:0]) : gy_0_i[9:0];
+  assign y = {9'h0, gy_0_i[10]} + (gy_0_i[9:0] ^ {10{gy_0_i[10]}});
   // hls/stages/direction.hpp:46
   logic less_11;
   assign less_11 = x < y;

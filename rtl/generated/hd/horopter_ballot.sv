@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Ballot<horopter::hls::profiles::hd>, hls/stages/ballot.hpp. Do not edit.
 //
-// Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 8 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 14 bits, pipeline 794 bits, memories 288000 bits.
+// State 14 bits, pipeline 662 bits, memories 288000 bits.
 module horopter_ballot (
   input  logic clk_i,
   input  logic rst_ni,
@@ -27,8 +27,8 @@ module horopter_ballot (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q, valid_s9_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en, s8_en;
+  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q;
+  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
@@ -37,7 +37,6 @@ module horopter_ballot (
   assign s5_en = en_i & valid_s5_q;
   assign s6_en = en_i & valid_s6_q;
   assign s7_en = en_i & valid_s7_q;
-  assign s8_en = en_i & valid_s8_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [10:0] raster_column_q;
@@ -268,24 +267,64 @@ module horopter_ballot (
   // hls/stages/ballot.hpp:46
   logic [6:0] difference_93;
   assign difference_93 = {1'b0, grey_s3_q} - {1'b0, select_61_s3_q};
+  logic [5:0] xor_94;
+  assign xor_94 = difference_93[5:0] ^ {6{difference_93[6]}};
+  logic [6:0] difference;
+  assign difference = {6'h0, difference_93[6]} + {1'b0, xor_94};
   logic [6:0] difference_98;
   assign difference_98 = {1'b0, select_85_s3_q} - {1'b0, select_61_s3_q};
+  logic [5:0] xor_99;
+  assign xor_99 = difference_98[5:0] ^ {6{difference_98[6]}};
+  logic [6:0] difference_2;
+  assign difference_2 = {6'h0, difference_98[6]} + {1'b0, xor_99};
   logic [6:0] difference_106;
   assign difference_106 = {1'b0, select_105_s3_q} - {1'b0, select_61_s3_q};
+  logic [5:0] xor_107;
+  assign xor_107 = difference_106[5:0] ^ {6{difference_106[6]}};
+  logic [6:0] difference_3;
+  assign difference_3 = {6'h0, difference_106[6]} + {1'b0, xor_107};
   logic [6:0] difference_116;
   assign difference_116 = {1'b0, select_25_s3_q} - {1'b0, select_61_s3_q};
+  logic [5:0] xor_117;
+  assign xor_117 = difference_116[5:0] ^ {6{difference_116[6]}};
+  logic [6:0] difference_4;
+  assign difference_4 = {6'h0, difference_116[6]} + {1'b0, xor_117};
   logic [6:0] difference_121;
   assign difference_121 = {1'b0, select_34_s3_q} - {1'b0, select_61_s3_q};
+  logic [5:0] xor_122;
+  assign xor_122 = difference_121[5:0] ^ {6{difference_121[6]}};
+  logic [6:0] difference_5;
+  assign difference_5 = {6'h0, difference_121[6]} + {1'b0, xor_122};
   logic [6:0] difference_127;
   assign difference_127 = {1'b0, select_43_s3_q} - {1'b0, select_61_s3_q};
+  logic [5:0] xor_128;
+  assign xor_128 = difference_127[5:0] ^ {6{difference_127[6]}};
+  logic [6:0] difference_6;
+  assign difference_6 = {6'h0, difference_127[6]} + {1'b0, xor_128};
   logic [6:0] difference_132;
   assign difference_132 = {1'b0, select_52_s3_q} - {1'b0, select_61_s3_q};
+  logic [5:0] xor_133;
+  assign xor_133 = difference_132[5:0] ^ {6{difference_132[6]}};
+  logic [6:0] difference_7;
+  assign difference_7 = {6'h0, difference_132[6]} + {1'b0, xor_133};
   logic [6:0] difference_139;
   assign difference_139 = {1'b0, select_67_s3_q} - {1'b0, select_61_s3_q};
+  logic [5:0] xor_140;
+  assign xor_140 = difference_139[5:0] ^ {6{difference_139[6]}};
+  logic [6:0] difference_8;
+  assign difference_8 = {6'h0, difference_139[6]} + {1'b0, xor_140};
   logic [6:0] difference_145;
   assign difference_145 = {1'b0, select_73_s3_q} - {1'b0, select_61_s3_q};
+  logic [5:0] xor_146;
+  assign xor_146 = difference_145[5:0] ^ {6{difference_145[6]}};
+  logic [6:0] difference_9;
+  assign difference_9 = {6'h0, difference_145[6]} + {1'b0, xor_146};
   logic [6:0] difference_150;
   assign difference_150 = {1'b0, select_79_s3_q} - {1'b0, select_61_s3_q};
+  logic [5:0] xor_151;
+  assign xor_151 = difference_150[5:0] ^ {6{difference_150[6]}};
+  logic [6:0] difference_10;
+  assign difference_10 = {6'h0, difference_150[6]} + {1'b0, xor_151};
 
   // Memory memory, write
   logic [10:0] memory_waddr;
@@ -341,27 +380,17 @@ module horopter_ballot (
   logic [7:0] select_76_s4_q;
   logic [7:0] select_82_s4_q;
   logic select_88_s4_q;
-  logic [6:0] difference_93_s4_q;
-  logic [7:0] difference_94_s4_q;
-  logic [6:0] difference_98_s4_q;
-  logic [7:0] difference_99_s4_q;
-  logic [6:0] difference_106_s4_q;
-  logic [7:0] difference_107_s4_q;
+  logic [6:0] difference_s4_q;
+  logic [6:0] difference_2_s4_q;
+  logic [6:0] difference_3_s4_q;
   logic [7:0] select_112_s4_q;
-  logic [6:0] difference_116_s4_q;
-  logic [7:0] difference_117_s4_q;
-  logic [6:0] difference_121_s4_q;
-  logic [7:0] difference_122_s4_q;
-  logic [6:0] difference_127_s4_q;
-  logic [7:0] difference_128_s4_q;
-  logic [6:0] difference_132_s4_q;
-  logic [7:0] difference_133_s4_q;
-  logic [6:0] difference_139_s4_q;
-  logic [7:0] difference_140_s4_q;
-  logic [6:0] difference_145_s4_q;
-  logic [7:0] difference_146_s4_q;
-  logic [6:0] difference_150_s4_q;
-  logic [7:0] difference_151_s4_q;
+  logic [6:0] difference_4_s4_q;
+  logic [6:0] difference_5_s4_q;
+  logic [6:0] difference_6_s4_q;
+  logic [6:0] difference_7_s4_q;
+  logic [6:0] difference_8_s4_q;
+  logic [6:0] difference_9_s4_q;
+  logic [6:0] difference_10_s4_q;
   logic and_168_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
@@ -378,189 +407,149 @@ module horopter_ballot (
       select_76_s4_q <= select_76_s3_q;
       select_82_s4_q <= select_82_s3_q;
       select_88_s4_q <= select_88_s3_q[4];
-      difference_93_s4_q <= difference_93;
-      difference_94_s4_q <= 8'h0 - {difference_93[6], difference_93};
-      difference_98_s4_q <= difference_98;
-      difference_99_s4_q <= 8'h0 - {difference_98[6], difference_98};
-      difference_106_s4_q <= difference_106;
-      difference_107_s4_q <= 8'h0 - {difference_106[6], difference_106};
+      difference_s4_q <= difference;
+      difference_2_s4_q <= difference_2;
+      difference_3_s4_q <= difference_3;
       select_112_s4_q <= select_112_s3_q;
-      difference_116_s4_q <= difference_116;
-      difference_117_s4_q <= 8'h0 - {difference_116[6], difference_116};
-      difference_121_s4_q <= difference_121;
-      difference_122_s4_q <= 8'h0 - {difference_121[6], difference_121};
-      difference_127_s4_q <= difference_127;
-      difference_128_s4_q <= 8'h0 - {difference_127[6], difference_127};
-      difference_132_s4_q <= difference_132;
-      difference_133_s4_q <= 8'h0 - {difference_132[6], difference_132};
-      difference_139_s4_q <= difference_139;
-      difference_140_s4_q <= 8'h0 - {difference_139[6], difference_139};
-      difference_145_s4_q <= difference_145;
-      difference_146_s4_q <= 8'h0 - {difference_145[6], difference_145};
-      difference_150_s4_q <= difference_150;
-      difference_151_s4_q <= 8'h0 - {difference_150[6], difference_150};
+      difference_4_s4_q <= difference_4;
+      difference_5_s4_q <= difference_5;
+      difference_6_s4_q <= difference_6;
+      difference_7_s4_q <= difference_7;
+      difference_8_s4_q <= difference_8;
+      difference_9_s4_q <= difference_9;
+      difference_10_s4_q <= difference_10;
       and_168_s4_q <= and_168_s3_q;
     end
   end
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/ballot.hpp:46
-  logic [7:0] difference;
-  assign difference = difference_93_s4_q[6] ? difference_94_s4_q : {2'h0, difference_93_s4_q[5:0]};
-  logic [7:0] difference_2;
-  assign difference_2 = difference_98_s4_q[6] ? difference_99_s4_q : {2'h0, difference_98_s4_q[5:0]};
-  logic [7:0] difference_3;
-  assign difference_3 = difference_106_s4_q[6] ? difference_107_s4_q : {2'h0, difference_106_s4_q[5:0]};
-  logic [7:0] difference_4;
-  assign difference_4 = difference_116_s4_q[6] ? difference_117_s4_q : {2'h0, difference_116_s4_q[5:0]};
-  logic [7:0] difference_5;
-  assign difference_5 = difference_121_s4_q[6] ? difference_122_s4_q : {2'h0, difference_121_s4_q[5:0]};
-  logic [7:0] difference_6;
-  assign difference_6 = difference_127_s4_q[6] ? difference_128_s4_q : {2'h0, difference_127_s4_q[5:0]};
-  logic [7:0] difference_7;
-  assign difference_7 = difference_132_s4_q[6] ? difference_133_s4_q : {2'h0, difference_132_s4_q[5:0]};
-  logic [7:0] difference_8;
-  assign difference_8 = difference_139_s4_q[6] ? difference_140_s4_q : {2'h0, difference_139_s4_q[5:0]};
-  logic [7:0] difference_9;
-  assign difference_9 = difference_145_s4_q[6] ? difference_146_s4_q : {2'h0, difference_145_s4_q[5:0]};
-  logic [7:0] difference_10;
-  assign difference_10 = difference_150_s4_q[6] ? difference_151_s4_q : {2'h0, difference_150_s4_q[5:0]};
+  // hls/stages/ballot.hpp:47
+  logic [7:0] select_102;
+  assign select_102 = ({3'h0, cfg_similar_i} < difference_2_s4_q) ? 8'h0 : select_82_s4_q;
+  logic [7:0] select_113;
+  assign select_113 = ({3'h0, cfg_similar_i} < difference_3_s4_q) ? 8'h0 : select_112_s4_q;
+  logic [7:0] select_120;
+  assign select_120 = ({3'h0, cfg_similar_i} < difference_4_s4_q) ? 8'h0 : select_22_s4_q;
+  logic [7:0] select_125;
+  assign select_125 = ({3'h0, cfg_similar_i} < difference_5_s4_q) ? 8'h0 : select_31_s4_q;
+  logic [7:0] select_131;
+  assign select_131 = ({3'h0, cfg_similar_i} < difference_6_s4_q) ? 8'h0 : select_40_s4_q;
+  logic [7:0] select_136;
+  assign select_136 = ({3'h0, cfg_similar_i} < difference_7_s4_q) ? 8'h0 : select_49_s4_q;
+  logic [7:0] select_143;
+  assign select_143 = ({3'h0, cfg_similar_i} < difference_8_s4_q) ? 8'h0 : select_64_s4_q;
+  // hls/stages/ballot.hpp:50
+  logic [8:0] sum_144;
+  assign sum_144 = {select_58_s4_q[7], select_58_s4_q} + {select_143[7], select_143};
+  // hls/stages/ballot.hpp:47
+  logic [7:0] select_149;
+  assign select_149 = ({3'h0, cfg_similar_i} < difference_9_s4_q) ? 8'h0 : select_70_s4_q;
+  logic [7:0] select_154;
+  assign select_154 = ({3'h0, cfg_similar_i} < difference_10_s4_q) ? 8'h0 : select_76_s4_q;
 
   logic marks_first_s5_q;
   logic marks_last_s5_q;
-  logic [7:0] select_58_s5_q;
   logic select_88_s5_q;
   logic [7:0] select_97_s5_q;
-  logic [7:0] select_102_s5_q;
-  logic [7:0] select_113_s5_q;
-  logic [7:0] select_120_s5_q;
-  logic [7:0] select_125_s5_q;
-  logic [7:0] select_131_s5_q;
-  logic [7:0] select_136_s5_q;
-  logic [7:0] select_143_s5_q;
-  logic [7:0] select_149_s5_q;
-  logic [7:0] select_154_s5_q;
+  logic [8:0] sum_114_s5_q;
+  logic [8:0] sum_126_s5_q;
+  logic [8:0] sum_137_s5_q;
+  logic [8:0] sum_144_s5_q;
+  logic [8:0] sum_155_s5_q;
   logic and_168_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
       marks_first_s5_q <= marks_first_s4_q;
       marks_last_s5_q <= marks_last_s4_q;
-      select_58_s5_q <= select_58_s4_q;
       select_88_s5_q <= select_88_s4_q;
-      select_97_s5_q <= ({4'h0, cfg_similar_i} < difference) ? 8'h0 : vote_s4_q;
-      select_102_s5_q <= ({4'h0, cfg_similar_i} < difference_2) ? 8'h0 : select_82_s4_q;
-      select_113_s5_q <= ({4'h0, cfg_similar_i} < difference_3) ? 8'h0 : select_112_s4_q;
-      select_120_s5_q <= ({4'h0, cfg_similar_i} < difference_4) ? 8'h0 : select_22_s4_q;
-      select_125_s5_q <= ({4'h0, cfg_similar_i} < difference_5) ? 8'h0 : select_31_s4_q;
-      select_131_s5_q <= ({4'h0, cfg_similar_i} < difference_6) ? 8'h0 : select_40_s4_q;
-      select_136_s5_q <= ({4'h0, cfg_similar_i} < difference_7) ? 8'h0 : select_49_s4_q;
-      select_143_s5_q <= ({4'h0, cfg_similar_i} < difference_8) ? 8'h0 : select_64_s4_q;
-      select_149_s5_q <= ({4'h0, cfg_similar_i} < difference_9) ? 8'h0 : select_70_s4_q;
-      select_154_s5_q <= ({4'h0, cfg_similar_i} < difference_10) ? 8'h0 : select_76_s4_q;
+      select_97_s5_q <= ({3'h0, cfg_similar_i} < difference_s4_q) ? 8'h0 : vote_s4_q;
+      sum_114_s5_q <= {select_102[7], select_102} + {select_113[7], select_113};
+      sum_126_s5_q <= {select_120[7], select_120} + {select_125[7], select_125};
+      sum_137_s5_q <= {select_131[7], select_131} + {select_136[7], select_136};
+      sum_144_s5_q <= sum_144;
+      sum_155_s5_q <= {select_149[7], select_149} + {select_154[7], select_154};
       and_168_s5_q <= and_168_s4_q;
     end
   end
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
   // hls/stages/ballot.hpp:50
-  logic [8:0] sum_114;
-  assign sum_114 = {select_102_s5_q[7], select_102_s5_q} + {select_113_s5_q[7], select_113_s5_q};
-  logic [8:0] sum_126;
-  assign sum_126 = {select_120_s5_q[7], select_120_s5_q} + {select_125_s5_q[7], select_125_s5_q};
-  logic [8:0] sum_137;
-  assign sum_137 = {select_131_s5_q[7], select_131_s5_q} + {select_136_s5_q[7], select_136_s5_q};
-  logic [8:0] sum_144;
-  assign sum_144 = {select_58_s5_q[7], select_58_s5_q} + {select_143_s5_q[7], select_143_s5_q};
-  logic [8:0] sum_155;
-  assign sum_155 = {select_149_s5_q[7], select_149_s5_q} + {select_154_s5_q[7], select_154_s5_q};
+  logic [9:0] sum_115;
+  assign sum_115 = {{2{select_97_s5_q[7]}}, select_97_s5_q} + {sum_114_s5_q[8], sum_114_s5_q};
+  logic [9:0] sum_138;
+  assign sum_138 = {sum_126_s5_q[8], sum_126_s5_q} + {sum_137_s5_q[8], sum_137_s5_q};
+  logic [9:0] sum_156;
+  assign sum_156 = {sum_144_s5_q[8], sum_144_s5_q} + {sum_155_s5_q[8], sum_155_s5_q};
 
   logic marks_first_s6_q;
   logic marks_last_s6_q;
   logic select_88_s6_q;
   logic [9:0] sum_115_s6_q;
-  logic [9:0] sum_138_s6_q;
-  logic [9:0] sum_156_s6_q;
+  logic [10:0] sum_157_s6_q;
   logic and_168_s6_q;
   always_ff @(posedge clk_i) begin
     if (s5_en) begin
       marks_first_s6_q <= marks_first_s5_q;
       marks_last_s6_q <= marks_last_s5_q;
       select_88_s6_q <= select_88_s5_q;
-      sum_115_s6_q <= {{2{select_97_s5_q[7]}}, select_97_s5_q} + {sum_114[8], sum_114};
-      sum_138_s6_q <= {sum_126[8], sum_126} + {sum_137[8], sum_137};
-      sum_156_s6_q <= {sum_144[8], sum_144} + {sum_155[8], sum_155};
+      sum_115_s6_q <= sum_115;
+      sum_157_s6_q <= {sum_138[9], sum_138} + {sum_156[9], sum_156};
       and_168_s6_q <= and_168_s5_q;
     end
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
   // hls/stages/ballot.hpp:50
-  logic [10:0] sum_157;
-  assign sum_157 = {sum_138_s6_q[9], sum_138_s6_q} + {sum_156_s6_q[9], sum_156_s6_q};
+  logic [11:0] sum_158;
+  assign sum_158 = {{2{sum_115_s6_q[9]}}, sum_115_s6_q} + {sum_157_s6_q[10], sum_157_s6_q};
+  // hls/stages/ballot.hpp:61
+  logic [12:0] difference_162;
+  assign difference_162 = 13'h0 - {sum_158[11], sum_158};
 
   logic marks_first_s7_q;
   logic marks_last_s7_q;
-  logic select_88_s7_q;
-  logic [11:0] sum_158_s7_q;
+  logic not_160_s7_q;
+  logic and_161_s7_q;
+  logic [9:0] difference_162_s7_q;
   logic and_168_s7_q;
   always_ff @(posedge clk_i) begin
     if (s6_en) begin
       marks_first_s7_q <= marks_first_s6_q;
       marks_last_s7_q <= marks_last_s6_q;
-      select_88_s7_q <= select_88_s6_q;
-      sum_158_s7_q <= {{2{sum_115_s6_q[9]}}, sum_115_s6_q} + {sum_157[10], sum_157};
+      not_160_s7_q <= ~($signed(sum_158) < $signed({4'h0, cfg_quorum_i}));
+      and_161_s7_q <= select_88_s6_q & sum_158[11];
+      difference_162_s7_q <= difference_162[12:3];
       and_168_s7_q <= and_168_s6_q;
     end
   end
 
   // Stage 7 -----------------------------------------------------------------------------------------------------------
   // hls/stages/ballot.hpp:61
-  logic [12:0] difference_162;
-  assign difference_162 = 13'h0 - {sum_158_s7_q[11], sum_158_s7_q};
   logic less_163;
-  assign less_163 = $signed(difference_162[12:3]) < $signed({2'h0, cfg_clear_quorum_i});
+  assign less_163 = $signed(difference_162_s7_q) < $signed({2'h0, cfg_clear_quorum_i});
 
   logic marks_first_s8_q;
   logic marks_last_s8_q;
   logic not_160_s8_q;
-  logic and_161_s8_q;
-  logic not_164_s8_q;
+  logic or_165_s8_q;
   logic and_168_s8_q;
   always_ff @(posedge clk_i) begin
     if (s7_en) begin
       marks_first_s8_q <= marks_first_s7_q;
       marks_last_s8_q <= marks_last_s7_q;
-      not_160_s8_q <= ~($signed(sum_158_s7_q) < $signed({4'h0, cfg_quorum_i}));
-      and_161_s8_q <= select_88_s7_q & sum_158_s7_q[11];
-      not_164_s8_q <= ~less_163;
+      not_160_s8_q <= not_160_s7_q;
+      or_165_s8_q <= and_161_s7_q | (~less_163);
       and_168_s8_q <= and_168_s7_q;
     end
   end
 
-  // Stage 8 -----------------------------------------------------------------------------------------------------------
-
-  logic marks_first_s9_q;
-  logic marks_last_s9_q;
-  logic not_160_s9_q;
-  logic or_165_s9_q;
-  logic and_168_s9_q;
-  always_ff @(posedge clk_i) begin
-    if (s8_en) begin
-      marks_first_s9_q <= marks_first_s8_q;
-      marks_last_s9_q <= marks_last_s8_q;
-      not_160_s9_q <= not_160_s8_q;
-      or_165_s9_q <= and_161_s8_q | not_164_s8_q;
-      and_168_s9_q <= and_168_s8_q;
-    end
-  end
-
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign skin_o = not_160_s9_q;
-  assign clear_o = or_165_s9_q;
-  assign exists_o = and_168_s9_q;
-  assign marks_first_o = marks_first_s9_q;
-  assign marks_last_o = marks_last_s9_q;
-  assign valid_o = valid_s9_q;
+  assign skin_o = not_160_s8_q;
+  assign clear_o = or_165_s8_q;
+  assign exists_o = and_168_s8_q;
+  assign marks_first_o = marks_first_s8_q;
+  assign marks_last_o = marks_last_s8_q;
+  assign valid_o = valid_s8_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -572,7 +561,6 @@ module horopter_ballot (
       valid_s6_q <= 1'b0;
       valid_s7_q <= 1'b0;
       valid_s8_q <= 1'b0;
-      valid_s9_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
       valid_s2_q <= valid_s1_q;
@@ -582,7 +570,6 @@ module horopter_ballot (
       valid_s6_q <= valid_s5_q;
       valid_s7_q <= valid_s6_q;
       valid_s8_q <= valid_s7_q;
-      valid_s9_q <= valid_s8_q;
     end
   end
 

@@ -3,7 +3,7 @@
 //
 // Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 211 bits, pipeline 370 bits, memories 0 bits.
+// State 211 bits, pipeline 344 bits, memories 0 bits.
 module horopter_contrast (
   input  logic clk_i,
   input  logic rst_ni,
@@ -44,10 +44,18 @@ module horopter_contrast (
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   // hls/stages/contrast.hpp:38
-  logic [11:0] select_37;
-  assign select_37 = gx_0_i[10] ? (12'h0 - {gx_0_i[10], $unsigned(gx_0_i)}) : {2'h0, gx_0_i[9:0]};
-  logic [11:0] select_45;
-  assign select_45 = gx_1_i[10] ? (12'h0 - {gx_1_i[10], $unsigned(gx_1_i)}) : {2'h0, gx_1_i[9:0]};
+  logic [9:0] xor_36;
+  assign xor_36 = gx_0_i[9:0] ^ {10{gx_0_i[10]}};
+  logic [10:0] sum_37;
+  assign sum_37 = {10'h0, gx_0_i[10]} + {1'b0, xor_36};
+  // hls/stages/contrast.hpp:101
+  logic [7:0] magnitude;
+  assign magnitude = (sum_37[10:8] == 3'h0) ? sum_37[7:0] : 8'hff;
+  // hls/stages/contrast.hpp:38
+  logic [9:0] xor_44;
+  assign xor_44 = gx_1_i[9:0] ^ {10{gx_1_i[10]}};
+  logic [10:0] sum_45;
+  assign sum_45 = {10'h0, gx_1_i[10]} + {1'b0, xor_44};
 
   logic gx_0_s1_q;
   logic gx_1_s1_q;
@@ -57,10 +65,8 @@ module horopter_contrast (
   logic marks_last_s1_q;
   logic [7:0] smooth_grey_s1_q;
   logic smooth_exists_s1_q;
-  logic [7:0] select_37_s1_q;
-  logic equal_38_s1_q;
-  logic [11:0] select_45_s1_q;
-  logic equal_46_s1_q;
+  logic [7:0] magnitude_s1_q;
+  logic [7:0] select_47_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       gx_0_s1_q <= gx_0_i[10];
@@ -71,10 +77,8 @@ module horopter_contrast (
       marks_last_s1_q <= marks_last_i;
       smooth_grey_s1_q <= smooth_grey_i;
       smooth_exists_s1_q <= smooth_exists_i;
-      select_37_s1_q <= select_37[7:0];
-      equal_38_s1_q <= select_37[11:8] == 4'h0;
-      select_45_s1_q <= select_45;
-      equal_46_s1_q <= select_45[11:8] == 4'h0;
+      magnitude_s1_q <= magnitude;
+      select_47_s1_q <= (sum_45[10:8] == 3'h0) ? sum_45[7:0] : 8'hff;
     end
   end
 
@@ -84,24 +88,18 @@ module horopter_contrast (
   // hls/stages/contrast.hpp:99
   logic [18:0] select_35;
   assign select_35 = marks_first_s1_q ? 19'h0 : left_q;
-  // hls/stages/contrast.hpp:101
-  logic [7:0] magnitude;
-  assign magnitude = equal_38_s1_q ? select_37_s1_q : 8'hff;
   // hls/stages/contrast.hpp:105
   logic [18:0] select_41;
-  assign select_41 = mask_s1_q ? (select_35 + {11'h0, magnitude}) : select_35;
+  assign select_41 = mask_s1_q ? (select_35 + {11'h0, magnitude_s1_q}) : select_35;
   // hls/stages/contrast.hpp:99
   logic [18:0] select_43;
   assign select_43 = marks_first_s1_q ? 19'h0 : right_q;
-  // hls/stages/contrast.hpp:38
-  logic [11:0] select_47;
-  assign select_47 = equal_46_s1_q ? select_45_s1_q : 12'hff;
   // hls/stages/contrast.hpp:105
   logic [18:0] select_49;
-  assign select_49 = mask_s1_q ? (select_43 + {3'h0, {4{select_47[11]}}, select_47}) : select_43;
+  assign select_49 = mask_s1_q ? (select_43 + {11'h0, select_47_s1_q}) : select_43;
   // hls/stages/contrast.hpp:41
   logic [4:0] size;
-  assign size = saturated_s1_q ? 5'h0 : ((magnitude[7:5] == 3'h0) ? magnitude[4:0] : 5'h1f);
+  assign size = saturated_s1_q ? 5'h0 : ((magnitude_s1_q[7:5] == 3'h0) ? magnitude_s1_q[4:0] : 5'h1f);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -122,7 +120,7 @@ module horopter_contrast (
   logic [7:0] smooth_grey_s2_q;
   logic smooth_exists_s2_q;
   logic [18:0] select_41_s2_q;
-  logic [11:0] select_47_s2_q;
+  logic [7:0] select_47_s2_q;
   logic [18:0] select_49_s2_q;
   logic [4:0] size_s2_q;
   always_ff @(posedge clk_i) begin
@@ -136,7 +134,7 @@ module horopter_contrast (
       smooth_grey_s2_q <= smooth_grey_s1_q;
       smooth_exists_s2_q <= smooth_exists_s1_q;
       select_41_s2_q <= select_41;
-      select_47_s2_q <= select_47;
+      select_47_s2_q <= select_47_s1_q;
       select_49_s2_q <= select_49;
       size_s2_q <= size;
     end
@@ -165,7 +163,7 @@ module horopter_contrast (
   logic smooth_exists_s3_q;
   logic [18:0] row_left_s3_q;
   logic [18:0] row_right_s3_q;
-  logic [11:0] select_47_s3_q;
+  logic [7:0] select_47_s3_q;
   logic [5:0] select_79_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
@@ -224,7 +222,7 @@ module horopter_contrast (
   logic [7:0] smooth_grey_s4_q;
   logic smooth_exists_s4_q;
   logic select_24_s4_q;
-  logic [11:0] select_47_s4_q;
+  logic [7:0] select_47_s4_q;
   logic equal_53_s4_q;
   logic [5:0] select_79_s4_q;
   always_ff @(posedge clk_i) begin
@@ -294,7 +292,7 @@ module horopter_contrast (
   logic marks_last_s5_q;
   logic [7:0] smooth_grey_s5_q;
   logic smooth_exists_s5_q;
-  logic [11:0] select_47_s5_q;
+  logic [7:0] select_47_s5_q;
   logic [5:0] select_79_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
@@ -334,7 +332,7 @@ module horopter_contrast (
   logic marks_last_s6_q;
   logic [7:0] smooth_grey_s6_q;
   logic smooth_exists_s6_q;
-  logic [11:0] select_47_s6_q;
+  logic [7:0] select_47_s6_q;
   logic [7:0] gain_s6_q;
   logic [5:0] select_79_s6_q;
   always_ff @(posedge clk_i) begin
@@ -355,7 +353,7 @@ module horopter_contrast (
   // Stage 6 -----------------------------------------------------------------------------------------------------------
   // hls/stages/contrast.hpp:47
   logic [15:0] product_80;
-  assign product_80 = $signed({8'h0, gain_s6_q}) * $signed({{4{select_47_s6_q[11]}}, select_47_s6_q});
+  assign product_80 = {8'h0, gain_s6_q} * {8'h0, select_47_s6_q};
 
   logic gx_1_s7_q;
   logic saturated_s7_q;

@@ -3,7 +3,7 @@
 //
 // Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 41 bits, pipeline 50 bits, memories 0 bits.
+// State 41 bits, pipeline 42 bits, memories 0 bits.
 module horopter_difference (
   input  logic clk_i,
   input  logic rst_ni,
@@ -40,11 +40,19 @@ module horopter_difference (
   // hls/stages/difference.hpp:94
   logic [7:0] turn;
   assign turn = direction_0_i - direction_1_i;
+  // hls/stages/difference.hpp:95
+  logic [6:0] xor_36;
+  assign xor_36 = turn[6:0] ^ {7{turn[7]}};
+  logic [7:0] shortest;
+  assign shortest = {7'h0, turn[7]} + {1'b0, xor_36};
+  // hls/stages/difference.hpp:94
   logic [7:0] turn_2;
   assign turn_2 = direction_0_i - left_3_direction_q;
   // hls/stages/difference.hpp:95
-  logic [7:0] difference_46;
-  assign difference_46 = 8'h0 - turn_2;
+  logic [6:0] xor_46;
+  assign xor_46 = turn_2[6:0] ^ {7{turn_2[7]}};
+  logic [7:0] shortest_2;
+  assign shortest_2 = {7'h0, turn_2[7]} + {1'b0, xor_46};
 
   // Not reset: nothing of it counts before it is written anew.
 `ifndef SYNTHESIS
@@ -69,9 +77,8 @@ module horopter_difference (
   logic marks_last_s1_q;
   logic equal_22_s1_q;
   logic not_33_s1_q;
-  logic [7:0] turn_s1_q;
-  logic [4:0] turn_2_s1_q;
-  logic [4:0] difference_46_s1_q;
+  logic [4:0] shortest_s1_q;
+  logic [4:0] shortest_2_s1_q;
   logic [7:0] select_52_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
@@ -80,9 +87,8 @@ module horopter_difference (
       marks_last_s1_q <= marks_last_i;
       equal_22_s1_q <= magnitude_0_i == 8'h0;
       not_33_s1_q <= ~(magnitude_1_i == 8'h0);
-      turn_s1_q <= turn;
-      turn_2_s1_q <= turn_2[7:3];
-      difference_46_s1_q <= difference_46[7:3];
+      shortest_s1_q <= shortest[7:3];
+      shortest_2_s1_q <= shortest_2[7:3];
       select_52_s1_q <= saturated_i ? 8'h0 : magnitude_0_i;
     end
   end
@@ -106,14 +112,9 @@ module horopter_difference (
   // hls/stages/difference.hpp:68
   logic not_25;
   assign not_25 = ~row_ended_q;
-  // hls/stages/difference.hpp:95
-  logic [7:0] difference_36;
-  assign difference_36 = 8'h0 - turn_s1_q;
-  logic [4:0] shortest;
-  assign shortest = turn_s1_q[7] ? difference_36[7:3] : {1'b0, turn_s1_q[6:3]};
   // hls/stages/difference.hpp:96
   logic [3:0] level;
-  assign level = shortest[4] ? 4'hf : shortest[3:0];
+  assign level = shortest_s1_q[4] ? 4'hf : shortest_s1_q[3:0];
   // hls/stages/difference.hpp:68
   logic or_39;
   assign or_39 = not_33_s1_q | not_23;
@@ -123,12 +124,9 @@ module horopter_difference (
   // hls/stages/difference.hpp:98
   logic without;
   assign without = left_3_has_direction_q | not_23;
-  // hls/stages/difference.hpp:95
-  logic [4:0] shortest_2;
-  assign shortest_2 = turn_2_s1_q[4] ? difference_46_s1_q : {1'b0, turn_2_s1_q[3:0]};
   // hls/stages/difference.hpp:96
   logic [3:0] level_2;
-  assign level_2 = shortest_2[4] ? 4'hf : shortest_2[3:0];
+  assign level_2 = shortest_2_s1_q[4] ? 4'hf : shortest_2_s1_q[3:0];
   // hls/stages/difference.hpp:68
   logic [3:0] select_50;
   assign select_50 = equal_22_s1_q ? {without, 3'h0} : (left_3_has_direction_q ? level_2 : {without, 3'h0});
@@ -201,6 +199,6 @@ module horopter_difference (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{difference_46[2:0], difference_36[2:0]};
+  assign unused_bits = ^{shortest_2[2:0], shortest[2:0]};
 
 endmodule

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::PlaneSums<horopter::hls::profiles::hd>, hls/stages/plane_sums.hpp. Do not edit.
 //
-// Latency 7 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 6 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 3510 bits, pipeline 1486 bits, memories 541440 bits.
+// State 3510 bits, pipeline 1354 bits, memories 541440 bits.
 module horopter_plane_sums (
   input  logic clk_i,
   input  logic rst_ni,
@@ -45,15 +45,14 @@ module horopter_plane_sums (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en;
+  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q;
+  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
   assign s3_en = en_i & valid_s3_q;
   assign s4_en = en_i & valid_s4_q;
   assign s5_en = en_i & valid_s5_q;
-  assign s6_en = en_i & valid_s6_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [10:0] arriving_column_q;
@@ -262,6 +261,9 @@ module horopter_plane_sums (
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
+  logic [10:0] delayed_column_q;
+  logic delayed_row_ended_q;
+  logic running_q;
   logic [5:0] entering_values_0_features_left_q;
   logic [5:0] entering_values_0_features_right_q;
   logic [5:0] entering_values_1_features_left_q;
@@ -458,14 +460,45 @@ module horopter_plane_sums (
   logic marks_values_24_last_q;
   logic marks_values_25_first_q;
   logic marks_values_25_last_q;
+  // hls/stages/plane_sums.hpp:81
+  logic or_632;
+  assign or_632 = delayed_row_ended_q | marks_values_25_first_q;
+  logic [10:0] select_633;
+  assign select_633 = or_632 ? 11'h0 : delayed_column_q;
+  // hls/stages/plane_sums.hpp:82
+  logic or_634;
+  assign or_634 = running_q | marks_values_25_first_q;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_1034;
-  assign difference_1034 = {entering_values_23_features_left_q[5], entering_values_23_features_left_q} - {entering_values_47_features_right_q[5], entering_values_47_features_right_q};
-  logic [6:0] difference_1042;
-  assign difference_1042 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_47_features_right_q[5], leaving_values_47_features_right_q};
+  logic [6:0] difference_1037;
+  assign difference_1037 = {entering_values_23_features_left_q[5], entering_values_23_features_left_q} - {entering_values_47_features_right_q[5], entering_values_47_features_right_q};
+  logic [5:0] xor_1038;
+  assign xor_1038 = difference_1037[5:0] ^ {6{difference_1037[6]}};
+  logic [6:0] difference_1047;
+  assign difference_1047 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_47_features_right_q[5], leaving_values_47_features_right_q};
+  logic [5:0] xor_1048;
+  assign xor_1048 = difference_1047[5:0] ^ {6{difference_1047[6]}};
+
+  // Memory column_memory, 1920 x 191, DISTANCE 16, hls/stages/plane_sums.hpp:167; read in stage 1, written in stage 5: 1 < 5 < 1 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [190:0] column_memory_mem [0:1919];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 1920; i++) column_memory_mem[i] = 191'h0;
+`endif
+  logic [10:0] column_memory_raddr;
+  assign column_memory_raddr = select_633;
+  logic column_memory_re;
+  assign column_memory_re = s1_en & or_634;
+  logic [190:0] column_memory_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (column_memory_re) column_memory_rdata_q <= column_memory_mem[column_memory_raddr];
+  end
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      delayed_column_q <= 11'h0;
+      delayed_row_ended_q <= 1'b1;
+      running_q <= 1'b0;
       entering_values_0_features_left_q <= 6'h0;
       entering_values_0_features_right_q <= 6'h0;
       entering_values_1_features_left_q <= 6'h0;
@@ -663,6 +696,9 @@ module horopter_plane_sums (
       marks_values_25_first_q <= 1'b0;
       marks_values_25_last_q <= 1'b0;
     end else if (s1_en) begin
+      delayed_column_q <= select_633 + 11'h1;
+      delayed_row_ended_q <= marks_values_25_last_q;
+      running_q <= or_634;
       entering_values_0_features_left_q <= left_s1_q;
       entering_values_0_features_right_q <= right_s1_q;
       entering_values_1_features_left_q <= entering_values_0_features_left_q;
@@ -866,307 +902,35 @@ module horopter_plane_sums (
   logic [5:0] entering_values_23_features_left_s2_q;
   logic [5:0] leaving_values_23_features_left_s2_q;
   logic marks_values_25_first_s2_q;
-  logic marks_values_25_last_s2_q;
   logic [5:0] seen_values_24_grey_s2_q;
   logic seen_values_24_exists_s2_q;
   logic or_629_s2_q;
   logic [10:0] select_630_s2_q;
   logic [78:0] feature_memory_rdata_s2_q;
-  logic [6:0] difference_1034_s2_q;
-  logic [6:0] difference_1042_s2_q;
+  logic or_632_s2_q;
+  logic [10:0] select_633_s2_q;
+  logic [6:0] sum_1039_s2_q;
+  logic [6:0] sum_1049_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       mask_s2_q <= mask_s1_q;
       entering_values_23_features_left_s2_q <= entering_values_23_features_left_q;
       leaving_values_23_features_left_s2_q <= leaving_values_23_features_left_q;
       marks_values_25_first_s2_q <= marks_values_25_first_q;
-      marks_values_25_last_s2_q <= marks_values_25_last_q;
       seen_values_24_grey_s2_q <= seen_values_24_grey_s1_q;
       seen_values_24_exists_s2_q <= seen_values_24_exists_s1_q;
       or_629_s2_q <= or_629_s1_q;
       select_630_s2_q <= select_630_s1_q;
       feature_memory_rdata_s2_q <= {feature_memory_rdata_q[90], feature_memory_rdata_q[77:0]};
-      difference_1034_s2_q <= difference_1034;
-      difference_1042_s2_q <= difference_1042;
+      or_632_s2_q <= or_632;
+      select_633_s2_q <= select_633;
+      sum_1039_s2_q <= {6'h0, difference_1037[6]} + {1'b0, xor_1038};
+      sum_1049_s2_q <= {6'h0, difference_1047[6]} + {1'b0, xor_1048};
     end
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
   logic [2:0] arriving_rows_q;
-  logic [10:0] delayed_column_q;
-  logic delayed_row_ended_q;
-  logic running_q;
-  // hls/stages/plane_sums.hpp:81
-  logic or_632;
-  assign or_632 = delayed_row_ended_q | marks_values_25_first_s2_q;
-  logic [10:0] select_633;
-  assign select_633 = or_632 ? 11'h0 : delayed_column_q;
-  // hls/stages/plane_sums.hpp:82
-  logic or_634;
-  assign or_634 = running_q | marks_values_25_first_s2_q;
-  // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_645;
-  assign difference_645 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_0_features_right_q[5], entering_values_0_features_right_q};
-  // hls/stages/plane_sums.hpp:63
-  logic [2:0] select_652;
-  assign select_652 = marks_values_0_first_q ? 3'h0 : arriving_rows_q;
-  logic equal_653;
-  assign equal_653 = select_652 == 3'h7;
-  // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_656;
-  assign difference_656 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_0_features_right_q[5], leaving_values_0_features_right_q};
-  logic [6:0] difference_670;
-  assign difference_670 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_6_features_right_q[5], entering_values_6_features_right_q};
-  logic [6:0] difference_678;
-  assign difference_678 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_6_features_right_q[5], leaving_values_6_features_right_q};
-  logic [6:0] difference_692;
-  assign difference_692 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_11_features_right_q[5], entering_values_11_features_right_q};
-  logic [6:0] difference_700;
-  assign difference_700 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_11_features_right_q[5], leaving_values_11_features_right_q};
-  logic [6:0] difference_714;
-  assign difference_714 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_15_features_right_q[5], entering_values_15_features_right_q};
-  logic [6:0] difference_722;
-  assign difference_722 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_15_features_right_q[5], leaving_values_15_features_right_q};
-  logic [6:0] difference_736;
-  assign difference_736 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_18_features_right_q[5], entering_values_18_features_right_q};
-  logic [6:0] difference_744;
-  assign difference_744 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_18_features_right_q[5], leaving_values_18_features_right_q};
-  logic [6:0] difference_758;
-  assign difference_758 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_20_features_right_q[5], entering_values_20_features_right_q};
-  logic [6:0] difference_766;
-  assign difference_766 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_20_features_right_q[5], leaving_values_20_features_right_q};
-  logic [6:0] difference_780;
-  assign difference_780 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_21_features_right_q[5], entering_values_21_features_right_q};
-  logic [6:0] difference_788;
-  assign difference_788 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_21_features_right_q[5], leaving_values_21_features_right_q};
-  logic [6:0] difference_802;
-  assign difference_802 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_22_features_right_q[5], entering_values_22_features_right_q};
-  logic [6:0] difference_810;
-  assign difference_810 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_22_features_right_q[5], leaving_values_22_features_right_q};
-  logic [6:0] difference_824;
-  assign difference_824 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_23_features_right_q[5], entering_values_23_features_right_q};
-  logic [6:0] difference_832;
-  assign difference_832 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_23_features_right_q[5], leaving_values_23_features_right_q};
-  logic [6:0] difference_843;
-  assign difference_843 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_24_features_right_q[5], entering_values_24_features_right_q};
-  logic [6:0] difference_849;
-  assign difference_849 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_24_features_right_q[5], leaving_values_24_features_right_q};
-  logic [6:0] difference_862;
-  assign difference_862 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_25_features_right_q[5], entering_values_25_features_right_q};
-  logic [6:0] difference_870;
-  assign difference_870 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_25_features_right_q[5], leaving_values_25_features_right_q};
-  logic [6:0] difference_884;
-  assign difference_884 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_26_features_right_q[5], entering_values_26_features_right_q};
-  logic [6:0] difference_892;
-  assign difference_892 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_26_features_right_q[5], leaving_values_26_features_right_q};
-  logic [6:0] difference_906;
-  assign difference_906 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_27_features_right_q[5], entering_values_27_features_right_q};
-  logic [6:0] difference_914;
-  assign difference_914 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_27_features_right_q[5], leaving_values_27_features_right_q};
-  logic [6:0] difference_928;
-  assign difference_928 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_28_features_right_q[5], entering_values_28_features_right_q};
-  logic [6:0] difference_936;
-  assign difference_936 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_28_features_right_q[5], leaving_values_28_features_right_q};
-  logic [6:0] difference_950;
-  assign difference_950 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_30_features_right_q[5], entering_values_30_features_right_q};
-  logic [6:0] difference_958;
-  assign difference_958 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_30_features_right_q[5], leaving_values_30_features_right_q};
-  logic [6:0] difference_972;
-  assign difference_972 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_33_features_right_q[5], entering_values_33_features_right_q};
-  logic [6:0] difference_980;
-  assign difference_980 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_33_features_right_q[5], leaving_values_33_features_right_q};
-  logic [6:0] difference_992;
-  assign difference_992 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_37_features_right_q[5], entering_values_37_features_right_q};
-  logic [6:0] difference_1000;
-  assign difference_1000 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_37_features_right_q[5], leaving_values_37_features_right_q};
-  logic [6:0] difference_1013;
-  assign difference_1013 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_42_features_right_q[5], entering_values_42_features_right_q};
-  logic [6:0] difference_1021;
-  assign difference_1021 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_42_features_right_q[5], leaving_values_42_features_right_q};
-  logic [7:0] select_1036;
-  assign select_1036 = difference_1034_s2_q[6] ? (8'h0 - {difference_1034_s2_q[6], difference_1034_s2_q}) : {2'h0, difference_1034_s2_q[5:0]};
-  logic [4:0] difference_37;
-  assign difference_37 = (select_1036[7:5] == 3'h0) ? select_1036[4:0] : 5'h1f;
-  logic [7:0] select_1044;
-  assign select_1044 = difference_1042_s2_q[6] ? (8'h0 - {difference_1042_s2_q[6], difference_1042_s2_q}) : {2'h0, difference_1042_s2_q[5:0]};
-  logic [4:0] difference_38;
-  assign difference_38 = (select_1044[7:5] == 3'h0) ? select_1044[4:0] : 5'h1f;
-  // hls/stages/plane_sums.hpp:163
-  logic [4:0] select_1055;
-  assign select_1055 = entering_values_23_features_left_s2_q[5] ? (5'h0 - entering_values_23_features_left_s2_q[4:0]) : entering_values_23_features_left_s2_q[4:0];
-  logic [4:0] select_1058;
-  assign select_1058 = leaving_values_23_features_left_s2_q[5] ? (5'h0 - leaving_values_23_features_left_s2_q[4:0]) : leaving_values_23_features_left_s2_q[4:0];
-  // hls/stages/plane_sums.hpp:63
-  logic not_1068;
-  assign not_1068 = ~equal_653;
-  logic [2:0] select_1070;
-  assign select_1070 = marks_values_0_last_q ? (select_652 + {2'h0, not_1068}) : select_652;
-
-  // Memory column_memory, 1920 x 191, DISTANCE 16, hls/stages/plane_sums.hpp:167; read in stage 2, written in stage 6: 2 < 6 < 2 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  logic [190:0] column_memory_mem [0:1919];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 1920; i++) column_memory_mem[i] = 191'h0;
-`endif
-  logic [10:0] column_memory_raddr;
-  assign column_memory_raddr = select_633;
-  logic column_memory_re;
-  assign column_memory_re = s2_en & or_634;
-  logic [190:0] column_memory_rdata_q;
-  always_ff @(posedge clk_i) begin
-    if (column_memory_re) column_memory_rdata_q <= column_memory_mem[column_memory_raddr];
-  end
-
-  // Memory feature_memory, write
-  logic [10:0] feature_memory_waddr;
-  assign feature_memory_waddr = select_630_s2_q;
-  logic feature_memory_we;
-  assign feature_memory_we = s2_en;
-  always_ff @(posedge clk_i) begin
-    if (feature_memory_we) feature_memory_mem[feature_memory_waddr] <= {feature_memory_rdata_s2_q[77:0], mask_s2_q, entering_values_0_features_right_q, entering_values_0_features_left_q};
-  end
-`ifndef SYNTHESIS
-  logic [10:0] feature_memory_raddr_s1_sim;
-  logic feature_memory_re_s1_sim;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      feature_memory_re_s1_sim <= 1'b0;
-    end else if (en_i) begin
-      feature_memory_re_s1_sim <= feature_memory_re;
-      feature_memory_raddr_s1_sim <= feature_memory_raddr;
-    end
-  end
-  always_ff @(posedge clk_i) begin
-    if (rst_ni && feature_memory_we) begin
-      if (feature_memory_re && feature_memory_raddr == feature_memory_waddr) begin
-        $error("feature_memory: address %0d is read less than DISTANCE steps after its write", feature_memory_waddr);
-      end
-      if (feature_memory_re_s1_sim && feature_memory_raddr_s1_sim == feature_memory_waddr) begin
-        $error("feature_memory: address %0d is read less than DISTANCE steps after its write", feature_memory_waddr);
-      end
-      if (feature_memory_waddr >= 11'd1920) $error("feature_memory: write outside, address %0d", feature_memory_waddr);
-    end
-    if (rst_ni && feature_memory_re && feature_memory_raddr >= 11'd1920) $error("feature_memory: read outside, address %0d", feature_memory_raddr);
-  end
-`endif
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      arriving_rows_q <= 3'h0;
-      delayed_column_q <= 11'h0;
-      delayed_row_ended_q <= 1'b1;
-      running_q <= 1'b0;
-    end else if (s2_en) begin
-      arriving_rows_q <= select_1070;
-      delayed_column_q <= select_633 + 11'h1;
-      delayed_row_ended_q <= marks_values_25_last_s2_q;
-      running_q <= or_634;
-    end
-  end
-
-  logic mask_s3_q;
-  logic marks_values_25_first_s3_q;
-  logic [5:0] seen_values_24_grey_s3_q;
-  logic seen_values_24_exists_s3_q;
-  logic or_629_s3_q;
-  logic or_632_s3_q;
-  logic [10:0] select_633_s3_q;
-  logic [6:0] difference_645_s3_q;
-  logic and_654_s3_q;
-  logic [6:0] difference_656_s3_q;
-  logic [6:0] difference_670_s3_q;
-  logic [6:0] difference_678_s3_q;
-  logic [6:0] difference_692_s3_q;
-  logic [6:0] difference_700_s3_q;
-  logic [6:0] difference_714_s3_q;
-  logic [6:0] difference_722_s3_q;
-  logic [6:0] difference_736_s3_q;
-  logic [6:0] difference_744_s3_q;
-  logic [6:0] difference_758_s3_q;
-  logic [6:0] difference_766_s3_q;
-  logic [6:0] difference_780_s3_q;
-  logic [6:0] difference_788_s3_q;
-  logic [6:0] difference_802_s3_q;
-  logic [6:0] difference_810_s3_q;
-  logic [6:0] difference_824_s3_q;
-  logic [6:0] difference_832_s3_q;
-  logic [6:0] difference_843_s3_q;
-  logic [6:0] difference_849_s3_q;
-  logic [6:0] difference_862_s3_q;
-  logic [6:0] difference_870_s3_q;
-  logic [6:0] difference_884_s3_q;
-  logic [6:0] difference_892_s3_q;
-  logic [6:0] difference_906_s3_q;
-  logic [6:0] difference_914_s3_q;
-  logic [6:0] difference_928_s3_q;
-  logic [6:0] difference_936_s3_q;
-  logic [6:0] difference_950_s3_q;
-  logic [6:0] difference_958_s3_q;
-  logic [6:0] difference_972_s3_q;
-  logic [6:0] difference_980_s3_q;
-  logic [6:0] difference_992_s3_q;
-  logic [6:0] difference_1000_s3_q;
-  logic [6:0] difference_1013_s3_q;
-  logic [6:0] difference_1021_s3_q;
-  logic [4:0] difference_37_s3_q;
-  logic [4:0] difference_38_s3_q;
-  logic [4:0] select_1055_s3_q;
-  logic [4:0] select_1058_s3_q;
-  always_ff @(posedge clk_i) begin
-    if (s2_en) begin
-      mask_s3_q <= mask_s2_q;
-      marks_values_25_first_s3_q <= marks_values_25_first_s2_q;
-      seen_values_24_grey_s3_q <= seen_values_24_grey_s2_q;
-      seen_values_24_exists_s3_q <= seen_values_24_exists_s2_q;
-      or_629_s3_q <= or_629_s2_q;
-      or_632_s3_q <= or_632;
-      select_633_s3_q <= select_633;
-      difference_645_s3_q <= difference_645;
-      and_654_s3_q <= feature_memory_rdata_s2_q[78] & equal_653;
-      difference_656_s3_q <= difference_656;
-      difference_670_s3_q <= difference_670;
-      difference_678_s3_q <= difference_678;
-      difference_692_s3_q <= difference_692;
-      difference_700_s3_q <= difference_700;
-      difference_714_s3_q <= difference_714;
-      difference_722_s3_q <= difference_722;
-      difference_736_s3_q <= difference_736;
-      difference_744_s3_q <= difference_744;
-      difference_758_s3_q <= difference_758;
-      difference_766_s3_q <= difference_766;
-      difference_780_s3_q <= difference_780;
-      difference_788_s3_q <= difference_788;
-      difference_802_s3_q <= difference_802;
-      difference_810_s3_q <= difference_810;
-      difference_824_s3_q <= difference_824;
-      difference_832_s3_q <= difference_832;
-      difference_843_s3_q <= difference_843;
-      difference_849_s3_q <= difference_849;
-      difference_862_s3_q <= difference_862;
-      difference_870_s3_q <= difference_870;
-      difference_884_s3_q <= difference_884;
-      difference_892_s3_q <= difference_892;
-      difference_906_s3_q <= difference_906;
-      difference_914_s3_q <= difference_914;
-      difference_928_s3_q <= difference_928;
-      difference_936_s3_q <= difference_936;
-      difference_950_s3_q <= difference_950;
-      difference_958_s3_q <= difference_958;
-      difference_972_s3_q <= difference_972;
-      difference_980_s3_q <= difference_980;
-      difference_992_s3_q <= difference_992;
-      difference_1000_s3_q <= difference_1000;
-      difference_1013_s3_q <= difference_1013;
-      difference_1021_s3_q <= difference_1021;
-      difference_37_s3_q <= difference_37;
-      difference_38_s3_q <= difference_38;
-      select_1055_s3_q <= select_1055;
-      select_1058_s3_q <= select_1058;
-    end
-  end
-
-  // Stage 3 -----------------------------------------------------------------------------------------------------------
   logic row_parity_q;
   logic entering_values_0_features_mask_q;
   logic entering_values_1_features_mask_q;
@@ -1320,172 +1084,220 @@ module horopter_plane_sums (
   logic centre_marks_values_3_first_q;
   logic centre_marks_values_3_last_q;
   // hls/stages/plane_sums.hpp:156
-  logic [7:0] select_647;
-  assign select_647 = difference_645_s3_q[6] ? (8'h0 - {difference_645_s3_q[6], difference_645_s3_q}) : {2'h0, difference_645_s3_q[5:0]};
-  logic [4:0] difference;
-  assign difference = (select_647[7:5] == 3'h0) ? select_647[4:0] : 5'h1f;
-  logic [7:0] select_658;
-  assign select_658 = difference_656_s3_q[6] ? (8'h0 - {difference_656_s3_q[6], difference_656_s3_q}) : {2'h0, difference_656_s3_q[5:0]};
-  logic [4:0] difference_2;
-  assign difference_2 = (select_658[7:5] == 3'h0) ? select_658[4:0] : 5'h1f;
-  logic [7:0] select_672;
-  assign select_672 = difference_670_s3_q[6] ? (8'h0 - {difference_670_s3_q[6], difference_670_s3_q}) : {2'h0, difference_670_s3_q[5:0]};
-  logic [4:0] difference_3;
-  assign difference_3 = (select_672[7:5] == 3'h0) ? select_672[4:0] : 5'h1f;
-  logic [7:0] select_680;
-  assign select_680 = difference_678_s3_q[6] ? (8'h0 - {difference_678_s3_q[6], difference_678_s3_q}) : {2'h0, difference_678_s3_q[5:0]};
-  logic [4:0] difference_4;
-  assign difference_4 = (select_680[7:5] == 3'h0) ? select_680[4:0] : 5'h1f;
-  logic [7:0] select_694;
-  assign select_694 = difference_692_s3_q[6] ? (8'h0 - {difference_692_s3_q[6], difference_692_s3_q}) : {2'h0, difference_692_s3_q[5:0]};
-  logic [4:0] difference_5;
-  assign difference_5 = (select_694[7:5] == 3'h0) ? select_694[4:0] : 5'h1f;
-  logic [7:0] select_702;
-  assign select_702 = difference_700_s3_q[6] ? (8'h0 - {difference_700_s3_q[6], difference_700_s3_q}) : {2'h0, difference_700_s3_q[5:0]};
-  logic [4:0] difference_6;
-  assign difference_6 = (select_702[7:5] == 3'h0) ? select_702[4:0] : 5'h1f;
-  logic [7:0] select_716;
-  assign select_716 = difference_714_s3_q[6] ? (8'h0 - {difference_714_s3_q[6], difference_714_s3_q}) : {2'h0, difference_714_s3_q[5:0]};
-  logic [4:0] difference_7;
-  assign difference_7 = (select_716[7:5] == 3'h0) ? select_716[4:0] : 5'h1f;
-  logic [7:0] select_724;
-  assign select_724 = difference_722_s3_q[6] ? (8'h0 - {difference_722_s3_q[6], difference_722_s3_q}) : {2'h0, difference_722_s3_q[5:0]};
-  logic [4:0] difference_8;
-  assign difference_8 = (select_724[7:5] == 3'h0) ? select_724[4:0] : 5'h1f;
-  logic [7:0] select_738;
-  assign select_738 = difference_736_s3_q[6] ? (8'h0 - {difference_736_s3_q[6], difference_736_s3_q}) : {2'h0, difference_736_s3_q[5:0]};
-  logic [4:0] difference_9;
-  assign difference_9 = (select_738[7:5] == 3'h0) ? select_738[4:0] : 5'h1f;
-  logic [7:0] select_746;
-  assign select_746 = difference_744_s3_q[6] ? (8'h0 - {difference_744_s3_q[6], difference_744_s3_q}) : {2'h0, difference_744_s3_q[5:0]};
-  logic [4:0] difference_10;
-  assign difference_10 = (select_746[7:5] == 3'h0) ? select_746[4:0] : 5'h1f;
-  logic [7:0] select_760;
-  assign select_760 = difference_758_s3_q[6] ? (8'h0 - {difference_758_s3_q[6], difference_758_s3_q}) : {2'h0, difference_758_s3_q[5:0]};
-  logic [4:0] difference_11;
-  assign difference_11 = (select_760[7:5] == 3'h0) ? select_760[4:0] : 5'h1f;
-  logic [7:0] select_768;
-  assign select_768 = difference_766_s3_q[6] ? (8'h0 - {difference_766_s3_q[6], difference_766_s3_q}) : {2'h0, difference_766_s3_q[5:0]};
-  logic [4:0] difference_12;
-  assign difference_12 = (select_768[7:5] == 3'h0) ? select_768[4:0] : 5'h1f;
-  logic [7:0] select_782;
-  assign select_782 = difference_780_s3_q[6] ? (8'h0 - {difference_780_s3_q[6], difference_780_s3_q}) : {2'h0, difference_780_s3_q[5:0]};
-  logic [4:0] difference_13;
-  assign difference_13 = (select_782[7:5] == 3'h0) ? select_782[4:0] : 5'h1f;
-  logic [7:0] select_790;
-  assign select_790 = difference_788_s3_q[6] ? (8'h0 - {difference_788_s3_q[6], difference_788_s3_q}) : {2'h0, difference_788_s3_q[5:0]};
-  logic [4:0] difference_14;
-  assign difference_14 = (select_790[7:5] == 3'h0) ? select_790[4:0] : 5'h1f;
-  logic [7:0] select_804;
-  assign select_804 = difference_802_s3_q[6] ? (8'h0 - {difference_802_s3_q[6], difference_802_s3_q}) : {2'h0, difference_802_s3_q[5:0]};
-  logic [4:0] difference_15;
-  assign difference_15 = (select_804[7:5] == 3'h0) ? select_804[4:0] : 5'h1f;
-  logic [7:0] select_812;
-  assign select_812 = difference_810_s3_q[6] ? (8'h0 - {difference_810_s3_q[6], difference_810_s3_q}) : {2'h0, difference_810_s3_q[5:0]};
-  logic [4:0] difference_16;
-  assign difference_16 = (select_812[7:5] == 3'h0) ? select_812[4:0] : 5'h1f;
-  logic [7:0] select_826;
-  assign select_826 = difference_824_s3_q[6] ? (8'h0 - {difference_824_s3_q[6], difference_824_s3_q}) : {2'h0, difference_824_s3_q[5:0]};
-  logic [4:0] difference_17;
-  assign difference_17 = (select_826[7:5] == 3'h0) ? select_826[4:0] : 5'h1f;
-  logic [7:0] select_834;
-  assign select_834 = difference_832_s3_q[6] ? (8'h0 - {difference_832_s3_q[6], difference_832_s3_q}) : {2'h0, difference_832_s3_q[5:0]};
-  logic [4:0] difference_18;
-  assign difference_18 = (select_834[7:5] == 3'h0) ? select_834[4:0] : 5'h1f;
-  logic [7:0] select_845;
-  assign select_845 = difference_843_s3_q[6] ? (8'h0 - {difference_843_s3_q[6], difference_843_s3_q}) : {2'h0, difference_843_s3_q[5:0]};
-  logic [4:0] difference_19;
-  assign difference_19 = (select_845[7:5] == 3'h0) ? select_845[4:0] : 5'h1f;
-  logic [7:0] select_851;
-  assign select_851 = difference_849_s3_q[6] ? (8'h0 - {difference_849_s3_q[6], difference_849_s3_q}) : {2'h0, difference_849_s3_q[5:0]};
-  logic [4:0] difference_20;
-  assign difference_20 = (select_851[7:5] == 3'h0) ? select_851[4:0] : 5'h1f;
-  logic [7:0] select_864;
-  assign select_864 = difference_862_s3_q[6] ? (8'h0 - {difference_862_s3_q[6], difference_862_s3_q}) : {2'h0, difference_862_s3_q[5:0]};
-  logic [4:0] difference_21;
-  assign difference_21 = (select_864[7:5] == 3'h0) ? select_864[4:0] : 5'h1f;
-  logic [7:0] select_872;
-  assign select_872 = difference_870_s3_q[6] ? (8'h0 - {difference_870_s3_q[6], difference_870_s3_q}) : {2'h0, difference_870_s3_q[5:0]};
-  logic [4:0] difference_22;
-  assign difference_22 = (select_872[7:5] == 3'h0) ? select_872[4:0] : 5'h1f;
-  logic [7:0] select_886;
-  assign select_886 = difference_884_s3_q[6] ? (8'h0 - {difference_884_s3_q[6], difference_884_s3_q}) : {2'h0, difference_884_s3_q[5:0]};
-  logic [4:0] difference_23;
-  assign difference_23 = (select_886[7:5] == 3'h0) ? select_886[4:0] : 5'h1f;
-  logic [7:0] select_894;
-  assign select_894 = difference_892_s3_q[6] ? (8'h0 - {difference_892_s3_q[6], difference_892_s3_q}) : {2'h0, difference_892_s3_q[5:0]};
-  logic [4:0] difference_24;
-  assign difference_24 = (select_894[7:5] == 3'h0) ? select_894[4:0] : 5'h1f;
-  logic [7:0] select_908;
-  assign select_908 = difference_906_s3_q[6] ? (8'h0 - {difference_906_s3_q[6], difference_906_s3_q}) : {2'h0, difference_906_s3_q[5:0]};
-  logic [4:0] difference_25;
-  assign difference_25 = (select_908[7:5] == 3'h0) ? select_908[4:0] : 5'h1f;
-  logic [7:0] select_916;
-  assign select_916 = difference_914_s3_q[6] ? (8'h0 - {difference_914_s3_q[6], difference_914_s3_q}) : {2'h0, difference_914_s3_q[5:0]};
-  logic [4:0] difference_26;
-  assign difference_26 = (select_916[7:5] == 3'h0) ? select_916[4:0] : 5'h1f;
-  logic [7:0] select_930;
-  assign select_930 = difference_928_s3_q[6] ? (8'h0 - {difference_928_s3_q[6], difference_928_s3_q}) : {2'h0, difference_928_s3_q[5:0]};
-  logic [4:0] difference_27;
-  assign difference_27 = (select_930[7:5] == 3'h0) ? select_930[4:0] : 5'h1f;
-  logic [7:0] select_938;
-  assign select_938 = difference_936_s3_q[6] ? (8'h0 - {difference_936_s3_q[6], difference_936_s3_q}) : {2'h0, difference_936_s3_q[5:0]};
-  logic [4:0] difference_28;
-  assign difference_28 = (select_938[7:5] == 3'h0) ? select_938[4:0] : 5'h1f;
-  logic [7:0] select_952;
-  assign select_952 = difference_950_s3_q[6] ? (8'h0 - {difference_950_s3_q[6], difference_950_s3_q}) : {2'h0, difference_950_s3_q[5:0]};
-  logic [4:0] difference_29;
-  assign difference_29 = (select_952[7:5] == 3'h0) ? select_952[4:0] : 5'h1f;
-  logic [7:0] select_960;
-  assign select_960 = difference_958_s3_q[6] ? (8'h0 - {difference_958_s3_q[6], difference_958_s3_q}) : {2'h0, difference_958_s3_q[5:0]};
-  logic [4:0] difference_30;
-  assign difference_30 = (select_960[7:5] == 3'h0) ? select_960[4:0] : 5'h1f;
-  logic [7:0] select_974;
-  assign select_974 = difference_972_s3_q[6] ? (8'h0 - {difference_972_s3_q[6], difference_972_s3_q}) : {2'h0, difference_972_s3_q[5:0]};
-  logic [4:0] difference_31;
-  assign difference_31 = (select_974[7:5] == 3'h0) ? select_974[4:0] : 5'h1f;
-  logic [7:0] select_982;
-  assign select_982 = difference_980_s3_q[6] ? (8'h0 - {difference_980_s3_q[6], difference_980_s3_q}) : {2'h0, difference_980_s3_q[5:0]};
-  logic [4:0] difference_32;
-  assign difference_32 = (select_982[7:5] == 3'h0) ? select_982[4:0] : 5'h1f;
-  logic [7:0] select_994;
-  assign select_994 = difference_992_s3_q[6] ? (8'h0 - {difference_992_s3_q[6], difference_992_s3_q}) : {2'h0, difference_992_s3_q[5:0]};
-  logic [4:0] difference_33;
-  assign difference_33 = (select_994[7:5] == 3'h0) ? select_994[4:0] : 5'h1f;
-  logic [7:0] select_1002;
-  assign select_1002 = difference_1000_s3_q[6] ? (8'h0 - {difference_1000_s3_q[6], difference_1000_s3_q}) : {2'h0, difference_1000_s3_q[5:0]};
-  logic [4:0] difference_34;
-  assign difference_34 = (select_1002[7:5] == 3'h0) ? select_1002[4:0] : 5'h1f;
-  logic [7:0] select_1015;
-  assign select_1015 = difference_1013_s3_q[6] ? (8'h0 - {difference_1013_s3_q[6], difference_1013_s3_q}) : {2'h0, difference_1013_s3_q[5:0]};
-  logic [4:0] difference_35;
-  assign difference_35 = (select_1015[7:5] == 3'h0) ? select_1015[4:0] : 5'h1f;
-  logic [7:0] select_1023;
-  assign select_1023 = difference_1021_s3_q[6] ? (8'h0 - {difference_1021_s3_q[6], difference_1021_s3_q}) : {2'h0, difference_1021_s3_q[5:0]};
-  logic [4:0] difference_36;
-  assign difference_36 = (select_1023[7:5] == 3'h0) ? select_1023[4:0] : 5'h1f;
+  logic [6:0] difference_640;
+  assign difference_640 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_0_features_right_q[5], entering_values_0_features_right_q};
+  logic [5:0] xor_641;
+  assign xor_641 = difference_640[5:0] ^ {6{difference_640[6]}};
+  logic [6:0] difference_652;
+  assign difference_652 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_0_features_right_q[5], leaving_values_0_features_right_q};
+  // hls/stages/plane_sums.hpp:63
+  logic [2:0] select_656;
+  assign select_656 = marks_values_0_first_q ? 3'h0 : arriving_rows_q;
+  logic equal_657;
+  assign equal_657 = select_656 == 3'h7;
+  // hls/stages/plane_sums.hpp:156
+  logic [6:0] difference_667;
+  assign difference_667 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_6_features_right_q[5], entering_values_6_features_right_q};
+  logic [5:0] xor_668;
+  assign xor_668 = difference_667[5:0] ^ {6{difference_667[6]}};
+  logic [6:0] difference_677;
+  assign difference_677 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_6_features_right_q[5], leaving_values_6_features_right_q};
+  logic [5:0] xor_678;
+  assign xor_678 = difference_677[5:0] ^ {6{difference_677[6]}};
+  logic [6:0] difference_689;
+  assign difference_689 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_11_features_right_q[5], entering_values_11_features_right_q};
+  logic [5:0] xor_690;
+  assign xor_690 = difference_689[5:0] ^ {6{difference_689[6]}};
+  logic [6:0] difference_699;
+  assign difference_699 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_11_features_right_q[5], leaving_values_11_features_right_q};
+  logic [5:0] xor_700;
+  assign xor_700 = difference_699[5:0] ^ {6{difference_699[6]}};
+  logic [6:0] difference_711;
+  assign difference_711 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_15_features_right_q[5], entering_values_15_features_right_q};
+  logic [5:0] xor_712;
+  assign xor_712 = difference_711[5:0] ^ {6{difference_711[6]}};
+  logic [6:0] difference_721;
+  assign difference_721 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_15_features_right_q[5], leaving_values_15_features_right_q};
+  logic [5:0] xor_722;
+  assign xor_722 = difference_721[5:0] ^ {6{difference_721[6]}};
+  logic [6:0] difference_733;
+  assign difference_733 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_18_features_right_q[5], entering_values_18_features_right_q};
+  logic [5:0] xor_734;
+  assign xor_734 = difference_733[5:0] ^ {6{difference_733[6]}};
+  logic [6:0] difference_743;
+  assign difference_743 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_18_features_right_q[5], leaving_values_18_features_right_q};
+  logic [5:0] xor_744;
+  assign xor_744 = difference_743[5:0] ^ {6{difference_743[6]}};
+  logic [6:0] difference_755;
+  assign difference_755 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_20_features_right_q[5], entering_values_20_features_right_q};
+  logic [5:0] xor_756;
+  assign xor_756 = difference_755[5:0] ^ {6{difference_755[6]}};
+  logic [6:0] difference_765;
+  assign difference_765 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_20_features_right_q[5], leaving_values_20_features_right_q};
+  logic [5:0] xor_766;
+  assign xor_766 = difference_765[5:0] ^ {6{difference_765[6]}};
+  logic [6:0] difference_777;
+  assign difference_777 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_21_features_right_q[5], entering_values_21_features_right_q};
+  logic [5:0] xor_778;
+  assign xor_778 = difference_777[5:0] ^ {6{difference_777[6]}};
+  logic [6:0] difference_787;
+  assign difference_787 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_21_features_right_q[5], leaving_values_21_features_right_q};
+  logic [5:0] xor_788;
+  assign xor_788 = difference_787[5:0] ^ {6{difference_787[6]}};
+  logic [6:0] difference_799;
+  assign difference_799 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_22_features_right_q[5], entering_values_22_features_right_q};
+  logic [5:0] xor_800;
+  assign xor_800 = difference_799[5:0] ^ {6{difference_799[6]}};
+  logic [6:0] difference_809;
+  assign difference_809 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_22_features_right_q[5], leaving_values_22_features_right_q};
+  logic [5:0] xor_810;
+  assign xor_810 = difference_809[5:0] ^ {6{difference_809[6]}};
+  logic [6:0] difference_821;
+  assign difference_821 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_23_features_right_q[5], entering_values_23_features_right_q};
+  logic [5:0] xor_822;
+  assign xor_822 = difference_821[5:0] ^ {6{difference_821[6]}};
+  logic [6:0] difference_831;
+  assign difference_831 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_23_features_right_q[5], leaving_values_23_features_right_q};
+  logic [5:0] xor_832;
+  assign xor_832 = difference_831[5:0] ^ {6{difference_831[6]}};
+  logic [6:0] difference_843;
+  assign difference_843 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_24_features_right_q[5], entering_values_24_features_right_q};
+  logic [5:0] xor_844;
+  assign xor_844 = difference_843[5:0] ^ {6{difference_843[6]}};
+  logic [6:0] difference_850;
+  assign difference_850 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_24_features_right_q[5], leaving_values_24_features_right_q};
+  logic [5:0] xor_851;
+  assign xor_851 = difference_850[5:0] ^ {6{difference_850[6]}};
+  logic [6:0] difference_861;
+  assign difference_861 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_25_features_right_q[5], entering_values_25_features_right_q};
+  logic [5:0] xor_862;
+  assign xor_862 = difference_861[5:0] ^ {6{difference_861[6]}};
+  logic [6:0] difference_871;
+  assign difference_871 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_25_features_right_q[5], leaving_values_25_features_right_q};
+  logic [5:0] xor_872;
+  assign xor_872 = difference_871[5:0] ^ {6{difference_871[6]}};
+  logic [6:0] difference_883;
+  assign difference_883 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_26_features_right_q[5], entering_values_26_features_right_q};
+  logic [5:0] xor_884;
+  assign xor_884 = difference_883[5:0] ^ {6{difference_883[6]}};
+  logic [6:0] difference_893;
+  assign difference_893 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_26_features_right_q[5], leaving_values_26_features_right_q};
+  logic [5:0] xor_894;
+  assign xor_894 = difference_893[5:0] ^ {6{difference_893[6]}};
+  logic [6:0] difference_905;
+  assign difference_905 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_27_features_right_q[5], entering_values_27_features_right_q};
+  logic [5:0] xor_906;
+  assign xor_906 = difference_905[5:0] ^ {6{difference_905[6]}};
+  logic [6:0] difference_915;
+  assign difference_915 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_27_features_right_q[5], leaving_values_27_features_right_q};
+  logic [5:0] xor_916;
+  assign xor_916 = difference_915[5:0] ^ {6{difference_915[6]}};
+  logic [6:0] difference_927;
+  assign difference_927 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_28_features_right_q[5], entering_values_28_features_right_q};
+  logic [5:0] xor_928;
+  assign xor_928 = difference_927[5:0] ^ {6{difference_927[6]}};
+  logic [6:0] difference_937;
+  assign difference_937 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_28_features_right_q[5], leaving_values_28_features_right_q};
+  logic [5:0] xor_938;
+  assign xor_938 = difference_937[5:0] ^ {6{difference_937[6]}};
+  logic [6:0] difference_949;
+  assign difference_949 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_30_features_right_q[5], entering_values_30_features_right_q};
+  logic [5:0] xor_950;
+  assign xor_950 = difference_949[5:0] ^ {6{difference_949[6]}};
+  logic [6:0] difference_959;
+  assign difference_959 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_30_features_right_q[5], leaving_values_30_features_right_q};
+  logic [5:0] xor_960;
+  assign xor_960 = difference_959[5:0] ^ {6{difference_959[6]}};
+  logic [6:0] difference_971;
+  assign difference_971 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_33_features_right_q[5], entering_values_33_features_right_q};
+  logic [5:0] xor_972;
+  assign xor_972 = difference_971[5:0] ^ {6{difference_971[6]}};
+  logic [6:0] difference_981;
+  assign difference_981 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_33_features_right_q[5], leaving_values_33_features_right_q};
+  logic [5:0] xor_982;
+  assign xor_982 = difference_981[5:0] ^ {6{difference_981[6]}};
+  logic [6:0] difference_993;
+  assign difference_993 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_37_features_right_q[5], entering_values_37_features_right_q};
+  logic [5:0] xor_994;
+  assign xor_994 = difference_993[5:0] ^ {6{difference_993[6]}};
+  logic [6:0] difference_1003;
+  assign difference_1003 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_37_features_right_q[5], leaving_values_37_features_right_q};
+  logic [5:0] xor_1004;
+  assign xor_1004 = difference_1003[5:0] ^ {6{difference_1003[6]}};
+  logic [6:0] difference_1015;
+  assign difference_1015 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_42_features_right_q[5], entering_values_42_features_right_q};
+  logic [5:0] xor_1016;
+  assign xor_1016 = difference_1015[5:0] ^ {6{difference_1015[6]}};
+  logic [6:0] difference_1025;
+  assign difference_1025 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_42_features_right_q[5], leaving_values_42_features_right_q};
+  logic [5:0] xor_1026;
+  assign xor_1026 = difference_1025[5:0] ^ {6{difference_1025[6]}};
   // hls/stages/plane_sums.hpp:157
-  logic xor_1033;
-  assign xor_1033 = entering_values_23_row_q ^ entering_values_47_row_q;
-  // hls/stages/plane_sums.hpp:87
-  logic [4:0] select_1040;
-  assign select_1040 = entering_values_47_features_mask_q ? (xor_1033 ? 5'h1f : difference_37_s3_q) : 5'h1f;
+  logic not_1042;
+  assign not_1042 = ~(entering_values_23_row_q ^ entering_values_47_row_q);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_1041;
-  assign select_1041 = entering_values_23_features_mask_q ? select_1040 : 5'h0;
-  // hls/stages/plane_sums.hpp:88
-  logic [4:0] select_1048;
-  assign select_1048 = leaving_values_47_features_mask_q ? (xor_1033 ? 5'h1f : difference_38_s3_q) : 5'h1f;
+  logic [4:0] select_1044;
+  assign select_1044 = ((sum_1039_s2_q[6:5] == 2'h0) & not_1042) ? sum_1039_s2_q[4:0] : 5'h1f;
+  logic [4:0] select_1046;
+  assign select_1046 = entering_values_23_features_mask_q ? (entering_values_47_features_mask_q ? select_1044 : 5'h1f) : 5'h0;
+  logic [4:0] select_1052;
+  assign select_1052 = (not_1042 & (sum_1049_s2_q[6:5] == 2'h0)) ? sum_1049_s2_q[4:0] : 5'h1f;
+  logic [4:0] select_1054;
+  assign select_1054 = leaving_values_23_features_mask_q ? (leaving_values_47_features_mask_q ? select_1052 : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:163
+  logic [4:0] xor_1059;
+  assign xor_1059 = entering_values_23_features_left_s2_q[4:0] ^ {5{entering_values_23_features_left_s2_q[5]}};
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_1049;
-  assign select_1049 = leaving_values_23_features_mask_q ? select_1048 : 5'h0;
-  logic [4:0] select_1056;
-  assign select_1056 = entering_values_23_features_mask_q ? select_1055_s3_q : 5'h0;
-  logic [4:0] select_1059;
-  assign select_1059 = leaving_values_23_features_mask_q ? select_1058_s3_q : 5'h0;
+  logic [4:0] select_1061;
+  assign select_1061 = entering_values_23_features_mask_q ? ({4'h0, entering_values_23_features_left_s2_q[5]} + xor_1059) : 5'h0;
+  // hls/stages/plane_sums.hpp:163
+  logic [4:0] xor_1062;
+  assign xor_1062 = leaving_values_23_features_left_s2_q[4:0] ^ {5{leaving_values_23_features_left_s2_q[5]}};
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_1064;
+  assign select_1064 = leaving_values_23_features_mask_q ? ({4'h0, leaving_values_23_features_left_s2_q[5]} + xor_1062) : 5'h0;
+  // hls/stages/plane_sums.hpp:63
+  logic not_1073;
+  assign not_1073 = ~equal_657;
+  logic [2:0] select_1075;
+  assign select_1075 = marks_values_0_last_q ? (select_656 + {2'h0, not_1073}) : select_656;
+
+  // Memory feature_memory, write
+  logic [10:0] feature_memory_waddr;
+  assign feature_memory_waddr = select_630_s2_q;
+  logic feature_memory_we;
+  assign feature_memory_we = s2_en;
+  always_ff @(posedge clk_i) begin
+    if (feature_memory_we) feature_memory_mem[feature_memory_waddr] <= {feature_memory_rdata_s2_q[77:0], mask_s2_q, entering_values_0_features_right_q, entering_values_0_features_left_q};
+  end
+`ifndef SYNTHESIS
+  logic [10:0] feature_memory_raddr_s1_sim;
+  logic feature_memory_re_s1_sim;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      feature_memory_re_s1_sim <= 1'b0;
+    end else if (en_i) begin
+      feature_memory_re_s1_sim <= feature_memory_re;
+      feature_memory_raddr_s1_sim <= feature_memory_raddr;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && feature_memory_we) begin
+      if (feature_memory_re && feature_memory_raddr == feature_memory_waddr) begin
+        $error("feature_memory: address %0d is read less than DISTANCE steps after its write", feature_memory_waddr);
+      end
+      if (feature_memory_re_s1_sim && feature_memory_raddr_s1_sim == feature_memory_waddr) begin
+        $error("feature_memory: address %0d is read less than DISTANCE steps after its write", feature_memory_waddr);
+      end
+      if (feature_memory_waddr >= 11'd1920) $error("feature_memory: write outside, address %0d", feature_memory_waddr);
+    end
+    if (rst_ni && feature_memory_re && feature_memory_raddr >= 11'd1920) $error("feature_memory: read outside, address %0d", feature_memory_raddr);
+  end
+`endif
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      arriving_rows_q <= 3'h0;
       row_parity_q <= 1'b0;
       entering_values_0_features_mask_q <= 1'b0;
       entering_values_1_features_mask_q <= 1'b0;
@@ -1638,9 +1450,10 @@ module horopter_plane_sums (
       centre_marks_values_2_last_q <= 1'b0;
       centre_marks_values_3_first_q <= 1'b0;
       centre_marks_values_3_last_q <= 1'b0;
-    end else if (s3_en) begin
-      row_parity_q <= row_parity_q ^ or_629_s3_q;
-      entering_values_0_features_mask_q <= mask_s3_q;
+    end else if (s2_en) begin
+      arriving_rows_q <= select_1075;
+      row_parity_q <= row_parity_q ^ or_629_s2_q;
+      entering_values_0_features_mask_q <= mask_s2_q;
       entering_values_1_features_mask_q <= entering_values_0_features_mask_q;
       entering_values_1_row_q <= row_parity_q;
       entering_values_2_features_mask_q <= entering_values_1_features_mask_q;
@@ -1735,7 +1548,7 @@ module horopter_plane_sums (
       entering_values_46_row_q <= entering_values_45_row_q;
       entering_values_47_features_mask_q <= entering_values_46_features_mask_q;
       entering_values_47_row_q <= entering_values_46_row_q;
-      leaving_values_0_features_mask_q <= and_654_s3_q;
+      leaving_values_0_features_mask_q <= feature_memory_rdata_s2_q[78] & equal_657;
       leaving_values_1_features_mask_q <= leaving_values_0_features_mask_q;
       leaving_values_2_features_mask_q <= leaving_values_1_features_mask_q;
       leaving_values_3_features_mask_q <= leaving_values_2_features_mask_q;
@@ -1783,7 +1596,7 @@ module horopter_plane_sums (
       leaving_values_45_features_mask_q <= leaving_values_44_features_mask_q;
       leaving_values_46_features_mask_q <= leaving_values_45_features_mask_q;
       leaving_values_47_features_mask_q <= leaving_values_46_features_mask_q;
-      centre_marks_values_0_first_q <= marks_values_25_first_s3_q;
+      centre_marks_values_0_first_q <= marks_values_25_first_s2_q;
       centre_marks_values_0_last_q <= delayed_row_ended_q;
       centre_marks_values_1_first_q <= centre_marks_values_0_first_q;
       centre_marks_values_1_last_q <= centre_marks_values_0_last_q;
@@ -1794,106 +1607,112 @@ module horopter_plane_sums (
     end
   end
 
-  logic [5:0] seen_values_24_grey_s4_q;
-  logic seen_values_24_exists_s4_q;
-  logic centre_marks_values_3_first_s4_q;
-  logic centre_marks_values_3_last_s4_q;
-  logic or_632_s4_q;
-  logic [10:0] select_633_s4_q;
-  logic or_634_s4_q;
-  logic [190:0] column_memory_rdata_s4_q;
-  logic not_643_s4_q;
-  logic [4:0] difference_s4_q;
-  logic [4:0] difference_2_s4_q;
-  logic [4:0] difference_3_s4_q;
-  logic [4:0] difference_4_s4_q;
-  logic [4:0] difference_5_s4_q;
-  logic [4:0] difference_6_s4_q;
-  logic [4:0] difference_7_s4_q;
-  logic [4:0] difference_8_s4_q;
-  logic [4:0] difference_9_s4_q;
-  logic [4:0] difference_10_s4_q;
-  logic [4:0] difference_11_s4_q;
-  logic [4:0] difference_12_s4_q;
-  logic [4:0] difference_13_s4_q;
-  logic [4:0] difference_14_s4_q;
-  logic [4:0] difference_15_s4_q;
-  logic [4:0] difference_16_s4_q;
-  logic [4:0] difference_17_s4_q;
-  logic [4:0] difference_18_s4_q;
-  logic [4:0] difference_19_s4_q;
-  logic [4:0] difference_20_s4_q;
-  logic [4:0] difference_21_s4_q;
-  logic [4:0] difference_22_s4_q;
-  logic [4:0] difference_23_s4_q;
-  logic [4:0] difference_24_s4_q;
-  logic [4:0] difference_25_s4_q;
-  logic [4:0] difference_26_s4_q;
-  logic [4:0] difference_27_s4_q;
-  logic [4:0] difference_28_s4_q;
-  logic [4:0] difference_29_s4_q;
-  logic [4:0] difference_30_s4_q;
-  logic [4:0] difference_31_s4_q;
-  logic [4:0] difference_32_s4_q;
-  logic [4:0] difference_33_s4_q;
-  logic [4:0] difference_34_s4_q;
-  logic [4:0] difference_35_s4_q;
-  logic [4:0] difference_36_s4_q;
-  logic [5:0] difference_1050_s4_q;
-  logic [5:0] difference_1060_s4_q;
+  logic [5:0] seen_values_24_grey_s3_q;
+  logic seen_values_24_exists_s3_q;
+  logic centre_marks_values_3_first_s3_q;
+  logic centre_marks_values_3_last_s3_q;
+  logic or_632_s3_q;
+  logic [10:0] select_633_s3_q;
+  logic or_634_s3_q;
+  logic [190:0] column_memory_rdata_s3_q;
+  logic [6:0] sum_642_s3_q;
+  logic not_647_s3_q;
+  logic difference_652_s3_q;
+  logic [5:0] xor_653_s3_q;
+  logic [6:0] sum_669_s3_q;
+  logic [6:0] sum_679_s3_q;
+  logic [6:0] sum_691_s3_q;
+  logic [6:0] sum_701_s3_q;
+  logic [6:0] sum_713_s3_q;
+  logic [6:0] sum_723_s3_q;
+  logic [6:0] sum_735_s3_q;
+  logic [6:0] sum_745_s3_q;
+  logic [6:0] sum_757_s3_q;
+  logic [6:0] sum_767_s3_q;
+  logic [6:0] sum_779_s3_q;
+  logic [6:0] sum_789_s3_q;
+  logic [6:0] sum_801_s3_q;
+  logic [6:0] sum_811_s3_q;
+  logic [6:0] sum_823_s3_q;
+  logic [6:0] sum_833_s3_q;
+  logic [6:0] sum_845_s3_q;
+  logic [6:0] sum_852_s3_q;
+  logic [6:0] sum_863_s3_q;
+  logic [6:0] sum_873_s3_q;
+  logic [6:0] sum_885_s3_q;
+  logic [6:0] sum_895_s3_q;
+  logic [6:0] sum_907_s3_q;
+  logic [6:0] sum_917_s3_q;
+  logic [6:0] sum_929_s3_q;
+  logic [6:0] sum_939_s3_q;
+  logic [6:0] sum_951_s3_q;
+  logic [6:0] sum_961_s3_q;
+  logic [6:0] sum_973_s3_q;
+  logic [6:0] sum_983_s3_q;
+  logic [6:0] sum_995_s3_q;
+  logic [6:0] sum_1005_s3_q;
+  logic [6:0] sum_1017_s3_q;
+  logic [6:0] sum_1027_s3_q;
+  logic [4:0] select_1046_s3_q;
+  logic [4:0] select_1054_s3_q;
+  logic [4:0] select_1061_s3_q;
+  logic [4:0] select_1064_s3_q;
   always_ff @(posedge clk_i) begin
-    if (s3_en) begin
-      seen_values_24_grey_s4_q <= seen_values_24_grey_s3_q;
-      seen_values_24_exists_s4_q <= seen_values_24_exists_s3_q;
-      centre_marks_values_3_first_s4_q <= centre_marks_values_3_first_q;
-      centre_marks_values_3_last_s4_q <= centre_marks_values_3_last_q;
-      or_632_s4_q <= or_632_s3_q;
-      select_633_s4_q <= select_633_s3_q;
-      or_634_s4_q <= running_q;
-      column_memory_rdata_s4_q <= column_memory_rdata_q;
-      not_643_s4_q <= ~(^{or_629_s3_q, entering_values_23_row_q, row_parity_q});
-      difference_s4_q <= difference;
-      difference_2_s4_q <= difference_2;
-      difference_3_s4_q <= difference_3;
-      difference_4_s4_q <= difference_4;
-      difference_5_s4_q <= difference_5;
-      difference_6_s4_q <= difference_6;
-      difference_7_s4_q <= difference_7;
-      difference_8_s4_q <= difference_8;
-      difference_9_s4_q <= difference_9;
-      difference_10_s4_q <= difference_10;
-      difference_11_s4_q <= difference_11;
-      difference_12_s4_q <= difference_12;
-      difference_13_s4_q <= difference_13;
-      difference_14_s4_q <= difference_14;
-      difference_15_s4_q <= difference_15;
-      difference_16_s4_q <= difference_16;
-      difference_17_s4_q <= difference_17;
-      difference_18_s4_q <= difference_18;
-      difference_19_s4_q <= difference_19;
-      difference_20_s4_q <= difference_20;
-      difference_21_s4_q <= difference_21;
-      difference_22_s4_q <= difference_22;
-      difference_23_s4_q <= difference_23;
-      difference_24_s4_q <= difference_24;
-      difference_25_s4_q <= difference_25;
-      difference_26_s4_q <= difference_26;
-      difference_27_s4_q <= difference_27;
-      difference_28_s4_q <= difference_28;
-      difference_29_s4_q <= difference_29;
-      difference_30_s4_q <= difference_30;
-      difference_31_s4_q <= difference_31;
-      difference_32_s4_q <= difference_32;
-      difference_33_s4_q <= difference_33;
-      difference_34_s4_q <= difference_34;
-      difference_35_s4_q <= difference_35;
-      difference_36_s4_q <= difference_36;
-      difference_1050_s4_q <= {1'b0, select_1041} - {1'b0, select_1049};
-      difference_1060_s4_q <= {1'b0, select_1056} - {1'b0, select_1059};
+    if (s2_en) begin
+      seen_values_24_grey_s3_q <= seen_values_24_grey_s2_q;
+      seen_values_24_exists_s3_q <= seen_values_24_exists_s2_q;
+      centre_marks_values_3_first_s3_q <= centre_marks_values_3_first_q;
+      centre_marks_values_3_last_s3_q <= centre_marks_values_3_last_q;
+      or_632_s3_q <= or_632_s2_q;
+      select_633_s3_q <= select_633_s2_q;
+      or_634_s3_q <= running_q;
+      column_memory_rdata_s3_q <= column_memory_rdata_q;
+      sum_642_s3_q <= {6'h0, difference_640[6]} + {1'b0, xor_641};
+      not_647_s3_q <= ~(^{or_629_s2_q, entering_values_23_row_q, row_parity_q});
+      difference_652_s3_q <= difference_652[6];
+      xor_653_s3_q <= difference_652[5:0] ^ {6{difference_652[6]}};
+      sum_669_s3_q <= {6'h0, difference_667[6]} + {1'b0, xor_668};
+      sum_679_s3_q <= {6'h0, difference_677[6]} + {1'b0, xor_678};
+      sum_691_s3_q <= {6'h0, difference_689[6]} + {1'b0, xor_690};
+      sum_701_s3_q <= {6'h0, difference_699[6]} + {1'b0, xor_700};
+      sum_713_s3_q <= {6'h0, difference_711[6]} + {1'b0, xor_712};
+      sum_723_s3_q <= {6'h0, difference_721[6]} + {1'b0, xor_722};
+      sum_735_s3_q <= {6'h0, difference_733[6]} + {1'b0, xor_734};
+      sum_745_s3_q <= {6'h0, difference_743[6]} + {1'b0, xor_744};
+      sum_757_s3_q <= {6'h0, difference_755[6]} + {1'b0, xor_756};
+      sum_767_s3_q <= {6'h0, difference_765[6]} + {1'b0, xor_766};
+      sum_779_s3_q <= {6'h0, difference_777[6]} + {1'b0, xor_778};
+      sum_789_s3_q <= {6'h0, difference_787[6]} + {1'b0, xor_788};
+      sum_801_s3_q <= {6'h0, difference_799[6]} + {1'b0, xor_800};
+      sum_811_s3_q <= {6'h0, difference_809[6]} + {1'b0, xor_810};
+      sum_823_s3_q <= {6'h0, difference_821[6]} + {1'b0, xor_822};
+      sum_833_s3_q <= {6'h0, difference_831[6]} + {1'b0, xor_832};
+      sum_845_s3_q <= {6'h0, difference_843[6]} + {1'b0, xor_844};
+      sum_852_s3_q <= {6'h0, difference_850[6]} + {1'b0, xor_851};
+      sum_863_s3_q <= {6'h0, difference_861[6]} + {1'b0, xor_862};
+      sum_873_s3_q <= {6'h0, difference_871[6]} + {1'b0, xor_872};
+      sum_885_s3_q <= {6'h0, difference_883[6]} + {1'b0, xor_884};
+      sum_895_s3_q <= {6'h0, difference_893[6]} + {1'b0, xor_894};
+      sum_907_s3_q <= {6'h0, difference_905[6]} + {1'b0, xor_906};
+      sum_917_s3_q <= {6'h0, difference_915[6]} + {1'b0, xor_916};
+      sum_929_s3_q <= {6'h0, difference_927[6]} + {1'b0, xor_928};
+      sum_939_s3_q <= {6'h0, difference_937[6]} + {1'b0, xor_938};
+      sum_951_s3_q <= {6'h0, difference_949[6]} + {1'b0, xor_950};
+      sum_961_s3_q <= {6'h0, difference_959[6]} + {1'b0, xor_960};
+      sum_973_s3_q <= {6'h0, difference_971[6]} + {1'b0, xor_972};
+      sum_983_s3_q <= {6'h0, difference_981[6]} + {1'b0, xor_982};
+      sum_995_s3_q <= {6'h0, difference_993[6]} + {1'b0, xor_994};
+      sum_1005_s3_q <= {6'h0, difference_1003[6]} + {1'b0, xor_1004};
+      sum_1017_s3_q <= {6'h0, difference_1015[6]} + {1'b0, xor_1016};
+      sum_1027_s3_q <= {6'h0, difference_1025[6]} + {1'b0, xor_1026};
+      select_1046_s3_q <= select_1046;
+      select_1054_s3_q <= select_1054;
+      select_1061_s3_q <= select_1061;
+      select_1064_s3_q <= select_1064;
     end
   end
 
-  // Stage 4 -----------------------------------------------------------------------------------------------------------
+  // Stage 3 -----------------------------------------------------------------------------------------------------------
   logic [2:0] delayed_rows_q;
   logic [5:0] centres_values_0_seen_grey_q;
   logic centres_values_0_seen_exists_q;
@@ -1918,286 +1737,325 @@ module horopter_plane_sums (
   assign equal_637 = select_636 == 3'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above;
-  assign above = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[7:0] : 8'h0);
+  assign above = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[7:0] : 8'h0);
+  // hls/stages/plane_sums.hpp:158
+  logic and_649;
+  assign and_649 = (sum_642_s3_q[6:5] == 2'h0) & (entering_values_0_features_mask_q & not_647_s3_q);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_650;
-  assign select_650 = (entering_values_0_features_mask_q & not_643_s4_q) ? difference_s4_q : 5'h1f;
   logic [4:0] select_651;
-  assign select_651 = entering_values_24_features_mask_q ? select_650 : 5'h0;
-  logic [4:0] select_661;
-  assign select_661 = (leaving_values_0_features_mask_q & not_643_s4_q) ? difference_2_s4_q : 5'h1f;
-  logic [4:0] select_662;
-  assign select_662 = leaving_values_24_features_mask_q ? select_661 : 5'h0;
+  assign select_651 = entering_values_24_features_mask_q ? (and_649 ? sum_642_s3_q[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:156
+  logic [6:0] sum_654;
+  assign sum_654 = {6'h0, difference_652_s3_q} + {1'b0, xor_653_s3_q};
+  // hls/stages/plane_sums.hpp:158
+  logic and_660;
+  assign and_660 = (sum_654[6:5] == 2'h0) & (leaving_values_0_features_mask_q & not_647_s3_q);
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_2;
-  assign above_2 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[15:8] : 8'h0);
+  assign above_2 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[15:8] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic not_668;
-  assign not_668 = ~(entering_values_6_row_q ^ entering_values_24_row_q);
+  logic not_672;
+  assign not_672 = ~(entering_values_6_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_674;
+  assign and_674 = (sum_669_s3_q[6:5] == 2'h0) & (entering_values_6_features_mask_q & not_672);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_675;
-  assign select_675 = (entering_values_6_features_mask_q & not_668) ? difference_3_s4_q : 5'h1f;
   logic [4:0] select_676;
-  assign select_676 = entering_values_24_features_mask_q ? select_675 : 5'h0;
-  logic [4:0] select_683;
-  assign select_683 = (leaving_values_6_features_mask_q & not_668) ? difference_4_s4_q : 5'h1f;
+  assign select_676 = entering_values_24_features_mask_q ? (and_674 ? sum_669_s3_q[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:158
+  logic and_682;
+  assign and_682 = (sum_679_s3_q[6:5] == 2'h0) & (leaving_values_6_features_mask_q & not_672);
+  // hls/stages/plane_sums.hpp:149
   logic [4:0] select_684;
-  assign select_684 = leaving_values_24_features_mask_q ? select_683 : 5'h0;
+  assign select_684 = leaving_values_24_features_mask_q ? (and_682 ? sum_679_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_3;
-  assign above_3 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[23:16] : 8'h0);
+  assign above_3 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[23:16] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic not_690;
-  assign not_690 = ~(entering_values_11_row_q ^ entering_values_24_row_q);
+  logic not_694;
+  assign not_694 = ~(entering_values_11_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_696;
+  assign and_696 = (sum_691_s3_q[6:5] == 2'h0) & (entering_values_11_features_mask_q & not_694);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_697;
-  assign select_697 = (entering_values_11_features_mask_q & not_690) ? difference_5_s4_q : 5'h1f;
   logic [4:0] select_698;
-  assign select_698 = entering_values_24_features_mask_q ? select_697 : 5'h0;
-  logic [4:0] select_705;
-  assign select_705 = (leaving_values_11_features_mask_q & not_690) ? difference_6_s4_q : 5'h1f;
+  assign select_698 = entering_values_24_features_mask_q ? (and_696 ? sum_691_s3_q[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:158
+  logic and_704;
+  assign and_704 = (sum_701_s3_q[6:5] == 2'h0) & (leaving_values_11_features_mask_q & not_694);
+  // hls/stages/plane_sums.hpp:149
   logic [4:0] select_706;
-  assign select_706 = leaving_values_24_features_mask_q ? select_705 : 5'h0;
+  assign select_706 = leaving_values_24_features_mask_q ? (and_704 ? sum_701_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_4;
-  assign above_4 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[31:24] : 8'h0);
+  assign above_4 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[31:24] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic not_712;
-  assign not_712 = ~(entering_values_15_row_q ^ entering_values_24_row_q);
+  logic not_716;
+  assign not_716 = ~(entering_values_15_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_718;
+  assign and_718 = (sum_713_s3_q[6:5] == 2'h0) & (entering_values_15_features_mask_q & not_716);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_719;
-  assign select_719 = (entering_values_15_features_mask_q & not_712) ? difference_7_s4_q : 5'h1f;
   logic [4:0] select_720;
-  assign select_720 = entering_values_24_features_mask_q ? select_719 : 5'h0;
-  logic [4:0] select_727;
-  assign select_727 = (leaving_values_15_features_mask_q & not_712) ? difference_8_s4_q : 5'h1f;
+  assign select_720 = entering_values_24_features_mask_q ? (and_718 ? sum_713_s3_q[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:158
+  logic and_726;
+  assign and_726 = (sum_723_s3_q[6:5] == 2'h0) & (leaving_values_15_features_mask_q & not_716);
+  // hls/stages/plane_sums.hpp:149
   logic [4:0] select_728;
-  assign select_728 = leaving_values_24_features_mask_q ? select_727 : 5'h0;
+  assign select_728 = leaving_values_24_features_mask_q ? (and_726 ? sum_723_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_5;
-  assign above_5 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[39:32] : 8'h0);
+  assign above_5 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[39:32] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic not_734;
-  assign not_734 = ~(entering_values_18_row_q ^ entering_values_24_row_q);
+  logic not_738;
+  assign not_738 = ~(entering_values_18_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_740;
+  assign and_740 = (sum_735_s3_q[6:5] == 2'h0) & (entering_values_18_features_mask_q & not_738);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_741;
-  assign select_741 = (entering_values_18_features_mask_q & not_734) ? difference_9_s4_q : 5'h1f;
   logic [4:0] select_742;
-  assign select_742 = entering_values_24_features_mask_q ? select_741 : 5'h0;
-  logic [4:0] select_749;
-  assign select_749 = (leaving_values_18_features_mask_q & not_734) ? difference_10_s4_q : 5'h1f;
+  assign select_742 = entering_values_24_features_mask_q ? (and_740 ? sum_735_s3_q[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:158
+  logic and_748;
+  assign and_748 = (sum_745_s3_q[6:5] == 2'h0) & (leaving_values_18_features_mask_q & not_738);
+  // hls/stages/plane_sums.hpp:149
   logic [4:0] select_750;
-  assign select_750 = leaving_values_24_features_mask_q ? select_749 : 5'h0;
+  assign select_750 = leaving_values_24_features_mask_q ? (and_748 ? sum_745_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_6;
-  assign above_6 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[47:40] : 8'h0);
+  assign above_6 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[47:40] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic not_756;
-  assign not_756 = ~(entering_values_20_row_q ^ entering_values_24_row_q);
+  logic not_760;
+  assign not_760 = ~(entering_values_20_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_762;
+  assign and_762 = (sum_757_s3_q[6:5] == 2'h0) & (entering_values_20_features_mask_q & not_760);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_763;
-  assign select_763 = (entering_values_20_features_mask_q & not_756) ? difference_11_s4_q : 5'h1f;
   logic [4:0] select_764;
-  assign select_764 = entering_values_24_features_mask_q ? select_763 : 5'h0;
-  logic [4:0] select_771;
-  assign select_771 = (leaving_values_20_features_mask_q & not_756) ? difference_12_s4_q : 5'h1f;
+  assign select_764 = entering_values_24_features_mask_q ? (and_762 ? sum_757_s3_q[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:158
+  logic and_770;
+  assign and_770 = (sum_767_s3_q[6:5] == 2'h0) & (leaving_values_20_features_mask_q & not_760);
+  // hls/stages/plane_sums.hpp:149
   logic [4:0] select_772;
-  assign select_772 = leaving_values_24_features_mask_q ? select_771 : 5'h0;
+  assign select_772 = leaving_values_24_features_mask_q ? (and_770 ? sum_767_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_7;
-  assign above_7 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[55:48] : 8'h0);
+  assign above_7 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[55:48] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic not_778;
-  assign not_778 = ~(entering_values_21_row_q ^ entering_values_24_row_q);
+  logic not_782;
+  assign not_782 = ~(entering_values_21_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_784;
+  assign and_784 = (sum_779_s3_q[6:5] == 2'h0) & (entering_values_21_features_mask_q & not_782);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_785;
-  assign select_785 = (entering_values_21_features_mask_q & not_778) ? difference_13_s4_q : 5'h1f;
   logic [4:0] select_786;
-  assign select_786 = entering_values_24_features_mask_q ? select_785 : 5'h0;
-  logic [4:0] select_793;
-  assign select_793 = (leaving_values_21_features_mask_q & not_778) ? difference_14_s4_q : 5'h1f;
+  assign select_786 = entering_values_24_features_mask_q ? (and_784 ? sum_779_s3_q[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:158
+  logic and_792;
+  assign and_792 = (sum_789_s3_q[6:5] == 2'h0) & (leaving_values_21_features_mask_q & not_782);
+  // hls/stages/plane_sums.hpp:149
   logic [4:0] select_794;
-  assign select_794 = leaving_values_24_features_mask_q ? select_793 : 5'h0;
+  assign select_794 = leaving_values_24_features_mask_q ? (and_792 ? sum_789_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_8;
-  assign above_8 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[63:56] : 8'h0);
+  assign above_8 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[63:56] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic not_800;
-  assign not_800 = ~(entering_values_22_row_q ^ entering_values_24_row_q);
+  logic not_804;
+  assign not_804 = ~(entering_values_22_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_806;
+  assign and_806 = (sum_801_s3_q[6:5] == 2'h0) & (entering_values_22_features_mask_q & not_804);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_807;
-  assign select_807 = (entering_values_22_features_mask_q & not_800) ? difference_15_s4_q : 5'h1f;
   logic [4:0] select_808;
-  assign select_808 = entering_values_24_features_mask_q ? select_807 : 5'h0;
-  logic [4:0] select_815;
-  assign select_815 = (leaving_values_22_features_mask_q & not_800) ? difference_16_s4_q : 5'h1f;
+  assign select_808 = entering_values_24_features_mask_q ? (and_806 ? sum_801_s3_q[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:158
+  logic and_814;
+  assign and_814 = (sum_811_s3_q[6:5] == 2'h0) & (leaving_values_22_features_mask_q & not_804);
+  // hls/stages/plane_sums.hpp:149
   logic [4:0] select_816;
-  assign select_816 = leaving_values_24_features_mask_q ? select_815 : 5'h0;
+  assign select_816 = leaving_values_24_features_mask_q ? (and_814 ? sum_811_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_9;
-  assign above_9 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[71:64] : 8'h0);
+  assign above_9 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[71:64] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic not_822;
-  assign not_822 = ~(entering_values_23_row_q ^ entering_values_24_row_q);
+  logic not_826;
+  assign not_826 = ~(entering_values_23_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_828;
+  assign and_828 = (sum_823_s3_q[6:5] == 2'h0) & (entering_values_23_features_mask_q & not_826);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_829;
-  assign select_829 = (entering_values_23_features_mask_q & not_822) ? difference_17_s4_q : 5'h1f;
   logic [4:0] select_830;
-  assign select_830 = entering_values_24_features_mask_q ? select_829 : 5'h0;
-  logic [4:0] select_837;
-  assign select_837 = (leaving_values_23_features_mask_q & not_822) ? difference_18_s4_q : 5'h1f;
+  assign select_830 = entering_values_24_features_mask_q ? (and_828 ? sum_823_s3_q[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:158
+  logic and_836;
+  assign and_836 = (sum_833_s3_q[6:5] == 2'h0) & (leaving_values_23_features_mask_q & not_826);
+  // hls/stages/plane_sums.hpp:149
   logic [4:0] select_838;
-  assign select_838 = leaving_values_24_features_mask_q ? select_837 : 5'h0;
+  assign select_838 = leaving_values_24_features_mask_q ? (and_836 ? sum_833_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_10;
-  assign above_10 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[79:72] : 8'h0);
-  // hls/stages/plane_sums.hpp:158
+  assign above_10 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[79:72] : 8'h0);
+  // hls/stages/plane_sums.hpp:149
   logic [4:0] select_848;
-  assign select_848 = entering_values_24_features_mask_q ? difference_19_s4_q : 5'h0;
-  logic [4:0] select_854;
-  assign select_854 = leaving_values_24_features_mask_q ? difference_20_s4_q : 5'h0;
+  assign select_848 = (entering_values_24_features_mask_q & (sum_845_s3_q[6:5] == 2'h0)) ? sum_845_s3_q[4:0] : 5'h1f;
+  logic [4:0] select_855;
+  assign select_855 = (leaving_values_24_features_mask_q & (sum_852_s3_q[6:5] == 2'h0)) ? sum_852_s3_q[4:0] : 5'h1f;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_11;
-  assign above_11 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[87:80] : 8'h0);
+  assign above_11 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[87:80] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic not_860;
-  assign not_860 = ~(entering_values_24_row_q ^ entering_values_25_row_q);
+  logic not_866;
+  assign not_866 = ~(entering_values_24_row_q ^ entering_values_25_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_868;
+  assign and_868 = (sum_863_s3_q[6:5] == 2'h0) & (entering_values_25_features_mask_q & not_866);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_867;
-  assign select_867 = (entering_values_25_features_mask_q & not_860) ? difference_21_s4_q : 5'h1f;
-  logic [4:0] select_868;
-  assign select_868 = entering_values_24_features_mask_q ? select_867 : 5'h0;
-  logic [4:0] select_875;
-  assign select_875 = (leaving_values_25_features_mask_q & not_860) ? difference_22_s4_q : 5'h1f;
-  logic [4:0] select_876;
-  assign select_876 = leaving_values_24_features_mask_q ? select_875 : 5'h0;
+  logic [4:0] select_870;
+  assign select_870 = entering_values_24_features_mask_q ? (and_868 ? sum_863_s3_q[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:158
+  logic and_876;
+  assign and_876 = (sum_873_s3_q[6:5] == 2'h0) & (leaving_values_25_features_mask_q & not_866);
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_878;
+  assign select_878 = leaving_values_24_features_mask_q ? (and_876 ? sum_873_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_12;
-  assign above_12 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[95:88] : 8'h0);
+  assign above_12 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[95:88] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic not_882;
-  assign not_882 = ~(entering_values_24_row_q ^ entering_values_26_row_q);
+  logic not_888;
+  assign not_888 = ~(entering_values_24_row_q ^ entering_values_26_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_890;
+  assign and_890 = (sum_885_s3_q[6:5] == 2'h0) & (entering_values_26_features_mask_q & not_888);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_889;
-  assign select_889 = (entering_values_26_features_mask_q & not_882) ? difference_23_s4_q : 5'h1f;
-  logic [4:0] select_890;
-  assign select_890 = entering_values_24_features_mask_q ? select_889 : 5'h0;
-  logic [4:0] select_897;
-  assign select_897 = (leaving_values_26_features_mask_q & not_882) ? difference_24_s4_q : 5'h1f;
-  logic [4:0] select_898;
-  assign select_898 = leaving_values_24_features_mask_q ? select_897 : 5'h0;
+  logic [4:0] select_892;
+  assign select_892 = entering_values_24_features_mask_q ? (and_890 ? sum_885_s3_q[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:158
+  logic and_898;
+  assign and_898 = (sum_895_s3_q[6:5] == 2'h0) & (leaving_values_26_features_mask_q & not_888);
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_900;
+  assign select_900 = leaving_values_24_features_mask_q ? (and_898 ? sum_895_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_13;
-  assign above_13 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[103:96] : 8'h0);
+  assign above_13 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[103:96] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic not_904;
-  assign not_904 = ~(entering_values_24_row_q ^ entering_values_27_row_q);
+  logic not_910;
+  assign not_910 = ~(entering_values_24_row_q ^ entering_values_27_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_912;
+  assign and_912 = (sum_907_s3_q[6:5] == 2'h0) & (entering_values_27_features_mask_q & not_910);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_911;
-  assign select_911 = (entering_values_27_features_mask_q & not_904) ? difference_25_s4_q : 5'h1f;
-  logic [4:0] select_912;
-  assign select_912 = entering_values_24_features_mask_q ? select_911 : 5'h0;
-  logic [4:0] select_919;
-  assign select_919 = (leaving_values_27_features_mask_q & not_904) ? difference_26_s4_q : 5'h1f;
-  logic [4:0] select_920;
-  assign select_920 = leaving_values_24_features_mask_q ? select_919 : 5'h0;
+  logic [4:0] select_914;
+  assign select_914 = entering_values_24_features_mask_q ? (and_912 ? sum_907_s3_q[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:158
+  logic and_920;
+  assign and_920 = (sum_917_s3_q[6:5] == 2'h0) & (leaving_values_27_features_mask_q & not_910);
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_922;
+  assign select_922 = leaving_values_24_features_mask_q ? (and_920 ? sum_917_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_14;
-  assign above_14 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[111:104] : 8'h0);
+  assign above_14 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[111:104] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic not_926;
-  assign not_926 = ~(entering_values_24_row_q ^ entering_values_28_row_q);
+  logic not_932;
+  assign not_932 = ~(entering_values_24_row_q ^ entering_values_28_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_934;
+  assign and_934 = (sum_929_s3_q[6:5] == 2'h0) & (entering_values_28_features_mask_q & not_932);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_933;
-  assign select_933 = (entering_values_28_features_mask_q & not_926) ? difference_27_s4_q : 5'h1f;
-  logic [4:0] select_934;
-  assign select_934 = entering_values_24_features_mask_q ? select_933 : 5'h0;
-  logic [4:0] select_941;
-  assign select_941 = (leaving_values_28_features_mask_q & not_926) ? difference_28_s4_q : 5'h1f;
-  logic [4:0] select_942;
-  assign select_942 = leaving_values_24_features_mask_q ? select_941 : 5'h0;
+  logic [4:0] select_936;
+  assign select_936 = entering_values_24_features_mask_q ? (and_934 ? sum_929_s3_q[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:158
+  logic and_942;
+  assign and_942 = (sum_939_s3_q[6:5] == 2'h0) & (leaving_values_28_features_mask_q & not_932);
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_944;
+  assign select_944 = leaving_values_24_features_mask_q ? (and_942 ? sum_939_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_15;
-  assign above_15 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[119:112] : 8'h0);
+  assign above_15 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[119:112] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic not_948;
-  assign not_948 = ~(entering_values_24_row_q ^ entering_values_30_row_q);
+  logic not_954;
+  assign not_954 = ~(entering_values_24_row_q ^ entering_values_30_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_956;
+  assign and_956 = (sum_951_s3_q[6:5] == 2'h0) & (entering_values_30_features_mask_q & not_954);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_955;
-  assign select_955 = (entering_values_30_features_mask_q & not_948) ? difference_29_s4_q : 5'h1f;
-  logic [4:0] select_956;
-  assign select_956 = entering_values_24_features_mask_q ? select_955 : 5'h0;
-  logic [4:0] select_963;
-  assign select_963 = (leaving_values_30_features_mask_q & not_948) ? difference_30_s4_q : 5'h1f;
-  logic [4:0] select_964;
-  assign select_964 = leaving_values_24_features_mask_q ? select_963 : 5'h0;
+  logic [4:0] select_958;
+  assign select_958 = entering_values_24_features_mask_q ? (and_956 ? sum_951_s3_q[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:158
+  logic and_964;
+  assign and_964 = (sum_961_s3_q[6:5] == 2'h0) & (leaving_values_30_features_mask_q & not_954);
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_966;
+  assign select_966 = leaving_values_24_features_mask_q ? (and_964 ? sum_961_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_16;
-  assign above_16 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[127:120] : 8'h0);
+  assign above_16 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[127:120] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic not_970;
-  assign not_970 = ~(entering_values_24_row_q ^ entering_values_33_row_q);
+  logic not_976;
+  assign not_976 = ~(entering_values_24_row_q ^ entering_values_33_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_978;
+  assign and_978 = (sum_973_s3_q[6:5] == 2'h0) & (entering_values_33_features_mask_q & not_976);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_977;
-  assign select_977 = (entering_values_33_features_mask_q & not_970) ? difference_31_s4_q : 5'h1f;
-  logic [4:0] select_978;
-  assign select_978 = entering_values_24_features_mask_q ? select_977 : 5'h0;
-  logic [4:0] select_985;
-  assign select_985 = (leaving_values_33_features_mask_q & not_970) ? difference_32_s4_q : 5'h1f;
-  logic [4:0] select_986;
-  assign select_986 = leaving_values_24_features_mask_q ? select_985 : 5'h0;
+  logic [4:0] select_980;
+  assign select_980 = entering_values_24_features_mask_q ? (and_978 ? sum_973_s3_q[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:158
+  logic and_986;
+  assign and_986 = (sum_983_s3_q[6:5] == 2'h0) & (leaving_values_33_features_mask_q & not_976);
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_988;
+  assign select_988 = leaving_values_24_features_mask_q ? (and_986 ? sum_983_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_17;
-  assign above_17 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[135:128] : 8'h0);
+  assign above_17 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[135:128] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic xor_991;
-  assign xor_991 = entering_values_24_row_q ^ entering_values_37_row_q;
-  // hls/stages/plane_sums.hpp:87
-  logic [4:0] select_998;
-  assign select_998 = entering_values_37_features_mask_q ? (xor_991 ? 5'h1f : difference_33_s4_q) : 5'h1f;
+  logic not_998;
+  assign not_998 = ~(entering_values_24_row_q ^ entering_values_37_row_q);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_999;
-  assign select_999 = entering_values_24_features_mask_q ? select_998 : 5'h0;
-  // hls/stages/plane_sums.hpp:88
-  logic [4:0] select_1006;
-  assign select_1006 = leaving_values_37_features_mask_q ? (xor_991 ? 5'h1f : difference_34_s4_q) : 5'h1f;
-  // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_1007;
-  assign select_1007 = leaving_values_24_features_mask_q ? select_1006 : 5'h0;
+  logic [4:0] select_1000;
+  assign select_1000 = ((sum_995_s3_q[6:5] == 2'h0) & not_998) ? sum_995_s3_q[4:0] : 5'h1f;
+  logic [4:0] select_1002;
+  assign select_1002 = entering_values_24_features_mask_q ? (entering_values_37_features_mask_q ? select_1000 : 5'h1f) : 5'h0;
+  logic [4:0] select_1008;
+  assign select_1008 = (not_998 & (sum_1005_s3_q[6:5] == 2'h0)) ? sum_1005_s3_q[4:0] : 5'h1f;
+  logic [4:0] select_1010;
+  assign select_1010 = leaving_values_24_features_mask_q ? (leaving_values_37_features_mask_q ? select_1008 : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_18;
-  assign above_18 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[143:136] : 8'h0);
+  assign above_18 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[143:136] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic xor_1012;
-  assign xor_1012 = entering_values_24_row_q ^ entering_values_42_row_q;
-  // hls/stages/plane_sums.hpp:87
-  logic [4:0] select_1019;
-  assign select_1019 = entering_values_42_features_mask_q ? (xor_1012 ? 5'h1f : difference_35_s4_q) : 5'h1f;
+  logic not_1020;
+  assign not_1020 = ~(entering_values_24_row_q ^ entering_values_42_row_q);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_1020;
-  assign select_1020 = entering_values_24_features_mask_q ? select_1019 : 5'h0;
-  // hls/stages/plane_sums.hpp:88
-  logic [4:0] select_1027;
-  assign select_1027 = leaving_values_42_features_mask_q ? (xor_1012 ? 5'h1f : difference_36_s4_q) : 5'h1f;
-  // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_1028;
-  assign select_1028 = leaving_values_24_features_mask_q ? select_1027 : 5'h0;
+  logic [4:0] select_1022;
+  assign select_1022 = ((sum_1017_s3_q[6:5] == 2'h0) & not_1020) ? sum_1017_s3_q[4:0] : 5'h1f;
+  logic [4:0] select_1024;
+  assign select_1024 = entering_values_24_features_mask_q ? (entering_values_42_features_mask_q ? select_1022 : 5'h1f) : 5'h0;
+  logic [4:0] select_1030;
+  assign select_1030 = (not_1020 & (sum_1027_s3_q[6:5] == 2'h0)) ? sum_1027_s3_q[4:0] : 5'h1f;
+  logic [4:0] select_1032;
+  assign select_1032 = leaving_values_24_features_mask_q ? (leaving_values_42_features_mask_q ? select_1030 : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_19;
-  assign above_19 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[151:144] : 8'h0);
+  assign above_19 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[151:144] : 8'h0);
   logic [7:0] above_20;
-  assign above_20 = equal_637 ? 8'h0 : (or_634_s4_q ? column_memory_rdata_s4_q[159:152] : 8'h0);
+  assign above_20 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[159:152] : 8'h0);
   // hls/stages/plane_sums.hpp:81
-  logic not_1073;
-  assign not_1073 = ~(select_636 == 3'h7);
-  logic [2:0] select_1075;
-  assign select_1075 = centre_marks_values_0_last_q ? (select_636 + {2'h0, not_1073}) : select_636;
+  logic not_1078;
+  assign not_1078 = ~(select_636 == 3'h7);
+  logic [2:0] select_1080;
+  assign select_1080 = centre_marks_values_0_last_q ? (select_636 + {2'h0, not_1078}) : select_636;
   // hls/stages/plane_sums.hpp:99
-  logic and_1161;
-  assign and_1161 = (column_memory_rdata_s4_q[190] & or_634_s4_q) & (3'h2 < select_636);
+  logic and_1166;
+  assign and_1166 = (column_memory_rdata_s3_q[190] & or_634_s3_q) & (3'h2 < select_636);
   // hls/stages/plane_sums.hpp:110
-  logic and_1165;
-  assign and_1165 = (centres_values_3_gradient_q & and_1161) & (~(select_633_s4_q[10:2] == 9'h0));
+  logic and_1170;
+  assign and_1170 = (centres_values_3_gradient_q & and_1166) & (~(select_633_s3_q[10:2] == 9'h0));
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -2218,11 +2076,11 @@ module horopter_plane_sums (
       rows_seen_values_1_q <= 1'b0;
       rows_seen_values_2_q <= 1'b0;
       rows_seen_values_3_q <= 1'b0;
-    end else if (s4_en) begin
-      delayed_rows_q <= select_1075;
-      centres_values_0_seen_grey_q <= or_634_s4_q ? column_memory_rdata_s4_q[186:181] : 6'h0;
-      centres_values_0_seen_exists_q <= column_memory_rdata_s4_q[187] & or_634_s4_q;
-      centres_values_0_gradient_q <= and_1161;
+    end else if (s3_en) begin
+      delayed_rows_q <= select_1080;
+      centres_values_0_seen_grey_q <= or_634_s3_q ? column_memory_rdata_s3_q[186:181] : 6'h0;
+      centres_values_0_seen_exists_q <= column_memory_rdata_s3_q[187] & or_634_s3_q;
+      centres_values_0_gradient_q <= and_1166;
       centres_values_1_seen_grey_q <= centres_values_0_seen_grey_q;
       centres_values_1_seen_exists_q <= centres_values_0_seen_exists_q;
       centres_values_1_gradient_q <= centres_values_0_gradient_q;
@@ -2239,126 +2097,164 @@ module horopter_plane_sums (
     end
   end
 
-  logic entering_values_23_features_mask_s5_q;
-  logic [5:0] seen_values_24_grey_s5_q;
-  logic seen_values_24_exists_s5_q;
-  logic [5:0] centres_values_3_seen_grey_s5_q;
-  logic centre_marks_values_3_first_s5_q;
-  logic centre_marks_values_3_last_s5_q;
-  logic or_632_s5_q;
-  logic [10:0] select_633_s5_q;
-  logic or_634_s5_q;
-  logic [17:0] column_memory_rdata_s5_q;
-  logic [7:0] above_s5_q;
-  logic [5:0] difference_663_s5_q;
-  logic [7:0] above_2_s5_q;
-  logic [5:0] difference_685_s5_q;
-  logic [7:0] above_3_s5_q;
-  logic [5:0] difference_707_s5_q;
-  logic [7:0] above_4_s5_q;
-  logic [5:0] difference_729_s5_q;
-  logic [7:0] above_5_s5_q;
-  logic [5:0] difference_751_s5_q;
-  logic [7:0] above_6_s5_q;
-  logic [5:0] difference_773_s5_q;
-  logic [7:0] above_7_s5_q;
-  logic [5:0] difference_795_s5_q;
-  logic [7:0] above_8_s5_q;
-  logic [5:0] difference_817_s5_q;
-  logic [7:0] above_9_s5_q;
-  logic [5:0] difference_839_s5_q;
-  logic [7:0] above_10_s5_q;
-  logic [5:0] difference_855_s5_q;
-  logic [7:0] above_11_s5_q;
-  logic [5:0] difference_877_s5_q;
-  logic [7:0] above_12_s5_q;
-  logic [5:0] difference_899_s5_q;
-  logic [7:0] above_13_s5_q;
-  logic [5:0] difference_921_s5_q;
-  logic [7:0] above_14_s5_q;
-  logic [5:0] difference_943_s5_q;
-  logic [7:0] above_15_s5_q;
-  logic [5:0] difference_965_s5_q;
-  logic [7:0] above_16_s5_q;
-  logic [5:0] difference_987_s5_q;
-  logic [7:0] above_17_s5_q;
-  logic [5:0] difference_1008_s5_q;
-  logic [7:0] above_18_s5_q;
-  logic [5:0] difference_1029_s5_q;
-  logic [7:0] above_19_s5_q;
-  logic [5:0] difference_1050_s5_q;
-  logic [7:0] above_20_s5_q;
-  logic [5:0] difference_1060_s5_q;
-  logic and_1062_s5_q;
-  logic and_1063_s5_q;
-  logic and_1064_s5_q;
-  logic and_1065_s5_q;
-  logic and_1066_s5_q;
-  logic and_1165_s5_q;
-  logic and_1166_s5_q;
+  logic entering_values_23_features_mask_s4_q;
+  logic leaving_values_23_features_mask_s4_q;
+  logic [5:0] seen_values_24_grey_s4_q;
+  logic seen_values_24_exists_s4_q;
+  logic [5:0] centres_values_3_seen_grey_s4_q;
+  logic centre_marks_values_3_first_s4_q;
+  logic centre_marks_values_3_last_s4_q;
+  logic or_632_s4_q;
+  logic [10:0] select_633_s4_q;
+  logic or_634_s4_q;
+  logic [17:0] column_memory_rdata_s4_q;
+  logic [7:0] above_s4_q;
+  logic [4:0] select_651_s4_q;
+  logic [4:0] select_661_s4_q;
+  logic [7:0] above_2_s4_q;
+  logic [4:0] select_676_s4_q;
+  logic [4:0] select_684_s4_q;
+  logic [7:0] above_3_s4_q;
+  logic [4:0] select_698_s4_q;
+  logic [4:0] select_706_s4_q;
+  logic [7:0] above_4_s4_q;
+  logic [4:0] select_720_s4_q;
+  logic [4:0] select_728_s4_q;
+  logic [7:0] above_5_s4_q;
+  logic [4:0] select_742_s4_q;
+  logic [4:0] select_750_s4_q;
+  logic [7:0] above_6_s4_q;
+  logic [4:0] select_764_s4_q;
+  logic [4:0] select_772_s4_q;
+  logic [7:0] above_7_s4_q;
+  logic [4:0] select_786_s4_q;
+  logic [4:0] select_794_s4_q;
+  logic [7:0] above_8_s4_q;
+  logic [4:0] select_808_s4_q;
+  logic [4:0] select_816_s4_q;
+  logic [7:0] above_9_s4_q;
+  logic [4:0] select_830_s4_q;
+  logic [4:0] select_838_s4_q;
+  logic [7:0] above_10_s4_q;
+  logic [4:0] select_849_s4_q;
+  logic [4:0] select_856_s4_q;
+  logic [7:0] above_11_s4_q;
+  logic [4:0] select_870_s4_q;
+  logic [4:0] select_878_s4_q;
+  logic [7:0] above_12_s4_q;
+  logic [4:0] select_892_s4_q;
+  logic [4:0] select_900_s4_q;
+  logic [7:0] above_13_s4_q;
+  logic [4:0] select_914_s4_q;
+  logic [4:0] select_922_s4_q;
+  logic [7:0] above_14_s4_q;
+  logic [4:0] select_936_s4_q;
+  logic [4:0] select_944_s4_q;
+  logic [7:0] above_15_s4_q;
+  logic [4:0] select_958_s4_q;
+  logic [4:0] select_966_s4_q;
+  logic [7:0] above_16_s4_q;
+  logic [4:0] select_980_s4_q;
+  logic [4:0] select_988_s4_q;
+  logic [7:0] above_17_s4_q;
+  logic [4:0] select_1002_s4_q;
+  logic [4:0] select_1010_s4_q;
+  logic [7:0] above_18_s4_q;
+  logic [4:0] select_1024_s4_q;
+  logic [4:0] select_1032_s4_q;
+  logic [7:0] above_19_s4_q;
+  logic [5:0] difference_1055_s4_q;
+  logic [7:0] above_20_s4_q;
+  logic [5:0] difference_1065_s4_q;
+  logic and_1067_s4_q;
+  logic and_1068_s4_q;
+  logic and_1069_s4_q;
+  logic and_1070_s4_q;
+  logic and_1071_s4_q;
+  logic and_1170_s4_q;
+  logic and_1171_s4_q;
   always_ff @(posedge clk_i) begin
-    if (s4_en) begin
-      entering_values_23_features_mask_s5_q <= entering_values_24_features_mask_q;
-      seen_values_24_grey_s5_q <= seen_values_24_grey_s4_q;
-      seen_values_24_exists_s5_q <= seen_values_24_exists_s4_q;
-      centres_values_3_seen_grey_s5_q <= centres_values_3_seen_grey_q;
-      centre_marks_values_3_first_s5_q <= centre_marks_values_3_first_s4_q;
-      centre_marks_values_3_last_s5_q <= centre_marks_values_3_last_s4_q;
-      or_632_s5_q <= or_632_s4_q;
-      select_633_s5_q <= select_633_s4_q;
-      or_634_s5_q <= or_634_s4_q;
-      column_memory_rdata_s5_q <= {column_memory_rdata_s4_q[179:174], column_memory_rdata_s4_q[172:167], column_memory_rdata_s4_q[165:160]};
-      above_s5_q <= above;
-      difference_663_s5_q <= {1'b0, select_651} - {1'b0, select_662};
-      above_2_s5_q <= above_2;
-      difference_685_s5_q <= {1'b0, select_676} - {1'b0, select_684};
-      above_3_s5_q <= above_3;
-      difference_707_s5_q <= {1'b0, select_698} - {1'b0, select_706};
-      above_4_s5_q <= above_4;
-      difference_729_s5_q <= {1'b0, select_720} - {1'b0, select_728};
-      above_5_s5_q <= above_5;
-      difference_751_s5_q <= {1'b0, select_742} - {1'b0, select_750};
-      above_6_s5_q <= above_6;
-      difference_773_s5_q <= {1'b0, select_764} - {1'b0, select_772};
-      above_7_s5_q <= above_7;
-      difference_795_s5_q <= {1'b0, select_786} - {1'b0, select_794};
-      above_8_s5_q <= above_8;
-      difference_817_s5_q <= {1'b0, select_808} - {1'b0, select_816};
-      above_9_s5_q <= above_9;
-      difference_839_s5_q <= {1'b0, select_830} - {1'b0, select_838};
-      above_10_s5_q <= above_10;
-      difference_855_s5_q <= {1'b0, select_848} - {1'b0, select_854};
-      above_11_s5_q <= above_11;
-      difference_877_s5_q <= {1'b0, select_868} - {1'b0, select_876};
-      above_12_s5_q <= above_12;
-      difference_899_s5_q <= {1'b0, select_890} - {1'b0, select_898};
-      above_13_s5_q <= above_13;
-      difference_921_s5_q <= {1'b0, select_912} - {1'b0, select_920};
-      above_14_s5_q <= above_14;
-      difference_943_s5_q <= {1'b0, select_934} - {1'b0, select_942};
-      above_15_s5_q <= above_15;
-      difference_965_s5_q <= {1'b0, select_956} - {1'b0, select_964};
-      above_16_s5_q <= above_16;
-      difference_987_s5_q <= {1'b0, select_978} - {1'b0, select_986};
-      above_17_s5_q <= above_17;
-      difference_1008_s5_q <= {1'b0, select_999} - {1'b0, select_1007};
-      above_18_s5_q <= above_18;
-      difference_1029_s5_q <= {1'b0, select_1020} - {1'b0, select_1028};
-      above_19_s5_q <= above_19;
-      difference_1050_s5_q <= difference_1050_s4_q;
-      above_20_s5_q <= above_20;
-      difference_1060_s5_q <= difference_1060_s4_q;
-      and_1062_s5_q <= column_memory_rdata_s4_q[166] & or_634_s4_q;
-      and_1063_s5_q <= column_memory_rdata_s4_q[173] & or_634_s4_q;
-      and_1064_s5_q <= column_memory_rdata_s4_q[180] & or_634_s4_q;
-      and_1065_s5_q <= column_memory_rdata_s4_q[188] & or_634_s4_q;
-      and_1066_s5_q <= column_memory_rdata_s4_q[189] & or_634_s4_q;
-      and_1165_s5_q <= and_1165;
-      and_1166_s5_q <= centres_values_3_seen_exists_q & rows_seen_values_3_q;
+    if (s3_en) begin
+      entering_values_23_features_mask_s4_q <= entering_values_24_features_mask_q;
+      leaving_values_23_features_mask_s4_q <= leaving_values_24_features_mask_q;
+      seen_values_24_grey_s4_q <= seen_values_24_grey_s3_q;
+      seen_values_24_exists_s4_q <= seen_values_24_exists_s3_q;
+      centres_values_3_seen_grey_s4_q <= centres_values_3_seen_grey_q;
+      centre_marks_values_3_first_s4_q <= centre_marks_values_3_first_s3_q;
+      centre_marks_values_3_last_s4_q <= centre_marks_values_3_last_s3_q;
+      or_632_s4_q <= or_632_s3_q;
+      select_633_s4_q <= select_633_s3_q;
+      or_634_s4_q <= or_634_s3_q;
+      column_memory_rdata_s4_q <= {column_memory_rdata_s3_q[179:174], column_memory_rdata_s3_q[172:167], column_memory_rdata_s3_q[165:160]};
+      above_s4_q <= above;
+      select_651_s4_q <= select_651;
+      select_661_s4_q <= and_660 ? sum_654[4:0] : 5'h1f;
+      above_2_s4_q <= above_2;
+      select_676_s4_q <= select_676;
+      select_684_s4_q <= select_684;
+      above_3_s4_q <= above_3;
+      select_698_s4_q <= select_698;
+      select_706_s4_q <= select_706;
+      above_4_s4_q <= above_4;
+      select_720_s4_q <= select_720;
+      select_728_s4_q <= select_728;
+      above_5_s4_q <= above_5;
+      select_742_s4_q <= select_742;
+      select_750_s4_q <= select_750;
+      above_6_s4_q <= above_6;
+      select_764_s4_q <= select_764;
+      select_772_s4_q <= select_772;
+      above_7_s4_q <= above_7;
+      select_786_s4_q <= select_786;
+      select_794_s4_q <= select_794;
+      above_8_s4_q <= above_8;
+      select_808_s4_q <= select_808;
+      select_816_s4_q <= select_816;
+      above_9_s4_q <= above_9;
+      select_830_s4_q <= select_830;
+      select_838_s4_q <= select_838;
+      above_10_s4_q <= above_10;
+      select_849_s4_q <= entering_values_24_features_mask_q ? select_848 : 5'h0;
+      select_856_s4_q <= leaving_values_24_features_mask_q ? select_855 : 5'h0;
+      above_11_s4_q <= above_11;
+      select_870_s4_q <= select_870;
+      select_878_s4_q <= select_878;
+      above_12_s4_q <= above_12;
+      select_892_s4_q <= select_892;
+      select_900_s4_q <= select_900;
+      above_13_s4_q <= above_13;
+      select_914_s4_q <= select_914;
+      select_922_s4_q <= select_922;
+      above_14_s4_q <= above_14;
+      select_936_s4_q <= select_936;
+      select_944_s4_q <= select_944;
+      above_15_s4_q <= above_15;
+      select_958_s4_q <= select_958;
+      select_966_s4_q <= select_966;
+      above_16_s4_q <= above_16;
+      select_980_s4_q <= select_980;
+      select_988_s4_q <= select_988;
+      above_17_s4_q <= above_17;
+      select_1002_s4_q <= select_1002;
+      select_1010_s4_q <= select_1010;
+      above_18_s4_q <= above_18;
+      select_1024_s4_q <= select_1024;
+      select_1032_s4_q <= select_1032;
+      above_19_s4_q <= above_19;
+      difference_1055_s4_q <= {1'b0, select_1046_s3_q} - {1'b0, select_1054_s3_q};
+      above_20_s4_q <= above_20;
+      difference_1065_s4_q <= {1'b0, select_1061_s3_q} - {1'b0, select_1064_s3_q};
+      and_1067_s4_q <= column_memory_rdata_s3_q[166] & or_634_s3_q;
+      and_1068_s4_q <= column_memory_rdata_s3_q[173] & or_634_s3_q;
+      and_1069_s4_q <= column_memory_rdata_s3_q[180] & or_634_s3_q;
+      and_1070_s4_q <= column_memory_rdata_s3_q[188] & or_634_s3_q;
+      and_1071_s4_q <= column_memory_rdata_s3_q[189] & or_634_s3_q;
+      and_1170_s4_q <= and_1170;
+      and_1171_s4_q <= centres_values_3_seen_exists_q & rows_seen_values_3_q;
     end
   end
 
-  // Stage 5 -----------------------------------------------------------------------------------------------------------
+  // Stage 4 -----------------------------------------------------------------------------------------------------------
   logic [10:0] rows_0_columns_values_0_q;
   logic [10:0] rows_0_columns_values_1_q;
   logic [10:0] rows_0_columns_values_2_q;
@@ -2540,49 +2436,87 @@ module horopter_plane_sums (
   logic [10:0] rows_19_columns_values_7_q;
   logic [10:0] rows_19_columns_values_8_q;
   // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_662;
+  assign select_662 = leaving_values_23_features_mask_s4_q ? select_661_s4_q : 5'h0;
+  logic [5:0] difference_663;
+  assign difference_663 = {1'b0, select_651_s4_q} - {1'b0, select_662};
   logic [7:0] sum_664;
-  assign sum_664 = above_s5_q + {{2{difference_663_s5_q[5]}}, difference_663_s5_q};
+  assign sum_664 = above_s4_q + {{2{difference_663[5]}}, difference_663};
+  logic [5:0] difference_685;
+  assign difference_685 = {1'b0, select_676_s4_q} - {1'b0, select_684_s4_q};
   logic [7:0] sum_686;
-  assign sum_686 = above_2_s5_q + {{2{difference_685_s5_q[5]}}, difference_685_s5_q};
+  assign sum_686 = above_2_s4_q + {{2{difference_685[5]}}, difference_685};
+  logic [5:0] difference_707;
+  assign difference_707 = {1'b0, select_698_s4_q} - {1'b0, select_706_s4_q};
   logic [7:0] sum_708;
-  assign sum_708 = above_3_s5_q + {{2{difference_707_s5_q[5]}}, difference_707_s5_q};
+  assign sum_708 = above_3_s4_q + {{2{difference_707[5]}}, difference_707};
+  logic [5:0] difference_729;
+  assign difference_729 = {1'b0, select_720_s4_q} - {1'b0, select_728_s4_q};
   logic [7:0] sum_730;
-  assign sum_730 = above_4_s5_q + {{2{difference_729_s5_q[5]}}, difference_729_s5_q};
+  assign sum_730 = above_4_s4_q + {{2{difference_729[5]}}, difference_729};
+  logic [5:0] difference_751;
+  assign difference_751 = {1'b0, select_742_s4_q} - {1'b0, select_750_s4_q};
   logic [7:0] sum_752;
-  assign sum_752 = above_5_s5_q + {{2{difference_751_s5_q[5]}}, difference_751_s5_q};
+  assign sum_752 = above_5_s4_q + {{2{difference_751[5]}}, difference_751};
+  logic [5:0] difference_773;
+  assign difference_773 = {1'b0, select_764_s4_q} - {1'b0, select_772_s4_q};
   logic [7:0] sum_774;
-  assign sum_774 = above_6_s5_q + {{2{difference_773_s5_q[5]}}, difference_773_s5_q};
+  assign sum_774 = above_6_s4_q + {{2{difference_773[5]}}, difference_773};
+  logic [5:0] difference_795;
+  assign difference_795 = {1'b0, select_786_s4_q} - {1'b0, select_794_s4_q};
   logic [7:0] sum_796;
-  assign sum_796 = above_7_s5_q + {{2{difference_795_s5_q[5]}}, difference_795_s5_q};
+  assign sum_796 = above_7_s4_q + {{2{difference_795[5]}}, difference_795};
+  logic [5:0] difference_817;
+  assign difference_817 = {1'b0, select_808_s4_q} - {1'b0, select_816_s4_q};
   logic [7:0] sum_818;
-  assign sum_818 = above_8_s5_q + {{2{difference_817_s5_q[5]}}, difference_817_s5_q};
+  assign sum_818 = above_8_s4_q + {{2{difference_817[5]}}, difference_817};
+  logic [5:0] difference_839;
+  assign difference_839 = {1'b0, select_830_s4_q} - {1'b0, select_838_s4_q};
   logic [7:0] sum_840;
-  assign sum_840 = above_9_s5_q + {{2{difference_839_s5_q[5]}}, difference_839_s5_q};
-  logic [7:0] sum_856;
-  assign sum_856 = above_10_s5_q + {{2{difference_855_s5_q[5]}}, difference_855_s5_q};
-  logic [7:0] sum_878;
-  assign sum_878 = above_11_s5_q + {{2{difference_877_s5_q[5]}}, difference_877_s5_q};
-  logic [7:0] sum_900;
-  assign sum_900 = above_12_s5_q + {{2{difference_899_s5_q[5]}}, difference_899_s5_q};
-  logic [7:0] sum_922;
-  assign sum_922 = above_13_s5_q + {{2{difference_921_s5_q[5]}}, difference_921_s5_q};
-  logic [7:0] sum_944;
-  assign sum_944 = above_14_s5_q + {{2{difference_943_s5_q[5]}}, difference_943_s5_q};
-  logic [7:0] sum_966;
-  assign sum_966 = above_15_s5_q + {{2{difference_965_s5_q[5]}}, difference_965_s5_q};
-  logic [7:0] sum_988;
-  assign sum_988 = above_16_s5_q + {{2{difference_987_s5_q[5]}}, difference_987_s5_q};
-  logic [7:0] sum_1009;
-  assign sum_1009 = above_17_s5_q + {{2{difference_1008_s5_q[5]}}, difference_1008_s5_q};
-  logic [7:0] sum_1030;
-  assign sum_1030 = above_18_s5_q + {{2{difference_1029_s5_q[5]}}, difference_1029_s5_q};
-  logic [7:0] sum_1051;
-  assign sum_1051 = above_19_s5_q + {{2{difference_1050_s5_q[5]}}, difference_1050_s5_q};
-  logic [7:0] sum_1061;
-  assign sum_1061 = above_20_s5_q + {{2{difference_1060_s5_q[5]}}, difference_1060_s5_q};
+  assign sum_840 = above_9_s4_q + {{2{difference_839[5]}}, difference_839};
+  logic [5:0] difference_857;
+  assign difference_857 = {1'b0, select_849_s4_q} - {1'b0, select_856_s4_q};
+  logic [7:0] sum_858;
+  assign sum_858 = above_10_s4_q + {{2{difference_857[5]}}, difference_857};
+  logic [5:0] difference_879;
+  assign difference_879 = {1'b0, select_870_s4_q} - {1'b0, select_878_s4_q};
+  logic [7:0] sum_880;
+  assign sum_880 = above_11_s4_q + {{2{difference_879[5]}}, difference_879};
+  logic [5:0] difference_901;
+  assign difference_901 = {1'b0, select_892_s4_q} - {1'b0, select_900_s4_q};
+  logic [7:0] sum_902;
+  assign sum_902 = above_12_s4_q + {{2{difference_901[5]}}, difference_901};
+  logic [5:0] difference_923;
+  assign difference_923 = {1'b0, select_914_s4_q} - {1'b0, select_922_s4_q};
+  logic [7:0] sum_924;
+  assign sum_924 = above_13_s4_q + {{2{difference_923[5]}}, difference_923};
+  logic [5:0] difference_945;
+  assign difference_945 = {1'b0, select_936_s4_q} - {1'b0, select_944_s4_q};
+  logic [7:0] sum_946;
+  assign sum_946 = above_14_s4_q + {{2{difference_945[5]}}, difference_945};
+  logic [5:0] difference_967;
+  assign difference_967 = {1'b0, select_958_s4_q} - {1'b0, select_966_s4_q};
+  logic [7:0] sum_968;
+  assign sum_968 = above_15_s4_q + {{2{difference_967[5]}}, difference_967};
+  logic [5:0] difference_989;
+  assign difference_989 = {1'b0, select_980_s4_q} - {1'b0, select_988_s4_q};
+  logic [7:0] sum_990;
+  assign sum_990 = above_16_s4_q + {{2{difference_989[5]}}, difference_989};
+  logic [5:0] difference_1011;
+  assign difference_1011 = {1'b0, select_1002_s4_q} - {1'b0, select_1010_s4_q};
+  logic [7:0] sum_1012;
+  assign sum_1012 = above_17_s4_q + {{2{difference_1011[5]}}, difference_1011};
+  logic [5:0] difference_1033;
+  assign difference_1033 = {1'b0, select_1024_s4_q} - {1'b0, select_1032_s4_q};
+  logic [7:0] sum_1034;
+  assign sum_1034 = above_18_s4_q + {{2{difference_1033[5]}}, difference_1033};
+  logic [7:0] sum_1056;
+  assign sum_1056 = above_19_s4_q + {{2{difference_1055_s4_q[5]}}, difference_1055_s4_q};
+  logic [7:0] sum_1066;
+  assign sum_1066 = above_20_s4_q + {{2{difference_1065_s4_q[5]}}, difference_1065_s4_q};
   // hls/stages/plane_sums.hpp:150
-  logic less_1076;
-  assign less_1076 = 11'h8 < select_633_s5_q;
+  logic less_1081;
+  assign less_1081 = 11'h8 < select_633_s4_q;
 
   // Not reset: nothing of it counts before it is written anew.
 `ifndef SYNTHESIS
@@ -2770,7 +2704,7 @@ module horopter_plane_sums (
   end
 `endif
   always_ff @(posedge clk_i) begin
-    if (s5_en) begin
+    if (s4_en) begin
       rows_0_columns_values_0_q <= {3'h0, sum_664};
       rows_0_columns_values_1_q <= rows_0_columns_values_0_q;
       rows_0_columns_values_2_q <= rows_0_columns_values_1_q;
@@ -2852,7 +2786,7 @@ module horopter_plane_sums (
       rows_8_columns_values_6_q <= rows_8_columns_values_5_q;
       rows_8_columns_values_7_q <= rows_8_columns_values_6_q;
       rows_8_columns_values_8_q <= rows_8_columns_values_7_q;
-      rows_9_columns_values_0_q <= {3'h0, sum_856};
+      rows_9_columns_values_0_q <= {3'h0, sum_858};
       rows_9_columns_values_1_q <= rows_9_columns_values_0_q;
       rows_9_columns_values_2_q <= rows_9_columns_values_1_q;
       rows_9_columns_values_3_q <= rows_9_columns_values_2_q;
@@ -2861,7 +2795,7 @@ module horopter_plane_sums (
       rows_9_columns_values_6_q <= rows_9_columns_values_5_q;
       rows_9_columns_values_7_q <= rows_9_columns_values_6_q;
       rows_9_columns_values_8_q <= rows_9_columns_values_7_q;
-      rows_10_columns_values_0_q <= {3'h0, sum_878};
+      rows_10_columns_values_0_q <= {3'h0, sum_880};
       rows_10_columns_values_1_q <= rows_10_columns_values_0_q;
       rows_10_columns_values_2_q <= rows_10_columns_values_1_q;
       rows_10_columns_values_3_q <= rows_10_columns_values_2_q;
@@ -2870,7 +2804,7 @@ module horopter_plane_sums (
       rows_10_columns_values_6_q <= rows_10_columns_values_5_q;
       rows_10_columns_values_7_q <= rows_10_columns_values_6_q;
       rows_10_columns_values_8_q <= rows_10_columns_values_7_q;
-      rows_11_columns_values_0_q <= {3'h0, sum_900};
+      rows_11_columns_values_0_q <= {3'h0, sum_902};
       rows_11_columns_values_1_q <= rows_11_columns_values_0_q;
       rows_11_columns_values_2_q <= rows_11_columns_values_1_q;
       rows_11_columns_values_3_q <= rows_11_columns_values_2_q;
@@ -2879,7 +2813,7 @@ module horopter_plane_sums (
       rows_11_columns_values_6_q <= rows_11_columns_values_5_q;
       rows_11_columns_values_7_q <= rows_11_columns_values_6_q;
       rows_11_columns_values_8_q <= rows_11_columns_values_7_q;
-      rows_12_columns_values_0_q <= {3'h0, sum_922};
+      rows_12_columns_values_0_q <= {3'h0, sum_924};
       rows_12_columns_values_1_q <= rows_12_columns_values_0_q;
       rows_12_columns_values_2_q <= rows_12_columns_values_1_q;
       rows_12_columns_values_3_q <= rows_12_columns_values_2_q;
@@ -2888,7 +2822,7 @@ module horopter_plane_sums (
       rows_12_columns_values_6_q <= rows_12_columns_values_5_q;
       rows_12_columns_values_7_q <= rows_12_columns_values_6_q;
       rows_12_columns_values_8_q <= rows_12_columns_values_7_q;
-      rows_13_columns_values_0_q <= {3'h0, sum_944};
+      rows_13_columns_values_0_q <= {3'h0, sum_946};
       rows_13_columns_values_1_q <= rows_13_columns_values_0_q;
       rows_13_columns_values_2_q <= rows_13_columns_values_1_q;
       rows_13_columns_values_3_q <= rows_13_columns_values_2_q;
@@ -2897,7 +2831,7 @@ module horopter_plane_sums (
       rows_13_columns_values_6_q <= rows_13_columns_values_5_q;
       rows_13_columns_values_7_q <= rows_13_columns_values_6_q;
       rows_13_columns_values_8_q <= rows_13_columns_values_7_q;
-      rows_14_columns_values_0_q <= {3'h0, sum_966};
+      rows_14_columns_values_0_q <= {3'h0, sum_968};
       rows_14_columns_values_1_q <= rows_14_columns_values_0_q;
       rows_14_columns_values_2_q <= rows_14_columns_values_1_q;
       rows_14_columns_values_3_q <= rows_14_columns_values_2_q;
@@ -2906,7 +2840,7 @@ module horopter_plane_sums (
       rows_14_columns_values_6_q <= rows_14_columns_values_5_q;
       rows_14_columns_values_7_q <= rows_14_columns_values_6_q;
       rows_14_columns_values_8_q <= rows_14_columns_values_7_q;
-      rows_15_columns_values_0_q <= {3'h0, sum_988};
+      rows_15_columns_values_0_q <= {3'h0, sum_990};
       rows_15_columns_values_1_q <= rows_15_columns_values_0_q;
       rows_15_columns_values_2_q <= rows_15_columns_values_1_q;
       rows_15_columns_values_3_q <= rows_15_columns_values_2_q;
@@ -2915,7 +2849,7 @@ module horopter_plane_sums (
       rows_15_columns_values_6_q <= rows_15_columns_values_5_q;
       rows_15_columns_values_7_q <= rows_15_columns_values_6_q;
       rows_15_columns_values_8_q <= rows_15_columns_values_7_q;
-      rows_16_columns_values_0_q <= {3'h0, sum_1009};
+      rows_16_columns_values_0_q <= {3'h0, sum_1012};
       rows_16_columns_values_1_q <= rows_16_columns_values_0_q;
       rows_16_columns_values_2_q <= rows_16_columns_values_1_q;
       rows_16_columns_values_3_q <= rows_16_columns_values_2_q;
@@ -2924,7 +2858,7 @@ module horopter_plane_sums (
       rows_16_columns_values_6_q <= rows_16_columns_values_5_q;
       rows_16_columns_values_7_q <= rows_16_columns_values_6_q;
       rows_16_columns_values_8_q <= rows_16_columns_values_7_q;
-      rows_17_columns_values_0_q <= {3'h0, sum_1030};
+      rows_17_columns_values_0_q <= {3'h0, sum_1034};
       rows_17_columns_values_1_q <= rows_17_columns_values_0_q;
       rows_17_columns_values_2_q <= rows_17_columns_values_1_q;
       rows_17_columns_values_3_q <= rows_17_columns_values_2_q;
@@ -2933,7 +2867,7 @@ module horopter_plane_sums (
       rows_17_columns_values_6_q <= rows_17_columns_values_5_q;
       rows_17_columns_values_7_q <= rows_17_columns_values_6_q;
       rows_17_columns_values_8_q <= rows_17_columns_values_7_q;
-      rows_18_columns_values_0_q <= {3'h0, sum_1051};
+      rows_18_columns_values_0_q <= {3'h0, sum_1056};
       rows_18_columns_values_1_q <= rows_18_columns_values_0_q;
       rows_18_columns_values_2_q <= rows_18_columns_values_1_q;
       rows_18_columns_values_3_q <= rows_18_columns_values_2_q;
@@ -2942,7 +2876,7 @@ module horopter_plane_sums (
       rows_18_columns_values_6_q <= rows_18_columns_values_5_q;
       rows_18_columns_values_7_q <= rows_18_columns_values_6_q;
       rows_18_columns_values_8_q <= rows_18_columns_values_7_q;
-      rows_19_columns_values_0_q <= {3'h0, sum_1061};
+      rows_19_columns_values_0_q <= {3'h0, sum_1066};
       rows_19_columns_values_1_q <= rows_19_columns_values_0_q;
       rows_19_columns_values_2_q <= rows_19_columns_values_1_q;
       rows_19_columns_values_3_q <= rows_19_columns_values_2_q;
@@ -2954,86 +2888,86 @@ module horopter_plane_sums (
     end
   end
 
-  logic entering_values_23_features_mask_s6_q;
-  logic [5:0] seen_values_24_grey_s6_q;
-  logic seen_values_24_exists_s6_q;
-  logic [5:0] centres_values_3_seen_grey_s6_q;
-  logic centre_marks_values_3_first_s6_q;
-  logic centre_marks_values_3_last_s6_q;
-  logic or_632_s6_q;
-  logic [10:0] select_633_s6_q;
-  logic or_634_s6_q;
-  logic [17:0] column_memory_rdata_s6_q;
-  logic and_1062_s6_q;
-  logic and_1063_s6_q;
-  logic and_1064_s6_q;
-  logic and_1065_s6_q;
-  logic and_1066_s6_q;
-  logic [10:0] select_1077_s6_q;
-  logic [10:0] select_1081_s6_q;
-  logic [10:0] select_1085_s6_q;
-  logic [10:0] select_1089_s6_q;
-  logic [10:0] select_1093_s6_q;
-  logic [10:0] select_1097_s6_q;
-  logic [10:0] select_1101_s6_q;
-  logic [10:0] select_1105_s6_q;
-  logic [10:0] select_1109_s6_q;
-  logic [10:0] select_1113_s6_q;
-  logic [10:0] select_1117_s6_q;
-  logic [10:0] select_1121_s6_q;
-  logic [10:0] select_1125_s6_q;
-  logic [10:0] select_1129_s6_q;
-  logic [10:0] select_1133_s6_q;
-  logic [10:0] select_1137_s6_q;
-  logic [10:0] select_1141_s6_q;
-  logic [10:0] select_1145_s6_q;
-  logic [10:0] select_1149_s6_q;
-  logic [10:0] select_1153_s6_q;
-  logic and_1165_s6_q;
-  logic and_1166_s6_q;
+  logic entering_values_23_features_mask_s5_q;
+  logic [5:0] seen_values_24_grey_s5_q;
+  logic seen_values_24_exists_s5_q;
+  logic [5:0] centres_values_3_seen_grey_s5_q;
+  logic centre_marks_values_3_first_s5_q;
+  logic centre_marks_values_3_last_s5_q;
+  logic or_632_s5_q;
+  logic [10:0] select_633_s5_q;
+  logic or_634_s5_q;
+  logic [17:0] column_memory_rdata_s5_q;
+  logic and_1067_s5_q;
+  logic and_1068_s5_q;
+  logic and_1069_s5_q;
+  logic and_1070_s5_q;
+  logic and_1071_s5_q;
+  logic [10:0] select_1082_s5_q;
+  logic [10:0] select_1086_s5_q;
+  logic [10:0] select_1090_s5_q;
+  logic [10:0] select_1094_s5_q;
+  logic [10:0] select_1098_s5_q;
+  logic [10:0] select_1102_s5_q;
+  logic [10:0] select_1106_s5_q;
+  logic [10:0] select_1110_s5_q;
+  logic [10:0] select_1114_s5_q;
+  logic [10:0] select_1118_s5_q;
+  logic [10:0] select_1122_s5_q;
+  logic [10:0] select_1126_s5_q;
+  logic [10:0] select_1130_s5_q;
+  logic [10:0] select_1134_s5_q;
+  logic [10:0] select_1138_s5_q;
+  logic [10:0] select_1142_s5_q;
+  logic [10:0] select_1146_s5_q;
+  logic [10:0] select_1150_s5_q;
+  logic [10:0] select_1154_s5_q;
+  logic [10:0] select_1158_s5_q;
+  logic and_1170_s5_q;
+  logic and_1171_s5_q;
   always_ff @(posedge clk_i) begin
-    if (s5_en) begin
-      entering_values_23_features_mask_s6_q <= entering_values_23_features_mask_s5_q;
-      seen_values_24_grey_s6_q <= seen_values_24_grey_s5_q;
-      seen_values_24_exists_s6_q <= seen_values_24_exists_s5_q;
-      centres_values_3_seen_grey_s6_q <= centres_values_3_seen_grey_s5_q;
-      centre_marks_values_3_first_s6_q <= centre_marks_values_3_first_s5_q;
-      centre_marks_values_3_last_s6_q <= centre_marks_values_3_last_s5_q;
-      or_632_s6_q <= or_632_s5_q;
-      select_633_s6_q <= select_633_s5_q;
-      or_634_s6_q <= or_634_s5_q;
-      column_memory_rdata_s6_q <= column_memory_rdata_s5_q;
-      and_1062_s6_q <= and_1062_s5_q;
-      and_1063_s6_q <= and_1063_s5_q;
-      and_1064_s6_q <= and_1064_s5_q;
-      and_1065_s6_q <= and_1065_s5_q;
-      and_1066_s6_q <= and_1066_s5_q;
-      select_1077_s6_q <= less_1076 ? rows_0_columns_values_8_q : 11'h0;
-      select_1081_s6_q <= less_1076 ? rows_1_columns_values_8_q : 11'h0;
-      select_1085_s6_q <= less_1076 ? rows_2_columns_values_8_q : 11'h0;
-      select_1089_s6_q <= less_1076 ? rows_3_columns_values_8_q : 11'h0;
-      select_1093_s6_q <= less_1076 ? rows_4_columns_values_8_q : 11'h0;
-      select_1097_s6_q <= less_1076 ? rows_5_columns_values_8_q : 11'h0;
-      select_1101_s6_q <= less_1076 ? rows_6_columns_values_8_q : 11'h0;
-      select_1105_s6_q <= less_1076 ? rows_7_columns_values_8_q : 11'h0;
-      select_1109_s6_q <= less_1076 ? rows_8_columns_values_8_q : 11'h0;
-      select_1113_s6_q <= less_1076 ? rows_9_columns_values_8_q : 11'h0;
-      select_1117_s6_q <= less_1076 ? rows_10_columns_values_8_q : 11'h0;
-      select_1121_s6_q <= less_1076 ? rows_11_columns_values_8_q : 11'h0;
-      select_1125_s6_q <= less_1076 ? rows_12_columns_values_8_q : 11'h0;
-      select_1129_s6_q <= less_1076 ? rows_13_columns_values_8_q : 11'h0;
-      select_1133_s6_q <= less_1076 ? rows_14_columns_values_8_q : 11'h0;
-      select_1137_s6_q <= less_1076 ? rows_15_columns_values_8_q : 11'h0;
-      select_1141_s6_q <= less_1076 ? rows_16_columns_values_8_q : 11'h0;
-      select_1145_s6_q <= less_1076 ? rows_17_columns_values_8_q : 11'h0;
-      select_1149_s6_q <= less_1076 ? rows_18_columns_values_8_q : 11'h0;
-      select_1153_s6_q <= less_1076 ? rows_19_columns_values_8_q : 11'h0;
-      and_1165_s6_q <= and_1165_s5_q;
-      and_1166_s6_q <= and_1166_s5_q;
+    if (s4_en) begin
+      entering_values_23_features_mask_s5_q <= entering_values_23_features_mask_s4_q;
+      seen_values_24_grey_s5_q <= seen_values_24_grey_s4_q;
+      seen_values_24_exists_s5_q <= seen_values_24_exists_s4_q;
+      centres_values_3_seen_grey_s5_q <= centres_values_3_seen_grey_s4_q;
+      centre_marks_values_3_first_s5_q <= centre_marks_values_3_first_s4_q;
+      centre_marks_values_3_last_s5_q <= centre_marks_values_3_last_s4_q;
+      or_632_s5_q <= or_632_s4_q;
+      select_633_s5_q <= select_633_s4_q;
+      or_634_s5_q <= or_634_s4_q;
+      column_memory_rdata_s5_q <= column_memory_rdata_s4_q;
+      and_1067_s5_q <= and_1067_s4_q;
+      and_1068_s5_q <= and_1068_s4_q;
+      and_1069_s5_q <= and_1069_s4_q;
+      and_1070_s5_q <= and_1070_s4_q;
+      and_1071_s5_q <= and_1071_s4_q;
+      select_1082_s5_q <= less_1081 ? rows_0_columns_values_8_q : 11'h0;
+      select_1086_s5_q <= less_1081 ? rows_1_columns_values_8_q : 11'h0;
+      select_1090_s5_q <= less_1081 ? rows_2_columns_values_8_q : 11'h0;
+      select_1094_s5_q <= less_1081 ? rows_3_columns_values_8_q : 11'h0;
+      select_1098_s5_q <= less_1081 ? rows_4_columns_values_8_q : 11'h0;
+      select_1102_s5_q <= less_1081 ? rows_5_columns_values_8_q : 11'h0;
+      select_1106_s5_q <= less_1081 ? rows_6_columns_values_8_q : 11'h0;
+      select_1110_s5_q <= less_1081 ? rows_7_columns_values_8_q : 11'h0;
+      select_1114_s5_q <= less_1081 ? rows_8_columns_values_8_q : 11'h0;
+      select_1118_s5_q <= less_1081 ? rows_9_columns_values_8_q : 11'h0;
+      select_1122_s5_q <= less_1081 ? rows_10_columns_values_8_q : 11'h0;
+      select_1126_s5_q <= less_1081 ? rows_11_columns_values_8_q : 11'h0;
+      select_1130_s5_q <= less_1081 ? rows_12_columns_values_8_q : 11'h0;
+      select_1134_s5_q <= less_1081 ? rows_13_columns_values_8_q : 11'h0;
+      select_1138_s5_q <= less_1081 ? rows_14_columns_values_8_q : 11'h0;
+      select_1142_s5_q <= less_1081 ? rows_15_columns_values_8_q : 11'h0;
+      select_1146_s5_q <= less_1081 ? rows_16_columns_values_8_q : 11'h0;
+      select_1150_s5_q <= less_1081 ? rows_17_columns_values_8_q : 11'h0;
+      select_1154_s5_q <= less_1081 ? rows_18_columns_values_8_q : 11'h0;
+      select_1158_s5_q <= less_1081 ? rows_19_columns_values_8_q : 11'h0;
+      and_1170_s5_q <= and_1170_s4_q;
+      and_1171_s5_q <= and_1171_s4_q;
     end
   end
 
-  // Stage 6 -----------------------------------------------------------------------------------------------------------
+  // Stage 5 -----------------------------------------------------------------------------------------------------------
   logic [10:0] rows_0_sum_sums_values_0_q;
   logic [10:0] rows_1_sum_sums_values_0_q;
   logic [10:0] rows_2_sum_sums_values_0_q;
@@ -3055,74 +2989,74 @@ module horopter_plane_sums (
   logic [10:0] rows_18_sum_sums_values_0_q;
   logic [10:0] rows_19_sum_sums_values_0_q;
   // hls/stages/plane_sums.hpp:150
-  logic [10:0] sum_1080;
-  assign sum_1080 = ({3'h0, rows_0_columns_values_0_q[7:0]} - select_1077_s6_q) + (or_632_s6_q ? 11'h0 : rows_0_sum_sums_values_0_q);
-  logic [10:0] sum_1084;
-  assign sum_1084 = ({3'h0, rows_1_columns_values_0_q[7:0]} - select_1081_s6_q) + (or_632_s6_q ? 11'h0 : rows_1_sum_sums_values_0_q);
-  logic [10:0] sum_1088;
-  assign sum_1088 = ({3'h0, rows_2_columns_values_0_q[7:0]} - select_1085_s6_q) + (or_632_s6_q ? 11'h0 : rows_2_sum_sums_values_0_q);
-  logic [10:0] sum_1092;
-  assign sum_1092 = ({3'h0, rows_3_columns_values_0_q[7:0]} - select_1089_s6_q) + (or_632_s6_q ? 11'h0 : rows_3_sum_sums_values_0_q);
-  logic [10:0] sum_1096;
-  assign sum_1096 = ({3'h0, rows_4_columns_values_0_q[7:0]} - select_1093_s6_q) + (or_632_s6_q ? 11'h0 : rows_4_sum_sums_values_0_q);
-  logic [10:0] sum_1100;
-  assign sum_1100 = ({3'h0, rows_5_columns_values_0_q[7:0]} - select_1097_s6_q) + (or_632_s6_q ? 11'h0 : rows_5_sum_sums_values_0_q);
-  logic [10:0] sum_1104;
-  assign sum_1104 = ({3'h0, rows_6_columns_values_0_q[7:0]} - select_1101_s6_q) + (or_632_s6_q ? 11'h0 : rows_6_sum_sums_values_0_q);
-  logic [10:0] sum_1108;
-  assign sum_1108 = ({3'h0, rows_7_columns_values_0_q[7:0]} - select_1105_s6_q) + (or_632_s6_q ? 11'h0 : rows_7_sum_sums_values_0_q);
-  logic [10:0] sum_1112;
-  assign sum_1112 = ({3'h0, rows_8_columns_values_0_q[7:0]} - select_1109_s6_q) + (or_632_s6_q ? 11'h0 : rows_8_sum_sums_values_0_q);
-  logic [10:0] sum_1116;
-  assign sum_1116 = ({3'h0, rows_9_columns_values_0_q[7:0]} - select_1113_s6_q) + (or_632_s6_q ? 11'h0 : rows_9_sum_sums_values_0_q);
-  logic [10:0] sum_1120;
-  assign sum_1120 = ({3'h0, rows_10_columns_values_0_q[7:0]} - select_1117_s6_q) + (or_632_s6_q ? 11'h0 : rows_10_sum_sums_values_0_q);
-  logic [10:0] sum_1124;
-  assign sum_1124 = ({3'h0, rows_11_columns_values_0_q[7:0]} - select_1121_s6_q) + (or_632_s6_q ? 11'h0 : rows_11_sum_sums_values_0_q);
-  logic [10:0] sum_1128;
-  assign sum_1128 = ({3'h0, rows_12_columns_values_0_q[7:0]} - select_1125_s6_q) + (or_632_s6_q ? 11'h0 : rows_12_sum_sums_values_0_q);
-  logic [10:0] sum_1132;
-  assign sum_1132 = ({3'h0, rows_13_columns_values_0_q[7:0]} - select_1129_s6_q) + (or_632_s6_q ? 11'h0 : rows_13_sum_sums_values_0_q);
-  logic [10:0] sum_1136;
-  assign sum_1136 = ({3'h0, rows_14_columns_values_0_q[7:0]} - select_1133_s6_q) + (or_632_s6_q ? 11'h0 : rows_14_sum_sums_values_0_q);
-  logic [10:0] sum_1140;
-  assign sum_1140 = ({3'h0, rows_15_columns_values_0_q[7:0]} - select_1137_s6_q) + (or_632_s6_q ? 11'h0 : rows_15_sum_sums_values_0_q);
-  logic [10:0] sum_1144;
-  assign sum_1144 = ({3'h0, rows_16_columns_values_0_q[7:0]} - select_1141_s6_q) + (or_632_s6_q ? 11'h0 : rows_16_sum_sums_values_0_q);
-  logic [10:0] sum_1148;
-  assign sum_1148 = ({3'h0, rows_17_columns_values_0_q[7:0]} - select_1145_s6_q) + (or_632_s6_q ? 11'h0 : rows_17_sum_sums_values_0_q);
-  logic [10:0] sum_1152;
-  assign sum_1152 = ({3'h0, rows_18_columns_values_0_q[7:0]} - select_1149_s6_q) + (or_632_s6_q ? 11'h0 : rows_18_sum_sums_values_0_q);
-  logic [10:0] sum_1156;
-  assign sum_1156 = ({3'h0, rows_19_columns_values_0_q[7:0]} - select_1153_s6_q) + (or_632_s6_q ? 11'h0 : rows_19_sum_sums_values_0_q);
+  logic [10:0] sum_1085;
+  assign sum_1085 = ({3'h0, rows_0_columns_values_0_q[7:0]} - select_1082_s5_q) + (or_632_s5_q ? 11'h0 : rows_0_sum_sums_values_0_q);
+  logic [10:0] sum_1089;
+  assign sum_1089 = ({3'h0, rows_1_columns_values_0_q[7:0]} - select_1086_s5_q) + (or_632_s5_q ? 11'h0 : rows_1_sum_sums_values_0_q);
+  logic [10:0] sum_1093;
+  assign sum_1093 = ({3'h0, rows_2_columns_values_0_q[7:0]} - select_1090_s5_q) + (or_632_s5_q ? 11'h0 : rows_2_sum_sums_values_0_q);
+  logic [10:0] sum_1097;
+  assign sum_1097 = ({3'h0, rows_3_columns_values_0_q[7:0]} - select_1094_s5_q) + (or_632_s5_q ? 11'h0 : rows_3_sum_sums_values_0_q);
+  logic [10:0] sum_1101;
+  assign sum_1101 = ({3'h0, rows_4_columns_values_0_q[7:0]} - select_1098_s5_q) + (or_632_s5_q ? 11'h0 : rows_4_sum_sums_values_0_q);
+  logic [10:0] sum_1105;
+  assign sum_1105 = ({3'h0, rows_5_columns_values_0_q[7:0]} - select_1102_s5_q) + (or_632_s5_q ? 11'h0 : rows_5_sum_sums_values_0_q);
+  logic [10:0] sum_1109;
+  assign sum_1109 = ({3'h0, rows_6_columns_values_0_q[7:0]} - select_1106_s5_q) + (or_632_s5_q ? 11'h0 : rows_6_sum_sums_values_0_q);
+  logic [10:0] sum_1113;
+  assign sum_1113 = ({3'h0, rows_7_columns_values_0_q[7:0]} - select_1110_s5_q) + (or_632_s5_q ? 11'h0 : rows_7_sum_sums_values_0_q);
+  logic [10:0] sum_1117;
+  assign sum_1117 = ({3'h0, rows_8_columns_values_0_q[7:0]} - select_1114_s5_q) + (or_632_s5_q ? 11'h0 : rows_8_sum_sums_values_0_q);
+  logic [10:0] sum_1121;
+  assign sum_1121 = ({3'h0, rows_9_columns_values_0_q[7:0]} - select_1118_s5_q) + (or_632_s5_q ? 11'h0 : rows_9_sum_sums_values_0_q);
+  logic [10:0] sum_1125;
+  assign sum_1125 = ({3'h0, rows_10_columns_values_0_q[7:0]} - select_1122_s5_q) + (or_632_s5_q ? 11'h0 : rows_10_sum_sums_values_0_q);
+  logic [10:0] sum_1129;
+  assign sum_1129 = ({3'h0, rows_11_columns_values_0_q[7:0]} - select_1126_s5_q) + (or_632_s5_q ? 11'h0 : rows_11_sum_sums_values_0_q);
+  logic [10:0] sum_1133;
+  assign sum_1133 = ({3'h0, rows_12_columns_values_0_q[7:0]} - select_1130_s5_q) + (or_632_s5_q ? 11'h0 : rows_12_sum_sums_values_0_q);
+  logic [10:0] sum_1137;
+  assign sum_1137 = ({3'h0, rows_13_columns_values_0_q[7:0]} - select_1134_s5_q) + (or_632_s5_q ? 11'h0 : rows_13_sum_sums_values_0_q);
+  logic [10:0] sum_1141;
+  assign sum_1141 = ({3'h0, rows_14_columns_values_0_q[7:0]} - select_1138_s5_q) + (or_632_s5_q ? 11'h0 : rows_14_sum_sums_values_0_q);
+  logic [10:0] sum_1145;
+  assign sum_1145 = ({3'h0, rows_15_columns_values_0_q[7:0]} - select_1142_s5_q) + (or_632_s5_q ? 11'h0 : rows_15_sum_sums_values_0_q);
+  logic [10:0] sum_1149;
+  assign sum_1149 = ({3'h0, rows_16_columns_values_0_q[7:0]} - select_1146_s5_q) + (or_632_s5_q ? 11'h0 : rows_16_sum_sums_values_0_q);
+  logic [10:0] sum_1153;
+  assign sum_1153 = ({3'h0, rows_17_columns_values_0_q[7:0]} - select_1150_s5_q) + (or_632_s5_q ? 11'h0 : rows_17_sum_sums_values_0_q);
+  logic [10:0] sum_1157;
+  assign sum_1157 = ({3'h0, rows_18_columns_values_0_q[7:0]} - select_1154_s5_q) + (or_632_s5_q ? 11'h0 : rows_18_sum_sums_values_0_q);
+  logic [10:0] sum_1161;
+  assign sum_1161 = ({3'h0, rows_19_columns_values_0_q[7:0]} - select_1158_s5_q) + (or_632_s5_q ? 11'h0 : rows_19_sum_sums_values_0_q);
 
   // Memory column_memory, write
   logic [10:0] column_memory_waddr;
-  assign column_memory_waddr = select_633_s6_q;
+  assign column_memory_waddr = select_633_s5_q;
   logic column_memory_we;
-  assign column_memory_we = s6_en & or_634_s6_q;
+  assign column_memory_we = s5_en & or_634_s5_q;
   always_ff @(posedge clk_i) begin
-    if (column_memory_we) column_memory_mem[column_memory_waddr] <= {and_1066_s6_q, and_1065_s6_q, entering_values_23_features_mask_s6_q, and_1064_s6_q, column_memory_rdata_s6_q[17:12], and_1063_s6_q, column_memory_rdata_s6_q[11:6], and_1062_s6_q, column_memory_rdata_s6_q[5:0], seen_values_24_exists_s6_q, seen_values_24_grey_s6_q, rows_19_columns_values_0_q[7:0], rows_18_columns_values_0_q[7:0], rows_17_columns_values_0_q[7:0], rows_16_columns_values_0_q[7:0], rows_15_columns_values_0_q[7:0], rows_14_columns_values_0_q[7:0], rows_13_columns_values_0_q[7:0], rows_12_columns_values_0_q[7:0], rows_11_columns_values_0_q[7:0], rows_10_columns_values_0_q[7:0], rows_9_columns_values_0_q[7:0], rows_8_columns_values_0_q[7:0], rows_7_columns_values_0_q[7:0], rows_6_columns_values_0_q[7:0], rows_5_columns_values_0_q[7:0], rows_4_columns_values_0_q[7:0], rows_3_columns_values_0_q[7:0], rows_2_columns_values_0_q[7:0], rows_1_columns_values_0_q[7:0], rows_0_columns_values_0_q[7:0]};
+    if (column_memory_we) column_memory_mem[column_memory_waddr] <= {and_1071_s5_q, and_1070_s5_q, entering_values_23_features_mask_s5_q, and_1069_s5_q, column_memory_rdata_s5_q[17:12], and_1068_s5_q, column_memory_rdata_s5_q[11:6], and_1067_s5_q, column_memory_rdata_s5_q[5:0], seen_values_24_exists_s5_q, seen_values_24_grey_s5_q, rows_19_columns_values_0_q[7:0], rows_18_columns_values_0_q[7:0], rows_17_columns_values_0_q[7:0], rows_16_columns_values_0_q[7:0], rows_15_columns_values_0_q[7:0], rows_14_columns_values_0_q[7:0], rows_13_columns_values_0_q[7:0], rows_12_columns_values_0_q[7:0], rows_11_columns_values_0_q[7:0], rows_10_columns_values_0_q[7:0], rows_9_columns_values_0_q[7:0], rows_8_columns_values_0_q[7:0], rows_7_columns_values_0_q[7:0], rows_6_columns_values_0_q[7:0], rows_5_columns_values_0_q[7:0], rows_4_columns_values_0_q[7:0], rows_3_columns_values_0_q[7:0], rows_2_columns_values_0_q[7:0], rows_1_columns_values_0_q[7:0], rows_0_columns_values_0_q[7:0]};
   end
 `ifndef SYNTHESIS
+  logic [10:0] column_memory_raddr_s2_sim;
+  logic column_memory_re_s2_sim;
   logic [10:0] column_memory_raddr_s3_sim;
   logic column_memory_re_s3_sim;
   logic [10:0] column_memory_raddr_s4_sim;
   logic column_memory_re_s4_sim;
-  logic [10:0] column_memory_raddr_s5_sim;
-  logic column_memory_re_s5_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      column_memory_re_s2_sim <= 1'b0;
       column_memory_re_s3_sim <= 1'b0;
       column_memory_re_s4_sim <= 1'b0;
-      column_memory_re_s5_sim <= 1'b0;
     end else if (en_i) begin
-      column_memory_re_s3_sim <= column_memory_re;
-      column_memory_raddr_s3_sim <= column_memory_raddr;
+      column_memory_re_s2_sim <= column_memory_re;
+      column_memory_raddr_s2_sim <= column_memory_raddr;
+      column_memory_re_s3_sim <= column_memory_re_s2_sim;
+      column_memory_raddr_s3_sim <= column_memory_raddr_s2_sim;
       column_memory_re_s4_sim <= column_memory_re_s3_sim;
       column_memory_raddr_s4_sim <= column_memory_raddr_s3_sim;
-      column_memory_re_s5_sim <= column_memory_re_s4_sim;
-      column_memory_raddr_s5_sim <= column_memory_raddr_s4_sim;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -3130,13 +3064,13 @@ module horopter_plane_sums (
       if (column_memory_re && column_memory_raddr == column_memory_waddr) begin
         $error("column_memory: address %0d is read less than DISTANCE steps after its write", column_memory_waddr);
       end
+      if (column_memory_re_s2_sim && column_memory_raddr_s2_sim == column_memory_waddr) begin
+        $error("column_memory: address %0d is read less than DISTANCE steps after its write", column_memory_waddr);
+      end
       if (column_memory_re_s3_sim && column_memory_raddr_s3_sim == column_memory_waddr) begin
         $error("column_memory: address %0d is read less than DISTANCE steps after its write", column_memory_waddr);
       end
       if (column_memory_re_s4_sim && column_memory_raddr_s4_sim == column_memory_waddr) begin
-        $error("column_memory: address %0d is read less than DISTANCE steps after its write", column_memory_waddr);
-      end
-      if (column_memory_re_s5_sim && column_memory_raddr_s5_sim == column_memory_waddr) begin
         $error("column_memory: address %0d is read less than DISTANCE steps after its write", column_memory_waddr);
       end
       if (column_memory_waddr >= 11'd1920) $error("column_memory: write outside, address %0d", column_memory_waddr);
@@ -3171,42 +3105,42 @@ module horopter_plane_sums (
   end
 `endif
   always_ff @(posedge clk_i) begin
-    if (s6_en) begin
-      rows_0_sum_sums_values_0_q <= sum_1080;
-      rows_1_sum_sums_values_0_q <= sum_1084;
-      rows_2_sum_sums_values_0_q <= sum_1088;
-      rows_3_sum_sums_values_0_q <= sum_1092;
-      rows_4_sum_sums_values_0_q <= sum_1096;
-      rows_5_sum_sums_values_0_q <= sum_1100;
-      rows_6_sum_sums_values_0_q <= sum_1104;
-      rows_7_sum_sums_values_0_q <= sum_1108;
-      rows_8_sum_sums_values_0_q <= sum_1112;
-      rows_9_sum_sums_values_0_q <= sum_1116;
-      rows_10_sum_sums_values_0_q <= sum_1120;
-      rows_11_sum_sums_values_0_q <= sum_1124;
-      rows_12_sum_sums_values_0_q <= sum_1128;
-      rows_13_sum_sums_values_0_q <= sum_1132;
-      rows_14_sum_sums_values_0_q <= sum_1136;
-      rows_15_sum_sums_values_0_q <= sum_1140;
-      rows_16_sum_sums_values_0_q <= sum_1144;
-      rows_17_sum_sums_values_0_q <= sum_1148;
-      rows_18_sum_sums_values_0_q <= sum_1152;
-      rows_19_sum_sums_values_0_q <= sum_1156;
+    if (s5_en) begin
+      rows_0_sum_sums_values_0_q <= sum_1085;
+      rows_1_sum_sums_values_0_q <= sum_1089;
+      rows_2_sum_sums_values_0_q <= sum_1093;
+      rows_3_sum_sums_values_0_q <= sum_1097;
+      rows_4_sum_sums_values_0_q <= sum_1101;
+      rows_5_sum_sums_values_0_q <= sum_1105;
+      rows_6_sum_sums_values_0_q <= sum_1109;
+      rows_7_sum_sums_values_0_q <= sum_1113;
+      rows_8_sum_sums_values_0_q <= sum_1117;
+      rows_9_sum_sums_values_0_q <= sum_1121;
+      rows_10_sum_sums_values_0_q <= sum_1125;
+      rows_11_sum_sums_values_0_q <= sum_1129;
+      rows_12_sum_sums_values_0_q <= sum_1133;
+      rows_13_sum_sums_values_0_q <= sum_1137;
+      rows_14_sum_sums_values_0_q <= sum_1141;
+      rows_15_sum_sums_values_0_q <= sum_1145;
+      rows_16_sum_sums_values_0_q <= sum_1149;
+      rows_17_sum_sums_values_0_q <= sum_1153;
+      rows_18_sum_sums_values_0_q <= sum_1157;
+      rows_19_sum_sums_values_0_q <= sum_1161;
     end
   end
 
-  logic [5:0] centres_values_3_seen_grey_s7_q;
-  logic centre_marks_values_3_first_s7_q;
-  logic centre_marks_values_3_last_s7_q;
-  logic and_1165_s7_q;
-  logic and_1166_s7_q;
+  logic [5:0] centres_values_3_seen_grey_s6_q;
+  logic centre_marks_values_3_first_s6_q;
+  logic centre_marks_values_3_last_s6_q;
+  logic and_1170_s6_q;
+  logic and_1171_s6_q;
   always_ff @(posedge clk_i) begin
-    if (s6_en) begin
-      centres_values_3_seen_grey_s7_q <= centres_values_3_seen_grey_s6_q;
-      centre_marks_values_3_first_s7_q <= centre_marks_values_3_first_s6_q;
-      centre_marks_values_3_last_s7_q <= centre_marks_values_3_last_s6_q;
-      and_1165_s7_q <= and_1165_s6_q;
-      and_1166_s7_q <= and_1166_s6_q;
+    if (s5_en) begin
+      centres_values_3_seen_grey_s6_q <= centres_values_3_seen_grey_s5_q;
+      centre_marks_values_3_first_s6_q <= centre_marks_values_3_first_s5_q;
+      centre_marks_values_3_last_s6_q <= centre_marks_values_3_last_s5_q;
+      and_1170_s6_q <= and_1170_s5_q;
+      and_1171_s6_q <= and_1171_s5_q;
     end
   end
 
@@ -3231,12 +3165,12 @@ module horopter_plane_sums (
   assign sum_17_o = rows_17_sum_sums_values_0_q;
   assign sum_18_o = rows_18_sum_sums_values_0_q;
   assign evidence_o = rows_19_sum_sums_values_0_q;
-  assign grey_o = centres_values_3_seen_grey_s7_q;
-  assign known_o = and_1165_s7_q;
-  assign exists_o = and_1166_s7_q;
-  assign marks_first_o = centre_marks_values_3_first_s7_q;
-  assign marks_last_o = centre_marks_values_3_last_s7_q;
-  assign valid_o = valid_s7_q;
+  assign grey_o = centres_values_3_seen_grey_s6_q;
+  assign known_o = and_1170_s6_q;
+  assign exists_o = and_1171_s6_q;
+  assign marks_first_o = centre_marks_values_3_first_s6_q;
+  assign marks_last_o = centre_marks_values_3_last_s6_q;
+  assign valid_o = valid_s6_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -3246,7 +3180,6 @@ module horopter_plane_sums (
       valid_s4_q <= 1'b0;
       valid_s5_q <= 1'b0;
       valid_s6_q <= 1'b0;
-      valid_s7_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
       valid_s2_q <= valid_s1_q;
@@ -3254,7 +3187,6 @@ module horopter_plane_sums (
       valid_s4_q <= valid_s3_q;
       valid_s5_q <= valid_s4_q;
       valid_s6_q <= valid_s5_q;
-      valid_s7_q <= valid_s6_q;
     end
   end
 

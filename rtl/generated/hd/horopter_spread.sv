@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Spread<horopter::hls::profiles::hd>, hls/stages/spread.hpp. Do not edit.
 //
-// Latency 12 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 11 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 1569 bits, pipeline 436 bits, memories 0 bits.
+// State 1569 bits, pipeline 410 bits, memories 0 bits.
 module horopter_spread (
   input  logic clk_i,
   input  logic rst_ni,
@@ -26,8 +26,8 @@ module horopter_spread (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q, valid_s9_q, valid_s10_q, valid_s11_q, valid_s12_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en, s8_en, s9_en, s10_en, s11_en;
+  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q, valid_s9_q, valid_s10_q, valid_s11_q;
+  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en, s8_en, s9_en, s10_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
@@ -39,461 +39,437 @@ module horopter_spread (
   assign s8_en = en_i & valid_s8_q;
   assign s9_en = en_i & valid_s9_q;
   assign s10_en = en_i & valid_s10_q;
-  assign s11_en = en_i & valid_s11_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [6:0] last_vote_q;
   logic [5:0] last_grey_q;
+  logic last_exists_q;
   logic [6:0] first_values_0_left_q;
   logic centres_values_0_firm_q;
+  logic centres_values_0_marks_first_q;
   logic centres_values_1_firm_q;
   logic [5:0] centres_values_1_grey_q;
+  logic centres_values_1_exists_q;
+  logic centres_values_1_marks_first_q;
   logic centres_values_2_firm_q;
   logic [5:0] centres_values_2_grey_q;
+  logic centres_values_2_exists_q;
+  logic centres_values_2_marks_first_q;
   logic centres_values_3_firm_q;
   logic [5:0] centres_values_3_grey_q;
+  logic centres_values_3_exists_q;
+  logic centres_values_3_marks_first_q;
   logic centres_values_4_firm_q;
   logic [5:0] centres_values_4_grey_q;
+  logic centres_values_4_exists_q;
+  logic centres_values_4_marks_first_q;
   logic centres_values_5_firm_q;
   logic [5:0] centres_values_5_grey_q;
+  logic centres_values_5_exists_q;
+  logic centres_values_5_marks_first_q;
   logic centres_values_6_firm_q;
   logic [5:0] centres_values_6_grey_q;
+  logic centres_values_6_exists_q;
+  logic centres_values_6_marks_first_q;
   logic centres_values_7_firm_q;
   logic [5:0] centres_values_7_grey_q;
+  logic centres_values_7_exists_q;
+  logic centres_values_7_marks_first_q;
   logic centres_values_8_firm_q;
   logic [5:0] centres_values_8_grey_q;
+  logic centres_values_8_exists_q;
+  logic centres_values_8_marks_first_q;
   logic centres_values_9_firm_q;
   logic [5:0] centres_values_9_grey_q;
+  logic centres_values_9_exists_q;
+  logic centres_values_9_marks_first_q;
   logic centres_values_10_firm_q;
   logic [5:0] centres_values_10_grey_q;
+  logic centres_values_10_exists_q;
+  logic centres_values_10_marks_first_q;
   logic centres_values_11_firm_q;
   logic [5:0] centres_values_11_grey_q;
+  logic centres_values_11_exists_q;
+  logic centres_values_11_marks_first_q;
   logic centres_values_12_firm_q;
   logic [5:0] centres_values_12_grey_q;
+  logic centres_values_12_exists_q;
+  logic centres_values_12_marks_first_q;
   logic centres_values_13_firm_q;
   logic [5:0] centres_values_13_grey_q;
+  logic centres_values_13_exists_q;
+  logic centres_values_13_marks_first_q;
   logic centres_values_14_firm_q;
   logic [5:0] centres_values_14_grey_q;
+  logic centres_values_14_exists_q;
+  logic centres_values_14_marks_first_q;
   logic centres_values_15_firm_q;
   logic [5:0] centres_values_15_grey_q;
+  logic centres_values_15_exists_q;
+  logic centres_values_15_marks_first_q;
   logic centres_values_16_firm_q;
   logic [5:0] centres_values_16_grey_q;
+  logic centres_values_16_exists_q;
+  logic centres_values_16_marks_first_q;
   logic centres_values_17_firm_q;
   logic [5:0] centres_values_17_grey_q;
+  logic centres_values_17_exists_q;
+  logic centres_values_17_marks_first_q;
   logic centres_values_18_firm_q;
   logic [5:0] centres_values_18_grey_q;
+  logic centres_values_18_exists_q;
+  logic centres_values_18_marks_first_q;
   logic centres_values_19_firm_q;
   logic [5:0] centres_values_19_grey_q;
+  logic centres_values_19_exists_q;
+  logic centres_values_19_marks_first_q;
   logic centres_values_20_firm_q;
   logic [5:0] centres_values_20_grey_q;
+  logic centres_values_20_exists_q;
+  logic centres_values_20_marks_first_q;
   logic centres_values_21_firm_q;
   logic [5:0] centres_values_21_grey_q;
+  logic centres_values_21_exists_q;
+  logic centres_values_21_marks_first_q;
   logic centres_values_22_firm_q;
   logic [5:0] centres_values_22_grey_q;
+  logic centres_values_22_exists_q;
+  logic centres_values_22_marks_first_q;
   logic centres_values_23_firm_q;
   logic [5:0] centres_values_23_grey_q;
+  logic centres_values_23_exists_q;
+  logic centres_values_23_marks_first_q;
   logic centres_values_24_firm_q;
   logic [5:0] centres_values_24_grey_q;
+  logic centres_values_24_exists_q;
+  logic centres_values_24_marks_first_q;
   logic centres_values_25_firm_q;
   logic [5:0] centres_values_25_grey_q;
+  logic centres_values_25_exists_q;
+  logic centres_values_25_marks_first_q;
   logic centres_values_26_firm_q;
   logic [5:0] centres_values_26_grey_q;
+  logic centres_values_26_exists_q;
+  logic centres_values_26_marks_first_q;
   logic centres_values_27_firm_q;
   logic [5:0] centres_values_27_grey_q;
+  logic centres_values_27_exists_q;
+  logic centres_values_27_marks_first_q;
   logic centres_values_28_firm_q;
   logic [5:0] centres_values_28_grey_q;
+  logic centres_values_28_exists_q;
+  logic centres_values_28_marks_first_q;
   logic centres_values_29_firm_q;
   logic [5:0] centres_values_29_grey_q;
+  logic centres_values_29_exists_q;
+  logic centres_values_29_marks_first_q;
   logic centres_values_30_firm_q;
   logic [5:0] centres_values_30_grey_q;
+  logic centres_values_30_exists_q;
+  logic centres_values_30_marks_first_q;
   logic centres_values_31_firm_q;
   logic [5:0] centres_values_31_grey_q;
+  logic centres_values_31_exists_q;
+  logic centres_values_31_marks_first_q;
+  // hls/stages/spread.hpp:44
+  logic [6:0] difference_355;
+  assign difference_355 = {1'b0, grey_i} - {1'b0, last_grey_q};
+  logic [5:0] xor_356;
+  assign xor_356 = difference_355[5:0] ^ {6{difference_355[6]}};
+  logic [6:0] difference;
+  assign difference = {6'h0, difference_355[6]} + {1'b0, xor_356};
+  // hls/stages/spread.hpp:80
+  logic [7:0] difference_366;
+  assign difference_366 = {last_vote_q[6], last_vote_q} - {{5{last_vote_q[6]}}, last_vote_q[6:4]};
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       last_vote_q <= 7'h0;
       last_grey_q <= 6'h0;
+      last_exists_q <= 1'b0;
       first_values_0_left_q <= 7'h0;
       centres_values_0_firm_q <= 1'b0;
+      centres_values_0_marks_first_q <= 1'b0;
       centres_values_1_firm_q <= 1'b0;
       centres_values_1_grey_q <= 6'h0;
+      centres_values_1_exists_q <= 1'b0;
+      centres_values_1_marks_first_q <= 1'b0;
       centres_values_2_firm_q <= 1'b0;
       centres_values_2_grey_q <= 6'h0;
+      centres_values_2_exists_q <= 1'b0;
+      centres_values_2_marks_first_q <= 1'b0;
       centres_values_3_firm_q <= 1'b0;
       centres_values_3_grey_q <= 6'h0;
+      centres_values_3_exists_q <= 1'b0;
+      centres_values_3_marks_first_q <= 1'b0;
       centres_values_4_firm_q <= 1'b0;
       centres_values_4_grey_q <= 6'h0;
+      centres_values_4_exists_q <= 1'b0;
+      centres_values_4_marks_first_q <= 1'b0;
       centres_values_5_firm_q <= 1'b0;
       centres_values_5_grey_q <= 6'h0;
+      centres_values_5_exists_q <= 1'b0;
+      centres_values_5_marks_first_q <= 1'b0;
       centres_values_6_firm_q <= 1'b0;
       centres_values_6_grey_q <= 6'h0;
+      centres_values_6_exists_q <= 1'b0;
+      centres_values_6_marks_first_q <= 1'b0;
       centres_values_7_firm_q <= 1'b0;
       centres_values_7_grey_q <= 6'h0;
+      centres_values_7_exists_q <= 1'b0;
+      centres_values_7_marks_first_q <= 1'b0;
       centres_values_8_firm_q <= 1'b0;
       centres_values_8_grey_q <= 6'h0;
+      centres_values_8_exists_q <= 1'b0;
+      centres_values_8_marks_first_q <= 1'b0;
       centres_values_9_firm_q <= 1'b0;
       centres_values_9_grey_q <= 6'h0;
+      centres_values_9_exists_q <= 1'b0;
+      centres_values_9_marks_first_q <= 1'b0;
       centres_values_10_firm_q <= 1'b0;
       centres_values_10_grey_q <= 6'h0;
+      centres_values_10_exists_q <= 1'b0;
+      centres_values_10_marks_first_q <= 1'b0;
       centres_values_11_firm_q <= 1'b0;
       centres_values_11_grey_q <= 6'h0;
+      centres_values_11_exists_q <= 1'b0;
+      centres_values_11_marks_first_q <= 1'b0;
       centres_values_12_firm_q <= 1'b0;
       centres_values_12_grey_q <= 6'h0;
+      centres_values_12_exists_q <= 1'b0;
+      centres_values_12_marks_first_q <= 1'b0;
       centres_values_13_firm_q <= 1'b0;
       centres_values_13_grey_q <= 6'h0;
+      centres_values_13_exists_q <= 1'b0;
+      centres_values_13_marks_first_q <= 1'b0;
       centres_values_14_firm_q <= 1'b0;
       centres_values_14_grey_q <= 6'h0;
+      centres_values_14_exists_q <= 1'b0;
+      centres_values_14_marks_first_q <= 1'b0;
       centres_values_15_firm_q <= 1'b0;
       centres_values_15_grey_q <= 6'h0;
+      centres_values_15_exists_q <= 1'b0;
+      centres_values_15_marks_first_q <= 1'b0;
       centres_values_16_firm_q <= 1'b0;
       centres_values_16_grey_q <= 6'h0;
+      centres_values_16_exists_q <= 1'b0;
+      centres_values_16_marks_first_q <= 1'b0;
       centres_values_17_firm_q <= 1'b0;
       centres_values_17_grey_q <= 6'h0;
+      centres_values_17_exists_q <= 1'b0;
+      centres_values_17_marks_first_q <= 1'b0;
       centres_values_18_firm_q <= 1'b0;
       centres_values_18_grey_q <= 6'h0;
+      centres_values_18_exists_q <= 1'b0;
+      centres_values_18_marks_first_q <= 1'b0;
       centres_values_19_firm_q <= 1'b0;
       centres_values_19_grey_q <= 6'h0;
+      centres_values_19_exists_q <= 1'b0;
+      centres_values_19_marks_first_q <= 1'b0;
       centres_values_20_firm_q <= 1'b0;
       centres_values_20_grey_q <= 6'h0;
+      centres_values_20_exists_q <= 1'b0;
+      centres_values_20_marks_first_q <= 1'b0;
       centres_values_21_firm_q <= 1'b0;
       centres_values_21_grey_q <= 6'h0;
+      centres_values_21_exists_q <= 1'b0;
+      centres_values_21_marks_first_q <= 1'b0;
       centres_values_22_firm_q <= 1'b0;
       centres_values_22_grey_q <= 6'h0;
+      centres_values_22_exists_q <= 1'b0;
+      centres_values_22_marks_first_q <= 1'b0;
       centres_values_23_firm_q <= 1'b0;
       centres_values_23_grey_q <= 6'h0;
+      centres_values_23_exists_q <= 1'b0;
+      centres_values_23_marks_first_q <= 1'b0;
       centres_values_24_firm_q <= 1'b0;
       centres_values_24_grey_q <= 6'h0;
+      centres_values_24_exists_q <= 1'b0;
+      centres_values_24_marks_first_q <= 1'b0;
       centres_values_25_firm_q <= 1'b0;
       centres_values_25_grey_q <= 6'h0;
+      centres_values_25_exists_q <= 1'b0;
+      centres_values_25_marks_first_q <= 1'b0;
       centres_values_26_firm_q <= 1'b0;
       centres_values_26_grey_q <= 6'h0;
+      centres_values_26_exists_q <= 1'b0;
+      centres_values_26_marks_first_q <= 1'b0;
       centres_values_27_firm_q <= 1'b0;
       centres_values_27_grey_q <= 6'h0;
+      centres_values_27_exists_q <= 1'b0;
+      centres_values_27_marks_first_q <= 1'b0;
       centres_values_28_firm_q <= 1'b0;
       centres_values_28_grey_q <= 6'h0;
+      centres_values_28_exists_q <= 1'b0;
+      centres_values_28_marks_first_q <= 1'b0;
       centres_values_29_firm_q <= 1'b0;
       centres_values_29_grey_q <= 6'h0;
+      centres_values_29_exists_q <= 1'b0;
+      centres_values_29_marks_first_q <= 1'b0;
       centres_values_30_firm_q <= 1'b0;
       centres_values_30_grey_q <= 6'h0;
+      centres_values_30_exists_q <= 1'b0;
+      centres_values_30_marks_first_q <= 1'b0;
       centres_values_31_firm_q <= 1'b0;
       centres_values_31_grey_q <= 6'h0;
+      centres_values_31_exists_q <= 1'b0;
+      centres_values_31_marks_first_q <= 1'b0;
     end else if (s0_en) begin
       last_vote_q <= $unsigned(vote_i);
       last_grey_q <= grey_i;
+      last_exists_q <= exists_i;
       first_values_0_left_q <= last_vote_q;
       centres_values_0_firm_q <= firm_i;
+      centres_values_0_marks_first_q <= marks_first_i;
       centres_values_1_firm_q <= centres_values_0_firm_q;
       centres_values_1_grey_q <= last_grey_q;
-      centres_values_2_firm_q <= centres_values_1_firm_q;
-      centres_values_2_grey_q <= centres_values_1_grey_q;
-      centres_values_3_firm_q <= centres_values_2_firm_q;
-      centres_values_3_grey_q <= centres_values_2_grey_q;
-      centres_values_4_firm_q <= centres_values_3_firm_q;
-      centres_values_4_grey_q <= centres_values_3_grey_q;
-      centres_values_5_firm_q <= centres_values_4_firm_q;
-      centres_values_5_grey_q <= centres_values_4_grey_q;
-      centres_values_6_firm_q <= centres_values_5_firm_q;
-      centres_values_6_grey_q <= centres_values_5_grey_q;
-      centres_values_7_firm_q <= centres_values_6_firm_q;
-      centres_values_7_grey_q <= centres_values_6_grey_q;
-      centres_values_8_firm_q <= centres_values_7_firm_q;
-      centres_values_8_grey_q <= centres_values_7_grey_q;
-      centres_values_9_firm_q <= centres_values_8_firm_q;
-      centres_values_9_grey_q <= centres_values_8_grey_q;
-      centres_values_10_firm_q <= centres_values_9_firm_q;
-      centres_values_10_grey_q <= centres_values_9_grey_q;
-      centres_values_11_firm_q <= centres_values_10_firm_q;
-      centres_values_11_grey_q <= centres_values_10_grey_q;
-      centres_values_12_firm_q <= centres_values_11_firm_q;
-      centres_values_12_grey_q <= centres_values_11_grey_q;
-      centres_values_13_firm_q <= centres_values_12_firm_q;
-      centres_values_13_grey_q <= centres_values_12_grey_q;
-      centres_values_14_firm_q <= centres_values_13_firm_q;
-      centres_values_14_grey_q <= centres_values_13_grey_q;
-      centres_values_15_firm_q <= centres_values_14_firm_q;
-      centres_values_15_grey_q <= centres_values_14_grey_q;
-      centres_values_16_firm_q <= centres_values_15_firm_q;
-      centres_values_16_grey_q <= centres_values_15_grey_q;
-      centres_values_17_firm_q <= centres_values_16_firm_q;
-      centres_values_17_grey_q <= centres_values_16_grey_q;
-      centres_values_18_firm_q <= centres_values_17_firm_q;
-      centres_values_18_grey_q <= centres_values_17_grey_q;
-      centres_values_19_firm_q <= centres_values_18_firm_q;
-      centres_values_19_grey_q <= centres_values_18_grey_q;
-      centres_values_20_firm_q <= centres_values_19_firm_q;
-      centres_values_20_grey_q <= centres_values_19_grey_q;
-      centres_values_21_firm_q <= centres_values_20_firm_q;
-      centres_values_21_grey_q <= centres_values_20_grey_q;
-      centres_values_22_firm_q <= centres_values_21_firm_q;
-      centres_values_22_grey_q <= centres_values_21_grey_q;
-      centres_values_23_firm_q <= centres_values_22_firm_q;
-      centres_values_23_grey_q <= centres_values_22_grey_q;
-      centres_values_24_firm_q <= centres_values_23_firm_q;
-      centres_values_24_grey_q <= centres_values_23_grey_q;
-      centres_values_25_firm_q <= centres_values_24_firm_q;
-      centres_values_25_grey_q <= centres_values_24_grey_q;
-      centres_values_26_firm_q <= centres_values_25_firm_q;
-      centres_values_26_grey_q <= centres_values_25_grey_q;
-      centres_values_27_firm_q <= centres_values_26_firm_q;
-      centres_values_27_grey_q <= centres_values_26_grey_q;
-      centres_values_28_firm_q <= centres_values_27_firm_q;
-      centres_values_28_grey_q <= centres_values_27_grey_q;
-      centres_values_29_firm_q <= centres_values_28_firm_q;
-      centres_values_29_grey_q <= centres_values_28_grey_q;
-      centres_values_30_firm_q <= centres_values_29_firm_q;
-      centres_values_30_grey_q <= centres_values_29_grey_q;
-      centres_values_31_firm_q <= centres_values_30_firm_q;
-      centres_values_31_grey_q <= centres_values_30_grey_q;
-    end
-  end
-
-  logic exists_s1_q;
-  logic marks_first_s1_q;
-  logic marks_last_s1_q;
-  logic [6:0] first_values_0_left_s1_q;
-  logic centres_values_31_firm_s1_q;
-  logic [5:0] centres_values_31_grey_s1_q;
-  logic [6:0] difference_355_s1_q;
-  always_ff @(posedge clk_i) begin
-    if (s0_en) begin
-      exists_s1_q <= exists_i;
-      marks_first_s1_q <= marks_first_i;
-      marks_last_s1_q <= marks_last_i;
-      first_values_0_left_s1_q <= first_values_0_left_q;
-      centres_values_31_firm_s1_q <= centres_values_31_firm_q;
-      centres_values_31_grey_s1_q <= centres_values_31_grey_q;
-      difference_355_s1_q <= {1'b0, grey_i} - {1'b0, last_grey_q};
-    end
-  end
-
-  // Stage 1 -----------------------------------------------------------------------------------------------------------
-  logic last_exists_q;
-  logic centres_values_0_marks_first_q;
-  logic centres_values_1_exists_q;
-  logic centres_values_1_marks_first_q;
-  logic centres_values_2_exists_q;
-  logic centres_values_2_marks_first_q;
-  logic centres_values_3_exists_q;
-  logic centres_values_3_marks_first_q;
-  logic centres_values_4_exists_q;
-  logic centres_values_4_marks_first_q;
-  logic centres_values_5_exists_q;
-  logic centres_values_5_marks_first_q;
-  logic centres_values_6_exists_q;
-  logic centres_values_6_marks_first_q;
-  logic centres_values_7_exists_q;
-  logic centres_values_7_marks_first_q;
-  logic centres_values_8_exists_q;
-  logic centres_values_8_marks_first_q;
-  logic centres_values_9_exists_q;
-  logic centres_values_9_marks_first_q;
-  logic centres_values_10_exists_q;
-  logic centres_values_10_marks_first_q;
-  logic centres_values_11_exists_q;
-  logic centres_values_11_marks_first_q;
-  logic centres_values_12_exists_q;
-  logic centres_values_12_marks_first_q;
-  logic centres_values_13_exists_q;
-  logic centres_values_13_marks_first_q;
-  logic centres_values_14_exists_q;
-  logic centres_values_14_marks_first_q;
-  logic centres_values_15_exists_q;
-  logic centres_values_15_marks_first_q;
-  logic centres_values_16_exists_q;
-  logic centres_values_16_marks_first_q;
-  logic centres_values_17_exists_q;
-  logic centres_values_17_marks_first_q;
-  logic centres_values_18_exists_q;
-  logic centres_values_18_marks_first_q;
-  logic centres_values_19_exists_q;
-  logic centres_values_19_marks_first_q;
-  logic centres_values_20_exists_q;
-  logic centres_values_20_marks_first_q;
-  logic centres_values_21_exists_q;
-  logic centres_values_21_marks_first_q;
-  logic centres_values_22_exists_q;
-  logic centres_values_22_marks_first_q;
-  logic centres_values_23_exists_q;
-  logic centres_values_23_marks_first_q;
-  logic centres_values_24_exists_q;
-  logic centres_values_24_marks_first_q;
-  logic centres_values_25_exists_q;
-  logic centres_values_25_marks_first_q;
-  logic centres_values_26_exists_q;
-  logic centres_values_26_marks_first_q;
-  logic centres_values_27_exists_q;
-  logic centres_values_27_marks_first_q;
-  logic centres_values_28_exists_q;
-  logic centres_values_28_marks_first_q;
-  logic centres_values_29_exists_q;
-  logic centres_values_29_marks_first_q;
-  logic centres_values_30_exists_q;
-  logic centres_values_30_marks_first_q;
-  logic centres_values_31_exists_q;
-  logic centres_values_31_marks_first_q;
-  // hls/stages/spread.hpp:44
-  logic [7:0] difference;
-  assign difference = difference_355_s1_q[6] ? (8'h0 - {difference_355_s1_q[6], difference_355_s1_q}) : {2'h0, difference_355_s1_q[5:0]};
-  // hls/stages/spread.hpp:80
-  logic [7:0] difference_366;
-  assign difference_366 = {first_values_0_left_q[6], first_values_0_left_q} - {{5{first_values_0_left_q[6]}}, first_values_0_left_q[6:4]};
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      last_exists_q <= 1'b0;
-      centres_values_0_marks_first_q <= 1'b0;
-      centres_values_1_exists_q <= 1'b0;
-      centres_values_1_marks_first_q <= 1'b0;
-      centres_values_2_exists_q <= 1'b0;
-      centres_values_2_marks_first_q <= 1'b0;
-      centres_values_3_exists_q <= 1'b0;
-      centres_values_3_marks_first_q <= 1'b0;
-      centres_values_4_exists_q <= 1'b0;
-      centres_values_4_marks_first_q <= 1'b0;
-      centres_values_5_exists_q <= 1'b0;
-      centres_values_5_marks_first_q <= 1'b0;
-      centres_values_6_exists_q <= 1'b0;
-      centres_values_6_marks_first_q <= 1'b0;
-      centres_values_7_exists_q <= 1'b0;
-      centres_values_7_marks_first_q <= 1'b0;
-      centres_values_8_exists_q <= 1'b0;
-      centres_values_8_marks_first_q <= 1'b0;
-      centres_values_9_exists_q <= 1'b0;
-      centres_values_9_marks_first_q <= 1'b0;
-      centres_values_10_exists_q <= 1'b0;
-      centres_values_10_marks_first_q <= 1'b0;
-      centres_values_11_exists_q <= 1'b0;
-      centres_values_11_marks_first_q <= 1'b0;
-      centres_values_12_exists_q <= 1'b0;
-      centres_values_12_marks_first_q <= 1'b0;
-      centres_values_13_exists_q <= 1'b0;
-      centres_values_13_marks_first_q <= 1'b0;
-      centres_values_14_exists_q <= 1'b0;
-      centres_values_14_marks_first_q <= 1'b0;
-      centres_values_15_exists_q <= 1'b0;
-      centres_values_15_marks_first_q <= 1'b0;
-      centres_values_16_exists_q <= 1'b0;
-      centres_values_16_marks_first_q <= 1'b0;
-      centres_values_17_exists_q <= 1'b0;
-      centres_values_17_marks_first_q <= 1'b0;
-      centres_values_18_exists_q <= 1'b0;
-      centres_values_18_marks_first_q <= 1'b0;
-      centres_values_19_exists_q <= 1'b0;
-      centres_values_19_marks_first_q <= 1'b0;
-      centres_values_20_exists_q <= 1'b0;
-      centres_values_20_marks_first_q <= 1'b0;
-      centres_values_21_exists_q <= 1'b0;
-      centres_values_21_marks_first_q <= 1'b0;
-      centres_values_22_exists_q <= 1'b0;
-      centres_values_22_marks_first_q <= 1'b0;
-      centres_values_23_exists_q <= 1'b0;
-      centres_values_23_marks_first_q <= 1'b0;
-      centres_values_24_exists_q <= 1'b0;
-      centres_values_24_marks_first_q <= 1'b0;
-      centres_values_25_exists_q <= 1'b0;
-      centres_values_25_marks_first_q <= 1'b0;
-      centres_values_26_exists_q <= 1'b0;
-      centres_values_26_marks_first_q <= 1'b0;
-      centres_values_27_exists_q <= 1'b0;
-      centres_values_27_marks_first_q <= 1'b0;
-      centres_values_28_exists_q <= 1'b0;
-      centres_values_28_marks_first_q <= 1'b0;
-      centres_values_29_exists_q <= 1'b0;
-      centres_values_29_marks_first_q <= 1'b0;
-      centres_values_30_exists_q <= 1'b0;
-      centres_values_30_marks_first_q <= 1'b0;
-      centres_values_31_exists_q <= 1'b0;
-      centres_values_31_marks_first_q <= 1'b0;
-    end else if (s1_en) begin
-      last_exists_q <= exists_s1_q;
-      centres_values_0_marks_first_q <= marks_first_s1_q;
       centres_values_1_exists_q <= last_exists_q;
       centres_values_1_marks_first_q <= centres_values_0_marks_first_q;
+      centres_values_2_firm_q <= centres_values_1_firm_q;
+      centres_values_2_grey_q <= centres_values_1_grey_q;
       centres_values_2_exists_q <= centres_values_1_exists_q;
       centres_values_2_marks_first_q <= centres_values_1_marks_first_q;
+      centres_values_3_firm_q <= centres_values_2_firm_q;
+      centres_values_3_grey_q <= centres_values_2_grey_q;
       centres_values_3_exists_q <= centres_values_2_exists_q;
       centres_values_3_marks_first_q <= centres_values_2_marks_first_q;
+      centres_values_4_firm_q <= centres_values_3_firm_q;
+      centres_values_4_grey_q <= centres_values_3_grey_q;
       centres_values_4_exists_q <= centres_values_3_exists_q;
       centres_values_4_marks_first_q <= centres_values_3_marks_first_q;
+      centres_values_5_firm_q <= centres_values_4_firm_q;
+      centres_values_5_grey_q <= centres_values_4_grey_q;
       centres_values_5_exists_q <= centres_values_4_exists_q;
       centres_values_5_marks_first_q <= centres_values_4_marks_first_q;
+      centres_values_6_firm_q <= centres_values_5_firm_q;
+      centres_values_6_grey_q <= centres_values_5_grey_q;
       centres_values_6_exists_q <= centres_values_5_exists_q;
       centres_values_6_marks_first_q <= centres_values_5_marks_first_q;
+      centres_values_7_firm_q <= centres_values_6_firm_q;
+      centres_values_7_grey_q <= centres_values_6_grey_q;
       centres_values_7_exists_q <= centres_values_6_exists_q;
       centres_values_7_marks_first_q <= centres_values_6_marks_first_q;
+      centres_values_8_firm_q <= centres_values_7_firm_q;
+      centres_values_8_grey_q <= centres_values_7_grey_q;
       centres_values_8_exists_q <= centres_values_7_exists_q;
       centres_values_8_marks_first_q <= centres_values_7_marks_first_q;
+      centres_values_9_firm_q <= centres_values_8_firm_q;
+      centres_values_9_grey_q <= centres_values_8_grey_q;
       centres_values_9_exists_q <= centres_values_8_exists_q;
       centres_values_9_marks_first_q <= centres_values_8_marks_first_q;
+      centres_values_10_firm_q <= centres_values_9_firm_q;
+      centres_values_10_grey_q <= centres_values_9_grey_q;
       centres_values_10_exists_q <= centres_values_9_exists_q;
       centres_values_10_marks_first_q <= centres_values_9_marks_first_q;
+      centres_values_11_firm_q <= centres_values_10_firm_q;
+      centres_values_11_grey_q <= centres_values_10_grey_q;
       centres_values_11_exists_q <= centres_values_10_exists_q;
       centres_values_11_marks_first_q <= centres_values_10_marks_first_q;
+      centres_values_12_firm_q <= centres_values_11_firm_q;
+      centres_values_12_grey_q <= centres_values_11_grey_q;
       centres_values_12_exists_q <= centres_values_11_exists_q;
       centres_values_12_marks_first_q <= centres_values_11_marks_first_q;
+      centres_values_13_firm_q <= centres_values_12_firm_q;
+      centres_values_13_grey_q <= centres_values_12_grey_q;
       centres_values_13_exists_q <= centres_values_12_exists_q;
       centres_values_13_marks_first_q <= centres_values_12_marks_first_q;
+      centres_values_14_firm_q <= centres_values_13_firm_q;
+      centres_values_14_grey_q <= centres_values_13_grey_q;
       centres_values_14_exists_q <= centres_values_13_exists_q;
       centres_values_14_marks_first_q <= centres_values_13_marks_first_q;
+      centres_values_15_firm_q <= centres_values_14_firm_q;
+      centres_values_15_grey_q <= centres_values_14_grey_q;
       centres_values_15_exists_q <= centres_values_14_exists_q;
       centres_values_15_marks_first_q <= centres_values_14_marks_first_q;
+      centres_values_16_firm_q <= centres_values_15_firm_q;
+      centres_values_16_grey_q <= centres_values_15_grey_q;
       centres_values_16_exists_q <= centres_values_15_exists_q;
       centres_values_16_marks_first_q <= centres_values_15_marks_first_q;
+      centres_values_17_firm_q <= centres_values_16_firm_q;
+      centres_values_17_grey_q <= centres_values_16_grey_q;
       centres_values_17_exists_q <= centres_values_16_exists_q;
       centres_values_17_marks_first_q <= centres_values_16_marks_first_q;
+      centres_values_18_firm_q <= centres_values_17_firm_q;
+      centres_values_18_grey_q <= centres_values_17_grey_q;
       centres_values_18_exists_q <= centres_values_17_exists_q;
       centres_values_18_marks_first_q <= centres_values_17_marks_first_q;
+      centres_values_19_firm_q <= centres_values_18_firm_q;
+      centres_values_19_grey_q <= centres_values_18_grey_q;
       centres_values_19_exists_q <= centres_values_18_exists_q;
       centres_values_19_marks_first_q <= centres_values_18_marks_first_q;
+      centres_values_20_firm_q <= centres_values_19_firm_q;
+      centres_values_20_grey_q <= centres_values_19_grey_q;
       centres_values_20_exists_q <= centres_values_19_exists_q;
       centres_values_20_marks_first_q <= centres_values_19_marks_first_q;
+      centres_values_21_firm_q <= centres_values_20_firm_q;
+      centres_values_21_grey_q <= centres_values_20_grey_q;
       centres_values_21_exists_q <= centres_values_20_exists_q;
       centres_values_21_marks_first_q <= centres_values_20_marks_first_q;
+      centres_values_22_firm_q <= centres_values_21_firm_q;
+      centres_values_22_grey_q <= centres_values_21_grey_q;
       centres_values_22_exists_q <= centres_values_21_exists_q;
       centres_values_22_marks_first_q <= centres_values_21_marks_first_q;
+      centres_values_23_firm_q <= centres_values_22_firm_q;
+      centres_values_23_grey_q <= centres_values_22_grey_q;
       centres_values_23_exists_q <= centres_values_22_exists_q;
       centres_values_23_marks_first_q <= centres_values_22_marks_first_q;
+      centres_values_24_firm_q <= centres_values_23_firm_q;
+      centres_values_24_grey_q <= centres_values_23_grey_q;
       centres_values_24_exists_q <= centres_values_23_exists_q;
       centres_values_24_marks_first_q <= centres_values_23_marks_first_q;
+      centres_values_25_firm_q <= centres_values_24_firm_q;
+      centres_values_25_grey_q <= centres_values_24_grey_q;
       centres_values_25_exists_q <= centres_values_24_exists_q;
       centres_values_25_marks_first_q <= centres_values_24_marks_first_q;
+      centres_values_26_firm_q <= centres_values_25_firm_q;
+      centres_values_26_grey_q <= centres_values_25_grey_q;
       centres_values_26_exists_q <= centres_values_25_exists_q;
       centres_values_26_marks_first_q <= centres_values_25_marks_first_q;
+      centres_values_27_firm_q <= centres_values_26_firm_q;
+      centres_values_27_grey_q <= centres_values_26_grey_q;
       centres_values_27_exists_q <= centres_values_26_exists_q;
       centres_values_27_marks_first_q <= centres_values_26_marks_first_q;
+      centres_values_28_firm_q <= centres_values_27_firm_q;
+      centres_values_28_grey_q <= centres_values_27_grey_q;
       centres_values_28_exists_q <= centres_values_27_exists_q;
       centres_values_28_marks_first_q <= centres_values_27_marks_first_q;
+      centres_values_29_firm_q <= centres_values_28_firm_q;
+      centres_values_29_grey_q <= centres_values_28_grey_q;
       centres_values_29_exists_q <= centres_values_28_exists_q;
       centres_values_29_marks_first_q <= centres_values_28_marks_first_q;
+      centres_values_30_firm_q <= centres_values_29_firm_q;
+      centres_values_30_grey_q <= centres_values_29_grey_q;
       centres_values_30_exists_q <= centres_values_29_exists_q;
       centres_values_30_marks_first_q <= centres_values_29_marks_first_q;
+      centres_values_31_firm_q <= centres_values_30_firm_q;
+      centres_values_31_grey_q <= centres_values_30_grey_q;
       centres_values_31_exists_q <= centres_values_30_exists_q;
       centres_values_31_marks_first_q <= centres_values_30_marks_first_q;
     end
   end
 
-  logic marks_last_s2_q;
-  logic [6:0] first_values_0_left_s2_q;
-  logic centres_values_31_firm_s2_q;
-  logic [5:0] centres_values_31_grey_s2_q;
-  logic centres_values_31_exists_s2_q;
-  logic centres_values_31_marks_first_s2_q;
-  logic [7:0] difference_s2_q;
-  logic [7:0] difference_366_s2_q;
+  logic marks_last_s1_q;
+  logic [6:0] first_values_0_left_s1_q;
+  logic centres_values_31_firm_s1_q;
+  logic [5:0] centres_values_31_grey_s1_q;
+  logic centres_values_31_exists_s1_q;
+  logic centres_values_31_marks_first_s1_q;
+  logic [6:0] difference_s1_q;
+  logic [7:0] difference_366_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
-      marks_last_s2_q <= marks_last_s1_q;
-      first_values_0_left_s2_q <= first_values_0_left_s1_q;
-      centres_values_31_firm_s2_q <= centres_values_31_firm_s1_q;
-      centres_values_31_grey_s2_q <= centres_values_31_grey_s1_q;
-      centres_values_31_exists_s2_q <= centres_values_31_exists_q;
-      centres_values_31_marks_first_s2_q <= centres_values_31_marks_first_q;
-      difference_s2_q <= difference;
-      difference_366_s2_q <= difference_366;
+    if (s0_en) begin
+      marks_last_s1_q <= marks_last_i;
+      first_values_0_left_s1_q <= first_values_0_left_q;
+      centres_values_31_firm_s1_q <= centres_values_31_firm_q;
+      centres_values_31_grey_s1_q <= centres_values_31_grey_q;
+      centres_values_31_exists_s1_q <= centres_values_31_exists_q;
+      centres_values_31_marks_first_s1_q <= centres_values_31_marks_first_q;
+      difference_s1_q <= difference;
+      difference_366_s1_q <= difference_366;
     end
   end
 
-  // Stage 2 -----------------------------------------------------------------------------------------------------------
+  // Stage 1 -----------------------------------------------------------------------------------------------------------
   logic row_ended_q;
   logic first_values_0_joined_q;
   logic first_values_1_joined_q;
@@ -533,15 +509,15 @@ module horopter_spread (
   logic centres_values_31_marks_last_q;
   // hls/stages/spread.hpp:46
   logic and_360;
-  assign and_360 = centres_values_1_exists_q & (~({5'h0, cfg_smooth_i} < difference_s2_q));
+  assign and_360 = centres_values_1_exists_q & (~({4'h0, cfg_smooth_i} < difference_s1_q));
   logic and_362;
   assign and_362 = (~(centres_values_0_marks_first_q | row_ended_q)) & (last_exists_q & and_360);
   // hls/stages/spread.hpp:95
   logic [8:0] sum_367;
-  assign sum_367 = {{2{first_values_0_left_s2_q[6]}}, first_values_0_left_s2_q} + {difference_366_s2_q[7], difference_366_s2_q};
+  assign sum_367 = {{2{first_values_0_left_s1_q[6]}}, first_values_0_left_s1_q} + {difference_366_s1_q[7], difference_366_s1_q};
   // hls/stages/spread.hpp:49
   logic [8:0] value;
-  assign value = first_values_0_joined_q ? sum_367 : {{2{first_values_0_left_s2_q[6]}}, first_values_0_left_s2_q};
+  assign value = first_values_0_joined_q ? sum_367 : {{2{first_values_0_left_s1_q[6]}}, first_values_0_left_s1_q};
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -582,13 +558,13 @@ module horopter_spread (
       centres_values_29_marks_last_q <= 1'b0;
       centres_values_30_marks_last_q <= 1'b0;
       centres_values_31_marks_last_q <= 1'b0;
-    end else if (s2_en) begin
-      row_ended_q <= marks_last_s2_q;
+    end else if (s1_en) begin
+      row_ended_q <= marks_last_s1_q;
       first_values_0_joined_q <= and_362;
       first_values_1_joined_q <= first_values_0_joined_q;
       second_values_0_right_q <= value;
       second_values_1_right_q <= second_values_0_right_q;
-      centres_values_0_marks_last_q <= marks_last_s2_q;
+      centres_values_0_marks_last_q <= marks_last_s1_q;
       centres_values_1_marks_last_q <= centres_values_0_marks_last_q;
       centres_values_2_marks_last_q <= centres_values_1_marks_last_q;
       centres_values_3_marks_last_q <= centres_values_2_marks_last_q;
@@ -623,6 +599,35 @@ module horopter_spread (
     end
   end
 
+  logic [6:0] first_values_0_left_s2_q;
+  logic first_values_1_joined_s2_q;
+  logic [8:0] second_values_1_right_s2_q;
+  logic centres_values_31_firm_s2_q;
+  logic [5:0] centres_values_31_grey_s2_q;
+  logic centres_values_31_exists_s2_q;
+  logic centres_values_31_marks_first_s2_q;
+  logic centres_values_31_marks_last_s2_q;
+  always_ff @(posedge clk_i) begin
+    if (s1_en) begin
+      first_values_0_left_s2_q <= first_values_0_left_s1_q;
+      first_values_1_joined_s2_q <= first_values_1_joined_q;
+      second_values_1_right_s2_q <= second_values_1_right_q;
+      centres_values_31_firm_s2_q <= centres_values_31_firm_s1_q;
+      centres_values_31_grey_s2_q <= centres_values_31_grey_s1_q;
+      centres_values_31_exists_s2_q <= centres_values_31_exists_s1_q;
+      centres_values_31_marks_first_s2_q <= centres_values_31_marks_first_s1_q;
+      centres_values_31_marks_last_s2_q <= centres_values_31_marks_last_q;
+    end
+  end
+
+  // Stage 2 -----------------------------------------------------------------------------------------------------------
+  // hls/stages/spread.hpp:81
+  logic [9:0] difference_373;
+  assign difference_373 = {second_values_0_right_q[8], second_values_0_right_q} - {{4{second_values_0_right_q[8]}}, second_values_0_right_q[8:3]};
+  // hls/stages/spread.hpp:95
+  logic [10:0] sum_374;
+  assign sum_374 = {{2{second_values_1_right_s2_q[8]}}, second_values_1_right_s2_q} + {difference_373[9], difference_373};
+
   logic [6:0] first_values_0_left_s3_q;
   logic first_values_1_joined_s3_q;
   logic [8:0] second_values_1_right_s3_q;
@@ -631,53 +636,24 @@ module horopter_spread (
   logic centres_values_31_exists_s3_q;
   logic centres_values_31_marks_first_s3_q;
   logic centres_values_31_marks_last_s3_q;
+  logic and_369_s3_q;
+  logic [10:0] sum_374_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       first_values_0_left_s3_q <= first_values_0_left_s2_q;
-      first_values_1_joined_s3_q <= first_values_1_joined_q;
-      second_values_1_right_s3_q <= second_values_1_right_q;
+      first_values_1_joined_s3_q <= first_values_1_joined_s2_q;
+      second_values_1_right_s3_q <= second_values_1_right_s2_q;
       centres_values_31_firm_s3_q <= centres_values_31_firm_s2_q;
       centres_values_31_grey_s3_q <= centres_values_31_grey_s2_q;
       centres_values_31_exists_s3_q <= centres_values_31_exists_s2_q;
       centres_values_31_marks_first_s3_q <= centres_values_31_marks_first_s2_q;
-      centres_values_31_marks_last_s3_q <= centres_values_31_marks_last_q;
+      centres_values_31_marks_last_s3_q <= centres_values_31_marks_last_s2_q;
+      and_369_s3_q <= first_values_1_joined_q & first_values_0_joined_q;
+      sum_374_s3_q <= sum_374;
     end
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/spread.hpp:81
-  logic [9:0] difference_373;
-  assign difference_373 = {second_values_0_right_q[8], second_values_0_right_q} - {{4{second_values_0_right_q[8]}}, second_values_0_right_q[8:3]};
-  // hls/stages/spread.hpp:95
-  logic [10:0] sum_374;
-  assign sum_374 = {{2{second_values_1_right_s3_q[8]}}, second_values_1_right_s3_q} + {difference_373[9], difference_373};
-
-  logic [6:0] first_values_0_left_s4_q;
-  logic first_values_1_joined_s4_q;
-  logic [8:0] second_values_1_right_s4_q;
-  logic centres_values_31_firm_s4_q;
-  logic [5:0] centres_values_31_grey_s4_q;
-  logic centres_values_31_exists_s4_q;
-  logic centres_values_31_marks_first_s4_q;
-  logic centres_values_31_marks_last_s4_q;
-  logic and_369_s4_q;
-  logic [10:0] sum_374_s4_q;
-  always_ff @(posedge clk_i) begin
-    if (s3_en) begin
-      first_values_0_left_s4_q <= first_values_0_left_s3_q;
-      first_values_1_joined_s4_q <= first_values_1_joined_s3_q;
-      second_values_1_right_s4_q <= second_values_1_right_s3_q;
-      centres_values_31_firm_s4_q <= centres_values_31_firm_s3_q;
-      centres_values_31_grey_s4_q <= centres_values_31_grey_s3_q;
-      centres_values_31_exists_s4_q <= centres_values_31_exists_s3_q;
-      centres_values_31_marks_first_s4_q <= centres_values_31_marks_first_s3_q;
-      centres_values_31_marks_last_s4_q <= centres_values_31_marks_last_s3_q;
-      and_369_s4_q <= first_values_1_joined_q & first_values_0_joined_q;
-      sum_374_s4_q <= sum_374;
-    end
-  end
-
-  // Stage 4 -----------------------------------------------------------------------------------------------------------
   logic [6:0] first_values_1_left_q;
   logic second_values_0_joined_q;
   logic second_values_1_joined_q;
@@ -721,7 +697,7 @@ module horopter_spread (
   assign difference_363 = {first_values_1_left_q[6], first_values_1_left_q} - {{5{first_values_1_left_q[6]}}, first_values_1_left_q[6:4]};
   // hls/stages/spread.hpp:50
   logic [10:0] value_2;
-  assign value_2 = second_values_1_joined_q ? sum_374_s4_q : {{2{second_values_1_right_s4_q[8]}}, second_values_1_right_s4_q};
+  assign value_2 = second_values_1_joined_q ? sum_374_s3_q : {{2{second_values_1_right_s3_q[8]}}, second_values_1_right_s3_q};
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -763,9 +739,9 @@ module horopter_spread (
       centres_values_29_vote_q <= 7'h0;
       centres_values_30_vote_q <= 7'h0;
       centres_values_31_vote_q <= 7'h0;
-    end else if (s4_en) begin
-      first_values_1_left_q <= first_values_0_left_s4_q;
-      second_values_0_joined_q <= and_369_s4_q;
+    end else if (s3_en) begin
+      first_values_1_left_q <= first_values_0_left_s3_q;
+      second_values_0_joined_q <= and_369_s3_q;
       second_values_1_joined_q <= second_values_0_joined_q;
       second_values_2_joined_q <= second_values_1_joined_q;
       second_values_3_joined_q <= second_values_2_joined_q;
@@ -805,34 +781,34 @@ module horopter_spread (
     end
   end
 
-  logic first_values_1_joined_s5_q;
-  logic second_values_3_joined_s5_q;
-  logic [10:0] third_values_3_right_s5_q;
-  logic [6:0] centres_values_31_vote_s5_q;
-  logic centres_values_31_firm_s5_q;
-  logic [5:0] centres_values_31_grey_s5_q;
-  logic centres_values_31_exists_s5_q;
-  logic centres_values_31_marks_first_s5_q;
-  logic centres_values_31_marks_last_s5_q;
-  logic [7:0] difference_363_s5_q;
-  logic [10:0] difference_380_s5_q;
+  logic first_values_1_joined_s4_q;
+  logic second_values_3_joined_s4_q;
+  logic [10:0] third_values_3_right_s4_q;
+  logic [6:0] centres_values_31_vote_s4_q;
+  logic centres_values_31_firm_s4_q;
+  logic [5:0] centres_values_31_grey_s4_q;
+  logic centres_values_31_exists_s4_q;
+  logic centres_values_31_marks_first_s4_q;
+  logic centres_values_31_marks_last_s4_q;
+  logic [7:0] difference_363_s4_q;
+  logic [10:0] difference_380_s4_q;
   always_ff @(posedge clk_i) begin
-    if (s4_en) begin
-      first_values_1_joined_s5_q <= first_values_1_joined_s4_q;
-      second_values_3_joined_s5_q <= second_values_3_joined_q;
-      third_values_3_right_s5_q <= third_values_3_right_q;
-      centres_values_31_vote_s5_q <= centres_values_31_vote_q;
-      centres_values_31_firm_s5_q <= centres_values_31_firm_s4_q;
-      centres_values_31_grey_s5_q <= centres_values_31_grey_s4_q;
-      centres_values_31_exists_s5_q <= centres_values_31_exists_s4_q;
-      centres_values_31_marks_first_s5_q <= centres_values_31_marks_first_s4_q;
-      centres_values_31_marks_last_s5_q <= centres_values_31_marks_last_s4_q;
-      difference_363_s5_q <= difference_363;
-      difference_380_s5_q <= value_2 - {{2{value_2[10]}}, value_2[10:2]};
+    if (s3_en) begin
+      first_values_1_joined_s4_q <= first_values_1_joined_s3_q;
+      second_values_3_joined_s4_q <= second_values_3_joined_q;
+      third_values_3_right_s4_q <= third_values_3_right_q;
+      centres_values_31_vote_s4_q <= centres_values_31_vote_q;
+      centres_values_31_firm_s4_q <= centres_values_31_firm_s3_q;
+      centres_values_31_grey_s4_q <= centres_values_31_grey_s3_q;
+      centres_values_31_exists_s4_q <= centres_values_31_exists_s3_q;
+      centres_values_31_marks_first_s4_q <= centres_values_31_marks_first_s3_q;
+      centres_values_31_marks_last_s4_q <= centres_values_31_marks_last_s3_q;
+      difference_363_s4_q <= difference_363;
+      difference_380_s4_q <= value_2 - {{2{value_2[10]}}, value_2[10:2]};
     end
   end
 
-  // Stage 5 -----------------------------------------------------------------------------------------------------------
+  // Stage 4 -----------------------------------------------------------------------------------------------------------
   logic [8:0] second_values_0_left_q;
   logic [8:0] second_values_1_left_q;
   logic [8:0] second_values_2_left_q;
@@ -855,16 +831,16 @@ module horopter_spread (
   logic [10:0] fourth_values_7_right_q;
   // hls/stages/spread.hpp:94
   logic [8:0] sum_364;
-  assign sum_364 = {{2{first_values_1_left_q[6]}}, first_values_1_left_q} + {difference_363_s5_q[7], difference_363_s5_q};
+  assign sum_364 = {{2{first_values_1_left_q[6]}}, first_values_1_left_q} + {difference_363_s4_q[7], difference_363_s4_q};
   // hls/stages/spread.hpp:49
   logic [8:0] select_365;
-  assign select_365 = first_values_1_joined_s5_q ? sum_364 : {{2{first_values_1_left_q[6]}}, first_values_1_left_q};
+  assign select_365 = first_values_1_joined_s4_q ? sum_364 : {{2{first_values_1_left_q[6]}}, first_values_1_left_q};
   // hls/stages/spread.hpp:81
   logic [9:0] difference_370;
   assign difference_370 = {second_values_3_left_q[8], second_values_3_left_q} - {{4{second_values_3_left_q[8]}}, second_values_3_left_q[8:3]};
   // hls/stages/spread.hpp:51
   logic [10:0] value_3;
-  assign value_3 = third_values_3_joined_q ? (third_values_3_right_s5_q + difference_380_s5_q) : third_values_3_right_s5_q;
+  assign value_3 = third_values_3_joined_q ? (third_values_3_right_s4_q + difference_380_s4_q) : third_values_3_right_s4_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -888,7 +864,7 @@ module horopter_spread (
       fourth_values_5_right_q <= 11'h0;
       fourth_values_6_right_q <= 11'h0;
       fourth_values_7_right_q <= 11'h0;
-    end else if (s5_en) begin
+    end else if (s4_en) begin
       second_values_0_left_q <= select_365;
       second_values_1_left_q <= second_values_0_left_q;
       second_values_2_left_q <= second_values_1_left_q;
@@ -912,32 +888,32 @@ module horopter_spread (
     end
   end
 
-  logic second_values_3_joined_s6_q;
-  logic third_values_7_joined_s6_q;
-  logic [10:0] fourth_values_7_right_s6_q;
-  logic [6:0] centres_values_31_vote_s6_q;
-  logic centres_values_31_firm_s6_q;
-  logic [5:0] centres_values_31_grey_s6_q;
-  logic centres_values_31_exists_s6_q;
-  logic centres_values_31_marks_first_s6_q;
-  logic centres_values_31_marks_last_s6_q;
-  logic [9:0] difference_370_s6_q;
+  logic second_values_3_joined_s5_q;
+  logic third_values_7_joined_s5_q;
+  logic [10:0] fourth_values_7_right_s5_q;
+  logic [6:0] centres_values_31_vote_s5_q;
+  logic centres_values_31_firm_s5_q;
+  logic [5:0] centres_values_31_grey_s5_q;
+  logic centres_values_31_exists_s5_q;
+  logic centres_values_31_marks_first_s5_q;
+  logic centres_values_31_marks_last_s5_q;
+  logic [9:0] difference_370_s5_q;
   always_ff @(posedge clk_i) begin
-    if (s5_en) begin
-      second_values_3_joined_s6_q <= second_values_3_joined_s5_q;
-      third_values_7_joined_s6_q <= third_values_7_joined_q;
-      fourth_values_7_right_s6_q <= fourth_values_7_right_q;
-      centres_values_31_vote_s6_q <= centres_values_31_vote_s5_q;
-      centres_values_31_firm_s6_q <= centres_values_31_firm_s5_q;
-      centres_values_31_grey_s6_q <= centres_values_31_grey_s5_q;
-      centres_values_31_exists_s6_q <= centres_values_31_exists_s5_q;
-      centres_values_31_marks_first_s6_q <= centres_values_31_marks_first_s5_q;
-      centres_values_31_marks_last_s6_q <= centres_values_31_marks_last_s5_q;
-      difference_370_s6_q <= difference_370;
+    if (s4_en) begin
+      second_values_3_joined_s5_q <= second_values_3_joined_s4_q;
+      third_values_7_joined_s5_q <= third_values_7_joined_q;
+      fourth_values_7_right_s5_q <= fourth_values_7_right_q;
+      centres_values_31_vote_s5_q <= centres_values_31_vote_s4_q;
+      centres_values_31_firm_s5_q <= centres_values_31_firm_s4_q;
+      centres_values_31_grey_s5_q <= centres_values_31_grey_s4_q;
+      centres_values_31_exists_s5_q <= centres_values_31_exists_s4_q;
+      centres_values_31_marks_first_s5_q <= centres_values_31_marks_first_s4_q;
+      centres_values_31_marks_last_s5_q <= centres_values_31_marks_last_s4_q;
+      difference_370_s5_q <= difference_370;
     end
   end
 
-  // Stage 6 -----------------------------------------------------------------------------------------------------------
+  // Stage 5 -----------------------------------------------------------------------------------------------------------
   logic [10:0] third_values_0_left_q;
   logic [10:0] third_values_1_left_q;
   logic [10:0] third_values_2_left_q;
@@ -948,10 +924,10 @@ module horopter_spread (
   logic [10:0] third_values_7_left_q;
   // hls/stages/spread.hpp:94
   logic [10:0] sum_371;
-  assign sum_371 = {{2{second_values_2_left_q[8]}}, second_values_2_left_q} + {difference_370_s6_q[9], difference_370_s6_q};
+  assign sum_371 = {{2{second_values_2_left_q[8]}}, second_values_2_left_q} + {difference_370_s5_q[9], difference_370_s5_q};
   // hls/stages/spread.hpp:50
   logic [10:0] select_372;
-  assign select_372 = second_values_3_joined_s6_q ? sum_371 : {{2{second_values_2_left_q[8]}}, second_values_2_left_q};
+  assign select_372 = second_values_3_joined_s5_q ? sum_371 : {{2{second_values_2_left_q[8]}}, second_values_2_left_q};
   // hls/stages/spread.hpp:82
   logic [10:0] difference_377;
   assign difference_377 = third_values_7_left_q - {{2{third_values_7_left_q[10]}}, third_values_7_left_q[10:2]};
@@ -971,7 +947,7 @@ module horopter_spread (
       third_values_5_left_q <= 11'h0;
       third_values_6_left_q <= 11'h0;
       third_values_7_left_q <= 11'h0;
-    end else if (s6_en) begin
+    end else if (s5_en) begin
       third_values_0_left_q <= select_372;
       third_values_1_left_q <= third_values_0_left_q;
       third_values_2_left_q <= third_values_1_left_q;
@@ -983,34 +959,34 @@ module horopter_spread (
     end
   end
 
-  logic third_values_7_joined_s7_q;
-  logic [10:0] fourth_values_7_right_s7_q;
-  logic [6:0] centres_values_31_vote_s7_q;
-  logic centres_values_31_firm_s7_q;
-  logic [5:0] centres_values_31_grey_s7_q;
-  logic centres_values_31_exists_s7_q;
-  logic centres_values_31_marks_first_s7_q;
-  logic centres_values_31_marks_last_s7_q;
-  logic [10:0] sum_378_s7_q;
-  logic and_383_s7_q;
-  logic [10:0] sum_389_s7_q;
+  logic third_values_7_joined_s6_q;
+  logic [10:0] fourth_values_7_right_s6_q;
+  logic [6:0] centres_values_31_vote_s6_q;
+  logic centres_values_31_firm_s6_q;
+  logic [5:0] centres_values_31_grey_s6_q;
+  logic centres_values_31_exists_s6_q;
+  logic centres_values_31_marks_first_s6_q;
+  logic centres_values_31_marks_last_s6_q;
+  logic [10:0] sum_378_s6_q;
+  logic and_383_s6_q;
+  logic [10:0] sum_389_s6_q;
   always_ff @(posedge clk_i) begin
-    if (s6_en) begin
-      third_values_7_joined_s7_q <= third_values_7_joined_s6_q;
-      fourth_values_7_right_s7_q <= fourth_values_7_right_s6_q;
-      centres_values_31_vote_s7_q <= centres_values_31_vote_s6_q;
-      centres_values_31_firm_s7_q <= centres_values_31_firm_s6_q;
-      centres_values_31_grey_s7_q <= centres_values_31_grey_s6_q;
-      centres_values_31_exists_s7_q <= centres_values_31_exists_s6_q;
-      centres_values_31_marks_first_s7_q <= centres_values_31_marks_first_s6_q;
-      centres_values_31_marks_last_s7_q <= centres_values_31_marks_last_s6_q;
-      sum_378_s7_q <= third_values_3_left_q + difference_377;
-      and_383_s7_q <= third_values_4_joined_q & third_values_0_joined_q;
-      sum_389_s7_q <= sum_389;
+    if (s5_en) begin
+      third_values_7_joined_s6_q <= third_values_7_joined_s5_q;
+      fourth_values_7_right_s6_q <= fourth_values_7_right_s5_q;
+      centres_values_31_vote_s6_q <= centres_values_31_vote_s5_q;
+      centres_values_31_firm_s6_q <= centres_values_31_firm_s5_q;
+      centres_values_31_grey_s6_q <= centres_values_31_grey_s5_q;
+      centres_values_31_exists_s6_q <= centres_values_31_exists_s5_q;
+      centres_values_31_marks_first_s6_q <= centres_values_31_marks_first_s5_q;
+      centres_values_31_marks_last_s6_q <= centres_values_31_marks_last_s5_q;
+      sum_378_s6_q <= third_values_3_left_q + difference_377;
+      and_383_s6_q <= third_values_4_joined_q & third_values_0_joined_q;
+      sum_389_s6_q <= sum_389;
     end
   end
 
-  // Stage 7 -----------------------------------------------------------------------------------------------------------
+  // Stage 6 -----------------------------------------------------------------------------------------------------------
   logic [10:0] fourth_values_0_left_q;
   logic fourth_values_0_joined_q;
   logic [10:0] fourth_values_1_left_q;
@@ -1061,7 +1037,7 @@ module horopter_spread (
   logic [10:0] fifth_values_15_right_q;
   // hls/stages/spread.hpp:51
   logic [10:0] select_379;
-  assign select_379 = third_values_7_joined_s7_q ? sum_378_s7_q : third_values_4_left_q;
+  assign select_379 = third_values_7_joined_s6_q ? sum_378_s6_q : third_values_4_left_q;
   // hls/stages/spread.hpp:83
   logic [10:0] difference_384;
   assign difference_384 = fourth_values_15_left_q - {fourth_values_15_left_q[10], fourth_values_15_left_q[10:1]};
@@ -1069,7 +1045,7 @@ module horopter_spread (
   assign sum_385 = {{3{fourth_values_15_left_q[10]}}, fourth_values_15_left_q[10:3]} + difference_384;
   // hls/stages/spread.hpp:52
   logic [10:0] value_4;
-  assign value_4 = fourth_values_7_joined_q ? (fourth_values_7_right_s7_q + sum_389_s7_q) : fourth_values_7_right_s7_q;
+  assign value_4 = fourth_values_7_joined_q ? (fourth_values_7_right_s6_q + sum_389_s6_q) : fourth_values_7_right_s6_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -1121,9 +1097,9 @@ module horopter_spread (
       fifth_values_13_right_q <= 11'h0;
       fifth_values_14_right_q <= 11'h0;
       fifth_values_15_right_q <= 11'h0;
-    end else if (s7_en) begin
+    end else if (s6_en) begin
       fourth_values_0_left_q <= select_379;
-      fourth_values_0_joined_q <= and_383_s7_q;
+      fourth_values_0_joined_q <= and_383_s6_q;
       fourth_values_1_left_q <= fourth_values_0_left_q;
       fourth_values_1_joined_q <= fourth_values_0_joined_q;
       fourth_values_2_left_q <= fourth_values_1_left_q;
@@ -1173,30 +1149,30 @@ module horopter_spread (
     end
   end
 
-  logic fourth_values_15_joined_s8_q;
-  logic [10:0] fifth_values_15_right_s8_q;
-  logic [6:0] centres_values_31_vote_s8_q;
-  logic centres_values_31_firm_s8_q;
-  logic [5:0] centres_values_31_grey_s8_q;
-  logic centres_values_31_exists_s8_q;
-  logic centres_values_31_marks_first_s8_q;
-  logic centres_values_31_marks_last_s8_q;
-  logic [10:0] sum_385_s8_q;
+  logic fourth_values_15_joined_s7_q;
+  logic [10:0] fifth_values_15_right_s7_q;
+  logic [6:0] centres_values_31_vote_s7_q;
+  logic centres_values_31_firm_s7_q;
+  logic [5:0] centres_values_31_grey_s7_q;
+  logic centres_values_31_exists_s7_q;
+  logic centres_values_31_marks_first_s7_q;
+  logic centres_values_31_marks_last_s7_q;
+  logic [10:0] sum_385_s7_q;
   always_ff @(posedge clk_i) begin
-    if (s7_en) begin
-      fourth_values_15_joined_s8_q <= fourth_values_15_joined_q;
-      fifth_values_15_right_s8_q <= fifth_values_15_right_q;
-      centres_values_31_vote_s8_q <= centres_values_31_vote_s7_q;
-      centres_values_31_firm_s8_q <= centres_values_31_firm_s7_q;
-      centres_values_31_grey_s8_q <= centres_values_31_grey_s7_q;
-      centres_values_31_exists_s8_q <= centres_values_31_exists_s7_q;
-      centres_values_31_marks_first_s8_q <= centres_values_31_marks_first_s7_q;
-      centres_values_31_marks_last_s8_q <= centres_values_31_marks_last_s7_q;
-      sum_385_s8_q <= sum_385;
+    if (s6_en) begin
+      fourth_values_15_joined_s7_q <= fourth_values_15_joined_q;
+      fifth_values_15_right_s7_q <= fifth_values_15_right_q;
+      centres_values_31_vote_s7_q <= centres_values_31_vote_s6_q;
+      centres_values_31_firm_s7_q <= centres_values_31_firm_s6_q;
+      centres_values_31_grey_s7_q <= centres_values_31_grey_s6_q;
+      centres_values_31_exists_s7_q <= centres_values_31_exists_s6_q;
+      centres_values_31_marks_first_s7_q <= centres_values_31_marks_first_s6_q;
+      centres_values_31_marks_last_s7_q <= centres_values_31_marks_last_s6_q;
+      sum_385_s7_q <= sum_385;
     end
   end
 
-  // Stage 8 -----------------------------------------------------------------------------------------------------------
+  // Stage 7 -----------------------------------------------------------------------------------------------------------
   logic [10:0] fifth_values_0_left_q;
   logic fifth_values_0_joined_q;
   logic [10:0] fifth_values_1_left_q;
@@ -1263,7 +1239,7 @@ module horopter_spread (
   logic fifth_values_31_joined_q;
   // hls/stages/spread.hpp:52
   logic [10:0] select_387;
-  assign select_387 = fourth_values_15_joined_s8_q ? (fourth_values_8_left_q + sum_385_s8_q) : fourth_values_8_left_q;
+  assign select_387 = fourth_values_15_joined_s7_q ? (fourth_values_8_left_q + sum_385_s7_q) : fourth_values_8_left_q;
   // hls/stages/spread.hpp:84
   logic [10:0] difference_393;
   assign difference_393 = {fifth_values_31_left_q[9], fifth_values_31_left_q} - {{3{fifth_values_31_left_q[9]}}, fifth_values_31_left_q[9:2]};
@@ -1336,7 +1312,7 @@ module horopter_spread (
       fifth_values_30_joined_q <= 1'b0;
       fifth_values_31_left_q <= 10'h0;
       fifth_values_31_joined_q <= 1'b0;
-    end else if (s8_en) begin
+    end else if (s7_en) begin
       fifth_values_0_left_q <= select_387;
       fifth_values_0_joined_q <= fourth_values_8_joined_q & fourth_values_0_joined_q;
       fifth_values_1_left_q <= fifth_values_0_left_q;
@@ -1404,71 +1380,96 @@ module horopter_spread (
     end
   end
 
-  logic fifth_values_15_left_s9_q;
-  logic [10:0] fifth_values_15_right_s9_q;
-  logic fifth_values_31_joined_s9_q;
+  logic fifth_values_15_left_s8_q;
+  logic [10:0] fifth_values_15_right_s8_q;
+  logic fifth_values_31_joined_s8_q;
+  logic [6:0] centres_values_31_vote_s8_q;
+  logic centres_values_31_firm_s8_q;
+  logic [5:0] centres_values_31_grey_s8_q;
+  logic centres_values_31_exists_s8_q;
+  logic centres_values_31_marks_first_s8_q;
+  logic centres_values_31_marks_last_s8_q;
+  logic [10:0] sum_394_s8_q;
+  logic [10:0] sum_397_s8_q;
+  always_ff @(posedge clk_i) begin
+    if (s7_en) begin
+      fifth_values_15_left_s8_q <= fifth_values_15_left_q[0];
+      fifth_values_15_right_s8_q <= fifth_values_15_right_s7_q;
+      fifth_values_31_joined_s8_q <= fifth_values_31_joined_q;
+      centres_values_31_vote_s8_q <= centres_values_31_vote_s7_q;
+      centres_values_31_firm_s8_q <= centres_values_31_firm_s7_q;
+      centres_values_31_grey_s8_q <= centres_values_31_grey_s7_q;
+      centres_values_31_exists_s8_q <= centres_values_31_exists_s7_q;
+      centres_values_31_marks_first_s8_q <= centres_values_31_marks_first_s7_q;
+      centres_values_31_marks_last_s8_q <= centres_values_31_marks_last_s7_q;
+      sum_394_s8_q <= fifth_values_15_left_q + difference_393;
+      sum_397_s8_q <= fifth_values_15_right_s7_q + difference_396;
+    end
+  end
+
+  // Stage 8 -----------------------------------------------------------------------------------------------------------
+  // hls/stages/spread.hpp:53
+  logic [10:0] select_395;
+  assign select_395 = fifth_values_31_joined_s8_q ? sum_394_s8_q : {fifth_values_16_left_q, fifth_values_15_left_s8_q};
+  logic [10:0] select_398;
+  assign select_398 = fifth_values_16_joined_q ? sum_397_s8_q : fifth_values_15_right_s8_q;
+
   logic [6:0] centres_values_31_vote_s9_q;
   logic centres_values_31_firm_s9_q;
   logic [5:0] centres_values_31_grey_s9_q;
   logic centres_values_31_exists_s9_q;
   logic centres_values_31_marks_first_s9_q;
   logic centres_values_31_marks_last_s9_q;
-  logic [10:0] sum_394_s9_q;
-  logic [10:0] sum_397_s9_q;
+  logic [11:0] sum_399_s9_q;
   always_ff @(posedge clk_i) begin
     if (s8_en) begin
-      fifth_values_15_left_s9_q <= fifth_values_15_left_q[0];
-      fifth_values_15_right_s9_q <= fifth_values_15_right_s8_q;
-      fifth_values_31_joined_s9_q <= fifth_values_31_joined_q;
       centres_values_31_vote_s9_q <= centres_values_31_vote_s8_q;
       centres_values_31_firm_s9_q <= centres_values_31_firm_s8_q;
       centres_values_31_grey_s9_q <= centres_values_31_grey_s8_q;
       centres_values_31_exists_s9_q <= centres_values_31_exists_s8_q;
       centres_values_31_marks_first_s9_q <= centres_values_31_marks_first_s8_q;
       centres_values_31_marks_last_s9_q <= centres_values_31_marks_last_s8_q;
-      sum_394_s9_q <= fifth_values_15_left_q + difference_393;
-      sum_397_s9_q <= fifth_values_15_right_s8_q + difference_396;
+      sum_399_s9_q <= {select_395[10], select_395} + {select_398[10], select_398};
     end
   end
 
   // Stage 9 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/spread.hpp:53
-  logic [10:0] select_395;
-  assign select_395 = fifth_values_31_joined_s9_q ? sum_394_s9_q : {fifth_values_16_left_q, fifth_values_15_left_s9_q};
-  logic [10:0] select_398;
-  assign select_398 = fifth_values_16_joined_q ? sum_397_s9_q : fifth_values_15_right_s9_q;
+  // hls/stages/spread.hpp:57
+  logic [11:0] difference_400;
+  assign difference_400 = sum_399_s9_q - {{5{centres_values_31_vote_s9_q[6]}}, centres_values_31_vote_s9_q};
 
-  logic [6:0] centres_values_31_vote_s10_q;
   logic centres_values_31_firm_s10_q;
   logic [5:0] centres_values_31_grey_s10_q;
   logic centres_values_31_exists_s10_q;
   logic centres_values_31_marks_first_s10_q;
   logic centres_values_31_marks_last_s10_q;
-  logic [11:0] sum_399_s10_q;
+  logic [9:0] difference_400_s10_q;
+  logic less_401_s10_q;
   always_ff @(posedge clk_i) begin
     if (s9_en) begin
-      centres_values_31_vote_s10_q <= centres_values_31_vote_s9_q;
       centres_values_31_firm_s10_q <= centres_values_31_firm_s9_q;
       centres_values_31_grey_s10_q <= centres_values_31_grey_s9_q;
       centres_values_31_exists_s10_q <= centres_values_31_exists_s9_q;
       centres_values_31_marks_first_s10_q <= centres_values_31_marks_first_s9_q;
       centres_values_31_marks_last_s10_q <= centres_values_31_marks_last_s9_q;
-      sum_399_s10_q <= {select_395[10], select_395} + {select_398[10], select_398};
+      difference_400_s10_q <= difference_400[11:2];
+      less_401_s10_q <= $signed(difference_400[11:2]) < $signed(10'h381);
     end
   end
 
   // Stage 10 ----------------------------------------------------------------------------------------------------------
-  // hls/stages/spread.hpp:57
-  logic [11:0] difference_400;
-  assign difference_400 = sum_399_s10_q - {{5{centres_values_31_vote_s10_q[6]}}, centres_values_31_vote_s10_q};
+  // hls/stages/spread.hpp:60
+  logic [9:0] select_402;
+  assign select_402 = less_401_s10_q ? 10'h381 : difference_400_s10_q;
+  logic [7:0] select_404;
+  assign select_404 = ($signed(3'h0) < $signed(select_402[9:7])) ? 8'h7f : select_402[7:0];
 
   logic centres_values_31_firm_s11_q;
   logic [5:0] centres_values_31_grey_s11_q;
   logic centres_values_31_exists_s11_q;
   logic centres_values_31_marks_first_s11_q;
   logic centres_values_31_marks_last_s11_q;
-  logic [9:0] difference_400_s11_q;
-  logic less_401_s11_q;
+  logic [7:0] select_405_s11_q;
   always_ff @(posedge clk_i) begin
     if (s10_en) begin
       centres_values_31_firm_s11_q <= centres_values_31_firm_s10_q;
@@ -1476,43 +1477,18 @@ module horopter_spread (
       centres_values_31_exists_s11_q <= centres_values_31_exists_s10_q;
       centres_values_31_marks_first_s11_q <= centres_values_31_marks_first_s10_q;
       centres_values_31_marks_last_s11_q <= centres_values_31_marks_last_s10_q;
-      difference_400_s11_q <= difference_400[11:2];
-      less_401_s11_q <= $signed(difference_400[11:2]) < $signed(10'h381);
-    end
-  end
-
-  // Stage 11 ----------------------------------------------------------------------------------------------------------
-  // hls/stages/spread.hpp:60
-  logic [9:0] select_402;
-  assign select_402 = less_401_s11_q ? 10'h381 : difference_400_s11_q;
-  logic [7:0] select_404;
-  assign select_404 = ($signed(3'h0) < $signed(select_402[9:7])) ? 8'h7f : select_402[7:0];
-
-  logic centres_values_31_firm_s12_q;
-  logic [5:0] centres_values_31_grey_s12_q;
-  logic centres_values_31_exists_s12_q;
-  logic centres_values_31_marks_first_s12_q;
-  logic centres_values_31_marks_last_s12_q;
-  logic [7:0] select_405_s12_q;
-  always_ff @(posedge clk_i) begin
-    if (s11_en) begin
-      centres_values_31_firm_s12_q <= centres_values_31_firm_s11_q;
-      centres_values_31_grey_s12_q <= centres_values_31_grey_s11_q;
-      centres_values_31_exists_s12_q <= centres_values_31_exists_s11_q;
-      centres_values_31_marks_first_s12_q <= centres_values_31_marks_first_s11_q;
-      centres_values_31_marks_last_s12_q <= centres_values_31_marks_last_s11_q;
-      select_405_s12_q <= centres_values_31_exists_s11_q ? select_404 : 8'h0;
+      select_405_s11_q <= centres_values_31_exists_s10_q ? select_404 : 8'h0;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign vote_o = select_405_s12_q;
-  assign firm_o = centres_values_31_firm_s12_q;
-  assign grey_o = centres_values_31_grey_s12_q;
-  assign exists_o = centres_values_31_exists_s12_q;
-  assign marks_first_o = centres_values_31_marks_first_s12_q;
-  assign marks_last_o = centres_values_31_marks_last_s12_q;
-  assign valid_o = valid_s12_q;
+  assign vote_o = select_405_s11_q;
+  assign firm_o = centres_values_31_firm_s11_q;
+  assign grey_o = centres_values_31_grey_s11_q;
+  assign exists_o = centres_values_31_exists_s11_q;
+  assign marks_first_o = centres_values_31_marks_first_s11_q;
+  assign marks_last_o = centres_values_31_marks_last_s11_q;
+  assign valid_o = valid_s11_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -1527,7 +1503,6 @@ module horopter_spread (
       valid_s9_q <= 1'b0;
       valid_s10_q <= 1'b0;
       valid_s11_q <= 1'b0;
-      valid_s12_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
       valid_s2_q <= valid_s1_q;
@@ -1540,7 +1515,6 @@ module horopter_spread (
       valid_s9_q <= valid_s8_q;
       valid_s10_q <= valid_s9_q;
       valid_s11_q <= valid_s10_q;
-      valid_s12_q <= valid_s11_q;
     end
   end
 

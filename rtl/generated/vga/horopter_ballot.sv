@@ -355,19 +355,23 @@ module horopter_ballot (
   // hls/stages/ballot.hpp:46
   logic [6:0] difference_154;
   assign difference_154 = {1'b0, grey_s1_q} - {1'b0, select_99};
-  logic [7:0] difference;
-  assign difference = difference_154[6] ? (8'h0 - {difference_154[6], difference_154}) : {2'h0, difference_154[5:0]};
+  logic [5:0] xor_155;
+  assign xor_155 = difference_154[5:0] ^ {6{difference_154[6]}};
+  logic [6:0] difference;
+  assign difference = {6'h0, difference_154[6]} + {1'b0, xor_155};
   // hls/stages/ballot.hpp:47
   logic [7:0] select_158;
-  assign select_158 = ({4'h0, cfg_similar_i} < difference) ? 8'h0 : vote_s1_q;
+  assign select_158 = ({3'h0, cfg_similar_i} < difference) ? 8'h0 : vote_s1_q;
   // hls/stages/ballot.hpp:46
   logic [6:0] difference_159;
   assign difference_159 = {1'b0, select_147} - {1'b0, select_99};
-  logic [7:0] difference_2;
-  assign difference_2 = difference_159[6] ? (8'h0 - {difference_159[6], difference_159}) : {2'h0, difference_159[5:0]};
+  logic [5:0] xor_160;
+  assign xor_160 = difference_159[5:0] ^ {6{difference_159[6]}};
+  logic [6:0] difference_2;
+  assign difference_2 = {6'h0, difference_159[6]} + {1'b0, xor_160};
   // hls/stages/ballot.hpp:47
   logic [7:0] select_163;
-  assign select_163 = ({4'h0, cfg_similar_i} < difference_2) ? 8'h0 : select_144;
+  assign select_163 = ({3'h0, cfg_similar_i} < difference_2) ? 8'h0 : select_144;
   // hls/stages/ballot.hpp:38
   logic [5:0] select_165;
   assign select_165 = running_s1_q ? memory_rdata_q[260:255] : (marks_first_s1_q ? memory_rdata_q[260:255] : 6'h0);
@@ -377,52 +381,62 @@ module horopter_ballot (
   // hls/stages/ballot.hpp:46
   logic [6:0] difference_167;
   assign difference_167 = {1'b0, select_166} - {1'b0, select_99};
-  logic [7:0] difference_3;
-  assign difference_3 = difference_167[6] ? (8'h0 - {difference_167[6], difference_167}) : {2'h0, difference_167[5:0]};
+  logic [5:0] xor_168;
+  assign xor_168 = difference_167[5:0] ^ {6{difference_167[6]}};
+  logic [6:0] difference_3;
+  assign difference_3 = {6'h0, difference_167[6]} + {1'b0, xor_168};
   // hls/stages/ballot.hpp:38
   logic [7:0] select_172;
   assign select_172 = running_s1_q ? memory_rdata_q[254:247] : (marks_first_s1_q ? memory_rdata_q[254:247] : 8'h0);
   // hls/stages/ballot.hpp:47
   logic [7:0] select_174;
-  assign select_174 = ({4'h0, cfg_similar_i} < difference_3) ? 8'h0 : (and_21 ? select_172 : 8'h0);
+  assign select_174 = ({3'h0, cfg_similar_i} < difference_3) ? 8'h0 : (and_21 ? select_172 : 8'h0);
   // hls/stages/ballot.hpp:50
   logic [8:0] sum_175;
   assign sum_175 = {select_163[7], select_163} + {select_174[7], select_174};
   // hls/stages/ballot.hpp:46
   logic [6:0] difference_177;
   assign difference_177 = {1'b0, select_27} - {1'b0, select_99};
-  logic [7:0] difference_4;
-  assign difference_4 = difference_177[6] ? (8'h0 - {difference_177[6], difference_177}) : {2'h0, difference_177[5:0]};
+  logic [5:0] xor_178;
+  assign xor_178 = difference_177[5:0] ^ {6{difference_177[6]}};
+  logic [6:0] difference_4;
+  assign difference_4 = {6'h0, difference_177[6]} + {1'b0, xor_178};
   // hls/stages/ballot.hpp:47
   logic [7:0] select_181;
-  assign select_181 = ({4'h0, cfg_similar_i} < difference_4) ? 8'h0 : select_24;
+  assign select_181 = ({3'h0, cfg_similar_i} < difference_4) ? 8'h0 : select_24;
   // hls/stages/ballot.hpp:46
   logic [6:0] difference_182;
   assign difference_182 = {1'b0, select_36} - {1'b0, select_99};
-  logic [7:0] difference_5;
-  assign difference_5 = difference_182[6] ? (8'h0 - {difference_182[6], difference_182}) : {2'h0, difference_182[5:0]};
+  logic [5:0] xor_183;
+  assign xor_183 = difference_182[5:0] ^ {6{difference_182[6]}};
+  logic [6:0] difference_5;
+  assign difference_5 = {6'h0, difference_182[6]} + {1'b0, xor_183};
   // hls/stages/ballot.hpp:47
   logic [7:0] select_186;
-  assign select_186 = ({4'h0, cfg_similar_i} < difference_5) ? 8'h0 : select_33;
+  assign select_186 = ({3'h0, cfg_similar_i} < difference_5) ? 8'h0 : select_33;
   // hls/stages/ballot.hpp:50
   logic [8:0] sum_187;
   assign sum_187 = {select_181[7], select_181} + {select_186[7], select_186};
   // hls/stages/ballot.hpp:46
   logic [6:0] difference_188;
   assign difference_188 = {1'b0, select_45} - {1'b0, select_99};
-  logic [7:0] difference_6;
-  assign difference_6 = difference_188[6] ? (8'h0 - {difference_188[6], difference_188}) : {2'h0, difference_188[5:0]};
+  logic [5:0] xor_189;
+  assign xor_189 = difference_188[5:0] ^ {6{difference_188[6]}};
+  logic [6:0] difference_6;
+  assign difference_6 = {6'h0, difference_188[6]} + {1'b0, xor_189};
   // hls/stages/ballot.hpp:47
   logic [7:0] select_192;
-  assign select_192 = ({4'h0, cfg_similar_i} < difference_6) ? 8'h0 : select_42;
+  assign select_192 = ({3'h0, cfg_similar_i} < difference_6) ? 8'h0 : select_42;
   // hls/stages/ballot.hpp:46
   logic [6:0] difference_193;
   assign difference_193 = {1'b0, select_54} - {1'b0, select_99};
-  logic [7:0] difference_7;
-  assign difference_7 = difference_193[6] ? (8'h0 - {difference_193[6], difference_193}) : {2'h0, difference_193[5:0]};
+  logic [5:0] xor_194;
+  assign xor_194 = difference_193[5:0] ^ {6{difference_193[6]}};
+  logic [6:0] difference_7;
+  assign difference_7 = {6'h0, difference_193[6]} + {1'b0, xor_194};
   // hls/stages/ballot.hpp:47
   logic [7:0] select_197;
-  assign select_197 = ({4'h0, cfg_similar_i} < difference_7) ? 8'h0 : select_51;
+  assign select_197 = ({3'h0, cfg_similar_i} < difference_7) ? 8'h0 : select_51;
   // hls/stages/ballot.hpp:50
   logic [8:0] sum_198;
   assign sum_198 = {select_192[7], select_192} + {select_197[7], select_197};
@@ -431,38 +445,46 @@ module horopter_ballot (
   // hls/stages/ballot.hpp:46
   logic [6:0] difference_200;
   assign difference_200 = {1'b0, select_63} - {1'b0, select_99};
-  logic [7:0] difference_8;
-  assign difference_8 = difference_200[6] ? (8'h0 - {difference_200[6], difference_200}) : {2'h0, difference_200[5:0]};
+  logic [5:0] xor_201;
+  assign xor_201 = difference_200[5:0] ^ {6{difference_200[6]}};
+  logic [6:0] difference_8;
+  assign difference_8 = {6'h0, difference_200[6]} + {1'b0, xor_201};
   // hls/stages/ballot.hpp:47
   logic [7:0] select_204;
-  assign select_204 = ({4'h0, cfg_similar_i} < difference_8) ? 8'h0 : select_60;
+  assign select_204 = ({3'h0, cfg_similar_i} < difference_8) ? 8'h0 : select_60;
   // hls/stages/ballot.hpp:46
   logic [6:0] difference_205;
   assign difference_205 = {1'b0, select_72} - {1'b0, select_99};
-  logic [7:0] difference_9;
-  assign difference_9 = difference_205[6] ? (8'h0 - {difference_205[6], difference_205}) : {2'h0, difference_205[5:0]};
+  logic [5:0] xor_206;
+  assign xor_206 = difference_205[5:0] ^ {6{difference_205[6]}};
+  logic [6:0] difference_9;
+  assign difference_9 = {6'h0, difference_205[6]} + {1'b0, xor_206};
   // hls/stages/ballot.hpp:47
   logic [7:0] select_209;
-  assign select_209 = ({4'h0, cfg_similar_i} < difference_9) ? 8'h0 : select_69;
+  assign select_209 = ({3'h0, cfg_similar_i} < difference_9) ? 8'h0 : select_69;
   // hls/stages/ballot.hpp:50
   logic [8:0] sum_210;
   assign sum_210 = {select_204[7], select_204} + {select_209[7], select_209};
   // hls/stages/ballot.hpp:46
   logic [6:0] difference_211;
   assign difference_211 = {1'b0, select_81} - {1'b0, select_99};
-  logic [7:0] difference_10;
-  assign difference_10 = difference_211[6] ? (8'h0 - {difference_211[6], difference_211}) : {2'h0, difference_211[5:0]};
+  logic [5:0] xor_212;
+  assign xor_212 = difference_211[5:0] ^ {6{difference_211[6]}};
+  logic [6:0] difference_10;
+  assign difference_10 = {6'h0, difference_211[6]} + {1'b0, xor_212};
   // hls/stages/ballot.hpp:47
   logic [7:0] select_215;
-  assign select_215 = ({4'h0, cfg_similar_i} < difference_10) ? 8'h0 : select_78;
+  assign select_215 = ({3'h0, cfg_similar_i} < difference_10) ? 8'h0 : select_78;
   // hls/stages/ballot.hpp:46
   logic [6:0] difference_216;
   assign difference_216 = {1'b0, select_90} - {1'b0, select_99};
-  logic [7:0] difference_11;
-  assign difference_11 = difference_216[6] ? (8'h0 - {difference_216[6], difference_216}) : {2'h0, difference_216[5:0]};
+  logic [5:0] xor_217;
+  assign xor_217 = difference_216[5:0] ^ {6{difference_216[6]}};
+  logic [6:0] difference_11;
+  assign difference_11 = {6'h0, difference_216[6]} + {1'b0, xor_217};
   // hls/stages/ballot.hpp:47
   logic [7:0] select_220;
-  assign select_220 = ({4'h0, cfg_similar_i} < difference_11) ? 8'h0 : select_87;
+  assign select_220 = ({3'h0, cfg_similar_i} < difference_11) ? 8'h0 : select_87;
   // hls/stages/ballot.hpp:50
   logic [8:0] sum_221;
   assign sum_221 = {select_215[7], select_215} + {select_220[7], select_220};
@@ -473,30 +495,36 @@ module horopter_ballot (
   // hls/stages/ballot.hpp:46
   logic [6:0] difference_224;
   assign difference_224 = {1'b0, select_105} - {1'b0, select_99};
-  logic [7:0] difference_12;
-  assign difference_12 = difference_224[6] ? (8'h0 - {difference_224[6], difference_224}) : {2'h0, difference_224[5:0]};
+  logic [5:0] xor_225;
+  assign xor_225 = difference_224[5:0] ^ {6{difference_224[6]}};
+  logic [6:0] difference_12;
+  assign difference_12 = {6'h0, difference_224[6]} + {1'b0, xor_225};
   // hls/stages/ballot.hpp:47
   logic [7:0] select_228;
-  assign select_228 = ({4'h0, cfg_similar_i} < difference_12) ? 8'h0 : select_102;
+  assign select_228 = ({3'h0, cfg_similar_i} < difference_12) ? 8'h0 : select_102;
   // hls/stages/ballot.hpp:50
   logic [8:0] sum_229;
   assign sum_229 = {select_96[7], select_96} + {select_228[7], select_228};
   // hls/stages/ballot.hpp:46
   logic [6:0] difference_230;
   assign difference_230 = {1'b0, select_111} - {1'b0, select_99};
-  logic [7:0] difference_13;
-  assign difference_13 = difference_230[6] ? (8'h0 - {difference_230[6], difference_230}) : {2'h0, difference_230[5:0]};
+  logic [5:0] xor_231;
+  assign xor_231 = difference_230[5:0] ^ {6{difference_230[6]}};
+  logic [6:0] difference_13;
+  assign difference_13 = {6'h0, difference_230[6]} + {1'b0, xor_231};
   // hls/stages/ballot.hpp:47
   logic [7:0] select_234;
-  assign select_234 = ({4'h0, cfg_similar_i} < difference_13) ? 8'h0 : select_108;
+  assign select_234 = ({3'h0, cfg_similar_i} < difference_13) ? 8'h0 : select_108;
   // hls/stages/ballot.hpp:46
   logic [6:0] difference_235;
   assign difference_235 = {1'b0, select_117} - {1'b0, select_99};
-  logic [7:0] difference_14;
-  assign difference_14 = difference_235[6] ? (8'h0 - {difference_235[6], difference_235}) : {2'h0, difference_235[5:0]};
+  logic [5:0] xor_236;
+  assign xor_236 = difference_235[5:0] ^ {6{difference_235[6]}};
+  logic [6:0] difference_14;
+  assign difference_14 = {6'h0, difference_235[6]} + {1'b0, xor_236};
   // hls/stages/ballot.hpp:47
   logic [7:0] select_239;
-  assign select_239 = ({4'h0, cfg_similar_i} < difference_14) ? 8'h0 : select_114;
+  assign select_239 = ({3'h0, cfg_similar_i} < difference_14) ? 8'h0 : select_114;
   // hls/stages/ballot.hpp:50
   logic [8:0] sum_240;
   assign sum_240 = {select_234[7], select_234} + {select_239[7], select_239};
@@ -505,38 +533,46 @@ module horopter_ballot (
   // hls/stages/ballot.hpp:46
   logic [6:0] difference_242;
   assign difference_242 = {1'b0, select_123} - {1'b0, select_99};
-  logic [7:0] difference_15;
-  assign difference_15 = difference_242[6] ? (8'h0 - {difference_242[6], difference_242}) : {2'h0, difference_242[5:0]};
+  logic [5:0] xor_243;
+  assign xor_243 = difference_242[5:0] ^ {6{difference_242[6]}};
+  logic [6:0] difference_15;
+  assign difference_15 = {6'h0, difference_242[6]} + {1'b0, xor_243};
   // hls/stages/ballot.hpp:47
   logic [7:0] select_246;
-  assign select_246 = ({4'h0, cfg_similar_i} < difference_15) ? 8'h0 : select_120;
+  assign select_246 = ({3'h0, cfg_similar_i} < difference_15) ? 8'h0 : select_120;
   // hls/stages/ballot.hpp:46
   logic [6:0] difference_247;
   assign difference_247 = {1'b0, select_129} - {1'b0, select_99};
-  logic [7:0] difference_16;
-  assign difference_16 = difference_247[6] ? (8'h0 - {difference_247[6], difference_247}) : {2'h0, difference_247[5:0]};
+  logic [5:0] xor_248;
+  assign xor_248 = difference_247[5:0] ^ {6{difference_247[6]}};
+  logic [6:0] difference_16;
+  assign difference_16 = {6'h0, difference_247[6]} + {1'b0, xor_248};
   // hls/stages/ballot.hpp:47
   logic [7:0] select_251;
-  assign select_251 = ({4'h0, cfg_similar_i} < difference_16) ? 8'h0 : select_126;
+  assign select_251 = ({3'h0, cfg_similar_i} < difference_16) ? 8'h0 : select_126;
   // hls/stages/ballot.hpp:50
   logic [8:0] sum_252;
   assign sum_252 = {select_246[7], select_246} + {select_251[7], select_251};
   // hls/stages/ballot.hpp:46
   logic [6:0] difference_253;
   assign difference_253 = {1'b0, select_135} - {1'b0, select_99};
-  logic [7:0] difference_17;
-  assign difference_17 = difference_253[6] ? (8'h0 - {difference_253[6], difference_253}) : {2'h0, difference_253[5:0]};
+  logic [5:0] xor_254;
+  assign xor_254 = difference_253[5:0] ^ {6{difference_253[6]}};
+  logic [6:0] difference_17;
+  assign difference_17 = {6'h0, difference_253[6]} + {1'b0, xor_254};
   // hls/stages/ballot.hpp:47
   logic [7:0] select_257;
-  assign select_257 = ({4'h0, cfg_similar_i} < difference_17) ? 8'h0 : select_132;
+  assign select_257 = ({3'h0, cfg_similar_i} < difference_17) ? 8'h0 : select_132;
   // hls/stages/ballot.hpp:46
   logic [6:0] difference_258;
   assign difference_258 = {1'b0, select_141} - {1'b0, select_99};
-  logic [7:0] difference_18;
-  assign difference_18 = difference_258[6] ? (8'h0 - {difference_258[6], difference_258}) : {2'h0, difference_258[5:0]};
+  logic [5:0] xor_259;
+  assign xor_259 = difference_258[5:0] ^ {6{difference_258[6]}};
+  logic [6:0] difference_18;
+  assign difference_18 = {6'h0, difference_258[6]} + {1'b0, xor_259};
   // hls/stages/ballot.hpp:47
   logic [7:0] select_262;
-  assign select_262 = ({4'h0, cfg_similar_i} < difference_18) ? 8'h0 : select_138;
+  assign select_262 = ({3'h0, cfg_similar_i} < difference_18) ? 8'h0 : select_138;
   // hls/stages/ballot.hpp:50
   logic [8:0] sum_263;
   assign sum_263 = {select_257[7], select_257} + {select_262[7], select_262};

@@ -66,11 +66,13 @@ module horopter_contrast (
   logic [17:0] select_35;
   assign select_35 = marks_first_i ? 18'h0 : left_q;
   // hls/stages/contrast.hpp:38
-  logic [11:0] select_37;
-  assign select_37 = gx_0_i[10] ? (12'h0 - {gx_0_i[10], $unsigned(gx_0_i)}) : {2'h0, gx_0_i[9:0]};
+  logic [9:0] xor_36;
+  assign xor_36 = gx_0_i[9:0] ^ {10{gx_0_i[10]}};
+  logic [10:0] sum_37;
+  assign sum_37 = {10'h0, gx_0_i[10]} + {1'b0, xor_36};
   // hls/stages/contrast.hpp:101
   logic [7:0] magnitude;
-  assign magnitude = (select_37[11:8] == 4'h0) ? select_37[7:0] : 8'hff;
+  assign magnitude = (sum_37[10:8] == 3'h0) ? sum_37[7:0] : 8'hff;
   // hls/stages/contrast.hpp:105
   logic [17:0] select_41;
   assign select_41 = mask_i ? (select_35 + {10'h0, magnitude}) : select_35;
@@ -78,13 +80,16 @@ module horopter_contrast (
   logic [17:0] select_43;
   assign select_43 = marks_first_i ? 18'h0 : right_q;
   // hls/stages/contrast.hpp:38
-  logic [11:0] select_45;
-  assign select_45 = gx_1_i[10] ? (12'h0 - {gx_1_i[10], $unsigned(gx_1_i)}) : {2'h0, gx_1_i[9:0]};
-  logic [11:0] select_47;
-  assign select_47 = (select_45[11:8] == 4'h0) ? select_45 : 12'hff;
+  logic [9:0] xor_44;
+  assign xor_44 = gx_1_i[9:0] ^ {10{gx_1_i[10]}};
+  logic [10:0] sum_45;
+  assign sum_45 = {10'h0, gx_1_i[10]} + {1'b0, xor_44};
+  // hls/stages/contrast.hpp:102
+  logic [7:0] select_47;
+  assign select_47 = (sum_45[10:8] == 3'h0) ? sum_45[7:0] : 8'hff;
   // hls/stages/contrast.hpp:105
   logic [17:0] select_49;
-  assign select_49 = mask_i ? (select_43 + {2'h0, {4{select_47[11]}}, select_47}) : select_43;
+  assign select_49 = mask_i ? (select_43 + {10'h0, select_47}) : select_43;
   // hls/stages/contrast.hpp:115
   logic equal_53;
   assign equal_53 = select_24 == 5'h11;
@@ -125,7 +130,7 @@ module horopter_contrast (
   assign size = saturated_i ? 5'h0 : ((magnitude[7:5] == 3'h0) ? magnitude[4:0] : 5'h1f);
   // hls/stages/contrast.hpp:47
   logic [15:0] product_80;
-  assign product_80 = $signed({8'h0, gain}) * $signed({{4{select_47[11]}}, select_47});
+  assign product_80 = {8'h0, gain} * {8'h0, select_47};
   logic [7:0] magnitude_2;
   assign magnitude_2 = (product_80[15:14] == 2'h0) ? product_80[13:6] : 8'hff;
   // hls/stages/contrast.hpp:41

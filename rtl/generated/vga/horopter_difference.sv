@@ -63,13 +63,13 @@ module horopter_difference (
   logic [7:0] turn;
   assign turn = direction_0_i - direction_1_i;
   // hls/stages/difference.hpp:95
-  logic [7:0] difference_36;
-  assign difference_36 = 8'h0 - turn;
-  logic [4:0] shortest;
-  assign shortest = turn[7] ? difference_36[7:3] : {1'b0, turn[6:3]};
+  logic [6:0] xor_36;
+  assign xor_36 = turn[6:0] ^ {7{turn[7]}};
+  logic [7:0] shortest;
+  assign shortest = {7'h0, turn[7]} + {1'b0, xor_36};
   // hls/stages/difference.hpp:96
   logic [3:0] level;
-  assign level = shortest[4] ? 4'hf : shortest[3:0];
+  assign level = shortest[7] ? 4'hf : shortest[6:3];
   // hls/stages/difference.hpp:68
   logic or_39;
   assign or_39 = not_33 | not_23;
@@ -83,13 +83,13 @@ module horopter_difference (
   logic [7:0] turn_2;
   assign turn_2 = direction_0_i - left_3_direction_q;
   // hls/stages/difference.hpp:95
-  logic [7:0] difference_46;
-  assign difference_46 = 8'h0 - turn_2;
-  logic [4:0] shortest_2;
-  assign shortest_2 = turn_2[7] ? difference_46[7:3] : {1'b0, turn_2[6:3]};
+  logic [6:0] xor_46;
+  assign xor_46 = turn_2[6:0] ^ {7{turn_2[7]}};
+  logic [7:0] shortest_2;
+  assign shortest_2 = {7'h0, turn_2[7]} + {1'b0, xor_46};
   // hls/stages/difference.hpp:96
   logic [3:0] level_2;
-  assign level_2 = shortest_2[4] ? 4'hf : shortest_2[3:0];
+  assign level_2 = shortest_2[7] ? 4'hf : shortest_2[6:3];
   // hls/stages/difference.hpp:68
   logic [3:0] select_50;
   assign select_50 = equal_22 ? {without, 3'h0} : (left_3_has_direction_q ? level_2 : {without, 3'h0});
@@ -147,6 +147,6 @@ module horopter_difference (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{difference_46[2:0], difference_36[2:0]};
+  assign unused_bits = ^{shortest_2[2:0], shortest[2:0]};
 
 endmodule

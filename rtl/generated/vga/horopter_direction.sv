@@ -37,10 +37,10 @@ module horopter_direction (
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   // hls/stages/direction.hpp:43
   logic [9:0] x;
-  assign x = gx_0_i[10] ? (10'h0 - gx_0_i[9:0]) : gx_0_i[9:0];
+  assign x = {9'h0, gx_0_i[10]} + (gx_0_i[9:0] ^ {10{gx_0_i[10]}});
   // hls/stages/direction.hpp:44
   logic [9:0] y;
-  assign y = gy_0_i[10] ? (10'h0 - gy_0_i[9:0]) : gy_0_i[9:0];
+  assign y = {9'h0, gy_0_i[10]} + (gy_0_i[9:0] ^ {10{gy_0_i[10]}});
   // hls/stages/direction.hpp:46
   logic less_13;
   assign less_13 = x < y;
@@ -51,10 +51,10 @@ module horopter_direction (
   assign smaller = (y < x) ? y : x;
   // hls/stages/direction.hpp:43
   logic [9:0] x_2;
-  assign x_2 = gx_1_i[10] ? (10'h0 - gx_1_i[9:0]) : gx_1_i[9:0];
+  assign x_2 = {9'h0, gx_1_i[10]} + (gx_1_i[9:0] ^ {10{gx_1_i[10]}});
   // hls/stages/direction.hpp:44
   logic [9:0] y_2;
-  assign y_2 = gy_1_i[10] ? (10'h0 - gy_1_i[9:0]) : gy_1_i[9:0];
+  assign y_2 = {9'h0, gy_1_i[10]} + (gy_1_i[9:0] ^ {10{gy_1_i[10]}});
   // hls/stages/direction.hpp:46
   logic less_45;
   assign less_45 = x_2 < y_2;

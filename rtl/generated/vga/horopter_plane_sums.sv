@@ -347,19 +347,19 @@ module horopter_plane_sums (
   // hls/stages/plane_sums.hpp:82
   logic or_636;
   assign or_636 = running_q | marks_values_25_first_q;
-  // hls/stages/plane_sums.hpp:157
-  logic xor_1035;
-  assign xor_1035 = entering_values_23_row_q ^ entering_values_47_row_q;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_1036;
-  assign difference_1036 = {entering_values_23_features_left_q[5], entering_values_23_features_left_q} - {entering_values_47_features_right_q[5], entering_values_47_features_right_q};
-  logic [7:0] select_1038;
-  assign select_1038 = difference_1036[6] ? (8'h0 - {difference_1036[6], difference_1036}) : {2'h0, difference_1036[5:0]};
-  logic [4:0] difference_37;
-  assign difference_37 = (select_1038[7:5] == 3'h0) ? select_1038[4:0] : 5'h1f;
+  logic [6:0] difference_1039;
+  assign difference_1039 = {entering_values_23_features_left_q[5], entering_values_23_features_left_q} - {entering_values_47_features_right_q[5], entering_values_47_features_right_q};
+  logic [5:0] xor_1040;
+  assign xor_1040 = difference_1039[5:0] ^ {6{difference_1039[6]}};
+  logic [6:0] sum_1041;
+  assign sum_1041 = {6'h0, difference_1039[6]} + {1'b0, xor_1040};
+  // hls/stages/plane_sums.hpp:157
+  logic not_1044;
+  assign not_1044 = ~(entering_values_23_row_q ^ entering_values_47_row_q);
   // hls/stages/plane_sums.hpp:87
-  logic [4:0] select_1042;
-  assign select_1042 = entering_values_47_features_mask_q ? (xor_1035 ? 5'h1f : difference_37) : 5'h1f;
+  logic [4:0] select_1047;
+  assign select_1047 = entering_values_47_features_mask_q ? (((sum_1041[6:5] == 2'h0) & not_1044) ? sum_1041[4:0] : 5'h1f) : 5'h1f;
 
   // Memory feature_memory, 640 x 91, DISTANCE 16, hls/stages/plane_sums.hpp:166; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -971,9 +971,9 @@ module horopter_plane_sums (
   logic centre_marks_values_3_first_s1_q;
   logic centre_marks_values_3_last_s1_q;
   logic or_633_s1_q;
-  logic not_645_s1_q;
-  logic xor_1035_s1_q;
-  logic [4:0] select_1043_s1_q;
+  logic not_649_s1_q;
+  logic not_1044_s1_q;
+  logic [4:0] select_1048_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       entering_values_23_features_left_s1_q <= entering_values_23_features_left_q;
@@ -982,9 +982,9 @@ module horopter_plane_sums (
       centre_marks_values_3_first_s1_q <= centre_marks_values_3_first_q;
       centre_marks_values_3_last_s1_q <= centre_marks_values_3_last_q;
       or_633_s1_q <= or_633;
-      not_645_s1_q <= ~(^{or_629, entering_values_23_row_q, row_parity_q});
-      xor_1035_s1_q <= xor_1035;
-      select_1043_s1_q <= entering_values_23_features_mask_q ? select_1042 : 5'h0;
+      not_649_s1_q <= ~(^{or_629, entering_values_23_row_q, row_parity_q});
+      not_1044_s1_q <= not_1044;
+      select_1048_s1_q <= entering_values_23_features_mask_q ? select_1047 : 5'h0;
     end
   end
 
@@ -1336,35 +1336,38 @@ module horopter_plane_sums (
   logic [7:0] above;
   assign above = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[7:0] : 8'h0);
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_647;
-  assign difference_647 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_0_features_right_q[5], entering_values_0_features_right_q};
-  logic [7:0] select_649;
-  assign select_649 = difference_647[6] ? (8'h0 - {difference_647[6], difference_647}) : {2'h0, difference_647[5:0]};
-  logic [4:0] difference;
-  assign difference = (select_649[7:5] == 3'h0) ? select_649[4:0] : 5'h1f;
+  logic [6:0] difference_642;
+  assign difference_642 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_0_features_right_q[5], entering_values_0_features_right_q};
+  logic [5:0] xor_643;
+  assign xor_643 = difference_642[5:0] ^ {6{difference_642[6]}};
+  logic [6:0] sum_644;
+  assign sum_644 = {6'h0, difference_642[6]} + {1'b0, xor_643};
+  // hls/stages/plane_sums.hpp:158
+  logic and_651;
+  assign and_651 = (sum_644[6:5] == 2'h0) & (entering_values_0_features_mask_q & not_649_s1_q);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_652;
-  assign select_652 = (entering_values_0_features_mask_q & not_645_s1_q) ? difference : 5'h1f;
   logic [4:0] select_653;
-  assign select_653 = entering_values_24_features_mask_q ? select_652 : 5'h0;
-  // hls/stages/plane_sums.hpp:63
-  logic [2:0] select_654;
-  assign select_654 = marks_values_0_first_q ? 3'h0 : arriving_rows_q;
-  logic equal_655;
-  assign equal_655 = select_654 == 3'h7;
-  // hls/stages/plane_sums.hpp:71
-  logic and_656;
-  assign and_656 = feature_memory_rdata_q[90] & equal_655;
+  assign select_653 = entering_values_24_features_mask_q ? (and_651 ? sum_644[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_658;
-  assign difference_658 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {feature_memory_rdata_q[89], feature_memory_rdata_q[89:84]};
-  logic [7:0] select_660;
-  assign select_660 = difference_658[6] ? (8'h0 - {difference_658[6], difference_658}) : {2'h0, difference_658[5:0]};
-  logic [4:0] difference_2;
-  assign difference_2 = (select_660[7:5] == 3'h0) ? select_660[4:0] : 5'h1f;
+  logic [6:0] difference_654;
+  assign difference_654 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {feature_memory_rdata_q[89], feature_memory_rdata_q[89:84]};
+  logic [5:0] xor_655;
+  assign xor_655 = difference_654[5:0] ^ {6{difference_654[6]}};
+  logic [6:0] sum_656;
+  assign sum_656 = {6'h0, difference_654[6]} + {1'b0, xor_655};
+  // hls/stages/plane_sums.hpp:63
+  logic [2:0] select_658;
+  assign select_658 = marks_values_0_first_q ? 3'h0 : arriving_rows_q;
+  logic equal_659;
+  assign equal_659 = select_658 == 3'h7;
+  // hls/stages/plane_sums.hpp:71
+  logic and_660;
+  assign and_660 = feature_memory_rdata_q[90] & equal_659;
   // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_663;
+  assign select_663 = ((sum_656[6:5] == 2'h0) & (and_660 & not_649_s1_q)) ? sum_656[4:0] : 5'h1f;
   logic [4:0] select_664;
-  assign select_664 = leaving_values_23_features_mask_q ? ((and_656 & not_645_s1_q) ? difference_2 : 5'h1f) : 5'h0;
+  assign select_664 = leaving_values_23_features_mask_q ? select_663 : 5'h0;
   logic [5:0] difference_665;
   assign difference_665 = {1'b0, select_653} - {1'b0, select_664};
   logic [7:0] sum_666;
@@ -1372,33 +1375,35 @@ module horopter_plane_sums (
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_2;
   assign above_2 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[15:8] : 8'h0);
+  // hls/stages/plane_sums.hpp:156
+  logic [6:0] difference_669;
+  assign difference_669 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_6_features_right_q[5], entering_values_6_features_right_q};
+  logic [5:0] xor_670;
+  assign xor_670 = difference_669[5:0] ^ {6{difference_669[6]}};
+  logic [6:0] sum_671;
+  assign sum_671 = {6'h0, difference_669[6]} + {1'b0, xor_670};
   // hls/stages/plane_sums.hpp:157
-  logic not_670;
-  assign not_670 = ~(entering_values_6_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_672;
-  assign difference_672 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_6_features_right_q[5], entering_values_6_features_right_q};
-  logic [7:0] select_674;
-  assign select_674 = difference_672[6] ? (8'h0 - {difference_672[6], difference_672}) : {2'h0, difference_672[5:0]};
-  logic [4:0] difference_3;
-  assign difference_3 = (select_674[7:5] == 3'h0) ? select_674[4:0] : 5'h1f;
+  logic not_674;
+  assign not_674 = ~(entering_values_6_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_676;
+  assign and_676 = (sum_671[6:5] == 2'h0) & (entering_values_6_features_mask_q & not_674);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_677;
-  assign select_677 = (entering_values_6_features_mask_q & not_670) ? difference_3 : 5'h1f;
   logic [4:0] select_678;
-  assign select_678 = entering_values_24_features_mask_q ? select_677 : 5'h0;
+  assign select_678 = entering_values_24_features_mask_q ? (and_676 ? sum_671[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_680;
-  assign difference_680 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_5_features_right_q[5], leaving_values_5_features_right_q};
-  logic [7:0] select_682;
-  assign select_682 = difference_680[6] ? (8'h0 - {difference_680[6], difference_680}) : {2'h0, difference_680[5:0]};
-  logic [4:0] difference_4;
-  assign difference_4 = (select_682[7:5] == 3'h0) ? select_682[4:0] : 5'h1f;
+  logic [6:0] difference_679;
+  assign difference_679 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_5_features_right_q[5], leaving_values_5_features_right_q};
+  logic [5:0] xor_680;
+  assign xor_680 = difference_679[5:0] ^ {6{difference_679[6]}};
+  logic [6:0] sum_681;
+  assign sum_681 = {6'h0, difference_679[6]} + {1'b0, xor_680};
+  // hls/stages/plane_sums.hpp:158
+  logic and_684;
+  assign and_684 = (sum_681[6:5] == 2'h0) & (leaving_values_5_features_mask_q & not_674);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_685;
-  assign select_685 = (leaving_values_5_features_mask_q & not_670) ? difference_4 : 5'h1f;
   logic [4:0] select_686;
-  assign select_686 = leaving_values_23_features_mask_q ? select_685 : 5'h0;
+  assign select_686 = leaving_values_23_features_mask_q ? (and_684 ? sum_681[4:0] : 5'h1f) : 5'h0;
   logic [5:0] difference_687;
   assign difference_687 = {1'b0, select_678} - {1'b0, select_686};
   logic [7:0] sum_688;
@@ -1406,33 +1411,35 @@ module horopter_plane_sums (
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_3;
   assign above_3 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[23:16] : 8'h0);
+  // hls/stages/plane_sums.hpp:156
+  logic [6:0] difference_691;
+  assign difference_691 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_11_features_right_q[5], entering_values_11_features_right_q};
+  logic [5:0] xor_692;
+  assign xor_692 = difference_691[5:0] ^ {6{difference_691[6]}};
+  logic [6:0] sum_693;
+  assign sum_693 = {6'h0, difference_691[6]} + {1'b0, xor_692};
   // hls/stages/plane_sums.hpp:157
-  logic not_692;
-  assign not_692 = ~(entering_values_11_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_694;
-  assign difference_694 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_11_features_right_q[5], entering_values_11_features_right_q};
-  logic [7:0] select_696;
-  assign select_696 = difference_694[6] ? (8'h0 - {difference_694[6], difference_694}) : {2'h0, difference_694[5:0]};
-  logic [4:0] difference_5;
-  assign difference_5 = (select_696[7:5] == 3'h0) ? select_696[4:0] : 5'h1f;
+  logic not_696;
+  assign not_696 = ~(entering_values_11_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_698;
+  assign and_698 = (sum_693[6:5] == 2'h0) & (entering_values_11_features_mask_q & not_696);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_699;
-  assign select_699 = (entering_values_11_features_mask_q & not_692) ? difference_5 : 5'h1f;
   logic [4:0] select_700;
-  assign select_700 = entering_values_24_features_mask_q ? select_699 : 5'h0;
+  assign select_700 = entering_values_24_features_mask_q ? (and_698 ? sum_693[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_702;
-  assign difference_702 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_10_features_right_q[5], leaving_values_10_features_right_q};
-  logic [7:0] select_704;
-  assign select_704 = difference_702[6] ? (8'h0 - {difference_702[6], difference_702}) : {2'h0, difference_702[5:0]};
-  logic [4:0] difference_6;
-  assign difference_6 = (select_704[7:5] == 3'h0) ? select_704[4:0] : 5'h1f;
+  logic [6:0] difference_701;
+  assign difference_701 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_10_features_right_q[5], leaving_values_10_features_right_q};
+  logic [5:0] xor_702;
+  assign xor_702 = difference_701[5:0] ^ {6{difference_701[6]}};
+  logic [6:0] sum_703;
+  assign sum_703 = {6'h0, difference_701[6]} + {1'b0, xor_702};
+  // hls/stages/plane_sums.hpp:158
+  logic and_706;
+  assign and_706 = (sum_703[6:5] == 2'h0) & (leaving_values_10_features_mask_q & not_696);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_707;
-  assign select_707 = (leaving_values_10_features_mask_q & not_692) ? difference_6 : 5'h1f;
   logic [4:0] select_708;
-  assign select_708 = leaving_values_23_features_mask_q ? select_707 : 5'h0;
+  assign select_708 = leaving_values_23_features_mask_q ? (and_706 ? sum_703[4:0] : 5'h1f) : 5'h0;
   logic [5:0] difference_709;
   assign difference_709 = {1'b0, select_700} - {1'b0, select_708};
   logic [7:0] sum_710;
@@ -1440,33 +1447,35 @@ module horopter_plane_sums (
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_4;
   assign above_4 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[31:24] : 8'h0);
+  // hls/stages/plane_sums.hpp:156
+  logic [6:0] difference_713;
+  assign difference_713 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_15_features_right_q[5], entering_values_15_features_right_q};
+  logic [5:0] xor_714;
+  assign xor_714 = difference_713[5:0] ^ {6{difference_713[6]}};
+  logic [6:0] sum_715;
+  assign sum_715 = {6'h0, difference_713[6]} + {1'b0, xor_714};
   // hls/stages/plane_sums.hpp:157
-  logic not_714;
-  assign not_714 = ~(entering_values_15_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_716;
-  assign difference_716 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_15_features_right_q[5], entering_values_15_features_right_q};
-  logic [7:0] select_718;
-  assign select_718 = difference_716[6] ? (8'h0 - {difference_716[6], difference_716}) : {2'h0, difference_716[5:0]};
-  logic [4:0] difference_7;
-  assign difference_7 = (select_718[7:5] == 3'h0) ? select_718[4:0] : 5'h1f;
+  logic not_718;
+  assign not_718 = ~(entering_values_15_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_720;
+  assign and_720 = (sum_715[6:5] == 2'h0) & (entering_values_15_features_mask_q & not_718);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_721;
-  assign select_721 = (entering_values_15_features_mask_q & not_714) ? difference_7 : 5'h1f;
   logic [4:0] select_722;
-  assign select_722 = entering_values_24_features_mask_q ? select_721 : 5'h0;
+  assign select_722 = entering_values_24_features_mask_q ? (and_720 ? sum_715[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_724;
-  assign difference_724 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_14_features_right_q[5], leaving_values_14_features_right_q};
-  logic [7:0] select_726;
-  assign select_726 = difference_724[6] ? (8'h0 - {difference_724[6], difference_724}) : {2'h0, difference_724[5:0]};
-  logic [4:0] difference_8;
-  assign difference_8 = (select_726[7:5] == 3'h0) ? select_726[4:0] : 5'h1f;
+  logic [6:0] difference_723;
+  assign difference_723 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_14_features_right_q[5], leaving_values_14_features_right_q};
+  logic [5:0] xor_724;
+  assign xor_724 = difference_723[5:0] ^ {6{difference_723[6]}};
+  logic [6:0] sum_725;
+  assign sum_725 = {6'h0, difference_723[6]} + {1'b0, xor_724};
+  // hls/stages/plane_sums.hpp:158
+  logic and_728;
+  assign and_728 = (sum_725[6:5] == 2'h0) & (leaving_values_14_features_mask_q & not_718);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_729;
-  assign select_729 = (leaving_values_14_features_mask_q & not_714) ? difference_8 : 5'h1f;
   logic [4:0] select_730;
-  assign select_730 = leaving_values_23_features_mask_q ? select_729 : 5'h0;
+  assign select_730 = leaving_values_23_features_mask_q ? (and_728 ? sum_725[4:0] : 5'h1f) : 5'h0;
   logic [5:0] difference_731;
   assign difference_731 = {1'b0, select_722} - {1'b0, select_730};
   logic [7:0] sum_732;
@@ -1474,33 +1483,35 @@ module horopter_plane_sums (
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_5;
   assign above_5 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[39:32] : 8'h0);
+  // hls/stages/plane_sums.hpp:156
+  logic [6:0] difference_735;
+  assign difference_735 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_18_features_right_q[5], entering_values_18_features_right_q};
+  logic [5:0] xor_736;
+  assign xor_736 = difference_735[5:0] ^ {6{difference_735[6]}};
+  logic [6:0] sum_737;
+  assign sum_737 = {6'h0, difference_735[6]} + {1'b0, xor_736};
   // hls/stages/plane_sums.hpp:157
-  logic not_736;
-  assign not_736 = ~(entering_values_18_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_738;
-  assign difference_738 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_18_features_right_q[5], entering_values_18_features_right_q};
-  logic [7:0] select_740;
-  assign select_740 = difference_738[6] ? (8'h0 - {difference_738[6], difference_738}) : {2'h0, difference_738[5:0]};
-  logic [4:0] difference_9;
-  assign difference_9 = (select_740[7:5] == 3'h0) ? select_740[4:0] : 5'h1f;
+  logic not_740;
+  assign not_740 = ~(entering_values_18_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_742;
+  assign and_742 = (sum_737[6:5] == 2'h0) & (entering_values_18_features_mask_q & not_740);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_743;
-  assign select_743 = (entering_values_18_features_mask_q & not_736) ? difference_9 : 5'h1f;
   logic [4:0] select_744;
-  assign select_744 = entering_values_24_features_mask_q ? select_743 : 5'h0;
+  assign select_744 = entering_values_24_features_mask_q ? (and_742 ? sum_737[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_746;
-  assign difference_746 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_17_features_right_q[5], leaving_values_17_features_right_q};
-  logic [7:0] select_748;
-  assign select_748 = difference_746[6] ? (8'h0 - {difference_746[6], difference_746}) : {2'h0, difference_746[5:0]};
-  logic [4:0] difference_10;
-  assign difference_10 = (select_748[7:5] == 3'h0) ? select_748[4:0] : 5'h1f;
+  logic [6:0] difference_745;
+  assign difference_745 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_17_features_right_q[5], leaving_values_17_features_right_q};
+  logic [5:0] xor_746;
+  assign xor_746 = difference_745[5:0] ^ {6{difference_745[6]}};
+  logic [6:0] sum_747;
+  assign sum_747 = {6'h0, difference_745[6]} + {1'b0, xor_746};
+  // hls/stages/plane_sums.hpp:158
+  logic and_750;
+  assign and_750 = (sum_747[6:5] == 2'h0) & (leaving_values_17_features_mask_q & not_740);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_751;
-  assign select_751 = (leaving_values_17_features_mask_q & not_736) ? difference_10 : 5'h1f;
   logic [4:0] select_752;
-  assign select_752 = leaving_values_23_features_mask_q ? select_751 : 5'h0;
+  assign select_752 = leaving_values_23_features_mask_q ? (and_750 ? sum_747[4:0] : 5'h1f) : 5'h0;
   logic [5:0] difference_753;
   assign difference_753 = {1'b0, select_744} - {1'b0, select_752};
   logic [7:0] sum_754;
@@ -1508,33 +1519,35 @@ module horopter_plane_sums (
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_6;
   assign above_6 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[47:40] : 8'h0);
+  // hls/stages/plane_sums.hpp:156
+  logic [6:0] difference_757;
+  assign difference_757 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_20_features_right_q[5], entering_values_20_features_right_q};
+  logic [5:0] xor_758;
+  assign xor_758 = difference_757[5:0] ^ {6{difference_757[6]}};
+  logic [6:0] sum_759;
+  assign sum_759 = {6'h0, difference_757[6]} + {1'b0, xor_758};
   // hls/stages/plane_sums.hpp:157
-  logic not_758;
-  assign not_758 = ~(entering_values_20_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_760;
-  assign difference_760 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_20_features_right_q[5], entering_values_20_features_right_q};
-  logic [7:0] select_762;
-  assign select_762 = difference_760[6] ? (8'h0 - {difference_760[6], difference_760}) : {2'h0, difference_760[5:0]};
-  logic [4:0] difference_11;
-  assign difference_11 = (select_762[7:5] == 3'h0) ? select_762[4:0] : 5'h1f;
+  logic not_762;
+  assign not_762 = ~(entering_values_20_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_764;
+  assign and_764 = (sum_759[6:5] == 2'h0) & (entering_values_20_features_mask_q & not_762);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_765;
-  assign select_765 = (entering_values_20_features_mask_q & not_758) ? difference_11 : 5'h1f;
   logic [4:0] select_766;
-  assign select_766 = entering_values_24_features_mask_q ? select_765 : 5'h0;
+  assign select_766 = entering_values_24_features_mask_q ? (and_764 ? sum_759[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_768;
-  assign difference_768 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_19_features_right_q[5], leaving_values_19_features_right_q};
-  logic [7:0] select_770;
-  assign select_770 = difference_768[6] ? (8'h0 - {difference_768[6], difference_768}) : {2'h0, difference_768[5:0]};
-  logic [4:0] difference_12;
-  assign difference_12 = (select_770[7:5] == 3'h0) ? select_770[4:0] : 5'h1f;
+  logic [6:0] difference_767;
+  assign difference_767 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_19_features_right_q[5], leaving_values_19_features_right_q};
+  logic [5:0] xor_768;
+  assign xor_768 = difference_767[5:0] ^ {6{difference_767[6]}};
+  logic [6:0] sum_769;
+  assign sum_769 = {6'h0, difference_767[6]} + {1'b0, xor_768};
+  // hls/stages/plane_sums.hpp:158
+  logic and_772;
+  assign and_772 = (sum_769[6:5] == 2'h0) & (leaving_values_19_features_mask_q & not_762);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_773;
-  assign select_773 = (leaving_values_19_features_mask_q & not_758) ? difference_12 : 5'h1f;
   logic [4:0] select_774;
-  assign select_774 = leaving_values_23_features_mask_q ? select_773 : 5'h0;
+  assign select_774 = leaving_values_23_features_mask_q ? (and_772 ? sum_769[4:0] : 5'h1f) : 5'h0;
   logic [5:0] difference_775;
   assign difference_775 = {1'b0, select_766} - {1'b0, select_774};
   logic [7:0] sum_776;
@@ -1542,33 +1555,35 @@ module horopter_plane_sums (
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_7;
   assign above_7 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[55:48] : 8'h0);
+  // hls/stages/plane_sums.hpp:156
+  logic [6:0] difference_779;
+  assign difference_779 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_21_features_right_q[5], entering_values_21_features_right_q};
+  logic [5:0] xor_780;
+  assign xor_780 = difference_779[5:0] ^ {6{difference_779[6]}};
+  logic [6:0] sum_781;
+  assign sum_781 = {6'h0, difference_779[6]} + {1'b0, xor_780};
   // hls/stages/plane_sums.hpp:157
-  logic not_780;
-  assign not_780 = ~(entering_values_21_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_782;
-  assign difference_782 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_21_features_right_q[5], entering_values_21_features_right_q};
-  logic [7:0] select_784;
-  assign select_784 = difference_782[6] ? (8'h0 - {difference_782[6], difference_782}) : {2'h0, difference_782[5:0]};
-  logic [4:0] difference_13;
-  assign difference_13 = (select_784[7:5] == 3'h0) ? select_784[4:0] : 5'h1f;
+  logic not_784;
+  assign not_784 = ~(entering_values_21_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_786;
+  assign and_786 = (sum_781[6:5] == 2'h0) & (entering_values_21_features_mask_q & not_784);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_787;
-  assign select_787 = (entering_values_21_features_mask_q & not_780) ? difference_13 : 5'h1f;
   logic [4:0] select_788;
-  assign select_788 = entering_values_24_features_mask_q ? select_787 : 5'h0;
+  assign select_788 = entering_values_24_features_mask_q ? (and_786 ? sum_781[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_790;
-  assign difference_790 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_20_features_right_q[5], leaving_values_20_features_right_q};
-  logic [7:0] select_792;
-  assign select_792 = difference_790[6] ? (8'h0 - {difference_790[6], difference_790}) : {2'h0, difference_790[5:0]};
-  logic [4:0] difference_14;
-  assign difference_14 = (select_792[7:5] == 3'h0) ? select_792[4:0] : 5'h1f;
+  logic [6:0] difference_789;
+  assign difference_789 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_20_features_right_q[5], leaving_values_20_features_right_q};
+  logic [5:0] xor_790;
+  assign xor_790 = difference_789[5:0] ^ {6{difference_789[6]}};
+  logic [6:0] sum_791;
+  assign sum_791 = {6'h0, difference_789[6]} + {1'b0, xor_790};
+  // hls/stages/plane_sums.hpp:158
+  logic and_794;
+  assign and_794 = (sum_791[6:5] == 2'h0) & (leaving_values_20_features_mask_q & not_784);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_795;
-  assign select_795 = (leaving_values_20_features_mask_q & not_780) ? difference_14 : 5'h1f;
   logic [4:0] select_796;
-  assign select_796 = leaving_values_23_features_mask_q ? select_795 : 5'h0;
+  assign select_796 = leaving_values_23_features_mask_q ? (and_794 ? sum_791[4:0] : 5'h1f) : 5'h0;
   logic [5:0] difference_797;
   assign difference_797 = {1'b0, select_788} - {1'b0, select_796};
   logic [7:0] sum_798;
@@ -1576,33 +1591,35 @@ module horopter_plane_sums (
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_8;
   assign above_8 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[63:56] : 8'h0);
+  // hls/stages/plane_sums.hpp:156
+  logic [6:0] difference_801;
+  assign difference_801 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_22_features_right_q[5], entering_values_22_features_right_q};
+  logic [5:0] xor_802;
+  assign xor_802 = difference_801[5:0] ^ {6{difference_801[6]}};
+  logic [6:0] sum_803;
+  assign sum_803 = {6'h0, difference_801[6]} + {1'b0, xor_802};
   // hls/stages/plane_sums.hpp:157
-  logic not_802;
-  assign not_802 = ~(entering_values_22_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_804;
-  assign difference_804 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_22_features_right_q[5], entering_values_22_features_right_q};
-  logic [7:0] select_806;
-  assign select_806 = difference_804[6] ? (8'h0 - {difference_804[6], difference_804}) : {2'h0, difference_804[5:0]};
-  logic [4:0] difference_15;
-  assign difference_15 = (select_806[7:5] == 3'h0) ? select_806[4:0] : 5'h1f;
+  logic not_806;
+  assign not_806 = ~(entering_values_22_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_808;
+  assign and_808 = (sum_803[6:5] == 2'h0) & (entering_values_22_features_mask_q & not_806);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_809;
-  assign select_809 = (entering_values_22_features_mask_q & not_802) ? difference_15 : 5'h1f;
   logic [4:0] select_810;
-  assign select_810 = entering_values_24_features_mask_q ? select_809 : 5'h0;
+  assign select_810 = entering_values_24_features_mask_q ? (and_808 ? sum_803[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_812;
-  assign difference_812 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_21_features_right_q[5], leaving_values_21_features_right_q};
-  logic [7:0] select_814;
-  assign select_814 = difference_812[6] ? (8'h0 - {difference_812[6], difference_812}) : {2'h0, difference_812[5:0]};
-  logic [4:0] difference_16;
-  assign difference_16 = (select_814[7:5] == 3'h0) ? select_814[4:0] : 5'h1f;
+  logic [6:0] difference_811;
+  assign difference_811 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_21_features_right_q[5], leaving_values_21_features_right_q};
+  logic [5:0] xor_812;
+  assign xor_812 = difference_811[5:0] ^ {6{difference_811[6]}};
+  logic [6:0] sum_813;
+  assign sum_813 = {6'h0, difference_811[6]} + {1'b0, xor_812};
+  // hls/stages/plane_sums.hpp:158
+  logic and_816;
+  assign and_816 = (sum_813[6:5] == 2'h0) & (leaving_values_21_features_mask_q & not_806);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_817;
-  assign select_817 = (leaving_values_21_features_mask_q & not_802) ? difference_16 : 5'h1f;
   logic [4:0] select_818;
-  assign select_818 = leaving_values_23_features_mask_q ? select_817 : 5'h0;
+  assign select_818 = leaving_values_23_features_mask_q ? (and_816 ? sum_813[4:0] : 5'h1f) : 5'h0;
   logic [5:0] difference_819;
   assign difference_819 = {1'b0, select_810} - {1'b0, select_818};
   logic [7:0] sum_820;
@@ -1610,33 +1627,35 @@ module horopter_plane_sums (
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_9;
   assign above_9 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[71:64] : 8'h0);
+  // hls/stages/plane_sums.hpp:156
+  logic [6:0] difference_823;
+  assign difference_823 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_23_features_right_q[5], entering_values_23_features_right_q};
+  logic [5:0] xor_824;
+  assign xor_824 = difference_823[5:0] ^ {6{difference_823[6]}};
+  logic [6:0] sum_825;
+  assign sum_825 = {6'h0, difference_823[6]} + {1'b0, xor_824};
   // hls/stages/plane_sums.hpp:157
-  logic not_824;
-  assign not_824 = ~(entering_values_23_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_826;
-  assign difference_826 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_23_features_right_q[5], entering_values_23_features_right_q};
-  logic [7:0] select_828;
-  assign select_828 = difference_826[6] ? (8'h0 - {difference_826[6], difference_826}) : {2'h0, difference_826[5:0]};
-  logic [4:0] difference_17;
-  assign difference_17 = (select_828[7:5] == 3'h0) ? select_828[4:0] : 5'h1f;
+  logic not_828;
+  assign not_828 = ~(entering_values_23_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_830;
+  assign and_830 = (sum_825[6:5] == 2'h0) & (entering_values_23_features_mask_q & not_828);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_831;
-  assign select_831 = (entering_values_23_features_mask_q & not_824) ? difference_17 : 5'h1f;
   logic [4:0] select_832;
-  assign select_832 = entering_values_24_features_mask_q ? select_831 : 5'h0;
+  assign select_832 = entering_values_24_features_mask_q ? (and_830 ? sum_825[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_834;
-  assign difference_834 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_22_features_right_q[5], leaving_values_22_features_right_q};
-  logic [7:0] select_836;
-  assign select_836 = difference_834[6] ? (8'h0 - {difference_834[6], difference_834}) : {2'h0, difference_834[5:0]};
-  logic [4:0] difference_18;
-  assign difference_18 = (select_836[7:5] == 3'h0) ? select_836[4:0] : 5'h1f;
+  logic [6:0] difference_833;
+  assign difference_833 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_22_features_right_q[5], leaving_values_22_features_right_q};
+  logic [5:0] xor_834;
+  assign xor_834 = difference_833[5:0] ^ {6{difference_833[6]}};
+  logic [6:0] sum_835;
+  assign sum_835 = {6'h0, difference_833[6]} + {1'b0, xor_834};
+  // hls/stages/plane_sums.hpp:158
+  logic and_838;
+  assign and_838 = (sum_835[6:5] == 2'h0) & (leaving_values_22_features_mask_q & not_828);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_839;
-  assign select_839 = (leaving_values_22_features_mask_q & not_824) ? difference_18 : 5'h1f;
   logic [4:0] select_840;
-  assign select_840 = leaving_values_23_features_mask_q ? select_839 : 5'h0;
+  assign select_840 = leaving_values_23_features_mask_q ? (and_838 ? sum_835[4:0] : 5'h1f) : 5'h0;
   logic [5:0] difference_841;
   assign difference_841 = {1'b0, select_832} - {1'b0, select_840};
   logic [7:0] sum_842;
@@ -1647,453 +1666,467 @@ module horopter_plane_sums (
   // hls/stages/plane_sums.hpp:156
   logic [6:0] difference_845;
   assign difference_845 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_24_features_right_q[5], entering_values_24_features_right_q};
-  logic [7:0] select_847;
-  assign select_847 = difference_845[6] ? (8'h0 - {difference_845[6], difference_845}) : {2'h0, difference_845[5:0]};
-  logic [4:0] difference_19;
-  assign difference_19 = (select_847[7:5] == 3'h0) ? select_847[4:0] : 5'h1f;
-  // hls/stages/plane_sums.hpp:158
-  logic [4:0] select_850;
-  assign select_850 = entering_values_24_features_mask_q ? difference_19 : 5'h0;
-  // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_851;
-  assign difference_851 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_23_features_right_q[5], leaving_values_23_features_right_q};
-  logic [7:0] select_853;
-  assign select_853 = difference_851[6] ? (8'h0 - {difference_851[6], difference_851}) : {2'h0, difference_851[5:0]};
-  logic [4:0] difference_20;
-  assign difference_20 = (select_853[7:5] == 3'h0) ? select_853[4:0] : 5'h1f;
-  // hls/stages/plane_sums.hpp:158
-  logic [4:0] select_856;
-  assign select_856 = leaving_values_23_features_mask_q ? difference_20 : 5'h0;
+  logic [5:0] xor_846;
+  assign xor_846 = difference_845[5:0] ^ {6{difference_845[6]}};
+  logic [6:0] sum_847;
+  assign sum_847 = {6'h0, difference_845[6]} + {1'b0, xor_846};
   // hls/stages/plane_sums.hpp:149
-  logic [5:0] difference_857;
-  assign difference_857 = {1'b0, select_850} - {1'b0, select_856};
-  logic [7:0] sum_858;
-  assign sum_858 = above_10 + {{2{difference_857[5]}}, difference_857};
+  logic [4:0] select_850;
+  assign select_850 = (entering_values_24_features_mask_q & (sum_847[6:5] == 2'h0)) ? sum_847[4:0] : 5'h1f;
+  logic [4:0] select_851;
+  assign select_851 = entering_values_24_features_mask_q ? select_850 : 5'h0;
+  // hls/stages/plane_sums.hpp:156
+  logic [6:0] difference_852;
+  assign difference_852 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_23_features_right_q[5], leaving_values_23_features_right_q};
+  logic [5:0] xor_853;
+  assign xor_853 = difference_852[5:0] ^ {6{difference_852[6]}};
+  logic [6:0] sum_854;
+  assign sum_854 = {6'h0, difference_852[6]} + {1'b0, xor_853};
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_857;
+  assign select_857 = (leaving_values_23_features_mask_q & (sum_854[6:5] == 2'h0)) ? sum_854[4:0] : 5'h1f;
+  logic [4:0] select_858;
+  assign select_858 = leaving_values_23_features_mask_q ? select_857 : 5'h0;
+  logic [5:0] difference_859;
+  assign difference_859 = {1'b0, select_851} - {1'b0, select_858};
+  logic [7:0] sum_860;
+  assign sum_860 = above_10 + {{2{difference_859[5]}}, difference_859};
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_11;
   assign above_11 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[87:80] : 8'h0);
+  // hls/stages/plane_sums.hpp:156
+  logic [6:0] difference_863;
+  assign difference_863 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_25_features_right_q[5], entering_values_25_features_right_q};
+  logic [5:0] xor_864;
+  assign xor_864 = difference_863[5:0] ^ {6{difference_863[6]}};
+  logic [6:0] sum_865;
+  assign sum_865 = {6'h0, difference_863[6]} + {1'b0, xor_864};
   // hls/stages/plane_sums.hpp:157
-  logic not_862;
-  assign not_862 = ~(entering_values_24_row_q ^ entering_values_25_row_q);
-  // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_864;
-  assign difference_864 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_25_features_right_q[5], entering_values_25_features_right_q};
-  logic [7:0] select_866;
-  assign select_866 = difference_864[6] ? (8'h0 - {difference_864[6], difference_864}) : {2'h0, difference_864[5:0]};
-  logic [4:0] difference_21;
-  assign difference_21 = (select_866[7:5] == 3'h0) ? select_866[4:0] : 5'h1f;
+  logic not_868;
+  assign not_868 = ~(entering_values_24_row_q ^ entering_values_25_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_870;
+  assign and_870 = (sum_865[6:5] == 2'h0) & (entering_values_25_features_mask_q & not_868);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_869;
-  assign select_869 = (entering_values_25_features_mask_q & not_862) ? difference_21 : 5'h1f;
-  logic [4:0] select_870;
-  assign select_870 = entering_values_24_features_mask_q ? select_869 : 5'h0;
+  logic [4:0] select_872;
+  assign select_872 = entering_values_24_features_mask_q ? (and_870 ? sum_865[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_872;
-  assign difference_872 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_24_features_right_q[5], leaving_values_24_features_right_q};
-  logic [7:0] select_874;
-  assign select_874 = difference_872[6] ? (8'h0 - {difference_872[6], difference_872}) : {2'h0, difference_872[5:0]};
-  logic [4:0] difference_22;
-  assign difference_22 = (select_874[7:5] == 3'h0) ? select_874[4:0] : 5'h1f;
+  logic [6:0] difference_873;
+  assign difference_873 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_24_features_right_q[5], leaving_values_24_features_right_q};
+  logic [5:0] xor_874;
+  assign xor_874 = difference_873[5:0] ^ {6{difference_873[6]}};
+  logic [6:0] sum_875;
+  assign sum_875 = {6'h0, difference_873[6]} + {1'b0, xor_874};
+  // hls/stages/plane_sums.hpp:158
+  logic and_878;
+  assign and_878 = (sum_875[6:5] == 2'h0) & (leaving_values_24_features_mask_q & not_868);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_877;
-  assign select_877 = (leaving_values_24_features_mask_q & not_862) ? difference_22 : 5'h1f;
-  logic [4:0] select_878;
-  assign select_878 = leaving_values_23_features_mask_q ? select_877 : 5'h0;
-  logic [5:0] difference_879;
-  assign difference_879 = {1'b0, select_870} - {1'b0, select_878};
-  logic [7:0] sum_880;
-  assign sum_880 = above_11 + {{2{difference_879[5]}}, difference_879};
+  logic [4:0] select_880;
+  assign select_880 = leaving_values_23_features_mask_q ? (and_878 ? sum_875[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_881;
+  assign difference_881 = {1'b0, select_872} - {1'b0, select_880};
+  logic [7:0] sum_882;
+  assign sum_882 = above_11 + {{2{difference_881[5]}}, difference_881};
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_12;
   assign above_12 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[95:88] : 8'h0);
+  // hls/stages/plane_sums.hpp:156
+  logic [6:0] difference_885;
+  assign difference_885 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_26_features_right_q[5], entering_values_26_features_right_q};
+  logic [5:0] xor_886;
+  assign xor_886 = difference_885[5:0] ^ {6{difference_885[6]}};
+  logic [6:0] sum_887;
+  assign sum_887 = {6'h0, difference_885[6]} + {1'b0, xor_886};
   // hls/stages/plane_sums.hpp:157
-  logic not_884;
-  assign not_884 = ~(entering_values_24_row_q ^ entering_values_26_row_q);
-  // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_886;
-  assign difference_886 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_26_features_right_q[5], entering_values_26_features_right_q};
-  logic [7:0] select_888;
-  assign select_888 = difference_886[6] ? (8'h0 - {difference_886[6], difference_886}) : {2'h0, difference_886[5:0]};
-  logic [4:0] difference_23;
-  assign difference_23 = (select_888[7:5] == 3'h0) ? select_888[4:0] : 5'h1f;
+  logic not_890;
+  assign not_890 = ~(entering_values_24_row_q ^ entering_values_26_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_892;
+  assign and_892 = (sum_887[6:5] == 2'h0) & (entering_values_26_features_mask_q & not_890);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_891;
-  assign select_891 = (entering_values_26_features_mask_q & not_884) ? difference_23 : 5'h1f;
-  logic [4:0] select_892;
-  assign select_892 = entering_values_24_features_mask_q ? select_891 : 5'h0;
+  logic [4:0] select_894;
+  assign select_894 = entering_values_24_features_mask_q ? (and_892 ? sum_887[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_894;
-  assign difference_894 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_25_features_right_q[5], leaving_values_25_features_right_q};
-  logic [7:0] select_896;
-  assign select_896 = difference_894[6] ? (8'h0 - {difference_894[6], difference_894}) : {2'h0, difference_894[5:0]};
-  logic [4:0] difference_24;
-  assign difference_24 = (select_896[7:5] == 3'h0) ? select_896[4:0] : 5'h1f;
+  logic [6:0] difference_895;
+  assign difference_895 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_25_features_right_q[5], leaving_values_25_features_right_q};
+  logic [5:0] xor_896;
+  assign xor_896 = difference_895[5:0] ^ {6{difference_895[6]}};
+  logic [6:0] sum_897;
+  assign sum_897 = {6'h0, difference_895[6]} + {1'b0, xor_896};
+  // hls/stages/plane_sums.hpp:158
+  logic and_900;
+  assign and_900 = (sum_897[6:5] == 2'h0) & (leaving_values_25_features_mask_q & not_890);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_899;
-  assign select_899 = (leaving_values_25_features_mask_q & not_884) ? difference_24 : 5'h1f;
-  logic [4:0] select_900;
-  assign select_900 = leaving_values_23_features_mask_q ? select_899 : 5'h0;
-  logic [5:0] difference_901;
-  assign difference_901 = {1'b0, select_892} - {1'b0, select_900};
-  logic [7:0] sum_902;
-  assign sum_902 = above_12 + {{2{difference_901[5]}}, difference_901};
+  logic [4:0] select_902;
+  assign select_902 = leaving_values_23_features_mask_q ? (and_900 ? sum_897[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_903;
+  assign difference_903 = {1'b0, select_894} - {1'b0, select_902};
+  logic [7:0] sum_904;
+  assign sum_904 = above_12 + {{2{difference_903[5]}}, difference_903};
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_13;
   assign above_13 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[103:96] : 8'h0);
+  // hls/stages/plane_sums.hpp:156
+  logic [6:0] difference_907;
+  assign difference_907 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_27_features_right_q[5], entering_values_27_features_right_q};
+  logic [5:0] xor_908;
+  assign xor_908 = difference_907[5:0] ^ {6{difference_907[6]}};
+  logic [6:0] sum_909;
+  assign sum_909 = {6'h0, difference_907[6]} + {1'b0, xor_908};
   // hls/stages/plane_sums.hpp:157
-  logic not_906;
-  assign not_906 = ~(entering_values_24_row_q ^ entering_values_27_row_q);
-  // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_908;
-  assign difference_908 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_27_features_right_q[5], entering_values_27_features_right_q};
-  logic [7:0] select_910;
-  assign select_910 = difference_908[6] ? (8'h0 - {difference_908[6], difference_908}) : {2'h0, difference_908[5:0]};
-  logic [4:0] difference_25;
-  assign difference_25 = (select_910[7:5] == 3'h0) ? select_910[4:0] : 5'h1f;
+  logic not_912;
+  assign not_912 = ~(entering_values_24_row_q ^ entering_values_27_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_914;
+  assign and_914 = (sum_909[6:5] == 2'h0) & (entering_values_27_features_mask_q & not_912);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_913;
-  assign select_913 = (entering_values_27_features_mask_q & not_906) ? difference_25 : 5'h1f;
-  logic [4:0] select_914;
-  assign select_914 = entering_values_24_features_mask_q ? select_913 : 5'h0;
+  logic [4:0] select_916;
+  assign select_916 = entering_values_24_features_mask_q ? (and_914 ? sum_909[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_916;
-  assign difference_916 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_26_features_right_q[5], leaving_values_26_features_right_q};
-  logic [7:0] select_918;
-  assign select_918 = difference_916[6] ? (8'h0 - {difference_916[6], difference_916}) : {2'h0, difference_916[5:0]};
-  logic [4:0] difference_26;
-  assign difference_26 = (select_918[7:5] == 3'h0) ? select_918[4:0] : 5'h1f;
+  logic [6:0] difference_917;
+  assign difference_917 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_26_features_right_q[5], leaving_values_26_features_right_q};
+  logic [5:0] xor_918;
+  assign xor_918 = difference_917[5:0] ^ {6{difference_917[6]}};
+  logic [6:0] sum_919;
+  assign sum_919 = {6'h0, difference_917[6]} + {1'b0, xor_918};
+  // hls/stages/plane_sums.hpp:158
+  logic and_922;
+  assign and_922 = (sum_919[6:5] == 2'h0) & (leaving_values_26_features_mask_q & not_912);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_921;
-  assign select_921 = (leaving_values_26_features_mask_q & not_906) ? difference_26 : 5'h1f;
-  logic [4:0] select_922;
-  assign select_922 = leaving_values_23_features_mask_q ? select_921 : 5'h0;
-  logic [5:0] difference_923;
-  assign difference_923 = {1'b0, select_914} - {1'b0, select_922};
-  logic [7:0] sum_924;
-  assign sum_924 = above_13 + {{2{difference_923[5]}}, difference_923};
+  logic [4:0] select_924;
+  assign select_924 = leaving_values_23_features_mask_q ? (and_922 ? sum_919[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_925;
+  assign difference_925 = {1'b0, select_916} - {1'b0, select_924};
+  logic [7:0] sum_926;
+  assign sum_926 = above_13 + {{2{difference_925[5]}}, difference_925};
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_14;
   assign above_14 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[111:104] : 8'h0);
+  // hls/stages/plane_sums.hpp:156
+  logic [6:0] difference_929;
+  assign difference_929 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_28_features_right_q[5], entering_values_28_features_right_q};
+  logic [5:0] xor_930;
+  assign xor_930 = difference_929[5:0] ^ {6{difference_929[6]}};
+  logic [6:0] sum_931;
+  assign sum_931 = {6'h0, difference_929[6]} + {1'b0, xor_930};
   // hls/stages/plane_sums.hpp:157
-  logic not_928;
-  assign not_928 = ~(entering_values_24_row_q ^ entering_values_28_row_q);
-  // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_930;
-  assign difference_930 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_28_features_right_q[5], entering_values_28_features_right_q};
-  logic [7:0] select_932;
-  assign select_932 = difference_930[6] ? (8'h0 - {difference_930[6], difference_930}) : {2'h0, difference_930[5:0]};
-  logic [4:0] difference_27;
-  assign difference_27 = (select_932[7:5] == 3'h0) ? select_932[4:0] : 5'h1f;
+  logic not_934;
+  assign not_934 = ~(entering_values_24_row_q ^ entering_values_28_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_936;
+  assign and_936 = (sum_931[6:5] == 2'h0) & (entering_values_28_features_mask_q & not_934);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_935;
-  assign select_935 = (entering_values_28_features_mask_q & not_928) ? difference_27 : 5'h1f;
-  logic [4:0] select_936;
-  assign select_936 = entering_values_24_features_mask_q ? select_935 : 5'h0;
+  logic [4:0] select_938;
+  assign select_938 = entering_values_24_features_mask_q ? (and_936 ? sum_931[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_938;
-  assign difference_938 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_27_features_right_q[5], leaving_values_27_features_right_q};
-  logic [7:0] select_940;
-  assign select_940 = difference_938[6] ? (8'h0 - {difference_938[6], difference_938}) : {2'h0, difference_938[5:0]};
-  logic [4:0] difference_28;
-  assign difference_28 = (select_940[7:5] == 3'h0) ? select_940[4:0] : 5'h1f;
+  logic [6:0] difference_939;
+  assign difference_939 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_27_features_right_q[5], leaving_values_27_features_right_q};
+  logic [5:0] xor_940;
+  assign xor_940 = difference_939[5:0] ^ {6{difference_939[6]}};
+  logic [6:0] sum_941;
+  assign sum_941 = {6'h0, difference_939[6]} + {1'b0, xor_940};
+  // hls/stages/plane_sums.hpp:158
+  logic and_944;
+  assign and_944 = (sum_941[6:5] == 2'h0) & (leaving_values_27_features_mask_q & not_934);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_943;
-  assign select_943 = (leaving_values_27_features_mask_q & not_928) ? difference_28 : 5'h1f;
-  logic [4:0] select_944;
-  assign select_944 = leaving_values_23_features_mask_q ? select_943 : 5'h0;
-  logic [5:0] difference_945;
-  assign difference_945 = {1'b0, select_936} - {1'b0, select_944};
-  logic [7:0] sum_946;
-  assign sum_946 = above_14 + {{2{difference_945[5]}}, difference_945};
+  logic [4:0] select_946;
+  assign select_946 = leaving_values_23_features_mask_q ? (and_944 ? sum_941[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_947;
+  assign difference_947 = {1'b0, select_938} - {1'b0, select_946};
+  logic [7:0] sum_948;
+  assign sum_948 = above_14 + {{2{difference_947[5]}}, difference_947};
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_15;
   assign above_15 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[119:112] : 8'h0);
+  // hls/stages/plane_sums.hpp:156
+  logic [6:0] difference_951;
+  assign difference_951 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_30_features_right_q[5], entering_values_30_features_right_q};
+  logic [5:0] xor_952;
+  assign xor_952 = difference_951[5:0] ^ {6{difference_951[6]}};
+  logic [6:0] sum_953;
+  assign sum_953 = {6'h0, difference_951[6]} + {1'b0, xor_952};
   // hls/stages/plane_sums.hpp:157
-  logic not_950;
-  assign not_950 = ~(entering_values_24_row_q ^ entering_values_30_row_q);
-  // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_952;
-  assign difference_952 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_30_features_right_q[5], entering_values_30_features_right_q};
-  logic [7:0] select_954;
-  assign select_954 = difference_952[6] ? (8'h0 - {difference_952[6], difference_952}) : {2'h0, difference_952[5:0]};
-  logic [4:0] difference_29;
-  assign difference_29 = (select_954[7:5] == 3'h0) ? select_954[4:0] : 5'h1f;
+  logic not_956;
+  assign not_956 = ~(entering_values_24_row_q ^ entering_values_30_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_958;
+  assign and_958 = (sum_953[6:5] == 2'h0) & (entering_values_30_features_mask_q & not_956);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_957;
-  assign select_957 = (entering_values_30_features_mask_q & not_950) ? difference_29 : 5'h1f;
-  logic [4:0] select_958;
-  assign select_958 = entering_values_24_features_mask_q ? select_957 : 5'h0;
+  logic [4:0] select_960;
+  assign select_960 = entering_values_24_features_mask_q ? (and_958 ? sum_953[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_960;
-  assign difference_960 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_29_features_right_q[5], leaving_values_29_features_right_q};
-  logic [7:0] select_962;
-  assign select_962 = difference_960[6] ? (8'h0 - {difference_960[6], difference_960}) : {2'h0, difference_960[5:0]};
-  logic [4:0] difference_30;
-  assign difference_30 = (select_962[7:5] == 3'h0) ? select_962[4:0] : 5'h1f;
+  logic [6:0] difference_961;
+  assign difference_961 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_29_features_right_q[5], leaving_values_29_features_right_q};
+  logic [5:0] xor_962;
+  assign xor_962 = difference_961[5:0] ^ {6{difference_961[6]}};
+  logic [6:0] sum_963;
+  assign sum_963 = {6'h0, difference_961[6]} + {1'b0, xor_962};
+  // hls/stages/plane_sums.hpp:158
+  logic and_966;
+  assign and_966 = (sum_963[6:5] == 2'h0) & (leaving_values_29_features_mask_q & not_956);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_965;
-  assign select_965 = (leaving_values_29_features_mask_q & not_950) ? difference_30 : 5'h1f;
-  logic [4:0] select_966;
-  assign select_966 = leaving_values_23_features_mask_q ? select_965 : 5'h0;
-  logic [5:0] difference_967;
-  assign difference_967 = {1'b0, select_958} - {1'b0, select_966};
-  logic [7:0] sum_968;
-  assign sum_968 = above_15 + {{2{difference_967[5]}}, difference_967};
+  logic [4:0] select_968;
+  assign select_968 = leaving_values_23_features_mask_q ? (and_966 ? sum_963[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_969;
+  assign difference_969 = {1'b0, select_960} - {1'b0, select_968};
+  logic [7:0] sum_970;
+  assign sum_970 = above_15 + {{2{difference_969[5]}}, difference_969};
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_16;
   assign above_16 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[127:120] : 8'h0);
+  // hls/stages/plane_sums.hpp:156
+  logic [6:0] difference_973;
+  assign difference_973 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_33_features_right_q[5], entering_values_33_features_right_q};
+  logic [5:0] xor_974;
+  assign xor_974 = difference_973[5:0] ^ {6{difference_973[6]}};
+  logic [6:0] sum_975;
+  assign sum_975 = {6'h0, difference_973[6]} + {1'b0, xor_974};
   // hls/stages/plane_sums.hpp:157
-  logic not_972;
-  assign not_972 = ~(entering_values_24_row_q ^ entering_values_33_row_q);
-  // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_974;
-  assign difference_974 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_33_features_right_q[5], entering_values_33_features_right_q};
-  logic [7:0] select_976;
-  assign select_976 = difference_974[6] ? (8'h0 - {difference_974[6], difference_974}) : {2'h0, difference_974[5:0]};
-  logic [4:0] difference_31;
-  assign difference_31 = (select_976[7:5] == 3'h0) ? select_976[4:0] : 5'h1f;
+  logic not_978;
+  assign not_978 = ~(entering_values_24_row_q ^ entering_values_33_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_980;
+  assign and_980 = (sum_975[6:5] == 2'h0) & (entering_values_33_features_mask_q & not_978);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_979;
-  assign select_979 = (entering_values_33_features_mask_q & not_972) ? difference_31 : 5'h1f;
-  logic [4:0] select_980;
-  assign select_980 = entering_values_24_features_mask_q ? select_979 : 5'h0;
+  logic [4:0] select_982;
+  assign select_982 = entering_values_24_features_mask_q ? (and_980 ? sum_975[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_982;
-  assign difference_982 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_32_features_right_q[5], leaving_values_32_features_right_q};
-  logic [7:0] select_984;
-  assign select_984 = difference_982[6] ? (8'h0 - {difference_982[6], difference_982}) : {2'h0, difference_982[5:0]};
-  logic [4:0] difference_32;
-  assign difference_32 = (select_984[7:5] == 3'h0) ? select_984[4:0] : 5'h1f;
+  logic [6:0] difference_983;
+  assign difference_983 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_32_features_right_q[5], leaving_values_32_features_right_q};
+  logic [5:0] xor_984;
+  assign xor_984 = difference_983[5:0] ^ {6{difference_983[6]}};
+  logic [6:0] sum_985;
+  assign sum_985 = {6'h0, difference_983[6]} + {1'b0, xor_984};
+  // hls/stages/plane_sums.hpp:158
+  logic and_988;
+  assign and_988 = (sum_985[6:5] == 2'h0) & (leaving_values_32_features_mask_q & not_978);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_987;
-  assign select_987 = (leaving_values_32_features_mask_q & not_972) ? difference_32 : 5'h1f;
-  logic [4:0] select_988;
-  assign select_988 = leaving_values_23_features_mask_q ? select_987 : 5'h0;
-  logic [5:0] difference_989;
-  assign difference_989 = {1'b0, select_980} - {1'b0, select_988};
-  logic [7:0] sum_990;
-  assign sum_990 = above_16 + {{2{difference_989[5]}}, difference_989};
+  logic [4:0] select_990;
+  assign select_990 = leaving_values_23_features_mask_q ? (and_988 ? sum_985[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_991;
+  assign difference_991 = {1'b0, select_982} - {1'b0, select_990};
+  logic [7:0] sum_992;
+  assign sum_992 = above_16 + {{2{difference_991[5]}}, difference_991};
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_17;
   assign above_17 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[135:128] : 8'h0);
+  // hls/stages/plane_sums.hpp:156
+  logic [6:0] difference_995;
+  assign difference_995 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_37_features_right_q[5], entering_values_37_features_right_q};
+  logic [5:0] xor_996;
+  assign xor_996 = difference_995[5:0] ^ {6{difference_995[6]}};
+  logic [6:0] sum_997;
+  assign sum_997 = {6'h0, difference_995[6]} + {1'b0, xor_996};
   // hls/stages/plane_sums.hpp:157
-  logic xor_993;
-  assign xor_993 = entering_values_24_row_q ^ entering_values_37_row_q;
-  // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_994;
-  assign difference_994 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_37_features_right_q[5], entering_values_37_features_right_q};
-  logic [7:0] select_996;
-  assign select_996 = difference_994[6] ? (8'h0 - {difference_994[6], difference_994}) : {2'h0, difference_994[5:0]};
-  logic [4:0] difference_33;
-  assign difference_33 = (select_996[7:5] == 3'h0) ? select_996[4:0] : 5'h1f;
+  logic not_1000;
+  assign not_1000 = ~(entering_values_24_row_q ^ entering_values_37_row_q);
   // hls/stages/plane_sums.hpp:87
-  logic [4:0] select_1000;
-  assign select_1000 = entering_values_37_features_mask_q ? (xor_993 ? 5'h1f : difference_33) : 5'h1f;
+  logic [4:0] select_1003;
+  assign select_1003 = entering_values_37_features_mask_q ? (((sum_997[6:5] == 2'h0) & not_1000) ? sum_997[4:0] : 5'h1f) : 5'h1f;
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_1001;
-  assign select_1001 = entering_values_24_features_mask_q ? select_1000 : 5'h0;
+  logic [4:0] select_1004;
+  assign select_1004 = entering_values_24_features_mask_q ? select_1003 : 5'h0;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_1002;
-  assign difference_1002 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_36_features_right_q[5], leaving_values_36_features_right_q};
-  logic [7:0] select_1004;
-  assign select_1004 = difference_1002[6] ? (8'h0 - {difference_1002[6], difference_1002}) : {2'h0, difference_1002[5:0]};
-  logic [4:0] difference_34;
-  assign difference_34 = (select_1004[7:5] == 3'h0) ? select_1004[4:0] : 5'h1f;
+  logic [6:0] difference_1005;
+  assign difference_1005 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_36_features_right_q[5], leaving_values_36_features_right_q};
+  logic [5:0] xor_1006;
+  assign xor_1006 = difference_1005[5:0] ^ {6{difference_1005[6]}};
+  logic [6:0] sum_1007;
+  assign sum_1007 = {6'h0, difference_1005[6]} + {1'b0, xor_1006};
   // hls/stages/plane_sums.hpp:88
-  logic [4:0] select_1008;
-  assign select_1008 = leaving_values_36_features_mask_q ? (xor_993 ? 5'h1f : difference_34) : 5'h1f;
+  logic [4:0] select_1011;
+  assign select_1011 = leaving_values_36_features_mask_q ? ((not_1000 & (sum_1007[6:5] == 2'h0)) ? sum_1007[4:0] : 5'h1f) : 5'h1f;
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_1009;
-  assign select_1009 = leaving_values_23_features_mask_q ? select_1008 : 5'h0;
-  logic [5:0] difference_1010;
-  assign difference_1010 = {1'b0, select_1001} - {1'b0, select_1009};
-  logic [7:0] sum_1011;
-  assign sum_1011 = above_17 + {{2{difference_1010[5]}}, difference_1010};
+  logic [4:0] select_1012;
+  assign select_1012 = leaving_values_23_features_mask_q ? select_1011 : 5'h0;
+  logic [5:0] difference_1013;
+  assign difference_1013 = {1'b0, select_1004} - {1'b0, select_1012};
+  logic [7:0] sum_1014;
+  assign sum_1014 = above_17 + {{2{difference_1013[5]}}, difference_1013};
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_18;
   assign above_18 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[143:136] : 8'h0);
+  // hls/stages/plane_sums.hpp:156
+  logic [6:0] difference_1017;
+  assign difference_1017 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_42_features_right_q[5], entering_values_42_features_right_q};
+  logic [5:0] xor_1018;
+  assign xor_1018 = difference_1017[5:0] ^ {6{difference_1017[6]}};
+  logic [6:0] sum_1019;
+  assign sum_1019 = {6'h0, difference_1017[6]} + {1'b0, xor_1018};
   // hls/stages/plane_sums.hpp:157
-  logic xor_1014;
-  assign xor_1014 = entering_values_24_row_q ^ entering_values_42_row_q;
-  // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_1015;
-  assign difference_1015 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_42_features_right_q[5], entering_values_42_features_right_q};
-  logic [7:0] select_1017;
-  assign select_1017 = difference_1015[6] ? (8'h0 - {difference_1015[6], difference_1015}) : {2'h0, difference_1015[5:0]};
-  logic [4:0] difference_35;
-  assign difference_35 = (select_1017[7:5] == 3'h0) ? select_1017[4:0] : 5'h1f;
+  logic not_1022;
+  assign not_1022 = ~(entering_values_24_row_q ^ entering_values_42_row_q);
   // hls/stages/plane_sums.hpp:87
-  logic [4:0] select_1021;
-  assign select_1021 = entering_values_42_features_mask_q ? (xor_1014 ? 5'h1f : difference_35) : 5'h1f;
+  logic [4:0] select_1025;
+  assign select_1025 = entering_values_42_features_mask_q ? (((sum_1019[6:5] == 2'h0) & not_1022) ? sum_1019[4:0] : 5'h1f) : 5'h1f;
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_1022;
-  assign select_1022 = entering_values_24_features_mask_q ? select_1021 : 5'h0;
+  logic [4:0] select_1026;
+  assign select_1026 = entering_values_24_features_mask_q ? select_1025 : 5'h0;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_1023;
-  assign difference_1023 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_41_features_right_q[5], leaving_values_41_features_right_q};
-  logic [7:0] select_1025;
-  assign select_1025 = difference_1023[6] ? (8'h0 - {difference_1023[6], difference_1023}) : {2'h0, difference_1023[5:0]};
-  logic [4:0] difference_36;
-  assign difference_36 = (select_1025[7:5] == 3'h0) ? select_1025[4:0] : 5'h1f;
+  logic [6:0] difference_1027;
+  assign difference_1027 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_41_features_right_q[5], leaving_values_41_features_right_q};
+  logic [5:0] xor_1028;
+  assign xor_1028 = difference_1027[5:0] ^ {6{difference_1027[6]}};
+  logic [6:0] sum_1029;
+  assign sum_1029 = {6'h0, difference_1027[6]} + {1'b0, xor_1028};
   // hls/stages/plane_sums.hpp:88
-  logic [4:0] select_1029;
-  assign select_1029 = leaving_values_41_features_mask_q ? (xor_1014 ? 5'h1f : difference_36) : 5'h1f;
+  logic [4:0] select_1033;
+  assign select_1033 = leaving_values_41_features_mask_q ? ((not_1022 & (sum_1029[6:5] == 2'h0)) ? sum_1029[4:0] : 5'h1f) : 5'h1f;
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_1030;
-  assign select_1030 = leaving_values_23_features_mask_q ? select_1029 : 5'h0;
-  logic [5:0] difference_1031;
-  assign difference_1031 = {1'b0, select_1022} - {1'b0, select_1030};
-  logic [7:0] sum_1032;
-  assign sum_1032 = above_18 + {{2{difference_1031[5]}}, difference_1031};
+  logic [4:0] select_1034;
+  assign select_1034 = leaving_values_23_features_mask_q ? select_1033 : 5'h0;
+  logic [5:0] difference_1035;
+  assign difference_1035 = {1'b0, select_1026} - {1'b0, select_1034};
+  logic [7:0] sum_1036;
+  assign sum_1036 = above_18 + {{2{difference_1035[5]}}, difference_1035};
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_19;
   assign above_19 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[151:144] : 8'h0);
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_1044;
-  assign difference_1044 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_47_features_right_q[5], leaving_values_47_features_right_q};
-  logic [7:0] select_1046;
-  assign select_1046 = difference_1044[6] ? (8'h0 - {difference_1044[6], difference_1044}) : {2'h0, difference_1044[5:0]};
-  logic [4:0] difference_38;
-  assign difference_38 = (select_1046[7:5] == 3'h0) ? select_1046[4:0] : 5'h1f;
-  // hls/stages/plane_sums.hpp:88
-  logic [4:0] select_1050;
-  assign select_1050 = leaving_values_47_features_mask_q ? (xor_1035_s1_q ? 5'h1f : difference_38) : 5'h1f;
+  logic [6:0] difference_1049;
+  assign difference_1049 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_47_features_right_q[5], leaving_values_47_features_right_q};
+  logic [5:0] xor_1050;
+  assign xor_1050 = difference_1049[5:0] ^ {6{difference_1049[6]}};
+  logic [6:0] sum_1051;
+  assign sum_1051 = {6'h0, difference_1049[6]} + {1'b0, xor_1050};
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_1051;
-  assign select_1051 = leaving_values_23_features_mask_q ? select_1050 : 5'h0;
-  logic [5:0] difference_1052;
-  assign difference_1052 = {1'b0, select_1043_s1_q} - {1'b0, select_1051};
-  logic [7:0] sum_1053;
-  assign sum_1053 = above_19 + {{2{difference_1052[5]}}, difference_1052};
+  logic [4:0] select_1054;
+  assign select_1054 = (not_1044_s1_q & (sum_1051[6:5] == 2'h0)) ? sum_1051[4:0] : 5'h1f;
+  logic [4:0] select_1056;
+  assign select_1056 = leaving_values_23_features_mask_q ? (leaving_values_47_features_mask_q ? select_1054 : 5'h1f) : 5'h0;
+  logic [5:0] difference_1057;
+  assign difference_1057 = {1'b0, select_1048_s1_q} - {1'b0, select_1056};
+  logic [7:0] sum_1058;
+  assign sum_1058 = above_19 + {{2{difference_1057[5]}}, difference_1057};
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_20;
   assign above_20 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[159:152] : 8'h0);
   // hls/stages/plane_sums.hpp:163
-  logic [4:0] select_1057;
-  assign select_1057 = entering_values_23_features_left_s1_q[5] ? (5'h0 - entering_values_23_features_left_s1_q[4:0]) : entering_values_23_features_left_s1_q[4:0];
+  logic [4:0] xor_1061;
+  assign xor_1061 = entering_values_23_features_left_s1_q[4:0] ^ {5{entering_values_23_features_left_s1_q[5]}};
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_1058;
-  assign select_1058 = entering_values_24_features_mask_q ? select_1057 : 5'h0;
+  logic [4:0] select_1063;
+  assign select_1063 = entering_values_24_features_mask_q ? ({4'h0, entering_values_23_features_left_s1_q[5]} + xor_1061) : 5'h0;
   // hls/stages/plane_sums.hpp:163
-  logic [4:0] select_1060;
-  assign select_1060 = leaving_values_23_features_left_q[5] ? (5'h0 - leaving_values_23_features_left_q[4:0]) : leaving_values_23_features_left_q[4:0];
+  logic [4:0] xor_1064;
+  assign xor_1064 = leaving_values_23_features_left_q[4:0] ^ {5{leaving_values_23_features_left_q[5]}};
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_1061;
-  assign select_1061 = leaving_values_23_features_mask_q ? select_1060 : 5'h0;
-  logic [5:0] difference_1062;
-  assign difference_1062 = {1'b0, select_1058} - {1'b0, select_1061};
-  logic [7:0] sum_1063;
-  assign sum_1063 = above_20 + {{2{difference_1062[5]}}, difference_1062};
+  logic [4:0] select_1066;
+  assign select_1066 = leaving_values_23_features_mask_q ? ({4'h0, leaving_values_23_features_left_q[5]} + xor_1064) : 5'h0;
+  logic [5:0] difference_1067;
+  assign difference_1067 = {1'b0, select_1063} - {1'b0, select_1066};
+  logic [7:0] sum_1068;
+  assign sum_1068 = above_20 + {{2{difference_1067[5]}}, difference_1067};
   // hls/stages/plane_sums.hpp:50
-  logic and_1064;
-  assign and_1064 = column_memory_rdata_q[166] & running_q;
-  logic and_1065;
-  assign and_1065 = column_memory_rdata_q[173] & running_q;
-  logic and_1066;
-  assign and_1066 = column_memory_rdata_q[180] & running_q;
-  logic and_1067;
-  assign and_1067 = column_memory_rdata_q[188] & running_q;
-  logic and_1068;
-  assign and_1068 = column_memory_rdata_q[189] & running_q;
+  logic and_1069;
+  assign and_1069 = column_memory_rdata_q[166] & running_q;
+  logic and_1070;
+  assign and_1070 = column_memory_rdata_q[173] & running_q;
+  logic and_1071;
+  assign and_1071 = column_memory_rdata_q[180] & running_q;
+  logic and_1072;
+  assign and_1072 = column_memory_rdata_q[188] & running_q;
+  logic and_1073;
+  assign and_1073 = column_memory_rdata_q[189] & running_q;
   // hls/stages/plane_sums.hpp:63
-  logic not_1069;
-  assign not_1069 = ~equal_655;
-  logic [2:0] select_1071;
-  assign select_1071 = arriving_row_ended_q ? (select_654 + {2'h0, not_1069}) : select_654;
+  logic not_1074;
+  assign not_1074 = ~equal_659;
+  logic [2:0] select_1076;
+  assign select_1076 = arriving_row_ended_q ? (select_658 + {2'h0, not_1074}) : select_658;
   // hls/stages/plane_sums.hpp:81
-  logic not_1073;
-  assign not_1073 = ~(select_638 == 3'h7);
-  logic [2:0] select_1075;
-  assign select_1075 = delayed_row_ended_q ? (select_638 + {2'h0, not_1073}) : select_638;
+  logic not_1078;
+  assign not_1078 = ~(select_638 == 3'h7);
+  logic [2:0] select_1080;
+  assign select_1080 = delayed_row_ended_q ? (select_638 + {2'h0, not_1078}) : select_638;
   // hls/stages/plane_sums.hpp:150
-  logic less_1076;
-  assign less_1076 = 10'h8 < delayed_column_q;
-  logic [10:0] difference_1078;
-  assign difference_1078 = {3'h0, sum_666} - (less_1076 ? rows_0_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1080;
-  assign sum_1080 = difference_1078 + (or_633_s1_q ? 11'h0 : rows_0_sum_sums_values_0_q);
-  logic [10:0] difference_1082;
-  assign difference_1082 = {3'h0, sum_688} - (less_1076 ? rows_1_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1084;
-  assign sum_1084 = difference_1082 + (or_633_s1_q ? 11'h0 : rows_1_sum_sums_values_0_q);
-  logic [10:0] difference_1086;
-  assign difference_1086 = {3'h0, sum_710} - (less_1076 ? rows_2_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1088;
-  assign sum_1088 = difference_1086 + (or_633_s1_q ? 11'h0 : rows_2_sum_sums_values_0_q);
-  logic [10:0] difference_1090;
-  assign difference_1090 = {3'h0, sum_732} - (less_1076 ? rows_3_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1092;
-  assign sum_1092 = difference_1090 + (or_633_s1_q ? 11'h0 : rows_3_sum_sums_values_0_q);
-  logic [10:0] difference_1094;
-  assign difference_1094 = {3'h0, sum_754} - (less_1076 ? rows_4_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1096;
-  assign sum_1096 = difference_1094 + (or_633_s1_q ? 11'h0 : rows_4_sum_sums_values_0_q);
-  logic [10:0] difference_1098;
-  assign difference_1098 = {3'h0, sum_776} - (less_1076 ? rows_5_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1100;
-  assign sum_1100 = difference_1098 + (or_633_s1_q ? 11'h0 : rows_5_sum_sums_values_0_q);
-  logic [10:0] difference_1102;
-  assign difference_1102 = {3'h0, sum_798} - (less_1076 ? rows_6_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1104;
-  assign sum_1104 = difference_1102 + (or_633_s1_q ? 11'h0 : rows_6_sum_sums_values_0_q);
-  logic [10:0] difference_1106;
-  assign difference_1106 = {3'h0, sum_820} - (less_1076 ? rows_7_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1108;
-  assign sum_1108 = difference_1106 + (or_633_s1_q ? 11'h0 : rows_7_sum_sums_values_0_q);
-  logic [10:0] difference_1110;
-  assign difference_1110 = {3'h0, sum_842} - (less_1076 ? rows_8_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1112;
-  assign sum_1112 = difference_1110 + (or_633_s1_q ? 11'h0 : rows_8_sum_sums_values_0_q);
-  logic [10:0] difference_1114;
-  assign difference_1114 = {3'h0, sum_858} - (less_1076 ? rows_9_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1116;
-  assign sum_1116 = difference_1114 + (or_633_s1_q ? 11'h0 : rows_9_sum_sums_values_0_q);
-  logic [10:0] difference_1118;
-  assign difference_1118 = {3'h0, sum_880} - (less_1076 ? rows_10_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1120;
-  assign sum_1120 = difference_1118 + (or_633_s1_q ? 11'h0 : rows_10_sum_sums_values_0_q);
-  logic [10:0] difference_1122;
-  assign difference_1122 = {3'h0, sum_902} - (less_1076 ? rows_11_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1124;
-  assign sum_1124 = difference_1122 + (or_633_s1_q ? 11'h0 : rows_11_sum_sums_values_0_q);
-  logic [10:0] difference_1126;
-  assign difference_1126 = {3'h0, sum_924} - (less_1076 ? rows_12_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1128;
-  assign sum_1128 = difference_1126 + (or_633_s1_q ? 11'h0 : rows_12_sum_sums_values_0_q);
-  logic [10:0] difference_1130;
-  assign difference_1130 = {3'h0, sum_946} - (less_1076 ? rows_13_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1132;
-  assign sum_1132 = difference_1130 + (or_633_s1_q ? 11'h0 : rows_13_sum_sums_values_0_q);
-  logic [10:0] difference_1134;
-  assign difference_1134 = {3'h0, sum_968} - (less_1076 ? rows_14_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1136;
-  assign sum_1136 = difference_1134 + (or_633_s1_q ? 11'h0 : rows_14_sum_sums_values_0_q);
-  logic [10:0] difference_1138;
-  assign difference_1138 = {3'h0, sum_990} - (less_1076 ? rows_15_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1140;
-  assign sum_1140 = difference_1138 + (or_633_s1_q ? 11'h0 : rows_15_sum_sums_values_0_q);
-  logic [10:0] difference_1142;
-  assign difference_1142 = {3'h0, sum_1011} - (less_1076 ? rows_16_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1144;
-  assign sum_1144 = difference_1142 + (or_633_s1_q ? 11'h0 : rows_16_sum_sums_values_0_q);
-  logic [10:0] difference_1146;
-  assign difference_1146 = {3'h0, sum_1032} - (less_1076 ? rows_17_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1148;
-  assign sum_1148 = difference_1146 + (or_633_s1_q ? 11'h0 : rows_17_sum_sums_values_0_q);
-  logic [10:0] difference_1150;
-  assign difference_1150 = {3'h0, sum_1053} - (less_1076 ? rows_18_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1152;
-  assign sum_1152 = difference_1150 + (or_633_s1_q ? 11'h0 : rows_18_sum_sums_values_0_q);
-  logic [10:0] difference_1154;
-  assign difference_1154 = {3'h0, sum_1063} - (less_1076 ? rows_19_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1156;
-  assign sum_1156 = difference_1154 + (or_633_s1_q ? 11'h0 : rows_19_sum_sums_values_0_q);
+  logic less_1081;
+  assign less_1081 = 10'h8 < delayed_column_q;
+  logic [10:0] difference_1083;
+  assign difference_1083 = {3'h0, sum_666} - (less_1081 ? rows_0_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1085;
+  assign sum_1085 = difference_1083 + (or_633_s1_q ? 11'h0 : rows_0_sum_sums_values_0_q);
+  logic [10:0] difference_1087;
+  assign difference_1087 = {3'h0, sum_688} - (less_1081 ? rows_1_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1089;
+  assign sum_1089 = difference_1087 + (or_633_s1_q ? 11'h0 : rows_1_sum_sums_values_0_q);
+  logic [10:0] difference_1091;
+  assign difference_1091 = {3'h0, sum_710} - (less_1081 ? rows_2_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1093;
+  assign sum_1093 = difference_1091 + (or_633_s1_q ? 11'h0 : rows_2_sum_sums_values_0_q);
+  logic [10:0] difference_1095;
+  assign difference_1095 = {3'h0, sum_732} - (less_1081 ? rows_3_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1097;
+  assign sum_1097 = difference_1095 + (or_633_s1_q ? 11'h0 : rows_3_sum_sums_values_0_q);
+  logic [10:0] difference_1099;
+  assign difference_1099 = {3'h0, sum_754} - (less_1081 ? rows_4_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1101;
+  assign sum_1101 = difference_1099 + (or_633_s1_q ? 11'h0 : rows_4_sum_sums_values_0_q);
+  logic [10:0] difference_1103;
+  assign difference_1103 = {3'h0, sum_776} - (less_1081 ? rows_5_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1105;
+  assign sum_1105 = difference_1103 + (or_633_s1_q ? 11'h0 : rows_5_sum_sums_values_0_q);
+  logic [10:0] difference_1107;
+  assign difference_1107 = {3'h0, sum_798} - (less_1081 ? rows_6_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1109;
+  assign sum_1109 = difference_1107 + (or_633_s1_q ? 11'h0 : rows_6_sum_sums_values_0_q);
+  logic [10:0] difference_1111;
+  assign difference_1111 = {3'h0, sum_820} - (less_1081 ? rows_7_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1113;
+  assign sum_1113 = difference_1111 + (or_633_s1_q ? 11'h0 : rows_7_sum_sums_values_0_q);
+  logic [10:0] difference_1115;
+  assign difference_1115 = {3'h0, sum_842} - (less_1081 ? rows_8_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1117;
+  assign sum_1117 = difference_1115 + (or_633_s1_q ? 11'h0 : rows_8_sum_sums_values_0_q);
+  logic [10:0] difference_1119;
+  assign difference_1119 = {3'h0, sum_860} - (less_1081 ? rows_9_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1121;
+  assign sum_1121 = difference_1119 + (or_633_s1_q ? 11'h0 : rows_9_sum_sums_values_0_q);
+  logic [10:0] difference_1123;
+  assign difference_1123 = {3'h0, sum_882} - (less_1081 ? rows_10_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1125;
+  assign sum_1125 = difference_1123 + (or_633_s1_q ? 11'h0 : rows_10_sum_sums_values_0_q);
+  logic [10:0] difference_1127;
+  assign difference_1127 = {3'h0, sum_904} - (less_1081 ? rows_11_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1129;
+  assign sum_1129 = difference_1127 + (or_633_s1_q ? 11'h0 : rows_11_sum_sums_values_0_q);
+  logic [10:0] difference_1131;
+  assign difference_1131 = {3'h0, sum_926} - (less_1081 ? rows_12_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1133;
+  assign sum_1133 = difference_1131 + (or_633_s1_q ? 11'h0 : rows_12_sum_sums_values_0_q);
+  logic [10:0] difference_1135;
+  assign difference_1135 = {3'h0, sum_948} - (less_1081 ? rows_13_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1137;
+  assign sum_1137 = difference_1135 + (or_633_s1_q ? 11'h0 : rows_13_sum_sums_values_0_q);
+  logic [10:0] difference_1139;
+  assign difference_1139 = {3'h0, sum_970} - (less_1081 ? rows_14_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1141;
+  assign sum_1141 = difference_1139 + (or_633_s1_q ? 11'h0 : rows_14_sum_sums_values_0_q);
+  logic [10:0] difference_1143;
+  assign difference_1143 = {3'h0, sum_992} - (less_1081 ? rows_15_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1145;
+  assign sum_1145 = difference_1143 + (or_633_s1_q ? 11'h0 : rows_15_sum_sums_values_0_q);
+  logic [10:0] difference_1147;
+  assign difference_1147 = {3'h0, sum_1014} - (less_1081 ? rows_16_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1149;
+  assign sum_1149 = difference_1147 + (or_633_s1_q ? 11'h0 : rows_16_sum_sums_values_0_q);
+  logic [10:0] difference_1151;
+  assign difference_1151 = {3'h0, sum_1036} - (less_1081 ? rows_17_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1153;
+  assign sum_1153 = difference_1151 + (or_633_s1_q ? 11'h0 : rows_17_sum_sums_values_0_q);
+  logic [10:0] difference_1155;
+  assign difference_1155 = {3'h0, sum_1058} - (less_1081 ? rows_18_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1157;
+  assign sum_1157 = difference_1155 + (or_633_s1_q ? 11'h0 : rows_18_sum_sums_values_0_q);
+  logic [10:0] difference_1159;
+  assign difference_1159 = {3'h0, sum_1068} - (less_1081 ? rows_19_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1161;
+  assign sum_1161 = difference_1159 + (or_633_s1_q ? 11'h0 : rows_19_sum_sums_values_0_q);
   // hls/stages/plane_sums.hpp:99
-  logic and_1161;
-  assign and_1161 = (column_memory_rdata_q[190] & running_q) & (3'h2 < select_638);
+  logic and_1166;
+  assign and_1166 = (column_memory_rdata_q[190] & running_q) & (3'h2 < select_638);
   // hls/stages/plane_sums.hpp:110
-  logic and_1165;
-  assign and_1165 = (centres_values_3_gradient_q & and_1161) & (~(delayed_column_q[9:2] == 8'h0));
+  logic and_1170;
+  assign and_1170 = (centres_values_3_gradient_q & and_1166) & (~(delayed_column_q[9:2] == 8'h0));
 
   // Memory feature_memory, write
   logic [9:0] feature_memory_waddr;
@@ -2121,7 +2154,7 @@ module horopter_plane_sums (
   logic column_memory_we;
   assign column_memory_we = s1_en & running_q;
   always_ff @(posedge clk_i) begin
-    if (column_memory_we) column_memory_mem[column_memory_waddr] <= {and_1068, and_1067, entering_values_24_features_mask_q, and_1066, column_memory_rdata_q[179:174], and_1065, column_memory_rdata_q[172:167], and_1064, column_memory_rdata_q[165:160], seen_values_24_exists_s1_q, seen_values_24_grey_s1_q, sum_1063, sum_1053, sum_1032, sum_1011, sum_990, sum_968, sum_946, sum_924, sum_902, sum_880, sum_858, sum_842, sum_820, sum_798, sum_776, sum_754, sum_732, sum_710, sum_688, sum_666};
+    if (column_memory_we) column_memory_mem[column_memory_waddr] <= {and_1073, and_1072, entering_values_24_features_mask_q, and_1071, column_memory_rdata_q[179:174], and_1070, column_memory_rdata_q[172:167], and_1069, column_memory_rdata_q[165:160], seen_values_24_exists_s1_q, seen_values_24_grey_s1_q, sum_1068, sum_1058, sum_1036, sum_1014, sum_992, sum_970, sum_948, sum_926, sum_904, sum_882, sum_860, sum_842, sum_820, sum_798, sum_776, sum_754, sum_732, sum_710, sum_688, sum_666};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -2276,11 +2309,11 @@ module horopter_plane_sums (
       rows_seen_values_2_q <= 1'b0;
       rows_seen_values_3_q <= 1'b0;
     end else if (s1_en) begin
-      arriving_rows_q <= select_1071;
-      delayed_rows_q <= select_1075;
+      arriving_rows_q <= select_1076;
+      delayed_rows_q <= select_1080;
       leaving_values_0_features_left_q <= feature_memory_rdata_q[83:78];
       leaving_values_0_features_right_q <= feature_memory_rdata_q[89:84];
-      leaving_values_0_features_mask_q <= and_656;
+      leaving_values_0_features_mask_q <= and_660;
       leaving_values_1_features_left_q <= leaving_values_0_features_left_q;
       leaving_values_1_features_right_q <= leaving_values_0_features_right_q;
       leaving_values_1_features_mask_q <= leaving_values_0_features_mask_q;
@@ -2400,7 +2433,7 @@ module horopter_plane_sums (
       leaving_values_47_features_mask_q <= leaving_values_46_features_mask_q;
       centres_values_0_seen_grey_q <= running_q ? column_memory_rdata_q[186:181] : 6'h0;
       centres_values_0_seen_exists_q <= column_memory_rdata_q[187] & running_q;
-      centres_values_0_gradient_q <= and_1161;
+      centres_values_0_gradient_q <= and_1166;
       centres_values_1_seen_grey_q <= centres_values_0_seen_grey_q;
       centres_values_1_seen_exists_q <= centres_values_0_seen_exists_q;
       centres_values_1_gradient_q <= centres_values_0_gradient_q;
@@ -2633,7 +2666,7 @@ module horopter_plane_sums (
       rows_0_columns_values_6_q <= rows_0_columns_values_5_q;
       rows_0_columns_values_7_q <= rows_0_columns_values_6_q;
       rows_0_columns_values_8_q <= rows_0_columns_values_7_q;
-      rows_0_sum_sums_values_0_q <= sum_1080;
+      rows_0_sum_sums_values_0_q <= sum_1085;
       rows_1_columns_values_0_q <= {3'h0, sum_688};
       rows_1_columns_values_1_q <= rows_1_columns_values_0_q;
       rows_1_columns_values_2_q <= rows_1_columns_values_1_q;
@@ -2643,7 +2676,7 @@ module horopter_plane_sums (
       rows_1_columns_values_6_q <= rows_1_columns_values_5_q;
       rows_1_columns_values_7_q <= rows_1_columns_values_6_q;
       rows_1_columns_values_8_q <= rows_1_columns_values_7_q;
-      rows_1_sum_sums_values_0_q <= sum_1084;
+      rows_1_sum_sums_values_0_q <= sum_1089;
       rows_2_columns_values_0_q <= {3'h0, sum_710};
       rows_2_columns_values_1_q <= rows_2_columns_values_0_q;
       rows_2_columns_values_2_q <= rows_2_columns_values_1_q;
@@ -2653,7 +2686,7 @@ module horopter_plane_sums (
       rows_2_columns_values_6_q <= rows_2_columns_values_5_q;
       rows_2_columns_values_7_q <= rows_2_columns_values_6_q;
       rows_2_columns_values_8_q <= rows_2_columns_values_7_q;
-      rows_2_sum_sums_values_0_q <= sum_1088;
+      rows_2_sum_sums_values_0_q <= sum_1093;
       rows_3_columns_values_0_q <= {3'h0, sum_732};
       rows_3_columns_values_1_q <= rows_3_columns_values_0_q;
       rows_3_columns_values_2_q <= rows_3_columns_values_1_q;
@@ -2663,7 +2696,7 @@ module horopter_plane_sums (
       rows_3_columns_values_6_q <= rows_3_columns_values_5_q;
       rows_3_columns_values_7_q <= rows_3_columns_values_6_q;
       rows_3_columns_values_8_q <= rows_3_columns_values_7_q;
-      rows_3_sum_sums_values_0_q <= sum_1092;
+      rows_3_sum_sums_values_0_q <= sum_1097;
       rows_4_columns_values_0_q <= {3'h0, sum_754};
       rows_4_columns_values_1_q <= rows_4_columns_values_0_q;
       rows_4_columns_values_2_q <= rows_4_columns_values_1_q;
@@ -2673,7 +2706,7 @@ module horopter_plane_sums (
       rows_4_columns_values_6_q <= rows_4_columns_values_5_q;
       rows_4_columns_values_7_q <= rows_4_columns_values_6_q;
       rows_4_columns_values_8_q <= rows_4_columns_values_7_q;
-      rows_4_sum_sums_values_0_q <= sum_1096;
+      rows_4_sum_sums_values_0_q <= sum_1101;
       rows_5_columns_values_0_q <= {3'h0, sum_776};
       rows_5_columns_values_1_q <= rows_5_columns_values_0_q;
       rows_5_columns_values_2_q <= rows_5_columns_values_1_q;
@@ -2683,7 +2716,7 @@ module horopter_plane_sums (
       rows_5_columns_values_6_q <= rows_5_columns_values_5_q;
       rows_5_columns_values_7_q <= rows_5_columns_values_6_q;
       rows_5_columns_values_8_q <= rows_5_columns_values_7_q;
-      rows_5_sum_sums_values_0_q <= sum_1100;
+      rows_5_sum_sums_values_0_q <= sum_1105;
       rows_6_columns_values_0_q <= {3'h0, sum_798};
       rows_6_columns_values_1_q <= rows_6_columns_values_0_q;
       rows_6_columns_values_2_q <= rows_6_columns_values_1_q;
@@ -2693,7 +2726,7 @@ module horopter_plane_sums (
       rows_6_columns_values_6_q <= rows_6_columns_values_5_q;
       rows_6_columns_values_7_q <= rows_6_columns_values_6_q;
       rows_6_columns_values_8_q <= rows_6_columns_values_7_q;
-      rows_6_sum_sums_values_0_q <= sum_1104;
+      rows_6_sum_sums_values_0_q <= sum_1109;
       rows_7_columns_values_0_q <= {3'h0, sum_820};
       rows_7_columns_values_1_q <= rows_7_columns_values_0_q;
       rows_7_columns_values_2_q <= rows_7_columns_values_1_q;
@@ -2703,7 +2736,7 @@ module horopter_plane_sums (
       rows_7_columns_values_6_q <= rows_7_columns_values_5_q;
       rows_7_columns_values_7_q <= rows_7_columns_values_6_q;
       rows_7_columns_values_8_q <= rows_7_columns_values_7_q;
-      rows_7_sum_sums_values_0_q <= sum_1108;
+      rows_7_sum_sums_values_0_q <= sum_1113;
       rows_8_columns_values_0_q <= {3'h0, sum_842};
       rows_8_columns_values_1_q <= rows_8_columns_values_0_q;
       rows_8_columns_values_2_q <= rows_8_columns_values_1_q;
@@ -2713,8 +2746,8 @@ module horopter_plane_sums (
       rows_8_columns_values_6_q <= rows_8_columns_values_5_q;
       rows_8_columns_values_7_q <= rows_8_columns_values_6_q;
       rows_8_columns_values_8_q <= rows_8_columns_values_7_q;
-      rows_8_sum_sums_values_0_q <= sum_1112;
-      rows_9_columns_values_0_q <= {3'h0, sum_858};
+      rows_8_sum_sums_values_0_q <= sum_1117;
+      rows_9_columns_values_0_q <= {3'h0, sum_860};
       rows_9_columns_values_1_q <= rows_9_columns_values_0_q;
       rows_9_columns_values_2_q <= rows_9_columns_values_1_q;
       rows_9_columns_values_3_q <= rows_9_columns_values_2_q;
@@ -2723,8 +2756,8 @@ module horopter_plane_sums (
       rows_9_columns_values_6_q <= rows_9_columns_values_5_q;
       rows_9_columns_values_7_q <= rows_9_columns_values_6_q;
       rows_9_columns_values_8_q <= rows_9_columns_values_7_q;
-      rows_9_sum_sums_values_0_q <= sum_1116;
-      rows_10_columns_values_0_q <= {3'h0, sum_880};
+      rows_9_sum_sums_values_0_q <= sum_1121;
+      rows_10_columns_values_0_q <= {3'h0, sum_882};
       rows_10_columns_values_1_q <= rows_10_columns_values_0_q;
       rows_10_columns_values_2_q <= rows_10_columns_values_1_q;
       rows_10_columns_values_3_q <= rows_10_columns_values_2_q;
@@ -2733,8 +2766,8 @@ module horopter_plane_sums (
       rows_10_columns_values_6_q <= rows_10_columns_values_5_q;
       rows_10_columns_values_7_q <= rows_10_columns_values_6_q;
       rows_10_columns_values_8_q <= rows_10_columns_values_7_q;
-      rows_10_sum_sums_values_0_q <= sum_1120;
-      rows_11_columns_values_0_q <= {3'h0, sum_902};
+      rows_10_sum_sums_values_0_q <= sum_1125;
+      rows_11_columns_values_0_q <= {3'h0, sum_904};
       rows_11_columns_values_1_q <= rows_11_columns_values_0_q;
       rows_11_columns_values_2_q <= rows_11_columns_values_1_q;
       rows_11_columns_values_3_q <= rows_11_columns_values_2_q;
@@ -2743,8 +2776,8 @@ module horopter_plane_sums (
       rows_11_columns_values_6_q <= rows_11_columns_values_5_q;
       rows_11_columns_values_7_q <= rows_11_columns_values_6_q;
       rows_11_columns_values_8_q <= rows_11_columns_values_7_q;
-      rows_11_sum_sums_values_0_q <= sum_1124;
-      rows_12_columns_values_0_q <= {3'h0, sum_924};
+      rows_11_sum_sums_values_0_q <= sum_1129;
+      rows_12_columns_values_0_q <= {3'h0, sum_926};
       rows_12_columns_values_1_q <= rows_12_columns_values_0_q;
       rows_12_columns_values_2_q <= rows_12_columns_values_1_q;
       rows_12_columns_values_3_q <= rows_12_columns_values_2_q;
@@ -2753,8 +2786,8 @@ module horopter_plane_sums (
       rows_12_columns_values_6_q <= rows_12_columns_values_5_q;
       rows_12_columns_values_7_q <= rows_12_columns_values_6_q;
       rows_12_columns_values_8_q <= rows_12_columns_values_7_q;
-      rows_12_sum_sums_values_0_q <= sum_1128;
-      rows_13_columns_values_0_q <= {3'h0, sum_946};
+      rows_12_sum_sums_values_0_q <= sum_1133;
+      rows_13_columns_values_0_q <= {3'h0, sum_948};
       rows_13_columns_values_1_q <= rows_13_columns_values_0_q;
       rows_13_columns_values_2_q <= rows_13_columns_values_1_q;
       rows_13_columns_values_3_q <= rows_13_columns_values_2_q;
@@ -2763,8 +2796,8 @@ module horopter_plane_sums (
       rows_13_columns_values_6_q <= rows_13_columns_values_5_q;
       rows_13_columns_values_7_q <= rows_13_columns_values_6_q;
       rows_13_columns_values_8_q <= rows_13_columns_values_7_q;
-      rows_13_sum_sums_values_0_q <= sum_1132;
-      rows_14_columns_values_0_q <= {3'h0, sum_968};
+      rows_13_sum_sums_values_0_q <= sum_1137;
+      rows_14_columns_values_0_q <= {3'h0, sum_970};
       rows_14_columns_values_1_q <= rows_14_columns_values_0_q;
       rows_14_columns_values_2_q <= rows_14_columns_values_1_q;
       rows_14_columns_values_3_q <= rows_14_columns_values_2_q;
@@ -2773,8 +2806,8 @@ module horopter_plane_sums (
       rows_14_columns_values_6_q <= rows_14_columns_values_5_q;
       rows_14_columns_values_7_q <= rows_14_columns_values_6_q;
       rows_14_columns_values_8_q <= rows_14_columns_values_7_q;
-      rows_14_sum_sums_values_0_q <= sum_1136;
-      rows_15_columns_values_0_q <= {3'h0, sum_990};
+      rows_14_sum_sums_values_0_q <= sum_1141;
+      rows_15_columns_values_0_q <= {3'h0, sum_992};
       rows_15_columns_values_1_q <= rows_15_columns_values_0_q;
       rows_15_columns_values_2_q <= rows_15_columns_values_1_q;
       rows_15_columns_values_3_q <= rows_15_columns_values_2_q;
@@ -2783,8 +2816,8 @@ module horopter_plane_sums (
       rows_15_columns_values_6_q <= rows_15_columns_values_5_q;
       rows_15_columns_values_7_q <= rows_15_columns_values_6_q;
       rows_15_columns_values_8_q <= rows_15_columns_values_7_q;
-      rows_15_sum_sums_values_0_q <= sum_1140;
-      rows_16_columns_values_0_q <= {3'h0, sum_1011};
+      rows_15_sum_sums_values_0_q <= sum_1145;
+      rows_16_columns_values_0_q <= {3'h0, sum_1014};
       rows_16_columns_values_1_q <= rows_16_columns_values_0_q;
       rows_16_columns_values_2_q <= rows_16_columns_values_1_q;
       rows_16_columns_values_3_q <= rows_16_columns_values_2_q;
@@ -2793,8 +2826,8 @@ module horopter_plane_sums (
       rows_16_columns_values_6_q <= rows_16_columns_values_5_q;
       rows_16_columns_values_7_q <= rows_16_columns_values_6_q;
       rows_16_columns_values_8_q <= rows_16_columns_values_7_q;
-      rows_16_sum_sums_values_0_q <= sum_1144;
-      rows_17_columns_values_0_q <= {3'h0, sum_1032};
+      rows_16_sum_sums_values_0_q <= sum_1149;
+      rows_17_columns_values_0_q <= {3'h0, sum_1036};
       rows_17_columns_values_1_q <= rows_17_columns_values_0_q;
       rows_17_columns_values_2_q <= rows_17_columns_values_1_q;
       rows_17_columns_values_3_q <= rows_17_columns_values_2_q;
@@ -2803,8 +2836,8 @@ module horopter_plane_sums (
       rows_17_columns_values_6_q <= rows_17_columns_values_5_q;
       rows_17_columns_values_7_q <= rows_17_columns_values_6_q;
       rows_17_columns_values_8_q <= rows_17_columns_values_7_q;
-      rows_17_sum_sums_values_0_q <= sum_1148;
-      rows_18_columns_values_0_q <= {3'h0, sum_1053};
+      rows_17_sum_sums_values_0_q <= sum_1153;
+      rows_18_columns_values_0_q <= {3'h0, sum_1058};
       rows_18_columns_values_1_q <= rows_18_columns_values_0_q;
       rows_18_columns_values_2_q <= rows_18_columns_values_1_q;
       rows_18_columns_values_3_q <= rows_18_columns_values_2_q;
@@ -2813,8 +2846,8 @@ module horopter_plane_sums (
       rows_18_columns_values_6_q <= rows_18_columns_values_5_q;
       rows_18_columns_values_7_q <= rows_18_columns_values_6_q;
       rows_18_columns_values_8_q <= rows_18_columns_values_7_q;
-      rows_18_sum_sums_values_0_q <= sum_1152;
-      rows_19_columns_values_0_q <= {3'h0, sum_1063};
+      rows_18_sum_sums_values_0_q <= sum_1157;
+      rows_19_columns_values_0_q <= {3'h0, sum_1068};
       rows_19_columns_values_1_q <= rows_19_columns_values_0_q;
       rows_19_columns_values_2_q <= rows_19_columns_values_1_q;
       rows_19_columns_values_3_q <= rows_19_columns_values_2_q;
@@ -2823,22 +2856,22 @@ module horopter_plane_sums (
       rows_19_columns_values_6_q <= rows_19_columns_values_5_q;
       rows_19_columns_values_7_q <= rows_19_columns_values_6_q;
       rows_19_columns_values_8_q <= rows_19_columns_values_7_q;
-      rows_19_sum_sums_values_0_q <= sum_1156;
+      rows_19_sum_sums_values_0_q <= sum_1161;
     end
   end
 
   logic [5:0] centres_values_3_seen_grey_s2_q;
   logic centre_marks_values_3_first_s2_q;
   logic centre_marks_values_3_last_s2_q;
-  logic and_1165_s2_q;
-  logic and_1166_s2_q;
+  logic and_1170_s2_q;
+  logic and_1171_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       centres_values_3_seen_grey_s2_q <= centres_values_3_seen_grey_q;
       centre_marks_values_3_first_s2_q <= centre_marks_values_3_first_s1_q;
       centre_marks_values_3_last_s2_q <= centre_marks_values_3_last_s1_q;
-      and_1165_s2_q <= and_1165;
-      and_1166_s2_q <= centres_values_3_seen_exists_q & rows_seen_values_3_q;
+      and_1170_s2_q <= and_1170;
+      and_1171_s2_q <= centres_values_3_seen_exists_q & rows_seen_values_3_q;
     end
   end
 
@@ -2864,8 +2897,8 @@ module horopter_plane_sums (
   assign sum_18_o = rows_18_sum_sums_values_0_q;
   assign evidence_o = rows_19_sum_sums_values_0_q;
   assign grey_o = centres_values_3_seen_grey_s2_q;
-  assign known_o = and_1165_s2_q;
-  assign exists_o = and_1166_s2_q;
+  assign known_o = and_1170_s2_q;
+  assign exists_o = and_1171_s2_q;
   assign marks_first_o = centre_marks_values_3_first_s2_q;
   assign marks_last_o = centre_marks_values_3_last_s2_q;
   assign valid_o = valid_s2_q;

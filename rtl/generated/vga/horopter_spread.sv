@@ -256,11 +256,13 @@ module horopter_spread (
   // hls/stages/spread.hpp:44
   logic [6:0] difference_355;
   assign difference_355 = {1'b0, grey_i} - {1'b0, last_grey_q};
-  logic [7:0] difference;
-  assign difference = difference_355[6] ? (8'h0 - {difference_355[6], difference_355}) : {2'h0, difference_355[5:0]};
+  logic [5:0] xor_356;
+  assign xor_356 = difference_355[5:0] ^ {6{difference_355[6]}};
+  logic [6:0] difference;
+  assign difference = {6'h0, difference_355[6]} + {1'b0, xor_356};
   // hls/stages/spread.hpp:46
   logic and_361;
-  assign and_361 = exists_i & (last_exists_q & (~({5'h0, cfg_smooth_i} < difference)));
+  assign and_361 = exists_i & (last_exists_q & (~({4'h0, cfg_smooth_i} < difference)));
   logic and_362;
   assign and_362 = (~(marks_first_i | row_ended_q)) & and_361;
   // hls/stages/spread.hpp:80

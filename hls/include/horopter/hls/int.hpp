@@ -420,8 +420,16 @@ constexpr u<N> sat(T value) {
   return u<N>(value);
 }
 
+/// In hardware the bits turned round, and one more: no choice behind the adder.
 template <int N>
 constexpr u<N> abs(s<N> value) {
+#ifdef __HLSC__
+  if constexpr (N < 64) {
+    const bool negative = value.negative();
+    const u<N> bits(value);
+    return u<N>((negative ? ~bits : bits) + u<1>(negative));
+  }
+#endif
   using work = detail::signed_work<N + 1 <= 64 ? N + 1 : 64>;
   const work v = value.value();
   return u<N>(detail::exact_t{}, static_cast<std::uint64_t>(v < 0 ? -v : v));
