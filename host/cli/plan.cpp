@@ -204,10 +204,14 @@ void add_plan(CLI::App& app, Outcome& outcome) {
   thickness
       ->add_option("--tolerance", options->tolerance_px,
                    "Disparity tolerance D, pixels of the result (after sub-sampling), or D95: that of Table 11.1")
-      ->transform(CLI::Transformer({{std::string("D95"), fmt::format("{}", kD95_px)}}))
-      ->check(CLI::PositiveNumber)
+      ->transform(CLI::Validator(
+          [](std::string& value) {
+            if (value == "D95") value = fmt::format("{}", kD95_px);
+            return CLI::PositiveNumber(value).empty() ? "" : fmt::format("'{}' is neither above 0 nor D95", value);
+          },
+          ""))
       ->capture_default_str()
-      ->type_name("PX");
+      ->type_name("PX|D95");
   thickness
       ->add_option("--frame-rate", options->images_per_s,
                    "Results a second: frames, or fields of profile field (default: 50 fields, 60 frames)")

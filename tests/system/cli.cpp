@@ -541,6 +541,37 @@ TEST_CASE("Help suffices") {
   CHECK(box.run({"--version"}).out == HOROPTER_VERSION "\n");
 }
 
+TEST_CASE("Options of words: help shows them, and whoever writes another is told them") {
+  struct Words {
+    std::vector<std::string> command;
+    std::string option, shown, listed;
+  };
+  const std::string shown = "thesis|compete";
+  const std::string listed = "thesis, compete";
+  const auto words = GENERATE_COPY(
+      values<Words>({{{"run"}, "--decision", shown, listed},
+                     {{"map"}, "--decision", shown, listed},
+                     {{"evaluate"}, "--decision", shown, listed},
+                     {{"study", "board"}, "--decision", shown, listed},
+                     {{"run"}, "--engine", "native|rtl", "native, rtl"},
+                     {{"evaluate"}, "--change", "none|gain|noise|vertical,…", "none, gain, noise, vertical"},
+                     {{"study", "segmentation"},
+                      "--texture",
+                      "dead-leaves|band-noise|printed-dots",
+                      "dead-leaves, band-noise, printed-dots"}}));
+  CAPTURE(words.command, words.option);
+  const Sandbox box;
+  const std::string help = box.run(words.command + std::vector<std::string>{"--help"}).out;
+  CHECK_THAT(help, Catch::Contains(words.option + " " + words.shown));
+  for (const char* ugly : {"->", " OR ", ":{", "{false}"}) CHECK_THAT(help, !Catch::Contains(ugly));
+  const auto wrong = box.run(words.command + std::vector<std::string>{words.option, "guess"});
+  CHECK(wrong.status == 2);
+  CHECK_THAT(wrong.err, Catch::Contains(words.option + ": 'guess' is not one of " + words.listed));
+  const std::string last = words.listed.substr(words.listed.rfind(' ') + 1);
+  CHECK_THAT(box.run(words.command + std::vector<std::string>{words.option, last}).err,
+             !Catch::Contains("is not one of"));
+}
+
 TEST_CASE("map makes, explains and draws tables") {
   Sandbox box;
   with_pairs(box);
