@@ -245,7 +245,8 @@ TEST_CASE("compete: cameras that cannot serve neighbours are refused, pixels tha
   const int served = unsupervised(run + compete);
   box.write("rig.yaml", rig_text("1.2"));
   check_bad_file(box, map + compete, "wall.yaml",
-                 "at 100.0 % of the pixels that see it the epipolar line leaves the row by more than 0.5 px within the "
+                 "at 100.0 % of the pixels that could be supervised the epipolar line leaves the row by more than 0.5 "
+                 "px within the "
                  "24 px");
   check_bad_file(box, run + compete, "wall.yaml", "images rectified, or --decision thesis");
   CHECK(by_row(map) == 0);
@@ -552,6 +553,8 @@ TEST_CASE("Options of words: help shows them, and whoever writes another is told
       values<Words>({{{"run"}, "--decision", shown, listed},
                      {{"map"}, "--decision", shown, listed},
                      {{"evaluate"}, "--decision", shown, listed},
+                     {{"plan", "thickness"}, "--decision", shown, listed},
+                     {{"plan", "rig"}, "--decision", shown, listed},
                      {{"study", "board"}, "--decision", shown, listed},
                      {{"run"}, "--engine", "native|rtl", "native, rtl"},
                      {{"evaluate"}, "--change", "none|gain|noise|vertical,…", "none, gain, noise, vertical"},
