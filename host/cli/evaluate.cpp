@@ -27,6 +27,7 @@
 #include "progress.hpp"
 #include "stereo_matching.hpp"
 #include "stereo_pairs.hpp"
+#include "words.hpp"
 
 namespace horopter::cli {
 namespace {
@@ -367,12 +368,11 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
       ->delimiter(',')
       ->check(CLI::NonNegativeNumber)
       ->type_name("D,…");
-  command
-      ->add_option("--change", options->changes,
-                   "Evaluate also with these changes of the right image: gain, noise, vertical (default: all)")
-      ->delimiter(',')
-      ->check(CLI::IsMember(change_names()))
-      ->type_name("NAME,…");
+  only(command
+           ->add_option("--change", options->changes,
+                        "Evaluate also with these changes of the right image (default: all)")
+           ->delimiter(','),
+       change_names());
   add_decision(*command, options->settings.decision);
   const CLI::Option* threshold =
       command
@@ -404,8 +404,8 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
   const CLI::Option* boundary =
       compete_option("--boundary", options->settings.competition.boundary, 14,
                      "compete: where the skin ends, from about 1/2 to 3/2 px before and behind it");
-  command->add_option("--engine", options->engine, "native: C++ on this CPU; rtl: the co-simulated hardware")
-      ->check(CLI::IsMember({"native", "rtl"}))
+  only(command->add_option("--engine", options->engine, "native: C++ on this CPU; rtl: the co-simulated hardware"),
+       {"native", "rtl"})
       ->capture_default_str();
   command
       ->add_option("--profile", options->profile,

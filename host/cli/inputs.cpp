@@ -134,4 +134,19 @@ void report_rows(Decision decision, bool has_rig, nlohmann::ordered_json& summar
   fmt::print("no rig: compete supposes rectified images, and whether epipolar lines stay in their rows is not known\n");
 }
 
+bool report_row_count(const RowCount& rows, const ViewLimits& view, bool json) {
+  if (view.largest_shift_px == 0) return true;
+  if (!json) {
+    fmt::print("  epipolar lines leave the row at {:.1f} % of the pixels within the other limits: not supervised\n",
+               100 * rows.share());
+  }
+  try {
+    check_rows(rows, view);
+  } catch (const RowError& error) {
+    fmt::print(stderr, "horopter: {}; expected {}\n", error.what(), RowError::expected());
+    return false;
+  }
+  return true;
+}
+
 }  // namespace horopter::cli

@@ -40,5 +40,8 @@ MapSet load_or_compile_maps(const std::string& skin, const std::optional<calib::
 /// Whether epipolar lines were followed, for programs (`rows_checked`) and, where they could not be, for people.
 /// Nothing for a rule that does not need it.
 void report_rows(Decision decision, bool has_rig, nlohmann::ordered_json& summary, bool json);
+/// Of a skin that is planned: what epipolar lines that leave the row cost, for people. False, and said on standard
+/// error, where they leave it at so many pixels that there is no table for the rule.
+bool report_row_count(const RowCount& rows, const ViewLimits& view, bool json);
 
 }  // namespace horopter::cli

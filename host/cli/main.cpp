@@ -5,10 +5,11 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
-#include <map>
 #include <opencv2/core/utils/logger.hpp>
+#include <string>
 
 #include "commands.hpp"
+#include "words.hpp"
 #ifdef HOROPTER_HAS_RTL
 #include "horopter/engines.hpp"
 #include "horopter/rtl_device.hpp"
@@ -67,13 +68,14 @@ int run(int argc, char** argv) {
 }  // namespace
 
 CLI::Option* add_decision(CLI::App& command, Decision& decision) {
-  const std::map<std::string, Decision> names{{"thesis", Decision::thesis}, {"compete", Decision::compete}};
-  return command
-      .add_option("--decision", decision,
-                  "thesis: one skin, one threshold; compete: parallel skins compete, pixels that look alike vote")
-      ->transform(CLI::CheckedTransformer(names))
-      ->default_str(std::string(name_of(decision)))
-      ->type_name("thesis|compete");
+  const std::string thesis(name_of(Decision::thesis)), compete(name_of(Decision::compete));
+  CLI::Option* option = command.add_option_function<std::string>(
+      "--decision",
+      [&decision, compete](const std::string& name) {
+        decision = name == compete ? Decision::compete : Decision::thesis;
+      },
+      "thesis: one skin, one threshold; compete: parallel skins compete, pixels that look alike vote");
+  return only(option, {thesis, compete})->default_str(std::string(name_of(decision)));
 }
 
 bool interrupted() { return stop_requested != 0; }

@@ -81,8 +81,9 @@ void add_pattern(CLI::App& app, Outcome& outcome) {
       ->capture_default_str()
       ->type_name("PAPER");
   command->add_flag("--inverse", options->inverse, "Bright fiducials on black ground");
-  command->add_flag("!--no-hole", options->hole,
-                    "No hole in the first fiducial; images then do not tell how the target is turned");
+  command->add_flag_callback(
+      "--no-hole", [options] { options->hole = false; },
+      "No hole in the first fiducial; images then do not tell how the target is turned");
   command->add_flag("--json", options->json, "Print what was made as JSON on standard output, and nothing else");
   command->footer(
       "The sheet is turned so that the target fits. Lengths of the bars count from outside to outside.\n\n"

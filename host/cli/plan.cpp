@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "horopter/map_compiler.hpp"
 #include "horopter/output.hpp"
 #include "horopter/skin_file.hpp"
 #include "inputs.hpp"
@@ -25,6 +26,7 @@ struct ThicknessOptions {
   std::vector<double> distances_mm;
   std::string profile;
   double tolerance_px = kD95_px;
+  Decision decision = Decision::thesis;
   double images_per_s = 0;
   double stopping_ms = 0;
   std::string out;
@@ -47,6 +49,7 @@ nlohmann::ordered_json to_json(const PlannedSkin& skin, const ThicknessPlan& pla
           {"pixels", plan.pixels},
           {"exploitation", plan.exploitation()},
           {"supervised_pixels", plan.supervised},
+          {"beyond_rows", plan.rows.share()},
           {"distance_mm", to_json(plan.distance)},
           {"slope_deg", to_json(plan.slope_deg)},
           {"thickness_mm",
@@ -120,6 +123,7 @@ ExitStatus plan_thickness(const ThicknessOptions& options) {
   // As cameras of the thesis and of today have it.
   const double images_per_s = options.images_per_s > 0 ? options.images_per_s : profile->takes_fields() ? 50 : 60;
   const ScanGeometry geometry = scans_of(*profile, width, height).front();
+  const ViewLimits view = view_limits(*profile, options.decision);
 
   std::optional<OutputDirectory> output;
   if (!options.out.empty()) output.emplace(options.out);
@@ -129,6 +133,7 @@ ExitStatus plan_thickness(const ThicknessOptions& options) {
   nlohmann::ordered_json json{
       {"rig", {{"baseline_mm", axis.baseline_mm}, {"tilt_deg", axis.tilt_deg}, {"f_px", axis.f_px}}},
       {"profile", profile->name},
+      {"decision", name_of(options.decision)},
       {"tolerance_px", options.tolerance_px},
       {"images_per_s", images_per_s},
       {"detection_ms", detection_s * 1e3},
@@ -141,19 +146,23 @@ ExitStatus plan_thickness(const ThicknessOptions& options) {
   if (!options.json) {
     fmt::print("rig      baseline {:.2f} mm, each optical axis {:.2f} degrees off the axis of symmetry, f {:.1f} px\n",
                axis.baseline_mm, axis.tilt_deg, axis.f_px);
-    fmt::print("profile  {}, {} images a second, disparity tolerance {} px of the result ({} px of the image)\n",
-               profile->name, images_per_s, options.tolerance_px, options.tolerance_px * profile->subsample);
+    fmt::print(
+        "profile  {}, rule {}, {} images a second, disparity tolerance {} px of the result ({} px of the image)\n",
+        profile->name, name_of(options.decision), images_per_s, options.tolerance_px,
+        options.tolerance_px * profile->subsample);
   }
   bool nothing = false;
+  bool refused = false;
   for (const PlannedSkin& skin : skins) {
     ThicknessPlan plan;
     try {
-      plan = plan_thickness(*cameras, *skin.surface, *profile, geometry, options.tolerance_px);
+      plan = plan_thickness(*cameras, *skin.surface, *profile, geometry, options.tolerance_px, view);
     } catch (const std::invalid_argument& error) {
       throw FileError(options.rig, "", skin.name + ": " + error.what(), "a skin in front of both cameras");
     }
     json["skins"].push_back(to_json(skin, plan, images_per_s));
     if (!options.json) print(skin, plan, images_per_s);
+    refused = !report_row_count(plan.rows, view, options.json) || refused;
     nothing = nothing || plan.supervised == 0;
     if (output) {
       output->write(skin.picture, encode_png_bgr(geometry.width, geometry.height,
@@ -177,7 +186,7 @@ ExitStatus plan_thickness(const ThicknessOptions& options) {
     if (output) fmt::print("thickness.json and pictures are in {}\n", options.out);
   }
   if (nothing) std::fprintf(stderr, "horopter: nothing of a skin is supervised\n");
-  return nothing ? ExitStatus::check_failed : ExitStatus::done;
+  return nothing || refused ? ExitStatus::check_failed : ExitStatus::done;
 }
 
 }  // namespace
@@ -204,10 +213,15 @@ void add_plan(CLI::App& app, Outcome& outcome) {
   thickness
       ->add_option("--tolerance", options->tolerance_px,
                    "Disparity tolerance D, pixels of the result (after sub-sampling), or D95: that of Table 11.1")
-      ->transform(CLI::Transformer({{std::string("D95"), fmt::format("{}", kD95_px)}}))
-      ->check(CLI::PositiveNumber)
+      ->transform(CLI::Validator(
+          [](std::string& value) {
+            if (value == "D95") value = fmt::format("{}", kD95_px);
+            return CLI::PositiveNumber(value).empty() ? "" : fmt::format("'{}' is neither above 0 nor D95", value);
+          },
+          ""))
       ->capture_default_str()
-      ->type_name("PX");
+      ->type_name("PX|D95");
+  add_decision(*thickness, options->decision);
   thickness
       ->add_option("--frame-rate", options->images_per_s,
                    "Results a second: frames, or fields of profile field (default: 50 fields, 60 frames)")
@@ -230,7 +244,9 @@ void add_plan(CLI::App& app, Outcome& outcome) {
       "threshold (Table 11.2: 0.4, 0.6, 0.7, 0.9, 1.0, 1.1 px at 11.3, 15.0, 18.4, 21.9, 25.1, 28.4 %).\n"
       "Largest speed is thickness times results a second: a faster object can pass between two images. The safety\n"
       "distance is response time times speed: to the alarm two image periods and the machine's lines, and the robot's\n"
-      "stopping time. Exit status 1: nothing of a skin is supervised.\n\n"
+      "stopping time. For --decision compete, pixels whose epipolar line leaves the row are not supervised (`horopter "
+      "map\n"
+      "--help`). Exit status 1: nothing of a skin is supervised, or so little that `map` refuses the cameras.\n\n"
       "Examples: horopter plan thickness --rig rig.yaml --skin skin.yaml --stopping-ms 120 --out plan\n"
       "          horopter plan thickness --rig host/examples/table_11_1.yaml --profile field --distance 700 800 900");
   thickness->callback([options, &outcome] { outcome.status = plan_thickness(*options); });

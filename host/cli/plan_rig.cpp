@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "horopter/map_compiler.hpp"
 #include "horopter/output.hpp"
 #include "horopter/skin_file.hpp"
 #include "horopter/watch.hpp"
@@ -34,6 +35,7 @@ struct RigOptions {
   std::string skin;
   std::string profile;
   double tolerance_px = kD95_px;
+  Decision decision = Decision::thesis;
   std::string zone;
   std::vector<std::string> obstacles;
   std::vector<double> from_mm;
@@ -100,6 +102,7 @@ Json to_json(const Planned& skin, const Views& views) {
   const CommonField& f = views.field;
   return {{"skin", skin.name},
           {"distance_mm", to_json(views.thickness.distance)},
+          {"beyond_rows", views.thickness.rows.share()},
           {"common_field",
            {{"left_m2", f.left_m2},
             {"common_m2", f.common_m2},
@@ -171,7 +174,7 @@ void print(const EntryPlan& plan) {
 
 /// Thickness and common field over distance, as CSV and SVG.
 void write_over_distance(OutputDirectory& output, const CameraPair& cameras, const MachineProfile& profile,
-                         const ScanGeometry& geometry, double tolerance_px, double middle_mm) {
+                         const ScanGeometry& geometry, double tolerance_px, const ViewLimits& view, double middle_mm) {
   const StereoAxis axis(cameras);
   Csv csv({"distance_mm", "thickness_smallest_mm", "thickness_mean_mm", "thickness_largest_mm", "thickness_11_1_mm",
            "common_width_mm", "common_height_mm", "exploitation"});
@@ -187,7 +190,7 @@ void write_over_distance(OutputDirectory& output, const CameraPair& cameras, con
     ThicknessPlan plan;
     CommonField field;
     try {
-      plan = plan_thickness(cameras, *plane, profile, geometry, tolerance_px);
+      plan = plan_thickness(cameras, *plane, profile, geometry, tolerance_px, view);
       field = common_field(cameras, *plane, geometry);
     } catch (const std::invalid_argument&) {
       continue;  // too near to be before both cameras
@@ -247,6 +250,7 @@ ExitStatus plan_rig(RigOptions options) {
   }
   check_image_size(rig_name, width, height, *profile);
   const ScanGeometry geometry = scans_of(*profile, width, height).front();
+  const ViewLimits view = view_limits(*profile, options.decision);
   const SurfacePtr zone = options.zone.empty() ? nullptr : load_surface(options.zone);
   SurfacePtr obstacles;
   if (!options.obstacles.empty()) {
@@ -262,9 +266,9 @@ ExitStatus plan_rig(RigOptions options) {
   std::vector<Watch> watches;
   for (const Planned& skin : skins) {
     try {
-      views.push_back({plan_thickness(cameras, *skin.surface, *profile, geometry, options.tolerance_px),
-                       common_field(cameras, *skin.surface, geometry)});
-      watches.emplace_back(cameras, skin.surface, obstacles, *profile, geometry);
+      views.push_back({plan_thickness(cameras, *skin.surface, *profile, geometry, options.tolerance_px, view),
+                       common_field(cameras, *skin.surface, geometry, view)});
+      watches.emplace_back(cameras, skin.surface, obstacles, *profile, geometry, view);
     } catch (const std::invalid_argument& error) {
       throw FileError(options.skin.empty() ? rig_name : options.skin, "", skin.name + ": " + error.what(),
                       "a skin in front of both cameras");
@@ -290,6 +294,7 @@ ExitStatus plan_rig(RigOptions options) {
               {"axis_seen_from_mm", depth ? Json(depth->nearest_mm) : Json()},
               {"axis_seen_to_mm", depth ? Json(depth->farthest_mm) : Json()}}},
             {"profile", profile->name},
+            {"decision", name_of(options.decision)},
             {"tolerance_px", options.tolerance_px},
             {"skins", Json::array()}};
   for (std::size_t i = 0; i < skins.size(); ++i) json["skins"].push_back(to_json(skins[i], views[i]));
@@ -301,7 +306,7 @@ ExitStatus plan_rig(RigOptions options) {
                                                    axis.baseline_mm, axis.tilt_deg, axis.f_px),
                                        cameras, drawn, entries ? &*entries : nullptr));
     if (std::isfinite(distance)) {
-      write_over_distance(*output, cameras, *profile, geometry, options.tolerance_px, distance);
+      write_over_distance(*output, cameras, *profile, geometry, options.tolerance_px, view, distance);
     }
     if (options.rig.empty()) output->write("rig.yaml", calib::to_yaml(rig));
     output->write("rig.json", json.dump(2) + "\n");
@@ -319,16 +324,22 @@ ExitStatus plan_rig(RigOptions options) {
     } else {
       fmt::print("axis     nowhere seen by both cameras: change the tilt\n");
     }
-    fmt::print("profile  {}, disparity tolerance {} px of the result ({} px of the image)\n", profile->name,
-               options.tolerance_px, options.tolerance_px * profile->subsample);
-    for (std::size_t i = 0; i < skins.size(); ++i) print(skins[i], views[i]);
+    fmt::print("profile  {}, rule {}, disparity tolerance {} px of the result ({} px of the image)\n", profile->name,
+               name_of(options.decision), options.tolerance_px, options.tolerance_px * profile->subsample);
+  }
+  bool nothing = false;
+  bool refused = false;
+  for (std::size_t i = 0; i < skins.size(); ++i) {
+    if (!options.json) print(skins[i], views[i]);
+    refused = !report_row_count(views[i].thickness.rows, view, options.json) || refused;
+    nothing = nothing || views[i].thickness.supervised == 0;
+  }
+  if (!options.json) {
     if (entries) print(*entries);
     if (output) fmt::print("rig.svg and the rest are in {}\n", options.out);
   }
-  bool nothing = false;
-  for (const Views& view : views) nothing = nothing || view.thickness.supervised == 0;
   if (nothing) std::fprintf(stderr, "horopter: nothing of a skin is supervised\n");
-  return nothing || (entries && !entries->unseen_mm.empty()) ? ExitStatus::check_failed : ExitStatus::done;
+  return nothing || refused || (entries && !entries->unseen_mm.empty()) ? ExitStatus::check_failed : ExitStatus::done;
 }
 
 }  // namespace
@@ -373,6 +384,7 @@ void add_plan_rig(CLI::App& plan, Outcome& outcome) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str()
       ->type_name("PX");
+  add_decision(*rig, options->decision);
   rig->add_option("--zone", options->zone,
                   "What must not be entered unseen: a file with `surface:` as in skin.yaml, or the skin's own file")
       ->type_name("FILE");
@@ -400,7 +412,12 @@ void add_plan_rig(CLI::App& plan, Outcome& outcome) {
       "on a\n"
       "lattice, around obstacles, and through whatever of the skin is not seen.\n"
       "At its rim a skin is not decided, for half a window: where it ends at a table, let it go on along the table.\n"
-      "Exit status 1: nothing of a skin is supervised, or the zone can be entered unseen.\n\n"
+      "For --decision compete, pixels whose epipolar line leaves the row are not supervised: cameras turned towards "
+      "each\n"
+      "other, as without --tilt, lose the more the more they are turned (`horopter map --help`).\n"
+      "Exit status 1: nothing of a skin is supervised, or so little that `map` refuses the cameras, or the zone can "
+      "be\n"
+      "entered unseen.\n\n"
       "Examples: horopter plan rig --focal 10 --pixel 8.5 --image-size 756 572 --thickness 10 --distance 800 --profile "
       "field --out plan\n"
       "          horopter plan rig --rig plan/rig.yaml --skin box.yaml --zone box.yaml --obstacle table.yaml --out "

@@ -20,6 +20,7 @@
 #include "inputs.hpp"
 #include "progress.hpp"
 #include "thickness.hpp"
+#include "words.hpp"
 
 namespace horopter::cli {
 namespace {
@@ -195,8 +196,8 @@ void add_run(CLI::App& app, Outcome& outcome) {
                        " (default: the smallest that holds the image; field, "
                        "which splits an image into two fields, on request only)")
       ->type_name("P");
-  command->add_option("--engine", options->engine, "native: C++ on this CPU; rtl: the co-simulated hardware")
-      ->check(CLI::IsMember({"native", "rtl"}))
+  only(command->add_option("--engine", options->engine, "native: C++ on this CPU; rtl: the co-simulated hardware"),
+       {"native", "rtl"})
       ->capture_default_str();
   add_decision(*command, options->settings.decision);
   add_thickness(*command, options->thickness);
@@ -234,7 +235,7 @@ void add_run(CLI::App& app, Outcome& outcome) {
       ->capture_default_str();
   command->add_option("--frames", options->frames, "Stop after this many pairs (default: all)")->type_name("N");
   command->add_option("--out", options->out, "Directory for the results")->required()->type_name("DIR");
-  command->add_flag("!--no-overlay", options->overlay, "Write no overlay pictures");
+  command->add_flag_callback("--no-overlay", [options] { options->overlay = false; }, "Write no overlay pictures");
   command->add_flag("--json", options->json, "Print summary.json on standard output, and nothing else");
   command->footer(
       "Writes per frame frame-NNNN-state.png (0 clear, 255 skin, 128 undecidable, 64 unsupervised) and\n"

@@ -10,6 +10,7 @@
 
 #include "commands.hpp"
 #include "horopter/engines.hpp"
+#include "words.hpp"
 
 namespace horopter::cli {
 namespace {
@@ -42,9 +43,8 @@ ExitStatus run_study(const StudyOptions& options, Study run) {
 }
 
 void add_texture_options(CLI::App& command, StudyScope& scope) {
-  auto* texture = command.add_option("--texture", scope.texture, "Simulated texture")
-                      ->check(CLI::IsMember({"dead-leaves", "band-noise", "printed-dots"}))
-                      ->type_name("KIND");
+  auto* texture = only(command.add_option("--texture", scope.texture, "Simulated texture"),
+                       {"dead-leaves", "band-noise", "printed-dots"});
   command
       .add_option("--picture", scope.picture, "Your own image as texture, a pixel of it as large as one of the camera")
       ->excludes(texture)
@@ -137,11 +137,9 @@ void add_study(CLI::App& app, Outcome& outcome) {
       ->add_option("--synth", of_decision->scope.synthesised,
                    "Directory with what scripts/synth --json wrote of each stage, <stage>.json, for its gates")
       ->type_name("DIR");
-  board->add_option("--engines", options->scope.engines, "Engines, which must see the same")
-      ->capture_default_str()
-      ->check(CLI::IsMember(engine_names()))
-      ->delimiter(',')
-      ->type_name("LIST");
+  only(board->add_option("--engines", options->scope.engines, "Engines, which must see the same")->delimiter(','),
+       engine_names())
+      ->default_str(fmt::format("{}", fmt::join(engine_names(), ",")));
 }
 
 }  // namespace horopter::cli

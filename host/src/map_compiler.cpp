@@ -83,26 +83,16 @@ int largest_shift_px(const MachineProfile& profile) {
   return profile.subsample * kReaches.at(static_cast<std::size_t>(built - hls::named_profiles.begin()));
 }
 
-std::string row_text(double share, const ViewLimits& view) {
-  return fmt::format(
-      "at {:.1f} % of the pixels that see it the epipolar line leaves the row by more than {} px within "
-      "the {} px by which neighbours that compete are shifted",
-      100 * share, kLargestRowError, view.largest_shift_px);
-}
-
 /// Throws RowError.
-void check_rows(const LookLattice& lattice, const ScanGeometry& geometry, const ViewLimits& view) {
-  std::int64_t leaving = 0;
-  std::int64_t staying = 0;
+void check_lattice_rows(const LookLattice& lattice, const ScanGeometry& geometry, const ViewLimits& view) {
+  RowCount rows;
   for (int y = 0; y < geometry.height; y += 1 << lattice.shape.y_log2) {
     for (int x = 0; x < geometry.width; x += 1 << lattice.shape.x_log2) {
-      const Reason reason = lattice.at(x, y).reason;
-      leaving += reason == Reason::row ? 1 : 0;
-      staying += reason == Reason::none ? 1 : 0;
+      const Look& look = lattice.at(x, y);
+      if (geometry.holds(look.source)) rows.add(look.reason);
     }
   }
-  const double share = static_cast<double>(leaving) / static_cast<double>(std::max<std::int64_t>(1, leaving + staying));
-  if (share > RowError::kLargestShare) throw RowError(row_text(share, view));
+  check_rows(rows, view);
 }
 
 /// Gives to the grid what lies so near the limits of angle and scale that the space between the samples may cross them:
@@ -567,6 +557,14 @@ std::string RowError::expected() {
                      name_of(Decision::thesis));
 }
 
+void check_rows(const RowCount& rows, const ViewLimits& view) {
+  if (rows.share() <= RowError::kLargestShare) return;
+  throw RowError(fmt::format(
+      "at {:.1f} % of the pixels that could be supervised the epipolar line leaves the row by more than {} px within "
+      "the {} px by which neighbours that compete are shifted",
+      100 * rows.share(), kLargestRowError, view.largest_shift_px));
+}
+
 CompiledMap compile_map(const Skin& skin, const MachineProfile& profile, const ScanGeometry& geometry,
                         const MapLimits& limits) {
   LookLattice lattice{shape_of(geometry, 0, 0, MapTable::kLargestSpacingLog2, MapTable::kLargestSpacingLog2), {}};
@@ -579,7 +577,7 @@ CompiledMap compile_map(const Skin& skin, const MachineProfile& profile, const S
               std::span(lattice.looks).subspan(first, row));
   }
   settle(geometry, lattice);
-  check_rows(lattice, geometry, limits.view);
+  check_lattice_rows(lattice, geometry, limits.view);
   // The forecast only sorts out what is far off.
   return choose(
       profile, geometry, limits, Forecast(lattice, geometry),
@@ -651,7 +649,7 @@ void MapCompiler::look(const Surface& surface, const LatticeShape& shape, LookLa
   lattice.looks.resize(rays->second.size());
   cameras_.look(surface, rays->second, geometry_.row_step(), limits_.view, lattice.looks);
   settle(geometry_, lattice);
-  check_rows(lattice, geometry_, limits_.view);
+  check_lattice_rows(lattice, geometry_, limits_.view);
 }
 
 CompiledMap MapCompiler::compile(const Surface& surface) {

@@ -102,6 +102,7 @@ ThicknessPlan plan_thickness(const CameraPair& cameras, const Surface& surface, 
       const Look& look = looks[x];
       if (!geometry.holds(geometry.from_frame(look.source)) || look.reason == Reason::hidden) continue;
       ++plan.shared;
+      plan.rows.add(look.reason);
       const double along = cameras.thickness_mm(points[x], look.source, tolerance_frame_px);
       if (look.reason != Reason::none || !std::isfinite(along)) continue;
       ++plan.supervised;

@@ -117,6 +117,33 @@ TEST_CASE("a frame without its start", "[faults]") {
   watch.good();
 }
 
+// Eight lines without a start, a few pixels, then the start of the next frame: around the clock in which the frame that
+// stands for the lost one is granted (tb/store aims at that clock).
+TEST_CASE("a frame lost but for eight lines, and the next one at once", "[faults]") {
+  const auto side = GENERATE(std::string("left"), std::string("right"));
+  const unsigned pixels = GENERATE(range(0U, 8U));
+  const bool other_first = GENERATE(true, false);  // the other camera has opened the frame, or finds it opened
+  CAPTURE(pixels, other_first);
+  Watch watch;
+  const FramePair lost = watch.scene();
+  const FramePair next = watch.scene();
+  const bool left = side == "left";
+  VideoSource& broken = left ? watch.machine.left() : watch.machine.right();
+  VideoSource& whole = left ? watch.machine.right() : watch.machine.left();
+  if (!other_first) whole.idle(kWidth * 12);
+  broken.send(Image(kWidth, 8, 77), {Damage::Kind::missing_start});
+  broken.send(Image(pixels, 1, 77), {Damage::Kind::missing_start});
+  broken.send(left ? next.left : next.right);
+  whole.send(left ? lost.right : lost.left);
+  whole.send(left ? next.right : next.left);
+  const Published first = watch.receive();
+  CHECK(first.fault_names() == Faults{side + "_missing_start"});
+  CHECK(first.unsupervised == kWidth * kHeight);
+  CHECK_FALSE(first.safe_pin);
+  watch.machine.check(watch.receive(), next, watch.table);
+  watch.good();
+}
+
 TEST_CASE("a camera that falls silent", "[faults]") {
   const auto side = GENERATE(std::string("left"), std::string("right"));
   Watch watch;

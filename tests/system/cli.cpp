@@ -23,6 +23,11 @@ cv::Mat textured(int width, int height, std::uint64_t seed) {
   return image;
 }
 
+void save(const std::string& file, const cv::Mat& image) {
+  CAPTURE(file);
+  REQUIRE(cv::imwrite(file, image));
+}
+
 /// The right image in which a block of the left one appears on the skin, displaced by (dx, dy); the rest lies
 /// elsewhere.
 cv::Mat right_of(const cv::Mat& left, cv::Rect block, int dx, int dy) {
@@ -40,8 +45,8 @@ Sandbox& with_pairs(Sandbox& box, int pairs = 1) {
   box.write("skin.yaml", kSkin);
   for (int i = 0; i < pairs; ++i) {
     const cv::Mat left = textured(200, 120, static_cast<std::uint64_t>(i) + 1);
-    cv::imwrite((box / ("left" + std::to_string(i) + ".png")).string(), left);
-    cv::imwrite((box / ("right" + std::to_string(i) + ".png")).string(), right_of(left, kBlock, -10, 4));
+    save((box / ("left" + std::to_string(i) + ".png")).string(), left);
+    save((box / ("right" + std::to_string(i) + ".png")).string(), right_of(left, kBlock, -10, 4));
   }
   return box;
 }
@@ -245,7 +250,8 @@ TEST_CASE("compete: cameras that cannot serve neighbours are refused, pixels tha
   const int served = unsupervised(run + compete);
   box.write("rig.yaml", rig_text("1.2"));
   check_bad_file(box, map + compete, "wall.yaml",
-                 "at 100.0 % of the pixels that see it the epipolar line leaves the row by more than 0.5 px within the "
+                 "at 100.0 % of the pixels that could be supervised the epipolar line leaves the row by more than 0.5 "
+                 "px within the "
                  "24 px");
   check_bad_file(box, run + compete, "wall.yaml", "images rectified, or --decision thesis");
   CHECK(by_row(map) == 0);
@@ -351,6 +357,7 @@ TEST_CASE("Directories, videos and tables are inputs, too") {
   cv::VideoWriter left((box / "left.avi").string(), cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 10, {200, 120});
   cv::VideoWriter right((box / "right.avi").string(), cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 10, {200, 120});
   REQUIRE(left.isOpened());
+  REQUIRE(right.isOpened());
   for (int i = 0; i < 3; ++i) {
     const std::string number = std::to_string(i);
     left.write(cv::imread((box / ("left" + number + ".png")).string()));
@@ -391,25 +398,25 @@ TEST_CASE("Bad images are exit status 3, with nothing left behind") {
   const cv::Mat image = textured(200, 120, 5);
   for (const std::string extension : {".jpg", ".pgm", ".bmp", ".tiff"}) {
     const std::string name = "cut" + extension;
-    cv::imwrite((box / name).string(), image);
+    save((box / name).string(), image);
     const std::string bytes = box.read(name);
     box.write(name, bytes.substr(0, bytes.size() - bytes.size() / 3));
     bad(name, "truncated");
   }
-  cv::imwrite((box / "deep.png").string(), cv::Mat(120, 200, CV_16UC1, cv::Scalar(500)));
+  save((box / "deep.png").string(), cv::Mat(120, 200, CV_16UC1, cv::Scalar(500)));
   bad("deep.png", "16 bits");
-  cv::imwrite((box / "small.png").string(), textured(100, 120, 6));
+  save((box / "small.png").string(), textured(100, 120, 6));
   bad("small.png", "200x120");
   fs::create_directory(box / "directory");
   bad("directory", "no image in this directory");
-  cv::imwrite((box / "tiny.png").string(), textured(24, 12, 6));
+  save((box / "tiny.png").string(), textured(24, 12, 6));
   check_bad_file(box, run_arguments("tiny.png", "tiny.png"), "tiny.png", "at least 32x16");
-  cv::imwrite((box / "large.png").string(), textured(1930, 120, 6));
+  save((box / "large.png").string(), textured(1930, 120, 6));
   check_bad_file(box, run_arguments("large.png", "large.png"), "large.png", "at most");
-  cv::imwrite((box / "wide.png").string(), textured(700, 120, 6));
+  save((box / "wide.png").string(), textured(700, 120, 6));
   check_bad_file(box, run_arguments("wide.png", "wide.png") + std::vector<std::string>{"--profile", "vga"}, "wide.png",
                  "at most 640x480 for profile vga");
-  cv::imwrite((box / "odd.png").string(), textured(200, 121, 6));
+  save((box / "odd.png").string(), textured(200, 121, 6));
   check_bad_file(box, run_arguments("odd.png", "odd.png") + std::vector<std::string>{"--profile", "field"}, "odd.png",
                  "even");
   // The second pair is bad: the first one's results do not stay.
@@ -429,7 +436,7 @@ TEST_CASE("Bad images are exit status 3, with nothing left behind") {
 TEST_CASE("A JPEG that its decoder still shows is refused when it is truncated") {
   Sandbox box;
   with_pairs(box);
-  cv::imwrite((box / "whole.jpg").string(), textured(200, 120, 1));
+  save((box / "whole.jpg").string(), textured(200, 120, 1));
   const std::string bytes = box.read("whole.jpg");
   for (const std::size_t cut : {std::size_t{2}, bytes.size() / 4}) {
     box.write("cut.jpg", bytes.substr(0, bytes.size() - cut));
@@ -539,6 +546,39 @@ TEST_CASE("Help suffices") {
   CHECK_THAT(box.run({"--help"}).out, Catch::Contains("Exit status"));
   CHECK_THAT(box.run({"run", "--help"}).out, Catch::Contains("--alarm-limit") && Catch::Contains("Example"));
   CHECK(box.run({"--version"}).out == HOROPTER_VERSION "\n");
+}
+
+TEST_CASE("Options of words: help shows them, and whoever writes another is told them") {
+  struct Words {
+    std::vector<std::string> command;
+    std::string option, shown, listed;
+  };
+  const std::string shown = "thesis|compete";
+  const std::string listed = "thesis, compete";
+  const auto words = GENERATE_COPY(
+      values<Words>({{{"run"}, "--decision", shown, listed},
+                     {{"map"}, "--decision", shown, listed},
+                     {{"evaluate"}, "--decision", shown, listed},
+                     {{"plan", "thickness"}, "--decision", shown, listed},
+                     {{"plan", "rig"}, "--decision", shown, listed},
+                     {{"study", "board"}, "--decision", shown, listed},
+                     {{"run"}, "--engine", "native|rtl", "native, rtl"},
+                     {{"evaluate"}, "--change", "none|gain|noise|vertical,…", "none, gain, noise, vertical"},
+                     {{"study", "segmentation"},
+                      "--texture",
+                      "dead-leaves|band-noise|printed-dots",
+                      "dead-leaves, band-noise, printed-dots"}}));
+  CAPTURE(words.command, words.option);
+  const Sandbox box;
+  const std::string help = box.run(words.command + std::vector<std::string>{"--help"}).out;
+  CHECK_THAT(help, Catch::Contains(words.option + " " + words.shown));
+  for (const char* ugly : {"->", " OR ", ":{", "{false}"}) CHECK_THAT(help, !Catch::Contains(ugly));
+  const auto wrong = box.run(words.command + std::vector<std::string>{words.option, "guess"});
+  CHECK(wrong.status == 2);
+  CHECK_THAT(wrong.err, Catch::Contains(words.option + ": 'guess' is not one of " + words.listed));
+  const std::string last = words.listed.substr(words.listed.rfind(' ') + 1);
+  CHECK_THAT(box.run(words.command + std::vector<std::string>{words.option, last}).err,
+             !Catch::Contains("is not one of"));
 }
 
 TEST_CASE("map makes, explains and draws tables") {

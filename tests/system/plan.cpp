@@ -173,3 +173,59 @@ TEST_CASE("plan rig: where a zone is entered unseen, and what is refused") {
   CHECK_THAT(box.run({"plan", "rig", "--help"}).out,
              Catch::Contains("--zone") && Catch::Contains("exploitation") && Catch::Contains("Example"));
 }
+
+TEST_CASE("plan --decision compete: what leaves the row is not supervised; cameras are refused as by map") {
+  const Sandbox box;
+  const auto design = [&](const char* tilt, const char* decision) {
+    return box.run({"plan", "rig",        "--focal",    "10",    "--pixel", "17",    "--image-size",
+                    "320",  "240",        "--baseline", "300",   "--tilt",  tilt,    "--distance",
+                    "800",  "--decision", decision,     "--out", "design",  "--json"});
+  };
+  box.write("skin.yaml", "surface:\n  type: plane\n  point_mm: [0, 0, 800]\n  normal: [0, 0, -1]\n");
+  const std::vector<std::string> skin{"--rig",      "design/rig.yaml", "--skin", "skin.yaml",
+                                      "--decision", "compete",         "--json"};
+  const std::vector<std::string> map{"map", "--profile", "vga"};
+  const std::vector<std::string> thickness{"plan", "thickness"};
+  const auto supervised = [](const json& report) {
+    const json& field = report.at("skins").at(0).at("common_field");
+    return field.at("supervised_m2").get<double>() / field.at("common_m2").get<double>();
+  };
+  const auto thesis = design("15", "thesis");
+  REQUIRE(thesis.status == 0);
+  CHECK(supervised(json::parse(thesis.out)) == Approx(1));
+  const auto compete = design("15", "compete");
+  CAPTURE(compete.err);
+  REQUIRE(compete.status == 0);
+  const json report = json::parse(compete.out);
+  CHECK(report.at("decision") == "compete");
+  const auto beyond = report.at("skins").at(0).at("beyond_rows").get<double>();
+  CHECK(beyond > 0.3);
+  CHECK(supervised(report) == Approx(1 - beyond).margin(0.02));
+  // The same cameras and skin by `plan thickness`, and by the table.
+  const auto thick = box.run(thickness + skin);
+  REQUIRE(thick.status == 0);
+  const json planned = json::parse(thick.out).at("skins").at(0);
+  CHECK(planned.at("beyond_rows").get<double>() == Approx(beyond));
+  const auto table = box.run(map + skin);
+  CAPTURE(table.err);
+  REQUIRE(table.status == 0);
+  CHECK(json::parse(table.out).at("tables").at(0).at("supervised").get<double>() ==
+        Approx(planned.at("supervised_pixels").get<double>()).epsilon(0.03));
+  CHECK(box.run(thickness + skin + std::vector<std::string>{"--profile", "field"}).status == 2);
+
+  // One camera above the other: all lines leave.
+  REQUIRE(design("0", "thesis").status == 0);
+  std::string upright = box.read("design/rig.yaml");
+  const std::string key = "translation_mm: [";
+  for (const auto& [from, to] :
+       {std::pair<std::string, std::string>{"150, ", "0, 150, 0]"}, {"-150, ", "0, -150, 0]"}}) {
+    const std::size_t at = upright.find(key + from);
+    REQUIRE(at != std::string::npos);
+    upright.replace(at + key.size(), upright.find('\n', at) - at - key.size(), to);
+  }
+  box.write("design/rig.yaml", upright);
+  const auto refused = box.run(thickness + skin);
+  CHECK(refused.status == 1);
+  CHECK_THAT(refused.err, Catch::Contains("at 100.0 % of the pixels") && Catch::Contains("or --decision thesis"));
+  check_bad_file(box, map + skin, "skin.yaml", "at 100.0 % of the pixels");
+}

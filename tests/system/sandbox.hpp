@@ -9,6 +9,8 @@
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -25,18 +27,24 @@ class Sandbox {
   Sandbox() {
     std::string name = (fs::temp_directory_path() / "horopter-cli-XXXXXX").string();
     REQUIRE(::mkdtemp(name.data()) != nullptr);
-    path_ = name;
+    own_ = name;
+    path_ = own_ / "box";
+    REQUIRE(fs::create_directory(path_));
   }
   ~Sandbox() {
     std::error_code error;
-    fs::remove_all(path_, error);
+    fs::remove_all(own_, error);
   }
   Sandbox(const Sandbox&) = delete;
   Sandbox& operator=(const Sandbox&) = delete;
 
   fs::path operator/(const std::string& name) const { return path_ / name; }
   std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name, std::ios::binary) << text;
+    std::ofstream stream(path_ / name, std::ios::binary);
+    stream << text;
+    stream.close();
+    INFO("writing " << name);
+    REQUIRE(stream);  // a full disk is not what is tested
     return (path_ / name).string();
   }
   std::string read(const std::string& name) const {
@@ -57,10 +65,9 @@ class Sandbox {
   };
   /// Runs the program in the sandbox, with its standard input closed: it must not ask questions.
   Result run(std::vector<std::string> arguments) const {
-    const fs::path streams = fs::temp_directory_path() / ("horopter-cli-streams-" + std::to_string(::getpid()));
-    fs::create_directories(streams);
-    const std::string out = (streams / "out").string();
-    const std::string err = (streams / "err").string();
+    // Beside the sandbox, of which the files are compared.
+    const std::string out = (own_ / "out").string();
+    const std::string err = (own_ / "err").string();
     arguments.insert(arguments.begin(), HOROPTER_PROGRAM);
     std::vector<char*> argv;
     argv.reserve(arguments.size() + 1);
@@ -73,22 +80,31 @@ class Sandbox {
     posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     posix_spawn_file_actions_addchdir_np(&actions, path_.c_str());
     pid_t child = 0;
-    REQUIRE(::posix_spawn(&child, HOROPTER_PROGRAM, &actions, nullptr, argv.data(), environ) == 0);
+    const int spawned = ::posix_spawn(&child, HOROPTER_PROGRAM, &actions, nullptr, argv.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
+    CAPTURE(arguments);
+    INFO("starting it: " << std::strerror(spawned));
+    REQUIRE(spawned == 0);
     int status = 0;
-    REQUIRE(::waitpid(child, &status, 0) == child);
-    REQUIRE(WIFEXITED(status));
+    pid_t ended = -1;
+    while ((ended = ::waitpid(child, &status, 0)) < 0 && errno == EINTR) {
+    }
+    REQUIRE(ended == child);
     const auto text = [](const std::string& file) {
       std::ifstream stream(file, std::ios::binary);
       return std::string(std::istreambuf_iterator<char>(stream), {});
     };
-    Result result{WEXITSTATUS(status), text(out), text(err)};
-    fs::remove_all(streams);
+    Result result{-1, text(out), text(err)};
+    INFO("the program was killed, by signal " << (WIFSIGNALED(status) ? WTERMSIG(status) : 0) << "; it said "
+                                              << result.err);
+    REQUIRE(WIFEXITED(status));
+    result.status = WEXITSTATUS(status);
     return result;
   }
 
  private:
-  fs::path path_;
+  fs::path own_;   ///< of this sandbox alone: the sandbox, and what the program said
+  fs::path path_;  ///< the sandbox
 };
 
 inline std::vector<std::string> operator+(std::vector<std::string> a, const std::vector<std::string>& b) {

@@ -3,11 +3,11 @@
 // covariance, and bad input.
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <fstream>
 #include <random>
 
 #include "horopter/calib/error.hpp"
 #include "horopter/calib/points.hpp"
+#include "host_temporary.hpp"
 #include "shared_data.hpp"
 
 using namespace horopter::calib;
@@ -267,8 +267,9 @@ TEST_CASE("a wrong point is named") {
 }
 
 TEST_CASE("files of points and sensors: errors name the line") {
-  const auto file = std::filesystem::temp_directory_path() / "horopter_points_test.txt";
-  const auto write = [&](const std::string& text) { std::ofstream(file) << text; };
+  const horopter::TemporaryDirectory directory;
+  const auto file = directory / "points.txt";
+  const auto write = [&](const std::string& text) { directory.write("points.txt", text); };
   write("# x y z u v\n1 2 3 4 5\n\n 6,7,8,9,10 # comment\n");
   CHECK(read_points(file).size() == 2);
   write("1 2 3 4 5\n1 2 3 4\n");
@@ -289,5 +290,4 @@ TEST_CASE("files of points and sensors: errors name the line") {
   CHECK_THROWS_WITH(read_sensor(file), Contains("dx_mm"));
   write("width_px: 756\n");
   CHECK_THROWS_WITH(read_sensor(file), Contains("height_px") && Contains("missing"));
-  std::filesystem::remove(file);
 }

@@ -2,10 +2,10 @@
 // rig.yaml and the files of other programs: one calibration in three formats, there and back, damaged files.
 #include <catch2/catch.hpp>
 #include <filesystem>
-#include <fstream>
 
 #include "horopter/calib/error.hpp"
 #include "horopter/calib/rig.hpp"
+#include "host_temporary.hpp"
 #include "shared_data.hpp"
 
 using namespace horopter::calib;
@@ -13,22 +13,6 @@ using Catch::Contains;
 namespace fs = std::filesystem;
 
 namespace {
-
-class Folder {
- public:
-  Folder() : path_(fs::temp_directory_path() / "horopter_rig_test") {
-    fs::remove_all(path_);
-    fs::create_directories(path_);
-  }
-  ~Folder() { fs::remove_all(path_); }
-  fs::path write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name) << text;
-    return path_ / name;
-  }
-
- private:
-  fs::path path_;
-};
 
 Rig example() {
   Rig rig;
@@ -71,7 +55,7 @@ double difference(const Rig& a, const Rig& b) {
   return largest;
 }
 
-std::vector<fs::path> write_all(const Folder& folder, const Exported& exported) {
+std::vector<fs::path> write_all(const horopter::TemporaryDirectory& folder, const Exported& exported) {
   std::vector<fs::path> files;
   for (const ExportedFile& file : exported.files) files.push_back(folder.write(file.name, file.text));
   return files;
@@ -110,7 +94,7 @@ TEST_CASE("one calibration in three formats is one rig") {
 }
 
 TEST_CASE("a rig survives its own file bit by bit") {
-  const Folder folder;
+  const horopter::TemporaryDirectory folder;
   Rig rig = example();
   rig.world = "a \"robot\" cell";
   rig.cameras[1].model = CameraModel(TsaiIntrinsics{.f_mm = 10.123456789012345,
@@ -135,7 +119,7 @@ TEST_CASE("a rig survives its own file bit by bit") {
 }
 
 TEST_CASE("a rig survives export to OpenCV and ROS") {
-  const Folder folder;
+  const horopter::TemporaryDirectory folder;
   const Rig rig = example();
   const Exported opencv = to_opencv(rig), ros = to_ros(rig);
   CHECK(opencv.warnings.empty());
@@ -152,7 +136,7 @@ TEST_CASE("a rig survives export to OpenCV and ROS") {
 }
 
 TEST_CASE("a Tsai rig is exported by a fit that says how good it is, and loses its world by name") {
-  const Folder folder;
+  const horopter::TemporaryDirectory folder;
   Rig rig = example();
   for (Camera& camera : rig.cameras) {
     camera.model = CameraModel(
@@ -172,7 +156,7 @@ TEST_CASE("a Tsai rig is exported by a fit that says how good it is, and loses i
 }
 
 TEST_CASE("damaged files are refused by name and place") {
-  const Folder folder;
+  const horopter::TemporaryDirectory folder;
   const std::string good = to_yaml(example());
   const auto replaced = [&](const std::string& from, const std::string& to) {
     std::string text = good;

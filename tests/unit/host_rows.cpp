@@ -10,6 +10,7 @@
 
 #include "horopter/error.hpp"
 #include "horopter/map_compiler.hpp"
+#include "horopter/plan_rig.hpp"
 #include "stages/planes.hpp"
 #include "table_11_1.hpp"
 
@@ -233,6 +234,42 @@ TEST_CASE("What was not followed is not taken for served") {
   const CameraPair behind(left, right);
   const std::vector<Point> around{{319.5, 239.5}, {319.5, 300}, {310, 239}};
   for (const double error : behind.rays(around, competing()).row_error) CHECK(!(error <= kLargestRowError));
+}
+
+TEST_CASE("A plan counts the pixels that a table loses to their rows, and refuses the same cameras") {
+  // At 300 mm, part of what the left camera sees is beside the right image: no table has it, whatever its row.
+  const double toe_in_deg = GENERATE(0, 12);
+  const CameraPair cameras = rig_of({.toe_in_deg = toe_in_deg});
+  const SurfacePtr plane = make_plane({0, 0, 300}, {0, 0, -1});
+  CAPTURE(toe_in_deg);
+  const auto plan = plan_thickness(cameras, *plane, vga(), kScan, 1, competing());
+  const auto free = plan_thickness(cameras, *plane, vga(), kScan, 1);
+  const auto field = common_field(cameras, *plane, kScan, competing());
+  CHECK(plan.shared == free.shared);
+  CHECK(plan.supervised + plan.rows.leaving == free.supervised);
+  CHECK(plan.rows.staying == plan.supervised);
+  CHECK(free.rows.leaving == 0);
+  CHECK((plan.rows.leaving > 0) == (toe_in_deg > 0));
+  // The common field is the same, of which as much less is supervised.
+  const auto whole = common_field(cameras, *plane, kScan);
+  CHECK(field.common_m2 == Approx(whole.common_m2));
+  CHECK(field.supervised_m2 / whole.supervised_m2 == Approx(1 - plan.rows.share()).margin(0.05));
+  // What the compiler checks: a pixel at the border of the image, or of the limit, may be lost to the grid besides.
+  const auto map = compile_map(RigSkin(cameras, plane, ""), vga(), kScan, {.view = competing()});
+  CHECK(static_cast<double>(map.report.supervised()) == Approx(static_cast<double>(plan.supervised)).epsilon(0.03));
+}
+
+TEST_CASE("Cameras are refused above the share of the pixels that could be supervised") {
+  CHECK_NOTHROW(check_rows({0, 0}, competing()));
+  CHECK_NOTHROW(check_rows({90, 10}, competing()));
+  CHECK_THROWS_AS(check_rows({91, 9}, competing()), RowError);
+  // Not counted: pixels whose source is beyond the right image anyway, which would make it 91 %.
+  const CameraPair cameras = rig_of({.toe_in_deg = 10});
+  const SurfacePtr near = make_plane({0, 0, 80}, {0, 0, -1});
+  CHECK(plan_thickness(cameras, *near, vga(), kScan, 1, competing()).rows.share() < 0.75);
+  const MapLimits limits{.view = competing()};
+  CHECK_NOTHROW(compile_map(RigSkin(cameras, near, ""), vga(), kScan, limits));
+  CHECK_NOTHROW(MapCompiler(cameras, vga(), kScan, limits).compile(*near));
 }
 
 }  // namespace horopter

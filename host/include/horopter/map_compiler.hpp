@@ -27,6 +27,8 @@ class RowError : public std::runtime_error {
   /// What to do about it, as the end of a message "…; expected …".
   static std::string expected();
 };
+/// Throws RowError.
+void check_rows(const RowCount& rows, const ViewLimits& view);
 
 struct MapLimits {
   double share = 0.99;               ///< of the supervised pixels …

@@ -69,7 +69,8 @@ struct StereoAxis {
 struct ThicknessPlan {
   std::int64_t pixels = 0;
   std::int64_t shared = 0;      ///< the skin where they look is in the right image too, and not hidden
-  std::int64_t supervised = 0;  ///< of these, within the limits of angle and scale
+  std::int64_t supervised = 0;  ///< of these, within the limits of the view
+  RowCount rows;                ///< as a table for these limits has it
   Spread distance;              ///< z of 11.1, along the axis of symmetry
   Spread slope_deg;             ///< γ of 11.2, between the skin's normal and the axis
   Spread sight;                 ///< thickness along the left line of sight, by the camera model

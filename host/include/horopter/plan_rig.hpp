@@ -45,7 +45,7 @@ std::optional<DepthRange> depth_range(const CameraPair& cameras);
 struct CommonField {
   double left_m2 = 0;        ///< A_L: what the left camera sees
   double common_m2 = 0;      ///< A_c: what both see
-  double supervised_m2 = 0;  ///< within the limits of angle and scale
+  double supervised_m2 = 0;  ///< within the limits of the view
   /// Of A_c, in the directions of the baseline and across it and the axis of symmetry; NaN without one.
   double width_mm = 0, height_mm = 0;
   Spread left_angle_deg, right_angle_deg;  ///< over A_c, between line of sight and the skin's normal

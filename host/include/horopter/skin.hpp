@@ -50,6 +50,22 @@ struct ViewLimits {
 };
 inline constexpr double kLargestRowError = 0.5;  ///< in rows of the scan
 
+/// Of the left pixels with a source in the right image and within all other limits: at how many the epipolar line
+/// leaves the row.
+struct RowCount {
+  std::int64_t leaving = 0;
+  std::int64_t staying = 0;
+
+  void add(Reason reason) {
+    leaving += reason == Reason::row ? 1 : 0;
+    staying += reason == Reason::none ? 1 : 0;
+  }
+  /// 0 of no pixels.
+  double share() const {
+    return static_cast<double>(leaving) / static_cast<double>(std::max<std::int64_t>(1, leaving + staying));
+  }
+};
+
 /// What a left pixel sees of the skin.
 struct Look {
   Point source;                       ///< in the right image; NaN where there is none

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+// The framer alone, with a pairing that grants in a chosen clock: what a bench of the whole machine cannot aim at.
+#include <Vtb_framer.h>
+
+#include <catch2/catch.hpp>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <limits>
+#include <vector>
+
+#include "horopter/tb/image.hpp"
+#include "horopter/tb/random.hpp"
+#include "horopter/tb/simulation.hpp"
+
+using namespace horopter::tb;
+
+namespace {
+
+constexpr unsigned kWidth = 12;
+constexpr unsigned kHeight = 6;
+constexpr unsigned kExtraLines = 8;  // EXTRA_LINES
+constexpr std::uint64_t kNever = std::numeric_limits<std::uint64_t>::max();
+
+/// What pairing and store are told from the grant of a frame to the next grant.
+struct Frame {
+  std::uint64_t granted_at = 0;  ///< clock
+  bool empty = false;            ///< asked for as a frame without rows
+  unsigned ends = 0, rows = 0, bad_rows = 0, missing_starts = 0, other_faults = 0;
+  std::vector<std::uint8_t> pixels;  ///< in the order in which they were written
+  unsigned misplaced = 0;            ///< writes with a wrong x, first or end mark
+};
+
+/// Camera, pairing and store of one framer; the store always has room.
+class Surroundings final : public Endpoint {
+ public:
+  explicit Surroundings(Vtb_framer& model) : model_{model} {
+    model_.almost_full_i = model_.deny_i = model_.cut_i = model_.patience_i = 0;
+    model_.s_valid_i = model_.grant_i = model_.keep_i = 0;
+  }
+
+  bool junk = false;                  ///< a camera that must not send a start yet sends pixels rather than nothing
+  std::uint64_t start_at = 0;         ///< clock from which a start of frame may arrive
+  std::uint64_t grant_at = 0;         ///< clock from which whoever asks is granted a frame
+  std::uint64_t arrived_at = kNever;  ///< clock in which the last start of frame arrived at the framer
+  std::vector<Frame> frames;
+  unsigned unasked = 0;  ///< what was told before the first grant
+
+  void send(const Image& image, bool with_start) {
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+      beats_.push_back({image.pixels[i], with_start && i == 0, i % image.width == image.width - 1});
+  }
+  bool sent() const { return beats_.empty(); }
+  std::uint64_t clock() const { return clock_; }
+
+  void drive() override {
+    held_ = beats_.empty() || (beats_.front().first && clock_ < start_at);
+    const Beat beat = held_ ? Beat{0xEE, false, false} : beats_.front();
+    model_.s_valid_i = !held_ || junk;
+    model_.s_pixel_i = beat.pixel;
+    model_.s_first_i = beat.first;
+    model_.s_last_i = beat.last;
+    model_.grant_i = model_.start_o && clock_ >= grant_at;
+    model_.keep_i = model_.stored_o;
+  }
+
+  void sample() override {
+    if (model_.s_valid_i && model_.s_first_i && !starting_) arrived_at = clock_;
+    starting_ = model_.s_valid_i && model_.s_first_i && !model_.s_ready_o;
+    if (!held_ && model_.s_ready_o) beats_.pop_front();
+    hear();  // before the grant of this clock: what belongs to a frame is told a clock after its grant or later
+    if (model_.grant_i) {
+      frames.emplace_back();
+      frames.back().granted_at = clock_;
+      frames.back().empty = model_.empty_o;
+    }
+    ++clock_;
+  }
+
+ private:
+  struct Beat {
+    std::uint8_t pixel;
+    bool first, last;
+  };
+
+  void hear() {
+    const unsigned others = 0U + model_.short_line_o + model_.long_line_o + model_.missing_line_o + model_.overflow_o +
+                            model_.lost_silent_o + model_.silence_o;
+    if (frames.empty()) {
+      unasked += others + model_.missing_start_o + model_.frame_done_o + model_.row_done_o + model_.write_en_o;
+      return;
+    }
+    Frame& frame = frames.back();
+    frame.other_faults += others;
+    frame.missing_starts += model_.missing_start_o;
+    frame.ends += model_.frame_done_o;
+    frame.rows += model_.row_done_o;
+    frame.bad_rows += model_.row_done_o && model_.row_bad_o ? 1 : 0;
+    if (!model_.write_en_o) return;
+    const std::size_t at = frame.pixels.size();
+    const bool right = model_.write_x_o == at % kWidth && (model_.write_first_o != 0) == (at == 0) &&
+                       (model_.write_end_o != 0) == (at + 1 == kWidth * kHeight);
+    if (!right) ++frame.misplaced;
+    frame.pixels.push_back(model_.write_pixel_o);
+  }
+
+  Vtb_framer& model_;
+  std::deque<Beat> beats_;
+  std::uint64_t clock_ = 0;
+  bool held_ = false, starting_ = false;
+};
+
+/// A frame of all its rows, none bad, and no fault but perhaps a missing start.
+void check_whole(const Frame& frame, const Image& image, unsigned missing_starts) {
+  CHECK_FALSE(frame.empty);
+  CHECK(frame.ends == 1);
+  CHECK(frame.rows == kHeight);
+  CHECK(frame.bad_rows == 0);
+  CHECK((frame.pixels == image.pixels));  // no use printing them
+  CHECK(frame.misplaced == 0);
+  CHECK(frame.missing_starts == missing_starts);
+  CHECK(frame.other_faults == 0);
+}
+
+}  // namespace
+
+// A start that comes no later than the clock before the grant turns the request into one for its own frame, which then
+// carries the fault. Any later start finds the frame without rows granted: that one carries the fault and ends, and the
+// start gets a frame of its own, without fault.
+TEST_CASE("framer: a start of frame around the clock in which a frame is granted for a lost one") {
+  const bool live = GENERATE(false, true);
+  const bool junk = GENERATE(false, true);
+  const int after = GENERATE(range(-6, 7));  // clocks from the grant to the arrival of the start
+  CAPTURE(live, junk, after);
+
+  Rng rng{"framer"};
+  Simulation<Vtb_framer> simulation{rng.next(), 10'000};
+  Vtb_framer& model = simulation.model();
+  model.live_i = live;
+  model.width_i = kWidth;
+  model.height_i = kHeight;
+  model.timeout_i = 1'000;
+  Surroundings around{model};
+  simulation.attach(around);
+  simulation.reset();
+
+  // A good frame, then lines of which nobody knows the frame, until the framer asks for the lost one.
+  const Image before = noise_image(kWidth, kHeight, rng), image = noise_image(kWidth, kHeight, rng);
+  around.send(before, true);
+  simulation.run_until([&] { return around.sent(); }, 1'000, "a frame");
+  around.grant_at = kNever;
+  around.send(noise_image(kWidth, kExtraLines, rng), false);
+  simulation.run_until([&] { return model.start_o && model.empty_o; }, 1'000, "the wish for the lost frame");
+  REQUIRE(around.frames.size() == 1);
+  check_whole(around.frames[0], before, 0);
+
+  // The grant, and around it the start.
+  around.junk = junk;
+  around.grant_at = around.clock() + 8;
+  around.start_at = around.grant_at + static_cast<std::uint64_t>(after);  // modulo 2^64: after may be negative
+  around.send(image, true);
+  simulation.run_until([&] { return around.sent(); }, 1'000, "the frame after the lost one");
+  around.junk = false;
+  simulation.run(20);
+
+  // The clocks are those meant: -1, 0 and 1 are those in which the question, the grant and its effect are seen.
+  REQUIRE(around.frames.size() >= 2);
+  CHECK(around.frames[1].granted_at == around.grant_at);
+  CHECK(around.arrived_at == around.start_at);
+
+  if (after < -1) {
+    REQUIRE(around.frames.size() == 2);
+    check_whole(around.frames[1], image, 1);
+  } else {
+    REQUIRE(around.frames.size() == 3);
+    const Frame& lost = around.frames[1];
+    CHECK(lost.empty);
+    CHECK(lost.ends == 1);
+    CHECK(lost.rows == 0);
+    CHECK(lost.pixels.empty());
+    CHECK(lost.missing_starts == 1);
+    CHECK(lost.other_faults == 0);
+    check_whole(around.frames[2], image, 0);
+  }
+  CHECK(around.unasked == 0);
+  CHECK(model.start_o == 0);
+}
