@@ -151,6 +151,7 @@ module horopter_frame_control #(
 
   logic [FAULTS-1:0] faults0_q, faults1_q, event_q, total_q, read_faults;
   logic [1:0] left_checked_q, right_checked_q;  // by record
+  logic [1:0] bad_q;  // by record
   logic found_q, others_bad_q;
   assign read_faults = (read_slot_i ? faults1_q : faults0_q) | event_q;
   always_ff @(posedge clk_i) begin
@@ -162,6 +163,7 @@ module horopter_frame_control #(
       right_checked_q <= 2'b00;
       fault_set_o <= NONE;
       found_q <= 1'b0;
+      bad_q <= 2'b00;
       others_bad_q <= 1'b0;
       total_q <= NONE;
     end else begin
@@ -181,7 +183,9 @@ module horopter_frame_control #(
                || (!right_checked_q[read_slot_i] && (read_faults & RIGHT_EXCUSE) == NONE) ? INTERNAL : NONE);
       fault_set_o <= set_record0 | set_record1 | set_event | transient_q | (publish_q ? total_q & INTERNAL : NONE);
       found_q <= fault_set_o != NONE;
-      others_bad_q <= (read_slot_i ? faults0_q != NONE : faults1_q != NONE) && busy_i[!read_slot_i];
+      // Until this has followed a fault, fault_set_o and found_q tell of it.
+      bad_q <= {faults1_q != NONE, faults0_q != NONE};
+      others_bad_q <= bad_q[!read_slot_i] && busy_i[!read_slot_i];
     end
   end
 
