@@ -284,11 +284,12 @@ module horopter_frame_control #(
   // --- watchdog: counts down, the choice before the adder, see horopter_framer ---
   logic [31:0] watchdog_q;
   logic [32:0] next_watchdog;
-  logic finished;
+  logic finished, finished_q;
   assign finished = !rst_ni || publish_q;
-  assign next_watchdog = {1'b0, finished ? timeout_i : watchdog_q} + {33{!finished}};
+  assign next_watchdog = {1'b0, finished_q ? timeout_i : watchdog_q} + {33{!finished_q}};
   assign late_rises = !late_o && next_watchdog[32];
   always_ff @(posedge clk_i) begin
+    finished_q <= finished;
     watchdog_q <= next_watchdog[31:0];
     late_o <= !finished && (late_o || late_rises);
   end
@@ -299,7 +300,7 @@ module horopter_frame_control #(
     unsafe_o = 1'b1;
   end
   logic bad_now;
-  assign bad_now = found_q || fault_set_o != NONE || ((late_o || late_rises) && !publish_q) || silent_i != 2'b00 || !safe_allowed_i;
+  assign bad_now = found_q || fault_set_o != NONE || (late_o && !publish_q) || silent_i != 2'b00 || !safe_allowed_i;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) safe_o <= 1'b0;
     else if (bad_now) safe_o <= 1'b0;
