@@ -21,6 +21,9 @@ namespace {
 constexpr int kSmallestWidth = 32;
 constexpr int kSmallestHeight = 16;
 
+/// %, so that half a skin stays half a skin when it is rounded to two digits.
+constexpr double kAboutHalf = 47;
+
 const char* const kSkinExpected = "a skin (skin.yaml) or a mapping table (.hmap)";
 
 }  // namespace
@@ -155,18 +158,20 @@ void check_alarm_limit(const std::string& skin, const std::vector<const MapTable
   const double needed = limit_of(alarm_percent, pixels) + 1;
   const std::string place = tables.size() == 1 ? "" : fmt::format("table {} of {}", least + 1, tables.size());
   if (needed > supported) {
-    throw FileError(skin, place,
-                    fmt::format("this skin is too small for an alarm, which takes more than {:g} % of the whole image "
-                                "in the skin: {} can judge {:.2g} % of the image's pixels on it",
-                                alarm_percent, name_of(decision), 100 * share),
-                    share == 0 ? "a larger skin"
-                               : fmt::format("a larger skin, or --alarm-limit {:.2g}, half of this one", 50 * share));
+    throw FileError(
+        skin, place,
+        fmt::format("this skin is too small for an alarm, which takes more than {:g} % of the whole image "
+                    "in the skin: {} can judge {:.2g} % of the image's pixels on it",
+                    alarm_percent, name_of(decision), 100 * share),
+        share == 0 ? "a larger skin"
+                   : fmt::format("a larger skin, or --alarm-limit {:.2g}, about half of this one", kAboutHalf * share));
   }
   if (2 * needed > supported) {
-    fmt::print(stderr,
-               "horopter: warning: {}: {}an alarm takes {:.0f} % of this skin, that is {:g} % of the whole image; half "
-               "of the skin would be --alarm-limit {:.2g}\n",
-               skin, place.empty() ? "" : place + ": ", 100 * needed / supported, alarm_percent, 50 * share);
+    fmt::print(
+        stderr,
+        "horopter: warning: {}: {}an alarm takes {:.0f} % of this skin, that is {:g} % of the whole image; about half "
+        "of the skin would be --alarm-limit {:.2g}\n",
+        skin, place.empty() ? "" : place + ": ", 100 * needed / supported, alarm_percent, kAboutHalf * share);
   }
 }
 
