@@ -22,14 +22,31 @@ struct Board {
   const Vector2d& at(int x, int y) const { return corners[static_cast<std::size_t>(y) * columns + x]; }
 };
 
-std::optional<Board> find_board(const cv::Mat& grey, int columns, int rows, bool thorough) {
+// A search takes seconds where a large image is full of other things. Those that follow the first one, and are in vain
+// as a rule, are made in a smaller image.
+constexpr int kThoroughSide_px = 640;
+constexpr int kOtherSizesSide_px = 400;
+
+/// The image with its longer side at most this long.
+cv::Mat reduced(const cv::Mat& grey, int side_px) {
+  const double factor = static_cast<double>(side_px) / std::max(grey.cols, grey.rows);
+  if (factor >= 1) return grey;
+  cv::Mat small;
+  cv::resize(grey, small, {}, factor, factor, cv::INTER_AREA);
+  return small;
+}
+
+/// A board in `small`, at its place in an image of another size.
+std::optional<Board> find_board(const cv::Mat& small, cv::Size full, int columns, int rows, bool fast_check) {
   std::vector<cv::Point2f> found;
-  const int flags = cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE;
-  bool ok = cv::findChessboardCorners(grey, cv::Size(columns, rows), found, flags | cv::CALIB_CB_FAST_CHECK);
-  if (!ok && thorough) ok = cv::findChessboardCorners(grey, cv::Size(columns, rows), found, flags);
-  if (!ok) return std::nullopt;
+  const int flags =
+      cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE | (fast_check ? cv::CALIB_CB_FAST_CHECK : 0);
+  if (!cv::findChessboardCorners(small, cv::Size(columns, rows), found, flags)) return std::nullopt;
   Board board{columns, rows, {}};
-  for (const cv::Point2f& p : found) board.corners.emplace_back(p.x, p.y);
+  for (const cv::Point2f& p : found) {
+    board.corners.emplace_back((p.x + 0.5) * full.width / small.cols - 0.5,
+                               (p.y + 0.5) * full.height / small.rows - 0.5);
+  }
   return board;
 }
 
@@ -129,8 +146,9 @@ std::string size_text(int columns, int rows) { return std::to_string(columns) + 
   std::stable_sort(sizes.begin(), sizes.end(),
                    [&](const cv::Size& one, const cv::Size& two) { return unlike(one) < unlike(two); });
   if (cv::checkChessboard(grey, cv::Size(spec.columns, spec.rows))) {
+    const cv::Mat small = reduced(grey, kOtherSizesSide_px);
     for (const cv::Size& size : sizes) {
-      const auto board = find_board(grey, size.width, size.height, false);
+      const auto board = find_board(small, grey.size(), size.width, size.height, true);
       if (!board) continue;
       std::string borders;
       if (size.width <= spec.columns && size.height <= spec.rows)
@@ -288,7 +306,10 @@ TargetView detect_chessboard(const cv::Mat& grey, const TargetSpec& spec) {
     throw TargetError(Reason::wrong_size, "a chessboard of " + size_text(spec.columns, spec.rows) +
                                               " inner corners cannot be found: at least 3x3 are needed");
   const GreyImage image = grey_image(grey);
-  auto found = find_board(grey, spec.columns, spec.rows, true);
+  auto found = find_board(grey, grey.size(), spec.columns, spec.rows, true);
+  if (!found) {
+    found = find_board(reduced(grey, kThoroughSide_px), grey.size(), spec.columns, spec.rows, false);
+  }
   if (!found) explain(grey, image, spec);
   Board board = *found;
 

@@ -701,7 +701,9 @@ Report calibrate_views(const std::vector<ViewCamera>& cameras, const std::vector
     const auto pairs = static_cast<std::size_t>(
         std::ranges::count_if(joint.observations, [](const auto& o) { return o.used && o.camera == 1; }));
     if (pairs < 2 && !raised) {
-      report.warnings.push_back("one_pair: the relative pose rests on a single pair of images");
+      report.warnings.push_back(
+          "one_pair: the relative pose rests on a single pair of images, and the ± of the report is several times too "
+          "small: take ten");
     }
   }
   const double largest = std::max(kLargestRmsPx, 0.002 * cameras.front().width_px);

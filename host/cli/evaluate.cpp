@@ -24,6 +24,7 @@
 #include "horopter/monitor.hpp"
 #include "horopter/tolerance.hpp"
 #include "inputs.hpp"
+#include "numbers.hpp"
 #include "progress.hpp"
 #include "stereo_matching.hpp"
 #include "stereo_pairs.hpp"
@@ -79,8 +80,15 @@ const MachineProfile& profile_for(const EvaluateOptions& options, const StereoPa
   const MachineProfile* profile =
       options.profile.empty() ? smallest_profile(pair.left.width, pair.left.height) : &find_profile(options.profile);
   if (profile == nullptr) {
-    throw FileError(pair.name, "", fmt::format("the images are {}x{} pixels", pair.left.width, pair.left.height),
-                    "at most the 1920x1080 of profile hd (a pair's `resize` makes it smaller)");
+    double factor = 0.5;
+    while (smallest_profile(static_cast<int>(factor * pair.left.width), static_cast<int>(factor * pair.left.height)) ==
+           nullptr) {
+      factor /= 2;
+    }
+    throw FileError(pair.file, "", fmt::format("the image is {}x{} pixels", pair.left.width, pair.left.height),
+                    fmt::format("at most the 1920x1080 of profile hd; --resize {}, or `resize` in the --list, makes it "
+                                "smaller",
+                                factor));
   }
   if (profile->takes_fields()) throw UsageError("fields are not evaluated: ground truth is for full frames");
   check_image_size(pair.name, pair.left.width, pair.left.height, *profile);
@@ -347,10 +355,10 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
   command->add_option("--disparity", options->pair.disparity, "Ground truth for the left image: PNG, PGM or PFM")
       ->type_name("FILE");
   command->add_option("--scale", options->pair.scale, "Value of the ground truth for 1 px")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   command->add_option("--resize", options->pair.resize, "Factor by which images and ground truth are made smaller")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   command
       ->add_option("--list", options->list,
@@ -360,13 +368,13 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
       ->add_option("--tolerance", options->tolerance_px,
                    "Half the thickness of the skin, px. The rules are made for the default; to another one they are "
                    "set, too, unless --threshold or --boundary is given")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   command
       ->add_option("--disparities", options->disparities,
                    "Disparities of the skins, px (default: up to six of the most frequent, at least 3 px apart)")
       ->delimiter(',')
-      ->check(CLI::NonNegativeNumber)
+      ->check(zero_or_more())
       ->type_name("D,…");
   only(command
            ->add_option("--change", options->changes,
@@ -409,7 +417,7 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
       ->capture_default_str();
   command
       ->add_option("--profile", options->profile,
-                   "Build of the machine: " + profile_names() + " (default: the smallest that holds the image)")
+                   "Build of the machine: " + profile_sizes() + " (default: the smallest that holds the image)")
       ->type_name("P");
   command->add_flag("--json", options->json, "Print the result as JSON on standard output, and nothing else");
   command->footer(

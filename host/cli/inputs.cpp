@@ -4,12 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <limits>
 
 #include "horopter/error.hpp"
 #include "horopter/image.hpp"
 #include "horopter/map_compiler.hpp"
 #include "horopter/map_json.hpp"
 #include "horopter/skin_file.hpp"
+#include "horopter/support.hpp"
 
 namespace horopter::cli {
 namespace {
@@ -18,9 +21,21 @@ namespace {
 constexpr int kSmallestWidth = 32;
 constexpr int kSmallestHeight = 16;
 
+/// %, so that half a skin stays half a skin when it is rounded to two digits.
+constexpr double kAboutHalf = 47;
+
 const char* const kSkinExpected = "a skin (skin.yaml) or a mapping table (.hmap)";
 
 }  // namespace
+
+std::string profile_sizes() {
+  std::string sizes;
+  for (const MachineProfile& profile : profiles()) {
+    sizes += fmt::format("{}{} ({}x{})", sizes.empty() ? "" : ", ", profile.name, profile.largest_image_width(),
+                         profile.largest_image_height());
+  }
+  return sizes;
+}
 
 void check_image_size(const std::string& name, int width, int height, const MachineProfile& profile) {
   const std::string found = fmt::format("the image is {}x{} pixels", width, height);
@@ -125,6 +140,39 @@ MapSet load_or_compile_maps(const std::string& skin, const std::optional<calib::
     }
   }
   return maps;
+}
+
+void check_alarm_limit(const std::string& skin, const std::vector<const MapTable*>& tables,
+                       const MachineProfile& profile, Decision decision, double alarm_percent) {
+  std::size_t least = 0;
+  double supported = std::numeric_limits<double>::infinity();  // in the table `least`; all are of one size
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    const auto here = static_cast<double>(supported_pixels(*tables[i], profile, decision));
+    if (here >= supported) continue;
+    least = i;
+    supported = here;
+  }
+  const ScanGeometry& geometry = tables.at(least)->geometry();
+  const double pixels = static_cast<double>(geometry.width / profile.subsample) * geometry.height;
+  const double share = supported / pixels;
+  const double needed = limit_of(alarm_percent, pixels) + 1;
+  const std::string place = tables.size() == 1 ? "" : fmt::format("table {} of {}", least + 1, tables.size());
+  if (needed > supported) {
+    throw FileError(
+        skin, place,
+        fmt::format("this skin is too small for an alarm, which takes more than {:g} % of the whole image "
+                    "in the skin: {} can judge {:.2g} % of the image's pixels on it",
+                    alarm_percent, name_of(decision), 100 * share),
+        share == 0 ? "a larger skin"
+                   : fmt::format("a larger skin, or --alarm-limit {:.2g}, about half of this one", kAboutHalf * share));
+  }
+  if (2 * needed > supported) {
+    fmt::print(
+        stderr,
+        "horopter: warning: {}: {}an alarm takes {:.0f} % of this skin, that is {:g} % of the whole image; about half "
+        "of the skin would be --alarm-limit {:.2g}\n",
+        skin, place.empty() ? "" : place + ": ", 100 * needed / supported, alarm_percent, kAboutHalf * share);
+  }
 }
 
 void report_rows(Decision decision, bool has_rig, nlohmann::ordered_json& summary, bool json) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "horopter/calib/rig.hpp"
 #include "horopter/map.hpp"
@@ -16,6 +17,8 @@
 
 namespace horopter::cli {
 
+/// The profiles and the largest images that they take, for help.
+std::string profile_sizes();
 /// Throws FileError when the profile does not hold an image of this size.
 void check_image_size(const std::string& name, int width, int height, const MachineProfile& profile);
 /// The cameras of --rig; nothing where the option is not given. Throws FileError.
@@ -36,6 +39,11 @@ std::unique_ptr<RigSkin> load_rig_skin(const std::string& skin, const calib::Rig
 /// see report_rows.
 MapSet load_or_compile_maps(const std::string& skin, const std::optional<calib::Rig>& rig,
                             const MachineProfile& profile, int image_width, int image_height, Decision decision);
+
+/// An alarm must be possible. Throws FileError for a table in which the rule can judge no more pixels than it takes,
+/// and says on standard error when it takes more than half of them. The tables of a skin, or of its motion.
+void check_alarm_limit(const std::string& skin, const std::vector<const MapTable*>& tables,
+                       const MachineProfile& profile, Decision decision, double alarm_percent);
 
 /// Whether epipolar lines were followed, for programs (`rows_checked`) and, where they could not be, for people.
 /// Nothing for a rule that does not need it.

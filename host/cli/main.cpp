@@ -59,6 +59,13 @@ int run(int argc, char** argv) {
   add_study(app, outcome);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::RequiredError& error) {
+    // What is missing may be there, but mistyped.
+    if (const auto unknown = app.remaining(true); !unknown.empty()) {
+      std::fprintf(stderr, "horopter: unknown '%s'\n", unknown.front().c_str());
+    }
+    app.exit(error);
+    return static_cast<int>(ExitStatus::usage);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : static_cast<int>(ExitStatus::usage);
   }

@@ -7,13 +7,16 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "commands.hpp"
 #include "horopter/map_json.hpp"
 #include "horopter/output.hpp"
 #include "horopter/plan.hpp"
 #include "horopter/skin_file.hpp"
+#include "horopter/support.hpp"
 #include "inputs.hpp"
+#include "numbers.hpp"
 
 namespace horopter::cli {
 namespace {
@@ -27,18 +30,20 @@ struct MapOptions {
   std::string inspect;
   std::string draw;
   Decision decision = Decision::thesis;
+  double alarm_percent = Settings().alarm_percent;
   bool json = false;
 };
 
-/// `640x480`
 std::pair<int, int> parse_size(const std::string& text) {
-  int width = 0;
-  int height = 0;
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width <= 0 || height <= 0) {
-    throw UsageError(fmt::format("--size '{}'; expected WIDTHxHEIGHT, as 640x480", text));
-  }
-  return {width, height};
+  if (const auto size = size_of(text)) return *size;
+  throw UsageError(fmt::format("--size '{}'; expected WIDTHxHEIGHT, as 640x480", text));
+}
+
+std::vector<Decision> rules_of(const MachineProfile& profile) {
+  std::vector<Decision> rules;
+  if (profile.has_thesis()) rules.push_back(Decision::thesis);
+  if (profile.has_compete()) rules.push_back(Decision::compete);
+  return rules;
 }
 
 void explain(const MapSet& maps) {
@@ -69,6 +74,14 @@ void explain(const MapSet& maps) {
                percent(r.supervised()),
                100.0 * static_cast<double>(r.supervised()) /
                    static_cast<double>(std::max<std::int64_t>(1, r.pixels - r.count(Reason::no_source))));
+    for (const Decision decision : rules_of(profile)) {
+      const std::int64_t supported = supported_pixels(map.table, profile, decision);
+      fmt::print(
+          "  {:12}  {} pixels of the result ({:.1f} %), of which --undecidable-limit is a share: all of their "
+          "support is supervised\n",
+          fmt::format("by {}", name_of(decision)), supported,
+          100.0 * profile.subsample * static_cast<double>(supported) / static_cast<double>(r.pixels));
+    }
     const char* head = "unsupervised";
     for (int i = 1; i < kReasonCount; ++i) {
       if (r.by_reason[i] == 0) continue;
@@ -142,10 +155,20 @@ ExitStatus map(const MapOptions& options) {
       check_image_size(options.rig, width, height, profile);
     }
     maps = load_or_compile_maps(options.skin, rig, profile, width, height, options.decision);
+    std::vector<const MapTable*> tables;
+    for (const CompiledMap& map : maps.maps) tables.push_back(&map.table);
+    check_alarm_limit(options.skin, tables, profile, options.decision, options.alarm_percent);
     if (!options.output.empty()) save_maps(maps, options.output);
   }
   if (!options.draw.empty()) draw(maps, options.draw, options.json);
   auto report = to_json(maps);
+  const MachineProfile& profile = find_profile(maps.profile);
+  for (std::size_t i = 0; i < maps.maps.size(); ++i) {
+    for (const Decision decision : rules_of(profile)) {
+      report["tables"][i]["supported"][std::string(name_of(decision))] =
+          supported_pixels(maps.maps[i].table, profile, decision);
+    }
+  }
   report_rows(options.decision, !maps.rig.empty(), report, options.json);
   if (options.json) {
     std::puts(report.dump(2).c_str());
@@ -163,7 +186,7 @@ void add_map(CLI::App& app, Outcome& outcome) {
   command->add_option("--skin", options->skin, "The skin (skin.yaml)")->type_name("FILE");
   command->add_option("--rig", options->rig, "The cameras (rig.yaml); homographies and correspondences need none")
       ->type_name("FILE");
-  command->add_option("--profile", options->profile, "Build of the machine: " + profile_names())->type_name("P");
+  command->add_option("--profile", options->profile, "Build of the machine: " + profile_sizes())->type_name("P");
   command
       ->add_option("--size", options->size,
                    "Size of the images, WIDTHxHEIGHT (default: that of the rig's cameras, or the profile's largest)")
@@ -171,6 +194,12 @@ void add_map(CLI::App& app, Outcome& outcome) {
   command->add_option("-o,--output", options->output, "The table to write (.hmap)")->type_name("FILE");
   command->add_option("--inspect", options->inspect, "Explain this table instead of making one")->type_name("FILE");
   add_decision(*command, options->decision)->excludes("--inspect");
+  command
+      ->add_option("--alarm-limit", options->alarm_percent,
+                   "That of `horopter run`, % of the whole image: a skin too small for it is refused")
+      ->check(CLI::Range(0.0, 100.0))
+      ->excludes("--inspect")
+      ->capture_default_str();
   command
       ->add_option(
           "--draw", options->draw,

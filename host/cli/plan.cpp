@@ -4,7 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -16,6 +19,7 @@
 #include "horopter/output.hpp"
 #include "horopter/skin_file.hpp"
 #include "inputs.hpp"
+#include "numbers.hpp"
 
 namespace horopter::cli {
 namespace {
@@ -75,10 +79,12 @@ void print(const PlannedSkin& skin, const ThicknessPlan& plan, double images_per
   fmt::print("  {:30} {:>8} {:>8} {:>8}\n", "", "smallest", "mean", "largest");
   print_spread("distance along the axis", plan.distance, "mm");
   print_spread("slope against the axis", plan.slope_deg, "degrees");
-  print_spread("thickness, camera model", plan.across, "mm", fmt::format("; on the axis {:.2f}", plan.on_axis));
+  const auto on_axis = [](double mm) {
+    return std::isfinite(mm) ? fmt::format("; on the axis {:.2f}", mm) : std::string("; the axis does not meet it");
+  };
+  print_spread("thickness, camera model", plan.across, "mm", on_axis(plan.on_axis));
   print_spread("  along the line of sight", plan.sight, "mm");
-  print_spread("thickness, 11.1 and 11.2", plan.formula, "mm",
-               fmt::format("; on the axis {:.2f}", plan.on_axis_formula));
+  print_spread("thickness, 11.1 and 11.2", plan.formula, "mm", on_axis(plan.on_axis_formula));
   if (std::isfinite(plan.face_width)) {
     fmt::print("  {:30} {:8.2f} mm of a face across the axis are in the skin where it slopes most (11.3)\n",
                "detectable width", plan.face_width);
@@ -151,6 +157,7 @@ ExitStatus plan_thickness(const ThicknessOptions& options) {
         profile->name, name_of(options.decision), images_per_s, options.tolerance_px,
         options.tolerance_px * profile->subsample);
   }
+  double slowest_m_s = std::numeric_limits<double>::infinity();  // that may pass between two images
   bool nothing = false;
   bool refused = false;
   for (const PlannedSkin& skin : skins) {
@@ -159,6 +166,9 @@ ExitStatus plan_thickness(const ThicknessOptions& options) {
       plan = plan_thickness(*cameras, *skin.surface, *profile, geometry, options.tolerance_px, view);
     } catch (const std::invalid_argument& error) {
       throw FileError(options.rig, "", skin.name + ": " + error.what(), "a skin in front of both cameras");
+    }
+    if (plan.supervised > 0) {
+      slowest_m_s = std::min(slowest_m_s, largest_speed_m_s(plan.across.smallest, images_per_s));
     }
     json["skins"].push_back(to_json(skin, plan, images_per_s));
     if (!options.json) print(skin, plan, images_per_s);
@@ -185,6 +195,12 @@ ExitStatus plan_thickness(const ThicknessOptions& options) {
         iso_13855_distance_mm(response_s));
     if (output) fmt::print("thickness.json and pictures are in {}\n", options.out);
   }
+  if (slowest_m_s < kIsoHandSpeed_m_s) {
+    fmt::print(stderr,
+               "horopter: warning: a hand may cross this skin between two images unseen: the safety distances hold for "
+               "what moves at up to {:.3f} m/s only\n",
+               slowest_m_s);
+  }
   if (nothing) std::fprintf(stderr, "horopter: nothing of a skin is supervised\n");
   return nothing || refused ? ExitStatus::check_failed : ExitStatus::done;
 }
@@ -204,11 +220,11 @@ void add_plan(CLI::App& app, Outcome& outcome) {
   thickness
       ->add_option("--distance", options->distances_mm,
                    "Instead of a skin: planes across the axis of symmetry, at these distances from the cameras")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->type_name("MM...");
   thickness
       ->add_option("--profile", options->profile,
-                   "Build of the machine: " + profile_names() + " (default: the smallest that holds the image)")
+                   "Build of the machine: " + profile_sizes() + " (default: the smallest that holds the image)")
       ->type_name("P");
   thickness
       ->add_option("--tolerance", options->tolerance_px,
@@ -225,10 +241,10 @@ void add_plan(CLI::App& app, Outcome& outcome) {
   thickness
       ->add_option("--frame-rate", options->images_per_s,
                    "Results a second: frames, or fields of profile field (default: 50 fields, 60 frames)")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->type_name("HZ");
   thickness->add_option("--stopping-ms", options->stopping_ms, "Time that the robot takes to stop after the alarm, ms")
-      ->check(CLI::NonNegativeNumber)
+      ->check(zero_or_more())
       ->capture_default_str()
       ->type_name("MS");
   thickness

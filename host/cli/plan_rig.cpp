@@ -5,11 +5,13 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "commands.hpp"
@@ -18,6 +20,7 @@
 #include "horopter/skin_file.hpp"
 #include "horopter/watch.hpp"
 #include "inputs.hpp"
+#include "numbers.hpp"
 #include "plan_drawing.hpp"
 #include "plot.hpp"
 #include "progress.hpp"
@@ -28,7 +31,7 @@ namespace {
 struct RigOptions {
   std::string rig;
   RigDesign design;
-  std::vector<int> image_size;
+  std::vector<std::string> image_size;
   double thickness_mm = 0;
   std::optional<double> tilt_deg;
   std::vector<double> distances_mm;
@@ -46,10 +49,18 @@ struct RigOptions {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double kLargestTilt_deg = 80;
+
 Json to_json(const Spread& spread) {
   return {{"smallest", spread.smallest}, {"mean", spread.mean}, {"largest", spread.largest}};
 }
 Json to_json(const Eigen::Vector3d& place) { return {place.x(), place.y(), place.z()}; }
+
+/// Both cameras see some of the axis of symmetry.
+bool has_common_axis(const RigDesign& design) {
+  const calib::Rig rig = make_rig(design);
+  return depth_range(CameraPair(rig.cameras[0], rig.cameras[1])).has_value();
+}
 
 /// The cameras of --rig, or those designed.
 calib::Rig rig_of(RigOptions& options) {
@@ -68,8 +79,12 @@ calib::Rig rig_of(RigOptions& options) {
   if (!(design.f_mm > 0) || !(design.pitch_um > 0) || options.image_size.empty()) {
     throw UsageError("cameras are required: --rig FILE, or --focal, --pixel and --image-size of those you think of");
   }
-  design.width_px = options.image_size[0];
-  design.height_px = options.image_size[1];
+  const auto size = size_of(fmt::format("{}", fmt::join(options.image_size, "x")));
+  if (!size) {
+    throw UsageError(
+        fmt::format("--image-size '{}'; expected WIDTHxHEIGHT, as 756x572", fmt::join(options.image_size, " ")));
+  }
+  std::tie(design.width_px, design.height_px) = *size;
   const auto distance = [&](const char* what) {
     if (options.distances_mm.empty()) throw UsageError(fmt::format("--{} requires --distance", what));
     return options.distances_mm.front();
@@ -84,6 +99,14 @@ calib::Rig rig_of(RigOptions& options) {
   }
   design.tilt_deg = options.tilt_deg ? *options.tilt_deg
                                      : converging_tilt_deg(design.baseline_mm, distance("baseline without --tilt"));
+  if (!(std::abs(design.tilt_deg) <= kLargestTilt_deg) || !has_common_axis(design)) {
+    throw Error(
+        ExitStatus::check_failed,
+        fmt::format("no such rig: a baseline of {:.4g} mm, each camera turned by {:.3g} degrees, f {:.4g} px, and "
+                    "no place on the axis between the cameras that both see; --focal, --baseline, --thickness "
+                    "and --distance are in mm, --pixel in um, --tilt in degrees",
+                    design.baseline_mm, design.tilt_deg, design.f_px()));
+  }
   return make_rig(design);
 }
 
@@ -352,36 +375,35 @@ void add_plan_rig(CLI::App& plan, Outcome& outcome) {
       "(11.1)");
   rig->add_option("--rig", options->rig, "The cameras there are (rig.yaml), with their image size")->type_name("FILE");
   rig->add_option("--focal", options->design.f_mm, "Instead of --rig: focal length of two like cameras, mm")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->type_name("MM");
   rig->add_option("--pixel", options->design.pitch_um, "Their pixels, um, square")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->type_name("UM");
-  rig->add_option("--image-size", options->image_size, "Their images, pixels")
-      ->expected(2)
-      ->check(CLI::PositiveNumber)
-      ->type_name("WIDTH HEIGHT");
+  rig->add_option("--image-size", options->image_size, "Their images, pixels: WIDTHxHEIGHT, or WIDTH HEIGHT")
+      ->expected(1, 2)
+      ->type_name("WxH");
   rig->add_option("--baseline", options->design.baseline_mm, "How far apart they are, mm")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->type_name("MM");
   rig->add_option("--thickness", options->thickness_mm,
                   "Instead of --baseline: the baseline that gives this thickness at the first --distance (11.1)")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->type_name("MM");
   rig->add_option("--tilt", options->tilt_deg,
                   "Each camera is turned towards the other by this (default: their axes meet at the first --distance)")
-      ->check(CLI::Range(-80.0, 80.0))
+      ->check(CLI::Range(-kLargestTilt_deg, kLargestTilt_deg))
       ->type_name("DEG");
   rig->add_option("--distance", options->distances_mm, "Planes across the axis of symmetry, at these distances")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->type_name("MM...");
   rig->add_option("--skin", options->skin, "Instead of planes: the skin (skin.yaml; see `horopter map --help`)")
       ->type_name("FILE");
   rig->add_option("--profile", options->profile,
-                  "Build of the machine: " + profile_names() + " (default: the smallest that holds the image)")
+                  "Build of the machine: " + profile_sizes() + " (default: the smallest that holds the image)")
       ->type_name("P");
   rig->add_option("--tolerance", options->tolerance_px, "Disparity tolerance D, pixels of the result")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str()
       ->type_name("PX");
   add_decision(*rig, options->decision);
@@ -396,7 +418,7 @@ void add_plan_rig(CLI::App& plan, Outcome& outcome) {
       ->type_name("X Y Z");
   rig->add_option("--step", options->search.step_mm,
                   "Narrower openings are not looked for, mm (default: 1/64 of the space)")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->type_name("MM");
   rig->add_option("--out", options->out,
                   "Directory for rig.svg (drawing), distance.svg and .csv, rig.json, and the designed rig.yaml")

@@ -18,6 +18,7 @@
 #include "horopter/output.hpp"
 #include "horopter/report.hpp"
 #include "inputs.hpp"
+#include "numbers.hpp"
 #include "progress.hpp"
 #include "thickness.hpp"
 #include "words.hpp"
@@ -61,11 +62,17 @@ struct Session {
     if (is_moving_skin(options.skin)) {
       MovingMaps maps = compile_motion(load_skin_for(options.skin, rig, width, height), *profile, width, height,
                                        view_limits(*profile, settings.decision));
+      std::vector<const MapTable*> tables;
+      for (const MovingStep& step : maps.steps) tables.push_back(&step.map.table);
+      check_alarm_limit(options.skin, tables, *profile, settings.decision, settings.alarm_percent);
       moving = std::make_unique<MovingSupervisor>(make_device(options.engine, *profile), *profile, std::move(maps),
                                                   settings);
       return;
     }
     const MapSet maps = load_or_compile_maps(options.skin, rig, *profile, width, height, settings.decision);
+    std::vector<const MapTable*> tables;
+    for (const CompiledMap& map : maps.maps) tables.push_back(&map.table);
+    check_alarm_limit(options.skin, tables, *profile, settings.decision, settings.alarm_percent);
     has_rig = !maps.rig.empty();
     supervisor = std::make_unique<Supervisor>(make_device(options.engine, *profile), *profile, maps, settings);
   }
@@ -192,7 +199,7 @@ void add_run(CLI::App& app, Outcome& outcome) {
       ->type_name("FILE");
   command
       ->add_option("--profile", options->profile,
-                   "Build of the machine: " + profile_names() +
+                   "Build of the machine: " + profile_sizes() +
                        " (default: the smallest that holds the image; field, "
                        "which splits an image into two fields, on request only)")
       ->type_name("P");
@@ -215,17 +222,19 @@ void add_run(CLI::App& app, Outcome& outcome) {
       ->check(CLI::Range(0, 255))
       ->capture_default_str();
   command
-      ->add_option("--alarm-limit", options->settings.alarm_percent, "Alarm above this share of pixels in the skin, %")
+      ->add_option("--alarm-limit", options->settings.alarm_percent,
+                   "Alarm above this share of pixels in the skin, % of the whole image")
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
   command
-      ->add_option("--undecidable-limit", options->settings.undecidable_percent,
-                   "Fault above this share of undecidable pixels, % of the supervised ones")
+      ->add_option(
+          "--undecidable-limit", options->settings.undecidable_percent,
+          "Fault above this share of undecidable pixels, % of those that the rule can judge, see `horopter map`")
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
   command
       ->add_option("--unsupervised-limit", options->settings.unsupervised_percent,
-                   "Fault above this share of unsupervised pixels, %")
+                   "Fault above this share of unsupervised pixels, % of the whole image")
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
   command
@@ -233,7 +242,9 @@ void add_run(CLI::App& app, Outcome& outcome) {
                    "Fault when an image is repeated this many times, 0 = never")
       ->check(CLI::Range(0, 255))
       ->capture_default_str();
-  command->add_option("--frames", options->frames, "Stop after this many pairs (default: all)")->type_name("N");
+  command->add_option("--frames", options->frames, "Stop after this many pairs (default: all)")
+      ->check(at_least_one())
+      ->type_name("N");
   command->add_option("--out", options->out, "Directory for the results")->required()->type_name("DIR");
   command->add_flag_callback("--no-overlay", [options] { options->overlay = false; }, "Write no overlay pictures");
   command->add_flag("--json", options->json, "Print summary.json on standard output, and nothing else");

@@ -125,7 +125,7 @@ StereoPair load_pair(const StereoPairFiles& files) {
                       fmt::format("{}x{}, as {}", left.width, left.height, files.left));
     }
   }
-  StereoPair pair{files.name, resize_image(left, files.resize), resize_image(right, files.resize), truth};
+  StereoPair pair{files.name, resize_image(left, files.resize), resize_image(right, files.resize), truth, files.left};
   if (files.resize != 1) pair.truth = resized(truth, files.resize, pair.left.width, pair.left.height);
   return pair;
 }

@@ -25,6 +25,7 @@ struct StereoPair {
   Image left;
   Image right;
   DisparityMap truth;
+  std::string file{};  ///< of the left image, for messages
 };
 
 /// One pair a line: `name left right disparity scale resize`, separated by blanks; the last two may be left out (1).

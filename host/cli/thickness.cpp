@@ -9,6 +9,7 @@
 #include "horopter/error.hpp"
 #include "horopter/tolerance.hpp"
 #include "inputs.hpp"
+#include "numbers.hpp"
 
 namespace horopter::cli {
 namespace {
@@ -55,12 +56,12 @@ void add_thickness(CLI::App& command, ThicknessOption& option) {
           .add_option("--tolerance", option.tolerance_px,
                       "Half the thickness of the skin as disparity, px of the result: where half of the pixels are "
                       "found (instead of a rule's own setting)")
-          ->check(CLI::PositiveNumber)
+          ->check(above_zero())
           ->type_name("PX");
   command
       .add_option("--thickness", option.thickness_mm,
                   "The same in mm, both halves, across the skin, median over the image; for a surface and a rig")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->excludes(tolerance)
       ->type_name("MM");
 }

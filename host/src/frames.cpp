@@ -171,7 +171,13 @@ std::unique_ptr<FrameSource> open_file(const fs::path& path) {
   return std::make_unique<CaptureSource>(path.string(), std::nullopt, container != Container::other);
 }
 
-void open_directory(const fs::path& path, std::vector<std::unique_ptr<FrameSource>>& sources) {
+/// What one argument, or a part of it, names.
+struct Input {
+  std::string name;
+  std::optional<int> camera;
+};
+
+void list_directory(const fs::path& path, std::vector<Input>& inputs) {
   std::vector<fs::path> files;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(path, error)) {
@@ -181,7 +187,7 @@ void open_directory(const fs::path& path, std::vector<std::unique_ptr<FrameSourc
   if (files.empty())
     throw FileError(path.string(), "", "no image in this directory", "PNG, JPEG, PNM, BMP or TIFF files");
   std::ranges::sort(files);
-  for (const fs::path& file : files) sources.push_back(std::make_unique<FileSource>(file));
+  for (const fs::path& file : files) inputs.push_back({file.string(), {}});
 }
 
 std::optional<int> camera_number(std::string_view argument) {
@@ -192,18 +198,16 @@ std::optional<int> camera_number(std::string_view argument) {
   return number;
 }
 
-}  // namespace
-
-std::unique_ptr<FrameSource> open_frames(const std::vector<std::string>& arguments) {
-  std::vector<std::unique_ptr<FrameSource>> sources;
+std::vector<Input> inputs_of(const std::vector<std::string>& arguments) {
+  std::vector<Input> inputs;
   for (const std::string& argument : arguments) {
     std::error_code error;
     if (fs::is_directory(argument, error)) {
-      open_directory(argument, sources);
+      list_directory(argument, inputs);
     } else if (fs::exists(argument, error)) {
-      sources.push_back(open_file(argument));
+      inputs.push_back({argument, {}});
     } else if (const auto camera = camera_number(argument)) {
-      sources.push_back(std::make_unique<CaptureSource>(argument, camera, false));
+      inputs.push_back({argument, camera});
     } else if (argument.find_first_of("*?[") != std::string::npos) {
       glob_t matches{};
       const int result = ::glob(argument.c_str(), GLOB_ERR, nullptr, &matches);
@@ -211,18 +215,51 @@ std::unique_ptr<FrameSource> open_frames(const std::vector<std::string>& argumen
       ::globfree(&matches);
       if (files.empty()) throw FileError(argument, "", "no file matches this pattern", "images or videos");
       for (const std::string& file : files) {
-        if (!fs::is_directory(file)) sources.push_back(open_file(file));
+        if (!fs::is_directory(file)) inputs.push_back({file, {}});
       }
     } else {
       throw FileError(argument, "", "there is no such file",
                       "an image, a video, a directory, a pattern or a camera number");
     }
   }
+  return inputs;
+}
+
+std::unique_ptr<FrameSource> open_inputs(const std::vector<Input>& inputs) {
+  std::vector<std::unique_ptr<FrameSource>> sources;
+  for (const Input& input : inputs) {
+    if (input.camera) {
+      sources.push_back(std::make_unique<CaptureSource>(input.name, input.camera, false));
+    } else {
+      sources.push_back(open_file(input.name));
+    }
+  }
   return std::make_unique<ListSource>(std::move(sources));
 }
 
-PairSource::PairSource(const std::vector<std::string>& left, const std::vector<std::string>& right)
-    : left_(open_frames(left)), right_(open_frames(right)) {
+/// One camera cannot be both.
+void check_two_cameras(const std::vector<Input>& left, const std::vector<Input>& right) {
+  for (std::size_t i = 0; i < std::min(left.size(), right.size()); ++i) {
+    std::error_code error;
+    const bool same = left[i].camera ? left[i].camera == right[i].camera
+                                     : !right[i].camera && fs::equivalent(left[i].name, right[i].name, error);
+    if (!same) continue;
+    throw FileError(right[i].name, "", "this is the left image, too", "what the other camera saw at the same moment");
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<FrameSource> open_frames(const std::vector<std::string>& arguments) {
+  return open_inputs(inputs_of(arguments));
+}
+
+PairSource::PairSource(const std::vector<std::string>& left, const std::vector<std::string>& right) {
+  const std::vector<Input> left_inputs = inputs_of(left);
+  const std::vector<Input> right_inputs = inputs_of(right);
+  check_two_cameras(left_inputs, right_inputs);
+  left_ = open_inputs(left_inputs);
+  right_ = open_inputs(right_inputs);
   const auto left_count = left_->count();
   const auto right_count = right_->count();
   if (left_count && right_count && left_count != right_count) {

@@ -117,8 +117,8 @@ std::optional<MapTable::Source> MapTable::source(int x, int y, int weight_bits) 
   return expanded ? round(*expanded, weight_bits) : std::nullopt;
 }
 
-std::int64_t MapTable::supervised_pixels(int weight_bits) const {
-  std::int64_t count = 0;
+Image MapTable::supervised(int weight_bits) const {
+  Image result(geometry_.width, geometry_.height);
   for (int y0 = 0; y0 < geometry_.height; y0 += 1 << spacing_y_log2_) {
     const int y1 = std::min(y0 + (1 << spacing_y_log2_), geometry_.height);
     for (int x0 = 0; x0 < geometry_.width; x0 += 1 << spacing_x_log2_) {
@@ -128,15 +128,15 @@ std::int64_t MapTable::supervised_pixels(int weight_bits) const {
       const bool one_piece = x1 - x0 > 1 && y1 - y0 > 1;
       if (one_piece && source(x0, y0, weight_bits) && source(x1 - 1, y0, weight_bits) &&
           source(x0, y1 - 1, weight_bits) && source(x1 - 1, y1 - 1, weight_bits)) {
-        count += std::int64_t{x1 - x0} * (y1 - y0);
+        for (int y = y0; y < y1; ++y) std::fill_n(&result.at(x0, y), x1 - x0, std::uint8_t{1});
         continue;
       }
       for (int y = y0; y < y1; ++y) {
-        for (int x = x0; x < x1; ++x) count += source(x, y, weight_bits) ? 1 : 0;
+        for (int x = x0; x < x1; ++x) result.at(x, y) = source(x, y, weight_bits) ? 1 : 0;
       }
     }
   }
-  return count;
+  return result;
 }
 
 std::optional<int> lookahead_for(const MachineProfile& profile, RowReach reach) {

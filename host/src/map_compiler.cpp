@@ -475,7 +475,16 @@ std::string rows_text(RowReach reach) {
   return fmt::format("y{:+d} to y{:+d} ({} rows)", -reach.behind, reach.ahead, reach.ahead + reach.behind + 1);
 }
 
-std::string refusal(const MapReport& report) {
+/// Nothing of a skin is supervised.
+class UnseenError : public std::runtime_error {
+ public:
+  explicit UnseenError(const MapReport& report) : std::runtime_error(text(report)) {}
+
+ private:
+  static std::string text(const MapReport& report);
+};
+
+std::string UnseenError::text(const MapReport& report) {
   std::string text = "no pixel is supervised";
   for (int i = 1; i < kReasonCount; ++i) {
     if (report.by_reason[i] == 0) continue;
@@ -493,11 +502,11 @@ CompiledMap choose(const MachineProfile& profile, const ScanGeometry& geometry, 
   const std::size_t largest = limits.largest_bytes != 0 ? limits.largest_bytes : profile.pool_bytes;
   const std::vector<Spacing> spacings = spacings_of(geometry, limits.largest_spacing_log2, largest);
   std::optional<CompiledMap> best;
-  std::string nothing;
+  std::optional<UnseenError> nothing;
   const auto attempt = [&](const Spacing& spacing, double largest_error_px) {
     GridFit tried = fit(spacing.nx, spacing.ny, largest_error_px);
     const MapReport& report = tried.report();
-    if (report.supervised() == 0) nothing = refusal(report);
+    if (report.supervised() == 0) nothing = UnseenError(report);
     if (report.supervised() == 0 || report.error_99_px > limits.error_px) return false;
     const double lost = report.lost_share();
     const bool good = lost <= limits.largest_lost_share;
@@ -523,7 +532,7 @@ CompiledMap choose(const MachineProfile& profile, const ScanGeometry& geometry, 
       return (!likely(s) && attempt(s, limits.largest_error_px)) || attempt(s, limits.error_px);
     });
   }
-  if (!best && !nothing.empty()) throw std::runtime_error(nothing);
+  if (!best && nothing) throw UnseenError(*nothing);
   if (!best) {
     throw std::runtime_error(
         fmt::format("no table of at most {} bytes (the pool of profile {} holds {}) stays within {} "
@@ -598,6 +607,11 @@ MapSet compile_maps(const SkinFile& skin, const MachineProfile& profile, int ima
       set.maps.push_back(compile_map(*skin.skin, profile, geometry, limits));
     } catch (const RowError& error) {
       throw FileError(skin.path, "surface", error.what(), RowError::expected());
+    } catch (const UnseenError& error) {
+      throw FileError(skin.path, "surface", fmt::format("the cameras do not see this skin: {}", error.what()),
+                      skin.rig.empty() ? "a skin in both images, in pixels"
+                                       : "a skin before both cameras, in mm of the rig's world; z of a world that is "
+                                         "the left camera points forward");
     } catch (const std::runtime_error& error) {
       throw FileError(skin.path, "surface",
                       fmt::format("this skin does not fit profile {}: {}", profile.name, error.what()),

@@ -11,6 +11,7 @@
 #include "horopter/compete_register.hpp"
 #include "horopter/error.hpp"
 #include "horopter/registers.hpp"
+#include "horopter/support.hpp"
 #include "stages/pipeline.hpp"
 
 namespace horopter {
@@ -24,10 +25,6 @@ constexpr std::uint32_t kRegisterMapMajor = 1;
 /// Reads of FRAME_SEQUENCE before a machine that has sent all its states counts as broken.
 constexpr int kStatusPolls = 100'000;
 constexpr int kTablePolls = 1'000'000;  // a frame may stand between
-
-std::uint32_t share_of(double percent, double of) {
-  return static_cast<std::uint32_t>(std::max(0.0, std::floor(percent * of / 100 + 1e-9)));
-}
 
 constexpr std::array<const char*, 7> kUploadErrors = {
     "none",      "slot or region in use", "bad header",        "does not fit the pool",
@@ -134,11 +131,13 @@ void check_decision(const MachineProfile& profile, Decision decision) {
   throw UsageError(fmt::format("profile {} does not have the decision '{}'", profile.name, name_of(decision)));
 }
 
+static_assert(reg::kFaultNames.size() == 31, "one bit is left, for kIdenticalImages");
+
 std::vector<std::string> fault_names(std::uint32_t faults) {
   std::vector<std::string> names;
   for (std::size_t bit = 0; bit < 32; ++bit) {
     if ((faults >> bit & 1U) == 0) continue;
-    names.push_back(bit < reg::kFaultNames.size() ? std::string(reg::kFaultNames[bit]) : fmt::format("bit_{}", bit));
+    names.push_back(bit < reg::kFaultNames.size() ? std::string(reg::kFaultNames[bit]) : "identical_images");
   }
   return names;
 }
@@ -190,15 +189,15 @@ void Monitor::write_limits() {
   const double largest_sum = 15.0 * profile_.dsad_window * profile_.dsad_window;
   const double incoming = static_cast<double>(width_) * height_;
   const double result = incoming / profile_.subsample;
-  device_->write(reg::sum_limit::kAddress, share_of(settings_.threshold_percent, largest_sum));
-  device_->write(reg::self_limit::kAddress, share_of(settings_.self_percent, largest_sum));
+  device_->write(reg::sum_limit::kAddress, limit_of(settings_.threshold_percent, largest_sum));
+  device_->write(reg::self_limit::kAddress, limit_of(settings_.self_percent, largest_sum));
   device_->write(reg::texture_limit::kAddress,
                  static_cast<std::uint32_t>(native::Settings::texture_limit_for(settings_.texture)));
-  device_->write(reg::alarm_limit::kAddress, share_of(settings_.alarm_percent, result));
-  device_->write(reg::undecidable_limit::kAddress, share_of(settings_.undecidable_percent, result));
-  device_->write(reg::unsupervised_limit::kAddress, share_of(settings_.unsupervised_percent, result));
-  device_->write(reg::black_limit::kAddress, share_of(settings_.dark_percent, incoming));
-  device_->write(reg::white_limit::kAddress, share_of(settings_.bright_percent, incoming));
+  device_->write(reg::alarm_limit::kAddress, limit_of(settings_.alarm_percent, result));
+  device_->write(reg::undecidable_limit::kAddress, limit_of(settings_.undecidable_percent, result));
+  device_->write(reg::unsupervised_limit::kAddress, limit_of(settings_.unsupervised_percent, result));
+  device_->write(reg::black_limit::kAddress, limit_of(settings_.dark_percent, incoming));
+  device_->write(reg::white_limit::kAddress, limit_of(settings_.bright_percent, incoming));
   device_->write(reg::frozen_limit::kAddress, static_cast<std::uint32_t>(settings_.frozen_limit));
   const bool compete = settings_.decision == Decision::compete;
   device_->write(reg::decision::kAddress, reg::decision::kCompete.put(compete ? 1 : 0));
@@ -249,7 +248,7 @@ void Monitor::upload(int slot, const MapTable& table, std::optional<std::size_t>
     throw DeviceError(fmt::format("table {} is not in the machine after its upload", slot));
   }
   Slot& entry = slots_[static_cast<std::size_t>(slot)];
-  entry = {base, words64, table.supervised_pixels(profile_.weight_bits) / profile_.subsample};
+  entry = {base, words64, supported_pixels(table, profile_, settings_.decision)};
 }
 
 void Monitor::select(int slot) {
@@ -261,9 +260,9 @@ void Monitor::select(int slot) {
 
 void Monitor::write_undecidable_limit(int slot) {
   if (slot < 0 || slot >= kSlots) return;
-  const auto supervised = slots_[static_cast<std::size_t>(slot)].supervised;
+  const auto supported = slots_[static_cast<std::size_t>(slot)].supported;
   device_->write(reg::undecidable_limit::kAddress,
-                 share_of(settings_.undecidable_percent, static_cast<double>(supervised)));
+                 limit_of(settings_.undecidable_percent, static_cast<double>(supported)));
 }
 
 FrameResult Monitor::process(const Image& left, const Image& right) {
@@ -284,7 +283,7 @@ void Monitor::begin(const Image& left, const Image& right) {
                                   left.height, right.width, right.height, width_, height_));
   }
   device_->send(left, right);
-  in_machine_.push_back(selected_);
+  in_machine_.push_back({selected_, left.pixels == right.pixels});
 }
 
 FrameResult Monitor::finish() {
@@ -315,8 +314,14 @@ FrameResult Monitor::finish() {
     throw DeviceError(fmt::format("frame {} came after frame {}: one is lost", result.sequence, sequence_));
   }
   sequence_ = result.sequence;
-  if (!in_machine_.empty()) in_machine_.pop_front();
-  write_undecidable_limit(in_machine_.empty() ? selected_ : in_machine_.front());
+  if (!in_machine_.empty()) {
+    if (in_machine_.front().identical) {
+      result.faults |= kIdenticalImages;
+      result.safe = false;
+    }
+    in_machine_.pop_front();
+  }
+  write_undecidable_limit(in_machine_.empty() ? selected_ : in_machine_.front().slot);
   check_consistent(streams, result, width_ / profile_.subsample, height_);
   result.states = std::move(streams.states);
   result.runs = std::move(streams.runs);

@@ -2,6 +2,7 @@
 // Devices and the driver: the native engine behind registers, faults, uploads, the memory-mapped device.
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <random>
@@ -15,6 +16,7 @@
 #include "horopter/native_device.hpp"
 #include "horopter/registers.hpp"
 #include "horopter/report.hpp"
+#include "horopter/support.hpp"
 #include "horopter/uio_device.hpp"
 #include "host_temporary.hpp"
 
@@ -180,6 +182,63 @@ TEST_CASE("Limits on what cannot be judged are faults") {
   Small small(settings);
   const auto result = small.frame(1);
   CHECK(result.fault_names() == std::vector<std::string>{"too_undecidable", "too_unsupervised"});
+}
+
+TEST_CASE("The limit on undecidable pixels is a share of what the rule can judge in the table, to the pixel") {
+  const auto [name, decision] = GENERATE(table<std::string, Decision>(
+      {{"field", Decision::thesis}, {"vga", Decision::thesis}, {"vga", Decision::compete}, {"hd", Decision::compete}}));
+  const MachineProfile& profile = find_profile(name);
+  const int holes = GENERATE(0, 12, 4, 1);  // of 16 control points
+  CAPTURE(name, name_of(decision), holes);
+  constexpr int kWide = 166;
+  MapTable table({kWide, kHeight, Scan::progressive}, 4, 4);
+  std::mt19937 random(3);
+  for (int row = 0; row < table.rows(); ++row) {
+    for (int column = 0; column < table.columns(); ++column) {
+      const bool hole = holes == 1 ? column > 1 : static_cast<int>(random() % 64) < holes;
+      table.set_control(column, row,
+                        hole ? MapTable::kUnmapped : MapTable::encode(Point{column * 16.0 - 5, row * 16.0}));
+    }
+  }
+  table.seal();
+  Settings settings;
+  settings.decision = decision;
+  settings.unsupervised_percent = 100;
+  Monitor monitor(make_native_device(profile), profile, settings);
+  monitor.start(kWide, kHeight, 8);
+  monitor.upload(0, table);
+  monitor.select(0);
+  const std::int64_t supported = supported_pixels(table, profile, decision);
+  CHECK(monitor.device().read(reg::undecidable_limit::kAddress) == limit_of(90, static_cast<double>(supported)));
+  const Image left = textured(kWide, kHeight, 1);
+  const auto usual = monitor.process(left, moved(left, -5, 0));
+  CHECK(static_cast<std::int64_t>(usual.states.pixels.size()) - usual.unsupervised_pixels == supported);
+  CHECK(usual.faults == 0);
+  // Two cameras in the dark: noise of their own. Not safe with either rule, however small the skin.
+  const auto dark = [&](unsigned seed) {
+    std::mt19937 noise(seed);
+    std::normal_distribution<double> grey(30, 3);
+    Image image(kWide, kHeight);
+    for (auto& pixel : image.pixels) pixel = static_cast<std::uint8_t>(std::clamp(grey(noise), 0.0, 255.0));
+    return image;
+  };
+  if (decision == Decision::compete && (holes == 4 || holes == 12)) return;  // small patches borrow from each other
+  const auto blind = monitor.process(dark(1), dark(2));
+  CAPTURE(blind.undecidable_pixels, supported);
+  CHECK(blind.fault_names() == std::vector<std::string>(supported > 0 ? 1 : 0, "too_undecidable"));
+  CHECK(blind.safe == (supported == 0));
+}
+
+TEST_CASE("Images that are the same bit by bit are a fault: they are of one camera") {
+  Small small;
+  small.monitor.select(1);
+  const Image left = textured(kWidth, kHeight, 1);
+  const auto same = small.monitor.process(left, left);
+  CHECK(same.fault_names() == std::vector<std::string>{"identical_images"});
+  CHECK(!same.safe);
+  const auto other = small.frame(2);
+  CHECK(other.faults == 0);
+  CHECK(other.safe);
 }
 
 TEST_CASE("Rows that the store does not hold are misses") {

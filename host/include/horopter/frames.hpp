@@ -35,8 +35,8 @@ struct FramePair {
   NamedImage right;
 };
 
-/// Two sources in step. Throws FileError when the images of a pair differ in size, when sizes change from pair to pair,
-/// or when one source ends before the other.
+/// Two sources in step. Throws FileError when both are one file or camera, when the images of a pair differ in size,
+/// when sizes change from pair to pair, or when one source ends before the other.
 class PairSource {
  public:
   PairSource(const std::vector<std::string>& left, const std::vector<std::string>& right);

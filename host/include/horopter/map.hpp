@@ -70,8 +70,8 @@ class MapTable {
   std::optional<Source> round(const Expanded& expanded, int weight_bits) const;
   /// The source that the hardware reads: expanded and rounded; nothing when unmapped or outside the image.
   std::optional<Source> source(int x, int y, int weight_bits) const;
-  /// How many pixels have a source.
-  std::int64_t supervised_pixels(int weight_bits) const;
+  /// Which pixels have a source: 1, or 0.
+  Image supervised(int weight_bits) const;
 
  private:
   std::size_t index(int column, int row) const {

@@ -33,8 +33,10 @@ struct Settings {
   int texture = 32;                  ///< mean of the left unscaled Sobel magnitude that makes a pixel decidable
   double self_percent = 100.0 / 15;  ///< of 15·k²; a window whose directions vary less is no texture. Default: k²
   // Of both:
-  double alarm_percent = 5;          ///< of the result's pixels; more skin pixels are an alarm
-  double undecidable_percent = 99;   ///< of the pixels that the table supervises; more are a fault
+  double alarm_percent = 5;  ///< of the result's pixels; more skin pixels are an alarm
+  /// Of supported_pixels (support.hpp); more are a fault. What weak noise alone leaves undecidable is more than this,
+  /// with `compete` on a small skin not always (its votes gather in patches).
+  double undecidable_percent = 90;
   double unsupervised_percent = 99;  ///< of the result's pixels; more are a fault
   int frozen_limit = 1;              ///< repetitions of a frame that are a fault; 0 = never
   double dark_percent = 95;          ///< of the incoming pixels; more dark ones are a black image
@@ -53,7 +55,7 @@ struct FrameResult {
   bool safe = false;
   int table = 15;  ///< slot, 15 = none
   std::uint32_t table_crc = 0;
-  std::uint32_t faults = 0;   ///< bits of register FAULTS
+  std::uint32_t faults = 0;   ///< bits of register FAULTS, and kIdenticalImages
   std::uint32_t cycles = 0;   ///< first pixel in to last state out, clocks
   std::uint32_t latency = 0;  ///< first pixel in to first state out, clocks
   std::uint32_t tail = 0;     ///< last pixel in to last state out, clocks
@@ -63,6 +65,9 @@ struct FrameResult {
   std::vector<std::string> fault_names() const;
 };
 
+/// A fault that the driver finds, in a bit that register FAULTS does not have: left and right image are the same, bit
+/// by bit. Two cameras never agree so; this is one camera twice, and says nothing about a skin.
+inline constexpr std::uint32_t kIdenticalImages = 1U << 31;
 /// Names of fault bits as in registers.yaml, lowest bit first.
 std::vector<std::string> fault_names(std::uint32_t faults);
 
@@ -104,7 +109,7 @@ class Monitor {
   struct Slot {
     std::size_t base_word64 = 0;
     std::size_t words64 = 0;
-    std::int64_t supervised = 0;  ///< result pixels that the table supervises
+    std::int64_t supported = 0;  ///< see supported_pixels
   };
 
   std::unique_ptr<Device> device_;
@@ -116,7 +121,11 @@ class Monitor {
   std::vector<Slot> slots_;
   std::uint32_t sequence_ = 0;
   int selected_ = -1;
-  std::deque<int> in_machine_;  ///< tables of the frames begun and not finished
+  struct Begun {
+    int slot = 0;
+    bool identical = false;  ///< its images
+  };
+  std::deque<Begun> in_machine_;  ///< the frames begun and not finished
 };
 
 /// A monitor for image pairs of one skin: every image makes one result, or two for profiles that take fields.

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Options whose values are numbers or sizes: what is expected, in words.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace horopter::cli {
+
+inline CLI::Validator above_zero() {
+  const auto check = [](std::string& text) {
+    double value = 0;
+    const bool good = CLI::detail::lexical_cast(text, value) && value > 0 && std::isfinite(value);
+    return good ? std::string() : fmt::format("'{}'; expected a number above 0", text);
+  };
+  return {check, "POSITIVE"};
+}
+
+inline CLI::Validator zero_or_more() {
+  const auto check = [](std::string& text) {
+    double value = 0;
+    const bool good = CLI::detail::lexical_cast(text, value) && value >= 0 && std::isfinite(value);
+    return good ? std::string() : fmt::format("'{}'; expected a number of 0 or more", text);
+  };
+  return {check, "NONNEGATIVE"};
+}
+
+inline CLI::Validator at_least_one() {
+  const auto check = [](std::string& text) {
+    long long value = 0;
+    const bool good = CLI::detail::lexical_cast(text, value) && value >= 1;
+    return good ? std::string() : fmt::format("'{}'; expected a whole number, 1 or more", text);
+  };
+  return {check, ""};
+}
+
+/// `640x480`; nothing where a text is no such size.
+inline std::optional<std::pair<int, int>> size_of(const std::string& text) {
+  int width = 0;
+  int height = 0;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width <= 0 || height <= 0) return {};
+  return std::pair{width, height};
+}
+
+}  // namespace horopter::cli

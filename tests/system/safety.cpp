@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a new user may do wrong must not read as safe: nothing to see, a skin too small for its alarm, one camera twice.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <string>
+#include <vector>
+
+#include "sandbox.hpp"
+
+using namespace horopter::test;
+
+namespace {
+
+constexpr int kWidth = 320;
+constexpr int kHeight = 240;
+
+cv::Mat noise(std::uint64_t seed, double mean, double sigma) {
+  cv::Mat image(kHeight, kWidth, CV_64FC1);
+  cv::RNG random(seed);
+  random.fill(image, cv::RNG::NORMAL, mean, sigma);
+  return image;
+}
+
+cv::Mat grey(const cv::Mat& image) {
+  cv::Mat result;
+  image.convertTo(result, CV_8UC1);
+  return result;
+}
+
+cv::Mat ramp() {
+  cv::Mat image(kHeight, kWidth, CV_64FC1);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) image.at<double>(y, x) = 40 + x / 8.0 + y / 8.0;
+  }
+  return image;
+}
+
+/// Two cameras 40 mm apart, images left.png and right.png, and a skin.
+Sandbox& with(Sandbox& box, const cv::Mat& left, const cv::Mat& right, const std::string& surface) {
+  std::string rig = "horopter_rig: 1\nworld: left\ncameras:\n";
+  for (const auto& [name, x_mm] : {std::pair{"left", 0}, {"right", -40}}) {
+    rig += std::string("  - name: ") + name +
+           "\n    image_size: [320, 240]\n    model: brown_conrady\n    fx_px: 300\n    fy_px: 300\n"
+           "    cx_px: 159.5\n    cy_px: 119.5\n    distortion: {}\n    rotation: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
+           "    translation_mm: [" +
+           std::to_string(x_mm) + ", 0, 0]\n";
+  }
+  box.write("rig.yaml", rig);
+  box.write("skin.yaml", "surface: " + surface + "\n");
+  cv::imwrite((box / "left.png").string(), left);
+  cv::imwrite((box / "right.png").string(), right);
+  return box;
+}
+
+const std::vector<std::string> kRun{"run",       "--left", "left.png", "--right", "right.png", "--skin",
+                                    "skin.yaml", "--rig",  "rig.yaml", "--out",   "out",       "--json"};
+
+constexpr const char* kPlane = "{type: plane, point_mm: [0, 0, 800], normal: [0, 0, -1]}";
+constexpr const char* kEllipsoid = "{type: ellipsoid, centre_mm: [0, 0, 1000], half_axes_mm: [300, 250, 200]}";
+constexpr const char* kBox = "{type: box, centre_mm: [0, 0, 900], size_mm: [300, 250, 200]}";
+
+}  // namespace
+
+TEST_CASE("Cameras that decide nothing are not safe: too_undecidable, on any skin, by default") {
+  const std::string surface = GENERATE(kPlane, kEllipsoid, kBox);
+  const std::string decision = GENERATE("thesis", "compete");
+  const std::string scene = GENERATE("ramp", "dark");
+  CAPTURE(surface, decision, scene);
+  Sandbox box;
+  if (scene == "ramp") {
+    with(box, grey(ramp() + noise(1, 0, 1)), grey(ramp() + noise(2, 0, 1)), surface);
+  } else {
+    with(box, grey(noise(1, 30, 1.5)), grey(noise(2, 30, 1.5)), surface);
+  }
+  const auto result = box.run(kRun + std::vector<std::string>{"--decision", decision, "--alarm-limit", "3"});
+  CAPTURE(result.err);
+  REQUIRE(result.status == 4);
+  const auto frame = nlohmann::json::parse(result.out)["frames"][0];
+  CHECK(frame["faults"] == nlohmann::json{"too_undecidable"});
+  CHECK(frame["safe"] == false);
+
+  // The limit is a share of what `map` says that the rule can judge, to the pixel.
+  const auto map = box.run({"map", "--skin", "skin.yaml", "--rig", "rig.yaml", "--profile", "vga", "--alarm-limit", "3",
+                            "--decision", decision, "--json"});
+  REQUIRE(map.status == 0);
+  const auto supported = nlohmann::json::parse(map.out)["tables"][0]["supported"][decision].get<int>();
+  CHECK(supported == kWidth * kHeight - frame["unsupervised_pixels"].get<int>());
+  const auto faults = [&](double undecidable) {
+    const auto at =
+        box.run(kRun + std::vector<std::string>{"--decision", decision, "--alarm-limit", "3", "--undecidable-limit",
+                                                std::to_string(std::min(100.0, 100 * undecidable / supported))});
+    return nlohmann::json::parse(at.out)["frames"][0]["faults"].size();
+  };
+  const int undecidable = frame["undecidable_pixels"];
+  CHECK(faults(undecidable + 0.5) == 0);
+  CHECK(faults(undecidable - 0.5) == 1);
+}
+
+TEST_CASE("A skin too small for its alarm is refused, and one that is nearly so is warned of") {
+  Sandbox box;
+  with(box, grey(noise(1, 100, 30)), grey(noise(2, 100, 30)),
+       "{type: box, centre_mm: [0, 0, 900], size_mm: [160, 160, 200]}");
+  const std::vector<std::string> map{"map",       "--skin", "skin.yaml", "--rig", "rig.yaml",
+                                     "--profile", "vga",    "-o",        "x.hmap"};
+  check_bad_file(box, kRun, "skin.yaml", "too small for an alarm, which takes more than 5 % of the whole image");
+  check_bad_file(box, map, "skin.yaml", "too small for an alarm");
+  // What the message proposes will do.
+  const std::string message = box.run(kRun).err;
+  const auto at = message.find("--alarm-limit ");
+  REQUIRE(at != std::string::npos);
+  const std::string limit = message.substr(at + 14, message.find(',', at) - at - 14);
+  const std::vector<std::string> lower{"--alarm-limit", limit};
+  const auto result = box.run(kRun + lower);
+  CAPTURE(limit, result.err);
+  CHECK(result.status == 0);
+  CHECK(result.err.empty());
+  REQUIRE(box.run(map + std::vector<std::string>{"--alarm-limit", limit}).status == 0);
+  fs::remove_all(box / "out");
+  auto by_table = kRun;
+  std::replace(by_table.begin(), by_table.end(), std::string("skin.yaml"), std::string("x.hmap"));
+  check_bad_file(box, by_table, "x.hmap", "too small for an alarm");
+  const std::string higher = std::to_string(1.5 * std::stod(limit));
+  CHECK_THAT(box.run(kRun + std::vector<std::string>{"--alarm-limit", higher}).err,
+             Catch::Contains("warning") && Catch::Contains("of this skin"));
+  // A skin that moves is asked at every step.
+  box.write("skin.yaml",
+            "surface: {type: box, centre_mm: [0, 0, 900], size_mm: [300, 300, 200]}\n"
+            "motion: {frame_rate_per_s: 50, object_speed_m_s: 0.2, poses: [{time_s: 0.4, shift_mm: [480, 0, 0]}]}\n");
+  fs::remove_all(box / "out");
+  check_bad_file(box, kRun, "skin.yaml", "table ");
+}
+
+TEST_CASE("One camera cannot be both") {
+  Sandbox box;
+  with(box, grey(noise(1, 100, 30)), grey(noise(2, 100, 30)), kPlane);
+  const auto arguments = [](const std::vector<std::string>& left, const std::vector<std::string>& right) {
+    return std::vector<std::string>{"run", "--left"} + left + std::vector<std::string>{"--right"} + right +
+           std::vector<std::string>{"--skin", "skin.yaml", "--rig", "rig.yaml", "--out", "out"};
+  };
+  check_bad_file(box, arguments({"left.png"}, {"left.png"}), "left.png", "this is the left image, too");
+  check_bad_file(box, arguments({"left.png"}, {"./left.png"}), "left.png", "this is the left image, too");
+  fs::create_directory(box / "images");
+  fs::copy_file(box / "left.png", box / "images/0.png");
+  fs::copy_file(box / "right.png", box / "images/1.png");
+  check_bad_file(box, arguments({"images"}, {"images"}), "0.png", "this is the left image, too");
+  check_bad_file(box, arguments({"0"}, {"camera:0"}), "camera:0", "this is the left image, too");
+  // A copy is found out by its pixels.
+  fs::copy_file(box / "left.png", box / "copy.png");
+  const auto copied = box.run(arguments({"left.png"}, {"copy.png"}));
+  CHECK(copied.status == 4);
+  const auto frame = nlohmann::json::parse(box.read("out/summary.json"))["frames"][0];
+  CHECK(frame["safe"] == false);
+  CHECK(frame["faults"] == nlohmann::json{"identical_images"});
+}
