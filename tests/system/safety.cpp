@@ -73,7 +73,9 @@ TEST_CASE("Cameras that decide nothing are not safe: too_undecidable, on any ski
   if (scene == "ramp") {
     with(box, grey(ramp() + noise(1, 0, 1)), grey(ramp() + noise(2, 0, 1)), surface);
   } else {
-    with(box, grey(noise(1, 30, 1.5)), grey(noise(2, 30, 1.5)), surface);
+    const double sigma = GENERATE(1.5, 3.0);
+    CAPTURE(sigma);
+    with(box, grey(noise(1, 30, sigma)), grey(noise(2, 30, sigma)), surface);
   }
   const auto result = box.run(kRun + std::vector<std::string>{"--decision", decision, "--alarm-limit", "3"});
   CAPTURE(result.err);
