@@ -39,8 +39,8 @@ inline constexpr int undecidable = 2;   // no texture to decide by
 inline constexpr int unsupervised = 3;  // a pixel of its support is missing
 }  // namespace state
 
-/// One more in `counter` if `one`; `restart` counts from zero on. The choice stands before the adder, whose carry cells can
-/// take it in (scripts/ecp5.py).
+/// One more in `counter` if `one`; `restart` counts from zero on. The choice stands before the adder, whose carry cells
+/// can take it in (scripts/ecp5.py).
 template <int BITS>
 constexpr void count(u<BITS>& counter, bool restart, bool one) {
   counter = u<BITS>((restart ? u<BITS>(0) : counter) + u<1>(one));

@@ -34,8 +34,8 @@ struct Settings {
   double self_percent = 100.0 / 15;  ///< of 15·k²; a window whose directions vary less is no texture. Default: k²
   // Of both:
   double alarm_percent = 5;  ///< of the result's pixels; more skin pixels are an alarm
-  /// Of supported_pixels (support.hpp); more are a fault. Noise alone leaves more undecidable with `thesis`; `compete` decides
-  /// some of it, the more the stronger it is (its votes gather in patches).
+  /// Of supported_pixels (support.hpp); more are a fault. Noise alone leaves more undecidable with `thesis`; `compete`
+  /// decides some of it, the more the stronger it is (its votes gather in patches).
   double undecidable_percent = 80;
   double unsupervised_percent = 99;  ///< of the result's pixels; more are a fault
   int frozen_limit = 1;              ///< repetitions of a frame that are a fault; 0 = never
