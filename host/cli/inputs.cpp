@@ -153,7 +153,8 @@ void check_alarm_limit(const std::string& skin, const std::vector<const MapTable
     supported = here;
   }
   const ScanGeometry& geometry = tables.at(least)->geometry();
-  const double pixels = static_cast<double>(geometry.width / profile.subsample) * geometry.height;
+  const int columns = geometry.width / profile.subsample;
+  const double pixels = static_cast<double>(columns) * geometry.height;
   const double share = supported / pixels;
   const double needed = limit_of(alarm_percent, pixels) + 1;
   const std::string place = tables.size() == 1 ? "" : fmt::format("table {} of {}", least + 1, tables.size());

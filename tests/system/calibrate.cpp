@@ -347,7 +347,12 @@ TEST_CASE("images: bad input never makes a rig") {
     cv::imwrite((box / ("parallel" + std::to_string(i) + ".png")).string(), photographed(0, 0, 0, 20 * i, 10 * i));
   check_refused(box, images({"parallel?.png"}, "chessboard:9x6:30mm"), 1, "cannot be told apart");
   // One camera taken for two; cameras exchanged.
-  check_refused(box, from_pairs("left?.png", "left?.png"), 1, "stand at one place");
+  check_bad_file(box, from_pairs("left?.png", "left?.png"), "left0.png", "this is the left image, too");
+  for (int i = 0; i < 5; ++i) {
+    const std::string number = std::to_string(i) + ".png";
+    fs::copy_file(box / ("left" + number), box / ("again" + number));
+  }
+  check_refused(box, from_pairs("left?.png", "again?.png"), 1, "stand at one place");
   CHECK(names(report(box, from_pairs("right?.png", "left?.png"))["warnings"], "left_right_exchanged: "));
   fs::remove(box / "rig.yaml");
   // Images as JSON, too, when no rig is made.
