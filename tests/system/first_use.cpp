@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mistakes of a first session: what is said names the mistake and what to do.
+// Mistakes of a first use: what is said names the mistake and what to do.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
