@@ -9,7 +9,7 @@
 #include <ranges>
 #include <vector>
 
-#include "lens_evaluate.hpp"
+#include "camera/lens_evaluate.hpp"
 
 namespace horopter::calib {
 namespace {

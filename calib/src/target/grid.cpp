@@ -6,7 +6,7 @@
 #include <numbers>
 #include <queue>
 
-#include "target_internal.hpp"
+#include "target/steps.hpp"
 
 namespace horopter::calib::detail {
 namespace {

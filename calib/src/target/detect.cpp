@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "horopter/calib/target.hpp"
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
@@ -9,7 +7,8 @@
 #include <memory>
 #include <opencv2/imgproc.hpp>
 
-#include "target_internal.hpp"
+#include "horopter/calib/target.hpp"
+#include "target/steps.hpp"
 
 namespace horopter::calib {
 namespace {

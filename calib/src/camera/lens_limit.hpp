@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shared by the sources of the calibration library.
+// The warning that a lens model does not cover its image.
 #pragma once
 
 #include <optional>

@@ -8,7 +8,7 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "target_internal.hpp"
+#include "target/steps.hpp"
 
 namespace horopter::calib::detail {
 namespace {

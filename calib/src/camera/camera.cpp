@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <vector>
 
+#include "camera/lens_evaluate.hpp"
 #include "horopter/calib/error.hpp"
 #include "horopter/calib/vectorised.hpp"
-#include "lens_evaluate.hpp"
 
 namespace horopter::calib {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "target_internal.hpp"
+#include "target/steps.hpp"
 
 namespace horopter::calib::detail {
 namespace {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rigs as other programs write them: OpenCV, ROS, Kalibr.
+#include "rig/import.hpp"
+
 #include <fmt/format.h>
 
 #include <Eigen/LU>
@@ -11,7 +13,6 @@
 #include <sstream>
 
 #include "horopter/calib/error.hpp"
-#include "rig_internal.hpp"
 
 namespace horopter::calib::import {
 namespace {

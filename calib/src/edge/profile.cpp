@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "horopter/calib/edge_profile.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
+
+#include "horopter/calib/edge_profile.hpp"
 
 namespace horopter::calib {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "target_internal.hpp"
+#include "target/steps.hpp"
 
 namespace horopter::calib::detail {
 

@@ -11,8 +11,8 @@
 #include <unsupported/Eigen/NonLinearOptimization>
 #include <unsupported/Eigen/NumericalDiff>
 
+#include "camera/lens_limit.hpp"
 #include "horopter/calib/error.hpp"
-#include "internal.hpp"
 
 namespace horopter::calib {
 namespace {

@@ -10,9 +10,9 @@
 #include <limits>
 #include <stdexcept>
 
+#include "camera/lens_limit.hpp"
 #include "horopter/calib/error.hpp"
 #include "horopter/calib/points.hpp"
-#include "internal.hpp"
 
 namespace horopter::calib {
 namespace {

@@ -11,7 +11,7 @@
 #include <set>
 
 #include "horopter/calib/error.hpp"
-#include "rig_internal.hpp"
+#include "rig/import.hpp"
 
 namespace horopter::calib {
 
