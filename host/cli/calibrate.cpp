@@ -21,8 +21,8 @@
 #include "horopter/calib/rig.hpp"
 #include "horopter/calib/target.hpp"
 #include "horopter/calib/views.hpp"
-#include "horopter/frames.hpp"
-#include "horopter/output.hpp"
+#include "horopter/image/frames.hpp"
+#include "horopter/image/output.hpp"
 #include "numbers.hpp"
 #include "progress.hpp"
 

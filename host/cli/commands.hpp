@@ -5,8 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "horopter/error.hpp"
-#include "horopter/monitor.hpp"
+#include "horopter/base/error.hpp"
+#include "horopter/machine/monitor.hpp"
 
 namespace horopter::cli {
 
@@ -22,10 +22,6 @@ void add_calibrate(CLI::App& app, Outcome& outcome);
 void add_pattern(CLI::App& app, Outcome& outcome);
 void add_plan(CLI::App& app, Outcome& outcome);
 void add_plan_rig(CLI::App& plan, Outcome& outcome);
-void add_study(CLI::App& app, Outcome& outcome);
-
-/// --decision of the commands that run the machine.
-CLI::Option* add_decision(CLI::App& command, Decision& decision);
 
 /// True once the user has asked to stop (SIGINT, SIGTERM).
 bool interrupted();

@@ -17,12 +17,12 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "horopter/compete_register.hpp"
-#include "horopter/engines.hpp"
-#include "horopter/evaluation.hpp"
-#include "horopter/map_compiler.hpp"
-#include "horopter/monitor.hpp"
-#include "horopter/tolerance.hpp"
+#include "horopter/image/evaluation.hpp"
+#include "horopter/machine/compete_register.hpp"
+#include "horopter/machine/engines.hpp"
+#include "horopter/machine/monitor.hpp"
+#include "horopter/map/map_compiler.hpp"
+#include "horopter/plan/tolerance.hpp"
 #include "inputs.hpp"
 #include "numbers.hpp"
 #include "progress.hpp"

@@ -7,12 +7,12 @@
 #include <cstdio>
 #include <limits>
 
-#include "horopter/error.hpp"
-#include "horopter/image.hpp"
-#include "horopter/map_compiler.hpp"
-#include "horopter/map_json.hpp"
-#include "horopter/skin_file.hpp"
-#include "horopter/support.hpp"
+#include "horopter/base/error.hpp"
+#include "horopter/base/file.hpp"
+#include "horopter/map/map_compiler.hpp"
+#include "horopter/map/map_json.hpp"
+#include "horopter/map/support.hpp"
+#include "horopter/skin/skin_file.hpp"
 
 namespace horopter::cli {
 namespace {

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "horopter/base/profile.hpp"
 #include "horopter/calib/rig.hpp"
-#include "horopter/map.hpp"
-#include "horopter/monitor.hpp"
-#include "horopter/profile.hpp"
-#include "horopter/rig_skin.hpp"
-#include "horopter/skin_file.hpp"
+#include "horopter/machine/monitor.hpp"
+#include "horopter/map/map.hpp"
+#include "horopter/skin/rig_skin.hpp"
+#include "horopter/skin/skin_file.hpp"
 
 namespace horopter::cli {
 

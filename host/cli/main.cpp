@@ -11,8 +11,11 @@
 #include "commands.hpp"
 #include "words.hpp"
 #ifdef HOROPTER_HAS_RTL
-#include "horopter/engines.hpp"
-#include "horopter/rtl_device.hpp"
+#include "horopter/machine/engines.hpp"
+#include "horopter/machine/rtl_device.hpp"
+#endif
+#ifdef HOROPTER_HAS_STUDY
+#include "study/commands/command.hpp"
 #endif
 
 namespace horopter::cli {
@@ -56,7 +59,9 @@ int run(int argc, char** argv) {
   add_calibrate(app, outcome);
   add_pattern(app, outcome);
   add_plan(app, outcome);
+#ifdef HOROPTER_HAS_STUDY
   add_study(app, outcome);
+#endif
   try {
     app.parse(argc, argv);
   } catch (const CLI::RequiredError& error) {
@@ -73,17 +78,6 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
-
-CLI::Option* add_decision(CLI::App& command, Decision& decision) {
-  const std::string thesis(name_of(Decision::thesis)), compete(name_of(Decision::compete));
-  CLI::Option* option = command.add_option_function<std::string>(
-      "--decision",
-      [&decision, compete](const std::string& name) {
-        decision = name == compete ? Decision::compete : Decision::thesis;
-      },
-      "thesis: one skin, one threshold; compete: parallel skins compete, pixels that look alike vote");
-  return only(option, {thesis, compete})->default_str(std::string(name_of(decision)));
-}
 
 bool interrupted() { return stop_requested != 0; }
 

@@ -10,13 +10,15 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "horopter/map_json.hpp"
-#include "horopter/output.hpp"
-#include "horopter/plan.hpp"
-#include "horopter/skin_file.hpp"
-#include "horopter/support.hpp"
+#include "horopter/draw/map_draw.hpp"
+#include "horopter/image/output.hpp"
+#include "horopter/map/map_json.hpp"
+#include "horopter/map/support.hpp"
+#include "horopter/plan/plan.hpp"
+#include "horopter/skin/skin_file.hpp"
 #include "inputs.hpp"
 #include "numbers.hpp"
+#include "words.hpp"
 
 namespace horopter::cli {
 namespace {
@@ -104,7 +106,8 @@ void draw(const MapSet& maps, const std::string& path, bool json) {
   for (const CompiledMap& map : maps.maps) {
     std::vector<std::uint8_t> part;
     if (cameras) {
-      auto drawn = draw_thickness(map.table, profile.weight_bits, *cameras, kD95_px * profile.subsample);
+      auto drawn = draw_thickness(map.table,
+                                  thickness_mm(map.table, profile.weight_bits, *cameras, kD95_px * profile.subsample));
       if (!json) {
         fmt::print("thickness {:.2f} to {:.2f} mm along the left line of sight for a disparity of +-{} px ({})\n",
                    drawn.thinnest_mm, drawn.thickest_mm, kD95_px, scan_name(map.table.geometry().scan));

@@ -13,7 +13,7 @@
 #include <string>
 
 #include "commands.hpp"
-#include "horopter/output.hpp"
+#include "horopter/image/output.hpp"
 
 namespace horopter::cli {
 namespace {

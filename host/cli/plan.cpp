@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // horopter plan: what an installation will see, before it is built.
-#include "horopter/plan.hpp"
+#include "horopter/plan/plan.hpp"
 
 #include <fmt/format.h>
 
@@ -15,11 +15,13 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "horopter/map_compiler.hpp"
-#include "horopter/output.hpp"
-#include "horopter/skin_file.hpp"
+#include "horopter/draw/map_draw.hpp"
+#include "horopter/image/output.hpp"
+#include "horopter/map/map_compiler.hpp"
+#include "horopter/skin/skin_file.hpp"
 #include "inputs.hpp"
 #include "numbers.hpp"
+#include "words.hpp"
 
 namespace horopter::cli {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // horopter plan rig: which cameras, how far apart, turned by how much, and what they leave unseen.
-#include "horopter/plan_rig.hpp"
+#include "horopter/plan/plan_rig.hpp"
 
 #include <fmt/format.h>
 
@@ -15,15 +15,17 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "horopter/map_compiler.hpp"
-#include "horopter/output.hpp"
-#include "horopter/skin_file.hpp"
-#include "horopter/watch.hpp"
+#include "horopter/base/csv.hpp"
+#include "horopter/draw/plan_drawing.hpp"
+#include "horopter/draw/plot.hpp"
+#include "horopter/image/output.hpp"
+#include "horopter/map/map_compiler.hpp"
+#include "horopter/plan/watch.hpp"
+#include "horopter/skin/skin_file.hpp"
 #include "inputs.hpp"
 #include "numbers.hpp"
-#include "plan_drawing.hpp"
-#include "plot.hpp"
 #include "progress.hpp"
+#include "words.hpp"
 
 namespace horopter::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "horopter/image.hpp"
+#include "horopter/image/image.hpp"
 
 namespace horopter::cli {
 

@@ -10,7 +10,8 @@
 #include <sstream>
 #include <string_view>
 
-#include "horopter/error.hpp"
+#include "horopter/base/error.hpp"
+#include "horopter/base/file.hpp"
 
 namespace horopter::cli {
 namespace {

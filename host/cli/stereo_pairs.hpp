@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "horopter/disparity.hpp"
-#include "horopter/image.hpp"
+#include "horopter/image/disparity.hpp"
+#include "horopter/image/image.hpp"
 
 namespace horopter::cli {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "horopter/error.hpp"
-#include "horopter/tolerance.hpp"
+#include "horopter/base/error.hpp"
+#include "horopter/plan/tolerance.hpp"
 #include "inputs.hpp"
 #include "numbers.hpp"
 

@@ -7,11 +7,11 @@
 #include <string>
 
 #include "commands.hpp"
+#include "horopter/base/profile.hpp"
 #include "horopter/calib/rig.hpp"
-#include "horopter/plan.hpp"
-#include "horopter/profile.hpp"
-#include "horopter/rig_skin.hpp"
-#include "horopter/scan.hpp"
+#include "horopter/image/scan.hpp"
+#include "horopter/plan/plan.hpp"
+#include "horopter/skin/rig_skin.hpp"
 
 namespace horopter::cli {
 

@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
-#include "horopter/error.hpp"
-#include "horopter/registers.hpp"
-#include "horopter/rtl_device.hpp"
+#include "horopter/base/error.hpp"
+#include "horopter/machine/registers.hpp"
+#include "horopter/machine/rtl_device.hpp"
 
 namespace horopter {
 

@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
-#include "horopter/compete_register.hpp"
-#include "horopter/crc32.hpp"
-#include "horopter/registers.hpp"
+#include "horopter/base/crc32.hpp"
+#include "horopter/machine/compete_register.hpp"
+#include "horopter/machine/registers.hpp"
 #include "horopter/tb/axil.hpp"
 #include "horopter/tb/axis.hpp"
 #include "horopter/tb/image.hpp"

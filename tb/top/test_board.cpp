@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "horopter/crc32.hpp"
-#include "horopter/registers.hpp"
+#include "horopter/base/crc32.hpp"
+#include "horopter/machine/registers.hpp"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <functional>
 
 #include "../unit/table_11_1.hpp"
-#include "horopter/map_compiler.hpp"
+#include "horopter/map/map_compiler.hpp"
 
 namespace {
 

@@ -6,10 +6,10 @@
 #include <random>
 #include <string>
 
-#include "horopter/map_compiler.hpp"
-#include "horopter/monitor.hpp"
-#include "horopter/rtl_device.hpp"
-#include "horopter/skin.hpp"
+#include "horopter/machine/monitor.hpp"
+#include "horopter/machine/rtl_device.hpp"
+#include "horopter/map/map_compiler.hpp"
+#include "horopter/skin/skin.hpp"
 
 namespace {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Supervises a synthetic pair with the installed library: a textured plane on the skin must alarm.
 #include <cstdio>
-#include <horopter/map_compiler.hpp>
-#include <horopter/monitor.hpp>
-#include <horopter/native_device.hpp>
-#include <horopter/report.hpp>
+#include <horopter/machine/monitor.hpp>
+#include <horopter/machine/native_device.hpp>
+#include <horopter/machine/report.hpp>
+#include <horopter/map/map_compiler.hpp>
 
 int main() {
   const auto& profile = horopter::find_profile("vga");

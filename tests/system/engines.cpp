@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "horopter/error.hpp"
-#include "horopter/map_compiler.hpp"
-#include "horopter/monitor.hpp"
-#include "horopter/native_device.hpp"
-#include "horopter/registers.hpp"
-#include "horopter/rtl_device.hpp"
+#include "horopter/base/error.hpp"
+#include "horopter/machine/monitor.hpp"
+#include "horopter/machine/native_device.hpp"
+#include "horopter/machine/registers.hpp"
+#include "horopter/machine/rtl_device.hpp"
+#include "horopter/map/map_compiler.hpp"
 
 namespace horopter {
 namespace {

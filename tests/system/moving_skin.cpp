@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // A skin that moves with every frame, its tables uploaded while the co-simulated hardware runs: every frame is that of
 // its own table.
-#include "horopter/moving_skin.hpp"
-
 #include <catch2/catch.hpp>
 #include <random>
 #include <set>
 
 #include "../unit/host_temporary.hpp"
 #include "../unit/table_11_1.hpp"
-#include "horopter/native_device.hpp"
-#include "horopter/registers.hpp"
-#include "horopter/rtl_device.hpp"
+#include "horopter/machine/moving_supervisor.hpp"
+#include "horopter/machine/native_device.hpp"
+#include "horopter/machine/registers.hpp"
+#include "horopter/machine/rtl_device.hpp"
 
 namespace horopter {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "horopter/tolerance.hpp"
+#include "horopter/plan/tolerance.hpp"
 #include "sandbox.hpp"
 
 using namespace horopter::test;

@@ -8,16 +8,16 @@
 #include <random>
 #include <thread>
 
-#include "horopter/crc32.hpp"
-#include "horopter/error.hpp"
-#include "horopter/map_compiler.hpp"
-#include "horopter/monitor.hpp"
-#include "horopter/moving_skin.hpp"
-#include "horopter/native_device.hpp"
-#include "horopter/registers.hpp"
-#include "horopter/report.hpp"
-#include "horopter/support.hpp"
-#include "horopter/uio_device.hpp"
+#include "horopter/base/crc32.hpp"
+#include "horopter/base/error.hpp"
+#include "horopter/machine/monitor.hpp"
+#include "horopter/machine/moving_supervisor.hpp"
+#include "horopter/machine/native_device.hpp"
+#include "horopter/machine/registers.hpp"
+#include "horopter/machine/report.hpp"
+#include "horopter/machine/uio_device.hpp"
+#include "horopter/map/map_compiler.hpp"
+#include "horopter/map/support.hpp"
 #include "host_temporary.hpp"
 
 namespace horopter {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "horopter/disparity.hpp"
-#include "horopter/error.hpp"
-#include "horopter/evaluation.hpp"
+#include "horopter/base/error.hpp"
+#include "horopter/image/disparity.hpp"
+#include "horopter/image/evaluation.hpp"
 #include "host_temporary.hpp"
 
 namespace horopter {

@@ -5,10 +5,10 @@
 #include <opencv2/imgproc.hpp>
 #include <random>
 
-#include "horopter/error.hpp"
-#include "horopter/frames.hpp"
-#include "horopter/image.hpp"
-#include "horopter/output.hpp"
+#include "horopter/base/error.hpp"
+#include "horopter/image/frames.hpp"
+#include "horopter/image/image.hpp"
+#include "horopter/image/output.hpp"
 #include "host_temporary.hpp"
 
 namespace horopter {

@@ -3,9 +3,9 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "horopter/error.hpp"
-#include "horopter/moving_skin.hpp"
-#include "horopter/native_device.hpp"
+#include "horopter/base/error.hpp"
+#include "horopter/machine/moving_supervisor.hpp"
+#include "horopter/machine/native_device.hpp"
 #include "host_temporary.hpp"
 #include "table_11_1.hpp"
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 
-#include "horopter/plan.hpp"
+#include "horopter/plan/plan.hpp"
 #include "table_11_1.hpp"
 
 namespace horopter {

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <optional>
 
-#include "horopter/error.hpp"
-#include "horopter/map_compiler.hpp"
-#include "horopter/plan_rig.hpp"
+#include "horopter/base/error.hpp"
+#include "horopter/map/map_compiler.hpp"
+#include "horopter/plan/plan_rig.hpp"
 #include "stages/planes.hpp"
 #include "table_11_1.hpp"
 

@@ -5,12 +5,12 @@
 #include <numeric>
 #include <random>
 
-#include "horopter/crc32.hpp"
-#include "horopter/error.hpp"
-#include "horopter/map.hpp"
-#include "horopter/map_compiler.hpp"
-#include "horopter/skin.hpp"
-#include "horopter/skin_file.hpp"
+#include "horopter/base/crc32.hpp"
+#include "horopter/base/error.hpp"
+#include "horopter/map/map.hpp"
+#include "horopter/map/map_compiler.hpp"
+#include "horopter/skin/skin.hpp"
+#include "horopter/skin/skin_file.hpp"
 #include "host_temporary.hpp"
 
 namespace horopter {

@@ -8,10 +8,10 @@
 #include <optional>
 #include <random>
 
-#include "horopter/error.hpp"
-#include "horopter/map_compiler.hpp"
-#include "horopter/rig_skin.hpp"
-#include "horopter/surface.hpp"
+#include "horopter/base/error.hpp"
+#include "horopter/map/map_compiler.hpp"
+#include "horopter/skin/rig_skin.hpp"
+#include "horopter/skin/surface.hpp"
 #include "host_temporary.hpp"
 #include "table_11_1.hpp"
 

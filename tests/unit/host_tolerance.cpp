@@ -5,8 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "horopter/error.hpp"
-#include "horopter/tolerance.hpp"
+#include "horopter/base/error.hpp"
+#include "horopter/plan/tolerance.hpp"
 #include "table_11_1.hpp"
 
 namespace horopter {

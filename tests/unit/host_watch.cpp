@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "horopter/plan_rig.hpp"
-#include "horopter/watch.hpp"
+#include "horopter/plan/plan_rig.hpp"
+#include "horopter/plan/watch.hpp"
 #include "table_11_1.hpp"
 
 namespace horopter {

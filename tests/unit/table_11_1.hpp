@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "horopter/rig_skin.hpp"
+#include "horopter/skin/rig_skin.hpp"
 
 namespace horopter {
 

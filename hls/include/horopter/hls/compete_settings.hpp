@@ -10,7 +10,7 @@ struct CompeteSettings {
   int similar = 3;        // in 4 grey levels: pixels of a column that differ by more do not vote for each other
   int quorum = 1;         // smallest sum of votes that says skin
   int clear_quorum = 50;  // 8 votes: smallest sum of votes against that says clear
-  int boundary = 8;       // where the skin ends, 0 … 14; measured: host/src/boundary_table.def
+  int boundary = 8;       // where the skin ends, 0 … 14; measured: host/src/plan/boundary_table.def
 };
 
 }  // namespace horopter::hls

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "horopter/image.hpp"
+#include "horopter/image/image.hpp"
 #include "horopter/study/raster.hpp"
 
 namespace horopter::study {

@@ -3,7 +3,7 @@
 // last pixels go on; whoever measures leaves out what a filter reaches.
 #pragma once
 
-#include "horopter/image.hpp"
+#include "horopter/image/image.hpp"
 #include "horopter/study/raster.hpp"
 
 namespace horopter::study {

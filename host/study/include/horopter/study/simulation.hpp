@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
-#include "horopter/image.hpp"
+#include "horopter/image/image.hpp"
 #include "horopter/study/raster.hpp"
 #include "horopter/study/texture.hpp"
 

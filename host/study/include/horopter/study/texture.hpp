@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "horopter/image.hpp"
+#include "horopter/image/image.hpp"
 #include "horopter/study/raster.hpp"
 
 namespace horopter::study {

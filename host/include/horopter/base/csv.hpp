@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tables as text that other programs read.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace horopter {
+
+/// Rows of a table; numbers are written so that they read back the same to 6 digits.
+class Csv {
+ public:
+  explicit Csv(const std::vector<std::string>& header);
+  Csv& operator<<(const std::string& field);
+  Csv& operator<<(double field);
+  void end_row();
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+  bool first_ = true;
+};
+
+}  // namespace horopter

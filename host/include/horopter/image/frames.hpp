@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sequences of images: files, globs, directories, videos, cameras.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "horopter/image/image.hpp"
+
+namespace horopter {
+
+struct NamedImage {
+  std::string name;  ///< the file, or the video or camera with the number of the frame: `walk.avi#12`
+  Image image;
+};
+
+class FrameSource {
+ public:
+  virtual ~FrameSource() = default;
+  /// The next image, or nothing after the last. Throws FileError.
+  virtual std::optional<NamedImage> next() = 0;
+  /// How many images there are in all, if known.
+  virtual std::optional<std::size_t> count() const = 0;
+};
+
+/// Each argument is a file (image or video), a glob pattern, a directory (its image files, by name) or the number of a
+/// camera. Names are checked here, contents when read. Throws FileError for what does not exist.
+std::unique_ptr<FrameSource> open_frames(const std::vector<std::string>& arguments);
+
+struct FramePair {
+  NamedImage left;
+  NamedImage right;
+};
+
+/// Two sources in step. Throws FileError when both are one file or camera, when the images of a pair differ in size,
+/// when sizes change from pair to pair, or when one source ends before the other.
+class PairSource {
+ public:
+  PairSource(const std::vector<std::string>& left, const std::vector<std::string>& right);
+  std::optional<FramePair> next();
+  std::optional<std::size_t> count() const;
+
+ private:
+  std::unique_ptr<FrameSource> left_;
+  std::unique_ptr<FrameSource> right_;
+  std::string first_name_;
+  int width_ = 0;
+  int height_ = 0;
+};
+
+}  // namespace horopter

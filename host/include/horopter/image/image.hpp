@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// 8-bit grey images, read from files that are checked before a decoder sees them.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace horopter {
+
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> pixels;  ///< row by row, no padding
+
+  Image() = default;
+  Image(int columns, int rows, std::uint8_t value = 0)
+      : width(columns), height(rows), pixels(static_cast<std::size_t>(columns) * rows, value) {}
+  std::uint8_t& at(int x, int y) { return pixels[static_cast<std::size_t>(y) * width + x]; }
+  std::uint8_t at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }
+  std::span<const std::uint8_t> row(int y) const {
+    return std::span(pixels).subspan(static_cast<std::size_t>(y) * width, width);
+  }
+  bool empty() const { return pixels.empty(); }
+  friend bool operator==(const Image&, const Image&) = default;
+};
+
+/// Reads PNG, JPEG, PNM (P2, P3, P5, P6), BMP or TIFF with 8 bits a sample; colour becomes grey by Rec. 601 luma.
+/// Orientation tags are ignored: pixels stay where the sensor had them. Throws FileError for a file that is missing,
+/// empty, truncated, damaged, of another depth or not an image, even when a decoder would still show it.
+Image load_image(const std::filesystem::path& path);
+/// The same for bytes in memory; `name` stands for the file in messages.
+Image decode_image(std::span<const std::uint8_t> bytes, const std::string& name);
+
+/// One field of a progressive image: rows parity, parity + 2, …
+Image field_of(const Image& image, int parity);
+
+}  // namespace horopter

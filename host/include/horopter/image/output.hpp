@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Output that is complete or not there: written beside its place, renamed when done.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "horopter/image/image.hpp"
+
+namespace horopter {
+
+/// Writes a file under a temporary name in the same directory and renames it. Throws FileError; nothing is left then.
+void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
+void write_file(const std::filesystem::path& path, std::string_view text);
+
+std::vector<std::uint8_t> encode_png(const Image& image);
+/// Interleaved blue, green, red.
+std::vector<std::uint8_t> encode_png_bgr(int width, int height, std::span<const std::uint8_t> bgr);
+
+/// A directory of results. Files are collected in a hidden directory beside it; commit() moves them into place, and
+/// removes the results of an earlier run (files of the names given by `is_result`). Without commit() nothing changes.
+class OutputDirectory {
+ public:
+  using IsResult = bool (*)(const std::string& file_name);
+
+  /// Throws FileError when `path` is a file or cannot be written to.
+  explicit OutputDirectory(const std::filesystem::path& path, IsResult is_result = nullptr);
+  ~OutputDirectory();
+  OutputDirectory(const OutputDirectory&) = delete;
+  OutputDirectory& operator=(const OutputDirectory&) = delete;
+
+  void write(const std::string& file_name, std::span<const std::uint8_t> bytes);
+  void write(const std::string& file_name, std::string_view text);
+  void commit();
+
+ private:
+  std::filesystem::path path_;
+  std::filesystem::path staging_;
+  IsResult is_result_;
+  std::vector<std::string> file_names_;
+  std::vector<std::filesystem::path> made_;  ///< parent directories that this object made
+};
+
+}  // namespace horopter

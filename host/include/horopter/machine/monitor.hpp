@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// The driver that all devices share: configures, uploads tables, supervises image pairs.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "horopter/base/profile.hpp"
+#include "horopter/hls/compete_settings.hpp"
+#include "horopter/machine/device.hpp"
+#include "horopter/map/map.hpp"
+
+namespace horopter {
+
+using hls::CompeteSettings;
+
+struct Settings {
+  Decision decision = Decision::thesis;  ///< the profile and the machine must have it
+  CompeteSettings competition;
+  // Of `thesis`:
+  double threshold_percent = 25;     ///< of the largest DSAD sum, 15·k²; at most this is in the skin
+  int texture = 32;                  ///< mean of the left unscaled Sobel magnitude that makes a pixel decidable
+  double self_percent = 100.0 / 15;  ///< of 15·k²; a window whose directions vary less is no texture. Default: k²
+  // Of both:
+  double alarm_percent = 5;  ///< of the result's pixels; more skin pixels are an alarm
+  /// Of supported_pixels (support.hpp); more are a fault. Noise alone leaves more undecidable with `thesis`; `compete`
+  /// decides some of it, the more the stronger it is (its votes gather in patches).
+  double undecidable_percent = 80;
+  double unsupervised_percent = 99;  ///< of the result's pixels; more are a fault
+  int frozen_limit = 1;              ///< repetitions of a frame that are a fault; 0 = never
+  double dark_percent = 95;          ///< of the incoming pixels; more dark ones are a black image
+  double bright_percent = 95;        ///< the same for white
+};
+
+/// One result of the machine. Pictures and runs are in pixels of the left image (field) after sub-sampling.
+struct FrameResult {
+  Image states;  ///< codes of State
+  std::vector<Run> runs;
+  std::uint32_t sequence = 0;
+  std::int64_t skin_pixels = 0;
+  std::int64_t undecidable_pixels = 0;
+  std::int64_t unsupervised_pixels = 0;
+  bool alarm = false;
+  bool safe = false;
+  int table = 15;  ///< slot, 15 = none
+  std::uint32_t table_crc = 0;
+  std::uint32_t faults = 0;   ///< bits of register FAULTS, and kIdenticalImages
+  std::uint32_t cycles = 0;   ///< first pixel in to last state out, clocks
+  std::uint32_t latency = 0;  ///< first pixel in to first state out, clocks
+  std::uint32_t tail = 0;     ///< last pixel in to last state out, clocks
+  Scan scan = Scan::progressive;
+  std::optional<double> skin_time_s;  ///< of a moving skin's motion
+
+  std::vector<std::string> fault_names() const;
+};
+
+/// A fault that the driver finds, in a bit that register FAULTS does not have: left and right image are the same, bit
+/// by bit. Two cameras never agree so; this is one camera twice, and says nothing about a skin.
+inline constexpr std::uint32_t kIdenticalImages = 1U << 31;
+/// Names of fault bits as in registers.yaml, lowest bit first.
+std::vector<std::string> fault_names(std::uint32_t faults);
+
+class Monitor {
+ public:
+  /// Checks that the device is a Horopter of this profile and version; its build may have one of the profile's two
+  /// rules and a smaller pool. Throws DeviceError; UsageError where the profile or the build does not have the
+  /// settings' rule.
+  Monitor(std::unique_ptr<Device> device, const MachineProfile& profile, const Settings& settings = {});
+  ~Monitor();
+
+  /// Sets the geometry and enables the machine. Resets what it has seen of earlier frames.
+  void start(int width, int height, int lookahead);
+  void stop();
+
+  /// Uploads a table into slot 0 … 14 while the machine runs. The pool is filled slot by slot; throws DeviceError when
+  /// it is full or the machine refuses the table. `base_word64`: place in the pool instead, in 8 bytes.
+  void upload(int slot, const MapTable& table, std::optional<std::size_t> base_word64 = {});
+  /// Table of the next frame: to be called before its begin(), after the output of the frame before has begun.
+  void select(int slot);
+
+  /// One frame (or field) of both cameras, of the size given to start().
+  FrameResult process(const Image& left, const Image& right);
+  /// The two halves of process(). Between them tables that are not in use can be uploaded.
+  void begin(const Image& left, const Image& right);
+  FrameResult finish();
+  /// Waits until the output of a frame that was begun is made by this table. Throws DeviceError when it never is.
+  void wait_for_table(int slot);
+
+  Device& device() { return *device_; }
+  const MachineProfile& profile() const { return profile_; }
+  /// Of the device's mapping tables.
+  std::size_t pool_bytes() const { return pool_bytes_; }
+
+ private:
+  void write_limits();
+  void write_undecidable_limit(int slot);
+
+  struct Slot {
+    std::size_t base_word64 = 0;
+    std::size_t words64 = 0;
+    std::int64_t supported = 0;  ///< see supported_pixels
+  };
+
+  std::unique_ptr<Device> device_;
+  const MachineProfile& profile_;
+  Settings settings_;
+  std::size_t pool_bytes_ = 0;
+  int width_ = 0;
+  int height_ = 0;
+  std::vector<Slot> slots_;
+  std::uint32_t sequence_ = 0;
+  int selected_ = -1;
+  struct Begun {
+    int slot = 0;
+    bool identical = false;  ///< its images
+  };
+  std::deque<Begun> in_machine_;  ///< the frames begun and not finished
+};
+
+/// A monitor for image pairs of one skin: every image makes one result, or two for profiles that take fields.
+class Supervisor {
+ public:
+  /// Starts the machine and uploads the tables, even fields in slot 0, odd ones in slot 1.
+  Supervisor(std::unique_ptr<Device> device, const MachineProfile& profile, const MapSet& maps,
+             const Settings& settings = {});
+
+  std::vector<FrameResult> process(const Image& left, const Image& right);
+  Monitor& monitor() { return monitor_; }
+
+ private:
+  Monitor monitor_;
+  std::vector<ScanGeometry> scans_;
+};
+
+}  // namespace horopter

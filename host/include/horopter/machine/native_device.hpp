@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// The native engine behind the registers of the hardware: uploads, directory of tables, thresholds, faults. What it
+// cannot do is lose pixels: faults of the streams and counts of clocks do not occur.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "horopter/base/profile.hpp"
+#include "horopter/machine/device.hpp"
+
+namespace horopter {
+
+namespace native {
+class Engine;
+struct Settings;
+}  // namespace native
+
+class NativeDevice : public Device {
+ public:
+  explicit NativeDevice(const MachineProfile& profile);
+  ~NativeDevice() override;
+
+  std::uint32_t read(std::uint32_t address) override;
+  void write(std::uint32_t address, std::uint32_t value) override;
+  void send(const Image& left, const Image& right) override;
+  FrameStreams receive() override;
+  std::string_view engine() const override { return "native"; }
+  bool counts_cycles() const override { return false; }
+
+ private:
+  struct Table {
+    std::size_t base_word64 = 0;
+    std::vector<std::uint32_t> words;
+    std::size_t end_word64() const { return base_word64 + (words.size() - 4 + 1) / 2; }
+  };
+  /// As numbered in MAP_STATUS.error.
+  enum class UploadError { none, in_use, bad_header, too_large, wrong_crc, no_slot, not_started };
+
+  std::uint32_t& stored(std::uint32_t address);
+  bool running() const;
+  bool geometry_is_possible() const;
+  bool in_use(int slot) const;
+  void begin_upload();
+  void upload_word(std::uint32_t word);
+  void end_upload(UploadError error);
+  native::Settings settings() const;
+  void reset_stream();
+  void start_frame();
+
+  const MachineProfile& profile_;
+  std::unique_ptr<native::Engine> engine_;
+  std::array<std::uint32_t, 1024> registers_{};  ///< of access rw, by word address
+  std::uint32_t faults_ = 0;
+  std::uint32_t irq_status_ = 0;
+
+  std::array<std::optional<Table>, 15> tables_;
+  int active_slot_ = 15;                    ///< of the first of `pending_`, from its arrival on, or of the frame before
+  std::uint32_t frame_faults_pending_ = 0;  ///< of the control side since the last frame
+  bool uploading_ = false;
+  int upload_slot_ = 15;
+  Table upload_;
+  std::size_t upload_length_ = 0;  ///< words in all, known after the header
+  UploadError upload_error_ = UploadError::none;
+
+  struct Frame {
+    std::uint32_t sequence = 0;
+    std::uint32_t status = 15U << 2;  ///< no table
+    std::uint32_t faults = 0;
+    std::uint32_t table_crc = 0;
+    std::uint32_t skin = 0;
+    std::uint32_t undecidable = 0;
+    std::uint32_t unsupervised = 0;
+    std::uint32_t misses = 0;
+  };
+  Frame frame_;
+  bool safe_ = false;
+  struct Pending {
+    Image left;
+    Image right;
+  };
+  std::deque<Pending> pending_;
+};
+
+std::unique_ptr<Device> make_native_device(const MachineProfile& profile);
+
+}  // namespace horopter

@@ -1,0 +1,732 @@
+// SPDX-License-Identifier: Apache-2.0
+// Made by scripts/generate-registers from rtl/csr/registers.yaml: change that, not this.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace horopter::registers {
+
+/// Part of a register word.
+struct Field {
+  unsigned lsb;
+  unsigned bits;
+
+  /// The field's bits in the word, set.
+  [[nodiscard]] constexpr std::uint32_t mask() const {
+    return (bits == 32 ? 0xFFFFFFFFU : (std::uint32_t{1} << bits) - 1U) << lsb;
+  }
+  /// The field's value in `word`.
+  [[nodiscard]] constexpr std::uint32_t get(std::uint32_t word) const { return (word & mask()) >> lsb; }
+  /// `value` (cut to the field's width) at the field's place, zero elsewhere.
+  [[nodiscard]] constexpr std::uint32_t put(std::uint32_t value) const { return (value << lsb) & mask(); }
+};
+
+/// How software may use a register.
+enum class Access { kReadWrite, kReadOnly, kWriteOneToClear, kWriteStream };
+
+/// Always 0x484F524F, "HORO".
+namespace id {
+inline constexpr std::uint32_t kAddress = 0x000;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// 0x484F524F
+inline constexpr Field kValue{0, 32};
+inline constexpr std::uint32_t kValueValue = 0x484F524F;
+}  // namespace id
+
+/// Version of this register map.
+namespace version {
+inline constexpr std::uint32_t kAddress = 0x004;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Counts compatible additions.
+inline constexpr Field kMinor{0, 16};
+inline constexpr std::uint32_t kMinorValue = 0x2;
+/// Counts incompatible changes.
+inline constexpr Field kMajor{16, 16};
+inline constexpr std::uint32_t kMajorValue = 0x1;
+}  // namespace version
+
+/// Largest frame, fixed by the profile, in px of the incoming images.
+namespace build_size {
+inline constexpr std::uint32_t kAddress = 0x008;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Largest width in px.
+inline constexpr Field kWidth{0, 16};
+/// Largest height in rows.
+inline constexpr Field kHeight{16, 16};
+}  // namespace build_size
+
+/// Stores, fixed by the build: the profile's, or a smaller pool.
+namespace build_store {
+inline constexpr std::uint32_t kAddress = 0x00C;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Rows of the ring that holds the right image.
+inline constexpr Field kRows{0, 16};
+/// Pool of the mapping tables in KiB.
+inline constexpr Field kPoolKib{16, 16};
+}  // namespace build_store
+
+/// Windows and arithmetic, fixed by the profile, and the rules that are built.
+namespace build_window {
+inline constexpr std::uint32_t kAddress = 0x010;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Side of the DSAD window in px.
+inline constexpr Field kDsad{0, 8};
+/// Side of the majority window in px.
+inline constexpr Field kMajority{8, 8};
+/// Pixels of a row that are averaged to one: 1 or 2.
+inline constexpr Field kSubsample{16, 4};
+/// Bits of an interpolation weight.
+inline constexpr Field kWeightBits{20, 4};
+/// Hypotheses compared at once.
+inline constexpr Field kHypotheses{24, 4};
+/// Has the rule `thesis`: one threshold.
+inline constexpr Field kThesis{28, 1};
+/// Has the rule `compete`: parallel skins compete.
+inline constexpr Field kCompete{29, 1};
+}  // namespace build_window
+
+/// Clock the profile is meant for.
+namespace build_clock {
+inline constexpr std::uint32_t kAddress = 0x014;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Clock in kHz.
+inline constexpr Field kKhz{0, 32};
+}  // namespace build_clock
+
+/// The rule `compete`, fixed by the profile; 0 where it is not built.
+namespace build_compete {
+inline constexpr std::uint32_t kAddress = 0x018;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Parallel skins that compete.
+inline constexpr Field kPlanes{0, 8};
+/// Rows of the window in which costs are summed.
+inline constexpr Field kSumRows{8, 4};
+/// Its columns in px.
+inline constexpr Field kSumColumns{12, 4};
+/// Rows above and below that vote.
+inline constexpr Field kBallotReach{16, 4};
+/// 1: the pixel above helps.
+inline constexpr Field kPaths{20, 1};
+}  // namespace build_compete
+
+/// Run control. While enable is 0 the streaming core is in reset.
+namespace control {
+inline constexpr std::uint32_t kAddress = 0x040;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0x0;
+/// 1 = run. Going to 0 drops the frame in progress and what the output streams hold.
+inline constexpr Field kEnable{0, 1};
+}  // namespace control
+
+/// What the streams are. Locked while CONTROL.enable is 1.
+namespace mode {
+inline constexpr std::uint32_t kAddress = 0x044;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0x0;
+/// 1 = cameras cannot wait: tready stays high and what cannot be stored is an overflow fault.
+inline constexpr Field kLive{0, 1};
+/// 1 = both images come from s_axis_test, not from the cameras; safe_o stays low.
+inline constexpr Field kTestInput{1, 1};
+}  // namespace mode
+
+/// State of the machine now.
+namespace status {
+inline constexpr std::uint32_t kAddress = 0x048;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// The streaming core is out of reset.
+inline constexpr Field kRunning{0, 1};
+/// WIDTH, HEIGHT or LOOKAHEAD is not possible in this build: enable has no effect.
+inline constexpr Field kBadGeometry{1, 1};
+/// A frame is in the store or in the pipeline.
+inline constexpr Field kBusy{2, 1};
+/// As safe_o.
+inline constexpr Field kSafe{3, 1};
+/// As unsafe_o. Equal to safe: the hardware is broken.
+inline constexpr Field kUnsafe{4, 1};
+/// No pixel from the left camera for TIMEOUT clocks.
+inline constexpr Field kLeftSilent{5, 1};
+/// No pixel from the right camera for TIMEOUT clocks.
+inline constexpr Field kRightSilent{6, 1};
+/// No frame finished for TIMEOUT clocks.
+inline constexpr Field kLate{7, 1};
+}  // namespace status
+
+/// Width of the incoming images. Locked while CONTROL.enable is 1.
+namespace width {
+inline constexpr std::uint32_t kAddress = 0x04C;
+inline constexpr Access kAccess = Access::kReadWrite;
+/// px; at least 32 times the sub-sampling, a multiple of it, at most BUILD_SIZE.
+inline constexpr Field kPx{0, 12};
+}  // namespace width
+
+/// Height of the incoming images. Locked while CONTROL.enable is 1.
+namespace height {
+inline constexpr std::uint32_t kAddress = 0x050;
+inline constexpr Access kAccess = Access::kReadWrite;
+/// Rows, at least 16, at most BUILD_SIZE.
+inline constexpr Field kRows{0, 12};
+}  // namespace height
+
+/// Rows the right image is ahead of the output. Locked while CONTROL.enable is 1.
+namespace lookahead {
+inline constexpr std::uint32_t kAddress = 0x054;
+inline constexpr Access kAccess = Access::kReadWrite;
+/// Output row y starts when right row y + LOOKAHEAD is there; at most half the ring.
+inline constexpr Field kRows{0, 12};
+}  // namespace lookahead
+
+/// Watchdog: longest time without a pixel of a camera, and without a finished frame. A new value counts from the next
+/// pixel, the next frame on.
+namespace timeout {
+inline constexpr std::uint32_t kAddress = 0x058;
+inline constexpr Access kAccess = Access::kReadWrite;
+/// Clocks; must exceed the time of a frame.
+inline constexpr Field kClocks{0, 32};
+}  // namespace timeout
+
+/// Mapping table of the next output frame.
+namespace table_select {
+inline constexpr std::uint32_t kAddress = 0x05C;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0xF;
+/// 0 to 14; 15 = none: everything is unsupervised, and a fault.
+inline constexpr Field kSlot{0, 4};
+}  // namespace table_select
+
+/// What raises irq_o.
+namespace irq_enable {
+inline constexpr std::uint32_t kAddress = 0x060;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0x0;
+/// IRQ_STATUS.frame.
+inline constexpr Field kFrame{0, 1};
+/// IRQ_STATUS.fault.
+inline constexpr Field kFault{1, 1};
+}  // namespace irq_enable
+
+/// Events since they were last cleared.
+namespace irq_status {
+inline constexpr std::uint32_t kAddress = 0x064;
+inline constexpr Access kAccess = Access::kWriteOneToClear;
+/// A frame was finished; the FRAME registers are new.
+inline constexpr Field kFrame{0, 1};
+/// A bit of FAULTS was set.
+inline constexpr Field kFault{1, 1};
+}  // namespace irq_status
+
+/// A pixel is in the skin when its DSAD sum is at most this.
+namespace sum_limit {
+inline constexpr std::uint32_t kAddress = 0x080;
+inline constexpr Access kAccess = Access::kReadWrite;
+/// Sum, 0 to 15 k²; by default 25 % of 15 k².
+inline constexpr Field kValue{0, 16};
+}  // namespace sum_limit
+
+/// A window whose left directions differ from those of their neighbours by no more than this in sum is no texture.
+namespace self_limit {
+inline constexpr std::uint32_t kAddress = 0x084;
+inline constexpr Access kAccess = Access::kReadWrite;
+/// Sum, 0 to 15 k².
+inline constexpr Field kValue{0, 16};
+}  // namespace self_limit
+
+/// A pixel is decidable when the left magnitude, summed over 3×3, is at least this.
+namespace texture_limit {
+inline constexpr std::uint32_t kAddress = 0x088;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0x120;
+/// 9 times the threshold in units of the unscaled Sobel magnitude; 9 · 32 = 4 grey levels per px.
+inline constexpr Field kSum{0, 16};
+}  // namespace texture_limit
+
+/// More skin pixels than this in a frame are an alarm.
+namespace alarm_limit {
+inline constexpr std::uint32_t kAddress = 0x08C;
+inline constexpr Access kAccess = Access::kReadWrite;
+/// Pixels of the result; by default 5 % of the largest frame.
+inline constexpr Field kPixels{0, 24};
+}  // namespace alarm_limit
+
+/// More undecidable pixels than this in a frame are a fault.
+namespace undecidable_limit {
+inline constexpr std::uint32_t kAddress = 0x090;
+inline constexpr Access kAccess = Access::kReadWrite;
+/// Pixels of the result; by default all of the largest frame: no limit.
+inline constexpr Field kPixels{0, 24};
+}  // namespace undecidable_limit
+
+/// More unsupervised pixels than this in a frame are a fault.
+namespace unsupervised_limit {
+inline constexpr std::uint32_t kAddress = 0x094;
+inline constexpr Access kAccess = Access::kReadWrite;
+/// Pixels of the result; by default all of the largest frame: no limit.
+inline constexpr Field kPixels{0, 24};
+}  // namespace unsupervised_limit
+
+/// Black image: grey level at or below which a pixel is black.
+namespace black_level {
+inline constexpr std::uint32_t kAddress = 0x0A0;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0x4;
+/// Grey level.
+inline constexpr Field kGrey{0, 8};
+}  // namespace black_level
+
+/// Black image: more black pixels than this are a fault.
+namespace black_limit {
+inline constexpr std::uint32_t kAddress = 0x0A4;
+inline constexpr Access kAccess = Access::kReadWrite;
+/// Incoming pixels; by default 95 % of the largest frame.
+inline constexpr Field kPixels{0, 24};
+}  // namespace black_limit
+
+/// White image: grey level at or above which a pixel is white.
+namespace white_level {
+inline constexpr std::uint32_t kAddress = 0x0A8;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0xFB;
+/// Grey level.
+inline constexpr Field kGrey{0, 8};
+}  // namespace white_level
+
+/// White image: more white pixels than this are a fault.
+namespace white_limit {
+inline constexpr std::uint32_t kAddress = 0x0AC;
+inline constexpr Access kAccess = Access::kReadWrite;
+/// Incoming pixels; by default 95 % of the largest frame.
+inline constexpr Field kPixels{0, 24};
+}  // namespace white_limit
+
+/// Constant image: brightest minus darkest pixel not above this is a fault.
+namespace constant_limit {
+inline constexpr std::uint32_t kAddress = 0x0B0;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0x8;
+/// Grey levels.
+inline constexpr Field kGrey{0, 8};
+}  // namespace constant_limit
+
+/// Frozen image: the same frame again this many times is a fault.
+namespace frozen_limit {
+inline constexpr std::uint32_t kAddress = 0x0B4;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0x1;
+/// Repetitions; 1 = the first repetition; 0 = never.
+inline constexpr Field kFrames{0, 8};
+}  // namespace frozen_limit
+
+/// The rule; fixed where only one is built: a write changes nothing, read it back.
+namespace decision {
+inline constexpr std::uint32_t kAddress = 0x0B8;
+inline constexpr Access kAccess = Access::kReadWrite;
+/// 0 = thesis: SUM_LIMIT, SELF_LIMIT and TEXTURE_LIMIT decide. 1 = compete: parallel skins do.
+inline constexpr Field kCompete{0, 1};
+}  // namespace decision
+
+/// Settings of the rule `compete`; 0 where it is not built.
+namespace compete {
+inline constexpr std::uint32_t kAddress = 0x0BC;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0x419009A2;
+/// Added to every vote: above 0 a doubtful pixel is rather in the skin.
+inline constexpr Field kBias{0, 4};
+/// Pixels of a row that differ by more are not alike; 4 grey levels.
+inline constexpr Field kSmooth{4, 3};
+/// Pixels of a column that differ by more do not vote for each other; 4 grey levels.
+inline constexpr Field kSimilar{7, 4};
+/// Smallest sum of votes that says skin; at least 1.
+inline constexpr Field kQuorum{11, 8};
+/// Smallest sum of votes against that says clear; 8 votes, at least 1.
+inline constexpr Field kClearQuorum{19, 8};
+/// Where the skin ends, 0 (nearest) to 14: before and behind it at 1/2 + boundary / 14 px by a parabola; measured:
+/// host/src/plan/boundary_table.def.
+inline constexpr Field kBoundary{27, 4};
+}  // namespace compete
+
+/// Slot of the next upload.
+namespace map_slot {
+inline constexpr std::uint32_t kAddress = 0x0C0;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0x0;
+/// 0 to 14.
+inline constexpr Field kSlot{0, 4};
+}  // namespace map_slot
+
+/// Where the next upload goes in the pool.
+namespace map_base {
+inline constexpr std::uint32_t kAddress = 0x0C4;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0x0;
+/// Index of a 64-bit word. An upload invalidates every table that it overlaps.
+inline constexpr Field kWord64{0, 16};
+}  // namespace map_base
+
+/// Starts an upload: parser and CRC are reset, the slot becomes invalid.
+namespace map_control {
+inline constexpr std::uint32_t kAddress = 0x0C8;
+inline constexpr Access kAccess = Access::kWriteStream;
+/// 1 = start, with MAP_SLOT and MAP_BASE as they are.
+inline constexpr Field kStart{0, 1};
+}  // namespace map_control
+
+/// The words of the upload, one by one: header, control points, CRC-32.
+namespace map_data {
+inline constexpr std::uint32_t kAddress = 0x0CC;
+inline constexpr Access kAccess = Access::kWriteStream;
+/// Next word.
+inline constexpr Field kWord{0, 32};
+}  // namespace map_data
+
+/// Upload.
+namespace map_status {
+inline constexpr std::uint32_t kAddress = 0x0D0;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// An upload has been started and not ended.
+inline constexpr Field kBusy{0, 1};
+/// Of the last upload: 0 none, 1 slot or region in use, 2 bad header, 3 does not fit the pool, 4 wrong CRC, 5 slot 15,
+/// 6 data without start.
+inline constexpr Field kError{1, 3};
+/// Table of the current output frame, 15 = none.
+inline constexpr Field kActiveSlot{4, 4};
+}  // namespace map_status
+
+/// Which slots hold a table with a correct CRC.
+namespace map_valid {
+inline constexpr std::uint32_t kAddress = 0x0D4;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Bit s = slot s.
+inline constexpr Field kSlots{0, 15};
+}  // namespace map_valid
+
+/// CRC-32 of the table in MAP_SLOT (the last word of its upload).
+namespace map_crc {
+inline constexpr std::uint32_t kAddress = 0x0D8;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// CRC-32.
+inline constexpr Field kValue{0, 32};
+}  // namespace map_crc
+
+/// Every fault since it was last cleared; a written 1 clears. safe_o does not depend on this register.
+namespace faults {
+inline constexpr std::uint32_t kAddress = 0x0E0;
+inline constexpr Access kAccess = Access::kWriteOneToClear;
+/// A line of the left camera ended early; the whole row counts as missing.
+inline constexpr Field kLeftShortLine{0, 1};
+/// A line of the left camera had too many pixels; the whole row counts as missing.
+inline constexpr Field kLeftLongLine{1, 1};
+/// Left: a start of frame, or in live mode a pause of four line lengths, came before the last line; the rows that did
+/// not come count as missing.
+inline constexpr Field kLeftMissingLine{2, 1};
+/// Left: lines after the last one of the frame, without a start of frame.
+inline constexpr Field kLeftMissingStart{3, 1};
+/// No pixel from the left camera for TIMEOUT clocks; in live mode also: it did not come when the right one was 12 rows
+/// into the frame.
+inline constexpr Field kLeftSilent{4, 1};
+/// Left camera in live mode: pixels came that could not be stored.
+inline constexpr Field kLeftOverflow{5, 1};
+/// The left image is black.
+inline constexpr Field kLeftBlack{6, 1};
+/// The left image is white.
+inline constexpr Field kLeftWhite{7, 1};
+/// The left image is one grey level.
+inline constexpr Field kLeftConstant{8, 1};
+/// The left image is the same as before, noise and all.
+inline constexpr Field kLeftFrozen{9, 1};
+/// A bit of the left image's memory fell over.
+inline constexpr Field kLeftParity{10, 1};
+/// As left_short_line.
+inline constexpr Field kRightShortLine{11, 1};
+/// As left_long_line.
+inline constexpr Field kRightLongLine{12, 1};
+/// As left_missing_line.
+inline constexpr Field kRightMissingLine{13, 1};
+/// As left_missing_start.
+inline constexpr Field kRightMissingStart{14, 1};
+/// As left_silent.
+inline constexpr Field kRightSilent{15, 1};
+/// As left_overflow.
+inline constexpr Field kRightOverflow{16, 1};
+/// As left_black.
+inline constexpr Field kRightBlack{17, 1};
+/// As left_white.
+inline constexpr Field kRightWhite{18, 1};
+/// As left_constant.
+inline constexpr Field kRightConstant{19, 1};
+/// As left_frozen.
+inline constexpr Field kRightFrozen{20, 1};
+/// As left_parity.
+inline constexpr Field kRightParity{21, 1};
+/// Live mode: the cameras are more than 64 px apart, or one missed a frame.
+inline constexpr Field kSkew{22, 1};
+/// The map wants a source row that the ring does not hold.
+inline constexpr Field kStoreMiss{23, 1};
+/// No valid table of this geometry in the selected slot.
+inline constexpr Field kNoTable{24, 1};
+/// An upload with a wrong CRC or a bad header.
+inline constexpr Field kMapCrc{25, 1};
+/// An upload into a table in use was refused.
+inline constexpr Field kMapBusy{26, 1};
+/// More undecidable pixels than UNDECIDABLE_LIMIT.
+inline constexpr Field kTooUndecidable{27, 1};
+/// More unsupervised pixels than UNSUPERVISED_LIMIT.
+inline constexpr Field kTooUnsupervised{28, 1};
+/// No frame was finished for TIMEOUT clocks.
+inline constexpr Field kLate{29, 1};
+/// The hardware contradicts itself (a full output FIFO, a missing image check, a parity error of the map).
+inline constexpr Field kInternal{30, 1};
+}  // namespace faults
+
+/// Counts finished frames since enable. Read before and after the other FRAME registers: the same value means they
+/// belong together.
+namespace frame_sequence {
+inline constexpr std::uint32_t kAddress = 0x100;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// 0 = none yet.
+inline constexpr Field kValue{0, 32};
+}  // namespace frame_sequence
+
+/// The last finished frame.
+namespace frame_status {
+inline constexpr std::uint32_t kAddress = 0x104;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// More skin pixels than ALARM_LIMIT.
+inline constexpr Field kAlarm{0, 1};
+/// Complete, free of faults and of alarm.
+inline constexpr Field kSafe{1, 1};
+/// Slot of the table that made it, 15 = none.
+inline constexpr Field kSlot{2, 4};
+}  // namespace frame_status
+
+/// Faults of the last finished frame; bits as in FAULTS.
+namespace frame_faults {
+inline constexpr std::uint32_t kAddress = 0x108;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// A line of the left camera ended early; the whole row counts as missing.
+inline constexpr Field kLeftShortLine{0, 1};
+/// A line of the left camera had too many pixels; the whole row counts as missing.
+inline constexpr Field kLeftLongLine{1, 1};
+/// Left: a start of frame, or in live mode a pause of four line lengths, came before the last line; the rows that did
+/// not come count as missing.
+inline constexpr Field kLeftMissingLine{2, 1};
+/// Left: lines after the last one of the frame, without a start of frame.
+inline constexpr Field kLeftMissingStart{3, 1};
+/// No pixel from the left camera for TIMEOUT clocks; in live mode also: it did not come when the right one was 12 rows
+/// into the frame.
+inline constexpr Field kLeftSilent{4, 1};
+/// Left camera in live mode: pixels came that could not be stored.
+inline constexpr Field kLeftOverflow{5, 1};
+/// The left image is black.
+inline constexpr Field kLeftBlack{6, 1};
+/// The left image is white.
+inline constexpr Field kLeftWhite{7, 1};
+/// The left image is one grey level.
+inline constexpr Field kLeftConstant{8, 1};
+/// The left image is the same as before, noise and all.
+inline constexpr Field kLeftFrozen{9, 1};
+/// A bit of the left image's memory fell over.
+inline constexpr Field kLeftParity{10, 1};
+/// As left_short_line.
+inline constexpr Field kRightShortLine{11, 1};
+/// As left_long_line.
+inline constexpr Field kRightLongLine{12, 1};
+/// As left_missing_line.
+inline constexpr Field kRightMissingLine{13, 1};
+/// As left_missing_start.
+inline constexpr Field kRightMissingStart{14, 1};
+/// As left_silent.
+inline constexpr Field kRightSilent{15, 1};
+/// As left_overflow.
+inline constexpr Field kRightOverflow{16, 1};
+/// As left_black.
+inline constexpr Field kRightBlack{17, 1};
+/// As left_white.
+inline constexpr Field kRightWhite{18, 1};
+/// As left_constant.
+inline constexpr Field kRightConstant{19, 1};
+/// As left_frozen.
+inline constexpr Field kRightFrozen{20, 1};
+/// As left_parity.
+inline constexpr Field kRightParity{21, 1};
+/// Live mode: the cameras are more than 64 px apart, or one missed a frame.
+inline constexpr Field kSkew{22, 1};
+/// The map wants a source row that the ring does not hold.
+inline constexpr Field kStoreMiss{23, 1};
+/// No valid table of this geometry in the selected slot.
+inline constexpr Field kNoTable{24, 1};
+/// An upload with a wrong CRC or a bad header.
+inline constexpr Field kMapCrc{25, 1};
+/// An upload into a table in use was refused.
+inline constexpr Field kMapBusy{26, 1};
+/// More undecidable pixels than UNDECIDABLE_LIMIT.
+inline constexpr Field kTooUndecidable{27, 1};
+/// More unsupervised pixels than UNSUPERVISED_LIMIT.
+inline constexpr Field kTooUnsupervised{28, 1};
+/// No frame was finished for TIMEOUT clocks.
+inline constexpr Field kLate{29, 1};
+/// The hardware contradicts itself (a full output FIFO, a missing image check, a parity error of the map).
+inline constexpr Field kInternal{30, 1};
+}  // namespace frame_faults
+
+/// CRC-32 of the table that made it.
+namespace frame_table_crc {
+inline constexpr std::uint32_t kAddress = 0x10C;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// CRC-32; 0 without a table.
+inline constexpr Field kValue{0, 32};
+}  // namespace frame_table_crc
+
+/// Pixels in the skin.
+namespace frame_skin {
+inline constexpr std::uint32_t kAddress = 0x110;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Pixels of the result.
+inline constexpr Field kPixels{0, 24};
+}  // namespace frame_skin
+
+/// Undecidable pixels.
+namespace frame_undecidable {
+inline constexpr std::uint32_t kAddress = 0x114;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Pixels of the result.
+inline constexpr Field kPixels{0, 24};
+}  // namespace frame_undecidable
+
+/// Unsupervised pixels.
+namespace frame_unsupervised {
+inline constexpr std::uint32_t kAddress = 0x118;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Pixels of the result.
+inline constexpr Field kPixels{0, 24};
+}  // namespace frame_unsupervised
+
+/// Reads of source rows that the ring did not hold.
+namespace frame_misses {
+inline constexpr std::uint32_t kAddress = 0x11C;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Output pixels before sub-sampling.
+inline constexpr Field kPixels{0, 24};
+}  // namespace frame_misses
+
+/// From its first pixel in to its last state out.
+namespace frame_cycles {
+inline constexpr std::uint32_t kAddress = 0x120;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Clocks.
+inline constexpr Field kClocks{0, 32};
+}  // namespace frame_cycles
+
+/// From its first pixel in to its first state out.
+namespace frame_latency {
+inline constexpr std::uint32_t kAddress = 0x124;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Clocks.
+inline constexpr Field kClocks{0, 32};
+}  // namespace frame_latency
+
+/// From its last pixel in to its last state out.
+namespace frame_tail {
+inline constexpr std::uint32_t kAddress = 0x128;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Clocks.
+inline constexpr Field kClocks{0, 32};
+}  // namespace frame_tail
+
+/// Names of the bits of FAULTS and FRAME_FAULTS, from bit 0.
+inline constexpr std::array<std::string_view, 31> kFaultNames = {
+    "left_short_line",
+    "left_long_line",
+    "left_missing_line",
+    "left_missing_start",
+    "left_silent",
+    "left_overflow",
+    "left_black",
+    "left_white",
+    "left_constant",
+    "left_frozen",
+    "left_parity",
+    "right_short_line",
+    "right_long_line",
+    "right_missing_line",
+    "right_missing_start",
+    "right_silent",
+    "right_overflow",
+    "right_black",
+    "right_white",
+    "right_constant",
+    "right_frozen",
+    "right_parity",
+    "skew",
+    "store_miss",
+    "no_table",
+    "map_crc",
+    "map_busy",
+    "too_undecidable",
+    "too_unsupervised",
+    "late",
+    "internal",
+};
+
+/// One line of the register map.
+struct Register {
+  std::string_view name;
+  std::uint32_t address;
+  Access access;
+  bool locked;  ///< writes are refused while CONTROL.enable is 1
+};
+
+inline constexpr std::array<Register, 50> kRegisters = {{
+    {"id", 0x000, Access::kReadOnly, false},
+    {"version", 0x004, Access::kReadOnly, false},
+    {"build_size", 0x008, Access::kReadOnly, false},
+    {"build_store", 0x00C, Access::kReadOnly, false},
+    {"build_window", 0x010, Access::kReadOnly, false},
+    {"build_clock", 0x014, Access::kReadOnly, false},
+    {"build_compete", 0x018, Access::kReadOnly, false},
+    {"control", 0x040, Access::kReadWrite, false},
+    {"mode", 0x044, Access::kReadWrite, true},
+    {"status", 0x048, Access::kReadOnly, false},
+    {"width", 0x04C, Access::kReadWrite, true},
+    {"height", 0x050, Access::kReadWrite, true},
+    {"lookahead", 0x054, Access::kReadWrite, true},
+    {"timeout", 0x058, Access::kReadWrite, false},
+    {"table_select", 0x05C, Access::kReadWrite, false},
+    {"irq_enable", 0x060, Access::kReadWrite, false},
+    {"irq_status", 0x064, Access::kWriteOneToClear, false},
+    {"sum_limit", 0x080, Access::kReadWrite, false},
+    {"self_limit", 0x084, Access::kReadWrite, false},
+    {"texture_limit", 0x088, Access::kReadWrite, false},
+    {"alarm_limit", 0x08C, Access::kReadWrite, false},
+    {"undecidable_limit", 0x090, Access::kReadWrite, false},
+    {"unsupervised_limit", 0x094, Access::kReadWrite, false},
+    {"black_level", 0x0A0, Access::kReadWrite, false},
+    {"black_limit", 0x0A4, Access::kReadWrite, false},
+    {"white_level", 0x0A8, Access::kReadWrite, false},
+    {"white_limit", 0x0AC, Access::kReadWrite, false},
+    {"constant_limit", 0x0B0, Access::kReadWrite, false},
+    {"frozen_limit", 0x0B4, Access::kReadWrite, false},
+    {"decision", 0x0B8, Access::kReadWrite, false},
+    {"compete", 0x0BC, Access::kReadWrite, false},
+    {"map_slot", 0x0C0, Access::kReadWrite, false},
+    {"map_base", 0x0C4, Access::kReadWrite, false},
+    {"map_control", 0x0C8, Access::kWriteStream, false},
+    {"map_data", 0x0CC, Access::kWriteStream, false},
+    {"map_status", 0x0D0, Access::kReadOnly, false},
+    {"map_valid", 0x0D4, Access::kReadOnly, false},
+    {"map_crc", 0x0D8, Access::kReadOnly, false},
+    {"faults", 0x0E0, Access::kWriteOneToClear, false},
+    {"frame_sequence", 0x100, Access::kReadOnly, false},
+    {"frame_status", 0x104, Access::kReadOnly, false},
+    {"frame_faults", 0x108, Access::kReadOnly, false},
+    {"frame_table_crc", 0x10C, Access::kReadOnly, false},
+    {"frame_skin", 0x110, Access::kReadOnly, false},
+    {"frame_undecidable", 0x114, Access::kReadOnly, false},
+    {"frame_unsupervised", 0x118, Access::kReadOnly, false},
+    {"frame_misses", 0x11C, Access::kReadOnly, false},
+    {"frame_cycles", 0x120, Access::kReadOnly, false},
+    {"frame_latency", 0x124, Access::kReadOnly, false},
+    {"frame_tail", 0x128, Access::kReadOnly, false},
+}};
+
+}  // namespace horopter::registers

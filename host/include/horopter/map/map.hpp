@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// Mapping tables: a grid of control points that the hardware expands to the source of every left pixel (T7, T10;
+// thesis 10.4.2). Dense tables are those of spacing 1.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "horopter/base/profile.hpp"
+#include "horopter/image/image.hpp"
+#include "horopter/image/scan.hpp"
+#include "horopter/skin/rig_skin.hpp"
+#include "horopter/skin/skin.hpp"
+
+namespace horopter {
+
+/// What a profile makes of an image: one geometry, or two for profiles that take fields.
+std::vector<ScanGeometry> scans_of(const MachineProfile& profile, int image_width, int image_height);
+
+/// A table in upload format: three header words, control points, CRC-32.
+class MapTable {
+ public:
+  static constexpr std::uint32_t kUnmapped = 0xFFFFFFFFU;
+  /// Fraction bits of an expanded coordinate before it is rounded to the weights: 5 of the control point, 6 + 6 of the
+  /// position in the cell.
+  static constexpr int kFractionBits = 17;
+  static constexpr int kLargestSpacingLog2 = 6;
+
+  /// All control points unmapped; to be sealed.
+  MapTable(ScanGeometry geometry, int spacing_x_log2, int spacing_y_log2);
+  /// Checks header, length, control points and CRC. Throws std::invalid_argument. Upload words know no scan.
+  MapTable(std::vector<std::uint32_t> words, Scan scan);
+
+  const ScanGeometry& geometry() const { return geometry_; }
+  int spacing_x_log2() const { return spacing_x_log2_; }
+  int spacing_y_log2() const { return spacing_y_log2_; }
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }  ///< an even number: control rows are stored in pairs
+  const std::vector<std::uint32_t>& words() const { return words_; }
+  std::uint32_t crc() const { return words_.back(); }
+  /// Control points only: what the pool must hold.
+  std::size_t pool_bytes() const { return (words_.size() - 4) * sizeof(std::uint32_t); }
+  static std::size_t pool_bytes(const ScanGeometry& geometry, int spacing_x_log2, int spacing_y_log2);
+
+  std::uint32_t control(int column, int row) const { return words_[index(column, row)]; }
+  void set_control(int column, int row, std::uint32_t value) { words_[index(column, row)] = value; }
+  /// To be called when the last control point is set.
+  void seal();
+
+  /// Nearest control point to a source, or kUnmapped when it is not finite or out of the range of -64 … 1983.97 px.
+  static std::uint32_t encode(Point source);
+
+  struct Expanded {
+    std::int64_t x = 0;  ///< in 2^-kFractionBits pixels
+    std::int64_t y = 0;
+  };
+  /// As the hardware does it, before rounding to the weights. Nothing when a control point with a weight is unmapped.
+  std::optional<Expanded> expand(int x, int y) const;
+
+  struct Source {
+    int x = 0;  ///< in 2^-weight_bits pixels
+    int y = 0;
+  };
+  /// Rounded half up to the weights; nothing outside the image.
+  std::optional<Source> round(const Expanded& expanded, int weight_bits) const;
+  /// The source that the hardware reads: expanded and rounded; nothing when unmapped or outside the image.
+  std::optional<Source> source(int x, int y, int weight_bits) const;
+  /// Which pixels have a source: 1, or 0.
+  Image supervised(int weight_bits) const;
+
+ private:
+  std::size_t index(int column, int row) const {
+    return 3 + 2 * (static_cast<std::size_t>(row / 2) * columns_ + column) + row % 2;
+  }
+
+  ScanGeometry geometry_;
+  int spacing_x_log2_ = 0;
+  int spacing_y_log2_ = 0;
+  int columns_ = 0;
+  int rows_ = 0;
+  std::vector<std::uint32_t> words_;
+};
+
+/// Right rows that the pixels of left row y read: y - behind … y + ahead.
+struct RowReach {
+  int behind = 0;
+  int ahead = 0;
+};
+
+/// The setting of LOOKAHEAD for which the store holds these rows, y - (ROWS/2 - 2) … y + LOOKAHEAD; nothing when none
+/// does.
+std::optional<int> lookahead_for(const MachineProfile& profile, RowReach reach);
+
+struct MapReport {
+  int spacing_x = 0;
+  int spacing_y = 0;
+  std::size_t pool_bytes = 0;
+  std::uint32_t crc = 0;
+  RowReach reach;
+  int lookahead = 0;
+  std::int64_t pixels = 0;
+  std::int64_t checked = 0;  ///< pixels compared with the skin: all, or a sample; the shares below follow from them
+  /// Pixels by reason (T9), supervised ones at Reason::none. The borders that the filters' windows take are not
+  /// counted.
+  std::array<std::int64_t, kReasonCount> by_reason{};
+  // Distance of the hardware's expansion, before rounding to the weights, from the skin's own mapping.
+  double error_99_px = 0;
+  double error_largest_px = 0;
+  double rounded_largest_px = 0;  ///< the same after rounding: up to 0.71/2^weight_bits more; of all pixels only
+
+  std::int64_t count(Reason reason) const { return by_reason[static_cast<std::size_t>(reason)]; }
+  std::int64_t supervised() const { return count(Reason::none); }
+  /// Share of the pixels that could be supervised which the grid loses.
+  double lost_share() const {
+    const auto lost = static_cast<double>(count(Reason::grid));
+    return lost > 0 ? lost / (lost + static_cast<double>(supervised())) : 0;
+  }
+};
+
+struct CompiledMap {
+  MapTable table;
+  MapReport report;
+};
+
+/// Tables of one skin for one profile and image size: as many as the profile makes scans of an image.
+struct MapSet {
+  std::string profile;
+  int image_width = 0;
+  int image_height = 0;
+  std::string skin;  ///< description, for people
+  std::string rig;   ///< the two cameras, as text of rig.yaml; empty for a skin that needs none
+  std::vector<CompiledMap> maps;
+
+  /// The LOOKAHEAD that serves all tables.
+  int lookahead() const;
+  /// CRC-32 of the rig's text, by which a rig is told from another; 0 without.
+  std::uint32_t rig_crc() const;
+};
+
+/// `.hmap`: versioned header, tables, reports, CRC-32. Throws FileError.
+void save_maps(const MapSet& maps, const std::filesystem::path& path);
+MapSet load_maps(const std::filesystem::path& path);
+
+/// Thickness of the skin along the left line of sight, of each pixel of the table's scan, row by row; NaN where it is
+/// not supervised. `tolerance_px`: disparity tolerance D of 11.1, in pixels of the right image.
+std::vector<double> thickness_mm(const MapTable& table, int weight_bits, const CameraPair& cameras,
+                                 double tolerance_px);
+
+}  // namespace horopter

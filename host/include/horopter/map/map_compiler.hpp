@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a skin to its mapping table: the coarsest grid whose expansion stays within a bound (T10).
+#pragma once
+
+#include <compare>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "horopter/map/map.hpp"
+#include "horopter/skin/rig_skin.hpp"
+#include "horopter/skin/skin_file.hpp"
+
+namespace horopter {
+
+/// What a rule asks of the view. Throws UsageError where the profile does not have the rule.
+ViewLimits view_limits(const MachineProfile& profile, Decision decision);
+
+/// The cameras do not serve the neighbours that compete: at more than this share of the pixels that could be supervised
+/// otherwise the epipolar line leaves the row.
+class RowError : public std::runtime_error {
+ public:
+  static constexpr double kLargestShare = 0.9;
+  using std::runtime_error::runtime_error;
+  /// What to do about it, as the end of a message "…; expected …".
+  static std::string expected();
+};
+/// Throws RowError.
+void check_rows(const RowCount& rows, const ViewLimits& view);
+
+struct MapLimits {
+  double share = 0.99;               ///< of the supervised pixels …
+  double error_px = 1.0 / 16;        ///< … stay within this distance of the skin
+  double largest_error_px = 0.25;    ///< all do: the grid loses those that would not
+  double largest_lost_share = 0.02;  ///< of the pixels that could be supervised; else the table that loses least
+  std::size_t largest_bytes = 0;     ///< of a table; 0: the profile's pool. Half of it where two must fit
+  int largest_spacing_log2 = MapTable::kLargestSpacingLog2;  ///< 0: the thesis's dense table
+  ViewLimits view;
+};
+
+/// The table of the fewest bytes within the limits, every pixel checked. Throws std::runtime_error when no pixel is
+/// supervised, the skin needs more rows than the store holds, or no table within the limits fits the pool; RowError.
+CompiledMap compile_map(const Skin& skin, const MachineProfile& profile, const ScanGeometry& geometry,
+                        const MapLimits& limits = {});
+
+/// Throws FileError naming the skin's file.
+MapSet compile_maps(const SkinFile& skin, const MachineProfile& profile, int image_width, int image_height,
+                    const ViewLimits& view = {});
+
+/// Share of the supervised pixels whose epipolar line leaves the row: 0 of tables that were made within these limits.
+/// For tables with a rig.
+double share_beyond_rows(const MapSet& maps, const MachineProfile& profile, const ViewLimits& view);
+
+/// Left pixels that are looked at: every 2^x_log2-th of 2^y_log2-th rows, and as far beyond the image as control points
+/// lie.
+struct LatticeShape {
+  int x_log2 = 0, y_log2 = 0;
+  int columns = 0, rows = 0;
+  friend auto operator<=>(const LatticeShape&, const LatticeShape&) = default;
+};
+struct LookLattice;
+
+/// The same for skins that move while the cameras stand, a thousand tables a second. The lines of sight are computed
+/// once. Errors and reasons are checked at 4 pixels of each cell: its corner, its middle and the middles between.
+/// Limits of the view are met between the samples of a `simple` surface, by their second differences; on other
+/// surfaces samples are 4 pixels apart or less, and parts smaller than that may be missed. Results do not depend on the
+/// skins before.
+class MapCompiler {
+ public:
+  MapCompiler(CameraPair cameras, const MachineProfile& profile, const ScanGeometry& geometry,
+              const MapLimits& limits = {});
+  /// Throws like compile_map, and std::invalid_argument where the cameras cannot watch the surface. Not for several
+  /// threads at once.
+  CompiledMap compile(const Surface& surface);
+
+ private:
+  void look(const Surface& surface, const LatticeShape& shape, LookLattice& lattice);
+
+  CameraPair cameras_;
+  const MachineProfile& profile_;
+  ScanGeometry geometry_;
+  MapLimits limits_;
+  std::map<LatticeShape, Rays> rays_;
+};
+
+}  // namespace horopter

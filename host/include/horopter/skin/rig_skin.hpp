@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// Skins from a rig and a surface: undistort left, meet the surface, distort right (T1; thesis 7.1, Fig. 7.1).
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "horopter/calib/rig.hpp"
+#include "horopter/skin/skin.hpp"
+#include "horopter/skin/surface.hpp"
+
+namespace horopter {
+
+/// Lines of sight of left pixels, world coordinates, kept for surfaces that move while the cameras stand.
+struct Rays {
+  std::vector<Eigen::Vector3d> directions;  ///< camera z = 1; NaN where the pixel sees nothing
+  /// Row by row a 3×3 matrix for each: the direction and its derivatives by the pixel, right camera.
+  std::array<std::vector<double>, 9> right_view;
+  std::vector<double> over_length;  ///< 1 / length of the direction
+  /// Where the epipolar line leaves the pixel's row, rows of the full frame: the larger of both ends of
+  /// ±`largest_shift_px`; NaN where it does not get there, or the lens model ends before. Empty at 0.
+  std::vector<double> row_error;
+  int largest_shift_px = 0;
+  std::size_t size() const { return directions.size(); }
+};
+
+/// The two cameras that watch a skin.
+class CameraPair {
+ public:
+  CameraPair(calib::Camera left, calib::Camera right);
+
+  const calib::Camera& left() const { return left_; }
+  const calib::Camera& right() const { return right_; }
+  /// Epipolar lines are those of the left image, bent as its lens bends them: of two points on the skin in one plane
+  /// with both cameras the map makes two in the same plane, so whatever the skin and the right camera, what a neighbour
+  /// sees lies on the pixel's left epipolar line.
+  Rays rays(std::span<const Point> left, const ViewLimits& limits = {}) const;
+  /// What the pixels of the rays see of a surface that check_cameras accepts. Points of one call are best neighbours.
+  /// Throws std::invalid_argument for rays of smaller shifts than the limits'.
+  void look(const Surface& surface, const Rays& rays, int row_step, const ViewLimits& limits,
+            std::span<Look> looks) const;
+  /// Thickness of the skin along its own line of sight at a left pixel, mm: from where the source is `tolerance_px`
+  /// nearer along the epipolar line to where it is as much further (2·D in 11.1, without its approximations).
+  /// NaN where the two lines of sight do not determine a distance.
+  double thickness_mm(Point left, Point right, double tolerance_px) const;
+
+ private:
+  calib::Camera left_;
+  calib::Camera right_;
+  Eigen::Vector3d left_centre_;
+  Eigen::Vector3d right_centre_;
+  Eigen::Vector3d between_;  ///< the left camera's centre, in the right camera's coordinates
+};
+
+class RigSkin : public Skin {
+ public:
+  /// Throws std::invalid_argument where the cameras cannot watch the surface.
+  RigSkin(CameraPair cameras, SurfacePtr surface, std::string_view type);
+  void look(std::span<const Point> left, int row_step, const ViewLimits& limits, std::span<Look> looks) const override;
+  std::string_view type() const override { return type_; }
+  std::string description() const override { return surface_->description(); }
+  const CameraPair& cameras() const { return cameras_; }
+  const SurfacePtr& surface() const { return surface_; }
+
+ private:
+  CameraPair cameras_;
+  SurfacePtr surface_;
+  std::string type_;
+};
+
+}  // namespace horopter

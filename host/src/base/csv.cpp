@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "horopter/base/csv.hpp"
+
+#include <fmt/format.h>
+
+namespace horopter {
+
+Csv::Csv(const std::vector<std::string>& header) {
+  for (const std::string& field : header) *this << field;
+  end_row();
+}
+Csv& Csv::operator<<(const std::string& field) {
+  if (!first_) text_ += ',';
+  first_ = false;
+  text_ += field;
+  return *this;
+}
+Csv& Csv::operator<<(double field) { return *this << fmt::format("{:.6g}", field); }
+void Csv::end_row() {
+  text_ += '\n';
+  first_ = true;
+}
+
+}  // namespace horopter

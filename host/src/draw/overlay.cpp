@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "horopter/draw/overlay.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+
+#include "horopter/machine/report.hpp"
+
+namespace horopter {
+namespace {
+
+/// The left image at the result's resolution: pairs of a row averaged for profiles that sub-sample.
+cv::Mat left_at_result_size(const Image& left, int width, int height) {
+  const cv::Mat grey(left.height, left.width, CV_8UC1, const_cast<std::uint8_t*>(left.pixels.data()));
+  if (left.width == width && left.height == height) return grey.clone();
+  cv::Mat small;
+  cv::resize(grey, small, {width, height}, 0, 0, cv::INTER_AREA);
+  return small;
+}
+
+}  // namespace
+
+Picture draw_overlay(const Image& left, const FrameResult& result) {
+  const Image& states = result.states;
+  const cv::Mat grey = left_at_result_size(left, states.width, states.height);
+  cv::Mat small(states.height, states.width, CV_8UC3);
+  for (int y = 0; y < states.height; ++y) {
+    for (int x = 0; x < states.width; ++x) {
+      const int g = grey.at<std::uint8_t>(y, x);
+      cv::Vec3b& pixel = small.at<cv::Vec3b>(y, x);
+      const auto mix = [&](int blue, int green, int red, int percent) {
+        const auto part = [&](int colour) {
+          return static_cast<std::uint8_t>((g * (100 - percent) + colour * percent) / 100);
+        };
+        pixel = {part(blue), part(green), part(red)};
+      };
+      switch (static_cast<State>(states.at(x, y))) {
+        case State::clear:
+          mix(g, std::min(255, g + 30), g, 100);
+          break;
+        case State::skin:
+          mix(30, 40, 255, 55);
+          break;
+        case State::undecidable:
+          mix(60, 30, 20, 30);
+          break;
+        case State::unsupervised:
+          (x + y) % 8 == 0 ? mix(20, 20, 20, 85) : mix(20, 20, 20, 65);
+          break;
+      }
+    }
+  }
+  const int factor = std::max(1, (599 + states.width) / states.width);
+  cv::Mat picture;
+  cv::resize(small, picture, {}, factor, factor, cv::INTER_NEAREST);
+
+  const auto smallest = std::max<std::int64_t>(16, static_cast<std::int64_t>(states.pixels.size()) / 2000);
+  const cv::Scalar yellow(0, 220, 255);
+  for (const Region& region : regions_of(states)) {
+    if (region.pixels < smallest) continue;
+    cv::rectangle(picture, {region.x * factor, region.y * factor},
+                  {(region.x + region.width) * factor - 1, (region.y + region.height) * factor - 1}, yellow, 2);
+  }
+
+  std::string text = result.alarm ? "ALARM" : result.safe ? "safe" : "not safe";
+  const double percent = 100.0 * static_cast<double>(result.skin_pixels) / static_cast<double>(states.pixels.size());
+  text += fmt::format("   {:.1f} % in the skin", percent);
+  for (const std::string& fault : result.fault_names()) text += "   " + fault;
+  const cv::Scalar colour = result.faults != 0 ? cv::Scalar(0, 140, 255)
+                            : result.alarm     ? cv::Scalar(40, 40, 230)
+                                               : cv::Scalar(80, 170, 60);
+  constexpr int kBar = 26;
+  cv::copyMakeBorder(picture, picture, kBar, 0, 0, 0, cv::BORDER_CONSTANT, colour);
+  cv::putText(picture, text, {8, 18}, cv::FONT_HERSHEY_SIMPLEX, 0.5, {255, 255, 255}, 1, cv::LINE_AA);
+  return {picture.cols, picture.rows, {picture.datastart, picture.dataend}};
+}
+
+}  // namespace horopter

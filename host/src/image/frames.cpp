@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "horopter/image/frames.hpp"
+
+#include <fmt/format.h>
+#include <glob.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
+
+#include "horopter/base/error.hpp"
+
+namespace horopter {
+namespace {
+
+namespace fs = std::filesystem;
+
+class FileSource : public FrameSource {
+ public:
+  explicit FileSource(fs::path path) : path_(std::move(path)) {}
+  std::optional<NamedImage> next() override {
+    if (done_) return std::nullopt;
+    done_ = true;
+    return NamedImage{path_.string(), load_image(path_)};
+  }
+  std::optional<std::size_t> count() const override { return 1; }
+
+ private:
+  fs::path path_;
+  bool done_ = false;
+};
+
+/// A video file, or a camera when `camera` is set.
+class CaptureSource : public FrameSource {
+ public:
+  CaptureSource(std::string name, std::optional<int> camera, bool exact_count)
+      : name_(std::move(name)), camera_(camera) {
+    const bool open = camera ? capture_.open(*camera) : capture_.open(name_);
+    if (!open) {
+      throw FileError(name_, "", camera ? "this camera cannot be opened" : "the video cannot be decoded",
+                      camera ? "the number of a camera, or a file" : "a video that this build of OpenCV reads");
+    }
+    if (const double frames = capture_.get(cv::CAP_PROP_FRAME_COUNT); exact_count && frames > 0 && frames < 1e9) {
+      count_ = static_cast<std::size_t>(frames);
+    }
+  }
+
+  std::optional<NamedImage> next() override {
+    cv::Mat frame;
+    if (!capture_.read(frame) || frame.empty()) {
+      if (camera_) throw FileError(name_, fmt::format("frame {}", index_), "the camera gives no image", "an image");
+      if (index_ == 0) throw FileError(name_, "", "the video holds no image", "at least one frame");
+      if (count_ && index_ < *count_) {
+        throw FileError(name_, fmt::format("frame {}", index_), "the video is truncated or damaged",
+                        fmt::format("{} frames", *count_));
+      }
+      return std::nullopt;
+    }
+    const std::string name = fmt::format("{}#{}", name_, index_++);
+    if (frame.depth() != CV_8U) throw FileError(name, "", "more than 8 bits a sample", "8-bit grey or colour");
+    cv::Mat grey = frame;
+    if (frame.channels() == 3) cv::cvtColor(frame, grey, cv::COLOR_BGR2GRAY);
+    if (frame.channels() == 4) cv::cvtColor(frame, grey, cv::COLOR_BGRA2GRAY);
+    Image image(grey.cols, grey.rows);
+    for (int y = 0; y < grey.rows; ++y) std::copy_n(grey.ptr(y), grey.cols, &image.at(0, y));
+    return NamedImage{name, std::move(image)};
+  }
+  std::optional<std::size_t> count() const override { return count_; }
+
+ private:
+  std::string name_;
+  std::optional<int> camera_;
+  cv::VideoCapture capture_;
+  std::optional<std::size_t> count_;
+  std::size_t index_ = 0;
+};
+
+class ListSource : public FrameSource {
+ public:
+  explicit ListSource(std::vector<std::unique_ptr<FrameSource>> parts) : parts_(std::move(parts)) {}
+  std::optional<NamedImage> next() override {
+    for (; at_ < parts_.size(); ++at_) {
+      if (auto image = parts_[at_]->next()) return image;
+    }
+    return std::nullopt;
+  }
+  std::optional<std::size_t> count() const override {
+    std::size_t sum = 0;
+    for (const auto& part : parts_) {
+      const auto count = part->count();
+      if (!count) return std::nullopt;
+      sum += *count;
+    }
+    return sum;
+  }
+
+ private:
+  std::vector<std::unique_ptr<FrameSource>> parts_;
+  std::size_t at_ = 0;
+};
+
+enum class Container { none, avi, mp4, other };
+
+Container sniff_container(const fs::path& path) {
+  std::array<char, 12> head{};
+  std::ifstream stream(path, std::ios::binary);
+  stream.read(head.data(), head.size());
+  const auto is = [&](std::size_t at, std::array<unsigned char, 4> magic) {
+    return std::equal(magic.begin(), magic.end(), head.begin() + static_cast<std::ptrdiff_t>(at),
+                      [](unsigned char a, char b) { return a == static_cast<unsigned char>(b); });
+  };
+  if (is(0, {'R', 'I', 'F', 'F'}) && is(8, {'A', 'V', 'I', ' '})) return Container::avi;
+  if (is(4, {'f', 't', 'y', 'p'})) return Container::mp4;
+  const bool matroska = is(0, {0x1A, 0x45, 0xDF, 0xA3}), mpeg = is(0, {0, 0, 1, 0xBA});
+  if (matroska || mpeg || is(0, {'O', 'g', 'g', 'S'})) return Container::other;
+  return Container::none;
+}
+
+/// Lists in the file must end where the file does. Decoders stop quietly at a cut.
+void check_container(const fs::path& path, Container container) {
+  if (container != Container::avi && container != Container::mp4) return;
+  const auto size = static_cast<std::uint64_t>(fs::file_size(path));
+  std::ifstream stream(path, std::ios::binary);
+  const auto number = [&](int length, bool big_endian) {
+    std::array<unsigned char, 8> bytes{};
+    stream.read(reinterpret_cast<char*>(bytes.data()), length);
+    std::uint64_t value = 0;
+    for (int i = 0; i < length; ++i) value = value << 8 | bytes[big_endian ? i : length - 1 - i];
+    return value;
+  };
+  std::uint64_t at = 0;
+  while (at < size) {
+    if (container == Container::avi && size - at < 12) return;  // padding after the last list
+    stream.clear();
+    stream.seekg(static_cast<std::streamoff>(at) + (container == Container::avi ? 4 : 0));
+    std::uint64_t length = number(4, container == Container::mp4);
+    if (container == Container::avi) {
+      length += 8 + (length & 1U);
+      if (length == 8) return;  // written by a recorder that was killed: no list length at all
+    } else if (length == 1) {
+      stream.seekg(static_cast<std::streamoff>(at) + 8);
+      length = number(8, true);
+    } else if (length == 0) {
+      return;  // up to the end of the file
+    }
+    if (length < 8 || length > size - at) {
+      throw FileError(path.string(), fmt::format("byte {}", size), "the video is truncated",
+                      fmt::format("{} bytes from byte {} on", length, at));
+    }
+    at += length;
+  }
+}
+
+bool has_image_extension(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  constexpr auto kExtensions =
+      std::to_array<const char*>({".png", ".jpg", ".jpeg", ".pgm", ".ppm", ".pnm", ".bmp", ".tif", ".tiff"});
+  return std::ranges::find(kExtensions, extension) != kExtensions.end();
+}
+
+std::unique_ptr<FrameSource> open_file(const fs::path& path) {
+  const Container container = sniff_container(path);
+  if (container == Container::none) return std::make_unique<FileSource>(path);
+  check_container(path, container);
+  return std::make_unique<CaptureSource>(path.string(), std::nullopt, container != Container::other);
+}
+
+/// What one argument, or a part of it, names.
+struct Input {
+  std::string name;
+  std::optional<int> camera;
+};
+
+void list_directory(const fs::path& path, std::vector<Input>& inputs) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(path, error)) {
+    if (entry.is_regular_file() && has_image_extension(entry.path())) files.push_back(entry.path());
+  }
+  if (error) throw FileError(path.string(), "", "the directory cannot be read", "a directory of images");
+  if (files.empty())
+    throw FileError(path.string(), "", "no image in this directory", "PNG, JPEG, PNM, BMP or TIFF files");
+  std::ranges::sort(files);
+  for (const fs::path& file : files) inputs.push_back({file.string(), {}});
+}
+
+std::optional<int> camera_number(std::string_view argument) {
+  if (argument.starts_with("camera:")) argument.remove_prefix(7);
+  int number = 0;
+  const auto [end, error] = std::from_chars(argument.data(), argument.data() + argument.size(), number);
+  if (error != std::errc() || end != argument.data() + argument.size() || number < 0) return std::nullopt;
+  return number;
+}
+
+std::vector<Input> inputs_of(const std::vector<std::string>& arguments) {
+  std::vector<Input> inputs;
+  for (const std::string& argument : arguments) {
+    std::error_code error;
+    if (fs::is_directory(argument, error)) {
+      list_directory(argument, inputs);
+    } else if (fs::exists(argument, error)) {
+      inputs.push_back({argument, {}});
+    } else if (const auto camera = camera_number(argument)) {
+      inputs.push_back({argument, camera});
+    } else if (argument.find_first_of("*?[") != std::string::npos) {
+      glob_t matches{};
+      const int result = ::glob(argument.c_str(), GLOB_ERR, nullptr, &matches);
+      std::vector<std::string> files(matches.gl_pathv, matches.gl_pathv + (result == 0 ? matches.gl_pathc : 0));
+      ::globfree(&matches);
+      if (files.empty()) throw FileError(argument, "", "no file matches this pattern", "images or videos");
+      for (const std::string& file : files) {
+        if (!fs::is_directory(file)) inputs.push_back({file, {}});
+      }
+    } else {
+      throw FileError(argument, "", "there is no such file",
+                      "an image, a video, a directory, a pattern or a camera number");
+    }
+  }
+  return inputs;
+}
+
+std::unique_ptr<FrameSource> open_inputs(const std::vector<Input>& inputs) {
+  std::vector<std::unique_ptr<FrameSource>> sources;
+  for (const Input& input : inputs) {
+    if (input.camera) {
+      sources.push_back(std::make_unique<CaptureSource>(input.name, input.camera, false));
+    } else {
+      sources.push_back(open_file(input.name));
+    }
+  }
+  return std::make_unique<ListSource>(std::move(sources));
+}
+
+/// One camera cannot be both.
+void check_two_cameras(const std::vector<Input>& left, const std::vector<Input>& right) {
+  for (std::size_t i = 0; i < std::min(left.size(), right.size()); ++i) {
+    std::error_code error;
+    const bool same = left[i].camera ? left[i].camera == right[i].camera
+                                     : !right[i].camera && fs::equivalent(left[i].name, right[i].name, error);
+    if (!same) continue;
+    throw FileError(right[i].name, "", "this is the left image, too", "what the other camera saw at the same moment");
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<FrameSource> open_frames(const std::vector<std::string>& arguments) {
+  return open_inputs(inputs_of(arguments));
+}
+
+PairSource::PairSource(const std::vector<std::string>& left, const std::vector<std::string>& right) {
+  const std::vector<Input> left_inputs = inputs_of(left);
+  const std::vector<Input> right_inputs = inputs_of(right);
+  check_two_cameras(left_inputs, right_inputs);
+  left_ = open_inputs(left_inputs);
+  right_ = open_inputs(right_inputs);
+  const auto left_count = left_->count();
+  const auto right_count = right_->count();
+  if (left_count && right_count && left_count != right_count) {
+    const bool left_short = *left_count < *right_count;
+    throw FileError(left_short ? left.back() : right.back(), "",
+                    fmt::format("{} left images but {} right images", *left_count, *right_count),
+                    "one right image for each left image");
+  }
+}
+
+std::optional<std::size_t> PairSource::count() const {
+  const auto left_count = left_->count();
+  return left_count ? left_count : right_->count();
+}
+
+std::optional<FramePair> PairSource::next() {
+  auto left = left_->next();
+  auto right = right_->next();
+  if (!left && !right) return std::nullopt;
+  if (!left || !right) {
+    throw FileError(left ? left->name : right->name, "",
+                    left ? "there is no right image to it" : "there is no left image to it",
+                    "as many left as right images");
+  }
+  if (left->image.width != right->image.width || left->image.height != right->image.height) {
+    throw FileError(right->name, "", fmt::format("the image is {}x{} pixels", right->image.width, right->image.height),
+                    fmt::format("{}x{} as in {}", left->image.width, left->image.height, left->name));
+  }
+  if (width_ == 0) {
+    first_name_ = left->name;
+    width_ = left->image.width;
+    height_ = left->image.height;
+  } else if (left->image.width != width_ || left->image.height != height_) {
+    throw FileError(left->name, "", fmt::format("the image is {}x{} pixels", left->image.width, left->image.height),
+                    fmt::format("{}x{} as in {}", width_, height_, first_name_));
+  }
+  return FramePair{std::move(*left), std::move(*right)};
+}
+
+}  // namespace horopter

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "image_check.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cctype>
+#include <cstdlib>
+#include <optional>
+
+#include "horopter/base/crc32.hpp"
+#include "horopter/base/error.hpp"
+
+namespace horopter {
+namespace {
+
+using Bytes = std::span<const std::uint8_t>;
+
+/// Numbers in a file, and the errors that name a place in it.
+class Reader {
+ public:
+  Reader(Bytes bytes, const std::string& name, bool big_endian) : bytes_(bytes), name_(name), big_endian_(big_endian) {}
+
+  std::size_t size() const { return bytes_.size(); }
+  void need(std::size_t begin, std::size_t length, const char* what) const {
+    if (begin > bytes_.size() || length > bytes_.size() - begin) truncated(what, begin, length);
+  }
+  std::uint8_t u8(std::size_t at) const {
+    need(at, 1, "a byte");
+    return bytes_[at];
+  }
+  std::uint32_t number(std::size_t at, int length) const {
+    need(at, length, "a number");
+    std::uint32_t value = 0;
+    for (int i = 0; i < length; ++i) value = value << 8 | bytes_[at + (big_endian_ ? i : length - 1 - i)];
+    return value;
+  }
+  std::uint32_t u16(std::size_t at) const { return number(at, 2); }
+  std::uint32_t u32(std::size_t at) const { return number(at, 4); }
+  Bytes part(std::size_t begin, std::size_t length) const { return bytes_.subspan(begin, length); }
+
+  [[noreturn]] void truncated(const char* what, std::size_t begin, std::size_t length) const {
+    throw FileError(name_, fmt::format("byte {}", bytes_.size()), "the file is truncated",
+                    fmt::format("{} of {} bytes at byte {}", what, length, begin));
+  }
+  [[noreturn]] void bad(std::size_t at, const std::string& found, const std::string& expected) const {
+    throw FileError(name_, fmt::format("byte {}", at), found, expected);
+  }
+  [[noreturn]] void bad_depth(std::size_t at, unsigned bits) const {
+    bad(at, fmt::format("{} bits a sample", bits), "an 8-bit image, grey or colour");
+  }
+
+ private:
+  Bytes bytes_;
+  const std::string& name_;
+  bool big_endian_;
+};
+
+void check_jpeg(const Reader& file) {
+  std::size_t at = 2;
+  bool frame = false;
+  bool scan = false;
+  while (true) {
+    if (at >= file.size()) {
+      file.bad(file.size(), "the file is truncated: no end-of-image marker", "a complete JPEG");
+    }
+    if (file.u8(at) != 0xFF) file.bad(at, "no JPEG marker", "0xFF and a marker code");
+    while (at < file.size() && file.u8(at) == 0xFF) ++at;
+    if (at >= file.size()) {
+      file.bad(file.size(), "the file is truncated: no end-of-image marker", "a complete JPEG");
+    }
+    const std::uint8_t marker = file.u8(at++);
+    if (marker == 0xD9) break;
+    if (marker == 0x01 || (marker >= 0xD0 && marker <= 0xD8)) continue;
+    const std::size_t length = file.u16(at);
+    if (length < 2) file.bad(at, "a JPEG segment shorter than its length field", "at least 2 bytes");
+    file.need(at, length, "a JPEG segment");
+    const bool is_frame = marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
+    if (is_frame) {
+      frame = true;
+      if (file.u8(at + 2) != 8) file.bad_depth(at + 2, file.u8(at + 2));
+    }
+    at += length;
+    if (marker != 0xDA) continue;
+    scan = true;
+    // Entropy-coded data: up to a marker that is neither a stuffed zero nor a restart.
+    while (at + 1 < file.size() &&
+           !(file.u8(at) == 0xFF && file.u8(at + 1) != 0x00 && !(file.u8(at + 1) >= 0xD0 && file.u8(at + 1) <= 0xD7) &&
+             file.u8(at + 1) != 0xFF)) {
+      ++at;
+    }
+    if (at + 1 >= file.size()) {
+      file.bad(file.size(), "the file is truncated: no end-of-image marker", "a complete JPEG");
+    }
+  }
+  if (!frame || !scan) file.bad(at, "the JPEG ends without an image", "a frame header and a scan");
+}
+
+void check_png(const Reader& file, unsigned largest_bits) {
+  std::size_t at = 8;
+  bool header = false;
+  bool data = false;
+  while (true) {
+    if (at + 12 > file.size()) {
+      file.bad(file.size(), "the file is truncated: no IEND chunk", "a complete PNG");
+    }
+    const std::size_t length = file.u32(at);
+    if (length > file.size() || at + 12 + length > file.size()) file.truncated("a PNG chunk", at, length + 12);
+    const std::uint32_t type = file.u32(at + 4);
+    if (crc32(file.part(at + 4, length + 4)) != file.u32(at + 8 + length)) {
+      file.bad(at, "a PNG chunk with a wrong CRC", "undamaged data");
+    }
+    if (type == 0x49484452) {  // IHDR
+      header = true;
+      if (length != 13) file.bad(at, "a PNG header of a wrong length", "13 bytes");
+      if (file.u8(at + 16) > largest_bits) file.bad_depth(at + 16, file.u8(at + 16));
+    }
+    data = data || type == 0x49444154;  // IDAT
+    if (type == 0x49454E44) break;      // IEND
+    at += length + 12;
+  }
+  if (!header || !data) file.bad(at, "the PNG ends without an image", "IHDR and IDAT chunks");
+}
+
+void check_pnm(const Reader& file, unsigned largest_bits) {
+  const char kind = static_cast<char>(file.u8(1));
+  std::size_t at = 2;
+  const auto space = [&] { return at < file.size() && std::isspace(file.u8(at)) != 0; };
+  const auto number = [&](const char* what) -> std::optional<unsigned> {
+    while (space() || (at < file.size() && file.u8(at) == '#')) {
+      if (file.u8(at) == '#') {
+        while (at < file.size() && file.u8(at) != '\n') ++at;
+      } else {
+        ++at;
+      }
+    }
+    if (at >= file.size()) return std::nullopt;
+    if (std::isdigit(file.u8(at)) == 0) file.bad(at, "no number", what);
+    unsigned value = 0;
+    while (at < file.size() && std::isdigit(file.u8(at)) != 0) {
+      value = value * 10 + (file.u8(at++) - '0');
+      if (value > 1'000'000) file.bad(at, "a number that is too large", what);
+    }
+    return value;
+  };
+  if (kind == '1' || kind == '4') file.bad(0, "a bilevel PBM", "an 8-bit image, grey or colour");
+  std::array<unsigned, 3> header{};
+  for (unsigned& value : header) {
+    const auto read = number("width, height and largest value");
+    if (!read) file.bad(file.size(), "the file is truncated", "a PNM header with width, height and largest value");
+    value = *read;
+  }
+  const auto [width, height, largest] = header;
+  if (width == 0 || height == 0) file.bad(0, fmt::format("an image of {}x{} pixels", width, height), "an image");
+  const bool wide = largest_bits == 16 && largest == 65535;
+  if (largest > 255 && !wide)
+    file.bad(at, fmt::format("16-bit samples (largest value {})", largest), "an 8-bit image, grey or colour");
+  if (largest != 255 && !wide) file.bad(at, fmt::format("largest value {}", largest), "255, an 8-bit image");
+  const std::size_t samples = std::size_t{width} * height * (kind == '3' || kind == '6' ? 3 : 1);
+  const std::size_t bytes = wide ? 2 : 1;
+  if (kind == '5' || kind == '6') {
+    file.need(at, 1, "a space before the pixels");
+    file.need(at + 1, samples * bytes, "pixels");
+  } else {
+    for (std::size_t i = 0; i < samples; ++i) {
+      const auto value = number("a grey value");
+      if (!value) file.truncated("grey values", at, samples);
+      if (*value > largest) file.bad(at, fmt::format("grey value {}", *value), fmt::format("at most {}", largest));
+    }
+  }
+}
+
+void check_bmp(const Reader& file) {
+  file.need(0, 30, "a BMP header");
+  const std::size_t pixels = file.u32(10);
+  const std::uint32_t header = file.u32(14);
+  const bool core = header == 12;
+  const std::int64_t width = core ? file.u16(18) : static_cast<std::int32_t>(file.u32(18));
+  const std::int64_t height = core ? file.u16(20) : std::abs(std::int64_t{static_cast<std::int32_t>(file.u32(22))});
+  const unsigned bits = file.u16(core ? 24 : 28);
+  const std::uint32_t compression = core ? 0 : file.u32(30);
+  if (width <= 0 || height == 0) file.bad(18, "an empty BMP", "positive width and height");
+  if (bits == 16) file.bad(28, "a BMP with 16 bits a pixel", "an 8-bit image, grey or colour");
+  const bool run_length = compression == 1 || compression == 2;
+  const std::size_t length = run_length ? (file.size() > 38 ? file.u32(34) : 0)
+                                        : static_cast<std::size_t>((width * bits + 31) / 32 * 4 * height);
+  file.need(pixels, length, "pixels");
+}
+
+void check_tiff(const Reader& file, std::uint8_t version) {
+  if (version != 42) file.bad(2, "a BigTIFF", "a TIFF of version 42");
+  const std::size_t directory = file.u32(4);
+  file.need(directory, 2, "a TIFF directory");
+  const unsigned entries = file.u16(directory);
+  file.need(directory + 2, std::size_t{entries} * 12 + 4, "a TIFF directory");
+
+  struct Values {
+    std::size_t at = 0;
+    unsigned count = 0;
+    int size = 0;
+  };
+  Values offsets;
+  Values counts;
+  for (unsigned i = 0; i < entries; ++i) {
+    const std::size_t entry = directory + 2 + std::size_t{i} * 12;
+    const unsigned tag = file.u16(entry);
+    const unsigned type = file.u16(entry + 2);
+    const unsigned count = file.u32(entry + 4);
+    const int size = type == 3 ? 2 : type == 4 ? 4 : 1;
+    const bool inside = std::size_t{count} * size <= 4;
+    const std::size_t at = inside ? entry + 8 : file.u32(entry + 8);
+    if (tag == 258) {  // BitsPerSample
+      for (unsigned sample = 0; sample < count; ++sample) {
+        if (const unsigned bits = file.u16(at + std::size_t{sample} * 2); bits != 8) file.bad_depth(at, bits);
+      }
+    }
+    if (tag == 273 || tag == 324) offsets = {at, count, size};  // StripOffsets, TileOffsets
+    if (tag == 279 || tag == 325) counts = {at, count, size};   // StripByteCounts, TileByteCounts
+  }
+  if (offsets.count == 0 || offsets.count != counts.count) {
+    file.bad(directory, "a TIFF without pixels", "strips or tiles with offsets and byte counts");
+  }
+  for (unsigned i = 0; i < offsets.count; ++i) {
+    file.need(file.number(offsets.at + std::size_t{i} * offsets.size, offsets.size),
+              file.number(counts.at + std::size_t{i} * counts.size, counts.size), "a TIFF strip");
+  }
+}
+
+}  // namespace
+
+ImageFormat sniff_format(Bytes bytes) {
+  const auto starts = [&](std::initializer_list<std::uint8_t> magic) {
+    if (bytes.size() < magic.size()) return false;
+    std::size_t i = 0;
+    for (const std::uint8_t byte : magic) {
+      if (bytes[i++] != byte) return false;
+    }
+    return true;
+  };
+  if (starts({0xFF, 0xD8})) return ImageFormat::jpeg;
+  if (starts({0x89, 'P', 'N', 'G', 0x0D, 0x0A, 0x1A, 0x0A})) return ImageFormat::png;
+  if (starts({'B', 'M'})) return ImageFormat::bmp;
+  if (starts({'I', 'I', 42, 0}) || starts({'M', 'M', 0, 42}) || starts({'I', 'I', 43, 0}) ||
+      starts({'M', 'M', 0, 43})) {
+    return ImageFormat::tiff;
+  }
+  if (bytes.size() > 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6' && std::isspace(bytes[2]) != 0) {
+    return ImageFormat::pnm;
+  }
+  return ImageFormat::unknown;
+}
+
+void check_structure(Bytes bytes, ImageFormat format, const std::string& name, unsigned largest_bits) {
+  switch (format) {
+    case ImageFormat::jpeg:
+      return check_jpeg({bytes, name, true});
+    case ImageFormat::png:
+      return check_png({bytes, name, true}, largest_bits);
+    case ImageFormat::pnm:
+      return check_pnm({bytes, name, true}, largest_bits);
+    case ImageFormat::bmp:
+      return check_bmp({bytes, name, false});
+    case ImageFormat::tiff:
+      return check_tiff({bytes, name, bytes[0] == 'M'}, bytes[bytes[0] == 'M' ? 3 : 2]);
+    case ImageFormat::unknown:
+      break;
+  }
+  // A file cut within its first bytes may have no recognisable start left.
+  throw FileError(name, "byte 0", bytes.size() < 16 ? "the file is truncated or not an image" : "not an image",
+                  "PNG, JPEG, PNM, BMP or TIFF");
+}
+
+}  // namespace horopter

@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "horopter/machine/monitor.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "horopter/base/error.hpp"
+#include "horopter/machine/compete_register.hpp"
+#include "horopter/machine/registers.hpp"
+#include "horopter/map/support.hpp"
+#include "stages/pipeline.hpp"
+
+namespace horopter {
+namespace {
+
+namespace reg = registers;
+
+constexpr int kNoTable = 15;
+constexpr int kSlots = 15;
+constexpr std::uint32_t kRegisterMapMajor = 1;
+/// Reads of FRAME_SEQUENCE before a machine that has sent all its states counts as broken.
+constexpr int kStatusPolls = 100'000;
+constexpr int kTablePolls = 1'000'000;  // a frame may stand between
+
+constexpr std::array<const char*, 7> kUploadErrors = {
+    "none",      "slot or region in use", "bad header",        "does not fit the pool",
+    "wrong CRC", "no such slot",          "data without start"};
+
+void check_settings(const CompeteSettings& settings) {
+  for (const CompeteField& f : kCompeteFields) {
+    if (const int value = settings.*f.setting; value < 0 || value > f.largest()) {
+      throw UsageError(fmt::format("{} {}; expected 0 to {}", f.name, value, f.largest()));
+    }
+  }
+}
+
+/// The device's build is of this profile. It may have less than the profile where that only limits what it can be asked
+/// for: one of two rules, a smaller pool. Gives the pool's bytes.
+std::size_t check_build(Device& device, const MachineProfile& profile, Decision decision) {
+  const auto size = device.read(reg::build_size::kAddress);
+  const auto store = device.read(reg::build_store::kAddress);
+  const auto window = device.read(reg::build_window::kAddress);
+  const auto competition = device.read(reg::build_compete::kAddress);
+  const auto refuse = [&](const char* what, std::uint32_t found, const char* expected, int value) {
+    throw DeviceError(fmt::format("the machine is not one of profile {}: {} {} instead of {}{}", profile.name, what,
+                                  found, expected, value));
+  };
+  const auto must_be = [&](const char* what, std::uint32_t found, int expected) {
+    if (found != static_cast<std::uint32_t>(expected)) refuse(what, found, "", expected);
+  };
+  const auto at_most = [&](const char* what, std::uint32_t found, int largest) {
+    if (found > static_cast<std::uint32_t>(largest)) refuse(what, found, "at most ", largest);
+  };
+  must_be("width", reg::build_size::kWidth.get(size), profile.width);
+  must_be("height", reg::build_size::kHeight.get(size), profile.height);
+  must_be("store rows", reg::build_store::kRows.get(store), profile.store_rows);
+  at_most("pool KiB", reg::build_store::kPoolKib.get(store), profile.pool_bytes / 1024);
+  must_be("DSAD window", reg::build_window::kDsad.get(window), profile.dsad_window);
+  must_be("majority window", reg::build_window::kMajority.get(window), profile.majority_window);
+  must_be("sub-sampling", reg::build_window::kSubsample.get(window), profile.subsample);
+  must_be("weight bits", reg::build_window::kWeightBits.get(window), profile.weight_bits);
+  must_be("hypotheses", reg::build_window::kHypotheses.get(window), profile.hypotheses);
+  const auto thesis = reg::build_window::kThesis.get(window);
+  const auto compete = reg::build_window::kCompete.get(window);
+  at_most("rule `thesis`", thesis, profile.has_thesis() ? 1 : 0);
+  at_most("rule `compete`", compete, profile.has_compete() ? 1 : 0);
+  must_be("competing planes", reg::build_compete::kPlanes.get(competition), compete != 0 ? profile.planes : 0);
+  must_be("rows of the sum", reg::build_compete::kSumRows.get(competition), compete != 0 ? profile.sum_rows : 0);
+  must_be("columns of the sum", reg::build_compete::kSumColumns.get(competition),
+          compete != 0 ? profile.sum_columns : 0);
+  must_be("reach of the ballot", reg::build_compete::kBallotReach.get(competition),
+          compete != 0 ? profile.ballot_reach : 0);
+  must_be("paths", reg::build_compete::kPaths.get(competition), compete != 0 && profile.paths ? 1 : 0);
+
+  check_decision(profile, decision);
+  const bool wants_compete = decision == Decision::compete;
+  if ((wants_compete ? compete : thesis) == 0) {
+    const Decision other = wants_compete ? Decision::thesis : Decision::compete;
+    throw UsageError(
+        fmt::format("this machine of profile {} is built without the decision '{}'; choose '{}', or build "
+                    "the machine with it",
+                    profile.name, name_of(decision), name_of(other)));
+  }
+  return std::size_t{1024} * reg::build_store::kPoolKib.get(store);
+}
+
+/// What left the machine must agree with itself and with the registers: a machine that contradicts itself is broken.
+void check_consistent(const FrameStreams& streams, const FrameResult& result, int width, int height) {
+  if (streams.states.width != width || streams.states.height != height) {
+    throw DeviceError(fmt::format("the machine gave states of {}x{} pixels instead of {}x{}", streams.states.width,
+                                  streams.states.height, width, height));
+  }
+  std::array<std::int64_t, 4> counts{};
+  for (const std::uint8_t state : streams.states.pixels) ++counts[state & 3U];
+  if (counts[1] != result.skin_pixels || counts[2] != result.undecidable_pixels ||
+      counts[3] != result.unsupervised_pixels) {
+    throw DeviceError(fmt::format("the machine's counts {}, {}, {} are not those of its states, {}, {}, {}",
+                                  result.skin_pixels, result.undecidable_pixels, result.unsupervised_pixels, counts[1],
+                                  counts[2], counts[3]));
+  }
+  int row = 0;
+  int column = 0;
+  for (const Run& run : streams.runs) {
+    if (run.row != row || run.start != column || run.end < run.start || run.end >= width || row >= height) {
+      throw DeviceError(fmt::format("the machine's run {}:{}-{} does not continue at {}:{}", run.row, run.start,
+                                    run.end, row, column));
+    }
+    const auto pixels = streams.states.row(row).subspan(run.start, run.end - run.start + 1);
+    if (std::ranges::any_of(pixels, [&](std::uint8_t s) { return s != static_cast<std::uint8_t>(run.state); })) {
+      throw DeviceError(fmt::format("the machine's run {}:{}-{} is not in its states", run.row, run.start, run.end));
+    }
+    column = run.end + 1;
+    if (column == width) {
+      column = 0;
+      ++row;
+    }
+  }
+  if (row != height) throw DeviceError(fmt::format("the machine's runs end in row {} of {}", row, height));
+}
+
+}  // namespace
+
+static_assert(reg::kFaultNames.size() == 31, "one bit is left, for kIdenticalImages");
+
+std::vector<std::string> fault_names(std::uint32_t faults) {
+  std::vector<std::string> names;
+  for (std::size_t bit = 0; bit < 32; ++bit) {
+    if ((faults >> bit & 1U) == 0) continue;
+    names.push_back(bit < reg::kFaultNames.size() ? std::string(reg::kFaultNames[bit]) : "identical_images");
+  }
+  return names;
+}
+
+std::vector<std::string> FrameResult::fault_names() const { return horopter::fault_names(faults); }
+
+Monitor::Monitor(std::unique_ptr<Device> device, const MachineProfile& profile, const Settings& settings)
+    : device_(std::move(device)), profile_(profile), settings_(settings), slots_(kSlots) {
+  if (const auto id = device_->read(reg::id::kAddress); id != reg::id::kValueValue) {
+    throw DeviceError(fmt::format("no Horopter: its ID is {:08x} instead of {:08x}", id, reg::id::kValueValue));
+  }
+  if (const auto major = reg::version::kMajor.get(device_->read(reg::version::kAddress)); major != kRegisterMapMajor) {
+    throw DeviceError(fmt::format("register map {}.x; expected {}.x", major, kRegisterMapMajor));
+  }
+  pool_bytes_ = check_build(*device_, profile, settings.decision);
+}
+
+Monitor::~Monitor() {
+  try {
+    stop();
+  } catch (const Error&) {
+    // The machine does not answer: there is nothing left to stop.
+  }
+}
+
+void Monitor::stop() { device_->write(reg::control::kAddress, 0); }
+
+void Monitor::start(int width, int height, int lookahead) {
+  stop();
+  width_ = width;
+  height_ = height;
+  sequence_ = 0;
+  in_machine_.clear();
+  device_->write(reg::width::kAddress, static_cast<std::uint32_t>(width));
+  device_->write(reg::height::kAddress, static_cast<std::uint32_t>(height));
+  device_->write(reg::lookahead::kAddress, static_cast<std::uint32_t>(lookahead));
+  device_->write(reg::table_select::kAddress, kNoTable);
+  write_limits();
+  device_->write(reg::faults::kAddress, 0xFFFFFFFFU);
+  device_->write(reg::control::kAddress, reg::control::kEnable.put(1));
+  const auto status = device_->read(reg::status::kAddress);
+  if (reg::status::kBadGeometry.get(status) != 0) {
+    throw DeviceError(
+        fmt::format("the machine refuses frames of {}x{} pixels with LOOKAHEAD {}", width, height, lookahead));
+  }
+}
+
+void Monitor::write_limits() {
+  const double largest_sum = 15.0 * profile_.dsad_window * profile_.dsad_window;
+  const double incoming = static_cast<double>(width_) * height_;
+  const double result = incoming / profile_.subsample;
+  device_->write(reg::sum_limit::kAddress, limit_of(settings_.threshold_percent, largest_sum));
+  device_->write(reg::self_limit::kAddress, limit_of(settings_.self_percent, largest_sum));
+  device_->write(reg::texture_limit::kAddress,
+                 static_cast<std::uint32_t>(native::Settings::texture_limit_for(settings_.texture)));
+  device_->write(reg::alarm_limit::kAddress, limit_of(settings_.alarm_percent, result));
+  device_->write(reg::undecidable_limit::kAddress, limit_of(settings_.undecidable_percent, result));
+  device_->write(reg::unsupervised_limit::kAddress, limit_of(settings_.unsupervised_percent, result));
+  device_->write(reg::black_limit::kAddress, limit_of(settings_.dark_percent, incoming));
+  device_->write(reg::white_limit::kAddress, limit_of(settings_.bright_percent, incoming));
+  device_->write(reg::frozen_limit::kAddress, static_cast<std::uint32_t>(settings_.frozen_limit));
+  const bool compete = settings_.decision == Decision::compete;
+  device_->write(reg::decision::kAddress, reg::decision::kCompete.put(compete ? 1 : 0));
+  if (compete) {
+    check_settings(settings_.competition);
+    device_->write(reg::compete::kAddress, compete_word(settings_.competition));
+  }
+}
+
+void Monitor::upload(int slot, const MapTable& table, std::optional<std::size_t> base_word64) {
+  if (slot < 0 || slot >= kSlots) throw UsageError(fmt::format("slot {}; expected 0 to {}", slot, kSlots - 1));
+  const std::size_t words64 = (table.words().size() - 4 + 1) / 2;
+  const std::size_t pool64 = pool_bytes_ / 8;
+  // First fit between the other tables; a table of the same slot makes room for its successor.
+  std::vector<std::pair<std::size_t, std::size_t>> taken;
+  for (int other = 0; other < kSlots; ++other) {
+    const Slot& s = slots_[static_cast<std::size_t>(other)];
+    if (other != slot && s.words64 != 0) taken.emplace_back(s.base_word64, s.words64);
+  }
+  std::ranges::sort(taken);
+  std::size_t base = 0;
+  for (const auto& [begin, length] : taken) {
+    if (base + words64 <= begin) break;
+    base = begin + length;
+  }
+  if (base_word64) base = *base_word64;
+  if (base + words64 > pool64) {
+    throw DeviceError(fmt::format("table {} of {} bytes does not fit the pool of {} bytes beside the others", slot,
+                                  words64 * 8, pool_bytes_));
+  }
+  slots_[static_cast<std::size_t>(slot)] = {};
+  device_->write(reg::map_slot::kAddress, static_cast<std::uint32_t>(slot));
+  device_->write(reg::map_base::kAddress, static_cast<std::uint32_t>(base));
+  device_->write(reg::map_control::kAddress, reg::map_control::kStart.put(1));
+  for (const std::uint32_t word : table.words()) device_->write(reg::map_data::kAddress, word);
+
+  std::uint32_t status = device_->read(reg::map_status::kAddress);
+  for (int poll = 0; reg::map_status::kBusy.get(status) != 0; ++poll) {
+    if (poll == kStatusPolls) throw DeviceError(fmt::format("the upload of table {} does not end", slot));
+    status = device_->read(reg::map_status::kAddress);
+  }
+  if (const auto error = reg::map_status::kError.get(status); error != 0) {
+    throw DeviceError(fmt::format("the machine refuses table {}: {}", slot,
+                                  error < kUploadErrors.size() ? kUploadErrors[error] : "unknown error"));
+  }
+  if ((device_->read(reg::map_valid::kAddress) >> slot & 1U) == 0 ||
+      device_->read(reg::map_crc::kAddress) != table.crc()) {
+    throw DeviceError(fmt::format("table {} is not in the machine after its upload", slot));
+  }
+  Slot& entry = slots_[static_cast<std::size_t>(slot)];
+  entry = {base, words64, supported_pixels(table, profile_, settings_.decision)};
+}
+
+void Monitor::select(int slot) {
+  device_->write(reg::table_select::kAddress, static_cast<std::uint32_t>(slot));
+  selected_ = slot;
+  // A frame in the machine is judged by the limit of its own table.
+  if (in_machine_.empty()) write_undecidable_limit(slot);
+}
+
+void Monitor::write_undecidable_limit(int slot) {
+  if (slot < 0 || slot >= kSlots) return;
+  const auto supported = slots_[static_cast<std::size_t>(slot)].supported;
+  device_->write(reg::undecidable_limit::kAddress,
+                 limit_of(settings_.undecidable_percent, static_cast<double>(supported)));
+}
+
+FrameResult Monitor::process(const Image& left, const Image& right) {
+  begin(left, right);
+  return finish();
+}
+
+void Monitor::wait_for_table(int slot) {
+  for (int poll = 0; poll < kTablePolls; ++poll) {
+    if (static_cast<int>(reg::map_status::kActiveSlot.get(device_->read(reg::map_status::kAddress))) == slot) return;
+  }
+  throw DeviceError(fmt::format("no frame begins with table {}", slot));
+}
+
+void Monitor::begin(const Image& left, const Image& right) {
+  if (left.width != width_ || left.height != height_ || right.width != width_ || right.height != height_) {
+    throw DeviceError(fmt::format("images of {}x{} and {}x{} pixels for a machine set to {}x{}", left.width,
+                                  left.height, right.width, right.height, width_, height_));
+  }
+  device_->send(left, right);
+  in_machine_.push_back({selected_, left.pixels == right.pixels});
+}
+
+FrameResult Monitor::finish() {
+  FrameStreams streams = device_->receive();
+
+  FrameResult result;
+  for (int poll = 0;; ++poll) {
+    result.sequence = device_->read(reg::frame_sequence::kAddress);
+    if (result.sequence != sequence_) break;
+    if (poll == kStatusPolls) throw DeviceError("the frame's status is not published although its states came");
+  }
+  const auto status = device_->read(reg::frame_status::kAddress);
+  result.alarm = reg::frame_status::kAlarm.get(status) != 0;
+  result.safe = reg::frame_status::kSafe.get(status) != 0;
+  result.table = static_cast<int>(reg::frame_status::kSlot.get(status));
+  result.faults = device_->read(reg::frame_faults::kAddress);
+  result.table_crc = device_->read(reg::frame_table_crc::kAddress);
+  result.skin_pixels = device_->read(reg::frame_skin::kAddress);
+  result.undecidable_pixels = device_->read(reg::frame_undecidable::kAddress);
+  result.unsupervised_pixels = device_->read(reg::frame_unsupervised::kAddress);
+  result.cycles = device_->read(reg::frame_cycles::kAddress);
+  result.latency = device_->read(reg::frame_latency::kAddress);
+  result.tail = device_->read(reg::frame_tail::kAddress);
+  if (device_->read(reg::frame_sequence::kAddress) != result.sequence) {
+    throw DeviceError("the frame's status changed while it was read");
+  }
+  if (result.sequence != sequence_ + 1) {
+    throw DeviceError(fmt::format("frame {} came after frame {}: one is lost", result.sequence, sequence_));
+  }
+  sequence_ = result.sequence;
+  if (!in_machine_.empty()) {
+    if (in_machine_.front().identical) {
+      result.faults |= kIdenticalImages;
+      result.safe = false;
+    }
+    in_machine_.pop_front();
+  }
+  write_undecidable_limit(in_machine_.empty() ? selected_ : in_machine_.front().slot);
+  check_consistent(streams, result, width_ / profile_.subsample, height_);
+  result.states = std::move(streams.states);
+  result.runs = std::move(streams.runs);
+  return result;
+}
+
+Supervisor::Supervisor(std::unique_ptr<Device> device, const MachineProfile& profile, const MapSet& maps,
+                       const Settings& settings)
+    : monitor_(std::move(device), profile, settings) {
+  for (const CompiledMap& map : maps.maps) scans_.push_back(map.table.geometry());
+  monitor_.start(scans_.at(0).width, scans_.at(0).height, maps.lookahead());
+  for (std::size_t slot = 0; slot < maps.maps.size(); ++slot) {
+    monitor_.upload(static_cast<int>(slot), maps.maps[slot].table);
+  }
+}
+
+std::vector<FrameResult> Supervisor::process(const Image& left, const Image& right) {
+  std::vector<FrameResult> results;
+  for (std::size_t slot = 0; slot < scans_.size(); ++slot) {
+    monitor_.select(static_cast<int>(slot));
+    if (scans_[slot].scan == Scan::progressive) {
+      results.push_back(monitor_.process(left, right));
+    } else {
+      const int parity = scans_[slot].first_row();
+      results.push_back(monitor_.process(field_of(left, parity), field_of(right, parity)));
+    }
+    results.back().scan = scans_[slot].scan;
+  }
+  return results;
+}
+
+}  // namespace horopter

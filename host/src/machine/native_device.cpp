@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "horopter/machine/native_device.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "horopter/base/crc32.hpp"
+#include "horopter/base/error.hpp"
+#include "horopter/machine/compete_register.hpp"
+#include "horopter/machine/registers.hpp"
+#include "stages/engine.hpp"
+
+namespace horopter {
+namespace {
+
+namespace reg = registers;
+
+constexpr int kNoTable = 15;
+constexpr std::uint32_t kTableHeader = 0x484D0100;
+
+const reg::Register* find_register(std::uint32_t address) {
+  const auto found = std::ranges::find(reg::kRegisters, address, &reg::Register::address);
+  return found == reg::kRegisters.end() ? nullptr : &*found;
+}
+
+[[noreturn]] void refuse(const char* what, std::uint32_t address) {
+  const reg::Register* known = find_register(address);
+  throw DeviceError(fmt::format("the machine refuses to {} register {:03x} ({})", what, address,
+                                known != nullptr ? known->name : "unknown"));
+}
+
+/// A table that maps nothing, for frames without a table.
+std::vector<std::uint32_t> empty_table(int width, int height) {
+  const auto columns = static_cast<std::uint32_t>((width + 63) / 64 + 1);
+  const auto pairs = static_cast<std::uint32_t>(((height + 63) / 64 + 2) / 2);
+  std::vector<std::uint32_t> words{kTableHeader | 0x66, pairs << 16 | columns,
+                                   static_cast<std::uint32_t>(height) << 16 | static_cast<std::uint32_t>(width)};
+  words.resize(3 + std::size_t{2} * columns * pairs + 1, 0xFFFFFFFFU);
+  words.back() = 0;
+  return words;
+}
+
+native::ImageView view(const Image& image) { return {image.pixels.data(), image.width, image.height, image.width}; }
+
+}  // namespace
+
+NativeDevice::NativeDevice(const MachineProfile& profile)
+    : profile_(profile), engine_(native::make_engine(profile.name)) {
+  if (engine_ == nullptr) throw UsageError(fmt::format("no native engine for profile {}", profile.name));
+  const auto defaults = native::Settings::defaults(profile, profile.width, profile.height);
+  stored(reg::width::kAddress) = static_cast<std::uint32_t>(profile.width);
+  stored(reg::height::kAddress) = static_cast<std::uint32_t>(profile.height);
+  stored(reg::lookahead::kAddress) = static_cast<std::uint32_t>(defaults.lookahead);
+  stored(reg::table_select::kAddress) = kNoTable;
+  stored(reg::sum_limit::kAddress) = static_cast<std::uint32_t>(defaults.sum_limit);
+  stored(reg::self_limit::kAddress) = static_cast<std::uint32_t>(defaults.self_limit);
+  stored(reg::texture_limit::kAddress) = static_cast<std::uint32_t>(defaults.texture_limit);
+  stored(reg::alarm_limit::kAddress) = static_cast<std::uint32_t>(defaults.alarm_limit);
+  stored(reg::undecidable_limit::kAddress) = static_cast<std::uint32_t>(defaults.undecidable_limit);
+  stored(reg::unsupervised_limit::kAddress) = static_cast<std::uint32_t>(defaults.unsupervised_limit);
+  stored(reg::black_level::kAddress) = static_cast<std::uint32_t>(defaults.dark_level);
+  stored(reg::black_limit::kAddress) = static_cast<std::uint32_t>(defaults.dark_limit);
+  stored(reg::white_level::kAddress) = static_cast<std::uint32_t>(defaults.bright_level);
+  stored(reg::white_limit::kAddress) = static_cast<std::uint32_t>(defaults.bright_limit);
+  stored(reg::constant_limit::kAddress) = static_cast<std::uint32_t>(defaults.contrast_limit);
+  stored(reg::frozen_limit::kAddress) = static_cast<std::uint32_t>(defaults.frozen_limit);
+  stored(reg::decision::kAddress) = reg::decision::kCompete.put(profile.has_thesis() ? 0 : 1);
+  stored(reg::compete::kAddress) = profile.has_compete() ? reg::compete::kReset : 0;
+}
+
+NativeDevice::~NativeDevice() = default;
+
+std::uint32_t& NativeDevice::stored(std::uint32_t address) { return registers_.at(address / 4); }
+
+bool NativeDevice::geometry_is_possible() const {
+  const auto width = static_cast<int>(registers_[reg::width::kAddress / 4]);
+  const auto height = static_cast<int>(registers_[reg::height::kAddress / 4]);
+  const auto lookahead = static_cast<int>(registers_[reg::lookahead::kAddress / 4]);
+  return width <= profile_.width && width >= 32 * profile_.subsample && width % profile_.subsample == 0 &&
+         height <= profile_.height && height >= 16 && lookahead <= profile_.largest_lookahead();
+}
+
+bool NativeDevice::running() const {
+  return reg::control::kEnable.get(registers_[reg::control::kAddress / 4]) != 0 && geometry_is_possible();
+}
+
+bool NativeDevice::in_use(int slot) const {
+  const auto selected = static_cast<int>(registers_[reg::table_select::kAddress / 4]);
+  return running() && slot != kNoTable && (slot == selected || slot == active_slot_) &&
+         tables_.at(static_cast<std::size_t>(slot)).has_value();
+}
+
+std::uint32_t NativeDevice::read(std::uint32_t address) {
+  const reg::Register* known = find_register(address);
+  if (known == nullptr || known->access == reg::Access::kWriteStream) refuse("read", address);
+  switch (address) {
+    case reg::id::kAddress:
+      return reg::id::kValueValue;
+    case reg::version::kAddress:
+      return reg::version::kMajor.put(reg::version::kMajorValue) | reg::version::kMinor.put(reg::version::kMinorValue);
+    case reg::build_size::kAddress:
+      return reg::build_size::kWidth.put(static_cast<std::uint32_t>(profile_.width)) |
+             reg::build_size::kHeight.put(static_cast<std::uint32_t>(profile_.height));
+    case reg::build_store::kAddress:
+      return reg::build_store::kRows.put(static_cast<std::uint32_t>(profile_.store_rows)) |
+             reg::build_store::kPoolKib.put(static_cast<std::uint32_t>(profile_.pool_bytes / 1024));
+    case reg::build_window::kAddress:
+      return reg::build_window::kDsad.put(static_cast<std::uint32_t>(profile_.dsad_window)) |
+             reg::build_window::kMajority.put(static_cast<std::uint32_t>(profile_.majority_window)) |
+             reg::build_window::kSubsample.put(static_cast<std::uint32_t>(profile_.subsample)) |
+             reg::build_window::kWeightBits.put(static_cast<std::uint32_t>(profile_.weight_bits)) |
+             reg::build_window::kHypotheses.put(static_cast<std::uint32_t>(profile_.hypotheses)) |
+             reg::build_window::kThesis.put(profile_.has_thesis()) |
+             reg::build_window::kCompete.put(profile_.has_compete());
+    case reg::build_compete::kAddress:
+      return reg::build_compete::kPlanes.put(static_cast<std::uint32_t>(profile_.planes)) |
+             reg::build_compete::kSumRows.put(static_cast<std::uint32_t>(profile_.sum_rows)) |
+             reg::build_compete::kSumColumns.put(static_cast<std::uint32_t>(profile_.sum_columns)) |
+             reg::build_compete::kBallotReach.put(static_cast<std::uint32_t>(profile_.ballot_reach)) |
+             reg::build_compete::kPaths.put(profile_.paths ? 1 : 0);
+    case reg::build_clock::kAddress:
+      return static_cast<std::uint32_t>(profile_.clock_khz);
+    case reg::status::kAddress: {
+      const bool enabled = reg::control::kEnable.get(stored(reg::control::kAddress)) != 0;
+      return reg::status::kRunning.put(running()) | reg::status::kBadGeometry.put(enabled && !geometry_is_possible()) |
+             reg::status::kBusy.put(!pending_.empty()) | reg::status::kSafe.put(safe_) |
+             reg::status::kUnsafe.put(!safe_);
+    }
+    case reg::irq_status::kAddress:
+      return irq_status_;
+    case reg::map_status::kAddress:
+      return reg::map_status::kBusy.put(uploading_) |
+             reg::map_status::kError.put(static_cast<std::uint32_t>(upload_error_)) |
+             reg::map_status::kActiveSlot.put(static_cast<std::uint32_t>(active_slot_));
+    case reg::map_valid::kAddress: {
+      std::uint32_t valid = 0;
+      for (std::size_t slot = 0; slot < tables_.size(); ++slot) valid |= (tables_[slot] ? 1U : 0U) << slot;
+      return valid;
+    }
+    case reg::map_crc::kAddress: {
+      const auto slot = stored(reg::map_slot::kAddress);
+      return slot < tables_.size() && tables_[slot] ? tables_[slot]->words.back() : 0;
+    }
+    case reg::faults::kAddress:
+      return faults_;
+    case reg::frame_sequence::kAddress:
+      return frame_.sequence;
+    case reg::frame_status::kAddress:
+      return frame_.status;
+    case reg::frame_faults::kAddress:
+      return frame_.faults;
+    case reg::frame_table_crc::kAddress:
+      return frame_.table_crc;
+    case reg::frame_skin::kAddress:
+      return frame_.skin;
+    case reg::frame_undecidable::kAddress:
+      return frame_.undecidable;
+    case reg::frame_unsupervised::kAddress:
+      return frame_.unsupervised;
+    case reg::frame_misses::kAddress:
+      return frame_.misses;
+    default:
+      return known->access == reg::Access::kReadWrite ? stored(address) : 0;
+  }
+}
+
+void NativeDevice::write(std::uint32_t address, std::uint32_t value) {
+  const reg::Register* known = find_register(address);
+  const bool enabled = reg::control::kEnable.get(stored(reg::control::kAddress)) != 0;
+  if (known == nullptr || known->access == reg::Access::kReadOnly || (known->locked && enabled)) {
+    refuse("write", address);
+  }
+  switch (address) {
+    case reg::control::kAddress:
+      stored(address) = value & reg::control::kEnable.mask();
+      if (!running()) reset_stream();
+      return;
+    case reg::faults::kAddress:
+      faults_ &= ~value;
+      return;
+    case reg::irq_status::kAddress:
+      irq_status_ &= ~value;
+      return;
+    case reg::map_control::kAddress:
+      if (reg::map_control::kStart.get(value) != 0) begin_upload();
+      return;
+    case reg::map_data::kAddress:
+      upload_word(value);
+      return;
+    case reg::width::kAddress:
+      stored(address) = reg::width::kPx.get(value);
+      return;
+    case reg::height::kAddress:
+      stored(address) = reg::height::kRows.get(value);
+      return;
+    case reg::lookahead::kAddress:
+      stored(address) = reg::lookahead::kRows.get(value);
+      return;
+    case reg::table_select::kAddress:
+      stored(address) = reg::table_select::kSlot.get(value);
+      return;
+    case reg::map_slot::kAddress:
+      stored(address) = reg::map_slot::kSlot.get(value);
+      return;
+    case reg::map_base::kAddress:
+      stored(address) = reg::map_base::kWord64.get(value);
+      return;
+    case reg::decision::kAddress:
+      if (profile_.has_thesis() && profile_.has_compete()) stored(address) = value & reg::decision::kCompete.mask();
+      return;
+    case reg::compete::kAddress:
+      if (!profile_.has_compete()) return;
+      stored(address) = compete_word(compete_settings(value));
+      return;
+    default:
+      stored(address) = value;
+      return;
+  }
+}
+
+void NativeDevice::reset_stream() {
+  engine_ = native::make_engine(profile_.name);
+  pending_.clear();
+  frame_ = {};
+  safe_ = false;
+  active_slot_ = kNoTable;
+  frame_faults_pending_ = 0;
+}
+
+// Upload --------------------------------------------------------------------------------------------------------------
+
+void NativeDevice::begin_upload() {
+  upload_slot_ = static_cast<int>(stored(reg::map_slot::kAddress));
+  upload_ = {stored(reg::map_base::kAddress), {}};
+  upload_length_ = 0;
+  upload_error_ = UploadError::none;
+  uploading_ = false;
+  if (upload_slot_ == kNoTable) return end_upload(UploadError::no_slot);
+  if (in_use(upload_slot_)) return end_upload(UploadError::in_use);
+  tables_.at(static_cast<std::size_t>(upload_slot_)).reset();
+  uploading_ = true;
+}
+
+void NativeDevice::end_upload(UploadError error) {
+  uploading_ = false;
+  upload_error_ = error;
+  if (error == UploadError::none) return;
+  const auto fault = error == UploadError::in_use ? reg::faults::kMapBusy : reg::faults::kMapCrc;
+  faults_ |= fault.mask();
+  frame_faults_pending_ |= fault.mask();
+}
+
+void NativeDevice::upload_word(std::uint32_t word) {
+  if (!uploading_) {
+    if (upload_error_ == UploadError::none) upload_error_ = UploadError::not_started;
+    return;
+  }
+  auto& words = upload_.words;
+  words.push_back(word);
+  if (words.size() == 1 && ((word & 0xFFFFFF88U) != kTableHeader || (word >> 4 & 7U) == 7 || (word & 7U) == 7)) {
+    return end_upload(UploadError::bad_header);
+  }
+  if (words.size() == 3) {
+    const std::uint32_t nx = words[0] >> 4 & 7U;
+    const std::uint32_t ny = words[0] & 7U;
+    const std::uint32_t columns = words[1] & 0xFFFFU;
+    const std::uint32_t pairs = words[1] >> 16;
+    const std::uint32_t width = words[2] & 0xFFFFU;
+    const std::uint32_t height = words[2] >> 16;
+    const bool consistent = width != 0 && width < 4096 && height != 0 && height < 4096 &&
+                            columns == ((width - 1) >> nx) + 2 && pairs == (((height - 1) >> ny) + 3) / 2;
+    if (!consistent) return end_upload(UploadError::bad_header);
+    upload_length_ = 4 + std::size_t{2} * columns * pairs;
+    const std::size_t end = upload_.base_word64 + std::size_t{columns} * pairs;
+    if (end * 8 > static_cast<std::size_t>(profile_.pool_bytes)) return end_upload(UploadError::too_large);
+    const auto overlaps = [&](const std::optional<Table>& table) {
+      return table && table->base_word64 < end && table->end_word64() > upload_.base_word64;
+    };
+    for (std::size_t slot = 0; slot < tables_.size(); ++slot) {
+      if (overlaps(tables_[slot]) && in_use(static_cast<int>(slot))) return end_upload(UploadError::in_use);
+    }
+    for (auto& table : tables_) {
+      if (overlaps(table)) table.reset();
+    }
+  }
+  if (upload_length_ == 0 || words.size() < upload_length_) return;
+  if (crc32_words(std::span(words).first(words.size() - 1)) != words.back()) return end_upload(UploadError::wrong_crc);
+  tables_.at(static_cast<std::size_t>(upload_slot_)) = std::move(upload_);
+  end_upload(UploadError::none);
+}
+
+// Streams -------------------------------------------------------------------------------------------------------------
+
+native::Settings NativeDevice::settings() const {
+  const auto value = [&](std::uint32_t address) { return static_cast<int>(registers_[address / 4]); };
+  native::Settings s;
+  s.lookahead = value(reg::lookahead::kAddress);
+  s.sum_limit = value(reg::sum_limit::kAddress);
+  s.self_limit = value(reg::self_limit::kAddress);
+  s.texture_limit = value(reg::texture_limit::kAddress);
+  s.alarm_limit = value(reg::alarm_limit::kAddress);
+  s.undecidable_limit = value(reg::undecidable_limit::kAddress);
+  s.unsupervised_limit = value(reg::unsupervised_limit::kAddress);
+  s.dark_level = value(reg::black_level::kAddress);
+  s.bright_level = value(reg::white_level::kAddress);
+  s.dark_limit = value(reg::black_limit::kAddress);
+  s.bright_limit = value(reg::white_limit::kAddress);
+  s.contrast_limit = value(reg::constant_limit::kAddress);
+  s.frozen_limit = value(reg::frozen_limit::kAddress);
+  s.compete = reg::decision::kCompete.get(registers_[reg::decision::kAddress / 4]) != 0;
+  s.competition = compete_settings(registers_[reg::compete::kAddress / 4]);
+  return s;
+}
+
+void NativeDevice::send(const Image& left, const Image& right) {
+  if (!running()) throw DeviceError("the machine is not enabled, or its geometry is impossible");
+  const auto width = static_cast<int>(stored(reg::width::kAddress));
+  const auto height = static_cast<int>(stored(reg::height::kAddress));
+  for (const Image* image : {&left, &right}) {
+    if (image->width != width || image->height != height) {
+      throw DeviceError(fmt::format("an image of {}x{} pixels for a machine set to {}x{}", image->width, image->height,
+                                    width, height));
+    }
+  }
+  pending_.push_back({left, right});
+  if (pending_.size() == 1) start_frame();
+}
+
+/// The table is looked up at the start of the output frame.
+void NativeDevice::start_frame() {
+  const auto selected = stored(reg::table_select::kAddress);
+  const auto geometry = stored(reg::height::kAddress) << 16 | stored(reg::width::kAddress);
+  const bool fits =
+      selected < tables_.size() && tables_[selected].has_value() && tables_[selected]->words[2] == geometry;
+  active_slot_ = fits ? static_cast<int>(selected) : kNoTable;
+}
+
+FrameStreams NativeDevice::receive() {
+  if (pending_.empty()) throw DeviceError("no frame comes: none was sent");
+  const auto [left, right] = std::move(pending_.front());
+  pending_.pop_front();
+
+  // What is in use cannot be overwritten.
+  const Table* table = active_slot_ != kNoTable ? &*tables_.at(static_cast<std::size_t>(active_slot_)) : nullptr;
+  const std::vector<std::uint32_t> none =
+      table == nullptr ? empty_table(left.width, left.height) : std::vector<std::uint32_t>();
+  const auto result =
+      engine_->process(view(left), view(right), native::TableView(table != nullptr ? table->words : none), settings());
+
+  namespace f = reg::faults;
+  std::uint32_t faults = frame_faults_pending_;
+  frame_faults_pending_ = 0;
+  const auto add = [&](bool condition, const reg::Field& fault) { faults |= condition ? fault.mask() : 0; };
+  add(result.left.black, f::kLeftBlack);
+  add(result.left.white, f::kLeftWhite);
+  add(result.left.constant, f::kLeftConstant);
+  add(result.left.frozen, f::kLeftFrozen);
+  add(result.right.black, f::kRightBlack);
+  add(result.right.white, f::kRightWhite);
+  add(result.right.constant, f::kRightConstant);
+  add(result.right.frozen, f::kRightFrozen);
+  add(result.store_misses > 0, f::kStoreMiss);
+  add(table == nullptr, f::kNoTable);
+  add(result.too_undecidable, f::kTooUndecidable);
+  add(result.too_unsupervised, f::kTooUnsupervised);
+
+  safe_ = faults == 0 && !result.alarm;
+  faults_ |= faults;
+  irq_status_ |= reg::irq_status::kFrame.mask() | (faults != 0 ? reg::irq_status::kFault.mask() : 0);
+  frame_ = {frame_.sequence + 1,
+            reg::frame_status::kAlarm.put(result.alarm) | reg::frame_status::kSafe.put(safe_) |
+                reg::frame_status::kSlot.put(static_cast<std::uint32_t>(active_slot_)),
+            faults,
+            table != nullptr ? table->words.back() : 0,
+            static_cast<std::uint32_t>(result.skin_pixels),
+            static_cast<std::uint32_t>(result.undecidable_pixels),
+            static_cast<std::uint32_t>(result.unsupervised_pixels),
+            static_cast<std::uint32_t>(result.store_misses)};
+
+  if (!pending_.empty()) start_frame();
+
+  FrameStreams streams;
+  streams.states = Image(result.width, result.height);
+  streams.states.pixels = result.states;
+  streams.runs.reserve(result.runs.size());
+  for (const native::Run& run : result.runs)
+    streams.runs.push_back({run.row, run.start, run.end, static_cast<State>(run.state)});
+  return streams;
+}
+
+std::unique_ptr<Device> make_native_device(const MachineProfile& profile) {
+  return std::make_unique<NativeDevice>(profile);
+}
+
+}  // namespace horopter

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// Mapping tables in files (.hmap), and their reports as JSON.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "horopter/base/crc32.hpp"
+#include "horopter/base/error.hpp"
+#include "horopter/base/file.hpp"
+#include "horopter/image/output.hpp"
+#include "horopter/map/map.hpp"
+#include "horopter/map/map_json.hpp"
+
+namespace horopter {
+
+namespace {
+
+constexpr std::uint32_t kMagic = 0x50414D48;  // "HMAP", least significant byte first
+constexpr std::uint32_t kVersion = 2;
+constexpr std::size_t kNameWords = 4;
+constexpr std::size_t kHeaderWords = 3 + kNameWords + 3;  // magic, version, words in all, name, width, height, tables
+
+void append_text(std::vector<std::uint32_t>& words, const std::string& text) {
+  words.push_back(static_cast<std::uint32_t>(text.size()));
+  for (std::size_t i = 0; i < text.size(); i += 4) {
+    std::uint32_t word = 0;
+    for (std::size_t j = 0; j < 4 && i + j < text.size(); ++j) {
+      word |= std::uint32_t{static_cast<std::uint8_t>(text[i + j])} << (8 * j);
+    }
+    words.push_back(word);
+  }
+}
+
+}  // namespace
+
+void save_maps(const MapSet& maps, const std::filesystem::path& path) {
+  std::vector<std::uint32_t> words{kMagic, kVersion, 0};
+  std::array<char, kNameWords * 4> name{};
+  std::copy_n(maps.profile.begin(), std::min(maps.profile.size(), name.size()), name.begin());
+  for (std::size_t i = 0; i < name.size(); i += 4) {
+    std::uint32_t word = 0;
+    for (std::size_t j = 0; j < 4; ++j) word |= std::uint32_t{static_cast<std::uint8_t>(name[i + j])} << (8 * j);
+    words.push_back(word);
+  }
+  words.push_back(static_cast<std::uint32_t>(maps.image_width));
+  words.push_back(static_cast<std::uint32_t>(maps.image_height));
+  words.push_back(static_cast<std::uint32_t>(maps.maps.size()));
+  append_text(words, maps.skin);
+  append_text(words, maps.rig);
+  for (const CompiledMap& map : maps.maps) {
+    words.push_back(static_cast<std::uint32_t>(map.table.geometry().scan));
+    append_text(words, to_json(map.report).dump());
+    words.push_back(static_cast<std::uint32_t>(map.table.words().size()));
+    words.insert(words.end(), map.table.words().begin(), map.table.words().end());
+  }
+  words[2] = static_cast<std::uint32_t>(words.size() + 1);
+  words.push_back(crc32_words(words));
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(words.size() * 4);
+  for (const std::uint32_t word : words) {
+    for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<std::uint8_t>(word >> shift));
+  }
+  write_file(path, bytes);
+}
+
+MapSet load_maps(const std::filesystem::path& path) {
+  const std::string file = path.string();
+  const std::string expected = "a mapping table made by `horopter map` (.hmap, version 2)";
+  const auto bytes = read_file(path, expected);
+  std::vector<std::uint32_t> words(bytes.size() / 4);
+  for (std::size_t i = 0; i < words.size() * 4; ++i) words[i / 4] |= std::uint32_t{bytes[i]} << (i % 4 * 8);
+  if (words.empty() || words[0] != kMagic) throw FileError(file, "byte 0", "not a mapping table", expected);
+  if (words.size() > 1 && words[1] != kVersion) {
+    throw FileError(file, "byte 4", fmt::format("version {}", words[1]), expected);
+  }
+  if (words.size() < kHeaderWords + 1 || bytes.size() < std::size_t{words[2]} * 4) {
+    throw FileError(file, fmt::format("byte {}", bytes.size()), "the file is truncated",
+                    words.size() > 2 ? fmt::format("{} bytes", std::size_t{words[2]} * 4) : expected);
+  }
+  if (bytes.size() != std::size_t{words[2]} * 4) {
+    throw FileError(file, fmt::format("byte {}", std::size_t{words[2]} * 4), "more data than the header tells",
+                    expected);
+  }
+  if (crc32_words(std::span(words).first(words.size() - 1)) != words.back()) {
+    throw FileError(file, fmt::format("byte {}", bytes.size() - 4), "wrong CRC: the file was altered", expected);
+  }
+  // The CRC holds: what follows can only fail for a file that was made wrongly.
+  std::size_t at = 3;
+  const auto take = [&](std::size_t count) {
+    if (count > words.size() - 1 - at) throw FileError(file, fmt::format("byte {}", at * 4), "bad lengths", expected);
+    at += count;
+    return std::span(words).subspan(at - count, count);
+  };
+  const auto text = [&](std::size_t length) {
+    std::string result;
+    for (const std::uint32_t word : take((length + 3) / 4)) {
+      for (int shift = 0; shift < 32; shift += 8) result += static_cast<char>(word >> shift);
+    }
+    result.resize(length);
+    return result;
+  };
+  MapSet set;
+  set.profile = text(kNameWords * 4);
+  set.profile.resize(std::strlen(set.profile.c_str()));
+  set.image_width = static_cast<int>(take(1)[0]);
+  set.image_height = static_cast<int>(take(1)[0]);
+  const std::uint32_t tables = take(1)[0];
+  set.skin = text(take(1)[0]);
+  set.rig = text(take(1)[0]);
+  for (std::uint32_t i = 0; i < tables; ++i) {
+    const std::size_t place = at * 4;
+    try {
+      const std::uint32_t scan = take(1)[0];
+      if (scan > 2) throw std::invalid_argument(fmt::format("scan {}", scan));
+      MapReport report = map_report_from_json(nlohmann::json::parse(text(take(1)[0])));
+      const auto table_words = take(take(1)[0]);
+      MapTable table({table_words.begin(), table_words.end()}, static_cast<Scan>(scan));
+      set.maps.push_back({std::move(table), report});
+    } catch (const std::invalid_argument& error) {
+      throw FileError(file, fmt::format("byte {}, table {}", place, i), error.what(), expected);
+    } catch (const nlohmann::json::exception& error) {
+      throw FileError(file, fmt::format("byte {}, table {}", place, i), error.what(), expected);
+    }
+  }
+  return set;
+}
+
+std::string crc_text(std::uint32_t crc) { return fmt::format("{:08x}", crc); }
+
+std::string_view scan_name(Scan scan) {
+  switch (scan) {
+    case Scan::progressive:
+      return "progressive";
+    case Scan::even_field:
+      return "even";
+    case Scan::odd_field:
+      return "odd";
+  }
+  return "?";
+}
+
+nlohmann::ordered_json to_json(const MapReport& report) {
+  nlohmann::ordered_json unsupervised;
+  for (int i = 1; i < kReasonCount; ++i) unsupervised[reason_name(static_cast<Reason>(i))] = report.by_reason[i];
+  return {{"spacing_x", report.spacing_x},
+          {"spacing_y", report.spacing_y},
+          {"bytes", report.pool_bytes},
+          {"crc", crc_text(report.crc)},
+          {"rows_behind", report.reach.behind},
+          {"rows_ahead", report.reach.ahead},
+          {"lookahead", report.lookahead},
+          {"pixels", report.pixels},
+          {"checked", report.checked},
+          {"supervised", report.supervised()},
+          {"unsupervised", std::move(unsupervised)},
+          {"error_99_px", report.error_99_px},
+          {"error_largest_px", report.error_largest_px},
+          {"rounded_largest_px", report.rounded_largest_px}};
+}
+
+MapReport map_report_from_json(const nlohmann::json& json) {
+  MapReport report;
+  report.spacing_x = json.at("spacing_x");
+  report.spacing_y = json.at("spacing_y");
+  report.pool_bytes = json.at("bytes");
+  report.crc = static_cast<std::uint32_t>(std::stoul(json.at("crc").get<std::string>(), nullptr, 16));
+  report.reach = {json.at("rows_behind"), json.at("rows_ahead")};
+  report.lookahead = json.at("lookahead");
+  report.pixels = json.at("pixels");
+  report.checked = json.at("checked");
+  report.by_reason[0] = json.at("supervised");
+  for (int i = 1; i < kReasonCount; ++i) {
+    // Tables that were made before there was a reason do not have it.
+    report.by_reason[i] =
+        json.at("unsupervised").value(std::string(reason_name(static_cast<Reason>(i))), std::int64_t{0});
+  }
+  report.error_99_px = json.at("error_99_px");
+  report.error_largest_px = json.at("error_largest_px");
+  report.rounded_largest_px = json.at("rounded_largest_px");
+  return report;
+}
+
+nlohmann::ordered_json to_json(const MapSet& maps) {
+  nlohmann::ordered_json json{
+      {"profile", maps.profile}, {"width", maps.image_width}, {"height", maps.image_height}, {"skin", maps.skin}};
+  if (!maps.rig.empty()) json["rig_crc"] = crc_text(maps.rig_crc());
+  for (const CompiledMap& map : maps.maps) {
+    nlohmann::ordered_json table{{"scan", scan_name(map.table.geometry().scan)},
+                                 {"width", map.table.geometry().width},
+                                 {"height", map.table.geometry().height},
+                                 {"columns", map.table.columns()},
+                                 {"rows", map.table.rows()}};
+    table.update(to_json(map.report));
+    json["tables"].push_back(std::move(table));
+  }
+  return json;
+}
+
+}  // namespace horopter

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "horopter/map/moving_maps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "horopter/base/error.hpp"
+
+namespace horopter {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kLatticeStep_px = 8;
+/// Parts of a step that are tried; a motion that needs more does not come forward.
+constexpr int kMostParts = 1024;
+constexpr std::size_t kMostSteps = 100'000;
+
+/// What a left pixel sees of a skin.
+struct Sight {
+  bool supervised = false;
+  double distance_mm = 0;  ///< infinite without the skin
+  double cosine = 0;       ///< between the line of sight and the skin's normal
+  double across_mm = 0;    ///< thickness
+  Vector3d point_mm;
+};
+
+class Watcher {
+ public:
+  Watcher(const CameraPair& cameras, const MachineProfile& profile, double tolerance_px, int width, int height)
+      : cameras_(cameras),
+        row_step_(profile.fields_per_image()),
+        tolerance_px_(tolerance_px * profile.subsample),
+        frame_{width, height, Scan::progressive} {
+    const int step = std::clamp(width / 32, 1, kLatticeStep_px);
+    for (int y = 0; y < height; y += step) {
+      for (int x = 0; x < width; x += step) points_.push_back({static_cast<double>(x), static_cast<double>(y)});
+    }
+    rays_ = cameras.rays(points_);
+  }
+
+  const Point& pixel(std::size_t i) const { return points_[i]; }
+
+  std::vector<Sight> look(const Surface& surface) const {
+    const Vector3d eye = cameras_.left().world_to_camera.centre();
+    surface.check_cameras(eye, cameras_.right().world_to_camera.centre());
+    std::vector<Hit> hits(points_.size());
+    std::vector<Look> looks(points_.size());
+    surface.intersect(eye, rays_.directions, hits);
+    cameras_.look(surface, rays_, row_step_, {}, looks);
+    std::vector<Sight> sights(points_.size());
+    for (std::size_t i = 0; i < sights.size(); ++i) {
+      const Vector3d& direction = rays_.directions[i];
+      const Point source = looks[i].source;
+      Sight& sight = sights[i];
+      sight.distance_mm = hits[i].distance * direction.norm();
+      if (!std::isfinite(sight.distance_mm)) continue;
+      sight.cosine = std::abs(hits[i].normal.dot(direction)) / direction.norm();
+      sight.point_mm = eye + hits[i].distance * direction;
+      if (looks[i].reason != Reason::none || !frame_.holds(source)) continue;
+      sight.across_mm = cameras_.thickness_mm(points_[i], source, tolerance_px_) * sight.cosine;
+      sight.supervised = std::isfinite(sight.across_mm);
+    }
+    return sights;
+  }
+
+ private:
+  const CameraPair& cameras_;
+  int row_step_;
+  double tolerance_px_;  ///< in pixels of the frame
+  ScanGeometry frame_;
+  std::vector<Point> points_;
+  Rays rays_;
+};
+
+/// Whether no object slips through between two frames.
+bool is_small(const MovingSurface& surface, double from_s, const std::vector<Sight>& from, double to_s,
+              const std::vector<Sight>& to, double object_mm) {
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    if (!to[i].supervised) continue;
+    const double thickness_mm = from[i].supervised ? std::min(from[i].across_mm, to[i].across_mm) : to[i].across_mm;
+    double way_mm = std::abs(to[i].distance_mm - from[i].distance_mm) * std::max(to[i].cosine, from[i].cosine);
+    if (object_mm + way_mm <= thickness_mm) continue;
+    way_mm = std::min(way_mm, surface.way_mm(from_s, to_s, to[i].point_mm));
+    if (!(object_mm + way_mm <= thickness_mm)) return false;
+  }
+  return true;
+}
+
+/// Throws where an object can pass the skin though it is at rest.
+void check_thickness(const Watcher& watcher, const std::vector<Sight>& sights, double time_s, double object_mm,
+                     const MotionLimits& limits) {
+  std::size_t thinnest = sights.size();
+  for (std::size_t i = 0; i < sights.size(); ++i) {
+    if (!sights[i].supervised) continue;
+    if (thinnest == sights.size() || sights[i].across_mm < sights[thinnest].across_mm) thinnest = i;
+  }
+  if (thinnest == sights.size() || sights[thinnest].across_mm > object_mm) return;
+  const double across_mm = sights[thinnest].across_mm;
+  throw std::runtime_error(
+      fmt::format("at {:.3f} s the skin is {:.2f} mm thick at left pixel ({:.0f}, {:.0f}), and an object of {} m/s "
+                  "moves by {:.2f} mm between two of {} images a second: no step is small enough (object_speed_m_s "
+                  "must be below {:.3f})",
+                  time_s, across_mm, watcher.pixel(thinnest).x, watcher.pixel(thinnest).y, limits.object_speed_m_s,
+                  object_mm, limits.images_per_s, largest_speed_m_s(across_mm, limits.images_per_s)));
+}
+
+}  // namespace
+
+std::size_t MovingMaps::step_of(std::size_t frame) const {
+  if (frame < steps.size()) return frame;
+  if (geometry().scan == Scan::progressive) return steps.size() - 1;
+  const std::size_t last = steps.size() - 1;
+  return last % 2 == frame % 2 ? last : last - 1;
+}
+
+std::vector<double> plan_motion(const CameraPair& cameras, const MovingSurface& surface, const MotionLimits& limits,
+                                const MachineProfile& profile, int image_width, int image_height) {
+  const Watcher watcher(cameras, profile, limits.tolerance_px, image_width, image_height);
+  const double object_mm = limits.object_speed_m_s * 1e3 / limits.images_per_s;
+  std::vector<double> times_s{0};
+  std::vector<Sight> sights = watcher.look(*surface.at(0));
+  check_thickness(watcher, sights, 0, object_mm, limits);
+  const double shortest_s = 1 / limits.images_per_s / kMostParts;
+  double step_s = 1 / limits.images_per_s;
+  for (int frame = 1; times_s.back() < surface.end_s(); ++frame) {
+    const double due_s = std::min(frame / limits.images_per_s, surface.end_s());
+    while (times_s.back() < due_s) {
+      const double from_s = times_s.back();
+      // What went the last time, and more.
+      for (step_s = std::min(2 * step_s, due_s - from_s);; step_s /= 2) {
+        const double to_s = step_s < due_s - from_s ? from_s + step_s : due_s;
+        std::vector<Sight> next = watcher.look(*surface.at(to_s));
+        check_thickness(watcher, next, to_s, object_mm, limits);
+        if (is_small(surface, from_s, sights, to_s, next, object_mm)) {
+          times_s.push_back(to_s);
+          sights = std::move(next);
+          break;
+        }
+        if (step_s < shortest_s || times_s.size() == kMostSteps) {
+          throw std::runtime_error(
+              fmt::format("at {:.3f} s the skin's thickness leaves too little for any step, with an object that moves "
+                          "by {:.2f} mm between two images (object_speed_m_s must be lower)",
+                          from_s, object_mm));
+        }
+      }
+    }
+  }
+  return times_s;
+}
+
+MovingMaps compile_motion(const SkinFile& skin, const MachineProfile& profile, int image_width, int image_height,
+                          const ViewLimits& view) {
+  const auto* rig_skin = dynamic_cast<const RigSkin*>(skin.skin.get());
+  if (rig_skin == nullptr || !skin.motion) {
+    throw FileError(skin.path, "motion", "this skin does not move", "a surface with `motion`");
+  }
+  const CameraPair& cameras = rig_skin->cameras();
+  const auto bad = [&](const std::string& what) {
+    return FileError(skin.path, "motion", what, "a motion that the machine can follow");
+  };
+  MovingMaps maps;
+  std::vector<double> times_s;
+  try {
+    times_s = plan_motion(cameras, *skin.motion, skin.motion_limits, profile, image_width, image_height);
+  } catch (const std::runtime_error& error) {
+    throw bad(error.what());
+  } catch (const std::invalid_argument& error) {
+    throw bad(error.what());
+  }
+  const double due = std::ceil(skin.motion->end_s() * skin.motion_limits.images_per_s - 1e-9) + 1;
+  maps.inserted = times_s.size() - static_cast<std::size_t>(due);
+  // The skin stays at the end, in both fields.
+  if (profile.takes_fields()) times_s.push_back(times_s.back());
+
+  MapLimits limits;
+  limits.largest_bytes = static_cast<std::size_t>(profile.pool_bytes) / 2;
+  limits.view = view;
+  const std::vector<ScanGeometry> scans = scans_of(profile, image_width, image_height);
+  std::vector<MapCompiler> compilers;
+  for (const ScanGeometry& scan : scans) compilers.emplace_back(cameras, profile, scan, limits);
+  RowReach reach;
+  for (std::size_t i = 0; i < times_s.size(); ++i) {
+    try {
+      maps.steps.push_back({times_s[i], compilers[i % scans.size()].compile(*skin.motion->at(times_s[i]))});
+    } catch (const RowError& error) {
+      throw FileError(skin.path, "motion", fmt::format("at {:.3f} s: {}", times_s[i], error.what()),
+                      RowError::expected());
+    } catch (const std::exception& error) {
+      throw bad(fmt::format("at {:.3f} s: {}", times_s[i], error.what()));
+    }
+    reach.ahead = std::max(reach.ahead, maps.steps.back().map.report.reach.ahead);
+    reach.behind = std::max(reach.behind, maps.steps.back().map.report.reach.behind);
+  }
+  const auto lookahead = lookahead_for(profile, reach);
+  if (!lookahead) {
+    throw bad(
+        fmt::format("all steps together need {} right rows above and {} below; the store of profile {} gives {} "
+                    "and {}",
+                    reach.behind, reach.ahead, profile.name, profile.rows_behind(), profile.largest_lookahead()));
+  }
+  maps.lookahead = *lookahead;
+  for (MovingStep& step : maps.steps) step.map.report.lookahead = *lookahead;
+  return maps;
+}
+
+}  // namespace horopter

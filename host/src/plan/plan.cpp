@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "horopter/plan/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "statistics.hpp"
+
+namespace horopter {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kIsoNear_mm = 500;
+
+double slope_deg(const Vector3d& normal, const Vector3d& axis) {
+  return std::acos(std::min(1.0, std::abs(normal.dot(axis)))) / kDegree;
+}
+
+}  // namespace
+
+double coplanar_thickness_mm(double tolerance_px, double distance_mm, double baseline_mm, double f_px) {
+  return 2 * tolerance_px * distance_mm * distance_mm / (baseline_mm * f_px);
+}
+
+double sloped_thickness_mm(double thickness_mm, double slope_deg) {
+  return thickness_mm * std::cos(slope_deg * kDegree);
+}
+
+double face_width_mm(double thickness_mm, double slope_deg) {
+  const double sine = std::sin(slope_deg * kDegree);
+  if (sine == 0) return std::numeric_limits<double>::infinity();
+  return sloped_thickness_mm(thickness_mm, slope_deg) / sine;
+}
+
+double face_share(double tilt_deg) { return tilt_deg <= 45 ? 1 : std::max(0.0, 1 / std::tan(tilt_deg * kDegree)); }
+
+double detection_time_s(const MachineProfile& profile, int rows, double images_per_s) {
+  // A line of states more than the windows take: the pipeline. Lines without blanking are the longest there can be.
+  const double lines = profile.largest_lookahead() + profile.flush_rows() + 1;
+  return (2 + lines / rows) / images_per_s;
+}
+
+double safety_distance_mm(double response_s, double speed_m_s) { return response_s * speed_m_s * 1e3; }
+
+double iso_13855_distance_mm(double response_s) {
+  const double near = safety_distance_mm(response_s, kIsoHandSpeed_m_s);
+  if (near <= kIsoNear_mm) return near;
+  return std::max(kIsoNear_mm, safety_distance_mm(response_s, kHandSpeed_m_s));
+}
+
+StereoAxis::StereoAxis(const CameraPair& cameras) {
+  const Vector3d left = cameras.left().world_to_camera.centre();
+  const Vector3d right = cameras.right().world_to_camera.centre();
+  const Vector3d left_axis = cameras.left().world_to_camera.rotation.row(2).transpose();
+  const Vector3d right_axis = cameras.right().world_to_camera.rotation.row(2).transpose();
+  middle_mm = 0.5 * (left + right);
+  direction = (left_axis + right_axis).normalized();
+  baseline_mm = (right - left).norm();
+  tilt_deg = 0.5 * std::acos(std::clamp(left_axis.dot(right_axis), -1.0, 1.0)) / kDegree;
+  f_px = cameras.right().model.fx_px();
+}
+
+ThicknessPlan plan_thickness(const CameraPair& cameras, const Surface& surface, const MachineProfile& profile,
+                             const ScanGeometry& geometry, double tolerance_px, const ViewLimits& limits) {
+  const Vector3d left_mm = cameras.left().world_to_camera.centre();
+  surface.check_cameras(left_mm, cameras.right().world_to_camera.centre());
+  const StereoAxis axis(cameras);
+  // In pixels of the frame, whose rows hold `subsample` of them for each of the result's.
+  const double tolerance_frame_px = tolerance_px * profile.subsample;
+  const auto formula_mm = [&](const Vector3d& point, double slope) {
+    const double z = (point - axis.middle_mm).dot(axis.direction);
+    return sloped_thickness_mm(coplanar_thickness_mm(tolerance_frame_px, z, axis.baseline_mm, axis.f_px), slope);
+  };
+
+  ThicknessPlan plan;
+  plan.pixels = std::int64_t{geometry.width} * geometry.height;
+  plan.across_mm.assign(static_cast<std::size_t>(plan.pixels), std::nan(""));
+  plan.face_width = std::numeric_limits<double>::infinity();
+  Statistics distance;
+  Statistics slope;
+  Statistics sight;
+  Statistics across;
+  Statistics formula;
+  const auto width = static_cast<std::size_t>(geometry.width);
+  std::vector<Point> points(width);
+  std::vector<Hit> hits(width);
+  std::vector<Look> looks(width);
+  for (int y = 0; y < geometry.height; ++y) {
+    for (std::size_t x = 0; x < width; ++x) {
+      points[x] = geometry.to_frame({static_cast<double>(x), static_cast<double>(y)});
+    }
+    const Rays rays = cameras.rays(points, limits);
+    surface.intersect(left_mm, rays.directions, hits);
+    cameras.look(surface, rays, geometry.row_step(), limits, looks);
+    for (std::size_t x = 0; x < width; ++x) {
+      const Look& look = looks[x];
+      if (!geometry.holds(geometry.from_frame(look.source)) || look.reason == Reason::hidden) continue;
+      ++plan.shared;
+      plan.rows.add(look.reason);
+      const double along = cameras.thickness_mm(points[x], look.source, tolerance_frame_px);
+      if (look.reason != Reason::none || !std::isfinite(along)) continue;
+      ++plan.supervised;
+      const Vector3d& direction = rays.directions[x];
+      const Vector3d point = left_mm + hits[x].distance * direction;
+      const double angle = slope_deg(hits[x].normal, axis.direction);
+      const double thickness = along * std::abs(hits[x].normal.dot(direction)) / direction.norm();
+      distance.add((point - axis.middle_mm).dot(axis.direction));
+      slope.add(angle);
+      sight.add(along);
+      across.add(thickness);
+      formula.add(formula_mm(point, angle));
+      // Along the axis the skin is thicker than across, by 11.2.
+      plan.face_width = std::min(plan.face_width, face_width_mm(thickness / std::cos(angle * kDegree), angle));
+      plan.across_mm[static_cast<std::size_t>(y) * width + x] = thickness;
+    }
+  }
+  if (plan.supervised == 0) plan.face_width = std::nan("");
+  plan.distance = distance.spread();
+  plan.slope_deg = slope.spread();
+  plan.sight = sight.spread();
+  plan.across = across.spread();
+  plan.formula = formula.spread();
+
+  plan.on_axis = plan.on_axis_formula = std::nan("");
+  Hit hit;
+  surface.intersect(axis.middle_mm, std::span(&axis.direction, 1), std::span(&hit, 1));
+  if (!std::isfinite(hit.distance)) return plan;
+  const Vector3d point = axis.middle_mm + hit.distance * axis.direction;
+  const auto left = cameras.left().project(point);
+  const auto right = cameras.right().project(point);
+  if (!left || !right) return plan;
+  const double along = cameras.thickness_mm({left->x(), left->y()}, {right->x(), right->y()}, tolerance_frame_px);
+  plan.on_axis = along * std::abs(hit.normal.dot((point - left_mm).normalized()));
+  plan.on_axis_formula = formula_mm(point, slope_deg(hit.normal, axis.direction));
+  return plan;
+}
+
+}  // namespace horopter

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "horopter/plan/tolerance.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "horopter/base/error.hpp"
+
+namespace horopter {
+namespace {
+
+struct Threshold {
+  double tolerance_px, percent;
+};
+
+constexpr auto thresholds = std::to_array<Threshold>({
+#define THRESHOLD(tolerance_px, percent) {tolerance_px, percent},
+#include "threshold_table.def"
+#undef THRESHOLD
+});
+
+constexpr auto boundaries = std::to_array<Boundary>({
+#define BOUNDARY(setting, tolerance_px) {setting, tolerance_px},
+#include "boundary_table.def"
+#undef BOUNDARY
+});
+
+[[noreturn]] void refuse(Decision decision, double tolerance_px) {
+  const auto [smallest_px, largest_px] = tolerance_range(decision);
+  throw UsageError(fmt::format("a tolerance of {:g} px; the rule {} can be set to {:g} to {:g} px", tolerance_px,
+                               name_of(decision), smallest_px, largest_px));
+}
+
+/// Of the pixels that have one; NaN where none has.
+double median(std::vector<double> values) {
+  std::erase_if(values, [](double value) { return std::isnan(value); });
+  if (values.empty()) return std::nan("");
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+}  // namespace
+
+ToleranceRange tolerance_range(Decision decision) {
+  if (decision == Decision::thesis) return {thresholds.front().tolerance_px, thresholds.back().tolerance_px};
+  return {boundaries.front().tolerance_px, boundaries.back().tolerance_px};
+}
+
+double threshold_percent_for(double tolerance_px) {
+  for (std::size_t i = 1; i < thresholds.size(); ++i) {
+    const Threshold& low = thresholds[i - 1];
+    const Threshold& high = thresholds[i];
+    if (!(tolerance_px >= low.tolerance_px && tolerance_px <= high.tolerance_px)) continue;  // a NaN is in none
+    return low.percent +
+           (high.percent - low.percent) * (tolerance_px - low.tolerance_px) / (high.tolerance_px - low.tolerance_px);
+  }
+  refuse(Decision::thesis, tolerance_px);
+}
+
+Boundary boundary_for(double tolerance_px) {
+  const auto [smallest_px, largest_px] = tolerance_range(Decision::compete);
+  const double half_step_px = (largest_px - smallest_px) / (2 * (boundaries.size() - 1));
+  if (!(tolerance_px >= smallest_px - half_step_px && tolerance_px <= largest_px + half_step_px)) {
+    refuse(Decision::compete, tolerance_px);
+  }
+  return *std::ranges::min_element(
+      boundaries, {}, [&](const Boundary& boundary) { return std::abs(boundary.tolerance_px - tolerance_px); });
+}
+
+double set_tolerance(Settings& settings, double tolerance_px) {
+  if (settings.decision == Decision::thesis) {
+    settings.threshold_percent = threshold_percent_for(tolerance_px);
+    return tolerance_px;
+  }
+  const Boundary boundary = boundary_for(tolerance_px);
+  settings.competition.boundary = boundary.setting;
+  return boundary.tolerance_px;
+}
+
+double tolerance_for_mm(double thickness_mm, const CameraPair& cameras, const Surface& surface,
+                        const MachineProfile& profile, const ScanGeometry& geometry) {
+  // Thickness is proportional to the tolerance but for its square over that of the disparity.
+  double tolerance_px = kD95_px;
+  for (int step = 0; step < 2; ++step) {
+    const double found_mm = median(plan_thickness(cameras, surface, profile, geometry, tolerance_px).across_mm);
+    if (std::isnan(found_mm)) throw std::invalid_argument("nothing of the skin is supervised");
+    tolerance_px *= thickness_mm / found_mm;
+    if (tolerance_px > 4 * tolerance_range(Decision::thesis).largest_px) break;  // refused anyway
+  }
+  return tolerance_px;
+}
+
+}  // namespace horopter

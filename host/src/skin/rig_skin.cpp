@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "horopter/skin/rig_skin.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include "horopter/calib/vectorised.hpp"
+
+namespace horopter {
+namespace {
+
+using Eigen::Matrix2d;
+using Eigen::Matrix3d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/// Share of the distance from the right camera by which another part of the skin must be nearer to hide a point: above
+/// the rounding of a search in single precision, below any thickness of a skin.
+constexpr double kSamePoint = 1e-5;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Lines of sight at a time: what stays in the fastest cache.
+constexpr std::size_t kChunk = calib::PixelBatch::kSize;
+using Lane = std::array<double, kChunk>;
+
+/// Numbers of a chunk side by side, as a processor's vectors like them.
+struct Chunk {
+  Lane distance, normal_x, normal_y, normal_z;  // normal in world coordinates
+  Lane x, y, over_z;                            // point in the right camera, normalised, and 1/z
+  Lane facing;                                  // normal · direction
+  Lane right_cosine, stretch;
+  calib::PixelBatch pixels;
+};
+
+/// Where the lines of sight meet the skin, in the right camera.
+[[gnu::always_inline]] inline void place_points(const Matrix3d& to_right, const Vector3d& between,
+                                                const std::array<const double*, 9>& view, std::size_t count, Chunk& c) {
+  const double r[9] = {to_right(0, 0), to_right(0, 1), to_right(0, 2), to_right(1, 0), to_right(1, 1),
+                       to_right(1, 2), to_right(2, 0), to_right(2, 1), to_right(2, 2)};
+  const double b[3] = {between.x(), between.y(), between.z()};
+  for (std::size_t i = 0; i < count; ++i) {
+    const double sight[3] = {view[0][i], view[3][i], view[6][i]};
+    const double n[3] = {c.normal_x[i], c.normal_y[i], c.normal_z[i]};
+    const double nx = r[0] * n[0] + r[1] * n[1] + r[2] * n[2];
+    const double ny = r[3] * n[0] + r[4] * n[1] + r[5] * n[2];
+    const double nz = r[6] * n[0] + r[7] * n[1] + r[8] * n[2];
+    const double px = b[0] + c.distance[i] * sight[0];
+    const double py = b[1] + c.distance[i] * sight[1];
+    const double pz = b[2] + c.distance[i] * sight[2];
+    c.normal_x[i] = nx;
+    c.normal_y[i] = ny;
+    c.normal_z[i] = nz;
+    c.over_z[i] = pz > 0 && pz < kInfinity ? 1 / pz : std::numeric_limits<double>::quiet_NaN();
+    c.x[i] = px * c.over_z[i];
+    c.y[i] = py * c.over_z[i];
+    c.facing[i] = nx * sight[0] + ny * sight[1] + nz * sight[2];
+    c.right_cosine[i] = -(nx * px + ny * py + nz * pz) / std::sqrt(px * px + py * py + pz * pz);
+  }
+}
+
+/// The map's derivatives are those of the skin's tangent plane: dP = t (dv − v (n·dv)/(n·v)).
+[[gnu::always_inline]] inline void stretch_points(const std::array<const double*, 9>& view, int row_step,
+                                                  std::size_t count, Chunk& c) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const double over = 1 / c.facing[i];
+    const double scale = c.distance[i] * c.over_z[i];
+    double d[2][2];  // of the normalised point, by the left pixel
+    for (int k = 0; k < 2; ++k) {
+      const double dx = view[1 + k][i], dy = view[4 + k][i], dz = view[7 + k][i];
+      const double tilt = (c.normal_x[i] * dx + c.normal_y[i] * dy + c.normal_z[i] * dz) * over;
+      const double mx = dx - view[0][i] * tilt, my = dy - view[3][i] * tilt, mz = dz - view[6][i] * tilt;
+      d[0][k] = scale * (mx - c.x[i] * mz);
+      d[1][k] = scale * (my - c.y[i] * mz);
+    }
+    const auto& p = c.pixels;
+    c.stretch[i] =
+        largest_stretch({p.xx[i] * d[0][0] + p.xy[i] * d[1][0], (p.xx[i] * d[0][1] + p.xy[i] * d[1][1]) * row_step,
+                         (p.yx[i] * d[0][0] + p.yy[i] * d[1][0]) / row_step, p.yx[i] * d[0][1] + p.yy[i] * d[1][1]});
+  }
+}
+
+const Point kNowhere{std::nan(""), std::nan("")};
+
+/// How far the left epipolar line of a pixel is off its row where it is `shift` columns further; NaN where it does not
+/// get there. `sight` is the pixel's, z = 1, `baseline` the direction to the other camera: the line is what
+/// sight + s·baseline is seen at.
+double row_error_at(const calib::CameraModel& model, Point pixel, const Vector3d& sight, const Vector3d& baseline,
+                    double shift) {
+  constexpr int kMostSteps = 10;
+  constexpr double kClose_px = 1e-3;
+  double s = 0;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const Vector3d point = sight + s * baseline;
+    Matrix2d lens;
+    if (!(point.z() > 0)) break;
+    const Vector2d normalised = point.head<2>() / point.z();
+    const auto seen = model.distort(normalised, &lens);
+    if (!seen) break;
+    const double missing = pixel.x + shift - seen->x();
+    if (std::abs(missing) < kClose_px) return seen->y() - pixel.y;
+    const Vector2d along = lens * (baseline.head<2>() - normalised * baseline.z()) / point.z();
+    s += missing / along.x();
+  }
+  return std::nan("");
+}
+
+}  // namespace
+
+CameraPair::CameraPair(calib::Camera left, calib::Camera right)
+    : left_(std::move(left)),
+      right_(std::move(right)),
+      left_centre_(left_.world_to_camera.centre()),
+      right_centre_(right_.world_to_camera.centre()),
+      between_(right_.world_to_camera * left_centre_) {}
+
+Rays CameraPair::rays(std::span<const Point> left, const ViewLimits& limits) const {
+  Rays rays;
+  rays.largest_shift_px = limits.largest_shift_px;
+  const Vector3d baseline = (left_.world_to_camera.rotation * (right_centre_ - left_centre_)).normalized();
+  rays.directions.reserve(left.size());
+  for (auto& entry : rays.right_view) entry.reserve(left.size());
+  rays.over_length.reserve(left.size());
+  const Matrix3d to_world = left_.world_to_camera.rotation.transpose();
+  const Matrix3d to_right = right_.world_to_camera.rotation * to_world;
+  for (const Point& pixel : left) {
+    Matrix2d slope;
+    const auto undistorted = left_.model.undistort({pixel.x, pixel.y}, &slope);
+    Matrix3d view = Matrix3d::Constant(std::nan(""));
+    if (undistorted) {
+      view.col(0) = undistorted->homogeneous();
+      view.rightCols<2>() << slope, 0, 0;
+    }
+    rays.directions.emplace_back(to_world * view.col(0));
+    rays.over_length.push_back(1 / view.col(0).norm());
+    if (limits.largest_shift_px != 0) {
+      const double shift = limits.largest_shift_px;
+      const double ahead = row_error_at(left_.model, pixel, view.col(0), baseline, shift);
+      const double behind = row_error_at(left_.model, pixel, view.col(0), baseline, -shift);
+      rays.row_error.push_back(std::isnan(ahead) ? ahead : std::max(std::abs(behind), std::abs(ahead)));
+    }
+    view = to_right * view;
+    for (int i = 0; i < 9; ++i) rays.right_view[static_cast<std::size_t>(i)].push_back(view(i / 3, i % 3));
+  }
+  return rays;
+}
+
+void CameraPair::look(const Surface& surface, const Rays& rays, int row_step, const ViewLimits& limits,
+                      std::span<Look> looks) const {
+  if (limits.largest_shift_px > rays.largest_shift_px) {
+    throw std::invalid_argument("lines of sight that were not followed as far as the neighbours are shifted");
+  }
+  std::array<Hit, kChunk> hits;
+  std::array<Hit, kChunk> right_hits;
+  std::array<Vector3d, kChunk> sights;  // from the right camera to the point on the skin
+  Chunk c;
+  const double smallest_cosine = std::cos(limits.largest_angle_deg * std::numbers::pi / 180);
+  const double largest_stretch_allowed = 1 / limits.smallest_scale;
+  const double largest_row_error = kLargestRowError * row_step;
+  const bool search_hidden = !surface.simple();
+  for (std::size_t first = 0; first < rays.size(); first += kChunk) {
+    const std::size_t count = std::min(kChunk, rays.size() - first);
+    const auto directions = std::span(rays.directions).subspan(first, count);
+    surface.intersect(left_centre_, directions, std::span(hits).first(count));
+    if (search_hidden) {
+      for (std::size_t i = 0; i < count; ++i) {
+        sights[i] = left_centre_ + hits[i].distance * directions[i] - right_centre_;
+      }
+      surface.intersect(right_centre_, std::span(sights).first(count), std::span(right_hits).first(count));
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      c.distance[i] = hits[i].distance;
+      c.normal_x[i] = hits[i].normal.x();
+      c.normal_y[i] = hits[i].normal.y();
+      c.normal_z[i] = hits[i].normal.z();
+    }
+    std::array<const double*, 9> view;
+    for (std::size_t i = 0; i < 9; ++i) view[i] = rays.right_view[i].data() + first;
+    calib::vectorised<place_points>(right_.world_to_camera.rotation, between_, view, count, c);
+    right_.model.distort(std::span(c.x).first(count), std::span(c.y).first(count), c.pixels);
+    calib::vectorised<stretch_points>(view, row_step, count, c);
+    for (std::size_t i = 0; i < count; ++i) {
+      Look& look = looks[first + i];
+      look = {kNowhere, std::nanf(""), Reason::no_source};
+      if (!std::isfinite(c.distance[i])) continue;
+      look.reason = Reason::outside;
+      if (std::isnan(c.pixels.x[i])) continue;
+      look.source = {c.pixels.x[i], c.pixels.y[i]};
+      const double cosine = std::min(-c.facing[i] * rays.over_length[first + i], c.right_cosine[i]);
+      const double stretch = c.stretch[i];
+      look.margin = static_cast<float>(
+          std::min(cosine - smallest_cosine, (largest_stretch_allowed - stretch) / largest_stretch_allowed));
+      if (search_hidden && !(right_hits[i].distance >= 1 - kSamePoint)) {
+        look.reason = Reason::hidden;
+      } else if (!(cosine >= smallest_cosine)) {
+        look.reason = Reason::angle;
+      } else if (!(stretch <= largest_stretch_allowed * (1 + 1e-9))) {
+        look.reason = Reason::scale;
+      } else {
+        look.reason = Reason::none;
+      }
+      if (limits.largest_shift_px == 0) continue;
+      const double row_error = rays.row_error[first + i];
+      const bool stays = row_error <= largest_row_error;
+      look.margin =
+          std::min(look.margin, std::isnan(row_error) ? -1.0F : static_cast<float>(1 - row_error / largest_row_error));
+      if (!stays && look.reason == Reason::none) look.reason = Reason::row;
+    }
+  }
+}
+
+double CameraPair::thickness_mm(Point left, Point right, double tolerance_px) const {
+  const auto from_left = left_.model.undistort({left.x, left.y});
+  const auto from_right = right_.model.undistort({right.x, right.y});
+  if (!from_left || !from_right) return std::nan("");
+  const calib::Pose left_to_right = right_.world_to_camera * left_.world_to_camera.inverse();
+  const Vector3d sight = left_to_right.rotation * from_left->homogeneous();
+  // Least squares of the place along the left line of sight that the right pixel sees: (B + t·s) × q = 0.
+  const Vector3d seen = from_right->homogeneous();
+  const Vector3d a = sight.cross(seen);
+  const double distance = -a.dot(between_.cross(seen)) / a.squaredNorm();
+  const Vector3d point = between_ + distance * sight;
+  Matrix2d lens;
+  if (!(distance > 0) || !(point.z() > 0)) return std::nan("");
+  const Vector2d normalised = point.head<2>() / point.z();
+  if (!right_.model.distort(normalised, &lens)) return std::nan("");
+  const Vector2d pixels_per_distance = lens * (sight.head<2>() - normalised * sight.z()) / point.z();
+  return 2 * tolerance_px / pixels_per_distance.norm() * sight.norm();
+}
+
+RigSkin::RigSkin(CameraPair cameras, SurfacePtr surface, std::string_view type)
+    : cameras_(std::move(cameras)), surface_(std::move(surface)), type_(type) {
+  surface_->check_cameras(cameras_.left().world_to_camera.centre(), cameras_.right().world_to_camera.centre());
+}
+
+void RigSkin::look(std::span<const Point> left, int row_step, const ViewLimits& limits, std::span<Look> looks) const {
+  cameras_.look(*surface_, cameras_.rays(left, limits), row_step, limits, looks);
+}
+
+}  // namespace horopter

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "horopter/skin/skin.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace horopter {
+namespace {
+
+using RowMajor3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
+/// Pixels per unit when the condition of a matrix is judged: the size of images, so that translations and
+/// rotations have comparable entries.
+constexpr double kPixelScale = 1000;
+/// Ratio of the smallest to the largest singular value below which a homography flattens the image to a line.
+constexpr double kSingular = 1e-9;
+/// The same for the second smallest singular value of the equations of a fit: below it, points do not determine it.
+constexpr double kDegenerate = 1e-4;
+
+bool is_singular(const RowMajor3& matrix) {
+  const Eigen::Vector3d scale(kPixelScale, kPixelScale, 1);
+  const RowMajor3 scaled = scale.cwiseInverse().asDiagonal() * matrix * scale.asDiagonal();
+  const Eigen::Vector3d singular = Eigen::JacobiSVD<RowMajor3>(scaled).singularValues();
+  return !(singular[2] > kSingular * singular[0]);
+}
+
+Matrix3 to_array(const RowMajor3& matrix) {
+  Matrix3 array;
+  std::copy_n(matrix.data(), 9, array.begin());
+  return array;
+}
+
+/// Moves the centroid to the origin and scales the mean distance from it to √2.
+RowMajor3 normalisation(std::span<const Point> points) {
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  for (const Point& p : points) mean += Eigen::Vector2d(p.x, p.y);
+  mean /= static_cast<double>(points.size());
+  double distance = 0;
+  for (const Point& p : points) distance += (Eigen::Vector2d(p.x, p.y) - mean).norm();
+  distance /= static_cast<double>(points.size());
+  if (!(distance > 1e-9)) throw std::invalid_argument("all points are the same point");
+  const double scale = std::sqrt(2.0) / distance;
+  RowMajor3 matrix;
+  matrix << scale, 0, -scale * mean.x(), 0, scale, -scale * mean.y(), 0, 0, 1;
+  return matrix;
+}
+
+/// A word for programs and a phrase for people, by Reason.
+constexpr std::pair<std::string_view, std::string_view> kReasons[kReasonCount] = {
+    {"supervised", "supervised"},
+    {"outside", "outside the right image"},
+    {"scale", "reduced to less than 1/2"},
+    {"angle", "seen too far from the skin's normal"},
+    {"no_source", "without a skin in their line of sight"},
+    {"hidden", "hidden from the right camera by a part of the skin"},
+    {"row", "with an epipolar line that leaves the row"},
+    {"grid", "lost to the grid"},
+};
+
+}  // namespace
+
+std::string_view reason_name(Reason reason) { return kReasons[static_cast<std::size_t>(reason)].first; }
+std::string_view reason_text(Reason reason) { return kReasons[static_cast<std::size_t>(reason)].second; }
+
+std::optional<Point> Skin::source(Point left) const {
+  Look seen;
+  look({&left, 1}, 1, {}, {&seen, 1});
+  if (!std::isfinite(seen.source.x) || !std::isfinite(seen.source.y)) return std::nullopt;
+  return seen.source;
+}
+
+void HomographySkin::look(std::span<const Point> left, int row_step, const ViewLimits& limits,
+                          std::span<Look> looks) const {
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    const auto right = source(left[i]);
+    looks[i] = {{std::nan(""), std::nan("")}, std::nanf(""), Reason::no_source};
+    if (!right) continue;
+    const auto [a, b, c, d] = derivatives(left[i]);
+    const double scaled = largest_stretch({a, b * row_step, c / row_step, d}) * limits.smallest_scale;
+    looks[i] = {*right, static_cast<float>(1 - scaled), scaled <= 1 + 1e-9 ? Reason::none : Reason::scale};
+  }
+}
+
+HomographySkin::HomographySkin(const Matrix3& matrix, Point visible, std::string_view type)
+    : matrix_(matrix), type_(type) {
+  for (const double entry : matrix) {
+    if (!std::isfinite(entry)) throw std::invalid_argument("the matrix is not finite");
+  }
+  if (is_singular(Eigen::Map<const RowMajor3>(matrix.data()))) {
+    throw std::invalid_argument("the matrix is singular: it maps the image to a line or a point");
+  }
+  const double denominator = matrix[6] * visible.x + matrix[7] * visible.y + matrix[8];
+  if (denominator < 0) std::ranges::transform(matrix_, matrix_.begin(), std::negate<>());
+}
+
+std::optional<Point> HomographySkin::source(Point left) const {
+  const auto& h = matrix_;
+  const double s = h[6] * left.x + h[7] * left.y + h[8];
+  if (!(s > 0)) return std::nullopt;
+  const Point right{(h[0] * left.x + h[1] * left.y + h[2]) / s, (h[3] * left.x + h[4] * left.y + h[5]) / s};
+  if (!std::isfinite(right.x) || !std::isfinite(right.y)) return std::nullopt;
+  return right;
+}
+
+std::array<double, 4> HomographySkin::derivatives(Point left) const {
+  const auto& h = matrix_;
+  const double s = h[6] * left.x + h[7] * left.y + h[8];
+  const double x = (h[0] * left.x + h[1] * left.y + h[2]) / s;
+  const double y = (h[3] * left.x + h[4] * left.y + h[5]) / s;
+  return {(h[0] - x * h[6]) / s, (h[1] - x * h[7]) / s, (h[3] - y * h[6]) / s, (h[4] - y * h[7]) / s};
+}
+
+std::string HomographySkin::description() const {
+  const auto& h = matrix_;
+  return fmt::format("{} [[{:.6g}, {:.6g}, {:.6g}], [{:.6g}, {:.6g}, {:.6g}], [{:.6g}, {:.6g}, {:.6g}]]", type_, h[0],
+                     h[1], h[2], h[3], h[4], h[5], h[6], h[7], h[8]);
+}
+
+HomographyFit fit_homography(std::span<const Correspondence> points) {
+  if (points.size() < 4) {
+    throw std::invalid_argument(fmt::format("{} points; a homography takes at least 4", points.size()));
+  }
+  std::vector<Point> left;
+  std::vector<Point> right;
+  for (const Correspondence& c : points) {
+    for (const double value : {c.left.x, c.left.y, c.right.x, c.right.y}) {
+      if (!std::isfinite(value)) throw std::invalid_argument("a point is not finite");
+    }
+    left.push_back(c.left);
+    right.push_back(c.right);
+  }
+  const RowMajor3 left_normal = normalisation(left);
+  const RowMajor3 right_normal = normalisation(right);
+
+  // Two equations a point; one more row of zeros makes 4 points square enough for the full set of right vectors.
+  Eigen::MatrixXd equations = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(2 * points.size() + 1), 9);
+  Eigen::Index row = 0;
+  for (const Correspondence& c : points) {
+    const Eigen::Vector3d l = left_normal * Eigen::Vector3d(c.left.x, c.left.y, 1);
+    const Eigen::Vector3d r = right_normal * Eigen::Vector3d(c.right.x, c.right.y, 1);
+    equations.row(row) << -l.transpose(), Eigen::RowVector3d::Zero(), r.x() * l.transpose();
+    equations.row(row + 1) << Eigen::RowVector3d::Zero(), -l.transpose(), r.y() * l.transpose();
+    row += 2;
+  }
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(equations, Eigen::ComputeThinV);
+  const Eigen::VectorXd& singular = svd.singularValues();
+  if (!(singular[7] > kDegenerate * singular[0])) {
+    throw std::invalid_argument("the points do not determine a homography: too many of them lie on one line");
+  }
+  const Eigen::VectorXd solution = svd.matrixV().col(8);
+  RowMajor3 normalised;
+  std::copy_n(solution.data(), 9, normalised.data());
+  RowMajor3 matrix = right_normal.inverse() * normalised * left_normal;
+  matrix /= matrix.norm();
+  if (std::abs(matrix(2, 2)) > 1e-9) matrix /= matrix(2, 2);
+  if (is_singular(matrix)) throw std::invalid_argument("the points lie on a line in one of the images");
+
+  HomographyFit fit;
+  fit.matrix = to_array(matrix);
+  const HomographySkin skin(fit.matrix, points.front().left);
+  double sum = 0;
+  for (const Correspondence& c : points) {
+    const auto mapped = skin.source(c.left);
+    if (!mapped) throw std::invalid_argument("the horizon of the fitted plane runs between the points");
+    const double distance = std::hypot(mapped->x - c.right.x, mapped->y - c.right.y);
+    sum += distance * distance;
+    fit.largest_px = std::max(fit.largest_px, distance);
+  }
+  fit.rms_px = std::sqrt(sum / static_cast<double>(points.size()));
+  return fit;
+}
+
+}  // namespace horopter

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: Apache-2.0
+// A skin in millimetres on real photographs: pairs of a chessboard from opencv-doc. Leave one out: the rig is
+// calibrated on the other pairs, the plane of the board is found in the left image alone. Where does the map carry the
+// corners, and what does the machine see of the board while the skin moves through it along its normal?
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <opencv2/calib3d.hpp>
+
+#include "board_pixels.hpp"
+#include "cli/progress.hpp"
+#include "horopter/base/csv.hpp"
+#include "horopter/base/error.hpp"
+#include "horopter/calib/joint.hpp"
+#include "horopter/calib/target.hpp"
+#include "horopter/calib/views.hpp"
+#include "horopter/draw/plot.hpp"
+#include "horopter/image/image.hpp"
+#include "horopter/machine/engines.hpp"
+#include "horopter/machine/monitor.hpp"
+#include "horopter/map/map_compiler.hpp"
+#include "study.hpp"
+
+namespace horopter::cli {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr int kSlots = 15;
+constexpr const char* kProfile = "vga";
+/// Distortion terms: those for which the corners are carried, the first for the machine's frames.
+constexpr std::array kTerms{"k1k2p1p2", "k1"};
+
+struct Board {
+  std::string name;
+  Image left, right;
+  std::array<std::vector<Vector2d>, 2> corners;
+};
+
+std::vector<Board> load_boards(const StudyScope& scope, const calib::TargetSpec& spec) {
+  std::vector<Board> boards;
+  Progress progress("finding the board in pair");
+  for (int number = 1; number <= 14; ++number) {
+    const std::string name = fmt::format("{:02}", number);
+    const std::filesystem::path data(scope.data);
+    if (!std::filesystem::exists(data / ("left" + name + ".jpg"))) continue;
+    progress.show(static_cast<std::size_t>(number), 14);
+    Board board{name, load_image(data / ("left" + name + ".jpg")), load_image(data / ("right" + name + ".jpg")), {}};
+    for (std::size_t side = 0; side < 2; ++side) {
+      Image& image = side == 0 ? board.left : board.right;
+      const cv::Mat grey(image.height, image.width, CV_8UC1, image.pixels.data());
+      board.corners[side] = calib::detect_target(grey, spec).image_px;
+    }
+    boards.push_back(std::move(board));
+  }
+  if (boards.size() < 4) {
+    throw FileError(scope.data, "", fmt::format("{} pairs left01.jpg, right01.jpg to 14", boards.size()),
+                    "4 or more, as in Debian's package opencv-doc");
+  }
+  return boards;
+}
+
+calib::Rig calibrate_without(const std::vector<Board>& boards, std::size_t left_out, const calib::TargetSpec& spec,
+                             const char* terms) {
+  std::vector<calib::ViewCamera> cameras(2);
+  for (std::size_t side = 0; side < 2; ++side) {
+    cameras[side].name = side == 0 ? "left" : "right";
+    cameras[side].width_px = boards[0].left.width;
+    cameras[side].height_px = boards[0].left.height;
+    for (std::size_t i = 0; i < boards.size(); ++i) {
+      if (i == left_out) continue;
+      cameras[side].views.push_back({.file = boards[i].name, .pixels = boards[i].corners[side], .problem = {}});
+    }
+  }
+  calib::ViewOptions options;
+  options.distortion = calib::distortion_terms(terms);
+  return calib::calibrate_views(cameras, spec.points_mm(), options).rig;
+}
+
+/// The board in the left camera's coordinates, from the left image alone.
+calib::Pose board_pose(const calib::Camera& left, const std::vector<Vector2d>& corners,
+                       const std::vector<Vector2d>& target_mm) {
+  std::vector<cv::Point3d> points;
+  std::vector<cv::Point2d> seen;
+  calib::JointObservation observation;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto undistorted = left.model.undistort(corners[i]);
+    if (!undistorted) throw Error(ExitStatus::check_failed, "a corner is beyond the limit of the lens model");
+    points.emplace_back(target_mm[i].x(), target_mm[i].y(), 0);
+    seen.emplace_back(undistorted->x(), undistorted->y());
+    observation.points_mm.emplace_back(target_mm[i].x(), target_mm[i].y(), 0);
+    observation.pixels.push_back(corners[i]);
+  }
+  cv::Vec3d rotation;
+  cv::Vec3d translation;
+  cv::solvePnP(points, seen, cv::Matx33d::eye(), cv::noArray(), rotation, translation, false, cv::SOLVEPNP_IPPE);
+  calib::JointProblem problem;
+  problem.cameras.push_back({.intrinsics = left.model.intrinsics(), .rig_to_camera = {}});
+  problem.views.push_back({.target_to_rig = {calib::rotation_from_vector({rotation[0], rotation[1], rotation[2]}),
+                                             {translation[0], translation[1], translation[2]}}});
+  problem.observations.push_back(observation);
+  calib::optimise(problem);
+  return problem.views[0].target_to_rig;
+}
+
+/// A skin on the board, moved along its normal, away from the cameras.
+struct BoardPlane {
+  CameraPair cameras;
+  Vector3d point_mm, normal;
+  RigSkin moved(double shift_mm) const { return {cameras, make_plane(point_mm + shift_mm * normal, normal), "plane"}; }
+};
+
+BoardPlane plane_of(const calib::Rig& rig, const Board& board, const calib::TargetSpec& spec) {
+  const calib::Camera& left = rig.cameras[0];
+  const calib::Pose pose = left.world_to_camera.inverse() * board_pose(left, board.corners[0], spec.points_mm());
+  Vector3d normal = pose.rotation.col(2);
+  if (normal.dot(pose.translation_mm - left.world_to_camera.centre()) < 0) normal = -normal;
+  return {CameraPair(rig.cameras[0], rig.cameras[1]), pose.translation_mm, normal};
+}
+
+/// Share of the board whose pixels a table for `compete` would supervise.
+double staying_in_rows(const CameraPair& cameras, const Board& board) {
+  const ViewLimits view = view_limits(find_profile(kProfile), Decision::compete);
+  Image states = board.left;
+  std::vector<Point> row(static_cast<std::size_t>(states.width));
+  for (int y = 0; y < states.height; ++y) {
+    for (std::size_t x = 0; x < row.size(); ++x) row[x] = {static_cast<double>(x), static_cast<double>(y)};
+    const Rays rays = cameras.rays(row, view);
+    for (std::size_t x = 0; x < row.size(); ++x) {
+      const bool stays = rays.row_error[x] <= kLargestRowError;
+      states.pixels[static_cast<std::size_t>(y) * row.size() + x] =
+          static_cast<std::uint8_t>(stays ? State::clear : State::unsupervised);
+    }
+  }
+  std::vector<cv::Point2d> corners;
+  for (const Vector2d& corner : board.corners[0]) corners.emplace_back(corner.x(), corner.y());
+  return count_board(corners, states).decidable_share();
+}
+
+/// Every pixel, whatever the rule: the images are not rectified, and that shows what the rule makes of it.
+CompiledMap table_of(const RigSkin& skin, const Board& board) {
+  return compile_map(skin, find_profile(kProfile), {board.left.width, board.left.height, Scan::progressive});
+}
+
+/// What the table says between its pixels.
+Vector2d carried(const MapTable& table, const Vector2d& pixel) {
+  const int x = static_cast<int>(std::floor(pixel.x()));
+  const int y = static_cast<int>(std::floor(pixel.y()));
+  Vector2d sum = Vector2d::Zero();
+  for (int dy = 0; dy < 2; ++dy) {
+    for (int dx = 0; dx < 2; ++dx) {
+      const auto e = table.expand(x + dx, y + dy);
+      if (!e) return Vector2d::Constant(std::nan(""));
+      const double weight = (1 - std::abs(pixel.x() - x - dx)) * (1 - std::abs(pixel.y() - y - dy));
+      sum += std::ldexp(weight, -MapTable::kFractionBits) * Vector2d(double(e->x), double(e->y));
+    }
+  }
+  return sum;
+}
+
+/// One for all boards, as each of them lies in its own plane: the median.
+std::optional<ChosenThickness> thickness_of(const std::vector<BoardPlane>& planes, const Board& board,
+                                            ThicknessOption option, const MachineProfile& profile, Settings& settings) {
+  const ScanGeometry geometry{board.left.width, board.left.height, Scan::progressive};
+  std::vector<ChosenThickness> all;
+  for (const BoardPlane& plane : planes) {
+    const auto chosen = set_thickness(option, plane.moved(0), profile, geometry, settings);
+    if (!chosen) return {};
+    all.push_back(*chosen);
+  }
+  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+  std::ranges::nth_element(all, middle, {}, &ChosenThickness::tolerance_px);
+  option = {.tolerance_px = middle->tolerance_px, .thickness_mm = {}};
+  Spread across_mm{INFINITY, 0, 0};
+  for (const BoardPlane& plane : planes) {
+    const Spread one = set_thickness(option, plane.moved(0), profile, geometry, settings)->across_mm;
+    across_mm.smallest = std::min(across_mm.smallest, one.smallest);
+    across_mm.largest = std::max(across_mm.largest, one.largest);
+    across_mm.mean += one.mean / static_cast<double>(planes.size());
+  }
+  return ChosenThickness{middle->tolerance_px, across_mm};
+}
+
+}  // namespace
+
+nlohmann::json study_board(OutputDirectory& directory, const StudyScope& scope) {
+  const auto spec = calib::TargetSpec::parse("chessboard:9x6:30mm");
+  std::vector<Board> boards = load_boards(scope, spec);
+  if (scope.quick) boards.resize(5);
+  nlohmann::json result{{"pairs", boards.size()}, {"target", spec.text()}, {"findings", nlohmann::json::array()}};
+
+  // Corners through the map.
+  Csv corners_csv({"terms", "pair", "rms_px", "largest_px"});
+  std::vector<BoardPlane> planes;
+  Progress calibrating("calibrating without one pair");
+  for (std::size_t terms = 0; terms < kTerms.size(); ++terms) {
+    double square_sum = 0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < boards.size(); ++i) {
+      calibrating.show(terms * boards.size() + i, kTerms.size() * boards.size());
+      const BoardPlane plane = plane_of(calibrate_without(boards, i, spec, kTerms[terms]), boards[i], spec);
+      if (terms == 0) planes.push_back(plane);
+      const CompiledMap map = table_of(plane.moved(0), boards[i]);
+      double sum = 0;
+      double largest = 0;
+      for (std::size_t c = 0; c < boards[i].corners[0].size(); ++c) {
+        const double error = (carried(map.table, boards[i].corners[0][c]) - boards[i].corners[1][c]).norm();
+        sum += error * error;
+        largest = std::max(largest, error);
+      }
+      corners_csv << kTerms[terms] << boards[i].name
+                  << std::sqrt(sum / static_cast<double>(boards[i].corners[0].size())) << largest;
+      corners_csv.end_row();
+      square_sum += sum;
+      count += boards[i].corners[0].size();
+    }
+    const double rms_px = std::sqrt(square_sum / static_cast<double>(count));
+    result["corners_rms_px"][kTerms[terms]] = rms_px;
+    result["findings"].push_back(
+        fmt::format("left corners through the map land {:.3f} px RMS from the right ones, lens terms {}, {} corners, "
+                    "leave one out",
+                    rms_px, kTerms[terms], count));
+  }
+  calibrating.clear();
+  directory.write("corners.csv", corners_csv.text());
+
+  // The machine.
+  const std::vector<double> shifts_mm =
+      scope.quick ? std::vector<double>{0, -50, 50} : std::vector<double>{-100, -50, -20, -10, 0, 10, 20, 50, 100};
+  const MachineProfile& profile = find_profile(kProfile);
+  std::vector<std::vector<CompiledMap>> maps;  // by shift and board
+  int lookahead = 0;
+  Progress compiling("tables for displacement");
+  for (const double shift_mm : shifts_mm) {
+    compiling.show(maps.size(), shifts_mm.size());
+    auto& row = maps.emplace_back();
+    for (std::size_t i = 0; i < boards.size(); ++i) {
+      row.push_back(table_of(planes[i].moved(shift_mm), boards[i]));
+      lookahead = std::max(lookahead, row.back().report.lookahead);
+    }
+  }
+  compiling.clear();
+  Settings settings;
+  settings.decision = scope.decision;
+  if (const auto chosen = thickness_of(planes, boards[0], scope.thickness, profile, settings)) {
+    result.update(chosen->json());
+    result["findings"].push_back(chosen->text(settings));
+  }
+  if (settings.decision == Decision::compete) {
+    double staying = 0;
+    for (std::size_t i = 0; i < boards.size(); ++i) staying += staying_in_rows(planes[i].cameras, boards[i]);
+    staying /= static_cast<double>(boards.size());
+    result["staying_in_rows"] = staying;
+    result["findings"].push_back(
+        fmt::format("a table made with --decision compete would supervise {:.3f} of the board: elsewhere epipolar "
+                    "lines, bent by the lenses, leave the row by more than {} px; these tables supervise all of it",
+                    staying, kLargestRowError));
+  }
+  std::vector<std::unique_ptr<Monitor>> monitors;
+  for (const std::string& engine : scope.engines) {
+    monitors.push_back(std::make_unique<Monitor>(make_device(engine, profile), profile, settings));
+    monitors.back()->start(boards[0].left.width, boards[0].left.height, lookahead);
+  }
+  Csv csv({"shift_mm", "pair", "decidable", "in_skin", "skin_of_all", "alarm"});
+  Panel panel{"the board's share in the skin", "displacement along the normal [mm]", "of the decidable pixels", {}};
+  panel.curves = {
+      {"mean", {}}, {"least", {}}, {"most", {}}, {"decidable, of all (mean)", {}}, {"in the skin, of all (mean)", {}}};
+  int frames = 0;
+  int different = 0;
+  Progress running("frame");
+  for (std::size_t s = 0; s < shifts_mm.size(); ++s) {
+    std::array<double, 5> sums{0, 1, 0, 0, 0};
+    int alarms = 0;
+    for (std::size_t i = 0; i < boards.size(); ++i) {
+      running.show(static_cast<std::size_t>(frames), shifts_mm.size() * boards.size());
+      const int slot = frames++ % kSlots;
+      std::vector<FrameResult> results;
+      for (const auto& monitor : monitors) {
+        monitor->upload(slot, maps[s][i].table);
+        monitor->select(slot);
+        results.push_back(monitor->process(boards[i].left, boards[i].right));
+        const FrameResult& a = results.front();
+        const FrameResult& b = results.back();
+        different += a.states == b.states && a.alarm == b.alarm && a.table_crc == b.table_crc ? 0 : 1;
+      }
+      std::vector<cv::Point2d> corners;
+      for (const Vector2d& corner : boards[i].corners[0]) corners.emplace_back(corner.x(), corner.y());
+      const BoardPixels pixels = count_board(corners, results.front().states);
+      const double in_skin = pixels.skin_share();
+      csv << shifts_mm[s] << boards[i].name << pixels.decidable_share() << in_skin << pixels.skin_of_all()
+          << (results.front().alarm ? 1.0 : 0.0);
+      csv.end_row();
+      sums[0] += in_skin / static_cast<double>(boards.size());
+      sums[1] = std::min(sums[1], in_skin);
+      sums[2] = std::max(sums[2], in_skin);
+      sums[3] += pixels.decidable_share() / static_cast<double>(boards.size());
+      sums[4] += pixels.skin_of_all() / static_cast<double>(boards.size());
+      alarms += results.front().alarm ? 1 : 0;
+    }
+    for (std::size_t k = 0; k < sums.size(); ++k) panel.curves[k].points.emplace_back(shifts_mm[s], sums[k]);
+    result["shares"].push_back({{"shift_mm", shifts_mm[s]},
+                                {"decidable", sums[3]},
+                                {"in_skin", sums[0]},
+                                {"least", sums[1]},
+                                {"most", sums[2]},
+                                {"skin_of_all", sums[4]},
+                                {"alarms", alarms}});
+    result["findings"].push_back(
+        fmt::format("skin displaced by {:+4.0f} mm: {:.3f} of the board decidable; of that {:.3f} in the skin ({:.3f} "
+                    "to {:.3f}), {:.3f} of all; alarms {}/{}",
+                    shifts_mm[s], sums[3], sums[0], sums[1], sums[2], sums[4], alarms, boards.size()));
+  }
+  running.clear();
+  directory.write("displacement.csv", csv.text());
+  directory.write("displacement.svg", plot_svg("Skins through a real chessboard, displaced", {panel}, 1));
+  result["decision"] = name_of(scope.decision);
+  result["engines"] = scope.engines;
+  result["frames"] = frames;
+  result["frames_different"] = different;
+  if (monitors.size() > 1) {
+    result["findings"].push_back(different == 0 ? fmt::format("native and rtl: all {} frames identical", frames)
+                                                : fmt::format("{} of {} frames DIFFER", different, frames));
+  }
+  return result;
+}
+
+}  // namespace horopter::cli

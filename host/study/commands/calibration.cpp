@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: Apache-2.0
+// Thesis 6.8 and 6.9: the rig rendered instead of photographed, targets localised in the images, the camera
+// calibrated, Tables 6.3 (NCE) and 6.4 (image error) made again; and how near the optimiser comes to the Cramér-Rao
+// bound.
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "cli/progress.hpp"
+#include "horopter/base/csv.hpp"
+#include "horopter/calib/points.hpp"
+#include "horopter/calib/render.hpp"
+#include "horopter/draw/plot.hpp"
+#include "study.hpp"
+
+namespace horopter::cli {
+namespace {
+
+using namespace horopter::calib;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr std::array heights_mm{0.0, 50.0, 100.0};
+constexpr double print_error_mm = 0.045;
+
+struct Method {
+  std::string name;
+  TargetOptions options;
+};
+
+std::vector<Method> methods(bool quick) {
+  std::vector<EdgeMethod> of_the_thesis{EdgeMethod::linear, EdgeMethod::tabatabai_1d, EdgeMethod::tabatabai_2d,
+                                        EdgeMethod::zernike_9, EdgeMethod::zernike_13};
+  if (quick) of_the_thesis = {EdgeMethod::zernike_13};
+  std::vector<Method> result;
+  for (const EdgeMethod method : of_the_thesis) {
+    TargetOptions options;
+    options.method = method;
+    options.two_windows = false;
+    options.settle = false;
+    options.points_per_edge = 16;
+    result.push_back({std::string(edge_method_name(method)), options});
+  }
+  result.push_back({"horopter", {}});
+  return result;
+}
+
+/// The camera that photographs: nothing of it is what the sensor's data sheet says.
+RenderCamera true_camera() {
+  RenderCamera camera = thesis_camera(0.0008);
+  camera.f_mm = 10.13;
+  camera.sx = 1.003;
+  camera.cx_px = 384.2;
+  camera.cy_px = 284.6;
+  return camera;
+}
+
+Sensor data_sheet() {
+  const RenderCamera camera;
+  Sensor sensor;
+  sensor.width_px = camera.width_px;
+  sensor.height_px = camera.height_px;
+  sensor.dx_mm = camera.dx_mm;
+  sensor.dy_mm = camera.dy_mm;
+  sensor.cx_px = (camera.width_px - 1) / 2.0;
+  sensor.cy_px = (camera.height_px - 1) / 2.0;
+  return sensor;
+}
+
+std::vector<Vector2d> print_errors(std::size_t count, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> error(0, print_error_mm);
+  std::vector<Vector2d> result;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double x = error(random);
+    result.emplace_back(x, error(random));
+  }
+  return result;
+}
+
+// ---------------------------------------------------------------- Cramér-Rao
+
+constexpr int parameter_count = 11;  // f, sx, Cx, Cy, κ1, rotation, translation
+using Parameters = Eigen::Matrix<double, parameter_count, 1>;
+using Information = Eigen::Matrix<double, parameter_count, parameter_count>;
+constexpr std::array parameter_names{"f_mm",   "sx",     "cx_px", "cy_px", "kappa1_per_mm2", "rx_rad",
+                                     "ry_rad", "rz_rad", "tx_mm", "ty_mm", "tz_mm"};
+
+/// `base`, moved: rotations are small ones about the camera's axes.
+RenderCamera moved(const RenderCamera& base, const Parameters& by) {
+  RenderCamera camera = base;
+  camera.f_mm += by[0];
+  camera.sx += by[1];
+  camera.cx_px += by[2];
+  camera.cy_px += by[3];
+  camera.kappa1 += by[4];
+  const Vector3d turn = by.segment<3>(5);
+  if (turn.norm() > 0)
+    camera.rotation = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix() * camera.rotation;
+  camera.translation_mm += by.tail<3>();
+  return camera;
+}
+
+/// Information of the corners about the camera, for noise of 1 px in each coordinate.
+Information information(const RenderCamera& camera, const std::vector<Vector3d>& points) {
+  Parameters steps;
+  steps << 1e-4, 1e-5, 1e-2, 1e-2, 1e-7, 1e-6, 1e-6, 1e-6, 1e-2, 1e-2, 1e-2;
+  Information result = Information::Zero();
+  for (const Vector3d& point : points) {
+    Eigen::Matrix<double, 2, parameter_count> jacobian;
+    for (int k = 0; k < parameter_count; ++k) {
+      Parameters by = Parameters::Zero();
+      by[k] = steps[k];
+      jacobian.col(k) = (moved(camera, by).project(point) - moved(camera, -by).project(point)) / (2 * steps[k]);
+    }
+    result += jacobian.transpose() * jacobian;
+  }
+  return result;
+}
+
+Parameters difference(const Camera& found, const RenderCamera& truth) {
+  const auto& tsai = std::get<TsaiIntrinsics>(found.model.intrinsics());
+  const Eigen::AngleAxisd turn(Eigen::Matrix3d(found.world_to_camera.rotation * truth.rotation.transpose()));
+  Parameters result;
+  result << tsai.f_mm - truth.f_mm, tsai.sx - truth.sx, tsai.cx_px - truth.cx_px, tsai.cy_px - truth.cy_px,
+      tsai.kappa1 - truth.kappa1, turn.angle() * turn.axis(),
+      found.world_to_camera.translation_mm - truth.translation_mm;
+  return result;
+}
+
+nlohmann::json cramer_rao(OutputDirectory& directory, const StudyScope& scope, Progress& progress) {
+  const int runs = scope.quick ? 50 : 200;
+  constexpr double noise_px = 0.05;
+  const RenderCamera camera = true_camera();
+  std::vector<Vector3d> points;
+  for (const double height : heights_mm) {
+    RenderTarget target;
+    target.spec = thesis_target(TargetKind::squares);
+    target.z_mm = -height;
+    for (const Vector3d& point : target.world_mm()) points.push_back(point);
+  }
+  const Information information_one = information(camera, points) / (noise_px * noise_px);
+  const Information bound = information_one.inverse();
+  std::mt19937_64 random(scope.seed);
+  std::normal_distribution<double> noise(0, noise_px);
+  Information covariance = Information::Zero();
+  Parameters bias = Parameters::Zero();
+  double distance = 0;
+  std::vector<PointPair> pairs(points.size());
+  for (int run = 0; run < runs; ++run) {
+    progress.show(static_cast<std::size_t>(run), runs);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vector2d exact = camera.project(points[i]);
+      const double dx = noise(random);
+      pairs[i] = {points[i], exact + Vector2d(dx, noise(random))};
+    }
+    const Parameters error = difference(calibrate_points(pairs, data_sheet(), PointMethod::full).camera, camera);
+    covariance += error * error.transpose() / runs;
+    bias += error / runs;
+    distance += error.dot(information_one * error) / runs;
+  }
+  // The mean of errorᵀ · information · error is the number of parameters for an estimator that reaches the bound.
+  const double ratio = std::sqrt(distance / parameter_count);
+  Csv csv({"parameter", "bound_sd", "found_sd", "ratio", "bias"});
+  nlohmann::json parameters = nlohmann::json::array();
+  for (int k = 0; k < parameter_count; ++k) {
+    const double limit = std::sqrt(bound(k, k));
+    const double found = std::sqrt(covariance(k, k));
+    csv << std::string(parameter_names[k]) << limit << found << found / limit << bias[k];
+    csv.end_row();
+    parameters.push_back({{"name", parameter_names[k]}, {"bound_sd", limit}, {"found_sd", found}});
+  }
+  directory.write("cramer-rao.csv", csv.text());
+  return {{"corner_noise_px", noise_px}, {"runs", runs}, {"ratio", ratio}, {"parameters", parameters}};
+}
+
+}  // namespace
+
+nlohmann::json study_calibration(OutputDirectory& directory, const StudyScope& scope) {
+  const std::uint64_t seed = scope.seed;
+  nlohmann::json summary;
+  summary["study"] = "calibration";
+  summary["heights_mm"] = heights_mm;
+  summary["print_error_mm"] = print_error_mm;
+  summary["findings"] = nlohmann::json::array();
+  const RenderCamera camera = true_camera();
+  Csv corners_csv({"print", "target", "method", "height_mm", "rms_px", "max_px", "bias_x_px", "bias_y_px"});
+  Csv csv({"print", "target", "method", "test_plane", "nce", "nce_thesis", "mean_px", "sd_px", "max_px", "count"});
+  std::vector<Panel> panels;
+
+  Progress images("calibration study: image");
+  std::size_t image_count = 0;
+  for (const bool perfect : {true, false})
+    for (const TargetKind kind : {TargetKind::squares, TargetKind::diamonds}) {
+      const std::string print = perfect ? "perfect" : "errors";
+      const std::string target_name = kind == TargetKind::squares ? "squares" : "diamonds";
+      RenderTarget target;
+      target.spec = thesis_target(kind);
+      target.bright = true;
+      target.hole = true;
+      if (!perfect) target.print_error_mm = print_errors(target.spec.points_mm().size(), seed * 77 + 5);
+      std::array<cv::Mat, 3> pictures;
+      std::array<std::vector<Vector3d>, 3> world;
+      for (int h = 0; h < 3; ++h) {
+        images.show(++image_count, 12);
+        target.z_mm = -heights_mm[h];
+        Imaging imaging;
+        // The middle plane a little out of focus, the others a little more (6.8.1).
+        imaging.blur_px = h == 1 ? 0.7 : 0.9;
+        imaging.noise = 1;
+        imaging.quantise = true;
+        const GreyImage image = render_target(camera, target, imaging, seed * 100 + image_count, 4);
+        pictures[h] = to_mat(image);
+        world[h] = target.world_mm();
+        if (perfect) {
+          Image picture(image.width, image.height);
+          for (std::size_t i = 0; i < picture.pixels.size(); ++i) picture.pixels[i] = pictures[h].data[i];
+          directory.write(fmt::format("{}-{:.0f}mm.png", target_name, heights_mm[h]), encode_png(picture));
+        }
+      }
+      Panel panel{target_name + ", print " + (perfect ? "perfect" : "with errors"),
+                  "test plane: 0, 50, 100 mm; 150: all",
+                  "NCE (r_sp = 0.2)",
+                  {},
+                  false};
+      for (const Method& method : methods(scope.quick)) {
+        std::array<std::vector<PointPair>, 3> pairs;
+        for (int h = 0; h < 3; ++h) {
+          const TargetView view = detect_target(pictures[h], target.spec, method.options);
+          double squares = 0;
+          double largest = 0;
+          Vector2d bias(0, 0);
+          for (std::size_t i = 0; i < world[h].size(); ++i) {
+            pairs[h].push_back({world[h][i], view.image_px[i]});
+            const Vector2d error = view.image_px[i] - camera.project(world[h][i]);
+            squares += error.squaredNorm() / world[h].size();
+            largest = std::max(largest, error.norm());
+            bias += error / world[h].size();
+          }
+          corners_csv << print << target_name << method.name << heights_mm[h] << std::sqrt(squares) << largest
+                      << bias.x() << bias.y();
+          corners_csv.end_row();
+        }
+        Curve curve{method.name, {}};
+        for (int test = 0; test < 4; ++test) {
+          std::vector<PointPair> fit;
+          std::vector<PointPair> check;
+          for (int h = 0; h < 3; ++h) {
+            if (test == 3 || h != test) fit.insert(fit.end(), pairs[h].begin(), pairs[h].end());
+            if (test == 3 || h == test) check.insert(check.end(), pairs[h].begin(), pairs[h].end());
+          }
+          const PointCalibration result = calibrate_points(fit, data_sheet(), PointMethod::full);
+          const PointErrors errors = evaluate(result.camera, check);
+          const std::string plane = std::array{"lowest", "middle", "highest", "all"}[test];
+          csv << print << target_name << method.name << plane << errors.nce << errors.nce_thesis << errors.mean_px
+              << errors.sd_px << errors.max_px << static_cast<double>(errors.count);
+          csv.end_row();
+          curve.points.emplace_back(50.0 * test, errors.nce_thesis);
+          summary["nce_thesis"][print][target_name][method.name][plane] = errors.nce_thesis;
+          summary["image_error_px"][print][target_name][method.name][plane] = {
+              {"mean", errors.mean_px}, {"sd", errors.sd_px}, {"max", errors.max_px}};
+        }
+        panel.curves.push_back(std::move(curve));
+      }
+      panels.push_back(std::move(panel));
+      const auto& all = summary["nce_thesis"][print][target_name];
+      summary["findings"].push_back(
+          fmt::format("{}, {}: NCE (r_sp = 0.2) over all planes: Zernike 13x13 {:.2f}, horopter {:.2f}{}", target_name,
+                      perfect ? "perfect print" : "print errors of 0.045 mm", all["zernike-13"]["all"].get<double>(),
+                      all["horopter"]["all"].get<double>(),
+                      perfect                       ? ""
+                      : kind == TargetKind::squares ? " (thesis: 1.16)"
+                                                    : " (thesis: 0.98)"));
+    }
+  images.clear();
+  directory.write("corners.csv", corners_csv.text());
+  directory.write("nce.csv", csv.text());
+  directory.write("nce.svg", plot_svg("Normalised calibration error (Table 6.3)", panels, 2));
+
+  Progress runs("calibration study: run");
+  summary["cramer_rao"] = cramer_rao(directory, scope, runs);
+  summary["findings"].push_back(
+      fmt::format("Optimiser: deviation of the parameters {:.3f} of the Cramer-Rao bound ({} runs, corner noise {} px)",
+                  summary["cramer_rao"]["ratio"].get<double>(), summary["cramer_rao"]["runs"].get<int>(),
+                  summary["cramer_rao"]["corner_noise_px"].get<double>()));
+  return summary;
+}
+
+}  // namespace horopter::cli

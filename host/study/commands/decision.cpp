@@ -1,0 +1,412 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rules of decision, with parts of `compete` left out or made larger and smaller: what each gains and costs. The
+// hardware's own stages, compiled for the CPU, one call of step a beat.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/progress.hpp"
+#include "cli/stereo_pairs.hpp"
+#include "conditions.hpp"
+#include "horopter/base/csv.hpp"
+#include "horopter/base/file.hpp"
+#include "horopter/image/evaluation.hpp"
+#include "horopter/machine/engines.hpp"
+#include "horopter/machine/monitor.hpp"
+#include "horopter/map/map_compiler.hpp"
+#include "horopter/study/parallel.hpp"
+#include "stages/compete.hpp"
+#include "stages/lowpass.hpp"
+#include "study.hpp"
+
+namespace horopter::stages {
+
+inline constexpr PlaneSet<13> planes_13{{-18, -10, -6, -3, -2, -1, 0, 1, 2, 3, 6, 10, 18}};
+inline constexpr PlaneSet<15> planes_15{{-18, -10, -6, -4, -3, -2, -1, 0, 1, 2, 3, 4, 6, 10, 18}};
+static_assert(planes_13.valid() && planes_15.valid());
+template <>
+inline constexpr const auto& planes_of<13> = planes_13;
+template <>
+inline constexpr const auto& planes_of<15> = planes_15;
+
+}  // namespace horopter::stages
+
+namespace horopter::cli {
+namespace {
+
+using hls::Profile;
+
+constexpr int kWidest = 1280;  // px
+constexpr int kHighest = 1024;
+constexpr double kTolerance_px = 1;
+
+/// Parts of the rule that a variant has.
+struct Parts {
+  bool boundary = true;  ///< between pixels
+  bool evidence = true;
+  bool from_right = true;
+  bool ballot = true;
+};
+
+constexpr Profile profile_of(int planes = 19, int rows = 7, int columns = 9, int reach = 9, bool paths = true) {
+  Profile profile = hls::profiles::vga;
+  profile.width = kWidest;
+  profile.height = kHighest;
+  profile.planes = planes;
+  profile.sum_rows = rows;
+  profile.sum_columns = columns;
+  profile.ballot_reach = reach;
+  profile.paths = paths;
+  return profile;
+}
+
+/// The stages of one profile, for images whose skin is the plane at a whole disparity.
+template <Profile P>
+class Chain {
+ public:
+  explicit Chain(const Parts& parts) : parts_(parts) {
+    CompeteSettings settings;
+    if (!parts.boundary) settings.boundary = 14;  // where outer planes win by themselves
+    config_ = stages::CompeteConfig<P>(settings);
+    quorum_ = settings.quorum;
+    // Of one row instead of all that the ballot asks.
+    clear_quorum_ = 8 * settings.clear_quorum / (2 * P.ballot_reach + 1);
+  }
+
+  Image states(const Image& left, const Image& right, int disparity_px) {
+    Image result(left.width, left.height);
+    typename stages::Align<P>::Config size;
+    size.compete = true;
+    size.width = left.width;
+    size.height = left.height;
+    std::size_t written = 0;
+    width_ = static_cast<std::size_t>(left.width);
+    for (int y = 0; y < left.height + P.flush_rows(true); ++y) {
+      for (int x = 0; x < left.width; ++x) {
+        const auto pixel = align_.step(decided(pair_at(left, right, x, y, disparity_px)), size);
+        if (pixel.valid && !pixel.idle) result.pixels[written++] = static_cast<std::uint8_t>(pixel.state.value());
+      }
+    }
+    return result;
+  }
+
+ private:
+  static stages::GreyPair pair_at(const Image& left, const Image& right, int x, int y, int disparity_px) {
+    stages::GreyPair pair;
+    pair.mask = y < left.height && x >= disparity_px;
+    if (pair.mask) {
+      const std::uint8_t l = left.at(x, y);
+      const std::uint8_t r = right.at(x - disparity_px, y);
+      pair.pixel = {hls::u<8>(l), hls::u<8>(r)};
+      pair.saturated = l == 0 || l == 255 || r == 0 || r == 255;
+    }
+    pair.marks = {x == 0 && y == 0, x + 1 == left.width};
+    return pair;
+  }
+
+  typename stages::Align<P>::In decided(const stages::GreyPair& pair) {
+    const auto sums = sums_.step(contrast_.step(sobel_.step(lowpass_.step(pair))));
+    auto costs = paths_.step(sums);
+    if (!parts_.evidence) costs.evident = costs.known;
+    if (!parts_.from_right) costs.known = false;  // of use only there
+    const auto vote = contest_.step(costs, config_.contest);
+    const auto spread = spread_.step({vote.vote, vote.firm, vote.grey, vote.exists, vote.marks}, config_.spread);
+    typename stages::Consensus<P>::In said;
+    if (parts_.ballot) {
+      const auto ballot = ballot_.step(spread, config_.ballot);
+      said = {ballot.skin, ballot.clear, ballot.exists, ballot.marks};
+    } else {
+      const int sum = static_cast<int>(spread.vote.value());
+      said = {sum >= quorum_, sum <= -clear_quorum_ || (sum < 0 && spread.firm), spread.exists, {}};
+      waiting_.push_back(said);  // as long as for the ballot, for which `align` is made
+      said = {};
+      if (waiting_.size() > P.ballot_reach * width_) {
+        said = waiting_.front();
+        waiting_.pop_front();
+      }
+      said.marks = spread.marks;
+    }
+    const auto out = consensus_.step(said);
+    return {out.state, out.marks};
+  }
+
+  Parts parts_;
+  int quorum_ = 0;
+  int clear_quorum_ = 0;
+  std::size_t width_ = 0;
+  std::deque<typename stages::Consensus<P>::In> waiting_;
+  stages::Lowpass<P> lowpass_;
+  stages::Sobel<P> sobel_;
+  stages::Contrasts<P> contrast_;
+  stages::PlaneSums<P> sums_;
+  stages::Paths<P> paths_;
+  stages::Contest<P> contest_;
+  stages::Spread<P> spread_;
+  stages::Ballot<P> ballot_;
+  stages::Consensus<P> consensus_;
+  stages::Align<P> align_;
+  stages::CompeteConfig<P> config_;
+};
+
+using States = std::function<Image(const Image& left, const Image& right, int disparity_px)>;
+
+struct Variant {
+  std::string name;
+  int rows = 0;         ///< of latency, without LOOKAHEAD
+  int memory_bits = 0;  ///< for each column of the image
+  States states;
+};
+
+/// What the stages keep for each column, as their headers say; checked against what hlsc made of the built ones.
+int memory_bits(const Profile& p, const Parts& parts) {
+  const int half = (p.sum_rows - 1) / 2;
+  const int column_sum = hls::bits_for(static_cast<std::uint64_t>(31 * p.sum_rows));
+  const int sums = 13 * p.sum_rows + (p.planes + 1) * column_sum + 7 * (half + 1) + half;
+  const int paths = p.paths ? 6 * p.planes : 0;
+  const int ballot = parts.ballot ? 2 * p.ballot_reach * 14 + 2 * p.ballot_reach : 0;
+  return sums + paths + ballot + 3 * (p.majority_window - 1);
+}
+
+template <Profile P>
+Variant variant(const std::string& name, const Parts& parts = {}) {
+  return {name, P.compete_offset() - (parts.ballot ? 0 : P.ballot_reach), memory_bits(P, parts),
+          [parts](const Image& left, const Image& right, int disparity_px) {
+            return std::make_unique<Chain<P>>(parts)->states(left, right, disparity_px);
+          }};
+}
+
+/// What hlsc says of the stages that only one rule needs, for each column.
+int built_bits(const std::string& generated, const std::string& profile, hls::Rule rule) {
+  int bits = 0;
+  const auto add = [&](const char* stage, hls::Rule needs) {
+    if (needs != rule) return;
+    const std::string file = fmt::format("{}/{}/horopter_{}.json", generated, profile, stage);
+    const std::vector<std::uint8_t> text = read_file(file, "what hlsc writes beside a stage (--generated)");
+    const auto sidecar = nlohmann::json::parse(text, nullptr, false);
+    if (!sidecar.contains("memory_bits")) throw FileError(file, "memory_bits", "not there", "as hlsc writes it");
+    bits += sidecar["memory_bits"].get<int>();
+  };
+#define HOROPTER_STAGE(name, Class, rule) add(#name, hls::Rule::rule);
+#include "stages/stage_list.def"
+#undef HOROPTER_STAGE
+  return bits / find_profile(profile).result_width();
+}
+
+void check_built(const std::string& generated, const Profile& p, const std::string& profile) {
+  const int built = built_bits(generated, profile, hls::Rule::compete);
+  if (memory_bits(p, {}) == built) return;
+  throw Error(ExitStatus::check_failed, fmt::format("the stages of {} keep {} bits per column, not the {} counted",
+                                                    profile, built, memory_bits(p, {})));
+}
+
+/// On the native engine.
+Variant thesis(const std::string& name, const Settings& settings, int memory_bits) {
+  return {name, hls::profiles::vga.offset(), memory_bits,
+          [settings](const Image& left, const Image& right, int disparity_px) {
+            const MachineProfile& profile = *smallest_profile(left.width, left.height);
+            SkinFile skin;
+            skin.skin =
+                std::make_unique<HomographySkin>(Matrix3{1, 0, -static_cast<double>(disparity_px), 0, 1, 0, 0, 0, 1},
+                                                 Point{left.width / 2.0, left.height / 2.0});
+            Supervisor machine(make_device("native", profile), profile,
+                               compile_maps(skin, profile, left.width, left.height), settings);
+            return std::move(machine.process(left, right).front().states);
+          }};
+}
+
+std::vector<Variant> variants(const StudyScope& scope) {
+  check_built(scope.generated, hls::profiles::vga, "vga");
+  check_built(scope.generated, hls::profiles::hd, "hd");
+  const int thesis_bits = built_bits(scope.generated, "vga", hls::Rule::thesis);
+  Settings as_run;
+  Settings all_decided;
+  all_decided.threshold_percent = 21;
+  all_decided.texture = 0;
+  all_decided.self_percent = 0;
+  std::vector<Variant> list{thesis("thesis, 25 %, texture 32", as_run, thesis_bits),
+                            thesis("thesis, 21 %, every pixel decided", all_decided, thesis_bits),
+                            variant<profile_of()>("compete, as in vga"),
+                            variant<profile_of(19, 7, 9, 9, false)>("without paths"),
+                            variant<profile_of()>("without the boundary between pixels", {.boundary = false})};
+  if (scope.quick) return list;
+  list.push_back(variant<profile_of()>("without the ballot", {.ballot = false}));
+  list.push_back(variant<profile_of()>("without evidence", {.evidence = false}));
+  list.push_back(variant<profile_of()>("without the view from the right", {.from_right = false}));
+  list.push_back(variant<profile_of(15)>("15 planes"));
+  list.push_back(variant<profile_of(13)>("13 planes"));
+  list.push_back(variant<profile_of(19, 7, 9, 7)>("ballot of 7 rows each way"));
+  list.push_back(variant<profile_of(19, 7, 9, 5)>("ballot of 5 rows each way"));
+  list.push_back(variant<profile_of(19, 5, 7)>("sums of 5x7"));
+  list.push_back(variant<profile_of(19, 9, 11)>("sums of 9x11"));
+  list.push_back(variant<profile_of(19, 7, 9, 5, false)>("compete, as in hd: no paths, ballot of 5 rows"));
+  return list;
+}
+
+/// A block 8 px before a background, both of them textures of the simulation.
+StereoPair simulated_scene(const StudyScope& scope, study::TextureKind kind, const std::string& name) {
+  constexpr int far_px = 8;
+  constexpr int near_px = 16;
+  study::Conditions conditions = chapter8_conditions(scope);
+  conditions.texture.kind = kind;
+  conditions.camera.width = 320;
+  conditions.camera.height = 240;
+  conditions.electronics.averaged = 1;
+  const study::Simulation background(conditions, near_px + 1);
+  conditions.seed += 1;
+  const study::Simulation object(conditions, near_px + 1);
+  StereoPair pair{name, background.photograph(0, 1), background.photograph(far_px, 2), {320, 240, {}}};
+  pair.truth.px.assign(pair.left.pixels.size(), far_px);
+  const Image left = object.photograph(0, 3);
+  const Image right = object.photograph(near_px, 4);
+  for (int y = 80; y < 180; ++y) {
+    for (int x = 120; x < 230; ++x) {
+      pair.left.at(x, y) = left.at(x, y);
+      pair.right.at(x - near_px, y) = right.at(x - near_px, y);
+      pair.truth.px[static_cast<std::size_t>(y * 320 + x)] = near_px;
+    }
+  }
+  return pair;
+}
+
+std::vector<StereoPair> pairs_of(const StudyScope& scope) {
+  std::vector<StereoPair> pairs;
+  if (!scope.list.empty()) {
+    for (const StereoPairFiles& files : read_pair_list(scope.list)) pairs.push_back(load_pair(files));
+    for (const StereoPair& pair : pairs) {
+      if (pair.left.width <= kWidest && pair.left.height <= kHighest) continue;
+      throw FileError(scope.list, pair.name, fmt::format("images of {}x{} px", pair.left.width, pair.left.height),
+                      fmt::format("at most {}x{} (`resize` makes them smaller)", kWidest, kHighest));
+    }
+    return pairs;
+  }
+  const std::string data = scope.data + "/";
+  if (std::filesystem::exists(data + "aloeL.jpg")) {
+    pairs.push_back(load_pair({"aloe", data + "aloeL.jpg", data + "aloeR.jpg", data + "aloeGT.png", 1, 0.5}));
+  }
+  pairs.push_back(simulated_scene(scope, study::TextureKind::dead_leaves, "leaves"));
+  pairs.push_back(simulated_scene(scope, study::TextureKind::band_noise, "noise"));
+  return pairs;
+}
+
+/// Gates of the stages that only one rule needs, from what scripts/synth wrote of each.
+std::string gates_text(const std::string& synthesised) {
+  std::string text =
+      "\nGates are known of what is built: `scripts/synth --target ecp5-85k --profile hd --decision compete --module "
+      "contest --seeds 0 --json DIR/contest.json`, and so on for each stage; `--synth DIR` brings them here.\n";
+  if (synthesised.empty()) return text;
+  text +=
+      "\n| stage | rule | profile | LUT4 | flip-flops | memory blocks | multipliers |\n| --- | --- | --- | --- | --- | "
+      "--- | --- |\n";
+  const auto add = [&](const char* stage, hls::Rule rule) {
+    if (rule == hls::Rule::always) return;
+    const std::string file = fmt::format("{}/{}.json", synthesised, stage);
+    const auto json = nlohmann::json::parse(read_file(file, "what scripts/synth --json writes"), nullptr, false);
+    if (!json.contains("resources")) throw FileError(file, "resources", "not there", "as scripts/synth writes it");
+    const auto count = [&](const char* kind) { return json["resources"].value(kind, 0); };
+    text +=
+        fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", stage, rule == hls::Rule::thesis ? "thesis" : "compete",
+                    json.value("profile", "?"), count("LUT4"), count("FF"), count("BRAM"), count("MULT"));
+  };
+#define HOROPTER_STAGE(name, Class, rule) add(#name, hls::Rule::rule);
+#include "stages/stage_list.def"
+#undef HOROPTER_STAGE
+  return text;
+}
+
+Score score_of(const Variant& variant, const StereoPair& pair, const GroundTruth& truth, double disparity_px) {
+  const Image states = variant.states(pair.left, pair.right, static_cast<int>(disparity_px));
+  std::vector<Answer> answers;
+  for (const std::uint8_t state : states.pixels) {
+    answers.push_back(static_cast<State>(state) == State::skin          ? Answer::skin
+                      : static_cast<State>(state) == State::undecidable ? Answer::undecidable
+                                                                        : Answer::clear);
+  }
+  return score(truth, disparity_px, kTolerance_px, answers);
+}
+
+}  // namespace
+
+nlohmann::json study_decision(OutputDirectory& directory, const StudyScope& scope) {
+  const std::vector<StereoPair> pairs = pairs_of(scope);
+  std::vector<GroundTruth> truths;
+  for (const StereoPair& pair : pairs) truths.emplace_back(pair.truth);
+  const std::vector<Variant> all = variants(scope);
+  struct Mean {
+    double iou = 0, false_objects = 0, undecidable = 0;
+  };
+  std::vector<Mean> found(all.size() * pairs.size());
+  Progress progress("variant and pair");
+  study::parallel_for(
+      found.size(),
+      [&](std::size_t i) {
+        const std::size_t p = i % pairs.size();
+        const std::vector<double> disparities = truths[p].frequent(scope.quick ? 2 : 6);
+        for (const double d : disparities) {
+          const Score one = score_of(all[i / pairs.size()], pairs[p], truths[p], d);
+          found[i].iou += one.iou() / static_cast<double>(disparities.size());
+          found[i].false_objects += one.false_objects / static_cast<double>(disparities.size());
+          found[i].undecidable += one.undecidable_share() / static_cast<double>(disparities.size());
+        }
+      },
+      [&](std::size_t done) { progress.show(done, found.size()); });
+  progress.clear();
+
+  nlohmann::json result{{"findings", nlohmann::json::array()}, {"tolerance_px", kTolerance_px}};
+  std::string names;
+  for (const StereoPair& pair : pairs) names += (names.empty() ? "" : ", ") + pair.name;
+  std::string page =
+      "# The decision\n\nMade by `horopter study decision`: the stages of the rules, compiled for the CPU, on the "
+      "pairs " +
+      names +
+      "; up to six disparities each, ±1 px, scored as by `horopter evaluate`. One setting for all variants, that of "
+      "the "
+      "registers. Memory: bits that the rule's own stages keep for each column of the image. Latency: rows after the "
+      "one "
+      "that LOOKAHEAD waits for.\n\n| variant | IoU | against vga's | false objects per frame | undecidable | memory, "
+      "bits "
+      "per column | latency, rows |\n| --- | --- | --- | --- | --- | --- | --- |\n";
+  Csv csv({"variant", "iou", "false_per_frame", "undecidable", "memory_bits_per_column", "latency_rows"});
+  double reference = std::nan("");
+  std::vector<Mean> means;
+  for (std::size_t v = 0; v < all.size(); ++v) {
+    Mean mean;
+    for (std::size_t p = 0; p < pairs.size(); ++p) {
+      const Mean& one = found[v * pairs.size() + p];
+      mean.iou += one.iou / static_cast<double>(pairs.size());
+      mean.false_objects += one.false_objects / static_cast<double>(pairs.size());
+      mean.undecidable += one.undecidable / static_cast<double>(pairs.size());
+    }
+    means.push_back(mean);
+    if (all[v].name.ends_with("vga")) reference = mean.iou;
+  }
+  for (std::size_t v = 0; v < all.size(); ++v) {
+    const auto& [name, rows, bits, states] = all[v];
+    page += fmt::format("| {} | {:.3f} | {:+.3f} | {:.2f} | {:.3f} | {} | {} |\n", name, means[v].iou,
+                        means[v].iou - reference, means[v].false_objects, means[v].undecidable, bits, rows);
+    csv << name << means[v].iou << means[v].false_objects << means[v].undecidable << static_cast<double>(bits)
+        << static_cast<double>(rows);
+    csv.end_row();
+    result["variants"].push_back({{"name", name},
+                                  {"iou", means[v].iou},
+                                  {"false_per_frame", means[v].false_objects},
+                                  {"undecidable", means[v].undecidable},
+                                  {"memory_bits_per_column", bits},
+                                  {"latency_rows", rows}});
+    result["findings"].push_back(
+        fmt::format("{:48} IoU {:.3f}, false {:.2f}, undecidable {:.3f}; {:4} bits per column, {} "
+                    "rows",
+                    name, means[v].iou, means[v].false_objects, means[v].undecidable, bits, rows));
+  }
+  page += gates_text(scope.synthesised);
+  directory.write("DECISION.md", page);
+  directory.write("decision.csv", csv.text());
+  return result;
+}
+
+}  // namespace horopter::cli

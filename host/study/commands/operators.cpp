@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: Apache-2.0
+// Thesis 5.2, Fig. 5.7: the morphological operators side by side, on the binarised sums of two simulated photographs
+// with objects in the skin, and on pixels turned over at random.
+#include "horopter/study/operators.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <opencv2/imgproc.hpp>
+#include <string>
+#include <vector>
+
+#include "horopter/base/csv.hpp"
+#include "horopter/draw/plot.hpp"
+#include "horopter/study/criteria.hpp"
+#include "horopter/study/random.hpp"
+#include "horopter/study/simulation.hpp"
+#include "statements.hpp"
+#include "study.hpp"
+
+namespace horopter::cli {
+namespace {
+
+constexpr int kWidth = 320;
+constexpr int kHeight = 240;
+constexpr int kMargin = 12;           ///< what windows and operators reach beyond the image
+constexpr double kBackground_px = 3;  ///< disparity of what is not in the skin
+constexpr double kNoise_grey = 5;
+constexpr int kKernel = 5;
+constexpr double kThreshold = 0.25;  ///< of the largest sum
+constexpr double kSurely = 0.20;     ///< the strict threshold of the hysteresis
+
+/// What is in the skin: a body, bars of 2 to 24 px, and dots.
+Image objects() {
+  Image truth(kWidth, kHeight);
+  const auto fill = [&](int x0, int y0, int width, int height) {
+    for (int y = y0; y < y0 + height; ++y) {
+      for (int x = x0; x < x0 + width; ++x) truth.at(x, y) = 1;
+    }
+  };
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const double u = (x - 90) / 55.0;
+      const double v = (y - 120) / 80.0;
+      if (u * u + v * v < 1) truth.at(x, y) = 1;
+    }
+  }
+  int left = 165;
+  for (const int width : {24, 16, 12, 8, 4, 2}) {
+    fill(left, 30, width, 110);
+    left += width + 12;
+  }
+  left = 170;
+  for (const int size : {24, 16, 12, 8, 4, 2}) {
+    fill(left, 175, size, size);
+    left += size + 12;
+  }
+  return truth;
+}
+
+/// The hardware's sums of a pair whose objects are in the skin.
+study::Plane sums(const Image& truth, std::uint64_t seed) {
+  study::Conditions conditions;
+  conditions.camera.width = kWidth;
+  conditions.camera.height = kHeight;
+  conditions.electronics = {.noise_grey = kNoise_grey, .averaged = 1};
+  conditions.seed = seed;
+  const study::Simulation simulation(conditions, kBackground_px);
+  const Image left = simulation.photograph(0, 0);
+  Image right = simulation.photograph(kBackground_px, 1);
+  const Image in_skin = simulation.photograph(0, 2);
+  for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+    if (truth.pixels[i] == 1) right.pixels[i] = in_skin.pixels[i];
+  }
+  const study::Preparation camera{study::Feature::camera};
+  const study::Plane r = study::prepare(left, camera);
+  const study::Plane s = study::prepare(right, camera);
+  study::Pair pair(r, s);
+  pair.set_kernel(kKernel);
+  return study::criterion("hardware").compare(pair);
+}
+
+struct Score {
+  double wrong = 0, missed = 0, false_alarms = 0;  ///< shares: of all pixels, of objects, of the rest
+  int clusters = 0, holes = 0;                     ///< connected pixels in the skin, and within it
+};
+
+int components(const Image& image, int value) {
+  cv::Mat binary(image.height, image.width, CV_8U);
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) binary.at<std::uint8_t>(y, x) = image.at(x, y) == value ? 1 : 0;
+  }
+  cv::Mat labels;
+  return cv::connectedComponents(binary, labels, value == 1 ? 8 : 4) - 1;
+}
+
+Score score(const Image& result, const Image& truth) {
+  std::array<double, 4> counts{};  // [truth][result]
+  Image inner(kWidth - 2 * kMargin, kHeight - 2 * kMargin);
+  for (int y = kMargin; y < kHeight - kMargin; ++y) {
+    for (int x = kMargin; x < kWidth - kMargin; ++x) {
+      counts[static_cast<std::size_t>(2 * truth.at(x, y) + result.at(x, y))] += 1;
+      inner.at(x - kMargin, y - kMargin) = result.at(x, y);
+    }
+  }
+  const auto [clear, alarmed, missed, found] = counts;
+  return {(alarmed + missed) / (clear + alarmed + missed + found), missed / (missed + found),
+          alarmed / (clear + alarmed), components(inner, 1), components(inner, 0) - 1};
+}
+
+struct Picture {
+  std::string name;
+  Image image;  ///< 0 and 1
+};
+
+/// Pictures with their names, four in a row.
+Image gallery(const std::vector<Picture>& pictures) {
+  constexpr int kColumns = 4;
+  constexpr int kGap = 8;
+  constexpr int kLabel = 18;
+  const int rows = (static_cast<int>(pictures.size()) + kColumns - 1) / kColumns;
+  Image page(kColumns * (kWidth + kGap) + kGap, rows * (kHeight + kLabel + kGap) + kGap, 255);
+  const cv::Mat canvas(page.height, page.width, CV_8U, page.pixels.data());
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const int left = kGap + static_cast<int>(i) % kColumns * (kWidth + kGap);
+    const int top = kLabel + static_cast<int>(i) / kColumns * (kHeight + kLabel + kGap);
+    cv::putText(canvas, pictures[i].name, {left, top - 5}, cv::FONT_HERSHEY_SIMPLEX, 0.42, cv::Scalar(0), 1);
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) page.at(left + x, top + y) = pictures[i].image.at(x, y) == 1 ? 255 : 0;
+    }
+  }
+  return page;
+}
+
+}  // namespace
+
+nlohmann::json study_operators(OutputDirectory& directory, const StudyScope& scope) {
+  const Image truth = objects();
+  const study::Plane sum = sums(truth, scope.seed);
+  const double largest = study::criterion("hardware").worst(kKernel);
+  // Similarity, so that larger is more in the skin, as the hysteresis has it.
+  study::Plane similarity = sum;
+  for (double& value : similarity.values) value = 1 - value / largest;
+  Image binary(kWidth, kHeight);
+  for (std::size_t i = 0; i < binary.pixels.size(); ++i) {
+    // Windows that leave the image say nothing.
+    const int x = static_cast<int>(i) % kWidth;
+    const int y = static_cast<int>(i) / kWidth;
+    if (std::min({x, y, kWidth - 1 - x, kHeight - 1 - y}) < kKernel / 2 + 2) similarity.values[i] = 0;
+    binary.pixels[i] = similarity.values[i] >= 1 - kThreshold ? 1 : 0;
+  }
+
+  nlohmann::json result;
+  Csv table({"operator", "wrong", "missed", "false_alarms", "clusters", "holes"});
+  std::vector<Picture> pictures{{"truth", truth}};
+  std::string best;
+  double least = 1;
+  const auto add = [&](const std::string& name, const Image& image) {
+    const Score s = score(image, truth);
+    table << name << s.wrong << s.missed << s.false_alarms << std::to_string(s.clusters) << std::to_string(s.holes);
+    table.end_row();
+    result["operators"][name] = {{"wrong", s.wrong},
+                                 {"missed", s.missed},
+                                 {"false_alarms", s.false_alarms},
+                                 {"clusters", s.clusters},
+                                 {"holes", s.holes}};
+    pictures.push_back({fmt::format("{}: {:.1f} % wrong, {} clusters", name, 100 * s.wrong, s.clusters), image});
+    if (s.wrong < least) {
+      least = s.wrong;
+      best = name;
+    }
+    return s;
+  };
+  const Score true_score = score(truth, truth);
+  const Score plain = add("threshold", binary);
+  add("hysteresis", study::hysteresis(similarity, 1 - kThreshold, 1 - kSurely));
+  for (const study::Operator& op : study::binary_operators()) add(op.name, op.apply(binary, op.size));
+  directory.write("fig-5-7.csv", table.text());
+  directory.write("fig-5-7.png", encode_png(gallery(pictures)));
+
+  // Pixels turned over at random.
+  Csv noise_table({"turned_over", "operator", "wrong"});
+  Panel panel{"Pixels turned over at random", "share turned over", "share wrong afterwards", {}, true};
+  std::vector<Curve> curves{{"threshold", {}}};
+  for (const study::Operator& op : study::binary_operators()) curves.push_back({op.name, {}});
+  const int runs = scope.quick ? 1 : 5;
+  for (int step = 1; step <= 9; ++step) {
+    const double share = 0.05 * step;
+    std::vector<double> wrong(curves.size());
+    for (int run = 0; run < runs; ++run) {
+      study::Random random(scope.seed, static_cast<std::uint64_t>(100 * step + run));
+      Image noisy = truth;
+      for (auto& pixel : noisy.pixels) pixel = static_cast<std::uint8_t>(random.uniform() < share ? 1 - pixel : pixel);
+      wrong[0] += score(noisy, truth).wrong / runs;
+      for (std::size_t i = 1; i < curves.size(); ++i) {
+        const study::Operator& op = study::binary_operators()[i - 1];
+        wrong[i] += score(op.apply(noisy, op.size), truth).wrong / runs;
+      }
+    }
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      noise_table << share << curves[i].name << wrong[i];
+      noise_table.end_row();
+      curves[i].points.emplace_back(share, wrong[i]);
+      result["turned_over"][curves[i].name].push_back(wrong[i]);
+    }
+  }
+  panel.curves = std::move(curves);
+  directory.write("operators-noise.csv", noise_table.text());
+  directory.write("operators-noise.svg", plot_svg("Operators of 5.2 and noise", {panel}, 1));
+
+  const auto& of = result["operators"];
+  result["conditions"] = {{"kernel", kKernel},
+                          {"noise_grey", kNoise_grey},
+                          {"background_px", kBackground_px},
+                          {"threshold", kThreshold},
+                          {"true_clusters", true_score.clusters}};
+  const auto wrong = [&](const char* name) { return 100 * of.at(name).at("wrong").get<double>(); };
+  result["figures"] = {
+      {{"file", "fig-5-7.png"}, {"title", "Fig. 5.7: operators on binarised sums of 5×5 pixels of a noisy pair"}},
+      {{"file", "operators-noise.svg"}, {"title", "Operators of 5.2 on pixels turned over at random"}}};
+  Statements statements;
+  const double opened = wrong("opening 5x5");
+  const double closed = wrong("closing 5x5");
+  const double few = wrong("clusterlets 5x5");
+  const double most = wrong("majority 5x5");
+  const std::string figures = fmt::format(
+      "Wrong pixels with 5×5: majority {:.2f} %, clusterlets {:.2f} %, opening {:.2f} %, closing {:.2f} %, "
+      "none {:.2f} %",
+      most, few, opened, closed, 100 * plain.wrong);
+  statements.add("5.2", "The majority decision produces better results than opening and closing.", figures,
+                 verdict(most < std::min(opened, closed), most < std::max(opened, closed)),
+                 "Fewer wrong pixels than both; partly: than one");
+  statements.add("5.2", "Clusterlet elimination performs much better than opening and closing.", figures,
+                 verdict(few < 0.8 * std::min(opened, closed), few < std::max(opened, closed)),
+                 "A fifth fewer wrong pixels than both; partly: fewer than one");
+  result["statements"] = statements.json();
+  result["findings"] = std::vector<std::string>{
+      fmt::format(
+          "Threshold alone: {:.1f} % of the pixels wrong, {} clusters of {} true ones; least wrong: {}, {:.1f} %",
+          100 * plain.wrong, plain.clusters, true_score.clusters, best, 100 * least),
+      fmt::format("Of about one size, 5x5: majority {:.1f} %, clusterlets {:.1f} %, opening {:.1f} %, closing {:.1f} % "
+                  "wrong",
+                  wrong("majority 5x5"), wrong("clusterlets 5x5"), wrong("opening 5x5"), wrong("closing 5x5"))};
+  return result;
+}
+
+}  // namespace horopter::cli

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// horopter study: the thesis's measurements, repeated.
+#include "study.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "cli/words.hpp"
+#include "command.hpp"
+#include "horopter/machine/engines.hpp"
+
+namespace horopter::cli {
+namespace {
+
+struct StudyOptions {
+  std::string out;
+  StudyScope scope;
+  bool json = false;
+};
+
+ExitStatus report(const StudyOptions& options, const nlohmann::json& result) {
+  const auto status = result.value("frames_different", 0) == 0 ? ExitStatus::done : ExitStatus::check_failed;
+  if (options.json) {
+    std::puts(result.dump(2).c_str());
+    return status;
+  }
+  for (const auto& line : result.at("findings")) fmt::print("{}\n", line.get<std::string>());
+  fmt::print("Tables and plots are in {}\n", options.out);
+  return status;
+}
+
+ExitStatus run_study(const StudyOptions& options, Study run) {
+  OutputDirectory directory(options.out);
+  nlohmann::json result = run(directory, options.scope);
+  result["seed"] = options.scope.seed;
+  result["quick"] = options.scope.quick;
+  directory.write("summary.json", result.dump(2) + "\n");
+  directory.commit();
+  return report(options, result);
+}
+
+void add_texture_options(CLI::App& command, StudyScope& scope) {
+  auto* texture = only(command.add_option("--texture", scope.texture, "Simulated texture"),
+                       {"dead-leaves", "band-noise", "printed-dots"});
+  command
+      .add_option("--picture", scope.picture, "Your own image as texture, a pixel of it as large as one of the camera")
+      ->excludes(texture)
+      ->type_name("FILE");
+}
+
+}  // namespace
+
+const std::vector<NamedStudy>& studies() {
+  static const std::vector<NamedStudy> list{
+      {"edges", "Sub-pixel edge estimators on simulated edges: position, blur, noise, points per edge (6.7)",
+       study_edges},
+      {"calibration", "Calibration with a rendered rig: NCE, image error, Cramer-Rao bound (6.8, 6.9)",
+       study_calibration},
+      {"interpolation", "Bilinear interpolation with weights of few bits: scaling, translation (7.5)",
+       study_interpolation},
+      {"segmentation", "Every correlation criterion over disparity: detection rates, segmentation errors (8.4, 11.2.1)",
+       study_segmentation},
+      {"invariance", "Changes of brightness: what they do to each criterion (Table 8.3)", study_invariance},
+      {"influences", "Noise, differing scale, differing blur: what is still detected (Table 8.4)", study_influences},
+      {"objects", "Small objects: what of them is detected (8.5)", study_objects},
+      {"cost", "Operations of each criterion (Table 8.5)", study_cost},
+      {"detection", "What the hardware's stage detects at which displacement; thresholds for tolerances (11.2)",
+       study_detection},
+      {"operators", "Morphological operators side by side (5.2)", study_operators},
+      {"texture", "Measures of texture, and how much of it is needed against the noise (9)", study_texture},
+      {"resolution", "Bits of the direction and of its difference (10.4.5)", study_resolution},
+      {"computation", "Operations and memory accesses of each step (10.1)", study_computation},
+      {"geometry", "Thickness of the skin and exploitation of the images over tilt and place (11.1)", study_geometry},
+  };
+  return list;
+}
+
+void add_study(CLI::App& app, Outcome& outcome) {
+  CLI::App* command = app.add_subcommand("study", "Repeat the thesis's measurements, with tables and plots");
+  command->require_subcommand(1);
+  const auto add = [&](const char* name, const char* what) {
+    auto options = std::make_shared<StudyOptions>();
+    CLI::App* one = command->add_subcommand(name, what);
+    one->add_option("--out", options->out, "Directory for the tables (CSV) and plots (SVG)")
+        ->required()
+        ->type_name("DIR");
+    one->add_option("--seed", options->scope.seed, "Of the noise")->capture_default_str()->type_name("N");
+    one->add_flag("--quick", options->scope.quick, "Fewer images, methods and runs: to see that all is well");
+    one->add_flag("--json", options->json, "Print summary.json on standard output, and nothing else");
+    return std::pair(one, options);
+  };
+  const auto add_one = [&](const char* name, const char* what, Study run) {
+    const auto added = add(name, what);
+    added.first->callback([mine = added.second, run, &outcome] { outcome.status = run_study(*mine, run); });
+    return added;
+  };
+  for (const NamedStudy& named : studies()) {
+    const auto [one, options] = add_one(named.name, named.what, named.run);
+    if (named.run == study_segmentation || named.run == study_objects || named.run == study_detection ||
+        named.run == study_influences)
+      add_texture_options(*one, options->scope);
+    if (named.run == study_segmentation) {
+      one->add_option("--series", options->scope.series,
+                      "Your own images instead: a CSV file with the columns file,disparity_px, the reference first")
+          ->type_name("FILE");
+    }
+  }
+  const auto [all, of_all] =
+      add("all", "All of these (not board and decision), with a page of every figure and STUDY.md");
+  all->callback(
+      [options = of_all, &outcome] { outcome.status = report(*options, study_all(options->out, options->scope)); });
+  const auto [board, options] =
+      add_one("board", "A skin in mm on photographs of a chessboard, calibrated on the others, moved through the board",
+              study_board);
+  options->scope.engines = engine_names();
+  board->add_option("--data", options->scope.data, "Directory with left01.jpg … right14.jpg")
+      ->capture_default_str()
+      ->type_name("DIR");
+  add_decision(*board, options->scope.decision);
+  add_thickness(*board, options->scope.thickness);
+  const auto [decision, of_decision] = add_one(
+      "decision", "The rules with parts left out, larger and smaller: what each gains and costs (12)", study_decision);
+  decision
+      ->add_option("--list", of_decision->scope.list,
+                   "Stereo pairs, as of `horopter evaluate` (default: opencv-doc's aloe and two simulated scenes)")
+      ->type_name("FILE");
+  decision->add_option("--data", of_decision->scope.data, "Directory with aloeL.jpg, aloeR.jpg, aloeGT.png")
+      ->capture_default_str()
+      ->type_name("DIR");
+  decision->add_option("--generated", of_decision->scope.generated, "What hlsc made of the stages")
+      ->capture_default_str()
+      ->type_name("DIR");
+  decision
+      ->add_option("--synth", of_decision->scope.synthesised,
+                   "Directory with what scripts/synth --json wrote of each stage, <stage>.json, for its gates")
+      ->type_name("DIR");
+  only(board->add_option("--engines", options->scope.engines, "Engines, which must see the same")->delimiter(','),
+       engine_names())
+      ->default_str(fmt::format("{}", fmt::join(engine_names(), ",")));
+}
+
+}  // namespace horopter::cli

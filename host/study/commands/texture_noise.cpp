@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: Apache-2.0
+// Thesis 9.2: how much texture the correlation needs against the noise (Fig. 9.1, 9.2), and for which measure of the
+// two the error is a function of their ratio alone.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/progress.hpp"
+#include "horopter/base/csv.hpp"
+#include "horopter/draw/plot.hpp"
+#include "horopter/study/filters.hpp"
+#include "horopter/study/random.hpp"
+#include "horopter/study/series.hpp"
+#include "horopter/study/simulation.hpp"
+#include "texture.hpp"
+
+namespace horopter::cli {
+namespace {
+
+using study::Plane;
+
+study::Setting dsad() {
+  study::Setting setting;
+  setting.criterion = &study::criterion("DSAD");
+  setting.preparation = {study::Feature::direction, true};
+  setting.kernel = 9;
+  return setting;
+}
+
+study::Conditions conditions_of(const StudyScope& scope, double texture_grey, double noise_grey) {
+  study::Conditions conditions;
+  conditions.camera.width = scope.quick ? 320 : 630;
+  conditions.camera.height = scope.quick ? 240 : 470;
+  conditions.lighting.mean_grey = 128;
+  conditions.lighting.deviation_grey = texture_grey;
+  conditions.electronics = {.noise_grey = noise_grey, .averaged = 1};
+  conditions.seed = scope.seed;
+  return conditions;
+}
+
+double mean_square(const Plane& plane) {
+  constexpr int border = 3;  ///< px that the filters reach beyond the image
+  double sum = 0;
+  for (int y = border; y < plane.height - border; ++y) {
+    for (int x = border; x < plane.width - border; ++x) sum += plane.at(x, y) * plane.at(x, y);
+  }
+  return sum / ((plane.width - 2.0 * border) * (plane.height - 2.0 * border));
+}
+
+/// How much there is of a pattern, of texture without noise or of noise without texture.
+struct Amount {
+  const char* name;
+  double (*of)(const Plane& pattern);
+};
+/// The thesis's first; the others are of what the criterion works on.
+constexpr std::array amounts{
+    Amount{"deviation in 7x7", [](const Plane& pattern) { return study::local_deviation(pattern, 7); }},
+    Amount{"deviation in 7x7 after the low-pass",
+           [](const Plane& pattern) { return study::local_deviation(study::lowpass(pattern), 7); }},
+    Amount{"RMS gradient after the low-pass",
+           [](const Plane& pattern) {
+             const study::Gradient gradient = study::sobel(study::lowpass(pattern));
+             return std::sqrt(mean_square(gradient.x) + mean_square(gradient.y));
+           }},
+    Amount{"RMS gradient along the disparity after the low-pass",
+           [](const Plane& pattern) { return std::sqrt(mean_square(study::sobel(study::lowpass(pattern)).x)); }}};
+
+/// Deviation of the converter's rounding.
+const double kRounding = 1 / std::sqrt(12.0);
+/// Less noise than this does not spread the rounding evenly.
+constexpr double kLeastNoise = 0.5;
+/// Curves are compared from here on.
+constexpr double kSmallestRatio = 2;
+
+study::Texture of_kind(study::TextureKind kind, double largest_px = 3) {
+  study::Texture result;
+  result.kind = kind;
+  result.largest_px = largest_px;
+  return result;
+}
+
+constexpr std::array d50s_px{0.4, 0.7, 1.0, 1.4};
+
+/// The errors of a pattern over the ratio of texture to noise in the thesis's measure, and what it is in others.
+struct Pattern {
+  std::string name;
+  std::array<std::vector<std::pair<double, double>>, d50s_px.size()> errors;  ///< ratio, px
+  std::array<double, d50s_px.size()> least{};   ///< px, without noise but the converter's rounding
+  std::array<double, amounts.size()> factor{};  ///< ratio in this measure over that in the thesis's
+  double passes_lowpass = 0;                    ///< share of the deviation
+};
+
+/// On straight lines between the logarithms; none beyond the curve's ends.
+std::optional<double> at(const std::vector<std::pair<double, double>>& curve, double ratio) {
+  constexpr double tolerance = 1e-9;
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    const auto& [low, before] = curve[i - 1];
+    const auto& [high, after] = curve[i];
+    if (ratio < low * (1 - tolerance) || ratio > high * (1 + tolerance)) continue;
+    const double part = std::clamp(std::log(ratio / low) / std::log(high / low), 0.0, 1.0);
+    return std::exp(std::lerp(std::log(before), std::log(after), part));
+  }
+  return std::nullopt;
+}
+
+/// How far errors are apart at most: half of the difference over the mean, of the furthest two at one ratio.
+struct Apart {
+  double share = 0, ratio = 0, d50_px = 0;
+};
+
+class NoiseStudy {
+ public:
+  explicit NoiseStudy(const StudyScope& scope)
+      : scope_(scope),
+        ratios_(scope.quick ? std::vector<double>{1, 2, 5, 10}
+                            : std::vector<double>{1, 1.25, 1.6, 2, 2.5, 3, 4, 5, 7, 10, 14, 20}) {
+    const double step_px = scope.quick ? 0.2 : 0.1;
+    for (int i = 0; i * step_px <= study::Detection::kLargest_px + 1e-9; ++i) disparities_.push_back(i * step_px);
+    Plane white(512, 512);
+    study::Random random(scope.seed, 1);
+    for (double& value : white.values) value = random.gaussian();
+    for (std::size_t m = 0; m < amounts.size(); ++m) of_noise_[m] = amounts[m].of(white);
+  }
+
+  const Pattern& add(const std::string& name, const study::Texture& texture, double texture_grey, std::uint64_t seed) {
+    study::Conditions conditions = conditions_of(scope_, texture_grey, 0);
+    conditions.texture = texture;
+    conditions.seed = seed;
+    const study::Simulation simulation(conditions, disparities_.back());
+    Pattern pattern;
+    pattern.name = name;
+    const Plane still = simulation.exact(0);
+    std::array<double, amounts.size()> of_texture{};
+    for (std::size_t m = 0; m < amounts.size(); ++m) of_texture[m] = amounts[m].of(still);
+    for (std::size_t m = 0; m < amounts.size(); ++m)
+      pattern.factor[m] = of_texture[m] / of_noise_[m] / (of_texture[0] / of_noise_[0]);
+    pattern.passes_lowpass = of_texture[1] / of_texture[0];
+    for (const double ratio : ratios_) {
+      progress_.show(done_++, {});
+      // The rounding is a part of the noise.
+      const double total = of_texture[0] / of_noise_[0] / ratio;
+      const double analogue = std::sqrt(std::max(0.0, total * total - kRounding * kRounding));
+      if (analogue < kLeastNoise) continue;
+      const auto detection = detect(simulation, analogue);
+      for (std::size_t d = 0; d < d50s_px.size(); ++d) {
+        const double error = detection.segmentation_error(d50s_px[d]);
+        table_ << name << texture_grey << total * of_noise_[0] << ratio << d50s_px[d] << error;
+        table_.end_row();
+        pattern.errors[d].emplace_back(ratio, error);
+      }
+    }
+    const auto detection = detect(simulation, 0);
+    for (std::size_t d = 0; d < d50s_px.size(); ++d) pattern.least[d] = detection.segmentation_error(d50s_px[d]);
+    return patterns_.emplace_back(std::move(pattern));
+  }
+
+  using Choice = std::vector<std::string>;
+  /// Of patterns by their names, with `measure` of texture and noise; `relative`: to each one's error without noise.
+  Apart apart(const Choice& names, std::size_t measure = 0, bool relative = false) const {
+    Apart furthest;
+    for (std::size_t d = 0; d < d50s_px.size(); ++d) {
+      for (const double ratio : ratios_) {
+        if (ratio < kSmallestRatio) continue;
+        std::vector<double> errors;
+        for (const std::string& name : names) {
+          const Pattern& pattern = of(name);
+          const auto error = at(pattern.errors[d], ratio / pattern.factor[measure]);
+          if (error) errors.push_back(relative ? *error / pattern.least[d] : *error);
+        }
+        widen(furthest, errors, ratio, d50s_px[d]);
+      }
+    }
+    return furthest;
+  }
+  Apart apart_without_noise(const Choice& names) const {
+    Apart furthest;
+    for (std::size_t d = 0; d < d50s_px.size(); ++d) {
+      std::vector<double> errors;
+      for (const std::string& name : names) errors.push_back(of(name).least[d]);
+      widen(furthest, errors, INFINITY, d50s_px[d]);
+    }
+    return furthest;
+  }
+  const std::string& table() const { return table_.text(); }
+  std::vector<Panel> panels() const {
+    std::vector<Panel> result;
+    for (std::size_t d = 0; d < d50s_px.size(); ++d) {
+      Panel panel{fmt::format("D50 {:g} px", d50s_px[d]), "texture / noise", "px", {}};
+      for (const Pattern& pattern : patterns_) panel.curves.push_back({pattern.name, pattern.errors[d]});
+      result.push_back(std::move(panel));
+    }
+    return result;
+  }
+
+ private:
+  study::Detection detect(const study::Simulation& simulation, double noise_grey) const {
+    study::Electronics electronics = simulation.conditions().electronics;
+    electronics.noise_grey = noise_grey;
+    study::ImageSeries series;
+    series.reference = simulation.expose(simulation.exact(0), electronics, 0);
+    series.disparities_px = disparities_;
+    series.image = [&](std::size_t i) {
+      return simulation.expose(simulation.exact(disparities_[i]), electronics, i + 1);
+    };
+    return study::detect(series, {dsad()}).front();
+  }
+  const Pattern& of(const std::string& name) const { return *std::ranges::find(patterns_, name, &Pattern::name); }
+  static void widen(Apart& furthest, const std::vector<double>& errors, double ratio, double d50_px) {
+    if (errors.size() < 2) return;
+    const auto [least, most] = std::ranges::minmax(errors);
+    const double share = (most - least) / (most + least);
+    if (share > furthest.share) furthest = {share, ratio, d50_px};
+  }
+
+  const StudyScope& scope_;
+  std::vector<double> ratios_;
+  std::vector<double> disparities_;
+  std::array<double, amounts.size()> of_noise_{};  ///< of white noise of deviation 1
+  std::vector<Pattern> patterns_;
+  Csv table_{{"pattern", "texture_grey", "noise_grey", "ratio", "d50_px", "segmentation_error_px"}};
+  Progress progress_{"pattern"};
+  std::size_t done_ = 0;
+};
+
+nlohmann::json to_json(const Apart& apart) {
+  nlohmann::json result{{"within", apart.share}, {"d50_px", apart.d50_px}};
+  if (std::isfinite(apart.ratio)) result["ratio"] = apart.ratio;
+  return result;
+}
+
+void noise(OutputDirectory& directory, const StudyScope& scope, nlohmann::json& result,
+           std::vector<std::string>& findings, Statements& statements) {
+  constexpr double kinds_grey = 20;
+  NoiseStudy noise(scope);
+  NoiseStudy::Choice strengths;
+  const auto add = [&](const std::string& name, const study::Texture& texture, double grey, std::uint64_t seed) {
+    const Pattern& pattern = noise.add(name, texture, grey, seed);
+    result["patterns"][name] = {{"passes_lowpass", pattern.passes_lowpass}};
+    return name;
+  };
+  // Another pattern for each: with one pattern all strengths would be the same but for the converter.
+  for (const double grey : scope.quick ? std::vector<double>{8, 20, 32} : std::vector<double>{5, 10, 20, 40})
+    strengths.push_back(
+        add(fmt::format("texture {:g}", grey), {}, grey, scope.seed + static_cast<std::uint64_t>(grey)));
+  const std::string leaves = fmt::format("texture {:g}", kinds_grey);
+  const std::string dots = add("printed-dots", of_kind(study::TextureKind::printed_dots), kinds_grey, scope.seed);
+  const std::string band = add("band-noise", of_kind(study::TextureKind::band_noise), kinds_grey, scope.seed);
+  // Structures larger than the 9×9 window, too, as leaves and dots have them by chance: nearly their spectrum.
+  const std::string broad =
+      add("band-noise to 12 px", of_kind(study::TextureKind::band_noise, 12), kinds_grey, scope.seed);
+  directory.write("fig-9-2.csv", noise.table());
+  directory.write("fig-9-2.svg",
+                  plot_svg("Fig. 9.2: segmentation error of DSAD 9x9 over texture to noise (7x7)", noise.panels(), 2));
+
+  const NoiseStudy::Choice kinds{leaves, dots, band};
+  const NoiseStudy::Choice alike{leaves, dots, broad};
+  const auto report = [&](const char* key, const Apart& apart, const std::string& what) {
+    result[key] = to_json(apart);
+    findings.push_back(
+        fmt::format("Fig. 9.2: {} lie within ±{:.1f} % (furthest at {}D50 {:g} px)", what, 100 * apart.share,
+                    std::isfinite(apart.ratio) ? fmt::format("ratio {:g}, ", apart.ratio) : "", apart.d50_px));
+  };
+  const Apart of_strengths = noise.apart(strengths);
+  const Apart of_kinds = noise.apart(kinds);
+  const Apart least = noise.apart_without_noise(kinds);
+  const Apart of_alike = noise.apart(alike);
+  report("strengths", of_strengths, "the errors of all strengths of texture at one ratio of texture to noise");
+  report("kinds", of_kinds, "with other kinds of texture (band noise, dots), the errors");
+  report("kinds_without_noise", least, "the same kinds without noise, where no ratio can bring them together,");
+  report("kinds_relative", noise.apart(kinds, 0, true), "errors as multiples of the kind's own without noise");
+  report("kinds_of_like_spectrum", of_alike, "kinds of like spectra (leaves, dots, band noise up to 12 px)");
+  Csv measures({"measure_of_texture_and_noise", "kinds_within", "ratio", "d50_px"});
+  std::string others;
+  for (std::size_t m = 0; m < amounts.size(); ++m) {
+    const Apart apart = noise.apart(kinds, m);
+    measures << amounts[m].name << apart.share << apart.ratio << apart.d50_px;
+    measures.end_row();
+    result["measures_of_ratio"][amounts[m].name] = to_json(apart);
+    if (m > 0) others += fmt::format("{}{} ±{:.1f} %", m > 1 ? ", " : "", amounts[m].name, 100 * apart.share);
+  }
+  directory.write("fig-9-2-measures.csv", measures.text());
+  findings.push_back("Fig. 9.2: the kinds with other measures of texture and noise: " + others);
+  statements.add(
+      "9.2", "The segmentation error depends on the ratio of texture to noise alone.",
+      fmt::format(
+          "Strengths of {} to {} grey levels, another pattern each: within ±{:.1f} %. Dead leaves, dots and band "
+          "noise: ±{:.1f} %; ±{:.1f} % without any noise, where no measure of the ratio helps ({}). Their "
+          "spectra differ: with a band up to 12 px ±{:.1f} %",
+          scope.quick ? 8 : 5, scope.quick ? 32 : 40, 100 * of_strengths.share, 100 * of_kinds.share, 100 * least.share,
+          others, 100 * of_alike.share),
+      verdict(of_strengths.share <= 0.03 && of_kinds.share <= 0.03, of_strengths.share <= 0.03),
+      "Within ±3 % at ratios from 2 to 20; partly: for all strengths of one kind of texture");
+}
+
+void histograms(OutputDirectory& directory, const StudyScope& scope) {
+  Csv table({"texture_to_noise", "disparity_px", "from", "to", "density"});
+  std::vector<Panel> panels;
+  const double largest = dsad().criterion->worst(9);
+  for (const double ratio : {3.0, 20.0}) {
+    Panel panel{fmt::format("texture / noise {:g}", ratio), "DSAD, share of the largest", "density", {}};
+    const std::vector<double> disparities{0, 0.5, 1, 1.5, 2, 3};
+    const study::Simulation simulation(conditions_of(scope, 20, 20 / ratio), disparities.back());
+    const auto detection = study::detect(study::photographs(simulation, disparities), {dsad()}).front();
+    for (std::size_t i = 0; i < disparities.size(); ++i) {
+      Curve curve{fmt::format("{:g} px", disparities[i]), {}};
+      for (const auto& bar : detection.histograms()[i].density(60)) {
+        table << ratio << disparities[i] << bar.from / largest << bar.to / largest << bar.density * largest;
+        table.end_row();
+        curve.points.emplace_back(0.5 * (bar.from + bar.to) / largest, bar.density * largest);
+      }
+      panel.curves.push_back(std::move(curve));
+    }
+    panels.push_back(std::move(panel));
+  }
+  directory.write("fig-9-1.csv", table.text());
+  directory.write("fig-9-1.svg", plot_svg("Fig. 9.1: histograms of DSAD 9x9, weak and strong texture", panels, 2));
+}
+
+}  // namespace
+
+void texture_against_noise(OutputDirectory& directory, const StudyScope& scope, nlohmann::json& result,
+                           std::vector<std::string>& findings, Statements& statements) {
+  histograms(directory, scope);
+  noise(directory, scope, result, findings, statements);
+  result["figures"] = {{{"file", "fig-9-1.svg"}, {"title", "Fig. 9.1: histograms of weak and strong texture"}},
+                       {{"file", "fig-9-2.svg"}, {"title", "Fig. 9.2: segmentation error over texture to noise"}}};
+  result["conditions"] = study::to_json(conditions_of(scope, 20, 2));
+}
+
+}  // namespace horopter::cli

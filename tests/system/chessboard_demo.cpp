@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: Apache-2.0
+// The whole path on real photographs: 13 pairs of a chessboard from opencv-doc. The corners of the board in both images
+// give the skin that lies on the board; it must be found there, and not on skins displaced by some disparity.
+//
+// One machine sees all frames: tables are uploaded while it runs and switched at every frame.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/core/utils/logger.hpp>
+#include <opencv2/imgproc.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/progress.hpp"
+#include "horopter/base/error.hpp"
+#include "horopter/draw/overlay.hpp"
+#include "horopter/image/image.hpp"
+#include "horopter/image/output.hpp"
+#include "horopter/machine/engines.hpp"
+#include "horopter/machine/monitor.hpp"
+#include "horopter/machine/report.hpp"
+#include "horopter/map/map.hpp"
+#include "horopter/map/map_compiler.hpp"
+#include "study/commands/board_pixels.hpp"
+#ifdef HOROPTER_HAS_RTL
+#include "horopter/machine/rtl_device.hpp"
+#endif
+
+namespace horopter {
+namespace {
+
+// What the project promises for these pairs, as averages.
+constexpr double kLeastDecidable = 0.33;
+constexpr double kLeastInSkin = 0.90;
+constexpr double kMostDisplaced = 0.12;
+constexpr int kMostDisplacedAlarms = 2;
+
+constexpr int kSkins = 3;  // on the board, displaced to either side
+constexpr int kSlots = 15;
+
+struct Options {
+  std::string data = "/usr/share/doc/opencv-doc/examples/data";
+  std::string out = "out/demo";
+#ifdef HOROPTER_HAS_RTL
+  std::string engine = "rtl";
+#else
+  std::string engine = "native";
+#endif
+  double displacement_px = 16;
+  std::size_t pairs = 100;
+  bool compare = true;
+  bool json = false;
+  Settings settings;
+};
+
+/// What one skin shows of the board.
+struct Found : cli::BoardPixels {
+  bool alarm = false;
+};
+
+struct Pair {
+  std::string name;
+  Image left;
+  Image right;
+  std::vector<cv::Point2d> board;  ///< inner corners in the left image
+  std::array<std::optional<CompiledMap>, kSkins> maps;
+  std::array<Found, kSkins> found;
+};
+
+std::vector<cv::Point2f> corners_of(const Image& image, const std::string& name) {
+  const cv::Mat grey(image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.pixels.data()));
+  std::vector<cv::Point2f> corners;
+  if (!cv::findChessboardCorners(grey, {9, 6}, corners)) {
+    throw FileError(name, "", "no chessboard in the image", "a board with 9x6 inner corners");
+  }
+  cv::cornerSubPix(grey, corners, {5, 5}, {-1, -1}, {cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 30, 0.01});
+  return corners;
+}
+
+/// The skin on the board, moved by `shift_px` along the rows of the right image.
+Matrix3 displaced(const Matrix3& skin, double shift_px) {
+  Matrix3 moved = skin;
+  for (std::size_t column = 0; column < 3; ++column) moved[column] += shift_px * skin[6 + column];
+  return moved;
+}
+
+Pair load_pair(const Options& options, const std::string& number, const MachineProfile& profile) {
+  Pair pair;
+  const std::filesystem::path data(options.data);
+  const auto left_path = data / ("left" + number + ".jpg");
+  const auto right_path = data / ("right" + number + ".jpg");
+  pair.name = number;
+  pair.left = load_image(left_path);
+  pair.right = load_image(right_path);
+  if (pair.left.width != pair.right.width || pair.left.height != pair.right.height) {
+    throw FileError(right_path.string(), "", "another size than the left image", "the same size");
+  }
+  const auto left = corners_of(pair.left, left_path.string());
+  const auto right = corners_of(pair.right, right_path.string());
+  std::vector<Correspondence> points;
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    points.push_back({{left[i].x, left[i].y}, {right[i].x, right[i].y}});
+    pair.board.emplace_back(left[i]);
+  }
+  const Matrix3 skin = fit_homography(points).matrix;
+  const std::array<double, kSkins> shifts{0, options.displacement_px, -options.displacement_px};
+  for (std::size_t i = 0; i < kSkins; ++i) {
+    const HomographySkin moved(displaced(skin, shifts[i]), points.front().left);
+    pair.maps[i] = compile_map(moved, profile, {pair.left.width, pair.left.height, Scan::progressive});
+  }
+  return pair;
+}
+
+/// A second engine that must see the same.
+class Twin {
+ public:
+  Twin(const MachineProfile& profile, const Settings& settings)
+      : monitor_(make_device("native", profile), profile, settings) {}
+  Monitor& monitor() { return monitor_; }
+
+ private:
+  Monitor monitor_;
+};
+
+struct Clocks {
+  std::uint32_t cycles = 0;
+  std::uint32_t latency = 0;
+  std::uint32_t tail = 0;
+};
+
+std::string yes(bool value) { return value ? "yes" : "no"; }
+
+ExitStatus demonstrate(const Options& options) {
+  const MachineProfile& profile = find_profile("vga");
+  std::vector<Pair> pairs;
+  {
+    cli::Progress progress("finding the board in pair");
+    for (int number = 1; number <= 14 && pairs.size() < options.pairs; ++number) {
+      const std::string text = fmt::format("{:02}", number);
+      if (!std::filesystem::exists(std::filesystem::path(options.data) / ("left" + text + ".jpg"))) continue;
+      progress.show(static_cast<std::size_t>(number), 14);
+      pairs.push_back(load_pair(options, text, profile));
+    }
+  }
+  if (pairs.empty()) {
+    throw FileError(options.data, "", "no left01.jpg to left14.jpg", "the example data of Debian's package opencv-doc");
+  }
+  int lookahead = 0;
+  for (const Pair& pair : pairs) {
+    for (const auto& map : pair.maps) lookahead = std::max(lookahead, map->report.lookahead);
+  }
+
+  OutputDirectory output(options.out, [](const std::string& name) { return name.starts_with("pair-"); });
+  const int width = pairs.front().left.width;
+  const int height = pairs.front().left.height;
+  std::vector<Monitor*> monitors;
+  Monitor monitor(make_device(options.engine, profile), profile, options.settings);
+  monitors.push_back(&monitor);
+  std::optional<Twin> twin;
+  if (options.compare && options.engine != "native")
+    monitors.push_back(&twin.emplace(profile, options.settings).monitor());
+  for (Monitor* m : monitors) m->start(width, height, lookahead);
+
+  constexpr std::array<const char*, kSkins> kNames{"skin", "plus", "minus"};
+  Clocks worst;
+  std::uint32_t faults = 0;
+  int different = 0;
+  int frame = 0;
+  const auto begin = std::chrono::steady_clock::now();
+  std::chrono::duration<double> engine_time{};
+  if (!options.json) {
+    fmt::print("{} pairs, engine {}, profile {}, tables uploaded and switched while the machine runs\n", pairs.size(),
+               monitor.device().engine(), profile.name);
+    std::fflush(stdout);
+  }
+  cli::Progress progress("frame");
+  // Skin by skin, so that no image comes twice in a row: that would be a frozen camera.
+  for (std::size_t skin = 0; skin < kSkins; ++skin) {
+    for (Pair& pair : pairs) {
+      progress.show(static_cast<std::size_t>(frame), pairs.size() * kSkins);
+      const int slot = frame++ % kSlots;
+      std::vector<FrameResult> results;
+      for (Monitor* m : monitors) {
+        const auto start = std::chrono::steady_clock::now();
+        m->upload(slot, pair.maps[skin]->table);
+        m->select(slot);
+        results.push_back(m->process(pair.left, pair.right));
+        if (m == monitors.front()) engine_time += std::chrono::steady_clock::now() - start;
+      }
+      const FrameResult& result = results.front();
+      for (const FrameResult& other : results) different += other.states == result.states ? 0 : 1;
+      pair.found[skin] = {cli::count_board(pair.board, result.states), result.alarm};
+      faults |= result.faults;
+      worst = {std::max(worst.cycles, result.cycles), std::max(worst.latency, result.latency),
+               std::max(worst.tail, result.tail)};
+      const std::string base = fmt::format("pair-{}-{}", pair.name, kNames[skin]);
+      output.write(base + "-state.png", encode_png(state_picture(result.states)));
+      const Picture overlay = draw_overlay(pair.left, result);
+      output.write(base + "-overlay.png", encode_png_bgr(overlay.width, overlay.height, overlay.bgr));
+    }
+  }
+  progress.clear();
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  output.commit();
+
+  // Averages over the pairs.
+  const auto count = static_cast<double>(pairs.size());
+  double decidable = 0;
+  double in_skin = 0;
+  std::array<double, 2> moved{};
+  int alarms = 0;
+  int false_alarms = 0;
+  for (const Pair& pair : pairs) {
+    decidable += pair.found[0].decidable_share() / count;
+    in_skin += pair.found[0].skin_share() / count;
+    alarms += pair.found[0].alarm ? 1 : 0;
+    for (std::size_t side = 0; side < 2; ++side) {
+      moved[side] += pair.found[side + 1].skin_share() / count;
+      false_alarms += pair.found[side + 1].alarm ? 1 : 0;
+    }
+  }
+  const double displaced_share = (moved[0] + moved[1]) / 2;
+  const bool passed = decidable >= kLeastDecidable && in_skin >= kLeastInSkin && displaced_share <= kMostDisplaced &&
+                      alarms == static_cast<int>(pairs.size()) && false_alarms <= kMostDisplacedAlarms &&
+                      different == 0 && faults == 0;
+
+  nlohmann::ordered_json json{{"engine", monitor.device().engine()},
+                              {"profile", profile.name},
+                              {"displacement_px", options.displacement_px},
+                              {"pairs", nlohmann::ordered_json::array()},
+                              {"decidable", decidable},
+                              {"in_skin", in_skin},
+                              {"displaced", displaced_share},
+                              {"alarms", alarms},
+                              {"displaced_alarms", false_alarms},
+                              {"faults", fault_names(faults)},
+                              {"passed", passed}};
+  if (monitors.size() > 1) json["frames_different_from_native"] = different;
+  const bool clocks = monitor.device().counts_cycles();
+  const double clock_hz = 1000.0 * profile.clock_khz;
+  // Frames follow each other at the rate of their rows and those that empty the windows; a row takes 4 clocks more than
+  // it has pixels.
+  const double frame_clocks = (width + 4.0) * (height + profile.flush_rows());
+  if (clocks) {
+    json["cycles"] = worst.cycles;
+    json["latency_lines"] = static_cast<double>(worst.latency) / width;
+    json["tail_lines"] = static_cast<double>(worst.tail) / width;
+  }
+  for (const Pair& pair : pairs) {
+    json["pairs"].push_back({{"pair", pair.name},
+                             {"decidable", pair.found[0].decidable_share()},
+                             {"in_skin", pair.found[0].skin_share()},
+                             {"plus", pair.found[1].skin_share()},
+                             {"minus", pair.found[2].skin_share()},
+                             {"alarms", {pair.found[0].alarm, pair.found[1].alarm, pair.found[2].alarm}}});
+  }
+  if (options.json) {
+    std::puts(json.dump(2).c_str());
+  } else {
+    const std::string px = fmt::format("{:g} px", options.displacement_px);
+    fmt::print("\n        of the board    of the decidable, in the skin        alarm\n");
+    fmt::print("pair      decidable   on board    +{0}    -{0}    on board  +{0}  -{0}\n", px);
+    for (const Pair& pair : pairs) {
+      fmt::print("{:4}   {:12.3f}   {:8.3f}   {:7.3f}   {:7.3f}    {:>8}  {:>6}  {:>6}\n", pair.name,
+                 pair.found[0].decidable_share(), pair.found[0].skin_share(), pair.found[1].skin_share(),
+                 pair.found[2].skin_share(), yes(pair.found[0].alarm), yes(pair.found[1].alarm),
+                 yes(pair.found[2].alarm));
+    }
+    fmt::print("mean   {:12.3f}   {:8.3f}   {:7.3f}   {:7.3f}    {:>8}  {:>14}\n", decidable, in_skin, moved[0],
+               moved[1], fmt::format("{}/{}", alarms, pairs.size()),
+               fmt::format("{}/{}", false_alarms, 2 * pairs.size()));
+    fmt::print("asked  {:>12}   {:>8}   {:>17}    {:>8}  {:>14}\n\n", fmt::format(">= {:.2f}", kLeastDecidable),
+               fmt::format(">= {:.2f}", kLeastInSkin), fmt::format("<= {:.2f}", kMostDisplaced), "all",
+               fmt::format("<= {}", kMostDisplacedAlarms));
+    if (clocks) {
+      fmt::print("clocks per frame       {} from first pixel in to last state out\n", worst.cycles);
+      fmt::print("frames per second      {:.1f} at the {:.3f} MHz of profile {}\n", clock_hz / frame_clocks,
+                 clock_hz / 1e6, profile.name);
+      fmt::print(
+          "latency                {:.1f} lines from first pixel in to first state out, {:.1f} from last to last\n",
+          static_cast<double>(worst.latency) / width, static_cast<double>(worst.tail) / width);
+    }
+    fmt::print("speed here             {:.1f} frames per second, {:.1f} s in all\n", frame / engine_time.count(),
+               seconds.count());
+    if (monitors.size() > 1) {
+      fmt::print("against engine native  {}\n",
+                 different == 0 ? "all state pictures identical" : fmt::format("{} state pictures DIFFER", different));
+    }
+    if (faults != 0) {
+      std::string names;
+      for (const std::string& name : fault_names(faults)) names += " " + name;
+      fmt::print("faults                {}\n", names);
+    }
+    fmt::print("pictures               {}\n{}\n", std::filesystem::absolute(options.out).lexically_normal().string(),
+               passed ? "passed" : "FAILED");
+  }
+  return passed ? ExitStatus::done : ExitStatus::check_failed;
+}
+
+int run(int argc, char** argv) {
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+#ifdef HOROPTER_HAS_RTL
+  register_engine("rtl", make_rtl_device);
+#endif
+  Options options;
+  CLI::App app{"Supervises a chessboard in real image pairs: with the skin on the board, and displaced.",
+               "chessboard-demo"};
+  app.add_option("--data", options.data, "Directory with left01.jpg … right14.jpg")->capture_default_str();
+  app.add_option("--out", options.out, "Directory for the pictures")->capture_default_str();
+  app.add_option("--engine", options.engine, "rtl: the co-simulated hardware; native: C++ on this CPU")
+      ->check(CLI::IsMember({"native", "rtl"}))
+      ->capture_default_str();
+  app.add_option("--displacement", options.displacement_px, "Disparity of the displaced skins, px")
+      ->capture_default_str();
+  app.add_option("--threshold", options.settings.threshold_percent, "As for `horopter run`")->capture_default_str();
+  app.add_option("--texture", options.settings.texture, "As for `horopter run`")->capture_default_str();
+  app.add_option("--alarm-limit", options.settings.alarm_percent, "As for `horopter run`")->capture_default_str();
+  app.add_option("--pairs", options.pairs, "Only this many pairs");
+  app.add_flag("!--no-compare", options.compare, "Do not compare with the native engine");
+  app.add_flag("--json", options.json, "The result as JSON on standard output, and nothing else");
+  app.footer("Exit status: 0 all as promised, 1 not, 2 wrong usage, 3 bad file, 4 fault of the engine.");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : static_cast<int>(ExitStatus::usage);
+  }
+  return static_cast<int>(demonstrate(options));
+}
+
+}  // namespace
+}  // namespace horopter
+
+int main(int argc, char** argv) {
+  try {
+    return horopter::run(argc, argv);
+  } catch (const horopter::Error& error) {
+    fmt::print(stderr, "chessboard-demo: {}\n", error.what());
+    return static_cast<int>(error.status());
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "chessboard-demo: {}\n", error.what());
+    return static_cast<int>(horopter::ExitStatus::fault);
+  }
+}
