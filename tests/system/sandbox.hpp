@@ -64,11 +64,19 @@ class Sandbox {
     std::string err;
   };
   /// Runs the program in the sandbox, with its standard input closed: it must not ask questions.
-  Result run(std::vector<std::string> arguments) const {
+  Result run(const std::vector<std::string>& arguments) const { return start(HOROPTER_PROGRAM, arguments); }
+  /// Runs a script of the shell there, which finds the program as `horopter`.
+  Result run_shell(const std::string& script) const {
+    const std::string folder = fs::path(HOROPTER_PROGRAM).parent_path().string();
+    return start("/bin/sh", {"-c", "PATH='" + folder + "':$PATH\n" + script});
+  }
+
+ private:
+  Result start(const std::string& program, std::vector<std::string> arguments) const {
     // Beside the sandbox, of which the files are compared.
     const std::string out = (own_ / "out").string();
     const std::string err = (own_ / "err").string();
-    arguments.insert(arguments.begin(), HOROPTER_PROGRAM);
+    arguments.insert(arguments.begin(), program);
     std::vector<char*> argv;
     argv.reserve(arguments.size() + 1);
     for (std::string& argument : arguments) argv.push_back(argument.data());
@@ -80,7 +88,7 @@ class Sandbox {
     posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     posix_spawn_file_actions_addchdir_np(&actions, path_.c_str());
     pid_t child = 0;
-    const int spawned = ::posix_spawn(&child, HOROPTER_PROGRAM, &actions, nullptr, argv.data(), environ);
+    const int spawned = ::posix_spawn(&child, program.c_str(), &actions, nullptr, argv.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     CAPTURE(arguments);
     INFO("starting it: " << std::strerror(spawned));
@@ -95,14 +103,12 @@ class Sandbox {
       return std::string(std::istreambuf_iterator<char>(stream), {});
     };
     Result result{-1, text(out), text(err)};
-    INFO("the program was killed, by signal " << (WIFSIGNALED(status) ? WTERMSIG(status) : 0) << "; it said "
-                                              << result.err);
+    INFO("it was killed, by signal " << (WIFSIGNALED(status) ? WTERMSIG(status) : 0) << "; it said " << result.err);
     REQUIRE(WIFEXITED(status));
     result.status = WEXITSTATUS(status);
     return result;
   }
 
- private:
   fs::path own_;   ///< of this sandbox alone: the sandbox, and what the program said
   fs::path path_;  ///< the sandbox
 };

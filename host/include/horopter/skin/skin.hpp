@@ -96,7 +96,7 @@ inline double largest_stretch(const std::array<double, 4>& derivatives) {
   return std::sqrt(0.5 * (sum + std::sqrt(std::max(0.0, sum * sum - 4 * determinant * determinant))));
 }
 
-/// Row by row; left pixel → right pixel (thesis 7.20).
+/// Row by row; left pixel → right pixel (thesis eq. 7.20).
 using Matrix3 = std::array<double, 9>;
 
 class HomographySkin : public Skin {
