@@ -330,6 +330,36 @@ Score score_of(const Variant& variant, const StereoPair& pair, const GroundTruth
   return score(truth, disparity_px, kTolerance_px, answers);
 }
 
+/// The page up to the rows of its table.
+constexpr const char* kIntroduction = R"(# The decision
+
+Made by `horopter study decision`: do not edit. A *rule* decides for each pixel whether something is in the skin. There are two:
+`thesis` (one threshold) and `compete` (parallel skins compete). This page measures what each part of `compete` is worth: in the
+variants a part is left out, or larger, or smaller. All have one setting, that of the registers. The stages of the rules are compiled for
+the CPU.
+
+The question is always which pixels lie within ±1 px of a disparity, for up to six disparities of each of the pairs {}. Answers
+are scored as by `horopter evaluate`.
+
+| word | meaning |
+| --- | --- |
+| IoU | intersection over union: pixels that are both answered and true, over those that are one or the other |
+| false object | a connected group of answered pixels, at least 0.2 % of the image, where nearly nothing is true |
+| undecidable | share of the pixels that the rule leaves open |
+| memory | bits that the rule's own stages keep for each column of the image |
+| latency | rows after the one that LOOKAHEAD waits for. LOOKAHEAD is how many rows the right image is ahead of the result. |
+| planes | the parallel skins that compete |
+| sums | the window over which the cost of a plane is summed, rows x columns |
+| paths | the pixel above helps |
+| boundary | a test of where between two pixels the skin ends |
+| view from the right | the right pixel is asked, too, which plane it prefers |
+| ballot | pixels of like brightness in the rows above and below vote |
+| evidence | a pixel with too little texture does not vote |
+
+| variant | IoU | against vga's | false objects per frame | undecidable | memory, bits per column | latency, rows |
+| --- | --- | --- | --- | --- | --- | --- |
+)";
+
 }  // namespace
 
 nlohmann::json study_decision(OutputDirectory& directory, const StudyScope& scope) {
@@ -360,17 +390,7 @@ nlohmann::json study_decision(OutputDirectory& directory, const StudyScope& scop
   nlohmann::json result{{"findings", nlohmann::json::array()}, {"tolerance_px", kTolerance_px}};
   std::string names;
   for (const StereoPair& pair : pairs) names += (names.empty() ? "" : ", ") + pair.name;
-  std::string page =
-      "# The decision\n\nMade by `horopter study decision`: the stages of the rules, compiled for the CPU, on the "
-      "pairs " +
-      names +
-      "; up to six disparities each, ±1 px, scored as by `horopter evaluate`. One setting for all variants, that of "
-      "the "
-      "registers. Memory: bits that the rule's own stages keep for each column of the image. Latency: rows after the "
-      "one "
-      "that LOOKAHEAD waits for.\n\n| variant | IoU | against vga's | false objects per frame | undecidable | memory, "
-      "bits "
-      "per column | latency, rows |\n| --- | --- | --- | --- | --- | --- | --- |\n";
+  std::string page = fmt::format(kIntroduction, names);
   Csv csv({"variant", "iou", "false_per_frame", "undecidable", "memory_bits_per_column", "latency_rows"});
   double reference = std::nan("");
   std::vector<Mean> means;

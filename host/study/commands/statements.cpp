@@ -25,6 +25,31 @@ std::string cell(std::string text) {
   return text;
 }
 
+/// STUDY.md up to the rows of its table.
+constexpr const char* kIntroduction = R"(# What of the thesis holds
+
+Written by `horopter study all{}`: do not edit. The thesis is *Real Time Inverse Stereo System for Surveillance of Dynamic Safety
+Envelopes*. A verdict follows from the figures by the rule beside it, the same for every run; nothing was tuned for a statement.
+{} statements: {} confirmed, {} partly, {} not confirmed.
+
+| word | meaning |
+| --- | --- |
+| criterion | a measure of how alike two windows of an image are (Tables 8.1 and 8.2) |
+| NCC, MOR, SAD, SSD, NISH | normalised cross correlation, Moravec's, sum of absolute and of squared differences, Nishihara's binary one |
+| Z…, L…, N… before them | of zero mean, locally scaled, normalised |
+| DSAD | sum of absolute differences of the directions of the gradient: the thesis's criterion |
+| LP, HP | a low-pass or a high-pass filter before the criterion |
+| disparity | the displacement between both images, px |
+| detection rate | share of the pixels with a disparity that the threshold takes for undisplaced |
+| D50, D95 | the disparity at which 50 % or 95 % are detected |
+| segmentation error | eq. 8.9: how many pixels the threshold puts on the wrong side, as a width in px |
+| 10/90 disparity | from 90 % detected to 10 % detected, px |
+| T_max | the largest possible value of a sum |
+
+| # | § | The thesis says | We found | Verdict | Rule and reason | Study |
+|---|---|---|---|---|---|---|
+)";
+
 }  // namespace
 
 void Statements::add(const std::string& section, const std::string& statement, const std::string& figure,
@@ -54,13 +79,8 @@ std::string study_markdown(const nlohmann::ordered_json& results) {
                            text("figure"), text("verdict"), text("rule"), study);
     }
   }
-  return fmt::format(
-             "# What of the thesis holds\n\nWritten by `horopter study all{}`: do not edit. A verdict follows from the "
-             "figures by the rule beside it, the same for every run; nothing was tuned for a statement. {} statements: "
-             "{} confirmed, {} partly, {} not confirmed.\n\n"
-             "| # | § | The thesis says | We found | Verdict | Rule and reason | Study "
-             "|\n|---|---|---|---|---|---|---|\n",
-             quick ? " --quick" : "", number, counts["confirmed"], counts["partly"], counts["not confirmed"]) +
+  return fmt::format(kIntroduction, quick ? " --quick" : "", number, counts["confirmed"], counts["partly"],
+                     counts["not confirmed"]) +
          table + "\n## Conditions\n\nEvery study's conditions, beside which its figures hold:\n\n" + conditions;
 }
 
