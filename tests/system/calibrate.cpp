@@ -273,7 +273,7 @@ TEST_CASE("points: bad input never makes a rig") {
   bad_sensor("", "neither a map");
   bad_sensor("width_px: [", "line");
   bad_sensor("width_px: 640\n", "height_px: missing");
-  bad_sensor(sensor + "Sx: 1.01\n", "line 7: 'Sx' is not known");
+  bad_sensor(sensor + "Sx: 1.01\n", "line 7, column 1: 'Sx' is not known");
   bad_sensor(sensor + "sx: -1\n", "sx: '-1'");
 }
 

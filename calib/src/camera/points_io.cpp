@@ -1,134 +1,126 @@
 // SPDX-License-Identifier: Apache-2.0
+// Points and sensors from files.
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
+#include <set>
 #include <sstream>
-#include <string_view>
 
 #include "horopter/calib/error.hpp"
 #include "horopter/calib/points.hpp"
+#include "horopter/calib/text_file.hpp"
+#include "horopter/calib/yaml.hpp"
 
 namespace horopter::calib {
 namespace {
 
-std::string read_text(const std::filesystem::path& file, const std::string& expected) {
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error)) throw FileError(file.string(), "", "this is a directory", expected);
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw FileError(file.string(), "", "the file is missing or cannot be read", expected);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
+constexpr const char* kPointsExpected = "lines of five numbers: x_mm y_mm z_mm u_px v_px";
+constexpr const char* kSensorExpected = "a map width_px, height_px, dx_mm, dy_mm, cx_px, cy_px and, if known, sx";
+
+/// The numbers of a line up to a #; `place` stands for the line in errors.
+std::vector<double> numbers_of(std::string line, const std::string& file, const std::string& place) {
+  if (const auto comment = line.find('#'); comment != std::string::npos) line.erase(comment);
+  std::ranges::replace_if(line, [](char c) { return c == ',' || c == ';' || c == '\r' || c == '\t'; }, ' ');
+  std::istringstream words(line);
+  std::vector<double> values;
+  for (std::string word; words >> word;) {
+    char* end = nullptr;
+    values.push_back(std::strtod(word.c_str(), &end));
+    if (end == word.c_str() || *end != 0)
+      throw FileError(file, place, "'" + word + "' is not a number", kPointsExpected);
+    if (!std::isfinite(values.back())) throw FileError(file, place, "'" + word + "' is not finite", kPointsExpected);
+  }
+  return values;
+}
+
+enum class Range { pixel_count, positive, any };
+
+struct SensorNumber {
+  const char* name;
+  Range range;
+};
+constexpr std::array<SensorNumber, 7> kSensorNumbers{{{"width_px", Range::pixel_count},
+                                                      {"height_px", Range::pixel_count},
+                                                      {"dx_mm", Range::positive},
+                                                      {"dy_mm", Range::positive},
+                                                      {"cx_px", Range::any},
+                                                      {"cy_px", Range::any},
+                                                      {"sx", Range::positive}}};
+/// All but sx.
+constexpr std::size_t kRequiredNumbers = 6;
+
+double sensor_number(const std::string& file, const YAML::Node& node, const SensorNumber& number) {
+  double value = NAN;
+  const bool is_number = node.IsScalar() && YAML::convert<double>::decode(node, value) && std::isfinite(value);
+  if (number.range == Range::pixel_count && !(is_number && value > 0 && value == std::floor(value) && value <= 1e6)) {
+    yaml::fail(file, node, number.name, "", "a whole number of pixels");
+  }
+  if (number.range == Range::positive && !(is_number && value > 0)) {
+    yaml::fail(file, node, number.name, "", "a number above 0");
+  }
+  if (!is_number) yaml::fail(file, node, number.name, "", "a number");
+  return value;
+}
+
+/// By name. A misspelt sx must not be taken for 1.
+std::vector<double> sensor_of_map(const std::string& file, const YAML::Node& map) {
+  std::set<std::string> names;
+  for (const SensorNumber& number : kSensorNumbers) names.insert(number.name);
+  yaml::check_keys(file, map, names, "");
+  std::vector<double> values;
+  for (const SensorNumber& number : kSensorNumbers) {
+    const YAML::Node value = map[number.name];
+    if (value.IsDefined() && !value.IsNull()) {
+      values.push_back(sensor_number(file, value, number));
+    } else if (values.size() < kRequiredNumbers) {
+      throw FileError(file, number.name, "missing", kSensorExpected);
+    }
+  }
+  return values;
+}
+
+/// The same numbers in that order, as a list or on one line.
+std::vector<double> sensor_of_list(const std::string& file, YAML::Node node) {
+  if (node.IsScalar()) {
+    YAML::Node list;
+    std::istringstream words(node.Scalar());
+    for (std::string word; words >> word;) list.push_back(word);
+    node.reset(list);
+  }
+  if (!node.IsSequence() || node.size() < kRequiredNumbers || node.size() > kSensorNumbers.size()) {
+    throw FileError(file, "", "neither a map nor six or seven numbers", kSensorExpected);
+  }
+  std::vector<double> values;
+  for (std::size_t i = 0; i < node.size(); ++i) values.push_back(sensor_number(file, node[i], kSensorNumbers[i]));
+  return values;
 }
 
 }  // namespace
 
 std::vector<PointPair> read_points(const std::filesystem::path& file) {
-  const std::string expected = "lines of five numbers: x_mm y_mm z_mm u_px v_px";
-  std::istringstream stream(read_text(file, expected));
+  std::istringstream stream(read_text(file, kPointsExpected));
   std::vector<PointPair> points;
   std::string line;
   for (int number = 1; std::getline(stream, line); ++number) {
-    if (const auto comment = line.find('#'); comment != std::string::npos) line.erase(comment);
-    for (char& c : line) {
-      if (c == ',' || c == ';' || c == '\r' || c == '\t') c = ' ';
-    }
-    std::istringstream words(line);
-    std::string word;
-    double values[5];
-    int count = 0;
-    while (words >> word) {
-      char* end = nullptr;
-      const double value = std::strtod(word.c_str(), &end);
-      if (end == word.c_str() || *end != 0) {
-        throw FileError(file.string(), fmt::format("line {}", number), "'" + word + "' is not a number", expected);
-      }
-      if (!std::isfinite(value)) {
-        throw FileError(file.string(), fmt::format("line {}", number), "'" + word + "' is not finite", expected);
-      }
-      if (count < 5) values[count] = value;
-      ++count;
-    }
-    if (count == 0) continue;
-    if (count != 5) {
-      throw FileError(file.string(), fmt::format("line {}", number), fmt::format("{} numbers", count), expected);
-    }
-    points.push_back({{values[0], values[1], values[2]}, {values[3], values[4]}});
+    const std::string place = fmt::format("line {}", number);
+    const std::vector<double> v = numbers_of(line, file.string(), place);
+    if (v.empty()) continue;
+    if (v.size() != 5) throw FileError(file.string(), place, fmt::format("{} numbers", v.size()), kPointsExpected);
+    points.push_back({{v[0], v[1], v[2]}, {v[3], v[4]}});
   }
-  if (points.empty()) throw FileError(file.string(), "", "no points", expected);
+  if (points.empty()) throw FileError(file.string(), "", "no points", kPointsExpected);
   return points;
 }
 
 Sensor read_sensor(const std::filesystem::path& file) {
-  const std::string expected = "a map width_px, height_px, dx_mm, dy_mm, cx_px, cy_px and, if known, sx";
-  const std::string text = read_text(file, expected);
-  YAML::Node node;
-  try {
-    node = YAML::Load(text);
-  } catch (const YAML::Exception& error) {
-    throw FileError(file.string(), fmt::format("line {}", error.mark.line + 1), "not YAML (" + error.msg + ")",
-                    expected);
-  }
+  YAML::Node node = yaml::parse(file.string(), read_text(file, kSensorExpected), kSensorExpected);
   if (node.IsMap() && node["sensor"]) node.reset(node["sensor"]);
-  static constexpr std::string_view kNames[] = {"width_px", "height_px", "dx_mm", "dy_mm", "cx_px", "cy_px", "sx"};
-  double values[7] = {0, 0, 0, 0, 0, 0, 1};
-  bool has_sx = false;
-  const auto store = [&](int index, const YAML::Node& value) {
-    const bool positive = index != 4 && index != 5;
-    double number = NAN;
-    if (!value.IsScalar() || !YAML::convert<double>::decode(value, number) || !std::isfinite(number) ||
-        (positive && !(number > 0)) || (index < 2 && (number != std::floor(number) || number > 1e6))) {
-      throw FileError(file.string(), std::string(kNames[index]),
-                      value.IsScalar() ? "'" + value.Scalar() + "'" : "not a number",
-                      index < 2  ? "a whole number of pixels"
-                      : positive ? "a number above 0"
-                                 : "a number");
-    }
-    values[index] = number;
-    has_sx = has_sx || index == 6;
-  };
-  if (node.IsMap()) {
-    // A misspelt sx would be taken for 1.
-    for (const auto& entry : node) {
-      if (std::ranges::find(kNames, entry.first.Scalar()) == std::end(kNames)) {
-        throw FileError(file.string(), fmt::format("line {}", entry.first.Mark().line + 1),
-                        "'" + entry.first.Scalar() + "' is not known", expected);
-      }
-    }
-    for (int i = 0; i < 7; ++i) {
-      const YAML::Node value = node[std::string(kNames[i])];
-      if (value.IsDefined() && !value.IsNull()) {
-        store(i, value);
-      } else if (i < 6) {
-        throw FileError(file.string(), std::string(kNames[i]), "missing", expected);
-      }
-    }
-  } else {
-    // The same numbers in that order, as a list or on one line.
-    if (node.IsScalar()) {
-      YAML::Node list;
-      std::istringstream words(node.Scalar());
-      std::string word;
-      while (words >> word) list.push_back(word);
-      node.reset(list);
-    }
-    if (!node.IsSequence() || node.size() < 6 || node.size() > 7) {
-      throw FileError(file.string(), "", "neither a map nor six or seven numbers", expected);
-    }
-    for (std::size_t i = 0; i < node.size(); ++i) store(static_cast<int>(i), node[i]);
-  }
-  Sensor sensor{static_cast<int>(values[0]),
-                static_cast<int>(values[1]),
-                values[2],
-                values[3],
-                values[4],
-                values[5],
-                std::nullopt};
-  if (has_sx) sensor.sx = values[6];
+  const std::vector<double> v = node.IsMap() ? sensor_of_map(file.string(), node) : sensor_of_list(file.string(), node);
+  Sensor sensor{static_cast<int>(v[0]), static_cast<int>(v[1]), v[2], v[3], v[4], v[5], std::nullopt};
+  if (v.size() > kRequiredNumbers) sensor.sx = v[kRequiredNumbers];
   return sensor;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Readers of rig files.
+// Readers of rig files, one per format. All of them throw FileError, which names the file and the place in it.
 #pragma once
 
 #include <yaml-cpp/yaml.h>
@@ -14,26 +14,28 @@ namespace horopter::calib::import {
 struct Source {
   std::string file;
   std::string text;
+  YAML::Node root = {};  ///< of the text, where its format is YAML
 };
 
-std::string read_text(const std::filesystem::path& file, const std::string& expected);
-
-// Errors are FileError and name file, line and key.
-[[noreturn]] void fail(const Source& source, const YAML::Node& node, const std::string& what, const std::string& found,
-                       const std::string& expected);
-YAML::Node member(const Source& source, const YAML::Node& map, const std::string& key, const std::string& expected);
-double number(const Source& source, const YAML::Node& node, const std::string& what);
-/// Of nested lists, in order. `count` 0: any number.
-std::vector<double> numbers(const Source& source, const YAML::Node& node, const std::string& what, std::size_t count);
-Eigen::Matrix3d matrix3(const std::vector<double>& values);
-Eigen::Matrix3d rotation(const Source& source, const std::string& where, const Eigen::Matrix3d& matrix);
-CameraModel model(const Source& source, const std::string& where, const Intrinsics& intrinsics);
-LensCoefficients opencv_distortion(const Source& source, const std::string& where, const std::vector<double>& values);
-CameraModel opencv_model(const Source& source, const std::string& where, const Eigen::Matrix3d& k,
-                         const LensCoefficients& lens, std::vector<std::string>& warnings);
-
+RigFile read_rig(const std::string& file, const YAML::Node& root);
 RigFile read_opencv(const std::vector<Source>& sources, const ImportOptions& options);
-RigFile read_ros(const std::vector<Source>& sources, const std::vector<YAML::Node>& roots);
-RigFile read_kalibr(const Source& source, const YAML::Node& root);
+RigFile read_ros(const std::vector<Source>& sources);
+RigFile read_kalibr(const std::string& file, const YAML::Node& root);
+
+// What the readers share.
+
+/// A name by place, whatever the file calls the camera: what reads a rig looks for left and right.
+std::string camera_name(std::size_t index, std::size_t count);
+void set_size(Camera& camera, const std::string& file, const std::string& where, double width, double height);
+/// Of 9 numbers, row by row.
+Eigen::Matrix3d matrix3(const std::vector<double>& values);
+/// `matrix`, when it is a rotation.
+Eigen::Matrix3d rotation(const std::string& file, const std::string& where, const Eigen::Matrix3d& matrix);
+CameraModel model(const std::string& file, const std::string& where, const Intrinsics& intrinsics);
+LensCoefficients opencv_distortion(const std::string& file, const std::string& where,
+                                   const std::vector<double>& values);
+/// `k` is the camera matrix [fx 0 cx; 0 fy cy; 0 0 1]. A small skew is left out, with a warning.
+CameraModel opencv_model(const std::string& file, const std::string& where, const Eigen::Matrix3d& k,
+                         const LensCoefficients& lens, std::vector<std::string>& warnings);
 
 }  // namespace horopter::calib::import

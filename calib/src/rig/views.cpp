@@ -12,13 +12,13 @@
 
 #include "camera/lens_limit.hpp"
 #include "horopter/calib/error.hpp"
+#include "horopter/calib/homography.hpp"
 #include "horopter/calib/points.hpp"
 
 namespace horopter::calib {
 namespace {
 
 using Eigen::Matrix3d;
-using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using P = CameraParameters;
@@ -75,47 +75,22 @@ std::vector<Pose> symmetries(const std::vector<Vector2d>& points) {
 /// Pose of a plane from a homography between its points and undistorted directions.
 std::optional<Pose> plane_pose(const CameraModel& model, const std::vector<Vector2d>& points,
                                const std::vector<Vector2d>& pixels) {
-  const auto n = static_cast<double>(points.size());
   std::vector<Vector2d> directions;
-  Vector2d from_mean = Vector2d::Zero(), to_mean = Vector2d::Zero();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto direction = model.undistort(pixels[i]);
+  for (const Vector2d& pixel : pixels) {
+    const auto direction = model.undistort(pixel);
     if (!direction) return std::nullopt;
     directions.push_back(*direction);
-    from_mean += points[i] / n;
-    to_mean += *direction / n;
   }
-  double from_scale = 0, to_scale = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    from_scale += (points[i] - from_mean).norm() / n;
-    to_scale += (directions[i] - to_mean).norm() / n;
-  }
-  if (!(from_scale > 0 && to_scale > 0)) return std::nullopt;
-  MatrixXd a(static_cast<Eigen::Index>(2 * points.size()), 9);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Eigen::RowVector3d p = ((points[i] - from_mean) / from_scale).homogeneous().transpose();
-    const Vector2d q = (directions[i] - to_mean) / to_scale;
-    const auto row = static_cast<Eigen::Index>(2 * i);
-    a.row(row) << p, Eigen::RowVector3d::Zero(), -q.x() * p;
-    a.row(row + 1) << Eigen::RowVector3d::Zero(), p, -q.y() * p;
-  }
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(a.transpose() * a);
-  const Eigen::VectorXd h = solver.eigenvectors().col(0);
-  Matrix3d normalised;
-  normalised << h.segment<3>(0).transpose(), h.segment<3>(3).transpose(), h.segment<3>(6).transpose();
-  Matrix3d to = Matrix3d::Identity(), from = Matrix3d::Identity();
-  to.topLeftCorner<2, 2>() *= to_scale;
-  to.topRightCorner<2, 1>() = to_mean;
-  from.topLeftCorner<2, 2>() /= from_scale;
-  from.topRightCorner<2, 1>() = -from_mean / from_scale;
-  Matrix3d m = to * normalised * from;
+  const auto homography = solve_homography(points, directions);
+  if (!homography) return std::nullopt;
+  // The columns are r1, r2 and t, times a common factor, whose sign puts the plane in front of the camera.
+  Matrix3d m = homography->matrix;
   const double scale = 0.5 * (m.col(0).norm() + m.col(1).norm());
   if (!(scale > 0)) return std::nullopt;
-  m /= scale;
-  if ((m * from_mean.homogeneous()).z() < 0) m = -m;
+  m /= (m * points.front().homogeneous()).z() < 0 ? -scale : scale;
   Matrix3d rotation;
   rotation << m.col(0), m.col(1), m.col(0).cross(m.col(1));
-  Pose pose{nearest_rotation(rotation), m.col(2)};
+  const Pose pose{nearest_rotation(rotation), m.col(2)};
   for (const Vector2d& point : points) {
     if (!((pose * Vector3d(point.x(), point.y(), 0)).z() > 0)) return std::nullopt;
   }
