@@ -1,3 +1,4 @@
+rtl/csr/horopter_csr_pkg.sv
 rtl/prim/horopter_mux.sv
 rtl/prim/horopter_ram_bank.sv
 rtl/prim/horopter_ram.sv

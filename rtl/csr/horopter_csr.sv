@@ -66,8 +66,7 @@ module horopter_csr #(
     output logic [11:0] lookahead_rows_o,
     output logic [31:0] timeout_clocks_o,
     output logic [ 3:0] table_select_slot_o,
-    output logic        irq_enable_frame_o,
-    output logic        irq_enable_fault_o,
+    output logic [ 1:0] irq_enable_o,
     input  logic [ 1:0] irq_status_set_i,
     output logic [ 1:0] irq_status_o,
     output logic [15:0] sum_limit_value_o,
@@ -83,12 +82,7 @@ module horopter_csr #(
     output logic [ 7:0] constant_limit_grey_o,
     output logic [ 7:0] frozen_limit_frames_o,
     output logic        decision_compete_o,
-    output logic [ 3:0] compete_bias_o,
-    output logic [ 2:0] compete_smooth_o,
-    output logic [ 3:0] compete_similar_o,
-    output logic [ 7:0] compete_quorum_o,
-    output logic [ 7:0] compete_clear_quorum_o,
-    output logic [ 3:0] compete_boundary_o,
+    output logic [30:0] compete_o,
     output logic [ 3:0] map_slot_slot_o,
     output logic [15:0] map_base_word64_o,
     output logic        map_control_valid_o,
@@ -172,11 +166,10 @@ module horopter_csr #(
   // TABLE_SELECT: Mapping table of the next output frame.
   logic [ 3:0] table_select_slot_q;
   assign table_select_slot_o = table_select_slot_q;
-  // IRQ_ENABLE: What raises irq_o.
+  // IRQ_ENABLE: What raises irq_o; fields as in IRQ_STATUS.
   logic        irq_enable_frame_q;
-  assign irq_enable_frame_o = irq_enable_frame_q;
   logic        irq_enable_fault_q;
-  assign irq_enable_fault_o = irq_enable_fault_q;
+  assign irq_enable_o = {irq_enable_fault_q, irq_enable_frame_q};
   // SUM_LIMIT: A pixel is in the skin when its DSAD sum is at most this.
   logic [15:0] sum_limit_value_q;
   assign sum_limit_value_o = sum_limit_value_q;
@@ -218,17 +211,12 @@ module horopter_csr #(
   assign decision_compete_o = decision_compete_q;
   // COMPETE: Settings of the rule `compete`; 0 where it is not built.
   logic [ 3:0] compete_bias_q;
-  assign compete_bias_o = compete_bias_q;
   logic [ 2:0] compete_smooth_q;
-  assign compete_smooth_o = compete_smooth_q;
   logic [ 3:0] compete_similar_q;
-  assign compete_similar_o = compete_similar_q;
   logic [ 7:0] compete_quorum_q;
-  assign compete_quorum_o = compete_quorum_q;
   logic [ 7:0] compete_clear_quorum_q;
-  assign compete_clear_quorum_o = compete_clear_quorum_q;
   logic [ 3:0] compete_boundary_q;
-  assign compete_boundary_o = compete_boundary_q;
+  assign compete_o = {compete_boundary_q, compete_clear_quorum_q, compete_quorum_q, compete_similar_q, compete_smooth_q, compete_bias_q};
   // MAP_SLOT: Slot of the next upload.
   logic [ 3:0] map_slot_slot_q;
   assign map_slot_slot_o = map_slot_slot_q;

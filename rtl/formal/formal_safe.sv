@@ -11,17 +11,21 @@ module formal_safe (
     input logic        arrived,
     input logic [ 1:0] health_end,
     input logic [ 1:0] health_valid,
-    input logic [ 3:0] left_health,
-    input logic [ 3:0] right_health,
-    input logic [30:0] arriving_faults,
-    input logic [30:0] event_faults,
-    input logic [30:0] transient_faults,
+    input horopter_csr_pkg::image_faults_t left_health,
+    input horopter_csr_pkg::image_faults_t right_health,
+    input horopter_csr_pkg::stream_faults_t left_stream,
+    input horopter_csr_pkg::stream_faults_t right_stream,
+    input logic        skew,
+    input logic        bad_upload,
+    input logic        refused_upload,
+    input logic [ 1:0] silence,
     input logic [ 1:0] silent,
     input logic        begin_frame,
     input logic        active,
     input logic        read_slot,
     input logic        table_ok,
-    input logic [30:0] output_faults,
+    input logic [ 1:0] parity_error,
+    input logic        internal,
     input logic        miss,
     input logic        state_first,
     input logic        state_end,
@@ -32,7 +36,7 @@ module formal_safe (
     input logic        too_unsupervised
 );
   logic publish, frame_alarm, frame_safe, frame_done, late, heartbeat, safe, unsafe;
-  logic [30:0] frame_faults, fault_set;
+  horopter_csr_pkg::faults_t frame_faults, fault_set;
   logic [31:0] sequence_number;
   horopter_frame_control dut (
       .clk_i(clk_i),
@@ -47,9 +51,12 @@ module formal_safe (
       .health_valid_i(health_valid),
       .left_health_i(left_health),
       .right_health_i(right_health),
-      .arriving_faults_i(arriving_faults),
-      .event_faults_i(event_faults),
-      .transient_faults_i(transient_faults),
+      .left_stream_i(left_stream),
+      .right_stream_i(right_stream),
+      .skew_i(skew),
+      .bad_upload_i(bad_upload),
+      .refused_upload_i(refused_upload),
+      .silence_i(silence),
       .silent_i(silent),
       .begin_i(begin_frame),
       .active_i(active),
@@ -57,7 +64,8 @@ module formal_safe (
       .table_ok_i(table_ok),
       .table_slot_i(4'd0),
       .table_crc_i(32'd0),
-      .output_faults_i(output_faults),
+      .parity_error_i(parity_error),
+      .internal_i(internal),
       .miss_i(miss),
       .state_first_i(state_first),
       .state_end_i(state_end),
@@ -95,7 +103,7 @@ module formal_safe (
   logic [3:0] fault_age = 4'd0;  // bit i: a fault came i + 1 clocks ago
   logic fault_now;
   // Faults of a health result without valid, or of an alarm without counts, mean nothing.
-  assign fault_now = arriving_faults != '0 || event_faults != '0 || transient_faults != '0 || output_faults != '0
+  assign fault_now = {left_stream, right_stream, skew, bad_upload, refused_upload, silence, parity_error, internal, miss} != '0
       || (health_valid[0] && left_health != '0) || (health_valid[1] && right_health != '0)
       || (counts_valid && (too_undecidable || too_unsupervised));
   always @(posedge clk_i) begin

@@ -1,28 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Frame control: collects the faults of each frame, publishes a frame when its last state has left, decides what is safe.
 //
-// Faults are vectors in the bit order of the register FAULTS. arriving_faults_i belong to the frame record open_slot_i,
-// health results to the record in which the camera's frame ended, output_faults_i to the frame being output,
-// event_faults_i to the next frame published. transient_faults_i make not safe at once, but belong to no frame.
+// Faults of the streams and skew belong to the frame record open_slot_i, those of an image check to the record in which
+// the camera's frame ended, parity, store_miss and internal to the frame being output, those of an upload to the next
+// frame published. A silence, silence_i, makes not safe at once, but belongs to no frame.
 //
 // A frame is published, publish_o for one clock, when its last state and its last run have left and its counts are
 // there. In the same clock all frame_* outputs change, frame_done_o = 1, heartbeat_o toggles.
 // safe_o rises only then, and only if the frame had no fault and no alarm and nothing speaks against the next one; it
 // falls with any fault, with the watchdog, and while safe_allowed_i is 0. unsafe_o is decided and stored on its own.
 // Reset: not safe.
-module horopter_frame_control #(
-    parameter int unsigned FAULTS = 31,
-    parameter int unsigned LEFT_HEALTH_LSB = 6,  // black, white, constant, frozen
-    parameter int unsigned RIGHT_HEALTH_LSB = 17,
-    parameter int unsigned LEFT_CAMERA_MASK = 32'h0000_003F,  // faults after which a frame may lack its image check
-    parameter int unsigned RIGHT_CAMERA_MASK = 32'h0001_F800,
-    parameter int unsigned SKEW_MASK = 32'h0040_0000,
-    parameter int unsigned NO_TABLE_BIT = 24,
-    parameter int unsigned TOO_UNDECIDABLE_BIT = 27,
-    parameter int unsigned TOO_UNSUPERVISED_BIT = 28,
-    parameter int unsigned LATE_BIT = 29,
-    parameter int unsigned INTERNAL_BIT = 30
-) (
+module horopter_frame_control (
     input  logic              clk_i,
     input  logic              rst_ni,
     input  logic              safe_allowed_i,
@@ -34,11 +22,14 @@ module horopter_frame_control #(
     input  logic              arrived_i,
     input  logic [       1:0] health_end_i,  // last pixel of a camera's frame goes to its image check
     input  logic [       1:0] health_valid_i,
-    input  logic [       3:0] left_health_i,  // frozen, constant, white, black
-    input  logic [       3:0] right_health_i,
-    input  logic [FAULTS-1:0] arriving_faults_i,
-    input  logic [FAULTS-1:0] event_faults_i,
-    input  logic [FAULTS-1:0] transient_faults_i,
+    input  horopter_csr_pkg::image_faults_t left_health_i,
+    input  horopter_csr_pkg::image_faults_t right_health_i,
+    input  horopter_csr_pkg::stream_faults_t left_stream_i,
+    input  horopter_csr_pkg::stream_faults_t right_stream_i,
+    input  logic              skew_i,
+    input  logic              bad_upload_i,
+    input  logic              refused_upload_i,
+    input  logic [       1:0] silence_i,
     input  logic [       1:0] silent_i,
     // frame going out
     input  logic              begin_i,
@@ -47,7 +38,8 @@ module horopter_frame_control #(
     input  logic              table_ok_i,
     input  logic [       3:0] table_slot_i,
     input  logic [      31:0] table_crc_i,
-    input  logic [FAULTS-1:0] output_faults_i,
+    input  logic [       1:0] parity_error_i,
+    input  logic              internal_i,
     input  logic              miss_i,  // a pixel that missed its source row
     input  logic              state_first_i,  // its first state leaves
     input  logic              state_end_i,  // its last state leaves
@@ -65,7 +57,7 @@ module horopter_frame_control #(
     output logic              frame_alarm_o,
     output logic              frame_safe_o,
     output logic [       3:0] frame_slot_o,
-    output logic [FAULTS-1:0] frame_faults_o,
+    output horopter_csr_pkg::faults_t frame_faults_o,
     output logic [      31:0] frame_table_crc_o,
     output logic [      23:0] frame_skin_o,
     output logic [      23:0] frame_undecidable_o,
@@ -76,42 +68,45 @@ module horopter_frame_control #(
     output logic [      31:0] frame_tail_o,
     output logic              frame_done_o,
     // now
-    output logic [FAULTS-1:0] fault_set_o,  // every fault, one clock when it is found
+    output horopter_csr_pkg::faults_t fault_set_o,  // every fault, one clock when it is found
     output logic              late_o,
     output logic              heartbeat_o,
     output logic              safe_o,
     output logic              unsafe_o
 );
-  localparam logic [FAULTS-1:0] NONE = '0;
-  localparam logic [FAULTS-1:0] INTERNAL = FAULTS'(1) << INTERNAL_BIT;
-  localparam logic [FAULTS-1:0] LATE = FAULTS'(1) << LATE_BIT;
-  localparam logic [FAULTS-1:0] NO_TABLE = FAULTS'(1) << NO_TABLE_BIT;
-  localparam logic [FAULTS-1:0] LEFT_EXCUSE = FAULTS'(LEFT_CAMERA_MASK | SKEW_MASK);
-  localparam logic [FAULTS-1:0] RIGHT_EXCUSE = FAULTS'(RIGHT_CAMERA_MASK | SKEW_MASK);
-
   // --- faults, registered, so that their sources may be slow ---
-  logic [FAULTS-1:0] arriving_q, left_health_q, right_health_q, outgoing_q, event_in_q, transient_q;
+  // Of each vector only what its source has; the rest stays '0.
+  horopter_csr_pkg::faults_t arriving_q, left_health_q, right_health_q, outgoing_q, event_in_q, transient_q;
   logic open_q, open_slot_q, left_slot_q, right_slot_q, late_rises;
   logic [4:0] begin_q;  // the table's entry is there some clocks after the begin
   always_ff @(posedge clk_i) begin
+    arriving_q <= '0;
+    left_health_q <= '0;
+    right_health_q <= '0;
+    outgoing_q <= '0;
+    event_in_q <= '0;
+    transient_q <= '0;
     if (!rst_ni) begin
-      arriving_q <= NONE;
-      left_health_q <= NONE;
-      right_health_q <= NONE;
-      outgoing_q <= NONE;
-      event_in_q <= NONE;
-      transient_q <= NONE;
       open_q <= 1'b0;
       begin_q <= 5'd0;
     end else begin
-      arriving_q <= arriving_faults_i;
-      left_health_q <= health_valid_i[0] ? FAULTS'(left_health_i) << LEFT_HEALTH_LSB : NONE;
-      right_health_q <= health_valid_i[1] ? FAULTS'(right_health_i) << RIGHT_HEALTH_LSB : NONE;
-      outgoing_q <= output_faults_i | (begin_q[4] && !table_ok_i ? NO_TABLE : NONE)
-          | (counts_valid_i && too_undecidable_i ? FAULTS'(1) << TOO_UNDECIDABLE_BIT : NONE)
-          | (counts_valid_i && too_unsupervised_i ? FAULTS'(1) << TOO_UNSUPERVISED_BIT : NONE);
-      event_in_q <= event_faults_i;
-      transient_q <= transient_faults_i | (late_rises ? LATE : NONE);
+      arriving_q.left.stream <= left_stream_i;
+      arriving_q.right.stream <= right_stream_i;
+      arriving_q.machine.skew <= skew_i;
+      if (health_valid_i[0]) left_health_q.left.image <= left_health_i;
+      if (health_valid_i[1]) right_health_q.right.image <= right_health_i;
+      outgoing_q.left.parity <= parity_error_i[0];
+      outgoing_q.right.parity <= parity_error_i[1];
+      outgoing_q.machine.store_miss <= miss_i;
+      outgoing_q.machine.internal <= internal_i;
+      outgoing_q.machine.no_table <= begin_q[4] && !table_ok_i;
+      outgoing_q.machine.too_undecidable <= counts_valid_i && too_undecidable_i;
+      outgoing_q.machine.too_unsupervised <= counts_valid_i && too_unsupervised_i;
+      event_in_q.machine.map_crc <= bad_upload_i;
+      event_in_q.machine.map_busy <= refused_upload_i;
+      transient_q.left.stream.silent <= silence_i[0];
+      transient_q.right.stream.silent <= silence_i[1];
+      transient_q.machine.late <= late_rises;
       open_q <= open_i;
       begin_q <= {begin_q[3:0], begin_i};
     end
@@ -124,7 +119,7 @@ module horopter_frame_control #(
   logic state_ended_q, runs_ended_q, counted_q;
   logic complete, publishing, publish_q;
   logic [1:0] accepts;  // records that still take faults
-  logic [FAULTS-1:0] set_record0, set_record1, set_event;
+  horopter_csr_pkg::faults_t set_record0, set_record1, set_event;
   assign complete = active_i && state_ended_q && runs_ended_q && counted_q && !publishing && !publish_q && !publish_o;
   always_ff @(posedge clk_i) begin
     publishing <= rst_ni && complete;
@@ -132,8 +127,8 @@ module horopter_frame_control #(
     if (complete || publishing || publish_q || publish_o) accepts[read_slot_i] <= 1'b0;
   end
   always_comb begin
-    set_record0 = NONE;
-    set_record1 = NONE;
+    set_record0 = '0;
+    set_record1 = '0;
     set_event = event_in_q;
     if (!accepts[open_slot_q]) set_event = set_event | arriving_q;
     else if (open_slot_q) set_record1 = set_record1 | arriving_q;
@@ -149,42 +144,46 @@ module horopter_frame_control #(
     else set_record0 = set_record0 | outgoing_q;
   end
 
-  logic [FAULTS-1:0] faults0_q, faults1_q, event_q, total_q, read_faults;
+  horopter_csr_pkg::faults_t faults0_q, faults1_q, event_q, total_q, read_faults, unchecked;
   logic [1:0] left_checked_q, right_checked_q;  // by record
   logic [1:0] bad_q;  // by record
   logic found_q, others_bad_q;
   assign read_faults = (read_slot_i ? faults1_q : faults0_q) | event_q;
+  // A frame without its image checks, and without a fault of a camera's stream that explains it, was not checked: not safe.
+  always_comb begin
+    unchecked = '0;
+    unchecked.machine.internal = !read_faults.machine.skew
+        && ((!left_checked_q[read_slot_i] && read_faults.left.stream == '0)
+            || (!right_checked_q[read_slot_i] && read_faults.right.stream == '0));
+  end
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      faults0_q <= NONE;
-      faults1_q <= NONE;
-      event_q <= NONE;
+      faults0_q <= '0;
+      faults1_q <= '0;
+      event_q <= '0;
       left_checked_q <= 2'b00;
       right_checked_q <= 2'b00;
-      fault_set_o <= NONE;
+      fault_set_o <= '0;
       found_q <= 1'b0;
       bad_q <= 2'b00;
       others_bad_q <= 1'b0;
-      total_q <= NONE;
+      total_q <= '0;
     end else begin
-      faults0_q <= (open_q && !open_slot_q ? NONE : faults0_q) | set_record0;
-      faults1_q <= (open_q && open_slot_q ? NONE : faults1_q) | set_record1;
-      event_q <= (publishing ? NONE : event_q) | set_event;
+      faults0_q <= (open_q && !open_slot_q ? '0 : faults0_q) | set_record0;
+      faults1_q <= (open_q && open_slot_q ? '0 : faults1_q) | set_record1;
+      event_q <= (publishing ? '0 : event_q) | set_event;
       if (open_q) begin
         left_checked_q[open_slot_q] <= 1'b0;
         right_checked_q[open_slot_q] <= 1'b0;
       end
       if (health_valid_i[0]) left_checked_q[left_slot_q] <= 1'b1;
       if (health_valid_i[1]) right_checked_q[right_slot_q] <= 1'b1;
-      // A frame without its image checks, and without a camera fault that explains it, was not checked: not safe.
-      if (publishing)
-        total_q <= read_faults
-            | ((!left_checked_q[read_slot_i] && (read_faults & LEFT_EXCUSE) == NONE)
-               || (!right_checked_q[read_slot_i] && (read_faults & RIGHT_EXCUSE) == NONE) ? INTERNAL : NONE);
-      fault_set_o <= set_record0 | set_record1 | set_event | transient_q | (publish_q ? total_q & INTERNAL : NONE);
-      found_q <= fault_set_o != NONE;
+      if (publishing) total_q <= read_faults | unchecked;
+      fault_set_o <= set_record0 | set_record1 | set_event | transient_q;
+      if (publish_q && total_q.machine.internal) fault_set_o.machine.internal <= 1'b1;
+      found_q <= fault_set_o != '0;
       // Until this has followed a fault, fault_set_o and found_q tell of it.
-      bad_q <= {faults1_q != NONE, faults0_q != NONE};
+      bad_q <= {faults1_q != '0, faults0_q != '0};
       others_bad_q <= bad_q[!read_slot_i] && busy_i[!read_slot_i];
     end
   end
@@ -198,7 +197,7 @@ module horopter_frame_control #(
   logic state_first_q, first_seen_q, alarm_q;
   logic [23:0] skin_q, undecidable_q, unsupervised_q, misses_q;
   logic good;
-  assign good = total_q == NONE && !alarm_q && table_ok_i;
+  assign good = total_q == '0 && !alarm_q && table_ok_i;
   always_ff @(posedge clk_i) begin
     publish_q <= 1'b0;
     publish_o <= 1'b0;
@@ -221,8 +220,8 @@ module horopter_frame_control #(
       frame_sequence_o <= 32'd0;
       frame_alarm_o <= 1'b0;
       frame_safe_o <= 1'b0;
-      frame_slot_o <= 4'd15;
-      frame_faults_o <= NONE;
+      frame_slot_o <= horopter_csr_pkg::NO_SLOT;
+      frame_faults_o <= '0;
       frame_skin_o <= 24'd0;
       frame_undecidable_o <= 24'd0;
       frame_unsupervised_o <= 24'd0;
@@ -263,7 +262,7 @@ module horopter_frame_control #(
         frame_sequence_o <= frame_sequence_o + 32'd1;
         frame_alarm_o <= alarm_q;
         frame_safe_o <= good;
-        frame_slot_o <= table_ok_i ? table_slot_i : 4'd15;
+        frame_slot_o <= table_ok_i ? table_slot_i : horopter_csr_pkg::NO_SLOT;
         frame_faults_o <= total_q;
         frame_skin_o <= skin_q;
         frame_undecidable_o <= undecidable_q;
@@ -300,15 +299,15 @@ module horopter_frame_control #(
     unsafe_o = 1'b1;
   end
   logic bad_now;
-  assign bad_now = found_q || fault_set_o != NONE || (late_o && !publish_q) || silent_i != 2'b00 || !safe_allowed_i;
+  assign bad_now = found_q || fault_set_o != '0 || (late_o && !publish_q) || silent_i != 2'b00 || !safe_allowed_i;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) safe_o <= 1'b0;
     else if (bad_now) safe_o <= 1'b0;
-    else if (publish_q) safe_o <= good && !others_bad_q && event_q == NONE;
+    else if (publish_q) safe_o <= good && !others_bad_q && event_q == '0;
   end
   // The same, said the other way round and stored again.
   always_ff @(posedge clk_i) begin
     if (!rst_ni || bad_now) unsafe_o <= 1'b1;
-    else if (publish_q) unsafe_o <= total_q != NONE || alarm_q || !table_ok_i || others_bad_q || event_q != NONE;
+    else if (publish_q) unsafe_o <= total_q != '0 || alarm_q || !table_ok_i || others_bad_q || event_q != '0;
   end
 endmodule

@@ -94,7 +94,6 @@ module horopter_top #(
   localparam int unsigned MIN_WIDTH = 32 * SUBSAMPLE;
   localparam int unsigned MIN_HEIGHT = 16;
   localparam int unsigned MAX_SUM = 15 * DSAD_WINDOW * DSAD_WINDOW;
-  localparam int unsigned FAULTS = 31;
 
   // Beats that can be under way from the raster generator to the output FIFOs: a bound on the sum of all latencies.
   localparam int unsigned IN_FLIGHT = 128;
@@ -178,15 +177,13 @@ module horopter_top #(
   logic [11:0] width, height, lookahead;
   logic [31:0] timeout;
   logic [3:0] table_select, active_slot_q;
-  logic irq_frame_enable, irq_fault_enable;
-  logic [1:0] irq_status;
+  horopter_csr_pkg::irq_enable_t irq_enable;
+  horopter_csr_pkg::irq_status_t irq_set, irq_status;
   logic [15:0] sum_limit, self_limit, texture_limit;
   logic [23:0] alarm_limit, undecidable_limit, unsupervised_limit, black_limit, white_limit;
   logic [7:0] black_level, white_level, constant_limit, frozen_limit;
   logic decision_compete;
-  logic [3:0] compete_bias, compete_similar, compete_boundary;
-  logic [2:0] compete_smooth;
-  logic [7:0] compete_quorum, compete_clear_quorum;
+  horopter_csr_pkg::compete_t compete_settings;
   logic [3:0] map_slot;
   logic [15:0] map_base;
   logic map_control_valid, map_control_ready, map_start, map_data_valid, map_data_ready;
@@ -194,15 +191,14 @@ module horopter_top #(
   logic map_busy;
   logic [2:0] map_error;
   logic [14:0] map_valid;
-  logic [FAULTS-1:0] fault_set, faults_set_q;
+  horopter_csr_pkg::faults_t fault_set, faults_set_q;
   logic [1:0] frame_busy, silent;
   logic late, bad_upload, refused_upload;
   logic [31:0] frame_sequence, frame_table_crc, frame_cycles, frame_latency, frame_tail;
   logic frame_alarm, frame_safe;
   logic [3:0] frame_slot;
-  logic [FAULTS-1:0] frame_faults;
   logic [23:0] frame_skin, frame_undecidable, frame_unsupervised, frame_misses;
-  logic [FAULTS-1:0] faults_now;
+  horopter_csr_pkg::faults_t frame_faults, faults_now;
 
   horopter_csr #(
       .BOTH_RULES(THESIS && COMPETE),
@@ -265,9 +261,8 @@ module horopter_top #(
       .lookahead_rows_o(lookahead),
       .timeout_clocks_o(timeout),
       .table_select_slot_o(table_select),
-      .irq_enable_frame_o(irq_frame_enable),
-      .irq_enable_fault_o(irq_fault_enable),
-      .irq_status_set_i({faults_set_q != '0, frame_done_o}),
+      .irq_enable_o(irq_enable),
+      .irq_status_set_i(irq_set),
       .irq_status_o(irq_status),
       .sum_limit_value_o(sum_limit),
       .self_limit_value_o(self_limit),
@@ -282,12 +277,7 @@ module horopter_top #(
       .constant_limit_grey_o(constant_limit),
       .frozen_limit_frames_o(frozen_limit),
       .decision_compete_o(decision_compete),
-      .compete_bias_o(compete_bias),
-      .compete_smooth_o(compete_smooth),
-      .compete_similar_o(compete_similar),
-      .compete_quorum_o(compete_quorum),
-      .compete_clear_quorum_o(compete_clear_quorum),
-      .compete_boundary_o(compete_boundary),
+      .compete_o(compete_settings),
       .map_slot_slot_o(map_slot),
       .map_base_word64_o(map_base),
       .map_control_valid_o(map_control_valid),
@@ -321,10 +311,14 @@ module horopter_top #(
   logic unused_faults_now;
   assign unused_faults_now = ^faults_now;  // read by software only
 
+  assign irq_set.frame = frame_done_o;
+  assign irq_set.fault = faults_set_q != '0;
   always_ff @(posedge clk_i) begin
+    faults_set_q <= fault_set;
     // Uploads work while the rest is in reset, and so do their faults.
-    faults_set_q <= fault_set | {4'd0, refused_upload, bad_upload, 25'd0};
-    irq_o <= rst_ni && ((irq_status[0] && irq_frame_enable) || (irq_status[1] && irq_fault_enable));
+    if (bad_upload) faults_set_q.machine.map_crc <= 1'b1;
+    if (refused_upload) faults_set_q.machine.map_busy <= 1'b1;
+    irq_o <= rst_ni && ((irq_status.frame && irq_enable.frame) || (irq_status.fault && irq_enable.fault));
   end
 
   // The streaming core runs while enabled with a possible geometry; otherwise it is in reset.
@@ -589,7 +583,7 @@ module horopter_top #(
     end
   end
   logic [1:0] health_valid;
-  logic [3:0] left_health, right_health;
+  horopter_csr_pkg::image_faults_t left_health, right_health;
   horopter_health u_left_health (
       .clk_i(clk_i),
       .rst_ni(core_rst_n),
@@ -605,10 +599,10 @@ module horopter_top #(
       .cfg_contrast_limit_i(sampled_constant_limit_q),
       .cfg_frozen_limit_i(sampled_frozen_limit_q),
       .valid_o(health_valid[0]),
-      .black_o(left_health[0]),
-      .white_o(left_health[1]),
-      .constant_o(left_health[2]),
-      .frozen_o(left_health[3])
+      .black_o(left_health.black),
+      .white_o(left_health.white),
+      .constant_o(left_health.constant),
+      .frozen_o(left_health.frozen)
   );
   horopter_health u_right_health (
       .clk_i(clk_i),
@@ -625,10 +619,10 @@ module horopter_top #(
       .cfg_contrast_limit_i(sampled_constant_limit_q),
       .cfg_frozen_limit_i(sampled_frozen_limit_q),
       .valid_o(health_valid[1]),
-      .black_o(right_health[0]),
-      .white_o(right_health[1]),
-      .constant_o(right_health[2]),
-      .frozen_o(right_health[3])
+      .black_o(right_health.black),
+      .white_o(right_health.white),
+      .constant_o(right_health.constant),
+      .frozen_o(right_health.frozen)
   );
 
   // ------------------------------------------------------------------------------------------------ map and raster
@@ -740,7 +734,7 @@ module horopter_top #(
   logic [RESULT_WIDTH_BITS-1:0] result_width_q;
   logic [RESULT_HEIGHT_BITS-1:0] result_height_q;
   always_ff @(posedge clk_i) begin
-    if (!core_rst_n) active_slot_q <= 4'd15;
+    if (!core_rst_n) active_slot_q <= horopter_csr_pkg::NO_SLOT;
     else if (lookup) active_slot_q <= table_select;
     if (frame_begin) begin
       sampled_sum_limit_q <= 32'(sum_limit) >> SUM_BITS != 0 ? '1 : SUM_BITS'(sum_limit);
@@ -756,21 +750,21 @@ module horopter_top #(
 
   // The rule, and what only one of them needs; the same way.
   logic sampled_compete;
-  logic [30:0] sampled_settings;  // of `compete`
+  horopter_csr_pkg::compete_t sampled_settings;
   if (COMPETE) begin : g_compete
     logic sampled_compete_q;
-    logic [30:0] sampled_settings_q;
+    horopter_csr_pkg::compete_t sampled_settings_q;
     always_ff @(posedge clk_i) begin
       if (frame_begin) begin
         sampled_compete_q <= decision_compete;
-        sampled_settings_q <= {compete_boundary, compete_clear_quorum, compete_quorum, compete_similar, compete_smooth, compete_bias};
+        sampled_settings_q <= compete_settings;
       end
     end
     assign sampled_compete = THESIS ? sampled_compete_q : 1'b1;
     assign sampled_settings = sampled_settings_q;
   end else begin : g_thesis
     logic unused_settings;
-    assign unused_settings = ^{decision_compete, compete_boundary, compete_clear_quorum, compete_quorum, compete_similar, compete_smooth, compete_bias};
+    assign unused_settings = ^{decision_compete, compete_settings};
     assign sampled_compete = 1'b0;
     assign sampled_settings = '0;
   end
@@ -923,12 +917,12 @@ module horopter_top #(
       .cfg_sum_limit_i(sampled_sum_limit_q),
       .cfg_self_limit_i(sampled_self_limit_q),
       .cfg_compete_i(sampled_compete),
-      .cfg_bias_i(sampled_settings[3:0]),
-      .cfg_smooth_i(sampled_settings[6:4]),
-      .cfg_similar_i(sampled_settings[10:7]),
-      .cfg_quorum_i(sampled_settings[18:11]),
-      .cfg_clear_quorum_i(sampled_settings[26:19]),
-      .cfg_boundary_i(sampled_settings[30:27]),
+      .cfg_bias_i(sampled_settings.bias),
+      .cfg_smooth_i(sampled_settings.smooth),
+      .cfg_similar_i(sampled_settings.similar),
+      .cfg_quorum_i(sampled_settings.quorum),
+      .cfg_clear_quorum_i(sampled_settings.clear_quorum),
+      .cfg_boundary_i(sampled_settings.boundary),
       .cfg_width_i(result_width_q),
       .cfg_height_i(result_height_q),
       .cfg_alarm_limit_i(sampled_alarm_limit_q),
@@ -1026,27 +1020,26 @@ module horopter_top #(
   always_ff @(posedge clk_i) go_q <= core_rst_n && !state_almost_full && !runs_almost_full;
 
   // ------------------------------------------------------------------------------------------------ frames
-  // Bits as in the register FAULTS.
-  logic [FAULTS-1:0] arriving_faults, event_faults, transient_faults, output_faults;
-  assign arriving_faults = {
-    8'd0, skew,
-    5'd0, overflow[1] || lost_pixel[1], lost_silent[1] || pair_silent[1], missing_start[1], missing_line[1],
-    long_line[1], short_line[1],
-    5'd0, overflow[0] || lost_pixel[0], lost_silent[0] || pair_silent[0], missing_start[0], missing_line[0],
-    long_line[0], short_line[0]
-  };
-  assign event_faults = {3'd0, 1'b0, refused_upload, bad_upload, 25'd0};
-  assign transient_faults = {15'd0, silence[1], 10'd0, silence[0], 4'd0};
-  logic miss;
+  horopter_csr_pkg::stream_faults_t left_stream, right_stream;
+  assign left_stream.short_line = short_line[0];
+  assign left_stream.long_line = long_line[0];
+  assign left_stream.missing_line = missing_line[0];
+  assign left_stream.missing_start = missing_start[0];
+  assign left_stream.silent = lost_silent[0] || pair_silent[0];
+  assign left_stream.overflow = overflow[0] || lost_pixel[0];
+  assign right_stream.short_line = short_line[1];
+  assign right_stream.long_line = long_line[1];
+  assign right_stream.missing_line = missing_line[1];
+  assign right_stream.missing_start = missing_start[1];
+  assign right_stream.silent = lost_silent[1] || pair_silent[1];
+  assign right_stream.overflow = overflow[1] || lost_pixel[1];
+  logic miss, internal;
+  logic [1:0] parity_error;
   assign miss = quad_valid && quad_miss;
-  assign output_faults = {
-    state_overflow || runs_overflow || (beat_valid && beat_parity_error),
-    6'd0, miss, 1'b0, quad_valid && quad_parity_error && left_mask, 10'd0, left_parity_error, 10'd0
-  };
+  assign parity_error = {quad_valid && quad_parity_error && left_mask, left_parity_error};
+  assign internal = state_overflow || runs_overflow || (beat_valid && beat_parity_error);
 
-  horopter_frame_control #(
-      .FAULTS(FAULTS)
-  ) u_frame_control (
+  horopter_frame_control u_frame_control (
       .clk_i(clk_i),
       .rst_ni(core_rst_n),
       .safe_allowed_i(rst_ni && !test_input),  // a reset ends it at once, not a clock later
@@ -1059,9 +1052,12 @@ module horopter_top #(
       .health_valid_i(health_valid),
       .left_health_i(left_health),
       .right_health_i(right_health),
-      .arriving_faults_i(arriving_faults),
-      .event_faults_i(event_faults),
-      .transient_faults_i(transient_faults),
+      .left_stream_i(left_stream),
+      .right_stream_i(right_stream),
+      .skew_i(skew),
+      .bad_upload_i(bad_upload),
+      .refused_upload_i(refused_upload),
+      .silence_i(silence),
       .silent_i(silent),
       .begin_i(frame_begin),
       .active_i(frame_active),
@@ -1069,7 +1065,8 @@ module horopter_top #(
       .table_ok_i(table_ok),
       .table_slot_i(active_slot_q),
       .table_crc_i(table_crc),
-      .output_faults_i(output_faults),
+      .parity_error_i(parity_error),
+      .internal_i(internal),
       .miss_i(miss),
       .state_first_i(m_axis_state_tvalid && m_axis_state_tready && m_axis_state_tuser),
       .state_end_i(m_axis_state_tvalid && m_axis_state_tready && out_end),

@@ -19,7 +19,7 @@ namespace {
 
 namespace reg = registers;
 
-constexpr int kNoTable = 15;
+constexpr int kNoTable = reg::kNoSlot;
 constexpr int kSlots = 15;
 constexpr std::uint32_t kRegisterMapMajor = 1;
 /// Reads of FRAME_SEQUENCE before a machine that has sent all its states counts as broken.

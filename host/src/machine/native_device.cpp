@@ -16,7 +16,7 @@ namespace {
 
 namespace reg = registers;
 
-constexpr int kNoTable = 15;
+constexpr int kNoTable = reg::kNoSlot;
 constexpr std::uint32_t kTableHeader = 0x484D0100;
 
 const reg::Register* find_register(std::uint32_t address) {

@@ -12,6 +12,7 @@
 
 #include "horopter/base/profile.hpp"
 #include "horopter/machine/device.hpp"
+#include "horopter/machine/registers.hpp"
 
 namespace horopter {
 
@@ -59,17 +60,17 @@ class NativeDevice : public Device {
   std::uint32_t irq_status_ = 0;
 
   std::array<std::optional<Table>, 15> tables_;
-  int active_slot_ = 15;                    ///< of the first of `pending_`, from its arrival on, or of the frame before
+  int active_slot_ = registers::kNoSlot;    ///< of the first of `pending_`, from its arrival on, or of the frame before
   std::uint32_t frame_faults_pending_ = 0;  ///< of the control side since the last frame
   bool uploading_ = false;
-  int upload_slot_ = 15;
+  int upload_slot_ = registers::kNoSlot;
   Table upload_;
   std::size_t upload_length_ = 0;  ///< words in all, known after the header
   UploadError upload_error_ = UploadError::none;
 
   struct Frame {
     std::uint32_t sequence = 0;
-    std::uint32_t status = 15U << 2;  ///< no table
+    std::uint32_t status = registers::frame_status::kSlot.put(registers::kNoSlot);
     std::uint32_t faults = 0;
     std::uint32_t table_crc = 0;
     std::uint32_t skin = 0;

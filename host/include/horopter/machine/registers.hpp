@@ -26,6 +26,9 @@ struct Field {
 /// How software may use a register.
 enum class Access { kReadWrite, kReadOnly, kWriteOneToClear, kWriteStream };
 
+/// TABLE_SELECT, FRAME_STATUS and MAP_STATUS: no table.
+inline constexpr std::uint32_t kNoSlot = 15;
+
 /// Always 0x484F524F, "HORO".
 namespace id {
 inline constexpr std::uint32_t kAddress = 0x000;
@@ -195,7 +198,7 @@ inline constexpr std::uint32_t kReset = 0xF;
 inline constexpr Field kSlot{0, 4};
 }  // namespace table_select
 
-/// What raises irq_o.
+/// What raises irq_o; fields as in IRQ_STATUS.
 namespace irq_enable {
 inline constexpr std::uint32_t kAddress = 0x060;
 inline constexpr Access kAccess = Access::kReadWrite;
@@ -416,15 +419,15 @@ inline constexpr Access kAccess = Access::kWriteOneToClear;
 inline constexpr Field kLeftShortLine{0, 1};
 /// A line of the left camera had too many pixels; the whole row counts as missing.
 inline constexpr Field kLeftLongLine{1, 1};
-/// Left: a start of frame, or in live mode a pause of four line lengths, came before the last line; the rows that did
-/// not come count as missing.
+/// The left camera's start of frame, or in live mode a pause of four line lengths, came before the last line; the rows
+/// that did not come count as missing.
 inline constexpr Field kLeftMissingLine{2, 1};
-/// Left: lines after the last one of the frame, without a start of frame.
+/// Lines of the left camera after the last one of the frame, without a start of frame.
 inline constexpr Field kLeftMissingStart{3, 1};
-/// No pixel from the left camera for TIMEOUT clocks; in live mode also: it did not come when the right one was 12 rows
+/// No pixel from the left camera for TIMEOUT clocks; in live mode also: it did not come when the other one was 12 rows
 /// into the frame.
 inline constexpr Field kLeftSilent{4, 1};
-/// Left camera in live mode: pixels came that could not be stored.
+/// The left camera in live mode: pixels came that could not be stored.
 inline constexpr Field kLeftOverflow{5, 1};
 /// The left image is black.
 inline constexpr Field kLeftBlack{6, 1};
@@ -436,27 +439,29 @@ inline constexpr Field kLeftConstant{8, 1};
 inline constexpr Field kLeftFrozen{9, 1};
 /// A bit of the left image's memory fell over.
 inline constexpr Field kLeftParity{10, 1};
-/// As left_short_line.
+/// A line of the right camera ended early; the whole row counts as missing.
 inline constexpr Field kRightShortLine{11, 1};
-/// As left_long_line.
+/// A line of the right camera had too many pixels; the whole row counts as missing.
 inline constexpr Field kRightLongLine{12, 1};
-/// As left_missing_line.
+/// The right camera's start of frame, or in live mode a pause of four line lengths, came before the last line; the rows
+/// that did not come count as missing.
 inline constexpr Field kRightMissingLine{13, 1};
-/// As left_missing_start.
+/// Lines of the right camera after the last one of the frame, without a start of frame.
 inline constexpr Field kRightMissingStart{14, 1};
-/// As left_silent.
+/// No pixel from the right camera for TIMEOUT clocks; in live mode also: it did not come when the other one was 12 rows
+/// into the frame.
 inline constexpr Field kRightSilent{15, 1};
-/// As left_overflow.
+/// The right camera in live mode: pixels came that could not be stored.
 inline constexpr Field kRightOverflow{16, 1};
-/// As left_black.
+/// The right image is black.
 inline constexpr Field kRightBlack{17, 1};
-/// As left_white.
+/// The right image is white.
 inline constexpr Field kRightWhite{18, 1};
-/// As left_constant.
+/// The right image is one grey level.
 inline constexpr Field kRightConstant{19, 1};
-/// As left_frozen.
+/// The right image is the same as before, noise and all.
 inline constexpr Field kRightFrozen{20, 1};
-/// As left_parity.
+/// A bit of the right image's memory fell over.
 inline constexpr Field kRightParity{21, 1};
 /// Live mode: the cameras are more than 64 px apart, or one missed a frame.
 inline constexpr Field kSkew{22, 1};
@@ -507,15 +512,15 @@ inline constexpr Access kAccess = Access::kReadOnly;
 inline constexpr Field kLeftShortLine{0, 1};
 /// A line of the left camera had too many pixels; the whole row counts as missing.
 inline constexpr Field kLeftLongLine{1, 1};
-/// Left: a start of frame, or in live mode a pause of four line lengths, came before the last line; the rows that did
-/// not come count as missing.
+/// The left camera's start of frame, or in live mode a pause of four line lengths, came before the last line; the rows
+/// that did not come count as missing.
 inline constexpr Field kLeftMissingLine{2, 1};
-/// Left: lines after the last one of the frame, without a start of frame.
+/// Lines of the left camera after the last one of the frame, without a start of frame.
 inline constexpr Field kLeftMissingStart{3, 1};
-/// No pixel from the left camera for TIMEOUT clocks; in live mode also: it did not come when the right one was 12 rows
+/// No pixel from the left camera for TIMEOUT clocks; in live mode also: it did not come when the other one was 12 rows
 /// into the frame.
 inline constexpr Field kLeftSilent{4, 1};
-/// Left camera in live mode: pixels came that could not be stored.
+/// The left camera in live mode: pixels came that could not be stored.
 inline constexpr Field kLeftOverflow{5, 1};
 /// The left image is black.
 inline constexpr Field kLeftBlack{6, 1};
@@ -527,27 +532,29 @@ inline constexpr Field kLeftConstant{8, 1};
 inline constexpr Field kLeftFrozen{9, 1};
 /// A bit of the left image's memory fell over.
 inline constexpr Field kLeftParity{10, 1};
-/// As left_short_line.
+/// A line of the right camera ended early; the whole row counts as missing.
 inline constexpr Field kRightShortLine{11, 1};
-/// As left_long_line.
+/// A line of the right camera had too many pixels; the whole row counts as missing.
 inline constexpr Field kRightLongLine{12, 1};
-/// As left_missing_line.
+/// The right camera's start of frame, or in live mode a pause of four line lengths, came before the last line; the rows
+/// that did not come count as missing.
 inline constexpr Field kRightMissingLine{13, 1};
-/// As left_missing_start.
+/// Lines of the right camera after the last one of the frame, without a start of frame.
 inline constexpr Field kRightMissingStart{14, 1};
-/// As left_silent.
+/// No pixel from the right camera for TIMEOUT clocks; in live mode also: it did not come when the other one was 12 rows
+/// into the frame.
 inline constexpr Field kRightSilent{15, 1};
-/// As left_overflow.
+/// The right camera in live mode: pixels came that could not be stored.
 inline constexpr Field kRightOverflow{16, 1};
-/// As left_black.
+/// The right image is black.
 inline constexpr Field kRightBlack{17, 1};
-/// As left_white.
+/// The right image is white.
 inline constexpr Field kRightWhite{18, 1};
-/// As left_constant.
+/// The right image is one grey level.
 inline constexpr Field kRightConstant{19, 1};
-/// As left_frozen.
+/// The right image is the same as before, noise and all.
 inline constexpr Field kRightFrozen{20, 1};
-/// As left_parity.
+/// A bit of the right image's memory fell over.
 inline constexpr Field kRightParity{21, 1};
 /// Live mode: the cameras are more than 64 px apart, or one missed a frame.
 inline constexpr Field kSkew{22, 1};

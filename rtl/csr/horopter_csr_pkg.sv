@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Made by scripts/generate-registers from rtl/csr/registers.yaml: change that, not this.
+//
+// Fields by name: what has no bit number cannot have a wrong one. Of a register with one port for all fields <name>_t;
+// of several fields that belong together, the group.
+package horopter_csr_pkg;
+  typedef enum logic [3:0] {  // TABLE_SELECT, FRAME_STATUS and MAP_STATUS: no table.
+    NO_SLOT = 4'd15
+  } no_slot_t;
+
+  typedef struct packed {  // from the highest bit
+    logic overflow;
+    logic silent;
+    logic missing_start;
+    logic missing_line;
+    logic long_line;
+    logic short_line;
+  } stream_faults_t;
+
+  typedef struct packed {  // from the highest bit
+    logic frozen;
+    logic constant;
+    logic white;
+    logic black;
+  } image_faults_t;
+
+  typedef struct packed {  // from the highest bit
+    logic parity;
+    image_faults_t image;
+    stream_faults_t stream;
+  } camera_faults_t;
+
+  typedef struct packed {  // from the highest bit
+    logic internal;
+    logic late;
+    logic too_unsupervised;
+    logic too_undecidable;
+    logic map_busy;
+    logic map_crc;
+    logic no_table;
+    logic store_miss;
+    logic skew;
+  } machine_faults_t;
+
+  typedef struct packed {  // from the highest bit
+    logic fault;
+    logic frame;
+  } irq_enable_t;
+
+  typedef struct packed {  // from the highest bit
+    logic fault;
+    logic frame;
+  } irq_status_t;
+
+  typedef struct packed {  // from the highest bit
+    logic [ 3:0] boundary;
+    logic [ 7:0] clear_quorum;
+    logic [ 7:0] quorum;
+    logic [ 3:0] similar;
+    logic [ 2:0] smooth;
+    logic [ 3:0] bias;
+  } compete_t;
+
+  typedef struct packed {  // from the highest bit
+    machine_faults_t machine;
+    camera_faults_t right;
+    camera_faults_t left;
+  } faults_t;
+endpackage
