@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <zlib.h>
+
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <opencv2/imgproc.hpp>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "horopter/calib/pattern.hpp"
 
@@ -33,22 +38,82 @@ cv::Mat scanned(const Pattern& pattern, double scale) {
   return image;
 }
 
-/// Numbers before an operator of the page's content.
-std::vector<std::array<double, 2>> pdf_operands(const std::string& pdf, const std::string& operation) {
-  std::vector<std::array<double, 2>> result;
-  const std::size_t start = pdf.find("stream\n") + 7;
-  const std::string page = pdf.substr(start, pdf.find("endstream") - start);
-  std::vector<std::string> words;
-  std::string word;
-  for (const char c : page)
-    if (c == ' ' || c == '\n') {
-      if (word == operation && words.size() >= 2)
-        result.push_back({std::atof(words[words.size() - 2].c_str()), std::atof(words.back().c_str())});
-      if (!word.empty()) words.push_back(word);
-      word.clear();
-    } else {
-      word += c;
+using Corners = std::vector<Vector2d>;
+
+/// A stream of the file, inflated.
+std::string inflated(const std::string& deflated) {
+  std::string text(1 << 22, '\0');
+  z_stream stream{};
+  inflateInit(&stream);
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(deflated.data()));
+  stream.avail_in = static_cast<uInt>(deflated.size());
+  stream.next_out = reinterpret_cast<Bytef*>(text.data());
+  stream.avail_out = static_cast<uInt>(text.size());
+  inflate(&stream, Z_FINISH);
+  text.resize(stream.total_out);
+  inflateEnd(&stream);
+  return text;
+}
+
+/// What the PDF paints without a curve after the white page, in the order in which it does; in mm.
+std::vector<Corners> painted(const std::string& pdf) {
+  std::string content;
+  for (std::size_t at = pdf.find("stream\n"); at != std::string::npos; at = pdf.find("stream\n", at + 1)) {
+    const std::string text = inflated(pdf.substr(at + 7));
+    if (Contains(" re f").match(text)) content = text;
+  }
+  std::vector<Corners> result;
+  std::vector<double> numbers;
+  Corners path;
+  bool straight = true;
+  // The unit of the sheet is 1/256 pt.
+  const auto mm = [&](std::size_t from_end) { return numbers[numbers.size() - from_end] / 256 / 72 * 25.4; };
+  std::istringstream words(content);
+  for (std::string word; words >> word;) {
+    if (word == "m") path = {{mm(2), mm(1)}};
+    if (word == "m") straight = true;
+    if (word == "l") path.emplace_back(mm(2), mm(1));
+    if (word == "c") straight = false;
+    if (word == "re") {
+      const Vector2d low(mm(4), mm(3)), size(mm(2), mm(1));
+      path = {low, {low.x() + size.x(), low.y()}, low + size, {low.x(), low.y() + size.y()}};
     }
+    if (word == "f" && straight && path.size() > 2) result.push_back(path);
+    char* end = nullptr;
+    const double value = std::strtod(word.c_str(), &end);
+    if (*end == 0) numbers.push_back(value);
+  }
+  if (!result.empty()) result.erase(result.begin());
+  return result;
+}
+
+/// What the SVG paints without a curve, likewise.
+std::vector<Corners> drawn(const std::string& svg) {
+  std::vector<Corners> result;
+  for (std::size_t at = svg.find("</symbol>\n</g>"); at != std::string::npos; at = svg.find(" d=\"M ", at + 1)) {
+    const std::string path = svg.substr(at, svg.find('Z', at) - at);
+    if (!path.starts_with(" d=") || Contains(" C ").match(path)) continue;
+    std::istringstream words(path.substr(4));
+    Corners corners;
+    double x = 0;
+    double y = 0;
+    // The unit of the sheet is 1/256 mm.
+    for (std::string word; words >> word >> x >> y;) corners.emplace_back(x / 256, y / 256);
+    result.push_back(corners);
+  }
+  return result;
+}
+
+/// The same corners, wherever the first one is.
+bool same(const Corners& one, const Corners& other, double tolerance_mm) {
+  return one.size() == other.size() && std::ranges::all_of(one, [&](const Vector2d& p) {
+           return std::ranges::any_of(other, [&](const Vector2d& q) { return (p - q).norm() < tolerance_mm; });
+         });
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t result = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++result;
   return result;
 }
 
@@ -82,33 +147,58 @@ TEST_CASE("every corner of the target is on the sheet where the target has it, t
     CHECK(pattern.bar_x_mm == 150);
     CHECK(pattern.bar_y_mm == 200);
 
-    // What the PDF paints, back in mm.
-    const std::string pdf = pattern_pdf(pattern);
-    const auto starts = pdf_operands(pdf, "m");
-    std::size_t found = 0;
-    for (const auto& start : starts)
-      for (std::size_t i = 0; i < points.size(); i += 4)
-        if ((Vector2d(start[0], start[1]) - pattern.origin_mm - points[i]).norm() < 0.001) ++found;
-    CHECK(found == 48);
-    CHECK(pdf.find("2.834645669291 0 0 -2.834645669291 0 841.88976378 cm") != std::string::npos);
-    CHECK(pdf.find("/MediaBox [0 0 595.275590551 841.88976378]") != std::string::npos);
+    // What the files paint, back in mm.
+    const std::string pdf = pattern_pdf(pattern), svg = pattern_svg(pattern);
+    for (const std::vector<Corners>& shapes : {painted(pdf), drawn(svg)}) {
+      REQUIRE(shapes.size() == pattern.polygons.size());
+      for (std::size_t i = 0; i < pattern.polygons.size(); ++i) {
+        CHECK(same(shapes[i], pattern.polygons[i].points_mm, 0.001));
+      }
+    }
+    CHECK(pdf.find("/MediaBox [ 0 0 595.275591 841.889764 ]") != std::string::npos);
     CHECK(pdf.find("/PrintScaling /None") != std::string::npos);
-    const std::string svg = pattern_svg(pattern);
     CHECK(svg.find("width=\"210mm\" height=\"297mm\" viewBox=\"0 0 210 297\"") != std::string::npos);
-    CHECK(svg.find("150 mm") != std::string::npos);
+    // Words are outlines: one for each letter.
+    REQUIRE(pattern.texts.size() == 2);
+    CHECK_THAT(pattern.texts[0].words, Catch::StartsWith("150 mm. " + spec.text()));
+    CHECK(pattern.texts[1].words == "200 mm");
+    CHECK(count(svg, "<use xlink:href=\"#glyph") == pattern.texts[0].words.size() + pattern.texts[1].words.size());
   }
 }
 
-TEST_CASE("the cross-reference table of the PDF points at its objects") {
+TEST_CASE("the same sheet is the same PDF") {
+  const Pattern pattern = make_pattern({TargetSpec::parse("chessboard:9x6:20mm"), paper_size("a4"), false, true});
+  CHECK(pattern_pdf(pattern) == pattern_pdf(pattern));
+}
+
+TEST_CASE("the cross-reference tables of the PDF point at its objects") {
   const std::string pdf =
       pattern_pdf(make_pattern({TargetSpec::parse("diamonds:4x3:20mm:40mm"), paper_size("a4"), true, true}));
-  const std::size_t table = std::strtoul(pdf.c_str() + pdf.find("startxref\n") + 10, nullptr, 10);
-  REQUIRE(pdf.compare(table, 5, "xref\n") == 0);
-  std::size_t entry = pdf.find("0000000000 65535 f \n", table) + 20;
-  for (int i = 1; i <= 6; ++i, entry += 20) {
-    const std::size_t offset = std::strtoul(pdf.substr(entry, 10).c_str(), nullptr, 10);
-    CHECK(pdf.compare(offset, 7, std::to_string(i) + " 0 obj") == 0);
+  // The last table is that of the catalogue alone; it leads to the one of all objects.
+  int tables = 0;
+  std::size_t objects = 0;
+  for (std::size_t at = pdf.rfind("startxref\n") + 10; at < pdf.size(); ++tables) {
+    const std::size_t table = std::strtoul(pdf.c_str() + at, nullptr, 10);
+    REQUIRE(pdf.compare(table, 5, "xref\n") == 0);
+    std::istringstream rows(pdf.substr(table + 5));
+    std::size_t first = 0;
+    std::size_t size = 0;
+    rows >> first >> size;
+    for (std::size_t i = first; i < first + size; ++i) {
+      std::size_t offset = 0;
+      std::string generation;
+      char kind = 0;
+      rows >> offset >> generation >> kind;
+      if (kind != 'n') continue;
+      CHECK(pdf.compare(offset, std::to_string(i).size() + 6, std::to_string(i) + " 0 obj") == 0);
+      ++objects;
+    }
+    const std::size_t trailer = pdf.find("trailer", table);
+    const std::size_t before = pdf.find("/Prev ", trailer);
+    at = before < pdf.find("startxref", trailer) ? before + 6 : pdf.size();
   }
+  CHECK(tables == 2);
+  CHECK(objects > 6);
 }
 
 TEST_CASE("what is printed is found") {

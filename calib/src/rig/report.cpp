@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "camera/parameter_list.hpp"
+
 namespace horopter::calib {
 namespace {
 
@@ -103,11 +105,7 @@ Report report_of(std::span<const PointCalibration> cameras) {
   if (cameras.size() > 1) {
     const Pose relative = report.rig.between(0, 1);
     report.baseline_mm = relative.translation_mm.norm();
-    const Eigen::Vector3d euler = euler_from_rotation_deg(relative.rotation);
-    static const char* const kNames[] = {"rx_deg", "ry_deg", "rz_deg", "tx_mm", "ty_mm", "tz_mm"};
-    for (int i = 0; i < 6; ++i) {
-      report.relative.push_back({kNames[i], i < 3 ? euler[i] : relative.translation_mm[i - 3], 0, true});
-    }
+    detail::append_pose(report.relative, relative, Eigen::Matrix<double, 6, 6>::Zero(), true);
     if (relative.translation_mm.x() > 0.7 * *report.baseline_mm) {
       report.warnings.push_back(fmt::format("left_right_exchanged: {} stands to the left of {}", report.cameras[1].name,
                                             report.cameras[0].name));

@@ -7,6 +7,7 @@
 #include <memory>
 #include <opencv2/imgproc.hpp>
 
+#include "horopter/calib/homography.hpp"
 #include "horopter/calib/target.hpp"
 #include "target/steps.hpp"
 
@@ -539,11 +540,14 @@ void check_order(const TargetSpec& spec, const std::vector<Vector2d>& image_px) 
                                               std::to_string(plane.size()));
   for (const Vector2d& p : image_px)
     if (!p.allFinite()) throw TargetError(Reason::bad_image, "a corner is not a number");
-  const auto fit = detail::fit_plane(plane, image_px, 0, 0);
-  if (!fit) throw TargetError(Reason::no_target, "the corners lie on a line");
-  int mirrored = 0;
-  for (const Vector2d& p : plane)
-    if (fit->view.jacobian(p).determinant() < 0) ++mirrored;
+  // The determinant of a homography's derivatives is det(H) / w³, w the third coordinate.
+  const auto view = solve_homography(plane, image_px);
+  if (!view || !(view->determined > detail::kOnALine)) {
+    throw TargetError(Reason::no_target, "the corners lie on a line");
+  }
+  const auto mirrored = std::ranges::count_if(plane, [&](const Vector2d& p) {
+    return view->matrix.determinant() * view->matrix.row(2).dot(p.homogeneous()) < 0;
+  });
   if (mirrored > 0)
     throw TargetError(Reason::mirrored, "mirrored order: the corners run the other way round than " + spec.text() +
                                             " can be seen from its front; swap rows or columns");

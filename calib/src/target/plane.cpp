@@ -3,11 +3,27 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/least_squares.hpp"
+#include "horopter/calib/homography.hpp"
 #include "target/steps.hpp"
 
 namespace horopter::calib::detail {
 
+using Eigen::Matrix3d;
 using Eigen::Vector2d;
+
+namespace {
+
+/// The division model solved for d: the factor from u − c to d − c, where |u − c|² / R² is `squared_radius`. Beyond the
+/// turning point of the model its edge is used: a fit in progress must not meet a NaN.
+template <class T>
+T distortion_factor(const T& lambda, const T& squared_radius) {
+  using std::sqrt;
+  const T square = 1.0 - 4.0 * lambda * squared_radius;
+  return 2.0 / (1.0 + (square > 0.0 ? T(sqrt(square)) : T(0.0)));
+}
+
+}  // namespace
 
 Vector2d PlaneView::undistorted(const Vector2d& plane) const {
   const Eigen::Vector3d p = homography * Eigen::Vector3d(plane.x(), plane.y(), 1);
@@ -16,8 +32,7 @@ Vector2d PlaneView::undistorted(const Vector2d& plane) const {
 
 Vector2d PlaneView::distort(const Vector2d& pixel) const {
   const Vector2d d = (pixel - middle) / radius;
-  // Beyond the turning point of the model its edge is used: a fit in progress must not meet a NaN.
-  return middle + (pixel - middle) * (2 / (1 + std::sqrt(std::max(0.0, 1 - 4 * lambda * d.squaredNorm()))));
+  return middle + (pixel - middle) * distortion_factor(lambda, d.squaredNorm());
 }
 
 Vector2d PlaneView::undistort(const Vector2d& pixel) const {
@@ -35,118 +50,80 @@ Eigen::Matrix2d PlaneView::jacobian(const Vector2d& plane) const {
 
 namespace {
 
-/// Moves the centroid to 0 and the mean distance to √2.
-Eigen::Matrix3d normaliser(std::span<const Vector2d> points) {
-  Vector2d mean(0, 0);
-  for (const Vector2d& p : points) mean += p / static_cast<double>(points.size());
-  double distance = 0;
-  for (const Vector2d& p : points) distance += (p - mean).norm() / static_cast<double>(points.size());
-  const double s = std::sqrt(2.0) / std::max(distance, 1e-12);
-  Eigen::Matrix3d result;
-  result << s, 0, -s * mean.x(), 0, s, -s * mean.y(), 0, 0, 1;
-  return result;
-}
+/// λ from which the whole image keeps an inverse, and for which the model is meant.
+constexpr double kLeastLambda = -1;
+constexpr double kGreatestLambda = 0.24;
+/// Points from which λ is fitted.
+constexpr std::size_t kPointsForLambda = 12;
 
-bool on_a_line(std::span<const Vector2d> points) {
-  Vector2d mean(0, 0);
-  for (const Vector2d& p : points) mean += p / static_cast<double>(points.size());
-  Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
-  for (const Vector2d& p : points) scatter += (p - mean) * (p - mean).transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(scatter, Eigen::EigenvaluesOnly);
-  return solver.eigenvalues()[0] <= 1e-8 * solver.eigenvalues()[1];
-}
+/// Distances between predicted and measured corners, px. Parameters: the homography between normalised coordinates,
+/// whose last element is 1; λ; the displacement of the edges (Sxx, Sxy, Syy).
+struct CornerResiduals {
+  static constexpr int kParameters = 12, kLambda = 8, kSpread = 9;
+
+  const PlaneView& frame;  ///< whose middle and radius are used
+  Matrix3d to_plane;       ///< normalises the points of the plane
+  Matrix3d from_image;     ///< from normalised coordinates to pixels
+  std::span<const Vector2d> plane, pixels;
+  std::span<const Spread> spreads;  ///< none: edges stay where they are
+  double pull = 0;                  ///< of the displacement towards 0
+
+  int NumResiduals() const { return 2 * static_cast<int>(plane.size()) + 3; }
+
+  template <class T>
+  bool operator()(const T* p, T* residuals) const {
+    using Vector = Eigen::Matrix<T, 2, 1>;
+    Eigen::Matrix<T, 3, 3> homography;
+    homography << p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], T(1.0);
+    homography = (from_image.cast<T>() * homography * to_plane.cast<T>()).eval();
+    const Eigen::Map<const Eigen::Matrix<T, 3, 1>> spread(p + kSpread);
+    for (std::size_t i = 0; i < plane.size(); ++i) {
+      const Vector from_middle =
+          (homography * plane[i].homogeneous().cast<T>()).eval().hnormalized() - frame.middle.cast<T>();
+      const T squared_radius = from_middle.squaredNorm() / (frame.radius * frame.radius);
+      Vector residual =
+          frame.middle.cast<T>() + from_middle * distortion_factor(p[kLambda], squared_radius) - pixels[i].cast<T>();
+      if (!spreads.empty()) residual += spreads[i].cast<T>() * spread;
+      residuals[2 * i] = residual.x();
+      residuals[2 * i + 1] = residual.y();
+    }
+    for (int i = 0; i < 3; ++i) residuals[2 * plane.size() + i] = pull * p[kSpread + i];
+    return true;
+  }
+};
 
 }  // namespace
 
 std::optional<PlaneFit> fit_plane(std::span<const Vector2d> plane, std::span<const Vector2d> pixels, int width,
                                   int height, std::span<const Spread> spreads) {
+  const auto start = solve_homography(plane, pixels);
+  if (!start || !(start->determined > kOnALine)) return std::nullopt;
   const std::size_t n = plane.size();
-  if (n < 4 || pixels.size() != n || on_a_line(plane) || on_a_line(pixels)) return std::nullopt;
-  const Eigen::Matrix3d tp = normaliser(plane);
-  const Eigen::Matrix3d ti = normaliser(pixels);
-  Eigen::MatrixXd rows(2 * n, 9);
-  for (std::size_t i = 0; i < n; ++i) {
-    const Eigen::Vector3d p = tp * plane[i].homogeneous();
-    const Eigen::Vector3d q = ti * pixels[i].homogeneous();
-    rows.row(2 * i) << p.transpose(), 0, 0, 0, -q.x() * p.transpose();
-    rows.row(2 * i + 1) << 0, 0, 0, p.transpose(), -q.y() * p.transpose();
-  }
-  const Eigen::Matrix<double, 9, 9> gram = rows.transpose() * rows;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 9, 9>> solver(gram);
-  const Eigen::Matrix<double, 9, 1> h = solver.eigenvectors().col(0);
-  Eigen::Matrix3d normalised;
-  normalised << h[0], h[1], h[2], h[3], h[4], h[5], h[6], h[7], h[8];
-  const Eigen::Matrix3d back = ti.inverse();
-
   PlaneFit fit;
   fit.view.middle = Vector2d((width - 1) / 2.0, (height - 1) / 2.0);
   fit.view.radius = std::hypot(width, height) / 2;
-  if (std::abs(normalised(2, 2)) < 1e-12) return std::nullopt;
-  normalised /= normalised(2, 2);
 
-  using Parameters = Eigen::Matrix<double, 12, 1>;  // homography, λ, spread
-  Parameters p;
-  p << normalised(0, 0), normalised(0, 1), normalised(0, 2), normalised(1, 0), normalised(1, 1), normalised(1, 2),
-      normalised(2, 0), normalised(2, 1), 0, 0, 0, 0;
-  const auto apply = [&](const Parameters& at) {
-    Eigen::Matrix3d m;
-    m << at[0], at[1], at[2], at[3], at[4], at[5], at[6], at[7], 1;
-    PlaneView view = fit.view;
-    view.homography = back * m * tp;
-    view.lambda = at[8];
-    return view;
-  };
+  CornerResiduals corners{fit.view, *normalisation(plane), normalisation(pixels)->inverse(), plane, pixels, spreads};
   // Diamonds tell only the sum of Sxx and Syy: a weak pull to 0 settles what the corners do not.
-  const double pull = spreads.empty() ? 0 : 0.02 * std::sqrt(static_cast<double>(n));
-  const auto residuals = [&](const Parameters& at) {
-    const PlaneView view = apply(at);
-    Eigen::VectorXd r(2 * n + 3);
-    r.tail<3>() = pull * at.tail<3>();
-    for (std::size_t i = 0; i < n; ++i) {
-      r.segment<2>(2 * i) = view.project(plane[i]) - pixels[i];
-      if (!spreads.empty()) r.segment<2>(2 * i) += spreads[i] * at.tail<3>();
-    }
-    return r;
-  };
-  const int free = !spreads.empty() ? 12 : n >= 12 ? 9 : 8;
-  Eigen::VectorXd r = residuals(p);
-  double lambda = 1e-4;
-  for (int iteration = 0; iteration < 40 && r.allFinite(); ++iteration) {
-    Eigen::MatrixXd jacobian(r.size(), free);
-    for (int k = 0; k < free; ++k) {
-      Parameters at = p;
-      at[k] += 1e-6;
-      jacobian.col(k) = (residuals(at) - r) / 1e-6;
-    }
-    const Eigen::MatrixXd gram_step = jacobian.transpose() * jacobian;
-    const Eigen::VectorXd gradient = jacobian.transpose() * r;
-    bool better = false;
-    double gain = 0;
-    for (int attempt = 0; attempt < 8 && !better; ++attempt) {
-      Eigen::MatrixXd damped = gram_step;
-      damped.diagonal() *= 1 + lambda;
-      damped.diagonal().array() += 1e-15;
-      Parameters next = p;
-      next.head(free) -= damped.ldlt().solve(gradient);
-      next[8] = std::clamp(next[8], -1.0, 0.24);  // the whole image keeps an inverse
-      const Eigen::VectorXd next_r = residuals(next);
-      if (next_r.allFinite() && next_r.squaredNorm() <= r.squaredNorm()) {
-        better = true;
-        gain = r.squaredNorm() - next_r.squaredNorm();
-        p = next;
-        r = next_r;
-        lambda = std::max(lambda / 10, 1e-12);
-      } else {
-        lambda *= 10;
-      }
-    }
-    if (!better || gain < 1e-9 * r.squaredNorm() + 1e-14) break;
-  }
-  if (!r.allFinite()) return std::nullopt;
-  fit.view = apply(p);
+  if (!spreads.empty()) corners.pull = 0.02 * std::sqrt(static_cast<double>(n));
+  Matrix3d h = corners.from_image.inverse() * start->matrix * corners.to_plane.inverse();
+  if (std::abs(h(2, 2)) < 1e-12 * h.norm()) return std::nullopt;
+  h /= h(2, 2);
+  Eigen::Matrix<double, CornerResiduals::kParameters, 1> p;
+  p << h(0, 0), h(0, 1), h(0, 2), h(1, 0), h(1, 1), h(1, 2), h(2, 0), h(2, 1), 0, 0, 0, 0;
+  const bool lambda_free = n >= kPointsForLambda || !spreads.empty();
+  const double low = lambda_free ? kLeastLambda : 0, high = lambda_free ? kGreatestLambda : 0;
+  minimise(corners, {CornerResiduals::kLambda, low, high}, p);
+
+  Eigen::VectorXd residuals(corners.NumResiduals());
+  corners(p.data(), residuals.data());
+  if (!residuals.allFinite()) return std::nullopt;
+  h << p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], 1;
+  fit.view.homography = corners.from_image * h * corners.to_plane;
+  fit.view.lambda = p[CornerResiduals::kLambda];
   fit.spread = p.tail<3>();
-  fit.rms_px = std::sqrt(r.head(2 * n).squaredNorm() / static_cast<double>(n));
-  for (std::size_t i = 0; i < n; ++i) fit.residual_px.push_back(r.segment<2>(2 * i).norm());
+  fit.rms_px = std::sqrt(residuals.head(2 * n).squaredNorm() / static_cast<double>(n));
+  for (std::size_t i = 0; i < n; ++i) fit.residual_px.push_back(residuals.segment<2>(2 * i).norm());
   return fit;
 }
 

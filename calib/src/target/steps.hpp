@@ -32,6 +32,9 @@ struct GridCell {
 /// The largest such group. Dark and bright quads never mix.
 std::vector<GridCell> link_grid(const std::vector<Quad>& quads, TargetKind kind, double pitch_over_side);
 
+/// `Homography::determined` at and below which points lie on a line.
+inline constexpr double kOnALine = 1e-8;
+
 /// A plane seen by a pinhole with one radial term: homography from the plane to undistorted pixels, then
 /// u = c + (d − c) / (1 + λ |d − c|² / R²), the division model, with c the middle of the image and R half its diagonal.
 struct PlaneView {

@@ -56,8 +56,10 @@ struct Pattern {
 /// Throws std::invalid_argument when the target does not fit: says what it needs and on which paper it would.
 Pattern make_pattern(const PatternOptions& options);
 
+/// The sheet as a file: the same bytes for the same pattern, wherever the same fonts are installed. Throws
+/// std::runtime_error when it cannot be drawn. SVG is in mm, with the words as outlines. PDF is version 1.4, one page
+/// whose size is exact to 1e-6 pt, and asks the viewer not to scale.
 std::string pattern_svg(const Pattern& pattern);
-/// PDF 1.4, one page, no fonts embedded, no compression. Asks the viewer not to scale.
 std::string pattern_pdf(const Pattern& pattern);
 
 }  // namespace horopter::calib
