@@ -448,8 +448,6 @@ void add_calibrate(CLI::App& app, Outcome& outcome) {
   command->callback([options, &outcome] {
     try {
       outcome.status = calibrate(*options);
-    } catch (const calib::FileError& error) {
-      rethrow(error.what());
     } catch (const calib::CalibrationError& error) {
       rethrow(error.what());
     }

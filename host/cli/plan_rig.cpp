@@ -53,8 +53,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kLargestTilt_deg = 80;
 
-Json to_json(const Spread& spread) {
-  return {{"smallest", spread.smallest}, {"mean", spread.mean}, {"largest", spread.largest}};
+Json to_json(const Summary& summary) {
+  return {{"smallest", summary.smallest}, {"mean", summary.mean}, {"largest", summary.largest}};
 }
 Json to_json(const Eigen::Vector3d& place) { return {place.x(), place.y(), place.z()}; }
 
@@ -167,13 +167,13 @@ void print(const Planned& skin, const Views& views) {
   fmt::print("  common field       {:.0f} x {:.0f} mm, {:.4g} m2: {:.1f} % of what the left camera sees of it\n",
              f.width_mm, f.height_mm, f.common_m2, 100 * f.exploitation());
   fmt::print("  supervised         {:.1f} % of the common field\n", 100 * f.supervised_m2 / f.common_m2);
-  const auto spread = [](const char* name, const Spread& s, const char* unit) {
+  const auto summary = [](const char* name, const Summary& s, const char* unit) {
     fmt::print("  {:18} {:.2f} to {:.2f}, mean {:.2f} {}\n", name, s.smallest, s.largest, s.mean, unit);
   };
-  spread("viewing angle left", f.left_angle_deg, "degrees from the normal");
-  spread("              right", f.right_angle_deg, "degrees from the normal");
+  summary("viewing angle left", f.left_angle_deg, "degrees from the normal");
+  summary("              right", f.right_angle_deg, "degrees from the normal");
   if (views.thickness.supervised == 0) return;
-  spread("thickness", views.thickness.across, "mm");
+  summary("thickness", views.thickness.across, "mm");
   fmt::print("    on the axis      {:.2f} mm, by 11.1 and 11.2 {:.2f} mm\n", views.thickness.on_axis,
              views.thickness.on_axis_formula);
 }

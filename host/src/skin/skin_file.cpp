@@ -10,7 +10,6 @@
 
 #include "base/yaml.hpp"
 #include "horopter/base/error.hpp"
-#include "horopter/calib/error.hpp"
 #include "horopter/image/image.hpp"
 #include "horopter/skin/rig_skin.hpp"
 
@@ -344,13 +343,7 @@ calib::Rig two_cameras(Keys& root, const calib::Rig& rig) {
 
 }  // namespace
 
-calib::Rig read_rig(const std::filesystem::path& path) {
-  try {
-    return calib::load_rig(path).rig;
-  } catch (const calib::FileError& error) {
-    throw Error(ExitStatus::bad_file, error.what());
-  }
-}
+calib::Rig read_rig(const std::filesystem::path& path) { return calib::load_rig(path).rig; }
 
 SkinFile load_skin(const std::filesystem::path& path, Point centre, const calib::Rig* rig) {
   const std::string file = path.string();
