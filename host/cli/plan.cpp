@@ -263,8 +263,7 @@ void add_plan(CLI::App& app, Outcome& outcome) {
       "threshold (Table 11.2: 0.4, 0.6, 0.7, 0.9, 1.0, 1.1 px at 11.3, 15.0, 18.4, 21.9, 25.1, 28.4 %).\n"
       "Largest speed is thickness times results a second: a faster object can pass between two images. The safety\n"
       "distance is response time times speed: to the alarm two image periods and the machine's lines, and the robot's\n"
-      "stopping time. For --decision compete, pixels whose epipolar line leaves the row are not supervised (`horopter "
-      "map\n"
+      "stopping time. For --decision compete, pixels whose epipolar line leaves the row are not supervised (`horopter map\n"
       "--help`). Exit status 1: nothing of a skin is supervised, or so little that `map` refuses the cameras.\n\n"
       "Examples: horopter plan thickness --rig rig.yaml --skin skin.yaml --stopping-ms 120 --out plan\n"
       "          horopter plan thickness --rig host/examples/table_11_1.yaml --profile field --distance 700 800 900");
