@@ -2,8 +2,8 @@
 // difference: cyclic difference of directions, 4 bit (thesis eq. 10.4, 10.4.5), for N hypotheses and for the left image
 // against itself.
 //
-// Out   difference[n], n < N: left against right shifted by n px, min(|Δ|, 256 − |Δ|, 127) >> 3, that is 0 … 15
-// of 11.25°.
+// Out   difference[n], n < N: left against right shifted by n px,
+//       min(|Δ|, 256 − |Δ|, 127) >> 3, that is 0 … 15 of 11.25°.
 //       difference[N]: left against left `self_shift` px further left. Summed over the window it tells whether a
 //       displacement along x could be noticed at all: where the direction does not vary, as on a ramp of brightness or
 //       along a horizontal edge, every hypothesis fits (thesis 9.1, 11.2.3).

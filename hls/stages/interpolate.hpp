@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// interpolate: 2×2 source pixels and weights → the pixel the left camera would see on the skin (thesis
-// eq. 10.1, 10.4.2).
+// interpolate: 2×2 source pixels and weights → the pixel the left camera would see on the skin
+// (thesis eq. 10.1, 10.4.2).
 //
-// In    p00 p01 / p10 p11: p<row><column> of the 2×2 right pixels; wx, wy: weights of the right and lower ones in
-// 1/2^W;
+// In    p00 p01 / p10 p11: p<row><column> of the 2×2 right pixels;
+//       wx, wy: weights of the right and lower ones in 1/2^W;
 //       left: the left pixel of the same place; mask: the source exists. A pixel of weight 0 may be anything.
 //       swapped_x, swapped_y: the right column comes before the left one, the lower row before the upper one.
-// Out   pixel[0] = left, pixel[1] = (((2^W−wx) p00 + wx p01) (2^W−wy) + ((2^W−wx) p10 + wx p11) wy) / 2^2W, rounded
-// half
-//       up: at most 1/2 grey level from the real value. saturated: the left pixel or a right one that has weight is at
-//       0 or 255. No state, offset none. No multiplier: (2^W−w)·a + w·b = a + Σ 2^i (w_i ? b : a).
+// Out   pixel[0] = left, pixel[1] = (((2^W−wx) p00 + wx p01) (2^W−wy) + ((2^W−wx) p10 + wx p11) wy) / 2^2W,
+//       rounded half up: at most 1/2 grey level from the real value.
+//       saturated: the left pixel or a right one that has weight is at 0 or 255.
+//       No state, offset none. No multiplier: (2^W−w)·a + w·b = a + Σ 2^i (w_i ? b : a).
 #pragma once
 
 #include "stages/stream.hpp"

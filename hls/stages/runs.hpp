@@ -2,8 +2,8 @@
 // runs: transition coding (thesis 10.4.6). Every row is covered completely by runs of one state.
 //
 // In    the beats of align, the idle one too.
-// Out   a beat per run, valid with the first beat after the run's last pixel: row, start … end (columns, inclusive),
-// state;
+// Out   a beat per run, valid with the first beat after the run's last pixel:
+//       row, start … end (columns, inclusive), state;
 //       last: the frame's last run (given with the idle beat).
 // Illegal use: a frame cut off by the next `first` leaves its last run unsaid.
 #pragma once

@@ -2,11 +2,11 @@
 // subsample: the mean of pixel pairs in x, so that a field's pixels are square (thesis 10.4.3); factor 1 passes
 // through.
 //
-// In, Out   grey values of both images; the left image's come as means of the pair, from the store. Out has one beat
-// per
-//           pair, at its second pixel: left as it came, right (a + b + 1) >> 1, at most 1/2 grey level above the real
-//           mean; saturated if one of the two beats is, mask if both are. first belongs to the pair that holds the
-//           frame's first pixel. Pixel x of the result is centred on 2x + 1/2 of the input. Offset: none.
+// In, Out   grey values of both images; the left image's come as means of the pair, from the store.
+//           Out has one beat per pair, at its second pixel: left as it came, right (a + b + 1) >> 1, at most 1/2 grey
+//           level above the real mean; saturated if one of the two beats is, mask if both are.
+//           first belongs to the pair that holds the frame's first pixel.
+//           Pixel x of the result is centred on 2x + 1/2 of the input. Offset: none.
 // Illegal use: a row with an odd number of beats ends with a pixel of its own, mask 0.
 #pragma once
 

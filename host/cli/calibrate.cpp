@@ -438,8 +438,7 @@ void add_calibrate(CLI::App& app, Outcome& outcome) {
   command->add_option("--picture", options->picture, "Residuals as vectors over the images (PNG)")->type_name("FILE");
   command->add_flag("--json", options->json, "Print the report as JSON on standard output, and nothing else");
   command->footer(
-      "No rig is written unless the measurements determine it: exit status 3 when they cannot, 1 when the result is "
-      "not\n"
+      "No rig is written unless the measurements determine it: exit status 3 when they cannot, 1 when the result is not\n"
       "good enough to be used. Image coordinates: (0, 0) is the centre of the first pixel.\n\n"
       "Examples:\n"
       "  horopter calibrate --left left*.jpg --right right*.jpg --target chessboard:9x6:30mm -o rig.yaml\n"
@@ -448,8 +447,6 @@ void add_calibrate(CLI::App& app, Outcome& outcome) {
   command->callback([options, &outcome] {
     try {
       outcome.status = calibrate(*options);
-    } catch (const calib::FileError& error) {
-      rethrow(error.what());
     } catch (const calib::CalibrationError& error) {
       rethrow(error.what());
     }

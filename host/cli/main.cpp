@@ -84,12 +84,9 @@ bool interrupted() { return stop_requested != 0; }
 }  // namespace horopter::cli
 
 int main(int argc, char** argv) {
-  using horopter::ExitStatus;
   try {
     return horopter::cli::run(argc, argv);
-  } catch (const horopter::Error& error) {
-    return horopter::cli::fail(error.status(), error.what());
   } catch (const std::exception& error) {
-    return horopter::cli::fail(ExitStatus::fault, error.what());
+    return horopter::cli::fail(horopter::status_of(error), error.what());
   }
 }

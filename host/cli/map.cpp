@@ -210,19 +210,15 @@ void add_map(CLI::App& app, Outcome& outcome) {
           "thickness, red thin to blue thick; else the displacements, hue by direction, a line every 8 pixels")
       ->type_name("FILE");
   command->add_flag("--json", options->json, "Print the report as JSON on standard output, and nothing else");
-  command->footer(std::string("The grid is the coarsest whose expansion, in the hardware's own arithmetic, stays "
-                              "within 1/16 px of the skin for\n"
-                              "99 % of the pixels and within 1/4 px for all. A skin that needs more rows than the "
-                              "image store holds is refused.\n"
-                              "For --decision compete, pixels whose epipolar line leaves the row by more than 1/2 px "
-                              "within the largest shift of its\n"
-                              "planes are not supervised, as with cameras that are not parallel, or images that are "
-                              "not rectified; where that is\n"
-                              "more than 90 % of those that see the skin, the cameras are refused. Without a rig it "
-                              "is not known.\n\n") +
-                  skin_file_help() +
-                  "\n"
-                  "Example: horopter map --skin skin.yaml --profile vga -o skin.hmap --draw skin.png");
+  command->footer(
+      "The grid is the coarsest whose expansion, in the hardware's own arithmetic, stays within 1/16 px of the skin for\n"
+      "99 % of the pixels and within 1/4 px for all. A skin that needs more rows than the image store holds is refused.\n"
+      "For --decision compete, pixels whose epipolar line leaves the row by more than 1/2 px within the largest shift of its\n"
+      "planes are not supervised, as with cameras that are not parallel, or images that are not rectified; where that is\n"
+      "more than 90 % of those that see the skin, the cameras are refused. Without a rig it is not known.\n\n" +
+      skin_file_help() +
+      "\n"
+      "Example: horopter map --skin skin.yaml --profile vga -o skin.hmap --draw skin.png");
   command->callback([options, &outcome] { outcome.status = map(*options); });
 }
 

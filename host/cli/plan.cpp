@@ -46,8 +46,8 @@ struct PlannedSkin {
   SurfacePtr surface;
 };
 
-nlohmann::ordered_json to_json(const Spread& spread) {
-  return {{"smallest", spread.smallest}, {"mean", spread.mean}, {"largest", spread.largest}};
+nlohmann::ordered_json to_json(const Summary& summary) {
+  return {{"smallest", summary.smallest}, {"mean", summary.mean}, {"largest", summary.largest}};
 }
 
 nlohmann::ordered_json to_json(const PlannedSkin& skin, const ThicknessPlan& plan, double images_per_s) {
@@ -68,8 +68,9 @@ nlohmann::ordered_json to_json(const PlannedSkin& skin, const ThicknessPlan& pla
           {"largest_speed_m_s", largest_speed_m_s(plan.across.smallest, images_per_s)}};
 }
 
-void print_spread(const char* name, const Spread& spread, const char* unit, const std::string& note = "") {
-  fmt::print("  {:30} {:8.2f} {:8.2f} {:8.2f} {}{}\n", name, spread.smallest, spread.mean, spread.largest, unit, note);
+void print_summary(const char* name, const Summary& summary, const char* unit, const std::string& note = "") {
+  fmt::print("  {:30} {:8.2f} {:8.2f} {:8.2f} {}{}\n", name, summary.smallest, summary.mean, summary.largest, unit,
+             note);
 }
 
 void print(const PlannedSkin& skin, const ThicknessPlan& plan, double images_per_s) {
@@ -79,14 +80,14 @@ void print(const PlannedSkin& skin, const ThicknessPlan& plan, double images_per
              100 * static_cast<double>(plan.supervised) / static_cast<double>(plan.pixels));
   if (plan.supervised == 0) return;
   fmt::print("  {:30} {:>8} {:>8} {:>8}\n", "", "smallest", "mean", "largest");
-  print_spread("distance along the axis", plan.distance, "mm");
-  print_spread("slope against the axis", plan.slope_deg, "degrees");
+  print_summary("distance along the axis", plan.distance, "mm");
+  print_summary("slope against the axis", plan.slope_deg, "degrees");
   const auto on_axis = [](double mm) {
     return std::isfinite(mm) ? fmt::format("; on the axis {:.2f}", mm) : std::string("; the axis does not meet it");
   };
-  print_spread("thickness, camera model", plan.across, "mm", on_axis(plan.on_axis));
-  print_spread("  along the line of sight", plan.sight, "mm");
-  print_spread("thickness, 11.1 and 11.2", plan.formula, "mm", on_axis(plan.on_axis_formula));
+  print_summary("thickness, camera model", plan.across, "mm", on_axis(plan.on_axis));
+  print_summary("  along the line of sight", plan.sight, "mm");
+  print_summary("thickness, 11.1 and 11.2", plan.formula, "mm", on_axis(plan.on_axis_formula));
   if (std::isfinite(plan.face_width)) {
     fmt::print("  {:30} {:8.2f} mm of a face across the axis are in the skin where it slopes most (11.3)\n",
                "detectable width", plan.face_width);
@@ -262,8 +263,7 @@ void add_plan(CLI::App& app, Outcome& outcome) {
       "threshold (Table 11.2: 0.4, 0.6, 0.7, 0.9, 1.0, 1.1 px at 11.3, 15.0, 18.4, 21.9, 25.1, 28.4 %).\n"
       "Largest speed is thickness times results a second: a faster object can pass between two images. The safety\n"
       "distance is response time times speed: to the alarm two image periods and the machine's lines, and the robot's\n"
-      "stopping time. For --decision compete, pixels whose epipolar line leaves the row are not supervised (`horopter "
-      "map\n"
+      "stopping time. For --decision compete, pixels whose epipolar line leaves the row are not supervised (`horopter map\n"
       "--help`). Exit status 1: nothing of a skin is supervised, or so little that `map` refuses the cameras.\n\n"
       "Examples: horopter plan thickness --rig rig.yaml --skin skin.yaml --stopping-ms 120 --out plan\n"
       "          horopter plan thickness --rig host/examples/table_11_1.yaml --profile field --distance 700 800 900");

@@ -53,8 +53,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kLargestTilt_deg = 80;
 
-Json to_json(const Spread& spread) {
-  return {{"smallest", spread.smallest}, {"mean", spread.mean}, {"largest", spread.largest}};
+Json to_json(const Summary& summary) {
+  return {{"smallest", summary.smallest}, {"mean", summary.mean}, {"largest", summary.largest}};
 }
 Json to_json(const Eigen::Vector3d& place) { return {place.x(), place.y(), place.z()}; }
 
@@ -167,13 +167,13 @@ void print(const Planned& skin, const Views& views) {
   fmt::print("  common field       {:.0f} x {:.0f} mm, {:.4g} m2: {:.1f} % of what the left camera sees of it\n",
              f.width_mm, f.height_mm, f.common_m2, 100 * f.exploitation());
   fmt::print("  supervised         {:.1f} % of the common field\n", 100 * f.supervised_m2 / f.common_m2);
-  const auto spread = [](const char* name, const Spread& s, const char* unit) {
+  const auto summary = [](const char* name, const Summary& s, const char* unit) {
     fmt::print("  {:18} {:.2f} to {:.2f}, mean {:.2f} {}\n", name, s.smallest, s.largest, s.mean, unit);
   };
-  spread("viewing angle left", f.left_angle_deg, "degrees from the normal");
-  spread("              right", f.right_angle_deg, "degrees from the normal");
+  summary("viewing angle left", f.left_angle_deg, "degrees from the normal");
+  summary("              right", f.right_angle_deg, "degrees from the normal");
   if (views.thickness.supervised == 0) return;
-  spread("thickness", views.thickness.across, "mm");
+  summary("thickness", views.thickness.across, "mm");
   fmt::print("    on the axis      {:.2f} mm, by 11.1 and 11.2 {:.2f} mm\n", views.thickness.on_axis,
              views.thickness.on_axis_formula);
 }
@@ -428,24 +428,18 @@ void add_plan_rig(CLI::App& plan, Outcome& outcome) {
   rig->add_flag("--json", options->json, "Print the report as JSON on standard output, and nothing else");
   rig->footer(
       "World of a designed rig: mm, origin between the cameras, x from left to right, y down, z along the axis of\n"
-      "symmetry. Common field: the part of a skin that both cameras see; exploitation is its share of what the left "
-      "one\n"
+      "symmetry. Common field: the part of a skin that both cameras see; exploitation is its share of what the left one\n"
       "sees (Fig. 11.2). Viewing angle: between line of sight and the skin's normal; beyond 70 degrees it is not\n"
       "supervised. A place counts as seen when the machine decides about it: in both images, within the limits, not\n"
-      "hidden, and with all of its windows (Fig. 11.4 shows an entry that is not). The way into the zone is searched "
-      "on a\n"
+      "hidden, and with all of its windows (Fig. 11.4 shows an entry that is not). The way into the zone is searched on a\n"
       "lattice, around obstacles, and through whatever of the skin is not seen.\n"
       "At its rim a skin is not decided, for half a window: where it ends at a table, let it go on along the table.\n"
-      "For --decision compete, pixels whose epipolar line leaves the row are not supervised: cameras turned towards "
-      "each\n"
+      "For --decision compete, pixels whose epipolar line leaves the row are not supervised: cameras turned towards each\n"
       "other, as without --tilt, lose the more the more they are turned (`horopter map --help`).\n"
-      "Exit status 1: nothing of a skin is supervised, or so little that `map` refuses the cameras, or the zone can "
-      "be\n"
+      "Exit status 1: nothing of a skin is supervised, or so little that `map` refuses the cameras, or the zone can be\n"
       "entered unseen.\n\n"
-      "Examples: horopter plan rig --focal 10 --pixel 8.5 --image-size 756 572 --thickness 10 --distance 800 --profile "
-      "field --out plan\n"
-      "          horopter plan rig --rig plan/rig.yaml --skin box.yaml --zone box.yaml --obstacle table.yaml --out "
-      "plan");
+      "Examples: horopter plan rig --focal 10 --pixel 8.5 --image-size 756 572 --thickness 10 --distance 800 --profile field --out plan\n"
+      "          horopter plan rig --rig plan/rig.yaml --skin box.yaml --zone box.yaml --obstacle table.yaml --out plan");
   rig->callback([options, &outcome] { outcome.status = plan_rig(*options); });
 }
 

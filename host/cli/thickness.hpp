@@ -26,7 +26,7 @@ void add_thickness(CLI::App& command, ThicknessOption& option);
 /// The thickness that a rule was set to.
 struct ChosenThickness {
   double tolerance_px = 0;
-  Spread across_mm;  ///< of the skin over the image; NaN where it has no place in space
+  Summary across_mm;  ///< of the skin over the image; NaN where it has no place in space
   std::string text(const Settings& settings) const;
   nlohmann::ordered_json json() const;
 };

@@ -341,11 +341,8 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return horopter::run(argc, argv);
-  } catch (const horopter::Error& error) {
-    fmt::print(stderr, "chessboard-demo: {}\n", error.what());
-    return static_cast<int>(error.status());
   } catch (const std::exception& error) {
     fmt::print(stderr, "chessboard-demo: {}\n", error.what());
-    return static_cast<int>(horopter::ExitStatus::fault);
+    return static_cast<int>(horopter::status_of(error));
   }
 }

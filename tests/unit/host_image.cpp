@@ -33,7 +33,7 @@ std::string error_of(const std::filesystem::path& path) {
   try {
     load_image(path);
   } catch (const FileError& error) {
-    CHECK(error.status() == ExitStatus::bad_file);
+    CHECK(status_of(error) == ExitStatus::bad_file);
     CHECK(std::string(error.what()).starts_with(path.string() + ": "));
     CHECK_THAT(error.what(), Catch::Contains("expected"));
     return error.what();

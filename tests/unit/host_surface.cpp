@@ -567,7 +567,7 @@ TEST_CASE("skin.yaml is read strictly") {
   const auto error = [&](const std::string& text) -> std::string {
     try {
       read(text);
-    } catch (const Error& e) {
+    } catch (const FileError& e) {
       return e.what();
     }
     FAIL("no error for " << text);

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <set>
 
-#include "horopter/draw/plot.hpp"
+#include "horopter/base/xml.hpp"
 #include "horopter/plan/plan.hpp"
 
 namespace horopter {
@@ -108,7 +108,7 @@ std::string wedge(const View& view, const RigFrame& frame, const calib::Camera& 
   return fmt::format(
       "<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}z\" fill=\"{}\" fill-opacity=\"0.13\" stroke=\"{}\" "
       "stroke-opacity=\"0.6\"/>\n<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\"><title>{}</title></circle>\n",
-      a.x(), a.y(), b.x(), b.y(), c.x(), c.y(), colour, colour, a.x(), a.y(), colour, svg_text(camera.name));
+      a.x(), a.y(), b.x(), b.y(), c.x(), c.y(), colour, colour, a.x(), a.y(), colour, xml_text(camera.name));
 }
 
 }  // namespace
@@ -177,7 +177,7 @@ std::string draw_plan(const std::string& title, const CameraPair& cameras, const
       "height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"Helvetica, Arial, sans-serif\" "
       "font-size=\"11\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n<text x=\"10\" y=\"15\" "
       "font-size=\"13\">{2}</text>\n",
-      2 * kPanel + kGap, height + 58, svg_text(title));
+      2 * kPanel + kGap, height + 58, xml_text(title));
   for (const int across : {0, 1}) {
     const double left = across * (kPanel + kGap);
     const View view(left, across, box, scale);
@@ -219,7 +219,7 @@ std::string draw_plan(const std::string& title, const CameraPair& cameras, const
     }
     for (const auto& [name, z] : labels) {
       svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"10\">{}</text>\n", left + 6,
-                         view({0, 0, z}).y() - 3, svg_text(name));
+                         view({0, 0, z}).y() - 3, xml_text(name));
     }
     svg += "</g>\n";
     svg += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{:.1f}\" fill=\"none\" stroke=\"black\"/>\n",
@@ -235,7 +235,7 @@ std::string draw_plan(const std::string& title, const CameraPair& cameras, const
   const auto legend = [&](const char* colour, const std::string& text) {
     svg += fmt::format(
         "<circle cx=\"{:.0f}\" cy=\"{:.0f}\" r=\"4\" fill=\"{}\"/><text x=\"{:.0f}\" y=\"{:.0f}\">{}</text>\n", x + 4,
-        height + 40, colour, x + 12, height + 44, svg_text(text));
+        height + 40, colour, x + 12, height + 44, xml_text(text));
     x += 22 + 5.5 * static_cast<double>(text.size());
   };
   legend("#1f77b4", "left camera");

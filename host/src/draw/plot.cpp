@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "horopter/base/xml.hpp"
+
 namespace horopter {
 namespace {
 
@@ -30,12 +32,6 @@ std::vector<double> ticks(double low, double high, int count) {
 }
 
 }  // namespace
-
-std::string svg_text(const std::string& words) {
-  std::string result;
-  for (const char c : words) result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-  return result;
-}
 
 std::string plot_svg(const std::string& title, const std::vector<Panel>& panels, int columns) {
   constexpr double width = 300;
@@ -71,7 +67,7 @@ std::string plot_svg(const std::string& title, const std::vector<Panel>& panels,
       "height=\"{1}\" viewBox=\"0 0 {0} {1}\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"11\">\n"
       "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n<text x=\"{2}\" y=\"19\" font-size=\"14\" "
       "text-anchor=\"middle\">{3}</text>\n",
-      total_width, total_height, total_width / 2, svg_text(title));
+      total_width, total_height, total_width / 2, xml_text(title));
 
   for (std::size_t index = 0; index < panels.size(); ++index) {
     const Panel& panel = panels[index];
@@ -105,7 +101,7 @@ std::string plot_svg(const std::string& title, const std::vector<Panel>& panels,
     const auto py = [&](double y) { return oy + top + (y_high - y) / (y_high - y_low) * h; };
 
     svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" font-weight=\"bold\">{}</text>\n",
-                       ox + left + w / 2, oy + 15, svg_text(panel.title));
+                       ox + left + w / 2, oy + 15, xml_text(panel.title));
     for (const double x : ticks(x_low, x_high, 5))
       svg += fmt::format(
           "<path d=\"M{0:.1f} {1:.1f}V{2:.1f}\" stroke=\"#ddd\"/><text x=\"{0:.1f}\" y=\"{3:.1f}\" "
@@ -131,10 +127,10 @@ std::string plot_svg(const std::string& title, const std::vector<Panel>& panels,
     svg += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"black\"/>\n",
                        ox + left, oy + top, w, h);
     svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" font-size=\"10\">{}</text>\n", ox + left + w / 2,
-                       oy + height - 10, svg_text(panel.x_label));
+                       oy + height - 10, xml_text(panel.x_label));
     svg += fmt::format(
         "<text transform=\"translate({} {}) rotate(-90)\" text-anchor=\"middle\" font-size=\"10\">{}</text>\n", ox + 12,
-        oy + top + h / 2, svg_text(panel.y_label));
+        oy + top + h / 2, xml_text(panel.y_label));
     for (const Curve& curve : panel.curves) {
       std::string path;
       bool pen_down = false;
@@ -147,7 +143,7 @@ std::string plot_svg(const std::string& title, const std::vector<Panel>& panels,
         pen_down = true;
       }
       svg += fmt::format("<path d=\"{}\" {} stroke-width=\"1.4\"><title>{}</title></path>\n", path, pen(curve.name),
-                         svg_text(curve.name));
+                         xml_text(curve.name));
     }
   }
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -155,7 +151,7 @@ std::string plot_svg(const std::string& title, const std::vector<Panel>& panels,
     const double y = head + rows * height + 12 + 16 * static_cast<double>(i / static_cast<std::size_t>(entries));
     svg +=
         fmt::format("<path d=\"M{:.1f} {:.1f}h18\" {} stroke-width=\"2\"/><text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
-                    x, y - 4, pen(names[i]), x + 23, y, svg_text(names[i]));
+                    x, y - 4, pen(names[i]), x + 23, y, xml_text(names[i]));
   }
   return svg + "</svg>\n";
 }

@@ -21,12 +21,12 @@ constexpr int kMostParts = 1024;
 constexpr std::size_t kMostSteps = 100'000;
 
 /// What a left pixel sees of a skin.
-struct Sight {
+struct SkinPoint {
   bool supervised = false;
   double distance_mm = 0;  ///< infinite without the skin
   double cosine = 0;       ///< between the line of sight and the skin's normal
   double across_mm = 0;    ///< thickness
-  Vector3d point_mm;
+  Vector3d at_mm;
 };
 
 class Watcher {
@@ -45,27 +45,27 @@ class Watcher {
 
   const Point& pixel(std::size_t i) const { return points_[i]; }
 
-  std::vector<Sight> look(const Surface& surface) const {
+  std::vector<SkinPoint> look(const Surface& surface) const {
     const Vector3d eye = cameras_.left().world_to_camera.centre();
     surface.check_cameras(eye, cameras_.right().world_to_camera.centre());
     std::vector<Hit> hits(points_.size());
     std::vector<Look> looks(points_.size());
     surface.intersect(eye, rays_.directions, hits);
     cameras_.look(surface, rays_, row_step_, {}, looks);
-    std::vector<Sight> sights(points_.size());
-    for (std::size_t i = 0; i < sights.size(); ++i) {
+    std::vector<SkinPoint> places(points_.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
       const Vector3d& direction = rays_.directions[i];
       const Point source = looks[i].source;
-      Sight& sight = sights[i];
-      sight.distance_mm = hits[i].distance * direction.norm();
-      if (!std::isfinite(sight.distance_mm)) continue;
-      sight.cosine = std::abs(hits[i].normal.dot(direction)) / direction.norm();
-      sight.point_mm = eye + hits[i].distance * direction;
+      SkinPoint& place = places[i];
+      place.distance_mm = hits[i].distance * direction.norm();
+      if (!std::isfinite(place.distance_mm)) continue;
+      place.cosine = std::abs(hits[i].normal.dot(direction)) / direction.norm();
+      place.at_mm = eye + hits[i].distance * direction;
       if (looks[i].reason != Reason::none || !frame_.holds(source)) continue;
-      sight.across_mm = cameras_.thickness_mm(points_[i], source, tolerance_px_) * sight.cosine;
-      sight.supervised = std::isfinite(sight.across_mm);
+      place.across_mm = cameras_.thickness_mm(points_[i], source, tolerance_px_) * place.cosine;
+      place.supervised = std::isfinite(place.across_mm);
     }
-    return sights;
+    return places;
   }
 
  private:
@@ -78,29 +78,29 @@ class Watcher {
 };
 
 /// Whether no object slips through between two frames.
-bool is_small(const MovingSurface& surface, double from_s, const std::vector<Sight>& from, double to_s,
-              const std::vector<Sight>& to, double object_mm) {
+bool is_small(const MovingSurface& surface, double from_s, const std::vector<SkinPoint>& from, double to_s,
+              const std::vector<SkinPoint>& to, double object_mm) {
   for (std::size_t i = 0; i < to.size(); ++i) {
     if (!to[i].supervised) continue;
     const double thickness_mm = from[i].supervised ? std::min(from[i].across_mm, to[i].across_mm) : to[i].across_mm;
     double way_mm = std::abs(to[i].distance_mm - from[i].distance_mm) * std::max(to[i].cosine, from[i].cosine);
     if (object_mm + way_mm <= thickness_mm) continue;
-    way_mm = std::min(way_mm, surface.way_mm(from_s, to_s, to[i].point_mm));
+    way_mm = std::min(way_mm, surface.way_mm(from_s, to_s, to[i].at_mm));
     if (!(object_mm + way_mm <= thickness_mm)) return false;
   }
   return true;
 }
 
 /// Throws where an object can pass the skin though it is at rest.
-void check_thickness(const Watcher& watcher, const std::vector<Sight>& sights, double time_s, double object_mm,
+void check_thickness(const Watcher& watcher, const std::vector<SkinPoint>& places, double time_s, double object_mm,
                      const MotionLimits& limits) {
-  std::size_t thinnest = sights.size();
-  for (std::size_t i = 0; i < sights.size(); ++i) {
-    if (!sights[i].supervised) continue;
-    if (thinnest == sights.size() || sights[i].across_mm < sights[thinnest].across_mm) thinnest = i;
+  std::size_t thinnest = places.size();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (!places[i].supervised) continue;
+    if (thinnest == places.size() || places[i].across_mm < places[thinnest].across_mm) thinnest = i;
   }
-  if (thinnest == sights.size() || sights[thinnest].across_mm > object_mm) return;
-  const double across_mm = sights[thinnest].across_mm;
+  if (thinnest == places.size() || places[thinnest].across_mm > object_mm) return;
+  const double across_mm = places[thinnest].across_mm;
   throw std::runtime_error(
       fmt::format("at {:.3f} s the skin is {:.2f} mm thick at left pixel ({:.0f}, {:.0f}), and an object of {} m/s "
                   "moves by {:.2f} mm between two of {} images a second: no step is small enough (object_speed_m_s "
@@ -123,8 +123,8 @@ std::vector<double> plan_motion(const CameraPair& cameras, const MovingSurface& 
   const Watcher watcher(cameras, profile, limits.tolerance_px, image_width, image_height);
   const double object_mm = limits.object_speed_m_s * 1e3 / limits.images_per_s;
   std::vector<double> times_s{0};
-  std::vector<Sight> sights = watcher.look(*surface.at(0));
-  check_thickness(watcher, sights, 0, object_mm, limits);
+  std::vector<SkinPoint> places = watcher.look(*surface.at(0));
+  check_thickness(watcher, places, 0, object_mm, limits);
   const double shortest_s = 1 / limits.images_per_s / kMostParts;
   double step_s = 1 / limits.images_per_s;
   for (int frame = 1; times_s.back() < surface.end_s(); ++frame) {
@@ -134,11 +134,11 @@ std::vector<double> plan_motion(const CameraPair& cameras, const MovingSurface& 
       // What went the last time, and more.
       for (step_s = std::min(2 * step_s, due_s - from_s);; step_s /= 2) {
         const double to_s = step_s < due_s - from_s ? from_s + step_s : due_s;
-        std::vector<Sight> next = watcher.look(*surface.at(to_s));
+        std::vector<SkinPoint> next = watcher.look(*surface.at(to_s));
         check_thickness(watcher, next, to_s, object_mm, limits);
-        if (is_small(surface, from_s, sights, to_s, next, object_mm)) {
+        if (is_small(surface, from_s, places, to_s, next, object_mm)) {
           times_s.push_back(to_s);
-          sights = std::move(next);
+          places = std::move(next);
           break;
         }
         if (step_s < shortest_s || times_s.size() == kMostSteps) {

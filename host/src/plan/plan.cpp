@@ -119,11 +119,11 @@ ThicknessPlan plan_thickness(const CameraPair& cameras, const Surface& surface, 
     }
   }
   if (plan.supervised == 0) plan.face_width = std::nan("");
-  plan.distance = distance.spread();
-  plan.slope_deg = slope.spread();
-  plan.sight = sight.spread();
-  plan.across = across.spread();
-  plan.formula = formula.spread();
+  plan.distance = distance.summary();
+  plan.slope_deg = slope.summary();
+  plan.sight = sight.summary();
+  plan.across = across.summary();
+  plan.formula = formula.summary();
 
   plan.on_axis = plan.on_axis_formula = std::nan("");
   Hit hit;

@@ -133,8 +133,8 @@ CommonField common_field(const CameraPair& cameras, const Surface& surface, cons
   }
   field.width_mm = extent.isEmpty() ? std::nan("") : extent.sizes().x();
   field.height_mm = extent.isEmpty() ? std::nan("") : extent.sizes().y();
-  field.left_angle_deg = left_angle.spread();
-  field.right_angle_deg = right_angle.spread();
+  field.left_angle_deg = left_angle.summary();
+  field.right_angle_deg = right_angle.summary();
   return field;
 }
 

@@ -19,7 +19,7 @@ class Statistics {
     sum_ += value;
     ++count_;
   }
-  Spread spread() const {
+  Summary summary() const {
     if (count_ == 0) return {std::nan(""), std::nan(""), std::nan("")};
     return {smallest_, sum_ / static_cast<double>(count_), largest_};
   }

@@ -10,7 +10,6 @@
 
 #include "base/yaml.hpp"
 #include "horopter/base/error.hpp"
-#include "horopter/calib/error.hpp"
 #include "horopter/image/image.hpp"
 #include "horopter/skin/rig_skin.hpp"
 
@@ -344,13 +343,7 @@ calib::Rig two_cameras(Keys& root, const calib::Rig& rig) {
 
 }  // namespace
 
-calib::Rig read_rig(const std::filesystem::path& path) {
-  try {
-    return calib::load_rig(path).rig;
-  } catch (const calib::FileError& error) {
-    throw Error(ExitStatus::bad_file, error.what());
-  }
-}
+calib::Rig read_rig(const std::filesystem::path& path) { return calib::load_rig(path).rig; }
 
 SkinFile load_skin(const std::filesystem::path& path, Point centre, const calib::Rig* rig) {
   const std::string file = path.string();
@@ -418,8 +411,7 @@ bool has_motion(const std::filesystem::path& path) {
 std::string skin_file_help() {
   std::string text =
       "skin.yaml holds `surface:` with `type:` and what belongs to it, in the world coordinates of the rig; values in\n"
-      "parentheses need not be given. `cameras: [left, right]` beside it names two of the rig's cameras (the first "
-      "two).\n";
+      "parentheses need not be given. `cameras: [left, right]` beside it names two of the rig's cameras (the first two).\n";
   for (const Type& type : types()) text += fmt::format("  {:16} {}\n", type.name, type.keys);
   text += fmt::format("  {:16} matrix: 3 rows of 3 numbers, left pixel to right pixel; no rig\n", kHomography);
   text += fmt::format("  {:16} points: 4 or more of {{left: [x, y], right: [x, y]}}; no rig\n", kCorrespondences);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "horopter/base/file.hpp"
+#include "horopter/base/xml.hpp"
 #include "horopter/image/output.hpp"
 #include "statements.hpp"
 #include "study.hpp"
@@ -17,24 +18,6 @@ namespace horopter::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&') {
-      result += "&amp;";
-    } else if (c == '<') {
-      result += "&lt;";
-    } else if (c == '>') {
-      result += "&gt;";
-    } else if (c == '"') {
-      result += "&quot;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
 
 std::string base64(const std::vector<std::uint8_t>& bytes) {
   constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -60,17 +43,17 @@ std::string figure(const fs::path& file, const std::string& title) {
     const std::size_t start = content.find("<svg");
     if (start != std::string::npos) content.erase(0, start);
   } else {
-    content = fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">", escaped(title),
+    content = fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">", xml_text(title),
                           base64(read_file(file, "a picture that this run has written")));
   }
-  return fmt::format("<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n", content, escaped(title));
+  return fmt::format("<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n", content, xml_text(title));
 }
 
 std::string statements_table(const nlohmann::json& statements) {
   std::string table =
       "<table><tr><th>§</th><th>The thesis says</th><th>We found</th><th>Verdict</th><th>Rule</th></tr>\n";
   for (const auto& row : statements) {
-    const auto text = [&](const char* key) { return escaped(row.at(key).get<std::string>()); };
+    const auto text = [&](const char* key) { return xml_text(row.at(key).get<std::string>()); };
     table += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td><b>{}</b></td><td>{}</td></tr>\n", text("section"),
                          text("statement"), text("figure"), text("verdict"), text("rule"));
   }
@@ -90,12 +73,13 @@ nlohmann::json figures_of(const fs::path& directory, const nlohmann::json& resul
 }
 
 std::string section(const fs::path& directory, const NamedStudy& study, const nlohmann::json& result) {
-  std::string html = fmt::format("<h2 id=\"{0}\">{0}</h2>\n<p>{1}</p>\n", study.name, escaped(study.what));
+  std::string html = fmt::format("<h2 id=\"{0}\">{0}</h2>\n<p>{1}</p>\n", study.name, xml_text(study.what));
   if (result.contains("conditions")) {
-    html += fmt::format("<h3>Conditions</h3>\n<pre>{}</pre>\n", escaped(result["conditions"].dump(2)));
+    html += fmt::format("<h3>Conditions</h3>\n<pre>{}</pre>\n", xml_text(result["conditions"].dump(2)));
   }
   html += "<h3>Findings</h3>\n<ul>\n";
-  for (const auto& line : result.at("findings")) html += fmt::format("<li>{}</li>\n", escaped(line.get<std::string>()));
+  for (const auto& line : result.at("findings"))
+    html += fmt::format("<li>{}</li>\n", xml_text(line.get<std::string>()));
   html += "</ul>\n";
   if (result.contains("statements")) html += statements_table(result["statements"]);
   for (const auto& one : figures_of(directory, result))
@@ -127,7 +111,7 @@ nlohmann::json study_all(const std::string& out, const StudyScope& scope) {
       directory.write("summary.json", result.dump(2) + "\n");
       directory.commit();
     }
-    contents += fmt::format("<li><a href=\"#{0}\">{0}</a>: {1}</li>\n", study.name, escaped(study.what));
+    contents += fmt::format("<li><a href=\"#{0}\">{0}</a>: {1}</li>\n", study.name, xml_text(study.what));
     sections += section(place, study, result);
     results[study.name] = result;
   }
@@ -161,7 +145,7 @@ nlohmann::json study_all(const std::string& out, const StudyScope& scope) {
       "<h1>Horopter: the study</h1>\n<p>Written by <code>horopter study all --seed {}{}</code>. "
       "{}</p>\n<ul>\n{}</ul>\n{}"
       "</body></html>\n",
-      scope.seed, scope.quick ? " --quick" : "", escaped(summary["findings"][0].get<std::string>()), contents,
+      scope.seed, scope.quick ? " --quick" : "", xml_text(summary["findings"][0].get<std::string>()), contents,
       sections);
   write_file(fs::path(out) / "index.html", page);
   write_file(fs::path(out) / "STUDY.md", study_markdown(results));

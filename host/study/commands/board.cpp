@@ -176,9 +176,9 @@ std::optional<ChosenThickness> thickness_of(const std::vector<BoardPlane>& plane
   const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
   std::ranges::nth_element(all, middle, {}, &ChosenThickness::tolerance_px);
   option = {.tolerance_px = middle->tolerance_px, .thickness_mm = {}};
-  Spread across_mm{INFINITY, 0, 0};
+  Summary across_mm{INFINITY, 0, 0};
   for (const BoardPlane& plane : planes) {
-    const Spread one = set_thickness(option, plane.moved(0), profile, geometry, settings)->across_mm;
+    const Summary one = set_thickness(option, plane.moved(0), profile, geometry, settings)->across_mm;
     across_mm.smallest = std::min(across_mm.smallest, one.smallest);
     across_mm.largest = std::max(across_mm.largest, one.largest);
     across_mm.mean += one.mean / static_cast<double>(planes.size());

@@ -37,16 +37,16 @@ void check(const Conditions& conditions) {
 }
 
 /// What the lens and the pixel make of a line: weights of the samples at (first + i) · 1/oversampling px from `centre`.
-struct Spread {
+struct LineWeights {
   int first = 0;
   std::vector<float> weights;
 };
 
 /// `fraction`: of a sample, place of the pixel's centre after the sample it is counted from.
-Spread spread(const Camera& camera, double fraction) {
+LineWeights line_weights(const Camera& camera, double fraction) {
   const double half = std::sqrt(camera.fill_factor) / 2;
   const double reach = half + kBlurReach * camera.blur_px;
-  Spread result;
+  LineWeights result;
   result.first = static_cast<int>(std::floor(-reach * kOversampling + fraction)) - 1;
   const int last = static_cast<int>(std::ceil(reach * kOversampling + fraction)) + 1;
   // Of a Gaussian along the line, integrated over the pixel; without blur, of the pixel alone. A sample is as wide as
@@ -118,7 +118,7 @@ Simulation::Simulation(const Conditions& conditions, double largest_shift_px)
   // Along y: rows of the camera. Pixel y's centre lies at sample (y + 0.5)·oversampling − 0.5.
   Raster<float> rows(drawn.width, camera.height);
   const double start = (margin_y + 0.5) * kOversampling - 0.5;
-  const Spread down = spread(camera, start - std::floor(start));
+  const LineWeights down = line_weights(camera, start - std::floor(start));
   parallel_for(static_cast<std::size_t>(camera.height), [&](std::size_t index) {
     const int y = static_cast<int>(index);
     float* row = rows.row(y);
@@ -129,7 +129,7 @@ Simulation::Simulation(const Conditions& conditions, double largest_shift_px)
     }
   });
   // Along x at every sample.
-  const Spread across = spread(camera, 0);
+  const LineWeights across = line_weights(camera, 0);
   fine_ = Raster<float>(drawn.width, camera.height);
   parallel_for(static_cast<std::size_t>(camera.height), [&](std::size_t index) {
     const float* source = rows.row(static_cast<int>(index));

@@ -2,8 +2,11 @@
 // Errors of the host library, by what a caller can do about them. The program's exit status follows from the type.
 #pragma once
 
+#include <exception>
 #include <stdexcept>
 #include <string>
+
+#include "horopter/calib/error.hpp"
 
 namespace horopter {
 
@@ -24,24 +27,19 @@ class UsageError : public Error {
   explicit UsageError(const std::string& message) : Error(ExitStatus::usage, message) {}
 };
 
-/// An input file is missing or bad. The message names the file, the place in it (may be empty), what stands there and
-/// what was expected.
-class FileError : public Error {
- public:
-  FileError(const std::string& file, const std::string& place, const std::string& found, const std::string& expected)
-      : Error(ExitStatus::bad_file, file + ": " + (place.empty() ? "" : place + ": ") + found +
-                                        (expected.empty() ? "" : "; expected " + expected)),
-        file_(file) {}
-  const std::string& file() const { return file_; }
-
- private:
-  std::string file_;
-};
+/// An input file is missing or bad.
+using calib::FileError;
 
 /// The device or engine does not answer as it must.
 class DeviceError : public Error {
  public:
   explicit DeviceError(const std::string& message) : Error(ExitStatus::fault, message) {}
 };
+
+/// The program's exit status after an error of any type.
+inline ExitStatus status_of(const std::exception& error) {
+  if (const auto* ours = dynamic_cast<const Error*>(&error)) return ours->status();
+  return dynamic_cast<const FileError*>(&error) != nullptr ? ExitStatus::bad_file : ExitStatus::fault;
+}
 
 }  // namespace horopter

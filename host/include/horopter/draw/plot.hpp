@@ -8,9 +8,6 @@
 
 namespace horopter {
 
-/// As text of an SVG.
-std::string svg_text(const std::string& words);
-
 struct Curve {
   std::string name;
   std::vector<std::pair<double, double>> points;

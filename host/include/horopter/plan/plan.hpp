@@ -43,7 +43,8 @@ double iso_13855_distance_mm(double response_s);
 
 // By the camera model.
 
-struct Spread {
+/// Of many figures.
+struct Summary {
   double smallest = 0;  ///< NaN, all three, of nothing
   double mean = 0;
   double largest = 0;
@@ -68,11 +69,11 @@ struct ThicknessPlan {
   std::int64_t shared = 0;      ///< the skin where they look is in the right image too, and not hidden
   std::int64_t supervised = 0;  ///< of these, within the limits of the view
   RowCount rows;                ///< as a table for these limits has it
-  Spread distance;              ///< z of 11.1, along the axis of symmetry
-  Spread slope_deg;             ///< γ of 11.2, between the skin's normal and the axis
-  Spread sight;                 ///< thickness along the left line of sight, by the camera model
-  Spread across;                ///< along the skin's normal, by the camera model
-  Spread formula;               ///< the same by 11.1 and 11.2
+  Summary distance;             ///< z of 11.1, along the axis of symmetry
+  Summary slope_deg;            ///< γ of 11.2, between the skin's normal and the axis
+  Summary sight;                ///< thickness along the left line of sight, by the camera model
+  Summary across;               ///< along the skin's normal, by the camera model
+  Summary formula;              ///< the same by 11.1 and 11.2
   double on_axis = 0;           ///< `across` where the axis of symmetry meets the skin; NaN where it does not
   double on_axis_formula = 0;
   double face_width = 0;          ///< smallest width of 11.3

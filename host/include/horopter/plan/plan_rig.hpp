@@ -48,7 +48,7 @@ struct CommonField {
   double supervised_m2 = 0;  ///< within the limits of the view
   /// Of A_c, in the directions of the baseline and across it and the axis of symmetry; NaN without one.
   double width_mm = 0, height_mm = 0;
-  Spread left_angle_deg, right_angle_deg;  ///< over A_c, between line of sight and the skin's normal
+  Summary left_angle_deg, right_angle_deg;  ///< over A_c, between line of sight and the skin's normal
 
   /// A_c/A_L of Fig. 11.2; NaN where the left camera sees nothing of the skin.
   double exploitation() const { return common_m2 / left_m2; }
