@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two cameras that see a textured scene: blocks of 4x4 px of pseudo-random grey that move by 1 px a frame, for a still
-// image is a fault. The right image is the left one shifted
-// by shift_i px, sampled at the start of a frame: with the identity as mapping table, everything is in the skin at 0 and
-// nothing at more than a few px. One pixel a clock where both streams are taken, then BLANK idle clocks a row.
+// image is a fault. The right image is the left one shifted by shift_i px, sampled at the start of a frame, and brighter
+// by one grey level, for identical images are a fault, too: with the identity as mapping table, everything is in the skin
+// at 0 and nothing at more than a few px. One pixel a clock where both streams are taken, then BLANK idle clocks a row.
 module horopter_pattern #(
     parameter int unsigned WIDTH = 640,
     parameter int unsigned HEIGHT = 480,
@@ -40,7 +40,7 @@ module horopter_pattern #(
   logic left_taken_q, right_taken_q, pixel, next;
   assign pixel = blank_q == 12'd0;
   assign m_axis_left_tdata = grey(10'((x_q + origin_q) >> 2), y_q[11:2]);
-  assign m_axis_right_tdata = grey(10'((x_q + origin_q - 12'(shift_q)) >> 2), y_q[11:2]);
+  assign m_axis_right_tdata = grey(10'((x_q + origin_q - 12'(shift_q)) >> 2), y_q[11:2]) + 8'd1;
   assign m_axis_tuser = x_q == 12'd0 && y_q == 12'd0;
   assign m_axis_tlast = 32'(x_q) == WIDTH - 1;
   assign m_axis_left_tvalid = pixel && !left_taken_q;

@@ -7,9 +7,9 @@
 // Out     one beat per frame, with its last pixel:
 //         black, white: more than the limit of pixels are; constant: the frame's grey levels span at most
 //         contrast_limit, and it is neither black nor white; frozen: its signature has equalled that of the frame
-//         before, for at least frozen_limit frames in a row. The signature is that of a multiple-input shift register
-//         (MISR; Williams, Daehn, Gruetzner, Starke, IEEE Trans. CAD 7(2), 1988) with the polynomial of CRC-32: equal
-//         frames have equal ones, and two noisy frames by chance once in 2^32.
+//         before, for at least frozen_limit frames in a row; signature: the frame's. The signature is that of a
+//         multiple-input shift register (MISR; Williams, Daehn, Gruetzner, Starke, IEEE Trans. CAD 7(2), 1988) with the
+//         polynomial of CRC-32: equal frames have equal ones, and two noisy frames by chance once in 2^32.
 // Illegal use: a frame without `end` is not judged; the next `first` starts anew.
 #pragma once
 
@@ -41,6 +41,7 @@ class CameraHealth {
     bool white = false;
     bool constant = false;
     bool frozen = false;
+    u<32> signature;
   };
 
   Out step(const In& in, const Config& config) {
@@ -64,6 +65,7 @@ class CameraHealth {
       out.constant = u<8>(brightest_ - darkest_) <= config.contrast_limit && !out.black && !out.white;
       out.frozen = config.frozen_limit != 0 && repeats_ >= config.frozen_limit;
     }
+    out.signature = previous_signature_;
     return out;
   }
 

@@ -145,6 +145,7 @@ struct FrameResult {
   std::int64_t store_misses = 0;  // pixels whose source row the ring does not hold
   ImageHealth left;
   ImageHealth right;
+  bool identical_images = false;  // the same signature
 };
 
 template <hls::Profile P>
@@ -309,6 +310,7 @@ class Pipeline {
       if (end) {
         result.left = {of_left.black, of_left.white, of_left.constant, of_left.frozen};
         result.right = {of_right.black, of_right.white, of_right.constant, of_right.frozen};
+        result.identical_images = of_left.signature == of_right.signature;
       }
     };
     const int last_row = left.height - 1;

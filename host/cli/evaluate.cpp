@@ -105,7 +105,7 @@ Machine make_machine(const EvaluateOptions& options, const MachineProfile& profi
   const auto supervisor = std::make_shared<Supervisor>(make_device(options.engine, profile), profile, maps, settings);
   return [supervisor](const Image& left, const Image& right) {
     FrameResult frame = std::move(supervisor->process(left, right).front());
-    if (frame.faults != 0) throw DeviceError("fault " + frame.fault_names().front());
+    if (frame.faults.any()) throw DeviceError("fault " + frame.faults.names().front());
     return std::move(frame.states);
   };
 }

@@ -100,7 +100,7 @@ void print_frame(int frame, const FrameResult& result) {
                   100 * static_cast<double>(result.skin_pixels) / pixels,
                   100 * static_cast<double>(result.undecidable_pixels) / pixels,
                   100 * static_cast<double>(result.unsupervised_pixels) / pixels);
-  for (const std::string& fault : result.fault_names()) line += "  " + fault;
+  for (const std::string& fault : result.faults.names()) line += "  " + fault;
   std::puts(line.c_str());
 }
 
@@ -146,7 +146,7 @@ ExitStatus run(const RunOptions& options) {
         output.write(base + "-overlay.png", encode_png_bgr(overlay.width, overlay.height, overlay.bgr));
       }
       summary["frames"].push_back(frame_json(frame, pair->left.name, pair->right.name, result, device.counts_cycles()));
-      if (result.faults != 0) status = ExitStatus::fault;
+      if (result.faults.any()) status = ExitStatus::fault;
       if (!options.json) {
         progress.clear();
         print_frame(frame, result);

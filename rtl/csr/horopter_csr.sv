@@ -96,13 +96,15 @@ module horopter_csr #(
     input  logic [ 3:0] map_status_active_slot_i,
     input  logic [14:0] map_valid_slots_i,
     input  logic [31:0] map_crc_value_i,
-    input  logic [30:0] faults_set_i,
-    output logic [30:0] faults_o,
+    input  logic [21:0] faults_cameras_set_i,
+    output logic [21:0] faults_cameras_o,
+    input  logic [ 9:0] faults_machine_set_i,
+    output logic [ 9:0] faults_machine_o,
     input  logic [31:0] frame_sequence_value_i,
     input  logic        frame_status_alarm_i,
     input  logic        frame_status_safe_i,
     input  logic [ 3:0] frame_status_slot_i,
-    input  logic [30:0] frame_faults_i,
+    input  logic [21:0] frame_faults_cameras_i,
     input  logic [31:0] frame_table_crc_value_i,
     input  logic [23:0] frame_skin_pixels_i,
     input  logic [23:0] frame_undecidable_pixels_i,
@@ -110,7 +112,8 @@ module horopter_csr #(
     input  logic [23:0] frame_misses_pixels_i,
     input  logic [31:0] frame_cycles_clocks_i,
     input  logic [31:0] frame_latency_clocks_i,
-    input  logic [31:0] frame_tail_clocks_i
+    input  logic [31:0] frame_tail_clocks_i,
+    input  logic [ 9:0] frame_faults_machine_i
 );
   // The address is decoded always, into a group of eight words and the word; it counts from the second clock of a write on.
   logic taken_q, write_q;
@@ -128,7 +131,8 @@ module horopter_csr #(
     write_group_q[5] <= write_addr_i[11:5] == 7'h07;
     case (write_addr_i)
       12'h040, 12'h058, 12'h05C, 12'h060, 12'h064, 12'h080, 12'h084, 12'h088, 12'h08C, 12'h090, 12'h094, 12'h0A0,
-      12'h0A4, 12'h0A8, 12'h0AC, 12'h0B0, 12'h0B4, 12'h0B8, 12'h0BC, 12'h0C0, 12'h0C4, 12'h0E0: write_error_o <= 1'b0;
+      12'h0A4, 12'h0A8, 12'h0AC, 12'h0B0, 12'h0B4, 12'h0B8, 12'h0BC, 12'h0C0, 12'h0C4, 12'h0E0, 12'h0E4: write_error_o
+      <= 1'b0;
       12'h044, 12'h04C, 12'h050, 12'h054: write_error_o <= locked_i;
       12'h0C8, 12'h0CC: write_error_o <= write_strb_i != 4'hF;
       default: write_error_o <= 1'b1;
@@ -385,15 +389,25 @@ module horopter_csr #(
   end
   assign irq_status_o = irq_status_q;
 
-  // FAULTS: Every fault since it was last cleared; a written 1 clears. safe_o does not depend on this register.
-  logic [30:0] faults_q;
+  // FAULTS_CAMERAS: Every fault of the cameras since it was last cleared; a written 1 clears. safe_o does not depend on this register.
+  logic [21:0] faults_cameras_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) faults_q <= 31'd0;
+    if (!rst_ni) faults_cameras_q <= 22'd0;
     else if (write_q && write_group_q[5] && write_word_q[0])
-      faults_q <= (faults_q & ~(write_data_i[30:0] & {{7{write_strb_i[3]}}, {8{write_strb_i[2]}}, {8{write_strb_i[1]}}, {8{write_strb_i[0]}}})) | faults_set_i;
-    else faults_q <= faults_q | faults_set_i;
+      faults_cameras_q <= (faults_cameras_q & ~({write_data_i[26:16], write_data_i[10:0]} & {{3{write_strb_i[3]}}, {8{write_strb_i[2]}}, {3{write_strb_i[1]}}, {8{write_strb_i[0]}}})) | faults_cameras_set_i;
+    else faults_cameras_q <= faults_cameras_q | faults_cameras_set_i;
   end
-  assign faults_o = faults_q;
+  assign faults_cameras_o = faults_cameras_q;
+
+  // FAULTS_MACHINE: The same for faults of both cameras together, of tables and of the machine.
+  logic [ 9:0] faults_machine_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) faults_machine_q <= 10'd0;
+    else if (write_q && write_group_q[5] && write_word_q[1])
+      faults_machine_q <= (faults_machine_q & ~(write_data_i[9:0] & {{2{write_strb_i[1]}}, {8{write_strb_i[0]}}})) | faults_machine_set_i;
+    else faults_machine_q <= faults_machine_q | faults_machine_set_i;
+  end
+  assign faults_machine_o = faults_machine_q;
 
   // Reads, in three steps: which group of eight, if the word exists; the word (zero in the others); all together.
   logic [31:0] group_00_q;
@@ -418,16 +432,16 @@ module horopter_csr #(
       12'h080, 12'h084, 12'h088, 12'h08C, 12'h090, 12'h094: wanted_q[3] <= 1'b1;
       12'h0A0, 12'h0A4, 12'h0A8, 12'h0AC, 12'h0B0, 12'h0B4, 12'h0B8, 12'h0BC: wanted_q[4] <= 1'b1;
       12'h0C0, 12'h0C4, 12'h0D0, 12'h0D4, 12'h0D8: wanted_q[5] <= 1'b1;
-      12'h0E0: wanted_q[6] <= 1'b1;
+      12'h0E0, 12'h0E4: wanted_q[6] <= 1'b1;
       12'h100, 12'h104, 12'h108, 12'h10C, 12'h110, 12'h114, 12'h118, 12'h11C: wanted_q[7] <= 1'b1;
-      12'h120, 12'h124, 12'h128: wanted_q[8] <= 1'b1;
+      12'h120, 12'h124, 12'h128, 12'h12C: wanted_q[8] <= 1'b1;
       default: ;  // no register
     endcase
     group_00_q <= 32'd0;
     if (wanted_q[0])
       case (word_q)
         3'h0: group_00_q <= 32'h484F524F;
-        3'h1: group_00_q <= {16'h1, 16'h2};
+        3'h1: group_00_q <= {16'h2, 16'h0};
         3'h2: group_00_q <= {build_size_height_i, build_size_width_i};
         3'h3: group_00_q <= {build_store_pool_kib_i, build_store_rows_i};
         3'h4: group_00_q <= {2'd0, build_window_compete_i, build_window_thesis_i, build_window_hypotheses_i, build_window_weight_bits_i, build_window_subsample_i, build_window_majority_i, build_window_dsad_i};
@@ -483,13 +497,18 @@ module horopter_csr #(
         3'h5: group_06_q <= {17'd0, map_valid_slots_i};
         default: group_06_q <= map_crc_value_i;
       endcase
-    group_07_q <= wanted_q[6] ? {1'd0, faults_q} : 32'd0;
+    group_07_q <= 32'd0;
+    if (wanted_q[6])
+      case (word_q)
+        3'h0: group_07_q <= {5'd0, faults_cameras_q[21:11], 5'd0, faults_cameras_q[10:0]};
+        default: group_07_q <= {22'd0, faults_machine_q};
+      endcase
     group_08_q <= 32'd0;
     if (wanted_q[7])
       case (word_q)
         3'h0: group_08_q <= frame_sequence_value_i;
         3'h1: group_08_q <= {26'd0, frame_status_slot_i, frame_status_safe_i, frame_status_alarm_i};
-        3'h2: group_08_q <= {1'd0, frame_faults_i};
+        3'h2: group_08_q <= {5'd0, frame_faults_cameras_i[21:11], 5'd0, frame_faults_cameras_i[10:0]};
         3'h3: group_08_q <= frame_table_crc_value_i;
         3'h4: group_08_q <= {8'd0, frame_skin_pixels_i};
         3'h5: group_08_q <= {8'd0, frame_undecidable_pixels_i};
@@ -501,7 +520,8 @@ module horopter_csr #(
       case (word_q)
         3'h0: group_09_q <= frame_cycles_clocks_i;
         3'h1: group_09_q <= frame_latency_clocks_i;
-        default: group_09_q <= frame_tail_clocks_i;
+        3'h2: group_09_q <= frame_tail_clocks_i;
+        default: group_09_q <= {22'd0, frame_faults_machine_i};
       endcase
     known_q <= wanted_q != '0;
     read_data_o <= group_00_q | group_02_q | group_03_q | group_04_q | group_05_q | group_06_q | group_07_q | group_08_q | group_09_q;

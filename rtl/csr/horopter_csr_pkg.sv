@@ -31,6 +31,7 @@ package horopter_csr_pkg;
   } camera_faults_t;
 
   typedef struct packed {  // from the highest bit
+    logic identical_images;
     logic internal;
     logic late;
     logic too_unsupervised;
@@ -41,6 +42,12 @@ package horopter_csr_pkg;
     logic store_miss;
     logic skew;
   } machine_faults_t;
+
+  typedef struct packed {  // from the highest bit
+    machine_faults_t machine;
+    camera_faults_t right;
+    camera_faults_t left;
+  } faults_t;
 
   typedef struct packed {  // from the highest bit
     logic fault;
@@ -60,10 +67,4 @@ package horopter_csr_pkg;
     logic [ 2:0] smooth;
     logic [ 3:0] bias;
   } compete_t;
-
-  typedef struct packed {  // from the highest bit
-    machine_faults_t machine;
-    camera_faults_t right;
-    camera_faults_t left;
-  } faults_t;
 endpackage

@@ -13,6 +13,7 @@ module formal_safe (
     input logic [ 1:0] health_valid,
     input horopter_csr_pkg::image_faults_t left_health,
     input horopter_csr_pkg::image_faults_t right_health,
+    input logic        same_image,
     input horopter_csr_pkg::stream_faults_t left_stream,
     input horopter_csr_pkg::stream_faults_t right_stream,
     input logic        skew,
@@ -51,6 +52,7 @@ module formal_safe (
       .health_valid_i(health_valid),
       .left_health_i(left_health),
       .right_health_i(right_health),
+      .same_image_i(same_image),
       .left_stream_i(left_stream),
       .right_stream_i(right_stream),
       .skew_i(skew),
@@ -102,8 +104,29 @@ module formal_safe (
   logic past_valid = 1'b0, past_safe = 1'b0, past_reset = 1'b1;
   logic [3:0] fault_age = 4'd0;  // bit i: a fault came i + 1 clocks ago
   logic fault_now;
+  // Identical images are a fault with the second image check of a record; a check follows its image's last pixel.
+  logic [1:0] left_checked = 2'b00, right_checked = 2'b00, ended = 2'b00;
+  logic left_slot, right_slot, opened = 1'b0, opened_slot, identical;
+  assign identical = same_image && ((health_valid[0] && right_checked[left_slot])
+      || (health_valid[1] && (health_valid[0] || left_checked[right_slot])));
+  always @(posedge clk_i) begin
+    opened <= rst_ni && open;
+    opened_slot <= open_slot;
+    ended <= ended | health_end;
+    if (health_end[0]) left_slot <= open_slot;
+    if (health_end[1]) right_slot <= open_slot;
+    if (!rst_ni) begin
+      left_checked <= 2'b00;
+      right_checked <= 2'b00;
+    end else begin
+      if (opened) left_checked[opened_slot] <= 1'b0;
+      if (opened) right_checked[opened_slot] <= 1'b0;
+      if (health_valid[0]) left_checked[left_slot] <= 1'b1;
+      if (health_valid[1]) right_checked[right_slot] <= 1'b1;
+    end
+  end
   // Faults of a health result without valid, or of an alarm without counts, mean nothing.
-  assign fault_now = {left_stream, right_stream, skew, bad_upload, refused_upload, silence, parity_error, internal, miss} != '0
+  assign fault_now = {left_stream, right_stream, skew, bad_upload, refused_upload, silence, parity_error, internal, miss} != '0 || identical
       || (health_valid[0] && left_health != '0) || (health_valid[1] && right_health != '0)
       || (counts_valid && (too_undecidable || too_unsupervised));
   always @(posedge clk_i) begin
@@ -115,6 +138,7 @@ module formal_safe (
 
   always @(*) begin
     if (!past_valid) assume (!rst_ni);
+    assume ((health_valid & ~ended) == 2'b00);
     assert (safe != unsafe);
     if (past_valid) begin
       if (past_reset) assert (!safe);

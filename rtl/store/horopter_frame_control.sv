@@ -2,7 +2,7 @@
 // Frame control: collects the faults of each frame, publishes a frame when its last state has left, decides what is safe.
 //
 // Faults of the streams and skew belong to the frame record open_slot_i, those of an image check to the record in which
-// the camera's frame ended, parity, store_miss and internal to the frame being output, those of an upload to the next
+// the camera's frame ended (identical images: that of the second camera), parity, store_miss and internal to the frame being output, those of an upload to the next
 // frame published. A silence, silence_i, makes not safe at once, but belongs to no frame.
 //
 // A frame is published, publish_o for one clock, when its last state and its last run have left and its counts are
@@ -24,6 +24,7 @@ module horopter_frame_control (
     input  logic [       1:0] health_valid_i,
     input  horopter_csr_pkg::image_faults_t left_health_i,
     input  horopter_csr_pkg::image_faults_t right_health_i,
+    input  logic              same_image_i,  // the images last checked are the same
     input  horopter_csr_pkg::stream_faults_t left_stream_i,
     input  horopter_csr_pkg::stream_faults_t right_stream_i,
     input  logic              skew_i,
@@ -78,6 +79,7 @@ module horopter_frame_control (
   // Of each vector only what its source has; the rest stays '0.
   horopter_csr_pkg::faults_t arriving_q, left_health_q, right_health_q, outgoing_q, event_in_q, transient_q;
   logic open_q, open_slot_q, left_slot_q, right_slot_q, late_rises;
+  logic [1:0] left_checked_q, right_checked_q;  // by record
   logic [4:0] begin_q;  // the table's entry is there some clocks after the begin
   always_ff @(posedge clk_i) begin
     arriving_q <= '0;
@@ -95,6 +97,9 @@ module horopter_frame_control (
       arriving_q.machine.skew <= skew_i;
       if (health_valid_i[0]) left_health_q.left.image <= left_health_i;
       if (health_valid_i[1]) right_health_q.right.image <= right_health_i;
+      // Told with the second of the two.
+      left_health_q.machine.identical_images <= health_valid_i[0] && same_image_i && right_checked_q[left_slot_q];
+      right_health_q.machine.identical_images <= health_valid_i[1] && same_image_i && (left_checked_q[right_slot_q] || health_valid_i[0]);
       outgoing_q.left.parity <= parity_error_i[0];
       outgoing_q.right.parity <= parity_error_i[1];
       outgoing_q.machine.store_miss <= miss_i;
@@ -145,7 +150,6 @@ module horopter_frame_control (
   end
 
   horopter_csr_pkg::faults_t faults0_q, faults1_q, event_q, total_q, read_faults, unchecked;
-  logic [1:0] left_checked_q, right_checked_q;  // by record
   logic [1:0] bad_q;  // by record
   logic found_q, others_bad_q;
   assign read_faults = (read_slot_i ? faults1_q : faults0_q) | event_q;

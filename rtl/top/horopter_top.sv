@@ -291,13 +291,15 @@ module horopter_top #(
       .map_status_active_slot_i(active_slot_q),
       .map_valid_slots_i(map_valid),
       .map_crc_value_i(map_crc),
-      .faults_set_i(faults_set_q),
-      .faults_o(faults_now),
+      .faults_cameras_set_i({faults_set_q.right, faults_set_q.left}),
+      .faults_cameras_o({faults_now.right, faults_now.left}),
+      .faults_machine_set_i(faults_set_q.machine),
+      .faults_machine_o(faults_now.machine),
       .frame_sequence_value_i(frame_sequence),
       .frame_status_alarm_i(frame_alarm),
       .frame_status_safe_i(frame_safe),
       .frame_status_slot_i(frame_slot),
-      .frame_faults_i(frame_faults),
+      .frame_faults_cameras_i({frame_faults.right, frame_faults.left}),
       .frame_table_crc_value_i(frame_table_crc),
       .frame_skin_pixels_i(frame_skin),
       .frame_undecidable_pixels_i(frame_undecidable),
@@ -305,7 +307,8 @@ module horopter_top #(
       .frame_misses_pixels_i(frame_misses),
       .frame_cycles_clocks_i(frame_cycles),
       .frame_latency_clocks_i(frame_latency),
-      .frame_tail_clocks_i(frame_tail)
+      .frame_tail_clocks_i(frame_tail),
+      .frame_faults_machine_i(frame_faults.machine)
   );
 
   logic unused_faults_now;
@@ -584,6 +587,7 @@ module horopter_top #(
   end
   logic [1:0] health_valid;
   horopter_csr_pkg::image_faults_t left_health, right_health;
+  logic [31:0] left_signature, right_signature;
   horopter_health u_left_health (
       .clk_i(clk_i),
       .rst_ni(core_rst_n),
@@ -602,7 +606,8 @@ module horopter_top #(
       .black_o(left_health.black),
       .white_o(left_health.white),
       .constant_o(left_health.constant),
-      .frozen_o(left_health.frozen)
+      .frozen_o(left_health.frozen),
+      .signature_o(left_signature)
   );
   horopter_health u_right_health (
       .clk_i(clk_i),
@@ -622,7 +627,8 @@ module horopter_top #(
       .black_o(right_health.black),
       .white_o(right_health.white),
       .constant_o(right_health.constant),
-      .frozen_o(right_health.frozen)
+      .frozen_o(right_health.frozen),
+      .signature_o(right_signature)
   );
 
   // ------------------------------------------------------------------------------------------------ map and raster
@@ -1052,6 +1058,7 @@ module horopter_top #(
       .health_valid_i(health_valid),
       .left_health_i(left_health),
       .right_health_i(right_health),
+      .same_image_i(left_signature == right_signature),
       .left_stream_i(left_stream),
       .right_stream_i(right_stream),
       .skew_i(skew),

@@ -16,6 +16,7 @@
 
 #include "horopter/base/crc32.hpp"
 #include "horopter/machine/compete_register.hpp"
+#include "horopter/machine/faults.hpp"
 #include "horopter/machine/registers.hpp"
 #include "horopter/tb/axil.hpp"
 #include "horopter/tb/axis.hpp"
@@ -86,19 +87,17 @@ inline FramePair random_pair(unsigned width, unsigned height, int dx, Rng& rng) 
 struct Published {
   std::vector<std::uint8_t> states;
   std::vector<native::Run> runs;
-  std::uint32_t sequence = 0, status = 0, faults = 0, table_crc = 0, skin = 0, undecidable = 0, unsupervised = 0;
+  std::uint32_t sequence = 0, status = 0, table_crc = 0, skin = 0, undecidable = 0, unsupervised = 0;
   std::uint32_t latency = 0, tail = 0;
+  Faults faults;
   bool safe_pin = false;
 
   bool safe() const { return reg::frame_status::kSafe.get(status) != 0; }
   bool alarm() const { return reg::frame_status::kAlarm.get(status) != 0; }
   unsigned slot() const { return reg::frame_status::kSlot.get(status); }
   std::set<std::string> fault_names() const {
-    std::set<std::string> names;
-    for (std::size_t bit = 0; bit < reg::kFaultNames.size(); ++bit) {
-      if ((faults >> bit & 1U) != 0) names.emplace(reg::kFaultNames[bit]);
-    }
-    return names;
+    const auto names = faults.names();
+    return {names.begin(), names.end()};
   }
 };
 
@@ -232,7 +231,7 @@ class Machine : public Endpoint {
     CHECK(model().safe_o != model().unsafe_o);
     p.sequence = read(reg::frame_sequence::kAddress);
     p.status = read(reg::frame_status::kAddress);
-    p.faults = read(reg::frame_faults::kAddress);
+    p.faults = {read(reg::frame_faults_cameras::kAddress), read(reg::frame_faults_machine::kAddress)};
     p.table_crc = read(reg::frame_table_crc::kAddress);
     p.skin = read(reg::frame_skin::kAddress);
     p.undecidable = read(reg::frame_undecidable::kAddress);

@@ -147,14 +147,16 @@ TEST_CASE("board: boot, registers over the serial line, test pattern", "[board]"
   const auto status = board.read(reg::frame_status::kAddress);
   CHECK(reg::frame_status::kAlarm.get(status.data) == 1);
   CHECK(reg::frame_status::kSlot.get(status.data) == 0);
-  CHECK(board.read(reg::frame_faults::kAddress).data == 0);
+  CHECK(board.read(reg::frame_faults_cameras::kAddress).data == 0);
+  CHECK(board.read(reg::frame_faults_machine::kAddress).data == 0);
   CHECK(board.led(3));
   CHECK_FALSE(board.led(0));
   CHECK(board.led(1));
 
   board.press(true);
   board.run(4 * kFrameClocks);
-  CHECK(board.read(reg::frame_faults::kAddress).data == 0);
+  CHECK(board.read(reg::frame_faults_cameras::kAddress).data == 0);
+  CHECK(board.read(reg::frame_faults_machine::kAddress).data == 0);
   CHECK(reg::frame_status::kAlarm.get(board.read(reg::frame_status::kAddress).data) == 0);
   CHECK(board.led(0));
   CHECK_FALSE(board.led(1));

@@ -165,10 +165,7 @@ TEST_CASE("both cameras silent: late, and no longer safe although nothing happen
   watch.machine.settle(2 * kTimeout);
   CHECK(watch.machine.model().safe_o == 0);
   CHECK(watch.machine.model().unsafe_o == 1);
-  const auto faults = watch.machine.read(reg::faults::kAddress);
-  Published p;
-  p.faults = faults;
-  CHECK(p.fault_names().contains("late"));
+  CHECK(horopter::Faults(0, watch.machine.read(reg::faults_machine::kAddress)).has(Fault::late));
   watch.collect(100);
   watch.machine.send(watch.scene());
   watch.collect();
@@ -292,6 +289,33 @@ TEST_CASE("a frozen camera: the same frame again, noise and all", "[faults]") {
     CHECK_FALSE(p.safe_pin);
   }
   watch.good();
+}
+
+TEST_CASE("one camera twice: identical images, also when one of them comes later", "[faults]") {
+  const unsigned later = GENERATE(0U, 40U, 2 * kWidth * kHeight);
+  const bool left_first = GENERATE(true, false);
+  CAPTURE(later, left_first);
+  Watch watch;
+  FramePair pair = watch.scene();
+  pair.right = pair.left;
+  (left_first ? watch.machine.right() : watch.machine.left()).idle(later);
+  watch.machine.send(pair);
+  const FramePair after = watch.scene();
+  watch.machine.send(after);
+  const Published p = watch.receive();
+  CHECK(p.fault_names() == Faults{"identical_images"});
+  CHECK_FALSE(p.safe());
+  CHECK_FALSE(p.safe_pin);
+  watch.machine.check(watch.receive(), after, watch.table);
+  // In one pixel they differ.
+  FramePair almost = watch.scene();
+  almost.right = almost.left;
+  almost.right.at(kWidth - 1, kHeight - 1) ^= 1;
+  watch.machine.send(almost);
+  watch.machine.check(watch.receive(), almost, watch.table);
+  // The left image is the right one of the frame before: that is not the same frame.
+  watch.machine.send({almost.right, after.right});
+  CHECK(watch.receive().fault_names() == Faults{});
 }
 
 TEST_CASE("too much that cannot be decided or is not supervised", "[faults]") {

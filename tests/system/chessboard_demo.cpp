@@ -171,7 +171,7 @@ ExitStatus demonstrate(const Options& options) {
 
   constexpr std::array<const char*, kSkins> kNames{"skin", "plus", "minus"};
   Clocks worst;
-  std::uint32_t faults = 0;
+  Faults faults;
   int different = 0;
   int frame = 0;
   const auto begin = std::chrono::steady_clock::now();
@@ -230,7 +230,7 @@ ExitStatus demonstrate(const Options& options) {
   const double displaced_share = (moved[0] + moved[1]) / 2;
   const bool passed = decidable >= kLeastDecidable && in_skin >= kLeastInSkin && displaced_share <= kMostDisplaced &&
                       alarms == static_cast<int>(pairs.size()) && false_alarms <= kMostDisplacedAlarms &&
-                      different == 0 && faults == 0;
+                      different == 0 && !faults.any();
 
   nlohmann::ordered_json json{{"engine", monitor.device().engine()},
                               {"profile", profile.name},
@@ -241,7 +241,7 @@ ExitStatus demonstrate(const Options& options) {
                               {"displaced", displaced_share},
                               {"alarms", alarms},
                               {"displaced_alarms", false_alarms},
-                              {"faults", fault_names(faults)},
+                              {"faults", faults.names()},
                               {"passed", passed}};
   if (monitors.size() > 1) json["frames_different_from_native"] = different;
   const bool clocks = monitor.device().counts_cycles();
@@ -294,9 +294,9 @@ ExitStatus demonstrate(const Options& options) {
       fmt::print("against engine native  {}\n",
                  different == 0 ? "all state pictures identical" : fmt::format("{} state pictures DIFFER", different));
     }
-    if (faults != 0) {
+    if (faults.any()) {
       std::string names;
-      for (const std::string& name : fault_names(faults)) names += " " + name;
+      for (const std::string& name : faults.names()) names += " " + name;
       fmt::print("faults                {}\n", names);
     }
     fmt::print("pictures               {}\n{}\n", std::filesystem::absolute(options.out).lexically_normal().string(),

@@ -96,7 +96,7 @@ class Pair {
     return reg::map_status::kError.get(read(reg::map_status::kAddress));
   }
   /// One frame; states, runs and everything that the registers tell of it.
-  std::uint32_t frame(const Image& left, const Image& right) {
+  Faults frame(const Image& left, const Image& right) {
     FrameStreams streams[2];
     for (std::size_t i = 0; i < 2; ++i) {
       devices_[i]->send(left, right);
@@ -108,12 +108,12 @@ class Pair {
     for (const auto address :
          {reg::frame_sequence::kAddress, reg::frame_status::kAddress, reg::frame_table_crc::kAddress,
           reg::frame_skin::kAddress, reg::frame_undecidable::kAddress, reg::frame_unsupervised::kAddress,
-          reg::frame_misses::kAddress, reg::faults::kAddress}) {
+          reg::frame_misses::kAddress, reg::faults_cameras::kAddress, reg::faults_machine::kAddress}) {
       read(address);
     }
     CHECK(rtl().safe_pin() != rtl().unsafe_pin());
     CHECK(rtl().safe_pin() == (reg::frame_status::kSafe.get(read(reg::frame_status::kAddress)) != 0));
-    return read(reg::frame_faults::kAddress);
+    return {read(reg::frame_faults_cameras::kAddress), read(reg::frame_faults_machine::kAddress)};
   }
 
   void start() {
@@ -172,7 +172,7 @@ TEST_CASE("Frames, tables and faults are alike, with gaps and back-pressure on t
   pair.start();
 
   const Image left = textured(1);
-  CHECK((pair.frame(left, right_of(left, 1)) & reg::faults::kNoTable.mask()) != 0);
+  CHECK(pair.frame(left, right_of(left, 1)).has(Fault::no_table));
   CHECK(pair.upload(0, 0, on) == 0);
   CHECK(pair.upload(1, 500, tilted) == 0);
   for (unsigned seed = 2; seed < 8; ++seed) {
@@ -180,7 +180,7 @@ TEST_CASE("Frames, tables and faults are alike, with gaps and back-pressure on t
     pair.write(reg::decision::kAddress, seed / 2 % 2);
     pair.write(reg::compete::kAddress, reg::compete::kReset + seed % 3);
     const Image image = textured(seed);
-    CHECK(pair.frame(image, right_of(image, seed)) == 0);
+    CHECK(pair.frame(image, right_of(image, seed)) == Faults());
   }
   pair.write(reg::decision::kAddress, 0);
 
@@ -195,37 +195,40 @@ TEST_CASE("Frames, tables and faults are alike, with gaps and back-pressure on t
     return pair.frame(image, right_of(image, seed));
   };
   CHECK(pair.upload(2, 1000, wrong_crc) == 4);
-  CHECK(next() == reg::faults::kMapCrc.mask());
+  CHECK(next() == Fault::map_crc);
   CHECK(pair.upload(2, 1000, bad_header) == 2);
-  CHECK(next() == reg::faults::kMapCrc.mask());
+  CHECK(next() == Fault::map_crc);
   CHECK(pair.upload(2, 10238, on) == 3);
-  CHECK(next() == reg::faults::kMapCrc.mask());
+  CHECK(next() == Fault::map_crc);
   CHECK(pair.upload(15, 1000, on) == 5);
   next();
-  CHECK(next() == 0);
+  CHECK(next() == Faults());
   CHECK(pair.upload(1, 2000, on) == 1);  // in use
-  CHECK(next() == reg::faults::kMapBusy.mask());
+  CHECK(next() == Fault::map_busy);
   CHECK(pair.upload(3, 500, on) == 1);  // its region
-  CHECK(next() == reg::faults::kMapBusy.mask());
-  CHECK(next() == 0);
+  CHECK(next() == Fault::map_busy);
+  CHECK(next() == Faults());
   CHECK(pair.upload(3, 0, on) == 0);  // over slot 0, which is gone
   pair.write(reg::table_select::kAddress, 0);
-  CHECK(next() == reg::faults::kNoTable.mask());
+  CHECK(next() == Fault::no_table);
   pair.write(reg::table_select::kAddress, 3);
-  CHECK(next() == 0);
+  CHECK(next() == Faults());
 
   // Images that cannot be images.
   const Image good = textured(90);
-  CHECK(pair.frame(Image(kWidth, kHeight, 1), good) == reg::faults::kLeftBlack.mask());
-  CHECK(pair.frame(textured(91), Image(kWidth, kHeight, 255)) == reg::faults::kRightWhite.mask());
-  CHECK(pair.frame(Image(kWidth, kHeight, 90), textured(92)) == reg::faults::kLeftConstant.mask());
-  CHECK(pair.frame(textured(93), textured(94)) == 0);
-  CHECK(pair.frame(textured(93), textured(95)) == reg::faults::kLeftFrozen.mask());
+  CHECK(pair.frame(Image(kWidth, kHeight, 1), good) == Fault::left_black);
+  CHECK(pair.frame(textured(91), Image(kWidth, kHeight, 255)) == Fault::right_white);
+  CHECK(pair.frame(Image(kWidth, kHeight, 90), textured(92)) == Fault::left_constant);
+  CHECK(pair.frame(textured(93), textured(94)) == Faults());
+  CHECK(pair.frame(textured(98), textured(98)) == Fault::identical_images);
+  const Image black(kWidth, kHeight, 1);
+  CHECK(pair.frame(black, black) == (Faults(Fault::left_black) | Fault::right_black | Fault::identical_images));
+  CHECK(pair.frame(textured(93), textured(94)) == Faults());
+  CHECK(pair.frame(textured(93), textured(95)) == Fault::left_frozen);
   pair.write(reg::undecidable_limit::kAddress, 100);
   pair.write(reg::unsupervised_limit::kAddress, 100);
   pair.write(reg::texture_limit::kAddress, 2000);
-  CHECK(pair.frame(textured(96), textured(97)) ==
-        (reg::faults::kTooUndecidable.mask() | reg::faults::kTooUnsupervised.mask()));
+  CHECK(pair.frame(textured(96), textured(97)) == (Faults(Fault::too_undecidable) | Fault::too_unsupervised));
 }
 
 }  // namespace horopter

@@ -610,8 +610,14 @@ TEST_CASE("health: black, white, constant and frozen images", "[stages]") {
   REQUIRE(none(frame(same)));
   horopter::hls::reset(stage);
   config.frozen_limit = 1;
-  REQUIRE(none(frame(same)));  // nothing before it
-  REQUIRE(frame(same).frozen);
+  const auto first = frame(same);
+  REQUIRE(none(first));  // nothing before it
+  const auto second = frame(same);
+  REQUIRE(second.frozen);
+  // The signature tells frames apart, whichever camera they are of.
+  REQUIRE(second.signature == first.signature);
+  picture[511] ^= 1;
+  REQUIRE(frame(same).signature != first.signature);
 }
 
 TEST_CASE("a row shorter than the memories' distance is refused", "[stages]") {

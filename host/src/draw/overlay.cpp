@@ -67,10 +67,10 @@ Picture draw_overlay(const Image& left, const FrameResult& result) {
   std::string text = result.alarm ? "ALARM" : result.safe ? "safe" : "not safe";
   const double percent = 100.0 * static_cast<double>(result.skin_pixels) / static_cast<double>(states.pixels.size());
   text += fmt::format("   {:.1f} % in the skin", percent);
-  for (const std::string& fault : result.fault_names()) text += "   " + fault;
-  const cv::Scalar colour = result.faults != 0 ? cv::Scalar(0, 140, 255)
-                            : result.alarm     ? cv::Scalar(40, 40, 230)
-                                               : cv::Scalar(80, 170, 60);
+  for (const std::string& fault : result.faults.names()) text += "   " + fault;
+  const cv::Scalar colour = result.faults.any() ? cv::Scalar(0, 140, 255)
+                            : result.alarm      ? cv::Scalar(40, 40, 230)
+                                                : cv::Scalar(80, 170, 60);
   constexpr int kBar = 26;
   cv::copyMakeBorder(picture, picture, kBar, 0, 0, 0, cv::BORDER_CONSTANT, colour);
   cv::putText(picture, text, {8, 18}, cv::FONT_HERSHEY_SIMPLEX, 0.5, {255, 255, 255}, 1, cv::LINE_AA);

@@ -21,7 +21,6 @@ namespace reg = registers;
 
 constexpr int kNoTable = reg::kNoSlot;
 constexpr int kSlots = 15;
-constexpr std::uint32_t kRegisterMapMajor = 1;
 /// Reads of FRAME_SEQUENCE before a machine that has sent all its states counts as broken.
 constexpr int kStatusPolls = 100'000;
 constexpr int kTablePolls = 1'000'000;  // a frame may stand between
@@ -124,26 +123,14 @@ void check_consistent(const FrameStreams& streams, const FrameResult& result, in
 
 }  // namespace
 
-static_assert(reg::kFaultNames.size() == 31, "one bit is left, for kIdenticalImages");
-
-std::vector<std::string> fault_names(std::uint32_t faults) {
-  std::vector<std::string> names;
-  for (std::size_t bit = 0; bit < 32; ++bit) {
-    if ((faults >> bit & 1U) == 0) continue;
-    names.push_back(bit < reg::kFaultNames.size() ? std::string(reg::kFaultNames[bit]) : "identical_images");
-  }
-  return names;
-}
-
-std::vector<std::string> FrameResult::fault_names() const { return horopter::fault_names(faults); }
-
 Monitor::Monitor(std::unique_ptr<Device> device, const MachineProfile& profile, const Settings& settings)
     : device_(std::move(device)), profile_(profile), settings_(settings), slots_(kSlots) {
   if (const auto id = device_->read(reg::id::kAddress); id != reg::id::kValueValue) {
     throw DeviceError(fmt::format("no Horopter: its ID is {:08x} instead of {:08x}", id, reg::id::kValueValue));
   }
-  if (const auto major = reg::version::kMajor.get(device_->read(reg::version::kAddress)); major != kRegisterMapMajor) {
-    throw DeviceError(fmt::format("register map {}.x; expected {}.x", major, kRegisterMapMajor));
+  if (const auto major = reg::version::kMajor.get(device_->read(reg::version::kAddress));
+      major != reg::version::kMajorValue) {
+    throw DeviceError(fmt::format("register map {}.x; expected {}.x", major, reg::version::kMajorValue));
   }
   pool_bytes_ = check_build(*device_, profile, settings.decision);
 }
@@ -169,7 +156,8 @@ void Monitor::start(int width, int height, int lookahead) {
   device_->write(reg::lookahead::kAddress, static_cast<std::uint32_t>(lookahead));
   device_->write(reg::table_select::kAddress, kNoTable);
   write_limits();
-  device_->write(reg::faults::kAddress, 0xFFFFFFFFU);
+  device_->write(reg::faults_cameras::kAddress, 0xFFFFFFFFU);
+  device_->write(reg::faults_machine::kAddress, 0xFFFFFFFFU);
   device_->write(reg::control::kAddress, reg::control::kEnable.put(1));
   const auto status = device_->read(reg::status::kAddress);
   if (reg::status::kBadGeometry.get(status) != 0) {
@@ -276,7 +264,7 @@ void Monitor::begin(const Image& left, const Image& right) {
                                   left.height, right.width, right.height, width_, height_));
   }
   device_->send(left, right);
-  in_machine_.push_back({selected_, left.pixels == right.pixels});
+  in_machine_.push_back(selected_);
 }
 
 FrameResult Monitor::finish() {
@@ -292,7 +280,8 @@ FrameResult Monitor::finish() {
   result.alarm = reg::frame_status::kAlarm.get(status) != 0;
   result.safe = reg::frame_status::kSafe.get(status) != 0;
   result.table = static_cast<int>(reg::frame_status::kSlot.get(status));
-  result.faults = device_->read(reg::frame_faults::kAddress);
+  result.faults = {device_->read(reg::frame_faults_cameras::kAddress),
+                   device_->read(reg::frame_faults_machine::kAddress)};
   result.table_crc = device_->read(reg::frame_table_crc::kAddress);
   result.skin_pixels = device_->read(reg::frame_skin::kAddress);
   result.undecidable_pixels = device_->read(reg::frame_undecidable::kAddress);
@@ -307,14 +296,8 @@ FrameResult Monitor::finish() {
     throw DeviceError(fmt::format("frame {} came after frame {}: one is lost", result.sequence, sequence_));
   }
   sequence_ = result.sequence;
-  if (!in_machine_.empty()) {
-    if (in_machine_.front().identical) {
-      result.faults |= kIdenticalImages;
-      result.safe = false;
-    }
-    in_machine_.pop_front();
-  }
-  write_undecidable_limit(in_machine_.empty() ? selected_ : in_machine_.front().slot);
+  if (!in_machine_.empty()) in_machine_.pop_front();
+  write_undecidable_limit(in_machine_.empty() ? selected_ : in_machine_.front());
   check_consistent(streams, result, width_ / profile_.subsample, height_);
   result.states = std::move(streams.states);
   result.runs = std::move(streams.runs);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "horopter/base/crc32.hpp"
 #include "horopter/base/error.hpp"
@@ -142,14 +143,18 @@ std::uint32_t NativeDevice::read(std::uint32_t address) {
       const auto slot = stored(reg::map_slot::kAddress);
       return slot < tables_.size() && tables_[slot] ? tables_[slot]->words.back() : 0;
     }
-    case reg::faults::kAddress:
-      return faults_;
+    case reg::faults_cameras::kAddress:
+      return faults_.cameras();
+    case reg::faults_machine::kAddress:
+      return faults_.machine();
     case reg::frame_sequence::kAddress:
       return frame_.sequence;
     case reg::frame_status::kAddress:
       return frame_.status;
-    case reg::frame_faults::kAddress:
-      return frame_.faults;
+    case reg::frame_faults_cameras::kAddress:
+      return frame_.faults.cameras();
+    case reg::frame_faults_machine::kAddress:
+      return frame_.faults.machine();
     case reg::frame_table_crc::kAddress:
       return frame_.table_crc;
     case reg::frame_skin::kAddress:
@@ -176,8 +181,11 @@ void NativeDevice::write(std::uint32_t address, std::uint32_t value) {
       stored(address) = value & reg::control::kEnable.mask();
       if (!running()) reset_stream();
       return;
-    case reg::faults::kAddress:
-      faults_ &= ~value;
+    case reg::faults_cameras::kAddress:
+      faults_.clear({value, 0});
+      return;
+    case reg::faults_machine::kAddress:
+      faults_.clear({0, value});
       return;
     case reg::irq_status::kAddress:
       irq_status_ &= ~value;
@@ -225,7 +233,7 @@ void NativeDevice::reset_stream() {
   frame_ = {};
   safe_ = false;
   active_slot_ = kNoTable;
-  frame_faults_pending_ = 0;
+  frame_faults_pending_ = {};
 }
 
 // Upload --------------------------------------------------------------------------------------------------------------
@@ -246,9 +254,9 @@ void NativeDevice::end_upload(UploadError error) {
   uploading_ = false;
   upload_error_ = error;
   if (error == UploadError::none) return;
-  const auto fault = error == UploadError::in_use ? reg::faults::kMapBusy : reg::faults::kMapCrc;
-  faults_ |= fault.mask();
-  frame_faults_pending_ |= fault.mask();
+  const Fault fault = error == UploadError::in_use ? Fault::map_busy : Fault::map_crc;
+  faults_ |= fault;
+  frame_faults_pending_ |= fault;
 }
 
 void NativeDevice::upload_word(std::uint32_t word) {
@@ -348,26 +356,27 @@ FrameStreams NativeDevice::receive() {
   const auto result =
       engine_->process(view(left), view(right), native::TableView(table != nullptr ? table->words : none), settings());
 
-  namespace f = reg::faults;
-  std::uint32_t faults = frame_faults_pending_;
-  frame_faults_pending_ = 0;
-  const auto add = [&](bool condition, const reg::Field& fault) { faults |= condition ? fault.mask() : 0; };
-  add(result.left.black, f::kLeftBlack);
-  add(result.left.white, f::kLeftWhite);
-  add(result.left.constant, f::kLeftConstant);
-  add(result.left.frozen, f::kLeftFrozen);
-  add(result.right.black, f::kRightBlack);
-  add(result.right.white, f::kRightWhite);
-  add(result.right.constant, f::kRightConstant);
-  add(result.right.frozen, f::kRightFrozen);
-  add(result.store_misses > 0, f::kStoreMiss);
-  add(table == nullptr, f::kNoTable);
-  add(result.too_undecidable, f::kTooUndecidable);
-  add(result.too_unsupervised, f::kTooUnsupervised);
+  Faults faults = std::exchange(frame_faults_pending_, {});
+  const auto add = [&](bool condition, Fault fault) {
+    if (condition) faults |= fault;
+  };
+  add(result.left.black, Fault::left_black);
+  add(result.left.white, Fault::left_white);
+  add(result.left.constant, Fault::left_constant);
+  add(result.left.frozen, Fault::left_frozen);
+  add(result.right.black, Fault::right_black);
+  add(result.right.white, Fault::right_white);
+  add(result.right.constant, Fault::right_constant);
+  add(result.right.frozen, Fault::right_frozen);
+  add(result.store_misses > 0, Fault::store_miss);
+  add(table == nullptr, Fault::no_table);
+  add(result.too_undecidable, Fault::too_undecidable);
+  add(result.too_unsupervised, Fault::too_unsupervised);
+  add(result.identical_images, Fault::identical_images);
 
-  safe_ = faults == 0 && !result.alarm;
+  safe_ = !faults.any() && !result.alarm;
   faults_ |= faults;
-  irq_status_ |= reg::irq_status::kFrame.mask() | (faults != 0 ? reg::irq_status::kFault.mask() : 0);
+  irq_status_ |= reg::irq_status::kFrame.mask() | (faults.any() ? reg::irq_status::kFault.mask() : 0);
   frame_ = {frame_.sequence + 1,
             reg::frame_status::kAlarm.put(result.alarm) | reg::frame_status::kSafe.put(safe_) |
                 reg::frame_status::kSlot.put(static_cast<std::uint32_t>(active_slot_)),

@@ -47,7 +47,7 @@ nlohmann::ordered_json frame_json(int frame, const std::string& left, const std:
                               {"undecidable_pixels", result.undecidable_pixels},
                               {"unsupervised_pixels", result.unsupervised_pixels},
                               {"regions", nlohmann::ordered_json::array()},
-                              {"faults", result.fault_names()}};
+                              {"faults", result.faults.names()}};
   for (const Region& region : regions_of(result.states)) {
     json["regions"].push_back({{"x", region.x},
                                {"y", region.y},

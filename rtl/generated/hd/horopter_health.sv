@@ -3,7 +3,7 @@
 //
 // Latency 4 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 131 bits, pipeline 26 bits, memories 0 bits.
+// State 131 bits, pipeline 90 bits, memories 0 bits.
 module horopter_health (
   input  logic clk_i,
   input  logic rst_ni,
@@ -22,7 +22,8 @@ module horopter_health (
   output logic black_o,
   output logic white_o,
   output logic constant_o,
-  output logic frozen_o
+  output logic frozen_o,
+  output logic [31:0] signature_o
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
@@ -41,7 +42,7 @@ module horopter_health (
   logic [7:0] brightest_q;
   logic [20:0] dark_q;
   logic [20:0] bright_q;
-  // hls/stages/health.hpp:49
+  // hls/stages/health.hpp:50
   logic [31:0] select_18;
   assign select_18 = first_i ? 32'h0 : signature_q;
   logic [12:0] xor_19;
@@ -50,15 +51,15 @@ module horopter_health (
   assign xor_20 = pixel_i ^ {select_18[8:7], xor_19[0], select_18[5:1]};
   logic parity_21;
   assign parity_21 = ^{select_18[6], select_18[0], pixel_i[5]};
-  // hls/stages/health.hpp:51
+  // hls/stages/health.hpp:52
   logic [7:0] select_33;
   assign select_33 = first_i ? pixel_i : ((pixel_i < darkest_q) ? pixel_i : darkest_q);
-  // hls/stages/health.hpp:52
+  // hls/stages/health.hpp:53
   logic [7:0] select_36;
   assign select_36 = first_i ? pixel_i : ((brightest_q < pixel_i) ? pixel_i : brightest_q);
   logic not_38;
   assign not_38 = ~(cfg_dark_level_i < pixel_i);
-  // hls/stages/health.hpp:53
+  // hls/stages/health.hpp:54
   logic not_42;
   assign not_42 = ~(pixel_i < cfg_bright_level_i);
 
@@ -87,15 +88,9 @@ module horopter_health (
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   logic [31:0] previous_signature_q;
-  // hls/stages/health.hpp:62
+  // hls/stages/health.hpp:63
   logic less_45;
   assign less_45 = cfg_dark_limit_i < dark_q;
-  // hls/stages/health.hpp:63
-  logic less_47;
-  assign less_47 = cfg_bright_limit_i < bright_q;
-  // hls/stages/health.hpp:64
-  logic and_54;
-  assign and_54 = (~(cfg_contrast_limit_i < (brightest_q - darkest_q))) & (~(less_45 | less_47));
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -107,23 +102,23 @@ module horopter_health (
 
   logic end_v_s2_q;
   logic equal_24_s2_q;
-  logic and_46_s2_q;
-  logic and_48_s2_q;
-  logic and_54_s2_q;
+  logic less_45_s2_q;
+  logic less_46_s2_q;
+  logic or_49_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       end_v_s2_q <= end_v_s1_q;
       equal_24_s2_q <= previous_signature_q == signature_q;
-      and_46_s2_q <= end_v_s1_q & less_45;
-      and_48_s2_q <= end_v_s1_q & less_47;
-      and_54_s2_q <= and_54;
+      less_45_s2_q <= less_45;
+      less_46_s2_q <= cfg_bright_limit_i < bright_q;
+      or_49_s2_q <= less_45 | (cfg_contrast_limit_i < (brightest_q - darkest_q));
     end
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
   logic has_previous_q;
   logic [7:0] repeats_q;
-  // hls/stages/health.hpp:59
+  // hls/stages/health.hpp:60
   logic [7:0] select_28;
   assign select_28 = equal_24_s2_q ? ((repeats_q == 8'hff) ? 8'hff : (repeats_q + 8'h1)) : 8'h0;
   logic [7:0] select_29;
@@ -140,40 +135,45 @@ module horopter_health (
   end
 
   logic end_v_s3_q;
+  logic [31:0] select_22_s3_q;
   logic [7:0] select_29_s3_q;
-  logic and_46_s3_q;
-  logic and_48_s3_q;
-  logic and_55_s3_q;
+  logic less_45_s3_q;
+  logic less_46_s3_q;
+  logic not_51_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       end_v_s3_q <= end_v_s2_q;
+      select_22_s3_q <= previous_signature_q;
       select_29_s3_q <= select_29;
-      and_46_s3_q <= and_46_s2_q;
-      and_48_s3_q <= and_48_s2_q;
-      and_55_s3_q <= end_v_s2_q & and_54_s2_q;
+      less_45_s3_q <= less_45_s2_q;
+      less_46_s3_q <= less_46_s2_q;
+      not_51_s3_q <= ~(less_46_s2_q | or_49_s2_q);
     end
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
+  // hls/stages/health.hpp:66
+  logic less_53;
+  assign less_53 = (cfg_frozen_limit_i + 8'hff) < select_29_s3_q;
+  // hls/stages/health.hpp:69
+  logic [3:0] select_54;
+  assign select_54 = end_v_s3_q ? {less_53, not_51_s3_q, less_46_s3_q, less_45_s3_q} : 4'h0;
 
-  logic and_46_s4_q;
-  logic and_48_s4_q;
-  logic and_55_s4_q;
-  logic and_58_s4_q;
+  logic [31:0] select_22_s4_q;
+  logic [3:0] select_54_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
-      and_46_s4_q <= and_46_s3_q;
-      and_48_s4_q <= and_48_s3_q;
-      and_55_s4_q <= and_55_s3_q;
-      and_58_s4_q <= end_v_s3_q & ((cfg_frozen_limit_i + 8'hff) < select_29_s3_q);
+      select_22_s4_q <= select_22_s3_q;
+      select_54_s4_q <= select_54;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign black_o = and_46_s4_q;
-  assign white_o = and_48_s4_q;
-  assign constant_o = and_55_s4_q;
-  assign frozen_o = and_58_s4_q;
+  assign black_o = select_54_s4_q[0];
+  assign white_o = select_54_s4_q[1];
+  assign constant_o = select_54_s4_q[2];
+  assign frozen_o = select_54_s4_q[3];
+  assign signature_o = select_22_s4_q;
   assign valid_o = valid_s4_q;
 
   always_ff @(posedge clk_i) begin

@@ -13,6 +13,7 @@
 #include "horopter/base/profile.hpp"
 #include "horopter/hls/compete_settings.hpp"
 #include "horopter/machine/device.hpp"
+#include "horopter/machine/faults.hpp"
 #include "horopter/map/map.hpp"
 
 namespace horopter {
@@ -49,21 +50,13 @@ struct FrameResult {
   bool safe = false;
   int table = 15;  ///< slot, 15 = none
   std::uint32_t table_crc = 0;
-  std::uint32_t faults = 0;   ///< bits of register FAULTS, and kIdenticalImages
+  Faults faults;
   std::uint32_t cycles = 0;   ///< first pixel in to last state out, clocks
   std::uint32_t latency = 0;  ///< first pixel in to first state out, clocks
   std::uint32_t tail = 0;     ///< last pixel in to last state out, clocks
   Scan scan = Scan::progressive;
   std::optional<double> skin_time_s;  ///< of a moving skin's motion
-
-  std::vector<std::string> fault_names() const;
 };
-
-/// A fault that the driver finds, in a bit that register FAULTS does not have: left and right image are the same, bit
-/// by bit. Two cameras never agree so; this is one camera twice, and says nothing about a skin.
-inline constexpr std::uint32_t kIdenticalImages = 1U << 31;
-/// Names of fault bits as in registers.yaml, lowest bit first.
-std::vector<std::string> fault_names(std::uint32_t faults);
 
 class Monitor {
  public:
@@ -115,11 +108,7 @@ class Monitor {
   std::vector<Slot> slots_;
   std::uint32_t sequence_ = 0;
   int selected_ = -1;
-  struct Begun {
-    int slot = 0;
-    bool identical = false;  ///< its images
-  };
-  std::deque<Begun> in_machine_;  ///< the frames begun and not finished
+  std::deque<int> in_machine_;  ///< slots of the frames begun and not finished
 };
 
 /// A monitor for image pairs of one skin: every image makes one result, or two for profiles that take fields.

@@ -12,6 +12,7 @@
 
 #include "horopter/base/profile.hpp"
 #include "horopter/machine/device.hpp"
+#include "horopter/machine/faults.hpp"
 #include "horopter/machine/registers.hpp"
 
 namespace horopter {
@@ -56,12 +57,12 @@ class NativeDevice : public Device {
   const MachineProfile& profile_;
   std::unique_ptr<native::Engine> engine_;
   std::array<std::uint32_t, 1024> registers_{};  ///< of access rw, by word address
-  std::uint32_t faults_ = 0;
+  Faults faults_;
   std::uint32_t irq_status_ = 0;
 
   std::array<std::optional<Table>, 15> tables_;
-  int active_slot_ = registers::kNoSlot;    ///< of the first of `pending_`, from its arrival on, or of the frame before
-  std::uint32_t frame_faults_pending_ = 0;  ///< of the control side since the last frame
+  int active_slot_ = registers::kNoSlot;  ///< of the first of `pending_`, from its arrival on, or of the frame before
+  Faults frame_faults_pending_;           ///< of the control side since the last frame
   bool uploading_ = false;
   int upload_slot_ = registers::kNoSlot;
   Table upload_;
@@ -71,7 +72,7 @@ class NativeDevice : public Device {
   struct Frame {
     std::uint32_t sequence = 0;
     std::uint32_t status = registers::frame_status::kSlot.put(registers::kNoSlot);
-    std::uint32_t faults = 0;
+    Faults faults;
     std::uint32_t table_crc = 0;
     std::uint32_t skin = 0;
     std::uint32_t undecidable = 0;

@@ -44,10 +44,10 @@ inline constexpr std::uint32_t kAddress = 0x004;
 inline constexpr Access kAccess = Access::kReadOnly;
 /// Counts compatible additions.
 inline constexpr Field kMinor{0, 16};
-inline constexpr std::uint32_t kMinorValue = 0x2;
+inline constexpr std::uint32_t kMinorValue = 0x0;
 /// Counts incompatible changes.
 inline constexpr Field kMajor{16, 16};
-inline constexpr std::uint32_t kMajorValue = 0x1;
+inline constexpr std::uint32_t kMajorValue = 0x2;
 }  // namespace version
 
 /// Largest frame, fixed by the profile, in px of the incoming images.
@@ -215,7 +215,7 @@ inline constexpr std::uint32_t kAddress = 0x064;
 inline constexpr Access kAccess = Access::kWriteOneToClear;
 /// A frame was finished; the FRAME registers are new.
 inline constexpr Field kFrame{0, 1};
-/// A bit of FAULTS was set.
+/// A bit of FAULTS_CAMERAS or FAULTS_MACHINE was set.
 inline constexpr Field kFault{1, 1};
 }  // namespace irq_status
 
@@ -411,8 +411,8 @@ inline constexpr Access kAccess = Access::kReadOnly;
 inline constexpr Field kValue{0, 32};
 }  // namespace map_crc
 
-/// Every fault since it was last cleared; a written 1 clears. safe_o does not depend on this register.
-namespace faults {
+/// Every fault of the cameras since it was last cleared; a written 1 clears. safe_o does not depend on this register.
+namespace faults_cameras {
 inline constexpr std::uint32_t kAddress = 0x0E0;
 inline constexpr Access kAccess = Access::kWriteOneToClear;
 /// A line of the left camera ended early; the whole row counts as missing.
@@ -440,48 +440,57 @@ inline constexpr Field kLeftFrozen{9, 1};
 /// A bit of the left image's memory fell over.
 inline constexpr Field kLeftParity{10, 1};
 /// A line of the right camera ended early; the whole row counts as missing.
-inline constexpr Field kRightShortLine{11, 1};
+inline constexpr Field kRightShortLine{16, 1};
 /// A line of the right camera had too many pixels; the whole row counts as missing.
-inline constexpr Field kRightLongLine{12, 1};
+inline constexpr Field kRightLongLine{17, 1};
 /// The right camera's start of frame, or in live mode a pause of four line lengths, came before the last line; the rows
 /// that did not come count as missing.
-inline constexpr Field kRightMissingLine{13, 1};
+inline constexpr Field kRightMissingLine{18, 1};
 /// Lines of the right camera after the last one of the frame, without a start of frame.
-inline constexpr Field kRightMissingStart{14, 1};
+inline constexpr Field kRightMissingStart{19, 1};
 /// No pixel from the right camera for TIMEOUT clocks; in live mode also: it did not come when the other one was 12 rows
 /// into the frame.
-inline constexpr Field kRightSilent{15, 1};
+inline constexpr Field kRightSilent{20, 1};
 /// The right camera in live mode: pixels came that could not be stored.
-inline constexpr Field kRightOverflow{16, 1};
+inline constexpr Field kRightOverflow{21, 1};
 /// The right image is black.
-inline constexpr Field kRightBlack{17, 1};
+inline constexpr Field kRightBlack{22, 1};
 /// The right image is white.
-inline constexpr Field kRightWhite{18, 1};
+inline constexpr Field kRightWhite{23, 1};
 /// The right image is one grey level.
-inline constexpr Field kRightConstant{19, 1};
+inline constexpr Field kRightConstant{24, 1};
 /// The right image is the same as before, noise and all.
-inline constexpr Field kRightFrozen{20, 1};
+inline constexpr Field kRightFrozen{25, 1};
 /// A bit of the right image's memory fell over.
-inline constexpr Field kRightParity{21, 1};
+inline constexpr Field kRightParity{26, 1};
+}  // namespace faults_cameras
+
+/// The same for faults of both cameras together, of tables and of the machine.
+namespace faults_machine {
+inline constexpr std::uint32_t kAddress = 0x0E4;
+inline constexpr Access kAccess = Access::kWriteOneToClear;
 /// Live mode: the cameras are more than 64 px apart, or one missed a frame.
-inline constexpr Field kSkew{22, 1};
+inline constexpr Field kSkew{0, 1};
 /// The map wants a source row that the ring does not hold.
-inline constexpr Field kStoreMiss{23, 1};
+inline constexpr Field kStoreMiss{1, 1};
 /// No valid table of this geometry in the selected slot.
-inline constexpr Field kNoTable{24, 1};
+inline constexpr Field kNoTable{2, 1};
 /// An upload with a wrong CRC or a bad header.
-inline constexpr Field kMapCrc{25, 1};
+inline constexpr Field kMapCrc{3, 1};
 /// An upload into a table in use was refused.
-inline constexpr Field kMapBusy{26, 1};
+inline constexpr Field kMapBusy{4, 1};
 /// More undecidable pixels than UNDECIDABLE_LIMIT.
-inline constexpr Field kTooUndecidable{27, 1};
+inline constexpr Field kTooUndecidable{5, 1};
 /// More unsupervised pixels than UNSUPERVISED_LIMIT.
-inline constexpr Field kTooUnsupervised{28, 1};
+inline constexpr Field kTooUnsupervised{6, 1};
 /// No frame was finished for TIMEOUT clocks.
-inline constexpr Field kLate{29, 1};
+inline constexpr Field kLate{7, 1};
 /// The hardware contradicts itself (a full output FIFO, a missing image check, a parity error of the map).
-inline constexpr Field kInternal{30, 1};
-}  // namespace faults
+inline constexpr Field kInternal{8, 1};
+/// Left and right image are the same, bit by bit (by their signatures). Two cameras never agree so; this is one camera
+/// twice, and says nothing about a skin.
+inline constexpr Field kIdenticalImages{9, 1};
+}  // namespace faults_machine
 
 /// Counts finished frames since enable. Read before and after the other FRAME registers: the same value means they
 /// belong together.
@@ -504,8 +513,8 @@ inline constexpr Field kSafe{1, 1};
 inline constexpr Field kSlot{2, 4};
 }  // namespace frame_status
 
-/// Faults of the last finished frame; bits as in FAULTS.
-namespace frame_faults {
+/// Faults of the last finished frame; bits as in FAULTS_CAMERAS.
+namespace frame_faults_cameras {
 inline constexpr std::uint32_t kAddress = 0x108;
 inline constexpr Access kAccess = Access::kReadOnly;
 /// A line of the left camera ended early; the whole row counts as missing.
@@ -533,48 +542,30 @@ inline constexpr Field kLeftFrozen{9, 1};
 /// A bit of the left image's memory fell over.
 inline constexpr Field kLeftParity{10, 1};
 /// A line of the right camera ended early; the whole row counts as missing.
-inline constexpr Field kRightShortLine{11, 1};
+inline constexpr Field kRightShortLine{16, 1};
 /// A line of the right camera had too many pixels; the whole row counts as missing.
-inline constexpr Field kRightLongLine{12, 1};
+inline constexpr Field kRightLongLine{17, 1};
 /// The right camera's start of frame, or in live mode a pause of four line lengths, came before the last line; the rows
 /// that did not come count as missing.
-inline constexpr Field kRightMissingLine{13, 1};
+inline constexpr Field kRightMissingLine{18, 1};
 /// Lines of the right camera after the last one of the frame, without a start of frame.
-inline constexpr Field kRightMissingStart{14, 1};
+inline constexpr Field kRightMissingStart{19, 1};
 /// No pixel from the right camera for TIMEOUT clocks; in live mode also: it did not come when the other one was 12 rows
 /// into the frame.
-inline constexpr Field kRightSilent{15, 1};
+inline constexpr Field kRightSilent{20, 1};
 /// The right camera in live mode: pixels came that could not be stored.
-inline constexpr Field kRightOverflow{16, 1};
+inline constexpr Field kRightOverflow{21, 1};
 /// The right image is black.
-inline constexpr Field kRightBlack{17, 1};
+inline constexpr Field kRightBlack{22, 1};
 /// The right image is white.
-inline constexpr Field kRightWhite{18, 1};
+inline constexpr Field kRightWhite{23, 1};
 /// The right image is one grey level.
-inline constexpr Field kRightConstant{19, 1};
+inline constexpr Field kRightConstant{24, 1};
 /// The right image is the same as before, noise and all.
-inline constexpr Field kRightFrozen{20, 1};
+inline constexpr Field kRightFrozen{25, 1};
 /// A bit of the right image's memory fell over.
-inline constexpr Field kRightParity{21, 1};
-/// Live mode: the cameras are more than 64 px apart, or one missed a frame.
-inline constexpr Field kSkew{22, 1};
-/// The map wants a source row that the ring does not hold.
-inline constexpr Field kStoreMiss{23, 1};
-/// No valid table of this geometry in the selected slot.
-inline constexpr Field kNoTable{24, 1};
-/// An upload with a wrong CRC or a bad header.
-inline constexpr Field kMapCrc{25, 1};
-/// An upload into a table in use was refused.
-inline constexpr Field kMapBusy{26, 1};
-/// More undecidable pixels than UNDECIDABLE_LIMIT.
-inline constexpr Field kTooUndecidable{27, 1};
-/// More unsupervised pixels than UNSUPERVISED_LIMIT.
-inline constexpr Field kTooUnsupervised{28, 1};
-/// No frame was finished for TIMEOUT clocks.
-inline constexpr Field kLate{29, 1};
-/// The hardware contradicts itself (a full output FIFO, a missing image check, a parity error of the map).
-inline constexpr Field kInternal{30, 1};
-}  // namespace frame_faults
+inline constexpr Field kRightParity{26, 1};
+}  // namespace frame_faults_cameras
 
 /// CRC-32 of the table that made it.
 namespace frame_table_crc {
@@ -640,40 +631,108 @@ inline constexpr Access kAccess = Access::kReadOnly;
 inline constexpr Field kClocks{0, 32};
 }  // namespace frame_tail
 
-/// Names of the bits of FAULTS and FRAME_FAULTS, from bit 0.
-inline constexpr std::array<std::string_view, 31> kFaultNames = {
-    "left_short_line",
-    "left_long_line",
-    "left_missing_line",
-    "left_missing_start",
-    "left_silent",
-    "left_overflow",
-    "left_black",
-    "left_white",
-    "left_constant",
-    "left_frozen",
-    "left_parity",
-    "right_short_line",
-    "right_long_line",
-    "right_missing_line",
-    "right_missing_start",
-    "right_silent",
-    "right_overflow",
-    "right_black",
-    "right_white",
-    "right_constant",
-    "right_frozen",
-    "right_parity",
-    "skew",
-    "store_miss",
-    "no_table",
-    "map_crc",
-    "map_busy",
-    "too_undecidable",
-    "too_unsupervised",
-    "late",
-    "internal",
+/// Faults of the last finished frame; bits as in FAULTS_MACHINE.
+namespace frame_faults_machine {
+inline constexpr std::uint32_t kAddress = 0x12C;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Live mode: the cameras are more than 64 px apart, or one missed a frame.
+inline constexpr Field kSkew{0, 1};
+/// The map wants a source row that the ring does not hold.
+inline constexpr Field kStoreMiss{1, 1};
+/// No valid table of this geometry in the selected slot.
+inline constexpr Field kNoTable{2, 1};
+/// An upload with a wrong CRC or a bad header.
+inline constexpr Field kMapCrc{3, 1};
+/// An upload into a table in use was refused.
+inline constexpr Field kMapBusy{4, 1};
+/// More undecidable pixels than UNDECIDABLE_LIMIT.
+inline constexpr Field kTooUndecidable{5, 1};
+/// More unsupervised pixels than UNSUPERVISED_LIMIT.
+inline constexpr Field kTooUnsupervised{6, 1};
+/// No frame was finished for TIMEOUT clocks.
+inline constexpr Field kLate{7, 1};
+/// The hardware contradicts itself (a full output FIFO, a missing image check, a parity error of the map).
+inline constexpr Field kInternal{8, 1};
+/// Left and right image are the same, bit by bit (by their signatures). Two cameras never agree so; this is one camera
+/// twice, and says nothing about a skin.
+inline constexpr Field kIdenticalImages{9, 1};
+}  // namespace frame_faults_machine
+
+/// Every fault, as its bit of 64: FAULTS_CAMERAS is the lower word, FAULTS_MACHINE the upper.
+enum class Fault : std::uint8_t {
+  left_short_line = 0,
+  left_long_line = 1,
+  left_missing_line = 2,
+  left_missing_start = 3,
+  left_silent = 4,
+  left_overflow = 5,
+  left_black = 6,
+  left_white = 7,
+  left_constant = 8,
+  left_frozen = 9,
+  left_parity = 10,
+  right_short_line = 16,
+  right_long_line = 17,
+  right_missing_line = 18,
+  right_missing_start = 19,
+  right_silent = 20,
+  right_overflow = 21,
+  right_black = 22,
+  right_white = 23,
+  right_constant = 24,
+  right_frozen = 25,
+  right_parity = 26,
+  skew = 32,
+  store_miss = 33,
+  no_table = 34,
+  map_crc = 35,
+  map_busy = 36,
+  too_undecidable = 37,
+  too_unsupervised = 38,
+  late = 39,
+  internal = 40,
+  identical_images = 41,
 };
+
+struct NamedFault {
+  Fault fault;
+  std::string_view name;
+};
+
+inline constexpr std::array<NamedFault, 32> kFaults = {{
+    {Fault::left_short_line, "left_short_line"},
+    {Fault::left_long_line, "left_long_line"},
+    {Fault::left_missing_line, "left_missing_line"},
+    {Fault::left_missing_start, "left_missing_start"},
+    {Fault::left_silent, "left_silent"},
+    {Fault::left_overflow, "left_overflow"},
+    {Fault::left_black, "left_black"},
+    {Fault::left_white, "left_white"},
+    {Fault::left_constant, "left_constant"},
+    {Fault::left_frozen, "left_frozen"},
+    {Fault::left_parity, "left_parity"},
+    {Fault::right_short_line, "right_short_line"},
+    {Fault::right_long_line, "right_long_line"},
+    {Fault::right_missing_line, "right_missing_line"},
+    {Fault::right_missing_start, "right_missing_start"},
+    {Fault::right_silent, "right_silent"},
+    {Fault::right_overflow, "right_overflow"},
+    {Fault::right_black, "right_black"},
+    {Fault::right_white, "right_white"},
+    {Fault::right_constant, "right_constant"},
+    {Fault::right_frozen, "right_frozen"},
+    {Fault::right_parity, "right_parity"},
+    {Fault::skew, "skew"},
+    {Fault::store_miss, "store_miss"},
+    {Fault::no_table, "no_table"},
+    {Fault::map_crc, "map_crc"},
+    {Fault::map_busy, "map_busy"},
+    {Fault::too_undecidable, "too_undecidable"},
+    {Fault::too_unsupervised, "too_unsupervised"},
+    {Fault::late, "late"},
+    {Fault::internal, "internal"},
+    {Fault::identical_images, "identical_images"},
+}};
 
 /// One line of the register map.
 struct Register {
@@ -683,7 +742,7 @@ struct Register {
   bool locked;  ///< writes are refused while CONTROL.enable is 1
 };
 
-inline constexpr std::array<Register, 50> kRegisters = {{
+inline constexpr std::array<Register, 52> kRegisters = {{
     {"id", 0x000, Access::kReadOnly, false},
     {"version", 0x004, Access::kReadOnly, false},
     {"build_size", 0x008, Access::kReadOnly, false},
@@ -722,10 +781,11 @@ inline constexpr std::array<Register, 50> kRegisters = {{
     {"map_status", 0x0D0, Access::kReadOnly, false},
     {"map_valid", 0x0D4, Access::kReadOnly, false},
     {"map_crc", 0x0D8, Access::kReadOnly, false},
-    {"faults", 0x0E0, Access::kWriteOneToClear, false},
+    {"faults_cameras", 0x0E0, Access::kWriteOneToClear, false},
+    {"faults_machine", 0x0E4, Access::kWriteOneToClear, false},
     {"frame_sequence", 0x100, Access::kReadOnly, false},
     {"frame_status", 0x104, Access::kReadOnly, false},
-    {"frame_faults", 0x108, Access::kReadOnly, false},
+    {"frame_faults_cameras", 0x108, Access::kReadOnly, false},
     {"frame_table_crc", 0x10C, Access::kReadOnly, false},
     {"frame_skin", 0x110, Access::kReadOnly, false},
     {"frame_undecidable", 0x114, Access::kReadOnly, false},
@@ -734,6 +794,7 @@ inline constexpr std::array<Register, 50> kRegisters = {{
     {"frame_cycles", 0x120, Access::kReadOnly, false},
     {"frame_latency", 0x124, Access::kReadOnly, false},
     {"frame_tail", 0x128, Access::kReadOnly, false},
+    {"frame_faults_machine", 0x12C, Access::kReadOnly, false},
 }};
 
 }  // namespace horopter::registers
