@@ -5,8 +5,8 @@
 
 #include "horopter/base/error.hpp"
 #include "horopter/machine/moving_supervisor.hpp"
-#include "horopter/plan/plan.hpp"
 #include "horopter/machine/native_device.hpp"
+#include "horopter/plan/plan.hpp"
 #include "host_temporary.hpp"
 #include "table_11_1.hpp"
 

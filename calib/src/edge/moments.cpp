@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edges by moments of the grey levels (thesis 6.26, 6.28, 6.30).
+// Edges by moments of the grey levels (thesis 6.6; Eq. 6.26, 6.28, 6.30).
 #include <algorithm>
 #include <cmath>
 #include <numbers>

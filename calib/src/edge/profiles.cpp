@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edges by a curve fitted to, or reconstructed from, the pixels near them (thesis 6.6.1, 6.6.3, 6.22 to 6.25, 6.33).
+// Edges by a curve fitted to, or reconstructed from, the pixels near them (thesis 6.6; Eq. 6.22 to 6.25, 6.33).
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
