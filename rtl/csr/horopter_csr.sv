@@ -53,14 +53,7 @@ module horopter_csr #(
     output logic        control_enable_o,
     output logic        mode_live_o,
     output logic        mode_test_input_o,
-    input  logic        status_running_i,
-    input  logic        status_bad_geometry_i,
-    input  logic        status_busy_i,
-    input  logic        status_safe_i,
-    input  logic        status_unsafe_i,
-    input  logic        status_left_silent_i,
-    input  logic        status_right_silent_i,
-    input  logic        status_late_i,
+    input  logic [ 7:0] status_i,
     output logic [11:0] width_px_o,
     output logic [11:0] height_rows_o,
     output logic [11:0] lookahead_rows_o,
@@ -101,9 +94,7 @@ module horopter_csr #(
     input  logic [ 9:0] faults_machine_set_i,
     output logic [ 9:0] faults_machine_o,
     input  logic [31:0] frame_sequence_value_i,
-    input  logic        frame_status_alarm_i,
-    input  logic        frame_status_safe_i,
-    input  logic [ 3:0] frame_status_slot_i,
+    input  logic [ 5:0] frame_status_i,
     input  logic [21:0] frame_faults_cameras_i,
     input  logic [31:0] frame_table_crc_value_i,
     input  logic [23:0] frame_skin_pixels_i,
@@ -453,7 +444,7 @@ module horopter_csr #(
       case (word_q)
         3'h0: group_02_q <= {31'd0, control_enable_q};
         3'h1: group_02_q <= {30'd0, mode_test_input_q, mode_live_q};
-        3'h2: group_02_q <= {24'd0, status_late_i, status_right_silent_i, status_left_silent_i, status_unsafe_i, status_safe_i, status_busy_i, status_bad_geometry_i, status_running_i};
+        3'h2: group_02_q <= {24'd0, status_i};
         3'h3: group_02_q <= {20'd0, width_px_q};
         3'h4: group_02_q <= {20'd0, height_rows_q};
         3'h5: group_02_q <= {20'd0, lookahead_rows_q};
@@ -507,7 +498,7 @@ module horopter_csr #(
     if (wanted_q[7])
       case (word_q)
         3'h0: group_08_q <= frame_sequence_value_i;
-        3'h1: group_08_q <= {26'd0, frame_status_slot_i, frame_status_safe_i, frame_status_alarm_i};
+        3'h1: group_08_q <= {26'd0, frame_status_i};
         3'h2: group_08_q <= {5'd0, frame_faults_cameras_i[21:11], 5'd0, frame_faults_cameras_i[10:0]};
         3'h3: group_08_q <= frame_table_crc_value_i;
         3'h4: group_08_q <= {8'd0, frame_skin_pixels_i};

@@ -50,6 +50,17 @@ package horopter_csr_pkg;
   } faults_t;
 
   typedef struct packed {  // from the highest bit
+    logic late;
+    logic right_silent;
+    logic left_silent;
+    logic unsafe;
+    logic safe;
+    logic busy;
+    logic bad_geometry;
+    logic running;
+  } status_t;
+
+  typedef struct packed {  // from the highest bit
     logic fault;
     logic frame;
   } irq_enable_t;
@@ -67,4 +78,10 @@ package horopter_csr_pkg;
     logic [ 2:0] smooth;
     logic [ 3:0] bias;
   } compete_t;
+
+  typedef struct packed {  // from the highest bit
+    logic [ 3:0] slot;
+    logic safe;
+    logic alarm;
+  } frame_status_t;
 endpackage

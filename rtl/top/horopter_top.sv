@@ -91,18 +91,10 @@ module horopter_top #(
   localparam bit FAST = horopter_profile_pkg::CLOCK_KHZ > 50_000;  // beyond, a register must follow every step
   localparam int unsigned LEFT_ROWS = MAX_LOOKAHEAD + 8;  // LOOKAHEAD rows, one arriving, one leaving, and slack
   // for a frame whose end is noticed only with the start of the next
-  localparam int unsigned MIN_WIDTH = 32 * SUBSAMPLE;
-  localparam int unsigned MIN_HEIGHT = 16;
   localparam int unsigned MAX_SUM = 15 * DSAD_WINDOW * DSAD_WINDOW;
 
   // Beats that can be under way from the raster generator to the output FIFOs: a bound on the sum of all latencies.
   localparam int unsigned IN_FLIGHT = 128;
-  localparam int unsigned OUTPUT_DEPTH = FAST ? 512 : 256;
-  localparam int unsigned OUTPUT_LEVEL = OUTPUT_DEPTH - IN_FLIGHT - 8;
-  // The two cameras may be 64 px apart.
-  localparam int unsigned INPUT_DEPTH = 64;
-  localparam int unsigned INPUT_LEVEL = 48;
-
   localparam int unsigned RING_BITS = $clog2(STORE_ROWS);
   localparam int unsigned LEFT_BITS = $clog2(LEFT_ROWS);
   localparam int unsigned MAP_ADDR_BITS = $clog2(POOL_BYTES / 8);
@@ -117,9 +109,6 @@ module horopter_top #(
 
   if (SUBSAMPLE != 1 && SUBSAMPLE != 2) begin : g_illegal_subsample
     $fatal(1, "horopter_top: SUBSAMPLE must be 1 or 2");
-  end
-  if (WIDTH % SUBSAMPLE != 0 || WIDTH < MIN_WIDTH || WIDTH > 2046 || HEIGHT < MIN_HEIGHT || HEIGHT > 2046) begin : g_illegal_size
-    $fatal(1, "horopter_top: WIDTH must be a multiple of SUBSAMPLE, WIDTH and HEIGHT in the range of the registers");
   end
   if (MAX_LOOKAHEAD == 0 || MAX_LOOKAHEAD > STORE_ROWS / 2) begin : g_illegal_lookahead
     $fatal(1, "horopter_top: MAX_LOOKAHEAD must be 1 to half of STORE_ROWS");
@@ -173,7 +162,8 @@ module horopter_top #(
   logic unused_prot;
   assign unused_prot = ^{s_axil_awprot, s_axil_arprot};
 
-  logic enable, live, test_input, running_q, bad_geometry_q;
+  logic enable, live, test_input, core_rst_n;
+  horopter_csr_pkg::status_t status;
   logic [11:0] width, height, lookahead;
   logic [31:0] timeout;
   logic [3:0] table_select, active_slot_q;
@@ -191,12 +181,11 @@ module horopter_top #(
   logic map_busy;
   logic [2:0] map_error;
   logic [14:0] map_valid;
-  horopter_csr_pkg::faults_t fault_set, faults_set_q;
+  horopter_csr_pkg::faults_t faults_set;
   logic [1:0] frame_busy, silent;
-  logic late, bad_upload, refused_upload;
+  logic bad_upload, refused_upload;
   logic [31:0] frame_sequence, frame_table_crc, frame_cycles, frame_latency, frame_tail;
-  logic frame_alarm, frame_safe;
-  logic [3:0] frame_slot;
+  horopter_csr_pkg::frame_status_t frame_status;
   logic [23:0] frame_skin, frame_undecidable, frame_unsupervised, frame_misses;
   horopter_csr_pkg::faults_t frame_faults, faults_now;
 
@@ -248,14 +237,7 @@ module horopter_top #(
       .control_enable_o(enable),
       .mode_live_o(live),
       .mode_test_input_o(test_input),
-      .status_running_i(running_q),
-      .status_bad_geometry_i(bad_geometry_q),
-      .status_busy_i(frame_busy != 2'b00),
-      .status_safe_i(safe_o),
-      .status_unsafe_i(unsafe_o),
-      .status_left_silent_i(silent[0]),
-      .status_right_silent_i(silent[1]),
-      .status_late_i(late),
+      .status_i(status),
       .width_px_o(width),
       .height_rows_o(height),
       .lookahead_rows_o(lookahead),
@@ -291,14 +273,12 @@ module horopter_top #(
       .map_status_active_slot_i(active_slot_q),
       .map_valid_slots_i(map_valid),
       .map_crc_value_i(map_crc),
-      .faults_cameras_set_i({faults_set_q.right, faults_set_q.left}),
+      .faults_cameras_set_i({faults_set.right, faults_set.left}),
       .faults_cameras_o({faults_now.right, faults_now.left}),
-      .faults_machine_set_i(faults_set_q.machine),
+      .faults_machine_set_i(faults_set.machine),
       .faults_machine_o(faults_now.machine),
       .frame_sequence_value_i(frame_sequence),
-      .frame_status_alarm_i(frame_alarm),
-      .frame_status_safe_i(frame_safe),
-      .frame_status_slot_i(frame_slot),
+      .frame_status_i(frame_status),
       .frame_faults_cameras_i({frame_faults.right, frame_faults.left}),
       .frame_table_crc_value_i(frame_table_crc),
       .frame_skin_pixels_i(frame_skin),
@@ -314,143 +294,111 @@ module horopter_top #(
   logic unused_faults_now;
   assign unused_faults_now = ^faults_now;  // read by software only
 
-  assign irq_set.frame = frame_done_o;
-  assign irq_set.fault = faults_set_q != '0;
-  always_ff @(posedge clk_i) begin
-    faults_set_q <= fault_set;
-    // Uploads work while the rest is in reset, and so do their faults.
-    if (bad_upload) faults_set_q.machine.map_crc <= 1'b1;
-    if (refused_upload) faults_set_q.machine.map_busy <= 1'b1;
-    irq_o <= rst_ni && ((irq_status.frame && irq_enable.frame) || (irq_status.fault && irq_enable.fault));
-  end
-
-  // The streaming core runs while enabled with a possible geometry; otherwise it is in reset.
-  logic core_rst_n;
-  initial running_q = 1'b0;  // in reset before the first clock, too
-  always_ff @(posedge clk_i) begin
-    bad_geometry_q <= 32'(width) > WIDTH || 32'(width) < MIN_WIDTH || 32'(width) % SUBSAMPLE != 0
-        || 32'(height) > HEIGHT || 32'(height) < MIN_HEIGHT || 32'(lookahead) > MAX_LOOKAHEAD;
-    running_q <= rst_ni && enable && !bad_geometry_q;
-  end
-  assign core_rst_n = running_q;
+  // ------------------------------------------------------------------------------------------------ settings of a frame
+  logic frame_open, frame_begin;
+  logic [7:0] sampled_black_level, sampled_white_level, sampled_constant_limit, sampled_frozen_limit;
+  logic [PIXEL_BITS-1:0] sampled_black_limit, sampled_white_limit;
+  logic [SUM_BITS-1:0] sampled_sum_limit, sampled_self_limit;
+  logic [TEXTURE_BITS-1:0] sampled_texture_limit;
+  logic [COUNT_BITS-1:0] sampled_alarm_limit, sampled_undecidable_limit, sampled_unsupervised_limit;
+  logic sampled_compete;
+  horopter_csr_pkg::compete_t sampled_settings;
+  logic [RESULT_WIDTH_BITS-1:0] result_width;
+  logic [RESULT_HEIGHT_BITS-1:0] result_height;
+  horopter_settings #(
+      .THESIS(THESIS),
+      .COMPETE(COMPETE),
+      .PIXEL_BITS(PIXEL_BITS),
+      .SUM_BITS(SUM_BITS),
+      .TEXTURE_BITS(TEXTURE_BITS),
+      .COUNT_BITS(COUNT_BITS),
+      .WIDTH_BITS(RESULT_WIDTH_BITS),
+      .HEIGHT_BITS(RESULT_HEIGHT_BITS)
+  ) u_settings (
+      .clk_i(clk_i),
+      .black_level_i(black_level),
+      .white_level_i(white_level),
+      .constant_limit_i(constant_limit),
+      .frozen_limit_i(frozen_limit),
+      .black_limit_i(black_limit),
+      .white_limit_i(white_limit),
+      .sum_limit_i(sum_limit),
+      .self_limit_i(self_limit),
+      .texture_limit_i(texture_limit),
+      .alarm_limit_i(alarm_limit),
+      .undecidable_limit_i(undecidable_limit),
+      .unsupervised_limit_i(unsupervised_limit),
+      .decision_compete_i(decision_compete),
+      .compete_i(compete_settings),
+      .width_i(width),
+      .height_i(RESULT_HEIGHT_BITS'(height)),
+      .open_i(frame_open),
+      .black_level_o(sampled_black_level),
+      .white_level_o(sampled_white_level),
+      .constant_limit_o(sampled_constant_limit),
+      .frozen_limit_o(sampled_frozen_limit),
+      .black_limit_o(sampled_black_limit),
+      .white_limit_o(sampled_white_limit),
+      .begin_i(frame_begin),
+      .sum_limit_o(sampled_sum_limit),
+      .self_limit_o(sampled_self_limit),
+      .texture_limit_o(sampled_texture_limit),
+      .alarm_limit_o(sampled_alarm_limit),
+      .undecidable_limit_o(sampled_undecidable_limit),
+      .unsupervised_limit_o(sampled_unsupervised_limit),
+      .decision_compete_o(sampled_compete),
+      .compete_o(sampled_settings),
+      .result_width_o(result_width),
+      .result_height_o(result_height)
+  );
 
   // ------------------------------------------------------------------------------------------------ cameras in
-  // Index 0 = left, 1 = right. A test frame takes the place of both images.
-  logic [1:0] in_valid, in_first, in_last, fifo_ready, fifo_overflow, head_valid, head_ready, head_first, head_last;
-  logic [1:0] head_almost_full, queue_valid, queue_ready;
-  logic [19:0] queue_data;
-  logic [7:0] in_left, in_right, head_left, head_right;
-  logic [1:0] lost_pixel;  // only a live camera can lose one: without, a full FIFO makes it wait
-  assign lost_pixel = fifo_overflow & {2{live}};
-  logic both_ready;
-  assign both_ready = fifo_ready == 2'b11;
-  assign s_axis_left_tready = live || (running_q && !test_input && fifo_ready[0]);
-  assign s_axis_right_tready = live || (running_q && !test_input && fifo_ready[1]);
-  assign s_axis_test_tready = (live && test_input) || (running_q && test_input && both_ready);
-  assign in_valid[0] = test_input ? s_axis_test_tvalid && (live || fifo_ready[1]) : s_axis_left_tvalid;
-  assign in_valid[1] = test_input ? s_axis_test_tvalid && (live || fifo_ready[0]) : s_axis_right_tvalid;
-  assign in_first = test_input ? {2{s_axis_test_tuser}} : {s_axis_right_tuser, s_axis_left_tuser};
-  assign in_last = test_input ? {2{s_axis_test_tlast}} : {s_axis_right_tlast, s_axis_left_tlast};
-  assign in_left = test_input ? s_axis_test_tdata[7:0] : s_axis_left_tdata;
-  assign in_right = test_input ? s_axis_test_tdata[15:8] : s_axis_right_tdata;
-
-  // Pairing and framers.
-  logic [1:0] start, start_empty, urgent, grant, deny, cut, near, far, deep, pausing;
-  logic [1:0] write_en, write_first, write_end, row_done, row_bad, frame_ended;
-  logic [1:0] short_line, long_line, missing_line, missing_start, overflow, lost_silent, silence, pair_silent;
+  // Index 0 = left, 1 = right.
+  logic [1:0] room, start, start_empty, urgent, grant, deny, cut, near, far, deep, pausing, pair_silent, frame_ended;
+  logic [1:0] write_en, row_done, row_bad, silence, health_end, health_valid;
   logic [11:0] left_write_x, right_write_x;
   logic [LEFT_BITS:0] left_stored, left_keep;
   logic [RING_BITS:0] right_stored, right_keep;
   logic [7:0] left_write_pixel, right_write_pixel;
   logic [LEFT_BITS-1:0] left_slot, left_write_slot;
   logic [RING_BITS-1:0] right_slot, right_write_slot;
-  logic frame_open, open_slot, arrived, skew, patience;
+  horopter_csr_pkg::stream_faults_t left_stream, right_stream;
+  horopter_csr_pkg::image_faults_t left_health, right_health;
+  logic [31:0] left_signature, right_signature;
+  logic open_slot, arrived, skew, patience;
   logic unused_left;
   assign unused_left = ^{left_stored, left_slot};
   assign patience = frame_open && !live;
+  assign s_axis_test_tready = test_input && (live || (core_rst_n && room == 2'b11));
 
-  horopter_axis_fifo #(
-      .WIDTH(10),
-      .DEPTH(INPUT_DEPTH),
-      .ALMOST_FULL(INPUT_LEVEL)
-  ) u_left_fifo (
-      .clk_i(clk_i),
-      .rst_ni(core_rst_n),
-      .s_valid_i(in_valid[0]),
-      .s_ready_o(fifo_ready[0]),
-      .s_data_i({in_first[0], in_last[0], in_left}),
-      .m_valid_o(queue_valid[0]),
-      .m_ready_i(queue_ready[0]),
-      .m_data_o(queue_data[10*0+:10]),
-      .almost_full_o(head_almost_full[0]),
-      .overflow_o(fifo_overflow[0])
-  );
-  horopter_axis_fifo #(
-      .WIDTH(10),
-      .DEPTH(INPUT_DEPTH),
-      .ALMOST_FULL(INPUT_LEVEL)
-  ) u_right_fifo (
-      .clk_i(clk_i),
-      .rst_ni(core_rst_n),
-      .s_valid_i(in_valid[1]),
-      .s_ready_o(fifo_ready[1]),
-      .s_data_i({in_first[1], in_last[1], in_right}),
-      .m_valid_o(queue_valid[1]),
-      .m_ready_i(queue_ready[1]),
-      .m_data_o(queue_data[10*1+:10]),
-      .almost_full_o(head_almost_full[1]),
-      .overflow_o(fifo_overflow[1])
-  );
-
-  // A framer says late what it takes.
-  logic [19:0] head_data;
-  assign {head_first[1], head_last[1], head_right, head_first[0], head_last[0], head_left} = head_data;
-  if (FAST) begin : g_head
-    horopter_axis_skid #(
-        .WIDTH(10)
-    ) u_left_skid (
-        .clk_i(clk_i),
-        .rst_ni(core_rst_n),
-        .s_valid_i(queue_valid[0]),
-        .s_ready_o(queue_ready[0]),
-        .s_data_i(queue_data[9:0]),
-        .m_valid_o(head_valid[0]),
-        .m_ready_i(head_ready[0]),
-        .m_data_o(head_data[9:0])
-    );
-    horopter_axis_skid #(
-        .WIDTH(10)
-    ) u_right_skid (
-        .clk_i(clk_i),
-        .rst_ni(core_rst_n),
-        .s_valid_i(queue_valid[1]),
-        .s_ready_o(queue_ready[1]),
-        .s_data_i(queue_data[19:10]),
-        .m_valid_o(head_valid[1]),
-        .m_ready_i(head_ready[1]),
-        .m_data_o(head_data[19:10])
-    );
-  end else begin : g_head
-    assign head_valid = queue_valid;
-    assign queue_ready = head_ready;
-    assign head_data = queue_data;
-  end
-
-  horopter_framer #(
-      .SLOTS(LEFT_ROWS)
-  ) u_left_framer (
+  horopter_camera_input #(
+      .SLOTS(LEFT_ROWS),
+      .FAST(FAST)
+  ) u_left_camera (
       .clk_i(clk_i),
       .rst_ni(core_rst_n),
       .live_i(live),
+      .test_input_i(test_input),
       .width_i(width),
       .height_i(height),
       .timeout_i(timeout),
-      .s_valid_i(head_valid[0]),
-      .s_ready_o(head_ready[0]),
-      .s_pixel_i(head_left),
-      .s_first_i(head_first[0]),
-      .s_last_i(head_last[0]),
-      .almost_full_i(head_almost_full[0]),
+      .black_level_i(sampled_black_level),
+      .white_level_i(sampled_white_level),
+      .black_limit_i(sampled_black_limit),
+      .white_limit_i(sampled_white_limit),
+      .constant_limit_i(sampled_constant_limit),
+      .frozen_limit_i(sampled_frozen_limit),
+      .s_axis_tdata(s_axis_left_tdata),
+      .s_axis_tuser(s_axis_left_tuser),
+      .s_axis_tlast(s_axis_left_tlast),
+      .s_axis_tvalid(s_axis_left_tvalid),
+      .s_axis_tready(s_axis_left_tready),
+      .test_data_i(s_axis_test_tdata[7:0]),
+      .test_first_i(s_axis_test_tuser),
+      .test_last_i(s_axis_test_tlast),
+      .test_valid_i(s_axis_test_tvalid),
+      .room_o(room[0]),
+      .other_room_i(room[1]),
       .start_o(start[0]),
       .empty_o(start_empty[0]),
       .urgent_o(urgent[0]),
@@ -463,6 +411,8 @@ module horopter_top #(
       .deep_o(deep[0]),
       .silent_o(silent[0]),
       .pausing_o(pausing[0]),
+      .frame_done_o(frame_ended[0]),
+      .lost_silent_i(pair_silent[0]),
       .keep_i(left_keep),
       .stored_o(left_stored),
       .slot_o(left_slot),
@@ -470,34 +420,43 @@ module horopter_top #(
       .write_slot_o(left_write_slot),
       .write_x_o(left_write_x),
       .write_pixel_o(left_write_pixel),
-      .write_first_o(write_first[0]),
-      .write_end_o(write_end[0]),
       .row_done_o(row_done[0]),
       .row_bad_o(row_bad[0]),
-      .frame_done_o(frame_ended[0]),
-      .short_line_o(short_line[0]),
-      .long_line_o(long_line[0]),
-      .missing_line_o(missing_line[0]),
-      .missing_start_o(missing_start[0]),
-      .overflow_o(overflow[0]),
-      .lost_silent_o(lost_silent[0]),
-      .silence_o(silence[0])
+      .silence_o(silence[0]),
+      .stream_o(left_stream),
+      .health_end_o(health_end[0]),
+      .health_valid_o(health_valid[0]),
+      .health_o(left_health),
+      .signature_o(left_signature)
   );
-  horopter_framer #(
-      .SLOTS(STORE_ROWS)
-  ) u_right_framer (
+  horopter_camera_input #(
+      .SLOTS(STORE_ROWS),
+      .FAST(FAST)
+  ) u_right_camera (
       .clk_i(clk_i),
       .rst_ni(core_rst_n),
       .live_i(live),
+      .test_input_i(test_input),
       .width_i(width),
       .height_i(height),
       .timeout_i(timeout),
-      .s_valid_i(head_valid[1]),
-      .s_ready_o(head_ready[1]),
-      .s_pixel_i(head_right),
-      .s_first_i(head_first[1]),
-      .s_last_i(head_last[1]),
-      .almost_full_i(head_almost_full[1]),
+      .black_level_i(sampled_black_level),
+      .white_level_i(sampled_white_level),
+      .black_limit_i(sampled_black_limit),
+      .white_limit_i(sampled_white_limit),
+      .constant_limit_i(sampled_constant_limit),
+      .frozen_limit_i(sampled_frozen_limit),
+      .s_axis_tdata(s_axis_right_tdata),
+      .s_axis_tuser(s_axis_right_tuser),
+      .s_axis_tlast(s_axis_right_tlast),
+      .s_axis_tvalid(s_axis_right_tvalid),
+      .s_axis_tready(s_axis_right_tready),
+      .test_data_i(s_axis_test_tdata[15:8]),
+      .test_first_i(s_axis_test_tuser),
+      .test_last_i(s_axis_test_tlast),
+      .test_valid_i(s_axis_test_tvalid),
+      .room_o(room[1]),
+      .other_room_i(room[0]),
       .start_o(start[1]),
       .empty_o(start_empty[1]),
       .urgent_o(urgent[1]),
@@ -510,6 +469,8 @@ module horopter_top #(
       .deep_o(deep[1]),
       .silent_o(silent[1]),
       .pausing_o(pausing[1]),
+      .frame_done_o(frame_ended[1]),
+      .lost_silent_i(pair_silent[1]),
       .keep_i(right_keep),
       .stored_o(right_stored),
       .slot_o(right_slot),
@@ -517,18 +478,14 @@ module horopter_top #(
       .write_slot_o(right_write_slot),
       .write_x_o(right_write_x),
       .write_pixel_o(right_write_pixel),
-      .write_first_o(write_first[1]),
-      .write_end_o(write_end[1]),
       .row_done_o(row_done[1]),
       .row_bad_o(row_bad[1]),
-      .frame_done_o(frame_ended[1]),
-      .short_line_o(short_line[1]),
-      .long_line_o(long_line[1]),
-      .missing_line_o(missing_line[1]),
-      .missing_start_o(missing_start[1]),
-      .overflow_o(overflow[1]),
-      .lost_silent_o(lost_silent[1]),
-      .silence_o(silence[1])
+      .silence_o(silence[1]),
+      .stream_o(right_stream),
+      .health_end_o(health_end[1]),
+      .health_valid_o(health_valid[1]),
+      .health_o(right_health),
+      .signature_o(right_signature)
   );
 
   logic read_slot, published, left_ended, right_ended;
@@ -572,76 +529,22 @@ module horopter_top #(
       .free_i(published)
   );
 
-  // ------------------------------------------------------------------------------------------------ image checks
-  logic [7:0] sampled_black_level_q, sampled_white_level_q, sampled_constant_limit_q, sampled_frozen_limit_q;
-  logic [PIXEL_BITS-1:0] sampled_black_limit_q, sampled_white_limit_q;
-  always_ff @(posedge clk_i) begin
-    if (frame_open) begin
-      sampled_black_level_q <= black_level;
-      sampled_white_level_q <= white_level;
-      sampled_constant_limit_q <= constant_limit;
-      sampled_frozen_limit_q <= frozen_limit;
-      sampled_black_limit_q <= 32'(black_limit) >> PIXEL_BITS != 0 ? '1 : PIXEL_BITS'(black_limit);
-      sampled_white_limit_q <= 32'(white_limit) >> PIXEL_BITS != 0 ? '1 : PIXEL_BITS'(white_limit);
-    end
-  end
-  logic [1:0] health_valid;
-  horopter_csr_pkg::image_faults_t left_health, right_health;
-  logic [31:0] left_signature, right_signature;
-  horopter_health u_left_health (
-      .clk_i(clk_i),
-      .rst_ni(core_rst_n),
-      .en_i(1'b1),
-      .valid_i(write_en[0]),
-      .pixel_i(left_write_pixel),
-      .first_i(write_first[0]),
-      .end_v_i(write_end[0]),
-      .cfg_dark_level_i(sampled_black_level_q),
-      .cfg_bright_level_i(sampled_white_level_q),
-      .cfg_dark_limit_i(sampled_black_limit_q),
-      .cfg_bright_limit_i(sampled_white_limit_q),
-      .cfg_contrast_limit_i(sampled_constant_limit_q),
-      .cfg_frozen_limit_i(sampled_frozen_limit_q),
-      .valid_o(health_valid[0]),
-      .black_o(left_health.black),
-      .white_o(left_health.white),
-      .constant_o(left_health.constant),
-      .frozen_o(left_health.frozen),
-      .signature_o(left_signature)
-  );
-  horopter_health u_right_health (
-      .clk_i(clk_i),
-      .rst_ni(core_rst_n),
-      .en_i(1'b1),
-      .valid_i(write_en[1]),
-      .pixel_i(right_write_pixel),
-      .first_i(write_first[1]),
-      .end_v_i(write_end[1]),
-      .cfg_dark_level_i(sampled_black_level_q),
-      .cfg_bright_level_i(sampled_white_level_q),
-      .cfg_dark_limit_i(sampled_black_limit_q),
-      .cfg_bright_limit_i(sampled_white_limit_q),
-      .cfg_contrast_limit_i(sampled_constant_limit_q),
-      .cfg_frozen_limit_i(sampled_frozen_limit_q),
-      .valid_o(health_valid[1]),
-      .black_o(right_health.black),
-      .white_o(right_health.white),
-      .constant_o(right_health.constant),
-      .frozen_o(right_health.frozen),
-      .signature_o(right_signature)
-  );
-
   // ------------------------------------------------------------------------------------------------ map and raster
-  logic frame_begin, frame_active, lookup, table_ok;
+  logic frame_active, lookup, table_ok;
   logic [MAP_ADDR_BITS-1:0] table_base, map_even_addr, map_odd_addr;
   logic [2:0] table_nx, table_ny;
   logic [11:0] table_columns;
   logic [31:0] table_crc, map_even, map_odd;
   logic map_read, map_parity_error;
-  logic go_q, beat_valid, beat_prime, beat_load, beat_first, beat_last, beat_live, beat_parity_error;
+  logic go, beat_valid, beat_prime, beat_load, beat_first, beat_last, beat_live, beat_parity_error;
   logic [31:0] beat_even, beat_odd;
   logic beat_swapped;
   logic [5:0] beat_fraction;
+
+  always_ff @(posedge clk_i) begin
+    if (!core_rst_n) active_slot_q <= horopter_csr_pkg::NO_SLOT;
+    else if (lookup) active_slot_q <= table_select;
+  end
 
   horopter_map_store #(
       .POOL_BYTES(POOL_BYTES),
@@ -649,7 +552,7 @@ module horopter_top #(
   ) u_map_store (
       .clk_i(clk_i),
       .rst_ni(rst_ni),
-      .running_i(running_q),
+      .running_i(core_rst_n),
       .width_i(width),
       .height_i(height),
       .selected_slot_i(table_select),
@@ -698,7 +601,7 @@ module horopter_top #(
       .height_i(height),
       .lookahead_i(lookahead),
       .compete_i(sampled_compete),
-      .go_i(go_q),
+      .go_i(go),
       .busy_i(frame_busy),
       .slot_o(read_slot),
       .left_rows_i(left_rows),
@@ -732,48 +635,6 @@ module horopter_top #(
       .live_o(beat_live),
       .map_parity_error_o(beat_parity_error)
   );
-
-  // What a frame is made with, constant from its begin until the next.
-  logic [SUM_BITS-1:0] sampled_sum_limit_q, sampled_self_limit_q;
-  logic [TEXTURE_BITS-1:0] sampled_texture_limit_q;
-  logic [COUNT_BITS-1:0] sampled_alarm_limit_q, sampled_undecidable_limit_q, sampled_unsupervised_limit_q;
-  logic [RESULT_WIDTH_BITS-1:0] result_width_q;
-  logic [RESULT_HEIGHT_BITS-1:0] result_height_q;
-  always_ff @(posedge clk_i) begin
-    if (!core_rst_n) active_slot_q <= horopter_csr_pkg::NO_SLOT;
-    else if (lookup) active_slot_q <= table_select;
-    if (frame_begin) begin
-      sampled_sum_limit_q <= 32'(sum_limit) >> SUM_BITS != 0 ? '1 : SUM_BITS'(sum_limit);
-      sampled_self_limit_q <= 32'(self_limit) >> SUM_BITS != 0 ? '1 : SUM_BITS'(self_limit);
-      sampled_texture_limit_q <= 32'(texture_limit) >> TEXTURE_BITS != 0 ? '1 : TEXTURE_BITS'(texture_limit);
-      sampled_alarm_limit_q <= 32'(alarm_limit) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(alarm_limit);
-      sampled_undecidable_limit_q <= 32'(undecidable_limit) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(undecidable_limit);
-      sampled_unsupervised_limit_q <= 32'(unsupervised_limit) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(unsupervised_limit);
-      result_width_q <= RESULT_WIDTH_BITS'(32'(width) / SUBSAMPLE);
-      result_height_q <= RESULT_HEIGHT_BITS'(height);
-    end
-  end
-
-  // The rule, and what only one of them needs; the same way.
-  logic sampled_compete;
-  horopter_csr_pkg::compete_t sampled_settings;
-  if (COMPETE) begin : g_compete
-    logic sampled_compete_q;
-    horopter_csr_pkg::compete_t sampled_settings_q;
-    always_ff @(posedge clk_i) begin
-      if (frame_begin) begin
-        sampled_compete_q <= decision_compete;
-        sampled_settings_q <= compete_settings;
-      end
-    end
-    assign sampled_compete = THESIS ? sampled_compete_q : 1'b1;
-    assign sampled_settings = sampled_settings_q;
-  end else begin : g_thesis
-    logic unused_settings;
-    assign unused_settings = ^{decision_compete, compete_settings};
-    assign sampled_compete = 1'b0;
-    assign sampled_settings = '0;
-  end
 
   // ------------------------------------------------------------------------------------------------ right image, transformed
   logic place_valid, place_mapped, place_first, place_last, place_live;
@@ -919,9 +780,9 @@ module horopter_top #(
       .mask_i(quad_mask && left_mask),
       .marks_first_i(quad_first),
       .marks_last_i(quad_last),
-      .cfg_texture_limit_i(sampled_texture_limit_q),
-      .cfg_sum_limit_i(sampled_sum_limit_q),
-      .cfg_self_limit_i(sampled_self_limit_q),
+      .cfg_texture_limit_i(sampled_texture_limit),
+      .cfg_sum_limit_i(sampled_sum_limit),
+      .cfg_self_limit_i(sampled_self_limit),
       .cfg_compete_i(sampled_compete),
       .cfg_bias_i(sampled_settings.bias),
       .cfg_smooth_i(sampled_settings.smooth),
@@ -929,11 +790,11 @@ module horopter_top #(
       .cfg_quorum_i(sampled_settings.quorum),
       .cfg_clear_quorum_i(sampled_settings.clear_quorum),
       .cfg_boundary_i(sampled_settings.boundary),
-      .cfg_width_i(result_width_q),
-      .cfg_height_i(result_height_q),
-      .cfg_alarm_limit_i(sampled_alarm_limit_q),
-      .cfg_undecidable_limit_i(sampled_undecidable_limit_q),
-      .cfg_unsupervised_limit_i(sampled_unsupervised_limit_q),
+      .cfg_width_i(result_width),
+      .cfg_height_i(result_height),
+      .cfg_alarm_limit_i(sampled_alarm_limit),
+      .cfg_undecidable_limit_i(sampled_undecidable_limit),
+      .cfg_unsupervised_limit_i(sampled_unsupervised_limit),
       .align_valid_o(state_valid),
       .align_state_o(state),
       .align_first_o(state_first),
@@ -956,125 +817,93 @@ module horopter_top #(
   );
 
   // ------------------------------------------------------------------------------------------------ outputs
-  logic state_almost_full, runs_almost_full, state_overflow, runs_overflow, out_end;
-  logic unused_state_ready, unused_runs_ready;
-  logic [1:0] out_state;
-  horopter_axis_fifo #(
-      .WIDTH(5),
-      .DEPTH(OUTPUT_DEPTH),
-      .ALMOST_FULL(OUTPUT_LEVEL)
-  ) u_state_fifo (
-      .clk_i(clk_i),
-      .rst_ni(core_rst_n),
-      .s_valid_i(state_valid && !state_idle),
-      .s_ready_o(unused_state_ready),
-      .s_data_i({state_end, state_first, state_last, state}),
-      .m_valid_o(m_axis_state_tvalid),
-      .m_ready_i(m_axis_state_tready),
-      .m_data_o({out_end, m_axis_state_tuser, m_axis_state_tlast, out_state}),
-      .almost_full_o(state_almost_full),
-      .overflow_o(state_overflow)
-  );
-  assign m_axis_state_tdata = {6'd0, out_state};
-
-  // Runs cover their rows, so that the ends tell row and start of each.
-  logic [ROW_BITS-1:0] out_row_q;
-  logic [COLUMN_BITS-1:0] out_run_start_q, out_run_end, last_result_column_q;
-  logic [1:0] out_run_state;
-  logic out_row_ends, unused_run;
+  logic out_end, unused_run;
+  logic [1:0] output_overflow;
   assign unused_run = ^{run_row, run_start};
-  always_ff @(posedge clk_i) begin
-    last_result_column_q <= COLUMN_BITS'(result_width_q - 1'b1);
-    if (!core_rst_n) begin
-      out_row_q <= '0;
-      out_run_start_q <= '0;
-    end else if (m_axis_runs_tvalid && m_axis_runs_tready) begin
-      out_run_start_q <= out_row_ends ? '0 : out_run_end + 1'b1;
-      if (m_axis_runs_tlast) out_row_q <= '0;
-      else if (out_row_ends) out_row_q <= out_row_q + 1'b1;
-    end
-  end
-  logic written_run;
-  logic [COLUMN_BITS+3:0] written_data;
-  if (FAST) begin : g_written
-    always_ff @(posedge clk_i) begin
-      written_run <= core_rst_n && run_valid;
-      written_data <= {run_last, run_end == last_result_column_q, run_state, run_end};
-    end
-  end else begin : g_written
-    assign written_run = run_valid;
-    assign written_data = {run_last, run_end == last_result_column_q, run_state, run_end};
-  end
-  horopter_axis_fifo #(
-      .WIDTH(1 + 1 + 2 + COLUMN_BITS),
-      .DEPTH(OUTPUT_DEPTH),
-      .ALMOST_FULL(OUTPUT_LEVEL)
-  ) u_runs_fifo (
+  horopter_output #(
+      .DEPTH(FAST ? 512 : 256),
+      .IN_FLIGHT(IN_FLIGHT),
+      .FAST(FAST),
+      .ROW_BITS(ROW_BITS),
+      .COLUMN_BITS(COLUMN_BITS),
+      .WIDTH_BITS(RESULT_WIDTH_BITS)
+  ) u_output (
       .clk_i(clk_i),
       .rst_ni(core_rst_n),
-      .s_valid_i(written_run),
-      .s_ready_o(unused_runs_ready),
-      .s_data_i(written_data),
-      .m_valid_o(m_axis_runs_tvalid),
-      .m_ready_i(m_axis_runs_tready),
-      .m_data_o({m_axis_runs_tlast, out_row_ends, out_run_state, out_run_end}),
-      .almost_full_o(runs_almost_full),
-      .overflow_o(runs_overflow)
+      .result_width_i(result_width),
+      .go_o(go),
+      .overflow_o(output_overflow),
+      .state_valid_i(state_valid && !state_idle),
+      .state_i(state),
+      .state_first_i(state_first),
+      .state_last_i(state_last),
+      .state_end_i(state_end),
+      .run_valid_i(run_valid),
+      .run_end_i(run_end),
+      .run_state_i(run_state),
+      .run_last_i(run_last),
+      .m_axis_state_tdata(m_axis_state_tdata),
+      .m_axis_state_tuser(m_axis_state_tuser),
+      .m_axis_state_tlast(m_axis_state_tlast),
+      .m_axis_state_tvalid(m_axis_state_tvalid),
+      .m_axis_state_tready(m_axis_state_tready),
+      .state_end_o(out_end),
+      .m_axis_runs_tdata(m_axis_runs_tdata),
+      .m_axis_runs_tlast(m_axis_runs_tlast),
+      .m_axis_runs_tvalid(m_axis_runs_tvalid),
+      .m_axis_runs_tready(m_axis_runs_tready)
   );
-  assign m_axis_runs_tdata = {out_run_state, 14'd0, 16'(out_row_q), 16'(out_run_start_q), 16'(out_run_end)};
 
-  always_ff @(posedge clk_i) go_q <= core_rst_n && !state_almost_full && !runs_almost_full;
-
-  // ------------------------------------------------------------------------------------------------ frames
-  horopter_csr_pkg::stream_faults_t left_stream, right_stream;
-  assign left_stream.short_line = short_line[0];
-  assign left_stream.long_line = long_line[0];
-  assign left_stream.missing_line = missing_line[0];
-  assign left_stream.missing_start = missing_start[0];
-  assign left_stream.silent = lost_silent[0] || pair_silent[0];
-  assign left_stream.overflow = overflow[0] || lost_pixel[0];
-  assign right_stream.short_line = short_line[1];
-  assign right_stream.long_line = long_line[1];
-  assign right_stream.missing_line = missing_line[1];
-  assign right_stream.missing_start = missing_start[1];
-  assign right_stream.silent = lost_silent[1] || pair_silent[1];
-  assign right_stream.overflow = overflow[1] || lost_pixel[1];
-  logic miss, internal;
-  logic [1:0] parity_error;
-  assign miss = quad_valid && quad_miss;
-  assign parity_error = {quad_valid && quad_parity_error && left_mask, left_parity_error};
-  assign internal = state_overflow || runs_overflow || (beat_valid && beat_parity_error);
-
-  horopter_frame_control u_frame_control (
+  // ------------------------------------------------------------------------------------------------ status and faults
+  horopter_status #(
+      .MAX_LOOKAHEAD(MAX_LOOKAHEAD)
+  ) u_status (
       .clk_i(clk_i),
-      .rst_ni(core_rst_n),
-      .safe_allowed_i(rst_ni && !test_input),  // a reset ends it at once, not a clock later
+      .rst_ni(rst_ni),
+      .enable_i(enable),
+      .test_input_i(test_input),
+      .width_i(width),
+      .height_i(height),
+      .lookahead_i(lookahead),
       .timeout_i(timeout),
+      .irq_enable_i(irq_enable),
+      .irq_status_i(irq_status),
+      .irq_set_o(irq_set),
+      .irq_o(irq_o),
+      .running_o(core_rst_n),
+      .status_o(status),
+      .faults_set_o(faults_set),
       .open_i(frame_open),
       .open_slot_i(open_slot),
       .busy_i(frame_busy),
       .arrived_i(arrived),
-      .health_end_i(write_en & write_end),
+      .health_end_i(health_end),
       .health_valid_i(health_valid),
       .left_health_i(left_health),
       .right_health_i(right_health),
-      .same_image_i(left_signature == right_signature),
+      .left_signature_i(left_signature),
+      .right_signature_i(right_signature),
       .left_stream_i(left_stream),
       .right_stream_i(right_stream),
       .skew_i(skew),
-      .bad_upload_i(bad_upload),
-      .refused_upload_i(refused_upload),
       .silence_i(silence),
       .silent_i(silent),
+      .bad_upload_i(bad_upload),
+      .refused_upload_i(refused_upload),
       .begin_i(frame_begin),
       .active_i(frame_active),
       .read_slot_i(read_slot),
       .table_ok_i(table_ok),
       .table_slot_i(active_slot_q),
       .table_crc_i(table_crc),
-      .parity_error_i(parity_error),
-      .internal_i(internal),
-      .miss_i(miss),
+      .beat_valid_i(beat_valid),
+      .beat_parity_error_i(beat_parity_error),
+      .quad_valid_i(quad_valid),
+      .quad_miss_i(quad_miss),
+      .quad_parity_error_i(quad_parity_error),
+      .left_mask_i(left_mask),
+      .left_parity_error_i(left_parity_error),
+      .output_overflow_i(output_overflow),
       .state_first_i(m_axis_state_tvalid && m_axis_state_tready && m_axis_state_tuser),
       .state_end_i(m_axis_state_tvalid && m_axis_state_tready && out_end),
       .runs_end_i(m_axis_runs_tvalid && m_axis_runs_tready && m_axis_runs_tlast),
@@ -1087,9 +916,7 @@ module horopter_top #(
       .too_unsupervised_i(too_unsupervised),
       .publish_o(published),
       .frame_sequence_o(frame_sequence),
-      .frame_alarm_o(frame_alarm),
-      .frame_safe_o(frame_safe),
-      .frame_slot_o(frame_slot),
+      .frame_status_o(frame_status),
       .frame_faults_o(frame_faults),
       .frame_table_crc_o(frame_table_crc),
       .frame_skin_o(frame_skin),
@@ -1100,8 +927,6 @@ module horopter_top #(
       .frame_latency_o(frame_latency),
       .frame_tail_o(frame_tail),
       .frame_done_o(frame_done_o),
-      .fault_set_o(fault_set),
-      .late_o(late),
       .heartbeat_o(heartbeat_o),
       .safe_o(safe_o),
       .unsafe_o(unsafe_o)

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// States and runs on their way out: FIFOs that hold what is under way in the pipeline when the reader stalls.
+//
+// go_o: the raster may send another beat; what it has sent, at most IN_FLIGHT beats, still finds room. Formats of
+// m_axis_state and m_axis_runs as in horopter_top; state_end_o: with the beat taken from m_axis_state, the frame's last.
+// overflow_o (states, runs): a beat was lost, which cannot be. rst_ni: of the streaming core.
+module horopter_output #(
+    parameter int unsigned DEPTH = 256,
+    parameter int unsigned IN_FLIGHT = 128,
+    parameter bit FAST = 1'b0,
+    parameter int unsigned ROW_BITS = 9,
+    parameter int unsigned COLUMN_BITS = 9,
+    parameter int unsigned WIDTH_BITS = 9
+) (
+    input  logic                   clk_i,
+    input  logic                   rst_ni,
+    input  logic [ WIDTH_BITS-1:0] result_width_i,
+    output logic                   go_o,
+    output logic [            1:0] overflow_o,
+    // from the stages
+    input  logic                   state_valid_i,
+    input  logic [            1:0] state_i,
+    input  logic                   state_first_i,
+    input  logic                   state_last_i,
+    input  logic                   state_end_i,
+    input  logic                   run_valid_i,
+    input  logic [COLUMN_BITS-1:0] run_end_i,
+    input  logic [            1:0] run_state_i,
+    input  logic                   run_last_i,
+    // out
+    output logic [            7:0] m_axis_state_tdata,
+    output logic                   m_axis_state_tuser,
+    output logic                   m_axis_state_tlast,
+    output logic                   m_axis_state_tvalid,
+    input  logic                   m_axis_state_tready,
+    output logic                   state_end_o,
+    output logic [           63:0] m_axis_runs_tdata,
+    output logic                   m_axis_runs_tlast,
+    output logic                   m_axis_runs_tvalid,
+    input  logic                   m_axis_runs_tready
+);
+  localparam int unsigned LEVEL = DEPTH - IN_FLIGHT - 8;
+
+  logic state_almost_full, runs_almost_full, unused_state_ready, unused_runs_ready;
+  logic [1:0] out_state;
+  horopter_axis_fifo #(
+      .WIDTH(5),
+      .DEPTH(DEPTH),
+      .ALMOST_FULL(LEVEL)
+  ) u_state_fifo (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .s_valid_i(state_valid_i),
+      .s_ready_o(unused_state_ready),
+      .s_data_i({state_end_i, state_first_i, state_last_i, state_i}),
+      .m_valid_o(m_axis_state_tvalid),
+      .m_ready_i(m_axis_state_tready),
+      .m_data_o({state_end_o, m_axis_state_tuser, m_axis_state_tlast, out_state}),
+      .almost_full_o(state_almost_full),
+      .overflow_o(overflow_o[0])
+  );
+  assign m_axis_state_tdata = {6'd0, out_state};
+
+  // Runs cover their rows, so that the ends tell row and start of each.
+  logic [ROW_BITS-1:0] out_row_q;
+  logic [COLUMN_BITS-1:0] out_run_start_q, out_run_end, last_column_q;
+  logic [1:0] out_run_state;
+  logic out_row_ends;
+  always_ff @(posedge clk_i) begin
+    last_column_q <= COLUMN_BITS'(result_width_i - 1'b1);
+    if (!rst_ni) begin
+      out_row_q <= '0;
+      out_run_start_q <= '0;
+    end else if (m_axis_runs_tvalid && m_axis_runs_tready) begin
+      out_run_start_q <= out_row_ends ? '0 : out_run_end + 1'b1;
+      if (m_axis_runs_tlast) out_row_q <= '0;
+      else if (out_row_ends) out_row_q <= out_row_q + 1'b1;
+    end
+  end
+  logic written_run;
+  logic [COLUMN_BITS+3:0] written_data;
+  if (FAST) begin : g_written
+    always_ff @(posedge clk_i) begin
+      written_run <= rst_ni && run_valid_i;
+      written_data <= {run_last_i, run_end_i == last_column_q, run_state_i, run_end_i};
+    end
+  end else begin : g_written
+    assign written_run = run_valid_i;
+    assign written_data = {run_last_i, run_end_i == last_column_q, run_state_i, run_end_i};
+  end
+  horopter_axis_fifo #(
+      .WIDTH(1 + 1 + 2 + COLUMN_BITS),
+      .DEPTH(DEPTH),
+      .ALMOST_FULL(LEVEL)
+  ) u_runs_fifo (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .s_valid_i(written_run),
+      .s_ready_o(unused_runs_ready),
+      .s_data_i(written_data),
+      .m_valid_o(m_axis_runs_tvalid),
+      .m_ready_i(m_axis_runs_tready),
+      .m_data_o({m_axis_runs_tlast, out_row_ends, out_run_state, out_run_end}),
+      .almost_full_o(runs_almost_full),
+      .overflow_o(overflow_o[1])
+  );
+  assign m_axis_runs_tdata = {out_run_state, 14'd0, 16'(out_row_q), 16'(out_run_start_q), 16'(out_run_end)};
+
+  always_ff @(posedge clk_i) go_o <= rst_ni && !state_almost_full && !runs_almost_full;
+endmodule

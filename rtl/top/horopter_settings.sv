@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a frame is made with: the settings, sampled for each frame, so that a change never falls into the middle of one.
+// A limit that is more than can be counted is the largest that can. Of a rule that is not built nothing is kept.
+module horopter_settings #(
+    parameter bit THESIS = horopter_profile_pkg::THESIS,
+    parameter bit COMPETE = horopter_profile_pkg::COMPETE,
+    parameter int unsigned PIXEL_BITS = 18,  // of a number of incoming pixels
+    parameter int unsigned SUM_BITS = 11,
+    parameter int unsigned TEXTURE_BITS = 12,
+    parameter int unsigned COUNT_BITS = 18,  // of a number of pixels of the result
+    parameter int unsigned WIDTH_BITS = 9,
+    parameter int unsigned HEIGHT_BITS = 9
+) (
+    input  logic                       clk_i,
+    // the registers
+    input  logic [7:0]                 black_level_i,
+    input  logic [7:0]                 white_level_i,
+    input  logic [7:0]                 constant_limit_i,
+    input  logic [7:0]                 frozen_limit_i,
+    input  logic [23:0]                black_limit_i,
+    input  logic [23:0]                white_limit_i,
+    input  logic [15:0]                sum_limit_i,
+    input  logic [15:0]                self_limit_i,
+    input  logic [15:0]                texture_limit_i,
+    input  logic [23:0]                alarm_limit_i,
+    input  logic [23:0]                undecidable_limit_i,
+    input  logic [23:0]                unsupervised_limit_i,
+    input  logic                       decision_compete_i,
+    input  horopter_csr_pkg::compete_t compete_i,
+    input  logic [11:0]                width_i,
+    input  logic [HEIGHT_BITS-1:0]     height_i,
+    // for the images of a frame, from its opening on
+    input  logic                       open_i,
+    output logic [7:0]                 black_level_o,
+    output logic [7:0]                 white_level_o,
+    output logic [7:0]                 constant_limit_o,
+    output logic [7:0]                 frozen_limit_o,
+    output logic [PIXEL_BITS-1:0]      black_limit_o,
+    output logic [PIXEL_BITS-1:0]      white_limit_o,
+    // for its output, from its begin on
+    input  logic                       begin_i,
+    output logic [SUM_BITS-1:0]        sum_limit_o,
+    output logic [SUM_BITS-1:0]        self_limit_o,
+    output logic [TEXTURE_BITS-1:0]    texture_limit_o,
+    output logic [COUNT_BITS-1:0]      alarm_limit_o,
+    output logic [COUNT_BITS-1:0]      undecidable_limit_o,
+    output logic [COUNT_BITS-1:0]      unsupervised_limit_o,
+    output logic                       decision_compete_o,
+    output horopter_csr_pkg::compete_t compete_o,
+    output logic [WIDTH_BITS-1:0]      result_width_o,  // after sub-sampling
+    output logic [HEIGHT_BITS-1:0]     result_height_o
+);
+  always_ff @(posedge clk_i) begin
+    if (open_i) begin
+      black_level_o <= black_level_i;
+      white_level_o <= white_level_i;
+      constant_limit_o <= constant_limit_i;
+      frozen_limit_o <= frozen_limit_i;
+      black_limit_o <= 32'(black_limit_i) >> PIXEL_BITS != 0 ? '1 : PIXEL_BITS'(black_limit_i);
+      white_limit_o <= 32'(white_limit_i) >> PIXEL_BITS != 0 ? '1 : PIXEL_BITS'(white_limit_i);
+    end
+    if (begin_i) begin
+      sum_limit_o <= 32'(sum_limit_i) >> SUM_BITS != 0 ? '1 : SUM_BITS'(sum_limit_i);
+      self_limit_o <= 32'(self_limit_i) >> SUM_BITS != 0 ? '1 : SUM_BITS'(self_limit_i);
+      texture_limit_o <= 32'(texture_limit_i) >> TEXTURE_BITS != 0 ? '1 : TEXTURE_BITS'(texture_limit_i);
+      alarm_limit_o <= 32'(alarm_limit_i) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(alarm_limit_i);
+      undecidable_limit_o <= 32'(undecidable_limit_i) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(undecidable_limit_i);
+      unsupervised_limit_o <= 32'(unsupervised_limit_i) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(unsupervised_limit_i);
+      result_width_o <= WIDTH_BITS'(32'(width_i) / horopter_profile_pkg::SUBSAMPLE);
+      result_height_o <= height_i;
+    end
+  end
+
+  if (COMPETE) begin : g_compete
+    logic compete_q;
+    horopter_csr_pkg::compete_t settings_q;
+    always_ff @(posedge clk_i) begin
+      if (begin_i) begin
+        compete_q <= decision_compete_i;
+        settings_q <= compete_i;
+      end
+    end
+    assign decision_compete_o = THESIS ? compete_q : 1'b1;
+    assign compete_o = settings_q;
+  end else begin : g_thesis
+    logic unused_settings;
+    assign unused_settings = ^{decision_compete_i, compete_i};
+    assign decision_compete_o = 1'b0;
+    assign compete_o = '0;
+  end
+endmodule

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+// State of the machine and its faults: whether the streaming core runs, what is wrong now and in which frame
+// (horopter_frame_control), what raises irq_o.
+//
+// The streaming core runs while enabled with a possible geometry; otherwise running_o = 0 is its reset. Uploads work then,
+// too, and so do their faults: rst_ni is the reset of the whole machine.
+module horopter_status #(
+    parameter int unsigned MAX_LOOKAHEAD = horopter_profile_pkg::STORE_ROWS / 2
+) (
+    input  logic                             clk_i,
+    input  logic                             rst_ni,
+    // registers
+    input  logic                             enable_i,
+    input  logic                             test_input_i,
+    input  logic [11:0]                      width_i,
+    input  logic [11:0]                      height_i,
+    input  logic [11:0]                      lookahead_i,
+    input  logic [31:0]                      timeout_i,
+    input  horopter_csr_pkg::irq_enable_t    irq_enable_i,
+    input  horopter_csr_pkg::irq_status_t    irq_status_i,
+    output horopter_csr_pkg::irq_status_t    irq_set_o,
+    output logic                             irq_o,
+    output logic                             running_o,  // the streaming core is out of reset
+    output horopter_csr_pkg::status_t        status_o,
+    output horopter_csr_pkg::faults_t        faults_set_o,  // every fault, one clock
+    // frames coming in
+    input  logic                             open_i,  // open_slot_i has just been opened
+    input  logic                             open_slot_i,
+    input  logic [1:0]                       busy_i,
+    input  logic                             arrived_i,
+    input  logic [1:0]                       health_end_i,  // last pixel of a camera's frame goes to its image check
+    input  logic [1:0]                       health_valid_i,
+    input  horopter_csr_pkg::image_faults_t  left_health_i,
+    input  horopter_csr_pkg::image_faults_t  right_health_i,
+    input  logic [31:0]                      left_signature_i,
+    input  logic [31:0]                      right_signature_i,
+    input  horopter_csr_pkg::stream_faults_t left_stream_i,
+    input  horopter_csr_pkg::stream_faults_t right_stream_i,
+    input  logic                             skew_i,
+    input  logic [1:0]                       silence_i,
+    input  logic [1:0]                       silent_i,
+    input  logic                             bad_upload_i,
+    input  logic                             refused_upload_i,
+    // frame going out
+    input  logic                             begin_i,
+    input  logic                             active_i,
+    input  logic                             read_slot_i,
+    input  logic                             table_ok_i,
+    input  logic [3:0]                       table_slot_i,
+    input  logic [31:0]                      table_crc_i,
+    input  logic                             beat_valid_i,
+    input  logic                             beat_parity_error_i,  // of the map
+    input  logic                             quad_valid_i,
+    input  logic                             quad_miss_i,
+    input  logic                             quad_parity_error_i,  // of the right image
+    input  logic                             left_mask_i,
+    input  logic                             left_parity_error_i,
+    input  logic [1:0]                       output_overflow_i,  // states, runs
+    input  logic                             state_first_i,  // its first state leaves
+    input  logic                             state_end_i,  // its last state leaves
+    input  logic                             runs_end_i,  // its last run leaves
+    input  logic                             counts_valid_i,
+    input  logic [23:0]                      skin_i,
+    input  logic [23:0]                      undecidable_i,
+    input  logic [23:0]                      unsupervised_i,
+    input  logic                             alarm_i,
+    input  logic                             too_undecidable_i,
+    input  logic                             too_unsupervised_i,
+    output logic                             publish_o,
+    // the last published frame
+    output logic [31:0]                      frame_sequence_o,
+    output horopter_csr_pkg::frame_status_t  frame_status_o,
+    output horopter_csr_pkg::faults_t        frame_faults_o,
+    output logic [31:0]                      frame_table_crc_o,
+    output logic [23:0]                      frame_skin_o,
+    output logic [23:0]                      frame_undecidable_o,
+    output logic [23:0]                      frame_unsupervised_o,
+    output logic [23:0]                      frame_misses_o,
+    output logic [31:0]                      frame_cycles_o,
+    output logic [31:0]                      frame_latency_o,
+    output logic [31:0]                      frame_tail_o,
+    output logic                             frame_done_o,
+    // now
+    output logic                             heartbeat_o,
+    output logic                             safe_o,
+    output logic                             unsafe_o
+);
+  localparam int unsigned WIDTH = horopter_profile_pkg::WIDTH;
+  localparam int unsigned HEIGHT = horopter_profile_pkg::HEIGHT;
+  localparam int unsigned SUBSAMPLE = horopter_profile_pkg::SUBSAMPLE;
+  localparam int unsigned MIN_WIDTH = 32 * SUBSAMPLE;
+  localparam int unsigned MIN_HEIGHT = 16;
+
+  if (WIDTH % SUBSAMPLE != 0 || WIDTH < MIN_WIDTH || WIDTH > 2046 || HEIGHT < MIN_HEIGHT || HEIGHT > 2046) begin : g_illegal_size
+    $fatal(1, "horopter_status: WIDTH must be a multiple of SUBSAMPLE, WIDTH and HEIGHT in the range of the registers");
+  end
+
+  logic bad_geometry_q;
+  logic running_q = 1'b0;  // in reset before the first clock, too
+  always_ff @(posedge clk_i) begin
+    bad_geometry_q <= 32'(width_i) > WIDTH || 32'(width_i) < MIN_WIDTH || 32'(width_i) % SUBSAMPLE != 0
+        || 32'(height_i) > HEIGHT || 32'(height_i) < MIN_HEIGHT || 32'(lookahead_i) > MAX_LOOKAHEAD;
+    running_q <= rst_ni && enable_i && !bad_geometry_q;
+  end
+  assign running_o = running_q;
+
+  logic late;
+  assign status_o.running = running_q;
+  assign status_o.bad_geometry = bad_geometry_q;
+  assign status_o.busy = busy_i != 2'b00;
+  assign status_o.safe = safe_o;
+  assign status_o.unsafe = unsafe_o;
+  assign status_o.left_silent = silent_i[0];
+  assign status_o.right_silent = silent_i[1];
+  assign status_o.late = late;
+
+  horopter_csr_pkg::faults_t fault_set;
+  assign irq_set_o.frame = frame_done_o;
+  assign irq_set_o.fault = faults_set_o != '0;
+  always_ff @(posedge clk_i) begin
+    faults_set_o <= fault_set;
+    if (bad_upload_i) faults_set_o.machine.map_crc <= 1'b1;
+    if (refused_upload_i) faults_set_o.machine.map_busy <= 1'b1;
+    irq_o <= rst_ni && ((irq_status_i.frame && irq_enable_i.frame) || (irq_status_i.fault && irq_enable_i.fault));
+  end
+
+  logic miss, internal;
+  logic [1:0] parity_error;
+  assign miss = quad_valid_i && quad_miss_i;
+  assign parity_error = {quad_valid_i && quad_parity_error_i && left_mask_i, left_parity_error_i};
+  assign internal = output_overflow_i != 2'b00 || (beat_valid_i && beat_parity_error_i);
+
+  horopter_frame_control u_frame_control (
+      .clk_i(clk_i),
+      .rst_ni(running_q),
+      .safe_allowed_i(rst_ni && !test_input_i),  // a reset ends it at once, not a clock later
+      .timeout_i(timeout_i),
+      .open_i(open_i),
+      .open_slot_i(open_slot_i),
+      .busy_i(busy_i),
+      .arrived_i(arrived_i),
+      .health_end_i(health_end_i),
+      .health_valid_i(health_valid_i),
+      .left_health_i(left_health_i),
+      .right_health_i(right_health_i),
+      .same_image_i(left_signature_i == right_signature_i),
+      .left_stream_i(left_stream_i),
+      .right_stream_i(right_stream_i),
+      .skew_i(skew_i),
+      .bad_upload_i(bad_upload_i),
+      .refused_upload_i(refused_upload_i),
+      .silence_i(silence_i),
+      .silent_i(silent_i),
+      .begin_i(begin_i),
+      .active_i(active_i),
+      .read_slot_i(read_slot_i),
+      .table_ok_i(table_ok_i),
+      .table_slot_i(table_slot_i),
+      .table_crc_i(table_crc_i),
+      .parity_error_i(parity_error),
+      .internal_i(internal),
+      .miss_i(miss),
+      .state_first_i(state_first_i),
+      .state_end_i(state_end_i),
+      .runs_end_i(runs_end_i),
+      .counts_valid_i(counts_valid_i),
+      .skin_i(skin_i),
+      .undecidable_i(undecidable_i),
+      .unsupervised_i(unsupervised_i),
+      .alarm_i(alarm_i),
+      .too_undecidable_i(too_undecidable_i),
+      .too_unsupervised_i(too_unsupervised_i),
+      .publish_o(publish_o),
+      .frame_sequence_o(frame_sequence_o),
+      .frame_alarm_o(frame_status_o.alarm),
+      .frame_safe_o(frame_status_o.safe),
+      .frame_slot_o(frame_status_o.slot),
+      .frame_faults_o(frame_faults_o),
+      .frame_table_crc_o(frame_table_crc_o),
+      .frame_skin_o(frame_skin_o),
+      .frame_undecidable_o(frame_undecidable_o),
+      .frame_unsupervised_o(frame_unsupervised_o),
+      .frame_misses_o(frame_misses_o),
+      .frame_cycles_o(frame_cycles_o),
+      .frame_latency_o(frame_latency_o),
+      .frame_tail_o(frame_tail_o),
+      .frame_done_o(frame_done_o),
+      .fault_set_o(fault_set),
+      .late_o(late),
+      .heartbeat_o(heartbeat_o),
+      .safe_o(safe_o),
+      .unsafe_o(unsafe_o)
+  );
+endmodule
