@@ -552,6 +552,7 @@ module horopter_top #(
       .deep_i(deep),
       .silent_i(silent),
       .pausing_i(pausing),
+      .broken_i(short_line | long_line | missing_line | missing_start | lost_silent),
       .row_done_i(row_done),
       .frame_done_i(frame_ended),
       .right_stored_i(right_stored),
@@ -958,6 +959,7 @@ module horopter_top #(
   // ------------------------------------------------------------------------------------------------ outputs
   logic state_almost_full, runs_almost_full, state_overflow, runs_overflow, out_end;
   logic unused_state_ready, unused_runs_ready;
+  logic out_state_valid, out_state_ready, out_first, out_last, out_run_valid, out_run_ready, out_last_run;
   logic [1:0] out_state;
   horopter_axis_fifo #(
       .WIDTH(5),
@@ -969,13 +971,26 @@ module horopter_top #(
       .s_valid_i(state_valid && !state_idle),
       .s_ready_o(unused_state_ready),
       .s_data_i({state_end, state_first, state_last, state}),
-      .m_valid_o(m_axis_state_tvalid),
-      .m_ready_i(m_axis_state_tready),
-      .m_data_o({out_end, m_axis_state_tuser, m_axis_state_tlast, out_state}),
+      .m_valid_o(out_state_valid),
+      .m_ready_i(out_state_ready),
+      .m_data_o({out_end, out_first, out_last, out_state}),
       .almost_full_o(state_almost_full),
       .overflow_o(state_overflow)
   );
-  assign m_axis_state_tdata = {6'd0, out_state};
+  horopter_axis_hold #(
+      .WIDTH(4)
+  ) u_state_hold (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .drop_i(!core_rst_n),
+      .s_valid_i(out_state_valid),
+      .s_ready_o(out_state_ready),
+      .s_data_i({out_first, out_last, out_state}),
+      .m_valid_o(m_axis_state_tvalid),
+      .m_ready_i(m_axis_state_tready),
+      .m_data_o({m_axis_state_tuser, m_axis_state_tlast, m_axis_state_tdata[1:0]})
+  );
+  assign m_axis_state_tdata[7:2] = 6'd0;
 
   // Runs cover their rows, so that the ends tell row and start of each.
   logic [ROW_BITS-1:0] out_row_q;
@@ -988,9 +1003,9 @@ module horopter_top #(
     if (!core_rst_n) begin
       out_row_q <= '0;
       out_run_start_q <= '0;
-    end else if (m_axis_runs_tvalid && m_axis_runs_tready) begin
+    end else if (out_run_valid && out_run_ready) begin
       out_run_start_q <= out_row_ends ? '0 : out_run_end + 1'b1;
-      if (m_axis_runs_tlast) out_row_q <= '0;
+      if (out_last_run) out_row_q <= '0;
       else if (out_row_ends) out_row_q <= out_row_q + 1'b1;
     end
   end
@@ -1015,13 +1030,29 @@ module horopter_top #(
       .s_valid_i(written_run),
       .s_ready_o(unused_runs_ready),
       .s_data_i(written_data),
-      .m_valid_o(m_axis_runs_tvalid),
-      .m_ready_i(m_axis_runs_tready),
-      .m_data_o({m_axis_runs_tlast, out_row_ends, out_run_state, out_run_end}),
+      .m_valid_o(out_run_valid),
+      .m_ready_i(out_run_ready),
+      .m_data_o({out_last_run, out_row_ends, out_run_state, out_run_end}),
       .almost_full_o(runs_almost_full),
       .overflow_o(runs_overflow)
   );
-  assign m_axis_runs_tdata = {out_run_state, 14'd0, 16'(out_row_q), 16'(out_run_start_q), 16'(out_run_end)};
+  logic [ROW_BITS-1:0] sent_row;
+  logic [COLUMN_BITS-1:0] sent_start, sent_end;
+  logic [1:0] sent_state;
+  horopter_axis_hold #(
+      .WIDTH(1 + 2 + ROW_BITS + 2 * COLUMN_BITS)
+  ) u_runs_hold (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .drop_i(!core_rst_n),
+      .s_valid_i(out_run_valid),
+      .s_ready_o(out_run_ready),
+      .s_data_i({out_last_run, out_run_state, out_row_q, out_run_start_q, out_run_end}),
+      .m_valid_o(m_axis_runs_tvalid),
+      .m_ready_i(m_axis_runs_tready),
+      .m_data_o({m_axis_runs_tlast, sent_state, sent_row, sent_start, sent_end})
+  );
+  assign m_axis_runs_tdata = {sent_state, 14'd0, 16'(sent_row), 16'(sent_start), 16'(sent_end)};
 
   always_ff @(posedge clk_i) go_q <= core_rst_n && !state_almost_full && !runs_almost_full;
 
@@ -1075,9 +1106,9 @@ module horopter_top #(
       .parity_error_i(parity_error),
       .internal_i(internal),
       .miss_i(miss),
-      .state_first_i(m_axis_state_tvalid && m_axis_state_tready && m_axis_state_tuser),
-      .state_end_i(m_axis_state_tvalid && m_axis_state_tready && out_end),
-      .runs_end_i(m_axis_runs_tvalid && m_axis_runs_tready && m_axis_runs_tlast),
+      .state_first_i(out_state_valid && out_state_ready && out_first),
+      .state_end_i(out_state_valid && out_state_ready && out_end),
+      .runs_end_i(out_run_valid && out_run_ready && out_last_run),
       .counts_valid_i(counts_valid),
       .skin_i(24'(skin_pixels)),
       .undecidable_i(24'(undecidable_pixels)),
