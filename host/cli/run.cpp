@@ -18,6 +18,7 @@
 #include "horopter/machine/moving_supervisor.hpp"
 #include "horopter/machine/report.hpp"
 #include "horopter/map/map_json.hpp"
+#include "horopter/plan/tolerance.hpp"
 #include "inputs.hpp"
 #include "numbers.hpp"
 #include "progress.hpp"
@@ -61,8 +62,10 @@ struct Session {
     settings = options.settings;
     thickness = set_thickness(options.thickness, options.skin, rig, *profile, width, height, settings);
     if (is_moving_skin(options.skin)) {
-      MovingMaps maps = compile_motion(load_skin_for(options.skin, rig, width, height), *profile, width, height,
-                                       view_limits(*profile, settings.decision));
+      SkinFile skin = load_skin_for(options.skin, rig, width, height);
+      d95_px = std::min(skin.motion_limits.tolerance_px, horopter::d95_px(settings));
+      skin.motion_limits.tolerance_px = d95_px;
+      MovingMaps maps = compile_motion(skin, *profile, width, height, view_limits(*profile, settings.decision));
       std::vector<const MapTable*> tables;
       for (const MovingStep& step : maps.steps) tables.push_back(&step.map.table);
       check_alarm_limit(options.skin, tables, *profile, settings.decision, settings.alarm_percent);
@@ -86,6 +89,7 @@ struct Session {
   Settings settings;
   std::optional<ChosenThickness> thickness;
   bool has_rig = true;
+  double d95_px = 0;  ///< of a skin that moves: what its steps are planned for
   std::unique_ptr<Supervisor> supervisor;
   std::unique_ptr<MovingSupervisor> moving;  ///< instead, for a skin that moves
 };
@@ -124,10 +128,12 @@ ExitStatus run(const RunOptions& options) {
   report_rows(session.settings.decision, session.has_rig, summary, options.json);
   if (session.moving) {
     const MovingMaps& maps = session.moving->maps();
-    summary["motion"] = {{"tables", maps.steps.size()}, {"inserted", maps.inserted}};
+    summary["motion"] = {{"tables", maps.steps.size()}, {"inserted", maps.inserted}, {"d95_px", session.d95_px}};
     if (!options.json) {
-      fmt::print("the skin moves in {} tables; {} of them are intermediate skins, by which it comes later\n",
-                 maps.steps.size(), maps.inserted);
+      fmt::print(
+          "the skin moves in {} tables, planned for a tolerance of {:.2f} px (D95); {} of them are intermediate skins, "
+          "by which it comes later\n",
+          maps.steps.size(), session.d95_px, maps.inserted);
     }
   }
   Progress progress("supervising pair");
@@ -211,8 +217,9 @@ void add_run(CLI::App& app, Outcome& outcome) {
   add_thickness(*command, options->thickness);
   command
       ->add_option("--threshold", options->settings.threshold_percent,
-                   "thesis: in the skin up to this share of the largest sum of direction differences, %")
-      ->check(CLI::Range(0.0, 100.0))
+                   "thesis: in the skin up to this share of the largest sum of direction differences, %; below 0.1 "
+                   "nothing but a perfect copy is in the skin")
+      ->check(CLI::Range(0.1, 100.0))
       ->excludes("--tolerance")
       ->excludes("--thickness")
       ->capture_default_str();
