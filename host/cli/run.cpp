@@ -45,7 +45,7 @@ struct RunOptions {
 
 bool is_result(const std::string& name) {
   const bool picture = name.starts_with("frame-") && (name.ends_with("-state.png") || name.ends_with("-overlay.png"));
-  return picture || name == "summary.json";
+  return picture || name == "summary.json" || name == "earlier-summary.json";
 }
 
 /// The machine starts with the first pair: its size decides profile and tables.
@@ -110,6 +110,8 @@ void print_frame(int frame, const FrameResult& result) {
 
 ExitStatus run(const RunOptions& options) {
   if (!options.profile.empty()) find_profile(options.profile);
+  OutputDirectory output(options.out, is_result);
+  output.set_aside("summary.json");
   const auto rig = read_rig_option(options.rig);
   check_skin_file(options.skin);
   PairSource pairs(options.left, options.right);
@@ -117,7 +119,6 @@ ExitStatus run(const RunOptions& options) {
   auto pair = pairs.next();
   if (!pair) throw FileError(options.left.front(), "", "there is no image", "at least one");
 
-  OutputDirectory output(options.out, is_result);
   Session session(options, rig, pair->left);
   const Device& device = session.device();
   auto summary = summary_json(device.engine(), session.profile->name);
@@ -258,7 +259,8 @@ void add_run(CLI::App& app, Outcome& outcome) {
   command->add_flag("--json", options->json, "Print summary.json on standard output, and nothing else");
   command->footer(
       "Writes per frame frame-NNNN-state.png (0 clear, 255 skin, 128 undecidable, 64 unsupervised) and\n"
-      "frame-NNNN-overlay.png, and summary.json. All of it appears at the end, or nothing after an error.\n"
+      "frame-NNNN-overlay.png, and summary.json. All of it appears at the end, or nothing after an error:\n"
+      "then the results of an earlier run stay, with their summary as earlier-summary.json.\n"
       "The frames of a moving skin (`motion` in skin.yaml, see `horopter map --help`) name its time, skin_time_s.\n"
       "A fault of a frame is an exit status of 4; the results are written all the same.\n\n"
       "Example: horopter run --left 'left*.jpg' --right 'right*.jpg' --skin skin.yaml --out results");

@@ -242,6 +242,33 @@ TEST_CASE("A skin that moves: every frame names its table and time") {
   check_bad_file(box, arguments + rig, "moving.yaml", "must be below");
 }
 
+TEST_CASE("The summary of an earlier run never stands beside a run that failed") {
+  Sandbox box;
+  with_pairs(box);
+  const auto arguments = run_arguments();
+  REQUIRE(box.run(arguments).status == 0);
+  const auto summary = box.read("out/summary.json");
+  const auto picture = box.read("out/frame-0000-state.png");
+  const auto good = box.read("left0.png");
+  for (const std::string& bad : {std::string("no image"), good.substr(0, good.size() / 2)}) {
+    box.write("left0.png", bad);
+    CHECK(box.run(arguments).status == 3);
+    CHECK_FALSE(fs::exists(box / "out/summary.json"));
+    CHECK(box.read("out/earlier-summary.json") == summary);
+    CHECK(box.read("out/frame-0000-state.png") == picture);
+  }
+  box.write("left0.png", good);
+  // What killed runs leave: no process has this number.
+  fs::create_directory(box / ".out.999999999.partial");
+  box.write(".out.999999999.partial/frame-0000-state.png", "half");
+  fs::create_directory(box / ".other.999999999.partial");
+  CHECK(box.run(arguments).status == 0);
+  CHECK(box.read("out/summary.json") == summary);
+  CHECK_FALSE(fs::exists(box / "out/earlier-summary.json"));
+  CHECK_FALSE(fs::exists(box / ".out.999999999.partial"));
+  CHECK(fs::exists(box / ".other.999999999.partial"));
+}
+
 TEST_CASE("Files that would never end or fill the memory are refused at once") {
   Sandbox box;
   with_pairs(box);
