@@ -386,7 +386,7 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
       command
           ->add_option("--threshold", options->settings.threshold_percent,
                        "thesis: in the skin up to this share of the largest sum of direction differences, %")
-          ->check(CLI::Range(0.0, 100.0))
+          ->check(CLI::Range(0.1, 100.0))
           ->capture_default_str();
   command
       ->add_option("--texture", options->settings.texture,

@@ -144,6 +144,7 @@ ExitStatus plan_thickness(const ThicknessOptions& options) {
       {"profile", profile->name},
       {"decision", name_of(options.decision)},
       {"tolerance_px", options.tolerance_px},
+      {"tolerance_is", "D95"},
       {"images_per_s", images_per_s},
       {"detection_ms", detection_s * 1e3},
       {"stopping_ms", options.stopping_ms},
@@ -156,7 +157,8 @@ ExitStatus plan_thickness(const ThicknessOptions& options) {
     fmt::print("rig      baseline {:.2f} mm, each optical axis {:.2f} degrees off the axis of symmetry, f {:.1f} px\n",
                axis.baseline_mm, axis.tilt_deg, axis.f_px);
     fmt::print(
-        "profile  {}, rule {}, {} images a second, disparity tolerance {} px of the result ({} px of the image)\n",
+        "profile  {}, rule {}, {} images a second, disparity tolerance (D95) {} px of the result ({} px of the "
+        "image)\n",
         profile->name, name_of(options.decision), images_per_s, options.tolerance_px,
         options.tolerance_px * profile->subsample);
   }
@@ -231,7 +233,8 @@ void add_plan(CLI::App& app, Outcome& outcome) {
       ->type_name("P");
   thickness
       ->add_option("--tolerance", options->tolerance_px,
-                   "Disparity tolerance D, pixels of the result (after sub-sampling), or D95: that of Table 11.1")
+                   "Disparity tolerance D, as D95, pixels of the result (after sub-sampling); D95: that of Table 11.1 "
+                   "(`run --tolerance` means D50)")
       ->transform(CLI::Validator(
           [](std::string& value) {
             if (value == "D95") value = fmt::format("{}", kD95_px);

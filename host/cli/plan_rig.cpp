@@ -321,6 +321,7 @@ ExitStatus plan_rig(RigOptions options) {
             {"profile", profile->name},
             {"decision", name_of(options.decision)},
             {"tolerance_px", options.tolerance_px},
+            {"tolerance_is", "D95"},
             {"skins", Json::array()}};
   for (std::size_t i = 0; i < skins.size(); ++i) json["skins"].push_back(to_json(skins[i], views[i]));
   if (entries) json["entry"] = to_json(*entries);
@@ -349,8 +350,9 @@ ExitStatus plan_rig(RigOptions options) {
     } else {
       fmt::print("axis     nowhere seen by both cameras: change the tilt\n");
     }
-    fmt::print("profile  {}, rule {}, disparity tolerance {} px of the result ({} px of the image)\n", profile->name,
-               name_of(options.decision), options.tolerance_px, options.tolerance_px * profile->subsample);
+    fmt::print("profile  {}, rule {}, disparity tolerance (D95) {} px of the result ({} px of the image)\n",
+               profile->name, name_of(options.decision), options.tolerance_px,
+               options.tolerance_px * profile->subsample);
   }
   bool nothing = false;
   bool refused = false;
@@ -404,7 +406,8 @@ void add_plan_rig(CLI::App& plan, Outcome& outcome) {
   rig->add_option("--profile", options->profile,
                   "Build of the machine: " + profile_sizes() + " (default: the smallest that holds the image)")
       ->type_name("P");
-  rig->add_option("--tolerance", options->tolerance_px, "Disparity tolerance D, pixels of the result")
+  rig->add_option("--tolerance", options->tolerance_px,
+                  "Disparity tolerance D, as D95, pixels of the result (`run --tolerance` means D50)")
       ->check(above_zero())
       ->capture_default_str()
       ->type_name("PX");

@@ -18,6 +18,7 @@
 #include "horopter/machine/moving_supervisor.hpp"
 #include "horopter/machine/report.hpp"
 #include "horopter/map/map_json.hpp"
+#include "horopter/plan/tolerance.hpp"
 #include "inputs.hpp"
 #include "numbers.hpp"
 #include "progress.hpp"
@@ -44,7 +45,7 @@ struct RunOptions {
 
 bool is_result(const std::string& name) {
   const bool picture = name.starts_with("frame-") && (name.ends_with("-state.png") || name.ends_with("-overlay.png"));
-  return picture || name == "summary.json";
+  return picture || name == "summary.json" || name == "earlier-summary.json";
 }
 
 /// The machine starts with the first pair: its size decides profile and tables.
@@ -61,8 +62,10 @@ struct Session {
     settings = options.settings;
     thickness = set_thickness(options.thickness, options.skin, rig, *profile, width, height, settings);
     if (is_moving_skin(options.skin)) {
-      MovingMaps maps = compile_motion(load_skin_for(options.skin, rig, width, height), *profile, width, height,
-                                       view_limits(*profile, settings.decision));
+      SkinFile skin = load_skin_for(options.skin, rig, width, height);
+      d95_px = std::min(skin.motion_limits.tolerance_px, horopter::d95_px(settings));
+      skin.motion_limits.tolerance_px = d95_px;
+      MovingMaps maps = compile_motion(skin, *profile, width, height, view_limits(*profile, settings.decision));
       std::vector<const MapTable*> tables;
       for (const MovingStep& step : maps.steps) tables.push_back(&step.map.table);
       check_alarm_limit(options.skin, tables, *profile, settings.decision, settings.alarm_percent);
@@ -86,6 +89,7 @@ struct Session {
   Settings settings;
   std::optional<ChosenThickness> thickness;
   bool has_rig = true;
+  double d95_px = 0;  ///< of a skin that moves: what its steps are planned for
   std::unique_ptr<Supervisor> supervisor;
   std::unique_ptr<MovingSupervisor> moving;  ///< instead, for a skin that moves
 };
@@ -106,6 +110,8 @@ void print_frame(int frame, const FrameResult& result) {
 
 ExitStatus run(const RunOptions& options) {
   if (!options.profile.empty()) find_profile(options.profile);
+  OutputDirectory output(options.out, is_result);
+  output.set_aside("summary.json");
   const auto rig = read_rig_option(options.rig);
   check_skin_file(options.skin);
   PairSource pairs(options.left, options.right);
@@ -113,7 +119,6 @@ ExitStatus run(const RunOptions& options) {
   auto pair = pairs.next();
   if (!pair) throw FileError(options.left.front(), "", "there is no image", "at least one");
 
-  OutputDirectory output(options.out, is_result);
   Session session(options, rig, pair->left);
   const Device& device = session.device();
   auto summary = summary_json(device.engine(), session.profile->name);
@@ -124,10 +129,12 @@ ExitStatus run(const RunOptions& options) {
   report_rows(session.settings.decision, session.has_rig, summary, options.json);
   if (session.moving) {
     const MovingMaps& maps = session.moving->maps();
-    summary["motion"] = {{"tables", maps.steps.size()}, {"inserted", maps.inserted}};
+    summary["motion"] = {{"tables", maps.steps.size()}, {"inserted", maps.inserted}, {"d95_px", session.d95_px}};
     if (!options.json) {
-      fmt::print("the skin moves in {} tables; {} of them are intermediate skins, by which it comes later\n",
-                 maps.steps.size(), maps.inserted);
+      fmt::print(
+          "the skin moves in {} tables, planned for a tolerance of {:.2f} px (D95); {} of them are intermediate skins, "
+          "by which it comes later\n",
+          maps.steps.size(), session.d95_px, maps.inserted);
     }
   }
   Progress progress("supervising pair");
@@ -211,8 +218,9 @@ void add_run(CLI::App& app, Outcome& outcome) {
   add_thickness(*command, options->thickness);
   command
       ->add_option("--threshold", options->settings.threshold_percent,
-                   "thesis: in the skin up to this share of the largest sum of direction differences, %")
-      ->check(CLI::Range(0.0, 100.0))
+                   "thesis: in the skin up to this share of the largest sum of direction differences, %; below 0.1 "
+                   "nothing but a perfect copy is in the skin")
+      ->check(CLI::Range(0.1, 100.0))
       ->excludes("--tolerance")
       ->excludes("--thickness")
       ->capture_default_str();
@@ -251,7 +259,8 @@ void add_run(CLI::App& app, Outcome& outcome) {
   command->add_flag("--json", options->json, "Print summary.json on standard output, and nothing else");
   command->footer(
       "Writes per frame frame-NNNN-state.png (0 clear, 255 skin, 128 undecidable, 64 unsupervised) and\n"
-      "frame-NNNN-overlay.png, and summary.json. All of it appears at the end, or nothing after an error.\n"
+      "frame-NNNN-overlay.png, and summary.json. All of it appears at the end, or nothing after an error:\n"
+      "then the results of an earlier run stay, with their summary as earlier-summary.json.\n"
       "The frames of a moving skin (`motion` in skin.yaml, see `horopter map --help`) name its time, skin_time_s.\n"
       "A fault of a frame is an exit status of 4; the results are written all the same.\n\n"
       "Example: horopter run --left 'left*.jpg' --right 'right*.jpg' --skin skin.yaml --out results");

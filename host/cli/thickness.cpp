@@ -54,8 +54,8 @@ void add_thickness(CLI::App& command, ThicknessOption& option) {
   auto* tolerance =
       command
           .add_option("--tolerance", option.tolerance_px,
-                      "Half the thickness of the skin as disparity, px of the result: where half of the pixels are "
-                      "found (instead of a rule's own setting)")
+                      "Half the thickness of the skin as disparity, px of the result, as D50: where half of the pixels "
+                      "are found (instead of a rule's own setting; `plan` means D95)")
           ->check(above_zero())
           ->type_name("PX");
   command
@@ -69,8 +69,8 @@ void add_thickness(CLI::App& command, ThicknessOption& option) {
 std::string ChosenThickness::text(const Settings& settings) const {
   std::string line =
       settings.decision == Decision::thesis
-          ? fmt::format("tolerance {:.2f} px: threshold {:.2f} %", tolerance_px, settings.threshold_percent)
-          : fmt::format("tolerance {:.2f} px: boundary {}", tolerance_px, settings.competition.boundary);
+          ? fmt::format("tolerance {:.2f} px (D50): threshold {:.2f} %", tolerance_px, settings.threshold_percent)
+          : fmt::format("tolerance {:.2f} px (D50): boundary {}", tolerance_px, settings.competition.boundary);
   if (std::isfinite(across_mm.mean)) {
     line += fmt::format("; the skin is {:.1f} to {:.1f} mm thick, {:.1f} mm in the mean", across_mm.smallest,
                         across_mm.largest, across_mm.mean);
@@ -79,7 +79,7 @@ std::string ChosenThickness::text(const Settings& settings) const {
 }
 
 nlohmann::ordered_json ChosenThickness::json() const {
-  nlohmann::ordered_json result{{"tolerance_px", tolerance_px}};
+  nlohmann::ordered_json result{{"tolerance_px", tolerance_px}, {"tolerance_is", "D50"}};
   if (std::isfinite(across_mm.mean)) {
     result["thickness_mm"] = {
         {"smallest", across_mm.smallest}, {"mean", across_mm.mean}, {"largest", across_mm.largest}};
@@ -96,14 +96,7 @@ std::optional<ChosenThickness> set_thickness(const ThicknessOption& option, cons
   if (!is_table(skin)) file = load_skin_for(skin, rig, image_width, image_height);
   const auto* in_space = dynamic_cast<const RigSkin*>(file.skin.get());
   if (option.thickness_mm && in_space == nullptr) throw UsageError(kNeedsSurface);
-  const ChosenThickness chosen = choose(option, in_space, profile, geometry, settings);
-  if (file.motion && chosen.tolerance_px < file.motion_limits.tolerance_px) {
-    throw UsageError(
-        fmt::format("a tolerance of {:.2f} px is less than the {:.2f} px that the steps of {} are made for "
-                    "(`tolerance_px` of its motion)",
-                    chosen.tolerance_px, file.motion_limits.tolerance_px, skin));
-  }
-  return chosen;
+  return choose(option, in_space, profile, geometry, settings);
 }
 
 std::optional<ChosenThickness> set_thickness(const ThicknessOption& option, const RigSkin& skin,

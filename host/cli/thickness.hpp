@@ -25,15 +25,14 @@ void add_thickness(CLI::App& command, ThicknessOption& option);
 
 /// The thickness that a rule was set to.
 struct ChosenThickness {
-  double tolerance_px = 0;
-  Summary across_mm;  ///< of the skin over the image; NaN where it has no place in space
+  double tolerance_px = 0;  ///< D50
+  Summary across_mm;        ///< of the skin over the image; NaN where it has no place in space
   std::string text(const Settings& settings) const;
   nlohmann::ordered_json json() const;
 };
 
 /// Sets the rule; nothing where neither is given. Of a skin that moves: where its motion begins. Throws UsageError for
-/// what the rule cannot be set to, a thickness of a skin without a surface in a rig's world, and a tolerance below that
-/// which the steps of a motion are made for.
+/// what the rule cannot be set to, and a thickness of a skin without a surface in a rig's world.
 std::optional<ChosenThickness> set_thickness(const ThicknessOption& option, const std::string& skin,
                                              const std::optional<calib::Rig>& rig, const MachineProfile& profile,
                                              int image_width, int image_height, Settings& settings);

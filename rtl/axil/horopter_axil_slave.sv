@@ -4,7 +4,8 @@
 // Address and data of a write may come in either order. One write and one read at a time, each answered after its
 // access; awready, wready and arready come from registers and do not wait for valid. A write access (write_valid_o) is
 // held until write_ready_i. The data of a read is taken READ_CLOCKS after its address.
-// write_error_i, read_error_i become SLVERR. awprot and arprot are ignored. Reset: idle, what was under way is dropped.
+// An access is to a register of four bytes, whichever of its bytes the address names: read_addr_o and write_addr_o are
+// multiples of 4, the strobes say which bytes are written. write_error_i, read_error_i become SLVERR. awprot and arprot are ignored. Reset: idle, what was under way is dropped.
 module horopter_axil_slave #(
     parameter int unsigned ADDR_BITS = 12,
     parameter int unsigned READ_CLOCKS = 3
@@ -41,6 +42,9 @@ module horopter_axil_slave #(
   localparam logic [1:0] OKAY = 2'b00;
   localparam logic [1:0] SLVERR = 2'b10;
 
+  logic unused_byte;
+  assign unused_byte = ^{s_axil_awaddr[1:0], s_axil_araddr[1:0]};
+
   // Write: both halves are caught, then the access is made while no answer waits.
   logic have_addr_q, have_data_q, bvalid_q;
   logic [1:0] bresp_q;
@@ -69,7 +73,7 @@ module horopter_axil_slave #(
         if (s_axil_bready) bvalid_q <= 1'b0;
       end
     end
-    if (!have_addr_q) write_addr_o <= s_axil_awaddr;
+    if (!have_addr_q) write_addr_o <= {s_axil_awaddr[ADDR_BITS-1:2], 2'b00};
     if (!have_data_q) begin
       write_data_o <= s_axil_wdata;
       write_strb_o <= s_axil_wstrb;
@@ -104,7 +108,7 @@ module horopter_axil_slave #(
         default: if (s_axil_rready) read_q <= READ_IDLE;
       endcase
     end
-    if (read_q == READ_IDLE) read_addr_o <= s_axil_araddr;
+    if (read_q == READ_IDLE) read_addr_o <= {s_axil_araddr[ADDR_BITS-1:2], 2'b00};
     if (read_q == READ_WAIT) s_axil_rdata <= read_data_i;
   end
 endmodule

@@ -80,7 +80,7 @@ module formal_axil_slave (
     past_write_addr <= write_addr;
     past_write_data <= write_data;
     if (write_valid && write_ready) expected_bresp <= write_error ? 2'b10 : 2'b00;
-    if (awvalid && awready) caught_addr <= awaddr;
+    if (awvalid && awready) caught_addr <= {awaddr[11:2], 2'b00};
     if (wvalid && wready) caught_data <= wdata;
     if (!rst_ni) begin
       aw_open <= 3'd0;

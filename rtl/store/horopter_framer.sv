@@ -7,10 +7,13 @@
 // from the number of those that came as missing, so that ending a frame takes one clock, whatever is missing.
 //
 // Frames are opened by the pairing of the two cameras: start_o asks, grant_i admits, deny_i refuses (live mode, no
-// room). missing_start: after EXTRA_LINES lines without a start of frame, a frame without rows stands for the lost one.
+// room). missing_start: what comes between two frames is no start of frame. It is told when that comes, and again with the
+// next frame: nobody knows to which of the two it belongs. After EXTRA_LINES such lines a frame without rows stands for
+// the lost one.
 //
 // Stream: valid/ready with pixel, first (start of frame) and last (end of line); almost_full_i of the FIFO in front
-// tells in live mode that waiting is over. All outputs are registers but s_ready_o. Reset: waits for a start of frame.
+// tells in live mode that waiting is over. All outputs are registers but s_ready_o. Reset: waits for a start of frame; in
+// live mode the camera may be in the middle of one, else anything before it is a missing start.
 module horopter_framer #(
     parameter int unsigned SLOTS = 64,  // rows of the ring
     parameter int unsigned EXTRA_LINES = 8,
@@ -60,7 +63,7 @@ module horopter_framer #(
     output logic                 short_line_o,
     output logic                 long_line_o,
     output logic                 missing_line_o,
-    output logic                 missing_start_o,  // belongs to the next frame granted, or the one just granted
+    output logic                 missing_start_o,  // of the last frame granted
     output logic                 overflow_o,
     output logic                 lost_silent_o,  // the frame in progress ended in silence
     output logic                 silence_o  // the camera has fallen silent, in a frame or not
@@ -157,7 +160,7 @@ module horopter_framer #(
     frame_done_o <= 1'b0;
     drop_q <= 1'b0;
     if (!rst_ni) begin
-      state_q <= WAIT;
+      state_q <= live_i ? WAIT : IDLE;
       extra_q <= 3'd0;
       pending_start_fault_q <= 1'b0;
       slot_q <= '0;
@@ -174,12 +177,13 @@ module horopter_framer #(
         if (s_valid_i) begin
           extra_q <= {2'b00, s_last_i};
           state_q <= s_first_i ? START : EXTRA;
+          missing_start_o <= !s_first_i;
+          pending_start_fault_q <= !s_first_i;
         end
 
         EXTRA: begin
           if (s_valid_i && s_first_i) begin
             state_q <= START;
-            pending_start_fault_q <= 1'b1;
           end else if (s_valid_i && s_last_i) begin
             extra_q <= extra_q + 3'd1;
             if (32'(extra_q) == EXTRA_LINES - 1) state_q <= LOST;
@@ -191,7 +195,6 @@ module horopter_framer #(
         LOST: begin
           if (s_valid_i && s_first_i) begin
             state_q <= START;
-            pending_start_fault_q <= !granted_q;
           end else if (granted_q) begin
             state_q <= WAIT;
           end

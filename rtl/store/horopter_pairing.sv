@@ -2,11 +2,18 @@
 // Makes one frame out of two cameras: opens frames, says which camera's rows belong to which frame, keeps the books of
 // the (at most two) frames between the cameras and the result.
 //
-// The first camera that asks opens a frame, the other joins it. With back-pressure a camera that is ahead waits; in live
-// mode, where waiting ends when its input FIFO fills (urgent), the frame of the one behind is cut short: what belongs
-// together is decided by time, so that one bad frame never shifts all later ones; a camera that has not come when the
-// other is some rows into the frame will not come. More than 64 px apart at the join, or
-// cut for the other, is the fault skew. A silent camera gets a frame without rows.
+// The first camera that asks opens a frame, the other joins it. Which images belong together:
+// - In live mode time says it. A camera joins a frame only near its start; more than 64 px late is the fault skew. Where
+//   waiting ends, because an input FIFO fills (urgent), the frame of the camera behind is cut short (skew). A camera that
+//   has not come when the other is some rows into the frame will not come (skew). So a broken frame never shifts the later
+//   ones. A live camera must pause for four line lengths or more between two images; else rows that were lost at the end of
+//   one and at the start of the next can make one frame of both, unnoticed.
+// - With back-pressure (live_i = 0) a camera that is ahead waits, and time says nothing. The cameras' images are counted:
+//   the first ones after reset belong together, and so do the next. Once a frame was broken (broken_i), or a camera was
+//   silent in one, the count is in doubt, and nothing that comes later can settle it: every later frame is a fault, skew,
+//   until the reset, that is until CONTROL.enable has been 0. A whole image that a source drops without a trace cannot be
+//   noticed here.
+// A silent camera gets a frame without rows.
 //
 // Index 0 = left, 1 = right. A slot is one of two frame records; it is busy from its opening until free_i.
 // grant_o and deny_o are combinational from registers; everything else is a register. Reset: no frame.
@@ -28,6 +35,7 @@ module horopter_pairing #(
     input  logic [          1:0] deep_i,
     input  logic [          1:0] silent_i,
     input  logic [          1:0] pausing_i,
+    input  logic [          1:0] broken_i,  // the framer has found the frames of its camera broken
     input  logic [          1:0] row_done_i,
     input  logic [          1:0] frame_done_i,
     input  logic [  RING_BITS:0] right_stored_i,
@@ -57,6 +65,7 @@ module horopter_pairing #(
   logic [1:0] left_ended_q, right_ended_q;
   logic [RING_BITS-1:0] base_slot_q[2];
   logic [1:0] cut_q;
+  logic doubtful_q;  // the count of the images is in doubt
 
   logic [1:0] urgent_q, can_join_q, joins, may_open, opens, missed_q, absent, given_up;
   logic next_slot, can_open_q, done_q;
@@ -93,10 +102,11 @@ module horopter_pairing #(
   always_ff @(posedge clk_i) begin
     open_o <= 1'b0;
     arrived_o <= 1'b0;
-    skew_o <= 1'b0;
+    skew_o <= open_o && doubtful_q;
     lost_silent_o <= 2'b00;
     cut_q <= 2'b00;
     if (!rst_ni) begin
+      doubtful_q <= 1'b0;
       open_q <= 1'b0;
       slot_q <= 1'b0;
       joined_q <= 2'b00;
@@ -109,6 +119,8 @@ module horopter_pairing #(
       left_ended_q <= 2'b00;
       right_ended_q <= 2'b00;
     end else begin
+      if (!live_i && (broken_i != 2'b00 || absent != 2'b00)) doubtful_q <= 1'b1;
+
       if (free_i) begin
         busy_q[read_slot_i] <= 1'b0;
         left_rows_q[read_slot_i] <= 12'd0;
@@ -127,7 +139,7 @@ module horopter_pairing #(
           joined_q[c] <= 1'b1;
           ended_q[c] <= 1'b1;
           lost_silent_o[c] <= silent_i[c] || pausing_i[c];
-          skew_o <= !silent_i[c] && !pausing_i[c];
+          if (!silent_i[c] && !pausing_i[c]) skew_o <= 1'b1;
         end
         // Live: the other camera's next frame is here and this one is still in the last.
         if (live_i && open_q && joined_q[c] && !ended_q[c] && !frame_done_i[c] && !cut_q[c] && urgent_q[1-c]

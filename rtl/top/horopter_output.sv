@@ -2,8 +2,9 @@
 // States and runs on their way out: FIFOs that hold what is under way in the pipeline when the reader stalls.
 //
 // go_o: the raster may send another beat; what it has sent, at most IN_FLIGHT beats, still finds room. Formats of
-// m_axis_state and m_axis_runs as in horopter_top; state_end_o: with the beat taken from m_axis_state, the frame's last.
-// overflow_o (states, runs): a beat was lost, which cannot be. rst_ni: of the streaming core.
+// m_axis_state and m_axis_runs as in horopter_top. One clock each: state_first_o, state_end_o, runs_end_o: a frame's first
+// state, its last one, its last run leave. overflow_o (states, runs): a beat was lost, which cannot be.
+// core_rst_ni: of the streaming core; it drops what the FIFOs hold, but a beat that is offered stays until it is taken.
 module horopter_output #(
     parameter int unsigned DEPTH = 256,
     parameter int unsigned IN_FLIGHT = 128,
@@ -14,6 +15,7 @@ module horopter_output #(
 ) (
     input  logic                   clk_i,
     input  logic                   rst_ni,
+    input  logic                   core_rst_ni,
     input  logic [ WIDTH_BITS-1:0] result_width_i,
     output logic                   go_o,
     output logic [            1:0] overflow_o,
@@ -33,15 +35,18 @@ module horopter_output #(
     output logic                   m_axis_state_tlast,
     output logic                   m_axis_state_tvalid,
     input  logic                   m_axis_state_tready,
+    output logic                   state_first_o,
     output logic                   state_end_o,
     output logic [           63:0] m_axis_runs_tdata,
     output logic                   m_axis_runs_tlast,
     output logic                   m_axis_runs_tvalid,
-    input  logic                   m_axis_runs_tready
+    input  logic                   m_axis_runs_tready,
+    output logic                   runs_end_o
 );
   localparam int unsigned LEVEL = DEPTH - IN_FLIGHT - 8;
 
   logic state_almost_full, runs_almost_full, unused_state_ready, unused_runs_ready;
+  logic out_state_valid, out_state_ready, out_first, out_last, out_end, out_run_valid, out_run_ready, out_run_last;
   logic [1:0] out_state;
   horopter_axis_fifo #(
       .WIDTH(5),
@@ -49,17 +54,32 @@ module horopter_output #(
       .ALMOST_FULL(LEVEL)
   ) u_state_fifo (
       .clk_i(clk_i),
-      .rst_ni(rst_ni),
+      .rst_ni(core_rst_ni),
       .s_valid_i(state_valid_i),
       .s_ready_o(unused_state_ready),
       .s_data_i({state_end_i, state_first_i, state_last_i, state_i}),
-      .m_valid_o(m_axis_state_tvalid),
-      .m_ready_i(m_axis_state_tready),
-      .m_data_o({state_end_o, m_axis_state_tuser, m_axis_state_tlast, out_state}),
+      .m_valid_o(out_state_valid),
+      .m_ready_i(out_state_ready),
+      .m_data_o({out_end, out_first, out_last, out_state}),
       .almost_full_o(state_almost_full),
       .overflow_o(overflow_o[0])
   );
-  assign m_axis_state_tdata = {6'd0, out_state};
+  assign state_first_o = out_state_valid && out_state_ready && out_first;
+  assign state_end_o = out_state_valid && out_state_ready && out_end;
+  horopter_axis_hold #(
+      .WIDTH(4)
+  ) u_state_hold (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .drop_i(!core_rst_ni),
+      .s_valid_i(out_state_valid),
+      .s_ready_o(out_state_ready),
+      .s_data_i({out_first, out_last, out_state}),
+      .m_valid_o(m_axis_state_tvalid),
+      .m_ready_i(m_axis_state_tready),
+      .m_data_o({m_axis_state_tuser, m_axis_state_tlast, m_axis_state_tdata[1:0]})
+  );
+  assign m_axis_state_tdata[7:2] = 6'd0;
 
   // Runs cover their rows, so that the ends tell row and start of each.
   logic [ROW_BITS-1:0] out_row_q;
@@ -68,12 +88,12 @@ module horopter_output #(
   logic out_row_ends;
   always_ff @(posedge clk_i) begin
     last_column_q <= COLUMN_BITS'(result_width_i - 1'b1);
-    if (!rst_ni) begin
+    if (!core_rst_ni) begin
       out_row_q <= '0;
       out_run_start_q <= '0;
-    end else if (m_axis_runs_tvalid && m_axis_runs_tready) begin
+    end else if (out_run_valid && out_run_ready) begin
       out_run_start_q <= out_row_ends ? '0 : out_run_end + 1'b1;
-      if (m_axis_runs_tlast) out_row_q <= '0;
+      if (out_run_last) out_row_q <= '0;
       else if (out_row_ends) out_row_q <= out_row_q + 1'b1;
     end
   end
@@ -81,7 +101,7 @@ module horopter_output #(
   logic [COLUMN_BITS+3:0] written_data;
   if (FAST) begin : g_written
     always_ff @(posedge clk_i) begin
-      written_run <= rst_ni && run_valid_i;
+      written_run <= core_rst_ni && run_valid_i;
       written_data <= {run_last_i, run_end_i == last_column_q, run_state_i, run_end_i};
     end
   end else begin : g_written
@@ -94,17 +114,34 @@ module horopter_output #(
       .ALMOST_FULL(LEVEL)
   ) u_runs_fifo (
       .clk_i(clk_i),
-      .rst_ni(rst_ni),
+      .rst_ni(core_rst_ni),
       .s_valid_i(written_run),
       .s_ready_o(unused_runs_ready),
       .s_data_i(written_data),
-      .m_valid_o(m_axis_runs_tvalid),
-      .m_ready_i(m_axis_runs_tready),
-      .m_data_o({m_axis_runs_tlast, out_row_ends, out_run_state, out_run_end}),
+      .m_valid_o(out_run_valid),
+      .m_ready_i(out_run_ready),
+      .m_data_o({out_run_last, out_row_ends, out_run_state, out_run_end}),
       .almost_full_o(runs_almost_full),
       .overflow_o(overflow_o[1])
   );
-  assign m_axis_runs_tdata = {out_run_state, 14'd0, 16'(out_row_q), 16'(out_run_start_q), 16'(out_run_end)};
+  assign runs_end_o = out_run_valid && out_run_ready && out_run_last;
+  logic [ROW_BITS-1:0] sent_row;
+  logic [COLUMN_BITS-1:0] sent_start, sent_end;
+  logic [1:0] sent_state;
+  horopter_axis_hold #(
+      .WIDTH(1 + 2 + ROW_BITS + 2 * COLUMN_BITS)
+  ) u_runs_hold (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .drop_i(!core_rst_ni),
+      .s_valid_i(out_run_valid),
+      .s_ready_o(out_run_ready),
+      .s_data_i({out_run_last, out_run_state, out_row_q, out_run_start_q, out_run_end}),
+      .m_valid_o(m_axis_runs_tvalid),
+      .m_ready_i(m_axis_runs_tready),
+      .m_data_o({m_axis_runs_tlast, sent_state, sent_row, sent_start, sent_end})
+  );
+  assign m_axis_runs_tdata = {sent_state, 14'd0, 16'(sent_row), 16'(sent_start), 16'(sent_end)};
 
-  always_ff @(posedge clk_i) go_o <= rst_ni && !state_almost_full && !runs_almost_full;
+  always_ff @(posedge clk_i) go_o <= core_rst_ni && !state_almost_full && !runs_almost_full;
 endmodule

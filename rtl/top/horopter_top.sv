@@ -509,6 +509,7 @@ module horopter_top #(
       .deep_i(deep),
       .silent_i(silent),
       .pausing_i(pausing),
+      .broken_i({right_stream != '0, left_stream != '0}),
       .row_done_i(row_done),
       .frame_done_i(frame_ended),
       .right_stored_i(right_stored),
@@ -817,7 +818,7 @@ module horopter_top #(
   );
 
   // ------------------------------------------------------------------------------------------------ outputs
-  logic out_end, unused_run;
+  logic out_first, out_end, out_runs_end, unused_run;
   logic [1:0] output_overflow;
   assign unused_run = ^{run_row, run_start};
   horopter_output #(
@@ -829,7 +830,8 @@ module horopter_top #(
       .WIDTH_BITS(RESULT_WIDTH_BITS)
   ) u_output (
       .clk_i(clk_i),
-      .rst_ni(core_rst_n),
+      .rst_ni(rst_ni),
+      .core_rst_ni(core_rst_n),
       .result_width_i(result_width),
       .go_o(go),
       .overflow_o(output_overflow),
@@ -847,11 +849,13 @@ module horopter_top #(
       .m_axis_state_tlast(m_axis_state_tlast),
       .m_axis_state_tvalid(m_axis_state_tvalid),
       .m_axis_state_tready(m_axis_state_tready),
+      .state_first_o(out_first),
       .state_end_o(out_end),
       .m_axis_runs_tdata(m_axis_runs_tdata),
       .m_axis_runs_tlast(m_axis_runs_tlast),
       .m_axis_runs_tvalid(m_axis_runs_tvalid),
-      .m_axis_runs_tready(m_axis_runs_tready)
+      .m_axis_runs_tready(m_axis_runs_tready),
+      .runs_end_o(out_runs_end)
   );
 
   // ------------------------------------------------------------------------------------------------ status and faults
@@ -904,9 +908,9 @@ module horopter_top #(
       .left_mask_i(left_mask),
       .left_parity_error_i(left_parity_error),
       .output_overflow_i(output_overflow),
-      .state_first_i(m_axis_state_tvalid && m_axis_state_tready && m_axis_state_tuser),
-      .state_end_i(m_axis_state_tvalid && m_axis_state_tready && out_end),
-      .runs_end_i(m_axis_runs_tvalid && m_axis_runs_tready && m_axis_runs_tlast),
+      .state_first_i(out_first),
+      .state_end_i(out_end),
+      .runs_end_i(out_runs_end),
       .counts_valid_i(counts_valid),
       .skin_i(24'(skin_pixels)),
       .undecidable_i(24'(undecidable_pixels)),

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program from outside: exit status, messages, files, and nothing left behind after an error.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -200,6 +202,7 @@ TEST_CASE("A skin that moves: every frame names its table and time") {
   const auto summary = nlohmann::json::parse(result.out);
   CHECK(summary["motion"]["tables"] == 4);
   CHECK(summary["motion"]["inserted"] == 0);
+  CHECK(summary["motion"]["d95_px"] == 0.7);
   const auto& frames = summary["frames"];
   REQUIRE(frames.size() == 5);
   for (std::size_t i = 0; i < 5; ++i) {
@@ -212,6 +215,23 @@ TEST_CASE("A skin that moves: every frame names its table and time") {
 
   CHECK(box.run(arguments).status == 2);  // no rig
   fs::remove_all(box / "out");
+
+  // The settings in force plan the steps, whichever option gives them; what they cannot serve is refused.
+  for (const std::vector<std::string>& thin : {std::vector<std::string>{"--threshold", "3"},
+                                               {"--tolerance", "0.3"},
+                                               {"--profile", "vga", "--decision", "compete", "--tolerance", "0.7"}}) {
+    CAPTURE(thin);
+    const auto refused = box.run(arguments + rig + thin);
+    CHECK(refused.status == 2);
+    CHECK_THAT(refused.err, Catch::Contains("D95"));
+  }
+  CHECK_FALSE(fs::exists(box / "out"));
+  const auto strict = box.run(arguments + rig + std::vector<std::string>{"--threshold", "12"});
+  REQUIRE(strict.status == 0);
+  const auto strict_motion = nlohmann::json::parse(strict.out)["motion"];
+  CHECK(strict_motion["d95_px"].get<double>() == Approx(0.4 + 0.2 * 0.7 / 3.7));
+  CHECK(strict_motion["inserted"].get<int>() > 0);
+  fs::remove_all(box / "out");
   check_bad_file(
       box,
       {"map", "--skin", "moving.yaml", "--rig", "rig.yaml", "--profile", "vga", "--size", "200x120", "-o", "m.hmap"},
@@ -220,6 +240,74 @@ TEST_CASE("A skin that moves: every frame names its table and time") {
   fast.replace(fast.find("1.6"), 3, "16");
   box.write("moving.yaml", fast);
   check_bad_file(box, arguments + rig, "moving.yaml", "must be below");
+}
+
+TEST_CASE("The summary of an earlier run never stands beside a run that failed") {
+  Sandbox box;
+  with_pairs(box);
+  const auto arguments = run_arguments();
+  REQUIRE(box.run(arguments).status == 0);
+  const auto summary = box.read("out/summary.json");
+  const auto picture = box.read("out/frame-0000-state.png");
+  const auto good = box.read("left0.png");
+  for (const std::string& bad : {std::string("no image"), good.substr(0, good.size() / 2)}) {
+    box.write("left0.png", bad);
+    CHECK(box.run(arguments).status == 3);
+    CHECK_FALSE(fs::exists(box / "out/summary.json"));
+    CHECK(box.read("out/earlier-summary.json") == summary);
+    CHECK(box.read("out/frame-0000-state.png") == picture);
+  }
+  box.write("left0.png", good);
+  // What killed runs leave: no process has this number.
+  fs::create_directory(box / ".out.999999999.partial");
+  box.write(".out.999999999.partial/frame-0000-state.png", "half");
+  fs::create_directory(box / ".other.999999999.partial");
+  CHECK(box.run(arguments).status == 0);
+  CHECK(box.read("out/summary.json") == summary);
+  CHECK_FALSE(fs::exists(box / "out/earlier-summary.json"));
+  CHECK_FALSE(fs::exists(box / ".out.999999999.partial"));
+  CHECK(fs::exists(box / ".other.999999999.partial"));
+}
+
+TEST_CASE("Files that would never end or fill the memory are refused at once") {
+  Sandbox box;
+  with_pairs(box);
+  box.write("rig.yaml", rig_text());
+  const auto run = [](const std::string& left, const std::string& skin) {
+    return run_arguments(left, "right0.png", skin) + std::vector<std::string>{"--rig", "rig.yaml", "--json"};
+  };
+  const std::string plane = "surface: {type: plane, point_mm: [0, 0, 800], normal: [0, 0, 1]}\n";
+  std::string bomb = plane + "x0: &x0 [1, 1, 1, 1, 1, 1, 1, 1, 1, 1]\n";
+  for (int i = 1; i < 10; ++i) {
+    const std::string one = "*x" + std::to_string(i - 1), two = one + ", " + one, five = two + ", " + two + ", " + one;
+    bomb += "x" + std::to_string(i) + ": &x" + std::to_string(i) + " [" + five + ", " + five + "]\n";
+  }
+  const std::string deep(1000, '[');
+  for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
+           {"surface: &a {type: union, surfaces: [*a]}\n", "line 1, column 38: an alias of what it stands in"},
+           {bomb, "aliases that stand for too much"},
+           {"surface: " + deep, "lists and maps in each other"},
+           {plane + plane, "line 2, column 1: the key 'surface' a second time"},
+           {"surface: {type: plane, normal: [0, 0, 1], point_mm: [0, 0, 1], normal: [0, 1, 1]}\n", "key 'normal'"},
+           {plane +
+                "motion: {frame_rate_per_s: 50, object_speed_m_s: 1, poses: [{time_s: 65535, shift_mm: [0, 0, 1]}]}\n",
+            "at most 20000"}}) {
+    box.write("skin.yaml", text);
+    check_bad_file(box, run("left0.png", "skin.yaml"), "skin.yaml", message);
+  }
+  box.write("skin.yaml", plane);
+  check_bad_file(box, run("/dev/zero", "skin.yaml"), "/dev/zero", "a device");
+  check_bad_file(box, run("left0.png", "/dev/zero"), "/dev/zero", "a device");
+  auto no_rig = run("left0.png", "skin.yaml");
+  std::ranges::replace(no_rig, std::string("rig.yaml"), std::string("/dev/zero"));
+  check_bad_file(box, no_rig, "/dev/zero", "a device");
+  // Metres.
+  const std::string metres = rig_text();
+  box.write("rig.yaml", std::regex_replace(metres, std::regex("-50"), "-0.05"));
+  check_bad_file(box, run("left0.png", "skin.yaml"), "rig.yaml", "mm apart");
+  check_bad_file(box, {"map", "--skin", "skin.yaml", "--rig", "rig.yaml", "--profile", "vga", "-o", "m.hmap"},
+                 "rig.yaml", "mm apart");
+  CHECK(box.run(run_arguments() + std::vector<std::string>{"--threshold", "0"}).status == 2);
 }
 
 TEST_CASE("compete: cameras that cannot serve neighbours are refused, pixels that they cannot serve are reported") {

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Images: what is read, and what is refused.
+#include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <random>
+#include <span>
+#include <tuple>
 
+#include "horopter/base/crc32.hpp"
 #include "horopter/base/error.hpp"
 #include "horopter/image/frames.hpp"
 #include "horopter/image/image.hpp"
@@ -97,6 +102,33 @@ TEST_CASE("A truncated image is detected wherever it is cut, whatever the decode
     CAPTURE(length, bytes.size());
     error_of(directory.write("cut" + extension, std::vector(bytes.begin(), bytes.begin() + length)));
   }
+}
+
+TEST_CASE("An image that claims to be huge is refused before it is decoded") {
+  const TemporaryDirectory directory;
+  const auto [extension, width_at, bytes_each] =
+      GENERATE(std::tuple{".png", 16, 4}, std::tuple{".jpg", -1, 2}, std::tuple{".bmp", 18, 4});
+  CAPTURE(extension);
+  auto bytes = encoded(extension, textured(CV_8UC1));
+  const auto put = [&](std::size_t at, unsigned value, bool big_endian) {
+    for (int i = 0; i < bytes_each; ++i) {
+      bytes[at + static_cast<std::size_t>(i)] =
+          static_cast<std::uint8_t>(value >> 8 * (big_endian ? bytes_each - 1 - i : i));
+    }
+  };
+  std::size_t at = static_cast<std::size_t>(width_at);
+  if (width_at < 0) {  // SOF0: height, then width
+    const std::array<std::uint8_t, 2> frame{0xFF, 0xC0};
+    at = static_cast<std::size_t>(std::ranges::search(bytes, frame).begin() - bytes.begin()) + 5;
+  }
+  const bool big_endian = std::string(extension) != ".bmp";
+  put(at, 65500, big_endian);
+  put(at + static_cast<std::size_t>(bytes_each), 65500, big_endian);
+  if (std::string(extension) == ".png") {
+    const std::uint32_t crc = crc32(std::span(bytes).subspan(12, 17));
+    for (std::size_t i = 0; i < 4; ++i) bytes[29 + i] = static_cast<std::uint8_t>(crc >> (24 - 8 * i));
+  }
+  CHECK_THAT(error_of(directory.write(std::string("huge") + extension, bytes)), Catch::Contains("65500x65500"));
 }
 
 TEST_CASE("A JPEG cut in its data with an end marker put behind is detected") {

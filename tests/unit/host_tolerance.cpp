@@ -57,6 +57,25 @@ TEST_CASE("a tolerance sets the rule that the settings have, and nothing else") 
   CHECK(settings.threshold_percent == Settings{}.threshold_percent);
 }
 
+TEST_CASE("D95 of the settings: Table 11.2, and nothing where it is not known") {
+  Settings settings;
+  const auto thesis = [&](double percent) {
+    settings.threshold_percent = percent;
+    return d95_px(settings);
+  };
+  CHECK(thesis(11.3) == 0.4);
+  CHECK(thesis(18.4) == 0.7);
+  CHECK(thesis(16.7) == Approx(0.65));
+  CHECK(thesis(60) == 1.1);
+  for (const double percent : {3.0, 11.2, std::nan("")}) CHECK_THROWS_AS(thesis(percent), UsageError);
+  settings.decision = Decision::compete;
+  CHECK(d95_px(settings) == kD95_px);
+  settings.competition.boundary = 14;
+  CHECK(d95_px(settings) == kD95_px);
+  settings.competition.boundary = 7;
+  CHECK_THROWS_AS(d95_px(settings), UsageError);
+}
+
 TEST_CASE("a thickness in mm is the median across the skin") {
   const CameraPair cameras = table_11_1(320, 240);
   const SurfacePtr skin = make_plane({0, 0, 800}, {0.4, -0.3, -1});

@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <yaml-cpp/eventhandler.h>
 
 #include <cmath>
+#include <map>
+#include <sstream>
 
 #include "horopter/calib/error.hpp"
 
@@ -21,6 +24,82 @@ std::string describe(const YAML::Node& node) {
   return node.IsMap() ? "a map" : fmt::format("a list of {}", node.size());
 }
 
+/// What a reader of nodes would take without a word, or never end with: a key that stands twice in a map, a part that
+/// contains itself, aliases of aliases that stand for more than any file holds, and nesting without end.
+class Guard final : public YAML::EventHandler {
+ public:
+  Guard(const std::string& file, const std::string& expected) : file_{file}, expected_{expected} {}
+
+  void OnDocumentStart(const YAML::Mark& /*mark*/) override {}
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override { scalar(mark, anchor, ""); }
+  void OnScalar(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t anchor,
+                const std::string& value) override {
+    scalar(mark, anchor, value);
+  }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    for (const Open& part : open_) {
+      if (part.anchor == anchor) fail(mark, "an alias of what it stands in");
+    }
+    const std::size_t nodes = nodes_[anchor];
+    aliased_ += nodes;
+    if (aliased_ > kMostAliased) fail(mark, "aliases that stand for too much");
+    end_of_child(nodes);
+  }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value /*style*/) override {
+    start(mark, anchor, false);
+  }
+  void OnSequenceEnd() override { end(); }
+  void OnMapStart(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value /*style*/) override {
+    start(mark, anchor, true);
+  }
+  void OnMapEnd() override { end(); }
+
+ private:
+  static constexpr std::size_t kMostAliased = 100'000;
+  static constexpr std::size_t kDeepest = 64;
+  struct Open {
+    YAML::anchor_t anchor = 0;
+    bool map = false, at_key = true;
+    std::set<std::string> keys{};
+    std::size_t nodes = 1;
+  };
+
+  void scalar(const YAML::Mark& mark, YAML::anchor_t anchor, const std::string& value) {
+    if (!open_.empty() && open_.back().map && open_.back().at_key && !open_.back().keys.insert(value).second) {
+      fail(mark, fmt::format("the key '{}' a second time", value));
+    }
+    if (anchor != 0) nodes_[anchor] = 1;
+    end_of_child(1);
+  }
+  void start(const YAML::Mark& mark, YAML::anchor_t anchor, bool map) {
+    if (open_.size() == kDeepest) fail(mark, fmt::format("more than {} lists and maps in each other", kDeepest));
+    open_.push_back({.anchor = anchor, .map = map});
+  }
+  void end() {
+    const Open ended = std::move(open_.back());
+    open_.pop_back();
+    if (ended.anchor != 0) nodes_[ended.anchor] = ended.nodes;
+    end_of_child(ended.nodes);
+  }
+  void end_of_child(std::size_t nodes) {
+    if (open_.empty()) return;
+    open_.back().nodes += nodes;
+    open_.back().at_key = !open_.back().at_key;
+  }
+  [[noreturn]] void fail(const YAML::Mark& mark, const std::string& found) const {
+    throw FileError(file_, line_and_column(mark), found, expected_);
+  }
+
+  const std::string& file_;
+  const std::string& expected_;
+  std::vector<Open> open_;
+  std::map<YAML::anchor_t, std::size_t> nodes_;  ///< in what an anchor names, aliases included
+  std::size_t aliased_ = 0;
+};
+
 void append_numbers(std::vector<double>& values, const std::string& file, const YAML::Node& node,
                     const std::string& what) {
   if (!node.IsSequence()) {
@@ -34,6 +113,9 @@ void append_numbers(std::vector<double>& values, const std::string& file, const 
 
 YAML::Node parse(const std::string& file, const std::string& text, const std::string& expected) {
   try {
+    std::istringstream stream(text);
+    Guard guard(file, expected);
+    YAML::Parser(stream).HandleNextDocument(guard);
     return YAML::Load(text);
   } catch (const YAML::Exception& error) {
     throw FileError(file, line_and_column(error.mark), "not YAML (" + error.msg + ")", expected);

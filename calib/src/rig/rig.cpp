@@ -84,9 +84,13 @@ RigFile load_rig(std::span<const std::filesystem::path> files, const ImportOptio
   }
   RigFile result = read(sources, options);
   complete_sizes(result, sources.front().file, options);
-  if (const double baseline = result.rig.baseline_mm(); baseline < 1 || baseline > 1e5) {
-    result.warnings.push_back(fmt::format("unlikely_baseline: {}: the cameras are {:.4g} mm apart; is the unit right?",
-                                          sources.front().file, baseline));
+  // Metres taken for millimetres, or the other way round: everything that follows would be wrong by a factor of 1000.
+  constexpr double kSmallestBaseline_mm = 5, kLargestBaseline_mm = 2e4;
+  if (const double baseline = result.rig.baseline_mm();
+      baseline < kSmallestBaseline_mm || baseline > kLargestBaseline_mm) {
+    throw FileError(sources.front().file, "", fmt::format("the cameras are {:.4g} mm apart", baseline),
+                    fmt::format("{:g} to {:g} mm; is the unit of the file millimetres?", kSmallestBaseline_mm,
+                                kLargestBaseline_mm));
   }
   return result;
 }

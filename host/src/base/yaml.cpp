@@ -7,6 +7,8 @@
 
 #include "horopter/base/error.hpp"
 #include "horopter/base/file.hpp"
+#include "horopter/calib/error.hpp"
+#include "horopter/calib/yaml.hpp"
 
 namespace horopter::yaml {
 namespace {
@@ -35,11 +37,11 @@ std::string kind(const YAML::Node& node) {
 YAML::Node load(const std::filesystem::path& path, const std::string& expected) {
   const auto bytes = read_file(path, expected);
   try {
-    YAML::Node node = YAML::Load(std::string(bytes.begin(), bytes.end()));
+    const YAML::Node node = calib::yaml::parse(path.string(), {bytes.begin(), bytes.end()}, expected);
     if (!node.IsMap()) throw FileError(path.string(), place(node.Mark()), kind(node), expected);
     return node;
-  } catch (const YAML::Exception& error) {
-    throw FileError(path.string(), place(error.mark), "not YAML (" + error.msg + ")", expected);
+  } catch (const calib::FileError& error) {
+    throw Error(ExitStatus::bad_file, error.what());
   }
 }
 

@@ -46,6 +46,13 @@ class Reader {
   [[noreturn]] void bad(std::size_t at, const std::string& found, const std::string& expected) const {
     throw FileError(name_, fmt::format("byte {}", at), found, expected);
   }
+  /// Before anything is decoded: a small file may claim an image of gigabytes.
+  void check_size(std::size_t at, std::uint64_t width, std::uint64_t height) const {
+    constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 26;
+    if (width == 0 || height == 0 || width > kMostPixels || height > kMostPixels || width * height > kMostPixels) {
+      bad(at, fmt::format("an image of {}x{} pixels", width, height), fmt::format("1 to {} pixels", kMostPixels));
+    }
+  }
   [[noreturn]] void bad_depth(std::size_t at, unsigned bits) const {
     bad(at, fmt::format("{} bits a sample", bits), "an 8-bit image, grey or colour");
   }
@@ -79,6 +86,7 @@ void check_jpeg(const Reader& file) {
     if (is_frame) {
       frame = true;
       if (file.u8(at + 2) != 8) file.bad_depth(at + 2, file.u8(at + 2));
+      file.check_size(at + 3, file.u16(at + 5), file.u16(at + 3));
     }
     at += length;
     if (marker != 0xDA) continue;
@@ -114,6 +122,7 @@ void check_png(const Reader& file, unsigned largest_bits) {
       header = true;
       if (length != 13) file.bad(at, "a PNG header of a wrong length", "13 bytes");
       if (file.u8(at + 16) > largest_bits) file.bad_depth(at + 16, file.u8(at + 16));
+      file.check_size(at + 8, file.u32(at + 8), file.u32(at + 12));
     }
     data = data || type == 0x49444154;  // IDAT
     if (type == 0x49454E44) break;      // IEND
@@ -151,7 +160,7 @@ void check_pnm(const Reader& file, unsigned largest_bits) {
     value = *read;
   }
   const auto [width, height, largest] = header;
-  if (width == 0 || height == 0) file.bad(0, fmt::format("an image of {}x{} pixels", width, height), "an image");
+  file.check_size(0, width, height);
   const bool wide = largest_bits == 16 && largest == 65535;
   if (largest > 255 && !wide)
     file.bad(at, fmt::format("16-bit samples (largest value {})", largest), "an 8-bit image, grey or colour");
@@ -180,6 +189,7 @@ void check_bmp(const Reader& file) {
   const unsigned bits = file.u16(core ? 24 : 28);
   const std::uint32_t compression = core ? 0 : file.u32(30);
   if (width <= 0 || height == 0) file.bad(18, "an empty BMP", "positive width and height");
+  file.check_size(18, static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height));
   if (bits == 16) file.bad(28, "a BMP with 16 bits a pixel", "an 8-bit image, grey or colour");
   const bool run_length = compression == 1 || compression == 2;
   const std::size_t length = run_length ? (file.size() > 38 ? file.u32(34) : 0)
@@ -201,6 +211,7 @@ void check_tiff(const Reader& file, std::uint8_t version) {
   };
   Values offsets;
   Values counts;
+  std::uint32_t width = 0, height = 0;
   for (unsigned i = 0; i < entries; ++i) {
     const std::size_t entry = directory + 2 + std::size_t{i} * 12;
     const unsigned tag = file.u16(entry);
@@ -214,9 +225,12 @@ void check_tiff(const Reader& file, std::uint8_t version) {
         if (const unsigned bits = file.u16(at + std::size_t{sample} * 2); bits != 8) file.bad_depth(at, bits);
       }
     }
+    if (tag == 256) width = file.number(at, size);
+    if (tag == 257) height = file.number(at, size);
     if (tag == 273 || tag == 324) offsets = {at, count, size};  // StripOffsets, TileOffsets
     if (tag == 279 || tag == 325) counts = {at, count, size};   // StripByteCounts, TileByteCounts
   }
+  file.check_size(directory, width, height);
   if (offsets.count == 0 || offsets.count != counts.count) {
     file.bad(directory, "a TIFF without pixels", "strips or tiles with offsets and byte counts");
   }

@@ -2,9 +2,12 @@
 #include "horopter/image/output.hpp"
 
 #include <fmt/format.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <charconv>
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
 
@@ -26,6 +29,23 @@ void write_plain(const fs::path& path, std::span<const std::uint8_t> bytes) {
   if (!stream) throw FileError(path.string(), "", "the file cannot be written", "a directory with room for it");
 }
 
+/// A hidden name beside a place, of this process. Those of processes that were killed are taken away.
+fs::path temporary_beside(const fs::path& place, const std::string& suffix = "") {
+  const std::string prefix = fmt::format(".{}.", place.filename().string());
+  const fs::path parent = place.parent_path().empty() ? "." : place.parent_path();
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(parent, error)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(prefix) || !name.ends_with(suffix)) continue;
+    const char* const end = name.data() + name.size() - suffix.size();
+    pid_t process = 0;
+    const auto [rest, problem] = std::from_chars(name.data() + prefix.size(), end, process);
+    if (problem != std::errc{} || rest != end || process <= 0) continue;
+    if (::kill(process, 0) != 0 && errno == ESRCH) fs::remove_all(entry.path(), error);
+  }
+  return place.parent_path() / fmt::format("{}{}{}", prefix, ::getpid(), suffix);
+}
+
 std::vector<std::uint8_t> encode(const cv::Mat& image) {
   std::vector<std::uint8_t> bytes;
   if (!cv::imencode(".png", image, bytes, {cv::IMWRITE_PNG_COMPRESSION, 3})) {
@@ -37,7 +57,7 @@ std::vector<std::uint8_t> encode(const cv::Mat& image) {
 }  // namespace
 
 void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
-  const fs::path temporary = path.parent_path() / fmt::format(".{}.{}", path.filename().string(), ::getpid());
+  const fs::path temporary = temporary_beside(path);
   std::error_code error;
   try {
     write_plain(temporary, bytes);
@@ -75,7 +95,7 @@ OutputDirectory::OutputDirectory(const fs::path& path, IsResult is_result)
     made_.push_back(parent);
   }
   for (auto parent = made_.rbegin(); parent != made_.rend(); ++parent) fs::create_directory(*parent, error);
-  staging_ = path_.parent_path() / fmt::format(".{}.{}.partial", path_.filename().string(), ::getpid());
+  staging_ = temporary_beside(path_, ".partial");
   fs::remove_all(staging_, error);
   if (!fs::create_directory(staging_, error) || error) {
     const std::error_code reason = error;
@@ -89,6 +109,15 @@ OutputDirectory::~OutputDirectory() {
   if (staging_.empty()) return;
   fs::remove_all(staging_, error);
   for (const fs::path& parent : made_) fs::remove(parent, error);  // only if empty
+}
+
+void OutputDirectory::set_aside(const std::string& file_name) {
+  std::error_code error;
+  if (fs::exists(path_ / file_name, error)) fs::rename(path_ / file_name, path_ / ("earlier-" + file_name), error);
+  if (error) {
+    throw FileError((path_ / file_name).string(), "",
+                    "this file of an earlier run cannot be renamed (" + error.message() + ")", "a writable place");
+  }
 }
 
 void OutputDirectory::write(const std::string& file_name, std::span<const std::uint8_t> bytes) {

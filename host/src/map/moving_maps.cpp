@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 constexpr int kLatticeStep_px = 8;
 /// Parts of a step that are tried; a motion that needs more does not come forward.
 constexpr int kMostParts = 1024;
-constexpr std::size_t kMostSteps = 100'000;
+constexpr std::size_t kMostSteps = 20'000;  // some minutes; every one is a table
 
 /// What a left pixel sees of a skin.
 struct SkinPoint {
@@ -122,6 +122,10 @@ std::vector<double> plan_motion(const CameraPair& cameras, const MovingSurface& 
                                 const MachineProfile& profile, int image_width, int image_height) {
   const Watcher watcher(cameras, profile, limits.tolerance_px, image_width, image_height);
   const double object_mm = limits.object_speed_m_s * 1e3 / limits.images_per_s;
+  if (!(surface.end_s() * limits.images_per_s < kMostSteps)) {
+    throw std::runtime_error(fmt::format("{:g} s with {:g} images a second: a table for each, and at most {} of them",
+                                         surface.end_s(), limits.images_per_s, kMostSteps));
+  }
   std::vector<double> times_s{0};
   std::vector<SkinPoint> places = watcher.look(*surface.at(0));
   check_thickness(watcher, places, 0, object_mm, limits);

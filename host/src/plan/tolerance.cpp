@@ -95,4 +95,32 @@ double tolerance_for_mm(double thickness_mm, const CameraPair& cameras, const Su
   return tolerance_px;
 }
 
+double d95_px(const Settings& settings) {
+  if (settings.decision == Decision::compete) {
+    const int least = Settings{}.competition.boundary;
+    if (settings.competition.boundary >= least) return kD95_px;
+    throw UsageError(
+        fmt::format("a boundary of {}: it is not known up to which disparity it finds 95 % of an object (D95), which "
+                    "the steps of a moving skin are made for; expected {} or more, a tolerance of {:g} px (D50)",
+                    settings.competition.boundary, least, boundaries[static_cast<std::size_t>(least)].tolerance_px));
+  }
+  struct Row {
+    double threshold_percent, d95_px;
+  };
+  static constexpr Row kTable[] = {{11.3, 0.4}, {15.0, 0.6}, {18.4, 0.7}, {21.9, 0.9}, {25.1, 1.0}, {28.4, 1.1}};
+  const double percent = settings.threshold_percent;
+  if (!(percent >= kTable[0].threshold_percent)) {
+    throw UsageError(
+        fmt::format("a threshold of {:g} %: it is not known up to which disparity it finds 95 % of an object (D95), "
+                    "which the steps of a moving skin are made for; expected {:g} % or more (Table 11.2)",
+                    percent, kTable[0].threshold_percent));
+  }
+  for (std::size_t i = 1; i < std::size(kTable); ++i) {
+    const auto& [low, low_px] = kTable[i - 1];
+    const auto& [high, high_px] = kTable[i];
+    if (percent <= high) return low_px + (high_px - low_px) * (percent - low) / (high - low);
+  }
+  return kTable[std::size(kTable) - 1].d95_px;
+}
+
 }  // namespace horopter

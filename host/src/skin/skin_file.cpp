@@ -419,7 +419,8 @@ std::string skin_file_help() {
       "`motion:` beside it makes a skin that moves, for `run`: from `surface` at time 0 to what it lists, one table a\n"
       "frame, in steps that no object slips through; intermediate skins are inserted where it would move too far.\n"
       "  frame_rate_per_s  frames a second, or fields of profile field\n"
-      "  object_speed_m_s  of the fastest object that is not to be missed; tolerance_px (0.7): D of `plan thickness`\n"
+      "  object_speed_m_s  of the fastest object that is not to be missed; tolerance_px (0.7): D95, see\n"
+      "                    `plan thickness`; less where the settings of `run` find less\n"
       "  poses             a list of {time_s, shift_mm (0), rotation_deg (0)}; about_mm (0): what it is turned about\n"
       "  segments          for capsules instead: a list of {time_s, ends_mm: [[from, to], ...]}\n";
   return text + "rotation_deg: angles about x, y, z; R = Rz Ry Rx takes the surface's coordinates to the world's.\n";

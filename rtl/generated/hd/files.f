@@ -27,6 +27,7 @@ rtl/prim/horopter_mux.sv
 rtl/prim/horopter_ram_bank.sv
 rtl/prim/horopter_ram.sv
 rtl/axis/horopter_axis_skid.sv
+rtl/axis/horopter_axis_hold.sv
 rtl/axis/horopter_axis_fifo.sv
 rtl/axil/horopter_axil_slave.sv
 rtl/csr/horopter_csr.sv

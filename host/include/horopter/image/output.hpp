@@ -22,7 +22,8 @@ std::vector<std::uint8_t> encode_png(const Image& image);
 std::vector<std::uint8_t> encode_png_bgr(int width, int height, std::span<const std::uint8_t> bgr);
 
 /// A directory of results. Files are collected in a hidden directory beside it; commit() moves them into place, and
-/// removes the results of an earlier run (files of the names given by `is_result`). Without commit() nothing changes.
+/// removes the results of an earlier run (files of the names given by `is_result`). Without commit() nothing changes but
+/// what was set aside. What killed processes left beside it is taken away.
 class OutputDirectory {
  public:
   using IsResult = bool (*)(const std::string& file_name);
@@ -33,6 +34,9 @@ class OutputDirectory {
   OutputDirectory(const OutputDirectory&) = delete;
   OutputDirectory& operator=(const OutputDirectory&) = delete;
 
+  /// A file of an earlier run that nobody must take for one of this run, should it fail or be killed: from now on it is
+  /// called earlier-…
+  void set_aside(const std::string& file_name);
   void write(const std::string& file_name, std::span<const std::uint8_t> bytes);
   void write(const std::string& file_name, std::string_view text);
   void commit();

@@ -119,7 +119,8 @@ namespace control {
 inline constexpr std::uint32_t kAddress = 0x040;
 inline constexpr Access kAccess = Access::kReadWrite;
 inline constexpr std::uint32_t kReset = 0x0;
-/// 1 = run. Going to 0 drops the frame in progress and what the output streams hold.
+/// 1 = run. Going to 0 drops the frame in progress and what the output streams hold, but for a beat that is offered.
+/// Without MODE.live the first pixels after it are those of two images that belong together.
 inline constexpr Field kEnable{0, 1};
 }  // namespace control
 
@@ -469,7 +470,8 @@ inline constexpr Field kRightParity{26, 1};
 namespace faults_machine {
 inline constexpr std::uint32_t kAddress = 0x0E4;
 inline constexpr Access kAccess = Access::kWriteOneToClear;
-/// Live mode: the cameras are more than 64 px apart, or one missed a frame.
+/// Live mode: the cameras are more than 64 px apart, or one missed a frame. Without: a frame was broken or a camera
+/// silent before, so that it is in doubt which images belong together; until CONTROL.enable has been 0.
 inline constexpr Field kSkew{0, 1};
 /// The map wants a source row that the ring does not hold.
 inline constexpr Field kStoreMiss{1, 1};
@@ -635,7 +637,8 @@ inline constexpr Field kClocks{0, 32};
 namespace frame_faults_machine {
 inline constexpr std::uint32_t kAddress = 0x12C;
 inline constexpr Access kAccess = Access::kReadOnly;
-/// Live mode: the cameras are more than 64 px apart, or one missed a frame.
+/// Live mode: the cameras are more than 64 px apart, or one missed a frame. Without: a frame was broken or a camera
+/// silent before, so that it is in doubt which images belong together; until CONTROL.enable has been 0.
 inline constexpr Field kSkew{0, 1};
 /// The map wants a source row that the ring does not hold.
 inline constexpr Field kStoreMiss{1, 1};

@@ -38,4 +38,10 @@ double set_tolerance(Settings& settings, double tolerance_px);
 double tolerance_for_mm(double thickness_mm, const CameraPair& cameras, const Surface& surface,
                         const MachineProfile& profile, const ScanGeometry& geometry);
 
+/// D95 of the settings: displaced by so many pixels of the result, 95 % of the pixels are still taken for the skin. The
+/// steps of a moving skin are planned for it. `thesis`: Table 11.2 for the threshold, linear between its rows, above
+/// them that of the last. `compete`: kD95_px, from the default boundary on. Throws UsageError below both, where nobody
+/// has measured it.
+double d95_px(const Settings& settings);
+
 }  // namespace horopter

@@ -43,6 +43,7 @@ struct Damage {
     long_line,      ///< line `row` has `amount` more pixels
     missing_line,   ///< line `row` does not come
     missing_start,  ///< the first pixel is not marked
+    extra_start,    ///< the first pixel of line `row` is marked, too
   };
   Kind kind = Kind::none;
   unsigned row = 0, amount = 1;
