@@ -188,7 +188,7 @@ class PlaneContest {
   DelayLine<Vote, PLANES.reach()> centres_;
 };
 
-template <Profile P, class V = Scalar, int BEATS = P.result_width()>
-using Contest = PlaneContest<BEATS, planes_of<P.planes>, P.sum_rows, P.sum_columns, P.paths, V>;
+template <Profile P, class V = Scalar>
+using Contest = PlaneContest<P.result_width(), planes_of<P.planes>, P.sum_rows, P.sum_columns, P.paths, V>;
 
 }  // namespace horopter::stages

@@ -149,7 +149,8 @@ class ContrastFinder {
   u<5> beats_left_;
 };
 
-template <Profile P>
+/// In strips of a row: StripContrast of stages/strips.hpp.
+template <Profile P, class V = Scalar>
 using Contrasts = ContrastFinder<P.result_width()>;
 
 }  // namespace horopter::stages

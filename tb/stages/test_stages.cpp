@@ -61,7 +61,7 @@ void bench(const std::string& name) {
 
 }  // namespace
 
-#define HOROPTER_STAGE(name, Class, rule)                                                                            \
+#define HOROPTER_STAGE(name, Class, rule, place)                                                                     \
   TEST_CASE(HOROPTER_TB_TEXT(HOROPTER_TB_PROFILE) " " #name ": emitted = native") {                                  \
     bench<std::conditional_t<kProfile.has(horopter::hls::Rule::rule), horopter::stages::Class<kProfile>, NotBuilt>>( \
         #name);                                                                                                      \

@@ -10,7 +10,7 @@ TEST_CASE("the project's stages do what their native twins do", "[stages]") {
   struct Stage {
     std::string name, class_name, rule;
   };
-#define HOROPTER_STAGE(name, class_name, rule) Stage{#name, #class_name, #rule},
+#define HOROPTER_STAGE(name, class_name, rule, place) Stage{#name, #class_name, #rule},
   const std::vector<Stage> stages{
 #include "stages/stage_list.def"
   };
