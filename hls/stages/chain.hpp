@@ -30,7 +30,6 @@ namespace horopter::stages {
 enum class Stage {
 #define HOROPTER_STAGE(name, ...) name,
 #include "stages/stage_list.def"
-#undef HOROPTER_STAGE
 };
 
 /// Where a stage stands: see stage_list.def.
@@ -51,7 +50,6 @@ struct Line;
     using Of = HOROPTER_CLASS_##place_of(Class);         \
   };
 #include "stages/stage_list.def"
-#undef HOROPTER_STAGE
 #undef HOROPTER_CLASS_beats
 #undef HOROPTER_CLASS_lanes
 #undef HOROPTER_CLASS_beside
@@ -69,7 +67,6 @@ struct Listed {
 inline constexpr auto list = std::to_array<Listed>({
 #define HOROPTER_STAGE(name, Class, needed_by, place_of) {Stage::name, Rule::needed_by, Place::place_of},
 #include "stages/stage_list.def"
-#undef HOROPTER_STAGE
 });
 
 constexpr Place place_of(Stage stage) { return list[static_cast<std::size_t>(stage)].place; }
@@ -90,16 +87,6 @@ constexpr auto order() {
 
 // By name ------------------------------------------------------------------------------------------------------------
 
-/// Every name that a field of a stage's input or of its settings has.
-#define HOROPTER_FIELDS(of)                                                                                         \
-  of(pixel) of(saturated) of(mask) of(marks) of(gx) of(gy) of(smooth) of(direction) of(magnitude) of(difference)    \
-      of(textured) of(sum) of(skin) of(decidable) of(left) of(right) of(grey) of(exists) of(evidence) of(known)     \
-          of(cost) of(evident) of(strong) of(vote) of(firm) of(clear) of(state) of(first) of(last) of(end) of(idle) \
-              of(texture_limit) of(sum_limit) of(self_limit) of(bias) of(boundary) of(similar) of(quorum)           \
-                  of(clear_quorum) of(width) of(height) of(compete) of(alarm_limit) of(undecidable_limit)           \
-                      of(unsupervised_limit) of(dark_level) of(bright_level) of(dark_limit) of(bright_limit)        \
-                          of(contrast_limit) of(frozen_limit)
-
 struct AnyValue {
   template <class T>
   operator T() const;  // NOLINT: never called
@@ -118,14 +105,13 @@ constexpr std::size_t field_count() {
 template <class To, class From>
 constexpr std::size_t common_fields() {
   std::size_t n = 0;
-#define HOROPTER_COUNT(name)                                                               \
+#define HOROPTER_FIELD(name)                                                               \
   if constexpr (requires(To to, From from) { to.name = from.name; }) {                     \
     ++n;                                                                                   \
   } else if constexpr (requires(To to) { requires std::is_empty_v<decltype(to.name)>; }) { \
     ++n;                                                                                   \
   }
-  HOROPTER_FIELDS(HOROPTER_COUNT)
-#undef HOROPTER_COUNT
+#include "stages/stage_list.def"
   return n;
 }
 
@@ -135,22 +121,20 @@ inline constexpr bool feeds = std::is_same_v<To, From> || common_fields<To, From
 
 template <class To, class From>
 [[gnu::always_inline]] inline To by_name(const From& from) {
-  static_assert(feeds<To, From>, "a field is missing: in the source, or in HOROPTER_FIELDS");
+  static_assert(feeds<To, From>, "a field is missing: in the source, or as HOROPTER_FIELD in stage_list.def");
   To to;
-#define HOROPTER_TAKE(name) \
+#define HOROPTER_FIELD(name) \
   if constexpr (requires { to.name = from.name; }) to.name = from.name;
-  HOROPTER_FIELDS(HOROPTER_TAKE)
-#undef HOROPTER_TAKE
+#include "stages/stage_list.def"
   return to;
 }
 
 /// One lane of values in lanes. What is the same in all of them, the marks, stays as it is.
 template <class To, class From>
 [[gnu::always_inline]] inline void take_lane(To& to, const From& from, int lane) {
-#define HOROPTER_TAKE(name) \
+#define HOROPTER_FIELD(name) \
   if constexpr (requires { to.name = from.name.lane(lane); }) to.name = from.name.lane(lane);
-  HOROPTER_FIELDS(HOROPTER_TAKE)
-#undef HOROPTER_TAKE
+#include "stages/stage_list.def"
 }
 
 // A step -------------------------------------------------------------------------------------------------------------

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "horopter/hls/compete_settings.hpp"
+#include "horopter/hls/settings.hpp"
 #include "stages/chain.hpp"
 #include "stages/strips.hpp"
 
@@ -32,28 +32,9 @@ struct ImageView {
 
 using hls::CompeteSettings;
 
-/// The registers that decide what a frame's result is; names, units and defaults as in the register map.
-struct Settings {
+/// The registers that decide what a frame's result is.
+struct Settings : hls::StageSettings {
   int lookahead = 0;  // rows
-  int sum_limit = 0;
-  int self_limit = 0;
-  int texture_limit = 0;  // sum over texture_window²
-  int alarm_limit = 0;    // pixels of the result
-  int undecidable_limit = 0;
-  int unsupervised_limit = 0;
-  int dark_level = 4;
-  int bright_level = 251;
-  int dark_limit = 0;  // incoming pixels
-  int bright_limit = 0;
-  int contrast_limit = 8;  // grey levels
-  int frozen_limit = 1;    // repetitions, 0: off
-  bool compete = false;    // the rule: competing planes instead of one threshold
-  CompeteSettings competition;
-
-  static constexpr int threshold_percent = 25;
-  static constexpr int texture_threshold = 32;  // unscaled Sobel magnitude: 4 grey levels per pixel
-  static constexpr int alarm_percent = 5;
-  static constexpr int health_percent = 95;
 
   /// ⌊p · 15·k² / 100⌋.
   static constexpr int sum_limit_for(int percent, int window) { return percent * 15 * window * window / 100; }
@@ -66,22 +47,21 @@ struct Settings {
     const int result = width / profile.subsample * height;
     Settings settings;
     settings.lookahead = profile.store_rows / 2;
-    settings.sum_limit = sum_limit_for(threshold_percent, profile.dsad_window);
+    settings.sum_limit = sum_limit_for(hls::percent::sum_limit, profile.dsad_window);
     settings.self_limit = profile.dsad_window * profile.dsad_window;
-    settings.texture_limit = texture_limit_for(texture_threshold);
-    settings.alarm_limit = result * alarm_percent / 100;
+    settings.alarm_limit = result * hls::percent::alarm_limit / 100;
     settings.undecidable_limit = result;
     settings.unsupervised_limit = result;
-    settings.dark_limit = width * height / 100 * health_percent;
-    settings.bright_limit = settings.dark_limit;
+    settings.dark_limit = width * height / 100 * hls::percent::dark_limit;
+    settings.bright_limit = width * height / 100 * hls::percent::bright_limit;
     return settings;
   }
 };
 
-/// The same as the stages take them (stages/chain.hpp), with the size of the result in px.
-struct StageSettings : Settings, CompeteSettings {
-  StageSettings(const Settings& settings, int result_width, int result_height)
-      : Settings(settings), CompeteSettings(settings.competition), width(result_width), height(result_height) {}
+/// The same with the size of the result in px: all that stages take (stages/chain.hpp).
+struct FrameSettings : Settings {
+  FrameSettings(const Settings& settings, int result_width, int result_height)
+      : Settings(settings), width(result_width), height(result_height) {}
   int width;
   int height;
 };
@@ -214,13 +194,14 @@ class Pipeline {
     }
     if (left.height < 16) fail("the height must be at least 16");
     if (table.width() != left.width || table.height() != left.height) fail("the table is for another image size");
-    if (!P.has(settings.compete ? hls::Rule::compete : hls::Rule::thesis)) fail("the profile does not have this rule");
+    if (!P.has(settings.compete != 0 ? hls::Rule::compete : hls::Rule::thesis))
+      fail("the profile does not have this rule");
     if (settings.lookahead < 0 || settings.lookahead > P.store_rows / 2) fail("LOOKAHEAD is more than half the ring");
   }
 
   void begin(const ImageView& image, const Settings& settings) {
-    compete_ = settings.compete;
-    const StageSettings of_stages(settings, image.width / P.subsample, image.height);
+    compete_ = settings.compete != 0;
+    const FrameSettings of_stages(settings, image.width / P.subsample, image.height);
     if constexpr (P.has_thesis()) thesis_rows_.begin(of_stages);
     if constexpr (P.has_compete()) compete_rows_.begin(of_stages);
     health_config_ = stages::chain::by_name<typename Health::Config>(of_stages);

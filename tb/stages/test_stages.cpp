@@ -67,4 +67,3 @@ void bench(const std::string& name) {
         #name);                                                                                                      \
   }
 #include "stages/stage_list.def"
-#undef HOROPTER_STAGE

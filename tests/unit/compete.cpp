@@ -53,7 +53,7 @@ std::vector<std::uint8_t> engine_states(native::Pipeline<plain>& engine, const P
                                         int shift, const native::CompeteSettings& competition = {}) {
   auto settings = native::Settings::defaults(plain, left.width, left.height);
   settings.compete = true;
-  settings.competition = competition;
+  static_cast<native::CompeteSettings&>(settings) = competition;
   const auto words = table_of(left.width, left.height, shift);
   return engine.process(left.view(), right.view(), native::TableView(words), settings).states;
 }
@@ -65,8 +65,8 @@ class BeatByBeat {
                                   const native::CompeteSettings& competition, std::mt19937& random) {
     native::Settings settings;
     settings.compete = true;
-    settings.competition = competition;
-    chain_.configure(native::StageSettings(settings, left.width, left.height));
+    static_cast<native::CompeteSettings&>(settings) = competition;
+    chain_.configure(native::FrameSettings(settings, left.width, left.height));
     std::vector<std::uint8_t> states;
     for (int y = 0; y < left.height + plain.flush_rows(true); ++y) {
       for (int x = 0; x < left.width; ++x) {

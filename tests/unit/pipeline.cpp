@@ -78,7 +78,7 @@ class BeatByBeat {
   void frame(const native::ImageView& left, const native::ImageView& right, const native::TableView& table,
              const native::Settings& settings, std::vector<std::uint8_t>& states, std::vector<native::Run>& found,
              std::mt19937& random) {
-    chain.configure(native::StageSettings(settings, left.width / P.subsample, left.height));
+    chain.configure(native::FrameSettings(settings, left.width / P.subsample, left.height));
     const int sx = table.spacing_x_log2();
     const int sy = table.spacing_y_log2();
     typename MapExpand<P>::Config map_config;

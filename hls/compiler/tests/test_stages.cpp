@@ -14,7 +14,6 @@ TEST_CASE("the project's stages do what their native twins do", "[stages]") {
   const std::vector<Stage> stages{
 #include "stages/stage_list.def"
   };
-#undef HOROPTER_STAGE
   for (const auto& [name, class_name, rule] : stages) {
     const std::string profile = rule == "compete" ? "vga" : "field";
     CAPTURE(name, profile);

@@ -70,8 +70,8 @@ template <Profile P>
 class Variation {
  public:
   explicit Variation(const Parts& parts) : parts_(parts) {
-    settings_.compete = true;
-    CompeteSettings& competition = settings_.competition;
+    settings_.compete = 1;
+    CompeteSettings& competition = settings_;
     if (!parts.boundary) competition.boundary = 14;  // where outer planes win by themselves
     quorum_ = competition.quorum;
     // Of one row instead of all that the ballot asks.
@@ -82,7 +82,7 @@ class Variation {
     Image result(left.width, left.height);
     std::size_t written = 0;
     width_ = static_cast<std::size_t>(left.width);
-    chain_.configure(native::StageSettings(settings_, left.width, left.height));
+    chain_.configure(native::FrameSettings(settings_, left.width, left.height));
     const auto see = [&]<Stage STAGE>(stages::At<STAGE>, auto& out) {
       if constexpr (STAGE == Stage::plane_paths) {
         if (!parts_.evidence) out.evident = out.known;
@@ -183,7 +183,6 @@ int built_bits(const std::string& generated, const std::string& profile, hls::Ru
   };
 #define HOROPTER_STAGE(name, Class, rule, place) add(#name, hls::Rule::rule);
 #include "stages/stage_list.def"
-#undef HOROPTER_STAGE
   return bits / find_profile(profile).result_width();
 }
 
@@ -304,7 +303,6 @@ std::string gates_text(const std::string& synthesised) {
   };
 #define HOROPTER_STAGE(name, Class, rule, place) add(#name, hls::Rule::rule);
 #include "stages/stage_list.def"
-#undef HOROPTER_STAGE
   return text;
 }
 

@@ -24,18 +24,13 @@ module horopter_stages #(
   input  logic [11:0] cfg_texture_limit_i,
   input  logic [10:0] cfg_sum_limit_i,
   input  logic [10:0] cfg_self_limit_i,
-  input  logic [3:0] cfg_bias_i,
-  input  logic [3:0] cfg_boundary_i,
-  input  logic [2:0] cfg_smooth_i,
-  input  logic [3:0] cfg_similar_i,
-  input  logic [7:0] cfg_quorum_i,
-  input  logic [7:0] cfg_clear_quorum_i,
   input  logic [10:0] cfg_width_i,
   input  logic [10:0] cfg_height_i,
   input  logic cfg_compete_i,
   input  logic [20:0] cfg_alarm_limit_i,
   input  logic [20:0] cfg_undecidable_limit_i,
   input  logic [20:0] cfg_unsupervised_limit_i,
+  input  logic [30:0] compete_settings_i,
   output logic align_valid_o,
   output logic [1:0] align_state_o,
   output logic align_first_o,
@@ -732,8 +727,8 @@ module horopter_stages #(
       .exists_i(plane_paths_exists_o),
       .marks_first_i(plane_paths_marks_first_o),
       .marks_last_i(plane_paths_marks_last_o),
-      .cfg_bias_i(cfg_bias_i),
-      .cfg_boundary_i(cfg_boundary_i),
+      .cfg_bias_i(compete_settings_i[3:0]),
+      .cfg_boundary_i(compete_settings_i[30:27]),
       .valid_o(contest_valid_o),
       .vote_o(contest_vote_o),
       .firm_o(contest_firm_o),
@@ -744,7 +739,7 @@ module horopter_stages #(
     );
   end else begin : g_no_contest
     logic unused;
-    assign unused = ^{compete_clk, compete_runs, plane_paths_valid_o, plane_paths_cost_0_o, plane_paths_cost_1_o, plane_paths_cost_2_o, plane_paths_cost_3_o, plane_paths_cost_4_o, plane_paths_cost_5_o, plane_paths_cost_6_o, plane_paths_cost_7_o, plane_paths_cost_8_o, plane_paths_cost_9_o, plane_paths_cost_10_o, plane_paths_cost_11_o, plane_paths_cost_12_o, plane_paths_cost_13_o, plane_paths_cost_14_o, plane_paths_cost_15_o, plane_paths_cost_16_o, plane_paths_cost_17_o, plane_paths_cost_18_o, plane_paths_grey_o, plane_paths_known_o, plane_paths_evident_o, plane_paths_strong_v_o, plane_paths_exists_o, plane_paths_marks_first_o, plane_paths_marks_last_o, cfg_bias_i, cfg_boundary_i};
+    assign unused = ^{compete_clk, compete_runs, plane_paths_valid_o, plane_paths_cost_0_o, plane_paths_cost_1_o, plane_paths_cost_2_o, plane_paths_cost_3_o, plane_paths_cost_4_o, plane_paths_cost_5_o, plane_paths_cost_6_o, plane_paths_cost_7_o, plane_paths_cost_8_o, plane_paths_cost_9_o, plane_paths_cost_10_o, plane_paths_cost_11_o, plane_paths_cost_12_o, plane_paths_cost_13_o, plane_paths_cost_14_o, plane_paths_cost_15_o, plane_paths_cost_16_o, plane_paths_cost_17_o, plane_paths_cost_18_o, plane_paths_grey_o, plane_paths_known_o, plane_paths_evident_o, plane_paths_strong_v_o, plane_paths_exists_o, plane_paths_marks_first_o, plane_paths_marks_last_o, compete_settings_i[3:0], compete_settings_i[30:27]};
     assign contest_valid_o = '0;
     assign contest_vote_o = '0;
     assign contest_firm_o = '0;
@@ -773,7 +768,7 @@ module horopter_stages #(
       .exists_i(contest_exists_o),
       .marks_first_i(contest_marks_first_o),
       .marks_last_i(contest_marks_last_o),
-      .cfg_smooth_i(cfg_smooth_i),
+      .cfg_smooth_i(compete_settings_i[6:4]),
       .valid_o(spread_valid_o),
       .vote_o(spread_vote_o),
       .firm_o(spread_firm_o),
@@ -784,7 +779,7 @@ module horopter_stages #(
     );
   end else begin : g_no_spread
     logic unused;
-    assign unused = ^{compete_clk, compete_runs, contest_valid_o, contest_vote_o, contest_firm_o, contest_grey_o, contest_exists_o, contest_marks_first_o, contest_marks_last_o, cfg_smooth_i};
+    assign unused = ^{compete_clk, compete_runs, contest_valid_o, contest_vote_o, contest_firm_o, contest_grey_o, contest_exists_o, contest_marks_first_o, contest_marks_last_o, compete_settings_i[6:4]};
     assign spread_valid_o = '0;
     assign spread_vote_o = '0;
     assign spread_firm_o = '0;
@@ -812,9 +807,9 @@ module horopter_stages #(
       .exists_i(spread_exists_o),
       .marks_first_i(spread_marks_first_o),
       .marks_last_i(spread_marks_last_o),
-      .cfg_similar_i(cfg_similar_i),
-      .cfg_quorum_i(cfg_quorum_i),
-      .cfg_clear_quorum_i(cfg_clear_quorum_i),
+      .cfg_similar_i(compete_settings_i[10:7]),
+      .cfg_quorum_i(compete_settings_i[18:11]),
+      .cfg_clear_quorum_i(compete_settings_i[26:19]),
       .valid_o(ballot_valid_o),
       .skin_o(ballot_skin_o),
       .clear_o(ballot_clear_o),
@@ -824,7 +819,7 @@ module horopter_stages #(
     );
   end else begin : g_no_ballot
     logic unused;
-    assign unused = ^{compete_clk, compete_runs, spread_valid_o, spread_vote_o, spread_firm_o, spread_grey_o, spread_exists_o, spread_marks_first_o, spread_marks_last_o, cfg_similar_i, cfg_quorum_i, cfg_clear_quorum_i};
+    assign unused = ^{compete_clk, compete_runs, spread_valid_o, spread_vote_o, spread_firm_o, spread_grey_o, spread_exists_o, spread_marks_first_o, spread_marks_last_o, compete_settings_i[10:7], compete_settings_i[18:11], compete_settings_i[26:19]};
     assign ballot_valid_o = '0;
     assign ballot_skin_o = '0;
     assign ballot_clear_o = '0;
