@@ -39,7 +39,7 @@ struct Contrast {
 
   static S<6> clipped(S<11> gx, U<8> magnitude, Bit saturated) {
     const U<5> size = select(saturated, U<5>(0), sat<5>(magnitude));
-    return select(gx.negative(), S<6>(S<6>(U<5>(0)) - size), S<6>(size));
+    return select(gx.negative(), S<6>(S<6>(0) - size), S<6>(size));
   }
 
   void set(const Gradients<2, V, true>& in, u<8> gain) {
