@@ -16,14 +16,9 @@
 #include <type_traits>
 #include <utility>
 
-#include "stages/alarm.hpp"
-#include "stages/consensus.hpp"
-#include "stages/health.hpp"
-#include "stages/interpolate.hpp"
-#include "stages/lowpass.hpp"
-#include "stages/map_expand.hpp"
-#include "stages/runs.hpp"
-#include "stages/subsample.hpp"
+#define HOROPTER_STAGE_HEADERS
+#include "stages/stage_list.def"
+#undef HOROPTER_STAGE_HEADERS
 
 namespace horopter::stages {
 

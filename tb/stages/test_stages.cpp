@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "horopter/tb/raster_stimulus.hpp"
-#include "stage_headers.hpp"
+#include "stages/chain.hpp"
 
 #define HOROPTER_TB_JOIN_(a, b) a##b
 #define HOROPTER_TB_JOIN(a, b) HOROPTER_TB_JOIN_(a, b)
