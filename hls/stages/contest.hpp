@@ -58,10 +58,10 @@ class PlaneContest {
     const Vote vote = centres_.oldest();
     centres_.push(vote_of(in, config.boundary));
 
-    const S<6> clipped = select(hidden && vote.clipped > lit<-hidden_vote>(), negative<hidden_vote>(), vote.clipped);
+    const S<6> clipped = select(hidden && vote.clipped > lit<-hidden_vote>(), S<6>(-hidden_vote), vote.clipped);
     Out out;
     const Bit votes = vote.votes && !(clipped == lit<0>());
-    out.vote = select(votes, S<7>(clipped + config.bias), S<7>(U<5>(0)));
+    out.vote = select(votes, S<7>(clipped + config.bias), S<7>(0));
     out.firm = votes && vote.firm;
     out.grey = vote.grey;
     out.exists = vote.exists;
@@ -87,11 +87,6 @@ class PlaneContest {
     Bit hidden = false;
   };
 
-  template <int MAGNITUDE>
-  static S<6> negative() {
-    return S<6>(S<6>(U<5>(0)) - lit<MAGNITUDE>());
-  }
-
   /// What the pixel says by itself.
   static Vote vote_of(const In& in, u<4> at) {
     const auto& t = in.cost;
@@ -107,8 +102,8 @@ class PlaneContest {
 
     const S<cost_bits + 1> eighth = shr<3>(z);
     Vote vote;
-    vote.clipped = select(eighth > lit<largest_vote>(), S<6>(U<5>(largest_vote)), S<6>(eighth));
-    vote.clipped = select(eighth < lit<-largest_vote>(), negative<largest_vote>(), vote.clipped);
+    vote.clipped = select(eighth > lit<largest_vote>(), S<6>(largest_vote), S<6>(eighth));
+    vote.clipped = select(eighth < lit<-largest_vote>(), S<6>(-largest_vote), vote.clipped);
     vote.votes = in.evident && !repeats;
     vote.firm = in.strong && z <= lit<firm_z>();
     vote.grey = in.grey;
@@ -162,7 +157,7 @@ class PlaneContest {
 
   /// ⌊factor · value / 8⌋, without a multiplier.
   static S<cost_bits + 3> eighths(u<4> factor, S<cost_bits + 1> value) {
-    const auto part = [&](int bit) { return select(Bit(factor.bit(bit)), value, S<cost_bits + 1>(U<5>(0))); };
+    const auto part = [&](int bit) { return select(Bit(factor.bit(bit)), value, S<cost_bits + 1>(0)); };
     const auto low = part(0) + shl<1>(part(1));
     const auto high = part(2) + shl<1>(part(3));
     return S<cost_bits + 3>(shr<1>(shr<2>(low) + high));
@@ -188,7 +183,7 @@ class PlaneContest {
   DelayLine<Vote, PLANES.reach()> centres_;
 };
 
-template <Profile P, class V = Scalar, int BEATS = P.result_width()>
-using Contest = PlaneContest<BEATS, planes_of<P.planes>, P.sum_rows, P.sum_columns, P.paths, V>;
+template <Profile P, class V = Scalar>
+using Contest = PlaneContest<P.result_width(), planes_of<P.planes>, P.sum_rows, P.sum_columns, P.paths, V>;
 
 }  // namespace horopter::stages

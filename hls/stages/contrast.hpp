@@ -39,7 +39,7 @@ struct Contrast {
 
   static S<6> clipped(S<11> gx, U<8> magnitude, Bit saturated) {
     const U<5> size = select(saturated, U<5>(0), sat<5>(magnitude));
-    return select(gx.negative(), S<6>(S<6>(U<5>(0)) - size), S<6>(size));
+    return select(gx.negative(), S<6>(S<6>(0) - size), S<6>(size));
   }
 
   void set(const Gradients<2, V, true>& in, u<8> gain) {
@@ -149,7 +149,8 @@ class ContrastFinder {
   u<5> beats_left_;
 };
 
-template <Profile P>
+/// In strips of a row: StripContrast of stages/strips.hpp.
+template <Profile P, class V = Scalar>
 using Contrasts = ContrastFinder<P.result_width()>;
 
 }  // namespace horopter::stages

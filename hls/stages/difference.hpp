@@ -136,7 +136,8 @@ class UnpackingDifference {
   bool second_ = false;  // the next beat is the right image's
 };
 
-template <Profile P>
-using Difference = std::conditional_t<P.packed(), UnpackingDifference<P.hypotheses>, DirectionDifference<P.hypotheses>>;
+template <Profile P, class V = Scalar>
+using Difference =
+    std::conditional_t<P.packed(), UnpackingDifference<P.hypotheses>, DirectionDifference<P.hypotheses, V>>;
 
 }  // namespace horopter::stages

@@ -70,7 +70,7 @@ class DirectionFinder {
   }
 };
 
-template <Profile P>
-using Direction = DirectionFinder<P.stream_lanes()>;
+template <Profile P, class V = Scalar>
+using Direction = DirectionFinder<P.stream_lanes(), V>;
 
 }  // namespace horopter::stages

@@ -112,7 +112,7 @@ class DsadSum {
   WindowAnd<K, 1, V> mask_;
 };
 
-template <Profile P>
-using Dsad = DsadSum<P.result_width(), P.hypotheses, P.dsad_window, Scalar, P.packed()>;
+template <Profile P, class V = Scalar>
+using Dsad = DsadSum<P.result_width(), P.hypotheses, P.dsad_window, V, P.packed()>;
 
 }  // namespace horopter::stages

@@ -62,7 +62,7 @@ class LowpassFilter {
   WindowAnd<3, STRIDE, V> saturated_;
 };
 
-template <Profile P>
-using Lowpass = LowpassFilter<P.stream_beats(), P.stream_lanes(), P.stream_stride()>;
+template <Profile P, class V = Scalar>
+using Lowpass = LowpassFilter<P.stream_beats(), P.stream_lanes(), P.stream_stride(), V>;
 
 }  // namespace horopter::stages

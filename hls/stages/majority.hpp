@@ -75,7 +75,7 @@ class MajorityVote {
   WindowAnd<M, 1, V> mask_;
 };
 
-template <Profile P>
-using Majority = MajorityVote<P.result_width(), P.majority_window>;
+template <Profile P, class V = Scalar>
+using Majority = MajorityVote<P.result_width(), P.majority_window, V>;
 
 }  // namespace horopter::stages

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The native engine: all stages in a row, one call of step per beat as in the hardware, with the image store and the
-// table in plain memory. Its states, runs and counts are what the hardware puts out, bit by bit.
+// The native engine: the stages of the chain, a row at a time, with the image store and the table in plain memory. Its
+// states, runs and counts are what the hardware puts out, bit by bit.
 //
 // With HOROPTER_HLS_UNCHECKED the memories do not check themselves: use horopter::native (engine.hpp), which is built
 // so, for speed; a program must not mix both.
@@ -16,15 +16,9 @@
 #include <utility>
 #include <vector>
 
-#include "horopter/hls/lanes.hpp"
-#include "stages/alarm.hpp"
-#include "stages/compete_rows.hpp"
-#include "stages/health.hpp"
-#include "stages/interpolate.hpp"
-#include "stages/lowpass.hpp"
-#include "stages/map_expand.hpp"
-#include "stages/runs.hpp"
-#include "stages/subsample.hpp"
+#include "horopter/hls/settings.hpp"
+#include "stages/chain.hpp"
+#include "stages/strips.hpp"
 
 namespace horopter::native {
 
@@ -36,28 +30,11 @@ struct ImageView {
   std::ptrdiff_t stride = 0;  // bytes from row to row
 };
 
-/// The registers that decide what a frame's result is; names, units and defaults as in the register map.
-struct Settings {
-  int lookahead = 0;  // rows
-  int sum_limit = 0;
-  int self_limit = 0;
-  int texture_limit = 0;  // sum over texture_window²
-  int alarm_limit = 0;    // pixels of the result
-  int undecidable_limit = 0;
-  int unsupervised_limit = 0;
-  int dark_level = 4;
-  int bright_level = 251;
-  int dark_limit = 0;  // incoming pixels
-  int bright_limit = 0;
-  int contrast_limit = 8;  // grey levels
-  int frozen_limit = 1;    // repetitions, 0: off
-  bool compete = false;    // the rule: competing planes instead of one threshold
-  CompeteSettings competition;
+using hls::CompeteSettings;
 
-  static constexpr int threshold_percent = 25;
-  static constexpr int texture_threshold = 32;  // unscaled Sobel magnitude: 4 grey levels per pixel
-  static constexpr int alarm_percent = 5;
-  static constexpr int health_percent = 95;
+/// The registers that decide what a frame's result is.
+struct Settings : hls::StageSettings {
+  int lookahead = 0;  // rows
 
   /// ⌊p · 15·k² / 100⌋.
   static constexpr int sum_limit_for(int percent, int window) { return percent * 15 * window * window / 100; }
@@ -70,16 +47,23 @@ struct Settings {
     const int result = width / profile.subsample * height;
     Settings settings;
     settings.lookahead = profile.store_rows / 2;
-    settings.sum_limit = sum_limit_for(threshold_percent, profile.dsad_window);
+    settings.sum_limit = sum_limit_for(hls::percent::sum_limit, profile.dsad_window);
     settings.self_limit = profile.dsad_window * profile.dsad_window;
-    settings.texture_limit = texture_limit_for(texture_threshold);
-    settings.alarm_limit = result * alarm_percent / 100;
+    settings.alarm_limit = result * hls::percent::alarm_limit / 100;
     settings.undecidable_limit = result;
     settings.unsupervised_limit = result;
-    settings.dark_limit = width * height / 100 * health_percent;
-    settings.bright_limit = settings.dark_limit;
+    settings.dark_limit = width * height / 100 * hls::percent::dark_limit;
+    settings.bright_limit = width * height / 100 * hls::percent::bright_limit;
     return settings;
   }
+};
+
+/// The same with the size of the result in px: all that stages take (stages/chain.hpp).
+struct FrameSettings : Settings {
+  FrameSettings(const Settings& settings, int result_width, int result_height)
+      : Settings(settings), width(result_width), height(result_height) {}
+  int width;
+  int height;
 };
 
 /// A mapping table in upload format: three header words, control points, CRC.
@@ -158,7 +142,7 @@ class Pipeline {
     check(left, right, table, settings);
     begin(left, settings);
     FrameResult result;
-    result.width = static_cast<int>(align_config_.width.value());
+    result.width = left.width / P.subsample;
     result.height = left.height;
     result.states.resize(static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height));
     written_ = 0;
@@ -187,76 +171,19 @@ class Pipeline {
   template <class Stage>
   using OutOf = typename Stage::Out;
 
-  // The window stages see the row as eight strips side by side in the lanes of a vector: the same classes on another
-  // kind of value. Each strip begins `lead` columns early, as far left as anything that its results depend on.
-  using Lanes = hls::Lanes;
-  static constexpr std::size_t lanes = static_cast<std::size_t>(hls::lanes::count);
-  static constexpr std::size_t lead =
-      static_cast<std::size_t>(2 * P.offset() + std::max(stages::self_shift, P.hypotheses - 1));
-  static constexpr std::size_t largest_strip = (static_cast<std::size_t>(P.result_width()) + lanes - 1) / lanes;
-  static constexpr int strip_beats = static_cast<int>(lead + largest_strip);
-
-  using WideLowpass = stages::LowpassFilter<strip_beats, 2, 1, Lanes>;
-  using WideSobel = stages::SobelFilter<strip_beats, 2, 1, Lanes>;
-  using WideDirection = stages::DirectionFinder<2, Lanes>;
-  using WideDifference = stages::DirectionDifference<P.hypotheses, Lanes>;
-  using WideTexture =
-      stages::TextureDetector<strip_beats, P.hypotheses, (P.dsad_window - 1) / 2, stages::texture_window, Lanes>;
-  using WideDsad = stages::DsadSum<strip_beats, P.hypotheses, P.dsad_window, Lanes>;
-  using WideThreshold = stages::SumThreshold<P.hypotheses, P.dsad_window, Lanes>;
-  using WideMajority = stages::MajorityVote<strip_beats, P.majority_window, Lanes>;
-
   template <class T>
   using Row = std::array<T, P.width>;
-  template <class T>
-  using PaddedRow = std::array<T, lead + lanes * largest_strip>;
-  template <class T>
-  using StripRow = std::array<T, lead + largest_strip>;
-
   struct Taps {
     Row<hls::u<8>> p00, p01, p10, p11, left;
     Row<hls::u<P.weight_bits>> wx, wy;
     Row<bool> mask;
   };
 
-  struct Pairs {
+  using Pairs = PairRow<P>;
+  struct FullPairs {
     Row<hls::u<8>> left, right;
     Row<bool> saturated, mask;
   };
-
-  /// Column x of the result stands at lead + x; before and behind there is no image.
-  struct PaddedPairs {
-    PaddedRow<hls::u<8>> left, right;
-    PaddedRow<bool> saturated, mask;
-  };
-
-  struct Strips {
-    StripRow<stages::Grey<2, Lanes>> grey, smooth;
-    StripRow<OutOf<WideSobel>> gradients;
-    StripRow<OutOf<WideDirection>> directions;
-    StripRow<OutOf<WideDifference>> differences;
-    StripRow<OutOf<WideTexture>> textures;
-    StripRow<OutOf<WideDsad>> sums;
-    StripRow<OutOf<WideThreshold>> binaries;
-    StripRow<OutOf<WideMajority>> votes;
-  };
-
-  /// A stage as a local variable while a row passes: bytes written elsewhere cannot alias it, so its registers stay in
-  /// registers.
-  template <class Stage>
-  class Borrowed {
-   public:
-    explicit Borrowed(Stage& owner) : owner_(owner), stage_(std::move(owner)) {}
-    ~Borrowed() { owner_ = std::move(stage_); }
-    Borrowed(const Borrowed&) = delete;
-    Borrowed& operator=(const Borrowed&) = delete;
-    Stage* operator->() { return &stage_; }
-
-   private:
-    Stage& owner_;
-    Stage stage_;
-  };
-
   static void check(const ImageView& left, const ImageView& right, const TableView& table, const Settings& settings) {
     const auto fail = [](const std::string& what) { throw std::invalid_argument(what); };
     if (left.width != right.width || left.height != right.height) fail("left and right image differ in size");
@@ -267,32 +194,18 @@ class Pipeline {
     }
     if (left.height < 16) fail("the height must be at least 16");
     if (table.width() != left.width || table.height() != left.height) fail("the table is for another image size");
-    if (!P.has(settings.compete ? hls::Rule::compete : hls::Rule::thesis)) fail("the profile does not have this rule");
+    if (!P.has(settings.compete != 0 ? hls::Rule::compete : hls::Rule::thesis))
+      fail("the profile does not have this rule");
     if (settings.lookahead < 0 || settings.lookahead > P.store_rows / 2) fail("LOOKAHEAD is more than half the ring");
   }
 
   void begin(const ImageView& image, const Settings& settings) {
-    texture_config_.texture_limit = settings.texture_limit;
-    threshold_config_.sum_limit = settings.sum_limit;
-    threshold_config_.self_limit = settings.self_limit;
-    compete_ = settings.compete;
-    if constexpr (P.has_compete()) competition_.begin(image.width / P.subsample, settings.competition);
-    if constexpr (requires { align_config_.compete; }) align_config_.compete = compete_;
-    align_config_.width = image.width / P.subsample;
-    align_config_.height = image.height;
-    alarm_config_.alarm_limit = settings.alarm_limit;
-    alarm_config_.undecidable_limit = settings.undecidable_limit;
-    alarm_config_.unsupervised_limit = settings.unsupervised_limit;
-    health_config_.dark_level = settings.dark_level;
-    health_config_.bright_level = settings.bright_level;
-    health_config_.dark_limit = settings.dark_limit;
-    health_config_.bright_limit = settings.bright_limit;
-    health_config_.contrast_limit = settings.contrast_limit;
-    health_config_.frozen_limit = settings.frozen_limit;
+    compete_ = settings.compete != 0;
+    const FrameSettings of_stages(settings, image.width / P.subsample, image.height);
+    if constexpr (P.has_thesis()) thesis_rows_.begin(of_stages);
+    if constexpr (P.has_compete()) compete_rows_.begin(of_stages);
+    health_config_ = stages::chain::by_name<typename Health::Config>(of_stages);
     width_ = image.width;
-    result_width_ = image.width / P.subsample;
-    strip_ = (index(result_width_) + lanes - 1) / lanes;
-    beats_ = lead + strip_;
     grey_.mask.fill(false);
   }
 
@@ -435,28 +348,29 @@ class Pipeline {
     }
   }
 
-  /// Passes a row of beats through all stages from the interpolation on. A stage takes the whole row before the next
-  /// stage begins: the same as beat by beat, as none feeds back.
+  /// Passes a row of beats through all stages from the interpolation on.
   void finish_row(FrameResult& result) {
     if constexpr (P.subsample == 1) {
-      interpolate_row(grey_, lead);
+      interpolate_row(grey_, Pairs::before);
     } else {
       interpolate_row(pairs_, 0);
       subsample_row();
     }
+    const auto see = [&]<stages::Stage STAGE>(stages::At<STAGE>, const auto& out) {
+      if constexpr (STAGE == stages::Stage::align) {
+        if (!out.idle) [[likely]] {
+          result.states[written_++] = out.state.value();
+        }
+      } else if constexpr (STAGE == stages::Stage::runs) {
+        add_run(out, result);
+      } else if constexpr (STAGE == stages::Stage::alarm) {
+        set_counts(out, result);
+      }
+    };
     if constexpr (P.has_compete()) {
-      if (compete_) return compete_row(result);
+      if (compete_) return compete_rows_.row(grey_, first_row_, see);
     }
-    load_strips();
-    pass(lowpass_, strips_.grey, strips_.smooth);
-    pass(sobel_, strips_.smooth, strips_.gradients);
-    pass(direction_, strips_.gradients, strips_.directions);
-    pass(difference_, strips_.directions, strips_.differences);
-    pass(texture_, strips_.differences, strips_.textures, texture_config_);
-    pass(dsad_, strips_.textures, strips_.sums);
-    pass(threshold_, strips_.sums, strips_.binaries, threshold_config_);
-    pass(majority_, strips_.binaries, strips_.votes);
-    emit_row(result);
+    if constexpr (P.has_thesis()) thesis_rows_.row(grey_, first_row_, see);
   }
 
   /// Fields in arrays of their own: the compiler vectorises this stage without state.
@@ -489,7 +403,7 @@ class Pipeline {
 
   [[gnu::flatten]] void subsample_row() {
     Borrowed stage(subsample_);
-    std::size_t written = lead;
+    std::size_t written = Pairs::before;
     for (std::size_t i = 0; i < index(width_); ++i) {
       stages::GreyPair in;
       in.pixel = {pairs_.left[i], pairs_.right[i]};
@@ -507,79 +421,6 @@ class Pipeline {
     }
   }
 
-  void load_strips() {
-    for (std::size_t beat = 0; beat < beats_; ++beat) {
-      auto& to = strips_.grey[beat];
-      for (std::size_t lane = 0; lane < lanes; ++lane) {
-        const std::size_t from = lane * strip_ + beat;
-        const int l = static_cast<int>(lane);
-        to.pixel[0].set_lane(l, grey_.left[from]);
-        to.pixel[1].set_lane(l, grey_.right[from]);
-        to.saturated.set_lane(l, grey_.saturated[from]);
-        to.mask.set_lane(l, grey_.mask[from]);
-      }
-      to.marks = {beat == 0 && first_row_, beat + 1 == beats_};
-    }
-  }
-
-  template <class Stage, class From, class To, class... Config>
-  [[gnu::flatten]] void pass(Stage& owner, const From& from, To& to, const Config&... config) {
-    Borrowed stage(owner);
-    const std::size_t n = beats_;
-    for (std::size_t i = 0; i < n; ++i) {
-      if constexpr (std::is_same_v<typename From::value_type, typename Stage::In>) {
-        to[i] = stage->step(from[i], config...);
-      } else {
-        to[i] = stage->step(input_of(from[i]), config...);
-      }
-    }
-  }
-
-  // Out of a stage → In of the next, where the types differ by name only.
-  static InOf<WideDsad> input_of(const OutOf<WideTexture>& o) { return {o.difference, o.textured, o.mask, o.marks}; }
-  static InOf<WideThreshold> input_of(const OutOf<WideDsad>& o) { return {o.sum, o.textured, o.mask, o.marks}; }
-  static InOf<WideMajority> input_of(const OutOf<WideThreshold>& o) { return {o.skin, o.decidable, o.mask, o.marks}; }
-
-  [[gnu::flatten]] void emit_row(FrameResult& result) {
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      for (std::size_t i = 0; i < strip_; ++i) {
-        votes_[lane * strip_ + i] = strips_.votes[lead + i].state.lane(static_cast<int>(lane));
-      }
-    }
-    Borrowed align(align_);
-    Borrowed runs(runs_);
-    Borrowed alarm(alarm_);
-    const int n = result_width_;
-    for (int x = 0; x < n; ++x) {
-      const auto pixel = align->step({votes_[index(x)], {x == 0 && first_row_, x + 1 == n}}, align_config_);
-      if (pixel.valid) emit(pixel, *runs.operator->(), *alarm.operator->(), result);
-    }
-  }
-
-  void emit(const OutOf<stages::Align<P>>& pixel, stages::Runs<P>& runs, stages::Alarm<P>& alarm, FrameResult& result) {
-    if (!pixel.idle) [[likely]] {
-      result.states[written_++] = pixel.state.value();
-    }
-    const auto run = runs.step({pixel.state, pixel.first, pixel.last, pixel.idle});
-    if (run.valid) add_run(run, result);
-    const auto counts = alarm.step({pixel.state, pixel.first, pixel.end, pixel.idle}, alarm_config_);
-    if (counts.valid) [[unlikely]] {
-      set_counts(counts, result);
-    }
-  }
-
-  /// The same with the rule `compete`.
-  void compete_row(FrameResult& result) {
-    const auto source = [&](int x) {
-      const std::size_t at = lead + index(x);
-      return CompetePixel{grey_.left[at], grey_.right[at], grey_.saturated[at], grey_.mask[at]};
-    };
-    competition_.row(source, first_row_, [&](const OutOf<stages::Consensus<P>>& out) {
-      const auto pixel = align_.step({out.state, out.marks}, align_config_);
-      if (pixel.valid) emit(pixel, runs_, alarm_, result);
-    });
-  }
-
   [[gnu::noinline]] static void add_run(const OutOf<stages::Runs<P>>& run, FrameResult& result) {
     result.runs.push_back({static_cast<std::uint16_t>(run.row.value()), static_cast<std::uint16_t>(run.start.value()),
                            static_cast<std::uint16_t>(run.end.value()), run.state.value()});
@@ -594,50 +435,26 @@ class Pipeline {
     result.too_unsupervised = counts.too_unsupervised;
   }
 
-#define HOROPTER_STAGE(name, Class, rule) \
-  static_assert(std::is_default_constructible_v<std::conditional_t<P.has(hls::Rule::rule), stages::Class<P>, Nothing>>);
-#include "stages/stage_list.def"
-#undef HOROPTER_STAGE
-
   stages::MapExpand<P> map_expand_;
   stages::Subsampler<P.subsample> subsample_;
-  WideLowpass lowpass_;
-  WideSobel sobel_;
-  WideDirection direction_;
-  WideDifference difference_;
-  WideTexture texture_;
-  WideDsad dsad_;
-  WideThreshold threshold_;
-  WideMajority majority_;
-  stages::Align<P> align_;
-  stages::Runs<P> runs_;
-  stages::Alarm<P> alarm_;
   Health left_health_;
   Health right_health_;
 
   typename stages::MapExpand<P>::Config map_config_;
-  typename WideTexture::Config texture_config_;
-  typename WideThreshold::Config threshold_config_;
-  typename stages::Align<P>::Config align_config_;
-  typename stages::Alarm<P>::Config alarm_config_;
   typename Health::Config health_config_;
 
-  std::conditional_t<P.has_compete(), CompeteRows<P>, Nothing> competition_;
+  std::conditional_t<P.has_thesis(), Strips<P, hls::Rule::thesis>, Nothing> thesis_rows_;
+  std::conditional_t<P.has_compete(), Strips<P, hls::Rule::compete>, Nothing> compete_rows_;
   bool compete_ = false;
 
   std::size_t written_ = 0;  // pixels of the result
   int width_ = 0;
-  int result_width_ = 0;
-  std::size_t strip_ = 0;  // columns of a strip
-  std::size_t beats_ = 0;  // and beats: lead columns more
   bool first_row_ = false;
   std::vector<Expansion> expansions_;
   std::vector<std::uint8_t> padded_;
   Taps taps_{};
-  Pairs pairs_{};
-  PaddedPairs grey_{};
-  Strips strips_{};
-  std::array<hls::u<2>, lanes * largest_strip> votes_{};
+  FullPairs pairs_{};  // before `subsample`
+  Pairs grey_{};
 };
 
 }  // namespace horopter::native

@@ -121,7 +121,7 @@ class PlanePaths {
   bool running_ = false;
 };
 
-template <Profile P, class V = Scalar, int BEATS = P.result_width()>
-using Paths = PlanePaths<BEATS, planes_of<P.planes>, P.sum_rows, P.sum_columns, P.paths, V>;
+template <Profile P, class V = Scalar>
+using Paths = PlanePaths<P.result_width(), planes_of<P.planes>, P.sum_rows, P.sum_columns, P.paths, V>;
 
 }  // namespace horopter::stages

@@ -179,7 +179,7 @@ class PlaneSummer {
   DelayLine<Marks, (COLUMNS - 1) / 2> centre_marks_;
 };
 
-template <Profile P, class V = Scalar, int BEATS = P.result_width()>
-using PlaneSums = PlaneSummer<BEATS, planes_of<P.planes>, P.sum_rows, P.sum_columns, V>;
+template <Profile P, class V = Scalar>
+using PlaneSums = PlaneSummer<P.result_width(), planes_of<P.planes>, P.sum_rows, P.sum_columns, V>;
 
 }  // namespace horopter::stages

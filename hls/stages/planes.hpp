@@ -2,6 +2,11 @@
 // The planes that compete in the rule `compete`: the skin and parallel skins beside it. The hypothesis shifted by s
 // whole pixels in x is the hypothesis of the skin whose disparity is larger by s (thesis 12.2: several skins at once),
 // so a plane costs one more difference and sum and no transformation.
+//
+// Everything from plane_sums on delays its marks with the pixel, so `align` has no offset in columns. All pixels whose
+// low-pass exists are decided: at the image's border by those that vote. Where there is little but noise, the best of
+// many planes outside beats the best of the three inside. So a pixel votes only where a plane explains what the left
+// image shows (`evident`), and `clear` takes a larger majority than `skin`; what is left is undecidable.
 #pragma once
 
 #include <array>

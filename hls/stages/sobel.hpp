@@ -79,7 +79,7 @@ class SobelFilter {
   WindowAnd<3, STRIDE, V> saturated_;
 };
 
-template <Profile P>
-using Sobel = SobelFilter<P.stream_beats(), P.stream_lanes(), P.stream_stride(), Scalar, P.has_compete()>;
+template <Profile P, class V = Scalar>
+using Sobel = SobelFilter<P.stream_beats(), P.stream_lanes(), P.stream_stride(), V, P.has_compete()>;
 
 }  // namespace horopter::stages

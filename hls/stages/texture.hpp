@@ -89,7 +89,7 @@ class TextureDetector {
   DelayLine<Bit, stored_bits> columns_;
 };
 
-template <Profile P>
-using Texture = TextureDetector<P.result_width(), P.hypotheses, (P.dsad_window - 1) / 2>;
+template <Profile P, class V = Scalar>
+using Texture = TextureDetector<P.result_width(), P.hypotheses, (P.dsad_window - 1) / 2, texture_window, V>;
 
 }  // namespace horopter::stages

@@ -48,7 +48,7 @@ class SumThreshold {
   }
 };
 
-template <Profile P>
-using Threshold = SumThreshold<P.hypotheses, P.dsad_window>;
+template <Profile P, class V = Scalar>
+using Threshold = SumThreshold<P.hypotheses, P.dsad_window, V>;
 
 }  // namespace horopter::stages

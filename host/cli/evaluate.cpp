@@ -18,7 +18,7 @@
 
 #include "commands.hpp"
 #include "horopter/image/evaluation.hpp"
-#include "horopter/machine/compete_register.hpp"
+#include "horopter/machine/setting_registers.hpp"
 #include "horopter/machine/engines.hpp"
 #include "horopter/machine/monitor.hpp"
 #include "horopter/map/map_compiler.hpp"
@@ -121,7 +121,7 @@ json rule_parameters(const EvaluateOptions& options, const MachineProfile& profi
                    {"texture", options.settings.texture},
                    {"self_percent", options.settings.self_percent}});
   } else {
-    for (const CompeteField& f : kCompeteFields) result[std::string(f.name)] = options.settings.competition.*f.setting;
+    for (const auto& f : kCompeteFields) result[std::string(f.name)] = options.settings.competition.*f.setting;
   }
   return result;
 }

@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "horopter/tb/raster_stimulus.hpp"
-#include "stage_headers.hpp"
+#include "stages/chain.hpp"
 
 #define HOROPTER_TB_JOIN_(a, b) a##b
 #define HOROPTER_TB_JOIN(a, b) HOROPTER_TB_JOIN_(a, b)
@@ -61,10 +61,9 @@ void bench(const std::string& name) {
 
 }  // namespace
 
-#define HOROPTER_STAGE(name, Class, rule)                                                                            \
+#define HOROPTER_STAGE(name, Class, rule, place)                                                                     \
   TEST_CASE(HOROPTER_TB_TEXT(HOROPTER_TB_PROFILE) " " #name ": emitted = native") {                                  \
     bench<std::conditional_t<kProfile.has(horopter::hls::Rule::rule), horopter::stages::Class<kProfile>, NotBuilt>>( \
         #name);                                                                                                      \
   }
 #include "stages/stage_list.def"
-#undef HOROPTER_STAGE

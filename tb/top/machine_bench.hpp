@@ -15,9 +15,9 @@
 #include <vector>
 
 #include "horopter/base/crc32.hpp"
-#include "horopter/machine/compete_register.hpp"
 #include "horopter/machine/faults.hpp"
 #include "horopter/machine/registers.hpp"
+#include "horopter/machine/setting_registers.hpp"
 #include "horopter/tb/axil.hpp"
 #include "horopter/tb/axis.hpp"
 #include "horopter/tb/image.hpp"
@@ -162,18 +162,7 @@ class Machine : public Endpoint {
     REQUIRE(reg::status::kBadGeometry.get(read(reg::status::kAddress)) == 0);
   }
   void write_limits() {
-    const auto put = [&](std::uint32_t address, int value) { write(address, static_cast<std::uint32_t>(value)); };
-    put(reg::sum_limit::kAddress, settings_.sum_limit);
-    put(reg::self_limit::kAddress, settings_.self_limit);
-    put(reg::texture_limit::kAddress, settings_.texture_limit);
-    put(reg::alarm_limit::kAddress, settings_.alarm_limit);
-    put(reg::undecidable_limit::kAddress, settings_.undecidable_limit);
-    put(reg::unsupervised_limit::kAddress, settings_.unsupervised_limit);
-    put(reg::black_limit::kAddress, settings_.dark_limit);
-    put(reg::white_limit::kAddress, settings_.bright_limit);
-    put(reg::frozen_limit::kAddress, settings_.frozen_limit);
-    put(reg::decision::kAddress, settings_.compete ? 1 : 0);
-    write(reg::compete::kAddress, compete_word(settings_.competition));
+    write_settings(settings_, [&](std::uint32_t address, std::uint32_t word) { write(address, word); });
   }
 
   void write(std::uint32_t address, std::uint32_t value) {

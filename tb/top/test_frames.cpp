@@ -89,9 +89,8 @@ void changing_rules(std::string_view profile, unsigned width, unsigned height, u
       CAPTURE(frame);
       auto& settings = machine.settings();
       settings.compete = frame % 4 != 2;
-      settings.competition = {static_cast<int>(rng.below(16)),     static_cast<int>(rng.below(8)),
-                              static_cast<int>(rng.below(16)),     static_cast<int>(1 + rng.below(64)),
-                              static_cast<int>(1 + rng.below(64)), static_cast<int>(rng.below(16))};
+      for (const auto& f : kCompeteFields)
+        settings.*f.setting = 1 + static_cast<int>(rng.below(std::min(f.largest(), 64)));
       machine.write_limits();
       const FramePair pair = random_pair(width, height, -6, rng);
       machine.send(pair);
@@ -154,8 +153,8 @@ void built_with(bool compete, unsigned width, unsigned height) {
     CAPTURE(frame);
     auto& settings = machine.settings();
     settings.compete = frame % 2 == 0;
-    settings.competition.bias = static_cast<int>(rng.below(4));
-    settings.competition.boundary = static_cast<int>(rng.below(16));
+    settings.bias = static_cast<int>(rng.below(4));
+    settings.boundary = static_cast<int>(rng.below(16));
     settings.sum_limit = static_cast<int>(200 + rng.below(200));
     settings.alarm_limit = static_cast<int>(frame < 2 ? width * height / 20 : width * height);
     machine.write_limits();

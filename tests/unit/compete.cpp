@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rule `compete`: the native engine against the same stages beat by beat, and on images made for a purpose.
-#include "stages/compete.hpp"
-
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <functional>
@@ -55,7 +53,7 @@ std::vector<std::uint8_t> engine_states(native::Pipeline<plain>& engine, const P
                                         int shift, const native::CompeteSettings& competition = {}) {
   auto settings = native::Settings::defaults(plain, left.width, left.height);
   settings.compete = true;
-  settings.competition = competition;
+  static_cast<native::CompeteSettings&>(settings) = competition;
   const auto words = table_of(left.width, left.height, shift);
   return engine.process(left.view(), right.view(), native::TableView(words), settings).states;
 }
@@ -65,11 +63,10 @@ class BeatByBeat {
  public:
   std::vector<std::uint8_t> frame(const Picture& left, const Picture& right, int shift,
                                   const native::CompeteSettings& competition, std::mt19937& random) {
-    Align<plain>::Config size;
-    size.compete = true;
-    size.width = left.width;
-    size.height = left.height;
-    const CompeteConfig<plain> config(competition);
+    native::Settings settings;
+    settings.compete = true;
+    static_cast<native::CompeteSettings&>(settings) = competition;
+    chain_.configure(native::FrameSettings(settings, left.width, left.height));
     std::vector<std::uint8_t> states;
     for (int y = 0; y < left.height + plain.flush_rows(true); ++y) {
       for (int x = 0; x < left.width; ++x) {
@@ -82,29 +79,18 @@ class BeatByBeat {
                            right.at(x - shift, y) == 255;
         }
         pair.marks = {x == 0 && y == 0, x + 1 == left.width};
-        const auto contrast = contrast_.step(sobel_.step(lowpass_.step(pair)));
-        const auto vote = contest_.step(paths_.step(sums_.step(contrast)), config.contest);
-        const auto spread = spread_.step({vote.vote, vote.firm, vote.grey, vote.exists, vote.marks}, config.spread);
-        const auto ballot = ballot_.step(spread, config.ballot);
-        const auto out = consensus_.step({ballot.skin, ballot.clear, ballot.exists, ballot.marks});
-        const auto pixel = align_.step({out.state, out.marks}, size);
-        if (pixel.valid && !pixel.idle) states.push_back(pixel.state.value());
+        chain_.step(pair, [&]<Stage STAGE>(At<STAGE>, const auto& out) {
+          if constexpr (STAGE == Stage::align) {
+            if (!out.idle) states.push_back(out.state.value());
+          }
+        });
       }
     }
     return states;
   }
 
  private:
-  Lowpass<plain> lowpass_;
-  Sobel<plain> sobel_;
-  Contrasts<plain> contrast_;
-  PlaneSums<plain> sums_;
-  Paths<plain> paths_;
-  Contest<plain> contest_;
-  Spread<plain> spread_;
-  Ballot<plain> ballot_;
-  Consensus<plain> consensus_;
-  Align<plain> align_;
+  Chain<plain, Rule::compete, Stage::lowpass> chain_;
 };
 
 /// Smoothed noise; beyond the image too, so that shifted pictures agree.

@@ -78,9 +78,7 @@ class BeatByBeat {
   void frame(const native::ImageView& left, const native::ImageView& right, const native::TableView& table,
              const native::Settings& settings, std::vector<std::uint8_t>& states, std::vector<native::Run>& found,
              std::mt19937& random) {
-    settings_ = settings;
-    size_.width = left.width / P.subsample;
-    size_.height = left.height;
+    chain.configure(native::FrameSettings(settings, left.width / P.subsample, left.height));
     const int sx = table.spacing_x_log2();
     const int sy = table.spacing_y_log2();
     typename MapExpand<P>::Config map_config;
@@ -128,50 +126,18 @@ class BeatByBeat {
 
   void beat(const typename Interpolate<P>::In& taps, std::vector<std::uint8_t>& states,
             std::vector<native::Run>& found) {
-    const auto halved = subsample.step(interpolate.step(taps));
-    if (!halved.valid) return;
-    const Grey<P.stream_lanes()> grey{halved.pixel, halved.saturated, halved.mask, halved.marks};
-    const auto unpacked = difference.step(direction.step(sobel.step(lowpass.step(grey))));
-    if constexpr (P.packed()) {
-      if (!unpacked.valid) return;
-    }
-    const typename Texture<P>::In differences{unpacked.difference, unpacked.magnitude, unpacked.mask, unpacked.marks};
-    typename Texture<P>::Config texture_config;
-    texture_config.texture_limit = settings_.texture_limit;
-    const auto t = texture.step(differences, texture_config);
-    const auto sums = dsad.step({t.difference, t.textured, t.mask, t.marks});
-    typename Threshold<P>::Config limits;
-    limits.sum_limit = settings_.sum_limit;
-    limits.self_limit = settings_.self_limit;
-    const auto binary = threshold.step({sums.sum, sums.textured, sums.mask, sums.marks}, limits);
-    const auto vote = majority.step({binary.skin, binary.decidable, binary.mask, binary.marks});
-    const auto pixel = align.step({vote.state, vote.marks}, size_);
-    if (!pixel.valid) return;
-    if (!pixel.idle) states.push_back(pixel.state.value());
-    const auto run = runs.step({pixel.state, pixel.first, pixel.last, pixel.idle});
-    if (run.valid) {
-      found.push_back({static_cast<std::uint16_t>(run.row.value()), static_cast<std::uint16_t>(run.start.value()),
-                       static_cast<std::uint16_t>(run.end.value()), run.state.value()});
-    }
+    chain.step(taps, [&]<Stage STAGE>(At<STAGE>, const auto& out) {
+      if constexpr (STAGE == Stage::align) {
+        if (!out.idle) states.push_back(out.state.value());
+      } else if constexpr (STAGE == Stage::runs) {
+        found.push_back({static_cast<std::uint16_t>(out.row.value()), static_cast<std::uint16_t>(out.start.value()),
+                         static_cast<std::uint16_t>(out.end.value()), out.state.value()});
+      }
+    });
   }
 
   MapExpand<P> map_expand;
-  Interpolate<P> interpolate;
-  Subsample<P> subsample;
-  Lowpass<P> lowpass;
-  Sobel<P> sobel;
-  Direction<P> direction;
-  Difference<P> difference;
-  Texture<P> texture;
-  Dsad<P> dsad;
-  Threshold<P> threshold;
-  Majority<P> majority;
-  Align<P> align;
-  Runs<P> runs;
-
- private:
-  native::Settings settings_;
-  typename Align<P>::Config size_;
+  Chain<P, Rule::thesis> chain;
 };
 
 /// Random blobs: texture in some places, none in others, and everything in between.

@@ -10,11 +10,10 @@ TEST_CASE("the project's stages do what their native twins do", "[stages]") {
   struct Stage {
     std::string name, class_name, rule;
   };
-#define HOROPTER_STAGE(name, class_name, rule) Stage{#name, #class_name, #rule},
+#define HOROPTER_STAGE(name, class_name, rule, place) Stage{#name, #class_name, #rule},
   const std::vector<Stage> stages{
 #include "stages/stage_list.def"
   };
-#undef HOROPTER_STAGE
   for (const auto& [name, class_name, rule] : stages) {
     const std::string profile = rule == "compete" ? "vga" : "field";
     CAPTURE(name, profile);

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "horopter/base/error.hpp"
-#include "horopter/machine/compete_register.hpp"
+#include "horopter/machine/setting_registers.hpp"
 #include "horopter/machine/registers.hpp"
 #include "horopter/map/support.hpp"
 #include "stages/pipeline.hpp"
@@ -30,7 +30,7 @@ constexpr std::array<const char*, 7> kUploadErrors = {
     "wrong CRC", "no such slot",          "data without start"};
 
 void check_settings(const CompeteSettings& settings) {
-  for (const CompeteField& f : kCompeteFields) {
+  for (const auto& f : kCompeteFields) {
     if (const int value = settings.*f.setting; value < 0 || value > f.largest()) {
       throw UsageError(fmt::format("{} {}; expected 0 to {}", f.name, value, f.largest()));
     }

@@ -8,7 +8,7 @@
 
 #include "horopter/base/crc32.hpp"
 #include "horopter/base/error.hpp"
-#include "horopter/machine/compete_register.hpp"
+#include "horopter/machine/setting_registers.hpp"
 #include "horopter/machine/registers.hpp"
 #include "stages/engine.hpp"
 
@@ -301,23 +301,10 @@ void NativeDevice::upload_word(std::uint32_t word) {
 // Streams -------------------------------------------------------------------------------------------------------------
 
 native::Settings NativeDevice::settings() const {
-  const auto value = [&](std::uint32_t address) { return static_cast<int>(registers_[address / 4]); };
+  const auto word = [&](std::uint32_t address) { return registers_[address / 4]; };
   native::Settings s;
-  s.lookahead = value(reg::lookahead::kAddress);
-  s.sum_limit = value(reg::sum_limit::kAddress);
-  s.self_limit = value(reg::self_limit::kAddress);
-  s.texture_limit = value(reg::texture_limit::kAddress);
-  s.alarm_limit = value(reg::alarm_limit::kAddress);
-  s.undecidable_limit = value(reg::undecidable_limit::kAddress);
-  s.unsupervised_limit = value(reg::unsupervised_limit::kAddress);
-  s.dark_level = value(reg::black_level::kAddress);
-  s.bright_level = value(reg::white_level::kAddress);
-  s.dark_limit = value(reg::black_limit::kAddress);
-  s.bright_limit = value(reg::white_limit::kAddress);
-  s.contrast_limit = value(reg::constant_limit::kAddress);
-  s.frozen_limit = value(reg::frozen_limit::kAddress);
-  s.compete = reg::decision::kCompete.get(registers_[reg::decision::kAddress / 4]) != 0;
-  s.competition = compete_settings(registers_[reg::compete::kAddress / 4]);
+  static_cast<hls::StageSettings&>(s) = stage_settings(word);
+  s.lookahead = static_cast<int>(word(reg::lookahead::kAddress));
   return s;
 }
 

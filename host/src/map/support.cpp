@@ -8,7 +8,7 @@
 namespace horopter {
 namespace {
 
-/// `thesis` judges where all windows are whole, `compete` where its 3×3 low-pass is (stages/compete.hpp).
+/// `thesis` judges where all windows are whole, `compete` where its 3×3 low-pass is (stages/planes.hpp).
 int reach_of(const MachineProfile& profile, Decision decision) {
   return decision == Decision::compete ? 1 : profile.offset();
 }

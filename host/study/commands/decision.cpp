@@ -21,8 +21,7 @@
 #include "horopter/machine/monitor.hpp"
 #include "horopter/map/map_compiler.hpp"
 #include "horopter/study/parallel.hpp"
-#include "stages/compete.hpp"
-#include "stages/lowpass.hpp"
+#include "stages/pipeline.hpp"
 #include "study.hpp"
 
 namespace horopter::stages {
@@ -66,37 +65,46 @@ constexpr Profile profile_of(int planes = 19, int rows = 7, int columns = 9, int
   return profile;
 }
 
-/// The stages of one profile, for images whose skin is the plane at a whole disparity.
+/// The stages of one profile with a part left out, for images whose skin is the plane at a whole disparity.
 template <Profile P>
-class Chain {
+class Variation {
  public:
-  explicit Chain(const Parts& parts) : parts_(parts) {
-    CompeteSettings settings;
-    if (!parts.boundary) settings.boundary = 14;  // where outer planes win by themselves
-    config_ = stages::CompeteConfig<P>(settings);
-    quorum_ = settings.quorum;
+  explicit Variation(const Parts& parts) : parts_(parts) {
+    settings_.compete = 1;
+    CompeteSettings& competition = settings_;
+    if (!parts.boundary) competition.boundary = 14;  // where outer planes win by themselves
+    quorum_ = competition.quorum;
     // Of one row instead of all that the ballot asks.
-    clear_quorum_ = 8 * settings.clear_quorum / (2 * P.ballot_reach + 1);
+    clear_quorum_ = 8 * competition.clear_quorum / (2 * P.ballot_reach + 1);
   }
 
   Image states(const Image& left, const Image& right, int disparity_px) {
     Image result(left.width, left.height);
-    typename stages::Align<P>::Config size;
-    size.compete = true;
-    size.width = left.width;
-    size.height = left.height;
     std::size_t written = 0;
     width_ = static_cast<std::size_t>(left.width);
-    for (int y = 0; y < left.height + P.flush_rows(true); ++y) {
-      for (int x = 0; x < left.width; ++x) {
-        const auto pixel = align_.step(decided(pair_at(left, right, x, y, disparity_px)), size);
-        if (pixel.valid && !pixel.idle) result.pixels[written++] = static_cast<std::uint8_t>(pixel.state.value());
+    chain_.configure(native::FrameSettings(settings_, left.width, left.height));
+    const auto see = [&]<Stage STAGE>(stages::At<STAGE>, auto& out) {
+      if constexpr (STAGE == Stage::plane_paths) {
+        if (!parts_.evidence) out.evident = out.known;
+        if (!parts_.from_right) out.known = false;  // of use only there
+      } else if constexpr (STAGE == Stage::spread) {
+        if (!parts_.ballot) wait(out);
+      } else if constexpr (STAGE == Stage::ballot) {
+        if (!parts_.ballot) out = without_ballot(out.marks);
+      } else if constexpr (STAGE == Stage::align) {
+        if (!out.idle) result.pixels[written++] = static_cast<std::uint8_t>(out.state.value());
       }
+    };
+    for (int y = 0; y < left.height + P.flush_rows(true); ++y) {
+      for (int x = 0; x < left.width; ++x) chain_.step(pair_at(left, right, x, y, disparity_px), see);
     }
     return result;
   }
 
  private:
+  using Stage = stages::Stage;
+  using Ballot = typename stages::Ballot<P>::Out;
+
   static stages::GreyPair pair_at(const Image& left, const Image& right, int x, int y, int disparity_px) {
     stages::GreyPair pair;
     pair.mask = y < left.height && x >= disparity_px;
@@ -110,48 +118,29 @@ class Chain {
     return pair;
   }
 
-  typename stages::Align<P>::In decided(const stages::GreyPair& pair) {
-    const auto sums = sums_.step(contrast_.step(sobel_.step(lowpass_.step(pair))));
-    auto costs = paths_.step(sums);
-    if (!parts_.evidence) costs.evident = costs.known;
-    if (!parts_.from_right) costs.known = false;  // of use only there
-    const auto vote = contest_.step(costs, config_.contest);
-    const auto spread = spread_.step({vote.vote, vote.firm, vote.grey, vote.exists, vote.marks}, config_.spread);
-    typename stages::Consensus<P>::In said;
-    if (parts_.ballot) {
-      const auto ballot = ballot_.step(spread, config_.ballot);
-      said = {ballot.skin, ballot.clear, ballot.exists, ballot.marks};
-    } else {
-      const int sum = static_cast<int>(spread.vote.value());
-      said = {sum >= quorum_, sum <= -clear_quorum_ || (sum < 0 && spread.firm), spread.exists, {}};
-      waiting_.push_back(said);  // as long as for the ballot, for which `align` is made
-      said = {};
-      if (waiting_.size() > P.ballot_reach * width_) {
-        said = waiting_.front();
-        waiting_.pop_front();
-      }
-      said.marks = spread.marks;
+  /// What a pixel's own row says waits as long as for the ballot, for which `align` is made.
+  void wait(const stages::VoteSpread::Out& spread) {
+    const int sum = static_cast<int>(spread.vote.value());
+    waiting_.push_back(
+        {sum >= quorum_, sum <= -clear_quorum_ || (sum < 0 && spread.firm), spread.exists, stages::Marks{}});
+  }
+  Ballot without_ballot(const stages::Marks& marks) {
+    Ballot said;
+    if (waiting_.size() > P.ballot_reach * width_) {
+      said = waiting_.front();
+      waiting_.pop_front();
     }
-    const auto out = consensus_.step(said);
-    return {out.state, out.marks};
+    said.marks = marks;
+    return said;
   }
 
   Parts parts_;
+  native::Settings settings_;
   int quorum_ = 0;
   int clear_quorum_ = 0;
   std::size_t width_ = 0;
-  std::deque<typename stages::Consensus<P>::In> waiting_;
-  stages::Lowpass<P> lowpass_;
-  stages::Sobel<P> sobel_;
-  stages::Contrasts<P> contrast_;
-  stages::PlaneSums<P> sums_;
-  stages::Paths<P> paths_;
-  stages::Contest<P> contest_;
-  stages::Spread<P> spread_;
-  stages::Ballot<P> ballot_;
-  stages::Consensus<P> consensus_;
-  stages::Align<P> align_;
-  stages::CompeteConfig<P> config_;
+  std::deque<Ballot> waiting_;
+  stages::Chain<P, hls::Rule::compete, stages::Stage::lowpass> chain_;
 };
 
 using States = std::function<Image(const Image& left, const Image& right, int disparity_px)>;
@@ -177,7 +166,7 @@ template <Profile P>
 Variant variant(const std::string& name, const Parts& parts = {}) {
   return {name, P.compete_offset() - (parts.ballot ? 0 : P.ballot_reach), memory_bits(P, parts),
           [parts](const Image& left, const Image& right, int disparity_px) {
-            return std::make_unique<Chain<P>>(parts)->states(left, right, disparity_px);
+            return std::make_unique<Variation<P>>(parts)->states(left, right, disparity_px);
           }};
 }
 
@@ -192,9 +181,8 @@ int built_bits(const std::string& generated, const std::string& profile, hls::Ru
     if (!sidecar.contains("memory_bits")) throw FileError(file, "memory_bits", "not there", "as hlsc writes it");
     bits += sidecar["memory_bits"].get<int>();
   };
-#define HOROPTER_STAGE(name, Class, rule) add(#name, hls::Rule::rule);
+#define HOROPTER_STAGE(name, Class, rule, place) add(#name, hls::Rule::rule);
 #include "stages/stage_list.def"
-#undef HOROPTER_STAGE
   return bits / find_profile(profile).result_width();
 }
 
@@ -313,9 +301,8 @@ std::string gates_text(const std::string& synthesised) {
         fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", stage, rule == hls::Rule::thesis ? "thesis" : "compete",
                     json.value("profile", "?"), count("LUT4"), count("FF"), count("BRAM"), count("MULT"));
   };
-#define HOROPTER_STAGE(name, Class, rule) add(#name, hls::Rule::rule);
+#define HOROPTER_STAGE(name, Class, rule, place) add(#name, hls::Rule::rule);
 #include "stages/stage_list.def"
-#undef HOROPTER_STAGE
   return text;
 }
 

@@ -29,12 +29,7 @@ module horopter_stages #(
   input  logic [16:0] cfg_alarm_limit_i,
   input  logic [16:0] cfg_undecidable_limit_i,
   input  logic [16:0] cfg_unsupervised_limit_i,
-  input  logic [3:0] cfg_bias_i,
-  input  logic [3:0] cfg_boundary_i,
-  input  logic [2:0] cfg_smooth_i,
-  input  logic [3:0] cfg_similar_i,
-  input  logic [7:0] cfg_quorum_i,
-  input  logic [7:0] cfg_clear_quorum_i,
+  input  logic [30:0] compete_settings_i,
   input  logic cfg_compete_i,
   output logic align_valid_o,
   output logic [1:0] align_state_o,
@@ -382,5 +377,5 @@ module horopter_stages #(
 
   // Of the rule that this profile does not have.
   logic unused_settings;
-  assign unused_settings = ^{cfg_bias_i, cfg_boundary_i, cfg_smooth_i, cfg_similar_i, cfg_quorum_i, cfg_clear_quorum_i, cfg_compete_i};
+  assign unused_settings = ^{cfg_compete_i, compete_settings_i};
 endmodule

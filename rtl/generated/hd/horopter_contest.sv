@@ -190,13 +190,13 @@ module horopter_contest (
   // hls/stages/contest.hpp:56
   logic or_272;
   assign or_272 = marks_first_i | row_ended_q;
-  // hls/stages/contest.hpp:133
+  // hls/stages/contest.hpp:128
   logic [4:0] select_273;
   assign select_273 = or_272 ? 5'h0 : columns_q;
-  // hls/stages/contest.hpp:148
+  // hls/stages/contest.hpp:143
   logic not_275;
   assign not_275 = ~(select_273 == 5'h18);
-  // hls/stages/contest.hpp:133
+  // hls/stages/contest.hpp:128
   logic [10:0] select_283;
   assign select_283 = known_i ? cost_1_i : 11'h7ff;
   logic [10:0] select_284;
@@ -577,7 +577,7 @@ module horopter_contest (
   logic [10:0] seen_values_20_inside_q;
   logic [10:0] seen_values_21_inside_q;
   logic [10:0] seen_values_22_inside_q;
-  // hls/stages/contest.hpp:133
+  // hls/stages/contest.hpp:128
   logic [10:0] select_324;
   assign select_324 = known_s1_q ? cost_9_s1_q : 11'h7ff;
   logic [10:0] select_325;
@@ -586,37 +586,37 @@ module horopter_contest (
   assign select_331 = and_330_s1_q ? cost_10_s1_q : 11'h7ff;
   logic [10:0] select_337;
   assign select_337 = known_s1_q ? ((select_273_s1_q == 4'h0) ? 11'h7ff : cost_11_s1_q) : 11'h7ff;
-  // hls/stages/contest.hpp:146
+  // hls/stages/contest.hpp:141
   logic less_343;
   assign less_343 = (known_s1_q ? (less_340_s1_q ? 11'h7ff : cost_12_s1_q) : 11'h7ff) < seen_values_1_inside_q;
-  // hls/stages/contest.hpp:133
+  // hls/stages/contest.hpp:128
   logic [10:0] select_347;
   assign select_347 = known_s1_q ? ((select_273_s1_q[3:1] == 3'h0) ? 11'h7ff : cost_13_s1_q) : 11'h7ff;
   logic [10:0] select_352;
   assign select_352 = known_s1_q ? ((select_273_s1_q < 4'h3) ? 11'h7ff : cost_14_s1_q) : 11'h7ff;
-  // hls/stages/contest.hpp:146
+  // hls/stages/contest.hpp:141
   logic less_358;
   assign less_358 = (known_s1_q ? (less_355_s1_q ? 11'h7ff : cost_15_s1_q) : 11'h7ff) < seen_values_7_inside_q;
   logic less_363;
   assign less_363 = (known_s1_q ? (less_360_s1_q ? 11'h7ff : cost_16_s1_q) : 11'h7ff) < seen_values_11_inside_q;
-  // hls/stages/contest.hpp:133
+  // hls/stages/contest.hpp:128
   logic [10:0] select_367;
   assign select_367 = known_s1_q ? ((select_273_s1_q < 4'h9) ? 11'h7ff : cost_17_s1_q) : 11'h7ff;
-  // hls/stages/contest.hpp:100
+  // hls/stages/contest.hpp:95
   logic [10:0] beside;
   assign beside = less_370_s1_q ? cost_10_s1_q : cost_8_s1_q;
-  // hls/stages/contest.hpp:101
+  // hls/stages/contest.hpp:96
   logic less_372;
   assign less_372 = beside < cost_9_s1_q;
-  // hls/stages/contest.hpp:102
+  // hls/stages/contest.hpp:97
   logic [10:0] outer;
   assign outer = less_370_s1_q ? cost_11_s1_q : cost_7_s1_q;
-  // hls/stages/contest.hpp:160
+  // hls/stages/contest.hpp:155
   logic [11:0] value;
   assign value = {1'b0, outer} - {1'b0, beside};
   logic [11:0] value_2;
   assign value_2 = {1'b0, beside} - {1'b0, cost_9_s1_q};
-  // hls/stages/contest.hpp:176
+  // hls/stages/contest.hpp:171
   logic [10:0] select_397;
   assign select_397 = less_396_s1_q ? cost_17_s1_q : cost_16_s1_q;
   logic [10:0] select_401;
@@ -625,10 +625,10 @@ module horopter_contest (
   assign select_403 = less_402_s1_q ? cost_13_s1_q : cost_12_s1_q;
   logic [10:0] select_417;
   assign select_417 = (select_413_s1_q < select_415_s1_q) ? select_413_s1_q : select_415_s1_q;
-  // hls/stages/contest.hpp:101
+  // hls/stages/contest.hpp:96
   logic [10:0] inside_v;
   assign inside_v = less_372 ? beside : cost_9_s1_q;
-  // hls/stages/contest.hpp:133
+  // hls/stages/contest.hpp:128
   logic [10:0] select_443;
   assign select_443 = known_s1_q ? ((select_273_s1_q[3:2] == 2'h3) ? cost_18_s1_q : 11'h7ff) : 11'h7ff;
 
@@ -765,35 +765,35 @@ module horopter_contest (
   logic seen_values_20_hidden_q;
   logic seen_values_21_hidden_q;
   logic seen_values_22_hidden_q;
-  // hls/stages/contest.hpp:166
+  // hls/stages/contest.hpp:161
   logic [10:0] select_375;
   assign select_375 = cfg_boundary_i[0] ? value_s2_q[11:1] : 11'h0;
   logic [11:0] select_376;
   assign select_376 = cfg_boundary_i[1] ? value_s2_q : 12'h0;
   logic [12:0] sum_377;
   assign sum_377 = {{2{select_375[10]}}, select_375} + {select_376[11], select_376};
-  // hls/stages/contest.hpp:167
+  // hls/stages/contest.hpp:162
   logic [11:0] select_378;
   assign select_378 = cfg_boundary_i[2] ? value_s2_q : 12'h0;
   logic [11:0] select_379;
   assign select_379 = cfg_boundary_i[3] ? value_s2_q : 12'h0;
   logic [12:0] sum_380;
   assign sum_380 = {{2{select_378[11]}}, select_378[11:1]} + {select_379[11], select_379};
-  // hls/stages/contest.hpp:166
+  // hls/stages/contest.hpp:161
   logic [10:0] select_386;
   assign select_386 = rest[0] ? value_2_s2_q[11:1] : 11'h0;
   logic [11:0] select_387;
   assign select_387 = rest[1] ? value_2_s2_q : 12'h0;
   logic [12:0] sum_388;
   assign sum_388 = {{2{select_386[10]}}, select_386} + {select_387[11], select_387};
-  // hls/stages/contest.hpp:167
+  // hls/stages/contest.hpp:162
   logic [11:0] select_389;
   assign select_389 = rest[2] ? value_2_s2_q : 12'h0;
   logic [11:0] select_390;
   assign select_390 = rest[3] ? value_2_s2_q : 12'h0;
   logic [12:0] sum_391;
   assign sum_391 = {{2{select_389[11]}}, select_389[11:1]} + {select_390[11], select_390};
-  // hls/stages/contest.hpp:176
+  // hls/stages/contest.hpp:171
   logic [10:0] select_407;
   assign select_407 = (select_399_s2_q < select_405_s2_q) ? select_399_s2_q : select_405_s2_q;
   logic [10:0] select_419;
@@ -893,15 +893,15 @@ module horopter_contest (
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/contest.hpp:168
+  // hls/stages/contest.hpp:163
   logic [14:0] sum_381;
   assign sum_381 = {{3{sum_377_s3_q[11]}}, sum_377_s3_q} + {sum_380_s3_q[12], sum_380_s3_q, select_378_s3_q};
   logic [14:0] sum_392;
   assign sum_392 = {{3{sum_388_s3_q[11]}}, sum_388_s3_q} + {sum_391_s3_q[12], sum_391_s3_q, select_389_s3_q};
-  // hls/stages/contest.hpp:160
+  // hls/stages/contest.hpp:155
   logic [14:0] b;
   assign b = {sum_381[14], sum_381[14:1]} + {sum_392[14], sum_392[14:1]};
-  // hls/stages/contest.hpp:98
+  // hls/stages/contest.hpp:93
   logic [10:0] far;
   assign far = (select_407_s3_q < select_419_s3_q) ? select_407_s3_q : select_419_s3_q;
 
@@ -935,10 +935,10 @@ module horopter_contest (
   end
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/contest.hpp:99
+  // hls/stages/contest.hpp:94
   logic [10:0] outside;
   assign outside = (select_395_s4_q < far_s4_q) ? select_395_s4_q : far_s4_q;
-  // hls/stages/contest.hpp:106
+  // hls/stages/contest.hpp:101
   logic less_435;
   assign less_435 = {1'b0, far_s4_q} < ({1'b0, inside_v_s4_q} + {5'h0, inside_v_s4_q[10:4]});
 
@@ -996,7 +996,7 @@ module horopter_contest (
   logic centres_values_21_votes_q;
   logic centres_values_22_votes_q;
   logic centres_values_23_votes_q;
-  // hls/stages/contest.hpp:104
+  // hls/stages/contest.hpp:99
   logic [11:0] z;
   assign z = {1'b0, outside_s5_q} - {1'b0, inside_v_s5_q};
 
@@ -1082,7 +1082,7 @@ module horopter_contest (
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/contest.hpp:105
+  // hls/stages/contest.hpp:100
   logic [14:0] z_2;
   assign z_2 = less_372_s6_q ? (less_426_s6_q ? b_s6_q : {{3{z_s6_q[11]}}, z_s6_q}) : {{3{z_s6_q[11]}}, z_s6_q};
 

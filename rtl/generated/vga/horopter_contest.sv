@@ -255,13 +255,13 @@ module horopter_contest (
   // hls/stages/contest.hpp:56
   logic or_272;
   assign or_272 = marks_first_i | row_ended_q;
-  // hls/stages/contest.hpp:133
+  // hls/stages/contest.hpp:128
   logic [4:0] select_273;
   assign select_273 = or_272 ? 5'h0 : columns_q;
-  // hls/stages/contest.hpp:148
+  // hls/stages/contest.hpp:143
   logic not_275;
   assign not_275 = ~(select_273 == 5'h18);
-  // hls/stages/contest.hpp:133
+  // hls/stages/contest.hpp:128
   logic [11:0] select_283;
   assign select_283 = known_i ? cost_1_i : 12'hfff;
   logic [11:0] select_284;
@@ -296,86 +296,86 @@ module horopter_contest (
   assign select_325 = or_272 ? 12'hfff : inside_next_q;
   logic [11:0] select_331;
   assign select_331 = (known_i & (~(select_273 == 5'h0))) ? cost_10_i : 12'hfff;
-  // hls/stages/contest.hpp:139
+  // hls/stages/contest.hpp:134
   logic [11:0] select_333;
   assign select_333 = (select_331 < inside_here_q) ? select_331 : inside_here_q;
-  // hls/stages/contest.hpp:133
+  // hls/stages/contest.hpp:128
   logic [11:0] select_337;
   assign select_337 = known_i ? ((select_273[4:1] == 4'h0) ? 12'hfff : cost_11_i) : 12'hfff;
-  // hls/stages/contest.hpp:146
+  // hls/stages/contest.hpp:141
   logic less_343;
   assign less_343 = (known_i ? ((select_273 < 5'h3) ? 12'hfff : cost_12_i) : 12'hfff) < seen_values_1_inside_q;
-  // hls/stages/contest.hpp:133
+  // hls/stages/contest.hpp:128
   logic [11:0] select_347;
   assign select_347 = known_i ? ((select_273[4:2] == 3'h0) ? 12'hfff : cost_13_i) : 12'hfff;
   logic [11:0] select_352;
   assign select_352 = known_i ? ((select_273[4:1] < 4'h3) ? 12'hfff : cost_14_i) : 12'hfff;
-  // hls/stages/contest.hpp:146
+  // hls/stages/contest.hpp:141
   logic less_358;
   assign less_358 = (known_i ? ((select_273 < 5'h9) ? 12'hfff : cost_15_i) : 12'hfff) < seen_values_7_inside_q;
   logic less_363;
   assign less_363 = (known_i ? ((select_273 < 5'hd) ? 12'hfff : cost_16_i) : 12'hfff) < seen_values_11_inside_q;
-  // hls/stages/contest.hpp:133
+  // hls/stages/contest.hpp:128
   logic [11:0] select_367;
   assign select_367 = known_i ? ((select_273[4:1] < 4'h9) ? 12'hfff : cost_17_i) : 12'hfff;
-  // hls/stages/contest.hpp:100
+  // hls/stages/contest.hpp:95
   logic less_370;
   assign less_370 = cost_10_i < cost_8_i;
   logic [11:0] beside;
   assign beside = less_370 ? cost_10_i : cost_8_i;
-  // hls/stages/contest.hpp:101
+  // hls/stages/contest.hpp:96
   logic less_372;
   assign less_372 = beside < cost_9_i;
-  // hls/stages/contest.hpp:102
+  // hls/stages/contest.hpp:97
   logic [11:0] outer;
   assign outer = less_370 ? cost_11_i : cost_7_i;
-  // hls/stages/contest.hpp:160
+  // hls/stages/contest.hpp:155
   logic [12:0] value;
   assign value = {1'b0, outer} - {1'b0, beside};
-  // hls/stages/contest.hpp:166
+  // hls/stages/contest.hpp:161
   logic [11:0] select_375;
   assign select_375 = cfg_boundary_i[0] ? value[12:1] : 12'h0;
   logic [12:0] select_376;
   assign select_376 = cfg_boundary_i[1] ? value : 13'h0;
   logic [13:0] sum_377;
   assign sum_377 = {{2{select_375[11]}}, select_375} + {select_376[12], select_376};
-  // hls/stages/contest.hpp:167
+  // hls/stages/contest.hpp:162
   logic [12:0] select_378;
   assign select_378 = cfg_boundary_i[2] ? value : 13'h0;
   logic [12:0] select_379;
   assign select_379 = cfg_boundary_i[3] ? value : 13'h0;
   logic [13:0] sum_380;
   assign sum_380 = {{2{select_378[12]}}, select_378[12:1]} + {select_379[12], select_379};
-  // hls/stages/contest.hpp:168
+  // hls/stages/contest.hpp:163
   logic [15:0] sum_381;
   assign sum_381 = {{3{sum_377[13]}}, sum_377[13:1]} + {sum_380[13], sum_380, select_378[0]};
-  // hls/stages/contest.hpp:160
+  // hls/stages/contest.hpp:155
   logic [12:0] value_2;
   assign value_2 = {1'b0, beside} - {1'b0, cost_9_i};
-  // hls/stages/contest.hpp:166
+  // hls/stages/contest.hpp:161
   logic [11:0] select_386;
   assign select_386 = rest[0] ? value_2[12:1] : 12'h0;
   logic [12:0] select_387;
   assign select_387 = rest[1] ? value_2 : 13'h0;
   logic [13:0] sum_388;
   assign sum_388 = {{2{select_386[11]}}, select_386} + {select_387[12], select_387};
-  // hls/stages/contest.hpp:167
+  // hls/stages/contest.hpp:162
   logic [12:0] select_389;
   assign select_389 = rest[2] ? value_2 : 13'h0;
   logic [12:0] select_390;
   assign select_390 = rest[3] ? value_2 : 13'h0;
   logic [13:0] sum_391;
   assign sum_391 = {{2{select_389[12]}}, select_389[12:1]} + {select_390[12], select_390};
-  // hls/stages/contest.hpp:168
+  // hls/stages/contest.hpp:163
   logic [15:0] sum_392;
   assign sum_392 = {{3{sum_388[13]}}, sum_388[13:1]} + {sum_391[13], sum_391, select_389[0]};
-  // hls/stages/contest.hpp:160
+  // hls/stages/contest.hpp:155
   logic [15:0] b;
   assign b = {sum_381[15], sum_381[15:1]} + {sum_392[15], sum_392[15:1]};
-  // hls/stages/contest.hpp:99
+  // hls/stages/contest.hpp:94
   logic [11:0] select_395;
   assign select_395 = (cost_11_i < cost_7_i) ? cost_11_i : cost_7_i;
-  // hls/stages/contest.hpp:176
+  // hls/stages/contest.hpp:171
   logic [11:0] select_397;
   assign select_397 = (cost_17_i < cost_16_i) ? cost_17_i : cost_16_i;
   logic [11:0] select_399;
@@ -400,25 +400,25 @@ module horopter_contest (
   assign select_417 = (select_413 < select_415) ? select_413 : select_415;
   logic [11:0] select_419;
   assign select_419 = (select_411 < select_417) ? select_411 : select_417;
-  // hls/stages/contest.hpp:98
+  // hls/stages/contest.hpp:93
   logic [11:0] far;
   assign far = (select_407 < select_419) ? select_407 : select_419;
-  // hls/stages/contest.hpp:99
+  // hls/stages/contest.hpp:94
   logic [11:0] outside;
   assign outside = (select_395 < far) ? select_395 : far;
-  // hls/stages/contest.hpp:101
+  // hls/stages/contest.hpp:96
   logic [11:0] inside_v;
   assign inside_v = less_372 ? beside : cost_9_i;
-  // hls/stages/contest.hpp:104
+  // hls/stages/contest.hpp:99
   logic [12:0] z;
   assign z = {1'b0, outside} - {1'b0, inside_v};
-  // hls/stages/contest.hpp:105
+  // hls/stages/contest.hpp:100
   logic [15:0] z_2;
   assign z_2 = less_372 ? (($signed(b) < $signed({{3{z[12]}}, z})) ? b : {{3{z[12]}}, z}) : {{3{z[12]}}, z};
-  // hls/stages/contest.hpp:106
+  // hls/stages/contest.hpp:101
   logic or_437;
   assign or_437 = (outside < inside_v) | (~({1'b0, far} < ({1'b0, inside_v} + {5'h0, inside_v[11:4]})));
-  // hls/stages/contest.hpp:133
+  // hls/stages/contest.hpp:128
   logic [11:0] select_443;
   assign select_443 = known_i ? ((select_273[4:3] == 2'h3) ? cost_18_i : 12'hfff) : 12'hfff;
 

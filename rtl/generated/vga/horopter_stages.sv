@@ -24,18 +24,13 @@ module horopter_stages #(
   input  logic [11:0] cfg_texture_limit_i,
   input  logic [10:0] cfg_sum_limit_i,
   input  logic [10:0] cfg_self_limit_i,
-  input  logic [3:0] cfg_bias_i,
-  input  logic [3:0] cfg_boundary_i,
-  input  logic [2:0] cfg_smooth_i,
-  input  logic [3:0] cfg_similar_i,
-  input  logic [7:0] cfg_quorum_i,
-  input  logic [7:0] cfg_clear_quorum_i,
   input  logic [9:0] cfg_width_i,
   input  logic [8:0] cfg_height_i,
   input  logic cfg_compete_i,
   input  logic [18:0] cfg_alarm_limit_i,
   input  logic [18:0] cfg_undecidable_limit_i,
   input  logic [18:0] cfg_unsupervised_limit_i,
+  input  logic [30:0] compete_settings_i,
   output logic align_valid_o,
   output logic [1:0] align_state_o,
   output logic align_first_o,
@@ -59,8 +54,6 @@ module horopter_stages #(
   if (!THESIS && !COMPETE) begin : g_illegal
     $fatal(1, "horopter_stages: neither THESIS nor COMPETE");
   end
-  logic compete;
-  assign compete = COMPETE && (cfg_compete_i || !THESIS);
 
   logic interpolate_valid_o;
   logic [7:0] interpolate_pixel_0_o;
@@ -184,6 +177,22 @@ module horopter_stages #(
     .smooth_exists_o(sobel_smooth_exists_o)
   );
 
+  // The rule of the frame that passes, taken with its first beat before the last stage that both rules share; the
+  // clocks between two frames are more than that stage's latency. The other rule's stages wait for a frame of theirs.
+  logic thesis_runs, compete_runs, thesis_clk, compete_clk;
+  if (THESIS && COMPETE) begin : g_rules
+    logic compete_q;
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni) compete_q <= 1'b0;
+      else if (lowpass_valid_o && lowpass_marks_first_o) compete_q <= cfg_compete_i;
+    end
+    assign {thesis_runs, compete_runs} = {!compete_q, compete_q};
+    horopter_clock_gate u_thesis (.clk_i(clk_i), .en_i(thesis_runs || !rst_ni), .clk_o(thesis_clk));
+    horopter_clock_gate u_compete (.clk_i(clk_i), .en_i(compete_runs || !rst_ni), .clk_o(compete_clk));
+  end else begin : g_rule
+    assign {thesis_runs, compete_runs, thesis_clk, compete_clk} = {THESIS, COMPETE, clk_i, clk_i};
+  end
+
   logic direction_valid_o;
   logic [7:0] direction_direction_0_o;
   logic [7:0] direction_direction_1_o;
@@ -195,9 +204,9 @@ module horopter_stages #(
   logic direction_marks_last_o;
   if (THESIS) begin : g_direction
     horopter_direction u_direction (
-      .clk_i(clk_i),
+      .clk_i(thesis_clk),
       .rst_ni(rst_ni),
-      .en_i(1'b1),
+      .en_i(thesis_runs),
       .valid_i(sobel_valid_o),
       .gx_0_i(sobel_gx_0_o),
       .gx_1_i(sobel_gx_1_o),
@@ -219,7 +228,7 @@ module horopter_stages #(
     );
   end else begin : g_no_direction
     logic unused;
-    assign unused = ^{sobel_valid_o, sobel_gx_0_o, sobel_gx_1_o, sobel_gy_0_o, sobel_gy_1_o, sobel_saturated_o, sobel_mask_o, sobel_marks_first_o, sobel_marks_last_o};
+    assign unused = ^{thesis_clk, thesis_runs, sobel_valid_o, sobel_gx_0_o, sobel_gx_1_o, sobel_gy_0_o, sobel_gy_1_o, sobel_saturated_o, sobel_mask_o, sobel_marks_first_o, sobel_marks_last_o};
     assign direction_valid_o = '0;
     assign direction_direction_0_o = '0;
     assign direction_direction_1_o = '0;
@@ -240,9 +249,9 @@ module horopter_stages #(
   logic difference_marks_last_o;
   if (THESIS) begin : g_difference
     horopter_difference u_difference (
-      .clk_i(clk_i),
+      .clk_i(thesis_clk),
       .rst_ni(rst_ni),
-      .en_i(1'b1),
+      .en_i(thesis_runs),
       .valid_i(direction_valid_o),
       .direction_0_i(direction_direction_0_o),
       .direction_1_i(direction_direction_1_o),
@@ -262,7 +271,7 @@ module horopter_stages #(
     );
   end else begin : g_no_difference
     logic unused;
-    assign unused = ^{direction_valid_o, direction_direction_0_o, direction_direction_1_o, direction_magnitude_0_o, direction_magnitude_1_o, direction_saturated_o, direction_mask_o, direction_marks_first_o, direction_marks_last_o};
+    assign unused = ^{thesis_clk, thesis_runs, direction_valid_o, direction_direction_0_o, direction_direction_1_o, direction_magnitude_0_o, direction_magnitude_1_o, direction_saturated_o, direction_mask_o, direction_marks_first_o, direction_marks_last_o};
     assign difference_valid_o = '0;
     assign difference_difference_0_o = '0;
     assign difference_difference_1_o = '0;
@@ -281,9 +290,9 @@ module horopter_stages #(
   logic texture_marks_last_o;
   if (THESIS) begin : g_texture
     horopter_texture u_texture (
-      .clk_i(clk_i),
+      .clk_i(thesis_clk),
       .rst_ni(rst_ni),
-      .en_i(1'b1),
+      .en_i(thesis_runs),
       .valid_i(difference_valid_o),
       .difference_0_i(difference_difference_0_o),
       .difference_1_i(difference_difference_1_o),
@@ -302,7 +311,7 @@ module horopter_stages #(
     );
   end else begin : g_no_texture
     logic unused;
-    assign unused = ^{difference_valid_o, difference_difference_0_o, difference_difference_1_o, difference_magnitude_o, difference_mask_o, difference_marks_first_o, difference_marks_last_o, cfg_texture_limit_i};
+    assign unused = ^{thesis_clk, thesis_runs, difference_valid_o, difference_difference_0_o, difference_difference_1_o, difference_magnitude_o, difference_mask_o, difference_marks_first_o, difference_marks_last_o, cfg_texture_limit_i};
     assign texture_valid_o = '0;
     assign texture_difference_0_o = '0;
     assign texture_difference_1_o = '0;
@@ -321,9 +330,9 @@ module horopter_stages #(
   logic dsad_marks_last_o;
   if (THESIS) begin : g_dsad
     horopter_dsad u_dsad (
-      .clk_i(clk_i),
+      .clk_i(thesis_clk),
       .rst_ni(rst_ni),
-      .en_i(1'b1),
+      .en_i(thesis_runs),
       .valid_i(texture_valid_o),
       .difference_0_i(texture_difference_0_o),
       .difference_1_i(texture_difference_1_o),
@@ -341,7 +350,7 @@ module horopter_stages #(
     );
   end else begin : g_no_dsad
     logic unused;
-    assign unused = ^{texture_valid_o, texture_difference_0_o, texture_difference_1_o, texture_textured_o, texture_mask_o, texture_marks_first_o, texture_marks_last_o};
+    assign unused = ^{thesis_clk, thesis_runs, texture_valid_o, texture_difference_0_o, texture_difference_1_o, texture_textured_o, texture_mask_o, texture_marks_first_o, texture_marks_last_o};
     assign dsad_valid_o = '0;
     assign dsad_sum_0_o = '0;
     assign dsad_sum_1_o = '0;
@@ -359,9 +368,9 @@ module horopter_stages #(
   logic threshold_marks_last_o;
   if (THESIS) begin : g_threshold
     horopter_threshold u_threshold (
-      .clk_i(clk_i),
+      .clk_i(thesis_clk),
       .rst_ni(rst_ni),
-      .en_i(1'b1),
+      .en_i(thesis_runs),
       .valid_i(dsad_valid_o),
       .sum_0_i(dsad_sum_0_o),
       .sum_1_i(dsad_sum_1_o),
@@ -380,7 +389,7 @@ module horopter_stages #(
     );
   end else begin : g_no_threshold
     logic unused;
-    assign unused = ^{dsad_valid_o, dsad_sum_0_o, dsad_sum_1_o, dsad_textured_o, dsad_mask_o, dsad_marks_first_o, dsad_marks_last_o, cfg_sum_limit_i, cfg_self_limit_i};
+    assign unused = ^{thesis_clk, thesis_runs, dsad_valid_o, dsad_sum_0_o, dsad_sum_1_o, dsad_textured_o, dsad_mask_o, dsad_marks_first_o, dsad_marks_last_o, cfg_sum_limit_i, cfg_self_limit_i};
     assign threshold_valid_o = '0;
     assign threshold_skin_o = '0;
     assign threshold_decidable_o = '0;
@@ -395,9 +404,9 @@ module horopter_stages #(
   logic majority_marks_last_o;
   if (THESIS) begin : g_majority
     horopter_majority u_majority (
-      .clk_i(clk_i),
+      .clk_i(thesis_clk),
       .rst_ni(rst_ni),
-      .en_i(1'b1),
+      .en_i(thesis_runs),
       .valid_i(threshold_valid_o),
       .skin_i(threshold_skin_o),
       .decidable_i(threshold_decidable_o),
@@ -411,7 +420,7 @@ module horopter_stages #(
     );
   end else begin : g_no_majority
     logic unused;
-    assign unused = ^{threshold_valid_o, threshold_skin_o, threshold_decidable_o, threshold_mask_o, threshold_marks_first_o, threshold_marks_last_o};
+    assign unused = ^{thesis_clk, thesis_runs, threshold_valid_o, threshold_skin_o, threshold_decidable_o, threshold_mask_o, threshold_marks_first_o, threshold_marks_last_o};
     assign majority_valid_o = '0;
     assign majority_state_o = '0;
     assign majority_marks_first_o = '0;
@@ -428,9 +437,9 @@ module horopter_stages #(
   logic contrast_marks_last_o;
   if (COMPETE) begin : g_contrast
     horopter_contrast u_contrast (
-      .clk_i(clk_i),
+      .clk_i(compete_clk),
       .rst_ni(rst_ni),
-      .en_i(1'b1),
+      .en_i(compete_runs),
       .valid_i(sobel_valid_o),
       .gx_0_i(sobel_gx_0_o),
       .gx_1_i(sobel_gx_1_o),
@@ -453,7 +462,7 @@ module horopter_stages #(
     );
   end else begin : g_no_contrast
     logic unused;
-    assign unused = ^{sobel_valid_o, sobel_gx_0_o, sobel_gx_1_o, sobel_gy_0_o, sobel_gy_1_o, sobel_saturated_o, sobel_mask_o, sobel_marks_first_o, sobel_marks_last_o, sobel_smooth_grey_o, sobel_smooth_exists_o};
+    assign unused = ^{compete_clk, compete_runs, sobel_valid_o, sobel_gx_0_o, sobel_gx_1_o, sobel_gy_0_o, sobel_gy_1_o, sobel_saturated_o, sobel_mask_o, sobel_marks_first_o, sobel_marks_last_o, sobel_smooth_grey_o, sobel_smooth_exists_o};
     assign contrast_valid_o = '0;
     assign contrast_left_o = '0;
     assign contrast_right_o = '0;
@@ -492,9 +501,9 @@ module horopter_stages #(
   logic plane_sums_marks_last_o;
   if (COMPETE) begin : g_plane_sums
     horopter_plane_sums u_plane_sums (
-      .clk_i(clk_i),
+      .clk_i(compete_clk),
       .rst_ni(rst_ni),
-      .en_i(1'b1),
+      .en_i(compete_runs),
       .valid_i(contrast_valid_o),
       .left_i(contrast_left_o),
       .right_i(contrast_right_o),
@@ -532,7 +541,7 @@ module horopter_stages #(
     );
   end else begin : g_no_plane_sums
     logic unused;
-    assign unused = ^{contrast_valid_o, contrast_left_o, contrast_right_o, contrast_mask_o, contrast_grey_o, contrast_exists_o, contrast_marks_first_o, contrast_marks_last_o};
+    assign unused = ^{compete_clk, compete_runs, contrast_valid_o, contrast_left_o, contrast_right_o, contrast_mask_o, contrast_grey_o, contrast_exists_o, contrast_marks_first_o, contrast_marks_last_o};
     assign plane_sums_valid_o = '0;
     assign plane_sums_sum_0_o = '0;
     assign plane_sums_sum_1_o = '0;
@@ -590,9 +599,9 @@ module horopter_stages #(
   logic plane_paths_marks_last_o;
   if (COMPETE) begin : g_plane_paths
     horopter_plane_paths u_plane_paths (
-      .clk_i(clk_i),
+      .clk_i(compete_clk),
       .rst_ni(rst_ni),
-      .en_i(1'b1),
+      .en_i(compete_runs),
       .valid_i(plane_sums_valid_o),
       .sum_0_i(plane_sums_sum_0_o),
       .sum_1_i(plane_sums_sum_1_o),
@@ -649,7 +658,7 @@ module horopter_stages #(
     );
   end else begin : g_no_plane_paths
     logic unused;
-    assign unused = ^{plane_sums_valid_o, plane_sums_sum_0_o, plane_sums_sum_1_o, plane_sums_sum_2_o, plane_sums_sum_3_o, plane_sums_sum_4_o, plane_sums_sum_5_o, plane_sums_sum_6_o, plane_sums_sum_7_o, plane_sums_sum_8_o, plane_sums_sum_9_o, plane_sums_sum_10_o, plane_sums_sum_11_o, plane_sums_sum_12_o, plane_sums_sum_13_o, plane_sums_sum_14_o, plane_sums_sum_15_o, plane_sums_sum_16_o, plane_sums_sum_17_o, plane_sums_sum_18_o, plane_sums_evidence_o, plane_sums_grey_o, plane_sums_known_o, plane_sums_exists_o, plane_sums_marks_first_o, plane_sums_marks_last_o};
+    assign unused = ^{compete_clk, compete_runs, plane_sums_valid_o, plane_sums_sum_0_o, plane_sums_sum_1_o, plane_sums_sum_2_o, plane_sums_sum_3_o, plane_sums_sum_4_o, plane_sums_sum_5_o, plane_sums_sum_6_o, plane_sums_sum_7_o, plane_sums_sum_8_o, plane_sums_sum_9_o, plane_sums_sum_10_o, plane_sums_sum_11_o, plane_sums_sum_12_o, plane_sums_sum_13_o, plane_sums_sum_14_o, plane_sums_sum_15_o, plane_sums_sum_16_o, plane_sums_sum_17_o, plane_sums_sum_18_o, plane_sums_evidence_o, plane_sums_grey_o, plane_sums_known_o, plane_sums_exists_o, plane_sums_marks_first_o, plane_sums_marks_last_o};
     assign plane_paths_valid_o = '0;
     assign plane_paths_cost_0_o = '0;
     assign plane_paths_cost_1_o = '0;
@@ -688,9 +697,9 @@ module horopter_stages #(
   logic contest_marks_last_o;
   if (COMPETE) begin : g_contest
     horopter_contest u_contest (
-      .clk_i(clk_i),
+      .clk_i(compete_clk),
       .rst_ni(rst_ni),
-      .en_i(1'b1),
+      .en_i(compete_runs),
       .valid_i(plane_paths_valid_o),
       .cost_0_i(plane_paths_cost_0_o),
       .cost_1_i(plane_paths_cost_1_o),
@@ -718,8 +727,8 @@ module horopter_stages #(
       .exists_i(plane_paths_exists_o),
       .marks_first_i(plane_paths_marks_first_o),
       .marks_last_i(plane_paths_marks_last_o),
-      .cfg_bias_i(cfg_bias_i),
-      .cfg_boundary_i(cfg_boundary_i),
+      .cfg_bias_i(compete_settings_i[3:0]),
+      .cfg_boundary_i(compete_settings_i[30:27]),
       .valid_o(contest_valid_o),
       .vote_o(contest_vote_o),
       .firm_o(contest_firm_o),
@@ -730,7 +739,7 @@ module horopter_stages #(
     );
   end else begin : g_no_contest
     logic unused;
-    assign unused = ^{plane_paths_valid_o, plane_paths_cost_0_o, plane_paths_cost_1_o, plane_paths_cost_2_o, plane_paths_cost_3_o, plane_paths_cost_4_o, plane_paths_cost_5_o, plane_paths_cost_6_o, plane_paths_cost_7_o, plane_paths_cost_8_o, plane_paths_cost_9_o, plane_paths_cost_10_o, plane_paths_cost_11_o, plane_paths_cost_12_o, plane_paths_cost_13_o, plane_paths_cost_14_o, plane_paths_cost_15_o, plane_paths_cost_16_o, plane_paths_cost_17_o, plane_paths_cost_18_o, plane_paths_grey_o, plane_paths_known_o, plane_paths_evident_o, plane_paths_strong_v_o, plane_paths_exists_o, plane_paths_marks_first_o, plane_paths_marks_last_o, cfg_bias_i, cfg_boundary_i};
+    assign unused = ^{compete_clk, compete_runs, plane_paths_valid_o, plane_paths_cost_0_o, plane_paths_cost_1_o, plane_paths_cost_2_o, plane_paths_cost_3_o, plane_paths_cost_4_o, plane_paths_cost_5_o, plane_paths_cost_6_o, plane_paths_cost_7_o, plane_paths_cost_8_o, plane_paths_cost_9_o, plane_paths_cost_10_o, plane_paths_cost_11_o, plane_paths_cost_12_o, plane_paths_cost_13_o, plane_paths_cost_14_o, plane_paths_cost_15_o, plane_paths_cost_16_o, plane_paths_cost_17_o, plane_paths_cost_18_o, plane_paths_grey_o, plane_paths_known_o, plane_paths_evident_o, plane_paths_strong_v_o, plane_paths_exists_o, plane_paths_marks_first_o, plane_paths_marks_last_o, compete_settings_i[3:0], compete_settings_i[30:27]};
     assign contest_valid_o = '0;
     assign contest_vote_o = '0;
     assign contest_firm_o = '0;
@@ -749,9 +758,9 @@ module horopter_stages #(
   logic spread_marks_last_o;
   if (COMPETE) begin : g_spread
     horopter_spread u_spread (
-      .clk_i(clk_i),
+      .clk_i(compete_clk),
       .rst_ni(rst_ni),
-      .en_i(1'b1),
+      .en_i(compete_runs),
       .valid_i(contest_valid_o),
       .vote_i(contest_vote_o),
       .firm_i(contest_firm_o),
@@ -759,7 +768,7 @@ module horopter_stages #(
       .exists_i(contest_exists_o),
       .marks_first_i(contest_marks_first_o),
       .marks_last_i(contest_marks_last_o),
-      .cfg_smooth_i(cfg_smooth_i),
+      .cfg_smooth_i(compete_settings_i[6:4]),
       .valid_o(spread_valid_o),
       .vote_o(spread_vote_o),
       .firm_o(spread_firm_o),
@@ -770,7 +779,7 @@ module horopter_stages #(
     );
   end else begin : g_no_spread
     logic unused;
-    assign unused = ^{contest_valid_o, contest_vote_o, contest_firm_o, contest_grey_o, contest_exists_o, contest_marks_first_o, contest_marks_last_o, cfg_smooth_i};
+    assign unused = ^{compete_clk, compete_runs, contest_valid_o, contest_vote_o, contest_firm_o, contest_grey_o, contest_exists_o, contest_marks_first_o, contest_marks_last_o, compete_settings_i[6:4]};
     assign spread_valid_o = '0;
     assign spread_vote_o = '0;
     assign spread_firm_o = '0;
@@ -788,9 +797,9 @@ module horopter_stages #(
   logic ballot_marks_last_o;
   if (COMPETE) begin : g_ballot
     horopter_ballot u_ballot (
-      .clk_i(clk_i),
+      .clk_i(compete_clk),
       .rst_ni(rst_ni),
-      .en_i(1'b1),
+      .en_i(compete_runs),
       .valid_i(spread_valid_o),
       .vote_i(spread_vote_o),
       .firm_i(spread_firm_o),
@@ -798,9 +807,9 @@ module horopter_stages #(
       .exists_i(spread_exists_o),
       .marks_first_i(spread_marks_first_o),
       .marks_last_i(spread_marks_last_o),
-      .cfg_similar_i(cfg_similar_i),
-      .cfg_quorum_i(cfg_quorum_i),
-      .cfg_clear_quorum_i(cfg_clear_quorum_i),
+      .cfg_similar_i(compete_settings_i[10:7]),
+      .cfg_quorum_i(compete_settings_i[18:11]),
+      .cfg_clear_quorum_i(compete_settings_i[26:19]),
       .valid_o(ballot_valid_o),
       .skin_o(ballot_skin_o),
       .clear_o(ballot_clear_o),
@@ -810,7 +819,7 @@ module horopter_stages #(
     );
   end else begin : g_no_ballot
     logic unused;
-    assign unused = ^{spread_valid_o, spread_vote_o, spread_firm_o, spread_grey_o, spread_exists_o, spread_marks_first_o, spread_marks_last_o, cfg_similar_i, cfg_quorum_i, cfg_clear_quorum_i};
+    assign unused = ^{compete_clk, compete_runs, spread_valid_o, spread_vote_o, spread_firm_o, spread_grey_o, spread_exists_o, spread_marks_first_o, spread_marks_last_o, compete_settings_i[10:7], compete_settings_i[18:11], compete_settings_i[26:19]};
     assign ballot_valid_o = '0;
     assign ballot_skin_o = '0;
     assign ballot_clear_o = '0;
@@ -825,9 +834,9 @@ module horopter_stages #(
   logic consensus_marks_last_o;
   if (COMPETE) begin : g_consensus
     horopter_consensus u_consensus (
-      .clk_i(clk_i),
+      .clk_i(compete_clk),
       .rst_ni(rst_ni),
-      .en_i(1'b1),
+      .en_i(compete_runs),
       .valid_i(ballot_valid_o),
       .skin_i(ballot_skin_o),
       .clear_i(ballot_clear_o),
@@ -841,7 +850,7 @@ module horopter_stages #(
     );
   end else begin : g_no_consensus
     logic unused;
-    assign unused = ^{ballot_valid_o, ballot_skin_o, ballot_clear_o, ballot_exists_o, ballot_marks_first_o, ballot_marks_last_o};
+    assign unused = ^{compete_clk, compete_runs, ballot_valid_o, ballot_skin_o, ballot_clear_o, ballot_exists_o, ballot_marks_first_o, ballot_marks_last_o};
     assign consensus_valid_o = '0;
     assign consensus_state_o = '0;
     assign consensus_marks_first_o = '0;
@@ -849,13 +858,13 @@ module horopter_stages #(
   end
 
   logic align_valid_i;
-  assign align_valid_i = compete ? consensus_valid_o : majority_valid_o;
+  assign align_valid_i = compete_runs ? consensus_valid_o : majority_valid_o;
   logic [1:0] align_state_i;
-  assign align_state_i = compete ? consensus_state_o : majority_state_o;
+  assign align_state_i = compete_runs ? consensus_state_o : majority_state_o;
   logic align_marks_first_i;
-  assign align_marks_first_i = compete ? consensus_marks_first_o : majority_marks_first_o;
+  assign align_marks_first_i = compete_runs ? consensus_marks_first_o : majority_marks_first_o;
   logic align_marks_last_i;
-  assign align_marks_last_i = compete ? consensus_marks_last_o : majority_marks_last_o;
+  assign align_marks_last_i = compete_runs ? consensus_marks_last_o : majority_marks_last_o;
   horopter_align u_align (
     .clk_i(clk_i),
     .rst_ni(rst_ni),

@@ -82,6 +82,9 @@ class s {
  public:
   static constexpr int width = N;
   s() = default;
+  template <std::integral T>
+  s(T value) : s(hls::s<N>(value)) {}                                                         // NOLINT: as hls::s
+  s(hls::s<N> value) : value_(signed_vector{} + static_cast<std::int16_t>(value.value())) {}  // NOLINT
   template <int M>
   explicit(M > N) s(s<M> other) : value_(M > N ? other.vector() << (16 - N) >> (16 - N) : other.vector()) {}
   template <int M>

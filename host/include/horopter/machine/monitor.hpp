@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "horopter/base/profile.hpp"
-#include "horopter/hls/compete_settings.hpp"
+#include "horopter/hls/settings.hpp"
 #include "horopter/machine/device.hpp"
 #include "horopter/machine/faults.hpp"
 #include "horopter/map/map.hpp"
@@ -24,18 +24,19 @@ struct Settings {
   Decision decision = Decision::thesis;  ///< the profile and the machine must have it
   CompeteSettings competition;
   // Of `thesis`:
-  double threshold_percent = 25;     ///< of the largest DSAD sum, 15·k²; at most this is in the skin
-  int texture = 32;                  ///< mean of the left unscaled Sobel magnitude that makes a pixel decidable
+  double threshold_percent = hls::percent::sum_limit;  ///< of the largest DSAD sum, 15·k²; at most this is in the skin
+  int texture = hls::StageSettings{}.texture_limit /
+                9;                   ///< mean of the left unscaled Sobel magnitude that makes a pixel decidable
   double self_percent = 100.0 / 15;  ///< of 15·k²; a window whose directions vary less is no texture. Default: k²
   // Of both:
-  double alarm_percent = 5;  ///< of the result's pixels; more skin pixels are an alarm
+  double alarm_percent = hls::percent::alarm_limit;  ///< of the result's pixels; more skin pixels are an alarm
   /// Of supported_pixels (support.hpp); more are a fault. Noise alone leaves more undecidable with `thesis`; `compete`
   /// decides some of it, the more the stronger it is (its votes gather in patches).
   double undecidable_percent = 80;
-  double unsupervised_percent = 99;  ///< of the result's pixels; more are a fault
-  int frozen_limit = 1;              ///< repetitions of a frame that are a fault; 0 = never
-  double dark_percent = 95;          ///< of the incoming pixels; more dark ones are a black image
-  double bright_percent = 95;        ///< the same for white
+  double unsupervised_percent = 99;                      ///< of the result's pixels; more are a fault
+  int frozen_limit = hls::StageSettings{}.frozen_limit;  ///< repetitions of a frame that are a fault; 0 = never
+  double dark_percent = hls::percent::dark_limit;        ///< of the incoming pixels; more dark ones are a black image
+  double bright_percent = hls::percent::bright_limit;    ///< the same for white
 };
 
 /// One result of the machine. Pictures and runs are in pixels of the left image (field) after sub-sampling.
