@@ -20,12 +20,7 @@ namespace {
 
 const std::string kData = "/usr/share/doc/opencv-doc/examples/data/";
 const std::string kFence = "```";
-const fs::path kProject = HOROPTER_PROJECT;
-
-std::string read_file(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
+const fs::path kProject = HOROPTER_SOURCE_DIR;
 
 struct Page {
   std::string name;
@@ -40,7 +35,7 @@ std::vector<Page> pages() {
   std::ranges::sort(files);
   std::vector<Page> result;
   for (const fs::path& file : files) {
-    result.push_back({fs::relative(file, kProject).string(), read_file(file)});
+    result.push_back({fs::relative(file, kProject).string(), read_text(file)});
   }
   return result;
 }
@@ -98,7 +93,7 @@ void check_command(const Sandbox& box, const std::string& line) {
   static std::map<std::vector<std::string>, std::string> helps;
   std::string help;
   if (name.starts_with("scripts/")) {
-    help = read_file(kProject / name);
+    help = read_text(kProject / name);
   } else if (name == "horopter") {
     if (!helps.contains(command)) {
       const auto result = box.run(command + std::vector<std::string>{"--help"});

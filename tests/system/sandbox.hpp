@@ -22,6 +22,11 @@ namespace horopter::test {
 
 namespace fs = std::filesystem;
 
+inline std::string read_text(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
 class Sandbox {
  public:
   Sandbox() {
@@ -47,10 +52,7 @@ class Sandbox {
     REQUIRE(stream);  // a full disk is not what is tested
     return (path_ / name).string();
   }
-  std::string read(const std::string& name) const {
-    std::ifstream stream(path_ / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
+  std::string read(const std::string& name) const { return read_text(path_ / name); }
   std::set<std::string> files() const {
     std::set<std::string> names;
     for (const auto& entry : fs::recursive_directory_iterator(path_))
@@ -98,11 +100,7 @@ class Sandbox {
     while ((ended = ::waitpid(child, &status, 0)) < 0 && errno == EINTR) {
     }
     REQUIRE(ended == child);
-    const auto text = [](const std::string& file) {
-      std::ifstream stream(file, std::ios::binary);
-      return std::string(std::istreambuf_iterator<char>(stream), {});
-    };
-    Result result{-1, text(out), text(err)};
+    Result result{-1, read_text(out), read_text(err)};
     INFO("it was killed, by signal " << (WIFSIGNALED(status) ? WTERMSIG(status) : 0) << "; it said " << result.err);
     REQUIRE(WIFEXITED(status));
     result.status = WEXITSTATUS(status);

@@ -76,6 +76,13 @@ TEST_CASE("study all: figures, verdicts and a page of its own, the same for the 
     const std::string study = box.read("once/STUDY.md");
     CHECK_THAT(study,
                Catch::Contains("| 40 |") && Catch::Contains("**confirmed**") && Catch::Contains("**not confirmed**"));
+    // The committed page, made of more and larger images, has the same statements.
+    const std::string committed = read_text(HOROPTER_SOURCE_DIR "/docs/study.md");
+    for (auto at = study.find("\n| 1 |"); at != std::string::npos; at = study.find("\n| ", at + 1)) {
+      std::size_t end = at;
+      for (int bar = 0; bar < 4 && end != std::string::npos; ++bar) end = study.find('|', end + 1);
+      CHECK_THAT(committed, Catch::Contains(study.substr(at, end - at)));
+    }
   }
 
   {  // figures
