@@ -14,39 +14,20 @@
 #include <limits>
 #include <memory>
 
+#include "camera/rotation.hpp"
 #include "horopter/calib/error.hpp"
 
 namespace horopter::calib {
 namespace {
 
+using detail::cross_matrix;
+using detail::right_jacobian;
 using Eigen::Matrix2d;
 using Eigen::Matrix3d;
-using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-using Eigen::VectorXd;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 constexpr int kCamera = CameraParameters::kCount;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-Matrix3d cross_matrix(const Vector3d& v) {
-  Matrix3d m;
-  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return m;
-}
-
-/// exp(ω + δ) ≈ exp(ω)·exp(J δ)
-Matrix3d right_jacobian(const Vector3d& omega) {
-  const double angle2 = omega.squaredNorm();
-  const double angle = std::sqrt(angle2);
-  const Matrix3d k = cross_matrix(omega);
-  double a = 0.5, b = 1.0 / 6;
-  if (angle > 1e-4) {
-    a = (1 - std::cos(angle)) / angle2;
-    b = (angle - std::sin(angle)) / (angle2 * angle);
-  }
-  return Matrix3d::Identity() - a * k + b * k * k;
-}
 
 LensCoefficients lens_of(const CameraParameters::Vector& camera) {
   std::array<double, LensCoefficients::kCount> values;
@@ -203,7 +184,10 @@ bool predict(const Intrinsics& like, const CameraParameters::Vector& camera, con
   return out.pixel.allFinite();
 }
 
-JointReport optimise(JointProblem& joint, const JointOptions& options) {
+namespace {
+
+/// Throws CalibrationError when a start puts a point behind its camera or beyond the lens's limit.
+void check_start(const JointProblem& joint) {
   const auto start = residuals_px(joint);
   for (std::size_t i = 0; i < start.size(); ++i) {
     if (joint.observations[i].used && !std::ranges::all_of(start[i], [](const Vector2d& r) { return r.allFinite(); })) {
@@ -212,84 +196,116 @@ JointReport optimise(JointProblem& joint, const JointOptions& options) {
           "the limit of its lens model");
     }
   }
+}
+
+/// The parameters as the solver moves them.
+struct Blocks {
   std::vector<CameraParameters::Vector> cameras;
   std::vector<Vector6> rigs, views;
-  for (const JointCamera& camera : joint.cameras) {
-    cameras.push_back(CameraParameters::from(camera.intrinsics));
-    rigs.push_back(pose_vector(camera.rig_to_camera));
-  }
-  for (const JointView& view : joint.views) views.push_back(pose_vector(view.target_to_rig));
 
-  const std::unique_ptr<ceres::LossFunction> loss(options.huber_px > 0 ? new ceres::HuberLoss(options.huber_px)
-                                                                       : nullptr);
-  ceres::Problem::Options problem_options;
-  problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  ceres::Problem problem(problem_options);
-  int points = 0;
+  explicit Blocks(const JointProblem& joint) {
+    for (const JointCamera& camera : joint.cameras) {
+      cameras.push_back(CameraParameters::from(camera.intrinsics));
+      rigs.push_back(pose_vector(camera.rig_to_camera));
+    }
+    for (const JointView& view : joint.views) views.push_back(pose_vector(view.target_to_rig));
+  }
+
+  void store(JointProblem& joint) const {
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+      joint.cameras[i].intrinsics = CameraParameters::to(cameras[i], joint.cameras[i].intrinsics);
+      joint.cameras[i].rig_to_camera = pose_from_vector(rigs[i]);
+    }
+    for (std::size_t i = 0; i < views.size(); ++i) joint.views[i].target_to_rig = pose_from_vector(views[i]);
+  }
+};
+
+/// Adds a residual for every point of the observations used, and holds what is not free.
+void build(ceres::Problem& problem, const JointProblem& joint, Blocks& blocks, ceres::LossFunction* loss) {
   for (const JointObservation& observation : joint.observations) {
     if (!observation.used) continue;
-    const auto camera = static_cast<std::size_t>(observation.camera);
-    const auto view = static_cast<std::size_t>(observation.view);
+    const auto c = static_cast<std::size_t>(observation.camera);
+    std::vector<double*> parameters{blocks.cameras[c].data(),
+                                    blocks.views[static_cast<std::size_t>(observation.view)].data()};
+    if (c > 0) parameters.push_back(blocks.rigs[c].data());
     for (std::size_t i = 0; i < observation.points_mm.size(); ++i) {
-      std::vector<double*> blocks{cameras[camera].data(), views[view].data()};
-      if (camera > 0) blocks.push_back(rigs[camera].data());
       problem.AddResidualBlock(
-          new PointCost(joint.cameras[camera].intrinsics, observation.points_mm[i], observation.pixels[i], camera > 0),
-          loss.get(), blocks);
-      ++points;
+          new PointCost(joint.cameras[c].intrinsics, observation.points_mm[i], observation.pixels[i], c > 0), loss,
+          parameters);
     }
   }
-  if (points == 0) throw CalibrationError("no measured points");
-  for (std::size_t i = 0; i < cameras.size(); ++i) hold(problem, cameras[i].data(), joint.cameras[i].free);
-  for (std::size_t i = 0; i < views.size(); ++i) hold(problem, views[i].data(), joint.views[i].free);
+  for (std::size_t i = 0; i < blocks.cameras.size(); ++i) {
+    hold(problem, blocks.cameras[i].data(), joint.cameras[i].free);
+  }
+  for (std::size_t i = 0; i < blocks.views.size(); ++i) hold(problem, blocks.views[i].data(), joint.views[i].free);
+}
 
+/// The poses of the views are eliminated first, then the cameras solved.
+std::shared_ptr<ceres::ParameterBlockOrdering> views_first(const ceres::Problem& problem, Blocks& blocks) {
+  auto ordering = std::make_shared<ceres::ParameterBlockOrdering>();
+  const auto add = [&](double* block, int group) {
+    if (problem.HasParameterBlock(block)) ordering->AddElementToGroup(block, group);
+  };
+  for (Vector6& view : blocks.views) add(view.data(), 0);
+  for (std::size_t i = 0; i < blocks.cameras.size(); ++i) {
+    add(blocks.cameras[i].data(), 1);
+    add(blocks.rigs[i].data(), 1);
+  }
+  return ordering;
+}
+
+ceres::Solver::Options solver_options(const ceres::Problem& problem, Blocks& blocks, int max_iterations) {
   ceres::Solver::Options solver;
-  solver.max_num_iterations = options.max_iterations;
+  solver.max_num_iterations = max_iterations;
   solver.function_tolerance = 1e-13;
   solver.gradient_tolerance = 1e-13;
   solver.parameter_tolerance = 1e-12;
   solver.logging_type = ceres::SILENT;
   solver.num_threads = 1;  // the same digits every time
   solver.initial_trust_region_radius = 1e3;
-  if (joint.views.size() == 1) {
-    solver.linear_solver_type = ceres::DENSE_QR;  // one plane leaves a flat valley: no squared condition number
-  } else {
-    solver.linear_solver_type = ceres::DENSE_SCHUR;
-    auto ordering = std::make_shared<ceres::ParameterBlockOrdering>();
-    for (Vector6& view : views) {
-      if (problem.HasParameterBlock(view.data())) ordering->AddElementToGroup(view.data(), 0);
-    }
-    for (std::size_t i = 0; i < cameras.size(); ++i) {
-      if (problem.HasParameterBlock(cameras[i].data())) ordering->AddElementToGroup(cameras[i].data(), 1);
-      if (problem.HasParameterBlock(rigs[i].data())) ordering->AddElementToGroup(rigs[i].data(), 1);
-    }
-    solver.linear_solver_ordering = ordering;
-  }
-  ceres::Solver::Summary summary;
-  const QuietCeres quiet;
-  ceres::Solve(solver, &problem, &summary);
-  if (summary.termination_type == ceres::FAILURE) {
-    throw CalibrationError("the optimisation cannot go on: " + summary.message);
-  }
+  // One plane leaves a flat valley: its condition number must not be squared.
+  const bool one_view = blocks.views.size() == 1;
+  solver.linear_solver_type = one_view ? ceres::DENSE_QR : ceres::DENSE_SCHUR;
+  if (!one_view) solver.linear_solver_ordering = views_first(problem, blocks);
+  return solver;
+}
 
-  for (std::size_t i = 0; i < cameras.size(); ++i) {
-    joint.cameras[i].intrinsics = CameraParameters::to(cameras[i], joint.cameras[i].intrinsics);
-    joint.cameras[i].rig_to_camera = pose_from_vector(rigs[i]);
-  }
-  for (std::size_t i = 0; i < views.size(); ++i) joint.views[i].target_to_rig = pose_from_vector(views[i]);
-
-  JointReport report;
-  report.converged = summary.termination_type == ceres::CONVERGENCE;
-  report.iterations = static_cast<int>(summary.iterations.size());
-  report.message = summary.message;
+/// Root of the mean squared distance over the observations used.
+double rms_used(const JointProblem& joint) {
   double sum = 0;
+  std::size_t points = 0;
   const auto residuals = residuals_px(joint);
   for (std::size_t i = 0; i < residuals.size(); ++i) {
     if (!joint.observations[i].used) continue;
     for (const Vector2d& residual : residuals[i]) sum += residual.squaredNorm();
+    points += residuals[i].size();
   }
-  report.rms_px = std::sqrt(sum / points);
-  return report;
+  return std::sqrt(sum / static_cast<double>(points));
+}
+
+}  // namespace
+
+JointReport optimise(JointProblem& joint, const JointOptions& options) {
+  check_start(joint);
+  const std::unique_ptr<ceres::LossFunction> loss(options.huber_px > 0 ? new ceres::HuberLoss(options.huber_px)
+                                                                       : nullptr);
+  ceres::Problem::Options problem_options;
+  problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  ceres::Problem problem(problem_options);
+  Blocks blocks(joint);
+  build(problem, joint, blocks, loss.get());
+  if (problem.NumResidualBlocks() == 0) throw CalibrationError("no measured points");
+  ceres::Solver::Summary summary;
+  const QuietCeres quiet;
+  ceres::Solve(solver_options(problem, blocks, options.max_iterations), &problem, &summary);
+  if (summary.termination_type == ceres::FAILURE) {
+    throw CalibrationError("the optimisation cannot go on: " + summary.message);
+  }
+  blocks.store(joint);
+  return {.converged = summary.termination_type == ceres::CONVERGENCE,
+          .iterations = static_cast<int>(summary.iterations.size()),
+          .rms_px = rms_used(joint),
+          .message = summary.message};
 }
 
 std::vector<std::vector<Vector2d>> residuals_px(const JointProblem& problem) {
@@ -315,157 +331,6 @@ double rms_of(const std::vector<Vector2d>& residuals) {
   double sum = 0;
   for (const Vector2d& residual : residuals) sum += residual.squaredNorm();
   return residuals.empty() ? 0 : std::sqrt(sum / static_cast<double>(residuals.size()));
-}
-
-namespace {
-
-/// Inverse of a positive semi-definite matrix after scaling its diagonal to 1. `floor` is what counts as 0 among the
-/// eigenvalues; variances in such directions become infinite.
-MatrixXd inverse_psd(const MatrixXd& matrix, bool& determined) {
-  const Eigen::Index n = matrix.rows();
-  if (n == 0) return matrix;
-  VectorXd scale(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    scale[i] = matrix(i, i) > 0 ? 1 / std::sqrt(matrix(i, i)) : 0;
-    if (scale[i] == 0) determined = false;
-  }
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(scale.asDiagonal() * matrix * scale.asDiagonal());
-  VectorXd inverse = solver.eigenvalues();
-  VectorXd unknown = VectorXd::Zero(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    if (inverse[i] > 1e-13) {
-      inverse[i] = 1 / inverse[i];
-    } else {
-      inverse[i] = 0;
-      unknown += solver.eigenvectors().col(i).cwiseAbs2();
-      determined = false;
-    }
-  }
-  MatrixXd result = scale.asDiagonal() * solver.eigenvectors() * inverse.asDiagonal() *
-                    solver.eigenvectors().transpose() * scale.asDiagonal();
-  for (Eigen::Index i = 0; i < n; ++i) {
-    if (unknown[i] > 1e-6 || scale[i] == 0) result(i, i) = kInfinity;
-  }
-  return result;
-}
-
-}  // namespace
-
-JointCovariance covariance(const JointProblem& problem, double sigma_px, double least_sigma_px) {
-  const std::size_t cameras = problem.cameras.size(), views = problem.views.size();
-  // Columns of the parameters that all views share; −1: not free.
-  std::vector<std::array<int, kCamera>> camera_column(cameras);
-  std::vector<int> rig_column(cameras, -1);
-  int shared = 0;
-  std::vector<bool> seen(cameras, false);
-  for (const JointObservation& observation : problem.observations) {
-    if (observation.used) seen[static_cast<std::size_t>(observation.camera)] = true;
-  }
-  for (std::size_t c = 0; c < cameras; ++c) {
-    for (int i = 0; i < kCamera; ++i) {
-      camera_column[c][static_cast<std::size_t>(i)] =
-          problem.cameras[c].free[static_cast<std::size_t>(i)] && seen[c] ? shared++ : -1;
-    }
-    if (c > 0 && seen[c]) {
-      rig_column[c] = shared;
-      shared += 6;
-    }
-  }
-  MatrixXd a = MatrixXd::Zero(shared, shared);
-  std::vector<MatrixXd> b(views, MatrixXd::Zero(shared, 6));
-  std::vector<Eigen::Matrix<double, 6, 6>> d(views, Eigen::Matrix<double, 6, 6>::Zero());
-  std::vector<int> free_in_view(views, 0);
-  double sum = 0;
-  int rows = 0;
-  for (const JointObservation& observation : problem.observations) {
-    if (!observation.used) continue;
-    const auto c = static_cast<std::size_t>(observation.camera), v = static_cast<std::size_t>(observation.view);
-    const JointCamera& camera = problem.cameras[c];
-    const auto parameters = CameraParameters::from(camera.intrinsics);
-    const Vector6 rig = pose_vector(camera.rig_to_camera), view = pose_vector(problem.views[v].target_to_rig);
-    const Matrix3d rig_inverse = right_jacobian(rig.head<3>()).inverse() * camera.rig_to_camera.rotation.transpose();
-    const Matrix3d view_inverse =
-        right_jacobian(view.head<3>()).inverse() * problem.views[v].target_to_rig.rotation.transpose();
-    for (std::size_t i = 0; i < observation.points_mm.size(); ++i) {
-      Prediction prediction;
-      if (!predict(camera.intrinsics, parameters, rig, view, observation.points_mm[i], observation.pixels[i],
-                   prediction)) {
-        continue;
-      }
-      sum += (observation.pixels[i] - prediction.pixel).squaredNorm();
-      rows += 2;
-      // From rotation vectors to small rotations about the axes of the camera or rig.
-      prediction.by_rig_to_camera.leftCols<3>() *= rig_inverse;
-      prediction.by_view.leftCols<3>() *= view_inverse;
-      MatrixXd by_shared = MatrixXd::Zero(2, shared);
-      for (int p = 0; p < kCamera; ++p) {
-        const int column = camera_column[c][static_cast<std::size_t>(p)];
-        if (column >= 0) by_shared.col(column) = prediction.by_camera.col(p);
-      }
-      if (rig_column[c] >= 0) by_shared.middleCols<6>(rig_column[c]) = prediction.by_rig_to_camera;
-      for (int p = 0; p < 6; ++p) {
-        if (!problem.views[v].free[static_cast<std::size_t>(p)]) prediction.by_view.col(p).setZero();
-      }
-      a.noalias() += by_shared.transpose() * by_shared;
-      b[v].noalias() += by_shared.transpose() * prediction.by_view;
-      d[v].noalias() += prediction.by_view.transpose() * prediction.by_view;
-    }
-  }
-  JointCovariance result;
-  int unknowns = shared;
-  std::vector<MatrixXd> d_inverse(views);
-  for (std::size_t v = 0; v < views; ++v) {
-    if (d[v].isZero(0)) continue;  // not observed, or held
-    for (int p = 0; p < 6; ++p) {
-      if (problem.views[v].free[static_cast<std::size_t>(p)]) {
-        ++unknowns;
-      } else {
-        d[v](p, p) = 1;  // a held parameter: its row and column are 0 otherwise
-      }
-    }
-    d_inverse[v] = inverse_psd(d[v], result.determined);
-    a.noalias() -= b[v] * d_inverse[v] * b[v].transpose();
-  }
-  result.degrees_of_freedom = rows - unknowns;
-  result.sigma_px = result.degrees_of_freedom > 0 ? std::sqrt(sum / result.degrees_of_freedom) : kInfinity;
-  if (sigma_px > 0) result.sigma_px = sigma_px;
-  result.sigma_px = std::max(result.sigma_px, least_sigma_px);
-  const double variance = result.sigma_px * result.sigma_px;
-  // The Schur complement is a difference: a diagonal that vanished by rounding is 0.
-  const MatrixXd shared_covariance = inverse_psd(0.5 * (a + a.transpose()), result.determined) * variance;
-  for (std::size_t c = 0; c < cameras; ++c) {
-    auto& camera = result.cameras.emplace_back();
-    camera.setZero();
-    for (int i = 0; i < kCamera; ++i) {
-      for (int j = 0; j < kCamera; ++j) {
-        const int row = camera_column[c][static_cast<std::size_t>(i)];
-        const int column = camera_column[c][static_cast<std::size_t>(j)];
-        if (row >= 0 && column >= 0) camera(i, j) = shared_covariance(row, column);
-      }
-    }
-    auto& rig = result.rig_to_camera.emplace_back();
-    rig.setZero();
-    if (rig_column[c] >= 0) rig = shared_covariance.block<6, 6>(rig_column[c], rig_column[c]);
-  }
-  for (std::size_t v = 0; v < views; ++v) {
-    auto& view = result.views.emplace_back();
-    view.setZero();
-    if (d_inverse[v].size() == 0) continue;
-    const MatrixXd gain = d_inverse[v] * b[v].transpose();
-    view = d_inverse[v] * variance;
-    if (shared > 0) view += gain * shared_covariance * gain.transpose();
-    for (int p = 0; p < 6; ++p) {
-      if (!problem.views[v].free[static_cast<std::size_t>(p)]) {
-        view.row(p).setZero();
-        view.col(p).setZero();
-      }
-      if (std::isnan(view(p, p))) view(p, p) = kInfinity;  // depends on something that is not determined
-    }
-    if (v == 0 && cameras > 0 && camera_column[0][CameraParameters::f] >= 0) {
-      result.f_tz = -(gain * shared_covariance.col(camera_column[0][CameraParameters::f]))[5];
-    }
-  }
-  return result;
 }
 
 }  // namespace horopter::calib

@@ -43,8 +43,8 @@ double evaluate(const Polynomial& p, double r) {
   return value;
 }
 
-/// Smallest r > 0 with p(r) = 0, for p(0) > 0. Roots that are real only up to rounding count: a limit too small is
-/// safe, one too large is not.
+/// Smallest r > 0 with p(r) = 0, for p(0) > 0. A root that is real but for rounding counts too: a limit that is too
+/// small is safe, one that is too large is not.
 double first_positive_root(Polynomial p) {
   // r = scale·t makes the largest coefficient ratio 1, so that the companion matrix is well balanced.
   double scale = kInfinity;

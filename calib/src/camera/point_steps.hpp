@@ -38,8 +38,8 @@ std::vector<PointPair> in_frame(std::span<const PointPair> points, const Pose& w
 void check_finite(std::span<const PointPair> points);
 void check_count(std::size_t count, std::size_t least, std::string_view why);
 
-/// The last right singular vector, after scaling the columns. Throws CalibrationError with `why` when the last but one
-/// is as good.
+/// The vector that the matrix maps nearest to 0, found after scaling the columns. Throws CalibrationError with `why`
+/// when another one is as good.
 Eigen::VectorXd null_vector(const Eigen::MatrixXd& matrix, const char* why);
 
 /// The camera that Tsai's linear steps give: radial alignment (6.17), then f and tz (6.19). Of the poses that fit, the

@@ -46,7 +46,7 @@ std::vector<Pose> symmetries(const std::vector<Vector2d>& points) {
 /// Where each target point goes when the target is turned.
 std::vector<Vector2d> turned_pixels(const std::vector<Vector2d>& points, const std::vector<Vector2d>& pixels,
                                     const Pose& turn) {
-  // The pose found with these pixels was pose_b; pose_b · turn puts target point p where turn·p was measured.
+  // The pose of the target, turned, puts point p where the point turn · p was measured.
   std::vector<Vector2d> result;
   for (const Vector2d& point : points) {
     const Vector2d at = (turn * Vector3d(point.x(), point.y(), 0)).head<2>();

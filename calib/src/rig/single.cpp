@@ -54,13 +54,13 @@ struct FocalGuess {
   double kappa1_per_px2 = 0;
 };
 
-/// A focal length by Tsai's method, and how much it is worth.
+/// A focal length by Tsai's method, and its weight, the square of f over its standard deviation.
 struct KnownFocal {
   FocalGuess guess;
   double weight;
 };
 
-/// Nothing where the points do not tell it: others do.
+/// Nothing when these points do not determine f.
 std::optional<KnownFocal> focal_by_tsai(const ViewCamera& camera, const std::vector<PointPair>& pairs) {
   const Sensor sensor{
       camera.width_px, camera.height_px, 1, 1, 0.5 * (camera.width_px - 1), 0.5 * (camera.height_px - 1), 1.0};
@@ -138,7 +138,7 @@ double median_view_rms(const JointProblem& problem) {
   return values[values.size() / 2];
 }
 
-/// The camera of a guess, with which poses are found.
+/// The camera of a guess, by which the poses of the views are found.
 BrownConradyIntrinsics start_intrinsics(const ViewCamera& camera, const FocalGuess& guess, bool distorted) {
   BrownConradyIntrinsics intrinsics{.fx_px = guess.f_px,
                                     .fy_px = guess.f_px,
@@ -195,7 +195,7 @@ std::optional<Single> try_single(const ViewCamera& camera, const Measured& measu
     optimise(problem, {.huber_px = 5, .max_iterations = 50});
     free[P::lens] = options.distortion[0];
     optimise(problem, {.huber_px = 2, .max_iterations = 50});
-    // Views of one plane: two views know five numbers of a camera barely, one view only its focal length.
+    // Two views of a plane barely determine five numbers of a camera. One view determines only its focal length.
     free = free_parameters(options, problem.observations.size() < 2);
     optimise(problem, {.huber_px = 1, .max_iterations = 100});
   } catch (const CalibrationError&) {
@@ -223,7 +223,7 @@ Single calibrate_single(const ViewCamera& camera, const Measured& measured) {
 
 std::string focal_problem(const std::string& name, const Intrinsics& intrinsics, double f_sd_px) {
   const double f_px = std::get<BrownConradyIntrinsics>(intrinsics).fy_px;
-  if (f_sd_px < 0.05 * f_px) return "";  // not >=: a NaN is a problem
+  if (f_sd_px < 0.05 * f_px) return "";  // written so that a NaN is a problem
   return fmt::format(
       "{}: f and the distance of the target cannot be told apart (f = {:.0f} ± {:.0f} px): its plane is too nearly "
       "parallel to the image in all views; tilt it by 30 degrees or so, in different directions",

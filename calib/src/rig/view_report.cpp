@@ -19,14 +19,14 @@ using Eigen::Vector3d;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using P = CameraParameters;
 
-/// A rig that fits its views worse than this is none: px, or a share of the image's width, whichever is more.
+/// The largest residual of a usable rig: px, or a share of the width of the image, whichever is more.
 constexpr double kLargestRmsPx = 1.5;
 constexpr double kLargestRmsShare = 0.002;
 /// Share of the width to which the image centre must be known.
 constexpr double kCentreShare = 0.05;
 /// Share of width and height over which targets should reach.
 constexpr double kCoverage = 0.5;
-/// Views that are few, and pairs.
+/// Fewer views, or pairs of images, than this get a warning.
 constexpr std::size_t kFewViews = 4;
 constexpr std::size_t kFewPairs = 2;
 
@@ -42,7 +42,8 @@ struct Solution {
   const ViewCamera& camera(std::size_t c) const { return measured.cameras[c]; }
 };
 
-/// Coordinates of a target that lies on a table, from those of the printed plane: y up, z out of the print.
+/// From the coordinates of the printed plane, y down and z into the print, to those of a target on a table: y up, z out
+/// of the print.
 Pose target_to_world() {
   Pose pose;
   pose.rotation = Vector3d(1, -1, -1).asDiagonal();
@@ -58,7 +59,7 @@ Camera camera_of(const Solution& solution, std::size_t c) {
           .world_to_camera = joint.rig_to_camera * solution.world_to_rig};
 }
 
-/// Of a camera in the world: the first one stands in its own world, unless that is the target's.
+/// Covariance of a camera's pose in the world. The world is the first camera, which has none then, or the target.
 Matrix6 pose_covariance(const Solution& solution, std::size_t c) {
   if (c > 0) return solution.sd.rig_to_camera[c];
   return solution.measured.raised() ? solution.sd.views[0] : Matrix6(Matrix6::Zero());

@@ -38,7 +38,7 @@ struct Single {
 /// Throws CalibrationError when no camera explains any of the views.
 Single calibrate_single(const ViewCamera& camera, const Measured& measured);
 
-/// Why f cannot be told from the distance of the targets; empty when it can.
+/// Says why f and the distance of the targets are known only together. Empty when f is known.
 std::string focal_problem(const std::string& name, const Intrinsics& intrinsics, double f_sd_px);
 
 /// All cameras and views as one problem, whose observations remember where they come from.
@@ -49,7 +49,7 @@ struct Placed {
   };
   JointProblem problem;
   std::vector<Origin> origin;       ///< of each observation
-  std::vector<std::string> reason;  ///< why an observation is left out; empty: its pair is
+  std::vector<std::string> reason;  ///< why an observation is left out; empty when the other of its pair is the reason
 };
 
 /// Where the cameras stand to each other, and the views to the rig. Throws CalibrationError when a camera shares no

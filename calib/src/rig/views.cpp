@@ -88,8 +88,8 @@ void check_input(const Measured& measured) {
   }
 }
 
-/// A camera that does not know f stands anywhere, and the others then do not see what it sees: if there is one, this
-/// throws CalibrationError.
+/// A camera whose f is not known has no certain place, and the other cameras then do not fit to it. Throws
+/// CalibrationError that names such a camera, if there is one.
 void blame_focal_length(const std::vector<Single>& singles, const Measured& measured) {
   for (std::size_t c = 0; c < singles.size(); ++c) {
     const JointCovariance alone = covariance(singles[c].problem);
@@ -147,7 +147,7 @@ JointReport solve(Placed& placed, const std::vector<Single>& singles, const Meas
   JointProblem& problem = placed.problem;
   const auto optimise_all = [&](const JointOptions& how) { return optimise_or_blame(problem, how, singles, measured); };
   if (problem.cameras.size() > 1 || measured.raised()) {
-    // First with the cameras as they were found alone: a pair that is no pair would bend them.
+    // First the poses alone, with each camera as it was found by itself: a wrong pair would spoil the cameras.
     for (JointCamera& camera : problem.cameras) camera.free = {};
     optimise_all({.huber_px = 1});
     for (std::size_t c = 0; c < singles.size(); ++c) problem.cameras[c].free = singles[c].problem.cameras[0].free;

@@ -22,8 +22,8 @@ struct Board {
   const Vector2d& at(int x, int y) const { return corners[static_cast<std::size_t>(y) * columns + x]; }
 };
 
-// A search takes seconds where a large image is full of other things. Those that follow the first one, and are in vain
-// as a rule, are made in a smaller image.
+// A search takes seconds in a large image that shows many other things. The searches after the first one seldom find a
+// board, so they are made in a smaller image.
 constexpr int kThoroughSide_px = 640;
 constexpr int kOtherSizesSide_px = 400;
 
@@ -59,7 +59,7 @@ std::pair<Vector2d, Vector2d> steps(const Board& board, int x, int y) {
   return {(board.at(xr, y) - board.at(xl, y)) / (xr - xl), (board.at(x, yl) - board.at(x, yu)) / (yl - yu)};
 }
 
-/// Grey level of 3×3 pixels; beyond the image its border goes on.
+/// Mean grey level of 3×3 pixels. Outside the image, the nearest pixel of its border counts.
 double mean_around(const GreyImage& image, const Vector2d& p) {
   const int x = static_cast<int>(std::lround(p.x()));
   const int y = static_cast<int>(std::lround(p.y()));
@@ -70,7 +70,7 @@ double mean_around(const GreyImage& image, const Vector2d& p) {
   return sum / 9;
 }
 
-/// Corners that a longer board would have beyond one of its sides.
+/// What is seen at the places where a longer board would have its next row of corners.
 struct Beyond {
   int crossings = 0;  ///< are corners
   int outside = 0;    ///< lie outside the image, or too near its border
@@ -84,7 +84,7 @@ Beyond look_beyond(const GreyImage& image, const Board& board, int side) {
     const int x = vertical ? i : side == 0 ? 0 : board.columns - 1;
     const int y = vertical ? side == 1 ? 0 : board.rows - 1 : i;
     const auto [along_x, along_y] = steps(board, x, y);
-    // Where the next corner of the line would be, by a parabola: squares shrink with distance, and the lens bends.
+    // The next corner of the line, by a parabola through three: squares shrink with distance, and the lens bends lines.
     const int inward_x = vertical ? 0 : side == 0 ? 1 : -1;
     const int inward_y = !vertical ? 0 : side == 1 ? 1 : -1;
     const Vector2d p =
@@ -129,10 +129,8 @@ const char* side_name(const Board& board, int side) {
 
 std::string size_text(int columns, int rows) { return std::to_string(columns) + "x" + std::to_string(rows); }
 
-/// What else is in the image, for the message.
-[[noreturn]] void explain(const cv::Mat& grey, const GreyImage& image, const TargetSpec& spec) {
-  const std::string wanted = size_text(spec.columns, spec.rows);
-  // Sizes near the one asked for, and shorter ones, as of a board that leaves the image.
+/// Sizes near the one asked for, and shorter ones, as of a board that leaves the image; the most alike first.
+std::vector<cv::Size> other_sizes(const TargetSpec& spec) {
   std::vector<cv::Size> sizes;
   for (int c = spec.columns + 3; c >= 3; --c)
     for (int r = spec.rows + 3; r >= 3; --r) {
@@ -143,33 +141,108 @@ std::string size_text(int columns, int rows) { return std::to_string(columns) + 
   const auto unlike = [&](const cv::Size& size) {
     return std::abs(size.width - spec.columns) + std::abs(size.height - spec.rows);
   };
-  std::stable_sort(sizes.begin(), sizes.end(),
-                   [&](const cv::Size& one, const cv::Size& two) { return unlike(one) < unlike(two); });
-  if (cv::checkChessboard(grey, cv::Size(spec.columns, spec.rows))) {
-    const cv::Mat small = reduced(grey, kOtherSizesSide_px);
-    for (const cv::Size& size : sizes) {
-      const auto board = find_board(small, grey.size(), size.width, size.height, true);
-      if (!board) continue;
-      std::string borders;
-      if (size.width <= spec.columns && size.height <= spec.rows)
-        for (int side = 0; side < 4; ++side) {
-          const Beyond beyond = look_beyond(image, *board, side);
-          if (2 * beyond.outside > beyond.places)
-            (borders += borders.empty() ? "" : " and ") += side_name(*board, side);
-        }
-      if (!borders.empty())
-        throw TargetError(Reason::partly_outside, "the chessboard is partly outside the image: only " +
-                                                      size_text(size.width, size.height) + " of " + wanted +
-                                                      " inner corners are seen, next to the " + borders +
-                                                      " border of the image");
-      throw TargetError(Reason::wrong_size, "wrong pattern size: a chessboard of " +
-                                                size_text(size.width, size.height) + " inner corners found, expected " +
-                                                wanted);
-    }
-    throw TargetError(Reason::hidden, "something like a chessboard found, but not " + wanted +
-                                          " inner corners: it is partly hidden, outside the image or of another size");
+  std::ranges::stable_sort(sizes, {}, unlike);
+  return sizes;
+}
+
+/// The sides on which more than half of the places beyond a board lie outside the image, as "left and upper".
+std::string borders_beside(const GreyImage& image, const Board& board) {
+  std::string borders;
+  for (int side = 0; side < 4; ++side) {
+    const Beyond beyond = look_beyond(image, board, side);
+    if (2 * beyond.outside > beyond.places) (borders += borders.empty() ? "" : " and ") += side_name(board, side);
   }
-  throw TargetError(Reason::no_target, "no chessboard of " + wanted + " inner corners found");
+  return borders;
+}
+
+/// Throws TargetError that says what else is in the image.
+[[noreturn]] void explain(const cv::Mat& grey, const GreyImage& image, const TargetSpec& spec) {
+  const std::string wanted = size_text(spec.columns, spec.rows);
+  if (!cv::checkChessboard(grey, cv::Size(spec.columns, spec.rows)))
+    throw TargetError(Reason::no_target, "no chessboard of " + wanted + " inner corners found");
+  const cv::Mat small = reduced(grey, kOtherSizesSide_px);
+  for (const cv::Size& size : other_sizes(spec)) {
+    const auto board = find_board(small, grey.size(), size.width, size.height, true);
+    if (!board) continue;
+    const std::string found = size_text(size.width, size.height);
+    const bool smaller = size.width <= spec.columns && size.height <= spec.rows;
+    if (const std::string borders = smaller ? borders_beside(image, *board) : ""; !borders.empty())
+      throw TargetError(Reason::partly_outside, "the chessboard is partly outside the image: only " + found + " of " +
+                                                    wanted + " inner corners are seen, next to the " + borders +
+                                                    " border of the image");
+    throw TargetError(Reason::wrong_size,
+                      "wrong pattern size: a chessboard of " + found + " inner corners found, expected " + wanted);
+  }
+  throw TargetError(Reason::hidden, "something like a chessboard found, but not " + wanted +
+                                        " inner corners: it is partly hidden, outside the image or of another size");
+}
+
+Board find_first_guess(const cv::Mat& grey, const GreyImage& image, const TargetSpec& spec) {
+  auto found = find_board(grey, grey.size(), spec.columns, spec.rows, true);
+  if (!found) found = find_board(reduced(grey, kThoroughSide_px), grey.size(), spec.columns, spec.rows, false);
+  if (!found) explain(grey, image, spec);
+  return *found;
+}
+
+/// OpenCV may start rows at either end. Afterwards they run as on the print, which is never mirrored.
+void unmirror(Board& board) {
+  const Vector2d x_step = board.at(board.columns - 1, 0) - board.at(0, 0);
+  const Vector2d y_step = board.at(0, board.rows - 1) - board.at(0, 0);
+  if (x_step.x() * y_step.y() - x_step.y() * y_step.x() >= 0) return;
+  for (int y = 0; y < board.rows; ++y)
+    std::reverse(board.corners.begin() + static_cast<long>(y) * board.columns,
+                 board.corners.begin() + static_cast<long>(y + 1) * board.columns);
+}
+
+/// The corner near a guess. When it is far from the guess, it is measured again in a window around it. Throws
+/// TargetError.
+Saddle measure_corner(const GreyImage& image, const Vector2d& guess, const Vector2d& along_x, const Vector2d& along_y) {
+  const double spacing = std::min(along_x.norm(), along_y.norm());
+  const double room = std::min({guess.x(), guess.y(), image.width - 1 - guess.x(), image.height - 1 - guess.y()}) - 0.5;
+  const double half = std::min(std::clamp(0.45 * spacing, 3.0, 8.0), room);
+  auto saddle = half < 2 ? std::nullopt : fit_saddle(image, guess, along_x, along_y, half);
+  if (saddle && (saddle->position_px - guess).norm() > 0.7)
+    saddle = fit_saddle(image, saddle->position_px, along_x, along_y, half);
+  if (!saddle || (saddle->position_px - guess).norm() > std::max(2.0, 0.2 * spacing))
+    throw TargetError(Reason::hidden, "the chessboard corner near pixel (" + std::to_string(std::lround(guess.x())) +
+                                          ", " + std::to_string(std::lround(guess.y())) + ") cannot be measured");
+  return *saddle;
+}
+
+/// A board with its corners measured.
+struct MeasuredBoard {
+  Board board;
+  double median_side_px = 0;
+  bool white_first = false;  ///< the square between the first corner and its neighbours is white
+};
+
+MeasuredBoard measure(const GreyImage& image, const Board& guess) {
+  MeasuredBoard result{guess};
+  std::vector<double> sides;
+  double white = 0;
+  for (int y = 0; y < guess.rows; ++y)
+    for (int x = 0; x < guess.columns; ++x) {
+      const auto [along_x, along_y] = steps(guess, x, y);
+      sides.push_back((along_x.norm() + along_y.norm()) / 2);
+      const Saddle saddle = measure_corner(image, guess.at(x, y), along_x, along_y);
+      result.board.corners[static_cast<std::size_t>(y) * guess.columns + x] = saddle.position_px;
+      white += ((x + y) % 2 ? -1 : 1) * saddle.amplitude;
+    }
+  result.white_first = white > 0;
+  std::nth_element(sides.begin(), sides.begin() + sides.size() / 2, sides.end());
+  result.median_side_px = sides[sides.size() / 2];
+  return result;
+}
+
+/// Throws TargetError when the board goes on beyond one of its sides: it is another board then.
+void check_ends(const GreyImage& image, const Board& board) {
+  for (int side = 0; side < 4; ++side) {
+    const Beyond beyond = look_beyond(image, board, side);
+    if (beyond.crossings > 1 && 2 * beyond.crossings > beyond.places - beyond.outside)
+      throw TargetError(Reason::wrong_size,
+                        "wrong pattern size: the chessboard has more than " + size_text(board.columns, board.rows) +
+                            " inner corners; it goes on at the " + side_name(board, side) + " side");
+  }
 }
 
 }  // namespace
@@ -179,71 +252,19 @@ TargetView detect_chessboard(const cv::Mat& grey, const TargetSpec& spec) {
     throw TargetError(Reason::wrong_size, "a chessboard of " + size_text(spec.columns, spec.rows) +
                                               " inner corners cannot be found: at least 3x3 are needed");
   const GreyImage image = grey_image(grey);
-  auto found = find_board(grey, grey.size(), spec.columns, spec.rows, true);
-  if (!found) {
-    found = find_board(reduced(grey, kThoroughSide_px), grey.size(), spec.columns, spec.rows, false);
-  }
-  if (!found) explain(grey, image, spec);
-  Board board = *found;
-
-  // OpenCV may run a row from either end: never mirrored.
-  const Vector2d x_step = board.at(board.columns - 1, 0) - board.at(0, 0);
-  const Vector2d y_step = board.at(0, board.rows - 1) - board.at(0, 0);
-  if (x_step.x() * y_step.y() - x_step.y() * y_step.x() < 0)
-    for (int y = 0; y < board.rows; ++y)
-      std::reverse(board.corners.begin() + static_cast<long>(y) * board.columns,
-                   board.corners.begin() + static_cast<long>(y + 1) * board.columns);
-
-  // Corners; once more where the window was not centred on the result.
-  std::vector<double> spacings;
-  double sign = 0;
-  {
-    Board next = board;
-    for (int y = 0; y < board.rows; ++y)
-      for (int x = 0; x < board.columns; ++x) {
-        const auto [along_x, along_y] = steps(board, x, y);
-        const double spacing = std::min(along_x.norm(), along_y.norm());
-        spacings.push_back((along_x.norm() + along_y.norm()) / 2);
-        const Vector2d& guess = board.at(x, y);
-        Vector2d& corner = next.corners[static_cast<std::size_t>(y) * board.columns + x];
-        double half = std::clamp(0.45 * spacing, 3.0, 8.0);
-        const double room =
-            std::min({guess.x(), guess.y(), image.width - 1 - guess.x(), image.height - 1 - guess.y()}) - 0.5;
-        half = std::min(half, room);
-        auto saddle = half < 2 ? std::nullopt : fit_saddle(image, guess, along_x, along_y, half);
-        if (saddle && (saddle->position_px - guess).norm() > 0.7)
-          saddle = fit_saddle(image, saddle->position_px, along_x, along_y, half);
-        if (!saddle || (saddle->position_px - guess).norm() > std::max(2.0, 0.2 * spacing))
-          throw TargetError(Reason::hidden, "the chessboard corner near pixel (" +
-                                                std::to_string(std::lround(guess.x())) + ", " +
-                                                std::to_string(std::lround(guess.y())) + ") cannot be measured");
-        corner = saddle->position_px;
-        sign += ((x + y) % 2 ? -1 : 1) * saddle->amplitude;
-      }
-    board = next;
-  }
-
-  // A board that goes on is another board.
-  int more[4] = {0, 0, 0, 0};
-  for (int side = 0; side < 4; ++side) {
-    const Beyond beyond = look_beyond(image, board, side);
-    if (beyond.crossings > 1 && 2 * beyond.crossings > beyond.places - beyond.outside) more[side] = 1;
-  }
-  if (more[0] + more[1] + more[2] + more[3] > 0)
-    throw TargetError(Reason::wrong_size,
-                      "wrong pattern size: the chessboard has more than " + size_text(spec.columns, spec.rows) +
-                          " inner corners; it goes on at the " +
-                          side_name(board, static_cast<int>(std::max_element(more, more + 4) - more)) + " side");
+  Board guess = find_first_guess(grey, image, spec);
+  unmirror(guess);
+  auto [board, median_side_px, white_first] = measure(image, guess);
+  check_ends(image, board);
 
   TargetView view;
   // The square inside the first corner (towards +x, +y) has the colour of the one outside it, diagonally.
-  const auto turn = [&] { std::reverse(board.corners.begin(), board.corners.end()); };
   view.oriented = (spec.columns + spec.rows) % 2 == 1;
-  if (view.oriented ? sign > 0 : board.at(board.columns - 1, 0).x() < board.at(0, 0).x()) turn();
+  const bool to_the_left = board.at(board.columns - 1, 0).x() < board.at(0, 0).x();
+  if (view.oriented ? white_first : to_the_left) std::reverse(board.corners.begin(), board.corners.end());
   view.target_mm = spec.points_mm();
   view.image_px = board.corners;
-  std::nth_element(spacings.begin(), spacings.begin() + spacings.size() / 2, spacings.end());
-  view.fiducial_px = spacings[spacings.size() / 2];
+  view.fiducial_px = median_side_px;
   check_order(spec, view.image_px);
   if (const auto fit = fit_plane(view.target_mm, view.image_px, image.width, image.height))
     view.plane_rms_px = fit->rms_px;

@@ -102,7 +102,7 @@ class Refiner {
     const bool fixed = options_.method == EdgeMethod::tabatabai_2d;
     const int smallest = fixed || options_.method == EdgeMethod::gaussian ? 9 : 5;
     int window = fixed || options_.method == EdgeMethod::zernike_9 ? 9 : 13;
-    // Windows clear of the corners over 40 % of the side, and of the neighbours.
+    // Over 40 % of a side, the window must reach neither a corner nor the next fiducial.
     while (window > smallest && (side_px < (window + 3) / 0.6 || side_px * gap_over_side_ < window / 2.0 + 2))
       window -= 2;
     auto& estimator = estimators_[window];
@@ -121,7 +121,8 @@ class Refiner {
   std::map<int, std::unique_ptr<EdgeEstimator>> estimators_;
 };
 
-/// The grid as it is in the image: places in pitches, x and y turning clockwise, not yet turned to the spec.
+/// The fiducials that were found, by their place in a grid: whole numbers x and y, in pitches. From x to y it is a
+/// quarter turn clockwise in the image. Which corner of the grid is the first one of the spec is not yet known.
 class Grid {
  public:
   using Place = std::pair<int, int>;  // y, x
@@ -140,6 +141,8 @@ class Grid {
     for (const Vector2d& corner : TargetSpec{spec.kind, 1, 1, spec.side_mm, spec.pitch_mm}.points_mm())
       template_.push_back((corner - Vector2d(spec.box_mm() / 2, -spec.box_mm() / 2)) / spec.pitch_mm);
   }
+  Grid(const Grid&) = delete;  // refiner_ refers to image_
+  Grid& operator=(const Grid&) = delete;
 
   void take(const std::vector<Quad>& quads, const std::vector<GridCell>& cells) {
     bright_ = quads[cells.front().quad].contrast > 0;
@@ -173,22 +176,17 @@ class Grid {
     return e;
   }
 
-  /// Fits the plane to what is there. False when it cannot be.
+  /// Fits the plane to the fiducials that were found. False when they do not determine it.
   bool fit() {
-    std::vector<Vector2d> plane;
-    std::vector<Vector2d> pixels;
-    for (const auto& [place, fiducial] : fiducials_)
-      for (int i = 0; i < 4; ++i) {
-        plane.push_back(Vector2d(place.second, place.first) + template_[i]);
-        pixels.push_back(fiducial.corners[i]);
-      }
+    const auto [plane, pixels] = all_corners();
     auto fitted = detail::fit_plane(plane, pixels, image_.width, image_.height);
     if (!fitted) return false;
     plane_ = std::move(*fitted);
     return true;
   }
 
-  /// Looks where the plane says that fiducials are missing: holes in the grid, and rows and columns beside it.
+  /// Looks for fiducials at the places where the plane expects more of them: in the gaps of the grid, and in the rows
+  /// and columns beside it.
   void complete() {
     for (int round = 0; round < 400; ++round) {
       if (!fit()) return;
@@ -204,7 +202,7 @@ class Grid {
             ++found;
             new_ones.emplace_back(y + i * dy, x + i * dx);
           }
-        // A single thing beside the target that looks like a fiducial is none.
+        // One thing beside the target may look like a fiducial by chance. Half a row of them does not.
         if (2 * found <= n)
           for (const Place& place : new_ones) fiducials_.erase(place);
         else
@@ -221,7 +219,7 @@ class Grid {
   bool has(int x, int y) const { return fiducials_.count({y, x}) > 0; }
   const Fiducial& at(int x, int y) const { return fiducials_.at({y, x}); }
 
-  /// Whether the place would be seen in whole.
+  /// Whether all of a fiducial at this place would lie in the image.
   bool inside(int x, int y) const {
     for (const Vector2d& corner : predicted(x, y))
       if (!corner.allFinite() || corner.x() < 2 || corner.y() < 2 || corner.x() > image_.width - 3 ||
@@ -229,23 +227,21 @@ class Grid {
         return false;
     return true;
   }
-  /// Whether all of the row of places is seen in whole.
+  /// The same for a row of n places, from (x, y) in steps of (dx, dy).
   bool inside(int x, int y, int dx, int dy, int n) const {
     for (int i = 0; i < n; ++i)
       if (!inside(x + i * dx, y + i * dy)) return false;
     return true;
   }
 
-  /// Moves all corners to where they are without the displacement of the edges. Returns it: along x, and along y.
+  /// Blooming and ink move the edges of all fiducials outwards or inwards. Finds by how much, and moves the corners
+  /// back. Returns the displacement along x and y of the image, px.
   Vector2d settle() {
-    std::vector<Vector2d> plane;
-    std::vector<Vector2d> pixels;
+    const auto [plane, pixels] = all_corners();
     std::vector<detail::Spread> spreads;
     for (const auto& [place, fiducial] : fiducials_)
       for (int i = 0; i < 4; ++i) {
-        plane.push_back(Vector2d(place.second, place.first) + template_[i]);
-        pixels.push_back(fiducial.corners[i]);
-        // The sides before and after the corner move; the corner is where they meet.
+        // The corner is where the sides before and after it meet. Both of them move.
         const Vector2d before = (fiducial.corners[i] - fiducial.corners[(i + 3) % 4]).normalized();
         const Vector2d after = (fiducial.corners[(i + 1) % 4] - fiducial.corners[i]).normalized();
         const Vector2d n1(before.y(), -before.x());
@@ -266,7 +262,7 @@ class Grid {
     return {fitted->spread[0], fitted->spread[2]};
   }
 
-  /// Second pass, from the corners of the first, with sides straightened.
+  /// Measures all corners once more, along sides that are straightened by the distortion found so far.
   void polish() {
     for (int pass = 0; pass < 2; ++pass) {
       if (!fit()) return;
@@ -277,7 +273,7 @@ class Grid {
     fit();
   }
 
-  /// The background shows in the middle of the fiducial.
+  /// Whether the fiducial has a hole: the background shows in its middle.
   bool marked(int x, int y) const {
     const PlaneView& view = plane_.view;
     const Vector2d middle(x, y);
@@ -306,6 +302,20 @@ class Grid {
   const GreyImage& image() const { return image_; }
 
  private:
+  struct Corners {
+    std::vector<Vector2d> plane;  ///< in pitches
+    std::vector<Vector2d> pixels;
+  };
+  Corners all_corners() const {
+    Corners corners;
+    for (const auto& [place, fiducial] : fiducials_)
+      for (int i = 0; i < 4; ++i) {
+        corners.plane.push_back(Vector2d(place.second, place.first) + template_[i]);
+        corners.pixels.push_back(fiducial.corners[i]);
+      }
+    return corners;
+  }
+
   std::array<Vector2d, 4> predicted(int x, int y) const {
     std::array<Vector2d, 4> corners;
     for (int i = 0; i < 4; ++i) corners[i] = plane_.view.project(Vector2d(x, y) + template_[i]);
@@ -382,11 +392,8 @@ class Grid {
   throw TargetError(Reason::no_target, message);
 }
 
-struct Turn {
-  int quarter;  ///< quarter turns from the grid's frame to the spec's
-};
-
-/// Place in the grid's frame of column, row-from-the-top of the frame turned by quarters.
+/// The place in the grid of column x and row y, counted from the top left of the grid after it was turned by `quarter`
+/// quarter turns.
 std::pair<int, int> turned(const Grid::Extent& e, int quarter, int x, int y) {
   switch (quarter) {
     case 0:
@@ -400,48 +407,55 @@ std::pair<int, int> turned(const Grid::Extent& e, int quarter, int x, int y) {
   }
 }
 
+/// The borders of the image beside which the grid would go on, as "left and upper".
+std::string borders_beside(const Grid& grid) {
+  const Grid::Extent e = grid.extent();
+  // The frame of the grid may be turned against the image: what lies beside it is named in the image.
+  const auto name = [](const Vector2d& direction) {
+    if (std::abs(direction.x()) > std::abs(direction.y())) return direction.x() > 0 ? "right" : "left";
+    return direction.y() > 0 ? "lower" : "upper";
+  };
+  std::string borders;
+  const auto look = [&](bool whole, const Vector2d& direction) {
+    if (!whole) borders += (borders.empty() ? "" : " and ") + std::string(name(direction));
+  };
+  const Eigen::Matrix2d d = grid.directions();
+  look(grid.inside(e.x0 - 1, e.y0, 0, 1, e.rows()), -d.col(0));
+  look(grid.inside(e.x1 + 1, e.y0, 0, 1, e.rows()), d.col(0));
+  look(grid.inside(e.x0, e.y0 - 1, 1, 0, e.columns()), -d.col(1));
+  look(grid.inside(e.x0, e.y1 + 1, 1, 0, e.columns()), d.col(1));
+  return borders;
+}
+
+[[noreturn]] void wrong_extent(const Grid& grid, const TargetSpec& spec) {
+  const int w = grid.extent().columns();
+  const int h = grid.extent().rows();
+  const auto within = [&](int c, int r) { return w <= c && h <= r; };
+  const std::string wanted = size_text(spec.columns, spec.rows);
+  const std::string found = size_text(w, h) + " " + kind_text(spec.kind);
+  if (within(spec.columns, spec.rows) || within(spec.rows, spec.columns))
+    if (const std::string borders = borders_beside(grid); !borders.empty())
+      throw TargetError(Reason::partly_outside, "the target is partly outside the image: only " + found + " of " +
+                                                    wanted + " are seen, next to the " + borders +
+                                                    " border of the image");
+  throw TargetError(Reason::wrong_size, "wrong pattern size: found " + found + ", expected " + wanted);
+}
+
+/// Throws TargetError unless the grid has the size of the spec and no fiducial is missing.
 void check_extent(const Grid& grid, const TargetSpec& spec) {
   const Grid::Extent e = grid.extent();
-  const int w = e.columns();
-  const int h = e.rows();
-  const std::string wanted = size_text(spec.columns, spec.rows);
-  const auto fits = [&](int c, int r) { return w == c && h == r; };
-  if (!fits(spec.columns, spec.rows) && !fits(spec.rows, spec.columns)) {
-    const auto within = [&](int c, int r) { return w <= c && h <= r; };
-    const std::string found = size_text(w, h) + " " + kind_text(spec.kind);
-    if (within(spec.columns, spec.rows) || within(spec.rows, spec.columns)) {
-      std::string borders;
-      const auto border = [&](bool whole, const char* name) {
-        if (!whole) borders += (borders.empty() ? "" : " and ") + std::string(name);
-      };
-      // The frame of the grid may be turned against the image: what lies beside it is named in the image.
-      const Eigen::Matrix2d d = grid.directions();
-      const auto name = [](const Vector2d& direction) {
-        if (std::abs(direction.x()) > std::abs(direction.y())) return direction.x() > 0 ? "right" : "left";
-        return direction.y() > 0 ? "lower" : "upper";
-      };
-      border(grid.inside(e.x0 - 1, e.y0, 0, 1, h), name(-d.col(0)));
-      border(grid.inside(e.x1 + 1, e.y0, 0, 1, h), name(d.col(0)));
-      border(grid.inside(e.x0, e.y0 - 1, 1, 0, w), name(-d.col(1)));
-      border(grid.inside(e.x0, e.y1 + 1, 1, 0, w), name(d.col(1)));
-      if (!borders.empty())
-        throw TargetError(Reason::partly_outside, "the target is partly outside the image: only " + found + " of " +
-                                                      wanted + " are seen, next to the " + borders +
-                                                      " border of the image");
-    }
-    throw TargetError(Reason::wrong_size, "wrong pattern size: found " + found + ", expected " + wanted);
-  }
+  const auto fits = [&](int c, int r) { return e.columns() == c && e.rows() == r; };
+  if (!fits(spec.columns, spec.rows) && !fits(spec.rows, spec.columns)) wrong_extent(grid, spec);
   std::size_t missing = 0;
   std::string first;
   for (int y = e.y0; y <= e.y1; ++y)
-    for (int x = e.x0; x <= e.x1; ++x)
-      if (!grid.has(x, y)) {
-        const Vector2d p = grid.plane().view.project(Vector2d(x, y));
-        if (missing++ == 0)
-          first = "(" + std::to_string(std::lround(p.x())) + ", " + std::to_string(std::lround(p.y())) + ")";
-      }
+    for (int x = e.x0; x <= e.x1; ++x) {
+      if (grid.has(x, y) || missing++ > 0) continue;
+      const Vector2d p = grid.plane().view.project(Vector2d(x, y));
+      first = "(" + std::to_string(std::lround(p.x())) + ", " + std::to_string(std::lround(p.y())) + ")";
+    }
   if (missing > 0)
-    throw TargetError(Reason::hidden, count_of(missing, "fiducial") + " of " + wanted +
+    throw TargetError(Reason::hidden, count_of(missing, "fiducial") + " of " + size_text(spec.columns, spec.rows) +
                                           " hidden or damaged, the first at pixel " + first);
 }
 
@@ -455,59 +469,75 @@ GreyImage grey_image(const cv::Mat& image) {
   return result;
 }
 
-TargetView detect_target(const cv::Mat& image, const TargetSpec& spec, const TargetOptions& options) {
-  const cv::Mat grey = grey8(image);
-  if (spec.kind == TargetKind::chessboard) return detail::detect_chessboard(grey, spec);
+namespace {
 
+/// Fills the grid with the fiducials of the image, all of them and measured. Throws TargetError.
+void fill(Grid& grid, const cv::Mat& grey, const TargetSpec& spec) {
   const std::vector<Quad> quads = detail::find_quads(grey);
   const std::vector<GridCell> cells = detail::link_grid(quads, spec.kind, spec.pitch_mm / spec.side_mm);
   if (cells.size() < 4) no_target(quads, cells.size(), spec);
-  Grid grid(grey, spec, options);
   grid.take(quads, cells);
   if (grid.size() < 4) no_target(quads, cells.size(), spec);
   grid.complete();
   if (!grid.fit()) no_target(quads, cells.size(), spec);
   check_extent(grid, spec);
   grid.polish();
-  TargetView view;
-  if (options.settle) view.edge_shift_px = grid.settle();
+}
 
-  const Grid::Extent e = grid.extent();
-  const Eigen::Matrix2d d = grid.directions();
+/// Quarter turns of the grid's frame in which the target has as many columns and rows as it should.
+std::vector<int> possible_quarters(const Grid::Extent& e, const TargetSpec& spec) {
   std::vector<int> quarters;
   for (int quarter = 0; quarter < 4; ++quarter) {
     const bool across = quarter % 2 == 1;
     if ((across ? e.rows() : e.columns()) == spec.columns && (across ? e.columns() : e.rows()) == spec.rows)
       quarters.push_back(quarter);
   }
-  const auto x_direction = [&](int quarter) -> Vector2d {
-    return (quarter % 2 ? d.col(1) : d.col(0)) * (quarter >= 2 ? -1 : 1);
-  };
-  // Which corner fiducials have a hole, as places in the frame turned by quarters.
+  return quarters;
+}
+
+/// The corner fiducials of the grid that have a hole: places x, y.
+std::vector<std::pair<int, int>> holes_of(const Grid& grid) {
+  const Grid::Extent e = grid.extent();
   std::vector<std::pair<int, int>> holes;
   for (const int y : {e.y0, e.y1})
     for (const int x : {e.x0, e.x1})
       if (grid.marked(x, y)) holes.emplace_back(x, y);
-  int quarter = quarters.front();
-  if (holes.size() == 1) {
-    for (const int q : quarters)
-      if (turned(e, q, 0, spec.rows - 1) == holes.front()) {
-        view.oriented = true;
-        quarter = q;
-      }
-    if (!view.oriented)
-      throw TargetError(Reason::mirrored,
-                        "the target is seen mirrored: the marked first fiducial is not at the end of the bottom row "
-                        "where the print has it");
-  } else {
-    for (const int q : quarters) {
-      // Most to the right; of two opposite ones that are upright, the one that points down.
-      const auto score = [&](int at) { return x_direction(at).x() + 1e-6 * x_direction(at).y(); };
-      if (score(q) > score(quarter)) quarter = q;
-    }
-  }
+  return holes;
+}
 
-  view.target_mm = spec.points_mm();
+/// The quarter turn that points x most to the right in the image. When two are equal, because x is upright in both, the
+/// one that points x down.
+int rightmost(const std::vector<int>& quarters, const Eigen::Matrix2d& directions) {
+  const auto score = [&](int quarter) {
+    const Vector2d x = directions.col(quarter % 2) * (quarter >= 2 ? -1 : 1);
+    return x.x() + 1e-6 * x.y();
+  };
+  return *std::ranges::max_element(quarters, {}, score);
+}
+
+/// How the target is turned in the frame of the grid, and whether its print says so. Throws TargetError when the hole
+/// says that the image is mirrored.
+struct Orientation {
+  int quarter = 0;
+  bool known = false;
+};
+Orientation orient(const Grid& grid, const TargetSpec& spec) {
+  const Grid::Extent e = grid.extent();
+  const std::vector<int> quarters = possible_quarters(e, spec);
+  const auto holes = holes_of(grid);
+  if (holes.size() != 1) return {rightmost(quarters, grid.directions()), false};
+  const auto at_hole = [&](int quarter) { return turned(e, quarter, 0, spec.rows - 1) == holes.front(); };
+  const auto found = std::ranges::find_if(quarters, at_hole);
+  if (found == quarters.end())
+    throw TargetError(Reason::mirrored,
+                      "the target is seen mirrored: the marked first fiducial is not at the end of the bottom row "
+                      "where the print has it");
+  return {*found, true};
+}
+
+/// Corners of the grid in the order of the spec, and how well they were measured.
+void read_corners(const Grid& grid, const TargetSpec& spec, int quarter, TargetView& view) {
+  const Grid::Extent e = grid.extent();
   std::vector<double> sides;
   double squares = 0;
   for (int row = 0; row < spec.rows; ++row)
@@ -520,14 +550,29 @@ TargetView detect_target(const cv::Mat& image, const TargetSpec& spec, const Tar
       }
       squares += fiducial.rms_px * fiducial.rms_px;
     }
-  view.edge_rms_px = std::sqrt(squares / (spec.columns * spec.rows));
-  view.plane_rms_px = grid.plane().rms_px;
   std::nth_element(sides.begin(), sides.begin() + sides.size() / 2, sides.end());
   view.fiducial_px = sides[sides.size() / 2];
+  view.edge_rms_px = std::sqrt(squares / (spec.columns * spec.rows));
+}
+
+}  // namespace
+
+TargetView detect_target(const cv::Mat& image, const TargetSpec& spec, const TargetOptions& options) {
+  const cv::Mat grey = grey8(image);
+  if (spec.kind == TargetKind::chessboard) return detail::detect_chessboard(grey, spec);
+  Grid grid(grey, spec, options);
+  fill(grid, grey, spec);
+  TargetView view;
+  if (options.settle) view.edge_shift_px = grid.settle();
+  const auto [quarter, known] = orient(grid, spec);
+  view.oriented = known;
+  view.target_mm = spec.points_mm();
+  view.plane_rms_px = grid.plane().rms_px;
+  read_corners(grid, spec, quarter, view);
   check_order(spec, view.image_px);
-  const auto worst = std::max_element(grid.plane().residual_px.begin(), grid.plane().residual_px.end());
-  if (*worst > std::max(3.0, 0.2 * view.fiducial_px))
-    throw TargetError(Reason::hidden, "a corner lies " + std::to_string(*worst) +
+  const double worst = std::ranges::max(grid.plane().residual_px);
+  if (worst > std::max(3.0, 0.2 * view.fiducial_px))
+    throw TargetError(Reason::hidden, "a corner lies " + std::to_string(worst) +
                                           " px from where the others say it is: a fiducial is hidden or damaged");
   return view;
 }

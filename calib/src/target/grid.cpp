@@ -50,7 +50,7 @@ std::vector<GridCell> link_grid(const std::vector<Quad>& quads, TargetKind kind,
       for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
         if (cells.count({cell.x + dx, cell.y + dy})) continue;
         Vector2d step = here.x * dx + here.y * dy;
-        // A neighbour on the other side tells the local step better than the fiducial itself.
+        // The step to a neighbour on the other side is a better guess of the next step than the size of the fiducial.
         if (const auto back = cells.find({cell.x - dx, cell.y - dy}); back != cells.end()) {
           const Vector2d known = quad.centre - quads[back->second.quad].centre;
           if ((known - step).norm() < 0.3 * step.norm()) step = (known + step) / 2;
@@ -77,7 +77,7 @@ std::vector<GridCell> link_grid(const std::vector<Quad>& quads, TargetKind kind,
             next.first = first;
           }
         }
-        // The step seen from there must lead back here.
+        // Seen from the neighbour, the step back must lead here.
         const Axes there = axes(quads[best], next.first, kind, pitch_over_side);
         const Vector2d back = there.x * dx + there.y * dy;
         if ((quads[best].centre - back - quad.centre).norm() > 0.3 * back.norm()) continue;

@@ -22,9 +22,9 @@ constexpr std::array sheets{Sheet{"a5", 148, 210},        Sheet{"a4", 210, 297},
                             Sheet{"legal", 215.9, 355.6}, Sheet{"tabloid", 279.4, 431.8}, Sheet{"a3", 297, 420},
                             Sheet{"a2", 420, 594},        Sheet{"a1", 594, 841},          Sheet{"a0", 841, 1189}};
 
-/// What printers cannot reach.
+/// The border of the paper that printers cannot print on.
 constexpr double border_mm = 5;
-/// Beside the target: a bar, its figures, and white to set the target off.
+/// Beside the target: a bar, its figures, and some white between bar and target.
 constexpr double bar_room_mm = 9;
 constexpr double text_room_mm = 5;
 constexpr double text_size_mm = 2.6;

@@ -50,10 +50,10 @@ Eigen::Matrix2d PlaneView::jacobian(const Vector2d& plane) const {
 
 namespace {
 
-/// λ from which the whole image keeps an inverse, and for which the model is meant.
+/// Limits of λ. Up to 0.24 the model has an inverse in the whole image.
 constexpr double kLeastLambda = -1;
 constexpr double kGreatestLambda = 0.24;
-/// Points from which λ is fitted.
+/// With fewer points than this, λ is 0.
 constexpr std::size_t kPointsForLambda = 12;
 
 /// Distances between predicted and measured corners, px. Parameters: the homography between normalised coordinates,
@@ -61,7 +61,7 @@ constexpr std::size_t kPointsForLambda = 12;
 struct CornerResiduals {
   static constexpr int kParameters = 12, kLambda = 8, kSpread = 9;
 
-  const PlaneView& frame;  ///< whose middle and radius are used
+  const PlaneView& frame;  ///< gives the middle and the radius of the image
   Matrix3d to_plane;       ///< normalises the points of the plane
   Matrix3d from_image;     ///< from normalised coordinates to pixels
   std::span<const Vector2d> plane, pixels;
@@ -104,7 +104,7 @@ std::optional<PlaneFit> fit_plane(std::span<const Vector2d> plane, std::span<con
   fit.view.radius = std::hypot(width, height) / 2;
 
   CornerResiduals corners{fit.view, *normalisation(plane), normalisation(pixels)->inverse(), plane, pixels, spreads};
-  // Diamonds tell only the sum of Sxx and Syy: a weak pull to 0 settles what the corners do not.
+  // The corners of diamonds tell only the sum of Sxx and Syy. A weak pull towards 0 decides the rest.
   if (!spreads.empty()) corners.pull = 0.02 * std::sqrt(static_cast<double>(n));
   Matrix3d h = corners.from_image.inverse() * start->matrix * corners.to_plane.inverse();
   if (std::abs(h(2, 2)) < 1e-12 * h.norm()) return std::nullopt;

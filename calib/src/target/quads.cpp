@@ -97,12 +97,12 @@ std::optional<Quad> make_quad(const cv::Mat& grey, const std::vector<cv::Point>&
     if (cross(b - a, quad.corners[(i + 2) % 4] - b) <= 0) return std::nullopt;
   }
   if (shortest < 4 || longest > 6 * shortest) return std::nullopt;
-  // The contour runs through the outermost pixel centres: half a pixel short on each side.
+  // The contour runs through the centres of the outermost pixels. It is half a pixel too small on each side.
   if (std::abs(quad_area - area) > 0.12 * area + perimeter) return std::nullopt;
   for (const cv::Point& p : contour)
     if (p.x <= 0 || p.y <= 0 || p.x >= grey.cols - 1 || p.y >= grey.rows - 1) quad.touches_border = true;
 
-  // All four sides step the same way, from outside to inside.
+  // From outside to inside, all four sides must get brighter, or all darker.
   const double reach = std::clamp(0.15 * shortest, 1.5, 4.0);
   double least = 1e9;
   double greatest = -1e9;
@@ -136,7 +136,7 @@ std::vector<Quad> find_quads(const cv::Mat& grey) {
     for (const auto& contour : contours) {
       auto quad = make_quad(grey, contour);
       if (!quad) continue;
-      // The same quad at another scale: the one with more contrast stays.
+      // A quad may be found at several scales. The one with the most contrast stays.
       bool known = false;
       for (Quad& other : quads) {
         if ((other.centre - quad->centre).norm() > 0.25 * std::min(other.side_px, quad->side_px)) continue;

@@ -19,7 +19,7 @@ struct Quad {
   Eigen::Vector2d centre;
   double side_px = 0;           ///< mean side
   double contrast = 0;          ///< inside minus outside, grey levels
-  bool touches_border = false;  ///< cut off by the image border: where its fourth side is, nobody can say
+  bool touches_border = false;  ///< cut off by the image border, so that one of its sides is not seen
 };
 std::vector<Quad> find_quads(const cv::Mat& grey);
 
@@ -50,8 +50,8 @@ struct PlaneView {
   /// Pixels per unit of the plane, in x and y of the plane.
   Eigen::Matrix2d jacobian(const Eigen::Vector2d& plane) const;
 };
-/// How far a corner moves when the edges around it move outward by nᵀ S n, n the edge's outward normal in the image.
-/// A column each for Sxx, Sxy and Syy, in px.
+/// How a corner moves when each edge at it moves outwards by nᵀ S n, where n is the edge's outward normal in the image
+/// and S a symmetric matrix: px per unit of Sxx, Sxy and Syy, a column each.
 using Spread = Eigen::Matrix<double, 2, 3>;
 struct PlaneFit {
   PlaneView view;
@@ -59,19 +59,19 @@ struct PlaneFit {
   double rms_px = 0;
   std::vector<double> residual_px;
 };
-/// Nothing for fewer than 4 points or points on a line. λ is fitted from 12 points on. With `spreads`, one a point, the
-/// displacement of the edges is fitted too.
+/// Nothing for fewer than 4 points or points on a line. λ is fitted when there are 12 points or more. With `spreads`,
+/// one for each point, λ and the displacement of the edges are fitted.
 std::optional<PlaneFit> fit_plane(std::span<const Eigen::Vector2d> plane, std::span<const Eigen::Vector2d> pixels,
                                   int width, int height, std::span<const Spread> spreads = {});
 
 TargetView detect_chessboard(const cv::Mat& grey, const TargetSpec& spec);
 
-/// Saddle of a chessboard corner: the product of two blurred edges fitted to the pixels within `half` of it.
+/// A corner of a chessboard: the product of two blurred edges, fitted to the pixels within `half_px` of the guess.
 struct Saddle {
   Eigen::Vector2d position_px;
-  double amplitude;  ///< half of white minus black; positive when the quadrant towards (1, 0)+ (0, 1) of the edges is
-                     ///< white
-  double rms;        ///< grey levels
+  /// Half of white minus black. Positive when the quadrant between the directions x and y is white.
+  double amplitude;
+  double rms;  ///< of the fit, grey levels
 };
 std::optional<Saddle> fit_saddle(const GreyImage& image, const Eigen::Vector2d& guess_px,
                                  const Eigen::Vector2d& along_x, const Eigen::Vector2d& along_y, double half_px);
