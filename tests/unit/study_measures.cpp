@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "horopter/calib/random.hpp"
 #include "horopter/study/filters.hpp"
 #include "horopter/study/measures.hpp"
-#include "horopter/study/random.hpp"
 #include "horopter/study/series.hpp"
 
 using namespace horopter;

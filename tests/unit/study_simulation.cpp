@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "horopter/study/random.hpp"
+#include "horopter/calib/random.hpp"
 #include "horopter/study/simulation.hpp"
 
 using namespace horopter;
@@ -32,7 +32,7 @@ double rms_difference(const Plane& a, const Plane& b) {
 }  // namespace
 
 TEST_CASE("gaussian numbers have mean 0 and deviation 1") {
-  Random random(3);
+  horopter::calib::Random random(3);
   double sum = 0;
   double square = 0;
   constexpr int count = 400000;
@@ -50,7 +50,7 @@ TEST_CASE("every texture has the contrast and brightness asked for, and comes ag
   conditions.texture.kind =
       GENERATE(TextureKind::dead_leaves, TextureKind::band_noise, TextureKind::printed_dots, TextureKind::picture);
   auto picture = std::make_shared<Image>(40, 30);
-  Random random(7);
+  horopter::calib::Random random(7);
   for (auto& pixel : picture->pixels) pixel = static_cast<std::uint8_t>(random.next());
   conditions.texture.picture = picture;
   conditions.texture.picture_scale = 1.7;
@@ -132,7 +132,7 @@ TEST_CASE("textures have the structures asked for") {
 
 TEST_CASE("a picture goes on mirrored where it ends") {
   auto picture = std::make_shared<Image>(20, 12);
-  Random random(7);
+  horopter::calib::Random random(7);
   for (auto& pixel : picture->pixels) pixel = static_cast<std::uint8_t>(random.next());
   Texture texture;
   texture.kind = TextureKind::picture;

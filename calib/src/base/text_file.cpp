@@ -2,7 +2,8 @@
 #include "horopter/calib/text_file.hpp"
 
 #include <fstream>
-#include <sstream>
+#include <iterator>
+#include <system_error>
 
 #include "horopter/calib/error.hpp"
 
@@ -10,12 +11,13 @@ namespace horopter::calib {
 
 std::string read_text(const std::filesystem::path& file, const std::string& expected) {
   std::error_code error;
-  if (std::filesystem::is_directory(file, error)) throw FileError(file.string(), "", "this is a directory", expected);
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) throw FileError(file.string(), "", "there is no such file", expected);
+  if (std::filesystem::is_directory(status)) throw FileError(file.string(), "", "this is a directory", expected);
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw FileError(file.string(), "", "the file is missing or cannot be read", expected);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
+  std::string text(std::istreambuf_iterator<char>(stream), {});
+  if (!stream.is_open() || stream.bad()) throw FileError(file.string(), "", "the file cannot be read", expected);
+  return text;
 }
 
 }  // namespace horopter::calib
