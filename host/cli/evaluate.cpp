@@ -50,9 +50,9 @@ struct EvaluateOptions {
   bool json = false;
 };
 
-constexpr std::array<const char*, 3> method_names{"horopter", "stereobm", "stereosgbm"};
+constexpr std::array<const char*, 3> kMethodNames{"horopter", "stereobm", "stereosgbm"};
 /// Each is timed so often; the fastest run counts, the least disturbed one.
-constexpr int timed_runs = 3;
+constexpr int kTimedRuns = 3;
 
 /// One method on one pair.
 struct MethodResult {
@@ -64,7 +64,7 @@ struct MethodResult {
 struct PairResult {
   std::string name;
   std::vector<double> disparities;
-  std::array<MethodResult, method_names.size()> methods;
+  std::array<MethodResult, kMethodNames.size()> methods;
 };
 
 /// A plane at the disparity, parallel to the images: an integer shift is a homography.
@@ -181,7 +181,7 @@ PairResult evaluate_pair(const EvaluateOptions& options, const StereoPair& pair,
     throw FileError(pair.name, "", "no pixel of the ground truth counts", "known pixels visible in both images");
   }
   const Image right = changed(pair.right, change);
-  const int runs = change == "none" ? timed_runs : 1;
+  const int runs = change == "none" ? kTimedRuns : 1;
   const double largest = std::max(truth.largest_px(), std::ranges::max(result.disparities) + options.tolerance_px);
   auto& [horopter, bm, sgbm] = result.methods;
   horopter = run_horopter(options, pair, truth, result.disparities, right, runs);
@@ -218,10 +218,10 @@ json mean_of(const std::vector<json>& rows) {
 
 json to_json(const std::vector<PairResult>& pairs) {
   json result{{"pairs", json::array()}, {"mean", json::object()}};
-  std::array<std::vector<json>, method_names.size()> all;
+  std::array<std::vector<json>, kMethodNames.size()> all;
   for (const PairResult& pair : pairs) {
     json methods = json::object();
-    for (std::size_t m = 0; m < method_names.size(); ++m) {
+    for (std::size_t m = 0; m < kMethodNames.size(); ++m) {
       const MethodResult& method = pair.methods[m];
       std::vector<json> rows;
       for (std::size_t i = 0; i < pair.disparities.size(); ++i) {
@@ -233,11 +233,11 @@ json to_json(const std::vector<PairResult>& pairs) {
       all[m].push_back(one);
       one["parameters"] = method.parameters;
       one["by_disparity"] = rows;
-      methods[method_names[m]] = one;
+      methods[kMethodNames[m]] = one;
     }
     result["pairs"].push_back({{"name", pair.name}, {"disparities", pair.disparities}, {"methods", methods}});
   }
-  for (std::size_t m = 0; m < method_names.size(); ++m) result["mean"][method_names[m]] = mean_of(all[m]);
+  for (std::size_t m = 0; m < kMethodNames.size(); ++m) result["mean"][kMethodNames[m]] = mean_of(all[m]);
   return result;
 }
 
@@ -255,7 +255,7 @@ void print_table(const json& result) {
              "IoU", "found", "false", "undecidable", "ms");
   for (const json& pair : result["pairs"]) {
     const auto name = pair["name"].get<std::string>();
-    for (const char* method : method_names) {
+    for (const char* method : kMethodNames) {
       const json& one = pair["methods"][method];
       for (const json& row : one["by_disparity"]) {
         print_row(fmt::format("{} {:g}", name.substr(0, 8), row["disparity"].get<double>()), method, row, false);
@@ -268,7 +268,7 @@ void print_table(const json& result) {
 void print(const json& result) {
   print_table(result);
   fmt::print("\nParameters\n");
-  for (const char* method : method_names) {
+  for (const char* method : kMethodNames) {
     fmt::print("  {}:", method);
     for (const auto& [key, value] : result["pairs"][0]["methods"][method]["parameters"].items()) {
       fmt::print(" {}={}", key, value.is_string() ? value.get<std::string>() : value.dump());
@@ -277,7 +277,7 @@ void print(const json& result) {
   }
   fmt::print("  numDisparities as each pair's ground truth needs; OpenCV {}\n", CV_VERSION);
   const auto print_mean = [](const json& one) {
-    for (const char* method : method_names) print_row("mean", method, one["mean"][method], true);
+    for (const char* method : kMethodNames) print_row("mean", method, one["mean"][method], true);
   };
   fmt::print("\nMean of all pairs: {}\n", describe_change("none"));
   print_mean(result);

@@ -65,9 +65,9 @@ Matching match_bm(const Image& left, const Image& right, double largest_px, int 
 }
 
 Matching match_sgbm(const Image& left, const Image& right, double largest_px, int runs) {
-  constexpr int block = 3;
-  const auto matcher = cv::StereoSGBM::create(0, number_of_disparities(largest_px), block, 8 * block * block,
-                                              32 * block * block, 1, 63, 10, 100, 2, cv::StereoSGBM::MODE_SGBM);
+  constexpr int kBlock = 3;
+  const auto matcher = cv::StereoSGBM::create(0, number_of_disparities(largest_px), kBlock, 8 * kBlock * kBlock,
+                                              32 * kBlock * kBlock, 1, 63, 10, 100, 2, cv::StereoSGBM::MODE_SGBM);
   Matching result = match(*matcher, left, right, runs);
   result.parameters.update({{"P1", matcher->getP1()},
                             {"P2", matcher->getP2()},

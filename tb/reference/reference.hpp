@@ -14,7 +14,7 @@
 
 namespace horopter::tb::reference {
 
-inline constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
 struct Image {
   int width = 0;
@@ -26,14 +26,14 @@ struct Image {
 
   [[nodiscard]] bool contains(int x, int y) const { return x >= 0 && y >= 0 && x < width && y < height; }
   [[nodiscard]] double at(int x, int y) const {
-    return contains(x, y) ? values[static_cast<std::size_t>(y * width + x)] : missing;
+    return contains(x, y) ? values[static_cast<std::size_t>(y * width + x)] : kMissing;
   }
   double& operator()(int x, int y) { return values[static_cast<std::size_t>(y * width + x)]; }
 };
 
 /// Σ weight(i, j) · image(x + i, y + j) over a (2r+1)² window.
 inline Image filter(const Image& image, int r, const std::function<double(int, int)>& weight) {
-  Image out(image.width, image.height, missing);
+  Image out(image.width, image.height, kMissing);
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
       double sum = 0;
@@ -120,7 +120,7 @@ inline double bilinear(const Image& image, Point p) {
 }
 
 inline Image warp(const Image& right, int width, int height, const std::function<std::optional<Point>(int, int)>& map) {
-  Image out(width, height, missing);
+  Image out(width, height, kMissing);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       if (const auto p = map(x, y)) out(x, y) = bilinear(right, *p);
@@ -163,9 +163,9 @@ inline Result decide(const Image& left, const Image& right, const Decision& d) {
   const Gradient r = sobel(lowpass(right));
   const int w = left.width;
   const int h = left.height;
-  Image difference(w, h, missing);
-  Image self(w, h, missing);
-  Image magnitude(w, h, missing);
+  Image difference(w, h, kMissing);
+  Image self(w, h, kMissing);
+  Image magnitude(w, h, kMissing);
   const auto compare = [](double ax, double ay, double bx, double by, double neither) {
     const bool a = std::hypot(ax, ay) > 0;
     const bool b = std::hypot(bx, by) > 0;
@@ -193,8 +193,8 @@ inline Result decide(const Image& left, const Image& right, const Decision& d) {
 
   const double cells = d.dsad_window * d.dsad_window;
   const double limit = std::floor(d.threshold_percent * 15 * cells / 100);
-  Image decidable(w, h, missing);
-  Image in_skin(w, h, missing);
+  Image decidable(w, h, kMissing);
+  Image in_skin(w, h, kMissing);
   for (int y = 0; y < h; ++y) {
     for (int x = 0; x < w; ++x) {
       if (std::isnan(result.sum.at(x, y))) continue;

@@ -15,10 +15,10 @@ using namespace horopter;
 
 /// Identity shifted by half a pixel, control points every 8 px; the CRC is not checked by the engine.
 std::vector<std::uint32_t> shifted_table(int width, int height) {
-  constexpr int log2 = 3;
-  const int columns = ((width + 7) >> log2) + 1;
-  const int row_pairs = (((height + 7) >> log2) + 2) / 2;
-  std::vector<std::uint32_t> words{0x484D0100U | log2 << 4 | log2,
+  constexpr int kLog2 = 3;
+  const int columns = ((width + 7) >> kLog2) + 1;
+  const int row_pairs = (((height + 7) >> kLog2) + 2) / 2;
+  std::vector<std::uint32_t> words{0x484D0100U | kLog2 << 4 | kLog2,
                                    static_cast<std::uint32_t>(row_pairs << 16 | columns),
                                    static_cast<std::uint32_t>(height << 16 | width)};
   for (int pair = 0; pair < row_pairs; ++pair) {

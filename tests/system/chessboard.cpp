@@ -17,7 +17,7 @@ using namespace horopter;
 
 namespace {
 
-const std::string folder = "/usr/share/doc/opencv-doc/examples/data/";
+const std::string kFolder = "/usr/share/doc/opencv-doc/examples/data/";
 
 std::vector<cv::Point2f> corners_of(const cv::Mat& image) {
   std::vector<cv::Point2f> corners;
@@ -71,7 +71,7 @@ Shares shares_in(const native::FrameResult& result, const cv::Mat& region) {
 }  // namespace
 
 TEST_CASE("the skin on a chessboard finds it, the displaced skin does not", "[system]") {
-  if (!std::filesystem::exists(folder + "left01.jpg")) {
+  if (!std::filesystem::exists(kFolder + "left01.jpg")) {
     WARN("opencv-doc is not installed: nothing tested");
     return;
   }
@@ -87,8 +87,8 @@ TEST_CASE("the skin on a chessboard finds it, the displaced skin does not", "[sy
     if (number == 10) continue;  // there is none
     char name[8];
     std::snprintf(name, sizeof name, "%02d.jpg", number);
-    const cv::Mat left = cv::imread(folder + "left" + name, cv::IMREAD_GRAYSCALE);
-    const cv::Mat right = cv::imread(folder + "right" + name, cv::IMREAD_GRAYSCALE);
+    const cv::Mat left = cv::imread(kFolder + "left" + name, cv::IMREAD_GRAYSCALE);
+    const cv::Mat right = cv::imread(kFolder + "right" + name, cv::IMREAD_GRAYSCALE);
     REQUIRE(left.size() == cv::Size(640, 480));
     const auto left_corners = corners_of(left);
     const cv::Matx33d homography = cv::findHomography(left_corners, corners_of(right));

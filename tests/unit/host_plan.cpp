@@ -66,9 +66,9 @@ TEST_CASE("Table 11.1 by formula and by camera model; the thesis's factor") {
     CHECK(plan.supervised == plan.shared);
   }
   // Every figure of Table 11.2, given to 0.1 px and 0.1 mm, is 11.1 times one factor, and so are two of Table 11.1.
-  constexpr std::array d95_px{0.4, 0.6, 0.7, 0.9, 1.0, 1.1};
-  constexpr std::array distances_mm{550, 650, 750};
-  constexpr double thickness_mm[3][6] = {
+  constexpr std::array kTolerances_px{0.4, 0.6, 0.7, 0.9, 1.0, 1.1};
+  constexpr std::array kDistances_mm{550, 650, 750};
+  constexpr double kThickness_mm[3][6] = {
       {2.5, 3.5, 4.4, 5.5, 6.4, 7.3}, {3.5, 4.9, 6.2, 7.7, 8.9, 10.2}, {4.7, 6.5, 8.2, 10.2, 11.8, 13.5}};
   double least = 0;
   double most = 2;
@@ -77,7 +77,7 @@ TEST_CASE("Table 11.1 by formula and by camera model; the thesis's factor") {
     most = std::min(most, (mm + 0.05) / coplanar_thickness_mm(d - 0.05, z, 152, 10 / 0.017));
   };
   for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t i = 0; i < 6; ++i) narrow(d95_px[i], distances_mm[row], thickness_mm[row][i]);
+    for (std::size_t i = 0; i < 6; ++i) narrow(kTolerances_px[i], kDistances_mm[row], kThickness_mm[row][i]);
   }
   CHECK(least == Approx(0.934).margin(0.0005));
   CHECK(most == Approx(0.9465).margin(0.0005));

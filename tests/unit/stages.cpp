@@ -225,7 +225,7 @@ TEST_CASE("lowpass and sobel against the reference, mask and saturation over the
     for (std::size_t lane = 0; lane < 2; ++lane) {
       reference::Image image(frame.width, frame.height);
       for (std::size_t i = 0; i < frame.beats.size(); ++i) {
-        image.values[i] = frame.beats[i].mask ? frame.beats[i].pixel[lane].value() : reference::missing;
+        image.values[i] = frame.beats[i].mask ? frame.beats[i].pixel[lane].value() : reference::kMissing;
       }
       const reference::Image exact = reference::lowpass(image);
       const reference::Gradient gradient = reference::sobel(image);

@@ -10,9 +10,9 @@
 #include <numbers>
 #include <vector>
 
+#include "horopter/calib/random.hpp"
 #include "horopter/study/criteria.hpp"
 #include "horopter/study/filters.hpp"
-#include "horopter/study/random.hpp"
 #include "horopter/study/series.hpp"
 
 using namespace horopter;
@@ -25,7 +25,7 @@ constexpr int kHeight = 31;
 
 Image random_image(std::uint64_t seed) {
   Image image(kWidth, kHeight);
-  Random random(seed);
+  horopter::calib::Random random(seed);
   for (auto& pixel : image.pixels) pixel = static_cast<std::uint8_t>(random.next());
   return image;
 }

@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "horopter/calib/random.hpp"
 #include "horopter/study/filters.hpp"
 #include "horopter/study/measures.hpp"
-#include "horopter/study/random.hpp"
 #include "horopter/study/series.hpp"
 
 using namespace horopter;
@@ -124,14 +124,14 @@ TEST_CASE("a series: every setting on every image, the same on every run") {
   const Plane s = plane_of(image);
   Pair pair(r, s);
   const Plane plain = settings[0].criterion->compare(pair);
-  constexpr int margin = 4 + 2 + 1;  // window, Sobel and low-pass, filter
+  constexpr int kMargin = 4 + 2 + 1;  // window, Sobel and low-pass, filter
   for (const auto& [filter, filtered] : {std::pair{ResultFilter::none, plain},
                                          {ResultFilter::lowpass, lowpass(plain)},
                                          {ResultFilter::median, median(plain)}}) {
     Setting setting = settings[0];
     setting.filter = filter;
     CAPTURE(name_of(filter));
-    CHECK(reach_of(setting) == margin - (filter == ResultFilter::none ? 1 : 0));
+    CHECK(reach_of(setting) == kMargin - (filter == ResultFilter::none ? 1 : 0));
     CHECK(detect(series, {setting}).front().histograms()[3].mean() == Histogram(filtered, 0, reach_of(setting)).mean());
   }
   CHECK(reach_of({&criterion("hardware"), {Feature::camera}, 9}) == 4 + 2);

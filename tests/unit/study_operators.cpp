@@ -4,8 +4,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "horopter/calib/random.hpp"
 #include "horopter/study/operators.hpp"
-#include "horopter/study/random.hpp"
 
 using namespace horopter;
 using namespace horopter::study;
@@ -14,14 +14,14 @@ namespace {
 
 Image noise(int width, int height, std::uint64_t seed, double share, int value = 1) {
   Image image(width, height);
-  Random random(seed);
+  horopter::calib::Random random(seed);
   for (auto& pixel : image.pixels) pixel = static_cast<std::uint8_t>(random.uniform() < share ? value : 0);
   return image;
 }
 
 Image grey(int width, int height, std::uint64_t seed) {
   Image image(width, height);
-  Random random(seed);
+  horopter::calib::Random random(seed);
   for (auto& pixel : image.pixels) pixel = static_cast<std::uint8_t>(random.next() >> 56);
   return image;
 }
@@ -34,7 +34,7 @@ bool equal(const Image& ours, const cv::Mat& theirs) { return cv::countNonZero(v
 
 Image scattered(int width, int height, std::uint64_t seed) {
   Image image(width, height);
-  Random random(seed);
+  horopter::calib::Random random(seed);
   for (int i = 0; i < 40; ++i) {
     const int size = 1 + static_cast<int>(random.uniform() * 6);
     const int x = static_cast<int>(random.uniform() * width);
@@ -85,7 +85,7 @@ TEST_CASE("the majority of a binary image is OpenCV's median") {
 
 TEST_CASE("hysteresis takes OpenCV's components that hold a high value") {
   Plane values(90, 60);
-  Random random(9);
+  horopter::calib::Random random(9);
   for (double& value : values.values) value = random.uniform();
   values.at(3, 4) = std::nan("");
   const Image ours = hysteresis(values, 0.55, 0.97);

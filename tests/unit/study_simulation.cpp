@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "horopter/study/random.hpp"
+#include "horopter/calib/random.hpp"
 #include "horopter/study/simulation.hpp"
 
 using namespace horopter;
@@ -32,17 +32,17 @@ double rms_difference(const Plane& a, const Plane& b) {
 }  // namespace
 
 TEST_CASE("gaussian numbers have mean 0 and deviation 1") {
-  Random random(3);
+  horopter::calib::Random random(3);
   double sum = 0;
   double square = 0;
-  constexpr int count = 400000;
-  for (int i = 0; i < count; ++i) {
+  constexpr int kCount = 400000;
+  for (int i = 0; i < kCount; ++i) {
     const double value = random.gaussian();
     sum += value;
     square += value * value;
   }
-  CHECK(std::abs(sum / count) < 0.01);
-  CHECK(square / count == Approx(1).epsilon(0.01));
+  CHECK(std::abs(sum / kCount) < 0.01);
+  CHECK(square / kCount == Approx(1).epsilon(0.01));
 }
 
 TEST_CASE("every texture has the contrast and brightness asked for, and comes again with its seed") {
@@ -50,7 +50,7 @@ TEST_CASE("every texture has the contrast and brightness asked for, and comes ag
   conditions.texture.kind =
       GENERATE(TextureKind::dead_leaves, TextureKind::band_noise, TextureKind::printed_dots, TextureKind::picture);
   auto picture = std::make_shared<Image>(40, 30);
-  Random random(7);
+  horopter::calib::Random random(7);
   for (auto& pixel : picture->pixels) pixel = static_cast<std::uint8_t>(random.next());
   conditions.texture.picture = picture;
   conditions.texture.picture_scale = 1.7;
@@ -70,7 +70,7 @@ TEST_CASE("every texture has the contrast and brightness asked for, and comes ag
 
 TEST_CASE("textures have the structures asked for") {
   // Correlation of a texture with itself at a distance along x, over its theory.
-  constexpr int oversampling = 4;
+  constexpr int kOversampling = 4;
   const auto correlation = [](const Raster<float>& image, int distance) {
     const double n = static_cast<double>(image.values.size());
     const double mean = std::accumulate(image.values.begin(), image.values.end(), 0.0) / n;
@@ -87,14 +87,14 @@ TEST_CASE("textures have the structures asked for") {
   texture.largest_px = 6;
 
   texture.kind = TextureKind::dead_leaves;
-  const Raster<float> leaves = draw_texture(texture, 250, 250, oversampling, 3);
+  const Raster<float> leaves = draw_texture(texture, 250, 250, kOversampling, 3);
   // Mean area that a disc shares with itself displaced, over diameters with density d⁻³.
   const auto shared_area = [&](double h) {
     double sum = 0;
-    constexpr int steps = 1000;
-    for (int i = 0; i < steps; ++i) {
+    constexpr int kSteps = 1000;
+    for (int i = 0; i < kSteps; ++i) {
       const double d =
-          texture.smallest_px + (texture.largest_px - texture.smallest_px) * (i + 0.5) / static_cast<double>(steps);
+          texture.smallest_px + (texture.largest_px - texture.smallest_px) * (i + 0.5) / static_cast<double>(kSteps);
       if (h < d) sum += (d * d * std::acos(h / d) - h * std::sqrt(d * d - h * h)) / 2 / (d * d * d);
     }
     return sum;
@@ -103,11 +103,11 @@ TEST_CASE("textures have the structures asked for") {
     // Of leaves that cover either of two places, those that cover both.
     const double expected = shared_area(h) / (2 * shared_area(0) - shared_area(h));
     CAPTURE(h);
-    CHECK(correlation(leaves, static_cast<int>(h * oversampling)) == Approx(expected).margin(0.03));
+    CHECK(correlation(leaves, static_cast<int>(h * kOversampling)) == Approx(expected).margin(0.03));
   }
 
   texture.kind = TextureKind::band_noise;
-  const Raster<float> band = draw_texture(texture, 250, 250, oversampling, 3);
+  const Raster<float> band = draw_texture(texture, 250, 250, kOversampling, 3);
   // A Gaussian of the smallest half-width less one of the largest; both are means of whole samples, within 6 %.
   const double narrow = std::pow(texture.smallest_px / 2.3548, 2);
   const double wide = std::pow(texture.largest_px / 2.3548, 2);
@@ -117,11 +117,11 @@ TEST_CASE("textures have the structures asked for") {
   };
   for (const double h : {0.5, 1.0, 2.0, 3.0, 6.0}) {
     CAPTURE(h);
-    CHECK(correlation(band, static_cast<int>(h * oversampling)) == Approx(covariance(h) / covariance(0)).margin(0.07));
+    CHECK(correlation(band, static_cast<int>(h * kOversampling)) == Approx(covariance(h) / covariance(0)).margin(0.07));
   }
 
   texture.kind = TextureKind::printed_dots;
-  const Raster<float> dots = draw_texture(texture, 250, 250, oversampling, 3);
+  const Raster<float> dots = draw_texture(texture, 250, 250, kOversampling, 3);
   double paper = 0;
   for (const float value : dots.values) {
     REQUIRE((value == 0 || value == 1));
@@ -132,7 +132,7 @@ TEST_CASE("textures have the structures asked for") {
 
 TEST_CASE("a picture goes on mirrored where it ends") {
   auto picture = std::make_shared<Image>(20, 12);
-  Random random(7);
+  horopter::calib::Random random(7);
   for (auto& pixel : picture->pixels) pixel = static_cast<std::uint8_t>(random.next());
   Texture texture;
   texture.kind = TextureKind::picture;
@@ -183,11 +183,11 @@ TEST_CASE("a picture is shown where it is, blurred by lens and pixel as they are
   double mean = 0;
   const int row = 30;
   // The derivative over shifts of 1/8 px is the line spread; its variance that of lens, pixel, sample and picture.
-  constexpr double step = 0.125;
+  constexpr double kStep = 0.125;
   double before = simulation.exact(-8).at(edge, row);
-  for (double shift = -8 + step; shift <= 8; shift += step) {
+  for (double shift = -8 + kStep; shift <= 8; shift += kStep) {
     const double now = simulation.exact(shift).at(edge, row);
-    const double place = shift - step / 2;
+    const double place = shift - kStep / 2;
     weight += now - before;
     mean += place * (now - before);
     variance += place * place * (now - before);

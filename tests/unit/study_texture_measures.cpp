@@ -4,8 +4,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "horopter/calib/random.hpp"
 #include "horopter/study/direction_resolution.hpp"
-#include "horopter/study/random.hpp"
 #include "horopter/study/texture_measures.hpp"
 
 using namespace horopter;
@@ -15,7 +15,7 @@ namespace {
 
 Plane noise(int width, int height, std::uint64_t seed) {
   Plane plane(width, height);
-  Random random(seed);
+  horopter::calib::Random random(seed);
   for (double& value : plane.values) value = std::floor(256 * random.uniform());
   return plane;
 }

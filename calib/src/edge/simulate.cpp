@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include "horopter/calib/edge_profile.hpp"
+#include "horopter/calib/random.hpp"
 
 namespace horopter::calib {
 namespace {
@@ -35,11 +35,10 @@ double edge_profile(double t, const Vector2d& normal, double blur, double fill) 
 }
 
 void add_noise(GreyImage& image, const Imaging& imaging, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  std::normal_distribution<double> noise(0, 1);
+  Random random(seed);
   for (float& value : image.pixels) {
     double v = value;
-    if (imaging.noise > 0) v += imaging.noise * noise(random);
+    if (imaging.noise > 0) v += imaging.noise * random.gaussian();
     if (imaging.quantise) v = std::clamp(std::round(v), 0.0, 255.0);
     value = static_cast<float>(v);
   }

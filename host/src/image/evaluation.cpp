@@ -59,7 +59,7 @@ GroundTruth::GroundTruth(DisparityMap map) : map_(std::move(map)), counts_(map_.
     }
     for (int x = 0; x < map_.width; ++x) {
       const float d = map_.at(x, y);
-      if (std::isnan(d) || x < largest_px_ + margin_px || landing(x, d) > d + 1) continue;
+      if (std::isnan(d) || x < largest_px_ + kMargin_px || landing(x, d) > d + 1) continue;
       counts_[static_cast<std::size_t>(y) * map_.width + x] = 1;
       ++counted_;
     }

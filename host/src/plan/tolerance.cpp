@@ -17,13 +17,13 @@ struct Threshold {
   double tolerance_px, percent;
 };
 
-constexpr auto thresholds = std::to_array<Threshold>({
+constexpr auto kThresholds = std::to_array<Threshold>({
 #define THRESHOLD(tolerance_px, percent) {tolerance_px, percent},
 #include "threshold_table.def"
 #undef THRESHOLD
 });
 
-constexpr auto boundaries = std::to_array<Boundary>({
+constexpr auto kBoundaries = std::to_array<Boundary>({
 #define BOUNDARY(setting, tolerance_px) {setting, tolerance_px},
 #include "boundary_table.def"
 #undef BOUNDARY
@@ -47,14 +47,14 @@ double median(std::vector<double> values) {
 }  // namespace
 
 ToleranceRange tolerance_range(Decision decision) {
-  if (decision == Decision::thesis) return {thresholds.front().tolerance_px, thresholds.back().tolerance_px};
-  return {boundaries.front().tolerance_px, boundaries.back().tolerance_px};
+  if (decision == Decision::thesis) return {kThresholds.front().tolerance_px, kThresholds.back().tolerance_px};
+  return {kBoundaries.front().tolerance_px, kBoundaries.back().tolerance_px};
 }
 
 double threshold_percent_for(double tolerance_px) {
-  for (std::size_t i = 1; i < thresholds.size(); ++i) {
-    const Threshold& low = thresholds[i - 1];
-    const Threshold& high = thresholds[i];
+  for (std::size_t i = 1; i < kThresholds.size(); ++i) {
+    const Threshold& low = kThresholds[i - 1];
+    const Threshold& high = kThresholds[i];
     if (!(tolerance_px >= low.tolerance_px && tolerance_px <= high.tolerance_px)) continue;  // a NaN is in none
     return low.percent +
            (high.percent - low.percent) * (tolerance_px - low.tolerance_px) / (high.tolerance_px - low.tolerance_px);
@@ -64,12 +64,12 @@ double threshold_percent_for(double tolerance_px) {
 
 Boundary boundary_for(double tolerance_px) {
   const auto [smallest_px, largest_px] = tolerance_range(Decision::compete);
-  const double half_step_px = (largest_px - smallest_px) / (2 * (boundaries.size() - 1));
+  const double half_step_px = (largest_px - smallest_px) / (2 * (kBoundaries.size() - 1));
   if (!(tolerance_px >= smallest_px - half_step_px && tolerance_px <= largest_px + half_step_px)) {
     refuse(Decision::compete, tolerance_px);
   }
   return *std::ranges::min_element(
-      boundaries, {}, [&](const Boundary& boundary) { return std::abs(boundary.tolerance_px - tolerance_px); });
+      kBoundaries, {}, [&](const Boundary& boundary) { return std::abs(boundary.tolerance_px - tolerance_px); });
 }
 
 double set_tolerance(Settings& settings, double tolerance_px) {

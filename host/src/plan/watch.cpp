@@ -25,7 +25,7 @@ constexpr std::int64_t kLargestLattice = 10'000'000;
 struct SightWords {
   std::string_view name, text;
 };
-constexpr std::array<SightWords, kSightCount> words{{
+constexpr std::array<SightWords, kSightCount> kWords{{
     {"seen", "seen"},
     {"no_skin", "past the skin"},
     {"outside_left", "the skin is outside the left image"},
@@ -180,8 +180,8 @@ std::vector<Opening> group(const std::vector<EntryPlan::Mark>& entries, double s
 
 }  // namespace
 
-std::string_view sight_name(Sight sight) { return words[static_cast<std::size_t>(sight)].name; }
-std::string_view sight_text(Sight sight) { return words[static_cast<std::size_t>(sight)].text; }
+std::string_view sight_name(Sight sight) { return kWords[static_cast<std::size_t>(sight)].name; }
+std::string_view sight_text(Sight sight) { return kWords[static_cast<std::size_t>(sight)].text; }
 
 Watch::Watch(CameraPair cameras, SurfacePtr skin, SurfacePtr obstacles, const MachineProfile& profile,
              const ScanGeometry& geometry, const ViewLimits& limits)

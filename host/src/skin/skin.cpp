@@ -8,6 +8,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "horopter/calib/homography.hpp"
+
 namespace horopter {
 namespace {
 
@@ -18,7 +20,7 @@ using RowMajor3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 constexpr double kPixelScale = 1000;
 /// Ratio of the smallest to the largest singular value below which a homography flattens the image to a line.
 constexpr double kSingular = 1e-9;
-/// The same for the second smallest singular value of the equations of a fit: below it, points do not determine it.
+/// The least calib::Homography::determined of a fit: below it, points do not determine a homography.
 constexpr double kDegenerate = 1e-4;
 
 bool is_singular(const RowMajor3& matrix) {
@@ -32,21 +34,6 @@ Matrix3 to_array(const RowMajor3& matrix) {
   Matrix3 array;
   std::copy_n(matrix.data(), 9, array.begin());
   return array;
-}
-
-/// Moves the centroid to the origin and scales the mean distance from it to √2.
-RowMajor3 normalisation(std::span<const Point> points) {
-  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-  for (const Point& p : points) mean += Eigen::Vector2d(p.x, p.y);
-  mean /= static_cast<double>(points.size());
-  double distance = 0;
-  for (const Point& p : points) distance += (Eigen::Vector2d(p.x, p.y) - mean).norm();
-  distance /= static_cast<double>(points.size());
-  if (!(distance > 1e-9)) throw std::invalid_argument("all points are the same point");
-  const double scale = std::sqrt(2.0) / distance;
-  RowMajor3 matrix;
-  matrix << scale, 0, -scale * mean.x(), 0, scale, -scale * mean.y(), 0, 0, 1;
-  return matrix;
 }
 
 /// A word for programs and a phrase for people, by Reason.
@@ -124,37 +111,21 @@ HomographyFit fit_homography(std::span<const Correspondence> points) {
   if (points.size() < 4) {
     throw std::invalid_argument(fmt::format("{} points; a homography takes at least 4", points.size()));
   }
-  std::vector<Point> left;
-  std::vector<Point> right;
+  std::vector<Eigen::Vector2d> left;
+  std::vector<Eigen::Vector2d> right;
   for (const Correspondence& c : points) {
     for (const double value : {c.left.x, c.left.y, c.right.x, c.right.y}) {
       if (!std::isfinite(value)) throw std::invalid_argument("a point is not finite");
     }
-    left.push_back(c.left);
-    right.push_back(c.right);
+    left.emplace_back(c.left.x, c.left.y);
+    right.emplace_back(c.right.x, c.right.y);
   }
-  const RowMajor3 left_normal = normalisation(left);
-  const RowMajor3 right_normal = normalisation(right);
-
-  // Two equations a point; one more row of zeros makes 4 points square enough for the full set of right vectors.
-  Eigen::MatrixXd equations = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(2 * points.size() + 1), 9);
-  Eigen::Index row = 0;
-  for (const Correspondence& c : points) {
-    const Eigen::Vector3d l = left_normal * Eigen::Vector3d(c.left.x, c.left.y, 1);
-    const Eigen::Vector3d r = right_normal * Eigen::Vector3d(c.right.x, c.right.y, 1);
-    equations.row(row) << -l.transpose(), Eigen::RowVector3d::Zero(), r.x() * l.transpose();
-    equations.row(row + 1) << Eigen::RowVector3d::Zero(), -l.transpose(), r.y() * l.transpose();
-    row += 2;
-  }
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(equations, Eigen::ComputeThinV);
-  const Eigen::VectorXd& singular = svd.singularValues();
-  if (!(singular[7] > kDegenerate * singular[0])) {
+  const auto solved = calib::solve_homography(left, right);
+  if (!solved) throw std::invalid_argument("all points are the same point");
+  if (!(solved->determined > kDegenerate)) {
     throw std::invalid_argument("the points do not determine a homography: too many of them lie on one line");
   }
-  const Eigen::VectorXd solution = svd.matrixV().col(8);
-  RowMajor3 normalised;
-  std::copy_n(solution.data(), 9, normalised.data());
-  RowMajor3 matrix = right_normal.inverse() * normalised * left_normal;
+  RowMajor3 matrix = solved->matrix;
   matrix /= matrix.norm();
   if (std::abs(matrix(2, 2)) > 1e-9) matrix /= matrix(2, 2);
   if (is_singular(matrix)) throw std::invalid_argument("the points lie on a line in one of the images");

@@ -8,15 +8,24 @@
 #include <set>
 #include <stdexcept>
 
-#include "base/yaml.hpp"
 #include "horopter/base/error.hpp"
-#include "horopter/image/image.hpp"
+#include "horopter/base/file.hpp"
+#include "horopter/calib/yaml.hpp"
 #include "horopter/skin/rig_skin.hpp"
 
 namespace horopter {
 namespace {
 
 using Eigen::Vector3d;
+namespace yaml = calib::yaml;
+
+/// The map that a file holds.
+YAML::Node load(const std::filesystem::path& path, const std::string& expected) {
+  const auto bytes = read_file(path, expected);
+  const YAML::Node root = yaml::parse(path.string(), {bytes.begin(), bytes.end()}, expected);
+  if (!root.IsMap()) yaml::fail(path.string(), root, "", "", expected);
+  return root;
+}
 
 Point point(const std::string& file, const YAML::Node& node, const std::string& what) {
   if (!node.IsSequence() || node.size() != 2) yaml::fail(file, node, what, "", "[x, y] in pixels");
@@ -347,7 +356,7 @@ calib::Rig read_rig(const std::filesystem::path& path) { return calib::load_rig(
 
 SkinFile load_skin(const std::filesystem::path& path, Point centre, const calib::Rig* rig) {
   const std::string file = path.string();
-  const YAML::Node root_node = yaml::load(path, "a skin: `surface:` with a `type`");
+  const YAML::Node root_node = load(path, "a skin: `surface:` with a `type`");
   Keys root(file, root_node, "skin");
   Keys surface(file, root.get("surface", "a map with `type`"), "surface");
   const std::string type = type_of(surface);
@@ -394,7 +403,7 @@ SkinFile load_skin(const std::filesystem::path& path, Point centre, const calib:
 
 SurfacePtr load_surface(const std::filesystem::path& path) {
   const std::string file = path.string();
-  const YAML::Node node = yaml::load(path, "a shape: `surface:` with a `type`");
+  const YAML::Node node = load(path, "a shape: `surface:` with a `type`");
   Keys root(file, node, "shape");
   Keys surface(file, root.get("surface", "a map with `type`"), "surface");
   SurfacePtr shape = read_surface(surface);
@@ -404,7 +413,7 @@ SurfacePtr load_surface(const std::filesystem::path& path) {
 }
 
 bool has_motion(const std::filesystem::path& path) {
-  const YAML::Node root = yaml::load(path, "a skin: `surface:` with a `type`");
+  const YAML::Node root = load(path, "a skin: `surface:` with a `type`");
   return root.IsMap() && root["motion"].IsDefined();
 }
 

@@ -7,11 +7,11 @@
 #include <Eigen/Dense>
 #include <array>
 #include <cmath>
-#include <random>
 
 #include "cli/progress.hpp"
 #include "horopter/base/csv.hpp"
 #include "horopter/calib/points.hpp"
+#include "horopter/calib/random.hpp"
 #include "horopter/calib/render.hpp"
 #include "horopter/draw/plot.hpp"
 #include "study.hpp"
@@ -71,12 +71,11 @@ Sensor data_sheet() {
 }
 
 std::vector<Vector2d> print_errors(std::size_t count, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  std::normal_distribution<double> error(0, print_error_mm);
+  Random random(seed);
   std::vector<Vector2d> result;
   for (std::size_t i = 0; i < count; ++i) {
-    const double x = error(random);
-    result.emplace_back(x, error(random));
+    const double x = print_error_mm * random.gaussian();
+    result.emplace_back(x, print_error_mm * random.gaussian());
   }
   return result;
 }
@@ -144,8 +143,7 @@ nlohmann::json cramer_rao(OutputDirectory& directory, const StudyScope& scope, P
   }
   const Information information_one = information(camera, points) / (noise_px * noise_px);
   const Information bound = information_one.inverse();
-  std::mt19937_64 random(scope.seed);
-  std::normal_distribution<double> noise(0, noise_px);
+  Random random(scope.seed);
   Information covariance = Information::Zero();
   Parameters bias = Parameters::Zero();
   double distance = 0;
@@ -154,8 +152,8 @@ nlohmann::json cramer_rao(OutputDirectory& directory, const StudyScope& scope, P
     progress.show(static_cast<std::size_t>(run), runs);
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Vector2d exact = camera.project(points[i]);
-      const double dx = noise(random);
-      pairs[i] = {points[i], exact + Vector2d(dx, noise(random))};
+      const double dx = noise_px * random.gaussian();
+      pairs[i] = {points[i], exact + Vector2d(dx, noise_px * random.gaussian())};
     }
     const Parameters error = difference(calibrate_points(pairs, data_sheet(), PointMethod::full).camera, camera);
     covariance += error * error.transpose() / runs;

@@ -8,11 +8,11 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <vector>
 
 #include "cli/progress.hpp"
 #include "horopter/base/csv.hpp"
+#include "horopter/calib/random.hpp"
 #include "horopter/draw/plot.hpp"
 #include "study.hpp"
 
@@ -53,16 +53,15 @@ double sinc(double x) { return x == 0 ? 1 : std::sin(std::numbers::pi * x) / (st
 
 class Scene {
  public:
-  Scene(std::mt19937_64& random, int waves) {
+  Scene(calib::Random& random, int waves) {
     constexpr double pi = std::numbers::pi;
-    std::uniform_real_distribution<double> uniform(0, 1);
     double power = 0;
     for (int i = 0; i < waves; ++i) {
       // 0.01 … 1 cycle a pixel; amplitudes that fall with the frequency are even ones, evenly spread over its
       // logarithm.
-      const double frequency = 0.01 * std::pow(100.0, uniform(random));
-      const double direction = 2 * pi * uniform(random);
-      Wave wave{frequency * std::cos(direction), frequency * std::sin(direction), 2 * pi * uniform(random), 1};
+      const double frequency = 0.01 * std::pow(100.0, random.uniform());
+      const double direction = 2 * pi * random.uniform();
+      Wave wave{frequency * std::cos(direction), frequency * std::sin(direction), 2 * pi * random.uniform(), 1};
       wave.amplitude =
           sinc(wave.x) * sinc(wave.y) * std::exp(-2 * pi * pi * kBlur_px * kBlur_px * frequency * frequency);
       power += wave.amplitude * wave.amplitude / 2;
@@ -72,10 +71,10 @@ class Scene {
   }
 
   /// A photograph with the camera shifted along x: noise, 8 bits.
-  Grey photograph(double shift_px, std::mt19937_64& random) const {
-    std::normal_distribution<double> noise(0, kNoise / std::sqrt(kAveraged));
+  Grey photograph(double shift_px, calib::Random& random) const {
+    const double noise = kNoise / std::sqrt(kAveraged);
     Grey image = without_noise(shift_px);
-    for (double& grey : image) grey = std::clamp(std::round(grey + noise(random)), 0.0, 255.0);
+    for (double& grey : image) grey = std::clamp(std::round(grey + noise * random.gaussian()), 0.0, 255.0);
     return image;
   }
 
@@ -226,7 +225,7 @@ nlohmann::json study_interpolation(OutputDirectory& directory, const StudyScope&
   std::vector<double> scales;
   for (int i = 0; i <= 20; ++i) scales.push_back(0.5 * std::pow(2.0, i / 10.0));
   constexpr int kTranslations = kShiftsPerPixel / 2 + 1;  // up to half a pixel: the other half is its mirror
-  std::mt19937_64 random(scope.seed);
+  calib::Random random(scope.seed);
   std::vector<double> translated(kShiftsPerPixel + 1);  // differences of photographs
   std::vector<double> clean(kShiftsPerPixel +
                             1);  // the same without noise: a scaled photograph has that of the exact one

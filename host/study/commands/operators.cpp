@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "horopter/base/csv.hpp"
+#include "horopter/calib/random.hpp"
 #include "horopter/draw/plot.hpp"
 #include "horopter/study/criteria.hpp"
-#include "horopter/study/random.hpp"
 #include "horopter/study/simulation.hpp"
 #include "statements.hpp"
 #include "study.hpp"
@@ -190,7 +190,7 @@ nlohmann::json study_operators(OutputDirectory& directory, const StudyScope& sco
     const double share = 0.05 * step;
     std::vector<double> wrong(curves.size());
     for (int run = 0; run < runs; ++run) {
-      study::Random random(scope.seed, static_cast<std::uint64_t>(100 * step + run));
+      calib::Random random(scope.seed, static_cast<std::uint64_t>(100 * step + run));
       Image noisy = truth;
       for (auto& pixel : noisy.pixels) pixel = static_cast<std::uint8_t>(random.uniform() < share ? 1 - pixel : pixel);
       wrong[0] += score(noisy, truth).wrong / runs;

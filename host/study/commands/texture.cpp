@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "horopter/base/csv.hpp"
+#include "horopter/calib/random.hpp"
 #include "horopter/image/image.hpp"
 #include "horopter/study/filters.hpp"
-#include "horopter/study/random.hpp"
 #include "horopter/study/simulation.hpp"
 #include "horopter/study/texture_measures.hpp"
 #include "statements.hpp"
@@ -65,7 +65,7 @@ double discrimination_error(std::vector<double> weak, std::vector<double> strong
 
 /// Random noise of Table 9.1, blurred, rounded to grey values, with a given mean deviation in 7×7 pixels.
 Plane noise_pattern(int size, double deviation, double blur_px, std::uint64_t seed, std::uint64_t number) {
-  study::Random random(seed, number);
+  calib::Random random(seed, number);
   Plane white(size, size);
   for (double& value : white.values) value = random.gaussian();
   std::vector<double> weights;

@@ -13,9 +13,9 @@
 
 #include "cli/progress.hpp"
 #include "horopter/base/csv.hpp"
+#include "horopter/calib/random.hpp"
 #include "horopter/draw/plot.hpp"
 #include "horopter/study/filters.hpp"
-#include "horopter/study/random.hpp"
 #include "horopter/study/series.hpp"
 #include "horopter/study/simulation.hpp"
 #include "texture.hpp"
@@ -123,7 +123,7 @@ class NoiseStudy {
     const double step_px = scope.quick ? 0.2 : 0.1;
     for (int i = 0; i * step_px <= study::Detection::kLargest_px + 1e-9; ++i) disparities_.push_back(i * step_px);
     Plane white(512, 512);
-    study::Random random(scope.seed, 1);
+    calib::Random random(scope.seed, 1);
     for (double& value : white.values) value = random.gaussian();
     for (std::size_t m = 0; m < amounts.size(); ++m) of_noise_[m] = amounts[m].of(white);
   }

@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "horopter/calib/random.hpp"
 #include "horopter/study/parallel.hpp"
-#include "horopter/study/random.hpp"
 
 namespace horopter::study {
 namespace {
@@ -191,7 +191,7 @@ Plane Simulation::exact(double shift_px) const {
 template <class Line>
 Image Simulation::convert(const Electronics& electronics, std::uint64_t number, Line line) const {
   const Camera& camera = conditions_.camera;
-  Random random(mix(conditions_.seed + 0x4E01), number);
+  calib::Random random(calib::mix(conditions_.seed + 0x4E01), number);
   std::vector<int> sums(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height));
   const double step = 255.0 / ((1 << electronics.bits) - 1);
   for (int frame = 0; frame < electronics.averaged; ++frame) {
@@ -215,7 +215,7 @@ Image Simulation::photograph(double shift_px, std::uint64_t number) const {
   const Electronics& electronics = conditions_.electronics;
   const Plane still = exact(shift_px);
   std::vector<double> moved(static_cast<std::size_t>(still.width));
-  return convert(electronics, number, [&](int y, Random& random) {
+  return convert(electronics, number, [&](int y, calib::Random& random) {
     if (electronics.jitter_px <= 0) return still.row(y);
     const double jitter =
         std::clamp(static_cast<double>(random.gaussian()), -kJitterReach, kJitterReach) * electronics.jitter_px;
@@ -228,7 +228,7 @@ Image Simulation::photograph(double shift_px, std::uint64_t number) const {
 Image Simulation::expose(const Plane& still, const Electronics& electronics, std::uint64_t number) const {
   if (still.width != conditions_.camera.width || still.height != conditions_.camera.height)
     throw std::invalid_argument("simulation: a plane of another size than the camera's");
-  return convert(electronics, number, [&](int y, Random&) { return still.row(y); });
+  return convert(electronics, number, [&](int y, calib::Random&) { return still.row(y); });
 }
 
 double local_deviation(const Plane& image, int size) {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "horopter/study/random.hpp"
+#include "horopter/calib/random.hpp"
 
 namespace horopter::study {
 namespace {
@@ -31,7 +31,7 @@ void fill_disc(Raster<float>& image, double x, double y, double radius, float va
 
 /// Discs `coverage` times as large together as the image.
 template <class Diameter, class Value>
-void scatter_discs(Raster<float>& image, double coverage, Random& random, Diameter diameter, Value value) {
+void scatter_discs(Raster<float>& image, double coverage, calib::Random& random, Diameter diameter, Value value) {
   const double wanted = coverage * image.width * image.height;
   for (double area = 0; area < wanted;) {
     const double radius = diameter() / 2;
@@ -42,7 +42,7 @@ void scatter_discs(Raster<float>& image, double coverage, Random& random, Diamet
   }
 }
 
-Raster<float> dead_leaves(const Texture& texture, int width, int height, int oversampling, Random& random) {
+Raster<float> dead_leaves(const Texture& texture, int width, int height, int oversampling, calib::Random& random) {
   Raster<float> image(width, height, 0.5F);
   const double low = texture.smallest_px * oversampling;
   const double high = texture.largest_px * oversampling;
@@ -56,7 +56,7 @@ Raster<float> dead_leaves(const Texture& texture, int width, int height, int ove
   return image;
 }
 
-Raster<float> printed_dots(const Texture& texture, int width, int height, int oversampling, Random& random) {
+Raster<float> printed_dots(const Texture& texture, int width, int height, int oversampling, calib::Random& random) {
   Raster<float> image(width, height, 1);
   const double low = texture.smallest_px * oversampling;
   const double high = texture.largest_px * oversampling;
@@ -108,7 +108,7 @@ void smooth(Raster<float>& image, double deviation) {
   }
 }
 
-Raster<float> band_noise(const Texture& texture, int width, int height, int oversampling, Random& random) {
+Raster<float> band_noise(const Texture& texture, int width, int height, int oversampling, calib::Random& random) {
   constexpr double deviation_per_half_width = 1 / 2.3548;
   Raster<float> fine(width, height);
   for (float& value : fine.values) value = random.gaussian();
@@ -186,7 +186,7 @@ Raster<float> draw_texture(const Texture& texture, int width_px, int height_px, 
   }
   if (!(texture.smallest_px > 0) || !(texture.largest_px > texture.smallest_px))
     throw std::invalid_argument("structures of a texture: 0 < smallest_px < largest_px");
-  Random random(seed, 0x7E);
+  calib::Random random(seed, 0x7E);
   switch (texture.kind) {
     case TextureKind::band_noise:
       return band_noise(texture, width, height, oversampling, random);

@@ -12,11 +12,11 @@ namespace horopter {
 /// What a method says about a pixel.
 enum class Answer : std::uint8_t { clear, skin, undecidable };
 
-/// Ground truth and the pixels of it that count: known, x ≥ largest disparity + `margin_px`, and visible in the right
+/// Ground truth and the pixels of it that count: known, x ≥ largest disparity + `kMargin_px`, and visible in the right
 /// image: no pixel of the same row nearer by more than 1 px lands on the same right column.
 class GroundTruth {
  public:
-  static constexpr int margin_px = 8;
+  static constexpr int kMargin_px = 8;
 
   explicit GroundTruth(DisparityMap map);
   int width() const { return map_.width; }

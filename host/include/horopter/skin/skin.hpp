@@ -124,7 +124,7 @@ struct HomographyFit {
   double largest_px = 0;
 };
 
-/// Least squares in coordinates normalised after Hartley, ≥ 4 points. Throws std::invalid_argument for too few points,
+/// By calib::solve_homography, ≥ 4 points. Throws std::invalid_argument for too few points,
 /// non-finite ones, or points that do not determine a homography (all but one on a line).
 HomographyFit fit_homography(std::span<const Correspondence> points);
 

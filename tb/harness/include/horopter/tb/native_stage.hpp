@@ -28,19 +28,19 @@ class NativeStage {
 
 template <class Stage>
 class NativeStageOf final : public NativeStage {
-  static constexpr bool has_config = requires { typename Stage::Config; };
+  static constexpr bool kHasConfig = requires { typename Stage::Config; };
 
  public:
   NativeStageOf() {
     in_leaves = leaves_of<typename Stage::In>();
     out_leaves = leaves_of<typename Stage::Out>();
-    if constexpr (has_config) config_leaves = leaves_of<typename Stage::Config>();
+    if constexpr (kHasConfig) config_leaves = leaves_of<typename Stage::Config>();
   }
   bool step(const Beat& in, [[maybe_unused]] const Beat& config, Beat& out) override {
     typename Stage::In typed_in{};
     set_leaves(&typed_in, in_leaves, in);
     typename Stage::Out typed_out{};
-    if constexpr (has_config) {
+    if constexpr (kHasConfig) {
       typename Stage::Config typed_config{};
       set_leaves(&typed_config, config_leaves, config);
       typed_out = stage_.step(typed_in, typed_config);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "horopter/study/random.hpp"
+#include "horopter/calib/random.hpp"
 
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <vector>
 
-namespace horopter::study {
+namespace horopter::calib {
 namespace {
 
 /// Quantiles of the normal distribution, by Newton's method from the one before.
@@ -40,4 +40,4 @@ float Random::gaussian() {
   return quantiles[index];
 }
 
-}  // namespace horopter::study
+}  // namespace horopter::calib

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-namespace horopter::study {
+namespace horopter::calib {
 
 /// splitmix64's mixing function.
 constexpr std::uint64_t mix(std::uint64_t z) {
@@ -32,4 +32,4 @@ class Random {
   int left_ = 0;
 };
 
-}  // namespace horopter::study
+}  // namespace horopter::calib
