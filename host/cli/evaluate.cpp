@@ -18,9 +18,9 @@
 
 #include "commands.hpp"
 #include "horopter/image/evaluation.hpp"
-#include "horopter/machine/setting_registers.hpp"
 #include "horopter/machine/engines.hpp"
 #include "horopter/machine/monitor.hpp"
+#include "horopter/machine/setting_registers.hpp"
 #include "horopter/map/map_compiler.hpp"
 #include "horopter/plan/tolerance.hpp"
 #include "inputs.hpp"

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "horopter/base/error.hpp"
-#include "horopter/machine/setting_registers.hpp"
 #include "horopter/machine/registers.hpp"
+#include "horopter/machine/setting_registers.hpp"
 #include "horopter/map/support.hpp"
 #include "stages/pipeline.hpp"
 

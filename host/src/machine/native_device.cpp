@@ -8,8 +8,8 @@
 
 #include "horopter/base/crc32.hpp"
 #include "horopter/base/error.hpp"
-#include "horopter/machine/setting_registers.hpp"
 #include "horopter/machine/registers.hpp"
+#include "horopter/machine/setting_registers.hpp"
 #include "stages/engine.hpp"
 
 namespace horopter {
