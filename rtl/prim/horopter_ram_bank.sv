@@ -24,7 +24,7 @@ module horopter_ram_bank #(
   end
 `endif
 
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (write_en_i) memory[write_addr_i] <= write_data_i;
     if (read_en_i) begin
       read_word_q <= memory[read_addr_i];

@@ -298,20 +298,19 @@ module horopter_frame_control (
   end
 
   // --- safe ---
-  initial begin  // before the first clock, too
-    safe_o   = 1'b0;
-    unsafe_o = 1'b1;
-  end
+  logic safe_q = 1'b0, unsafe_q = 1'b1;  // before the first clock, too
   logic bad_now;
   assign bad_now = found_q || fault_set_o != '0 || (late_o && !publish_q) || silent_i != 2'b00 || !safe_allowed_i;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) safe_o <= 1'b0;
-    else if (bad_now) safe_o <= 1'b0;
-    else if (publish_q) safe_o <= good && !others_bad_q && event_q == '0;
+    if (!rst_ni) safe_q <= 1'b0;
+    else if (bad_now) safe_q <= 1'b0;
+    else if (publish_q) safe_q <= good && !others_bad_q && event_q == '0;
   end
   // The same, said the other way round and stored again.
   always_ff @(posedge clk_i) begin
-    if (!rst_ni || bad_now) unsafe_o <= 1'b1;
-    else if (publish_q) unsafe_o <= total_q != '0 || alarm_q || !table_ok_i || others_bad_q || event_q != '0;
+    if (!rst_ni || bad_now) unsafe_q <= 1'b1;
+    else if (publish_q) unsafe_q <= total_q != '0 || alarm_q || !table_ok_i || others_bad_q || event_q != '0;
   end
+  assign safe_o = safe_q;
+  assign unsafe_o = unsafe_q;
 endmodule

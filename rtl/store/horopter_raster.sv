@@ -219,9 +219,9 @@ module horopter_raster #(
     assign flushed = flushed_q;
     assign ready = !live_q || ((right_rows_i > ahead_q || right_complete_q || right_ended_i) && (left_rows_i > 12'(y_q) || left_ended_i));
 
+    logic odd_cell_q, cell_end_x_q, cell_end_y_q;
     logic [MAP_ADDR_BITS-1:0] even_row_q, odd_row_q, even_addr_q, odd_addr_q, row_below;
     assign row_below = (odd_cell_q ? odd_row_q : even_row_q) + MAP_ADDR_BITS'(table_columns_i);
-    logic odd_cell_q, cell_end_x_q, cell_end_y_q;
     logic [5:0] fraction_q, cell_mask_x_q, cell_mask_y_q;
     assign cell_end_x = cell_end_x_q;
     logic row_over_q;  // the row's last pixel was issued in the clock before; its successor waits for some clocks

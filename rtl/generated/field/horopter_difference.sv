@@ -151,7 +151,7 @@ module horopter_difference (
     left_marks_first_q = 1'b0;
   end
 `endif
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (rst_ni & s0_en) begin
       difference_left_0_direction_q <= and_25 ? left_direction_0_q : difference_left_0_direction_q;
       difference_left_0_has_direction_q <= and_25 ? not_29 : difference_left_0_has_direction_q;

@@ -163,7 +163,7 @@ module horopter_dsad (
   assign memory_waddr = raster_column_q;
   logic memory_we;
   assign memory_we = s1_en;
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (memory_we) memory_mem[memory_waddr] <= {select_29[6:0], mask_s1_q, sum_28, sum_24, memory_rdata_q[67:36], difference_1_s1_q, memory_rdata_q[31:0], difference_0_s1_q};
   end
 `ifndef SYNTHESIS
@@ -183,7 +183,7 @@ module horopter_dsad (
   assign columns_values_waddr = columns_place_s1_q;
   logic columns_values_we;
   assign columns_values_we = s1_en;
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (columns_values_we) columns_values_mem[columns_values_waddr] <= {sum_28, sum_24};
   end
 `ifndef SYNTHESIS
@@ -212,7 +212,7 @@ module horopter_dsad (
     mask_columns_values_0_q = 8'h0;
   end
 `endif
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s1_en) begin
       rows_0_sums_values_0_q <= sum_40;
       rows_1_sums_values_0_q <= sum_44;

@@ -126,7 +126,7 @@ module horopter_lowpass (
   assign memory_waddr = raster_column_q;
   logic memory_we;
   assign memory_we = s1_en;
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (memory_we) memory_mem[memory_waddr] <= {select_24[0], saturated_s1_q, select_23[0], mask_s1_q, memory_rdata_q[7:0], pixel_0_s1_q};
   end
 `ifndef SYNTHESIS
@@ -162,7 +162,7 @@ module horopter_lowpass (
     saturated_columns_values_1_q = 2'h0;
   end
 `endif
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s1_en) begin
       columns_0_values_0_q <= sum;
       columns_0_values_1_q <= columns_0_values_0_q;

@@ -120,7 +120,7 @@ module horopter_majority (
   assign memory_waddr = raster_column_q;
   logic memory_we;
   assign memory_we = s1_en;
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (memory_we) memory_mem[memory_waddr] <= {select_25[4:0], mask_s1_q, memory_rdata_q[10:6], and_22_s1_q, memory_rdata_q[4:0], decidable_s1_q};
   end
 `ifndef SYNTHESIS
@@ -157,7 +157,7 @@ module horopter_majority (
     mask_columns_values_0_q = 6'h0;
   end
 `endif
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s1_en) begin
       sums_columns_values_0_q <= {3'h0, sum_38, 3'h0, sum_32};
       sums_columns_values_1_q <= sums_columns_values_0_q;

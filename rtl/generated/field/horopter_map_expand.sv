@@ -236,7 +236,7 @@ module horopter_map_expand (
     y_increment_q = 28'h0;
   end
 `endif
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (rst_ni & s0_en) begin
       x_place_q <= {sum_80[27:6], select_81};
       x_increment_q <= select_79;

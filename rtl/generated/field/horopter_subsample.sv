@@ -73,7 +73,7 @@ module horopter_subsample (
     kept_marks_last_q = 1'b0;
   end
 `endif
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (rst_ni & s0_en) begin
       kept_pixel_1_q <= right_2;
       kept_saturated_q <= second ? saturated : saturated_i;

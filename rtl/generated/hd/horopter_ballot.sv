@@ -331,7 +331,7 @@ module horopter_ballot (
   assign memory_waddr = select_15_s3_q;
   logic memory_we;
   assign memory_we = s3_en & select_90_s3_q;
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (memory_we) memory_mem[memory_waddr] <= {select_88_s3_q[3:0], firm_s3_q, select_85_s3_q, select_82_s3_q, select_79_s3_q, select_76_s3_q, select_73_s3_q, select_70_s3_q, select_67_s3_q, select_64_s3_q, select_61_s3_q, select_58_s3_q, and_55_s3_q, select_52_s3_q, select_49_s3_q, and_46_s3_q, select_43_s3_q, select_40_s3_q, and_37_s3_q, select_34_s3_q, select_31_s3_q, and_28_s3_q, select_25_s3_q, select_22_s3_q, exists_s3_q, grey_s3_q, vote_s3_q};
   end
 `ifndef SYNTHESIS

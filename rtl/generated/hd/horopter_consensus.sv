@@ -223,7 +223,7 @@ module horopter_consensus (
   assign memory_waddr = select_47_s3_q;
   logic memory_we;
   assign memory_we = s3_en & select_64_s3_q;
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (memory_we) memory_mem[memory_waddr] <= {select_62_s3_q[4:0], and_59_s3_q, select_58_s3_q[4:0], and_55_s3_q, select_54_s3_q[3:2], centres_values_0_exists_q, select_54_s3_q[1:0], exists_s3_q};
   end
 `ifndef SYNTHESIS

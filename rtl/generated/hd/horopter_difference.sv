@@ -63,7 +63,7 @@ module horopter_difference (
     left_3_direction_q = 8'h0;
   end
 `endif
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (rst_ni & s0_en) begin
       left_0_direction_q <= direction_0_i;
       left_1_direction_q <= left_0_direction_q;
@@ -152,7 +152,7 @@ module horopter_difference (
     left_3_exists_q = 1'b0;
   end
 `endif
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s1_en) begin
       left_0_has_direction_q <= not_23;
       left_0_exists_q <= mask_s1_q;

@@ -153,7 +153,7 @@ module horopter_dsad (
     mask_columns_values_0_q = 8'h0;
   end
 `endif
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s2_en) begin
       mask_columns_values_0_q <= {select_60[6:0], equal_59};
     end
@@ -313,7 +313,7 @@ module horopter_dsad (
   assign memory_waddr = select_32_s4_q;
   logic memory_we;
   assign memory_we = s4_en;
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (memory_we) memory_mem[memory_waddr] <= {select_45_s4_q, mask_s4_q, columns_values_values_0_1_q, columns_values_values_0_0_q, memory_rdata_s4_q[63:32], difference_1_s4_q, memory_rdata_s4_q[31:0], difference_0_s4_q};
   end
 `ifndef SYNTHESIS
@@ -364,7 +364,7 @@ module horopter_dsad (
     rows_1_sums_values_0_q = 11'h0;
   end
 `endif
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s4_en) begin
       rows_0_sums_values_0_q <= sum_54;
       rows_1_sums_values_0_q <= sum_58;

@@ -156,7 +156,7 @@ module horopter_lowpass (
     saturated_columns_values_0_q = 2'h0;
   end
 `endif
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s2_en) begin
       mask_columns_values_0_q <= {select_30[0], equal_29};
       saturated_columns_values_0_q <= {select_32[0], equal_31};
@@ -212,7 +212,7 @@ module horopter_lowpass (
   assign memory_waddr = select_17_s3_q;
   logic memory_we;
   assign memory_we = s3_en;
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (memory_we) memory_mem[memory_waddr] <= {select_22_s3_q, saturated_s3_q, select_21_s3_q, mask_s3_q, memory_rdata_s3_q[15:0], pixel_1_s3_q, pixel_0_s3_q};
   end
 `ifndef SYNTHESIS
@@ -257,7 +257,7 @@ module horopter_lowpass (
     columns_1_values_1_q = 10'h0;
   end
 `endif
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s3_en) begin
       columns_0_values_0_q <= sum;
       columns_0_values_1_q <= columns_0_values_0_q;

@@ -142,7 +142,7 @@ module horopter_majority (
     mask_columns_values_0_q = 6'h0;
   end
 `endif
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s2_en) begin
       mask_columns_values_0_q <= {select_45[4:0], equal_44};
     end
@@ -184,7 +184,7 @@ module horopter_majority (
   assign memory_waddr = select_19_s3_q;
   logic memory_we;
   assign memory_we = s3_en;
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (memory_we) memory_mem[memory_waddr] <= {select_24_s3_q, mask_s3_q, memory_rdata_s3_q[10:6], and_21_s3_q, memory_rdata_s3_q[4:0], decidable_s3_q};
   end
 `ifndef SYNTHESIS
@@ -313,7 +313,7 @@ module horopter_majority (
     sums_columns_values_6_q = 12'h0;
   end
 `endif
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s6_en) begin
       sums_columns_values_0_q <= {3'h0, sum_38, 3'h0, sum_32};
       sums_columns_values_1_q <= sums_columns_values_0_q;
@@ -352,7 +352,7 @@ module horopter_majority (
     sums_sum_sums_values_0_q = 12'h0;
   end
 `endif
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s7_en) begin
       sums_sum_sums_values_0_q <= difference_41 + (or_18_s7_q ? 12'h0 : sums_sum_sums_values_0_q);
     end

@@ -1267,7 +1267,7 @@ module horopter_plane_sums (
   assign feature_memory_waddr = select_630_s2_q;
   logic feature_memory_we;
   assign feature_memory_we = s2_en;
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (feature_memory_we) feature_memory_mem[feature_memory_waddr] <= {feature_memory_rdata_s2_q[77:0], mask_s2_q, entering_values_0_features_right_q, entering_values_0_features_left_q};
   end
 `ifndef SYNTHESIS
@@ -2703,7 +2703,7 @@ module horopter_plane_sums (
     rows_19_columns_values_8_q = 11'h0;
   end
 `endif
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s4_en) begin
       rows_0_columns_values_0_q <= {3'h0, sum_664};
       rows_0_columns_values_1_q <= rows_0_columns_values_0_q;
@@ -3035,7 +3035,7 @@ module horopter_plane_sums (
   assign column_memory_waddr = select_633_s5_q;
   logic column_memory_we;
   assign column_memory_we = s5_en & or_634_s5_q;
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (column_memory_we) column_memory_mem[column_memory_waddr] <= {and_1071_s5_q, and_1070_s5_q, entering_values_23_features_mask_s5_q, and_1069_s5_q, column_memory_rdata_s5_q[17:12], and_1068_s5_q, column_memory_rdata_s5_q[11:6], and_1067_s5_q, column_memory_rdata_s5_q[5:0], seen_values_24_exists_s5_q, seen_values_24_grey_s5_q, rows_19_columns_values_0_q[7:0], rows_18_columns_values_0_q[7:0], rows_17_columns_values_0_q[7:0], rows_16_columns_values_0_q[7:0], rows_15_columns_values_0_q[7:0], rows_14_columns_values_0_q[7:0], rows_13_columns_values_0_q[7:0], rows_12_columns_values_0_q[7:0], rows_11_columns_values_0_q[7:0], rows_10_columns_values_0_q[7:0], rows_9_columns_values_0_q[7:0], rows_8_columns_values_0_q[7:0], rows_7_columns_values_0_q[7:0], rows_6_columns_values_0_q[7:0], rows_5_columns_values_0_q[7:0], rows_4_columns_values_0_q[7:0], rows_3_columns_values_0_q[7:0], rows_2_columns_values_0_q[7:0], rows_1_columns_values_0_q[7:0], rows_0_columns_values_0_q[7:0]};
   end
 `ifndef SYNTHESIS
@@ -3104,7 +3104,7 @@ module horopter_plane_sums (
     rows_19_sum_sums_values_0_q = 11'h0;
   end
 `endif
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s5_en) begin
       rows_0_sum_sums_values_0_q <= sum_1085;
       rows_1_sum_sums_values_0_q <= sum_1089;

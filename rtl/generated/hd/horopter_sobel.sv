@@ -160,7 +160,7 @@ module horopter_sobel (
     saturated_columns_values_0_q = 2'h0;
   end
 `endif
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s2_en) begin
       mask_columns_values_0_q <= {select_36[0], equal_35};
       saturated_columns_values_0_q <= {select_38[0], equal_37};
@@ -225,7 +225,7 @@ module horopter_sobel (
   assign memory_waddr = select_21_s3_q;
   logic memory_we;
   assign memory_we = s3_en;
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (memory_we) memory_mem[memory_waddr] <= {select_26_s3_q, saturated_s3_q, select_25_s3_q, mask_s3_q, memory_rdata_s3_q[15:0], pixel_1_s3_q, pixel_0_s3_q};
   end
 `ifndef SYNTHESIS
@@ -274,7 +274,7 @@ module horopter_sobel (
     slope_1_values_1_q = 9'h0;
   end
 `endif
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s3_en) begin
       smooth_0_values_0_q <= smooth;
       smooth_0_values_1_q <= smooth_0_values_0_q;

@@ -193,7 +193,7 @@ module horopter_texture (
     row_columns_values_2_q = 12'h0;
   end
 `endif
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s3_en) begin
       row_columns_values_0_q <= {2'h0, sum_27};
       row_columns_values_1_q <= row_columns_values_0_q;
@@ -242,7 +242,7 @@ module horopter_texture (
     row_sum_sums_values_0_q = 12'h0;
   end
 `endif
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s4_en) begin
       row_sum_sums_values_0_q <= sum;
     end
@@ -313,7 +313,7 @@ module horopter_texture (
   assign memory_waddr = select_19_s6_q;
   logic memory_we;
   assign memory_we = s6_en;
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (memory_we) memory_mem[memory_waddr] <= {delayed_s6_q, not_34_s6_q, sum_27_s6_q, memory_rdata_s6_q, magnitude_s6_q};
   end
 `ifndef SYNTHESIS

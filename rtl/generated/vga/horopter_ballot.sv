@@ -589,7 +589,7 @@ module horopter_ballot (
   assign memory_waddr = raster_column_q;
   logic memory_we;
   assign memory_we = s1_en & running_q;
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (memory_we) memory_mem[memory_waddr] <= {select_150[7:0], firm_s1_q, select_147, select_144, select_141, select_138, select_135, select_132, select_129, select_126, select_123, select_120, select_117, select_114, select_111, select_108, select_105, select_102, select_99, select_96, and_93, select_90, select_87, and_84, select_81, select_78, and_75, select_72, select_69, and_66, select_63, select_60, and_57, select_54, select_51, and_48, select_45, select_42, and_39, select_36, select_33, and_30, select_27, select_24, exists_s1_q, grey_s1_q, vote_s1_q};
   end
 `ifndef SYNTHESIS

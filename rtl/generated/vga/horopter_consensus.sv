@@ -217,7 +217,7 @@ module horopter_consensus (
   assign memory_waddr = raster_column_q;
   logic memory_we;
   assign memory_we = s1_en & running_q;
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (memory_we) memory_mem[memory_waddr] <= {select_63[4:0], and_60_s1_q, select_59[4:0], and_56_s1_q, select_55[4:0], exists_s1_q};
   end
 `ifndef SYNTHESIS

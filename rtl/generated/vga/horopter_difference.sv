@@ -119,7 +119,7 @@ module horopter_difference (
     left_3_exists_q = 1'b0;
   end
 `endif
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (rst_ni & s0_en) begin
       left_0_direction_q <= direction_0_i;
       left_0_has_direction_q <= not_23;

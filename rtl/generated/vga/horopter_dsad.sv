@@ -160,7 +160,7 @@ module horopter_dsad (
   assign memory_waddr = raster_column_q;
   logic memory_we;
   assign memory_we = s1_en;
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (memory_we) memory_mem[memory_waddr] <= {select_46[6:0], mask_s1_q, sum_45, sum_41, memory_rdata_q[67:36], difference_1_s1_q, memory_rdata_q[31:0], difference_0_s1_q};
   end
 `ifndef SYNTHESIS
@@ -227,7 +227,7 @@ module horopter_dsad (
     mask_columns_values_0_q = 8'h0;
   end
 `endif
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s1_en) begin
       rows_0_sums_values_0_q <= sum_54;
       rows_1_sums_values_0_q <= sum_58;

@@ -802,7 +802,7 @@ module horopter_plane_paths (
   assign memory_waddr = select_32_s2_q;
   logic memory_we;
   assign memory_we = s2_en & select_315_s2_q;
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (memory_we) memory_mem[memory_waddr] <= {select_313, select_307, select_301, select_295, select_289, select_283, select_277, select_271, select_265, select_259, select_253, select_247, select_241, select_235, select_229, select_223, select_217, select_211, select_205};
   end
 `ifndef SYNTHESIS

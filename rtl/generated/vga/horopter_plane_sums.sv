@@ -2133,7 +2133,7 @@ module horopter_plane_sums (
   assign feature_memory_waddr = arriving_column_q;
   logic feature_memory_we;
   assign feature_memory_we = s1_en;
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (feature_memory_we) feature_memory_mem[feature_memory_waddr] <= {feature_memory_rdata_q[77:0], entering_values_0_features_mask_q, entering_values_0_features_right_q, entering_values_0_features_left_q};
   end
 `ifndef SYNTHESIS
@@ -2153,7 +2153,7 @@ module horopter_plane_sums (
   assign column_memory_waddr = delayed_column_q;
   logic column_memory_we;
   assign column_memory_we = s1_en & running_q;
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (column_memory_we) column_memory_mem[column_memory_waddr] <= {and_1073, and_1072, entering_values_24_features_mask_q, and_1071, column_memory_rdata_q[179:174], and_1070, column_memory_rdata_q[172:167], and_1069, column_memory_rdata_q[165:160], seen_values_24_exists_s1_q, seen_values_24_grey_s1_q, sum_1068, sum_1058, sum_1036, sum_1014, sum_992, sum_970, sum_948, sum_926, sum_904, sum_882, sum_860, sum_842, sum_820, sum_798, sum_776, sum_754, sum_732, sum_710, sum_688, sum_666};
   end
 `ifndef SYNTHESIS
@@ -2655,7 +2655,7 @@ module horopter_plane_sums (
     rows_19_sum_sums_values_0_q = 11'h0;
   end
 `endif
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s1_en) begin
       rows_0_columns_values_0_q <= {3'h0, sum_666};
       rows_0_columns_values_1_q <= rows_0_columns_values_0_q;

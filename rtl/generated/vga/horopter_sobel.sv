@@ -147,7 +147,7 @@ module horopter_sobel (
   assign memory_waddr = raster_column_q;
   logic memory_we;
   assign memory_we = s1_en;
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (memory_we) memory_mem[memory_waddr] <= {select_27[0], saturated_s1_q, select_26[0], mask_s1_q, memory_rdata_q[15:0], pixel_1_s1_q, pixel_0_s1_q};
   end
 `ifndef SYNTHESIS
@@ -185,7 +185,7 @@ module horopter_sobel (
     saturated_columns_values_0_q = 2'h0;
   end
 `endif
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s1_en) begin
       smooth_0_values_0_q <= smooth;
       smooth_0_values_1_q <= smooth_0_values_0_q;

@@ -126,7 +126,7 @@ module horopter_texture (
   assign memory_waddr = raster_column_q;
   logic memory_we;
   assign memory_we = s1_en;
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (memory_we) memory_mem[memory_waddr] <= {delayed[11:10], not_35, sum_28, memory_rdata_q[15:0], magnitude_s1_q};
   end
 `ifndef SYNTHESIS
@@ -164,7 +164,7 @@ module horopter_texture (
     row_sum_sums_values_0_q = 12'h0;
   end
 `endif
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s1_en) begin
       row_columns_values_0_q <= {2'h0, sum_28};
       row_columns_values_1_q <= row_columns_values_0_q;
