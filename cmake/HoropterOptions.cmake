@@ -1,6 +1,7 @@
 # Settings that every target of the project shares, as the interface target horopter_options.
 option(HOROPTER_WERROR "Treat warnings as errors" OFF)
-option(HOROPTER_COSIM "Build hlsc, the Verilated models and their tests" ON)
+option(HOROPTER_COSIM "Build the Verilated models: the rtl engine, and what checks the hardware" ON)
+option(HOROPTER_DEVELOPMENT "Build also what users do not run: hlsc, tests, benches, benchmarks" ON)
 set(HOROPTER_SANITIZE "" CACHE STRING "Sanitizers, as for -fsanitize=")
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
@@ -9,8 +10,19 @@ endif()
 
 find_program(HOROPTER_CCACHE ccache)
 if(HOROPTER_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${HOROPTER_CCACHE})
+  # Precompiled headers are the same when their text is: ccache need not look at their times.
+  set(CMAKE_CXX_COMPILER_LAUNCHER
+    ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+    ${HOROPTER_CCACHE})
 endif()
+
+# horopter_precompile(<target> <header>…): headers of other projects that most files of the target include. A target that
+# another one's headers fit takes them by target_precompile_headers(… REUSE_FROM …).
+function(horopter_precompile target)
+  list(TRANSFORM ARGN REPLACE "(.+)" "<\\1>" OUTPUT_VARIABLE headers)
+  target_precompile_headers(${target} PRIVATE ${headers})
+  target_compile_options(${target} PRIVATE "SHELL:-Xclang -fno-pch-timestamp")
+endfunction()
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
