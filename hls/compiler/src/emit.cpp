@@ -662,7 +662,8 @@ class Emitter {
     }
     if (!load_kept.str().empty()) {
       out << "\n  // Not reset: nothing of it counts before it is written anew.\n`ifndef SYNTHESIS\n  initial begin\n"
-          << power_up.str() << "  end\n`endif\n  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too\n    if ("
+          << power_up.str()
+          << "  end\n`endif\n  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too\n    if ("
           << (stage == 0 ? "rst_ni & " : "") << enable(stage) << ") begin\n"
           << load_kept.str() << "    end\n  end\n";
     }
@@ -739,9 +740,9 @@ class Emitter {
         << "_waddr;\n  assign " << name << "_waddr = " << assigned(ram.write_address, stage) << ";\n  logic " << name
         << "_we;\n  assign " << name << "_we = " << enable(stage);
     if (ram.write_enable != kOne) out << " & " << expression(Bits{ram.write_enable}, stage);
-    out << ";\n  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too\n    if (" << name << "_we) " << name << "_mem["
-        << address_index(name + "_waddr", width, address_bits(ram.depth)) << "] <= " << assigned(ram.write_data, stage)
-        << ";\n  end\n";
+    out << ";\n  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too\n    if (" << name << "_we) "
+        << name << "_mem[" << address_index(name + "_waddr", width, address_bits(ram.depth))
+        << "] <= " << assigned(ram.write_data, stage) << ";\n  end\n";
     // Later beats whose reads have already happened, or happen in this clock, must not have read this address.
     out << "`ifndef SYNTHESIS\n";
     const auto reader_width = ram.read_address.size();
