@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Frames stay paired: random broken streams of two cameras, and a model that knows which images belong together.
 //
-// Both images number n show the same noise, of its own for every n, and the table maps every pixel onto itself. With
+// Both images number n show the same noise (but for a corner), of its own for every n, and the table maps every pixel onto itself. With
 // a small SUM_LIMIT a frame has all its pixels in the skin, and their number is known, only if left and right belong
 // together row by row. So whoever counts the skin of a published frame knows whether safe_o may be high.
 //
@@ -49,13 +49,17 @@ std::uint8_t grey_of(int image, unsigned place) {
   return static_cast<std::uint8_t>(Rng{static_cast<std::uint64_t>(image) * 4096 + place}.next());
 }
 
-/// Image `number` as it should be; `due` counts from its start.
-Stream whole(int number) {
+enum class Side { left, right };
+
+/// Image `number` as it should be; `due` counts from its start. Both sides are the same but for a corner: one camera taken
+/// for two is a fault.
+Stream whole(int number, Side side) {
   Stream stream;
   for (unsigned place = 0; place < kWidth * kHeight; ++place) {
     const unsigned x = place % kWidth, y = place / kWidth;
-    stream.push_back(
-        {grey_of(number, place), place == 0, x == kWidth - 1, number, place, y * (kWidth + kRowPause) + x});
+    const unsigned corner = side == Side::right && place == 0 ? 1 : 0;
+    stream.push_back({static_cast<std::uint8_t>(grey_of(number, place) ^ corner), place == 0, x == kWidth - 1, number,
+                      place, y * (kWidth + kRowPause) + x});
   }
   return stream;
 }
@@ -292,8 +296,8 @@ class Bench {
     }
     // Images that do not belong together are told apart.
     restart();
-    left_.send(whole(next_));
-    right_.send(whole(next_ + 1));
+    left_.send(whole(next_, Side::left));
+    right_.send(whole(next_ + 1, Side::right));
     settle();
     REQUIRE(watcher_.frames.size() == 1);
     CHECK(watcher_.frames[0].skin < all_skin_);
@@ -313,7 +317,7 @@ class Bench {
       const auto skew = rng_.below(kLargestSkew);
       std::uint64_t free = 0;  // the clock from which on this camera can send
       for (int i = 0; i < before + broken + kLongest + after; ++i) {
-        Stream image = whole(first + i);
+        Stream image = whole(first + i, &stream == &streams[0] ? Side::left : Side::right);
         if (i >= before && i < before + broken && !clean) {
           for (auto n = rng_.below(3); n > 0; --n) damage(image, rng_, live_);
         }
@@ -385,7 +389,7 @@ class Bench {
     }
   }
   void send_good() {
-    Stream left = whole(next_), right = whole(next_);
+    Stream left = whole(next_, Side::left), right = whole(next_, Side::right);
     ++next_;
     if (live_) {
       const auto begin = std::max(good_until_, left_.clock() + 10);

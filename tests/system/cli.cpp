@@ -137,7 +137,7 @@ TEST_CASE("Thresholds and limits change what they name") {
     return nlohmann::json::parse(result.out)["frames"][0];
   };
   const auto normal = frame({});
-  CHECK(frame({"--threshold", "0"})["skin_pixels"].get<int>() < normal["skin_pixels"].get<int>());
+  CHECK(frame({"--threshold", "0.1"})["skin_pixels"].get<int>() < normal["skin_pixels"].get<int>());
   CHECK(frame({"--threshold", "60"})["skin_pixels"].get<int>() > normal["skin_pixels"].get<int>());
   CHECK(frame({"--tolerance", "0.3"})["skin_pixels"].get<int>() < normal["skin_pixels"].get<int>());
   CHECK(frame({"--tolerance", "2.4"})["skin_pixels"].get<int>() > normal["skin_pixels"].get<int>());
