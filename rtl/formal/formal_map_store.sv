@@ -62,7 +62,7 @@ module formal_map_store (
       .parity_error_o()
   );
   // Registers of the device, joined when the hierarchy is flattened (yosys: hierconn).
-  (* hierconn *) wire [2:0] \dut.state_q ;
+  (* hierconn *) wire [3:0] \dut.state_q ;
   (* hierconn *) wire [3:0] \dut.slot_q ;
   (* hierconn *) wire [15:0] \dut.base_q ;
   (* hierconn *) wire [23:0] \dut.size_q ;
@@ -85,7 +85,7 @@ module formal_map_store (
   (* hierconn *) wire \dut.store_entry ;
   (* hierconn *) wire \dut.write_even ;
   (* hierconn *) wire \dut.write_odd ;
-  localparam logic [2:0] IDLE = 3'd0, SIZE = 3'd4, WALK = 3'd5, DATA = 3'd6, CHECK = 3'd7;
+  localparam logic [3:0] IDLE = 4'd0, SIZE = 4'd4, WALK = 4'd5, HEAD3 = 4'd6, FACTS = 4'd7, DATA = 4'd8, CHECK = 4'd9;
 
   (* anyconst *) logic [3:0] watched;
   logic [3:0] first;  // region of the watched table
@@ -139,7 +139,8 @@ module formal_map_store (
       if (\dut.state_q == SIZE && \dut.step_q >= 7'd12 || \dut.state_q == WALK)
         assert (\dut.end_q == \dut.size_q + 24'(\dut.base_q ) && \dut.size_q < 24'd8388608);
       if (\dut.state_q == WALK) assert (\dut.step_q <= 7'd64);
-      if (\dut.state_q == WALK || \dut.state_q == DATA || \dut.state_q == CHECK)
+      assert (\dut.state_q <= CHECK);
+      if (\dut.state_q >= WALK)
         assert (\dut.end_q <= 24'd16 && 24'(\dut.base_q ) < \dut.end_q );
       if (\dut.state_q != IDLE) assert (\dut.slot_q != 4'd15 && !valid[\dut.slot_q ]);
       if (\dut.state_q == WALK && valid[watched]) begin
@@ -155,7 +156,8 @@ module formal_map_store (
       end
       if (\dut.state_q == WALK && \dut.step_q >= 7'd1) assert (16'(\dut.write_addr_q ) == \dut.base_q );
       if (\dut.state_q == WALK && \dut.step_q >= 7'd2) assert (!\dut.complete_q );
-      if ((\dut.state_q == DATA || \dut.state_q == CHECK) && valid[watched]) assert (apart);
+      if (\dut.state_q == HEAD3 || \dut.state_q == FACTS) assert (16'(\dut.write_addr_q ) == \dut.base_q && !\dut.complete_q );
+      if (\dut.state_q > WALK && valid[watched]) assert (apart);
 
       // --- properties ---
       if ((\dut.write_even || \dut.write_odd ) && valid[watched])

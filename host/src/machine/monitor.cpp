@@ -20,7 +20,8 @@ namespace {
 namespace reg = registers;
 
 constexpr int kNoTable = reg::kNoSlot;
-constexpr int kSlots = 15;
+constexpr int kSlots = hls::table::slots;
+static_assert(kNoTable == kSlots);
 /// Reads of FRAME_SEQUENCE before a machine that has sent all its states counts as broken.
 constexpr int kStatusPolls = 100'000;
 constexpr int kTablePolls = 1'000'000;  // a frame may stand between
@@ -190,7 +191,7 @@ void Monitor::write_limits() {
 
 void Monitor::upload(int slot, const MapTable& table, std::optional<std::size_t> base_word64) {
   if (slot < 0 || slot >= kSlots) throw UsageError(fmt::format("slot {}; expected 0 to {}", slot, kSlots - 1));
-  const std::size_t words64 = (table.words().size() - 4 + 1) / 2;
+  const std::size_t words64 = table.pool_bytes() / 8;
   const std::size_t pool64 = pool_bytes_ / 8;
   // First fit between the other tables; a table of the same slot makes room for its successor.
   std::vector<std::pair<std::size_t, std::size_t>> taken;
@@ -229,7 +230,7 @@ void Monitor::upload(int slot, const MapTable& table, std::optional<std::size_t>
     throw DeviceError(fmt::format("table {} is not in the machine after its upload", slot));
   }
   Slot& entry = slots_[static_cast<std::size_t>(slot)];
-  entry = {base, words64, supported_pixels(table, profile_, settings_.decision)};
+  entry = {base, words64, supported_pixels(table, settings_.decision)};
 }
 
 void Monitor::select(int slot) {
