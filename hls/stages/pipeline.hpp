@@ -154,11 +154,14 @@ class Pipeline {
     const auto fail = [](const std::string& what) { throw std::invalid_argument(what); };
     if (left.width != right.width || left.height != right.height) fail("left and right image differ in size");
     if (left.width > P.width || left.height > P.height) fail("the image is larger than the profile");
-    if (left.width % P.subsample != 0 || left.width < hls::min_row_beats * 2 * P.subsample) {
-      fail("the width must be a multiple of the sub-sampling and at least " +
-           std::to_string(hls::min_row_beats * 2 * P.subsample));
+    constexpr int smallest_width = hls::table::smallest_result_width * P.subsample;
+    static_assert(hls::table::smallest_result_width >= 2 * hls::min_row_beats);
+    if (left.width % P.subsample != 0 || left.width < smallest_width) {
+      fail("the width must be a multiple of the sub-sampling and at least " + std::to_string(smallest_width));
     }
-    if (left.height < 16) fail("the height must be at least 16");
+    if (left.height < hls::table::smallest_height) {
+      fail("the height must be at least " + std::to_string(hls::table::smallest_height));
+    }
     if (table.width() != left.width || table.height() != left.height) fail("the table is for another image size");
     if (!P.has(settings.compete != 0 ? hls::Rule::compete : hls::Rule::thesis))
       fail("the profile does not have this rule");

@@ -2,7 +2,7 @@
 // horopter_map_store's switch, by induction: a table in use stays as it was uploaded.
 //
 // One arbitrary (constant, unknown) slot is followed, with the region that its last successful upload filled. While it
-// is valid, nothing writes into that region; while it is valid and in use, it stays valid. What is looked up is in use
+// is valid, nothing writes into that region or, while it is in use, its limit; while it is valid and in use, it stays valid. What is looked up is in use
 // and was valid. Taken for granted: the directory's memory reads what was written (as horopter_ram does).
 module formal_map_store (
     input logic        clk_i,
@@ -17,7 +17,8 @@ module formal_map_store (
     input logic        start_valid,
     input logic        data_valid,
     input logic [31:0] data,
-    input logic        lookup
+    input logic        lookup,
+    input logic [23:0] limit
 );
   logic start_ready, data_ready, busy, bad_upload, refused, table_ok;
   logic [2:0] error;
@@ -35,6 +36,7 @@ module formal_map_store (
       .active_slot_i(active_slot),
       .slot_i(slot),
       .base_i(base),
+      .undecidable_limit_i(limit),
       .start_valid_i(start_valid),
       .start_ready_o(start_ready),
       .data_valid_i(data_valid),
@@ -54,6 +56,7 @@ module formal_map_store (
       .table_ny_o(),
       .table_columns_o(),
       .table_crc_o(),
+      .table_undecidable_limit_o(),
       .read_en_i(1'b0),
       .even_addr_i('0),
       .odd_addr_i('0),
@@ -83,6 +86,7 @@ module formal_map_store (
   (* hierconn *) wire \dut.take ;
   (* hierconn *) wire [8:0] \dut.extent ;
   (* hierconn *) wire \dut.store_entry ;
+  (* hierconn *) wire \dut.store_limit ;
   (* hierconn *) wire \dut.write_even ;
   (* hierconn *) wire \dut.write_odd ;
   localparam logic [3:0] IDLE = 4'd0, SIZE = 4'd4, WALK = 4'd5, HEAD3 = 4'd6, FACTS = 4'd7, DATA = 4'd8, CHECK = 4'd9;
@@ -163,6 +167,7 @@ module formal_map_store (
       if ((\dut.write_even || \dut.write_odd ) && valid[watched])
         assert (\dut.write_addr_q < 5'(first) || \dut.write_addr_q >= behind);
       if (past_in_use) assert (valid[watched] || !rst_ni);
+      if (past_in_use && \dut.store_limit ) assert (slot != watched);
       cover (\dut.state_q == WALK);
       cover (error == 3'd2);
     end

@@ -9,6 +9,7 @@
 // facts go through the CRC and are not kept. A slot becomes invalid when an upload into it starts and valid when its CRC
 // is right. A table that the new one overlaps becomes invalid. An upload into a slot or a region in use is refused and
 // changes nothing. In use: valid, and selected or made the current output frame, while running.
+// With each slot stays the limit of undecidable pixels that was given at its start.
 //
 // Directory: lookup_i for one clock asks for lookup_slot_i; from two clocks later on the table_* outputs tell,
 // until the next lookup. table_ok_o: it was valid, and made for this width and height.
@@ -31,6 +32,7 @@ module horopter_map_store #(
     // upload
     input  logic [          3:0] slot_i,
     input  logic [         15:0] base_i,
+    input  logic [         23:0] undecidable_limit_i,
     input  logic                 start_valid_i,
     output logic                 start_ready_o,
     input  logic                 data_valid_i,
@@ -51,6 +53,7 @@ module horopter_map_store #(
     output logic [          2:0] table_ny_o,
     output logic [         11:0] table_columns_o,
     output logic [         31:0] table_crc_o,
+    output logic [         23:0] table_undecidable_limit_o,
     // pool
     input  logic                 read_en_i,
     input  logic [ADDR_BITS-1:0] even_addr_i,
@@ -87,6 +90,7 @@ module horopter_map_store #(
 
   localparam logic [23:0] FIRST_WORD = {16'(horopter_table_pkg::MAGIC), 8'(horopter_table_pkg::VERSION)};
   localparam logic [2:0] LARGEST_SPACING = 3'(horopter_table_pkg::LARGEST_SPACING_LOG2);
+  localparam logic [3:0] NONE = 4'(horopter_table_pkg::SLOTS);  // no slot
   localparam logic [11:0] FEWEST_FACTS = 12'(horopter_table_pkg::FACT_WORDS);
 
   // CRC-32, reflected, of one more byte, least significant bit first. After a word that is the CRC of all before it, the
@@ -148,12 +152,15 @@ module horopter_map_store #(
   // become the selected one.
   always_ff @(posedge clk_i)
     slot_in_use_q <= running_i && (slot_i == selected_slot_i || slot_i == active_slot_i)
-        && slot_i != 4'd15 && (valid_q[slot_i] || store_entry);
+        && slot_i != NONE && (valid_q[slot_i] || store_entry);
+
+  logic store_limit;
+  assign store_limit = start_q && slot_i != NONE && !slot_in_use_q;
 
   // Extent of each table, for the walk.
   logic [2*ADDR_BITS:0] extent;
   logic [3:0] walk_slot;
-  logic unused_extent_parity, unused_entry_parity;
+  logic unused_extent_parity, unused_entry_parity, unused_limit_parity;
   horopter_ram #(
       .WIDTH(2 * ADDR_BITS + 1),
       .DEPTH(16)
@@ -186,7 +193,7 @@ module horopter_map_store #(
       valid_q <= 16'd0;
       error_o <= NO_ERROR;
     end else if (start_q) begin
-      if (slot_i == 4'd15) begin
+      if (slot_i == NONE) begin
         state_q <= IDLE;
         error_o <= NO_SLOT;
         bad_upload_o <= 1'b1;
@@ -389,6 +396,21 @@ module horopter_map_store #(
     if (slot_read_q && !slot_valid_q) slot_crc_o <= 32'd0;
     else if (slot_read_q) slot_crc_o <= entry_crc;
   end
+
+  // Kept from the start on, while the slot is invalid; between lookups the output stays.
+  horopter_ram #(
+      .WIDTH(24),
+      .DEPTH(16)
+  ) u_limit (
+      .clk_i(clk_i),
+      .write_en_i(store_limit),
+      .write_addr_i(slot_i),
+      .write_data_i(undecidable_limit_i),
+      .read_en_i(lookup_i),
+      .read_addr_i(lookup_slot_i),
+      .read_data_o(table_undecidable_limit_o),
+      .parity_error_o(unused_limit_parity)
+  );
 
   // --- pool ---
   logic write_even, write_odd, even_error, odd_error;

@@ -5,6 +5,8 @@ package horopter_table_pkg;
   localparam int unsigned MAGIC = 'h484D;  // "HM"
   localparam int unsigned VERSION = 2;  // of the format
   localparam int unsigned SLOTS = 15;  // tables that a machine holds, from 0; the next number means none
+  localparam int unsigned SMALLEST_RESULT_WIDTH = 32;  // px of a frame's result that a machine takes
+  localparam int unsigned SMALLEST_HEIGHT = 16;  // rows of it
   localparam int unsigned HEADER_WORDS = 4;  // before the facts
   localparam int unsigned FACT_WORDS = 5;  // before the areas
   localparam int unsigned LARGEST_SPACING_LOG2 = 6;  // of control points

@@ -209,7 +209,7 @@ TEST_CASE("The limit on undecidable pixels is a share of what the rule can judge
   monitor.upload(0, table);
   monitor.select(0);
   const std::int64_t supported = supported_pixels(table, decision);
-  CHECK(monitor.device().read(reg::undecidable_limit::kAddress) ==
+  CHECK(monitor.device().read(reg::map_undecidable_limit::kAddress) ==
         limit_of(Settings{}.undecidable_percent, static_cast<double>(supported)));
   const Image left = textured(kWide, kHeight, 1);
   const auto usual = monitor.process(left, moved(left, -5, 0));

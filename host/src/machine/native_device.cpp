@@ -52,7 +52,6 @@ NativeDevice::NativeDevice(const MachineProfile& profile)
   stored(reg::self_limit::kAddress) = static_cast<std::uint32_t>(defaults.self_limit);
   stored(reg::texture_limit::kAddress) = static_cast<std::uint32_t>(defaults.texture_limit);
   stored(reg::alarm_limit::kAddress) = static_cast<std::uint32_t>(defaults.alarm_limit);
-  stored(reg::undecidable_limit::kAddress) = static_cast<std::uint32_t>(defaults.undecidable_limit);
   stored(reg::unsupervised_limit::kAddress) = static_cast<std::uint32_t>(defaults.unsupervised_limit);
   stored(reg::black_level::kAddress) = static_cast<std::uint32_t>(defaults.dark_level);
   stored(reg::black_limit::kAddress) = static_cast<std::uint32_t>(defaults.dark_limit);
@@ -72,8 +71,9 @@ bool NativeDevice::geometry_is_possible() const {
   const auto width = static_cast<int>(registers_[reg::width::kAddress / 4]);
   const auto height = static_cast<int>(registers_[reg::height::kAddress / 4]);
   const auto lookahead = static_cast<int>(registers_[reg::lookahead::kAddress / 4]);
-  return width <= profile_.width && width >= 32 * profile_.subsample && width % profile_.subsample == 0 &&
-         height <= profile_.height && height >= 16 && lookahead <= profile_.largest_lookahead();
+  return width <= profile_.width && width >= hls::table::smallest_result_width * profile_.subsample &&
+         width % profile_.subsample == 0 && height <= profile_.height && height >= hls::table::smallest_height &&
+         lookahead <= profile_.largest_lookahead();
 }
 
 bool NativeDevice::running() const {
@@ -208,6 +208,9 @@ void NativeDevice::write(std::uint32_t address, std::uint32_t value) {
     case reg::map_base::kAddress:
       stored(address) = reg::map_base::kWord64.get(value);
       return;
+    case reg::map_undecidable_limit::kAddress:
+      stored(address) = reg::map_undecidable_limit::kPixels.get(value);
+      return;
     case reg::decision::kAddress:
       if (profile_.has_thesis() && profile_.has_compete()) stored(address) = value & reg::decision::kCompete.mask();
       return;
@@ -234,7 +237,7 @@ void NativeDevice::reset_stream() {
 
 void NativeDevice::begin_upload() {
   upload_slot_ = static_cast<int>(stored(reg::map_slot::kAddress));
-  upload_ = {stored(reg::map_base::kAddress), 0, {}};
+  upload_ = {stored(reg::map_base::kAddress), 0, static_cast<int>(stored(reg::map_undecidable_limit::kAddress)), {}};
   upload_length_ = 0;
   upload_error_ = UploadError::none;
   uploading_ = false;
@@ -295,6 +298,9 @@ native::Settings NativeDevice::settings() const {
   native::Settings s;
   static_cast<hls::StageSettings&>(s) = stage_settings(word);
   s.lookahead = static_cast<int>(word(reg::lookahead::kAddress));
+  // Without a table nothing is undecidable.
+  s.undecidable_limit =
+      active_slot_ != kNoTable ? tables_.at(static_cast<std::size_t>(active_slot_))->undecidable_limit : 0;
   return s;
 }
 

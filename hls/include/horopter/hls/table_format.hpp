@@ -40,15 +40,17 @@
 namespace horopter::hls::table {
 
 // scripts/generate-profiles makes rtl/store/horopter_table_pkg.sv of these, by their names.
-inline constexpr std::uint32_t magic = 0x484D;  // "HM"
-inline constexpr std::uint32_t version = 2;     // of the format
-inline constexpr int slots = 15;                // tables that a machine holds, from 0; the next number means none
-inline constexpr int header_words = 4;          // before the facts
-inline constexpr int fact_words = 5;            // before the areas
-inline constexpr int largest_spacing_log2 = 6;  // of control points
-inline constexpr int area_block_log2 = 5;       // side of a block that has one area
-inline constexpr int control_offset_px = 64;    // control points are unsigned: 0 means -64 px
-inline constexpr int control_scale = 32;        // steps per pixel
+inline constexpr std::uint32_t magic = 0x484D;    // "HM"
+inline constexpr std::uint32_t version = 2;       // of the format
+inline constexpr int slots = 15;                  // tables that a machine holds, from 0; the next number means none
+inline constexpr int smallest_result_width = 32;  // px of a frame's result that a machine takes
+inline constexpr int smallest_height = 16;        // rows of it
+inline constexpr int header_words = 4;            // before the facts
+inline constexpr int fact_words = 5;              // before the areas
+inline constexpr int largest_spacing_log2 = 6;    // of control points
+inline constexpr int area_block_log2 = 5;         // side of a block that has one area
+inline constexpr int control_offset_px = 64;      // control points are unsigned: 0 means -64 px
+inline constexpr int control_scale = 32;          // steps per pixel
 inline constexpr std::uint32_t unmapped = 0xFFFFFFFF;  // a control point without a source
 
 constexpr int control_points(int size, int spacing_log2) {

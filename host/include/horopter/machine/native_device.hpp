@@ -38,6 +38,7 @@ class NativeDevice : public Device {
   struct Table {
     std::size_t base_word64 = 0;
     std::size_t end_word64 = 0;
+    int undecidable_limit = 0;  ///< MAP_UNDECIDABLE_LIMIT at its start
     std::vector<std::uint32_t> words;
   };
   /// As numbered in MAP_STATUS.error.
