@@ -9,6 +9,7 @@ import sys
 import yaml
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+TABLE_FORMAT = ROOT / "hls/include/horopter/hls/table_format.hpp"
 REQUIREMENTS = ROOT / "constraints/requirements.txt"
 ECP5_FIRST = "proc; opt_expr; techmap -map constraints/compare.v"
 SYNTHESIS = {"ecp5": f"{ECP5_FIRST}; synth_ecp5", "ice40": "synth_ice40 -abc9 -device hx"}
@@ -24,6 +25,15 @@ def profiles():
     found = {}
     for name, columns in re.findall(r"^HOROPTER_PROFILE\((\w+),([^)]*)\)", text, re.M):
         found[name] = [int(c) if c.strip().isdigit() else c.strip() for c in columns.split(",")]
+    return found
+
+
+def table_format():
+    """Constants of the mapping tables' format by name: the number, as SystemVerilog writes it, and its comment."""
+    found = {}
+    line = r"^inline constexpr (?:int|std::uint32_t) (\w+) = (0x)?([0-9A-F]+);(  *//.*)?$"
+    for name, hexadecimal, digits, comment in re.findall(line, TABLE_FORMAT.read_text(encoding="utf-8"), re.M):
+        found[name] = (int(digits, 16 if hexadecimal else 10), f"'h{digits}" if hexadecimal else digits, comment)
     return found
 
 

@@ -19,6 +19,7 @@
 #include "horopter/hls/settings.hpp"
 #include "stages/chain.hpp"
 #include "stages/strips.hpp"
+#include "stages/table_view.hpp"
 
 namespace horopter::native {
 
@@ -64,40 +65,6 @@ struct FrameSettings : Settings {
       : Settings(settings), width(result_width), height(result_height) {}
   int width;
   int height;
-};
-
-/// A mapping table in upload format: three header words, control points, CRC.
-class TableView {
- public:
-  explicit TableView(std::span<const std::uint32_t> words) : words_(words) {
-    if (words.size() < 4 || (words[0] & 0xFFFFFF00U) != 0x484D0100U || spacing_x_log2() > 6 || spacing_y_log2() > 6 ||
-        words.size() != 4 + std::size_t{2} * columns() * row_pairs() ||
-        columns() != ((width() + (1 << spacing_x_log2()) - 1) >> spacing_x_log2()) + 1 ||
-        2 * row_pairs() < ((height() + (1 << spacing_y_log2()) - 1) >> spacing_y_log2()) + 1) {
-      throw std::invalid_argument("not a mapping table");
-    }
-  }
-
-  [[nodiscard]] int spacing_x_log2() const { return static_cast<int>(words_[0] >> 4 & 15U); }
-  [[nodiscard]] int spacing_y_log2() const { return static_cast<int>(words_[0] & 15U); }
-  [[nodiscard]] int columns() const { return static_cast<int>(words_[1] & 0xFFFFU); }
-  [[nodiscard]] int row_pairs() const { return static_cast<int>(words_[1] >> 16); }
-  [[nodiscard]] int width() const { return static_cast<int>(words_[2] & 0xFFFFU); }
-  [[nodiscard]] int height() const { return static_cast<int>(words_[2] >> 16); }
-  [[nodiscard]] std::uint32_t crc() const { return words_.back(); }
-  [[nodiscard]] std::span<const std::uint32_t> words() const { return words_; }
-
-  [[nodiscard]] stages::ControlPoint control(int column, int row) const {
-    const std::uint32_t word = words_[3 +
-                                      (static_cast<std::size_t>(row / 2) * static_cast<std::size_t>(columns()) +
-                                       static_cast<std::size_t>(column)) *
-                                          2 +
-                                      static_cast<std::size_t>(row % 2)];
-    return {hls::u<16>(word), hls::u<16>(word >> 16)};
-  }
-
- private:
-  std::span<const std::uint32_t> words_;
 };
 
 struct Run {
@@ -162,7 +129,6 @@ class Pipeline {
   }
 
  private:
-  static constexpr std::size_t table_slots = 15;
   static constexpr std::size_t padded_stride = P.width + 1;
 
   struct Nothing {};
@@ -188,11 +154,14 @@ class Pipeline {
     const auto fail = [](const std::string& what) { throw std::invalid_argument(what); };
     if (left.width != right.width || left.height != right.height) fail("left and right image differ in size");
     if (left.width > P.width || left.height > P.height) fail("the image is larger than the profile");
-    if (left.width % P.subsample != 0 || left.width < hls::min_row_beats * 2 * P.subsample) {
-      fail("the width must be a multiple of the sub-sampling and at least " +
-           std::to_string(hls::min_row_beats * 2 * P.subsample));
+    constexpr int smallest_width = hls::table::smallest_result_width * P.subsample;
+    static_assert(hls::table::smallest_result_width >= 2 * hls::min_row_beats);
+    if (left.width % P.subsample != 0 || left.width < smallest_width) {
+      fail("the width must be a multiple of the sub-sampling and at least " + std::to_string(smallest_width));
     }
-    if (left.height < 16) fail("the height must be at least 16");
+    if (left.height < hls::table::smallest_height) {
+      fail("the height must be at least " + std::to_string(hls::table::smallest_height));
+    }
     if (table.width() != left.width || table.height() != left.height) fail("the table is for another image size");
     if (!P.has(settings.compete != 0 ? hls::Rule::compete : hls::Rule::thesis))
       fail("the profile does not have this rule");
@@ -259,7 +228,7 @@ class Pipeline {
     if (known != expansions_.end()) {
       std::rotate(expansions_.begin(), known, known + 1);
     } else {
-      if (expansions_.size() == table_slots) expansions_.pop_back();
+      if (expansions_.size() == hls::table::slots) expansions_.pop_back();
       expansions_.insert(expansions_.begin(), expand(table, lookahead));
     }
     return expansions_.front();

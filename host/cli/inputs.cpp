@@ -147,7 +147,7 @@ void check_alarm_limit(const std::string& skin, const std::vector<const MapTable
   std::size_t least = 0;
   double supported = std::numeric_limits<double>::infinity();  // in the table `least`; all are of one size
   for (std::size_t i = 0; i < tables.size(); ++i) {
-    const auto here = static_cast<double>(supported_pixels(*tables[i], profile, decision));
+    const auto here = static_cast<double>(supported_pixels(*tables[i], decision));
     if (here >= supported) continue;
     least = i;
     supported = here;

@@ -48,6 +48,38 @@ std::vector<Decision> rules_of(const MachineProfile& profile) {
   return rules;
 }
 
+/// Smallest and largest area of the skin that a pixel of the result sees, mm²; nothing without a rig.
+std::optional<std::pair<double, double>> area_range_mm2(const hls::table::Facts& facts) {
+  if (facts.areas.empty()) return std::nullopt;
+  const auto [smallest, largest] = std::ranges::minmax_element(facts.areas);
+  return std::pair{hls::table::decode_area(*smallest), hls::table::decode_area(*largest)};
+}
+
+/// What the table's header says to the machine beside its size.
+void explain_facts(const MapTable& table, const MachineProfile& profile) {
+  const hls::table::Facts& facts = table.facts();
+  const std::int64_t pixels = table.result_pixels();
+  for (const Decision decision : rules_of(profile)) {
+    const std::int64_t supported = supported_pixels(table, decision);
+    fmt::print(
+        "  {:12}  {} pixels of the result ({:.1f} %), of which --undecidable-limit is a share: all of their "
+        "support is supervised\n                the other {} are unsupervised in every frame\n",
+        fmt::format("by {}", name_of(decision)), supported,
+        100.0 * static_cast<double>(supported) / static_cast<double>(pixels), pixels - supported);
+  }
+  const char* unknown = "not known: made without a rig";
+  const auto areas = area_range_mm2(facts);
+  fmt::print(
+      "  areas         {}\n",
+      areas ? fmt::format("a pixel of the result sees {:.3g} to {:.3g} mm2 of the skin, one value for {} px square",
+                          areas->first, areas->second, 1 << hls::table::area_block_log2)
+            : unknown);
+  fmt::print("  shifts        {}\n",
+             facts.shifts ? fmt::format("{} to {} px along the row are places in front of both cameras, 0 is the skin",
+                                        facts.shifts->lowest_px, facts.shifts->highest_px)
+                          : unknown);
+}
+
 void explain(const MapSet& maps) {
   const MachineProfile& profile = find_profile(maps.profile);
   if (!maps.rig.empty()) fmt::print("rig      CRC {}\n", crc_text(maps.rig_crc()));
@@ -76,14 +108,7 @@ void explain(const MapSet& maps) {
                percent(r.supervised()),
                100.0 * static_cast<double>(r.supervised()) /
                    static_cast<double>(std::max<std::int64_t>(1, r.pixels - r.count(Reason::no_source))));
-    for (const Decision decision : rules_of(profile)) {
-      const std::int64_t supported = supported_pixels(map.table, profile, decision);
-      fmt::print(
-          "  {:12}  {} pixels of the result ({:.1f} %), of which --undecidable-limit is a share: all of their "
-          "support is supervised\n",
-          fmt::format("by {}", name_of(decision)), supported,
-          100.0 * profile.subsample * static_cast<double>(supported) / static_cast<double>(r.pixels));
-    }
+    explain_facts(map.table, profile);
     const char* head = "unsupervised";
     for (int i = 1; i < kReasonCount; ++i) {
       if (r.by_reason[i] == 0) continue;
@@ -167,10 +192,15 @@ ExitStatus map(const MapOptions& options) {
   auto report = to_json(maps);
   const MachineProfile& profile = find_profile(maps.profile);
   for (std::size_t i = 0; i < maps.maps.size(); ++i) {
+    const MapTable& table = maps.maps[i].table;
+    auto& entry = report["tables"][i];
     for (const Decision decision : rules_of(profile)) {
-      report["tables"][i]["supported"][std::string(name_of(decision))] =
-          supported_pixels(maps.maps[i].table, profile, decision);
+      const std::int64_t supported = supported_pixels(table, decision);
+      entry["supported"][std::string(name_of(decision))] = supported;
+      entry["always_unsupervised"][std::string(name_of(decision))] = table.result_pixels() - supported;
     }
+    if (const auto areas = area_range_mm2(table.facts())) entry["area_mm2"] = {areas->first, areas->second};
+    if (const auto& shifts = table.facts().shifts) entry["shifts_px"] = {shifts->lowest_px, shifts->highest_px};
   }
   report_rows(options.decision, !maps.rig.empty(), report, options.json);
   if (options.json) {

@@ -15,7 +15,6 @@ module horopter_csr #(
     parameter logic [15:0] SUM_LIMIT_VALUE_RESET = 16'd0,
     parameter logic [15:0] SELF_LIMIT_VALUE_RESET = 16'd0,
     parameter logic [23:0] ALARM_LIMIT_PIXELS_RESET = 24'd0,
-    parameter logic [23:0] UNDECIDABLE_LIMIT_PIXELS_RESET = 24'd0,
     parameter logic [23:0] UNSUPERVISED_LIMIT_PIXELS_RESET = 24'd0,
     parameter logic [23:0] BLACK_LIMIT_PIXELS_RESET = 24'd0,
     parameter logic [23:0] WHITE_LIMIT_PIXELS_RESET = 24'd0,
@@ -66,7 +65,6 @@ module horopter_csr #(
     output logic [15:0] self_limit_value_o,
     output logic [15:0] texture_limit_sum_o,
     output logic [23:0] alarm_limit_pixels_o,
-    output logic [23:0] undecidable_limit_pixels_o,
     output logic [23:0] unsupervised_limit_pixels_o,
     output logic [ 7:0] black_level_grey_o,
     output logic [23:0] black_limit_pixels_o,
@@ -89,6 +87,7 @@ module horopter_csr #(
     input  logic [ 3:0] map_status_active_slot_i,
     input  logic [14:0] map_valid_slots_i,
     input  logic [31:0] map_crc_value_i,
+    output logic [23:0] map_undecidable_limit_pixels_o,
     input  logic [21:0] faults_cameras_set_i,
     output logic [21:0] faults_cameras_o,
     input  logic [ 9:0] faults_machine_set_i,
@@ -121,8 +120,8 @@ module horopter_csr #(
     write_group_q[4] <= write_addr_i[11:5] == 7'h06;
     write_group_q[5] <= write_addr_i[11:5] == 7'h07;
     case (write_addr_i)
-      12'h040, 12'h058, 12'h05C, 12'h060, 12'h064, 12'h080, 12'h084, 12'h088, 12'h08C, 12'h090, 12'h094, 12'h0A0,
-      12'h0A4, 12'h0A8, 12'h0AC, 12'h0B0, 12'h0B4, 12'h0B8, 12'h0BC, 12'h0C0, 12'h0C4, 12'h0E0, 12'h0E4: write_error_o
+      12'h040, 12'h058, 12'h05C, 12'h060, 12'h064, 12'h080, 12'h084, 12'h088, 12'h08C, 12'h094, 12'h0A0, 12'h0A4,
+      12'h0A8, 12'h0AC, 12'h0B0, 12'h0B4, 12'h0B8, 12'h0BC, 12'h0C0, 12'h0C4, 12'h0DC, 12'h0E0, 12'h0E4: write_error_o
       <= 1'b0;
       12'h044, 12'h04C, 12'h050, 12'h054: write_error_o <= locked_i;
       12'h0C8, 12'h0CC: write_error_o <= write_strb_i != 4'hF;
@@ -177,9 +176,6 @@ module horopter_csr #(
   // ALARM_LIMIT: More skin pixels than this in a frame are an alarm.
   logic [23:0] alarm_limit_pixels_q;
   assign alarm_limit_pixels_o = alarm_limit_pixels_q;
-  // UNDECIDABLE_LIMIT: More undecidable pixels than this in a frame are a fault.
-  logic [23:0] undecidable_limit_pixels_q;
-  assign undecidable_limit_pixels_o = undecidable_limit_pixels_q;
   // UNSUPERVISED_LIMIT: More unsupervised pixels than this in a frame are a fault.
   logic [23:0] unsupervised_limit_pixels_q;
   assign unsupervised_limit_pixels_o = unsupervised_limit_pixels_q;
@@ -218,6 +214,9 @@ module horopter_csr #(
   // MAP_BASE: Where the next upload goes in the pool.
   logic [15:0] map_base_word64_q;
   assign map_base_word64_o = map_base_word64_q;
+  // MAP_UNDECIDABLE_LIMIT: Of the tables whose upload starts from now on: more undecidable pixels than this in a frame made by the table are a fault. Stays with the table.
+  logic [23:0] map_undecidable_limit_pixels_q;
+  assign map_undecidable_limit_pixels_o = map_undecidable_limit_pixels_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -235,7 +234,6 @@ module horopter_csr #(
       self_limit_value_q <= SELF_LIMIT_VALUE_RESET;
       texture_limit_sum_q <= 16'd288;
       alarm_limit_pixels_q <= ALARM_LIMIT_PIXELS_RESET;
-      undecidable_limit_pixels_q <= UNDECIDABLE_LIMIT_PIXELS_RESET;
       unsupervised_limit_pixels_q <= UNSUPERVISED_LIMIT_PIXELS_RESET;
       black_level_grey_q <= 8'd4;
       black_limit_pixels_q <= BLACK_LIMIT_PIXELS_RESET;
@@ -252,6 +250,7 @@ module horopter_csr #(
       compete_boundary_q <= COMPETE ? 4'd8 : 4'd0;
       map_slot_slot_q <= 4'd0;
       map_base_word64_q <= 16'd0;
+      map_undecidable_limit_pixels_q <= 24'd0;
     end else begin
       if (write_q && write_group_q[0] && write_word_q[0]) begin  // CONTROL
         if (write_strb_i[0]) control_enable_q <= write_data_i[0];
@@ -305,11 +304,6 @@ module horopter_csr #(
         if (write_strb_i[0]) alarm_limit_pixels_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) alarm_limit_pixels_q[15:8] <= write_data_i[15:8];
         if (write_strb_i[2]) alarm_limit_pixels_q[23:16] <= write_data_i[23:16];
-      end
-      if (write_q && write_group_q[2] && write_word_q[4]) begin  // UNDECIDABLE_LIMIT
-        if (write_strb_i[0]) undecidable_limit_pixels_q[7:0] <= write_data_i[7:0];
-        if (write_strb_i[1]) undecidable_limit_pixels_q[15:8] <= write_data_i[15:8];
-        if (write_strb_i[2]) undecidable_limit_pixels_q[23:16] <= write_data_i[23:16];
       end
       if (write_q && write_group_q[2] && write_word_q[5]) begin  // UNSUPERVISED_LIMIT
         if (write_strb_i[0]) unsupervised_limit_pixels_q[7:0] <= write_data_i[7:0];
@@ -367,6 +361,11 @@ module horopter_csr #(
         if (write_strb_i[0]) map_base_word64_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) map_base_word64_q[15:8] <= write_data_i[15:8];
       end
+      if (write_q && write_group_q[4] && write_word_q[7]) begin  // MAP_UNDECIDABLE_LIMIT
+        if (write_strb_i[0]) map_undecidable_limit_pixels_q[7:0] <= write_data_i[7:0];
+        if (write_strb_i[1]) map_undecidable_limit_pixels_q[15:8] <= write_data_i[15:8];
+        if (write_strb_i[2]) map_undecidable_limit_pixels_q[23:16] <= write_data_i[23:16];
+      end
     end
   end
 
@@ -420,9 +419,9 @@ module horopter_csr #(
       12'h000, 12'h004, 12'h008, 12'h00C, 12'h010, 12'h014, 12'h018: wanted_q[0] <= 1'b1;
       12'h040, 12'h044, 12'h048, 12'h04C, 12'h050, 12'h054, 12'h058, 12'h05C: wanted_q[1] <= 1'b1;
       12'h060, 12'h064: wanted_q[2] <= 1'b1;
-      12'h080, 12'h084, 12'h088, 12'h08C, 12'h090, 12'h094: wanted_q[3] <= 1'b1;
+      12'h080, 12'h084, 12'h088, 12'h08C, 12'h094: wanted_q[3] <= 1'b1;
       12'h0A0, 12'h0A4, 12'h0A8, 12'h0AC, 12'h0B0, 12'h0B4, 12'h0B8, 12'h0BC: wanted_q[4] <= 1'b1;
-      12'h0C0, 12'h0C4, 12'h0D0, 12'h0D4, 12'h0D8: wanted_q[5] <= 1'b1;
+      12'h0C0, 12'h0C4, 12'h0D0, 12'h0D4, 12'h0D8, 12'h0DC: wanted_q[5] <= 1'b1;
       12'h0E0, 12'h0E4: wanted_q[6] <= 1'b1;
       12'h100, 12'h104, 12'h108, 12'h10C, 12'h110, 12'h114, 12'h118, 12'h11C: wanted_q[7] <= 1'b1;
       12'h120, 12'h124, 12'h128, 12'h12C: wanted_q[8] <= 1'b1;
@@ -464,7 +463,6 @@ module horopter_csr #(
         3'h1: group_04_q <= {16'd0, self_limit_value_q};
         3'h2: group_04_q <= {16'd0, texture_limit_sum_q};
         3'h3: group_04_q <= {8'd0, alarm_limit_pixels_q};
-        3'h4: group_04_q <= {8'd0, undecidable_limit_pixels_q};
         default: group_04_q <= {8'd0, unsupervised_limit_pixels_q};
       endcase
     group_05_q <= 32'd0;
@@ -486,7 +484,8 @@ module horopter_csr #(
         3'h1: group_06_q <= {16'd0, map_base_word64_q};
         3'h4: group_06_q <= {24'd0, map_status_active_slot_i, map_status_error_i, map_status_busy_i};
         3'h5: group_06_q <= {17'd0, map_valid_slots_i};
-        default: group_06_q <= map_crc_value_i;
+        3'h6: group_06_q <= map_crc_value_i;
+        default: group_06_q <= {8'd0, map_undecidable_limit_pixels_q};
       endcase
     group_07_q <= 32'd0;
     if (wanted_q[6])

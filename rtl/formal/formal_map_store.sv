@@ -2,7 +2,7 @@
 // horopter_map_store's switch, by induction: a table in use stays as it was uploaded.
 //
 // One arbitrary (constant, unknown) slot is followed, with the region that its last successful upload filled. While it
-// is valid, nothing writes into that region; while it is valid and in use, it stays valid. What is looked up is in use
+// is valid, nothing writes into that region or, while it is in use, its limit; while it is valid and in use, it stays valid. What is looked up is in use
 // and was valid. Taken for granted: the directory's memory reads what was written (as horopter_ram does).
 module formal_map_store (
     input logic        clk_i,
@@ -17,7 +17,8 @@ module formal_map_store (
     input logic        start_valid,
     input logic        data_valid,
     input logic [31:0] data,
-    input logic        lookup
+    input logic        lookup,
+    input logic [23:0] limit
 );
   logic start_ready, data_ready, busy, bad_upload, refused, table_ok;
   logic [2:0] error;
@@ -35,6 +36,7 @@ module formal_map_store (
       .active_slot_i(active_slot),
       .slot_i(slot),
       .base_i(base),
+      .undecidable_limit_i(limit),
       .start_valid_i(start_valid),
       .start_ready_o(start_ready),
       .data_valid_i(data_valid),
@@ -54,6 +56,7 @@ module formal_map_store (
       .table_ny_o(),
       .table_columns_o(),
       .table_crc_o(),
+      .table_undecidable_limit_o(),
       .read_en_i(1'b0),
       .even_addr_i('0),
       .odd_addr_i('0),
@@ -62,7 +65,7 @@ module formal_map_store (
       .parity_error_o()
   );
   // Registers of the device, joined when the hierarchy is flattened (yosys: hierconn).
-  (* hierconn *) wire [2:0] \dut.state_q ;
+  (* hierconn *) wire [3:0] \dut.state_q ;
   (* hierconn *) wire [3:0] \dut.slot_q ;
   (* hierconn *) wire [15:0] \dut.base_q ;
   (* hierconn *) wire [23:0] \dut.size_q ;
@@ -83,9 +86,10 @@ module formal_map_store (
   (* hierconn *) wire \dut.take ;
   (* hierconn *) wire [8:0] \dut.extent ;
   (* hierconn *) wire \dut.store_entry ;
+  (* hierconn *) wire \dut.store_limit ;
   (* hierconn *) wire \dut.write_even ;
   (* hierconn *) wire \dut.write_odd ;
-  localparam logic [2:0] IDLE = 3'd0, SIZE = 3'd4, WALK = 3'd5, DATA = 3'd6, CHECK = 3'd7;
+  localparam logic [3:0] IDLE = 4'd0, SIZE = 4'd4, WALK = 4'd5, HEAD3 = 4'd6, FACTS = 4'd7, DATA = 4'd8, CHECK = 4'd9;
 
   (* anyconst *) logic [3:0] watched;
   logic [3:0] first;  // region of the watched table
@@ -139,7 +143,8 @@ module formal_map_store (
       if (\dut.state_q == SIZE && \dut.step_q >= 7'd12 || \dut.state_q == WALK)
         assert (\dut.end_q == \dut.size_q + 24'(\dut.base_q ) && \dut.size_q < 24'd8388608);
       if (\dut.state_q == WALK) assert (\dut.step_q <= 7'd64);
-      if (\dut.state_q == WALK || \dut.state_q == DATA || \dut.state_q == CHECK)
+      assert (\dut.state_q <= CHECK);
+      if (\dut.state_q >= WALK)
         assert (\dut.end_q <= 24'd16 && 24'(\dut.base_q ) < \dut.end_q );
       if (\dut.state_q != IDLE) assert (\dut.slot_q != 4'd15 && !valid[\dut.slot_q ]);
       if (\dut.state_q == WALK && valid[watched]) begin
@@ -155,12 +160,14 @@ module formal_map_store (
       end
       if (\dut.state_q == WALK && \dut.step_q >= 7'd1) assert (16'(\dut.write_addr_q ) == \dut.base_q );
       if (\dut.state_q == WALK && \dut.step_q >= 7'd2) assert (!\dut.complete_q );
-      if ((\dut.state_q == DATA || \dut.state_q == CHECK) && valid[watched]) assert (apart);
+      if (\dut.state_q == HEAD3 || \dut.state_q == FACTS) assert (16'(\dut.write_addr_q ) == \dut.base_q && !\dut.complete_q );
+      if (\dut.state_q > WALK && valid[watched]) assert (apart);
 
       // --- properties ---
       if ((\dut.write_even || \dut.write_odd ) && valid[watched])
         assert (\dut.write_addr_q < 5'(first) || \dut.write_addr_q >= behind);
       if (past_in_use) assert (valid[watched] || !rst_ni);
+      if (past_in_use && \dut.store_limit ) assert (slot != watched);
       cover (\dut.state_q == WALK);
       cover (error == 3'd2);
     end

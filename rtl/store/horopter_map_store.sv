@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Map store: a pool of control points in two banks, a directory of 15 tables in it, and the parser of uploads.
+// Map store: a pool of control points in two banks, a directory of the tables in it, and the parser of uploads.
 //
 // Pool: word64 w = control points of an even (bank 0) and of the odd control row below (bank 1) at one column; the
 // banks have their own addresses, so that any two rows above each other are read in one clock. Data comes 2 clocks
 // after the address, 5 with FAST.
 //
-// Upload (start, then words): {24'h484D01, nx, ny}, {row pairs, columns}, {height, width}, row pairs × columns × 2
-// control points (pair by pair, column by column, even row first), CRC-32 (IEEE 802.3) of all words before it as
-// little-endian bytes. A slot becomes invalid when an upload into it starts and valid when its CRC is right. A table
-// that the new one overlaps becomes invalid. An upload into a slot or a region in use is refused and changes nothing.
-// In use: valid, and selected or made the current output frame, while running.
+// Upload: start, then the words of hls/include/horopter/hls/table_format.hpp: header, facts, control points, CRC-32. The
+// facts go through the CRC and are not kept. A slot becomes invalid when an upload into it starts and valid when its CRC
+// is right. A table that the new one overlaps becomes invalid. An upload into a slot or a region in use is refused and
+// changes nothing. In use: valid, and selected or made the current output frame, while running.
+// With each slot stays the limit of undecidable pixels that was given at its start.
 //
 // Directory: lookup_i for one clock asks for lookup_slot_i; from two clocks later on the table_* outputs tell,
 // until the next lookup. table_ok_o: it was valid, and made for this width and height.
@@ -32,6 +32,7 @@ module horopter_map_store #(
     // upload
     input  logic [          3:0] slot_i,
     input  logic [         15:0] base_i,
+    input  logic [         23:0] undecidable_limit_i,
     input  logic                 start_valid_i,
     output logic                 start_ready_o,
     input  logic                 data_valid_i,
@@ -52,6 +53,7 @@ module horopter_map_store #(
     output logic [          2:0] table_ny_o,
     output logic [         11:0] table_columns_o,
     output logic [         31:0] table_crc_o,
+    output logic [         23:0] table_undecidable_limit_o,
     // pool
     input  logic                 read_en_i,
     input  logic [ADDR_BITS-1:0] even_addr_i,
@@ -72,17 +74,24 @@ module horopter_map_store #(
   localparam logic [2:0] NO_SLOT = 3'd5;
   localparam logic [2:0] NOT_STARTED = 3'd6;
 
-  typedef enum logic [2:0] {
+  typedef enum logic [3:0] {
     IDLE,
     HEAD0,
     HEAD1,
     HEAD2,
     SIZE,  // row pairs × columns, and whether the header agrees with itself
     WALK,  // which tables it would overlap
+    HEAD3,
+    FACTS,
     DATA,
     CHECK
   } state_e;
   state_e state_q;
+
+  localparam logic [23:0] FIRST_WORD = {16'(horopter_table_pkg::MAGIC), 8'(horopter_table_pkg::VERSION)};
+  localparam logic [2:0] LARGEST_SPACING = 3'(horopter_table_pkg::LARGEST_SPACING_LOG2);
+  localparam logic [3:0] NONE = 4'(horopter_table_pkg::SLOTS);  // no slot
+  localparam logic [11:0] FEWEST_FACTS = 12'(horopter_table_pkg::FACT_WORDS);
 
   // CRC-32, reflected, of one more byte, least significant bit first. After a word that is the CRC of all before it, the
   // register holds CRC_RIGHT.
@@ -98,6 +107,7 @@ module horopter_map_store #(
   logic [10:0] pairs_q;
   logic [15:0] base_q;
   logic [31:0] crc_q;
+  logic [11:0] facts_q;  // words of facts that are still to come
   // By slot; the last one, which is none, stays 0, as a power of two needs no bounds.
   logic [15:0] valid_q, overlap_q;
   logic [6:0] step_q;
@@ -142,12 +152,15 @@ module horopter_map_store #(
   // become the selected one.
   always_ff @(posedge clk_i)
     slot_in_use_q <= running_i && (slot_i == selected_slot_i || slot_i == active_slot_i)
-        && slot_i != 4'd15 && (valid_q[slot_i] || store_entry);
+        && slot_i != NONE && (valid_q[slot_i] || store_entry);
+
+  logic store_limit;
+  assign store_limit = start_q && slot_i != NONE && !slot_in_use_q;
 
   // Extent of each table, for the walk.
   logic [2*ADDR_BITS:0] extent;
   logic [3:0] walk_slot;
-  logic unused_extent_parity, unused_entry_parity;
+  logic unused_extent_parity, unused_entry_parity, unused_limit_parity;
   horopter_ram #(
       .WIDTH(2 * ADDR_BITS + 1),
       .DEPTH(16)
@@ -180,7 +193,7 @@ module horopter_map_store #(
       valid_q <= 16'd0;
       error_o <= NO_ERROR;
     end else if (start_q) begin
-      if (slot_i == 4'd15) begin
+      if (slot_i == NONE) begin
         state_q <= IDLE;
         error_o <= NO_SLOT;
         bad_upload_o <= 1'b1;
@@ -197,7 +210,7 @@ module horopter_map_store #(
       case (state_q)
         HEAD0:
         if (take) begin
-          if (data[31:8] != 24'h484D01 || data[7] || data[3] || data[6:4] == 3'd7 || data[2:0] == 3'd7) begin
+          if (data[31:8] != FIRST_WORD || data[7] || data[3] || data[6:4] > LARGEST_SPACING || data[2:0] > LARGEST_SPACING) begin
             state_q <= IDLE;
             error_o <= BAD_HEADER;
             bad_upload_o <= 1'b1;
@@ -228,10 +241,23 @@ module horopter_map_store #(
             error_o <= IN_USE;
             refused_o <= 1'b1;
           end else begin
-            state_q <= DATA;
+            state_q <= HEAD3;
             valid_q <= valid_q & ~overlap_q;
           end
         end
+
+        HEAD3:
+        if (take) begin
+          if (data[11:0] < FEWEST_FACTS) begin
+            state_q <= IDLE;
+            error_o <= BAD_HEADER;
+            bad_upload_o <= 1'b1;
+          end else begin
+            state_q <= FACTS;
+          end
+        end
+
+        FACTS: if (take && facts_q == 12'd1) state_q <= DATA;
 
         DATA: if (complete_q) state_q <= CHECK;  // words are more than two clocks apart
 
@@ -314,6 +340,10 @@ module horopter_map_store #(
         odd_q <= 1'b0;
       end
 
+      HEAD3: if (take) facts_q <= data[11:0];
+
+      FACTS: if (take) facts_q <= facts_q - 12'd1;
+
       DATA:
       if (take) begin
         odd_q <= !odd_q;
@@ -366,6 +396,21 @@ module horopter_map_store #(
     if (slot_read_q && !slot_valid_q) slot_crc_o <= 32'd0;
     else if (slot_read_q) slot_crc_o <= entry_crc;
   end
+
+  // Kept from the start on, while the slot is invalid; between lookups the output stays.
+  horopter_ram #(
+      .WIDTH(24),
+      .DEPTH(16)
+  ) u_limit (
+      .clk_i(clk_i),
+      .write_en_i(store_limit),
+      .write_addr_i(slot_i),
+      .write_data_i(undecidable_limit_i),
+      .read_en_i(lookup_i),
+      .read_addr_i(lookup_slot_i),
+      .read_data_o(table_undecidable_limit_o),
+      .parity_error_o(unused_limit_parity)
+  );
 
   // --- pool ---
   logic write_even, write_odd, even_error, odd_error;

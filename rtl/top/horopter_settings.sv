@@ -23,7 +23,6 @@ module horopter_settings #(
     input  logic [15:0]                self_limit_i,
     input  logic [15:0]                texture_limit_i,
     input  logic [23:0]                alarm_limit_i,
-    input  logic [23:0]                undecidable_limit_i,
     input  logic [23:0]                unsupervised_limit_i,
     input  logic                       decision_compete_i,
     input  horopter_csr_pkg::compete_t compete_i,
@@ -43,12 +42,14 @@ module horopter_settings #(
     output logic [SUM_BITS-1:0]        self_limit_o,
     output logic [TEXTURE_BITS-1:0]    texture_limit_o,
     output logic [COUNT_BITS-1:0]      alarm_limit_o,
-    output logic [COUNT_BITS-1:0]      undecidable_limit_o,
     output logic [COUNT_BITS-1:0]      unsupervised_limit_o,
     output logic                       decision_compete_o,
     output horopter_csr_pkg::compete_t compete_o,
     output logic [WIDTH_BITS-1:0]      result_width_o,  // after sub-sampling
-    output logic [HEIGHT_BITS-1:0]     result_height_o
+    output logic [HEIGHT_BITS-1:0]     result_height_o,
+    // of its table, which is looked up at its begin and stays until the next
+    input  logic [23:0]                undecidable_limit_i,
+    output logic [COUNT_BITS-1:0]      undecidable_limit_o  // a clock later
 );
   always_ff @(posedge clk_i) begin
     if (open_i) begin
@@ -64,11 +65,11 @@ module horopter_settings #(
       self_limit_o <= 32'(self_limit_i) >> SUM_BITS != 0 ? '1 : SUM_BITS'(self_limit_i);
       texture_limit_o <= 32'(texture_limit_i) >> TEXTURE_BITS != 0 ? '1 : TEXTURE_BITS'(texture_limit_i);
       alarm_limit_o <= 32'(alarm_limit_i) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(alarm_limit_i);
-      undecidable_limit_o <= 32'(undecidable_limit_i) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(undecidable_limit_i);
       unsupervised_limit_o <= 32'(unsupervised_limit_i) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(unsupervised_limit_i);
       result_width_o <= WIDTH_BITS'(32'(width_i) / horopter_profile_pkg::SUBSAMPLE);
       result_height_o <= height_i;
     end
+    undecidable_limit_o <= 32'(undecidable_limit_i) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(undecidable_limit_i);
   end
 
   if (COMPETE) begin : g_compete

@@ -88,8 +88,8 @@ module horopter_status #(
   localparam int unsigned WIDTH = horopter_profile_pkg::WIDTH;
   localparam int unsigned HEIGHT = horopter_profile_pkg::HEIGHT;
   localparam int unsigned SUBSAMPLE = horopter_profile_pkg::SUBSAMPLE;
-  localparam int unsigned MIN_WIDTH = 32 * SUBSAMPLE;
-  localparam int unsigned MIN_HEIGHT = 16;
+  localparam int unsigned MIN_WIDTH = horopter_table_pkg::SMALLEST_RESULT_WIDTH * SUBSAMPLE;
+  localparam int unsigned MIN_HEIGHT = horopter_table_pkg::SMALLEST_HEIGHT;
 
   if (WIDTH % SUBSAMPLE != 0 || WIDTH < MIN_WIDTH || WIDTH > 2046 || HEIGHT < MIN_HEIGHT || HEIGHT > 2046) begin : g_illegal_size
     $fatal(1, "horopter_status: WIDTH must be a multiple of SUBSAMPLE, WIDTH and HEIGHT in the range of the registers");

@@ -170,7 +170,7 @@ module horopter_top #(
   horopter_csr_pkg::irq_enable_t irq_enable;
   horopter_csr_pkg::irq_status_t irq_set, irq_status;
   logic [15:0] sum_limit, self_limit, texture_limit;
-  logic [23:0] alarm_limit, undecidable_limit, unsupervised_limit, black_limit, white_limit;
+  logic [23:0] alarm_limit, map_undecidable_limit, unsupervised_limit, black_limit, white_limit;
   logic [7:0] black_level, white_level, constant_limit, frozen_limit;
   logic decision_compete;
   horopter_csr_pkg::compete_t compete_settings;
@@ -200,7 +200,6 @@ module horopter_top #(
       .SUM_LIMIT_VALUE_RESET(16'(MAX_SUM / 4)),
       .SELF_LIMIT_VALUE_RESET(16'(DSAD_WINDOW * DSAD_WINDOW)),
       .ALARM_LIMIT_PIXELS_RESET(24'(RESULT_PIXELS / 20)),
-      .UNDECIDABLE_LIMIT_PIXELS_RESET(24'(RESULT_PIXELS)),
       .UNSUPERVISED_LIMIT_PIXELS_RESET(24'(RESULT_PIXELS)),
       .BLACK_LIMIT_PIXELS_RESET(24'(WIDTH * HEIGHT / 20 * 19)),
       .WHITE_LIMIT_PIXELS_RESET(24'(WIDTH * HEIGHT / 20 * 19))
@@ -250,7 +249,6 @@ module horopter_top #(
       .self_limit_value_o(self_limit),
       .texture_limit_sum_o(texture_limit),
       .alarm_limit_pixels_o(alarm_limit),
-      .undecidable_limit_pixels_o(undecidable_limit),
       .unsupervised_limit_pixels_o(unsupervised_limit),
       .black_level_grey_o(black_level),
       .black_limit_pixels_o(black_limit),
@@ -262,6 +260,7 @@ module horopter_top #(
       .compete_o(compete_settings),
       .map_slot_slot_o(map_slot),
       .map_base_word64_o(map_base),
+      .map_undecidable_limit_pixels_o(map_undecidable_limit),
       .map_control_valid_o(map_control_valid),
       .map_control_ready_i(map_control_ready),
       .map_control_start_o(map_start),
@@ -300,6 +299,7 @@ module horopter_top #(
   logic [PIXEL_BITS-1:0] sampled_black_limit, sampled_white_limit;
   logic [SUM_BITS-1:0] sampled_sum_limit, sampled_self_limit;
   logic [TEXTURE_BITS-1:0] sampled_texture_limit;
+  logic [23:0] table_undecidable_limit;
   logic [COUNT_BITS-1:0] sampled_alarm_limit, sampled_undecidable_limit, sampled_unsupervised_limit;
   logic sampled_compete;
   horopter_csr_pkg::compete_t sampled_settings;
@@ -326,7 +326,7 @@ module horopter_top #(
       .self_limit_i(self_limit),
       .texture_limit_i(texture_limit),
       .alarm_limit_i(alarm_limit),
-      .undecidable_limit_i(undecidable_limit),
+      .undecidable_limit_i(table_undecidable_limit),
       .unsupervised_limit_i(unsupervised_limit),
       .decision_compete_i(decision_compete),
       .compete_i(compete_settings),
@@ -560,6 +560,7 @@ module horopter_top #(
       .active_slot_i(active_slot_q),
       .slot_i(map_slot),
       .base_i(map_base),
+      .undecidable_limit_i(map_undecidable_limit),
       .start_valid_i(map_control_valid && map_start),
       .start_ready_o(map_control_ready),
       .data_valid_i(map_data_valid),
@@ -579,6 +580,7 @@ module horopter_top #(
       .table_ny_o(table_ny),
       .table_columns_o(table_columns),
       .table_crc_o(table_crc),
+      .table_undecidable_limit_o(table_undecidable_limit),
       .read_en_i(map_read),
       .even_addr_i(map_even_addr),
       .odd_addr_i(map_odd_addr),

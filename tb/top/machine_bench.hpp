@@ -3,18 +3,19 @@
 #pragma once
 
 #include <catch2/catch.hpp>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "horopter/base/crc32.hpp"
+#include "horopter/hls/table_format.hpp"
 #include "horopter/machine/faults.hpp"
 #include "horopter/machine/registers.hpp"
 #include "horopter/machine/setting_registers.hpp"
@@ -31,20 +32,13 @@ namespace reg = registers;
 /// left one, in px.
 inline std::vector<std::uint32_t> make_table(unsigned width, unsigned height, unsigned nx, unsigned ny,
                                              const std::function<std::pair<double, double>(double, double)>& source) {
-  const unsigned columns = ((width + (1U << nx) - 1) >> nx) + 1;
-  const unsigned row_pairs = (((height + (1U << ny) - 1) >> ny) + 2) / 2;
-  std::vector<std::uint32_t> words{0x484D0100U | nx << 4 | ny, row_pairs << 16 | columns, height << 16 | width};
-  for (unsigned pair = 0; pair < row_pairs; ++pair) {
-    for (unsigned column = 0; column < columns; ++column) {
-      for (unsigned parity = 0; parity < 2; ++parity) {
-        const auto [x, y] = source(column << nx, (2 * pair + parity) << ny);
-        const auto code = [](double px) { return static_cast<std::uint32_t>(std::lround((px + 64) * 32)); };
-        const bool codable = x >= -64 && y >= -64 && x < 1983 && y < 1983;
-        words.push_back(codable ? code(y) << 16 | code(x) : 0xFFFFFFFFU);
-      }
-    }
-  }
-  words.push_back(crc32_words(words));
+  auto words =
+      hls::table::write({static_cast<int>(width), static_cast<int>(height), static_cast<int>(nx), static_cast<int>(ny)},
+                        {}, [&](int column, int row) {
+                          const auto [x, y] = source(column << nx, row << ny);
+                          return hls::table::encode_control(x, y);
+                        });
+  words.back() = crc32_words(std::span(words).first(words.size() - 1));
   return words;
 }
 

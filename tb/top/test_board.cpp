@@ -6,10 +6,12 @@
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "horopter/base/crc32.hpp"
+#include "horopter/hls/table_format.hpp"
 #include "horopter/machine/registers.hpp"
 
 namespace {
@@ -128,9 +130,8 @@ TEST_CASE("board: boot, registers over the serial line, test pattern", "[board]"
   CHECK(board.read(reg::id::kAddress).data == 0x484F524F);
 
   // A mapping table: spacing 64, one source for all pixels.
-  std::vector<std::uint32_t> words{0x484D0166, 3U << 16 | 13U, 286U << 16 | 756U};
-  words.resize(3 + 3 * 13 * 2, 0x0C000C00);
-  words.push_back(crc32_words(words));
+  auto words = hls::table::write({756, 286, 6, 6}, {}, [](int, int) { return hls::table::encode_control(32, 32); });
+  words.back() = crc32_words(std::span(words).first(words.size() - 1));
   CHECK(board.write(reg::map_slot::kAddress, 1) == 0U);
   CHECK(board.write(reg::map_base::kAddress, 1000) == 0U);
   CHECK(board.write(reg::map_control::kAddress, 1) == 0U);

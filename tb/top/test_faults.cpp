@@ -370,12 +370,15 @@ TEST_CASE("too much that cannot be decided or is not supervised", "[faults]") {
   const bool undecidable = GENERATE(true, false);
   (undecidable ? settings.undecidable_limit : settings.unsupervised_limit) = 5;
   watch.machine.write_limits();
+  watch.machine.upload(1, 500, watch.table);  // with the limit of undecidable pixels
+  watch.machine.select(1);
   watch.machine.send(watch.scene());
   const Published p = watch.receive();
   CHECK(p.fault_names() == Faults{undecidable ? "too_undecidable" : "too_unsupervised"});
   CHECK_FALSE(p.safe_pin);
   settings = usual;
   watch.machine.write_limits();
+  watch.machine.select(0);
   watch.good();
 }
 

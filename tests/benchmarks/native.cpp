@@ -15,23 +15,9 @@ using namespace horopter;
 
 /// Identity shifted by half a pixel, control points every 8 px; the CRC is not checked by the engine.
 std::vector<std::uint32_t> shifted_table(int width, int height) {
-  constexpr int kLog2 = 3;
-  const int columns = ((width + 7) >> kLog2) + 1;
-  const int row_pairs = (((height + 7) >> kLog2) + 2) / 2;
-  std::vector<std::uint32_t> words{0x484D0100U | kLog2 << 4 | kLog2,
-                                   static_cast<std::uint32_t>(row_pairs << 16 | columns),
-                                   static_cast<std::uint32_t>(height << 16 | width)};
-  for (int pair = 0; pair < row_pairs; ++pair) {
-    for (int column = 0; column < columns; ++column) {
-      for (int parity = 0; parity < 2; ++parity) {
-        const auto x = static_cast<std::uint32_t>((column * 8 + 64) * 32 - 20);
-        const auto y = static_cast<std::uint32_t>(((2 * pair + parity) * 8 + 64) * 32 + 12);
-        words.push_back(y << 16 | x);
-      }
-    }
-  }
-  words.push_back(0);
-  return words;
+  return hls::table::write({width, height, 3, 3}, {}, [](int column, int row) {
+    return hls::table::encode_control(column * 8 - 20 / 32.0, row * 8 + 12 / 32.0);
+  });
 }
 
 void process(benchmark::State& state, const std::string& name) {

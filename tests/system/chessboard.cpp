@@ -28,23 +28,10 @@ std::vector<cv::Point2f> corners_of(const cv::Mat& image) {
 
 /// Table with a control point for every pixel; the source of (x, y) is H (x, y) + (displacement, 0).
 std::vector<std::uint32_t> dense_table(const cv::Matx33d& homography, double displacement, int width, int height) {
-  const int columns = width + 1;
-  const int row_pairs = (height + 2) / 2;
-  std::vector<std::uint32_t> words{0x484D0100U, static_cast<std::uint32_t>(row_pairs << 16 | columns),
-                                   static_cast<std::uint32_t>(height << 16 | width)};
-  for (int pair = 0; pair < row_pairs; ++pair) {
-    for (int column = 0; column < columns; ++column) {
-      for (int parity = 0; parity < 2; ++parity) {
-        const cv::Vec3d p = homography * cv::Vec3d(column, 2 * pair + parity, 1);
-        const double x = std::floor((p[0] / p[2] + displacement + 64) * 32 + 0.5);
-        const double y = std::floor((p[1] / p[2] + 64) * 32 + 0.5);
-        const bool inside = x >= 0 && y >= 0 && x < 65535 && y < 65535;
-        words.push_back(inside ? static_cast<std::uint32_t>(y) << 16 | static_cast<std::uint32_t>(x) : 0xFFFFFFFFU);
-      }
-    }
-  }
-  words.push_back(0);
-  return words;
+  return hls::table::write({width, height, 0, 0}, {}, [&](int column, int row) {
+    const cv::Vec3d p = homography * cv::Vec3d(column, row, 1);
+    return hls::table::encode_control(p[0] / p[2] + displacement, p[1] / p[2]);
+  });
 }
 
 struct Shares {

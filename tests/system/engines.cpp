@@ -42,8 +42,14 @@ Image right_of(const Image& left, unsigned seed) {
   return right;
 }
 
+/// With every fact that a table can have.
 std::vector<std::uint32_t> table(const MachineProfile& profile, const Matrix3& skin) {
-  return compile_map(HomographySkin(skin), profile, {kWidth, kHeight, Scan::progressive}).table.words();
+  MapTable table = compile_map(HomographySkin(skin), profile, {kWidth, kHeight, Scan::progressive}).table;
+  hls::table::Facts facts = table.facts();
+  facts.shifts = {-40, 6};
+  for (std::uint8_t block = 0; block < 6; ++block) facts.areas.push_back(100 + block);
+  table.seal(facts);
+  return table.words();
 }
 
 /// Both machines, fed alike.
@@ -173,6 +179,8 @@ TEST_CASE("Frames, tables and faults are alike, with gaps and back-pressure on t
 
   const Image left = textured(1);
   CHECK(pair.frame(left, right_of(left, 1)).has(Fault::no_table));
+  CHECK(pair.upload(5, 4000, on) == 0);  // before a limit is said: no undecidable pixel is allowed
+  pair.write(reg::map_undecidable_limit::kAddress, 0xFFFFFF);
   CHECK(pair.upload(0, 0, on) == 0);
   CHECK(pair.upload(1, 500, tilted) == 0);
   for (unsigned seed = 2; seed < 8; ++seed) {
@@ -186,7 +194,7 @@ TEST_CASE("Frames, tables and faults are alike, with gaps and back-pressure on t
 
   // Refused uploads, each with its fault in the next frame; the one after that is good again.
   auto wrong_crc = on;
-  wrong_crc[7] ^= 0x100;
+  wrong_crc.back() ^= 0x100;
   auto bad_header = on;
   bad_header[1] += 1;
   unsigned seed = 20;
@@ -198,6 +206,22 @@ TEST_CASE("Frames, tables and faults are alike, with gaps and back-pressure on t
   CHECK(next() == Fault::map_crc);
   CHECK(pair.upload(2, 1000, bad_header) == 2);
   CHECK(next() == Fault::map_crc);
+  auto changed = on;
+  changed[0] = on[0] - 0x100;  // format 1
+  CHECK(pair.upload(2, 1000, changed) == 2);
+  next();
+  changed = on;
+  changed[3] = 4;  // fewer facts than the format has
+  CHECK(pair.upload(2, 1000, changed) == 2);
+  next();
+  // Facts are not judged by the machine, but protected: the count of facts, each of them, the last area.
+  for (std::size_t word = 3; word < 11; ++word) {
+    CAPTURE(word);
+    changed = on;
+    changed[word] ^= word == 3 ? 0x10000 : 0x100;
+    CHECK(pair.upload(2, 1000, changed) == 4);
+    next();
+  }
   CHECK(pair.upload(2, 10238, on) == 3);
   CHECK(next() == Fault::map_crc);
   CHECK(pair.upload(15, 1000, on) == 5);
@@ -225,10 +249,17 @@ TEST_CASE("Frames, tables and faults are alike, with gaps and back-pressure on t
   CHECK(pair.frame(black, black) == (Faults(Fault::left_black) | Fault::right_black | Fault::identical_images));
   CHECK(pair.frame(textured(93), textured(94)) == Faults());
   CHECK(pair.frame(textured(93), textured(95)) == Fault::left_frozen);
-  pair.write(reg::undecidable_limit::kAddress, 100);
-  pair.write(reg::unsupervised_limit::kAddress, 100);
+  // The limit of undecidable pixels is that of each table's upload.
   pair.write(reg::texture_limit::kAddress, 2000);
-  CHECK(pair.frame(textured(96), textured(97)) == (Faults(Fault::too_undecidable) | Fault::too_unsupervised));
+  CHECK(pair.frame(textured(96), textured(97)) == Faults());
+  pair.write(reg::table_select::kAddress, 5);
+  CHECK(pair.frame(textured(102), textured(103)) == Fault::too_undecidable);
+  pair.write(reg::map_undecidable_limit::kAddress, 100);
+  CHECK(pair.upload(6, 5000, on) == 0);
+  pair.write(reg::map_undecidable_limit::kAddress, 0xFFFFFF);
+  pair.write(reg::table_select::kAddress, 6);
+  pair.write(reg::unsupervised_limit::kAddress, 100);
+  CHECK(pair.frame(textured(100), textured(101)) == (Faults(Fault::too_undecidable) | Fault::too_unsupervised));
 }
 
 }  // namespace horopter

@@ -32,21 +32,9 @@ struct Picture {
 
 /// A table of control points every 8 px: the right pixel `shift` px to the left.
 std::vector<std::uint32_t> table_of(int width, int height, int shift) {
-  const int columns = ((width + 7) >> 3) + 1;
-  const int row_pairs = (((height + 7) >> 3) + 2) / 2;
-  std::vector<std::uint32_t> words{0x484D0133U, static_cast<std::uint32_t>(row_pairs << 16 | columns),
-                                   static_cast<std::uint32_t>(height << 16 | width)};
-  for (int pair = 0; pair < row_pairs; ++pair) {
-    for (int column = 0; column < columns; ++column) {
-      for (int parity = 0; parity < 2; ++parity) {
-        const int x = (column * 8 - shift + 64) * 32;
-        const int y = ((2 * pair + parity) * 8 + 64) * 32;
-        words.push_back(static_cast<std::uint32_t>(y << 16 | x));
-      }
-    }
-  }
-  words.push_back(0);
-  return words;
+  return hls::table::write({width, height, 3, 3}, {}, [&](int column, int row) {
+    return hls::table::encode_control(column * 8 - shift, row * 8);
+  });
 }
 
 std::vector<std::uint8_t> engine_states(native::Pipeline<plain>& engine, const Picture& left, const Picture& right,

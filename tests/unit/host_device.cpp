@@ -200,7 +200,7 @@ TEST_CASE("The limit on undecidable pixels is a share of what the rule can judge
                         hole ? MapTable::kUnmapped : MapTable::encode(Point{column * 16.0 - 5, row * 16.0}));
     }
   }
-  table.seal();
+  table.seal(facts_of(table, profile));
   Settings settings;
   settings.decision = decision;
   settings.unsupervised_percent = 100;
@@ -208,8 +208,8 @@ TEST_CASE("The limit on undecidable pixels is a share of what the rule can judge
   monitor.start(kWide, kHeight, 8);
   monitor.upload(0, table);
   monitor.select(0);
-  const std::int64_t supported = supported_pixels(table, profile, decision);
-  CHECK(monitor.device().read(reg::undecidable_limit::kAddress) ==
+  const std::int64_t supported = supported_pixels(table, decision);
+  CHECK(monitor.device().read(reg::map_undecidable_limit::kAddress) ==
         limit_of(Settings{}.undecidable_percent, static_cast<double>(supported)));
   const Image left = textured(kWide, kHeight, 1);
   const auto usual = monitor.process(left, moved(left, -5, 0));
@@ -250,7 +250,7 @@ TEST_CASE("Rows that the store does not hold are misses") {
       far.set_control(column, row, MapTable::encode(Point{column * 32.0, row * 32.0 + 30}));
     }
   }
-  far.seal();
+  far.seal(facts_of(far, small.profile));
   m.upload(2, far);
   m.select(2);
   const auto result = small.frame(1);
@@ -273,7 +273,7 @@ TEST_CASE("Fifteen tables fit, are switched at every frame, and a full pool says
   Monitor large(make_native_device(hd), hd);
   large.start(1920, 1080, 8);
   MapTable dense({1920, 1080, Scan::progressive}, 4, 4);  // 33 KiB of the pool's 64
-  dense.seal();
+  dense.seal(facts_of(dense, hd));
   large.upload(0, dense);
   CHECK_THROWS_WITH(large.upload(1, dense), Catch::Contains("does not fit the pool"));
   CHECK_NOTHROW(large.upload(0, dense));
@@ -457,7 +457,7 @@ TEST_CASE("A build with a smaller pool takes the tables that fit it") {
   const MachineProfile& profile = find_profile("vga");
   monitor.start(kWidth, kHeight, 8);
   MapTable table(ScanGeometry{kWidth, kHeight, Scan::progressive}, 3, 3);  // 13 columns, 10 rows
-  table.seal();
+  table.seal(facts_of(table, profile));
   REQUIRE(table.pool_bytes() == 520);
   monitor.upload(0, table);
   CHECK_THROWS_WITH(monitor.upload(1, table), Catch::Contains("does not fit the pool of 1024 bytes"));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cameras that neighbours which compete cannot serve: where epipolar lines leave the row. Against brute force, which
-// knows no epipolar line: it moves an object along the left line of sight and looks where on the skin the right camera
-// sees it.
+// What a table knows of the cameras. Where epipolar lines leave the row, so that neighbours which compete cannot be
+// served, and the range of shifts, both against brute force, which knows no epipolar line: it moves an object along the
+// left line of sight and looks where on the skin the right camera sees it. The areas of pixels against the skin's.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -93,6 +93,14 @@ std::optional<double> leaves_row(const CameraPair& cameras, const Surface& skin,
     }
   }
   return largest;
+}
+
+bool skin_at(const CameraPair& cameras, const Surface& skin, Point left) {
+  const auto sight = cameras.left().model.undistort({left.x, left.y});
+  const Vector3d in_world = cameras.left().world_to_camera.rotation.transpose() * sight->homogeneous();
+  Hit hit;
+  skin.intersect(cameras.left().world_to_camera.centre(), std::span(&in_world, 1), std::span(&hit, 1));
+  return std::isfinite(hit.distance);
 }
 
 std::vector<Point> some_pixels() {
@@ -270,6 +278,66 @@ TEST_CASE("Cameras are refused above the share of the pixels that could be super
   const MapLimits limits{.view = competing()};
   CHECK_NOTHROW(compile_map(RigSkin(cameras, near, ""), vga(), kScan, limits));
   CHECK_NOTHROW(MapCompiler(cameras, vga(), kScan, limits).compile(*near));
+}
+
+TEST_CASE("A table's range of shifts is that of places in front of both cameras") {
+  const Design design = GENERATE(Design{}, Design{.toe_in_deg = 2}, Design{.roll_deg = 1}, Design{.k1 = -0.05});
+  CAPTURE(design.toe_in_deg, design.roll_deg, design.k1);
+  const CameraPair cameras = rig_of(design);
+  const SurfacePtr skin = wall();
+  const auto shifts = compile_map(RigSkin(cameras, skin, ""), vga(), kScan).table.facts().shifts;
+  REQUIRE(shifts);
+  double lowest = 0;
+  double highest = 0;
+  double beyond = 0;  // behind the cameras
+  for (const Point& left : some_pixels()) {
+    const auto sight = cameras.left().model.undistort({left.x, left.y});
+    const double baseline_mm = 100;
+    for (const double over_mm : {0.0, 1 / 5000.0, 1 / 300.0, sight->homogeneous().norm() / baseline_mm}) {
+      const auto brought = brought_from(cameras, *skin, left, over_mm);
+      if (!brought || brought->x() < 0 || brought->x() > kWidth - 1) continue;
+      lowest = std::min(lowest, brought->x() - left.x);
+      highest = std::max(highest, brought->x() - left.x);
+    }
+    const auto behind = brought_from(cameras, *skin, left, -1 / 400.0);
+    if (behind) beyond = std::max(beyond, behind->x() - left.x);
+  }
+  CAPTURE(lowest, highest, beyond, shifts->lowest_px, shifts->highest_px);
+  // Small shifts exactly; large ones to first order.
+  CHECK(shifts->lowest_px <= 0.95 * lowest);
+  CHECK(shifts->highest_px >= highest);
+  CHECK(shifts->lowest_px >= lowest - 40);
+  CHECK(shifts->highest_px <= highest + 12);
+  CHECK(beyond > shifts->highest_px + 50);
+}
+
+TEST_CASE("The areas of a table's pixels are together that of the skin") {
+  const MachineProfile& profile = find_profile(GENERATE("vga", "field"));
+  const double tilt_deg = GENERATE(0, 40);
+  CAPTURE(profile.name, tilt_deg);
+  const CameraPair cameras = rig_of({.k1 = -0.05});
+  // 500 × 400 mm, wholly seen.
+  const Vector3d across = Eigen::AngleAxisd(tilt_deg * kDegree, Vector3d::UnitY()) * Vector3d(250, 0, 0);
+  const Vector3d down(0, 200, 0);
+  const Vector3d middle(0, 0, 900);
+  const SurfacePtr skin =
+      make_polygons({{middle - across - down, middle + across - down, middle + across + down, middle - across + down}});
+  for (const ScanGeometry& scan : scans_of(profile, kWidth, kHeight)) {
+    const MapTable table = compile_map(RigSkin(cameras, skin, ""), profile, scan).table;
+    const auto& facts = table.facts();
+    REQUIRE(facts.areas.size() == facts.area_count({scan.width, scan.height, 0, 0}));
+    double sum_mm2 = 0;
+    for (int y = 0; y < scan.height; ++y) {
+      for (int x = 0; x < kWidth / profile.subsample; ++x) {
+        if (!skin_at(cameras, *skin, scan.to_frame({x * profile.subsample + 0.5 * (profile.subsample - 1), 1.0 * y})))
+          continue;
+        const auto columns = static_cast<std::size_t>(kWidth / profile.subsample + 31) / 32;
+        const auto block = static_cast<std::size_t>(y / 32) * columns + static_cast<std::size_t>(x / 32);
+        sum_mm2 += hls::table::decode_area(facts.areas[block]);
+      }
+    }
+    CHECK(sum_mm2 == Approx(500.0 * 400).epsilon(0.06));
+  }
 }
 
 }  // namespace horopter

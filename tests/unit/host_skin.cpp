@@ -170,12 +170,20 @@ TEST_CASE("A shift becomes a table of the coarsest spacing, without error") {
 TEST_CASE("The layout of the upload words is that of the hardware") {
   const auto map = compile_map(*skin_of({1, 0, -20, 0, 1, 5, 0, 0, 1}).skin, find_profile("vga"), {640, 480});
   const auto& words = map.table.words();
-  CHECK(words[0] == 0x484D0166);
+  CHECK(words[0] == 0x484D0266);
   CHECK(words[1] == (5U << 16 | 11U));  // 9 control rows make 5 pairs
   CHECK(words[2] == (480U << 16 | 640U));
-  CHECK(words.size() == 3 + 5 * 11 * 2 + 1);
+  CHECK(words[3] == (1U << 12 | 5));  // no sub-sampling, five facts, without a rig no areas and no shifts
+  // Sources of the left 20 columns and of the last 5 rows are outside; 9 px of support either way are lost for
+  // `thesis`, 1 px for `compete`.
+  CHECK(words[4] == (620U - 18) * (475 - 18));
+  CHECK(words[5] == (620U - 2) * (475 - 2));
+  CHECK(words[6] == 640U * 480 - words[4]);
+  CHECK(words[7] == 640U * 480 - words[5]);
+  CHECK(words[8] == 0);
+  CHECK(words.size() == 4 + 5 + 5 * 11 * 2 + 1);
   // Control row 1, column 2: parity 1 of pair 0.
-  CHECK(words[3 + 2 * 2 + 1] == ((64U + 64 + 5) * 32 << 16 | (64U + 128 - 20) * 32));
+  CHECK(words[9 + 2 * 2 + 1] == ((64U + 64 + 5) * 32 << 16 | (64U + 128 - 20) * 32));
   CHECK(words.back() == crc32_words(std::span(words).first(words.size() - 1)));
   CHECK(crc32(std::vector<std::uint8_t>{'1', '2', '3', '4', '5', '6', '7', '8', '9'}) == 0xCBF43926);
 }
@@ -300,19 +308,56 @@ TEST_CASE("Tables survive the file, and altered files are refused") {
 }
 
 TEST_CASE("Upload words are checked before they are used") {
-  const auto map = compile_map(*skin_of(kTilted).skin, find_profile("vga"), {640, 480});
+  auto map = compile_map(*skin_of(kTilted).skin, find_profile("vga"), {640, 480});
+  auto facts = map.table.facts();
+  facts.shifts = {-300, 40};
+  facts.areas.assign(facts.area_count({640, 480, 0, 0}), hls::table::encode_area(4));
+  map.table.seal(facts);
   const auto words = map.table.words();
-  CHECK_NOTHROW(MapTable(words, Scan::progressive));
-  const auto broken = [&](std::size_t at, std::uint32_t value, bool seal) {
+  REQUIRE(MapTable(words, Scan::progressive).facts() == facts);
+  const auto error_of = [&](std::size_t at, std::uint32_t value, bool seal) -> std::string {
     auto copy = words;
     copy[at] = value;
     if (seal) copy.back() = crc32_words(std::span(copy).first(copy.size() - 1));
-    return copy;
+    try {
+      MapTable(copy, Scan::progressive);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
   };
-  CHECK_THROWS_WITH(MapTable(broken(7, 0, false), Scan::progressive), Catch::Contains("CRC"));
-  CHECK_THROWS_WITH(MapTable(broken(0, 0x484D0266, true), Scan::progressive), Catch::Contains("header"));
-  CHECK_THROWS_WITH(MapTable(broken(0, 0x484D0177, true), Scan::progressive), Catch::Contains("spacing"));
-  CHECK_THROWS_WITH(MapTable(broken(1, 0x00010001, true), Scan::progressive), Catch::Contains("control points"));
+  CHECK_THAT(error_of(0, 0x484D0166, true), Catch::Contains("table format 1; this program reads 2") &&
+                                                Catch::Contains("make the map again with `horopter map`"));
+  CHECK_THAT(error_of(0, 0x484E0266, true), Catch::Contains("no mapping table"));
+  CHECK_THAT(error_of(0, 0x484D0277, true), Catch::Contains("more than 64 pixels apart"));
+  CHECK_THAT(error_of(1, 0x00010001, true), Catch::Contains("control points"));
+  CHECK_THAT(error_of(2, 0, true), Catch::Contains("0x0 pixels"));
+  CHECK_THAT(error_of(3, words[3] - 1, true), Catch::Contains("words for 79 words of facts"));
+  CHECK_THAT(error_of(3, words[3] & ~0xFFFU, true), Catch::Contains("0 words of facts"));
+  CHECK_THAT(error_of(3, words[3] ^ 1U << 12, true), Catch::Contains("sub-sampling"));
+  CHECK_THAT(error_of(3, words[3] ^ 1U << 16, true), Catch::Contains("80 words of facts for 0 areas"));
+  CHECK_THAT(error_of(3, words[3] ^ 1U << 17, true), Catch::Contains("shifts"));
+  for (std::size_t at = 4; at < 8; ++at) CHECK_THAT(error_of(at, words[at] + 1, true), Catch::Contains("judgeable"));
+  CHECK_THAT(error_of(8, 0xFFFF0000, true), Catch::Contains("shifts"));
+  // What only the CRC can tell.
+  for (std::size_t at = 0; at < words.size(); at += at < 20 ? 1 : 37) {
+    CAPTURE(at);
+    for (const unsigned bit : {0U, 7U, 31U}) CHECK(error_of(at, words[at] ^ 1U << bit, false) != "");
+  }
+}
+
+TEST_CASE("Areas are kept to a sixteenth") {
+  for (double mm2 = 3e-4; mm2 < 9e5; mm2 *= 1.01) {
+    const double kept = hls::table::decode_area(hls::table::encode_area(mm2));
+    if (std::abs(kept / mm2 - 1) > 1.0 / 16) FAIL(mm2 << " mm2 became " << kept);
+  }
+  for (int code = 0; code < 256; ++code) {
+    CHECK(hls::table::encode_area(hls::table::decode_area(static_cast<std::uint8_t>(code))) == code);
+  }
+  CHECK(hls::table::encode_area(0) == 0);
+  CHECK(hls::table::encode_area(1e9) == 255);
+  CHECK(hls::table::decode_area(0) == 1.0 / 4096);
+  CHECK(hls::table::decode_area(255) == 983'040);
 }
 
 TEST_CASE("The default profile is the smallest that takes the image as it is") {

@@ -49,22 +49,10 @@ struct Picture {
 using Map = std::function<std::optional<reference::Point>(int, int)>;
 
 std::vector<std::uint32_t> table_of(int width, int height, int nx, int ny, const Map& source) {
-  const int columns = ((width + (1 << nx) - 1) >> nx) + 1;
-  const int row_pairs = (((height + (1 << ny) - 1) >> ny) + 2) / 2;
-  std::vector<std::uint32_t> words{0x484D0100U | static_cast<std::uint32_t>(nx << 4 | ny),
-                                   static_cast<std::uint32_t>(row_pairs << 16 | columns),
-                                   static_cast<std::uint32_t>(height << 16 | width)};
-  for (int pair = 0; pair < row_pairs; ++pair) {
-    for (int column = 0; column < columns; ++column) {
-      for (int parity = 0; parity < 2; ++parity) {
-        const auto p = source(column << nx, (2 * pair + parity) << ny);
-        const auto code = [](double v) { return static_cast<std::uint32_t>(std::lround((v + 64) * 32)); };
-        words.push_back(p ? code(p->y) << 16 | code(p->x) : 0xFFFFFFFFU);
-      }
-    }
-  }
-  words.push_back(0);
-  return words;
+  return hls::table::write({width, height, nx, ny}, {}, [&](int column, int row) {
+    const auto p = source(column << nx, row << ny);
+    return p ? hls::table::encode_control(p->x, p->y) : hls::table::unmapped;
+  });
 }
 
 Map shifted(double dx, double dy) {

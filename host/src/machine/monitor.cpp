@@ -20,7 +20,8 @@ namespace {
 namespace reg = registers;
 
 constexpr int kNoTable = reg::kNoSlot;
-constexpr int kSlots = 15;
+constexpr int kSlots = hls::table::slots;
+static_assert(kNoTable == kSlots);
 /// Reads of FRAME_SEQUENCE before a machine that has sent all its states counts as broken.
 constexpr int kStatusPolls = 100'000;
 constexpr int kTablePolls = 1'000'000;  // a frame may stand between
@@ -150,7 +151,6 @@ void Monitor::start(int width, int height, int lookahead) {
   width_ = width;
   height_ = height;
   sequence_ = 0;
-  in_machine_.clear();
   device_->write(reg::width::kAddress, static_cast<std::uint32_t>(width));
   device_->write(reg::height::kAddress, static_cast<std::uint32_t>(height));
   device_->write(reg::lookahead::kAddress, static_cast<std::uint32_t>(lookahead));
@@ -175,7 +175,6 @@ void Monitor::write_limits() {
   device_->write(reg::texture_limit::kAddress,
                  static_cast<std::uint32_t>(native::Settings::texture_limit_for(settings_.texture)));
   device_->write(reg::alarm_limit::kAddress, limit_of(settings_.alarm_percent, result));
-  device_->write(reg::undecidable_limit::kAddress, limit_of(settings_.undecidable_percent, result));
   device_->write(reg::unsupervised_limit::kAddress, limit_of(settings_.unsupervised_percent, result));
   device_->write(reg::black_limit::kAddress, limit_of(settings_.dark_percent, incoming));
   device_->write(reg::white_limit::kAddress, limit_of(settings_.bright_percent, incoming));
@@ -190,7 +189,7 @@ void Monitor::write_limits() {
 
 void Monitor::upload(int slot, const MapTable& table, std::optional<std::size_t> base_word64) {
   if (slot < 0 || slot >= kSlots) throw UsageError(fmt::format("slot {}; expected 0 to {}", slot, kSlots - 1));
-  const std::size_t words64 = (table.words().size() - 4 + 1) / 2;
+  const std::size_t words64 = table.pool_bytes() / 8;
   const std::size_t pool64 = pool_bytes_ / 8;
   // First fit between the other tables; a table of the same slot makes room for its successor.
   std::vector<std::pair<std::size_t, std::size_t>> taken;
@@ -212,6 +211,9 @@ void Monitor::upload(int slot, const MapTable& table, std::optional<std::size_t>
   slots_[static_cast<std::size_t>(slot)] = {};
   device_->write(reg::map_slot::kAddress, static_cast<std::uint32_t>(slot));
   device_->write(reg::map_base::kAddress, static_cast<std::uint32_t>(base));
+  device_->write(
+      reg::map_undecidable_limit::kAddress,
+      limit_of(settings_.undecidable_percent, static_cast<double>(supported_pixels(table, settings_.decision))));
   device_->write(reg::map_control::kAddress, reg::map_control::kStart.put(1));
   for (const std::uint32_t word : table.words()) device_->write(reg::map_data::kAddress, word);
 
@@ -228,23 +230,10 @@ void Monitor::upload(int slot, const MapTable& table, std::optional<std::size_t>
       device_->read(reg::map_crc::kAddress) != table.crc()) {
     throw DeviceError(fmt::format("table {} is not in the machine after its upload", slot));
   }
-  Slot& entry = slots_[static_cast<std::size_t>(slot)];
-  entry = {base, words64, supported_pixels(table, profile_, settings_.decision)};
+  slots_[static_cast<std::size_t>(slot)] = {base, words64};
 }
 
-void Monitor::select(int slot) {
-  device_->write(reg::table_select::kAddress, static_cast<std::uint32_t>(slot));
-  selected_ = slot;
-  // A frame in the machine is judged by the limit of its own table.
-  if (in_machine_.empty()) write_undecidable_limit(slot);
-}
-
-void Monitor::write_undecidable_limit(int slot) {
-  if (slot < 0 || slot >= kSlots) return;
-  const auto supported = slots_[static_cast<std::size_t>(slot)].supported;
-  device_->write(reg::undecidable_limit::kAddress,
-                 limit_of(settings_.undecidable_percent, static_cast<double>(supported)));
-}
+void Monitor::select(int slot) { device_->write(reg::table_select::kAddress, static_cast<std::uint32_t>(slot)); }
 
 FrameResult Monitor::process(const Image& left, const Image& right) {
   begin(left, right);
@@ -264,7 +253,6 @@ void Monitor::begin(const Image& left, const Image& right) {
                                   left.height, right.width, right.height, width_, height_));
   }
   device_->send(left, right);
-  in_machine_.push_back(selected_);
 }
 
 FrameResult Monitor::finish() {
@@ -296,8 +284,6 @@ FrameResult Monitor::finish() {
     throw DeviceError(fmt::format("frame {} came after frame {}: one is lost", result.sequence, sequence_));
   }
   sequence_ = result.sequence;
-  if (!in_machine_.empty()) in_machine_.pop_front();
-  write_undecidable_limit(in_machine_.empty() ? selected_ : in_machine_.front());
   check_consistent(streams, result, width_ / profile_.subsample, height_);
   result.states = std::move(streams.states);
   result.runs = std::move(streams.runs);

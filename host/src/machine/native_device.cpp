@@ -18,7 +18,6 @@ namespace {
 namespace reg = registers;
 
 constexpr int kNoTable = reg::kNoSlot;
-constexpr std::uint32_t kTableHeader = 0x484D0100;
 
 const reg::Register* find_register(std::uint32_t address) {
   const auto found = std::ranges::find(reg::kRegisters, address, &reg::Register::address);
@@ -33,13 +32,8 @@ const reg::Register* find_register(std::uint32_t address) {
 
 /// A table that maps nothing, for frames without a table.
 std::vector<std::uint32_t> empty_table(int width, int height) {
-  const auto columns = static_cast<std::uint32_t>((width + 63) / 64 + 1);
-  const auto pairs = static_cast<std::uint32_t>(((height + 63) / 64 + 2) / 2);
-  std::vector<std::uint32_t> words{kTableHeader | 0x66, pairs << 16 | columns,
-                                   static_cast<std::uint32_t>(height) << 16 | static_cast<std::uint32_t>(width)};
-  words.resize(3 + std::size_t{2} * columns * pairs + 1, 0xFFFFFFFFU);
-  words.back() = 0;
-  return words;
+  constexpr int spacing = hls::table::largest_spacing_log2;
+  return hls::table::write({width, height, spacing, spacing}, {}, [](int, int) { return hls::table::unmapped; });
 }
 
 native::ImageView view(const Image& image) { return {image.pixels.data(), image.width, image.height, image.width}; }
@@ -58,7 +52,6 @@ NativeDevice::NativeDevice(const MachineProfile& profile)
   stored(reg::self_limit::kAddress) = static_cast<std::uint32_t>(defaults.self_limit);
   stored(reg::texture_limit::kAddress) = static_cast<std::uint32_t>(defaults.texture_limit);
   stored(reg::alarm_limit::kAddress) = static_cast<std::uint32_t>(defaults.alarm_limit);
-  stored(reg::undecidable_limit::kAddress) = static_cast<std::uint32_t>(defaults.undecidable_limit);
   stored(reg::unsupervised_limit::kAddress) = static_cast<std::uint32_t>(defaults.unsupervised_limit);
   stored(reg::black_level::kAddress) = static_cast<std::uint32_t>(defaults.dark_level);
   stored(reg::black_limit::kAddress) = static_cast<std::uint32_t>(defaults.dark_limit);
@@ -78,8 +71,9 @@ bool NativeDevice::geometry_is_possible() const {
   const auto width = static_cast<int>(registers_[reg::width::kAddress / 4]);
   const auto height = static_cast<int>(registers_[reg::height::kAddress / 4]);
   const auto lookahead = static_cast<int>(registers_[reg::lookahead::kAddress / 4]);
-  return width <= profile_.width && width >= 32 * profile_.subsample && width % profile_.subsample == 0 &&
-         height <= profile_.height && height >= 16 && lookahead <= profile_.largest_lookahead();
+  return width <= profile_.width && width >= hls::table::smallest_result_width * profile_.subsample &&
+         width % profile_.subsample == 0 && height <= profile_.height && height >= hls::table::smallest_height &&
+         lookahead <= profile_.largest_lookahead();
 }
 
 bool NativeDevice::running() const {
@@ -214,6 +208,9 @@ void NativeDevice::write(std::uint32_t address, std::uint32_t value) {
     case reg::map_base::kAddress:
       stored(address) = reg::map_base::kWord64.get(value);
       return;
+    case reg::map_undecidable_limit::kAddress:
+      stored(address) = reg::map_undecidable_limit::kPixels.get(value);
+      return;
     case reg::decision::kAddress:
       if (profile_.has_thesis() && profile_.has_compete()) stored(address) = value & reg::decision::kCompete.mask();
       return;
@@ -240,7 +237,7 @@ void NativeDevice::reset_stream() {
 
 void NativeDevice::begin_upload() {
   upload_slot_ = static_cast<int>(stored(reg::map_slot::kAddress));
-  upload_ = {stored(reg::map_base::kAddress), {}};
+  upload_ = {stored(reg::map_base::kAddress), 0, static_cast<int>(stored(reg::map_undecidable_limit::kAddress)), {}};
   upload_length_ = 0;
   upload_error_ = UploadError::none;
   uploading_ = false;
@@ -266,24 +263,15 @@ void NativeDevice::upload_word(std::uint32_t word) {
   }
   auto& words = upload_.words;
   words.push_back(word);
-  if (words.size() == 1 && ((word & 0xFFFFFF88U) != kTableHeader || (word >> 4 & 7U) == 7 || (word & 7U) == 7)) {
-    return end_upload(UploadError::bad_header);
-  }
+  if (words.size() == 1 && !hls::table::is_first_word(word)) return end_upload(UploadError::bad_header);
   if (words.size() == 3) {
-    const std::uint32_t nx = words[0] >> 4 & 7U;
-    const std::uint32_t ny = words[0] & 7U;
-    const std::uint32_t columns = words[1] & 0xFFFFU;
-    const std::uint32_t pairs = words[1] >> 16;
-    const std::uint32_t width = words[2] & 0xFFFFU;
-    const std::uint32_t height = words[2] >> 16;
-    const bool consistent = width != 0 && width < 4096 && height != 0 && height < 4096 &&
-                            columns == ((width - 1) >> nx) + 2 && pairs == (((height - 1) >> ny) + 3) / 2;
-    if (!consistent) return end_upload(UploadError::bad_header);
-    upload_length_ = 4 + std::size_t{2} * columns * pairs;
-    const std::size_t end = upload_.base_word64 + std::size_t{columns} * pairs;
+    const auto geometry = hls::table::read_geometry(words);
+    if (!geometry) return end_upload(UploadError::bad_header);
+    const std::size_t end = upload_.base_word64 + geometry->control_words() / 2;
+    upload_.end_word64 = end;
     if (end * 8 > static_cast<std::size_t>(profile_.pool_bytes)) return end_upload(UploadError::too_large);
     const auto overlaps = [&](const std::optional<Table>& table) {
-      return table && table->base_word64 < end && table->end_word64() > upload_.base_word64;
+      return table && table->base_word64 < end && table->end_word64 > upload_.base_word64;
     };
     for (std::size_t slot = 0; slot < tables_.size(); ++slot) {
       if (overlaps(tables_[slot]) && in_use(static_cast<int>(slot))) return end_upload(UploadError::in_use);
@@ -291,6 +279,11 @@ void NativeDevice::upload_word(std::uint32_t word) {
     for (auto& table : tables_) {
       if (overlaps(table)) table.reset();
     }
+  }
+  if (words.size() == hls::table::header_words) {
+    const auto facts = hls::table::read_fact_words(word);
+    if (!facts) return end_upload(UploadError::bad_header);
+    upload_length_ = hls::table::header_words + *facts + 2 * (upload_.end_word64 - upload_.base_word64) + 1;
   }
   if (upload_length_ == 0 || words.size() < upload_length_) return;
   if (crc32_words(std::span(words).first(words.size() - 1)) != words.back()) return end_upload(UploadError::wrong_crc);
@@ -305,6 +298,9 @@ native::Settings NativeDevice::settings() const {
   native::Settings s;
   static_cast<hls::StageSettings&>(s) = stage_settings(word);
   s.lookahead = static_cast<int>(word(reg::lookahead::kAddress));
+  // Without a table nothing is undecidable.
+  s.undecidable_limit =
+      active_slot_ != kNoTable ? tables_.at(static_cast<std::size_t>(active_slot_))->undecidable_limit : 0;
   return s;
 }
 

@@ -197,11 +197,7 @@ class GridFit {
   }
 
   const MapReport& report() const { return report_; }
-  CompiledMap take() {
-    table_.seal();
-    report_.crc = table_.crc();
-    return {std::move(table_), report_};
-  }
+  CompiledMap take() { return {std::move(table_), report_}; }
 
  private:
   /// Where in a cell something must not be supervised: its own control point, the edges that need two control points
@@ -495,8 +491,13 @@ std::string UnseenError::text(const MapReport& report) {
   return text;
 }
 
+void seal(CompiledMap& map, const hls::table::Facts& facts) {
+  map.table.seal(facts);
+  map.report.crc = map.table.crc();
+}
+
 /// The coarsest grid within the limits; where none loses little enough, the one that loses least. `fit` tries a
-/// spacing; those that the forecast says to be beyond `margin` times the limits are not tried.
+/// spacing; those that the forecast says to be beyond `margin` times the limits are not tried. To be sealed.
 CompiledMap choose(const MachineProfile& profile, const ScanGeometry& geometry, const MapLimits& limits,
                    const Forecast& forecast, const std::function<GridFit(int, int, double)>& fit, double margin) {
   const std::size_t largest = limits.largest_bytes != 0 ? limits.largest_bytes : profile.pool_bytes;
@@ -588,12 +589,18 @@ CompiledMap compile_map(const Skin& skin, const MachineProfile& profile, const S
   settle(geometry, lattice);
   check_lattice_rows(lattice, geometry, limits.view);
   // The forecast only sorts out what is far off.
-  return choose(
+  CompiledMap map = choose(
       profile, geometry, limits, Forecast(lattice, geometry),
       [&](int nx, int ny, double largest_error_px) {
         return GridFit(lattice, geometry, nx, ny, profile.weight_bits, limits, largest_error_px);
       },
       4);
+  hls::table::Facts facts = facts_of(map.table, profile);
+  if (const auto* rig_skin = dynamic_cast<const RigSkin*>(&skin)) {
+    SkinScale(rig_skin->cameras(), profile, geometry).measure(*rig_skin->surface(), facts);
+  }
+  seal(map, facts);
+  return map;
 }
 
 MapSet compile_maps(const SkinFile& skin, const MachineProfile& profile, int image_width, int image_height,
@@ -653,7 +660,11 @@ double share_beyond_rows(const MapSet& maps, const MachineProfile& profile, cons
 
 MapCompiler::MapCompiler(CameraPair cameras, const MachineProfile& profile, const ScanGeometry& geometry,
                          const MapLimits& limits)
-    : cameras_(std::move(cameras)), profile_(profile), geometry_(geometry), limits_(limits) {}
+    : cameras_(std::move(cameras)),
+      profile_(profile),
+      geometry_(geometry),
+      limits_(limits),
+      scale_(cameras_, profile, geometry) {}
 
 void MapCompiler::look(const Surface& surface, const LatticeShape& shape, LookLattice& lattice) {
   auto rays = rays_.find(shape);
@@ -682,7 +693,11 @@ CompiledMap MapCompiler::compile(const Surface& surface) {
     }
     return GridFit(lattice, geometry_, nx, ny, profile_.weight_bits, limits_, largest_error_px);
   };
-  return choose(profile_, geometry_, limits_, forecast, fit, 1);
+  CompiledMap map = choose(profile_, geometry_, limits_, forecast, fit, 1);
+  hls::table::Facts facts = facts_of(map.table, profile_);
+  scale_.measure(surface, facts);
+  seal(map, facts);
+  return map;
 }
 
 }  // namespace horopter

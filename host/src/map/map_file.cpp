@@ -116,10 +116,10 @@ MapSet load_maps(const std::filesystem::path& path) {
     try {
       const std::uint32_t scan = take(1)[0];
       if (scan > 2) throw std::invalid_argument(fmt::format("scan {}", scan));
-      MapReport report = map_report_from_json(nlohmann::json::parse(text(take(1)[0])));
+      const std::string report = text(take(1)[0]);
       const auto table_words = take(take(1)[0]);
       MapTable table({table_words.begin(), table_words.end()}, static_cast<Scan>(scan));
-      set.maps.push_back({std::move(table), report});
+      set.maps.push_back({std::move(table), map_report_from_json(nlohmann::json::parse(report))});
     } catch (const std::invalid_argument& error) {
       throw FileError(file, fmt::format("byte {}, table {}", place, i), error.what(), expected);
     } catch (const nlohmann::json::exception& error) {
@@ -174,9 +174,7 @@ MapReport map_report_from_json(const nlohmann::json& json) {
   report.checked = json.at("checked");
   report.by_reason[0] = json.at("supervised");
   for (int i = 1; i < kReasonCount; ++i) {
-    // Tables that were made before there was a reason do not have it.
-    report.by_reason[i] =
-        json.at("unsupervised").value(std::string(reason_name(static_cast<Reason>(i))), std::int64_t{0});
+    report.by_reason[i] = json.at("unsupervised").at(std::string(reason_name(static_cast<Reason>(i))));
   }
   report.error_99_px = json.at("error_99_px");
   report.error_largest_px = json.at("error_largest_px");

@@ -102,7 +102,7 @@ double d95_px(const Settings& settings) {
     throw UsageError(
         fmt::format("a boundary of {}: it is not known up to which disparity it finds 95 % of an object (D95), which "
                     "the steps of a moving skin are made for; expected {} or more, a tolerance of {:g} px (D50)",
-                    settings.competition.boundary, least, boundaries[static_cast<std::size_t>(least)].tolerance_px));
+                    settings.competition.boundary, least, kBoundaries[static_cast<std::size_t>(least)].tolerance_px));
   }
   struct Row {
     double threshold_percent, d95_px;

@@ -23,6 +23,7 @@ rtl/generated/vga/horopter_subsample.sv
 rtl/generated/vga/horopter_texture.sv
 rtl/generated/vga/horopter_threshold.sv
 rtl/csr/horopter_csr_pkg.sv
+rtl/store/horopter_table_pkg.sv
 rtl/prim/horopter_clock_gate.sv
 rtl/prim/horopter_mux.sv
 rtl/prim/horopter_ram_bank.sv

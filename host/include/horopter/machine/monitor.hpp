@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -92,12 +91,10 @@ class Monitor {
 
  private:
   void write_limits();
-  void write_undecidable_limit(int slot);
 
   struct Slot {
     std::size_t base_word64 = 0;
     std::size_t words64 = 0;
-    std::int64_t supported = 0;  ///< see supported_pixels
   };
 
   std::unique_ptr<Device> device_;
@@ -108,8 +105,6 @@ class Monitor {
   int height_ = 0;
   std::vector<Slot> slots_;
   std::uint32_t sequence_ = 0;
-  int selected_ = -1;
-  std::deque<int> in_machine_;  ///< slots of the frames begun and not finished
 };
 
 /// A monitor for image pairs of one skin: every image makes one result, or two for profiles that take fields.

@@ -37,8 +37,9 @@ class NativeDevice : public Device {
  private:
   struct Table {
     std::size_t base_word64 = 0;
+    std::size_t end_word64 = 0;
+    int undecidable_limit = 0;  ///< MAP_UNDECIDABLE_LIMIT at its start
     std::vector<std::uint32_t> words;
-    std::size_t end_word64() const { return base_word64 + (words.size() - 4 + 1) / 2; }
   };
   /// As numbered in MAP_STATUS.error.
   enum class UploadError { none, in_use, bad_header, too_large, wrong_crc, no_slot, not_started };

@@ -253,14 +253,6 @@ inline constexpr Access kAccess = Access::kReadWrite;
 inline constexpr Field kPixels{0, 24};
 }  // namespace alarm_limit
 
-/// More undecidable pixels than this in a frame are a fault.
-namespace undecidable_limit {
-inline constexpr std::uint32_t kAddress = 0x090;
-inline constexpr Access kAccess = Access::kReadWrite;
-/// Pixels of the result; by default all of the largest frame: no limit.
-inline constexpr Field kPixels{0, 24};
-}  // namespace undecidable_limit
-
 /// More unsupervised pixels than this in a frame are a fault.
 namespace unsupervised_limit {
 inline constexpr std::uint32_t kAddress = 0x094;
@@ -371,11 +363,11 @@ inline constexpr Field kWord64{0, 16};
 namespace map_control {
 inline constexpr std::uint32_t kAddress = 0x0C8;
 inline constexpr Access kAccess = Access::kWriteStream;
-/// 1 = start, with MAP_SLOT and MAP_BASE as they are.
+/// 1 = start, with MAP_SLOT, MAP_BASE and MAP_UNDECIDABLE_LIMIT as they are.
 inline constexpr Field kStart{0, 1};
 }  // namespace map_control
 
-/// The words of the upload, one by one: header, control points, CRC-32.
+/// The words of the upload, one by one: hls/include/horopter/hls/table_format.hpp.
 namespace map_data {
 inline constexpr std::uint32_t kAddress = 0x0CC;
 inline constexpr Access kAccess = Access::kWriteStream;
@@ -411,6 +403,16 @@ inline constexpr Access kAccess = Access::kReadOnly;
 /// CRC-32.
 inline constexpr Field kValue{0, 32};
 }  // namespace map_crc
+
+/// Of the tables whose upload starts from now on: more undecidable pixels than this in a frame made by the table are a
+/// fault. Stays with the table.
+namespace map_undecidable_limit {
+inline constexpr std::uint32_t kAddress = 0x0DC;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0x0;
+/// Pixels of the result; a share of those that the rule can judge (words 4 and 5 of the table).
+inline constexpr Field kPixels{0, 24};
+}  // namespace map_undecidable_limit
 
 /// Every fault of the cameras since it was last cleared; a written 1 clears. safe_o does not depend on this register.
 namespace faults_cameras {
@@ -481,7 +483,7 @@ inline constexpr Field kNoTable{2, 1};
 inline constexpr Field kMapCrc{3, 1};
 /// An upload into a table in use was refused.
 inline constexpr Field kMapBusy{4, 1};
-/// More undecidable pixels than UNDECIDABLE_LIMIT.
+/// More undecidable pixels than the MAP_UNDECIDABLE_LIMIT of the table.
 inline constexpr Field kTooUndecidable{5, 1};
 /// More unsupervised pixels than UNSUPERVISED_LIMIT.
 inline constexpr Field kTooUnsupervised{6, 1};
@@ -648,7 +650,7 @@ inline constexpr Field kNoTable{2, 1};
 inline constexpr Field kMapCrc{3, 1};
 /// An upload into a table in use was refused.
 inline constexpr Field kMapBusy{4, 1};
-/// More undecidable pixels than UNDECIDABLE_LIMIT.
+/// More undecidable pixels than the MAP_UNDECIDABLE_LIMIT of the table.
 inline constexpr Field kTooUndecidable{5, 1};
 /// More unsupervised pixels than UNSUPERVISED_LIMIT.
 inline constexpr Field kTooUnsupervised{6, 1};
@@ -767,7 +769,6 @@ inline constexpr std::array<Register, 52> kRegisters = {{
     {"self_limit", 0x084, Access::kReadWrite, false},
     {"texture_limit", 0x088, Access::kReadWrite, false},
     {"alarm_limit", 0x08C, Access::kReadWrite, false},
-    {"undecidable_limit", 0x090, Access::kReadWrite, false},
     {"unsupervised_limit", 0x094, Access::kReadWrite, false},
     {"black_level", 0x0A0, Access::kReadWrite, false},
     {"black_limit", 0x0A4, Access::kReadWrite, false},
@@ -784,6 +785,7 @@ inline constexpr std::array<Register, 52> kRegisters = {{
     {"map_status", 0x0D0, Access::kReadOnly, false},
     {"map_valid", 0x0D4, Access::kReadOnly, false},
     {"map_crc", 0x0D8, Access::kReadOnly, false},
+    {"map_undecidable_limit", 0x0DC, Access::kReadWrite, false},
     {"faults_cameras", 0x0E0, Access::kWriteOneToClear, false},
     {"faults_machine", 0x0E4, Access::kWriteOneToClear, false},
     {"frame_sequence", 0x100, Access::kReadOnly, false},

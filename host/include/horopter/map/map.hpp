@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "horopter/base/profile.hpp"
+#include "horopter/hls/table_format.hpp"
 #include "horopter/image/image.hpp"
 #include "horopter/image/scan.hpp"
 #include "horopter/skin/rig_skin.hpp"
@@ -22,35 +23,38 @@ namespace horopter {
 /// What a profile makes of an image: one geometry, or two for profiles that take fields.
 std::vector<ScanGeometry> scans_of(const MachineProfile& profile, int image_width, int image_height);
 
-/// A table in upload format: three header words, control points, CRC-32.
+/// A table in upload format (horopter/hls/table_format.hpp).
 class MapTable {
  public:
-  static constexpr std::uint32_t kUnmapped = 0xFFFFFFFFU;
+  static constexpr std::uint32_t kUnmapped = hls::table::unmapped;
   /// Fraction bits of an expanded coordinate before it is rounded to the weights: 5 of the control point, 6 + 6 of the
   /// position in the cell.
   static constexpr int kFractionBits = 17;
-  static constexpr int kLargestSpacingLog2 = 6;
+  static constexpr int kLargestSpacingLog2 = hls::table::largest_spacing_log2;
 
-  /// All control points unmapped; to be sealed.
+  /// All control points unmapped, and facts that say so; to be sealed.
   MapTable(ScanGeometry geometry, int spacing_x_log2, int spacing_y_log2);
-  /// Checks header, length, control points and CRC. Throws std::invalid_argument. Upload words know no scan.
+  /// Checks header, facts, length and CRC. Throws std::invalid_argument. Upload words know no scan.
   MapTable(std::vector<std::uint32_t> words, Scan scan);
 
   const ScanGeometry& geometry() const { return geometry_; }
-  int spacing_x_log2() const { return spacing_x_log2_; }
-  int spacing_y_log2() const { return spacing_y_log2_; }
-  int columns() const { return columns_; }
-  int rows() const { return rows_; }  ///< an even number: control rows are stored in pairs
+  int spacing_x_log2() const { return header_.geometry.spacing_x_log2; }
+  int spacing_y_log2() const { return header_.geometry.spacing_y_log2; }
+  int columns() const { return header_.geometry.columns(); }
+  int rows() const { return 2 * header_.geometry.row_pairs(); }  ///< control rows are stored in pairs
+  const hls::table::Facts& facts() const { return header_.facts; }
+  std::int64_t result_pixels() const { return header_.facts.result_pixels(header_.geometry); }
   const std::vector<std::uint32_t>& words() const { return words_; }
   std::uint32_t crc() const { return words_.back(); }
   /// Control points only: what the pool must hold.
-  std::size_t pool_bytes() const { return (words_.size() - 4) * sizeof(std::uint32_t); }
+  std::size_t pool_bytes() const { return header_.geometry.control_words() * sizeof(std::uint32_t); }
   static std::size_t pool_bytes(const ScanGeometry& geometry, int spacing_x_log2, int spacing_y_log2);
 
   std::uint32_t control(int column, int row) const { return words_[index(column, row)]; }
   void set_control(int column, int row, std::uint32_t value) { words_[index(column, row)] = value; }
-  /// To be called when the last control point is set.
-  void seal();
+  /// To be called when the last control point is set. `facts` must be true of the control points (facts_of in
+  /// table_facts.hpp): the machine's limits depend on them.
+  void seal(const hls::table::Facts& facts);
 
   /// Nearest control point to a source, or kUnmapped when it is not finite or out of the range of -64 … 1983.97 px.
   static std::uint32_t encode(Point source);
@@ -75,14 +79,11 @@ class MapTable {
 
  private:
   std::size_t index(int column, int row) const {
-    return 3 + 2 * (static_cast<std::size_t>(row / 2) * columns_ + column) + row % 2;
+    return header_.first_control + header_.geometry.control_index(column, row);
   }
 
   ScanGeometry geometry_;
-  int spacing_x_log2_ = 0;
-  int spacing_y_log2_ = 0;
-  int columns_ = 0;
-  int rows_ = 0;
+  hls::table::Header header_;
   std::vector<std::uint32_t> words_;
 };
 

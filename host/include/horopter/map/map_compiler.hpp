@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "horopter/map/map.hpp"
+#include "horopter/map/table_facts.hpp"
 #include "horopter/skin/rig_skin.hpp"
 #include "horopter/skin/skin_file.hpp"
 
@@ -82,6 +83,7 @@ class MapCompiler {
   ScanGeometry geometry_;
   MapLimits limits_;
   std::map<LatticeShape, Rays> rays_;
+  SkinScale scale_;
 };
 
 }  // namespace horopter

@@ -9,9 +9,8 @@
 
 namespace horopter {
 
-/// Pixels of the result (after sub-sampling) all of whose support has a source, so that the rule can judge them. The
-/// machine calls the others unsupervised, whatever the images show; fewer only where the store misses rows, a fault.
-std::int64_t supported_pixels(const MapTable& table, const MachineProfile& profile, Decision decision);
+/// Pixels of the result (after sub-sampling) that the rule can judge, by the table's header.
+std::int64_t supported_pixels(const MapTable& table, Decision decision);
 
 /// ⌊percent · of / 100⌋, as the machine's registers take their limits: more than this many are too many.
 std::uint32_t limit_of(double percent, double of);
