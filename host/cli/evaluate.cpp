@@ -67,15 +67,6 @@ struct PairResult {
   std::array<MethodResult, kMethodNames.size()> methods;
 };
 
-/// A plane at the disparity, parallel to the images: an integer shift is a homography.
-SkinFile skin_at(double disparity_px, const Image& image) {
-  const Point centre{image.width / 2.0, image.height / 2.0};
-  SkinFile skin;
-  skin.skin = std::make_unique<HomographySkin>(Matrix3{1, 0, -disparity_px, 0, 1, 0, 0, 0, 1}, centre);
-  skin.path = fmt::format("the plane at disparity {:g}", disparity_px);
-  return skin;
-}
-
 const MachineProfile& profile_for(const EvaluateOptions& options, const StereoPair& pair) {
   const MachineProfile* profile =
       options.profile.empty() ? smallest_profile(pair.left.width, pair.left.height) : &find_profile(options.profile);
@@ -142,14 +133,7 @@ MethodResult run_horopter(const EvaluateOptions& options, const StereoPair& pair
       const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
       result.seconds = std::min(result.seconds, took.count());
     }
-    std::vector<Answer> answers;
-    answers.reserve(states.pixels.size());
-    for (const std::uint8_t state : states.pixels) {
-      answers.push_back(static_cast<State>(state) == State::skin          ? Answer::skin
-                        : static_cast<State>(state) == State::undecidable ? Answer::undecidable
-                                                                          : Answer::clear);
-    }
-    result.by_disparity.push_back(score(truth, d, options.tolerance_px, answers));
+    result.by_disparity.push_back(score(truth, d, options.tolerance_px, answers_of(states)));
   }
   return result;
 }

@@ -118,33 +118,33 @@ void explain(const MapSet& maps) {
   }
 }
 
+/// Fields stand one above the other.
 void draw(const MapSet& maps, const std::string& path, bool json) {
-  // Fields stand one above the other.
-  int height = 0;
-  std::vector<std::uint8_t> picture;
   const MachineProfile& profile = find_profile(maps.profile);
   std::optional<CameraPair> cameras;
   if (!maps.rig.empty()) {
     const calib::Rig rig = calib::rig_from_yaml(maps.rig, path);
     cameras.emplace(rig.cameras.at(0), rig.cameras.at(1));
   }
+  std::vector<Picture> pictures;
   for (const CompiledMap& map : maps.maps) {
-    std::vector<std::uint8_t> part;
-    if (cameras) {
-      auto drawn = draw_thickness(map.table,
-                                  thickness_mm(map.table, profile.weight_bits, *cameras, kD95_px * profile.subsample));
-      if (!json) {
-        fmt::print("thickness {:.2f} to {:.2f} mm along the left line of sight for a disparity of +-{} px ({})\n",
-                   drawn.thinnest_mm, drawn.thickest_mm, kD95_px, scan_name(map.table.geometry().scan));
-      }
-      part = std::move(drawn.bgr);
-    } else {
-      part = draw_map(map.table, profile.weight_bits);
+    const std::string scan(scan_name(map.table.geometry().scan));
+    if (!cameras) {
+      pictures.push_back(
+          draw_map(map.table, profile.weight_bits, fmt::format("Displacement from left to right image, {}", scan)));
+      continue;
     }
-    picture.insert(picture.end(), part.begin(), part.end());
-    height += map.table.geometry().height;
+    auto drawn =
+        draw_thickness(map.table, thickness_mm(map.table, profile.weight_bits, *cameras, kD95_px * profile.subsample),
+                       fmt::format("Thickness along the left line of sight for +-{} px, {}", kD95_px, scan));
+    if (!json) {
+      fmt::print("thickness {:.2f} to {:.2f} mm along the left line of sight for a disparity of +-{} px ({})\n",
+                 drawn.thinnest_mm, drawn.thickest_mm, kD95_px, scan);
+    }
+    pictures.push_back(std::move(drawn.picture));
   }
-  write_file(path, encode_png_bgr(maps.maps.front().table.geometry().width, height, picture));
+  const Picture page = one_below_other(pictures);
+  write_file(path, encode_png_bgr(page.width, page.height, page.bgr));
 }
 
 ExitStatus map(const MapOptions& options) {
@@ -236,8 +236,9 @@ void add_map(CLI::App& app, Outcome& outcome) {
   command
       ->add_option(
           "--draw", options->draw,
-          "A picture (PNG) with dots at control points, dark where nothing is supervised: with a rig the skin's "
-          "thickness, red thin to blue thick; else the displacements, hue by direction, a line every 8 pixels")
+          "A picture (PNG) with axes and a scale, dots at control points, dark where nothing is supervised: with a rig "
+          "the skin's thickness, red thin to blue thick; else the displacements, hue by direction, a line every 8 "
+          "pixels")
       ->type_name("FILE");
   command->add_flag("--json", options->json, "Print the report as JSON on standard output, and nothing else");
   command->footer(

@@ -180,8 +180,10 @@ ExitStatus plan_thickness(const ThicknessOptions& options) {
     refused = !report_row_count(plan.rows, view, options.json) || refused;
     nothing = nothing || plan.supervised == 0;
     if (output) {
-      output->write(skin.picture, encode_png_bgr(geometry.width, geometry.height,
-                                                 draw_thickness(geometry.width, geometry.height, plan.across_mm).bgr));
+      const auto [page, thinnest_mm, thickest_mm] =
+          draw_thickness(geometry.width, geometry.height, plan.across_mm,
+                         fmt::format("Thickness of {} for +-{:g} px", skin.name, options.tolerance_px));
+      output->write(skin.picture, encode_png_bgr(page.width, page.height, page.bgr));
     }
   }
   if (output) {

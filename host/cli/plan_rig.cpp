@@ -222,22 +222,21 @@ void write_over_distance(OutputDirectory& output, const CameraPair& cameras, con
     }
     const std::array figures{plan.across.smallest, plan.across.mean, plan.across.largest, plan.on_axis_formula,
                              field.width_mm,       field.height_mm,  field.exploitation()};
-    csv << z;
-    for (const double figure : figures) csv << figure;
-    csv.end_row();
+    csv.row(z, figures[0], figures[1], figures[2], figures[3], figures[4], figures[5], figures[6]);
     for (std::size_t k = 0; k < 4; ++k) thickness[k].points.emplace_back(z, figures[k]);
     for (std::size_t k = 0; k < 2; ++k) extent[k].points.emplace_back(z, figures[4 + k]);
     exploitation.points.emplace_back(z, figures[6]);
   }
   output.write("distance.csv", csv.text());
-  output.write("distance.svg",
-               plot_svg("Planes across the axis of symmetry, over their distance",
-                        {{"Thickness of the skin", "distance, mm", "mm", {thickness.begin(), thickness.end()}},
-                         {"Common field", "distance, mm", "mm", {extent.begin(), extent.end()}},
-                         {"Exploitation of the left image", "distance, mm", "share", {exploitation}}}));
+  output.write(
+      "distance.svg",
+      plot_svg("Planes across the axis of symmetry, over their distance from the cameras",
+               {{"Thickness of the skin", "distance, mm", "thickness, mm", {thickness.begin(), thickness.end()}},
+                {"Common field", "distance, mm", "extent, mm", {extent.begin(), extent.end()}},
+                {"Exploitation of the left image", "distance, mm", "share in use, A_c / A_L", {exploitation}}}));
 }
 
-ExitStatus plan_rig(RigOptions options) {
+void check_usage(const RigOptions& options) {
   if (options.skin.empty() && options.distances_mm.empty()) throw UsageError("either --skin or --distance is required");
   if (!options.zone.empty() && options.skin.empty() && options.distances_mm.size() > 1) {
     throw UsageError("--zone is watched by one skin: give --skin, or one --distance");
@@ -245,37 +244,65 @@ ExitStatus plan_rig(RigOptions options) {
   if (options.zone.empty() && (!options.obstacles.empty() || !options.from_mm.empty() || options.search.step_mm > 0)) {
     throw UsageError("--obstacle, --from and --step say how --zone is entered: give --zone");
   }
-  calib::Rig rig = rig_of(options);
-  const std::string rig_name = options.rig.empty() ? "the rig" : options.rig;
-  CameraPair cameras(rig.cameras[0], rig.cameras[1]);
+}
+
+/// Cameras, skins and machine as planned.
+struct Installation {
+  calib::Rig rig;
+  std::string rig_name;
+  CameraPair cameras;
   std::vector<Planned> skins;
-  if (!options.skin.empty()) {
-    const auto skin = load_rig_skin(options.skin, rig);
-    cameras = skin->cameras();
-    skins.push_back({skin->description(), skin->surface()});
-  }
-  const StereoAxis axis(cameras);
-  if (options.skin.empty()) {
-    for (const double distance : options.distances_mm) {
-      skins.push_back({fmt::format("plane at {:g} mm", distance), axis.plane_at(distance)});
-    }
-  }
-  const int width = cameras.left().width_px;
-  const int height = cameras.left().height_px;
+  const MachineProfile* profile = nullptr;
+  ScanGeometry geometry;
+  ViewLimits view;
+};
+
+void choose_machine(const RigOptions& options, Installation& installation) {
+  const CameraPair& cameras = installation.cameras;
+  const std::string& rig_name = installation.rig_name;
   for (const calib::Camera* camera : {&cameras.left(), &cameras.right()}) {
     if (camera->width_px > 0 && camera->height_px > 0) continue;
     throw FileError(rig_name, "cameras", "camera " + camera->name + " has no image size",
                     "image_size: [width, height]");
   }
-  const MachineProfile* profile =
-      options.profile.empty() ? smallest_profile(width, height) : &find_profile(options.profile);
-  if (profile == nullptr) {
+  const int width = cameras.left().width_px;
+  const int height = cameras.left().height_px;
+  installation.profile = options.profile.empty() ? smallest_profile(width, height) : &find_profile(options.profile);
+  if (installation.profile == nullptr) {
     throw FileError(rig_name, "image size", fmt::format("images of {}x{} pixels", width, height),
                     "at most what profile hd takes");
   }
-  check_image_size(rig_name, width, height, *profile);
-  const ScanGeometry geometry = scans_of(*profile, width, height).front();
-  const ViewLimits view = view_limits(*profile, options.decision);
+  check_image_size(rig_name, width, height, *installation.profile);
+  installation.geometry = scans_of(*installation.profile, width, height).front();
+  installation.view = view_limits(*installation.profile, options.decision);
+}
+
+Installation install(RigOptions& options) {
+  const calib::Rig rig = rig_of(options);
+  Installation result{rig, options.rig.empty() ? "the rig" : options.rig, {rig.cameras[0], rig.cameras[1]}, {}};
+  if (!options.skin.empty()) {
+    const auto skin = load_rig_skin(options.skin, rig);
+    result.cameras = skin->cameras();
+    result.skins.push_back({skin->description(), skin->surface()});
+  } else {
+    const StereoAxis axis(result.cameras);
+    for (const double distance : options.distances_mm) {
+      result.skins.push_back({fmt::format("plane at {:g} mm", distance), axis.plane_at(distance)});
+    }
+  }
+  choose_machine(options, result);
+  return result;
+}
+
+/// What an installation sees.
+struct Plan {
+  std::vector<Views> views;  ///< of each skin
+  std::vector<Watch> watches;
+  std::optional<EntryPlan> entries;
+  double distance_mm = 0;  ///< at which the rig is looked at
+};
+
+Plan plan_of(RigOptions& options, const Installation& installation) {
   const SurfacePtr zone = options.zone.empty() ? nullptr : load_surface(options.zone);
   SurfacePtr obstacles;
   if (!options.obstacles.empty()) {
@@ -284,89 +311,112 @@ ExitStatus plan_rig(RigOptions options) {
     obstacles = make_union(std::move(parts));
   }
   if (!options.from_mm.empty()) options.search.from_mm.emplace(options.from_mm.data());
-
-  std::optional<OutputDirectory> output;
-  if (!options.out.empty()) output.emplace(options.out);
-  std::vector<Views> views;
-  std::vector<Watch> watches;
+  const auto& [rig, rig_name, cameras, skins, profile, geometry, view] = installation;
+  Plan plan;
   for (const Planned& skin : skins) {
     try {
-      views.push_back({plan_thickness(cameras, *skin.surface, *profile, geometry, options.tolerance_px, view),
-                       common_field(cameras, *skin.surface, geometry, view)});
-      watches.emplace_back(cameras, skin.surface, obstacles, *profile, geometry, view);
+      plan.views.push_back({plan_thickness(cameras, *skin.surface, *profile, geometry, options.tolerance_px, view),
+                            common_field(cameras, *skin.surface, geometry, view)});
+      plan.watches.emplace_back(cameras, skin.surface, obstacles, *profile, geometry, view);
     } catch (const std::invalid_argument& error) {
       throw FileError(options.skin.empty() ? rig_name : options.skin, "", skin.name + ": " + error.what(),
                       "a skin in front of both cameras");
     }
   }
-  const double distance =
-      options.distances_mm.empty() ? views.front().thickness.distance.mean : options.distances_mm.front();
-  const auto depth = depth_range(cameras);
-  std::optional<EntryPlan> entries;
+  plan.distance_mm =
+      options.distances_mm.empty() ? plan.views.front().thickness.distance.mean : options.distances_mm.front();
   if (zone) {
     try {
-      entries = plan_entries(watches.front(), *zone, options.search);
+      plan.entries = plan_entries(plan.watches.front(), *zone, options.search);
     } catch (const std::invalid_argument& error) {
       throw FileError(options.zone, "surface", error.what(), "a zone with ends, or a larger --step");
     }
   }
+  return plan;
+}
 
+Json to_json(const RigOptions& options, const Installation& installation, const Plan& plan) {
+  const StereoAxis axis(installation.cameras);
+  const auto depth = depth_range(installation.cameras);
   Json json{{"rig",
              {{"baseline_mm", axis.baseline_mm},
               {"tilt_deg", axis.tilt_deg},
               {"f_px", axis.f_px},
-              {"converging_tilt_deg", converging_tilt_deg(axis.baseline_mm, distance)},
+              {"converging_tilt_deg", converging_tilt_deg(axis.baseline_mm, plan.distance_mm)},
               {"axis_seen_from_mm", depth ? Json(depth->nearest_mm) : Json()},
               {"axis_seen_to_mm", depth ? Json(depth->farthest_mm) : Json()}}},
-            {"profile", profile->name},
+            {"profile", installation.profile->name},
             {"decision", name_of(options.decision)},
             {"tolerance_px", options.tolerance_px},
             {"tolerance_is", "D95"},
             {"skins", Json::array()}};
-  for (std::size_t i = 0; i < skins.size(); ++i) json["skins"].push_back(to_json(skins[i], views[i]));
-  if (entries) json["entry"] = to_json(*entries);
-  if (output) {
-    std::vector<PlannedView> drawn;
-    for (std::size_t i = 0; i < skins.size(); ++i) drawn.push_back({skins[i].name, &watches[i]});
-    output->write("rig.svg", draw_plan(fmt::format("Baseline {:.4g} mm, tilt {:.3g} degrees, f {:.5g} px",
-                                                   axis.baseline_mm, axis.tilt_deg, axis.f_px),
-                                       cameras, drawn, entries ? &*entries : nullptr));
-    if (std::isfinite(distance)) {
-      write_over_distance(*output, cameras, *profile, geometry, options.tolerance_px, view, distance);
-    }
-    if (options.rig.empty()) output->write("rig.yaml", calib::to_yaml(rig));
-    output->write("rig.json", json.dump(2) + "\n");
-    output->commit();
+  for (std::size_t i = 0; i < plan.views.size(); ++i) {
+    json["skins"].push_back(to_json(installation.skins[i], plan.views[i]));
   }
+  if (plan.entries) json["entry"] = to_json(*plan.entries);
+  return json;
+}
+
+void write(OutputDirectory& output, const RigOptions& options, const Installation& installation, const Plan& plan,
+           const Json& json) {
+  const auto& [rig, rig_name, cameras, skins, profile, geometry, view] = installation;
+  std::vector<PlannedView> drawn;
+  for (std::size_t i = 0; i < skins.size(); ++i) drawn.push_back({skins[i].name, &plan.watches[i]});
+  const StereoAxis axis(cameras);
+  output.write("rig.svg", draw_plan(fmt::format("Baseline {:.4g} mm, tilt {:.3g} degrees, f {:.5g} px",
+                                                axis.baseline_mm, axis.tilt_deg, axis.f_px),
+                                    cameras, drawn, plan.entries ? &*plan.entries : nullptr));
+  if (std::isfinite(plan.distance_mm)) {
+    write_over_distance(output, cameras, *profile, geometry, options.tolerance_px, view, plan.distance_mm);
+  }
+  if (options.rig.empty()) output.write("rig.yaml", calib::to_yaml(rig));
+  output.write("rig.json", json.dump(2) + "\n");
+  output.commit();
+}
+
+void print_head(const RigOptions& options, const Installation& installation, double distance_mm) {
+  const StereoAxis axis(installation.cameras);
+  fmt::print("rig      baseline {:.2f} mm, tilt {:.3f} degrees; at {:.3f} degrees the axes would meet {:.0f} mm away\n",
+             axis.baseline_mm, axis.tilt_deg, converging_tilt_deg(axis.baseline_mm, distance_mm), distance_mm);
+  if (const auto depth = depth_range(installation.cameras)) {
+    fmt::print("axis     seen by both cameras from {:.0f} mm {}\n", depth->nearest_mm,
+               std::isfinite(depth->farthest_mm) ? fmt::format("to {:.0f} mm", depth->farthest_mm) : "on");
+  } else {
+    fmt::print("axis     nowhere seen by both cameras: change the tilt\n");
+  }
+  const MachineProfile& profile = *installation.profile;
+  fmt::print("profile  {}, rule {}, disparity tolerance (D95) {} px of the result ({} px of the image)\n", profile.name,
+             name_of(options.decision), options.tolerance_px, options.tolerance_px * profile.subsample);
+}
+
+ExitStatus plan_rig(RigOptions options) {
+  check_usage(options);
+  const Installation installation = install(options);
+  std::optional<OutputDirectory> output;
+  if (!options.out.empty()) output.emplace(options.out);
+  const Plan plan = plan_of(options, installation);
+  const Json json = to_json(options, installation, plan);
+  if (output) write(*output, options, installation, plan, json);
   if (options.json) {
     std::puts(json.dump(2).c_str());
   } else {
-    fmt::print(
-        "rig      baseline {:.2f} mm, tilt {:.3f} degrees; at {:.3f} degrees the axes would meet {:.0f} mm away\n",
-        axis.baseline_mm, axis.tilt_deg, converging_tilt_deg(axis.baseline_mm, distance), distance);
-    if (depth) {
-      fmt::print("axis     seen by both cameras from {:.0f} mm {}\n", depth->nearest_mm,
-                 std::isfinite(depth->farthest_mm) ? fmt::format("to {:.0f} mm", depth->farthest_mm) : "on");
-    } else {
-      fmt::print("axis     nowhere seen by both cameras: change the tilt\n");
-    }
-    fmt::print("profile  {}, rule {}, disparity tolerance (D95) {} px of the result ({} px of the image)\n",
-               profile->name, name_of(options.decision), options.tolerance_px,
-               options.tolerance_px * profile->subsample);
+    print_head(options, installation, plan.distance_mm);
   }
   bool nothing = false;
   bool refused = false;
-  for (std::size_t i = 0; i < skins.size(); ++i) {
-    if (!options.json) print(skins[i], views[i]);
-    refused = !report_row_count(views[i].thickness.rows, view, options.json) || refused;
-    nothing = nothing || views[i].thickness.supervised == 0;
+  for (std::size_t i = 0; i < plan.views.size(); ++i) {
+    const ThicknessPlan& thickness = plan.views[i].thickness;
+    if (!options.json) print(installation.skins[i], plan.views[i]);
+    refused = !report_row_count(thickness.rows, installation.view, options.json) || refused;
+    nothing = nothing || thickness.supervised == 0;
   }
   if (!options.json) {
-    if (entries) print(*entries);
+    if (plan.entries) print(*plan.entries);
     if (output) fmt::print("rig.svg and the rest are in {}\n", options.out);
   }
   if (nothing) std::fprintf(stderr, "horopter: nothing of a skin is supervised\n");
-  return nothing || refused || (entries && !entries->unseen_mm.empty()) ? ExitStatus::check_failed : ExitStatus::done;
+  const bool entered = plan.entries && !plan.entries->unseen_mm.empty();
+  return nothing || refused || entered ? ExitStatus::check_failed : ExitStatus::done;
 }
 
 }  // namespace

@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <opencv2/imgproc.hpp>
 #include <sstream>
 #include <string_view>
 
 #include "horopter/base/error.hpp"
 #include "horopter/base/file.hpp"
+#include "horopter/machine/device.hpp"
 
 namespace horopter::cli {
 namespace {
@@ -129,6 +131,25 @@ StereoPair load_pair(const StereoPairFiles& files) {
   StereoPair pair{files.name, resize_image(left, files.resize), resize_image(right, files.resize), truth, files.left};
   if (files.resize != 1) pair.truth = resized(truth, files.resize, pair.left.width, pair.left.height);
   return pair;
+}
+
+SkinFile skin_at(double disparity_px, const Image& image) {
+  const Point centre{image.width / 2.0, image.height / 2.0};
+  SkinFile skin;
+  skin.skin = std::make_unique<HomographySkin>(Matrix3{1, 0, -disparity_px, 0, 1, 0, 0, 0, 1}, centre);
+  skin.path = fmt::format("the plane at disparity {:g}", disparity_px);
+  return skin;
+}
+
+std::vector<Answer> answers_of(const Image& states) {
+  std::vector<Answer> answers;
+  answers.reserve(states.pixels.size());
+  for (const std::uint8_t state : states.pixels) {
+    answers.push_back(static_cast<State>(state) == State::skin          ? Answer::skin
+                      : static_cast<State>(state) == State::undecidable ? Answer::undecidable
+                                                                        : Answer::clear);
+  }
+  return answers;
 }
 
 const std::vector<std::string>& change_names() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rectified pairs with ground truth, from options or a list, and what may happen to the right camera's image.
+// Rectified pairs with ground truth, from options or a list, what may happen to the right camera's image, and what the
+// machine is asked about them.
 #pragma once
 
 #include <optional>
@@ -7,7 +8,9 @@
 #include <vector>
 
 #include "horopter/image/disparity.hpp"
+#include "horopter/image/evaluation.hpp"
 #include "horopter/image/image.hpp"
+#include "horopter/skin/skin_file.hpp"
 
 namespace horopter::cli {
 
@@ -34,6 +37,11 @@ std::vector<StereoPairFiles> read_pair_list(const std::string& path);
 
 /// Throws FileError for files that are bad or do not fit each other.
 StereoPair load_pair(const StereoPairFiles& files);
+
+/// A skin parallel to the images of a rectified pair: a whole disparity is a shift, and that a homography.
+SkinFile skin_at(double disparity_px, const Image& image);
+/// What the machine's states answer about each pixel.
+std::vector<Answer> answers_of(const Image& states);
 
 /// Names of the changes, `none` first.
 const std::vector<std::string>& change_names();

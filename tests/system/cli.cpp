@@ -680,7 +680,9 @@ TEST_CASE("map makes, explains and draws tables") {
   auto result = box.run({"map", "--skin", "skin.yaml", "--profile", "field", "-o", "skin.hmap", "--draw", "map.png"});
   CAPTURE(result.err);
   REQUIRE(result.status == 0);
-  CHECK(cv::imread((box / "map.png").string()).size() == cv::Size(756, 572));
+  const cv::Size picture = cv::imread((box / "map.png").string()).size();
+  CHECK(picture.width > 756);  // with axes
+  CHECK(picture.height > 572);
   result = box.run({"map", "--inspect", "skin.hmap"});
   CHECK(result.status == 0);
   CHECK_THAT(result.out, Catch::Contains("even field") && Catch::Contains("CRC-32") && Catch::Contains("LOOKAHEAD"));

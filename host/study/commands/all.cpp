@@ -60,16 +60,13 @@ std::string statements_table(const nlohmann::json& statements) {
   return table + "</table>\n";
 }
 
-/// [{"file", "title"}] of a study's result; without that, all its plots.
-nlohmann::json figures_of(const fs::path& directory, const nlohmann::json& result) {
-  if (result.contains("figures")) return result["figures"];
+/// Names of a directory's tables, sorted.
+std::vector<std::string> tables_in(const fs::path& directory) {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(directory))
-    if (entry.path().extension() == ".svg") names.push_back(entry.path().filename().string());
+    if (entry.path().extension() == ".csv") names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
-  nlohmann::json list = nlohmann::json::array();
-  for (const std::string& name : names) list.push_back({{"file", name}, {"title", name}});
-  return list;
+  return names;
 }
 
 std::string section(const fs::path& directory, const NamedStudy& study, const nlohmann::json& result) {
@@ -82,61 +79,17 @@ std::string section(const fs::path& directory, const NamedStudy& study, const nl
     html += fmt::format("<li>{}</li>\n", xml_text(line.get<std::string>()));
   html += "</ul>\n";
   if (result.contains("statements")) html += statements_table(result["statements"]);
-  for (const auto& one : figures_of(directory, result))
+  for (const auto& one : result.at("figures"))
     html += figure(directory / one.at("file").get<std::string>(), one.at("title").get<std::string>());
   html += "<p>Tables:";
-  std::vector<std::string> tables;
-  for (const auto& entry : fs::directory_iterator(directory))
-    if (entry.path().extension() == ".csv") tables.push_back(entry.path().filename().string());
-  std::sort(tables.begin(), tables.end());
-  for (const std::string& name : tables) html += fmt::format(" <a href=\"{0}/{1}\">{1}</a>", study.name, name);
+  for (const std::string& name : tables_in(directory))
+    html += fmt::format(" <a href=\"{0}/{1}\">{1}</a>", study.name, name);
   return html + "</p>\n";
 }
 
-}  // namespace
-
-nlohmann::json study_all(const std::string& out, const StudyScope& scope) {
-  nlohmann::ordered_json results;
-  std::string contents;
-  std::string sections;
-  nlohmann::json summary{{"findings", nlohmann::json::array()}, {"seed", scope.seed}, {"quick", scope.quick}};
-  for (const NamedStudy& study : studies()) {
-    const fs::path place = fs::path(out) / study.name;
-    nlohmann::json result;
-    {
-      OutputDirectory directory(place);
-      result = study.run(directory, scope);
-      result["seed"] = scope.seed;
-      result["quick"] = scope.quick;
-      directory.write("summary.json", result.dump(2) + "\n");
-      directory.commit();
-    }
-    contents += fmt::format("<li><a href=\"#{0}\">{0}</a>: {1}</li>\n", study.name, xml_text(study.what));
-    sections += section(place, study, result);
-    results[study.name] = result;
-  }
-  int statements = 0;
-  int confirmed = 0;
-  int partly = 0;
-  for (const auto& [name, result] : results.items()) {
-    summary["studies"].push_back(name);
-    if (!result.contains("statements")) continue;
-    for (const auto& row : result["statements"]) {
-      ++statements;
-      confirmed += row.at("verdict") == "confirmed" ? 1 : 0;
-      partly += row.at("verdict") == "partly" ? 1 : 0;
-    }
-  }
-  summary["statements"] = {{"all", statements},
-                           {"confirmed", confirmed},
-                           {"partly", partly},
-                           {"not_confirmed", statements - confirmed - partly}};
-  summary["findings"].push_back(fmt::format("{} statements: {} confirmed, {} partly, {} not confirmed", statements,
-                                            confirmed, partly, statements - confirmed - partly));
-  summary["findings"].push_back(fmt::format("The page is {}, the statements are in {}",
-                                            (fs::path(out) / "index.html").string(),
-                                            (fs::path(out) / "STUDY.md").string()));
-  const std::string page = fmt::format(
+std::string page(const StudyScope& scope, const std::string& verdicts, const std::string& contents,
+                 const std::string& sections) {
+  return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Horopter: the study</title>\n<style>"
       "body{{font-family:Helvetica,Arial,sans-serif;max-width:1000px;margin:2em auto;padding:0 1em}}"
       "svg,img{{max-width:100%;height:auto}}table{{border-collapse:collapse;font-size:85%}}"
@@ -145,11 +98,49 @@ nlohmann::json study_all(const std::string& out, const StudyScope& scope) {
       "<h1>Horopter: the study</h1>\n<p>Written by <code>horopter study all --seed {}{}</code>. "
       "{}</p>\n<ul>\n{}</ul>\n{}"
       "</body></html>\n",
-      scope.seed, scope.quick ? " --quick" : "", xml_text(summary["findings"][0].get<std::string>()), contents,
-      sections);
-  write_file(fs::path(out) / "index.html", page);
-  write_file(fs::path(out) / "STUDY.md", study_markdown(results));
-  write_file(fs::path(out) / "summary.json", summary.dump(2) + "\n");
+      scope.seed, scope.quick ? " --quick" : "", xml_text(verdicts), contents, sections);
+}
+
+/// {"all", "confirmed", "partly", "not_confirmed"}: counts of statements.
+nlohmann::json count_verdicts(const nlohmann::ordered_json& results) {
+  nlohmann::json counts{{"all", 0}, {"confirmed", 0}, {"partly", 0}, {"not_confirmed", 0}};
+  const auto increment = [&](const std::string& key) { counts[key] = counts[key].get<int>() + 1; };
+  for (const auto& result : results) {
+    if (!result.contains("statements")) continue;
+    for (const auto& row : result["statements"]) {
+      const auto verdict = row.at("verdict").get<std::string>();
+      increment("all");
+      increment(verdict == "not confirmed" ? "not_confirmed" : verdict);
+    }
+  }
+  return counts;
+}
+
+}  // namespace
+
+nlohmann::json study_all(const std::string& out, const StudyScope& scope) {
+  const fs::path place(out);
+  nlohmann::ordered_json results;
+  std::string contents;
+  std::string sections;
+  nlohmann::json summary{{"seed", scope.seed}, {"quick", scope.quick}};
+  for (const NamedStudy& study : studies()) {
+    const nlohmann::json result = run_study(study.run, place / study.name, scope);
+    contents += fmt::format("<li><a href=\"#{0}\">{0}</a>: {1}</li>\n", study.name, xml_text(study.what));
+    sections += section(place / study.name, study, result);
+    results[study.name] = result;
+    summary["studies"].push_back(study.name);
+  }
+  const nlohmann::json counts = count_verdicts(results);
+  const std::string verdicts =
+      fmt::format("{} statements: {} confirmed, {} partly, {} not confirmed", counts["all"].get<int>(),
+                  counts["confirmed"].get<int>(), counts["partly"].get<int>(), counts["not_confirmed"].get<int>());
+  summary["statements"] = counts;
+  summary["findings"] = {verdicts, fmt::format("The page is {}, the statements are in {}",
+                                               (place / "index.html").string(), (place / "STUDY.md").string())};
+  write_file(place / "index.html", page(scope, verdicts, contents, sections));
+  write_file(place / "STUDY.md", study_markdown(results));
+  write_file(place / "summary.json", summary.dump(2) + "\n");
   return summary;
 }
 

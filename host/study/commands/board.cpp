@@ -9,16 +9,18 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <opencv2/calib3d.hpp>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "board_pixels.hpp"
 #include "cli/progress.hpp"
-#include "horopter/base/csv.hpp"
 #include "horopter/base/error.hpp"
 #include "horopter/calib/joint.hpp"
 #include "horopter/calib/target.hpp"
 #include "horopter/calib/views.hpp"
-#include "horopter/draw/plot.hpp"
 #include "horopter/image/image.hpp"
 #include "horopter/machine/engines.hpp"
 #include "horopter/machine/monitor.hpp"
@@ -123,6 +125,12 @@ BoardPlane plane_of(const calib::Rig& rig, const Board& board, const calib::Targ
   return {CameraPair(rig.cameras[0], rig.cameras[1]), pose.translation_mm, normal};
 }
 
+std::vector<cv::Point2d> left_corners(const Board& board) {
+  std::vector<cv::Point2d> corners;
+  for (const Vector2d& corner : board.corners[0]) corners.emplace_back(corner.x(), corner.y());
+  return corners;
+}
+
 /// Share of the board whose pixels a table for `compete` would supervise.
 double staying_in_rows(const CameraPair& cameras, const Board& board) {
   const ViewLimits view = view_limits(find_profile(kProfile), Decision::compete);
@@ -137,9 +145,7 @@ double staying_in_rows(const CameraPair& cameras, const Board& board) {
           static_cast<std::uint8_t>(stays ? State::clear : State::unsupervised);
     }
   }
-  std::vector<cv::Point2d> corners;
-  for (const Vector2d& corner : board.corners[0]) corners.emplace_back(corner.x(), corner.y());
-  return count_board(corners, states).decidable_share();
+  return count_board(left_corners(board), states).decidable_share();
 }
 
 /// Every pixel, whatever the rule: the images are not rectified, and that shows what the rule makes of it.
@@ -186,147 +192,204 @@ std::optional<ChosenThickness> thickness_of(const std::vector<BoardPlane>& plane
   return ChosenThickness{middle->tolerance_px, across_mm};
 }
 
-}  // namespace
-
-nlohmann::json study_board(OutputDirectory& directory, const StudyScope& scope) {
-  const auto spec = calib::TargetSpec::parse("chessboard:9x6:30mm");
-  std::vector<Board> boards = load_boards(scope, spec);
-  if (scope.quick) boards.resize(5);
-  nlohmann::json result{{"pairs", boards.size()}, {"target", spec.text()}, {"findings", nlohmann::json::array()}};
-
-  // Corners through the map.
-  Csv corners_csv({"terms", "pair", "rms_px", "largest_px"});
+/// The board of each pair as a skin, by the rig of the others; corners of the left image through its map, by lens
+/// terms. The planes are those of the first terms.
+std::vector<BoardPlane> carry_corners(StudyReport& report, const std::vector<Board>& boards,
+                                      const calib::TargetSpec& spec) {
+  Csv csv({"terms", "pair", "rms_px", "largest_px"});
   std::vector<BoardPlane> planes;
-  Progress calibrating("calibrating without one pair");
-  for (std::size_t terms = 0; terms < kTerms.size(); ++terms) {
+  Progress progress("calibrating without one pair");
+  std::size_t step = 0;
+  for (const char* terms : kTerms) {
     double square_sum = 0;
     std::size_t count = 0;
     for (std::size_t i = 0; i < boards.size(); ++i) {
-      calibrating.show(terms * boards.size() + i, kTerms.size() * boards.size());
-      const BoardPlane plane = plane_of(calibrate_without(boards, i, spec, kTerms[terms]), boards[i], spec);
-      if (terms == 0) planes.push_back(plane);
+      progress.show(step++, kTerms.size() * boards.size());
+      const auto& [left, right] = boards[i].corners;
+      const BoardPlane plane = plane_of(calibrate_without(boards, i, spec, terms), boards[i], spec);
+      if (terms == kTerms[0]) planes.push_back(plane);
       const CompiledMap map = table_of(plane.moved(0), boards[i]);
       double sum = 0;
       double largest = 0;
-      for (std::size_t c = 0; c < boards[i].corners[0].size(); ++c) {
-        const double error = (carried(map.table, boards[i].corners[0][c]) - boards[i].corners[1][c]).norm();
+      for (std::size_t c = 0; c < left.size(); ++c) {
+        const double error = (carried(map.table, left[c]) - right[c]).norm();
         sum += error * error;
         largest = std::max(largest, error);
       }
-      corners_csv << kTerms[terms] << boards[i].name
-                  << std::sqrt(sum / static_cast<double>(boards[i].corners[0].size())) << largest;
-      corners_csv.end_row();
+      csv.row(terms, boards[i].name, std::sqrt(sum / static_cast<double>(left.size())), largest);
       square_sum += sum;
-      count += boards[i].corners[0].size();
+      count += left.size();
     }
     const double rms_px = std::sqrt(square_sum / static_cast<double>(count));
-    result["corners_rms_px"][kTerms[terms]] = rms_px;
-    result["findings"].push_back(
-        fmt::format("left corners through the map land {:.3f} px RMS from the right ones, lens terms {}, {} corners, "
-                    "leave one out",
-                    rms_px, kTerms[terms], count));
+    report.result["corners_rms_px"][terms] = rms_px;
+    report.finding(
+        "left corners through the map land {:.3f} px RMS from the right ones, lens terms {}, {} corners, leave one out",
+        rms_px, terms, count);
   }
-  calibrating.clear();
-  directory.write("corners.csv", corners_csv.text());
+  progress.clear();
+  report.table("corners.csv", csv);
+  return planes;
+}
 
-  // The machine.
-  const std::vector<double> shifts_mm =
-      scope.quick ? std::vector<double>{0, -50, 50} : std::vector<double>{-100, -50, -20, -10, 0, 10, 20, 50, 100};
-  const MachineProfile& profile = find_profile(kProfile);
-  std::vector<std::vector<CompiledMap>> maps;  // by shift and board
-  int lookahead = 0;
-  Progress compiling("tables for displacement");
-  for (const double shift_mm : shifts_mm) {
-    compiling.show(maps.size(), shifts_mm.size());
-    auto& row = maps.emplace_back();
-    for (std::size_t i = 0; i < boards.size(); ++i) {
-      row.push_back(table_of(planes[i].moved(shift_mm), boards[i]));
-      lookahead = std::max(lookahead, row.back().report.lookahead);
-    }
-  }
-  compiling.clear();
+/// The rule as asked for, and what there is to say of it.
+Settings settings_of(StudyReport& report, const StudyScope& scope, const std::vector<BoardPlane>& planes,
+                     const std::vector<Board>& boards) {
   Settings settings;
   settings.decision = scope.decision;
-  if (const auto chosen = thickness_of(planes, boards[0], scope.thickness, profile, settings)) {
-    result.update(chosen->json());
-    result["findings"].push_back(chosen->text(settings));
+  if (const auto chosen = thickness_of(planes, boards[0], scope.thickness, find_profile(kProfile), settings)) {
+    report.result.update(chosen->json());
+    report.finding("{}", chosen->text(settings));
   }
   if (settings.decision == Decision::compete) {
     double staying = 0;
     for (std::size_t i = 0; i < boards.size(); ++i) staying += staying_in_rows(planes[i].cameras, boards[i]);
     staying /= static_cast<double>(boards.size());
-    result["staying_in_rows"] = staying;
-    result["findings"].push_back(
-        fmt::format("a table made with --decision compete would supervise {:.3f} of the board: elsewhere epipolar "
-                    "lines, bent by the lenses, leave the row by more than {} px; these tables supervise all of it",
-                    staying, kLargestRowError));
+    report.result["staying_in_rows"] = staying;
+    report.finding(
+        "a table made with --decision compete would supervise {:.3f} of the board: elsewhere epipolar lines, bent by "
+        "the lenses, leave the row by more than {} px; these tables supervise all of it",
+        staying, kLargestRowError);
   }
-  std::vector<std::unique_ptr<Monitor>> monitors;
-  for (const std::string& engine : scope.engines) {
-    monitors.push_back(std::make_unique<Monitor>(make_device(engine, profile), profile, settings));
-    monitors.back()->start(boards[0].left.width, boards[0].left.height, lookahead);
-  }
-  Csv csv({"shift_mm", "pair", "decidable", "in_skin", "skin_of_all", "alarm"});
-  Panel panel{"the board's share in the skin", "displacement along the normal [mm]", "of the decidable pixels", {}};
-  panel.curves = {
-      {"mean", {}}, {"least", {}}, {"most", {}}, {"decidable, of all (mean)", {}}, {"in the skin, of all (mean)", {}}};
-  int frames = 0;
-  int different = 0;
-  Progress running("frame");
-  for (std::size_t s = 0; s < shifts_mm.size(); ++s) {
-    std::array<double, 5> sums{0, 1, 0, 0, 0};
-    int alarms = 0;
-    for (std::size_t i = 0; i < boards.size(); ++i) {
-      running.show(static_cast<std::size_t>(frames), shifts_mm.size() * boards.size());
-      const int slot = frames++ % kSlots;
-      std::vector<FrameResult> results;
-      for (const auto& monitor : monitors) {
-        monitor->upload(slot, maps[s][i].table);
-        monitor->select(slot);
-        results.push_back(monitor->process(boards[i].left, boards[i].right));
-        const FrameResult& a = results.front();
-        const FrameResult& b = results.back();
-        different += a.states == b.states && a.alarm == b.alarm && a.table_crc == b.table_crc ? 0 : 1;
-      }
-      std::vector<cv::Point2d> corners;
-      for (const Vector2d& corner : boards[i].corners[0]) corners.emplace_back(corner.x(), corner.y());
-      const BoardPixels pixels = count_board(corners, results.front().states);
-      const double in_skin = pixels.skin_share();
-      csv << shifts_mm[s] << boards[i].name << pixels.decidable_share() << in_skin << pixels.skin_of_all()
-          << (results.front().alarm ? 1.0 : 0.0);
-      csv.end_row();
-      sums[0] += in_skin / static_cast<double>(boards.size());
-      sums[1] = std::min(sums[1], in_skin);
-      sums[2] = std::max(sums[2], in_skin);
-      sums[3] += pixels.decidable_share() / static_cast<double>(boards.size());
-      sums[4] += pixels.skin_of_all() / static_cast<double>(boards.size());
-      alarms += results.front().alarm ? 1 : 0;
-    }
-    for (std::size_t k = 0; k < sums.size(); ++k) panel.curves[k].points.emplace_back(shifts_mm[s], sums[k]);
-    result["shares"].push_back({{"shift_mm", shifts_mm[s]},
-                                {"decidable", sums[3]},
-                                {"in_skin", sums[0]},
-                                {"least", sums[1]},
-                                {"most", sums[2]},
-                                {"skin_of_all", sums[4]},
-                                {"alarms", alarms}});
-    result["findings"].push_back(
-        fmt::format("skin displaced by {:+4.0f} mm: {:.3f} of the board decidable; of that {:.3f} in the skin ({:.3f} "
-                    "to {:.3f}), {:.3f} of all; alarms {}/{}",
-                    shifts_mm[s], sums[3], sums[0], sums[1], sums[2], sums[4], alarms, boards.size()));
-  }
-  running.clear();
-  directory.write("displacement.csv", csv.text());
-  directory.write("displacement.svg", plot_svg("Skins through a real chessboard, displaced", {panel}, 1));
-  result["decision"] = name_of(scope.decision);
-  result["engines"] = scope.engines;
-  result["frames"] = frames;
-  result["frames_different"] = different;
-  if (monitors.size() > 1) {
-    result["findings"].push_back(different == 0 ? fmt::format("native and rtl: all {} frames identical", frames)
-                                                : fmt::format("{} of {} frames DIFFER", different, frames));
+  return settings;
+}
+
+/// The table of every board at one displacement.
+using Maps = std::vector<CompiledMap>;
+
+std::vector<Maps> compile(const std::vector<double>& shifts_mm, const std::vector<BoardPlane>& planes,
+                          const std::vector<Board>& boards) {
+  std::vector<Maps> result;
+  Progress progress("tables for displacement");
+  for (const double shift_mm : shifts_mm) {
+    progress.show(result.size(), shifts_mm.size());
+    Maps& maps = result.emplace_back();
+    for (std::size_t i = 0; i < boards.size(); ++i) maps.push_back(table_of(planes[i].moved(shift_mm), boards[i]));
   }
   return result;
+}
+
+/// The engines, which must see the same.
+class Machines {
+ public:
+  Machines(const std::vector<std::string>& engines, const Settings& settings, const Board& board, int lookahead) {
+    for (const std::string& engine : engines) {
+      const MachineProfile& profile = find_profile(kProfile);
+      monitors_.push_back(std::make_unique<Monitor>(make_device(engine, profile), profile, settings));
+      monitors_.back()->start(board.left.width, board.left.height, lookahead);
+    }
+  }
+
+  /// What the first engine sees.
+  FrameResult process(const Board& board, const CompiledMap& map) {
+    const int slot = frames_++ % kSlots;
+    std::vector<FrameResult> results;
+    for (const auto& monitor : monitors_) {
+      monitor->upload(slot, map.table);
+      monitor->select(slot);
+      results.push_back(monitor->process(board.left, board.right));
+      const FrameResult& a = results.front();
+      const FrameResult& b = results.back();
+      different_ += a.states == b.states && a.alarm == b.alarm && a.table_crc == b.table_crc ? 0 : 1;
+    }
+    return std::move(results.front());
+  }
+
+  int frames() const { return frames_; }
+  int different() const { return different_; }
+
+ private:
+  std::vector<std::unique_ptr<Monitor>> monitors_;
+  int frames_ = 0;
+  int different_ = 0;
+};
+
+/// Of all boards at one displacement: means, and the least and most of `in_skin`.
+struct Shares {
+  double in_skin = 0, least = 1, most = 0, decidable = 0, skin_of_all = 0;
+  int alarms = 0;
+};
+
+Shares shares_at(double shift_mm, const std::vector<Board>& boards, const Maps& maps, Machines& machines, Csv& csv) {
+  Shares result;
+  const double n = static_cast<double>(boards.size());
+  for (std::size_t i = 0; i < boards.size(); ++i) {
+    const FrameResult frame = machines.process(boards[i], maps[i]);
+    const BoardPixels pixels = count_board(left_corners(boards[i]), frame.states);
+    csv.row(shift_mm, boards[i].name, pixels.decidable_share(), pixels.skin_share(), pixels.skin_of_all(),
+            frame.alarm ? 1 : 0);
+    result.in_skin += pixels.skin_share() / n;
+    result.least = std::min(result.least, pixels.skin_share());
+    result.most = std::max(result.most, pixels.skin_share());
+    result.decidable += pixels.decidable_share() / n;
+    result.skin_of_all += pixels.skin_of_all() / n;
+    result.alarms += frame.alarm ? 1 : 0;
+  }
+  return result;
+}
+
+void displace(StudyReport& report, const std::vector<double>& shifts_mm, const std::vector<Board>& boards,
+              const std::vector<Maps>& maps, Machines& machines) {
+  Csv csv({"shift_mm", "pair", "decidable", "in_skin", "skin_of_all", "alarm"});
+  const auto panel = [](const char* title, const char* y_label) {
+    return Panel{title, "displacement along the normal, mm", y_label, {}};
+  };
+  Panel decidable = panel("In the skin, of what is decidable", "share of the board's decidable pixels");
+  Panel all = panel("Of the whole board", "share of the board's pixels");
+  decidable.curves = {{"mean", {}}, {"least", {}}, {"most", {}}};
+  all.curves = {{"decidable (mean)", {}}, {"in the skin (mean)", {}}};
+  Progress progress("displacement");
+  for (std::size_t s = 0; s < shifts_mm.size(); ++s) {
+    progress.show(s, shifts_mm.size());
+    const Shares shares = shares_at(shifts_mm[s], boards, maps[s], machines, csv);
+    decidable.curves[0].points.emplace_back(shifts_mm[s], shares.in_skin);
+    decidable.curves[1].points.emplace_back(shifts_mm[s], shares.least);
+    decidable.curves[2].points.emplace_back(shifts_mm[s], shares.most);
+    all.curves[0].points.emplace_back(shifts_mm[s], shares.decidable);
+    all.curves[1].points.emplace_back(shifts_mm[s], shares.skin_of_all);
+    report.result["shares"].push_back({{"shift_mm", shifts_mm[s]},
+                                       {"decidable", shares.decidable},
+                                       {"in_skin", shares.in_skin},
+                                       {"least", shares.least},
+                                       {"most", shares.most},
+                                       {"skin_of_all", shares.skin_of_all},
+                                       {"alarms", shares.alarms}});
+    report.finding(
+        "skin displaced by {:+4.0f} mm: {:.3f} of the board decidable; of that {:.3f} in the skin ({:.3f} to {:.3f}), "
+        "{:.3f} of all; alarms {}/{}",
+        shifts_mm[s], shares.decidable, shares.in_skin, shares.least, shares.most, shares.skin_of_all, shares.alarms,
+        boards.size());
+  }
+  progress.clear();
+  report.table("displacement.csv", csv);
+  report.plot("displacement.svg", "Skins through a real chessboard, displaced", {decidable, all}, 2);
+}
+
+}  // namespace
+
+void study_board(StudyReport& report, const StudyScope& scope) {
+  const auto spec = calib::TargetSpec::parse("chessboard:9x6:30mm");
+  std::vector<Board> boards = load_boards(scope, spec);
+  if (scope.quick) boards.resize(5);
+  const std::vector<BoardPlane> planes = carry_corners(report, boards, spec);
+  const std::vector<double> shifts_mm =
+      scope.quick ? std::vector<double>{0, -50, 50} : std::vector<double>{-100, -50, -20, -10, 0, 10, 20, 50, 100};
+  const std::vector<Maps> maps = compile(shifts_mm, planes, boards);
+  int lookahead = 0;
+  for (const Maps& of_shift : maps)
+    for (const CompiledMap& map : of_shift) lookahead = std::max(lookahead, map.report.lookahead);
+  Machines machines(scope.engines, settings_of(report, scope, planes, boards), boards[0], lookahead);
+  displace(report, shifts_mm, boards, maps, machines);
+  report.result["pairs"] = boards.size();
+  report.result["target"] = spec.text();
+  report.result["decision"] = name_of(scope.decision);
+  report.result["engines"] = scope.engines;
+  report.result["frames"] = machines.frames();
+  report.result["frames_different"] = machines.different();
+  if (scope.engines.size() > 1) {
+    report.finding("{}", machines.different() == 0
+                             ? fmt::format("native and rtl: all {} frames identical", machines.frames())
+                             : fmt::format("{} of {} frames DIFFER", machines.different(), machines.frames()));
+  }
 }
 
 }  // namespace horopter::cli

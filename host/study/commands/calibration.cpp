@@ -9,11 +9,9 @@
 #include <cmath>
 
 #include "cli/progress.hpp"
-#include "horopter/base/csv.hpp"
 #include "horopter/calib/points.hpp"
 #include "horopter/calib/random.hpp"
 #include "horopter/calib/render.hpp"
-#include "horopter/draw/plot.hpp"
 #include "study.hpp"
 
 namespace horopter::cli {
@@ -130,7 +128,8 @@ Parameters difference(const Camera& found, const RenderCamera& truth) {
   return result;
 }
 
-nlohmann::json cramer_rao(OutputDirectory& directory, const StudyScope& scope, Progress& progress) {
+nlohmann::json cramer_rao(StudyReport& report, const StudyScope& scope) {
+  Progress progress("calibration study: run");
   const int runs = scope.quick ? 50 : 200;
   constexpr double noise_px = 0.05;
   const RenderCamera camera = true_camera();
@@ -167,124 +166,146 @@ nlohmann::json cramer_rao(OutputDirectory& directory, const StudyScope& scope, P
   for (int k = 0; k < parameter_count; ++k) {
     const double limit = std::sqrt(bound(k, k));
     const double found = std::sqrt(covariance(k, k));
-    csv << std::string(parameter_names[k]) << limit << found << found / limit << bias[k];
-    csv.end_row();
+    csv.row(parameter_names[k], limit, found, found / limit, bias[k]);
     parameters.push_back({{"name", parameter_names[k]}, {"bound_sd", limit}, {"found_sd", found}});
   }
-  directory.write("cramer-rao.csv", csv.text());
+  report.table("cramer-rao.csv", csv);
   return {{"corner_noise_px", noise_px}, {"runs", runs}, {"ratio", ratio}, {"parameters", parameters}};
+}
+
+// ---------------------------------------------------------------- Tables 6.3, 6.4
+
+/// The photographs of one print: of the target at each height, and where its points truly are.
+struct Photographs {
+  std::string print, name;
+  RenderTarget target;
+  std::array<cv::Mat, heights_mm.size()> pictures;
+  std::array<std::vector<Vector3d>, heights_mm.size()> world;
+};
+
+/// `number` counts all images, each with noise of its own.
+Photographs photograph(TargetKind kind, bool perfect, std::uint64_t seed, std::size_t& number, Progress& progress) {
+  Photographs result{perfect ? "perfect" : "errors", kind == TargetKind::squares ? "squares" : "diamonds", {}, {}, {}};
+  RenderTarget& target = result.target;
+  target.spec = thesis_target(kind);
+  target.bright = true;
+  target.hole = true;
+  if (!perfect) target.print_error_mm = print_errors(target.spec.points_mm().size(), seed * 77 + 5);
+  for (std::size_t h = 0; h < heights_mm.size(); ++h) {
+    progress.show(++number, 4 * heights_mm.size());
+    target.z_mm = -heights_mm[h];
+    Imaging imaging;
+    // The middle plane a little out of focus, the others a little more (6.8.1).
+    imaging.blur_px = h == 1 ? 0.7 : 0.9;
+    imaging.noise = 1;
+    imaging.quantise = true;
+    result.pictures[h] = to_mat(render_target(true_camera(), target, imaging, seed * 100 + number, 4));
+    result.world[h] = target.world_mm();
+  }
+  return result;
+}
+
+Image to_image(const cv::Mat& grey) {
+  Image image(grey.cols, grey.rows);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = grey.data[i];
+  return image;
+}
+
+/// Points of each plane, as a method finds them.
+using PairsOfPlanes = std::array<std::vector<PointPair>, heights_mm.size()>;
+
+PairsOfPlanes localise(const Photographs& photographs, const Method& method, Csv& csv) {
+  const RenderCamera camera = true_camera();
+  PairsOfPlanes pairs;
+  for (std::size_t h = 0; h < heights_mm.size(); ++h) {
+    const TargetView view = detect_target(photographs.pictures[h], photographs.target.spec, method.options);
+    const std::vector<Vector3d>& world = photographs.world[h];
+    double squares = 0;
+    double largest = 0;
+    Vector2d bias(0, 0);
+    for (std::size_t i = 0; i < world.size(); ++i) {
+      pairs[h].push_back({world[i], view.image_px[i]});
+      const Vector2d error = view.image_px[i] - camera.project(world[i]);
+      squares += error.squaredNorm() / world.size();
+      largest = std::max(largest, error.norm());
+      bias += error / world.size();
+    }
+    csv.row(photographs.print, photographs.name, method.name, heights_mm[h], std::sqrt(squares), largest, bias.x(),
+            bias.y());
+  }
+  return pairs;
+}
+
+/// Calibrated on the planes that are not tested; the last time on all, which are all tested.
+constexpr std::array tested_planes{"lowest", "middle", "highest", "all"};
+
+PointErrors errors_of(const PairsOfPlanes& pairs, std::size_t tested) {
+  const bool all = tested == heights_mm.size();
+  std::vector<PointPair> fit;
+  std::vector<PointPair> check;
+  for (std::size_t h = 0; h < heights_mm.size(); ++h) {
+    if (all || h != tested) fit.insert(fit.end(), pairs[h].begin(), pairs[h].end());
+    if (all || h == tested) check.insert(check.end(), pairs[h].begin(), pairs[h].end());
+  }
+  return evaluate(calibrate_points(fit, data_sheet(), PointMethod::full).camera, check);
+}
+
+void calibration_errors(StudyReport& report, const StudyScope& scope) {
+  Csv corners({"print", "target", "method", "height_mm", "rms_px", "max_px", "bias_x_px", "bias_y_px"});
+  Csv csv({"print", "target", "method", "test_plane", "nce", "nce_thesis", "mean_px", "sd_px", "max_px", "count"});
+  std::vector<Panel> panels;
+  Progress progress("calibration study: image");
+  std::size_t images = 0;
+  for (const bool perfect : {true, false})
+    for (const TargetKind kind : {TargetKind::squares, TargetKind::diamonds}) {
+      const Photographs photographs = photograph(kind, perfect, scope.seed, images, progress);
+      const auto& [print, name, target, pictures, world] = photographs;
+      for (std::size_t h = 0; perfect && h < pictures.size(); ++h)
+        report.file(fmt::format("{}-{:.0f}mm.png", name, heights_mm[h]), encode_png(to_image(pictures[h])));
+      nlohmann::json& nce = report.result["nce_thesis"][print][name];
+      Panel panel{fmt::format("{}, print {}", name, perfect ? "perfect" : "with errors"),
+                  "height of the test plane, mm",
+                  "NCE (r_sp = 0.2)",
+                  {}};
+      for (const Method& method : methods(scope.quick)) {
+        const PairsOfPlanes pairs = localise(photographs, method, corners);
+        Curve& curve = panel.curves.emplace_back(Curve{method.name, {}});
+        for (std::size_t tested = 0; tested < tested_planes.size(); ++tested) {
+          const PointErrors errors = errors_of(pairs, tested);
+          const char* plane = tested_planes[tested];
+          csv.row(print, name, method.name, plane, errors.nce, errors.nce_thesis, errors.mean_px, errors.sd_px,
+                  errors.max_px, errors.count);
+          nce[method.name][plane] = errors.nce_thesis;
+          report.result["image_error_px"][print][name][method.name][plane] = {
+              {"mean", errors.mean_px}, {"sd", errors.sd_px}, {"max", errors.max_px}};
+          if (tested < heights_mm.size()) curve.points.emplace_back(heights_mm[tested], errors.nce_thesis);
+        }
+      }
+      panels.push_back(std::move(panel));
+      report.finding("{}, {}: NCE (r_sp = 0.2) over all planes: Zernike 13x13 {:.2f}, horopter {:.2f}{}", name,
+                     perfect ? "perfect print" : "print errors of 0.045 mm", nce["zernike-13"]["all"].get<double>(),
+                     nce["horopter"]["all"].get<double>(),
+                     perfect                       ? ""
+                     : kind == TargetKind::squares ? " (thesis: 1.16)"
+                                                   : " (thesis: 0.98)");
+    }
+  report.table("corners.csv", corners);
+  report.table("nce.csv", csv);
+  report.plot("nce.svg", "Table 6.3: normalised calibration error on a plane, calibrated on the two others", panels, 2);
 }
 
 }  // namespace
 
-nlohmann::json study_calibration(OutputDirectory& directory, const StudyScope& scope) {
-  const std::uint64_t seed = scope.seed;
-  nlohmann::json summary;
-  summary["study"] = "calibration";
-  summary["heights_mm"] = heights_mm;
-  summary["print_error_mm"] = print_error_mm;
-  summary["findings"] = nlohmann::json::array();
-  const RenderCamera camera = true_camera();
-  Csv corners_csv({"print", "target", "method", "height_mm", "rms_px", "max_px", "bias_x_px", "bias_y_px"});
-  Csv csv({"print", "target", "method", "test_plane", "nce", "nce_thesis", "mean_px", "sd_px", "max_px", "count"});
-  std::vector<Panel> panels;
-
-  Progress images("calibration study: image");
-  std::size_t image_count = 0;
-  for (const bool perfect : {true, false})
-    for (const TargetKind kind : {TargetKind::squares, TargetKind::diamonds}) {
-      const std::string print = perfect ? "perfect" : "errors";
-      const std::string target_name = kind == TargetKind::squares ? "squares" : "diamonds";
-      RenderTarget target;
-      target.spec = thesis_target(kind);
-      target.bright = true;
-      target.hole = true;
-      if (!perfect) target.print_error_mm = print_errors(target.spec.points_mm().size(), seed * 77 + 5);
-      std::array<cv::Mat, 3> pictures;
-      std::array<std::vector<Vector3d>, 3> world;
-      for (int h = 0; h < 3; ++h) {
-        images.show(++image_count, 12);
-        target.z_mm = -heights_mm[h];
-        Imaging imaging;
-        // The middle plane a little out of focus, the others a little more (6.8.1).
-        imaging.blur_px = h == 1 ? 0.7 : 0.9;
-        imaging.noise = 1;
-        imaging.quantise = true;
-        const GreyImage image = render_target(camera, target, imaging, seed * 100 + image_count, 4);
-        pictures[h] = to_mat(image);
-        world[h] = target.world_mm();
-        if (perfect) {
-          Image picture(image.width, image.height);
-          for (std::size_t i = 0; i < picture.pixels.size(); ++i) picture.pixels[i] = pictures[h].data[i];
-          directory.write(fmt::format("{}-{:.0f}mm.png", target_name, heights_mm[h]), encode_png(picture));
-        }
-      }
-      Panel panel{target_name + ", print " + (perfect ? "perfect" : "with errors"),
-                  "test plane: 0, 50, 100 mm; 150: all",
-                  "NCE (r_sp = 0.2)",
-                  {},
-                  false};
-      for (const Method& method : methods(scope.quick)) {
-        std::array<std::vector<PointPair>, 3> pairs;
-        for (int h = 0; h < 3; ++h) {
-          const TargetView view = detect_target(pictures[h], target.spec, method.options);
-          double squares = 0;
-          double largest = 0;
-          Vector2d bias(0, 0);
-          for (std::size_t i = 0; i < world[h].size(); ++i) {
-            pairs[h].push_back({world[h][i], view.image_px[i]});
-            const Vector2d error = view.image_px[i] - camera.project(world[h][i]);
-            squares += error.squaredNorm() / world[h].size();
-            largest = std::max(largest, error.norm());
-            bias += error / world[h].size();
-          }
-          corners_csv << print << target_name << method.name << heights_mm[h] << std::sqrt(squares) << largest
-                      << bias.x() << bias.y();
-          corners_csv.end_row();
-        }
-        Curve curve{method.name, {}};
-        for (int test = 0; test < 4; ++test) {
-          std::vector<PointPair> fit;
-          std::vector<PointPair> check;
-          for (int h = 0; h < 3; ++h) {
-            if (test == 3 || h != test) fit.insert(fit.end(), pairs[h].begin(), pairs[h].end());
-            if (test == 3 || h == test) check.insert(check.end(), pairs[h].begin(), pairs[h].end());
-          }
-          const PointCalibration result = calibrate_points(fit, data_sheet(), PointMethod::full);
-          const PointErrors errors = evaluate(result.camera, check);
-          const std::string plane = std::array{"lowest", "middle", "highest", "all"}[test];
-          csv << print << target_name << method.name << plane << errors.nce << errors.nce_thesis << errors.mean_px
-              << errors.sd_px << errors.max_px << static_cast<double>(errors.count);
-          csv.end_row();
-          curve.points.emplace_back(50.0 * test, errors.nce_thesis);
-          summary["nce_thesis"][print][target_name][method.name][plane] = errors.nce_thesis;
-          summary["image_error_px"][print][target_name][method.name][plane] = {
-              {"mean", errors.mean_px}, {"sd", errors.sd_px}, {"max", errors.max_px}};
-        }
-        panel.curves.push_back(std::move(curve));
-      }
-      panels.push_back(std::move(panel));
-      const auto& all = summary["nce_thesis"][print][target_name];
-      summary["findings"].push_back(
-          fmt::format("{}, {}: NCE (r_sp = 0.2) over all planes: Zernike 13x13 {:.2f}, horopter {:.2f}{}", target_name,
-                      perfect ? "perfect print" : "print errors of 0.045 mm", all["zernike-13"]["all"].get<double>(),
-                      all["horopter"]["all"].get<double>(),
-                      perfect                       ? ""
-                      : kind == TargetKind::squares ? " (thesis: 1.16)"
-                                                    : " (thesis: 0.98)"));
-    }
-  images.clear();
-  directory.write("corners.csv", corners_csv.text());
-  directory.write("nce.csv", csv.text());
-  directory.write("nce.svg", plot_svg("Normalised calibration error (Table 6.3)", panels, 2));
-
-  Progress runs("calibration study: run");
-  summary["cramer_rao"] = cramer_rao(directory, scope, runs);
-  summary["findings"].push_back(
-      fmt::format("Optimiser: deviation of the parameters {:.3f} of the Cramer-Rao bound ({} runs, corner noise {} px)",
-                  summary["cramer_rao"]["ratio"].get<double>(), summary["cramer_rao"]["runs"].get<int>(),
-                  summary["cramer_rao"]["corner_noise_px"].get<double>()));
-  return summary;
+void study_calibration(StudyReport& report, const StudyScope& scope) {
+  nlohmann::json& result = report.result;
+  result["study"] = "calibration";
+  result["heights_mm"] = heights_mm;
+  result["print_error_mm"] = print_error_mm;
+  calibration_errors(report, scope);
+  const nlohmann::json bound = cramer_rao(report, scope);
+  result["cramer_rao"] = bound;
+  report.finding("Optimiser: deviation of the parameters {:.3f} of the Cramer-Rao bound ({} runs, corner noise {} px)",
+                 bound["ratio"].get<double>(), bound["runs"].get<int>(), bound["corner_noise_px"].get<double>());
 }
 
 }  // namespace horopter::cli

@@ -2,12 +2,8 @@
 // Thesis 10.1, Table 10.1: the computing power that each step takes, counted operation by operation.
 #include <fmt/format.h>
 
-#include <cmath>
-#include <string>
 #include <vector>
 
-#include "horopter/base/csv.hpp"
-#include "statements.hpp"
 #include "study.hpp"
 
 namespace horopter::cli {
@@ -76,49 +72,48 @@ double millions(const std::vector<double>& counts) {
   return sum * kImagesPerSecond * 1e-6;
 }
 
+/// Millions a second.
+struct Total {
+  double memory = 0, printed_memory = 0, operations = 0, printed_operations = 0;
+};
+
+Total of(const Step& step) {
+  return {millions(step.memory), step.printed_mmas, millions(step.operations), millions({step.printed_operations})};
+}
+
 }  // namespace
 
-nlohmann::json study_computation(OutputDirectory& directory, const StudyScope& /*scope*/) {
+void study_computation(StudyReport& report, const StudyScope& /*scope*/) {
   Csv table({"step", "section", "memory_accesses_million_per_s", "printed_memory_accesses", "operations_million_per_s",
              "operations_by_the_printed_formula"});
-  nlohmann::json result;
-  double memory = 0;
-  double printed_memory = 0;
-  double operations = 0;
-  double printed_operations = 0;
-  const auto row = [&](const std::string& name, const std::string& section, double mmas, double printed, double mops,
-                       double formula) {
-    table << name << section << mmas << printed << mops << formula;
-    table.end_row();
-    result["steps"][name] = {{"memory_accesses_million_per_s", mmas},
-                             {"printed_memory_accesses", printed},
-                             {"operations_million_per_s", mops},
-                             {"operations_by_the_printed_formula", formula}};
+  const auto row = [&](const char* name, const char* section, const Total& one) {
+    table.row(name, section, one.memory, one.printed_memory, one.operations, one.printed_operations);
+    report.result["steps"][name] = {{"memory_accesses_million_per_s", one.memory},
+                                    {"printed_memory_accesses", one.printed_memory},
+                                    {"operations_million_per_s", one.operations},
+                                    {"operations_by_the_printed_formula", one.printed_operations}};
   };
+  Total total;
   for (const Step& step : steps()) {
-    const double mmas = millions(step.memory);
-    const double mops = millions(step.operations);
-    const double formula = millions({step.printed_operations});
-    row(step.name, step.section, mmas, step.printed_mmas, mops, formula);
-    memory += mmas;
-    printed_memory += step.printed_mmas;
-    operations += mops;
-    printed_operations += formula;
+    const Total one = of(step);
+    row(step.name, step.section, one);
+    total.memory += one.memory;
+    total.printed_memory += one.printed_memory;
+    total.operations += one.operations;
+    total.printed_operations += one.printed_operations;
   }
-  row("Total", "10.1", memory, printed_memory, operations, printed_operations);
-  directory.write("table-10-1.csv", table.text());
-  Statements statements;
-  statements.add("10.1", "The algorithm takes 195 million memory accesses a second at 756×286 and 50 images.",
-                 fmt::format("{:.0f} million, counted as the sections list them", memory),
-                 verdict(std::abs(memory / 195 - 1) < 0.02, std::abs(memory / 195 - 1) < 0.1),
-                 "Within 2 %; partly: 10 %");
-  result["statements"] = statements.json();
-  result["findings"] = std::vector<std::string>{
-      fmt::format("Counted as 10.1 lists them: {:.0f} million memory accesses a second (Table 10.1: {:.0f}) and {:.0f} "
-                  "million operations; by the formulas of the table, which has 16xy instead of 14xy for the "
-                  "transformation, {:.0f}",
-                  memory, printed_memory, operations, printed_operations)};
-  return result;
+  row("Total", "10.1", total);
+  report.table("table-10-1.csv", table);
+  using namespace measured;
+  report.state("10.1", {{"The algorithm takes 195 million memory accesses a second at 756×286 and 50 images.",
+                         {total.memory},
+                         "{:.0f} million, counted as the sections list them",
+                         "Within 2 %; partly: 10 %",
+                         {near(first, 195, 0.02 * 195), near(first, 195, 0.1 * 195)}}});
+  report.finding(
+      "Counted as 10.1 lists them: {:.0f} million memory accesses a second (Table 10.1: {:.0f}) and {:.0f} million "
+      "operations; by the formulas of the table, which has 16xy instead of 14xy for the transformation, {:.0f}",
+      total.memory, total.printed_memory, total.operations, total.printed_operations);
 }
 
 }  // namespace horopter::cli

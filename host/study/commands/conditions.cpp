@@ -11,6 +11,7 @@
 #include <sstream>
 #include <utility>
 
+#include "cli/progress.hpp"
 #include "horopter/base/error.hpp"
 #include "horopter/base/file.hpp"
 
@@ -43,6 +44,12 @@ std::vector<double> chapter8_disparities(const StudyScope& scope) {
   const int steps = scope.quick ? 14 : 70;
   for (int i = 0; i <= steps; ++i) result.push_back(2.8 * i / steps);
   return result;
+}
+
+std::vector<study::Detection> detect(const char* what, const study::ImageSeries& series,
+                                     const std::vector<study::Setting>& settings) {
+  Progress progress(what);
+  return study::detect(series, settings, [&](std::size_t done) { progress.show(done, series.disparities_px.size()); });
 }
 
 study::ImageSeries load_series(const std::string& path) {

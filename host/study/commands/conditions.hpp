@@ -18,6 +18,10 @@ study::Conditions chapter8_conditions(const StudyScope& scope);
 /// 0 … 2.8 px in steps of 0.04 px as in 8.4.1, of 0.2 px when quick.
 std::vector<double> chapter8_disparities(const StudyScope& scope);
 
+/// study::detect with a line of progress that counts `what`.
+std::vector<study::Detection> detect(const char* what, const study::ImageSeries& series,
+                                     const std::vector<study::Setting>& settings);
+
 /// A user's own images: a CSV file with the header `file,disparity_px`, files relative to it. The first row is the
 /// reference, its disparity 0; the others ascend from 0 or more. Throws FileError.
 study::ImageSeries load_series(const std::string& path);

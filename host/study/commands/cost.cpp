@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
 #include <string>
+#include <string_view>
+#include <vector>
 
-#include "horopter/base/csv.hpp"
-#include "statements.hpp"
 #include "study.hpp"
 
 namespace horopter::cli {
@@ -22,7 +21,7 @@ constexpr double kDivision = 6;    ///< as the thesis counts it
 
 /// What one pixel needs. An operation is an addition, a multiplication, or both in one (MAC), as in 8.6.
 struct Count {
-  const char* name;
+  std::string_view name;
   double thesis_mega;  ///< of Table 8.5, 0: not there
   int sums;            ///< windows summed up
   double per_pixel;    ///< products, differences, and what follows the sums
@@ -55,53 +54,51 @@ double operations(const Count& count) {
 /// Every window summed up anew.
 double direct(const Count& count) { return (count.sums + count.per_window) * kWindow + count.per_pixel; }
 
+double mega(std::string_view name) {
+  return operations(*std::ranges::find(counts, name, &Count::name)) * kPixels / 1e6;
+}
+double direct_mega(std::string_view name) {
+  return direct(*std::ranges::find(counts, name, &Count::name)) * kPixels / 1e6;
+}
+
+std::vector<Statement> statements() {
+  using namespace measured;
+  return {
+      {"Table 8.5: SAD needs 10.6 M operations for 378×286 pixels.",
+       {mega("SAD"), direct_mega("SAD")},
+       "{:.2f} M with running sums in both directions (10.1.5), {:.1f} M without",
+       "Within 15 %; partly: within a factor of 2 without running sums. The thesis's 98 a pixel are 81 and overhead",
+       {first > 9 && first < 12, second < 2 * 10.6}},
+      {"Zero-mean and mean-scaled criteria need much more, for partial sums are impossible.",
+       {std::min(mega("ZSAD"), mega("LSAD")), std::min(mega("ZNCC"), mega("ZSSD")),
+        std::max({mega("ZNCC"), mega("MOR"), mega("ZNSSD"), mega("ZSSD"), mega("LSSD")}), mega("DSAD"), mega("ZSAD"),
+        mega("LSAD"), mega("ZNCC"), mega("ZNSSD"), mega("ZSSD"), mega("LSSD")},
+       "ZSAD {4:.1f} M and LSAD {5:.1f} M do; ZNCC {6:.1f} M, ZNSSD {7:.1f} M, ZSSD {8:.1f} M and LSSD {9:.1f} M "
+       "follow from the sums of r, s, r², s², rs",
+       "All dearer than twice DSAD; partly: ZSAD and LSAD alone",
+       {first > 2 * fourth && second > 2 * fourth, first > 2 * third}},
+      {"DSAD costs little more than SAD or SSD (13.0 M to 10.6 M).",
+       {mega("DSAD"), mega("SAD"), mega("ZSAD")},
+       "{:.1f} M to {:.2f} M: with sums this cheap the gradients dominate",
+       "At most 1.5 times; partly: less than ZSAD",
+       {first <= 1.5 * second, first < third}}};
+}
+
 }  // namespace
 
-nlohmann::json study_cost(OutputDirectory& directory, const StudyScope&) {
+void study_cost(StudyReport& report, const StudyScope& /*scope*/) {
   Csv csv({"criterion", "operations_per_pixel", "without_running_sums", "mega_operations_per_image",
            "thesis_mega_operations"});
-  nlohmann::json result{{"conditions", {{"image", "378×286"}, {"kernel", kKernel}, {"division", kDivision}}}};
+  report.result["conditions"] = {{"image", "378×286"}, {"kernel", kKernel}, {"division", kDivision}};
   for (const Count& count : counts) {
-    csv << count.name << operations(count) << direct(count) << operations(count) * kPixels / 1e6
-        << (count.thesis_mega > 0 ? fmt::format("{:.1f}", count.thesis_mega) : "");
-    csv.end_row();
-    result["mega_operations"][count.name] = operations(count) * kPixels / 1e6;
+    csv.row(std::string(count.name), operations(count), direct(count), mega(count.name),
+            count.thesis_mega > 0 ? fmt::format("{:.1f}", count.thesis_mega) : "");
+    report.result["mega_operations"][std::string(count.name)] = mega(count.name);
   }
-  directory.write("table-8-5.csv", csv.text());
-  const auto of = [&](const std::string& name) -> const Count& {
-    for (const Count& count : counts)
-      if (name == count.name) return count;
-    throw std::out_of_range(name);
-  };
-  const auto mega = [&](const char* name) { return operations(of(name)) * kPixels / 1e6; };
-  Statements statements;
-  statements.add(
-      "8.6", "Table 8.5: SAD needs 10.6 M operations for 378×286 pixels.",
-      fmt::format("{:.2f} M with running sums in both directions (10.1.5), {:.1f} M without", mega("SAD"),
-                  direct(of("SAD")) * kPixels / 1e6),
-      verdict(mega("SAD") > 9 && mega("SAD") < 12, direct(of("SAD")) * kPixels / 1e6 < 2 * 10.6),
-      "Within 15 %; partly: within a factor of 2 without running sums. The thesis's 98 a pixel are 81 and overhead");
-  const double dearest = std::max({mega("ZNCC"), mega("MOR"), mega("ZNSSD"), mega("ZSSD"), mega("LSSD")});
-  statements.add(
-      "8.6", "Zero-mean and mean-scaled criteria need much more, for partial sums are impossible.",
-      fmt::format(
-          "ZSAD {:.1f} M and LSAD {:.1f} M do; ZNCC {:.1f} M, ZNSSD {:.1f} M, ZSSD {:.1f} M and LSSD {:.1f} M follow "
-          "from the sums of r, s, r², s², rs",
-          mega("ZSAD"), mega("LSAD"), mega("ZNCC"), mega("ZNSSD"), mega("ZSSD"), mega("LSSD")),
-      verdict(std::min({mega("ZSAD"), mega("LSAD"), mega("ZNCC"), mega("ZSSD")}) > 2 * mega("DSAD"),
-              std::min(mega("ZSAD"), mega("LSAD")) > 2 * dearest),
-      "All dearer than twice DSAD; partly: ZSAD and LSAD alone");
-  statements.add(
-      "8.6", "DSAD costs little more than SAD or SSD (13.0 M to 10.6 M).",
-      fmt::format("{:.1f} M to {:.2f} M: with sums this cheap the gradients dominate", mega("DSAD"), mega("SAD")),
-      verdict(mega("DSAD") <= 1.5 * mega("SAD"), mega("DSAD") < mega("ZSAD")),
-      "At most 1.5 times; partly: less than ZSAD");
-  result["statements"] = statements.json();
-  result["findings"] = {
-      fmt::format("M operations for 378×286 pixels, 9×9: SAD {:.2f}, DSAD {:.2f}, ZNCC {:.2f}, ZSAD {:.1f}",
-                  mega("SAD"), mega("DSAD"), mega("ZNCC"), mega("ZSAD"))};
-  result["figures"] = nlohmann::json::array();
-  return result;
+  report.table("table-8-5.csv", csv);
+  report.state("8.6", statements());
+  report.finding("M operations for 378×286 pixels, 9×9: SAD {:.2f}, DSAD {:.2f}, ZNCC {:.2f}, ZSAD {:.1f}", mega("SAD"),
+                 mega("DSAD"), mega("ZNCC"), mega("ZSAD"));
 }
 
 }  // namespace horopter::cli

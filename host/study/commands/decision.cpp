@@ -14,7 +14,6 @@
 #include "cli/progress.hpp"
 #include "cli/stereo_pairs.hpp"
 #include "conditions.hpp"
-#include "horopter/base/csv.hpp"
 #include "horopter/base/file.hpp"
 #include "horopter/image/evaluation.hpp"
 #include "horopter/machine/engines.hpp"
@@ -198,12 +197,8 @@ Variant thesis(const std::string& name, const Settings& settings, int memory_bit
   return {name, hls::profiles::vga.offset(), memory_bits,
           [settings](const Image& left, const Image& right, int disparity_px) {
             const MachineProfile& profile = *smallest_profile(left.width, left.height);
-            SkinFile skin;
-            skin.skin =
-                std::make_unique<HomographySkin>(Matrix3{1, 0, -static_cast<double>(disparity_px), 0, 1, 0, 0, 0, 1},
-                                                 Point{left.width / 2.0, left.height / 2.0});
             Supervisor machine(make_device("native", profile), profile,
-                               compile_maps(skin, profile, left.width, left.height), settings);
+                               compile_maps(skin_at(disparity_px, left), profile, left.width, left.height), settings);
             return std::move(machine.process(left, right).front().states);
           }};
 }
@@ -308,13 +303,40 @@ std::string gates_text(const std::string& synthesised) {
 
 Score score_of(const Variant& variant, const StereoPair& pair, const GroundTruth& truth, double disparity_px) {
   const Image states = variant.states(pair.left, pair.right, static_cast<int>(disparity_px));
-  std::vector<Answer> answers;
-  for (const std::uint8_t state : states.pixels) {
-    answers.push_back(static_cast<State>(state) == State::skin          ? Answer::skin
-                      : static_cast<State>(state) == State::undecidable ? Answer::undecidable
-                                                                        : Answer::clear);
+  return score(truth, disparity_px, kTolerance_px, answers_of(states));
+}
+
+struct Mean {
+  double iou = 0, false_objects = 0, undecidable = 0;
+};
+
+/// Of each variant, over the pairs and the most frequent disparities of each.
+std::vector<Mean> measure(const std::vector<Variant>& all, const std::vector<StereoPair>& pairs, int most) {
+  std::vector<GroundTruth> truths;
+  for (const StereoPair& pair : pairs) truths.emplace_back(pair.truth);
+  std::vector<Mean> found(all.size() * pairs.size());
+  Progress progress("variant and pair");
+  study::parallel_for(
+      found.size(),
+      [&](std::size_t i) {
+        const std::size_t p = i % pairs.size();
+        const std::vector<double> disparities = truths[p].frequent(most);
+        for (const double d : disparities) {
+          const Score one = score_of(all[i / pairs.size()], pairs[p], truths[p], d);
+          found[i].iou += one.iou() / static_cast<double>(disparities.size());
+          found[i].false_objects += one.false_objects / static_cast<double>(disparities.size());
+          found[i].undecidable += one.undecidable_share() / static_cast<double>(disparities.size());
+        }
+      },
+      [&](std::size_t done) { progress.show(done, found.size()); });
+  std::vector<Mean> result(all.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    Mean& mean = result[i / pairs.size()];
+    mean.iou += found[i].iou / static_cast<double>(pairs.size());
+    mean.false_objects += found[i].false_objects / static_cast<double>(pairs.size());
+    mean.undecidable += found[i].undecidable / static_cast<double>(pairs.size());
   }
-  return score(truth, disparity_px, kTolerance_px, answers);
+  return result;
 }
 
 /// The page up to the rows of its table.
@@ -349,71 +371,35 @@ are scored as by `horopter evaluate`.
 
 }  // namespace
 
-nlohmann::json study_decision(OutputDirectory& directory, const StudyScope& scope) {
+void study_decision(StudyReport& report, const StudyScope& scope) {
   const std::vector<StereoPair> pairs = pairs_of(scope);
-  std::vector<GroundTruth> truths;
-  for (const StereoPair& pair : pairs) truths.emplace_back(pair.truth);
   const std::vector<Variant> all = variants(scope);
-  struct Mean {
-    double iou = 0, false_objects = 0, undecidable = 0;
-  };
-  std::vector<Mean> found(all.size() * pairs.size());
-  Progress progress("variant and pair");
-  study::parallel_for(
-      found.size(),
-      [&](std::size_t i) {
-        const std::size_t p = i % pairs.size();
-        const std::vector<double> disparities = truths[p].frequent(scope.quick ? 2 : 6);
-        for (const double d : disparities) {
-          const Score one = score_of(all[i / pairs.size()], pairs[p], truths[p], d);
-          found[i].iou += one.iou() / static_cast<double>(disparities.size());
-          found[i].false_objects += one.false_objects / static_cast<double>(disparities.size());
-          found[i].undecidable += one.undecidable_share() / static_cast<double>(disparities.size());
-        }
-      },
-      [&](std::size_t done) { progress.show(done, found.size()); });
-  progress.clear();
-
-  nlohmann::json result{{"findings", nlohmann::json::array()}, {"tolerance_px", kTolerance_px}};
+  const std::vector<Mean> means = measure(all, pairs, scope.quick ? 2 : 6);
+  double reference = std::nan("");
+  for (std::size_t v = 0; v < all.size(); ++v)
+    if (all[v].name.ends_with("vga")) reference = means[v].iou;
   std::string names;
   for (const StereoPair& pair : pairs) names += (names.empty() ? "" : ", ") + pair.name;
   std::string page = fmt::format(kIntroduction, names);
   Csv csv({"variant", "iou", "false_per_frame", "undecidable", "memory_bits_per_column", "latency_rows"});
-  double reference = std::nan("");
-  std::vector<Mean> means;
-  for (std::size_t v = 0; v < all.size(); ++v) {
-    Mean mean;
-    for (std::size_t p = 0; p < pairs.size(); ++p) {
-      const Mean& one = found[v * pairs.size() + p];
-      mean.iou += one.iou / static_cast<double>(pairs.size());
-      mean.false_objects += one.false_objects / static_cast<double>(pairs.size());
-      mean.undecidable += one.undecidable / static_cast<double>(pairs.size());
-    }
-    means.push_back(mean);
-    if (all[v].name.ends_with("vga")) reference = mean.iou;
-  }
   for (std::size_t v = 0; v < all.size(); ++v) {
     const auto& [name, rows, bits, states] = all[v];
-    page += fmt::format("| {} | {:.3f} | {:+.3f} | {:.2f} | {:.3f} | {} | {} |\n", name, means[v].iou,
-                        means[v].iou - reference, means[v].false_objects, means[v].undecidable, bits, rows);
-    csv << name << means[v].iou << means[v].false_objects << means[v].undecidable << static_cast<double>(bits)
-        << static_cast<double>(rows);
-    csv.end_row();
-    result["variants"].push_back({{"name", name},
-                                  {"iou", means[v].iou},
-                                  {"false_per_frame", means[v].false_objects},
-                                  {"undecidable", means[v].undecidable},
-                                  {"memory_bits_per_column", bits},
-                                  {"latency_rows", rows}});
-    result["findings"].push_back(
-        fmt::format("{:48} IoU {:.3f}, false {:.2f}, undecidable {:.3f}; {:4} bits per column, {} "
-                    "rows",
-                    name, means[v].iou, means[v].false_objects, means[v].undecidable, bits, rows));
+    const auto& [iou, false_objects, undecidable] = means[v];
+    page += fmt::format("| {} | {:.3f} | {:+.3f} | {:.2f} | {:.3f} | {} | {} |\n", name, iou, iou - reference,
+                        false_objects, undecidable, bits, rows);
+    csv.row(name, iou, false_objects, undecidable, bits, rows);
+    report.result["variants"].push_back({{"name", name},
+                                         {"iou", iou},
+                                         {"false_per_frame", false_objects},
+                                         {"undecidable", undecidable},
+                                         {"memory_bits_per_column", bits},
+                                         {"latency_rows", rows}});
+    report.finding("{:48} IoU {:.3f}, false {:.2f}, undecidable {:.3f}; {:4} bits per column, {} rows", name, iou,
+                   false_objects, undecidable, bits, rows);
   }
-  page += gates_text(scope.synthesised);
-  directory.write("DECISION.md", page);
-  directory.write("decision.csv", csv.text());
-  return result;
+  report.result["tolerance_px"] = kTolerance_px;
+  report.file("DECISION.md", page + gates_text(scope.synthesised));
+  report.table("decision.csv", csv);
 }
 
 }  // namespace horopter::cli

@@ -6,14 +6,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
-#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "cli/progress.hpp"
-#include "horopter/base/csv.hpp"
 #include "horopter/calib/edge.hpp"
 #include "horopter/calib/edge_profile.hpp"
-#include "horopter/draw/plot.hpp"
 #include "study.hpp"
 
 namespace horopter::cli {
@@ -21,6 +22,8 @@ namespace {
 
 using namespace horopter::calib;
 using Eigen::Vector2d;
+
+const double fill_factor = Imaging{}.fill_factor;  ///< of the simulated pixels
 
 /// An estimator as the study names it.
 struct Contender {
@@ -86,237 +89,242 @@ Corners measure(const GreyImage& image, const EdgeEstimator& estimator, const Ve
   return result;
 }
 
-constexpr std::array blurs_px{0.01, 0.4, 0.8, 1.2, 1.8, 2.2};  // Fig. 6.6
 constexpr double side_px = 64;
 
-}  // namespace
+/// As a camera makes it: noise of 1 grey level, 8 bits.
+Imaging noisy(double blur_px) {
+  Imaging imaging;
+  imaging.blur_px = blur_px;
+  imaging.noise = 1;
+  imaging.quantise = true;
+  return imaging;
+}
 
-nlohmann::json study_edges(OutputDirectory& directory, const StudyScope& scope) {
-  const std::uint64_t seed = scope.seed;
-  const std::vector<Contender> all = contenders();
-  nlohmann::json summary;
-  summary["study"] = "edges";
-  summary["fill_factor"] = 0.85;
-  Progress progress("edge study: step");
-  std::size_t step = 0;
-  const std::size_t steps = all.size() * 5;
+/// RMS over the coordinates of the corners of squares at `places`; NaN where no square is found.
+double corner_rms_px(const EdgeEstimator& estimator, const std::vector<Vector2d>& places, double angle_deg,
+                     double blur_px, int points_per_edge, std::uint64_t seed) {
+  double squares = 0;
+  int n = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const GreyImage image = simulate_square(121, 121, places[i], side_px, angle_deg, noisy(blur_px), seed + i);
+    const Corners corners = measure(image, estimator, places[i], side_px, angle_deg, points_per_edge);
+    if (!corners.found) continue;
+    const auto truth = square_corners(places[i], side_px, angle_deg);
+    for (int k = 0; k < 4; ++k) squares += (corners.at[k] - Vector2d(truth.col(k))).squaredNorm() / 2;
+    n += 4;
+  }
+  return n > 0 ? std::sqrt(squares / n) : NAN;
+}
 
-  // ---- Fig. 6.7: noise-free, axis-parallel edge; error against position, for each blur.
-  {
+/// An edge moved across a pixel along its normal, without noise.
+struct Sweep {
+  std::vector<std::pair<double, double>> errors;  ///< over the position, px
+  double largest = 0;
+  double rms = 0;
+};
+
+Sweep sweep(const EdgeEstimator& estimator, double blur_px, double angle_deg, int half_steps) {
+  const Vector2d centre(12, 12);
+  const Vector2d normal(std::cos(angle_deg * std::numbers::pi / 180), std::sin(angle_deg * std::numbers::pi / 180));
+  Imaging imaging;
+  imaging.blur_px = blur_px;
+  Sweep result;
+  double squares = 0;
+  int n = 0;
+  for (int i = -half_steps; i <= half_steps; ++i) {
+    const double position = 0.5 * i / half_steps;
+    const GreyImage image = simulate_edge(25, 25, centre + position * normal, normal, imaging);
+    const auto found = estimator.estimate(image, centre, normal);
+    const double error = found ? normal.dot(found->position_px - centre) - position : NAN;
+    result.errors.emplace_back(position, error);
+    if (!found) continue;
+    result.largest = std::max(result.largest, std::abs(error));
+    squares += error * error;
+    ++n;
+  }
+  result.rms = std::sqrt(squares / std::max(1, n));
+  return result;
+}
+
+/// The measurements, each of all contenders.
+class EdgeStudy {
+ public:
+  EdgeStudy(StudyReport& report, const StudyScope& scope) : report_(report), scope_(scope) {}
+
+  /// Fig. 6.7: noise-free; the error against the position, for each blur.
+  void position() {
+    constexpr std::array blurs_px{0.01, 0.4, 0.8, 1.2, 1.8, 2.2};  // Fig. 6.6
+    constexpr std::array angles_deg{0.0, 20.0, 45.0};
     Csv csv({"method", "blur_px", "position_px", "error_px"});
     Csv worst_csv({"method", "blur_px", "angle_deg", "max_error_px", "rms_error_px"});
     std::vector<Panel> panels;
-    std::vector<Panel> worst(3);
-    for (const Contender& contender : all) {
-      progress.show(++step, steps);
-      Panel panel{contender.name, "true position, px", "error, px", {}, false};
-      std::array<Curve, 3> by_blur;
-      for (Curve& curve : by_blur) curve.name = contender.name;
+    std::vector<Panel> worst;
+    for (const char* title : {"axis-parallel edge", "edge at 20 degrees", "edge at 45 degrees"})
+      worst.push_back({title, "blur (standard deviation), px", "largest error, px", {}, true});
+    for (const Contender& contender : all_) {
+      step();
+      Panel& panel = panels.emplace_back(Panel{contender.name, "true position, px", "error, px", {}});
+      for (Panel& one : worst) one.curves.push_back({contender.name, {}});
       for (const double blur : blurs_px) {
         const auto estimator = make(contender, blur);
-        Curve curve{fmt::format("blur {:g} px", blur), {}};
-        for (const auto& [index, degrees] : {std::pair{0, 0.0}, {1, 20.0}, {2, 45.0}}) {
-          const Vector2d normal(std::cos(degrees * std::numbers::pi / 180), std::sin(degrees * std::numbers::pi / 180));
-          double largest = 0;
-          double squares = 0;
-          int n = 0;
-          const int half = scope.quick ? 5 : 25;
-          for (int i = -half; i <= half; ++i) {
-            const double position = 0.5 * i / half;
-            Imaging imaging;
-            imaging.blur_px = blur;
-            const GreyImage image = simulate_edge(25, 25, Vector2d(12, 12) + position * normal, normal, imaging);
-            const auto found = estimator->estimate(image, Vector2d(12, 12), normal);
-            const double error = found ? normal.dot(found->position_px - Vector2d(12, 12)) - position : NAN;
-            if (index == 0) {
-              csv << contender.name << blur << position << error;
-              csv.end_row();
-              curve.points.emplace_back(position, error);
-            }
-            if (!found) continue;
-            largest = std::max(largest, std::abs(error));
-            squares += error * error;
-            ++n;
-          }
-          worst_csv << contender.name << blur << degrees << largest << std::sqrt(squares / std::max(1, n));
-          worst_csv.end_row();
-          by_blur[index].points.emplace_back(blur, largest);
-          if (index == 0 && blur == blurs_px.front()) summary["steepest_edge_max_error_px"][contender.name] = largest;
+        for (std::size_t k = 0; k < angles_deg.size(); ++k) {
+          const Sweep found = sweep(*estimator, blur, angles_deg[k], scope_.quick ? 5 : 25);
+          worst_csv.row(contender.name, blur, angles_deg[k], found.largest, found.rms);
+          worst[k].curves.back().points.emplace_back(blur, found.largest);
+          if (k > 0) continue;
+          panel.curves.push_back({fmt::format("blur {:g} px", blur), found.errors});
+          for (const auto& [position, error] : found.errors) csv.row(contender.name, blur, position, error);
+          if (blur == blurs_px.front()) report_.result["steepest_edge_max_error_px"][contender.name] = found.largest;
         }
-        panel.curves.push_back(std::move(curve));
       }
-      panels.push_back(std::move(panel));
-      for (int k = 0; k < 3; ++k) worst[k].curves.push_back(by_blur[k]);
     }
-    for (int k = 0; k < 3; ++k) {
-      worst[k].title = std::array{"axis-parallel edge", "edge at 20 degrees", "edge at 45 degrees"}[k];
-      worst[k].x_label = "blur (standard deviation), px";
-      worst[k].y_label = "largest error, px";
-      worst[k].log_y = true;
-    }
-    directory.write("position.csv", csv.text());
-    directory.write("position.svg", plot_svg("Error against position (Fig. 6.7)", panels, 4));
-    directory.write("blur.csv", worst_csv.text());
-    directory.write("blur.svg", plot_svg("Largest error against blur", worst, 3));
+    report_.table("position.csv", csv);
+    report_.plot("position.svg", "Fig. 6.7: error of the estimators against the position of an axis-parallel edge",
+                 panels, 4);
+    report_.table("blur.csv", worst_csv);
+    report_.plot("blur.svg", "Largest error of the estimators against blur", worst, 3);
   }
 
-  // ---- Table 6.1: 64 px squares and diamonds, noise of 1 grey level, the same place again and again.
-  {
+  /// Table 6.1: 64 px squares and diamonds at the same place again and again.
+  void noise() {
+    constexpr double blur_px = 0.8;
     Csv csv({"target", "method", "sd_x_px", "sd_y_px", "sd_cx_px", "sd_cy_px", "rms_corner_px", "images"});
-    const int images = scope.quick ? 4 : 40;
     for (const auto& [target, angle] : {std::pair{"square", 0.0}, {"diamond", 45.0}}) {
-      std::vector<GreyImage> series;
-      const Vector2d centre(47.31, 47.67);
       const int size = angle == 0 ? 96 : 120;
-      const Vector2d middle = angle == 0 ? centre : Vector2d(centre + Vector2d(12, 12));
-      for (int i = 0; i < images; ++i) {
-        Imaging imaging;
-        imaging.blur_px = 0.8;
-        imaging.noise = 1;
-        imaging.quantise = true;
-        series.push_back(simulate_square(size, size, middle, side_px, angle, imaging, seed * 1000 + i));
-      }
-      const auto truth = square_corners(middle, side_px, angle);
-      for (const Contender& contender : all) {
-        progress.show(++step, steps);
-        const auto estimator = make(contender, 0.8);
+      const Vector2d middle = Vector2d(47.31, 47.67) + (angle == 0 ? Vector2d(0, 0) : Vector2d(12, 12));
+      std::vector<GreyImage> series;
+      for (std::uint64_t i = 0; i < (scope_.quick ? 4 : 40); ++i)
+        series.push_back(simulate_square(size, size, middle, side_px, angle, noisy(blur_px), scope_.seed * 1000 + i));
+      for (const Contender& contender : all_) {
+        step();
+        const auto estimator = make(contender, blur_px);
         std::vector<Corners> found;
         for (const GreyImage& image : series) {
           const Corners corners = measure(image, *estimator, middle, side_px, angle, 16);
           if (corners.found) found.push_back(corners);
         }
-        csv << std::string(target) << contender.name;
-        if (found.size() < 2) {
-          for (int k = 0; k < 5; ++k) csv << NAN;
-        } else {
-          const double n = static_cast<double>(found.size());
-          std::array<Vector2d, 5> mean;
-          for (Vector2d& m : mean) m = Vector2d(0, 0);
-          for (const Corners& c : found) {
-            for (int k = 0; k < 4; ++k) mean[k] += c.at[k] / n;
-            mean[4] += c.centre() / n;
-          }
-          Vector2d corner(0, 0);
-          Vector2d middle_variance(0, 0);
-          double rms = 0;
-          for (const Corners& c : found) {
-            for (int k = 0; k < 4; ++k) {
-              corner += (c.at[k] - mean[k]).cwiseAbs2() / (4 * (n - 1));
-              rms += (c.at[k] - Vector2d(truth.col(k))).squaredNorm() / (8 * n);
-            }
-            middle_variance += (c.centre() - mean[4]).cwiseAbs2() / (n - 1);
-          }
-          csv << std::sqrt(corner.x()) << std::sqrt(corner.y()) << std::sqrt(middle_variance.x())
-              << std::sqrt(middle_variance.y()) << std::sqrt(rms);
-          summary["noise_sd_px"][target][contender.name] = std::sqrt((corner.x() + corner.y()) / 2);
-        }
-        csv << static_cast<double>(found.size());
-        csv.end_row();
+        const Scatter scatter = scatter_of(found, square_corners(middle, side_px, angle));
+        csv.row(target, contender.name, std::sqrt(scatter.corner.x()), std::sqrt(scatter.corner.y()),
+                std::sqrt(scatter.centre.x()), std::sqrt(scatter.centre.y()), scatter.rms, found.size());
+        if (found.size() >= 2)
+          report_.result["noise_sd_px"][target][contender.name] = std::sqrt(scatter.corner.sum() / 2);
       }
     }
-    directory.write("noise.csv", csv.text());
+    report_.table("noise.csv", csv);
   }
 
-  // ---- Fig. 6.8: a target moved by a part of a pixel a step along y, for several blurs: what the shape of the edge
-  // costs.
-  {
+  /// Fig. 6.8: a target moved by a part of a pixel a step along y, for several blurs: what the shape of the edge costs.
+  void moved() {
     Csv csv({"target", "method", "blur_px", "steepness_per_px", "rms_px"});
     std::vector<Panel> panels;
+    std::vector<Vector2d> places;
+    const int images = scope_.quick ? 1 : 10;
+    for (int i = 0; i < images; ++i) places.emplace_back(60.27, 60 + static_cast<double>(i) / images);
     for (const auto& [target, angle] : {std::pair{"square", 3.0}, {"diamond", 45.0}}) {
       Panel panel{target, "steepness of the ramp, grey levels per px", "RMS of the corners, px", {}, true};
-      for (const Contender& contender : all) {
-        progress.show(++step, steps);
-        Curve curve{contender.name, {}};
+      for (const Contender& contender : all_) {
+        step();
+        Curve& curve = panel.curves.emplace_back(Curve{contender.name, {}});
         for (const double blur : {2.2, 1.8, 1.2, 0.8, 0.6, 0.4}) {
-          const auto estimator = make(contender, blur);
-          double squares = 0;
-          int n = 0;
-          const int images = scope.quick ? 1 : 10;
-          for (int i = 0; i < images; ++i) {
-            Imaging imaging;
-            imaging.blur_px = blur;
-            imaging.noise = 1;
-            imaging.quantise = true;
-            const Vector2d centre(60.27, 60 + static_cast<double>(i) / images);
-            const GreyImage image = simulate_square(121, 121, centre, side_px, angle, imaging, seed * 2000 + i);
-            const Corners corners = measure(image, *estimator, centre, side_px, angle, 16);
-            if (!corners.found) continue;
-            const auto truth = square_corners(centre, side_px, angle);
-            for (int k = 0; k < 4; ++k) squares += (corners.at[k] - Vector2d(truth.col(k))).squaredNorm() / 2;
-            n += 4;
-          }
-          const double rms = n > 0 ? std::sqrt(squares / n) : NAN;
-          const double width = std::sqrt(blur * blur + 0.85 * 0.85 / 12);
+          const double rms = corner_rms_px(*make(contender, blur), places, angle, blur, 16, scope_.seed * 2000);
+          const double width = std::sqrt(blur * blur + fill_factor * fill_factor / 12);
           const double steepness = 160 / (std::sqrt(2 * std::numbers::pi) * width);
-          csv << std::string(target) << contender.name << blur << steepness << rms;
-          csv.end_row();
+          csv.row(target, contender.name, blur, steepness, rms);
           curve.points.emplace_back(steepness, rms);
         }
-        panel.curves.push_back(std::move(curve));
       }
       panels.push_back(std::move(panel));
     }
-    directory.write("series.csv", csv.text());
-    directory.write("series.svg", plot_svg("A moved target, noise 1 grey level (Fig. 6.8)", panels, 2));
+    report_.table("series.csv", csv);
+    report_.plot("series.svg", "Fig. 6.8: a moved target, noise 1 grey level", panels, 2);
   }
 
-  // ---- Fig. 6.9: points per edge.
-  {
+  /// Fig. 6.9: points per edge.
+  void points() {
+    constexpr double blur_px = 0.8;
     Csv csv({"method", "points", "rms_px"});
     Panel panel{"noise 1 grey level, blur 0.8 px", "points per edge", "RMS of the corners, px", {}, true};
-    const auto zernike =
-        std::find_if(all.begin(), all.end(), [](const Contender& c) { return c.method == EdgeMethod::zernike_13; });
-    for (const Contender& contender : all) {
+    std::vector<Vector2d> places;
+    for (int i = 0; i < (scope_.quick ? 4 : 20); ++i) places.emplace_back(60 + (i % 5) / 5.0, 60 + (i % 4) / 4.0);
+    for (const Contender& contender : all_) {
       if (contender.method == EdgeMethod::sigmoid || contender.method == EdgeMethod::arctangent ||
           contender.method == EdgeMethod::polynomial || contender.method == EdgeMethod::maximum_likelihood ||
           contender.method == EdgeMethod::spline)
         continue;
-      progress.show(++step, steps);
-      const auto estimator = make(contender, 0.8);
-      Curve curve{contender.name, {}};
+      step();
+      const auto estimator = make(contender, blur_px);
+      Curve& curve = panel.curves.emplace_back(Curve{contender.name, {}});
       for (const int points : {2, 4, 8, 16, 32, 46}) {
-        double squares = 0;
-        int n = 0;
-        const int images = scope.quick ? 4 : 20;
-        for (int i = 0; i < images; ++i) {
-          Imaging imaging;
-          imaging.blur_px = 0.8;
-          imaging.noise = 1;
-          imaging.quantise = true;
-          const Vector2d centre(60 + (i % 5) / 5.0, 60 + (i % 4) / 4.0);
-          const GreyImage image = simulate_square(121, 121, centre, side_px, 45, imaging, seed * 3000 + i);
-          const Corners corners = measure(image, *estimator, centre, side_px, 45, points);
-          if (!corners.found) continue;
-          const auto truth = square_corners(centre, side_px, 45);
-          for (int k = 0; k < 4; ++k) squares += (corners.at[k] - Vector2d(truth.col(k))).squaredNorm() / 2;
-          n += 4;
-        }
-        const double rms = n > 0 ? std::sqrt(squares / n) : NAN;
-        csv << contender.name << static_cast<double>(points) << rms;
-        csv.end_row();
+        const double rms = corner_rms_px(*estimator, places, 45, blur_px, points, scope_.seed * 3000);
+        csv.row(contender.name, points, rms);
         curve.points.emplace_back(points, rms);
-        if (&contender == &*zernike && points == 16) summary["zernike_13_diamond_16_points_rms_px"] = rms;
+        if (contender.method == EdgeMethod::zernike_13 && points == 16)
+          report_.result["zernike_13_diamond_16_points_rms_px"] = rms;
       }
-      panel.curves.push_back(std::move(curve));
     }
-    directory.write("points.csv", csv.text());
-    directory.write("points.svg", plot_svg("64 px diamond (Fig. 6.9)", {panel}, 1));
+    report_.table("points.csv", csv);
+    report_.plot("points.svg", "Fig. 6.9: 64 px diamond, points per edge", {panel}, 1);
   }
 
-  const auto& steepest = summary["steepest_edge_max_error_px"];
-  summary["findings"] = {
-      fmt::format(
-          "Steepest edge, largest error: Zernike 9x9 {:.3f} px, 13x13 {:.3f} px, Gaussian reconstruction {:.3f} px",
-          steepest["zernike-9"].get<double>(), steepest["zernike-13"].get<double>(),
-          steepest["gaussian"].get<double>()),
-      fmt::format(
-          "  (thesis: less than 0.08); Tabatabai-Mitchell 1-D {:.3f} px, 2-D {:.3f} px (thesis: more than 0.15)",
-          steepest["tabatabai-1d"].get<double>(), steepest["tabatabai-2d"].get<double>()),
-      fmt::format("Noise of 1 grey level, 64 px diamond, 16 points an edge, Zernike 13x13: {:.4f} px RMS (thesis: "
-                  "0.026, 0.015)",
-                  summary["zernike_13_diamond_16_points_rms_px"].get<double>()),
+ private:
+  /// Variances in x and y of the corners and of the centre, and the corners' RMS distance from the truth; NaN of fewer
+  /// than two squares.
+  struct Scatter {
+    Vector2d corner{NAN, NAN}, centre{NAN, NAN};
+    double rms = NAN;
   };
-  return summary;
+  static Scatter scatter_of(const std::vector<Corners>& found, const Eigen::Matrix<double, 2, 4>& truth) {
+    if (found.size() < 2) return {};
+    const double n = static_cast<double>(found.size());
+    std::array<Vector2d, 4> mean;
+    mean.fill(Vector2d(0, 0));
+    Vector2d mean_centre(0, 0);
+    for (const Corners& c : found) {
+      for (int k = 0; k < 4; ++k) mean[k] += c.at[k] / n;
+      mean_centre += c.centre() / n;
+    }
+    Vector2d corner(0, 0);
+    Vector2d centre(0, 0);
+    double rms = 0;
+    for (const Corners& c : found) {
+      for (int k = 0; k < 4; ++k) {
+        corner += (c.at[k] - mean[k]).cwiseAbs2() / (4 * (n - 1));
+        rms += (c.at[k] - Vector2d(truth.col(k))).squaredNorm() / (8 * n);
+      }
+      centre += (c.centre() - mean_centre).cwiseAbs2() / (n - 1);
+    }
+    return {corner, centre, std::sqrt(rms)};
+  }
+
+  void step() { progress_.show(++step_, all_.size() * 5); }
+
+  StudyReport& report_;
+  const StudyScope& scope_;
+  const std::vector<Contender> all_ = contenders();
+  Progress progress_{"edge study: step"};
+  std::size_t step_ = 0;
+};
+
+}  // namespace
+
+void study_edges(StudyReport& report, const StudyScope& scope) {
+  nlohmann::json& result = report.result;
+  result["study"] = "edges";
+  result["fill_factor"] = fill_factor;
+  EdgeStudy study(report, scope);
+  study.position();
+  study.noise();
+  study.moved();
+  study.points();
+  const auto steepest = [&](const char* method) { return result["steepest_edge_max_error_px"][method].get<double>(); };
+  report.finding(
+      "Steepest edge, largest error: Zernike 9x9 {:.3f} px, 13x13 {:.3f} px, Gaussian reconstruction {:.3f} px",
+      steepest("zernike-9"), steepest("zernike-13"), steepest("gaussian"));
+  report.finding("  (thesis: less than 0.08); Tabatabai-Mitchell 1-D {:.3f} px, 2-D {:.3f} px (thesis: more than 0.15)",
+                 steepest("tabatabai-1d"), steepest("tabatabai-2d"));
+  report.finding(
+      "Noise of 1 grey level, 64 px diamond, 16 points an edge, Zernike 13x13: {:.4f} px RMS (thesis: 0.026, 0.015)",
+      result["zernike_13_diamond_16_points_rms_px"].get<double>());
 }
 
 }  // namespace horopter::cli

@@ -8,16 +8,18 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "cli/progress.hpp"
-#include "horopter/base/csv.hpp"
 #include "horopter/calib/random.hpp"
-#include "horopter/draw/plot.hpp"
+#include "horopter/study/filters.hpp"
 #include "study.hpp"
 
 namespace horopter::cli {
 namespace {
+
+using study::Plane;
 
 constexpr int kWidth = 128;
 constexpr int kHeight = 96;
@@ -37,16 +39,6 @@ std::string method_name(int method) {
   if (method == kContinuous) return "bilinear";
   if (method == kCubic) return "cubic";
   return method == 0 ? "nearest" : fmt::format("step 1/{}", 1 << method);
-}
-
-using Grey = std::vector<double>;  ///< kWidth × kHeight, row by row
-
-double& at(Grey& image, int x, int y) {
-  return image[static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x)];
-}
-double at(const Grey& image, int x, int y) {
-  return image[static_cast<std::size_t>(std::clamp(y, 0, kHeight - 1)) * kWidth +
-               static_cast<std::size_t>(std::clamp(x, 0, kWidth - 1))];
 }
 
 double sinc(double x) { return x == 0 ? 1 : std::sin(std::numbers::pi * x) / (std::numbers::pi * x); }
@@ -71,15 +63,15 @@ class Scene {
   }
 
   /// A photograph with the camera shifted along x: noise, 8 bits.
-  Grey photograph(double shift_px, calib::Random& random) const {
+  Plane photograph(double shift_px, calib::Random& random) const {
     const double noise = kNoise / std::sqrt(kAveraged);
-    Grey image = without_noise(shift_px);
-    for (double& grey : image) grey = std::clamp(std::round(grey + noise * random.gaussian()), 0.0, 255.0);
+    Plane image = without_noise(shift_px);
+    for (double& grey : image.values) grey = std::clamp(std::round(grey + noise * random.gaussian()), 0.0, 255.0);
     return image;
   }
 
-  Grey without_noise(double shift_px) const {
-    Grey image(static_cast<std::size_t>(kWidth) * kHeight, 128);
+  Plane without_noise(double shift_px) const {
+    Plane image(kWidth, kHeight, 128);
     for (const Wave& wave : waves_) {
       const double step = 2 * std::numbers::pi * wave.x;
       for (int y = 0; y < kHeight; ++y) {
@@ -88,7 +80,7 @@ class Scene {
         double before = std::cos(start - step);
         double now = std::cos(start);
         for (int x = 0; x < kWidth; ++x) {
-          at(image, x, y) += wave.amplitude * now;
+          image.at(x, y) += wave.amplitude * now;
           before = std::exchange(now, 2 * std::cos(step) * now - before);
         }
       }
@@ -128,8 +120,9 @@ Taps taps(double place, int method) {
 }
 
 /// Image of places (x0 + x·step_x, y0 + y·step_y) of another one.
-Grey transformed(const Grey& image, double x0, double step_x, double y0, double step_y, int method) {
-  Grey result(image.size());
+Plane transformed(const Plane& image, double x0, double step_x, double y0, double step_y, int method) {
+  Plane result(kWidth, kHeight);
+  const auto at = [&](int x, int y) { return image.at(std::clamp(x, 0, kWidth - 1), std::clamp(y, 0, kHeight - 1)); };
   for (int y = 0; y < kHeight; ++y) {
     const Taps rows = taps(y0 + y * step_y, method);
     for (int x = 0; x < kWidth; ++x) {
@@ -139,39 +132,22 @@ Grey transformed(const Grey& image, double x0, double step_x, double y0, double 
         if (rows.weights[static_cast<std::size_t>(j)] == 0) continue;
         for (int i = 0; i < 4; ++i) {
           sum += rows.weights[static_cast<std::size_t>(j)] * columns.weights[static_cast<std::size_t>(i)] *
-                 at(image, columns.first + i, rows.first + j);
+                 at(columns.first + i, rows.first + j);
         }
       }
-      at(result, x, y) = std::clamp(std::floor(sum + 0.5), 0.0, 255.0);
+      result.at(x, y) = std::clamp(std::floor(sum + 0.5), 0.0, 255.0);
     }
   }
   return result;
 }
 
 /// Gradient's direction in 1/256 turn, after the 3×3 low-pass, of every pixel.
-std::vector<int> directions(const Grey& image) {
-  Grey smooth(image.size());
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
-      double sum = 0;
-      for (int j = -1; j <= 1; ++j) {
-        for (int i = -1; i <= 1; ++i) sum += (2 - std::abs(i)) * (2 - std::abs(j)) * at(image, x + i, y + j);
-      }
-      at(smooth, x, y) = sum / 16;
-    }
-  }
-  std::vector<int> result(image.size());
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
-      double sx = 0;
-      double sy = 0;
-      for (int k = -1; k <= 1; ++k) {
-        sx += (2 - std::abs(k)) * (at(smooth, x + 1, y + k) - at(smooth, x - 1, y + k));
-        sy += (2 - std::abs(k)) * (at(smooth, x + k, y + 1) - at(smooth, x + k, y - 1));
-      }
-      result[static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x)] =
-          static_cast<int>(std::lround(std::atan2(sy, sx) * 128 / std::numbers::pi)) & 255;
-    }
+study::Raster<int> directions(const Plane& image) {
+  const study::Gradient gradient = study::sobel(study::lowpass(image));
+  study::Raster<int> result(kWidth, kHeight);
+  for (std::size_t i = 0; i < result.values.size(); ++i) {
+    const double turns = std::atan2(gradient.y.values[i], gradient.x.values[i]) * 128 / std::numbers::pi;
+    result.values[i] = static_cast<int>(std::lround(turns)) & 255;
   }
   return result;
 }
@@ -181,17 +157,16 @@ struct Difference {
   double variance = 0;   ///< of grey levels
 };
 
-Difference difference(const Grey& a, const Grey& b) {
-  const std::vector<int> da = directions(a);
-  const std::vector<int> db = directions(b);
+Difference difference(const Plane& a, const Plane& b) {
+  const study::Raster<int> of_a = directions(a);
+  const study::Raster<int> of_b = directions(b);
   Difference result;
   int count = 0;
   for (int y = kBorder; y < kHeight - kBorder; ++y) {
     for (int x = kBorder; x < kWidth - kBorder; ++x, ++count) {
-      const auto i = static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x);
-      const int turn = std::abs(da[i] - db[i]);
+      const int turn = std::abs(of_a.at(x, y) - of_b.at(x, y));
       result.direction += std::min({turn, 256 - turn, 127}) >> 3;
-      result.variance += (a[i] - b[i]) * (a[i] - b[i]);
+      result.variance += (a.at(x, y) - b.at(x, y)) * (a.at(x, y) - b.at(x, y));
     }
   }
   result.direction /= count;
@@ -209,6 +184,7 @@ double equivalent(const std::vector<double>& curve, double direction) {
   return static_cast<double>(curve.size() - 1) / kShiftsPerPixel;
 }
 
+/// Mean differences of one method at one place, over the scenes.
 struct Sample {
   double direction = 0;
   double variance = 0;
@@ -218,127 +194,141 @@ struct Sample {
   }
 };
 
-}  // namespace
+std::vector<double> scales() {
+  std::vector<double> result;
+  for (int i = 0; i <= 20; ++i) result.push_back(0.5 * std::pow(2.0, i / 10.0));
+  return result;
+}
 
-nlohmann::json study_interpolation(OutputDirectory& directory, const StudyScope& scope) {
-  const int scenes = scope.quick ? 1 : 12;
-  std::vector<double> scales;
-  for (int i = 0; i <= 20; ++i) scales.push_back(0.5 * std::pow(2.0, i / 10.0));
-  constexpr int kTranslations = kShiftsPerPixel / 2 + 1;  // up to half a pixel: the other half is its mirror
-  calib::Random random(scope.seed);
-  std::vector<double> translated(kShiftsPerPixel + 1);  // differences of photographs
-  std::vector<double> clean(kShiftsPerPixel +
-                            1);  // the same without noise: a scaled photograph has that of the exact one
-  std::vector<std::vector<Sample>> scaling(methods.size(), std::vector<Sample>(scales.size()));
-  std::vector<std::vector<Sample>> translation(methods.size(), std::vector<Sample>(kTranslations));
-  Progress progress("scene");
-  for (int scene = 0; scene < scenes; ++scene) {
-    progress.show(static_cast<std::size_t>(scene), static_cast<std::size_t>(scenes));
-    const Scene shown(random, 200);
-    const Grey still = shown.photograph(0, random);
-    const Grey still_clean = shown.without_noise(0);
-    std::vector<Grey> shifted;
-    for (int i = 0; i <= kShiftsPerPixel; ++i) {
-      shifted.push_back(shown.photograph(static_cast<double>(i) / kShiftsPerPixel, random));
-      translated[static_cast<std::size_t>(i)] += difference(still, shifted.back()).direction / scenes;
-      const Grey other = shown.without_noise(static_cast<double>(i) / kShiftsPerPixel);
-      clean[static_cast<std::size_t>(i)] += difference(still_clean, other).direction / scenes;
+/// Up to half a pixel: the other half is its mirror.
+std::vector<double> translations_px() {
+  std::vector<double> result;
+  for (int i = 0; i <= kShiftsPerPixel / 2; ++i) result.push_back(static_cast<double>(i) / kShiftsPerPixel);
+  return result;
+}
+
+/// Samples of every method at every place.
+using Samples = std::vector<std::vector<Sample>>;
+
+struct Measurements {
+  std::vector<double> translated = std::vector<double>(kShiftsPerPixel + 1);  ///< differences of photographs
+  /// The same without noise: a scaled photograph has that of the exact one.
+  std::vector<double> clean = std::vector<double>(kShiftsPerPixel + 1);
+  Samples scaling = Samples(methods.size(), std::vector<Sample>(scales().size()));
+  Samples translation = Samples(methods.size(), std::vector<Sample>(translations_px().size()));
+
+  /// One of so many scenes.
+  void add(const Scene& shown, int scenes, calib::Random& random) {
+    const Plane still = shown.photograph(0, random);
+    const Plane still_clean = shown.without_noise(0);
+    std::vector<Plane> shifted;
+    for (std::size_t i = 0; i < translated.size(); ++i) {
+      const double shift_px = static_cast<double>(i) / kShiftsPerPixel;
+      shifted.push_back(shown.photograph(shift_px, random));
+      translated[i] += difference(still, shifted.back()).direction / scenes;
+      clean[i] += difference(still_clean, shown.without_noise(shift_px)).direction / scenes;
     }
-    for (std::size_t m = 0; m < methods.size(); ++m) {
-      for (int i = 0; i < kTranslations; ++i) {
-        const Grey moved = transformed(still, static_cast<double>(i) / kShiftsPerPixel, 1, 0, 1, methods[m]);
-        translation[m][static_cast<std::size_t>(i)].add(difference(moved, shifted[static_cast<std::size_t>(i)]),
-                                                        scenes);
-      }
-    }
-    for (std::size_t i = 0; i < scales.size(); ++i) {
-      const double step = 1 / scales[i];
+    add_translations(still, shifted, scenes);
+    add_scalings(still, scenes);
+  }
+
+ private:
+  void add_translations(const Plane& still, const std::vector<Plane>& shifted, int scenes) {
+    const std::vector<double> shifts_px = translations_px();
+    for (std::size_t m = 0; m < methods.size(); ++m)
+      for (std::size_t i = 0; i < shifts_px.size(); ++i)
+        translation[m][i].add(difference(transformed(still, shifts_px[i], 1, 0, 1, methods[m]), shifted[i]), scenes);
+  }
+
+  /// About the middle of the image.
+  void add_scalings(const Plane& still, int scenes) {
+    const std::vector<double> all = scales();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const double step = 1 / all[i];
       const auto scaled = [&](int method) {
         return transformed(still, (kWidth - 1) / 2.0 * (1 - step), step, (kHeight - 1) / 2.0 * (1 - step), step,
                            method);
       };
-      const Grey exact = scaled(kContinuous);
+      const Plane exact = scaled(kContinuous);
       for (std::size_t m = 0; m < methods.size(); ++m) {
         if (methods[m] >= 0) scaling[m][i].add(difference(scaled(methods[m]), exact), scenes);
       }
     }
   }
-  progress.clear();
-  nlohmann::json result;
-  Csv scaling_table({"method", "bits", "scale", "sigma_grey", "mean_difference", "equivalent_translation_px"});
-  Csv translation_table(
-      {"method", "bits", "translation_px", "sigma_grey", "mean_difference", "equivalent_translation_px"});
-  Panel scaling_panel{"scaling", "scale", "equivalent translation, px", {}};
-  Panel scaling_sigma{"scaling", "scale", "sigma, grey levels", {}};
-  Panel translation_panel{"translation", "translation, px", "equivalent translation, px", {}};
-  const auto write = [](Csv& table, Panel& panel, int method, const std::vector<double>& places,
-                        const std::vector<Sample>& samples, const std::vector<double>& curve) {
-    Curve line{method_name(method), {}};
+};
+
+double sigma(const std::vector<Sample>& samples) {
+  double variance = 0;
+  for (const Sample& sample : samples) variance += sample.variance / static_cast<double>(samples.size());
+  return std::sqrt(variance);
+}
+
+/// What methods cost at some places, `kind` of places; `curve` as of equivalent().
+void tabulate(StudyReport& report, const std::string& kind, const char* column, const std::vector<double>& places,
+              const Samples& all, const std::vector<double>& curve, std::vector<Panel>& panels) {
+  Csv table({"method", "bits", column, "sigma_grey", "mean_difference", "equivalent_translation_px"});
+  const std::string x_label = kind == "scaling" ? "scale" : "translation, px";
+  Panel equivalents{kind, x_label, "equivalent translation, px", {}};
+  Panel sigmas{kind, x_label, "sigma of the difference, grey levels", {}};
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    if (kind == "scaling" && methods[m] < 0) continue;  // what scaling is compared with
+    const std::string name = method_name(methods[m]);
+    Curve& equivalents_of = equivalents.curves.emplace_back(Curve{name, {}});
+    Curve& sigmas_of = sigmas.curves.emplace_back(Curve{name, {}});
     double largest = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
-      const double px = equivalent(curve, samples[i].direction);
-      table << method_name(method) << (method < 0 ? std::string() : std::to_string(method)) << places[i]
-            << std::sqrt(samples[i].variance) << samples[i].direction << px;
-      table.end_row();
-      line.points.emplace_back(places[i], px);
+      const Sample& sample = all[m][i];
+      const double px = equivalent(curve, sample.direction);
+      table.row(name, methods[m] < 0 ? std::string() : std::to_string(methods[m]), places[i],
+                std::sqrt(sample.variance), sample.direction, px);
+      equivalents_of.points.emplace_back(places[i], px);
+      sigmas_of.points.emplace_back(places[i], std::sqrt(sample.variance));
       largest = std::max(largest, px);
     }
-    panel.curves.push_back(line);
-    return largest;
-  };
-  std::vector<double> shifts;
-  for (int i = 0; i < kTranslations; ++i) shifts.push_back(static_cast<double>(i) / kShiftsPerPixel);
-  const auto sigma = [](const std::vector<Sample>& samples) {
-    double variance = 0;
-    for (const Sample& sample : samples) variance += sample.variance / static_cast<double>(samples.size());
-    return std::sqrt(variance);
-  };
-  for (std::size_t m = 0; m < methods.size(); ++m) {
-    const std::string name = method_name(methods[m]);
-    result["translation"][name] = {{"largest_equivalent_px", write(translation_table, translation_panel, methods[m],
-                                                                   shifts, translation[m], translated)},
-                                   {"sigma_grey", sigma(translation[m])}};
-    if (methods[m] < 0) continue;
-    result["scaling"][name] = {
-        {"largest_equivalent_px", write(scaling_table, scaling_panel, methods[m], scales, scaling[m], clean)},
-        {"sigma_grey", sigma(scaling[m])}};
-    Curve line{name, {}};
-    for (std::size_t i = 0; i < scales.size(); ++i)
-      line.points.emplace_back(scales[i], std::sqrt(scaling[m][i].variance));
-    scaling_sigma.curves.push_back(line);
+    report.result[kind][name] = {{"largest_equivalent_px", largest}, {"sigma_grey", sigma(all[m])}};
   }
-  Csv curve_table({"translation_px", "mean_difference", "mean_difference_without_noise"});
-  for (std::size_t i = 0; i < translated.size(); ++i) {
-    curve_table << static_cast<double>(i) / kShiftsPerPixel << translated[i] << clean[i];
-    curve_table.end_row();
+  report.table(kind + ".csv", table);
+  panels.push_back(equivalents);
+  panels.push_back(sigmas);
+}
+
+}  // namespace
+
+void study_interpolation(StudyReport& report, const StudyScope& scope) {
+  const int scenes = scope.quick ? 1 : 12;
+  calib::Random random(scope.seed);
+  Measurements found;
+  Progress progress("scene");
+  for (int scene = 0; scene < scenes; ++scene) {
+    progress.show(static_cast<std::size_t>(scene), static_cast<std::size_t>(scenes));
+    found.add(Scene(random, 200), scenes, random);
   }
-  directory.write("scaling.csv", scaling_table.text());
-  directory.write("translation.csv", translation_table.text());
-  directory.write("translated-photographs.csv", curve_table.text());
-  directory.write("interpolation.svg", plot_svg("Interpolation with weights of few bits (7.5)",
-                                                {scaling_panel, scaling_sigma, translation_panel}));
-  const auto figure = [&](const char* kind, const char* name, const char* key) {
-    return result[kind][name][key].get<double>();
+  progress.clear();
+
+  std::vector<Panel> panels;
+  tabulate(report, "scaling", "scale", scales(), found.scaling, found.clean, panels);
+  tabulate(report, "translation", "translation_px", translations_px(), found.translation, found.translated, panels);
+  report.plot("interpolation.svg", "Fig. 7.7, 7.8: interpolation with weights of few bits", panels, 2);
+  Csv table({"translation_px", "mean_difference", "mean_difference_without_noise"});
+  for (std::size_t i = 0; i < found.translated.size(); ++i)
+    table.row(static_cast<double>(i) / kShiftsPerPixel, found.translated[i], found.clean[i]);
+  report.table("translated-photographs.csv", table);
+
+  const auto largest = [&](const char* kind, const char* name) {
+    return report.result[kind][name]["largest_equivalent_px"].get<double>();
   };
-  result["findings"] = {
-      fmt::format(
-          "Scaling, against continuous weights: sigma {:.2f} grey levels for nearest, {:.2f} for steps of 1/4, {:.2f} "
-          "for 1/8 (thesis: 7, 1.5)",
-          figure("scaling", "nearest", "sigma_grey"), figure("scaling", "step 1/4", "sigma_grey"),
-          figure("scaling", "step 1/8", "sigma_grey")),
-      fmt::format("Scaling, equivalent translation at most {:.3f} px for nearest, {:.3f} for 1/4, {:.3f} for 1/8",
-                  figure("scaling", "nearest", "largest_equivalent_px"),
-                  figure("scaling", "step 1/4", "largest_equivalent_px"),
-                  figure("scaling", "step 1/8", "largest_equivalent_px")),
-      fmt::format(
-          "Translation, against photographs: at most {:.3f} px for nearest, {:.3f} for 1/4, {:.3f} for 1/8, {:.3f} for "
-          "continuous weights, {:.3f} for cubic ones",
-          figure("translation", "nearest", "largest_equivalent_px"),
-          figure("translation", "step 1/4", "largest_equivalent_px"),
-          figure("translation", "step 1/8", "largest_equivalent_px"),
-          figure("translation", "bilinear", "largest_equivalent_px"),
-          figure("translation", "cubic", "largest_equivalent_px"))};
-  return result;
+  const auto sigma_of = [&](const char* name) { return report.result["scaling"][name]["sigma_grey"].get<double>(); };
+  report.finding(
+      "Scaling, against continuous weights: sigma {:.2f} grey levels for nearest, {:.2f} for steps of 1/4, {:.2f} for "
+      "1/8 (thesis: 7, 1.5)",
+      sigma_of("nearest"), sigma_of("step 1/4"), sigma_of("step 1/8"));
+  report.finding("Scaling, equivalent translation at most {:.3f} px for nearest, {:.3f} for 1/4, {:.3f} for 1/8",
+                 largest("scaling", "nearest"), largest("scaling", "step 1/4"), largest("scaling", "step 1/8"));
+  report.finding(
+      "Translation, against photographs: at most {:.3f} px for nearest, {:.3f} for 1/4, {:.3f} for 1/8, {:.3f} for "
+      "continuous weights, {:.3f} for cubic ones",
+      largest("translation", "nearest"), largest("translation", "step 1/4"), largest("translation", "step 1/8"),
+      largest("translation", "bilinear"), largest("translation", "cubic"));
 }
 
 }  // namespace horopter::cli

@@ -10,9 +10,7 @@
 
 #include "cli/progress.hpp"
 #include "conditions.hpp"
-#include "horopter/base/csv.hpp"
 #include "horopter/study/filters.hpp"
-#include "statements.hpp"
 #include "study.hpp"
 
 namespace horopter::cli {
@@ -119,128 +117,157 @@ double moved_px(const study::Simulation& simulation, const StudyScope& scope, co
   return place ? std::abs(*place - 1) : 1;
 }
 
+constexpr std::array labels{"common offset", "common scaling", "different offset", "different scaling"};
+
+/// Entries of the table, measured.
+struct Entries {
+  Csv csv{{"criterion", "preprocessing", "change", "thesis", "found", "relative_change", "relative_change_right"}};
+  int cells = 0;
+  int agreeing = 0;
+  double worst_yes = 0;
+  double least_no = 1e9;
+};
+
+/// One row of the table, measured.
+struct RowFound {
+  int different = 0;
+  std::string differing;  ///< the first of them, in words
+  double worst_yes = 0;
+  double least_no = 1e9;
+};
+
+/// With every filter before that the row stands for.
+std::vector<Preparation> preparations(const study::Criterion& criterion, const Row& row) {
+  std::vector<Preparation> result;
+  for (const bool highpass : row.highpass)
+    for (const bool lowpass : {false, true}) {
+      if (criterion.feature() == Feature::log_sign) {
+        result.push_back({Feature::log_sign, false, false, lowpass ? 3.0 : 5.0});
+      } else {
+        result.push_back({criterion.feature(), lowpass, highpass});
+      }
+    }
+  return result;
+}
+
+void measure(const std::string& name, const Preparation& preparation, const Row& row, const Plane& left,
+             const Plane& right, RowFound& of_row, Entries& entries) {
+  const study::Criterion& criterion = study::criterion(name);
+  const int margin = study::reach_of({&criterion, preparation, 9}) + 1;
+  const Plane before = compare(criterion, preparation, left, right);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const bool common = i < 2;
+    const double scale = i % 2 == 1 ? kScale : 1;
+    const double offset = i % 2 == 0 ? kOffset : 0;
+    const Plane brighter_left = changed(left, scale, offset);
+    const Plane brighter_right = changed(right, scale, offset);
+    const auto judged = [&](const Plane& l, const Plane& r) {
+      return judge(criterion, before, compare(criterion, preparation, l, r), scale, margin);
+    };
+    const Found found = judged(brighter_left, common ? brighter_right : right);
+    const Found of_right = common ? found : judged(left, brighter_right);
+    entries.csv.row(name, name_of(preparation), labels[i], name_of(row.effects[i]), name_of(found.effect), found.change,
+                    of_right.change);
+    ++entries.cells;
+    // LSAD and LSSD scale with r alone (footnotes to Table 8.2): what is said of a difference holds for r.
+    if (found.effect == row.effects[i]) {
+      ++entries.agreeing;
+    } else {
+      ++of_row.different;
+      if (of_row.differing.size() < 80)
+        of_row.differing += fmt::format("; {} {} {}: {}", name, name_of(preparation), labels[i], name_of(found.effect));
+    }
+    if (row.effects[i] == Effect::yes) of_row.worst_yes = std::max({of_row.worst_yes, found.change, of_right.change});
+    if (row.effects[i] == Effect::no) of_row.least_no = std::min({of_row.least_no, found.change, of_right.change});
+  }
+}
+
+Statement statement(const Row& row, const RowFound& found) {
+  using namespace measured;
+  const std::string who = fmt::format("{}", fmt::join(row.criteria, ", "));
+  const char* images = who == "NISH"              ? "sign of LoG"
+                       : who.starts_with("DSAD")  ? "directions"
+                       : row.highpass.size() == 2 ? "with and without high-pass"
+                       : row.highpass.front()     ? "high-pass"
+                                                  : "no high-pass";
+  std::string effects;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    effects += fmt::format("{}{} {}", i == 0 ? "" : ", ", labels[i], name_of(row.effects[i]));
+  std::string more = found.least_no < 1e9 ? fmt::format(", smallest of a variant one {:.1e}", found.least_no) : "";
+  more += found.differing;
+  if (found.different > 0 && who.starts_with("LS"))
+    more += " (where the means differ in sign the factor is 1, footnote 4: nothing scales)";
+  return {fmt::format("Table 8.3, {} ({}): {}.", who, images, effects),
+          {found.different, found.worst_yes, more},
+          "Largest change of an invariant one {1:.1e}{2}",
+          "Invariant and scaled to 1e-4 of the mean, a no above that, for every prefilter; partly: up to two differ",
+          {first <= 0 && second <= kTolerance, first <= 2}};
+}
+
+/// What a footnote of the table says to be tolerable.
+struct Footnote {
+  const char* criterion;
+  bool highpass;
+  double scale;
+  int number;
+};
+constexpr std::array footnotes{Footnote{"MOR", false, 1.1, 1}, Footnote{"MOR", true, 1.2, 1},
+                               Footnote{"SSD", true, 1.1, 2},  Footnote{"ZSSD", false, 1.1, 3},
+                               Footnote{"ZSSD", true, 1.2, 3}, Footnote{"ZNSSD", false, 1.1, 4},
+                               Footnote{"ZNSSD", true, 1.2, 4}};
+
+void state_footnotes(StudyReport& report, const StudyScope& scope, const study::Simulation& simulation) {
+  using namespace measured;
+  StudyScope quick;
+  quick.seed = scope.seed;
+  quick.quick = true;
+  Progress progress("footnote");
+  std::size_t done = 0;
+  for (const Footnote& note : footnotes) {
+    progress.show(done++, footnotes.size());
+    const study::Setting setting{&study::criterion(note.criterion), {Feature::grey, true, note.highpass}, 9};
+    report.state(
+        "8.3.1",
+        {{fmt::format("Table 8.3, footnote {}: for {} ({}) a different scaling of {:.0f} % is tolerable.", note.number,
+                      note.criterion, note.highpass ? "high-pass" : "low-pass", 100 * (note.scale - 1)),
+          {moved_px(simulation, quick, setting, note.scale)},
+          "The disparity detected by half moves by {:.2f} px from 1 px",
+          "By at most 0.1 px; partly: 0.25 px",
+          {first <= 0.1, first <= 0.25}}});
+  }
+}
+
 }  // namespace
 
-nlohmann::json study_invariance(OutputDirectory& directory, const StudyScope& scope) {
+void study_invariance(StudyReport& report, const StudyScope& scope) {
   study::Conditions conditions = chapter8_conditions(scope);
   conditions.camera.width = 240;
   conditions.camera.height = 180;
   const study::Simulation simulation(conditions, 3);
   const Plane left = study::to_plane(simulation.photograph(0, 0));
   const Plane right = study::to_plane(simulation.photograph(0.5, 1));
-
-  constexpr std::array labels{"common offset", "common scaling", "different offset", "different scaling"};
-  Csv csv({"criterion", "preprocessing", "change", "thesis", "found", "relative_change", "relative_change_right"});
-  Statements statements;
-  nlohmann::json result{{"conditions", to_json(conditions)}};
-  result["conditions"]["offset_grey"] = kOffset;
-  result["conditions"]["scale"] = kScale;
-  double worst_yes = 0;
-  double least_no = 1e9;
-  int cells = 0;
-  int agreeing = 0;
+  report.result["conditions"] = to_json(conditions);
+  report.result["conditions"]["offset_grey"] = kOffset;
+  report.result["conditions"]["scale"] = kScale;
+  Entries entries;
   for (const Row& row : table()) {
-    std::string who;
-    std::string differing;
-    int different = 0;
-    double row_yes = 0;
-    double row_no = 1e9;
-    for (const std::string& name : row.criteria) who += (who.empty() ? "" : ", ") + name;
-    for (const std::string& name : row.criteria) {
-      const study::Criterion& criterion = study::criterion(name);
-      std::vector<Preparation> preparations;
-      for (const bool highpass : row.highpass)
-        for (const bool lowpass : {false, true}) {
-          if (criterion.feature() == Feature::log_sign) {
-            preparations.push_back({Feature::log_sign, false, false, lowpass ? 3.0 : 5.0});
-          } else {
-            preparations.push_back({criterion.feature(), lowpass, highpass});
-          }
-        }
-      for (const Preparation& preparation : preparations) {
-        const int margin = study::reach_of({&criterion, preparation, 9}) + 1;
-        const Plane before = compare(criterion, preparation, left, right);
-        for (std::size_t i = 0; i < labels.size(); ++i) {
-          const double scale = i % 2 == 1 ? kScale : 1;
-          const double offset = i % 2 == 0 ? kOffset : 0;
-          const Plane brighter_left = changed(left, scale, offset);
-          const Plane brighter_right = changed(right, scale, offset);
-          const Found found =
-              judge(criterion, before, compare(criterion, preparation, brighter_left, i < 2 ? brighter_right : right),
-                    scale, margin);
-          const Found of_right =
-              i < 2 ? found
-                    : judge(criterion, before, compare(criterion, preparation, left, brighter_right), scale, margin);
-          csv << name << name_of(preparation) << labels[i] << name_of(row.effects[i]) << name_of(found.effect)
-              << found.change << of_right.change;
-          csv.end_row();
-          ++cells;
-          // LSAD and LSSD scale with r alone (footnotes to Table 8.2): what is said of a difference holds for r.
-          if (found.effect == row.effects[i]) {
-            ++agreeing;
-          } else {
-            ++different;
-            if (differing.size() < 80)
-              differing += fmt::format("; {} {} {}: {}", name, name_of(preparation), labels[i], name_of(found.effect));
-          }
-          if (row.effects[i] == Effect::yes) row_yes = std::max({row_yes, found.change, of_right.change});
-          if (row.effects[i] == Effect::no) row_no = std::min({row_no, found.change, of_right.change});
-        }
-      }
-    }
-    worst_yes = std::max(worst_yes, row_yes);
-    least_no = std::min(least_no, row_no);
-    std::string text = fmt::format("{} ({}): ", who,
-                                   who == "NISH"              ? "sign of LoG"
-                                   : who.starts_with("DSAD")  ? "directions"
-                                   : row.highpass.size() == 2 ? "with and without high-pass"
-                                   : row.highpass.front()     ? "high-pass"
-                                                              : "no high-pass");
-    for (std::size_t i = 0; i < labels.size(); ++i)
-      text += fmt::format("{}{} {}", i == 0 ? "" : ", ", labels[i], name_of(row.effects[i]));
-    if (different > 0 && who.starts_with("LS"))
-      differing += " (where the means differ in sign the factor is 1, footnote 4: nothing scales)";
-    statements.add(
-        "8.3.1", "Table 8.3, " + text + ".",
-        fmt::format("Largest change of an invariant one {:.1e}{}{}", row_yes,
-                    row_no < 1e9 ? fmt::format(", smallest of a variant one {:.1e}", row_no) : "", differing),
-        verdict(different == 0 && row_yes <= kTolerance, different <= 2),
-        "Invariant and scaled to 1e-4 of the mean, a no above that, for every prefilter; partly: up to two differ");
+    RowFound found;
+    for (const std::string& name : row.criteria)
+      for (const Preparation& preparation : preparations(study::criterion(name), row))
+        measure(name, preparation, row, left, right, found, entries);
+    entries.worst_yes = std::max(entries.worst_yes, found.worst_yes);
+    entries.least_no = std::min(entries.least_no, found.least_no);
+    report.state("8.3.1", {statement(row, found)});
   }
-
-  StudyScope quick;
-  quick.seed = scope.seed;
-  quick.quick = true;
-  Progress progress("footnote");
-  std::size_t done = 0;
-  for (const auto& [name, highpass, scale, note] : {std::tuple{"MOR", false, 1.1, "1"},
-                                                    {"MOR", true, 1.2, "1"},
-                                                    {"SSD", true, 1.1, "2"},
-                                                    {"ZSSD", false, 1.1, "3"},
-                                                    {"ZSSD", true, 1.2, "3"},
-                                                    {"ZNSSD", false, 1.1, "4"},
-                                                    {"ZNSSD", true, 1.2, "4"}}) {
-    progress.show(done++, 7);
-    const double moved =
-        moved_px(simulation, quick, {&study::criterion(name), {Feature::grey, true, highpass}, 9}, scale);
-    statements.add("8.3.1",
-                   fmt::format("Table 8.3, footnote {}: for {} ({}) a different scaling of {:.0f} % is tolerable.",
-                               note, name, highpass ? "high-pass" : "low-pass", 100 * (scale - 1)),
-                   fmt::format("The disparity detected by half moves by {:.2f} px from 1 px", moved),
-                   verdict(moved <= 0.1, moved <= 0.25), "By at most 0.1 px; partly: 0.25 px");
-  }
-
-  directory.write("table-8-3.csv", csv.text());
-  result["cells"] = cells;
-  result["cells_as_in_the_thesis"] = agreeing;
-  result["largest_change_of_invariant"] = worst_yes;
-  result["smallest_change_of_variant"] = least_no;
-  result["statements"] = statements.json();
-  result["findings"] = {fmt::format(
+  state_footnotes(report, scope, simulation);
+  report.table("table-8-3.csv", entries.csv);
+  report.result["cells"] = entries.cells;
+  report.result["cells_as_in_the_thesis"] = entries.agreeing;
+  report.result["largest_change_of_invariant"] = entries.worst_yes;
+  report.result["smallest_change_of_variant"] = entries.least_no;
+  report.finding(
       "Table 8.3: {} of {} entries as in the thesis; a yes changes by {:.1e} at most, a no by {:.1e} at least",
-      agreeing, cells, worst_yes, least_no)};
-  result["figures"] = nlohmann::json::array();
-  return result;
+      entries.agreeing, entries.cells, entries.worst_yes, entries.least_no);
 }
 
 }  // namespace horopter::cli

@@ -2,13 +2,11 @@
 // Thesis 8.5: small objects in front of a background with a disparity of 2 px (Fig. 8.18).
 #include <fmt/format.h>
 
+#include <string>
 #include <vector>
 
 #include "conditions.hpp"
-#include "horopter/base/csv.hpp"
-#include "horopter/draw/plot.hpp"
 #include "horopter/study/parallel.hpp"
-#include "statements.hpp"
 #include "study.hpp"
 
 namespace horopter::cli {
@@ -58,23 +56,68 @@ double detected(const Image& left, const Image& background, const Image& object,
   return all > 0 ? inside / all : 0;
 }
 
+std::vector<Setting> settings_of_objects() {
+  std::vector<Setting> settings;
+  for (const bool lowpass : {false, true})
+    for (const int kernel : {5, 7, 9, 11, 13})
+      settings.push_back({&study::criterion("DSAD"), {Feature::direction, lowpass}, kernel});
+  for (const int kernel : {5, 9, 13}) settings.push_back({&study::criterion("hardware"), {Feature::camera}, kernel});
+  return settings;
+}
+
+/// Side from which half of the pixels are detected; the largest where that is at none.
+double half_detected(const std::vector<int>& sizes, const std::vector<double>& shares) {
+  for (std::size_t k = 0; k < sizes.size(); ++k) {
+    if (shares[k] < 0.5) continue;
+    if (k == 0) return sizes[0];
+    return sizes[k - 1] + (sizes[k] - sizes[k - 1]) * (0.5 - shares[k - 1]) / (shares[k] - shares[k - 1]);
+  }
+  return sizes.back();
+}
+
+/// `smallest`: by setting, five kernels without and five with the low-pass first.
+void state_objects(StudyReport& report, const std::vector<double>& smallest) {
+  const auto list = [&](std::size_t begin) {
+    std::string text;
+    for (std::size_t i = begin; i < begin + 5; ++i) text += fmt::format(" {:.1f}", smallest[i]);
+    return text;
+  };
+  int rising = 0;
+  int larger = 0;
+  for (std::size_t i = 0; i < 5; ++i) {
+    if (i > 0) rising += (smallest[i] > smallest[i - 1] ? 1 : 0) + (smallest[i + 5] > smallest[i + 4] ? 1 : 0);
+    larger += smallest[i + 5] > smallest[i] ? 1 : 0;
+  }
+  using namespace measured;
+  report.state("8.5", {{"Large kernels suppress small objects more.",
+                        {rising, smallest[0], smallest[4], list(0)},
+                        "Half of the pixels are detected from sides of{3} px on (5×5 … 13×13)",
+                        "The side rises with every kernel, with and without low-pass; partly: from 5×5 to 13×13",
+                        {first >= 8, third > second}},
+                       {"A low-pass before suppresses small objects more.",
+                        {larger, list(5)},
+                        "With it from{1} px on",
+                        "A larger side for every kernel; partly: for some",
+                        {first >= 5, first > 0}}});
+  report.finding(
+      "Half of an object's pixels are detected from a side of{} px on with DSAD LP 5×5 … 13×13, {:.1f} px "
+      "with the hardware's 9×9",
+      list(5), smallest[11]);
+}
+
 }  // namespace
 
-nlohmann::json study_objects(OutputDirectory& directory, const StudyScope& scope) {
+void study_objects(StudyReport& report, const StudyScope& scope) {
   study::Conditions conditions = chapter8_conditions(scope);
   conditions.electronics.averaged = 1;  // real camera noise
+  report.result["conditions"] = to_json(conditions);
   const study::Simulation simulation(conditions, 3);
   const Image left = simulation.photograph(0, 0);
   const Image background = simulation.photograph(kBackground_px, 1);
   const Image object = simulation.photograph(0, 2);
   std::vector<int> sizes;
   for (int size = 1; size <= 31; size += scope.quick ? 3 : 1) sizes.push_back(size);
-
-  std::vector<Setting> settings;
-  for (const bool lowpass : {false, true})
-    for (const int kernel : {5, 7, 9, 11, 13})
-      settings.push_back({&study::criterion("DSAD"), {Feature::direction, lowpass}, kernel});
-  for (const int kernel : {5, 9, 13}) settings.push_back({&study::criterion("hardware"), {Feature::camera}, kernel});
+  const std::vector<Setting> settings = settings_of_objects();
   const auto detections = study::detect(photographs(simulation, {0.4, kThreshold_px, 1.2}), settings);
 
   std::vector<std::vector<double>> shares(settings.size(), std::vector<double>(sizes.size()));
@@ -87,58 +130,25 @@ nlohmann::json study_objects(OutputDirectory& directory, const StudyScope& scope
   Csv csv({"setting", "size_px", "detected"});
   std::vector<Panel> panels;
   for (const char* title : {"DSAD", "DSAD LP", "hardware"})
-    panels.push_back({title, "side of the object [px]", "its pixels detected [%]", {}, false});
-  std::vector<double> smallest;  ///< side of which half of the pixels are detected
-  nlohmann::json result{{"conditions", to_json(conditions)}};
+    panels.push_back({title, "side of the object, px", "its pixels detected, %", {}});
+  std::vector<double> smallest;
   for (std::size_t i = 0; i < settings.size(); ++i) {
-    Curve curve{fmt::format("{0}×{0}", settings[i].kernel), {}};
-    double half = 0;
+    const study::Preparation& preparation = settings[i].preparation;
+    Panel& panel = panels[preparation.feature == Feature::camera ? 2 : preparation.lowpass ? 1 : 0];
+    Curve& curve = panel.curves.emplace_back(Curve{fmt::format("{0}×{0}", settings[i].kernel), {}});
     for (std::size_t k = 0; k < sizes.size(); ++k) {
-      csv << name_of(settings[i]) << static_cast<double>(sizes[k]) << shares[i][k];
-      csv.end_row();
+      csv.row(name_of(settings[i]), sizes[k], shares[i][k]);
       curve.points.emplace_back(sizes[k], 100 * shares[i][k]);
-      if (half == 0 && shares[i][k] >= 0.5) {
-        half = k == 0 ? sizes[0]
-                      : sizes[k - 1] +
-                            (sizes[k] - sizes[k - 1]) * (0.5 - shares[i][k - 1]) / (shares[i][k] - shares[i][k - 1]);
-      }
     }
-    smallest.push_back(half > 0 ? half : sizes.back());
-    result["half_detected_px"][name_of(settings[i])] = smallest.back();
-    panels[settings[i].preparation.feature == Feature::camera ? 2
-           : settings[i].preparation.lowpass                  ? 1
-                                                              : 0]
-        .curves.push_back(curve);
+    smallest.push_back(half_detected(sizes, shares[i]));
+    report.result["half_detected_px"][name_of(settings[i])] = smallest.back();
   }
-  directory.write("objects.csv", csv.text());
-  directory.write("fig-8-18.svg", plot_svg("Fig. 8.18: objects of different sizes on a background of 2 px", panels, 3));
-  result["figures"] = {
-      {{"file", "fig-8-18.svg"}, {"title", "Fig. 8.18: detected part of square objects over their size"}}};
-
-  Statements statements;
-  const auto list = [&](std::size_t first) {
-    std::string text;
-    for (std::size_t i = first; i < first + 5; ++i) text += fmt::format(" {:.1f}", smallest[i]);
-    return text;
-  };
-  bool rising = true;
-  for (const std::size_t first : {0, 5})
-    for (std::size_t i = first + 1; i < first + 5; ++i) rising = rising && smallest[i] > smallest[i - 1];
-  statements.add("8.5", "Large kernels suppress small objects more.",
-                 fmt::format("Half of the pixels are detected from sides of{} px on (5×5 … 13×13)", list(0)),
-                 verdict(rising, smallest[4] > smallest[0]),
-                 "The side rises with every kernel, with and without low-pass; partly: from 5×5 to 13×13");
-  int larger = 0;
-  for (std::size_t i = 0; i < 5; ++i) larger += smallest[i + 5] > smallest[i] ? 1 : 0;
-  statements.add("8.5", "A low-pass before suppresses small objects more.",
-                 fmt::format("With it from{} px on", list(5)), verdict(larger == 5, larger > 0),
-                 "A larger side for every kernel; partly: for some");
-  result["statements"] = statements.json();
-  result["findings"] = {
-      fmt::format("Half of an object's pixels are detected from a side of{} px on with DSAD LP 5×5 … 13×13, {:.1f} px "
-                  "with the hardware's 9×9",
-                  list(5), smallest[11])};
-  return result;
+  report.table("objects.csv", csv);
+  report.plot("fig-8-18.svg",
+              "Fig. 8.18: detected part of square objects before a background displaced by 2 px, over "
+              "their size",
+              panels, 3);
+  state_objects(report, smallest);
 }
 
 }  // namespace horopter::cli

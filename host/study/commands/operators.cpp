@@ -12,12 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "horopter/base/csv.hpp"
 #include "horopter/calib/random.hpp"
-#include "horopter/draw/plot.hpp"
 #include "horopter/study/criteria.hpp"
 #include "horopter/study/simulation.hpp"
-#include "statements.hpp"
 #include "study.hpp"
 
 namespace horopter::cli {
@@ -110,13 +107,13 @@ Score score(const Image& result, const Image& truth) {
           alarmed / (clear + alarmed), components(inner, 1), components(inner, 0) - 1};
 }
 
-struct Picture {
+struct Named {
   std::string name;
   Image image;  ///< 0 and 1
 };
 
 /// Pictures with their names, four in a row.
-Image gallery(const std::vector<Picture>& pictures) {
+Image gallery(const std::vector<Named>& pictures) {
   constexpr int kColumns = 4;
   constexpr int kGap = 8;
   constexpr int kLabel = 18;
@@ -134,116 +131,114 @@ Image gallery(const std::vector<Picture>& pictures) {
   return page;
 }
 
-}  // namespace
-
-nlohmann::json study_operators(OutputDirectory& directory, const StudyScope& scope) {
-  const Image truth = objects();
-  const study::Plane sum = sums(truth, scope.seed);
+/// Similarity, so that larger is more in the skin, as the hysteresis has it; 0 where windows leave the image.
+study::Plane similarity(const study::Plane& sum) {
   const double largest = study::criterion("hardware").worst(kKernel);
-  // Similarity, so that larger is more in the skin, as the hysteresis has it.
-  study::Plane similarity = sum;
-  for (double& value : similarity.values) value = 1 - value / largest;
-  Image binary(kWidth, kHeight);
-  for (std::size_t i = 0; i < binary.pixels.size(); ++i) {
-    // Windows that leave the image say nothing.
-    const int x = static_cast<int>(i) % kWidth;
-    const int y = static_cast<int>(i) / kWidth;
-    if (std::min({x, y, kWidth - 1 - x, kHeight - 1 - y}) < kKernel / 2 + 2) similarity.values[i] = 0;
-    binary.pixels[i] = similarity.values[i] >= 1 - kThreshold ? 1 : 0;
-  }
+  study::Plane result = sum;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const bool inside = std::min({x, y, kWidth - 1 - x, kHeight - 1 - y}) >= kKernel / 2 + 2;
+      result.at(x, y) = inside ? 1 - sum.at(x, y) / largest : 0;
+    }
+  return result;
+}
 
-  nlohmann::json result;
+/// The operators on a noisy pair, Fig. 5.7.
+void compare_operators(StudyReport& report, const Image& truth, const study::Plane& alike) {
+  Image binary(kWidth, kHeight);
+  for (std::size_t i = 0; i < binary.pixels.size(); ++i) binary.pixels[i] = alike.values[i] >= 1 - kThreshold ? 1 : 0;
   Csv table({"operator", "wrong", "missed", "false_alarms", "clusters", "holes"});
-  std::vector<Picture> pictures{{"truth", truth}};
-  std::string best;
-  double least = 1;
+  std::vector<Named> pictures{{"truth", truth}};
   const auto add = [&](const std::string& name, const Image& image) {
     const Score s = score(image, truth);
-    table << name << s.wrong << s.missed << s.false_alarms << std::to_string(s.clusters) << std::to_string(s.holes);
-    table.end_row();
-    result["operators"][name] = {{"wrong", s.wrong},
-                                 {"missed", s.missed},
-                                 {"false_alarms", s.false_alarms},
-                                 {"clusters", s.clusters},
-                                 {"holes", s.holes}};
+    table.row(name, s.wrong, s.missed, s.false_alarms, s.clusters, s.holes);
+    report.result["operators"][name] = {{"wrong", s.wrong},
+                                        {"missed", s.missed},
+                                        {"false_alarms", s.false_alarms},
+                                        {"clusters", s.clusters},
+                                        {"holes", s.holes}};
     pictures.push_back({fmt::format("{}: {:.1f} % wrong, {} clusters", name, 100 * s.wrong, s.clusters), image});
-    if (s.wrong < least) {
-      least = s.wrong;
-      best = name;
-    }
-    return s;
   };
-  const Score true_score = score(truth, truth);
-  const Score plain = add("threshold", binary);
-  add("hysteresis", study::hysteresis(similarity, 1 - kThreshold, 1 - kSurely));
+  add("threshold", binary);
+  add("hysteresis", study::hysteresis(alike, 1 - kThreshold, 1 - kSurely));
   for (const study::Operator& op : study::binary_operators()) add(op.name, op.apply(binary, op.size));
-  directory.write("fig-5-7.csv", table.text());
-  directory.write("fig-5-7.png", encode_png(gallery(pictures)));
+  report.table("fig-5-7.csv", table);
+  report.picture("fig-5-7.png", "Fig. 5.7: operators on binarised sums of 5×5 pixels of a noisy pair",
+                 encode_png(gallery(pictures)));
+}
 
-  // Pixels turned over at random.
-  Csv noise_table({"turned_over", "operator", "wrong"});
-  Panel panel{"Pixels turned over at random", "share turned over", "share wrong afterwards", {}, true};
-  std::vector<Curve> curves{{"threshold", {}}};
-  for (const study::Operator& op : study::binary_operators()) curves.push_back({op.name, {}});
+/// The operators on pixels turned over at random.
+void turn_over(StudyReport& report, const StudyScope& scope, const Image& truth) {
+  Csv table({"turned_over", "operator", "wrong"});
+  Panel panel{
+      "Pixels turned over at random", "share of pixels turned over", "share of pixels wrong afterwards", {}, true};
+  panel.curves.push_back({"threshold", {}});
+  for (const study::Operator& op : study::binary_operators()) panel.curves.push_back({op.name, {}});
   const int runs = scope.quick ? 1 : 5;
   for (int step = 1; step <= 9; ++step) {
     const double share = 0.05 * step;
-    std::vector<double> wrong(curves.size());
+    std::vector<double> wrong(panel.curves.size());
     for (int run = 0; run < runs; ++run) {
       calib::Random random(scope.seed, static_cast<std::uint64_t>(100 * step + run));
       Image noisy = truth;
       for (auto& pixel : noisy.pixels) pixel = static_cast<std::uint8_t>(random.uniform() < share ? 1 - pixel : pixel);
       wrong[0] += score(noisy, truth).wrong / runs;
-      for (std::size_t i = 1; i < curves.size(); ++i) {
+      for (std::size_t i = 1; i < wrong.size(); ++i) {
         const study::Operator& op = study::binary_operators()[i - 1];
         wrong[i] += score(op.apply(noisy, op.size), truth).wrong / runs;
       }
     }
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-      noise_table << share << curves[i].name << wrong[i];
-      noise_table.end_row();
-      curves[i].points.emplace_back(share, wrong[i]);
-      result["turned_over"][curves[i].name].push_back(wrong[i]);
+    for (std::size_t i = 0; i < wrong.size(); ++i) {
+      Curve& curve = panel.curves[i];
+      table.row(share, curve.name, wrong[i]);
+      curve.points.emplace_back(share, wrong[i]);
+      report.result["turned_over"][curve.name].push_back(wrong[i]);
     }
   }
-  panel.curves = std::move(curves);
-  directory.write("operators-noise.csv", noise_table.text());
-  directory.write("operators-noise.svg", plot_svg("Operators of 5.2 and noise", {panel}, 1));
+  report.table("operators-noise.csv", table);
+  report.plot("operators-noise.svg", "Operators of 5.2 on pixels turned over at random", {panel}, 1);
+}
 
-  const auto& of = result["operators"];
-  result["conditions"] = {{"kernel", kKernel},
-                          {"noise_grey", kNoise_grey},
-                          {"background_px", kBackground_px},
-                          {"threshold", kThreshold},
-                          {"true_clusters", true_score.clusters}};
+}  // namespace
+
+void study_operators(StudyReport& report, const StudyScope& scope) {
+  const Image truth = objects();
+  const int true_clusters = score(truth, truth).clusters;
+  report.result["conditions"] = {{"kernel", kKernel},
+                                 {"noise_grey", kNoise_grey},
+                                 {"background_px", kBackground_px},
+                                 {"threshold", kThreshold},
+                                 {"true_clusters", true_clusters}};
+  compare_operators(report, truth, similarity(sums(truth, scope.seed)));
+  turn_over(report, scope, truth);
+
+  using namespace measured;
+  const nlohmann::json& of = report.result["operators"];
   const auto wrong = [&](const char* name) { return 100 * of.at(name).at("wrong").get<double>(); };
-  result["figures"] = {
-      {{"file", "fig-5-7.png"}, {"title", "Fig. 5.7: operators on binarised sums of 5×5 pixels of a noisy pair"}},
-      {{"file", "operators-noise.svg"}, {"title", "Operators of 5.2 on pixels turned over at random"}}};
-  Statements statements;
-  const double opened = wrong("opening 5x5");
-  const double closed = wrong("closing 5x5");
-  const double few = wrong("clusterlets 5x5");
-  const double most = wrong("majority 5x5");
-  const std::string figures = fmt::format(
-      "Wrong pixels with 5×5: majority {:.2f} %, clusterlets {:.2f} %, opening {:.2f} %, closing {:.2f} %, "
-      "none {:.2f} %",
-      most, few, opened, closed, 100 * plain.wrong);
-  statements.add("5.2", "The majority decision produces better results than opening and closing.", figures,
-                 verdict(most < std::min(opened, closed), most < std::max(opened, closed)),
-                 "Fewer wrong pixels than both; partly: than one");
-  statements.add("5.2", "Clusterlet elimination performs much better than opening and closing.", figures,
-                 verdict(few < 0.8 * std::min(opened, closed), few < std::max(opened, closed)),
-                 "A fifth fewer wrong pixels than both; partly: fewer than one");
-  result["statements"] = statements.json();
-  result["findings"] = std::vector<std::string>{
-      fmt::format(
-          "Threshold alone: {:.1f} % of the pixels wrong, {} clusters of {} true ones; least wrong: {}, {:.1f} %",
-          100 * plain.wrong, plain.clusters, true_score.clusters, best, 100 * least),
-      fmt::format("Of about one size, 5x5: majority {:.1f} %, clusterlets {:.1f} %, opening {:.1f} %, closing {:.1f} % "
-                  "wrong",
-                  wrong("majority 5x5"), wrong("clusterlets 5x5"), wrong("opening 5x5"), wrong("closing 5x5"))};
-  return result;
+  const AllMeasured of_5x5{wrong("majority 5x5"), wrong("clusterlets 5x5"), wrong("opening 5x5"), wrong("closing 5x5"),
+                           wrong("threshold")};
+  const char* const figure =
+      "Wrong pixels with 5×5: majority {:.2f} %, clusterlets {:.2f} %, opening {:.2f} %, closing {:.2f} %, none {:.2f} "
+      "%";
+  report.state("5.2", {{"The majority decision produces better results than opening and closing.",
+                        of_5x5,
+                        figure,
+                        "Fewer wrong pixels than both; partly: than one",
+                        {first < third && first < fourth, first < third || first < fourth}},
+                       {"Clusterlet elimination performs much better than opening and closing.",
+                        of_5x5,
+                        figure,
+                        "A fifth fewer wrong pixels than both; partly: fewer than one",
+                        {second < 0.8 * third && second < 0.8 * fourth, second < third || second < fourth}}});
+  std::string best = "threshold";
+  for (const auto& [name, one] : of.items())
+    if (wrong(name.c_str()) < wrong(best.c_str())) best = name;
+  report.finding(
+      "Threshold alone: {:.1f} % of the pixels wrong, {} clusters of {} true ones; least wrong: {}, {:.1f} %",
+      wrong("threshold"), of["threshold"]["clusters"].get<int>(), true_clusters, best, wrong(best.c_str()));
+  report.finding(
+      "Of about one size, 5x5: majority {:.1f} %, clusterlets {:.1f} %, opening {:.1f} %, closing {:.1f} % wrong",
+      wrong("majority 5x5"), wrong("clusterlets 5x5"), wrong("opening 5x5"), wrong("closing 5x5"));
 }
 
 }  // namespace horopter::cli

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "horopter/study/series.hpp"
+#include "report.hpp"
 
 namespace horopter::cli {
 
@@ -42,9 +43,8 @@ inline const std::vector<std::string> local_group{"LSAD", "LSSD", "NSAD"};
 inline const std::vector<std::string> grey_criteria{"NCC",   "ZNCC", "MOR",  "SSD",  "ZSSD", "LSSD",
                                                     "ZNSSD", "SAD",  "ZSAD", "LSAD", "NSAD"};
 
-/// Verdicts on what 8.4 and 11.2 say about segmentation.
-class Statements;
-void judge_segmentation(const Segmentation& found, const std::vector<int>& kernels, const std::vector<double>& log_w_px,
-                        Statements& statements);
+/// Reports what 8.4 and 11.2 say about segmentation, and what of it was found.
+void state_segmentation(const Segmentation& found, const std::vector<int>& kernels, const std::vector<double>& log_w_px,
+                        StudyReport& report);
 
 }  // namespace horopter::cli

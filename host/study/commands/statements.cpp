@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "statements.hpp"
 
+#include <fmt/args.h>
 #include <fmt/format.h>
 
 #include <map>
 
 namespace horopter::cli {
 namespace {
-
-const char* name_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::confirmed:
-      return "confirmed";
-    case Verdict::partly:
-      return "partly";
-    default:
-      return "not confirmed";
-  }
-}
 
 /// A cell of a table in Markdown.
 std::string cell(std::string text) {
@@ -52,13 +42,22 @@ Envelopes*. A verdict follows from the figures by the rule beside it, the same f
 
 }  // namespace
 
-void Statements::add(const std::string& section, const std::string& statement, const std::string& figure,
-                     Verdict verdict, const std::string& rule) {
-  rows_.push_back({{"section", section},
-                   {"statement", statement},
-                   {"figure", figure},
-                   {"verdict", name_of(verdict)},
-                   {"rule", rule}});
+nlohmann::json evaluate(const std::string& section, const Statement& statement) {
+  fmt::dynamic_format_arg_store<fmt::format_context> arguments;
+  for (const Measured& one : statement.measured) {
+    if (one.is_number) {
+      arguments.push_back(one.number);
+    } else {
+      arguments.push_back(one.words);
+    }
+  }
+  return {{"section", section},
+          {"statement", statement.quote},
+          {"figure", fmt::vformat(statement.figure, arguments)},
+          {"verdict", statement.limits.confirmed.holds(statement.measured) ? "confirmed"
+                      : statement.limits.partly.holds(statement.measured)  ? "partly"
+                                                                           : "not confirmed"},
+          {"rule", statement.rule}};
 }
 
 std::string study_markdown(const nlohmann::ordered_json& results) {

@@ -1,32 +1,98 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the thesis says, beside what a study found: rows of STUDY.md. Verdicts come from figures by a stated rule.
+// What the thesis says, beside what a study found: rows of STUDY.md. A statement is data, and one evaluator makes the
+// verdict from its numbers and its limits.
 #pragma once
 
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <functional>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace horopter::cli {
 
-enum class Verdict { confirmed, partly, not_confirmed };
+/// A number that was measured, or words that only stand beside numbers.
+struct Measured {
+  template <class T>
+    requires std::integral<T> || std::floating_point<T>
+  Measured(T value) : number(static_cast<double>(value)) {}
+  Measured(std::string text) : words(std::move(text)), is_number(false) {}
+  Measured(const char* text) : Measured(std::string(text)) {}
 
-/// Confirmed when `whole` holds, else partly when `part` does.
-constexpr Verdict verdict(bool whole, bool part = false) {
-  if (whole) return Verdict::confirmed;
-  return part ? Verdict::partly : Verdict::not_confirmed;
-}
-
-/// A study puts statements into its result's "statements"; `study all` collects them.
-class Statements {
- public:
-  /// `section` of the thesis, what it says, our figure in words and numbers, the rule of the verdict ("confirmed when
-  /// …"). A word why, where it is not confirmed, belongs to the figure.
-  void add(const std::string& section, const std::string& statement, const std::string& figure, Verdict verdict,
-           const std::string& rule);
-  const nlohmann::json& json() const { return rows_; }
-
- private:
-  nlohmann::json rows_ = nlohmann::json::array();
+  double number = std::numeric_limits<double>::quiet_NaN();
+  std::string words;
+  bool is_number = true;
 };
+using AllMeasured = std::vector<Measured>;
+
+/// One side of a comparison: a constant, or factor · (the measured number at a place) + offset.
+struct Term {
+  constexpr Term(double constant) : offset(constant) {}
+  constexpr Term(std::size_t index, double by, double plus) : place(index), factor(by), offset(plus) {}
+  double of(const AllMeasured& measured) const {
+    return factor == 0 ? offset : factor * measured.at(place).number + offset;
+  }
+
+  std::size_t place = 0;
+  double factor = 0;
+  double offset = 0;
+};
+constexpr Term operator*(double factor, const Term& term) {
+  return {term.place, factor * term.factor, factor * term.offset};
+}
+constexpr Term operator+(const Term& term, double offset) { return {term.place, term.factor, term.offset + offset}; }
+
+/// The measured numbers of a statement, in their order: `first < 0.2`, `first < second && second < third`.
+namespace measured {
+inline constexpr Term first{0, 1, 0}, second{1, 1, 0}, third{2, 1, 0}, fourth{3, 1, 0}, fifth{4, 1, 0};
+}  // namespace measured
+
+/// Limits on measured numbers.
+struct Rule {
+  std::function<bool(const AllMeasured&)> holds;
+};
+inline Rule operator<(const Term& a, const Term& b) {
+  return {[=](const AllMeasured& measured) { return a.of(measured) < b.of(measured); }};
+}
+inline Rule operator<=(const Term& a, const Term& b) {
+  return {[=](const AllMeasured& measured) { return a.of(measured) <= b.of(measured); }};
+}
+inline Rule operator>(const Term& a, const Term& b) { return b < a; }
+inline Rule operator>=(const Term& a, const Term& b) { return b <= a; }
+inline Rule operator&&(const Rule& a, const Rule& b) {
+  return {[=](const AllMeasured& measured) { return a.holds(measured) && b.holds(measured); }};
+}
+inline Rule operator||(const Rule& a, const Rule& b) {
+  return {[=](const AllMeasured& measured) { return a.holds(measured) || b.holds(measured); }};
+}
+/// At most `by` away from `expected`.
+inline Rule near(const Term& a, double expected, double by) {
+  return {[=](const AllMeasured& measured) { return std::abs(a.of(measured) - expected) <= by; }};
+}
+inline const Rule always{[](const AllMeasured&) { return true; }};
+inline const Rule never{[](const AllMeasured&) { return false; }};
+
+/// When a statement is confirmed, and when it is partly, which is asked only where it is not.
+struct Limits {
+  Rule confirmed;
+  Rule partly = never;
+};
+
+/// One thing that the thesis says, and what decides whether we found it.
+struct Statement {
+  std::string quote;     ///< what it says
+  AllMeasured measured;  ///< numbers for `figure` and `limits`
+  std::string figure;    ///< what we found, in fmt's format; a word why, where that may not be what the thesis says
+  std::string rule;      ///< `limits` in words
+  Limits limits;
+};
+
+/// {"section", "statement", "figure", "verdict", "rule"}: a statement of a section of the thesis, evaluated.
+nlohmann::json evaluate(const std::string& section, const Statement& statement);
 
 /// STUDY.md from the results of studies, {name: result}: a table of all statements, and each study's conditions.
 std::string study_markdown(const nlohmann::ordered_json& results);

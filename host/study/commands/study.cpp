@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "cli/words.hpp"
 #include "command.hpp"
@@ -21,7 +23,7 @@ struct StudyOptions {
   bool json = false;
 };
 
-ExitStatus report(const StudyOptions& options, const nlohmann::json& result) {
+ExitStatus print_result(const StudyOptions& options, const nlohmann::json& result) {
   const auto status = result.value("frames_different", 0) == 0 ? ExitStatus::done : ExitStatus::check_failed;
   if (options.json) {
     std::puts(result.dump(2).c_str());
@@ -32,16 +34,6 @@ ExitStatus report(const StudyOptions& options, const nlohmann::json& result) {
   return status;
 }
 
-ExitStatus run_study(const StudyOptions& options, Study run) {
-  OutputDirectory directory(options.out);
-  nlohmann::json result = run(directory, options.scope);
-  result["seed"] = options.scope.seed;
-  result["quick"] = options.scope.quick;
-  directory.write("summary.json", result.dump(2) + "\n");
-  directory.commit();
-  return report(options, result);
-}
-
 void add_texture_options(CLI::App& command, StudyScope& scope) {
   auto* texture = only(command.add_option("--texture", scope.texture, "Simulated texture"),
                        {"dead-leaves", "band-noise", "printed-dots"});
@@ -49,6 +41,42 @@ void add_texture_options(CLI::App& command, StudyScope& scope) {
       .add_option("--picture", scope.picture, "Your own image as texture, a pixel of it as large as one of the camera")
       ->excludes(texture)
       ->type_name("FILE");
+}
+
+void add_series_option(CLI::App& command, StudyScope& scope) {
+  command
+      .add_option("--series", scope.series,
+                  "Your own images instead: a CSV file with the columns file,disparity_px, the reference first")
+      ->type_name("FILE");
+}
+
+void add_data_option(CLI::App& command, StudyScope& scope, const std::string& what) {
+  command.add_option("--data", scope.data, what)->capture_default_str()->type_name("DIR");
+}
+
+void add_board_options(CLI::App& command, StudyScope& scope) {
+  scope.engines = engine_names();
+  add_data_option(command, scope, "Directory with left01.jpg … right14.jpg");
+  add_decision(command, scope.decision);
+  add_thickness(command, scope.thickness);
+  only(command.add_option("--engines", scope.engines, "Engines, which must see the same")->delimiter(','),
+       engine_names())
+      ->default_str(fmt::format("{}", fmt::join(engine_names(), ",")));
+}
+
+void add_decision_options(CLI::App& command, StudyScope& scope) {
+  command
+      .add_option("--list", scope.list,
+                  "Stereo pairs, as of `horopter evaluate` (default: opencv-doc's aloe and two simulated scenes)")
+      ->type_name("FILE");
+  add_data_option(command, scope, "Directory with aloeL.jpg, aloeR.jpg, aloeGT.png");
+  command.add_option("--generated", scope.generated, "What hlsc made of the stages")
+      ->capture_default_str()
+      ->type_name("DIR");
+  command
+      .add_option("--synth", scope.synthesised,
+                  "Directory with what scripts/synth --json wrote of each stage, <stage>.json, for its gates")
+      ->type_name("DIR");
 }
 
 }  // namespace
@@ -78,10 +106,22 @@ const std::vector<NamedStudy>& studies() {
   return list;
 }
 
+nlohmann::json run_study(Study study, const std::filesystem::path& out, const StudyScope& scope) {
+  OutputDirectory directory(out);
+  StudyReport report(directory);
+  study(report, scope);
+  report.result["seed"] = scope.seed;
+  report.result["quick"] = scope.quick;
+  directory.write("summary.json", report.result.dump(2) + "\n");
+  directory.commit();
+  return report.result;
+}
+
 void add_study(CLI::App& app, Outcome& outcome) {
   CLI::App* command = app.add_subcommand("study", "Repeat the thesis's measurements, with tables and plots");
   command->require_subcommand(1);
-  const auto add = [&](const char* name, const char* what) {
+  using Run = std::function<nlohmann::json(const StudyOptions&)>;
+  const auto add = [&](const char* name, const char* what, const Run& run) {
     auto options = std::make_shared<StudyOptions>();
     CLI::App* one = command->add_subcommand(name, what);
     one->add_option("--out", options->out, "Directory for the tables (CSV) and plots (SVG)")
@@ -90,56 +130,29 @@ void add_study(CLI::App& app, Outcome& outcome) {
     one->add_option("--seed", options->scope.seed, "Of the noise")->capture_default_str()->type_name("N");
     one->add_flag("--quick", options->scope.quick, "Fewer images, methods and runs: to see that all is well");
     one->add_flag("--json", options->json, "Print summary.json on standard output, and nothing else");
-    return std::pair(one, options);
+    one->callback([options, run, &outcome] { outcome.status = print_result(*options, run(*options)); });
+    return std::pair(one, &options->scope);
   };
-  const auto add_one = [&](const char* name, const char* what, Study run) {
-    const auto added = add(name, what);
-    added.first->callback([mine = added.second, run, &outcome] { outcome.status = run_study(*mine, run); });
-    return added;
+  const auto add_one = [&](const char* name, const char* what, Study study) {
+    return add(name, what,
+               [study](const StudyOptions& options) { return run_study(study, options.out, options.scope); });
   };
   for (const NamedStudy& named : studies()) {
-    const auto [one, options] = add_one(named.name, named.what, named.run);
+    const auto [one, scope] = add_one(named.name, named.what, named.run);
     if (named.run == study_segmentation || named.run == study_objects || named.run == study_detection ||
         named.run == study_influences)
-      add_texture_options(*one, options->scope);
-    if (named.run == study_segmentation) {
-      one->add_option("--series", options->scope.series,
-                      "Your own images instead: a CSV file with the columns file,disparity_px, the reference first")
-          ->type_name("FILE");
-    }
+      add_texture_options(*one, *scope);
+    if (named.run == study_segmentation) add_series_option(*one, *scope);
   }
-  const auto [all, of_all] =
-      add("all", "All of these (not board and decision), with a page of every figure and STUDY.md");
-  all->callback(
-      [options = of_all, &outcome] { outcome.status = report(*options, study_all(options->out, options->scope)); });
-  const auto [board, options] =
+  add("all", "All of these (not board and decision), with a page of every figure and STUDY.md",
+      [](const StudyOptions& options) { return study_all(options.out, options.scope); });
+  const auto [board, of_board] =
       add_one("board", "A skin in mm on photographs of a chessboard, calibrated on the others, moved through the board",
               study_board);
-  options->scope.engines = engine_names();
-  board->add_option("--data", options->scope.data, "Directory with left01.jpg … right14.jpg")
-      ->capture_default_str()
-      ->type_name("DIR");
-  add_decision(*board, options->scope.decision);
-  add_thickness(*board, options->scope.thickness);
+  add_board_options(*board, *of_board);
   const auto [decision, of_decision] = add_one(
       "decision", "The rules with parts left out, larger and smaller: what each gains and costs (12)", study_decision);
-  decision
-      ->add_option("--list", of_decision->scope.list,
-                   "Stereo pairs, as of `horopter evaluate` (default: opencv-doc's aloe and two simulated scenes)")
-      ->type_name("FILE");
-  decision->add_option("--data", of_decision->scope.data, "Directory with aloeL.jpg, aloeR.jpg, aloeGT.png")
-      ->capture_default_str()
-      ->type_name("DIR");
-  decision->add_option("--generated", of_decision->scope.generated, "What hlsc made of the stages")
-      ->capture_default_str()
-      ->type_name("DIR");
-  decision
-      ->add_option("--synth", of_decision->scope.synthesised,
-                   "Directory with what scripts/synth --json wrote of each stage, <stage>.json, for its gates")
-      ->type_name("DIR");
-  only(board->add_option("--engines", options->scope.engines, "Engines, which must see the same")->delimiter(','),
-       engine_names())
-      ->default_str(fmt::format("{}", fmt::join(engine_names(), ",")));
+  add_decision_options(*decision, *of_decision);
 }
 
 }  // namespace horopter::cli

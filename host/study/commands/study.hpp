@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The studies behind `horopter study`: each writes tables and plots into a directory and returns its figures as JSON.
+// The studies behind `horopter study`: each measures something of the thesis again and reports it.
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "cli/thickness.hpp"
-#include "horopter/image/output.hpp"
 #include "horopter/machine/monitor.hpp"
+#include "report.hpp"
 
 namespace horopter::cli {
 
@@ -28,52 +29,36 @@ struct StudyScope {
   ThicknessOption thickness;
 };
 
-/// Sub-pixel edge estimators on simulated edges (thesis 6.7).
-nlohmann::json study_edges(OutputDirectory& directory, const StudyScope& scope);
-/// Calibration with a rendered rig (thesis 6.8, 6.9).
-nlohmann::json study_calibration(OutputDirectory& directory, const StudyScope& scope);
-/// Bilinear interpolation with weights of few bits, for scaling and translation (thesis 7.5).
-nlohmann::json study_interpolation(OutputDirectory& directory, const StudyScope& scope);
-/// Thickness and exploitation over tilt and place (thesis 11.1, Fig. 11.2, 11.3).
-nlohmann::json study_geometry(OutputDirectory& directory, const StudyScope& scope);
-/// The morphological operators side by side (thesis 5.2, Fig. 5.7).
-nlohmann::json study_operators(OutputDirectory& directory, const StudyScope& scope);
-/// Measures of texture, and texture against noise (thesis 9, Tables 9.1, 9.2, Fig. 9.1, 9.2).
-nlohmann::json study_texture(OutputDirectory& directory, const StudyScope& scope);
-/// Bits of the direction and of its difference (thesis 10.4.5, Fig. 10.4).
-nlohmann::json study_resolution(OutputDirectory& directory, const StudyScope& scope);
-/// Operations and memory accesses of each step (thesis 10.1, Table 10.1).
-nlohmann::json study_computation(OutputDirectory& directory, const StudyScope& scope);
+using Study = void (*)(StudyReport&, const StudyScope&);
 
-/// Every correlation criterion over disparity (thesis 8.4, 11.2.1).
-nlohmann::json study_segmentation(OutputDirectory& directory, const StudyScope& scope);
-/// Changes of brightness (Table 8.3).
-nlohmann::json study_invariance(OutputDirectory& directory, const StudyScope& scope);
-/// Noise, differing scale, differing blur (Table 8.4).
-nlohmann::json study_influences(OutputDirectory& directory, const StudyScope& scope);
-/// Small objects (thesis 8.5).
-nlohmann::json study_objects(OutputDirectory& directory, const StudyScope& scope);
-/// Operations of each criterion (Table 8.5).
-nlohmann::json study_cost(OutputDirectory& directory, const StudyScope& scope);
-/// What the hardware's stage detects at which displacement (thesis 11.2).
-nlohmann::json study_detection(OutputDirectory& directory, const StudyScope& scope);
-/// A skin in millimetres on photographs of a chessboard, moved through it (10.4, 11.2).
-nlohmann::json study_board(OutputDirectory& directory, const StudyScope& scope);
-
-/// Variants of the rules of decision: what each gains and costs (12.1 to 12.4).
-nlohmann::json study_decision(OutputDirectory& directory, const StudyScope& scope);
-
-using Study = nlohmann::json (*)(OutputDirectory&, const StudyScope&);
+// What each of them measures stands beside its name in studies(); of the last two, where their options are.
+void study_edges(StudyReport& report, const StudyScope& scope);
+void study_calibration(StudyReport& report, const StudyScope& scope);
+void study_interpolation(StudyReport& report, const StudyScope& scope);
+void study_segmentation(StudyReport& report, const StudyScope& scope);
+void study_invariance(StudyReport& report, const StudyScope& scope);
+void study_influences(StudyReport& report, const StudyScope& scope);
+void study_objects(StudyReport& report, const StudyScope& scope);
+void study_cost(StudyReport& report, const StudyScope& scope);
+void study_detection(StudyReport& report, const StudyScope& scope);
+void study_operators(StudyReport& report, const StudyScope& scope);
+void study_texture(StudyReport& report, const StudyScope& scope);
+void study_resolution(StudyReport& report, const StudyScope& scope);
+void study_computation(StudyReport& report, const StudyScope& scope);
+void study_geometry(StudyReport& report, const StudyScope& scope);
+void study_board(StudyReport& report, const StudyScope& scope);
+void study_decision(StudyReport& report, const StudyScope& scope);
 
 struct NamedStudy {
   const char* name;
   const char* what;
   Study run;
 };
-/// Those of `horopter study all`, in the order of its page. A result may hold "findings" (lines for the terminal),
-/// "figures" ([{"file", "title"}]; without it every SVG is one), "conditions" and "statements" (study_statements.hpp).
+/// Those of `horopter study all`, in the order of its page.
 const std::vector<NamedStudy>& studies();
 
+/// Runs one into a directory of its own and returns what its summary.json says.
+nlohmann::json run_study(Study study, const std::filesystem::path& out, const StudyScope& scope);
 /// Runs all of studies(), each into a directory of its name, and writes index.html and STUDY.md beside them.
 nlohmann::json study_all(const std::string& out, const StudyScope& scope);
 

@@ -9,15 +9,14 @@
 #include <cmath>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "horopter/base/csv.hpp"
 #include "horopter/calib/random.hpp"
 #include "horopter/image/image.hpp"
 #include "horopter/study/filters.hpp"
 #include "horopter/study/simulation.hpp"
 #include "horopter/study/texture_measures.hpp"
-#include "statements.hpp"
 #include "study.hpp"
 
 namespace horopter::cli {
@@ -102,86 +101,104 @@ constexpr std::array printed{
 
 constexpr double kPatternBlur_px = 0.53;
 
-void measures(OutputDirectory& directory, const StudyScope& scope, nlohmann::json& result,
-              std::vector<std::string>& findings, Statements& statements) {
+/// How far the measures are from Table 9.1, and from each other.
+struct Departures {
+  double scale = 0, deviation = 0, error = 0;  ///< furthest from the table
+  double least_gain = 1;                       ///< of the low-pass, gradient operators
+  double steadiest = 1;                        ///< relative deviation of a gradient operator
+};
+
+/// Noise of three strengths.
+struct Patterns {
+  Plane weak, twice, thrice;
+};
+
+/// One measure on one pattern, as Table 9.1 lists it.
+struct Entry {
+  double mean, relative, error_2, error_3;
+};
+
+Entry entry(const study::TextureMeasure& measure, const Patterns& patterns, bool lowpass) {
+  const auto values = [&](const Plane& pattern) {
+    const Plane plane = measure.of(pattern);
+    return inner(lowpass ? study::lowpass(plane) : plane);
+  };
+  const auto weak = values(patterns.weak);
+  const auto twice = values(patterns.twice);
+  const auto [mean, deviation] = statistics(twice);
+  return {mean, deviation / mean, discrimination_error(weak, twice),
+          discrimination_error(weak, values(patterns.thrice))};
+}
+
+Departures measures(StudyReport& report, const StudyScope& scope) {
   const int size = scope.quick ? 256 : 512;
-  const Plane weak = noise_pattern(size, 6.2, kPatternBlur_px, scope.seed, 1);
-  const Plane twice = noise_pattern(size, 12.2, kPatternBlur_px, scope.seed, 2);
-  const Plane thrice = noise_pattern(size, 18.5, kPatternBlur_px, scope.seed, 3);
+  const Patterns patterns{noise_pattern(size, 6.2, kPatternBlur_px, scope.seed, 1),
+                          noise_pattern(size, 12.2, kPatternBlur_px, scope.seed, 2),
+                          noise_pattern(size, 18.5, kPatternBlur_px, scope.seed, 3)};
   Csv table({"measure", "lowpass", "scale_factor", "relative_std_dev", "error_6.2_12.2", "error_6.2_18.5",
              "printed_scale_factor", "printed_relative_std_dev", "printed_error_6.2_12.2", "printed_error_6.2_18.5"});
+  Departures result;
+  const auto widen = [](double& furthest, double departure) { furthest = std::max(furthest, std::abs(departure)); };
   double unit = 0;
-  double furthest_scale = 0;
-  double furthest_deviation = 0;
-  double furthest_error = 0;
-  double least_gain = 1;  // of the low-pass, gradient operators
-  double steadiest = 1;   // relative deviation of a gradient operator
   for (const study::TextureMeasure& measure : study::texture_measures()) {
-    const auto of_thesis = std::ranges::find(printed, measure.name, &Printed::name);
-    double plain_deviation = 0;
-    for (const bool lowpass : {false, true}) {
-      const auto values = [&](const Plane& pattern) {
-        const Plane plane = measure.of(pattern);
-        return inner(lowpass ? study::lowpass(plane) : plane);
-      };
-      const auto of_weak = values(weak);
-      const auto of_twice = values(twice);
-      const auto [mean, deviation] = statistics(of_twice);
-      if (unit == 0) unit = mean;
-      const double scale = mean / unit;
-      const double relative = deviation / mean;
-      const double error_2 = discrimination_error(of_weak, of_twice);
-      const double error_3 = discrimination_error(of_weak, values(thrice));
-      table << measure.name << std::string(lowpass ? "3x3" : "none") << scale << relative << error_2 << error_3;
-      if (lowpass) {
-        for (int i = 0; i < 4; ++i) table << std::string();
-        if (!measure.name.starts_with("Std")) least_gain = std::min(least_gain, 1 - relative / plain_deviation);
-      } else {
-        plain_deviation = relative;
-        if (!measure.name.starts_with("Std")) steadiest = std::min(steadiest, relative);
-        furthest_error =
-            std::max({furthest_error, std::abs(error_2 - of_thesis->error_2), std::abs(error_3 - of_thesis->error_3)});
-        table << of_thesis->scale << of_thesis->deviation << of_thesis->error_2 << of_thesis->error_3;
-        furthest_scale = std::max(furthest_scale, std::abs(scale / of_thesis->scale - 1));
-        furthest_deviation = std::max(furthest_deviation, std::abs(relative / of_thesis->deviation - 1));
-      }
-      table.end_row();
-      result["measures"][measure.name][lowpass ? "lowpass" : "plain"] = {{"scale_factor", scale},
-                                                                         {"relative_std_dev", relative},
-                                                                         {"error_6.2_12.2", error_2},
-                                                                         {"error_6.2_18.5", error_3}};
-    }
+    const bool gradient = !measure.name.starts_with("Std");
+    const Entry plain = entry(measure, patterns, false);
+    const Entry smooth = entry(measure, patterns, true);
+    if (unit == 0) unit = plain.mean;
+    const Printed& of_thesis = *std::ranges::find(printed, measure.name, &Printed::name);
+    table.row(measure.name, "none", plain.mean / unit, plain.relative, plain.error_2, plain.error_3, of_thesis.scale,
+              of_thesis.deviation, of_thesis.error_2, of_thesis.error_3);
+    table.row(measure.name, "3x3", smooth.mean / unit, smooth.relative, smooth.error_2, smooth.error_3, "", "", "", "");
+    for (const auto& [key, one] : {std::pair{"plain", plain}, {"lowpass", smooth}})
+      report.result["measures"][measure.name][key] = {{"scale_factor", one.mean / unit},
+                                                      {"relative_std_dev", one.relative},
+                                                      {"error_6.2_12.2", one.error_2},
+                                                      {"error_6.2_18.5", one.error_3}};
+    widen(result.scale, plain.mean / unit / of_thesis.scale - 1);
+    widen(result.deviation, plain.relative / of_thesis.deviation - 1);
+    widen(result.error, plain.error_2 - of_thesis.error_2);
+    widen(result.error, plain.error_3 - of_thesis.error_3);
+    if (!gradient) continue;
+    result.least_gain = std::min(result.least_gain, 1 - smooth.relative / plain.relative);
+    result.steadiest = std::min(result.steadiest, plain.relative);
   }
-  directory.write("table-9-1.csv", table.text());
-  result["pattern_blur_px"] = kPatternBlur_px;
-  findings.push_back(
-      fmt::format("Table 9.1: scale factors within {:.1f} %, relative deviations within {:.1f} % of the "
-                  "thesis's",
-                  100 * furthest_scale, 100 * furthest_deviation));
-  const double window = result["measures"]["Std dev 7×7"]["plain"]["relative_std_dev"];
-  statements.add(
-      "9.1", "Means, relative deviations and errors of the texture measures are those of Table 9.1.",
-      fmt::format("Scale factors within {:.1f} %, relative deviations within {:.1f} %, errors within {:.3f}",
-                  100 * furthest_scale, 100 * furthest_deviation, furthest_error),
-      verdict(furthest_scale <= 0.1 && furthest_deviation <= 0.1 && furthest_error <= 0.05, furthest_scale <= 0.1),
-      "Within 10 %, 10 % and 0.05; partly: scale factors are");
-  statements.add(
-      "9.1", "The local standard deviation varies less than the gradient operators.",
-      fmt::format("Relative deviation {:.3f} in 7×7; of gradient operators {:.3f} at least", window, steadiest),
-      verdict(window < steadiest), "The smaller relative deviation");
-  statements.add("9.1", "A low-pass after them reduces the deviation of gradient operators.",
-                 fmt::format("3×3: by {:.0f} % at least", 100 * least_gain), verdict(least_gain > 0.1, least_gain > 0),
-                 "By more than 10 % for each; partly: for each at all");
+  report.table("table-9-1.csv", table);
+  report.result["pattern_blur_px"] = kPatternBlur_px;
+  return result;
+}
+
+void state_measures(StudyReport& report, const Departures& departures) {
+  using namespace measured;
+  const double scale_percent = 100 * departures.scale;
+  const double deviation_percent = 100 * departures.deviation;
+  report.finding("Table 9.1: scale factors within {:.1f} %, relative deviations within {:.1f} % of the thesis's",
+                 scale_percent, deviation_percent);
+  report.state(
+      "9.1",
+      {{"Means, relative deviations and errors of the texture measures are those of Table 9.1.",
+        {scale_percent, deviation_percent, departures.error},
+        "Scale factors within {:.1f} %, relative deviations within {:.1f} %, errors within {:.3f}",
+        "Within 10 %, 10 % and 0.05; partly: scale factors are",
+        {first <= 10 && second <= 10 && third <= 0.05, first <= 10}},
+       {"The local standard deviation varies less than the gradient operators.",
+        {report.result["measures"]["Std dev 7×7"]["plain"]["relative_std_dev"].get<double>(), departures.steadiest},
+        "Relative deviation {:.3f} in 7×7; of gradient operators {:.3f} at least",
+        "The smaller relative deviation",
+        {first < second}},
+       {"A low-pass after them reduces the deviation of gradient operators.",
+        {100 * departures.least_gain},
+        "3×3: by {:.0f} % at least",
+        "By more than 10 % for each; partly: for each at all",
+        {first > 10, first > 0}}});
 }
 
 /// Table 9.2 of what we have: simulated textures, and photographs.
-void surfaces(OutputDirectory& directory, const StudyScope& scope, nlohmann::json& result) {
+void surfaces(StudyReport& report, const StudyScope& scope) {
   Csv table({"surface", "local_deviation_mean", "relative_std_dev"});
   const auto add = [&](const std::string& name, const Plane& image) {
     const auto [mean, deviation] = statistics(inner(study::deviation_in_window(image, 7)));
-    table << name << mean << deviation / mean;
-    table.end_row();
-    result["surfaces"][name] = {{"local_deviation_mean", mean}, {"relative_std_dev", deviation / mean}};
+    table.row(name, mean, deviation / mean);
+    report.result["surfaces"][name] = {{"local_deviation_mean", mean}, {"relative_std_dev", deviation / mean}};
   };
   for (const auto kind :
        {study::TextureKind::dead_leaves, study::TextureKind::band_noise, study::TextureKind::printed_dots}) {
@@ -196,21 +213,15 @@ void surfaces(OutputDirectory& directory, const StudyScope& scope, nlohmann::jso
     const std::filesystem::path path = std::filesystem::path(scope.data) / name;
     if (std::filesystem::exists(path)) add(name, study::to_plane(load_image(path)));
   }
-  directory.write("table-9-2.csv", table.text());
+  report.table("table-9-2.csv", table);
 }
 
 }  // namespace
 
-nlohmann::json study_texture(OutputDirectory& directory, const StudyScope& scope) {
-  nlohmann::json result;
-  std::vector<std::string> findings;
-  Statements statements;
-  measures(directory, scope, result, findings, statements);
-  surfaces(directory, scope, result);
-  texture_against_noise(directory, scope, result, findings, statements);
-  result["statements"] = statements.json();
-  result["findings"] = findings;
-  return result;
+void study_texture(StudyReport& report, const StudyScope& scope) {
+  state_measures(report, measures(report, scope));
+  surfaces(report, scope);
+  texture_against_noise(report, scope);
 }
 
 }  // namespace horopter::cli

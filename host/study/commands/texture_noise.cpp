@@ -12,9 +12,7 @@
 #include <vector>
 
 #include "cli/progress.hpp"
-#include "horopter/base/csv.hpp"
 #include "horopter/calib/random.hpp"
-#include "horopter/draw/plot.hpp"
 #include "horopter/study/filters.hpp"
 #include "horopter/study/series.hpp"
 #include "horopter/study/simulation.hpp"
@@ -150,8 +148,7 @@ class NoiseStudy {
       const auto detection = detect(simulation, analogue);
       for (std::size_t d = 0; d < d50s_px.size(); ++d) {
         const double error = detection.segmentation_error(d50s_px[d]);
-        table_ << name << texture_grey << total * of_noise_[0] << ratio << d50s_px[d] << error;
-        table_.end_row();
+        table_.row(name, texture_grey, total * of_noise_[0], ratio, d50s_px[d], error);
         pattern.errors[d].emplace_back(ratio, error);
       }
     }
@@ -187,11 +184,14 @@ class NoiseStudy {
     }
     return furthest;
   }
-  const std::string& table() const { return table_.text(); }
+  const Csv& table() const { return table_; }
   std::vector<Panel> panels() const {
     std::vector<Panel> result;
     for (std::size_t d = 0; d < d50s_px.size(); ++d) {
-      Panel panel{fmt::format("D50 {:g} px", d50s_px[d]), "texture / noise", "px", {}};
+      Panel panel{fmt::format("D50 = {:g} px", d50s_px[d]),
+                  "texture / noise (deviations in 7×7 px)",
+                  "segmentation error, px",
+                  {}};
       for (const Pattern& pattern : patterns_) panel.curves.push_back({pattern.name, pattern.errors[d]});
       result.push_back(std::move(panel));
     }
@@ -234,103 +234,113 @@ nlohmann::json to_json(const Apart& apart) {
   return result;
 }
 
-void noise(OutputDirectory& directory, const StudyScope& scope, nlohmann::json& result,
-           std::vector<std::string>& findings, Statements& statements) {
-  constexpr double kinds_grey = 20;
-  NoiseStudy noise(scope);
-  NoiseStudy::Choice strengths;
+constexpr double kKindsGrey = 20;  ///< texture of patterns that differ in kind
+
+/// Names of the patterns that are compared.
+struct Choices {
+  NoiseStudy::Choice strengths, kinds, alike;
+};
+
+Choices add_patterns(NoiseStudy& noise, const StudyScope& scope, nlohmann::json& result) {
   const auto add = [&](const std::string& name, const study::Texture& texture, double grey, std::uint64_t seed) {
     const Pattern& pattern = noise.add(name, texture, grey, seed);
     result["patterns"][name] = {{"passes_lowpass", pattern.passes_lowpass}};
     return name;
   };
+  Choices choices;
   // Another pattern for each: with one pattern all strengths would be the same but for the converter.
   for (const double grey : scope.quick ? std::vector<double>{8, 20, 32} : std::vector<double>{5, 10, 20, 40})
-    strengths.push_back(
+    choices.strengths.push_back(
         add(fmt::format("texture {:g}", grey), {}, grey, scope.seed + static_cast<std::uint64_t>(grey)));
-  const std::string leaves = fmt::format("texture {:g}", kinds_grey);
-  const std::string dots = add("printed-dots", of_kind(study::TextureKind::printed_dots), kinds_grey, scope.seed);
-  const std::string band = add("band-noise", of_kind(study::TextureKind::band_noise), kinds_grey, scope.seed);
+  const std::string leaves = fmt::format("texture {:g}", kKindsGrey);
+  const std::string dots = add("printed-dots", of_kind(study::TextureKind::printed_dots), kKindsGrey, scope.seed);
+  const std::string band = add("band-noise", of_kind(study::TextureKind::band_noise), kKindsGrey, scope.seed);
   // Structures larger than the 9×9 window, too, as leaves and dots have them by chance: nearly their spectrum.
   const std::string broad =
-      add("band-noise to 12 px", of_kind(study::TextureKind::band_noise, 12), kinds_grey, scope.seed);
-  directory.write("fig-9-2.csv", noise.table());
-  directory.write("fig-9-2.svg",
-                  plot_svg("Fig. 9.2: segmentation error of DSAD 9x9 over texture to noise (7x7)", noise.panels(), 2));
+      add("band-noise to 12 px", of_kind(study::TextureKind::band_noise, 12), kKindsGrey, scope.seed);
+  choices.kinds = {leaves, dots, band};
+  choices.alike = {leaves, dots, broad};
+  return choices;
+}
 
-  const NoiseStudy::Choice kinds{leaves, dots, band};
-  const NoiseStudy::Choice alike{leaves, dots, broad};
-  const auto report = [&](const char* key, const Apart& apart, const std::string& what) {
-    result[key] = to_json(apart);
-    findings.push_back(
-        fmt::format("Fig. 9.2: {} lie within ±{:.1f} % (furthest at {}D50 {:g} px)", what, 100 * apart.share,
-                    std::isfinite(apart.ratio) ? fmt::format("ratio {:g}, ", apart.ratio) : "", apart.d50_px));
-  };
-  const Apart of_strengths = noise.apart(strengths);
-  const Apart of_kinds = noise.apart(kinds);
-  const Apart least = noise.apart_without_noise(kinds);
-  const Apart of_alike = noise.apart(alike);
-  report("strengths", of_strengths, "the errors of all strengths of texture at one ratio of texture to noise");
-  report("kinds", of_kinds, "with other kinds of texture (band noise, dots), the errors");
-  report("kinds_without_noise", least, "the same kinds without noise, where no ratio can bring them together,");
-  report("kinds_relative", noise.apart(kinds, 0, true), "errors as multiples of the kind's own without noise");
-  report("kinds_of_like_spectrum", of_alike, "kinds of like spectra (leaves, dots, band noise up to 12 px)");
-  Csv measures({"measure_of_texture_and_noise", "kinds_within", "ratio", "d50_px"});
+/// How far the kinds are apart with each measure of texture and noise; in words those that are not the thesis's.
+std::string compare_measures(StudyReport& report, const NoiseStudy& noise, const NoiseStudy::Choice& kinds) {
+  Csv table({"measure_of_texture_and_noise", "kinds_within", "ratio", "d50_px"});
   std::string others;
   for (std::size_t m = 0; m < amounts.size(); ++m) {
     const Apart apart = noise.apart(kinds, m);
-    measures << amounts[m].name << apart.share << apart.ratio << apart.d50_px;
-    measures.end_row();
-    result["measures_of_ratio"][amounts[m].name] = to_json(apart);
+    table.row(amounts[m].name, apart.share, apart.ratio, apart.d50_px);
+    report.result["measures_of_ratio"][amounts[m].name] = to_json(apart);
     if (m > 0) others += fmt::format("{}{} ±{:.1f} %", m > 1 ? ", " : "", amounts[m].name, 100 * apart.share);
   }
-  directory.write("fig-9-2-measures.csv", measures.text());
-  findings.push_back("Fig. 9.2: the kinds with other measures of texture and noise: " + others);
-  statements.add(
-      "9.2", "The segmentation error depends on the ratio of texture to noise alone.",
-      fmt::format(
-          "Strengths of {} to {} grey levels, another pattern each: within ±{:.1f} %. Dead leaves, dots and band "
-          "noise: ±{:.1f} %; ±{:.1f} % without any noise, where no measure of the ratio helps ({}). Their "
-          "spectra differ: with a band up to 12 px ±{:.1f} %",
-          scope.quick ? 8 : 5, scope.quick ? 32 : 40, 100 * of_strengths.share, 100 * of_kinds.share, 100 * least.share,
-          others, 100 * of_alike.share),
-      verdict(of_strengths.share <= 0.03 && of_kinds.share <= 0.03, of_strengths.share <= 0.03),
-      "Within ±3 % at ratios from 2 to 20; partly: for all strengths of one kind of texture");
+  report.table("fig-9-2-measures.csv", table);
+  report.finding("Fig. 9.2: the kinds with other measures of texture and noise: {}", others);
+  return others;
 }
 
-void histograms(OutputDirectory& directory, const StudyScope& scope) {
+void errors_over_noise(StudyReport& report, const StudyScope& scope) {
+  NoiseStudy noise(scope);
+  const Choices choices = add_patterns(noise, scope, report.result);
+  report.table("fig-9-2.csv", noise.table());
+  report.plot("fig-9-2.svg", "Fig. 9.2: segmentation error of DSAD 9×9 over texture to noise", noise.panels(), 2);
+  const auto found = [&](const char* key, const Apart& apart, const std::string& what) {
+    report.result[key] = to_json(apart);
+    report.finding("Fig. 9.2: {} lie within ±{:.1f} % (furthest at {}D50 {:g} px)", what, 100 * apart.share,
+                   std::isfinite(apart.ratio) ? fmt::format("ratio {:g}, ", apart.ratio) : "", apart.d50_px);
+    return 100 * apart.share;
+  };
+  const double strengths = found("strengths", noise.apart(choices.strengths),
+                                 "the errors of all strengths of texture at one ratio of texture to noise");
+  const double kinds =
+      found("kinds", noise.apart(choices.kinds), "with other kinds of texture (band noise, dots), the errors");
+  const double least = found("kinds_without_noise", noise.apart_without_noise(choices.kinds),
+                             "the same kinds without noise, where no ratio can bring them together,");
+  found("kinds_relative", noise.apart(choices.kinds, 0, true), "errors as multiples of the kind's own without noise");
+  const double alike = found("kinds_of_like_spectrum", noise.apart(choices.alike),
+                             "kinds of like spectra (leaves, dots, band noise up to 12 px)");
+  const std::string others = compare_measures(report, noise, choices.kinds);
+  using namespace measured;
+  report.state(
+      "9.2",
+      {{"The segmentation error depends on the ratio of texture to noise alone.",
+        {strengths, kinds, least, alike, others, scope.quick ? 8 : 5, scope.quick ? 32 : 40},
+        "Strengths of {5} to {6} grey levels, another pattern each: within ±{0:.1f} %. Dead leaves, dots and band "
+        "noise: ±{1:.1f} %; ±{2:.1f} % without any noise, where no measure of the ratio helps ({4}). Their spectra "
+        "differ: with a band up to 12 px ±{3:.1f} %",
+        "Within ±3 % at ratios from 2 to 20; partly: for all strengths of one kind of texture",
+        {first <= 3 && second <= 3, first <= 3}}});
+}
+
+void histograms(StudyReport& report, const StudyScope& scope) {
   Csv table({"texture_to_noise", "disparity_px", "from", "to", "density"});
   std::vector<Panel> panels;
   const double largest = dsad().criterion->worst(9);
   for (const double ratio : {3.0, 20.0}) {
-    Panel panel{fmt::format("texture / noise {:g}", ratio), "DSAD, share of the largest", "density", {}};
+    Panel panel{fmt::format("texture / noise {:g}", ratio), "DSAD, share of its largest value", "density", {}};
     const std::vector<double> disparities{0, 0.5, 1, 1.5, 2, 3};
     const study::Simulation simulation(conditions_of(scope, 20, 20 / ratio), disparities.back());
     const auto detection = study::detect(study::photographs(simulation, disparities), {dsad()}).front();
     for (std::size_t i = 0; i < disparities.size(); ++i) {
       Curve curve{fmt::format("{:g} px", disparities[i]), {}};
       for (const auto& bar : detection.histograms()[i].density(60)) {
-        table << ratio << disparities[i] << bar.from / largest << bar.to / largest << bar.density * largest;
-        table.end_row();
+        table.row(ratio, disparities[i], bar.from / largest, bar.to / largest, bar.density * largest);
         curve.points.emplace_back(0.5 * (bar.from + bar.to) / largest, bar.density * largest);
       }
       panel.curves.push_back(std::move(curve));
     }
     panels.push_back(std::move(panel));
   }
-  directory.write("fig-9-1.csv", table.text());
-  directory.write("fig-9-1.svg", plot_svg("Fig. 9.1: histograms of DSAD 9x9, weak and strong texture", panels, 2));
+  report.table("fig-9-1.csv", table);
+  report.plot("fig-9-1.svg", "Fig. 9.1: histograms of DSAD 9×9 at several disparities, weak and strong texture", panels,
+              2);
 }
 
 }  // namespace
 
-void texture_against_noise(OutputDirectory& directory, const StudyScope& scope, nlohmann::json& result,
-                           std::vector<std::string>& findings, Statements& statements) {
-  histograms(directory, scope);
-  noise(directory, scope, result, findings, statements);
-  result["figures"] = {{{"file", "fig-9-1.svg"}, {"title", "Fig. 9.1: histograms of weak and strong texture"}},
-                       {{"file", "fig-9-2.svg"}, {"title", "Fig. 9.2: segmentation error over texture to noise"}}};
-  result["conditions"] = study::to_json(conditions_of(scope, 20, 2));
+void texture_against_noise(StudyReport& report, const StudyScope& scope) {
+  report.result["conditions"] = study::to_json(conditions_of(scope, 20, 2));
+  histograms(report, scope);
+  errors_over_noise(report, scope);
 }
 
 }  // namespace horopter::cli

@@ -99,7 +99,8 @@ double Histogram::quantile(double share) const {
 
 std::vector<Histogram::Bar> Histogram::density(int classes) const {
   const double from = quantile(0.001);
-  const double to = quantile(0.999);
+  // Not as far as values that are as good as infinite.
+  const double to = std::min(quantile(0.999), mean_ + 8 * deviation_);
   std::vector<Bar> result;
   for (int i = 0; i < classes; ++i) {
     Bar bar{from + (to - from) * i / classes, from + (to - from) * (i + 1) / classes, 0};

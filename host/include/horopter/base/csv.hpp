@@ -14,6 +14,12 @@ class Csv {
   Csv& operator<<(const std::string& field);
   Csv& operator<<(double field);
   void end_row();
+  /// All fields of a row, or its last ones.
+  template <class... Fields>
+  void row(const Fields&... fields) {
+    (*this << ... << fields);
+    end_row();
+  }
   const std::string& text() const { return text_; }
 
  private:

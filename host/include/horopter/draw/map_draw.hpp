@@ -2,28 +2,34 @@
 // Pictures of mapping tables, and of how thick their skin is.
 #pragma once
 
-#include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "horopter/draw/picture.hpp"
 #include "horopter/map/map.hpp"
 
 namespace horopter {
 
-/// Picture of a table, width × height of its scan: unsupervised pixels dark, control points as dots. Colour is where
-/// the source lies, hue by direction and strength by length of the displacement, a line every 8 pixels. Interleaved
-/// blue, green, red.
-std::vector<std::uint8_t> draw_map(const MapTable& table, int weight_bits);
+// Each of these has its title above, axes in pixels of the scan, and below the picture what its colours mean.
 
-/// Red at the thinnest to blue at the thickest, a line every 2^(1/4) of it; dark where it is NaN.
+/// A table: unsupervised pixels dark, control points as dots. Colour is where the source lies, hue by direction and
+/// strength by length of the displacement, a line every 8 pixels.
+Picture draw_map(const MapTable& table, int weight_bits, const std::string& title);
+
+/// Red at the thinnest to blue at the thickest by the logarithm, with lines at round values; dark where it is NaN. The
+/// scale below is in mm.
 struct ThicknessPicture {
-  std::vector<std::uint8_t> bgr;
+  Picture picture;
   double thinnest_mm = 0;  ///< NaN without a supervised pixel
   double thickest_mm = 0;
 };
 /// The thickness of each pixel, row by row.
-ThicknessPicture draw_thickness(int width, int height, std::span<const double> thickness_mm);
+ThicknessPicture draw_thickness(int width, int height, std::span<const double> thickness_mm, const std::string& title);
 /// The same for the pixels of a table's scan, with its control points.
-ThicknessPicture draw_thickness(const MapTable& table, std::span<const double> thickness_mm);
+ThicknessPicture draw_thickness(const MapTable& table, std::span<const double> thickness_mm, const std::string& title);
+
+/// Pictures of one width. Throws std::invalid_argument where they are not.
+Picture one_below_other(const std::vector<Picture>& pictures);
 
 }  // namespace horopter

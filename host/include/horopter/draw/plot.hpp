@@ -8,6 +8,9 @@
 
 namespace horopter {
 
+/// About `count` round values between two, ends included.
+std::vector<double> ticks(double low, double high, int count);
+
 struct Curve {
   std::string name;
   std::vector<std::pair<double, double>> points;
@@ -19,7 +22,8 @@ struct Panel {
   bool log_y = false;
 };
 
-/// Panels side by side, `columns` in a row, with one legend: curves of one name have one colour.
+/// Panels with their axes, `columns` in a row, below a title and above one legend: curves of one name have one colour.
+/// Labels name the quantity and its unit ("error, px").
 std::string plot_svg(const std::string& title, const std::vector<Panel>& panels, int columns = 3);
 
 }  // namespace horopter

@@ -30,7 +30,7 @@ class Histogram {
   struct Bar {
     double from, to, density;
   };
-  /// About `classes` of equal width between the quantiles 0.1 % and 99.9 %.
+  /// `classes` of equal width between the quantiles 0.1 % and 99.9 %, at most 8 deviations above the mean.
   std::vector<Bar> density(int classes) const;
 
  private:
