@@ -130,7 +130,8 @@ TEST_CASE("board: boot, registers over the serial line, test pattern", "[board]"
   CHECK(board.read(reg::id::kAddress).data == 0x484F524F);
 
   // A mapping table: spacing 64, one source for all pixels.
-  auto words = hls::table::write({756, 286, 6, 6}, {}, [](int, int) { return hls::table::encode_control(32, 32); });
+  auto words = horopter::hls::table::write({756, 286, 6, 6}, {},
+                                           [](int, int) { return horopter::hls::table::encode_control(32, 32); });
   words.back() = crc32_words(std::span(words).first(words.size() - 1));
   CHECK(board.write(reg::map_slot::kAddress, 1) == 0U);
   CHECK(board.write(reg::map_base::kAddress, 1000) == 0U);
