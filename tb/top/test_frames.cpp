@@ -181,7 +181,8 @@ TEST_CASE("a build with a smaller pool refuses what does not fit it", "[top]") {
   Machine<Vmachine_vga_compete> machine{"vga", {128, 64, 16}};
   CHECK(reg::build_store::kPoolKib.get(machine.read(reg::build_store::kAddress)) == 4);
   const auto table = plane_table(128, 64, -4, 0, 3);
-  const unsigned last = 4096 / 8 - static_cast<unsigned>(table.size() - 4) / 2;
+  const auto control_words = hls::table::Geometry{128, 64, 3, 3}.control_words();
+  const unsigned last = 4096 / 8 - static_cast<unsigned>(control_words) / 2;
   machine.upload(0, last, table);
   CHECK(machine.upload_error() == 0);
   machine.upload(1, last + 1, table);

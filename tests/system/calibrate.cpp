@@ -263,7 +263,7 @@ TEST_CASE("points: bad input never makes a rig") {
   bad(lines(0, 3) + "1 2 3 4 5 6\n", "line 4: 6 numbers");
   bad("# nothing\n1 2 three 4 5\n", "line 2: 'three' is not a number");
   bad("", "no points");
-  check_bad_file(box, from_points({"none.txt"}), "none.txt", "missing");
+  check_bad_file(box, from_points({"none.txt"}), "none.txt", "there is no such file");
   const auto bad_sensor = [&](const std::string& text, const std::string& message) {
     box.write("bad.yaml", text);
     check_bad_file(box, {"calibrate", "--points", "low.txt", "high.txt", "--sensor", "bad.yaml", "-o", "rig.yaml"},

@@ -556,7 +556,8 @@ TEST_CASE("Bad skins and rigs are exit status 3") {
   bad("surface:\n  type: homography\n  matrix: [[1, 0, 0], [0, 1, 0], [0, 0, .inf]]\n", "finite");
   bad("surface:\n  type: homography\n  matrix: [[1, 0], [0, 1]]\n", "3 rows of 3 numbers");
   check_bad_file(box, run_arguments("left0.png", "right0.png", "none.yaml"), "none.yaml", "no such file");
-  check_bad_file(box, run_arguments() + std::vector<std::string>{"--rig", "none.yaml"}, "none.yaml", "missing");
+  check_bad_file(box, run_arguments() + std::vector<std::string>{"--rig", "none.yaml"}, "none.yaml",
+                 "there is no such file");
   box.write("rig.yaml", "cameras: [");
   check_bad_file(box, run_arguments() + std::vector<std::string>{"--rig", "rig.yaml"}, "rig.yaml", "not YAML");
 }
