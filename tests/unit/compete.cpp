@@ -14,7 +14,7 @@ using namespace horopter::stages;
 
 namespace {
 
-constexpr hls::Profile plain{149, 90, 1, 9, 7, 3, 32, 0, 1, 1};
+constexpr hls::Profile kPlain{149, 90, 1, 9, 7, 3, 32, 0, 1, 1};
 
 struct Picture {
   int width = 0;
@@ -37,9 +37,9 @@ std::vector<std::uint32_t> table_of(int width, int height, int shift) {
   });
 }
 
-std::vector<std::uint8_t> engine_states(native::Pipeline<plain>& engine, const Picture& left, const Picture& right,
+std::vector<std::uint8_t> engine_states(native::Pipeline<kPlain>& engine, const Picture& left, const Picture& right,
                                         int shift, const native::CompeteSettings& competition = {}) {
-  auto settings = native::Settings::defaults(plain, left.width, left.height);
+  auto settings = native::Settings::defaults(kPlain, left.width, left.height);
   settings.compete = true;
   static_cast<native::CompeteSettings&>(settings) = competition;
   const auto words = table_of(left.width, left.height, shift);
@@ -56,7 +56,7 @@ class BeatByBeat {
     static_cast<native::CompeteSettings&>(settings) = competition;
     chain_.configure(native::FrameSettings(settings, left.width, left.height));
     std::vector<std::uint8_t> states;
-    for (int y = 0; y < left.height + plain.flush_rows(true); ++y) {
+    for (int y = 0; y < left.height + kPlain.flush_rows(true); ++y) {
       for (int x = 0; x < left.width; ++x) {
         GreyPair pair;
         pair.pixel = {u<8>(random()), u<8>(random())};
@@ -78,7 +78,7 @@ class BeatByBeat {
   }
 
  private:
-  Chain<plain, Rule::compete, Stage::lowpass> chain_;
+  Chain<kPlain, Rule::compete, Stage::lowpass> chain_;
 };
 
 /// Smoothed noise; beyond the image too, so that shifted pictures agree.
@@ -109,7 +109,7 @@ double share(const std::vector<std::uint8_t>& states, int width, int state, int 
 TEST_CASE("compete: the engine equals its stages beat by beat") {
   const int width = GENERATE(149, 96, 33);
   const int height = GENERATE(90, 16);
-  const auto engine = std::make_unique<native::Pipeline<plain>>();
+  const auto engine = std::make_unique<native::Pipeline<kPlain>>();
   const auto stages = std::make_unique<BeatByBeat>();
   std::mt19937 random(static_cast<unsigned>(width * 1000 + height));
   // Frames after each other: what a frame leaves behind must not show in the next.
@@ -141,8 +141,8 @@ TEST_CASE("compete: the engine equals its stages beat by beat") {
 }
 
 TEST_CASE("compete: an object in the skin is found among others, to the image's border") {
-  const auto engine = std::make_unique<native::Pipeline<plain>>();
-  constexpr int shift = 6;
+  const auto engine = std::make_unique<native::Pipeline<kPlain>>();
+  constexpr int kShift = 6;
   // Background 4 px behind the skin; in it a block on the skin that reaches the lower border, and one 3 px before it.
   const auto depth = [](int x, int y) {
     if (x >= 40 && x < 75 && y >= 45) return 0;
@@ -154,27 +154,27 @@ TEST_CASE("compete: an object in the skin is found among others, to the image's 
   for (const int d : {-4, 0, 3}) {
     for (int y = 0; y < 90; ++y) {
       for (int x = 0; x < 149; ++x) {
-        const int to = x - shift - d;
+        const int to = x - kShift - d;
         if (depth(x, y) == d && to >= 0 && to < 149) {
           right.pixels[static_cast<std::size_t>(y * 149 + to)] = static_cast<std::uint8_t>(left.at(x, y));
         }
       }
     }
   }
-  const auto states = engine_states(*engine, left, right, shift);
+  const auto states = engine_states(*engine, left, right, kShift);
   CHECK(share(states, 149, state::skin, 44, 50, 71, 89) > 0.95);
   CHECK(share(states, 149, state::clear, 99, 24, 126, 56) > 0.95);
   CHECK(share(states, 149, state::clear, 10, 5, 148, 15) > 0.95);
   // No pixel of the right image, or none for the low-pass: never guessed.
-  CHECK(share(states, 149, state::unsupervised, 0, 0, shift + 1, 90) == 1);
+  CHECK(share(states, 149, state::unsupervised, 0, 0, kShift + 1, 90) == 1);
   CHECK(share(states, 149, state::unsupervised, 0, 0, 149, 1) == 1);
   CHECK(share(states, 149, state::unsupervised, 0, 89, 149, 90) == 1);
   CHECK(share(states, 149, state::unsupervised, 148, 0, 149, 90) == 1);
-  CHECK(share(states, 149, state::unsupervised, shift + 1, 1, 148, 89) == 0);
+  CHECK(share(states, 149, state::unsupervised, kShift + 1, 1, 148, 89) == 0);
 }
 
 TEST_CASE("compete: where nothing can be seen nothing is decided") {
-  const auto engine = std::make_unique<native::Pipeline<plain>>();
+  const auto engine = std::make_unique<native::Pipeline<kPlain>>();
   const Picture flat(149, 90, [](int, int) { return 100; });
   const auto states = engine_states(*engine, flat, flat, 6);
   CHECK(share(states, 149, state::undecidable, 7, 1, 148, 89) == 1);
@@ -186,7 +186,7 @@ TEST_CASE("compete: where nothing can be seen nothing is decided") {
 }
 
 TEST_CASE("compete: plain squares of a board in the skin are never called clear for their noise") {
-  const auto engine = std::make_unique<native::Pipeline<plain>>();
+  const auto engine = std::make_unique<native::Pipeline<kPlain>>();
   std::mt19937 random(7);
   const auto board = [&](int shift, int noise) {
     return Picture(149, 90, [&](int x, int y) {
@@ -205,7 +205,7 @@ TEST_CASE("compete: plain squares of a board in the skin are never called clear 
 }
 
 TEST_CASE("compete: what repeats within reach is not in the skin; gain and offset do not matter") {
-  const auto engine = std::make_unique<native::Pipeline<plain>>();
+  const auto engine = std::make_unique<native::Pipeline<kPlain>>();
   const Picture stripes(149, 90, [](int x, int) { return x % 8 < 4 ? 60 : 180; });
   const auto repeated = engine_states(*engine, stripes, stripes, 0);
   CHECK(share(repeated, 149, state::skin, 10, 5, 140, 85) < 0.05);
@@ -217,7 +217,7 @@ TEST_CASE("compete: what repeats within reach is not in the skin; gain and offse
 }
 
 TEST_CASE("compete: the boundary says what of a parallel plane 1 px away is in the skin") {
-  const auto engine = std::make_unique<native::Pipeline<plain>>();
+  const auto engine = std::make_unique<native::Pipeline<kPlain>>();
   const Picture left(149, 90, [](int x, int y) { return texture(x, y, 9); });
   const auto displaced = [&](int boundary, int px) {
     native::CompeteSettings competition;

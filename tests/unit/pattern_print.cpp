@@ -20,20 +20,20 @@ namespace {
 
 /// The sheet as a scanner would see it, from the shapes; `scale` pixels per mm.
 cv::Mat scanned(const Pattern& pattern, double scale) {
-  constexpr int bits = 8;
+  constexpr int kBits = 8;
   cv::Mat image(static_cast<int>(pattern.height_mm * scale), static_cast<int>(pattern.width_mm * scale), CV_8U,
                 cv::Scalar(230));
   // Pixel centres are at whole numbers: the corner of the sheet is at (−½, −½).
-  const auto fixed = [&](double mm) { return static_cast<int>(std::lround((mm * scale - 0.5) * (1 << bits))); };
+  const auto fixed = [&](double mm) { return static_cast<int>(std::lround((mm * scale - 0.5) * (1 << kBits))); };
   for (const auto& polygon : pattern.polygons) {
     std::vector<cv::Point> points;
     for (const Vector2d& p : polygon.points_mm) points.emplace_back(fixed(p.x()), fixed(p.y()));
-    cv::fillConvexPoly(image, points, polygon.black ? 20 : 230, cv::LINE_AA, bits);
+    cv::fillConvexPoly(image, points, polygon.black ? 20 : 230, cv::LINE_AA, kBits);
   }
   for (const auto& disc : pattern.discs)
     cv::circle(image, {fixed(disc.centre_mm.x()), fixed(disc.centre_mm.y())},
-               static_cast<int>(disc.radius_mm * scale * (1 << bits)), disc.black ? 20 : 230, cv::FILLED, cv::LINE_AA,
-               bits);
+               static_cast<int>(disc.radius_mm * scale * (1 << kBits)), disc.black ? 20 : 230, cv::FILLED, cv::LINE_AA,
+               kBits);
   cv::GaussianBlur(image, image, {5, 5}, 0.9);
   return image;
 }

@@ -20,9 +20,9 @@ namespace reference = horopter::tb::reference;
 
 namespace {
 
-constexpr hls::Profile plain{96, 64, 1, 9, 7, 3, 32, 0, 1, 1, hls::Decisions::thesis};
-constexpr hls::Profile halving{128, 48, 2, 7, 5, 3, 32, 0, 2, 1, hls::Decisions::thesis};
-constexpr hls::Profile wide{160, 120, 1, 9, 7, 3, 64, 0, 1, 1, hls::Decisions::thesis};
+constexpr hls::Profile kPlain{96, 64, 1, 9, 7, 3, 32, 0, 1, 1, hls::Decisions::thesis};
+constexpr hls::Profile kHalving{128, 48, 2, 7, 5, 3, 32, 0, 2, 1, hls::Decisions::thesis};
+constexpr hls::Profile kWide{160, 120, 1, 9, 7, 3, 64, 0, 1, 1, hls::Decisions::thesis};
 
 struct Picture {
   int width = 0;
@@ -203,15 +203,15 @@ int count_in_middle(const native::FrameResult& result, int which) {
 }  // namespace
 
 TEST_CASE("the engine, row by row, does what the stages do beat by beat", "[pipeline]") {
-  check_against_beats<plain>(31);
-  check_against_beats<halving>(32);
+  check_against_beats<kPlain>(31);
+  check_against_beats<kHalving>(32);
 }
 
 TEST_CASE("states against the double-precision reference", "[pipeline]") {
   std::mt19937 random(33);
-  const auto pipeline = std::make_unique<native::Pipeline<wide>>();
+  const auto pipeline = std::make_unique<native::Pipeline<kWide>>();
   const auto settings = [] {
-    auto s = native::Settings::defaults(wide, 160, 120);
+    auto s = native::Settings::defaults(kWide, 160, 120);
     s.lookahead = 32;
     return s;
   }();
@@ -242,8 +242,8 @@ TEST_CASE("states against the double-precision reference", "[pipeline]") {
 }
 
 TEST_CASE("a ramp of brightness is undecidable, edges of a chessboard are not", "[pipeline]") {
-  const auto pipeline = std::make_unique<native::Pipeline<wide>>();
-  auto settings = native::Settings::defaults(wide, 160, 120);
+  const auto pipeline = std::make_unique<native::Pipeline<kWide>>();
+  auto settings = native::Settings::defaults(kWide, 160, 120);
   settings.lookahead = 32;
   const auto words = table_of(160, 120, 4, 4, shifted(0, 0));
   const auto run = [&](const Picture& left, const Picture& right) {
@@ -278,32 +278,32 @@ TEST_CASE("a ramp of brightness is undecidable, edges of a chessboard are not", 
     const auto result = run(board, board);
     CAPTURE(size);
     // Upright edges decide; along level ones no displacement in x could be noticed, and squares are flat.
-    CHECK(count_in_middle<wide>(result, state::skin) > 160 * 120 / size);
-    CHECK(count_in_middle<wide>(result, state::clear) == 0);
+    CHECK(count_in_middle<kWide>(result, state::skin) > 160 * 120 / size);
+    CHECK(count_in_middle<kWide>(result, state::clear) == 0);
     const auto off = run(board, moved(board, size / 2));
-    CHECK(count_in_middle<wide>(off, state::skin) < count_in_middle<wide>(result, state::skin) / 5);
+    CHECK(count_in_middle<kWide>(off, state::skin) < count_in_middle<kWide>(result, state::skin) / 5);
   }
 }
 
 TEST_CASE("a clipped image is undecidable, in whichever camera", "[pipeline]") {
   std::mt19937 random(35);
-  const auto pipeline = std::make_unique<native::Pipeline<plain>>();
-  const auto settings = native::Settings::defaults(plain, 96, 64);
+  const auto pipeline = std::make_unique<native::Pipeline<kPlain>>();
+  const auto settings = native::Settings::defaults(kPlain, 96, 64);
   const auto words = table_of(96, 64, 3, 3, shifted(0, 0));
   const Picture good(96, 64, [&](int, int) { return 40 + static_cast<double>(random() % 170); });
   const Picture white(96, 64, [](int, int) { return 255.0; });
   const auto run = [&](const Picture& left, const Picture& right) {
     return pipeline->process(left.view(), right.view(), native::TableView(words), settings);
   };
-  CHECK(count_in_middle<plain>(run(good, good), state::skin) == (96 - 36) * (64 - 36));
-  CHECK(count_in_middle<plain>(run(good, white), state::undecidable) == (96 - 36) * (64 - 36));
-  CHECK(count_in_middle<plain>(run(white, good), state::undecidable) == (96 - 36) * (64 - 36));
+  CHECK(count_in_middle<kPlain>(run(good, good), state::skin) == (96 - 36) * (64 - 36));
+  CHECK(count_in_middle<kPlain>(run(good, white), state::undecidable) == (96 - 36) * (64 - 36));
+  CHECK(count_in_middle<kPlain>(run(white, good), state::undecidable) == (96 - 36) * (64 - 36));
 }
 
 TEST_CASE("what the table, the image or the ring does not hold is unsupervised", "[pipeline]") {
   std::mt19937 random(36);
-  const auto pipeline = std::make_unique<native::Pipeline<plain>>();
-  auto settings = native::Settings::defaults(plain, 96, 64);
+  const auto pipeline = std::make_unique<native::Pipeline<kPlain>>();
+  auto settings = native::Settings::defaults(kPlain, 96, 64);
   const Picture image(96, 64, [&](int, int) { return 40 + static_cast<double>(random() % 170); });
   const auto run = [&](const Map& map) {
     const auto words = table_of(96, 64, 2, 2, map);

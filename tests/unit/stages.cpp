@@ -385,15 +385,15 @@ namespace {
 
 template <int HYPOTHESES, int K>
 void check_sums(std::mt19937& random) {
-  constexpr int delay = (K - 1) / 2;
-  constexpr int texture_limit = texture_window * texture_window * 128;
-  constexpr int reach = (texture_window - 1) / 2;
-  using Texture = TextureDetector<48, HYPOTHESES, delay>;
+  constexpr int kDelay = (K - 1) / 2;
+  constexpr int kTextureLimit = texture_window * texture_window * 128;
+  constexpr int kReach = (texture_window - 1) / 2;
+  using Texture = TextureDetector<48, HYPOTHESES, kDelay>;
   using Dsad = DsadSum<48, HYPOTHESES, K>;
   auto texture = std::make_unique<Texture>();
   auto dsad = std::make_unique<Dsad>();
   typename Texture::Config config;
-  config.texture_limit = texture_limit;
+  config.texture_limit = kTextureLimit;
   for (const int width : {48, 33}) {
     Frame<typename Texture::In> frame(width, 2 * K + 5);
     for (auto& beat : frame.beats) {
@@ -422,10 +422,11 @@ void check_sums(std::mt19937& random) {
           REQUIRE(beat.sum[n] == sum);
         }
         int magnitude = 0;
-        for (int j = -reach; j <= reach; ++j) {
-          for (int i = -reach; i <= reach; ++i) magnitude += frame.at(x - delay + i, y - delay + j).magnitude.value();
+        for (int j = -kReach; j <= kReach; ++j) {
+          for (int i = -kReach; i <= kReach; ++i)
+            magnitude += frame.at(x - kDelay + i, y - kDelay + j).magnitude.value();
         }
-        REQUIRE(beat.textured == (magnitude >= texture_limit));
+        REQUIRE(beat.textured == (magnitude >= kTextureLimit));
       }
     }
   }
@@ -490,27 +491,27 @@ TEST_CASE("majority counts exactly", "[stages]") {
 
 TEST_CASE("align, runs and alarm: every pixel once, in its place", "[stages]") {
   std::mt19937 random(20);
-  constexpr int offset = 9;
-  constexpr int width = 48;
-  constexpr int height = 30;
-  Aligner<64, 40, {offset, offset}> align;
+  constexpr int kOffset = 9;
+  constexpr int kWidth = 48;
+  constexpr int kHeight = 30;
+  Aligner<64, 40, {kOffset, kOffset}> align;
   RunEncoder<64, 40> runs;
   AlarmCounter<64, 40> alarm;
   decltype(align)::Config size;
-  size.width = width;
-  size.height = height;
+  size.width = kWidth;
+  size.height = kHeight;
   for (int repetition = 0; repetition < 3; ++repetition) {
     if (repetition == 2) {  // a frame that breaks off
-      Frame<Aligner<64, 40, {offset, offset}>::In> cut(width, 17);
+      Frame<Aligner<64, 40, {kOffset, kOffset}>::In> cut(kWidth, 17);
       for (const auto& beat : cut.beats) {
         const auto p = align.step(beat, size);
         if (p.valid) runs.step({p.state, p.first, p.last, p.idle});
       }
     }
-    Frame<Aligner<64, 40, {offset, offset}>::In> frame(width, height + offset + 1);
+    Frame<Aligner<64, 40, {kOffset, kOffset}>::In> frame(kWidth, kHeight + kOffset + 1);
     for (auto& beat : frame.beats) beat.state = one_in(random, 4) ? static_cast<int>(random() % 4) : repetition;
     std::vector<int> pixels;
-    std::vector<int> from_runs(width * height, -1);
+    std::vector<int> from_runs(kWidth * kHeight, -1);
     int counts[4] = {};
     decltype(alarm)::Config limits;
     limits.alarm_limit = 300;
@@ -524,15 +525,15 @@ TEST_CASE("align, runs and alarm: every pixel once, in its place", "[stages]") {
       if (!pixel.idle) {
         const int i = static_cast<int>(pixels.size());
         REQUIRE(pixel.first == (i == 0));
-        REQUIRE(pixel.last == (i % width == width - 1));
-        REQUIRE(pixel.end == (i == width * height - 1));
+        REQUIRE(pixel.last == (i % kWidth == kWidth - 1));
+        REQUIRE(pixel.end == (i == kWidth * kHeight - 1));
         pixels.push_back(pixel.state.value());
         ++counts[pixel.state.value()];
       }
       const auto run = runs.step({pixel.state, pixel.first, pixel.last, pixel.idle});
       if (run.valid) {
         for (int x = run.start.value(); x <= run.end.value(); ++x) {
-          int& p = from_runs[static_cast<std::size_t>(run.row.value() * width + x)];
+          int& p = from_runs[static_cast<std::size_t>(run.row.value() * kWidth + x)];
           REQUIRE(p == -1);
           p = run.state.value();
         }
@@ -549,15 +550,15 @@ TEST_CASE("align, runs and alarm: every pixel once, in its place", "[stages]") {
         REQUIRE(total.too_unsupervised == (counts[state::unsupervised] > 300));
       }
     }
-    REQUIRE(pixels.size() == width * height);
+    REQUIRE(pixels.size() == kWidth * kHeight);
     REQUIRE(pixels == from_runs);
     REQUIRE(ends == 1);
     REQUIRE(last_runs == 1);
-    for (int y = 0; y < height; ++y) {
-      for (int x = 0; x < width; ++x) {
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) {
         const std::size_t beat =
-            static_cast<std::size_t>((y + offset) * width + x + offset);  // raster shifted as a whole
-        REQUIRE(pixels[static_cast<std::size_t>(y * width + x)] == frame.beats[beat].state.value());
+            static_cast<std::size_t>((y + kOffset) * kWidth + x + kOffset);  // raster shifted as a whole
+        REQUIRE(pixels[static_cast<std::size_t>(y * kWidth + x)] == frame.beats[beat].state.value());
       }
     }
   }

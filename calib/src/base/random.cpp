@@ -11,17 +11,17 @@ namespace {
 
 /// Quantiles of the normal distribution, by Newton's method from the one before.
 std::vector<float> make_quantiles() {
-  constexpr std::size_t count = 65536;
-  std::vector<float> table(count);
+  constexpr std::size_t kCount = 65536;
+  std::vector<float> table(kCount);
   double z = 0;
-  for (std::size_t i = count / 2; i < count; ++i) {
-    const double upper = (static_cast<double>(count - i) - 0.5) / count;
+  for (std::size_t i = kCount / 2; i < kCount; ++i) {
+    const double upper = (static_cast<double>(kCount - i) - 0.5) / kCount;
     for (int iteration = 0; iteration < 8; ++iteration) {
       const double error = 0.5 * std::erfc(z / std::numbers::sqrt2) - upper;
       z += error * std::sqrt(2 * std::numbers::pi) * std::exp(z * z / 2);
     }
     table[i] = static_cast<float>(z);
-    table[count - 1 - i] = static_cast<float>(-z);
+    table[kCount - 1 - i] = static_cast<float>(-z);
   }
   return table;
 }

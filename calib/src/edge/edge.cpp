@@ -18,7 +18,7 @@ struct Named {
   EdgeMethod method;
   std::string_view name;
 };
-constexpr std::array names{
+constexpr std::array kNames{
     Named{EdgeMethod::linear, "linear"},
     Named{EdgeMethod::tabatabai_1d, "tabatabai-1d"},
     Named{EdgeMethod::tabatabai_2d, "tabatabai-2d"},
@@ -50,22 +50,22 @@ std::optional<EdgeEstimator::Local> detail::AxisEstimator::local(const GreyImage
 
 std::span<const EdgeMethod> all_edge_methods() {
   static const auto methods = [] {
-    std::array<EdgeMethod, names.size()> result{};
-    std::transform(names.begin(), names.end(), result.begin(), [](const Named& n) { return n.method; });
+    std::array<EdgeMethod, kNames.size()> result{};
+    std::transform(kNames.begin(), kNames.end(), result.begin(), [](const Named& n) { return n.method; });
     return result;
   }();
   return methods;
 }
 
 std::string_view edge_method_name(EdgeMethod method) {
-  for (const Named& named : names)
+  for (const Named& named : kNames)
     if (named.method == method) return named.name;
   throw std::invalid_argument("unknown edge method");
 }
 
 EdgeMethod edge_method(std::string_view name) {
   std::string known;
-  for (const Named& named : names) {
+  for (const Named& named : kNames) {
     if (named.name == name) return named.method;
     known += (known.empty() ? "" : ", ") + std::string(named.name);
   }

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double pi = std::numbers::pi;
+constexpr double kPi = std::numbers::pi;
 
 /// Share of the darker level, and both levels, from the first three moments of the grey levels [48].
 struct TwoLevels {
@@ -64,16 +64,16 @@ struct CirclePixel {
 
 std::vector<CirclePixel> circle_pixels(int window) {
   // Strips across x, within each of which the y limits are exact; enough strips make the rest of the error vanish.
-  constexpr int strips = 200;
+  constexpr int kStrips = 200;
   const double radius = window / 2.0;
   const int half = window / 2;
   std::vector<CirclePixel> result;
   for (int y = -half; y <= half; ++y)
     for (int x = -half; x <= half; ++x) {
       CirclePixel pixel{x, y, 0, 0, 0, 0};
-      const double width = 1 / (radius * strips);
-      for (int i = 0; i < strips; ++i) {
-        const double u = (x - 0.5 + (i + 0.5) / strips) / radius;
+      const double width = 1 / (radius * kStrips);
+      for (int i = 0; i < kStrips; ++i) {
+        const double u = (x - 0.5 + (i + 0.5) / kStrips) / radius;
         if (std::abs(u) >= 1) continue;
         const double limit = std::sqrt(1 - u * u);
         const double low = std::max((y - 0.5) / radius, -limit);
@@ -124,7 +124,7 @@ class Tabatabai2d final : public EdgeEstimator {
     const Vector2d direction = gravity.normalized();
     if (contrast < kLeastContrast || direction.dot(normal) < 0.5) return std::nullopt;
     // Area of the segment beyond distance ρ: acos ρ − ρ √(1 − ρ²) = π · share of the brighter level. Monotonous.
-    const double area = pi * (1 - levels->dark_share);
+    const double area = kPi * (1 - levels->dark_share);
     double low = -1;
     double high = 1;
     for (int i = 0; i < 50; ++i) {
@@ -160,15 +160,15 @@ class Zernike final : public EdgeEstimator {
       a11 += Vector2d(pixel.mx, pixel.my) * v;
       a20 += pixel.m20 * v;
     }
-    a11 *= 2 / pi;
-    a20 *= 3 / pi;
+    a11 *= 2 / kPi;
+    a20 *= 3 / kPi;
     const double magnitude = a11.norm();
     if (magnitude <= 1e-9) return std::nullopt;
     const Vector2d direction = a11 / magnitude;
     const double l = 2.0 / 3.0 * a20 / magnitude;
     if (std::abs(l) >= 0.9 || direction.dot(normal) < 0.5) return std::nullopt;
     // |A11| of a step of height k at distance l is (2/π) · k · ⅔ (1 − l²)^(3/2).
-    const double contrast = magnitude * 0.75 * pi / std::pow(1 - l * l, 1.5);
+    const double contrast = magnitude * 0.75 * kPi / std::pow(1 - l * l, 1.5);
     if (contrast < kLeastContrast) return std::nullopt;
     return Local{direction * (l * window_px() / 2), direction, contrast};
   }

@@ -18,7 +18,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double pi = std::numbers::pi;
+constexpr double kPi = std::numbers::pi;
 
 class Linear final : public AxisEstimator {
  public:
@@ -176,7 +176,7 @@ struct ArctangentShape {
   template <class T>
   static T value(const T& x) {
     using std::atan;
-    return 2 / pi * atan(x);
+    return 2 / kPi * atan(x);
   }
 };
 
@@ -187,7 +187,7 @@ class Spline final : public ProfileEstimator {
   explicit Spline(int window) : ProfileEstimator(EdgeMethod::spline, window, false) {}
 
  private:
-  static constexpr double knot_px = 1.25;
+  static constexpr double kKnot_px = 1.25;
   static std::array<double, 4> basis(double u) {
     const double v = 1 - u;
     return {v * v * v / 6, (3 * u * u * u - 6 * u * u + 4) / 6, (3 * v * v * v - 6 * v * v + 4) / 6, u * u * u / 6};
@@ -209,14 +209,14 @@ class Spline final : public ProfileEstimator {
   }
 
   std::optional<double> steepest(const std::vector<Sample>& samples, double middle) const {
-    const int half_pieces = static_cast<int>(std::ceil((window_px() / 2.0 + std::abs(middle)) / knot_px));
+    const int half_pieces = static_cast<int>(std::ceil((window_px() / 2.0 + std::abs(middle)) / kKnot_px));
     const int pieces = 2 * half_pieces;
-    const double start = middle - half_pieces * knot_px;
+    const double start = middle - half_pieces * kKnot_px;
     const int n = pieces + 3;
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
     for (const Sample& sample : samples) {
-      const double at = (sample.t - start) / knot_px;
+      const double at = (sample.t - start) / kKnot_px;
       const int piece = std::clamp(static_cast<int>(at), 0, pieces - 1);
       const auto b = basis(at - piece);
       for (int i = 0; i < 4; ++i) {
@@ -243,7 +243,7 @@ class Spline final : public ProfileEstimator {
                            (-1.5 * v * v + 2 * v) * c[piece + 2] + u * u / 2 * c[piece + 3];
       if (slope > best_slope) {
         best_slope = slope;
-        best = start + (piece + u) * knot_px;
+        best = start + (piece + u) * kKnot_px;
       }
     }
     return best;
@@ -290,9 +290,9 @@ class MaximumLikelihood final : public ProfileEstimator {
       }
     double low = best - 0.25;
     double high = best + 0.25;
-    constexpr double golden = 0.6180339887498949;
-    double a = high - golden * (high - low);
-    double b = low + golden * (high - low);
+    constexpr double kGolden = 0.6180339887498949;
+    double a = high - kGolden * (high - low);
+    double b = low + kGolden * (high - low);
     double cost_a = cost(a);
     double cost_b = cost(b);
     while (high - low > 1e-5) {
@@ -300,13 +300,13 @@ class MaximumLikelihood final : public ProfileEstimator {
         high = b;
         b = a;
         cost_b = cost_a;
-        a = high - golden * (high - low);
+        a = high - kGolden * (high - low);
         cost_a = cost(a);
       } else {
         low = a;
         a = b;
         cost_a = cost_b;
-        b = low + golden * (high - low);
+        b = low + kGolden * (high - low);
         cost_b = cost(b);
       }
     }
@@ -344,7 +344,7 @@ class Gaussian final : public EdgeEstimator {
       for (int x = -half; x <= half; ++x) mean += image(centre.x + x, centre.y + y);
     mean /= window_px() * window_px();
     const auto gauss = [&](double x) {
-      return std::exp(-x * x / (2 * sigma_ * sigma_)) / (sigma_ * std::sqrt(2 * pi));
+      return std::exp(-x * x / (2 * sigma_ * sigma_)) / (sigma_ * std::sqrt(2 * kPi));
     };
     for (int y = -half; y <= half; ++y)
       for (int x = -half; x <= half; ++x) {

@@ -18,16 +18,17 @@ struct Sheet {
   const char* name;
   double width_mm, height_mm;
 };
-constexpr std::array sheets{Sheet{"a5", 148, 210},        Sheet{"a4", 210, 297},          Sheet{"letter", 215.9, 279.4},
-                            Sheet{"legal", 215.9, 355.6}, Sheet{"tabloid", 279.4, 431.8}, Sheet{"a3", 297, 420},
-                            Sheet{"a2", 420, 594},        Sheet{"a1", 594, 841},          Sheet{"a0", 841, 1189}};
+constexpr std::array kSheets{
+    Sheet{"a5", 148, 210},        Sheet{"a4", 210, 297},          Sheet{"letter", 215.9, 279.4},
+    Sheet{"legal", 215.9, 355.6}, Sheet{"tabloid", 279.4, 431.8}, Sheet{"a3", 297, 420},
+    Sheet{"a2", 420, 594},        Sheet{"a1", 594, 841},          Sheet{"a0", 841, 1189}};
 
 /// The border of the paper that printers cannot print on.
-constexpr double border_mm = 5;
+constexpr double kBorder_mm = 5;
 /// Beside the target: a bar, its figures, and some white between bar and target.
-constexpr double bar_room_mm = 9;
-constexpr double text_room_mm = 5;
-constexpr double text_size_mm = 2.6;
+constexpr double kBarRoom_mm = 9;
+constexpr double kTextRoom_mm = 5;
+constexpr double kTextSize_mm = 2.6;
 
 std::string number(double value, int digits = 5) {
   std::array<char, 64> buffer{};
@@ -84,17 +85,17 @@ void add_bar(Pattern& pattern, const Vector2d& start, double length, bool uprigh
 }
 
 /// Room that the sheet has beside and below the target, in all.
-const Vector2d kRoom_mm(2 * border_mm + bar_room_mm, 2 * border_mm + bar_room_mm + text_room_mm);
+const Vector2d kRoom_mm(2 * kBorder_mm + kBarRoom_mm, 2 * kBorder_mm + kBarRoom_mm + kTextRoom_mm);
 
 [[noreturn]] void does_not_fit(const PatternOptions& options, const Vector2d& needed) {
   std::string message = options.spec.text() + " needs " + number(needed.x(), 1) + " x " + number(needed.y(), 1) +
                         " mm with its bars and borders; " + options.paper.name + " has " +
                         number(options.paper.width_mm, 1) + " x " + number(options.paper.height_mm, 1) + " mm";
-  const auto larger = std::ranges::find_if(sheets, [&](const Sheet& sheet) {
+  const auto larger = std::ranges::find_if(kSheets, [&](const Sheet& sheet) {
     return (needed.x() <= sheet.width_mm && needed.y() <= sheet.height_mm) ||
            (needed.x() <= sheet.height_mm && needed.y() <= sheet.width_mm);
   });
-  if (larger != sheets.end()) message += "; it fits on " + std::string(larger->name);
+  if (larger != kSheets.end()) message += "; it fits on " + std::string(larger->name);
   throw std::invalid_argument(message);
 }
 
@@ -131,7 +132,7 @@ void add_fiducials(Pattern& pattern, const PatternOptions& options, const Vector
   }
   if (!options.hole) return;
   const Vector2d middle = pattern.origin_mm + Vector2d(spec.box_mm() / 2, -spec.box_mm() / 2);
-  pattern.discs.push_back({middle, hole_over_side * spec.side_mm / 2, options.inverse});
+  pattern.discs.push_back({middle, kHoleOverSide * spec.side_mm / 2, options.inverse});
 }
 
 /// The longest bar for the room, in whole steps that a ruler shows.
@@ -146,22 +147,22 @@ double bar_length(double available_mm) {
 void add_bars(Pattern& pattern, const Vector2d& corner, const Vector2d& size) {
   const double bottom = corner.y() + size.y();
   const double below = bottom + 4;
-  const double beside = corner.x() - bar_room_mm + 2;
-  pattern.bar_x_mm = bar_length(pattern.width_mm - corner.x() - border_mm);
-  pattern.bar_y_mm = bar_length(bottom - border_mm);
+  const double beside = corner.x() - kBarRoom_mm + 2;
+  pattern.bar_x_mm = bar_length(pattern.width_mm - corner.x() - kBorder_mm);
+  pattern.bar_y_mm = bar_length(bottom - kBorder_mm);
   add_bar(pattern, {corner.x(), below}, pattern.bar_x_mm, false);
   add_bar(pattern, {beside, bottom}, pattern.bar_y_mm, true);
   const std::string words = number(pattern.bar_x_mm) + " mm. " + pattern.title +
                             ". Print at actual size (100 %) and check both bars with a ruler.";
-  pattern.texts.push_back({{corner.x() + 1, below + 5.5}, text_size_mm, false, words});
-  pattern.texts.push_back({{beside - 0.7, bottom - 1}, text_size_mm, true, number(pattern.bar_y_mm) + " mm"});
+  pattern.texts.push_back({{corner.x() + 1, below + 5.5}, kTextSize_mm, false, words});
+  pattern.texts.push_back({{beside - 0.7, bottom - 1}, kTextSize_mm, true, number(pattern.bar_y_mm) + " mm"});
 }
 
 }  // namespace
 
 Paper paper_size(std::string_view name) {
   std::string known;
-  for (const Sheet& sheet : sheets) {
+  for (const Sheet& sheet : kSheets) {
     if (sheet.name == name) return {sheet.name, sheet.width_mm, sheet.height_mm};
     known += std::string(known.empty() ? "" : ", ") + sheet.name;
   }
@@ -188,7 +189,7 @@ Pattern make_pattern(const PatternOptions& options) {
   Pattern pattern = empty_sheet(options, box);
   // The target in the middle of what the bars leave: one at its left, one and the text below.
   const Vector2d room = Vector2d(pattern.width_mm, pattern.height_mm) - kRoom_mm;
-  const Vector2d corner = Vector2d(border_mm + bar_room_mm, border_mm) + (room - box.size()) / 2;
+  const Vector2d corner = Vector2d(kBorder_mm + kBarRoom_mm, kBorder_mm) + (room - box.size()) / 2;
   pattern.origin_mm = corner - box.low;
   if (options.spec.kind == TargetKind::chessboard) {
     add_chessboard(pattern, options, corner);

@@ -77,7 +77,7 @@ class Print {
       cover *= std::clamp(0.5 + (side.x() * from.y() - side.y() * from.x()) / side.norm() / size_mm, 0.0, 1.0);
     }
     if (target_.hole && column == 0 && row == 0) {
-      const double distance = (p - Vector2d(box / 2, -box / 2)).norm() - hole_over_side * spec.side_mm / 2;
+      const double distance = (p - Vector2d(box / 2, -box / 2)).norm() - kHoleOverSide * spec.side_mm / 2;
       cover *= std::clamp(0.5 + distance / size_mm, 0.0, 1.0);
     }
     return cover;

@@ -9,12 +9,12 @@
 namespace horopter::calib {
 namespace {
 
-constexpr const char* expected =
+constexpr const char* kExpected =
     "expected squares:COLUMNSxROWS:SIDEmm:PITCHmm, diamonds:COLUMNSxROWS:SIDEmm:PITCHmm or "
     "chessboard:COLUMNSxROWS:SQUAREmm (chessboard: inner corners)";
 
 [[noreturn]] void bad(std::string_view text, const std::string& what) {
-  throw std::invalid_argument("target '" + std::string(text) + "': " + what + "; " + expected);
+  throw std::invalid_argument("target '" + std::string(text) + "': " + what + "; " + kExpected);
 }
 
 std::string number(double value) {

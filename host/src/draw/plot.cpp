@@ -15,8 +15,8 @@
 namespace horopter {
 namespace {
 
-constexpr std::array colours{"#1f77b4", "#d62728", "#2ca02c", "#ff7f0e", "#9467bd", "#8c564b",
-                             "#e377c2", "#17becf", "#7f7f7f", "#bcbd22", "#000000", "#3b3b98"};
+constexpr std::array kColours{"#1f77b4", "#d62728", "#2ca02c", "#ff7f0e", "#9467bd", "#8c564b",
+                              "#e377c2", "#17becf", "#7f7f7f", "#bcbd22", "#000000", "#3b3b98"};
 
 struct Range {
   double low = 1e300;
@@ -143,8 +143,8 @@ class Legend {
 
   std::string pen(const std::string& name) const {
     const auto index = static_cast<std::size_t>(std::find(names_.begin(), names_.end(), name) - names_.begin());
-    return fmt::format("fill=\"none\" stroke=\"{}\"{}", colours[index % colours.size()],
-                       index < colours.size() ? "" : " stroke-dasharray=\"5 3\"");
+    return fmt::format("fill=\"none\" stroke=\"{}\"{}", kColours[index % kColours.size()],
+                       index < kColours.size() ? "" : " stroke-dasharray=\"5 3\"");
   }
 
   double height(double page_width) const {

@@ -32,8 +32,8 @@ const reg::Register* find_register(std::uint32_t address) {
 
 /// A table that maps nothing, for frames without a table.
 std::vector<std::uint32_t> empty_table(int width, int height) {
-  constexpr int spacing = hls::table::largest_spacing_log2;
-  return hls::table::write({width, height, spacing, spacing}, {}, [](int, int) { return hls::table::unmapped; });
+  constexpr int kSpacing = hls::table::largest_spacing_log2;
+  return hls::table::write({width, height, kSpacing, kSpacing}, {}, [](int, int) { return hls::table::unmapped; });
 }
 
 native::ImageView view(const Image& image) { return {image.pixels.data(), image.width, image.height, image.width}; }

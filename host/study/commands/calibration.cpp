@@ -21,8 +21,8 @@ using namespace horopter::calib;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr std::array heights_mm{0.0, 50.0, 100.0};
-constexpr double print_error_mm = 0.045;
+constexpr std::array kHeights_mm{0.0, 50.0, 100.0};
+constexpr double kPrintError_mm = 0.045;
 
 struct Method {
   std::string name;
@@ -72,18 +72,18 @@ std::vector<Vector2d> print_errors(std::size_t count, std::uint64_t seed) {
   Random random(seed);
   std::vector<Vector2d> result;
   for (std::size_t i = 0; i < count; ++i) {
-    const double x = print_error_mm * random.gaussian();
-    result.emplace_back(x, print_error_mm * random.gaussian());
+    const double x = kPrintError_mm * random.gaussian();
+    result.emplace_back(x, kPrintError_mm * random.gaussian());
   }
   return result;
 }
 
 // ---------------------------------------------------------------- Cramér-Rao
 
-constexpr int parameter_count = 11;  // f, sx, Cx, Cy, κ1, rotation, translation
-using Parameters = Eigen::Matrix<double, parameter_count, 1>;
-using Information = Eigen::Matrix<double, parameter_count, parameter_count>;
-constexpr std::array parameter_names{"f_mm",   "sx",     "cx_px", "cy_px", "kappa1_per_mm2", "rx_rad",
+constexpr int kParameterCount = 11;  // f, sx, Cx, Cy, κ1, rotation, translation
+using Parameters = Eigen::Matrix<double, kParameterCount, 1>;
+using Information = Eigen::Matrix<double, kParameterCount, kParameterCount>;
+constexpr std::array kParameterNames{"f_mm",   "sx",     "cx_px", "cy_px", "kappa1_per_mm2", "rx_rad",
                                      "ry_rad", "rz_rad", "tx_mm", "ty_mm", "tz_mm"};
 
 /// `base`, moved: rotations are small ones about the camera's axes.
@@ -107,8 +107,8 @@ Information information(const RenderCamera& camera, const std::vector<Vector3d>&
   steps << 1e-4, 1e-5, 1e-2, 1e-2, 1e-7, 1e-6, 1e-6, 1e-6, 1e-2, 1e-2, 1e-2;
   Information result = Information::Zero();
   for (const Vector3d& point : points) {
-    Eigen::Matrix<double, 2, parameter_count> jacobian;
-    for (int k = 0; k < parameter_count; ++k) {
+    Eigen::Matrix<double, 2, kParameterCount> jacobian;
+    for (int k = 0; k < kParameterCount; ++k) {
       Parameters by = Parameters::Zero();
       by[k] = steps[k];
       jacobian.col(k) = (moved(camera, by).project(point) - moved(camera, -by).project(point)) / (2 * steps[k]);
@@ -131,16 +131,16 @@ Parameters difference(const Camera& found, const RenderCamera& truth) {
 nlohmann::json cramer_rao(StudyReport& report, const StudyScope& scope) {
   Progress progress("calibration study: run");
   const int runs = scope.quick ? 50 : 200;
-  constexpr double noise_px = 0.05;
+  constexpr double kNoise_px = 0.05;
   const RenderCamera camera = true_camera();
   std::vector<Vector3d> points;
-  for (const double height : heights_mm) {
+  for (const double height : kHeights_mm) {
     RenderTarget target;
     target.spec = thesis_target(TargetKind::squares);
     target.z_mm = -height;
     for (const Vector3d& point : target.world_mm()) points.push_back(point);
   }
-  const Information information_one = information(camera, points) / (noise_px * noise_px);
+  const Information information_one = information(camera, points) / (kNoise_px * kNoise_px);
   const Information bound = information_one.inverse();
   Random random(scope.seed);
   Information covariance = Information::Zero();
@@ -151,8 +151,8 @@ nlohmann::json cramer_rao(StudyReport& report, const StudyScope& scope) {
     progress.show(static_cast<std::size_t>(run), runs);
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Vector2d exact = camera.project(points[i]);
-      const double dx = noise_px * random.gaussian();
-      pairs[i] = {points[i], exact + Vector2d(dx, noise_px * random.gaussian())};
+      const double dx = kNoise_px * random.gaussian();
+      pairs[i] = {points[i], exact + Vector2d(dx, kNoise_px * random.gaussian())};
     }
     const Parameters error = difference(calibrate_points(pairs, data_sheet(), PointMethod::full).camera, camera);
     covariance += error * error.transpose() / runs;
@@ -160,17 +160,17 @@ nlohmann::json cramer_rao(StudyReport& report, const StudyScope& scope) {
     distance += error.dot(information_one * error) / runs;
   }
   // The mean of errorᵀ · information · error is the number of parameters for an estimator that reaches the bound.
-  const double ratio = std::sqrt(distance / parameter_count);
+  const double ratio = std::sqrt(distance / kParameterCount);
   Csv csv({"parameter", "bound_sd", "found_sd", "ratio", "bias"});
   nlohmann::json parameters = nlohmann::json::array();
-  for (int k = 0; k < parameter_count; ++k) {
+  for (int k = 0; k < kParameterCount; ++k) {
     const double limit = std::sqrt(bound(k, k));
     const double found = std::sqrt(covariance(k, k));
-    csv.row(parameter_names[k], limit, found, found / limit, bias[k]);
-    parameters.push_back({{"name", parameter_names[k]}, {"bound_sd", limit}, {"found_sd", found}});
+    csv.row(kParameterNames[k], limit, found, found / limit, bias[k]);
+    parameters.push_back({{"name", kParameterNames[k]}, {"bound_sd", limit}, {"found_sd", found}});
   }
   report.table("cramer-rao.csv", csv);
-  return {{"corner_noise_px", noise_px}, {"runs", runs}, {"ratio", ratio}, {"parameters", parameters}};
+  return {{"corner_noise_px", kNoise_px}, {"runs", runs}, {"ratio", ratio}, {"parameters", parameters}};
 }
 
 // ---------------------------------------------------------------- Tables 6.3, 6.4
@@ -179,8 +179,8 @@ nlohmann::json cramer_rao(StudyReport& report, const StudyScope& scope) {
 struct Photographs {
   std::string print, name;
   RenderTarget target;
-  std::array<cv::Mat, heights_mm.size()> pictures;
-  std::array<std::vector<Vector3d>, heights_mm.size()> world;
+  std::array<cv::Mat, kHeights_mm.size()> pictures;
+  std::array<std::vector<Vector3d>, kHeights_mm.size()> world;
 };
 
 /// `number` counts all images, each with noise of its own.
@@ -191,9 +191,9 @@ Photographs photograph(TargetKind kind, bool perfect, std::uint64_t seed, std::s
   target.bright = true;
   target.hole = true;
   if (!perfect) target.print_error_mm = print_errors(target.spec.points_mm().size(), seed * 77 + 5);
-  for (std::size_t h = 0; h < heights_mm.size(); ++h) {
-    progress.show(++number, 4 * heights_mm.size());
-    target.z_mm = -heights_mm[h];
+  for (std::size_t h = 0; h < kHeights_mm.size(); ++h) {
+    progress.show(++number, 4 * kHeights_mm.size());
+    target.z_mm = -kHeights_mm[h];
     Imaging imaging;
     // The middle plane a little out of focus, the others a little more (6.8.1).
     imaging.blur_px = h == 1 ? 0.7 : 0.9;
@@ -212,12 +212,12 @@ Image to_image(const cv::Mat& grey) {
 }
 
 /// Points of each plane, as a method finds them.
-using PairsOfPlanes = std::array<std::vector<PointPair>, heights_mm.size()>;
+using PairsOfPlanes = std::array<std::vector<PointPair>, kHeights_mm.size()>;
 
 PairsOfPlanes localise(const Photographs& photographs, const Method& method, Csv& csv) {
   const RenderCamera camera = true_camera();
   PairsOfPlanes pairs;
-  for (std::size_t h = 0; h < heights_mm.size(); ++h) {
+  for (std::size_t h = 0; h < kHeights_mm.size(); ++h) {
     const TargetView view = detect_target(photographs.pictures[h], photographs.target.spec, method.options);
     const std::vector<Vector3d>& world = photographs.world[h];
     double squares = 0;
@@ -230,20 +230,20 @@ PairsOfPlanes localise(const Photographs& photographs, const Method& method, Csv
       largest = std::max(largest, error.norm());
       bias += error / world.size();
     }
-    csv.row(photographs.print, photographs.name, method.name, heights_mm[h], std::sqrt(squares), largest, bias.x(),
+    csv.row(photographs.print, photographs.name, method.name, kHeights_mm[h], std::sqrt(squares), largest, bias.x(),
             bias.y());
   }
   return pairs;
 }
 
 /// Calibrated on the planes that are not tested; the last time on all, which are all tested.
-constexpr std::array tested_planes{"lowest", "middle", "highest", "all"};
+constexpr std::array kTestedPlanes{"lowest", "middle", "highest", "all"};
 
 PointErrors errors_of(const PairsOfPlanes& pairs, std::size_t tested) {
-  const bool all = tested == heights_mm.size();
+  const bool all = tested == kHeights_mm.size();
   std::vector<PointPair> fit;
   std::vector<PointPair> check;
-  for (std::size_t h = 0; h < heights_mm.size(); ++h) {
+  for (std::size_t h = 0; h < kHeights_mm.size(); ++h) {
     if (all || h != tested) fit.insert(fit.end(), pairs[h].begin(), pairs[h].end());
     if (all || h == tested) check.insert(check.end(), pairs[h].begin(), pairs[h].end());
   }
@@ -261,7 +261,7 @@ void calibration_errors(StudyReport& report, const StudyScope& scope) {
       const Photographs photographs = photograph(kind, perfect, scope.seed, images, progress);
       const auto& [print, name, target, pictures, world] = photographs;
       for (std::size_t h = 0; perfect && h < pictures.size(); ++h)
-        report.file(fmt::format("{}-{:.0f}mm.png", name, heights_mm[h]), encode_png(to_image(pictures[h])));
+        report.file(fmt::format("{}-{:.0f}mm.png", name, kHeights_mm[h]), encode_png(to_image(pictures[h])));
       nlohmann::json& nce = report.result["nce_thesis"][print][name];
       Panel panel{fmt::format("{}, print {}", name, perfect ? "perfect" : "with errors"),
                   "height of the test plane, mm",
@@ -270,15 +270,15 @@ void calibration_errors(StudyReport& report, const StudyScope& scope) {
       for (const Method& method : methods(scope.quick)) {
         const PairsOfPlanes pairs = localise(photographs, method, corners);
         Curve& curve = panel.curves.emplace_back(Curve{method.name, {}});
-        for (std::size_t tested = 0; tested < tested_planes.size(); ++tested) {
+        for (std::size_t tested = 0; tested < kTestedPlanes.size(); ++tested) {
           const PointErrors errors = errors_of(pairs, tested);
-          const char* plane = tested_planes[tested];
+          const char* plane = kTestedPlanes[tested];
           csv.row(print, name, method.name, plane, errors.nce, errors.nce_thesis, errors.mean_px, errors.sd_px,
                   errors.max_px, errors.count);
           nce[method.name][plane] = errors.nce_thesis;
           report.result["image_error_px"][print][name][method.name][plane] = {
               {"mean", errors.mean_px}, {"sd", errors.sd_px}, {"max", errors.max_px}};
-          if (tested < heights_mm.size()) curve.points.emplace_back(heights_mm[tested], errors.nce_thesis);
+          if (tested < kHeights_mm.size()) curve.points.emplace_back(kHeights_mm[tested], errors.nce_thesis);
         }
       }
       panels.push_back(std::move(panel));
@@ -299,8 +299,8 @@ void calibration_errors(StudyReport& report, const StudyScope& scope) {
 void study_calibration(StudyReport& report, const StudyScope& scope) {
   nlohmann::json& result = report.result;
   result["study"] = "calibration";
-  result["heights_mm"] = heights_mm;
-  result["print_error_mm"] = print_error_mm;
+  result["heights_mm"] = kHeights_mm;
+  result["print_error_mm"] = kPrintError_mm;
   calibration_errors(report, scope);
   const nlohmann::json bound = cramer_rao(report, scope);
   result["cramer_rao"] = bound;

@@ -9,10 +9,10 @@
 namespace horopter::cli {
 namespace {
 
-constexpr double x = 756;  // px
-constexpr double y = 286;
-constexpr double k = 4;  // of the 9×9 window
-constexpr double e = 2;  // of clusterlet elimination
+constexpr double kX = 756;  // px
+constexpr double kY = 286;
+constexpr double kK = 4;  // of the 9×9 window
+constexpr double kE = 2;  // of clusterlet elimination
 constexpr double kImagesPerSecond = 50;
 
 /// Counts of one step as its section lists them; memory accesses, and everything else.
@@ -26,43 +26,43 @@ struct Step {
 };
 
 std::vector<Step> steps() {
-  const double rows = y - 2;
-  const double columns = x / 2 - 2;  // of the sub-sampled images that a 3×3 window fills
+  const double rows = kY - 2;
+  const double columns = kX / 2 - 2;  // of the sub-sampled images that a 3×3 window fills
   return {
-      {"Transformation", "10.1.1", {5 * x * y}, {6 * x * y, 5 * x * y, 3 * x * y}, 55, 16 * x * y},
-      {"Subsampling", "10.1.2", {x * y, 2 * x * y / 2}, {2 * x * y / 2, 2 * x * y / 2}, 22, 2 * x * y},
+      {"Transformation", "10.1.1", {5 * kX * kY}, {6 * kX * kY, 5 * kX * kY, 3 * kX * kY}, 55, 16 * kX * kY},
+      {"Subsampling", "10.1.2", {kX * kY, 2 * kX * kY / 2}, {2 * kX * kY / 2, 2 * kX * kY / 2}, 22, 2 * kX * kY},
       {"Lowpass",
        "10.1.3",
-       {2 * 3 * rows * x / 2},
-       {2 * 2 * rows * x / 2, 2 * rows * x / 2, 2 * 2 * rows * columns, 2 * 2 * rows * columns},
+       {2 * 3 * rows * kX / 2},
+       {2 * 2 * rows * kX / 2, 2 * rows * kX / 2, 2 * 2 * rows * columns, 2 * 2 * rows * columns},
        33,
-       2 * (7 * x / 2 - 8) * rows},
+       2 * (7 * kX / 2 - 8) * rows},
       {"Sobel filtering",
        "10.1.4",
-       {2 * 3 * rows * x / 2, 2 * columns * rows, x * y / 2},
-       {2 * 3 * rows * x / 2, 2 * rows * x / 2, 2 * 3 * columns * rows, 2 * columns * rows, 2 * 2 * columns * rows,
+       {2 * 3 * rows * kX / 2, 2 * columns * rows, kX * kY / 2},
+       {2 * 3 * rows * kX / 2, 2 * rows * kX / 2, 2 * 3 * columns * rows, 2 * columns * rows, 2 * 2 * columns * rows,
         2 * 3 * columns * rows, 2 * 2 * columns * rows, 2 * columns * rows, 2 * columns * rows, columns * rows},
        49,
-       (35.0 / 2 * x - 54) * rows},
+       (35.0 / 2 * kX - 54) * rows},
       {"Correlation",
        "10.1.5",
-       {2 * k * x / 2, (2 * (x / 2 - 2 * k) + 4 * k) * (y - 2 * k)},
-       {(2 * k - 1) * x / 2, (4 * (x / 2 - 2 * k) + 6 * k - 1) * (y - 2 * k)},
+       {2 * kK * kX / 2, (2 * (kX / 2 - 2 * kK) + 4 * kK) * (kY - 2 * kK)},
+       {(2 * kK - 1) * kX / 2, (4 * (kX / 2 - 2 * kK) + 6 * kK - 1) * (kY - 2 * kK)},
        11,
-       (2 * k - 1) * x / 2 + (y - 2 * k) * (2 * x - 2 * k - 1)},
+       (2 * kK - 1) * kX / 2 + (kY - 2 * kK) * (2 * kX - 2 * kK - 1)},
       {"Texture analysis",
        "10.1.6",
-       {(3 * rows + 1) * x / 2},
-       {y * x / 2, 2 * rows * (x - 2), rows * (3 * x / 2 - 4)},
+       {(3 * rows + 1) * kX / 2},
+       {kY * kX / 2, 2 * rows * (kX - 2), rows * (3 * kX / 2 - 4)},
        16,
-       y * x / 2 + rows * (7.0 / 2 * x - 8)},
+       kY * kX / 2 + rows * (7.0 / 2 * kX - 8)},
       {"Segmentation and clusterlet elimination",
        "10.1.7",
-       {y * x / 2, y * x / 32, 2.0 / 16 * (2 * e + 1) * (x / 2 - e) * (y - e)},
-       {y * x / 2, y * x / 2, 3 * (2 * e + 1) * (x / 2 - e) * (y - e), (3 + 2 * e) * (x / 2 - e) * (y - e),
-        (x / 2 - e) * (y - e)},
+       {kY * kX / 2, kY * kX / 32, 2.0 / 16 * (2 * kE + 1) * (kX / 2 - kE) * (kY - kE)},
+       {kY * kX / 2, kY * kX / 2, 3 * (2 * kE + 1) * (kX / 2 - kE) * (kY - kE),
+        (3 + 2 * kE) * (kX / 2 - kE) * (kY - kE), (kX / 2 - kE) * (kY - kE)},
        9,
-       x * y + (7 + 8 * e) * (x / 2 - e) * (y - e)},
+       kX * kY + (7 + 8 * kE) * (kX / 2 - kE) * (kY - kE)},
   };
 }
 

@@ -30,7 +30,7 @@ struct Count {
 
 /// Means, variances and their differences follow from the sums of r, s, r², s², rs: Σ(r − r̄)(s − s̄) = Σrs − ΣrΣs/n.
 /// Roots and quotients are avoided by squaring and multiplying the threshold (footnote 21).
-constexpr std::array counts{
+constexpr std::array kCounts{
     Count{"CCF", 10.4, 1, 1, 0},
     Count{"SSD", 10.5, 1, 2, 0},
     Count{"SAD", 10.6, 1, 2, 0},
@@ -55,10 +55,10 @@ double operations(const Count& count) {
 double direct(const Count& count) { return (count.sums + count.per_window) * kWindow + count.per_pixel; }
 
 double mega(std::string_view name) {
-  return operations(*std::ranges::find(counts, name, &Count::name)) * kPixels / 1e6;
+  return operations(*std::ranges::find(kCounts, name, &Count::name)) * kPixels / 1e6;
 }
 double direct_mega(std::string_view name) {
-  return direct(*std::ranges::find(counts, name, &Count::name)) * kPixels / 1e6;
+  return direct(*std::ranges::find(kCounts, name, &Count::name)) * kPixels / 1e6;
 }
 
 std::vector<Statement> statements() {
@@ -90,7 +90,7 @@ void study_cost(StudyReport& report, const StudyScope& /*scope*/) {
   Csv csv({"criterion", "operations_per_pixel", "without_running_sums", "mega_operations_per_image",
            "thesis_mega_operations"});
   report.result["conditions"] = {{"image", "378×286"}, {"kernel", kKernel}, {"division", kDivision}};
-  for (const Count& count : counts) {
+  for (const Count& count : kCounts) {
     csv.row(std::string(count.name), operations(count), direct(count), mega(count.name),
             count.thesis_mega > 0 ? fmt::format("{:.1f}", count.thesis_mega) : "");
     report.result["mega_operations"][std::string(count.name)] = mega(count.name);

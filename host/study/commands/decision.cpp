@@ -25,13 +25,13 @@
 
 namespace horopter::stages {
 
-inline constexpr PlaneSet<13> planes_13{{-18, -10, -6, -3, -2, -1, 0, 1, 2, 3, 6, 10, 18}};
-inline constexpr PlaneSet<15> planes_15{{-18, -10, -6, -4, -3, -2, -1, 0, 1, 2, 3, 4, 6, 10, 18}};
-static_assert(planes_13.valid() && planes_15.valid());
+inline constexpr PlaneSet<13> kPlanes13{{-18, -10, -6, -3, -2, -1, 0, 1, 2, 3, 6, 10, 18}};
+inline constexpr PlaneSet<15> kPlanes15{{-18, -10, -6, -4, -3, -2, -1, 0, 1, 2, 3, 4, 6, 10, 18}};
+static_assert(kPlanes13.valid() && kPlanes15.valid());
 template <>
-inline constexpr const auto& planes_of<13> = planes_13;
+inline constexpr const auto& planes_of<13> = kPlanes13;  // NOLINT(readability-identifier-naming)
 template <>
-inline constexpr const auto& planes_of<15> = planes_15;
+inline constexpr const auto& planes_of<15> = kPlanes15;  // NOLINT(readability-identifier-naming)
 
 }  // namespace horopter::stages
 
@@ -233,25 +233,25 @@ std::vector<Variant> variants(const StudyScope& scope) {
 
 /// A block 8 px before a background, both of them textures of the simulation.
 StereoPair simulated_scene(const StudyScope& scope, study::TextureKind kind, const std::string& name) {
-  constexpr int far_px = 8;
-  constexpr int near_px = 16;
+  constexpr int kFar_px = 8;
+  constexpr int kNear_px = 16;
   study::Conditions conditions = chapter8_conditions(scope);
   conditions.texture.kind = kind;
   conditions.camera.width = 320;
   conditions.camera.height = 240;
   conditions.electronics.averaged = 1;
-  const study::Simulation background(conditions, near_px + 1);
+  const study::Simulation background(conditions, kNear_px + 1);
   conditions.seed += 1;
-  const study::Simulation object(conditions, near_px + 1);
-  StereoPair pair{name, background.photograph(0, 1), background.photograph(far_px, 2), {320, 240, {}}};
-  pair.truth.px.assign(pair.left.pixels.size(), far_px);
+  const study::Simulation object(conditions, kNear_px + 1);
+  StereoPair pair{name, background.photograph(0, 1), background.photograph(kFar_px, 2), {320, 240, {}}};
+  pair.truth.px.assign(pair.left.pixels.size(), kFar_px);
   const Image left = object.photograph(0, 3);
-  const Image right = object.photograph(near_px, 4);
+  const Image right = object.photograph(kNear_px, 4);
   for (int y = 80; y < 180; ++y) {
     for (int x = 120; x < 230; ++x) {
       pair.left.at(x, y) = left.at(x, y);
-      pair.right.at(x - near_px, y) = right.at(x - near_px, y);
-      pair.truth.px[static_cast<std::size_t>(y * 320 + x)] = near_px;
+      pair.right.at(x - kNear_px, y) = right.at(x - kNear_px, y);
+      pair.truth.px[static_cast<std::size_t>(y * 320 + x)] = kNear_px;
     }
   }
   return pair;

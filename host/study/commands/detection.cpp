@@ -29,15 +29,15 @@ constexpr double kFarthest_px = 14;
 
 /// Share of the pixels of one image that `compete` takes for the skin, where its windows lie in the image.
 double skin_share(Supervisor& supervisor, const Image& left, const Image& right) {
-  constexpr int margin = 32;
+  constexpr int kMargin = 32;
   const FrameResult frame = std::move(supervisor.process(left, right).front());
   std::int64_t skin = 0;
-  for (int y = margin; y < left.height - margin; ++y) {
-    for (int x = margin; x < left.width - margin; ++x) {
+  for (int y = kMargin; y < left.height - kMargin; ++y) {
+    for (int x = kMargin; x < left.width - kMargin; ++x) {
       skin += static_cast<State>(frame.states.at(x, y)) == State::skin ? 1 : 0;
     }
   }
-  return static_cast<double>(skin) / ((left.width - 2 * margin) * (left.height - 2 * margin));
+  return static_cast<double>(skin) / ((left.width - 2 * kMargin) * (left.height - 2 * kMargin));
 }
 
 /// Where a curve falls to 1/2, walked outwards.
@@ -92,12 +92,12 @@ study::ImageSeries transformed(const study::Simulation& simulation, const std::v
   series.image = [&simulation, disparities_px](std::size_t i) {
     const Image source = simulation.photograph(disparities_px[i] - kInterpolated, i + 1);
     Image result(source.width, source.height);
-    constexpr int weight = static_cast<int>(8 * kInterpolated);
+    constexpr int kWeight = static_cast<int>(8 * kInterpolated);
     for (int y = 0; y < source.height; ++y)
       for (int x = 0; x < source.width; ++x) {
         const int next = x + 1 < source.width ? x + 1 : x;
         result.at(x, y) =
-            static_cast<std::uint8_t>(((8 - weight) * source.at(x, y) + weight * source.at(next, y) + 4) / 8);
+            static_cast<std::uint8_t>(((8 - kWeight) * source.at(x, y) + kWeight * source.at(next, y) + 4) / 8);
       }
     return result;
   };

@@ -23,7 +23,7 @@ namespace {
 using namespace horopter::calib;
 using Eigen::Vector2d;
 
-const double fill_factor = Imaging{}.fill_factor;  ///< of the simulated pixels
+const double kFillFactor = Imaging{}.fill_factor;  ///< of the simulated pixels
 
 /// An estimator as the study names it.
 struct Contender {
@@ -89,7 +89,7 @@ Corners measure(const GreyImage& image, const EdgeEstimator& estimator, const Ve
   return result;
 }
 
-constexpr double side_px = 64;
+constexpr double kSide_px = 64;
 
 /// As a camera makes it: noise of 1 grey level, 8 bits.
 Imaging noisy(double blur_px) {
@@ -106,10 +106,10 @@ double corner_rms_px(const EdgeEstimator& estimator, const std::vector<Vector2d>
   double squares = 0;
   int n = 0;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const GreyImage image = simulate_square(121, 121, places[i], side_px, angle_deg, noisy(blur_px), seed + i);
-    const Corners corners = measure(image, estimator, places[i], side_px, angle_deg, points_per_edge);
+    const GreyImage image = simulate_square(121, 121, places[i], kSide_px, angle_deg, noisy(blur_px), seed + i);
+    const Corners corners = measure(image, estimator, places[i], kSide_px, angle_deg, points_per_edge);
     if (!corners.found) continue;
-    const auto truth = square_corners(places[i], side_px, angle_deg);
+    const auto truth = square_corners(places[i], kSide_px, angle_deg);
     for (int k = 0; k < 4; ++k) squares += (corners.at[k] - Vector2d(truth.col(k))).squaredNorm() / 2;
     n += 4;
   }
@@ -153,8 +153,8 @@ class EdgeStudy {
 
   /// Fig. 6.7: noise-free; the error against the position, for each blur.
   void position() {
-    constexpr std::array blurs_px{0.01, 0.4, 0.8, 1.2, 1.8, 2.2};  // Fig. 6.6
-    constexpr std::array angles_deg{0.0, 20.0, 45.0};
+    constexpr std::array kBlurs_px{0.01, 0.4, 0.8, 1.2, 1.8, 2.2};  // Fig. 6.6
+    constexpr std::array kAngles_deg{0.0, 20.0, 45.0};
     Csv csv({"method", "blur_px", "position_px", "error_px"});
     Csv worst_csv({"method", "blur_px", "angle_deg", "max_error_px", "rms_error_px"});
     std::vector<Panel> panels;
@@ -165,16 +165,16 @@ class EdgeStudy {
       step();
       Panel& panel = panels.emplace_back(Panel{contender.name, "true position, px", "error, px", {}});
       for (Panel& one : worst) one.curves.push_back({contender.name, {}});
-      for (const double blur : blurs_px) {
+      for (const double blur : kBlurs_px) {
         const auto estimator = make(contender, blur);
-        for (std::size_t k = 0; k < angles_deg.size(); ++k) {
-          const Sweep found = sweep(*estimator, blur, angles_deg[k], scope_.quick ? 5 : 25);
-          worst_csv.row(contender.name, blur, angles_deg[k], found.largest, found.rms);
+        for (std::size_t k = 0; k < kAngles_deg.size(); ++k) {
+          const Sweep found = sweep(*estimator, blur, kAngles_deg[k], scope_.quick ? 5 : 25);
+          worst_csv.row(contender.name, blur, kAngles_deg[k], found.largest, found.rms);
           worst[k].curves.back().points.emplace_back(blur, found.largest);
           if (k > 0) continue;
           panel.curves.push_back({fmt::format("blur {:g} px", blur), found.errors});
           for (const auto& [position, error] : found.errors) csv.row(contender.name, blur, position, error);
-          if (blur == blurs_px.front()) report_.result["steepest_edge_max_error_px"][contender.name] = found.largest;
+          if (blur == kBlurs_px.front()) report_.result["steepest_edge_max_error_px"][contender.name] = found.largest;
         }
       }
     }
@@ -187,23 +187,23 @@ class EdgeStudy {
 
   /// Table 6.1: 64 px squares and diamonds at the same place again and again.
   void noise() {
-    constexpr double blur_px = 0.8;
+    constexpr double kBlur_px = 0.8;
     Csv csv({"target", "method", "sd_x_px", "sd_y_px", "sd_cx_px", "sd_cy_px", "rms_corner_px", "images"});
     for (const auto& [target, angle] : {std::pair{"square", 0.0}, {"diamond", 45.0}}) {
       const int size = angle == 0 ? 96 : 120;
       const Vector2d middle = Vector2d(47.31, 47.67) + (angle == 0 ? Vector2d(0, 0) : Vector2d(12, 12));
       std::vector<GreyImage> series;
       for (std::uint64_t i = 0; i < (scope_.quick ? 4 : 40); ++i)
-        series.push_back(simulate_square(size, size, middle, side_px, angle, noisy(blur_px), scope_.seed * 1000 + i));
+        series.push_back(simulate_square(size, size, middle, kSide_px, angle, noisy(kBlur_px), scope_.seed * 1000 + i));
       for (const Contender& contender : all_) {
         step();
-        const auto estimator = make(contender, blur_px);
+        const auto estimator = make(contender, kBlur_px);
         std::vector<Corners> found;
         for (const GreyImage& image : series) {
-          const Corners corners = measure(image, *estimator, middle, side_px, angle, 16);
+          const Corners corners = measure(image, *estimator, middle, kSide_px, angle, 16);
           if (corners.found) found.push_back(corners);
         }
-        const Scatter scatter = scatter_of(found, square_corners(middle, side_px, angle));
+        const Scatter scatter = scatter_of(found, square_corners(middle, kSide_px, angle));
         csv.row(target, contender.name, std::sqrt(scatter.corner.x()), std::sqrt(scatter.corner.y()),
                 std::sqrt(scatter.centre.x()), std::sqrt(scatter.centre.y()), scatter.rms, found.size());
         if (found.size() >= 2)
@@ -227,7 +227,7 @@ class EdgeStudy {
         Curve& curve = panel.curves.emplace_back(Curve{contender.name, {}});
         for (const double blur : {2.2, 1.8, 1.2, 0.8, 0.6, 0.4}) {
           const double rms = corner_rms_px(*make(contender, blur), places, angle, blur, 16, scope_.seed * 2000);
-          const double width = std::sqrt(blur * blur + fill_factor * fill_factor / 12);
+          const double width = std::sqrt(blur * blur + kFillFactor * kFillFactor / 12);
           const double steepness = 160 / (std::sqrt(2 * std::numbers::pi) * width);
           csv.row(target, contender.name, blur, steepness, rms);
           curve.points.emplace_back(steepness, rms);
@@ -241,7 +241,7 @@ class EdgeStudy {
 
   /// Fig. 6.9: points per edge.
   void points() {
-    constexpr double blur_px = 0.8;
+    constexpr double kBlur_px = 0.8;
     Csv csv({"method", "points", "rms_px"});
     Panel panel{"noise 1 grey level, blur 0.8 px", "points per edge", "RMS of the corners, px", {}, true};
     std::vector<Vector2d> places;
@@ -252,10 +252,10 @@ class EdgeStudy {
           contender.method == EdgeMethod::spline)
         continue;
       step();
-      const auto estimator = make(contender, blur_px);
+      const auto estimator = make(contender, kBlur_px);
       Curve& curve = panel.curves.emplace_back(Curve{contender.name, {}});
       for (const int points : {2, 4, 8, 16, 32, 46}) {
-        const double rms = corner_rms_px(*estimator, places, 45, blur_px, points, scope_.seed * 3000);
+        const double rms = corner_rms_px(*estimator, places, 45, kBlur_px, points, scope_.seed * 3000);
         csv.row(contender.name, points, rms);
         curve.points.emplace_back(points, rms);
         if (contender.method == EdgeMethod::zernike_13 && points == 16)
@@ -310,7 +310,7 @@ class EdgeStudy {
 void study_edges(StudyReport& report, const StudyScope& scope) {
   nlohmann::json& result = report.result;
   result["study"] = "edges";
-  result["fill_factor"] = fill_factor;
+  result["fill_factor"] = kFillFactor;
   EdgeStudy study(report, scope);
   study.position();
   study.noise();

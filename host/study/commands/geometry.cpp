@@ -21,7 +21,7 @@ namespace {
 struct Setup {
   double distance_mm, baseline_mm;
 };
-constexpr std::array setups{Setup{800, 150}, Setup{1600, 300}, Setup{2400, 450}};
+constexpr std::array kSetups{Setup{800, 150}, Setup{1600, 300}, Setup{2400, 450}};
 
 RigDesign design(double baseline_mm, double tilt_deg) { return {10, 8.5, 756, 572, baseline_mm, tilt_deg}; }
 
@@ -76,7 +76,7 @@ double study_tilt(StudyReport& report, const StudyScope& scope) {
   Panel exploitation{"Exploitation", "tilt, degrees", "share of the image in use, A_c / A_L", {}};
   double least_gain = 1;
   Progress progress("tilt");
-  for (const Setup& setup : setups) {
+  for (const Setup& setup : kSetups) {
     const std::string name = fmt::format("{:g} m", setup.distance_mm / 1000);
     const OverTilt found = over_tilt(setup, name, scope.quick ? 1 : 0.25, table, progress);
     thickness.curves.insert(thickness.curves.end(), found.thickness.begin(), found.thickness.end());

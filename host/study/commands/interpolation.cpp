@@ -33,7 +33,7 @@ constexpr int kShiftsPerPixel = 32;
 /// Interpolation by continuous weights, of two pixels or of four a direction.
 constexpr int kContinuous = -1;
 constexpr int kCubic = -2;
-constexpr std::array methods{0, 1, 2, 3, 4, 5, kContinuous, kCubic};
+constexpr std::array kMethods{0, 1, 2, 3, 4, 5, kContinuous, kCubic};
 
 std::string method_name(int method) {
   if (method == kContinuous) return "bilinear";
@@ -46,16 +46,16 @@ double sinc(double x) { return x == 0 ? 1 : std::sin(std::numbers::pi * x) / (st
 class Scene {
  public:
   Scene(calib::Random& random, int waves) {
-    constexpr double pi = std::numbers::pi;
+    constexpr double kPi = std::numbers::pi;
     double power = 0;
     for (int i = 0; i < waves; ++i) {
       // 0.01 … 1 cycle a pixel; amplitudes that fall with the frequency are even ones, evenly spread over its
       // logarithm.
       const double frequency = 0.01 * std::pow(100.0, random.uniform());
-      const double direction = 2 * pi * random.uniform();
-      Wave wave{frequency * std::cos(direction), frequency * std::sin(direction), 2 * pi * random.uniform(), 1};
+      const double direction = 2 * kPi * random.uniform();
+      Wave wave{frequency * std::cos(direction), frequency * std::sin(direction), 2 * kPi * random.uniform(), 1};
       wave.amplitude =
-          sinc(wave.x) * sinc(wave.y) * std::exp(-2 * pi * pi * kBlur_px * kBlur_px * frequency * frequency);
+          sinc(wave.x) * sinc(wave.y) * std::exp(-2 * kPi * kPi * kBlur_px * kBlur_px * frequency * frequency);
       power += wave.amplitude * wave.amplitude / 2;
       waves_.push_back(wave);
     }
@@ -214,8 +214,8 @@ struct Measurements {
   std::vector<double> translated = std::vector<double>(kShiftsPerPixel + 1);  ///< differences of photographs
   /// The same without noise: a scaled photograph has that of the exact one.
   std::vector<double> clean = std::vector<double>(kShiftsPerPixel + 1);
-  Samples scaling = Samples(methods.size(), std::vector<Sample>(scales().size()));
-  Samples translation = Samples(methods.size(), std::vector<Sample>(translations_px().size()));
+  Samples scaling = Samples(kMethods.size(), std::vector<Sample>(scales().size()));
+  Samples translation = Samples(kMethods.size(), std::vector<Sample>(translations_px().size()));
 
   /// One of so many scenes.
   void add(const Scene& shown, int scenes, calib::Random& random) {
@@ -235,9 +235,9 @@ struct Measurements {
  private:
   void add_translations(const Plane& still, const std::vector<Plane>& shifted, int scenes) {
     const std::vector<double> shifts_px = translations_px();
-    for (std::size_t m = 0; m < methods.size(); ++m)
+    for (std::size_t m = 0; m < kMethods.size(); ++m)
       for (std::size_t i = 0; i < shifts_px.size(); ++i)
-        translation[m][i].add(difference(transformed(still, shifts_px[i], 1, 0, 1, methods[m]), shifted[i]), scenes);
+        translation[m][i].add(difference(transformed(still, shifts_px[i], 1, 0, 1, kMethods[m]), shifted[i]), scenes);
   }
 
   /// About the middle of the image.
@@ -250,8 +250,8 @@ struct Measurements {
                            method);
       };
       const Plane exact = scaled(kContinuous);
-      for (std::size_t m = 0; m < methods.size(); ++m) {
-        if (methods[m] >= 0) scaling[m][i].add(difference(scaled(methods[m]), exact), scenes);
+      for (std::size_t m = 0; m < kMethods.size(); ++m) {
+        if (kMethods[m] >= 0) scaling[m][i].add(difference(scaled(kMethods[m]), exact), scenes);
       }
     }
   }
@@ -270,16 +270,16 @@ void tabulate(StudyReport& report, const std::string& kind, const char* column, 
   const std::string x_label = kind == "scaling" ? "scale" : "translation, px";
   Panel equivalents{kind, x_label, "equivalent translation, px", {}};
   Panel sigmas{kind, x_label, "sigma of the difference, grey levels", {}};
-  for (std::size_t m = 0; m < methods.size(); ++m) {
-    if (kind == "scaling" && methods[m] < 0) continue;  // what scaling is compared with
-    const std::string name = method_name(methods[m]);
+  for (std::size_t m = 0; m < kMethods.size(); ++m) {
+    if (kind == "scaling" && kMethods[m] < 0) continue;  // what scaling is compared with
+    const std::string name = method_name(kMethods[m]);
     Curve& equivalents_of = equivalents.curves.emplace_back(Curve{name, {}});
     Curve& sigmas_of = sigmas.curves.emplace_back(Curve{name, {}});
     double largest = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
       const Sample& sample = all[m][i];
       const double px = equivalent(curve, sample.direction);
-      table.row(name, methods[m] < 0 ? std::string() : std::to_string(methods[m]), places[i],
+      table.row(name, kMethods[m] < 0 ? std::string() : std::to_string(kMethods[m]), places[i],
                 std::sqrt(sample.variance), sample.direction, px);
       equivalents_of.points.emplace_back(places[i], px);
       sigmas_of.points.emplace_back(places[i], std::sqrt(sample.variance));

@@ -117,7 +117,7 @@ double moved_px(const study::Simulation& simulation, const StudyScope& scope, co
   return place ? std::abs(*place - 1) : 1;
 }
 
-constexpr std::array labels{"common offset", "common scaling", "different offset", "different scaling"};
+constexpr std::array kLabels{"common offset", "common scaling", "different offset", "different scaling"};
 
 /// Entries of the table, measured.
 struct Entries {
@@ -155,7 +155,7 @@ void measure(const std::string& name, const Preparation& preparation, const Row&
   const study::Criterion& criterion = study::criterion(name);
   const int margin = study::reach_of({&criterion, preparation, 9}) + 1;
   const Plane before = compare(criterion, preparation, left, right);
-  for (std::size_t i = 0; i < labels.size(); ++i) {
+  for (std::size_t i = 0; i < kLabels.size(); ++i) {
     const bool common = i < 2;
     const double scale = i % 2 == 1 ? kScale : 1;
     const double offset = i % 2 == 0 ? kOffset : 0;
@@ -166,8 +166,8 @@ void measure(const std::string& name, const Preparation& preparation, const Row&
     };
     const Found found = judged(brighter_left, common ? brighter_right : right);
     const Found of_right = common ? found : judged(left, brighter_right);
-    entries.csv.row(name, name_of(preparation), labels[i], name_of(row.effects[i]), name_of(found.effect), found.change,
-                    of_right.change);
+    entries.csv.row(name, name_of(preparation), kLabels[i], name_of(row.effects[i]), name_of(found.effect),
+                    found.change, of_right.change);
     ++entries.cells;
     // LSAD and LSSD scale with r alone (footnotes to Table 8.2): what is said of a difference holds for r.
     if (found.effect == row.effects[i]) {
@@ -175,7 +175,8 @@ void measure(const std::string& name, const Preparation& preparation, const Row&
     } else {
       ++of_row.different;
       if (of_row.differing.size() < 80)
-        of_row.differing += fmt::format("; {} {} {}: {}", name, name_of(preparation), labels[i], name_of(found.effect));
+        of_row.differing +=
+            fmt::format("; {} {} {}: {}", name, name_of(preparation), kLabels[i], name_of(found.effect));
     }
     if (row.effects[i] == Effect::yes) of_row.worst_yes = std::max({of_row.worst_yes, found.change, of_right.change});
     if (row.effects[i] == Effect::no) of_row.least_no = std::min({of_row.least_no, found.change, of_right.change});
@@ -191,8 +192,8 @@ Statement statement(const Row& row, const RowFound& found) {
                        : row.highpass.front()     ? "high-pass"
                                                   : "no high-pass";
   std::string effects;
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    effects += fmt::format("{}{} {}", i == 0 ? "" : ", ", labels[i], name_of(row.effects[i]));
+  for (std::size_t i = 0; i < kLabels.size(); ++i)
+    effects += fmt::format("{}{} {}", i == 0 ? "" : ", ", kLabels[i], name_of(row.effects[i]));
   std::string more = found.least_no < 1e9 ? fmt::format(", smallest of a variant one {:.1e}", found.least_no) : "";
   more += found.differing;
   if (found.different > 0 && who.starts_with("LS"))
@@ -211,10 +212,10 @@ struct Footnote {
   double scale;
   int number;
 };
-constexpr std::array footnotes{Footnote{"MOR", false, 1.1, 1}, Footnote{"MOR", true, 1.2, 1},
-                               Footnote{"SSD", true, 1.1, 2},  Footnote{"ZSSD", false, 1.1, 3},
-                               Footnote{"ZSSD", true, 1.2, 3}, Footnote{"ZNSSD", false, 1.1, 4},
-                               Footnote{"ZNSSD", true, 1.2, 4}};
+constexpr std::array kFootnotes{Footnote{"MOR", false, 1.1, 1}, Footnote{"MOR", true, 1.2, 1},
+                                Footnote{"SSD", true, 1.1, 2},  Footnote{"ZSSD", false, 1.1, 3},
+                                Footnote{"ZSSD", true, 1.2, 3}, Footnote{"ZNSSD", false, 1.1, 4},
+                                Footnote{"ZNSSD", true, 1.2, 4}};
 
 void state_footnotes(StudyReport& report, const StudyScope& scope, const study::Simulation& simulation) {
   using namespace measured;
@@ -223,8 +224,8 @@ void state_footnotes(StudyReport& report, const StudyScope& scope, const study::
   quick.quick = true;
   Progress progress("footnote");
   std::size_t done = 0;
-  for (const Footnote& note : footnotes) {
-    progress.show(done++, footnotes.size());
+  for (const Footnote& note : kFootnotes) {
+    progress.show(done++, kFootnotes.size());
     const study::Setting setting{&study::criterion(note.criterion), {Feature::grey, true, note.highpass}, 9};
     report.state(
         "8.3.1",

@@ -37,7 +37,7 @@ std::vector<Variant> variants() {
   return result;
 }
 
-constexpr std::array kernels{5, 9};
+constexpr std::array kKernels{5, 9};
 
 study::Conditions conditions_of(const StudyScope& scope, double texture_grey) {
   study::Conditions conditions;
@@ -62,7 +62,7 @@ struct Rounding {
 };
 
 Rounding rounding(StudyReport& report, const StudyScope& scope) {
-  constexpr double limit_percent = 2;
+  constexpr double kLimitPercent = 2;
   const auto same_gradients = study::direction_in_floating_point();
   const auto rounded = study::direction_resolution(8, 7);
   std::vector<double> disparities;
@@ -72,7 +72,7 @@ Rounding rounding(StudyReport& report, const StudyScope& scope) {
   for (const double grey : {6.0, 12.0, 24.0, 40.0}) {
     const study::Simulation simulation(conditions_of(scope, grey), disparities.back());
     std::vector<study::Setting> settings;
-    for (const int kernel : kernels) {
+    for (const int kernel : kKernels) {
       settings.push_back({rounded.get(), {study::Feature::camera}, kernel});
       settings.push_back({same_gradients.get(), {study::Feature::camera}, kernel});
       settings.push_back({&study::criterion("DSAD"), {study::Feature::direction, true}, kernel});
@@ -80,16 +80,16 @@ Rounding rounding(StudyReport& report, const StudyScope& scope) {
     const auto detections = study::detect(study::photographs(simulation, disparities), settings);
     double most = 0;
     int within_from = kFrom;
-    for (std::size_t n = 0; n < kernels.size(); ++n) {
+    for (std::size_t n = 0; n < kKernels.size(); ++n) {
       for (int d = kFrom; d <= kTo; ++d) {
         const double d50 = 0.1 * d;
         const double error = detections[3 * n].segmentation_error(d50);
         const double direction = error / detections[3 * n + 1].segmentation_error(d50) - 1;
         const double lowpass = error / detections[3 * n + 2].segmentation_error(d50) - 1;
-        table.row(grey, kernels[n], d50, direction, lowpass);
+        table.row(grey, kKernels[n], d50, direction, lowpass);
         result.direction_percent = std::max(result.direction_percent, 100 * std::abs(direction));
         most = std::max(most, std::abs(lowpass));
-        if (100 * std::abs(lowpass) > limit_percent) within_from = std::max(within_from, d + 1);
+        if (100 * std::abs(lowpass) > kLimitPercent) within_from = std::max(within_from, d + 1);
       }
     }
     result.lowpass_percent = std::max(result.lowpass_percent, 100 * most);
@@ -120,11 +120,11 @@ void draw_losses(StudyReport& report, const std::vector<Variant>& all,
   Csv table({"kernel", "resolution", "direction_bits", "difference_bits", "d50_px", "segmentation_error_px",
              "loss_against_7_bit", "loss_against_floating_point"});
   std::vector<Panel> panels;
-  for (std::size_t n = 0; n < kernels.size(); ++n) {
+  for (std::size_t n = 0; n < kKernels.size(); ++n) {
     const auto error_of = [&](std::size_t variant, double d50) {
-      return detections[variant * kernels.size() + n].segmentation_error(d50);
+      return detections[variant * kKernels.size() + n].segmentation_error(d50);
     };
-    const std::string kernel = fmt::format("{0}x{0}", kernels[n]);
+    const std::string kernel = fmt::format("{0}x{0}", kKernels[n]);
     const auto panel = [&](const char* order) {
       return Panel{fmt::format("{}, reduced {} differencing", kernel, order),
                    "segmentation disparity D50, px",
@@ -141,7 +141,7 @@ void draw_losses(StudyReport& report, const std::vector<Variant>& all,
         const double error = error_of(i, d50);
         const double against_7_bit = error / error_of(1, d50) - 1;
         const double against_float = error / error_of(0, d50) - 1;
-        table.row(kernels[n], all[i].name, all[i].direction_bits, all[i].difference_bits, d50, error, against_7_bit,
+        table.row(kKernels[n], all[i].name, all[i].direction_bits, all[i].difference_bits, d50, error, against_7_bit,
                   against_float);
         curve.points.emplace_back(d50, error);
         if (d < kFrom) continue;
@@ -216,7 +216,7 @@ void study_resolution(StudyReport& report, const StudyScope& scope) {
     made.push_back(variant.direction_bits == 0
                        ? study::direction_in_floating_point()
                        : study::direction_resolution(variant.direction_bits, variant.difference_bits));
-    for (const int kernel : kernels) settings.push_back({made.back().get(), {study::Feature::camera}, kernel});
+    for (const int kernel : kKernels) settings.push_back({made.back().get(), {study::Feature::camera}, kernel});
   }
   draw_losses(report, all, detect("image", study::photographs(simulation, disparities), settings));
   const Rounding rounded = rounding(report, scope);

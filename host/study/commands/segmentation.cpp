@@ -26,8 +26,8 @@ using study::Setting;
 
 constexpr double kFarthest_px = 14;  ///< of the 700 images of 8.4.1
 
-const std::vector<Prefilter> prefilters{Prefilter::none, Prefilter::lowpass, Prefilter::highpass,
-                                        Prefilter::lowpass_highpass};
+const std::vector<Prefilter> kPrefilters{Prefilter::none, Prefilter::lowpass, Prefilter::highpass,
+                                         Prefilter::lowpass_highpass};
 
 Preparation preparation(const std::string& criterion, Prefilter prefilter) {
   Preparation result;
@@ -59,7 +59,7 @@ std::vector<Setting> settings_of(const std::vector<int>& kernels, const std::vec
     if (one->feature() == Feature::log_sign) {
       for (const double w : log_w_px) preparations.insert({Feature::log_sign, false, false, w});
     } else {
-      for (const Prefilter prefilter : prefilters) {
+      for (const Prefilter prefilter : kPrefilters) {
         if (one->feature() == Feature::direction && prefilter != Prefilter::none && prefilter != Prefilter::lowpass)
           continue;
         preparations.insert(preparation(one->name(), prefilter));
@@ -224,7 +224,7 @@ class Figures {
   Panel all_methods(Prefilter prefilter, int kernel) const {
     const bool low = prefilter == Prefilter::lowpass || prefilter == Prefilter::lowpass_highpass;
     NamedDetections of{{"DSAD", &found_.of("DSAD", low ? Prefilter::lowpass : Prefilter::none, kernel)}};
-    for (const std::string& criterion : grey_criteria)
+    for (const std::string& criterion : kGreyCriteria)
       of.emplace_back(criterion, &found_.of(criterion, prefilter, kernel));
     return error_panel(label(prefilter), of);
   }
@@ -237,7 +237,7 @@ class Figures {
     plot("fig-8-14.svg", "Fig. 8.14: high-pass filtered, 9×9", Prefilter::highpass);
     plot("fig-8-15.svg", "Fig. 8.15: low-pass, then high-pass filtered, 9×9", Prefilter::lowpass_highpass);
     std::vector<Panel> panels;
-    for (const Prefilter prefilter : prefilters) panels.push_back(all_methods(prefilter, 13));
+    for (const Prefilter prefilter : kPrefilters) panels.push_back(all_methods(prefilter, 13));
     report_.plot("fig-8-16.svg", "Fig. 8.16: 13×13", panels, 2);
   }
 

@@ -35,12 +35,12 @@ class Segmentation {
   std::map<std::string, std::size_t> index_;  ///< by name
 };
 
-inline const std::vector<std::string> cross_group{"NCC", "ZNCC", "MOR"};
-inline const std::vector<std::string> normalised_group{"NCC", "ZNCC", "MOR", "ZNSSD", "NSAD"};  ///< of 8.4.4
-inline const std::vector<std::string> difference_group{"SAD", "ZSAD", "LSAD", "SSD", "ZSSD", "LSSD"};
-inline const std::vector<std::string> zero_mean_group{"SAD", "SSD", "ZSAD", "ZSSD"};
-inline const std::vector<std::string> local_group{"LSAD", "LSSD", "NSAD"};
-inline const std::vector<std::string> grey_criteria{"NCC",   "ZNCC", "MOR",  "SSD",  "ZSSD", "LSSD",
+inline const std::vector<std::string> kCrossGroup{"NCC", "ZNCC", "MOR"};
+inline const std::vector<std::string> kNormalisedGroup{"NCC", "ZNCC", "MOR", "ZNSSD", "NSAD"};  ///< of 8.4.4
+inline const std::vector<std::string> kDifferenceGroup{"SAD", "ZSAD", "LSAD", "SSD", "ZSSD", "LSSD"};
+inline const std::vector<std::string> kZeroMeanGroup{"SAD", "SSD", "ZSAD", "ZSSD"};
+inline const std::vector<std::string> kLocalGroup{"LSAD", "LSSD", "NSAD"};
+inline const std::vector<std::string> kGreyCriteria{"NCC",   "ZNCC", "MOR",  "SSD",  "ZSSD", "LSSD",
                                                     "ZNSSD", "SAD",  "ZSAD", "LSAD", "NSAD"};
 
 /// Reports what 8.4 and 11.2 say about segmentation, and what of it was found.

@@ -25,9 +25,9 @@ constexpr double kGood = 0.2;  ///< 8.4.2: a segmentation error below shows a go
 constexpr double kBad = 0.3;   ///< and one above a bad one
 /// 11.2.1, Table 11.2: half of the pixels with these disparities are detected with these thresholds, and 95 % at the
 /// last ones.
-constexpr std::array d50s_px{0.6, 0.8, 1.0, 1.2, 1.4, 1.6};
-constexpr std::array thresholds_percent{11.3, 15.0, 18.4, 21.9, 25.1, 28.4};
-constexpr std::array d95s_px{0.4, 0.6, 0.7, 0.9, 1.0, 1.1};
+constexpr std::array kD50s_px{0.6, 0.8, 1.0, 1.2, 1.4, 1.6};
+constexpr std::array kThresholdsPercent{11.3, 15.0, 18.4, 21.9, 25.1, 28.4};
+constexpr std::array kD95s_px{0.4, 0.6, 0.7, 0.9, 1.0, 1.1};
 
 /// Eq. 8.9 with the detection rates of normal distributions (8.8) of the measured means and deviations.
 double gaussian_error(const Detection& detection, double d50_px) {
@@ -148,7 +148,7 @@ struct Measures {
   double spread(Prefilter prefilter, int kernel = 9) const {
     double low = 1e9;
     double high = 0;
-    for (const std::string& name : grey_criteria) {
+    for (const std::string& name : kGreyCriteria) {
       low = std::min(low, error(name, prefilter, 0.8, kernel));
       high = std::max(high, error(name, prefilter, 0.8, kernel));
     }
@@ -156,7 +156,7 @@ struct Measures {
   }
   double smallest_error_of_local(Prefilter prefilter) const {
     double smallest = 10;
-    for (const std::string& name : local_group)
+    for (const std::string& name : kLocalGroup)
       smallest = std::min(smallest, found.of(name, prefilter).smallest_error(0.2));
     return smallest;
   }
@@ -180,8 +180,8 @@ struct Measures {
   }
 
   bool in_order(int kernel) const {
-    const double cross = error(cross_group, none, 1, kernel);
-    return error("DSAD", none, 1, kernel) < cross && cross < error(difference_group, none, 1, kernel);
+    const double cross = error(kCrossGroup, none, 1, kernel);
+    return error("DSAD", none, 1, kernel) < cross && cross < error(kDifferenceGroup, none, 1, kernel);
   }
 
   const Segmentation& found;
@@ -205,7 +205,7 @@ Table means(const Measures& of) {
       curved += (curved.empty() ? "" : ", ") + name + label;
     }
   };
-  for (const std::string& name : grey_criteria) {
+  for (const std::string& name : kGreyCriteria) {
     judge(name, none, "");
     judge(name, highpass, " HP");
   }
@@ -294,8 +294,8 @@ Table histograms(const Measures& of) {
 Table lowpass_before(const Measures& of) {
   const auto effect_percent = [&](Prefilter with, Prefilter without) {
     double sum = 0;
-    for (const std::string& name : grey_criteria) sum += std::abs(of.ratio(name, with, without, 1) - 1);
-    return 100 * sum / static_cast<double>(grey_criteria.size());
+    for (const std::string& name : kGreyCriteria) sum += std::abs(of.ratio(name, with, without, 1) - 1);
+    return 100 * sum / static_cast<double>(kGreyCriteria.size());
   };
   return {
       {"Low-pass before SAD: slightly higher error for small D50, significantly lower for large ones.",
@@ -338,34 +338,34 @@ Table both_before(const Measures& of) {
   int better = 0;
   double before = 0;
   double after = 0;
-  for (const std::string& name : grey_criteria) {
+  for (const std::string& name : kGreyCriteria) {
     const auto left_percent = [&](Prefilter prefilter) {
       const Detection& one = of.found.of(name, prefilter);
       return 100 * one.rate(one.threshold(1), Detection::kLargest_px);
     };
     better += left_percent(lowpass_highpass) < left_percent(highpass) ? 1 : 0;
-    before += left_percent(highpass) / static_cast<double>(grey_criteria.size());
-    after += left_percent(lowpass_highpass) / static_cast<double>(grey_criteria.size());
+    before += left_percent(highpass) / static_cast<double>(kGreyCriteria.size());
+    after += left_percent(lowpass_highpass) / static_cast<double>(kGreyCriteria.size());
   }
   const auto gain = [&](const Names& names) { return 100 * (1 - of.ratio(names, lowpass_highpass, highpass, 0.8)); };
   return {
       {"With a low-pass before the high-pass the detection rate converges to 0 %; without, it does not.",
-       {before, after, better, grey_criteria.size()},
+       {before, after, better, kGreyCriteria.size()},
        "Left at 2.8 px with D50 = 1 px: {:.1f} % without, {:.1f} % with; lower for {} of {} criteria",
        "Lower for all and halved on average; partly: lower on average",
        {third >= fourth && second <= 0.5 * first, second < first}},
       {"Low-pass before high-pass: NCC, ZNCC, MOR, ZNSSD improve most.",
-       {gain(and_znssd(cross_group)), gain(zero_mean_group), gain(local_group)},
+       {gain(and_znssd(kCrossGroup)), gain(kZeroMeanGroup), gain(kLocalGroup)},
        "Error at 0.8 px lower by {:.0f} %; SAD, SSD and zero-mean ones {:.0f} %, LSAD, LSSD, NSAD {:.0f} %",
        "More than both other groups; partly: than one",
        {first > second && first > third, first > second || first > third}},
       {"Low-pass before high-pass: SAD, SSD, ZSAD, ZSSD improve slightly.",
-       {gain(zero_mean_group)},
+       {gain(kZeroMeanGroup)},
        "Error at 0.8 px lower by {:.0f} %",
        "By up to 30 %; partly: by more",
        {first > 0 && first <= 30, first > 0}},
       {"Low-pass before high-pass: LSAD, LSSD, NSAD improve slightly, their smallest error stays very high.",
-       {gain(local_group), of.smallest_error_of_local(lowpass_highpass)},
+       {gain(kLocalGroup), of.smallest_error_of_local(lowpass_highpass)},
        "Lower by {:.0f} % at 0.8 px; smallest error {:.3f} px",
        "Lower, and above 0.15 px for every D50 from 0.2 px on; partly: one of them",
        {first > 0 && second > 0.15, first > 0 || second > 0.15}},
@@ -404,19 +404,19 @@ Table criteria_on_grey(const Measures& of) {
     table.push_back({fmt::format("{}, 9×9: DSAD is best, then the normalised cross correlation, then the "
                                  "differences without normalisation.",
                                  images),
-                     {of.error("DSAD", prefilter, 1), of.error(cross_group, prefilter, 1),
-                      of.error(difference_group, prefilter, 1)},
+                     {of.error("DSAD", prefilter, 1), of.error(kCrossGroup, prefilter, 1),
+                      of.error(kDifferenceGroup, prefilter, 1)},
                      "Error at 1 px: {:.3f}, {:.3f}, {:.3f} px",
                      "In this order; partly: DSAD best. Holds with uneven illumination only",
                      {first < second && second < third, first < second && first < third}});
   }
   table.push_back({"NCC, ZNCC, MOR, ZNSSD, NSAD: tolerable up to 0.9 to 1.0 px.",
-                   {of.good_up_to(normalised_group, kGood), of.good_up_to(normalised_group, kBad)},
+                   {of.good_up_to(kNormalisedGroup, kGood), of.good_up_to(kNormalisedGroup, kBad)},
                    "Mean error up to 0.2 until {:.2f} px, up to 0.3 until {:.2f} px",
                    "Error 0.2 (8.4.2: good) reached within 0.15 px of 0.95 px; partly: beyond 0.6 px",
                    {near(first, 0.95, 0.15), first >= 0.6}});
   table.push_back({"SAD, ZSAD, LSAD, SSD, ZSSD, LSSD: tolerable up to 0.7 px.",
-                   {of.good_up_to(difference_group, kGood), of.good_up_to(difference_group, kBad)},
+                   {of.good_up_to(kDifferenceGroup, kGood), of.good_up_to(kDifferenceGroup, kBad)},
                    "Mean error up to 0.2 until {:.2f} px, up to 0.3 until {:.2f} px",
                    "Error 0.2 reached within 0.15 px of 0.7 px; partly: 0.3 px",
                    {near(first, 0.7, 0.15), near(first, 0.7, 0.3)}});
@@ -431,7 +431,7 @@ Table criteria_on_grey(const Measures& of) {
 /// High-pass: up to which D50 NCC, ZNCC, MOR and ZNSSD surpass DSAD.
 Statement surpassing(const Measures& of, const char* images, Prefilter prefilter, Prefilter of_direction,
                      double expected) {
-  const Names cross = and_znssd(cross_group);
+  const Names cross = and_znssd(kCrossGroup);
   return {
       fmt::format("{}: DSAD is best, surpassed by NCC, ZNCC, MOR, ZNSSD up to {} px only.", images, expected),
       {of.last_of(1, [&](double d50) { return of.error(cross, prefilter, d50) < of.error("DSAD", of_direction, d50); }),
@@ -442,10 +442,10 @@ Statement surpassing(const Measures& of, const char* images, Prefilter prefilter
 }
 
 Table criteria_on_highpass(const Measures& of) {
-  const double of_zero = of.error(zero_mean_group, highpass, 0.5);
-  const double of_local = of.error(local_group, highpass, 0.5);
+  const double of_zero = of.error(kZeroMeanGroup, highpass, 0.5);
+  const double of_local = of.error(kLocalGroup, highpass, 0.5);
   const auto over_cross = [&](Prefilter prefilter) {
-    return of.error("NSAD", prefilter, 0.8) / of.error(cross_group, prefilter, 0.8);
+    return of.error("NSAD", prefilter, 0.8) / of.error(kCrossGroup, prefilter, 0.8);
   };
   return {
       {"The methods differ much more on high-pass filtered images than on grey values.",
@@ -456,7 +456,7 @@ Table criteria_on_highpass(const Measures& of) {
       surpassing(of, "High-pass", highpass, none, 0.55),
       surpassing(of, "Low-pass, then high-pass", lowpass_highpass, lowpass, 0.85),
       {"High-pass: NCC, ZNCC, MOR, ZNSSD good at small disparities; SAD, SSD, ZSAD, ZSSD medium.",
-       {of.error(and_znssd(cross_group), highpass, 0.5), of_zero, of_local},
+       {of.error(and_znssd(kCrossGroup), highpass, 0.5), of_zero, of_local},
        "Error at 0.5 px: {:.3f}, {:.3f}, of LSAD, LSSD, NSAD {:.3f}",
        "In this order; partly: the former",
        {first < second && second < third, first < second}},
@@ -476,8 +476,8 @@ Table criteria_on_highpass(const Measures& of) {
 Table kernels_of_grey(const Measures& of) {
   return {
       {"13×13: the order of the methods remains the same.",
-       {of.error("DSAD", none, 1, of.large), of.error(cross_group, none, 1, of.large),
-        of.error(difference_group, none, 1, of.large), of.in_order(9), of.in_order(of.large)},
+       {of.error("DSAD", none, 1, of.large), of.error(kCrossGroup, none, 1, of.large),
+        of.error(kDifferenceGroup, none, 1, of.large), of.in_order(9), of.in_order(of.large)},
        "DSAD {:.3f}, cross correlation {:.3f}, differences {:.3f} px at 1 px",
        "The order of Fig. 8.12's groups; partly: the same as with 9×9",
        {fourth >= 1 && fifth >= 1, fourth <= fifth && fifth <= fourth}},
@@ -487,7 +487,7 @@ Table kernels_of_grey(const Measures& of) {
        "Smaller by 5 % at least; partly: smaller",
        {second < 0.95 * first, second < first}},
       {"Low-pass with small kernels helps only bad methods; good ones (DSAD) get slightly worse.",
-       {of.ratio("DSAD", lowpass, none, 0.6, of.small), of.ratio(difference_group, lowpass, none, 0.8, of.small),
+       {of.ratio("DSAD", lowpass, none, 0.6, of.small), of.ratio(kDifferenceGroup, lowpass, none, 0.8, of.small),
         of.small},
        "{2}×{2}: DSAD {0:.2f} times at 0.6 px, differences {1:.2f} times at 0.8 px",
        "Above 1 and below 1; partly: one of them",
@@ -507,13 +507,13 @@ Table kernels_of_highpass(const Measures& of) {
   int better = 0;
   std::string ratios;
   for (const int kernel : of.kernels) {
-    const double one = of.ratio(grey_criteria, lowpass_highpass, highpass, 0.8, kernel);
+    const double one = of.ratio(kGreyCriteria, lowpass_highpass, highpass, 0.8, kernel);
     better += one < 1 ? 1 : 0;
     ratios += fmt::format("{}{:.2f}", ratios.empty() ? "" : ", ", one);
   }
   const int next = of.kernels[1];
   const int before_last = of.kernels[of.kernels.size() - 2];
-  const auto cross = [&](Prefilter prefilter, int kernel) { return of.error(cross_group, prefilter, 0.8, kernel); };
+  const auto cross = [&](Prefilter prefilter, int kernel) { return of.error(kCrossGroup, prefilter, 0.8, kernel); };
   return {
       {"High-pass: large kernels widen the flat zone and lower the smallest error.",
        {flat(of.small), flat(of.large), of.found.of("NCC", highpass, of.small).smallest_error(0.2),
@@ -537,21 +537,21 @@ Table kernels_of_highpass(const Measures& of) {
 }
 
 Table result_filters_on_grey(const Measures& of) {
-  const double by_lowpass = of.gain_percent(grey_criteria, none, of.small, ResultFilter::lowpass, 0.6);
+  const double by_lowpass = of.gain_percent(kGreyCriteria, none, of.small, ResultFilter::lowpass, 0.6);
   return {
       {"Filtering the result on grey values improves small kernels and has no effect on large ones (> 11×11).",
-       {by_lowpass, of.gain_percent(grey_criteria, none, of.large, ResultFilter::lowpass, 0.6), of.small, of.large},
+       {by_lowpass, of.gain_percent(kGreyCriteria, none, of.large, ResultFilter::lowpass, 0.6), of.small, of.large},
        "Error at 0.6 px lower by {0:.1f} % with {2}×{2}, {1:.1f} % with {3}×{3}",
        "At least 3 % and below 2 %; partly: more with the small kernel",
        {first >= 3 && second > -2 && 2 > second, first > second}},
       {"Grey values: the low-pass on the result improves more than the median.",
-       {by_lowpass, of.gain_percent(grey_criteria, none, of.small, ResultFilter::median, 0.6), of.small},
+       {by_lowpass, of.gain_percent(kGreyCriteria, none, of.small, ResultFilter::median, 0.6), of.small},
        "{2}×{2}, error at 0.6 px lower by {0:.1f} % and {1:.1f} %",
        "More",
        {first > second}},
       {"For small kernels at small disparities filtering the result is better than a low-pass before.",
-       {of.error(grey_criteria, none, 0.5, of.small, ResultFilter::lowpass),
-        of.error(grey_criteria, lowpass, 0.5, of.small), of.small},
+       {of.error(kGreyCriteria, none, 0.5, of.small, ResultFilter::lowpass),
+        of.error(kGreyCriteria, lowpass, 0.5, of.small), of.small},
        "{2}×{2} at 0.5 px: {0:.3f} px after, {1:.3f} before",
        "A smaller mean error",
        {first < second}},
@@ -561,19 +561,19 @@ Table result_filters_on_grey(const Measures& of) {
 Table result_filters_on_highpass(const Measures& of) {
   return {
       {"High-pass, SAD, SSD, ZSAD, ZSSD: filtering the result helps up to 9×9 only.",
-       {of.gain_percent(zero_mean_group, highpass, 9, ResultFilter::lowpass, 0.6),
-        of.gain_percent(zero_mean_group, highpass, of.large, ResultFilter::lowpass, 0.6), of.large},
+       {of.gain_percent(kZeroMeanGroup, highpass, 9, ResultFilter::lowpass, 0.6),
+        of.gain_percent(kZeroMeanGroup, highpass, of.large, ResultFilter::lowpass, 0.6), of.large},
        "Error at 0.6 px lower by {0:.1f} % with 9×9, {1:.1f} % with {2}×{2}",
        "At least 2 % and below 2 %; partly: more with 9×9",
        {first >= 2 && 2 > second, first > second}},
       {"High-pass, LSAD, LSSD, NSAD: the median on the result is much better than the low-pass.",
-       {of.gain_percent(local_group, highpass, 9, ResultFilter::median, 0.8),
-        of.gain_percent(local_group, highpass, 9, ResultFilter::lowpass, 0.8)},
+       {of.gain_percent(kLocalGroup, highpass, 9, ResultFilter::median, 0.8),
+        of.gain_percent(kLocalGroup, highpass, 9, ResultFilter::lowpass, 0.8)},
        "9×9, error at 0.8 px lower by {:.1f} % and {:.1f} %",
        "By 2 points at least; partly: better",
        {first > second + 2, first > second}},
       {"High-pass, LSAD, LSSD, NSAD: the low-pass on the result makes large kernels worse.",
-       {of.gain_percent(local_group, highpass, of.large, ResultFilter::lowpass, 0.8), of.large},
+       {of.gain_percent(kLocalGroup, highpass, of.large, ResultFilter::lowpass, 0.8), of.large},
        "{1}×{1}, error at 0.8 px lower by {0:.1f} %",
        "A larger mean error",
        {first < 0}},
@@ -585,13 +585,13 @@ Table thresholds(const Measures& of) {
   std::string places;
   double worst = 0;
   double worst_place = 0;
-  for (std::size_t i = 0; i < d50s_px.size(); ++i) {
-    const double threshold = of.dsad().threshold(d50s_px[i]);
+  for (std::size_t i = 0; i < kD50s_px.size(); ++i) {
+    const double threshold = of.dsad().threshold(kD50s_px[i]);
     const double ours = 100 * threshold / study::criterion("DSAD").worst(9);
-    worst = std::max(worst, std::abs(ours - thresholds_percent[i]));
+    worst = std::max(worst, std::abs(ours - kThresholdsPercent[i]));
     found += fmt::format(" {:.1f}", ours);
     const double place = of.dsad().disparity_at(threshold, 0.95).value_or(0);
-    worst_place = std::max(worst_place, std::abs(place - d95s_px[i]));
+    worst_place = std::max(worst_place, std::abs(place - kD95s_px[i]));
     places += fmt::format(" {:.2f}", place);
   }
   const auto share = [&](int kernel) {

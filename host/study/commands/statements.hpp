@@ -48,6 +48,7 @@ constexpr Term operator+(const Term& term, double offset) { return {term.place, 
 
 /// The measured numbers of a statement, in their order: `first < 0.2`, `first < second && second < third`.
 namespace measured {
+// NOLINTNEXTLINE(readability-identifier-naming): words of the limits' little language, as `always` and `never` below
 inline constexpr Term first{0, 1, 0}, second{1, 1, 0}, third{2, 1, 0}, fourth{3, 1, 0}, fifth{4, 1, 0};
 }  // namespace measured
 
@@ -73,8 +74,10 @@ inline Rule operator||(const Rule& a, const Rule& b) {
 inline Rule near(const Term& a, double expected, double by) {
   return {[=](const AllMeasured& measured) { return std::abs(a.of(measured) - expected) <= by; }};
 }
+// NOLINTBEGIN(readability-identifier-naming)
 inline const Rule always{[](const AllMeasured&) { return true; }};
 inline const Rule never{[](const AllMeasured&) { return false; }};
+// NOLINTEND(readability-identifier-naming)
 
 /// When a statement is confirmed, and when it is partly, which is asked only where it is not.
 struct Limits {

@@ -93,7 +93,7 @@ struct Printed {
   double scale, deviation, error_2, error_3;
 };
 /// Table 9.1.
-constexpr std::array printed{
+constexpr std::array kPrinted{
     Printed{"Std dev 7×7", 1.0, 0.125, 0.003, 0},     Printed{"Std dev 3×3", 0.9, 0.275, 0.19, 0.044},
     Printed{"Kirsch compass", 17, 0.42, 0.44, 0.216}, Printed{"Sobel", 6.8, 0.525, 0.53, 0.32},
     Printed{"Prewitt", 4.7, 0.525, 0.53, 0.32},       Printed{"Roberts", 2.3, 0.56, 0.54, 0.36},
@@ -145,7 +145,7 @@ Departures measures(StudyReport& report, const StudyScope& scope) {
     const Entry plain = entry(measure, patterns, false);
     const Entry smooth = entry(measure, patterns, true);
     if (unit == 0) unit = plain.mean;
-    const Printed& of_thesis = *std::ranges::find(printed, measure.name, &Printed::name);
+    const Printed& of_thesis = *std::ranges::find(kPrinted, measure.name, &Printed::name);
     table.row(measure.name, "none", plain.mean / unit, plain.relative, plain.error_2, plain.error_3, of_thesis.scale,
               of_thesis.deviation, of_thesis.error_2, of_thesis.error_3);
     table.row(measure.name, "3x3", smooth.mean / unit, smooth.relative, smooth.error_2, smooth.error_3, "", "", "", "");

@@ -43,12 +43,12 @@ study::Conditions conditions_of(const StudyScope& scope, double texture_grey, do
 }
 
 double mean_square(const Plane& plane) {
-  constexpr int border = 3;  ///< px that the filters reach beyond the image
+  constexpr int kBorder = 3;  ///< px that the filters reach beyond the image
   double sum = 0;
-  for (int y = border; y < plane.height - border; ++y) {
-    for (int x = border; x < plane.width - border; ++x) sum += plane.at(x, y) * plane.at(x, y);
+  for (int y = kBorder; y < plane.height - kBorder; ++y) {
+    for (int x = kBorder; x < plane.width - kBorder; ++x) sum += plane.at(x, y) * plane.at(x, y);
   }
-  return sum / ((plane.width - 2.0 * border) * (plane.height - 2.0 * border));
+  return sum / ((plane.width - 2.0 * kBorder) * (plane.height - 2.0 * kBorder));
 }
 
 /// How much there is of a pattern, of texture without noise or of noise without texture.
@@ -57,7 +57,7 @@ struct Amount {
   double (*of)(const Plane& pattern);
 };
 /// The thesis's first; the others are of what the criterion works on.
-constexpr std::array amounts{
+constexpr std::array kAmounts{
     Amount{"deviation in 7x7", [](const Plane& pattern) { return study::local_deviation(pattern, 7); }},
     Amount{"deviation in 7x7 after the low-pass",
            [](const Plane& pattern) { return study::local_deviation(study::lowpass(pattern), 7); }},
@@ -83,24 +83,24 @@ study::Texture of_kind(study::TextureKind kind, double largest_px = 3) {
   return result;
 }
 
-constexpr std::array d50s_px{0.4, 0.7, 1.0, 1.4};
+constexpr std::array kD50s_px{0.4, 0.7, 1.0, 1.4};
 
 /// The errors of a pattern over the ratio of texture to noise in the thesis's measure, and what it is in others.
 struct Pattern {
   std::string name;
-  std::array<std::vector<std::pair<double, double>>, d50s_px.size()> errors;  ///< ratio, px
-  std::array<double, d50s_px.size()> least{};   ///< px, without noise but the converter's rounding
-  std::array<double, amounts.size()> factor{};  ///< ratio in this measure over that in the thesis's
-  double passes_lowpass = 0;                    ///< share of the deviation
+  std::array<std::vector<std::pair<double, double>>, kD50s_px.size()> errors;  ///< ratio, px
+  std::array<double, kD50s_px.size()> least{};   ///< px, without noise but the converter's rounding
+  std::array<double, kAmounts.size()> factor{};  ///< ratio in this measure over that in the thesis's
+  double passes_lowpass = 0;                     ///< share of the deviation
 };
 
 /// On straight lines between the logarithms; none beyond the curve's ends.
 std::optional<double> at(const std::vector<std::pair<double, double>>& curve, double ratio) {
-  constexpr double tolerance = 1e-9;
+  constexpr double kTolerance = 1e-9;
   for (std::size_t i = 1; i < curve.size(); ++i) {
     const auto& [low, before] = curve[i - 1];
     const auto& [high, after] = curve[i];
-    if (ratio < low * (1 - tolerance) || ratio > high * (1 + tolerance)) continue;
+    if (ratio < low * (1 - kTolerance) || ratio > high * (1 + kTolerance)) continue;
     const double part = std::clamp(std::log(ratio / low) / std::log(high / low), 0.0, 1.0);
     return std::exp(std::lerp(std::log(before), std::log(after), part));
   }
@@ -123,7 +123,7 @@ class NoiseStudy {
     Plane white(512, 512);
     calib::Random random(scope.seed, 1);
     for (double& value : white.values) value = random.gaussian();
-    for (std::size_t m = 0; m < amounts.size(); ++m) of_noise_[m] = amounts[m].of(white);
+    for (std::size_t m = 0; m < kAmounts.size(); ++m) of_noise_[m] = kAmounts[m].of(white);
   }
 
   const Pattern& add(const std::string& name, const study::Texture& texture, double texture_grey, std::uint64_t seed) {
@@ -134,9 +134,9 @@ class NoiseStudy {
     Pattern pattern;
     pattern.name = name;
     const Plane still = simulation.exact(0);
-    std::array<double, amounts.size()> of_texture{};
-    for (std::size_t m = 0; m < amounts.size(); ++m) of_texture[m] = amounts[m].of(still);
-    for (std::size_t m = 0; m < amounts.size(); ++m)
+    std::array<double, kAmounts.size()> of_texture{};
+    for (std::size_t m = 0; m < kAmounts.size(); ++m) of_texture[m] = kAmounts[m].of(still);
+    for (std::size_t m = 0; m < kAmounts.size(); ++m)
       pattern.factor[m] = of_texture[m] / of_noise_[m] / (of_texture[0] / of_noise_[0]);
     pattern.passes_lowpass = of_texture[1] / of_texture[0];
     for (const double ratio : ratios_) {
@@ -146,14 +146,14 @@ class NoiseStudy {
       const double analogue = std::sqrt(std::max(0.0, total * total - kRounding * kRounding));
       if (analogue < kLeastNoise) continue;
       const auto detection = detect(simulation, analogue);
-      for (std::size_t d = 0; d < d50s_px.size(); ++d) {
-        const double error = detection.segmentation_error(d50s_px[d]);
-        table_.row(name, texture_grey, total * of_noise_[0], ratio, d50s_px[d], error);
+      for (std::size_t d = 0; d < kD50s_px.size(); ++d) {
+        const double error = detection.segmentation_error(kD50s_px[d]);
+        table_.row(name, texture_grey, total * of_noise_[0], ratio, kD50s_px[d], error);
         pattern.errors[d].emplace_back(ratio, error);
       }
     }
     const auto detection = detect(simulation, 0);
-    for (std::size_t d = 0; d < d50s_px.size(); ++d) pattern.least[d] = detection.segmentation_error(d50s_px[d]);
+    for (std::size_t d = 0; d < kD50s_px.size(); ++d) pattern.least[d] = detection.segmentation_error(kD50s_px[d]);
     return patterns_.emplace_back(std::move(pattern));
   }
 
@@ -161,7 +161,7 @@ class NoiseStudy {
   /// Of patterns by their names, with `measure` of texture and noise; `relative`: to each one's error without noise.
   Apart apart(const Choice& names, std::size_t measure = 0, bool relative = false) const {
     Apart furthest;
-    for (std::size_t d = 0; d < d50s_px.size(); ++d) {
+    for (std::size_t d = 0; d < kD50s_px.size(); ++d) {
       for (const double ratio : ratios_) {
         if (ratio < kSmallestRatio) continue;
         std::vector<double> errors;
@@ -170,25 +170,25 @@ class NoiseStudy {
           const auto error = at(pattern.errors[d], ratio / pattern.factor[measure]);
           if (error) errors.push_back(relative ? *error / pattern.least[d] : *error);
         }
-        widen(furthest, errors, ratio, d50s_px[d]);
+        widen(furthest, errors, ratio, kD50s_px[d]);
       }
     }
     return furthest;
   }
   Apart apart_without_noise(const Choice& names) const {
     Apart furthest;
-    for (std::size_t d = 0; d < d50s_px.size(); ++d) {
+    for (std::size_t d = 0; d < kD50s_px.size(); ++d) {
       std::vector<double> errors;
       for (const std::string& name : names) errors.push_back(of(name).least[d]);
-      widen(furthest, errors, INFINITY, d50s_px[d]);
+      widen(furthest, errors, INFINITY, kD50s_px[d]);
     }
     return furthest;
   }
   const Csv& table() const { return table_; }
   std::vector<Panel> panels() const {
     std::vector<Panel> result;
-    for (std::size_t d = 0; d < d50s_px.size(); ++d) {
-      Panel panel{fmt::format("D50 = {:g} px", d50s_px[d]),
+    for (std::size_t d = 0; d < kD50s_px.size(); ++d) {
+      Panel panel{fmt::format("D50 = {:g} px", kD50s_px[d]),
                   "texture / noise (deviations in 7×7 px)",
                   "segmentation error, px",
                   {}};
@@ -221,7 +221,7 @@ class NoiseStudy {
   const StudyScope& scope_;
   std::vector<double> ratios_;
   std::vector<double> disparities_;
-  std::array<double, amounts.size()> of_noise_{};  ///< of white noise of deviation 1
+  std::array<double, kAmounts.size()> of_noise_{};  ///< of white noise of deviation 1
   std::vector<Pattern> patterns_;
   Csv table_{{"pattern", "texture_grey", "noise_grey", "ratio", "d50_px", "segmentation_error_px"}};
   Progress progress_{"pattern"};
@@ -267,11 +267,11 @@ Choices add_patterns(NoiseStudy& noise, const StudyScope& scope, nlohmann::json&
 std::string compare_measures(StudyReport& report, const NoiseStudy& noise, const NoiseStudy::Choice& kinds) {
   Csv table({"measure_of_texture_and_noise", "kinds_within", "ratio", "d50_px"});
   std::string others;
-  for (std::size_t m = 0; m < amounts.size(); ++m) {
+  for (std::size_t m = 0; m < kAmounts.size(); ++m) {
     const Apart apart = noise.apart(kinds, m);
-    table.row(amounts[m].name, apart.share, apart.ratio, apart.d50_px);
-    report.result["measures_of_ratio"][amounts[m].name] = to_json(apart);
-    if (m > 0) others += fmt::format("{}{} ±{:.1f} %", m > 1 ? ", " : "", amounts[m].name, 100 * apart.share);
+    table.row(kAmounts[m].name, apart.share, apart.ratio, apart.d50_px);
+    report.result["measures_of_ratio"][kAmounts[m].name] = to_json(apart);
+    if (m > 0) others += fmt::format("{}{} ±{:.1f} %", m > 1 ? ", " : "", kAmounts[m].name, 100 * apart.share);
   }
   report.table("fig-9-2-measures.csv", table);
   report.finding("Fig. 9.2: the kinds with other measures of texture and noise: {}", others);

@@ -26,12 +26,12 @@ const Plane& absolute_sum(Pair& pair) {
 /// Σ |r − scale·s| with a scale for each window.
 template <int K>
 void fill_windows(const Plane& r, const Plane& s, const Plane& scale, Plane& result) {
-  constexpr int reach = K / 2;
+  constexpr int kReach = K / 2;
   const int count = r.width - K + 1;
-  for (int y = reach; y < r.height - reach; ++y) {
-    double* out = result.row(y) + reach;
-    const double* q = scale.row(y) + reach;
-    for (int j = -reach; j <= reach; ++j) {
+  for (int y = kReach; y < r.height - kReach; ++y) {
+    double* out = result.row(y) + kReach;
+    const double* q = scale.row(y) + kReach;
+    for (int j = -kReach; j <= kReach; ++j) {
       const double* a = r.row(y + j);
       const double* b = s.row(y + j);
       for (int x = 0; x < count; ++x) {
@@ -46,12 +46,12 @@ void fill_windows(const Plane& r, const Plane& s, const Plane& scale, Plane& res
 /// Σ |difference − offset| with an offset for each window.
 template <int K>
 void fill_windows(const Plane& difference, const Plane& offset, Plane& result) {
-  constexpr int reach = K / 2;
+  constexpr int kReach = K / 2;
   const int count = difference.width - K + 1;
-  for (int y = reach; y < difference.height - reach; ++y) {
-    double* out = result.row(y) + reach;
-    const double* m = offset.row(y) + reach;
-    for (int j = -reach; j <= reach; ++j) {
+  for (int y = kReach; y < difference.height - kReach; ++y) {
+    double* out = result.row(y) + kReach;
+    const double* m = offset.row(y) + kReach;
+    for (int j = -kReach; j <= kReach; ++j) {
       const double* a = difference.row(y + j);
       for (int x = 0; x < count; ++x) {
         double sum = 0;

@@ -30,7 +30,7 @@ template <int K>
 Plane sums(const Plane& difference) {
   using namespace stages;
   using Sum = DsadSum<kHardwareColumns, 1, K>;
-  constexpr int offset = K / 2;
+  constexpr int kOffset = K / 2;
   const auto dsad = std::make_unique<Sum>();
   Plane result(difference.width, difference.height);
   for (int y = 0; y < difference.height; ++y) {
@@ -40,7 +40,7 @@ Plane sums(const Plane& difference) {
       in.mask = true;
       in.marks = {x == 0 && y == 0, x == difference.width - 1};
       const auto out = dsad->step(in);
-      if (x >= offset && y >= offset) result.at(x - offset, y - offset) = static_cast<double>(out.sum[0].value());
+      if (x >= kOffset && y >= kOffset) result.at(x - kOffset, y - kOffset) = static_cast<double>(out.sum[0].value());
     }
   }
   return result;

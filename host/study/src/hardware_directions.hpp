@@ -19,7 +19,7 @@ inline constexpr int kHardwareColumns = 2048;  ///< widest image
 template <class Visit>
 void for_hardware_directions(const Plane& left, const Plane& right, Visit visit) {
   using namespace stages;
-  constexpr int offset = 2;  // low-pass and Sobel, a pixel each
+  constexpr int kOffset = 2;  // low-pass and Sobel, a pixel each
   const auto lowpass = std::make_unique<LowpassFilter<kHardwareColumns>>();
   const auto sobel = std::make_unique<SobelFilter<kHardwareColumns>>();
   const auto direction = std::make_unique<DirectionFinder<>>();
@@ -30,7 +30,7 @@ void for_hardware_directions(const Plane& left, const Plane& right, Visit visit)
       in.mask = true;
       in.marks = {x == 0 && y == 0, x == left.width - 1};
       const auto gradient = sobel->step(lowpass->step(in));
-      visit(x - offset, y - offset, gradient, direction->step(gradient));
+      visit(x - kOffset, y - kOffset, gradient, direction->step(gradient));
     }
   }
 }

@@ -16,10 +16,10 @@ constexpr std::size_t kClasses = (std::size_t{kOctaves} << kClassBits) + 2;
 
 /// Floats in their order are their bits in their order.
 std::size_t class_of(double value) {
-  constexpr std::uint32_t lowest = static_cast<std::uint32_t>(127 + kLowestOctave) << kClassBits;
+  constexpr std::uint32_t kLowest = static_cast<std::uint32_t>(127 + kLowestOctave) << kClassBits;
   const auto number = std::bit_cast<std::uint32_t>(static_cast<float>(value)) >> (23 - kClassBits);
-  if (number < lowest) return 0;
-  return std::min<std::size_t>(number - lowest + 1, kClasses - 1);
+  if (number < kLowest) return 0;
+  return std::min<std::size_t>(number - kLowest + 1, kClasses - 1);
 }
 
 double lower_edge(std::size_t index) {
@@ -184,10 +184,10 @@ double Detection::slope_over_deviation(double disparity_px) const {
     means.push_back(histogram.mean());
     deviations.push_back(histogram.deviation());
   }
-  constexpr double step = 0.1;  // px, each way
+  constexpr double kStep = 0.1;  // px, each way
   const double deviation = between(deviations, disparity_px);
   return deviation > 0
-             ? (between(means, disparity_px + step) - between(means, disparity_px - step)) / (2 * step) / deviation
+             ? (between(means, disparity_px + kStep) - between(means, disparity_px - kStep)) / (2 * kStep) / deviation
              : 0;
 }
 

@@ -14,7 +14,7 @@
 namespace horopter::study {
 namespace {
 
-constexpr std::array kinds{
+constexpr std::array kKinds{
     std::pair{TextureKind::dead_leaves, "dead-leaves"}, std::pair{TextureKind::band_noise, "band-noise"},
     std::pair{TextureKind::printed_dots, "printed-dots"}, std::pair{TextureKind::picture, "picture"}};
 
@@ -109,12 +109,12 @@ void smooth(Raster<float>& image, double deviation) {
 }
 
 Raster<float> band_noise(const Texture& texture, int width, int height, int oversampling, calib::Random& random) {
-  constexpr double deviation_per_half_width = 1 / 2.3548;
+  constexpr double kDeviationPerHalfWidth = 1 / 2.3548;
   Raster<float> fine(width, height);
   for (float& value : fine.values) value = random.gaussian();
   Raster<float> coarse = fine;
-  smooth(fine, texture.smallest_px * oversampling * deviation_per_half_width);
-  smooth(coarse, texture.largest_px * oversampling * deviation_per_half_width);
+  smooth(fine, texture.smallest_px * oversampling * kDeviationPerHalfWidth);
+  smooth(coarse, texture.largest_px * oversampling * kDeviationPerHalfWidth);
   for (std::size_t i = 0; i < fine.values.size(); ++i) fine.values[i] -= coarse.values[i];
   return fine;
 }
@@ -161,14 +161,14 @@ Raster<float> picture(const Texture& texture, int width, int height, int oversam
 }  // namespace
 
 std::string name_of(TextureKind kind) {
-  for (const auto& [value, name] : kinds)
+  for (const auto& [value, name] : kKinds)
     if (value == kind) return name;
   throw std::invalid_argument("a kind of texture without a name");
 }
 
 TextureKind texture_kind(const std::string& name) {
   std::string known;
-  for (const auto& [value, text] : kinds) {
+  for (const auto& [value, text] : kKinds) {
     if (name == text) return value;
     known += (known.empty() ? "" : ", ") + std::string(text);
   }

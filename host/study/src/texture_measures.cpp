@@ -21,9 +21,9 @@ Mask quarter_turn(const Mask& m) { return {m[6], m[3], m[0], m[7], m[4], m[1], m
 
 Mask eighth_turn(const Mask& m) {
   // Each of the ring's places takes what was at the one before.
-  constexpr std::array<std::size_t, 8> ring{0, 1, 2, 5, 8, 7, 6, 3};
+  constexpr std::array<std::size_t, 8> kRing{0, 1, 2, 5, 8, 7, 6, 3};
   Mask result = m;
-  for (std::size_t i = 0; i < 8; ++i) result[ring[(i + 1) % 8]] = m[ring[i]];
+  for (std::size_t i = 0; i < 8; ++i) result[kRing[(i + 1) % 8]] = m[kRing[i]];
   return result;
 }
 

@@ -50,7 +50,7 @@ struct RenderTarget {
 };
 
 /// Diameter of the hole in the first fiducial, as part of its side.
-inline constexpr double hole_over_side = 0.3;
+inline constexpr double kHoleOverSide = 0.3;
 
 /// `supersampling` places a pixel and direction; the blur and the pixel's area are integrated over them.
 GreyImage render_target(const RenderCamera& camera, const RenderTarget& target, const Imaging& imaging,
