@@ -23,7 +23,8 @@ void add_pattern(CLI::App& app, Outcome& outcome);
 void add_plan(CLI::App& app, Outcome& outcome);
 void add_plan_rig(CLI::App& plan, Outcome& outcome);
 
-/// True once the user has asked to stop (SIGINT, SIGTERM).
-bool interrupted();
+/// For a command that ends by itself, done, when it is asked to stop (SIGINT, SIGTERM): true then. Whoever has not
+/// called it is ended at once, with the exit status 128 + signal, as everybody is at the second request.
+bool asked_to_stop();
 
 }  // namespace horopter::cli

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "horopter/base/json_text.hpp"
 #include "horopter/image/evaluation.hpp"
 #include "horopter/machine/engines.hpp"
 #include "horopter/machine/monitor.hpp"
@@ -302,7 +303,6 @@ ExitStatus evaluate(const EvaluateOptions& options) {
   for (const std::string& change : changes) {
     std::vector<PairResult> results;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      if (interrupted()) throw Error(ExitStatus::fault, "interrupted");
       progress.show(++step, steps);
       results.push_back(evaluate_pair(options, pairs[i], truths[i], change));
     }
@@ -316,7 +316,7 @@ ExitStatus evaluate(const EvaluateOptions& options) {
   result["tolerance_px"] = options.tolerance_px;
   result["changed"] = by_change;
   if (options.json) {
-    std::puts(result.dump(2).c_str());
+    std::puts(json_text(result).c_str());
   } else {
     print(result);
   }

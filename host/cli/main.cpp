@@ -2,13 +2,16 @@
 // horopter: the program. Results go to standard output, everything else to standard error.
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <opencv2/core/utils/logger.hpp>
 #include <string>
+#include <thread>
 
 #include "commands.hpp"
+#include "horopter/base/ending.hpp"
 #include "words.hpp"
 #ifdef HOROPTER_HAS_RTL
 #include "horopter/machine/engines.hpp"
@@ -21,12 +24,40 @@
 namespace horopter::cli {
 namespace {
 
-volatile std::sig_atomic_t stop_requested = 0;
+constexpr int kStatusOfSignals = 128;  // plus the number, as shells say it
 
-void request_stop(int) {
-  // A second request ends the program at once.
-  if (stop_requested != 0) ::_exit(static_cast<int>(ExitStatus::fault));
-  stop_requested = 1;
+/// Set while a command ends by itself when it is asked to.
+std::atomic<bool> ends_by_itself = false;
+std::atomic<bool> stop_requested = false;
+
+sigset_t requests_to_stop() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  return signals;
+}
+
+/// Waits for a request to stop, in a thread of its own, and ends the program: whatever the others do.
+void wait_for_end() {
+  const sigset_t signals = requests_to_stop();
+  int signal = 0;
+  do {
+    while (sigwait(&signals, &signal) != 0) {
+    }
+  } while (ends_by_itself && !stop_requested.exchange(true));
+  prepare_ending();
+  std::fprintf(stderr, "%shoropter: stopped by %s\n", ::isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "",
+               signal == SIGINT ? "SIGINT" : "SIGTERM");
+  ::_exit(kStatusOfSignals + signal);
+}
+
+/// The status, or another one where what was printed did not arrive.
+int finish(int status) {
+  ending_by_itself();
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+  std::fputs("horopter: standard output: cannot be written; expected a place with room\n", stderr);
+  return static_cast<int>(ExitStatus::bad_file);
 }
 
 int fail(ExitStatus status, const char* message) {
@@ -35,8 +66,10 @@ int fail(ExitStatus status, const char* message) {
 }
 
 int run(int argc, char** argv) {
-  std::signal(SIGINT, request_stop);
-  std::signal(SIGTERM, request_stop);
+  const sigset_t signals = requests_to_stop();
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // in all threads that will be
+  std::thread(wait_for_end).detach();
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that has gone is no reason to lose results
   // Decoders' complaints come as exceptions with a file name instead.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
 #ifdef HOROPTER_HAS_RTL
@@ -51,7 +84,7 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", HOROPTER_VERSION);
   app.footer(
       "Exit status: 0 done (alarm or not), 1 a check failed, 2 wrong usage, 3 an input file is missing or bad,\n"
-      "4 fault of a frame, the device or the engine. `horopter COMMAND --help` tells all about a command.");
+      "4 fault of a frame, the device or the engine, 130 stopped by SIGINT, 143 by SIGTERM. `horopter COMMAND --help` tells all about a command.");
   Outcome outcome;
   add_run(app, outcome);
   add_map(app, outcome);
@@ -79,14 +112,19 @@ int run(int argc, char** argv) {
 
 }  // namespace
 
-bool interrupted() { return stop_requested != 0; }
+bool asked_to_stop() {
+  ends_by_itself = true;
+  return stop_requested;
+}
 
 }  // namespace horopter::cli
 
 int main(int argc, char** argv) {
+  int status = 0;
   try {
-    return horopter::cli::run(argc, argv);
+    status = horopter::cli::run(argc, argv);
   } catch (const std::exception& error) {
-    return horopter::cli::fail(horopter::status_of(error), error.what());
+    status = horopter::cli::fail(horopter::status_of(error), error.what());
   }
+  return horopter::cli::finish(status);
 }

@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "commands.hpp"
+#include "horopter/base/ending.hpp"
+#include "horopter/base/json_text.hpp"
 #include "horopter/draw/overlay.hpp"
 #include "horopter/image/frames.hpp"
 #include "horopter/image/output.hpp"
@@ -23,6 +26,7 @@
 #include "numbers.hpp"
 #include "progress.hpp"
 #include "thickness.hpp"
+#include "warnings.hpp"
 #include "words.hpp"
 
 namespace horopter::cli {
@@ -106,6 +110,38 @@ void print_frame(int frame, const FrameResult& result) {
                   100 * static_cast<double>(result.unsupervised_pixels) / pixels);
   for (const std::string& fault : result.faults.names()) line += "  " + fault;
   std::puts(line.c_str());
+  std::fflush(stdout);  // a frame that was seen is said, whatever comes
+}
+
+void write_frame(OutputDirectory& output, int frame, const Image& left, const FrameResult& result, bool overlay) {
+  const std::string base = fmt::format("frame-{:04}", frame);
+  output.write(base + "-state.png", encode_png(state_picture(result.states)));
+  if (!overlay) return;
+  const Picture picture = result.scan == Scan::progressive
+                              ? draw_overlay(left, result)
+                              : draw_overlay(field_of(left, result.scan == Scan::odd_field ? 1 : 0), result);
+  output.write(base + "-overlay.png", encode_png_bgr(picture.width, picture.height, picture.bgr));
+}
+
+/// What a run made that did not get to its end.
+void keep_incomplete(OutputDirectory& output, nlohmann::ordered_json summary, const std::string& reason) noexcept {
+  try {
+    const std::size_t frames = summary["frames"].size();
+    if (frames == 0) return;
+    summary["incomplete"] = true;
+    summary["reason"] = reason;
+    std::string unmarked;
+    try {
+      output.write("summary.json", json_text(summary) + "\n");
+    } catch (const FileError& error) {
+      unmarked = fmt::format(", without summary.json: {}", error.what());
+    }
+    const auto place = output.keep_incomplete();
+    fmt::print(stderr, "horopter: the run is incomplete; its first {} frames are in {}{}\n", frames, place.string(),
+               unmarked);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "horopter: %s\n", error.what());
+  }
 }
 
 ExitStatus run(const RunOptions& options) {
@@ -137,42 +173,50 @@ ExitStatus run(const RunOptions& options) {
           maps.steps.size(), session.d95_px, maps.inserted);
     }
   }
+  add_warnings(summary);
   Progress progress("supervising pair");
   ExitStatus status = ExitStatus::done;
   int frame = 0;
-  for (std::size_t index = 0; pair; ++index) {
-    const auto results = session.process(pair->left.image, pair->right.image);
-    for (const FrameResult& result : results) {
-      const std::string base = fmt::format("frame-{:04}", frame);
-      output.write(base + "-state.png", encode_png(state_picture(result.states)));
-      if (options.overlay) {
-        const Image left = result.scan == Scan::progressive
-                               ? std::move(pair->left.image)
-                               : field_of(pair->left.image, result.scan == Scan::odd_field ? 1 : 0);
-        const Picture overlay = draw_overlay(left, result);
-        output.write(base + "-overlay.png", encode_png_bgr(overlay.width, overlay.height, overlay.bgr));
+  std::mutex results;  // what a signal must find in order: `output`, `summary` and this
+  bool complete = false;
+  const BeforeEnding before_ending([&] {
+    results.lock();
+    if (!complete) keep_incomplete(output, summary, "stopped by a signal");
+  });
+  try {
+    for (std::size_t index = 0; pair; ++index) {
+      for (const FrameResult& result : session.process(pair->left.image, pair->right.image)) {
+        {
+          const std::lock_guard lock(results);
+          write_frame(output, frame, pair->left.image, result, options.overlay);
+          summary["frames"].push_back(
+              frame_json(frame, pair->left.name, pair->right.name, result, device.counts_cycles()));
+        }
+        if (result.faults.any()) status = ExitStatus::fault;
+        if (!options.json) {
+          progress.clear();
+          print_frame(frame, result);
+        }
+        ++frame;
       }
-      summary["frames"].push_back(frame_json(frame, pair->left.name, pair->right.name, result, device.counts_cycles()));
-      if (result.faults.any()) status = ExitStatus::fault;
-      if (!options.json) {
-        progress.clear();
-        print_frame(frame, result);
-      }
-      ++frame;
+      progress.show(index + 1, count);
+      if (options.frames != 0 && index + 1 == options.frames) break;
+      if (pairs.is_live() && asked_to_stop()) break;  // that is how it ends
+      pair = pairs.next();
     }
-    progress.show(index + 1, count);
-    if (options.frames != 0 && index + 1 == options.frames) break;
-    if (interrupted()) {
-      if (!count) break;  // a camera: that is how it ends
-      throw Error(ExitStatus::fault, "interrupted; nothing was written");
-    }
-    pair = pairs.next();
+    progress.clear();
+    const std::lock_guard lock(results);
+    output.write("summary.json", json_text(summary) + "\n");
+    output.commit();
+    complete = true;
+  } catch (const std::exception& error) {
+    progress.clear();
+    const std::lock_guard lock(results);
+    keep_incomplete(output, std::move(summary), error.what());
+    throw;
   }
-  progress.clear();
-  output.write("summary.json", summary.dump(2) + "\n");
-  output.commit();
   if (options.json) {
-    std::puts(summary.dump(2).c_str());
+    std::puts(json_text(summary).c_str());
   } else {
     const auto& frames = summary["frames"];
     const auto alarms = std::ranges::count_if(frames, [](const auto& f) { return f["alarm"].template get<bool>(); });
@@ -259,8 +303,9 @@ void add_run(CLI::App& app, Outcome& outcome) {
   command->add_flag("--json", options->json, "Print summary.json on standard output, and nothing else");
   command->footer(
       "Writes per frame frame-NNNN-state.png (0 clear, 255 skin, 128 undecidable, 64 unsupervised) and\n"
-      "frame-NNNN-overlay.png, and summary.json. All of it appears at the end, or nothing after an error:\n"
-      "then the results of an earlier run stay, with their summary as earlier-summary.json.\n"
+      "frame-NNNN-overlay.png, and summary.json. All of it appears at the end. After an error, or stopped by a\n"
+      "signal, the results of an earlier run stay, with their summary as earlier-summary.json, and what was made is in\n"
+      "the directory `incomplete` beside them: its summary.json says `incomplete`, and the reason.\n"
       "The frames of a moving skin (`motion` in skin.yaml, see `horopter map --help`) name its time, skin_time_s.\n"
       "A fault of a frame is an exit status of 4; the results are written all the same.\n\n"
       "Example: horopter run --left 'left*.jpg' --right 'right*.jpg' --skin skin.yaml --out results");

@@ -10,66 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "pairs.hpp"
 #include "sandbox.hpp"
 
 using namespace horopter::test;
-
-namespace {
-
-/// Smoothed noise, so that directions mean something.
-cv::Mat textured(int width, int height, std::uint64_t seed) {
-  cv::Mat image(height, width, CV_8UC1);
-  cv::RNG random(seed);
-  random.fill(image, cv::RNG::UNIFORM, 20, 236);
-  cv::GaussianBlur(image, image, {5, 5}, 1.0);
-  return image;
-}
-
-void save(const std::string& file, const cv::Mat& image) {
-  CAPTURE(file);
-  REQUIRE(cv::imwrite(file, image));
-}
-
-/// The right image in which a block of the left one appears on the skin, displaced by (dx, dy); the rest lies
-/// elsewhere.
-cv::Mat right_of(const cv::Mat& left, cv::Rect block, int dx, int dy) {
-  cv::Mat right = textured(left.cols, left.rows, 4711);
-  left(block).copyTo(right(block + cv::Point(dx, dy)));
-  return right;
-}
-
-constexpr const char* kSkin =
-    "surface:\n  type: homography\n  matrix:\n    - [1, 0, -10]\n    - [0, 1, 4]\n    - [0, 0, 1]\n";
-const cv::Rect kBlock(60, 30, 70, 50);
-
-/// Pairs left0.png, right0.png, … of 200x120 pixels with a block on the skin, and the skin.
-Sandbox& with_pairs(Sandbox& box, int pairs = 1) {
-  box.write("skin.yaml", kSkin);
-  for (int i = 0; i < pairs; ++i) {
-    const cv::Mat left = textured(200, 120, static_cast<std::uint64_t>(i) + 1);
-    save((box / ("left" + std::to_string(i) + ".png")).string(), left);
-    save((box / ("right" + std::to_string(i) + ".png")).string(), right_of(left, kBlock, -10, 4));
-  }
-  return box;
-}
-
-std::vector<std::string> run_arguments(const std::string& left = "left0.png", const std::string& right = "right0.png",
-                                       const std::string& skin = "skin.yaml") {
-  return {"run", "--left", left, "--right", right, "--skin", skin, "--out", "out"};
-}
-
-/// Two cameras for pairs of 200x120 pixels, the right one 50 mm to the right and some lower.
-std::string rig_text(const std::string& lower_mm = "0", const std::string& distortion = "{}") {
-  const std::string camera =
-      "    image_size: [200, 120]\n    model: brown_conrady\n    fx_px: 200\n    fy_px: 200\n    cx_px: 99.5\n"
-      "    cy_px: 59.5\n    distortion: " +
-      distortion + "\n    rotation: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n";
-  return "horopter_rig: 1\nworld: left\ncameras:\n  - name: left\n" + camera +
-         "    translation_mm: [0, 0, 0]\n  - name: right\n" + camera + "    translation_mm: [-50, -" + lower_mm +
-         ", 0]\n";
-}
-
-}  // namespace
 
 TEST_CASE("run writes states, overlays and summary") {
   Sandbox box;
@@ -240,33 +184,6 @@ TEST_CASE("A skin that moves: every frame names its table and time") {
   fast.replace(fast.find("1.6"), 3, "16");
   box.write("moving.yaml", fast);
   check_bad_file(box, arguments + rig, "moving.yaml", "must be below");
-}
-
-TEST_CASE("The summary of an earlier run never stands beside a run that failed") {
-  Sandbox box;
-  with_pairs(box);
-  const auto arguments = run_arguments();
-  REQUIRE(box.run(arguments).status == 0);
-  const auto summary = box.read("out/summary.json");
-  const auto picture = box.read("out/frame-0000-state.png");
-  const auto good = box.read("left0.png");
-  for (const std::string& bad : {std::string("no image"), good.substr(0, good.size() / 2)}) {
-    box.write("left0.png", bad);
-    CHECK(box.run(arguments).status == 3);
-    CHECK_FALSE(fs::exists(box / "out/summary.json"));
-    CHECK(box.read("out/earlier-summary.json") == summary);
-    CHECK(box.read("out/frame-0000-state.png") == picture);
-  }
-  box.write("left0.png", good);
-  // What killed runs leave: no process has this number.
-  fs::create_directory(box / ".out.999999999.partial");
-  box.write(".out.999999999.partial/frame-0000-state.png", "half");
-  fs::create_directory(box / ".other.999999999.partial");
-  CHECK(box.run(arguments).status == 0);
-  CHECK(box.read("out/summary.json") == summary);
-  CHECK_FALSE(fs::exists(box / "out/earlier-summary.json"));
-  CHECK_FALSE(fs::exists(box / ".out.999999999.partial"));
-  CHECK(fs::exists(box / ".other.999999999.partial"));
 }
 
 TEST_CASE("Files that would never end or fill the memory are refused at once") {
@@ -512,11 +429,6 @@ TEST_CASE("Bad images are exit status 3, with nothing left behind") {
   save((box / "odd.png").string(), textured(200, 121, 6));
   check_bad_file(box, run_arguments("odd.png", twin("odd.png")) + std::vector<std::string>{"--profile", "field"},
                  "odd.png", "even");
-  // The second pair is bad: the first one's results do not stay.
-  check_bad_file(box,
-                 {"run", "--left", "left0.png", "left0.png", "--right", "right0.png", "cut.png", "--skin", "skin.yaml",
-                  "--out", "deep/out", "--json"},
-                 "cut.png", "truncated");
   check_bad_file(
       box, {"run", "--left", "left0.png", "left0.png", "--right", "right0.png", "--skin", "skin.yaml", "--out", "out"},
       "right0.png", "2 left images but 1 right");

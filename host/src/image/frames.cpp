@@ -14,6 +14,7 @@
 #include <opencv2/videoio.hpp>
 
 #include "horopter/base/error.hpp"
+#include "image_check.hpp"
 
 namespace horopter {
 namespace {
@@ -71,6 +72,7 @@ class CaptureSource : public FrameSource {
     return NamedImage{name, std::move(image)};
   }
   std::optional<std::size_t> count() const override { return count_; }
+  bool is_live() const override { return camera_.has_value(); }
 
  private:
   std::string name_;
@@ -97,6 +99,9 @@ class ListSource : public FrameSource {
       sum += *count;
     }
     return sum;
+  }
+  bool is_live() const override {
+    return std::ranges::any_of(parts_, [](const auto& part) { return part->is_live(); });
   }
 
  private:
@@ -225,7 +230,33 @@ std::vector<Input> inputs_of(const std::vector<std::string>& arguments) {
   return inputs;
 }
 
+/// Images of one camera are of one size. Looks at the begin of each file, so that a pattern which matches others, too,
+/// is found before an hour of work.
+void check_sizes(const std::vector<Input>& inputs) {
+  constexpr std::size_t kBegin = 1 << 16;
+  std::vector<std::uint8_t> begin;
+  std::string first;
+  ImageSize expected;
+  for (const Input& input : inputs) {
+    if (input.camera || !fs::is_regular_file(input.name)) continue;
+    begin.resize(kBegin);
+    std::ifstream stream(input.name, std::ios::binary);
+    stream.read(reinterpret_cast<char*>(begin.data()), kBegin);
+    begin.resize(static_cast<std::size_t>(stream.gcount()));
+    const auto size = size_in_header(begin);
+    if (!size) continue;
+    if (first.empty()) {
+      first = input.name;
+      expected = *size;
+    } else if (*size != expected) {
+      throw FileError(input.name, "", fmt::format("the image is {}x{} pixels", size->width, size->height),
+                      fmt::format("{}x{} as in {}", expected.width, expected.height, first));
+    }
+  }
+}
+
 std::unique_ptr<FrameSource> open_inputs(const std::vector<Input>& inputs) {
+  check_sizes(inputs);
   std::vector<std::unique_ptr<FrameSource>> sources;
   for (const Input& input : inputs) {
     if (input.camera) {

@@ -52,7 +52,10 @@ class Reader {
     if (width == 0 || height == 0 || width > kMostPixels || height > kMostPixels || width * height > kMostPixels) {
       bad(at, fmt::format("an image of {}x{} pixels", width, height), fmt::format("1 to {} pixels", kMostPixels));
     }
+    size_ = {static_cast<int>(width), static_cast<int>(height)};
   }
+  /// What check_size was last told.
+  const std::optional<ImageSize>& image_size() const { return size_; }
   [[noreturn]] void bad_depth(std::size_t at, unsigned bits) const {
     bad(at, fmt::format("{} bits a sample", bits), "an 8-bit image, grey or colour");
   }
@@ -61,6 +64,7 @@ class Reader {
   Bytes bytes_;
   const std::string& name_;
   bool big_endian_;
+  mutable std::optional<ImageSize> size_;
 };
 
 void check_jpeg(const Reader& file) {
@@ -240,6 +244,31 @@ void check_tiff(const Reader& file, std::uint8_t version) {
   }
 }
 
+Reader reader(Bytes bytes, ImageFormat format, const std::string& name) {
+  const bool tiff = format == ImageFormat::tiff;
+  return {bytes, name, tiff ? bytes[0] == 'M' : format != ImageFormat::bmp};
+}
+
+void check(const Reader& file, ImageFormat format, unsigned largest_bits) {
+  switch (format) {
+    case ImageFormat::jpeg:
+      return check_jpeg(file);
+    case ImageFormat::png:
+      return check_png(file, largest_bits);
+    case ImageFormat::pnm:
+      return check_pnm(file, largest_bits);
+    case ImageFormat::bmp:
+      return check_bmp(file);
+    case ImageFormat::tiff:
+      return check_tiff(file, file.u8(file.u8(0) == 'M' ? 3 : 2));
+    case ImageFormat::unknown:
+      break;
+  }
+  // A file cut within its first bytes may have no recognisable start left.
+  file.bad(0, file.size() < 16 ? "the file is truncated or not an image" : "not an image",
+           "PNG, JPEG, PNM, BMP or TIFF");
+}
+
 }  // namespace
 
 ImageFormat sniff_format(Bytes bytes) {
@@ -265,23 +294,18 @@ ImageFormat sniff_format(Bytes bytes) {
 }
 
 void check_structure(Bytes bytes, ImageFormat format, const std::string& name, unsigned largest_bits) {
-  switch (format) {
-    case ImageFormat::jpeg:
-      return check_jpeg({bytes, name, true});
-    case ImageFormat::png:
-      return check_png({bytes, name, true}, largest_bits);
-    case ImageFormat::pnm:
-      return check_pnm({bytes, name, true}, largest_bits);
-    case ImageFormat::bmp:
-      return check_bmp({bytes, name, false});
-    case ImageFormat::tiff:
-      return check_tiff({bytes, name, bytes[0] == 'M'}, bytes[bytes[0] == 'M' ? 3 : 2]);
-    case ImageFormat::unknown:
-      break;
+  check(reader(bytes, format, name), format, largest_bits);
+}
+
+std::optional<ImageSize> size_in_header(Bytes bytes) {
+  const std::string name;
+  const ImageFormat format = sniff_format(bytes);
+  const Reader file = reader(bytes, format, name);
+  try {
+    check(file, format, 16);
+  } catch (const FileError&) {  // of a file that is not whole here, or not good: whoever reads it says so
   }
-  // A file cut within its first bytes may have no recognisable start left.
-  throw FileError(name, "byte 0", bytes.size() < 16 ? "the file is truncated or not an image" : "not an image",
-                  "PNG, JPEG, PNM, BMP or TIFF");
+  return file.image_size();
 }
 
 }  // namespace horopter

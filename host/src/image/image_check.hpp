@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -12,6 +13,14 @@ namespace horopter {
 enum class ImageFormat { jpeg, png, pnm, bmp, tiff, unknown };
 
 ImageFormat sniff_format(std::span<const std::uint8_t> bytes);
+
+struct ImageSize {
+  int width = 0, height = 0;
+  friend bool operator==(const ImageSize&, const ImageSize&) = default;
+};
+
+/// The size that the begin of a file tells; nothing where it tells none.
+std::optional<ImageSize> size_in_header(std::span<const std::uint8_t> bytes);
 
 /// Throws FileError, unless the file is complete and holds samples of 8 bits (or fewer, for palettes); `largest_bits`
 /// 16 allows PNG and PNM of 16 bits too.

@@ -120,6 +120,8 @@ nlohmann::json count_verdicts(const nlohmann::ordered_json& results) {
 
 nlohmann::json study_all(const std::string& out, const StudyScope& scope) {
   const fs::path place(out);
+  OutputDirectory directory(place);
+  directory.set_aside("summary.json");
   nlohmann::ordered_json results;
   std::string contents;
   std::string sections;
@@ -138,9 +140,10 @@ nlohmann::json study_all(const std::string& out, const StudyScope& scope) {
   summary["statements"] = counts;
   summary["findings"] = {verdicts, fmt::format("The page is {}, the statements are in {}",
                                                (place / "index.html").string(), (place / "STUDY.md").string())};
-  write_file(place / "index.html", page(scope, verdicts, contents, sections));
-  write_file(place / "STUDY.md", study_markdown(results));
-  write_file(place / "summary.json", summary.dump(2) + "\n");
+  directory.write("index.html", page(scope, verdicts, contents, sections));
+  directory.write("STUDY.md", study_markdown(results));
+  directory.write("summary.json", summary.dump(2) + "\n");
+  directory.commit();
   return summary;
 }
 

@@ -108,6 +108,7 @@ const std::vector<NamedStudy>& studies() {
 
 nlohmann::json run_study(Study study, const std::filesystem::path& out, const StudyScope& scope) {
   OutputDirectory directory(out);
+  directory.set_aside("summary.json");
   StudyReport report(directory);
   study(report, scope);
   report.result["seed"] = scope.seed;

@@ -24,6 +24,8 @@ class FrameSource {
   virtual std::optional<NamedImage> next() = 0;
   /// How many images there are in all, if known.
   virtual std::optional<std::size_t> count() const = 0;
+  /// A camera: it has no end of its own.
+  virtual bool is_live() const { return false; }
 };
 
 /// Each argument is a file (image or video), a glob pattern, a directory (its image files, by name) or the number of a
@@ -42,6 +44,7 @@ class PairSource {
   PairSource(const std::vector<std::string>& left, const std::vector<std::string>& right);
   std::optional<FramePair> next();
   std::optional<std::size_t> count() const;
+  bool is_live() const { return left_->is_live() && right_->is_live(); }
 
  private:
   std::unique_ptr<FrameSource> left_;

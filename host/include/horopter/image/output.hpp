@@ -4,11 +4,14 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <mutex>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "horopter/base/ending.hpp"
 #include "horopter/image/image.hpp"
 
 namespace horopter {
@@ -21,9 +24,10 @@ std::vector<std::uint8_t> encode_png(const Image& image);
 /// Interleaved blue, green, red.
 std::vector<std::uint8_t> encode_png_bgr(int width, int height, std::span<const std::uint8_t> bgr);
 
-/// A directory of results. Files are collected in a hidden directory beside it; commit() moves them into place, and
-/// removes the results of an earlier run (files of the names given by `is_result`). Without commit() nothing changes but
-/// what was set aside. What killed processes left beside it is taken away.
+/// A directory of results. Files are collected in a hidden directory, within `path` where that exists (it may be a mount
+/// point, or stand where nothing else may be written), else beside it. commit() moves them into place when all are
+/// there, and then removes the results of an earlier run (files of the names given by `is_result`). Without commit(),
+/// and when a signal ends the program, nothing changes but what was set aside. What killed processes left is taken away.
 class OutputDirectory {
  public:
   using IsResult = bool (*)(const std::string& file_name);
@@ -34,19 +38,31 @@ class OutputDirectory {
   OutputDirectory(const OutputDirectory&) = delete;
   OutputDirectory& operator=(const OutputDirectory&) = delete;
 
-  /// A file of an earlier run that nobody must take for one of this run, should it fail or be killed: from now on it is
-  /// called earlier-…
+  /// A file of an earlier run that nobody must take for one of this run, should it fail or be killed: from now on, and
+  /// until commit(), it is called earlier-…
   void set_aside(const std::string& file_name);
   void write(const std::string& file_name, std::span<const std::uint8_t> bytes);
   void write(const std::string& file_name, std::string_view text);
+  /// The file that was written last appears last.
   void commit();
+  /// Instead of commit(): what was written goes into the directory `incomplete` within `path`, in place of what an
+  /// earlier failure left there; commit() takes that away. Returns the place.
+  std::filesystem::path keep_incomplete();
 
  private:
+  void discard();
+  void remove_earlier() const;
+  void remove_incomplete() const;
+
   std::filesystem::path path_;
-  std::filesystem::path staging_;
+  std::filesystem::path staging_;  ///< empty once it is gone
+  std::optional<int> lock_;        ///< on `staging_`; none on file systems without locks
   IsResult is_result_;
   std::vector<std::string> file_names_;
+  std::vector<std::string> set_aside_;
   std::vector<std::filesystem::path> made_;  ///< parent directories that this object made
+  std::recursive_mutex mutex_;
+  std::optional<BeforeEnding> before_ending_;
 };
 
 }  // namespace horopter

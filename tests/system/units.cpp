@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+// Numbers in a wrong unit, cameras that are not those of the skin, files that are not of this rig: refused, or said.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "pairs.hpp"
+#include "sandbox.hpp"
+
+using namespace horopter::test;
+using nlohmann::json;
+
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+const std::string kPlane = "surface: {type: plane, point_mm: [0, 0, 800], normal: [0, 0, 1]}\n";
+const Arguments kMap{"map", "--skin", "skin.yaml", "--rig", "rig.yaml", "--profile", "vga", "--json"};
+const Arguments kThickness{"plan", "thickness", "--rig", "rig.yaml", "--skin", "skin.yaml", "--json"};
+const Arguments kDistance{"plan", "thickness", "--rig", "rig.yaml", "--distance", "800", "--json"};
+const Arguments kPlanRig{"plan", "rig", "--rig", "rig.yaml", "--distance", "800", "--json"};
+
+Arguments run() { return run_arguments() + Arguments{"--rig", "rig.yaml", "--json"}; }
+
+std::string replaced(const std::string& text, const std::string& what, const std::string& by) {
+  return std::regex_replace(text, std::regex(what), by);
+}
+
+/// Done all the same, and said: on standard error, and in the result.
+void check_warned(const Sandbox& box, const Arguments& arguments, const std::string& message) {
+  const auto result = box.run(arguments);
+  CAPTURE(arguments, result.err);
+  CHECK((result.status == 0 || result.status == 4));
+  CHECK_THAT(result.err, Catch::Contains("horopter: warning: ") && Catch::Contains(message));
+  const auto warnings = json::parse(result.out)["warnings"];
+  REQUIRE_FALSE(warnings.empty());
+  CHECK_THAT(warnings[0].get<std::string>(), Catch::Contains(message));
+}
+
+}  // namespace
+
+TEST_CASE("Cameras in the wrong order, and a translation of the wrong sign, are refused by every command") {
+  Sandbox box;
+  with_pairs(box);
+  box.write("rig.yaml", rig_text());
+  box.write("skin.yaml", kPlane);
+  for (const Arguments& arguments : {run(), kMap, kThickness, kDistance, kPlanRig}) {
+    CHECK(box.run(arguments).err.empty());
+    fs::remove_all(box / "out");
+  }
+  box.write("skin.yaml", "cameras: [right, left]\n" + kPlane);
+  for (const Arguments& arguments : {run(), kMap, kThickness}) {
+    check_bad_file(box, arguments, "skin.yaml", "line 1, column 10: skin.cameras: the right camera, left, stands to");
+  }
+  box.write("skin.yaml", kPlane);
+  box.write("rig.yaml", replaced(rig_text(), "-50", "50"));
+  for (const Arguments& arguments : {run(), kMap, kThickness}) {
+    check_bad_file(box, arguments, "skin.yaml", "the right camera, right, stands to the left of the left one, left");
+  }
+  for (const Arguments& arguments : {kDistance, kPlanRig}) {
+    check_bad_file(box, arguments, "rig.yaml", "the second camera, right, stands to the left of the first");
+  }
+  CHECK_THAT(box.run({"calibrate", "--import", "rig.yaml"}).out, Catch::Contains("warning: left_right_exchanged"));
+  // One above the other is neither.
+  box.write("rig.yaml", replaced(rig_text(), "-50, -0, 0", "20, -100, 0"));
+  CHECK(box.run(kDistance).status == 0);
+}
+
+TEST_CASE("The two cameras that a skin names are as far apart as cameras are") {
+  Sandbox box;
+  with_pairs(box);
+  const std::string rig = rig_text();
+  const std::string third = rig.substr(rig.find("  - name: right"));
+  box.write("rig.yaml", rig + replaced(replaced(third, "name: right", "name: third"), "-50", "-0.05"));
+  box.write("skin.yaml", "cameras: [left, third]\n" + kPlane);
+  for (const Arguments& arguments : {run(), kMap, kThickness}) {
+    check_bad_file(box, arguments, "skin.yaml", "the cameras are 0.05 mm apart");
+  }
+}
+
+TEST_CASE("A skin in metres is refused, one in centimetres is said to be hardly seen") {
+  Sandbox box;
+  with_pairs(box);
+  box.write("rig.yaml", rig_text());
+  box.write("skin.yaml", replaced(kPlane, "800", "0.8"));
+  for (const Arguments& arguments : {run(), kMap, kThickness}) {
+    check_bad_file(box, arguments, "skin.yaml", "surface: a skin that is 0.8");
+  }
+  box.write("skin.yaml", replaced(kPlane, "800", "80"));
+  for (const Arguments& arguments : {run(), kMap}) check_warned(box, arguments, "% is supervised; most of the rest is");
+}
+
+TEST_CASE("A rig without image size is taken for images that it may be of") {
+  Sandbox box;
+  with_pairs(box);
+  box.write("skin.yaml", kPlane);
+  const std::string unknown = replaced(rig_text(), "    image_size: .200, 120.\n", "");
+  box.write("rig.yaml", unknown);
+  check_warned(box, run(), "the rig does not tell the image size of camera left");
+  fs::remove_all(box / "out");
+  // Of images twice as large.
+  box.write("rig.yaml", replaced(replaced(unknown, "99.5", "199.5"), "59.5", "119.5"));
+  check_bad_file(box, run(), "skin.yaml", "has its centre at (199.5, 119.5) px");
+}
+
+TEST_CASE("A table of some rig is said to be unchecked without --rig") {
+  Sandbox box;
+  with_pairs(box);
+  box.write("rig.yaml", rig_text());
+  box.write("skin.yaml", kPlane);
+  REQUIRE(box.run(kMap + Arguments{"-o", "skin.hmap"}).status == 0);
+  const Arguments by_table = run_arguments("left0.png", "right0.png", "skin.hmap") + Arguments{"--json"};
+  check_warned(box, by_table, "whether the cameras still stand so is not known without --rig");
+  CHECK(box.run(by_table + Arguments{"--rig", "rig.yaml"}).err.empty());
+}
+
+TEST_CASE("Distances, baselines, thicknesses and speeds that no rig has are refused") {
+  Sandbox box;
+  with_pairs(box);
+  box.write("rig.yaml", rig_text());
+  box.write("skin.yaml", kPlane);
+  const Arguments plan{"plan", "thickness", "--rig", "rig.yaml", "--distance"};
+  const Arguments design{"plan", "rig", "--focal", "10", "--pixel", "8", "--image-size", "640x480", "--distance"};
+  for (const Arguments& wrong :
+       {plan + Arguments{"0.8"}, plan + Arguments{"8e5"}, plan + Arguments{"800", "--frame-rate", "1e9"},
+        plan + Arguments{"800", "--stopping-ms", "1e9"}, plan + Arguments{"800", "--tolerance", "1e6"},
+        design + Arguments{"800", "--baseline", "0.1"}, design + Arguments{"0.8", "--baseline", "100"},
+        design + Arguments{"800", "--thickness", "1e-3"}, run() + Arguments{"--thickness", "1e6"}}) {
+    const auto result = box.run(wrong);
+    CAPTURE(wrong, result.err);
+    CHECK(result.status == 2);
+    CHECK(result.out.empty());
+  }
+  for (const auto& [rate, speed] : {std::pair{"50", "1003"}, {"1e9", "1"}}) {
+    box.write("skin.yaml", kPlane + "motion: {frame_rate_per_s: " + rate + ", object_speed_m_s: " + speed +
+                               ", poses: [{time_s: 0.02, shift_mm: [0, 0, 1]}]}\n");
+    check_bad_file(box, run(), "skin.yaml", "line 2");
+  }
+}
+
+TEST_CASE("OpenCV's T has a unit when somebody says so") {
+  Sandbox box;
+  with_pairs(box);
+  box.write("rig.yaml", rig_text());
+  box.write("skin.yaml", kPlane);
+  REQUIRE(box.run({"calibrate", "--import", "rig.yaml", "--export-opencv", "ours.yml"}).status == 0);
+  // Ours says it; who takes it out has a file as OpenCV's samples write it.
+  CHECK(box.run({"map", "--skin", "skin.yaml", "--rig", "ours.yml", "--profile", "vga", "--json"}).status == 0);
+  box.write("theirs.yml", replaced(box.read("ours.yml"), "length_unit: mm\n", ""));
+  for (const Arguments& arguments :
+       {Arguments{"map", "--skin", "skin.yaml", "--rig", "theirs.yml", "--profile", "vga", "--json"},
+        Arguments{"plan", "rig", "--rig", "theirs.yml", "--distance", "800"},
+        Arguments{"calibrate", "--import", "theirs.yml"}}) {
+    check_bad_file(box, arguments, "theirs.yml", "--unit mm|cm|m");
+  }
+  const auto baseline = [&](const std::string& unit) {
+    const auto result = box.run({"calibrate", "--import", "theirs.yml", "--unit", unit, "--json"});
+    CAPTURE(result.err);
+    REQUIRE(result.status == 0);
+    return json::parse(result.out)["baseline_mm"].get<double>();
+  };
+  CHECK(baseline("mm") == Approx(50));
+  CHECK(baseline("cm") == Approx(500));
+  CHECK(box.run({"calibrate", "--import", "theirs.yml", "--unit", "m"}).status == 3);  // 50 m
+}
+
+TEST_CASE("Numbers beyond what images and sensors have are bad files, with a name") {
+  Sandbox box;
+  with_pairs(box);
+  const cv::Mat truth(120, 200, CV_8UC1, cv::Scalar(40));
+  save((box / "truth.png").string(), truth);
+  const Arguments evaluate{"evaluate", "--left", "left0.png", "--right", "right0.png", "--disparity", "truth.png"};
+  check_bad_file(box, evaluate + Arguments{"--resize", "1000"}, "left0.png", "resized by 1000 it is 2e+05x1.2e+05");
+  check_bad_file(box, evaluate + Arguments{"--resize", "1e-9"}, "left0.png", "resized by 1e-09");
+  check_bad_file(box, evaluate + Arguments{"--scale", "1e-9"}, "truth.png", "a disparity of 4e+10 px");
+  std::string points;
+  for (int i = 0; i < 12; ++i) {
+    const std::string x = std::to_string(10 * (i % 4)), y = std::to_string(10 * (i / 4)), z = std::to_string(i * i % 7);
+    points += x + " " + y + " " + z + " " + x + " " + y + "\n";
+  }
+  box.write("points.txt", points);
+  const std::string sensor =
+      "width_px: 640\nheight_px: 480\ndx_mm: 0.01\ndy_mm: 0.01\ncx_px: 319.5\ncy_px: 239.5\nsx: 1\n";
+  const Arguments calibrate{"calibrate", "--points", "points.txt", "--sensor", "sensor.yaml"};
+  for (const char* key : {"dx_mm", "dy_mm", "cx_px", "cy_px", "sx"}) {
+    box.write("sensor.yaml", replaced(sensor, std::string(key) + ": [0-9.]+", std::string(key) + ": 1e308"));
+    check_bad_file(box, calibrate, "sensor.yaml", std::string(key) + ": '1e308'");
+  }
+  box.write("sensor.yaml", sensor);
+  box.write("points.txt", points + "1e308 0 0 1 1\n");
+  check_bad_file(box, calibrate, "points.txt", "line 13: '1e308'");
+}
+
+TEST_CASE("A pattern that also matches images of another size is found before the work") {
+  Sandbox box;
+  with_pairs(box, 3);
+  save((box / "left9.png").string(), textured(100, 120, 6));
+  save((box / "right9.png").string(), textured(100, 120, 7));
+  check_bad_file(box, run_arguments("left*.png", "right*.png"), "left9.png", "200x120 as in left0.png");
+}
