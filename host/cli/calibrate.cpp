@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "horopter/base/json_text.hpp"
 #include "horopter/calib/error.hpp"
 #include "horopter/calib/points.hpp"
 #include "horopter/calib/report.hpp"
@@ -42,7 +43,7 @@ struct CalibrateOptions {
   std::vector<double> heights_mm;
 
   std::vector<std::string> import;
-  std::string unit = "mm";
+  std::string unit;  // of OpenCV's files
   std::string size;
 
   std::string output, export_opencv, export_ros, picture;
@@ -181,7 +182,6 @@ calib::Report from_images(const CalibrateOptions& options) {
     }
     camera.views.push_back(find_target(image, spec));
     progress.show(++searched, count);
-    if (interrupted()) throw Error(ExitStatus::fault, "stopped");
   };
   if (!options.images.empty()) {
     cameras.push_back({.name = "camera", .views = {}});
@@ -229,7 +229,9 @@ calib::RigFile import_files(const CalibrateOptions& options) {
     import.opencv_unit_mm = 1000;
   } else if (options.unit == "cm") {
     import.opencv_unit_mm = 10;
-  } else if (options.unit != "mm") {
+  } else if (options.unit == "mm") {
+    import.opencv_unit_mm = 1;
+  } else if (!options.unit.empty()) {
     throw UsageError(fmt::format("--unit '{}'; expected mm, cm or m", options.unit));
   }
   if (!options.size.empty()) {
@@ -292,7 +294,7 @@ ExitStatus import_rig(const CalibrateOptions& options) {
   const auto more = write_rig(options, file.rig);
   file.warnings.insert(file.warnings.end(), more.begin(), more.end());
   if (options.json) {
-    std::puts(rig_json(file).dump(2).c_str());
+    std::puts(json_text(rig_json(file)).c_str());
     return ExitStatus::done;
   }
   fmt::print("format    {}\n", file.format);
@@ -325,7 +327,7 @@ void check_usage(const CalibrateOptions& options) {
   only(!options.heights_mm.empty(), "--heights", images || pairs, "images");
   only(!options.distortion.empty(), "--distortion", !import, "--points and images");
   only(!options.sensor.empty(), "--sensor", !import, "--points and images");
-  only(!options.size.empty() || options.unit != "mm", "--size or --unit", import, "--import");
+  only(!options.size.empty() || !options.unit.empty(), "--size or --unit", import, "--import");
   only(!options.picture.empty(), "--picture", !import, "--points and images");
 }
 
@@ -347,6 +349,10 @@ ExitStatus calibrate(CalibrateOptions options) {
     report = from_images(options);
     determined = !report.cameras.empty();
   }
+  if (const std::string problem = calib::baseline_problem(report.rig); report.usable && !problem.empty()) {
+    report.problems.push_back(problem);
+    report.usable = false;
+  }
   if (!options.picture.empty() && determined) {
     const cv::Mat picture = calib::residual_picture(report);
     write_file(options.picture, encode_png_bgr(picture.cols, picture.rows, {picture.data, picture.total() * 3}));
@@ -356,7 +362,7 @@ ExitStatus calibrate(CalibrateOptions options) {
     report.warnings.insert(report.warnings.end(), more.begin(), more.end());
   }
   if (options.json) {
-    std::puts(calib::to_json(report).dump(2).c_str());
+    std::puts(json_text(calib::to_json(report)).c_str());
   } else if (determined) {
     std::fputs(calib::to_text(report).c_str(), stdout);
     for (const std::string& warning : report.warnings) {
@@ -425,7 +431,7 @@ void add_calibrate(CLI::App& app, Outcome& outcome) {
   files("--import", options->import,
         "rig.yaml, OpenCV FileStorage (YAML, XML, JSON), ROS camera_info (left, right) or Kalibr camchain",
         "From other programs");
-  command->add_option("--unit", options->unit, "Unit of T in OpenCV's files: mm (default), cm or m")
+  command->add_option("--unit", options->unit, "Unit of T in OpenCV's files, which do not say it: mm, cm or m")
       ->type_name("U")
       ->group("From other programs");
   command->add_option("--size", options->size, "Image size where the files do not say, WIDTHxHEIGHT")
@@ -443,7 +449,7 @@ void add_calibrate(CLI::App& app, Outcome& outcome) {
       "Examples:\n"
       "  horopter calibrate --left left*.jpg --right right*.jpg --target chessboard:9x6:30mm -o rig.yaml\n"
       "  horopter calibrate --points low.txt high.txt --withhold middle.txt --sensor sensor.yaml --method full\n"
-      "  horopter calibrate --import intrinsics.yml extrinsics.yml --size 640x480 -o rig.yaml");
+      "  horopter calibrate --import intrinsics.yml extrinsics.yml --size 640x480 --unit mm -o rig.yaml");
   command->callback([options, &outcome] {
     try {
       outcome.status = calibrate(*options);

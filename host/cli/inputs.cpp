@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 
@@ -13,6 +14,7 @@
 #include "horopter/map/map_json.hpp"
 #include "horopter/map/support.hpp"
 #include "horopter/skin/skin_file.hpp"
+#include "warnings.hpp"
 
 namespace horopter::cli {
 namespace {
@@ -24,7 +26,80 @@ constexpr int kSmallestHeight = 16;
 /// %, so that half a skin stays half a skin when it is rounded to two digits.
 constexpr double kAboutHalf = 47;
 
+/// What cameras can watch: beyond, the unit of a skin is wrong.
+constexpr double kNearestSkin_mm = 20, kFarthestSkin_mm = 1e5;
+/// A skin of which less is supervised is meant otherwise, or not seen as it is meant.
+constexpr double kLittleSupervised = 0.5;
+/// How far the centre of a camera whose image size is not told may be from the middle of an image: of its size.
+constexpr double kLargestOffCentre = 0.2;
+
 const char* const kSkinExpected = "a skin (skin.yaml) or a mapping table (.hmap)";
+
+/// The rig of a skin, before images of a size. Throws FileError.
+void check_cameras(const std::string& skin, const calib::Rig& rig, int image_width, int image_height) {
+  const std::string size = fmt::format("{}x{}", image_width, image_height);
+  for (const calib::Camera& camera : rig.cameras) {
+    if (camera.width_px == image_width && camera.height_px == image_height) continue;
+    if (camera.width_px != 0) {
+      throw FileError(skin, "",
+                      fmt::format("camera {} of the rig takes images of {}x{} pixels", camera.name, camera.width_px,
+                                  camera.height_px),
+                      size + ", the size of the images");
+    }
+    const double cx_px = camera.model.cx_px(), cy_px = camera.model.cy_px();
+    if (std::abs(cx_px / image_width - 0.5) > kLargestOffCentre ||
+        std::abs(cy_px / image_height - 0.5) > kLargestOffCentre) {
+      throw FileError(skin, "",
+                      fmt::format("camera {} of the rig, whose image size is not told, has its centre at ({:.1f}, "
+                                  "{:.1f}) px",
+                                  camera.name, cx_px, cy_px),
+                      fmt::format("near the middle of {}; or image_size in the rig", size));
+    }
+    warn(fmt::format("{}: the rig does not tell the image size of camera {}; taken for {}", skin, camera.name, size));
+  }
+}
+
+/// A skin in another unit than the rig is at a place where no skin is. Throws FileError.
+void check_distance(const std::string& file, const RigSkin& skin, int image_width, int image_height) {
+  constexpr int kPlaces = 32;  // along the row and down
+  std::vector<Point> pixels;
+  for (int i = 0; i < kPlaces * kPlaces; ++i) {
+    pixels.push_back(
+        {(i % kPlaces + 0.5) / kPlaces * image_width - 0.5, (i / kPlaces + 0.5) / kPlaces * image_height - 0.5});
+  }
+  const Rays rays = skin.cameras().rays(pixels);
+  std::vector<Hit> hits(rays.size());
+  skin.surface()->intersect(skin.cameras().left().world_to_camera.centre(), rays.directions, hits);
+  std::vector<double> distances_mm;
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    if (std::isfinite(hits[i].distance)) distances_mm.push_back(hits[i].distance / rays.over_length[i]);
+  }
+  if (distances_mm.empty()) return;  // too small to be met, or not seen: others say so
+  const auto middle = distances_mm.begin() + static_cast<std::ptrdiff_t>(distances_mm.size() / 2);
+  std::ranges::nth_element(distances_mm, middle);
+  if (*middle >= kNearestSkin_mm && *middle <= kFarthestSkin_mm) return;
+  throw FileError(file, "surface", fmt::format("a skin that is {:.3g} mm from the left camera", *middle),
+                  fmt::format("{:g} to {:g} mm: is its unit millimetres?", kNearestSkin_mm, kFarthestSkin_mm));
+}
+
+/// Says where most of what the left camera sees of a skin is not supervised.
+void check_supervised(const std::string& skin, const MapSet& maps) {
+  for (const CompiledMap& map : maps.maps) {
+    const MapReport& report = map.report;
+    const std::int64_t sees = report.pixels - report.count(Reason::no_source);
+    const double share =
+        static_cast<double>(report.supervised()) / static_cast<double>(std::max<std::int64_t>(1, sees));
+    if (sees == 0 || share >= kLittleSupervised) continue;
+    const auto reason = std::max_element(report.by_reason.begin() + 1, report.by_reason.end(), [&](auto& a, auto& b) {
+      const auto count = [&](auto& n) { return &n == &report.by_reason[static_cast<int>(Reason::no_source)] ? 0 : n; };
+      return count(a) < count(b);
+    });
+    warn(fmt::format("{}: of what the left camera sees of this skin {:.0f} % is supervised; most of the rest is {}{}",
+                     skin, 100 * share, reason_text(static_cast<Reason>(reason - report.by_reason.begin())),
+                     maps.rig.empty() ? "" : ". Are its unit millimetres, and the cameras those of the images?"));
+    return;
+  }
+}
 
 }  // namespace
 
@@ -62,6 +137,17 @@ std::optional<calib::Rig> read_rig_option(const std::string& path) {
   return read_rig(path);
 }
 
+CameraPair first_pair(const calib::Rig& rig, const std::string& file) {
+  if (rig.cameras.size() < 2) throw FileError(file, "cameras", "one camera", "two");
+  const calib::Camera &left = rig.cameras[0], &right = rig.cameras[1];
+  if (calib::are_exchanged(left, right)) {
+    throw FileError(file, "cameras",
+                    fmt::format("the second camera, {}, stands to the left of the first, {}", right.name, left.name),
+                    "the left camera first; or the translation with the other sign");
+  }
+  return {left, right};
+}
+
 void check_skin_file(const std::string& path) { read_file(path, kSkinExpected); }
 
 bool is_table(const std::string& skin) {
@@ -74,12 +160,9 @@ SkinFile load_skin_for(const std::string& skin, const std::optional<calib::Rig>&
   const Point centre{0.5 * (image_width - 1), 0.5 * (image_height - 1)};
   SkinFile file = load_skin(skin, centre, rig ? &*rig : nullptr);
   if (file.rig.empty()) return file;
-  for (const calib::Camera& camera : calib::rig_from_yaml(file.rig, skin).cameras) {
-    if (camera.width_px == 0 || (camera.width_px == image_width && camera.height_px == image_height)) continue;
-    throw FileError(skin, "",
-                    fmt::format("camera {} of the rig takes images of {}x{} pixels", camera.name, camera.width_px,
-                                camera.height_px),
-                    fmt::format("{}x{}, the size of the images", image_width, image_height));
+  check_cameras(skin, calib::rig_from_yaml(file.rig, skin), image_width, image_height);
+  if (const auto* in_space = dynamic_cast<const RigSkin*>(file.skin.get())) {
+    check_distance(skin, *in_space, image_width, image_height);
   }
   return file;
 }
@@ -95,7 +178,10 @@ std::unique_ptr<RigSkin> load_rig_skin(const std::string& skin, const calib::Rig
     throw FileError(skin, "surface", fmt::format("a {} has no place in space", file.skin->type()),
                     "a surface in the rig's world");
   }
-  return std::unique_ptr<RigSkin>(static_cast<RigSkin*>(file.skin.release()));
+  std::unique_ptr<RigSkin> in_space(static_cast<RigSkin*>(file.skin.release()));
+  const calib::Camera& left = in_space->cameras().left();
+  if (left.width_px != 0) check_distance(skin, *in_space, left.width_px, left.height_px);
+  return in_space;
 }
 
 MapSet load_or_compile_maps(const std::string& skin, const std::optional<calib::Rig>& rig,
@@ -107,7 +193,9 @@ MapSet load_or_compile_maps(const std::string& skin, const std::optional<calib::
       throw FileError(skin, "motion", "a skin that moves has a table for each frame",
                       "a skin without motion (horopter run takes both)");
     }
-    return compile_maps(file, profile, image_width, image_height, view);
+    MapSet maps = compile_maps(file, profile, image_width, image_height, view);
+    check_supervised(skin, maps);
+    return maps;
   }
   MapSet maps = load_maps(skin);
   if (maps.profile != profile.name) {
@@ -117,6 +205,11 @@ MapSet load_or_compile_maps(const std::string& skin, const std::optional<calib::
   if (maps.image_width != image_width || maps.image_height != image_height) {
     throw FileError(skin, "", fmt::format("a table for images of {}x{} pixels", maps.image_width, maps.image_height),
                     fmt::format("{}x{}", image_width, image_height));
+  }
+  if (!maps.rig.empty()) check_cameras(skin, calib::rig_from_yaml(maps.rig, skin), image_width, image_height);
+  if (!rig && !maps.rig.empty()) {
+    warn(fmt::format("{}: a table for the rig of CRC {}: whether the cameras still stand so is not known without --rig",
+                     skin, crc_text(maps.rig_crc())));
   }
   if (rig && !maps.rig.empty()) {
     // The two cameras of the table, by name and every digit, wherever they stand in the rig.
@@ -139,6 +232,7 @@ MapSet load_or_compile_maps(const std::string& skin, const std::optional<calib::
                       fmt::format("a table made with `horopter map --decision {}`", name_of(decision)));
     }
   }
+  check_supervised(skin, maps);
   return maps;
 }
 
@@ -168,11 +262,10 @@ void check_alarm_limit(const std::string& skin, const std::vector<const MapTable
                    : fmt::format("a larger skin, or --alarm-limit {:.2g}, about half of this one", kAboutHalf * share));
   }
   if (2 * needed > supported) {
-    fmt::print(
-        stderr,
-        "horopter: warning: {}: {}an alarm takes {:.0f} % of this skin, that is {:g} % of the whole image; about half "
-        "of the skin would be --alarm-limit {:.2g}\n",
-        skin, place.empty() ? "" : place + ": ", 100 * needed / supported, alarm_percent, kAboutHalf * share);
+    warn(fmt::format(
+        "{}: {}an alarm takes {:.0f} % of this skin, that is {:g} % of the whole image; about half of the skin would be "
+        "--alarm-limit {:.2g}",
+        skin, place.empty() ? "" : place + ": ", 100 * needed / supported, alarm_percent, kAboutHalf * share));
   }
 }
 

@@ -23,6 +23,8 @@ std::string profile_sizes();
 void check_image_size(const std::string& name, int width, int height, const MachineProfile& profile);
 /// The cameras of --rig; nothing where the option is not given. Throws FileError.
 std::optional<calib::Rig> read_rig_option(const std::string& path);
+/// The first two cameras, as left and right one. Throws FileError where there are not two, or they are exchanged.
+CameraPair first_pair(const calib::Rig& rig, const std::string& file);
 /// There and not empty; contents are checked by load_or_compile_maps.
 void check_skin_file(const std::string& path);
 /// A table (.hmap), not a skin.yaml. Throws FileError where there is neither.

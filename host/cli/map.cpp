@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "horopter/base/json_text.hpp"
 #include "horopter/draw/map_draw.hpp"
 #include "horopter/image/output.hpp"
 #include "horopter/map/map_json.hpp"
@@ -18,6 +19,7 @@
 #include "horopter/skin/skin_file.hpp"
 #include "inputs.hpp"
 #include "numbers.hpp"
+#include "warnings.hpp"
 #include "words.hpp"
 
 namespace horopter::cli {
@@ -203,8 +205,9 @@ ExitStatus map(const MapOptions& options) {
     if (const auto& shifts = table.facts().shifts) entry["shifts_px"] = {shifts->lowest_px, shifts->highest_px};
   }
   report_rows(options.decision, !maps.rig.empty(), report, options.json);
+  add_warnings(report);
   if (options.json) {
-    std::puts(report.dump(2).c_str());
+    std::puts(json_text(report).c_str());
   } else {
     explain(maps);
   }

@@ -31,6 +31,19 @@ inline CLI::Validator zero_or_more() {
   return {check, "NONNEGATIVE"};
 }
 
+/// A range that everything which exists is in: what is beyond is in another unit.
+inline CLI::Validator within(double smallest, double largest, const std::string& unit) {
+  const auto check = [=](std::string& text) {
+    double value = 0;
+    const bool good = CLI::detail::lexical_cast(text, value) && value >= smallest && value <= largest;
+    return good ? std::string() : fmt::format("'{}'; expected {:g} to {:g} {}", text, smallest, largest, unit);
+  };
+  return {check, ""};
+}
+inline CLI::Validator is_distance_mm() { return within(20, 1e5, "mm"); }
+inline CLI::Validator is_thickness_mm() { return within(0.01, 1e4, "mm"); }
+inline CLI::Validator is_tolerance_px() { return within(0.01, 100, "px"); }
+
 inline CLI::Validator at_least_one() {
   const auto check = [](std::string& text) {
     long long value = 0;

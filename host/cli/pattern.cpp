@@ -13,6 +13,7 @@
 #include <string>
 
 #include "commands.hpp"
+#include "horopter/base/json_text.hpp"
 #include "horopter/image/output.hpp"
 
 namespace horopter::cli {
@@ -55,7 +56,7 @@ ExitStatus pattern(const PatternCommand& command) {
         {"origin_mm", {sheet.origin_mm.x(), sheet.origin_mm.y()}},
         {"bars_mm", {sheet.bar_x_mm, sheet.bar_y_mm}},
     };
-    std::puts(result.dump(2).c_str());
+    std::puts(json_text(result).c_str());
   } else {
     fmt::print(
         "{}: {} on {} ({} x {} mm). Print it at actual size and check with a ruler that the bars are\n"

@@ -15,12 +15,14 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "horopter/base/json_text.hpp"
 #include "horopter/draw/map_draw.hpp"
 #include "horopter/image/output.hpp"
 #include "horopter/map/map_compiler.hpp"
 #include "horopter/skin/skin_file.hpp"
 #include "inputs.hpp"
 #include "numbers.hpp"
+#include "warnings.hpp"
 #include "words.hpp"
 
 namespace horopter::cli {
@@ -109,8 +111,7 @@ ExitStatus plan_thickness(const ThicknessOptions& options) {
     cameras = skin->cameras();
     skins.push_back({skin->description(), "thickness.png", skin->surface()});
   } else {
-    if (rig.cameras.size() < 2) throw FileError(options.rig, "cameras", "one camera", "two");
-    cameras.emplace(rig.cameras[0], rig.cameras[1]);
+    cameras = first_pair(rig, options.rig);
     for (const double distance : options.distances_mm) {
       skins.push_back({fmt::format("plane across the axis of symmetry, {} mm from the cameras", distance),
                        fmt::format("thickness-{}-mm.png", distance), StereoAxis(*cameras).plane_at(distance)});
@@ -135,7 +136,7 @@ ExitStatus plan_thickness(const ThicknessOptions& options) {
   const ViewLimits view = view_limits(*profile, options.decision);
 
   std::optional<OutputDirectory> output;
-  if (!options.out.empty()) output.emplace(options.out);
+  if (!options.out.empty()) output.emplace(options.out).set_aside("thickness.json");
   const StereoAxis axis(*cameras);
   const double detection_s = detection_time_s(*profile, geometry.height, images_per_s);
   const double response_s = detection_s + options.stopping_ms * 1e-3;
@@ -186,12 +187,19 @@ ExitStatus plan_thickness(const ThicknessOptions& options) {
       output->write(skin.picture, encode_png_bgr(page.width, page.height, page.bgr));
     }
   }
+  if (slowest_m_s < kIsoHandSpeed_m_s) {
+    warn(fmt::format(
+        "a hand may cross this skin between two images unseen: the safety distances hold for what moves at up to {:.3f} "
+        "m/s only",
+        slowest_m_s));
+  }
+  add_warnings(json);
   if (output) {
-    output->write("thickness.json", json.dump(2) + "\n");
+    output->write("thickness.json", json_text(json) + "\n");
     output->commit();
   }
   if (options.json) {
-    std::puts(json.dump(2).c_str());
+    std::puts(json_text(json).c_str());
   } else {
     fmt::print("response {:.1f} ms to the alarm and {:.1f} ms to stop{}\n", detection_s * 1e3, options.stopping_ms,
                options.stopping_ms == 0 ? " (--stopping-ms: the robot's stopping time is not in it)" : "");
@@ -201,12 +209,6 @@ ExitStatus plan_thickness(const ThicknessOptions& options) {
         safety_distance_mm(response_s, kHandSpeed_m_s), safety_distance_mm(response_s, kIsoHandSpeed_m_s),
         iso_13855_distance_mm(response_s));
     if (output) fmt::print("thickness.json and pictures are in {}\n", options.out);
-  }
-  if (slowest_m_s < kIsoHandSpeed_m_s) {
-    fmt::print(stderr,
-               "horopter: warning: a hand may cross this skin between two images unseen: the safety distances hold for "
-               "what moves at up to {:.3f} m/s only\n",
-               slowest_m_s);
   }
   if (nothing) std::fprintf(stderr, "horopter: nothing of a skin is supervised\n");
   return nothing || refused ? ExitStatus::check_failed : ExitStatus::done;
@@ -227,7 +229,7 @@ void add_plan(CLI::App& app, Outcome& outcome) {
   thickness
       ->add_option("--distance", options->distances_mm,
                    "Instead of a skin: planes across the axis of symmetry, at these distances from the cameras")
-      ->check(above_zero())
+      ->check(is_distance_mm())
       ->type_name("MM...");
   thickness
       ->add_option("--profile", options->profile,
@@ -240,7 +242,8 @@ void add_plan(CLI::App& app, Outcome& outcome) {
       ->transform(CLI::Validator(
           [](std::string& value) {
             if (value == "D95") value = fmt::format("{}", kD95_px);
-            return CLI::PositiveNumber(value).empty() ? "" : fmt::format("'{}' is neither above 0 nor D95", value);
+            return CLI::Range(0.01, 100.0)(value).empty() ? ""
+                                                          : fmt::format("'{}' is neither 0.01 to 100 nor D95", value);
           },
           ""))
       ->capture_default_str()
@@ -249,10 +252,10 @@ void add_plan(CLI::App& app, Outcome& outcome) {
   thickness
       ->add_option("--frame-rate", options->images_per_s,
                    "Results a second: frames, or fields of profile field (default: 50 fields, 60 frames)")
-      ->check(above_zero())
+      ->check(within(0.1, 10'000, "a second"))
       ->type_name("HZ");
   thickness->add_option("--stopping-ms", options->stopping_ms, "Time that the robot takes to stop after the alarm, ms")
-      ->check(zero_or_more())
+      ->check(within(0, 60'000, "ms"))
       ->capture_default_str()
       ->type_name("MS");
   thickness

@@ -16,6 +16,7 @@
 
 #include "commands.hpp"
 #include "horopter/base/csv.hpp"
+#include "horopter/base/json_text.hpp"
 #include "horopter/draw/plan_drawing.hpp"
 #include "horopter/draw/plot.hpp"
 #include "horopter/image/output.hpp"
@@ -25,6 +26,7 @@
 #include "inputs.hpp"
 #include "numbers.hpp"
 #include "progress.hpp"
+#include "warnings.hpp"
 #include "words.hpp"
 
 namespace horopter::cli {
@@ -75,7 +77,7 @@ calib::Rig rig_of(RigOptions& options) {
           "--rig has cameras: leave out --focal, --pixel, --image-size, --baseline, --thickness and --tilt");
     }
     calib::Rig rig = read_rig(options.rig);
-    if (rig.cameras.size() < 2) throw FileError(options.rig, "cameras", "one camera", "two");
+    if (options.skin.empty()) first_pair(rig, options.rig);
     return rig;
   }
   if (!(design.f_mm > 0) || !(design.pitch_um > 0) || options.image_size.empty()) {
@@ -370,7 +372,7 @@ void write(OutputDirectory& output, const RigOptions& options, const Installatio
     write_over_distance(output, cameras, *profile, geometry, options.tolerance_px, view, plan.distance_mm);
   }
   if (options.rig.empty()) output.write("rig.yaml", calib::to_yaml(rig));
-  output.write("rig.json", json.dump(2) + "\n");
+  output.write("rig.json", json_text(json) + "\n");
   output.commit();
 }
 
@@ -393,12 +395,13 @@ ExitStatus plan_rig(RigOptions options) {
   check_usage(options);
   const Installation installation = install(options);
   std::optional<OutputDirectory> output;
-  if (!options.out.empty()) output.emplace(options.out);
+  if (!options.out.empty()) output.emplace(options.out).set_aside("rig.json");
   const Plan plan = plan_of(options, installation);
-  const Json json = to_json(options, installation, plan);
+  Json json = to_json(options, installation, plan);
+  add_warnings(json);
   if (output) write(*output, options, installation, plan, json);
   if (options.json) {
-    std::puts(json.dump(2).c_str());
+    std::puts(json_text(json).c_str());
   } else {
     print_head(options, installation, plan.distance_mm);
   }
@@ -429,27 +432,27 @@ void add_plan_rig(CLI::App& plan, Outcome& outcome) {
       "(11.1)");
   rig->add_option("--rig", options->rig, "The cameras there are (rig.yaml), with their image size")->type_name("FILE");
   rig->add_option("--focal", options->design.f_mm, "Instead of --rig: focal length of two like cameras, mm")
-      ->check(above_zero())
+      ->check(within(0.1, 1000, "mm"))
       ->type_name("MM");
   rig->add_option("--pixel", options->design.pitch_um, "Their pixels, um, square")
-      ->check(above_zero())
+      ->check(within(0.5, 100, "um"))
       ->type_name("UM");
   rig->add_option("--image-size", options->image_size, "Their images, pixels: WIDTHxHEIGHT, or WIDTH HEIGHT")
       ->expected(1, 2)
       ->type_name("WxH");
   rig->add_option("--baseline", options->design.baseline_mm, "How far apart they are, mm")
-      ->check(above_zero())
+      ->check(within(calib::kSmallestBaseline_mm, calib::kLargestBaseline_mm, "mm"))
       ->type_name("MM");
   rig->add_option("--thickness", options->thickness_mm,
                   "Instead of --baseline: the baseline that gives this thickness at the first --distance (11.1)")
-      ->check(above_zero())
+      ->check(is_thickness_mm())
       ->type_name("MM");
   rig->add_option("--tilt", options->tilt_deg,
                   "Each camera is turned towards the other by this (default: their axes meet at the first --distance)")
       ->check(CLI::Range(-kLargestTilt_deg, kLargestTilt_deg))
       ->type_name("DEG");
   rig->add_option("--distance", options->distances_mm, "Planes across the axis of symmetry, at these distances")
-      ->check(above_zero())
+      ->check(is_distance_mm())
       ->type_name("MM...");
   rig->add_option("--skin", options->skin, "Instead of planes: the skin (skin.yaml; see `horopter map --help`)")
       ->type_name("FILE");
@@ -458,7 +461,7 @@ void add_plan_rig(CLI::App& plan, Outcome& outcome) {
       ->type_name("P");
   rig->add_option("--tolerance", options->tolerance_px,
                   "Disparity tolerance D, as D95, pixels of the result (`run --tolerance` means D50)")
-      ->check(above_zero())
+      ->check(is_tolerance_px())
       ->capture_default_str()
       ->type_name("PX");
   add_decision(*rig, options->decision);

@@ -25,8 +25,15 @@ cv::Mat view(const Image& image) {
   return {image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.pixels.data())};
 }
 
-Image resize_image(const Image& image, double factor) {
+/// Throws FileError where it makes nothing, or more than an image is.
+Image resize_image(const Image& image, double factor, const std::string& file) {
   if (factor == 1) return image;
+  constexpr double kSmallestSide = 1, kMostPixels = 1 << 26;
+  const double width = image.width * factor, height = image.height * factor;
+  if (std::min(width, height) < kSmallestSide || width * height > kMostPixels) {
+    throw FileError(file, "", fmt::format("resized by {:g} it is {:.4g}x{:.4g} pixels", factor, width, height),
+                    fmt::format("at least {:g} pixel a side, at most {:g} in all", kSmallestSide, kMostPixels));
+  }
   Image result(static_cast<int>(std::lround(image.width * factor)),
                static_cast<int>(std::lround(image.height * factor)));
   cv::Mat to = view(result);
@@ -128,7 +135,13 @@ StereoPair load_pair(const StereoPairFiles& files) {
                       fmt::format("{}x{}, as {}", left.width, left.height, files.left));
     }
   }
-  StereoPair pair{files.name, resize_image(left, files.resize), resize_image(right, files.resize), truth, files.left};
+  const auto wide = std::ranges::find_if(truth.px, [&](float d) { return d >= static_cast<float>(truth.width); });
+  if (wide != truth.px.end()) {
+    throw FileError(files.disparity, "", fmt::format("with a scale of {:g} a disparity of {:g} px", files.scale, *wide),
+                    fmt::format("less than the {} px of the image's width", truth.width));
+  }
+  StereoPair pair{files.name, resize_image(left, files.resize, files.left),
+                  resize_image(right, files.resize, files.right), truth, files.left};
   if (files.resize != 1) pair.truth = resized(truth, files.resize, pair.left.width, pair.left.height);
   return pair;
 }

@@ -56,12 +56,12 @@ void add_thickness(CLI::App& command, ThicknessOption& option) {
           .add_option("--tolerance", option.tolerance_px,
                       "Half the thickness of the skin as disparity, px of the result, as D50: where half of the pixels "
                       "are found (instead of a rule's own setting; `plan` means D95)")
-          ->check(above_zero())
+          ->check(is_tolerance_px())
           ->type_name("PX");
   command
       .add_option("--thickness", option.thickness_mm,
                   "The same in mm, both halves, across the skin, median over the image; for a surface and a rig")
-      ->check(above_zero())
+      ->check(is_thickness_mm())
       ->excludes(tolerance)
       ->type_name("MM");
 }

@@ -355,6 +355,11 @@ TEST_CASE("images: bad input never makes a rig") {
   check_refused(box, from_pairs("left?.png", "again?.png"), 1, "stand at one place");
   CHECK(names(report(box, from_pairs("right?.png", "left?.png"))["warnings"], "left_right_exchanged: "));
   fs::remove(box / "rig.yaml");
+  // The target in metres.
+  check_refused(box,
+                {"calibrate", "--left", "left?.png", "--right", "right?.png", "--target", "chessboard:9x6:0.03mm", "-o",
+                 "rig.yaml"},
+                1, "mm apart; expected 5 to 20000 mm");
   // Images as JSON, too, when no rig is made.
   const json none = report(box, images({"flat.png"}, "chessboard:9x6:30mm"), 3);
   CHECK(none["usable"] == false);
@@ -417,8 +422,8 @@ TEST_CASE("formats: one calibration in three formats is one rig; a rig survives 
   if (!folder) return;
   Sandbox box;
   const auto path = [&](const char* name) { return (*folder / name).string(); };
-  const json first = report(box, {"calibrate", "--import", path("stereo_all.json"), "-o", "rig.yaml", "--export-opencv",
-                                  "back.yml", "--export-ros", "back"});
+  const json first = report(box, {"calibrate", "--import", path("stereo_all.json"), "--unit", "mm", "-o", "rig.yaml",
+                                  "--export-opencv", "back.yml", "--export-ros", "back"});
   CHECK(first["format"] == "OpenCV");
   const auto same = [&](const Arguments& files, double tolerance) {
     const json other = report(box, Arguments{"calibrate", "--import"} + files);
@@ -438,7 +443,7 @@ TEST_CASE("formats: one calibration in three formats is one rig; a rig survives 
       }
     }
   };
-  same({path("intrinsics.yml"), path("extrinsics.yml"), "--size", "640x480"}, 1e-6);
+  same({path("intrinsics.yml"), path("extrinsics.yml"), "--size", "640x480", "--unit", "mm"}, 1e-6);
   same({path("ros_left.yaml"), path("ros_right.yaml")}, 1e-6);
   same({path("camchain.yaml")}, 1e-6);
   same({"rig.yaml"}, 1e-12);

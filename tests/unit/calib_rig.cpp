@@ -68,9 +68,10 @@ TEST_CASE("one calibration in three formats is one rig") {
   if (!folder) return;
   const std::vector<fs::path> yaml{*folder / "intrinsics.yml", *folder / "extrinsics.yml"};
   const std::vector<fs::path> ros{*folder / "ros_left.yaml", *folder / "ros_right.yaml"};
-  const RigFile json = load_rig(*folder / "stereo_all.json");
+  const RigFile json = load_rig(*folder / "stereo_all.json", {.opencv_unit_mm = 1});
   const RigFile kalibr = load_rig(*folder / "camchain.yaml");
-  const RigFile opencv = load_rig(yaml, {.width_px = 640, .height_px = 480});
+  const ImportOptions given{.opencv_unit_mm = 1, .width_px = 640, .height_px = 480};
+  const RigFile opencv = load_rig(yaml, given);
   CHECK(json.format == "OpenCV");
   CHECK(kalibr.format == "Kalibr camchain");
   CHECK(load_rig(ros).format == "ROS camera_info");
@@ -83,12 +84,12 @@ TEST_CASE("one calibration in three formats is one rig") {
     CHECK(other.rig.cameras[1].height_px == 480);
     CHECK(other.warnings.empty());
   }
-  const RigFile unknown = load_rig(yaml);
+  CHECK_THROWS_WITH(load_rig(yaml), Contains("T: a translation without a unit") && Contains("--unit"));
+  const RigFile unknown = load_rig(yaml, {.opencv_unit_mm = 1});
   REQUIRE(unknown.warnings.size() == 2);
   CHECK_THAT(unknown.warnings[0], Contains("image_size_unknown"));
   // Both files in the other order.
-  CHECK(difference(json.rig,
-                   load_rig(std::vector<fs::path>{yaml[1], yaml[0]}, {.width_px = 640, .height_px = 480}).rig) < 1e-6);
+  CHECK(difference(json.rig, load_rig(std::vector<fs::path>{yaml[1], yaml[0]}, given).rig) < 1e-6);
   CHECK_THROWS_WITH(load_rig(yaml[0]), Contains("no T") || Contains("no R"));
   CHECK_THROWS_WITH(load_rig(yaml[1]), Contains("no camera matrix"));
 }
@@ -107,7 +108,7 @@ TEST_CASE("a rig survives its own file bit by bit") {
                                                     .kappa3 = -1.2345678901234e-9,
                                                     .p1 = 1e-5,
                                                     .s2 = -3e-5});
-  rig.cameras[0].world_to_camera = {rotation_from_vector({1, 2, 0.5}), {1.0 / 3, -2e3, 7}};
+  rig.cameras[0].world_to_camera = {rotation_from_vector({1, 2, 0.5}), {1.0 / 3, 2e3, 7}};
   const RigFile back = load_rig(folder.write("rig.yaml", to_yaml(rig)));
   CHECK(back.format == "rig.yaml");
   CHECK(back.warnings.empty());

@@ -307,6 +307,38 @@ TEST_CASE("Tables survive the file, and altered files are refused") {
   CHECK_THROWS_WITH(load_maps(directory.write("longer.hmap", longer)), Catch::Contains("more data"));
 }
 
+TEST_CASE("Tables whose CRCs hold and that are not true are refused") {
+  const TemporaryDirectory directory;
+  const auto good = compile_maps(skin_of(kTilted), find_profile("field"), 756, 572);
+  const auto refused = [&](const std::string& message, auto alter) {
+    MapSet maps = good;
+    alter(maps);
+    save_maps(maps, directory / "wrong.hmap");
+    try {
+      load_maps(directory / "wrong.hmap");
+      FAIL("it is taken");
+    } catch (const FileError& error) {
+      CHECK_THAT(error.what(), Catch::Contains("wrong.hmap: ") && Catch::Contains(message));
+    }
+  };
+  refused("a profile that is none of", [](MapSet& maps) { maps.profile = "pal"; });
+  refused("images of 757x572 pixels", [](MapSet& maps) { maps.image_width = 757; });
+  refused("where the image has", [](MapSet& maps) { maps.image_height = 500; });
+  refused("1 tables", [](MapSet& maps) { maps.maps.pop_back(); });
+  refused("where the image has", [](MapSet& maps) { std::swap(maps.maps[0], maps.maps[1]); });
+  refused("no rig.yaml", [](MapSet& maps) { maps.rig = "cameras: 2"; });
+  refused("table 1: facts that are not true", [](MapSet& maps) {
+    auto facts = maps.maps[1].table.facts();
+    facts.judgeable_by_thesis -= 5;
+    maps.maps[1].table.seal(facts);
+    maps.maps[1].report.crc = maps.maps[1].table.crc();
+  });
+  refused("a report that is not true", [](MapSet& maps) { maps.maps[0].report.lookahead -= 1; });
+  refused("a report that is not true", [](MapSet& maps) { maps.maps[0].report.reach.behind -= 1; });
+  refused("a report that is not true", [](MapSet& maps) { maps.maps[0].report.by_reason[0] += 1; });
+  refused("a report that is not true", [](MapSet& maps) { maps.maps[0].report.by_reason[2] = -1; });
+}
+
 TEST_CASE("Upload words are checked before they are used") {
   auto map = compile_map(*skin_of(kTilted).skin, find_profile("vga"), {640, 480});
   auto facts = map.table.facts();

@@ -536,6 +536,11 @@ TEST_CASE("Meshes are read from PLY, STL and OBJ") {
   CHECK_THAT(error("bad.obj", obj + "f 1 2 9\n"), Catch::Contains("line 6") && Catch::Contains("vertex 8"));
   CHECK_THAT(error("bad.obj", obj + "f 1 3 2 4\n"), Catch::Contains("line 6") && Catch::Contains("convex"));
   CHECK_THAT(error("bad.ply", ply + "1\n"), Catch::Contains("more than the header announces"));
+  const auto with = [&](const std::string& elements) {
+    return std::string(ply).insert(ply.find("end_header"), elements);
+  };
+  CHECK_THAT(error("bad.ply", with("element nothing 4294967295\n")), Catch::Contains("an element nothing of nothing"));
+  CHECK_THAT(error("bad.ply", with("element vertex 1\nproperty int a\n")), Catch::Contains("2 elements vertex"));
   CHECK_THROWS_AS(read_mesh(directory.write("s.txt", obj), 1), FileError);
 }
 

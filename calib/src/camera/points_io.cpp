@@ -20,6 +20,8 @@ namespace {
 constexpr const char* kPointsExpected = "lines of five numbers: x_mm y_mm z_mm u_px v_px";
 constexpr const char* kSensorExpected = "a map width_px, height_px, dx_mm, dy_mm, cx_px, cy_px and, if known, sx";
 
+constexpr double kLargest = 1e7;  // mm and px: what is beyond is no measurement
+
 /// The numbers of a line up to a #; `place` stands for the line in errors.
 std::vector<double> numbers_of(std::string line, const std::string& file, const std::string& place) {
   if (const auto comment = line.find('#'); comment != std::string::npos) line.erase(comment);
@@ -31,12 +33,15 @@ std::vector<double> numbers_of(std::string line, const std::string& file, const 
     values.push_back(std::strtod(word.c_str(), &end));
     if (end == word.c_str() || *end != 0)
       throw FileError(file, place, "'" + word + "' is not a number", kPointsExpected);
-    if (!std::isfinite(values.back())) throw FileError(file, place, "'" + word + "' is not finite", kPointsExpected);
+    if (!(std::abs(values.back()) <= kLargest)) {
+      throw FileError(file, place, fmt::format("'{}' is not finite, or beyond {:g}", word, kLargest), kPointsExpected);
+    }
   }
   return values;
 }
 
-enum class Range { pixel_count, positive, any };
+/// What a sensor has; beyond, a number is in another unit.
+enum class Range { pixel_count, pitch_mm, ratio, place_px };
 
 struct SensorNumber {
   const char* name;
@@ -44,11 +49,11 @@ struct SensorNumber {
 };
 constexpr std::array<SensorNumber, 7> kSensorNumbers{{{"width_px", Range::pixel_count},
                                                       {"height_px", Range::pixel_count},
-                                                      {"dx_mm", Range::positive},
-                                                      {"dy_mm", Range::positive},
-                                                      {"cx_px", Range::any},
-                                                      {"cy_px", Range::any},
-                                                      {"sx", Range::positive}}};
+                                                      {"dx_mm", Range::pitch_mm},
+                                                      {"dy_mm", Range::pitch_mm},
+                                                      {"cx_px", Range::place_px},
+                                                      {"cy_px", Range::place_px},
+                                                      {"sx", Range::ratio}}};
 /// All but sx.
 constexpr std::size_t kRequiredNumbers = 6;
 
@@ -58,10 +63,13 @@ double sensor_number(const std::string& file, const YAML::Node& node, const Sens
   if (number.range == Range::pixel_count && !(is_number && value > 0 && value == std::floor(value) && value <= 1e6)) {
     yaml::fail(file, node, number.name, "", "a whole number of pixels");
   }
-  if (number.range == Range::positive && !(is_number && value > 0)) {
-    yaml::fail(file, node, number.name, "", "a number above 0");
-  }
-  if (!is_number) yaml::fail(file, node, number.name, "", "a number");
+  const auto require = [&](double smallest, double largest) {
+    if (is_number && value >= smallest && value <= largest) return;
+    yaml::fail(file, node, number.name, "", fmt::format("a number, {:g} to {:g}", smallest, largest));
+  };
+  if (number.range == Range::pitch_mm) require(1e-5, 1);
+  if (number.range == Range::ratio) require(0.01, 100);
+  if (number.range == Range::place_px) require(-1e6, 1e6);
   return value;
 }
 

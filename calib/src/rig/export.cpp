@@ -113,7 +113,8 @@ Exported to_opencv(const Rig& rig) {
     const Exportable right = prepare(rig.cameras[1], result.warnings);
     file << "M1" << left.k << "D1" << left.d << "M2" << right.k << "D2" << right.d;
     const Pose pose = rig.between(0, 1);
-    file << "R" << to_cv(pose.rotation) << "T" << to_cv(pose.translation_mm);
+    file << "R" << to_cv(pose.rotation) << "T" << to_cv(pose.translation_mm) << "length_unit"
+         << "mm";
     if (left.width > 0 && left.width == right.width && left.height == right.height) {
       const Rectification rectified = rectify(rig, left, right);
       file << "R1" << rectified.r1 << "R2" << rectified.r2 << "P1" << rectified.p1 << "P2" << rectified.p2 << "Q"

@@ -129,8 +129,21 @@ std::vector<Storage> open_all(const std::vector<Source>& sources) {
   return files;
 }
 
+/// The unit of T: the caller's, or that of `length_unit` (export.cpp).
+double unit_mm(const std::vector<Storage>& files, const Entry& t, const std::optional<double>& given_mm) {
+  if (given_mm) return *given_mm;
+  const auto entry = find(files, {"length_unit"});
+  if (!entry) {
+    throw FileError(t.source->file, t.key, "a translation without a unit",
+                    "to be told: `horopter calibrate --import FILE --unit mm|cm|m -o rig.yaml`");
+  }
+  const std::string name = entry->node.isString() ? entry->node.string() : "";
+  if (name != "mm") throw FileError(entry->source->file, entry->key, "'" + name + "'", "mm");
+  return 1;
+}
+
 /// R and T: the second camera's pose in the coordinates of the first.
-Pose relative_pose(const std::vector<Storage>& files, double unit_mm) {
+Pose relative_pose(const std::vector<Storage>& files, const std::optional<double>& given_unit_mm) {
   const auto r = find(files, {"R", "Rotation", "rotation", "rotation_matrix"});
   const auto t = find(files, {"T", "Translation", "translation", "translation_vector"});
   if (!r || !t) {
@@ -145,7 +158,7 @@ Pose relative_pose(const std::vector<Storage>& files, double unit_mm) {
   Pose pose;
   pose.rotation = turn.size() == 3 ? rotation_from_vector({turn[0], turn[1], turn[2]})
                                    : rotation(r->source->file, r->key, matrix_of(*r));
-  pose.translation_mm = unit_mm * Vector3d(shift[0], shift[1], shift[2]);
+  pose.translation_mm = unit_mm(files, *t, given_unit_mm) * Vector3d(shift[0], shift[1], shift[2]);
   if (!pose.translation_mm.allFinite() || !pose.rotation.allFinite()) {
     throw FileError(t->source->file, t->key, "not finite", "numbers");
   }

@@ -84,8 +84,7 @@ Info read_info(const Source& source, std::vector<std::string>& warnings) {
 }
 
 /// The second camera's pose in the coordinates of the first.
-Pose relative_pose(const std::vector<Source>& sources, const std::vector<Info>& infos,
-                   std::vector<std::string>& warnings) {
+Pose relative_pose(const std::vector<Source>& sources, const std::vector<Info>& infos) {
   const auto &first_m = infos[0].translation_m, &second_m = infos[1].translation_m;
   if (!first_m || !second_m) {
     throw FileError(sources[first_m ? 1 : 0].file, "", "no projection_matrix",
@@ -95,10 +94,6 @@ Pose relative_pose(const std::vector<Source>& sources, const std::vector<Info>& 
   if (!(between_m.norm() > 0)) {
     throw FileError(sources[1].file, "projection_matrix", "P[3] is 0",
                     "the baseline: a stereo calibration, the left camera first");
-  }
-  if (second_m->norm() < first_m->norm()) {
-    warnings.push_back(fmt::format("left_right_exchanged: {}: the first file holds the baseline, as right cameras do",
-                                   sources[0].file));
   }
   const Matrix3d back = infos[1].rectification.transpose();
   return {back * infos[0].rectification, 1000 * (back * between_m)};
@@ -112,7 +107,7 @@ RigFile read_ros(const std::vector<Source>& sources) {
   result.format = "ROS camera_info";
   std::vector<Info> infos;
   for (const Source& source : sources) infos.push_back(read_info(source, result.warnings));
-  if (infos.size() == 2) infos[1].camera.world_to_camera = relative_pose(sources, infos, result.warnings);
+  if (infos.size() == 2) infos[1].camera.world_to_camera = relative_pose(sources, infos);
   for (std::size_t i = 0; i < infos.size(); ++i) {
     infos[i].camera.name = camera_name(i, infos.size());
     result.rig.cameras.push_back(std::move(infos[i].camera));

@@ -106,7 +106,7 @@ Report report_of(std::span<const PointCalibration> cameras) {
     const Pose relative = report.rig.between(0, 1);
     report.baseline_mm = relative.translation_mm.norm();
     detail::append_pose(report.relative, relative, Eigen::Matrix<double, 6, 6>::Zero(), true);
-    if (relative.translation_mm.x() > 0.7 * *report.baseline_mm) {
+    if (are_exchanged(report.rig.cameras[0], report.rig.cameras[1])) {
       report.warnings.push_back(fmt::format("left_right_exchanged: {} stands to the left of {}", report.cameras[1].name,
                                             report.cameras[0].name));
     }

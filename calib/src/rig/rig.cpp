@@ -71,6 +71,19 @@ double Rig::baseline_mm() const {
   return (cameras[0].world_to_camera.centre() - cameras[1].world_to_camera.centre()).norm();
 }
 
+std::string baseline_problem(const Rig& rig) {
+  const double baseline = rig.baseline_mm();
+  if (!(baseline < kSmallestBaseline_mm || baseline > kLargestBaseline_mm)) return "";
+  return fmt::format("the cameras are {:.4g} mm apart; expected {:g} to {:g} mm: is the unit millimetres?", baseline,
+                     kSmallestBaseline_mm, kLargestBaseline_mm);
+}
+
+bool are_exchanged(const Camera& first, const Camera& second) {
+  constexpr double kMostly = 0.7;
+  const Eigen::Vector3d shift = (second.world_to_camera * first.world_to_camera.inverse()).translation_mm;
+  return shift.x() > kMostly * shift.norm();
+}
+
 RigFile load_rig(const std::filesystem::path& file, const ImportOptions& options) {
   return load_rig(std::span(&file, 1), options);
 }
@@ -85,12 +98,13 @@ RigFile load_rig(std::span<const std::filesystem::path> files, const ImportOptio
   RigFile result = read(sources, options);
   complete_sizes(result, sources.front().file, options);
   // Metres taken for millimetres, or the other way round: everything that follows would be wrong by a factor of 1000.
-  constexpr double kSmallestBaseline_mm = 5, kLargestBaseline_mm = 2e4;
-  if (const double baseline = result.rig.baseline_mm();
-      baseline < kSmallestBaseline_mm || baseline > kLargestBaseline_mm) {
-    throw FileError(sources.front().file, "", fmt::format("the cameras are {:.4g} mm apart", baseline),
-                    fmt::format("{:g} to {:g} mm; is the unit of the file millimetres?", kSmallestBaseline_mm,
-                                kLargestBaseline_mm));
+  if (const std::string problem = baseline_problem(result.rig); !problem.empty()) {
+    throw FileError(sources.front().file, "", problem, "");
+  }
+  const auto& cameras = result.rig.cameras;
+  if (cameras.size() > 1 && are_exchanged(cameras[0], cameras[1])) {
+    result.warnings.push_back(fmt::format("left_right_exchanged: {}: {} stands to the left of {}", sources.front().file,
+                                          cameras[1].name, cameras[0].name));
   }
   return result;
 }

@@ -11,9 +11,11 @@
 #include "horopter/base/crc32.hpp"
 #include "horopter/base/error.hpp"
 #include "horopter/base/file.hpp"
+#include "horopter/calib/rig.hpp"
 #include "horopter/image/output.hpp"
 #include "horopter/map/map.hpp"
 #include "horopter/map/map_json.hpp"
+#include "horopter/map/table_facts.hpp"
 
 namespace horopter {
 
@@ -33,6 +35,77 @@ void append_text(std::vector<std::uint32_t>& words, const std::string& text) {
     }
     words.push_back(word);
   }
+}
+
+/// The rows that a table reads, as `horopter map` reports them.
+RowReach reach_of(const MapTable& table, int weight_bits) {
+  const ScanGeometry& geometry = table.geometry();
+  RowReach reach{-geometry.height, -geometry.height};
+  for (int y = 0; y < geometry.height; ++y) {
+    for (int x = 0; x < geometry.width; ++x) {
+      const auto source = table.source(x, y, weight_bits);
+      if (!source) continue;
+      const int first = source->y >> weight_bits;
+      const int last = first + ((source->y & ((1 << weight_bits) - 1)) != 0 ? 1 : 0);
+      reach = {std::max(reach.behind, y - first), std::max(reach.ahead, last - y)};
+    }
+  }
+  return reach;
+}
+
+/// What a table and its report say about each other, and about the profile. Throws std::invalid_argument.
+void check_table(const CompiledMap& map, const MachineProfile& profile, const ScanGeometry& scan) {
+  const auto require = [](bool holds, const std::string& otherwise) {
+    if (!holds) throw std::invalid_argument(otherwise);
+  };
+  const auto& [table, report] = map;
+  const ScanGeometry& found = table.geometry();
+  require(found.width == scan.width && found.height == scan.height && found.scan == scan.scan,
+          fmt::format("{} rows of {} px, {}, where the image has {} rows of {} px, {}", found.height, found.width,
+                      scan_name(found.scan), scan.height, scan.width, scan_name(scan.scan)));
+  require(table.pool_bytes() <= static_cast<std::size_t>(profile.pool_bytes),
+          fmt::format("{} bytes of control points; the pool holds {}", table.pool_bytes(), profile.pool_bytes));
+  const hls::table::Facts true_facts = facts_of(table, profile);
+  const hls::table::Facts& facts = table.facts();
+  require(facts.subsample == true_facts.subsample && facts.judgeable_by_thesis == true_facts.judgeable_by_thesis &&
+              facts.judgeable_by_compete == true_facts.judgeable_by_compete,
+          "facts that are not true of its control points");
+  const auto mapped = table.supervised(profile.weight_bits).pixels;
+  const auto supervised = std::ranges::count(mapped, std::uint8_t{1});
+  const auto lookahead = lookahead_for(profile, report.reach);
+  const RowReach reach = reach_of(table, profile.weight_bits);
+  require(report.spacing_x == 1 << table.spacing_x_log2() && report.spacing_y == 1 << table.spacing_y_log2() &&
+              report.pool_bytes == table.pool_bytes() && report.crc == table.crc() &&
+              report.pixels == std::ssize(mapped) && report.supervised() == supervised &&
+              report.reach.behind >= reach.behind && report.reach.ahead >= reach.ahead &&
+              lookahead == report.lookahead && report.error_largest_px >= 0 && report.error_99_px >= 0 &&
+              std::ranges::all_of(report.by_reason, [&](auto n) { return n >= 0 && n <= report.pixels; }),
+          "a report that is not true of it");
+}
+
+/// What only a file that was made wrongly does: an altered one has a wrong CRC. Throws FileError.
+void check_maps(const MapSet& set, const std::string& file, const std::string& expected) {
+  const auto fail = [&](const std::string& place, const std::string& found) {
+    throw FileError(file, place, found, expected);
+  };
+  const auto profile = std::ranges::find(profiles(), set.profile, &MachineProfile::name);
+  if (profile == profiles().end()) fail("byte 12", fmt::format("a profile that is none of {}", profile_names()));
+  if (set.image_width < 1 || set.image_width > profile->largest_image_width() || set.image_height < 1 ||
+      set.image_height > profile->largest_image_height()) {
+    fail("byte 28", fmt::format("images of {}x{} pixels", set.image_width, set.image_height));
+  }
+  const auto scans = scans_of(*profile, set.image_width, set.image_height);
+  if (set.maps.size() != scans.size()) fail("byte 36", fmt::format("{} tables", set.maps.size()));
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    try {
+      check_table(set.maps[i], *profile, scans[i]);
+    } catch (const std::invalid_argument& error) {
+      fail(fmt::format("table {}", i), error.what());
+    }
+  }
+  if (set.rig.empty()) return;
+  const auto cameras = calib::rig_from_yaml(set.rig, file + ": its rig").cameras.size();
+  if (cameras != 2) fail("its rig", fmt::format("{} cameras", cameras));
 }
 
 }  // namespace
@@ -109,6 +182,7 @@ MapSet load_maps(const std::filesystem::path& path) {
   set.image_width = static_cast<int>(take(1)[0]);
   set.image_height = static_cast<int>(take(1)[0]);
   const std::uint32_t tables = take(1)[0];
+  if (tables > 2) throw FileError(file, "byte 36", fmt::format("{} tables", tables), expected);
   set.skin = text(take(1)[0]);
   set.rig = text(take(1)[0]);
   for (std::uint32_t i = 0; i < tables; ++i) {
@@ -122,10 +196,13 @@ MapSet load_maps(const std::filesystem::path& path) {
       set.maps.push_back({std::move(table), map_report_from_json(nlohmann::json::parse(report))});
     } catch (const std::invalid_argument& error) {
       throw FileError(file, fmt::format("byte {}, table {}", place, i), error.what(), expected);
+    } catch (const std::out_of_range& error) {
+      throw FileError(file, fmt::format("byte {}, table {}", place, i), error.what(), expected);
     } catch (const nlohmann::json::exception& error) {
       throw FileError(file, fmt::format("byte {}, table {}", place, i), error.what(), expected);
     }
   }
+  check_maps(set, file, expected);
   return set;
 }
 

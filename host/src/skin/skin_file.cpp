@@ -108,6 +108,12 @@ class Keys {
     if (!(value > 0)) fail(key, "", "a number above 0");
     return value;
   }
+  double within(const std::string& key, double smallest, double largest, const std::string& unit) {
+    const double value = yaml::number(file_, get(key, "a number, " + unit), path(key));
+    if (!(value >= smallest && value <= largest))
+      fail(key, "", fmt::format("{:g} to {:g} {}", smallest, largest, unit));
+    return value;
+  }
   bool flag(const std::string& key) {
     if (!has(key)) return false;
     bool value = false;
@@ -309,11 +315,8 @@ MovingSurfacePtr read_moving_segments(Keys& motion, Keys& surface) {
 
 void read_motion(Keys& root, Keys& surface, SurfacePtr shape, SkinFile& result) {
   Keys motion(root.file(), root.get("motion", "a map"), "motion");
-  for (const auto& [key, value] : {std::pair{"frame_rate_per_s", &result.motion_limits.images_per_s},
-                                   {"object_speed_m_s", &result.motion_limits.object_speed_m_s}}) {
-    motion.get(key, "a number above 0");
-    *value = motion.positive(key, 0);
-  }
+  result.motion_limits.images_per_s = motion.within("frame_rate_per_s", 0.1, 10'000, "a second");
+  result.motion_limits.object_speed_m_s = motion.within("object_speed_m_s", 1e-3, 100, "m/s");
   result.motion_limits.tolerance_px = motion.positive("tolerance_px", kD95_px);
   try {
     if (motion.has("segments")) {
@@ -327,6 +330,17 @@ void read_motion(Keys& root, Keys& surface, SurfacePtr shape, SkinFile& result) 
   motion.finish();
 }
 
+/// Throws FileError where two cameras are no left and right one.
+void check_pair(Keys& root, const calib::Rig& pair) {
+  const std::string &left = pair.cameras[0].name, &right = pair.cameras[1].name;
+  if (calib::are_exchanged(pair.cameras[0], pair.cameras[1])) {
+    root.fail(
+        "cameras", fmt::format("the right camera, {}, stands to the left of the left one, {}", right, left),
+        fmt::format("[{}, {}], and their images likewise; or the rig's translation with the other sign", right, left));
+  }
+  if (const std::string problem = calib::baseline_problem(pair); !problem.empty()) root.fail("cameras", problem, "");
+}
+
 /// The two cameras that skin.yaml names, or the first two.
 calib::Rig two_cameras(Keys& root, const calib::Rig& rig) {
   std::string names;
@@ -335,6 +349,7 @@ calib::Rig two_cameras(Keys& root, const calib::Rig& rig) {
   if (!root.has("cameras")) {
     if (rig.cameras.size() < 2) root.fail("cameras", "the rig has one camera", "two");
     pair.cameras = {rig.cameras[0], rig.cameras[1]};
+    check_pair(root, pair);
     return pair;
   }
   const std::string expected = "[left, right], two of the rig's cameras: " + names;
@@ -347,6 +362,7 @@ calib::Rig two_cameras(Keys& root, const calib::Rig& rig) {
     pair.cameras.push_back(*found);
   }
   if (pair.cameras[0].name == pair.cameras[1].name) root.fail("cameras", "one camera twice", expected);
+  check_pair(root, pair);
   return pair;
 }
 

@@ -408,6 +408,12 @@ void read_ply(std::string_view bytes, Builder& builder) {
   };
   need("vertex", {"x", "y", "z"});
   need("face", {"vertex_indices"});
+  for (const PlyElement& element : header.elements) {
+    const auto same = std::ranges::count(header.elements, element.name, &PlyElement::name);
+    if (same > 1) builder.fail("header", fmt::format("{} elements {}", same, element.name), "one");
+    // Rows of nothing would not end where the file does.
+    if (element.properties.empty()) builder.fail("header", "an element " + element.name + " of nothing", "property");
+  }
   PlyValues values(bytes.substr(header.bytes), header);
   for (const PlyElement& element : header.elements) {
     for (std::size_t row = 0; row < element.count; ++row) read_ply_row(element, row, values, builder);

@@ -20,6 +20,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -40,6 +41,14 @@ struct Rig {
   }
 };
 
+/// How far apart two cameras that watch a skin may stand; beyond, the unit of their file is wrong.
+constexpr double kSmallestBaseline_mm = 5, kLargestBaseline_mm = 2e4;
+/// What is wrong with how far apart the first two cameras stand; empty where nothing is, or with one camera.
+std::string baseline_problem(const Rig& rig);
+/// The second camera stands to the left of the first, as images show left and right: the cameras are exchanged, or
+/// their translation has the wrong sign.
+bool are_exchanged(const Camera& first, const Camera& second);
+
 struct RigFile {
   Rig rig;
   std::string format;  ///< "rig.yaml", "OpenCV", "ROS camera_info" or "Kalibr camchain"
@@ -47,12 +56,13 @@ struct RigFile {
 };
 
 struct ImportOptions {
-  double opencv_unit_mm = 1;        ///< the unit of T in OpenCV's files, which do not say; 1000 for metres
-  int width_px = 0, height_px = 0;  ///< where the files do not say
+  std::optional<double> opencv_unit_mm;  ///< the unit of T in OpenCV's files, which do not say; 1000 for metres
+  int width_px = 0, height_px = 0;       ///< where the files do not say
 };
 
 /// Reads a rig: rig.yaml, Kalibr's camchain, one or two files of OpenCV's FileStorage (YAML, XML, JSON), or the two
-/// camera_info files of a ROS stereo pair, left first. The format is recognised by the content. Throws FileError.
+/// camera_info files of a ROS stereo pair, left first. The format is recognised by the content. Throws FileError, also
+/// for OpenCV's T in a unit that neither the options nor `length_unit`, which to_opencv writes, tell.
 RigFile load_rig(std::span<const std::filesystem::path> files, const ImportOptions& options = {});
 RigFile load_rig(const std::filesystem::path& file, const ImportOptions& options = {});
 
@@ -70,7 +80,7 @@ struct Exported {
   std::vector<ExportedFile> files;
   std::vector<std::string> warnings;  ///< conversions of a lens model, with their residual
 };
-/// OpenCV: one file of FileStorage YAML with image_width, image_height, M1 D1 M2 D2 R T (mm) and R1 R2 P1 P2 Q; for one
+/// OpenCV: one file of FileStorage YAML with image_width, image_height, M1 D1 M2 D2 R T, length_unit (mm) and R1 R2 P1 P2 Q; for one
 /// camera camera_matrix, distortion_coefficients. ROS: camera_info of every camera (m). Lens models are converted to
 /// Brown-Conrady. Throws CalibrationError where a rig cannot be expressed so.
 Exported to_opencv(const Rig& rig);
