@@ -78,8 +78,9 @@ void check_distance(const std::string& file, const RigSkin& skin, int image_widt
   const auto middle = distances_mm.begin() + static_cast<std::ptrdiff_t>(distances_mm.size() / 2);
   std::ranges::nth_element(distances_mm, middle);
   if (*middle >= kNearestSkin_mm && *middle <= kFarthestSkin_mm) return;
-  throw FileError(file, "surface", fmt::format("a skin that is {:.3g} mm from the left camera", *middle),
-                  fmt::format("{:g} to {:g} mm: is its unit millimetres?", kNearestSkin_mm, kFarthestSkin_mm));
+  throw FileError(file, "surface",
+                  fmt::format("the cameras do not see this skin so: it is {:.3g} mm from the left one", *middle),
+                  fmt::format("{:g} to {:g} mm: a skin in mm of the rig's world", kNearestSkin_mm, kFarthestSkin_mm));
 }
 
 /// Says where most of what the left camera sees of a skin is not supervised.

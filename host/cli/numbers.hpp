@@ -34,8 +34,11 @@ inline CLI::Validator zero_or_more() {
 /// A range that everything which exists is in: what is beyond is in another unit.
 inline CLI::Validator within(double smallest, double largest, const std::string& unit) {
   const auto check = [=](std::string& text) {
+    const std::string wrong = (smallest > 0 ? above_zero() : zero_or_more())(text);
+    if (!wrong.empty()) return wrong;
     double value = 0;
-    const bool good = CLI::detail::lexical_cast(text, value) && value >= smallest && value <= largest;
+    CLI::detail::lexical_cast(text, value);
+    const bool good = value >= smallest && value <= largest;
     return good ? std::string() : fmt::format("'{}'; expected {:g} to {:g} {}", text, smallest, largest, unit);
   };
   return {check, ""};

@@ -88,7 +88,7 @@ TEST_CASE("A skin in metres is refused, one in centimetres is said to be hardly 
   box.write("rig.yaml", rig_text());
   box.write("skin.yaml", replaced(kPlane, "800", "0.8"));
   for (const Arguments& arguments : {run(), kMap, kThickness}) {
-    check_bad_file(box, arguments, "skin.yaml", "surface: a skin that is 0.8");
+    check_bad_file(box, arguments, "skin.yaml", "surface: the cameras do not see this skin so: it is 0.8");
   }
   box.write("skin.yaml", replaced(kPlane, "800", "80"));
   for (const Arguments& arguments : {run(), kMap}) check_warned(box, arguments, "% is supervised; most of the rest is");

@@ -568,7 +568,8 @@ TEST_CASE("skin.yaml is read strictly") {
     CHECK(!file.rig.empty());
   }
   const std::string plane = "surface:\n  type: plane\n  point_mm: [0, 0, 800]\n  normal: [0, 0, 1]\n";
-  CHECK_NOTHROW(read(plane + "cameras: [right, left]\n"));
+  CHECK_NOTHROW(read(plane + "cameras: [left, right]\n"));
+  CHECK_THROWS_WITH(read(plane + "cameras: [right, left]\n"), Catch::Contains("stands to the left of the left one"));
   const auto error = [&](const std::string& text) -> std::string {
     try {
       read(text);

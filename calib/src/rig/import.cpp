@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
@@ -44,8 +45,22 @@ Matrix3d rotation(const std::string& file, const std::string& where, const Matri
 }
 
 CameraModel model(const std::string& file, const std::string& where, const Intrinsics& intrinsics) {
+  // Far beyond what cameras have: numbers of another unit, or none.
+  constexpr double kSmallestFocal_px = 1, kLargest = 1e6;
   try {
-    return CameraModel(intrinsics);
+    CameraModel model(intrinsics);
+    const auto lens = model.lens().coefficients().array();
+    const bool terms = std::ranges::all_of(lens, [](double term) { return std::abs(term) <= kLargest; });
+    const bool focal = std::ranges::all_of(std::array{model.fx_px(), model.fy_px()},
+                                           [](double f) { return f >= kSmallestFocal_px && f <= kLargest; });
+    const bool centre = std::abs(model.cx_px()) <= kLargest && std::abs(model.cy_px()) <= kLargest;
+    if (!terms || !focal || !centre) {
+      throw FileError(file, where,
+                      fmt::format("a focal length of {:g} x {:g} px, a centre at ({:g}, {:g}) px{}", model.fx_px(),
+                                  model.fy_px(), model.cx_px(), model.cy_px(), terms ? "" : ", a term of the lens"),
+                      fmt::format("{:g} to {:g} px, within {:g}", kSmallestFocal_px, kLargest, kLargest));
+    }
+    return model;
   } catch (const std::invalid_argument& error) {
     throw FileError(file, where, error.what(), "");
   }

@@ -38,6 +38,7 @@ std::optional<Entry> find(const std::vector<Storage>& files, const std::vector<s
 }
 
 std::vector<double> values_of(const Entry& entry) {
+  constexpr int kMostRows = 100;
   try {
     cv::Mat matrix;
     if (entry.node.isSeq()) {
@@ -47,6 +48,12 @@ std::vector<double> values_of(const Entry& entry) {
         list.push_back(static_cast<double>(item));
       }
       return list;
+    }
+    const cv::FileNode rows = entry.node["rows"], columns = entry.node["cols"];
+    // Judged before OpenCV takes the memory that they ask for.
+    if (!entry.node.isMap() || !rows.isInt() || !columns.isInt() || static_cast<int>(rows) < 1 ||
+        static_cast<int>(columns) < 1 || static_cast<int>(rows) > kMostRows || static_cast<int>(columns) > kMostRows) {
+      throw FileError(entry.source->file, entry.key, "not a matrix", "a matrix of numbers");
     }
     entry.node >> matrix;
     matrix.convertTo(matrix, CV_64F);
@@ -182,7 +189,7 @@ void read_size(const std::vector<Storage>& files, std::vector<Camera>& cameras) 
 
 }  // namespace
 
-RigFile read_opencv(const std::vector<Source>& sources, const ImportOptions& options) {
+RigFile read_opencv(const std::vector<Source>& sources, const ImportOptions& options) try {
   const std::vector<Storage> files = open_all(sources);
   if (const auto fisheye = find(files, {"fisheye_model"}); fisheye && static_cast<int>(fisheye->node) != 0) {
     throw FileError(fisheye->source->file, "fisheye_model", "a fisheye lens", "OpenCV's usual lens model");
@@ -203,6 +210,10 @@ RigFile read_opencv(const std::vector<Source>& sources, const ImportOptions& opt
   for (std::size_t i = 0; i < cameras.size(); ++i) cameras[i].name = camera_name(i, cameras.size());
   result.rig.world = "camera " + cameras.front().name;
   return result;
+} catch (const FileError&) {
+  throw;
+} catch (const std::exception&) {  // OpenCV's own, and those of what it is made of
+  throw FileError(sources.front().file, "", "OpenCV cannot read it", "a complete file of OpenCV's FileStorage");
 }
 
 }  // namespace horopter::calib::import
