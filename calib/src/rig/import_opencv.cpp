@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "horopter/calib/error.hpp"
+#include "horopter/calib/yaml.hpp"
 #include "rig/import.hpp"
 
 namespace horopter::calib::import {
@@ -116,9 +117,23 @@ Camera opencv_camera(const std::vector<Storage>& files, int index, std::vector<s
   return camera;
 }
 
+constexpr const char* kExpected = "a complete file of OpenCV's FileStorage";
+
+/// OpenCV's parser does not end on some of what is no YAML or JSON. Throws FileError.
+void check_text(const Source& source) {
+  std::string text = source.text;
+  const auto first = text.find_first_not_of(" \t\r\n");
+  if (first != std::string::npos && text[first] == '<') return;   // XML
+  if (text.starts_with("%YAML")) text.erase(0, text.find('\n'));  // as OpenCV writes it, it is not YAML's
+  if (!yaml::parse(source.file, text, kExpected).IsMap()) {
+    throw FileError(source.file, "", "OpenCV cannot read it (not a map)", kExpected);
+  }
+}
+
 std::vector<Storage> open_all(const std::vector<Source>& sources) {
   std::vector<Storage> files;
   for (const Source& source : sources) {
+    check_text(source);
     std::string text = source.text;
     if (text.find("!!opencv-matrix") != std::string::npos && text.compare(0, 5, "%YAML") != 0) {
       text.insert(0, "%YAML:1.0\n---\n");
@@ -126,11 +141,10 @@ std::vector<Storage> open_all(const std::vector<Source>& sources) {
     try {
       files.push_back({&source, cv::FileStorage(text, cv::FileStorage::READ | cv::FileStorage::MEMORY)});
     } catch (const cv::Exception& error) {
-      throw FileError(source.file, "", "OpenCV cannot read it (" + std::string(error.err) + ")",
-                      "a complete file of OpenCV's FileStorage");
+      throw FileError(source.file, "", "OpenCV cannot read it (" + std::string(error.err) + ")", kExpected);
     }
     if (!files.back().storage.isOpened()) {
-      throw FileError(source.file, "", "OpenCV cannot read it", "a complete file of OpenCV's FileStorage");
+      throw FileError(source.file, "", "OpenCV cannot read it", kExpected);
     }
   }
   return files;
@@ -213,7 +227,7 @@ RigFile read_opencv(const std::vector<Source>& sources, const ImportOptions& opt
 } catch (const FileError&) {
   throw;
 } catch (const std::exception&) {  // OpenCV's own, and those of what it is made of
-  throw FileError(sources.front().file, "", "OpenCV cannot read it", "a complete file of OpenCV's FileStorage");
+  throw FileError(sources.front().file, "", "OpenCV cannot read it", kExpected);
 }
 
 }  // namespace horopter::calib::import
