@@ -15,11 +15,11 @@ namespace {
 
 /// Both images of pair 0, repeated so that a run takes minutes.
 const std::string kLongRun =
-    "images=''; for i in $(seq 500); do images=\"$images left0.png left1.png\"; done\n"
+    "n=0; images=''; for i in $(seq 500); do images=\"$images left0.png left1.png\"; done\n"
     "right=$(echo $images | sed s/left/right/g)\n"
     "horopter run --left $images $images --right $right $right --skin skin.yaml --out out & pid=$!\n"
-    "until [ -e .out.$pid.partial/frame-0002-state.png ] || [ -e out/.out.$pid.partial/frame-0002-state.png ]\n"
-    "do sleep 0.02; done\n";
+    "until [ -e .out.$pid.partial/frame-0002-state.png ] || [ -e out/.out.$pid.partial/frame-0002-state.png ] ||\n"
+    "[ $((n += 1)) -gt 3000 ]; do sleep 0.02; done\n";
 
 }  // namespace
 
