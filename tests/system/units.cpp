@@ -30,6 +30,15 @@ std::string replaced(const std::string& text, const std::string& what, const std
   return std::regex_replace(text, std::regex(what), by);
 }
 
+/// Images, a rig that fits them, and a skin before it.
+struct Watched : Sandbox {
+  Watched() {
+    with_pairs(*this);
+    write("rig.yaml", rig_text());
+    write("skin.yaml", kPlane);
+  }
+};
+
 /// Done all the same, and said: on standard error, and in the result.
 void check_warned(const Sandbox& box, const Arguments& arguments, const std::string& message) {
   const auto result = box.run(arguments);
@@ -44,10 +53,7 @@ void check_warned(const Sandbox& box, const Arguments& arguments, const std::str
 }  // namespace
 
 TEST_CASE("Cameras in the wrong order, and a translation of the wrong sign, are refused by every command") {
-  Sandbox box;
-  with_pairs(box);
-  box.write("rig.yaml", rig_text());
-  box.write("skin.yaml", kPlane);
+  const Watched box;
   for (const Arguments& arguments : {run(), kMap, kThickness, kDistance, kPlanRig}) {
     CHECK(box.run(arguments).err.empty());
     fs::remove_all(box / "out");
@@ -108,10 +114,7 @@ TEST_CASE("A rig without image size is taken for images that it may be of") {
 }
 
 TEST_CASE("A table of some rig is said to be unchecked without --rig") {
-  Sandbox box;
-  with_pairs(box);
-  box.write("rig.yaml", rig_text());
-  box.write("skin.yaml", kPlane);
+  const Watched box;
   REQUIRE(box.run(kMap + Arguments{"-o", "skin.hmap"}).status == 0);
   const Arguments by_table = run_arguments("left0.png", "right0.png", "skin.hmap") + Arguments{"--json"};
   check_warned(box, by_table, "whether the cameras still stand so is not known without --rig");
@@ -119,10 +122,7 @@ TEST_CASE("A table of some rig is said to be unchecked without --rig") {
 }
 
 TEST_CASE("Distances, baselines, thicknesses and speeds that no rig has are refused") {
-  Sandbox box;
-  with_pairs(box);
-  box.write("rig.yaml", rig_text());
-  box.write("skin.yaml", kPlane);
+  const Watched box;
   const Arguments plan{"plan", "thickness", "--rig", "rig.yaml", "--distance"};
   const Arguments design{"plan", "rig", "--focal", "10", "--pixel", "8", "--image-size", "640x480", "--distance"};
   for (const Arguments& wrong :
@@ -143,10 +143,7 @@ TEST_CASE("Distances, baselines, thicknesses and speeds that no rig has are refu
 }
 
 TEST_CASE("OpenCV's T has a unit when somebody says so") {
-  Sandbox box;
-  with_pairs(box);
-  box.write("rig.yaml", rig_text());
-  box.write("skin.yaml", kPlane);
+  const Watched box;
   REQUIRE(box.run({"calibrate", "--import", "rig.yaml", "--export-opencv", "ours.yml"}).status == 0);
   // Ours says it; who takes it out has a file as OpenCV's samples write it.
   CHECK(box.run({"map", "--skin", "skin.yaml", "--rig", "ours.yml", "--profile", "vga", "--json"}).status == 0);
