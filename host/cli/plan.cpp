@@ -22,6 +22,7 @@
 #include "horopter/skin/skin_file.hpp"
 #include "inputs.hpp"
 #include "numbers.hpp"
+#include "thickness.hpp"
 #include "warnings.hpp"
 #include "words.hpp"
 
@@ -48,22 +49,18 @@ struct PlannedSkin {
   SurfacePtr surface;
 };
 
-nlohmann::ordered_json to_json(const Summary& summary) {
-  return {{"smallest", summary.smallest}, {"mean", summary.mean}, {"largest", summary.largest}};
-}
-
 nlohmann::ordered_json to_json(const PlannedSkin& skin, const ThicknessPlan& plan, double images_per_s) {
   return {{"skin", skin.name},
           {"pixels", plan.pixels},
           {"exploitation", plan.exploitation()},
           {"supervised_pixels", plan.supervised},
           {"beyond_rows", plan.rows.share()},
-          {"distance_mm", to_json(plan.distance)},
-          {"slope_deg", to_json(plan.slope_deg)},
+          {"distance_mm", range_json(plan.distance)},
+          {"slope_deg", range_json(plan.slope_deg)},
           {"thickness_mm",
-           {{"sight", to_json(plan.sight)},
-            {"across", to_json(plan.across)},
-            {"formula", to_json(plan.formula)},
+           {{"sight", range_json(plan.sight)},
+            {"across", range_json(plan.across)},
+            {"formula", range_json(plan.formula)},
             {"on_axis", plan.on_axis},
             {"on_axis_formula", plan.on_axis_formula}}},
           {"face_width_mm", plan.face_width},
@@ -98,29 +95,31 @@ void print(const PlannedSkin& skin, const ThicknessPlan& plan, double images_per
              largest_speed_m_s(plan.across.smallest, images_per_s), largest_speed_m_s(plan.across.mean, images_per_s));
 }
 
-ExitStatus plan_thickness(const ThicknessOptions& options) {
-  if (options.skin.empty() == options.distances_mm.empty()) {
-    throw UsageError("either --skin or --distance is required");
-  }
-  if (!options.profile.empty()) find_profile(options.profile);
-  const calib::Rig rig = read_rig(options.rig);
+struct CamerasAndSkins {
+  CameraPair cameras;
   std::vector<PlannedSkin> skins;
-  std::optional<CameraPair> cameras;
+};
+
+CamerasAndSkins read_skins(const ThicknessOptions& options) {
+  const calib::Rig rig = read_rig(options.rig);
   if (!options.skin.empty()) {
     const auto skin = load_rig_skin(options.skin, rig);
-    cameras = skin->cameras();
-    skins.push_back({skin->description(), "thickness.png", skin->surface()});
-  } else {
-    cameras = first_pair(rig, options.rig);
-    for (const double distance : options.distances_mm) {
-      skins.push_back({fmt::format("plane across the axis of symmetry, {} mm from the cameras", distance),
-                       fmt::format("thickness-{}-mm.png", distance), StereoAxis(*cameras).plane_at(distance)});
-    }
+    return {skin->cameras(), {{skin->description(), "thickness.png", skin->surface()}}};
   }
-  const int width = cameras->left().width_px;
-  const int height = cameras->left().height_px;
+  CamerasAndSkins read{first_pair(rig, options.rig), {}};
+  for (const double distance : options.distances_mm) {
+    read.skins.push_back({fmt::format("plane across the axis of symmetry, {} mm from the cameras", distance),
+                          fmt::format("thickness-{}-mm.png", distance), StereoAxis(read.cameras).plane_at(distance)});
+  }
+  return read;
+}
+
+/// The build that the options name, else the smallest that holds the left camera's images.
+const MachineProfile& profile_for(const ThicknessOptions& options, const calib::Camera& left) {
+  const int width = left.width_px;
+  const int height = left.height_px;
   if (width == 0 || height == 0) {
-    throw FileError(options.rig, "cameras", "camera " + cameras->left().name + " has no image size",
+    throw FileError(options.rig, "cameras", "camera " + left.name + " has no image size",
                     "image_size: [width, height]");
   }
   const MachineProfile* profile =
@@ -130,46 +129,88 @@ ExitStatus plan_thickness(const ThicknessOptions& options) {
                     "at most what profile hd takes");
   }
   check_image_size(options.rig, width, height, *profile);
+  return *profile;
+}
+
+/// What holds for all skins of an installation.
+struct Installation {
+  const MachineProfile& profile;
+  StereoAxis axis;
+  double images_per_s;
+  double detection_s;
+  double response_s;
+};
+
+nlohmann::ordered_json to_json(const Installation& at, const ThicknessOptions& options) {
+  return {{"rig", {{"baseline_mm", at.axis.baseline_mm}, {"tilt_deg", at.axis.tilt_deg}, {"f_px", at.axis.f_px}}},
+          {"profile", at.profile.name},
+          {"decision", name_of(options.decision)},
+          {"tolerance_px", options.tolerance_px},
+          {"tolerance_is", "D95"},
+          {"images_per_s", at.images_per_s},
+          {"detection_ms", at.detection_s * 1e3},
+          {"stopping_ms", options.stopping_ms},
+          {"safety_distance_mm",
+           {{"hand_1.6_m_s", safety_distance_mm(at.response_s, kHandSpeed_m_s)},
+            {"hand_2.0_m_s", safety_distance_mm(at.response_s, kIsoHandSpeed_m_s)},
+            {"iso_13855_without_c", iso_13855_distance_mm(at.response_s)}}},
+          {"skins", nlohmann::ordered_json::array()}};
+}
+
+void print_before_skins(const Installation& at, const ThicknessOptions& options) {
+  fmt::print("rig      baseline {:.2f} mm, each optical axis {:.2f} degrees off the axis of symmetry, f {:.1f} px\n",
+             at.axis.baseline_mm, at.axis.tilt_deg, at.axis.f_px);
+  fmt::print(
+      "profile  {}, rule {}, {} images a second, disparity tolerance (D95) {} px of the result ({} px of the "
+      "image)\n",
+      at.profile.name, name_of(options.decision), at.images_per_s, options.tolerance_px,
+      options.tolerance_px * at.profile.subsample);
+}
+
+void print_after_skins(const Installation& at, const ThicknessOptions& options) {
+  fmt::print("response {:.1f} ms to the alarm and {:.1f} ms to stop{}\n", at.detection_s * 1e3, options.stopping_ms,
+             options.stopping_ms == 0 ? " (--stopping-ms: the robot's stopping time is not in it)" : "");
+  fmt::print(
+      "safety   {:.0f} mm at a hand's 1.6 m/s (thesis 2.3); {:.0f} mm at 2.0 m/s; {:.0f} mm by ISO 13855:2010 "
+      "(K T alone: its supplement C comes on top)\n",
+      safety_distance_mm(at.response_s, kHandSpeed_m_s), safety_distance_mm(at.response_s, kIsoHandSpeed_m_s),
+      iso_13855_distance_mm(at.response_s));
+}
+
+void write_picture(OutputDirectory& output, const PlannedSkin& skin, const ThicknessPlan& plan,
+                   const ScanGeometry& geometry, double tolerance_px) {
+  const auto [page, thinnest_mm, thickest_mm] =
+      draw_thickness(geometry.width, geometry.height, plan.across_mm,
+                     fmt::format("Thickness of {} for +-{:g} px", skin.name, tolerance_px));
+  output.write(skin.picture, encode_png_bgr(page.width, page.height, page.bgr));
+}
+
+ExitStatus plan_thickness(const ThicknessOptions& options) {
+  if (options.skin.empty() == options.distances_mm.empty()) {
+    throw UsageError("either --skin or --distance is required");
+  }
+  if (!options.profile.empty()) find_profile(options.profile);
+  const auto [cameras, skins] = read_skins(options);
+  const MachineProfile& profile = profile_for(options, cameras.left());
+  const ScanGeometry geometry = scans_of(profile, cameras.left().width_px, cameras.left().height_px).front();
+  const ViewLimits view = view_limits(profile, options.decision);
   // As cameras of the thesis and of today have it.
-  const double images_per_s = options.images_per_s > 0 ? options.images_per_s : profile->takes_fields() ? 50 : 60;
-  const ScanGeometry geometry = scans_of(*profile, width, height).front();
-  const ViewLimits view = view_limits(*profile, options.decision);
+  const double images_per_s = options.images_per_s > 0 ? options.images_per_s : profile.takes_fields() ? 50 : 60;
+  const double detection_s = detection_time_s(profile, geometry.height, images_per_s);
 
   std::optional<OutputDirectory> output;
   if (!options.out.empty()) output.emplace(options.out).set_aside("thickness.json");
-  const StereoAxis axis(*cameras);
-  const double detection_s = detection_time_s(*profile, geometry.height, images_per_s);
-  const double response_s = detection_s + options.stopping_ms * 1e-3;
-  nlohmann::ordered_json json{
-      {"rig", {{"baseline_mm", axis.baseline_mm}, {"tilt_deg", axis.tilt_deg}, {"f_px", axis.f_px}}},
-      {"profile", profile->name},
-      {"decision", name_of(options.decision)},
-      {"tolerance_px", options.tolerance_px},
-      {"tolerance_is", "D95"},
-      {"images_per_s", images_per_s},
-      {"detection_ms", detection_s * 1e3},
-      {"stopping_ms", options.stopping_ms},
-      {"safety_distance_mm",
-       {{"hand_1.6_m_s", safety_distance_mm(response_s, kHandSpeed_m_s)},
-        {"hand_2.0_m_s", safety_distance_mm(response_s, kIsoHandSpeed_m_s)},
-        {"iso_13855_without_c", iso_13855_distance_mm(response_s)}}},
-      {"skins", nlohmann::ordered_json::array()}};
-  if (!options.json) {
-    fmt::print("rig      baseline {:.2f} mm, each optical axis {:.2f} degrees off the axis of symmetry, f {:.1f} px\n",
-               axis.baseline_mm, axis.tilt_deg, axis.f_px);
-    fmt::print(
-        "profile  {}, rule {}, {} images a second, disparity tolerance (D95) {} px of the result ({} px of the "
-        "image)\n",
-        profile->name, name_of(options.decision), images_per_s, options.tolerance_px,
-        options.tolerance_px * profile->subsample);
-  }
+  const Installation installation{profile, StereoAxis(cameras), images_per_s, detection_s,
+                                  detection_s + options.stopping_ms * 1e-3};
+  nlohmann::ordered_json json = to_json(installation, options);
+  if (!options.json) print_before_skins(installation, options);
   double slowest_m_s = std::numeric_limits<double>::infinity();  // that may pass between two images
   bool nothing = false;
   bool refused = false;
   for (const PlannedSkin& skin : skins) {
     ThicknessPlan plan;
     try {
-      plan = plan_thickness(*cameras, *skin.surface, *profile, geometry, options.tolerance_px, view);
+      plan = plan_thickness(cameras, *skin.surface, profile, geometry, options.tolerance_px, view);
     } catch (const std::invalid_argument& error) {
       throw FileError(options.rig, "", skin.name + ": " + error.what(), "a skin in front of both cameras");
     }
@@ -180,12 +221,7 @@ ExitStatus plan_thickness(const ThicknessOptions& options) {
     if (!options.json) print(skin, plan, images_per_s);
     refused = !report_row_count(plan.rows, view, options.json) || refused;
     nothing = nothing || plan.supervised == 0;
-    if (output) {
-      const auto [page, thinnest_mm, thickest_mm] =
-          draw_thickness(geometry.width, geometry.height, plan.across_mm,
-                         fmt::format("Thickness of {} for +-{:g} px", skin.name, options.tolerance_px));
-      output->write(skin.picture, encode_png_bgr(page.width, page.height, page.bgr));
-    }
+    if (output) write_picture(*output, skin, plan, geometry, options.tolerance_px);
   }
   if (slowest_m_s < kIsoHandSpeed_m_s) {
     warn(fmt::format(
@@ -201,13 +237,7 @@ ExitStatus plan_thickness(const ThicknessOptions& options) {
   if (options.json) {
     std::puts(json_text(json).c_str());
   } else {
-    fmt::print("response {:.1f} ms to the alarm and {:.1f} ms to stop{}\n", detection_s * 1e3, options.stopping_ms,
-               options.stopping_ms == 0 ? " (--stopping-ms: the robot's stopping time is not in it)" : "");
-    fmt::print(
-        "safety   {:.0f} mm at a hand's 1.6 m/s (thesis 2.3); {:.0f} mm at 2.0 m/s; {:.0f} mm by ISO 13855:2010 "
-        "(K T alone: its supplement C comes on top)\n",
-        safety_distance_mm(response_s, kHandSpeed_m_s), safety_distance_mm(response_s, kIsoHandSpeed_m_s),
-        iso_13855_distance_mm(response_s));
+    print_after_skins(installation, options);
     if (output) fmt::print("thickness.json and pictures are in {}\n", options.out);
   }
   if (nothing) std::fprintf(stderr, "horopter: nothing of a skin is supervised\n");

@@ -26,6 +26,7 @@
 #include "inputs.hpp"
 #include "numbers.hpp"
 #include "progress.hpp"
+#include "thickness.hpp"
 #include "warnings.hpp"
 #include "words.hpp"
 
@@ -55,9 +56,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kLargestTilt_deg = 80;
 
-Json to_json(const Summary& summary) {
-  return {{"smallest", summary.smallest}, {"mean", summary.mean}, {"largest", summary.largest}};
-}
 Json to_json(const Eigen::Vector3d& place) { return {place.x(), place.y(), place.z()}; }
 
 /// Both cameras see some of the axis of symmetry.
@@ -128,7 +126,7 @@ struct Views {
 Json to_json(const Planned& skin, const Views& views) {
   const CommonField& f = views.field;
   return {{"skin", skin.name},
-          {"distance_mm", to_json(views.thickness.distance)},
+          {"distance_mm", range_json(views.thickness.distance)},
           {"beyond_rows", views.thickness.rows.share()},
           {"common_field",
            {{"left_m2", f.left_m2},
@@ -137,9 +135,9 @@ Json to_json(const Planned& skin, const Views& views) {
             {"width_mm", f.width_mm},
             {"height_mm", f.height_mm},
             {"exploitation", f.exploitation()}}},
-          {"viewing_angle_deg", {{"left", to_json(f.left_angle_deg)}, {"right", to_json(f.right_angle_deg)}}},
+          {"viewing_angle_deg", {{"left", range_json(f.left_angle_deg)}, {"right", range_json(f.right_angle_deg)}}},
           {"thickness_mm",
-           {{"across", to_json(views.thickness.across)},
+           {{"across", range_json(views.thickness.across)},
             {"on_axis", views.thickness.on_axis},
             {"on_axis_formula", views.thickness.on_axis_formula}}}};
 }

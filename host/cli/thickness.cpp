@@ -78,11 +78,14 @@ std::string ChosenThickness::text(const Settings& settings) const {
   return line;
 }
 
+nlohmann::ordered_json range_json(const Summary& summary) {
+  return {{"smallest", summary.smallest}, {"mean", summary.mean}, {"largest", summary.largest}};
+}
+
 nlohmann::ordered_json ChosenThickness::json() const {
   nlohmann::ordered_json result{{"tolerance_px", tolerance_px}, {"tolerance_is", "D50"}};
   if (std::isfinite(across_mm.mean)) {
-    result["thickness_mm"] = {
-        {"smallest", across_mm.smallest}, {"mean", across_mm.mean}, {"largest", across_mm.largest}};
+    result["thickness_mm"] = range_json(across_mm);
   }
   return result;
 }

@@ -23,6 +23,9 @@ struct ThicknessOption {
 /// Both options, which exclude each other.
 void add_thickness(CLI::App& command, ThicknessOption& option);
 
+/// {"smallest", "mean", "largest"}.
+nlohmann::ordered_json range_json(const Summary& summary);
+
 /// The thickness that a rule was set to.
 struct ChosenThickness {
   double tolerance_px = 0;  ///< D50

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// horopter_frame_control's safe_o, bounded: it never rises but with the publication of a frame without fault or alarm and
+// horopter_frame_control's safe_o, unbounded: it never rises but with the publication of a frame without fault or alarm and
 // with a valid table, never survives a fault by more than 3 clocks, is low after reset, and always differs from unsafe_o.
 module formal_safe (
     input logic        clk_i,

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
+#include <tuple>
 
 #include "target/steps.hpp"
 
@@ -138,10 +139,11 @@ std::vector<cv::Size> other_sizes(const TargetSpec& spec) {
       const bool cut = (c <= spec.columns && r == spec.rows) || (c == spec.columns && r <= spec.rows);
       if ((near || cut) && (c != spec.columns || r != spec.rows)) sizes.emplace_back(c, r);
     }
-  const auto unlike = [&](const cv::Size& size) {
-    return std::abs(size.width - spec.columns) + std::abs(size.height - spec.rows);
+  const auto rank = [&](const cv::Size& size) {
+    const int unlike = std::abs(size.width - spec.columns) + std::abs(size.height - spec.rows);
+    return std::tuple(unlike, -size.width, -size.height);
   };
-  std::ranges::stable_sort(sizes, {}, unlike);
+  std::ranges::sort(sizes, {}, rank);
   return sizes;
 }
 

@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <new>
@@ -81,6 +82,19 @@ std::uint64_t random_value(std::mt19937_64& random, std::uint32_t width) {
   }
 }
 
+/// What hlsc calls as its compiler: clang with the headers that every stage includes compiled once for all tests.
+const std::string& clang_with_prelude() {
+  static const TemporaryDirectory directory;
+  static const std::string path = [] {
+    const std::string program = directory.path() + "/clang";
+    std::ofstream(program) << "#!/bin/sh\nexec " HLSC_TEST_HLS_DIR "/compiler/tests/clang-with-prelude "
+                           << directory.path() << " " << Options{}.clang << " \"$@\"\n";
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+    return program;
+  }();
+  return path;
+}
+
 }  // namespace
 
 Options stage_options(const std::string& header, const std::string& stage_class) {
@@ -89,6 +103,7 @@ Options stage_options(const std::string& header, const std::string& stage_class)
   options.stage_class = stage_class;
   options.include_paths = {HLSC_TEST_HLS_DIR "/include", HLSC_TEST_HLS_DIR, HLSC_TEST_HLS_DIR "/compiler/tests"};
   options.top_name = "test_stage";
+  options.clang = clang_with_prelude();
   return options;
 }
 
@@ -104,7 +119,7 @@ std::string compare_with_native(const Options& options, const TwinOptions& twin)
   const TemporaryDirectory directory;
   const std::string source = directory.path() + "/native.cpp", library_path = directory.path() + "/native.so";
   std::ofstream(source) << "#include <horopter/hls/ram.hpp>\n" << wrapper_source(options);
-  std::string command = options.clang + " -std=c++20 -O1 -w -DNDEBUG -shared -fPIC";
+  std::string command = Options{}.clang + " -std=c++20 -O1 -w -DNDEBUG -shared -fPIC";
   if (!twin.check_distance) command += " -DHOROPTER_HLS_UNCHECKED";
   for (const std::string& path : options.include_paths) command += " -I" + path;
   command += " " + source + " -o " + library_path;

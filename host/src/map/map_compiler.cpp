@@ -7,7 +7,9 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <optional>
+#include <ranges>
 #include <stdexcept>
 #include <utility>
 
@@ -523,13 +525,10 @@ CompiledMap choose(const MachineProfile& profile, const ScanGeometry& geometry, 
   const bool good =
       std::ranges::any_of(spacings, [&](const Spacing& s) { return likely(s) && attempt(s, limits.largest_error_px); });
   if (!good) {
-    std::vector<std::pair<double, Spacing>> last;
-    for (const Spacing& s : spacings) last.emplace_back(forecast.lost_share(s.nx, s.ny) + (precise(s) ? 0 : 1), s);
-    std::ranges::stable_sort(last, {}, &std::pair<double, Spacing>::first);
-    last.resize(std::min<std::size_t>(last.size(), kLastTries));
+    std::multimap<double, Spacing> last;  // equal ones in the order of `spacings`
+    for (const Spacing& s : spacings) last.emplace(forecast.lost_share(s.nx, s.ny) + (precise(s) ? 0 : 1), s);
     // Where creases, or the border of what is seen, keep too many pixels off, the grid loses them all.
-    std::ranges::any_of(last, [&](const auto& entry) {
-      const Spacing& s = entry.second;
+    std::ranges::any_of(last | std::views::values | std::views::take(kLastTries), [&](const Spacing& s) {
       return (!likely(s) && attempt(s, limits.largest_error_px)) || attempt(s, limits.error_px);
     });
   }

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <span>
 #include <stdexcept>
+#include <utility>
 
 namespace horopter {
 namespace {
@@ -148,7 +150,7 @@ std::vector<Opening> group(const std::vector<EntryPlan::Mark>& entries, double s
   std::vector<std::size_t> order(entries.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto x_of = [&](std::size_t i) { return entries[i].place_mm.x(); };
-  std::ranges::stable_sort(order, {}, x_of);
+  std::ranges::sort(order, {}, [&](std::size_t i) { return std::pair(x_of(i), i); });
   std::vector<bool> taken(entries.size());
   for (std::size_t first = 0; first < order.size(); ++first) {
     if (taken[first]) continue;
@@ -172,9 +174,10 @@ std::vector<Opening> group(const std::vector<EntryPlan::Mark>& entries, double s
       for (std::size_t i = at; i > 0 && x_of(order[i - 1]) >= entry.place_mm.x() - 2 * step; --i) visit(i - 1);
     }
     opening.reason = static_cast<Sight>(std::ranges::max_element(reasons) - reasons.begin());
-    openings.push_back(opening);
+    // The largest first; of the same size in the order in which they were found.
+    openings.insert(std::ranges::upper_bound(openings, opening.places, std::ranges::greater{}, &Opening::places),
+                    opening);
   }
-  std::ranges::stable_sort(openings, std::ranges::greater{}, &Opening::places);
   return openings;
 }
 
