@@ -18,7 +18,9 @@ rtl/store/horopter_map_store.sv
 rtl/store/horopter_raster.sv
 rtl/store/horopter_frame_control.sv
 rtl/camera/horopter_camera_input.sv
+rtl/camera/horopter_coarse_check.sv
 rtl/top/horopter_settings.sv
+rtl/top/horopter_agreement_result.sv
 rtl/top/horopter_output.sv
 rtl/top/horopter_status.sv
 rtl/top/horopter_top.sv

@@ -53,6 +53,13 @@ def rule_parameters(profile_name, decision):
     return {rule.upper(): 0 for rule in DECISIONS[has] if rule not in DECISIONS[decision]}
 
 
+def top_parameters(profile_name, decision, target_name):
+    """Parameters of horopter_top for a part: of the rule, and what fits its memories."""
+    target = targets()[target_name]
+    return (rule_parameters(profile_name, decision) | target.get("parameters", {})
+            | target.get("builds", {}).get(f"{profile_name} {decision}", {}))
+
+
 def sources(profile_name, family=None):
     """The files of a build of one profile: its package, its emitted stages, the hand-written modules of rtl/files.f, those of
     rtl/prim as rtl/prim/<family> has them, if it does."""

@@ -3,6 +3,9 @@
 // (x, y) comes some rows and columns after it (no columns where the stages before delay the marks as well). With both
 // rules there are two such offsets.
 //
+// Clear is earned: a pixel is clear only where `agreement` has shown that both cameras see its place, and nothing nearer
+// than the skin there. Otherwise it is undecidable, and `unproven` or `hidden` says why.
+//
 // Config  width, height of the result in px, at most the template's; width > the offset. compete, where there are two
 //         offsets: the second holds; it may change between frames.
 // Out     one beat for each pixel of the result, in raster order from (0, 0): first, last (of a row), end (last of the
@@ -49,6 +52,8 @@ class Aligner {
     bool last = false;
     bool end = false;
     bool idle = false;
+    bool hidden = false;    // undecidable because something nearer than the skin is seen there
+    bool unproven = false;  // undecidable because nothing shows that both cameras see its place
   };
 
   Out step(const In& in, const Config& config) {
@@ -69,7 +74,10 @@ class Aligner {
     }
     const bool start = !started_ && rows_ == rows && columns_ == columns;
     Out out;
-    out.state = in.state;
+    const bool clear = in.state == state::clear;
+    out.hidden = clear && in.marks.nearer;
+    out.unproven = clear && !in.marks.seen;
+    out.state = out.hidden || out.unproven ? u<2>(state::undecidable) : in.state;
     out.idle = idle_;
     out.valid = idle_ || active_ || start;
     out.first = start;

@@ -123,7 +123,8 @@ class UnpackingDifference {
     pair.magnitude = {left_->magnitude[0], in.magnitude[0]};
     pair.saturated = in.saturated;  // of both images, in both beats
     pair.mask = in.mask;
-    pair.marks = {left_->marks.first, in.marks.last};
+    pair.marks = in.marks;
+    pair.marks.first = left_->marks.first;
     const auto result = difference_.step(pair, second);
     if (!second) *left_ = in;
     second_ = !second;

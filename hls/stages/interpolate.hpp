@@ -30,7 +30,7 @@ class Interpolator {
     bool swapped_y = false;
     u<8> left;
     bool mask = false;
-    Marks marks;
+    FrameMarks marks;
   };
   using Out = GreyPair;
 

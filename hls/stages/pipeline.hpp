@@ -43,6 +43,16 @@ struct Settings : hls::StageSettings {
     return threshold * stages::texture_window * stages::texture_window;
   }
 
+  /// The same, but a pixel is clear where the images do not agree.
+  [[nodiscard]] Settings without_proof() const {
+    Settings settings = *this;
+    settings.prove = 0;
+    settings.blind_share = 0;
+    settings.still_limit = 0;
+    settings.one_camera_segments = 0;
+    return settings;
+  }
+
   /// For incoming images of width × height.
   static constexpr Settings defaults(const hls::Profile& profile, int width, int height) {
     const int result = width / profile.subsample * height;
@@ -75,11 +85,41 @@ struct Run {
   friend bool operator==(const Run&, const Run&) = default;
 };
 
+/// What the frame showed of both cameras' world (stages/agreement.hpp).
+struct Agreement {
+  int supervised_cells = 0;
+  int textured_cells = 0;
+  int explained_cells = 0;
+  int nearer_cells = 0;
+  int unproven_cells = 0;
+  int bad_region_cells = 0;
+  bool unproven = false;
+  bool untextured = false;
+  bool disagree = false;
+  bool moved = false;
+  bool unsharp_left = false;
+  bool unsharp_right = false;
+  bool hidden = false;
+  std::array<int, 4> across{};
+  std::array<int, 4> measured{};
+  std::array<int, 2> detail{};
+  std::array<int, 2> contrast{};
+  struct Region {
+    int textured = 0;
+    int explained = 0;
+    int nearer = 0;
+  };
+  std::array<Region, 48> regions{};
+};
+
 struct ImageHealth {
   bool black = false;
   bool white = false;
   bool constant = false;
   bool frozen = false;
+  bool blind = false;
+
+  [[nodiscard]] bool empty() const { return black || white || constant; }  ///< which says that it is blind
 };
 
 struct FrameResult {
@@ -90,6 +130,8 @@ struct FrameResult {
   int skin_pixels = 0;
   int undecidable_pixels = 0;
   int unsupervised_pixels = 0;
+  int hidden_pixels = 0;    // undecidable: something nearer than the skin is seen there
+  int unproven_pixels = 0;  // undecidable: nothing shows that both cameras see their place
   bool alarm = false;
   bool too_undecidable = false;
   bool too_unsupervised = false;
@@ -97,6 +139,8 @@ struct FrameResult {
   ImageHealth left;
   ImageHealth right;
   bool identical_images = false;  // the same signature
+  Agreement agreement;
+  bool one_camera = false;  // the same but for noise, compression or gain
 };
 
 template <hls::Profile P>
@@ -115,6 +159,7 @@ class Pipeline {
     written_ = 0;
 
     examine(left, right, result);
+    compare(left, right, result);
     const Expansion& sources = expansion(table, settings.lookahead);
     result.store_misses = sources.misses;
     store(right);
@@ -174,6 +219,12 @@ class Pipeline {
     if constexpr (P.has_thesis()) thesis_rows_.begin(of_stages);
     if constexpr (P.has_compete()) compete_rows_.begin(of_stages);
     health_config_ = stages::chain::by_name<typename Health::Config>(of_stages);
+    if (settings.prove != prove_ || image.width != width_ || image.height != height_) hls::reset(agreement_);
+    agreement_config_ = stages::chain::by_name<typename stages::Agreement<P>::Config>(of_stages);
+    prove_ = settings.prove;
+    height_ = image.height;
+    still_config_ = stages::chain::by_name<typename Still::Config>(of_stages);
+    coarse_config_ = stages::chain::by_name<typename Coarse::Config>(of_stages);
     width_ = image.width;
     grey_.mask.fill(false);
   }
@@ -181,6 +232,8 @@ class Pipeline {
   static constexpr std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
   using Health = stages::Health<P>;
+  using Coarse = stages::Coarse<P>;
+  using Still = stages::Still<P>;
 
   /// Both cameras at once: two independent chains of CRC keep the CPU busy.
   [[gnu::flatten]] void examine(const ImageView& left, const ImageView& right, FrameResult& result) {
@@ -190,8 +243,8 @@ class Pipeline {
       const OutOf<Health> of_left = left_health->step({l, first, end}, health_config_);
       const OutOf<Health> of_right = right_health->step({r, first, end}, health_config_);
       if (end) {
-        result.left = {of_left.black, of_left.white, of_left.constant, of_left.frozen};
-        result.right = {of_right.black, of_right.white, of_right.constant, of_right.frozen};
+        result.left = {of_left.black, of_left.white, of_left.constant, of_left.frozen, false};
+        result.right = {of_right.black, of_right.white, of_right.constant, of_right.frozen, false};
         result.identical_images = of_left.signature == of_right.signature;
       }
     };
@@ -205,6 +258,44 @@ class Pipeline {
       for (int x = begin; x < end; ++x) feed(l[x], r[x], false, false);
       if (y == last_row) feed(l[width_ - 1], r[width_ - 1], false, true);
     }
+  }
+
+  /// The checks of both images on their cells. Their sums are formed here, for speed: those of the stage `cells`.
+  [[gnu::flatten]] void compare(const ImageView& left, const ImageView& right, FrameResult& result) {
+    constexpr int cell = P.cell();
+    using Sums = std::array<std::uint32_t, P.width / cell>;
+    const int columns = left.width / cell;
+    Borrowed coarse(coarse_);
+    Borrowed still(still_);
+    OutOf<Coarse> verdict;
+    OutOf<Still> repeats;
+    for (int row = 0; row < left.height / cell; ++row) {
+      const auto sum = [&](const ImageView& image) {
+        Sums sums{};
+        for (int y = row * cell; y < (row + 1) * cell; ++y) {
+          const std::uint8_t* pixels = image.pixels + y * image.stride;
+          for (int c = 0; c < columns; ++c) {
+            for (int x = 0; x < cell; ++x) sums[index(c)] += pixels[c * cell + x];
+          }
+        }
+        return sums;
+      };
+      const Sums of_left = sum(left);
+      const Sums of_right = sum(right);
+      for (int c = 0; c < columns; ++c) {
+        constexpr std::uint32_t pixels = cell * cell;
+        const auto l = static_cast<int>(of_left[index(c)] / pixels);
+        const auto r = static_cast<int>(of_right[index(c)] / pixels);
+        const bool first = row == 0 && c == 0;
+        verdict = coarse->step({l, r, first, c == 0}, coarse_config_);
+        repeats = still->step({l, r, first}, still_config_);
+      }
+    }
+    result.one_camera = verdict.one_camera && !result.identical_images;  // that says it already
+    result.left.blind = verdict.left_blind && !result.left.empty();
+    result.right.blind = verdict.right_blind && !result.right.empty();
+    result.left.frozen |= repeats.left_still;
+    result.right.frozen |= repeats.right_still;
   }
 
   /// What map_expand and the image store's addressing make of a table: the same for every frame.
@@ -325,10 +416,13 @@ class Pipeline {
       interpolate_row(pairs_, 0);
       subsample_row();
     }
+    agree_row(result);
     const auto see = [&]<stages::Stage STAGE>(stages::At<STAGE>, const auto& out) {
       if constexpr (STAGE == stages::Stage::align) {
         if (!out.idle) [[likely]] {
           result.states[written_++] = out.state.value();
+          result.hidden_pixels += out.hidden ? 1 : 0;
+          result.unproven_pixels += out.unproven ? 1 : 0;
         }
       } else if constexpr (STAGE == stages::Stage::runs) {
         add_run(out, result);
@@ -390,6 +484,72 @@ class Pipeline {
     }
   }
 
+  /// Where nothing has to be proved, the stage says so of every pixel; the hardware's does no more.
+  void agree_row(FrameResult& result) {
+    if (prove_ == 0) {
+      grey_.seen.fill(true);
+      grey_.nearer.fill(false);
+      return;
+    }
+    const std::size_t n = index(width_) / P.subsample;
+    for (std::size_t x = 0; x < n; ++x) {
+      InOf<stages::Agreement<P>> in;
+      in.saturated = grey_.saturated[Pairs::before + x];
+      in.mask = grey_.mask[Pairs::before + x];
+      const bool first = x == 0 && first_row_;
+      const bool last = x + 1 == n;
+      const hls::u<8> left = grey_.left[Pairs::before + x];
+      const hls::u<8> right = grey_.right[Pairs::before + x];
+      if constexpr (P.packed()) {
+        in.pixel = {left};
+        in.marks = {first, false};
+        take_verdict(agreement_.step(in, agreement_config_), result);
+        in.pixel = {right};
+        in.marks = {false, last};
+      } else {
+        in.pixel = {left, right};
+        in.marks = {first, last};
+      }
+      const auto out = agreement_.step(in, agreement_config_);
+      grey_.seen[x] = out.marks.seen;
+      grey_.nearer[x] = out.marks.nearer;
+      take_verdict(out, result);
+    }
+  }
+
+  static void take_verdict(const OutOf<stages::Agreement<P>>& out, FrameResult& result) {
+    Agreement& to = result.agreement;
+    if (out.region.valid) [[unlikely]] {
+      const auto& from = out.region;
+      to.regions[from.region.value()] = {from.textured.value(), from.explained.value(), from.nearer.value()};
+    }
+    if (!out.verdict.valid) [[likely]] {
+      return;
+    }
+    const stages::Verdict& from = out.verdict;
+    to.supervised_cells = from.supervised.value();
+    to.textured_cells = from.textured.value();
+    to.explained_cells = from.explained.value();
+    to.nearer_cells = from.nearer.value();
+    to.unproven_cells = from.unproven.value();
+    to.bad_region_cells = from.regions_bad.value();
+    to.unproven = from.unproven_yet;
+    to.untextured = from.untextured;
+    to.disagree = from.disagree;
+    to.moved = from.moved;
+    to.unsharp_left = from.unsharp_left;
+    to.unsharp_right = from.unsharp_right;
+    to.hidden = from.hidden;
+    for (std::size_t i = 0; i < 4; ++i) {
+      to.across[i] = from.across[i].value();
+      to.measured[i] = from.measured[i].value();
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+      to.detail[i] = static_cast<int>(from.detail[i].value());
+      to.contrast[i] = static_cast<int>(from.contrast[i].value());
+    }
+  }
+
   [[gnu::noinline]] static void add_run(const OutOf<stages::Runs<P>>& run, FrameResult& result) {
     result.runs.push_back({static_cast<std::uint16_t>(run.row.value()), static_cast<std::uint16_t>(run.start.value()),
                            static_cast<std::uint16_t>(run.end.value()), run.state.value()});
@@ -397,7 +557,8 @@ class Pipeline {
 
   [[gnu::noinline]] static void set_counts(const OutOf<stages::Alarm<P>>& counts, FrameResult& result) {
     result.skin_pixels = static_cast<int>(counts.skin_pixels.value());
-    result.undecidable_pixels = static_cast<int>(counts.undecidable_pixels.value());
+    result.undecidable_pixels =
+        static_cast<int>(counts.undecidable_pixels.value()) + result.hidden_pixels + result.unproven_pixels;
     result.unsupervised_pixels = static_cast<int>(counts.unsupervised_pixels.value());
     result.alarm = counts.alarm;
     result.too_undecidable = counts.too_undecidable;
@@ -406,18 +567,26 @@ class Pipeline {
 
   stages::MapExpand<P> map_expand_;
   stages::Subsampler<P.subsample> subsample_;
+  stages::Agreement<P> agreement_;
   Health left_health_;
   Health right_health_;
+  Coarse coarse_;
+  Still still_;
 
   typename stages::MapExpand<P>::Config map_config_;
   typename Health::Config health_config_;
+  typename stages::Agreement<P>::Config agreement_config_;
+  int prove_ = 0;
+  typename Coarse::Config coarse_config_;
+  typename Still::Config still_config_;
 
   std::conditional_t<P.has_thesis(), Strips<P, hls::Rule::thesis>, Nothing> thesis_rows_;
   std::conditional_t<P.has_compete(), Strips<P, hls::Rule::compete>, Nothing> compete_rows_;
   bool compete_ = false;
 
   std::size_t written_ = 0;  // pixels of the result
-  int width_ = 0;
+  int width_ = 0;            // of the images
+  int height_ = 0;
   bool first_row_ = false;
   std::vector<Expansion> expansions_;
   std::vector<std::uint8_t> padded_;

@@ -19,9 +19,17 @@ namespace horopter::stages {
 using namespace horopter::hls;  // NOLINT: the vocabulary of every stage
 
 /// Frame marks of a beat.
-struct Marks {
+struct FrameMarks {
   bool first = false;  // first beat of a frame
   bool last = false;   // last beat of a row, of flush rows too
+};
+
+/// The same from `agreement` on, and what that knows of the pixel of the result that leaves `align` with this beat.
+struct Marks {
+  bool first = false;
+  bool last = false;
+  bool seen = false;    // both cameras have been shown to see its place
+  bool nearer = false;  // and what they see there is nearer than the skin
 };
 
 /// Frame marks where the store still has to tell pixels from flush rows.
@@ -46,16 +54,16 @@ constexpr void count(u<BITS>& counter, bool restart, bool one) {
   counter = u<BITS>((restart ? u<BITS>(0) : counter) + u<1>(one));
 }
 
-/// Grey values of LANES images, from `interpolate` to `lowpass`. Two images packed into one stream have LANES = 1,
+/// Grey values of LANES images, from `interpolate` to `lowpass`, with the marks before or after `agreement`. Two images packed into one stream have LANES = 1,
 /// STRIDE = 2.
-template <int LANES, class V = Scalar>
+template <int LANES, class V = Scalar, class MARKS = Marks>
 struct Grey {
   std::array<typename V::template u<8>, LANES> pixel{};
   typename V::bit saturated = false;  // carries no information: black or white to the limit in one of the images
   typename V::bit mask = false;       // both images exist here
-  Marks marks;
+  MARKS marks;
 };
-using GreyPair = Grey<2>;
+using GreyPair = Grey<2, Scalar, FrameMarks>;
 
 /// What `compete` needs of the low-passed left image, and what stages between carry along: of the same beat, which is a
 /// pixel further down and right than their own.

@@ -124,6 +124,8 @@ struct PairRow {
 
   Row<hls::u<8>> left, right;
   Row<bool> saturated, mask;
+  /// What `agreement` says in the marks, column x at x.
+  std::array<bool, Shape::lanes * Shape::largest> seen, nearer;
 };
 
 /// The stages of one rule from the one behind `subsample` on.
@@ -161,16 +163,16 @@ class Strips {
     } else {
       [&]<std::size_t... I>(std::index_sequence<I...>) { (pass_row<I>(), ...); }(Indices{});
     }
-    unload(first_row, see);
+    unload(pairs, first_row, see);
   }
 
  private:
   static constexpr auto order = stages::chain::order<RULE>();
   static constexpr bool in_lanes(Stage stage) { return stages::chain::place_of(stage) == stages::Place::lanes; }
-  static constexpr std::size_t first = 2;
+  static constexpr std::size_t first = 3;
   static constexpr std::size_t count = std::count_if(order.begin(), order.end(), in_lanes);
-  static_assert(order[0] == Stage::interpolate && order[1] == Stage::subsample,
-                "the engine makes rows of these two by itself");
+  static_assert(order[0] == Stage::interpolate && order[1] == Stage::subsample && order[2] == Stage::agreement,
+                "the engine makes rows of these three by itself");
   static_assert(std::all_of(order.begin() + first, order.begin() + first + count, in_lanes),
                 "the stages in lanes follow each other");
   using Indices = std::make_index_sequence<count>;
@@ -263,7 +265,7 @@ class Strips {
   }
 
   template <class See>
-  [[gnu::flatten]] void unload(bool first_row, See see) {
+  [[gnu::flatten]] void unload(const PairRow<P>& pairs, bool first_row, See see) {
     const auto& decided = [&]() -> const StripRow<Last>& {
       if constexpr (compete) {
         return rows_;
@@ -275,6 +277,10 @@ class Strips {
       for (std::size_t i = 0; i < strip_; ++i) {
         stages::chain::take_lane(row_[lane * strip_ + i], decided[lead + delay + i], static_cast<int>(lane));
       }
+    }
+    for (std::size_t x = 0; x < width_; ++x) {
+      row_[x].marks.seen = pairs.seen[x];
+      row_[x].marks.nearer = pairs.nearer[x];
     }
     row_[0].marks.first = first_row;
     const std::size_t n = width_;

@@ -27,7 +27,7 @@ class Subsampler {
     std::array<u<8>, 2> pixel{};
     bool saturated = false;
     bool mask = false;
-    Marks marks;
+    FrameMarks marks;
   };
 
   Out step(const In& in) {
@@ -67,7 +67,7 @@ class PackingSubsampler {
     std::array<u<8>, 1> pixel{};
     bool saturated = false;
     bool mask = false;
-    Marks marks;
+    FrameMarks marks;
   };
 
   Out step(const In& in) {

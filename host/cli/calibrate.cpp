@@ -38,6 +38,7 @@ struct CalibrateOptions {
   std::string lens;
 
   std::vector<std::string> left, right, images;
+  bool pair_by_order = false;
   std::string target;
   std::string distortion;
   std::vector<double> heights_mm;
@@ -193,7 +194,8 @@ calib::Report from_images(const CalibrateOptions& options) {
     if (options.left.empty() || options.right.empty()) throw UsageError("--left and --right go together");
     cameras.push_back({.name = "left", .views = {}});
     cameras.push_back({.name = "right", .views = {}});
-    PairSource source(options.left, options.right);
+    PairSource source(options.left, options.right,
+                      options.pair_by_order ? PairNumbers::ignored : PairNumbers::must_agree);
     while (auto pair = source.next()) {
       const auto pairs = source.count();
       const auto images = pairs ? std::optional(2 * *pairs) : std::nullopt;
@@ -392,6 +394,10 @@ void add_calibrate(CLI::App& app, Outcome& outcome) {
   files("--left", options->left, "Images of the left camera: files, globs, directories",
         "From images of a flat target");
   files("--right", options->right, "Images of the right camera, in the same order", "From images of a flat target");
+  command
+      ->add_flag("--pair-by-order", options->pair_by_order,
+                 "Pair the images in their order, even where the numbers in their names differ")
+      ->group("From images of a flat target");
   files("--images", options->images, "Images of a single camera", "From images of a flat target");
   command
       ->add_option("--target", options->target,

@@ -64,8 +64,9 @@ void check_distance(const std::string& file, const RigSkin& skin, int image_widt
   constexpr int kPlaces = 32;  // along the row and down
   std::vector<Point> pixels;
   for (int i = 0; i < kPlaces * kPlaces; ++i) {
-    pixels.push_back(
-        {(i % kPlaces + 0.5) / kPlaces * image_width - 0.5, (i / kPlaces + 0.5) / kPlaces * image_height - 0.5});
+    const int column = i % kPlaces;
+    const int row = i / kPlaces;
+    pixels.push_back({(column + 0.5) / kPlaces * image_width - 0.5, (row + 0.5) / kPlaces * image_height - 0.5});
   }
   const Rays rays = skin.cameras().rays(pixels);
   std::vector<Hit> hits(rays.size());
@@ -268,6 +269,24 @@ void check_alarm_limit(const std::string& skin, const std::vector<const MapTable
         "--alarm-limit {:.2g}",
         skin, place.empty() ? "" : place + ": ", 100 * needed / supported, alarm_percent, kAboutHalf * share));
   }
+}
+
+void warn_of_proof(const std::string& skin, const std::vector<const MapTable*>& tables, const MachineProfile& profile,
+                   const Settings& settings, bool has_rig) {
+  if (!settings.proof.needed) return;
+  double share = 1;
+  for (const MapTable* table : tables) {
+    const int columns = table->geometry().width / profile.subsample;
+    const double pixels = static_cast<double>(columns) * table->geometry().height;
+    share = std::min(share, static_cast<double>(supported_pixels(*table, settings.decision)) / pixels);
+  }
+  if (share < 0.5) {
+    warn(fmt::format(
+        "{}: {:.0f} % of the image is supervised. Of so little the cameras may not be shown to see the same world: then "
+        "no frame is safe, with the fault disagree or moved. --unproven does without being shown",
+        skin, 100 * share));
+  }
+  if (!has_rig) warn(fmt::format("{}: without a rig cameras that are exchanged or moved are not told", skin));
 }
 
 void report_rows(Decision decision, bool has_rig, nlohmann::ordered_json& summary, bool json) {

@@ -43,6 +43,7 @@ struct RunOptions {
   Settings settings;
   ThicknessOption thickness;
   std::size_t frames = 0;
+  bool pair_by_order = false;
   bool overlay = true;
   bool json = false;
 };
@@ -73,6 +74,7 @@ struct Session {
       std::vector<const MapTable*> tables;
       for (const MovingStep& step : maps.steps) tables.push_back(&step.map.table);
       check_alarm_limit(options.skin, tables, *profile, settings.decision, settings.alarm_percent);
+      warn_of_proof(options.skin, tables, *profile, settings, has_rig);
       moving = std::make_unique<MovingSupervisor>(make_device(options.engine, *profile), *profile, std::move(maps),
                                                   settings);
       return;
@@ -82,6 +84,7 @@ struct Session {
     for (const CompiledMap& map : maps.maps) tables.push_back(&map.table);
     check_alarm_limit(options.skin, tables, *profile, settings.decision, settings.alarm_percent);
     has_rig = !maps.rig.empty();
+    warn_of_proof(options.skin, tables, *profile, settings, has_rig);
     supervisor = std::make_unique<Supervisor>(make_device(options.engine, *profile), *profile, maps, settings);
   }
   std::vector<FrameResult> process(const Image& left, const Image& right) {
@@ -150,7 +153,7 @@ ExitStatus run(const RunOptions& options) {
   output.set_aside("summary.json");
   const auto rig = read_rig_option(options.rig);
   check_skin_file(options.skin);
-  PairSource pairs(options.left, options.right);
+  PairSource pairs(options.left, options.right, options.pair_by_order ? PairNumbers::ignored : PairNumbers::must_agree);
   const auto count = pairs.count();
   auto pair = pairs.next();
   if (!pair) throw FileError(options.left.front(), "", "there is no image", "at least one");
@@ -244,6 +247,11 @@ void add_run(CLI::App& app, Outcome& outcome) {
       ->required()
       ->expected(1, -1)
       ->type_name("F...");
+  command->add_flag("--pair-by-order", options->pair_by_order,
+                    "Pair the images in their order, even where the numbers in their names differ");
+  command->add_flag_callback(
+      "--still-scene", [options] { options->settings.still_limit = 0; },
+      "The scene may stand still: frames that repeat but for noise are no fault (those that repeat exactly are)");
   command->add_option("--skin", options->skin, "The skin: skin.yaml, or a table made by `horopter map`")
       ->required()
       ->type_name("FILE");
@@ -294,6 +302,15 @@ void add_run(CLI::App& app, Outcome& outcome) {
       ->add_option("--frozen-limit", options->settings.frozen_limit,
                    "Fault when an image is repeated this many times, 0 = never")
       ->check(CLI::Range(0, 255))
+      ->capture_default_str();
+  command->add_flag_callback(
+      "--unproven", [options] { options->settings.proof.needed = false; },
+      "Do not ask that both cameras are shown to see the same world: a covered, wrong or moved camera then reads clear. "
+      "For images that are no scene");
+  command
+      ->add_option("--hidden-frames", options->settings.proof.hidden_frames,
+                   "Fault when something has stood between cameras and skin for this many frames, 0 = never")
+      ->check(CLI::Range(0, 128))
       ->capture_default_str();
   command->add_option("--frames", options->frames, "Stop after this many pairs (default: all)")
       ->check(at_least_one())

@@ -37,7 +37,11 @@ class RtlMachine final : public RtlDevice {
     m.rst_ni = 1;
     run(8);
   }
-  ~RtlMachine() override { model_->final(); }
+  ~RtlMachine() override {
+    Verilated::threadContextp(&context_);  // which may be that of a machine made later
+    model_->final();
+    model_.reset();
+  }
 
   std::uint32_t read(std::uint32_t address) override {
     Model& m = *model_;

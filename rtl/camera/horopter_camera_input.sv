@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One camera's way in: its pixels, or those of the test frames, through a FIFO to well-formed rows (horopter_framer), and
-// the check of its images (stage `health`).
+// the check of its images (stage `health`), and their reduction for the check of both (stage `cells`).
 //
 // The two cameras may be DEPTH pixels apart. A test frame takes the place of both images, so a pixel of it is taken when
 // both inputs have room. live_i: pixels come whether there is room or not, and one without is an overflow.
@@ -71,7 +71,11 @@ module horopter_camera_input #(
     output logic                             health_end_o,
     output logic                             health_valid_o,
     output horopter_csr_pkg::image_faults_t  health_o,
-    output logic [                     31:0] signature_o
+    output logic [                     31:0] signature_o,
+    // the means of its cells
+    output logic                             cell_valid_o,
+    output logic [                      7:0] cell_mean_o,
+    output logic                             cell_start_o
 );
   localparam int unsigned DEPTH = 64;
   localparam int unsigned LEVEL = 48;
@@ -194,5 +198,18 @@ module horopter_camera_input #(
       .constant_o(health_o.constant),
       .frozen_o(health_o.frozen),
       .signature_o(signature_o)
+  );
+
+  horopter_cells u_cells (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .en_i(1'b1),
+      .valid_i(write_en_o),
+      .pixel_i(write_pixel_o),
+      .first_i(write_first),
+      .last_i(row_done_o),
+      .valid_o(cell_valid_o),
+      .mean_o(cell_mean_o),
+      .start_o(cell_start_o)
   );
 endmodule

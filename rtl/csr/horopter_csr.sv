@@ -88,13 +88,13 @@ module horopter_csr #(
     input  logic [14:0] map_valid_slots_i,
     input  logic [31:0] map_crc_value_i,
     output logic [23:0] map_undecidable_limit_pixels_o,
-    input  logic [21:0] faults_cameras_set_i,
-    output logic [21:0] faults_cameras_o,
-    input  logic [ 9:0] faults_machine_set_i,
-    output logic [ 9:0] faults_machine_o,
+    input  logic [25:0] faults_cameras_set_i,
+    output logic [25:0] faults_cameras_o,
+    input  logic [14:0] faults_machine_set_i,
+    output logic [14:0] faults_machine_o,
     input  logic [31:0] frame_sequence_value_i,
     input  logic [ 5:0] frame_status_i,
-    input  logic [21:0] frame_faults_cameras_i,
+    input  logic [25:0] frame_faults_cameras_i,
     input  logic [31:0] frame_table_crc_value_i,
     input  logic [23:0] frame_skin_pixels_i,
     input  logic [23:0] frame_undecidable_pixels_i,
@@ -103,11 +103,36 @@ module horopter_csr #(
     input  logic [31:0] frame_cycles_clocks_i,
     input  logic [31:0] frame_latency_clocks_i,
     input  logic [31:0] frame_tail_clocks_i,
-    input  logic [ 9:0] frame_faults_machine_i
+    input  logic [14:0] frame_faults_machine_i,
+    output logic [14:0] agreement_o,
+    output logic [31:0] agreement_limits_o,
+    output logic [ 7:0] hidden_frames_o,
+    output logic [11:0] registration_o,
+    output logic [31:0] epipolar_o,
+    output logic [31:0] epipolar_change_o,
+    input  logic [31:0] frame_agreement_i,
+    input  logic [31:0] frame_cells_i,
+    input  logic [31:0] frame_unproven_i,
+    input  logic [31:0] frame_across_0_i,
+    input  logic [31:0] frame_across_1_i,
+    input  logic [31:0] frame_across_2_i,
+    input  logic [31:0] frame_across_3_i,
+    input  logic [23:0] frame_detail_left_sum_i,
+    input  logic [23:0] frame_detail_right_sum_i,
+    input  logic [23:0] frame_contrast_left_sum_i,
+    input  logic [23:0] frame_contrast_right_sum_i,
+    output logic [ 7:0] one_camera_segments_o,
+    output logic [ 7:0] blind_step_grey_o,
+    output logic [ 7:0] blind_share_of_256_o,
+    output logic [ 7:0] still_limit_frames_o,
+    input  logic [23:0] frame_hidden_pixels_i,
+    input  logic [23:0] frame_unproven_pixels_pixels_i,
+    output logic [ 5:0] region_select_region_o,
+    input  logic [29:0] frame_region_i
 );
   // The address is decoded always, into a group of eight words and the word; it counts from the second clock of a write on.
   logic taken_q, write_q;
-  logic [5:0] write_group_q;
+  logic [8:0] write_group_q;
   logic [7:0] write_word_q;
   assign write_q = taken_q && !write_error_o;
   always_ff @(posedge clk_i) begin
@@ -119,11 +144,14 @@ module horopter_csr #(
     write_group_q[3] <= write_addr_i[11:5] == 7'h05;
     write_group_q[4] <= write_addr_i[11:5] == 7'h06;
     write_group_q[5] <= write_addr_i[11:5] == 7'h07;
+    write_group_q[6] <= write_addr_i[11:5] == 7'h09;
+    write_group_q[7] <= write_addr_i[11:5] == 7'h0A;
+    write_group_q[8] <= write_addr_i[11:5] == 7'h0C;
     case (write_addr_i)
       12'h040, 12'h058, 12'h05C, 12'h060, 12'h064, 12'h080, 12'h084, 12'h088, 12'h08C, 12'h094, 12'h0A0, 12'h0A4,
-      12'h0A8, 12'h0AC, 12'h0B0, 12'h0B4, 12'h0B8, 12'h0BC, 12'h0C0, 12'h0C4, 12'h0DC, 12'h0E0, 12'h0E4: write_error_o
-      <= 1'b0;
-      12'h044, 12'h04C, 12'h050, 12'h054: write_error_o <= locked_i;
+      12'h0A8, 12'h0AC, 12'h0B0, 12'h0B4, 12'h0B8, 12'h0BC, 12'h0C0, 12'h0C4, 12'h0DC, 12'h0E0, 12'h0E4, 12'h134,
+      12'h138, 12'h13C, 12'h140, 12'h144, 12'h180, 12'h184, 12'h188, 12'h18C, 12'h198: write_error_o <= 1'b0;
+      12'h044, 12'h04C, 12'h050, 12'h054, 12'h130: write_error_o <= locked_i;
       12'h0C8, 12'h0CC: write_error_o <= write_strb_i != 4'hF;
       default: write_error_o <= 1'b1;
     endcase
@@ -217,6 +245,49 @@ module horopter_csr #(
   // MAP_UNDECIDABLE_LIMIT: Of the tables whose upload starts from now on: more undecidable pixels than this in a frame made by the table are a fault. Stays with the table.
   logic [23:0] map_undecidable_limit_pixels_q;
   assign map_undecidable_limit_pixels_o = map_undecidable_limit_pixels_q;
+  // AGREEMENT: Whether both cameras see the same world, compared coarsely over all depths.
+  logic        agreement_prove_q;
+  logic        agreement_nearer_below_q;
+  logic        agreement_nearer_above_q;
+  logic [ 5:0] agreement_shift_lowest_q;
+  logic [ 5:0] agreement_shift_highest_q;
+  assign agreement_o = {agreement_shift_highest_q, agreement_shift_lowest_q, agreement_nearer_above_q, agreement_nearer_below_q, agreement_prove_q};
+  // AGREEMENT_LIMITS: Shares in 1/256.
+  logic [ 7:0] agreement_limits_explained_q;
+  logic [ 7:0] agreement_limits_regions_q;
+  logic [ 7:0] agreement_limits_unproven_q;
+  logic [ 7:0] agreement_limits_hidden_q;
+  assign agreement_limits_o = {agreement_limits_hidden_q, agreement_limits_unproven_q, agreement_limits_regions_q, agreement_limits_explained_q};
+  // HIDDEN: How long something may stand between cameras and skin.
+  logic [ 7:0] hidden_frames_q;
+  assign hidden_frames_o = hidden_frames_q;
+  // REGISTRATION: How far the right image may be displaced across the rows. In 1/32 cell: 1/4 px in `vga`, 1/2 px in `hd`.
+  logic [ 5:0] registration_moved_q;
+  logic [ 5:0] registration_moved_half_q;
+  assign registration_o = {registration_moved_half_q, registration_moved_q};
+  // EPIPOLAR: Slope of the epipolar lines in the transformed images, two's complement.
+  logic [15:0] epipolar_slope_q;
+  logic [15:0] epipolar_column_q;
+  assign epipolar_o = {epipolar_column_q, epipolar_slope_q};
+  // EPIPOLAR_CHANGE: More of it.
+  logic [15:0] epipolar_change_row_q;
+  logic [15:0] epipolar_change_both_q;
+  assign epipolar_change_o = {epipolar_change_both_q, epipolar_change_row_q};
+  // ONE_CAMERA: One camera twice: the check of both images against each other (hls/stages/coarse.hpp).
+  logic [ 7:0] one_camera_segments_q;
+  assign one_camera_segments_o = one_camera_segments_q;
+  // BLIND_STEP: Blind camera: a step from a cell of its image to the next one in the row is one that it sees. Cells: 8×8 px, in a build wider than 1024 px 16×16 px.
+  logic [ 7:0] blind_step_grey_q;
+  assign blind_step_grey_o = blind_step_grey_q;
+  // BLIND_SHARE: Blind camera: such steps at a smaller share of the frame's cells than this are a fault.
+  logic [ 7:0] blind_share_of_256_q;
+  assign blind_share_of_256_o = blind_share_of_256_q;
+  // STILL_LIMIT: Frozen camera: so many frames one after another that repeat one of the two before them, but for noise, are a fault (hls/stages/still.hpp).
+  logic [ 7:0] still_limit_frames_q;
+  assign still_limit_frames_o = still_limit_frames_q;
+  // REGION_SELECT: Which region FRAME_REGION tells of.
+  logic [ 5:0] region_select_region_q;
+  assign region_select_region_o = region_select_region_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -251,6 +322,27 @@ module horopter_csr #(
       map_slot_slot_q <= 4'd0;
       map_base_word64_q <= 16'd0;
       map_undecidable_limit_pixels_q <= 24'd0;
+      agreement_prove_q <= 1'd1;
+      agreement_nearer_below_q <= 1'd0;
+      agreement_nearer_above_q <= 1'd0;
+      agreement_shift_lowest_q <= 6'd34;
+      agreement_shift_highest_q <= 6'd30;
+      agreement_limits_explained_q <= 8'd107;
+      agreement_limits_regions_q <= 8'd64;
+      agreement_limits_unproven_q <= 8'd115;
+      agreement_limits_hidden_q <= 8'd26;
+      hidden_frames_q <= 8'd50;
+      registration_moved_q <= 6'd3;
+      registration_moved_half_q <= 6'd5;
+      epipolar_slope_q <= 16'd0;
+      epipolar_column_q <= 16'd0;
+      epipolar_change_row_q <= 16'd0;
+      epipolar_change_both_q <= 16'd0;
+      one_camera_segments_q <= 8'd12;
+      blind_step_grey_q <= 8'd14;
+      blind_share_of_256_q <= 8'd2;
+      still_limit_frames_q <= 8'd4;
+      region_select_region_q <= 6'd0;
     end else begin
       if (write_q && write_group_q[0] && write_word_q[0]) begin  // CONTROL
         if (write_strb_i[0]) control_enable_q <= write_data_i[0];
@@ -366,6 +458,61 @@ module horopter_csr #(
         if (write_strb_i[1]) map_undecidable_limit_pixels_q[15:8] <= write_data_i[15:8];
         if (write_strb_i[2]) map_undecidable_limit_pixels_q[23:16] <= write_data_i[23:16];
       end
+      if (write_q && write_group_q[6] && write_word_q[4]) begin  // AGREEMENT
+        if (write_strb_i[0]) begin
+          agreement_prove_q <= write_data_i[0];
+          agreement_nearer_below_q <= write_data_i[1];
+          agreement_nearer_above_q <= write_data_i[2];
+          agreement_shift_lowest_q[4:0] <= write_data_i[7:3];
+        end
+        if (write_strb_i[1]) begin
+          agreement_shift_lowest_q[5] <= write_data_i[8];
+          agreement_shift_highest_q[5:0] <= write_data_i[14:9];
+        end
+      end
+      if (write_q && write_group_q[6] && write_word_q[5]) begin  // AGREEMENT_LIMITS
+        if (write_strb_i[0]) agreement_limits_explained_q[7:0] <= write_data_i[7:0];
+        if (write_strb_i[1]) agreement_limits_regions_q[7:0] <= write_data_i[15:8];
+        if (write_strb_i[2]) agreement_limits_unproven_q[7:0] <= write_data_i[23:16];
+        if (write_strb_i[3]) agreement_limits_hidden_q[7:0] <= write_data_i[31:24];
+      end
+      if (write_q && write_group_q[6] && write_word_q[6]) begin  // HIDDEN
+        if (write_strb_i[0]) hidden_frames_q[7:0] <= write_data_i[7:0];
+      end
+      if (write_q && write_group_q[6] && write_word_q[7]) begin  // REGISTRATION
+        if (write_strb_i[0]) begin
+          registration_moved_q[5:0] <= write_data_i[5:0];
+          registration_moved_half_q[1:0] <= write_data_i[7:6];
+        end
+        if (write_strb_i[1]) registration_moved_half_q[5:2] <= write_data_i[11:8];
+      end
+      if (write_q && write_group_q[7] && write_word_q[0]) begin  // EPIPOLAR
+        if (write_strb_i[0]) epipolar_slope_q[7:0] <= write_data_i[7:0];
+        if (write_strb_i[1]) epipolar_slope_q[15:8] <= write_data_i[15:8];
+        if (write_strb_i[2]) epipolar_column_q[7:0] <= write_data_i[23:16];
+        if (write_strb_i[3]) epipolar_column_q[15:8] <= write_data_i[31:24];
+      end
+      if (write_q && write_group_q[7] && write_word_q[1]) begin  // EPIPOLAR_CHANGE
+        if (write_strb_i[0]) epipolar_change_row_q[7:0] <= write_data_i[7:0];
+        if (write_strb_i[1]) epipolar_change_row_q[15:8] <= write_data_i[15:8];
+        if (write_strb_i[2]) epipolar_change_both_q[7:0] <= write_data_i[23:16];
+        if (write_strb_i[3]) epipolar_change_both_q[15:8] <= write_data_i[31:24];
+      end
+      if (write_q && write_group_q[8] && write_word_q[0]) begin  // ONE_CAMERA
+        if (write_strb_i[0]) one_camera_segments_q[7:0] <= write_data_i[7:0];
+      end
+      if (write_q && write_group_q[8] && write_word_q[1]) begin  // BLIND_STEP
+        if (write_strb_i[0]) blind_step_grey_q[7:0] <= write_data_i[7:0];
+      end
+      if (write_q && write_group_q[8] && write_word_q[2]) begin  // BLIND_SHARE
+        if (write_strb_i[0]) blind_share_of_256_q[7:0] <= write_data_i[7:0];
+      end
+      if (write_q && write_group_q[8] && write_word_q[3]) begin  // STILL_LIMIT
+        if (write_strb_i[0]) still_limit_frames_q[7:0] <= write_data_i[7:0];
+      end
+      if (write_q && write_group_q[8] && write_word_q[6]) begin  // REGION_SELECT
+        if (write_strb_i[0]) region_select_region_q[5:0] <= write_data_i[5:0];
+      end
     end
   end
 
@@ -380,21 +527,21 @@ module horopter_csr #(
   assign irq_status_o = irq_status_q;
 
   // FAULTS_CAMERAS: Every fault of the cameras since it was last cleared; a written 1 clears. safe_o does not depend on this register.
-  logic [21:0] faults_cameras_q;
+  logic [25:0] faults_cameras_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) faults_cameras_q <= 22'd0;
+    if (!rst_ni) faults_cameras_q <= 26'd0;
     else if (write_q && write_group_q[5] && write_word_q[0])
-      faults_cameras_q <= (faults_cameras_q & ~({write_data_i[26:16], write_data_i[10:0]} & {{3{write_strb_i[3]}}, {8{write_strb_i[2]}}, {3{write_strb_i[1]}}, {8{write_strb_i[0]}}})) | faults_cameras_set_i;
+      faults_cameras_q <= (faults_cameras_q & ~({write_data_i[28:16], write_data_i[12:0]} & {{5{write_strb_i[3]}}, {8{write_strb_i[2]}}, {5{write_strb_i[1]}}, {8{write_strb_i[0]}}})) | faults_cameras_set_i;
     else faults_cameras_q <= faults_cameras_q | faults_cameras_set_i;
   end
   assign faults_cameras_o = faults_cameras_q;
 
   // FAULTS_MACHINE: The same for faults of both cameras together, of tables and of the machine.
-  logic [ 9:0] faults_machine_q;
+  logic [14:0] faults_machine_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) faults_machine_q <= 10'd0;
+    if (!rst_ni) faults_machine_q <= 15'd0;
     else if (write_q && write_group_q[5] && write_word_q[1])
-      faults_machine_q <= (faults_machine_q & ~(write_data_i[9:0] & {{2{write_strb_i[1]}}, {8{write_strb_i[0]}}})) | faults_machine_set_i;
+      faults_machine_q <= (faults_machine_q & ~(write_data_i[14:0] & {{7{write_strb_i[1]}}, {8{write_strb_i[0]}}})) | faults_machine_set_i;
     else faults_machine_q <= faults_machine_q | faults_machine_set_i;
   end
   assign faults_machine_o = faults_machine_q;
@@ -409,7 +556,10 @@ module horopter_csr #(
   logic [31:0] group_07_q;
   logic [31:0] group_08_q;
   logic [31:0] group_09_q;
-  logic [8:0] wanted_q;
+  logic [31:0] group_0A_q;
+  logic [31:0] group_0B_q;
+  logic [31:0] group_0C_q;
+  logic [11:0] wanted_q;
   logic known_q;
   logic [2:0] word_q;
   always_ff @(posedge clk_i) begin
@@ -424,14 +574,17 @@ module horopter_csr #(
       12'h0C0, 12'h0C4, 12'h0D0, 12'h0D4, 12'h0D8, 12'h0DC: wanted_q[5] <= 1'b1;
       12'h0E0, 12'h0E4: wanted_q[6] <= 1'b1;
       12'h100, 12'h104, 12'h108, 12'h10C, 12'h110, 12'h114, 12'h118, 12'h11C: wanted_q[7] <= 1'b1;
-      12'h120, 12'h124, 12'h128, 12'h12C: wanted_q[8] <= 1'b1;
+      12'h120, 12'h124, 12'h128, 12'h12C, 12'h130, 12'h134, 12'h138, 12'h13C: wanted_q[8] <= 1'b1;
+      12'h140, 12'h144, 12'h150, 12'h154, 12'h158, 12'h15C: wanted_q[9] <= 1'b1;
+      12'h160, 12'h164, 12'h168, 12'h16C, 12'h170, 12'h174, 12'h178: wanted_q[10] <= 1'b1;
+      12'h180, 12'h184, 12'h188, 12'h18C, 12'h190, 12'h194, 12'h198, 12'h19C: wanted_q[11] <= 1'b1;
       default: ;  // no register
     endcase
     group_00_q <= 32'd0;
     if (wanted_q[0])
       case (word_q)
         3'h0: group_00_q <= 32'h484F524F;
-        3'h1: group_00_q <= {16'h2, 16'h0};
+        3'h1: group_00_q <= {16'h2, 16'h1};
         3'h2: group_00_q <= {build_size_height_i, build_size_width_i};
         3'h3: group_00_q <= {build_store_pool_kib_i, build_store_rows_i};
         3'h4: group_00_q <= {2'd0, build_window_compete_i, build_window_thesis_i, build_window_hypotheses_i, build_window_weight_bits_i, build_window_subsample_i, build_window_majority_i, build_window_dsad_i};
@@ -490,15 +643,15 @@ module horopter_csr #(
     group_07_q <= 32'd0;
     if (wanted_q[6])
       case (word_q)
-        3'h0: group_07_q <= {5'd0, faults_cameras_q[21:11], 5'd0, faults_cameras_q[10:0]};
-        default: group_07_q <= {22'd0, faults_machine_q};
+        3'h0: group_07_q <= {3'd0, faults_cameras_q[25:13], 3'd0, faults_cameras_q[12:0]};
+        default: group_07_q <= {17'd0, faults_machine_q};
       endcase
     group_08_q <= 32'd0;
     if (wanted_q[7])
       case (word_q)
         3'h0: group_08_q <= frame_sequence_value_i;
         3'h1: group_08_q <= {26'd0, frame_status_i};
-        3'h2: group_08_q <= {5'd0, frame_faults_cameras_i[21:11], 5'd0, frame_faults_cameras_i[10:0]};
+        3'h2: group_08_q <= {3'd0, frame_faults_cameras_i[25:13], 3'd0, frame_faults_cameras_i[12:0]};
         3'h3: group_08_q <= frame_table_crc_value_i;
         3'h4: group_08_q <= {8'd0, frame_skin_pixels_i};
         3'h5: group_08_q <= {8'd0, frame_undecidable_pixels_i};
@@ -511,10 +664,47 @@ module horopter_csr #(
         3'h0: group_09_q <= frame_cycles_clocks_i;
         3'h1: group_09_q <= frame_latency_clocks_i;
         3'h2: group_09_q <= frame_tail_clocks_i;
-        default: group_09_q <= {22'd0, frame_faults_machine_i};
+        3'h3: group_09_q <= {17'd0, frame_faults_machine_i};
+        3'h4: group_09_q <= {17'd0, agreement_shift_highest_q, agreement_shift_lowest_q, agreement_nearer_above_q, agreement_nearer_below_q, agreement_prove_q};
+        3'h5: group_09_q <= {agreement_limits_hidden_q, agreement_limits_unproven_q, agreement_limits_regions_q, agreement_limits_explained_q};
+        3'h6: group_09_q <= {24'd0, hidden_frames_q};
+        default: group_09_q <= {20'd0, registration_moved_half_q, registration_moved_q};
+      endcase
+    group_0A_q <= 32'd0;
+    if (wanted_q[9])
+      case (word_q)
+        3'h0: group_0A_q <= {epipolar_column_q, epipolar_slope_q};
+        3'h1: group_0A_q <= {epipolar_change_both_q, epipolar_change_row_q};
+        3'h4: group_0A_q <= frame_agreement_i;
+        3'h5: group_0A_q <= frame_cells_i;
+        3'h6: group_0A_q <= frame_unproven_i;
+        default: group_0A_q <= frame_across_0_i;
+      endcase
+    group_0B_q <= 32'd0;
+    if (wanted_q[10])
+      case (word_q)
+        3'h0: group_0B_q <= frame_across_1_i;
+        3'h1: group_0B_q <= frame_across_2_i;
+        3'h2: group_0B_q <= frame_across_3_i;
+        3'h3: group_0B_q <= {8'd0, frame_detail_left_sum_i};
+        3'h4: group_0B_q <= {8'd0, frame_detail_right_sum_i};
+        3'h5: group_0B_q <= {8'd0, frame_contrast_left_sum_i};
+        default: group_0B_q <= {8'd0, frame_contrast_right_sum_i};
+      endcase
+    group_0C_q <= 32'd0;
+    if (wanted_q[11])
+      case (word_q)
+        3'h0: group_0C_q <= {24'd0, one_camera_segments_q};
+        3'h1: group_0C_q <= {24'd0, blind_step_grey_q};
+        3'h2: group_0C_q <= {24'd0, blind_share_of_256_q};
+        3'h3: group_0C_q <= {24'd0, still_limit_frames_q};
+        3'h4: group_0C_q <= {8'd0, frame_hidden_pixels_i};
+        3'h5: group_0C_q <= {8'd0, frame_unproven_pixels_pixels_i};
+        3'h6: group_0C_q <= {26'd0, region_select_region_q};
+        default: group_0C_q <= {2'd0, frame_region_i};
       endcase
     known_q <= wanted_q != '0;
-    read_data_o <= group_00_q | group_02_q | group_03_q | group_04_q | group_05_q | group_06_q | group_07_q | group_08_q | group_09_q;
+    read_data_o <= group_00_q | group_02_q | group_03_q | group_04_q | group_05_q | group_06_q | group_07_q | group_08_q | group_09_q | group_0A_q | group_0B_q | group_0C_q;
     read_error_o <= !known_q;
   end
 endmodule

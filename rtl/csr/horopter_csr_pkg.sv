@@ -25,12 +25,19 @@ package horopter_csr_pkg;
   } image_faults_t;
 
   typedef struct packed {  // from the highest bit
+    logic unsharp;
+    logic blind;
     logic parity;
     image_faults_t image;
     stream_faults_t stream;
   } camera_faults_t;
 
   typedef struct packed {  // from the highest bit
+    logic hidden;
+    logic moved;
+    logic unproven;
+    logic disagree;
+    logic one_camera;
     logic identical_images;
     logic internal;
     logic late;
@@ -42,6 +49,15 @@ package horopter_csr_pkg;
     logic store_miss;
     logic skew;
   } machine_faults_t;
+
+  typedef struct packed {  // from the highest bit
+    logic [ 1:0] unsharp;
+    logic untextured;
+    logic hidden;
+    logic moved;
+    logic unproven;
+    logic disagree;
+  } verdict_t;
 
   typedef struct packed {  // from the highest bit
     machine_faults_t machine;
@@ -84,4 +100,75 @@ package horopter_csr_pkg;
     logic safe;
     logic alarm;
   } frame_status_t;
+
+  typedef struct packed {  // from the highest bit
+    logic [ 5:0] shift_highest;
+    logic [ 5:0] shift_lowest;
+    logic nearer_above;
+    logic nearer_below;
+    logic prove;
+  } agreement_t;
+
+  typedef struct packed {  // from the highest bit
+    logic [ 7:0] hidden;
+    logic [ 7:0] unproven;
+    logic [ 7:0] regions;
+    logic [ 7:0] explained;
+  } agreement_limits_t;
+
+  typedef struct packed {  // from the highest bit
+    logic [ 5:0] moved_half;
+    logic [ 5:0] moved;
+  } registration_t;
+
+  typedef struct packed {  // from the highest bit
+    logic [15:0] column;
+    logic [15:0] slope;
+  } epipolar_t;
+
+  typedef struct packed {  // from the highest bit
+    logic [15:0] both;
+    logic [15:0] row;
+  } epipolar_change_t;
+
+  typedef struct packed {  // from the highest bit
+    logic [15:0] explained;
+    logic [15:0] textured;
+  } frame_agreement_t;
+
+  typedef struct packed {  // from the highest bit
+    logic [15:0] nearer;
+    logic [15:0] supervised;
+  } frame_cells_t;
+
+  typedef struct packed {  // from the highest bit
+    logic [15:0] bad_regions;
+    logic [15:0] cells;
+  } frame_unproven_t;
+
+  typedef struct packed {  // from the highest bit
+    logic [11:0] cells;
+    logic [19:0] sum;
+  } frame_across_0_t;
+
+  typedef struct packed {  // from the highest bit
+    logic [11:0] cells;
+    logic [19:0] sum;
+  } frame_across_1_t;
+
+  typedef struct packed {  // from the highest bit
+    logic [11:0] cells;
+    logic [19:0] sum;
+  } frame_across_2_t;
+
+  typedef struct packed {  // from the highest bit
+    logic [11:0] cells;
+    logic [19:0] sum;
+  } frame_across_3_t;
+
+  typedef struct packed {  // from the highest bit
+    logic [ 9:0] nearer;
+    logic [ 9:0] explained;
+    logic [ 9:0] textured;
+  } frame_region_t;
 endpackage

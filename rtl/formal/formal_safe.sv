@@ -16,6 +16,11 @@ module formal_safe (
     input logic        same_image,
     input horopter_csr_pkg::stream_faults_t left_stream,
     input horopter_csr_pkg::stream_faults_t right_stream,
+    input logic        judged,
+    input logic        judged_slot,
+    input logic        one_camera,
+    input logic [ 1:0] blind,
+    input logic [ 1:0] still,
     input logic        skew,
     input logic        bad_upload,
     input logic        refused_upload,
@@ -34,7 +39,9 @@ module formal_safe (
     input logic        counts_valid,
     input logic        alarm,
     input logic        too_undecidable,
-    input logic        too_unsupervised
+    input logic        too_unsupervised,
+    input logic        verdict_valid,
+    input horopter_csr_pkg::verdict_t verdict
 );
   logic publish, frame_alarm, frame_safe, frame_done, late, heartbeat, safe, unsafe;
   horopter_csr_pkg::faults_t frame_faults, fault_set;
@@ -55,6 +62,11 @@ module formal_safe (
       .same_image_i(same_image),
       .left_stream_i(left_stream),
       .right_stream_i(right_stream),
+      .judged_i(judged),
+      .judged_slot_i(judged_slot),
+      .one_camera_i(one_camera),
+      .blind_i(blind),
+      .still_i(still),
       .skew_i(skew),
       .bad_upload_i(bad_upload),
       .refused_upload_i(refused_upload),
@@ -79,6 +91,8 @@ module formal_safe (
       .alarm_i(alarm),
       .too_undecidable_i(too_undecidable),
       .too_unsupervised_i(too_unsupervised),
+      .verdict_valid_i(verdict_valid),
+      .verdict_i(verdict),
       .publish_o(publish),
       .frame_sequence_o(sequence_number),
       .frame_alarm_o(frame_alarm),
@@ -128,7 +142,7 @@ module formal_safe (
   // Faults of a health result without valid, or of an alarm without counts, mean nothing.
   assign fault_now = {left_stream, right_stream, skew, bad_upload, refused_upload, silence, parity_error, internal, miss} != '0 || identical
       || (health_valid[0] && left_health != '0) || (health_valid[1] && right_health != '0)
-      || (counts_valid && (too_undecidable || too_unsupervised));
+      || (counts_valid && (too_undecidable || too_unsupervised)) || (verdict_valid && verdict != '0);
   always @(posedge clk_i) begin
     past_valid <= 1'b1;
     past_reset <= !rst_ni;

@@ -2,11 +2,12 @@
 // Frame control: collects the faults of each frame, publishes a frame when its last state has left, decides what is safe.
 //
 // Faults of the streams and skew belong to the frame record open_slot_i, those of an image check to the record in which
-// the camera's frame ended (identical images: that of the second camera), parity, store_miss and internal to the frame being output, those of an upload to the next
+// the camera's frame ended (identical images: that of the second camera), those of the check of both images to its
+// record judged_slot_i, parity, store_miss and internal to the frame being output, those of an upload to the next
 // frame published. A silence, silence_i, makes not safe at once, but belongs to no frame.
 //
-// A frame is published, publish_o for one clock, when its last state and its last run have left and its counts are
-// there. In the same clock all frame_* outputs change, frame_done_o = 1, heartbeat_o toggles.
+// A frame is published, publish_o for one clock, when its last state and its last run have left and its counts and its
+// verdict (stage `agreement`) are there. In the same clock all frame_* outputs change, frame_done_o = 1, heartbeat_o toggles.
 // safe_o rises only then, and only if the frame had no fault and no alarm and nothing speaks against the next one; it
 // falls with any fault, with the watchdog, and while safe_allowed_i is 0. unsafe_o is decided and stored on its own.
 // Reset: not safe.
@@ -27,6 +28,11 @@ module horopter_frame_control (
     input  logic              same_image_i,  // the images last checked are the same
     input  horopter_csr_pkg::stream_faults_t left_stream_i,
     input  horopter_csr_pkg::stream_faults_t right_stream_i,
+    input  logic              judged_i,  // the check of both images
+    input  logic              judged_slot_i,
+    input  logic              one_camera_i,
+    input  logic [       1:0] blind_i,
+    input  logic [       1:0] still_i,
     input  logic              skew_i,
     input  logic              bad_upload_i,
     input  logic              refused_upload_i,
@@ -52,6 +58,8 @@ module horopter_frame_control (
     input  logic              alarm_i,
     input  logic              too_undecidable_i,
     input  logic              too_unsupervised_i,
+    input  logic              verdict_valid_i,  // what both cameras see, together
+    input  horopter_csr_pkg::verdict_t verdict_i,
     output logic              publish_o,
     // the last published frame
     output logic [      31:0] frame_sequence_o,
@@ -77,14 +85,16 @@ module horopter_frame_control (
 );
   // --- faults, registered, so that their sources may be slow ---
   // Of each vector only what its source has; the rest stays '0.
-  horopter_csr_pkg::faults_t arriving_q, left_health_q, right_health_q, outgoing_q, event_in_q, transient_q;
-  logic open_q, open_slot_q, left_slot_q, right_slot_q, late_rises;
+  horopter_csr_pkg::faults_t arriving_q, left_health_q, right_health_q, judged_q, outgoing_q, event_in_q, transient_q;
+  logic open_q, open_slot_q, left_slot_q, right_slot_q, judged_slot_q, late_rises;
+  logic [1:0] empty_q;  // the image check has found nothing in the camera's image
   logic [1:0] left_checked_q, right_checked_q;  // by record
   logic [4:0] begin_q;  // the table's entry is there some clocks after the begin
   always_ff @(posedge clk_i) begin
     arriving_q <= '0;
     left_health_q <= '0;
     right_health_q <= '0;
+    judged_q <= '0;
     outgoing_q <= '0;
     event_in_q <= '0;
     transient_q <= '0;
@@ -100,12 +110,25 @@ module horopter_frame_control (
       // Told with the second of the two.
       left_health_q.machine.identical_images <= health_valid_i[0] && same_image_i && right_checked_q[left_slot_q];
       right_health_q.machine.identical_images <= health_valid_i[1] && same_image_i && (left_checked_q[right_slot_q] || health_valid_i[0]);
+      judged_q.machine.one_camera <= judged_i && one_camera_i && !same_image_i;  // that says it already
+      judged_q.left.blind <= judged_i && blind_i[0] && !empty_q[0];
+      judged_q.right.blind <= judged_i && blind_i[1] && !empty_q[1];
+      judged_q.left.image.frozen <= judged_i && still_i[0];
+      judged_q.right.image.frozen <= judged_i && still_i[1];
+      if (health_valid_i[0]) empty_q[0] <= left_health_i.black || left_health_i.white || left_health_i.constant;
+      if (health_valid_i[1]) empty_q[1] <= right_health_i.black || right_health_i.white || right_health_i.constant;
       outgoing_q.left.parity <= parity_error_i[0];
       outgoing_q.right.parity <= parity_error_i[1];
       outgoing_q.machine.store_miss <= miss_i;
       outgoing_q.machine.internal <= internal_i;
       outgoing_q.machine.no_table <= begin_q[4] && !table_ok_i;
-      outgoing_q.machine.too_undecidable <= counts_valid_i && too_undecidable_i;
+      outgoing_q.machine.too_undecidable <= (counts_valid_i && too_undecidable_i) || (verdict_valid_i && verdict_i.untextured);
+      outgoing_q.machine.disagree <= verdict_valid_i && verdict_i.disagree;
+      outgoing_q.machine.unproven <= verdict_valid_i && verdict_i.unproven;
+      outgoing_q.machine.moved <= verdict_valid_i && verdict_i.moved;
+      outgoing_q.machine.hidden <= verdict_valid_i && verdict_i.hidden;
+      outgoing_q.left.unsharp <= verdict_valid_i && verdict_i.unsharp[0];
+      outgoing_q.right.unsharp <= verdict_valid_i && verdict_i.unsharp[1];
       outgoing_q.machine.too_unsupervised <= counts_valid_i && too_unsupervised_i;
       event_in_q.machine.map_crc <= bad_upload_i;
       event_in_q.machine.map_busy <= refused_upload_i;
@@ -116,16 +139,17 @@ module horopter_frame_control (
       begin_q <= {begin_q[3:0], begin_i};
     end
     open_slot_q <= open_slot_i;
+    judged_slot_q <= judged_slot_i;
     if (health_end_i[0]) left_slot_q <= open_slot_i;
     if (health_end_i[1]) right_slot_q <= open_slot_i;
   end
 
   // --- where they belong: a frame record, or, if that is closed already, to the next frame published ---
-  logic state_ended_q, runs_ended_q, counted_q;
+  logic state_ended_q, runs_ended_q, counted_q, judged_by_both_q;
   logic complete, publishing, publish_q;
   logic [1:0] accepts;  // records that still take faults
   horopter_csr_pkg::faults_t set_record0, set_record1, set_event;
-  assign complete = active_i && state_ended_q && runs_ended_q && counted_q && !publishing && !publish_q && !publish_o;
+  assign complete = active_i && state_ended_q && runs_ended_q && counted_q && judged_by_both_q && !publishing && !publish_q && !publish_o;
   always_ff @(posedge clk_i) begin
     publishing <= rst_ni && complete;
     accepts <= busy_i;
@@ -144,6 +168,9 @@ module horopter_frame_control (
     if (!accepts[right_slot_q]) set_event = set_event | right_health_q;
     else if (right_slot_q) set_record1 = set_record1 | right_health_q;
     else set_record0 = set_record0 | right_health_q;
+    if (!accepts[judged_slot_q]) set_event = set_event | judged_q;
+    else if (judged_slot_q) set_record1 = set_record1 | judged_q;
+    else set_record0 = set_record0 | judged_q;
     if (!accepts[read_slot_i]) set_event = set_event | outgoing_q;
     else if (read_slot_i) set_record1 = set_record1 | outgoing_q;
     else set_record0 = set_record0 | outgoing_q;
@@ -218,6 +245,7 @@ module horopter_frame_control (
       state_ended_q <= 1'b0;
       runs_ended_q <= 1'b0;
       counted_q <= 1'b0;
+      judged_by_both_q <= 1'b0;
       first_seen_q <= 1'b0;
       alarm_q <= 1'b1;
       misses_q <= 24'd0;
@@ -244,6 +272,7 @@ module horopter_frame_control (
         state_ended_q <= 1'b0;
         runs_ended_q <= 1'b0;
         counted_q <= 1'b0;
+        judged_by_both_q <= 1'b0;
         first_seen_q <= 1'b0;
         alarm_q <= 1'b1;
         misses_q <= 24'd0;
@@ -251,6 +280,7 @@ module horopter_frame_control (
         if (state_first_q) first_seen_q <= 1'b1;
         if (state_end_i) state_ended_q <= 1'b1;
         if (runs_end_i) runs_ended_q <= 1'b1;
+        if (verdict_valid_i) judged_by_both_q <= 1'b1;
         if (counts_valid_i) begin
           counted_q <= 1'b1;
           alarm_q <= alarm_i;

@@ -24,6 +24,12 @@ module horopter_settings #(
     input  logic [15:0]                texture_limit_i,
     input  logic [23:0]                alarm_limit_i,
     input  logic [23:0]                unsupervised_limit_i,
+    input  horopter_csr_pkg::agreement_t agreement_i,
+    input  horopter_csr_pkg::agreement_limits_t agreement_limits_i,
+    input  logic [7:0]                 hidden_frames_i,
+    input  horopter_csr_pkg::registration_t registration_i,
+    input  horopter_csr_pkg::epipolar_t epipolar_i,
+    input  horopter_csr_pkg::epipolar_change_t epipolar_change_i,
     input  logic                       decision_compete_i,
     input  horopter_csr_pkg::compete_t compete_i,
     input  logic [11:0]                width_i,
@@ -43,6 +49,12 @@ module horopter_settings #(
     output logic [TEXTURE_BITS-1:0]    texture_limit_o,
     output logic [COUNT_BITS-1:0]      alarm_limit_o,
     output logic [COUNT_BITS-1:0]      unsupervised_limit_o,
+    output horopter_csr_pkg::agreement_t agreement_o,
+    output horopter_csr_pkg::agreement_limits_t agreement_limits_o,
+    output logic [7:0]                 hidden_frames_o,
+    output horopter_csr_pkg::registration_t registration_o,
+    output horopter_csr_pkg::epipolar_t epipolar_o,
+    output horopter_csr_pkg::epipolar_change_t epipolar_change_o,
     output logic                       decision_compete_o,
     output horopter_csr_pkg::compete_t compete_o,
     output logic [WIDTH_BITS-1:0]      result_width_o,  // after sub-sampling
@@ -66,6 +78,12 @@ module horopter_settings #(
       texture_limit_o <= 32'(texture_limit_i) >> TEXTURE_BITS != 0 ? '1 : TEXTURE_BITS'(texture_limit_i);
       alarm_limit_o <= 32'(alarm_limit_i) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(alarm_limit_i);
       unsupervised_limit_o <= 32'(unsupervised_limit_i) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(unsupervised_limit_i);
+      agreement_o <= agreement_i;
+      agreement_limits_o <= agreement_limits_i;
+      hidden_frames_o <= hidden_frames_i;
+      registration_o <= registration_i;
+      epipolar_o <= epipolar_i;
+      epipolar_change_o <= epipolar_change_i;
       result_width_o <= WIDTH_BITS'(32'(width_i) / horopter_profile_pkg::SUBSAMPLE);
       result_height_o <= height_i;
     end

@@ -94,7 +94,7 @@ module horopter_top #(
   localparam int unsigned MAX_SUM = 15 * DSAD_WINDOW * DSAD_WINDOW;
 
   // Beats that can be under way from the raster generator to the output FIFOs: a bound on the sum of all latencies.
-  localparam int unsigned IN_FLIGHT = 128;
+  localparam int unsigned IN_FLIGHT = FAST ? 160 : 128;
   localparam int unsigned RING_BITS = $clog2(STORE_ROWS);
   localparam int unsigned LEFT_BITS = $clog2(LEFT_ROWS);
   localparam int unsigned MAP_ADDR_BITS = $clog2(POOL_BYTES / 8);
@@ -171,7 +171,22 @@ module horopter_top #(
   horopter_csr_pkg::irq_status_t irq_set, irq_status;
   logic [15:0] sum_limit, self_limit, texture_limit;
   logic [23:0] alarm_limit, map_undecidable_limit, unsupervised_limit, black_limit, white_limit;
-  logic [7:0] black_level, white_level, constant_limit, frozen_limit;
+  logic [7:0] black_level, white_level, constant_limit, frozen_limit, one_camera_segments;
+  logic [7:0] blind_step, blind_share, still_limit;
+  horopter_csr_pkg::agreement_t agreement, sampled_agreement;
+  horopter_csr_pkg::agreement_limits_t agreement_limits, sampled_agreement_limits;
+  logic [7:0] hidden_frames, sampled_hidden_frames;
+  horopter_csr_pkg::registration_t registration, sampled_registration;
+  horopter_csr_pkg::epipolar_t epipolar, sampled_epipolar;
+  horopter_csr_pkg::epipolar_change_t epipolar_change, sampled_epipolar_change;
+  logic [5:0] region_select;
+  horopter_csr_pkg::frame_agreement_t frame_agreement;
+  horopter_csr_pkg::frame_cells_t frame_cells;
+  horopter_csr_pkg::frame_unproven_t frame_unproven;
+  horopter_csr_pkg::frame_region_t frame_region;
+  logic [127:0] frame_across;
+  logic [47:0] frame_detail, frame_contrast;
+  logic [23:0] frame_hidden, frame_unproven_pixels;
   logic decision_compete;
   horopter_csr_pkg::compete_t compete_settings;
   logic [3:0] map_slot;
@@ -256,8 +271,33 @@ module horopter_top #(
       .white_limit_pixels_o(white_limit),
       .constant_limit_grey_o(constant_limit),
       .frozen_limit_frames_o(frozen_limit),
+      .one_camera_segments_o(one_camera_segments),
+      .blind_step_grey_o(blind_step),
+      .blind_share_of_256_o(blind_share),
+      .still_limit_frames_o(still_limit),
       .decision_compete_o(decision_compete),
       .compete_o(compete_settings),
+      .agreement_o(agreement),
+      .agreement_limits_o(agreement_limits),
+      .hidden_frames_o(hidden_frames),
+      .registration_o(registration),
+      .epipolar_o(epipolar),
+      .epipolar_change_o(epipolar_change),
+      .region_select_region_o(region_select),
+      .frame_agreement_i(frame_agreement),
+      .frame_cells_i(frame_cells),
+      .frame_unproven_i(frame_unproven),
+      .frame_across_0_i(frame_across[31:0]),
+      .frame_across_1_i(frame_across[63:32]),
+      .frame_across_2_i(frame_across[95:64]),
+      .frame_across_3_i(frame_across[127:96]),
+      .frame_detail_left_sum_i(frame_detail[23:0]),
+      .frame_detail_right_sum_i(frame_detail[47:24]),
+      .frame_contrast_left_sum_i(frame_contrast[23:0]),
+      .frame_contrast_right_sum_i(frame_contrast[47:24]),
+      .frame_hidden_pixels_i(frame_hidden),
+      .frame_unproven_pixels_pixels_i(frame_unproven_pixels),
+      .frame_region_i(frame_region),
       .map_slot_slot_o(map_slot),
       .map_base_word64_o(map_base),
       .map_undecidable_limit_pixels_o(map_undecidable_limit),
@@ -328,6 +368,12 @@ module horopter_top #(
       .alarm_limit_i(alarm_limit),
       .undecidable_limit_i(table_undecidable_limit),
       .unsupervised_limit_i(unsupervised_limit),
+      .agreement_i(agreement),
+      .agreement_limits_i(agreement_limits),
+      .hidden_frames_i(hidden_frames),
+      .registration_i(registration),
+      .epipolar_i(epipolar),
+      .epipolar_change_i(epipolar_change),
       .decision_compete_i(decision_compete),
       .compete_i(compete_settings),
       .width_i(width),
@@ -346,6 +392,12 @@ module horopter_top #(
       .alarm_limit_o(sampled_alarm_limit),
       .undecidable_limit_o(sampled_undecidable_limit),
       .unsupervised_limit_o(sampled_unsupervised_limit),
+      .agreement_o(sampled_agreement),
+      .agreement_limits_o(sampled_agreement_limits),
+      .hidden_frames_o(sampled_hidden_frames),
+      .registration_o(sampled_registration),
+      .epipolar_o(sampled_epipolar),
+      .epipolar_change_o(sampled_epipolar_change),
       .decision_compete_o(sampled_compete),
       .compete_o(sampled_settings),
       .result_width_o(result_width),
@@ -365,6 +417,9 @@ module horopter_top #(
   horopter_csr_pkg::stream_faults_t left_stream, right_stream;
   horopter_csr_pkg::image_faults_t left_health, right_health;
   logic [31:0] left_signature, right_signature;
+  logic [1:0] cell_valid, cell_start, blind, still;
+  logic [7:0] left_cell_mean, right_cell_mean;
+  logic judged, judged_slot, one_camera;
   logic open_slot, arrived, skew, patience;
   logic unused_left;
   assign unused_left = ^{left_stored, left_slot};
@@ -427,7 +482,10 @@ module horopter_top #(
       .health_end_o(health_end[0]),
       .health_valid_o(health_valid[0]),
       .health_o(left_health),
-      .signature_o(left_signature)
+      .signature_o(left_signature),
+      .cell_valid_o(cell_valid[0]),
+      .cell_mean_o(left_cell_mean),
+      .cell_start_o(cell_start[0])
   );
   horopter_camera_input #(
       .SLOTS(STORE_ROWS),
@@ -485,7 +543,10 @@ module horopter_top #(
       .health_end_o(health_end[1]),
       .health_valid_o(health_valid[1]),
       .health_o(right_health),
-      .signature_o(right_signature)
+      .signature_o(right_signature),
+      .cell_valid_o(cell_valid[1]),
+      .cell_mean_o(right_cell_mean),
+      .cell_start_o(cell_start[1])
   );
 
   logic read_slot, published, left_ended, right_ended;
@@ -528,6 +589,27 @@ module horopter_top #(
       .right_base_o(right_base),
       .right_base_slot_o(right_base_slot),
       .free_i(published)
+  );
+
+  horopter_coarse_check u_coarse_check (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .one_camera_segments_i(one_camera_segments),
+      .blind_step_i(blind_step),
+      .blind_share_i(blind_share),
+      .still_limit_i(still_limit),
+      .valid_i(cell_valid),
+      .left_mean_i(left_cell_mean),
+      .right_mean_i(right_cell_mean),
+      .start_i(cell_start),
+      .open_i(frame_open),
+      .slot_i(open_slot),
+      .arrived_i(arrived),
+      .judged_o(judged),
+      .judged_slot_o(judged_slot),
+      .one_camera_o(one_camera),
+      .blind_o(blind),
+      .still_o(still)
   );
 
   // ------------------------------------------------------------------------------------------------ map and raster
@@ -763,7 +845,20 @@ module horopter_top #(
   logic [COLUMN_BITS-1:0] run_start, run_end;
   logic [1:0] run_state;
   logic counts_valid, alarm, too_undecidable, too_unsupervised;
-  logic [COUNT_BITS-1:0] skin_pixels, undecidable_pixels, unsupervised_pixels;
+  logic [COUNT_BITS-1:0] skin_pixels, undecidable_pixels, unsupervised_pixels, unearned_pixels;
+  logic verdict_valid, region_valid;
+  logic disagree, unproven, moved, hidden, untextured;
+  logic [1:0] unsharp;
+  horopter_csr_pkg::verdict_t verdict;
+  assign verdict = {unsharp, untextured, hidden, moved, unproven, disagree};  // as horopter_csr_pkg has it
+  logic [15:0] supervised_cells, textured_cells, explained_cells, nearer_cells, unproven_cells, bad_region_cells;
+  logic [79:0] across;
+  logic [47:0] measured, detail, contrast;
+  logic [5:0] region;
+  logic [11:0] region_textured, region_explained, region_nearer;
+  logic align_hidden, align_unproven;
+  logic unused_region;
+  assign unused_region = ^{region_textured[11:10], region_explained[11:10], region_nearer[11:10]};
   horopter_stages #(
       .THESIS(THESIS),
       .COMPETE(COMPETE)
@@ -788,6 +883,55 @@ module horopter_top #(
       .cfg_self_limit_i(sampled_self_limit),
       .cfg_compete_i(sampled_compete),
       .compete_settings_i(sampled_settings),
+      .cfg_prove_i(sampled_agreement.prove),
+      .cfg_nearer_below_i(sampled_agreement.nearer_below),
+      .cfg_nearer_above_i(sampled_agreement.nearer_above),
+      .cfg_shift_lowest_i(sampled_agreement.shift_lowest),
+      .cfg_shift_highest_i(sampled_agreement.shift_highest),
+      .cfg_explained_limit_i(sampled_agreement_limits.explained),
+      .cfg_regions_limit_i(sampled_agreement_limits.regions),
+      .cfg_unproven_limit_i(sampled_agreement_limits.unproven),
+      .cfg_hidden_limit_i(sampled_agreement_limits.hidden),
+      .cfg_hidden_frames_i(sampled_hidden_frames),
+      .cfg_moved_limit_i(sampled_registration.moved),
+      .cfg_moved_half_limit_i(sampled_registration.moved_half),
+      .cfg_epipolar_slope_i(sampled_epipolar.slope),
+      .cfg_epipolar_column_i(sampled_epipolar.column),
+      .cfg_epipolar_row_i(sampled_epipolar_change.row),
+      .cfg_epipolar_both_i(sampled_epipolar_change.both),
+      .agreement_verdict_valid_o(verdict_valid),
+      .agreement_verdict_supervised_o(supervised_cells),
+      .agreement_verdict_textured_o(textured_cells),
+      .agreement_verdict_explained_o(explained_cells),
+      .agreement_verdict_nearer_o(nearer_cells),
+      .agreement_verdict_unproven_o(unproven_cells),
+      .agreement_verdict_regions_bad_o(bad_region_cells),
+      .agreement_verdict_unproven_yet_o(unproven),
+      .agreement_verdict_untextured_o(untextured),
+      .agreement_verdict_disagree_o(disagree),
+      .agreement_verdict_moved_o(moved),
+      .agreement_verdict_unsharp_left_o(unsharp[0]),
+      .agreement_verdict_unsharp_right_o(unsharp[1]),
+      .agreement_verdict_hidden_o(hidden),
+      .agreement_verdict_across_0_o(across[19:0]),
+      .agreement_verdict_across_1_o(across[39:20]),
+      .agreement_verdict_across_2_o(across[59:40]),
+      .agreement_verdict_across_3_o(across[79:60]),
+      .agreement_verdict_measured_0_o(measured[11:0]),
+      .agreement_verdict_measured_1_o(measured[23:12]),
+      .agreement_verdict_measured_2_o(measured[35:24]),
+      .agreement_verdict_measured_3_o(measured[47:36]),
+      .agreement_verdict_detail_0_o(detail[23:0]),
+      .agreement_verdict_detail_1_o(detail[47:24]),
+      .agreement_verdict_contrast_0_o(contrast[23:0]),
+      .agreement_verdict_contrast_1_o(contrast[47:24]),
+      .agreement_region_valid_o(region_valid),
+      .agreement_region_region_o(region),
+      .agreement_region_textured_o(region_textured),
+      .agreement_region_explained_o(region_explained),
+      .agreement_region_nearer_o(region_nearer),
+      .align_hidden_o(align_hidden),
+      .align_unproven_o(align_unproven),
       .cfg_width_i(result_width),
       .cfg_height_i(result_height),
       .cfg_alarm_limit_i(sampled_alarm_limit),
@@ -812,6 +956,45 @@ module horopter_top #(
       .alarm_alarm_o(alarm),
       .alarm_too_undecidable_o(too_undecidable),
       .alarm_too_unsupervised_o(too_unsupervised)
+  );
+
+  horopter_agreement_result #(
+      .COUNT_BITS(COUNT_BITS)
+  ) u_agreement_result (
+      .clk_i(clk_i),
+      .prove_i(sampled_agreement.prove),
+      .verdict_valid_i(verdict_valid),
+      .supervised_i(supervised_cells),
+      .textured_i(textured_cells),
+      .explained_i(explained_cells),
+      .nearer_i(nearer_cells),
+      .unproven_i(unproven_cells),
+      .regions_bad_i(bad_region_cells),
+      .across_i(across),
+      .measured_i(measured),
+      .detail_i(detail),
+      .contrast_i(contrast),
+      .region_valid_i(region_valid),
+      .region_i(region),
+      .region_textured_i(region_textured[9:0]),
+      .region_explained_i(region_explained[9:0]),
+      .region_nearer_i(region_nearer[9:0]),
+      .state_valid_i(state_valid && !state_idle),
+      .state_first_i(state_first),
+      .hidden_i(align_hidden),
+      .unproven_pixel_i(align_unproven),
+      .counts_valid_i(counts_valid),
+      .unearned_o(unearned_pixels),
+      .region_select_i(region_select),
+      .frame_agreement_o(frame_agreement),
+      .frame_cells_o(frame_cells),
+      .frame_unproven_o(frame_unproven),
+      .frame_across_o(frame_across),
+      .frame_detail_o(frame_detail),
+      .frame_contrast_o(frame_contrast),
+      .frame_hidden_o(frame_hidden),
+      .frame_unproven_pixels_o(frame_unproven_pixels),
+      .frame_region_o(frame_region)
   );
 
   // ------------------------------------------------------------------------------------------------ outputs
@@ -884,6 +1067,11 @@ module horopter_top #(
       .right_health_i(right_health),
       .left_signature_i(left_signature),
       .right_signature_i(right_signature),
+      .judged_i(judged),
+      .judged_slot_i(judged_slot),
+      .one_camera_i(one_camera),
+      .blind_i(blind),
+      .still_i(still),
       .left_stream_i(left_stream),
       .right_stream_i(right_stream),
       .skew_i(skew),
@@ -910,11 +1098,13 @@ module horopter_top #(
       .runs_end_i(out_runs_end),
       .counts_valid_i(counts_valid),
       .skin_i(24'(skin_pixels)),
-      .undecidable_i(24'(undecidable_pixels)),
+      .undecidable_i(24'(undecidable_pixels) + 24'(unearned_pixels)),
       .unsupervised_i(24'(unsupervised_pixels)),
       .alarm_i(alarm),
       .too_undecidable_i(too_undecidable),
       .too_unsupervised_i(too_unsupervised),
+      .verdict_valid_i(verdict_valid),
+      .verdict_i(verdict),
       .publish_o(published),
       .frame_sequence_o(frame_sequence),
       .frame_status_o(frame_status),

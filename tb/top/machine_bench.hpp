@@ -119,7 +119,8 @@ class Machine : public Endpoint {
         host_{HOROPTER_TB_AXIL(simulation_.model(), s_axil), session_seed(), 20},
         engine_{native::make_engine(profile)},
         settings_{native::Settings::defaults(engine_->profile(), static_cast<int>(options.width),
-                                             static_cast<int>(options.height))} {
+                                             static_cast<int>(options.height))
+                      .without_proof()} {
     settings_.lookahead = static_cast<int>(options.lookahead);
     for (Endpoint* endpoint :
          {static_cast<Endpoint*>(&left_), static_cast<Endpoint*>(&right_), static_cast<Endpoint*>(&states_),
@@ -151,12 +152,14 @@ class Machine : public Endpoint {
     write(reg::height::kAddress, options_.height);
     write(reg::lookahead::kAddress, options_.lookahead);
     if (options_.timeout_clocks != 0) write(reg::timeout::kAddress, options_.timeout_clocks);
-    write_limits();
+    write_settings(settings_, [&](std::uint32_t address, std::uint32_t word) { write(address, word); });
     write(reg::control::kAddress, reg::control::kEnable.put(1));
     REQUIRE(reg::status::kBadGeometry.get(read(reg::status::kAddress)) == 0);
   }
   void write_limits() {
-    write_settings(settings_, [&](std::uint32_t address, std::uint32_t word) { write(address, word); });
+    write_settings(settings_, [&](std::uint32_t address, std::uint32_t word) {
+      if (address != reg::agreement::kAddress) write(address, word);  // that is locked
+    });
   }
 
   void write(std::uint32_t address, std::uint32_t value) {

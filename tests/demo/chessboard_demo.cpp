@@ -162,11 +162,11 @@ ExitStatus demonstrate(const Options& options) {
   const int width = pairs.front().left.width;
   const int height = pairs.front().left.height;
   std::vector<Monitor*> monitors;
-  Monitor monitor(make_device(options.engine, profile), profile, options.settings);
+  const Settings settings = options.settings.without_proof();  // the pairs are no sequence: each shows another scene
+  Monitor monitor(make_device(options.engine, profile), profile, settings);
   monitors.push_back(&monitor);
   std::optional<Twin> twin;
-  if (options.compare && options.engine != "native")
-    monitors.push_back(&twin.emplace(profile, options.settings).monitor());
+  if (options.compare && options.engine != "native") monitors.push_back(&twin.emplace(profile, settings).monitor());
   for (Monitor* m : monitors) m->start(width, height, lookahead);
 
   constexpr std::array<const char*, kSkins> kNames{"skin", "plus", "minus"};

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The native engine behind its registers and the co-simulated hardware are one machine to software: the same accesses
 // give the same answers, refusals, states, runs and faults.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <memory>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -43,11 +45,13 @@ Image right_of(const Image& left, unsigned seed) {
 }
 
 /// With every fact that a table can have.
-std::vector<std::uint32_t> table(const MachineProfile& profile, const Matrix3& skin) {
-  MapTable table = compile_map(HomographySkin(skin), profile, {kWidth, kHeight, Scan::progressive}).table;
+std::vector<std::uint32_t> table(const MachineProfile& profile, const Matrix3& skin, int width = kWidth,
+                                 int height = kHeight) {
+  MapTable table = compile_map(HomographySkin(skin), profile, {width, height, Scan::progressive}).table;
   hls::table::Facts facts = table.facts();
   facts.shifts = {-40, 6};
-  for (std::uint8_t block = 0; block < 6; ++block) facts.areas.push_back(100 + block);
+  const int blocks = ((width + 31) / 32) * ((height + 31) / 32);
+  for (int block = 0; block < blocks; ++block) facts.areas.push_back(static_cast<std::uint8_t>(100 + block));
   table.seal(facts);
   return table.words();
 }
@@ -117,19 +121,33 @@ class Pair {
           reg::frame_misses::kAddress, reg::faults_cameras::kAddress, reg::faults_machine::kAddress}) {
       read(address);
     }
+    for (auto address = reg::frame_agreement::kAddress; address <= reg::frame_contrast_right::kAddress; address += 4) {
+      read(address);
+    }
+    read(reg::frame_hidden::kAddress);
+    read(reg::frame_unproven_pixels::kAddress);
     CHECK(rtl().safe_pin() != rtl().unsafe_pin());
     CHECK(rtl().safe_pin() == (reg::frame_status::kSafe.get(read(reg::frame_status::kAddress)) != 0));
     return {read(reg::frame_faults_cameras::kAddress), read(reg::frame_faults_machine::kAddress)};
   }
 
+  /// Clear need not be earned: pictures of noise are no world.
   void start() {
-    write(reg::width::kAddress, kWidth);
-    write(reg::height::kAddress, kHeight);
+    write(reg::agreement::kAddress, 0);
+    write(reg::blind_share::kAddress, 0);
+    write(reg::one_camera::kAddress, 0);
+    write(reg::still_limit::kAddress, 0);
+    start(kWidth, kHeight);
+  }
+  void start(int width, int height) {
+    write(reg::width::kAddress, static_cast<std::uint32_t>(width));
+    write(reg::height::kAddress, static_cast<std::uint32_t>(height));
     write(reg::lookahead::kAddress, 8);
     write(reg::sum_limit::kAddress, 303);
-    write(reg::alarm_limit::kAddress, kWidth * kHeight / 20);
-    write(reg::black_limit::kAddress, kWidth * kHeight * 95 / 100);
-    write(reg::white_limit::kAddress, kWidth * kHeight * 95 / 100);
+    const auto pixels = static_cast<std::uint32_t>(width * height);
+    write(reg::alarm_limit::kAddress, pixels / 20);
+    write(reg::black_limit::kAddress, pixels * 95 / 100);
+    write(reg::white_limit::kAddress, pixels * 95 / 100);
     write(reg::control::kAddress, 1);
   }
 
@@ -139,6 +157,15 @@ class Pair {
 };
 
 }  // namespace
+
+TEST_CASE("Machines end in any order") {
+  auto first = make_rtl_device(find_profile("vga"));
+  auto second = make_rtl_device(find_profile("vga"));
+  CHECK(first->read(reg::id::kAddress) == second->read(reg::id::kAddress));
+  first.reset();
+  CHECK(second->read(reg::id::kAddress) != 0);
+  second.reset();
+}
 
 TEST_CASE("Registers answer alike after reset, and refuse alike") {
   Pair pair(find_profile(GENERATE("vga", "field")));
@@ -260,6 +287,70 @@ TEST_CASE("Frames, tables and faults are alike, with gaps and back-pressure on t
   pair.write(reg::table_select::kAddress, 6);
   pair.write(reg::unsupervised_limit::kAddress, 100);
   CHECK(pair.frame(textured(100), textured(101)) == (Faults(Fault::too_undecidable) | Fault::too_unsupervised));
+}
+
+TEST_CASE("What both cameras show of one world is alike: cells, regions, verdicts, and what is hidden or unproven") {
+  const int width = 240;
+  const int height = 160;
+  const MachineProfile& profile = find_profile("vga");
+  Pair pair(profile);
+  pair.write(reg::map_undecidable_limit::kAddress, 0xFFFFFF);
+  pair.write(reg::agreement::kAddress, reg::agreement::kReset | reg::agreement::kNearerAbove.put(1));
+  pair.start(width, height);
+  pair.write(reg::hidden::kAddress, reg::hidden::kFrames.put(2));
+  CHECK(pair.upload(0, 0, table(profile, Matrix3{1, 0, 0, 0, 1, 0, 0, 0, 1}, width, height)) == 0);
+  pair.write(reg::table_select::kAddress, 0);
+  // Places as wide as a cell; the right camera sees them shifted, further to one side, or nothing of them.
+  std::mt19937 random(3);
+  const Image world = [&] {
+    Image image(width + 64, height + 64);
+    std::vector<std::uint8_t> grey(40 * 32);
+    for (auto& value : grey) value = static_cast<std::uint8_t>(random());
+    for (int y = 0; y < image.height; ++y) {
+      for (int x = 0; x < image.width; ++x) image.at(x, y) = grey[static_cast<std::size_t>(y / 8 * 40 + x / 8)];
+    }
+    return image;
+  }();
+  const auto view = [&](int dx, int dy, unsigned noise) {
+    Image image(width, height);
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        const int grey = world.at(x + 32 + dx, y + 32 + dy) + static_cast<int>(random() % noise);
+        image.at(x, y) = static_cast<std::uint8_t>(std::min(grey, 250));
+      }
+    }
+    return image;
+  };
+  std::set<Fault> found;
+  struct Shown {
+    int dx, dy;
+    unsigned noise;
+    bool upside_down = false;
+  };
+  for (const Shown& shown : {Shown{16, 0, 3},
+                             {16, 0, 3},
+                             {17, 0, 20},
+                             {-16, 0, 3},
+                             {-16, 0, 3},
+                             {-16, 0, 3},
+                             {16, 8, 3},
+                             {16, -5, 3},
+                             {0, 0, 3, true},
+                             {16, 0, 5}}) {
+    CAPTURE(shown.dx, shown.dy, shown.noise);
+    Image right = view(shown.dx, shown.dy, shown.noise);
+    if (shown.upside_down) std::ranges::reverse(right.pixels);
+    const Faults faults = pair.frame(view(0, 0, 3), right);
+    for (const Fault fault : {Fault::unproven, Fault::disagree, Fault::moved, Fault::hidden}) {
+      if (faults.has(fault)) found.insert(fault);
+    }
+    for (std::uint32_t region = 0; region < 48; ++region) {
+      pair.write(reg::region_select::kAddress, region);
+      pair.rtl().run(4);
+      pair.read(reg::frame_region::kAddress);
+    }
+  }
+  CHECK(found == std::set{Fault::unproven, Fault::disagree, Fault::moved, Fault::hidden});
 }
 
 }  // namespace horopter

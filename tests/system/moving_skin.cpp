@@ -73,7 +73,7 @@ TEST_CASE("A skin that moves every frame for 100 frames, uploaded while the hard
   CAPTURE(back_to_back);
   auto device = make_rtl_device(profile);
   auto& rtl = dynamic_cast<RtlDevice&>(*device);
-  MovingSupervisor hardware(std::move(device), profile, maps);
+  MovingSupervisor hardware(std::move(device), profile, maps, Settings{}.without_proof());
   std::int64_t skin_pixels = 0;
   std::size_t before = 0;  // frames whose neighbour's table would have given something else
   Image last_states;
@@ -88,7 +88,9 @@ TEST_CASE("A skin that moves every frame for 100 frames, uploaded while the hard
     const auto alone = [&](const CompiledMap& map) {
       MapSet set{"vga", kWidth, kHeight, "", "", {map}};
       set.maps[0].report.lookahead = maps.lookahead;
-      return Supervisor(make_native_device(profile), profile, set).process(left, right).at(0);
+      return Supervisor(make_native_device(profile), profile, set, Settings{}.without_proof())
+          .process(left, right)
+          .at(0);
     };
     const FrameResult expected = alone(own);
     CHECK(result.states == expected.states);

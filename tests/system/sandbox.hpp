@@ -66,7 +66,12 @@ class Sandbox {
     std::string err;
   };
   /// Runs the program in the sandbox, with its standard input closed: it must not ask questions.
-  Result run(const std::vector<std::string>& arguments) const { return start(HOROPTER_PROGRAM, arguments); }
+  /// Most images of these tests are no scenes by which clear could be earned: `run` is told so (earned.cpp tests it).
+  Result run(std::vector<std::string> arguments) const {
+    if (!arguments.empty() && arguments[0] == "run") arguments.emplace_back("--unproven");
+    return start(HOROPTER_PROGRAM, arguments);
+  }
+  Result run_proven(const std::vector<std::string>& arguments) const { return start(HOROPTER_PROGRAM, arguments); }
   /// Runs a script of the shell there, which finds the program as `horopter`.
   Result run_shell(const std::string& script) const {
     const std::string folder = fs::path(HOROPTER_PROGRAM).parent_path().string();

@@ -41,6 +41,7 @@ std::vector<std::uint8_t> engine_states(native::Pipeline<kPlain>& engine, const 
                                         int shift, const native::CompeteSettings& competition = {}) {
   auto settings = native::Settings::defaults(kPlain, left.width, left.height);
   settings.compete = true;
+  settings.prove = 0;
   static_cast<native::CompeteSettings&>(settings) = competition;
   const auto words = table_of(left.width, left.height, shift);
   return engine.process(left.view(), right.view(), native::TableView(words), settings).states;
@@ -58,7 +59,7 @@ class BeatByBeat {
     std::vector<std::uint8_t> states;
     for (int y = 0; y < left.height + kPlain.flush_rows(true); ++y) {
       for (int x = 0; x < left.width; ++x) {
-        GreyPair pair;
+        Grey<2> pair;
         pair.pixel = {u<8>(random()), u<8>(random())};
         pair.mask = y < left.height && x >= shift && x - shift < right.width;
         if (pair.mask) {
@@ -66,7 +67,7 @@ class BeatByBeat {
           pair.saturated = left.at(x, y) == 0 || left.at(x, y) == 255 || right.at(x - shift, y) == 0 ||
                            right.at(x - shift, y) == 255;
         }
-        pair.marks = {x == 0 && y == 0, x + 1 == left.width};
+        pair.marks = {x == 0 && y == 0, x + 1 == left.width, true, false};
         chain_.step(pair, [&]<Stage STAGE>(At<STAGE>, const auto& out) {
           if constexpr (STAGE == Stage::align) {
             if (!out.idle) states.push_back(out.state.value());

@@ -110,10 +110,10 @@ TEST_CASE("An image that claims to be huge is refused before it is decoded") {
       GENERATE(std::tuple{".png", 16, 4}, std::tuple{".jpg", -1, 2}, std::tuple{".bmp", 18, 4});
   CAPTURE(extension);
   auto bytes = encoded(extension, textured(CV_8UC1));
-  const auto put = [&](std::size_t at, unsigned value, bool big_endian) {
-    for (int i = 0; i < bytes_each; ++i) {
+  const auto put = [&, count = bytes_each](std::size_t at, unsigned value, bool big_endian) {
+    for (int i = 0; i < count; ++i) {
       bytes[at + static_cast<std::size_t>(i)] =
-          static_cast<std::uint8_t>(value >> 8 * (big_endian ? bytes_each - 1 - i : i));
+          static_cast<std::uint8_t>(value >> 8 * (big_endian ? count - 1 - i : i));
     }
   };
   std::size_t at = static_cast<std::size_t>(width_at);
@@ -220,6 +220,55 @@ TEST_CASE("Sequences come from files, patterns and directories, in order") {
   CHECK_THROWS_AS(open_frames({"camera:97"}), FileError);
   CHECK_THROWS_WITH(PairSource({(directory / "left*.png").string()}, {(directory / "right1.png").string()}),
                     Catch::Contains("2 left images but 1 right images"));
+}
+
+TEST_CASE("Images are paired as people count, and only with those of the same number") {
+  const TemporaryDirectory directory;
+  const auto image = encoded(".png", textured(CV_8UC1));
+  for (const char* side : {"l", "r", "cut", "one", "six"}) std::filesystem::create_directory(directory / side);
+  for (const char* name :
+       {"l/img8.png",    "l/img9.png",  "l/img10.png",   "l/img11.png",   "r/img08.png",   "r/img09.png",
+        "r/img10.png",   "r/img11.png", "cut/img08.png", "cut/img10.png", "cut/img11.png", "cut/img12.png",
+        "one/im2.png",   "one/im6.png", "six/im6.png",   "left1.png",     "right1.png",    "right2.png",
+        "right.png",     "0_7.png",     "1_7.png",       "0_8.png",       "1_8.png",       "2_8.png",
+        "7_0.png",       "7_1.png",     "8_0.png",       "8_1.png",       "a1_left_4.png", "a2_right_4.png",
+        "a2_right_5.png"}) {
+    directory.write(name, image);
+  }
+  const auto pairs = [&](const std::vector<std::string>& left, const std::vector<std::string>& right,
+                         PairNumbers numbers = PairNumbers::must_agree) {
+    const auto full = [&](const std::vector<std::string>& names) {
+      std::vector<std::string> paths;
+      for (const std::string& name : names) paths.push_back((directory / name).string());
+      return paths;
+    };
+    std::string joined;
+    PairSource source(full(left), full(right), numbers);
+    while (const auto pair = source.next()) {
+      joined += std::filesystem::path(pair->left.name).stem().string() + "-" +
+                std::filesystem::path(pair->right.name).stem().string() + " ";
+    }
+    return joined;
+  };
+  const std::string counted = "img8-img08 img9-img09 img10-img10 img11-img11 ";
+  CHECK(pairs({"l"}, {"r"}) == counted);
+  CHECK(pairs({"l/img*"}, {"r/*.png"}) == counted);
+  CHECK_THROWS_WITH(pairs({"l"}, {"cut"}), Catch::Contains("img10.png: its number is not that of the left image") &&
+                                               Catch::Contains("img9.png") && Catch::Contains("--pair-by-order"));
+  CHECK(pairs({"l"}, {"cut"}, PairNumbers::ignored) == "img8-img08 img9-img10 img10-img11 img11-img12 ");
+  // One number is the moment's, or that of a camera.
+  CHECK_NOTHROW(pairs({"left1.png"}, {"right1.png"}));
+  CHECK_NOTHROW(pairs({"left1.png"}, {"right.png"}));
+  CHECK_THROWS_AS(pairs({"left1.png"}, {"right2.png"}), FileError);
+  CHECK_NOTHROW(pairs({"one/im2.png"}, {"one/im6.png"}));
+  CHECK_THROWS_AS(pairs({"one/im2.png"}, {"six/im6.png"}), FileError);
+  // One is the moment's, one the camera's.
+  CHECK_NOTHROW(pairs({"0_*.png"}, {"1_*.png"}));
+  CHECK_NOTHROW(pairs({"7_0.png", "8_0.png"}, {"7_1.png", "8_1.png"}));
+  CHECK_THROWS_AS(pairs({"0_7.png"}, {"1_8.png"}), FileError);
+  CHECK_THROWS_AS(pairs({"0_7.png", "0_8.png"}, {"1_7.png", "2_8.png"}), FileError);
+  CHECK_NOTHROW(pairs({"a1_left_4.png"}, {"a2_right_4.png"}));
+  CHECK_THROWS_AS(pairs({"a1_left_4.png"}, {"a2_right_5.png"}), FileError);
 }
 
 TEST_CASE("A pair of different sizes is refused by the name of the right image") {

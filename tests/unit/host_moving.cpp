@@ -166,7 +166,9 @@ TEST_CASE("skin.yaml with motion; tables for fields in turn; the skin stays at t
     CHECK(std::ldexp(static_cast<double>(expanded->x), -MapTable::kFractionBits) == Approx(source.x).margin(0.07));
     CHECK(std::ldexp(static_cast<double>(expanded->y), -MapTable::kFractionBits) == Approx(source.y).margin(0.07));
   }
-  MovingSupervisor supervisor(make_native_device(field), field, maps);
+  Settings settings;
+  settings.proof.needed = false;  // small images
+  MovingSupervisor supervisor(make_native_device(field), field, maps, settings);
   std::mt19937 random(1);
   for (std::size_t image = 0; image < 6; ++image) {
     Image left(160, 120);

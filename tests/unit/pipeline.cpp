@@ -156,7 +156,7 @@ void check_against_beats(unsigned seed) {
     const int height = repetition % 3 == 0 ? P.height : P.height - 7;
     const Picture left = blobs(random, width, height);
     const Picture right = moved(left, repetition % 3);
-    auto settings = native::Settings::defaults(P, width, height);
+    auto settings = native::Settings::defaults(P, width, height).without_proof();
     settings.lookahead = static_cast<int>(random() % (P.store_rows / 2 + 1));
     const int nx = static_cast<int>(random() % 5);
     const int ny = static_cast<int>(random() % 5);
@@ -211,7 +211,7 @@ TEST_CASE("states against the double-precision reference", "[pipeline]") {
   std::mt19937 random(33);
   const auto pipeline = std::make_unique<native::Pipeline<kWide>>();
   const auto settings = [] {
-    auto s = native::Settings::defaults(kWide, 160, 120);
+    auto s = native::Settings::defaults(kWide, 160, 120).without_proof();
     s.lookahead = 32;
     return s;
   }();
@@ -243,7 +243,7 @@ TEST_CASE("states against the double-precision reference", "[pipeline]") {
 
 TEST_CASE("a ramp of brightness is undecidable, edges of a chessboard are not", "[pipeline]") {
   const auto pipeline = std::make_unique<native::Pipeline<kWide>>();
-  auto settings = native::Settings::defaults(kWide, 160, 120);
+  auto settings = native::Settings::defaults(kWide, 160, 120).without_proof();
   settings.lookahead = 32;
   const auto words = table_of(160, 120, 4, 4, shifted(0, 0));
   const auto run = [&](const Picture& left, const Picture& right) {
@@ -288,7 +288,7 @@ TEST_CASE("a ramp of brightness is undecidable, edges of a chessboard are not", 
 TEST_CASE("a clipped image is undecidable, in whichever camera", "[pipeline]") {
   std::mt19937 random(35);
   const auto pipeline = std::make_unique<native::Pipeline<kPlain>>();
-  const auto settings = native::Settings::defaults(kPlain, 96, 64);
+  const auto settings = native::Settings::defaults(kPlain, 96, 64).without_proof();
   const auto words = table_of(96, 64, 3, 3, shifted(0, 0));
   const Picture good(96, 64, [&](int, int) { return 40 + static_cast<double>(random() % 170); });
   const Picture white(96, 64, [](int, int) { return 255.0; });
@@ -303,7 +303,7 @@ TEST_CASE("a clipped image is undecidable, in whichever camera", "[pipeline]") {
 TEST_CASE("what the table, the image or the ring does not hold is unsupervised", "[pipeline]") {
   std::mt19937 random(36);
   const auto pipeline = std::make_unique<native::Pipeline<kPlain>>();
-  auto settings = native::Settings::defaults(kPlain, 96, 64);
+  auto settings = native::Settings::defaults(kPlain, 96, 64).without_proof();
   const Picture image(96, 64, [&](int, int) { return 40 + static_cast<double>(random() % 170); });
   const auto run = [&](const Map& map) {
     const auto words = table_of(96, 64, 2, 2, map);

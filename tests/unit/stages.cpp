@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every stage against the reference or against plain counting, with its stated error bound.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdint>
@@ -10,12 +11,15 @@
 #include "raster.hpp"
 #include "reference/reference.hpp"
 #include "stages/alarm.hpp"
+#include "stages/cells.hpp"
+#include "stages/coarse.hpp"
 #include "stages/dsad.hpp"
 #include "stages/health.hpp"
 #include "stages/interpolate.hpp"
 #include "stages/lowpass.hpp"
 #include "stages/map_expand.hpp"
 #include "stages/runs.hpp"
+#include "stages/still.hpp"
 #include "stages/subsample.hpp"
 
 using namespace horopter::stages;
@@ -214,14 +218,25 @@ TEST_CASE("subsample packs the same means into one stream, the left image's firs
   CHECK(step(42, false, false).pixel[0] == 42);
 }
 
+/// As `agreement` hands them on.
+Frame<Grey<2>> marked(const Frame<GreyPair>& frame) {
+  Frame<Grey<2>> result(frame.width, frame.height);
+  for (std::size_t i = 0; i < frame.beats.size(); ++i) {
+    result.beats[i].pixel = frame.beats[i].pixel;
+    result.beats[i].saturated = frame.beats[i].saturated;
+    result.beats[i].mask = frame.beats[i].mask;
+  }
+  return result;
+}
+
 TEST_CASE("lowpass and sobel against the reference, mask and saturation over their windows", "[stages]") {
   std::mt19937 random(14);
   LowpassFilter<48> lowpass;
   SobelFilter<48> sobel;
   for (int repetition = 0; repetition < 4; ++repetition) {
     const Frame<GreyPair> frame = random_greys(random, repetition % 2 == 0 ? 48 : 37, 14, 40);
-    const auto smooth = pass(lowpass, frame);
-    const auto gradients = pass(sobel, frame);
+    const auto smooth = pass(lowpass, marked(frame));
+    const auto gradients = pass(sobel, marked(frame));
     for (std::size_t lane = 0; lane < 2; ++lane) {
       reference::Image image(frame.width, frame.height);
       for (std::size_t i = 0; i < frame.beats.size(); ++i) {
@@ -264,7 +279,7 @@ TEST_CASE("two images packed into one stream give what two streams give", "[stag
   LowpassFilter<48, 1, 2> packed_lowpass;
   SobelFilter<24> sobel;
   SobelFilter<48, 1, 2> packed_sobel;
-  const auto smooth = pass(lowpass, frame);
+  const auto smooth = pass(lowpass, marked(frame));
   const auto packed_smooth = pass(packed_lowpass, packed);
   const auto gradients = pass(sobel, smooth);
   const auto packed_gradients = pass(packed_sobel, packed_smooth);
@@ -509,7 +524,10 @@ TEST_CASE("align, runs and alarm: every pixel once, in its place", "[stages]") {
       }
     }
     Frame<Aligner<64, 40, {kOffset, kOffset}>::In> frame(kWidth, kHeight + kOffset + 1);
-    for (auto& beat : frame.beats) beat.state = one_in(random, 4) ? static_cast<int>(random() % 4) : repetition;
+    for (auto& beat : frame.beats) {
+      beat.state = one_in(random, 4) ? static_cast<int>(random() % 4) : repetition;
+      beat.marks.seen = true;
+    }
     std::vector<int> pixels;
     std::vector<int> from_runs(kWidth * kHeight, -1);
     int counts[4] = {};
@@ -621,11 +639,199 @@ TEST_CASE("health: black, white, constant and frozen images", "[stages]") {
   REQUIRE(frame(same).signature != first.signature);
 }
 
+TEST_CASE("cells: the means of squares, of what fills one", "[stages]") {
+  std::mt19937 random(22);
+  CellMeans<64, 8> stage;
+  for (const auto& [width, height] : {std::pair{64, 24}, std::pair{45, 23}, std::pair{33, 16}}) {
+    std::vector<int> pixels(static_cast<std::size_t>(width * height));
+    for (int& p : pixels) p = static_cast<int>(random() % 256);
+    const auto pixel = [&, columns = width](int x, int y) { return pixels[static_cast<std::size_t>(y * columns + x)]; };
+    std::vector<int> means;
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        const auto out = stage.step({pixel(x, y), x == 0 && y == 0, x == width - 1});
+        if (!out.valid) continue;
+        REQUIRE(out.start == (x == 7));
+        REQUIRE((x % 8 == 7 && y % 8 == 7));
+        means.push_back(out.mean.value());
+      }
+    }
+    std::vector<int> expected;
+    for (int y = 0; y + 8 <= height; y += 8) {
+      for (int x = 0; x + 8 <= width; x += 8) {
+        int sum = 0;
+        for (int i = 0; i < 64; ++i) sum += pixel(x + i % 8, y + i / 8);
+        expected.push_back(sum / 64);
+      }
+    }
+    REQUIRE(means == expected);
+  }
+}
+
+namespace {
+
+constexpr int kCellColumns = 40;
+constexpr int kCellRows = 30;
+using SmallCoarse = CoarseCheck<kCellColumns * kCellRows>;
+
+/// The check of two pictures, functions of the place in cells; each cell's mean has noise.
+template <class Left, class Right>
+SmallCoarse::Out coarse_of(const SmallCoarse::Config& config, double noise_level, const Left& left,
+                           const Right& right) {
+  static std::mt19937 random(23);
+  std::normal_distribution<double> noise(0, 1);
+  SmallCoarse stage;
+  SmallCoarse::Out out;
+  for (int y = 0; y < kCellRows; ++y) {
+    for (int x = 0; x < kCellColumns; ++x) {
+      const auto mean = [&](double grey) {
+        return u<8>(static_cast<int>(std::clamp(grey + noise_level * noise(random), 0.0, 255.0)));
+      };
+      out = stage.step({mean(left(x, y)), mean(right(x, y)), x == 0 && y == 0, x == 0}, config);
+    }
+  }
+  return out;
+}
+
+/// A scene without a repetition, with edges of different contrast.
+double scene(double x, double y) {
+  return 120 + 40 * std::sin(1.3 * x + 0.7 * y) + 30 * std::sin(0.61 * x - 1.1 * y + 1) +
+         20 * std::sin(2.1 * x + 0.3 * y + 2);
+}
+
+}  // namespace
+
+TEST_CASE("coarse: one camera twice is the same everywhere, a wall before two cameras is not", "[stages]") {
+  SmallCoarse::Config config;
+  config.one_camera_segments = 12;
+  const auto one_camera = [&](double noise, const auto& right) {
+    return coarse_of(config, noise, scene, right).one_camera;
+  };
+  for (const double noise : {0.0, 0.1, 0.6}) {  // 8×8 px of sigma 5
+    for (const auto& [gain, offset] :
+         {std::pair{1.0, 0.0}, std::pair{0.5, 20.0}, std::pair{1.0, 20.0}, std::pair{0.8, -10.0}}) {
+      CAPTURE(noise, gain, offset);
+      CHECK(one_camera(noise, [=](int x, int y) { return gain * scene(x, y) + offset; }));
+      // 2 px of 8.
+      CHECK(!one_camera(noise, [=](int x, int y) { return gain * scene(x + 0.25, y) + offset; }));
+    }
+    // Toed-in cameras before a wall where their axes cross: nothing in the middle, 2 px at the edge.
+    CHECK(!one_camera(noise, [](int x, int y) {
+      const double from_middle = (x - kCellColumns / 2) / (kCellColumns / 2.0);
+      return scene(x + 0.25 * from_middle * from_middle, y);
+    }));
+    CHECK(!one_camera(noise, [](int x, int y) { return scene(x + 90, y); }));
+    CHECK(!one_camera(noise, [](int, int) { return 120.0; }));
+  }
+  // Where too little has texture nothing is said.
+  const auto window = [](int x, int y) { return y < 2 ? scene(x, y) : 100.0; };
+  CHECK(!coarse_of(config, 0.1, window, window).one_camera);
+  config.one_camera_segments = 10;
+  CHECK(coarse_of(config, 0.1, window, window).one_camera);
+  config.one_camera_segments = 0;
+  CHECK(!coarse_of(config, 0.1, scene, scene).one_camera);
+}
+
+TEST_CASE("coarse: an image without contrast is blind, whichever camera's", "[stages]") {
+  SmallCoarse::Config config;
+  config.blind_step = 14;
+  config.blind_share = 2;  // of 1200 cells 9.4
+  const auto fog = [](int x, int y) { return 120 + scene(x, y) / 16; };
+  const auto ramp = [](int x, int) { return 3.2 * x; };
+  const auto half = [](int x, int y) { return scene(x, y) / 2; };
+  const auto check = [&](const auto& other, double noise, bool blind) {
+    const auto right = coarse_of(config, noise, scene, other);
+    const auto left = coarse_of(config, noise, other, scene);
+    CHECK((!right.left_blind && right.right_blind == blind));
+    CHECK((!left.right_blind && left.left_blind == blind));
+  };
+  for (const double noise : {0.0, 0.6, 2.5}) {  // 8×8 px of sigma 20
+    CAPTURE(noise);
+    check(fog, std::min(noise, 0.6), true);
+    check(ramp, noise, true);
+    check(half, noise, false);
+  }
+  // Cells are counted exactly.
+  const auto steps = [](int n) {
+    return [n](int x, int y) { return x % 2 == 1 && y * kCellColumns / 2 + x / 2 < n / 2 ? 114.0 : 100.0; };
+  };
+  check(steps(10), 0, false);
+  check(steps(8), 0, true);
+  config.blind_step = 15;
+  check(steps(10), 0, true);
+  config.blind_share = 0;
+  check(steps(0), 0, false);
+}
+
+TEST_CASE("still: a frame that repeats one of the two before, but for noise", "[stages]") {
+  constexpr int cells = 300;
+  std::mt19937 random(24);
+  std::normal_distribution<double> normal(0, 1);
+  using Still = StillCheck<cells>;
+  Still stage;
+  Still::Config config;
+  config.still_limit = 3;
+  using Frames = std::pair<std::vector<int>, std::vector<int>>;
+  const auto scene = [&] {
+    std::vector<int> means(cells);
+    for (int& mean : means) mean = 20 + static_cast<int>(random() % 200);
+    return means;
+  };
+  const auto see = [&](const Frames& frames, double noise = 1.25) {  // 8×8 px of sigma 10
+    Still::Out out;
+    for (int i = 0; i < cells; ++i) {
+      const auto mean = [&](const std::vector<int>& means) {
+        return u<8>(static_cast<int>(means[static_cast<std::size_t>(i)] + noise * normal(random)));
+      };
+      out = stage.step({mean(frames.first), mean(frames.second), i == 0}, config);
+    }
+    return std::pair{out.left_still, out.right_still};
+  };
+  using Still2 = std::pair<bool, bool>;
+  const auto left = scene();
+  const auto other = scene();
+  // The left camera stands still, the right one does not.
+  for (int frame = 0; frame < 3; ++frame) CHECK(see({left, scene()}) == Still2{false, false});
+  for (int frame = 0; frame < 3; ++frame) CHECK(see({left, scene()}) == Still2{true, false});
+  for (int frame = 0; frame < 300; ++frame) see({left, scene()});
+  CHECK(see({left, scene()}) == Still2{true, false});
+  CHECK(see({other, scene()}) == Still2{false, false});
+  // The right camera gives two old frames in turn; the first that repeats is the third.
+  for (int frame = 0; frame < 4; ++frame) {
+    CHECK(see({scene(), frame % 2 == 0 ? left : other}) == Still2{false, false});
+  }
+  CHECK(see({scene(), left}) == Still2{false, true});
+  CHECK(see({scene(), other}) == Still2{false, true});
+  // Three frames in turn are not told.
+  const auto third = scene();
+  see({scene(), third});
+  for (int frame = 0; frame < 9; ++frame) {
+    CHECK(!see({scene(), frame % 3 == 0 ? left : frame % 3 == 1 ? other : third}).second);
+  }
+  // Two of the cells that are looked at are enough: one of 17.
+  auto moved = left;
+  for (int frame = 0; frame < 4; ++frame) see({left, scene()}, 0);
+  CHECK(see({left, scene()}, 0).first);
+  for (int i = 100; i < 117; ++i) moved[static_cast<std::size_t>(i)] += 8;
+  CHECK(see({moved, scene()}, 0).first);
+  for (int i = 117; i < 134; ++i) moved[static_cast<std::size_t>(i)] += 8;
+  for (int i = 100; i < 117; ++i) moved[static_cast<std::size_t>(i)] -= 17;
+  CHECK(!see({moved, scene()}, 0).first);
+  config.still_limit = 0;
+  for (int frame = 0; frame < 8; ++frame) CHECK(!see({left, scene()}).first);
+  config.still_limit = 1;
+  CHECK(see({left, scene()}).first);
+  // Nothing is said of the first frame.
+  horopter::hls::reset(stage);
+  CHECK(!see({left, scene()}).first);
+  CHECK(see({left, scene()}).first);
+}
+
 TEST_CASE("a row shorter than the memories' distance is refused", "[stages]") {
   LowpassFilter<48> lowpass;
-  const Frame<GreyPair> frame(min_row_beats - 1, 4);
+  const Frame<Grey<2>> frame(min_row_beats - 1, 4);
   REQUIRE_THROWS_AS(pass(lowpass, frame), horopter::hls::hazard_error);
   LowpassFilter<48> narrow;
-  const Frame<GreyPair> wide(49, 2);
+  const Frame<Grey<2>> wide(49, 2);
   REQUIRE_THROWS_AS(pass(narrow, wide), horopter::hls::hazard_error);
 }

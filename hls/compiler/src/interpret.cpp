@@ -69,7 +69,7 @@ Interpreter::Interpreter(const Graph& graph, bool check_distance) : graph_(graph
   for (const State& state : graph.states) states_.push_back(state.initial);
   for (const Ram& ram : graph.rams) {
     memories_.emplace_back(ram.depth, Value(ram.width, false));
-    last_access_.emplace_back(ram.depth, 0);
+    last_write_.emplace_back(ram.depth, 0);
   }
   reset();
 }
@@ -78,7 +78,7 @@ void Interpreter::reset() {
   for (std::size_t i = 0; i < states_.size(); ++i) {
     if (!graph_.states[i].kept) states_[i] = graph_.states[i].initial;
   }
-  for (auto& last : last_access_) std::fill(last.begin(), last.end(), 0);
+  for (auto& last : last_write_) std::fill(last.begin(), last.end(), 0);
 }
 
 Value Interpreter::bits(const Bits& at) const {
@@ -226,15 +226,19 @@ Interpreter::Result Interpreter::step(const std::vector<Value>& inputs, const st
     const auto access = [&](const Bits& at) {
       const std::size_t address = address_of(bits(at));
       if (address >= ram.depth) throw std::logic_error("memory " + ram.name + ": access beyond its end");
-      std::uint64_t& last = last_access_[i][address];
-      if (check_distance_ && last != 0 && last != step_ && step_ - last < ram.distance) {
-        throw std::logic_error("memory " + ram.name + ": two accesses closer than its DISTANCE");
-      }
-      last = step_;
       return address;
     };
-    if (bit(ram.read_enable)) access(ram.read_address);
-    if (bit(ram.write_enable)) memories_[i][access(ram.write_address)] = bits(ram.write_data);
+    if (bit(ram.read_enable)) {
+      const std::uint64_t last = last_write_[i][access(ram.read_address)];
+      if (check_distance_ && last != 0 && last != step_ && step_ - last < ram.distance) {
+        throw std::logic_error("memory " + ram.name + ": a read closer to a write than its DISTANCE");
+      }
+    }
+    if (bit(ram.write_enable)) {
+      const std::size_t address = access(ram.write_address);
+      memories_[i][address] = bits(ram.write_data);
+      last_write_[i][address] = step_;
+    }
   }
   states_ = std::move(next);
   return result;

@@ -176,6 +176,32 @@ std::unique_ptr<FrameSource> open_file(const fs::path& path) {
   return std::make_unique<CaptureSource>(path.string(), std::nullopt, container != Container::other);
 }
 
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// A name as text and numbers in turn, text first. Numbers are without leading zeros.
+std::vector<std::string> parts_of(std::string_view name) {
+  std::vector<std::string> parts(1);
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const bool in_number = parts.size() % 2 == 0;
+    if (is_digit(name[i]) != in_number) parts.emplace_back();
+    if (is_digit(name[i]) && parts.back() == "0") parts.back().clear();
+    parts.back() += name[i];
+  }
+  return parts;
+}
+
+/// As people count: numbers by their value.
+bool in_order(const fs::path& a, const fs::path& b) {
+  const auto parts_a = parts_of(a.string());
+  const auto parts_b = parts_of(b.string());
+  for (std::size_t i = 0; i < std::min(parts_a.size(), parts_b.size()); ++i) {
+    if (parts_a[i] == parts_b[i]) continue;
+    const bool longer_is_larger = i % 2 == 1 && parts_a[i].size() != parts_b[i].size();
+    return longer_is_larger ? parts_a[i].size() < parts_b[i].size() : parts_a[i] < parts_b[i];
+  }
+  return parts_a.size() != parts_b.size() ? parts_a.size() < parts_b.size() : a < b;
+}
+
 /// What one argument, or a part of it, names.
 struct Input {
   std::string name;
@@ -191,7 +217,7 @@ void list_directory(const fs::path& path, std::vector<Input>& inputs) {
   if (error) throw FileError(path.string(), "", "the directory cannot be read", "a directory of images");
   if (files.empty())
     throw FileError(path.string(), "", "no image in this directory", "PNG, JPEG, PNM, BMP or TIFF files");
-  std::ranges::sort(files);
+  std::ranges::sort(files, in_order);
   for (const fs::path& file : files) inputs.push_back({file.string(), {}});
 }
 
@@ -219,6 +245,7 @@ std::vector<Input> inputs_of(const std::vector<std::string>& arguments) {
       std::vector<std::string> files(matches.gl_pathv, matches.gl_pathv + (result == 0 ? matches.gl_pathc : 0));
       ::globfree(&matches);
       if (files.empty()) throw FileError(argument, "", "no file matches this pattern", "images or videos");
+      std::ranges::sort(files, in_order);
       for (const std::string& file : files) {
         if (!fs::is_directory(file)) inputs.push_back({file, {}});
       }
@@ -279,16 +306,65 @@ void check_two_cameras(const std::vector<Input>& left, const std::vector<Input>&
   }
 }
 
+/// The numbers in a file's name, and the text around them.
+struct NumberedName {
+  explicit NumberedName(const fs::path& path) : directory(path.parent_path()) {
+    const auto parts = parts_of(path.stem().string());
+    for (std::size_t i = 0; i < parts.size(); ++i) (i % 2 == 0 ? text : numbers).push_back(parts[i]);
+  }
+  fs::path directory;
+  std::vector<std::string> text, numbers;
+};
+
+/// The one number in which both names differ, if there is one and all others agree.
+std::optional<std::size_t> only_difference(const NumberedName& left, const NumberedName& right) {
+  if (left.numbers.size() != right.numbers.size()) return std::nullopt;
+  std::optional<std::size_t> only;
+  for (std::size_t i = 0; i < left.numbers.size(); ++i) {
+    if (left.numbers[i] == right.numbers[i]) continue;
+    if (only) return std::nullopt;
+    only = i;
+  }
+  return only;
+}
+
+/// Two names of one moment have the same numbers. One may differ, where it names the camera: it does not change from
+/// pair to pair, and something else tells the pairs apart or leaves it no other meaning.
+void check_numbers(const std::vector<Input>& left, const std::vector<Input>& right) {
+  if (left.size() != right.size()) return;
+  std::optional<std::pair<std::string, std::string>> cameras;  // their numbers, once they are known
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    if (left[i].camera || right[i].camera) continue;
+    const NumberedName l(left[i].name);
+    const NumberedName r(right[i].name);
+    if (l.numbers.empty() || r.numbers.empty() || l.numbers == r.numbers) continue;
+    const auto differs = only_difference(l, r);
+    bool agree = l.numbers.size() != r.numbers.size() && l.numbers.back() == r.numbers.back();
+    if (differs) {
+      const bool nothing_else = l.directory == r.directory && l.text == r.text;
+      const bool others_follow = *differs + 1 < l.numbers.size();
+      const std::pair numbers{l.numbers[*differs], r.numbers[*differs]};
+      agree = (nothing_else || others_follow) && (!cameras || *cameras == numbers);
+      cameras = numbers;
+    }
+    if (agree) continue;
+    throw FileError(right[i].name, "", fmt::format("its number is not that of the left image, {}", left[i].name),
+                    "the image of the same moment, or --pair-by-order where the order alone counts");
+  }
+}
+
 }  // namespace
 
 std::unique_ptr<FrameSource> open_frames(const std::vector<std::string>& arguments) {
   return open_inputs(inputs_of(arguments));
 }
 
-PairSource::PairSource(const std::vector<std::string>& left, const std::vector<std::string>& right) {
+PairSource::PairSource(const std::vector<std::string>& left, const std::vector<std::string>& right,
+                       PairNumbers numbers) {
   const std::vector<Input> left_inputs = inputs_of(left);
   const std::vector<Input> right_inputs = inputs_of(right);
   check_two_cameras(left_inputs, right_inputs);
+  if (numbers == PairNumbers::must_agree) check_numbers(left_inputs, right_inputs);
   left_ = open_inputs(left_inputs);
   right_ = open_inputs(right_inputs);
   const auto left_count = left_->count();

@@ -179,12 +179,99 @@ void Monitor::write_limits() {
   device_->write(reg::black_limit::kAddress, limit_of(settings_.dark_percent, incoming));
   device_->write(reg::white_limit::kAddress, limit_of(settings_.bright_percent, incoming));
   device_->write(reg::frozen_limit::kAddress, static_cast<std::uint32_t>(settings_.frozen_limit));
+  device_->write(reg::one_camera::kAddress, static_cast<std::uint32_t>(settings_.one_camera_segments));
+  device_->write(reg::blind_step::kAddress, static_cast<std::uint32_t>(settings_.blind_step));
+  device_->write(reg::blind_share::kAddress, static_cast<std::uint32_t>(settings_.blind_share));
+  device_->write(reg::still_limit::kAddress, static_cast<std::uint32_t>(settings_.still_limit));
+  write_proof();
   const bool compete = settings_.decision == Decision::compete;
   device_->write(reg::decision::kAddress, reg::decision::kCompete.put(compete ? 1 : 0));
   if (compete) {
     check_settings(settings_.competition);
     device_->write(reg::compete::kAddress, compete_word(settings_.competition));
   }
+}
+
+void Monitor::write_proof() {
+  const Proof& proof = settings_.proof;
+  const auto rounded = [](double value, int bits) {
+    return static_cast<std::uint32_t>(std::clamp(std::lround(std::ldexp(value, bits)), -32768L, 32767L));
+  };
+  device_->write(reg::agreement::kAddress,
+                 reg::agreement::kProve.put(proof.needed) | reg::agreement::kNearerBelow.put(proof.nearer_below) |
+                     reg::agreement::kNearerAbove.put(proof.nearer_above) |
+                     reg::agreement::kShiftLowest.put(static_cast<std::uint32_t>(proof.shift_lowest)) |
+                     reg::agreement::kShiftHighest.put(static_cast<std::uint32_t>(proof.shift_highest)));
+  const auto limits = device_->read(reg::agreement_limits::kAddress) & ~reg::agreement_limits::kHidden.mask();
+  device_->write(reg::agreement_limits::kAddress,
+                 limits | reg::agreement_limits::kHidden.put(limit_of(proof.hidden_percent, 255)));
+  device_->write(reg::hidden::kAddress, reg::hidden::kFrames.put(static_cast<std::uint32_t>(proof.hidden_frames)));
+  // Without a rig nobody knows where the right image should be.
+  const auto limit = [&](const reg::Field& field, int value) {
+    return field.put(proof.registered ? static_cast<std::uint32_t>(value) : field.mask() >> field.lsb);
+  };
+  const hls::StageSettings defaults;
+  device_->write(reg::registration::kAddress, limit(reg::registration::kMoved, defaults.moved_limit) |
+                                                  limit(reg::registration::kMovedHalf, defaults.moved_half_limit));
+  device_->write(reg::epipolar::kAddress, reg::epipolar::kSlope.put(rounded(proof.epipolar[0], 15)) |
+                                              reg::epipolar::kColumn.put(rounded(proof.epipolar[1], 20)));
+  device_->write(reg::epipolar_change::kAddress, reg::epipolar_change::kRow.put(rounded(proof.epipolar[2], 20)) |
+                                                     reg::epipolar_change::kBoth.put(rounded(proof.epipolar[3], 24)));
+}
+
+Agreement Monitor::read_agreement() {
+  const auto field = [](const reg::Field& of, std::uint32_t word) { return static_cast<int>(of.get(word)); };
+  Agreement result;
+  const auto counts = device_->read(reg::frame_agreement::kAddress);
+  const auto cells = device_->read(reg::frame_cells::kAddress);
+  const auto unproven = device_->read(reg::frame_unproven::kAddress);
+  result.textured = field(reg::frame_agreement::kTextured, counts);
+  result.explained = field(reg::frame_agreement::kExplained, counts);
+  result.supervised = field(reg::frame_cells::kSupervised, cells);
+  result.nearer = field(reg::frame_cells::kNearer, cells);
+  result.unproven = field(reg::frame_unproven::kCells, unproven);
+  result.bad_regions = field(reg::frame_unproven::kBadRegions, unproven);
+
+  // Sums of the upper left, upper right, lower left, lower right quarter.
+  std::array<double, 4> sums{};
+  std::array<int, 4> measured{};
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const auto word = device_->read(reg::frame_across_0::kAddress + 4 * i);
+    constexpr int kSign = 1 << (reg::frame_across_0::kSum.bits - 1);
+    sums[i] = (field(reg::frame_across_0::kSum, word) ^ kSign) - kSign;
+    measured[i] = field(reg::frame_across_0::kCells, word);
+  }
+  const double px = cell_px(profile_) / 32.0;
+  constexpr int kEnough = 40;
+  const auto mean = [&](std::size_t a, std::size_t b) -> std::optional<double> {
+    if (measured[a] + measured[b] < kEnough) return std::nullopt;
+    return px * (sums[a] + sums[b]) / (measured[a] + measured[b]);
+  };
+  const auto upper = mean(0, 1);
+  const auto lower = mean(2, 3);
+  const auto left = mean(0, 2);
+  const auto right = mean(1, 3);
+  if (upper && lower) {
+    result.across_px =
+        px * (sums[0] + sums[1] + sums[2] + sums[3]) / (measured[0] + measured[1] + measured[2] + measured[3]);
+    result.scale = 1 + (*lower - *upper) / (0.5 * height_);  // the halves' middles are half of the height apart
+  }
+  if (left && right) {
+    constexpr double kDegrees = 57.29577951308232;
+    result.roll_deg = kDegrees * (*right - *left) / (0.5 * width_ / profile_.subsample);
+  }
+  for (std::uint32_t i = 0; i < 2; ++i) {
+    const double detail = device_->read(reg::frame_detail_left::kAddress + 4 * i);
+    const double contrast = device_->read(reg::frame_contrast_left::kAddress + 4 * i);
+    result.sharpness[i] = contrast > 0 ? 4 * detail / contrast : 0;
+  }
+  for (std::uint32_t i = 0; i < result.regions.size(); ++i) {
+    device_->write(reg::region_select::kAddress, i);
+    const auto word = device_->read(reg::frame_region::kAddress);
+    result.regions[i] = {field(reg::frame_region::kTextured, word), field(reg::frame_region::kExplained, word),
+                         field(reg::frame_region::kNearer, word)};
+  }
+  return result;
 }
 
 void Monitor::upload(int slot, const MapTable& table, std::optional<std::size_t> base_word64) {
@@ -235,6 +322,18 @@ void Monitor::upload(int slot, const MapTable& table, std::optional<std::size_t>
 
 void Monitor::select(int slot) { device_->write(reg::table_select::kAddress, static_cast<std::uint32_t>(slot)); }
 
+Monitor::Repeated::Repeated(Monitor& monitor) : monitor_(monitor) {
+  monitor_.device_->write(reg::frozen_limit::kAddress, 0);
+}
+
+Monitor::Repeated::~Repeated() {
+  try {
+    monitor_.device_->write(reg::frozen_limit::kAddress, static_cast<std::uint32_t>(monitor_.settings_.frozen_limit));
+  } catch (const Error&) {
+    // The machine does not answer: the next frame says so.
+  }
+}
+
 FrameResult Monitor::process(const Image& left, const Image& right) {
   begin(left, right);
   return finish();
@@ -274,6 +373,9 @@ FrameResult Monitor::finish() {
   result.skin_pixels = device_->read(reg::frame_skin::kAddress);
   result.undecidable_pixels = device_->read(reg::frame_undecidable::kAddress);
   result.unsupervised_pixels = device_->read(reg::frame_unsupervised::kAddress);
+  result.hidden_pixels = device_->read(reg::frame_hidden::kAddress);
+  result.unproven_pixels = device_->read(reg::frame_unproven_pixels::kAddress);
+  if (settings_.proof.needed) result.agreement = read_agreement();
   result.cycles = device_->read(reg::frame_cycles::kAddress);
   result.latency = device_->read(reg::frame_latency::kAddress);
   result.tail = device_->read(reg::frame_tail::kAddress);
@@ -290,9 +392,20 @@ FrameResult Monitor::finish() {
   return result;
 }
 
+namespace {
+
+Settings settings_for(Settings settings, const MachineProfile& profile, const MapSet& maps) {
+  std::vector<const MapTable*> tables;
+  for (const CompiledMap& map : maps.maps) tables.push_back(&map.table);
+  settings.proof = with_knowledge(settings.proof, profile, tables, maps.rig, maps.skin);
+  return settings;
+}
+
+}  // namespace
+
 Supervisor::Supervisor(std::unique_ptr<Device> device, const MachineProfile& profile, const MapSet& maps,
                        const Settings& settings)
-    : monitor_(std::move(device), profile, settings) {
+    : monitor_(std::move(device), profile, settings_for(settings, profile, maps)), settled_(!settings.proof.needed) {
   for (const CompiledMap& map : maps.maps) scans_.push_back(map.table.geometry());
   monitor_.start(scans_.at(0).width, scans_.at(0).height, maps.lookahead());
   for (std::size_t slot = 0; slot < maps.maps.size(); ++slot) {
@@ -301,6 +414,14 @@ Supervisor::Supervisor(std::unique_ptr<Device> device, const MachineProfile& pro
 }
 
 std::vector<FrameResult> Supervisor::process(const Image& left, const Image& right) {
+  if (settled_) return pass(left, right);
+  settled_ = true;
+  pass(left, right);
+  const Monitor::Repeated repeated(monitor_);
+  return pass(left, right);
+}
+
+std::vector<FrameResult> Supervisor::pass(const Image& left, const Image& right) {
   std::vector<FrameResult> results;
   for (std::size_t slot = 0; slot < scans_.size(); ++slot) {
     monitor_.select(static_cast<int>(slot));

@@ -10,9 +10,22 @@
 
 namespace horopter {
 
+namespace {
+
+Settings settings_for(Settings settings, const MachineProfile& profile, const MovingMaps& maps) {
+  std::vector<const MapTable*> tables;
+  for (const MovingStep& step : maps.steps) tables.push_back(&step.map.table);
+  settings.proof = with_knowledge(settings.proof, profile, tables, maps.rig, "the moving skin's rig");
+  return settings;
+}
+
+}  // namespace
+
 MovingSupervisor::MovingSupervisor(std::unique_ptr<Device> device, const MachineProfile& profile, MovingMaps maps,
                                    const Settings& settings)
-    : maps_(std::move(maps)), monitor_(std::move(device), profile, settings) {
+    : maps_(std::move(maps)),
+      monitor_(std::move(device), profile, settings_for(settings, profile, maps_)),
+      settled_(!settings.proof.needed) {
   for (const MovingStep& step : maps_.steps) {
     if (const std::size_t bytes = step.map.table.pool_bytes(); bytes > monitor_.pool_bytes() / 2) {
       throw DeviceError(
@@ -63,6 +76,17 @@ FrameResult MovingSupervisor::finish() {
 }
 
 std::vector<FrameResult> MovingSupervisor::process(const Image& left, const Image& right) {
+  if (!settled_) {
+    settled_ = true;
+    const bool whole = maps_.geometry().scan == Scan::progressive;
+    whole ? monitor_.process(left, right) : monitor_.process(field_of(left, 0), field_of(right, 0));
+    const Monitor::Repeated repeated(monitor_);
+    return pass(left, right);
+  }
+  return pass(left, right);
+}
+
+std::vector<FrameResult> MovingSupervisor::pass(const Image& left, const Image& right) {
   std::vector<FrameResult> results;
   if (maps_.geometry().scan == Scan::progressive) {
     begin(left, right);

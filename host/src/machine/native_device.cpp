@@ -36,6 +36,38 @@ std::vector<std::uint32_t> empty_table(int width, int height) {
   return hls::table::write({width, height, kSpacing, kSpacing}, {}, [](int, int) { return hls::table::unmapped; });
 }
 
+std::uint32_t pair_of(int low, int high) {
+  return static_cast<std::uint32_t>(low) | static_cast<std::uint32_t>(high) << 16;
+}
+
+/// FRAME_AGREEMENT to FRAME_CONTRAST_RIGHT.
+std::array<std::uint32_t, 11> agreement_words(const native::Agreement& a) {
+  std::array<std::uint32_t, 11> words{pair_of(a.textured_cells, a.explained_cells),
+                                      pair_of(a.supervised_cells, a.nearer_cells),
+                                      pair_of(a.unproven_cells, a.bad_region_cells)};
+  for (std::size_t i = 0; i < 4; ++i) {
+    words[3 + i] = reg::frame_across_0::kSum.put(static_cast<std::uint32_t>(a.across[i])) |
+                   reg::frame_across_0::kCells.put(static_cast<std::uint32_t>(a.measured[i]));
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    words[7 + i] = static_cast<std::uint32_t>(a.detail[i]);
+    words[9 + i] = static_cast<std::uint32_t>(a.contrast[i]);
+  }
+  return words;
+}
+
+/// FRAME_REGION for each REGION_SELECT.
+std::array<std::uint32_t, 64> region_words(const native::Agreement& a) {
+  std::array<std::uint32_t, 64> words{};
+  for (std::size_t i = 0; i < a.regions.size(); ++i) {
+    const auto& region = a.regions[i];
+    words[i] = reg::frame_region::kTextured.put(static_cast<std::uint32_t>(region.textured)) |
+               reg::frame_region::kExplained.put(static_cast<std::uint32_t>(region.explained)) |
+               reg::frame_region::kNearer.put(static_cast<std::uint32_t>(region.nearer));
+  }
+  return words;
+}
+
 native::ImageView view(const Image& image) { return {image.pixels.data(), image.width, image.height, image.width}; }
 
 }  // namespace
@@ -44,21 +76,12 @@ NativeDevice::NativeDevice(const MachineProfile& profile)
     : profile_(profile), engine_(native::make_engine(profile.name)) {
   if (engine_ == nullptr) throw UsageError(fmt::format("no native engine for profile {}", profile.name));
   const auto defaults = native::Settings::defaults(profile, profile.width, profile.height);
+  write_settings(defaults, [this](std::uint32_t address, std::uint32_t word) { stored(address) = word; });
   stored(reg::width::kAddress) = static_cast<std::uint32_t>(profile.width);
   stored(reg::height::kAddress) = static_cast<std::uint32_t>(profile.height);
   stored(reg::lookahead::kAddress) = static_cast<std::uint32_t>(defaults.lookahead);
   stored(reg::table_select::kAddress) = kNoTable;
-  stored(reg::sum_limit::kAddress) = static_cast<std::uint32_t>(defaults.sum_limit);
-  stored(reg::self_limit::kAddress) = static_cast<std::uint32_t>(defaults.self_limit);
-  stored(reg::texture_limit::kAddress) = static_cast<std::uint32_t>(defaults.texture_limit);
-  stored(reg::alarm_limit::kAddress) = static_cast<std::uint32_t>(defaults.alarm_limit);
-  stored(reg::unsupervised_limit::kAddress) = static_cast<std::uint32_t>(defaults.unsupervised_limit);
-  stored(reg::black_level::kAddress) = static_cast<std::uint32_t>(defaults.dark_level);
-  stored(reg::black_limit::kAddress) = static_cast<std::uint32_t>(defaults.dark_limit);
-  stored(reg::white_level::kAddress) = static_cast<std::uint32_t>(defaults.bright_level);
-  stored(reg::white_limit::kAddress) = static_cast<std::uint32_t>(defaults.bright_limit);
-  stored(reg::constant_limit::kAddress) = static_cast<std::uint32_t>(defaults.contrast_limit);
-  stored(reg::frozen_limit::kAddress) = static_cast<std::uint32_t>(defaults.frozen_limit);
+  stored(reg::map_undecidable_limit::kAddress) = reg::map_undecidable_limit::kReset;
   stored(reg::decision::kAddress) = reg::decision::kCompete.put(profile.has_thesis() ? 0 : 1);
   stored(reg::compete::kAddress) = profile.has_compete() ? reg::compete::kReset : 0;
 }
@@ -159,7 +182,16 @@ std::uint32_t NativeDevice::read(std::uint32_t address) {
       return frame_.unsupervised;
     case reg::frame_misses::kAddress:
       return frame_.misses;
+    case reg::frame_hidden::kAddress:
+      return frame_.hidden;
+    case reg::frame_unproven_pixels::kAddress:
+      return frame_.unproven_pixels;
+    case reg::frame_region::kAddress:
+      return frame_.regions.at(stored(reg::region_select::kAddress) & 63U);
     default:
+      if (address >= reg::frame_agreement::kAddress && address <= reg::frame_contrast_right::kAddress) {
+        return frame_.agreement.at((address - reg::frame_agreement::kAddress) / 4);
+      }
       return known->access == reg::Access::kReadWrite ? stored(address) : 0;
   }
 }
@@ -347,15 +379,25 @@ FrameStreams NativeDevice::receive() {
   add(result.left.white, Fault::left_white);
   add(result.left.constant, Fault::left_constant);
   add(result.left.frozen, Fault::left_frozen);
+  add(result.left.blind, Fault::left_blind);
   add(result.right.black, Fault::right_black);
   add(result.right.white, Fault::right_white);
   add(result.right.constant, Fault::right_constant);
   add(result.right.frozen, Fault::right_frozen);
+  add(result.right.blind, Fault::right_blind);
   add(result.store_misses > 0, Fault::store_miss);
   add(table == nullptr, Fault::no_table);
   add(result.too_undecidable, Fault::too_undecidable);
   add(result.too_unsupervised, Fault::too_unsupervised);
   add(result.identical_images, Fault::identical_images);
+  add(result.one_camera, Fault::one_camera);
+  add(result.agreement.untextured, Fault::too_undecidable);
+  add(result.agreement.disagree, Fault::disagree);
+  add(result.agreement.unproven, Fault::unproven);
+  add(result.agreement.moved, Fault::moved);
+  add(result.agreement.hidden, Fault::hidden);
+  add(result.agreement.unsharp_left, Fault::left_unsharp);
+  add(result.agreement.unsharp_right, Fault::right_unsharp);
 
   safe_ = !faults.any() && !result.alarm;
   faults_ |= faults;
@@ -368,7 +410,11 @@ FrameStreams NativeDevice::receive() {
             static_cast<std::uint32_t>(result.skin_pixels),
             static_cast<std::uint32_t>(result.undecidable_pixels),
             static_cast<std::uint32_t>(result.unsupervised_pixels),
-            static_cast<std::uint32_t>(result.store_misses)};
+            static_cast<std::uint32_t>(result.store_misses),
+            static_cast<std::uint32_t>(result.hidden_pixels),
+            static_cast<std::uint32_t>(result.unproven_pixels),
+            agreement_words(result.agreement),
+            region_words(result.agreement)};
 
   if (!pending_.empty()) start_frame();
 

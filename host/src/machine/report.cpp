@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <tuple>
 
@@ -34,6 +35,33 @@ Image state_picture(const Image& states) {
   return picture;
 }
 
+namespace {
+
+/// Shares of the textured cells that are explained, of the frame and of each region (null: no texture), and what the
+/// right image is displaced.
+void add_agreement(nlohmann::ordered_json& json, const Agreement& agreement) {
+  using Json = nlohmann::ordered_json;
+  if (agreement.supervised == 0) return;
+  const auto share = [](int explained, int textured) {
+    return textured > 0 ? Json(std::round(1000.0 * explained / textured) / 1000) : Json();
+  };
+  Json regions = Json::array();
+  for (const auto& region : agreement.regions) regions.push_back(share(region.explained, region.textured));
+  json["agreement"] = {{"explained", share(agreement.explained, agreement.textured)},
+                       {"textured_cells", agreement.textured},
+                       {"nearer_cells", agreement.nearer},
+                       {"unproven_cells", agreement.unproven},
+                       {"regions", std::move(regions)}};
+  const auto number = [](const std::optional<double>& value) { return value ? Json(*value) : Json(); };
+  json["registration"] = {{"dx_px", nullptr},  // along the row: not to be told from a scene of unknown depth
+                          {"dy_px", number(agreement.across_px)},
+                          {"roll_deg", number(agreement.roll_deg)},
+                          {"scale", number(agreement.scale)},
+                          {"sharpness", agreement.sharpness}};
+}
+
+}  // namespace
+
 nlohmann::ordered_json frame_json(int frame, const std::string& left, const std::string& right,
                                   const FrameResult& result, bool with_cycles) {
   nlohmann::ordered_json json{{"frame", frame},
@@ -46,6 +74,8 @@ nlohmann::ordered_json frame_json(int frame, const std::string& left, const std:
                               {"skin_pixels", result.skin_pixels},
                               {"undecidable_pixels", result.undecidable_pixels},
                               {"unsupervised_pixels", result.unsupervised_pixels},
+                              {"hidden_pixels", result.hidden_pixels},
+                              {"unproven_pixels", result.unproven_pixels},
                               {"regions", nlohmann::ordered_json::array()},
                               {"faults", result.faults.names()}};
   for (const Region& region : regions_of(result.states)) {
@@ -55,6 +85,7 @@ nlohmann::ordered_json frame_json(int frame, const std::string& left, const std:
                                {"height", region.height},
                                {"pixels", region.pixels}});
   }
+  add_agreement(json, result.agreement);
   if (result.skin_time_s) json["skin_time_s"] = *result.skin_time_s;
   if (result.scan != Scan::progressive) json["field"] = scan_name(result.scan);
   if (with_cycles) json["cycles"] = result.cycles;

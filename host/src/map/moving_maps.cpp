@@ -168,6 +168,7 @@ MovingMaps compile_motion(const SkinFile& skin, const MachineProfile& profile, i
     return FileError(skin.path, "motion", what, "a motion that the machine can follow");
   };
   MovingMaps maps;
+  maps.rig = skin.rig;
   std::vector<double> times_s;
   try {
     times_s = plan_motion(cameras, *skin.motion, skin.motion_limits, profile, image_width, image_height);

@@ -4,23 +4,17 @@
 // corners, and what does the machine see of the board while the skin moves through it along its normal?
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <memory>
-#include <opencv2/calib3d.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "board_pixels.hpp"
+#include "boards.hpp"
 #include "cli/progress.hpp"
-#include "horopter/base/error.hpp"
-#include "horopter/calib/joint.hpp"
-#include "horopter/calib/target.hpp"
-#include "horopter/calib/views.hpp"
 #include "horopter/image/image.hpp"
 #include "horopter/machine/engines.hpp"
 #include "horopter/machine/monitor.hpp"
@@ -31,99 +25,11 @@ namespace horopter::cli {
 namespace {
 
 using Eigen::Vector2d;
-using Eigen::Vector3d;
 
 constexpr int kSlots = 15;
 constexpr const char* kProfile = "vga";
 /// Distortion terms: those for which the corners are carried, the first for the machine's frames.
 constexpr std::array kTerms{"k1k2p1p2", "k1"};
-
-struct Board {
-  std::string name;
-  Image left, right;
-  std::array<std::vector<Vector2d>, 2> corners;
-};
-
-std::vector<Board> load_boards(const StudyScope& scope, const calib::TargetSpec& spec) {
-  std::vector<Board> boards;
-  Progress progress("finding the board in pair");
-  for (int number = 1; number <= 14; ++number) {
-    const std::string name = fmt::format("{:02}", number);
-    const std::filesystem::path data(scope.data);
-    if (!std::filesystem::exists(data / ("left" + name + ".jpg"))) continue;
-    progress.show(static_cast<std::size_t>(number), 14);
-    Board board{name, load_image(data / ("left" + name + ".jpg")), load_image(data / ("right" + name + ".jpg")), {}};
-    for (std::size_t side = 0; side < 2; ++side) {
-      Image& image = side == 0 ? board.left : board.right;
-      const cv::Mat grey(image.height, image.width, CV_8UC1, image.pixels.data());
-      board.corners[side] = calib::detect_target(grey, spec).image_px;
-    }
-    boards.push_back(std::move(board));
-  }
-  if (boards.size() < 4) {
-    throw FileError(scope.data, "", fmt::format("{} pairs left01.jpg, right01.jpg to 14", boards.size()),
-                    "4 or more, as in Debian's package opencv-doc");
-  }
-  return boards;
-}
-
-calib::Rig calibrate_without(const std::vector<Board>& boards, std::size_t left_out, const calib::TargetSpec& spec,
-                             const char* terms) {
-  std::vector<calib::ViewCamera> cameras(2);
-  for (std::size_t side = 0; side < 2; ++side) {
-    cameras[side].name = side == 0 ? "left" : "right";
-    cameras[side].width_px = boards[0].left.width;
-    cameras[side].height_px = boards[0].left.height;
-    for (std::size_t i = 0; i < boards.size(); ++i) {
-      if (i == left_out) continue;
-      cameras[side].views.push_back({.file = boards[i].name, .pixels = boards[i].corners[side], .problem = {}});
-    }
-  }
-  calib::ViewOptions options;
-  options.distortion = calib::distortion_terms(terms);
-  return calib::calibrate_views(cameras, spec.points_mm(), options).rig;
-}
-
-/// The board in the left camera's coordinates, from the left image alone.
-calib::Pose board_pose(const calib::Camera& left, const std::vector<Vector2d>& corners,
-                       const std::vector<Vector2d>& target_mm) {
-  std::vector<cv::Point3d> points;
-  std::vector<cv::Point2d> seen;
-  calib::JointObservation observation;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const auto undistorted = left.model.undistort(corners[i]);
-    if (!undistorted) throw Error(ExitStatus::check_failed, "a corner is beyond the limit of the lens model");
-    points.emplace_back(target_mm[i].x(), target_mm[i].y(), 0);
-    seen.emplace_back(undistorted->x(), undistorted->y());
-    observation.points_mm.emplace_back(target_mm[i].x(), target_mm[i].y(), 0);
-    observation.pixels.push_back(corners[i]);
-  }
-  cv::Vec3d rotation;
-  cv::Vec3d translation;
-  cv::solvePnP(points, seen, cv::Matx33d::eye(), cv::noArray(), rotation, translation, false, cv::SOLVEPNP_IPPE);
-  calib::JointProblem problem;
-  problem.cameras.push_back({.intrinsics = left.model.intrinsics(), .rig_to_camera = {}});
-  problem.views.push_back({.target_to_rig = {calib::rotation_from_vector({rotation[0], rotation[1], rotation[2]}),
-                                             {translation[0], translation[1], translation[2]}}});
-  problem.observations.push_back(observation);
-  calib::optimise(problem);
-  return problem.views[0].target_to_rig;
-}
-
-/// A skin on the board, moved along its normal, away from the cameras.
-struct BoardPlane {
-  CameraPair cameras;
-  Vector3d point_mm, normal;
-  RigSkin moved(double shift_mm) const { return {cameras, make_plane(point_mm + shift_mm * normal, normal), "plane"}; }
-};
-
-BoardPlane plane_of(const calib::Rig& rig, const Board& board, const calib::TargetSpec& spec) {
-  const calib::Camera& left = rig.cameras[0];
-  const calib::Pose pose = left.world_to_camera.inverse() * board_pose(left, board.corners[0], spec.points_mm());
-  Vector3d normal = pose.rotation.col(2);
-  if (normal.dot(pose.translation_mm - left.world_to_camera.centre()) < 0) normal = -normal;
-  return {CameraPair(rig.cameras[0], rig.cameras[1]), pose.translation_mm, normal};
-}
 
 std::vector<cv::Point2d> left_corners(const Board& board) {
   std::vector<cv::Point2d> corners;
@@ -170,11 +76,11 @@ Vector2d carried(const MapTable& table, const Vector2d& pixel) {
 }
 
 /// One for all boards, as each of them lies in its own plane: the median.
-std::optional<ChosenThickness> thickness_of(const std::vector<BoardPlane>& planes, const Board& board,
+std::optional<ChosenThickness> thickness_of(const std::vector<SkinPlane>& planes, const Board& board,
                                             ThicknessOption option, const MachineProfile& profile, Settings& settings) {
   const ScanGeometry geometry{board.left.width, board.left.height, Scan::progressive};
   std::vector<ChosenThickness> all;
-  for (const BoardPlane& plane : planes) {
+  for (const SkinPlane& plane : planes) {
     const auto chosen = set_thickness(option, plane.moved(0), profile, geometry, settings);
     if (!chosen) return {};
     all.push_back(*chosen);
@@ -183,7 +89,7 @@ std::optional<ChosenThickness> thickness_of(const std::vector<BoardPlane>& plane
   std::ranges::nth_element(all, middle, {}, &ChosenThickness::tolerance_px);
   option = {.tolerance_px = middle->tolerance_px, .thickness_mm = {}};
   Summary across_mm{INFINITY, 0, 0};
-  for (const BoardPlane& plane : planes) {
+  for (const SkinPlane& plane : planes) {
     const Summary one = set_thickness(option, plane.moved(0), profile, geometry, settings)->across_mm;
     across_mm.smallest = std::min(across_mm.smallest, one.smallest);
     across_mm.largest = std::max(across_mm.largest, one.largest);
@@ -194,10 +100,10 @@ std::optional<ChosenThickness> thickness_of(const std::vector<BoardPlane>& plane
 
 /// The board of each pair as a skin, by the rig of the others; corners of the left image through its map, by lens
 /// terms. The planes are those of the first terms.
-std::vector<BoardPlane> carry_corners(StudyReport& report, const std::vector<Board>& boards,
-                                      const calib::TargetSpec& spec) {
+std::vector<SkinPlane> carry_corners(StudyReport& report, const std::vector<Board>& boards,
+                                     const calib::TargetSpec& spec) {
   Csv csv({"terms", "pair", "rms_px", "largest_px"});
-  std::vector<BoardPlane> planes;
+  std::vector<SkinPlane> planes;
   Progress progress("calibrating without one pair");
   std::size_t step = 0;
   for (const char* terms : kTerms) {
@@ -206,7 +112,7 @@ std::vector<BoardPlane> carry_corners(StudyReport& report, const std::vector<Boa
     for (std::size_t i = 0; i < boards.size(); ++i) {
       progress.show(step++, kTerms.size() * boards.size());
       const auto& [left, right] = boards[i].corners;
-      const BoardPlane plane = plane_of(calibrate_without(boards, i, spec, terms), boards[i], spec);
+      const SkinPlane plane = plane_of(calibrate_boards(boards, spec, terms, i), boards[i], spec);
       if (terms == kTerms[0]) planes.push_back(plane);
       const CompiledMap map = table_of(plane.moved(0), boards[i]);
       double sum = 0;
@@ -232,9 +138,10 @@ std::vector<BoardPlane> carry_corners(StudyReport& report, const std::vector<Boa
 }
 
 /// The rule as asked for, and what there is to say of it.
-Settings settings_of(StudyReport& report, const StudyScope& scope, const std::vector<BoardPlane>& planes,
+Settings settings_of(StudyReport& report, const StudyScope& scope, const std::vector<SkinPlane>& planes,
                      const std::vector<Board>& boards) {
   Settings settings;
+  settings.proof.needed = false;  // each photograph is another scene
   settings.decision = scope.decision;
   if (const auto chosen = thickness_of(planes, boards[0], scope.thickness, find_profile(kProfile), settings)) {
     report.result.update(chosen->json());
@@ -256,7 +163,7 @@ Settings settings_of(StudyReport& report, const StudyScope& scope, const std::ve
 /// The table of every board at one displacement.
 using Maps = std::vector<CompiledMap>;
 
-std::vector<Maps> compile(const std::vector<double>& shifts_mm, const std::vector<BoardPlane>& planes,
+std::vector<Maps> compile(const std::vector<double>& shifts_mm, const std::vector<SkinPlane>& planes,
                           const std::vector<Board>& boards) {
   std::vector<Maps> result;
   Progress progress("tables for displacement");
@@ -368,9 +275,9 @@ void displace(StudyReport& report, const std::vector<double>& shifts_mm, const s
 
 void study_board(StudyReport& report, const StudyScope& scope) {
   const auto spec = calib::TargetSpec::parse("chessboard:9x6:30mm");
-  std::vector<Board> boards = load_boards(scope, spec);
+  std::vector<Board> boards = load_boards(scope.data, spec);
   if (scope.quick) boards.resize(5);
-  const std::vector<BoardPlane> planes = carry_corners(report, boards, spec);
+  const std::vector<SkinPlane> planes = carry_corners(report, boards, spec);
   const std::vector<double> shifts_mm =
       scope.quick ? std::vector<double>{0, -50, 50} : std::vector<double>{-100, -50, -20, -10, 0, 10, 20, 50, 100};
   const std::vector<Maps> maps = compile(shifts_mm, planes, boards);

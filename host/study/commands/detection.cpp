@@ -72,7 +72,7 @@ std::vector<BoundaryDetection> detect_boundaries(const study::ImageSeries& serie
         Settings machine;
         machine.decision = Decision::compete;
         machine.competition.boundary = settings[n];
-        Supervisor supervisor(make_device("native", profile), profile, maps, machine);
+        Supervisor supervisor(make_device("native", profile), profile, maps, machine.without_proof());
         result[n].setting = settings[n];
         const std::size_t half = images.size() / 2;  // displacements: −far … −near, near … far
         for (std::size_t i = 0; i < half; ++i) {

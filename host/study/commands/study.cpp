@@ -79,6 +79,17 @@ void add_decision_options(CLI::App& command, StudyScope& scope) {
       ->type_name("DIR");
 }
 
+void add_earned_options(CLI::App& command, StudyScope& scope) {
+  add_data_option(command, scope, "Directory with left01.jpg … right14.jpg and aloeL.jpg, aloeR.jpg, aloeGT.png");
+  command.add_option("--list", scope.list, "Rectified stereo pairs instead of opencv-doc's, as of `horopter evaluate`")
+      ->type_name("FILE");
+  command.add_option("--frames", scope.frames, "Of each pair, with fresh noise")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 10'000))
+      ->type_name("N");
+  only(command.add_option("--engine", scope.engine, "Engine")->capture_default_str(), engine_names());
+}
+
 }  // namespace
 
 const std::vector<NamedStudy>& studies() {
@@ -145,7 +156,7 @@ void add_study(CLI::App& app, Outcome& outcome) {
       add_texture_options(*one, *scope);
     if (named.run == study_segmentation) add_series_option(*one, *scope);
   }
-  add("all", "All of these (not board and decision), with a page of every figure and STUDY.md",
+  add("all", "All of these (not board, decision and earned), with a page of every figure and STUDY.md",
       [](const StudyOptions& options) { return study_all(options.out, options.scope); });
   const auto [board, of_board] =
       add_one("board", "A skin in mm on photographs of a chessboard, calibrated on the others, moved through the board",
@@ -154,6 +165,9 @@ void add_study(CLI::App& app, Outcome& outcome) {
   const auto [decision, of_decision] = add_one(
       "decision", "The rules with parts left out, larger and smaller: what each gains and costs (12)", study_decision);
   add_decision_options(*decision, *of_decision);
+  const auto [earned, of_earned] = add_one(
+      "earned", "Clear must be earned: disturbed cameras, which of them ever read safe; false faults", study_earned);
+  add_earned_options(*earned, *of_earned);
 }
 
 }  // namespace horopter::cli

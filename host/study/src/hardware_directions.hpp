@@ -25,10 +25,10 @@ void for_hardware_directions(const Plane& left, const Plane& right, Visit visit)
   const auto direction = std::make_unique<DirectionFinder<>>();
   for (int y = 0; y < left.height; ++y) {
     for (int x = 0; x < left.width; ++x) {
-      GreyPair in;
+      Grey<2> in;
       in.pixel = {u<8>(static_cast<std::uint32_t>(left.at(x, y))), u<8>(static_cast<std::uint32_t>(right.at(x, y)))};
       in.mask = true;
-      in.marks = {x == 0 && y == 0, x == left.width - 1};
+      in.marks = {x == 0 && y == 0, x == left.width - 1, false, false};
       const auto gradient = sobel->step(lowpass->step(in));
       visit(x - kOffset, y - kOffset, gradient, direction->step(gradient));
     }

@@ -1,6 +1,9 @@
 rtl/generated/field/horopter_profile_pkg.sv
+rtl/generated/field/horopter_agreement.sv
 rtl/generated/field/horopter_alarm.sv
 rtl/generated/field/horopter_align.sv
+rtl/generated/field/horopter_cells.sv
+rtl/generated/field/horopter_coarse.sv
 rtl/generated/field/horopter_difference.sv
 rtl/generated/field/horopter_direction.sv
 rtl/generated/field/horopter_dsad.sv
@@ -12,6 +15,7 @@ rtl/generated/field/horopter_map_expand.sv
 rtl/generated/field/horopter_runs.sv
 rtl/generated/field/horopter_sobel.sv
 rtl/generated/field/horopter_stages.sv
+rtl/generated/field/horopter_still.sv
 rtl/generated/field/horopter_subsample.sv
 rtl/generated/field/horopter_texture.sv
 rtl/generated/field/horopter_threshold.sv
@@ -35,7 +39,9 @@ rtl/store/horopter_map_store.sv
 rtl/store/horopter_raster.sv
 rtl/store/horopter_frame_control.sv
 rtl/camera/horopter_camera_input.sv
+rtl/camera/horopter_coarse_check.sv
 rtl/top/horopter_settings.sv
+rtl/top/horopter_agreement_result.sv
 rtl/top/horopter_output.sv
 rtl/top/horopter_status.sv
 rtl/top/horopter_top.sv

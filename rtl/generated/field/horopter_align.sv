@@ -13,6 +13,8 @@ module horopter_align (
   input  logic [1:0] state_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
+  input  logic marks_seen_i,
+  input  logic marks_nearer_i,
   input  logic [8:0] cfg_width_i,
   input  logic [8:0] cfg_height_i,
   output logic valid_o,
@@ -20,7 +22,9 @@ module horopter_align (
   output logic first_o,
   output logic last_o,
   output logic end_v_o,
-  output logic idle_o
+  output logic idle_o,
+  output logic hidden_o,
+  output logic unproven_o
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
@@ -40,54 +44,63 @@ module horopter_align (
   logic [3:0] columns_q;
   logic [8:0] columns_left_q;
   logic [8:0] rows_left_q;
-  // hls/stages/align.hpp:67
-  logic not_16;
-  assign not_16 = ~marks_first_i;
-  logic and_17;
-  assign and_17 = active_q & not_16;
-  logic and_18;
-  assign and_18 = started_q & not_16;
-  logic [3:0] select_20;
-  assign select_20 = marks_first_i ? 4'h0 : rows_q;
-  // hls/stages/align.hpp:70
-  logic equal_21;
-  assign equal_21 = select_20 == 4'h9;
-  logic [3:0] select_23;
-  assign select_23 = marks_first_i ? 4'h0 : (row_ended_q ? 4'h0 : columns_q);
-  logic equal_24;
-  assign equal_24 = select_23 == 4'h9;
   // hls/stages/align.hpp:72
-  logic and_25;
-  assign and_25 = equal_21 & equal_24;
-  logic and_26;
-  assign and_26 = (~and_18) & and_25;
-  // hls/stages/align.hpp:74
-  logic or_27;
-  assign or_27 = and_17 | and_26;
+  logic not_18;
+  assign not_18 = ~marks_first_i;
+  logic and_19;
+  assign and_19 = active_q & not_18;
+  logic and_20;
+  assign and_20 = started_q & not_18;
+  logic [3:0] select_22;
+  assign select_22 = marks_first_i ? 4'h0 : rows_q;
+  // hls/stages/align.hpp:75
+  logic equal_23;
+  assign equal_23 = select_22 == 4'h9;
+  logic [3:0] select_25;
+  assign select_25 = marks_first_i ? 4'h0 : (row_ended_q ? 4'h0 : columns_q);
+  logic equal_26;
+  assign equal_26 = select_25 == 4'h9;
   // hls/stages/align.hpp:77
+  logic and_27;
+  assign and_27 = equal_23 & equal_26;
   logic and_28;
-  assign and_28 = last_q & and_17;
-  logic and_29;
-  assign and_29 = final_row_q & and_28;
-  // hls/stages/align.hpp:97
-  logic select_36;
-  assign select_36 = and_26 ? (cfg_width_i == 9'h2) : ((~last_q) & (columns_left_q == 9'h2));
-  logic select_40;
-  assign select_40 = and_26 ? (cfg_height_i == 9'h1) : (last_q ? (rows_left_q == 9'h2) : final_row_q);
-  // hls/stages/align.hpp:100
-  logic not_42;
-  assign not_42 = ~equal_21;
-  // hls/stages/align.hpp:98
-  logic not_45;
-  assign not_45 = ~equal_24;
-  // hls/stages/align.hpp:97
-  logic [8:0] select_50;
-  assign select_50 = and_26 ? (cfg_width_i + 9'h1ff) : (last_q ? cfg_width_i : (columns_left_q + 9'h1ff));
-  logic [8:0] select_53;
-  assign select_53 = and_26 ? cfg_height_i : (last_q ? (rows_left_q + 9'h1ff) : rows_left_q);
-  // hls/stages/align.hpp:67
-  logic and_54;
-  assign and_54 = idle_q & not_16;
+  assign and_28 = (~and_20) & and_27;
+  // hls/stages/align.hpp:82
+  logic or_29;
+  assign or_29 = and_19 | and_28;
+  // hls/stages/align.hpp:85
+  logic and_30;
+  assign and_30 = last_q & and_19;
+  logic and_31;
+  assign and_31 = final_row_q & and_30;
+  // hls/stages/align.hpp:105
+  logic select_38;
+  assign select_38 = and_28 ? (cfg_width_i == 9'h2) : ((~last_q) & (columns_left_q == 9'h2));
+  logic select_42;
+  assign select_42 = and_28 ? (cfg_height_i == 9'h1) : (last_q ? (rows_left_q == 9'h2) : final_row_q);
+  // hls/stages/align.hpp:108
+  logic not_44;
+  assign not_44 = ~equal_23;
+  // hls/stages/align.hpp:106
+  logic not_47;
+  assign not_47 = ~equal_26;
+  // hls/stages/align.hpp:105
+  logic [8:0] select_52;
+  assign select_52 = and_28 ? (cfg_width_i + 9'h1ff) : (last_q ? cfg_width_i : (columns_left_q + 9'h1ff));
+  logic [8:0] select_55;
+  assign select_55 = and_28 ? cfg_height_i : (last_q ? (rows_left_q + 9'h1ff) : rows_left_q);
+  // hls/stages/align.hpp:77
+  logic equal_56;
+  assign equal_56 = state_i == 2'h0;
+  // hls/stages/align.hpp:79
+  logic and_57;
+  assign and_57 = marks_nearer_i & equal_56;
+  // hls/stages/align.hpp:81
+  logic and_59;
+  assign and_59 = equal_56 & (~marks_seen_i);
+  // hls/stages/align.hpp:72
+  logic and_62;
+  assign and_62 = idle_q & not_18;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -102,25 +115,27 @@ module horopter_align (
       columns_left_q <= 9'h0;
       rows_left_q <= 9'h0;
     end else if (s0_en) begin
-      active_q <= or_27 & (~and_29);
-      idle_q <= and_29;
-      last_q <= select_36;
-      final_row_q <= select_40;
-      started_q <= and_18 | and_25;
+      active_q <= or_29 & (~and_31);
+      idle_q <= and_31;
+      last_q <= select_38;
+      final_row_q <= select_42;
+      started_q <= and_20 | and_27;
       row_ended_q <= marks_last_i;
-      rows_q <= marks_last_i ? (select_20 + {3'h0, not_42}) : select_20;
-      columns_q <= select_23 + {3'h0, not_45};
-      columns_left_q <= select_50;
-      rows_left_q <= select_53;
+      rows_q <= marks_last_i ? (select_22 + {3'h0, not_44}) : select_22;
+      columns_q <= select_25 + {3'h0, not_47};
+      columns_left_q <= select_52;
+      rows_left_q <= select_55;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign state_o = state_i;
-  assign first_o = and_26;
-  assign last_o = and_28;
-  assign end_v_o = and_29;
-  assign idle_o = and_54;
-  assign valid_o = valid_i & (and_54 | or_27);
+  assign state_o = (and_57 | and_59) ? 2'h2 : state_i;
+  assign first_o = and_28;
+  assign last_o = and_30;
+  assign end_v_o = and_31;
+  assign idle_o = and_62;
+  assign hidden_o = and_57;
+  assign unproven_o = and_59;
+  assign valid_o = valid_i & (and_62 | or_29);
 
 endmodule

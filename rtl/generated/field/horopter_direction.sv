@@ -3,7 +3,7 @@
 //
 // Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 0 bits, pipeline 59 bits, memories 0 bits.
+// State 0 bits, pipeline 63 bits, memories 0 bits.
 module horopter_direction (
   input  logic clk_i,
   input  logic rst_ni,
@@ -15,13 +15,17 @@ module horopter_direction (
   input  logic mask_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
+  input  logic marks_seen_i,
+  input  logic marks_nearer_i,
   output logic valid_o,
   output logic [7:0] direction_0_o,
   output logic [7:0] magnitude_0_o,
   output logic saturated_o,
   output logic mask_o,
   output logic marks_first_o,
-  output logic marks_last_o
+  output logic marks_last_o,
+  output logic marks_seen_o,
+  output logic marks_nearer_o
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
@@ -38,77 +42,81 @@ module horopter_direction (
   logic [9:0] y;
   assign y = {9'h0, gy_0_i[10]} + (gy_0_i[9:0] ^ {10{gy_0_i[10]}});
   // hls/stages/direction.hpp:46
-  logic less_11;
-  assign less_11 = x < y;
+  logic less_13;
+  assign less_13 = x < y;
   logic [9:0] larger;
-  assign larger = less_11 ? y : x;
+  assign larger = less_13 ? y : x;
   // hls/stages/direction.hpp:47
   logic [9:0] smaller;
   assign smaller = (y < x) ? y : x;
   // hls/stages/direction.hpp:49
-  logic [10:0] sum_39;
-  assign sum_39 = {1'b0, smaller} + {2'h0, smaller[9:1]};
+  logic [10:0] sum_41;
+  assign sum_41 = {1'b0, smaller} + {2'h0, smaller[9:1]};
 
   logic saturated_s1_q;
   logic mask_s1_q;
   logic marks_first_s1_q;
   logic marks_last_s1_q;
-  logic less_11_s1_q;
-  logic xor_14_s1_q;
+  logic marks_seen_s1_q;
+  logic marks_nearer_s1_q;
+  logic less_13_s1_q;
+  logic xor_16_s1_q;
   logic [9:0] larger_s1_q;
-  logic [9:0] difference_18_s1_q;
-  logic select_37_s1_q;
-  logic [9:0] sum_39_s1_q;
+  logic [9:0] difference_20_s1_q;
+  logic select_39_s1_q;
+  logic [9:0] sum_41_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       saturated_s1_q <= saturated_i;
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;
       marks_last_s1_q <= marks_last_i;
-      less_11_s1_q <= less_11;
-      xor_14_s1_q <= less_11 ^ (~(gx_0_i[10] ^ gy_0_i[10]));
+      marks_seen_s1_q <= marks_seen_i;
+      marks_nearer_s1_q <= marks_nearer_i;
+      less_13_s1_q <= less_13;
+      xor_16_s1_q <= less_13 ^ (~(gx_0_i[10] ^ gy_0_i[10]));
       larger_s1_q <= larger;
-      difference_18_s1_q <= {1'b0, larger[9:1]} - smaller;
-      select_37_s1_q <= less_11 ? gy_0_i[10] : gx_0_i[10];
-      sum_39_s1_q <= sum_39[10:1];
+      difference_20_s1_q <= {1'b0, larger[9:1]} - smaller;
+      select_39_s1_q <= less_13 ? gy_0_i[10] : gx_0_i[10];
+      sum_41_s1_q <= sum_41[10:1];
     end
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   // hls/stages/direction.hpp:62
-  logic not_19;
-  assign not_19 = ~difference_18_s1_q[9];
-  logic [9:0] xor_20;
-  assign xor_20 = larger_s1_q ^ {10{not_19}};
-  logic [10:0] sum_21;
-  assign sum_21 = {difference_18_s1_q[8:0], larger_s1_q[0], not_19} + {not_19, xor_20};
-  logic not_22;
-  assign not_22 = ~sum_21[10];
-  logic [9:0] xor_23;
-  assign xor_23 = larger_s1_q ^ {10{not_22}};
-  logic [10:0] sum_24;
-  assign sum_24 = {sum_21[9:0], not_22} + {not_22, xor_23};
-  logic not_25;
-  assign not_25 = ~sum_24[10];
-  logic [9:0] xor_26;
-  assign xor_26 = larger_s1_q ^ {10{not_25}};
-  logic [10:0] sum_27;
-  assign sum_27 = {sum_24[9:0], not_25} + {not_25, xor_26};
-  logic not_28;
-  assign not_28 = ~sum_27[10];
-  logic [9:0] xor_29;
-  assign xor_29 = larger_s1_q ^ {10{not_28}};
-  logic [10:0] sum_30;
-  assign sum_30 = {sum_27[9:0], not_28} + {not_28, xor_29};
-  logic not_31;
-  assign not_31 = ~sum_30[10];
-  logic [9:0] xor_32;
-  assign xor_32 = larger_s1_q ^ {10{not_31}};
-  logic [10:0] sum_33;
-  assign sum_33 = {sum_30[9:0], not_31} + {not_31, xor_32};
+  logic not_21;
+  assign not_21 = ~difference_20_s1_q[9];
+  logic [9:0] xor_22;
+  assign xor_22 = larger_s1_q ^ {10{not_21}};
+  logic [10:0] sum_23;
+  assign sum_23 = {difference_20_s1_q[8:0], larger_s1_q[0], not_21} + {not_21, xor_22};
+  logic not_24;
+  assign not_24 = ~sum_23[10];
+  logic [9:0] xor_25;
+  assign xor_25 = larger_s1_q ^ {10{not_24}};
+  logic [10:0] sum_26;
+  assign sum_26 = {sum_23[9:0], not_24} + {not_24, xor_25};
+  logic not_27;
+  assign not_27 = ~sum_26[10];
+  logic [9:0] xor_28;
+  assign xor_28 = larger_s1_q ^ {10{not_27}};
+  logic [10:0] sum_29;
+  assign sum_29 = {sum_26[9:0], not_27} + {not_27, xor_28};
+  logic not_30;
+  assign not_30 = ~sum_29[10];
+  logic [9:0] xor_31;
+  assign xor_31 = larger_s1_q ^ {10{not_30}};
+  logic [10:0] sum_32;
+  assign sum_32 = {sum_29[9:0], not_30} + {not_30, xor_31};
+  logic not_33;
+  assign not_33 = ~sum_32[10];
+  logic [9:0] xor_34;
+  assign xor_34 = larger_s1_q ^ {10{not_33}};
+  logic [10:0] sum_35;
+  assign sum_35 = {sum_32[9:0], not_33} + {not_33, xor_34};
   logic [5:0] angle;  // table arctangent_table
   always_comb begin
-    case ({difference_18_s1_q[9], sum_21[10], sum_24[10], sum_27[10], sum_30[10], sum_33[10]})
+    case ({difference_20_s1_q[9], sum_23[10], sum_26[10], sum_29[10], sum_32[10], sum_35[10]})
       6'd1: angle = 6'h1;
       6'd2: angle = 6'h2;
       6'd3: angle = 6'h2;
@@ -176,40 +184,46 @@ module horopter_direction (
     endcase
   end
   // hls/stages/direction.hpp:69
-  logic [6:0] select_36;
-  assign select_36 = xor_14_s1_q ? {1'b0, angle} : (7'h0 - {1'b0, angle});
+  logic [6:0] select_38;
+  assign select_38 = xor_16_s1_q ? {1'b0, angle} : (7'h0 - {1'b0, angle});
   // hls/stages/direction.hpp:49
-  logic [9:0] sum_40;
-  assign sum_40 = sum_39_s1_q + 10'h1;
-  logic [10:0] sum_41;
-  assign sum_41 = {1'b0, larger_s1_q} + {2'h0, sum_40[9:1]};
+  logic [9:0] sum_42;
+  assign sum_42 = sum_41_s1_q + 10'h1;
+  logic [10:0] sum_43;
+  assign sum_43 = {1'b0, larger_s1_q} + {2'h0, sum_42[9:1]};
 
   logic saturated_s2_q;
   logic mask_s2_q;
   logic marks_first_s2_q;
   logic marks_last_s2_q;
-  logic [5:0] select_36_s2_q;
-  logic [1:0] sum_38_s2_q;
-  logic [7:0] select_43_s2_q;
+  logic marks_seen_s2_q;
+  logic marks_nearer_s2_q;
+  logic [5:0] select_38_s2_q;
+  logic [1:0] sum_40_s2_q;
+  logic [7:0] select_45_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       saturated_s2_q <= saturated_s1_q;
       mask_s2_q <= mask_s1_q;
       marks_first_s2_q <= marks_first_s1_q;
       marks_last_s2_q <= marks_last_s1_q;
-      select_36_s2_q <= select_36[5:0];
-      sum_38_s2_q <= {select_37_s1_q, less_11_s1_q} + {2{select_36[6]}};
-      select_43_s2_q <= (sum_41[10:8] == 3'h0) ? sum_41[7:0] : 8'hff;
+      marks_seen_s2_q <= marks_seen_s1_q;
+      marks_nearer_s2_q <= marks_nearer_s1_q;
+      select_38_s2_q <= select_38[5:0];
+      sum_40_s2_q <= {select_39_s1_q, less_13_s1_q} + {2{select_38[6]}};
+      select_45_s2_q <= (sum_43[10:8] == 3'h0) ? sum_43[7:0] : 8'hff;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign direction_0_o = {sum_38_s2_q, select_36_s2_q};
-  assign magnitude_0_o = select_43_s2_q;
+  assign direction_0_o = {sum_40_s2_q, select_38_s2_q};
+  assign magnitude_0_o = select_45_s2_q;
   assign saturated_o = saturated_s2_q;
   assign mask_o = mask_s2_q;
   assign marks_first_o = marks_first_s2_q;
   assign marks_last_o = marks_last_s2_q;
+  assign marks_seen_o = marks_seen_s2_q;
+  assign marks_nearer_o = marks_nearer_s2_q;
   assign valid_o = valid_s2_q;
 
   always_ff @(posedge clk_i) begin
@@ -224,6 +238,6 @@ module horopter_direction (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_40[0], sum_39[0], sum_33[9:0]};
+  assign unused_bits = ^{sum_42[0], sum_41[0], sum_35[9:0]};
 
 endmodule

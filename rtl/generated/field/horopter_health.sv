@@ -70,13 +70,13 @@ module horopter_health (
   assign select_36 = first_i ? pixel_i : ((brightest_q < pixel_i) ? pixel_i : brightest_q);
   logic not_38;
   assign not_38 = ~(cfg_dark_level_i < pixel_i);
-  // hls/stages/stream.hpp:46
+  // hls/stages/stream.hpp:54
   logic [17:0] sum_40;
   assign sum_40 = {17'h0, not_38} + (first_i ? 18'h0 : dark_q);
   // hls/stages/health.hpp:54
   logic not_42;
   assign not_42 = ~(pixel_i < cfg_bright_level_i);
-  // hls/stages/stream.hpp:46
+  // hls/stages/stream.hpp:54
   logic [17:0] sum_44;
   assign sum_44 = {17'h0, not_42} + (first_i ? 18'h0 : bright_q);
   // hls/stages/health.hpp:63

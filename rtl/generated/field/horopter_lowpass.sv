@@ -4,7 +4,7 @@
 // Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
 // Outputs are logic: what they go to takes them with the clock if en_i = 1.
-// State 60 bits, pipeline 13 bits, memories 15120 bits.
+// State 60 bits, pipeline 15 bits, memories 15120 bits.
 module horopter_lowpass (
   input  logic clk_i,
   input  logic rst_ni,
@@ -15,12 +15,16 @@ module horopter_lowpass (
   input  logic mask_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
+  input  logic marks_seen_i,
+  input  logic marks_nearer_i,
   output logic valid_o,
   output logic [7:0] pixel_0_o,
   output logic saturated_o,
   output logic mask_o,
   output logic marks_first_o,
-  output logic marks_last_o
+  output logic marks_last_o,
+  output logic marks_seen_o,
+  output logic marks_nearer_o
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
@@ -33,10 +37,10 @@ module horopter_lowpass (
   logic [9:0] raster_column_q;
   logic raster_row_ended_q;
   // hls/stages/lowpass.hpp:27
-  logic or_17;
-  assign or_17 = marks_first_i | raster_row_ended_q;
-  logic [9:0] select_19;
-  assign select_19 = or_17 ? 10'h0 : (raster_column_q + 10'h1);
+  logic or_19;
+  assign or_19 = marks_first_i | raster_row_ended_q;
+  logic [9:0] select_21;
+  assign select_21 = or_19 ? 10'h0 : (raster_column_q + 10'h1);
 
   // Memory memory, 756 x 20, DISTANCE 16, hls/stages/lowpass.hpp:58; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -46,7 +50,7 @@ module horopter_lowpass (
   initial for (int i = 0; i < 756; i++) memory_mem[i] = 20'h0;
 `endif
   logic [9:0] memory_raddr;
-  assign memory_raddr = select_19;
+  assign memory_raddr = select_21;
   logic memory_re;
   assign memory_re = s0_en;
   logic [19:0] memory_rdata_q;
@@ -59,7 +63,7 @@ module horopter_lowpass (
       raster_column_q <= 10'h0;
       raster_row_ended_q <= 1'b1;
     end else if (s0_en) begin
-      raster_column_q <= select_19;
+      raster_column_q <= select_21;
       raster_row_ended_q <= marks_last_i;
     end
   end
@@ -68,14 +72,18 @@ module horopter_lowpass (
   logic saturated_s1_q;
   logic mask_s1_q;
   logic marks_first_s1_q;
-  logic or_17_s1_q;
+  logic marks_seen_s1_q;
+  logic marks_nearer_s1_q;
+  logic or_19_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       pixel_0_s1_q <= pixel_0_i;
       saturated_s1_q <= saturated_i;
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;
-      or_17_s1_q <= or_17;
+      marks_seen_s1_q <= marks_seen_i;
+      marks_nearer_s1_q <= marks_nearer_i;
+      or_19_s1_q <= or_19;
     end
   end
 
@@ -90,36 +98,36 @@ module horopter_lowpass (
   logic [1:0] saturated_columns_values_0_q;
   logic [1:0] saturated_columns_values_1_q;
   // hls/stages/lowpass.hpp:27
-  logic and_22;
-  assign and_22 = raster_rows_q & (~marks_first_s1_q);
+  logic and_24;
+  assign and_24 = raster_rows_q & (~marks_first_s1_q);
   // hls/stages/lowpass.hpp:43
-  logic [1:0] select_23;
-  assign select_23 = and_22 ? memory_rdata_q[17:16] : 2'h0;
+  logic [1:0] select_25;
+  assign select_25 = and_24 ? memory_rdata_q[17:16] : 2'h0;
   // hls/stages/lowpass.hpp:44
-  logic [1:0] select_24;
-  assign select_24 = and_22 ? memory_rdata_q[19:18] : 2'h0;
+  logic [1:0] select_26;
+  assign select_26 = and_24 ? memory_rdata_q[19:18] : 2'h0;
   // hls/stages/lowpass.hpp:35
-  logic [8:0] sum_26;
-  assign sum_26 = {1'b0, memory_rdata_q[7:0]} + {2'h0, memory_rdata_q[15:9]};
+  logic [8:0] sum_28;
+  assign sum_28 = {1'b0, memory_rdata_q[7:0]} + {2'h0, memory_rdata_q[15:9]};
   logic [9:0] sum;
-  assign sum = {2'h0, pixel_0_s1_q} + {sum_26, memory_rdata_q[8]};
+  assign sum = {2'h0, pixel_0_s1_q} + {sum_28, memory_rdata_q[8]};
   // hls/stages/lowpass.hpp:43
-  logic equal_28;
-  assign equal_28 = {select_23, mask_s1_q} == 3'h7;
-  logic [1:0] select_29;
-  assign select_29 = or_17_s1_q ? 2'h0 : mask_columns_values_1_q;
+  logic equal_30;
+  assign equal_30 = {select_25, mask_s1_q} == 3'h7;
+  logic [1:0] select_31;
+  assign select_31 = or_19_s1_q ? 2'h0 : mask_columns_values_1_q;
   // hls/stages/lowpass.hpp:44
-  logic equal_31;
-  assign equal_31 = {select_24, saturated_s1_q} == 3'h7;
-  logic [1:0] select_32;
-  assign select_32 = or_17_s1_q ? 2'h0 : saturated_columns_values_1_q;
+  logic equal_33;
+  assign equal_33 = {select_26, saturated_s1_q} == 3'h7;
+  logic [1:0] select_34;
+  assign select_34 = or_19_s1_q ? 2'h0 : saturated_columns_values_1_q;
   // hls/stages/lowpass.hpp:38
-  logic [10:0] sum_34;
-  assign sum_34 = {1'b0, columns_0_values_1_q} + {2'h0, columns_0_values_3_q[9:1]};
-  logic [11:0] sum_35;
-  assign sum_35 = {sum_34, columns_0_values_3_q[0]} + {2'h0, sum};
-  logic [8:0] sum_36;
-  assign sum_36 = sum_35[11:3] + 9'h1;
+  logic [10:0] sum_36;
+  assign sum_36 = {1'b0, columns_0_values_1_q} + {2'h0, columns_0_values_3_q[9:1]};
+  logic [11:0] sum_37;
+  assign sum_37 = {sum_36, columns_0_values_3_q[0]} + {2'h0, sum};
+  logic [8:0] sum_38;
+  assign sum_38 = sum_37[11:3] + 9'h1;
 
   // Memory memory, write
   logic [9:0] memory_waddr;
@@ -127,7 +135,7 @@ module horopter_lowpass (
   logic memory_we;
   assign memory_we = s1_en;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (memory_we) memory_mem[memory_waddr] <= {select_24[0], saturated_s1_q, select_23[0], mask_s1_q, memory_rdata_q[7:0], pixel_0_s1_q};
+    if (memory_we) memory_mem[memory_waddr] <= {select_26[0], saturated_s1_q, select_25[0], mask_s1_q, memory_rdata_q[7:0], pixel_0_s1_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -145,7 +153,7 @@ module horopter_lowpass (
     if (!rst_ni) begin
       raster_rows_q <= 1'b0;
     end else if (s1_en) begin
-      raster_rows_q <= raster_row_ended_q | and_22;
+      raster_rows_q <= raster_row_ended_q | and_24;
     end
   end
 
@@ -168,19 +176,21 @@ module horopter_lowpass (
       columns_0_values_1_q <= columns_0_values_0_q;
       columns_0_values_2_q <= columns_0_values_1_q;
       columns_0_values_3_q <= columns_0_values_2_q;
-      mask_columns_values_0_q <= {select_29[0], equal_28};
-      mask_columns_values_1_q <= or_17_s1_q ? 2'h0 : mask_columns_values_0_q;
-      saturated_columns_values_0_q <= {select_32[0], equal_31};
-      saturated_columns_values_1_q <= or_17_s1_q ? 2'h0 : saturated_columns_values_0_q;
+      mask_columns_values_0_q <= {select_31[0], equal_30};
+      mask_columns_values_1_q <= or_19_s1_q ? 2'h0 : mask_columns_values_0_q;
+      saturated_columns_values_0_q <= {select_34[0], equal_33};
+      saturated_columns_values_1_q <= or_19_s1_q ? 2'h0 : saturated_columns_values_0_q;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign pixel_0_o = sum_36[8:1];
-  assign saturated_o = {select_32, equal_31} == 3'h7;
-  assign mask_o = {select_29, equal_28} == 3'h7;
+  assign pixel_0_o = sum_38[8:1];
+  assign saturated_o = {select_34, equal_33} == 3'h7;
+  assign mask_o = {select_31, equal_30} == 3'h7;
   assign marks_first_o = marks_first_s1_q;
   assign marks_last_o = raster_row_ended_q;
+  assign marks_seen_o = marks_seen_s1_q;
+  assign marks_nearer_o = marks_nearer_s1_q;
   assign valid_o = valid_s1_q;
 
   always_ff @(posedge clk_i) begin
@@ -193,6 +203,6 @@ module horopter_lowpass (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_36[0], sum_35[2:0]};
+  assign unused_bits = ^{sum_38[0], sum_37[2:0]};
 
 endmodule

@@ -4,7 +4,7 @@
 // Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
 // Outputs are logic: what they go to takes them with the clock if en_i = 1.
-// State 96 bits, pipeline 13 bits, memories 15120 bits.
+// State 96 bits, pipeline 15 bits, memories 15120 bits.
 module horopter_sobel (
   input  logic clk_i,
   input  logic rst_ni,
@@ -15,13 +15,17 @@ module horopter_sobel (
   input  logic mask_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
+  input  logic marks_seen_i,
+  input  logic marks_nearer_i,
   output logic valid_o,
   output logic signed [10:0] gx_0_o,
   output logic signed [10:0] gy_0_o,
   output logic saturated_o,
   output logic mask_o,
   output logic marks_first_o,
-  output logic marks_last_o
+  output logic marks_last_o,
+  output logic marks_seen_o,
+  output logic marks_nearer_o
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
@@ -34,10 +38,10 @@ module horopter_sobel (
   logic [9:0] raster_column_q;
   logic raster_row_ended_q;
   // hls/stages/sobel.hpp:41
-  logic or_21;
-  assign or_21 = marks_first_i | raster_row_ended_q;
-  logic [9:0] select_23;
-  assign select_23 = or_21 ? 10'h0 : (raster_column_q + 10'h1);
+  logic or_23;
+  assign or_23 = marks_first_i | raster_row_ended_q;
+  logic [9:0] select_25;
+  assign select_25 = or_23 ? 10'h0 : (raster_column_q + 10'h1);
 
   // Memory memory, 756 x 20, DISTANCE 16, hls/stages/sobel.hpp:74; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -47,7 +51,7 @@ module horopter_sobel (
   initial for (int i = 0; i < 756; i++) memory_mem[i] = 20'h0;
 `endif
   logic [9:0] memory_raddr;
-  assign memory_raddr = select_23;
+  assign memory_raddr = select_25;
   logic memory_re;
   assign memory_re = s0_en;
   logic [19:0] memory_rdata_q;
@@ -60,7 +64,7 @@ module horopter_sobel (
       raster_column_q <= 10'h0;
       raster_row_ended_q <= 1'b1;
     end else if (s0_en) begin
-      raster_column_q <= select_23;
+      raster_column_q <= select_25;
       raster_row_ended_q <= marks_last_i;
     end
   end
@@ -69,14 +73,18 @@ module horopter_sobel (
   logic saturated_s1_q;
   logic mask_s1_q;
   logic marks_first_s1_q;
-  logic or_21_s1_q;
+  logic marks_seen_s1_q;
+  logic marks_nearer_s1_q;
+  logic or_23_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       pixel_0_s1_q <= pixel_0_i;
       saturated_s1_q <= saturated_i;
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;
-      or_21_s1_q <= or_21;
+      marks_seen_s1_q <= marks_seen_i;
+      marks_nearer_s1_q <= marks_nearer_i;
+      or_23_s1_q <= or_23;
     end
   end
 
@@ -95,37 +103,37 @@ module horopter_sobel (
   logic [1:0] saturated_columns_values_0_q;
   logic [1:0] saturated_columns_values_1_q;
   // hls/stages/sobel.hpp:41
-  logic and_26;
-  assign and_26 = raster_rows_q & (~marks_first_s1_q);
+  logic and_28;
+  assign and_28 = raster_rows_q & (~marks_first_s1_q);
   // hls/stages/sobel.hpp:58
-  logic [1:0] select_27;
-  assign select_27 = and_26 ? memory_rdata_q[17:16] : 2'h0;
+  logic [1:0] select_29;
+  assign select_29 = and_28 ? memory_rdata_q[17:16] : 2'h0;
   // hls/stages/sobel.hpp:59
-  logic [1:0] select_28;
-  assign select_28 = and_26 ? memory_rdata_q[19:18] : 2'h0;
+  logic [1:0] select_30;
+  assign select_30 = and_28 ? memory_rdata_q[19:18] : 2'h0;
   // hls/stages/sobel.hpp:49
-  logic [8:0] sum_30;
-  assign sum_30 = {1'b0, memory_rdata_q[7:0]} + {2'h0, memory_rdata_q[15:9]};
+  logic [8:0] sum_32;
+  assign sum_32 = {1'b0, memory_rdata_q[7:0]} + {2'h0, memory_rdata_q[15:9]};
   logic [9:0] smooth;
-  assign smooth = {2'h0, pixel_0_s1_q} + {sum_30, memory_rdata_q[8]};
+  assign smooth = {2'h0, pixel_0_s1_q} + {sum_32, memory_rdata_q[8]};
   // hls/stages/sobel.hpp:50
   logic [8:0] slope;
   assign slope = {1'b0, pixel_0_s1_q} - {1'b0, memory_rdata_q[15:8]};
   // hls/stages/sobel.hpp:58
-  logic equal_33;
-  assign equal_33 = {select_27, mask_s1_q} == 3'h7;
-  logic [1:0] select_34;
-  assign select_34 = or_21_s1_q ? 2'h0 : mask_columns_values_1_q;
+  logic equal_35;
+  assign equal_35 = {select_29, mask_s1_q} == 3'h7;
+  logic [1:0] select_36;
+  assign select_36 = or_23_s1_q ? 2'h0 : mask_columns_values_1_q;
   // hls/stages/sobel.hpp:59
-  logic equal_36;
-  assign equal_36 = {select_28, saturated_s1_q} == 3'h7;
-  logic [1:0] select_37;
-  assign select_37 = or_21_s1_q ? 2'h0 : saturated_columns_values_1_q;
+  logic equal_38;
+  assign equal_38 = {select_30, saturated_s1_q} == 3'h7;
+  logic [1:0] select_39;
+  assign select_39 = or_23_s1_q ? 2'h0 : saturated_columns_values_1_q;
   // hls/stages/sobel.hpp:52
-  logic [9:0] sum_40;
-  assign sum_40 = {slope_0_values_1_q[8], slope_0_values_1_q} + {{2{slope[8]}}, slope[8:1]};
-  logic [10:0] sum_41;
-  assign sum_41 = {{2{slope_0_values_3_q[8]}}, slope_0_values_3_q} + {sum_40, slope[0]};
+  logic [9:0] sum_42;
+  assign sum_42 = {slope_0_values_1_q[8], slope_0_values_1_q} + {{2{slope[8]}}, slope[8:1]};
+  logic [10:0] sum_43;
+  assign sum_43 = {{2{slope_0_values_3_q[8]}}, slope_0_values_3_q} + {sum_42, slope[0]};
 
   // Memory memory, write
   logic [9:0] memory_waddr;
@@ -133,7 +141,7 @@ module horopter_sobel (
   logic memory_we;
   assign memory_we = s1_en;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (memory_we) memory_mem[memory_waddr] <= {select_28[0], saturated_s1_q, select_27[0], mask_s1_q, memory_rdata_q[7:0], pixel_0_s1_q};
+    if (memory_we) memory_mem[memory_waddr] <= {select_30[0], saturated_s1_q, select_29[0], mask_s1_q, memory_rdata_q[7:0], pixel_0_s1_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -151,7 +159,7 @@ module horopter_sobel (
     if (!rst_ni) begin
       raster_rows_q <= 1'b0;
     end else if (s1_en) begin
-      raster_rows_q <= raster_row_ended_q | and_26;
+      raster_rows_q <= raster_row_ended_q | and_28;
     end
   end
 
@@ -182,20 +190,22 @@ module horopter_sobel (
       slope_0_values_1_q <= slope_0_values_0_q;
       slope_0_values_2_q <= slope_0_values_1_q;
       slope_0_values_3_q <= slope_0_values_2_q;
-      mask_columns_values_0_q <= {select_34[0], equal_33};
-      mask_columns_values_1_q <= or_21_s1_q ? 2'h0 : mask_columns_values_0_q;
-      saturated_columns_values_0_q <= {select_37[0], equal_36};
-      saturated_columns_values_1_q <= or_21_s1_q ? 2'h0 : saturated_columns_values_0_q;
+      mask_columns_values_0_q <= {select_36[0], equal_35};
+      mask_columns_values_1_q <= or_23_s1_q ? 2'h0 : mask_columns_values_0_q;
+      saturated_columns_values_0_q <= {select_39[0], equal_38};
+      saturated_columns_values_1_q <= or_23_s1_q ? 2'h0 : saturated_columns_values_0_q;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
   assign gx_0_o = {1'b0, smooth} - {1'b0, smooth_0_values_3_q};
-  assign gy_0_o = sum_41;
-  assign saturated_o = {select_37, equal_36} == 3'h7;
-  assign mask_o = {select_34, equal_33} == 3'h7;
+  assign gy_0_o = sum_43;
+  assign saturated_o = {select_39, equal_38} == 3'h7;
+  assign mask_o = {select_36, equal_35} == 3'h7;
   assign marks_first_o = marks_first_s1_q;
   assign marks_last_o = raster_row_ended_q;
+  assign marks_seen_o = marks_seen_s1_q;
+  assign marks_nearer_o = marks_nearer_s1_q;
   assign valid_o = valid_s1_q;
 
   always_ff @(posedge clk_i) begin

@@ -21,22 +21,71 @@ module horopter_stages #(
   input  logic mask_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
+  input  logic [8:0] cfg_width_i,
+  input  logic [8:0] cfg_height_i,
+  input  logic cfg_compete_i,
+  input  logic cfg_prove_i,
+  input  logic signed [5:0] cfg_shift_lowest_i,
+  input  logic signed [5:0] cfg_shift_highest_i,
+  input  logic cfg_nearer_below_i,
+  input  logic cfg_nearer_above_i,
+  input  logic [7:0] cfg_explained_limit_i,
+  input  logic [7:0] cfg_regions_limit_i,
+  input  logic [7:0] cfg_unproven_limit_i,
+  input  logic [7:0] cfg_hidden_limit_i,
+  input  logic [7:0] cfg_hidden_frames_i,
+  input  logic [5:0] cfg_moved_limit_i,
+  input  logic [5:0] cfg_moved_half_limit_i,
+  input  logic signed [15:0] cfg_epipolar_slope_i,
+  input  logic signed [15:0] cfg_epipolar_column_i,
+  input  logic signed [15:0] cfg_epipolar_row_i,
+  input  logic signed [15:0] cfg_epipolar_both_i,
   input  logic [11:0] cfg_texture_limit_i,
   input  logic [10:0] cfg_sum_limit_i,
   input  logic [10:0] cfg_self_limit_i,
-  input  logic [8:0] cfg_width_i,
-  input  logic [8:0] cfg_height_i,
   input  logic [16:0] cfg_alarm_limit_i,
   input  logic [16:0] cfg_undecidable_limit_i,
   input  logic [16:0] cfg_unsupervised_limit_i,
   input  logic [30:0] compete_settings_i,
-  input  logic cfg_compete_i,
+  output logic agreement_verdict_valid_o,
+  output logic [15:0] agreement_verdict_supervised_o,
+  output logic [15:0] agreement_verdict_textured_o,
+  output logic [15:0] agreement_verdict_explained_o,
+  output logic [15:0] agreement_verdict_nearer_o,
+  output logic [15:0] agreement_verdict_unproven_o,
+  output logic [15:0] agreement_verdict_regions_bad_o,
+  output logic agreement_verdict_unproven_yet_o,
+  output logic agreement_verdict_untextured_o,
+  output logic agreement_verdict_disagree_o,
+  output logic agreement_verdict_moved_o,
+  output logic agreement_verdict_unsharp_left_o,
+  output logic agreement_verdict_unsharp_right_o,
+  output logic agreement_verdict_hidden_o,
+  output logic signed [19:0] agreement_verdict_across_0_o,
+  output logic signed [19:0] agreement_verdict_across_1_o,
+  output logic signed [19:0] agreement_verdict_across_2_o,
+  output logic signed [19:0] agreement_verdict_across_3_o,
+  output logic [11:0] agreement_verdict_measured_0_o,
+  output logic [11:0] agreement_verdict_measured_1_o,
+  output logic [11:0] agreement_verdict_measured_2_o,
+  output logic [11:0] agreement_verdict_measured_3_o,
+  output logic [23:0] agreement_verdict_detail_0_o,
+  output logic [23:0] agreement_verdict_detail_1_o,
+  output logic [23:0] agreement_verdict_contrast_0_o,
+  output logic [23:0] agreement_verdict_contrast_1_o,
+  output logic agreement_region_valid_o,
+  output logic [5:0] agreement_region_region_o,
+  output logic [11:0] agreement_region_textured_o,
+  output logic [11:0] agreement_region_explained_o,
+  output logic [11:0] agreement_region_nearer_o,
   output logic align_valid_o,
   output logic [1:0] align_state_o,
   output logic align_first_o,
   output logic align_last_o,
   output logic align_end_v_o,
   output logic align_idle_o,
+  output logic align_hidden_o,
+  output logic align_unproven_o,
   output logic runs_valid_o,
   output logic [8:0] runs_row_o,
   output logic [8:0] runs_start_o,
@@ -113,13 +162,19 @@ module horopter_stages #(
     .marks_last_o(subsample_marks_last_o)
   );
 
-  logic lowpass_valid_o;
-  logic [7:0] lowpass_pixel_0_o;
-  logic lowpass_saturated_o;
-  logic lowpass_mask_o;
-  logic lowpass_marks_first_o;
-  logic lowpass_marks_last_o;
-  horopter_lowpass u_lowpass (
+  logic agreement_valid_o;
+  logic [7:0] agreement_pixel_0_o;
+  logic agreement_saturated_o;
+  logic agreement_mask_o;
+  logic agreement_marks_first_o;
+  logic agreement_marks_last_o;
+  logic agreement_marks_seen_o;
+  logic agreement_marks_nearer_o;
+  logic agreement_verdict_valid;
+  assign agreement_verdict_valid_o = agreement_valid_o && agreement_verdict_valid;
+  logic agreement_region_valid;
+  assign agreement_region_valid_o = agreement_valid_o && agreement_region_valid;
+  horopter_agreement u_agreement (
     .clk_i(clk_i),
     .rst_ni(rst_ni),
     .en_i(1'b1),
@@ -129,12 +184,94 @@ module horopter_stages #(
     .mask_i(subsample_mask_o),
     .marks_first_i(subsample_marks_first_o),
     .marks_last_i(subsample_marks_last_o),
+    .cfg_width_i(cfg_width_i),
+    .cfg_height_i(cfg_height_i),
+    .cfg_compete_i(cfg_compete_i),
+    .cfg_prove_i(cfg_prove_i),
+    .cfg_shift_lowest_i(cfg_shift_lowest_i),
+    .cfg_shift_highest_i(cfg_shift_highest_i),
+    .cfg_nearer_below_i(cfg_nearer_below_i),
+    .cfg_nearer_above_i(cfg_nearer_above_i),
+    .cfg_explained_limit_i(cfg_explained_limit_i),
+    .cfg_regions_limit_i(cfg_regions_limit_i),
+    .cfg_unproven_limit_i(cfg_unproven_limit_i),
+    .cfg_hidden_limit_i(cfg_hidden_limit_i),
+    .cfg_hidden_frames_i(cfg_hidden_frames_i),
+    .cfg_moved_limit_i(cfg_moved_limit_i),
+    .cfg_moved_half_limit_i(cfg_moved_half_limit_i),
+    .cfg_epipolar_slope_i(cfg_epipolar_slope_i),
+    .cfg_epipolar_column_i(cfg_epipolar_column_i),
+    .cfg_epipolar_row_i(cfg_epipolar_row_i),
+    .cfg_epipolar_both_i(cfg_epipolar_both_i),
+    .valid_o(agreement_valid_o),
+    .pixel_0_o(agreement_pixel_0_o),
+    .saturated_o(agreement_saturated_o),
+    .mask_o(agreement_mask_o),
+    .marks_first_o(agreement_marks_first_o),
+    .marks_last_o(agreement_marks_last_o),
+    .marks_seen_o(agreement_marks_seen_o),
+    .marks_nearer_o(agreement_marks_nearer_o),
+    .verdict_valid_o(agreement_verdict_valid),
+    .verdict_supervised_o(agreement_verdict_supervised_o),
+    .verdict_textured_o(agreement_verdict_textured_o),
+    .verdict_explained_o(agreement_verdict_explained_o),
+    .verdict_nearer_o(agreement_verdict_nearer_o),
+    .verdict_unproven_o(agreement_verdict_unproven_o),
+    .verdict_regions_bad_o(agreement_verdict_regions_bad_o),
+    .verdict_unproven_yet_o(agreement_verdict_unproven_yet_o),
+    .verdict_untextured_o(agreement_verdict_untextured_o),
+    .verdict_disagree_o(agreement_verdict_disagree_o),
+    .verdict_moved_o(agreement_verdict_moved_o),
+    .verdict_unsharp_left_o(agreement_verdict_unsharp_left_o),
+    .verdict_unsharp_right_o(agreement_verdict_unsharp_right_o),
+    .verdict_hidden_o(agreement_verdict_hidden_o),
+    .verdict_across_0_o(agreement_verdict_across_0_o),
+    .verdict_across_1_o(agreement_verdict_across_1_o),
+    .verdict_across_2_o(agreement_verdict_across_2_o),
+    .verdict_across_3_o(agreement_verdict_across_3_o),
+    .verdict_measured_0_o(agreement_verdict_measured_0_o),
+    .verdict_measured_1_o(agreement_verdict_measured_1_o),
+    .verdict_measured_2_o(agreement_verdict_measured_2_o),
+    .verdict_measured_3_o(agreement_verdict_measured_3_o),
+    .verdict_detail_0_o(agreement_verdict_detail_0_o),
+    .verdict_detail_1_o(agreement_verdict_detail_1_o),
+    .verdict_contrast_0_o(agreement_verdict_contrast_0_o),
+    .verdict_contrast_1_o(agreement_verdict_contrast_1_o),
+    .region_valid_o(agreement_region_valid),
+    .region_region_o(agreement_region_region_o),
+    .region_textured_o(agreement_region_textured_o),
+    .region_explained_o(agreement_region_explained_o),
+    .region_nearer_o(agreement_region_nearer_o)
+  );
+
+  logic lowpass_valid_o;
+  logic [7:0] lowpass_pixel_0_o;
+  logic lowpass_saturated_o;
+  logic lowpass_mask_o;
+  logic lowpass_marks_first_o;
+  logic lowpass_marks_last_o;
+  logic lowpass_marks_seen_o;
+  logic lowpass_marks_nearer_o;
+  horopter_lowpass u_lowpass (
+    .clk_i(clk_i),
+    .rst_ni(rst_ni),
+    .en_i(1'b1),
+    .valid_i(agreement_valid_o),
+    .pixel_0_i(agreement_pixel_0_o),
+    .saturated_i(agreement_saturated_o),
+    .mask_i(agreement_mask_o),
+    .marks_first_i(agreement_marks_first_o),
+    .marks_last_i(agreement_marks_last_o),
+    .marks_seen_i(agreement_marks_seen_o),
+    .marks_nearer_i(agreement_marks_nearer_o),
     .valid_o(lowpass_valid_o),
     .pixel_0_o(lowpass_pixel_0_o),
     .saturated_o(lowpass_saturated_o),
     .mask_o(lowpass_mask_o),
     .marks_first_o(lowpass_marks_first_o),
-    .marks_last_o(lowpass_marks_last_o)
+    .marks_last_o(lowpass_marks_last_o),
+    .marks_seen_o(lowpass_marks_seen_o),
+    .marks_nearer_o(lowpass_marks_nearer_o)
   );
 
   logic sobel_valid_o;
@@ -144,6 +281,8 @@ module horopter_stages #(
   logic sobel_mask_o;
   logic sobel_marks_first_o;
   logic sobel_marks_last_o;
+  logic sobel_marks_seen_o;
+  logic sobel_marks_nearer_o;
   horopter_sobel u_sobel (
     .clk_i(clk_i),
     .rst_ni(rst_ni),
@@ -154,13 +293,17 @@ module horopter_stages #(
     .mask_i(lowpass_mask_o),
     .marks_first_i(lowpass_marks_first_o),
     .marks_last_i(lowpass_marks_last_o),
+    .marks_seen_i(lowpass_marks_seen_o),
+    .marks_nearer_i(lowpass_marks_nearer_o),
     .valid_o(sobel_valid_o),
     .gx_0_o(sobel_gx_0_o),
     .gy_0_o(sobel_gy_0_o),
     .saturated_o(sobel_saturated_o),
     .mask_o(sobel_mask_o),
     .marks_first_o(sobel_marks_first_o),
-    .marks_last_o(sobel_marks_last_o)
+    .marks_last_o(sobel_marks_last_o),
+    .marks_seen_o(sobel_marks_seen_o),
+    .marks_nearer_o(sobel_marks_nearer_o)
   );
 
   logic direction_valid_o;
@@ -170,6 +313,8 @@ module horopter_stages #(
   logic direction_mask_o;
   logic direction_marks_first_o;
   logic direction_marks_last_o;
+  logic direction_marks_seen_o;
+  logic direction_marks_nearer_o;
   horopter_direction u_direction (
     .clk_i(clk_i),
     .rst_ni(rst_ni),
@@ -181,13 +326,17 @@ module horopter_stages #(
     .mask_i(sobel_mask_o),
     .marks_first_i(sobel_marks_first_o),
     .marks_last_i(sobel_marks_last_o),
+    .marks_seen_i(sobel_marks_seen_o),
+    .marks_nearer_i(sobel_marks_nearer_o),
     .valid_o(direction_valid_o),
     .direction_0_o(direction_direction_0_o),
     .magnitude_0_o(direction_magnitude_0_o),
     .saturated_o(direction_saturated_o),
     .mask_o(direction_mask_o),
     .marks_first_o(direction_marks_first_o),
-    .marks_last_o(direction_marks_last_o)
+    .marks_last_o(direction_marks_last_o),
+    .marks_seen_o(direction_marks_seen_o),
+    .marks_nearer_o(direction_marks_nearer_o)
   );
 
   logic difference_valid_o;
@@ -197,6 +346,8 @@ module horopter_stages #(
   logic difference_mask_o;
   logic difference_marks_first_o;
   logic difference_marks_last_o;
+  logic difference_marks_seen_o;
+  logic difference_marks_nearer_o;
   horopter_difference u_difference (
     .clk_i(clk_i),
     .rst_ni(rst_ni),
@@ -208,13 +359,17 @@ module horopter_stages #(
     .mask_i(direction_mask_o),
     .marks_first_i(direction_marks_first_o),
     .marks_last_i(direction_marks_last_o),
+    .marks_seen_i(direction_marks_seen_o),
+    .marks_nearer_i(direction_marks_nearer_o),
     .valid_o(difference_valid_o),
     .difference_0_o(difference_difference_0_o),
     .difference_1_o(difference_difference_1_o),
     .magnitude_o(difference_magnitude_o),
     .mask_o(difference_mask_o),
     .marks_first_o(difference_marks_first_o),
-    .marks_last_o(difference_marks_last_o)
+    .marks_last_o(difference_marks_last_o),
+    .marks_seen_o(difference_marks_seen_o),
+    .marks_nearer_o(difference_marks_nearer_o)
   );
 
   logic texture_valid_o;
@@ -224,6 +379,8 @@ module horopter_stages #(
   logic texture_mask_o;
   logic texture_marks_first_o;
   logic texture_marks_last_o;
+  logic texture_marks_seen_o;
+  logic texture_marks_nearer_o;
   horopter_texture u_texture (
     .clk_i(clk_i),
     .rst_ni(rst_ni),
@@ -235,6 +392,8 @@ module horopter_stages #(
     .mask_i(difference_mask_o),
     .marks_first_i(difference_marks_first_o),
     .marks_last_i(difference_marks_last_o),
+    .marks_seen_i(difference_marks_seen_o),
+    .marks_nearer_i(difference_marks_nearer_o),
     .cfg_texture_limit_i(cfg_texture_limit_i),
     .valid_o(texture_valid_o),
     .difference_0_o(texture_difference_0_o),
@@ -242,7 +401,9 @@ module horopter_stages #(
     .textured_o(texture_textured_o),
     .mask_o(texture_mask_o),
     .marks_first_o(texture_marks_first_o),
-    .marks_last_o(texture_marks_last_o)
+    .marks_last_o(texture_marks_last_o),
+    .marks_seen_o(texture_marks_seen_o),
+    .marks_nearer_o(texture_marks_nearer_o)
   );
 
   logic dsad_valid_o;
@@ -252,6 +413,8 @@ module horopter_stages #(
   logic dsad_mask_o;
   logic dsad_marks_first_o;
   logic dsad_marks_last_o;
+  logic dsad_marks_seen_o;
+  logic dsad_marks_nearer_o;
   horopter_dsad u_dsad (
     .clk_i(clk_i),
     .rst_ni(rst_ni),
@@ -263,13 +426,17 @@ module horopter_stages #(
     .mask_i(texture_mask_o),
     .marks_first_i(texture_marks_first_o),
     .marks_last_i(texture_marks_last_o),
+    .marks_seen_i(texture_marks_seen_o),
+    .marks_nearer_i(texture_marks_nearer_o),
     .valid_o(dsad_valid_o),
     .sum_0_o(dsad_sum_0_o),
     .sum_1_o(dsad_sum_1_o),
     .textured_o(dsad_textured_o),
     .mask_o(dsad_mask_o),
     .marks_first_o(dsad_marks_first_o),
-    .marks_last_o(dsad_marks_last_o)
+    .marks_last_o(dsad_marks_last_o),
+    .marks_seen_o(dsad_marks_seen_o),
+    .marks_nearer_o(dsad_marks_nearer_o)
   );
 
   logic threshold_valid_o;
@@ -278,6 +445,8 @@ module horopter_stages #(
   logic threshold_mask_o;
   logic threshold_marks_first_o;
   logic threshold_marks_last_o;
+  logic threshold_marks_seen_o;
+  logic threshold_marks_nearer_o;
   horopter_threshold u_threshold (
     .clk_i(clk_i),
     .rst_ni(rst_ni),
@@ -289,6 +458,8 @@ module horopter_stages #(
     .mask_i(dsad_mask_o),
     .marks_first_i(dsad_marks_first_o),
     .marks_last_i(dsad_marks_last_o),
+    .marks_seen_i(dsad_marks_seen_o),
+    .marks_nearer_i(dsad_marks_nearer_o),
     .cfg_sum_limit_i(cfg_sum_limit_i),
     .cfg_self_limit_i(cfg_self_limit_i),
     .valid_o(threshold_valid_o),
@@ -296,13 +467,17 @@ module horopter_stages #(
     .decidable_o(threshold_decidable_o),
     .mask_o(threshold_mask_o),
     .marks_first_o(threshold_marks_first_o),
-    .marks_last_o(threshold_marks_last_o)
+    .marks_last_o(threshold_marks_last_o),
+    .marks_seen_o(threshold_marks_seen_o),
+    .marks_nearer_o(threshold_marks_nearer_o)
   );
 
   logic majority_valid_o;
   logic [1:0] majority_state_o;
   logic majority_marks_first_o;
   logic majority_marks_last_o;
+  logic majority_marks_seen_o;
+  logic majority_marks_nearer_o;
   horopter_majority u_majority (
     .clk_i(clk_i),
     .rst_ni(rst_ni),
@@ -313,10 +488,14 @@ module horopter_stages #(
     .mask_i(threshold_mask_o),
     .marks_first_i(threshold_marks_first_o),
     .marks_last_i(threshold_marks_last_o),
+    .marks_seen_i(threshold_marks_seen_o),
+    .marks_nearer_i(threshold_marks_nearer_o),
     .valid_o(majority_valid_o),
     .state_o(majority_state_o),
     .marks_first_o(majority_marks_first_o),
-    .marks_last_o(majority_marks_last_o)
+    .marks_last_o(majority_marks_last_o),
+    .marks_seen_o(majority_marks_seen_o),
+    .marks_nearer_o(majority_marks_nearer_o)
   );
 
   horopter_align u_align (
@@ -327,6 +506,8 @@ module horopter_stages #(
     .state_i(majority_state_o),
     .marks_first_i(majority_marks_first_o),
     .marks_last_i(majority_marks_last_o),
+    .marks_seen_i(majority_marks_seen_o),
+    .marks_nearer_i(majority_marks_nearer_o),
     .cfg_width_i(cfg_width_i),
     .cfg_height_i(cfg_height_i),
     .valid_o(align_valid_o),
@@ -334,7 +515,9 @@ module horopter_stages #(
     .first_o(align_first_o),
     .last_o(align_last_o),
     .end_v_o(align_end_v_o),
-    .idle_o(align_idle_o)
+    .idle_o(align_idle_o),
+    .hidden_o(align_hidden_o),
+    .unproven_o(align_unproven_o)
   );
 
   horopter_runs u_runs (
@@ -363,6 +546,8 @@ module horopter_stages #(
     .first_i(align_first_o),
     .end_v_i(align_end_v_o),
     .idle_i(align_idle_o),
+    .hidden_i(align_hidden_o),
+    .unproven_i(align_unproven_o),
     .cfg_alarm_limit_i(cfg_alarm_limit_i),
     .cfg_undecidable_limit_i(cfg_undecidable_limit_i),
     .cfg_unsupervised_limit_i(cfg_unsupervised_limit_i),
@@ -377,5 +562,5 @@ module horopter_stages #(
 
   // Of the rule that this profile does not have.
   logic unused_settings;
-  assign unused_settings = ^{cfg_compete_i, compete_settings_i};
+  assign unused_settings = ^{compete_settings_i};
 endmodule

@@ -1,7 +1,10 @@
 rtl/generated/hd/horopter_profile_pkg.sv
+rtl/generated/hd/horopter_agreement.sv
 rtl/generated/hd/horopter_alarm.sv
 rtl/generated/hd/horopter_align.sv
 rtl/generated/hd/horopter_ballot.sv
+rtl/generated/hd/horopter_cells.sv
+rtl/generated/hd/horopter_coarse.sv
 rtl/generated/hd/horopter_consensus.sv
 rtl/generated/hd/horopter_contest.sv
 rtl/generated/hd/horopter_contrast.sv
@@ -19,6 +22,7 @@ rtl/generated/hd/horopter_runs.sv
 rtl/generated/hd/horopter_sobel.sv
 rtl/generated/hd/horopter_spread.sv
 rtl/generated/hd/horopter_stages.sv
+rtl/generated/hd/horopter_still.sv
 rtl/generated/hd/horopter_subsample.sv
 rtl/generated/hd/horopter_texture.sv
 rtl/generated/hd/horopter_threshold.sv
@@ -42,7 +46,9 @@ rtl/store/horopter_map_store.sv
 rtl/store/horopter_raster.sv
 rtl/store/horopter_frame_control.sv
 rtl/camera/horopter_camera_input.sv
+rtl/camera/horopter_coarse_check.sv
 rtl/top/horopter_settings.sv
+rtl/top/horopter_agreement_result.sv
 rtl/top/horopter_output.sv
 rtl/top/horopter_status.sv
 rtl/top/horopter_top.sv

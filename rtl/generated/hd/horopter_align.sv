@@ -3,7 +3,7 @@
 //
 // Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 36 bits, pipeline 11 bits, memories 0 bits.
+// State 36 bits, pipeline 15 bits, memories 0 bits.
 module horopter_align (
   input  logic clk_i,
   input  logic rst_ni,
@@ -12,6 +12,8 @@ module horopter_align (
   input  logic [1:0] state_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
+  input  logic marks_seen_i,
+  input  logic marks_nearer_i,
   input  logic [10:0] cfg_width_i,
   input  logic [10:0] cfg_height_i,
   input  logic cfg_compete_i,
@@ -20,7 +22,9 @@ module horopter_align (
   output logic first_o,
   output logic last_o,
   output logic end_v_o,
-  output logic idle_o
+  output logic idle_o,
+  output logic hidden_o,
+  output logic unproven_o
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
@@ -38,29 +42,38 @@ module horopter_align (
   logic row_ended_q;
   logic [3:0] rows_q;
   logic [3:0] columns_q;
-  // hls/stages/align.hpp:67
-  logic not_17;
-  assign not_17 = ~marks_first_i;
-  logic and_19;
-  assign and_19 = started_q & not_17;
-  logic [3:0] select_21;
-  assign select_21 = marks_first_i ? 4'h0 : rows_q;
-  // hls/stages/align.hpp:70
-  logic equal_22;
-  assign equal_22 = {select_21[3], cfg_compete_i, select_21[1:0]} == {1'b1, select_21[2], 2'h1};
-  logic [3:0] select_25;
-  assign select_25 = marks_first_i ? 4'h0 : (row_ended_q ? 4'h0 : columns_q);
-  logic equal_26;
-  assign equal_26 = {columns, select_25[2:1], columns} == {select_25[3], 2'h0, select_25[0]};
   // hls/stages/align.hpp:72
-  logic and_27;
-  assign and_27 = equal_22 & equal_26;
-  // hls/stages/align.hpp:100
-  logic not_44;
-  assign not_44 = ~equal_22;
-  // hls/stages/align.hpp:98
-  logic not_47;
-  assign not_47 = ~equal_26;
+  logic not_19;
+  assign not_19 = ~marks_first_i;
+  logic and_21;
+  assign and_21 = started_q & not_19;
+  logic [3:0] select_23;
+  assign select_23 = marks_first_i ? 4'h0 : rows_q;
+  // hls/stages/align.hpp:75
+  logic equal_24;
+  assign equal_24 = {select_23[3], cfg_compete_i, select_23[1:0]} == {1'b1, select_23[2], 2'h1};
+  logic [3:0] select_27;
+  assign select_27 = marks_first_i ? 4'h0 : (row_ended_q ? 4'h0 : columns_q);
+  logic equal_28;
+  assign equal_28 = {columns, select_27[2:1], columns} == {select_27[3], 2'h0, select_27[0]};
+  // hls/stages/align.hpp:77
+  logic and_29;
+  assign and_29 = equal_24 & equal_28;
+  // hls/stages/align.hpp:108
+  logic not_46;
+  assign not_46 = ~equal_24;
+  // hls/stages/align.hpp:106
+  logic not_49;
+  assign not_49 = ~equal_28;
+  // hls/stages/align.hpp:77
+  logic equal_58;
+  assign equal_58 = state_i == 2'h0;
+  // hls/stages/align.hpp:79
+  logic and_59;
+  assign and_59 = marks_nearer_i & equal_58;
+  // hls/stages/align.hpp:81
+  logic and_61;
+  assign and_61 = equal_58 & (~marks_seen_i);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -69,21 +82,25 @@ module horopter_align (
       rows_q <= 4'h0;
       columns_q <= 4'h0;
     end else if (s0_en) begin
-      started_q <= and_19 | and_27;
+      started_q <= and_21 | and_29;
       row_ended_q <= marks_last_i;
-      rows_q <= marks_last_i ? (select_21 + {3'h0, not_44}) : select_21;
-      columns_q <= select_25 + {3'h0, not_47};
+      rows_q <= marks_last_i ? (select_23 + {3'h0, not_46}) : select_23;
+      columns_q <= select_27 + {3'h0, not_49};
     end
   end
 
-  logic [1:0] state_s1_q;
-  logic not_17_s1_q;
-  logic and_28_s1_q;
+  logic not_19_s1_q;
+  logic and_30_s1_q;
+  logic and_59_s1_q;
+  logic and_61_s1_q;
+  logic [1:0] select_63_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
-      state_s1_q <= state_i;
-      not_17_s1_q <= not_17;
-      and_28_s1_q <= (~and_19) & and_27;
+      not_19_s1_q <= not_19;
+      and_30_s1_q <= (~and_21) & and_29;
+      and_59_s1_q <= and_59;
+      and_61_s1_q <= and_61;
+      select_63_s1_q <= (and_59 | and_61) ? 2'h2 : state_i;
     end
   end
 
@@ -94,29 +111,29 @@ module horopter_align (
   logic final_row_q;
   logic [10:0] columns_left_q;
   logic [10:0] rows_left_q;
-  // hls/stages/align.hpp:67
-  logic and_18;
-  assign and_18 = active_q & not_17_s1_q;
-  // hls/stages/align.hpp:74
-  logic or_29;
-  assign or_29 = and_18 | and_28_s1_q;
-  // hls/stages/align.hpp:77
-  logic and_30;
-  assign and_30 = last_q & and_18;
-  logic and_31;
-  assign and_31 = final_row_q & and_30;
-  // hls/stages/align.hpp:97
-  logic select_38;
-  assign select_38 = and_28_s1_q ? (cfg_width_i == 11'h2) : ((~last_q) & (columns_left_q == 11'h2));
-  logic select_42;
-  assign select_42 = and_28_s1_q ? (cfg_height_i == 11'h1) : (last_q ? (rows_left_q == 11'h2) : final_row_q);
-  logic [10:0] select_52;
-  assign select_52 = and_28_s1_q ? (cfg_width_i + 11'h7ff) : (last_q ? cfg_width_i : (columns_left_q + 11'h7ff));
-  logic [10:0] select_55;
-  assign select_55 = and_28_s1_q ? cfg_height_i : (last_q ? (rows_left_q + 11'h7ff) : rows_left_q);
-  // hls/stages/align.hpp:67
-  logic and_56;
-  assign and_56 = idle_q & not_17_s1_q;
+  // hls/stages/align.hpp:72
+  logic and_20;
+  assign and_20 = active_q & not_19_s1_q;
+  // hls/stages/align.hpp:82
+  logic or_31;
+  assign or_31 = and_20 | and_30_s1_q;
+  // hls/stages/align.hpp:85
+  logic and_32;
+  assign and_32 = last_q & and_20;
+  logic and_33;
+  assign and_33 = final_row_q & and_32;
+  // hls/stages/align.hpp:105
+  logic select_40;
+  assign select_40 = and_30_s1_q ? (cfg_width_i == 11'h2) : ((~last_q) & (columns_left_q == 11'h2));
+  logic select_44;
+  assign select_44 = and_30_s1_q ? (cfg_height_i == 11'h1) : (last_q ? (rows_left_q == 11'h2) : final_row_q);
+  logic [10:0] select_54;
+  assign select_54 = and_30_s1_q ? (cfg_width_i + 11'h7ff) : (last_q ? cfg_width_i : (columns_left_q + 11'h7ff));
+  logic [10:0] select_57;
+  assign select_57 = and_30_s1_q ? cfg_height_i : (last_q ? (rows_left_q + 11'h7ff) : rows_left_q);
+  // hls/stages/align.hpp:72
+  logic and_64;
+  assign and_64 = idle_q & not_19_s1_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -127,34 +144,40 @@ module horopter_align (
       columns_left_q <= 11'h0;
       rows_left_q <= 11'h0;
     end else if (s1_en) begin
-      active_q <= or_29 & (~and_31);
-      idle_q <= and_31;
-      last_q <= select_38;
-      final_row_q <= select_42;
-      columns_left_q <= select_52;
-      rows_left_q <= select_55;
+      active_q <= or_31 & (~and_33);
+      idle_q <= and_33;
+      last_q <= select_40;
+      final_row_q <= select_44;
+      columns_left_q <= select_54;
+      rows_left_q <= select_57;
     end
   end
 
-  logic [1:0] state_s2_q;
-  logic and_28_s2_q;
   logic and_30_s2_q;
-  logic and_56_s2_q;
+  logic and_32_s2_q;
+  logic and_59_s2_q;
+  logic and_61_s2_q;
+  logic [1:0] select_63_s2_q;
+  logic and_64_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
-      state_s2_q <= state_s1_q;
-      and_28_s2_q <= and_28_s1_q;
-      and_30_s2_q <= and_30;
-      and_56_s2_q <= and_56;
+      and_30_s2_q <= and_30_s1_q;
+      and_32_s2_q <= and_32;
+      and_59_s2_q <= and_59_s1_q;
+      and_61_s2_q <= and_61_s1_q;
+      select_63_s2_q <= select_63_s1_q;
+      and_64_s2_q <= and_64;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign state_o = state_s2_q;
-  assign first_o = and_28_s2_q;
-  assign last_o = and_30_s2_q;
+  assign state_o = select_63_s2_q;
+  assign first_o = and_30_s2_q;
+  assign last_o = and_32_s2_q;
   assign end_v_o = idle_q;
-  assign idle_o = and_56_s2_q;
+  assign idle_o = and_64_s2_q;
+  assign hidden_o = and_59_s2_q;
+  assign unproven_o = and_61_s2_q;
   assign valid_o = valid_s2_q;
 
   always_ff @(posedge clk_i) begin
@@ -163,7 +186,7 @@ module horopter_align (
       valid_s2_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
-      valid_s2_q <= valid_s1_q & (and_56 | or_29);
+      valid_s2_q <= valid_s1_q & (and_64 | or_31);
     end
   end
 

@@ -3,7 +3,7 @@
 //
 // Latency 8 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 14 bits, pipeline 662 bits, memories 288000 bits.
+// State 14 bits, pipeline 678 bits, memories 288000 bits.
 module horopter_ballot (
   input  logic clk_i,
   input  logic rst_ni,
@@ -15,6 +15,8 @@ module horopter_ballot (
   input  logic exists_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
+  input  logic marks_seen_i,
+  input  logic marks_nearer_i,
   input  logic [3:0] cfg_similar_i,
   input  logic [7:0] cfg_quorum_i,
   input  logic [7:0] cfg_clear_quorum_i,
@@ -23,7 +25,9 @@ module horopter_ballot (
   output logic clear_o,
   output logic exists_o,
   output logic marks_first_o,
-  output logic marks_last_o
+  output logic marks_last_o,
+  output logic marks_seen_o,
+  output logic marks_nearer_o
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
@@ -43,11 +47,11 @@ module horopter_ballot (
   logic raster_row_ended_q;
   logic running_q;
   // hls/stages/ballot.hpp:34
-  logic [10:0] select_15;
-  assign select_15 = (marks_first_i | raster_row_ended_q) ? 11'h0 : raster_column_q;
+  logic [10:0] select_17;
+  assign select_17 = (marks_first_i | raster_row_ended_q) ? 11'h0 : raster_column_q;
   // hls/stages/ballot.hpp:37
-  logic or_16;
-  assign or_16 = marks_first_i | running_q;
+  logic or_18;
+  assign or_18 = marks_first_i | running_q;
 
   // Memory memory, 1920 x 150, DISTANCE 16, hls/stages/ballot.hpp:80; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -57,9 +61,9 @@ module horopter_ballot (
   initial for (int i = 0; i < 1920; i++) memory_mem[i] = 150'h0;
 `endif
   logic [10:0] memory_raddr;
-  assign memory_raddr = select_15;
+  assign memory_raddr = select_17;
   logic memory_re;
-  assign memory_re = s0_en & or_16;
+  assign memory_re = s0_en & or_18;
   logic [149:0] memory_rdata_q;
   always_ff @(posedge clk_i) begin
     if (memory_re) memory_rdata_q <= memory_mem[memory_raddr];
@@ -71,9 +75,9 @@ module horopter_ballot (
       raster_row_ended_q <= 1'b1;
       running_q <= 1'b0;
     end else if (s0_en) begin
-      raster_column_q <= select_15 + 11'h1;
+      raster_column_q <= select_17 + 11'h1;
       raster_row_ended_q <= marks_last_i;
-      running_q <= running_q ? or_16 : (marks_first_i & or_16);
+      running_q <= running_q ? or_18 : (marks_first_i & or_18);
     end
   end
 
@@ -82,8 +86,10 @@ module horopter_ballot (
   logic [5:0] grey_s1_q;
   logic exists_s1_q;
   logic marks_first_s1_q;
+  logic marks_seen_s1_q;
+  logic marks_nearer_s1_q;
   logic running_s1_q;
-  logic [10:0] select_15_s1_q;
+  logic [10:0] select_17_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       vote_s1_q <= $unsigned(vote_i);
@@ -91,8 +97,10 @@ module horopter_ballot (
       grey_s1_q <= grey_i;
       exists_s1_q <= exists_i;
       marks_first_s1_q <= marks_first_i;
+      marks_seen_s1_q <= marks_seen_i;
+      marks_nearer_s1_q <= marks_nearer_i;
       running_s1_q <= running_q;
-      select_15_s1_q <= select_15;
+      select_17_s1_q <= select_17;
     end
   end
 
@@ -104,10 +112,12 @@ module horopter_ballot (
   logic exists_s2_q;
   logic marks_first_s2_q;
   logic marks_last_s2_q;
+  logic marks_seen_s2_q;
+  logic marks_nearer_s2_q;
   logic running_s2_q;
-  logic [10:0] select_15_s2_q;
+  logic [10:0] select_17_s2_q;
   logic [149:0] memory_rdata_s2_q;
-  logic select_90_s2_q;
+  logic select_92_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       vote_s2_q <= vote_s1_q;
@@ -116,77 +126,79 @@ module horopter_ballot (
       exists_s2_q <= exists_s1_q;
       marks_first_s2_q <= marks_first_s1_q;
       marks_last_s2_q <= raster_row_ended_q;
+      marks_seen_s2_q <= marks_seen_s1_q;
+      marks_nearer_s2_q <= marks_nearer_s1_q;
       running_s2_q <= running_s1_q;
-      select_15_s2_q <= select_15_s1_q;
+      select_17_s2_q <= select_17_s1_q;
       memory_rdata_s2_q <= memory_rdata_q;
-      select_90_s2_q <= running_q;
+      select_92_s2_q <= running_q;
     end
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
   logic raster_rows_q;
   // hls/stages/ballot.hpp:34
-  logic and_19;
-  assign and_19 = raster_rows_q & (~marks_first_s2_q);
+  logic and_21;
+  assign and_21 = raster_rows_q & (~marks_first_s2_q);
   // hls/stages/ballot.hpp:38
-  logic [7:0] select_21;
-  assign select_21 = running_s2_q ? memory_rdata_s2_q[7:0] : (marks_first_s2_q ? memory_rdata_s2_q[7:0] : 8'h0);
-  logic [5:0] select_24;
-  assign select_24 = running_s2_q ? memory_rdata_s2_q[13:8] : (marks_first_s2_q ? memory_rdata_s2_q[13:8] : 6'h0);
-  logic select_27;
-  assign select_27 = running_s2_q ? memory_rdata_s2_q[14] : (marks_first_s2_q & memory_rdata_s2_q[14]);
-  logic [7:0] select_30;
-  assign select_30 = running_s2_q ? memory_rdata_s2_q[22:15] : (marks_first_s2_q ? memory_rdata_s2_q[22:15] : 8'h0);
-  logic [5:0] select_33;
-  assign select_33 = running_s2_q ? memory_rdata_s2_q[28:23] : (marks_first_s2_q ? memory_rdata_s2_q[28:23] : 6'h0);
-  logic select_36;
-  assign select_36 = running_s2_q ? memory_rdata_s2_q[29] : (marks_first_s2_q & memory_rdata_s2_q[29]);
-  logic [7:0] select_39;
-  assign select_39 = running_s2_q ? memory_rdata_s2_q[37:30] : (marks_first_s2_q ? memory_rdata_s2_q[37:30] : 8'h0);
-  logic [5:0] select_42;
-  assign select_42 = running_s2_q ? memory_rdata_s2_q[43:38] : (marks_first_s2_q ? memory_rdata_s2_q[43:38] : 6'h0);
-  logic select_45;
-  assign select_45 = running_s2_q ? memory_rdata_s2_q[44] : (marks_first_s2_q & memory_rdata_s2_q[44]);
-  logic [7:0] select_48;
-  assign select_48 = running_s2_q ? memory_rdata_s2_q[52:45] : (marks_first_s2_q ? memory_rdata_s2_q[52:45] : 8'h0);
-  logic [5:0] select_51;
-  assign select_51 = running_s2_q ? memory_rdata_s2_q[58:53] : (marks_first_s2_q ? memory_rdata_s2_q[58:53] : 6'h0);
-  logic select_54;
-  assign select_54 = running_s2_q ? memory_rdata_s2_q[59] : (marks_first_s2_q & memory_rdata_s2_q[59]);
-  logic [7:0] select_57;
-  assign select_57 = running_s2_q ? memory_rdata_s2_q[67:60] : (marks_first_s2_q ? memory_rdata_s2_q[67:60] : 8'h0);
-  logic [5:0] select_60;
-  assign select_60 = running_s2_q ? memory_rdata_s2_q[73:68] : (marks_first_s2_q ? memory_rdata_s2_q[73:68] : 6'h0);
-  logic [7:0] select_63;
-  assign select_63 = running_s2_q ? memory_rdata_s2_q[82:75] : (marks_first_s2_q ? memory_rdata_s2_q[82:75] : 8'h0);
-  logic [5:0] select_66;
-  assign select_66 = running_s2_q ? memory_rdata_s2_q[88:83] : (marks_first_s2_q ? memory_rdata_s2_q[88:83] : 6'h0);
-  logic [7:0] select_69;
-  assign select_69 = running_s2_q ? memory_rdata_s2_q[96:89] : (marks_first_s2_q ? memory_rdata_s2_q[96:89] : 8'h0);
-  logic [5:0] select_72;
-  assign select_72 = running_s2_q ? memory_rdata_s2_q[102:97] : (marks_first_s2_q ? memory_rdata_s2_q[102:97] : 6'h0);
-  logic [7:0] select_75;
-  assign select_75 = running_s2_q ? memory_rdata_s2_q[110:103] : (marks_first_s2_q ? memory_rdata_s2_q[110:103] : 8'h0);
-  logic [5:0] select_78;
-  assign select_78 = running_s2_q ? memory_rdata_s2_q[116:111] : (marks_first_s2_q ? memory_rdata_s2_q[116:111] : 6'h0);
-  logic [7:0] select_81;
-  assign select_81 = running_s2_q ? memory_rdata_s2_q[124:117] : (marks_first_s2_q ? memory_rdata_s2_q[124:117] : 8'h0);
-  logic [5:0] select_84;
-  assign select_84 = running_s2_q ? memory_rdata_s2_q[130:125] : (marks_first_s2_q ? memory_rdata_s2_q[130:125] : 6'h0);
-  logic [4:0] select_87;
-  assign select_87 = running_s2_q ? memory_rdata_s2_q[149:145] : (marks_first_s2_q ? memory_rdata_s2_q[149:145] : 5'h0);
-  logic [5:0] select_104;
-  assign select_104 = running_s2_q ? memory_rdata_s2_q[144:139] : (marks_first_s2_q ? memory_rdata_s2_q[144:139] : 6'h0);
-  logic [7:0] select_111;
-  assign select_111 = running_s2_q ? memory_rdata_s2_q[138:131] : (marks_first_s2_q ? memory_rdata_s2_q[138:131] : 8'h0);
-  logic select_167;
-  assign select_167 = running_s2_q ? memory_rdata_s2_q[74] : (marks_first_s2_q & memory_rdata_s2_q[74]);
+  logic [7:0] select_23;
+  assign select_23 = running_s2_q ? memory_rdata_s2_q[7:0] : (marks_first_s2_q ? memory_rdata_s2_q[7:0] : 8'h0);
+  logic [5:0] select_26;
+  assign select_26 = running_s2_q ? memory_rdata_s2_q[13:8] : (marks_first_s2_q ? memory_rdata_s2_q[13:8] : 6'h0);
+  logic select_29;
+  assign select_29 = running_s2_q ? memory_rdata_s2_q[14] : (marks_first_s2_q & memory_rdata_s2_q[14]);
+  logic [7:0] select_32;
+  assign select_32 = running_s2_q ? memory_rdata_s2_q[22:15] : (marks_first_s2_q ? memory_rdata_s2_q[22:15] : 8'h0);
+  logic [5:0] select_35;
+  assign select_35 = running_s2_q ? memory_rdata_s2_q[28:23] : (marks_first_s2_q ? memory_rdata_s2_q[28:23] : 6'h0);
+  logic select_38;
+  assign select_38 = running_s2_q ? memory_rdata_s2_q[29] : (marks_first_s2_q & memory_rdata_s2_q[29]);
+  logic [7:0] select_41;
+  assign select_41 = running_s2_q ? memory_rdata_s2_q[37:30] : (marks_first_s2_q ? memory_rdata_s2_q[37:30] : 8'h0);
+  logic [5:0] select_44;
+  assign select_44 = running_s2_q ? memory_rdata_s2_q[43:38] : (marks_first_s2_q ? memory_rdata_s2_q[43:38] : 6'h0);
+  logic select_47;
+  assign select_47 = running_s2_q ? memory_rdata_s2_q[44] : (marks_first_s2_q & memory_rdata_s2_q[44]);
+  logic [7:0] select_50;
+  assign select_50 = running_s2_q ? memory_rdata_s2_q[52:45] : (marks_first_s2_q ? memory_rdata_s2_q[52:45] : 8'h0);
+  logic [5:0] select_53;
+  assign select_53 = running_s2_q ? memory_rdata_s2_q[58:53] : (marks_first_s2_q ? memory_rdata_s2_q[58:53] : 6'h0);
+  logic select_56;
+  assign select_56 = running_s2_q ? memory_rdata_s2_q[59] : (marks_first_s2_q & memory_rdata_s2_q[59]);
+  logic [7:0] select_59;
+  assign select_59 = running_s2_q ? memory_rdata_s2_q[67:60] : (marks_first_s2_q ? memory_rdata_s2_q[67:60] : 8'h0);
+  logic [5:0] select_62;
+  assign select_62 = running_s2_q ? memory_rdata_s2_q[73:68] : (marks_first_s2_q ? memory_rdata_s2_q[73:68] : 6'h0);
+  logic [7:0] select_65;
+  assign select_65 = running_s2_q ? memory_rdata_s2_q[82:75] : (marks_first_s2_q ? memory_rdata_s2_q[82:75] : 8'h0);
+  logic [5:0] select_68;
+  assign select_68 = running_s2_q ? memory_rdata_s2_q[88:83] : (marks_first_s2_q ? memory_rdata_s2_q[88:83] : 6'h0);
+  logic [7:0] select_71;
+  assign select_71 = running_s2_q ? memory_rdata_s2_q[96:89] : (marks_first_s2_q ? memory_rdata_s2_q[96:89] : 8'h0);
+  logic [5:0] select_74;
+  assign select_74 = running_s2_q ? memory_rdata_s2_q[102:97] : (marks_first_s2_q ? memory_rdata_s2_q[102:97] : 6'h0);
+  logic [7:0] select_77;
+  assign select_77 = running_s2_q ? memory_rdata_s2_q[110:103] : (marks_first_s2_q ? memory_rdata_s2_q[110:103] : 8'h0);
+  logic [5:0] select_80;
+  assign select_80 = running_s2_q ? memory_rdata_s2_q[116:111] : (marks_first_s2_q ? memory_rdata_s2_q[116:111] : 6'h0);
+  logic [7:0] select_83;
+  assign select_83 = running_s2_q ? memory_rdata_s2_q[124:117] : (marks_first_s2_q ? memory_rdata_s2_q[124:117] : 8'h0);
+  logic [5:0] select_86;
+  assign select_86 = running_s2_q ? memory_rdata_s2_q[130:125] : (marks_first_s2_q ? memory_rdata_s2_q[130:125] : 6'h0);
+  logic [4:0] select_89;
+  assign select_89 = running_s2_q ? memory_rdata_s2_q[149:145] : (marks_first_s2_q ? memory_rdata_s2_q[149:145] : 5'h0);
+  logic [5:0] select_106;
+  assign select_106 = running_s2_q ? memory_rdata_s2_q[144:139] : (marks_first_s2_q ? memory_rdata_s2_q[144:139] : 6'h0);
+  logic [7:0] select_113;
+  assign select_113 = running_s2_q ? memory_rdata_s2_q[138:131] : (marks_first_s2_q ? memory_rdata_s2_q[138:131] : 8'h0);
+  logic select_169;
+  assign select_169 = running_s2_q ? memory_rdata_s2_q[74] : (marks_first_s2_q & memory_rdata_s2_q[74]);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       raster_rows_q <= 1'b0;
     end else if (s2_en) begin
-      raster_rows_q <= marks_last_s2_q | and_19;
+      raster_rows_q <= marks_last_s2_q | and_21;
     end
   end
 
@@ -196,34 +208,36 @@ module horopter_ballot (
   logic exists_s3_q;
   logic marks_first_s3_q;
   logic marks_last_s3_q;
-  logic [10:0] select_15_s3_q;
-  logic [7:0] select_22_s3_q;
-  logic [5:0] select_25_s3_q;
-  logic and_28_s3_q;
-  logic [7:0] select_31_s3_q;
-  logic [5:0] select_34_s3_q;
-  logic and_37_s3_q;
-  logic [7:0] select_40_s3_q;
-  logic [5:0] select_43_s3_q;
-  logic and_46_s3_q;
-  logic [7:0] select_49_s3_q;
-  logic [5:0] select_52_s3_q;
-  logic and_55_s3_q;
-  logic [7:0] select_58_s3_q;
-  logic [5:0] select_61_s3_q;
-  logic [7:0] select_64_s3_q;
-  logic [5:0] select_67_s3_q;
-  logic [7:0] select_70_s3_q;
-  logic [5:0] select_73_s3_q;
-  logic [7:0] select_76_s3_q;
-  logic [5:0] select_79_s3_q;
-  logic [7:0] select_82_s3_q;
-  logic [5:0] select_85_s3_q;
-  logic [4:0] select_88_s3_q;
-  logic select_90_s3_q;
-  logic [5:0] select_105_s3_q;
-  logic [7:0] select_112_s3_q;
-  logic and_168_s3_q;
+  logic marks_seen_s3_q;
+  logic marks_nearer_s3_q;
+  logic [10:0] select_17_s3_q;
+  logic [7:0] select_24_s3_q;
+  logic [5:0] select_27_s3_q;
+  logic and_30_s3_q;
+  logic [7:0] select_33_s3_q;
+  logic [5:0] select_36_s3_q;
+  logic and_39_s3_q;
+  logic [7:0] select_42_s3_q;
+  logic [5:0] select_45_s3_q;
+  logic and_48_s3_q;
+  logic [7:0] select_51_s3_q;
+  logic [5:0] select_54_s3_q;
+  logic and_57_s3_q;
+  logic [7:0] select_60_s3_q;
+  logic [5:0] select_63_s3_q;
+  logic [7:0] select_66_s3_q;
+  logic [5:0] select_69_s3_q;
+  logic [7:0] select_72_s3_q;
+  logic [5:0] select_75_s3_q;
+  logic [7:0] select_78_s3_q;
+  logic [5:0] select_81_s3_q;
+  logic [7:0] select_84_s3_q;
+  logic [5:0] select_87_s3_q;
+  logic [4:0] select_90_s3_q;
+  logic select_92_s3_q;
+  logic [5:0] select_107_s3_q;
+  logic [7:0] select_114_s3_q;
+  logic and_170_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       vote_s3_q <= vote_s2_q;
@@ -232,107 +246,109 @@ module horopter_ballot (
       exists_s3_q <= exists_s2_q;
       marks_first_s3_q <= marks_first_s2_q;
       marks_last_s3_q <= marks_last_s2_q;
-      select_15_s3_q <= select_15_s2_q;
-      select_22_s3_q <= and_19 ? select_21 : 8'h0;
-      select_25_s3_q <= and_19 ? select_24 : 6'h0;
-      and_28_s3_q <= and_19 & select_27;
-      select_31_s3_q <= and_19 ? select_30 : 8'h0;
-      select_34_s3_q <= and_19 ? select_33 : 6'h0;
-      and_37_s3_q <= and_19 & select_36;
-      select_40_s3_q <= and_19 ? select_39 : 8'h0;
-      select_43_s3_q <= and_19 ? select_42 : 6'h0;
-      and_46_s3_q <= and_19 & select_45;
-      select_49_s3_q <= and_19 ? select_48 : 8'h0;
-      select_52_s3_q <= and_19 ? select_51 : 6'h0;
-      and_55_s3_q <= and_19 & select_54;
-      select_58_s3_q <= and_19 ? select_57 : 8'h0;
-      select_61_s3_q <= and_19 ? select_60 : 6'h0;
-      select_64_s3_q <= and_19 ? select_63 : 8'h0;
-      select_67_s3_q <= and_19 ? select_66 : 6'h0;
-      select_70_s3_q <= and_19 ? select_69 : 8'h0;
-      select_73_s3_q <= and_19 ? select_72 : 6'h0;
-      select_76_s3_q <= and_19 ? select_75 : 8'h0;
-      select_79_s3_q <= and_19 ? select_78 : 6'h0;
-      select_82_s3_q <= and_19 ? select_81 : 8'h0;
-      select_85_s3_q <= and_19 ? select_84 : 6'h0;
-      select_88_s3_q <= and_19 ? select_87 : 5'h0;
-      select_90_s3_q <= select_90_s2_q;
-      select_105_s3_q <= and_19 ? select_104 : 6'h0;
-      select_112_s3_q <= and_19 ? select_111 : 8'h0;
-      and_168_s3_q <= and_19 & select_167;
+      marks_seen_s3_q <= marks_seen_s2_q;
+      marks_nearer_s3_q <= marks_nearer_s2_q;
+      select_17_s3_q <= select_17_s2_q;
+      select_24_s3_q <= and_21 ? select_23 : 8'h0;
+      select_27_s3_q <= and_21 ? select_26 : 6'h0;
+      and_30_s3_q <= and_21 & select_29;
+      select_33_s3_q <= and_21 ? select_32 : 8'h0;
+      select_36_s3_q <= and_21 ? select_35 : 6'h0;
+      and_39_s3_q <= and_21 & select_38;
+      select_42_s3_q <= and_21 ? select_41 : 8'h0;
+      select_45_s3_q <= and_21 ? select_44 : 6'h0;
+      and_48_s3_q <= and_21 & select_47;
+      select_51_s3_q <= and_21 ? select_50 : 8'h0;
+      select_54_s3_q <= and_21 ? select_53 : 6'h0;
+      and_57_s3_q <= and_21 & select_56;
+      select_60_s3_q <= and_21 ? select_59 : 8'h0;
+      select_63_s3_q <= and_21 ? select_62 : 6'h0;
+      select_66_s3_q <= and_21 ? select_65 : 8'h0;
+      select_69_s3_q <= and_21 ? select_68 : 6'h0;
+      select_72_s3_q <= and_21 ? select_71 : 8'h0;
+      select_75_s3_q <= and_21 ? select_74 : 6'h0;
+      select_78_s3_q <= and_21 ? select_77 : 8'h0;
+      select_81_s3_q <= and_21 ? select_80 : 6'h0;
+      select_84_s3_q <= and_21 ? select_83 : 8'h0;
+      select_87_s3_q <= and_21 ? select_86 : 6'h0;
+      select_90_s3_q <= and_21 ? select_89 : 5'h0;
+      select_92_s3_q <= select_92_s2_q;
+      select_107_s3_q <= and_21 ? select_106 : 6'h0;
+      select_114_s3_q <= and_21 ? select_113 : 8'h0;
+      and_170_s3_q <= and_21 & select_169;
     end
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
   // hls/stages/ballot.hpp:46
-  logic [6:0] difference_93;
-  assign difference_93 = {1'b0, grey_s3_q} - {1'b0, select_61_s3_q};
-  logic [5:0] xor_94;
-  assign xor_94 = difference_93[5:0] ^ {6{difference_93[6]}};
+  logic [6:0] difference_95;
+  assign difference_95 = {1'b0, grey_s3_q} - {1'b0, select_63_s3_q};
+  logic [5:0] xor_96;
+  assign xor_96 = difference_95[5:0] ^ {6{difference_95[6]}};
   logic [6:0] difference;
-  assign difference = {6'h0, difference_93[6]} + {1'b0, xor_94};
-  logic [6:0] difference_98;
-  assign difference_98 = {1'b0, select_85_s3_q} - {1'b0, select_61_s3_q};
-  logic [5:0] xor_99;
-  assign xor_99 = difference_98[5:0] ^ {6{difference_98[6]}};
+  assign difference = {6'h0, difference_95[6]} + {1'b0, xor_96};
+  logic [6:0] difference_100;
+  assign difference_100 = {1'b0, select_87_s3_q} - {1'b0, select_63_s3_q};
+  logic [5:0] xor_101;
+  assign xor_101 = difference_100[5:0] ^ {6{difference_100[6]}};
   logic [6:0] difference_2;
-  assign difference_2 = {6'h0, difference_98[6]} + {1'b0, xor_99};
-  logic [6:0] difference_106;
-  assign difference_106 = {1'b0, select_105_s3_q} - {1'b0, select_61_s3_q};
-  logic [5:0] xor_107;
-  assign xor_107 = difference_106[5:0] ^ {6{difference_106[6]}};
+  assign difference_2 = {6'h0, difference_100[6]} + {1'b0, xor_101};
+  logic [6:0] difference_108;
+  assign difference_108 = {1'b0, select_107_s3_q} - {1'b0, select_63_s3_q};
+  logic [5:0] xor_109;
+  assign xor_109 = difference_108[5:0] ^ {6{difference_108[6]}};
   logic [6:0] difference_3;
-  assign difference_3 = {6'h0, difference_106[6]} + {1'b0, xor_107};
-  logic [6:0] difference_116;
-  assign difference_116 = {1'b0, select_25_s3_q} - {1'b0, select_61_s3_q};
-  logic [5:0] xor_117;
-  assign xor_117 = difference_116[5:0] ^ {6{difference_116[6]}};
+  assign difference_3 = {6'h0, difference_108[6]} + {1'b0, xor_109};
+  logic [6:0] difference_118;
+  assign difference_118 = {1'b0, select_27_s3_q} - {1'b0, select_63_s3_q};
+  logic [5:0] xor_119;
+  assign xor_119 = difference_118[5:0] ^ {6{difference_118[6]}};
   logic [6:0] difference_4;
-  assign difference_4 = {6'h0, difference_116[6]} + {1'b0, xor_117};
-  logic [6:0] difference_121;
-  assign difference_121 = {1'b0, select_34_s3_q} - {1'b0, select_61_s3_q};
-  logic [5:0] xor_122;
-  assign xor_122 = difference_121[5:0] ^ {6{difference_121[6]}};
+  assign difference_4 = {6'h0, difference_118[6]} + {1'b0, xor_119};
+  logic [6:0] difference_123;
+  assign difference_123 = {1'b0, select_36_s3_q} - {1'b0, select_63_s3_q};
+  logic [5:0] xor_124;
+  assign xor_124 = difference_123[5:0] ^ {6{difference_123[6]}};
   logic [6:0] difference_5;
-  assign difference_5 = {6'h0, difference_121[6]} + {1'b0, xor_122};
-  logic [6:0] difference_127;
-  assign difference_127 = {1'b0, select_43_s3_q} - {1'b0, select_61_s3_q};
-  logic [5:0] xor_128;
-  assign xor_128 = difference_127[5:0] ^ {6{difference_127[6]}};
+  assign difference_5 = {6'h0, difference_123[6]} + {1'b0, xor_124};
+  logic [6:0] difference_129;
+  assign difference_129 = {1'b0, select_45_s3_q} - {1'b0, select_63_s3_q};
+  logic [5:0] xor_130;
+  assign xor_130 = difference_129[5:0] ^ {6{difference_129[6]}};
   logic [6:0] difference_6;
-  assign difference_6 = {6'h0, difference_127[6]} + {1'b0, xor_128};
-  logic [6:0] difference_132;
-  assign difference_132 = {1'b0, select_52_s3_q} - {1'b0, select_61_s3_q};
-  logic [5:0] xor_133;
-  assign xor_133 = difference_132[5:0] ^ {6{difference_132[6]}};
+  assign difference_6 = {6'h0, difference_129[6]} + {1'b0, xor_130};
+  logic [6:0] difference_134;
+  assign difference_134 = {1'b0, select_54_s3_q} - {1'b0, select_63_s3_q};
+  logic [5:0] xor_135;
+  assign xor_135 = difference_134[5:0] ^ {6{difference_134[6]}};
   logic [6:0] difference_7;
-  assign difference_7 = {6'h0, difference_132[6]} + {1'b0, xor_133};
-  logic [6:0] difference_139;
-  assign difference_139 = {1'b0, select_67_s3_q} - {1'b0, select_61_s3_q};
-  logic [5:0] xor_140;
-  assign xor_140 = difference_139[5:0] ^ {6{difference_139[6]}};
+  assign difference_7 = {6'h0, difference_134[6]} + {1'b0, xor_135};
+  logic [6:0] difference_141;
+  assign difference_141 = {1'b0, select_69_s3_q} - {1'b0, select_63_s3_q};
+  logic [5:0] xor_142;
+  assign xor_142 = difference_141[5:0] ^ {6{difference_141[6]}};
   logic [6:0] difference_8;
-  assign difference_8 = {6'h0, difference_139[6]} + {1'b0, xor_140};
-  logic [6:0] difference_145;
-  assign difference_145 = {1'b0, select_73_s3_q} - {1'b0, select_61_s3_q};
-  logic [5:0] xor_146;
-  assign xor_146 = difference_145[5:0] ^ {6{difference_145[6]}};
+  assign difference_8 = {6'h0, difference_141[6]} + {1'b0, xor_142};
+  logic [6:0] difference_147;
+  assign difference_147 = {1'b0, select_75_s3_q} - {1'b0, select_63_s3_q};
+  logic [5:0] xor_148;
+  assign xor_148 = difference_147[5:0] ^ {6{difference_147[6]}};
   logic [6:0] difference_9;
-  assign difference_9 = {6'h0, difference_145[6]} + {1'b0, xor_146};
-  logic [6:0] difference_150;
-  assign difference_150 = {1'b0, select_79_s3_q} - {1'b0, select_61_s3_q};
-  logic [5:0] xor_151;
-  assign xor_151 = difference_150[5:0] ^ {6{difference_150[6]}};
+  assign difference_9 = {6'h0, difference_147[6]} + {1'b0, xor_148};
+  logic [6:0] difference_152;
+  assign difference_152 = {1'b0, select_81_s3_q} - {1'b0, select_63_s3_q};
+  logic [5:0] xor_153;
+  assign xor_153 = difference_152[5:0] ^ {6{difference_152[6]}};
   logic [6:0] difference_10;
-  assign difference_10 = {6'h0, difference_150[6]} + {1'b0, xor_151};
+  assign difference_10 = {6'h0, difference_152[6]} + {1'b0, xor_153};
 
   // Memory memory, write
   logic [10:0] memory_waddr;
-  assign memory_waddr = select_15_s3_q;
+  assign memory_waddr = select_17_s3_q;
   logic memory_we;
-  assign memory_we = s3_en & select_90_s3_q;
+  assign memory_we = s3_en & select_92_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (memory_we) memory_mem[memory_waddr] <= {select_88_s3_q[3:0], firm_s3_q, select_85_s3_q, select_82_s3_q, select_79_s3_q, select_76_s3_q, select_73_s3_q, select_70_s3_q, select_67_s3_q, select_64_s3_q, select_61_s3_q, select_58_s3_q, and_55_s3_q, select_52_s3_q, select_49_s3_q, and_46_s3_q, select_43_s3_q, select_40_s3_q, and_37_s3_q, select_34_s3_q, select_31_s3_q, and_28_s3_q, select_25_s3_q, select_22_s3_q, exists_s3_q, grey_s3_q, vote_s3_q};
+    if (memory_we) memory_mem[memory_waddr] <= {select_90_s3_q[3:0], firm_s3_q, select_87_s3_q, select_84_s3_q, select_81_s3_q, select_78_s3_q, select_75_s3_q, select_72_s3_q, select_69_s3_q, select_66_s3_q, select_63_s3_q, select_60_s3_q, and_57_s3_q, select_54_s3_q, select_51_s3_q, and_48_s3_q, select_45_s3_q, select_42_s3_q, and_39_s3_q, select_36_s3_q, select_33_s3_q, and_30_s3_q, select_27_s3_q, select_24_s3_q, exists_s3_q, grey_s3_q, vote_s3_q};
   end
 `ifndef SYNTHESIS
   logic [10:0] memory_raddr_s1_sim;
@@ -370,20 +386,22 @@ module horopter_ballot (
   logic [7:0] vote_s4_q;
   logic marks_first_s4_q;
   logic marks_last_s4_q;
-  logic [7:0] select_22_s4_q;
-  logic [7:0] select_31_s4_q;
-  logic [7:0] select_40_s4_q;
-  logic [7:0] select_49_s4_q;
-  logic [7:0] select_58_s4_q;
-  logic [7:0] select_64_s4_q;
-  logic [7:0] select_70_s4_q;
-  logic [7:0] select_76_s4_q;
-  logic [7:0] select_82_s4_q;
-  logic select_88_s4_q;
+  logic marks_seen_s4_q;
+  logic marks_nearer_s4_q;
+  logic [7:0] select_24_s4_q;
+  logic [7:0] select_33_s4_q;
+  logic [7:0] select_42_s4_q;
+  logic [7:0] select_51_s4_q;
+  logic [7:0] select_60_s4_q;
+  logic [7:0] select_66_s4_q;
+  logic [7:0] select_72_s4_q;
+  logic [7:0] select_78_s4_q;
+  logic [7:0] select_84_s4_q;
+  logic select_90_s4_q;
   logic [6:0] difference_s4_q;
   logic [6:0] difference_2_s4_q;
   logic [6:0] difference_3_s4_q;
-  logic [7:0] select_112_s4_q;
+  logic [7:0] select_114_s4_q;
   logic [6:0] difference_4_s4_q;
   logic [6:0] difference_5_s4_q;
   logic [6:0] difference_6_s4_q;
@@ -391,26 +409,28 @@ module horopter_ballot (
   logic [6:0] difference_8_s4_q;
   logic [6:0] difference_9_s4_q;
   logic [6:0] difference_10_s4_q;
-  logic and_168_s4_q;
+  logic and_170_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       vote_s4_q <= vote_s3_q;
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= marks_last_s3_q;
-      select_22_s4_q <= select_22_s3_q;
-      select_31_s4_q <= select_31_s3_q;
-      select_40_s4_q <= select_40_s3_q;
-      select_49_s4_q <= select_49_s3_q;
-      select_58_s4_q <= select_58_s3_q;
-      select_64_s4_q <= select_64_s3_q;
-      select_70_s4_q <= select_70_s3_q;
-      select_76_s4_q <= select_76_s3_q;
-      select_82_s4_q <= select_82_s3_q;
-      select_88_s4_q <= select_88_s3_q[4];
+      marks_seen_s4_q <= marks_seen_s3_q;
+      marks_nearer_s4_q <= marks_nearer_s3_q;
+      select_24_s4_q <= select_24_s3_q;
+      select_33_s4_q <= select_33_s3_q;
+      select_42_s4_q <= select_42_s3_q;
+      select_51_s4_q <= select_51_s3_q;
+      select_60_s4_q <= select_60_s3_q;
+      select_66_s4_q <= select_66_s3_q;
+      select_72_s4_q <= select_72_s3_q;
+      select_78_s4_q <= select_78_s3_q;
+      select_84_s4_q <= select_84_s3_q;
+      select_90_s4_q <= select_90_s3_q[4];
       difference_s4_q <= difference;
       difference_2_s4_q <= difference_2;
       difference_3_s4_q <= difference_3;
-      select_112_s4_q <= select_112_s3_q;
+      select_114_s4_q <= select_114_s3_q;
       difference_4_s4_q <= difference_4;
       difference_5_s4_q <= difference_5;
       difference_6_s4_q <= difference_6;
@@ -418,137 +438,155 @@ module horopter_ballot (
       difference_8_s4_q <= difference_8;
       difference_9_s4_q <= difference_9;
       difference_10_s4_q <= difference_10;
-      and_168_s4_q <= and_168_s3_q;
+      and_170_s4_q <= and_170_s3_q;
     end
   end
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
   // hls/stages/ballot.hpp:47
-  logic [7:0] select_102;
-  assign select_102 = ({3'h0, cfg_similar_i} < difference_2_s4_q) ? 8'h0 : select_82_s4_q;
-  logic [7:0] select_113;
-  assign select_113 = ({3'h0, cfg_similar_i} < difference_3_s4_q) ? 8'h0 : select_112_s4_q;
-  logic [7:0] select_120;
-  assign select_120 = ({3'h0, cfg_similar_i} < difference_4_s4_q) ? 8'h0 : select_22_s4_q;
-  logic [7:0] select_125;
-  assign select_125 = ({3'h0, cfg_similar_i} < difference_5_s4_q) ? 8'h0 : select_31_s4_q;
-  logic [7:0] select_131;
-  assign select_131 = ({3'h0, cfg_similar_i} < difference_6_s4_q) ? 8'h0 : select_40_s4_q;
-  logic [7:0] select_136;
-  assign select_136 = ({3'h0, cfg_similar_i} < difference_7_s4_q) ? 8'h0 : select_49_s4_q;
-  logic [7:0] select_143;
-  assign select_143 = ({3'h0, cfg_similar_i} < difference_8_s4_q) ? 8'h0 : select_64_s4_q;
+  logic [7:0] select_104;
+  assign select_104 = ({3'h0, cfg_similar_i} < difference_2_s4_q) ? 8'h0 : select_84_s4_q;
+  logic [7:0] select_115;
+  assign select_115 = ({3'h0, cfg_similar_i} < difference_3_s4_q) ? 8'h0 : select_114_s4_q;
+  logic [7:0] select_122;
+  assign select_122 = ({3'h0, cfg_similar_i} < difference_4_s4_q) ? 8'h0 : select_24_s4_q;
+  logic [7:0] select_127;
+  assign select_127 = ({3'h0, cfg_similar_i} < difference_5_s4_q) ? 8'h0 : select_33_s4_q;
+  logic [7:0] select_133;
+  assign select_133 = ({3'h0, cfg_similar_i} < difference_6_s4_q) ? 8'h0 : select_42_s4_q;
+  logic [7:0] select_138;
+  assign select_138 = ({3'h0, cfg_similar_i} < difference_7_s4_q) ? 8'h0 : select_51_s4_q;
+  logic [7:0] select_145;
+  assign select_145 = ({3'h0, cfg_similar_i} < difference_8_s4_q) ? 8'h0 : select_66_s4_q;
   // hls/stages/ballot.hpp:50
-  logic [8:0] sum_144;
-  assign sum_144 = {select_58_s4_q[7], select_58_s4_q} + {select_143[7], select_143};
+  logic [8:0] sum_146;
+  assign sum_146 = {select_60_s4_q[7], select_60_s4_q} + {select_145[7], select_145};
   // hls/stages/ballot.hpp:47
-  logic [7:0] select_149;
-  assign select_149 = ({3'h0, cfg_similar_i} < difference_9_s4_q) ? 8'h0 : select_70_s4_q;
-  logic [7:0] select_154;
-  assign select_154 = ({3'h0, cfg_similar_i} < difference_10_s4_q) ? 8'h0 : select_76_s4_q;
+  logic [7:0] select_151;
+  assign select_151 = ({3'h0, cfg_similar_i} < difference_9_s4_q) ? 8'h0 : select_72_s4_q;
+  logic [7:0] select_156;
+  assign select_156 = ({3'h0, cfg_similar_i} < difference_10_s4_q) ? 8'h0 : select_78_s4_q;
 
   logic marks_first_s5_q;
   logic marks_last_s5_q;
-  logic select_88_s5_q;
-  logic [7:0] select_97_s5_q;
-  logic [8:0] sum_114_s5_q;
-  logic [8:0] sum_126_s5_q;
-  logic [8:0] sum_137_s5_q;
-  logic [8:0] sum_144_s5_q;
-  logic [8:0] sum_155_s5_q;
-  logic and_168_s5_q;
+  logic marks_seen_s5_q;
+  logic marks_nearer_s5_q;
+  logic select_90_s5_q;
+  logic [7:0] select_99_s5_q;
+  logic [8:0] sum_116_s5_q;
+  logic [8:0] sum_128_s5_q;
+  logic [8:0] sum_139_s5_q;
+  logic [8:0] sum_146_s5_q;
+  logic [8:0] sum_157_s5_q;
+  logic and_170_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
       marks_first_s5_q <= marks_first_s4_q;
       marks_last_s5_q <= marks_last_s4_q;
-      select_88_s5_q <= select_88_s4_q;
-      select_97_s5_q <= ({3'h0, cfg_similar_i} < difference_s4_q) ? 8'h0 : vote_s4_q;
-      sum_114_s5_q <= {select_102[7], select_102} + {select_113[7], select_113};
-      sum_126_s5_q <= {select_120[7], select_120} + {select_125[7], select_125};
-      sum_137_s5_q <= {select_131[7], select_131} + {select_136[7], select_136};
-      sum_144_s5_q <= sum_144;
-      sum_155_s5_q <= {select_149[7], select_149} + {select_154[7], select_154};
-      and_168_s5_q <= and_168_s4_q;
+      marks_seen_s5_q <= marks_seen_s4_q;
+      marks_nearer_s5_q <= marks_nearer_s4_q;
+      select_90_s5_q <= select_90_s4_q;
+      select_99_s5_q <= ({3'h0, cfg_similar_i} < difference_s4_q) ? 8'h0 : vote_s4_q;
+      sum_116_s5_q <= {select_104[7], select_104} + {select_115[7], select_115};
+      sum_128_s5_q <= {select_122[7], select_122} + {select_127[7], select_127};
+      sum_139_s5_q <= {select_133[7], select_133} + {select_138[7], select_138};
+      sum_146_s5_q <= sum_146;
+      sum_157_s5_q <= {select_151[7], select_151} + {select_156[7], select_156};
+      and_170_s5_q <= and_170_s4_q;
     end
   end
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
   // hls/stages/ballot.hpp:50
-  logic [9:0] sum_115;
-  assign sum_115 = {{2{select_97_s5_q[7]}}, select_97_s5_q} + {sum_114_s5_q[8], sum_114_s5_q};
-  logic [9:0] sum_138;
-  assign sum_138 = {sum_126_s5_q[8], sum_126_s5_q} + {sum_137_s5_q[8], sum_137_s5_q};
-  logic [9:0] sum_156;
-  assign sum_156 = {sum_144_s5_q[8], sum_144_s5_q} + {sum_155_s5_q[8], sum_155_s5_q};
+  logic [9:0] sum_117;
+  assign sum_117 = {{2{select_99_s5_q[7]}}, select_99_s5_q} + {sum_116_s5_q[8], sum_116_s5_q};
+  logic [9:0] sum_140;
+  assign sum_140 = {sum_128_s5_q[8], sum_128_s5_q} + {sum_139_s5_q[8], sum_139_s5_q};
+  logic [9:0] sum_158;
+  assign sum_158 = {sum_146_s5_q[8], sum_146_s5_q} + {sum_157_s5_q[8], sum_157_s5_q};
 
   logic marks_first_s6_q;
   logic marks_last_s6_q;
-  logic select_88_s6_q;
-  logic [9:0] sum_115_s6_q;
-  logic [10:0] sum_157_s6_q;
-  logic and_168_s6_q;
+  logic marks_seen_s6_q;
+  logic marks_nearer_s6_q;
+  logic select_90_s6_q;
+  logic [9:0] sum_117_s6_q;
+  logic [10:0] sum_159_s6_q;
+  logic and_170_s6_q;
   always_ff @(posedge clk_i) begin
     if (s5_en) begin
       marks_first_s6_q <= marks_first_s5_q;
       marks_last_s6_q <= marks_last_s5_q;
-      select_88_s6_q <= select_88_s5_q;
-      sum_115_s6_q <= sum_115;
-      sum_157_s6_q <= {sum_138[9], sum_138} + {sum_156[9], sum_156};
-      and_168_s6_q <= and_168_s5_q;
+      marks_seen_s6_q <= marks_seen_s5_q;
+      marks_nearer_s6_q <= marks_nearer_s5_q;
+      select_90_s6_q <= select_90_s5_q;
+      sum_117_s6_q <= sum_117;
+      sum_159_s6_q <= {sum_140[9], sum_140} + {sum_158[9], sum_158};
+      and_170_s6_q <= and_170_s5_q;
     end
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
   // hls/stages/ballot.hpp:50
-  logic [11:0] sum_158;
-  assign sum_158 = {{2{sum_115_s6_q[9]}}, sum_115_s6_q} + {sum_157_s6_q[10], sum_157_s6_q};
+  logic [11:0] sum_160;
+  assign sum_160 = {{2{sum_117_s6_q[9]}}, sum_117_s6_q} + {sum_159_s6_q[10], sum_159_s6_q};
   // hls/stages/ballot.hpp:61
-  logic [12:0] difference_162;
-  assign difference_162 = 13'h0 - {sum_158[11], sum_158};
+  logic [12:0] difference_164;
+  assign difference_164 = 13'h0 - {sum_160[11], sum_160};
 
   logic marks_first_s7_q;
   logic marks_last_s7_q;
-  logic not_160_s7_q;
-  logic and_161_s7_q;
-  logic [9:0] difference_162_s7_q;
-  logic and_168_s7_q;
+  logic marks_seen_s7_q;
+  logic marks_nearer_s7_q;
+  logic not_162_s7_q;
+  logic and_163_s7_q;
+  logic [9:0] difference_164_s7_q;
+  logic and_170_s7_q;
   always_ff @(posedge clk_i) begin
     if (s6_en) begin
       marks_first_s7_q <= marks_first_s6_q;
       marks_last_s7_q <= marks_last_s6_q;
-      not_160_s7_q <= ~($signed(sum_158) < $signed({4'h0, cfg_quorum_i}));
-      and_161_s7_q <= select_88_s6_q & sum_158[11];
-      difference_162_s7_q <= difference_162[12:3];
-      and_168_s7_q <= and_168_s6_q;
+      marks_seen_s7_q <= marks_seen_s6_q;
+      marks_nearer_s7_q <= marks_nearer_s6_q;
+      not_162_s7_q <= ~($signed(sum_160) < $signed({4'h0, cfg_quorum_i}));
+      and_163_s7_q <= select_90_s6_q & sum_160[11];
+      difference_164_s7_q <= difference_164[12:3];
+      and_170_s7_q <= and_170_s6_q;
     end
   end
 
   // Stage 7 -----------------------------------------------------------------------------------------------------------
   // hls/stages/ballot.hpp:61
-  logic less_163;
-  assign less_163 = $signed(difference_162_s7_q) < $signed({2'h0, cfg_clear_quorum_i});
+  logic less_165;
+  assign less_165 = $signed(difference_164_s7_q) < $signed({2'h0, cfg_clear_quorum_i});
 
   logic marks_first_s8_q;
   logic marks_last_s8_q;
-  logic not_160_s8_q;
-  logic or_165_s8_q;
-  logic and_168_s8_q;
+  logic marks_seen_s8_q;
+  logic marks_nearer_s8_q;
+  logic not_162_s8_q;
+  logic or_167_s8_q;
+  logic and_170_s8_q;
   always_ff @(posedge clk_i) begin
     if (s7_en) begin
       marks_first_s8_q <= marks_first_s7_q;
       marks_last_s8_q <= marks_last_s7_q;
-      not_160_s8_q <= not_160_s7_q;
-      or_165_s8_q <= and_161_s7_q | (~less_163);
-      and_168_s8_q <= and_168_s7_q;
+      marks_seen_s8_q <= marks_seen_s7_q;
+      marks_nearer_s8_q <= marks_nearer_s7_q;
+      not_162_s8_q <= not_162_s7_q;
+      or_167_s8_q <= and_163_s7_q | (~less_165);
+      and_170_s8_q <= and_170_s7_q;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign skin_o = not_160_s8_q;
-  assign clear_o = or_165_s8_q;
-  assign exists_o = and_168_s8_q;
+  assign skin_o = not_162_s8_q;
+  assign clear_o = or_167_s8_q;
+  assign exists_o = and_170_s8_q;
   assign marks_first_o = marks_first_s8_q;
   assign marks_last_o = marks_last_s8_q;
+  assign marks_seen_o = marks_seen_s8_q;
+  assign marks_nearer_o = marks_nearer_s8_q;
   assign valid_o = valid_s8_q;
 
   always_ff @(posedge clk_i) begin
@@ -575,6 +613,6 @@ module horopter_ballot (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^difference_162[2:0];
+  assign unused_bits = ^difference_164[2:0];
 
 endmodule

@@ -3,7 +3,7 @@
 //
 // Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 211 bits, pipeline 344 bits, memories 0 bits.
+// State 211 bits, pipeline 362 bits, memories 0 bits.
 module horopter_contrast (
   input  logic clk_i,
   input  logic rst_ni,
@@ -17,6 +17,8 @@ module horopter_contrast (
   input  logic mask_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
+  input  logic marks_seen_i,
+  input  logic marks_nearer_i,
   input  logic [7:0] smooth_grey_i,
   input  logic smooth_exists_i,
   output logic valid_o,
@@ -26,7 +28,9 @@ module horopter_contrast (
   output logic [7:0] grey_o,
   output logic exists_o,
   output logic marks_first_o,
-  output logic marks_last_o
+  output logic marks_last_o,
+  output logic marks_seen_o,
+  output logic marks_nearer_o
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
@@ -44,18 +48,18 @@ module horopter_contrast (
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   // hls/stages/contrast.hpp:38
-  logic [9:0] xor_36;
-  assign xor_36 = gx_0_i[9:0] ^ {10{gx_0_i[10]}};
-  logic [10:0] sum_37;
-  assign sum_37 = {10'h0, gx_0_i[10]} + {1'b0, xor_36};
+  logic [9:0] xor_38;
+  assign xor_38 = gx_0_i[9:0] ^ {10{gx_0_i[10]}};
+  logic [10:0] sum_39;
+  assign sum_39 = {10'h0, gx_0_i[10]} + {1'b0, xor_38};
   // hls/stages/contrast.hpp:101
   logic [7:0] magnitude;
-  assign magnitude = (sum_37[10:8] == 3'h0) ? sum_37[7:0] : 8'hff;
+  assign magnitude = (sum_39[10:8] == 3'h0) ? sum_39[7:0] : 8'hff;
   // hls/stages/contrast.hpp:38
-  logic [9:0] xor_44;
-  assign xor_44 = gx_1_i[9:0] ^ {10{gx_1_i[10]}};
-  logic [10:0] sum_45;
-  assign sum_45 = {10'h0, gx_1_i[10]} + {1'b0, xor_44};
+  logic [9:0] xor_46;
+  assign xor_46 = gx_1_i[9:0] ^ {10{gx_1_i[10]}};
+  logic [10:0] sum_47;
+  assign sum_47 = {10'h0, gx_1_i[10]} + {1'b0, xor_46};
 
   logic gx_0_s1_q;
   logic gx_1_s1_q;
@@ -63,10 +67,12 @@ module horopter_contrast (
   logic mask_s1_q;
   logic marks_first_s1_q;
   logic marks_last_s1_q;
+  logic marks_seen_s1_q;
+  logic marks_nearer_s1_q;
   logic [7:0] smooth_grey_s1_q;
   logic smooth_exists_s1_q;
   logic [7:0] magnitude_s1_q;
-  logic [7:0] select_47_s1_q;
+  logic [7:0] select_49_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       gx_0_s1_q <= gx_0_i[10];
@@ -75,10 +81,12 @@ module horopter_contrast (
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;
       marks_last_s1_q <= marks_last_i;
+      marks_seen_s1_q <= marks_seen_i;
+      marks_nearer_s1_q <= marks_nearer_i;
       smooth_grey_s1_q <= smooth_grey_i;
       smooth_exists_s1_q <= smooth_exists_i;
       magnitude_s1_q <= magnitude;
-      select_47_s1_q <= (sum_45[10:8] == 3'h0) ? sum_45[7:0] : 8'hff;
+      select_49_s1_q <= (sum_47[10:8] == 3'h0) ? sum_47[7:0] : 8'hff;
     end
   end
 
@@ -86,17 +94,17 @@ module horopter_contrast (
   logic [18:0] left_q;
   logic [18:0] right_q;
   // hls/stages/contrast.hpp:99
-  logic [18:0] select_35;
-  assign select_35 = marks_first_s1_q ? 19'h0 : left_q;
+  logic [18:0] select_37;
+  assign select_37 = marks_first_s1_q ? 19'h0 : left_q;
   // hls/stages/contrast.hpp:105
-  logic [18:0] select_41;
-  assign select_41 = mask_s1_q ? (select_35 + {11'h0, magnitude_s1_q}) : select_35;
-  // hls/stages/contrast.hpp:99
   logic [18:0] select_43;
-  assign select_43 = marks_first_s1_q ? 19'h0 : right_q;
+  assign select_43 = mask_s1_q ? (select_37 + {11'h0, magnitude_s1_q}) : select_37;
+  // hls/stages/contrast.hpp:99
+  logic [18:0] select_45;
+  assign select_45 = marks_first_s1_q ? 19'h0 : right_q;
   // hls/stages/contrast.hpp:105
-  logic [18:0] select_49;
-  assign select_49 = mask_s1_q ? (select_43 + {11'h0, select_47_s1_q}) : select_43;
+  logic [18:0] select_51;
+  assign select_51 = mask_s1_q ? (select_45 + {11'h0, select_49_s1_q}) : select_45;
   // hls/stages/contrast.hpp:41
   logic [4:0] size;
   assign size = saturated_s1_q ? 5'h0 : ((magnitude_s1_q[7:5] == 3'h0) ? magnitude_s1_q[4:0] : 5'h1f);
@@ -106,8 +114,8 @@ module horopter_contrast (
       left_q <= 19'h0;
       right_q <= 19'h0;
     end else if (s1_en) begin
-      left_q <= marks_last_s1_q ? 19'h0 : select_41;
-      right_q <= marks_last_s1_q ? 19'h0 : select_49;
+      left_q <= marks_last_s1_q ? 19'h0 : select_43;
+      right_q <= marks_last_s1_q ? 19'h0 : select_51;
     end
   end
 
@@ -117,11 +125,13 @@ module horopter_contrast (
   logic mask_s2_q;
   logic marks_first_s2_q;
   logic marks_last_s2_q;
+  logic marks_seen_s2_q;
+  logic marks_nearer_s2_q;
   logic [7:0] smooth_grey_s2_q;
   logic smooth_exists_s2_q;
-  logic [18:0] select_41_s2_q;
-  logic [7:0] select_47_s2_q;
-  logic [18:0] select_49_s2_q;
+  logic [18:0] select_43_s2_q;
+  logic [7:0] select_49_s2_q;
+  logic [18:0] select_51_s2_q;
   logic [4:0] size_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
@@ -131,11 +141,13 @@ module horopter_contrast (
       mask_s2_q <= mask_s1_q;
       marks_first_s2_q <= marks_first_s1_q;
       marks_last_s2_q <= marks_last_s1_q;
+      marks_seen_s2_q <= marks_seen_s1_q;
+      marks_nearer_s2_q <= marks_nearer_s1_q;
       smooth_grey_s2_q <= smooth_grey_s1_q;
       smooth_exists_s2_q <= smooth_exists_s1_q;
-      select_41_s2_q <= select_41;
-      select_47_s2_q <= select_47_s1_q;
-      select_49_s2_q <= select_49;
+      select_43_s2_q <= select_43;
+      select_49_s2_q <= select_49_s1_q;
+      select_51_s2_q <= select_51;
       size_s2_q <= size;
     end
   end
@@ -149,8 +161,8 @@ module horopter_contrast (
       row_left_q <= 19'h0;
       row_right_q <= 19'h0;
     end else if (s2_en) begin
-      row_left_q <= marks_last_s2_q ? select_41_s2_q : row_left_q;
-      row_right_q <= marks_last_s2_q ? select_49_s2_q : row_right_q;
+      row_left_q <= marks_last_s2_q ? select_43_s2_q : row_left_q;
+      row_right_q <= marks_last_s2_q ? select_51_s2_q : row_right_q;
     end
   end
 
@@ -159,12 +171,14 @@ module horopter_contrast (
   logic mask_s3_q;
   logic marks_first_s3_q;
   logic marks_last_s3_q;
+  logic marks_seen_s3_q;
+  logic marks_nearer_s3_q;
   logic [7:0] smooth_grey_s3_q;
   logic smooth_exists_s3_q;
   logic [18:0] row_left_s3_q;
   logic [18:0] row_right_s3_q;
-  logic [7:0] select_47_s3_q;
-  logic [5:0] select_79_s3_q;
+  logic [7:0] select_49_s3_q;
+  logic [5:0] select_81_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       gx_1_s3_q <= gx_1_s2_q;
@@ -172,12 +186,14 @@ module horopter_contrast (
       mask_s3_q <= mask_s2_q;
       marks_first_s3_q <= marks_first_s2_q;
       marks_last_s3_q <= marks_last_s2_q;
+      marks_seen_s3_q <= marks_seen_s2_q;
+      marks_nearer_s3_q <= marks_nearer_s2_q;
       smooth_grey_s3_q <= smooth_grey_s2_q;
       smooth_exists_s3_q <= smooth_exists_s2_q;
       row_left_s3_q <= row_left_q;
       row_right_s3_q <= row_right_q;
-      select_47_s3_q <= select_47_s2_q;
-      select_79_s3_q <= gx_0_s2_q ? (6'h0 - {1'b0, size_s2_q}) : {1'b0, size_s2_q};
+      select_49_s3_q <= select_49_s2_q;
+      select_81_s3_q <= gx_0_s2_q ? (6'h0 - {1'b0, size_s2_q}) : {1'b0, size_s2_q};
     end
   end
 
@@ -186,21 +202,21 @@ module horopter_contrast (
   logic [21:0] sums_right_q;
   logic [4:0] beats_left_q;
   // hls/stages/contrast.hpp:99
-  logic [4:0] select_24;
-  assign select_24 = marks_first_s3_q ? 5'h0 : beats_left_q;
+  logic [4:0] select_26;
+  assign select_26 = marks_first_s3_q ? 5'h0 : beats_left_q;
   // hls/stages/contrast.hpp:109
-  logic equal_25;
-  assign equal_25 = select_24 == 5'h12;
+  logic equal_27;
+  assign equal_27 = select_26 == 5'h12;
   // hls/stages/contrast.hpp:113
-  logic [21:0] select_28;
-  assign select_28 = marks_last_s3_q ? (sums_left_q - {3'h0, sums_left_q[21:3]}) : (equal_25 ? (sums_left_q + {3'h0, row_left_s3_q}) : sums_left_q);
-  logic [21:0] select_32;
-  assign select_32 = equal_25 ? (sums_right_q + {3'h0, row_right_s3_q}) : sums_right_q;
-  logic [21:0] select_33;
-  assign select_33 = marks_last_s3_q ? (sums_right_q - {3'h0, sums_right_q[21:3]}) : select_32;
+  logic [21:0] select_30;
+  assign select_30 = marks_last_s3_q ? (sums_left_q - {3'h0, sums_left_q[21:3]}) : (equal_27 ? (sums_left_q + {3'h0, row_left_s3_q}) : sums_left_q);
+  logic [21:0] select_34;
+  assign select_34 = equal_27 ? (sums_right_q + {3'h0, row_right_s3_q}) : sums_right_q;
+  logic [21:0] select_35;
+  assign select_35 = marks_last_s3_q ? (sums_right_q - {3'h0, sums_right_q[21:3]}) : select_34;
   // hls/stages/contrast.hpp:124
-  logic not_72;
-  assign not_72 = ~(select_24 == 5'h0);
+  logic not_74;
+  assign not_74 = ~(select_26 == 5'h0);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -208,9 +224,9 @@ module horopter_contrast (
       sums_right_q <= 22'h780;
       beats_left_q <= 5'h0;
     end else if (s3_en) begin
-      sums_left_q <= marks_first_s3_q ? 22'h780 : select_28;
-      sums_right_q <= marks_first_s3_q ? 22'h780 : select_33;
-      beats_left_q <= marks_last_s3_q ? 5'h12 : (select_24 + {5{not_72}});
+      sums_left_q <= marks_first_s3_q ? 22'h780 : select_30;
+      sums_right_q <= marks_first_s3_q ? 22'h780 : select_35;
+      beats_left_q <= marks_last_s3_q ? 5'h12 : (select_26 + {5{not_74}});
     end
   end
 
@@ -219,12 +235,14 @@ module horopter_contrast (
   logic mask_s4_q;
   logic marks_first_s4_q;
   logic marks_last_s4_q;
+  logic marks_seen_s4_q;
+  logic marks_nearer_s4_q;
   logic [7:0] smooth_grey_s4_q;
   logic smooth_exists_s4_q;
-  logic select_24_s4_q;
-  logic [7:0] select_47_s4_q;
-  logic equal_53_s4_q;
-  logic [5:0] select_79_s4_q;
+  logic select_26_s4_q;
+  logic [7:0] select_49_s4_q;
+  logic equal_55_s4_q;
+  logic [5:0] select_81_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       gx_1_s4_q <= gx_1_s3_q;
@@ -232,12 +250,14 @@ module horopter_contrast (
       mask_s4_q <= mask_s3_q;
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= marks_last_s3_q;
+      marks_seen_s4_q <= marks_seen_s3_q;
+      marks_nearer_s4_q <= marks_nearer_s3_q;
       smooth_grey_s4_q <= smooth_grey_s3_q;
       smooth_exists_s4_q <= smooth_exists_s3_q;
-      select_24_s4_q <= select_24[0];
-      select_47_s4_q <= select_47_s3_q;
-      equal_53_s4_q <= select_24 == 5'h11;
-      select_79_s4_q <= select_79_s3_q;
+      select_26_s4_q <= select_26[0];
+      select_49_s4_q <= select_49_s3_q;
+      equal_55_s4_q <= select_26 == 5'h11;
+      select_81_s4_q <= select_81_s3_q;
     end
   end
 
@@ -247,29 +267,29 @@ module horopter_contrast (
   logic [23:0] remainder_q;
   logic [23:0] difference_q;
   // hls/stages/contrast.hpp:99
-  logic [7:0] select_54;
-  assign select_54 = marks_first_s4_q ? 8'h40 : next_gain_q;
+  logic [7:0] select_56;
+  assign select_56 = marks_first_s4_q ? 8'h40 : next_gain_q;
   // hls/stages/contrast.hpp:114
-  logic not_55;
-  assign not_55 = ~difference_q[23];
+  logic not_57;
+  assign not_57 = ~difference_q[23];
   // hls/stages/contrast.hpp:124
-  logic [7:0] select_57;
-  assign select_57 = equal_53_s4_q ? select_54 : (select_24_s4_q ? {select_54[6:0], not_55} : select_54);
+  logic [7:0] select_59;
+  assign select_59 = equal_55_s4_q ? select_56 : (select_26_s4_q ? {select_56[6:0], not_57} : select_56);
   // hls/stages/contrast.hpp:117
-  logic [23:0] select_64;
-  assign select_64 = ({sums_right_q, 2'h0} < {2'h0, sums_left_q}) ? {sums_right_q, 2'h0} : {2'h0, sums_left_q};
+  logic [23:0] select_66;
+  assign select_66 = ({sums_right_q, 2'h0} < {2'h0, sums_left_q}) ? {sums_right_q, 2'h0} : {2'h0, sums_left_q};
   // hls/stages/contrast.hpp:119
-  logic [22:0] select_65;
-  assign select_65 = difference_q[23] ? remainder_q[22:0] : difference_q[22:0];
-  // hls/stages/contrast.hpp:124
-  logic [23:0] select_67;
-  assign select_67 = equal_53_s4_q ? select_64 : (select_24_s4_q ? {select_65, 1'b0} : remainder_q);
-  // hls/stages/contrast.hpp:122
-  logic [23:0] difference_68;
-  assign difference_68 = {1'b0, remainder_q[23:1]} - {2'h0, divisor_q};
+  logic [22:0] select_67;
+  assign select_67 = difference_q[23] ? remainder_q[22:0] : difference_q[22:0];
   // hls/stages/contrast.hpp:124
   logic [23:0] select_69;
-  assign select_69 = select_24_s4_q ? difference_q : {difference_68[23], difference_68[21:0], remainder_q[0]};
+  assign select_69 = equal_55_s4_q ? select_66 : (select_26_s4_q ? {select_67, 1'b0} : remainder_q);
+  // hls/stages/contrast.hpp:122
+  logic [23:0] difference_70;
+  assign difference_70 = {1'b0, remainder_q[23:1]} - {2'h0, divisor_q};
+  // hls/stages/contrast.hpp:124
+  logic [23:0] select_71;
+  assign select_71 = select_26_s4_q ? difference_q : {difference_70[23], difference_70[21:0], remainder_q[0]};
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -278,10 +298,10 @@ module horopter_contrast (
       remainder_q <= 24'h0;
       difference_q <= 24'h0;
     end else if (s4_en) begin
-      next_gain_q <= select_57;
-      divisor_q <= equal_53_s4_q ? sums_right_q : divisor_q;
-      remainder_q <= select_67;
-      difference_q <= equal_53_s4_q ? difference_q : select_69;
+      next_gain_q <= select_59;
+      divisor_q <= equal_55_s4_q ? sums_right_q : divisor_q;
+      remainder_q <= select_69;
+      difference_q <= equal_55_s4_q ? difference_q : select_71;
     end
   end
 
@@ -290,10 +310,12 @@ module horopter_contrast (
   logic mask_s5_q;
   logic marks_first_s5_q;
   logic marks_last_s5_q;
+  logic marks_seen_s5_q;
+  logic marks_nearer_s5_q;
   logic [7:0] smooth_grey_s5_q;
   logic smooth_exists_s5_q;
-  logic [7:0] select_47_s5_q;
-  logic [5:0] select_79_s5_q;
+  logic [7:0] select_49_s5_q;
+  logic [5:0] select_81_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
       gx_1_s5_q <= gx_1_s4_q;
@@ -301,10 +323,12 @@ module horopter_contrast (
       mask_s5_q <= mask_s4_q;
       marks_first_s5_q <= marks_first_s4_q;
       marks_last_s5_q <= marks_last_s4_q;
+      marks_seen_s5_q <= marks_seen_s4_q;
+      marks_nearer_s5_q <= marks_nearer_s4_q;
       smooth_grey_s5_q <= smooth_grey_s4_q;
       smooth_exists_s5_q <= smooth_exists_s4_q;
-      select_47_s5_q <= select_47_s4_q;
-      select_79_s5_q <= select_79_s4_q;
+      select_49_s5_q <= select_49_s4_q;
+      select_81_s5_q <= select_81_s4_q;
     end
   end
 
@@ -314,14 +338,14 @@ module horopter_contrast (
   logic [7:0] gain;
   assign gain = marks_first_s5_q ? 8'h40 : gain_q;
   // hls/stages/contrast.hpp:38
-  logic [7:0] select_61;
-  assign select_61 = marks_last_s5_q ? ((next_gain_q[7:4] == 4'h0) ? 8'h10 : next_gain_q) : gain;
+  logic [7:0] select_63;
+  assign select_63 = marks_last_s5_q ? ((next_gain_q[7:4] == 4'h0) ? 8'h10 : next_gain_q) : gain;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       gain_q <= 8'h40;
     end else if (s5_en) begin
-      gain_q <= select_61;
+      gain_q <= select_63;
     end
   end
 
@@ -330,11 +354,13 @@ module horopter_contrast (
   logic mask_s6_q;
   logic marks_first_s6_q;
   logic marks_last_s6_q;
+  logic marks_seen_s6_q;
+  logic marks_nearer_s6_q;
   logic [7:0] smooth_grey_s6_q;
   logic smooth_exists_s6_q;
-  logic [7:0] select_47_s6_q;
+  logic [7:0] select_49_s6_q;
   logic [7:0] gain_s6_q;
-  logic [5:0] select_79_s6_q;
+  logic [5:0] select_81_s6_q;
   always_ff @(posedge clk_i) begin
     if (s5_en) begin
       gx_1_s6_q <= gx_1_s5_q;
@@ -342,28 +368,32 @@ module horopter_contrast (
       mask_s6_q <= mask_s5_q;
       marks_first_s6_q <= marks_first_s5_q;
       marks_last_s6_q <= marks_last_s5_q;
+      marks_seen_s6_q <= marks_seen_s5_q;
+      marks_nearer_s6_q <= marks_nearer_s5_q;
       smooth_grey_s6_q <= smooth_grey_s5_q;
       smooth_exists_s6_q <= smooth_exists_s5_q;
-      select_47_s6_q <= select_47_s5_q;
+      select_49_s6_q <= select_49_s5_q;
       gain_s6_q <= gain;
-      select_79_s6_q <= select_79_s5_q;
+      select_81_s6_q <= select_81_s5_q;
     end
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
   // hls/stages/contrast.hpp:47
-  logic [15:0] product_80;
-  assign product_80 = {8'h0, gain_s6_q} * {8'h0, select_47_s6_q};
+  logic [15:0] product_82;
+  assign product_82 = {8'h0, gain_s6_q} * {8'h0, select_49_s6_q};
 
   logic gx_1_s7_q;
   logic saturated_s7_q;
   logic mask_s7_q;
   logic marks_first_s7_q;
   logic marks_last_s7_q;
+  logic marks_seen_s7_q;
+  logic marks_nearer_s7_q;
   logic [7:0] smooth_grey_s7_q;
   logic smooth_exists_s7_q;
-  logic [5:0] select_79_s7_q;
-  logic [9:0] product_80_s7_q;
+  logic [5:0] select_81_s7_q;
+  logic [9:0] product_82_s7_q;
   always_ff @(posedge clk_i) begin
     if (s6_en) begin
       gx_1_s7_q <= gx_1_s6_q;
@@ -371,17 +401,19 @@ module horopter_contrast (
       mask_s7_q <= mask_s6_q;
       marks_first_s7_q <= marks_first_s6_q;
       marks_last_s7_q <= marks_last_s6_q;
+      marks_seen_s7_q <= marks_seen_s6_q;
+      marks_nearer_s7_q <= marks_nearer_s6_q;
       smooth_grey_s7_q <= smooth_grey_s6_q;
       smooth_exists_s7_q <= smooth_exists_s6_q;
-      select_79_s7_q <= select_79_s6_q;
-      product_80_s7_q <= product_80[15:6];
+      select_81_s7_q <= select_81_s6_q;
+      product_82_s7_q <= product_82[15:6];
     end
   end
 
   // Stage 7 -----------------------------------------------------------------------------------------------------------
   // hls/stages/contrast.hpp:47
   logic [7:0] magnitude_2;
-  assign magnitude_2 = (product_80_s7_q[9:8] == 2'h0) ? product_80_s7_q[7:0] : 8'hff;
+  assign magnitude_2 = (product_82_s7_q[9:8] == 2'h0) ? product_82_s7_q[7:0] : 8'hff;
   // hls/stages/contrast.hpp:41
   logic [4:0] size_2;
   assign size_2 = saturated_s7_q ? 5'h0 : ((magnitude_2[7:5] == 3'h0) ? magnitude_2[4:0] : 5'h1f);
@@ -390,9 +422,11 @@ module horopter_contrast (
   logic mask_s8_q;
   logic marks_first_s8_q;
   logic marks_last_s8_q;
+  logic marks_seen_s8_q;
+  logic marks_nearer_s8_q;
   logic [7:0] smooth_grey_s8_q;
   logic smooth_exists_s8_q;
-  logic [5:0] select_79_s8_q;
+  logic [5:0] select_81_s8_q;
   logic [4:0] size_2_s8_q;
   always_ff @(posedge clk_i) begin
     if (s7_en) begin
@@ -400,9 +434,11 @@ module horopter_contrast (
       mask_s8_q <= mask_s7_q;
       marks_first_s8_q <= marks_first_s7_q;
       marks_last_s8_q <= marks_last_s7_q;
+      marks_seen_s8_q <= marks_seen_s7_q;
+      marks_nearer_s8_q <= marks_nearer_s7_q;
       smooth_grey_s8_q <= smooth_grey_s7_q;
       smooth_exists_s8_q <= smooth_exists_s7_q;
-      select_79_s8_q <= select_79_s7_q;
+      select_81_s8_q <= select_81_s7_q;
       size_2_s8_q <= size_2;
     end
   end
@@ -412,30 +448,36 @@ module horopter_contrast (
   logic mask_s9_q;
   logic marks_first_s9_q;
   logic marks_last_s9_q;
+  logic marks_seen_s9_q;
+  logic marks_nearer_s9_q;
   logic [7:0] smooth_grey_s9_q;
   logic smooth_exists_s9_q;
-  logic [5:0] select_79_s9_q;
-  logic [5:0] select_87_s9_q;
+  logic [5:0] select_81_s9_q;
+  logic [5:0] select_89_s9_q;
   always_ff @(posedge clk_i) begin
     if (s8_en) begin
       mask_s9_q <= mask_s8_q;
       marks_first_s9_q <= marks_first_s8_q;
       marks_last_s9_q <= marks_last_s8_q;
+      marks_seen_s9_q <= marks_seen_s8_q;
+      marks_nearer_s9_q <= marks_nearer_s8_q;
       smooth_grey_s9_q <= smooth_grey_s8_q;
       smooth_exists_s9_q <= smooth_exists_s8_q;
-      select_79_s9_q <= select_79_s8_q;
-      select_87_s9_q <= gx_1_s8_q ? (6'h0 - {1'b0, size_2_s8_q}) : {1'b0, size_2_s8_q};
+      select_81_s9_q <= select_81_s8_q;
+      select_89_s9_q <= gx_1_s8_q ? (6'h0 - {1'b0, size_2_s8_q}) : {1'b0, size_2_s8_q};
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign left_o = select_79_s9_q;
-  assign right_o = select_87_s9_q;
+  assign left_o = select_81_s9_q;
+  assign right_o = select_89_s9_q;
   assign mask_o = mask_s9_q;
   assign grey_o = smooth_grey_s9_q;
   assign exists_o = smooth_exists_s9_q;
   assign marks_first_o = marks_first_s9_q;
   assign marks_last_o = marks_last_s9_q;
+  assign marks_seen_o = marks_seen_s9_q;
+  assign marks_nearer_o = marks_nearer_s9_q;
   assign valid_o = valid_s9_q;
 
   always_ff @(posedge clk_i) begin
@@ -464,6 +506,6 @@ module horopter_contrast (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{product_80[5:0], difference_68[22], $unsigned(gy_1_i), $unsigned(gy_0_i)};
+  assign unused_bits = ^{product_82[5:0], difference_70[22], $unsigned(gy_1_i), $unsigned(gy_0_i)};
 
 endmodule

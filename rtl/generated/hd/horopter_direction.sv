@@ -3,7 +3,7 @@
 //
 // Latency 10 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 0 bits, pipeline 580 bits, memories 0 bits.
+// State 0 bits, pipeline 600 bits, memories 0 bits.
 module horopter_direction (
   input  logic clk_i,
   input  logic rst_ni,
@@ -17,6 +17,8 @@ module horopter_direction (
   input  logic mask_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
+  input  logic marks_seen_i,
+  input  logic marks_nearer_i,
   output logic valid_o,
   output logic [7:0] direction_0_o,
   output logic [7:0] direction_1_o,
@@ -25,7 +27,9 @@ module horopter_direction (
   output logic saturated_o,
   output logic mask_o,
   output logic marks_first_o,
-  output logic marks_last_o
+  output logic marks_last_o,
+  output logic marks_seen_o,
+  output logic marks_nearer_o
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
@@ -64,6 +68,8 @@ module horopter_direction (
   logic mask_s1_q;
   logic marks_first_s1_q;
   logic marks_last_s1_q;
+  logic marks_seen_s1_q;
+  logic marks_nearer_s1_q;
   logic [9:0] x_s1_q;
   logic [9:0] y_s1_q;
   logic [9:0] x_2_s1_q;
@@ -78,6 +84,8 @@ module horopter_direction (
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;
       marks_last_s1_q <= marks_last_i;
+      marks_seen_s1_q <= marks_seen_i;
+      marks_nearer_s1_q <= marks_nearer_i;
       x_s1_q <= x;
       y_s1_q <= y;
       x_2_s1_q <= x_2;
@@ -87,18 +95,18 @@ module horopter_direction (
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   // hls/stages/direction.hpp:46
-  logic less_13;
-  assign less_13 = x_s1_q < y_s1_q;
+  logic less_15;
+  assign less_15 = x_s1_q < y_s1_q;
   logic [9:0] larger;
-  assign larger = less_13 ? y_s1_q : x_s1_q;
+  assign larger = less_15 ? y_s1_q : x_s1_q;
   // hls/stages/direction.hpp:47
   logic [9:0] smaller;
   assign smaller = (y_s1_q < x_s1_q) ? y_s1_q : x_s1_q;
   // hls/stages/direction.hpp:46
-  logic less_45;
-  assign less_45 = x_2_s1_q < y_2_s1_q;
+  logic less_47;
+  assign less_47 = x_2_s1_q < y_2_s1_q;
   logic [9:0] larger_2;
-  assign larger_2 = less_45 ? y_2_s1_q : x_2_s1_q;
+  assign larger_2 = less_47 ? y_2_s1_q : x_2_s1_q;
   // hls/stages/direction.hpp:47
   logic [9:0] smaller_2;
   assign smaller_2 = (y_2_s1_q < x_2_s1_q) ? y_2_s1_q : x_2_s1_q;
@@ -107,403 +115,417 @@ module horopter_direction (
   logic mask_s2_q;
   logic marks_first_s2_q;
   logic marks_last_s2_q;
-  logic less_13_s2_q;
-  logic xor_16_s2_q;
+  logic marks_seen_s2_q;
+  logic marks_nearer_s2_q;
+  logic less_15_s2_q;
+  logic xor_18_s2_q;
   logic [9:0] larger_s2_q;
   logic [9:0] smaller_s2_q;
-  logic select_39_s2_q;
-  logic less_45_s2_q;
-  logic xor_48_s2_q;
+  logic select_41_s2_q;
+  logic less_47_s2_q;
+  logic xor_50_s2_q;
   logic [9:0] larger_2_s2_q;
   logic [9:0] smaller_2_s2_q;
-  logic select_71_s2_q;
+  logic select_73_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       saturated_s2_q <= saturated_s1_q;
       mask_s2_q <= mask_s1_q;
       marks_first_s2_q <= marks_first_s1_q;
       marks_last_s2_q <= marks_last_s1_q;
-      less_13_s2_q <= less_13;
-      xor_16_s2_q <= less_13 ^ (~(gx_0_s1_q ^ gy_0_s1_q));
+      marks_seen_s2_q <= marks_seen_s1_q;
+      marks_nearer_s2_q <= marks_nearer_s1_q;
+      less_15_s2_q <= less_15;
+      xor_18_s2_q <= less_15 ^ (~(gx_0_s1_q ^ gy_0_s1_q));
       larger_s2_q <= larger;
       smaller_s2_q <= smaller;
-      select_39_s2_q <= less_13 ? gy_0_s1_q : gx_0_s1_q;
-      less_45_s2_q <= less_45;
-      xor_48_s2_q <= less_45 ^ (~(gx_1_s1_q ^ gy_1_s1_q));
+      select_41_s2_q <= less_15 ? gy_0_s1_q : gx_0_s1_q;
+      less_47_s2_q <= less_47;
+      xor_50_s2_q <= less_47 ^ (~(gx_1_s1_q ^ gy_1_s1_q));
       larger_2_s2_q <= larger_2;
       smaller_2_s2_q <= smaller_2;
-      select_71_s2_q <= less_45 ? gy_1_s1_q : gx_1_s1_q;
+      select_73_s2_q <= less_47 ? gy_1_s1_q : gx_1_s1_q;
     end
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
   // hls/stages/direction.hpp:49
-  logic [10:0] sum_73;
-  assign sum_73 = {1'b0, smaller_s2_q} + {2'h0, smaller_s2_q[9:1]};
-  logic [9:0] sum_74;
-  assign sum_74 = sum_73[10:1] + 10'h1;
-  logic [10:0] sum_78;
-  assign sum_78 = {1'b0, smaller_2_s2_q} + {2'h0, smaller_2_s2_q[9:1]};
-  logic [9:0] sum_79;
-  assign sum_79 = sum_78[10:1] + 10'h1;
+  logic [10:0] sum_75;
+  assign sum_75 = {1'b0, smaller_s2_q} + {2'h0, smaller_s2_q[9:1]};
+  logic [9:0] sum_76;
+  assign sum_76 = sum_75[10:1] + 10'h1;
+  logic [10:0] sum_80;
+  assign sum_80 = {1'b0, smaller_2_s2_q} + {2'h0, smaller_2_s2_q[9:1]};
+  logic [9:0] sum_81;
+  assign sum_81 = sum_80[10:1] + 10'h1;
 
   logic saturated_s3_q;
   logic mask_s3_q;
   logic marks_first_s3_q;
   logic marks_last_s3_q;
-  logic less_13_s3_q;
-  logic xor_16_s3_q;
+  logic marks_seen_s3_q;
+  logic marks_nearer_s3_q;
+  logic less_15_s3_q;
+  logic xor_18_s3_q;
   logic [9:0] larger_s3_q;
-  logic [9:0] difference_20_s3_q;
-  logic select_39_s3_q;
-  logic less_45_s3_q;
-  logic xor_48_s3_q;
+  logic [9:0] difference_22_s3_q;
+  logic select_41_s3_q;
+  logic less_47_s3_q;
+  logic xor_50_s3_q;
   logic [9:0] larger_2_s3_q;
-  logic [9:0] difference_52_s3_q;
-  logic select_71_s3_q;
-  logic [8:0] sum_74_s3_q;
-  logic [8:0] sum_79_s3_q;
+  logic [9:0] difference_54_s3_q;
+  logic select_73_s3_q;
+  logic [8:0] sum_76_s3_q;
+  logic [8:0] sum_81_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       saturated_s3_q <= saturated_s2_q;
       mask_s3_q <= mask_s2_q;
       marks_first_s3_q <= marks_first_s2_q;
       marks_last_s3_q <= marks_last_s2_q;
-      less_13_s3_q <= less_13_s2_q;
-      xor_16_s3_q <= xor_16_s2_q;
+      marks_seen_s3_q <= marks_seen_s2_q;
+      marks_nearer_s3_q <= marks_nearer_s2_q;
+      less_15_s3_q <= less_15_s2_q;
+      xor_18_s3_q <= xor_18_s2_q;
       larger_s3_q <= larger_s2_q;
-      difference_20_s3_q <= {1'b0, larger_s2_q[9:1]} - smaller_s2_q;
-      select_39_s3_q <= select_39_s2_q;
-      less_45_s3_q <= less_45_s2_q;
-      xor_48_s3_q <= xor_48_s2_q;
+      difference_22_s3_q <= {1'b0, larger_s2_q[9:1]} - smaller_s2_q;
+      select_41_s3_q <= select_41_s2_q;
+      less_47_s3_q <= less_47_s2_q;
+      xor_50_s3_q <= xor_50_s2_q;
       larger_2_s3_q <= larger_2_s2_q;
-      difference_52_s3_q <= {1'b0, larger_2_s2_q[9:1]} - smaller_2_s2_q;
-      select_71_s3_q <= select_71_s2_q;
-      sum_74_s3_q <= sum_74[9:1];
-      sum_79_s3_q <= sum_79[9:1];
+      difference_54_s3_q <= {1'b0, larger_2_s2_q[9:1]} - smaller_2_s2_q;
+      select_73_s3_q <= select_73_s2_q;
+      sum_76_s3_q <= sum_76[9:1];
+      sum_81_s3_q <= sum_81[9:1];
     end
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
   // hls/stages/direction.hpp:62
-  logic not_21;
-  assign not_21 = ~difference_20_s3_q[9];
-  logic [9:0] xor_22;
-  assign xor_22 = larger_s3_q ^ {10{not_21}};
-  logic [10:0] sum_23;
-  assign sum_23 = {difference_20_s3_q[8:0], larger_s3_q[0], not_21} + {not_21, xor_22};
-  logic not_53;
-  assign not_53 = ~difference_52_s3_q[9];
-  logic [9:0] xor_54;
-  assign xor_54 = larger_2_s3_q ^ {10{not_53}};
-  logic [10:0] sum_55;
-  assign sum_55 = {difference_52_s3_q[8:0], larger_2_s3_q[0], not_53} + {not_53, xor_54};
+  logic not_23;
+  assign not_23 = ~difference_22_s3_q[9];
+  logic [9:0] xor_24;
+  assign xor_24 = larger_s3_q ^ {10{not_23}};
+  logic [10:0] sum_25;
+  assign sum_25 = {difference_22_s3_q[8:0], larger_s3_q[0], not_23} + {not_23, xor_24};
+  logic not_55;
+  assign not_55 = ~difference_54_s3_q[9];
+  logic [9:0] xor_56;
+  assign xor_56 = larger_2_s3_q ^ {10{not_55}};
+  logic [10:0] sum_57;
+  assign sum_57 = {difference_54_s3_q[8:0], larger_2_s3_q[0], not_55} + {not_55, xor_56};
   // hls/stages/direction.hpp:49
-  logic [10:0] sum_75;
-  assign sum_75 = {1'b0, larger_s3_q} + {2'h0, sum_74_s3_q};
-  logic [10:0] select_77;
-  assign select_77 = (sum_75[10:8] == 3'h0) ? sum_75 : 11'hff;
-  logic [10:0] sum_80;
-  assign sum_80 = {1'b0, larger_2_s3_q} + {2'h0, sum_79_s3_q};
-  logic [8:0] select_82;
-  assign select_82 = (sum_80[10:8] == 3'h0) ? sum_80[8:0] : 9'hff;
+  logic [10:0] sum_77;
+  assign sum_77 = {1'b0, larger_s3_q} + {2'h0, sum_76_s3_q};
+  logic [10:0] sum_82;
+  assign sum_82 = {1'b0, larger_2_s3_q} + {2'h0, sum_81_s3_q};
 
+  logic saturated_s4_q;
   logic mask_s4_q;
   logic marks_first_s4_q;
   logic marks_last_s4_q;
-  logic less_13_s4_q;
-  logic xor_16_s4_q;
+  logic marks_seen_s4_q;
+  logic marks_nearer_s4_q;
+  logic less_15_s4_q;
+  logic xor_18_s4_q;
   logic [9:0] larger_s4_q;
-  logic difference_20_s4_q;
-  logic [10:0] sum_23_s4_q;
-  logic select_39_s4_q;
-  logic less_45_s4_q;
-  logic xor_48_s4_q;
+  logic difference_22_s4_q;
+  logic [10:0] sum_25_s4_q;
+  logic select_41_s4_q;
+  logic less_47_s4_q;
+  logic xor_50_s4_q;
   logic [9:0] larger_2_s4_q;
-  logic difference_52_s4_q;
-  logic [10:0] sum_55_s4_q;
-  logic select_71_s4_q;
-  logic [7:0] select_77_s4_q;
-  logic [4:0] select_82_s4_q;
-  logic [2:0] or_83_s4_q;
-  logic or_84_s4_q;
+  logic difference_54_s4_q;
+  logic [10:0] sum_57_s4_q;
+  logic select_73_s4_q;
+  logic [7:0] select_79_s4_q;
+  logic [7:0] select_84_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
+      saturated_s4_q <= saturated_s3_q;
       mask_s4_q <= mask_s3_q;
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= marks_last_s3_q;
-      less_13_s4_q <= less_13_s3_q;
-      xor_16_s4_q <= xor_16_s3_q;
+      marks_seen_s4_q <= marks_seen_s3_q;
+      marks_nearer_s4_q <= marks_nearer_s3_q;
+      less_15_s4_q <= less_15_s3_q;
+      xor_18_s4_q <= xor_18_s3_q;
       larger_s4_q <= larger_s3_q;
-      difference_20_s4_q <= difference_20_s3_q[9];
-      sum_23_s4_q <= sum_23;
-      select_39_s4_q <= select_39_s3_q;
-      less_45_s4_q <= less_45_s3_q;
-      xor_48_s4_q <= xor_48_s3_q;
+      difference_22_s4_q <= difference_22_s3_q[9];
+      sum_25_s4_q <= sum_25;
+      select_41_s4_q <= select_41_s3_q;
+      less_47_s4_q <= less_47_s3_q;
+      xor_50_s4_q <= xor_50_s3_q;
       larger_2_s4_q <= larger_2_s3_q;
-      difference_52_s4_q <= difference_52_s3_q[9];
-      sum_55_s4_q <= sum_55;
-      select_71_s4_q <= select_71_s3_q;
-      select_77_s4_q <= select_77[7:0];
-      select_82_s4_q <= select_82[7:3];
-      or_83_s4_q <= select_77[10:8] | select_82[2:0];
-      or_84_s4_q <= saturated_s3_q | select_82[8];
+      difference_54_s4_q <= difference_54_s3_q[9];
+      sum_57_s4_q <= sum_57;
+      select_73_s4_q <= select_73_s3_q;
+      select_79_s4_q <= (sum_77[10:8] == 3'h0) ? sum_77[7:0] : 8'hff;
+      select_84_s4_q <= (sum_82[10:8] == 3'h0) ? sum_82[7:0] : 8'hff;
     end
   end
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
   // hls/stages/direction.hpp:62
-  logic not_24;
-  assign not_24 = ~sum_23_s4_q[10];
-  logic [9:0] xor_25;
-  assign xor_25 = larger_s4_q ^ {10{not_24}};
-  logic not_56;
-  assign not_56 = ~sum_55_s4_q[10];
-  logic [9:0] xor_57;
-  assign xor_57 = larger_2_s4_q ^ {10{not_56}};
+  logic not_26;
+  assign not_26 = ~sum_25_s4_q[10];
+  logic [9:0] xor_27;
+  assign xor_27 = larger_s4_q ^ {10{not_26}};
+  logic not_58;
+  assign not_58 = ~sum_57_s4_q[10];
+  logic [9:0] xor_59;
+  assign xor_59 = larger_2_s4_q ^ {10{not_58}};
 
+  logic saturated_s5_q;
   logic mask_s5_q;
   logic marks_first_s5_q;
   logic marks_last_s5_q;
-  logic less_13_s5_q;
-  logic xor_16_s5_q;
+  logic marks_seen_s5_q;
+  logic marks_nearer_s5_q;
+  logic less_15_s5_q;
+  logic xor_18_s5_q;
   logic [9:0] larger_s5_q;
-  logic difference_20_s5_q;
-  logic sum_23_s5_q;
-  logic [10:0] sum_26_s5_q;
-  logic select_39_s5_q;
-  logic less_45_s5_q;
-  logic xor_48_s5_q;
+  logic difference_22_s5_q;
+  logic sum_25_s5_q;
+  logic [10:0] sum_28_s5_q;
+  logic select_41_s5_q;
+  logic less_47_s5_q;
+  logic xor_50_s5_q;
   logic [9:0] larger_2_s5_q;
-  logic difference_52_s5_q;
-  logic sum_55_s5_q;
-  logic [10:0] sum_58_s5_q;
-  logic select_71_s5_q;
-  logic [7:0] select_77_s5_q;
-  logic [4:0] select_82_s5_q;
-  logic [2:0] or_83_s5_q;
-  logic or_84_s5_q;
+  logic difference_54_s5_q;
+  logic sum_57_s5_q;
+  logic [10:0] sum_60_s5_q;
+  logic select_73_s5_q;
+  logic [7:0] select_79_s5_q;
+  logic [7:0] select_84_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
+      saturated_s5_q <= saturated_s4_q;
       mask_s5_q <= mask_s4_q;
       marks_first_s5_q <= marks_first_s4_q;
       marks_last_s5_q <= marks_last_s4_q;
-      less_13_s5_q <= less_13_s4_q;
-      xor_16_s5_q <= xor_16_s4_q;
+      marks_seen_s5_q <= marks_seen_s4_q;
+      marks_nearer_s5_q <= marks_nearer_s4_q;
+      less_15_s5_q <= less_15_s4_q;
+      xor_18_s5_q <= xor_18_s4_q;
       larger_s5_q <= larger_s4_q;
-      difference_20_s5_q <= difference_20_s4_q;
-      sum_23_s5_q <= sum_23_s4_q[10];
-      sum_26_s5_q <= {sum_23_s4_q[9:0], not_24} + {not_24, xor_25};
-      select_39_s5_q <= select_39_s4_q;
-      less_45_s5_q <= less_45_s4_q;
-      xor_48_s5_q <= xor_48_s4_q;
+      difference_22_s5_q <= difference_22_s4_q;
+      sum_25_s5_q <= sum_25_s4_q[10];
+      sum_28_s5_q <= {sum_25_s4_q[9:0], not_26} + {not_26, xor_27};
+      select_41_s5_q <= select_41_s4_q;
+      less_47_s5_q <= less_47_s4_q;
+      xor_50_s5_q <= xor_50_s4_q;
       larger_2_s5_q <= larger_2_s4_q;
-      difference_52_s5_q <= difference_52_s4_q;
-      sum_55_s5_q <= sum_55_s4_q[10];
-      sum_58_s5_q <= {sum_55_s4_q[9:0], not_56} + {not_56, xor_57};
-      select_71_s5_q <= select_71_s4_q;
-      select_77_s5_q <= select_77_s4_q;
-      select_82_s5_q <= select_82_s4_q;
-      or_83_s5_q <= or_83_s4_q;
-      or_84_s5_q <= or_84_s4_q;
+      difference_54_s5_q <= difference_54_s4_q;
+      sum_57_s5_q <= sum_57_s4_q[10];
+      sum_60_s5_q <= {sum_57_s4_q[9:0], not_58} + {not_58, xor_59};
+      select_73_s5_q <= select_73_s4_q;
+      select_79_s5_q <= select_79_s4_q;
+      select_84_s5_q <= select_84_s4_q;
     end
   end
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
   // hls/stages/direction.hpp:62
-  logic not_27;
-  assign not_27 = ~sum_26_s5_q[10];
-  logic [9:0] xor_28;
-  assign xor_28 = larger_s5_q ^ {10{not_27}};
-  logic not_59;
-  assign not_59 = ~sum_58_s5_q[10];
-  logic [9:0] xor_60;
-  assign xor_60 = larger_2_s5_q ^ {10{not_59}};
+  logic not_29;
+  assign not_29 = ~sum_28_s5_q[10];
+  logic [9:0] xor_30;
+  assign xor_30 = larger_s5_q ^ {10{not_29}};
+  logic not_61;
+  assign not_61 = ~sum_60_s5_q[10];
+  logic [9:0] xor_62;
+  assign xor_62 = larger_2_s5_q ^ {10{not_61}};
 
+  logic saturated_s6_q;
   logic mask_s6_q;
   logic marks_first_s6_q;
   logic marks_last_s6_q;
-  logic less_13_s6_q;
-  logic xor_16_s6_q;
+  logic marks_seen_s6_q;
+  logic marks_nearer_s6_q;
+  logic less_15_s6_q;
+  logic xor_18_s6_q;
   logic [9:0] larger_s6_q;
-  logic difference_20_s6_q;
-  logic sum_23_s6_q;
-  logic sum_26_s6_q;
-  logic [10:0] sum_29_s6_q;
-  logic select_39_s6_q;
-  logic less_45_s6_q;
-  logic xor_48_s6_q;
+  logic difference_22_s6_q;
+  logic sum_25_s6_q;
+  logic sum_28_s6_q;
+  logic [10:0] sum_31_s6_q;
+  logic select_41_s6_q;
+  logic less_47_s6_q;
+  logic xor_50_s6_q;
   logic [9:0] larger_2_s6_q;
-  logic difference_52_s6_q;
-  logic sum_55_s6_q;
-  logic sum_58_s6_q;
-  logic [10:0] sum_61_s6_q;
-  logic select_71_s6_q;
-  logic [7:0] select_77_s6_q;
-  logic [4:0] select_82_s6_q;
-  logic [2:0] or_83_s6_q;
-  logic or_84_s6_q;
+  logic difference_54_s6_q;
+  logic sum_57_s6_q;
+  logic sum_60_s6_q;
+  logic [10:0] sum_63_s6_q;
+  logic select_73_s6_q;
+  logic [7:0] select_79_s6_q;
+  logic [7:0] select_84_s6_q;
   always_ff @(posedge clk_i) begin
     if (s5_en) begin
+      saturated_s6_q <= saturated_s5_q;
       mask_s6_q <= mask_s5_q;
       marks_first_s6_q <= marks_first_s5_q;
       marks_last_s6_q <= marks_last_s5_q;
-      less_13_s6_q <= less_13_s5_q;
-      xor_16_s6_q <= xor_16_s5_q;
+      marks_seen_s6_q <= marks_seen_s5_q;
+      marks_nearer_s6_q <= marks_nearer_s5_q;
+      less_15_s6_q <= less_15_s5_q;
+      xor_18_s6_q <= xor_18_s5_q;
       larger_s6_q <= larger_s5_q;
-      difference_20_s6_q <= difference_20_s5_q;
-      sum_23_s6_q <= sum_23_s5_q;
-      sum_26_s6_q <= sum_26_s5_q[10];
-      sum_29_s6_q <= {sum_26_s5_q[9:0], not_27} + {not_27, xor_28};
-      select_39_s6_q <= select_39_s5_q;
-      less_45_s6_q <= less_45_s5_q;
-      xor_48_s6_q <= xor_48_s5_q;
+      difference_22_s6_q <= difference_22_s5_q;
+      sum_25_s6_q <= sum_25_s5_q;
+      sum_28_s6_q <= sum_28_s5_q[10];
+      sum_31_s6_q <= {sum_28_s5_q[9:0], not_29} + {not_29, xor_30};
+      select_41_s6_q <= select_41_s5_q;
+      less_47_s6_q <= less_47_s5_q;
+      xor_50_s6_q <= xor_50_s5_q;
       larger_2_s6_q <= larger_2_s5_q;
-      difference_52_s6_q <= difference_52_s5_q;
-      sum_55_s6_q <= sum_55_s5_q;
-      sum_58_s6_q <= sum_58_s5_q[10];
-      sum_61_s6_q <= {sum_58_s5_q[9:0], not_59} + {not_59, xor_60};
-      select_71_s6_q <= select_71_s5_q;
-      select_77_s6_q <= select_77_s5_q;
-      select_82_s6_q <= select_82_s5_q;
-      or_83_s6_q <= or_83_s5_q;
-      or_84_s6_q <= or_84_s5_q;
+      difference_54_s6_q <= difference_54_s5_q;
+      sum_57_s6_q <= sum_57_s5_q;
+      sum_60_s6_q <= sum_60_s5_q[10];
+      sum_63_s6_q <= {sum_60_s5_q[9:0], not_61} + {not_61, xor_62};
+      select_73_s6_q <= select_73_s5_q;
+      select_79_s6_q <= select_79_s5_q;
+      select_84_s6_q <= select_84_s5_q;
     end
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
   // hls/stages/direction.hpp:62
-  logic not_30;
-  assign not_30 = ~sum_29_s6_q[10];
-  logic [9:0] xor_31;
-  assign xor_31 = larger_s6_q ^ {10{not_30}};
-  logic not_62;
-  assign not_62 = ~sum_61_s6_q[10];
-  logic [9:0] xor_63;
-  assign xor_63 = larger_2_s6_q ^ {10{not_62}};
+  logic not_32;
+  assign not_32 = ~sum_31_s6_q[10];
+  logic [9:0] xor_33;
+  assign xor_33 = larger_s6_q ^ {10{not_32}};
+  logic not_64;
+  assign not_64 = ~sum_63_s6_q[10];
+  logic [9:0] xor_65;
+  assign xor_65 = larger_2_s6_q ^ {10{not_64}};
 
+  logic saturated_s7_q;
   logic mask_s7_q;
   logic marks_first_s7_q;
   logic marks_last_s7_q;
-  logic less_13_s7_q;
-  logic xor_16_s7_q;
+  logic marks_seen_s7_q;
+  logic marks_nearer_s7_q;
+  logic less_15_s7_q;
+  logic xor_18_s7_q;
   logic [9:0] larger_s7_q;
-  logic difference_20_s7_q;
-  logic sum_23_s7_q;
-  logic sum_26_s7_q;
-  logic sum_29_s7_q;
-  logic [10:0] sum_32_s7_q;
-  logic select_39_s7_q;
-  logic less_45_s7_q;
-  logic xor_48_s7_q;
+  logic difference_22_s7_q;
+  logic sum_25_s7_q;
+  logic sum_28_s7_q;
+  logic sum_31_s7_q;
+  logic [10:0] sum_34_s7_q;
+  logic select_41_s7_q;
+  logic less_47_s7_q;
+  logic xor_50_s7_q;
   logic [9:0] larger_2_s7_q;
-  logic difference_52_s7_q;
-  logic sum_55_s7_q;
-  logic sum_58_s7_q;
-  logic sum_61_s7_q;
-  logic [10:0] sum_64_s7_q;
-  logic select_71_s7_q;
-  logic [7:0] select_77_s7_q;
-  logic [4:0] select_82_s7_q;
-  logic [2:0] or_83_s7_q;
-  logic or_84_s7_q;
+  logic difference_54_s7_q;
+  logic sum_57_s7_q;
+  logic sum_60_s7_q;
+  logic sum_63_s7_q;
+  logic [10:0] sum_66_s7_q;
+  logic select_73_s7_q;
+  logic [7:0] select_79_s7_q;
+  logic [7:0] select_84_s7_q;
   always_ff @(posedge clk_i) begin
     if (s6_en) begin
+      saturated_s7_q <= saturated_s6_q;
       mask_s7_q <= mask_s6_q;
       marks_first_s7_q <= marks_first_s6_q;
       marks_last_s7_q <= marks_last_s6_q;
-      less_13_s7_q <= less_13_s6_q;
-      xor_16_s7_q <= xor_16_s6_q;
+      marks_seen_s7_q <= marks_seen_s6_q;
+      marks_nearer_s7_q <= marks_nearer_s6_q;
+      less_15_s7_q <= less_15_s6_q;
+      xor_18_s7_q <= xor_18_s6_q;
       larger_s7_q <= larger_s6_q;
-      difference_20_s7_q <= difference_20_s6_q;
-      sum_23_s7_q <= sum_23_s6_q;
-      sum_26_s7_q <= sum_26_s6_q;
-      sum_29_s7_q <= sum_29_s6_q[10];
-      sum_32_s7_q <= {sum_29_s6_q[9:0], not_30} + {not_30, xor_31};
-      select_39_s7_q <= select_39_s6_q;
-      less_45_s7_q <= less_45_s6_q;
-      xor_48_s7_q <= xor_48_s6_q;
+      difference_22_s7_q <= difference_22_s6_q;
+      sum_25_s7_q <= sum_25_s6_q;
+      sum_28_s7_q <= sum_28_s6_q;
+      sum_31_s7_q <= sum_31_s6_q[10];
+      sum_34_s7_q <= {sum_31_s6_q[9:0], not_32} + {not_32, xor_33};
+      select_41_s7_q <= select_41_s6_q;
+      less_47_s7_q <= less_47_s6_q;
+      xor_50_s7_q <= xor_50_s6_q;
       larger_2_s7_q <= larger_2_s6_q;
-      difference_52_s7_q <= difference_52_s6_q;
-      sum_55_s7_q <= sum_55_s6_q;
-      sum_58_s7_q <= sum_58_s6_q;
-      sum_61_s7_q <= sum_61_s6_q[10];
-      sum_64_s7_q <= {sum_61_s6_q[9:0], not_62} + {not_62, xor_63};
-      select_71_s7_q <= select_71_s6_q;
-      select_77_s7_q <= select_77_s6_q;
-      select_82_s7_q <= select_82_s6_q;
-      or_83_s7_q <= or_83_s6_q;
-      or_84_s7_q <= or_84_s6_q;
+      difference_54_s7_q <= difference_54_s6_q;
+      sum_57_s7_q <= sum_57_s6_q;
+      sum_60_s7_q <= sum_60_s6_q;
+      sum_63_s7_q <= sum_63_s6_q[10];
+      sum_66_s7_q <= {sum_63_s6_q[9:0], not_64} + {not_64, xor_65};
+      select_73_s7_q <= select_73_s6_q;
+      select_79_s7_q <= select_79_s6_q;
+      select_84_s7_q <= select_84_s6_q;
     end
   end
 
   // Stage 7 -----------------------------------------------------------------------------------------------------------
   // hls/stages/direction.hpp:62
-  logic not_33;
-  assign not_33 = ~sum_32_s7_q[10];
-  logic [9:0] xor_34;
-  assign xor_34 = larger_s7_q ^ {10{not_33}};
-  logic [10:0] sum_35;
-  assign sum_35 = {sum_32_s7_q[9:0], not_33} + {not_33, xor_34};
-  logic not_65;
-  assign not_65 = ~sum_64_s7_q[10];
-  logic [9:0] xor_66;
-  assign xor_66 = larger_2_s7_q ^ {10{not_65}};
-  logic [10:0] sum_67;
-  assign sum_67 = {sum_64_s7_q[9:0], not_65} + {not_65, xor_66};
+  logic not_35;
+  assign not_35 = ~sum_34_s7_q[10];
+  logic [9:0] xor_36;
+  assign xor_36 = larger_s7_q ^ {10{not_35}};
+  logic [10:0] sum_37;
+  assign sum_37 = {sum_34_s7_q[9:0], not_35} + {not_35, xor_36};
+  logic not_67;
+  assign not_67 = ~sum_66_s7_q[10];
+  logic [9:0] xor_68;
+  assign xor_68 = larger_2_s7_q ^ {10{not_67}};
+  logic [10:0] sum_69;
+  assign sum_69 = {sum_66_s7_q[9:0], not_67} + {not_67, xor_68};
 
+  logic saturated_s8_q;
   logic mask_s8_q;
   logic marks_first_s8_q;
   logic marks_last_s8_q;
-  logic less_13_s8_q;
-  logic xor_16_s8_q;
-  logic difference_20_s8_q;
-  logic sum_23_s8_q;
-  logic sum_26_s8_q;
-  logic sum_29_s8_q;
-  logic sum_32_s8_q;
-  logic sum_35_s8_q;
-  logic select_39_s8_q;
-  logic less_45_s8_q;
-  logic xor_48_s8_q;
-  logic difference_52_s8_q;
-  logic sum_55_s8_q;
-  logic sum_58_s8_q;
-  logic sum_61_s8_q;
-  logic sum_64_s8_q;
-  logic sum_67_s8_q;
-  logic select_71_s8_q;
-  logic [7:0] select_77_s8_q;
-  logic [4:0] select_82_s8_q;
-  logic [2:0] or_83_s8_q;
-  logic or_84_s8_q;
+  logic marks_seen_s8_q;
+  logic marks_nearer_s8_q;
+  logic less_15_s8_q;
+  logic xor_18_s8_q;
+  logic difference_22_s8_q;
+  logic sum_25_s8_q;
+  logic sum_28_s8_q;
+  logic sum_31_s8_q;
+  logic sum_34_s8_q;
+  logic sum_37_s8_q;
+  logic select_41_s8_q;
+  logic less_47_s8_q;
+  logic xor_50_s8_q;
+  logic difference_54_s8_q;
+  logic sum_57_s8_q;
+  logic sum_60_s8_q;
+  logic sum_63_s8_q;
+  logic sum_66_s8_q;
+  logic sum_69_s8_q;
+  logic select_73_s8_q;
+  logic [7:0] select_79_s8_q;
+  logic [7:0] select_84_s8_q;
   always_ff @(posedge clk_i) begin
     if (s7_en) begin
+      saturated_s8_q <= saturated_s7_q;
       mask_s8_q <= mask_s7_q;
       marks_first_s8_q <= marks_first_s7_q;
       marks_last_s8_q <= marks_last_s7_q;
-      less_13_s8_q <= less_13_s7_q;
-      xor_16_s8_q <= xor_16_s7_q;
-      difference_20_s8_q <= difference_20_s7_q;
-      sum_23_s8_q <= sum_23_s7_q;
-      sum_26_s8_q <= sum_26_s7_q;
-      sum_29_s8_q <= sum_29_s7_q;
-      sum_32_s8_q <= sum_32_s7_q[10];
-      sum_35_s8_q <= sum_35[10];
-      select_39_s8_q <= select_39_s7_q;
-      less_45_s8_q <= less_45_s7_q;
-      xor_48_s8_q <= xor_48_s7_q;
-      difference_52_s8_q <= difference_52_s7_q;
-      sum_55_s8_q <= sum_55_s7_q;
-      sum_58_s8_q <= sum_58_s7_q;
-      sum_61_s8_q <= sum_61_s7_q;
-      sum_64_s8_q <= sum_64_s7_q[10];
-      sum_67_s8_q <= sum_67[10];
-      select_71_s8_q <= select_71_s7_q;
-      select_77_s8_q <= select_77_s7_q;
-      select_82_s8_q <= select_82_s7_q;
-      or_83_s8_q <= or_83_s7_q;
-      or_84_s8_q <= or_84_s7_q;
+      marks_seen_s8_q <= marks_seen_s7_q;
+      marks_nearer_s8_q <= marks_nearer_s7_q;
+      less_15_s8_q <= less_15_s7_q;
+      xor_18_s8_q <= xor_18_s7_q;
+      difference_22_s8_q <= difference_22_s7_q;
+      sum_25_s8_q <= sum_25_s7_q;
+      sum_28_s8_q <= sum_28_s7_q;
+      sum_31_s8_q <= sum_31_s7_q;
+      sum_34_s8_q <= sum_34_s7_q[10];
+      sum_37_s8_q <= sum_37[10];
+      select_41_s8_q <= select_41_s7_q;
+      less_47_s8_q <= less_47_s7_q;
+      xor_50_s8_q <= xor_50_s7_q;
+      difference_54_s8_q <= difference_54_s7_q;
+      sum_57_s8_q <= sum_57_s7_q;
+      sum_60_s8_q <= sum_60_s7_q;
+      sum_63_s8_q <= sum_63_s7_q;
+      sum_66_s8_q <= sum_66_s7_q[10];
+      sum_69_s8_q <= sum_69[10];
+      select_73_s8_q <= select_73_s7_q;
+      select_79_s8_q <= select_79_s7_q;
+      select_84_s8_q <= select_84_s7_q;
     end
   end
 
@@ -511,7 +533,7 @@ module horopter_direction (
   // hls/stages/direction.hpp:62
   logic [5:0] angle;  // table arctangent_table
   always_comb begin
-    case ({difference_20_s8_q, sum_23_s8_q, sum_26_s8_q, sum_29_s8_q, sum_32_s8_q, sum_35_s8_q})
+    case ({difference_22_s8_q, sum_25_s8_q, sum_28_s8_q, sum_31_s8_q, sum_34_s8_q, sum_37_s8_q})
       6'd1: angle = 6'h1;
       6'd2: angle = 6'h2;
       6'd3: angle = 6'h2;
@@ -580,7 +602,7 @@ module horopter_direction (
   end
   logic [5:0] angle_2;  // table arctangent_table
   always_comb begin
-    case ({difference_52_s8_q, sum_55_s8_q, sum_58_s8_q, sum_61_s8_q, sum_64_s8_q, sum_67_s8_q})
+    case ({difference_54_s8_q, sum_57_s8_q, sum_60_s8_q, sum_63_s8_q, sum_66_s8_q, sum_69_s8_q})
       6'd1: angle_2 = 6'h1;
       6'd2: angle_2 = 6'h2;
       6'd3: angle_2 = 6'h2;
@@ -648,84 +670,90 @@ module horopter_direction (
     endcase
   end
 
+  logic saturated_s9_q;
   logic mask_s9_q;
   logic marks_first_s9_q;
   logic marks_last_s9_q;
-  logic less_13_s9_q;
-  logic xor_16_s9_q;
+  logic marks_seen_s9_q;
+  logic marks_nearer_s9_q;
+  logic less_15_s9_q;
+  logic xor_18_s9_q;
   logic [5:0] angle_s9_q;
-  logic select_39_s9_q;
-  logic less_45_s9_q;
-  logic xor_48_s9_q;
+  logic select_41_s9_q;
+  logic less_47_s9_q;
+  logic xor_50_s9_q;
   logic [5:0] angle_2_s9_q;
-  logic select_71_s9_q;
-  logic [7:0] select_77_s9_q;
-  logic [4:0] select_82_s9_q;
-  logic [2:0] or_83_s9_q;
-  logic or_84_s9_q;
+  logic select_73_s9_q;
+  logic [7:0] select_79_s9_q;
+  logic [7:0] select_84_s9_q;
   always_ff @(posedge clk_i) begin
     if (s8_en) begin
+      saturated_s9_q <= saturated_s8_q;
       mask_s9_q <= mask_s8_q;
       marks_first_s9_q <= marks_first_s8_q;
       marks_last_s9_q <= marks_last_s8_q;
-      less_13_s9_q <= less_13_s8_q;
-      xor_16_s9_q <= xor_16_s8_q;
+      marks_seen_s9_q <= marks_seen_s8_q;
+      marks_nearer_s9_q <= marks_nearer_s8_q;
+      less_15_s9_q <= less_15_s8_q;
+      xor_18_s9_q <= xor_18_s8_q;
       angle_s9_q <= angle;
-      select_39_s9_q <= select_39_s8_q;
-      less_45_s9_q <= less_45_s8_q;
-      xor_48_s9_q <= xor_48_s8_q;
+      select_41_s9_q <= select_41_s8_q;
+      less_47_s9_q <= less_47_s8_q;
+      xor_50_s9_q <= xor_50_s8_q;
       angle_2_s9_q <= angle_2;
-      select_71_s9_q <= select_71_s8_q;
-      select_77_s9_q <= select_77_s8_q;
-      select_82_s9_q <= select_82_s8_q;
-      or_83_s9_q <= or_83_s8_q;
-      or_84_s9_q <= or_84_s8_q;
+      select_73_s9_q <= select_73_s8_q;
+      select_79_s9_q <= select_79_s8_q;
+      select_84_s9_q <= select_84_s8_q;
     end
   end
 
   // Stage 9 -----------------------------------------------------------------------------------------------------------
   // hls/stages/direction.hpp:69
-  logic [6:0] select_38;
-  assign select_38 = xor_16_s9_q ? {1'b0, angle_s9_q} : (7'h0 - {1'b0, angle_s9_q});
-  logic [6:0] select_70;
-  assign select_70 = xor_48_s9_q ? {1'b0, angle_2_s9_q} : (7'h0 - {1'b0, angle_2_s9_q});
+  logic [6:0] select_40;
+  assign select_40 = xor_18_s9_q ? {1'b0, angle_s9_q} : (7'h0 - {1'b0, angle_s9_q});
+  logic [6:0] select_72;
+  assign select_72 = xor_50_s9_q ? {1'b0, angle_2_s9_q} : (7'h0 - {1'b0, angle_2_s9_q});
 
+  logic saturated_s10_q;
   logic mask_s10_q;
   logic marks_first_s10_q;
   logic marks_last_s10_q;
-  logic [5:0] select_38_s10_q;
-  logic [1:0] sum_40_s10_q;
-  logic [5:0] select_70_s10_q;
-  logic [1:0] sum_72_s10_q;
-  logic [7:0] select_77_s10_q;
-  logic [4:0] select_82_s10_q;
-  logic [2:0] or_83_s10_q;
-  logic or_84_s10_q;
+  logic marks_seen_s10_q;
+  logic marks_nearer_s10_q;
+  logic [5:0] select_40_s10_q;
+  logic [1:0] sum_42_s10_q;
+  logic [5:0] select_72_s10_q;
+  logic [1:0] sum_74_s10_q;
+  logic [7:0] select_79_s10_q;
+  logic [7:0] select_84_s10_q;
   always_ff @(posedge clk_i) begin
     if (s9_en) begin
+      saturated_s10_q <= saturated_s9_q;
       mask_s10_q <= mask_s9_q;
       marks_first_s10_q <= marks_first_s9_q;
       marks_last_s10_q <= marks_last_s9_q;
-      select_38_s10_q <= select_38[5:0];
-      sum_40_s10_q <= {select_39_s9_q, less_13_s9_q} + {2{select_38[6]}};
-      select_70_s10_q <= select_70[5:0];
-      sum_72_s10_q <= {select_71_s9_q, less_45_s9_q} + {2{select_70[6]}};
-      select_77_s10_q <= select_77_s9_q;
-      select_82_s10_q <= select_82_s9_q;
-      or_83_s10_q <= or_83_s9_q;
-      or_84_s10_q <= or_84_s9_q;
+      marks_seen_s10_q <= marks_seen_s9_q;
+      marks_nearer_s10_q <= marks_nearer_s9_q;
+      select_40_s10_q <= select_40[5:0];
+      sum_42_s10_q <= {select_41_s9_q, less_15_s9_q} + {2{select_40[6]}};
+      select_72_s10_q <= select_72[5:0];
+      sum_74_s10_q <= {select_73_s9_q, less_47_s9_q} + {2{select_72[6]}};
+      select_79_s10_q <= select_79_s9_q;
+      select_84_s10_q <= select_84_s9_q;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign direction_0_o = {sum_40_s10_q, select_38_s10_q};
-  assign direction_1_o = {sum_72_s10_q, select_70_s10_q};
-  assign magnitude_0_o = select_77_s10_q;
-  assign magnitude_1_o = {select_82_s10_q, or_83_s10_q};
-  assign saturated_o = or_84_s10_q;
+  assign direction_0_o = {sum_42_s10_q, select_40_s10_q};
+  assign direction_1_o = {sum_74_s10_q, select_72_s10_q};
+  assign magnitude_0_o = select_79_s10_q;
+  assign magnitude_1_o = select_84_s10_q;
+  assign saturated_o = saturated_s10_q;
   assign mask_o = mask_s10_q;
   assign marks_first_o = marks_first_s10_q;
   assign marks_last_o = marks_last_s10_q;
+  assign marks_seen_o = marks_seen_s10_q;
+  assign marks_nearer_o = marks_nearer_s10_q;
   assign valid_o = valid_s10_q;
 
   always_ff @(posedge clk_i) begin
@@ -756,6 +784,6 @@ module horopter_direction (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_79[0], sum_78[0], sum_74[0], sum_73[0], sum_67[9:0], sum_35[9:0]};
+  assign unused_bits = ^{sum_81[0], sum_80[0], sum_76[0], sum_75[0], sum_69[9:0], sum_37[9:0]};
 
 endmodule

@@ -3,7 +3,7 @@
 //
 // Latency 5 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 190 bits, pipeline 384 bits, memories 184320 bits.
+// State 190 bits, pipeline 394 bits, memories 184320 bits.
 module horopter_dsad (
   input  logic clk_i,
   input  logic rst_ni,
@@ -15,13 +15,17 @@ module horopter_dsad (
   input  logic mask_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
+  input  logic marks_seen_i,
+  input  logic marks_nearer_i,
   output logic valid_o,
   output logic [10:0] sum_0_o,
   output logic [10:0] sum_1_o,
   output logic textured_o,
   output logic mask_o,
   output logic marks_first_o,
-  output logic marks_last_o
+  output logic marks_last_o,
+  output logic marks_seen_o,
+  output logic marks_nearer_o
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
@@ -37,10 +41,10 @@ module horopter_dsad (
   logic [10:0] raster_column_q;
   logic raster_row_ended_q;
   // hls/stages/dsad.hpp:42
-  logic or_31;
-  assign or_31 = marks_first_i | raster_row_ended_q;
-  logic [10:0] select_32;
-  assign select_32 = or_31 ? 11'h0 : raster_column_q;
+  logic or_33;
+  assign or_33 = marks_first_i | raster_row_ended_q;
+  logic [10:0] select_34;
+  assign select_34 = or_33 ? 11'h0 : raster_column_q;
 
   // Memory memory, 1920 x 96, DISTANCE 16, hls/stages/dsad.hpp:108; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -50,7 +54,7 @@ module horopter_dsad (
   initial for (int i = 0; i < 1920; i++) memory_mem[i] = 96'h0;
 `endif
   logic [10:0] memory_raddr;
-  assign memory_raddr = select_32;
+  assign memory_raddr = select_34;
   logic memory_re;
   assign memory_re = s0_en;
   logic [95:0] memory_rdata_q;
@@ -63,7 +67,7 @@ module horopter_dsad (
       raster_column_q <= 11'h0;
       raster_row_ended_q <= 1'b1;
     end else if (s0_en) begin
-      raster_column_q <= select_32 + 11'h1;
+      raster_column_q <= select_34 + 11'h1;
       raster_row_ended_q <= marks_last_i;
     end
   end
@@ -73,8 +77,10 @@ module horopter_dsad (
   logic textured_s1_q;
   logic mask_s1_q;
   logic marks_first_s1_q;
-  logic or_31_s1_q;
-  logic [10:0] select_32_s1_q;
+  logic marks_seen_s1_q;
+  logic marks_nearer_s1_q;
+  logic or_33_s1_q;
+  logic [10:0] select_34_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       difference_0_s1_q <= difference_0_i;
@@ -82,8 +88,10 @@ module horopter_dsad (
       textured_s1_q <= textured_i;
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;
-      or_31_s1_q <= or_31;
-      select_32_s1_q <= select_32;
+      marks_seen_s1_q <= marks_seen_i;
+      marks_nearer_s1_q <= marks_nearer_i;
+      or_33_s1_q <= or_33;
+      select_34_s1_q <= select_34;
     end
   end
 
@@ -95,8 +103,10 @@ module horopter_dsad (
   logic mask_s2_q;
   logic marks_first_s2_q;
   logic marks_last_s2_q;
-  logic or_31_s2_q;
-  logic [10:0] select_32_s2_q;
+  logic marks_seen_s2_q;
+  logic marks_nearer_s2_q;
+  logic or_33_s2_q;
+  logic [10:0] select_34_s2_q;
   logic [95:0] memory_rdata_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
@@ -106,8 +116,10 @@ module horopter_dsad (
       mask_s2_q <= mask_s1_q;
       marks_first_s2_q <= marks_first_s1_q;
       marks_last_s2_q <= raster_row_ended_q;
-      or_31_s2_q <= or_31_s1_q;
-      select_32_s2_q <= select_32_s1_q;
+      marks_seen_s2_q <= marks_seen_s1_q;
+      marks_nearer_s2_q <= marks_nearer_s1_q;
+      or_33_s2_q <= or_33_s1_q;
+      select_34_s2_q <= select_34_s1_q;
       memory_rdata_s2_q <= memory_rdata_q;
     end
   end
@@ -116,34 +128,34 @@ module horopter_dsad (
   logic [3:0] raster_rows_q;
   logic [7:0] mask_columns_values_0_q;
   // hls/stages/dsad.hpp:42
-  logic [3:0] select_34;
-  assign select_34 = marks_first_s2_q ? 4'h0 : raster_rows_q;
-  logic equal_35;
-  assign equal_35 = select_34 == 4'h0;
+  logic [3:0] select_36;
+  assign select_36 = marks_first_s2_q ? 4'h0 : raster_rows_q;
   logic equal_37;
-  assign equal_37 = select_34 == 4'h9;
+  assign equal_37 = select_36 == 4'h0;
+  logic equal_39;
+  assign equal_39 = select_36 == 4'h9;
   // hls/stages/dsad.hpp:51
   logic [3:0] leaving;
-  assign leaving = equal_37 ? memory_rdata_s2_q[35:32] : 4'h0;
+  assign leaving = equal_39 ? memory_rdata_s2_q[35:32] : 4'h0;
   logic [3:0] leaving_2;
-  assign leaving_2 = equal_37 ? memory_rdata_s2_q[71:68] : 4'h0;
+  assign leaving_2 = equal_39 ? memory_rdata_s2_q[71:68] : 4'h0;
   // hls/stages/dsad.hpp:52
-  logic [7:0] select_45;
-  assign select_45 = equal_35 ? 8'h0 : memory_rdata_s2_q[95:88];
+  logic [7:0] select_47;
+  assign select_47 = equal_37 ? 8'h0 : memory_rdata_s2_q[95:88];
   // hls/stages/dsad.hpp:42
-  logic not_47;
-  assign not_47 = ~equal_37;
+  logic not_49;
+  assign not_49 = ~equal_39;
   // hls/stages/dsad.hpp:62
-  logic equal_59;
-  assign equal_59 = {select_45, mask_s2_q} == 9'h1ff;
-  logic [7:0] select_60;
-  assign select_60 = or_31_s2_q ? 8'h0 : mask_columns_values_0_q;
+  logic equal_61;
+  assign equal_61 = {select_47, mask_s2_q} == 9'h1ff;
+  logic [7:0] select_62;
+  assign select_62 = or_33_s2_q ? 8'h0 : mask_columns_values_0_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       raster_rows_q <= 4'h0;
     end else if (s2_en) begin
-      raster_rows_q <= marks_last_s2_q ? (select_34 + {3'h0, not_47}) : select_34;
+      raster_rows_q <= marks_last_s2_q ? (select_36 + {3'h0, not_49}) : select_36;
     end
   end
 
@@ -155,7 +167,7 @@ module horopter_dsad (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s2_en) begin
-      mask_columns_values_0_q <= {select_60[6:0], equal_59};
+      mask_columns_values_0_q <= {select_62[6:0], equal_61};
     end
   end
 
@@ -165,15 +177,17 @@ module horopter_dsad (
   logic mask_s3_q;
   logic marks_first_s3_q;
   logic marks_last_s3_q;
-  logic or_31_s3_q;
-  logic [10:0] select_32_s3_q;
+  logic marks_seen_s3_q;
+  logic marks_nearer_s3_q;
+  logic or_33_s3_q;
+  logic [10:0] select_34_s3_q;
   logic [63:0] memory_rdata_s3_q;
-  logic [7:0] select_36_s3_q;
+  logic [7:0] select_38_s3_q;
   logic [3:0] leaving_s3_q;
-  logic [7:0] select_41_s3_q;
+  logic [7:0] select_43_s3_q;
   logic [3:0] leaving_2_s3_q;
-  logic [6:0] select_45_s3_q;
-  logic select_60_s3_q;
+  logic [6:0] select_47_s3_q;
+  logic select_62_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       difference_0_s3_q <= difference_0_s2_q;
@@ -182,15 +196,17 @@ module horopter_dsad (
       mask_s3_q <= mask_s2_q;
       marks_first_s3_q <= marks_first_s2_q;
       marks_last_s3_q <= marks_last_s2_q;
-      or_31_s3_q <= or_31_s2_q;
-      select_32_s3_q <= select_32_s2_q;
+      marks_seen_s3_q <= marks_seen_s2_q;
+      marks_nearer_s3_q <= marks_nearer_s2_q;
+      or_33_s3_q <= or_33_s2_q;
+      select_34_s3_q <= select_34_s2_q;
       memory_rdata_s3_q <= {memory_rdata_s2_q[67:36], memory_rdata_s2_q[31:0]};
-      select_36_s3_q <= equal_35 ? 8'h0 : memory_rdata_s2_q[79:72];
+      select_38_s3_q <= equal_37 ? 8'h0 : memory_rdata_s2_q[79:72];
       leaving_s3_q <= leaving;
-      select_41_s3_q <= equal_35 ? 8'h0 : memory_rdata_s2_q[87:80];
+      select_43_s3_q <= equal_37 ? 8'h0 : memory_rdata_s2_q[87:80];
       leaving_2_s3_q <= leaving_2;
-      select_45_s3_q <= select_45[6:0];
-      select_60_s3_q <= select_60[7];
+      select_47_s3_q <= select_47[6:0];
+      select_62_s3_q <= select_62[7];
     end
   end
 
@@ -214,13 +230,13 @@ module horopter_dsad (
   logic [7:0] columns_values_values_8_0_q;
   logic [7:0] columns_values_values_8_1_q;
   // hls/stages/dsad.hpp:52
-  logic [4:0] difference_39;
-  assign difference_39 = {1'b0, difference_0_s3_q} - {1'b0, leaving_s3_q};
-  logic [4:0] difference_43;
-  assign difference_43 = {1'b0, difference_1_s3_q} - {1'b0, leaving_2_s3_q};
+  logic [4:0] difference_41;
+  assign difference_41 = {1'b0, difference_0_s3_q} - {1'b0, leaving_s3_q};
+  logic [4:0] difference_45;
+  assign difference_45 = {1'b0, difference_1_s3_q} - {1'b0, leaving_2_s3_q};
   // hls/stages/dsad.hpp:57
-  logic less_50;
-  assign less_50 = 11'h8 < select_32_s3_q;
+  logic less_52;
+  assign less_52 = 11'h8 < select_34_s3_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -243,8 +259,8 @@ module horopter_dsad (
       columns_values_values_8_0_q <= 8'h0;
       columns_values_values_8_1_q <= 8'h0;
     end else if (s3_en) begin
-      columns_values_values_0_0_q <= select_36_s3_q + {{3{difference_39[4]}}, difference_39};
-      columns_values_values_0_1_q <= select_41_s3_q + {{3{difference_43[4]}}, difference_43};
+      columns_values_values_0_0_q <= select_38_s3_q + {{3{difference_41[4]}}, difference_41};
+      columns_values_values_0_1_q <= select_43_s3_q + {{3{difference_45[4]}}, difference_45};
       columns_values_values_1_0_q <= columns_values_values_0_0_q;
       columns_values_values_1_1_q <= columns_values_values_0_1_q;
       columns_values_values_2_0_q <= columns_values_values_1_0_q;
@@ -270,13 +286,15 @@ module horopter_dsad (
   logic mask_s4_q;
   logic marks_first_s4_q;
   logic marks_last_s4_q;
-  logic or_31_s4_q;
-  logic [10:0] select_32_s4_q;
+  logic marks_seen_s4_q;
+  logic marks_nearer_s4_q;
+  logic or_33_s4_q;
+  logic [10:0] select_34_s4_q;
   logic [63:0] memory_rdata_s4_q;
-  logic [6:0] select_45_s4_q;
-  logic [7:0] select_51_s4_q;
-  logic [7:0] select_55_s4_q;
-  logic equal_61_s4_q;
+  logic [6:0] select_47_s4_q;
+  logic [7:0] select_53_s4_q;
+  logic [7:0] select_57_s4_q;
+  logic equal_63_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       difference_0_s4_q <= difference_0_s3_q;
@@ -285,13 +303,15 @@ module horopter_dsad (
       mask_s4_q <= mask_s3_q;
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= marks_last_s3_q;
-      or_31_s4_q <= or_31_s3_q;
-      select_32_s4_q <= select_32_s3_q;
+      marks_seen_s4_q <= marks_seen_s3_q;
+      marks_nearer_s4_q <= marks_nearer_s3_q;
+      or_33_s4_q <= or_33_s3_q;
+      select_34_s4_q <= select_34_s3_q;
       memory_rdata_s4_q <= memory_rdata_s3_q;
-      select_45_s4_q <= select_45_s3_q;
-      select_51_s4_q <= less_50 ? columns_values_values_8_0_q : 8'h0;
-      select_55_s4_q <= less_50 ? columns_values_values_8_1_q : 8'h0;
-      equal_61_s4_q <= {select_60_s3_q, mask_columns_values_0_q} == 9'h1ff;
+      select_47_s4_q <= select_47_s3_q;
+      select_53_s4_q <= less_52 ? columns_values_values_8_0_q : 8'h0;
+      select_57_s4_q <= less_52 ? columns_values_values_8_1_q : 8'h0;
+      equal_63_s4_q <= {select_62_s3_q, mask_columns_values_0_q} == 9'h1ff;
     end
   end
 
@@ -299,22 +319,22 @@ module horopter_dsad (
   logic [10:0] rows_0_sums_values_0_q;
   logic [10:0] rows_1_sums_values_0_q;
   // hls/stages/dsad.hpp:60
-  logic [8:0] difference_52;
-  assign difference_52 = {1'b0, columns_values_values_0_0_q} - {1'b0, select_51_s4_q};
-  logic [10:0] sum_54;
-  assign sum_54 = {{2{difference_52[8]}}, difference_52} + (or_31_s4_q ? 11'h0 : rows_0_sums_values_0_q);
-  logic [8:0] difference_56;
-  assign difference_56 = {1'b0, columns_values_values_0_1_q} - {1'b0, select_55_s4_q};
-  logic [10:0] sum_58;
-  assign sum_58 = {{2{difference_56[8]}}, difference_56} + (or_31_s4_q ? 11'h0 : rows_1_sums_values_0_q);
+  logic [8:0] difference_54;
+  assign difference_54 = {1'b0, columns_values_values_0_0_q} - {1'b0, select_53_s4_q};
+  logic [10:0] sum_56;
+  assign sum_56 = {{2{difference_54[8]}}, difference_54} + (or_33_s4_q ? 11'h0 : rows_0_sums_values_0_q);
+  logic [8:0] difference_58;
+  assign difference_58 = {1'b0, columns_values_values_0_1_q} - {1'b0, select_57_s4_q};
+  logic [10:0] sum_60;
+  assign sum_60 = {{2{difference_58[8]}}, difference_58} + (or_33_s4_q ? 11'h0 : rows_1_sums_values_0_q);
 
   // Memory memory, write
   logic [10:0] memory_waddr;
-  assign memory_waddr = select_32_s4_q;
+  assign memory_waddr = select_34_s4_q;
   logic memory_we;
   assign memory_we = s4_en;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (memory_we) memory_mem[memory_waddr] <= {select_45_s4_q, mask_s4_q, columns_values_values_0_1_q, columns_values_values_0_0_q, memory_rdata_s4_q[63:32], difference_1_s4_q, memory_rdata_s4_q[31:0], difference_0_s4_q};
+    if (memory_we) memory_mem[memory_waddr] <= {select_47_s4_q, mask_s4_q, columns_values_values_0_1_q, columns_values_values_0_0_q, memory_rdata_s4_q[63:32], difference_1_s4_q, memory_rdata_s4_q[31:0], difference_0_s4_q};
   end
 `ifndef SYNTHESIS
   logic [10:0] memory_raddr_s1_sim;
@@ -366,21 +386,25 @@ module horopter_dsad (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s4_en) begin
-      rows_0_sums_values_0_q <= sum_54;
-      rows_1_sums_values_0_q <= sum_58;
+      rows_0_sums_values_0_q <= sum_56;
+      rows_1_sums_values_0_q <= sum_60;
     end
   end
 
   logic textured_s5_q;
   logic marks_first_s5_q;
   logic marks_last_s5_q;
-  logic equal_61_s5_q;
+  logic marks_seen_s5_q;
+  logic marks_nearer_s5_q;
+  logic equal_63_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
       textured_s5_q <= textured_s4_q;
       marks_first_s5_q <= marks_first_s4_q;
       marks_last_s5_q <= marks_last_s4_q;
-      equal_61_s5_q <= equal_61_s4_q;
+      marks_seen_s5_q <= marks_seen_s4_q;
+      marks_nearer_s5_q <= marks_nearer_s4_q;
+      equal_63_s5_q <= equal_63_s4_q;
     end
   end
 
@@ -388,9 +412,11 @@ module horopter_dsad (
   assign sum_0_o = rows_0_sums_values_0_q;
   assign sum_1_o = rows_1_sums_values_0_q;
   assign textured_o = textured_s5_q;
-  assign mask_o = equal_61_s5_q;
+  assign mask_o = equal_63_s5_q;
   assign marks_first_o = marks_first_s5_q;
   assign marks_last_o = marks_last_s5_q;
+  assign marks_seen_o = marks_seen_s5_q;
+  assign marks_nearer_o = marks_nearer_s5_q;
   assign valid_o = valid_s5_q;
 
   always_ff @(posedge clk_i) begin

@@ -3,7 +3,7 @@
 //
 // Latency 5 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 57 bits, pipeline 223 bits, memories 69120 bits.
+// State 57 bits, pipeline 233 bits, memories 69120 bits.
 module horopter_lowpass (
   input  logic clk_i,
   input  logic rst_ni,
@@ -15,13 +15,17 @@ module horopter_lowpass (
   input  logic mask_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
+  input  logic marks_seen_i,
+  input  logic marks_nearer_i,
   output logic valid_o,
   output logic [7:0] pixel_0_o,
   output logic [7:0] pixel_1_o,
   output logic saturated_o,
   output logic mask_o,
   output logic marks_first_o,
-  output logic marks_last_o
+  output logic marks_last_o,
+  output logic marks_seen_o,
+  output logic marks_nearer_o
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
@@ -37,10 +41,10 @@ module horopter_lowpass (
   logic [10:0] raster_column_q;
   logic raster_row_ended_q;
   // hls/stages/lowpass.hpp:27
-  logic or_16;
-  assign or_16 = marks_first_i | raster_row_ended_q;
-  logic [10:0] select_17;
-  assign select_17 = or_16 ? 11'h0 : raster_column_q;
+  logic or_18;
+  assign or_18 = marks_first_i | raster_row_ended_q;
+  logic [10:0] select_19;
+  assign select_19 = or_18 ? 11'h0 : raster_column_q;
 
   // Memory memory, 1920 x 36, DISTANCE 16, hls/stages/lowpass.hpp:58; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -50,7 +54,7 @@ module horopter_lowpass (
   initial for (int i = 0; i < 1920; i++) memory_mem[i] = 36'h0;
 `endif
   logic [10:0] memory_raddr;
-  assign memory_raddr = select_17;
+  assign memory_raddr = select_19;
   logic memory_re;
   assign memory_re = s0_en;
   logic [35:0] memory_rdata_q;
@@ -63,7 +67,7 @@ module horopter_lowpass (
       raster_column_q <= 11'h0;
       raster_row_ended_q <= 1'b1;
     end else if (s0_en) begin
-      raster_column_q <= select_17 + 11'h1;
+      raster_column_q <= select_19 + 11'h1;
       raster_row_ended_q <= marks_last_i;
     end
   end
@@ -73,8 +77,10 @@ module horopter_lowpass (
   logic saturated_s1_q;
   logic mask_s1_q;
   logic marks_first_s1_q;
-  logic or_16_s1_q;
-  logic [10:0] select_17_s1_q;
+  logic marks_seen_s1_q;
+  logic marks_nearer_s1_q;
+  logic or_18_s1_q;
+  logic [10:0] select_19_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       pixel_0_s1_q <= pixel_0_i;
@@ -82,8 +88,10 @@ module horopter_lowpass (
       saturated_s1_q <= saturated_i;
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;
-      or_16_s1_q <= or_16;
-      select_17_s1_q <= select_17;
+      marks_seen_s1_q <= marks_seen_i;
+      marks_nearer_s1_q <= marks_nearer_i;
+      or_18_s1_q <= or_18;
+      select_19_s1_q <= select_19;
     end
   end
 
@@ -95,8 +103,10 @@ module horopter_lowpass (
   logic mask_s2_q;
   logic marks_first_s2_q;
   logic marks_last_s2_q;
-  logic or_16_s2_q;
-  logic [10:0] select_17_s2_q;
+  logic marks_seen_s2_q;
+  logic marks_nearer_s2_q;
+  logic or_18_s2_q;
+  logic [10:0] select_19_s2_q;
   logic [35:0] memory_rdata_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
@@ -106,8 +116,10 @@ module horopter_lowpass (
       mask_s2_q <= mask_s1_q;
       marks_first_s2_q <= marks_first_s1_q;
       marks_last_s2_q <= raster_row_ended_q;
-      or_16_s2_q <= or_16_s1_q;
-      select_17_s2_q <= select_17_s1_q;
+      marks_seen_s2_q <= marks_seen_s1_q;
+      marks_nearer_s2_q <= marks_nearer_s1_q;
+      or_18_s2_q <= or_18_s1_q;
+      select_19_s2_q <= select_19_s1_q;
       memory_rdata_s2_q <= memory_rdata_q;
     end
   end
@@ -117,35 +129,35 @@ module horopter_lowpass (
   logic [1:0] mask_columns_values_0_q;
   logic [1:0] saturated_columns_values_0_q;
   // hls/stages/lowpass.hpp:27
-  logic and_20;
-  assign and_20 = raster_rows_q & (~marks_first_s2_q);
+  logic and_22;
+  assign and_22 = raster_rows_q & (~marks_first_s2_q);
   // hls/stages/lowpass.hpp:43
-  logic [1:0] select_21;
-  assign select_21 = and_20 ? memory_rdata_s2_q[33:32] : 2'h0;
+  logic [1:0] select_23;
+  assign select_23 = and_22 ? memory_rdata_s2_q[33:32] : 2'h0;
   // hls/stages/lowpass.hpp:44
-  logic [1:0] select_22;
-  assign select_22 = and_20 ? memory_rdata_s2_q[35:34] : 2'h0;
+  logic [1:0] select_24;
+  assign select_24 = and_22 ? memory_rdata_s2_q[35:34] : 2'h0;
   // hls/stages/lowpass.hpp:35
-  logic [8:0] sum_25;
-  assign sum_25 = {1'b0, memory_rdata_s2_q[7:0]} + {2'h0, memory_rdata_s2_q[23:17]};
   logic [8:0] sum_27;
-  assign sum_27 = {1'b0, memory_rdata_s2_q[15:8]} + {2'h0, memory_rdata_s2_q[31:25]};
+  assign sum_27 = {1'b0, memory_rdata_s2_q[7:0]} + {2'h0, memory_rdata_s2_q[23:17]};
+  logic [8:0] sum_29;
+  assign sum_29 = {1'b0, memory_rdata_s2_q[15:8]} + {2'h0, memory_rdata_s2_q[31:25]};
   // hls/stages/lowpass.hpp:43
-  logic equal_29;
-  assign equal_29 = {select_21, mask_s2_q} == 3'h7;
-  logic [1:0] select_30;
-  assign select_30 = or_16_s2_q ? 2'h0 : mask_columns_values_0_q;
-  // hls/stages/lowpass.hpp:44
   logic equal_31;
-  assign equal_31 = {select_22, saturated_s2_q} == 3'h7;
+  assign equal_31 = {select_23, mask_s2_q} == 3'h7;
   logic [1:0] select_32;
-  assign select_32 = or_16_s2_q ? 2'h0 : saturated_columns_values_0_q;
+  assign select_32 = or_18_s2_q ? 2'h0 : mask_columns_values_0_q;
+  // hls/stages/lowpass.hpp:44
+  logic equal_33;
+  assign equal_33 = {select_24, saturated_s2_q} == 3'h7;
+  logic [1:0] select_34;
+  assign select_34 = or_18_s2_q ? 2'h0 : saturated_columns_values_0_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       raster_rows_q <= 1'b0;
     end else if (s2_en) begin
-      raster_rows_q <= marks_last_s2_q | and_20;
+      raster_rows_q <= marks_last_s2_q | and_22;
     end
   end
 
@@ -158,8 +170,8 @@ module horopter_lowpass (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s2_en) begin
-      mask_columns_values_0_q <= {select_30[0], equal_29};
-      saturated_columns_values_0_q <= {select_32[0], equal_31};
+      mask_columns_values_0_q <= {select_32[0], equal_31};
+      saturated_columns_values_0_q <= {select_34[0], equal_33};
     end
   end
 
@@ -169,14 +181,16 @@ module horopter_lowpass (
   logic mask_s3_q;
   logic marks_first_s3_q;
   logic marks_last_s3_q;
-  logic [10:0] select_17_s3_q;
+  logic marks_seen_s3_q;
+  logic marks_nearer_s3_q;
+  logic [10:0] select_19_s3_q;
   logic [17:0] memory_rdata_s3_q;
-  logic select_21_s3_q;
-  logic select_22_s3_q;
-  logic [8:0] sum_25_s3_q;
+  logic select_23_s3_q;
+  logic select_24_s3_q;
   logic [8:0] sum_27_s3_q;
-  logic equal_39_s3_q;
-  logic equal_40_s3_q;
+  logic [8:0] sum_29_s3_q;
+  logic equal_41_s3_q;
+  logic equal_42_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       pixel_0_s3_q <= pixel_0_s2_q;
@@ -185,14 +199,16 @@ module horopter_lowpass (
       mask_s3_q <= mask_s2_q;
       marks_first_s3_q <= marks_first_s2_q;
       marks_last_s3_q <= marks_last_s2_q;
-      select_17_s3_q <= select_17_s2_q;
+      marks_seen_s3_q <= marks_seen_s2_q;
+      marks_nearer_s3_q <= marks_nearer_s2_q;
+      select_19_s3_q <= select_19_s2_q;
       memory_rdata_s3_q <= {memory_rdata_s2_q[24], memory_rdata_s2_q[16:0]};
-      select_21_s3_q <= select_21[0];
-      select_22_s3_q <= select_22[0];
-      sum_25_s3_q <= sum_25;
+      select_23_s3_q <= select_23[0];
+      select_24_s3_q <= select_24[0];
       sum_27_s3_q <= sum_27;
-      equal_39_s3_q <= {select_32, equal_31} == 3'h7;
-      equal_40_s3_q <= {select_30, equal_29} == 3'h7;
+      sum_29_s3_q <= sum_29;
+      equal_41_s3_q <= {select_34, equal_33} == 3'h7;
+      equal_42_s3_q <= {select_32, equal_31} == 3'h7;
     end
   end
 
@@ -203,17 +219,17 @@ module horopter_lowpass (
   logic [9:0] columns_1_values_1_q;
   // hls/stages/lowpass.hpp:35
   logic [9:0] sum;
-  assign sum = {2'h0, pixel_0_s3_q} + {sum_25_s3_q, memory_rdata_s3_q[16]};
+  assign sum = {2'h0, pixel_0_s3_q} + {sum_27_s3_q, memory_rdata_s3_q[16]};
   logic [9:0] sum_2;
-  assign sum_2 = {2'h0, pixel_1_s3_q} + {sum_27_s3_q, memory_rdata_s3_q[17]};
+  assign sum_2 = {2'h0, pixel_1_s3_q} + {sum_29_s3_q, memory_rdata_s3_q[17]};
 
   // Memory memory, write
   logic [10:0] memory_waddr;
-  assign memory_waddr = select_17_s3_q;
+  assign memory_waddr = select_19_s3_q;
   logic memory_we;
   assign memory_we = s3_en;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (memory_we) memory_mem[memory_waddr] <= {select_22_s3_q, saturated_s3_q, select_21_s3_q, mask_s3_q, memory_rdata_s3_q[15:0], pixel_1_s3_q, pixel_0_s3_q};
+    if (memory_we) memory_mem[memory_waddr] <= {select_24_s3_q, saturated_s3_q, select_23_s3_q, mask_s3_q, memory_rdata_s3_q[15:0], pixel_1_s3_q, pixel_0_s3_q};
   end
 `ifndef SYNTHESIS
   logic [10:0] memory_raddr_s1_sim;
@@ -268,61 +284,71 @@ module horopter_lowpass (
 
   logic marks_first_s4_q;
   logic marks_last_s4_q;
+  logic marks_seen_s4_q;
+  logic marks_nearer_s4_q;
   logic columns_0_values_1_s4_q;
   logic columns_1_values_1_s4_q;
-  logic [10:0] sum_33_s4_q;
-  logic [10:0] sum_36_s4_q;
-  logic equal_39_s4_q;
-  logic equal_40_s4_q;
+  logic [10:0] sum_35_s4_q;
+  logic [10:0] sum_38_s4_q;
+  logic equal_41_s4_q;
+  logic equal_42_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= marks_last_s3_q;
+      marks_seen_s4_q <= marks_seen_s3_q;
+      marks_nearer_s4_q <= marks_nearer_s3_q;
       columns_0_values_1_s4_q <= columns_0_values_1_q[0];
       columns_1_values_1_s4_q <= columns_1_values_1_q[0];
-      sum_33_s4_q <= {1'b0, columns_0_values_0_q} + {2'h0, columns_0_values_1_q[9:1]};
-      sum_36_s4_q <= {1'b0, columns_1_values_0_q} + {2'h0, columns_1_values_1_q[9:1]};
-      equal_39_s4_q <= equal_39_s3_q;
-      equal_40_s4_q <= equal_40_s3_q;
+      sum_35_s4_q <= {1'b0, columns_0_values_0_q} + {2'h0, columns_0_values_1_q[9:1]};
+      sum_38_s4_q <= {1'b0, columns_1_values_0_q} + {2'h0, columns_1_values_1_q[9:1]};
+      equal_41_s4_q <= equal_41_s3_q;
+      equal_42_s4_q <= equal_42_s3_q;
     end
   end
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
   // hls/stages/lowpass.hpp:38
-  logic [11:0] sum_34;
-  assign sum_34 = {sum_33_s4_q, columns_0_values_1_s4_q} + {2'h0, columns_0_values_0_q};
-  logic [8:0] sum_35;
-  assign sum_35 = sum_34[11:3] + 9'h1;
-  logic [11:0] sum_37;
-  assign sum_37 = {sum_36_s4_q, columns_1_values_1_s4_q} + {2'h0, columns_1_values_0_q};
+  logic [11:0] sum_36;
+  assign sum_36 = {sum_35_s4_q, columns_0_values_1_s4_q} + {2'h0, columns_0_values_0_q};
+  logic [8:0] sum_37;
+  assign sum_37 = sum_36[11:3] + 9'h1;
+  logic [11:0] sum_39;
+  assign sum_39 = {sum_38_s4_q, columns_1_values_1_s4_q} + {2'h0, columns_1_values_0_q};
   // hls/stages/lowpass.hpp:48
-  logic [8:0] sum_38;
-  assign sum_38 = sum_37[11:3] + 9'h1;
+  logic [8:0] sum_40;
+  assign sum_40 = sum_39[11:3] + 9'h1;
 
   logic marks_first_s5_q;
   logic marks_last_s5_q;
-  logic [7:0] sum_35_s5_q;
-  logic [7:0] sum_38_s5_q;
-  logic equal_39_s5_q;
-  logic equal_40_s5_q;
+  logic marks_seen_s5_q;
+  logic marks_nearer_s5_q;
+  logic [7:0] sum_37_s5_q;
+  logic [7:0] sum_40_s5_q;
+  logic equal_41_s5_q;
+  logic equal_42_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
       marks_first_s5_q <= marks_first_s4_q;
       marks_last_s5_q <= marks_last_s4_q;
-      sum_35_s5_q <= sum_35[8:1];
-      sum_38_s5_q <= sum_38[8:1];
-      equal_39_s5_q <= equal_39_s4_q;
-      equal_40_s5_q <= equal_40_s4_q;
+      marks_seen_s5_q <= marks_seen_s4_q;
+      marks_nearer_s5_q <= marks_nearer_s4_q;
+      sum_37_s5_q <= sum_37[8:1];
+      sum_40_s5_q <= sum_40[8:1];
+      equal_41_s5_q <= equal_41_s4_q;
+      equal_42_s5_q <= equal_42_s4_q;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign pixel_0_o = sum_35_s5_q;
-  assign pixel_1_o = sum_38_s5_q;
-  assign saturated_o = equal_39_s5_q;
-  assign mask_o = equal_40_s5_q;
+  assign pixel_0_o = sum_37_s5_q;
+  assign pixel_1_o = sum_40_s5_q;
+  assign saturated_o = equal_41_s5_q;
+  assign mask_o = equal_42_s5_q;
   assign marks_first_o = marks_first_s5_q;
   assign marks_last_o = marks_last_s5_q;
+  assign marks_seen_o = marks_seen_s5_q;
+  assign marks_nearer_o = marks_nearer_s5_q;
   assign valid_o = valid_s5_q;
 
   always_ff @(posedge clk_i) begin
@@ -343,6 +369,6 @@ module horopter_lowpass (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_38[0], sum_37[2:0], sum_35[0], sum_34[2:0]};
+  assign unused_bits = ^{sum_40[0], sum_39[2:0], sum_37[0], sum_36[2:0]};
 
 endmodule

@@ -3,7 +3,7 @@
 //
 // Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 115 bits, pipeline 167 bits, memories 34560 bits.
+// State 115 bits, pipeline 185 bits, memories 34560 bits.
 module horopter_majority (
   input  logic clk_i,
   input  logic rst_ni,
@@ -14,10 +14,14 @@ module horopter_majority (
   input  logic mask_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
+  input  logic marks_seen_i,
+  input  logic marks_nearer_i,
   output logic valid_o,
   output logic [1:0] state_o,
   output logic marks_first_o,
-  output logic marks_last_o
+  output logic marks_last_o,
+  output logic marks_seen_o,
+  output logic marks_nearer_o
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
@@ -37,10 +41,10 @@ module horopter_majority (
   logic [10:0] raster_column_q;
   logic raster_row_ended_q;
   // hls/stages/majority.hpp:38
-  logic or_18;
-  assign or_18 = marks_first_i | raster_row_ended_q;
-  logic [10:0] select_19;
-  assign select_19 = or_18 ? 11'h0 : raster_column_q;
+  logic or_20;
+  assign or_20 = marks_first_i | raster_row_ended_q;
+  logic [10:0] select_21;
+  assign select_21 = or_20 ? 11'h0 : raster_column_q;
 
   // Memory memory, 1920 x 18, DISTANCE 16, hls/stages/majority.hpp:72; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -50,7 +54,7 @@ module horopter_majority (
   initial for (int i = 0; i < 1920; i++) memory_mem[i] = 18'h0;
 `endif
   logic [10:0] memory_raddr;
-  assign memory_raddr = select_19;
+  assign memory_raddr = select_21;
   logic memory_re;
   assign memory_re = s0_en;
   logic [17:0] memory_rdata_q;
@@ -63,7 +67,7 @@ module horopter_majority (
       raster_column_q <= 11'h0;
       raster_row_ended_q <= 1'b1;
     end else if (s0_en) begin
-      raster_column_q <= select_19 + 11'h1;
+      raster_column_q <= select_21 + 11'h1;
       raster_row_ended_q <= marks_last_i;
     end
   end
@@ -71,17 +75,21 @@ module horopter_majority (
   logic decidable_s1_q;
   logic mask_s1_q;
   logic marks_first_s1_q;
-  logic or_18_s1_q;
-  logic [10:0] select_19_s1_q;
-  logic and_21_s1_q;
+  logic marks_seen_s1_q;
+  logic marks_nearer_s1_q;
+  logic or_20_s1_q;
+  logic [10:0] select_21_s1_q;
+  logic and_23_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       decidable_s1_q <= decidable_i;
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;
-      or_18_s1_q <= or_18;
-      select_19_s1_q <= select_19;
-      and_21_s1_q <= skin_i & decidable_i;
+      marks_seen_s1_q <= marks_seen_i;
+      marks_nearer_s1_q <= marks_nearer_i;
+      or_20_s1_q <= or_20;
+      select_21_s1_q <= select_21;
+      and_23_s1_q <= skin_i & decidable_i;
     end
   end
 
@@ -91,20 +99,24 @@ module horopter_majority (
   logic mask_s2_q;
   logic marks_first_s2_q;
   logic marks_last_s2_q;
-  logic or_18_s2_q;
-  logic [10:0] select_19_s2_q;
+  logic marks_seen_s2_q;
+  logic marks_nearer_s2_q;
+  logic or_20_s2_q;
+  logic [10:0] select_21_s2_q;
   logic [17:0] memory_rdata_s2_q;
-  logic and_21_s2_q;
+  logic and_23_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       decidable_s2_q <= decidable_s1_q;
       mask_s2_q <= mask_s1_q;
       marks_first_s2_q <= marks_first_s1_q;
       marks_last_s2_q <= raster_row_ended_q;
-      or_18_s2_q <= or_18_s1_q;
-      select_19_s2_q <= select_19_s1_q;
+      marks_seen_s2_q <= marks_seen_s1_q;
+      marks_nearer_s2_q <= marks_nearer_s1_q;
+      or_20_s2_q <= or_20_s1_q;
+      select_21_s2_q <= select_21_s1_q;
       memory_rdata_s2_q <= memory_rdata_q;
-      and_21_s2_q <= and_21_s1_q;
+      and_23_s2_q <= and_23_s1_q;
     end
   end
 
@@ -112,27 +124,27 @@ module horopter_majority (
   logic raster_rows_q;
   logic [5:0] mask_columns_values_0_q;
   // hls/stages/majority.hpp:38
-  logic and_23;
-  assign and_23 = raster_rows_q & (~marks_first_s2_q);
+  logic and_25;
+  assign and_25 = raster_rows_q & (~marks_first_s2_q);
   // hls/stages/majority.hpp:52
-  logic [5:0] select_24;
-  assign select_24 = and_23 ? memory_rdata_s2_q[17:12] : 6'h0;
+  logic [5:0] select_26;
+  assign select_26 = and_25 ? memory_rdata_s2_q[17:12] : 6'h0;
   // hls/stages/majority.hpp:49
-  logic [1:0] sum_28;
-  assign sum_28 = {1'b0, memory_rdata_s2_q[7]} + ({1'b0, memory_rdata_s2_q[6]} + {1'b0, and_21_s2_q});
-  logic [1:0] sum_34;
-  assign sum_34 = {1'b0, memory_rdata_s2_q[1]} + ({1'b0, decidable_s2_q} + {1'b0, memory_rdata_s2_q[0]});
+  logic [1:0] sum_30;
+  assign sum_30 = {1'b0, memory_rdata_s2_q[7]} + ({1'b0, memory_rdata_s2_q[6]} + {1'b0, and_23_s2_q});
+  logic [1:0] sum_36;
+  assign sum_36 = {1'b0, memory_rdata_s2_q[1]} + ({1'b0, decidable_s2_q} + {1'b0, memory_rdata_s2_q[0]});
   // hls/stages/majority.hpp:52
-  logic equal_44;
-  assign equal_44 = {select_24, mask_s2_q} == 7'h7f;
-  logic [5:0] select_45;
-  assign select_45 = or_18_s2_q ? 6'h0 : mask_columns_values_0_q;
+  logic equal_46;
+  assign equal_46 = {select_26, mask_s2_q} == 7'h7f;
+  logic [5:0] select_47;
+  assign select_47 = or_20_s2_q ? 6'h0 : mask_columns_values_0_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       raster_rows_q <= 1'b0;
     end else if (s2_en) begin
-      raster_rows_q <= marks_last_s2_q | and_23;
+      raster_rows_q <= marks_last_s2_q | and_25;
     end
   end
 
@@ -144,7 +156,7 @@ module horopter_majority (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s2_en) begin
-      mask_columns_values_0_q <= {select_45[4:0], equal_44};
+      mask_columns_values_0_q <= {select_47[4:0], equal_46};
     end
   end
 
@@ -152,28 +164,32 @@ module horopter_majority (
   logic mask_s3_q;
   logic marks_first_s3_q;
   logic marks_last_s3_q;
-  logic or_18_s3_q;
-  logic [10:0] select_19_s3_q;
+  logic marks_seen_s3_q;
+  logic marks_nearer_s3_q;
+  logic or_20_s3_q;
+  logic [10:0] select_21_s3_q;
   logic [11:0] memory_rdata_s3_q;
-  logic and_21_s3_q;
-  logic [4:0] select_24_s3_q;
-  logic [1:0] sum_28_s3_q;
-  logic [1:0] sum_34_s3_q;
-  logic select_45_s3_q;
+  logic and_23_s3_q;
+  logic [4:0] select_26_s3_q;
+  logic [1:0] sum_30_s3_q;
+  logic [1:0] sum_36_s3_q;
+  logic select_47_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       decidable_s3_q <= decidable_s2_q;
       mask_s3_q <= mask_s2_q;
       marks_first_s3_q <= marks_first_s2_q;
       marks_last_s3_q <= marks_last_s2_q;
-      or_18_s3_q <= or_18_s2_q;
-      select_19_s3_q <= select_19_s2_q;
+      marks_seen_s3_q <= marks_seen_s2_q;
+      marks_nearer_s3_q <= marks_nearer_s2_q;
+      or_20_s3_q <= or_20_s2_q;
+      select_21_s3_q <= select_21_s2_q;
       memory_rdata_s3_q <= memory_rdata_s2_q[11:0];
-      and_21_s3_q <= and_21_s2_q;
-      select_24_s3_q <= select_24[4:0];
-      sum_28_s3_q <= sum_28;
-      sum_34_s3_q <= sum_34;
-      select_45_s3_q <= select_45[5];
+      and_23_s3_q <= and_23_s2_q;
+      select_26_s3_q <= select_26[4:0];
+      sum_30_s3_q <= sum_30;
+      sum_36_s3_q <= sum_36;
+      select_47_s3_q <= select_47[5];
     end
   end
 
@@ -181,11 +197,11 @@ module horopter_majority (
 
   // Memory memory, write
   logic [10:0] memory_waddr;
-  assign memory_waddr = select_19_s3_q;
+  assign memory_waddr = select_21_s3_q;
   logic memory_we;
   assign memory_we = s3_en;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (memory_we) memory_mem[memory_waddr] <= {select_24_s3_q, mask_s3_q, memory_rdata_s3_q[10:6], and_21_s3_q, memory_rdata_s3_q[4:0], decidable_s3_q};
+    if (memory_we) memory_mem[memory_waddr] <= {select_26_s3_q, mask_s3_q, memory_rdata_s3_q[10:6], and_23_s3_q, memory_rdata_s3_q[4:0], decidable_s3_q};
   end
 `ifndef SYNTHESIS
   logic [10:0] memory_raddr_s1_sim;
@@ -222,22 +238,26 @@ module horopter_majority (
 
   logic marks_first_s4_q;
   logic marks_last_s4_q;
-  logic or_18_s4_q;
+  logic marks_seen_s4_q;
+  logic marks_nearer_s4_q;
+  logic or_20_s4_q;
   logic [5:0] memory_rdata_s4_q;
-  logic [2:0] sum_29_s4_q;
-  logic [2:0] sum_35_s4_q;
-  logic less_39_s4_q;
-  logic equal_46_s4_q;
+  logic [2:0] sum_31_s4_q;
+  logic [2:0] sum_37_s4_q;
+  logic less_41_s4_q;
+  logic equal_48_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= marks_last_s3_q;
-      or_18_s4_q <= or_18_s3_q;
+      marks_seen_s4_q <= marks_seen_s3_q;
+      marks_nearer_s4_q <= marks_nearer_s3_q;
+      or_20_s4_q <= or_20_s3_q;
       memory_rdata_s4_q <= {memory_rdata_s3_q[11:9], memory_rdata_s3_q[5:3]};
-      sum_29_s4_q <= {2'h0, memory_rdata_s3_q[8]} + {1'b0, sum_28_s3_q};
-      sum_35_s4_q <= {2'h0, memory_rdata_s3_q[2]} + {1'b0, sum_34_s3_q};
-      less_39_s4_q <= 11'h6 < select_19_s3_q;
-      equal_46_s4_q <= {select_45_s3_q, mask_columns_values_0_q} == 7'h7f;
+      sum_31_s4_q <= {2'h0, memory_rdata_s3_q[8]} + {1'b0, sum_30_s3_q};
+      sum_37_s4_q <= {2'h0, memory_rdata_s3_q[2]} + {1'b0, sum_36_s3_q};
+      less_41_s4_q <= 11'h6 < select_21_s3_q;
+      equal_48_s4_q <= {select_47_s3_q, mask_columns_values_0_q} == 7'h7f;
     end
   end
 
@@ -245,22 +265,26 @@ module horopter_majority (
 
   logic marks_first_s5_q;
   logic marks_last_s5_q;
-  logic or_18_s5_q;
+  logic marks_seen_s5_q;
+  logic marks_nearer_s5_q;
+  logic or_20_s5_q;
   logic [3:0] memory_rdata_s5_q;
-  logic [2:0] sum_30_s5_q;
-  logic [2:0] sum_36_s5_q;
-  logic less_39_s5_q;
-  logic equal_46_s5_q;
+  logic [2:0] sum_32_s5_q;
+  logic [2:0] sum_38_s5_q;
+  logic less_41_s5_q;
+  logic equal_48_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
       marks_first_s5_q <= marks_first_s4_q;
       marks_last_s5_q <= marks_last_s4_q;
-      or_18_s5_q <= or_18_s4_q;
+      marks_seen_s5_q <= marks_seen_s4_q;
+      marks_nearer_s5_q <= marks_nearer_s4_q;
+      or_20_s5_q <= or_20_s4_q;
       memory_rdata_s5_q <= {memory_rdata_s4_q[5:4], memory_rdata_s4_q[2:1]};
-      sum_30_s5_q <= {2'h0, memory_rdata_s4_q[3]} + sum_29_s4_q;
-      sum_36_s5_q <= {2'h0, memory_rdata_s4_q[0]} + sum_35_s4_q;
-      less_39_s5_q <= less_39_s4_q;
-      equal_46_s5_q <= equal_46_s4_q;
+      sum_32_s5_q <= {2'h0, memory_rdata_s4_q[3]} + sum_31_s4_q;
+      sum_38_s5_q <= {2'h0, memory_rdata_s4_q[0]} + sum_37_s4_q;
+      less_41_s5_q <= less_41_s4_q;
+      equal_48_s5_q <= equal_48_s4_q;
     end
   end
 
@@ -268,22 +292,26 @@ module horopter_majority (
 
   logic marks_first_s6_q;
   logic marks_last_s6_q;
-  logic or_18_s6_q;
+  logic marks_seen_s6_q;
+  logic marks_nearer_s6_q;
+  logic or_20_s6_q;
   logic [1:0] memory_rdata_s6_q;
-  logic [2:0] sum_31_s6_q;
-  logic [2:0] sum_37_s6_q;
-  logic less_39_s6_q;
-  logic equal_46_s6_q;
+  logic [2:0] sum_33_s6_q;
+  logic [2:0] sum_39_s6_q;
+  logic less_41_s6_q;
+  logic equal_48_s6_q;
   always_ff @(posedge clk_i) begin
     if (s5_en) begin
       marks_first_s6_q <= marks_first_s5_q;
       marks_last_s6_q <= marks_last_s5_q;
-      or_18_s6_q <= or_18_s5_q;
+      marks_seen_s6_q <= marks_seen_s5_q;
+      marks_nearer_s6_q <= marks_nearer_s5_q;
+      or_20_s6_q <= or_20_s5_q;
       memory_rdata_s6_q <= {memory_rdata_s5_q[3], memory_rdata_s5_q[1]};
-      sum_31_s6_q <= {2'h0, memory_rdata_s5_q[2]} + sum_30_s5_q;
-      sum_37_s6_q <= {2'h0, memory_rdata_s5_q[0]} + sum_36_s5_q;
-      less_39_s6_q <= less_39_s5_q;
-      equal_46_s6_q <= equal_46_s5_q;
+      sum_33_s6_q <= {2'h0, memory_rdata_s5_q[2]} + sum_32_s5_q;
+      sum_39_s6_q <= {2'h0, memory_rdata_s5_q[0]} + sum_38_s5_q;
+      less_41_s6_q <= less_41_s5_q;
+      equal_48_s6_q <= equal_48_s5_q;
     end
   end
 
@@ -296,10 +324,10 @@ module horopter_majority (
   logic [11:0] sums_columns_values_5_q;
   logic [11:0] sums_columns_values_6_q;
   // hls/stages/majority.hpp:49
-  logic [2:0] sum_32;
-  assign sum_32 = {2'h0, memory_rdata_s6_q[1]} + sum_31_s6_q;
-  logic [2:0] sum_38;
-  assign sum_38 = {2'h0, memory_rdata_s6_q[0]} + sum_37_s6_q;
+  logic [2:0] sum_34;
+  assign sum_34 = {2'h0, memory_rdata_s6_q[1]} + sum_33_s6_q;
+  logic [2:0] sum_40;
+  assign sum_40 = {2'h0, memory_rdata_s6_q[0]} + sum_39_s6_q;
 
   // Not reset: nothing of it counts before it is written anew.
 `ifndef SYNTHESIS
@@ -315,7 +343,7 @@ module horopter_majority (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s6_en) begin
-      sums_columns_values_0_q <= {3'h0, sum_38, 3'h0, sum_32};
+      sums_columns_values_0_q <= {3'h0, sum_40, 3'h0, sum_34};
       sums_columns_values_1_q <= sums_columns_values_0_q;
       sums_columns_values_2_q <= sums_columns_values_1_q;
       sums_columns_values_3_q <= sums_columns_values_2_q;
@@ -327,24 +355,28 @@ module horopter_majority (
 
   logic marks_first_s7_q;
   logic marks_last_s7_q;
-  logic or_18_s7_q;
-  logic [11:0] select_40_s7_q;
-  logic equal_46_s7_q;
+  logic marks_seen_s7_q;
+  logic marks_nearer_s7_q;
+  logic or_20_s7_q;
+  logic [11:0] select_42_s7_q;
+  logic equal_48_s7_q;
   always_ff @(posedge clk_i) begin
     if (s6_en) begin
       marks_first_s7_q <= marks_first_s6_q;
       marks_last_s7_q <= marks_last_s6_q;
-      or_18_s7_q <= or_18_s6_q;
-      select_40_s7_q <= less_39_s6_q ? sums_columns_values_6_q : 12'h0;
-      equal_46_s7_q <= equal_46_s6_q;
+      marks_seen_s7_q <= marks_seen_s6_q;
+      marks_nearer_s7_q <= marks_nearer_s6_q;
+      or_20_s7_q <= or_20_s6_q;
+      select_42_s7_q <= less_41_s6_q ? sums_columns_values_6_q : 12'h0;
+      equal_48_s7_q <= equal_48_s6_q;
     end
   end
 
   // Stage 7 -----------------------------------------------------------------------------------------------------------
   logic [11:0] sums_sum_sums_values_0_q;
   // hls/stages/majority.hpp:49
-  logic [11:0] difference_41;
-  assign difference_41 = {3'h0, sums_columns_values_0_q[8:6], 3'h0, sums_columns_values_0_q[2:0]} - select_40_s7_q;
+  logic [11:0] difference_43;
+  assign difference_43 = {3'h0, sums_columns_values_0_q[8:6], 3'h0, sums_columns_values_0_q[2:0]} - select_42_s7_q;
 
   // Not reset: nothing of it counts before it is written anew.
 `ifndef SYNTHESIS
@@ -354,49 +386,59 @@ module horopter_majority (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s7_en) begin
-      sums_sum_sums_values_0_q <= difference_41 + (or_18_s7_q ? 12'h0 : sums_sum_sums_values_0_q);
+      sums_sum_sums_values_0_q <= difference_43 + (or_20_s7_q ? 12'h0 : sums_sum_sums_values_0_q);
     end
   end
 
   logic marks_first_s8_q;
   logic marks_last_s8_q;
-  logic equal_46_s8_q;
+  logic marks_seen_s8_q;
+  logic marks_nearer_s8_q;
+  logic equal_48_s8_q;
   always_ff @(posedge clk_i) begin
     if (s7_en) begin
       marks_first_s8_q <= marks_first_s7_q;
       marks_last_s8_q <= marks_last_s7_q;
-      equal_46_s8_q <= equal_46_s7_q;
+      marks_seen_s8_q <= marks_seen_s7_q;
+      marks_nearer_s8_q <= marks_nearer_s7_q;
+      equal_48_s8_q <= equal_48_s7_q;
     end
   end
 
   // Stage 8 -----------------------------------------------------------------------------------------------------------
   // hls/stages/majority.hpp:57
-  logic less_47;
-  assign less_47 = 6'h18 < sums_sum_sums_values_0_q[11:6];
+  logic less_49;
+  assign less_49 = 6'h18 < sums_sum_sums_values_0_q[11:6];
   // hls/stages/majority.hpp:58
   logic vote;
   assign vote = {1'b0, sums_sum_sums_values_0_q[11:7]} < sums_sum_sums_values_0_q[5:0];
   // hls/stages/majority.hpp:59
-  logic and_49;
-  assign and_49 = less_47 & vote;
-  logic not_50;
-  assign not_50 = ~less_47;
+  logic and_51;
+  assign and_51 = less_49 & vote;
+  logic not_52;
+  assign not_52 = ~less_49;
 
   logic marks_first_s9_q;
   logic marks_last_s9_q;
-  logic [1:0] select_51_s9_q;
+  logic marks_seen_s9_q;
+  logic marks_nearer_s9_q;
+  logic [1:0] select_53_s9_q;
   always_ff @(posedge clk_i) begin
     if (s8_en) begin
       marks_first_s9_q <= marks_first_s8_q;
       marks_last_s9_q <= marks_last_s8_q;
-      select_51_s9_q <= equal_46_s8_q ? {not_50, and_49} : 2'h3;
+      marks_seen_s9_q <= marks_seen_s8_q;
+      marks_nearer_s9_q <= marks_nearer_s8_q;
+      select_53_s9_q <= equal_48_s8_q ? {not_52, and_51} : 2'h3;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign state_o = select_51_s9_q;
+  assign state_o = select_53_s9_q;
   assign marks_first_o = marks_first_s9_q;
   assign marks_last_o = marks_last_s9_q;
+  assign marks_seen_o = marks_seen_s9_q;
+  assign marks_nearer_o = marks_nearer_s9_q;
   assign valid_o = valid_s9_q;
 
   always_ff @(posedge clk_i) begin

@@ -3,7 +3,7 @@
 //
 // Latency 6 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 0 bits, pipeline 1490 bits, memories 0 bits.
+// State 0 bits, pipeline 1502 bits, memories 0 bits.
 module horopter_plane_paths (
   input  logic clk_i,
   input  logic rst_ni,
@@ -34,6 +34,8 @@ module horopter_plane_paths (
   input  logic exists_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
+  input  logic marks_seen_i,
+  input  logic marks_nearer_i,
   output logic valid_o,
   output logic [10:0] cost_0_o,
   output logic [10:0] cost_1_o,
@@ -60,7 +62,9 @@ module horopter_plane_paths (
   output logic strong_v_o,
   output logic exists_o,
   output logic marks_first_o,
-  output logic marks_last_o
+  output logic marks_last_o,
+  output logic marks_seen_o,
+  output logic marks_nearer_o
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
@@ -100,14 +104,16 @@ module horopter_plane_paths (
   logic exists_s1_q;
   logic marks_first_s1_q;
   logic marks_last_s1_q;
-  logic less_30_s1_q;
+  logic marks_seen_s1_q;
+  logic marks_nearer_s1_q;
   logic less_32_s1_q;
-  logic less_36_s1_q;
+  logic less_34_s1_q;
   logic less_38_s1_q;
-  logic less_44_s1_q;
+  logic less_40_s1_q;
   logic less_46_s1_q;
-  logic less_50_s1_q;
+  logic less_48_s1_q;
   logic less_52_s1_q;
+  logic less_54_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       sum_0_s1_q <= sum_0_i;
@@ -135,35 +141,37 @@ module horopter_plane_paths (
       exists_s1_q <= exists_i;
       marks_first_s1_q <= marks_first_i;
       marks_last_s1_q <= marks_last_i;
-      less_30_s1_q <= sum_15_i < sum_14_i;
-      less_32_s1_q <= sum_13_i < sum_12_i;
-      less_36_s1_q <= sum_11_i < sum_10_i;
-      less_38_s1_q <= sum_9_i < sum_8_i;
-      less_44_s1_q <= sum_7_i < sum_6_i;
-      less_46_s1_q <= sum_5_i < sum_4_i;
-      less_50_s1_q <= sum_3_i < sum_2_i;
-      less_52_s1_q <= sum_1_i < sum_0_i;
+      marks_seen_s1_q <= marks_seen_i;
+      marks_nearer_s1_q <= marks_nearer_i;
+      less_32_s1_q <= sum_15_i < sum_14_i;
+      less_34_s1_q <= sum_13_i < sum_12_i;
+      less_38_s1_q <= sum_11_i < sum_10_i;
+      less_40_s1_q <= sum_9_i < sum_8_i;
+      less_46_s1_q <= sum_7_i < sum_6_i;
+      less_48_s1_q <= sum_5_i < sum_4_i;
+      less_52_s1_q <= sum_3_i < sum_2_i;
+      less_54_s1_q <= sum_1_i < sum_0_i;
     end
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   // hls/stages/plane_paths.hpp:113
-  logic [10:0] select_31;
-  assign select_31 = less_30_s1_q ? sum_15_s1_q : sum_14_s1_q;
   logic [10:0] select_33;
-  assign select_33 = less_32_s1_q ? sum_13_s1_q : sum_12_s1_q;
-  logic [10:0] select_37;
-  assign select_37 = less_36_s1_q ? sum_11_s1_q : sum_10_s1_q;
+  assign select_33 = less_32_s1_q ? sum_15_s1_q : sum_14_s1_q;
+  logic [10:0] select_35;
+  assign select_35 = less_34_s1_q ? sum_13_s1_q : sum_12_s1_q;
   logic [10:0] select_39;
-  assign select_39 = less_38_s1_q ? sum_9_s1_q : sum_8_s1_q;
-  logic [10:0] select_45;
-  assign select_45 = less_44_s1_q ? sum_7_s1_q : sum_6_s1_q;
+  assign select_39 = less_38_s1_q ? sum_11_s1_q : sum_10_s1_q;
+  logic [10:0] select_41;
+  assign select_41 = less_40_s1_q ? sum_9_s1_q : sum_8_s1_q;
   logic [10:0] select_47;
-  assign select_47 = less_46_s1_q ? sum_5_s1_q : sum_4_s1_q;
-  logic [10:0] select_51;
-  assign select_51 = less_50_s1_q ? sum_3_s1_q : sum_2_s1_q;
+  assign select_47 = less_46_s1_q ? sum_7_s1_q : sum_6_s1_q;
+  logic [10:0] select_49;
+  assign select_49 = less_48_s1_q ? sum_5_s1_q : sum_4_s1_q;
   logic [10:0] select_53;
-  assign select_53 = less_52_s1_q ? sum_1_s1_q : sum_0_s1_q;
+  assign select_53 = less_52_s1_q ? sum_3_s1_q : sum_2_s1_q;
+  logic [10:0] select_55;
+  assign select_55 = less_54_s1_q ? sum_1_s1_q : sum_0_s1_q;
 
   logic [10:0] sum_0_s2_q;
   logic [10:0] sum_1_s2_q;
@@ -190,10 +198,12 @@ module horopter_plane_paths (
   logic exists_s2_q;
   logic marks_first_s2_q;
   logic marks_last_s2_q;
-  logic [10:0] select_35_s2_q;
-  logic [10:0] select_41_s2_q;
-  logic [10:0] select_49_s2_q;
-  logic [10:0] select_55_s2_q;
+  logic marks_seen_s2_q;
+  logic marks_nearer_s2_q;
+  logic [10:0] select_37_s2_q;
+  logic [10:0] select_43_s2_q;
+  logic [10:0] select_51_s2_q;
+  logic [10:0] select_57_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       sum_0_s2_q <= sum_0_s1_q;
@@ -221,19 +231,21 @@ module horopter_plane_paths (
       exists_s2_q <= exists_s1_q;
       marks_first_s2_q <= marks_first_s1_q;
       marks_last_s2_q <= marks_last_s1_q;
-      select_35_s2_q <= (select_31 < select_33) ? select_31 : select_33;
-      select_41_s2_q <= (select_37 < select_39) ? select_37 : select_39;
-      select_49_s2_q <= (select_45 < select_47) ? select_45 : select_47;
-      select_55_s2_q <= (select_51 < select_53) ? select_51 : select_53;
+      marks_seen_s2_q <= marks_seen_s1_q;
+      marks_nearer_s2_q <= marks_nearer_s1_q;
+      select_37_s2_q <= (select_33 < select_35) ? select_33 : select_35;
+      select_43_s2_q <= (select_39 < select_41) ? select_39 : select_41;
+      select_51_s2_q <= (select_47 < select_49) ? select_47 : select_49;
+      select_57_s2_q <= (select_53 < select_55) ? select_53 : select_55;
     end
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
   // hls/stages/plane_paths.hpp:113
-  logic [10:0] select_43;
-  assign select_43 = (select_35_s2_q < select_41_s2_q) ? select_35_s2_q : select_41_s2_q;
-  logic [10:0] select_57;
-  assign select_57 = (select_49_s2_q < select_55_s2_q) ? select_49_s2_q : select_55_s2_q;
+  logic [10:0] select_45;
+  assign select_45 = (select_37_s2_q < select_43_s2_q) ? select_37_s2_q : select_43_s2_q;
+  logic [10:0] select_59;
+  assign select_59 = (select_51_s2_q < select_57_s2_q) ? select_51_s2_q : select_57_s2_q;
 
   logic [10:0] sum_0_s3_q;
   logic [10:0] sum_1_s3_q;
@@ -260,9 +272,11 @@ module horopter_plane_paths (
   logic exists_s3_q;
   logic marks_first_s3_q;
   logic marks_last_s3_q;
-  logic less_26_s3_q;
-  logic [10:0] select_43_s3_q;
-  logic [10:0] select_57_s3_q;
+  logic marks_seen_s3_q;
+  logic marks_nearer_s3_q;
+  logic less_28_s3_q;
+  logic [10:0] select_45_s3_q;
+  logic [10:0] select_59_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       sum_0_s3_q <= sum_0_s2_q;
@@ -290,18 +304,20 @@ module horopter_plane_paths (
       exists_s3_q <= exists_s2_q;
       marks_first_s3_q <= marks_first_s2_q;
       marks_last_s3_q <= marks_last_s2_q;
-      less_26_s3_q <= sum_17_s2_q < sum_16_s2_q;
-      select_43_s3_q <= select_43;
-      select_57_s3_q <= select_57;
+      marks_seen_s3_q <= marks_seen_s2_q;
+      marks_nearer_s3_q <= marks_nearer_s2_q;
+      less_28_s3_q <= sum_17_s2_q < sum_16_s2_q;
+      select_45_s3_q <= select_45;
+      select_59_s3_q <= select_59;
     end
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
   // hls/stages/plane_paths.hpp:113
-  logic [10:0] select_27;
-  assign select_27 = less_26_s3_q ? sum_17_s3_q : sum_16_s3_q;
-  logic [10:0] select_59;
-  assign select_59 = (select_43_s3_q < select_57_s3_q) ? select_43_s3_q : select_57_s3_q;
+  logic [10:0] select_29;
+  assign select_29 = less_28_s3_q ? sum_17_s3_q : sum_16_s3_q;
+  logic [10:0] select_61;
+  assign select_61 = (select_45_s3_q < select_59_s3_q) ? select_45_s3_q : select_59_s3_q;
 
   logic [10:0] sum_0_s4_q;
   logic [10:0] sum_1_s4_q;
@@ -328,8 +344,10 @@ module horopter_plane_paths (
   logic exists_s4_q;
   logic marks_first_s4_q;
   logic marks_last_s4_q;
-  logic [10:0] select_29_s4_q;
-  logic [10:0] select_59_s4_q;
+  logic marks_seen_s4_q;
+  logic marks_nearer_s4_q;
+  logic [10:0] select_31_s4_q;
+  logic [10:0] select_61_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       sum_0_s4_q <= sum_0_s3_q;
@@ -357,18 +375,20 @@ module horopter_plane_paths (
       exists_s4_q <= exists_s3_q;
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= marks_last_s3_q;
-      select_29_s4_q <= (sum_18_s3_q < select_27) ? sum_18_s3_q : select_27;
-      select_59_s4_q <= select_59;
+      marks_seen_s4_q <= marks_seen_s3_q;
+      marks_nearer_s4_q <= marks_nearer_s3_q;
+      select_31_s4_q <= (sum_18_s3_q < select_29) ? sum_18_s3_q : select_29;
+      select_61_s4_q <= select_61;
     end
   end
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
   // hls/stages/plane_paths.hpp:113
-  logic [10:0] select_61;
-  assign select_61 = (select_29_s4_q < select_59_s4_q) ? select_29_s4_q : select_59_s4_q;
+  logic [10:0] select_63;
+  assign select_63 = (select_31_s4_q < select_61_s4_q) ? select_31_s4_q : select_61_s4_q;
   // hls/stages/plane_paths.hpp:61
-  logic [11:0] sum_62;
-  assign sum_62 = {1'b0, evidence_s4_q} + {3'h0, evidence_s4_q[10:2]};
+  logic [11:0] sum_64;
+  assign sum_64 = {1'b0, evidence_s4_q} + {3'h0, evidence_s4_q[10:2]};
 
   logic [10:0] sum_0_s5_q;
   logic [10:0] sum_1_s5_q;
@@ -395,10 +415,12 @@ module horopter_plane_paths (
   logic exists_s5_q;
   logic marks_first_s5_q;
   logic marks_last_s5_q;
-  logic [10:0] select_61_s5_q;
-  logic sum_62_s5_q;
-  logic [11:0] sum_63_s5_q;
-  logic less_65_s5_q;
+  logic marks_seen_s5_q;
+  logic marks_nearer_s5_q;
+  logic [10:0] select_63_s5_q;
+  logic sum_64_s5_q;
+  logic [11:0] sum_65_s5_q;
+  logic less_67_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
       sum_0_s5_q <= sum_0_s4_q;
@@ -426,17 +448,19 @@ module horopter_plane_paths (
       exists_s5_q <= exists_s4_q;
       marks_first_s5_q <= marks_first_s4_q;
       marks_last_s5_q <= marks_last_s4_q;
-      select_61_s5_q <= select_61;
-      sum_62_s5_q <= sum_62[0];
-      sum_63_s5_q <= {1'b0, evidence_s4_q} + {1'b0, sum_62[11:1]};
-      less_65_s5_q <= 10'h13a < evidence_s4_q[10:1];
+      marks_seen_s5_q <= marks_seen_s4_q;
+      marks_nearer_s5_q <= marks_nearer_s4_q;
+      select_63_s5_q <= select_63;
+      sum_64_s5_q <= sum_64[0];
+      sum_65_s5_q <= {1'b0, evidence_s4_q} + {1'b0, sum_64[11:1]};
+      less_67_s5_q <= 10'h13a < evidence_s4_q[10:1];
     end
   end
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
   // hls/stages/plane_paths.hpp:62
-  logic less_64;
-  assign less_64 = {select_61_s5_q, 4'h0} < {sum_63_s5_q, sum_62_s5_q, evidence_s5_q};
+  logic less_66;
+  assign less_66 = {select_63_s5_q, 4'h0} < {sum_65_s5_q, sum_64_s5_q, evidence_s5_q};
 
   logic [10:0] sum_0_s6_q;
   logic [10:0] sum_1_s6_q;
@@ -462,8 +486,10 @@ module horopter_plane_paths (
   logic exists_s6_q;
   logic marks_first_s6_q;
   logic marks_last_s6_q;
-  logic less_65_s6_q;
-  logic and_67_s6_q;
+  logic marks_seen_s6_q;
+  logic marks_nearer_s6_q;
+  logic less_67_s6_q;
+  logic and_69_s6_q;
   always_ff @(posedge clk_i) begin
     if (s5_en) begin
       sum_0_s6_q <= sum_0_s5_q;
@@ -490,8 +516,10 @@ module horopter_plane_paths (
       exists_s6_q <= exists_s5_q;
       marks_first_s6_q <= marks_first_s5_q;
       marks_last_s6_q <= marks_last_s5_q;
-      less_65_s6_q <= less_65_s5_q;
-      and_67_s6_q <= known_s5_q & (less_64 | less_65_s5_q);
+      marks_seen_s6_q <= marks_seen_s5_q;
+      marks_nearer_s6_q <= marks_nearer_s5_q;
+      less_67_s6_q <= less_67_s5_q;
+      and_69_s6_q <= known_s5_q & (less_66 | less_67_s5_q);
     end
   end
 
@@ -517,11 +545,13 @@ module horopter_plane_paths (
   assign cost_18_o = sum_18_s6_q;
   assign grey_o = grey_s6_q;
   assign known_o = known_s6_q;
-  assign evident_o = and_67_s6_q;
-  assign strong_v_o = less_65_s6_q;
+  assign evident_o = and_69_s6_q;
+  assign strong_v_o = less_67_s6_q;
   assign exists_o = exists_s6_q;
   assign marks_first_o = marks_first_s6_q;
   assign marks_last_o = marks_last_s6_q;
+  assign marks_seen_o = marks_seen_s6_q;
+  assign marks_nearer_o = marks_nearer_s6_q;
   assign valid_o = valid_s6_q;
 
   always_ff @(posedge clk_i) begin

@@ -3,7 +3,7 @@
 //
 // Latency 6 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 3510 bits, pipeline 1354 bits, memories 541440 bits.
+// State 3570 bits, pipeline 1366 bits, memories 541440 bits.
 module horopter_plane_sums (
   input  logic clk_i,
   input  logic rst_ni,
@@ -16,6 +16,8 @@ module horopter_plane_sums (
   input  logic exists_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
+  input  logic marks_seen_i,
+  input  logic marks_nearer_i,
   output logic valid_o,
   output logic [10:0] sum_0_o,
   output logic [10:0] sum_1_o,
@@ -41,7 +43,9 @@ module horopter_plane_sums (
   output logic known_o,
   output logic exists_o,
   output logic marks_first_o,
-  output logic marks_last_o
+  output logic marks_last_o,
+  output logic marks_seen_o,
+  output logic marks_nearer_o
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
@@ -57,6 +61,58 @@ module horopter_plane_sums (
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [10:0] arriving_column_q;
   logic arriving_row_ended_q;
+  logic marks_values_0_seen_q;
+  logic marks_values_0_nearer_q;
+  logic marks_values_1_seen_q;
+  logic marks_values_1_nearer_q;
+  logic marks_values_2_seen_q;
+  logic marks_values_2_nearer_q;
+  logic marks_values_3_seen_q;
+  logic marks_values_3_nearer_q;
+  logic marks_values_4_seen_q;
+  logic marks_values_4_nearer_q;
+  logic marks_values_5_seen_q;
+  logic marks_values_5_nearer_q;
+  logic marks_values_6_seen_q;
+  logic marks_values_6_nearer_q;
+  logic marks_values_7_seen_q;
+  logic marks_values_7_nearer_q;
+  logic marks_values_8_seen_q;
+  logic marks_values_8_nearer_q;
+  logic marks_values_9_seen_q;
+  logic marks_values_9_nearer_q;
+  logic marks_values_10_seen_q;
+  logic marks_values_10_nearer_q;
+  logic marks_values_11_seen_q;
+  logic marks_values_11_nearer_q;
+  logic marks_values_12_seen_q;
+  logic marks_values_12_nearer_q;
+  logic marks_values_13_seen_q;
+  logic marks_values_13_nearer_q;
+  logic marks_values_14_seen_q;
+  logic marks_values_14_nearer_q;
+  logic marks_values_15_seen_q;
+  logic marks_values_15_nearer_q;
+  logic marks_values_16_seen_q;
+  logic marks_values_16_nearer_q;
+  logic marks_values_17_seen_q;
+  logic marks_values_17_nearer_q;
+  logic marks_values_18_seen_q;
+  logic marks_values_18_nearer_q;
+  logic marks_values_19_seen_q;
+  logic marks_values_19_nearer_q;
+  logic marks_values_20_seen_q;
+  logic marks_values_20_nearer_q;
+  logic marks_values_21_seen_q;
+  logic marks_values_21_nearer_q;
+  logic marks_values_22_seen_q;
+  logic marks_values_22_nearer_q;
+  logic marks_values_23_seen_q;
+  logic marks_values_23_nearer_q;
+  logic marks_values_24_seen_q;
+  logic marks_values_24_nearer_q;
+  logic marks_values_25_seen_q;
+  logic marks_values_25_nearer_q;
   logic [5:0] seen_values_0_grey_q;
   logic seen_values_0_exists_q;
   logic [5:0] seen_values_1_grey_q;
@@ -107,11 +163,19 @@ module horopter_plane_sums (
   logic seen_values_23_exists_q;
   logic [5:0] seen_values_24_grey_q;
   logic seen_values_24_exists_q;
+  logic centre_marks_values_0_seen_q;
+  logic centre_marks_values_0_nearer_q;
+  logic centre_marks_values_1_seen_q;
+  logic centre_marks_values_1_nearer_q;
+  logic centre_marks_values_2_seen_q;
+  logic centre_marks_values_2_nearer_q;
+  logic centre_marks_values_3_seen_q;
+  logic centre_marks_values_3_nearer_q;
   // hls/stages/plane_sums.hpp:63
-  logic or_629;
-  assign or_629 = marks_first_i | arriving_row_ended_q;
-  logic [10:0] select_630;
-  assign select_630 = or_629 ? 11'h0 : arriving_column_q;
+  logic or_691;
+  assign or_691 = marks_first_i | arriving_row_ended_q;
+  logic [10:0] select_692;
+  assign select_692 = or_691 ? 11'h0 : arriving_column_q;
 
   // Memory feature_memory, 1920 x 91, DISTANCE 16, hls/stages/plane_sums.hpp:166; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -121,7 +185,7 @@ module horopter_plane_sums (
   initial for (int i = 0; i < 1920; i++) feature_memory_mem[i] = 91'h0;
 `endif
   logic [10:0] feature_memory_raddr;
-  assign feature_memory_raddr = select_630;
+  assign feature_memory_raddr = select_692;
   logic feature_memory_re;
   assign feature_memory_re = s0_en;
   logic [90:0] feature_memory_rdata_q;
@@ -133,6 +197,58 @@ module horopter_plane_sums (
     if (!rst_ni) begin
       arriving_column_q <= 11'h0;
       arriving_row_ended_q <= 1'b1;
+      marks_values_0_seen_q <= 1'b0;
+      marks_values_0_nearer_q <= 1'b0;
+      marks_values_1_seen_q <= 1'b0;
+      marks_values_1_nearer_q <= 1'b0;
+      marks_values_2_seen_q <= 1'b0;
+      marks_values_2_nearer_q <= 1'b0;
+      marks_values_3_seen_q <= 1'b0;
+      marks_values_3_nearer_q <= 1'b0;
+      marks_values_4_seen_q <= 1'b0;
+      marks_values_4_nearer_q <= 1'b0;
+      marks_values_5_seen_q <= 1'b0;
+      marks_values_5_nearer_q <= 1'b0;
+      marks_values_6_seen_q <= 1'b0;
+      marks_values_6_nearer_q <= 1'b0;
+      marks_values_7_seen_q <= 1'b0;
+      marks_values_7_nearer_q <= 1'b0;
+      marks_values_8_seen_q <= 1'b0;
+      marks_values_8_nearer_q <= 1'b0;
+      marks_values_9_seen_q <= 1'b0;
+      marks_values_9_nearer_q <= 1'b0;
+      marks_values_10_seen_q <= 1'b0;
+      marks_values_10_nearer_q <= 1'b0;
+      marks_values_11_seen_q <= 1'b0;
+      marks_values_11_nearer_q <= 1'b0;
+      marks_values_12_seen_q <= 1'b0;
+      marks_values_12_nearer_q <= 1'b0;
+      marks_values_13_seen_q <= 1'b0;
+      marks_values_13_nearer_q <= 1'b0;
+      marks_values_14_seen_q <= 1'b0;
+      marks_values_14_nearer_q <= 1'b0;
+      marks_values_15_seen_q <= 1'b0;
+      marks_values_15_nearer_q <= 1'b0;
+      marks_values_16_seen_q <= 1'b0;
+      marks_values_16_nearer_q <= 1'b0;
+      marks_values_17_seen_q <= 1'b0;
+      marks_values_17_nearer_q <= 1'b0;
+      marks_values_18_seen_q <= 1'b0;
+      marks_values_18_nearer_q <= 1'b0;
+      marks_values_19_seen_q <= 1'b0;
+      marks_values_19_nearer_q <= 1'b0;
+      marks_values_20_seen_q <= 1'b0;
+      marks_values_20_nearer_q <= 1'b0;
+      marks_values_21_seen_q <= 1'b0;
+      marks_values_21_nearer_q <= 1'b0;
+      marks_values_22_seen_q <= 1'b0;
+      marks_values_22_nearer_q <= 1'b0;
+      marks_values_23_seen_q <= 1'b0;
+      marks_values_23_nearer_q <= 1'b0;
+      marks_values_24_seen_q <= 1'b0;
+      marks_values_24_nearer_q <= 1'b0;
+      marks_values_25_seen_q <= 1'b0;
+      marks_values_25_nearer_q <= 1'b0;
       seen_values_0_grey_q <= 6'h0;
       seen_values_0_exists_q <= 1'b0;
       seen_values_1_grey_q <= 6'h0;
@@ -183,9 +299,69 @@ module horopter_plane_sums (
       seen_values_23_exists_q <= 1'b0;
       seen_values_24_grey_q <= 6'h0;
       seen_values_24_exists_q <= 1'b0;
+      centre_marks_values_0_seen_q <= 1'b0;
+      centre_marks_values_0_nearer_q <= 1'b0;
+      centre_marks_values_1_seen_q <= 1'b0;
+      centre_marks_values_1_nearer_q <= 1'b0;
+      centre_marks_values_2_seen_q <= 1'b0;
+      centre_marks_values_2_nearer_q <= 1'b0;
+      centre_marks_values_3_seen_q <= 1'b0;
+      centre_marks_values_3_nearer_q <= 1'b0;
     end else if (s0_en) begin
-      arriving_column_q <= select_630 + 11'h1;
+      arriving_column_q <= select_692 + 11'h1;
       arriving_row_ended_q <= marks_last_i;
+      marks_values_0_seen_q <= marks_seen_i;
+      marks_values_0_nearer_q <= marks_nearer_i;
+      marks_values_1_seen_q <= marks_values_0_seen_q;
+      marks_values_1_nearer_q <= marks_values_0_nearer_q;
+      marks_values_2_seen_q <= marks_values_1_seen_q;
+      marks_values_2_nearer_q <= marks_values_1_nearer_q;
+      marks_values_3_seen_q <= marks_values_2_seen_q;
+      marks_values_3_nearer_q <= marks_values_2_nearer_q;
+      marks_values_4_seen_q <= marks_values_3_seen_q;
+      marks_values_4_nearer_q <= marks_values_3_nearer_q;
+      marks_values_5_seen_q <= marks_values_4_seen_q;
+      marks_values_5_nearer_q <= marks_values_4_nearer_q;
+      marks_values_6_seen_q <= marks_values_5_seen_q;
+      marks_values_6_nearer_q <= marks_values_5_nearer_q;
+      marks_values_7_seen_q <= marks_values_6_seen_q;
+      marks_values_7_nearer_q <= marks_values_6_nearer_q;
+      marks_values_8_seen_q <= marks_values_7_seen_q;
+      marks_values_8_nearer_q <= marks_values_7_nearer_q;
+      marks_values_9_seen_q <= marks_values_8_seen_q;
+      marks_values_9_nearer_q <= marks_values_8_nearer_q;
+      marks_values_10_seen_q <= marks_values_9_seen_q;
+      marks_values_10_nearer_q <= marks_values_9_nearer_q;
+      marks_values_11_seen_q <= marks_values_10_seen_q;
+      marks_values_11_nearer_q <= marks_values_10_nearer_q;
+      marks_values_12_seen_q <= marks_values_11_seen_q;
+      marks_values_12_nearer_q <= marks_values_11_nearer_q;
+      marks_values_13_seen_q <= marks_values_12_seen_q;
+      marks_values_13_nearer_q <= marks_values_12_nearer_q;
+      marks_values_14_seen_q <= marks_values_13_seen_q;
+      marks_values_14_nearer_q <= marks_values_13_nearer_q;
+      marks_values_15_seen_q <= marks_values_14_seen_q;
+      marks_values_15_nearer_q <= marks_values_14_nearer_q;
+      marks_values_16_seen_q <= marks_values_15_seen_q;
+      marks_values_16_nearer_q <= marks_values_15_nearer_q;
+      marks_values_17_seen_q <= marks_values_16_seen_q;
+      marks_values_17_nearer_q <= marks_values_16_nearer_q;
+      marks_values_18_seen_q <= marks_values_17_seen_q;
+      marks_values_18_nearer_q <= marks_values_17_nearer_q;
+      marks_values_19_seen_q <= marks_values_18_seen_q;
+      marks_values_19_nearer_q <= marks_values_18_nearer_q;
+      marks_values_20_seen_q <= marks_values_19_seen_q;
+      marks_values_20_nearer_q <= marks_values_19_nearer_q;
+      marks_values_21_seen_q <= marks_values_20_seen_q;
+      marks_values_21_nearer_q <= marks_values_20_nearer_q;
+      marks_values_22_seen_q <= marks_values_21_seen_q;
+      marks_values_22_nearer_q <= marks_values_21_nearer_q;
+      marks_values_23_seen_q <= marks_values_22_seen_q;
+      marks_values_23_nearer_q <= marks_values_22_nearer_q;
+      marks_values_24_seen_q <= marks_values_23_seen_q;
+      marks_values_24_nearer_q <= marks_values_23_nearer_q;
+      marks_values_25_seen_q <= marks_values_24_seen_q;
+      marks_values_25_nearer_q <= marks_values_24_nearer_q;
       seen_values_0_grey_q <= grey_i[7:2];
       seen_values_0_exists_q <= exists_i;
       seen_values_1_grey_q <= seen_values_0_grey_q;
@@ -236,6 +412,14 @@ module horopter_plane_sums (
       seen_values_23_exists_q <= seen_values_22_exists_q;
       seen_values_24_grey_q <= seen_values_23_grey_q;
       seen_values_24_exists_q <= seen_values_23_exists_q;
+      centre_marks_values_0_seen_q <= marks_values_25_seen_q;
+      centre_marks_values_0_nearer_q <= marks_values_25_nearer_q;
+      centre_marks_values_1_seen_q <= centre_marks_values_0_seen_q;
+      centre_marks_values_1_nearer_q <= centre_marks_values_0_nearer_q;
+      centre_marks_values_2_seen_q <= centre_marks_values_1_seen_q;
+      centre_marks_values_2_nearer_q <= centre_marks_values_1_nearer_q;
+      centre_marks_values_3_seen_q <= centre_marks_values_2_seen_q;
+      centre_marks_values_3_nearer_q <= centre_marks_values_2_nearer_q;
     end
   end
 
@@ -245,8 +429,10 @@ module horopter_plane_sums (
   logic marks_first_s1_q;
   logic [5:0] seen_values_24_grey_s1_q;
   logic seen_values_24_exists_s1_q;
-  logic or_629_s1_q;
-  logic [10:0] select_630_s1_q;
+  logic centre_marks_values_3_seen_s1_q;
+  logic centre_marks_values_3_nearer_s1_q;
+  logic or_691_s1_q;
+  logic [10:0] select_692_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       left_s1_q <= $unsigned(left_i);
@@ -255,8 +441,10 @@ module horopter_plane_sums (
       marks_first_s1_q <= marks_first_i;
       seen_values_24_grey_s1_q <= seen_values_24_grey_q;
       seen_values_24_exists_s1_q <= seen_values_24_exists_q;
-      or_629_s1_q <= or_629;
-      select_630_s1_q <= select_630;
+      centre_marks_values_3_seen_s1_q <= centre_marks_values_3_seen_q;
+      centre_marks_values_3_nearer_s1_q <= centre_marks_values_3_nearer_q;
+      or_691_s1_q <= or_691;
+      select_692_s1_q <= select_692;
     end
   end
 
@@ -461,22 +649,22 @@ module horopter_plane_sums (
   logic marks_values_25_first_q;
   logic marks_values_25_last_q;
   // hls/stages/plane_sums.hpp:81
-  logic or_632;
-  assign or_632 = delayed_row_ended_q | marks_values_25_first_q;
-  logic [10:0] select_633;
-  assign select_633 = or_632 ? 11'h0 : delayed_column_q;
+  logic or_694;
+  assign or_694 = delayed_row_ended_q | marks_values_25_first_q;
+  logic [10:0] select_695;
+  assign select_695 = or_694 ? 11'h0 : delayed_column_q;
   // hls/stages/plane_sums.hpp:82
-  logic or_634;
-  assign or_634 = running_q | marks_values_25_first_q;
+  logic or_696;
+  assign or_696 = running_q | marks_values_25_first_q;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_1037;
-  assign difference_1037 = {entering_values_23_features_left_q[5], entering_values_23_features_left_q} - {entering_values_47_features_right_q[5], entering_values_47_features_right_q};
-  logic [5:0] xor_1038;
-  assign xor_1038 = difference_1037[5:0] ^ {6{difference_1037[6]}};
-  logic [6:0] difference_1047;
-  assign difference_1047 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_47_features_right_q[5], leaving_values_47_features_right_q};
-  logic [5:0] xor_1048;
-  assign xor_1048 = difference_1047[5:0] ^ {6{difference_1047[6]}};
+  logic [6:0] difference_1099;
+  assign difference_1099 = {entering_values_23_features_left_q[5], entering_values_23_features_left_q} - {entering_values_47_features_right_q[5], entering_values_47_features_right_q};
+  logic [5:0] xor_1100;
+  assign xor_1100 = difference_1099[5:0] ^ {6{difference_1099[6]}};
+  logic [6:0] difference_1109;
+  assign difference_1109 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_47_features_right_q[5], leaving_values_47_features_right_q};
+  logic [5:0] xor_1110;
+  assign xor_1110 = difference_1109[5:0] ^ {6{difference_1109[6]}};
 
   // Memory column_memory, 1920 x 191, DISTANCE 16, hls/stages/plane_sums.hpp:167; read in stage 1, written in stage 5: 1 < 5 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -486,9 +674,9 @@ module horopter_plane_sums (
   initial for (int i = 0; i < 1920; i++) column_memory_mem[i] = 191'h0;
 `endif
   logic [10:0] column_memory_raddr;
-  assign column_memory_raddr = select_633;
+  assign column_memory_raddr = select_695;
   logic column_memory_re;
-  assign column_memory_re = s1_en & or_634;
+  assign column_memory_re = s1_en & or_696;
   logic [190:0] column_memory_rdata_q;
   always_ff @(posedge clk_i) begin
     if (column_memory_re) column_memory_rdata_q <= column_memory_mem[column_memory_raddr];
@@ -696,9 +884,9 @@ module horopter_plane_sums (
       marks_values_25_first_q <= 1'b0;
       marks_values_25_last_q <= 1'b0;
     end else if (s1_en) begin
-      delayed_column_q <= select_633 + 11'h1;
+      delayed_column_q <= select_695 + 11'h1;
       delayed_row_ended_q <= marks_values_25_last_q;
-      running_q <= or_634;
+      running_q <= or_696;
       entering_values_0_features_left_q <= left_s1_q;
       entering_values_0_features_right_q <= right_s1_q;
       entering_values_1_features_left_q <= entering_values_0_features_left_q;
@@ -904,13 +1092,15 @@ module horopter_plane_sums (
   logic marks_values_25_first_s2_q;
   logic [5:0] seen_values_24_grey_s2_q;
   logic seen_values_24_exists_s2_q;
-  logic or_629_s2_q;
-  logic [10:0] select_630_s2_q;
+  logic centre_marks_values_3_seen_s2_q;
+  logic centre_marks_values_3_nearer_s2_q;
+  logic or_691_s2_q;
+  logic [10:0] select_692_s2_q;
   logic [78:0] feature_memory_rdata_s2_q;
-  logic or_632_s2_q;
-  logic [10:0] select_633_s2_q;
-  logic [6:0] sum_1039_s2_q;
-  logic [6:0] sum_1049_s2_q;
+  logic or_694_s2_q;
+  logic [10:0] select_695_s2_q;
+  logic [6:0] sum_1101_s2_q;
+  logic [6:0] sum_1111_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       mask_s2_q <= mask_s1_q;
@@ -919,13 +1109,15 @@ module horopter_plane_sums (
       marks_values_25_first_s2_q <= marks_values_25_first_q;
       seen_values_24_grey_s2_q <= seen_values_24_grey_s1_q;
       seen_values_24_exists_s2_q <= seen_values_24_exists_s1_q;
-      or_629_s2_q <= or_629_s1_q;
-      select_630_s2_q <= select_630_s1_q;
+      centre_marks_values_3_seen_s2_q <= centre_marks_values_3_seen_s1_q;
+      centre_marks_values_3_nearer_s2_q <= centre_marks_values_3_nearer_s1_q;
+      or_691_s2_q <= or_691_s1_q;
+      select_692_s2_q <= select_692_s1_q;
       feature_memory_rdata_s2_q <= {feature_memory_rdata_q[90], feature_memory_rdata_q[77:0]};
-      or_632_s2_q <= or_632;
-      select_633_s2_q <= select_633;
-      sum_1039_s2_q <= {6'h0, difference_1037[6]} + {1'b0, xor_1038};
-      sum_1049_s2_q <= {6'h0, difference_1047[6]} + {1'b0, xor_1048};
+      or_694_s2_q <= or_694;
+      select_695_s2_q <= select_695;
+      sum_1101_s2_q <= {6'h0, difference_1099[6]} + {1'b0, xor_1100};
+      sum_1111_s2_q <= {6'h0, difference_1109[6]} + {1'b0, xor_1110};
     end
   end
 
@@ -1084,187 +1276,187 @@ module horopter_plane_sums (
   logic centre_marks_values_3_first_q;
   logic centre_marks_values_3_last_q;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_640;
-  assign difference_640 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_0_features_right_q[5], entering_values_0_features_right_q};
-  logic [5:0] xor_641;
-  assign xor_641 = difference_640[5:0] ^ {6{difference_640[6]}};
-  logic [6:0] difference_652;
-  assign difference_652 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_0_features_right_q[5], leaving_values_0_features_right_q};
+  logic [6:0] difference_702;
+  assign difference_702 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_0_features_right_q[5], entering_values_0_features_right_q};
+  logic [5:0] xor_703;
+  assign xor_703 = difference_702[5:0] ^ {6{difference_702[6]}};
+  logic [6:0] difference_714;
+  assign difference_714 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_0_features_right_q[5], leaving_values_0_features_right_q};
   // hls/stages/plane_sums.hpp:63
-  logic [2:0] select_656;
-  assign select_656 = marks_values_0_first_q ? 3'h0 : arriving_rows_q;
-  logic equal_657;
-  assign equal_657 = select_656 == 3'h7;
+  logic [2:0] select_718;
+  assign select_718 = marks_values_0_first_q ? 3'h0 : arriving_rows_q;
+  logic equal_719;
+  assign equal_719 = select_718 == 3'h7;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_667;
-  assign difference_667 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_6_features_right_q[5], entering_values_6_features_right_q};
-  logic [5:0] xor_668;
-  assign xor_668 = difference_667[5:0] ^ {6{difference_667[6]}};
-  logic [6:0] difference_677;
-  assign difference_677 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_6_features_right_q[5], leaving_values_6_features_right_q};
-  logic [5:0] xor_678;
-  assign xor_678 = difference_677[5:0] ^ {6{difference_677[6]}};
-  logic [6:0] difference_689;
-  assign difference_689 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_11_features_right_q[5], entering_values_11_features_right_q};
-  logic [5:0] xor_690;
-  assign xor_690 = difference_689[5:0] ^ {6{difference_689[6]}};
-  logic [6:0] difference_699;
-  assign difference_699 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_11_features_right_q[5], leaving_values_11_features_right_q};
-  logic [5:0] xor_700;
-  assign xor_700 = difference_699[5:0] ^ {6{difference_699[6]}};
-  logic [6:0] difference_711;
-  assign difference_711 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_15_features_right_q[5], entering_values_15_features_right_q};
-  logic [5:0] xor_712;
-  assign xor_712 = difference_711[5:0] ^ {6{difference_711[6]}};
-  logic [6:0] difference_721;
-  assign difference_721 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_15_features_right_q[5], leaving_values_15_features_right_q};
-  logic [5:0] xor_722;
-  assign xor_722 = difference_721[5:0] ^ {6{difference_721[6]}};
-  logic [6:0] difference_733;
-  assign difference_733 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_18_features_right_q[5], entering_values_18_features_right_q};
-  logic [5:0] xor_734;
-  assign xor_734 = difference_733[5:0] ^ {6{difference_733[6]}};
-  logic [6:0] difference_743;
-  assign difference_743 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_18_features_right_q[5], leaving_values_18_features_right_q};
-  logic [5:0] xor_744;
-  assign xor_744 = difference_743[5:0] ^ {6{difference_743[6]}};
-  logic [6:0] difference_755;
-  assign difference_755 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_20_features_right_q[5], entering_values_20_features_right_q};
-  logic [5:0] xor_756;
-  assign xor_756 = difference_755[5:0] ^ {6{difference_755[6]}};
-  logic [6:0] difference_765;
-  assign difference_765 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_20_features_right_q[5], leaving_values_20_features_right_q};
-  logic [5:0] xor_766;
-  assign xor_766 = difference_765[5:0] ^ {6{difference_765[6]}};
-  logic [6:0] difference_777;
-  assign difference_777 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_21_features_right_q[5], entering_values_21_features_right_q};
-  logic [5:0] xor_778;
-  assign xor_778 = difference_777[5:0] ^ {6{difference_777[6]}};
-  logic [6:0] difference_787;
-  assign difference_787 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_21_features_right_q[5], leaving_values_21_features_right_q};
-  logic [5:0] xor_788;
-  assign xor_788 = difference_787[5:0] ^ {6{difference_787[6]}};
-  logic [6:0] difference_799;
-  assign difference_799 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_22_features_right_q[5], entering_values_22_features_right_q};
-  logic [5:0] xor_800;
-  assign xor_800 = difference_799[5:0] ^ {6{difference_799[6]}};
-  logic [6:0] difference_809;
-  assign difference_809 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_22_features_right_q[5], leaving_values_22_features_right_q};
-  logic [5:0] xor_810;
-  assign xor_810 = difference_809[5:0] ^ {6{difference_809[6]}};
-  logic [6:0] difference_821;
-  assign difference_821 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_23_features_right_q[5], entering_values_23_features_right_q};
-  logic [5:0] xor_822;
-  assign xor_822 = difference_821[5:0] ^ {6{difference_821[6]}};
-  logic [6:0] difference_831;
-  assign difference_831 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_23_features_right_q[5], leaving_values_23_features_right_q};
-  logic [5:0] xor_832;
-  assign xor_832 = difference_831[5:0] ^ {6{difference_831[6]}};
-  logic [6:0] difference_843;
-  assign difference_843 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_24_features_right_q[5], entering_values_24_features_right_q};
-  logic [5:0] xor_844;
-  assign xor_844 = difference_843[5:0] ^ {6{difference_843[6]}};
-  logic [6:0] difference_850;
-  assign difference_850 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_24_features_right_q[5], leaving_values_24_features_right_q};
-  logic [5:0] xor_851;
-  assign xor_851 = difference_850[5:0] ^ {6{difference_850[6]}};
+  logic [6:0] difference_729;
+  assign difference_729 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_6_features_right_q[5], entering_values_6_features_right_q};
+  logic [5:0] xor_730;
+  assign xor_730 = difference_729[5:0] ^ {6{difference_729[6]}};
+  logic [6:0] difference_739;
+  assign difference_739 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_6_features_right_q[5], leaving_values_6_features_right_q};
+  logic [5:0] xor_740;
+  assign xor_740 = difference_739[5:0] ^ {6{difference_739[6]}};
+  logic [6:0] difference_751;
+  assign difference_751 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_11_features_right_q[5], entering_values_11_features_right_q};
+  logic [5:0] xor_752;
+  assign xor_752 = difference_751[5:0] ^ {6{difference_751[6]}};
+  logic [6:0] difference_761;
+  assign difference_761 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_11_features_right_q[5], leaving_values_11_features_right_q};
+  logic [5:0] xor_762;
+  assign xor_762 = difference_761[5:0] ^ {6{difference_761[6]}};
+  logic [6:0] difference_773;
+  assign difference_773 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_15_features_right_q[5], entering_values_15_features_right_q};
+  logic [5:0] xor_774;
+  assign xor_774 = difference_773[5:0] ^ {6{difference_773[6]}};
+  logic [6:0] difference_783;
+  assign difference_783 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_15_features_right_q[5], leaving_values_15_features_right_q};
+  logic [5:0] xor_784;
+  assign xor_784 = difference_783[5:0] ^ {6{difference_783[6]}};
+  logic [6:0] difference_795;
+  assign difference_795 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_18_features_right_q[5], entering_values_18_features_right_q};
+  logic [5:0] xor_796;
+  assign xor_796 = difference_795[5:0] ^ {6{difference_795[6]}};
+  logic [6:0] difference_805;
+  assign difference_805 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_18_features_right_q[5], leaving_values_18_features_right_q};
+  logic [5:0] xor_806;
+  assign xor_806 = difference_805[5:0] ^ {6{difference_805[6]}};
+  logic [6:0] difference_817;
+  assign difference_817 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_20_features_right_q[5], entering_values_20_features_right_q};
+  logic [5:0] xor_818;
+  assign xor_818 = difference_817[5:0] ^ {6{difference_817[6]}};
+  logic [6:0] difference_827;
+  assign difference_827 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_20_features_right_q[5], leaving_values_20_features_right_q};
+  logic [5:0] xor_828;
+  assign xor_828 = difference_827[5:0] ^ {6{difference_827[6]}};
+  logic [6:0] difference_839;
+  assign difference_839 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_21_features_right_q[5], entering_values_21_features_right_q};
+  logic [5:0] xor_840;
+  assign xor_840 = difference_839[5:0] ^ {6{difference_839[6]}};
+  logic [6:0] difference_849;
+  assign difference_849 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_21_features_right_q[5], leaving_values_21_features_right_q};
+  logic [5:0] xor_850;
+  assign xor_850 = difference_849[5:0] ^ {6{difference_849[6]}};
   logic [6:0] difference_861;
-  assign difference_861 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_25_features_right_q[5], entering_values_25_features_right_q};
+  assign difference_861 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_22_features_right_q[5], entering_values_22_features_right_q};
   logic [5:0] xor_862;
   assign xor_862 = difference_861[5:0] ^ {6{difference_861[6]}};
   logic [6:0] difference_871;
-  assign difference_871 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_25_features_right_q[5], leaving_values_25_features_right_q};
+  assign difference_871 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_22_features_right_q[5], leaving_values_22_features_right_q};
   logic [5:0] xor_872;
   assign xor_872 = difference_871[5:0] ^ {6{difference_871[6]}};
   logic [6:0] difference_883;
-  assign difference_883 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_26_features_right_q[5], entering_values_26_features_right_q};
+  assign difference_883 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_23_features_right_q[5], entering_values_23_features_right_q};
   logic [5:0] xor_884;
   assign xor_884 = difference_883[5:0] ^ {6{difference_883[6]}};
   logic [6:0] difference_893;
-  assign difference_893 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_26_features_right_q[5], leaving_values_26_features_right_q};
+  assign difference_893 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_23_features_right_q[5], leaving_values_23_features_right_q};
   logic [5:0] xor_894;
   assign xor_894 = difference_893[5:0] ^ {6{difference_893[6]}};
   logic [6:0] difference_905;
-  assign difference_905 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_27_features_right_q[5], entering_values_27_features_right_q};
+  assign difference_905 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_24_features_right_q[5], entering_values_24_features_right_q};
   logic [5:0] xor_906;
   assign xor_906 = difference_905[5:0] ^ {6{difference_905[6]}};
-  logic [6:0] difference_915;
-  assign difference_915 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_27_features_right_q[5], leaving_values_27_features_right_q};
-  logic [5:0] xor_916;
-  assign xor_916 = difference_915[5:0] ^ {6{difference_915[6]}};
-  logic [6:0] difference_927;
-  assign difference_927 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_28_features_right_q[5], entering_values_28_features_right_q};
-  logic [5:0] xor_928;
-  assign xor_928 = difference_927[5:0] ^ {6{difference_927[6]}};
-  logic [6:0] difference_937;
-  assign difference_937 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_28_features_right_q[5], leaving_values_28_features_right_q};
-  logic [5:0] xor_938;
-  assign xor_938 = difference_937[5:0] ^ {6{difference_937[6]}};
-  logic [6:0] difference_949;
-  assign difference_949 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_30_features_right_q[5], entering_values_30_features_right_q};
-  logic [5:0] xor_950;
-  assign xor_950 = difference_949[5:0] ^ {6{difference_949[6]}};
-  logic [6:0] difference_959;
-  assign difference_959 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_30_features_right_q[5], leaving_values_30_features_right_q};
-  logic [5:0] xor_960;
-  assign xor_960 = difference_959[5:0] ^ {6{difference_959[6]}};
-  logic [6:0] difference_971;
-  assign difference_971 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_33_features_right_q[5], entering_values_33_features_right_q};
-  logic [5:0] xor_972;
-  assign xor_972 = difference_971[5:0] ^ {6{difference_971[6]}};
-  logic [6:0] difference_981;
-  assign difference_981 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_33_features_right_q[5], leaving_values_33_features_right_q};
-  logic [5:0] xor_982;
-  assign xor_982 = difference_981[5:0] ^ {6{difference_981[6]}};
-  logic [6:0] difference_993;
-  assign difference_993 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_37_features_right_q[5], entering_values_37_features_right_q};
-  logic [5:0] xor_994;
-  assign xor_994 = difference_993[5:0] ^ {6{difference_993[6]}};
-  logic [6:0] difference_1003;
-  assign difference_1003 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_37_features_right_q[5], leaving_values_37_features_right_q};
-  logic [5:0] xor_1004;
-  assign xor_1004 = difference_1003[5:0] ^ {6{difference_1003[6]}};
-  logic [6:0] difference_1015;
-  assign difference_1015 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_42_features_right_q[5], entering_values_42_features_right_q};
-  logic [5:0] xor_1016;
-  assign xor_1016 = difference_1015[5:0] ^ {6{difference_1015[6]}};
-  logic [6:0] difference_1025;
-  assign difference_1025 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_42_features_right_q[5], leaving_values_42_features_right_q};
-  logic [5:0] xor_1026;
-  assign xor_1026 = difference_1025[5:0] ^ {6{difference_1025[6]}};
+  logic [6:0] difference_912;
+  assign difference_912 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_24_features_right_q[5], leaving_values_24_features_right_q};
+  logic [5:0] xor_913;
+  assign xor_913 = difference_912[5:0] ^ {6{difference_912[6]}};
+  logic [6:0] difference_923;
+  assign difference_923 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_25_features_right_q[5], entering_values_25_features_right_q};
+  logic [5:0] xor_924;
+  assign xor_924 = difference_923[5:0] ^ {6{difference_923[6]}};
+  logic [6:0] difference_933;
+  assign difference_933 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_25_features_right_q[5], leaving_values_25_features_right_q};
+  logic [5:0] xor_934;
+  assign xor_934 = difference_933[5:0] ^ {6{difference_933[6]}};
+  logic [6:0] difference_945;
+  assign difference_945 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_26_features_right_q[5], entering_values_26_features_right_q};
+  logic [5:0] xor_946;
+  assign xor_946 = difference_945[5:0] ^ {6{difference_945[6]}};
+  logic [6:0] difference_955;
+  assign difference_955 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_26_features_right_q[5], leaving_values_26_features_right_q};
+  logic [5:0] xor_956;
+  assign xor_956 = difference_955[5:0] ^ {6{difference_955[6]}};
+  logic [6:0] difference_967;
+  assign difference_967 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_27_features_right_q[5], entering_values_27_features_right_q};
+  logic [5:0] xor_968;
+  assign xor_968 = difference_967[5:0] ^ {6{difference_967[6]}};
+  logic [6:0] difference_977;
+  assign difference_977 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_27_features_right_q[5], leaving_values_27_features_right_q};
+  logic [5:0] xor_978;
+  assign xor_978 = difference_977[5:0] ^ {6{difference_977[6]}};
+  logic [6:0] difference_989;
+  assign difference_989 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_28_features_right_q[5], entering_values_28_features_right_q};
+  logic [5:0] xor_990;
+  assign xor_990 = difference_989[5:0] ^ {6{difference_989[6]}};
+  logic [6:0] difference_999;
+  assign difference_999 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_28_features_right_q[5], leaving_values_28_features_right_q};
+  logic [5:0] xor_1000;
+  assign xor_1000 = difference_999[5:0] ^ {6{difference_999[6]}};
+  logic [6:0] difference_1011;
+  assign difference_1011 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_30_features_right_q[5], entering_values_30_features_right_q};
+  logic [5:0] xor_1012;
+  assign xor_1012 = difference_1011[5:0] ^ {6{difference_1011[6]}};
+  logic [6:0] difference_1021;
+  assign difference_1021 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_30_features_right_q[5], leaving_values_30_features_right_q};
+  logic [5:0] xor_1022;
+  assign xor_1022 = difference_1021[5:0] ^ {6{difference_1021[6]}};
+  logic [6:0] difference_1033;
+  assign difference_1033 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_33_features_right_q[5], entering_values_33_features_right_q};
+  logic [5:0] xor_1034;
+  assign xor_1034 = difference_1033[5:0] ^ {6{difference_1033[6]}};
+  logic [6:0] difference_1043;
+  assign difference_1043 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_33_features_right_q[5], leaving_values_33_features_right_q};
+  logic [5:0] xor_1044;
+  assign xor_1044 = difference_1043[5:0] ^ {6{difference_1043[6]}};
+  logic [6:0] difference_1055;
+  assign difference_1055 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_37_features_right_q[5], entering_values_37_features_right_q};
+  logic [5:0] xor_1056;
+  assign xor_1056 = difference_1055[5:0] ^ {6{difference_1055[6]}};
+  logic [6:0] difference_1065;
+  assign difference_1065 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_37_features_right_q[5], leaving_values_37_features_right_q};
+  logic [5:0] xor_1066;
+  assign xor_1066 = difference_1065[5:0] ^ {6{difference_1065[6]}};
+  logic [6:0] difference_1077;
+  assign difference_1077 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_42_features_right_q[5], entering_values_42_features_right_q};
+  logic [5:0] xor_1078;
+  assign xor_1078 = difference_1077[5:0] ^ {6{difference_1077[6]}};
+  logic [6:0] difference_1087;
+  assign difference_1087 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_42_features_right_q[5], leaving_values_42_features_right_q};
+  logic [5:0] xor_1088;
+  assign xor_1088 = difference_1087[5:0] ^ {6{difference_1087[6]}};
   // hls/stages/plane_sums.hpp:157
-  logic not_1042;
-  assign not_1042 = ~(entering_values_23_row_q ^ entering_values_47_row_q);
+  logic not_1104;
+  assign not_1104 = ~(entering_values_23_row_q ^ entering_values_47_row_q);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_1044;
-  assign select_1044 = ((sum_1039_s2_q[6:5] == 2'h0) & not_1042) ? sum_1039_s2_q[4:0] : 5'h1f;
-  logic [4:0] select_1046;
-  assign select_1046 = entering_values_23_features_mask_q ? (entering_values_47_features_mask_q ? select_1044 : 5'h1f) : 5'h0;
-  logic [4:0] select_1052;
-  assign select_1052 = (not_1042 & (sum_1049_s2_q[6:5] == 2'h0)) ? sum_1049_s2_q[4:0] : 5'h1f;
-  logic [4:0] select_1054;
-  assign select_1054 = leaving_values_23_features_mask_q ? (leaving_values_47_features_mask_q ? select_1052 : 5'h1f) : 5'h0;
+  logic [4:0] select_1106;
+  assign select_1106 = ((sum_1101_s2_q[6:5] == 2'h0) & not_1104) ? sum_1101_s2_q[4:0] : 5'h1f;
+  logic [4:0] select_1108;
+  assign select_1108 = entering_values_23_features_mask_q ? (entering_values_47_features_mask_q ? select_1106 : 5'h1f) : 5'h0;
+  logic [4:0] select_1114;
+  assign select_1114 = (not_1104 & (sum_1111_s2_q[6:5] == 2'h0)) ? sum_1111_s2_q[4:0] : 5'h1f;
+  logic [4:0] select_1116;
+  assign select_1116 = leaving_values_23_features_mask_q ? (leaving_values_47_features_mask_q ? select_1114 : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:163
-  logic [4:0] xor_1059;
-  assign xor_1059 = entering_values_23_features_left_s2_q[4:0] ^ {5{entering_values_23_features_left_s2_q[5]}};
+  logic [4:0] xor_1121;
+  assign xor_1121 = entering_values_23_features_left_s2_q[4:0] ^ {5{entering_values_23_features_left_s2_q[5]}};
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_1061;
-  assign select_1061 = entering_values_23_features_mask_q ? ({4'h0, entering_values_23_features_left_s2_q[5]} + xor_1059) : 5'h0;
+  logic [4:0] select_1123;
+  assign select_1123 = entering_values_23_features_mask_q ? ({4'h0, entering_values_23_features_left_s2_q[5]} + xor_1121) : 5'h0;
   // hls/stages/plane_sums.hpp:163
-  logic [4:0] xor_1062;
-  assign xor_1062 = leaving_values_23_features_left_s2_q[4:0] ^ {5{leaving_values_23_features_left_s2_q[5]}};
+  logic [4:0] xor_1124;
+  assign xor_1124 = leaving_values_23_features_left_s2_q[4:0] ^ {5{leaving_values_23_features_left_s2_q[5]}};
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_1064;
-  assign select_1064 = leaving_values_23_features_mask_q ? ({4'h0, leaving_values_23_features_left_s2_q[5]} + xor_1062) : 5'h0;
+  logic [4:0] select_1126;
+  assign select_1126 = leaving_values_23_features_mask_q ? ({4'h0, leaving_values_23_features_left_s2_q[5]} + xor_1124) : 5'h0;
   // hls/stages/plane_sums.hpp:63
-  logic not_1073;
-  assign not_1073 = ~equal_657;
-  logic [2:0] select_1075;
-  assign select_1075 = marks_values_0_last_q ? (select_656 + {2'h0, not_1073}) : select_656;
+  logic not_1135;
+  assign not_1135 = ~equal_719;
+  logic [2:0] select_1137;
+  assign select_1137 = marks_values_0_last_q ? (select_718 + {2'h0, not_1135}) : select_718;
 
   // Memory feature_memory, write
   logic [10:0] feature_memory_waddr;
-  assign feature_memory_waddr = select_630_s2_q;
+  assign feature_memory_waddr = select_692_s2_q;
   logic feature_memory_we;
   assign feature_memory_we = s2_en;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -1451,8 +1643,8 @@ module horopter_plane_sums (
       centre_marks_values_3_first_q <= 1'b0;
       centre_marks_values_3_last_q <= 1'b0;
     end else if (s2_en) begin
-      arriving_rows_q <= select_1075;
-      row_parity_q <= row_parity_q ^ or_629_s2_q;
+      arriving_rows_q <= select_1137;
+      row_parity_q <= row_parity_q ^ or_691_s2_q;
       entering_values_0_features_mask_q <= mask_s2_q;
       entering_values_1_features_mask_q <= entering_values_0_features_mask_q;
       entering_values_1_row_q <= row_parity_q;
@@ -1548,7 +1740,7 @@ module horopter_plane_sums (
       entering_values_46_row_q <= entering_values_45_row_q;
       entering_values_47_features_mask_q <= entering_values_46_features_mask_q;
       entering_values_47_row_q <= entering_values_46_row_q;
-      leaving_values_0_features_mask_q <= feature_memory_rdata_s2_q[78] & equal_657;
+      leaving_values_0_features_mask_q <= feature_memory_rdata_s2_q[78] & equal_719;
       leaving_values_1_features_mask_q <= leaving_values_0_features_mask_q;
       leaving_values_2_features_mask_q <= leaving_values_1_features_mask_q;
       leaving_values_3_features_mask_q <= leaving_values_2_features_mask_q;
@@ -1611,104 +1803,108 @@ module horopter_plane_sums (
   logic seen_values_24_exists_s3_q;
   logic centre_marks_values_3_first_s3_q;
   logic centre_marks_values_3_last_s3_q;
-  logic or_632_s3_q;
-  logic [10:0] select_633_s3_q;
-  logic or_634_s3_q;
+  logic centre_marks_values_3_seen_s3_q;
+  logic centre_marks_values_3_nearer_s3_q;
+  logic or_694_s3_q;
+  logic [10:0] select_695_s3_q;
+  logic or_696_s3_q;
   logic [190:0] column_memory_rdata_s3_q;
-  logic [6:0] sum_642_s3_q;
-  logic not_647_s3_q;
-  logic difference_652_s3_q;
-  logic [5:0] xor_653_s3_q;
-  logic [6:0] sum_669_s3_q;
-  logic [6:0] sum_679_s3_q;
-  logic [6:0] sum_691_s3_q;
-  logic [6:0] sum_701_s3_q;
-  logic [6:0] sum_713_s3_q;
-  logic [6:0] sum_723_s3_q;
-  logic [6:0] sum_735_s3_q;
-  logic [6:0] sum_745_s3_q;
-  logic [6:0] sum_757_s3_q;
-  logic [6:0] sum_767_s3_q;
-  logic [6:0] sum_779_s3_q;
-  logic [6:0] sum_789_s3_q;
-  logic [6:0] sum_801_s3_q;
-  logic [6:0] sum_811_s3_q;
-  logic [6:0] sum_823_s3_q;
-  logic [6:0] sum_833_s3_q;
-  logic [6:0] sum_845_s3_q;
-  logic [6:0] sum_852_s3_q;
+  logic [6:0] sum_704_s3_q;
+  logic not_709_s3_q;
+  logic difference_714_s3_q;
+  logic [5:0] xor_715_s3_q;
+  logic [6:0] sum_731_s3_q;
+  logic [6:0] sum_741_s3_q;
+  logic [6:0] sum_753_s3_q;
+  logic [6:0] sum_763_s3_q;
+  logic [6:0] sum_775_s3_q;
+  logic [6:0] sum_785_s3_q;
+  logic [6:0] sum_797_s3_q;
+  logic [6:0] sum_807_s3_q;
+  logic [6:0] sum_819_s3_q;
+  logic [6:0] sum_829_s3_q;
+  logic [6:0] sum_841_s3_q;
+  logic [6:0] sum_851_s3_q;
   logic [6:0] sum_863_s3_q;
   logic [6:0] sum_873_s3_q;
   logic [6:0] sum_885_s3_q;
   logic [6:0] sum_895_s3_q;
   logic [6:0] sum_907_s3_q;
-  logic [6:0] sum_917_s3_q;
-  logic [6:0] sum_929_s3_q;
-  logic [6:0] sum_939_s3_q;
-  logic [6:0] sum_951_s3_q;
-  logic [6:0] sum_961_s3_q;
-  logic [6:0] sum_973_s3_q;
-  logic [6:0] sum_983_s3_q;
-  logic [6:0] sum_995_s3_q;
-  logic [6:0] sum_1005_s3_q;
-  logic [6:0] sum_1017_s3_q;
-  logic [6:0] sum_1027_s3_q;
-  logic [4:0] select_1046_s3_q;
-  logic [4:0] select_1054_s3_q;
-  logic [4:0] select_1061_s3_q;
-  logic [4:0] select_1064_s3_q;
+  logic [6:0] sum_914_s3_q;
+  logic [6:0] sum_925_s3_q;
+  logic [6:0] sum_935_s3_q;
+  logic [6:0] sum_947_s3_q;
+  logic [6:0] sum_957_s3_q;
+  logic [6:0] sum_969_s3_q;
+  logic [6:0] sum_979_s3_q;
+  logic [6:0] sum_991_s3_q;
+  logic [6:0] sum_1001_s3_q;
+  logic [6:0] sum_1013_s3_q;
+  logic [6:0] sum_1023_s3_q;
+  logic [6:0] sum_1035_s3_q;
+  logic [6:0] sum_1045_s3_q;
+  logic [6:0] sum_1057_s3_q;
+  logic [6:0] sum_1067_s3_q;
+  logic [6:0] sum_1079_s3_q;
+  logic [6:0] sum_1089_s3_q;
+  logic [4:0] select_1108_s3_q;
+  logic [4:0] select_1116_s3_q;
+  logic [4:0] select_1123_s3_q;
+  logic [4:0] select_1126_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       seen_values_24_grey_s3_q <= seen_values_24_grey_s2_q;
       seen_values_24_exists_s3_q <= seen_values_24_exists_s2_q;
       centre_marks_values_3_first_s3_q <= centre_marks_values_3_first_q;
       centre_marks_values_3_last_s3_q <= centre_marks_values_3_last_q;
-      or_632_s3_q <= or_632_s2_q;
-      select_633_s3_q <= select_633_s2_q;
-      or_634_s3_q <= running_q;
+      centre_marks_values_3_seen_s3_q <= centre_marks_values_3_seen_s2_q;
+      centre_marks_values_3_nearer_s3_q <= centre_marks_values_3_nearer_s2_q;
+      or_694_s3_q <= or_694_s2_q;
+      select_695_s3_q <= select_695_s2_q;
+      or_696_s3_q <= running_q;
       column_memory_rdata_s3_q <= column_memory_rdata_q;
-      sum_642_s3_q <= {6'h0, difference_640[6]} + {1'b0, xor_641};
-      not_647_s3_q <= ~(^{or_629_s2_q, entering_values_23_row_q, row_parity_q});
-      difference_652_s3_q <= difference_652[6];
-      xor_653_s3_q <= difference_652[5:0] ^ {6{difference_652[6]}};
-      sum_669_s3_q <= {6'h0, difference_667[6]} + {1'b0, xor_668};
-      sum_679_s3_q <= {6'h0, difference_677[6]} + {1'b0, xor_678};
-      sum_691_s3_q <= {6'h0, difference_689[6]} + {1'b0, xor_690};
-      sum_701_s3_q <= {6'h0, difference_699[6]} + {1'b0, xor_700};
-      sum_713_s3_q <= {6'h0, difference_711[6]} + {1'b0, xor_712};
-      sum_723_s3_q <= {6'h0, difference_721[6]} + {1'b0, xor_722};
-      sum_735_s3_q <= {6'h0, difference_733[6]} + {1'b0, xor_734};
-      sum_745_s3_q <= {6'h0, difference_743[6]} + {1'b0, xor_744};
-      sum_757_s3_q <= {6'h0, difference_755[6]} + {1'b0, xor_756};
-      sum_767_s3_q <= {6'h0, difference_765[6]} + {1'b0, xor_766};
-      sum_779_s3_q <= {6'h0, difference_777[6]} + {1'b0, xor_778};
-      sum_789_s3_q <= {6'h0, difference_787[6]} + {1'b0, xor_788};
-      sum_801_s3_q <= {6'h0, difference_799[6]} + {1'b0, xor_800};
-      sum_811_s3_q <= {6'h0, difference_809[6]} + {1'b0, xor_810};
-      sum_823_s3_q <= {6'h0, difference_821[6]} + {1'b0, xor_822};
-      sum_833_s3_q <= {6'h0, difference_831[6]} + {1'b0, xor_832};
-      sum_845_s3_q <= {6'h0, difference_843[6]} + {1'b0, xor_844};
-      sum_852_s3_q <= {6'h0, difference_850[6]} + {1'b0, xor_851};
+      sum_704_s3_q <= {6'h0, difference_702[6]} + {1'b0, xor_703};
+      not_709_s3_q <= ~(^{or_691_s2_q, entering_values_23_row_q, row_parity_q});
+      difference_714_s3_q <= difference_714[6];
+      xor_715_s3_q <= difference_714[5:0] ^ {6{difference_714[6]}};
+      sum_731_s3_q <= {6'h0, difference_729[6]} + {1'b0, xor_730};
+      sum_741_s3_q <= {6'h0, difference_739[6]} + {1'b0, xor_740};
+      sum_753_s3_q <= {6'h0, difference_751[6]} + {1'b0, xor_752};
+      sum_763_s3_q <= {6'h0, difference_761[6]} + {1'b0, xor_762};
+      sum_775_s3_q <= {6'h0, difference_773[6]} + {1'b0, xor_774};
+      sum_785_s3_q <= {6'h0, difference_783[6]} + {1'b0, xor_784};
+      sum_797_s3_q <= {6'h0, difference_795[6]} + {1'b0, xor_796};
+      sum_807_s3_q <= {6'h0, difference_805[6]} + {1'b0, xor_806};
+      sum_819_s3_q <= {6'h0, difference_817[6]} + {1'b0, xor_818};
+      sum_829_s3_q <= {6'h0, difference_827[6]} + {1'b0, xor_828};
+      sum_841_s3_q <= {6'h0, difference_839[6]} + {1'b0, xor_840};
+      sum_851_s3_q <= {6'h0, difference_849[6]} + {1'b0, xor_850};
       sum_863_s3_q <= {6'h0, difference_861[6]} + {1'b0, xor_862};
       sum_873_s3_q <= {6'h0, difference_871[6]} + {1'b0, xor_872};
       sum_885_s3_q <= {6'h0, difference_883[6]} + {1'b0, xor_884};
       sum_895_s3_q <= {6'h0, difference_893[6]} + {1'b0, xor_894};
       sum_907_s3_q <= {6'h0, difference_905[6]} + {1'b0, xor_906};
-      sum_917_s3_q <= {6'h0, difference_915[6]} + {1'b0, xor_916};
-      sum_929_s3_q <= {6'h0, difference_927[6]} + {1'b0, xor_928};
-      sum_939_s3_q <= {6'h0, difference_937[6]} + {1'b0, xor_938};
-      sum_951_s3_q <= {6'h0, difference_949[6]} + {1'b0, xor_950};
-      sum_961_s3_q <= {6'h0, difference_959[6]} + {1'b0, xor_960};
-      sum_973_s3_q <= {6'h0, difference_971[6]} + {1'b0, xor_972};
-      sum_983_s3_q <= {6'h0, difference_981[6]} + {1'b0, xor_982};
-      sum_995_s3_q <= {6'h0, difference_993[6]} + {1'b0, xor_994};
-      sum_1005_s3_q <= {6'h0, difference_1003[6]} + {1'b0, xor_1004};
-      sum_1017_s3_q <= {6'h0, difference_1015[6]} + {1'b0, xor_1016};
-      sum_1027_s3_q <= {6'h0, difference_1025[6]} + {1'b0, xor_1026};
-      select_1046_s3_q <= select_1046;
-      select_1054_s3_q <= select_1054;
-      select_1061_s3_q <= select_1061;
-      select_1064_s3_q <= select_1064;
+      sum_914_s3_q <= {6'h0, difference_912[6]} + {1'b0, xor_913};
+      sum_925_s3_q <= {6'h0, difference_923[6]} + {1'b0, xor_924};
+      sum_935_s3_q <= {6'h0, difference_933[6]} + {1'b0, xor_934};
+      sum_947_s3_q <= {6'h0, difference_945[6]} + {1'b0, xor_946};
+      sum_957_s3_q <= {6'h0, difference_955[6]} + {1'b0, xor_956};
+      sum_969_s3_q <= {6'h0, difference_967[6]} + {1'b0, xor_968};
+      sum_979_s3_q <= {6'h0, difference_977[6]} + {1'b0, xor_978};
+      sum_991_s3_q <= {6'h0, difference_989[6]} + {1'b0, xor_990};
+      sum_1001_s3_q <= {6'h0, difference_999[6]} + {1'b0, xor_1000};
+      sum_1013_s3_q <= {6'h0, difference_1011[6]} + {1'b0, xor_1012};
+      sum_1023_s3_q <= {6'h0, difference_1021[6]} + {1'b0, xor_1022};
+      sum_1035_s3_q <= {6'h0, difference_1033[6]} + {1'b0, xor_1034};
+      sum_1045_s3_q <= {6'h0, difference_1043[6]} + {1'b0, xor_1044};
+      sum_1057_s3_q <= {6'h0, difference_1055[6]} + {1'b0, xor_1056};
+      sum_1067_s3_q <= {6'h0, difference_1065[6]} + {1'b0, xor_1066};
+      sum_1079_s3_q <= {6'h0, difference_1077[6]} + {1'b0, xor_1078};
+      sum_1089_s3_q <= {6'h0, difference_1087[6]} + {1'b0, xor_1088};
+      select_1108_s3_q <= select_1108;
+      select_1116_s3_q <= select_1116;
+      select_1123_s3_q <= select_1123;
+      select_1126_s3_q <= select_1126;
     end
   end
 
@@ -1731,331 +1927,331 @@ module horopter_plane_sums (
   logic rows_seen_values_2_q;
   logic rows_seen_values_3_q;
   // hls/stages/plane_sums.hpp:81
-  logic [2:0] select_636;
-  assign select_636 = centre_marks_values_0_first_q ? 3'h0 : delayed_rows_q;
-  logic equal_637;
-  assign equal_637 = select_636 == 3'h0;
+  logic [2:0] select_698;
+  assign select_698 = centre_marks_values_0_first_q ? 3'h0 : delayed_rows_q;
+  logic equal_699;
+  assign equal_699 = select_698 == 3'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above;
-  assign above = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[7:0] : 8'h0);
+  assign above = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[7:0] : 8'h0);
   // hls/stages/plane_sums.hpp:158
-  logic and_649;
-  assign and_649 = (sum_642_s3_q[6:5] == 2'h0) & (entering_values_0_features_mask_q & not_647_s3_q);
+  logic and_711;
+  assign and_711 = (sum_704_s3_q[6:5] == 2'h0) & (entering_values_0_features_mask_q & not_709_s3_q);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_651;
-  assign select_651 = entering_values_24_features_mask_q ? (and_649 ? sum_642_s3_q[4:0] : 5'h1f) : 5'h0;
+  logic [4:0] select_713;
+  assign select_713 = entering_values_24_features_mask_q ? (and_711 ? sum_704_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] sum_654;
-  assign sum_654 = {6'h0, difference_652_s3_q} + {1'b0, xor_653_s3_q};
+  logic [6:0] sum_716;
+  assign sum_716 = {6'h0, difference_714_s3_q} + {1'b0, xor_715_s3_q};
   // hls/stages/plane_sums.hpp:158
-  logic and_660;
-  assign and_660 = (sum_654[6:5] == 2'h0) & (leaving_values_0_features_mask_q & not_647_s3_q);
+  logic and_722;
+  assign and_722 = (sum_716[6:5] == 2'h0) & (leaving_values_0_features_mask_q & not_709_s3_q);
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_2;
-  assign above_2 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[15:8] : 8'h0);
+  assign above_2 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[15:8] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic not_672;
-  assign not_672 = ~(entering_values_6_row_q ^ entering_values_24_row_q);
+  logic not_734;
+  assign not_734 = ~(entering_values_6_row_q ^ entering_values_24_row_q);
   // hls/stages/plane_sums.hpp:158
-  logic and_674;
-  assign and_674 = (sum_669_s3_q[6:5] == 2'h0) & (entering_values_6_features_mask_q & not_672);
+  logic and_736;
+  assign and_736 = (sum_731_s3_q[6:5] == 2'h0) & (entering_values_6_features_mask_q & not_734);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_676;
-  assign select_676 = entering_values_24_features_mask_q ? (and_674 ? sum_669_s3_q[4:0] : 5'h1f) : 5'h0;
+  logic [4:0] select_738;
+  assign select_738 = entering_values_24_features_mask_q ? (and_736 ? sum_731_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:158
-  logic and_682;
-  assign and_682 = (sum_679_s3_q[6:5] == 2'h0) & (leaving_values_6_features_mask_q & not_672);
+  logic and_744;
+  assign and_744 = (sum_741_s3_q[6:5] == 2'h0) & (leaving_values_6_features_mask_q & not_734);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_684;
-  assign select_684 = leaving_values_24_features_mask_q ? (and_682 ? sum_679_s3_q[4:0] : 5'h1f) : 5'h0;
+  logic [4:0] select_746;
+  assign select_746 = leaving_values_24_features_mask_q ? (and_744 ? sum_741_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_3;
-  assign above_3 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[23:16] : 8'h0);
+  assign above_3 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[23:16] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic not_694;
-  assign not_694 = ~(entering_values_11_row_q ^ entering_values_24_row_q);
+  logic not_756;
+  assign not_756 = ~(entering_values_11_row_q ^ entering_values_24_row_q);
   // hls/stages/plane_sums.hpp:158
-  logic and_696;
-  assign and_696 = (sum_691_s3_q[6:5] == 2'h0) & (entering_values_11_features_mask_q & not_694);
+  logic and_758;
+  assign and_758 = (sum_753_s3_q[6:5] == 2'h0) & (entering_values_11_features_mask_q & not_756);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_698;
-  assign select_698 = entering_values_24_features_mask_q ? (and_696 ? sum_691_s3_q[4:0] : 5'h1f) : 5'h0;
+  logic [4:0] select_760;
+  assign select_760 = entering_values_24_features_mask_q ? (and_758 ? sum_753_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:158
-  logic and_704;
-  assign and_704 = (sum_701_s3_q[6:5] == 2'h0) & (leaving_values_11_features_mask_q & not_694);
+  logic and_766;
+  assign and_766 = (sum_763_s3_q[6:5] == 2'h0) & (leaving_values_11_features_mask_q & not_756);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_706;
-  assign select_706 = leaving_values_24_features_mask_q ? (and_704 ? sum_701_s3_q[4:0] : 5'h1f) : 5'h0;
+  logic [4:0] select_768;
+  assign select_768 = leaving_values_24_features_mask_q ? (and_766 ? sum_763_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_4;
-  assign above_4 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[31:24] : 8'h0);
+  assign above_4 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[31:24] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic not_716;
-  assign not_716 = ~(entering_values_15_row_q ^ entering_values_24_row_q);
+  logic not_778;
+  assign not_778 = ~(entering_values_15_row_q ^ entering_values_24_row_q);
   // hls/stages/plane_sums.hpp:158
-  logic and_718;
-  assign and_718 = (sum_713_s3_q[6:5] == 2'h0) & (entering_values_15_features_mask_q & not_716);
+  logic and_780;
+  assign and_780 = (sum_775_s3_q[6:5] == 2'h0) & (entering_values_15_features_mask_q & not_778);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_720;
-  assign select_720 = entering_values_24_features_mask_q ? (and_718 ? sum_713_s3_q[4:0] : 5'h1f) : 5'h0;
+  logic [4:0] select_782;
+  assign select_782 = entering_values_24_features_mask_q ? (and_780 ? sum_775_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:158
-  logic and_726;
-  assign and_726 = (sum_723_s3_q[6:5] == 2'h0) & (leaving_values_15_features_mask_q & not_716);
+  logic and_788;
+  assign and_788 = (sum_785_s3_q[6:5] == 2'h0) & (leaving_values_15_features_mask_q & not_778);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_728;
-  assign select_728 = leaving_values_24_features_mask_q ? (and_726 ? sum_723_s3_q[4:0] : 5'h1f) : 5'h0;
+  logic [4:0] select_790;
+  assign select_790 = leaving_values_24_features_mask_q ? (and_788 ? sum_785_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_5;
-  assign above_5 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[39:32] : 8'h0);
+  assign above_5 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[39:32] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic not_738;
-  assign not_738 = ~(entering_values_18_row_q ^ entering_values_24_row_q);
+  logic not_800;
+  assign not_800 = ~(entering_values_18_row_q ^ entering_values_24_row_q);
   // hls/stages/plane_sums.hpp:158
-  logic and_740;
-  assign and_740 = (sum_735_s3_q[6:5] == 2'h0) & (entering_values_18_features_mask_q & not_738);
+  logic and_802;
+  assign and_802 = (sum_797_s3_q[6:5] == 2'h0) & (entering_values_18_features_mask_q & not_800);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_742;
-  assign select_742 = entering_values_24_features_mask_q ? (and_740 ? sum_735_s3_q[4:0] : 5'h1f) : 5'h0;
+  logic [4:0] select_804;
+  assign select_804 = entering_values_24_features_mask_q ? (and_802 ? sum_797_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:158
-  logic and_748;
-  assign and_748 = (sum_745_s3_q[6:5] == 2'h0) & (leaving_values_18_features_mask_q & not_738);
+  logic and_810;
+  assign and_810 = (sum_807_s3_q[6:5] == 2'h0) & (leaving_values_18_features_mask_q & not_800);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_750;
-  assign select_750 = leaving_values_24_features_mask_q ? (and_748 ? sum_745_s3_q[4:0] : 5'h1f) : 5'h0;
+  logic [4:0] select_812;
+  assign select_812 = leaving_values_24_features_mask_q ? (and_810 ? sum_807_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_6;
-  assign above_6 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[47:40] : 8'h0);
+  assign above_6 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[47:40] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic not_760;
-  assign not_760 = ~(entering_values_20_row_q ^ entering_values_24_row_q);
+  logic not_822;
+  assign not_822 = ~(entering_values_20_row_q ^ entering_values_24_row_q);
   // hls/stages/plane_sums.hpp:158
-  logic and_762;
-  assign and_762 = (sum_757_s3_q[6:5] == 2'h0) & (entering_values_20_features_mask_q & not_760);
+  logic and_824;
+  assign and_824 = (sum_819_s3_q[6:5] == 2'h0) & (entering_values_20_features_mask_q & not_822);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_764;
-  assign select_764 = entering_values_24_features_mask_q ? (and_762 ? sum_757_s3_q[4:0] : 5'h1f) : 5'h0;
+  logic [4:0] select_826;
+  assign select_826 = entering_values_24_features_mask_q ? (and_824 ? sum_819_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:158
-  logic and_770;
-  assign and_770 = (sum_767_s3_q[6:5] == 2'h0) & (leaving_values_20_features_mask_q & not_760);
+  logic and_832;
+  assign and_832 = (sum_829_s3_q[6:5] == 2'h0) & (leaving_values_20_features_mask_q & not_822);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_772;
-  assign select_772 = leaving_values_24_features_mask_q ? (and_770 ? sum_767_s3_q[4:0] : 5'h1f) : 5'h0;
+  logic [4:0] select_834;
+  assign select_834 = leaving_values_24_features_mask_q ? (and_832 ? sum_829_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_7;
-  assign above_7 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[55:48] : 8'h0);
+  assign above_7 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[55:48] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic not_782;
-  assign not_782 = ~(entering_values_21_row_q ^ entering_values_24_row_q);
+  logic not_844;
+  assign not_844 = ~(entering_values_21_row_q ^ entering_values_24_row_q);
   // hls/stages/plane_sums.hpp:158
-  logic and_784;
-  assign and_784 = (sum_779_s3_q[6:5] == 2'h0) & (entering_values_21_features_mask_q & not_782);
-  // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_786;
-  assign select_786 = entering_values_24_features_mask_q ? (and_784 ? sum_779_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:158
-  logic and_792;
-  assign and_792 = (sum_789_s3_q[6:5] == 2'h0) & (leaving_values_21_features_mask_q & not_782);
-  // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_794;
-  assign select_794 = leaving_values_24_features_mask_q ? (and_792 ? sum_789_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:148
-  logic [7:0] above_8;
-  assign above_8 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[63:56] : 8'h0);
-  // hls/stages/plane_sums.hpp:157
-  logic not_804;
-  assign not_804 = ~(entering_values_22_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:158
-  logic and_806;
-  assign and_806 = (sum_801_s3_q[6:5] == 2'h0) & (entering_values_22_features_mask_q & not_804);
-  // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_808;
-  assign select_808 = entering_values_24_features_mask_q ? (and_806 ? sum_801_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:158
-  logic and_814;
-  assign and_814 = (sum_811_s3_q[6:5] == 2'h0) & (leaving_values_22_features_mask_q & not_804);
-  // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_816;
-  assign select_816 = leaving_values_24_features_mask_q ? (and_814 ? sum_811_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:148
-  logic [7:0] above_9;
-  assign above_9 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[71:64] : 8'h0);
-  // hls/stages/plane_sums.hpp:157
-  logic not_826;
-  assign not_826 = ~(entering_values_23_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:158
-  logic and_828;
-  assign and_828 = (sum_823_s3_q[6:5] == 2'h0) & (entering_values_23_features_mask_q & not_826);
-  // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_830;
-  assign select_830 = entering_values_24_features_mask_q ? (and_828 ? sum_823_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:158
-  logic and_836;
-  assign and_836 = (sum_833_s3_q[6:5] == 2'h0) & (leaving_values_23_features_mask_q & not_826);
-  // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_838;
-  assign select_838 = leaving_values_24_features_mask_q ? (and_836 ? sum_833_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:148
-  logic [7:0] above_10;
-  assign above_10 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[79:72] : 8'h0);
+  logic and_846;
+  assign and_846 = (sum_841_s3_q[6:5] == 2'h0) & (entering_values_21_features_mask_q & not_844);
   // hls/stages/plane_sums.hpp:149
   logic [4:0] select_848;
-  assign select_848 = (entering_values_24_features_mask_q & (sum_845_s3_q[6:5] == 2'h0)) ? sum_845_s3_q[4:0] : 5'h1f;
-  logic [4:0] select_855;
-  assign select_855 = (leaving_values_24_features_mask_q & (sum_852_s3_q[6:5] == 2'h0)) ? sum_852_s3_q[4:0] : 5'h1f;
+  assign select_848 = entering_values_24_features_mask_q ? (and_846 ? sum_841_s3_q[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:158
+  logic and_854;
+  assign and_854 = (sum_851_s3_q[6:5] == 2'h0) & (leaving_values_21_features_mask_q & not_844);
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_856;
+  assign select_856 = leaving_values_24_features_mask_q ? (and_854 ? sum_851_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
-  logic [7:0] above_11;
-  assign above_11 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[87:80] : 8'h0);
+  logic [7:0] above_8;
+  assign above_8 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[63:56] : 8'h0);
   // hls/stages/plane_sums.hpp:157
   logic not_866;
-  assign not_866 = ~(entering_values_24_row_q ^ entering_values_25_row_q);
+  assign not_866 = ~(entering_values_22_row_q ^ entering_values_24_row_q);
   // hls/stages/plane_sums.hpp:158
   logic and_868;
-  assign and_868 = (sum_863_s3_q[6:5] == 2'h0) & (entering_values_25_features_mask_q & not_866);
+  assign and_868 = (sum_863_s3_q[6:5] == 2'h0) & (entering_values_22_features_mask_q & not_866);
   // hls/stages/plane_sums.hpp:149
   logic [4:0] select_870;
   assign select_870 = entering_values_24_features_mask_q ? (and_868 ? sum_863_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:158
   logic and_876;
-  assign and_876 = (sum_873_s3_q[6:5] == 2'h0) & (leaving_values_25_features_mask_q & not_866);
+  assign and_876 = (sum_873_s3_q[6:5] == 2'h0) & (leaving_values_22_features_mask_q & not_866);
   // hls/stages/plane_sums.hpp:149
   logic [4:0] select_878;
   assign select_878 = leaving_values_24_features_mask_q ? (and_876 ? sum_873_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
-  logic [7:0] above_12;
-  assign above_12 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[95:88] : 8'h0);
+  logic [7:0] above_9;
+  assign above_9 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[71:64] : 8'h0);
   // hls/stages/plane_sums.hpp:157
   logic not_888;
-  assign not_888 = ~(entering_values_24_row_q ^ entering_values_26_row_q);
+  assign not_888 = ~(entering_values_23_row_q ^ entering_values_24_row_q);
   // hls/stages/plane_sums.hpp:158
   logic and_890;
-  assign and_890 = (sum_885_s3_q[6:5] == 2'h0) & (entering_values_26_features_mask_q & not_888);
+  assign and_890 = (sum_885_s3_q[6:5] == 2'h0) & (entering_values_23_features_mask_q & not_888);
   // hls/stages/plane_sums.hpp:149
   logic [4:0] select_892;
   assign select_892 = entering_values_24_features_mask_q ? (and_890 ? sum_885_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:158
   logic and_898;
-  assign and_898 = (sum_895_s3_q[6:5] == 2'h0) & (leaving_values_26_features_mask_q & not_888);
+  assign and_898 = (sum_895_s3_q[6:5] == 2'h0) & (leaving_values_23_features_mask_q & not_888);
   // hls/stages/plane_sums.hpp:149
   logic [4:0] select_900;
   assign select_900 = leaving_values_24_features_mask_q ? (and_898 ? sum_895_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
-  logic [7:0] above_13;
-  assign above_13 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[103:96] : 8'h0);
+  logic [7:0] above_10;
+  assign above_10 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[79:72] : 8'h0);
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_910;
+  assign select_910 = (entering_values_24_features_mask_q & (sum_907_s3_q[6:5] == 2'h0)) ? sum_907_s3_q[4:0] : 5'h1f;
+  logic [4:0] select_917;
+  assign select_917 = (leaving_values_24_features_mask_q & (sum_914_s3_q[6:5] == 2'h0)) ? sum_914_s3_q[4:0] : 5'h1f;
+  // hls/stages/plane_sums.hpp:148
+  logic [7:0] above_11;
+  assign above_11 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[87:80] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic not_910;
-  assign not_910 = ~(entering_values_24_row_q ^ entering_values_27_row_q);
+  logic not_928;
+  assign not_928 = ~(entering_values_24_row_q ^ entering_values_25_row_q);
   // hls/stages/plane_sums.hpp:158
-  logic and_912;
-  assign and_912 = (sum_907_s3_q[6:5] == 2'h0) & (entering_values_27_features_mask_q & not_910);
+  logic and_930;
+  assign and_930 = (sum_925_s3_q[6:5] == 2'h0) & (entering_values_25_features_mask_q & not_928);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_914;
-  assign select_914 = entering_values_24_features_mask_q ? (and_912 ? sum_907_s3_q[4:0] : 5'h1f) : 5'h0;
+  logic [4:0] select_932;
+  assign select_932 = entering_values_24_features_mask_q ? (and_930 ? sum_925_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:158
-  logic and_920;
-  assign and_920 = (sum_917_s3_q[6:5] == 2'h0) & (leaving_values_27_features_mask_q & not_910);
+  logic and_938;
+  assign and_938 = (sum_935_s3_q[6:5] == 2'h0) & (leaving_values_25_features_mask_q & not_928);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_922;
-  assign select_922 = leaving_values_24_features_mask_q ? (and_920 ? sum_917_s3_q[4:0] : 5'h1f) : 5'h0;
+  logic [4:0] select_940;
+  assign select_940 = leaving_values_24_features_mask_q ? (and_938 ? sum_935_s3_q[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:148
+  logic [7:0] above_12;
+  assign above_12 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[95:88] : 8'h0);
+  // hls/stages/plane_sums.hpp:157
+  logic not_950;
+  assign not_950 = ~(entering_values_24_row_q ^ entering_values_26_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_952;
+  assign and_952 = (sum_947_s3_q[6:5] == 2'h0) & (entering_values_26_features_mask_q & not_950);
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_954;
+  assign select_954 = entering_values_24_features_mask_q ? (and_952 ? sum_947_s3_q[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:158
+  logic and_960;
+  assign and_960 = (sum_957_s3_q[6:5] == 2'h0) & (leaving_values_26_features_mask_q & not_950);
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_962;
+  assign select_962 = leaving_values_24_features_mask_q ? (and_960 ? sum_957_s3_q[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:148
+  logic [7:0] above_13;
+  assign above_13 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[103:96] : 8'h0);
+  // hls/stages/plane_sums.hpp:157
+  logic not_972;
+  assign not_972 = ~(entering_values_24_row_q ^ entering_values_27_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_974;
+  assign and_974 = (sum_969_s3_q[6:5] == 2'h0) & (entering_values_27_features_mask_q & not_972);
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_976;
+  assign select_976 = entering_values_24_features_mask_q ? (and_974 ? sum_969_s3_q[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:158
+  logic and_982;
+  assign and_982 = (sum_979_s3_q[6:5] == 2'h0) & (leaving_values_27_features_mask_q & not_972);
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_984;
+  assign select_984 = leaving_values_24_features_mask_q ? (and_982 ? sum_979_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_14;
-  assign above_14 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[111:104] : 8'h0);
+  assign above_14 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[111:104] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic not_932;
-  assign not_932 = ~(entering_values_24_row_q ^ entering_values_28_row_q);
+  logic not_994;
+  assign not_994 = ~(entering_values_24_row_q ^ entering_values_28_row_q);
   // hls/stages/plane_sums.hpp:158
-  logic and_934;
-  assign and_934 = (sum_929_s3_q[6:5] == 2'h0) & (entering_values_28_features_mask_q & not_932);
+  logic and_996;
+  assign and_996 = (sum_991_s3_q[6:5] == 2'h0) & (entering_values_28_features_mask_q & not_994);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_936;
-  assign select_936 = entering_values_24_features_mask_q ? (and_934 ? sum_929_s3_q[4:0] : 5'h1f) : 5'h0;
+  logic [4:0] select_998;
+  assign select_998 = entering_values_24_features_mask_q ? (and_996 ? sum_991_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:158
-  logic and_942;
-  assign and_942 = (sum_939_s3_q[6:5] == 2'h0) & (leaving_values_28_features_mask_q & not_932);
+  logic and_1004;
+  assign and_1004 = (sum_1001_s3_q[6:5] == 2'h0) & (leaving_values_28_features_mask_q & not_994);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_944;
-  assign select_944 = leaving_values_24_features_mask_q ? (and_942 ? sum_939_s3_q[4:0] : 5'h1f) : 5'h0;
+  logic [4:0] select_1006;
+  assign select_1006 = leaving_values_24_features_mask_q ? (and_1004 ? sum_1001_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_15;
-  assign above_15 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[119:112] : 8'h0);
+  assign above_15 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[119:112] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic not_954;
-  assign not_954 = ~(entering_values_24_row_q ^ entering_values_30_row_q);
+  logic not_1016;
+  assign not_1016 = ~(entering_values_24_row_q ^ entering_values_30_row_q);
   // hls/stages/plane_sums.hpp:158
-  logic and_956;
-  assign and_956 = (sum_951_s3_q[6:5] == 2'h0) & (entering_values_30_features_mask_q & not_954);
+  logic and_1018;
+  assign and_1018 = (sum_1013_s3_q[6:5] == 2'h0) & (entering_values_30_features_mask_q & not_1016);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_958;
-  assign select_958 = entering_values_24_features_mask_q ? (and_956 ? sum_951_s3_q[4:0] : 5'h1f) : 5'h0;
+  logic [4:0] select_1020;
+  assign select_1020 = entering_values_24_features_mask_q ? (and_1018 ? sum_1013_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:158
-  logic and_964;
-  assign and_964 = (sum_961_s3_q[6:5] == 2'h0) & (leaving_values_30_features_mask_q & not_954);
+  logic and_1026;
+  assign and_1026 = (sum_1023_s3_q[6:5] == 2'h0) & (leaving_values_30_features_mask_q & not_1016);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_966;
-  assign select_966 = leaving_values_24_features_mask_q ? (and_964 ? sum_961_s3_q[4:0] : 5'h1f) : 5'h0;
+  logic [4:0] select_1028;
+  assign select_1028 = leaving_values_24_features_mask_q ? (and_1026 ? sum_1023_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_16;
-  assign above_16 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[127:120] : 8'h0);
+  assign above_16 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[127:120] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic not_976;
-  assign not_976 = ~(entering_values_24_row_q ^ entering_values_33_row_q);
+  logic not_1038;
+  assign not_1038 = ~(entering_values_24_row_q ^ entering_values_33_row_q);
   // hls/stages/plane_sums.hpp:158
-  logic and_978;
-  assign and_978 = (sum_973_s3_q[6:5] == 2'h0) & (entering_values_33_features_mask_q & not_976);
+  logic and_1040;
+  assign and_1040 = (sum_1035_s3_q[6:5] == 2'h0) & (entering_values_33_features_mask_q & not_1038);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_980;
-  assign select_980 = entering_values_24_features_mask_q ? (and_978 ? sum_973_s3_q[4:0] : 5'h1f) : 5'h0;
+  logic [4:0] select_1042;
+  assign select_1042 = entering_values_24_features_mask_q ? (and_1040 ? sum_1035_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:158
-  logic and_986;
-  assign and_986 = (sum_983_s3_q[6:5] == 2'h0) & (leaving_values_33_features_mask_q & not_976);
+  logic and_1048;
+  assign and_1048 = (sum_1045_s3_q[6:5] == 2'h0) & (leaving_values_33_features_mask_q & not_1038);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_988;
-  assign select_988 = leaving_values_24_features_mask_q ? (and_986 ? sum_983_s3_q[4:0] : 5'h1f) : 5'h0;
+  logic [4:0] select_1050;
+  assign select_1050 = leaving_values_24_features_mask_q ? (and_1048 ? sum_1045_s3_q[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_17;
-  assign above_17 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[135:128] : 8'h0);
+  assign above_17 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[135:128] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic not_998;
-  assign not_998 = ~(entering_values_24_row_q ^ entering_values_37_row_q);
+  logic not_1060;
+  assign not_1060 = ~(entering_values_24_row_q ^ entering_values_37_row_q);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_1000;
-  assign select_1000 = ((sum_995_s3_q[6:5] == 2'h0) & not_998) ? sum_995_s3_q[4:0] : 5'h1f;
-  logic [4:0] select_1002;
-  assign select_1002 = entering_values_24_features_mask_q ? (entering_values_37_features_mask_q ? select_1000 : 5'h1f) : 5'h0;
-  logic [4:0] select_1008;
-  assign select_1008 = (not_998 & (sum_1005_s3_q[6:5] == 2'h0)) ? sum_1005_s3_q[4:0] : 5'h1f;
-  logic [4:0] select_1010;
-  assign select_1010 = leaving_values_24_features_mask_q ? (leaving_values_37_features_mask_q ? select_1008 : 5'h1f) : 5'h0;
+  logic [4:0] select_1062;
+  assign select_1062 = ((sum_1057_s3_q[6:5] == 2'h0) & not_1060) ? sum_1057_s3_q[4:0] : 5'h1f;
+  logic [4:0] select_1064;
+  assign select_1064 = entering_values_24_features_mask_q ? (entering_values_37_features_mask_q ? select_1062 : 5'h1f) : 5'h0;
+  logic [4:0] select_1070;
+  assign select_1070 = (not_1060 & (sum_1067_s3_q[6:5] == 2'h0)) ? sum_1067_s3_q[4:0] : 5'h1f;
+  logic [4:0] select_1072;
+  assign select_1072 = leaving_values_24_features_mask_q ? (leaving_values_37_features_mask_q ? select_1070 : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_18;
-  assign above_18 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[143:136] : 8'h0);
+  assign above_18 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[143:136] : 8'h0);
   // hls/stages/plane_sums.hpp:157
-  logic not_1020;
-  assign not_1020 = ~(entering_values_24_row_q ^ entering_values_42_row_q);
+  logic not_1082;
+  assign not_1082 = ~(entering_values_24_row_q ^ entering_values_42_row_q);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_1022;
-  assign select_1022 = ((sum_1017_s3_q[6:5] == 2'h0) & not_1020) ? sum_1017_s3_q[4:0] : 5'h1f;
-  logic [4:0] select_1024;
-  assign select_1024 = entering_values_24_features_mask_q ? (entering_values_42_features_mask_q ? select_1022 : 5'h1f) : 5'h0;
-  logic [4:0] select_1030;
-  assign select_1030 = (not_1020 & (sum_1027_s3_q[6:5] == 2'h0)) ? sum_1027_s3_q[4:0] : 5'h1f;
-  logic [4:0] select_1032;
-  assign select_1032 = leaving_values_24_features_mask_q ? (leaving_values_42_features_mask_q ? select_1030 : 5'h1f) : 5'h0;
+  logic [4:0] select_1084;
+  assign select_1084 = ((sum_1079_s3_q[6:5] == 2'h0) & not_1082) ? sum_1079_s3_q[4:0] : 5'h1f;
+  logic [4:0] select_1086;
+  assign select_1086 = entering_values_24_features_mask_q ? (entering_values_42_features_mask_q ? select_1084 : 5'h1f) : 5'h0;
+  logic [4:0] select_1092;
+  assign select_1092 = (not_1082 & (sum_1089_s3_q[6:5] == 2'h0)) ? sum_1089_s3_q[4:0] : 5'h1f;
+  logic [4:0] select_1094;
+  assign select_1094 = leaving_values_24_features_mask_q ? (leaving_values_42_features_mask_q ? select_1092 : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_19;
-  assign above_19 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[151:144] : 8'h0);
+  assign above_19 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[151:144] : 8'h0);
   logic [7:0] above_20;
-  assign above_20 = equal_637 ? 8'h0 : (or_634_s3_q ? column_memory_rdata_s3_q[159:152] : 8'h0);
+  assign above_20 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[159:152] : 8'h0);
   // hls/stages/plane_sums.hpp:81
-  logic not_1078;
-  assign not_1078 = ~(select_636 == 3'h7);
-  logic [2:0] select_1080;
-  assign select_1080 = centre_marks_values_0_last_q ? (select_636 + {2'h0, not_1078}) : select_636;
+  logic not_1140;
+  assign not_1140 = ~(select_698 == 3'h7);
+  logic [2:0] select_1142;
+  assign select_1142 = centre_marks_values_0_last_q ? (select_698 + {2'h0, not_1140}) : select_698;
   // hls/stages/plane_sums.hpp:99
-  logic and_1166;
-  assign and_1166 = (column_memory_rdata_s3_q[190] & or_634_s3_q) & (3'h2 < select_636);
+  logic and_1228;
+  assign and_1228 = (column_memory_rdata_s3_q[190] & or_696_s3_q) & (3'h2 < select_698);
   // hls/stages/plane_sums.hpp:110
-  logic and_1170;
-  assign and_1170 = (centres_values_3_gradient_q & and_1166) & (~(select_633_s3_q[10:2] == 9'h0));
+  logic and_1232;
+  assign and_1232 = (centres_values_3_gradient_q & and_1228) & (~(select_695_s3_q[10:2] == 9'h0));
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -2077,10 +2273,10 @@ module horopter_plane_sums (
       rows_seen_values_2_q <= 1'b0;
       rows_seen_values_3_q <= 1'b0;
     end else if (s3_en) begin
-      delayed_rows_q <= select_1080;
-      centres_values_0_seen_grey_q <= or_634_s3_q ? column_memory_rdata_s3_q[186:181] : 6'h0;
-      centres_values_0_seen_exists_q <= column_memory_rdata_s3_q[187] & or_634_s3_q;
-      centres_values_0_gradient_q <= and_1166;
+      delayed_rows_q <= select_1142;
+      centres_values_0_seen_grey_q <= or_696_s3_q ? column_memory_rdata_s3_q[186:181] : 6'h0;
+      centres_values_0_seen_exists_q <= column_memory_rdata_s3_q[187] & or_696_s3_q;
+      centres_values_0_gradient_q <= and_1228;
       centres_values_1_seen_grey_q <= centres_values_0_seen_grey_q;
       centres_values_1_seen_exists_q <= centres_values_0_seen_exists_q;
       centres_values_1_gradient_q <= centres_values_0_gradient_q;
@@ -2090,7 +2286,7 @@ module horopter_plane_sums (
       centres_values_3_seen_grey_q <= centres_values_2_seen_grey_q;
       centres_values_3_seen_exists_q <= centres_values_2_seen_exists_q;
       centres_values_3_gradient_q <= centres_values_2_gradient_q;
-      rows_seen_values_0_q <= select_636[2];
+      rows_seen_values_0_q <= select_698[2];
       rows_seen_values_1_q <= rows_seen_values_0_q;
       rows_seen_values_2_q <= rows_seen_values_1_q;
       rows_seen_values_3_q <= rows_seen_values_2_q;
@@ -2104,75 +2300,77 @@ module horopter_plane_sums (
   logic [5:0] centres_values_3_seen_grey_s4_q;
   logic centre_marks_values_3_first_s4_q;
   logic centre_marks_values_3_last_s4_q;
-  logic or_632_s4_q;
-  logic [10:0] select_633_s4_q;
-  logic or_634_s4_q;
+  logic centre_marks_values_3_seen_s4_q;
+  logic centre_marks_values_3_nearer_s4_q;
+  logic or_694_s4_q;
+  logic [10:0] select_695_s4_q;
+  logic or_696_s4_q;
   logic [17:0] column_memory_rdata_s4_q;
   logic [7:0] above_s4_q;
-  logic [4:0] select_651_s4_q;
-  logic [4:0] select_661_s4_q;
+  logic [4:0] select_713_s4_q;
+  logic [4:0] select_723_s4_q;
   logic [7:0] above_2_s4_q;
-  logic [4:0] select_676_s4_q;
-  logic [4:0] select_684_s4_q;
+  logic [4:0] select_738_s4_q;
+  logic [4:0] select_746_s4_q;
   logic [7:0] above_3_s4_q;
-  logic [4:0] select_698_s4_q;
-  logic [4:0] select_706_s4_q;
+  logic [4:0] select_760_s4_q;
+  logic [4:0] select_768_s4_q;
   logic [7:0] above_4_s4_q;
-  logic [4:0] select_720_s4_q;
-  logic [4:0] select_728_s4_q;
+  logic [4:0] select_782_s4_q;
+  logic [4:0] select_790_s4_q;
   logic [7:0] above_5_s4_q;
-  logic [4:0] select_742_s4_q;
-  logic [4:0] select_750_s4_q;
+  logic [4:0] select_804_s4_q;
+  logic [4:0] select_812_s4_q;
   logic [7:0] above_6_s4_q;
-  logic [4:0] select_764_s4_q;
-  logic [4:0] select_772_s4_q;
+  logic [4:0] select_826_s4_q;
+  logic [4:0] select_834_s4_q;
   logic [7:0] above_7_s4_q;
-  logic [4:0] select_786_s4_q;
-  logic [4:0] select_794_s4_q;
-  logic [7:0] above_8_s4_q;
-  logic [4:0] select_808_s4_q;
-  logic [4:0] select_816_s4_q;
-  logic [7:0] above_9_s4_q;
-  logic [4:0] select_830_s4_q;
-  logic [4:0] select_838_s4_q;
-  logic [7:0] above_10_s4_q;
-  logic [4:0] select_849_s4_q;
+  logic [4:0] select_848_s4_q;
   logic [4:0] select_856_s4_q;
-  logic [7:0] above_11_s4_q;
+  logic [7:0] above_8_s4_q;
   logic [4:0] select_870_s4_q;
   logic [4:0] select_878_s4_q;
-  logic [7:0] above_12_s4_q;
+  logic [7:0] above_9_s4_q;
   logic [4:0] select_892_s4_q;
   logic [4:0] select_900_s4_q;
+  logic [7:0] above_10_s4_q;
+  logic [4:0] select_911_s4_q;
+  logic [4:0] select_918_s4_q;
+  logic [7:0] above_11_s4_q;
+  logic [4:0] select_932_s4_q;
+  logic [4:0] select_940_s4_q;
+  logic [7:0] above_12_s4_q;
+  logic [4:0] select_954_s4_q;
+  logic [4:0] select_962_s4_q;
   logic [7:0] above_13_s4_q;
-  logic [4:0] select_914_s4_q;
-  logic [4:0] select_922_s4_q;
+  logic [4:0] select_976_s4_q;
+  logic [4:0] select_984_s4_q;
   logic [7:0] above_14_s4_q;
-  logic [4:0] select_936_s4_q;
-  logic [4:0] select_944_s4_q;
+  logic [4:0] select_998_s4_q;
+  logic [4:0] select_1006_s4_q;
   logic [7:0] above_15_s4_q;
-  logic [4:0] select_958_s4_q;
-  logic [4:0] select_966_s4_q;
+  logic [4:0] select_1020_s4_q;
+  logic [4:0] select_1028_s4_q;
   logic [7:0] above_16_s4_q;
-  logic [4:0] select_980_s4_q;
-  logic [4:0] select_988_s4_q;
+  logic [4:0] select_1042_s4_q;
+  logic [4:0] select_1050_s4_q;
   logic [7:0] above_17_s4_q;
-  logic [4:0] select_1002_s4_q;
-  logic [4:0] select_1010_s4_q;
+  logic [4:0] select_1064_s4_q;
+  logic [4:0] select_1072_s4_q;
   logic [7:0] above_18_s4_q;
-  logic [4:0] select_1024_s4_q;
-  logic [4:0] select_1032_s4_q;
+  logic [4:0] select_1086_s4_q;
+  logic [4:0] select_1094_s4_q;
   logic [7:0] above_19_s4_q;
-  logic [5:0] difference_1055_s4_q;
+  logic [5:0] difference_1117_s4_q;
   logic [7:0] above_20_s4_q;
-  logic [5:0] difference_1065_s4_q;
-  logic and_1067_s4_q;
-  logic and_1068_s4_q;
-  logic and_1069_s4_q;
-  logic and_1070_s4_q;
-  logic and_1071_s4_q;
-  logic and_1170_s4_q;
-  logic and_1171_s4_q;
+  logic [5:0] difference_1127_s4_q;
+  logic and_1129_s4_q;
+  logic and_1130_s4_q;
+  logic and_1131_s4_q;
+  logic and_1132_s4_q;
+  logic and_1133_s4_q;
+  logic and_1232_s4_q;
+  logic and_1233_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       entering_values_23_features_mask_s4_q <= entering_values_24_features_mask_q;
@@ -2182,75 +2380,77 @@ module horopter_plane_sums (
       centres_values_3_seen_grey_s4_q <= centres_values_3_seen_grey_q;
       centre_marks_values_3_first_s4_q <= centre_marks_values_3_first_s3_q;
       centre_marks_values_3_last_s4_q <= centre_marks_values_3_last_s3_q;
-      or_632_s4_q <= or_632_s3_q;
-      select_633_s4_q <= select_633_s3_q;
-      or_634_s4_q <= or_634_s3_q;
+      centre_marks_values_3_seen_s4_q <= centre_marks_values_3_seen_s3_q;
+      centre_marks_values_3_nearer_s4_q <= centre_marks_values_3_nearer_s3_q;
+      or_694_s4_q <= or_694_s3_q;
+      select_695_s4_q <= select_695_s3_q;
+      or_696_s4_q <= or_696_s3_q;
       column_memory_rdata_s4_q <= {column_memory_rdata_s3_q[179:174], column_memory_rdata_s3_q[172:167], column_memory_rdata_s3_q[165:160]};
       above_s4_q <= above;
-      select_651_s4_q <= select_651;
-      select_661_s4_q <= and_660 ? sum_654[4:0] : 5'h1f;
+      select_713_s4_q <= select_713;
+      select_723_s4_q <= and_722 ? sum_716[4:0] : 5'h1f;
       above_2_s4_q <= above_2;
-      select_676_s4_q <= select_676;
-      select_684_s4_q <= select_684;
+      select_738_s4_q <= select_738;
+      select_746_s4_q <= select_746;
       above_3_s4_q <= above_3;
-      select_698_s4_q <= select_698;
-      select_706_s4_q <= select_706;
+      select_760_s4_q <= select_760;
+      select_768_s4_q <= select_768;
       above_4_s4_q <= above_4;
-      select_720_s4_q <= select_720;
-      select_728_s4_q <= select_728;
+      select_782_s4_q <= select_782;
+      select_790_s4_q <= select_790;
       above_5_s4_q <= above_5;
-      select_742_s4_q <= select_742;
-      select_750_s4_q <= select_750;
+      select_804_s4_q <= select_804;
+      select_812_s4_q <= select_812;
       above_6_s4_q <= above_6;
-      select_764_s4_q <= select_764;
-      select_772_s4_q <= select_772;
+      select_826_s4_q <= select_826;
+      select_834_s4_q <= select_834;
       above_7_s4_q <= above_7;
-      select_786_s4_q <= select_786;
-      select_794_s4_q <= select_794;
+      select_848_s4_q <= select_848;
+      select_856_s4_q <= select_856;
       above_8_s4_q <= above_8;
-      select_808_s4_q <= select_808;
-      select_816_s4_q <= select_816;
-      above_9_s4_q <= above_9;
-      select_830_s4_q <= select_830;
-      select_838_s4_q <= select_838;
-      above_10_s4_q <= above_10;
-      select_849_s4_q <= entering_values_24_features_mask_q ? select_848 : 5'h0;
-      select_856_s4_q <= leaving_values_24_features_mask_q ? select_855 : 5'h0;
-      above_11_s4_q <= above_11;
       select_870_s4_q <= select_870;
       select_878_s4_q <= select_878;
-      above_12_s4_q <= above_12;
+      above_9_s4_q <= above_9;
       select_892_s4_q <= select_892;
       select_900_s4_q <= select_900;
+      above_10_s4_q <= above_10;
+      select_911_s4_q <= entering_values_24_features_mask_q ? select_910 : 5'h0;
+      select_918_s4_q <= leaving_values_24_features_mask_q ? select_917 : 5'h0;
+      above_11_s4_q <= above_11;
+      select_932_s4_q <= select_932;
+      select_940_s4_q <= select_940;
+      above_12_s4_q <= above_12;
+      select_954_s4_q <= select_954;
+      select_962_s4_q <= select_962;
       above_13_s4_q <= above_13;
-      select_914_s4_q <= select_914;
-      select_922_s4_q <= select_922;
+      select_976_s4_q <= select_976;
+      select_984_s4_q <= select_984;
       above_14_s4_q <= above_14;
-      select_936_s4_q <= select_936;
-      select_944_s4_q <= select_944;
+      select_998_s4_q <= select_998;
+      select_1006_s4_q <= select_1006;
       above_15_s4_q <= above_15;
-      select_958_s4_q <= select_958;
-      select_966_s4_q <= select_966;
+      select_1020_s4_q <= select_1020;
+      select_1028_s4_q <= select_1028;
       above_16_s4_q <= above_16;
-      select_980_s4_q <= select_980;
-      select_988_s4_q <= select_988;
+      select_1042_s4_q <= select_1042;
+      select_1050_s4_q <= select_1050;
       above_17_s4_q <= above_17;
-      select_1002_s4_q <= select_1002;
-      select_1010_s4_q <= select_1010;
+      select_1064_s4_q <= select_1064;
+      select_1072_s4_q <= select_1072;
       above_18_s4_q <= above_18;
-      select_1024_s4_q <= select_1024;
-      select_1032_s4_q <= select_1032;
+      select_1086_s4_q <= select_1086;
+      select_1094_s4_q <= select_1094;
       above_19_s4_q <= above_19;
-      difference_1055_s4_q <= {1'b0, select_1046_s3_q} - {1'b0, select_1054_s3_q};
+      difference_1117_s4_q <= {1'b0, select_1108_s3_q} - {1'b0, select_1116_s3_q};
       above_20_s4_q <= above_20;
-      difference_1065_s4_q <= {1'b0, select_1061_s3_q} - {1'b0, select_1064_s3_q};
-      and_1067_s4_q <= column_memory_rdata_s3_q[166] & or_634_s3_q;
-      and_1068_s4_q <= column_memory_rdata_s3_q[173] & or_634_s3_q;
-      and_1069_s4_q <= column_memory_rdata_s3_q[180] & or_634_s3_q;
-      and_1070_s4_q <= column_memory_rdata_s3_q[188] & or_634_s3_q;
-      and_1071_s4_q <= column_memory_rdata_s3_q[189] & or_634_s3_q;
-      and_1170_s4_q <= and_1170;
-      and_1171_s4_q <= centres_values_3_seen_exists_q & rows_seen_values_3_q;
+      difference_1127_s4_q <= {1'b0, select_1123_s3_q} - {1'b0, select_1126_s3_q};
+      and_1129_s4_q <= column_memory_rdata_s3_q[166] & or_696_s3_q;
+      and_1130_s4_q <= column_memory_rdata_s3_q[173] & or_696_s3_q;
+      and_1131_s4_q <= column_memory_rdata_s3_q[180] & or_696_s3_q;
+      and_1132_s4_q <= column_memory_rdata_s3_q[188] & or_696_s3_q;
+      and_1133_s4_q <= column_memory_rdata_s3_q[189] & or_696_s3_q;
+      and_1232_s4_q <= and_1232;
+      and_1233_s4_q <= centres_values_3_seen_exists_q & rows_seen_values_3_q;
     end
   end
 
@@ -2436,87 +2636,87 @@ module horopter_plane_sums (
   logic [10:0] rows_19_columns_values_7_q;
   logic [10:0] rows_19_columns_values_8_q;
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_662;
-  assign select_662 = leaving_values_23_features_mask_s4_q ? select_661_s4_q : 5'h0;
-  logic [5:0] difference_663;
-  assign difference_663 = {1'b0, select_651_s4_q} - {1'b0, select_662};
-  logic [7:0] sum_664;
-  assign sum_664 = above_s4_q + {{2{difference_663[5]}}, difference_663};
-  logic [5:0] difference_685;
-  assign difference_685 = {1'b0, select_676_s4_q} - {1'b0, select_684_s4_q};
-  logic [7:0] sum_686;
-  assign sum_686 = above_2_s4_q + {{2{difference_685[5]}}, difference_685};
-  logic [5:0] difference_707;
-  assign difference_707 = {1'b0, select_698_s4_q} - {1'b0, select_706_s4_q};
-  logic [7:0] sum_708;
-  assign sum_708 = above_3_s4_q + {{2{difference_707[5]}}, difference_707};
-  logic [5:0] difference_729;
-  assign difference_729 = {1'b0, select_720_s4_q} - {1'b0, select_728_s4_q};
-  logic [7:0] sum_730;
-  assign sum_730 = above_4_s4_q + {{2{difference_729[5]}}, difference_729};
-  logic [5:0] difference_751;
-  assign difference_751 = {1'b0, select_742_s4_q} - {1'b0, select_750_s4_q};
-  logic [7:0] sum_752;
-  assign sum_752 = above_5_s4_q + {{2{difference_751[5]}}, difference_751};
-  logic [5:0] difference_773;
-  assign difference_773 = {1'b0, select_764_s4_q} - {1'b0, select_772_s4_q};
-  logic [7:0] sum_774;
-  assign sum_774 = above_6_s4_q + {{2{difference_773[5]}}, difference_773};
-  logic [5:0] difference_795;
-  assign difference_795 = {1'b0, select_786_s4_q} - {1'b0, select_794_s4_q};
-  logic [7:0] sum_796;
-  assign sum_796 = above_7_s4_q + {{2{difference_795[5]}}, difference_795};
-  logic [5:0] difference_817;
-  assign difference_817 = {1'b0, select_808_s4_q} - {1'b0, select_816_s4_q};
-  logic [7:0] sum_818;
-  assign sum_818 = above_8_s4_q + {{2{difference_817[5]}}, difference_817};
-  logic [5:0] difference_839;
-  assign difference_839 = {1'b0, select_830_s4_q} - {1'b0, select_838_s4_q};
-  logic [7:0] sum_840;
-  assign sum_840 = above_9_s4_q + {{2{difference_839[5]}}, difference_839};
+  logic [4:0] select_724;
+  assign select_724 = leaving_values_23_features_mask_s4_q ? select_723_s4_q : 5'h0;
+  logic [5:0] difference_725;
+  assign difference_725 = {1'b0, select_713_s4_q} - {1'b0, select_724};
+  logic [7:0] sum_726;
+  assign sum_726 = above_s4_q + {{2{difference_725[5]}}, difference_725};
+  logic [5:0] difference_747;
+  assign difference_747 = {1'b0, select_738_s4_q} - {1'b0, select_746_s4_q};
+  logic [7:0] sum_748;
+  assign sum_748 = above_2_s4_q + {{2{difference_747[5]}}, difference_747};
+  logic [5:0] difference_769;
+  assign difference_769 = {1'b0, select_760_s4_q} - {1'b0, select_768_s4_q};
+  logic [7:0] sum_770;
+  assign sum_770 = above_3_s4_q + {{2{difference_769[5]}}, difference_769};
+  logic [5:0] difference_791;
+  assign difference_791 = {1'b0, select_782_s4_q} - {1'b0, select_790_s4_q};
+  logic [7:0] sum_792;
+  assign sum_792 = above_4_s4_q + {{2{difference_791[5]}}, difference_791};
+  logic [5:0] difference_813;
+  assign difference_813 = {1'b0, select_804_s4_q} - {1'b0, select_812_s4_q};
+  logic [7:0] sum_814;
+  assign sum_814 = above_5_s4_q + {{2{difference_813[5]}}, difference_813};
+  logic [5:0] difference_835;
+  assign difference_835 = {1'b0, select_826_s4_q} - {1'b0, select_834_s4_q};
+  logic [7:0] sum_836;
+  assign sum_836 = above_6_s4_q + {{2{difference_835[5]}}, difference_835};
   logic [5:0] difference_857;
-  assign difference_857 = {1'b0, select_849_s4_q} - {1'b0, select_856_s4_q};
+  assign difference_857 = {1'b0, select_848_s4_q} - {1'b0, select_856_s4_q};
   logic [7:0] sum_858;
-  assign sum_858 = above_10_s4_q + {{2{difference_857[5]}}, difference_857};
+  assign sum_858 = above_7_s4_q + {{2{difference_857[5]}}, difference_857};
   logic [5:0] difference_879;
   assign difference_879 = {1'b0, select_870_s4_q} - {1'b0, select_878_s4_q};
   logic [7:0] sum_880;
-  assign sum_880 = above_11_s4_q + {{2{difference_879[5]}}, difference_879};
+  assign sum_880 = above_8_s4_q + {{2{difference_879[5]}}, difference_879};
   logic [5:0] difference_901;
   assign difference_901 = {1'b0, select_892_s4_q} - {1'b0, select_900_s4_q};
   logic [7:0] sum_902;
-  assign sum_902 = above_12_s4_q + {{2{difference_901[5]}}, difference_901};
-  logic [5:0] difference_923;
-  assign difference_923 = {1'b0, select_914_s4_q} - {1'b0, select_922_s4_q};
-  logic [7:0] sum_924;
-  assign sum_924 = above_13_s4_q + {{2{difference_923[5]}}, difference_923};
-  logic [5:0] difference_945;
-  assign difference_945 = {1'b0, select_936_s4_q} - {1'b0, select_944_s4_q};
-  logic [7:0] sum_946;
-  assign sum_946 = above_14_s4_q + {{2{difference_945[5]}}, difference_945};
-  logic [5:0] difference_967;
-  assign difference_967 = {1'b0, select_958_s4_q} - {1'b0, select_966_s4_q};
-  logic [7:0] sum_968;
-  assign sum_968 = above_15_s4_q + {{2{difference_967[5]}}, difference_967};
-  logic [5:0] difference_989;
-  assign difference_989 = {1'b0, select_980_s4_q} - {1'b0, select_988_s4_q};
-  logic [7:0] sum_990;
-  assign sum_990 = above_16_s4_q + {{2{difference_989[5]}}, difference_989};
-  logic [5:0] difference_1011;
-  assign difference_1011 = {1'b0, select_1002_s4_q} - {1'b0, select_1010_s4_q};
-  logic [7:0] sum_1012;
-  assign sum_1012 = above_17_s4_q + {{2{difference_1011[5]}}, difference_1011};
-  logic [5:0] difference_1033;
-  assign difference_1033 = {1'b0, select_1024_s4_q} - {1'b0, select_1032_s4_q};
-  logic [7:0] sum_1034;
-  assign sum_1034 = above_18_s4_q + {{2{difference_1033[5]}}, difference_1033};
-  logic [7:0] sum_1056;
-  assign sum_1056 = above_19_s4_q + {{2{difference_1055_s4_q[5]}}, difference_1055_s4_q};
-  logic [7:0] sum_1066;
-  assign sum_1066 = above_20_s4_q + {{2{difference_1065_s4_q[5]}}, difference_1065_s4_q};
+  assign sum_902 = above_9_s4_q + {{2{difference_901[5]}}, difference_901};
+  logic [5:0] difference_919;
+  assign difference_919 = {1'b0, select_911_s4_q} - {1'b0, select_918_s4_q};
+  logic [7:0] sum_920;
+  assign sum_920 = above_10_s4_q + {{2{difference_919[5]}}, difference_919};
+  logic [5:0] difference_941;
+  assign difference_941 = {1'b0, select_932_s4_q} - {1'b0, select_940_s4_q};
+  logic [7:0] sum_942;
+  assign sum_942 = above_11_s4_q + {{2{difference_941[5]}}, difference_941};
+  logic [5:0] difference_963;
+  assign difference_963 = {1'b0, select_954_s4_q} - {1'b0, select_962_s4_q};
+  logic [7:0] sum_964;
+  assign sum_964 = above_12_s4_q + {{2{difference_963[5]}}, difference_963};
+  logic [5:0] difference_985;
+  assign difference_985 = {1'b0, select_976_s4_q} - {1'b0, select_984_s4_q};
+  logic [7:0] sum_986;
+  assign sum_986 = above_13_s4_q + {{2{difference_985[5]}}, difference_985};
+  logic [5:0] difference_1007;
+  assign difference_1007 = {1'b0, select_998_s4_q} - {1'b0, select_1006_s4_q};
+  logic [7:0] sum_1008;
+  assign sum_1008 = above_14_s4_q + {{2{difference_1007[5]}}, difference_1007};
+  logic [5:0] difference_1029;
+  assign difference_1029 = {1'b0, select_1020_s4_q} - {1'b0, select_1028_s4_q};
+  logic [7:0] sum_1030;
+  assign sum_1030 = above_15_s4_q + {{2{difference_1029[5]}}, difference_1029};
+  logic [5:0] difference_1051;
+  assign difference_1051 = {1'b0, select_1042_s4_q} - {1'b0, select_1050_s4_q};
+  logic [7:0] sum_1052;
+  assign sum_1052 = above_16_s4_q + {{2{difference_1051[5]}}, difference_1051};
+  logic [5:0] difference_1073;
+  assign difference_1073 = {1'b0, select_1064_s4_q} - {1'b0, select_1072_s4_q};
+  logic [7:0] sum_1074;
+  assign sum_1074 = above_17_s4_q + {{2{difference_1073[5]}}, difference_1073};
+  logic [5:0] difference_1095;
+  assign difference_1095 = {1'b0, select_1086_s4_q} - {1'b0, select_1094_s4_q};
+  logic [7:0] sum_1096;
+  assign sum_1096 = above_18_s4_q + {{2{difference_1095[5]}}, difference_1095};
+  logic [7:0] sum_1118;
+  assign sum_1118 = above_19_s4_q + {{2{difference_1117_s4_q[5]}}, difference_1117_s4_q};
+  logic [7:0] sum_1128;
+  assign sum_1128 = above_20_s4_q + {{2{difference_1127_s4_q[5]}}, difference_1127_s4_q};
   // hls/stages/plane_sums.hpp:150
-  logic less_1081;
-  assign less_1081 = 11'h8 < select_633_s4_q;
+  logic less_1143;
+  assign less_1143 = 11'h8 < select_695_s4_q;
 
   // Not reset: nothing of it counts before it is written anew.
 `ifndef SYNTHESIS
@@ -2705,7 +2905,7 @@ module horopter_plane_sums (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s4_en) begin
-      rows_0_columns_values_0_q <= {3'h0, sum_664};
+      rows_0_columns_values_0_q <= {3'h0, sum_726};
       rows_0_columns_values_1_q <= rows_0_columns_values_0_q;
       rows_0_columns_values_2_q <= rows_0_columns_values_1_q;
       rows_0_columns_values_3_q <= rows_0_columns_values_2_q;
@@ -2714,7 +2914,7 @@ module horopter_plane_sums (
       rows_0_columns_values_6_q <= rows_0_columns_values_5_q;
       rows_0_columns_values_7_q <= rows_0_columns_values_6_q;
       rows_0_columns_values_8_q <= rows_0_columns_values_7_q;
-      rows_1_columns_values_0_q <= {3'h0, sum_686};
+      rows_1_columns_values_0_q <= {3'h0, sum_748};
       rows_1_columns_values_1_q <= rows_1_columns_values_0_q;
       rows_1_columns_values_2_q <= rows_1_columns_values_1_q;
       rows_1_columns_values_3_q <= rows_1_columns_values_2_q;
@@ -2723,7 +2923,7 @@ module horopter_plane_sums (
       rows_1_columns_values_6_q <= rows_1_columns_values_5_q;
       rows_1_columns_values_7_q <= rows_1_columns_values_6_q;
       rows_1_columns_values_8_q <= rows_1_columns_values_7_q;
-      rows_2_columns_values_0_q <= {3'h0, sum_708};
+      rows_2_columns_values_0_q <= {3'h0, sum_770};
       rows_2_columns_values_1_q <= rows_2_columns_values_0_q;
       rows_2_columns_values_2_q <= rows_2_columns_values_1_q;
       rows_2_columns_values_3_q <= rows_2_columns_values_2_q;
@@ -2732,7 +2932,7 @@ module horopter_plane_sums (
       rows_2_columns_values_6_q <= rows_2_columns_values_5_q;
       rows_2_columns_values_7_q <= rows_2_columns_values_6_q;
       rows_2_columns_values_8_q <= rows_2_columns_values_7_q;
-      rows_3_columns_values_0_q <= {3'h0, sum_730};
+      rows_3_columns_values_0_q <= {3'h0, sum_792};
       rows_3_columns_values_1_q <= rows_3_columns_values_0_q;
       rows_3_columns_values_2_q <= rows_3_columns_values_1_q;
       rows_3_columns_values_3_q <= rows_3_columns_values_2_q;
@@ -2741,7 +2941,7 @@ module horopter_plane_sums (
       rows_3_columns_values_6_q <= rows_3_columns_values_5_q;
       rows_3_columns_values_7_q <= rows_3_columns_values_6_q;
       rows_3_columns_values_8_q <= rows_3_columns_values_7_q;
-      rows_4_columns_values_0_q <= {3'h0, sum_752};
+      rows_4_columns_values_0_q <= {3'h0, sum_814};
       rows_4_columns_values_1_q <= rows_4_columns_values_0_q;
       rows_4_columns_values_2_q <= rows_4_columns_values_1_q;
       rows_4_columns_values_3_q <= rows_4_columns_values_2_q;
@@ -2750,7 +2950,7 @@ module horopter_plane_sums (
       rows_4_columns_values_6_q <= rows_4_columns_values_5_q;
       rows_4_columns_values_7_q <= rows_4_columns_values_6_q;
       rows_4_columns_values_8_q <= rows_4_columns_values_7_q;
-      rows_5_columns_values_0_q <= {3'h0, sum_774};
+      rows_5_columns_values_0_q <= {3'h0, sum_836};
       rows_5_columns_values_1_q <= rows_5_columns_values_0_q;
       rows_5_columns_values_2_q <= rows_5_columns_values_1_q;
       rows_5_columns_values_3_q <= rows_5_columns_values_2_q;
@@ -2759,7 +2959,7 @@ module horopter_plane_sums (
       rows_5_columns_values_6_q <= rows_5_columns_values_5_q;
       rows_5_columns_values_7_q <= rows_5_columns_values_6_q;
       rows_5_columns_values_8_q <= rows_5_columns_values_7_q;
-      rows_6_columns_values_0_q <= {3'h0, sum_796};
+      rows_6_columns_values_0_q <= {3'h0, sum_858};
       rows_6_columns_values_1_q <= rows_6_columns_values_0_q;
       rows_6_columns_values_2_q <= rows_6_columns_values_1_q;
       rows_6_columns_values_3_q <= rows_6_columns_values_2_q;
@@ -2768,7 +2968,7 @@ module horopter_plane_sums (
       rows_6_columns_values_6_q <= rows_6_columns_values_5_q;
       rows_6_columns_values_7_q <= rows_6_columns_values_6_q;
       rows_6_columns_values_8_q <= rows_6_columns_values_7_q;
-      rows_7_columns_values_0_q <= {3'h0, sum_818};
+      rows_7_columns_values_0_q <= {3'h0, sum_880};
       rows_7_columns_values_1_q <= rows_7_columns_values_0_q;
       rows_7_columns_values_2_q <= rows_7_columns_values_1_q;
       rows_7_columns_values_3_q <= rows_7_columns_values_2_q;
@@ -2777,7 +2977,7 @@ module horopter_plane_sums (
       rows_7_columns_values_6_q <= rows_7_columns_values_5_q;
       rows_7_columns_values_7_q <= rows_7_columns_values_6_q;
       rows_7_columns_values_8_q <= rows_7_columns_values_7_q;
-      rows_8_columns_values_0_q <= {3'h0, sum_840};
+      rows_8_columns_values_0_q <= {3'h0, sum_902};
       rows_8_columns_values_1_q <= rows_8_columns_values_0_q;
       rows_8_columns_values_2_q <= rows_8_columns_values_1_q;
       rows_8_columns_values_3_q <= rows_8_columns_values_2_q;
@@ -2786,7 +2986,7 @@ module horopter_plane_sums (
       rows_8_columns_values_6_q <= rows_8_columns_values_5_q;
       rows_8_columns_values_7_q <= rows_8_columns_values_6_q;
       rows_8_columns_values_8_q <= rows_8_columns_values_7_q;
-      rows_9_columns_values_0_q <= {3'h0, sum_858};
+      rows_9_columns_values_0_q <= {3'h0, sum_920};
       rows_9_columns_values_1_q <= rows_9_columns_values_0_q;
       rows_9_columns_values_2_q <= rows_9_columns_values_1_q;
       rows_9_columns_values_3_q <= rows_9_columns_values_2_q;
@@ -2795,7 +2995,7 @@ module horopter_plane_sums (
       rows_9_columns_values_6_q <= rows_9_columns_values_5_q;
       rows_9_columns_values_7_q <= rows_9_columns_values_6_q;
       rows_9_columns_values_8_q <= rows_9_columns_values_7_q;
-      rows_10_columns_values_0_q <= {3'h0, sum_880};
+      rows_10_columns_values_0_q <= {3'h0, sum_942};
       rows_10_columns_values_1_q <= rows_10_columns_values_0_q;
       rows_10_columns_values_2_q <= rows_10_columns_values_1_q;
       rows_10_columns_values_3_q <= rows_10_columns_values_2_q;
@@ -2804,7 +3004,7 @@ module horopter_plane_sums (
       rows_10_columns_values_6_q <= rows_10_columns_values_5_q;
       rows_10_columns_values_7_q <= rows_10_columns_values_6_q;
       rows_10_columns_values_8_q <= rows_10_columns_values_7_q;
-      rows_11_columns_values_0_q <= {3'h0, sum_902};
+      rows_11_columns_values_0_q <= {3'h0, sum_964};
       rows_11_columns_values_1_q <= rows_11_columns_values_0_q;
       rows_11_columns_values_2_q <= rows_11_columns_values_1_q;
       rows_11_columns_values_3_q <= rows_11_columns_values_2_q;
@@ -2813,7 +3013,7 @@ module horopter_plane_sums (
       rows_11_columns_values_6_q <= rows_11_columns_values_5_q;
       rows_11_columns_values_7_q <= rows_11_columns_values_6_q;
       rows_11_columns_values_8_q <= rows_11_columns_values_7_q;
-      rows_12_columns_values_0_q <= {3'h0, sum_924};
+      rows_12_columns_values_0_q <= {3'h0, sum_986};
       rows_12_columns_values_1_q <= rows_12_columns_values_0_q;
       rows_12_columns_values_2_q <= rows_12_columns_values_1_q;
       rows_12_columns_values_3_q <= rows_12_columns_values_2_q;
@@ -2822,7 +3022,7 @@ module horopter_plane_sums (
       rows_12_columns_values_6_q <= rows_12_columns_values_5_q;
       rows_12_columns_values_7_q <= rows_12_columns_values_6_q;
       rows_12_columns_values_8_q <= rows_12_columns_values_7_q;
-      rows_13_columns_values_0_q <= {3'h0, sum_946};
+      rows_13_columns_values_0_q <= {3'h0, sum_1008};
       rows_13_columns_values_1_q <= rows_13_columns_values_0_q;
       rows_13_columns_values_2_q <= rows_13_columns_values_1_q;
       rows_13_columns_values_3_q <= rows_13_columns_values_2_q;
@@ -2831,7 +3031,7 @@ module horopter_plane_sums (
       rows_13_columns_values_6_q <= rows_13_columns_values_5_q;
       rows_13_columns_values_7_q <= rows_13_columns_values_6_q;
       rows_13_columns_values_8_q <= rows_13_columns_values_7_q;
-      rows_14_columns_values_0_q <= {3'h0, sum_968};
+      rows_14_columns_values_0_q <= {3'h0, sum_1030};
       rows_14_columns_values_1_q <= rows_14_columns_values_0_q;
       rows_14_columns_values_2_q <= rows_14_columns_values_1_q;
       rows_14_columns_values_3_q <= rows_14_columns_values_2_q;
@@ -2840,7 +3040,7 @@ module horopter_plane_sums (
       rows_14_columns_values_6_q <= rows_14_columns_values_5_q;
       rows_14_columns_values_7_q <= rows_14_columns_values_6_q;
       rows_14_columns_values_8_q <= rows_14_columns_values_7_q;
-      rows_15_columns_values_0_q <= {3'h0, sum_990};
+      rows_15_columns_values_0_q <= {3'h0, sum_1052};
       rows_15_columns_values_1_q <= rows_15_columns_values_0_q;
       rows_15_columns_values_2_q <= rows_15_columns_values_1_q;
       rows_15_columns_values_3_q <= rows_15_columns_values_2_q;
@@ -2849,7 +3049,7 @@ module horopter_plane_sums (
       rows_15_columns_values_6_q <= rows_15_columns_values_5_q;
       rows_15_columns_values_7_q <= rows_15_columns_values_6_q;
       rows_15_columns_values_8_q <= rows_15_columns_values_7_q;
-      rows_16_columns_values_0_q <= {3'h0, sum_1012};
+      rows_16_columns_values_0_q <= {3'h0, sum_1074};
       rows_16_columns_values_1_q <= rows_16_columns_values_0_q;
       rows_16_columns_values_2_q <= rows_16_columns_values_1_q;
       rows_16_columns_values_3_q <= rows_16_columns_values_2_q;
@@ -2858,7 +3058,7 @@ module horopter_plane_sums (
       rows_16_columns_values_6_q <= rows_16_columns_values_5_q;
       rows_16_columns_values_7_q <= rows_16_columns_values_6_q;
       rows_16_columns_values_8_q <= rows_16_columns_values_7_q;
-      rows_17_columns_values_0_q <= {3'h0, sum_1034};
+      rows_17_columns_values_0_q <= {3'h0, sum_1096};
       rows_17_columns_values_1_q <= rows_17_columns_values_0_q;
       rows_17_columns_values_2_q <= rows_17_columns_values_1_q;
       rows_17_columns_values_3_q <= rows_17_columns_values_2_q;
@@ -2867,7 +3067,7 @@ module horopter_plane_sums (
       rows_17_columns_values_6_q <= rows_17_columns_values_5_q;
       rows_17_columns_values_7_q <= rows_17_columns_values_6_q;
       rows_17_columns_values_8_q <= rows_17_columns_values_7_q;
-      rows_18_columns_values_0_q <= {3'h0, sum_1056};
+      rows_18_columns_values_0_q <= {3'h0, sum_1118};
       rows_18_columns_values_1_q <= rows_18_columns_values_0_q;
       rows_18_columns_values_2_q <= rows_18_columns_values_1_q;
       rows_18_columns_values_3_q <= rows_18_columns_values_2_q;
@@ -2876,7 +3076,7 @@ module horopter_plane_sums (
       rows_18_columns_values_6_q <= rows_18_columns_values_5_q;
       rows_18_columns_values_7_q <= rows_18_columns_values_6_q;
       rows_18_columns_values_8_q <= rows_18_columns_values_7_q;
-      rows_19_columns_values_0_q <= {3'h0, sum_1066};
+      rows_19_columns_values_0_q <= {3'h0, sum_1128};
       rows_19_columns_values_1_q <= rows_19_columns_values_0_q;
       rows_19_columns_values_2_q <= rows_19_columns_values_1_q;
       rows_19_columns_values_3_q <= rows_19_columns_values_2_q;
@@ -2894,37 +3094,39 @@ module horopter_plane_sums (
   logic [5:0] centres_values_3_seen_grey_s5_q;
   logic centre_marks_values_3_first_s5_q;
   logic centre_marks_values_3_last_s5_q;
-  logic or_632_s5_q;
-  logic [10:0] select_633_s5_q;
-  logic or_634_s5_q;
+  logic centre_marks_values_3_seen_s5_q;
+  logic centre_marks_values_3_nearer_s5_q;
+  logic or_694_s5_q;
+  logic [10:0] select_695_s5_q;
+  logic or_696_s5_q;
   logic [17:0] column_memory_rdata_s5_q;
-  logic and_1067_s5_q;
-  logic and_1068_s5_q;
-  logic and_1069_s5_q;
-  logic and_1070_s5_q;
-  logic and_1071_s5_q;
-  logic [10:0] select_1082_s5_q;
-  logic [10:0] select_1086_s5_q;
-  logic [10:0] select_1090_s5_q;
-  logic [10:0] select_1094_s5_q;
-  logic [10:0] select_1098_s5_q;
-  logic [10:0] select_1102_s5_q;
-  logic [10:0] select_1106_s5_q;
-  logic [10:0] select_1110_s5_q;
-  logic [10:0] select_1114_s5_q;
-  logic [10:0] select_1118_s5_q;
-  logic [10:0] select_1122_s5_q;
-  logic [10:0] select_1126_s5_q;
-  logic [10:0] select_1130_s5_q;
-  logic [10:0] select_1134_s5_q;
-  logic [10:0] select_1138_s5_q;
-  logic [10:0] select_1142_s5_q;
-  logic [10:0] select_1146_s5_q;
-  logic [10:0] select_1150_s5_q;
-  logic [10:0] select_1154_s5_q;
-  logic [10:0] select_1158_s5_q;
-  logic and_1170_s5_q;
-  logic and_1171_s5_q;
+  logic and_1129_s5_q;
+  logic and_1130_s5_q;
+  logic and_1131_s5_q;
+  logic and_1132_s5_q;
+  logic and_1133_s5_q;
+  logic [10:0] select_1144_s5_q;
+  logic [10:0] select_1148_s5_q;
+  logic [10:0] select_1152_s5_q;
+  logic [10:0] select_1156_s5_q;
+  logic [10:0] select_1160_s5_q;
+  logic [10:0] select_1164_s5_q;
+  logic [10:0] select_1168_s5_q;
+  logic [10:0] select_1172_s5_q;
+  logic [10:0] select_1176_s5_q;
+  logic [10:0] select_1180_s5_q;
+  logic [10:0] select_1184_s5_q;
+  logic [10:0] select_1188_s5_q;
+  logic [10:0] select_1192_s5_q;
+  logic [10:0] select_1196_s5_q;
+  logic [10:0] select_1200_s5_q;
+  logic [10:0] select_1204_s5_q;
+  logic [10:0] select_1208_s5_q;
+  logic [10:0] select_1212_s5_q;
+  logic [10:0] select_1216_s5_q;
+  logic [10:0] select_1220_s5_q;
+  logic and_1232_s5_q;
+  logic and_1233_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
       entering_values_23_features_mask_s5_q <= entering_values_23_features_mask_s4_q;
@@ -2933,37 +3135,39 @@ module horopter_plane_sums (
       centres_values_3_seen_grey_s5_q <= centres_values_3_seen_grey_s4_q;
       centre_marks_values_3_first_s5_q <= centre_marks_values_3_first_s4_q;
       centre_marks_values_3_last_s5_q <= centre_marks_values_3_last_s4_q;
-      or_632_s5_q <= or_632_s4_q;
-      select_633_s5_q <= select_633_s4_q;
-      or_634_s5_q <= or_634_s4_q;
+      centre_marks_values_3_seen_s5_q <= centre_marks_values_3_seen_s4_q;
+      centre_marks_values_3_nearer_s5_q <= centre_marks_values_3_nearer_s4_q;
+      or_694_s5_q <= or_694_s4_q;
+      select_695_s5_q <= select_695_s4_q;
+      or_696_s5_q <= or_696_s4_q;
       column_memory_rdata_s5_q <= column_memory_rdata_s4_q;
-      and_1067_s5_q <= and_1067_s4_q;
-      and_1068_s5_q <= and_1068_s4_q;
-      and_1069_s5_q <= and_1069_s4_q;
-      and_1070_s5_q <= and_1070_s4_q;
-      and_1071_s5_q <= and_1071_s4_q;
-      select_1082_s5_q <= less_1081 ? rows_0_columns_values_8_q : 11'h0;
-      select_1086_s5_q <= less_1081 ? rows_1_columns_values_8_q : 11'h0;
-      select_1090_s5_q <= less_1081 ? rows_2_columns_values_8_q : 11'h0;
-      select_1094_s5_q <= less_1081 ? rows_3_columns_values_8_q : 11'h0;
-      select_1098_s5_q <= less_1081 ? rows_4_columns_values_8_q : 11'h0;
-      select_1102_s5_q <= less_1081 ? rows_5_columns_values_8_q : 11'h0;
-      select_1106_s5_q <= less_1081 ? rows_6_columns_values_8_q : 11'h0;
-      select_1110_s5_q <= less_1081 ? rows_7_columns_values_8_q : 11'h0;
-      select_1114_s5_q <= less_1081 ? rows_8_columns_values_8_q : 11'h0;
-      select_1118_s5_q <= less_1081 ? rows_9_columns_values_8_q : 11'h0;
-      select_1122_s5_q <= less_1081 ? rows_10_columns_values_8_q : 11'h0;
-      select_1126_s5_q <= less_1081 ? rows_11_columns_values_8_q : 11'h0;
-      select_1130_s5_q <= less_1081 ? rows_12_columns_values_8_q : 11'h0;
-      select_1134_s5_q <= less_1081 ? rows_13_columns_values_8_q : 11'h0;
-      select_1138_s5_q <= less_1081 ? rows_14_columns_values_8_q : 11'h0;
-      select_1142_s5_q <= less_1081 ? rows_15_columns_values_8_q : 11'h0;
-      select_1146_s5_q <= less_1081 ? rows_16_columns_values_8_q : 11'h0;
-      select_1150_s5_q <= less_1081 ? rows_17_columns_values_8_q : 11'h0;
-      select_1154_s5_q <= less_1081 ? rows_18_columns_values_8_q : 11'h0;
-      select_1158_s5_q <= less_1081 ? rows_19_columns_values_8_q : 11'h0;
-      and_1170_s5_q <= and_1170_s4_q;
-      and_1171_s5_q <= and_1171_s4_q;
+      and_1129_s5_q <= and_1129_s4_q;
+      and_1130_s5_q <= and_1130_s4_q;
+      and_1131_s5_q <= and_1131_s4_q;
+      and_1132_s5_q <= and_1132_s4_q;
+      and_1133_s5_q <= and_1133_s4_q;
+      select_1144_s5_q <= less_1143 ? rows_0_columns_values_8_q : 11'h0;
+      select_1148_s5_q <= less_1143 ? rows_1_columns_values_8_q : 11'h0;
+      select_1152_s5_q <= less_1143 ? rows_2_columns_values_8_q : 11'h0;
+      select_1156_s5_q <= less_1143 ? rows_3_columns_values_8_q : 11'h0;
+      select_1160_s5_q <= less_1143 ? rows_4_columns_values_8_q : 11'h0;
+      select_1164_s5_q <= less_1143 ? rows_5_columns_values_8_q : 11'h0;
+      select_1168_s5_q <= less_1143 ? rows_6_columns_values_8_q : 11'h0;
+      select_1172_s5_q <= less_1143 ? rows_7_columns_values_8_q : 11'h0;
+      select_1176_s5_q <= less_1143 ? rows_8_columns_values_8_q : 11'h0;
+      select_1180_s5_q <= less_1143 ? rows_9_columns_values_8_q : 11'h0;
+      select_1184_s5_q <= less_1143 ? rows_10_columns_values_8_q : 11'h0;
+      select_1188_s5_q <= less_1143 ? rows_11_columns_values_8_q : 11'h0;
+      select_1192_s5_q <= less_1143 ? rows_12_columns_values_8_q : 11'h0;
+      select_1196_s5_q <= less_1143 ? rows_13_columns_values_8_q : 11'h0;
+      select_1200_s5_q <= less_1143 ? rows_14_columns_values_8_q : 11'h0;
+      select_1204_s5_q <= less_1143 ? rows_15_columns_values_8_q : 11'h0;
+      select_1208_s5_q <= less_1143 ? rows_16_columns_values_8_q : 11'h0;
+      select_1212_s5_q <= less_1143 ? rows_17_columns_values_8_q : 11'h0;
+      select_1216_s5_q <= less_1143 ? rows_18_columns_values_8_q : 11'h0;
+      select_1220_s5_q <= less_1143 ? rows_19_columns_values_8_q : 11'h0;
+      and_1232_s5_q <= and_1232_s4_q;
+      and_1233_s5_q <= and_1233_s4_q;
     end
   end
 
@@ -2989,54 +3193,54 @@ module horopter_plane_sums (
   logic [10:0] rows_18_sum_sums_values_0_q;
   logic [10:0] rows_19_sum_sums_values_0_q;
   // hls/stages/plane_sums.hpp:150
-  logic [10:0] sum_1085;
-  assign sum_1085 = ({3'h0, rows_0_columns_values_0_q[7:0]} - select_1082_s5_q) + (or_632_s5_q ? 11'h0 : rows_0_sum_sums_values_0_q);
-  logic [10:0] sum_1089;
-  assign sum_1089 = ({3'h0, rows_1_columns_values_0_q[7:0]} - select_1086_s5_q) + (or_632_s5_q ? 11'h0 : rows_1_sum_sums_values_0_q);
-  logic [10:0] sum_1093;
-  assign sum_1093 = ({3'h0, rows_2_columns_values_0_q[7:0]} - select_1090_s5_q) + (or_632_s5_q ? 11'h0 : rows_2_sum_sums_values_0_q);
-  logic [10:0] sum_1097;
-  assign sum_1097 = ({3'h0, rows_3_columns_values_0_q[7:0]} - select_1094_s5_q) + (or_632_s5_q ? 11'h0 : rows_3_sum_sums_values_0_q);
-  logic [10:0] sum_1101;
-  assign sum_1101 = ({3'h0, rows_4_columns_values_0_q[7:0]} - select_1098_s5_q) + (or_632_s5_q ? 11'h0 : rows_4_sum_sums_values_0_q);
-  logic [10:0] sum_1105;
-  assign sum_1105 = ({3'h0, rows_5_columns_values_0_q[7:0]} - select_1102_s5_q) + (or_632_s5_q ? 11'h0 : rows_5_sum_sums_values_0_q);
-  logic [10:0] sum_1109;
-  assign sum_1109 = ({3'h0, rows_6_columns_values_0_q[7:0]} - select_1106_s5_q) + (or_632_s5_q ? 11'h0 : rows_6_sum_sums_values_0_q);
-  logic [10:0] sum_1113;
-  assign sum_1113 = ({3'h0, rows_7_columns_values_0_q[7:0]} - select_1110_s5_q) + (or_632_s5_q ? 11'h0 : rows_7_sum_sums_values_0_q);
-  logic [10:0] sum_1117;
-  assign sum_1117 = ({3'h0, rows_8_columns_values_0_q[7:0]} - select_1114_s5_q) + (or_632_s5_q ? 11'h0 : rows_8_sum_sums_values_0_q);
-  logic [10:0] sum_1121;
-  assign sum_1121 = ({3'h0, rows_9_columns_values_0_q[7:0]} - select_1118_s5_q) + (or_632_s5_q ? 11'h0 : rows_9_sum_sums_values_0_q);
-  logic [10:0] sum_1125;
-  assign sum_1125 = ({3'h0, rows_10_columns_values_0_q[7:0]} - select_1122_s5_q) + (or_632_s5_q ? 11'h0 : rows_10_sum_sums_values_0_q);
-  logic [10:0] sum_1129;
-  assign sum_1129 = ({3'h0, rows_11_columns_values_0_q[7:0]} - select_1126_s5_q) + (or_632_s5_q ? 11'h0 : rows_11_sum_sums_values_0_q);
-  logic [10:0] sum_1133;
-  assign sum_1133 = ({3'h0, rows_12_columns_values_0_q[7:0]} - select_1130_s5_q) + (or_632_s5_q ? 11'h0 : rows_12_sum_sums_values_0_q);
-  logic [10:0] sum_1137;
-  assign sum_1137 = ({3'h0, rows_13_columns_values_0_q[7:0]} - select_1134_s5_q) + (or_632_s5_q ? 11'h0 : rows_13_sum_sums_values_0_q);
-  logic [10:0] sum_1141;
-  assign sum_1141 = ({3'h0, rows_14_columns_values_0_q[7:0]} - select_1138_s5_q) + (or_632_s5_q ? 11'h0 : rows_14_sum_sums_values_0_q);
-  logic [10:0] sum_1145;
-  assign sum_1145 = ({3'h0, rows_15_columns_values_0_q[7:0]} - select_1142_s5_q) + (or_632_s5_q ? 11'h0 : rows_15_sum_sums_values_0_q);
-  logic [10:0] sum_1149;
-  assign sum_1149 = ({3'h0, rows_16_columns_values_0_q[7:0]} - select_1146_s5_q) + (or_632_s5_q ? 11'h0 : rows_16_sum_sums_values_0_q);
-  logic [10:0] sum_1153;
-  assign sum_1153 = ({3'h0, rows_17_columns_values_0_q[7:0]} - select_1150_s5_q) + (or_632_s5_q ? 11'h0 : rows_17_sum_sums_values_0_q);
-  logic [10:0] sum_1157;
-  assign sum_1157 = ({3'h0, rows_18_columns_values_0_q[7:0]} - select_1154_s5_q) + (or_632_s5_q ? 11'h0 : rows_18_sum_sums_values_0_q);
-  logic [10:0] sum_1161;
-  assign sum_1161 = ({3'h0, rows_19_columns_values_0_q[7:0]} - select_1158_s5_q) + (or_632_s5_q ? 11'h0 : rows_19_sum_sums_values_0_q);
+  logic [10:0] sum_1147;
+  assign sum_1147 = ({3'h0, rows_0_columns_values_0_q[7:0]} - select_1144_s5_q) + (or_694_s5_q ? 11'h0 : rows_0_sum_sums_values_0_q);
+  logic [10:0] sum_1151;
+  assign sum_1151 = ({3'h0, rows_1_columns_values_0_q[7:0]} - select_1148_s5_q) + (or_694_s5_q ? 11'h0 : rows_1_sum_sums_values_0_q);
+  logic [10:0] sum_1155;
+  assign sum_1155 = ({3'h0, rows_2_columns_values_0_q[7:0]} - select_1152_s5_q) + (or_694_s5_q ? 11'h0 : rows_2_sum_sums_values_0_q);
+  logic [10:0] sum_1159;
+  assign sum_1159 = ({3'h0, rows_3_columns_values_0_q[7:0]} - select_1156_s5_q) + (or_694_s5_q ? 11'h0 : rows_3_sum_sums_values_0_q);
+  logic [10:0] sum_1163;
+  assign sum_1163 = ({3'h0, rows_4_columns_values_0_q[7:0]} - select_1160_s5_q) + (or_694_s5_q ? 11'h0 : rows_4_sum_sums_values_0_q);
+  logic [10:0] sum_1167;
+  assign sum_1167 = ({3'h0, rows_5_columns_values_0_q[7:0]} - select_1164_s5_q) + (or_694_s5_q ? 11'h0 : rows_5_sum_sums_values_0_q);
+  logic [10:0] sum_1171;
+  assign sum_1171 = ({3'h0, rows_6_columns_values_0_q[7:0]} - select_1168_s5_q) + (or_694_s5_q ? 11'h0 : rows_6_sum_sums_values_0_q);
+  logic [10:0] sum_1175;
+  assign sum_1175 = ({3'h0, rows_7_columns_values_0_q[7:0]} - select_1172_s5_q) + (or_694_s5_q ? 11'h0 : rows_7_sum_sums_values_0_q);
+  logic [10:0] sum_1179;
+  assign sum_1179 = ({3'h0, rows_8_columns_values_0_q[7:0]} - select_1176_s5_q) + (or_694_s5_q ? 11'h0 : rows_8_sum_sums_values_0_q);
+  logic [10:0] sum_1183;
+  assign sum_1183 = ({3'h0, rows_9_columns_values_0_q[7:0]} - select_1180_s5_q) + (or_694_s5_q ? 11'h0 : rows_9_sum_sums_values_0_q);
+  logic [10:0] sum_1187;
+  assign sum_1187 = ({3'h0, rows_10_columns_values_0_q[7:0]} - select_1184_s5_q) + (or_694_s5_q ? 11'h0 : rows_10_sum_sums_values_0_q);
+  logic [10:0] sum_1191;
+  assign sum_1191 = ({3'h0, rows_11_columns_values_0_q[7:0]} - select_1188_s5_q) + (or_694_s5_q ? 11'h0 : rows_11_sum_sums_values_0_q);
+  logic [10:0] sum_1195;
+  assign sum_1195 = ({3'h0, rows_12_columns_values_0_q[7:0]} - select_1192_s5_q) + (or_694_s5_q ? 11'h0 : rows_12_sum_sums_values_0_q);
+  logic [10:0] sum_1199;
+  assign sum_1199 = ({3'h0, rows_13_columns_values_0_q[7:0]} - select_1196_s5_q) + (or_694_s5_q ? 11'h0 : rows_13_sum_sums_values_0_q);
+  logic [10:0] sum_1203;
+  assign sum_1203 = ({3'h0, rows_14_columns_values_0_q[7:0]} - select_1200_s5_q) + (or_694_s5_q ? 11'h0 : rows_14_sum_sums_values_0_q);
+  logic [10:0] sum_1207;
+  assign sum_1207 = ({3'h0, rows_15_columns_values_0_q[7:0]} - select_1204_s5_q) + (or_694_s5_q ? 11'h0 : rows_15_sum_sums_values_0_q);
+  logic [10:0] sum_1211;
+  assign sum_1211 = ({3'h0, rows_16_columns_values_0_q[7:0]} - select_1208_s5_q) + (or_694_s5_q ? 11'h0 : rows_16_sum_sums_values_0_q);
+  logic [10:0] sum_1215;
+  assign sum_1215 = ({3'h0, rows_17_columns_values_0_q[7:0]} - select_1212_s5_q) + (or_694_s5_q ? 11'h0 : rows_17_sum_sums_values_0_q);
+  logic [10:0] sum_1219;
+  assign sum_1219 = ({3'h0, rows_18_columns_values_0_q[7:0]} - select_1216_s5_q) + (or_694_s5_q ? 11'h0 : rows_18_sum_sums_values_0_q);
+  logic [10:0] sum_1223;
+  assign sum_1223 = ({3'h0, rows_19_columns_values_0_q[7:0]} - select_1220_s5_q) + (or_694_s5_q ? 11'h0 : rows_19_sum_sums_values_0_q);
 
   // Memory column_memory, write
   logic [10:0] column_memory_waddr;
-  assign column_memory_waddr = select_633_s5_q;
+  assign column_memory_waddr = select_695_s5_q;
   logic column_memory_we;
-  assign column_memory_we = s5_en & or_634_s5_q;
+  assign column_memory_we = s5_en & or_696_s5_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (column_memory_we) column_memory_mem[column_memory_waddr] <= {and_1071_s5_q, and_1070_s5_q, entering_values_23_features_mask_s5_q, and_1069_s5_q, column_memory_rdata_s5_q[17:12], and_1068_s5_q, column_memory_rdata_s5_q[11:6], and_1067_s5_q, column_memory_rdata_s5_q[5:0], seen_values_24_exists_s5_q, seen_values_24_grey_s5_q, rows_19_columns_values_0_q[7:0], rows_18_columns_values_0_q[7:0], rows_17_columns_values_0_q[7:0], rows_16_columns_values_0_q[7:0], rows_15_columns_values_0_q[7:0], rows_14_columns_values_0_q[7:0], rows_13_columns_values_0_q[7:0], rows_12_columns_values_0_q[7:0], rows_11_columns_values_0_q[7:0], rows_10_columns_values_0_q[7:0], rows_9_columns_values_0_q[7:0], rows_8_columns_values_0_q[7:0], rows_7_columns_values_0_q[7:0], rows_6_columns_values_0_q[7:0], rows_5_columns_values_0_q[7:0], rows_4_columns_values_0_q[7:0], rows_3_columns_values_0_q[7:0], rows_2_columns_values_0_q[7:0], rows_1_columns_values_0_q[7:0], rows_0_columns_values_0_q[7:0]};
+    if (column_memory_we) column_memory_mem[column_memory_waddr] <= {and_1133_s5_q, and_1132_s5_q, entering_values_23_features_mask_s5_q, and_1131_s5_q, column_memory_rdata_s5_q[17:12], and_1130_s5_q, column_memory_rdata_s5_q[11:6], and_1129_s5_q, column_memory_rdata_s5_q[5:0], seen_values_24_exists_s5_q, seen_values_24_grey_s5_q, rows_19_columns_values_0_q[7:0], rows_18_columns_values_0_q[7:0], rows_17_columns_values_0_q[7:0], rows_16_columns_values_0_q[7:0], rows_15_columns_values_0_q[7:0], rows_14_columns_values_0_q[7:0], rows_13_columns_values_0_q[7:0], rows_12_columns_values_0_q[7:0], rows_11_columns_values_0_q[7:0], rows_10_columns_values_0_q[7:0], rows_9_columns_values_0_q[7:0], rows_8_columns_values_0_q[7:0], rows_7_columns_values_0_q[7:0], rows_6_columns_values_0_q[7:0], rows_5_columns_values_0_q[7:0], rows_4_columns_values_0_q[7:0], rows_3_columns_values_0_q[7:0], rows_2_columns_values_0_q[7:0], rows_1_columns_values_0_q[7:0], rows_0_columns_values_0_q[7:0]};
   end
 `ifndef SYNTHESIS
   logic [10:0] column_memory_raddr_s2_sim;
@@ -3106,41 +3310,45 @@ module horopter_plane_sums (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s5_en) begin
-      rows_0_sum_sums_values_0_q <= sum_1085;
-      rows_1_sum_sums_values_0_q <= sum_1089;
-      rows_2_sum_sums_values_0_q <= sum_1093;
-      rows_3_sum_sums_values_0_q <= sum_1097;
-      rows_4_sum_sums_values_0_q <= sum_1101;
-      rows_5_sum_sums_values_0_q <= sum_1105;
-      rows_6_sum_sums_values_0_q <= sum_1109;
-      rows_7_sum_sums_values_0_q <= sum_1113;
-      rows_8_sum_sums_values_0_q <= sum_1117;
-      rows_9_sum_sums_values_0_q <= sum_1121;
-      rows_10_sum_sums_values_0_q <= sum_1125;
-      rows_11_sum_sums_values_0_q <= sum_1129;
-      rows_12_sum_sums_values_0_q <= sum_1133;
-      rows_13_sum_sums_values_0_q <= sum_1137;
-      rows_14_sum_sums_values_0_q <= sum_1141;
-      rows_15_sum_sums_values_0_q <= sum_1145;
-      rows_16_sum_sums_values_0_q <= sum_1149;
-      rows_17_sum_sums_values_0_q <= sum_1153;
-      rows_18_sum_sums_values_0_q <= sum_1157;
-      rows_19_sum_sums_values_0_q <= sum_1161;
+      rows_0_sum_sums_values_0_q <= sum_1147;
+      rows_1_sum_sums_values_0_q <= sum_1151;
+      rows_2_sum_sums_values_0_q <= sum_1155;
+      rows_3_sum_sums_values_0_q <= sum_1159;
+      rows_4_sum_sums_values_0_q <= sum_1163;
+      rows_5_sum_sums_values_0_q <= sum_1167;
+      rows_6_sum_sums_values_0_q <= sum_1171;
+      rows_7_sum_sums_values_0_q <= sum_1175;
+      rows_8_sum_sums_values_0_q <= sum_1179;
+      rows_9_sum_sums_values_0_q <= sum_1183;
+      rows_10_sum_sums_values_0_q <= sum_1187;
+      rows_11_sum_sums_values_0_q <= sum_1191;
+      rows_12_sum_sums_values_0_q <= sum_1195;
+      rows_13_sum_sums_values_0_q <= sum_1199;
+      rows_14_sum_sums_values_0_q <= sum_1203;
+      rows_15_sum_sums_values_0_q <= sum_1207;
+      rows_16_sum_sums_values_0_q <= sum_1211;
+      rows_17_sum_sums_values_0_q <= sum_1215;
+      rows_18_sum_sums_values_0_q <= sum_1219;
+      rows_19_sum_sums_values_0_q <= sum_1223;
     end
   end
 
   logic [5:0] centres_values_3_seen_grey_s6_q;
   logic centre_marks_values_3_first_s6_q;
   logic centre_marks_values_3_last_s6_q;
-  logic and_1170_s6_q;
-  logic and_1171_s6_q;
+  logic centre_marks_values_3_seen_s6_q;
+  logic centre_marks_values_3_nearer_s6_q;
+  logic and_1232_s6_q;
+  logic and_1233_s6_q;
   always_ff @(posedge clk_i) begin
     if (s5_en) begin
       centres_values_3_seen_grey_s6_q <= centres_values_3_seen_grey_s5_q;
       centre_marks_values_3_first_s6_q <= centre_marks_values_3_first_s5_q;
       centre_marks_values_3_last_s6_q <= centre_marks_values_3_last_s5_q;
-      and_1170_s6_q <= and_1170_s5_q;
-      and_1171_s6_q <= and_1171_s5_q;
+      centre_marks_values_3_seen_s6_q <= centre_marks_values_3_seen_s5_q;
+      centre_marks_values_3_nearer_s6_q <= centre_marks_values_3_nearer_s5_q;
+      and_1232_s6_q <= and_1232_s5_q;
+      and_1233_s6_q <= and_1233_s5_q;
     end
   end
 
@@ -3166,10 +3374,12 @@ module horopter_plane_sums (
   assign sum_18_o = rows_18_sum_sums_values_0_q;
   assign evidence_o = rows_19_sum_sums_values_0_q;
   assign grey_o = centres_values_3_seen_grey_s6_q;
-  assign known_o = and_1170_s6_q;
-  assign exists_o = and_1171_s6_q;
+  assign known_o = and_1232_s6_q;
+  assign exists_o = and_1233_s6_q;
   assign marks_first_o = centre_marks_values_3_first_s6_q;
   assign marks_last_o = centre_marks_values_3_last_s6_q;
+  assign marks_seen_o = centre_marks_values_3_seen_s6_q;
+  assign marks_nearer_o = centre_marks_values_3_nearer_s6_q;
   assign valid_o = valid_s6_q;
 
   always_ff @(posedge clk_i) begin

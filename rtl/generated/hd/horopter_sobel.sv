@@ -3,7 +3,7 @@
 //
 // Latency 5 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 93 bits, pipeline 297 bits, memories 69120 bits.
+// State 93 bits, pipeline 307 bits, memories 69120 bits.
 module horopter_sobel (
   input  logic clk_i,
   input  logic rst_ni,
@@ -15,6 +15,8 @@ module horopter_sobel (
   input  logic mask_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
+  input  logic marks_seen_i,
+  input  logic marks_nearer_i,
   output logic valid_o,
   output logic signed [10:0] gx_0_o,
   output logic signed [10:0] gx_1_o,
@@ -24,6 +26,8 @@ module horopter_sobel (
   output logic mask_o,
   output logic marks_first_o,
   output logic marks_last_o,
+  output logic marks_seen_o,
+  output logic marks_nearer_o,
   output logic [7:0] smooth_grey_o,
   output logic smooth_exists_o
 );
@@ -41,10 +45,10 @@ module horopter_sobel (
   logic [10:0] raster_column_q;
   logic raster_row_ended_q;
   // hls/stages/sobel.hpp:41
-  logic or_20;
-  assign or_20 = marks_first_i | raster_row_ended_q;
-  logic [10:0] select_21;
-  assign select_21 = or_20 ? 11'h0 : raster_column_q;
+  logic or_22;
+  assign or_22 = marks_first_i | raster_row_ended_q;
+  logic [10:0] select_23;
+  assign select_23 = or_22 ? 11'h0 : raster_column_q;
 
   // Memory memory, 1920 x 36, DISTANCE 16, hls/stages/sobel.hpp:74; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -54,7 +58,7 @@ module horopter_sobel (
   initial for (int i = 0; i < 1920; i++) memory_mem[i] = 36'h0;
 `endif
   logic [10:0] memory_raddr;
-  assign memory_raddr = select_21;
+  assign memory_raddr = select_23;
   logic memory_re;
   assign memory_re = s0_en;
   logic [35:0] memory_rdata_q;
@@ -67,7 +71,7 @@ module horopter_sobel (
       raster_column_q <= 11'h0;
       raster_row_ended_q <= 1'b1;
     end else if (s0_en) begin
-      raster_column_q <= select_21 + 11'h1;
+      raster_column_q <= select_23 + 11'h1;
       raster_row_ended_q <= marks_last_i;
     end
   end
@@ -77,8 +81,10 @@ module horopter_sobel (
   logic saturated_s1_q;
   logic mask_s1_q;
   logic marks_first_s1_q;
-  logic or_20_s1_q;
-  logic [10:0] select_21_s1_q;
+  logic marks_seen_s1_q;
+  logic marks_nearer_s1_q;
+  logic or_22_s1_q;
+  logic [10:0] select_23_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       pixel_0_s1_q <= pixel_0_i;
@@ -86,8 +92,10 @@ module horopter_sobel (
       saturated_s1_q <= saturated_i;
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;
-      or_20_s1_q <= or_20;
-      select_21_s1_q <= select_21;
+      marks_seen_s1_q <= marks_seen_i;
+      marks_nearer_s1_q <= marks_nearer_i;
+      or_22_s1_q <= or_22;
+      select_23_s1_q <= select_23;
     end
   end
 
@@ -99,8 +107,10 @@ module horopter_sobel (
   logic mask_s2_q;
   logic marks_first_s2_q;
   logic marks_last_s2_q;
-  logic or_20_s2_q;
-  logic [10:0] select_21_s2_q;
+  logic marks_seen_s2_q;
+  logic marks_nearer_s2_q;
+  logic or_22_s2_q;
+  logic [10:0] select_23_s2_q;
   logic [35:0] memory_rdata_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
@@ -110,8 +120,10 @@ module horopter_sobel (
       mask_s2_q <= mask_s1_q;
       marks_first_s2_q <= marks_first_s1_q;
       marks_last_s2_q <= raster_row_ended_q;
-      or_20_s2_q <= or_20_s1_q;
-      select_21_s2_q <= select_21_s1_q;
+      marks_seen_s2_q <= marks_seen_s1_q;
+      marks_nearer_s2_q <= marks_nearer_s1_q;
+      or_22_s2_q <= or_22_s1_q;
+      select_23_s2_q <= select_23_s1_q;
       memory_rdata_s2_q <= memory_rdata_q;
     end
   end
@@ -121,35 +133,35 @@ module horopter_sobel (
   logic [1:0] mask_columns_values_0_q;
   logic [1:0] saturated_columns_values_0_q;
   // hls/stages/sobel.hpp:41
-  logic and_24;
-  assign and_24 = raster_rows_q & (~marks_first_s2_q);
+  logic and_26;
+  assign and_26 = raster_rows_q & (~marks_first_s2_q);
   // hls/stages/sobel.hpp:58
-  logic [1:0] select_25;
-  assign select_25 = and_24 ? memory_rdata_s2_q[33:32] : 2'h0;
+  logic [1:0] select_27;
+  assign select_27 = and_26 ? memory_rdata_s2_q[33:32] : 2'h0;
   // hls/stages/sobel.hpp:59
-  logic [1:0] select_26;
-  assign select_26 = and_24 ? memory_rdata_s2_q[35:34] : 2'h0;
+  logic [1:0] select_28;
+  assign select_28 = and_26 ? memory_rdata_s2_q[35:34] : 2'h0;
   // hls/stages/sobel.hpp:49
-  logic [8:0] sum_29;
-  assign sum_29 = {1'b0, memory_rdata_s2_q[7:0]} + {2'h0, memory_rdata_s2_q[23:17]};
   logic [8:0] sum_31;
-  assign sum_31 = {1'b0, memory_rdata_s2_q[15:8]} + {2'h0, memory_rdata_s2_q[31:25]};
+  assign sum_31 = {1'b0, memory_rdata_s2_q[7:0]} + {2'h0, memory_rdata_s2_q[23:17]};
+  logic [8:0] sum_33;
+  assign sum_33 = {1'b0, memory_rdata_s2_q[15:8]} + {2'h0, memory_rdata_s2_q[31:25]};
   // hls/stages/sobel.hpp:58
-  logic equal_35;
-  assign equal_35 = {select_25, mask_s2_q} == 3'h7;
-  logic [1:0] select_36;
-  assign select_36 = or_20_s2_q ? 2'h0 : mask_columns_values_0_q;
-  // hls/stages/sobel.hpp:59
   logic equal_37;
-  assign equal_37 = {select_26, saturated_s2_q} == 3'h7;
+  assign equal_37 = {select_27, mask_s2_q} == 3'h7;
   logic [1:0] select_38;
-  assign select_38 = or_20_s2_q ? 2'h0 : saturated_columns_values_0_q;
+  assign select_38 = or_22_s2_q ? 2'h0 : mask_columns_values_0_q;
+  // hls/stages/sobel.hpp:59
+  logic equal_39;
+  assign equal_39 = {select_28, saturated_s2_q} == 3'h7;
+  logic [1:0] select_40;
+  assign select_40 = or_22_s2_q ? 2'h0 : saturated_columns_values_0_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       raster_rows_q <= 1'b0;
     end else if (s2_en) begin
-      raster_rows_q <= marks_last_s2_q | and_24;
+      raster_rows_q <= marks_last_s2_q | and_26;
     end
   end
 
@@ -162,8 +174,8 @@ module horopter_sobel (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s2_en) begin
-      mask_columns_values_0_q <= {select_36[0], equal_35};
-      saturated_columns_values_0_q <= {select_38[0], equal_37};
+      mask_columns_values_0_q <= {select_38[0], equal_37};
+      saturated_columns_values_0_q <= {select_40[0], equal_39};
     end
   end
 
@@ -173,14 +185,16 @@ module horopter_sobel (
   logic mask_s3_q;
   logic marks_first_s3_q;
   logic marks_last_s3_q;
-  logic [10:0] select_21_s3_q;
+  logic marks_seen_s3_q;
+  logic marks_nearer_s3_q;
+  logic [10:0] select_23_s3_q;
   logic [31:0] memory_rdata_s3_q;
-  logic select_25_s3_q;
-  logic select_26_s3_q;
-  logic [8:0] sum_29_s3_q;
+  logic select_27_s3_q;
+  logic select_28_s3_q;
   logic [8:0] sum_31_s3_q;
-  logic equal_45_s3_q;
-  logic equal_46_s3_q;
+  logic [8:0] sum_33_s3_q;
+  logic equal_47_s3_q;
+  logic equal_48_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       pixel_0_s3_q <= pixel_0_s2_q;
@@ -189,14 +203,16 @@ module horopter_sobel (
       mask_s3_q <= mask_s2_q;
       marks_first_s3_q <= marks_first_s2_q;
       marks_last_s3_q <= marks_last_s2_q;
-      select_21_s3_q <= select_21_s2_q;
+      marks_seen_s3_q <= marks_seen_s2_q;
+      marks_nearer_s3_q <= marks_nearer_s2_q;
+      select_23_s3_q <= select_23_s2_q;
       memory_rdata_s3_q <= memory_rdata_s2_q[31:0];
-      select_25_s3_q <= select_25[0];
-      select_26_s3_q <= select_26[0];
-      sum_29_s3_q <= sum_29;
+      select_27_s3_q <= select_27[0];
+      select_28_s3_q <= select_28[0];
       sum_31_s3_q <= sum_31;
-      equal_45_s3_q <= {select_38, equal_37} == 3'h7;
-      equal_46_s3_q <= {select_36, equal_35} == 3'h7;
+      sum_33_s3_q <= sum_33;
+      equal_47_s3_q <= {select_40, equal_39} == 3'h7;
+      equal_48_s3_q <= {select_38, equal_37} == 3'h7;
     end
   end
 
@@ -211,9 +227,9 @@ module horopter_sobel (
   logic [8:0] slope_1_values_1_q;
   // hls/stages/sobel.hpp:49
   logic [9:0] smooth;
-  assign smooth = {2'h0, pixel_0_s3_q} + {sum_29_s3_q, memory_rdata_s3_q[16]};
+  assign smooth = {2'h0, pixel_0_s3_q} + {sum_31_s3_q, memory_rdata_s3_q[16]};
   logic [9:0] smooth_2;
-  assign smooth_2 = {2'h0, pixel_1_s3_q} + {sum_31_s3_q, memory_rdata_s3_q[24]};
+  assign smooth_2 = {2'h0, pixel_1_s3_q} + {sum_33_s3_q, memory_rdata_s3_q[24]};
   // hls/stages/sobel.hpp:50
   logic [8:0] slope;
   assign slope = {1'b0, pixel_0_s3_q} - {1'b0, memory_rdata_s3_q[23:16]};
@@ -222,11 +238,11 @@ module horopter_sobel (
 
   // Memory memory, write
   logic [10:0] memory_waddr;
-  assign memory_waddr = select_21_s3_q;
+  assign memory_waddr = select_23_s3_q;
   logic memory_we;
   assign memory_we = s3_en;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (memory_we) memory_mem[memory_waddr] <= {select_26_s3_q, saturated_s3_q, select_25_s3_q, mask_s3_q, memory_rdata_s3_q[15:0], pixel_1_s3_q, pixel_0_s3_q};
+    if (memory_we) memory_mem[memory_waddr] <= {select_28_s3_q, saturated_s3_q, select_27_s3_q, mask_s3_q, memory_rdata_s3_q[15:0], pixel_1_s3_q, pixel_0_s3_q};
   end
 `ifndef SYNTHESIS
   logic [10:0] memory_raddr_s1_sim;
@@ -291,72 +307,82 @@ module horopter_sobel (
   logic mask_s4_q;
   logic marks_first_s4_q;
   logic marks_last_s4_q;
+  logic marks_seen_s4_q;
+  logic marks_nearer_s4_q;
   logic [9:0] smooth_0_values_1_s4_q;
   logic [9:0] smooth_1_values_1_s4_q;
   logic [8:0] slope_0_values_1_s4_q;
   logic [8:0] slope_1_values_1_s4_q;
-  logic equal_45_s4_q;
-  logic equal_46_s4_q;
+  logic equal_47_s4_q;
+  logic equal_48_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       pixel_0_s4_q <= pixel_0_s3_q;
       mask_s4_q <= mask_s3_q;
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= marks_last_s3_q;
+      marks_seen_s4_q <= marks_seen_s3_q;
+      marks_nearer_s4_q <= marks_nearer_s3_q;
       smooth_0_values_1_s4_q <= smooth_0_values_1_q;
       smooth_1_values_1_s4_q <= smooth_1_values_1_q;
       slope_0_values_1_s4_q <= slope_0_values_1_q;
       slope_1_values_1_s4_q <= slope_1_values_1_q;
-      equal_45_s4_q <= equal_45_s3_q;
-      equal_46_s4_q <= equal_46_s3_q;
+      equal_47_s4_q <= equal_47_s3_q;
+      equal_48_s4_q <= equal_48_s3_q;
     end
   end
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
   // hls/stages/sobel.hpp:52
-  logic [9:0] sum_41;
-  assign sum_41 = {slope_0_values_1_q[8], slope_0_values_1_q} + {{2{slope_0_values_0_q[8]}}, slope_0_values_0_q[8:1]};
-  logic [10:0] sum_42;
-  assign sum_42 = {{2{slope_0_values_1_s4_q[8]}}, slope_0_values_1_s4_q} + {sum_41, slope_0_values_0_q[0]};
   logic [9:0] sum_43;
-  assign sum_43 = {slope_1_values_1_q[8], slope_1_values_1_q} + {{2{slope_1_values_0_q[8]}}, slope_1_values_0_q[8:1]};
+  assign sum_43 = {slope_0_values_1_q[8], slope_0_values_1_q} + {{2{slope_0_values_0_q[8]}}, slope_0_values_0_q[8:1]};
   logic [10:0] sum_44;
-  assign sum_44 = {{2{slope_1_values_1_s4_q[8]}}, slope_1_values_1_s4_q} + {sum_43, slope_1_values_0_q[0]};
+  assign sum_44 = {{2{slope_0_values_1_s4_q[8]}}, slope_0_values_1_s4_q} + {sum_43, slope_0_values_0_q[0]};
+  logic [9:0] sum_45;
+  assign sum_45 = {slope_1_values_1_q[8], slope_1_values_1_q} + {{2{slope_1_values_0_q[8]}}, slope_1_values_0_q[8:1]};
+  logic [10:0] sum_46;
+  assign sum_46 = {{2{slope_1_values_1_s4_q[8]}}, slope_1_values_1_s4_q} + {sum_45, slope_1_values_0_q[0]};
 
   logic [7:0] pixel_0_s5_q;
   logic mask_s5_q;
   logic marks_first_s5_q;
   logic marks_last_s5_q;
-  logic [10:0] difference_39_s5_q;
-  logic [10:0] difference_40_s5_q;
-  logic [10:0] sum_42_s5_q;
+  logic marks_seen_s5_q;
+  logic marks_nearer_s5_q;
+  logic [10:0] difference_41_s5_q;
+  logic [10:0] difference_42_s5_q;
   logic [10:0] sum_44_s5_q;
-  logic equal_45_s5_q;
-  logic equal_46_s5_q;
+  logic [10:0] sum_46_s5_q;
+  logic equal_47_s5_q;
+  logic equal_48_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
       pixel_0_s5_q <= pixel_0_s4_q;
       mask_s5_q <= mask_s4_q;
       marks_first_s5_q <= marks_first_s4_q;
       marks_last_s5_q <= marks_last_s4_q;
-      difference_39_s5_q <= {1'b0, smooth_0_values_0_q} - {1'b0, smooth_0_values_1_s4_q};
-      difference_40_s5_q <= {1'b0, smooth_1_values_0_q} - {1'b0, smooth_1_values_1_s4_q};
-      sum_42_s5_q <= sum_42;
+      marks_seen_s5_q <= marks_seen_s4_q;
+      marks_nearer_s5_q <= marks_nearer_s4_q;
+      difference_41_s5_q <= {1'b0, smooth_0_values_0_q} - {1'b0, smooth_0_values_1_s4_q};
+      difference_42_s5_q <= {1'b0, smooth_1_values_0_q} - {1'b0, smooth_1_values_1_s4_q};
       sum_44_s5_q <= sum_44;
-      equal_45_s5_q <= equal_45_s4_q;
-      equal_46_s5_q <= equal_46_s4_q;
+      sum_46_s5_q <= sum_46;
+      equal_47_s5_q <= equal_47_s4_q;
+      equal_48_s5_q <= equal_48_s4_q;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign gx_0_o = difference_39_s5_q;
-  assign gx_1_o = difference_40_s5_q;
-  assign gy_0_o = sum_42_s5_q;
-  assign gy_1_o = sum_44_s5_q;
-  assign saturated_o = equal_45_s5_q;
-  assign mask_o = equal_46_s5_q;
+  assign gx_0_o = difference_41_s5_q;
+  assign gx_1_o = difference_42_s5_q;
+  assign gy_0_o = sum_44_s5_q;
+  assign gy_1_o = sum_46_s5_q;
+  assign saturated_o = equal_47_s5_q;
+  assign mask_o = equal_48_s5_q;
   assign marks_first_o = marks_first_s5_q;
   assign marks_last_o = marks_last_s5_q;
+  assign marks_seen_o = marks_seen_s5_q;
+  assign marks_nearer_o = marks_nearer_s5_q;
   assign smooth_grey_o = pixel_0_s5_q;
   assign smooth_exists_o = mask_s5_q;
   assign valid_o = valid_s5_q;

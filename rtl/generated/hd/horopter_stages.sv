@@ -21,22 +21,71 @@ module horopter_stages #(
   input  logic mask_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
-  input  logic [11:0] cfg_texture_limit_i,
-  input  logic [10:0] cfg_sum_limit_i,
-  input  logic [10:0] cfg_self_limit_i,
   input  logic [10:0] cfg_width_i,
   input  logic [10:0] cfg_height_i,
   input  logic cfg_compete_i,
+  input  logic cfg_prove_i,
+  input  logic signed [5:0] cfg_shift_lowest_i,
+  input  logic signed [5:0] cfg_shift_highest_i,
+  input  logic cfg_nearer_below_i,
+  input  logic cfg_nearer_above_i,
+  input  logic [7:0] cfg_explained_limit_i,
+  input  logic [7:0] cfg_regions_limit_i,
+  input  logic [7:0] cfg_unproven_limit_i,
+  input  logic [7:0] cfg_hidden_limit_i,
+  input  logic [7:0] cfg_hidden_frames_i,
+  input  logic [5:0] cfg_moved_limit_i,
+  input  logic [5:0] cfg_moved_half_limit_i,
+  input  logic signed [15:0] cfg_epipolar_slope_i,
+  input  logic signed [15:0] cfg_epipolar_column_i,
+  input  logic signed [15:0] cfg_epipolar_row_i,
+  input  logic signed [15:0] cfg_epipolar_both_i,
+  input  logic [11:0] cfg_texture_limit_i,
+  input  logic [10:0] cfg_sum_limit_i,
+  input  logic [10:0] cfg_self_limit_i,
   input  logic [20:0] cfg_alarm_limit_i,
   input  logic [20:0] cfg_undecidable_limit_i,
   input  logic [20:0] cfg_unsupervised_limit_i,
   input  logic [30:0] compete_settings_i,
+  output logic agreement_verdict_valid_o,
+  output logic [15:0] agreement_verdict_supervised_o,
+  output logic [15:0] agreement_verdict_textured_o,
+  output logic [15:0] agreement_verdict_explained_o,
+  output logic [15:0] agreement_verdict_nearer_o,
+  output logic [15:0] agreement_verdict_unproven_o,
+  output logic [15:0] agreement_verdict_regions_bad_o,
+  output logic agreement_verdict_unproven_yet_o,
+  output logic agreement_verdict_untextured_o,
+  output logic agreement_verdict_disagree_o,
+  output logic agreement_verdict_moved_o,
+  output logic agreement_verdict_unsharp_left_o,
+  output logic agreement_verdict_unsharp_right_o,
+  output logic agreement_verdict_hidden_o,
+  output logic signed [19:0] agreement_verdict_across_0_o,
+  output logic signed [19:0] agreement_verdict_across_1_o,
+  output logic signed [19:0] agreement_verdict_across_2_o,
+  output logic signed [19:0] agreement_verdict_across_3_o,
+  output logic [11:0] agreement_verdict_measured_0_o,
+  output logic [11:0] agreement_verdict_measured_1_o,
+  output logic [11:0] agreement_verdict_measured_2_o,
+  output logic [11:0] agreement_verdict_measured_3_o,
+  output logic [23:0] agreement_verdict_detail_0_o,
+  output logic [23:0] agreement_verdict_detail_1_o,
+  output logic [23:0] agreement_verdict_contrast_0_o,
+  output logic [23:0] agreement_verdict_contrast_1_o,
+  output logic agreement_region_valid_o,
+  output logic [5:0] agreement_region_region_o,
+  output logic [11:0] agreement_region_textured_o,
+  output logic [11:0] agreement_region_explained_o,
+  output logic [11:0] agreement_region_nearer_o,
   output logic align_valid_o,
   output logic [1:0] align_state_o,
   output logic align_first_o,
   output logic align_last_o,
   output logic align_end_v_o,
   output logic align_idle_o,
+  output logic align_hidden_o,
+  output logic align_unproven_o,
   output logic runs_valid_o,
   output logic [10:0] runs_row_o,
   output logic [10:0] runs_start_o,
@@ -115,14 +164,20 @@ module horopter_stages #(
     .marks_last_o(subsample_marks_last_o)
   );
 
-  logic lowpass_valid_o;
-  logic [7:0] lowpass_pixel_0_o;
-  logic [7:0] lowpass_pixel_1_o;
-  logic lowpass_saturated_o;
-  logic lowpass_mask_o;
-  logic lowpass_marks_first_o;
-  logic lowpass_marks_last_o;
-  horopter_lowpass u_lowpass (
+  logic agreement_valid_o;
+  logic [7:0] agreement_pixel_0_o;
+  logic [7:0] agreement_pixel_1_o;
+  logic agreement_saturated_o;
+  logic agreement_mask_o;
+  logic agreement_marks_first_o;
+  logic agreement_marks_last_o;
+  logic agreement_marks_seen_o;
+  logic agreement_marks_nearer_o;
+  logic agreement_verdict_valid;
+  assign agreement_verdict_valid_o = agreement_valid_o && agreement_verdict_valid;
+  logic agreement_region_valid;
+  assign agreement_region_valid_o = agreement_valid_o && agreement_region_valid;
+  horopter_agreement u_agreement (
     .clk_i(clk_i),
     .rst_ni(rst_ni),
     .en_i(1'b1),
@@ -133,13 +188,98 @@ module horopter_stages #(
     .mask_i(subsample_mask_o),
     .marks_first_i(subsample_marks_first_o),
     .marks_last_i(subsample_marks_last_o),
+    .cfg_width_i(cfg_width_i),
+    .cfg_height_i(cfg_height_i),
+    .cfg_compete_i(cfg_compete_i),
+    .cfg_prove_i(cfg_prove_i),
+    .cfg_shift_lowest_i(cfg_shift_lowest_i),
+    .cfg_shift_highest_i(cfg_shift_highest_i),
+    .cfg_nearer_below_i(cfg_nearer_below_i),
+    .cfg_nearer_above_i(cfg_nearer_above_i),
+    .cfg_explained_limit_i(cfg_explained_limit_i),
+    .cfg_regions_limit_i(cfg_regions_limit_i),
+    .cfg_unproven_limit_i(cfg_unproven_limit_i),
+    .cfg_hidden_limit_i(cfg_hidden_limit_i),
+    .cfg_hidden_frames_i(cfg_hidden_frames_i),
+    .cfg_moved_limit_i(cfg_moved_limit_i),
+    .cfg_moved_half_limit_i(cfg_moved_half_limit_i),
+    .cfg_epipolar_slope_i(cfg_epipolar_slope_i),
+    .cfg_epipolar_column_i(cfg_epipolar_column_i),
+    .cfg_epipolar_row_i(cfg_epipolar_row_i),
+    .cfg_epipolar_both_i(cfg_epipolar_both_i),
+    .valid_o(agreement_valid_o),
+    .pixel_0_o(agreement_pixel_0_o),
+    .pixel_1_o(agreement_pixel_1_o),
+    .saturated_o(agreement_saturated_o),
+    .mask_o(agreement_mask_o),
+    .marks_first_o(agreement_marks_first_o),
+    .marks_last_o(agreement_marks_last_o),
+    .marks_seen_o(agreement_marks_seen_o),
+    .marks_nearer_o(agreement_marks_nearer_o),
+    .verdict_valid_o(agreement_verdict_valid),
+    .verdict_supervised_o(agreement_verdict_supervised_o),
+    .verdict_textured_o(agreement_verdict_textured_o),
+    .verdict_explained_o(agreement_verdict_explained_o),
+    .verdict_nearer_o(agreement_verdict_nearer_o),
+    .verdict_unproven_o(agreement_verdict_unproven_o),
+    .verdict_regions_bad_o(agreement_verdict_regions_bad_o),
+    .verdict_unproven_yet_o(agreement_verdict_unproven_yet_o),
+    .verdict_untextured_o(agreement_verdict_untextured_o),
+    .verdict_disagree_o(agreement_verdict_disagree_o),
+    .verdict_moved_o(agreement_verdict_moved_o),
+    .verdict_unsharp_left_o(agreement_verdict_unsharp_left_o),
+    .verdict_unsharp_right_o(agreement_verdict_unsharp_right_o),
+    .verdict_hidden_o(agreement_verdict_hidden_o),
+    .verdict_across_0_o(agreement_verdict_across_0_o),
+    .verdict_across_1_o(agreement_verdict_across_1_o),
+    .verdict_across_2_o(agreement_verdict_across_2_o),
+    .verdict_across_3_o(agreement_verdict_across_3_o),
+    .verdict_measured_0_o(agreement_verdict_measured_0_o),
+    .verdict_measured_1_o(agreement_verdict_measured_1_o),
+    .verdict_measured_2_o(agreement_verdict_measured_2_o),
+    .verdict_measured_3_o(agreement_verdict_measured_3_o),
+    .verdict_detail_0_o(agreement_verdict_detail_0_o),
+    .verdict_detail_1_o(agreement_verdict_detail_1_o),
+    .verdict_contrast_0_o(agreement_verdict_contrast_0_o),
+    .verdict_contrast_1_o(agreement_verdict_contrast_1_o),
+    .region_valid_o(agreement_region_valid),
+    .region_region_o(agreement_region_region_o),
+    .region_textured_o(agreement_region_textured_o),
+    .region_explained_o(agreement_region_explained_o),
+    .region_nearer_o(agreement_region_nearer_o)
+  );
+
+  logic lowpass_valid_o;
+  logic [7:0] lowpass_pixel_0_o;
+  logic [7:0] lowpass_pixel_1_o;
+  logic lowpass_saturated_o;
+  logic lowpass_mask_o;
+  logic lowpass_marks_first_o;
+  logic lowpass_marks_last_o;
+  logic lowpass_marks_seen_o;
+  logic lowpass_marks_nearer_o;
+  horopter_lowpass u_lowpass (
+    .clk_i(clk_i),
+    .rst_ni(rst_ni),
+    .en_i(1'b1),
+    .valid_i(agreement_valid_o),
+    .pixel_0_i(agreement_pixel_0_o),
+    .pixel_1_i(agreement_pixel_1_o),
+    .saturated_i(agreement_saturated_o),
+    .mask_i(agreement_mask_o),
+    .marks_first_i(agreement_marks_first_o),
+    .marks_last_i(agreement_marks_last_o),
+    .marks_seen_i(agreement_marks_seen_o),
+    .marks_nearer_i(agreement_marks_nearer_o),
     .valid_o(lowpass_valid_o),
     .pixel_0_o(lowpass_pixel_0_o),
     .pixel_1_o(lowpass_pixel_1_o),
     .saturated_o(lowpass_saturated_o),
     .mask_o(lowpass_mask_o),
     .marks_first_o(lowpass_marks_first_o),
-    .marks_last_o(lowpass_marks_last_o)
+    .marks_last_o(lowpass_marks_last_o),
+    .marks_seen_o(lowpass_marks_seen_o),
+    .marks_nearer_o(lowpass_marks_nearer_o)
   );
 
   logic sobel_valid_o;
@@ -151,6 +291,8 @@ module horopter_stages #(
   logic sobel_mask_o;
   logic sobel_marks_first_o;
   logic sobel_marks_last_o;
+  logic sobel_marks_seen_o;
+  logic sobel_marks_nearer_o;
   logic [7:0] sobel_smooth_grey_o;
   logic sobel_smooth_exists_o;
   horopter_sobel u_sobel (
@@ -164,6 +306,8 @@ module horopter_stages #(
     .mask_i(lowpass_mask_o),
     .marks_first_i(lowpass_marks_first_o),
     .marks_last_i(lowpass_marks_last_o),
+    .marks_seen_i(lowpass_marks_seen_o),
+    .marks_nearer_i(lowpass_marks_nearer_o),
     .valid_o(sobel_valid_o),
     .gx_0_o(sobel_gx_0_o),
     .gx_1_o(sobel_gx_1_o),
@@ -173,6 +317,8 @@ module horopter_stages #(
     .mask_o(sobel_mask_o),
     .marks_first_o(sobel_marks_first_o),
     .marks_last_o(sobel_marks_last_o),
+    .marks_seen_o(sobel_marks_seen_o),
+    .marks_nearer_o(sobel_marks_nearer_o),
     .smooth_grey_o(sobel_smooth_grey_o),
     .smooth_exists_o(sobel_smooth_exists_o)
   );
@@ -202,6 +348,8 @@ module horopter_stages #(
   logic direction_mask_o;
   logic direction_marks_first_o;
   logic direction_marks_last_o;
+  logic direction_marks_seen_o;
+  logic direction_marks_nearer_o;
   if (THESIS) begin : g_direction
     horopter_direction u_direction (
       .clk_i(thesis_clk),
@@ -216,6 +364,8 @@ module horopter_stages #(
       .mask_i(sobel_mask_o),
       .marks_first_i(sobel_marks_first_o),
       .marks_last_i(sobel_marks_last_o),
+      .marks_seen_i(sobel_marks_seen_o),
+      .marks_nearer_i(sobel_marks_nearer_o),
       .valid_o(direction_valid_o),
       .direction_0_o(direction_direction_0_o),
       .direction_1_o(direction_direction_1_o),
@@ -224,11 +374,13 @@ module horopter_stages #(
       .saturated_o(direction_saturated_o),
       .mask_o(direction_mask_o),
       .marks_first_o(direction_marks_first_o),
-      .marks_last_o(direction_marks_last_o)
+      .marks_last_o(direction_marks_last_o),
+      .marks_seen_o(direction_marks_seen_o),
+      .marks_nearer_o(direction_marks_nearer_o)
     );
   end else begin : g_no_direction
     logic unused;
-    assign unused = ^{thesis_clk, thesis_runs, sobel_valid_o, sobel_gx_0_o, sobel_gx_1_o, sobel_gy_0_o, sobel_gy_1_o, sobel_saturated_o, sobel_mask_o, sobel_marks_first_o, sobel_marks_last_o};
+    assign unused = ^{thesis_clk, thesis_runs, sobel_valid_o, sobel_gx_0_o, sobel_gx_1_o, sobel_gy_0_o, sobel_gy_1_o, sobel_saturated_o, sobel_mask_o, sobel_marks_first_o, sobel_marks_last_o, sobel_marks_seen_o, sobel_marks_nearer_o};
     assign direction_valid_o = '0;
     assign direction_direction_0_o = '0;
     assign direction_direction_1_o = '0;
@@ -238,6 +390,8 @@ module horopter_stages #(
     assign direction_mask_o = '0;
     assign direction_marks_first_o = '0;
     assign direction_marks_last_o = '0;
+    assign direction_marks_seen_o = '0;
+    assign direction_marks_nearer_o = '0;
   end
 
   logic difference_valid_o;
@@ -247,6 +401,8 @@ module horopter_stages #(
   logic difference_mask_o;
   logic difference_marks_first_o;
   logic difference_marks_last_o;
+  logic difference_marks_seen_o;
+  logic difference_marks_nearer_o;
   if (THESIS) begin : g_difference
     horopter_difference u_difference (
       .clk_i(thesis_clk),
@@ -261,17 +417,21 @@ module horopter_stages #(
       .mask_i(direction_mask_o),
       .marks_first_i(direction_marks_first_o),
       .marks_last_i(direction_marks_last_o),
+      .marks_seen_i(direction_marks_seen_o),
+      .marks_nearer_i(direction_marks_nearer_o),
       .valid_o(difference_valid_o),
       .difference_0_o(difference_difference_0_o),
       .difference_1_o(difference_difference_1_o),
       .magnitude_o(difference_magnitude_o),
       .mask_o(difference_mask_o),
       .marks_first_o(difference_marks_first_o),
-      .marks_last_o(difference_marks_last_o)
+      .marks_last_o(difference_marks_last_o),
+      .marks_seen_o(difference_marks_seen_o),
+      .marks_nearer_o(difference_marks_nearer_o)
     );
   end else begin : g_no_difference
     logic unused;
-    assign unused = ^{thesis_clk, thesis_runs, direction_valid_o, direction_direction_0_o, direction_direction_1_o, direction_magnitude_0_o, direction_magnitude_1_o, direction_saturated_o, direction_mask_o, direction_marks_first_o, direction_marks_last_o};
+    assign unused = ^{thesis_clk, thesis_runs, direction_valid_o, direction_direction_0_o, direction_direction_1_o, direction_magnitude_0_o, direction_magnitude_1_o, direction_saturated_o, direction_mask_o, direction_marks_first_o, direction_marks_last_o, direction_marks_seen_o, direction_marks_nearer_o};
     assign difference_valid_o = '0;
     assign difference_difference_0_o = '0;
     assign difference_difference_1_o = '0;
@@ -279,6 +439,8 @@ module horopter_stages #(
     assign difference_mask_o = '0;
     assign difference_marks_first_o = '0;
     assign difference_marks_last_o = '0;
+    assign difference_marks_seen_o = '0;
+    assign difference_marks_nearer_o = '0;
   end
 
   logic texture_valid_o;
@@ -288,6 +450,8 @@ module horopter_stages #(
   logic texture_mask_o;
   logic texture_marks_first_o;
   logic texture_marks_last_o;
+  logic texture_marks_seen_o;
+  logic texture_marks_nearer_o;
   if (THESIS) begin : g_texture
     horopter_texture u_texture (
       .clk_i(thesis_clk),
@@ -300,6 +464,8 @@ module horopter_stages #(
       .mask_i(difference_mask_o),
       .marks_first_i(difference_marks_first_o),
       .marks_last_i(difference_marks_last_o),
+      .marks_seen_i(difference_marks_seen_o),
+      .marks_nearer_i(difference_marks_nearer_o),
       .cfg_texture_limit_i(cfg_texture_limit_i),
       .valid_o(texture_valid_o),
       .difference_0_o(texture_difference_0_o),
@@ -307,11 +473,13 @@ module horopter_stages #(
       .textured_o(texture_textured_o),
       .mask_o(texture_mask_o),
       .marks_first_o(texture_marks_first_o),
-      .marks_last_o(texture_marks_last_o)
+      .marks_last_o(texture_marks_last_o),
+      .marks_seen_o(texture_marks_seen_o),
+      .marks_nearer_o(texture_marks_nearer_o)
     );
   end else begin : g_no_texture
     logic unused;
-    assign unused = ^{thesis_clk, thesis_runs, difference_valid_o, difference_difference_0_o, difference_difference_1_o, difference_magnitude_o, difference_mask_o, difference_marks_first_o, difference_marks_last_o, cfg_texture_limit_i};
+    assign unused = ^{thesis_clk, thesis_runs, difference_valid_o, difference_difference_0_o, difference_difference_1_o, difference_magnitude_o, difference_mask_o, difference_marks_first_o, difference_marks_last_o, difference_marks_seen_o, difference_marks_nearer_o, cfg_texture_limit_i};
     assign texture_valid_o = '0;
     assign texture_difference_0_o = '0;
     assign texture_difference_1_o = '0;
@@ -319,6 +487,8 @@ module horopter_stages #(
     assign texture_mask_o = '0;
     assign texture_marks_first_o = '0;
     assign texture_marks_last_o = '0;
+    assign texture_marks_seen_o = '0;
+    assign texture_marks_nearer_o = '0;
   end
 
   logic dsad_valid_o;
@@ -328,6 +498,8 @@ module horopter_stages #(
   logic dsad_mask_o;
   logic dsad_marks_first_o;
   logic dsad_marks_last_o;
+  logic dsad_marks_seen_o;
+  logic dsad_marks_nearer_o;
   if (THESIS) begin : g_dsad
     horopter_dsad u_dsad (
       .clk_i(thesis_clk),
@@ -340,17 +512,21 @@ module horopter_stages #(
       .mask_i(texture_mask_o),
       .marks_first_i(texture_marks_first_o),
       .marks_last_i(texture_marks_last_o),
+      .marks_seen_i(texture_marks_seen_o),
+      .marks_nearer_i(texture_marks_nearer_o),
       .valid_o(dsad_valid_o),
       .sum_0_o(dsad_sum_0_o),
       .sum_1_o(dsad_sum_1_o),
       .textured_o(dsad_textured_o),
       .mask_o(dsad_mask_o),
       .marks_first_o(dsad_marks_first_o),
-      .marks_last_o(dsad_marks_last_o)
+      .marks_last_o(dsad_marks_last_o),
+      .marks_seen_o(dsad_marks_seen_o),
+      .marks_nearer_o(dsad_marks_nearer_o)
     );
   end else begin : g_no_dsad
     logic unused;
-    assign unused = ^{thesis_clk, thesis_runs, texture_valid_o, texture_difference_0_o, texture_difference_1_o, texture_textured_o, texture_mask_o, texture_marks_first_o, texture_marks_last_o};
+    assign unused = ^{thesis_clk, thesis_runs, texture_valid_o, texture_difference_0_o, texture_difference_1_o, texture_textured_o, texture_mask_o, texture_marks_first_o, texture_marks_last_o, texture_marks_seen_o, texture_marks_nearer_o};
     assign dsad_valid_o = '0;
     assign dsad_sum_0_o = '0;
     assign dsad_sum_1_o = '0;
@@ -358,6 +534,8 @@ module horopter_stages #(
     assign dsad_mask_o = '0;
     assign dsad_marks_first_o = '0;
     assign dsad_marks_last_o = '0;
+    assign dsad_marks_seen_o = '0;
+    assign dsad_marks_nearer_o = '0;
   end
 
   logic threshold_valid_o;
@@ -366,6 +544,8 @@ module horopter_stages #(
   logic threshold_mask_o;
   logic threshold_marks_first_o;
   logic threshold_marks_last_o;
+  logic threshold_marks_seen_o;
+  logic threshold_marks_nearer_o;
   if (THESIS) begin : g_threshold
     horopter_threshold u_threshold (
       .clk_i(thesis_clk),
@@ -378,6 +558,8 @@ module horopter_stages #(
       .mask_i(dsad_mask_o),
       .marks_first_i(dsad_marks_first_o),
       .marks_last_i(dsad_marks_last_o),
+      .marks_seen_i(dsad_marks_seen_o),
+      .marks_nearer_i(dsad_marks_nearer_o),
       .cfg_sum_limit_i(cfg_sum_limit_i),
       .cfg_self_limit_i(cfg_self_limit_i),
       .valid_o(threshold_valid_o),
@@ -385,23 +567,29 @@ module horopter_stages #(
       .decidable_o(threshold_decidable_o),
       .mask_o(threshold_mask_o),
       .marks_first_o(threshold_marks_first_o),
-      .marks_last_o(threshold_marks_last_o)
+      .marks_last_o(threshold_marks_last_o),
+      .marks_seen_o(threshold_marks_seen_o),
+      .marks_nearer_o(threshold_marks_nearer_o)
     );
   end else begin : g_no_threshold
     logic unused;
-    assign unused = ^{thesis_clk, thesis_runs, dsad_valid_o, dsad_sum_0_o, dsad_sum_1_o, dsad_textured_o, dsad_mask_o, dsad_marks_first_o, dsad_marks_last_o, cfg_sum_limit_i, cfg_self_limit_i};
+    assign unused = ^{thesis_clk, thesis_runs, dsad_valid_o, dsad_sum_0_o, dsad_sum_1_o, dsad_textured_o, dsad_mask_o, dsad_marks_first_o, dsad_marks_last_o, dsad_marks_seen_o, dsad_marks_nearer_o, cfg_sum_limit_i, cfg_self_limit_i};
     assign threshold_valid_o = '0;
     assign threshold_skin_o = '0;
     assign threshold_decidable_o = '0;
     assign threshold_mask_o = '0;
     assign threshold_marks_first_o = '0;
     assign threshold_marks_last_o = '0;
+    assign threshold_marks_seen_o = '0;
+    assign threshold_marks_nearer_o = '0;
   end
 
   logic majority_valid_o;
   logic [1:0] majority_state_o;
   logic majority_marks_first_o;
   logic majority_marks_last_o;
+  logic majority_marks_seen_o;
+  logic majority_marks_nearer_o;
   if (THESIS) begin : g_majority
     horopter_majority u_majority (
       .clk_i(thesis_clk),
@@ -413,18 +601,24 @@ module horopter_stages #(
       .mask_i(threshold_mask_o),
       .marks_first_i(threshold_marks_first_o),
       .marks_last_i(threshold_marks_last_o),
+      .marks_seen_i(threshold_marks_seen_o),
+      .marks_nearer_i(threshold_marks_nearer_o),
       .valid_o(majority_valid_o),
       .state_o(majority_state_o),
       .marks_first_o(majority_marks_first_o),
-      .marks_last_o(majority_marks_last_o)
+      .marks_last_o(majority_marks_last_o),
+      .marks_seen_o(majority_marks_seen_o),
+      .marks_nearer_o(majority_marks_nearer_o)
     );
   end else begin : g_no_majority
     logic unused;
-    assign unused = ^{thesis_clk, thesis_runs, threshold_valid_o, threshold_skin_o, threshold_decidable_o, threshold_mask_o, threshold_marks_first_o, threshold_marks_last_o};
+    assign unused = ^{thesis_clk, thesis_runs, threshold_valid_o, threshold_skin_o, threshold_decidable_o, threshold_mask_o, threshold_marks_first_o, threshold_marks_last_o, threshold_marks_seen_o, threshold_marks_nearer_o};
     assign majority_valid_o = '0;
     assign majority_state_o = '0;
     assign majority_marks_first_o = '0;
     assign majority_marks_last_o = '0;
+    assign majority_marks_seen_o = '0;
+    assign majority_marks_nearer_o = '0;
   end
 
   logic contrast_valid_o;
@@ -435,6 +629,8 @@ module horopter_stages #(
   logic contrast_exists_o;
   logic contrast_marks_first_o;
   logic contrast_marks_last_o;
+  logic contrast_marks_seen_o;
+  logic contrast_marks_nearer_o;
   if (COMPETE) begin : g_contrast
     horopter_contrast u_contrast (
       .clk_i(compete_clk),
@@ -449,6 +645,8 @@ module horopter_stages #(
       .mask_i(sobel_mask_o),
       .marks_first_i(sobel_marks_first_o),
       .marks_last_i(sobel_marks_last_o),
+      .marks_seen_i(sobel_marks_seen_o),
+      .marks_nearer_i(sobel_marks_nearer_o),
       .smooth_grey_i(sobel_smooth_grey_o),
       .smooth_exists_i(sobel_smooth_exists_o),
       .valid_o(contrast_valid_o),
@@ -458,11 +656,13 @@ module horopter_stages #(
       .grey_o(contrast_grey_o),
       .exists_o(contrast_exists_o),
       .marks_first_o(contrast_marks_first_o),
-      .marks_last_o(contrast_marks_last_o)
+      .marks_last_o(contrast_marks_last_o),
+      .marks_seen_o(contrast_marks_seen_o),
+      .marks_nearer_o(contrast_marks_nearer_o)
     );
   end else begin : g_no_contrast
     logic unused;
-    assign unused = ^{compete_clk, compete_runs, sobel_valid_o, sobel_gx_0_o, sobel_gx_1_o, sobel_gy_0_o, sobel_gy_1_o, sobel_saturated_o, sobel_mask_o, sobel_marks_first_o, sobel_marks_last_o, sobel_smooth_grey_o, sobel_smooth_exists_o};
+    assign unused = ^{compete_clk, compete_runs, sobel_valid_o, sobel_gx_0_o, sobel_gx_1_o, sobel_gy_0_o, sobel_gy_1_o, sobel_saturated_o, sobel_mask_o, sobel_marks_first_o, sobel_marks_last_o, sobel_marks_seen_o, sobel_marks_nearer_o, sobel_smooth_grey_o, sobel_smooth_exists_o};
     assign contrast_valid_o = '0;
     assign contrast_left_o = '0;
     assign contrast_right_o = '0;
@@ -471,6 +671,8 @@ module horopter_stages #(
     assign contrast_exists_o = '0;
     assign contrast_marks_first_o = '0;
     assign contrast_marks_last_o = '0;
+    assign contrast_marks_seen_o = '0;
+    assign contrast_marks_nearer_o = '0;
   end
 
   logic plane_sums_valid_o;
@@ -499,6 +701,8 @@ module horopter_stages #(
   logic plane_sums_exists_o;
   logic plane_sums_marks_first_o;
   logic plane_sums_marks_last_o;
+  logic plane_sums_marks_seen_o;
+  logic plane_sums_marks_nearer_o;
   if (COMPETE) begin : g_plane_sums
     horopter_plane_sums u_plane_sums (
       .clk_i(compete_clk),
@@ -512,6 +716,8 @@ module horopter_stages #(
       .exists_i(contrast_exists_o),
       .marks_first_i(contrast_marks_first_o),
       .marks_last_i(contrast_marks_last_o),
+      .marks_seen_i(contrast_marks_seen_o),
+      .marks_nearer_i(contrast_marks_nearer_o),
       .valid_o(plane_sums_valid_o),
       .sum_0_o(plane_sums_sum_0_o),
       .sum_1_o(plane_sums_sum_1_o),
@@ -537,11 +743,13 @@ module horopter_stages #(
       .known_o(plane_sums_known_o),
       .exists_o(plane_sums_exists_o),
       .marks_first_o(plane_sums_marks_first_o),
-      .marks_last_o(plane_sums_marks_last_o)
+      .marks_last_o(plane_sums_marks_last_o),
+      .marks_seen_o(plane_sums_marks_seen_o),
+      .marks_nearer_o(plane_sums_marks_nearer_o)
     );
   end else begin : g_no_plane_sums
     logic unused;
-    assign unused = ^{compete_clk, compete_runs, contrast_valid_o, contrast_left_o, contrast_right_o, contrast_mask_o, contrast_grey_o, contrast_exists_o, contrast_marks_first_o, contrast_marks_last_o};
+    assign unused = ^{compete_clk, compete_runs, contrast_valid_o, contrast_left_o, contrast_right_o, contrast_mask_o, contrast_grey_o, contrast_exists_o, contrast_marks_first_o, contrast_marks_last_o, contrast_marks_seen_o, contrast_marks_nearer_o};
     assign plane_sums_valid_o = '0;
     assign plane_sums_sum_0_o = '0;
     assign plane_sums_sum_1_o = '0;
@@ -568,6 +776,8 @@ module horopter_stages #(
     assign plane_sums_exists_o = '0;
     assign plane_sums_marks_first_o = '0;
     assign plane_sums_marks_last_o = '0;
+    assign plane_sums_marks_seen_o = '0;
+    assign plane_sums_marks_nearer_o = '0;
   end
 
   logic plane_paths_valid_o;
@@ -597,6 +807,8 @@ module horopter_stages #(
   logic plane_paths_exists_o;
   logic plane_paths_marks_first_o;
   logic plane_paths_marks_last_o;
+  logic plane_paths_marks_seen_o;
+  logic plane_paths_marks_nearer_o;
   if (COMPETE) begin : g_plane_paths
     horopter_plane_paths u_plane_paths (
       .clk_i(compete_clk),
@@ -628,6 +840,8 @@ module horopter_stages #(
       .exists_i(plane_sums_exists_o),
       .marks_first_i(plane_sums_marks_first_o),
       .marks_last_i(plane_sums_marks_last_o),
+      .marks_seen_i(plane_sums_marks_seen_o),
+      .marks_nearer_i(plane_sums_marks_nearer_o),
       .valid_o(plane_paths_valid_o),
       .cost_0_o(plane_paths_cost_0_o),
       .cost_1_o(plane_paths_cost_1_o),
@@ -654,11 +868,13 @@ module horopter_stages #(
       .strong_v_o(plane_paths_strong_v_o),
       .exists_o(plane_paths_exists_o),
       .marks_first_o(plane_paths_marks_first_o),
-      .marks_last_o(plane_paths_marks_last_o)
+      .marks_last_o(plane_paths_marks_last_o),
+      .marks_seen_o(plane_paths_marks_seen_o),
+      .marks_nearer_o(plane_paths_marks_nearer_o)
     );
   end else begin : g_no_plane_paths
     logic unused;
-    assign unused = ^{compete_clk, compete_runs, plane_sums_valid_o, plane_sums_sum_0_o, plane_sums_sum_1_o, plane_sums_sum_2_o, plane_sums_sum_3_o, plane_sums_sum_4_o, plane_sums_sum_5_o, plane_sums_sum_6_o, plane_sums_sum_7_o, plane_sums_sum_8_o, plane_sums_sum_9_o, plane_sums_sum_10_o, plane_sums_sum_11_o, plane_sums_sum_12_o, plane_sums_sum_13_o, plane_sums_sum_14_o, plane_sums_sum_15_o, plane_sums_sum_16_o, plane_sums_sum_17_o, plane_sums_sum_18_o, plane_sums_evidence_o, plane_sums_grey_o, plane_sums_known_o, plane_sums_exists_o, plane_sums_marks_first_o, plane_sums_marks_last_o};
+    assign unused = ^{compete_clk, compete_runs, plane_sums_valid_o, plane_sums_sum_0_o, plane_sums_sum_1_o, plane_sums_sum_2_o, plane_sums_sum_3_o, plane_sums_sum_4_o, plane_sums_sum_5_o, plane_sums_sum_6_o, plane_sums_sum_7_o, plane_sums_sum_8_o, plane_sums_sum_9_o, plane_sums_sum_10_o, plane_sums_sum_11_o, plane_sums_sum_12_o, plane_sums_sum_13_o, plane_sums_sum_14_o, plane_sums_sum_15_o, plane_sums_sum_16_o, plane_sums_sum_17_o, plane_sums_sum_18_o, plane_sums_evidence_o, plane_sums_grey_o, plane_sums_known_o, plane_sums_exists_o, plane_sums_marks_first_o, plane_sums_marks_last_o, plane_sums_marks_seen_o, plane_sums_marks_nearer_o};
     assign plane_paths_valid_o = '0;
     assign plane_paths_cost_0_o = '0;
     assign plane_paths_cost_1_o = '0;
@@ -686,6 +902,8 @@ module horopter_stages #(
     assign plane_paths_exists_o = '0;
     assign plane_paths_marks_first_o = '0;
     assign plane_paths_marks_last_o = '0;
+    assign plane_paths_marks_seen_o = '0;
+    assign plane_paths_marks_nearer_o = '0;
   end
 
   logic contest_valid_o;
@@ -695,6 +913,8 @@ module horopter_stages #(
   logic contest_exists_o;
   logic contest_marks_first_o;
   logic contest_marks_last_o;
+  logic contest_marks_seen_o;
+  logic contest_marks_nearer_o;
   if (COMPETE) begin : g_contest
     horopter_contest u_contest (
       .clk_i(compete_clk),
@@ -727,6 +947,8 @@ module horopter_stages #(
       .exists_i(plane_paths_exists_o),
       .marks_first_i(plane_paths_marks_first_o),
       .marks_last_i(plane_paths_marks_last_o),
+      .marks_seen_i(plane_paths_marks_seen_o),
+      .marks_nearer_i(plane_paths_marks_nearer_o),
       .cfg_bias_i(compete_settings_i[3:0]),
       .cfg_boundary_i(compete_settings_i[30:27]),
       .valid_o(contest_valid_o),
@@ -735,11 +957,13 @@ module horopter_stages #(
       .grey_o(contest_grey_o),
       .exists_o(contest_exists_o),
       .marks_first_o(contest_marks_first_o),
-      .marks_last_o(contest_marks_last_o)
+      .marks_last_o(contest_marks_last_o),
+      .marks_seen_o(contest_marks_seen_o),
+      .marks_nearer_o(contest_marks_nearer_o)
     );
   end else begin : g_no_contest
     logic unused;
-    assign unused = ^{compete_clk, compete_runs, plane_paths_valid_o, plane_paths_cost_0_o, plane_paths_cost_1_o, plane_paths_cost_2_o, plane_paths_cost_3_o, plane_paths_cost_4_o, plane_paths_cost_5_o, plane_paths_cost_6_o, plane_paths_cost_7_o, plane_paths_cost_8_o, plane_paths_cost_9_o, plane_paths_cost_10_o, plane_paths_cost_11_o, plane_paths_cost_12_o, plane_paths_cost_13_o, plane_paths_cost_14_o, plane_paths_cost_15_o, plane_paths_cost_16_o, plane_paths_cost_17_o, plane_paths_cost_18_o, plane_paths_grey_o, plane_paths_known_o, plane_paths_evident_o, plane_paths_strong_v_o, plane_paths_exists_o, plane_paths_marks_first_o, plane_paths_marks_last_o, compete_settings_i[3:0], compete_settings_i[30:27]};
+    assign unused = ^{compete_clk, compete_runs, plane_paths_valid_o, plane_paths_cost_0_o, plane_paths_cost_1_o, plane_paths_cost_2_o, plane_paths_cost_3_o, plane_paths_cost_4_o, plane_paths_cost_5_o, plane_paths_cost_6_o, plane_paths_cost_7_o, plane_paths_cost_8_o, plane_paths_cost_9_o, plane_paths_cost_10_o, plane_paths_cost_11_o, plane_paths_cost_12_o, plane_paths_cost_13_o, plane_paths_cost_14_o, plane_paths_cost_15_o, plane_paths_cost_16_o, plane_paths_cost_17_o, plane_paths_cost_18_o, plane_paths_grey_o, plane_paths_known_o, plane_paths_evident_o, plane_paths_strong_v_o, plane_paths_exists_o, plane_paths_marks_first_o, plane_paths_marks_last_o, plane_paths_marks_seen_o, plane_paths_marks_nearer_o, compete_settings_i[3:0], compete_settings_i[30:27]};
     assign contest_valid_o = '0;
     assign contest_vote_o = '0;
     assign contest_firm_o = '0;
@@ -747,6 +971,8 @@ module horopter_stages #(
     assign contest_exists_o = '0;
     assign contest_marks_first_o = '0;
     assign contest_marks_last_o = '0;
+    assign contest_marks_seen_o = '0;
+    assign contest_marks_nearer_o = '0;
   end
 
   logic spread_valid_o;
@@ -756,6 +982,8 @@ module horopter_stages #(
   logic spread_exists_o;
   logic spread_marks_first_o;
   logic spread_marks_last_o;
+  logic spread_marks_seen_o;
+  logic spread_marks_nearer_o;
   if (COMPETE) begin : g_spread
     horopter_spread u_spread (
       .clk_i(compete_clk),
@@ -768,6 +996,8 @@ module horopter_stages #(
       .exists_i(contest_exists_o),
       .marks_first_i(contest_marks_first_o),
       .marks_last_i(contest_marks_last_o),
+      .marks_seen_i(contest_marks_seen_o),
+      .marks_nearer_i(contest_marks_nearer_o),
       .cfg_smooth_i(compete_settings_i[6:4]),
       .valid_o(spread_valid_o),
       .vote_o(spread_vote_o),
@@ -775,11 +1005,13 @@ module horopter_stages #(
       .grey_o(spread_grey_o),
       .exists_o(spread_exists_o),
       .marks_first_o(spread_marks_first_o),
-      .marks_last_o(spread_marks_last_o)
+      .marks_last_o(spread_marks_last_o),
+      .marks_seen_o(spread_marks_seen_o),
+      .marks_nearer_o(spread_marks_nearer_o)
     );
   end else begin : g_no_spread
     logic unused;
-    assign unused = ^{compete_clk, compete_runs, contest_valid_o, contest_vote_o, contest_firm_o, contest_grey_o, contest_exists_o, contest_marks_first_o, contest_marks_last_o, compete_settings_i[6:4]};
+    assign unused = ^{compete_clk, compete_runs, contest_valid_o, contest_vote_o, contest_firm_o, contest_grey_o, contest_exists_o, contest_marks_first_o, contest_marks_last_o, contest_marks_seen_o, contest_marks_nearer_o, compete_settings_i[6:4]};
     assign spread_valid_o = '0;
     assign spread_vote_o = '0;
     assign spread_firm_o = '0;
@@ -787,6 +1019,8 @@ module horopter_stages #(
     assign spread_exists_o = '0;
     assign spread_marks_first_o = '0;
     assign spread_marks_last_o = '0;
+    assign spread_marks_seen_o = '0;
+    assign spread_marks_nearer_o = '0;
   end
 
   logic ballot_valid_o;
@@ -795,6 +1029,8 @@ module horopter_stages #(
   logic ballot_exists_o;
   logic ballot_marks_first_o;
   logic ballot_marks_last_o;
+  logic ballot_marks_seen_o;
+  logic ballot_marks_nearer_o;
   if (COMPETE) begin : g_ballot
     horopter_ballot u_ballot (
       .clk_i(compete_clk),
@@ -807,6 +1043,8 @@ module horopter_stages #(
       .exists_i(spread_exists_o),
       .marks_first_i(spread_marks_first_o),
       .marks_last_i(spread_marks_last_o),
+      .marks_seen_i(spread_marks_seen_o),
+      .marks_nearer_i(spread_marks_nearer_o),
       .cfg_similar_i(compete_settings_i[10:7]),
       .cfg_quorum_i(compete_settings_i[18:11]),
       .cfg_clear_quorum_i(compete_settings_i[26:19]),
@@ -815,23 +1053,29 @@ module horopter_stages #(
       .clear_o(ballot_clear_o),
       .exists_o(ballot_exists_o),
       .marks_first_o(ballot_marks_first_o),
-      .marks_last_o(ballot_marks_last_o)
+      .marks_last_o(ballot_marks_last_o),
+      .marks_seen_o(ballot_marks_seen_o),
+      .marks_nearer_o(ballot_marks_nearer_o)
     );
   end else begin : g_no_ballot
     logic unused;
-    assign unused = ^{compete_clk, compete_runs, spread_valid_o, spread_vote_o, spread_firm_o, spread_grey_o, spread_exists_o, spread_marks_first_o, spread_marks_last_o, compete_settings_i[10:7], compete_settings_i[18:11], compete_settings_i[26:19]};
+    assign unused = ^{compete_clk, compete_runs, spread_valid_o, spread_vote_o, spread_firm_o, spread_grey_o, spread_exists_o, spread_marks_first_o, spread_marks_last_o, spread_marks_seen_o, spread_marks_nearer_o, compete_settings_i[10:7], compete_settings_i[18:11], compete_settings_i[26:19]};
     assign ballot_valid_o = '0;
     assign ballot_skin_o = '0;
     assign ballot_clear_o = '0;
     assign ballot_exists_o = '0;
     assign ballot_marks_first_o = '0;
     assign ballot_marks_last_o = '0;
+    assign ballot_marks_seen_o = '0;
+    assign ballot_marks_nearer_o = '0;
   end
 
   logic consensus_valid_o;
   logic [1:0] consensus_state_o;
   logic consensus_marks_first_o;
   logic consensus_marks_last_o;
+  logic consensus_marks_seen_o;
+  logic consensus_marks_nearer_o;
   if (COMPETE) begin : g_consensus
     horopter_consensus u_consensus (
       .clk_i(compete_clk),
@@ -843,18 +1087,24 @@ module horopter_stages #(
       .exists_i(ballot_exists_o),
       .marks_first_i(ballot_marks_first_o),
       .marks_last_i(ballot_marks_last_o),
+      .marks_seen_i(ballot_marks_seen_o),
+      .marks_nearer_i(ballot_marks_nearer_o),
       .valid_o(consensus_valid_o),
       .state_o(consensus_state_o),
       .marks_first_o(consensus_marks_first_o),
-      .marks_last_o(consensus_marks_last_o)
+      .marks_last_o(consensus_marks_last_o),
+      .marks_seen_o(consensus_marks_seen_o),
+      .marks_nearer_o(consensus_marks_nearer_o)
     );
   end else begin : g_no_consensus
     logic unused;
-    assign unused = ^{compete_clk, compete_runs, ballot_valid_o, ballot_skin_o, ballot_clear_o, ballot_exists_o, ballot_marks_first_o, ballot_marks_last_o};
+    assign unused = ^{compete_clk, compete_runs, ballot_valid_o, ballot_skin_o, ballot_clear_o, ballot_exists_o, ballot_marks_first_o, ballot_marks_last_o, ballot_marks_seen_o, ballot_marks_nearer_o};
     assign consensus_valid_o = '0;
     assign consensus_state_o = '0;
     assign consensus_marks_first_o = '0;
     assign consensus_marks_last_o = '0;
+    assign consensus_marks_seen_o = '0;
+    assign consensus_marks_nearer_o = '0;
   end
 
   logic align_valid_i;
@@ -865,6 +1115,10 @@ module horopter_stages #(
   assign align_marks_first_i = compete_runs ? consensus_marks_first_o : majority_marks_first_o;
   logic align_marks_last_i;
   assign align_marks_last_i = compete_runs ? consensus_marks_last_o : majority_marks_last_o;
+  logic align_marks_seen_i;
+  assign align_marks_seen_i = compete_runs ? consensus_marks_seen_o : majority_marks_seen_o;
+  logic align_marks_nearer_i;
+  assign align_marks_nearer_i = compete_runs ? consensus_marks_nearer_o : majority_marks_nearer_o;
   horopter_align u_align (
     .clk_i(clk_i),
     .rst_ni(rst_ni),
@@ -873,6 +1127,8 @@ module horopter_stages #(
     .state_i(align_state_i),
     .marks_first_i(align_marks_first_i),
     .marks_last_i(align_marks_last_i),
+    .marks_seen_i(align_marks_seen_i),
+    .marks_nearer_i(align_marks_nearer_i),
     .cfg_width_i(cfg_width_i),
     .cfg_height_i(cfg_height_i),
     .cfg_compete_i(cfg_compete_i),
@@ -881,7 +1137,9 @@ module horopter_stages #(
     .first_o(align_first_o),
     .last_o(align_last_o),
     .end_v_o(align_end_v_o),
-    .idle_o(align_idle_o)
+    .idle_o(align_idle_o),
+    .hidden_o(align_hidden_o),
+    .unproven_o(align_unproven_o)
   );
 
   horopter_runs u_runs (
@@ -910,6 +1168,8 @@ module horopter_stages #(
     .first_i(align_first_o),
     .end_v_i(align_end_v_o),
     .idle_i(align_idle_o),
+    .hidden_i(align_hidden_o),
+    .unproven_i(align_unproven_o),
     .cfg_alarm_limit_i(cfg_alarm_limit_i),
     .cfg_undecidable_limit_i(cfg_undecidable_limit_i),
     .cfg_unsupervised_limit_i(cfg_unsupervised_limit_i),

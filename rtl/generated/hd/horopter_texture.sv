@@ -3,7 +3,7 @@
 //
 // Latency 7 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 65 bits, pipeline 366 bits, memories 71040 bits.
+// State 65 bits, pipeline 380 bits, memories 71040 bits.
 module horopter_texture (
   input  logic clk_i,
   input  logic rst_ni,
@@ -15,6 +15,8 @@ module horopter_texture (
   input  logic mask_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
+  input  logic marks_seen_i,
+  input  logic marks_nearer_i,
   input  logic [11:0] cfg_texture_limit_i,
   output logic valid_o,
   output logic [3:0] difference_0_o,
@@ -22,7 +24,9 @@ module horopter_texture (
   output logic textured_o,
   output logic mask_o,
   output logic marks_first_o,
-  output logic marks_last_o
+  output logic marks_last_o,
+  output logic marks_seen_o,
+  output logic marks_nearer_o
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
@@ -40,10 +44,10 @@ module horopter_texture (
   logic [10:0] raster_column_q;
   logic raster_row_ended_q;
   // hls/stages/texture.hpp:42
-  logic or_18;
-  assign or_18 = marks_first_i | raster_row_ended_q;
-  logic [10:0] select_19;
-  assign select_19 = or_18 ? 11'h0 : raster_column_q;
+  logic or_20;
+  assign or_20 = marks_first_i | raster_row_ended_q;
+  logic [10:0] select_21;
+  assign select_21 = or_20 ? 11'h0 : raster_column_q;
 
   // Memory memory, 1920 x 37, DISTANCE 16, hls/stages/texture.hpp:86; read in stage 0, written in stage 6: 0 < 6 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -53,7 +57,7 @@ module horopter_texture (
   initial for (int i = 0; i < 1920; i++) memory_mem[i] = 37'h0;
 `endif
   logic [10:0] memory_raddr;
-  assign memory_raddr = select_19;
+  assign memory_raddr = select_21;
   logic memory_re;
   assign memory_re = s0_en;
   logic [36:0] memory_rdata_q;
@@ -66,7 +70,7 @@ module horopter_texture (
       raster_column_q <= 11'h0;
       raster_row_ended_q <= 1'b1;
     end else if (s0_en) begin
-      raster_column_q <= select_19 + 11'h1;
+      raster_column_q <= select_21 + 11'h1;
       raster_row_ended_q <= marks_last_i;
     end
   end
@@ -76,8 +80,10 @@ module horopter_texture (
   logic [7:0] magnitude_s1_q;
   logic mask_s1_q;
   logic marks_first_s1_q;
-  logic or_18_s1_q;
-  logic [10:0] select_19_s1_q;
+  logic marks_seen_s1_q;
+  logic marks_nearer_s1_q;
+  logic or_20_s1_q;
+  logic [10:0] select_21_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       difference_0_s1_q <= difference_0_i;
@@ -85,8 +91,10 @@ module horopter_texture (
       magnitude_s1_q <= magnitude_i;
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;
-      or_18_s1_q <= or_18;
-      select_19_s1_q <= select_19;
+      marks_seen_s1_q <= marks_seen_i;
+      marks_nearer_s1_q <= marks_nearer_i;
+      or_20_s1_q <= or_20;
+      select_21_s1_q <= select_21;
     end
   end
 
@@ -98,8 +106,10 @@ module horopter_texture (
   logic mask_s2_q;
   logic marks_first_s2_q;
   logic marks_last_s2_q;
-  logic or_18_s2_q;
-  logic [10:0] select_19_s2_q;
+  logic marks_seen_s2_q;
+  logic marks_nearer_s2_q;
+  logic or_20_s2_q;
+  logic [10:0] select_21_s2_q;
   logic [36:0] memory_rdata_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
@@ -109,8 +119,10 @@ module horopter_texture (
       mask_s2_q <= mask_s1_q;
       marks_first_s2_q <= marks_first_s1_q;
       marks_last_s2_q <= raster_row_ended_q;
-      or_18_s2_q <= or_18_s1_q;
-      select_19_s2_q <= select_19_s1_q;
+      marks_seen_s2_q <= marks_seen_s1_q;
+      marks_nearer_s2_q <= marks_nearer_s1_q;
+      or_20_s2_q <= or_20_s1_q;
+      select_21_s2_q <= select_21_s1_q;
       memory_rdata_s2_q <= memory_rdata_q;
     end
   end
@@ -121,16 +133,16 @@ module horopter_texture (
   logic columns_values_1_q;
   logic columns_values_2_q;
   // hls/stages/texture.hpp:42
-  logic [1:0] select_21;
-  assign select_21 = marks_first_s2_q ? 2'h0 : raster_rows_q;
+  logic [1:0] select_23;
+  assign select_23 = marks_first_s2_q ? 2'h0 : raster_rows_q;
   // hls/stages/texture.hpp:44
   logic [12:0] delayed;
-  assign delayed = (select_21 == 2'h0) ? 13'h0 : memory_rdata_s2_q[36:24];
+  assign delayed = (select_23 == 2'h0) ? 13'h0 : memory_rdata_s2_q[36:24];
   // hls/stages/texture.hpp:42
-  logic equal_24;
-  assign equal_24 = select_21 == 2'h3;
-  logic not_36;
-  assign not_36 = ~equal_24;
+  logic equal_26;
+  assign equal_26 = select_23 == 2'h3;
+  logic not_38;
+  assign not_38 = ~equal_26;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -139,7 +151,7 @@ module horopter_texture (
       columns_values_1_q <= 1'b0;
       columns_values_2_q <= 1'b0;
     end else if (s2_en) begin
-      raster_rows_q <= marks_last_s2_q ? (select_21 + {1'b0, not_36}) : select_21;
+      raster_rows_q <= marks_last_s2_q ? (select_23 + {1'b0, not_38}) : select_23;
       columns_values_0_q <= delayed[12];
       columns_values_1_q <= columns_values_0_q;
       columns_values_2_q <= columns_values_1_q;
@@ -152,12 +164,14 @@ module horopter_texture (
   logic mask_s3_q;
   logic marks_first_s3_q;
   logic marks_last_s3_q;
+  logic marks_seen_s3_q;
+  logic marks_nearer_s3_q;
   logic columns_values_2_s3_q;
-  logic or_18_s3_q;
-  logic [10:0] select_19_s3_q;
+  logic or_20_s3_q;
+  logic [10:0] select_21_s3_q;
   logic [15:0] memory_rdata_s3_q;
   logic [11:0] delayed_s3_q;
-  logic [7:0] select_25_s3_q;
+  logic [7:0] select_27_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       difference_0_s3_q <= difference_0_s2_q;
@@ -166,12 +180,14 @@ module horopter_texture (
       mask_s3_q <= mask_s2_q;
       marks_first_s3_q <= marks_first_s2_q;
       marks_last_s3_q <= marks_last_s2_q;
+      marks_seen_s3_q <= marks_seen_s2_q;
+      marks_nearer_s3_q <= marks_nearer_s2_q;
       columns_values_2_s3_q <= columns_values_2_q;
-      or_18_s3_q <= or_18_s2_q;
-      select_19_s3_q <= select_19_s2_q;
+      or_20_s3_q <= or_20_s2_q;
+      select_21_s3_q <= select_21_s2_q;
       memory_rdata_s3_q <= memory_rdata_s2_q[15:0];
       delayed_s3_q <= delayed[11:0];
-      select_25_s3_q <= equal_24 ? memory_rdata_s2_q[23:16] : 8'h0;
+      select_27_s3_q <= equal_26 ? memory_rdata_s2_q[23:16] : 8'h0;
     end
   end
 
@@ -180,10 +196,10 @@ module horopter_texture (
   logic [11:0] row_columns_values_1_q;
   logic [11:0] row_columns_values_2_q;
   // hls/stages/texture.hpp:52
-  logic [8:0] difference_26;
-  assign difference_26 = {1'b0, magnitude_s3_q} - {1'b0, select_25_s3_q};
-  logic [9:0] sum_27;
-  assign sum_27 = delayed_s3_q[9:0] + {difference_26[8], difference_26};
+  logic [8:0] difference_28;
+  assign difference_28 = {1'b0, magnitude_s3_q} - {1'b0, select_27_s3_q};
+  logic [9:0] sum_29;
+  assign sum_29 = delayed_s3_q[9:0] + {difference_28[8], difference_28};
 
   // Not reset: nothing of it counts before it is written anew.
 `ifndef SYNTHESIS
@@ -195,7 +211,7 @@ module horopter_texture (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s3_en) begin
-      row_columns_values_0_q <= {2'h0, sum_27};
+      row_columns_values_0_q <= {2'h0, sum_29};
       row_columns_values_1_q <= row_columns_values_0_q;
       row_columns_values_2_q <= row_columns_values_1_q;
     end
@@ -207,12 +223,14 @@ module horopter_texture (
   logic mask_s4_q;
   logic marks_first_s4_q;
   logic marks_last_s4_q;
+  logic marks_seen_s4_q;
+  logic marks_nearer_s4_q;
   logic columns_values_2_s4_q;
-  logic or_18_s4_q;
-  logic [10:0] select_19_s4_q;
+  logic or_20_s4_q;
+  logic [10:0] select_21_s4_q;
   logic [15:0] memory_rdata_s4_q;
   logic [1:0] delayed_s4_q;
-  logic [11:0] select_30_s4_q;
+  logic [11:0] select_32_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       difference_0_s4_q <= difference_0_s3_q;
@@ -221,12 +239,14 @@ module horopter_texture (
       mask_s4_q <= mask_s3_q;
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= marks_last_s3_q;
+      marks_seen_s4_q <= marks_seen_s3_q;
+      marks_nearer_s4_q <= marks_nearer_s3_q;
       columns_values_2_s4_q <= columns_values_2_s3_q;
-      or_18_s4_q <= or_18_s3_q;
-      select_19_s4_q <= select_19_s3_q;
+      or_20_s4_q <= or_20_s3_q;
+      select_21_s4_q <= select_21_s3_q;
       memory_rdata_s4_q <= memory_rdata_s3_q;
       delayed_s4_q <= delayed_s3_q[11:10];
-      select_30_s4_q <= (11'h2 < select_19_s3_q) ? row_columns_values_2_q : 12'h0;
+      select_32_s4_q <= (11'h2 < select_21_s3_q) ? row_columns_values_2_q : 12'h0;
     end
   end
 
@@ -234,7 +254,7 @@ module horopter_texture (
   logic [11:0] row_sum_sums_values_0_q;
   // hls/stages/texture.hpp:56
   logic [11:0] sum;
-  assign sum = (or_18_s4_q ? 12'h0 : row_sum_sums_values_0_q) + ({2'h0, row_columns_values_0_q[9:0]} - select_30_s4_q);
+  assign sum = (or_20_s4_q ? 12'h0 : row_sum_sums_values_0_q) + ({2'h0, row_columns_values_0_q[9:0]} - select_32_s4_q);
 
   // Not reset: nothing of it counts before it is written anew.
 `ifndef SYNTHESIS
@@ -254,11 +274,13 @@ module horopter_texture (
   logic mask_s5_q;
   logic marks_first_s5_q;
   logic marks_last_s5_q;
+  logic marks_seen_s5_q;
+  logic marks_nearer_s5_q;
   logic columns_values_2_s5_q;
-  logic [10:0] select_19_s5_q;
+  logic [10:0] select_21_s5_q;
   logic [15:0] memory_rdata_s5_q;
   logic [1:0] delayed_s5_q;
-  logic [9:0] sum_27_s5_q;
+  logic [9:0] sum_29_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
       difference_0_s5_q <= difference_0_s4_q;
@@ -267,11 +289,13 @@ module horopter_texture (
       mask_s5_q <= mask_s4_q;
       marks_first_s5_q <= marks_first_s4_q;
       marks_last_s5_q <= marks_last_s4_q;
+      marks_seen_s5_q <= marks_seen_s4_q;
+      marks_nearer_s5_q <= marks_nearer_s4_q;
       columns_values_2_s5_q <= columns_values_2_s4_q;
-      select_19_s5_q <= select_19_s4_q;
+      select_21_s5_q <= select_21_s4_q;
       memory_rdata_s5_q <= memory_rdata_s4_q;
       delayed_s5_q <= delayed_s4_q;
-      sum_27_s5_q <= row_columns_values_0_q[9:0];
+      sum_29_s5_q <= row_columns_values_0_q[9:0];
     end
   end
 
@@ -283,12 +307,14 @@ module horopter_texture (
   logic mask_s6_q;
   logic marks_first_s6_q;
   logic marks_last_s6_q;
+  logic marks_seen_s6_q;
+  logic marks_nearer_s6_q;
   logic columns_values_2_s6_q;
-  logic [10:0] select_19_s6_q;
+  logic [10:0] select_21_s6_q;
   logic [15:0] memory_rdata_s6_q;
   logic [1:0] delayed_s6_q;
-  logic [9:0] sum_27_s6_q;
-  logic not_34_s6_q;
+  logic [9:0] sum_29_s6_q;
+  logic not_36_s6_q;
   always_ff @(posedge clk_i) begin
     if (s5_en) begin
       difference_0_s6_q <= difference_0_s5_q;
@@ -297,12 +323,14 @@ module horopter_texture (
       mask_s6_q <= mask_s5_q;
       marks_first_s6_q <= marks_first_s5_q;
       marks_last_s6_q <= marks_last_s5_q;
+      marks_seen_s6_q <= marks_seen_s5_q;
+      marks_nearer_s6_q <= marks_nearer_s5_q;
       columns_values_2_s6_q <= columns_values_2_s5_q;
-      select_19_s6_q <= select_19_s5_q;
+      select_21_s6_q <= select_21_s5_q;
       memory_rdata_s6_q <= memory_rdata_s5_q;
       delayed_s6_q <= delayed_s5_q;
-      sum_27_s6_q <= sum_27_s5_q;
-      not_34_s6_q <= ~(row_sum_sums_values_0_q < cfg_texture_limit_i);
+      sum_29_s6_q <= sum_29_s5_q;
+      not_36_s6_q <= ~(row_sum_sums_values_0_q < cfg_texture_limit_i);
     end
   end
 
@@ -310,11 +338,11 @@ module horopter_texture (
 
   // Memory memory, write
   logic [10:0] memory_waddr;
-  assign memory_waddr = select_19_s6_q;
+  assign memory_waddr = select_21_s6_q;
   logic memory_we;
   assign memory_we = s6_en;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (memory_we) memory_mem[memory_waddr] <= {delayed_s6_q, not_34_s6_q, sum_27_s6_q, memory_rdata_s6_q, magnitude_s6_q};
+    if (memory_we) memory_mem[memory_waddr] <= {delayed_s6_q, not_36_s6_q, sum_29_s6_q, memory_rdata_s6_q, magnitude_s6_q};
   end
 `ifndef SYNTHESIS
   logic [10:0] memory_raddr_s1_sim;
@@ -378,6 +406,8 @@ module horopter_texture (
   logic mask_s7_q;
   logic marks_first_s7_q;
   logic marks_last_s7_q;
+  logic marks_seen_s7_q;
+  logic marks_nearer_s7_q;
   logic columns_values_2_s7_q;
   always_ff @(posedge clk_i) begin
     if (s6_en) begin
@@ -386,6 +416,8 @@ module horopter_texture (
       mask_s7_q <= mask_s6_q;
       marks_first_s7_q <= marks_first_s6_q;
       marks_last_s7_q <= marks_last_s6_q;
+      marks_seen_s7_q <= marks_seen_s6_q;
+      marks_nearer_s7_q <= marks_nearer_s6_q;
       columns_values_2_s7_q <= columns_values_2_s6_q;
     end
   end
@@ -397,6 +429,8 @@ module horopter_texture (
   assign mask_o = mask_s7_q;
   assign marks_first_o = marks_first_s7_q;
   assign marks_last_o = marks_last_s7_q;
+  assign marks_seen_o = marks_seen_s7_q;
+  assign marks_nearer_o = marks_nearer_s7_q;
   assign valid_o = valid_s7_q;
 
   always_ff @(posedge clk_i) begin

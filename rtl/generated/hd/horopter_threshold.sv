@@ -3,7 +3,7 @@
 //
 // Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 0 bits, pipeline 6 bits, memories 0 bits.
+// State 0 bits, pipeline 8 bits, memories 0 bits.
 module horopter_threshold (
   input  logic clk_i,
   input  logic rst_ni,
@@ -15,6 +15,8 @@ module horopter_threshold (
   input  logic mask_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
+  input  logic marks_seen_i,
+  input  logic marks_nearer_i,
   input  logic [10:0] cfg_sum_limit_i,
   input  logic [10:0] cfg_self_limit_i,
   output logic valid_o,
@@ -22,7 +24,9 @@ module horopter_threshold (
   output logic decidable_o,
   output logic mask_o,
   output logic marks_first_o,
-  output logic marks_last_o
+  output logic marks_last_o,
+  output logic marks_seen_o,
+  output logic marks_nearer_o
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
@@ -35,24 +39,30 @@ module horopter_threshold (
   logic mask_s1_q;
   logic marks_first_s1_q;
   logic marks_last_s1_q;
-  logic not_10_s1_q;
-  logic and_12_s1_q;
+  logic marks_seen_s1_q;
+  logic marks_nearer_s1_q;
+  logic not_12_s1_q;
+  logic and_14_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;
       marks_last_s1_q <= marks_last_i;
-      not_10_s1_q <= ~(cfg_sum_limit_i < sum_0_i);
-      and_12_s1_q <= textured_i & (cfg_self_limit_i < sum_1_i);
+      marks_seen_s1_q <= marks_seen_i;
+      marks_nearer_s1_q <= marks_nearer_i;
+      not_12_s1_q <= ~(cfg_sum_limit_i < sum_0_i);
+      and_14_s1_q <= textured_i & (cfg_self_limit_i < sum_1_i);
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign skin_o = not_10_s1_q;
-  assign decidable_o = and_12_s1_q;
+  assign skin_o = not_12_s1_q;
+  assign decidable_o = and_14_s1_q;
   assign mask_o = mask_s1_q;
   assign marks_first_o = marks_first_s1_q;
   assign marks_last_o = marks_last_s1_q;
+  assign marks_seen_o = marks_seen_s1_q;
+  assign marks_nearer_o = marks_nearer_s1_q;
   assign valid_o = valid_s1_q;
 
   always_ff @(posedge clk_i) begin

@@ -13,6 +13,8 @@ module horopter_align (
   input  logic [1:0] state_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
+  input  logic marks_seen_i,
+  input  logic marks_nearer_i,
   input  logic [9:0] cfg_width_i,
   input  logic [8:0] cfg_height_i,
   input  logic cfg_compete_i,
@@ -21,7 +23,9 @@ module horopter_align (
   output logic first_o,
   output logic last_o,
   output logic end_v_o,
-  output logic idle_o
+  output logic idle_o,
+  output logic hidden_o,
+  output logic unproven_o
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
@@ -43,54 +47,63 @@ module horopter_align (
   logic [4:0] columns_q;
   logic [9:0] columns_left_q;
   logic [8:0] rows_left_q;
-  // hls/stages/align.hpp:67
-  logic not_17;
-  assign not_17 = ~marks_first_i;
-  logic and_18;
-  assign and_18 = active_q & not_17;
-  logic and_19;
-  assign and_19 = started_q & not_17;
-  logic [4:0] select_21;
-  assign select_21 = marks_first_i ? 5'h0 : rows_q;
-  // hls/stages/align.hpp:70
-  logic equal_23;
-  assign equal_23 = {cfg_compete_i, columns, select_21[2:0]} == {select_21[4:3], 3'h1};
-  logic [4:0] select_25;
-  assign select_25 = marks_first_i ? 5'h0 : (row_ended_q ? 5'h0 : columns_q);
-  logic equal_26;
-  assign equal_26 = {select_25[4], columns, select_25[2:1], columns} == {1'b0, select_25[3], 2'h0, select_25[0]};
   // hls/stages/align.hpp:72
-  logic and_27;
-  assign and_27 = equal_23 & equal_26;
-  logic and_28;
-  assign and_28 = (~and_19) & and_27;
-  // hls/stages/align.hpp:74
-  logic or_29;
-  assign or_29 = and_18 | and_28;
+  logic not_19;
+  assign not_19 = ~marks_first_i;
+  logic and_20;
+  assign and_20 = active_q & not_19;
+  logic and_21;
+  assign and_21 = started_q & not_19;
+  logic [4:0] select_23;
+  assign select_23 = marks_first_i ? 5'h0 : rows_q;
+  // hls/stages/align.hpp:75
+  logic equal_25;
+  assign equal_25 = {cfg_compete_i, columns, select_23[2:0]} == {select_23[4:3], 3'h1};
+  logic [4:0] select_27;
+  assign select_27 = marks_first_i ? 5'h0 : (row_ended_q ? 5'h0 : columns_q);
+  logic equal_28;
+  assign equal_28 = {select_27[4], columns, select_27[2:1], columns} == {1'b0, select_27[3], 2'h0, select_27[0]};
   // hls/stages/align.hpp:77
+  logic and_29;
+  assign and_29 = equal_25 & equal_28;
   logic and_30;
-  assign and_30 = last_q & and_18;
-  logic and_31;
-  assign and_31 = final_row_q & and_30;
-  // hls/stages/align.hpp:97
-  logic select_38;
-  assign select_38 = and_28 ? (cfg_width_i == 10'h2) : ((~last_q) & (columns_left_q == 10'h2));
-  logic select_42;
-  assign select_42 = and_28 ? (cfg_height_i == 9'h1) : (last_q ? (rows_left_q == 9'h2) : final_row_q);
-  // hls/stages/align.hpp:100
-  logic not_44;
-  assign not_44 = ~equal_23;
-  // hls/stages/align.hpp:98
-  logic not_47;
-  assign not_47 = ~equal_26;
-  // hls/stages/align.hpp:97
-  logic [9:0] select_52;
-  assign select_52 = and_28 ? (cfg_width_i + 10'h3ff) : (last_q ? cfg_width_i : (columns_left_q + 10'h3ff));
-  logic [8:0] select_55;
-  assign select_55 = and_28 ? cfg_height_i : (last_q ? (rows_left_q + 9'h1ff) : rows_left_q);
-  // hls/stages/align.hpp:67
-  logic and_56;
-  assign and_56 = idle_q & not_17;
+  assign and_30 = (~and_21) & and_29;
+  // hls/stages/align.hpp:82
+  logic or_31;
+  assign or_31 = and_20 | and_30;
+  // hls/stages/align.hpp:85
+  logic and_32;
+  assign and_32 = last_q & and_20;
+  logic and_33;
+  assign and_33 = final_row_q & and_32;
+  // hls/stages/align.hpp:105
+  logic select_40;
+  assign select_40 = and_30 ? (cfg_width_i == 10'h2) : ((~last_q) & (columns_left_q == 10'h2));
+  logic select_44;
+  assign select_44 = and_30 ? (cfg_height_i == 9'h1) : (last_q ? (rows_left_q == 9'h2) : final_row_q);
+  // hls/stages/align.hpp:108
+  logic not_46;
+  assign not_46 = ~equal_25;
+  // hls/stages/align.hpp:106
+  logic not_49;
+  assign not_49 = ~equal_28;
+  // hls/stages/align.hpp:105
+  logic [9:0] select_54;
+  assign select_54 = and_30 ? (cfg_width_i + 10'h3ff) : (last_q ? cfg_width_i : (columns_left_q + 10'h3ff));
+  logic [8:0] select_57;
+  assign select_57 = and_30 ? cfg_height_i : (last_q ? (rows_left_q + 9'h1ff) : rows_left_q);
+  // hls/stages/align.hpp:77
+  logic equal_58;
+  assign equal_58 = state_i == 2'h0;
+  // hls/stages/align.hpp:79
+  logic and_59;
+  assign and_59 = marks_nearer_i & equal_58;
+  // hls/stages/align.hpp:81
+  logic and_61;
+  assign and_61 = equal_58 & (~marks_seen_i);
+  // hls/stages/align.hpp:72
+  logic and_64;
+  assign and_64 = idle_q & not_19;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -105,25 +118,27 @@ module horopter_align (
       columns_left_q <= 10'h0;
       rows_left_q <= 9'h0;
     end else if (s0_en) begin
-      active_q <= or_29 & (~and_31);
-      idle_q <= and_31;
-      last_q <= select_38;
-      final_row_q <= select_42;
-      started_q <= and_19 | and_27;
+      active_q <= or_31 & (~and_33);
+      idle_q <= and_33;
+      last_q <= select_40;
+      final_row_q <= select_44;
+      started_q <= and_21 | and_29;
       row_ended_q <= marks_last_i;
-      rows_q <= marks_last_i ? (select_21 + {4'h0, not_44}) : select_21;
-      columns_q <= select_25 + {4'h0, not_47};
-      columns_left_q <= select_52;
-      rows_left_q <= select_55;
+      rows_q <= marks_last_i ? (select_23 + {4'h0, not_46}) : select_23;
+      columns_q <= select_27 + {4'h0, not_49};
+      columns_left_q <= select_54;
+      rows_left_q <= select_57;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign state_o = state_i;
-  assign first_o = and_28;
-  assign last_o = and_30;
-  assign end_v_o = and_31;
-  assign idle_o = and_56;
-  assign valid_o = valid_i & (and_56 | or_29);
+  assign state_o = (and_59 | and_61) ? 2'h2 : state_i;
+  assign first_o = and_30;
+  assign last_o = and_32;
+  assign end_v_o = and_33;
+  assign idle_o = and_64;
+  assign hidden_o = and_59;
+  assign unproven_o = and_61;
+  assign valid_o = valid_i & (and_64 | or_31);
 
 endmodule

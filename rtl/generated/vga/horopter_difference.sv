@@ -18,13 +18,17 @@ module horopter_difference (
   input  logic mask_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
+  input  logic marks_seen_i,
+  input  logic marks_nearer_i,
   output logic valid_o,
   output logic [3:0] difference_0_o,
   output logic [3:0] difference_1_o,
   output logic [7:0] magnitude_o,
   output logic mask_o,
   output logic marks_first_o,
-  output logic marks_last_o
+  output logic marks_last_o,
+  output logic marks_seen_o,
+  output logic marks_nearer_o
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
@@ -46,53 +50,53 @@ module horopter_difference (
   logic left_3_has_direction_q;
   logic left_3_exists_q;
   // hls/stages/difference.hpp:58
-  logic equal_22;
-  assign equal_22 = magnitude_0_i == 8'h0;
-  logic not_23;
-  assign not_23 = ~equal_22;
-  // hls/stages/difference.hpp:53
-  logic not_24;
-  assign not_24 = ~marks_first_i;
-  // hls/stages/difference.hpp:68
+  logic equal_24;
+  assign equal_24 = magnitude_0_i == 8'h0;
   logic not_25;
-  assign not_25 = ~row_ended_q;
+  assign not_25 = ~equal_24;
+  // hls/stages/difference.hpp:53
+  logic not_26;
+  assign not_26 = ~marks_first_i;
+  // hls/stages/difference.hpp:68
+  logic not_27;
+  assign not_27 = ~row_ended_q;
   // hls/stages/difference.hpp:59
-  logic not_33;
-  assign not_33 = ~(magnitude_1_i == 8'h0);
+  logic not_35;
+  assign not_35 = ~(magnitude_1_i == 8'h0);
   // hls/stages/difference.hpp:94
   logic [7:0] turn;
   assign turn = direction_0_i - direction_1_i;
   // hls/stages/difference.hpp:95
-  logic [6:0] xor_36;
-  assign xor_36 = turn[6:0] ^ {7{turn[7]}};
+  logic [6:0] xor_38;
+  assign xor_38 = turn[6:0] ^ {7{turn[7]}};
   logic [7:0] shortest;
-  assign shortest = {7'h0, turn[7]} + {1'b0, xor_36};
+  assign shortest = {7'h0, turn[7]} + {1'b0, xor_38};
   // hls/stages/difference.hpp:96
   logic [3:0] level;
   assign level = shortest[7] ? 4'hf : shortest[6:3];
   // hls/stages/difference.hpp:68
-  logic or_39;
-  assign or_39 = not_33 | not_23;
+  logic or_41;
+  assign or_41 = not_35 | not_25;
   // hls/stages/difference.hpp:97
-  logic not_40;
-  assign not_40 = ~or_39;
+  logic not_42;
+  assign not_42 = ~or_41;
   // hls/stages/difference.hpp:98
   logic without;
-  assign without = left_3_has_direction_q | not_23;
+  assign without = left_3_has_direction_q | not_25;
   // hls/stages/difference.hpp:94
   logic [7:0] turn_2;
   assign turn_2 = direction_0_i - left_3_direction_q;
   // hls/stages/difference.hpp:95
-  logic [6:0] xor_46;
-  assign xor_46 = turn_2[6:0] ^ {7{turn_2[7]}};
+  logic [6:0] xor_48;
+  assign xor_48 = turn_2[6:0] ^ {7{turn_2[7]}};
   logic [7:0] shortest_2;
-  assign shortest_2 = {7'h0, turn_2[7]} + {1'b0, xor_46};
+  assign shortest_2 = {7'h0, turn_2[7]} + {1'b0, xor_48};
   // hls/stages/difference.hpp:96
   logic [3:0] level_2;
   assign level_2 = shortest_2[7] ? 4'hf : shortest_2[6:3];
   // hls/stages/difference.hpp:68
-  logic [3:0] select_50;
-  assign select_50 = equal_22 ? {without, 3'h0} : (left_3_has_direction_q ? level_2 : {without, 3'h0});
+  logic [3:0] select_52;
+  assign select_52 = equal_24 ? {without, 3'h0} : (left_3_has_direction_q ? level_2 : {without, 3'h0});
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -122,27 +126,29 @@ module horopter_difference (
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (rst_ni & s0_en) begin
       left_0_direction_q <= direction_0_i;
-      left_0_has_direction_q <= not_23;
+      left_0_has_direction_q <= not_25;
       left_0_exists_q <= mask_i;
       left_1_direction_q <= left_0_direction_q;
       left_1_has_direction_q <= left_0_has_direction_q;
-      left_1_exists_q <= not_24 & (left_0_exists_q & not_25);
+      left_1_exists_q <= not_26 & (left_0_exists_q & not_27);
       left_2_direction_q <= left_1_direction_q;
       left_2_has_direction_q <= left_1_has_direction_q;
-      left_2_exists_q <= not_24 & (left_1_exists_q & not_25);
+      left_2_exists_q <= not_26 & (left_1_exists_q & not_27);
       left_3_direction_q <= left_2_direction_q;
       left_3_has_direction_q <= left_2_has_direction_q;
-      left_3_exists_q <= not_24 & (left_2_exists_q & not_25);
+      left_3_exists_q <= not_26 & (left_2_exists_q & not_27);
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign difference_0_o = (not_33 & not_23) ? level : {or_39, not_40, 2'h0};
-  assign difference_1_o = (not_24 & (left_3_exists_q & not_25)) ? select_50 : 4'h0;
+  assign difference_0_o = (not_35 & not_25) ? level : {or_41, not_42, 2'h0};
+  assign difference_1_o = (not_26 & (left_3_exists_q & not_27)) ? select_52 : 4'h0;
   assign magnitude_o = saturated_i ? 8'h0 : magnitude_0_i;
   assign mask_o = mask_i;
   assign marks_first_o = marks_first_i;
   assign marks_last_o = marks_last_i;
+  assign marks_seen_o = marks_seen_i;
+  assign marks_nearer_o = marks_nearer_i;
   assign valid_o = valid_i;
 
   // Nothing depends on these bits.

@@ -3,7 +3,7 @@
 //
 // Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 0 bits, pipeline 108 bits, memories 0 bits.
+// State 0 bits, pipeline 112 bits, memories 0 bits.
 module horopter_direction (
   input  logic clk_i,
   input  logic rst_ni,
@@ -17,6 +17,8 @@ module horopter_direction (
   input  logic mask_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
+  input  logic marks_seen_i,
+  input  logic marks_nearer_i,
   output logic valid_o,
   output logic [7:0] direction_0_o,
   output logic [7:0] direction_1_o,
@@ -25,7 +27,9 @@ module horopter_direction (
   output logic saturated_o,
   output logic mask_o,
   output logic marks_first_o,
-  output logic marks_last_o
+  output logic marks_last_o,
+  output logic marks_seen_o,
+  output logic marks_nearer_o
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
@@ -42,10 +46,10 @@ module horopter_direction (
   logic [9:0] y;
   assign y = {9'h0, gy_0_i[10]} + (gy_0_i[9:0] ^ {10{gy_0_i[10]}});
   // hls/stages/direction.hpp:46
-  logic less_13;
-  assign less_13 = x < y;
+  logic less_15;
+  assign less_15 = x < y;
   logic [9:0] larger;
-  assign larger = less_13 ? y : x;
+  assign larger = less_15 ? y : x;
   // hls/stages/direction.hpp:47
   logic [9:0] smaller;
   assign smaller = (y < x) ? y : x;
@@ -56,91 +60,95 @@ module horopter_direction (
   logic [9:0] y_2;
   assign y_2 = {9'h0, gy_1_i[10]} + (gy_1_i[9:0] ^ {10{gy_1_i[10]}});
   // hls/stages/direction.hpp:46
-  logic less_45;
-  assign less_45 = x_2 < y_2;
+  logic less_47;
+  assign less_47 = x_2 < y_2;
   logic [9:0] larger_2;
-  assign larger_2 = less_45 ? y_2 : x_2;
+  assign larger_2 = less_47 ? y_2 : x_2;
   // hls/stages/direction.hpp:47
   logic [9:0] smaller_2;
   assign smaller_2 = (y_2 < x_2) ? y_2 : x_2;
   // hls/stages/direction.hpp:49
-  logic [10:0] sum_73;
-  assign sum_73 = {1'b0, smaller} + {2'h0, smaller[9:1]};
-  logic [10:0] sum_78;
-  assign sum_78 = {1'b0, smaller_2} + {2'h0, smaller_2[9:1]};
+  logic [10:0] sum_75;
+  assign sum_75 = {1'b0, smaller} + {2'h0, smaller[9:1]};
+  logic [10:0] sum_80;
+  assign sum_80 = {1'b0, smaller_2} + {2'h0, smaller_2[9:1]};
 
   logic saturated_s1_q;
   logic mask_s1_q;
   logic marks_first_s1_q;
   logic marks_last_s1_q;
-  logic less_13_s1_q;
-  logic xor_16_s1_q;
+  logic marks_seen_s1_q;
+  logic marks_nearer_s1_q;
+  logic less_15_s1_q;
+  logic xor_18_s1_q;
   logic [9:0] larger_s1_q;
-  logic [9:0] difference_20_s1_q;
-  logic select_39_s1_q;
-  logic less_45_s1_q;
-  logic xor_48_s1_q;
+  logic [9:0] difference_22_s1_q;
+  logic select_41_s1_q;
+  logic less_47_s1_q;
+  logic xor_50_s1_q;
   logic [9:0] larger_2_s1_q;
-  logic [9:0] difference_52_s1_q;
-  logic select_71_s1_q;
-  logic [9:0] sum_73_s1_q;
-  logic [9:0] sum_78_s1_q;
+  logic [9:0] difference_54_s1_q;
+  logic select_73_s1_q;
+  logic [9:0] sum_75_s1_q;
+  logic [9:0] sum_80_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       saturated_s1_q <= saturated_i;
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;
       marks_last_s1_q <= marks_last_i;
-      less_13_s1_q <= less_13;
-      xor_16_s1_q <= less_13 ^ (~(gx_0_i[10] ^ gy_0_i[10]));
+      marks_seen_s1_q <= marks_seen_i;
+      marks_nearer_s1_q <= marks_nearer_i;
+      less_15_s1_q <= less_15;
+      xor_18_s1_q <= less_15 ^ (~(gx_0_i[10] ^ gy_0_i[10]));
       larger_s1_q <= larger;
-      difference_20_s1_q <= {1'b0, larger[9:1]} - smaller;
-      select_39_s1_q <= less_13 ? gy_0_i[10] : gx_0_i[10];
-      less_45_s1_q <= less_45;
-      xor_48_s1_q <= less_45 ^ (~(gx_1_i[10] ^ gy_1_i[10]));
+      difference_22_s1_q <= {1'b0, larger[9:1]} - smaller;
+      select_41_s1_q <= less_15 ? gy_0_i[10] : gx_0_i[10];
+      less_47_s1_q <= less_47;
+      xor_50_s1_q <= less_47 ^ (~(gx_1_i[10] ^ gy_1_i[10]));
       larger_2_s1_q <= larger_2;
-      difference_52_s1_q <= {1'b0, larger_2[9:1]} - smaller_2;
-      select_71_s1_q <= less_45 ? gy_1_i[10] : gx_1_i[10];
-      sum_73_s1_q <= sum_73[10:1];
-      sum_78_s1_q <= sum_78[10:1];
+      difference_54_s1_q <= {1'b0, larger_2[9:1]} - smaller_2;
+      select_73_s1_q <= less_47 ? gy_1_i[10] : gx_1_i[10];
+      sum_75_s1_q <= sum_75[10:1];
+      sum_80_s1_q <= sum_80[10:1];
     end
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   // hls/stages/direction.hpp:62
-  logic not_21;
-  assign not_21 = ~difference_20_s1_q[9];
-  logic [9:0] xor_22;
-  assign xor_22 = larger_s1_q ^ {10{not_21}};
-  logic [10:0] sum_23;
-  assign sum_23 = {difference_20_s1_q[8:0], larger_s1_q[0], not_21} + {not_21, xor_22};
-  logic not_24;
-  assign not_24 = ~sum_23[10];
-  logic [9:0] xor_25;
-  assign xor_25 = larger_s1_q ^ {10{not_24}};
-  logic [10:0] sum_26;
-  assign sum_26 = {sum_23[9:0], not_24} + {not_24, xor_25};
-  logic not_27;
-  assign not_27 = ~sum_26[10];
-  logic [9:0] xor_28;
-  assign xor_28 = larger_s1_q ^ {10{not_27}};
-  logic [10:0] sum_29;
-  assign sum_29 = {sum_26[9:0], not_27} + {not_27, xor_28};
-  logic not_30;
-  assign not_30 = ~sum_29[10];
-  logic [9:0] xor_31;
-  assign xor_31 = larger_s1_q ^ {10{not_30}};
-  logic [10:0] sum_32;
-  assign sum_32 = {sum_29[9:0], not_30} + {not_30, xor_31};
-  logic not_33;
-  assign not_33 = ~sum_32[10];
-  logic [9:0] xor_34;
-  assign xor_34 = larger_s1_q ^ {10{not_33}};
-  logic [10:0] sum_35;
-  assign sum_35 = {sum_32[9:0], not_33} + {not_33, xor_34};
+  logic not_23;
+  assign not_23 = ~difference_22_s1_q[9];
+  logic [9:0] xor_24;
+  assign xor_24 = larger_s1_q ^ {10{not_23}};
+  logic [10:0] sum_25;
+  assign sum_25 = {difference_22_s1_q[8:0], larger_s1_q[0], not_23} + {not_23, xor_24};
+  logic not_26;
+  assign not_26 = ~sum_25[10];
+  logic [9:0] xor_27;
+  assign xor_27 = larger_s1_q ^ {10{not_26}};
+  logic [10:0] sum_28;
+  assign sum_28 = {sum_25[9:0], not_26} + {not_26, xor_27};
+  logic not_29;
+  assign not_29 = ~sum_28[10];
+  logic [9:0] xor_30;
+  assign xor_30 = larger_s1_q ^ {10{not_29}};
+  logic [10:0] sum_31;
+  assign sum_31 = {sum_28[9:0], not_29} + {not_29, xor_30};
+  logic not_32;
+  assign not_32 = ~sum_31[10];
+  logic [9:0] xor_33;
+  assign xor_33 = larger_s1_q ^ {10{not_32}};
+  logic [10:0] sum_34;
+  assign sum_34 = {sum_31[9:0], not_32} + {not_32, xor_33};
+  logic not_35;
+  assign not_35 = ~sum_34[10];
+  logic [9:0] xor_36;
+  assign xor_36 = larger_s1_q ^ {10{not_35}};
+  logic [10:0] sum_37;
+  assign sum_37 = {sum_34[9:0], not_35} + {not_35, xor_36};
   logic [5:0] angle;  // table arctangent_table
   always_comb begin
-    case ({difference_20_s1_q[9], sum_23[10], sum_26[10], sum_29[10], sum_32[10], sum_35[10]})
+    case ({difference_22_s1_q[9], sum_25[10], sum_28[10], sum_31[10], sum_34[10], sum_37[10]})
       6'd1: angle = 6'h1;
       6'd2: angle = 6'h2;
       6'd3: angle = 6'h2;
@@ -208,42 +216,42 @@ module horopter_direction (
     endcase
   end
   // hls/stages/direction.hpp:69
-  logic [6:0] select_38;
-  assign select_38 = xor_16_s1_q ? {1'b0, angle} : (7'h0 - {1'b0, angle});
+  logic [6:0] select_40;
+  assign select_40 = xor_18_s1_q ? {1'b0, angle} : (7'h0 - {1'b0, angle});
   // hls/stages/direction.hpp:62
-  logic not_53;
-  assign not_53 = ~difference_52_s1_q[9];
-  logic [9:0] xor_54;
-  assign xor_54 = larger_2_s1_q ^ {10{not_53}};
-  logic [10:0] sum_55;
-  assign sum_55 = {difference_52_s1_q[8:0], larger_2_s1_q[0], not_53} + {not_53, xor_54};
-  logic not_56;
-  assign not_56 = ~sum_55[10];
-  logic [9:0] xor_57;
-  assign xor_57 = larger_2_s1_q ^ {10{not_56}};
-  logic [10:0] sum_58;
-  assign sum_58 = {sum_55[9:0], not_56} + {not_56, xor_57};
-  logic not_59;
-  assign not_59 = ~sum_58[10];
-  logic [9:0] xor_60;
-  assign xor_60 = larger_2_s1_q ^ {10{not_59}};
-  logic [10:0] sum_61;
-  assign sum_61 = {sum_58[9:0], not_59} + {not_59, xor_60};
-  logic not_62;
-  assign not_62 = ~sum_61[10];
-  logic [9:0] xor_63;
-  assign xor_63 = larger_2_s1_q ^ {10{not_62}};
-  logic [10:0] sum_64;
-  assign sum_64 = {sum_61[9:0], not_62} + {not_62, xor_63};
-  logic not_65;
-  assign not_65 = ~sum_64[10];
-  logic [9:0] xor_66;
-  assign xor_66 = larger_2_s1_q ^ {10{not_65}};
-  logic [10:0] sum_67;
-  assign sum_67 = {sum_64[9:0], not_65} + {not_65, xor_66};
+  logic not_55;
+  assign not_55 = ~difference_54_s1_q[9];
+  logic [9:0] xor_56;
+  assign xor_56 = larger_2_s1_q ^ {10{not_55}};
+  logic [10:0] sum_57;
+  assign sum_57 = {difference_54_s1_q[8:0], larger_2_s1_q[0], not_55} + {not_55, xor_56};
+  logic not_58;
+  assign not_58 = ~sum_57[10];
+  logic [9:0] xor_59;
+  assign xor_59 = larger_2_s1_q ^ {10{not_58}};
+  logic [10:0] sum_60;
+  assign sum_60 = {sum_57[9:0], not_58} + {not_58, xor_59};
+  logic not_61;
+  assign not_61 = ~sum_60[10];
+  logic [9:0] xor_62;
+  assign xor_62 = larger_2_s1_q ^ {10{not_61}};
+  logic [10:0] sum_63;
+  assign sum_63 = {sum_60[9:0], not_61} + {not_61, xor_62};
+  logic not_64;
+  assign not_64 = ~sum_63[10];
+  logic [9:0] xor_65;
+  assign xor_65 = larger_2_s1_q ^ {10{not_64}};
+  logic [10:0] sum_66;
+  assign sum_66 = {sum_63[9:0], not_64} + {not_64, xor_65};
+  logic not_67;
+  assign not_67 = ~sum_66[10];
+  logic [9:0] xor_68;
+  assign xor_68 = larger_2_s1_q ^ {10{not_67}};
+  logic [10:0] sum_69;
+  assign sum_69 = {sum_66[9:0], not_67} + {not_67, xor_68};
   logic [5:0] angle_2;  // table arctangent_table
   always_comb begin
-    case ({difference_52_s1_q[9], sum_55[10], sum_58[10], sum_61[10], sum_64[10], sum_67[10]})
+    case ({difference_54_s1_q[9], sum_57[10], sum_60[10], sum_63[10], sum_66[10], sum_69[10]})
       6'd1: angle_2 = 6'h1;
       6'd2: angle_2 = 6'h2;
       6'd3: angle_2 = 6'h2;
@@ -311,58 +319,58 @@ module horopter_direction (
     endcase
   end
   // hls/stages/direction.hpp:69
-  logic [6:0] select_70;
-  assign select_70 = xor_48_s1_q ? {1'b0, angle_2} : (7'h0 - {1'b0, angle_2});
+  logic [6:0] select_72;
+  assign select_72 = xor_50_s1_q ? {1'b0, angle_2} : (7'h0 - {1'b0, angle_2});
   // hls/stages/direction.hpp:49
-  logic [9:0] sum_74;
-  assign sum_74 = sum_73_s1_q + 10'h1;
-  logic [10:0] sum_75;
-  assign sum_75 = {1'b0, larger_s1_q} + {2'h0, sum_74[9:1]};
-  logic [10:0] select_77;
-  assign select_77 = (sum_75[10:8] == 3'h0) ? sum_75 : 11'hff;
-  logic [9:0] sum_79;
-  assign sum_79 = sum_78_s1_q + 10'h1;
-  logic [10:0] sum_80;
-  assign sum_80 = {1'b0, larger_2_s1_q} + {2'h0, sum_79[9:1]};
-  logic [8:0] select_82;
-  assign select_82 = (sum_80[10:8] == 3'h0) ? sum_80[8:0] : 9'hff;
+  logic [9:0] sum_76;
+  assign sum_76 = sum_75_s1_q + 10'h1;
+  logic [10:0] sum_77;
+  assign sum_77 = {1'b0, larger_s1_q} + {2'h0, sum_76[9:1]};
+  logic [9:0] sum_81;
+  assign sum_81 = sum_80_s1_q + 10'h1;
+  logic [10:0] sum_82;
+  assign sum_82 = {1'b0, larger_2_s1_q} + {2'h0, sum_81[9:1]};
 
+  logic saturated_s2_q;
   logic mask_s2_q;
   logic marks_first_s2_q;
   logic marks_last_s2_q;
-  logic [5:0] select_38_s2_q;
-  logic [1:0] sum_40_s2_q;
-  logic [5:0] select_70_s2_q;
-  logic [1:0] sum_72_s2_q;
-  logic [7:0] select_77_s2_q;
-  logic [4:0] select_82_s2_q;
-  logic [2:0] or_83_s2_q;
-  logic or_84_s2_q;
+  logic marks_seen_s2_q;
+  logic marks_nearer_s2_q;
+  logic [5:0] select_40_s2_q;
+  logic [1:0] sum_42_s2_q;
+  logic [5:0] select_72_s2_q;
+  logic [1:0] sum_74_s2_q;
+  logic [7:0] select_79_s2_q;
+  logic [7:0] select_84_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
+      saturated_s2_q <= saturated_s1_q;
       mask_s2_q <= mask_s1_q;
       marks_first_s2_q <= marks_first_s1_q;
       marks_last_s2_q <= marks_last_s1_q;
-      select_38_s2_q <= select_38[5:0];
-      sum_40_s2_q <= {select_39_s1_q, less_13_s1_q} + {2{select_38[6]}};
-      select_70_s2_q <= select_70[5:0];
-      sum_72_s2_q <= {select_71_s1_q, less_45_s1_q} + {2{select_70[6]}};
-      select_77_s2_q <= select_77[7:0];
-      select_82_s2_q <= select_82[7:3];
-      or_83_s2_q <= select_77[10:8] | select_82[2:0];
-      or_84_s2_q <= saturated_s1_q | select_82[8];
+      marks_seen_s2_q <= marks_seen_s1_q;
+      marks_nearer_s2_q <= marks_nearer_s1_q;
+      select_40_s2_q <= select_40[5:0];
+      sum_42_s2_q <= {select_41_s1_q, less_15_s1_q} + {2{select_40[6]}};
+      select_72_s2_q <= select_72[5:0];
+      sum_74_s2_q <= {select_73_s1_q, less_47_s1_q} + {2{select_72[6]}};
+      select_79_s2_q <= (sum_77[10:8] == 3'h0) ? sum_77[7:0] : 8'hff;
+      select_84_s2_q <= (sum_82[10:8] == 3'h0) ? sum_82[7:0] : 8'hff;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign direction_0_o = {sum_40_s2_q, select_38_s2_q};
-  assign direction_1_o = {sum_72_s2_q, select_70_s2_q};
-  assign magnitude_0_o = select_77_s2_q;
-  assign magnitude_1_o = {select_82_s2_q, or_83_s2_q};
-  assign saturated_o = or_84_s2_q;
+  assign direction_0_o = {sum_42_s2_q, select_40_s2_q};
+  assign direction_1_o = {sum_74_s2_q, select_72_s2_q};
+  assign magnitude_0_o = select_79_s2_q;
+  assign magnitude_1_o = select_84_s2_q;
+  assign saturated_o = saturated_s2_q;
   assign mask_o = mask_s2_q;
   assign marks_first_o = marks_first_s2_q;
   assign marks_last_o = marks_last_s2_q;
+  assign marks_seen_o = marks_seen_s2_q;
+  assign marks_nearer_o = marks_nearer_s2_q;
   assign valid_o = valid_s2_q;
 
   always_ff @(posedge clk_i) begin
@@ -377,6 +385,6 @@ module horopter_direction (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_79[0], sum_78[0], sum_74[0], sum_73[0], sum_67[9:0], sum_35[9:0]};
+  assign unused_bits = ^{sum_81[0], sum_80[0], sum_76[0], sum_75[0], sum_69[9:0], sum_37[9:0]};
 
 endmodule

@@ -4,7 +4,7 @@
 // Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
 // Outputs are logic: what they go to takes them with the clock if en_i = 1.
-// State 56 bits, pipeline 21 bits, memories 23040 bits.
+// State 56 bits, pipeline 23 bits, memories 23040 bits.
 module horopter_lowpass (
   input  logic clk_i,
   input  logic rst_ni,
@@ -16,13 +16,17 @@ module horopter_lowpass (
   input  logic mask_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
+  input  logic marks_seen_i,
+  input  logic marks_nearer_i,
   output logic valid_o,
   output logic [7:0] pixel_0_o,
   output logic [7:0] pixel_1_o,
   output logic saturated_o,
   output logic mask_o,
   output logic marks_first_o,
-  output logic marks_last_o
+  output logic marks_last_o,
+  output logic marks_seen_o,
+  output logic marks_nearer_o
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
@@ -35,10 +39,10 @@ module horopter_lowpass (
   logic [9:0] raster_column_q;
   logic raster_row_ended_q;
   // hls/stages/lowpass.hpp:27
-  logic or_16;
-  assign or_16 = marks_first_i | raster_row_ended_q;
-  logic [9:0] select_18;
-  assign select_18 = or_16 ? 10'h0 : (raster_column_q + 10'h1);
+  logic or_18;
+  assign or_18 = marks_first_i | raster_row_ended_q;
+  logic [9:0] select_20;
+  assign select_20 = or_18 ? 10'h0 : (raster_column_q + 10'h1);
 
   // Memory memory, 640 x 36, DISTANCE 16, hls/stages/lowpass.hpp:58; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -48,7 +52,7 @@ module horopter_lowpass (
   initial for (int i = 0; i < 640; i++) memory_mem[i] = 36'h0;
 `endif
   logic [9:0] memory_raddr;
-  assign memory_raddr = select_18;
+  assign memory_raddr = select_20;
   logic memory_re;
   assign memory_re = s0_en;
   logic [35:0] memory_rdata_q;
@@ -61,7 +65,7 @@ module horopter_lowpass (
       raster_column_q <= 10'h0;
       raster_row_ended_q <= 1'b1;
     end else if (s0_en) begin
-      raster_column_q <= select_18;
+      raster_column_q <= select_20;
       raster_row_ended_q <= marks_last_i;
     end
   end
@@ -71,7 +75,9 @@ module horopter_lowpass (
   logic saturated_s1_q;
   logic mask_s1_q;
   logic marks_first_s1_q;
-  logic or_16_s1_q;
+  logic marks_seen_s1_q;
+  logic marks_nearer_s1_q;
+  logic or_18_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       pixel_0_s1_q <= pixel_0_i;
@@ -79,7 +85,9 @@ module horopter_lowpass (
       saturated_s1_q <= saturated_i;
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;
-      or_16_s1_q <= or_16;
+      marks_seen_s1_q <= marks_seen_i;
+      marks_nearer_s1_q <= marks_nearer_i;
+      or_18_s1_q <= or_18;
     end
   end
 
@@ -92,47 +100,47 @@ module horopter_lowpass (
   logic [1:0] mask_columns_values_0_q;
   logic [1:0] saturated_columns_values_0_q;
   // hls/stages/lowpass.hpp:27
-  logic and_21;
-  assign and_21 = raster_rows_q & (~marks_first_s1_q);
+  logic and_23;
+  assign and_23 = raster_rows_q & (~marks_first_s1_q);
   // hls/stages/lowpass.hpp:43
-  logic [1:0] select_22;
-  assign select_22 = and_21 ? memory_rdata_q[33:32] : 2'h0;
+  logic [1:0] select_24;
+  assign select_24 = and_23 ? memory_rdata_q[33:32] : 2'h0;
   // hls/stages/lowpass.hpp:44
-  logic [1:0] select_23;
-  assign select_23 = and_21 ? memory_rdata_q[35:34] : 2'h0;
+  logic [1:0] select_25;
+  assign select_25 = and_23 ? memory_rdata_q[35:34] : 2'h0;
   // hls/stages/lowpass.hpp:35
-  logic [8:0] sum_25;
-  assign sum_25 = {1'b0, memory_rdata_q[7:0]} + {2'h0, memory_rdata_q[23:17]};
-  logic [9:0] sum;
-  assign sum = {2'h0, pixel_0_s1_q} + {sum_25, memory_rdata_q[16]};
   logic [8:0] sum_27;
-  assign sum_27 = {1'b0, memory_rdata_q[15:8]} + {2'h0, memory_rdata_q[31:25]};
+  assign sum_27 = {1'b0, memory_rdata_q[7:0]} + {2'h0, memory_rdata_q[23:17]};
+  logic [9:0] sum;
+  assign sum = {2'h0, pixel_0_s1_q} + {sum_27, memory_rdata_q[16]};
+  logic [8:0] sum_29;
+  assign sum_29 = {1'b0, memory_rdata_q[15:8]} + {2'h0, memory_rdata_q[31:25]};
   logic [9:0] sum_2;
-  assign sum_2 = {2'h0, pixel_1_s1_q} + {sum_27, memory_rdata_q[24]};
+  assign sum_2 = {2'h0, pixel_1_s1_q} + {sum_29, memory_rdata_q[24]};
   // hls/stages/lowpass.hpp:43
-  logic equal_29;
-  assign equal_29 = {select_22, mask_s1_q} == 3'h7;
-  logic [1:0] select_30;
-  assign select_30 = or_16_s1_q ? 2'h0 : mask_columns_values_0_q;
-  // hls/stages/lowpass.hpp:44
   logic equal_31;
-  assign equal_31 = {select_23, saturated_s1_q} == 3'h7;
+  assign equal_31 = {select_24, mask_s1_q} == 3'h7;
   logic [1:0] select_32;
-  assign select_32 = or_16_s1_q ? 2'h0 : saturated_columns_values_0_q;
+  assign select_32 = or_18_s1_q ? 2'h0 : mask_columns_values_0_q;
+  // hls/stages/lowpass.hpp:44
+  logic equal_33;
+  assign equal_33 = {select_25, saturated_s1_q} == 3'h7;
+  logic [1:0] select_34;
+  assign select_34 = or_18_s1_q ? 2'h0 : saturated_columns_values_0_q;
   // hls/stages/lowpass.hpp:38
-  logic [10:0] sum_33;
-  assign sum_33 = {1'b0, columns_0_values_0_q} + {2'h0, columns_0_values_1_q[9:1]};
-  logic [11:0] sum_34;
-  assign sum_34 = {sum_33, columns_0_values_1_q[0]} + {2'h0, sum};
-  logic [8:0] sum_35;
-  assign sum_35 = sum_34[11:3] + 9'h1;
-  logic [10:0] sum_36;
-  assign sum_36 = {1'b0, columns_1_values_0_q} + {2'h0, columns_1_values_1_q[9:1]};
-  logic [11:0] sum_37;
-  assign sum_37 = {sum_36, columns_1_values_1_q[0]} + {2'h0, sum_2};
+  logic [10:0] sum_35;
+  assign sum_35 = {1'b0, columns_0_values_0_q} + {2'h0, columns_0_values_1_q[9:1]};
+  logic [11:0] sum_36;
+  assign sum_36 = {sum_35, columns_0_values_1_q[0]} + {2'h0, sum};
+  logic [8:0] sum_37;
+  assign sum_37 = sum_36[11:3] + 9'h1;
+  logic [10:0] sum_38;
+  assign sum_38 = {1'b0, columns_1_values_0_q} + {2'h0, columns_1_values_1_q[9:1]};
+  logic [11:0] sum_39;
+  assign sum_39 = {sum_38, columns_1_values_1_q[0]} + {2'h0, sum_2};
   // hls/stages/lowpass.hpp:48
-  logic [8:0] sum_38;
-  assign sum_38 = sum_37[11:3] + 9'h1;
+  logic [8:0] sum_40;
+  assign sum_40 = sum_39[11:3] + 9'h1;
 
   // Memory memory, write
   logic [9:0] memory_waddr;
@@ -140,7 +148,7 @@ module horopter_lowpass (
   logic memory_we;
   assign memory_we = s1_en;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (memory_we) memory_mem[memory_waddr] <= {select_23[0], saturated_s1_q, select_22[0], mask_s1_q, memory_rdata_q[15:0], pixel_1_s1_q, pixel_0_s1_q};
+    if (memory_we) memory_mem[memory_waddr] <= {select_25[0], saturated_s1_q, select_24[0], mask_s1_q, memory_rdata_q[15:0], pixel_1_s1_q, pixel_0_s1_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -158,7 +166,7 @@ module horopter_lowpass (
     if (!rst_ni) begin
       raster_rows_q <= 1'b0;
     end else if (s1_en) begin
-      raster_rows_q <= raster_row_ended_q | and_21;
+      raster_rows_q <= raster_row_ended_q | and_23;
     end
   end
 
@@ -179,18 +187,20 @@ module horopter_lowpass (
       columns_0_values_1_q <= columns_0_values_0_q;
       columns_1_values_0_q <= sum_2;
       columns_1_values_1_q <= columns_1_values_0_q;
-      mask_columns_values_0_q <= {select_30[0], equal_29};
-      saturated_columns_values_0_q <= {select_32[0], equal_31};
+      mask_columns_values_0_q <= {select_32[0], equal_31};
+      saturated_columns_values_0_q <= {select_34[0], equal_33};
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign pixel_0_o = sum_35[8:1];
-  assign pixel_1_o = sum_38[8:1];
-  assign saturated_o = {select_32, equal_31} == 3'h7;
-  assign mask_o = {select_30, equal_29} == 3'h7;
+  assign pixel_0_o = sum_37[8:1];
+  assign pixel_1_o = sum_40[8:1];
+  assign saturated_o = {select_34, equal_33} == 3'h7;
+  assign mask_o = {select_32, equal_31} == 3'h7;
   assign marks_first_o = marks_first_s1_q;
   assign marks_last_o = raster_row_ended_q;
+  assign marks_seen_o = marks_seen_s1_q;
+  assign marks_nearer_o = marks_nearer_s1_q;
   assign valid_o = valid_s1_q;
 
   always_ff @(posedge clk_i) begin
@@ -203,6 +213,6 @@ module horopter_lowpass (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_38[0], sum_37[2:0], sum_35[0], sum_34[2:0]};
+  assign unused_bits = ^{sum_40[0], sum_39[2:0], sum_37[0], sum_36[2:0]};
 
 endmodule

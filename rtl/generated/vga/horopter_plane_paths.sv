@@ -3,7 +3,7 @@
 //
 // Latency 3 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 13 bits, pipeline 763 bits, memories 72960 bits.
+// State 13 bits, pipeline 769 bits, memories 72960 bits.
 module horopter_plane_paths (
   input  logic clk_i,
   input  logic rst_ni,
@@ -34,6 +34,8 @@ module horopter_plane_paths (
   input  logic exists_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
+  input  logic marks_seen_i,
+  input  logic marks_nearer_i,
   output logic valid_o,
   output logic [11:0] cost_0_o,
   output logic [11:0] cost_1_o,
@@ -60,7 +62,9 @@ module horopter_plane_paths (
   output logic strong_v_o,
   output logic exists_o,
   output logic marks_first_o,
-  output logic marks_last_o
+  output logic marks_last_o,
+  output logic marks_seen_o,
+  output logic marks_nearer_o
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
@@ -75,59 +79,59 @@ module horopter_plane_paths (
   logic raster_row_ended_q;
   logic running_q;
   // hls/stages/plane_paths.hpp:79
-  logic [9:0] select_32;
-  assign select_32 = marks_first_i ? 10'h0 : (raster_row_ended_q ? 10'h0 : (raster_column_q + 10'h1));
+  logic [9:0] select_34;
+  assign select_34 = marks_first_i ? 10'h0 : (raster_row_ended_q ? 10'h0 : (raster_column_q + 10'h1));
   // hls/stages/plane_paths.hpp:82
-  logic or_34;
-  assign or_34 = marks_first_i | running_q;
+  logic or_36;
+  assign or_36 = marks_first_i | running_q;
   // hls/stages/plane_paths.hpp:113
-  logic [10:0] select_318;
-  assign select_318 = (sum_17_i < sum_16_i) ? sum_17_i : sum_16_i;
   logic [10:0] select_320;
-  assign select_320 = (sum_18_i < select_318) ? sum_18_i : select_318;
+  assign select_320 = (sum_17_i < sum_16_i) ? sum_17_i : sum_16_i;
   logic [10:0] select_322;
-  assign select_322 = (sum_15_i < sum_14_i) ? sum_15_i : sum_14_i;
+  assign select_322 = (sum_18_i < select_320) ? sum_18_i : select_320;
   logic [10:0] select_324;
-  assign select_324 = (sum_13_i < sum_12_i) ? sum_13_i : sum_12_i;
+  assign select_324 = (sum_15_i < sum_14_i) ? sum_15_i : sum_14_i;
   logic [10:0] select_326;
-  assign select_326 = (select_322 < select_324) ? select_322 : select_324;
+  assign select_326 = (sum_13_i < sum_12_i) ? sum_13_i : sum_12_i;
   logic [10:0] select_328;
-  assign select_328 = (sum_11_i < sum_10_i) ? sum_11_i : sum_10_i;
+  assign select_328 = (select_324 < select_326) ? select_324 : select_326;
   logic [10:0] select_330;
-  assign select_330 = (sum_9_i < sum_8_i) ? sum_9_i : sum_8_i;
+  assign select_330 = (sum_11_i < sum_10_i) ? sum_11_i : sum_10_i;
   logic [10:0] select_332;
-  assign select_332 = (select_328 < select_330) ? select_328 : select_330;
+  assign select_332 = (sum_9_i < sum_8_i) ? sum_9_i : sum_8_i;
   logic [10:0] select_334;
-  assign select_334 = (select_326 < select_332) ? select_326 : select_332;
+  assign select_334 = (select_330 < select_332) ? select_330 : select_332;
   logic [10:0] select_336;
-  assign select_336 = (sum_7_i < sum_6_i) ? sum_7_i : sum_6_i;
+  assign select_336 = (select_328 < select_334) ? select_328 : select_334;
   logic [10:0] select_338;
-  assign select_338 = (sum_5_i < sum_4_i) ? sum_5_i : sum_4_i;
+  assign select_338 = (sum_7_i < sum_6_i) ? sum_7_i : sum_6_i;
   logic [10:0] select_340;
-  assign select_340 = (select_336 < select_338) ? select_336 : select_338;
+  assign select_340 = (sum_5_i < sum_4_i) ? sum_5_i : sum_4_i;
   logic [10:0] select_342;
-  assign select_342 = (sum_3_i < sum_2_i) ? sum_3_i : sum_2_i;
+  assign select_342 = (select_338 < select_340) ? select_338 : select_340;
   logic [10:0] select_344;
-  assign select_344 = (sum_1_i < sum_0_i) ? sum_1_i : sum_0_i;
+  assign select_344 = (sum_3_i < sum_2_i) ? sum_3_i : sum_2_i;
   logic [10:0] select_346;
-  assign select_346 = (select_342 < select_344) ? select_342 : select_344;
+  assign select_346 = (sum_1_i < sum_0_i) ? sum_1_i : sum_0_i;
   logic [10:0] select_348;
-  assign select_348 = (select_340 < select_346) ? select_340 : select_346;
+  assign select_348 = (select_344 < select_346) ? select_344 : select_346;
   logic [10:0] select_350;
-  assign select_350 = (select_334 < select_348) ? select_334 : select_348;
+  assign select_350 = (select_342 < select_348) ? select_342 : select_348;
   logic [10:0] select_352;
-  assign select_352 = (select_320 < select_350) ? select_320 : select_350;
+  assign select_352 = (select_336 < select_350) ? select_336 : select_350;
+  logic [10:0] select_354;
+  assign select_354 = (select_322 < select_352) ? select_322 : select_352;
   // hls/stages/plane_paths.hpp:61
-  logic [11:0] sum_353;
-  assign sum_353 = {1'b0, evidence_i} + {3'h0, evidence_i[10:2]};
-  logic [11:0] sum_354;
-  assign sum_354 = {1'b0, evidence_i} + {1'b0, sum_353[11:1]};
+  logic [11:0] sum_355;
+  assign sum_355 = {1'b0, evidence_i} + {3'h0, evidence_i[10:2]};
+  logic [11:0] sum_356;
+  assign sum_356 = {1'b0, evidence_i} + {1'b0, sum_355[11:1]};
   // hls/stages/plane_paths.hpp:63
-  logic less_356;
-  assign less_356 = 10'h13a < evidence_i[10:1];
+  logic less_358;
+  assign less_358 = 10'h13a < evidence_i[10:1];
   // hls/stages/plane_paths.hpp:64
-  logic or_357;
-  assign or_357 = ({select_352, 4'h0} < {sum_354, sum_353[0], evidence_i[1:0]}) | less_356;
+  logic or_359;
+  assign or_359 = ({select_354, 4'h0} < {sum_356, sum_355[0], evidence_i[1:0]}) | less_358;
 
   // Memory memory, 640 x 114, DISTANCE 16, hls/stages/plane_paths.hpp:119; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -137,9 +141,9 @@ module horopter_plane_paths (
   initial for (int i = 0; i < 640; i++) memory_mem[i] = 114'h0;
 `endif
   logic [9:0] memory_raddr;
-  assign memory_raddr = running_q ? select_32 : 10'h0;
+  assign memory_raddr = running_q ? select_34 : 10'h0;
   logic memory_re;
-  assign memory_re = s0_en & or_34;
+  assign memory_re = s0_en & or_36;
   logic [113:0] memory_rdata_q;
   always_ff @(posedge clk_i) begin
     if (memory_re) memory_rdata_q <= memory_mem[memory_raddr];
@@ -151,9 +155,9 @@ module horopter_plane_paths (
       raster_row_ended_q <= 1'b1;
       running_q <= 1'b0;
     end else if (s0_en) begin
-      raster_column_q <= select_32;
+      raster_column_q <= select_34;
       raster_row_ended_q <= marks_last_i;
-      running_q <= running_q ? or_34 : (marks_first_i & or_34);
+      running_q <= running_q ? or_36 : (marks_first_i & or_36);
     end
   end
 
@@ -180,9 +184,11 @@ module horopter_plane_paths (
   logic known_s1_q;
   logic exists_s1_q;
   logic marks_first_s1_q;
+  logic marks_seen_s1_q;
+  logic marks_nearer_s1_q;
   logic running_s1_q;
-  logic less_356_s1_q;
-  logic and_358_s1_q;
+  logic less_358_s1_q;
+  logic and_360_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       sum_0_s1_q <= sum_0_i;
@@ -208,280 +214,282 @@ module horopter_plane_paths (
       known_s1_q <= known_i;
       exists_s1_q <= exists_i;
       marks_first_s1_q <= marks_first_i;
+      marks_seen_s1_q <= marks_seen_i;
+      marks_nearer_s1_q <= marks_nearer_i;
       running_s1_q <= running_q;
-      less_356_s1_q <= less_356;
-      and_358_s1_q <= known_i & or_357;
+      less_358_s1_q <= less_358;
+      and_360_s1_q <= known_i & or_359;
     end
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   logic raster_rows_q;
   // hls/stages/plane_paths.hpp:79
-  logic and_37;
-  assign and_37 = raster_rows_q & (~marks_first_s1_q);
+  logic and_39;
+  assign and_39 = raster_rows_q & (~marks_first_s1_q);
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_39;
-  assign select_39 = running_s1_q ? memory_rdata_q[5:0] : (marks_first_s1_q ? memory_rdata_q[5:0] : 6'h0);
+  logic [5:0] select_41;
+  assign select_41 = running_s1_q ? memory_rdata_q[5:0] : (marks_first_s1_q ? memory_rdata_q[5:0] : 6'h0);
   logic [5:0] price;
-  assign price = and_37 ? select_39 : 6'h0;
+  assign price = and_39 ? select_41 : 6'h0;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_41;
-  assign sum_41 = {1'b0, sum_0_s1_q[10:2]} + {4'h0, price};
+  logic [9:0] sum_43;
+  assign sum_43 = {1'b0, sum_0_s1_q[10:2]} + {4'h0, price};
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_43;
-  assign select_43 = running_s1_q ? memory_rdata_q[113:108] : (marks_first_s1_q ? memory_rdata_q[113:108] : 6'h0);
+  logic [5:0] select_45;
+  assign select_45 = running_s1_q ? memory_rdata_q[113:108] : (marks_first_s1_q ? memory_rdata_q[113:108] : 6'h0);
   logic [5:0] price_2;
-  assign price_2 = and_37 ? select_43 : 6'h0;
-  logic [5:0] select_47;
-  assign select_47 = running_s1_q ? memory_rdata_q[107:102] : (marks_first_s1_q ? memory_rdata_q[107:102] : 6'h0);
+  assign price_2 = and_39 ? select_45 : 6'h0;
+  logic [5:0] select_49;
+  assign select_49 = running_s1_q ? memory_rdata_q[107:102] : (marks_first_s1_q ? memory_rdata_q[107:102] : 6'h0);
   logic [5:0] price_3;
-  assign price_3 = and_37 ? select_47 : 6'h0;
-  logic [5:0] select_51;
-  assign select_51 = running_s1_q ? memory_rdata_q[101:96] : (marks_first_s1_q ? memory_rdata_q[101:96] : 6'h0);
+  assign price_3 = and_39 ? select_49 : 6'h0;
+  logic [5:0] select_53;
+  assign select_53 = running_s1_q ? memory_rdata_q[101:96] : (marks_first_s1_q ? memory_rdata_q[101:96] : 6'h0);
   logic [5:0] price_4;
-  assign price_4 = and_37 ? select_51 : 6'h0;
-  logic [5:0] select_59;
-  assign select_59 = running_s1_q ? memory_rdata_q[95:90] : (marks_first_s1_q ? memory_rdata_q[95:90] : 6'h0);
+  assign price_4 = and_39 ? select_53 : 6'h0;
+  logic [5:0] select_61;
+  assign select_61 = running_s1_q ? memory_rdata_q[95:90] : (marks_first_s1_q ? memory_rdata_q[95:90] : 6'h0);
   logic [5:0] price_5;
-  assign price_5 = and_37 ? select_59 : 6'h0;
+  assign price_5 = and_39 ? select_61 : 6'h0;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_61;
-  assign sum_61 = {1'b0, sum_15_s1_q[10:2]} + {4'h0, price_5};
+  logic [9:0] sum_63;
+  assign sum_63 = {1'b0, sum_15_s1_q[10:2]} + {4'h0, price_5};
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_63;
-  assign select_63 = running_s1_q ? memory_rdata_q[89:84] : (marks_first_s1_q ? memory_rdata_q[89:84] : 6'h0);
+  logic [5:0] select_65;
+  assign select_65 = running_s1_q ? memory_rdata_q[89:84] : (marks_first_s1_q ? memory_rdata_q[89:84] : 6'h0);
   logic [5:0] price_6;
-  assign price_6 = and_37 ? select_63 : 6'h0;
+  assign price_6 = and_39 ? select_65 : 6'h0;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_65;
-  assign sum_65 = {1'b0, sum_14_s1_q[10:2]} + {4'h0, price_6};
+  logic [9:0] sum_67;
+  assign sum_67 = {1'b0, sum_14_s1_q[10:2]} + {4'h0, price_6};
   // hls/stages/plane_paths.hpp:113
-  logic [11:0] select_67;
-  assign select_67 = ({sum_61, sum_15_s1_q[1:0]} < {sum_65, sum_14_s1_q[1:0]}) ? {sum_61, sum_15_s1_q[1:0]} : {sum_65, sum_14_s1_q[1:0]};
+  logic [11:0] select_69;
+  assign select_69 = ({sum_63, sum_15_s1_q[1:0]} < {sum_67, sum_14_s1_q[1:0]}) ? {sum_63, sum_15_s1_q[1:0]} : {sum_67, sum_14_s1_q[1:0]};
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_69;
-  assign select_69 = running_s1_q ? memory_rdata_q[77:72] : (marks_first_s1_q ? memory_rdata_q[77:72] : 6'h0);
+  logic [5:0] select_71;
+  assign select_71 = running_s1_q ? memory_rdata_q[77:72] : (marks_first_s1_q ? memory_rdata_q[77:72] : 6'h0);
   logic [5:0] opinion;
-  assign opinion = and_37 ? select_69 : 6'h0;
+  assign opinion = and_39 ? select_71 : 6'h0;
   // hls/stages/plane_paths.hpp:105
-  logic [6:0] sum_71;
-  assign sum_71 = {1'b0, opinion} + 7'h27;
-  logic [5:0] select_72;
-  assign select_72 = sum_71[6] ? 6'h3f : sum_71[5:0];
-  // hls/stages/plane_paths.hpp:55
+  logic [6:0] sum_73;
+  assign sum_73 = {1'b0, opinion} + 7'h27;
   logic [5:0] select_74;
-  assign select_74 = running_s1_q ? memory_rdata_q[83:78] : (marks_first_s1_q ? memory_rdata_q[83:78] : 6'h0);
+  assign select_74 = sum_73[6] ? 6'h3f : sum_73[5:0];
+  // hls/stages/plane_paths.hpp:55
+  logic [5:0] select_76;
+  assign select_76 = running_s1_q ? memory_rdata_q[83:78] : (marks_first_s1_q ? memory_rdata_q[83:78] : 6'h0);
   logic [5:0] opinion_2;
-  assign opinion_2 = and_37 ? select_74 : 6'h0;
+  assign opinion_2 = and_39 ? select_76 : 6'h0;
   // hls/stages/plane_paths.hpp:89
   logic [5:0] price_7;
-  assign price_7 = (select_72 < opinion_2) ? select_72 : opinion_2;
+  assign price_7 = (select_74 < opinion_2) ? select_74 : opinion_2;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_78;
-  assign sum_78 = {1'b0, sum_13_s1_q[10:2]} + {4'h0, price_7};
+  logic [9:0] sum_80;
+  assign sum_80 = {1'b0, sum_13_s1_q[10:2]} + {4'h0, price_7};
   // hls/stages/plane_paths.hpp:105
-  logic [6:0] sum_79;
-  assign sum_79 = {1'b0, opinion_2} + 7'h27;
-  logic [5:0] select_80;
-  assign select_80 = sum_79[6] ? 6'h3f : sum_79[5:0];
-  // hls/stages/plane_paths.hpp:55
+  logic [6:0] sum_81;
+  assign sum_81 = {1'b0, opinion_2} + 7'h27;
   logic [5:0] select_82;
-  assign select_82 = running_s1_q ? memory_rdata_q[71:66] : (marks_first_s1_q ? memory_rdata_q[71:66] : 6'h0);
+  assign select_82 = sum_81[6] ? 6'h3f : sum_81[5:0];
+  // hls/stages/plane_paths.hpp:55
+  logic [5:0] select_84;
+  assign select_84 = running_s1_q ? memory_rdata_q[71:66] : (marks_first_s1_q ? memory_rdata_q[71:66] : 6'h0);
   logic [5:0] opinion_3;
-  assign opinion_3 = and_37 ? select_82 : 6'h0;
+  assign opinion_3 = and_39 ? select_84 : 6'h0;
   // hls/stages/plane_paths.hpp:105
-  logic [6:0] sum_84;
-  assign sum_84 = {1'b0, opinion_3} + 7'h27;
-  logic [5:0] select_85;
-  assign select_85 = sum_84[6] ? 6'h3f : sum_84[5:0];
+  logic [6:0] sum_86;
+  assign sum_86 = {1'b0, opinion_3} + 7'h27;
+  logic [5:0] select_87;
+  assign select_87 = sum_86[6] ? 6'h3f : sum_86[5:0];
   // hls/stages/plane_paths.hpp:89
   logic [5:0] price_8;
-  assign price_8 = (select_85 < opinion) ? select_85 : opinion;
+  assign price_8 = (select_87 < opinion) ? select_87 : opinion;
   // hls/stages/plane_paths.hpp:90
   logic [5:0] price_9;
-  assign price_9 = (select_80 < price_8) ? select_80 : price_8;
+  assign price_9 = (select_82 < price_8) ? select_82 : price_8;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_90;
-  assign sum_90 = {1'b0, sum_12_s1_q[10:2]} + {4'h0, price_9};
+  logic [9:0] sum_92;
+  assign sum_92 = {1'b0, sum_12_s1_q[10:2]} + {4'h0, price_9};
   // hls/stages/plane_paths.hpp:113
-  logic [11:0] select_92;
-  assign select_92 = ({sum_78, sum_13_s1_q[1:0]} < {sum_90, sum_12_s1_q[1:0]}) ? {sum_78, sum_13_s1_q[1:0]} : {sum_90, sum_12_s1_q[1:0]};
+  logic [11:0] select_94;
+  assign select_94 = ({sum_80, sum_13_s1_q[1:0]} < {sum_92, sum_12_s1_q[1:0]}) ? {sum_80, sum_13_s1_q[1:0]} : {sum_92, sum_12_s1_q[1:0]};
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_96;
-  assign select_96 = running_s1_q ? memory_rdata_q[65:60] : (marks_first_s1_q ? memory_rdata_q[65:60] : 6'h0);
+  logic [5:0] select_98;
+  assign select_98 = running_s1_q ? memory_rdata_q[65:60] : (marks_first_s1_q ? memory_rdata_q[65:60] : 6'h0);
   logic [5:0] opinion_4;
-  assign opinion_4 = and_37 ? select_96 : 6'h0;
+  assign opinion_4 = and_39 ? select_98 : 6'h0;
   // hls/stages/plane_paths.hpp:105
-  logic [6:0] sum_98;
-  assign sum_98 = {1'b0, opinion_4} + 7'h27;
-  logic [5:0] select_99;
-  assign select_99 = sum_98[6] ? 6'h3f : sum_98[5:0];
+  logic [6:0] sum_100;
+  assign sum_100 = {1'b0, opinion_4} + 7'h27;
+  logic [5:0] select_101;
+  assign select_101 = sum_100[6] ? 6'h3f : sum_100[5:0];
   // hls/stages/plane_paths.hpp:89
   logic [5:0] price_10;
-  assign price_10 = (select_99 < opinion_3) ? select_99 : opinion_3;
+  assign price_10 = (select_101 < opinion_3) ? select_101 : opinion_3;
   // hls/stages/plane_paths.hpp:90
   logic [5:0] price_11;
-  assign price_11 = (select_72 < price_10) ? select_72 : price_10;
+  assign price_11 = (select_74 < price_10) ? select_74 : price_10;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_104;
-  assign sum_104 = {1'b0, sum_11_s1_q[10:2]} + {4'h0, price_11};
+  logic [9:0] sum_106;
+  assign sum_106 = {1'b0, sum_11_s1_q[10:2]} + {4'h0, price_11};
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_106;
-  assign select_106 = running_s1_q ? memory_rdata_q[59:54] : (marks_first_s1_q ? memory_rdata_q[59:54] : 6'h0);
+  logic [5:0] select_108;
+  assign select_108 = running_s1_q ? memory_rdata_q[59:54] : (marks_first_s1_q ? memory_rdata_q[59:54] : 6'h0);
   logic [5:0] opinion_5;
-  assign opinion_5 = and_37 ? select_106 : 6'h0;
+  assign opinion_5 = and_39 ? select_108 : 6'h0;
   // hls/stages/plane_paths.hpp:105
-  logic [6:0] sum_108;
-  assign sum_108 = {1'b0, opinion_5} + 7'h27;
-  logic [5:0] select_109;
-  assign select_109 = sum_108[6] ? 6'h3f : sum_108[5:0];
+  logic [6:0] sum_110;
+  assign sum_110 = {1'b0, opinion_5} + 7'h27;
+  logic [5:0] select_111;
+  assign select_111 = sum_110[6] ? 6'h3f : sum_110[5:0];
   // hls/stages/plane_paths.hpp:89
   logic [5:0] price_12;
-  assign price_12 = (select_109 < opinion_4) ? select_109 : opinion_4;
+  assign price_12 = (select_111 < opinion_4) ? select_111 : opinion_4;
   // hls/stages/plane_paths.hpp:90
   logic [5:0] price_13;
-  assign price_13 = (select_85 < price_12) ? select_85 : price_12;
+  assign price_13 = (select_87 < price_12) ? select_87 : price_12;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_114;
-  assign sum_114 = {1'b0, sum_10_s1_q[10:2]} + {4'h0, price_13};
+  logic [9:0] sum_116;
+  assign sum_116 = {1'b0, sum_10_s1_q[10:2]} + {4'h0, price_13};
   // hls/stages/plane_paths.hpp:113
-  logic [11:0] select_116;
-  assign select_116 = ({sum_104, sum_11_s1_q[1:0]} < {sum_114, sum_10_s1_q[1:0]}) ? {sum_104, sum_11_s1_q[1:0]} : {sum_114, sum_10_s1_q[1:0]};
+  logic [11:0] select_118;
+  assign select_118 = ({sum_106, sum_11_s1_q[1:0]} < {sum_116, sum_10_s1_q[1:0]}) ? {sum_106, sum_11_s1_q[1:0]} : {sum_116, sum_10_s1_q[1:0]};
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_118;
-  assign select_118 = running_s1_q ? memory_rdata_q[53:48] : (marks_first_s1_q ? memory_rdata_q[53:48] : 6'h0);
+  logic [5:0] select_120;
+  assign select_120 = running_s1_q ? memory_rdata_q[53:48] : (marks_first_s1_q ? memory_rdata_q[53:48] : 6'h0);
   logic [5:0] opinion_6;
-  assign opinion_6 = and_37 ? select_118 : 6'h0;
+  assign opinion_6 = and_39 ? select_120 : 6'h0;
   // hls/stages/plane_paths.hpp:105
-  logic [6:0] sum_120;
-  assign sum_120 = {1'b0, opinion_6} + 7'h27;
-  logic [5:0] select_121;
-  assign select_121 = sum_120[6] ? 6'h3f : sum_120[5:0];
+  logic [6:0] sum_122;
+  assign sum_122 = {1'b0, opinion_6} + 7'h27;
+  logic [5:0] select_123;
+  assign select_123 = sum_122[6] ? 6'h3f : sum_122[5:0];
   // hls/stages/plane_paths.hpp:89
   logic [5:0] price_14;
-  assign price_14 = (select_121 < opinion_5) ? select_121 : opinion_5;
+  assign price_14 = (select_123 < opinion_5) ? select_123 : opinion_5;
   // hls/stages/plane_paths.hpp:90
   logic [5:0] price_15;
-  assign price_15 = (select_99 < price_14) ? select_99 : price_14;
+  assign price_15 = (select_101 < price_14) ? select_101 : price_14;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_126;
-  assign sum_126 = {1'b0, sum_9_s1_q[10:2]} + {4'h0, price_15};
+  logic [9:0] sum_128;
+  assign sum_128 = {1'b0, sum_9_s1_q[10:2]} + {4'h0, price_15};
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_128;
-  assign select_128 = running_s1_q ? memory_rdata_q[47:42] : (marks_first_s1_q ? memory_rdata_q[47:42] : 6'h0);
+  logic [5:0] select_130;
+  assign select_130 = running_s1_q ? memory_rdata_q[47:42] : (marks_first_s1_q ? memory_rdata_q[47:42] : 6'h0);
   logic [5:0] opinion_7;
-  assign opinion_7 = and_37 ? select_128 : 6'h0;
+  assign opinion_7 = and_39 ? select_130 : 6'h0;
   // hls/stages/plane_paths.hpp:105
-  logic [6:0] sum_130;
-  assign sum_130 = {1'b0, opinion_7} + 7'h27;
-  logic [5:0] select_131;
-  assign select_131 = sum_130[6] ? 6'h3f : sum_130[5:0];
+  logic [6:0] sum_132;
+  assign sum_132 = {1'b0, opinion_7} + 7'h27;
+  logic [5:0] select_133;
+  assign select_133 = sum_132[6] ? 6'h3f : sum_132[5:0];
   // hls/stages/plane_paths.hpp:89
   logic [5:0] price_16;
-  assign price_16 = (select_131 < opinion_6) ? select_131 : opinion_6;
+  assign price_16 = (select_133 < opinion_6) ? select_133 : opinion_6;
   // hls/stages/plane_paths.hpp:90
   logic [5:0] price_17;
-  assign price_17 = (select_109 < price_16) ? select_109 : price_16;
+  assign price_17 = (select_111 < price_16) ? select_111 : price_16;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_136;
-  assign sum_136 = {1'b0, sum_8_s1_q[10:2]} + {4'h0, price_17};
+  logic [9:0] sum_138;
+  assign sum_138 = {1'b0, sum_8_s1_q[10:2]} + {4'h0, price_17};
   // hls/stages/plane_paths.hpp:113
-  logic [11:0] select_138;
-  assign select_138 = ({sum_126, sum_9_s1_q[1:0]} < {sum_136, sum_8_s1_q[1:0]}) ? {sum_126, sum_9_s1_q[1:0]} : {sum_136, sum_8_s1_q[1:0]};
+  logic [11:0] select_140;
+  assign select_140 = ({sum_128, sum_9_s1_q[1:0]} < {sum_138, sum_8_s1_q[1:0]}) ? {sum_128, sum_9_s1_q[1:0]} : {sum_138, sum_8_s1_q[1:0]};
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_144;
-  assign select_144 = running_s1_q ? memory_rdata_q[41:36] : (marks_first_s1_q ? memory_rdata_q[41:36] : 6'h0);
+  logic [5:0] select_146;
+  assign select_146 = running_s1_q ? memory_rdata_q[41:36] : (marks_first_s1_q ? memory_rdata_q[41:36] : 6'h0);
   logic [5:0] opinion_8;
-  assign opinion_8 = and_37 ? select_144 : 6'h0;
+  assign opinion_8 = and_39 ? select_146 : 6'h0;
   // hls/stages/plane_paths.hpp:105
-  logic [6:0] sum_146;
-  assign sum_146 = {1'b0, opinion_8} + 7'h27;
-  logic [5:0] select_147;
-  assign select_147 = sum_146[6] ? 6'h3f : sum_146[5:0];
+  logic [6:0] sum_148;
+  assign sum_148 = {1'b0, opinion_8} + 7'h27;
+  logic [5:0] select_149;
+  assign select_149 = sum_148[6] ? 6'h3f : sum_148[5:0];
   // hls/stages/plane_paths.hpp:89
   logic [5:0] price_18;
-  assign price_18 = (select_147 < opinion_7) ? select_147 : opinion_7;
+  assign price_18 = (select_149 < opinion_7) ? select_149 : opinion_7;
   // hls/stages/plane_paths.hpp:90
   logic [5:0] price_19;
-  assign price_19 = (select_121 < price_18) ? select_121 : price_18;
+  assign price_19 = (select_123 < price_18) ? select_123 : price_18;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_152;
-  assign sum_152 = {1'b0, sum_7_s1_q[10:2]} + {4'h0, price_19};
+  logic [9:0] sum_154;
+  assign sum_154 = {1'b0, sum_7_s1_q[10:2]} + {4'h0, price_19};
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_154;
-  assign select_154 = running_s1_q ? memory_rdata_q[35:30] : (marks_first_s1_q ? memory_rdata_q[35:30] : 6'h0);
+  logic [5:0] select_156;
+  assign select_156 = running_s1_q ? memory_rdata_q[35:30] : (marks_first_s1_q ? memory_rdata_q[35:30] : 6'h0);
   logic [5:0] opinion_9;
-  assign opinion_9 = and_37 ? select_154 : 6'h0;
+  assign opinion_9 = and_39 ? select_156 : 6'h0;
   // hls/stages/plane_paths.hpp:105
-  logic [6:0] sum_156;
-  assign sum_156 = {1'b0, opinion_9} + 7'h27;
-  logic [5:0] select_157;
-  assign select_157 = sum_156[6] ? 6'h3f : sum_156[5:0];
+  logic [6:0] sum_158;
+  assign sum_158 = {1'b0, opinion_9} + 7'h27;
+  logic [5:0] select_159;
+  assign select_159 = sum_158[6] ? 6'h3f : sum_158[5:0];
   // hls/stages/plane_paths.hpp:89
   logic [5:0] price_20;
-  assign price_20 = (select_157 < opinion_8) ? select_157 : opinion_8;
+  assign price_20 = (select_159 < opinion_8) ? select_159 : opinion_8;
   // hls/stages/plane_paths.hpp:90
   logic [5:0] price_21;
-  assign price_21 = (select_131 < price_20) ? select_131 : price_20;
+  assign price_21 = (select_133 < price_20) ? select_133 : price_20;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_162;
-  assign sum_162 = {1'b0, sum_6_s1_q[10:2]} + {4'h0, price_21};
+  logic [9:0] sum_164;
+  assign sum_164 = {1'b0, sum_6_s1_q[10:2]} + {4'h0, price_21};
   // hls/stages/plane_paths.hpp:113
-  logic [11:0] select_164;
-  assign select_164 = ({sum_152, sum_7_s1_q[1:0]} < {sum_162, sum_6_s1_q[1:0]}) ? {sum_152, sum_7_s1_q[1:0]} : {sum_162, sum_6_s1_q[1:0]};
+  logic [11:0] select_166;
+  assign select_166 = ({sum_154, sum_7_s1_q[1:0]} < {sum_164, sum_6_s1_q[1:0]}) ? {sum_154, sum_7_s1_q[1:0]} : {sum_164, sum_6_s1_q[1:0]};
   // hls/stages/plane_paths.hpp:90
   logic [5:0] price_22;
-  assign price_22 = (select_147 < opinion_9) ? select_147 : opinion_9;
+  assign price_22 = (select_149 < opinion_9) ? select_149 : opinion_9;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_167;
-  assign sum_167 = {1'b0, sum_5_s1_q[10:2]} + {4'h0, price_22};
+  logic [9:0] sum_169;
+  assign sum_169 = {1'b0, sum_5_s1_q[10:2]} + {4'h0, price_22};
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_169;
-  assign select_169 = running_s1_q ? memory_rdata_q[29:24] : (marks_first_s1_q ? memory_rdata_q[29:24] : 6'h0);
+  logic [5:0] select_171;
+  assign select_171 = running_s1_q ? memory_rdata_q[29:24] : (marks_first_s1_q ? memory_rdata_q[29:24] : 6'h0);
   logic [5:0] price_23;
-  assign price_23 = and_37 ? select_169 : 6'h0;
+  assign price_23 = and_39 ? select_171 : 6'h0;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_171;
-  assign sum_171 = {1'b0, sum_4_s1_q[10:2]} + {4'h0, price_23};
+  logic [9:0] sum_173;
+  assign sum_173 = {1'b0, sum_4_s1_q[10:2]} + {4'h0, price_23};
   // hls/stages/plane_paths.hpp:113
-  logic [11:0] select_173;
-  assign select_173 = ({sum_167, sum_5_s1_q[1:0]} < {sum_171, sum_4_s1_q[1:0]}) ? {sum_167, sum_5_s1_q[1:0]} : {sum_171, sum_4_s1_q[1:0]};
+  logic [11:0] select_175;
+  assign select_175 = ({sum_169, sum_5_s1_q[1:0]} < {sum_173, sum_4_s1_q[1:0]}) ? {sum_169, sum_5_s1_q[1:0]} : {sum_173, sum_4_s1_q[1:0]};
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_177;
-  assign select_177 = running_s1_q ? memory_rdata_q[23:18] : (marks_first_s1_q ? memory_rdata_q[23:18] : 6'h0);
+  logic [5:0] select_179;
+  assign select_179 = running_s1_q ? memory_rdata_q[23:18] : (marks_first_s1_q ? memory_rdata_q[23:18] : 6'h0);
   logic [5:0] price_24;
-  assign price_24 = and_37 ? select_177 : 6'h0;
+  assign price_24 = and_39 ? select_179 : 6'h0;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_179;
-  assign sum_179 = {1'b0, sum_3_s1_q[10:2]} + {4'h0, price_24};
+  logic [9:0] sum_181;
+  assign sum_181 = {1'b0, sum_3_s1_q[10:2]} + {4'h0, price_24};
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_181;
-  assign select_181 = running_s1_q ? memory_rdata_q[17:12] : (marks_first_s1_q ? memory_rdata_q[17:12] : 6'h0);
+  logic [5:0] select_183;
+  assign select_183 = running_s1_q ? memory_rdata_q[17:12] : (marks_first_s1_q ? memory_rdata_q[17:12] : 6'h0);
   logic [5:0] price_25;
-  assign price_25 = and_37 ? select_181 : 6'h0;
+  assign price_25 = and_39 ? select_183 : 6'h0;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_183;
-  assign sum_183 = {1'b0, sum_2_s1_q[10:2]} + {4'h0, price_25};
+  logic [9:0] sum_185;
+  assign sum_185 = {1'b0, sum_2_s1_q[10:2]} + {4'h0, price_25};
   // hls/stages/plane_paths.hpp:113
-  logic [11:0] select_185;
-  assign select_185 = ({sum_179, sum_3_s1_q[1:0]} < {sum_183, sum_2_s1_q[1:0]}) ? {sum_179, sum_3_s1_q[1:0]} : {sum_183, sum_2_s1_q[1:0]};
+  logic [11:0] select_187;
+  assign select_187 = ({sum_181, sum_3_s1_q[1:0]} < {sum_185, sum_2_s1_q[1:0]}) ? {sum_181, sum_3_s1_q[1:0]} : {sum_185, sum_2_s1_q[1:0]};
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_187;
-  assign select_187 = running_s1_q ? memory_rdata_q[11:6] : (marks_first_s1_q ? memory_rdata_q[11:6] : 6'h0);
+  logic [5:0] select_189;
+  assign select_189 = running_s1_q ? memory_rdata_q[11:6] : (marks_first_s1_q ? memory_rdata_q[11:6] : 6'h0);
   logic [5:0] price_26;
-  assign price_26 = and_37 ? select_187 : 6'h0;
+  assign price_26 = and_39 ? select_189 : 6'h0;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_189;
-  assign sum_189 = {1'b0, sum_1_s1_q[10:2]} + {4'h0, price_26};
+  logic [9:0] sum_191;
+  assign sum_191 = {1'b0, sum_1_s1_q[10:2]} + {4'h0, price_26};
   // hls/stages/plane_paths.hpp:113
-  logic [11:0] select_191;
-  assign select_191 = ({sum_189, sum_1_s1_q[1:0]} < {sum_41, sum_0_s1_q[1:0]}) ? {sum_189, sum_1_s1_q[1:0]} : {sum_41, sum_0_s1_q[1:0]};
+  logic [11:0] select_193;
+  assign select_193 = ({sum_191, sum_1_s1_q[1:0]} < {sum_43, sum_0_s1_q[1:0]}) ? {sum_191, sum_1_s1_q[1:0]} : {sum_43, sum_0_s1_q[1:0]};
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       raster_rows_q <= 1'b0;
     end else if (s1_en) begin
-      raster_rows_q <= raster_row_ended_q | and_37;
+      raster_rows_q <= raster_row_ended_q | and_39;
     end
   end
 
@@ -509,33 +517,35 @@ module horopter_plane_paths (
   logic exists_s2_q;
   logic marks_first_s2_q;
   logic marks_last_s2_q;
-  logic [9:0] select_32_s2_q;
-  logic [9:0] sum_41_s2_q;
-  logic [9:0] sum_45_s2_q;
-  logic [9:0] sum_49_s2_q;
-  logic [9:0] sum_53_s2_q;
-  logic [9:0] sum_61_s2_q;
-  logic [9:0] sum_65_s2_q;
-  logic [9:0] sum_78_s2_q;
-  logic [9:0] sum_90_s2_q;
-  logic [11:0] select_94_s2_q;
-  logic [9:0] sum_104_s2_q;
-  logic [9:0] sum_114_s2_q;
-  logic [9:0] sum_126_s2_q;
-  logic [9:0] sum_136_s2_q;
-  logic [11:0] select_140_s2_q;
-  logic [9:0] sum_152_s2_q;
-  logic [9:0] sum_162_s2_q;
-  logic [9:0] sum_167_s2_q;
-  logic [9:0] sum_171_s2_q;
-  logic [11:0] select_175_s2_q;
-  logic [9:0] sum_179_s2_q;
-  logic [9:0] sum_183_s2_q;
-  logic [9:0] sum_189_s2_q;
-  logic [11:0] select_193_s2_q;
-  logic select_315_s2_q;
-  logic less_356_s2_q;
-  logic and_358_s2_q;
+  logic marks_seen_s2_q;
+  logic marks_nearer_s2_q;
+  logic [9:0] select_34_s2_q;
+  logic [9:0] sum_43_s2_q;
+  logic [9:0] sum_47_s2_q;
+  logic [9:0] sum_51_s2_q;
+  logic [9:0] sum_55_s2_q;
+  logic [9:0] sum_63_s2_q;
+  logic [9:0] sum_67_s2_q;
+  logic [9:0] sum_80_s2_q;
+  logic [9:0] sum_92_s2_q;
+  logic [11:0] select_96_s2_q;
+  logic [9:0] sum_106_s2_q;
+  logic [9:0] sum_116_s2_q;
+  logic [9:0] sum_128_s2_q;
+  logic [9:0] sum_138_s2_q;
+  logic [11:0] select_142_s2_q;
+  logic [9:0] sum_154_s2_q;
+  logic [9:0] sum_164_s2_q;
+  logic [9:0] sum_169_s2_q;
+  logic [9:0] sum_173_s2_q;
+  logic [11:0] select_177_s2_q;
+  logic [9:0] sum_181_s2_q;
+  logic [9:0] sum_185_s2_q;
+  logic [9:0] sum_191_s2_q;
+  logic [11:0] select_195_s2_q;
+  logic select_317_s2_q;
+  logic less_358_s2_q;
+  logic and_360_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       sum_0_s2_q <= sum_0_s1_q[1:0];
@@ -562,248 +572,250 @@ module horopter_plane_paths (
       exists_s2_q <= exists_s1_q;
       marks_first_s2_q <= marks_first_s1_q;
       marks_last_s2_q <= raster_row_ended_q;
-      select_32_s2_q <= raster_column_q;
-      sum_41_s2_q <= sum_41;
-      sum_45_s2_q <= {1'b0, sum_18_s1_q[10:2]} + {4'h0, price_2};
-      sum_49_s2_q <= {1'b0, sum_17_s1_q[10:2]} + {4'h0, price_3};
-      sum_53_s2_q <= {1'b0, sum_16_s1_q[10:2]} + {4'h0, price_4};
-      sum_61_s2_q <= sum_61;
-      sum_65_s2_q <= sum_65;
-      sum_78_s2_q <= sum_78;
-      sum_90_s2_q <= sum_90;
-      select_94_s2_q <= (select_67 < select_92) ? select_67 : select_92;
-      sum_104_s2_q <= sum_104;
-      sum_114_s2_q <= sum_114;
-      sum_126_s2_q <= sum_126;
-      sum_136_s2_q <= sum_136;
-      select_140_s2_q <= (select_116 < select_138) ? select_116 : select_138;
-      sum_152_s2_q <= sum_152;
-      sum_162_s2_q <= sum_162;
-      sum_167_s2_q <= sum_167;
-      sum_171_s2_q <= sum_171;
-      select_175_s2_q <= (select_164 < select_173) ? select_164 : select_173;
-      sum_179_s2_q <= sum_179;
-      sum_183_s2_q <= sum_183;
-      sum_189_s2_q <= sum_189;
-      select_193_s2_q <= (select_185 < select_191) ? select_185 : select_191;
-      select_315_s2_q <= running_q;
-      less_356_s2_q <= less_356_s1_q;
-      and_358_s2_q <= and_358_s1_q;
+      marks_seen_s2_q <= marks_seen_s1_q;
+      marks_nearer_s2_q <= marks_nearer_s1_q;
+      select_34_s2_q <= raster_column_q;
+      sum_43_s2_q <= sum_43;
+      sum_47_s2_q <= {1'b0, sum_18_s1_q[10:2]} + {4'h0, price_2};
+      sum_51_s2_q <= {1'b0, sum_17_s1_q[10:2]} + {4'h0, price_3};
+      sum_55_s2_q <= {1'b0, sum_16_s1_q[10:2]} + {4'h0, price_4};
+      sum_63_s2_q <= sum_63;
+      sum_67_s2_q <= sum_67;
+      sum_80_s2_q <= sum_80;
+      sum_92_s2_q <= sum_92;
+      select_96_s2_q <= (select_69 < select_94) ? select_69 : select_94;
+      sum_106_s2_q <= sum_106;
+      sum_116_s2_q <= sum_116;
+      sum_128_s2_q <= sum_128;
+      sum_138_s2_q <= sum_138;
+      select_142_s2_q <= (select_118 < select_140) ? select_118 : select_140;
+      sum_154_s2_q <= sum_154;
+      sum_164_s2_q <= sum_164;
+      sum_169_s2_q <= sum_169;
+      sum_173_s2_q <= sum_173;
+      select_177_s2_q <= (select_166 < select_175) ? select_166 : select_175;
+      sum_181_s2_q <= sum_181;
+      sum_185_s2_q <= sum_185;
+      sum_191_s2_q <= sum_191;
+      select_195_s2_q <= (select_187 < select_193) ? select_187 : select_193;
+      select_317_s2_q <= running_q;
+      less_358_s2_q <= less_358_s1_q;
+      and_360_s2_q <= and_360_s1_q;
     end
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
   // hls/stages/plane_paths.hpp:113
-  logic [11:0] select_55;
-  assign select_55 = ({sum_49_s2_q, sum_17_s2_q} < {sum_53_s2_q, sum_16_s2_q}) ? {sum_49_s2_q, sum_17_s2_q} : {sum_53_s2_q, sum_16_s2_q};
   logic [11:0] select_57;
-  assign select_57 = ({sum_45_s2_q, sum_18_s2_q} < select_55) ? {sum_45_s2_q, sum_18_s2_q} : select_55;
-  logic [11:0] select_142;
-  assign select_142 = (select_94_s2_q < select_140_s2_q) ? select_94_s2_q : select_140_s2_q;
-  logic [11:0] select_195;
-  assign select_195 = (select_175_s2_q < select_193_s2_q) ? select_175_s2_q : select_193_s2_q;
+  assign select_57 = ({sum_51_s2_q, sum_17_s2_q} < {sum_55_s2_q, sum_16_s2_q}) ? {sum_51_s2_q, sum_17_s2_q} : {sum_55_s2_q, sum_16_s2_q};
+  logic [11:0] select_59;
+  assign select_59 = ({sum_47_s2_q, sum_18_s2_q} < select_57) ? {sum_47_s2_q, sum_18_s2_q} : select_57;
+  logic [11:0] select_144;
+  assign select_144 = (select_96_s2_q < select_142_s2_q) ? select_96_s2_q : select_142_s2_q;
   logic [11:0] select_197;
-  assign select_197 = (select_142 < select_195) ? select_142 : select_195;
+  assign select_197 = (select_177_s2_q < select_195_s2_q) ? select_177_s2_q : select_195_s2_q;
+  logic [11:0] select_199;
+  assign select_199 = (select_144 < select_197) ? select_144 : select_197;
   logic [11:0] best;
-  assign best = (select_57 < select_197) ? select_57 : select_197;
+  assign best = (select_59 < select_199) ? select_59 : select_199;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_200;
-  assign difference_200 = {sum_41_s2_q, sum_0_s2_q} - best;
+  logic [11:0] difference_202;
+  assign difference_202 = {sum_43_s2_q, sum_0_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_202;
-  assign select_202 = (difference_200[11:8] == 4'h0) ? difference_200[7:2] : 6'h3f;
-  logic [6:0] sum_203;
-  assign sum_203 = {1'b0, select_202} + 7'h3;
-  logic [5:0] select_205;
-  assign select_205 = known_s2_q ? (select_202 - {1'b0, sum_203[6:2]}) : 6'h0;
+  logic [5:0] select_204;
+  assign select_204 = (difference_202[11:8] == 4'h0) ? difference_202[7:2] : 6'h3f;
+  logic [6:0] sum_205;
+  assign sum_205 = {1'b0, select_204} + 7'h3;
+  logic [5:0] select_207;
+  assign select_207 = known_s2_q ? (select_204 - {1'b0, sum_205[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_206;
-  assign difference_206 = {sum_189_s2_q, sum_1_s2_q} - best;
+  logic [11:0] difference_208;
+  assign difference_208 = {sum_191_s2_q, sum_1_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_208;
-  assign select_208 = (difference_206[11:8] == 4'h0) ? difference_206[7:2] : 6'h3f;
-  logic [6:0] sum_209;
-  assign sum_209 = {1'b0, select_208} + 7'h3;
-  logic [5:0] select_211;
-  assign select_211 = known_s2_q ? (select_208 - {1'b0, sum_209[6:2]}) : 6'h0;
+  logic [5:0] select_210;
+  assign select_210 = (difference_208[11:8] == 4'h0) ? difference_208[7:2] : 6'h3f;
+  logic [6:0] sum_211;
+  assign sum_211 = {1'b0, select_210} + 7'h3;
+  logic [5:0] select_213;
+  assign select_213 = known_s2_q ? (select_210 - {1'b0, sum_211[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_212;
-  assign difference_212 = {sum_183_s2_q, sum_2_s2_q} - best;
+  logic [11:0] difference_214;
+  assign difference_214 = {sum_185_s2_q, sum_2_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_214;
-  assign select_214 = (difference_212[11:8] == 4'h0) ? difference_212[7:2] : 6'h3f;
-  logic [6:0] sum_215;
-  assign sum_215 = {1'b0, select_214} + 7'h3;
-  logic [5:0] select_217;
-  assign select_217 = known_s2_q ? (select_214 - {1'b0, sum_215[6:2]}) : 6'h0;
+  logic [5:0] select_216;
+  assign select_216 = (difference_214[11:8] == 4'h0) ? difference_214[7:2] : 6'h3f;
+  logic [6:0] sum_217;
+  assign sum_217 = {1'b0, select_216} + 7'h3;
+  logic [5:0] select_219;
+  assign select_219 = known_s2_q ? (select_216 - {1'b0, sum_217[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_218;
-  assign difference_218 = {sum_179_s2_q, sum_3_s2_q} - best;
+  logic [11:0] difference_220;
+  assign difference_220 = {sum_181_s2_q, sum_3_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_220;
-  assign select_220 = (difference_218[11:8] == 4'h0) ? difference_218[7:2] : 6'h3f;
-  logic [6:0] sum_221;
-  assign sum_221 = {1'b0, select_220} + 7'h3;
-  logic [5:0] select_223;
-  assign select_223 = known_s2_q ? (select_220 - {1'b0, sum_221[6:2]}) : 6'h0;
+  logic [5:0] select_222;
+  assign select_222 = (difference_220[11:8] == 4'h0) ? difference_220[7:2] : 6'h3f;
+  logic [6:0] sum_223;
+  assign sum_223 = {1'b0, select_222} + 7'h3;
+  logic [5:0] select_225;
+  assign select_225 = known_s2_q ? (select_222 - {1'b0, sum_223[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_224;
-  assign difference_224 = {sum_171_s2_q, sum_4_s2_q} - best;
+  logic [11:0] difference_226;
+  assign difference_226 = {sum_173_s2_q, sum_4_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_226;
-  assign select_226 = (difference_224[11:8] == 4'h0) ? difference_224[7:2] : 6'h3f;
-  logic [6:0] sum_227;
-  assign sum_227 = {1'b0, select_226} + 7'h3;
-  logic [5:0] select_229;
-  assign select_229 = known_s2_q ? (select_226 - {1'b0, sum_227[6:2]}) : 6'h0;
+  logic [5:0] select_228;
+  assign select_228 = (difference_226[11:8] == 4'h0) ? difference_226[7:2] : 6'h3f;
+  logic [6:0] sum_229;
+  assign sum_229 = {1'b0, select_228} + 7'h3;
+  logic [5:0] select_231;
+  assign select_231 = known_s2_q ? (select_228 - {1'b0, sum_229[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_230;
-  assign difference_230 = {sum_167_s2_q, sum_5_s2_q} - best;
+  logic [11:0] difference_232;
+  assign difference_232 = {sum_169_s2_q, sum_5_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_232;
-  assign select_232 = (difference_230[11:8] == 4'h0) ? difference_230[7:2] : 6'h3f;
-  logic [6:0] sum_233;
-  assign sum_233 = {1'b0, select_232} + 7'h3;
-  logic [5:0] select_235;
-  assign select_235 = known_s2_q ? (select_232 - {1'b0, sum_233[6:2]}) : 6'h0;
+  logic [5:0] select_234;
+  assign select_234 = (difference_232[11:8] == 4'h0) ? difference_232[7:2] : 6'h3f;
+  logic [6:0] sum_235;
+  assign sum_235 = {1'b0, select_234} + 7'h3;
+  logic [5:0] select_237;
+  assign select_237 = known_s2_q ? (select_234 - {1'b0, sum_235[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_236;
-  assign difference_236 = {sum_162_s2_q, sum_6_s2_q} - best;
+  logic [11:0] difference_238;
+  assign difference_238 = {sum_164_s2_q, sum_6_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_238;
-  assign select_238 = (difference_236[11:8] == 4'h0) ? difference_236[7:2] : 6'h3f;
-  logic [6:0] sum_239;
-  assign sum_239 = {1'b0, select_238} + 7'h3;
-  logic [5:0] select_241;
-  assign select_241 = known_s2_q ? (select_238 - {1'b0, sum_239[6:2]}) : 6'h0;
+  logic [5:0] select_240;
+  assign select_240 = (difference_238[11:8] == 4'h0) ? difference_238[7:2] : 6'h3f;
+  logic [6:0] sum_241;
+  assign sum_241 = {1'b0, select_240} + 7'h3;
+  logic [5:0] select_243;
+  assign select_243 = known_s2_q ? (select_240 - {1'b0, sum_241[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_242;
-  assign difference_242 = {sum_152_s2_q, sum_7_s2_q} - best;
+  logic [11:0] difference_244;
+  assign difference_244 = {sum_154_s2_q, sum_7_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_244;
-  assign select_244 = (difference_242[11:8] == 4'h0) ? difference_242[7:2] : 6'h3f;
-  logic [6:0] sum_245;
-  assign sum_245 = {1'b0, select_244} + 7'h3;
-  logic [5:0] select_247;
-  assign select_247 = known_s2_q ? (select_244 - {1'b0, sum_245[6:2]}) : 6'h0;
+  logic [5:0] select_246;
+  assign select_246 = (difference_244[11:8] == 4'h0) ? difference_244[7:2] : 6'h3f;
+  logic [6:0] sum_247;
+  assign sum_247 = {1'b0, select_246} + 7'h3;
+  logic [5:0] select_249;
+  assign select_249 = known_s2_q ? (select_246 - {1'b0, sum_247[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_248;
-  assign difference_248 = {sum_136_s2_q, sum_8_s2_q} - best;
+  logic [11:0] difference_250;
+  assign difference_250 = {sum_138_s2_q, sum_8_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_250;
-  assign select_250 = (difference_248[11:8] == 4'h0) ? difference_248[7:2] : 6'h3f;
-  logic [6:0] sum_251;
-  assign sum_251 = {1'b0, select_250} + 7'h3;
-  logic [5:0] select_253;
-  assign select_253 = known_s2_q ? (select_250 - {1'b0, sum_251[6:2]}) : 6'h0;
+  logic [5:0] select_252;
+  assign select_252 = (difference_250[11:8] == 4'h0) ? difference_250[7:2] : 6'h3f;
+  logic [6:0] sum_253;
+  assign sum_253 = {1'b0, select_252} + 7'h3;
+  logic [5:0] select_255;
+  assign select_255 = known_s2_q ? (select_252 - {1'b0, sum_253[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_254;
-  assign difference_254 = {sum_126_s2_q, sum_9_s2_q} - best;
+  logic [11:0] difference_256;
+  assign difference_256 = {sum_128_s2_q, sum_9_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_256;
-  assign select_256 = (difference_254[11:8] == 4'h0) ? difference_254[7:2] : 6'h3f;
-  logic [6:0] sum_257;
-  assign sum_257 = {1'b0, select_256} + 7'h3;
-  logic [5:0] select_259;
-  assign select_259 = known_s2_q ? (select_256 - {1'b0, sum_257[6:2]}) : 6'h0;
+  logic [5:0] select_258;
+  assign select_258 = (difference_256[11:8] == 4'h0) ? difference_256[7:2] : 6'h3f;
+  logic [6:0] sum_259;
+  assign sum_259 = {1'b0, select_258} + 7'h3;
+  logic [5:0] select_261;
+  assign select_261 = known_s2_q ? (select_258 - {1'b0, sum_259[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_260;
-  assign difference_260 = {sum_114_s2_q, sum_10_s2_q} - best;
+  logic [11:0] difference_262;
+  assign difference_262 = {sum_116_s2_q, sum_10_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_262;
-  assign select_262 = (difference_260[11:8] == 4'h0) ? difference_260[7:2] : 6'h3f;
-  logic [6:0] sum_263;
-  assign sum_263 = {1'b0, select_262} + 7'h3;
-  logic [5:0] select_265;
-  assign select_265 = known_s2_q ? (select_262 - {1'b0, sum_263[6:2]}) : 6'h0;
+  logic [5:0] select_264;
+  assign select_264 = (difference_262[11:8] == 4'h0) ? difference_262[7:2] : 6'h3f;
+  logic [6:0] sum_265;
+  assign sum_265 = {1'b0, select_264} + 7'h3;
+  logic [5:0] select_267;
+  assign select_267 = known_s2_q ? (select_264 - {1'b0, sum_265[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_266;
-  assign difference_266 = {sum_104_s2_q, sum_11_s2_q} - best;
+  logic [11:0] difference_268;
+  assign difference_268 = {sum_106_s2_q, sum_11_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_268;
-  assign select_268 = (difference_266[11:8] == 4'h0) ? difference_266[7:2] : 6'h3f;
-  logic [6:0] sum_269;
-  assign sum_269 = {1'b0, select_268} + 7'h3;
-  logic [5:0] select_271;
-  assign select_271 = known_s2_q ? (select_268 - {1'b0, sum_269[6:2]}) : 6'h0;
+  logic [5:0] select_270;
+  assign select_270 = (difference_268[11:8] == 4'h0) ? difference_268[7:2] : 6'h3f;
+  logic [6:0] sum_271;
+  assign sum_271 = {1'b0, select_270} + 7'h3;
+  logic [5:0] select_273;
+  assign select_273 = known_s2_q ? (select_270 - {1'b0, sum_271[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_272;
-  assign difference_272 = {sum_90_s2_q, sum_12_s2_q} - best;
+  logic [11:0] difference_274;
+  assign difference_274 = {sum_92_s2_q, sum_12_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_274;
-  assign select_274 = (difference_272[11:8] == 4'h0) ? difference_272[7:2] : 6'h3f;
-  logic [6:0] sum_275;
-  assign sum_275 = {1'b0, select_274} + 7'h3;
-  logic [5:0] select_277;
-  assign select_277 = known_s2_q ? (select_274 - {1'b0, sum_275[6:2]}) : 6'h0;
+  logic [5:0] select_276;
+  assign select_276 = (difference_274[11:8] == 4'h0) ? difference_274[7:2] : 6'h3f;
+  logic [6:0] sum_277;
+  assign sum_277 = {1'b0, select_276} + 7'h3;
+  logic [5:0] select_279;
+  assign select_279 = known_s2_q ? (select_276 - {1'b0, sum_277[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_278;
-  assign difference_278 = {sum_78_s2_q, sum_13_s2_q} - best;
+  logic [11:0] difference_280;
+  assign difference_280 = {sum_80_s2_q, sum_13_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_280;
-  assign select_280 = (difference_278[11:8] == 4'h0) ? difference_278[7:2] : 6'h3f;
-  logic [6:0] sum_281;
-  assign sum_281 = {1'b0, select_280} + 7'h3;
-  logic [5:0] select_283;
-  assign select_283 = known_s2_q ? (select_280 - {1'b0, sum_281[6:2]}) : 6'h0;
+  logic [5:0] select_282;
+  assign select_282 = (difference_280[11:8] == 4'h0) ? difference_280[7:2] : 6'h3f;
+  logic [6:0] sum_283;
+  assign sum_283 = {1'b0, select_282} + 7'h3;
+  logic [5:0] select_285;
+  assign select_285 = known_s2_q ? (select_282 - {1'b0, sum_283[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_284;
-  assign difference_284 = {sum_65_s2_q, sum_14_s2_q} - best;
+  logic [11:0] difference_286;
+  assign difference_286 = {sum_67_s2_q, sum_14_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_286;
-  assign select_286 = (difference_284[11:8] == 4'h0) ? difference_284[7:2] : 6'h3f;
-  logic [6:0] sum_287;
-  assign sum_287 = {1'b0, select_286} + 7'h3;
-  logic [5:0] select_289;
-  assign select_289 = known_s2_q ? (select_286 - {1'b0, sum_287[6:2]}) : 6'h0;
+  logic [5:0] select_288;
+  assign select_288 = (difference_286[11:8] == 4'h0) ? difference_286[7:2] : 6'h3f;
+  logic [6:0] sum_289;
+  assign sum_289 = {1'b0, select_288} + 7'h3;
+  logic [5:0] select_291;
+  assign select_291 = known_s2_q ? (select_288 - {1'b0, sum_289[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_290;
-  assign difference_290 = {sum_61_s2_q, sum_15_s2_q} - best;
+  logic [11:0] difference_292;
+  assign difference_292 = {sum_63_s2_q, sum_15_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_292;
-  assign select_292 = (difference_290[11:8] == 4'h0) ? difference_290[7:2] : 6'h3f;
-  logic [6:0] sum_293;
-  assign sum_293 = {1'b0, select_292} + 7'h3;
-  logic [5:0] select_295;
-  assign select_295 = known_s2_q ? (select_292 - {1'b0, sum_293[6:2]}) : 6'h0;
+  logic [5:0] select_294;
+  assign select_294 = (difference_292[11:8] == 4'h0) ? difference_292[7:2] : 6'h3f;
+  logic [6:0] sum_295;
+  assign sum_295 = {1'b0, select_294} + 7'h3;
+  logic [5:0] select_297;
+  assign select_297 = known_s2_q ? (select_294 - {1'b0, sum_295[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_296;
-  assign difference_296 = {sum_53_s2_q, sum_16_s2_q} - best;
+  logic [11:0] difference_298;
+  assign difference_298 = {sum_55_s2_q, sum_16_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_298;
-  assign select_298 = (difference_296[11:8] == 4'h0) ? difference_296[7:2] : 6'h3f;
-  logic [6:0] sum_299;
-  assign sum_299 = {1'b0, select_298} + 7'h3;
-  logic [5:0] select_301;
-  assign select_301 = known_s2_q ? (select_298 - {1'b0, sum_299[6:2]}) : 6'h0;
+  logic [5:0] select_300;
+  assign select_300 = (difference_298[11:8] == 4'h0) ? difference_298[7:2] : 6'h3f;
+  logic [6:0] sum_301;
+  assign sum_301 = {1'b0, select_300} + 7'h3;
+  logic [5:0] select_303;
+  assign select_303 = known_s2_q ? (select_300 - {1'b0, sum_301[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_302;
-  assign difference_302 = {sum_49_s2_q, sum_17_s2_q} - best;
+  logic [11:0] difference_304;
+  assign difference_304 = {sum_51_s2_q, sum_17_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_304;
-  assign select_304 = (difference_302[11:8] == 4'h0) ? difference_302[7:2] : 6'h3f;
-  logic [6:0] sum_305;
-  assign sum_305 = {1'b0, select_304} + 7'h3;
-  logic [5:0] select_307;
-  assign select_307 = known_s2_q ? (select_304 - {1'b0, sum_305[6:2]}) : 6'h0;
+  logic [5:0] select_306;
+  assign select_306 = (difference_304[11:8] == 4'h0) ? difference_304[7:2] : 6'h3f;
+  logic [6:0] sum_307;
+  assign sum_307 = {1'b0, select_306} + 7'h3;
+  logic [5:0] select_309;
+  assign select_309 = known_s2_q ? (select_306 - {1'b0, sum_307[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_308;
-  assign difference_308 = {sum_45_s2_q, sum_18_s2_q} - best;
+  logic [11:0] difference_310;
+  assign difference_310 = {sum_47_s2_q, sum_18_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_310;
-  assign select_310 = (difference_308[11:8] == 4'h0) ? difference_308[7:2] : 6'h3f;
-  logic [6:0] sum_311;
-  assign sum_311 = {1'b0, select_310} + 7'h3;
-  logic [5:0] select_313;
-  assign select_313 = known_s2_q ? (select_310 - {1'b0, sum_311[6:2]}) : 6'h0;
+  logic [5:0] select_312;
+  assign select_312 = (difference_310[11:8] == 4'h0) ? difference_310[7:2] : 6'h3f;
+  logic [6:0] sum_313;
+  assign sum_313 = {1'b0, select_312} + 7'h3;
+  logic [5:0] select_315;
+  assign select_315 = known_s2_q ? (select_312 - {1'b0, sum_313[6:2]}) : 6'h0;
 
   // Memory memory, write
   logic [9:0] memory_waddr;
-  assign memory_waddr = select_32_s2_q;
+  assign memory_waddr = select_34_s2_q;
   logic memory_we;
-  assign memory_we = s2_en & select_315_s2_q;
+  assign memory_we = s2_en & select_317_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (memory_we) memory_mem[memory_waddr] <= {select_313, select_307, select_301, select_295, select_289, select_283, select_277, select_271, select_265, select_259, select_253, select_247, select_241, select_235, select_229, select_223, select_217, select_211, select_205};
+    if (memory_we) memory_mem[memory_waddr] <= {select_315, select_309, select_303, select_297, select_291, select_285, select_279, select_273, select_267, select_261, select_255, select_249, select_243, select_237, select_231, select_225, select_219, select_213, select_207};
   end
 `ifndef SYNTHESIS
   logic [9:0] memory_raddr_s1_sim;
@@ -854,27 +866,29 @@ module horopter_plane_paths (
   logic exists_s3_q;
   logic marks_first_s3_q;
   logic marks_last_s3_q;
-  logic [9:0] sum_41_s3_q;
-  logic [9:0] sum_45_s3_q;
-  logic [9:0] sum_49_s3_q;
-  logic [9:0] sum_53_s3_q;
-  logic [9:0] sum_61_s3_q;
-  logic [9:0] sum_65_s3_q;
-  logic [9:0] sum_78_s3_q;
-  logic [9:0] sum_90_s3_q;
-  logic [9:0] sum_104_s3_q;
-  logic [9:0] sum_114_s3_q;
-  logic [9:0] sum_126_s3_q;
-  logic [9:0] sum_136_s3_q;
-  logic [9:0] sum_152_s3_q;
-  logic [9:0] sum_162_s3_q;
-  logic [9:0] sum_167_s3_q;
-  logic [9:0] sum_171_s3_q;
-  logic [9:0] sum_179_s3_q;
-  logic [9:0] sum_183_s3_q;
-  logic [9:0] sum_189_s3_q;
-  logic less_356_s3_q;
-  logic and_358_s3_q;
+  logic marks_seen_s3_q;
+  logic marks_nearer_s3_q;
+  logic [9:0] sum_43_s3_q;
+  logic [9:0] sum_47_s3_q;
+  logic [9:0] sum_51_s3_q;
+  logic [9:0] sum_55_s3_q;
+  logic [9:0] sum_63_s3_q;
+  logic [9:0] sum_67_s3_q;
+  logic [9:0] sum_80_s3_q;
+  logic [9:0] sum_92_s3_q;
+  logic [9:0] sum_106_s3_q;
+  logic [9:0] sum_116_s3_q;
+  logic [9:0] sum_128_s3_q;
+  logic [9:0] sum_138_s3_q;
+  logic [9:0] sum_154_s3_q;
+  logic [9:0] sum_164_s3_q;
+  logic [9:0] sum_169_s3_q;
+  logic [9:0] sum_173_s3_q;
+  logic [9:0] sum_181_s3_q;
+  logic [9:0] sum_185_s3_q;
+  logic [9:0] sum_191_s3_q;
+  logic less_358_s3_q;
+  logic and_360_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       sum_0_s3_q <= sum_0_s2_q;
@@ -901,57 +915,61 @@ module horopter_plane_paths (
       exists_s3_q <= exists_s2_q;
       marks_first_s3_q <= marks_first_s2_q;
       marks_last_s3_q <= marks_last_s2_q;
-      sum_41_s3_q <= sum_41_s2_q;
-      sum_45_s3_q <= sum_45_s2_q;
-      sum_49_s3_q <= sum_49_s2_q;
-      sum_53_s3_q <= sum_53_s2_q;
-      sum_61_s3_q <= sum_61_s2_q;
-      sum_65_s3_q <= sum_65_s2_q;
-      sum_78_s3_q <= sum_78_s2_q;
-      sum_90_s3_q <= sum_90_s2_q;
-      sum_104_s3_q <= sum_104_s2_q;
-      sum_114_s3_q <= sum_114_s2_q;
-      sum_126_s3_q <= sum_126_s2_q;
-      sum_136_s3_q <= sum_136_s2_q;
-      sum_152_s3_q <= sum_152_s2_q;
-      sum_162_s3_q <= sum_162_s2_q;
-      sum_167_s3_q <= sum_167_s2_q;
-      sum_171_s3_q <= sum_171_s2_q;
-      sum_179_s3_q <= sum_179_s2_q;
-      sum_183_s3_q <= sum_183_s2_q;
-      sum_189_s3_q <= sum_189_s2_q;
-      less_356_s3_q <= less_356_s2_q;
-      and_358_s3_q <= and_358_s2_q;
+      marks_seen_s3_q <= marks_seen_s2_q;
+      marks_nearer_s3_q <= marks_nearer_s2_q;
+      sum_43_s3_q <= sum_43_s2_q;
+      sum_47_s3_q <= sum_47_s2_q;
+      sum_51_s3_q <= sum_51_s2_q;
+      sum_55_s3_q <= sum_55_s2_q;
+      sum_63_s3_q <= sum_63_s2_q;
+      sum_67_s3_q <= sum_67_s2_q;
+      sum_80_s3_q <= sum_80_s2_q;
+      sum_92_s3_q <= sum_92_s2_q;
+      sum_106_s3_q <= sum_106_s2_q;
+      sum_116_s3_q <= sum_116_s2_q;
+      sum_128_s3_q <= sum_128_s2_q;
+      sum_138_s3_q <= sum_138_s2_q;
+      sum_154_s3_q <= sum_154_s2_q;
+      sum_164_s3_q <= sum_164_s2_q;
+      sum_169_s3_q <= sum_169_s2_q;
+      sum_173_s3_q <= sum_173_s2_q;
+      sum_181_s3_q <= sum_181_s2_q;
+      sum_185_s3_q <= sum_185_s2_q;
+      sum_191_s3_q <= sum_191_s2_q;
+      less_358_s3_q <= less_358_s2_q;
+      and_360_s3_q <= and_360_s2_q;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign cost_0_o = {sum_41_s3_q, sum_0_s3_q};
-  assign cost_1_o = {sum_189_s3_q, sum_1_s3_q};
-  assign cost_2_o = {sum_183_s3_q, sum_2_s3_q};
-  assign cost_3_o = {sum_179_s3_q, sum_3_s3_q};
-  assign cost_4_o = {sum_171_s3_q, sum_4_s3_q};
-  assign cost_5_o = {sum_167_s3_q, sum_5_s3_q};
-  assign cost_6_o = {sum_162_s3_q, sum_6_s3_q};
-  assign cost_7_o = {sum_152_s3_q, sum_7_s3_q};
-  assign cost_8_o = {sum_136_s3_q, sum_8_s3_q};
-  assign cost_9_o = {sum_126_s3_q, sum_9_s3_q};
-  assign cost_10_o = {sum_114_s3_q, sum_10_s3_q};
-  assign cost_11_o = {sum_104_s3_q, sum_11_s3_q};
-  assign cost_12_o = {sum_90_s3_q, sum_12_s3_q};
-  assign cost_13_o = {sum_78_s3_q, sum_13_s3_q};
-  assign cost_14_o = {sum_65_s3_q, sum_14_s3_q};
-  assign cost_15_o = {sum_61_s3_q, sum_15_s3_q};
-  assign cost_16_o = {sum_53_s3_q, sum_16_s3_q};
-  assign cost_17_o = {sum_49_s3_q, sum_17_s3_q};
-  assign cost_18_o = {sum_45_s3_q, sum_18_s3_q};
+  assign cost_0_o = {sum_43_s3_q, sum_0_s3_q};
+  assign cost_1_o = {sum_191_s3_q, sum_1_s3_q};
+  assign cost_2_o = {sum_185_s3_q, sum_2_s3_q};
+  assign cost_3_o = {sum_181_s3_q, sum_3_s3_q};
+  assign cost_4_o = {sum_173_s3_q, sum_4_s3_q};
+  assign cost_5_o = {sum_169_s3_q, sum_5_s3_q};
+  assign cost_6_o = {sum_164_s3_q, sum_6_s3_q};
+  assign cost_7_o = {sum_154_s3_q, sum_7_s3_q};
+  assign cost_8_o = {sum_138_s3_q, sum_8_s3_q};
+  assign cost_9_o = {sum_128_s3_q, sum_9_s3_q};
+  assign cost_10_o = {sum_116_s3_q, sum_10_s3_q};
+  assign cost_11_o = {sum_106_s3_q, sum_11_s3_q};
+  assign cost_12_o = {sum_92_s3_q, sum_12_s3_q};
+  assign cost_13_o = {sum_80_s3_q, sum_13_s3_q};
+  assign cost_14_o = {sum_67_s3_q, sum_14_s3_q};
+  assign cost_15_o = {sum_63_s3_q, sum_15_s3_q};
+  assign cost_16_o = {sum_55_s3_q, sum_16_s3_q};
+  assign cost_17_o = {sum_51_s3_q, sum_17_s3_q};
+  assign cost_18_o = {sum_47_s3_q, sum_18_s3_q};
   assign grey_o = grey_s3_q;
   assign known_o = known_s3_q;
-  assign evident_o = and_358_s3_q;
-  assign strong_v_o = less_356_s3_q;
+  assign evident_o = and_360_s3_q;
+  assign strong_v_o = less_358_s3_q;
   assign exists_o = exists_s3_q;
   assign marks_first_o = marks_first_s3_q;
   assign marks_last_o = marks_last_s3_q;
+  assign marks_seen_o = marks_seen_s3_q;
+  assign marks_nearer_o = marks_nearer_s3_q;
   assign valid_o = valid_s3_q;
 
   always_ff @(posedge clk_i) begin
@@ -968,6 +986,6 @@ module horopter_plane_paths (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_311[1:0], difference_308[1:0], sum_305[1:0], difference_302[1:0], sum_299[1:0], difference_296[1:0], sum_293[1:0], difference_290[1:0], sum_287[1:0], difference_284[1:0], sum_281[1:0], difference_278[1:0], sum_275[1:0], difference_272[1:0], sum_269[1:0], difference_266[1:0], sum_263[1:0], difference_260[1:0], sum_257[1:0], difference_254[1:0], sum_251[1:0], difference_248[1:0], sum_245[1:0], difference_242[1:0], sum_239[1:0], difference_236[1:0], sum_233[1:0], difference_230[1:0], sum_227[1:0], difference_224[1:0], sum_221[1:0], difference_218[1:0], sum_215[1:0], difference_212[1:0], sum_209[1:0], difference_206[1:0], sum_203[1:0], difference_200[1:0]};
+  assign unused_bits = ^{sum_313[1:0], difference_310[1:0], sum_307[1:0], difference_304[1:0], sum_301[1:0], difference_298[1:0], sum_295[1:0], difference_292[1:0], sum_289[1:0], difference_286[1:0], sum_283[1:0], difference_280[1:0], sum_277[1:0], difference_274[1:0], sum_271[1:0], difference_268[1:0], sum_265[1:0], difference_262[1:0], sum_259[1:0], difference_256[1:0], sum_253[1:0], difference_250[1:0], sum_247[1:0], difference_244[1:0], sum_241[1:0], difference_238[1:0], sum_235[1:0], difference_232[1:0], sum_229[1:0], difference_226[1:0], sum_223[1:0], difference_220[1:0], sum_217[1:0], difference_214[1:0], sum_211[1:0], difference_208[1:0], sum_205[1:0], difference_202[1:0]};
 
 endmodule

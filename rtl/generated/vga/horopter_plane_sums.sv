@@ -3,7 +3,7 @@
 //
 // Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 3508 bits, pipeline 35 bits, memories 180480 bits.
+// State 3568 bits, pipeline 39 bits, memories 180480 bits.
 module horopter_plane_sums (
   input  logic clk_i,
   input  logic rst_ni,
@@ -16,6 +16,8 @@ module horopter_plane_sums (
   input  logic exists_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
+  input  logic marks_seen_i,
+  input  logic marks_nearer_i,
   output logic valid_o,
   output logic [10:0] sum_0_o,
   output logic [10:0] sum_1_o,
@@ -41,7 +43,9 @@ module horopter_plane_sums (
   output logic known_o,
   output logic exists_o,
   output logic marks_first_o,
-  output logic marks_last_o
+  output logic marks_last_o,
+  output logic marks_seen_o,
+  output logic marks_nearer_o
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
@@ -226,56 +230,108 @@ module horopter_plane_sums (
   logic entering_values_47_row_q;
   logic marks_values_0_first_q;
   logic marks_values_0_last_q;
+  logic marks_values_0_seen_q;
+  logic marks_values_0_nearer_q;
   logic marks_values_1_first_q;
   logic marks_values_1_last_q;
+  logic marks_values_1_seen_q;
+  logic marks_values_1_nearer_q;
   logic marks_values_2_first_q;
   logic marks_values_2_last_q;
+  logic marks_values_2_seen_q;
+  logic marks_values_2_nearer_q;
   logic marks_values_3_first_q;
   logic marks_values_3_last_q;
+  logic marks_values_3_seen_q;
+  logic marks_values_3_nearer_q;
   logic marks_values_4_first_q;
   logic marks_values_4_last_q;
+  logic marks_values_4_seen_q;
+  logic marks_values_4_nearer_q;
   logic marks_values_5_first_q;
   logic marks_values_5_last_q;
+  logic marks_values_5_seen_q;
+  logic marks_values_5_nearer_q;
   logic marks_values_6_first_q;
   logic marks_values_6_last_q;
+  logic marks_values_6_seen_q;
+  logic marks_values_6_nearer_q;
   logic marks_values_7_first_q;
   logic marks_values_7_last_q;
+  logic marks_values_7_seen_q;
+  logic marks_values_7_nearer_q;
   logic marks_values_8_first_q;
   logic marks_values_8_last_q;
+  logic marks_values_8_seen_q;
+  logic marks_values_8_nearer_q;
   logic marks_values_9_first_q;
   logic marks_values_9_last_q;
+  logic marks_values_9_seen_q;
+  logic marks_values_9_nearer_q;
   logic marks_values_10_first_q;
   logic marks_values_10_last_q;
+  logic marks_values_10_seen_q;
+  logic marks_values_10_nearer_q;
   logic marks_values_11_first_q;
   logic marks_values_11_last_q;
+  logic marks_values_11_seen_q;
+  logic marks_values_11_nearer_q;
   logic marks_values_12_first_q;
   logic marks_values_12_last_q;
+  logic marks_values_12_seen_q;
+  logic marks_values_12_nearer_q;
   logic marks_values_13_first_q;
   logic marks_values_13_last_q;
+  logic marks_values_13_seen_q;
+  logic marks_values_13_nearer_q;
   logic marks_values_14_first_q;
   logic marks_values_14_last_q;
+  logic marks_values_14_seen_q;
+  logic marks_values_14_nearer_q;
   logic marks_values_15_first_q;
   logic marks_values_15_last_q;
+  logic marks_values_15_seen_q;
+  logic marks_values_15_nearer_q;
   logic marks_values_16_first_q;
   logic marks_values_16_last_q;
+  logic marks_values_16_seen_q;
+  logic marks_values_16_nearer_q;
   logic marks_values_17_first_q;
   logic marks_values_17_last_q;
+  logic marks_values_17_seen_q;
+  logic marks_values_17_nearer_q;
   logic marks_values_18_first_q;
   logic marks_values_18_last_q;
+  logic marks_values_18_seen_q;
+  logic marks_values_18_nearer_q;
   logic marks_values_19_first_q;
   logic marks_values_19_last_q;
+  logic marks_values_19_seen_q;
+  logic marks_values_19_nearer_q;
   logic marks_values_20_first_q;
   logic marks_values_20_last_q;
+  logic marks_values_20_seen_q;
+  logic marks_values_20_nearer_q;
   logic marks_values_21_first_q;
   logic marks_values_21_last_q;
+  logic marks_values_21_seen_q;
+  logic marks_values_21_nearer_q;
   logic marks_values_22_first_q;
   logic marks_values_22_last_q;
+  logic marks_values_22_seen_q;
+  logic marks_values_22_nearer_q;
   logic marks_values_23_first_q;
   logic marks_values_23_last_q;
+  logic marks_values_23_seen_q;
+  logic marks_values_23_nearer_q;
   logic marks_values_24_first_q;
   logic marks_values_24_last_q;
+  logic marks_values_24_seen_q;
+  logic marks_values_24_nearer_q;
   logic marks_values_25_first_q;
   logic marks_values_25_last_q;
+  logic marks_values_25_seen_q;
+  logic marks_values_25_nearer_q;
   logic [5:0] seen_values_0_grey_q;
   logic seen_values_0_exists_q;
   logic [5:0] seen_values_1_grey_q;
@@ -328,38 +384,46 @@ module horopter_plane_sums (
   logic seen_values_24_exists_q;
   logic centre_marks_values_0_first_q;
   logic centre_marks_values_0_last_q;
+  logic centre_marks_values_0_seen_q;
+  logic centre_marks_values_0_nearer_q;
   logic centre_marks_values_1_first_q;
   logic centre_marks_values_1_last_q;
+  logic centre_marks_values_1_seen_q;
+  logic centre_marks_values_1_nearer_q;
   logic centre_marks_values_2_first_q;
   logic centre_marks_values_2_last_q;
+  logic centre_marks_values_2_seen_q;
+  logic centre_marks_values_2_nearer_q;
   logic centre_marks_values_3_first_q;
   logic centre_marks_values_3_last_q;
+  logic centre_marks_values_3_seen_q;
+  logic centre_marks_values_3_nearer_q;
   // hls/stages/plane_sums.hpp:63
-  logic or_629;
-  assign or_629 = marks_first_i | arriving_row_ended_q;
-  logic [9:0] select_631;
-  assign select_631 = or_629 ? 10'h0 : (arriving_column_q + 10'h1);
+  logic or_691;
+  assign or_691 = marks_first_i | arriving_row_ended_q;
+  logic [9:0] select_693;
+  assign select_693 = or_691 ? 10'h0 : (arriving_column_q + 10'h1);
   // hls/stages/plane_sums.hpp:81
-  logic or_633;
-  assign or_633 = delayed_row_ended_q | marks_values_25_first_q;
-  logic [9:0] select_635;
-  assign select_635 = or_633 ? 10'h0 : (delayed_column_q + 10'h1);
+  logic or_695;
+  assign or_695 = delayed_row_ended_q | marks_values_25_first_q;
+  logic [9:0] select_697;
+  assign select_697 = or_695 ? 10'h0 : (delayed_column_q + 10'h1);
   // hls/stages/plane_sums.hpp:82
-  logic or_636;
-  assign or_636 = running_q | marks_values_25_first_q;
+  logic or_698;
+  assign or_698 = running_q | marks_values_25_first_q;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_1039;
-  assign difference_1039 = {entering_values_23_features_left_q[5], entering_values_23_features_left_q} - {entering_values_47_features_right_q[5], entering_values_47_features_right_q};
-  logic [5:0] xor_1040;
-  assign xor_1040 = difference_1039[5:0] ^ {6{difference_1039[6]}};
-  logic [6:0] sum_1041;
-  assign sum_1041 = {6'h0, difference_1039[6]} + {1'b0, xor_1040};
+  logic [6:0] difference_1101;
+  assign difference_1101 = {entering_values_23_features_left_q[5], entering_values_23_features_left_q} - {entering_values_47_features_right_q[5], entering_values_47_features_right_q};
+  logic [5:0] xor_1102;
+  assign xor_1102 = difference_1101[5:0] ^ {6{difference_1101[6]}};
+  logic [6:0] sum_1103;
+  assign sum_1103 = {6'h0, difference_1101[6]} + {1'b0, xor_1102};
   // hls/stages/plane_sums.hpp:157
-  logic not_1044;
-  assign not_1044 = ~(entering_values_23_row_q ^ entering_values_47_row_q);
+  logic not_1106;
+  assign not_1106 = ~(entering_values_23_row_q ^ entering_values_47_row_q);
   // hls/stages/plane_sums.hpp:87
-  logic [4:0] select_1047;
-  assign select_1047 = entering_values_47_features_mask_q ? (((sum_1041[6:5] == 2'h0) & not_1044) ? sum_1041[4:0] : 5'h1f) : 5'h1f;
+  logic [4:0] select_1109;
+  assign select_1109 = entering_values_47_features_mask_q ? (((sum_1103[6:5] == 2'h0) & not_1106) ? sum_1103[4:0] : 5'h1f) : 5'h1f;
 
   // Memory feature_memory, 640 x 91, DISTANCE 16, hls/stages/plane_sums.hpp:166; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -369,7 +433,7 @@ module horopter_plane_sums (
   initial for (int i = 0; i < 640; i++) feature_memory_mem[i] = 91'h0;
 `endif
   logic [9:0] feature_memory_raddr;
-  assign feature_memory_raddr = select_631;
+  assign feature_memory_raddr = select_693;
   logic feature_memory_re;
   assign feature_memory_re = s0_en;
   logic [90:0] feature_memory_rdata_q;
@@ -385,9 +449,9 @@ module horopter_plane_sums (
   initial for (int i = 0; i < 640; i++) column_memory_mem[i] = 191'h0;
 `endif
   logic [9:0] column_memory_raddr;
-  assign column_memory_raddr = select_635;
+  assign column_memory_raddr = select_697;
   logic column_memory_re;
-  assign column_memory_re = s0_en & or_636;
+  assign column_memory_re = s0_en & or_698;
   logic [190:0] column_memory_rdata_q;
   always_ff @(posedge clk_i) begin
     if (column_memory_re) column_memory_rdata_q <= column_memory_mem[column_memory_raddr];
@@ -570,56 +634,108 @@ module horopter_plane_sums (
       entering_values_47_row_q <= 1'b0;
       marks_values_0_first_q <= 1'b0;
       marks_values_0_last_q <= 1'b0;
+      marks_values_0_seen_q <= 1'b0;
+      marks_values_0_nearer_q <= 1'b0;
       marks_values_1_first_q <= 1'b0;
       marks_values_1_last_q <= 1'b0;
+      marks_values_1_seen_q <= 1'b0;
+      marks_values_1_nearer_q <= 1'b0;
       marks_values_2_first_q <= 1'b0;
       marks_values_2_last_q <= 1'b0;
+      marks_values_2_seen_q <= 1'b0;
+      marks_values_2_nearer_q <= 1'b0;
       marks_values_3_first_q <= 1'b0;
       marks_values_3_last_q <= 1'b0;
+      marks_values_3_seen_q <= 1'b0;
+      marks_values_3_nearer_q <= 1'b0;
       marks_values_4_first_q <= 1'b0;
       marks_values_4_last_q <= 1'b0;
+      marks_values_4_seen_q <= 1'b0;
+      marks_values_4_nearer_q <= 1'b0;
       marks_values_5_first_q <= 1'b0;
       marks_values_5_last_q <= 1'b0;
+      marks_values_5_seen_q <= 1'b0;
+      marks_values_5_nearer_q <= 1'b0;
       marks_values_6_first_q <= 1'b0;
       marks_values_6_last_q <= 1'b0;
+      marks_values_6_seen_q <= 1'b0;
+      marks_values_6_nearer_q <= 1'b0;
       marks_values_7_first_q <= 1'b0;
       marks_values_7_last_q <= 1'b0;
+      marks_values_7_seen_q <= 1'b0;
+      marks_values_7_nearer_q <= 1'b0;
       marks_values_8_first_q <= 1'b0;
       marks_values_8_last_q <= 1'b0;
+      marks_values_8_seen_q <= 1'b0;
+      marks_values_8_nearer_q <= 1'b0;
       marks_values_9_first_q <= 1'b0;
       marks_values_9_last_q <= 1'b0;
+      marks_values_9_seen_q <= 1'b0;
+      marks_values_9_nearer_q <= 1'b0;
       marks_values_10_first_q <= 1'b0;
       marks_values_10_last_q <= 1'b0;
+      marks_values_10_seen_q <= 1'b0;
+      marks_values_10_nearer_q <= 1'b0;
       marks_values_11_first_q <= 1'b0;
       marks_values_11_last_q <= 1'b0;
+      marks_values_11_seen_q <= 1'b0;
+      marks_values_11_nearer_q <= 1'b0;
       marks_values_12_first_q <= 1'b0;
       marks_values_12_last_q <= 1'b0;
+      marks_values_12_seen_q <= 1'b0;
+      marks_values_12_nearer_q <= 1'b0;
       marks_values_13_first_q <= 1'b0;
       marks_values_13_last_q <= 1'b0;
+      marks_values_13_seen_q <= 1'b0;
+      marks_values_13_nearer_q <= 1'b0;
       marks_values_14_first_q <= 1'b0;
       marks_values_14_last_q <= 1'b0;
+      marks_values_14_seen_q <= 1'b0;
+      marks_values_14_nearer_q <= 1'b0;
       marks_values_15_first_q <= 1'b0;
       marks_values_15_last_q <= 1'b0;
+      marks_values_15_seen_q <= 1'b0;
+      marks_values_15_nearer_q <= 1'b0;
       marks_values_16_first_q <= 1'b0;
       marks_values_16_last_q <= 1'b0;
+      marks_values_16_seen_q <= 1'b0;
+      marks_values_16_nearer_q <= 1'b0;
       marks_values_17_first_q <= 1'b0;
       marks_values_17_last_q <= 1'b0;
+      marks_values_17_seen_q <= 1'b0;
+      marks_values_17_nearer_q <= 1'b0;
       marks_values_18_first_q <= 1'b0;
       marks_values_18_last_q <= 1'b0;
+      marks_values_18_seen_q <= 1'b0;
+      marks_values_18_nearer_q <= 1'b0;
       marks_values_19_first_q <= 1'b0;
       marks_values_19_last_q <= 1'b0;
+      marks_values_19_seen_q <= 1'b0;
+      marks_values_19_nearer_q <= 1'b0;
       marks_values_20_first_q <= 1'b0;
       marks_values_20_last_q <= 1'b0;
+      marks_values_20_seen_q <= 1'b0;
+      marks_values_20_nearer_q <= 1'b0;
       marks_values_21_first_q <= 1'b0;
       marks_values_21_last_q <= 1'b0;
+      marks_values_21_seen_q <= 1'b0;
+      marks_values_21_nearer_q <= 1'b0;
       marks_values_22_first_q <= 1'b0;
       marks_values_22_last_q <= 1'b0;
+      marks_values_22_seen_q <= 1'b0;
+      marks_values_22_nearer_q <= 1'b0;
       marks_values_23_first_q <= 1'b0;
       marks_values_23_last_q <= 1'b0;
+      marks_values_23_seen_q <= 1'b0;
+      marks_values_23_nearer_q <= 1'b0;
       marks_values_24_first_q <= 1'b0;
       marks_values_24_last_q <= 1'b0;
+      marks_values_24_seen_q <= 1'b0;
+      marks_values_24_nearer_q <= 1'b0;
       marks_values_25_first_q <= 1'b0;
       marks_values_25_last_q <= 1'b0;
+      marks_values_25_seen_q <= 1'b0;
+      marks_values_25_nearer_q <= 1'b0;
       seen_values_0_grey_q <= 6'h0;
       seen_values_0_exists_q <= 1'b0;
       seen_values_1_grey_q <= 6'h0;
@@ -672,19 +788,27 @@ module horopter_plane_sums (
       seen_values_24_exists_q <= 1'b0;
       centre_marks_values_0_first_q <= 1'b0;
       centre_marks_values_0_last_q <= 1'b0;
+      centre_marks_values_0_seen_q <= 1'b0;
+      centre_marks_values_0_nearer_q <= 1'b0;
       centre_marks_values_1_first_q <= 1'b0;
       centre_marks_values_1_last_q <= 1'b0;
+      centre_marks_values_1_seen_q <= 1'b0;
+      centre_marks_values_1_nearer_q <= 1'b0;
       centre_marks_values_2_first_q <= 1'b0;
       centre_marks_values_2_last_q <= 1'b0;
+      centre_marks_values_2_seen_q <= 1'b0;
+      centre_marks_values_2_nearer_q <= 1'b0;
       centre_marks_values_3_first_q <= 1'b0;
       centre_marks_values_3_last_q <= 1'b0;
+      centre_marks_values_3_seen_q <= 1'b0;
+      centre_marks_values_3_nearer_q <= 1'b0;
     end else if (s0_en) begin
-      arriving_column_q <= select_631;
+      arriving_column_q <= select_693;
       arriving_row_ended_q <= marks_last_i;
-      delayed_column_q <= select_635;
+      delayed_column_q <= select_697;
       delayed_row_ended_q <= marks_values_25_last_q;
-      row_parity_q <= row_parity_q ^ or_629;
-      running_q <= or_636;
+      row_parity_q <= row_parity_q ^ or_691;
+      running_q <= or_698;
       entering_values_0_features_left_q <= $unsigned(left_i);
       entering_values_0_features_right_q <= $unsigned(right_i);
       entering_values_0_features_mask_q <= mask_i;
@@ -854,56 +978,108 @@ module horopter_plane_sums (
       entering_values_47_row_q <= entering_values_46_row_q;
       marks_values_0_first_q <= marks_first_i;
       marks_values_0_last_q <= marks_last_i;
+      marks_values_0_seen_q <= marks_seen_i;
+      marks_values_0_nearer_q <= marks_nearer_i;
       marks_values_1_first_q <= marks_values_0_first_q;
       marks_values_1_last_q <= marks_values_0_last_q;
+      marks_values_1_seen_q <= marks_values_0_seen_q;
+      marks_values_1_nearer_q <= marks_values_0_nearer_q;
       marks_values_2_first_q <= marks_values_1_first_q;
       marks_values_2_last_q <= marks_values_1_last_q;
+      marks_values_2_seen_q <= marks_values_1_seen_q;
+      marks_values_2_nearer_q <= marks_values_1_nearer_q;
       marks_values_3_first_q <= marks_values_2_first_q;
       marks_values_3_last_q <= marks_values_2_last_q;
+      marks_values_3_seen_q <= marks_values_2_seen_q;
+      marks_values_3_nearer_q <= marks_values_2_nearer_q;
       marks_values_4_first_q <= marks_values_3_first_q;
       marks_values_4_last_q <= marks_values_3_last_q;
+      marks_values_4_seen_q <= marks_values_3_seen_q;
+      marks_values_4_nearer_q <= marks_values_3_nearer_q;
       marks_values_5_first_q <= marks_values_4_first_q;
       marks_values_5_last_q <= marks_values_4_last_q;
+      marks_values_5_seen_q <= marks_values_4_seen_q;
+      marks_values_5_nearer_q <= marks_values_4_nearer_q;
       marks_values_6_first_q <= marks_values_5_first_q;
       marks_values_6_last_q <= marks_values_5_last_q;
+      marks_values_6_seen_q <= marks_values_5_seen_q;
+      marks_values_6_nearer_q <= marks_values_5_nearer_q;
       marks_values_7_first_q <= marks_values_6_first_q;
       marks_values_7_last_q <= marks_values_6_last_q;
+      marks_values_7_seen_q <= marks_values_6_seen_q;
+      marks_values_7_nearer_q <= marks_values_6_nearer_q;
       marks_values_8_first_q <= marks_values_7_first_q;
       marks_values_8_last_q <= marks_values_7_last_q;
+      marks_values_8_seen_q <= marks_values_7_seen_q;
+      marks_values_8_nearer_q <= marks_values_7_nearer_q;
       marks_values_9_first_q <= marks_values_8_first_q;
       marks_values_9_last_q <= marks_values_8_last_q;
+      marks_values_9_seen_q <= marks_values_8_seen_q;
+      marks_values_9_nearer_q <= marks_values_8_nearer_q;
       marks_values_10_first_q <= marks_values_9_first_q;
       marks_values_10_last_q <= marks_values_9_last_q;
+      marks_values_10_seen_q <= marks_values_9_seen_q;
+      marks_values_10_nearer_q <= marks_values_9_nearer_q;
       marks_values_11_first_q <= marks_values_10_first_q;
       marks_values_11_last_q <= marks_values_10_last_q;
+      marks_values_11_seen_q <= marks_values_10_seen_q;
+      marks_values_11_nearer_q <= marks_values_10_nearer_q;
       marks_values_12_first_q <= marks_values_11_first_q;
       marks_values_12_last_q <= marks_values_11_last_q;
+      marks_values_12_seen_q <= marks_values_11_seen_q;
+      marks_values_12_nearer_q <= marks_values_11_nearer_q;
       marks_values_13_first_q <= marks_values_12_first_q;
       marks_values_13_last_q <= marks_values_12_last_q;
+      marks_values_13_seen_q <= marks_values_12_seen_q;
+      marks_values_13_nearer_q <= marks_values_12_nearer_q;
       marks_values_14_first_q <= marks_values_13_first_q;
       marks_values_14_last_q <= marks_values_13_last_q;
+      marks_values_14_seen_q <= marks_values_13_seen_q;
+      marks_values_14_nearer_q <= marks_values_13_nearer_q;
       marks_values_15_first_q <= marks_values_14_first_q;
       marks_values_15_last_q <= marks_values_14_last_q;
+      marks_values_15_seen_q <= marks_values_14_seen_q;
+      marks_values_15_nearer_q <= marks_values_14_nearer_q;
       marks_values_16_first_q <= marks_values_15_first_q;
       marks_values_16_last_q <= marks_values_15_last_q;
+      marks_values_16_seen_q <= marks_values_15_seen_q;
+      marks_values_16_nearer_q <= marks_values_15_nearer_q;
       marks_values_17_first_q <= marks_values_16_first_q;
       marks_values_17_last_q <= marks_values_16_last_q;
+      marks_values_17_seen_q <= marks_values_16_seen_q;
+      marks_values_17_nearer_q <= marks_values_16_nearer_q;
       marks_values_18_first_q <= marks_values_17_first_q;
       marks_values_18_last_q <= marks_values_17_last_q;
+      marks_values_18_seen_q <= marks_values_17_seen_q;
+      marks_values_18_nearer_q <= marks_values_17_nearer_q;
       marks_values_19_first_q <= marks_values_18_first_q;
       marks_values_19_last_q <= marks_values_18_last_q;
+      marks_values_19_seen_q <= marks_values_18_seen_q;
+      marks_values_19_nearer_q <= marks_values_18_nearer_q;
       marks_values_20_first_q <= marks_values_19_first_q;
       marks_values_20_last_q <= marks_values_19_last_q;
+      marks_values_20_seen_q <= marks_values_19_seen_q;
+      marks_values_20_nearer_q <= marks_values_19_nearer_q;
       marks_values_21_first_q <= marks_values_20_first_q;
       marks_values_21_last_q <= marks_values_20_last_q;
+      marks_values_21_seen_q <= marks_values_20_seen_q;
+      marks_values_21_nearer_q <= marks_values_20_nearer_q;
       marks_values_22_first_q <= marks_values_21_first_q;
       marks_values_22_last_q <= marks_values_21_last_q;
+      marks_values_22_seen_q <= marks_values_21_seen_q;
+      marks_values_22_nearer_q <= marks_values_21_nearer_q;
       marks_values_23_first_q <= marks_values_22_first_q;
       marks_values_23_last_q <= marks_values_22_last_q;
+      marks_values_23_seen_q <= marks_values_22_seen_q;
+      marks_values_23_nearer_q <= marks_values_22_nearer_q;
       marks_values_24_first_q <= marks_values_23_first_q;
       marks_values_24_last_q <= marks_values_23_last_q;
+      marks_values_24_seen_q <= marks_values_23_seen_q;
+      marks_values_24_nearer_q <= marks_values_23_nearer_q;
       marks_values_25_first_q <= marks_values_24_first_q;
       marks_values_25_last_q <= marks_values_24_last_q;
+      marks_values_25_seen_q <= marks_values_24_seen_q;
+      marks_values_25_nearer_q <= marks_values_24_nearer_q;
       seen_values_0_grey_q <= grey_i[7:2];
       seen_values_0_exists_q <= exists_i;
       seen_values_1_grey_q <= seen_values_0_grey_q;
@@ -956,12 +1132,20 @@ module horopter_plane_sums (
       seen_values_24_exists_q <= seen_values_23_exists_q;
       centre_marks_values_0_first_q <= marks_values_25_first_q;
       centre_marks_values_0_last_q <= marks_values_25_last_q;
+      centre_marks_values_0_seen_q <= marks_values_25_seen_q;
+      centre_marks_values_0_nearer_q <= marks_values_25_nearer_q;
       centre_marks_values_1_first_q <= centre_marks_values_0_first_q;
       centre_marks_values_1_last_q <= centre_marks_values_0_last_q;
+      centre_marks_values_1_seen_q <= centre_marks_values_0_seen_q;
+      centre_marks_values_1_nearer_q <= centre_marks_values_0_nearer_q;
       centre_marks_values_2_first_q <= centre_marks_values_1_first_q;
       centre_marks_values_2_last_q <= centre_marks_values_1_last_q;
+      centre_marks_values_2_seen_q <= centre_marks_values_1_seen_q;
+      centre_marks_values_2_nearer_q <= centre_marks_values_1_nearer_q;
       centre_marks_values_3_first_q <= centre_marks_values_2_first_q;
       centre_marks_values_3_last_q <= centre_marks_values_2_last_q;
+      centre_marks_values_3_seen_q <= centre_marks_values_2_seen_q;
+      centre_marks_values_3_nearer_q <= centre_marks_values_2_nearer_q;
     end
   end
 
@@ -970,10 +1154,12 @@ module horopter_plane_sums (
   logic seen_values_24_exists_s1_q;
   logic centre_marks_values_3_first_s1_q;
   logic centre_marks_values_3_last_s1_q;
-  logic or_633_s1_q;
-  logic not_649_s1_q;
-  logic not_1044_s1_q;
-  logic [4:0] select_1048_s1_q;
+  logic centre_marks_values_3_seen_s1_q;
+  logic centre_marks_values_3_nearer_s1_q;
+  logic or_695_s1_q;
+  logic not_711_s1_q;
+  logic not_1106_s1_q;
+  logic [4:0] select_1110_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       entering_values_23_features_left_s1_q <= entering_values_23_features_left_q;
@@ -981,10 +1167,12 @@ module horopter_plane_sums (
       seen_values_24_exists_s1_q <= seen_values_24_exists_q;
       centre_marks_values_3_first_s1_q <= centre_marks_values_3_first_q;
       centre_marks_values_3_last_s1_q <= centre_marks_values_3_last_q;
-      or_633_s1_q <= or_633;
-      not_649_s1_q <= ~(^{or_629, entering_values_23_row_q, row_parity_q});
-      not_1044_s1_q <= not_1044;
-      select_1048_s1_q <= entering_values_23_features_mask_q ? select_1047 : 5'h0;
+      centre_marks_values_3_seen_s1_q <= centre_marks_values_3_seen_q;
+      centre_marks_values_3_nearer_s1_q <= centre_marks_values_3_nearer_q;
+      or_695_s1_q <= or_695;
+      not_711_s1_q <= ~(^{or_691, entering_values_23_row_q, row_parity_q});
+      not_1106_s1_q <= not_1106;
+      select_1110_s1_q <= entering_values_23_features_mask_q ? select_1109 : 5'h0;
     end
   end
 
@@ -1328,805 +1516,805 @@ module horopter_plane_sums (
   logic rows_seen_values_2_q;
   logic rows_seen_values_3_q;
   // hls/stages/plane_sums.hpp:81
-  logic [2:0] select_638;
-  assign select_638 = centre_marks_values_0_first_q ? 3'h0 : delayed_rows_q;
-  logic equal_639;
-  assign equal_639 = select_638 == 3'h0;
+  logic [2:0] select_700;
+  assign select_700 = centre_marks_values_0_first_q ? 3'h0 : delayed_rows_q;
+  logic equal_701;
+  assign equal_701 = select_700 == 3'h0;
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above;
-  assign above = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[7:0] : 8'h0);
+  assign above = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[7:0] : 8'h0);
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_642;
-  assign difference_642 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_0_features_right_q[5], entering_values_0_features_right_q};
-  logic [5:0] xor_643;
-  assign xor_643 = difference_642[5:0] ^ {6{difference_642[6]}};
-  logic [6:0] sum_644;
-  assign sum_644 = {6'h0, difference_642[6]} + {1'b0, xor_643};
+  logic [6:0] difference_704;
+  assign difference_704 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_0_features_right_q[5], entering_values_0_features_right_q};
+  logic [5:0] xor_705;
+  assign xor_705 = difference_704[5:0] ^ {6{difference_704[6]}};
+  logic [6:0] sum_706;
+  assign sum_706 = {6'h0, difference_704[6]} + {1'b0, xor_705};
   // hls/stages/plane_sums.hpp:158
-  logic and_651;
-  assign and_651 = (sum_644[6:5] == 2'h0) & (entering_values_0_features_mask_q & not_649_s1_q);
+  logic and_713;
+  assign and_713 = (sum_706[6:5] == 2'h0) & (entering_values_0_features_mask_q & not_711_s1_q);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_653;
-  assign select_653 = entering_values_24_features_mask_q ? (and_651 ? sum_644[4:0] : 5'h1f) : 5'h0;
+  logic [4:0] select_715;
+  assign select_715 = entering_values_24_features_mask_q ? (and_713 ? sum_706[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_654;
-  assign difference_654 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {feature_memory_rdata_q[89], feature_memory_rdata_q[89:84]};
-  logic [5:0] xor_655;
-  assign xor_655 = difference_654[5:0] ^ {6{difference_654[6]}};
-  logic [6:0] sum_656;
-  assign sum_656 = {6'h0, difference_654[6]} + {1'b0, xor_655};
+  logic [6:0] difference_716;
+  assign difference_716 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {feature_memory_rdata_q[89], feature_memory_rdata_q[89:84]};
+  logic [5:0] xor_717;
+  assign xor_717 = difference_716[5:0] ^ {6{difference_716[6]}};
+  logic [6:0] sum_718;
+  assign sum_718 = {6'h0, difference_716[6]} + {1'b0, xor_717};
   // hls/stages/plane_sums.hpp:63
-  logic [2:0] select_658;
-  assign select_658 = marks_values_0_first_q ? 3'h0 : arriving_rows_q;
-  logic equal_659;
-  assign equal_659 = select_658 == 3'h7;
+  logic [2:0] select_720;
+  assign select_720 = marks_values_0_first_q ? 3'h0 : arriving_rows_q;
+  logic equal_721;
+  assign equal_721 = select_720 == 3'h7;
   // hls/stages/plane_sums.hpp:71
-  logic and_660;
-  assign and_660 = feature_memory_rdata_q[90] & equal_659;
+  logic and_722;
+  assign and_722 = feature_memory_rdata_q[90] & equal_721;
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_663;
-  assign select_663 = ((sum_656[6:5] == 2'h0) & (and_660 & not_649_s1_q)) ? sum_656[4:0] : 5'h1f;
-  logic [4:0] select_664;
-  assign select_664 = leaving_values_23_features_mask_q ? select_663 : 5'h0;
-  logic [5:0] difference_665;
-  assign difference_665 = {1'b0, select_653} - {1'b0, select_664};
-  logic [7:0] sum_666;
-  assign sum_666 = above + {{2{difference_665[5]}}, difference_665};
+  logic [4:0] select_725;
+  assign select_725 = ((sum_718[6:5] == 2'h0) & (and_722 & not_711_s1_q)) ? sum_718[4:0] : 5'h1f;
+  logic [4:0] select_726;
+  assign select_726 = leaving_values_23_features_mask_q ? select_725 : 5'h0;
+  logic [5:0] difference_727;
+  assign difference_727 = {1'b0, select_715} - {1'b0, select_726};
+  logic [7:0] sum_728;
+  assign sum_728 = above + {{2{difference_727[5]}}, difference_727};
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_2;
-  assign above_2 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[15:8] : 8'h0);
+  assign above_2 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[15:8] : 8'h0);
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_669;
-  assign difference_669 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_6_features_right_q[5], entering_values_6_features_right_q};
-  logic [5:0] xor_670;
-  assign xor_670 = difference_669[5:0] ^ {6{difference_669[6]}};
-  logic [6:0] sum_671;
-  assign sum_671 = {6'h0, difference_669[6]} + {1'b0, xor_670};
+  logic [6:0] difference_731;
+  assign difference_731 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_6_features_right_q[5], entering_values_6_features_right_q};
+  logic [5:0] xor_732;
+  assign xor_732 = difference_731[5:0] ^ {6{difference_731[6]}};
+  logic [6:0] sum_733;
+  assign sum_733 = {6'h0, difference_731[6]} + {1'b0, xor_732};
   // hls/stages/plane_sums.hpp:157
-  logic not_674;
-  assign not_674 = ~(entering_values_6_row_q ^ entering_values_24_row_q);
+  logic not_736;
+  assign not_736 = ~(entering_values_6_row_q ^ entering_values_24_row_q);
   // hls/stages/plane_sums.hpp:158
-  logic and_676;
-  assign and_676 = (sum_671[6:5] == 2'h0) & (entering_values_6_features_mask_q & not_674);
+  logic and_738;
+  assign and_738 = (sum_733[6:5] == 2'h0) & (entering_values_6_features_mask_q & not_736);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_678;
-  assign select_678 = entering_values_24_features_mask_q ? (and_676 ? sum_671[4:0] : 5'h1f) : 5'h0;
+  logic [4:0] select_740;
+  assign select_740 = entering_values_24_features_mask_q ? (and_738 ? sum_733[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_679;
-  assign difference_679 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_5_features_right_q[5], leaving_values_5_features_right_q};
-  logic [5:0] xor_680;
-  assign xor_680 = difference_679[5:0] ^ {6{difference_679[6]}};
-  logic [6:0] sum_681;
-  assign sum_681 = {6'h0, difference_679[6]} + {1'b0, xor_680};
+  logic [6:0] difference_741;
+  assign difference_741 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_5_features_right_q[5], leaving_values_5_features_right_q};
+  logic [5:0] xor_742;
+  assign xor_742 = difference_741[5:0] ^ {6{difference_741[6]}};
+  logic [6:0] sum_743;
+  assign sum_743 = {6'h0, difference_741[6]} + {1'b0, xor_742};
   // hls/stages/plane_sums.hpp:158
-  logic and_684;
-  assign and_684 = (sum_681[6:5] == 2'h0) & (leaving_values_5_features_mask_q & not_674);
+  logic and_746;
+  assign and_746 = (sum_743[6:5] == 2'h0) & (leaving_values_5_features_mask_q & not_736);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_686;
-  assign select_686 = leaving_values_23_features_mask_q ? (and_684 ? sum_681[4:0] : 5'h1f) : 5'h0;
-  logic [5:0] difference_687;
-  assign difference_687 = {1'b0, select_678} - {1'b0, select_686};
-  logic [7:0] sum_688;
-  assign sum_688 = above_2 + {{2{difference_687[5]}}, difference_687};
+  logic [4:0] select_748;
+  assign select_748 = leaving_values_23_features_mask_q ? (and_746 ? sum_743[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_749;
+  assign difference_749 = {1'b0, select_740} - {1'b0, select_748};
+  logic [7:0] sum_750;
+  assign sum_750 = above_2 + {{2{difference_749[5]}}, difference_749};
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_3;
-  assign above_3 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[23:16] : 8'h0);
+  assign above_3 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[23:16] : 8'h0);
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_691;
-  assign difference_691 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_11_features_right_q[5], entering_values_11_features_right_q};
-  logic [5:0] xor_692;
-  assign xor_692 = difference_691[5:0] ^ {6{difference_691[6]}};
-  logic [6:0] sum_693;
-  assign sum_693 = {6'h0, difference_691[6]} + {1'b0, xor_692};
+  logic [6:0] difference_753;
+  assign difference_753 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_11_features_right_q[5], entering_values_11_features_right_q};
+  logic [5:0] xor_754;
+  assign xor_754 = difference_753[5:0] ^ {6{difference_753[6]}};
+  logic [6:0] sum_755;
+  assign sum_755 = {6'h0, difference_753[6]} + {1'b0, xor_754};
   // hls/stages/plane_sums.hpp:157
-  logic not_696;
-  assign not_696 = ~(entering_values_11_row_q ^ entering_values_24_row_q);
+  logic not_758;
+  assign not_758 = ~(entering_values_11_row_q ^ entering_values_24_row_q);
   // hls/stages/plane_sums.hpp:158
-  logic and_698;
-  assign and_698 = (sum_693[6:5] == 2'h0) & (entering_values_11_features_mask_q & not_696);
+  logic and_760;
+  assign and_760 = (sum_755[6:5] == 2'h0) & (entering_values_11_features_mask_q & not_758);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_700;
-  assign select_700 = entering_values_24_features_mask_q ? (and_698 ? sum_693[4:0] : 5'h1f) : 5'h0;
+  logic [4:0] select_762;
+  assign select_762 = entering_values_24_features_mask_q ? (and_760 ? sum_755[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_701;
-  assign difference_701 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_10_features_right_q[5], leaving_values_10_features_right_q};
-  logic [5:0] xor_702;
-  assign xor_702 = difference_701[5:0] ^ {6{difference_701[6]}};
-  logic [6:0] sum_703;
-  assign sum_703 = {6'h0, difference_701[6]} + {1'b0, xor_702};
+  logic [6:0] difference_763;
+  assign difference_763 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_10_features_right_q[5], leaving_values_10_features_right_q};
+  logic [5:0] xor_764;
+  assign xor_764 = difference_763[5:0] ^ {6{difference_763[6]}};
+  logic [6:0] sum_765;
+  assign sum_765 = {6'h0, difference_763[6]} + {1'b0, xor_764};
   // hls/stages/plane_sums.hpp:158
-  logic and_706;
-  assign and_706 = (sum_703[6:5] == 2'h0) & (leaving_values_10_features_mask_q & not_696);
+  logic and_768;
+  assign and_768 = (sum_765[6:5] == 2'h0) & (leaving_values_10_features_mask_q & not_758);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_708;
-  assign select_708 = leaving_values_23_features_mask_q ? (and_706 ? sum_703[4:0] : 5'h1f) : 5'h0;
-  logic [5:0] difference_709;
-  assign difference_709 = {1'b0, select_700} - {1'b0, select_708};
-  logic [7:0] sum_710;
-  assign sum_710 = above_3 + {{2{difference_709[5]}}, difference_709};
+  logic [4:0] select_770;
+  assign select_770 = leaving_values_23_features_mask_q ? (and_768 ? sum_765[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_771;
+  assign difference_771 = {1'b0, select_762} - {1'b0, select_770};
+  logic [7:0] sum_772;
+  assign sum_772 = above_3 + {{2{difference_771[5]}}, difference_771};
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_4;
-  assign above_4 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[31:24] : 8'h0);
+  assign above_4 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[31:24] : 8'h0);
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_713;
-  assign difference_713 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_15_features_right_q[5], entering_values_15_features_right_q};
-  logic [5:0] xor_714;
-  assign xor_714 = difference_713[5:0] ^ {6{difference_713[6]}};
-  logic [6:0] sum_715;
-  assign sum_715 = {6'h0, difference_713[6]} + {1'b0, xor_714};
+  logic [6:0] difference_775;
+  assign difference_775 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_15_features_right_q[5], entering_values_15_features_right_q};
+  logic [5:0] xor_776;
+  assign xor_776 = difference_775[5:0] ^ {6{difference_775[6]}};
+  logic [6:0] sum_777;
+  assign sum_777 = {6'h0, difference_775[6]} + {1'b0, xor_776};
   // hls/stages/plane_sums.hpp:157
-  logic not_718;
-  assign not_718 = ~(entering_values_15_row_q ^ entering_values_24_row_q);
+  logic not_780;
+  assign not_780 = ~(entering_values_15_row_q ^ entering_values_24_row_q);
   // hls/stages/plane_sums.hpp:158
-  logic and_720;
-  assign and_720 = (sum_715[6:5] == 2'h0) & (entering_values_15_features_mask_q & not_718);
+  logic and_782;
+  assign and_782 = (sum_777[6:5] == 2'h0) & (entering_values_15_features_mask_q & not_780);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_722;
-  assign select_722 = entering_values_24_features_mask_q ? (and_720 ? sum_715[4:0] : 5'h1f) : 5'h0;
+  logic [4:0] select_784;
+  assign select_784 = entering_values_24_features_mask_q ? (and_782 ? sum_777[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_723;
-  assign difference_723 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_14_features_right_q[5], leaving_values_14_features_right_q};
-  logic [5:0] xor_724;
-  assign xor_724 = difference_723[5:0] ^ {6{difference_723[6]}};
-  logic [6:0] sum_725;
-  assign sum_725 = {6'h0, difference_723[6]} + {1'b0, xor_724};
+  logic [6:0] difference_785;
+  assign difference_785 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_14_features_right_q[5], leaving_values_14_features_right_q};
+  logic [5:0] xor_786;
+  assign xor_786 = difference_785[5:0] ^ {6{difference_785[6]}};
+  logic [6:0] sum_787;
+  assign sum_787 = {6'h0, difference_785[6]} + {1'b0, xor_786};
   // hls/stages/plane_sums.hpp:158
-  logic and_728;
-  assign and_728 = (sum_725[6:5] == 2'h0) & (leaving_values_14_features_mask_q & not_718);
+  logic and_790;
+  assign and_790 = (sum_787[6:5] == 2'h0) & (leaving_values_14_features_mask_q & not_780);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_730;
-  assign select_730 = leaving_values_23_features_mask_q ? (and_728 ? sum_725[4:0] : 5'h1f) : 5'h0;
-  logic [5:0] difference_731;
-  assign difference_731 = {1'b0, select_722} - {1'b0, select_730};
-  logic [7:0] sum_732;
-  assign sum_732 = above_4 + {{2{difference_731[5]}}, difference_731};
+  logic [4:0] select_792;
+  assign select_792 = leaving_values_23_features_mask_q ? (and_790 ? sum_787[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_793;
+  assign difference_793 = {1'b0, select_784} - {1'b0, select_792};
+  logic [7:0] sum_794;
+  assign sum_794 = above_4 + {{2{difference_793[5]}}, difference_793};
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_5;
-  assign above_5 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[39:32] : 8'h0);
+  assign above_5 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[39:32] : 8'h0);
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_735;
-  assign difference_735 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_18_features_right_q[5], entering_values_18_features_right_q};
-  logic [5:0] xor_736;
-  assign xor_736 = difference_735[5:0] ^ {6{difference_735[6]}};
-  logic [6:0] sum_737;
-  assign sum_737 = {6'h0, difference_735[6]} + {1'b0, xor_736};
+  logic [6:0] difference_797;
+  assign difference_797 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_18_features_right_q[5], entering_values_18_features_right_q};
+  logic [5:0] xor_798;
+  assign xor_798 = difference_797[5:0] ^ {6{difference_797[6]}};
+  logic [6:0] sum_799;
+  assign sum_799 = {6'h0, difference_797[6]} + {1'b0, xor_798};
   // hls/stages/plane_sums.hpp:157
-  logic not_740;
-  assign not_740 = ~(entering_values_18_row_q ^ entering_values_24_row_q);
+  logic not_802;
+  assign not_802 = ~(entering_values_18_row_q ^ entering_values_24_row_q);
   // hls/stages/plane_sums.hpp:158
-  logic and_742;
-  assign and_742 = (sum_737[6:5] == 2'h0) & (entering_values_18_features_mask_q & not_740);
+  logic and_804;
+  assign and_804 = (sum_799[6:5] == 2'h0) & (entering_values_18_features_mask_q & not_802);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_744;
-  assign select_744 = entering_values_24_features_mask_q ? (and_742 ? sum_737[4:0] : 5'h1f) : 5'h0;
+  logic [4:0] select_806;
+  assign select_806 = entering_values_24_features_mask_q ? (and_804 ? sum_799[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_745;
-  assign difference_745 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_17_features_right_q[5], leaving_values_17_features_right_q};
-  logic [5:0] xor_746;
-  assign xor_746 = difference_745[5:0] ^ {6{difference_745[6]}};
-  logic [6:0] sum_747;
-  assign sum_747 = {6'h0, difference_745[6]} + {1'b0, xor_746};
+  logic [6:0] difference_807;
+  assign difference_807 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_17_features_right_q[5], leaving_values_17_features_right_q};
+  logic [5:0] xor_808;
+  assign xor_808 = difference_807[5:0] ^ {6{difference_807[6]}};
+  logic [6:0] sum_809;
+  assign sum_809 = {6'h0, difference_807[6]} + {1'b0, xor_808};
   // hls/stages/plane_sums.hpp:158
-  logic and_750;
-  assign and_750 = (sum_747[6:5] == 2'h0) & (leaving_values_17_features_mask_q & not_740);
+  logic and_812;
+  assign and_812 = (sum_809[6:5] == 2'h0) & (leaving_values_17_features_mask_q & not_802);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_752;
-  assign select_752 = leaving_values_23_features_mask_q ? (and_750 ? sum_747[4:0] : 5'h1f) : 5'h0;
-  logic [5:0] difference_753;
-  assign difference_753 = {1'b0, select_744} - {1'b0, select_752};
-  logic [7:0] sum_754;
-  assign sum_754 = above_5 + {{2{difference_753[5]}}, difference_753};
+  logic [4:0] select_814;
+  assign select_814 = leaving_values_23_features_mask_q ? (and_812 ? sum_809[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_815;
+  assign difference_815 = {1'b0, select_806} - {1'b0, select_814};
+  logic [7:0] sum_816;
+  assign sum_816 = above_5 + {{2{difference_815[5]}}, difference_815};
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_6;
-  assign above_6 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[47:40] : 8'h0);
+  assign above_6 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[47:40] : 8'h0);
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_757;
-  assign difference_757 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_20_features_right_q[5], entering_values_20_features_right_q};
-  logic [5:0] xor_758;
-  assign xor_758 = difference_757[5:0] ^ {6{difference_757[6]}};
-  logic [6:0] sum_759;
-  assign sum_759 = {6'h0, difference_757[6]} + {1'b0, xor_758};
+  logic [6:0] difference_819;
+  assign difference_819 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_20_features_right_q[5], entering_values_20_features_right_q};
+  logic [5:0] xor_820;
+  assign xor_820 = difference_819[5:0] ^ {6{difference_819[6]}};
+  logic [6:0] sum_821;
+  assign sum_821 = {6'h0, difference_819[6]} + {1'b0, xor_820};
   // hls/stages/plane_sums.hpp:157
-  logic not_762;
-  assign not_762 = ~(entering_values_20_row_q ^ entering_values_24_row_q);
+  logic not_824;
+  assign not_824 = ~(entering_values_20_row_q ^ entering_values_24_row_q);
   // hls/stages/plane_sums.hpp:158
-  logic and_764;
-  assign and_764 = (sum_759[6:5] == 2'h0) & (entering_values_20_features_mask_q & not_762);
+  logic and_826;
+  assign and_826 = (sum_821[6:5] == 2'h0) & (entering_values_20_features_mask_q & not_824);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_766;
-  assign select_766 = entering_values_24_features_mask_q ? (and_764 ? sum_759[4:0] : 5'h1f) : 5'h0;
+  logic [4:0] select_828;
+  assign select_828 = entering_values_24_features_mask_q ? (and_826 ? sum_821[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_767;
-  assign difference_767 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_19_features_right_q[5], leaving_values_19_features_right_q};
-  logic [5:0] xor_768;
-  assign xor_768 = difference_767[5:0] ^ {6{difference_767[6]}};
-  logic [6:0] sum_769;
-  assign sum_769 = {6'h0, difference_767[6]} + {1'b0, xor_768};
+  logic [6:0] difference_829;
+  assign difference_829 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_19_features_right_q[5], leaving_values_19_features_right_q};
+  logic [5:0] xor_830;
+  assign xor_830 = difference_829[5:0] ^ {6{difference_829[6]}};
+  logic [6:0] sum_831;
+  assign sum_831 = {6'h0, difference_829[6]} + {1'b0, xor_830};
   // hls/stages/plane_sums.hpp:158
-  logic and_772;
-  assign and_772 = (sum_769[6:5] == 2'h0) & (leaving_values_19_features_mask_q & not_762);
+  logic and_834;
+  assign and_834 = (sum_831[6:5] == 2'h0) & (leaving_values_19_features_mask_q & not_824);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_774;
-  assign select_774 = leaving_values_23_features_mask_q ? (and_772 ? sum_769[4:0] : 5'h1f) : 5'h0;
-  logic [5:0] difference_775;
-  assign difference_775 = {1'b0, select_766} - {1'b0, select_774};
-  logic [7:0] sum_776;
-  assign sum_776 = above_6 + {{2{difference_775[5]}}, difference_775};
+  logic [4:0] select_836;
+  assign select_836 = leaving_values_23_features_mask_q ? (and_834 ? sum_831[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_837;
+  assign difference_837 = {1'b0, select_828} - {1'b0, select_836};
+  logic [7:0] sum_838;
+  assign sum_838 = above_6 + {{2{difference_837[5]}}, difference_837};
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_7;
-  assign above_7 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[55:48] : 8'h0);
+  assign above_7 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[55:48] : 8'h0);
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_779;
-  assign difference_779 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_21_features_right_q[5], entering_values_21_features_right_q};
-  logic [5:0] xor_780;
-  assign xor_780 = difference_779[5:0] ^ {6{difference_779[6]}};
-  logic [6:0] sum_781;
-  assign sum_781 = {6'h0, difference_779[6]} + {1'b0, xor_780};
+  logic [6:0] difference_841;
+  assign difference_841 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_21_features_right_q[5], entering_values_21_features_right_q};
+  logic [5:0] xor_842;
+  assign xor_842 = difference_841[5:0] ^ {6{difference_841[6]}};
+  logic [6:0] sum_843;
+  assign sum_843 = {6'h0, difference_841[6]} + {1'b0, xor_842};
   // hls/stages/plane_sums.hpp:157
-  logic not_784;
-  assign not_784 = ~(entering_values_21_row_q ^ entering_values_24_row_q);
+  logic not_846;
+  assign not_846 = ~(entering_values_21_row_q ^ entering_values_24_row_q);
   // hls/stages/plane_sums.hpp:158
-  logic and_786;
-  assign and_786 = (sum_781[6:5] == 2'h0) & (entering_values_21_features_mask_q & not_784);
-  // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_788;
-  assign select_788 = entering_values_24_features_mask_q ? (and_786 ? sum_781[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_789;
-  assign difference_789 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_20_features_right_q[5], leaving_values_20_features_right_q};
-  logic [5:0] xor_790;
-  assign xor_790 = difference_789[5:0] ^ {6{difference_789[6]}};
-  logic [6:0] sum_791;
-  assign sum_791 = {6'h0, difference_789[6]} + {1'b0, xor_790};
-  // hls/stages/plane_sums.hpp:158
-  logic and_794;
-  assign and_794 = (sum_791[6:5] == 2'h0) & (leaving_values_20_features_mask_q & not_784);
-  // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_796;
-  assign select_796 = leaving_values_23_features_mask_q ? (and_794 ? sum_791[4:0] : 5'h1f) : 5'h0;
-  logic [5:0] difference_797;
-  assign difference_797 = {1'b0, select_788} - {1'b0, select_796};
-  logic [7:0] sum_798;
-  assign sum_798 = above_7 + {{2{difference_797[5]}}, difference_797};
-  // hls/stages/plane_sums.hpp:148
-  logic [7:0] above_8;
-  assign above_8 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[63:56] : 8'h0);
-  // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_801;
-  assign difference_801 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_22_features_right_q[5], entering_values_22_features_right_q};
-  logic [5:0] xor_802;
-  assign xor_802 = difference_801[5:0] ^ {6{difference_801[6]}};
-  logic [6:0] sum_803;
-  assign sum_803 = {6'h0, difference_801[6]} + {1'b0, xor_802};
-  // hls/stages/plane_sums.hpp:157
-  logic not_806;
-  assign not_806 = ~(entering_values_22_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:158
-  logic and_808;
-  assign and_808 = (sum_803[6:5] == 2'h0) & (entering_values_22_features_mask_q & not_806);
-  // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_810;
-  assign select_810 = entering_values_24_features_mask_q ? (and_808 ? sum_803[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_811;
-  assign difference_811 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_21_features_right_q[5], leaving_values_21_features_right_q};
-  logic [5:0] xor_812;
-  assign xor_812 = difference_811[5:0] ^ {6{difference_811[6]}};
-  logic [6:0] sum_813;
-  assign sum_813 = {6'h0, difference_811[6]} + {1'b0, xor_812};
-  // hls/stages/plane_sums.hpp:158
-  logic and_816;
-  assign and_816 = (sum_813[6:5] == 2'h0) & (leaving_values_21_features_mask_q & not_806);
-  // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_818;
-  assign select_818 = leaving_values_23_features_mask_q ? (and_816 ? sum_813[4:0] : 5'h1f) : 5'h0;
-  logic [5:0] difference_819;
-  assign difference_819 = {1'b0, select_810} - {1'b0, select_818};
-  logic [7:0] sum_820;
-  assign sum_820 = above_8 + {{2{difference_819[5]}}, difference_819};
-  // hls/stages/plane_sums.hpp:148
-  logic [7:0] above_9;
-  assign above_9 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[71:64] : 8'h0);
-  // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_823;
-  assign difference_823 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_23_features_right_q[5], entering_values_23_features_right_q};
-  logic [5:0] xor_824;
-  assign xor_824 = difference_823[5:0] ^ {6{difference_823[6]}};
-  logic [6:0] sum_825;
-  assign sum_825 = {6'h0, difference_823[6]} + {1'b0, xor_824};
-  // hls/stages/plane_sums.hpp:157
-  logic not_828;
-  assign not_828 = ~(entering_values_23_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:158
-  logic and_830;
-  assign and_830 = (sum_825[6:5] == 2'h0) & (entering_values_23_features_mask_q & not_828);
-  // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_832;
-  assign select_832 = entering_values_24_features_mask_q ? (and_830 ? sum_825[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_833;
-  assign difference_833 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_22_features_right_q[5], leaving_values_22_features_right_q};
-  logic [5:0] xor_834;
-  assign xor_834 = difference_833[5:0] ^ {6{difference_833[6]}};
-  logic [6:0] sum_835;
-  assign sum_835 = {6'h0, difference_833[6]} + {1'b0, xor_834};
-  // hls/stages/plane_sums.hpp:158
-  logic and_838;
-  assign and_838 = (sum_835[6:5] == 2'h0) & (leaving_values_22_features_mask_q & not_828);
-  // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_840;
-  assign select_840 = leaving_values_23_features_mask_q ? (and_838 ? sum_835[4:0] : 5'h1f) : 5'h0;
-  logic [5:0] difference_841;
-  assign difference_841 = {1'b0, select_832} - {1'b0, select_840};
-  logic [7:0] sum_842;
-  assign sum_842 = above_9 + {{2{difference_841[5]}}, difference_841};
-  // hls/stages/plane_sums.hpp:148
-  logic [7:0] above_10;
-  assign above_10 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[79:72] : 8'h0);
-  // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_845;
-  assign difference_845 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_24_features_right_q[5], entering_values_24_features_right_q};
-  logic [5:0] xor_846;
-  assign xor_846 = difference_845[5:0] ^ {6{difference_845[6]}};
-  logic [6:0] sum_847;
-  assign sum_847 = {6'h0, difference_845[6]} + {1'b0, xor_846};
+  logic and_848;
+  assign and_848 = (sum_843[6:5] == 2'h0) & (entering_values_21_features_mask_q & not_846);
   // hls/stages/plane_sums.hpp:149
   logic [4:0] select_850;
-  assign select_850 = (entering_values_24_features_mask_q & (sum_847[6:5] == 2'h0)) ? sum_847[4:0] : 5'h1f;
-  logic [4:0] select_851;
-  assign select_851 = entering_values_24_features_mask_q ? select_850 : 5'h0;
+  assign select_850 = entering_values_24_features_mask_q ? (and_848 ? sum_843[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_852;
-  assign difference_852 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_23_features_right_q[5], leaving_values_23_features_right_q};
-  logic [5:0] xor_853;
-  assign xor_853 = difference_852[5:0] ^ {6{difference_852[6]}};
-  logic [6:0] sum_854;
-  assign sum_854 = {6'h0, difference_852[6]} + {1'b0, xor_853};
+  logic [6:0] difference_851;
+  assign difference_851 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_20_features_right_q[5], leaving_values_20_features_right_q};
+  logic [5:0] xor_852;
+  assign xor_852 = difference_851[5:0] ^ {6{difference_851[6]}};
+  logic [6:0] sum_853;
+  assign sum_853 = {6'h0, difference_851[6]} + {1'b0, xor_852};
+  // hls/stages/plane_sums.hpp:158
+  logic and_856;
+  assign and_856 = (sum_853[6:5] == 2'h0) & (leaving_values_20_features_mask_q & not_846);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_857;
-  assign select_857 = (leaving_values_23_features_mask_q & (sum_854[6:5] == 2'h0)) ? sum_854[4:0] : 5'h1f;
   logic [4:0] select_858;
-  assign select_858 = leaving_values_23_features_mask_q ? select_857 : 5'h0;
+  assign select_858 = leaving_values_23_features_mask_q ? (and_856 ? sum_853[4:0] : 5'h1f) : 5'h0;
   logic [5:0] difference_859;
-  assign difference_859 = {1'b0, select_851} - {1'b0, select_858};
+  assign difference_859 = {1'b0, select_850} - {1'b0, select_858};
   logic [7:0] sum_860;
-  assign sum_860 = above_10 + {{2{difference_859[5]}}, difference_859};
+  assign sum_860 = above_7 + {{2{difference_859[5]}}, difference_859};
   // hls/stages/plane_sums.hpp:148
-  logic [7:0] above_11;
-  assign above_11 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[87:80] : 8'h0);
+  logic [7:0] above_8;
+  assign above_8 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[63:56] : 8'h0);
   // hls/stages/plane_sums.hpp:156
   logic [6:0] difference_863;
-  assign difference_863 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_25_features_right_q[5], entering_values_25_features_right_q};
+  assign difference_863 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_22_features_right_q[5], entering_values_22_features_right_q};
   logic [5:0] xor_864;
   assign xor_864 = difference_863[5:0] ^ {6{difference_863[6]}};
   logic [6:0] sum_865;
   assign sum_865 = {6'h0, difference_863[6]} + {1'b0, xor_864};
   // hls/stages/plane_sums.hpp:157
   logic not_868;
-  assign not_868 = ~(entering_values_24_row_q ^ entering_values_25_row_q);
+  assign not_868 = ~(entering_values_22_row_q ^ entering_values_24_row_q);
   // hls/stages/plane_sums.hpp:158
   logic and_870;
-  assign and_870 = (sum_865[6:5] == 2'h0) & (entering_values_25_features_mask_q & not_868);
+  assign and_870 = (sum_865[6:5] == 2'h0) & (entering_values_22_features_mask_q & not_868);
   // hls/stages/plane_sums.hpp:149
   logic [4:0] select_872;
   assign select_872 = entering_values_24_features_mask_q ? (and_870 ? sum_865[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:156
   logic [6:0] difference_873;
-  assign difference_873 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_24_features_right_q[5], leaving_values_24_features_right_q};
+  assign difference_873 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_21_features_right_q[5], leaving_values_21_features_right_q};
   logic [5:0] xor_874;
   assign xor_874 = difference_873[5:0] ^ {6{difference_873[6]}};
   logic [6:0] sum_875;
   assign sum_875 = {6'h0, difference_873[6]} + {1'b0, xor_874};
   // hls/stages/plane_sums.hpp:158
   logic and_878;
-  assign and_878 = (sum_875[6:5] == 2'h0) & (leaving_values_24_features_mask_q & not_868);
+  assign and_878 = (sum_875[6:5] == 2'h0) & (leaving_values_21_features_mask_q & not_868);
   // hls/stages/plane_sums.hpp:149
   logic [4:0] select_880;
   assign select_880 = leaving_values_23_features_mask_q ? (and_878 ? sum_875[4:0] : 5'h1f) : 5'h0;
   logic [5:0] difference_881;
   assign difference_881 = {1'b0, select_872} - {1'b0, select_880};
   logic [7:0] sum_882;
-  assign sum_882 = above_11 + {{2{difference_881[5]}}, difference_881};
+  assign sum_882 = above_8 + {{2{difference_881[5]}}, difference_881};
   // hls/stages/plane_sums.hpp:148
-  logic [7:0] above_12;
-  assign above_12 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[95:88] : 8'h0);
+  logic [7:0] above_9;
+  assign above_9 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[71:64] : 8'h0);
   // hls/stages/plane_sums.hpp:156
   logic [6:0] difference_885;
-  assign difference_885 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_26_features_right_q[5], entering_values_26_features_right_q};
+  assign difference_885 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_23_features_right_q[5], entering_values_23_features_right_q};
   logic [5:0] xor_886;
   assign xor_886 = difference_885[5:0] ^ {6{difference_885[6]}};
   logic [6:0] sum_887;
   assign sum_887 = {6'h0, difference_885[6]} + {1'b0, xor_886};
   // hls/stages/plane_sums.hpp:157
   logic not_890;
-  assign not_890 = ~(entering_values_24_row_q ^ entering_values_26_row_q);
+  assign not_890 = ~(entering_values_23_row_q ^ entering_values_24_row_q);
   // hls/stages/plane_sums.hpp:158
   logic and_892;
-  assign and_892 = (sum_887[6:5] == 2'h0) & (entering_values_26_features_mask_q & not_890);
+  assign and_892 = (sum_887[6:5] == 2'h0) & (entering_values_23_features_mask_q & not_890);
   // hls/stages/plane_sums.hpp:149
   logic [4:0] select_894;
   assign select_894 = entering_values_24_features_mask_q ? (and_892 ? sum_887[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:156
   logic [6:0] difference_895;
-  assign difference_895 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_25_features_right_q[5], leaving_values_25_features_right_q};
+  assign difference_895 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_22_features_right_q[5], leaving_values_22_features_right_q};
   logic [5:0] xor_896;
   assign xor_896 = difference_895[5:0] ^ {6{difference_895[6]}};
   logic [6:0] sum_897;
   assign sum_897 = {6'h0, difference_895[6]} + {1'b0, xor_896};
   // hls/stages/plane_sums.hpp:158
   logic and_900;
-  assign and_900 = (sum_897[6:5] == 2'h0) & (leaving_values_25_features_mask_q & not_890);
+  assign and_900 = (sum_897[6:5] == 2'h0) & (leaving_values_22_features_mask_q & not_890);
   // hls/stages/plane_sums.hpp:149
   logic [4:0] select_902;
   assign select_902 = leaving_values_23_features_mask_q ? (and_900 ? sum_897[4:0] : 5'h1f) : 5'h0;
   logic [5:0] difference_903;
   assign difference_903 = {1'b0, select_894} - {1'b0, select_902};
   logic [7:0] sum_904;
-  assign sum_904 = above_12 + {{2{difference_903[5]}}, difference_903};
+  assign sum_904 = above_9 + {{2{difference_903[5]}}, difference_903};
   // hls/stages/plane_sums.hpp:148
-  logic [7:0] above_13;
-  assign above_13 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[103:96] : 8'h0);
+  logic [7:0] above_10;
+  assign above_10 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[79:72] : 8'h0);
   // hls/stages/plane_sums.hpp:156
   logic [6:0] difference_907;
-  assign difference_907 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_27_features_right_q[5], entering_values_27_features_right_q};
+  assign difference_907 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_24_features_right_q[5], entering_values_24_features_right_q};
   logic [5:0] xor_908;
   assign xor_908 = difference_907[5:0] ^ {6{difference_907[6]}};
   logic [6:0] sum_909;
   assign sum_909 = {6'h0, difference_907[6]} + {1'b0, xor_908};
-  // hls/stages/plane_sums.hpp:157
-  logic not_912;
-  assign not_912 = ~(entering_values_24_row_q ^ entering_values_27_row_q);
-  // hls/stages/plane_sums.hpp:158
-  logic and_914;
-  assign and_914 = (sum_909[6:5] == 2'h0) & (entering_values_27_features_mask_q & not_912);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_916;
-  assign select_916 = entering_values_24_features_mask_q ? (and_914 ? sum_909[4:0] : 5'h1f) : 5'h0;
+  logic [4:0] select_912;
+  assign select_912 = (entering_values_24_features_mask_q & (sum_909[6:5] == 2'h0)) ? sum_909[4:0] : 5'h1f;
+  logic [4:0] select_913;
+  assign select_913 = entering_values_24_features_mask_q ? select_912 : 5'h0;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_917;
-  assign difference_917 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_26_features_right_q[5], leaving_values_26_features_right_q};
-  logic [5:0] xor_918;
-  assign xor_918 = difference_917[5:0] ^ {6{difference_917[6]}};
-  logic [6:0] sum_919;
-  assign sum_919 = {6'h0, difference_917[6]} + {1'b0, xor_918};
-  // hls/stages/plane_sums.hpp:158
-  logic and_922;
-  assign and_922 = (sum_919[6:5] == 2'h0) & (leaving_values_26_features_mask_q & not_912);
+  logic [6:0] difference_914;
+  assign difference_914 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_23_features_right_q[5], leaving_values_23_features_right_q};
+  logic [5:0] xor_915;
+  assign xor_915 = difference_914[5:0] ^ {6{difference_914[6]}};
+  logic [6:0] sum_916;
+  assign sum_916 = {6'h0, difference_914[6]} + {1'b0, xor_915};
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_924;
-  assign select_924 = leaving_values_23_features_mask_q ? (and_922 ? sum_919[4:0] : 5'h1f) : 5'h0;
-  logic [5:0] difference_925;
-  assign difference_925 = {1'b0, select_916} - {1'b0, select_924};
-  logic [7:0] sum_926;
-  assign sum_926 = above_13 + {{2{difference_925[5]}}, difference_925};
+  logic [4:0] select_919;
+  assign select_919 = (leaving_values_23_features_mask_q & (sum_916[6:5] == 2'h0)) ? sum_916[4:0] : 5'h1f;
+  logic [4:0] select_920;
+  assign select_920 = leaving_values_23_features_mask_q ? select_919 : 5'h0;
+  logic [5:0] difference_921;
+  assign difference_921 = {1'b0, select_913} - {1'b0, select_920};
+  logic [7:0] sum_922;
+  assign sum_922 = above_10 + {{2{difference_921[5]}}, difference_921};
+  // hls/stages/plane_sums.hpp:148
+  logic [7:0] above_11;
+  assign above_11 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[87:80] : 8'h0);
+  // hls/stages/plane_sums.hpp:156
+  logic [6:0] difference_925;
+  assign difference_925 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_25_features_right_q[5], entering_values_25_features_right_q};
+  logic [5:0] xor_926;
+  assign xor_926 = difference_925[5:0] ^ {6{difference_925[6]}};
+  logic [6:0] sum_927;
+  assign sum_927 = {6'h0, difference_925[6]} + {1'b0, xor_926};
+  // hls/stages/plane_sums.hpp:157
+  logic not_930;
+  assign not_930 = ~(entering_values_24_row_q ^ entering_values_25_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_932;
+  assign and_932 = (sum_927[6:5] == 2'h0) & (entering_values_25_features_mask_q & not_930);
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_934;
+  assign select_934 = entering_values_24_features_mask_q ? (and_932 ? sum_927[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:156
+  logic [6:0] difference_935;
+  assign difference_935 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_24_features_right_q[5], leaving_values_24_features_right_q};
+  logic [5:0] xor_936;
+  assign xor_936 = difference_935[5:0] ^ {6{difference_935[6]}};
+  logic [6:0] sum_937;
+  assign sum_937 = {6'h0, difference_935[6]} + {1'b0, xor_936};
+  // hls/stages/plane_sums.hpp:158
+  logic and_940;
+  assign and_940 = (sum_937[6:5] == 2'h0) & (leaving_values_24_features_mask_q & not_930);
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_942;
+  assign select_942 = leaving_values_23_features_mask_q ? (and_940 ? sum_937[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_943;
+  assign difference_943 = {1'b0, select_934} - {1'b0, select_942};
+  logic [7:0] sum_944;
+  assign sum_944 = above_11 + {{2{difference_943[5]}}, difference_943};
+  // hls/stages/plane_sums.hpp:148
+  logic [7:0] above_12;
+  assign above_12 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[95:88] : 8'h0);
+  // hls/stages/plane_sums.hpp:156
+  logic [6:0] difference_947;
+  assign difference_947 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_26_features_right_q[5], entering_values_26_features_right_q};
+  logic [5:0] xor_948;
+  assign xor_948 = difference_947[5:0] ^ {6{difference_947[6]}};
+  logic [6:0] sum_949;
+  assign sum_949 = {6'h0, difference_947[6]} + {1'b0, xor_948};
+  // hls/stages/plane_sums.hpp:157
+  logic not_952;
+  assign not_952 = ~(entering_values_24_row_q ^ entering_values_26_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_954;
+  assign and_954 = (sum_949[6:5] == 2'h0) & (entering_values_26_features_mask_q & not_952);
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_956;
+  assign select_956 = entering_values_24_features_mask_q ? (and_954 ? sum_949[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:156
+  logic [6:0] difference_957;
+  assign difference_957 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_25_features_right_q[5], leaving_values_25_features_right_q};
+  logic [5:0] xor_958;
+  assign xor_958 = difference_957[5:0] ^ {6{difference_957[6]}};
+  logic [6:0] sum_959;
+  assign sum_959 = {6'h0, difference_957[6]} + {1'b0, xor_958};
+  // hls/stages/plane_sums.hpp:158
+  logic and_962;
+  assign and_962 = (sum_959[6:5] == 2'h0) & (leaving_values_25_features_mask_q & not_952);
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_964;
+  assign select_964 = leaving_values_23_features_mask_q ? (and_962 ? sum_959[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_965;
+  assign difference_965 = {1'b0, select_956} - {1'b0, select_964};
+  logic [7:0] sum_966;
+  assign sum_966 = above_12 + {{2{difference_965[5]}}, difference_965};
+  // hls/stages/plane_sums.hpp:148
+  logic [7:0] above_13;
+  assign above_13 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[103:96] : 8'h0);
+  // hls/stages/plane_sums.hpp:156
+  logic [6:0] difference_969;
+  assign difference_969 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_27_features_right_q[5], entering_values_27_features_right_q};
+  logic [5:0] xor_970;
+  assign xor_970 = difference_969[5:0] ^ {6{difference_969[6]}};
+  logic [6:0] sum_971;
+  assign sum_971 = {6'h0, difference_969[6]} + {1'b0, xor_970};
+  // hls/stages/plane_sums.hpp:157
+  logic not_974;
+  assign not_974 = ~(entering_values_24_row_q ^ entering_values_27_row_q);
+  // hls/stages/plane_sums.hpp:158
+  logic and_976;
+  assign and_976 = (sum_971[6:5] == 2'h0) & (entering_values_27_features_mask_q & not_974);
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_978;
+  assign select_978 = entering_values_24_features_mask_q ? (and_976 ? sum_971[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:156
+  logic [6:0] difference_979;
+  assign difference_979 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_26_features_right_q[5], leaving_values_26_features_right_q};
+  logic [5:0] xor_980;
+  assign xor_980 = difference_979[5:0] ^ {6{difference_979[6]}};
+  logic [6:0] sum_981;
+  assign sum_981 = {6'h0, difference_979[6]} + {1'b0, xor_980};
+  // hls/stages/plane_sums.hpp:158
+  logic and_984;
+  assign and_984 = (sum_981[6:5] == 2'h0) & (leaving_values_26_features_mask_q & not_974);
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_986;
+  assign select_986 = leaving_values_23_features_mask_q ? (and_984 ? sum_981[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_987;
+  assign difference_987 = {1'b0, select_978} - {1'b0, select_986};
+  logic [7:0] sum_988;
+  assign sum_988 = above_13 + {{2{difference_987[5]}}, difference_987};
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_14;
-  assign above_14 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[111:104] : 8'h0);
+  assign above_14 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[111:104] : 8'h0);
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_929;
-  assign difference_929 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_28_features_right_q[5], entering_values_28_features_right_q};
-  logic [5:0] xor_930;
-  assign xor_930 = difference_929[5:0] ^ {6{difference_929[6]}};
-  logic [6:0] sum_931;
-  assign sum_931 = {6'h0, difference_929[6]} + {1'b0, xor_930};
+  logic [6:0] difference_991;
+  assign difference_991 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_28_features_right_q[5], entering_values_28_features_right_q};
+  logic [5:0] xor_992;
+  assign xor_992 = difference_991[5:0] ^ {6{difference_991[6]}};
+  logic [6:0] sum_993;
+  assign sum_993 = {6'h0, difference_991[6]} + {1'b0, xor_992};
   // hls/stages/plane_sums.hpp:157
-  logic not_934;
-  assign not_934 = ~(entering_values_24_row_q ^ entering_values_28_row_q);
+  logic not_996;
+  assign not_996 = ~(entering_values_24_row_q ^ entering_values_28_row_q);
   // hls/stages/plane_sums.hpp:158
-  logic and_936;
-  assign and_936 = (sum_931[6:5] == 2'h0) & (entering_values_28_features_mask_q & not_934);
+  logic and_998;
+  assign and_998 = (sum_993[6:5] == 2'h0) & (entering_values_28_features_mask_q & not_996);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_938;
-  assign select_938 = entering_values_24_features_mask_q ? (and_936 ? sum_931[4:0] : 5'h1f) : 5'h0;
+  logic [4:0] select_1000;
+  assign select_1000 = entering_values_24_features_mask_q ? (and_998 ? sum_993[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_939;
-  assign difference_939 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_27_features_right_q[5], leaving_values_27_features_right_q};
-  logic [5:0] xor_940;
-  assign xor_940 = difference_939[5:0] ^ {6{difference_939[6]}};
-  logic [6:0] sum_941;
-  assign sum_941 = {6'h0, difference_939[6]} + {1'b0, xor_940};
+  logic [6:0] difference_1001;
+  assign difference_1001 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_27_features_right_q[5], leaving_values_27_features_right_q};
+  logic [5:0] xor_1002;
+  assign xor_1002 = difference_1001[5:0] ^ {6{difference_1001[6]}};
+  logic [6:0] sum_1003;
+  assign sum_1003 = {6'h0, difference_1001[6]} + {1'b0, xor_1002};
   // hls/stages/plane_sums.hpp:158
-  logic and_944;
-  assign and_944 = (sum_941[6:5] == 2'h0) & (leaving_values_27_features_mask_q & not_934);
+  logic and_1006;
+  assign and_1006 = (sum_1003[6:5] == 2'h0) & (leaving_values_27_features_mask_q & not_996);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_946;
-  assign select_946 = leaving_values_23_features_mask_q ? (and_944 ? sum_941[4:0] : 5'h1f) : 5'h0;
-  logic [5:0] difference_947;
-  assign difference_947 = {1'b0, select_938} - {1'b0, select_946};
-  logic [7:0] sum_948;
-  assign sum_948 = above_14 + {{2{difference_947[5]}}, difference_947};
+  logic [4:0] select_1008;
+  assign select_1008 = leaving_values_23_features_mask_q ? (and_1006 ? sum_1003[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_1009;
+  assign difference_1009 = {1'b0, select_1000} - {1'b0, select_1008};
+  logic [7:0] sum_1010;
+  assign sum_1010 = above_14 + {{2{difference_1009[5]}}, difference_1009};
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_15;
-  assign above_15 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[119:112] : 8'h0);
+  assign above_15 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[119:112] : 8'h0);
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_951;
-  assign difference_951 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_30_features_right_q[5], entering_values_30_features_right_q};
-  logic [5:0] xor_952;
-  assign xor_952 = difference_951[5:0] ^ {6{difference_951[6]}};
-  logic [6:0] sum_953;
-  assign sum_953 = {6'h0, difference_951[6]} + {1'b0, xor_952};
+  logic [6:0] difference_1013;
+  assign difference_1013 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_30_features_right_q[5], entering_values_30_features_right_q};
+  logic [5:0] xor_1014;
+  assign xor_1014 = difference_1013[5:0] ^ {6{difference_1013[6]}};
+  logic [6:0] sum_1015;
+  assign sum_1015 = {6'h0, difference_1013[6]} + {1'b0, xor_1014};
   // hls/stages/plane_sums.hpp:157
-  logic not_956;
-  assign not_956 = ~(entering_values_24_row_q ^ entering_values_30_row_q);
+  logic not_1018;
+  assign not_1018 = ~(entering_values_24_row_q ^ entering_values_30_row_q);
   // hls/stages/plane_sums.hpp:158
-  logic and_958;
-  assign and_958 = (sum_953[6:5] == 2'h0) & (entering_values_30_features_mask_q & not_956);
+  logic and_1020;
+  assign and_1020 = (sum_1015[6:5] == 2'h0) & (entering_values_30_features_mask_q & not_1018);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_960;
-  assign select_960 = entering_values_24_features_mask_q ? (and_958 ? sum_953[4:0] : 5'h1f) : 5'h0;
+  logic [4:0] select_1022;
+  assign select_1022 = entering_values_24_features_mask_q ? (and_1020 ? sum_1015[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_961;
-  assign difference_961 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_29_features_right_q[5], leaving_values_29_features_right_q};
-  logic [5:0] xor_962;
-  assign xor_962 = difference_961[5:0] ^ {6{difference_961[6]}};
-  logic [6:0] sum_963;
-  assign sum_963 = {6'h0, difference_961[6]} + {1'b0, xor_962};
+  logic [6:0] difference_1023;
+  assign difference_1023 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_29_features_right_q[5], leaving_values_29_features_right_q};
+  logic [5:0] xor_1024;
+  assign xor_1024 = difference_1023[5:0] ^ {6{difference_1023[6]}};
+  logic [6:0] sum_1025;
+  assign sum_1025 = {6'h0, difference_1023[6]} + {1'b0, xor_1024};
   // hls/stages/plane_sums.hpp:158
-  logic and_966;
-  assign and_966 = (sum_963[6:5] == 2'h0) & (leaving_values_29_features_mask_q & not_956);
+  logic and_1028;
+  assign and_1028 = (sum_1025[6:5] == 2'h0) & (leaving_values_29_features_mask_q & not_1018);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_968;
-  assign select_968 = leaving_values_23_features_mask_q ? (and_966 ? sum_963[4:0] : 5'h1f) : 5'h0;
-  logic [5:0] difference_969;
-  assign difference_969 = {1'b0, select_960} - {1'b0, select_968};
-  logic [7:0] sum_970;
-  assign sum_970 = above_15 + {{2{difference_969[5]}}, difference_969};
+  logic [4:0] select_1030;
+  assign select_1030 = leaving_values_23_features_mask_q ? (and_1028 ? sum_1025[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_1031;
+  assign difference_1031 = {1'b0, select_1022} - {1'b0, select_1030};
+  logic [7:0] sum_1032;
+  assign sum_1032 = above_15 + {{2{difference_1031[5]}}, difference_1031};
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_16;
-  assign above_16 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[127:120] : 8'h0);
+  assign above_16 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[127:120] : 8'h0);
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_973;
-  assign difference_973 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_33_features_right_q[5], entering_values_33_features_right_q};
-  logic [5:0] xor_974;
-  assign xor_974 = difference_973[5:0] ^ {6{difference_973[6]}};
-  logic [6:0] sum_975;
-  assign sum_975 = {6'h0, difference_973[6]} + {1'b0, xor_974};
+  logic [6:0] difference_1035;
+  assign difference_1035 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_33_features_right_q[5], entering_values_33_features_right_q};
+  logic [5:0] xor_1036;
+  assign xor_1036 = difference_1035[5:0] ^ {6{difference_1035[6]}};
+  logic [6:0] sum_1037;
+  assign sum_1037 = {6'h0, difference_1035[6]} + {1'b0, xor_1036};
   // hls/stages/plane_sums.hpp:157
-  logic not_978;
-  assign not_978 = ~(entering_values_24_row_q ^ entering_values_33_row_q);
+  logic not_1040;
+  assign not_1040 = ~(entering_values_24_row_q ^ entering_values_33_row_q);
   // hls/stages/plane_sums.hpp:158
-  logic and_980;
-  assign and_980 = (sum_975[6:5] == 2'h0) & (entering_values_33_features_mask_q & not_978);
+  logic and_1042;
+  assign and_1042 = (sum_1037[6:5] == 2'h0) & (entering_values_33_features_mask_q & not_1040);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_982;
-  assign select_982 = entering_values_24_features_mask_q ? (and_980 ? sum_975[4:0] : 5'h1f) : 5'h0;
+  logic [4:0] select_1044;
+  assign select_1044 = entering_values_24_features_mask_q ? (and_1042 ? sum_1037[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_983;
-  assign difference_983 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_32_features_right_q[5], leaving_values_32_features_right_q};
-  logic [5:0] xor_984;
-  assign xor_984 = difference_983[5:0] ^ {6{difference_983[6]}};
-  logic [6:0] sum_985;
-  assign sum_985 = {6'h0, difference_983[6]} + {1'b0, xor_984};
+  logic [6:0] difference_1045;
+  assign difference_1045 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_32_features_right_q[5], leaving_values_32_features_right_q};
+  logic [5:0] xor_1046;
+  assign xor_1046 = difference_1045[5:0] ^ {6{difference_1045[6]}};
+  logic [6:0] sum_1047;
+  assign sum_1047 = {6'h0, difference_1045[6]} + {1'b0, xor_1046};
   // hls/stages/plane_sums.hpp:158
-  logic and_988;
-  assign and_988 = (sum_985[6:5] == 2'h0) & (leaving_values_32_features_mask_q & not_978);
+  logic and_1050;
+  assign and_1050 = (sum_1047[6:5] == 2'h0) & (leaving_values_32_features_mask_q & not_1040);
   // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_990;
-  assign select_990 = leaving_values_23_features_mask_q ? (and_988 ? sum_985[4:0] : 5'h1f) : 5'h0;
-  logic [5:0] difference_991;
-  assign difference_991 = {1'b0, select_982} - {1'b0, select_990};
-  logic [7:0] sum_992;
-  assign sum_992 = above_16 + {{2{difference_991[5]}}, difference_991};
+  logic [4:0] select_1052;
+  assign select_1052 = leaving_values_23_features_mask_q ? (and_1050 ? sum_1047[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_1053;
+  assign difference_1053 = {1'b0, select_1044} - {1'b0, select_1052};
+  logic [7:0] sum_1054;
+  assign sum_1054 = above_16 + {{2{difference_1053[5]}}, difference_1053};
   // hls/stages/plane_sums.hpp:148
   logic [7:0] above_17;
-  assign above_17 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[135:128] : 8'h0);
+  assign above_17 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[135:128] : 8'h0);
   // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_995;
-  assign difference_995 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_37_features_right_q[5], entering_values_37_features_right_q};
-  logic [5:0] xor_996;
-  assign xor_996 = difference_995[5:0] ^ {6{difference_995[6]}};
-  logic [6:0] sum_997;
-  assign sum_997 = {6'h0, difference_995[6]} + {1'b0, xor_996};
+  logic [6:0] difference_1057;
+  assign difference_1057 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_37_features_right_q[5], entering_values_37_features_right_q};
+  logic [5:0] xor_1058;
+  assign xor_1058 = difference_1057[5:0] ^ {6{difference_1057[6]}};
+  logic [6:0] sum_1059;
+  assign sum_1059 = {6'h0, difference_1057[6]} + {1'b0, xor_1058};
   // hls/stages/plane_sums.hpp:157
-  logic not_1000;
-  assign not_1000 = ~(entering_values_24_row_q ^ entering_values_37_row_q);
+  logic not_1062;
+  assign not_1062 = ~(entering_values_24_row_q ^ entering_values_37_row_q);
   // hls/stages/plane_sums.hpp:87
-  logic [4:0] select_1003;
-  assign select_1003 = entering_values_37_features_mask_q ? (((sum_997[6:5] == 2'h0) & not_1000) ? sum_997[4:0] : 5'h1f) : 5'h1f;
-  // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_1004;
-  assign select_1004 = entering_values_24_features_mask_q ? select_1003 : 5'h0;
-  // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_1005;
-  assign difference_1005 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_36_features_right_q[5], leaving_values_36_features_right_q};
-  logic [5:0] xor_1006;
-  assign xor_1006 = difference_1005[5:0] ^ {6{difference_1005[6]}};
-  logic [6:0] sum_1007;
-  assign sum_1007 = {6'h0, difference_1005[6]} + {1'b0, xor_1006};
-  // hls/stages/plane_sums.hpp:88
-  logic [4:0] select_1011;
-  assign select_1011 = leaving_values_36_features_mask_q ? ((not_1000 & (sum_1007[6:5] == 2'h0)) ? sum_1007[4:0] : 5'h1f) : 5'h1f;
-  // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_1012;
-  assign select_1012 = leaving_values_23_features_mask_q ? select_1011 : 5'h0;
-  logic [5:0] difference_1013;
-  assign difference_1013 = {1'b0, select_1004} - {1'b0, select_1012};
-  logic [7:0] sum_1014;
-  assign sum_1014 = above_17 + {{2{difference_1013[5]}}, difference_1013};
-  // hls/stages/plane_sums.hpp:148
-  logic [7:0] above_18;
-  assign above_18 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[143:136] : 8'h0);
-  // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_1017;
-  assign difference_1017 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_42_features_right_q[5], entering_values_42_features_right_q};
-  logic [5:0] xor_1018;
-  assign xor_1018 = difference_1017[5:0] ^ {6{difference_1017[6]}};
-  logic [6:0] sum_1019;
-  assign sum_1019 = {6'h0, difference_1017[6]} + {1'b0, xor_1018};
-  // hls/stages/plane_sums.hpp:157
-  logic not_1022;
-  assign not_1022 = ~(entering_values_24_row_q ^ entering_values_42_row_q);
-  // hls/stages/plane_sums.hpp:87
-  logic [4:0] select_1025;
-  assign select_1025 = entering_values_42_features_mask_q ? (((sum_1019[6:5] == 2'h0) & not_1022) ? sum_1019[4:0] : 5'h1f) : 5'h1f;
-  // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_1026;
-  assign select_1026 = entering_values_24_features_mask_q ? select_1025 : 5'h0;
-  // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_1027;
-  assign difference_1027 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_41_features_right_q[5], leaving_values_41_features_right_q};
-  logic [5:0] xor_1028;
-  assign xor_1028 = difference_1027[5:0] ^ {6{difference_1027[6]}};
-  logic [6:0] sum_1029;
-  assign sum_1029 = {6'h0, difference_1027[6]} + {1'b0, xor_1028};
-  // hls/stages/plane_sums.hpp:88
-  logic [4:0] select_1033;
-  assign select_1033 = leaving_values_41_features_mask_q ? ((not_1022 & (sum_1029[6:5] == 2'h0)) ? sum_1029[4:0] : 5'h1f) : 5'h1f;
-  // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_1034;
-  assign select_1034 = leaving_values_23_features_mask_q ? select_1033 : 5'h0;
-  logic [5:0] difference_1035;
-  assign difference_1035 = {1'b0, select_1026} - {1'b0, select_1034};
-  logic [7:0] sum_1036;
-  assign sum_1036 = above_18 + {{2{difference_1035[5]}}, difference_1035};
-  // hls/stages/plane_sums.hpp:148
-  logic [7:0] above_19;
-  assign above_19 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[151:144] : 8'h0);
-  // hls/stages/plane_sums.hpp:156
-  logic [6:0] difference_1049;
-  assign difference_1049 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_47_features_right_q[5], leaving_values_47_features_right_q};
-  logic [5:0] xor_1050;
-  assign xor_1050 = difference_1049[5:0] ^ {6{difference_1049[6]}};
-  logic [6:0] sum_1051;
-  assign sum_1051 = {6'h0, difference_1049[6]} + {1'b0, xor_1050};
-  // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_1054;
-  assign select_1054 = (not_1044_s1_q & (sum_1051[6:5] == 2'h0)) ? sum_1051[4:0] : 5'h1f;
-  logic [4:0] select_1056;
-  assign select_1056 = leaving_values_23_features_mask_q ? (leaving_values_47_features_mask_q ? select_1054 : 5'h1f) : 5'h0;
-  logic [5:0] difference_1057;
-  assign difference_1057 = {1'b0, select_1048_s1_q} - {1'b0, select_1056};
-  logic [7:0] sum_1058;
-  assign sum_1058 = above_19 + {{2{difference_1057[5]}}, difference_1057};
-  // hls/stages/plane_sums.hpp:148
-  logic [7:0] above_20;
-  assign above_20 = equal_639 ? 8'h0 : (running_q ? column_memory_rdata_q[159:152] : 8'h0);
-  // hls/stages/plane_sums.hpp:163
-  logic [4:0] xor_1061;
-  assign xor_1061 = entering_values_23_features_left_s1_q[4:0] ^ {5{entering_values_23_features_left_s1_q[5]}};
-  // hls/stages/plane_sums.hpp:149
-  logic [4:0] select_1063;
-  assign select_1063 = entering_values_24_features_mask_q ? ({4'h0, entering_values_23_features_left_s1_q[5]} + xor_1061) : 5'h0;
-  // hls/stages/plane_sums.hpp:163
-  logic [4:0] xor_1064;
-  assign xor_1064 = leaving_values_23_features_left_q[4:0] ^ {5{leaving_values_23_features_left_q[5]}};
+  logic [4:0] select_1065;
+  assign select_1065 = entering_values_37_features_mask_q ? (((sum_1059[6:5] == 2'h0) & not_1062) ? sum_1059[4:0] : 5'h1f) : 5'h1f;
   // hls/stages/plane_sums.hpp:149
   logic [4:0] select_1066;
-  assign select_1066 = leaving_values_23_features_mask_q ? ({4'h0, leaving_values_23_features_left_q[5]} + xor_1064) : 5'h0;
-  logic [5:0] difference_1067;
-  assign difference_1067 = {1'b0, select_1063} - {1'b0, select_1066};
-  logic [7:0] sum_1068;
-  assign sum_1068 = above_20 + {{2{difference_1067[5]}}, difference_1067};
+  assign select_1066 = entering_values_24_features_mask_q ? select_1065 : 5'h0;
+  // hls/stages/plane_sums.hpp:156
+  logic [6:0] difference_1067;
+  assign difference_1067 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_36_features_right_q[5], leaving_values_36_features_right_q};
+  logic [5:0] xor_1068;
+  assign xor_1068 = difference_1067[5:0] ^ {6{difference_1067[6]}};
+  logic [6:0] sum_1069;
+  assign sum_1069 = {6'h0, difference_1067[6]} + {1'b0, xor_1068};
+  // hls/stages/plane_sums.hpp:88
+  logic [4:0] select_1073;
+  assign select_1073 = leaving_values_36_features_mask_q ? ((not_1062 & (sum_1069[6:5] == 2'h0)) ? sum_1069[4:0] : 5'h1f) : 5'h1f;
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_1074;
+  assign select_1074 = leaving_values_23_features_mask_q ? select_1073 : 5'h0;
+  logic [5:0] difference_1075;
+  assign difference_1075 = {1'b0, select_1066} - {1'b0, select_1074};
+  logic [7:0] sum_1076;
+  assign sum_1076 = above_17 + {{2{difference_1075[5]}}, difference_1075};
+  // hls/stages/plane_sums.hpp:148
+  logic [7:0] above_18;
+  assign above_18 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[143:136] : 8'h0);
+  // hls/stages/plane_sums.hpp:156
+  logic [6:0] difference_1079;
+  assign difference_1079 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_42_features_right_q[5], entering_values_42_features_right_q};
+  logic [5:0] xor_1080;
+  assign xor_1080 = difference_1079[5:0] ^ {6{difference_1079[6]}};
+  logic [6:0] sum_1081;
+  assign sum_1081 = {6'h0, difference_1079[6]} + {1'b0, xor_1080};
+  // hls/stages/plane_sums.hpp:157
+  logic not_1084;
+  assign not_1084 = ~(entering_values_24_row_q ^ entering_values_42_row_q);
+  // hls/stages/plane_sums.hpp:87
+  logic [4:0] select_1087;
+  assign select_1087 = entering_values_42_features_mask_q ? (((sum_1081[6:5] == 2'h0) & not_1084) ? sum_1081[4:0] : 5'h1f) : 5'h1f;
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_1088;
+  assign select_1088 = entering_values_24_features_mask_q ? select_1087 : 5'h0;
+  // hls/stages/plane_sums.hpp:156
+  logic [6:0] difference_1089;
+  assign difference_1089 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_41_features_right_q[5], leaving_values_41_features_right_q};
+  logic [5:0] xor_1090;
+  assign xor_1090 = difference_1089[5:0] ^ {6{difference_1089[6]}};
+  logic [6:0] sum_1091;
+  assign sum_1091 = {6'h0, difference_1089[6]} + {1'b0, xor_1090};
+  // hls/stages/plane_sums.hpp:88
+  logic [4:0] select_1095;
+  assign select_1095 = leaving_values_41_features_mask_q ? ((not_1084 & (sum_1091[6:5] == 2'h0)) ? sum_1091[4:0] : 5'h1f) : 5'h1f;
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_1096;
+  assign select_1096 = leaving_values_23_features_mask_q ? select_1095 : 5'h0;
+  logic [5:0] difference_1097;
+  assign difference_1097 = {1'b0, select_1088} - {1'b0, select_1096};
+  logic [7:0] sum_1098;
+  assign sum_1098 = above_18 + {{2{difference_1097[5]}}, difference_1097};
+  // hls/stages/plane_sums.hpp:148
+  logic [7:0] above_19;
+  assign above_19 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[151:144] : 8'h0);
+  // hls/stages/plane_sums.hpp:156
+  logic [6:0] difference_1111;
+  assign difference_1111 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_47_features_right_q[5], leaving_values_47_features_right_q};
+  logic [5:0] xor_1112;
+  assign xor_1112 = difference_1111[5:0] ^ {6{difference_1111[6]}};
+  logic [6:0] sum_1113;
+  assign sum_1113 = {6'h0, difference_1111[6]} + {1'b0, xor_1112};
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_1116;
+  assign select_1116 = (not_1106_s1_q & (sum_1113[6:5] == 2'h0)) ? sum_1113[4:0] : 5'h1f;
+  logic [4:0] select_1118;
+  assign select_1118 = leaving_values_23_features_mask_q ? (leaving_values_47_features_mask_q ? select_1116 : 5'h1f) : 5'h0;
+  logic [5:0] difference_1119;
+  assign difference_1119 = {1'b0, select_1110_s1_q} - {1'b0, select_1118};
+  logic [7:0] sum_1120;
+  assign sum_1120 = above_19 + {{2{difference_1119[5]}}, difference_1119};
+  // hls/stages/plane_sums.hpp:148
+  logic [7:0] above_20;
+  assign above_20 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[159:152] : 8'h0);
+  // hls/stages/plane_sums.hpp:163
+  logic [4:0] xor_1123;
+  assign xor_1123 = entering_values_23_features_left_s1_q[4:0] ^ {5{entering_values_23_features_left_s1_q[5]}};
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_1125;
+  assign select_1125 = entering_values_24_features_mask_q ? ({4'h0, entering_values_23_features_left_s1_q[5]} + xor_1123) : 5'h0;
+  // hls/stages/plane_sums.hpp:163
+  logic [4:0] xor_1126;
+  assign xor_1126 = leaving_values_23_features_left_q[4:0] ^ {5{leaving_values_23_features_left_q[5]}};
+  // hls/stages/plane_sums.hpp:149
+  logic [4:0] select_1128;
+  assign select_1128 = leaving_values_23_features_mask_q ? ({4'h0, leaving_values_23_features_left_q[5]} + xor_1126) : 5'h0;
+  logic [5:0] difference_1129;
+  assign difference_1129 = {1'b0, select_1125} - {1'b0, select_1128};
+  logic [7:0] sum_1130;
+  assign sum_1130 = above_20 + {{2{difference_1129[5]}}, difference_1129};
   // hls/stages/plane_sums.hpp:50
-  logic and_1069;
-  assign and_1069 = column_memory_rdata_q[166] & running_q;
-  logic and_1070;
-  assign and_1070 = column_memory_rdata_q[173] & running_q;
-  logic and_1071;
-  assign and_1071 = column_memory_rdata_q[180] & running_q;
-  logic and_1072;
-  assign and_1072 = column_memory_rdata_q[188] & running_q;
-  logic and_1073;
-  assign and_1073 = column_memory_rdata_q[189] & running_q;
+  logic and_1131;
+  assign and_1131 = column_memory_rdata_q[166] & running_q;
+  logic and_1132;
+  assign and_1132 = column_memory_rdata_q[173] & running_q;
+  logic and_1133;
+  assign and_1133 = column_memory_rdata_q[180] & running_q;
+  logic and_1134;
+  assign and_1134 = column_memory_rdata_q[188] & running_q;
+  logic and_1135;
+  assign and_1135 = column_memory_rdata_q[189] & running_q;
   // hls/stages/plane_sums.hpp:63
-  logic not_1074;
-  assign not_1074 = ~equal_659;
-  logic [2:0] select_1076;
-  assign select_1076 = arriving_row_ended_q ? (select_658 + {2'h0, not_1074}) : select_658;
+  logic not_1136;
+  assign not_1136 = ~equal_721;
+  logic [2:0] select_1138;
+  assign select_1138 = arriving_row_ended_q ? (select_720 + {2'h0, not_1136}) : select_720;
   // hls/stages/plane_sums.hpp:81
-  logic not_1078;
-  assign not_1078 = ~(select_638 == 3'h7);
-  logic [2:0] select_1080;
-  assign select_1080 = delayed_row_ended_q ? (select_638 + {2'h0, not_1078}) : select_638;
+  logic not_1140;
+  assign not_1140 = ~(select_700 == 3'h7);
+  logic [2:0] select_1142;
+  assign select_1142 = delayed_row_ended_q ? (select_700 + {2'h0, not_1140}) : select_700;
   // hls/stages/plane_sums.hpp:150
-  logic less_1081;
-  assign less_1081 = 10'h8 < delayed_column_q;
-  logic [10:0] difference_1083;
-  assign difference_1083 = {3'h0, sum_666} - (less_1081 ? rows_0_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1085;
-  assign sum_1085 = difference_1083 + (or_633_s1_q ? 11'h0 : rows_0_sum_sums_values_0_q);
-  logic [10:0] difference_1087;
-  assign difference_1087 = {3'h0, sum_688} - (less_1081 ? rows_1_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1089;
-  assign sum_1089 = difference_1087 + (or_633_s1_q ? 11'h0 : rows_1_sum_sums_values_0_q);
-  logic [10:0] difference_1091;
-  assign difference_1091 = {3'h0, sum_710} - (less_1081 ? rows_2_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1093;
-  assign sum_1093 = difference_1091 + (or_633_s1_q ? 11'h0 : rows_2_sum_sums_values_0_q);
-  logic [10:0] difference_1095;
-  assign difference_1095 = {3'h0, sum_732} - (less_1081 ? rows_3_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1097;
-  assign sum_1097 = difference_1095 + (or_633_s1_q ? 11'h0 : rows_3_sum_sums_values_0_q);
-  logic [10:0] difference_1099;
-  assign difference_1099 = {3'h0, sum_754} - (less_1081 ? rows_4_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1101;
-  assign sum_1101 = difference_1099 + (or_633_s1_q ? 11'h0 : rows_4_sum_sums_values_0_q);
-  logic [10:0] difference_1103;
-  assign difference_1103 = {3'h0, sum_776} - (less_1081 ? rows_5_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1105;
-  assign sum_1105 = difference_1103 + (or_633_s1_q ? 11'h0 : rows_5_sum_sums_values_0_q);
-  logic [10:0] difference_1107;
-  assign difference_1107 = {3'h0, sum_798} - (less_1081 ? rows_6_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1109;
-  assign sum_1109 = difference_1107 + (or_633_s1_q ? 11'h0 : rows_6_sum_sums_values_0_q);
-  logic [10:0] difference_1111;
-  assign difference_1111 = {3'h0, sum_820} - (less_1081 ? rows_7_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1113;
-  assign sum_1113 = difference_1111 + (or_633_s1_q ? 11'h0 : rows_7_sum_sums_values_0_q);
-  logic [10:0] difference_1115;
-  assign difference_1115 = {3'h0, sum_842} - (less_1081 ? rows_8_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1117;
-  assign sum_1117 = difference_1115 + (or_633_s1_q ? 11'h0 : rows_8_sum_sums_values_0_q);
-  logic [10:0] difference_1119;
-  assign difference_1119 = {3'h0, sum_860} - (less_1081 ? rows_9_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1121;
-  assign sum_1121 = difference_1119 + (or_633_s1_q ? 11'h0 : rows_9_sum_sums_values_0_q);
-  logic [10:0] difference_1123;
-  assign difference_1123 = {3'h0, sum_882} - (less_1081 ? rows_10_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1125;
-  assign sum_1125 = difference_1123 + (or_633_s1_q ? 11'h0 : rows_10_sum_sums_values_0_q);
-  logic [10:0] difference_1127;
-  assign difference_1127 = {3'h0, sum_904} - (less_1081 ? rows_11_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1129;
-  assign sum_1129 = difference_1127 + (or_633_s1_q ? 11'h0 : rows_11_sum_sums_values_0_q);
-  logic [10:0] difference_1131;
-  assign difference_1131 = {3'h0, sum_926} - (less_1081 ? rows_12_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1133;
-  assign sum_1133 = difference_1131 + (or_633_s1_q ? 11'h0 : rows_12_sum_sums_values_0_q);
-  logic [10:0] difference_1135;
-  assign difference_1135 = {3'h0, sum_948} - (less_1081 ? rows_13_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1137;
-  assign sum_1137 = difference_1135 + (or_633_s1_q ? 11'h0 : rows_13_sum_sums_values_0_q);
-  logic [10:0] difference_1139;
-  assign difference_1139 = {3'h0, sum_970} - (less_1081 ? rows_14_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1141;
-  assign sum_1141 = difference_1139 + (or_633_s1_q ? 11'h0 : rows_14_sum_sums_values_0_q);
-  logic [10:0] difference_1143;
-  assign difference_1143 = {3'h0, sum_992} - (less_1081 ? rows_15_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1145;
-  assign sum_1145 = difference_1143 + (or_633_s1_q ? 11'h0 : rows_15_sum_sums_values_0_q);
-  logic [10:0] difference_1147;
-  assign difference_1147 = {3'h0, sum_1014} - (less_1081 ? rows_16_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1149;
-  assign sum_1149 = difference_1147 + (or_633_s1_q ? 11'h0 : rows_16_sum_sums_values_0_q);
-  logic [10:0] difference_1151;
-  assign difference_1151 = {3'h0, sum_1036} - (less_1081 ? rows_17_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1153;
-  assign sum_1153 = difference_1151 + (or_633_s1_q ? 11'h0 : rows_17_sum_sums_values_0_q);
-  logic [10:0] difference_1155;
-  assign difference_1155 = {3'h0, sum_1058} - (less_1081 ? rows_18_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1157;
-  assign sum_1157 = difference_1155 + (or_633_s1_q ? 11'h0 : rows_18_sum_sums_values_0_q);
-  logic [10:0] difference_1159;
-  assign difference_1159 = {3'h0, sum_1068} - (less_1081 ? rows_19_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1161;
-  assign sum_1161 = difference_1159 + (or_633_s1_q ? 11'h0 : rows_19_sum_sums_values_0_q);
+  logic less_1143;
+  assign less_1143 = 10'h8 < delayed_column_q;
+  logic [10:0] difference_1145;
+  assign difference_1145 = {3'h0, sum_728} - (less_1143 ? rows_0_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1147;
+  assign sum_1147 = difference_1145 + (or_695_s1_q ? 11'h0 : rows_0_sum_sums_values_0_q);
+  logic [10:0] difference_1149;
+  assign difference_1149 = {3'h0, sum_750} - (less_1143 ? rows_1_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1151;
+  assign sum_1151 = difference_1149 + (or_695_s1_q ? 11'h0 : rows_1_sum_sums_values_0_q);
+  logic [10:0] difference_1153;
+  assign difference_1153 = {3'h0, sum_772} - (less_1143 ? rows_2_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1155;
+  assign sum_1155 = difference_1153 + (or_695_s1_q ? 11'h0 : rows_2_sum_sums_values_0_q);
+  logic [10:0] difference_1157;
+  assign difference_1157 = {3'h0, sum_794} - (less_1143 ? rows_3_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1159;
+  assign sum_1159 = difference_1157 + (or_695_s1_q ? 11'h0 : rows_3_sum_sums_values_0_q);
+  logic [10:0] difference_1161;
+  assign difference_1161 = {3'h0, sum_816} - (less_1143 ? rows_4_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1163;
+  assign sum_1163 = difference_1161 + (or_695_s1_q ? 11'h0 : rows_4_sum_sums_values_0_q);
+  logic [10:0] difference_1165;
+  assign difference_1165 = {3'h0, sum_838} - (less_1143 ? rows_5_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1167;
+  assign sum_1167 = difference_1165 + (or_695_s1_q ? 11'h0 : rows_5_sum_sums_values_0_q);
+  logic [10:0] difference_1169;
+  assign difference_1169 = {3'h0, sum_860} - (less_1143 ? rows_6_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1171;
+  assign sum_1171 = difference_1169 + (or_695_s1_q ? 11'h0 : rows_6_sum_sums_values_0_q);
+  logic [10:0] difference_1173;
+  assign difference_1173 = {3'h0, sum_882} - (less_1143 ? rows_7_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1175;
+  assign sum_1175 = difference_1173 + (or_695_s1_q ? 11'h0 : rows_7_sum_sums_values_0_q);
+  logic [10:0] difference_1177;
+  assign difference_1177 = {3'h0, sum_904} - (less_1143 ? rows_8_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1179;
+  assign sum_1179 = difference_1177 + (or_695_s1_q ? 11'h0 : rows_8_sum_sums_values_0_q);
+  logic [10:0] difference_1181;
+  assign difference_1181 = {3'h0, sum_922} - (less_1143 ? rows_9_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1183;
+  assign sum_1183 = difference_1181 + (or_695_s1_q ? 11'h0 : rows_9_sum_sums_values_0_q);
+  logic [10:0] difference_1185;
+  assign difference_1185 = {3'h0, sum_944} - (less_1143 ? rows_10_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1187;
+  assign sum_1187 = difference_1185 + (or_695_s1_q ? 11'h0 : rows_10_sum_sums_values_0_q);
+  logic [10:0] difference_1189;
+  assign difference_1189 = {3'h0, sum_966} - (less_1143 ? rows_11_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1191;
+  assign sum_1191 = difference_1189 + (or_695_s1_q ? 11'h0 : rows_11_sum_sums_values_0_q);
+  logic [10:0] difference_1193;
+  assign difference_1193 = {3'h0, sum_988} - (less_1143 ? rows_12_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1195;
+  assign sum_1195 = difference_1193 + (or_695_s1_q ? 11'h0 : rows_12_sum_sums_values_0_q);
+  logic [10:0] difference_1197;
+  assign difference_1197 = {3'h0, sum_1010} - (less_1143 ? rows_13_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1199;
+  assign sum_1199 = difference_1197 + (or_695_s1_q ? 11'h0 : rows_13_sum_sums_values_0_q);
+  logic [10:0] difference_1201;
+  assign difference_1201 = {3'h0, sum_1032} - (less_1143 ? rows_14_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1203;
+  assign sum_1203 = difference_1201 + (or_695_s1_q ? 11'h0 : rows_14_sum_sums_values_0_q);
+  logic [10:0] difference_1205;
+  assign difference_1205 = {3'h0, sum_1054} - (less_1143 ? rows_15_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1207;
+  assign sum_1207 = difference_1205 + (or_695_s1_q ? 11'h0 : rows_15_sum_sums_values_0_q);
+  logic [10:0] difference_1209;
+  assign difference_1209 = {3'h0, sum_1076} - (less_1143 ? rows_16_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1211;
+  assign sum_1211 = difference_1209 + (or_695_s1_q ? 11'h0 : rows_16_sum_sums_values_0_q);
+  logic [10:0] difference_1213;
+  assign difference_1213 = {3'h0, sum_1098} - (less_1143 ? rows_17_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1215;
+  assign sum_1215 = difference_1213 + (or_695_s1_q ? 11'h0 : rows_17_sum_sums_values_0_q);
+  logic [10:0] difference_1217;
+  assign difference_1217 = {3'h0, sum_1120} - (less_1143 ? rows_18_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1219;
+  assign sum_1219 = difference_1217 + (or_695_s1_q ? 11'h0 : rows_18_sum_sums_values_0_q);
+  logic [10:0] difference_1221;
+  assign difference_1221 = {3'h0, sum_1130} - (less_1143 ? rows_19_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1223;
+  assign sum_1223 = difference_1221 + (or_695_s1_q ? 11'h0 : rows_19_sum_sums_values_0_q);
   // hls/stages/plane_sums.hpp:99
-  logic and_1166;
-  assign and_1166 = (column_memory_rdata_q[190] & running_q) & (3'h2 < select_638);
+  logic and_1228;
+  assign and_1228 = (column_memory_rdata_q[190] & running_q) & (3'h2 < select_700);
   // hls/stages/plane_sums.hpp:110
-  logic and_1170;
-  assign and_1170 = (centres_values_3_gradient_q & and_1166) & (~(delayed_column_q[9:2] == 8'h0));
+  logic and_1232;
+  assign and_1232 = (centres_values_3_gradient_q & and_1228) & (~(delayed_column_q[9:2] == 8'h0));
 
   // Memory feature_memory, write
   logic [9:0] feature_memory_waddr;
@@ -2154,7 +2342,7 @@ module horopter_plane_sums (
   logic column_memory_we;
   assign column_memory_we = s1_en & running_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (column_memory_we) column_memory_mem[column_memory_waddr] <= {and_1073, and_1072, entering_values_24_features_mask_q, and_1071, column_memory_rdata_q[179:174], and_1070, column_memory_rdata_q[172:167], and_1069, column_memory_rdata_q[165:160], seen_values_24_exists_s1_q, seen_values_24_grey_s1_q, sum_1068, sum_1058, sum_1036, sum_1014, sum_992, sum_970, sum_948, sum_926, sum_904, sum_882, sum_860, sum_842, sum_820, sum_798, sum_776, sum_754, sum_732, sum_710, sum_688, sum_666};
+    if (column_memory_we) column_memory_mem[column_memory_waddr] <= {and_1135, and_1134, entering_values_24_features_mask_q, and_1133, column_memory_rdata_q[179:174], and_1132, column_memory_rdata_q[172:167], and_1131, column_memory_rdata_q[165:160], seen_values_24_exists_s1_q, seen_values_24_grey_s1_q, sum_1130, sum_1120, sum_1098, sum_1076, sum_1054, sum_1032, sum_1010, sum_988, sum_966, sum_944, sum_922, sum_904, sum_882, sum_860, sum_838, sum_816, sum_794, sum_772, sum_750, sum_728};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -2309,11 +2497,11 @@ module horopter_plane_sums (
       rows_seen_values_2_q <= 1'b0;
       rows_seen_values_3_q <= 1'b0;
     end else if (s1_en) begin
-      arriving_rows_q <= select_1076;
-      delayed_rows_q <= select_1080;
+      arriving_rows_q <= select_1138;
+      delayed_rows_q <= select_1142;
       leaving_values_0_features_left_q <= feature_memory_rdata_q[83:78];
       leaving_values_0_features_right_q <= feature_memory_rdata_q[89:84];
-      leaving_values_0_features_mask_q <= and_660;
+      leaving_values_0_features_mask_q <= and_722;
       leaving_values_1_features_left_q <= leaving_values_0_features_left_q;
       leaving_values_1_features_right_q <= leaving_values_0_features_right_q;
       leaving_values_1_features_mask_q <= leaving_values_0_features_mask_q;
@@ -2433,7 +2621,7 @@ module horopter_plane_sums (
       leaving_values_47_features_mask_q <= leaving_values_46_features_mask_q;
       centres_values_0_seen_grey_q <= running_q ? column_memory_rdata_q[186:181] : 6'h0;
       centres_values_0_seen_exists_q <= column_memory_rdata_q[187] & running_q;
-      centres_values_0_gradient_q <= and_1166;
+      centres_values_0_gradient_q <= and_1228;
       centres_values_1_seen_grey_q <= centres_values_0_seen_grey_q;
       centres_values_1_seen_exists_q <= centres_values_0_seen_exists_q;
       centres_values_1_gradient_q <= centres_values_0_gradient_q;
@@ -2443,7 +2631,7 @@ module horopter_plane_sums (
       centres_values_3_seen_grey_q <= centres_values_2_seen_grey_q;
       centres_values_3_seen_exists_q <= centres_values_2_seen_exists_q;
       centres_values_3_gradient_q <= centres_values_2_gradient_q;
-      rows_seen_values_0_q <= select_638[2];
+      rows_seen_values_0_q <= select_700[2];
       rows_seen_values_1_q <= rows_seen_values_0_q;
       rows_seen_values_2_q <= rows_seen_values_1_q;
       rows_seen_values_3_q <= rows_seen_values_2_q;
@@ -2657,7 +2845,7 @@ module horopter_plane_sums (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s1_en) begin
-      rows_0_columns_values_0_q <= {3'h0, sum_666};
+      rows_0_columns_values_0_q <= {3'h0, sum_728};
       rows_0_columns_values_1_q <= rows_0_columns_values_0_q;
       rows_0_columns_values_2_q <= rows_0_columns_values_1_q;
       rows_0_columns_values_3_q <= rows_0_columns_values_2_q;
@@ -2666,8 +2854,8 @@ module horopter_plane_sums (
       rows_0_columns_values_6_q <= rows_0_columns_values_5_q;
       rows_0_columns_values_7_q <= rows_0_columns_values_6_q;
       rows_0_columns_values_8_q <= rows_0_columns_values_7_q;
-      rows_0_sum_sums_values_0_q <= sum_1085;
-      rows_1_columns_values_0_q <= {3'h0, sum_688};
+      rows_0_sum_sums_values_0_q <= sum_1147;
+      rows_1_columns_values_0_q <= {3'h0, sum_750};
       rows_1_columns_values_1_q <= rows_1_columns_values_0_q;
       rows_1_columns_values_2_q <= rows_1_columns_values_1_q;
       rows_1_columns_values_3_q <= rows_1_columns_values_2_q;
@@ -2676,8 +2864,8 @@ module horopter_plane_sums (
       rows_1_columns_values_6_q <= rows_1_columns_values_5_q;
       rows_1_columns_values_7_q <= rows_1_columns_values_6_q;
       rows_1_columns_values_8_q <= rows_1_columns_values_7_q;
-      rows_1_sum_sums_values_0_q <= sum_1089;
-      rows_2_columns_values_0_q <= {3'h0, sum_710};
+      rows_1_sum_sums_values_0_q <= sum_1151;
+      rows_2_columns_values_0_q <= {3'h0, sum_772};
       rows_2_columns_values_1_q <= rows_2_columns_values_0_q;
       rows_2_columns_values_2_q <= rows_2_columns_values_1_q;
       rows_2_columns_values_3_q <= rows_2_columns_values_2_q;
@@ -2686,8 +2874,8 @@ module horopter_plane_sums (
       rows_2_columns_values_6_q <= rows_2_columns_values_5_q;
       rows_2_columns_values_7_q <= rows_2_columns_values_6_q;
       rows_2_columns_values_8_q <= rows_2_columns_values_7_q;
-      rows_2_sum_sums_values_0_q <= sum_1093;
-      rows_3_columns_values_0_q <= {3'h0, sum_732};
+      rows_2_sum_sums_values_0_q <= sum_1155;
+      rows_3_columns_values_0_q <= {3'h0, sum_794};
       rows_3_columns_values_1_q <= rows_3_columns_values_0_q;
       rows_3_columns_values_2_q <= rows_3_columns_values_1_q;
       rows_3_columns_values_3_q <= rows_3_columns_values_2_q;
@@ -2696,8 +2884,8 @@ module horopter_plane_sums (
       rows_3_columns_values_6_q <= rows_3_columns_values_5_q;
       rows_3_columns_values_7_q <= rows_3_columns_values_6_q;
       rows_3_columns_values_8_q <= rows_3_columns_values_7_q;
-      rows_3_sum_sums_values_0_q <= sum_1097;
-      rows_4_columns_values_0_q <= {3'h0, sum_754};
+      rows_3_sum_sums_values_0_q <= sum_1159;
+      rows_4_columns_values_0_q <= {3'h0, sum_816};
       rows_4_columns_values_1_q <= rows_4_columns_values_0_q;
       rows_4_columns_values_2_q <= rows_4_columns_values_1_q;
       rows_4_columns_values_3_q <= rows_4_columns_values_2_q;
@@ -2706,8 +2894,8 @@ module horopter_plane_sums (
       rows_4_columns_values_6_q <= rows_4_columns_values_5_q;
       rows_4_columns_values_7_q <= rows_4_columns_values_6_q;
       rows_4_columns_values_8_q <= rows_4_columns_values_7_q;
-      rows_4_sum_sums_values_0_q <= sum_1101;
-      rows_5_columns_values_0_q <= {3'h0, sum_776};
+      rows_4_sum_sums_values_0_q <= sum_1163;
+      rows_5_columns_values_0_q <= {3'h0, sum_838};
       rows_5_columns_values_1_q <= rows_5_columns_values_0_q;
       rows_5_columns_values_2_q <= rows_5_columns_values_1_q;
       rows_5_columns_values_3_q <= rows_5_columns_values_2_q;
@@ -2716,8 +2904,8 @@ module horopter_plane_sums (
       rows_5_columns_values_6_q <= rows_5_columns_values_5_q;
       rows_5_columns_values_7_q <= rows_5_columns_values_6_q;
       rows_5_columns_values_8_q <= rows_5_columns_values_7_q;
-      rows_5_sum_sums_values_0_q <= sum_1105;
-      rows_6_columns_values_0_q <= {3'h0, sum_798};
+      rows_5_sum_sums_values_0_q <= sum_1167;
+      rows_6_columns_values_0_q <= {3'h0, sum_860};
       rows_6_columns_values_1_q <= rows_6_columns_values_0_q;
       rows_6_columns_values_2_q <= rows_6_columns_values_1_q;
       rows_6_columns_values_3_q <= rows_6_columns_values_2_q;
@@ -2726,8 +2914,8 @@ module horopter_plane_sums (
       rows_6_columns_values_6_q <= rows_6_columns_values_5_q;
       rows_6_columns_values_7_q <= rows_6_columns_values_6_q;
       rows_6_columns_values_8_q <= rows_6_columns_values_7_q;
-      rows_6_sum_sums_values_0_q <= sum_1109;
-      rows_7_columns_values_0_q <= {3'h0, sum_820};
+      rows_6_sum_sums_values_0_q <= sum_1171;
+      rows_7_columns_values_0_q <= {3'h0, sum_882};
       rows_7_columns_values_1_q <= rows_7_columns_values_0_q;
       rows_7_columns_values_2_q <= rows_7_columns_values_1_q;
       rows_7_columns_values_3_q <= rows_7_columns_values_2_q;
@@ -2736,8 +2924,8 @@ module horopter_plane_sums (
       rows_7_columns_values_6_q <= rows_7_columns_values_5_q;
       rows_7_columns_values_7_q <= rows_7_columns_values_6_q;
       rows_7_columns_values_8_q <= rows_7_columns_values_7_q;
-      rows_7_sum_sums_values_0_q <= sum_1113;
-      rows_8_columns_values_0_q <= {3'h0, sum_842};
+      rows_7_sum_sums_values_0_q <= sum_1175;
+      rows_8_columns_values_0_q <= {3'h0, sum_904};
       rows_8_columns_values_1_q <= rows_8_columns_values_0_q;
       rows_8_columns_values_2_q <= rows_8_columns_values_1_q;
       rows_8_columns_values_3_q <= rows_8_columns_values_2_q;
@@ -2746,8 +2934,8 @@ module horopter_plane_sums (
       rows_8_columns_values_6_q <= rows_8_columns_values_5_q;
       rows_8_columns_values_7_q <= rows_8_columns_values_6_q;
       rows_8_columns_values_8_q <= rows_8_columns_values_7_q;
-      rows_8_sum_sums_values_0_q <= sum_1117;
-      rows_9_columns_values_0_q <= {3'h0, sum_860};
+      rows_8_sum_sums_values_0_q <= sum_1179;
+      rows_9_columns_values_0_q <= {3'h0, sum_922};
       rows_9_columns_values_1_q <= rows_9_columns_values_0_q;
       rows_9_columns_values_2_q <= rows_9_columns_values_1_q;
       rows_9_columns_values_3_q <= rows_9_columns_values_2_q;
@@ -2756,8 +2944,8 @@ module horopter_plane_sums (
       rows_9_columns_values_6_q <= rows_9_columns_values_5_q;
       rows_9_columns_values_7_q <= rows_9_columns_values_6_q;
       rows_9_columns_values_8_q <= rows_9_columns_values_7_q;
-      rows_9_sum_sums_values_0_q <= sum_1121;
-      rows_10_columns_values_0_q <= {3'h0, sum_882};
+      rows_9_sum_sums_values_0_q <= sum_1183;
+      rows_10_columns_values_0_q <= {3'h0, sum_944};
       rows_10_columns_values_1_q <= rows_10_columns_values_0_q;
       rows_10_columns_values_2_q <= rows_10_columns_values_1_q;
       rows_10_columns_values_3_q <= rows_10_columns_values_2_q;
@@ -2766,8 +2954,8 @@ module horopter_plane_sums (
       rows_10_columns_values_6_q <= rows_10_columns_values_5_q;
       rows_10_columns_values_7_q <= rows_10_columns_values_6_q;
       rows_10_columns_values_8_q <= rows_10_columns_values_7_q;
-      rows_10_sum_sums_values_0_q <= sum_1125;
-      rows_11_columns_values_0_q <= {3'h0, sum_904};
+      rows_10_sum_sums_values_0_q <= sum_1187;
+      rows_11_columns_values_0_q <= {3'h0, sum_966};
       rows_11_columns_values_1_q <= rows_11_columns_values_0_q;
       rows_11_columns_values_2_q <= rows_11_columns_values_1_q;
       rows_11_columns_values_3_q <= rows_11_columns_values_2_q;
@@ -2776,8 +2964,8 @@ module horopter_plane_sums (
       rows_11_columns_values_6_q <= rows_11_columns_values_5_q;
       rows_11_columns_values_7_q <= rows_11_columns_values_6_q;
       rows_11_columns_values_8_q <= rows_11_columns_values_7_q;
-      rows_11_sum_sums_values_0_q <= sum_1129;
-      rows_12_columns_values_0_q <= {3'h0, sum_926};
+      rows_11_sum_sums_values_0_q <= sum_1191;
+      rows_12_columns_values_0_q <= {3'h0, sum_988};
       rows_12_columns_values_1_q <= rows_12_columns_values_0_q;
       rows_12_columns_values_2_q <= rows_12_columns_values_1_q;
       rows_12_columns_values_3_q <= rows_12_columns_values_2_q;
@@ -2786,8 +2974,8 @@ module horopter_plane_sums (
       rows_12_columns_values_6_q <= rows_12_columns_values_5_q;
       rows_12_columns_values_7_q <= rows_12_columns_values_6_q;
       rows_12_columns_values_8_q <= rows_12_columns_values_7_q;
-      rows_12_sum_sums_values_0_q <= sum_1133;
-      rows_13_columns_values_0_q <= {3'h0, sum_948};
+      rows_12_sum_sums_values_0_q <= sum_1195;
+      rows_13_columns_values_0_q <= {3'h0, sum_1010};
       rows_13_columns_values_1_q <= rows_13_columns_values_0_q;
       rows_13_columns_values_2_q <= rows_13_columns_values_1_q;
       rows_13_columns_values_3_q <= rows_13_columns_values_2_q;
@@ -2796,8 +2984,8 @@ module horopter_plane_sums (
       rows_13_columns_values_6_q <= rows_13_columns_values_5_q;
       rows_13_columns_values_7_q <= rows_13_columns_values_6_q;
       rows_13_columns_values_8_q <= rows_13_columns_values_7_q;
-      rows_13_sum_sums_values_0_q <= sum_1137;
-      rows_14_columns_values_0_q <= {3'h0, sum_970};
+      rows_13_sum_sums_values_0_q <= sum_1199;
+      rows_14_columns_values_0_q <= {3'h0, sum_1032};
       rows_14_columns_values_1_q <= rows_14_columns_values_0_q;
       rows_14_columns_values_2_q <= rows_14_columns_values_1_q;
       rows_14_columns_values_3_q <= rows_14_columns_values_2_q;
@@ -2806,8 +2994,8 @@ module horopter_plane_sums (
       rows_14_columns_values_6_q <= rows_14_columns_values_5_q;
       rows_14_columns_values_7_q <= rows_14_columns_values_6_q;
       rows_14_columns_values_8_q <= rows_14_columns_values_7_q;
-      rows_14_sum_sums_values_0_q <= sum_1141;
-      rows_15_columns_values_0_q <= {3'h0, sum_992};
+      rows_14_sum_sums_values_0_q <= sum_1203;
+      rows_15_columns_values_0_q <= {3'h0, sum_1054};
       rows_15_columns_values_1_q <= rows_15_columns_values_0_q;
       rows_15_columns_values_2_q <= rows_15_columns_values_1_q;
       rows_15_columns_values_3_q <= rows_15_columns_values_2_q;
@@ -2816,8 +3004,8 @@ module horopter_plane_sums (
       rows_15_columns_values_6_q <= rows_15_columns_values_5_q;
       rows_15_columns_values_7_q <= rows_15_columns_values_6_q;
       rows_15_columns_values_8_q <= rows_15_columns_values_7_q;
-      rows_15_sum_sums_values_0_q <= sum_1145;
-      rows_16_columns_values_0_q <= {3'h0, sum_1014};
+      rows_15_sum_sums_values_0_q <= sum_1207;
+      rows_16_columns_values_0_q <= {3'h0, sum_1076};
       rows_16_columns_values_1_q <= rows_16_columns_values_0_q;
       rows_16_columns_values_2_q <= rows_16_columns_values_1_q;
       rows_16_columns_values_3_q <= rows_16_columns_values_2_q;
@@ -2826,8 +3014,8 @@ module horopter_plane_sums (
       rows_16_columns_values_6_q <= rows_16_columns_values_5_q;
       rows_16_columns_values_7_q <= rows_16_columns_values_6_q;
       rows_16_columns_values_8_q <= rows_16_columns_values_7_q;
-      rows_16_sum_sums_values_0_q <= sum_1149;
-      rows_17_columns_values_0_q <= {3'h0, sum_1036};
+      rows_16_sum_sums_values_0_q <= sum_1211;
+      rows_17_columns_values_0_q <= {3'h0, sum_1098};
       rows_17_columns_values_1_q <= rows_17_columns_values_0_q;
       rows_17_columns_values_2_q <= rows_17_columns_values_1_q;
       rows_17_columns_values_3_q <= rows_17_columns_values_2_q;
@@ -2836,8 +3024,8 @@ module horopter_plane_sums (
       rows_17_columns_values_6_q <= rows_17_columns_values_5_q;
       rows_17_columns_values_7_q <= rows_17_columns_values_6_q;
       rows_17_columns_values_8_q <= rows_17_columns_values_7_q;
-      rows_17_sum_sums_values_0_q <= sum_1153;
-      rows_18_columns_values_0_q <= {3'h0, sum_1058};
+      rows_17_sum_sums_values_0_q <= sum_1215;
+      rows_18_columns_values_0_q <= {3'h0, sum_1120};
       rows_18_columns_values_1_q <= rows_18_columns_values_0_q;
       rows_18_columns_values_2_q <= rows_18_columns_values_1_q;
       rows_18_columns_values_3_q <= rows_18_columns_values_2_q;
@@ -2846,8 +3034,8 @@ module horopter_plane_sums (
       rows_18_columns_values_6_q <= rows_18_columns_values_5_q;
       rows_18_columns_values_7_q <= rows_18_columns_values_6_q;
       rows_18_columns_values_8_q <= rows_18_columns_values_7_q;
-      rows_18_sum_sums_values_0_q <= sum_1157;
-      rows_19_columns_values_0_q <= {3'h0, sum_1068};
+      rows_18_sum_sums_values_0_q <= sum_1219;
+      rows_19_columns_values_0_q <= {3'h0, sum_1130};
       rows_19_columns_values_1_q <= rows_19_columns_values_0_q;
       rows_19_columns_values_2_q <= rows_19_columns_values_1_q;
       rows_19_columns_values_3_q <= rows_19_columns_values_2_q;
@@ -2856,22 +3044,26 @@ module horopter_plane_sums (
       rows_19_columns_values_6_q <= rows_19_columns_values_5_q;
       rows_19_columns_values_7_q <= rows_19_columns_values_6_q;
       rows_19_columns_values_8_q <= rows_19_columns_values_7_q;
-      rows_19_sum_sums_values_0_q <= sum_1161;
+      rows_19_sum_sums_values_0_q <= sum_1223;
     end
   end
 
   logic [5:0] centres_values_3_seen_grey_s2_q;
   logic centre_marks_values_3_first_s2_q;
   logic centre_marks_values_3_last_s2_q;
-  logic and_1170_s2_q;
-  logic and_1171_s2_q;
+  logic centre_marks_values_3_seen_s2_q;
+  logic centre_marks_values_3_nearer_s2_q;
+  logic and_1232_s2_q;
+  logic and_1233_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       centres_values_3_seen_grey_s2_q <= centres_values_3_seen_grey_q;
       centre_marks_values_3_first_s2_q <= centre_marks_values_3_first_s1_q;
       centre_marks_values_3_last_s2_q <= centre_marks_values_3_last_s1_q;
-      and_1170_s2_q <= and_1170;
-      and_1171_s2_q <= centres_values_3_seen_exists_q & rows_seen_values_3_q;
+      centre_marks_values_3_seen_s2_q <= centre_marks_values_3_seen_s1_q;
+      centre_marks_values_3_nearer_s2_q <= centre_marks_values_3_nearer_s1_q;
+      and_1232_s2_q <= and_1232;
+      and_1233_s2_q <= centres_values_3_seen_exists_q & rows_seen_values_3_q;
     end
   end
 
@@ -2897,10 +3089,12 @@ module horopter_plane_sums (
   assign sum_18_o = rows_18_sum_sums_values_0_q;
   assign evidence_o = rows_19_sum_sums_values_0_q;
   assign grey_o = centres_values_3_seen_grey_s2_q;
-  assign known_o = and_1170_s2_q;
-  assign exists_o = and_1171_s2_q;
+  assign known_o = and_1232_s2_q;
+  assign exists_o = and_1233_s2_q;
   assign marks_first_o = centre_marks_values_3_first_s2_q;
   assign marks_last_o = centre_marks_values_3_last_s2_q;
+  assign marks_seen_o = centre_marks_values_3_seen_s2_q;
+  assign marks_nearer_o = centre_marks_values_3_nearer_s2_q;
   assign valid_o = valid_s2_q;
 
   always_ff @(posedge clk_i) begin

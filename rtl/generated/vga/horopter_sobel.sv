@@ -4,7 +4,7 @@
 // Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
 // Outputs are logic: what they go to takes them with the clock if en_i = 1.
-// State 92 bits, pipeline 21 bits, memories 23040 bits.
+// State 92 bits, pipeline 23 bits, memories 23040 bits.
 module horopter_sobel (
   input  logic clk_i,
   input  logic rst_ni,
@@ -16,6 +16,8 @@ module horopter_sobel (
   input  logic mask_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
+  input  logic marks_seen_i,
+  input  logic marks_nearer_i,
   output logic valid_o,
   output logic signed [10:0] gx_0_o,
   output logic signed [10:0] gx_1_o,
@@ -25,6 +27,8 @@ module horopter_sobel (
   output logic mask_o,
   output logic marks_first_o,
   output logic marks_last_o,
+  output logic marks_seen_o,
+  output logic marks_nearer_o,
   output logic [7:0] smooth_grey_o,
   output logic smooth_exists_o
 );
@@ -39,10 +43,10 @@ module horopter_sobel (
   logic [9:0] raster_column_q;
   logic raster_row_ended_q;
   // hls/stages/sobel.hpp:41
-  logic or_20;
-  assign or_20 = marks_first_i | raster_row_ended_q;
-  logic [9:0] select_22;
-  assign select_22 = or_20 ? 10'h0 : (raster_column_q + 10'h1);
+  logic or_22;
+  assign or_22 = marks_first_i | raster_row_ended_q;
+  logic [9:0] select_24;
+  assign select_24 = or_22 ? 10'h0 : (raster_column_q + 10'h1);
 
   // Memory memory, 640 x 36, DISTANCE 16, hls/stages/sobel.hpp:74; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -52,7 +56,7 @@ module horopter_sobel (
   initial for (int i = 0; i < 640; i++) memory_mem[i] = 36'h0;
 `endif
   logic [9:0] memory_raddr;
-  assign memory_raddr = select_22;
+  assign memory_raddr = select_24;
   logic memory_re;
   assign memory_re = s0_en;
   logic [35:0] memory_rdata_q;
@@ -65,7 +69,7 @@ module horopter_sobel (
       raster_column_q <= 10'h0;
       raster_row_ended_q <= 1'b1;
     end else if (s0_en) begin
-      raster_column_q <= select_22;
+      raster_column_q <= select_24;
       raster_row_ended_q <= marks_last_i;
     end
   end
@@ -75,7 +79,9 @@ module horopter_sobel (
   logic saturated_s1_q;
   logic mask_s1_q;
   logic marks_first_s1_q;
-  logic or_20_s1_q;
+  logic marks_seen_s1_q;
+  logic marks_nearer_s1_q;
+  logic or_22_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       pixel_0_s1_q <= pixel_0_i;
@@ -83,7 +89,9 @@ module horopter_sobel (
       saturated_s1_q <= saturated_i;
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;
-      or_20_s1_q <= or_20;
+      marks_seen_s1_q <= marks_seen_i;
+      marks_nearer_s1_q <= marks_nearer_i;
+      or_22_s1_q <= or_22;
     end
   end
 
@@ -100,47 +108,47 @@ module horopter_sobel (
   logic [1:0] mask_columns_values_0_q;
   logic [1:0] saturated_columns_values_0_q;
   // hls/stages/sobel.hpp:41
-  logic and_25;
-  assign and_25 = raster_rows_q & (~marks_first_s1_q);
+  logic and_27;
+  assign and_27 = raster_rows_q & (~marks_first_s1_q);
   // hls/stages/sobel.hpp:58
-  logic [1:0] select_26;
-  assign select_26 = and_25 ? memory_rdata_q[33:32] : 2'h0;
+  logic [1:0] select_28;
+  assign select_28 = and_27 ? memory_rdata_q[33:32] : 2'h0;
   // hls/stages/sobel.hpp:59
-  logic [1:0] select_27;
-  assign select_27 = and_25 ? memory_rdata_q[35:34] : 2'h0;
+  logic [1:0] select_29;
+  assign select_29 = and_27 ? memory_rdata_q[35:34] : 2'h0;
   // hls/stages/sobel.hpp:49
-  logic [8:0] sum_29;
-  assign sum_29 = {1'b0, memory_rdata_q[7:0]} + {2'h0, memory_rdata_q[23:17]};
-  logic [9:0] smooth;
-  assign smooth = {2'h0, pixel_0_s1_q} + {sum_29, memory_rdata_q[16]};
   logic [8:0] sum_31;
-  assign sum_31 = {1'b0, memory_rdata_q[15:8]} + {2'h0, memory_rdata_q[31:25]};
+  assign sum_31 = {1'b0, memory_rdata_q[7:0]} + {2'h0, memory_rdata_q[23:17]};
+  logic [9:0] smooth;
+  assign smooth = {2'h0, pixel_0_s1_q} + {sum_31, memory_rdata_q[16]};
+  logic [8:0] sum_33;
+  assign sum_33 = {1'b0, memory_rdata_q[15:8]} + {2'h0, memory_rdata_q[31:25]};
   logic [9:0] smooth_2;
-  assign smooth_2 = {2'h0, pixel_1_s1_q} + {sum_31, memory_rdata_q[24]};
+  assign smooth_2 = {2'h0, pixel_1_s1_q} + {sum_33, memory_rdata_q[24]};
   // hls/stages/sobel.hpp:50
   logic [8:0] slope;
   assign slope = {1'b0, pixel_0_s1_q} - {1'b0, memory_rdata_q[23:16]};
   logic [8:0] slope_2;
   assign slope_2 = {1'b0, pixel_1_s1_q} - {1'b0, memory_rdata_q[31:24]};
   // hls/stages/sobel.hpp:58
-  logic equal_35;
-  assign equal_35 = {select_26, mask_s1_q} == 3'h7;
-  logic [1:0] select_36;
-  assign select_36 = or_20_s1_q ? 2'h0 : mask_columns_values_0_q;
-  // hls/stages/sobel.hpp:59
   logic equal_37;
-  assign equal_37 = {select_27, saturated_s1_q} == 3'h7;
+  assign equal_37 = {select_28, mask_s1_q} == 3'h7;
   logic [1:0] select_38;
-  assign select_38 = or_20_s1_q ? 2'h0 : saturated_columns_values_0_q;
+  assign select_38 = or_22_s1_q ? 2'h0 : mask_columns_values_0_q;
+  // hls/stages/sobel.hpp:59
+  logic equal_39;
+  assign equal_39 = {select_29, saturated_s1_q} == 3'h7;
+  logic [1:0] select_40;
+  assign select_40 = or_22_s1_q ? 2'h0 : saturated_columns_values_0_q;
   // hls/stages/sobel.hpp:52
-  logic [9:0] sum_41;
-  assign sum_41 = {slope_0_values_0_q[8], slope_0_values_0_q} + {{2{slope[8]}}, slope[8:1]};
-  logic [10:0] sum_42;
-  assign sum_42 = {{2{slope_0_values_1_q[8]}}, slope_0_values_1_q} + {sum_41, slope[0]};
   logic [9:0] sum_43;
-  assign sum_43 = {slope_1_values_0_q[8], slope_1_values_0_q} + {{2{slope_2[8]}}, slope_2[8:1]};
+  assign sum_43 = {slope_0_values_0_q[8], slope_0_values_0_q} + {{2{slope[8]}}, slope[8:1]};
   logic [10:0] sum_44;
-  assign sum_44 = {{2{slope_1_values_1_q[8]}}, slope_1_values_1_q} + {sum_43, slope_2[0]};
+  assign sum_44 = {{2{slope_0_values_1_q[8]}}, slope_0_values_1_q} + {sum_43, slope[0]};
+  logic [9:0] sum_45;
+  assign sum_45 = {slope_1_values_0_q[8], slope_1_values_0_q} + {{2{slope_2[8]}}, slope_2[8:1]};
+  logic [10:0] sum_46;
+  assign sum_46 = {{2{slope_1_values_1_q[8]}}, slope_1_values_1_q} + {sum_45, slope_2[0]};
 
   // Memory memory, write
   logic [9:0] memory_waddr;
@@ -148,7 +156,7 @@ module horopter_sobel (
   logic memory_we;
   assign memory_we = s1_en;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (memory_we) memory_mem[memory_waddr] <= {select_27[0], saturated_s1_q, select_26[0], mask_s1_q, memory_rdata_q[15:0], pixel_1_s1_q, pixel_0_s1_q};
+    if (memory_we) memory_mem[memory_waddr] <= {select_29[0], saturated_s1_q, select_28[0], mask_s1_q, memory_rdata_q[15:0], pixel_1_s1_q, pixel_0_s1_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -166,7 +174,7 @@ module horopter_sobel (
     if (!rst_ni) begin
       raster_rows_q <= 1'b0;
     end else if (s1_en) begin
-      raster_rows_q <= raster_row_ended_q | and_25;
+      raster_rows_q <= raster_row_ended_q | and_27;
     end
   end
 
@@ -195,20 +203,22 @@ module horopter_sobel (
       slope_0_values_1_q <= slope_0_values_0_q;
       slope_1_values_0_q <= slope_2;
       slope_1_values_1_q <= slope_1_values_0_q;
-      mask_columns_values_0_q <= {select_36[0], equal_35};
-      saturated_columns_values_0_q <= {select_38[0], equal_37};
+      mask_columns_values_0_q <= {select_38[0], equal_37};
+      saturated_columns_values_0_q <= {select_40[0], equal_39};
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
   assign gx_0_o = {1'b0, smooth} - {1'b0, smooth_0_values_1_q};
   assign gx_1_o = {1'b0, smooth_2} - {1'b0, smooth_1_values_1_q};
-  assign gy_0_o = sum_42;
-  assign gy_1_o = sum_44;
-  assign saturated_o = {select_38, equal_37} == 3'h7;
-  assign mask_o = {select_36, equal_35} == 3'h7;
+  assign gy_0_o = sum_44;
+  assign gy_1_o = sum_46;
+  assign saturated_o = {select_40, equal_39} == 3'h7;
+  assign mask_o = {select_38, equal_37} == 3'h7;
   assign marks_first_o = marks_first_s1_q;
   assign marks_last_o = raster_row_ended_q;
+  assign marks_seen_o = marks_seen_s1_q;
+  assign marks_nearer_o = marks_nearer_s1_q;
   assign smooth_grey_o = pixel_0_s1_q;
   assign smooth_exists_o = mask_s1_q;
   assign valid_o = valid_s1_q;

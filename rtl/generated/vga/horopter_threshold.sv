@@ -16,6 +16,8 @@ module horopter_threshold (
   input  logic mask_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
+  input  logic marks_seen_i,
+  input  logic marks_nearer_i,
   input  logic [10:0] cfg_sum_limit_i,
   input  logic [10:0] cfg_self_limit_i,
   output logic valid_o,
@@ -23,7 +25,9 @@ module horopter_threshold (
   output logic decidable_o,
   output logic mask_o,
   output logic marks_first_o,
-  output logic marks_last_o
+  output logic marks_last_o,
+  output logic marks_seen_o,
+  output logic marks_nearer_o
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
@@ -36,6 +40,8 @@ module horopter_threshold (
   assign mask_o = mask_i;
   assign marks_first_o = marks_first_i;
   assign marks_last_o = marks_last_i;
+  assign marks_seen_o = marks_seen_i;
+  assign marks_nearer_o = marks_nearer_i;
   assign valid_o = valid_i;
 
   // Nothing depends on these bits.

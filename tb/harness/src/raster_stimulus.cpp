@@ -20,6 +20,7 @@ RasterStimulus::RasterStimulus(Rng rng, const Dut& dut, unsigned min_row, unsign
   last_ = mark_port("last_i", "marks_last_i");
   live_ = mark_port("live_i", "marks_live_i");
   end_ = mark_port("end_i", "end_v_i");  // a reserved word
+  start_ = find(dut.in_ports, "start_i");
   idle_ = find(dut.in_ports, "idle_i");
   prime_ = find(dut.in_ports, "prime_i");
   load_ = find(dut.in_ports, "load_i");
@@ -109,6 +110,7 @@ void RasterStimulus::mark(Beat& in) {
     if (row_end) primed_ = false;
   }
   set(first_, x_ == 0 && y_ == 0 && !idle_next_);
+  set(start_, x_ == 0);
   set(last_, row_end && !lost && !idle_next_);
   set(live_, live);
   set(end_, frame_end && !idle_next_);

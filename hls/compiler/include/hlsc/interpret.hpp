@@ -37,7 +37,7 @@ class Interpreter {
   std::vector<Value> values_;  ///< by node
   std::vector<Value> states_;
   std::vector<std::vector<Value>> memories_;
-  std::vector<std::vector<std::uint64_t>> last_access_;  ///< step + 1
+  std::vector<std::vector<std::uint64_t>> last_write_;  ///< step + 1
   std::uint64_t step_ = 0;
   std::uint64_t garbage_ = 0x9E3779B97F4A7C15ULL;
 };

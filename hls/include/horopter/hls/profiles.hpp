@@ -63,6 +63,9 @@ struct Profile {
     return compete ? compete_offset() + 3 : offset() + 1;
   }
 
+  /// Side of the cells, px, on whose means whole images are compared (stages/cells.hpp).
+  [[nodiscard]] constexpr int cell() const { return width > 1024 ? 16 : 8; }
+
   friend constexpr bool operator==(const Profile&, const Profile&) = default;
 };
 

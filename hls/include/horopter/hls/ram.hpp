@@ -2,9 +2,9 @@
 // RAM<T, N, DISTANCE>: a member of a stage that becomes one synchronous memory of N words, one read and one write port.
 //
 // Contract, per step: at most one read address and one write address (exclusive branches may differ: hlsc multiplexes
-// them). A read sees the contents before the step, or what an earlier write of the same step put there. Two accesses of
-// one address are in the same step or at least DISTANCE steps apart: the pipeline has that much time between read and
-// write. All words are zero at power-up; T{} must be all zeros. Reset keeps the contents.
+// them). A read sees the contents before the step, or what an earlier write of the same step put there. A read of an
+// address is in the same step as a write of it, or at least DISTANCE steps after: the pipeline has that much time between
+// read and write. Reads may follow each other as they like. All words are zero at power-up; T{} must be all zeros. Reset keeps the contents.
 //
 // The native class checks addresses, ports and distance, unless HOROPTER_HLS_UNCHECKED is defined. It takes a new step
 // to begin when an access cannot belong to the current one (a second read or write address, or any access after both a
@@ -111,6 +111,7 @@ class RAM {
   T read(const A& address) {
     const std::size_t a = detail::ram_address(address);
     check(a, read_address_, write_address_);
+    check_distance(a);
     return words_[a];
   }
 
@@ -118,6 +119,10 @@ class RAM {
   void write(const A& address, const T& data) {
     const std::size_t a = detail::ram_address(address);
     check(a, write_address_, kNone);
+#ifndef HOROPTER_HLS_UNCHECKED
+    if (last_write_.empty()) last_write_.assign(N, kNever);
+    last_write_[a] = step_;
+#endif
     words_[a] = data;
   }
 
@@ -125,7 +130,7 @@ class RAM {
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
   void forget_accesses() noexcept {
-    last_access_.clear();
+    last_write_.clear();
     read_address_ = write_address_ = kNone;
     step_ = 0;
   }
@@ -150,21 +155,25 @@ class RAM {
     } else if (!explicit_steps_ && forwarded != kNone && forwarded != a) {
       next_step();
     }
-    if (last_access_.empty()) last_access_.assign(N, kNever);
-    std::uint64_t& last = last_access_[a];
-    if (last != kNever && last != step_ && step_ - last < DISTANCE) {
-      throw hazard_error("RAM address " + std::to_string(a) + " accessed again after " + std::to_string(step_ - last) +
-                         " steps, DISTANCE is " + std::to_string(DISTANCE));
-    }
-    last = step_;
     port = a;
+#endif
+  }
+
+  void check_distance([[maybe_unused]] std::size_t a) {
+#ifndef HOROPTER_HLS_UNCHECKED
+    if (last_write_.empty()) return;
+    const std::uint64_t last = last_write_[a];
+    if (last != kNever && last != step_ && step_ - last < DISTANCE) {
+      throw hazard_error("RAM address " + std::to_string(a) + " read " + std::to_string(step_ - last) +
+                         " steps after its write, DISTANCE is " + std::to_string(DISTANCE));
+    }
 #endif
   }
 
   static constexpr std::uint64_t kNever = std::numeric_limits<std::uint64_t>::max();
 
   std::vector<T> words_;
-  std::vector<std::uint64_t> last_access_;
+  std::vector<std::uint64_t> last_write_;
   std::uint64_t step_ = 0;
   std::size_t read_address_ = kNone, write_address_ = kNone;
   bool explicit_steps_ = false;

@@ -28,8 +28,9 @@ class FrameSource {
   virtual bool is_live() const { return false; }
 };
 
-/// Each argument is a file (image or video), a glob pattern, a directory (its image files, by name) or the number of a
-/// camera. Names are checked here, contents when read. Throws FileError for what does not exist.
+/// Each argument is a file (image or video), a glob pattern, a directory (its image files) or the number of a camera. What
+/// a pattern or a directory holds comes in the order of its names, numbers in them by their value: img8, img09, img10.
+/// Names are checked here, contents when read. Throws FileError for what does not exist.
 std::unique_ptr<FrameSource> open_frames(const std::vector<std::string>& arguments);
 
 struct FramePair {
@@ -37,11 +38,19 @@ struct FramePair {
   NamedImage right;
 };
 
-/// Two sources in step. Throws FileError when both are one file or camera, when the images of a pair differ in size,
-/// when sizes change from pair to pair, or when one source ends before the other.
+/// What the numbers in the names of two files say: whether the files belong together.
+enum class PairNumbers {
+  must_agree,  ///< a number may differ only where it names the camera: im2 beside im6, cam0_0012 beside cam1_0012
+  ignored,     ///< the order alone counts
+};
+
+/// Two sources in step. Throws FileError when both are one file or camera, when the numbers in the names of a pair do not
+/// agree, when the images of a pair differ in size, when sizes change from pair to pair, or when one source ends before
+/// the other.
 class PairSource {
  public:
-  PairSource(const std::vector<std::string>& left, const std::vector<std::string>& right);
+  PairSource(const std::vector<std::string>& left, const std::vector<std::string>& right,
+             PairNumbers numbers = PairNumbers::must_agree);
   std::optional<FramePair> next();
   std::optional<std::size_t> count() const;
   bool is_live() const { return left_->is_live() && right_->is_live(); }

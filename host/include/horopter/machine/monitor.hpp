@@ -2,6 +2,7 @@
 // The driver that all devices share: configures, uploads tables, supervises image pairs.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -13,6 +14,7 @@
 #include "horopter/hls/settings.hpp"
 #include "horopter/machine/device.hpp"
 #include "horopter/machine/faults.hpp"
+#include "horopter/machine/proof.hpp"
 #include "horopter/map/map.hpp"
 
 namespace horopter {
@@ -36,9 +38,50 @@ struct Settings {
   int frozen_limit = hls::StageSettings{}.frozen_limit;  ///< repetitions of a frame that are a fault; 0 = never
   double dark_percent = hls::percent::dark_limit;        ///< of the incoming pixels; more dark ones are a black image
   double bright_percent = hls::percent::bright_limit;    ///< the same for white
+  Proof proof;
+  /// Of 256 cells of the incoming image; a camera that sees a step to the next cell at fewer is blind.
+  int blind_share = hls::StageSettings{}.blind_share;
+  int blind_step = hls::StageSettings{}.blind_step;  ///< such a step, in grey levels
+  /// Frames one after another that repeat an earlier one but for noise and are a fault; 0 = the scene may stand still.
+  int still_limit = hls::StageSettings{}.still_limit;
+  /// Segments that must have texture, that one camera twice is told; 0 = never.
+  int one_camera_segments = hls::StageSettings{}.one_camera_segments;
+
+  /// The rule alone, for pictures that are no sequence of two cameras: a pixel is clear where they do not agree.
+  Settings without_proof() const {
+    Settings settings = *this;
+    settings.proof.needed = false;
+    settings.blind_share = 0;
+    settings.still_limit = 0;
+    settings.one_camera_segments = 0;
+    return settings;
+  }
 };
 
 /// One result of the machine. Pictures and runs are in pixels of the left image (field) after sub-sampling.
+/// What a frame showed of both cameras' world, in cells (hls/stages/agreement.hpp).
+struct Agreement {
+  int supervised = 0;
+  int textured = 0;
+  int explained = 0;
+  int nearer = 0;
+  int unproven = 0;
+  int bad_regions = 0;
+  struct Region {
+    int textured = 0;
+    int explained = 0;
+    int nearer = 0;
+  };
+  std::array<Region, 48> regions;  ///< 8 in a row
+  // Of the right image against the rig, px of the result; nothing where too little was found.
+  std::optional<double>
+      across_px;  ///< down the column; along the row nothing can be told from a scene of unknown depth
+  std::optional<double> roll_deg;
+  std::optional<double> scale;
+  /// Fine detail in proportion to the contrast of edges, left and right; 0 without edges.
+  std::array<double, 2> sharpness{};
+};
+
 struct FrameResult {
   Image states;  ///< codes of State
   std::vector<Run> runs;
@@ -46,6 +89,9 @@ struct FrameResult {
   std::int64_t skin_pixels = 0;
   std::int64_t undecidable_pixels = 0;
   std::int64_t unsupervised_pixels = 0;
+  std::int64_t hidden_pixels = 0;    ///< undecidable: something nearer than the skin is seen there
+  std::int64_t unproven_pixels = 0;  ///< undecidable: nothing shows that both cameras see their place
+  Agreement agreement;
   bool alarm = false;
   bool safe = false;
   int table = 15;  ///< slot, 15 = none
@@ -84,6 +130,18 @@ class Monitor {
   /// Waits until the output of a frame that was begun is made by this table. Throws DeviceError when it never is.
   void wait_for_table(int slot);
 
+  /// While it lives, a frame may be that of before: FROZEN_LIMIT is 0.
+  class Repeated {
+   public:
+    explicit Repeated(Monitor& monitor);
+    ~Repeated();
+    Repeated(const Repeated&) = delete;
+    Repeated& operator=(const Repeated&) = delete;
+
+   private:
+    Monitor& monitor_;
+  };
+
   Device& device() { return *device_; }
   const MachineProfile& profile() const { return profile_; }
   /// Of the device's mapping tables.
@@ -91,6 +149,8 @@ class Monitor {
 
  private:
   void write_limits();
+  void write_proof();
+  Agreement read_agreement();
 
   struct Slot {
     std::size_t base_word64 = 0;
@@ -114,11 +174,15 @@ class Supervisor {
   Supervisor(std::unique_ptr<Device> device, const MachineProfile& profile, const MapSet& maps,
              const Settings& settings = {});
 
+  /// Clear is earned by the frame before: the first pair is given to the machine twice.
   std::vector<FrameResult> process(const Image& left, const Image& right);
   Monitor& monitor() { return monitor_; }
 
  private:
+  std::vector<FrameResult> pass(const Image& left, const Image& right);
+
   Monitor monitor_;
+  bool settled_;
   std::vector<ScanGeometry> scans_;
 };
 

@@ -20,7 +20,8 @@ class MovingSupervisor {
   MovingSupervisor(std::unique_ptr<Device> device, const MachineProfile& profile, MovingMaps maps,
                    const Settings& settings = {});
 
-  /// The result of an image pair, or two for profiles that take fields.
+  /// The result of an image pair, or two for profiles that take fields. Clear is earned by the frame before: the first
+  /// one is given to the machine twice.
   std::vector<FrameResult> process(const Image& left, const Image& right);
 
   /// The two halves of it, for one frame or field: hardware takes a frame while the one before is not finished. Returns
@@ -33,6 +34,8 @@ class MovingSupervisor {
   const MovingMaps& maps() const { return maps_; }
 
  private:
+  std::vector<FrameResult> pass(const Image& left, const Image& right);
+
   struct Started {
     std::size_t step;
     int slot;
@@ -40,6 +43,7 @@ class MovingSupervisor {
 
   MovingMaps maps_;
   Monitor monitor_;
+  bool settled_;
   std::size_t frame_ = 0;
   std::size_t loaded_[2] = {0, SIZE_MAX};  ///< step in the two slots
   std::deque<Started> started_;

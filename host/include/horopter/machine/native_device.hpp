@@ -79,6 +79,10 @@ class NativeDevice : public Device {
     std::uint32_t undecidable = 0;
     std::uint32_t unsupervised = 0;
     std::uint32_t misses = 0;
+    std::uint32_t hidden = 0;
+    std::uint32_t unproven_pixels = 0;
+    std::array<std::uint32_t, 11> agreement{};  ///< FRAME_AGREEMENT to FRAME_CONTRAST_RIGHT
+    std::array<std::uint32_t, 64> regions{};    ///< FRAME_REGION
   };
   Frame frame_;
   bool safe_ = false;

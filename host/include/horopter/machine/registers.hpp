@@ -44,7 +44,7 @@ inline constexpr std::uint32_t kAddress = 0x004;
 inline constexpr Access kAccess = Access::kReadOnly;
 /// Counts compatible additions.
 inline constexpr Field kMinor{0, 16};
-inline constexpr std::uint32_t kMinorValue = 0x0;
+inline constexpr std::uint32_t kMinorValue = 0x1;
 /// Counts incompatible changes.
 inline constexpr Field kMajor{16, 16};
 inline constexpr std::uint32_t kMajorValue = 0x2;
@@ -438,10 +438,15 @@ inline constexpr Field kLeftBlack{6, 1};
 inline constexpr Field kLeftWhite{7, 1};
 /// The left image is one grey level.
 inline constexpr Field kLeftConstant{8, 1};
-/// The left image is the same as before, noise and all.
+/// The left image is the same as before, noise and all; or frame after frame the same but for noise (STILL_LIMIT).
 inline constexpr Field kLeftFrozen{9, 1};
 /// A bit of the left image's memory fell over.
 inline constexpr Field kLeftParity{10, 1};
+/// The left image has too little contrast for a scene (BLIND_SHARE): a covered or fogged lens, darkness, glare.
+inline constexpr Field kLeftBlind{11, 1};
+/// The left image is less sharp than the other one (its detail, in proportion to its contrast, is below 5/8), or has
+/// less than a quarter of its contrast.
+inline constexpr Field kLeftUnsharp{12, 1};
 /// A line of the right camera ended early; the whole row counts as missing.
 inline constexpr Field kRightShortLine{16, 1};
 /// A line of the right camera had too many pixels; the whole row counts as missing.
@@ -462,10 +467,15 @@ inline constexpr Field kRightBlack{22, 1};
 inline constexpr Field kRightWhite{23, 1};
 /// The right image is one grey level.
 inline constexpr Field kRightConstant{24, 1};
-/// The right image is the same as before, noise and all.
+/// The right image is the same as before, noise and all; or frame after frame the same but for noise (STILL_LIMIT).
 inline constexpr Field kRightFrozen{25, 1};
 /// A bit of the right image's memory fell over.
 inline constexpr Field kRightParity{26, 1};
+/// The right image has too little contrast for a scene (BLIND_SHARE): a covered or fogged lens, darkness, glare.
+inline constexpr Field kRightBlind{27, 1};
+/// The right image is less sharp than the other one (its detail, in proportion to its contrast, is below 5/8), or has
+/// less than a quarter of its contrast.
+inline constexpr Field kRightUnsharp{28, 1};
 }  // namespace faults_cameras
 
 /// The same for faults of both cameras together, of tables and of the machine.
@@ -483,7 +493,8 @@ inline constexpr Field kNoTable{2, 1};
 inline constexpr Field kMapCrc{3, 1};
 /// An upload into a table in use was refused.
 inline constexpr Field kMapBusy{4, 1};
-/// More undecidable pixels than the MAP_UNDECIDABLE_LIMIT of the table.
+/// More undecidable pixels than the MAP_UNDECIDABLE_LIMIT of the table, or too little texture to tell whether both
+/// cameras see the same world.
 inline constexpr Field kTooUndecidable{5, 1};
 /// More unsupervised pixels than UNSUPERVISED_LIMIT.
 inline constexpr Field kTooUnsupervised{6, 1};
@@ -494,6 +505,19 @@ inline constexpr Field kInternal{8, 1};
 /// Left and right image are the same, bit by bit (by their signatures). Two cameras never agree so; this is one camera
 /// twice, and says nothing about a skin.
 inline constexpr Field kIdenticalImages{9, 1};
+/// Left and right image show the same from the same place, whatever noise, compression or gain is between them: one
+/// camera twice, which says nothing about a skin.
+inline constexpr Field kOneCamera{10, 1};
+/// Both cameras do not see the same world: too little of what is textured is explained by any depth, in all or by
+/// region (AGREEMENT_LIMITS).
+inline constexpr Field kDisagree{11, 1};
+/// The first frame after enable: nothing has been shown before it that could earn clear.
+inline constexpr Field kUnproven{12, 1};
+/// The right image is displaced across the rows against the rig (REGISTRATION): a camera was knocked, turned or its
+/// lens changed.
+inline constexpr Field kMoved{13, 1};
+/// For HIDDEN frames, too much of the skin has stood behind something nearer to the cameras.
+inline constexpr Field kHidden{14, 1};
 }  // namespace faults_machine
 
 /// Counts finished frames since enable. Read before and after the other FRAME registers: the same value means they
@@ -541,10 +565,15 @@ inline constexpr Field kLeftBlack{6, 1};
 inline constexpr Field kLeftWhite{7, 1};
 /// The left image is one grey level.
 inline constexpr Field kLeftConstant{8, 1};
-/// The left image is the same as before, noise and all.
+/// The left image is the same as before, noise and all; or frame after frame the same but for noise (STILL_LIMIT).
 inline constexpr Field kLeftFrozen{9, 1};
 /// A bit of the left image's memory fell over.
 inline constexpr Field kLeftParity{10, 1};
+/// The left image has too little contrast for a scene (BLIND_SHARE): a covered or fogged lens, darkness, glare.
+inline constexpr Field kLeftBlind{11, 1};
+/// The left image is less sharp than the other one (its detail, in proportion to its contrast, is below 5/8), or has
+/// less than a quarter of its contrast.
+inline constexpr Field kLeftUnsharp{12, 1};
 /// A line of the right camera ended early; the whole row counts as missing.
 inline constexpr Field kRightShortLine{16, 1};
 /// A line of the right camera had too many pixels; the whole row counts as missing.
@@ -565,10 +594,15 @@ inline constexpr Field kRightBlack{22, 1};
 inline constexpr Field kRightWhite{23, 1};
 /// The right image is one grey level.
 inline constexpr Field kRightConstant{24, 1};
-/// The right image is the same as before, noise and all.
+/// The right image is the same as before, noise and all; or frame after frame the same but for noise (STILL_LIMIT).
 inline constexpr Field kRightFrozen{25, 1};
 /// A bit of the right image's memory fell over.
 inline constexpr Field kRightParity{26, 1};
+/// The right image has too little contrast for a scene (BLIND_SHARE): a covered or fogged lens, darkness, glare.
+inline constexpr Field kRightBlind{27, 1};
+/// The right image is less sharp than the other one (its detail, in proportion to its contrast, is below 5/8), or has
+/// less than a quarter of its contrast.
+inline constexpr Field kRightUnsharp{28, 1};
 }  // namespace frame_faults_cameras
 
 /// CRC-32 of the table that made it.
@@ -650,7 +684,8 @@ inline constexpr Field kNoTable{2, 1};
 inline constexpr Field kMapCrc{3, 1};
 /// An upload into a table in use was refused.
 inline constexpr Field kMapBusy{4, 1};
-/// More undecidable pixels than the MAP_UNDECIDABLE_LIMIT of the table.
+/// More undecidable pixels than the MAP_UNDECIDABLE_LIMIT of the table, or too little texture to tell whether both
+/// cameras see the same world.
 inline constexpr Field kTooUndecidable{5, 1};
 /// More unsupervised pixels than UNSUPERVISED_LIMIT.
 inline constexpr Field kTooUnsupervised{6, 1};
@@ -661,7 +696,271 @@ inline constexpr Field kInternal{8, 1};
 /// Left and right image are the same, bit by bit (by their signatures). Two cameras never agree so; this is one camera
 /// twice, and says nothing about a skin.
 inline constexpr Field kIdenticalImages{9, 1};
+/// Left and right image show the same from the same place, whatever noise, compression or gain is between them: one
+/// camera twice, which says nothing about a skin.
+inline constexpr Field kOneCamera{10, 1};
+/// Both cameras do not see the same world: too little of what is textured is explained by any depth, in all or by
+/// region (AGREEMENT_LIMITS).
+inline constexpr Field kDisagree{11, 1};
+/// The first frame after enable: nothing has been shown before it that could earn clear.
+inline constexpr Field kUnproven{12, 1};
+/// The right image is displaced across the rows against the rig (REGISTRATION): a camera was knocked, turned or its
+/// lens changed.
+inline constexpr Field kMoved{13, 1};
+/// For HIDDEN frames, too much of the skin has stood behind something nearer to the cameras.
+inline constexpr Field kHidden{14, 1};
 }  // namespace frame_faults_machine
+
+/// Whether both cameras see the same world, compared coarsely over all depths. Locked while CONTROL.enable is 1.
+namespace agreement {
+inline constexpr std::uint32_t kAddress = 0x130;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0x3D11;
+/// 1 = clear is earned. 0 = a pixel is clear where images do not agree; nothing else is checked.
+inline constexpr Field kProve{0, 1};
+/// 1 = shifts below 0 are nearer to the cameras than the skin.
+inline constexpr Field kNearerBelow{1, 1};
+/// 1 = shifts above 0 are.
+inline constexpr Field kNearerAbove{2, 1};
+/// Cells, two's complement, -30 to 30: lowest shift that means a place in front of both cameras.
+inline constexpr Field kShiftLowest{3, 6};
+/// Cells: the highest one.
+inline constexpr Field kShiftHighest{9, 6};
+}  // namespace agreement
+
+/// Shares in 1/256.
+namespace agreement_limits {
+inline constexpr std::uint32_t kAddress = 0x134;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0x1A73406B;
+/// Fewer of the textured cells explained by some depth are a fault, `disagree`.
+inline constexpr Field kExplained{0, 8};
+/// More of the textured cells in regions of which less than a fifth is explained are, too.
+inline constexpr Field kRegions{8, 8};
+/// More of the textured cells around which less than a third is explained are, too.
+inline constexpr Field kUnproven{16, 8};
+/// More of the cells nearer than the skin, for HIDDEN.frames, are a fault.
+inline constexpr Field kHidden{24, 8};
+}  // namespace agreement_limits
+
+/// How long something may stand between cameras and skin.
+namespace hidden {
+inline constexpr std::uint32_t kAddress = 0x138;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0x32;
+/// Frames in a row, 1 to 128; 0 = for ever.
+inline constexpr Field kFrames{0, 8};
+}  // namespace hidden
+
+/// How far the right image may be displaced across the rows. In 1/32 cell: 1/4 px in `vga`, 1/2 px in `hd`.
+namespace registration {
+inline constexpr std::uint32_t kAddress = 0x13C;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0x143;
+/// A median of this or more is a fault; in two halves of the image, in opposite directions, of this less 1.
+inline constexpr Field kMoved{0, 6};
+/// In one half of the image a median of this or more is.
+inline constexpr Field kMovedHalf{6, 6};
+}  // namespace registration
+
+/// Slope of the epipolar lines in the transformed images, two's complement.
+namespace epipolar {
+inline constexpr std::uint32_t kAddress = 0x140;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0x0;
+/// Of the first cell: cells down for a shift of one cell to the right, 2^-15.
+inline constexpr Field kSlope{0, 16};
+/// Its change from column to column of cells, 2^-20.
+inline constexpr Field kColumn{16, 16};
+}  // namespace epipolar
+
+/// More of it.
+namespace epipolar_change {
+inline constexpr std::uint32_t kAddress = 0x144;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0x0;
+/// Its change from row to row, 2^-20.
+inline constexpr Field kRow{0, 16};
+/// Change of the one with the other, 2^-24.
+inline constexpr Field kBoth{16, 16};
+}  // namespace epipolar_change
+
+/// What the frame showed, in cells (AGREEMENT); this and the following change up to some rows before the others.
+namespace frame_agreement {
+inline constexpr std::uint32_t kAddress = 0x150;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Cells with texture.
+inline constexpr Field kTextured{0, 16};
+/// Of these: explained by some depth.
+inline constexpr Field kExplained{16, 16};
+}  // namespace frame_agreement
+
+/// More of it.
+namespace frame_cells {
+inline constexpr std::uint32_t kAddress = 0x154;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Cells that exist in both images.
+inline constexpr Field kSupervised{0, 16};
+/// Explained cells nearer than the skin.
+inline constexpr Field kNearer{16, 16};
+}  // namespace frame_cells
+
+/// More of it.
+namespace frame_unproven {
+inline constexpr std::uint32_t kAddress = 0x158;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Textured cells around which less than a third is explained.
+inline constexpr Field kCells{0, 16};
+/// Textured cells in regions of which less than a fifth is.
+inline constexpr Field kBadRegions{16, 16};
+}  // namespace frame_unproven
+
+/// Displacement of the right image across the rows, upper left quarter.
+namespace frame_across_0 {
+inline constexpr std::uint32_t kAddress = 0x15C;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Two's complement, of all cells, in 1/32 cell.
+inline constexpr Field kSum{0, 20};
+/// Cells.
+inline constexpr Field kCells{20, 12};
+}  // namespace frame_across_0
+
+/// Displacement of the right image across the rows, upper right quarter.
+namespace frame_across_1 {
+inline constexpr std::uint32_t kAddress = 0x160;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Two's complement, of all cells, in 1/32 cell.
+inline constexpr Field kSum{0, 20};
+/// Cells.
+inline constexpr Field kCells{20, 12};
+}  // namespace frame_across_1
+
+/// Displacement of the right image across the rows, lower left quarter.
+namespace frame_across_2 {
+inline constexpr std::uint32_t kAddress = 0x164;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Two's complement, of all cells, in 1/32 cell.
+inline constexpr Field kSum{0, 20};
+/// Cells.
+inline constexpr Field kCells{20, 12};
+}  // namespace frame_across_2
+
+/// Displacement of the right image across the rows, lower right quarter.
+namespace frame_across_3 {
+inline constexpr std::uint32_t kAddress = 0x168;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Two's complement, of all cells, in 1/32 cell.
+inline constexpr Field kSum{0, 20};
+/// Cells.
+inline constexpr Field kCells{20, 12};
+}  // namespace frame_across_3
+
+/// Of the left image, beside strong edges: its fine detail.
+namespace frame_detail_left {
+inline constexpr std::uint32_t kAddress = 0x16C;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Second differences in 2 grey levels.
+inline constexpr Field kSum{0, 24};
+}  // namespace frame_detail_left
+
+/// Of the right image, beside strong edges: its fine detail.
+namespace frame_detail_right {
+inline constexpr std::uint32_t kAddress = 0x170;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Second differences in 2 grey levels.
+inline constexpr Field kSum{0, 24};
+}  // namespace frame_detail_right
+
+/// Of the left image, beside strong edges: its contrast from cell to cell.
+namespace frame_contrast_left {
+inline constexpr std::uint32_t kAddress = 0x174;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Half grey levels.
+inline constexpr Field kSum{0, 24};
+}  // namespace frame_contrast_left
+
+/// Of the right image, beside strong edges: its contrast from cell to cell.
+namespace frame_contrast_right {
+inline constexpr std::uint32_t kAddress = 0x178;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Half grey levels.
+inline constexpr Field kSum{0, 24};
+}  // namespace frame_contrast_right
+
+/// One camera twice: the check of both images against each other (hls/stages/coarse.hpp).
+namespace one_camera {
+inline constexpr std::uint32_t kAddress = 0x180;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0xC;
+/// So many segments of 8 cells must have texture, that the check says anything; 0 = never.
+inline constexpr Field kSegments{0, 8};
+}  // namespace one_camera
+
+/// Blind camera: a step from a cell of its image to the next one in the row is one that it sees. Cells: 8×8 px, in a
+/// build wider than 1024 px 16×16 px.
+namespace blind_step {
+inline constexpr std::uint32_t kAddress = 0x184;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0xE;
+/// Grey levels between the means of both.
+inline constexpr Field kGrey{0, 8};
+}  // namespace blind_step
+
+/// Blind camera: such steps at a smaller share of the frame's cells than this are a fault.
+namespace blind_share {
+inline constexpr std::uint32_t kAddress = 0x188;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0x2;
+/// 1/256; by default 0.8 %; 0 = never.
+inline constexpr Field kOf256{0, 8};
+}  // namespace blind_share
+
+/// Frozen camera: so many frames one after another that repeat one of the two before them, but for noise, are a fault
+/// (hls/stages/still.hpp).
+namespace still_limit {
+inline constexpr std::uint32_t kAddress = 0x18C;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0x4;
+/// Frames; 0 = never: the scene may stand still.
+inline constexpr Field kFrames{0, 8};
+}  // namespace still_limit
+
+/// Undecidable pixels where something nearer than the skin is seen.
+namespace frame_hidden {
+inline constexpr std::uint32_t kAddress = 0x190;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Pixels of the result.
+inline constexpr Field kPixels{0, 24};
+}  // namespace frame_hidden
+
+/// Undecidable pixels that nothing has shown both cameras to see.
+namespace frame_unproven_pixels {
+inline constexpr std::uint32_t kAddress = 0x194;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Pixels of the result.
+inline constexpr Field kPixels{0, 24};
+}  // namespace frame_unproven_pixels
+
+/// Which region FRAME_REGION tells of.
+namespace region_select {
+inline constexpr std::uint32_t kAddress = 0x198;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0x0;
+/// 0 to 47: 8 in a row, from the upper left.
+inline constexpr Field kRegion{0, 6};
+}  // namespace region_select
+
+/// Cells of the region.
+namespace frame_region {
+inline constexpr std::uint32_t kAddress = 0x19C;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// With texture.
+inline constexpr Field kTextured{0, 10};
+/// Of these: explained.
+inline constexpr Field kExplained{10, 10};
+/// Of these: nearer than the skin.
+inline constexpr Field kNearer{20, 10};
+}  // namespace frame_region
 
 /// Every fault, as its bit of 64: FAULTS_CAMERAS is the lower word, FAULTS_MACHINE the upper.
 enum class Fault : std::uint8_t {
@@ -676,6 +975,8 @@ enum class Fault : std::uint8_t {
   left_constant = 8,
   left_frozen = 9,
   left_parity = 10,
+  left_blind = 11,
+  left_unsharp = 12,
   right_short_line = 16,
   right_long_line = 17,
   right_missing_line = 18,
@@ -687,6 +988,8 @@ enum class Fault : std::uint8_t {
   right_constant = 24,
   right_frozen = 25,
   right_parity = 26,
+  right_blind = 27,
+  right_unsharp = 28,
   skew = 32,
   store_miss = 33,
   no_table = 34,
@@ -697,6 +1000,11 @@ enum class Fault : std::uint8_t {
   late = 39,
   internal = 40,
   identical_images = 41,
+  one_camera = 42,
+  disagree = 43,
+  unproven = 44,
+  moved = 45,
+  hidden = 46,
 };
 
 struct NamedFault {
@@ -704,7 +1012,7 @@ struct NamedFault {
   std::string_view name;
 };
 
-inline constexpr std::array<NamedFault, 32> kFaults = {{
+inline constexpr std::array<NamedFault, 41> kFaults = {{
     {Fault::left_short_line, "left_short_line"},
     {Fault::left_long_line, "left_long_line"},
     {Fault::left_missing_line, "left_missing_line"},
@@ -716,6 +1024,8 @@ inline constexpr std::array<NamedFault, 32> kFaults = {{
     {Fault::left_constant, "left_constant"},
     {Fault::left_frozen, "left_frozen"},
     {Fault::left_parity, "left_parity"},
+    {Fault::left_blind, "left_blind"},
+    {Fault::left_unsharp, "left_unsharp"},
     {Fault::right_short_line, "right_short_line"},
     {Fault::right_long_line, "right_long_line"},
     {Fault::right_missing_line, "right_missing_line"},
@@ -727,6 +1037,8 @@ inline constexpr std::array<NamedFault, 32> kFaults = {{
     {Fault::right_constant, "right_constant"},
     {Fault::right_frozen, "right_frozen"},
     {Fault::right_parity, "right_parity"},
+    {Fault::right_blind, "right_blind"},
+    {Fault::right_unsharp, "right_unsharp"},
     {Fault::skew, "skew"},
     {Fault::store_miss, "store_miss"},
     {Fault::no_table, "no_table"},
@@ -737,6 +1049,11 @@ inline constexpr std::array<NamedFault, 32> kFaults = {{
     {Fault::late, "late"},
     {Fault::internal, "internal"},
     {Fault::identical_images, "identical_images"},
+    {Fault::one_camera, "one_camera"},
+    {Fault::disagree, "disagree"},
+    {Fault::unproven, "unproven"},
+    {Fault::moved, "moved"},
+    {Fault::hidden, "hidden"},
 }};
 
 /// One line of the register map.
@@ -747,7 +1064,7 @@ struct Register {
   bool locked;  ///< writes are refused while CONTROL.enable is 1
 };
 
-inline constexpr std::array<Register, 52> kRegisters = {{
+inline constexpr std::array<Register, 77> kRegisters = {{
     {"id", 0x000, Access::kReadOnly, false},
     {"version", 0x004, Access::kReadOnly, false},
     {"build_size", 0x008, Access::kReadOnly, false},
@@ -800,6 +1117,31 @@ inline constexpr std::array<Register, 52> kRegisters = {{
     {"frame_latency", 0x124, Access::kReadOnly, false},
     {"frame_tail", 0x128, Access::kReadOnly, false},
     {"frame_faults_machine", 0x12C, Access::kReadOnly, false},
+    {"agreement", 0x130, Access::kReadWrite, true},
+    {"agreement_limits", 0x134, Access::kReadWrite, false},
+    {"hidden", 0x138, Access::kReadWrite, false},
+    {"registration", 0x13C, Access::kReadWrite, false},
+    {"epipolar", 0x140, Access::kReadWrite, false},
+    {"epipolar_change", 0x144, Access::kReadWrite, false},
+    {"frame_agreement", 0x150, Access::kReadOnly, false},
+    {"frame_cells", 0x154, Access::kReadOnly, false},
+    {"frame_unproven", 0x158, Access::kReadOnly, false},
+    {"frame_across_0", 0x15C, Access::kReadOnly, false},
+    {"frame_across_1", 0x160, Access::kReadOnly, false},
+    {"frame_across_2", 0x164, Access::kReadOnly, false},
+    {"frame_across_3", 0x168, Access::kReadOnly, false},
+    {"frame_detail_left", 0x16C, Access::kReadOnly, false},
+    {"frame_detail_right", 0x170, Access::kReadOnly, false},
+    {"frame_contrast_left", 0x174, Access::kReadOnly, false},
+    {"frame_contrast_right", 0x178, Access::kReadOnly, false},
+    {"one_camera", 0x180, Access::kReadWrite, false},
+    {"blind_step", 0x184, Access::kReadWrite, false},
+    {"blind_share", 0x188, Access::kReadWrite, false},
+    {"still_limit", 0x18C, Access::kReadWrite, false},
+    {"frame_hidden", 0x190, Access::kReadOnly, false},
+    {"frame_unproven_pixels", 0x194, Access::kReadOnly, false},
+    {"region_select", 0x198, Access::kReadWrite, false},
+    {"frame_region", 0x19C, Access::kReadOnly, false},
 }};
 
 }  // namespace horopter::registers

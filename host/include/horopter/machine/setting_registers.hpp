@@ -2,6 +2,7 @@
 // The settings of the stages and the registers' fields that hold them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string_view>
@@ -64,8 +65,14 @@ hls::StageSettings stage_settings(const Read& read) {
 /// `write(address, word)` for every register that holds settings.
 template <class Write>
 void write_settings(const hls::StageSettings& settings, const Write& write) {
-  for (const auto& f : kSettingFields) {
-    write(f.address, f.field.put(static_cast<std::uint32_t>(settings.*f.setting)));
+  for (auto f = kSettingFields.begin(); f != kSettingFields.end(); ++f) {
+    const auto same = [&](const auto& other) { return other.address == f->address; };
+    if (std::find_if(kSettingFields.begin(), f, same) != f) continue;  // its register is written
+    std::uint32_t word = 0;
+    for (const auto& other : kSettingFields) {
+      if (same(other)) word |= other.field.put(static_cast<std::uint32_t>(settings.*other.setting));
+    }
+    write(f->address, word);
   }
   write(registers::compete::kAddress, compete_word(settings));
 }

@@ -21,6 +21,7 @@ struct MovingStep {
 struct MovingMaps {
   std::vector<MovingStep> steps;  ///< of fields even and odd ones in turn, from even
   int lookahead = 0;              ///< that serves all
+  std::string rig;                ///< the two cameras, as text of rig.yaml
   std::size_t inserted = 0;       ///< frames by which the skin comes later than the motion says
 
   const ScanGeometry& geometry() const { return steps.at(0).map.table.geometry(); }

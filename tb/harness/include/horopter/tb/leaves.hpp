@@ -97,6 +97,14 @@ struct LeafFinder {
   HOROPTER_TB_OPEN(10, a, b, c, d, e, f, g, h, i, j)
   HOROPTER_TB_OPEN(11, a, b, c, d, e, f, g, h, i, j, k)
   HOROPTER_TB_OPEN(12, a, b, c, d, e, f, g, h, i, j, k, l)
+  HOROPTER_TB_OPEN(13, a, b, c, d, e, f, g, h, i, j, k, l, m)
+  HOROPTER_TB_OPEN(14, a, b, c, d, e, f, g, h, i, j, k, l, m, n)
+  HOROPTER_TB_OPEN(15, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o)
+  HOROPTER_TB_OPEN(16, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p)
+  HOROPTER_TB_OPEN(17, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q)
+  HOROPTER_TB_OPEN(18, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r)
+  HOROPTER_TB_OPEN(19, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s)
+  HOROPTER_TB_OPEN(20, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t)
 #undef HOROPTER_TB_OPEN
 
   void add(const void* leaf, std::size_t bytes, int width, bool is_signed) {

@@ -34,7 +34,7 @@ class RasterStimulus : public Stimulus {
   RandomLeaves in_, config_;
   unsigned min_row_, max_row_;
   bool any_marks_;  ///< the stage keeps no memory, so marks may come in any order
-  Index first_, last_, live_, end_, idle_, prime_, load_;
+  Index first_, start_, last_, live_, end_, idle_, prime_, load_;
   Index width_port_, height_port_, spacing_port_;
   Kind kind_ = Kind::frames, next_kind_ = Kind::frames;
   unsigned width_ = 0, height_ = 0, row_ = 0, x_ = 0, y_ = 0, any_beats_ = 0, spacing_x_log2_ = 0;

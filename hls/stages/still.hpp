@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// still: does a camera repeat its frames, but for fresh noise? On the means of cells (stages/cells.hpp), one of every 17,
+// which lie on slanted lines over the image; each is kept of the two frames before.
+//
+// A cell has not changed while its mean differs by -8 to 7 grey levels: by noise of sigma 10 means of 8×8 px hardly ever
+// differ by more. A frame repeats an earlier one when fewer than 2 of these cells have changed. The frame before is looked
+// at, and the one before that: two old frames in turn repeat that one. A camera before a scene that does not move gives the
+// same, so a scene that may stand still must be declared: `still_limit` 0.
+//
+// In      left, right: means of the same cell; first: the frame's first.
+// Config  still_limit: so many repeating frames one after another are a fault; 0 switches the check off.
+// Out     of each camera, what the frame's cells so far say; the last cell's is the frame's.
+// Memory: the cells kept. In frames with fewer than 16 of them, that is than 272 cells, nothing is said.
+#pragma once
+
+#include "horopter/hls/ram.hpp"
+#include "stages/stream.hpp"
+
+namespace horopter::stages {
+
+template <int CELLS>
+class StillCheck {
+  static constexpr int every = 17;
+  static constexpr int least_cells = 16;
+  static constexpr int index_bits = bits_for(CELLS / every);
+
+ public:
+  struct In {
+    u<8> left;
+    u<8> right;
+    bool first = false;
+  };
+  struct Config {
+    u<8> still_limit;
+  };
+  struct Out {
+    bool left_still = false;
+    bool right_still = false;
+  };
+
+  Out step(const In& in, const Config& config) {
+    const bool looks = place_ == every - 1 && !in.first;
+    Kept kept;
+    kept_.begin_step();
+    if (looks) {
+      kept = kept_.read(index_);
+      kept_.write(index_, {in.left, in.right, kept.left, kept.right});
+    }
+    left_.step(in.first, one_before_, two_before_, looks && changed(in.left, kept.left),
+               looks && changed(in.left, kept.left_older));
+    right_.step(in.first, one_before_, two_before_, looks && changed(in.right, kept.right),
+                looks && changed(in.right, kept.right_older));
+    index_ = in.first ? u<index_bits>(0) : u<index_bits>(index_ + u<1>(looks));
+    place_ = in.first || looks ? u<5>(0) : u<5>(place_ + lit<1>());
+    if (in.first) {
+      two_before_ = one_before_;
+      one_before_ = true;
+    }
+
+    const bool checked = config.still_limit != 0 && index_ >= least_cells;
+    Out out;
+    out.left_still = checked && left_.reach(config.still_limit);
+    out.right_still = checked && right_.reach(config.still_limit);
+    return out;
+  }
+
+ private:
+  struct Kept {
+    u<8> left;
+    u<8> right;
+    u<8> left_older;
+    u<8> right_older;
+  };
+
+  static bool changed(u<8> now, u<8> then) {
+    const s<6> coarse = shr<3>(now - then);
+    return coarse != 0 && coarse != -1;
+  }
+
+  /// Of one camera.
+  class Repeats {
+   public:
+    void step(bool first, bool one_before, bool two_before, bool since_last, bool since_older) {
+      const bool repeats = last_ != enough || older_ != enough;
+      if (first) {
+        frames_ = !repeats ? u<8>(0) : frames_ == 255 ? frames_ : u<8>(frames_ + lit<1>());
+        last_ = one_before ? u<2>(0) : u<2>(enough);
+        older_ = two_before ? u<2>(0) : u<2>(enough);
+      } else {
+        if (since_last && last_ != enough) last_ += lit<1>();
+        if (since_older && older_ != enough) older_ += lit<1>();
+      }
+    }
+    [[nodiscard]] bool reach(u<8> limit) const {
+      return (last_ != enough || older_ != enough) && frames_ + lit<1>() >= limit;
+    }
+
+   private:
+    static constexpr int enough = 2;
+    u<2> last_{enough};   // cells that have changed since the frame before
+    u<2> older_{enough};  // since the one before that
+    u<8> frames_{0};      // that repeated one of the two, one after another, before this one
+  };
+
+  RAM<Kept, 1 << index_bits, every> kept_;
+  u<index_bits> index_{0};  // of the next cell kept
+  u<5> place_{0};
+  bool one_before_ = false;  // when the frame began, there had been one
+  bool two_before_ = false;
+  Repeats left_;
+  Repeats right_;
+};
+
+template <Profile P>
+using Still = StillCheck<(P.width / P.cell()) * (P.height / P.cell())>;
+
+}  // namespace horopter::stages

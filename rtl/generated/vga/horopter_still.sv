@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: Apache-2.0
+// Made by hlsc from horopter::stages::Still<horopter::hls::profiles::vga>, hls/stages/still.hpp. Do not edit.
+//
+// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// State 40 bits, pipeline 31 bits, memories 16384 bits.
+module horopter_still (
+  input  logic clk_i,
+  input  logic rst_ni,
+  input  logic en_i,
+  input  logic valid_i,
+  input  logic [7:0] left_i,
+  input  logic [7:0] right_i,
+  input  logic first_i,
+  input  logic [7:0] cfg_still_limit_i,
+  output logic valid_o,
+  output logic left_still_o,
+  output logic right_still_o
+);
+
+  // A beat is in stage k, k enabled clocks after it entered.
+  logic valid_s1_q, valid_s2_q;
+  logic s0_en, s1_en;
+  assign s0_en = en_i & valid_i;
+  assign s1_en = en_i & valid_s1_q;
+
+  // Of the configuration alone: not pipelined.
+
+  // Stage 0 -----------------------------------------------------------------------------------------------------------
+  logic [8:0] index_q;
+  logic [4:0] place_q;
+  // hls/stages/still.hpp:45
+  logic and_17;
+  assign and_17 = (place_q == 5'h10) & (~first_i);
+
+  // Memory kept, 512 x 32, DISTANCE 17, hls/stages/still.hpp:105; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [31:0] kept_mem [0:511];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 512; i++) kept_mem[i] = 32'h0;
+`endif
+  logic [8:0] kept_raddr;
+  assign kept_raddr = index_q;
+  logic kept_re;
+  assign kept_re = s0_en & and_17;
+  logic [31:0] kept_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (kept_re) kept_rdata_q <= kept_mem[kept_raddr];
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      index_q <= 9'h0;
+      place_q <= 5'h0;
+    end else if (s0_en) begin
+      index_q <= first_i ? 9'h0 : (index_q + {8'h0, and_17});
+      place_q <= (first_i | and_17) ? 5'h0 : (place_q + 5'h1);
+    end
+  end
+
+  logic [7:0] left_s1_q;
+  logic [7:0] right_s1_q;
+  logic first_s1_q;
+  logic [8:0] index_s1_q;
+  logic and_17_s1_q;
+  always_ff @(posedge clk_i) begin
+    if (s0_en) begin
+      left_s1_q <= left_i;
+      right_s1_q <= right_i;
+      first_s1_q <= first_i;
+      index_s1_q <= index_q;
+      and_17_s1_q <= and_17;
+    end
+  end
+
+  // Stage 1 -----------------------------------------------------------------------------------------------------------
+  logic one_before_q;
+  logic two_before_q;
+  logic [1:0] left_last_q;
+  logic [1:0] left_older_q;
+  logic [7:0] left_frames_q;
+  logic [1:0] right_last_q;
+  logic [1:0] right_older_q;
+  logic [7:0] right_frames_q;
+  // hls/stages/still.hpp:87
+  logic not_26;
+  assign not_26 = ~one_before_q;
+  // hls/stages/still.hpp:49
+  logic [7:0] select_27;
+  assign select_27 = and_17_s1_q ? kept_rdata_q[7:0] : 8'h0;
+  // hls/stages/still.hpp:76
+  logic [8:0] difference_28;
+  assign difference_28 = {1'b0, left_s1_q} - {1'b0, select_27};
+  // hls/stages/still.hpp:77
+  logic [6:0] sum_29;
+  assign sum_29 = {difference_28[8], difference_28[8:3]} + 7'h7f;
+  // hls/stages/still.hpp:84
+  logic not_34;
+  assign not_34 = ~(left_last_q == 2'h2);
+  // hls/stages/still.hpp:91
+  logic [1:0] select_37;
+  assign select_37 = ((and_17_s1_q & (~(sum_29[6:1] == 6'h3f))) & not_34) ? (left_last_q + 2'h1) : left_last_q;
+  // hls/stages/still.hpp:51
+  logic [1:0] select_38;
+  assign select_38 = first_s1_q ? {not_26, 1'b0} : select_37;
+  // hls/stages/still.hpp:88
+  logic not_39;
+  assign not_39 = ~two_before_q;
+  // hls/stages/still.hpp:49
+  logic [7:0] select_40;
+  assign select_40 = and_17_s1_q ? kept_rdata_q[23:16] : 8'h0;
+  // hls/stages/still.hpp:76
+  logic [8:0] difference_41;
+  assign difference_41 = {1'b0, left_s1_q} - {1'b0, select_40};
+  // hls/stages/still.hpp:77
+  logic [6:0] sum_42;
+  assign sum_42 = {difference_41[8], difference_41[8:3]} + 7'h7f;
+  // hls/stages/still.hpp:84
+  logic equal_46;
+  assign equal_46 = left_older_q == 2'h2;
+  // hls/stages/still.hpp:51
+  logic [1:0] select_49;
+  assign select_49 = (and_17_s1_q & (~(sum_42[6:1] == 6'h3f))) ? (equal_46 ? left_older_q : (left_older_q + 2'h1)) : left_older_q;
+  logic [1:0] select_50;
+  assign select_50 = first_s1_q ? {not_39, 1'b0} : select_49;
+  // hls/stages/still.hpp:86
+  logic [7:0] select_56;
+  assign select_56 = (not_34 | (~equal_46)) ? ((left_frames_q == 8'hff) ? 8'hff : (left_frames_q + 8'h1)) : 8'h0;
+  // hls/stages/still.hpp:51
+  logic [7:0] select_57;
+  assign select_57 = first_s1_q ? select_56 : left_frames_q;
+  // hls/stages/still.hpp:49
+  logic [7:0] select_58;
+  assign select_58 = and_17_s1_q ? kept_rdata_q[15:8] : 8'h0;
+  // hls/stages/still.hpp:76
+  logic [8:0] difference_59;
+  assign difference_59 = {1'b0, right_s1_q} - {1'b0, select_58};
+  // hls/stages/still.hpp:77
+  logic [6:0] sum_60;
+  assign sum_60 = {difference_59[8], difference_59[8:3]} + 7'h1;
+  // hls/stages/still.hpp:84
+  logic equal_64;
+  assign equal_64 = right_last_q == 2'h2;
+  // hls/stages/still.hpp:91
+  logic [1:0] select_67;
+  assign select_67 = (((sum_60[6:1] == 6'h0) | (~and_17_s1_q)) | equal_64) ? right_last_q : (right_last_q + 2'h1);
+  // hls/stages/still.hpp:53
+  logic [1:0] select_68;
+  assign select_68 = first_s1_q ? {not_26, 1'b0} : select_67;
+  // hls/stages/still.hpp:49
+  logic [7:0] select_69;
+  assign select_69 = and_17_s1_q ? kept_rdata_q[31:24] : 8'h0;
+  // hls/stages/still.hpp:76
+  logic [8:0] difference_70;
+  assign difference_70 = {1'b0, right_s1_q} - {1'b0, select_69};
+  // hls/stages/still.hpp:77
+  logic [6:0] sum_71;
+  assign sum_71 = {difference_70[8], difference_70[8:3]} + 7'h7f;
+  // hls/stages/still.hpp:84
+  logic equal_75;
+  assign equal_75 = right_older_q == 2'h2;
+  // hls/stages/still.hpp:53
+  logic [1:0] select_78;
+  assign select_78 = (and_17_s1_q & (~(sum_71[6:1] == 6'h3f))) ? (equal_75 ? right_older_q : (right_older_q + 2'h1)) : right_older_q;
+  logic [1:0] select_79;
+  assign select_79 = first_s1_q ? {not_39, 1'b0} : select_78;
+  // hls/stages/still.hpp:86
+  logic [7:0] select_86;
+  assign select_86 = ((~equal_75) | (~equal_64)) ? ((right_frames_q == 8'hff) ? 8'hff : (right_frames_q + 8'h1)) : 8'h0;
+  // hls/stages/still.hpp:53
+  logic [7:0] select_87;
+  assign select_87 = first_s1_q ? select_86 : right_frames_q;
+  // hls/stages/still.hpp:60
+  logic and_92;
+  assign and_92 = (~(cfg_still_limit_i == 8'h0)) & (~(index_q[8:4] == 5'h0));
+  // hls/stages/still.hpp:95
+  logic not_98;
+  assign not_98 = ~(({1'b0, select_57} + 9'h1) < {1'b0, cfg_still_limit_i});
+  // hls/stages/still.hpp:63
+  logic and_101;
+  assign and_101 = and_92 & ((select_38 == 2'h2) ? ((~(select_50 == 2'h2)) & not_98) : not_98);
+  // hls/stages/still.hpp:95
+  logic not_107;
+  assign not_107 = ~(({1'b0, select_87} + 9'h1) < {1'b0, cfg_still_limit_i});
+  logic select_109;
+  assign select_109 = (select_68 == 2'h2) ? ((~(select_79 == 2'h2)) & not_107) : not_107;
+
+  // Memory kept, write
+  logic [8:0] kept_waddr;
+  assign kept_waddr = index_s1_q;
+  logic kept_we;
+  assign kept_we = s1_en & and_17_s1_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (kept_we) kept_mem[kept_waddr] <= {kept_rdata_q[15:0], right_s1_q, left_s1_q};
+  end
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && kept_we) begin
+      if (kept_re && kept_raddr == kept_waddr) begin
+        $error("kept: address %0d is read less than DISTANCE steps after its write", kept_waddr);
+      end
+    end
+  end
+`endif
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      one_before_q <= 1'b0;
+      two_before_q <= 1'b0;
+      left_last_q <= 2'h2;
+      left_older_q <= 2'h2;
+      left_frames_q <= 8'h0;
+      right_last_q <= 2'h2;
+      right_older_q <= 2'h2;
+      right_frames_q <= 8'h0;
+    end else if (s1_en) begin
+      one_before_q <= first_s1_q | one_before_q;
+      two_before_q <= first_s1_q ? one_before_q : two_before_q;
+      left_last_q <= select_38;
+      left_older_q <= select_50;
+      left_frames_q <= select_57;
+      right_last_q <= select_68;
+      right_older_q <= select_79;
+      right_frames_q <= select_87;
+    end
+  end
+
+  logic and_101_s2_q;
+  logic and_110_s2_q;
+  always_ff @(posedge clk_i) begin
+    if (s1_en) begin
+      and_101_s2_q <= and_101;
+      and_110_s2_q <= and_92 & select_109;
+    end
+  end
+
+  // Outputs -----------------------------------------------------------------------------------------------------------
+  assign left_still_o = and_101_s2_q;
+  assign right_still_o = and_110_s2_q;
+  assign valid_o = valid_s2_q;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      valid_s1_q <= 1'b0;
+      valid_s2_q <= 1'b0;
+    end else if (en_i) begin
+      valid_s1_q <= valid_i;
+      valid_s2_q <= valid_s1_q;
+    end
+  end
+
+  // Nothing depends on these bits.
+  logic unused_bits;
+  assign unused_bits = ^{sum_71[0], difference_70[2:0], sum_60[0], difference_59[2:0], sum_42[0], difference_41[2:0], sum_29[0], difference_28[2:0]};
+
+endmodule

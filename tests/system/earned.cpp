@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// Clear must be earned: real photographs of a board, a rig, a skin, and one camera spoiled. None of it is safe.
+#include <catch2/catch.hpp>
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <string>
+#include <vector>
+
+#include "sandbox.hpp"
+
+using namespace horopter::test;
+
+namespace {
+
+using Spoil = std::function<cv::Mat(const cv::Mat&)>;
+
+cv::Mat with_noise(const cv::Mat& image, double sigma, std::uint64_t seed) {
+  cv::Mat noise(image.size(), CV_64FC1);
+  cv::RNG(seed).fill(noise, cv::RNG::NORMAL, 0, sigma);
+  cv::Mat sum;
+  image.convertTo(sum, CV_64FC1);
+  sum += noise;
+  cv::Mat result;
+  sum.convertTo(result, CV_8UC1);
+  return result;
+}
+
+cv::Mat flat(const cv::Mat& image, double grey) { return {image.size(), CV_8UC1, cv::Scalar(grey)}; }
+
+cv::Mat turned(const cv::Mat& image, double degrees, double scale, double down_px) {
+  cv::Mat turn = cv::getRotationMatrix2D({320, 240}, degrees, scale);
+  turn.at<double>(1, 2) += down_px;
+  cv::Mat result;
+  cv::warpAffine(image, result, turn, image.size(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+  return result;
+}
+
+const std::map<std::string, Spoil> kSpoiled{
+    {"covered",
+     [](const cv::Mat& image) {
+       cv::Mat result;
+       cv::GaussianBlur(image, result, {}, 60);
+       return with_noise(result, 2, 1);
+     }},
+    {"dark", [](const cv::Mat& image) { return with_noise(flat(image, 12), 3, 1); }},
+    {"white", [](const cv::Mat& image) { return with_noise(flat(image, 250), 2, 1); }},
+    {"upside down",
+     [](const cv::Mat& image) {
+       cv::Mat result;
+       cv::flip(image, result, 0);
+       return result;
+     }},
+    {"taped",
+     [](const cv::Mat& image) {
+       cv::Mat result = image.clone();
+       result.colRange(0, 384).setTo(100);
+       return result;
+     }},
+    {"knocked", [](const cv::Mat& image) { return turned(image, 0, 1, 5); }},
+    {"rolled", [](const cv::Mat& image) { return turned(image, 1, 1, 0); }},
+    {"enlarged", [](const cv::Mat& image) { return turned(image, 0, 1.03, 0); }},
+    {"out of focus",
+     [](const cv::Mat& image) {
+       cv::Mat result;
+       cv::GaussianBlur(image, result, {}, 3);
+       return result;
+     }},
+};
+
+/// Two photographs of opencv-doc, their rig, and a skin that nothing is in.
+bool prepare(Sandbox& box) {
+  const fs::path images = "/usr/share/doc/opencv-doc/examples/data";
+  if (!fs::exists(images / "left01.jpg")) return false;
+  const auto made = box.run({"calibrate", "--left", (images / "left??.jpg").string(), "--right",
+                             (images / "right??.jpg").string(), "--target", "chessboard:9x6:30mm", "-o", "rig.yaml"});
+  CAPTURE(made.err);
+  REQUIRE(made.status == 0);
+  for (const std::string side : {"left", "right"}) {
+    cv::imwrite((box / (side + ".png")).string(),
+                cv::imread((images / (side + "01.jpg")).string(), cv::IMREAD_GRAYSCALE));
+  }
+  box.write("skin.yaml", "surface: {type: plane, point_mm: [0, 0, 300], normal: [0, 0, -1]}\n");
+  return true;
+}
+
+nlohmann::json run(const Sandbox& box, const std::string& left, const std::string& right, const std::string& decision) {
+  const auto result =
+      box.run_proven({"run", "--left", left, "--right", right, "--skin", "skin.yaml", "--rig", "rig.yaml", "--profile",
+                      "vga", "--decision", decision, "--out", "out", "--json"});
+  CAPTURE(result.err);
+  REQUIRE((result.status == 0 || result.status == 4));
+  return nlohmann::json::parse(result.out)["frames"][0];
+}
+
+}  // namespace
+
+TEST_CASE("Photographs of two cameras earn clear, and say by what") {
+  Sandbox box;
+  if (!prepare(box)) return;
+  const auto frame = run(box, "left.png", "right.png", "thesis");
+  CAPTURE(frame.dump());
+  CHECK(frame["faults"].empty());
+  CHECK(frame["agreement"]["explained"].get<double>() > 0.5);
+  CHECK(frame["agreement"]["regions"].size() == 48);
+  CHECK(std::abs(frame["registration"]["dy_px"].get<double>()) < 1.5);  // a mean, with what is matched wrongly in it
+  CHECK(frame["unproven_pixels"].get<int>() + frame["hidden_pixels"].get<int>() <=
+        frame["undecidable_pixels"].get<int>());
+}
+
+TEST_CASE("A camera that is spoiled is not safe") {
+  Sandbox box;
+  if (!prepare(box)) return;
+  const std::string which = GENERATE("left", "right");
+  const std::string decision = GENERATE("thesis", "compete");
+  const cv::Mat good = cv::imread((box / (which + ".png")).string(), cv::IMREAD_GRAYSCALE);
+  for (const auto& [how, spoil] : kSpoiled) {
+    CAPTURE(which, decision, how);
+    cv::imwrite((box / "spoiled.png").string(), spoil(good));
+    const auto frame = which == "left" ? run(box, "spoiled.png", "right.png", decision)
+                                       : run(box, "left.png", "spoiled.png", decision);
+    CHECK(frame["safe"] == false);
+  }
+}
+
+TEST_CASE("A skin of which too little is seen by both cameras is not safe, and the program says why") {
+  Sandbox box;
+  if (!prepare(box)) return;
+  box.write("small.yaml", "surface: {type: box, centre_mm: [0, 0, 900], size_mm: [400, 300, 200]}\n");
+  const std::string decision = GENERATE("thesis", "compete");
+  const std::vector<std::string> arguments{
+      "run",        "--left", "left.png", "--right",    "right.png", "--rig",         "rig.yaml", "--skin",
+      "small.yaml", "--out",  "out",      "--decision", decision,    "--alarm-limit", "3",        "--json"};
+  const auto proven = box.run_proven(arguments);
+  CHECK(proven.status == 4);
+  CHECK_THAT(proven.err, Catch::Contains("of the image is supervised") && Catch::Contains("--unproven"));
+  CHECK(nlohmann::json::parse(proven.out)["frames"][0]["safe"] == false);
+  const auto unproven = box.run(arguments);
+  CHECK(unproven.status == 0);
+  CHECK(nlohmann::json::parse(unproven.out)["frames"][0]["safe"] == true);
+}
+
+TEST_CASE("Cameras exchanged, and one camera twice, are not safe") {
+  Sandbox box;
+  if (!prepare(box)) return;
+  CHECK(run(box, "right.png", "left.png", "thesis")["safe"] == false);
+  cv::imwrite((box / "again.png").string(),
+              with_noise(cv::imread((box / "left.png").string(), cv::IMREAD_GRAYSCALE), 1, 1));
+  CHECK(run(box, "left.png", "again.png", "thesis")["safe"] == false);
+}

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: Apache-2.0
+// Clear is earned: the stage `agreement` on scenes of known depth, on what is no scene, and with each check taken away.
+#include "stages/agreement.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "horopter/hls/settings.hpp"
+
+namespace {
+
+using namespace horopter;
+using namespace horopter::stages;
+
+constexpr hls::Profile kSmall = [] {
+  hls::Profile profile = hls::profiles::vga;
+  profile.width = 320;
+  profile.height = 240;
+  return profile;
+}();
+using Small = Agreement<kSmall>;
+
+struct Picture {
+  int width = 0;
+  int height = 0;
+  std::vector<double> grey;
+  double at(double x, double y) const {
+    const double cx = std::clamp(x, 0.0, width - 1.001);
+    const double cy = std::clamp(y, 0.0, height - 1.001);
+    const auto ix = static_cast<std::size_t>(cx);
+    const auto iy = static_cast<std::size_t>(cy);
+    const double fx = cx - static_cast<double>(ix);
+    const double fy = cy - static_cast<double>(iy);
+    const auto w = static_cast<std::size_t>(width);
+    const double* p = grey.data() + iy * w + ix;
+    return (1 - fy) * ((1 - fx) * p[0] + fx * p[1]) + fy * ((1 - fx) * p[w] + fx * p[w + 1]);
+  }
+};
+
+/// Smooth patches of random grey, some px wide.
+Picture scene(int width, int height, unsigned seed) {
+  constexpr int kPatch = 11;
+  std::mt19937 random(seed);
+  Picture picture{width, height, {}};
+  const int columns = width / kPatch + 2;
+  std::vector<double> patches(static_cast<std::size_t>(columns * (height / kPatch + 2)));
+  for (double& patch : patches) patch = static_cast<double>(random() % 200);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      picture.grey.push_back(20 + patches[static_cast<std::size_t>(y / kPatch * columns + x / kPatch)]);
+    }
+  }
+  return picture;
+}
+
+using Place = std::function<std::pair<double, double>(double, double)>;
+
+/// What stands at place(x, y) of the scene, with noise.
+Picture seen(const Picture& of, const Place& place, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> noise(0, 1.5);
+  Picture picture{of.width, of.height, {}};
+  for (int y = 0; y < of.height; ++y) {
+    for (int x = 0; x < of.width; ++x) {
+      const auto [sx, sy] = place(x, y);
+      picture.grey.push_back(std::clamp(of.at(sx, sy) + noise(random), 0.0, 255.0));
+    }
+  }
+  return picture;
+}
+
+Place shifted(double dx, double dy) {
+  return [=](double x, double y) { return std::pair{x + dx, y + dy}; };
+}
+
+Picture blurred(const Picture& of, int reach) {
+  Picture picture{of.width, of.height, {}};
+  for (int y = 0; y < of.height; ++y) {
+    for (int x = 0; x < of.width; ++x) {
+      double sum = 0;
+      for (int dx = -reach; dx <= reach; ++dx) sum += of.at(x + dx, y);
+      picture.grey.push_back(sum / (2 * reach + 1));
+    }
+  }
+  return picture;
+}
+
+Small::Config defaults(int width, int height) {
+  Small::Config config{};
+  config.width = width;
+  config.height = height;
+  config.prove = 1;
+  config.shift_lowest = -30;
+  config.shift_highest = 30;
+  config.nearer_below = 1;
+  config.explained_limit = 107;
+  config.regions_limit = 64;
+  config.unproven_limit = 115;
+  config.hidden_limit = 26;
+  config.hidden_frames = 3;
+  config.moved_limit = hls::StageSettings{}.moved_limit;
+  config.moved_half_limit = hls::StageSettings{}.moved_half_limit;
+  return config;
+}
+
+struct Answer {
+  Verdict verdict;
+  int verdicts = 0;
+  double seen_share = 0;
+  double nearer_share = 0;
+};
+
+Answer frame(Small& stage, const Small::Config& config, const Picture& left, const Picture& right) {
+  Answer answer;
+  int seen = 0;
+  int nearer = 0;
+  for (int y = 0; y < left.height + kSmall.flush_rows(); ++y) {
+    for (int x = 0; x < left.width; ++x) {
+      Small::In in;
+      in.mask = y < left.height;
+      if (in.mask) {
+        const auto i = static_cast<std::size_t>(y * left.width + x);
+        in.pixel = {u<8>(static_cast<int>(left.grey[i])), u<8>(static_cast<int>(right.grey[i]))};
+      }
+      in.marks = {x == 0 && y == 0, x + 1 == left.width};
+      const auto out = stage.step(in, config);
+      if (out.verdict.valid) {
+        answer.verdict = out.verdict;
+        ++answer.verdicts;
+      }
+      // The border that the filters take is not counted.
+      if (y >= 24 && y < left.height && x >= 24) {
+        seen += out.marks.seen;
+        nearer += out.marks.nearer;
+      }
+    }
+  }
+  const double pixels = (left.height - 24.0) * (left.width - 24);
+  answer.seen_share = seen / pixels;
+  answer.nearer_share = nearer / pixels;
+  return answer;
+}
+
+/// The answer to the last of some frames of the same pair.
+Answer last_of(int frames, const Small::Config& config, const Picture& left, const Picture& right) {
+  const auto stage = std::make_unique<Small>();
+  Answer answer;
+  for (int i = 0; i < frames; ++i) answer = frame(*stage, config, left, right);
+  return answer;
+}
+
+bool faultless(const Verdict& v) {
+  return v.valid && !v.unproven_yet && !v.untextured && !v.disagree && !v.moved && !v.unsharp_left &&
+         !v.unsharp_right && !v.hidden;
+}
+
+}  // namespace
+
+TEST_CASE("a scene behind the skin is seen, from the second frame on") {
+  const Picture world = scene(320, 240, 1);
+  const Picture left = seen(world, shifted(0, 0), 2);
+  const Picture right = seen(world, shifted(-GENERATE(0, 20, 45), 0), 3);
+  auto config = defaults(320, 240);
+  const auto stage = std::make_unique<Small>();
+  const Answer first = frame(*stage, config, left, right);
+  CHECK(first.verdicts == 1);
+  CHECK(first.verdict.unproven_yet);
+  CHECK(first.seen_share == 0);
+  const Answer second = frame(*stage, config, left, right);
+  CHECK(faultless(second.verdict));
+  CHECK(second.seen_share > 0.7);  // the right camera does not see all
+  CHECK(second.nearer_share < 0.05);
+  CHECK(10 * second.verdict.explained.value() > 7 * second.verdict.textured.value());
+  config.prove = 0;
+  const Answer off = last_of(1, config, left, seen(scene(320, 240, 9), shifted(0, 0), 4));
+  CHECK(off.seen_share == 1);
+  CHECK(!off.verdict.disagree);
+  CHECK(!off.verdict.unproven_yet);
+}
+
+TEST_CASE("what both cameras cannot see together is not seen") {
+  const Picture world = scene(320, 240, 1);
+  const Picture left = seen(world, shifted(0, 0), 2);
+  const auto config = defaults(320, 240);
+  Picture right{320, 240, std::vector<double>(320 * 240, 90)};
+  const std::string what = GENERATE("covered", "another scene", "upside down", "half covered");
+  CAPTURE(what);
+  if (what == "covered") right = seen(right, shifted(0, 0), 3);
+  if (what == "another scene") right = seen(scene(320, 240, 7), shifted(0, 0), 3);
+  if (what == "upside down") right = seen(world, [](double x, double y) { return std::pair{x, 239 - y}; }, 3);
+  if (what == "half covered") {
+    const Picture good = seen(world, shifted(0, 0), 3);
+    for (std::size_t i = 0; i < right.grey.size(); ++i) {
+      if (i % 320 < 160) right.grey[i] = good.grey[i];
+    }
+  }
+  const Answer answer = last_of(2, config, left, right);
+  CHECK(answer.verdict.disagree);
+  CHECK(answer.seen_share < (what == "half covered" ? 0.6 : 0.3));
+}
+
+TEST_CASE("noise without a scene is nothing to tell by") {
+  const Picture grey{320, 240, std::vector<double>(320 * 240, 90)};
+  const Answer answer = last_of(2, defaults(320, 240), seen(grey, shifted(0, 0), 2), seen(grey, shifted(0, 0), 3));
+  CHECK(answer.verdict.untextured);
+  CHECK(!answer.verdict.disagree);
+  CHECK(answer.seen_share == 0);
+}
+
+TEST_CASE("a camera that is knocked, rolled or enlarged has moved") {
+  const Picture world = scene(320, 240, 1);
+  const Picture left = seen(world, shifted(0, 0), 2);
+  const std::string what = GENERATE("nothing", "knocked", "rolled", "enlarged");
+  CAPTURE(what);
+  Place place = shifted(-12, 0);
+  if (what == "knocked") place = shifted(-12, 3);
+  if (what == "rolled") {
+    place = [](double x, double y) { return std::pair{x - 12 - 0.03 * (y - 120), y + 0.03 * (x - 160)}; };
+  }
+  if (what == "enlarged") {
+    place = [](double x, double y) { return std::pair{x - 12 + 0.04 * (x - 160), y + 0.04 * (y - 120)}; };
+  }
+  auto config = defaults(320, 240);
+  const Picture right = seen(world, place, 3);
+  CHECK(last_of(2, config, left, right).verdict.moved == (what != "nothing"));
+  config.moved_limit = 63;
+  config.moved_half_limit = 63;
+  CHECK(!last_of(2, config, left, right).verdict.moved);
+}
+
+TEST_CASE("displacement along an epipolar line that is not a row is none") {
+  const Picture world = scene(320, 240, 1);
+  const Picture left = seen(world, shifted(0, 0), 2);
+  // 5 cells along the row, one down.
+  const Picture right = seen(world, shifted(-40, -8), 3);
+  auto config = defaults(320, 240);
+  CHECK(last_of(2, config, left, right).verdict.moved);
+  config.epipolar_slope = static_cast<int>(0.2 * 32768);
+  CHECK(!last_of(2, config, left, right).verdict.moved);
+}
+
+TEST_CASE("a camera out of focus, or in fog, is unsharp") {
+  const Picture world = scene(320, 240, 1);
+  const Picture good = seen(world, shifted(0, 0), 2);
+  const Picture blur = blurred(seen(world, shifted(0, 0), 3), 5);
+  const auto config = defaults(320, 240);
+  CHECK(last_of(2, config, good, blur).verdict.unsharp_right);
+  CHECK(!last_of(2, config, good, blur).verdict.unsharp_left);
+  CHECK(last_of(2, config, blur, good).verdict.unsharp_left);
+  Picture fog = good;
+  for (double& grey : fog.grey) grey = 120 + (grey - 120) / 8;
+  CHECK(last_of(2, config, good, fog).verdict.unsharp_right);
+  // Tape over the larger part of the left camera: what is left agrees, but the right one sees more.
+  Picture taped = good;
+  for (int y = 0; y < taped.height; ++y) {
+    for (int x = 0; x < taped.width * 6 / 10; ++x) taped.grey[static_cast<std::size_t>(y * taped.width + x)] = 100;
+  }
+  CHECK(last_of(2, config, taped, good).verdict.unsharp_left);
+  Picture dim = good;
+  for (double& grey : dim.grey) grey /= 2;
+  CHECK(faultless(last_of(2, config, good, dim).verdict));
+}
+
+TEST_CASE("something nearer than the skin hides it, and for too long is a fault") {
+  const Picture world = scene(320, 240, 1);
+  const Picture left = seen(world, shifted(0, 0), 2);
+  const Picture right = seen(world, shifted(30, 0), 3);
+  auto config = defaults(320, 240);
+  const auto stage = std::make_unique<Small>();
+  CHECK(!frame(*stage, config, left, right).verdict.hidden);
+  const Answer second = frame(*stage, config, left, right);
+  CHECK(second.nearer_share > 0.7);
+  CHECK(!second.verdict.hidden);
+  CHECK(frame(*stage, config, left, right).verdict.hidden);
+  CHECK(!frame(*stage, config, left, left).verdict.hidden);
+  config.nearer_below = 0;
+  const Answer unknown = last_of(4, config, left, right);
+  CHECK(!unknown.verdict.hidden);
+  CHECK(unknown.nearer_share == 0);
+  // Where no place is in front of both cameras, nothing is explained: cameras exchanged.
+  config.shift_lowest = -1;
+  CHECK(last_of(2, config, left, right).verdict.disagree);
+}
+
+TEST_CASE("every size ends with one verdict, before the next frame") {
+  std::mt19937 random(5);
+  for (int width = 32; width <= 320; width += 2) {
+    const int height = 16 + static_cast<int>(random() % 60);
+    CAPTURE(width, height);
+    const Picture noise = scene(width, height, random());
+    const auto stage = std::make_unique<Small>();
+    for (int i = 0; i < 2; ++i) REQUIRE(frame(*stage, defaults(width, height), noise, noise).verdicts == 1);
+  }
+}
