@@ -206,6 +206,24 @@ TEST_CASE("what both cameras cannot see together is not seen") {
   CHECK(answer.seen_share < (what == "half covered" ? 0.6 : 0.3));
 }
 
+TEST_CASE("too little in all, in too many regions, or around too many places: each says that the cameras disagree") {
+  const Picture world = scene(320, 240, 1);
+  const Picture left = seen(world, shifted(0, 0), 2);
+  Picture right = seen(world, shifted(0, 0), 3);
+  for (std::size_t i = 0; i < right.grey.size(); ++i) {
+    if (i % 320 < 192) right.grey[i] = 90;  // tape over 60 %
+  }
+  auto config = defaults(320, 240);
+  const int explained = GENERATE(0, 107);
+  const int regions = GENERATE(64, 255);
+  const int unproven = GENERATE(115, 255);
+  CAPTURE(explained, regions, unproven);
+  config.explained_limit = explained;
+  config.regions_limit = regions;
+  config.unproven_limit = unproven;
+  CHECK(last_of(2, config, left, right).verdict.disagree == (explained > 0 || regions < 255 || unproven < 255));
+}
+
 TEST_CASE("noise without a scene is nothing to tell by") {
   const Picture grey{320, 240, std::vector<double>(320 * 240, 90)};
   const Answer answer = last_of(2, defaults(320, 240), seen(grey, shifted(0, 0), 2), seen(grey, shifted(0, 0), 3));
@@ -243,6 +261,22 @@ TEST_CASE("displacement along an epipolar line that is not a row is none") {
   auto config = defaults(320, 240);
   CHECK(last_of(2, config, left, right).verdict.moved);
   config.epipolar_slope = static_cast<int>(0.2 * 32768);
+  CHECK(!last_of(2, config, left, right).verdict.moved);
+}
+
+TEST_CASE("displacement along an epipolar line that is curved is none") {
+  const Picture world = scene(320, 240, 1);
+  const Picture left = seen(world, shifted(0, 0), 2);
+  constexpr double kBend_per_px = 0.0008;
+  constexpr double kShift_px = 80;
+  const auto line = [](double x) { return kBend_per_px * (x - 160) * (x - 160) / 2; };
+  const Picture right =
+      seen(world, [&](double x, double y) { return std::pair{x - kShift_px, y - (line(x) - line(x - kShift_px))}; }, 3);
+  auto config = defaults(320, 240);
+  CHECK(last_of(2, config, left, right).verdict.moved);
+  // A code stands two cells right of and below the cell it is of.
+  config.epipolar_slope = static_cast<int>(-kBend_per_px * (160 + 1.5 * Small::cell) * 32768);
+  config.epipolar_column = static_cast<int>(kBend_per_px * Small::cell * 1048576);
   CHECK(!last_of(2, config, left, right).verdict.moved);
 }
 
