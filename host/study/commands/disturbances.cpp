@@ -94,7 +94,8 @@ CameraImages behind_sheet(const Sight& sight, double share) {
   const auto edge = sight.sheet.at<cv::Vec2f>(left.rows / 2, columns - 1)[0];
   const int right_columns = share >= 1 ? right.cols : std::clamp(cvRound(edge), 0, right.cols);
   left.colRange(0, columns).copyTo(images[kLeft].colRange(0, columns));
-  right.colRange(0, right_columns).copyTo(images[kRight].colRange(0, right_columns));
+  // So near that the right camera may not see it at all.
+  if (right_columns > 0) right.colRange(0, right_columns).copyTo(images[kRight].colRange(0, right_columns));
   return images;
 }
 
