@@ -63,7 +63,7 @@ struct RegionCounts {
 template <Profile P>
 class Agreement {
  public:
-  static constexpr int cell = P.result_width() > 1000 ? 16 : 8;  // px
+  static constexpr int cell = P.cell();  // px
   static constexpr int columns = P.result_width() / cell;
   static constexpr int rows = P.height / cell;
   static constexpr int reach = 30;  // cells

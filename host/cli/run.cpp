@@ -161,6 +161,11 @@ ExitStatus run(const RunOptions& options) {
   Session session(options, rig, pair->left);
   const Device& device = session.device();
   auto summary = summary_json(device.engine(), session.profile->name);
+  summary["clear_is_earned"] = session.settings.proof.needed;
+  if (!session.settings.proof.needed && !options.json) {
+    fmt::print(
+        "unproven: clear means only that the images do not agree; both cameras are not shown to see the place\n");
+  }
   if (session.thickness) {
     summary.update(session.thickness->json());
     if (!options.json) fmt::print("{}\n", session.thickness->text(session.settings));

@@ -136,10 +136,13 @@ TEST_CASE("A skin of which too little is seen by both cameras is not safe, and t
   const auto proven = box.run_proven(arguments);
   CHECK(proven.status == 4);
   CHECK_THAT(proven.err, Catch::Contains("of the image is supervised") && Catch::Contains("--unproven"));
-  CHECK(nlohmann::json::parse(proven.out)["frames"][0]["safe"] == false);
+  const auto summary = nlohmann::json::parse(proven.out);
+  CHECK(summary["frames"][0]["safe"] == false);
+  CHECK(summary["clear_is_earned"] == true);
   const auto unproven = box.run(arguments);
   CHECK(unproven.status == 0);
   CHECK(nlohmann::json::parse(unproven.out)["frames"][0]["safe"] == true);
+  CHECK(nlohmann::json::parse(unproven.out)["clear_is_earned"] == false);
 }
 
 TEST_CASE("Cameras exchanged, and one camera twice, are not safe") {

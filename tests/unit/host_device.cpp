@@ -236,6 +236,32 @@ TEST_CASE("The limit on undecidable pixels is a share of what the rule can judge
   CHECK(blind.safe == expected.empty());
 }
 
+TEST_CASE("Which side of the skin is nearer is known from the cameras, also of a skin close before them") {
+  const auto camera = [](const char* name, double x_mm) {
+    const calib::CameraModel model(calib::BrownConradyIntrinsics{530, 530, 99.5, 59.5, {}});
+    calib::Camera made{name, 200, 120, model, {}};
+    made.world_to_camera.translation_mm.x() = -x_mm;
+    return made;
+  };
+  const auto nearer = [&](double right_mm, hls::table::ShiftRange shifts) {
+    MapTable table(ScanGeometry{200, 120, Scan::progressive}, 3, 3);
+    hls::table::Facts facts = facts_of(table, find_profile("vga"));
+    facts.shifts = shifts;
+    table.seal(facts);
+    const calib::Rig rig{"", {camera("left", 0), camera("right", right_mm)}};
+    const Proof proof = with_knowledge({}, find_profile("vga"), {&table}, calib::to_yaml(rig), "rig.yaml");
+    CHECK(proof.nearer_below != proof.nearer_above);
+    return proof.nearer_below ? -1 : 1;
+  };
+  CHECK(nearer(100, {-462, 126}) == -1);
+  CHECK(nearer(100, {-208, 431}) == -1);  // a skin at 120 mm
+  CHECK(nearer(-100, {-126, 462}) == 1);
+  MapTable unknown(ScanGeometry{200, 120, Scan::progressive}, 3, 3);
+  const Proof proof = with_knowledge({}, find_profile("vga"), {&unknown}, "", "");
+  CHECK_FALSE(proof.nearer_below);
+  CHECK_FALSE(proof.nearer_above);
+}
+
 TEST_CASE("Images that are the same bit by bit are a fault: they are of one camera") {
   Small small;
   small.monitor.select(1);

@@ -241,7 +241,7 @@ Agreement Monitor::read_agreement() {
     sums[i] = (field(reg::frame_across_0::kSum, word) ^ kSign) - kSign;
     measured[i] = field(reg::frame_across_0::kCells, word);
   }
-  const double px = cell_px(profile_) / 32.0;
+  const double px = profile_.cell() / 32.0;
   constexpr int kEnough = 40;
   const auto mean = [&](std::size_t a, std::size_t b) -> std::optional<double> {
     if (measured[a] + measured[b] < kEnough) return std::nullopt;

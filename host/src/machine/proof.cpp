@@ -20,15 +20,18 @@ int cells_beyond(int px, int cell) {
   return std::clamp(px < 0 ? -cells : cells, -kReach, kReach);
 }
 
+Eigen::Vector3d right_camera_from_left(const calib::Rig& rig) {
+  const calib::Pose& left = rig.cameras.at(0).world_to_camera;
+  return left.rotation * (rig.cameras.at(1).world_to_camera.centre() - left.centre());
+}
+
 /// Least squares of the slope of the left camera's epipolar lines over the image, by column and row of cells. What
 /// another depth of a pixel's line of sight shows lies on the line through it, whatever the skin (CameraPair).
 std::array<double, 4> epipolar_slopes(const MachineProfile& profile, const ScanGeometry& geometry,
                                       const calib::Rig& rig) {
   const calib::Camera& left = rig.cameras.at(0);
-  const calib::Camera& right = rig.cameras.at(1);
-  const Eigen::Vector3d to_right =
-      left.world_to_camera.rotation * (right.world_to_camera.centre() - left.world_to_camera.centre());
-  const int cell = cell_px(profile);
+  const Eigen::Vector3d to_right = right_camera_from_left(rig);
+  const int cell = profile.cell();
   std::vector<Eigen::Vector4d> places;
   std::vector<double> slopes;
   for (int y = 0; y < geometry.height; y += kStep_px) {
@@ -59,11 +62,9 @@ std::array<double, 4> epipolar_slopes(const MachineProfile& profile, const ScanG
 
 }  // namespace
 
-int cell_px(const MachineProfile& profile) { return profile.result_width() > 1000 ? 16 : 8; }
-
 Proof with_knowledge(Proof proof, const MachineProfile& profile, const std::vector<const MapTable*>& tables,
                      const std::string& rig, const std::string& file) {
-  const int cell = cell_px(profile);
+  const int cell = profile.cell();
   int lowest = 0;
   int highest = 0;
   bool known = !tables.empty();
@@ -77,13 +78,13 @@ Proof with_knowledge(Proof proof, const MachineProfile& profile, const std::vect
   if (known) {
     proof.shift_lowest = cells_beyond(lowest, cell);
     proof.shift_highest = cells_beyond(highest, cell);
-    // What is nearest lies further off than what is infinitely far, but for a skin close before the cameras.
-    proof.nearer_below = -lowest > highest;
-    proof.nearer_above = !proof.nearer_below;
   }
   if (rig.empty() || tables.empty()) return proof;
   if (const calib::Rig cameras = calib::rig_from_yaml(rig, file); cameras.cameras.size() >= 2) {
     proof.registered = true;
+    // The nearer a place, the further towards the left camera's side the right one sees it.
+    proof.nearer_below = right_camera_from_left(cameras).x() > 0;
+    proof.nearer_above = !proof.nearer_below;
     proof.epipolar = epipolar_slopes(profile, tables.front()->geometry(), cameras);
   }
   return proof;

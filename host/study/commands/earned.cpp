@@ -245,7 +245,7 @@ std::array<Image, 2> supervise(Run& run, Supervisor supervisor, int count, const
     run.faulty += run.last.faults.any() ? 1 : 0;
     run.faults |= run.last.faults;
   }
-  read_sums(run, supervisor.monitor().device(), cell_px(run.watched->profile));
+  read_sums(run, supervisor.monitor().device(), run.watched->profile.cell());
   return frames;
 }
 

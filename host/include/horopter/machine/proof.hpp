@@ -27,9 +27,6 @@ struct Proof {
   int hidden_frames = 50;      ///< after so many frames in a row, 1 to 128; 0 = never
 };
 
-/// Side of a cell, px of the result.
-int cell_px(const MachineProfile& profile);
-
 /// `proof` with what tables and cameras say: shifts that serve all tables, and the left camera's epipolar lines. `rig`:
 /// text of a rig, of `file` in errors; empty = a skin without a rig, of which nothing is known.
 Proof with_knowledge(Proof proof, const MachineProfile& profile, const std::vector<const MapTable*>& tables,
