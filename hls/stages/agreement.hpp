@@ -2,6 +2,9 @@
 // agreement: do both cameras see the same world, and is it behind the skin? *Clear* is earned: it needs a place that both
 // cameras are shown to see (thesis 2.3, 9; nothing there says how: this is a coarse stereo of our own).
 //
+// Around the skin, where the mapping table says what is compared there, cells count like those of the skin, but for what
+// is hidden: a small skin in a large image does not make a blind camera look like a small one.
+//
 // Both images are taken in cells of `cell` px (census.hpp). When a row of cells is complete, every cell of the row three
 // above is compared with the right one's at all shifts of ±reach cells along the row and ±2 across: census codes, summed
 // over 7×3 cells. A textured cell is *explained* where its best shift fits well, and the right cell chooses it back (±1).
@@ -33,7 +36,7 @@ struct Verdict {
   u<16> supervised;           // cells that exist in both images
   u<16> textured;             // of these
   u<16> explained;            // of these
-  u<16> nearer;               // of these
+  u<16> nearer;               // of these, where there is a skin
   u<16> unproven;             // textured, and not seen
   u<16> regions_bad;          // textured cells in regions where hardly any is explained
   bool unproven_yet = false;  // no frame before this one
@@ -76,6 +79,7 @@ class Agreement {
     Pixels pixel{};
     bool saturated = false;
     bool mask = false;
+    bool present = false;
     FrameMarks marks;
   };
   struct Config {
@@ -92,8 +96,8 @@ class Agreement {
     u<8> unproven_limit;   // largest share of the textured cells that may not be seen, in 1/256
     u<8> hidden_limit;     // largest share of the cells that may be nearer, in 1/256
     u<8> hidden_frames;    // for so many frames in a row, 1 to 128; 0 = never
-    // 1/32 cell: a median of the displacement across the rows that is too large. Of two halves of the image, in
-    // opposite directions (one that is rolled or enlarged): this less 1.
+    // 1/32 cell: a median of the displacement across the rows that is too large, of the image or, in opposite
+    // directions (one that is rolled or enlarged), of two halves of it.
     u<6> moved_limit;
     u<6> moved_half_limit;  // the same of one half
     s<16> epipolar_slope;   // displacement across the rows of a shift along them, at the first cell: 2^-15
@@ -168,7 +172,7 @@ class Agreement {
     advance(following);
     if (pair.whole) {
       const auto at = raster_.step(pair.first, in.marks.last, config.height);
-      const CellGrey means = averager_.step(at, pair.pixel, in.mask);
+      const CellGrey means = averager_.step(at, pair.pixel, in.present, in.mask);
       if (means.valid) take_cell(at, means, config);
       read_map(pair.first, in.marks.last, config);
     }
@@ -345,6 +349,7 @@ class Agreement {
     bool valid = false;
     bool supervised = false;
     bool textured = false;
+    bool of_skin = false;
   };
   struct RightCell {
     u<census_bits> code;
@@ -364,7 +369,7 @@ class Agreement {
       RightColumn right = right_codes_.read(x_);
       for (std::size_t a = left.age.size() - 1; a > 0; --a) left.age[a] = row_ < a ? LeftCell{} : left.age[a - 1];
       for (std::size_t a = right.age.size() - 1; a > 0; --a) right.age[a] = row_ < a ? RightCell{} : right.age[a - 1];
-      left.age[0] = {codes.left, codes.left_valid, codes.supervised, codes.textured};
+      left.age[0] = {codes.left, codes.left_valid, codes.supervised, codes.textured, codes.of_skin};
       right.age[0] = {codes.right, codes.right_valid};
       left_.write(x_, left);
       right_codes_.write(x_, right);
@@ -433,13 +438,16 @@ class Agreement {
     best_right_.write(partner, of_right);
   }
 
-  /// Displacement across the rows, the fraction by a parabola, in 1/32 cell.
+  /// Displacement across the rows in 1/32 cell. Bits that agree fall evenly to both sides, so the fraction is where two
+  /// lines of equal and opposite slope meet (Shimizu and Okutomi, ICCV 2001); a parabola says too little, down to half.
   static s<8> across(const std::array<Score, across_count>& score, std::size_t best) {
     const std::size_t near_best = best == 0 ? 1 : (best == across_count - 1 ? across_count - 2 : best);
-    const s<9> rise(score[near_best + 1] - score[near_best - 1]);
-    const auto bend = shl<1>(score[near_best]) - (score[near_best + 1] + score[near_best - 1]);
-    const u<10> size(abs(rise));
-    const u<10> twice(bend.negative() ? u<10>(0) : u<10>(shl<1>(bend)));
+    const Score above = score[near_best - 1];
+    const Score below = score[near_best + 1];
+    const s<9> rise(below - above);
+    const u<9> size(abs(rise));
+    const s<9> fall(score[near_best] - (rise.negative() ? below : above));
+    const u<9> twice(fall.negative() ? u<9>(0) : u<9>(shl<1>(u<8>(fall))));
     const u<5> fraction = ratio<5>(size < twice ? size : twice, twice);
     const auto whole = shl<5>(s<4>(static_cast<int>(best) - across_reach));
     if (best != near_best) return s<8>(whole);
@@ -507,7 +515,7 @@ class Agreement {
     s<24> too_little_explained, too_many_bad, too_much_unproven, too_much_hidden;  // above 0: so it is
     std::array<s<20>, 4> across{};
     std::array<u<12>, 4> measured{};
-    std::array<Votes, 5> votes{};       // beyond moved_limit: all; less 1: left, right, upper, lower half
+    std::array<Votes, 5> votes{};       // beyond moved_limit: all, left, right, upper, lower half
     std::array<Votes, 4> half_votes{};  // beyond moved_half_limit: the halves
   };
   /// What a beat adds to them; one addition each, whatever the phase.
@@ -576,24 +584,26 @@ class Agreement {
       seen.explained = seen.textured && best.score > score_limit && way >= -1 && way <= 1;
       seen.nearer = seen.explained && ((config.nearer_below != 0 && best.shift.negative()) ||
                                        (config.nearer_above != 0 && best.shift > 0));
-      count(seen, here.supervised && enough_rows, config);
+      count(seen, here.supervised && enough_rows, here.of_skin, config);
       if (seen.explained && row_ >= first_row + across_reach) measure(best, slope, config);
     }
     count_region(inside, next_region);
     draw(seen, inside);
   }
 
-  void count(const Seen& seen, bool supervised, const Config& config) {
+  /// What is nearer is counted where there is a skin; around it, nearer than what it is compared with means nothing.
+  void count(const Seen& seen, bool supervised, bool of_skin, const Config& config) {
     change_.supervised = u<1>(supervised);
     change_.textured = u<1>(seen.textured);
     change_.explained = u<1>(seen.explained);
-    change_.nearer = u<1>(seen.nearer);
+    change_.nearer = u<1>(seen.nearer && of_skin);
     if (seen.textured) {
       change_.too_little_explained = s<10>(s<9>(config.explained_limit) - s<10>(seen.explained ? 256 : 0));
       change_.too_many_bad = s<21>(-s<9>(config.regions_limit));
       change_.too_much_unproven = s<11>(-s<9>(config.unproven_limit));
     }
-    if (supervised) change_.too_much_hidden = s<11>(s<10>(seen.nearer ? 256 : 0) - s<9>(config.hidden_limit));
+    if (supervised && of_skin)
+      change_.too_much_hidden = s<11>(s<10>(seen.nearer ? 256 : 0) - s<9>(config.hidden_limit));
   }
 
   /// What is displaced across the rows beyond the slope of the epipolar line, by votes: more than half of them beyond a
@@ -616,7 +626,7 @@ class Agreement {
     const std::array<bool, 5> member{true, !right_half, right_half, !lower_half_, lower_half_};
     for (std::size_t n = 0; n < 5; ++n) {
       if (!member[n]) continue;
-      change_.votes[n] = votes(residual, n == 0 ? s<7>(config.moved_limit) : s<7>(config.moved_limit - lit<1>()));
+      change_.votes[n] = votes(residual, s<7>(config.moved_limit));
       if (n > 0) change_.half_votes[n - 1] = votes(residual, s<7>(config.moved_half_limit));
     }
   }

@@ -66,6 +66,7 @@ struct CellGrey {
   bool valid = false;
   std::array<u<mean_bits>, 2> mean{};  // left, right
   bool mask = false;
+  bool of_skin = false;  // all of its pixels
   std::array<u<mean_bits + 5>, 2>
       detail{};  // sum of the second differences of the quarters: 0 on a ramp, large at an edge
 };
@@ -83,26 +84,29 @@ class CellAverager {
   void begin_step() { memory_.begin_step(); }
 
   template <class Position>
-  CellGrey step(const Position& at, std::array<u<8>, 2> pixel, bool mask) {
+  CellGrey step(const Position& at, std::array<u<8>, 2> pixel, bool mask, bool of_skin) {
     const bool starts = (at.x & u<2>(quarter - 1)) == 0;
     const bool ends = (at.x & u<2>(quarter - 1)) == quarter - 1;
     std::array<Sum, 2> sum{};
     for (std::size_t i = 0; i < 2; ++i) sum[i] = Sum((starts ? Sum(0) : *running_[i]) + pixel[i]);
     const bool whole = (starts || running_mask_) && mask;
+    const bool all_of_skin = (starts || running_of_skin_) && of_skin;
     if (starts) place_ = at.column == 0 && at.x == 0 ? Place(0) : Place(place_ + lit<1>());
     const bool stores = at.live && ends && place_ < words;
     Quarter word;
     if (stores) {
       word = memory_.read(place_);
-      if (at.y == 0) word = {{Sum(0), Sum(0)}, true};
+      if (at.y == 0) word = {{Sum(0), Sum(0)}, true, true};
       for (std::size_t i = 0; i < 2; ++i) word.sum[i] = Sum(word.sum[i] + sum[i]);
       word.mask = word.mask && whole;
+      word.of_skin = word.of_skin && all_of_skin;
       memory_.write(place_, word);
     }
     CellGrey out = add_quarter(at.x == quarter - 1, stores && at.y == CELL - 1, word);
     out.valid = out.valid && at.x == CELL - 1;
     for (std::size_t i = 0; i < 2; ++i) *running_[i] = sum[i];
     running_mask_ = whole;
+    running_of_skin_ = all_of_skin;
     return out;
   }
 
@@ -112,6 +116,7 @@ class CellAverager {
   struct Quarter {
     std::array<Sum, 2> sum{};
     bool mask = false;
+    bool of_skin = false;
   };
 
   /// `first` of the cell. Without `counts` nothing changes.
@@ -131,7 +136,9 @@ class CellAverager {
       out.detail[i] = detail;
     }
     out.mask = (first || mask_) && word.mask;
+    out.of_skin = (first || of_skin_) && word.of_skin;
     mask_ = counts ? out.mask : mask_;
+    of_skin_ = counts ? out.of_skin : of_skin_;
     out.valid = counts;
     return out;
   }
@@ -142,8 +149,8 @@ class CellAverager {
   std::array<Kept<u<mean_bits + 2>>, 2> total_{};
   std::array<Kept<u<mean_bits + 5>>, 2> detail_{};
   Place place_{0};
-  bool running_mask_ = false;
-  bool mask_ = false;
+  bool running_mask_ = false, running_of_skin_ = false;
+  bool mask_ = false, of_skin_ = false;
 };
 
 /// What is known of a cell of both images.
@@ -154,6 +161,7 @@ struct CellCodes {
   bool right_valid = false;  // and exists
   bool supervised = false;   // the cell exists
   bool textured = false;     // grey values vary along the row, in the left image
+  bool of_skin = false;      // not only around it
 };
 
 /// Census codes and texture of a cell from the means that come row by row. Memory: four rows of means.
@@ -169,7 +177,7 @@ class CellCensus {
   CellCodes step(u<bits_for(COLUMNS)> column, bool frame_start, bool four_rows_above, const CellGrey& cell) {
     const Above above = memory_.read(column);
     Column now;
-    now.cell[0] = {cell.mean[0], cell.mean[1], cell.mask};
+    now.cell[0] = {cell.mean[0], cell.mean[1], cell.mask, cell.of_skin};
     for (std::size_t i = 1; i < 5; ++i) now.cell[i] = above.cell[i - 1];
     Above kept;
     for (std::size_t i = 0; i < 4; ++i) kept.cell[i] = now.cell[i];
@@ -211,6 +219,7 @@ class CellCensus {
     out.left_valid = filled_.bit(4) && four_rows_above;
     out.right_valid = out.left_valid && whole;
     out.supervised = out.left_valid && centre.mask;
+    out.of_skin = centre.of_skin;
     out.textured = out.left_valid && texture >= texture_limit;
 
     const s<5> left_misses(s<5>(out.right_valid && texture_right >= texture_limit ? 5 : 0) -
@@ -227,6 +236,7 @@ class CellCensus {
   struct Cell {
     u<mean_bits> left, right;
     bool mask = false;
+    bool of_skin = false;
   };
   struct Column {
     std::array<Cell, 5> cell{};  // the newest first

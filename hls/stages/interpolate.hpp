@@ -4,7 +4,8 @@
 //
 // In    p00 p01 / p10 p11: p<row><column> of the 2×2 right pixels;
 //       wx, wy: weights of the right and lower ones in 1/2^W;
-//       left: the left pixel of the same place; mask: the source exists. A pixel of weight 0 may be anything.
+//       left: the left pixel of the same place; mask: the source exists; present: it does, of the skin or around it. A
+//       pixel of weight 0 may be anything.
 //       swapped_x, swapped_y: the right column comes before the left one, the lower row before the upper one.
 // Out   pixel[0] = left, pixel[1] = (((2^W−wx) p00 + wx p01) (2^W−wy) + ((2^W−wx) p10 + wx p11) wy) / 2^2W,
 //       rounded half up: at most 1/2 grey level from the real value.
@@ -30,6 +31,7 @@ class Interpolator {
     bool swapped_y = false;
     u<8> left;
     bool mask = false;
+    bool present = false;
     FrameMarks marks;
   };
   using Out = GreyPair;
@@ -49,6 +51,7 @@ class Interpolator {
     out.saturated = at_limit(in.left) || (x0 && y0 && at_limit(in.p00)) || (x1 && y0 && at_limit(in.p01)) ||
                     (x0 && y1 && at_limit(in.p10)) || (x1 && y1 && at_limit(in.p11));
     out.mask = in.mask;
+    out.present = in.present;
     out.marks = in.marks;
     return out;
   }

@@ -4,9 +4,10 @@
 // In    a row is one `prime` beat, which brings column 0 of the grid, then one beat per pixel; a pixel with
 //       x mod 2^spacing = 0 has `load` set and brings column x / 2^spacing + 1. `column` holds the control points above
 //       and below the row (swapped: below and above), `row_fraction` the row's place between them in 1/64 of a cell.
-//       Control points are (coordinate in px + 64) · 32, both parts all ones: no source.
+//       Control points: horopter/hls/table_format.hpp.
 // Out   none for prime beats; else the top left of the 2×2 source pixels in px, weights of the right and lower ones in
-//       1/2^W, `mapped` if all control points of non-zero weight have a source and the address is not negative.
+//       1/2^W. `present` if all control points of non-zero weight have a source and the address is not negative,
+//       `mapped` if they also belong to the skin: others only show what is around it, for `agreement`.
 //       Whether the source lies inside the image and in the store is for the store to say.
 // Exact bilinear interpolation: vertical, (64 − f)·top + f·bottom, then along the row by adding the 1/64 part of the
 // difference of two columns per pixel; rounded half up to 1/2^W px at the end only. Error against real arithmetic:
@@ -25,9 +26,14 @@ namespace horopter::stages {
 
 struct ControlPoint {
   u<16> x;  // (px + 64) · 32
-  u<16> y;
+  u<16> y;  // the same of the skin's; of those around it half of that, from 0xA000 on
 
   [[nodiscard]] bool has_source() const { return !(x == 0xFFFF && y == 0xFFFF); }
+  [[nodiscard]] bool of_skin() const { return !(y.bit(15) && (y.bit(14) || y.bit(13))); }
+  /// (px + 64) · 32
+  [[nodiscard]] u<16> row() const {
+    return of_skin() ? y : u<16>(cat(u<2>(y.bits<14, 13>() - lit<1>()), y.bits<12, 0>(), u<1>(0)));
+  }
 };
 
 struct ControlPair {
@@ -58,6 +64,7 @@ class MapExpander {
     u<WEIGHT_BITS> wx;
     u<WEIGHT_BITS> wy;
     bool mapped = false;
+    bool present = false;
     RasterMarks marks;
   };
 
@@ -65,17 +72,26 @@ class MapExpander {
     Out out;
     const bool load = in.load && !in.prime;
     const bool right_valid = load || right_valid_;  // has no weight at the column itself
+    const bool right_of_skin = load || right_of_skin_;
     // One pixel further is 2^(6 − spacing) of the 64 parts of the cell.
     const u<3> up = config.spacing_x_log2 >= 6 ? u<3>(0) : u<3>(lit<6>() - config.spacing_x_log2);
     const Node arriving = node(in.column, in.row_fraction);
     const Place x = x_.step(in.prime, load, arriving.x, up);
     const Place y = y_.step(in.prime, load, arriving.y, up);
-    if (load) left_valid_ = right_valid_;
-    if (in.prime || load) right_valid_ = arriving.valid;
+    if (load) {
+      left_valid_ = right_valid_;
+      left_of_skin_ = right_of_skin_;
+    }
+    if (in.prime || load) {
+      right_valid_ = arriving.valid;
+      right_of_skin_ = arriving.of_skin;
+    }
     out.valid = !in.prime;
     const bool x_inside = place(x, out.x, out.wx);
     const bool y_inside = place(y, out.y, out.wy);
-    out.mapped = left_valid_ && right_valid && x_inside && y_inside;
+    const bool inside = x_inside && y_inside;
+    out.present = left_valid_ && right_valid && inside;
+    out.mapped = left_of_skin_ && right_of_skin && inside;
     out.marks = in.marks;
     return out;
   }
@@ -87,6 +103,7 @@ class MapExpander {
     u<22> x;  // (px + 64) · 32 · 64
     u<22> y;
     bool valid = false;
+    bool of_skin = false;  // then it is valid, too
   };
 
   using Place = u<28>;  // (px + 64) · 2^17
@@ -170,9 +187,11 @@ class MapExpander {
     Node result;
     constexpr auto interpolate = COMPACT ? compact_between : between;
     result.x = interpolate(column.top.x, column.bottom.x, fraction, column.swapped);
-    result.y = interpolate(column.top.y, column.bottom.y, fraction, column.swapped);
-    result.valid = (column.top.has_source() || (fraction == 0 && column.swapped)) &&
-                   (column.bottom.has_source() || (fraction == 0 && !column.swapped));
+    result.y = interpolate(column.top.row(), column.bottom.row(), fraction, column.swapped);
+    const bool without_top = fraction == 0 && column.swapped;
+    const bool without_bottom = fraction == 0 && !column.swapped;
+    result.valid = (column.top.has_source() || without_top) && (column.bottom.has_source() || without_bottom);
+    result.of_skin = (column.top.of_skin() || without_top) && (column.bottom.of_skin() || without_bottom);
     return result;
   }
 
@@ -187,6 +206,8 @@ class MapExpander {
 
   bool right_valid_ = false;  // of the cell's columns
   bool left_valid_ = false;
+  bool right_of_skin_ = false;  // all of these belong to the skin
+  bool left_of_skin_ = false;
   std::conditional_t<COMPACT, CompactAxis, Axis> x_;
   std::conditional_t<COMPACT, CompactAxis, Axis> y_;
 };

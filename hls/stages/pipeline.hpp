@@ -169,6 +169,7 @@ class Pipeline {
       finish_row(result);
     }
     taps_.mask.fill(false);
+    taps_.present.fill(false);
     for (int y = 0; y < P.flush_rows(compete_); ++y) finish_row(result);
     return result;
   }
@@ -187,13 +188,13 @@ class Pipeline {
   struct Taps {
     Row<hls::u<8>> p00, p01, p10, p11, left;
     Row<hls::u<P.weight_bits>> wx, wy;
-    Row<bool> mask;
+    Row<bool> mask, present;
   };
 
   using Pairs = PairRow<P>;
   struct FullPairs {
     Row<hls::u<8>> left, right;
-    Row<bool> saturated, mask;
+    Row<bool> saturated, mask, present;
   };
   static void check(const ImageView& left, const ImageView& right, const TableView& table, const Settings& settings) {
     const auto fail = [](const std::string& what) { throw std::invalid_argument(what); };
@@ -227,6 +228,7 @@ class Pipeline {
     coarse_config_ = stages::chain::by_name<typename Coarse::Config>(of_stages);
     width_ = image.width;
     grey_.mask.fill(false);
+    grey_.present.fill(false);
   }
 
   static constexpr std::size_t index(int i) { return static_cast<std::size_t>(i); }
@@ -306,7 +308,7 @@ class Pipeline {
     // Per pixel, row by row:
     std::vector<std::uint32_t> offset;  // of the top left source pixel in padded_
     std::vector<hls::u<P.weight_bits>> wx, wy;
-    std::vector<char> mask;
+    std::vector<char> mask, present;
   };
 
   /// As many tables as the hardware has slots are kept, the most recent first.
@@ -334,6 +336,7 @@ class Pipeline {
     result.wx.reserve(pixels);
     result.wy.reserve(pixels);
     result.mask.reserve(pixels);
+    result.present.reserve(pixels);
     const int cell_mask = (1 << table.spacing_x_log2()) - 1;
     map_config_.spacing_x_log2 = table.spacing_x_log2();
     for (int y = 0; y < table.height(); ++y) {
@@ -363,15 +366,15 @@ class Pipeline {
     const int row = source.y.value();
     const int last_x = x + (source.wx != 0 ? 1 : 0);
     const int last_row = row + (source.wy != 0 ? 1 : 0);
-    bool mask = source.mapped && last_x < table.width() && last_row < table.height();
-    if (mask && (row < y - (P.store_rows / 2 - 2) || last_row > y + result.lookahead)) {
-      ++result.misses;
-      mask = false;
-    }
-    result.offset.push_back(mask ? static_cast<std::uint32_t>(index(row) * padded_stride + index(x)) : 0);
+    const bool exists = source.present && last_x < table.width() && last_row < table.height();
+    const bool in_ring = row >= y - (P.store_rows / 2 - 2) && last_row <= y + result.lookahead;
+    if (exists && source.mapped && !in_ring) ++result.misses;
+    const bool present = exists && in_ring;
+    result.offset.push_back(present ? static_cast<std::uint32_t>(index(row) * padded_stride + index(x)) : 0);
     result.wx.push_back(source.wx);
     result.wy.push_back(source.wy);
-    result.mask.push_back(mask);
+    result.mask.push_back(present && source.mapped);
+    result.present.push_back(present);
   }
 
   /// The right image with a column and a row more, so that pixels of weight 0 can be read.
@@ -398,6 +401,7 @@ class Pipeline {
     std::copy_n(sources.wx.data() + begin, n, taps.wx.begin());
     std::copy_n(sources.wy.data() + begin, n, taps.wy.begin());
     std::copy_n(sources.mask.data() + begin, n, taps.mask.begin());
+    std::copy_n(sources.present.data() + begin, n, taps.present.begin());
     const std::uint8_t* waiting = left.pixels + y * left.stride;
     if constexpr (P.subsample == 1) {
       std::copy_n(waiting, n, taps.left.begin());
@@ -445,6 +449,7 @@ class Pipeline {
     hls::u<8>* __restrict right = to.right.data() + begin;
     bool* __restrict saturated = to.saturated.data() + begin;
     bool* __restrict mask = to.mask.data() + begin;
+    bool* __restrict present = to.present.data() + begin;
     const std::size_t n = index(width_);
     for (std::size_t i = 0; i < n; ++i) {
       InOf<stages::Interpolate<P>> in;
@@ -456,11 +461,13 @@ class Pipeline {
       in.wy = from.wy[i];
       in.left = from.left[i];
       in.mask = from.mask[i];
+      in.present = from.present[i];
       const stages::GreyPair out = stage.step(in);
       left[i] = out.pixel[0];
       right[i] = out.pixel[1];
       saturated[i] = out.saturated;
       mask[i] = out.mask;
+      present[i] = out.present;
     }
   }
 
@@ -472,6 +479,7 @@ class Pipeline {
       in.pixel = {pairs_.left[i], pairs_.right[i]};
       in.saturated = pairs_.saturated[i];
       in.mask = pairs_.mask[i];
+      in.present = pairs_.present[i];
       in.marks = {i == 0 && first_row_, i + 1 == index(width_)};
       const auto out = stage->step(in);
       if (out.valid) {
@@ -479,6 +487,7 @@ class Pipeline {
         grey_.right[written] = out.pixel[1];
         grey_.saturated[written] = out.saturated;
         grey_.mask[written] = out.mask;
+        grey_.present[written] = out.present;
         ++written;
       }
     }
@@ -496,6 +505,7 @@ class Pipeline {
       InOf<stages::Agreement<P>> in;
       in.saturated = grey_.saturated[Pairs::before + x];
       in.mask = grey_.mask[Pairs::before + x];
+      in.present = grey_.present[Pairs::before + x];
       const bool first = x == 0 && first_row_;
       const bool last = x + 1 == n;
       const hls::u<8> left = grey_.left[Pairs::before + x];

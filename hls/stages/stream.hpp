@@ -54,16 +54,25 @@ constexpr void count(u<BITS>& counter, bool restart, bool one) {
   counter = u<BITS>((restart ? u<BITS>(0) : counter) + u<1>(one));
 }
 
-/// Grey values of LANES images, from `interpolate` to `lowpass`, with the marks before or after `agreement`. Two images packed into one stream have LANES = 1,
-/// STRIDE = 2.
-template <int LANES, class V = Scalar, class MARKS = Marks>
+/// Grey values of LANES images, from `agreement` on. Two images packed into one stream have LANES = 1, STRIDE = 2.
+template <int LANES, class V = Scalar>
 struct Grey {
   std::array<typename V::template u<8>, LANES> pixel{};
   typename V::bit saturated = false;  // carries no information: black or white to the limit in one of the images
-  typename V::bit mask = false;       // both images exist here
-  MARKS marks;
+  typename V::bit mask = false;       // both images exist here, and the skin
+  Marks marks;
 };
-using GreyPair = Grey<2, Scalar, FrameMarks>;
+
+/// The same up to `agreement`.
+template <int LANES>
+struct Transformed {
+  std::array<u<8>, static_cast<std::size_t>(LANES)> pixel{};
+  bool saturated = false;
+  bool mask = false;     // both images exist here, and the skin
+  bool present = false;  // both images exist here: around the skin, too
+  FrameMarks marks;
+};
+using GreyPair = Transformed<2>;
 
 /// What `compete` needs of the low-passed left image, and what stages between carry along: of the same beat, which is a
 /// pixel further down and right than their own.

@@ -123,7 +123,7 @@ struct PairRow {
   using Row = std::array<T, before + Shape::lanes * Shape::largest + behind>;
 
   Row<hls::u<8>> left, right;
-  Row<bool> saturated, mask;
+  Row<bool> saturated, mask, present;
   /// What `agreement` says in the marks, column x at x.
   std::array<bool, Shape::lanes * Shape::largest> seen, nearer;
 };

@@ -4,10 +4,10 @@
 //
 // In, Out   grey values of both images; the left image's come as means of the pair, from the store.
 //           Out has one beat per pair, at its second pixel: left as it came, right (a + b + 1) >> 1, at most 1/2 grey
-//           level above the real mean; saturated if one of the two beats is, mask if both are.
+//           level above the real mean; saturated if one of the two beats is, mask and present if both are.
 //           first belongs to the pair that holds the frame's first pixel.
 //           Pixel x of the result is centred on 2x + 1/2 of the input. Offset: none.
-// Illegal use: a row with an odd number of beats ends with a pixel of its own, mask 0.
+// Illegal use: a row with an odd number of beats ends with a pixel of its own, mask and present 0.
 #pragma once
 
 #include <type_traits>
@@ -27,6 +27,7 @@ class Subsampler {
     std::array<u<8>, 2> pixel{};
     bool saturated = false;
     bool mask = false;
+    bool present = false;
     FrameMarks marks;
   };
 
@@ -38,6 +39,7 @@ class Subsampler {
       out.pixel = in.pixel;
       out.saturated = in.saturated;
       out.mask = in.mask;
+      out.present = in.present;
     } else {
       const bool second = second_ && !in.marks.first;
       out.valid = second || in.marks.last;
@@ -45,6 +47,7 @@ class Subsampler {
       out.pixel[1] = u<8>(shr<1>(in.pixel[1] + even_->pixel[1] + lit<1>()));
       out.saturated = in.saturated || even_->saturated;
       out.mask = second && in.mask && even_->mask;
+      out.present = second && in.present && even_->present;
       out.marks.first = second ? even_->marks.first : in.marks.first;
       if (!second) *even_ = in;
       second_ = !second && !in.marks.last;
@@ -67,6 +70,7 @@ class PackingSubsampler {
     std::array<u<8>, 1> pixel{};
     bool saturated = false;
     bool mask = false;
+    bool present = false;
     FrameMarks marks;
   };
 
@@ -74,11 +78,13 @@ class PackingSubsampler {
     const bool second = second_ && !in.marks.first;
     const bool saturated = in.saturated || kept_->saturated;
     const bool mask = in.mask && kept_->mask;
+    const bool present = in.present && kept_->present;
     Out out;
     out.valid = second || right_waits_;
     out.pixel[0] = second ? in.pixel[0] : kept_->pixel[1];
     out.saturated = second ? saturated : kept_->saturated;
     out.mask = second ? mask : kept_->mask;
+    out.present = second ? present : kept_->present;
     out.marks.first = second && kept_->marks.first;
     out.marks.last = !second && (kept_->marks.last || in.marks.last);
 
@@ -88,6 +94,7 @@ class PackingSubsampler {
     if (second) {
       kept_->saturated = saturated;
       kept_->mask = mask;
+      kept_->present = present;
     }
     right_waits_ = second;
     second_ = !second && !in.marks.last;

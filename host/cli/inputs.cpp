@@ -272,18 +272,15 @@ void check_alarm_limit(const std::string& skin, const std::vector<const MapTable
 }
 
 void warn_of_proof(const std::string& skin, const std::vector<const MapTable*>& tables, const MachineProfile& profile,
-                   const Settings& settings, bool has_rig) {
+                   int lookahead, const Settings& settings, bool has_rig) {
   if (!settings.proof.needed) return;
   double share = 1;
-  for (const MapTable* table : tables) {
-    const int columns = table->geometry().width / profile.subsample;
-    const double pixels = static_cast<double>(columns) * table->geometry().height;
-    share = std::min(share, static_cast<double>(supported_pixels(*table, settings.decision)) / pixels);
-  }
+  for (const MapTable* table : tables) share = std::min(share, compared_share(*table, profile, lookahead));
   if (share < 0.5) {
     warn(fmt::format(
-        "{}: {:.0f} % of the image is supervised. Of so little the cameras may not be shown to see the same world: then "
-        "no frame is safe, with the fault disagree or moved. --unproven does without being shown",
+        "{}: of {:.0f} % of the left image the right camera shows the place, on the skin or around it. Of so little the "
+        "cameras may not be shown to see the same world: then no frame is safe, with the fault disagree or moved. "
+        "--unproven does without being shown",
         skin, 100 * share));
   }
   if (!has_rig) warn(fmt::format("{}: without a rig cameras that are exchanged or moved are not told", skin));

@@ -47,9 +47,9 @@ MapSet load_or_compile_maps(const std::string& skin, const std::optional<calib::
 void check_alarm_limit(const std::string& skin, const std::vector<const MapTable*>& tables,
                        const MachineProfile& profile, Decision decision, double alarm_percent);
 
-/// Says on standard error what is not told of the cameras: of a skin that covers little of the image, or without a rig.
+/// Says on standard error what is not told of the cameras: where little of the images can be compared, or without a rig.
 void warn_of_proof(const std::string& skin, const std::vector<const MapTable*>& tables, const MachineProfile& profile,
-                   const Settings& settings, bool has_rig);
+                   int lookahead, const Settings& settings, bool has_rig);
 
 /// Whether epipolar lines were followed, for programs (`rows_checked`) and, where they could not be, for people.
 /// Nothing for a rule that does not need it.

@@ -110,6 +110,8 @@ void explain(const MapSet& maps) {
                percent(r.supervised()),
                100.0 * static_cast<double>(r.supervised()) /
                    static_cast<double>(std::max<std::int64_t>(1, r.pixels - r.count(Reason::no_source))));
+    fmt::print("  compared      {:.1f} % of the image, on the skin and around it, for what both cameras must see\n",
+               100 * compared_share(map.table, profile, r.lookahead));
     explain_facts(map.table, profile);
     const char* head = "unsupervised";
     for (int i = 1; i < kReasonCount; ++i) {

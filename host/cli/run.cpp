@@ -74,7 +74,7 @@ struct Session {
       std::vector<const MapTable*> tables;
       for (const MovingStep& step : maps.steps) tables.push_back(&step.map.table);
       check_alarm_limit(options.skin, tables, *profile, settings.decision, settings.alarm_percent);
-      warn_of_proof(options.skin, tables, *profile, settings, has_rig);
+      warn_of_proof(options.skin, tables, *profile, maps.lookahead, settings, has_rig);
       moving = std::make_unique<MovingSupervisor>(make_device(options.engine, *profile), *profile, std::move(maps),
                                                   settings);
       return;
@@ -84,7 +84,7 @@ struct Session {
     for (const CompiledMap& map : maps.maps) tables.push_back(&map.table);
     check_alarm_limit(options.skin, tables, *profile, settings.decision, settings.alarm_percent);
     has_rig = !maps.rig.empty();
-    warn_of_proof(options.skin, tables, *profile, settings, has_rig);
+    warn_of_proof(options.skin, tables, *profile, maps.lookahead(), settings, has_rig);
     supervisor = std::make_unique<Supervisor>(make_device(options.engine, *profile), *profile, maps, settings);
   }
   std::vector<FrameResult> process(const Image& left, const Image& right) {

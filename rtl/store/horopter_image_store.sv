@@ -3,10 +3,10 @@
 // 2×2 pixels at any address are read in one clock (thesis 10.4.2).
 //
 // Write side: as the framer gives them; a bad row counts as missing. Read side: one request a clock from map_expand;
-// the 2×2 pixels come READ_LATENCY clocks later (11 if FAST, else 1), with mask = all of the following: mapped, in the
+// the 2×2 pixels come READ_LATENCY clocks later (11 if FAST, else 1), with present = all of the following: it exists, in the
 // image, in the window of rows that the ring holds for this output row, [row - (ROWS/2 - 2), row + lookahead], and
-// received well. A pixel with weight 0 is not needed: it need not exist, and its value is anything. A mapped place in
-// the image but outside the window is a miss.
+// received well; mask = mapped, too: it belongs to the skin. A pixel with weight 0 is not needed: it need not exist, and
+// its value is anything. A mapped place in the image but outside the window is a miss.
 //
 // keep_o: rows before it (counted as the framer counts stored rows) are read for good and may be overwritten.
 // left_* is the same request as old as it takes for the left store's pixel to come out in step: 4 clocks if FAST, else 0.
@@ -43,6 +43,7 @@ module horopter_image_store #(
     input  logic [           10:0] y_i,
     input  logic [WEIGHT_BITS-1:0] wx_i,
     input  logic [WEIGHT_BITS-1:0] wy_i,
+    input  logic                   present_i,
     input  logic                   mapped_i,
     input  logic                   first_i,
     input  logic                   last_i,
@@ -62,6 +63,7 @@ module horopter_image_store #(
     output logic [WEIGHT_BITS-1:0] wx_o,
     output logic [WEIGHT_BITS-1:0] wy_o,
     output logic                   mask_o,
+    output logic                   present_o,
     output logic                   first_o,
     output logic                   last_o,
     output logic                   live_o,
@@ -164,6 +166,7 @@ module horopter_image_store #(
     // --- read ---
     // Marks and weights travel beside the address, all READ_LATENCY stages.
     logic [READ_LATENCY:1] valid_q, first_q, last_q, live_q;
+    logic [READ_LATENCY-1:1] mapped_q;
     logic [READ_LATENCY*WEIGHT_BITS-1:0] wx_q, wy_q;  // stage s in bits (s - 1) * WEIGHT_BITS and up
     always_ff @(posedge clk_i) begin
       if (!rst_ni) valid_q <= '0;
@@ -171,16 +174,17 @@ module horopter_image_store #(
       first_q <= {first_q[READ_LATENCY-1:1], first_i};
       last_q <= {last_q[READ_LATENCY-1:1], last_i};
       live_q <= {live_q[READ_LATENCY-1:1], live_i};
+      mapped_q <= {mapped_q[READ_LATENCY-2:1], mapped_i};
       wx_q <= {wx_q[(READ_LATENCY-1)*WEIGHT_BITS-1:0], wx_i};
       wy_q <= {wy_q[(READ_LATENCY-1)*WEIGHT_BITS-1:0], wy_i};
     end
 
     // 1: what is needed of the 2×2.
-    logic s1_mapped, s1_right, s1_below;
+    logic s1_present, s1_right, s1_below;
     logic [10:0] s1_x, s1_y;
     logic [11:0] s1_row;
     always_ff @(posedge clk_i) begin
-      s1_mapped <= mapped_i && live_i;
+      s1_present <= present_i && live_i;
       s1_right <= wx_i != '0;
       s1_below <= wy_i != '0;
       s1_x <= x_i;
@@ -194,7 +198,7 @@ module horopter_image_store #(
     logic [11:0] s2_far_x, s2_far_y, s2_row;
     logic [SLOT_BITS-1:0] s2_slot;
     always_ff @(posedge clk_i) begin
-      s2_possible <= s1_mapped;
+      s2_possible <= s1_present;
       s2_below <= s1_below;
       s2_x <= s1_x;
       s2_far_x <= 12'(s1_x) + 12'(s1_right);
@@ -226,7 +230,7 @@ module horopter_image_store #(
         : s3_ahead[11:0] <= lookahead_i;
     always_ff @(posedge clk_i) begin
       s4_ok <= s3_inside && in_window && s3_came;
-      s4_miss <= s3_inside && !in_window;
+      s4_miss <= s3_inside && !in_window && mapped_q[3];
       s4_below <= s3_below;
       s4_row_odd <= s3_slot[0];
       s4_x <= s3_x;
@@ -258,7 +262,8 @@ module horopter_image_store #(
       p11_o <= bank_pixel[24+:8];
       swapped_x_o <= column_odd_q[10];
       swapped_y_o <= row_odd_q[10];
-      mask_o <= ok_q[10];
+      mask_o <= ok_q[10] && mapped_q[10];
+      present_o <= ok_q[10];
       miss_o <= miss_q[10];
       parity_error_o <= ok_q[10] && bank_error != '0;
     end
@@ -312,7 +317,7 @@ module horopter_image_store #(
     assign last_column = width_i - 12'd1;
     assign far_y = (ROW_BITS + 1)'(y_i) + (ROW_BITS + 1)'(below);
     // {a, 0} >= {b, bit} is a >= b + bit.
-    assign in_image = mapped_i && live_i && {last_column, 1'b0} >= {1'b0, x_i, right} && {last_row, 1'b0} >= {1'b0, y_i, below};
+    assign in_image = present_i && live_i && {last_column, 1'b0} >= {1'b0, x_i, right} && {last_row, 1'b0} >= {1'b0, y_i, below};
     assign ahead = far_y - {1'b0, row_q};
     assign in_window = ahead[ROW_BITS] ? ahead >= (ROW_BITS + 1)'(-32'(BACK)) + (ROW_BITS + 1)'(below)
         : ahead <= lookahead_i[ROW_BITS:0];
@@ -327,7 +332,7 @@ module horopter_image_store #(
     assign asked_below = below;
 
     // --- answer ---
-    logic ok_q, row_odd_q, column_odd_q;
+    logic ok_q, mapped_q, row_odd_q, column_odd_q;
     always_ff @(posedge clk_i) begin
       if (!rst_ni) valid_o <= 1'b0;
       else valid_o <= valid_i;
@@ -336,7 +341,8 @@ module horopter_image_store #(
       live_o <= live_i;
       wx_o <= wx_i;
       wy_o <= wy_i;
-      miss_o <= in_image && !in_window;
+      miss_o <= in_image && !in_window && mapped_i;
+      mapped_q <= mapped_i;
       ok_q <= bank_read && !is_bad;
       row_odd_q <= slot[0];
       column_odd_q <= x_i[0];
@@ -347,7 +353,8 @@ module horopter_image_store #(
     assign p11_o = bank_pixel[24+:8];
     assign swapped_x_o = column_odd_q;
     assign swapped_y_o = row_odd_q;
-    assign mask_o = ok_q;
+    assign mask_o = ok_q && mapped_q;
+    assign present_o = ok_q;
     assign parity_error_o = ok_q && bank_error != '0;
 
     assign left_valid_o = valid_i;

@@ -722,7 +722,7 @@ module horopter_top #(
   );
 
   // ------------------------------------------------------------------------------------------------ right image, transformed
-  logic place_valid, place_mapped, place_first, place_last, place_live;
+  logic place_valid, place_present, place_mapped, place_first, place_last, place_live;
   logic [10:0] place_x, place_y;
   logic [WEIGHT_BITS-1:0] place_wx, place_wy;
   horopter_map_expand u_map_expand (
@@ -748,12 +748,13 @@ module horopter_top #(
       .wx_o(place_wx),
       .wy_o(place_wy),
       .mapped_o(place_mapped),
+      .present_o(place_present),
       .marks_first_o(place_first),
       .marks_last_o(place_last),
       .marks_live_o(place_live)
   );
 
-  logic quad_valid, quad_mask, quad_first, quad_last, quad_live, quad_miss, quad_parity_error;
+  logic quad_valid, quad_mask, quad_present, quad_first, quad_last, quad_live, quad_miss, quad_parity_error;
   logic [7:0] p00, p01, p10, p11, left_pixel;
   logic swapped_x, swapped_y;
   logic [WEIGHT_BITS-1:0] quad_wx, quad_wy;
@@ -786,6 +787,7 @@ module horopter_top #(
       .y_i(place_y),
       .wx_i(place_wx),
       .wy_i(place_wy),
+      .present_i(place_present && table_ok),
       .mapped_i(place_mapped && table_ok),
       .first_i(place_first),
       .last_i(place_last),
@@ -803,6 +805,7 @@ module horopter_top #(
       .wx_o(quad_wx),
       .wy_o(quad_wy),
       .mask_o(quad_mask),
+      .present_o(quad_present),
       .first_o(quad_first),
       .last_o(quad_last),
       .live_o(quad_live),
@@ -876,6 +879,7 @@ module horopter_top #(
       .wy_i(quad_wy),
       .left_i(left_pixel),
       .mask_i(quad_mask && left_mask),
+      .present_i(quad_present && left_mask),
       .marks_first_i(quad_first),
       .marks_last_i(quad_last),
       .cfg_texture_limit_i(sampled_texture_limit),

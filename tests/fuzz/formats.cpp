@@ -113,7 +113,8 @@ void read_map(std::string_view bytes) {
   words[2] = static_cast<std::uint32_t>(words.size());
   for (std::size_t first = 8; first + 4 < words.size(); ++first) {
     // A table's own CRC, where one begins.
-    if (words[first] >> 8 != 0x484D02 || words[first - 1] < 8 || words[first - 1] > words.size() - first - 1) continue;
+    if (!hls::table::is_first_word(words[first]) || words[first - 1] < 8 || words[first - 1] > words.size() - first - 1)
+      continue;
     const std::size_t last = first + words[first - 1] - 1;
     words[last] = crc32_words(std::span(words).subspan(first, last - first));
   }

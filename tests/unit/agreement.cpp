@@ -117,15 +117,23 @@ struct Answer {
   double nearer_share = 0;
 };
 
-Answer frame(Small& stage, const Small::Config& config, const Picture& left, const Picture& right) {
+/// Pixels of the skin; around it both images are there, too.
+struct Box {
+  int left = 0, top = 0, right = 320, bottom = 240;
+  bool holds(int x, int y) const { return x >= left && x < right && y >= top && y < bottom; }
+};
+
+Answer frame(Small& stage, const Small::Config& config, const Picture& left, const Picture& right,
+             const Box& skin = {}) {
   Answer answer;
   int seen = 0;
   int nearer = 0;
   for (int y = 0; y < left.height + kSmall.flush_rows(); ++y) {
     for (int x = 0; x < left.width; ++x) {
       Small::In in;
-      in.mask = y < left.height;
-      if (in.mask) {
+      in.present = y < left.height;
+      in.mask = in.present && skin.holds(x, y);
+      if (in.present) {
         const auto i = static_cast<std::size_t>(y * left.width + x);
         in.pixel = {u<8>(static_cast<int>(left.grey[i])), u<8>(static_cast<int>(right.grey[i]))};
       }
@@ -149,10 +157,11 @@ Answer frame(Small& stage, const Small::Config& config, const Picture& left, con
 }
 
 /// The answer to the last of some frames of the same pair.
-Answer last_of(int frames, const Small::Config& config, const Picture& left, const Picture& right) {
+Answer last_of(int frames, const Small::Config& config, const Picture& left, const Picture& right,
+               const Box& skin = {}) {
   const auto stage = std::make_unique<Small>();
   Answer answer;
-  for (int i = 0; i < frames; ++i) answer = frame(*stage, config, left, right);
+  for (int i = 0; i < frames; ++i) answer = frame(*stage, config, left, right, skin);
   return answer;
 }
 
@@ -321,6 +330,30 @@ TEST_CASE("something nearer than the skin hides it, and for too long is a fault"
   // Where no place is in front of both cameras, nothing is explained: cameras exchanged.
   config.shift_lowest = -1;
   CHECK(last_of(2, config, left, right).verdict.disagree);
+}
+
+TEST_CASE("around a small skin cameras are compared, but what is hidden counts where the skin is") {
+  const Picture world = scene(320, 240, 1);
+  const Picture left = seen(world, shifted(0, 0), 2);
+  const Picture nearer = seen(world, shifted(30, 0), 3);
+  const auto config = defaults(320, 240);
+  const Box skin{120, 64, 200, 112};
+  const Answer same = last_of(4, config, left, seen(world, shifted(-12, 0), 3), skin);
+  CHECK(faultless(same.verdict));
+  const Answer near_everywhere = last_of(4, config, left, nearer, skin);
+  CHECK(near_everywhere.verdict.hidden);
+  CHECK(near_everywhere.verdict.nearer > 40);
+  CHECK(near_everywhere.verdict.nearer <= 60);  // cells of the skin
+  Picture beside = seen(world, shifted(0, 0), 3);
+  for (std::size_t i = 0; i < beside.grey.size(); ++i) {
+    if (i / 320 >= 136) beside.grey[i] = nearer.grey[i];
+  }
+  const Answer near_beside = last_of(4, config, left, beside, skin);
+  CHECK(faultless(near_beside.verdict));
+  CHECK(near_beside.nearer_share > 0.1);
+  CHECK(near_beside.verdict.nearer == 0);
+  CHECK(last_of(2, config, left, seen({320, 240, std::vector<double>(320 * 240, 90)}, shifted(0, 0), 3), skin)
+            .verdict.disagree);
 }
 
 TEST_CASE("every size ends with one verdict, before the next frame") {

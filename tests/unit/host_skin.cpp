@@ -170,7 +170,7 @@ TEST_CASE("A shift becomes a table of the coarsest spacing, without error") {
 TEST_CASE("The layout of the upload words is that of the hardware") {
   const auto map = compile_map(*skin_of({1, 0, -20, 0, 1, 5, 0, 0, 1}).skin, find_profile("vga"), {640, 480});
   const auto& words = map.table.words();
-  CHECK(words[0] == 0x484D0266);
+  CHECK(words[0] == 0x484D0366);
   CHECK(words[1] == (5U << 16 | 11U));  // 9 control rows make 5 pairs
   CHECK(words[2] == (480U << 16 | 640U));
   CHECK(words[3] == (1U << 12 | 5));  // no sub-sampling, five facts, without a rig no areas and no shifts
@@ -358,10 +358,10 @@ TEST_CASE("Upload words are checked before they are used") {
     }
     return "";
   };
-  CHECK_THAT(error_of(0, 0x484D0166, true), Catch::Contains("table format 1; this program reads 2") &&
+  CHECK_THAT(error_of(0, 0x484D0166, true), Catch::Contains("table format 1; this program reads 3") &&
                                                 Catch::Contains("make the map again with `horopter map`"));
   CHECK_THAT(error_of(0, 0x484E0266, true), Catch::Contains("no mapping table"));
-  CHECK_THAT(error_of(0, 0x484D0277, true), Catch::Contains("more than 64 pixels apart"));
+  CHECK_THAT(error_of(0, 0x484D0377, true), Catch::Contains("more than 64 pixels apart"));
   CHECK_THAT(error_of(1, 0x00010001, true), Catch::Contains("control points"));
   CHECK_THAT(error_of(2, 0, true), Catch::Contains("0x0 pixels"));
   CHECK_THAT(error_of(3, words[3] - 1, true), Catch::Contains("words for 79 words of facts"));

@@ -94,10 +94,11 @@ class BeatByBeat {
         const int ry = s.y.value();
         const int bx = rx + (s.wx != 0);
         const int by = ry + (s.wy != 0);
-        taps.mask = s.mapped && s.marks.live && bx < right.width && by < right.height &&
-                    ry >= y - (P.store_rows / 2 - 2) && by <= y + settings.lookahead;
+        taps.present = s.present && s.marks.live && bx < right.width && by < right.height &&
+                       ry >= y - (P.store_rows / 2 - 2) && by <= y + settings.lookahead;
+        taps.mask = taps.present && s.mapped;
         const auto pixel = [&](int px, int py) { return u<8>(right.pixels[py * right.stride + px]); };
-        if (taps.mask) {
+        if (taps.present) {
           taps.p00 = pixel(rx, ry);
           if (s.wx != 0) taps.p01 = pixel(bx, ry);
           if (s.wy != 0) taps.p10 = pixel(rx, by);

@@ -34,6 +34,7 @@ Frame<GreyPair> random_greys(std::mt19937& random, int width, int height, unsign
     beat.pixel = {u<8>(random()), u<8>(random())};
     beat.saturated = !one_in(random, 6);
     beat.mask = !one_in(random, holes);
+    beat.present = beat.mask || one_in(random, 2);
   }
   return frame;
 }
@@ -49,6 +50,7 @@ void check_map_expand(std::mt19937& random, int spacing_x_log2, int spacing_y_lo
     auto& point = points[{column, row}];
     if (point.x == 0 && point.y == 0) {
       point = {u<16>(random() | 1U), u<16>(random() | 1U)};
+      if (one_in(random, 3)) point.y = u<16>(random() % 0xA000U);  // of the skin
       if (one_in(random, 6)) point = {u<16>(0xFFFF), u<16>(0xFFFF)};
       if (one_in(random, 4)) point.x = u<16>(64 * 32 - 20 + random() % 40);  // around 0 px
     }
@@ -57,7 +59,11 @@ void check_map_expand(std::mt19937& random, int spacing_x_log2, int spacing_y_lo
   const auto grid = [&](int column, int row) -> std::optional<reference::Point> {
     const ControlPoint p = control(column, row);
     if (!p.has_source()) return std::nullopt;
-    return reference::Point{p.x.value() / 32.0 - 64, p.y.value() / 32.0 - 64};
+    const unsigned y = p.y.value();
+    return reference::Point{p.x.value() / 32.0 - 64, (y < 0xA000U ? y / 32.0 : (y - 0xA000U) / 16.0) - 64};
+  };
+  const auto of_skin = [&](int column, int row) {
+    return control(column, row).y.value() < 0xA000U ? grid(column, row) : std::nullopt;
   };
 
   MapExpander<W, COMPACT> stage;
@@ -90,8 +96,9 @@ void check_map_expand(std::mt19937& random, int spacing_x_log2, int spacing_y_lo
       const auto exact = reference::expand(grid, sx, sy, x, y);
       const double ex = exact ? std::floor(exact->x * scale + 0.5) / scale : -1;  // half up, exact in a double
       const double ey = exact ? std::floor(exact->y * scale + 0.5) / scale : -1;
-      REQUIRE(out.mapped == (exact && ex >= 0 && ey >= 0));
-      if (!out.mapped) continue;
+      REQUIRE(out.present == (exact && ex >= 0 && ey >= 0));
+      REQUIRE(out.mapped == (out.present && reference::expand(of_skin, sx, sy, x, y)));
+      if (!out.present) continue;
       REQUIRE(out.x.value() + out.wx.value() / scale == ex);
       REQUIRE(out.y.value() + out.wy.value() / scale == ey);
     }
@@ -132,11 +139,13 @@ TEST_CASE("interpolate: at most half a grey level from eq. 10.1", "[stages]") {
       in.wy = random();
       in.left = random();
       in.mask = one_in(random, 2);
+      in.present = one_in(random, 2);
       const GreyPair out = under_test.step(in);
       const reference::Point p{in.wx.value() / double(weights), in.wy.value() / double(weights)};
       worst = std::max(worst, std::fabs(out.pixel[1].value() - reference::bilinear(image, p)));
       REQUIRE(out.pixel[0] == in.left);
       REQUIRE(out.mask == in.mask);
+      REQUIRE(out.present == in.present);
       bool saturated = in.left == 0 || in.left == 255;
       for (int j = 0; j < 2; ++j) {
         for (int k = 0; k < 2; ++k) {
@@ -168,6 +177,7 @@ TEST_CASE("subsample: the mean of pairs, at most half a grey level up; the left 
       REQUIRE(out.pixel[1].value() <= mean + 0.5);
       REQUIRE(out.pixel[0] == beat.pixel[0]);
       REQUIRE(out.mask == (even.mask && beat.mask));
+      REQUIRE(out.present == (even.present && beat.present));
       REQUIRE(out.saturated == (even.saturated || beat.saturated));
       REQUIRE(out.marks.first == (i == 1));
       REQUIRE(out.marks.last == ((i + 1) % 40 == 0));
@@ -178,7 +188,8 @@ TEST_CASE("subsample: the mean of pairs, at most half a grey level up; the left 
   Subsampler<1> through;
   for (const GreyPair& beat : frame.beats) {
     const auto out = through.step(beat);
-    REQUIRE((out.valid && out.pixel[1] == beat.pixel[1] && out.mask == beat.mask && out.marks.last == beat.marks.last));
+    REQUIRE((out.valid && out.pixel[1] == beat.pixel[1] && out.mask == beat.mask && out.present == beat.present &&
+             out.marks.last == beat.marks.last));
   }
 }
 
@@ -199,6 +210,7 @@ TEST_CASE("subsample packs the same means into one stream, the left image's firs
     CAPTURE(i);
     REQUIRE(packed[i].pixel[0] == pair.pixel[i % 2]);
     REQUIRE(packed[i].mask == pair.mask);
+    REQUIRE(packed[i].present == pair.present);
     REQUIRE(packed[i].saturated == pair.saturated);
     REQUIRE(packed[i].marks.first == (i % 2 == 0 && pair.marks.first));
     REQUIRE(packed[i].marks.last == (i % 2 == 1 && pair.marks.last));
@@ -207,7 +219,7 @@ TEST_CASE("subsample packs the same means into one stream, the left image's firs
   // A frame that starts in the middle of a pair drops the pair; a row with an odd number of beats its last pixel.
   PackingSubsampler stage;
   const auto step = [&](int grey, bool first, bool last) {
-    return stage.step({{u<8>(grey), u<8>(grey + 100)}, false, true, {first, last}});
+    return stage.step({{u<8>(grey), u<8>(grey + 100)}, false, true, true, {first, last}});
   };
   CHECK_FALSE(step(10, true, false).valid);
   CHECK_FALSE(step(20, true, false).valid);

@@ -22,7 +22,7 @@ void draw_grid(const MapTable& table, cv::Mat& picture) {
       const int x = column << table.spacing_x_log2();
       const int y = row << table.spacing_y_log2();
       if (x >= picture.cols || y >= picture.rows) continue;
-      const bool mapped = table.control(column, row) != MapTable::kUnmapped;
+      const bool mapped = table.is_of_skin(column, row);
       picture.at<cv::Vec3b>(y, x) = mapped ? cv::Vec3b(0, 0, 0) : cv::Vec3b(160, 160, 160);
     }
   }

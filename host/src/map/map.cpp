@@ -50,7 +50,9 @@ void MapTable::seal(const hls::table::Facts& facts) {
 
 std::uint32_t MapTable::encode(Point source) { return hls::table::encode_control(source.x, source.y); }
 
-std::optional<MapTable::Expanded> MapTable::expand(int x, int y) const {
+/// Of the control points that have a weight all must count.
+template <class Counts>
+std::optional<MapTable::Expanded> MapTable::expand_if(int x, int y, Counts counts) const {
   const int column = x >> spacing_x_log2();
   const int row = y >> spacing_y_log2();
   const int fx = (x & ((1 << spacing_x_log2()) - 1)) << (6 - spacing_x_log2());
@@ -60,16 +62,22 @@ std::optional<MapTable::Expanded> MapTable::expand(int x, int y) const {
   const std::uint32_t bottom = fy != 0 ? control(column, row + 1) : top;
   const std::uint32_t top_right = fx != 0 ? control(column + 1, row) : top;
   const std::uint32_t bottom_right = fx == 0 ? bottom : fy == 0 ? top_right : control(column + 1, row + 1);
-  if (top == kUnmapped || bottom == kUnmapped || top_right == kUnmapped || bottom_right == kUnmapped) {
-    return std::nullopt;
-  }
+  if (!counts(top) || !counts(bottom) || !counts(top_right) || !counts(bottom_right)) return std::nullopt;
   const auto weigh = [&](auto coordinate) {
     const int left = coordinate(top) * (64 - fy) + coordinate(bottom) * fy;
     const int right = coordinate(top_right) * (64 - fy) + coordinate(bottom_right) * fy;
     return left * (64 - fx) + right * fx - (hls::table::control_offset_px << kFractionBits);
   };
   return Expanded{weigh([](std::uint32_t point) { return static_cast<int>(point & 0xFFFFU); }),
-                  weigh([](std::uint32_t point) { return static_cast<int>(point >> 16); })};
+                  weigh([](std::uint32_t point) { return hls::table::control_y(point); })};
+}
+
+std::optional<MapTable::Expanded> MapTable::expand(int x, int y) const {
+  return expand_if(x, y, hls::table::is_of_skin);
+}
+
+std::optional<MapTable::Expanded> MapTable::expand_around(int x, int y) const {
+  return expand_if(x, y, [](std::uint32_t point) { return point != kUnmapped; });
 }
 
 std::optional<MapTable::Source> MapTable::round(const Expanded& expanded, int weight_bits) const {

@@ -493,6 +493,25 @@ std::string UnseenError::text(const MapReport& report) {
   return text;
 }
 
+/// Control points, as many of them as there are rows of pixels for.
+LatticeShape control_shape(const MapTable& table) {
+  return shape_of(table.geometry(), table.spacing_x_log2(), table.spacing_y_log2(), table.spacing_x_log2(),
+                  table.spacing_y_log2());
+}
+
+/// What is around the skin gets sources, in frame coordinates: for every control point.
+void show_around(const LatticeShape& shape, const std::vector<Point>& sources, MapTable& table) {
+  for (int row = 0; row < std::min(shape.rows, table.rows()); ++row) {
+    for (int column = 0; column < std::min(shape.columns, table.columns()); ++column) {
+      if (table.control(column, row) != MapTable::kUnmapped) continue;
+      const auto at =
+          static_cast<std::size_t>(row) * static_cast<std::size_t>(shape.columns) + static_cast<std::size_t>(column);
+      const Point source = table.geometry().from_frame(sources[at]);
+      table.set_control(column, row, hls::table::encode_around_skin(source.x, source.y));
+    }
+  }
+}
+
 void seal(CompiledMap& map, const hls::table::Facts& facts) {
   map.table.seal(facts);
   map.report.crc = map.table.crc();
@@ -594,6 +613,11 @@ CompiledMap compile_map(const Skin& skin, const MachineProfile& profile, const S
         return GridFit(lattice, geometry, nx, ny, profile.weight_bits, limits, largest_error_px);
       },
       4);
+  const LatticeShape shape = control_shape(map.table);
+  const std::vector<Point> controls = lattice_points(geometry, shape);
+  std::vector<Point> sources(controls.size());
+  skin.look_around(controls, sources);
+  show_around(shape, sources, map.table);
   hls::table::Facts facts = facts_of(map.table, profile);
   if (const auto* rig_skin = dynamic_cast<const RigSkin*>(&skin)) {
     SkinScale(rig_skin->cameras(), profile, geometry).measure(*rig_skin->surface(), facts);
@@ -665,13 +689,18 @@ MapCompiler::MapCompiler(CameraPair cameras, const MachineProfile& profile, cons
       limits_(limits),
       scale_(cameras_, profile, geometry) {}
 
-void MapCompiler::look(const Surface& surface, const LatticeShape& shape, LookLattice& lattice) {
+const Rays& MapCompiler::rays(const LatticeShape& shape) {
   auto rays = rays_.find(shape);
   if (rays == rays_.end())
     rays = rays_.emplace(shape, cameras_.rays(lattice_points(geometry_, shape), limits_.view)).first;
+  return rays->second;
+}
+
+void MapCompiler::look(const Surface& surface, const LatticeShape& shape, LookLattice& lattice) {
+  const Rays& sights = rays(shape);
   lattice.shape = shape;
-  lattice.looks.resize(rays->second.size());
-  cameras_.look(surface, rays->second, geometry_.row_step(), limits_.view, lattice.looks);
+  lattice.looks.resize(sights.size());
+  cameras_.look(surface, sights, geometry_.row_step(), limits_.view, lattice.looks);
   settle(geometry_, lattice);
   check_lattice_rows(lattice, geometry_, limits_.view);
 }
@@ -693,6 +722,10 @@ CompiledMap MapCompiler::compile(const Surface& surface) {
     return GridFit(lattice, geometry_, nx, ny, profile_.weight_bits, limits_, largest_error_px);
   };
   CompiledMap map = choose(profile_, geometry_, limits_, forecast, fit, 1);
+  const LatticeShape controls = control_shape(map.table);
+  std::vector<Point> sources(rays(controls).size());
+  cameras_.look_around(surface, rays(controls), sources);
+  show_around(controls, sources, map.table);
   hls::table::Facts facts = facts_of(map.table, profile_);
   scale_.measure(surface, facts);
   seal(map, facts);

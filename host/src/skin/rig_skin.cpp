@@ -212,6 +212,39 @@ void CameraPair::look(const Surface& surface, const Rays& rays, int row_step, co
   }
 }
 
+void CameraPair::look_around(const Surface& surface, const Rays& rays, std::span<Point> sources) const {
+  std::vector<Hit> hits(rays.size());
+  surface.intersect(left_centre_, rays.directions, hits);
+  // A plane's 1/z is linear in the normalised image. The directions have z = 1, so that a distance is z.
+  const Matrix3d to_left = left_.world_to_camera.rotation;
+  Matrix3d normal = Matrix3d::Zero();
+  Vector3d right_side = Vector3d::Zero();
+  double least = kInfinity;
+  double most = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (!std::isfinite(hits[i].distance)) continue;
+    const Vector3d sight = to_left * rays.directions[i];
+    const double over_z = 1 / hits[i].distance;
+    normal += sight * sight.transpose();
+    right_side += sight * over_z;
+    least = std::min(least, over_z);
+    most = std::max(most, over_z);
+  }
+  const Vector3d plane = normal.completeOrthogonalDecomposition().solve(right_side);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    sources[i] = kNowhere;
+    double distance = hits[i].distance;
+    if (!std::isfinite(distance)) {
+      if (most == 0 || !rays.directions[i].allFinite()) continue;
+      distance = 1 / std::clamp(plane.dot(to_left * rays.directions[i]), least, most);
+    }
+    const Vector3d point = right_.world_to_camera * (left_centre_ + distance * rays.directions[i]);
+    if (!(point.z() > 0)) continue;
+    const auto seen = right_.model.distort(point.head<2>() / point.z());
+    if (seen) sources[i] = {seen->x(), seen->y()};
+  }
+}
+
 double CameraPair::thickness_mm(Point left, Point right, double tolerance_px) const {
   const auto from_left = left_.model.undistort({left.x, left.y});
   const auto from_right = right_.model.undistort({right.x, right.y});
@@ -238,6 +271,10 @@ RigSkin::RigSkin(CameraPair cameras, SurfacePtr surface, std::string_view type)
 
 void RigSkin::look(std::span<const Point> left, int row_step, const ViewLimits& limits, std::span<Look> looks) const {
   cameras_.look(*surface_, cameras_.rays(left, limits), row_step, limits, looks);
+}
+
+void RigSkin::look_around(std::span<const Point> left, std::span<Point> sources) const {
+  cameras_.look_around(*surface_, cameras_.rays(left), sources);
 }
 
 }  // namespace horopter

@@ -107,6 +107,12 @@ std::string HomographySkin::description() const {
                      h[1], h[2], h[3], h[4], h[5], h[6], h[7], h[8]);
 }
 
+void HomographySkin::look_around(std::span<const Point> left, std::span<Point> sources) const {
+  std::ranges::transform(left, sources.begin(), [this](const Point& pixel) {
+    return source(pixel).value_or(Point{std::nan(""), std::nan("")});
+  });
+}
+
 HomographyFit fit_homography(std::span<const Correspondence> points) {
   if (points.size() < 4) {
     throw std::invalid_argument(fmt::format("{} points; a homography takes at least 4", points.size()));

@@ -3,7 +3,7 @@
 //
 // Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 0 bits, pipeline 21 bits, memories 0 bits.
+// State 0 bits, pipeline 22 bits, memories 0 bits.
 module horopter_interpolate (
   input  logic clk_i,
   input  logic rst_ni,
@@ -19,6 +19,7 @@ module horopter_interpolate (
   input  logic swapped_y_i,
   input  logic [7:0] left_i,
   input  logic mask_i,
+  input  logic present_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
   output logic valid_o,
@@ -26,6 +27,7 @@ module horopter_interpolate (
   output logic [7:0] pixel_1_o,
   output logic saturated_o,
   output logic mask_o,
+  output logic present_o,
   output logic marks_first_o,
   output logic marks_last_o
 );
@@ -36,127 +38,130 @@ module horopter_interpolate (
   assign s0_en = en_i & valid_i;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/interpolate.hpp:61
-  logic [7:0] select_14;
-  assign select_14 = swapped_x_i ? p11_i : p10_i;
-  // hls/stages/interpolate.hpp:63
-  logic xor_15;
-  assign xor_15 = wx_i[0] ^ swapped_x_i;
+  // hls/stages/interpolate.hpp:64
+  logic [7:0] select_15;
+  assign select_15 = swapped_x_i ? p11_i : p10_i;
+  // hls/stages/interpolate.hpp:66
+  logic xor_16;
+  assign xor_16 = wx_i[0] ^ swapped_x_i;
   logic [7:0] chosen;
-  assign chosen = xor_15 ? p11_i : p10_i;
-  // hls/stages/interpolate.hpp:64
+  assign chosen = xor_16 ? p11_i : p10_i;
+  // hls/stages/interpolate.hpp:67
   logic [8:0] sum;
-  assign sum = {1'b0, select_14} + {1'b0, chosen};
-  // hls/stages/interpolate.hpp:63
-  logic xor_18;
-  assign xor_18 = wx_i[1] ^ swapped_x_i;
+  assign sum = {1'b0, select_15} + {1'b0, chosen};
+  // hls/stages/interpolate.hpp:66
+  logic xor_19;
+  assign xor_19 = wx_i[1] ^ swapped_x_i;
   logic [7:0] chosen_2;
-  assign chosen_2 = xor_18 ? p11_i : p10_i;
-  // hls/stages/interpolate.hpp:64
-  logic [8:0] sum_20;
-  assign sum_20 = {1'b0, sum[8:1]} + {1'b0, chosen_2};
-  // hls/stages/interpolate.hpp:63
-  logic xor_21;
-  assign xor_21 = wx_i[2] ^ swapped_x_i;
+  assign chosen_2 = xor_19 ? p11_i : p10_i;
+  // hls/stages/interpolate.hpp:67
+  logic [8:0] sum_21;
+  assign sum_21 = {1'b0, sum[8:1]} + {1'b0, chosen_2};
+  // hls/stages/interpolate.hpp:66
+  logic xor_22;
+  assign xor_22 = wx_i[2] ^ swapped_x_i;
   logic [7:0] chosen_3;
-  assign chosen_3 = xor_21 ? p11_i : p10_i;
+  assign chosen_3 = xor_22 ? p11_i : p10_i;
+  // hls/stages/interpolate.hpp:67
+  logic [8:0] sum_24;
+  assign sum_24 = {1'b0, sum_21[8:1]} + {1'b0, chosen_3};
   // hls/stages/interpolate.hpp:64
-  logic [8:0] sum_23;
-  assign sum_23 = {1'b0, sum_20[8:1]} + {1'b0, chosen_3};
-  // hls/stages/interpolate.hpp:61
   logic [7:0] sum_2;
   assign sum_2 = swapped_x_i ? p01_i : p00_i;
-  // hls/stages/interpolate.hpp:63
+  // hls/stages/interpolate.hpp:66
   logic [7:0] chosen_4;
-  assign chosen_4 = xor_15 ? p01_i : p00_i;
-  // hls/stages/interpolate.hpp:64
+  assign chosen_4 = xor_16 ? p01_i : p00_i;
+  // hls/stages/interpolate.hpp:67
   logic [8:0] sum_3;
   assign sum_3 = {1'b0, sum_2} + {1'b0, chosen_4};
-  // hls/stages/interpolate.hpp:63
+  // hls/stages/interpolate.hpp:66
   logic [7:0] chosen_5;
-  assign chosen_5 = xor_18 ? p01_i : p00_i;
-  // hls/stages/interpolate.hpp:64
-  logic [8:0] sum_28;
-  assign sum_28 = {1'b0, sum_3[8:1]} + {1'b0, chosen_5};
-  // hls/stages/interpolate.hpp:63
+  assign chosen_5 = xor_19 ? p01_i : p00_i;
+  // hls/stages/interpolate.hpp:67
+  logic [8:0] sum_29;
+  assign sum_29 = {1'b0, sum_3[8:1]} + {1'b0, chosen_5};
+  // hls/stages/interpolate.hpp:66
   logic [7:0] chosen_6;
-  assign chosen_6 = xor_21 ? p01_i : p00_i;
-  // hls/stages/interpolate.hpp:64
-  logic [8:0] sum_30;
-  assign sum_30 = {1'b0, sum_28[8:1]} + {1'b0, chosen_6};
-  // hls/stages/interpolate.hpp:63
+  assign chosen_6 = xor_22 ? p01_i : p00_i;
+  // hls/stages/interpolate.hpp:67
+  logic [8:0] sum_31;
+  assign sum_31 = {1'b0, sum_29[8:1]} + {1'b0, chosen_6};
+  // hls/stages/interpolate.hpp:66
   logic [10:0] chosen_7;
-  assign chosen_7 = (wy_i[2] ^ swapped_y_i) ? {sum_23, sum_20[0], sum[0]} : {sum_30, sum_28[0], sum_3[0]};
-  // hls/stages/interpolate.hpp:61
-  logic [10:0] select_32;
-  assign select_32 = swapped_y_i ? {sum_23, sum_20[0], sum[0]} : {sum_30, sum_28[0], sum_3[0]};
-  // hls/stages/interpolate.hpp:63
-  logic [10:0] chosen_8;
-  assign chosen_8 = (wy_i[0] ^ swapped_y_i) ? {sum_23, sum_20[0], sum[0]} : {sum_30, sum_28[0], sum_3[0]};
+  assign chosen_7 = (wy_i[2] ^ swapped_y_i) ? {sum_24, sum_21[0], sum[0]} : {sum_31, sum_29[0], sum_3[0]};
   // hls/stages/interpolate.hpp:64
-  logic [11:0] sum_35;
-  assign sum_35 = {1'b0, select_32} + {1'b0, chosen_8};
-  // hls/stages/interpolate.hpp:63
+  logic [10:0] select_33;
+  assign select_33 = swapped_y_i ? {sum_24, sum_21[0], sum[0]} : {sum_31, sum_29[0], sum_3[0]};
+  // hls/stages/interpolate.hpp:66
+  logic [10:0] chosen_8;
+  assign chosen_8 = (wy_i[0] ^ swapped_y_i) ? {sum_24, sum_21[0], sum[0]} : {sum_31, sum_29[0], sum_3[0]};
+  // hls/stages/interpolate.hpp:67
+  logic [11:0] sum_36;
+  assign sum_36 = {1'b0, select_33} + {1'b0, chosen_8};
+  // hls/stages/interpolate.hpp:66
   logic [10:0] chosen_9;
-  assign chosen_9 = (wy_i[1] ^ swapped_y_i) ? {sum_23, sum_20[0], sum[0]} : {sum_30, sum_28[0], sum_3[0]};
-  // hls/stages/interpolate.hpp:52
-  logic [11:0] sum_38;
-  assign sum_38 = {1'b0, sum_35[11:1]} + {1'b0, chosen_9};
+  assign chosen_9 = (wy_i[1] ^ swapped_y_i) ? {sum_24, sum_21[0], sum[0]} : {sum_31, sum_29[0], sum_3[0]};
+  // hls/stages/interpolate.hpp:55
   logic [11:0] sum_39;
-  assign sum_39 = {1'b0, chosen_7} + {1'b0, sum_38[11:1]};
-  logic [8:0] sum_40;
-  assign sum_40 = sum_39[11:3] + 9'h1;
-  // hls/stages/interpolate.hpp:45
-  logic not_45;
-  assign not_45 = ~(wx_i == 3'h0);
-  logic or_47;
-  assign or_47 = not_45 | (~swapped_x_i);
+  assign sum_39 = {1'b0, sum_36[11:1]} + {1'b0, chosen_9};
+  logic [11:0] sum_40;
+  assign sum_40 = {1'b0, chosen_7} + {1'b0, sum_39[11:1]};
+  logic [8:0] sum_41;
+  assign sum_41 = sum_40[11:3] + 9'h1;
   // hls/stages/interpolate.hpp:47
-  logic not_49;
-  assign not_49 = ~(wy_i == 3'h0);
-  logic or_51;
-  assign or_51 = not_49 | (~swapped_y_i);
-  // hls/stages/interpolate.hpp:46
-  logic or_56;
-  assign or_56 = swapped_x_i | not_45;
+  logic not_46;
+  assign not_46 = ~(wx_i == 3'h0);
+  logic or_48;
+  assign or_48 = not_46 | (~swapped_x_i);
+  // hls/stages/interpolate.hpp:49
+  logic not_50;
+  assign not_50 = ~(wy_i == 3'h0);
+  logic or_52;
+  assign or_52 = not_50 | (~swapped_y_i);
   // hls/stages/interpolate.hpp:48
-  logic or_61;
-  assign or_61 = swapped_y_i | not_49;
-  // hls/stages/interpolate.hpp:57
-  logic [7:0] sum_67;
-  assign sum_67 = p11_i + 8'h1;
-  // hls/stages/interpolate.hpp:61
-  logic and_69;
-  assign and_69 = (or_56 & or_61) & (sum_67[7:1] == 7'h0);
-  logic select_71;
-  assign select_71 = (or_47 & or_61) ? (((p10_i == 8'hff) | (p10_i == 8'h0)) | and_69) : and_69;
-  logic select_73;
-  assign select_73 = (or_56 & or_51) ? (((p01_i == 8'hff) | (p01_i == 8'h0)) | select_71) : select_71;
-  logic select_75;
-  assign select_75 = (or_47 & or_51) ? (((p00_i == 8'hff) | (p00_i == 8'h0)) | select_73) : select_73;
+  logic or_57;
+  assign or_57 = swapped_x_i | not_46;
+  // hls/stages/interpolate.hpp:50
+  logic or_62;
+  assign or_62 = swapped_y_i | not_50;
+  // hls/stages/interpolate.hpp:60
+  logic [7:0] sum_68;
+  assign sum_68 = p11_i + 8'h1;
+  // hls/stages/interpolate.hpp:64
+  logic and_70;
+  assign and_70 = (or_57 & or_62) & (sum_68[7:1] == 7'h0);
+  logic select_72;
+  assign select_72 = (or_48 & or_62) ? (((p10_i == 8'hff) | (p10_i == 8'h0)) | and_70) : and_70;
+  logic select_74;
+  assign select_74 = (or_57 & or_52) ? (((p01_i == 8'hff) | (p01_i == 8'h0)) | select_72) : select_72;
+  logic select_76;
+  assign select_76 = (or_48 & or_52) ? (((p00_i == 8'hff) | (p00_i == 8'h0)) | select_74) : select_74;
 
   logic [7:0] left_s1_q;
   logic mask_s1_q;
+  logic present_s1_q;
   logic marks_first_s1_q;
   logic marks_last_s1_q;
-  logic [7:0] sum_40_s1_q;
-  logic or_76_s1_q;
+  logic [7:0] sum_41_s1_q;
+  logic or_77_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       left_s1_q <= left_i;
       mask_s1_q <= mask_i;
+      present_s1_q <= present_i;
       marks_first_s1_q <= marks_first_i;
       marks_last_s1_q <= marks_last_i;
-      sum_40_s1_q <= sum_40[8:1];
-      or_76_s1_q <= ((left_i == 8'hff) | (left_i == 8'h0)) | select_75;
+      sum_41_s1_q <= sum_41[8:1];
+      or_77_s1_q <= ((left_i == 8'hff) | (left_i == 8'h0)) | select_76;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
   assign pixel_0_o = left_s1_q;
-  assign pixel_1_o = sum_40_s1_q;
-  assign saturated_o = or_76_s1_q;
+  assign pixel_1_o = sum_41_s1_q;
+  assign saturated_o = or_77_s1_q;
   assign mask_o = mask_s1_q;
+  assign present_o = present_s1_q;
   assign marks_first_o = marks_first_s1_q;
   assign marks_last_o = marks_last_s1_q;
   assign valid_o = valid_s1_q;
@@ -171,6 +176,6 @@ module horopter_interpolate (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_67[0], sum_40[0], sum_39[2:0], sum_38[0], sum_35[0]};
+  assign unused_bits = ^{sum_68[0], sum_41[0], sum_40[2:0], sum_39[0], sum_36[0]};
 
 endmodule

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::MapExpand<horopter::hls::profiles::field>, hls/stages/map_expand.hpp. Do not edit.
 //
-// Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 114 bits, pipeline 33 bits, memories 0 bits.
+// State 116 bits, pipeline 83 bits, memories 0 bits.
 module horopter_map_expand (
   input  logic clk_i,
   input  logic rst_ni,
@@ -27,15 +27,17 @@ module horopter_map_expand (
   output logic [2:0] wx_o,
   output logic [2:0] wy_o,
   output logic mapped_o,
+  output logic present_o,
   output logic marks_first_o,
   output logic marks_last_o,
   output logic marks_live_o
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q;
-  logic s0_en;
+  logic valid_s1_q, valid_s2_q;
+  logic s0_en, s1_en;
   assign s0_en = en_i & valid_i;
+  assign s1_en = en_i & valid_s1_q;
 
   // Of the configuration alone: not pipelined.
   logic [2:0] up;
@@ -44,186 +46,188 @@ module horopter_map_expand (
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic right_valid_q;
   logic left_valid_q;
+  logic right_of_skin_q;
+  logic left_of_skin_q;
   logic [27:0] x_place_q;
   logic [27:0] x_increment_q;
-  logic [27:0] y_place_q;
-  logic [27:0] y_increment_q;
-  // hls/stages/map_expand.hpp:66
-  logic not_19;
-  assign not_19 = ~prime_i;
-  // hls/stages/map_expand.hpp:67
-  logic and_20;
-  assign and_20 = load_i & not_19;
-  // hls/stages/map_expand.hpp:128
-  logic or_21;
-  assign or_21 = prime_i | and_20;
-  // hls/stages/map_expand.hpp:30
-  logic or_26;
-  assign or_26 = (~(column_top_x_i == 16'hffff)) | (~(column_top_y_i == 16'hffff));
-  logic equal_27;
-  assign equal_27 = row_fraction_i == 6'h0;
-  logic or_34;
-  assign or_34 = (~(column_bottom_x_i == 16'hffff)) | (~(column_bottom_y_i == 16'hffff));
-  // hls/stages/map_expand.hpp:70
-  logic and_38;
-  assign and_38 = (or_26 | (column_swapped_i & equal_27)) & (or_34 | (equal_27 & (~column_swapped_i)));
+  // hls/stages/map_expand.hpp:73
+  logic not_21;
+  assign not_21 = ~prime_i;
   // hls/stages/map_expand.hpp:74
-  logic select_40;
-  assign select_40 = and_20 ? right_valid_q : left_valid_q;
-  // hls/stages/map_expand.hpp:96
+  logic and_22;
+  assign and_22 = load_i & not_21;
+  // hls/stages/map_expand.hpp:145
+  logic or_23;
+  assign or_23 = prime_i | and_22;
+  // hls/stages/map_expand.hpp:191
+  logic equal_24;
+  assign equal_24 = row_fraction_i == 6'h0;
+  logic and_25;
+  assign and_25 = column_swapped_i & equal_24;
+  // hls/stages/map_expand.hpp:192
+  logic and_31;
+  assign and_31 = equal_24 & (~column_swapped_i);
+  // hls/stages/map_expand.hpp:193
+  logic or_35;
+  assign or_35 = and_31 | (~((column_bottom_x_i & column_bottom_y_i) == 16'hffff));
+  logic and_36;
+  assign and_36 = (and_25 | (~((column_top_x_i & column_top_y_i) == 16'hffff))) & or_35;
+  // hls/stages/map_expand.hpp:85
+  logic select_38;
+  assign select_38 = and_22 ? right_valid_q : left_valid_q;
+  // hls/stages/map_expand.hpp:35
+  logic or_41;
+  assign or_41 = (~column_top_y_i[15]) | (column_top_y_i[14:13] == 2'h0);
+  // hls/stages/map_expand.hpp:32
+  logic equal_43;
+  assign equal_43 = column_bottom_y_i[14:13] == 2'h0;
+  logic and_47;
+  assign and_47 = (or_41 | and_25) & (and_31 | (equal_43 | (~column_bottom_y_i[15])));
+  // hls/stages/map_expand.hpp:85
+  logic select_49;
+  assign select_49 = and_22 ? right_of_skin_q : left_of_skin_q;
+  // hls/stages/map_expand.hpp:113
   logic [2:0] up_2;
   assign up_2 = prime_i ? 3'h6 : up;
-  // hls/stages/map_expand.hpp:151
-  logic xor_45;
-  assign xor_45 = column_swapped_i ^ row_fraction_i[5];
+  // hls/stages/map_expand.hpp:168
+  logic xor_54;
+  assign xor_54 = column_swapped_i ^ row_fraction_i[5];
   logic [15:0] sum;
-  assign sum = xor_45 ? column_bottom_x_i : column_top_x_i;
-  // hls/stages/map_expand.hpp:155
-  logic xor_47;
-  assign xor_47 = row_fraction_i[3] ^ row_fraction_i[4];
-  // hls/stages/map_expand.hpp:150
+  assign sum = xor_54 ? column_bottom_x_i : column_top_x_i;
+  // hls/stages/map_expand.hpp:172
+  logic xor_56;
+  assign xor_56 = row_fraction_i[3] ^ row_fraction_i[4];
+  // hls/stages/map_expand.hpp:167
   logic [16:0] difference;
   assign difference = {1'b0, column_bottom_x_i} - {1'b0, column_top_x_i};
-  // hls/stages/map_expand.hpp:157
-  logic or_51;
-  assign or_51 = xor_47 | (row_fraction_i[3] ^ (~row_fraction_i[5]));
-  // hls/stages/map_expand.hpp:159
-  logic [16:0] select_52;
-  assign select_52 = or_51 ? 17'h0 : difference;
+  // hls/stages/map_expand.hpp:174
+  logic or_60;
+  assign or_60 = xor_56 | (row_fraction_i[3] ^ (~row_fraction_i[5]));
+  // hls/stages/map_expand.hpp:176
+  logic [16:0] select_61;
+  assign select_61 = or_60 ? 17'h0 : difference;
   logic [17:0] size;
-  assign size = xor_47 ? {difference[16], difference} : {select_52, 1'b0};
-  // hls/stages/map_expand.hpp:163
-  logic [17:0] select_55;
-  assign select_55 = xor_45 ? (~size) : size;
-  logic [18:0] sum_56;
-  assign sum_56 = {sum, 3'h1} + {select_55, xor_45};
-  // hls/stages/map_expand.hpp:160
-  logic xor_57;
-  assign xor_57 = column_swapped_i ^ row_fraction_i[3];
-  // hls/stages/map_expand.hpp:155
-  logic xor_58;
-  assign xor_58 = row_fraction_i[1] ^ row_fraction_i[2];
-  // hls/stages/map_expand.hpp:156
-  logic and_61;
-  assign and_61 = (~xor_58) & (row_fraction_i[1] ^ row_fraction_i[3]);
-  // hls/stages/map_expand.hpp:159
-  logic [16:0] select_62;
-  assign select_62 = and_61 ? difference : 17'h0;
-  logic [17:0] size_2;
-  assign size_2 = xor_58 ? {difference[16], difference} : {select_62, 1'b0};
-  // hls/stages/map_expand.hpp:163
-  logic [17:0] select_65;
-  assign select_65 = xor_57 ? (~size_2) : size_2;
-  logic [20:0] sum_66;
-  assign sum_66 = {sum_56[18:1], 3'h1} + {{2{select_65[17]}}, select_65, xor_57};
-  // hls/stages/map_expand.hpp:160
+  assign size = xor_56 ? {difference[16], difference} : {select_61, 1'b0};
+  // hls/stages/map_expand.hpp:180
+  logic [17:0] select_64;
+  assign select_64 = xor_54 ? (~size) : size;
+  logic [18:0] sum_65;
+  assign sum_65 = {sum, 3'h1} + {select_64, xor_54};
+  // hls/stages/map_expand.hpp:177
+  logic xor_66;
+  assign xor_66 = column_swapped_i ^ row_fraction_i[3];
+  // hls/stages/map_expand.hpp:172
   logic xor_67;
-  assign xor_67 = column_swapped_i ^ row_fraction_i[1];
-  // hls/stages/map_expand.hpp:156
-  logic and_69;
-  assign and_69 = row_fraction_i[1] & (~row_fraction_i[0]);
-  // hls/stages/map_expand.hpp:159
-  logic [16:0] select_70;
-  assign select_70 = and_69 ? difference : 17'h0;
+  assign xor_67 = row_fraction_i[1] ^ row_fraction_i[2];
+  // hls/stages/map_expand.hpp:173
+  logic and_70;
+  assign and_70 = (~xor_67) & (row_fraction_i[1] ^ row_fraction_i[3]);
+  // hls/stages/map_expand.hpp:176
+  logic [16:0] select_71;
+  assign select_71 = and_70 ? difference : 17'h0;
+  logic [17:0] size_2;
+  assign size_2 = xor_67 ? {difference[16], difference} : {select_71, 1'b0};
+  // hls/stages/map_expand.hpp:180
+  logic [17:0] select_74;
+  assign select_74 = xor_66 ? (~size_2) : size_2;
+  logic [20:0] sum_75;
+  assign sum_75 = {sum_65[18:1], 3'h1} + {{2{select_74[17]}}, select_74, xor_66};
+  // hls/stages/map_expand.hpp:177
+  logic xor_76;
+  assign xor_76 = column_swapped_i ^ row_fraction_i[1];
+  // hls/stages/map_expand.hpp:173
+  logic and_78;
+  assign and_78 = row_fraction_i[1] & (~row_fraction_i[0]);
+  // hls/stages/map_expand.hpp:176
+  logic [16:0] select_79;
+  assign select_79 = and_78 ? difference : 17'h0;
   logic [17:0] size_3;
-  assign size_3 = row_fraction_i[0] ? {difference[16], difference} : {select_70, 1'b0};
-  // hls/stages/map_expand.hpp:163
-  logic [17:0] select_73;
-  assign select_73 = xor_67 ? (~size_3) : size_3;
+  assign size_3 = row_fraction_i[0] ? {difference[16], difference} : {select_79, 1'b0};
+  // hls/stages/map_expand.hpp:180
+  logic [17:0] select_82;
+  assign select_82 = xor_76 ? (~size_3) : size_3;
   logic [22:0] arriving;
-  assign arriving = {sum_66[20:1], 3'h1} + {{4{select_73[17]}}, select_73, xor_67};
-  // hls/stages/map_expand.hpp:128
+  assign arriving = {sum_75[20:1], 3'h1} + {{4{select_82[17]}}, select_82, xor_76};
+  // hls/stages/map_expand.hpp:145
   logic [22:0] value;
   assign value = {1'b0, arriving[22:1]} - {1'b0, x_place_q[27:6]};
-  // hls/stages/map_expand.hpp:96
-  logic [22:0] select_76;
-  assign select_76 = up_2[0] ? {value[21:0], 1'b0} : value;
-  // hls/stages/map_expand.hpp:97
-  logic [24:0] select_77;
-  assign select_77 = up_2[1] ? {select_76, 2'h0} : {{2{value[22]}}, select_76};
-  // hls/stages/map_expand.hpp:98
+  // hls/stages/map_expand.hpp:113
+  logic [22:0] select_85;
+  assign select_85 = up_2[0] ? {value[21:0], 1'b0} : value;
+  // hls/stages/map_expand.hpp:114
+  logic [24:0] select_86;
+  assign select_86 = up_2[1] ? {select_85, 2'h0} : {{2{value[22]}}, select_85};
+  // hls/stages/map_expand.hpp:115
   logic [27:0] value_2;
-  assign value_2 = up_2[2] ? {select_77[23:0], 4'h0} : {{3{value[22]}}, select_77};
-  // hls/stages/map_expand.hpp:129
-  logic [27:0] select_79;
-  assign select_79 = or_21 ? value_2 : x_increment_q;
-  logic [27:0] sum_80;
-  assign sum_80 = x_place_q + select_79;
-  // hls/stages/map_expand.hpp:130
-  logic [5:0] select_81;
-  assign select_81 = prime_i ? 6'h0 : sum_80[5:0];
-  // hls/stages/map_expand.hpp:151
+  assign value_2 = up_2[2] ? {select_86[23:0], 4'h0} : {{3{value[22]}}, select_86};
+  // hls/stages/map_expand.hpp:146
+  logic [27:0] select_88;
+  assign select_88 = or_23 ? value_2 : x_increment_q;
+  logic [27:0] sum_89;
+  assign sum_89 = x_place_q + select_88;
+  // hls/stages/map_expand.hpp:147
+  logic [5:0] select_90;
+  assign select_90 = prime_i ? 6'h0 : sum_89[5:0];
+  // hls/stages/map_expand.hpp:35
+  logic [1:0] sum_93;
+  assign sum_93 = column_bottom_y_i[14:13] + 2'h3;
+  logic [15:0] b;
+  assign b = (column_bottom_y_i[15] & (~equal_43)) ? {sum_93, column_bottom_y_i[12:0], 1'b0} : column_bottom_y_i;
+  logic [1:0] sum_95;
+  assign sum_95 = column_top_y_i[14:13] + 2'h3;
+  logic [15:0] a;
+  assign a = or_41 ? column_top_y_i : {sum_95, column_top_y_i[12:0], 1'b0};
+  // hls/stages/map_expand.hpp:168
   logic [15:0] sum_2;
-  assign sum_2 = xor_45 ? column_bottom_y_i : column_top_y_i;
-  // hls/stages/map_expand.hpp:150
-  logic [16:0] difference_2;
-  assign difference_2 = {1'b0, column_bottom_y_i} - {1'b0, column_top_y_i};
-  // hls/stages/map_expand.hpp:159
-  logic [16:0] select_84;
-  assign select_84 = or_51 ? 17'h0 : difference_2;
+  assign sum_2 = xor_54 ? b : a;
+  // hls/stages/map_expand.hpp:167
+  logic [16:0] once;
+  assign once = {1'b0, b} - {1'b0, a};
+  // hls/stages/map_expand.hpp:176
+  logic [16:0] select_99;
+  assign select_99 = or_60 ? 17'h0 : once;
   logic [17:0] size_4;
-  assign size_4 = xor_47 ? {difference_2[16], difference_2} : {select_84, 1'b0};
-  // hls/stages/map_expand.hpp:163
-  logic [17:0] select_87;
-  assign select_87 = xor_45 ? (~size_4) : size_4;
-  logic [18:0] sum_88;
-  assign sum_88 = {sum_2, 3'h1} + {select_87, xor_45};
-  // hls/stages/map_expand.hpp:159
-  logic [16:0] select_89;
-  assign select_89 = and_61 ? difference_2 : 17'h0;
+  assign size_4 = xor_56 ? {once[16], once} : {select_99, 1'b0};
+  // hls/stages/map_expand.hpp:180
+  logic [17:0] select_102;
+  assign select_102 = xor_54 ? (~size_4) : size_4;
+  logic [18:0] sum_103;
+  assign sum_103 = {sum_2, 3'h1} + {select_102, xor_54};
+  // hls/stages/map_expand.hpp:176
+  logic [16:0] select_104;
+  assign select_104 = and_70 ? once : 17'h0;
   logic [17:0] size_5;
-  assign size_5 = xor_58 ? {difference_2[16], difference_2} : {select_89, 1'b0};
-  // hls/stages/map_expand.hpp:163
-  logic [17:0] select_92;
-  assign select_92 = xor_57 ? (~size_5) : size_5;
-  logic [20:0] sum_93;
-  assign sum_93 = {sum_88[18:1], 3'h1} + {{2{select_92[17]}}, select_92, xor_57};
-  // hls/stages/map_expand.hpp:159
-  logic [16:0] select_94;
-  assign select_94 = and_69 ? difference_2 : 17'h0;
+  assign size_5 = xor_67 ? {once[16], once} : {select_104, 1'b0};
+  // hls/stages/map_expand.hpp:180
+  logic [17:0] select_107;
+  assign select_107 = xor_66 ? (~size_5) : size_5;
+  logic [20:0] sum_108;
+  assign sum_108 = {sum_103[18:1], 3'h1} + {{2{select_107[17]}}, select_107, xor_66};
+  // hls/stages/map_expand.hpp:176
+  logic [16:0] select_109;
+  assign select_109 = and_78 ? once : 17'h0;
   logic [17:0] size_6;
-  assign size_6 = row_fraction_i[0] ? {difference_2[16], difference_2} : {select_94, 1'b0};
-  // hls/stages/map_expand.hpp:163
-  logic [17:0] select_97;
-  assign select_97 = xor_67 ? (~size_6) : size_6;
+  assign size_6 = row_fraction_i[0] ? {once[16], once} : {select_109, 1'b0};
+  // hls/stages/map_expand.hpp:180
+  logic [17:0] select_112;
+  assign select_112 = xor_76 ? (~size_6) : size_6;
   logic [22:0] arriving_2;
-  assign arriving_2 = {sum_93[20:1], 3'h1} + {{4{select_97[17]}}, select_97, xor_67};
-  // hls/stages/map_expand.hpp:128
-  logic [22:0] value_3;
-  assign value_3 = {1'b0, arriving_2[22:1]} - {1'b0, y_place_q[27:6]};
-  // hls/stages/map_expand.hpp:96
-  logic [22:0] select_100;
-  assign select_100 = up_2[0] ? {value_3[21:0], 1'b0} : value_3;
-  // hls/stages/map_expand.hpp:97
-  logic [24:0] select_101;
-  assign select_101 = up_2[1] ? {select_100, 2'h0} : {{2{value_3[22]}}, select_100};
-  // hls/stages/map_expand.hpp:98
-  logic [27:0] value_4;
-  assign value_4 = up_2[2] ? {select_101[23:0], 4'h0} : {{3{value_3[22]}}, select_101};
-  // hls/stages/map_expand.hpp:129
-  logic [27:0] select_103;
-  assign select_103 = or_21 ? value_4 : y_increment_q;
-  logic [27:0] sum_104;
-  assign sum_104 = y_place_q + select_103;
-  // hls/stages/map_expand.hpp:130
-  logic [5:0] select_105;
-  assign select_105 = prime_i ? 6'h0 : sum_104[5:0];
-  // hls/stages/map_expand.hpp:181
-  logic [15:0] sum_106;
-  assign sum_106 = {1'b0, x_place_q[27:13]} + 16'h1;
-  logic [15:0] sum_108;
-  assign sum_108 = {1'b0, y_place_q[27:13]} + 16'h1;
-  // hls/stages/map_expand.hpp:78
-  logic and_116;
-  assign and_116 = (~(sum_106[15:10] == 6'h0)) & ((right_valid_q | and_20) & select_40);
+  assign arriving_2 = {sum_108[20:1], 3'h1} + {{4{select_112[17]}}, select_112, xor_76};
+  // hls/stages/map_expand.hpp:200
+  logic [15:0] sum_121;
+  assign sum_121 = {1'b0, x_place_q[27:13]} + 16'h1;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       right_valid_q <= 1'b0;
       left_valid_q <= 1'b0;
+      right_of_skin_q <= 1'b0;
+      left_of_skin_q <= 1'b0;
     end else if (s0_en) begin
-      right_valid_q <= or_21 ? and_38 : right_valid_q;
-      left_valid_q <= select_40;
+      right_valid_q <= or_23 ? and_36 : right_valid_q;
+      left_valid_q <= select_38;
+      right_of_skin_q <= or_23 ? and_47 : right_of_skin_q;
+      left_of_skin_q <= select_49;
     end
   end
 
@@ -232,61 +236,137 @@ module horopter_map_expand (
   initial begin
     x_place_q = 28'h0;
     x_increment_q = 28'h0;
+  end
+`endif
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (rst_ni & s0_en) begin
+      x_place_q <= {sum_89[27:6], select_90};
+      x_increment_q <= select_88;
+    end
+  end
+
+  logic prime_s1_q;
+  logic marks_first_s1_q;
+  logic marks_last_s1_q;
+  logic marks_live_s1_q;
+  logic not_21_s1_q;
+  logic or_23_s1_q;
+  logic [2:0] up_2_s1_q;
+  logic [21:0] arriving_2_s1_q;
+  logic [8:0] sum_121_s1_q;
+  logic [4:0] sum_122_s1_q;
+  logic not_126_s1_q;
+  logic and_131_s1_q;
+  logic and_134_s1_q;
+  always_ff @(posedge clk_i) begin
+    if (s0_en) begin
+      prime_s1_q <= prime_i;
+      marks_first_s1_q <= marks_first_i;
+      marks_last_s1_q <= marks_last_i;
+      marks_live_s1_q <= marks_live_i;
+      not_21_s1_q <= not_21;
+      or_23_s1_q <= or_23;
+      up_2_s1_q <= up_2;
+      arriving_2_s1_q <= arriving_2[22:1];
+      sum_121_s1_q <= sum_121[9:1];
+      sum_122_s1_q <= sum_121[14:10] + 5'h1f;
+      not_126_s1_q <= ~(sum_121[15:10] == 6'h0);
+      and_131_s1_q <= (right_of_skin_q | and_22) & select_49;
+      and_134_s1_q <= (right_valid_q | and_22) & select_38;
+    end
+  end
+
+  // Stage 1 -----------------------------------------------------------------------------------------------------------
+  logic [27:0] y_place_q;
+  logic [27:0] y_increment_q;
+  // hls/stages/map_expand.hpp:145
+  logic [22:0] value_3;
+  assign value_3 = {1'b0, arriving_2_s1_q} - {1'b0, y_place_q[27:6]};
+  // hls/stages/map_expand.hpp:113
+  logic [22:0] select_115;
+  assign select_115 = up_2_s1_q[0] ? {value_3[21:0], 1'b0} : value_3;
+  // hls/stages/map_expand.hpp:114
+  logic [24:0] select_116;
+  assign select_116 = up_2_s1_q[1] ? {select_115, 2'h0} : {{2{value_3[22]}}, select_115};
+  // hls/stages/map_expand.hpp:115
+  logic [27:0] value_4;
+  assign value_4 = up_2_s1_q[2] ? {select_116[23:0], 4'h0} : {{3{value_3[22]}}, select_116};
+  // hls/stages/map_expand.hpp:146
+  logic [27:0] select_118;
+  assign select_118 = or_23_s1_q ? value_4 : y_increment_q;
+  logic [27:0] sum_119;
+  assign sum_119 = y_place_q + select_118;
+  // hls/stages/map_expand.hpp:147
+  logic [5:0] select_120;
+  assign select_120 = prime_s1_q ? 6'h0 : sum_119[5:0];
+  // hls/stages/map_expand.hpp:200
+  logic [15:0] sum_123;
+  assign sum_123 = {1'b0, y_place_q[27:13]} + 16'h1;
+  // hls/stages/map_expand.hpp:92
+  logic and_129;
+  assign and_129 = not_126_s1_q & (~(sum_123[15:10] == 6'h0));
+
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
     y_place_q = 28'h0;
     y_increment_q = 28'h0;
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (rst_ni & s0_en) begin
-      x_place_q <= {sum_80[27:6], select_81};
-      x_increment_q <= select_79;
-      y_place_q <= {sum_104[27:6], select_105};
-      y_increment_q <= select_103;
+    if (s1_en) begin
+      y_place_q <= {sum_119[27:6], select_120};
+      y_increment_q <= select_118;
     end
   end
 
-  logic marks_first_s1_q;
-  logic marks_last_s1_q;
-  logic marks_live_s1_q;
-  logic [8:0] sum_106_s1_q;
-  logic [4:0] sum_107_s1_q;
-  logic [8:0] sum_108_s1_q;
-  logic [4:0] sum_109_s1_q;
-  logic and_117_s1_q;
+  logic marks_first_s2_q;
+  logic marks_last_s2_q;
+  logic marks_live_s2_q;
+  logic [8:0] sum_121_s2_q;
+  logic [4:0] sum_122_s2_q;
+  logic [8:0] sum_123_s2_q;
+  logic [4:0] sum_124_s2_q;
+  logic and_132_s2_q;
+  logic and_135_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
-      marks_first_s1_q <= marks_first_i;
-      marks_last_s1_q <= marks_last_i;
-      marks_live_s1_q <= marks_live_i;
-      sum_106_s1_q <= sum_106[9:1];
-      sum_107_s1_q <= sum_106[14:10] + 5'h1f;
-      sum_108_s1_q <= sum_108[9:1];
-      sum_109_s1_q <= sum_108[14:10] + 5'h1f;
-      and_117_s1_q <= (~(sum_108[15:10] == 6'h0)) & and_116;
+    if (s1_en) begin
+      marks_first_s2_q <= marks_first_s1_q;
+      marks_last_s2_q <= marks_last_s1_q;
+      marks_live_s2_q <= marks_live_s1_q;
+      sum_121_s2_q <= sum_121_s1_q;
+      sum_122_s2_q <= sum_122_s1_q;
+      sum_123_s2_q <= sum_123[9:1];
+      sum_124_s2_q <= sum_123[14:10] + 5'h1f;
+      and_132_s2_q <= and_129 & and_131_s1_q;
+      and_135_s2_q <= and_129 & and_134_s1_q;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign x_o = {sum_107_s1_q, sum_106_s1_q[8:3]};
-  assign y_o = {sum_109_s1_q, sum_108_s1_q[8:3]};
-  assign wx_o = sum_106_s1_q[2:0];
-  assign wy_o = sum_108_s1_q[2:0];
-  assign mapped_o = and_117_s1_q;
-  assign marks_first_o = marks_first_s1_q;
-  assign marks_last_o = marks_last_s1_q;
-  assign marks_live_o = marks_live_s1_q;
-  assign valid_o = valid_s1_q;
+  assign x_o = {sum_122_s2_q, sum_121_s2_q[8:3]};
+  assign y_o = {sum_124_s2_q, sum_123_s2_q[8:3]};
+  assign wx_o = sum_121_s2_q[2:0];
+  assign wy_o = sum_123_s2_q[2:0];
+  assign mapped_o = and_132_s2_q;
+  assign present_o = and_135_s2_q;
+  assign marks_first_o = marks_first_s2_q;
+  assign marks_last_o = marks_last_s2_q;
+  assign marks_live_o = marks_live_s2_q;
+  assign valid_o = valid_s2_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       valid_s1_q <= 1'b0;
+      valid_s2_q <= 1'b0;
     end else if (en_i) begin
-      valid_s1_q <= valid_i & not_19;
+      valid_s1_q <= valid_i;
+      valid_s2_q <= valid_s1_q & not_21_s1_q;
     end
   end
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_108[0], sum_106[0], arriving_2[0], sum_93[0], sum_88[0], arriving[0], sum_66[0], sum_56[0]};
+  assign unused_bits = ^{sum_123[0], sum_121[0], arriving_2[0], sum_108[0], sum_103[0], arriving[0], sum_75[0], sum_65[0]};
 
 endmodule

@@ -19,6 +19,7 @@ module horopter_stages #(
   input  logic swapped_y_i,
   input  logic [7:0] left_i,
   input  logic mask_i,
+  input  logic present_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
   input  logic [10:0] cfg_width_i,
@@ -109,6 +110,7 @@ module horopter_stages #(
   logic [7:0] interpolate_pixel_1_o;
   logic interpolate_saturated_o;
   logic interpolate_mask_o;
+  logic interpolate_present_o;
   logic interpolate_marks_first_o;
   logic interpolate_marks_last_o;
   horopter_interpolate u_interpolate (
@@ -126,6 +128,7 @@ module horopter_stages #(
     .swapped_y_i(swapped_y_i),
     .left_i(left_i),
     .mask_i(mask_i),
+    .present_i(present_i),
     .marks_first_i(marks_first_i),
     .marks_last_i(marks_last_i),
     .valid_o(interpolate_valid_o),
@@ -133,6 +136,7 @@ module horopter_stages #(
     .pixel_1_o(interpolate_pixel_1_o),
     .saturated_o(interpolate_saturated_o),
     .mask_o(interpolate_mask_o),
+    .present_o(interpolate_present_o),
     .marks_first_o(interpolate_marks_first_o),
     .marks_last_o(interpolate_marks_last_o)
   );
@@ -142,6 +146,7 @@ module horopter_stages #(
   logic [7:0] subsample_pixel_1_o;
   logic subsample_saturated_o;
   logic subsample_mask_o;
+  logic subsample_present_o;
   logic subsample_marks_first_o;
   logic subsample_marks_last_o;
   horopter_subsample u_subsample (
@@ -153,6 +158,7 @@ module horopter_stages #(
     .pixel_1_i(interpolate_pixel_1_o),
     .saturated_i(interpolate_saturated_o),
     .mask_i(interpolate_mask_o),
+    .present_i(interpolate_present_o),
     .marks_first_i(interpolate_marks_first_o),
     .marks_last_i(interpolate_marks_last_o),
     .valid_o(subsample_valid_o),
@@ -160,6 +166,7 @@ module horopter_stages #(
     .pixel_1_o(subsample_pixel_1_o),
     .saturated_o(subsample_saturated_o),
     .mask_o(subsample_mask_o),
+    .present_o(subsample_present_o),
     .marks_first_o(subsample_marks_first_o),
     .marks_last_o(subsample_marks_last_o)
   );
@@ -186,6 +193,7 @@ module horopter_stages #(
     .pixel_1_i(subsample_pixel_1_o),
     .saturated_i(subsample_saturated_o),
     .mask_i(subsample_mask_o),
+    .present_i(subsample_present_o),
     .marks_first_i(subsample_marks_first_o),
     .marks_last_i(subsample_marks_last_o),
     .cfg_width_i(cfg_width_i),

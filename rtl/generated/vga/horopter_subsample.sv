@@ -3,7 +3,7 @@
 //
 // Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 0 bits, pipeline 21 bits, memories 0 bits.
+// State 0 bits, pipeline 22 bits, memories 0 bits.
 module horopter_subsample (
   input  logic clk_i,
   input  logic rst_ni,
@@ -13,6 +13,7 @@ module horopter_subsample (
   input  logic [7:0] pixel_1_i,
   input  logic saturated_i,
   input  logic mask_i,
+  input  logic present_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
   output logic valid_o,
@@ -20,6 +21,7 @@ module horopter_subsample (
   output logic [7:0] pixel_1_o,
   output logic saturated_o,
   output logic mask_o,
+  output logic present_o,
   output logic marks_first_o,
   output logic marks_last_o
 );
@@ -35,6 +37,7 @@ module horopter_subsample (
   logic [7:0] pixel_1_s1_q;
   logic saturated_s1_q;
   logic mask_s1_q;
+  logic present_s1_q;
   logic marks_first_s1_q;
   logic marks_last_s1_q;
   always_ff @(posedge clk_i) begin
@@ -43,6 +46,7 @@ module horopter_subsample (
       pixel_1_s1_q <= pixel_1_i;
       saturated_s1_q <= saturated_i;
       mask_s1_q <= mask_i;
+      present_s1_q <= present_i;
       marks_first_s1_q <= marks_first_i;
       marks_last_s1_q <= marks_last_i;
     end
@@ -53,6 +57,7 @@ module horopter_subsample (
   assign pixel_1_o = pixel_1_s1_q;
   assign saturated_o = saturated_s1_q;
   assign mask_o = mask_s1_q;
+  assign present_o = present_s1_q;
   assign marks_first_o = marks_first_s1_q;
   assign marks_last_o = marks_last_s1_q;
   assign valid_o = valid_s1_q;

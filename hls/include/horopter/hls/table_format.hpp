@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The format of mapping tables, version 2: what is uploaded into the machine, in words of 32 bits.
+// The format of mapping tables, version 3: what is uploaded into the machine, in words of 32 bits.
 //
 //   word  bits
 //   0     31..8 "HM" and the version, 6..4 and 2..0: control points every 2^n px in x and in y; the others are 0
@@ -19,7 +19,8 @@
 //         a word, the first lowest; the last word is filled with 0. The mean of the block, or, of a block that does not
 //         meet the skin, that of the nearest one which does
 //   Control points, pair by pair of rows, column by column, even row first: 31..16 y, 15..0 x of the source in the
-//   right image, (px + 64) · 32. All ones: no source
+//   right image, (px + 64) · 32; y is below 0xA000. Points around the skin, which show the machine what both cameras see
+//   there, but are not supervised: y is 0xA000 + ⌊(px + 64) · 16⌋. All ones: no source
 //   CRC-32 (IEEE 802.3) of all words before it as little-endian bytes
 //
 // The machine stores control points only. It reads over the facts, which the CRC protects, and keeps none of them: they
@@ -41,7 +42,7 @@ namespace horopter::hls::table {
 
 // scripts/generate-profiles makes rtl/store/horopter_table_pkg.sv of these, by their names.
 inline constexpr std::uint32_t magic = 0x484D;    // "HM"
-inline constexpr std::uint32_t version = 2;       // of the format
+inline constexpr std::uint32_t version = 3;       // of the format
 inline constexpr int slots = 15;                  // tables that a machine holds, from 0; the next number means none
 inline constexpr int smallest_result_width = 32;  // px of a frame's result that a machine takes
 inline constexpr int smallest_height = 16;        // rows of it
@@ -51,6 +52,7 @@ inline constexpr int largest_spacing_log2 = 6;    // of control points
 inline constexpr int area_block_log2 = 5;         // side of a block that has one area
 inline constexpr int control_offset_px = 64;      // control points are unsigned: 0 means -64 px
 inline constexpr int control_scale = 32;          // steps per pixel
+inline constexpr int around_skin = 0xA000;        // y of points around the skin, from here on
 inline constexpr std::uint32_t unmapped = 0xFFFFFFFF;  // a control point without a source
 
 constexpr int control_points(int size, int spacing_log2) {
@@ -118,13 +120,25 @@ inline std::uint8_t encode_area(double area_mm2) {
 }
 inline double decode_area(std::uint8_t code) { return std::ldexp(8 + (code & 7), (code >> 3) - 12 - 3); }
 
-/// Control point of a source, px; `unmapped` when it is not finite or out of the range of -64 … 1983.9 px.
+/// Control point of a source, px; `unmapped` when it is not finite or out of the range of x -64 … 1983.9 px,
+/// y -64 … 1215.9 px.
 inline std::uint32_t encode_control(double x_px, double y_px) {
   const double x = std::floor((x_px + control_offset_px) * control_scale + 0.5);
   const double y = std::floor((y_px + control_offset_px) * control_scale + 0.5);
   // 0xFFFF is left out, so that no control point looks like `unmapped`.
-  if (!(x >= 0 && x < 0xFFFF && y >= 0 && y < 0xFFFF)) return unmapped;
+  if (!(x >= 0 && x < 0xFFFF && y >= 0 && y < around_skin)) return unmapped;
   return static_cast<std::uint32_t>(y) << 16 | static_cast<std::uint32_t>(x);
+}
+/// The same around the skin.
+inline std::uint32_t encode_around_skin(double x_px, double y_px) {
+  const std::uint32_t point = encode_control(x_px, y_px);
+  return point == unmapped ? unmapped : (around_skin + (point >> 17)) << 16 | (point & 0xFFFFU);
+}
+inline bool is_of_skin(std::uint32_t control) { return control >> 16 < around_skin; }
+/// (px + 64) · 32, of either kind.
+inline int control_y(std::uint32_t control) {
+  const int y = static_cast<int>(control >> 16);
+  return y < around_skin ? y : 2 * (y - around_skin);
 }
 
 struct ShiftRange {

@@ -757,7 +757,7 @@ namespace registration {
 inline constexpr std::uint32_t kAddress = 0x13C;
 inline constexpr Access kAccess = Access::kReadWrite;
 inline constexpr std::uint32_t kReset = 0x143;
-/// A median of this or more is a fault; in two halves of the image, in opposite directions, of this less 1.
+/// A median of this or more is a fault, of the image or, in opposite directions, of two halves of it.
 inline constexpr Field kMoved{0, 6};
 /// In one half of the image a median of this or more is.
 inline constexpr Field kMovedHalf{6, 6};

@@ -56,15 +56,19 @@ class MapTable {
   /// table_facts.hpp): the machine's limits depend on them.
   void seal(const hls::table::Facts& facts);
 
-  /// Nearest control point to a source, or kUnmapped when it is not finite or out of the range of -64 … 1983.97 px.
+  /// Whether the control point's source is one of the skin: not around it, and not missing.
+  bool is_of_skin(int column, int row) const { return hls::table::is_of_skin(control(column, row)); }
+  /// Nearest control point to a source, or kUnmapped when it is out of range (table_format.hpp).
   static std::uint32_t encode(Point source);
 
   struct Expanded {
     std::int64_t x = 0;  ///< in 2^-kFractionBits pixels
     std::int64_t y = 0;
   };
-  /// As the hardware does it, before rounding to the weights. Nothing when a control point with a weight is unmapped.
+  /// As the hardware does it, before rounding to the weights. Nothing when a control point with a weight is not one of the skin.
   std::optional<Expanded> expand(int x, int y) const;
+  /// The same of the skin and of what is around it.
+  std::optional<Expanded> expand_around(int x, int y) const;
 
   struct Source {
     int x = 0;  ///< in 2^-weight_bits pixels
@@ -78,6 +82,8 @@ class MapTable {
   Image supervised(int weight_bits) const;
 
  private:
+  template <class Counts>
+  std::optional<Expanded> expand_if(int x, int y, Counts counts) const;
   std::size_t index(int column, int row) const {
     return header_.first_control + header_.geometry.control_index(column, row);
   }

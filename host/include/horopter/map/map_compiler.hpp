@@ -76,6 +76,7 @@ class MapCompiler {
   CompiledMap compile(const Surface& surface);
 
  private:
+  const Rays& rays(const LatticeShape& shape);
   void look(const Surface& surface, const LatticeShape& shape, LookLattice& lattice);
 
   CameraPair cameras_;

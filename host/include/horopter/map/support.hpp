@@ -12,6 +12,10 @@ namespace horopter {
 /// Pixels of the result (after sub-sampling) that the rule can judge, by the table's header.
 std::int64_t supported_pixels(const MapTable& table, Decision decision);
 
+/// Share of the image where both cameras can be shown to see the same world: on the skin and around it, within the rows
+/// that the store gives.
+double compared_share(const MapTable& table, const MachineProfile& profile, int lookahead);
+
 /// ⌊percent · of / 100⌋, as the machine's registers take their limits: more than this many are too many.
 std::uint32_t limit_of(double percent, double of);
 

@@ -42,6 +42,9 @@ class CameraPair {
   /// Throws std::invalid_argument for rays of smaller shifts than the limits'.
   void look(const Surface& surface, const Rays& rays, int row_step, const ViewLimits& limits,
             std::span<Look> looks) const;
+  /// As Skin::look_around. A surface is continued by the plane nearest to it, as seen from the left camera, no nearer
+  /// and no further than the surface itself.
+  void look_around(const Surface& surface, const Rays& rays, std::span<Point> sources) const;
   /// Thickness of the skin along its own line of sight at a left pixel, mm: from where the source is `tolerance_px`
   /// nearer along the epipolar line to where it is as much further (2·D in 11.1, without its approximations).
   /// NaN where the two lines of sight do not determine a distance.
@@ -60,6 +63,7 @@ class RigSkin : public Skin {
   /// Throws std::invalid_argument where the cameras cannot watch the surface.
   RigSkin(CameraPair cameras, SurfacePtr surface, std::string_view type);
   void look(std::span<const Point> left, int row_step, const ViewLimits& limits, std::span<Look> looks) const override;
+  void look_around(std::span<const Point> left, std::span<Point> sources) const override;
   std::string_view type() const override { return type_; }
   std::string description() const override { return surface_->description(); }
   const CameraPair& cameras() const { return cameras_; }

@@ -79,6 +79,9 @@ class Skin {
   /// What left pixels see. `row_step` is that of the scan, in which scale is judged.
   virtual void look(std::span<const Point> left, int row_step, const ViewLimits& limits,
                     std::span<Look> looks) const = 0;
+  /// Sources of left pixels that are not supervised, for comparing what both cameras see around the skin: on the skin
+  /// where the line of sight meets it, else on what continues it. NaN where there is none.
+  virtual void look_around(std::span<const Point> left, std::span<Point> sources) const = 0;
   virtual std::string_view type() const = 0;
   /// One line for reports.
   virtual std::string description() const = 0;
@@ -105,6 +108,7 @@ class HomographySkin : public Skin {
   /// Throws std::invalid_argument for a matrix that is singular or not finite.
   explicit HomographySkin(const Matrix3& matrix, Point visible = {}, std::string_view type = "homography");
   void look(std::span<const Point> left, int row_step, const ViewLimits& limits, std::span<Look> looks) const override;
+  void look_around(std::span<const Point> left, std::span<Point> sources) const override;
   /// Nothing beyond the horizon.
   std::optional<Point> source(Point left) const;
   /// Partial derivatives of source: {∂x/∂left.x, ∂x/∂left.y, ∂y/∂left.x, ∂y/∂left.y}.
