@@ -15,6 +15,7 @@ rtl/store/horopter_bad_rows.sv
 rtl/store/horopter_image_store.sv
 rtl/store/horopter_left_store.sv
 rtl/store/horopter_map_store.sv
+rtl/store/horopter_control_point.sv
 rtl/store/horopter_raster.sv
 rtl/store/horopter_frame_control.sv
 rtl/camera/horopter_camera_input.sv

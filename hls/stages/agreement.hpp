@@ -26,6 +26,8 @@
 
 #include "stages/align.hpp"
 #include "stages/census.hpp"
+#include "stages/division.hpp"
+#include "stages/registration.hpp"
 #include "stages/subsample.hpp"
 
 namespace horopter::stages {
@@ -135,11 +137,8 @@ class Agreement {
       region_columns_ = 1;
       segment_starts_ = true;
     }
-    const s<28> slope = slope_;
-    slope_ = run_.phase == Phase::conclude ? s<28>(slope_ + slope_change_) : slope_row_;
+    registration_.begin_beat(run_.phase == Phase::conclude, config);
     early_ = next_;
-    next_.slope_row = s<28>(slope_row_ + shl<4>(config.epipolar_row));
-    next_.slope_change = s<28>(slope_change_ + config.epipolar_both);
     next_.hidden_for = u<8>(hidden_for_ + u<1>(!hidden_for_.bit(7)));
     next_.region_row = u<3>(region_row_ + lit<1>());
     next_.lowest = Index(run_.lowest - lit<1>());
@@ -163,7 +162,7 @@ class Agreement {
         compare(config);
         break;
       case Phase::conclude:
-        conclude(config, next_region, slope);
+        conclude(config, next_region);
         break;
       case Phase::finish:
         finish(out, config);
@@ -197,13 +196,13 @@ class Agreement {
   static constexpr int first_row = 8;         // row of cells with which the first one that can be explained is done
   static constexpr int box = 5;               // cells around a place that must be seen
   static constexpr int lag = middle + 2 + 2;  // rows from a cell to its place in the map
-  static constexpr int least_votes = 40, least_half_votes = 60;
+  static constexpr int least_textured = 40;
   static constexpr std::size_t column_count = static_cast<std::size_t>(columns);
   static constexpr std::size_t map_cells = static_cast<std::size_t>(columns * rows);
 
   using Index = u<8>;  // of a column or row of cells, and beyond
   static_assert(columns + half_window + gap < 256 && rows < 128);
-  using Shift = s<6>;
+  using Shift = Registration::Shift;
   using Score = u<8>;
   static_assert(best_score < 256);
 
@@ -256,9 +255,7 @@ class Agreement {
     whole_beats_ = Index(last + lit<tail>());
     map_row_ = row <= lag ? MapIndex(0) : MapIndex(map_row_ + map_width_);
     map_width_ = cells_of(config.width);
-    // Slope of the epipolar lines at the row's first cell, and from column to column.
-    slope_row_ = row <= middle ? s<28>(shl<9>(config.epipolar_slope)) : early_.slope_row;
-    slope_change_ = row <= middle ? s<28>(shl<4>(config.epipolar_column)) : early_.slope_change;
+    registration_.start_row(row <= middle, config);
     columns_begin_.begin(map_width_, u<2>(2));
     last_ = last;
     row_ = row;
@@ -428,7 +425,7 @@ class Agreement {
 
     BestLeft of_left = best_left_.read(x);
     if (all_new || (not_right && x == run_.lowest) || of_best > of_left.score) {
-      of_left = {of_best, run_.shift, across(score, best)};
+      of_left = {of_best, run_.shift, displacement_across(score, best)};
     }
     best_left_.write(x, of_left);
 
@@ -438,56 +435,7 @@ class Agreement {
     best_right_.write(partner, of_right);
   }
 
-  /// Displacement across the rows in 1/32 cell. Bits that agree fall evenly to both sides, so the fraction is where two
-  /// lines of equal and opposite slope meet (Shimizu and Okutomi, ICCV 2001); a parabola says too little, down to half.
-  static s<8> across(const std::array<Score, across_count>& score, std::size_t best) {
-    const std::size_t near_best = best == 0 ? 1 : (best == across_count - 1 ? across_count - 2 : best);
-    const Score above = score[near_best - 1];
-    const Score below = score[near_best + 1];
-    const s<9> rise(below - above);
-    const u<9> size(abs(rise));
-    const s<9> fall(score[near_best] - (rise.negative() ? below : above));
-    const u<9> twice(fall.negative() ? u<9>(0) : u<9>(shl<1>(u<8>(fall))));
-    const u<5> fraction = ratio<5>(size < twice ? size : twice, twice);
-    const auto whole = shl<5>(s<4>(static_cast<int>(best) - across_reach));
-    if (best != near_best) return s<8>(whole);
-    return rise.negative() ? s<8>(whole - fraction) : s<8>(whole + fraction);
-  }
-
   // What the row showed -----------------------------------------------------------------------------------------------
-
-  /// Divides a row or column of cells into equal parts (Bresenham, IBM Systems Journal 4(1), 1965).
-  template <int PARTS>
-  class Division {
-   public:
-    /// The first cell of the first part is the one after `before` steps.
-    void begin(Index cells, u<2> before) {
-      rest_ = s<9>(-s<9>(cells) - before * lit<PARTS>());
-      back_ = s<9>(lit<PARTS>() - cells);
-    }
-    /// The next cell begins another part.
-    [[nodiscard]] bool at_end() const { return !s<9>(rest_ + lit<PARTS>()).negative(); }
-    void step() { rest_ = after(); }
-    /// Instead of step() where there are beats between two: look() in every beat, before take().
-    void look() {
-      looked_ = next_;
-      next_ = after();
-    }
-    void take() { rest_ = looked_; }
-    /// A copy of what `of` has begun with.
-    void restart(const Division& of) {
-      rest_ = of.rest_;
-      back_ = of.back_;
-    }
-
-   private:
-    [[nodiscard]] s<9> after() const {
-      const s<9> on(rest_ + lit<PARTS>());
-      const s<9> back(rest_ + back_);
-      return on.negative() ? on : back;
-    }
-    s<9> rest_{0}, back_{0}, next_{0}, looked_{0};
-  };
 
   struct RegionSums {
     u<12> textured;
@@ -498,25 +446,9 @@ class Agreement {
   struct Segment {  // of a row of cells, in one region
     SegmentCount textured, explained, nearer;
   };
-  /// Above 0: more than half of the cells are displaced beyond a limit.
-  struct Votes {
-    s<15> down, up;
-    [[nodiscard]] bool any() const { return down > 0 || up > 0; }
-    void add(s<2> to_down, s<2> to_up) {
-      down += to_down;
-      up += to_up;
-    }
-    [[nodiscard]] bool against(const Votes& other) const {
-      return (down > 0 && other.up > 0) || (up > 0 && other.down > 0);
-    }
-  };
   struct Counts {
     u<14> supervised, textured, explained, nearer, unproven, regions_bad;
     s<24> too_little_explained, too_many_bad, too_much_unproven, too_much_hidden;  // above 0: so it is
-    std::array<s<20>, 4> across{};
-    std::array<u<12>, 4> measured{};
-    std::array<Votes, 5> votes{};       // beyond moved_limit: all, left, right, upper, lower half
-    std::array<Votes, 4> half_votes{};  // beyond moved_half_limit: the halves
   };
   /// What a beat adds to them; one addition each, whatever the phase.
   struct Change {
@@ -526,10 +458,6 @@ class Agreement {
     s<21> too_many_bad;
     s<11> too_much_unproven;
     s<11> too_much_hidden;
-    std::array<s<8>, 4> across{};
-    std::array<u<1>, 4> measured{};
-    std::array<std::array<s<2>, 2>, 5> votes{};
-    std::array<std::array<s<2>, 2>, 4> half_votes{};
   };
   /// Of the region's part of this row of cells, with this beat.
   [[nodiscard]] Segment segment() const {
@@ -553,13 +481,8 @@ class Agreement {
     c.too_many_bad += by.too_many_bad;
     c.too_much_unproven += by.too_much_unproven;
     c.too_much_hidden += by.too_much_hidden;
-    for (std::size_t i = 0; i < 4; ++i) {
-      c.across[i] += by.across[i];
-      c.measured[i] += by.measured[i];
-    }
-    for (std::size_t i = 0; i < 5; ++i) c.votes[i].add(by.votes[i][0], by.votes[i][1]);
-    for (std::size_t i = 0; i < 4; ++i) c.half_votes[i].add(by.half_votes[i][0], by.half_votes[i][1]);
     counts_ = new_frame_ ? Counts{} : c;
+    registration_.end_beat(new_frame_);
   }
 
   struct Seen {
@@ -571,7 +494,7 @@ class Agreement {
     std::array<Seen, box - 1> above{};
   };
 
-  void conclude(const Config& config, bool next_region, s<28> slope) {
+  void conclude(const Config& config, bool next_region) {
     const bool inside = x_ <= run_.highest;
     Seen seen;
     if (inside) {
@@ -585,7 +508,9 @@ class Agreement {
       seen.nearer = seen.explained && ((config.nearer_below != 0 && best.shift.negative()) ||
                                        (config.nearer_above != 0 && best.shift > 0));
       count(seen, here.supervised && enough_rows, here.of_skin, config);
-      if (seen.explained && row_ >= first_row + across_reach) measure(best, slope, config);
+      if (seen.explained && row_ >= first_row + across_reach) {
+        registration_.measure(best.shift, best.across, shl<1>(x_) > last_ + lit<4>(), lower_half_, config);
+      }
     }
     count_region(inside, next_region);
     draw(seen, inside);
@@ -604,49 +529,6 @@ class Agreement {
     }
     if (supervised && of_skin)
       change_.too_much_hidden = s<11>(s<10>(seen.nearer ? 256 : 0) - s<9>(config.hidden_limit));
-  }
-
-  /// What is displaced across the rows beyond the slope of the epipolar line, by votes: more than half of them beyond a
-  /// limit is the median beyond it.
-  void measure(const BestLeft& best, s<28> slope_here, const Config& config) {
-    // Half-way to the place that was found: with lens distortion the lines are curved.
-    const auto change = s<8>(sat_signed<8>(s<17>(shr<11>(slope_change_))));
-    const auto half_way = shr<6>(product(change, best.shift));
-    const auto slope = s<8>(sat_signed<8>(s<13>(shr<16>(slope_here) + half_way)));
-    const auto expected = shr<3>(product(slope, best.shift));  // 1/32 cell
-    const auto residual = s<8>(sat_signed<8>(s<13>(best.across - expected)));
-    const bool right_half = shl<1>(x_) > last_ + lit<4>();
-    const std::size_t quarter = (lower_half_ ? 2U : 0U) + (right_half ? 1U : 0U);
-    for (std::size_t q = 0; q < 4; ++q) {
-      if (q == quarter) {
-        change_.across[q] = residual;
-        change_.measured[q] = 1;
-      }
-    }
-    const std::array<bool, 5> member{true, !right_half, right_half, !lower_half_, lower_half_};
-    for (std::size_t n = 0; n < 5; ++n) {
-      if (!member[n]) continue;
-      change_.votes[n] = votes(residual, s<7>(config.moved_limit));
-      if (n > 0) change_.half_votes[n - 1] = votes(residual, s<7>(config.moved_half_limit));
-    }
-  }
-  /// That a cell is displaced down by a limit or more, and up.
-  static std::array<s<2>, 2> votes(s<8> residual, s<7> limit) {
-    return {residual >= limit ? s<2>(1) : s<2>(-1), -residual >= limit ? s<2>(1) : s<2>(-1)};
-  }
-  /// By additions, one after the other: a clock each where the clock is fast.
-  static s<14> product(s<8> a, Shift b) {
-    const auto term = [&](int bit) { return b.bit(bit) ? a : s<8>(0); };
-    const auto low = term(0) + shl<1>(term(1));
-    const auto middle_bits = shl<2>(term(2)) + shl<3>(term(3));
-    const auto high = shl<4>(term(4)) - shl<5>(term(5));
-    return s<14>((low + middle_bits) + high);
-  }
-  template <int N, int M>
-  static constexpr s<N> sat_signed(s<M> value) {
-    if (value > s<N>::max()) return s<N>::max();
-    if (value < s<N>::min()) return s<N>::min();
-    return s<N>(value);
   }
 
   [[nodiscard]] u<3> region_column() const {
@@ -719,7 +601,7 @@ class Agreement {
 
   void finish(Out& out, const Config& config) {
     const u<6> k(x_);
-    const bool enough = shl<4>(counts_.textured) >= counts_.supervised && counts_.textured >= least_votes;
+    const bool enough = shl<4>(counts_.textured) >= counts_.supervised && counts_.textured >= least_textured;
     const bool disagree = counts_.too_little_explained > 0;
     if (k < regions) {
       RegionSums sums = regions_.read(k);
@@ -773,7 +655,7 @@ class Agreement {
     verdict.unproven_yet = config.prove != 0 && !proven_;
     verdict.untextured = config.prove != 0 && !enough;
     verdict.disagree = config.prove != 0 && enough && (disagree || c.too_many_bad > 0 || c.too_much_unproven > 0);
-    verdict.moved = config.prove != 0 && moved();
+    verdict.moved = config.prove != 0 && registration_.moved();
     // A camera's detail in proportion to its contrast is below 5/8 of the other's, or its contrast below a quarter. Or
     // the left one sees nothing where the right one does: of the right one agreement says it already.
     const auto detail_left = product_[0];
@@ -784,22 +666,10 @@ class Agreement {
     verdict.unsharp_right = config.prove != 0 && enough &&
                             (shl<3>(detail_right) < detail_left + shl<2>(detail_left) || shl<2>(of_right) < of_left);
     verdict.hidden = config.prove != 0 && config.hidden_frames != 0 && hidden_for_ >= config.hidden_frames;
-    verdict.across = c.across;
-    verdict.measured = c.measured;
+    verdict.across = registration_.across();
+    verdict.measured = registration_.measured();
     verdict.detail = sums.detail;
     verdict.contrast = sums.contrast;
-  }
-
-  [[nodiscard]] bool moved() const {
-    const auto& n = counts_.measured;
-    const auto upper = n[0] + n[1], lower = n[2] + n[3], left = n[0] + n[2], right = n[1] + n[3];
-    const std::array<bool, 4> enough{left >= least_half_votes, right >= least_half_votes, upper >= least_half_votes,
-                                     lower >= least_half_votes};
-    const auto& votes = counts_.votes;
-    bool any = upper + lower >= least_votes && votes[0].any();
-    for (std::size_t i = 0; i < 4; ++i) any = any || (enough[i] && counts_.half_votes[i].any());
-    return any || (enough[0] && enough[1] && votes[1].against(votes[2])) ||
-           (enough[2] && enough[3] && votes[3].against(votes[4]));
   }
 
   // The map -----------------------------------------------------------------------------------------------------------
@@ -899,9 +769,9 @@ class Agreement {
   RAM<BestRight, column_count, gap> best_right_;
   // The row and the frame.
   Counts counts_;
+  Registration registration_;
   Change change_;           // of this beat
   bool new_frame_ = false;  // begins with this beat
-  s<28> slope_row_{0}, slope_change_{0}, slope_{0};
   u<3> region_row_{0};
   u<region_columns> region_columns_{1};  // bit n: in region column n
   Division<region_columns> region_across_, columns_begin_;
@@ -916,7 +786,6 @@ class Agreement {
   struct Early {
     u<8> hidden_for;
     u<3> region_row;
-    s<28> slope_row, slope_change;
     Index lowest, highest, beats;
     Shift shift;
     bool last_shift = false;

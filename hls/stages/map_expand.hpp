@@ -4,7 +4,6 @@
 // In    a row is one `prime` beat, which brings column 0 of the grid, then one beat per pixel; a pixel with
 //       x mod 2^spacing = 0 has `load` set and brings column x / 2^spacing + 1. `column` holds the control points above
 //       and below the row (swapped: below and above), `row_fraction` the row's place between them in 1/64 of a cell.
-//       Control points: horopter/hls/table_format.hpp.
 // Out   none for prime beats; else the top left of the 2×2 source pixels in px, weights of the right and lower ones in
 //       1/2^W. `present` if all control points of non-zero weight have a source and the address is not negative,
 //       `mapped` if they also belong to the skin: others only show what is around it, for `agreement`.
@@ -24,16 +23,12 @@
 
 namespace horopter::stages {
 
+/// As horopter/hls/table_format.hpp has it; in the hardware by horopter_control_point.sv.
 struct ControlPoint {
   u<16> x;  // (px + 64) · 32
-  u<16> y;  // the same of the skin's; of those around it half of that, from 0xA000 on
-
-  [[nodiscard]] bool has_source() const { return !(x == 0xFFFF && y == 0xFFFF); }
-  [[nodiscard]] bool of_skin() const { return !(y.bit(15) && (y.bit(14) || y.bit(13))); }
-  /// (px + 64) · 32
-  [[nodiscard]] u<16> row() const {
-    return of_skin() ? y : u<16>(cat(u<2>(y.bits<14, 13>() - lit<1>()), y.bits<12, 0>(), u<1>(0)));
-  }
+  u<16> y;
+  bool exists = false;   // there is a source
+  bool of_skin = false;  // and it is one of the skin, not around it
 };
 
 struct ControlPair {
@@ -187,11 +182,11 @@ class MapExpander {
     Node result;
     constexpr auto interpolate = COMPACT ? compact_between : between;
     result.x = interpolate(column.top.x, column.bottom.x, fraction, column.swapped);
-    result.y = interpolate(column.top.row(), column.bottom.row(), fraction, column.swapped);
+    result.y = interpolate(column.top.y, column.bottom.y, fraction, column.swapped);
     const bool without_top = fraction == 0 && column.swapped;
     const bool without_bottom = fraction == 0 && !column.swapped;
-    result.valid = (column.top.has_source() || without_top) && (column.bottom.has_source() || without_bottom);
-    result.of_skin = (column.top.of_skin() || without_top) && (column.bottom.of_skin() || without_bottom);
+    result.valid = (column.top.exists || without_top) && (column.bottom.exists || without_bottom);
+    result.of_skin = (column.top.of_skin || without_top) && (column.bottom.of_skin || without_bottom);
     return result;
   }
 

@@ -23,7 +23,8 @@ class TableView {
 
   [[nodiscard]] stages::ControlPoint control(int column, int row) const {
     const std::uint32_t word = words_[header_.first_control + header_.geometry.control_index(column, row)];
-    return {hls::u<16>(word), hls::u<16>(word >> 16)};
+    using namespace hls::table;
+    return {hls::u<16>(word), hls::u<16>(control_y(word)), word != unmapped, is_of_skin(word)};
   }
 
  private:

@@ -722,6 +722,22 @@ module horopter_top #(
   );
 
   // ------------------------------------------------------------------------------------------------ right image, transformed
+  logic [15:0] even_x, even_y, odd_x, odd_y;
+  logic even_exists, even_of_skin, odd_exists, odd_of_skin;
+  horopter_control_point u_even_point (
+      .word_i(beat_even),
+      .x_o(even_x),
+      .y_o(even_y),
+      .exists_o(even_exists),
+      .of_skin_o(even_of_skin)
+  );
+  horopter_control_point u_odd_point (
+      .word_i(beat_odd),
+      .x_o(odd_x),
+      .y_o(odd_y),
+      .exists_o(odd_exists),
+      .of_skin_o(odd_of_skin)
+  );
   logic place_valid, place_present, place_mapped, place_first, place_last, place_live;
   logic [10:0] place_x, place_y;
   logic [WEIGHT_BITS-1:0] place_wx, place_wy;
@@ -732,10 +748,14 @@ module horopter_top #(
       .valid_i(beat_valid),
       .prime_i(beat_prime),
       .load_i(beat_load),
-      .column_top_x_i(beat_even[15:0]),
-      .column_top_y_i(beat_even[31:16]),
-      .column_bottom_x_i(beat_odd[15:0]),
-      .column_bottom_y_i(beat_odd[31:16]),
+      .column_top_x_i(even_x),
+      .column_top_y_i(even_y),
+      .column_top_exists_i(even_exists),
+      .column_top_of_skin_i(even_of_skin),
+      .column_bottom_x_i(odd_x),
+      .column_bottom_y_i(odd_y),
+      .column_bottom_exists_i(odd_exists),
+      .column_bottom_of_skin_i(odd_of_skin),
       .column_swapped_i(beat_swapped),
       .row_fraction_i(beat_fraction),
       .marks_first_i(beat_first),

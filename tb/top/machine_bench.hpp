@@ -50,6 +50,20 @@ inline std::vector<std::uint32_t> plane_table(unsigned width, unsigned height, d
   });
 }
 
+/// The same, but the left and the lower part of the grid only show what is around the skin.
+inline std::vector<std::uint32_t> with_surroundings(std::vector<std::uint32_t> words) {
+  const hls::table::Header header = hls::table::read(words);
+  for (int row = 0; row < 2 * header.geometry.row_pairs(); ++row) {
+    for (int column = 0; column < header.geometry.columns(); ++column) {
+      if (4 * column > header.geometry.columns() && 3 * row < 4 * header.geometry.row_pairs()) continue;
+      std::uint32_t& word = words[header.first_control + header.geometry.control_index(column, row)];
+      word = hls::table::around_skin_instead(word);
+    }
+  }
+  words.back() = crc32_words(std::span(words).first(words.size() - 1));
+  return words;
+}
+
 struct FramePair {
   Image left, right;
 };

@@ -40,7 +40,7 @@ void random_frames(std::string_view profile, unsigned width, unsigned height, un
     Machine<Model> machine{profile, options};
     CHECK(machine.model().safe_o == 0);
     const int dx = -static_cast<int>(rng.below(20));
-    const auto table = plane_table(width, height, dx);
+    const auto table = with_surroundings(plane_table(width, height, dx));
     machine.upload(3, 0, table);
     machine.select(3);
     for (unsigned frame = 0; frame < frames / 4; ++frame) {

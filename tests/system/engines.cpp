@@ -15,6 +15,7 @@
 #include "horopter/machine/registers.hpp"
 #include "horopter/machine/rtl_device.hpp"
 #include "horopter/map/map_compiler.hpp"
+#include "horopter/map/table_facts.hpp"
 
 namespace horopter {
 namespace {
@@ -46,9 +47,14 @@ Image right_of(const Image& left, unsigned seed) {
 
 /// With every fact that a table can have.
 std::vector<std::uint32_t> table(const MachineProfile& profile, const Matrix3& skin, int width = kWidth,
-                                 int height = kHeight) {
+                                 int height = kHeight, bool small = false) {
   MapTable table = compile_map(HomographySkin(skin), profile, {width, height, Scan::progressive}).table;
-  hls::table::Facts facts = table.facts();
+  for (int column = 0; small && column < table.columns() / 2; ++column) {  // the left part is around the skin
+    for (int row = 0; row < table.rows(); ++row) {
+      table.set_control(column, row, hls::table::around_skin_instead(table.control(column, row)));
+    }
+  }
+  hls::table::Facts facts = facts_of(table, profile);
   facts.shifts = {-40, 6};
   const int blocks = ((width + 31) / 32) * ((height + 31) / 32);
   for (int block = 0; block < blocks; ++block) facts.areas.push_back(static_cast<std::uint8_t>(100 + block));
@@ -298,7 +304,8 @@ TEST_CASE("What both cameras show of one world is alike: cells, regions, verdict
   pair.write(reg::agreement::kAddress, reg::agreement::kReset | reg::agreement::kNearerAbove.put(1));
   pair.start(width, height);
   pair.write(reg::hidden::kAddress, reg::hidden::kFrames.put(2));
-  CHECK(pair.upload(0, 0, table(profile, Matrix3{1, 0, 0, 0, 1, 0, 0, 0, 1}, width, height)) == 0);
+  const bool small = GENERATE(false, true);
+  CHECK(pair.upload(0, 0, table(profile, Matrix3{1, 0, 0, 0, 1, 0, 0, 0, 1}, width, height, small)) == 0);
   pair.write(reg::table_select::kAddress, 0);
   // Places as wide as a cell; the right camera sees them shifted, further to one side, or nothing of them.
   std::mt19937 random(3);

@@ -49,21 +49,19 @@ void check_map_expand(std::mt19937& random, int spacing_x_log2, int spacing_y_lo
   const auto control = [&](int column, int row) {
     auto& point = points[{column, row}];
     if (point.x == 0 && point.y == 0) {
-      point = {u<16>(random() | 1U), u<16>(random() | 1U)};
-      if (one_in(random, 3)) point.y = u<16>(random() % 0xA000U);  // of the skin
-      if (one_in(random, 6)) point = {u<16>(0xFFFF), u<16>(0xFFFF)};
+      point = {u<16>(random() | 1U), u<16>(random() | 1U), !one_in(random, 6), one_in(random, 2)};
+      point.of_skin = point.of_skin && point.exists;
       if (one_in(random, 4)) point.x = u<16>(64 * 32 - 20 + random() % 40);  // around 0 px
     }
     return point;
   };
   const auto grid = [&](int column, int row) -> std::optional<reference::Point> {
     const ControlPoint p = control(column, row);
-    if (!p.has_source()) return std::nullopt;
-    const unsigned y = p.y.value();
-    return reference::Point{p.x.value() / 32.0 - 64, (y < 0xA000U ? y / 32.0 : (y - 0xA000U) / 16.0) - 64};
+    if (!p.exists) return std::nullopt;
+    return reference::Point{p.x.value() / 32.0 - 64, p.y.value() / 32.0 - 64};
   };
   const auto of_skin = [&](int column, int row) {
-    return control(column, row).y.value() < 0xA000U ? grid(column, row) : std::nullopt;
+    return control(column, row).of_skin ? grid(column, row) : std::nullopt;
   };
 
   MapExpander<W, COMPACT> stage;

@@ -507,7 +507,7 @@ void show_around(const LatticeShape& shape, const std::vector<Point>& sources, M
       const auto at =
           static_cast<std::size_t>(row) * static_cast<std::size_t>(shape.columns) + static_cast<std::size_t>(column);
       const Point source = table.geometry().from_frame(sources[at]);
-      table.set_control(column, row, hls::table::encode_around_skin(source.x, source.y));
+      table.set_control(column, row, hls::table::around_skin_instead(MapTable::encode(source)));
     }
   }
 }

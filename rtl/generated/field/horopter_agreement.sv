@@ -93,8 +93,8 @@ module horopter_agreement (
   assign sum_1626 = {1'b0, cfg_width_i[8:4]} + 6'h7;
   logic [5:0] sum_1653;
   assign sum_1653 = {1'b0, cfg_height_i[8:4]} + 6'h5;
-  logic [6:0] difference_2098;
-  assign difference_2098 = 7'h0 - {1'b0, cfg_height_i[8:3]};
+  logic [6:0] difference_2100;
+  assign difference_2100 = 7'h0 - {1'b0, cfg_height_i[8:3]};
   logic less_2302;
   assign less_2302 = 6'h8 < cfg_height_i[8:3];
   logic [4:0] sum_2303;
@@ -156,19 +156,19 @@ module horopter_agreement (
   // hls/stages/census.hpp:95
   logic [7:0] select_308;
   assign select_308 = select_302[0] ? averager_place_q : select_307;
-  // hls/stages/agreement.hpp:121
+  // hls/stages/agreement.hpp:123
   logic and_310;
   assign and_310 = right_q & (~marks_first_i);
   // hls/stages/census.hpp:40
   logic or_311;
   assign or_311 = left_first_q | raster_at_live_q;
-  // hls/stages/agreement.hpp:175
+  // hls/stages/agreement.hpp:174
   logic and_317;
   assign and_317 = (~((~or_311) | (~select_302[0]))) & (select_308 < 8'hbd);
   // hls/stages/census.hpp:40
   logic [2:0] select_324;
   assign select_324 = left_first_q ? 3'h0 : raster_at_y_q;
-  // hls/stages/agreement.hpp:175
+  // hls/stages/agreement.hpp:174
   logic whole;
   assign whole = select_302[0] ? (present_i & averager_running_mask_q) : present_i;
   // hls/stages/census.hpp:45
@@ -183,22 +183,22 @@ module horopter_agreement (
   // hls/stages/census.hpp:106
   logic and_343;
   assign and_343 = equal_340 & and_342;
-  // hls/stages/agreement.hpp:337
+  // hls/stages/agreement.hpp:334
   logic equal_361;
   assign equal_361 = run_phase_q == 3'h3;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:321
   logic not_362;
   assign not_362 = ~equal_361;
-  // hls/stages/agreement.hpp:337
+  // hls/stages/agreement.hpp:334
   logic equal_363;
   assign equal_363 = run_phase_q == 3'h2;
-  // hls/stages/agreement.hpp:395
+  // hls/stages/agreement.hpp:392
   logic less_364;
   assign less_364 = run_highest_q < x_q;
-  // hls/stages/agreement.hpp:399
+  // hls/stages/agreement.hpp:396
   logic not_365;
   assign not_365 = ~less_364;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_366;
   assign and_366 = equal_363 & not_365;
   logic and_367;
@@ -206,61 +206,61 @@ module horopter_agreement (
   // hls/stages/census.hpp:40
   logic [5:0] row;
   assign row = left_first_q ? 6'h0 : raster_at_row_q;
-  // hls/stages/agreement.hpp:758
+  // hls/stages/agreement.hpp:640
   logic drew;
   assign drew = run_phase_q == 3'h4;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_451;
   assign and_451 = drew & not_365;
-  // hls/stages/agreement.hpp:414
+  // hls/stages/agreement.hpp:411
   logic [7:0] x;
   assign x = x_q + 8'hfd;
-  // hls/stages/agreement.hpp:828
+  // hls/stages/agreement.hpp:698
   logic or_952;
   assign or_952 = left_first_q | raster_row_ended_q;
-  // hls/stages/agreement.hpp:829
+  // hls/stages/agreement.hpp:699
   logic [8:0] select_953;
   assign select_953 = or_952 ? 9'h0 : columns_passed_q;
-  // hls/stages/agreement.hpp:830
+  // hls/stages/agreement.hpp:700
   logic [9:0] select_955;
   assign select_955 = left_first_q ? 10'h1 : (or_952 ? {rows_passed_q[8:0], 1'b1} : rows_passed_q);
-  // hls/stages/agreement.hpp:706
+  // hls/stages/agreement.hpp:588
   logic [6:0] sum_1048;
   assign sum_1048 = {1'b0, run_highest_q[7:2]} + 7'h1;
   // hls/stages/census.hpp:46
   logic [2:0] sum_1060;
   assign sum_1060 = select_302 + 3'h1;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [2:0] select_1063;
   assign select_1063 = and_310 ? (left_first_q ? sum_1060 : (and_310 ? sum_1060 : raster_at_x_q)) : raster_at_x_q;
   // hls/stages/census.hpp:52
   logic [2:0] select_1065;
   assign select_1065 = marks_last_i ? (select_324 + 3'h1) : select_324;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [2:0] select_1067;
   assign select_1067 = left_first_q ? select_1065 : (and_310 ? select_1065 : raster_at_y_q);
   // hls/stages/census.hpp:45
   logic [5:0] sum_1069;
   assign sum_1069 = select_304 + {5'h0, equal_340};
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [5:0] select_1071;
   assign select_1071 = left_first_q ? sum_1069 : (and_310 ? sum_1069 : raster_at_column_q);
   // hls/stages/census.hpp:52
   logic [5:0] select_1074;
   assign select_1074 = marks_last_i ? (row + {5'h0, equal_341}) : row;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [5:0] select_1076;
   assign select_1076 = left_first_q ? select_1074 : (and_310 ? select_1074 : raster_at_row_q);
   // hls/stages/census.hpp:52
   logic select_1080;
   assign select_1080 = marks_last_i ? (or_311 & (~raster_final_row_q)) : or_311;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1082;
   assign select_1082 = left_first_q ? select_1080 : (and_310 ? select_1080 : raster_at_live_q);
   // hls/stages/census.hpp:44
   logic [8:0] select_1085;
   assign select_1085 = left_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, marks_last_i});
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1087;
   assign select_1087 = left_first_q ? cfg_height_i : (and_310 ? select_1085 : raster_rows_left_q);
   logic select_1090;
@@ -268,80 +268,80 @@ module horopter_agreement (
   // hls/stages/census.hpp:43
   logic equal_1092;
   assign equal_1092 = raster_rows_left_q == 9'h1;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1094;
   assign select_1094 = left_first_q ? equal_1092 : (and_310 ? equal_1092 : raster_final_row_q);
   logic [7:0] select_1147;
   assign select_1147 = left_first_q ? select_308 : (and_310 ? select_308 : averager_place_q);
   logic select_1150;
   assign select_1150 = left_first_q ? whole : (and_310 ? whole : averager_running_mask_q);
-  // hls/stages/agreement.hpp:246
+  // hls/stages/agreement.hpp:245
   logic equal_1518;
   assign equal_1518 = {last[7:6], select_304} == {2'h0, last[5:0]};
-  // hls/stages/agreement.hpp:173
+  // hls/stages/agreement.hpp:172
   logic [2:0] select_1519;
   assign select_1519 = ends_q ? following_phase_q : run_phase_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [2:0] select_1521;
   assign select_1521 = and_343 ? (equal_1518 ? 3'h1 : select_1519) : select_1519;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [2:0] select_1523;
   assign select_1523 = left_first_q ? select_1521 : (and_310 ? select_1521 : select_1519);
-  // hls/stages/agreement.hpp:173
+  // hls/stages/agreement.hpp:172
   logic [7:0] select_1525;
   assign select_1525 = ends_q ? following_lowest_q : run_lowest_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [7:0] select_1527;
   assign select_1527 = and_343 ? (equal_1518 ? 8'h0 : select_1525) : select_1525;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [7:0] select_1529;
   assign select_1529 = left_first_q ? select_1527 : (and_310 ? select_1527 : select_1525);
-  // hls/stages/agreement.hpp:173
+  // hls/stages/agreement.hpp:172
   logic [7:0] select_1531;
   assign select_1531 = ends_q ? following_highest_q : run_highest_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [7:0] select_1533;
   assign select_1533 = and_343 ? (equal_1518 ? 8'h0 : select_1531) : select_1531;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [7:0] select_1535;
   assign select_1535 = left_first_q ? select_1533 : (and_310 ? select_1533 : select_1531);
-  // hls/stages/agreement.hpp:173
+  // hls/stages/agreement.hpp:172
   logic [7:0] select_1537;
   assign select_1537 = ends_q ? following_beats_q : run_beats_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [7:0] select_1539;
   assign select_1539 = and_343 ? (equal_1518 ? 8'hc : select_1537) : select_1537;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [7:0] select_1541;
   assign select_1541 = left_first_q ? select_1539 : (and_310 ? select_1539 : select_1537);
-  // hls/stages/agreement.hpp:173
+  // hls/stages/agreement.hpp:172
   logic [5:0] select_1543;
   assign select_1543 = ends_q ? following_shift_q : run_shift_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [5:0] select_1545;
   assign select_1545 = and_343 ? (equal_1518 ? 6'h0 : select_1543) : select_1543;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [5:0] select_1547;
   assign select_1547 = left_first_q ? select_1545 : (and_310 ? select_1545 : select_1543);
-  // hls/stages/agreement.hpp:173
+  // hls/stages/agreement.hpp:172
   logic select_1549;
   assign select_1549 = ends_q ? following_last_shift_q : run_last_shift_q;
-  // hls/stages/agreement.hpp:247
+  // hls/stages/agreement.hpp:246
   logic not_1550;
   assign not_1550 = ~equal_1518;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1552;
   assign select_1552 = and_343 ? (select_1549 & not_1550) : select_1549;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1554;
   assign select_1554 = left_first_q ? select_1552 : (and_310 ? select_1552 : select_1549);
-  // hls/stages/agreement.hpp:329
+  // hls/stages/agreement.hpp:326
   logic not_1556;
   assign not_1556 = ~run_last_shift_q;
-  // hls/stages/agreement.hpp:337
+  // hls/stages/agreement.hpp:334
   logic equal_1557;
   assign equal_1557 = run_phase_q == 3'h1;
-  // hls/stages/agreement.hpp:154
+  // hls/stages/agreement.hpp:153
   logic or_1558;
   assign or_1558 = equal_1557 | equal_363;
   logic [2:0] select_1559;
@@ -360,106 +360,106 @@ module horopter_agreement (
   assign select_1575 = equal_361 ? (run_last_shift_q ? {1'b0, whole_beats_q} : next_beats_q) : (equal_363 ? first_beats_q : {1'b0, select_1573});
   logic [5:0] select_1580;
   assign select_1580 = equal_361 ? (run_last_shift_q ? 6'h0 : next_shift_q) : (equal_363 ? (6'h0 - least_q) : 6'h0);
-  // hls/stages/agreement.hpp:134
+  // hls/stages/agreement.hpp:136
   logic not_1582;
   assign not_1582 = ~drew;
-  // hls/stages/agreement.hpp:154
+  // hls/stages/agreement.hpp:153
   logic select_1586;
   assign select_1586 = equal_361 ? (next_last_shift_q & not_1556) : (equal_363 & (least_q == 6'h0));
-  // hls/stages/agreement.hpp:173
+  // hls/stages/agreement.hpp:172
   logic [7:0] select_1589;
   assign select_1589 = ends_q ? following_lowest_q : (x_q + 8'h1);
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [7:0] select_1591;
   assign select_1591 = and_343 ? (equal_1518 ? 8'h0 : select_1589) : select_1589;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [7:0] select_1593;
   assign select_1593 = left_first_q ? select_1591 : (and_310 ? select_1591 : select_1589);
-  // hls/stages/agreement.hpp:173
+  // hls/stages/agreement.hpp:172
   logic [7:0] select_1596;
   assign select_1596 = ends_q ? following_beats_q : (beats_left_q + 8'hff);
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [7:0] select_1598;
   assign select_1598 = and_343 ? (equal_1518 ? 8'hc : select_1596) : select_1596;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [7:0] select_1600;
   assign select_1600 = left_first_q ? select_1598 : (and_310 ? select_1598 : select_1596);
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [5:0] select_1603;
   assign select_1603 = and_343 ? (equal_1518 ? select_304 : last_q) : last_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [5:0] select_1606;
   assign select_1606 = and_310 ? (left_first_q ? select_1603 : (and_310 ? select_1603 : last_q)) : last_q;
-  // hls/stages/agreement.hpp:253
+  // hls/stages/agreement.hpp:252
   logic less_1612;
   assign less_1612 = 5'he < select_304[5:1];
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [5:0] select_1615;
   assign select_1615 = and_343 ? (equal_1518 ? (less_1612 ? 6'h1e : select_304) : least_q) : least_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [5:0] select_1618;
   assign select_1618 = and_310 ? (left_first_q ? select_1615 : (and_310 ? select_1615 : least_q)) : least_q;
-  // hls/stages/agreement.hpp:247
+  // hls/stages/agreement.hpp:246
   logic [7:0] select_1621;
   assign select_1621 = equal_1518 ? (less_1612 ? {sum_1619, cfg_width_i[6:3]} : 8'hf) : first_beats_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [7:0] select_1622;
   assign select_1622 = and_343 ? select_1621 : first_beats_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [7:0] select_1624;
   assign select_1624 = left_first_q ? select_1622 : (and_310 ? select_1622 : first_beats_q);
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [6:0] select_1628;
   assign select_1628 = and_343 ? (equal_1518 ? {sum_1626, cfg_width_i[3]} : whole_beats_q) : whole_beats_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [6:0] select_1630;
   assign select_1630 = left_first_q ? select_1628 : (and_310 ? select_1628 : whole_beats_q);
-  // hls/stages/agreement.hpp:305
+  // hls/stages/agreement.hpp:302
   logic not_1632;
   assign not_1632 = ~ends_q;
-  // hls/stages/agreement.hpp:173
+  // hls/stages/agreement.hpp:172
   logic [5:0] select_1633;
   assign select_1633 = ends_q ? 6'h0 : age_q[5:0];
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [6:0] select_1635;
   assign select_1635 = and_343 ? (equal_1518 ? 7'h0 : {select_1633, not_1632}) : {select_1633, not_1632};
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [6:0] select_1637;
   assign select_1637 = left_first_q ? select_1635 : (and_310 ? select_1635 : {select_1633, not_1632});
-  // hls/stages/agreement.hpp:173
+  // hls/stages/agreement.hpp:172
   logic and_1640;
   assign and_1640 = not_1632 & (beats_left_q == 8'h1);
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1642;
   assign select_1642 = and_343 ? (and_1640 & not_1550) : and_1640;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1645;
   assign select_1645 = and_310 ? (left_first_q ? select_1642 : (and_310 ? select_1642 : and_1640)) : and_1640;
-  // hls/stages/agreement.hpp:265
+  // hls/stages/agreement.hpp:262
   logic [6:0] sum_1646;
   assign sum_1646 = {1'b0, row} + 7'h1;
-  // hls/stages/agreement.hpp:247
+  // hls/stages/agreement.hpp:246
   logic select_1648;
   assign select_1648 = equal_1518 ? ({sum_1646[6], cfg_height_i[8:3]} == {1'b0, sum_1646[5:0]}) : final_row_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1649;
   assign select_1649 = and_343 ? select_1648 : final_row_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1651;
   assign select_1651 = left_first_q ? select_1649 : (and_310 ? select_1649 : final_row_q);
-  // hls/stages/agreement.hpp:618
+  // hls/stages/agreement.hpp:512
   logic [4:0] sum_1791;
   assign sum_1791 = {1'b0, last_q[5:2]} + 5'h1;
-  // hls/stages/agreement.hpp:147
+  // hls/stages/agreement.hpp:146
   logic not_2171;
   assign not_2171 = ~run_shift_q[5];
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [9:0] select_2282;
   assign select_2282 = and_310 ? (left_first_q ? 10'h1 : (and_310 ? select_955 : rows_passed_q)) : rows_passed_q;
   logic [8:0] select_2284;
   assign select_2284 = left_first_q ? {select_953[7:0], or_952} : (and_310 ? {select_953[7:0], or_952} : columns_passed_q);
 
-  // Memory fresh, 47 x 29, DISTANCE 12, hls/stages/agreement.hpp:895; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
+  // Memory fresh, 47 x 29, DISTANCE 12, hls/stages/agreement.hpp:765; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [28:0] fresh_mem [0:46];
@@ -475,7 +475,7 @@ module horopter_agreement (
     if (fresh_re) fresh_rdata_q <= fresh_mem[fresh_raddr];
   end
 
-  // Memory left, 47 x 77, DISTANCE 12, hls/stages/agreement.hpp:896; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory left, 47 x 77, DISTANCE 12, hls/stages/agreement.hpp:766; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [76:0] left_mem [0:46];
@@ -491,7 +491,7 @@ module horopter_agreement (
     if (left_re) left_rdata_q <= left_mem[left_raddr];
   end
 
-  // Memory right_codes, 47 x 91, DISTANCE 12, hls/stages/agreement.hpp:897; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory right_codes, 47 x 91, DISTANCE 12, hls/stages/agreement.hpp:767; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [90:0] right_codes_mem [0:46];
@@ -683,7 +683,7 @@ module horopter_agreement (
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   logic [5:0] row_q;
   logic lower_half_q;
-  // hls/stages/agreement.hpp:370
+  // hls/stages/agreement.hpp:367
   logic equal_455;
   assign equal_455 = row_q == 6'h0;
   logic [11:0] select_456;
@@ -734,7 +734,7 @@ module horopter_agreement (
   assign not_478 = ~equal_476;
   logic and_479;
   assign and_479 = left_rdata_q[60] & not_478;
-  // hls/stages/agreement.hpp:371
+  // hls/stages/agreement.hpp:368
   logic [11:0] select_484;
   assign select_484 = equal_455 ? 12'h0 : right_codes_rdata_q[11:0];
   logic and_485;
@@ -763,22 +763,22 @@ module horopter_agreement (
   assign select_497 = less_496 ? 12'h0 : right_codes_rdata_q[76:65];
   logic and_499;
   assign and_499 = right_codes_rdata_q[77] & (~less_496);
-  // hls/stages/agreement.hpp:322
+  // hls/stages/agreement.hpp:319
   logic not_506;
   assign not_506 = ~equal_363_s1_q;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_507;
   assign and_507 = not_506 & and_451_s1_q;
   logic select_508;
   assign select_508 = equal_361_s1_q ? and_505_s1_q : and_507;
-  // hls/stages/agreement.hpp:163
+  // hls/stages/agreement.hpp:162
   logic and_517;
   assign and_517 = left_rdata_q[44] & not_365_s1_q;
   logic [11:0] a;
   assign a = less_364_s1_q ? 12'h0 : left_rdata_q[43:32];
   logic [11:0] b;
   assign b = less_364_s1_q ? 12'h0 : right_codes_rdata_q[37:26];
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [11:0] not_523;
   assign not_523 = ~(a ^ b);
   logic [1:0] sum_525;
@@ -789,12 +789,12 @@ module horopter_agreement (
   assign sum_529 = {2'h0, not_523[6]} + sum_528;
   logic [3:0] sum_532;
   assign sum_532 = {3'h0, not_523[9]} + ({3'h0, not_523[8]} + ({3'h0, not_523[7]} + {1'b0, sum_529}));
-  // hls/stages/agreement.hpp:163
+  // hls/stages/agreement.hpp:162
   logic [11:0] a_2;
   assign a_2 = less_364_s1_q ? 12'h0 : left_rdata_q[59:48];
   logic [11:0] b_2;
   assign b_2 = less_364_s1_q ? 12'h0 : right_codes_rdata_q[50:39];
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [11:0] not_542;
   assign not_542 = ~(a_2 ^ b_2);
   logic [1:0] sum_544;
@@ -805,14 +805,14 @@ module horopter_agreement (
   assign sum_548 = {2'h0, not_542[6]} + sum_547;
   logic [3:0] sum_551;
   assign sum_551 = {3'h0, not_542[9]} + ({3'h0, not_542[8]} + ({3'h0, not_542[7]} + {1'b0, sum_548}));
-  // hls/stages/agreement.hpp:163
+  // hls/stages/agreement.hpp:162
   logic and_556;
   assign and_556 = left_rdata_q[76] & not_365_s1_q;
   logic [11:0] a_3;
   assign a_3 = less_364_s1_q ? 12'h0 : left_rdata_q[75:64];
   logic [11:0] b_3;
   assign b_3 = less_364_s1_q ? 12'h0 : right_codes_rdata_q[63:52];
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [11:0] not_562;
   assign not_562 = ~(a_3 ^ b_3);
   logic [1:0] sum_564;
@@ -843,10 +843,10 @@ module horopter_agreement (
   assign sum_604 = {2'h0, not_598[6]} + sum_603;
   logic [3:0] sum_607;
   assign sum_607 = {3'h0, not_598[9]} + ({3'h0, not_598[8]} + ({3'h0, not_598[7]} + {1'b0, sum_604}));
-  // hls/stages/agreement.hpp:163
+  // hls/stages/agreement.hpp:162
   logic [11:0] b_4;
   assign b_4 = less_364_s1_q ? 12'h0 : right_codes_rdata_q[76:65];
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [11:0] not_616;
   assign not_616 = ~(a_3 ^ b_4);
   logic [1:0] sum_618;
@@ -857,10 +857,10 @@ module horopter_agreement (
   assign sum_622 = {2'h0, not_616[6]} + sum_621;
   logic [3:0] sum_625;
   assign sum_625 = {3'h0, not_616[9]} + ({3'h0, not_616[8]} + ({3'h0, not_616[7]} + {1'b0, sum_622}));
-  // hls/stages/agreement.hpp:163
+  // hls/stages/agreement.hpp:162
   logic [11:0] b_5;
   assign b_5 = less_364_s1_q ? 12'h0 : right_codes_rdata_q[24:13];
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [11:0] not_640;
   assign not_640 = ~(a ^ b_5);
   logic [1:0] sum_642;
@@ -911,10 +911,10 @@ module horopter_agreement (
   assign sum_716 = {2'h0, not_710[6]} + sum_715;
   logic [3:0] sum_719;
   assign sum_719 = {3'h0, not_710[9]} + ({3'h0, not_710[8]} + ({3'h0, not_710[7]} + {1'b0, sum_716}));
-  // hls/stages/agreement.hpp:163
+  // hls/stages/agreement.hpp:162
   logic [11:0] b_6;
   assign b_6 = less_364_s1_q ? 12'h0 : right_codes_rdata_q[89:78];
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [11:0] not_728;
   assign not_728 = ~(a_3 ^ b_6);
   logic [1:0] sum_730;
@@ -925,10 +925,10 @@ module horopter_agreement (
   assign sum_734 = {2'h0, not_728[6]} + sum_733;
   logic [3:0] sum_737;
   assign sum_737 = {3'h0, not_728[9]} + ({3'h0, not_728[8]} + ({3'h0, not_728[7]} + {1'b0, sum_734}));
-  // hls/stages/agreement.hpp:163
+  // hls/stages/agreement.hpp:162
   logic [11:0] b_7;
   assign b_7 = less_364_s1_q ? 12'h0 : right_codes_rdata_q[11:0];
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [11:0] not_757;
   assign not_757 = ~(a ^ b_7);
   logic [1:0] sum_759;
@@ -959,29 +959,29 @@ module horopter_agreement (
   assign sum_794 = {2'h0, not_788[6]} + sum_793;
   logic [3:0] sum_797;
   assign sum_797 = {3'h0, not_788[9]} + ({3'h0, not_788[8]} + ({3'h0, not_788[7]} + {1'b0, sum_794}));
-  // hls/stages/agreement.hpp:581
+  // hls/stages/agreement.hpp:504
   logic not_914;
   assign not_914 = ~(row_q[5:3] == 3'h0);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_1052;
   assign and_1052 = drew_s1_q & (((6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0))) & not_1050_s1_q);
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [5:0] select_1608;
   assign select_1608 = and_343_s1_q ? (equal_1518_s1_q ? row_s1_q : row_q) : row_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [5:0] select_1610;
   assign select_1610 = left_first_s1_q ? select_1608 : (and_310_s1_q ? select_1608 : row_q);
-  // hls/stages/agreement.hpp:247
+  // hls/stages/agreement.hpp:246
   logic select_1656;
   assign select_1656 = equal_1518_s1_q ? (~({row_s1_q, 1'b0} < {sum_1653, cfg_height_i[3]})) : lower_half_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1657;
   assign select_1657 = and_343_s1_q ? select_1656 : lower_half_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1659;
   assign select_1659 = left_first_s1_q ? select_1657 : (and_310_s1_q ? select_1657 : lower_half_q);
 
-  // Memory best_left, 47 x 22, DISTANCE 12, hls/stages/agreement.hpp:898; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
+  // Memory best_left, 47 x 22, DISTANCE 12, hls/stages/agreement.hpp:768; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [21:0] best_left_mem [0:46];
@@ -1136,7 +1136,7 @@ module horopter_agreement (
   logic less_1789_s2_q;
   logic less_1792_s2_q;
   logic equal_2054_s2_q;
-  logic less_2069_s2_q;
+  logic less_2071_s2_q;
   logic equal_2246_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
@@ -1229,7 +1229,7 @@ module horopter_agreement (
       less_1789_s2_q <= 5'h4 < row_q[5:1];
       less_1792_s2_q <= less_1792_s1_q;
       equal_2054_s2_q <= row_s1_q[5:2] == 4'h0;
-      less_2069_s2_q <= 5'h2 < row_s1_q[5:1];
+      less_2071_s2_q <= 5'h2 < row_s1_q[5:1];
       equal_2246_s2_q <= row_s1_q[5:3] == 3'h0;
     end
   end
@@ -1275,135 +1275,135 @@ module horopter_agreement (
   logic [7:0] sums_4_columns_values_5_q;
   logic [7:0] sums_4_columns_values_6_q;
   logic [7:0] sums_4_sum_sums_values_0_q;
-  logic [23:0] slope_row_q;
-  logic [27:0] slope_change_q;
-  logic [27:0] slope_q;
-  logic [23:0] next_slope_row_q;
-  logic [27:0] next_slope_change_q;
+  logic [23:0] registration_slope_row_q;
+  logic [27:0] registration_slope_change_q;
+  logic [27:0] registration_slope_q;
+  logic [23:0] registration_next_slope_row_q;
+  logic [27:0] registration_next_slope_change_q;
   // hls/stages/census.hpp:98
   logic and_318;
   assign and_318 = and_310_s2_q & and_317_s2_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_320;
   assign select_320 = and_310_s2_q ? (left_first_s2_q ? and_317_s2_q : and_318) : and_318;
-  // hls/stages/agreement.hpp:241
+  // hls/stages/agreement.hpp:240
   logic and_344;
   assign and_344 = and_310_s2_q & and_343_s2_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_346;
   assign select_346 = and_310_s2_q ? (left_first_s2_q ? and_343_s2_q : and_344) : and_344;
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [3:0] column;
   assign column = (and_517_s2_q & and_518_s2_q) ? ({3'h0, not_523_s2_q} + sum_533_s2_q) : 4'h0;
   logic [3:0] select_554;
   assign select_554 = (and_536_s2_q & and_537_s2_q) ? ({3'h0, not_542_s2_q} + sum_552_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:408
+  // hls/stages/agreement.hpp:405
   logic [4:0] column_2;
   assign column_2 = {1'b0, column} + {1'b0, select_554};
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [3:0] select_574;
   assign select_574 = (and_556_s2_q & and_557_s2_q) ? ({3'h0, not_562_s2_q} + sum_572_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:408
+  // hls/stages/agreement.hpp:405
   logic [5:0] column_3;
   assign column_3 = {1'b0, column_2} + {2'h0, select_574};
-  // hls/stages/agreement.hpp:410
+  // hls/stages/agreement.hpp:407
   logic [7:0] difference_577;
   assign difference_577 = {2'h0, column_3} - (age_s2_q[1] ? sums_2_columns_values_6_q : 8'h0);
   logic [7:0] sum_580;
   assign sum_580 = difference_577 + (equal_578_s2_q ? 8'h0 : sums_2_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [3:0] column_4;
   assign column_4 = (and_517_s2_q & and_537_s2_q) ? ({3'h0, not_583_s2_q} + sum_593_s2_q) : 4'h0;
   logic [3:0] select_610;
   assign select_610 = (and_536_s2_q & and_557_s2_q) ? ({3'h0, not_598_s2_q} + sum_608_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:408
+  // hls/stages/agreement.hpp:405
   logic [4:0] column_5;
   assign column_5 = {1'b0, column_4} + {1'b0, select_610};
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [3:0] select_628;
   assign select_628 = (and_556_s2_q & and_612_s2_q) ? ({3'h0, not_616_s2_q} + sum_626_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:408
+  // hls/stages/agreement.hpp:405
   logic [5:0] column_6;
   assign column_6 = {1'b0, column_5} + {2'h0, select_628};
-  // hls/stages/agreement.hpp:410
+  // hls/stages/agreement.hpp:407
   logic [7:0] difference_631;
   assign difference_631 = {2'h0, column_6} - (age_s2_q[1] ? sums_1_columns_values_6_q : 8'h0);
   logic [7:0] sum_633;
   assign sum_633 = difference_631 + (equal_578_s2_q ? 8'h0 : sums_1_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:423
+  // hls/stages/agreement.hpp:420
   logic less_634;
   assign less_634 = sum_580 < sum_633;
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [3:0] column_7;
   assign column_7 = (and_517_s2_q & and_636_s2_q) ? ({3'h0, not_640_s2_q} + sum_650_s2_q) : 4'h0;
   logic [3:0] select_667;
   assign select_667 = (and_536_s2_q & and_518_s2_q) ? ({3'h0, not_655_s2_q} + sum_665_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:408
+  // hls/stages/agreement.hpp:405
   logic [4:0] column_8;
   assign column_8 = {1'b0, column_7} + {1'b0, select_667};
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [3:0] select_683;
   assign select_683 = (and_556_s2_q & and_537_s2_q) ? ({3'h0, not_671_s2_q} + sum_681_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:408
+  // hls/stages/agreement.hpp:405
   logic [5:0] column_9;
   assign column_9 = {1'b0, column_8} + {2'h0, select_683};
-  // hls/stages/agreement.hpp:410
+  // hls/stages/agreement.hpp:407
   logic [7:0] difference_686;
   assign difference_686 = {2'h0, column_9} - (age_s2_q[1] ? sums_3_columns_values_6_q : 8'h0);
   logic [7:0] sum_688;
   assign sum_688 = difference_686 + (equal_578_s2_q ? 8'h0 : sums_3_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:423
+  // hls/stages/agreement.hpp:420
   logic not_690;
   assign not_690 = ~less_634;
   logic [1:0] best;
   assign best = ((less_634 ? sum_633 : sum_580) < sum_688) ? 2'h3 : {not_690, less_634};
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [3:0] column_10;
   assign column_10 = (and_517_s2_q & and_557_s2_q) ? ({3'h0, not_695_s2_q} + sum_705_s2_q) : 4'h0;
   logic [3:0] select_722;
   assign select_722 = (and_536_s2_q & and_612_s2_q) ? ({3'h0, not_710_s2_q} + sum_720_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:408
+  // hls/stages/agreement.hpp:405
   logic [4:0] column_11;
   assign column_11 = {1'b0, column_10} + {1'b0, select_722};
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [3:0] select_740;
   assign select_740 = and_725_s2_q ? ({3'h0, not_728_s2_q} + sum_738_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:408
+  // hls/stages/agreement.hpp:405
   logic [5:0] column_12;
   assign column_12 = {1'b0, column_11} + {2'h0, select_740};
-  // hls/stages/agreement.hpp:410
+  // hls/stages/agreement.hpp:407
   logic [7:0] difference_743;
   assign difference_743 = {2'h0, column_12} - (age_s2_q[1] ? sums_0_columns_values_6_q : 8'h0);
   logic [7:0] sum_745;
   assign sum_745 = difference_743 + (equal_578_s2_q ? 8'h0 : sums_0_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:423
+  // hls/stages/agreement.hpp:420
   logic [7:0] select_747;
   assign select_747 = best[1] ? (best[0] ? sum_688 : sum_580) : (best[0] ? sum_633 : sum_745);
   logic [1:0] best_2;
   assign best_2 = (select_747 < sum_745) ? 2'h0 : best;
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [3:0] column_13;
   assign column_13 = and_754_s2_q ? ({3'h0, not_757_s2_q} + sum_767_s2_q) : 4'h0;
   logic [3:0] select_784;
   assign select_784 = (and_536_s2_q & and_636_s2_q) ? ({3'h0, not_772_s2_q} + sum_782_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:408
+  // hls/stages/agreement.hpp:405
   logic [4:0] column_14;
   assign column_14 = {1'b0, column_13} + {1'b0, select_784};
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [3:0] select_800;
   assign select_800 = (and_556_s2_q & and_518_s2_q) ? ({3'h0, not_788_s2_q} + sum_798_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:408
+  // hls/stages/agreement.hpp:405
   logic [5:0] column_15;
   assign column_15 = {1'b0, column_14} + {2'h0, select_800};
-  // hls/stages/agreement.hpp:410
+  // hls/stages/agreement.hpp:407
   logic [7:0] difference_803;
   assign difference_803 = {2'h0, column_15} - (age_s2_q[1] ? sums_4_columns_values_6_q : 8'h0);
   logic [7:0] sum_805;
   assign sum_805 = difference_803 + (equal_578_s2_q ? 8'h0 : sums_4_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:435
+  // hls/stages/agreement.hpp:432
   logic [5:0] partner;
   assign partner = run_shift_s2_q + x_s2_2_q[5:0];
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [5:0] select_876;
   assign select_876 = equal_361_s2_q ? partner : (x_s2_q[5:0] + best_left_rdata_q[13:8]);
   logic [7:0] select_1662;
@@ -1466,33 +1466,33 @@ module horopter_agreement (
   assign select_1698 = equal_361_s2_q ? sums_4_columns_values_4_q : sums_4_columns_values_5_q;
   logic [7:0] select_1699;
   assign select_1699 = equal_361_s2_q ? sums_4_columns_values_5_q : sums_4_columns_values_6_q;
-  // hls/stages/agreement.hpp:647
+  // hls/stages/registration.hpp:158
   logic [16:0] select_1797;
-  assign select_1797 = ($signed(slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : slope_change_q[27:11];
+  assign select_1797 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
   logic [13:0] select_1799;
   assign select_1799 = ($signed(10'h0) < $signed(select_1797[16:7])) ? 14'h7f : select_1797[13:0];
-  // hls/stages/agreement.hpp:642
+  // hls/stages/registration.hpp:153
   logic [9:0] select_1800;
   assign select_1800 = best_left_rdata_q[12] ? select_1799[9:0] : 10'h0;
   logic [8:0] difference_1802;
   assign difference_1802 = select_1800[9:1] - (best_left_rdata_q[13] ? select_1799[8:0] : 9'h0);
-  // hls/stages/agreement.hpp:640
+  // hls/stages/registration.hpp:151
   logic [12:0] sum_1805;
   assign sum_1805 = (best_left_rdata_q[8] ? select_1799[13:1] : 13'h0) + (best_left_rdata_q[9] ? select_1799[12:0] : 13'h0);
-  // hls/stages/agreement.hpp:641
+  // hls/stages/registration.hpp:152
   logic [11:0] select_1806;
   assign select_1806 = best_left_rdata_q[10] ? select_1799[11:0] : 12'h0;
   logic [10:0] sum_1808;
   assign sum_1808 = select_1806[11:1] + (best_left_rdata_q[11] ? select_1799[10:0] : 11'h0);
-  // hls/stages/agreement.hpp:643
+  // hls/stages/registration.hpp:154
   logic [11:0] sum_1809;
   assign sum_1809 = sum_1805[12:1] + {sum_1808, select_1806[0]};
   logic [9:0] sum_1810;
   assign sum_1810 = {difference_1802, select_1800[0]} + sum_1809[11:2];
-  // hls/stages/agreement.hpp:615
+  // hls/stages/registration.hpp:67
   logic [12:0] sum_1811;
-  assign sum_1811 = {slope_q[27], slope_q[27:16]} + {{5{sum_1810[9]}}, sum_1810[9:2]};
-  // hls/stages/agreement.hpp:640
+  assign sum_1811 = {registration_slope_q[27], registration_slope_q[27:16]} + {{5{sum_1810[9]}}, sum_1810[9:2]};
+  // hls/stages/registration.hpp:151
   logic [7:0] select_1814;
   assign select_1814 = ($signed(sum_1811[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_1811[7:0];
   logic [7:0] slope;
@@ -1503,47 +1503,50 @@ module horopter_agreement (
   assign select_1817 = best_left_rdata_q[9] ? slope : 8'h0;
   logic [8:0] sum_1818;
   assign sum_1818 = {{2{select_1816[6]}}, select_1816} + {select_1817[7], select_1817};
-  // hls/stages/agreement.hpp:641
+  // hls/stages/registration.hpp:152
   logic [7:0] select_1819;
   assign select_1819 = best_left_rdata_q[10] ? slope : 8'h0;
   logic [7:0] select_1820;
   assign select_1820 = best_left_rdata_q[11] ? slope : 8'h0;
   logic [8:0] sum_1821;
   assign sum_1821 = {{2{select_1819[7]}}, select_1819[7:1]} + {select_1820[7], select_1820};
-  // hls/stages/agreement.hpp:643
+  // hls/stages/registration.hpp:154
   logic [10:0] sum_1822;
   assign sum_1822 = {{3{sum_1818[8]}}, sum_1818[8:1]} + {sum_1821[8], sum_1821, select_1819[0]};
-  // hls/stages/agreement.hpp:642
+  // hls/stages/registration.hpp:153
   logic [7:0] select_1823;
   assign select_1823 = best_left_rdata_q[12] ? slope : 8'h0;
   logic [7:0] select_1824;
   assign select_1824 = best_left_rdata_q[13] ? slope : 8'h0;
   logic [8:0] difference_1825;
   assign difference_1825 = {{2{select_1823[7]}}, select_1823[7:1]} - {select_1824[7], select_1824};
-  // hls/stages/agreement.hpp:260
+  // hls/stages/registration.hpp:57
   logic [23:0] select_2055;
-  assign select_2055 = equal_2054_s2_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : next_slope_row_q;
-  // hls/stages/agreement.hpp:177
+  assign select_2055 = equal_2054_s2_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : registration_next_slope_row_q;
+  // hls/stages/agreement.hpp:176
   logic [23:0] select_2057;
-  assign select_2057 = and_343_s2_q ? (equal_1518_s2_q ? select_2055 : slope_row_q) : slope_row_q;
-  // hls/stages/agreement.hpp:180
+  assign select_2057 = and_343_s2_q ? (equal_1518_s2_q ? select_2055 : registration_slope_row_q) : registration_slope_row_q;
+  // hls/stages/agreement.hpp:179
   logic [23:0] select_2059;
-  assign select_2059 = left_first_s2_q ? select_2057 : (and_310_s2_q ? select_2057 : slope_row_q);
-  // hls/stages/agreement.hpp:261
+  assign select_2059 = left_first_s2_q ? select_2057 : (and_310_s2_q ? select_2057 : registration_slope_row_q);
+  // hls/stages/registration.hpp:58
   logic [27:0] select_2061;
-  assign select_2061 = equal_2054_s2_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : next_slope_change_q;
-  // hls/stages/agreement.hpp:177
+  assign select_2061 = equal_2054_s2_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : registration_next_slope_change_q;
+  // hls/stages/agreement.hpp:176
   logic [27:0] select_2063;
-  assign select_2063 = and_343_s2_q ? (equal_1518_s2_q ? select_2061 : slope_change_q) : slope_change_q;
-  // hls/stages/agreement.hpp:180
+  assign select_2063 = and_343_s2_q ? (equal_1518_s2_q ? select_2061 : registration_slope_change_q) : registration_slope_change_q;
+  // hls/stages/agreement.hpp:179
   logic [27:0] select_2065;
-  assign select_2065 = left_first_s2_q ? select_2063 : (and_310_s2_q ? select_2063 : slope_change_q);
-  // hls/stages/agreement.hpp:141
-  logic [23:0] sum_2167;
-  assign sum_2167 = {{8{cfg_epipolar_row_i[15]}}, $unsigned(cfg_epipolar_row_i)} + slope_row_q;
-  // hls/stages/agreement.hpp:142
-  logic [27:0] sum_2168;
-  assign sum_2168 = {{12{cfg_epipolar_both_i[15]}}, $unsigned(cfg_epipolar_both_i)} + slope_change_q;
+  assign select_2065 = left_first_s2_q ? select_2063 : (and_310_s2_q ? select_2063 : registration_slope_change_q);
+  // hls/stages/registration.hpp:48
+  logic [27:0] select_2068;
+  assign select_2068 = drew_s2_q ? (registration_slope_change_q + registration_slope_q) : {registration_slope_row_q, 4'h0};
+  // hls/stages/registration.hpp:50
+  logic [23:0] sum_2069;
+  assign sum_2069 = {{8{cfg_epipolar_row_i[15]}}, $unsigned(cfg_epipolar_row_i)} + registration_slope_row_q;
+  // hls/stages/registration.hpp:51
+  logic [27:0] sum_2070;
+  assign sum_2070 = {{12{cfg_epipolar_both_i[15]}}, $unsigned(cfg_epipolar_both_i)} + registration_slope_change_q;
 
   // Memory averager_memory, 189 x 26, DISTANCE 16, hls/stages/census.hpp:146; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -1577,7 +1580,7 @@ module horopter_agreement (
     if (census_memory_re) census_memory_rdata_q <= census_memory_mem[census_memory_raddr];
   end
 
-  // Memory best_right, 47 x 15, DISTANCE 12, hls/stages/agreement.hpp:899; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory best_right, 47 x 15, DISTANCE 12, hls/stages/agreement.hpp:769; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [14:0] best_right_mem [0:46];
@@ -1593,7 +1596,7 @@ module horopter_agreement (
     if (best_right_re) best_right_rdata_q <= best_right_mem[best_right_raddr];
   end
 
-  // Memory seen_columns, 47 x 12, DISTANCE 12, hls/stages/agreement.hpp:928; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory seen_columns, 47 x 12, DISTANCE 12, hls/stages/agreement.hpp:797; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [11:0] seen_columns_mem [0:46];
@@ -1611,17 +1614,17 @@ module horopter_agreement (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      slope_row_q <= 24'h0;
-      slope_change_q <= 28'h0;
-      slope_q <= 28'h0;
-      next_slope_row_q <= 24'h0;
-      next_slope_change_q <= 28'h0;
+      registration_slope_row_q <= 24'h0;
+      registration_slope_change_q <= 28'h0;
+      registration_slope_q <= 28'h0;
+      registration_next_slope_row_q <= 24'h0;
+      registration_next_slope_change_q <= 28'h0;
     end else if (s2_en) begin
-      slope_row_q <= and_310_s2_q ? select_2059 : slope_row_q;
-      slope_change_q <= and_310_s2_q ? select_2065 : slope_change_q;
-      slope_q <= drew_s2_q ? (slope_change_q + slope_q) : {slope_row_q, 4'h0};
-      next_slope_row_q <= sum_2167;
-      next_slope_change_q <= sum_2168;
+      registration_slope_row_q <= and_310_s2_q ? select_2059 : registration_slope_row_q;
+      registration_slope_change_q <= and_310_s2_q ? select_2065 : registration_slope_change_q;
+      registration_slope_q <= select_2068;
+      registration_next_slope_row_q <= sum_2069;
+      registration_next_slope_change_q <= sum_2070;
     end
   end
 
@@ -1774,7 +1777,7 @@ module horopter_agreement (
   logic [9:0] sum_1822_s3_q;
   logic select_1823_s3_q;
   logic [8:0] difference_1825_s3_q;
-  logic less_2069_s3_q;
+  logic less_2071_s3_q;
   logic equal_2246_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
@@ -1837,7 +1840,7 @@ module horopter_agreement (
       sum_1822_s3_q <= sum_1822[10:1];
       select_1823_s3_q <= select_1823[0];
       difference_1825_s3_q <= difference_1825;
-      less_2069_s3_q <= less_2069_s2_q;
+      less_2071_s3_q <= less_2071_s2_q;
       equal_2246_s3_q <= equal_2246_s2_q;
     end
   end
@@ -1913,28 +1916,28 @@ module horopter_agreement (
   logic [4:0] rows_passed_above_q;
   logic [23:0] counts_too_little_explained_q;
   logic [23:0] counts_too_much_hidden_q;
-  logic [11:0] counts_measured_0_q;
-  logic [11:0] counts_measured_1_q;
-  logic [11:0] counts_measured_2_q;
-  logic [11:0] counts_measured_3_q;
-  logic [14:0] counts_votes_0_down_q;
-  logic [14:0] counts_votes_0_up_q;
-  logic [14:0] counts_votes_1_down_q;
-  logic [14:0] counts_votes_1_up_q;
-  logic [14:0] counts_votes_2_down_q;
-  logic [14:0] counts_votes_2_up_q;
-  logic [14:0] counts_votes_3_down_q;
-  logic [14:0] counts_votes_3_up_q;
-  logic [14:0] counts_votes_4_down_q;
-  logic [14:0] counts_votes_4_up_q;
-  logic [14:0] counts_half_votes_0_down_q;
-  logic [14:0] counts_half_votes_0_up_q;
-  logic [14:0] counts_half_votes_1_down_q;
-  logic [14:0] counts_half_votes_1_up_q;
-  logic [14:0] counts_half_votes_2_down_q;
-  logic [14:0] counts_half_votes_2_up_q;
-  logic [14:0] counts_half_votes_3_down_q;
-  logic [14:0] counts_half_votes_3_up_q;
+  logic [11:0] registration_counts_measured_0_q;
+  logic [11:0] registration_counts_measured_1_q;
+  logic [11:0] registration_counts_measured_2_q;
+  logic [11:0] registration_counts_measured_3_q;
+  logic [14:0] registration_counts_votes_0_down_q;
+  logic [14:0] registration_counts_votes_0_up_q;
+  logic [14:0] registration_counts_votes_1_down_q;
+  logic [14:0] registration_counts_votes_1_up_q;
+  logic [14:0] registration_counts_votes_2_down_q;
+  logic [14:0] registration_counts_votes_2_up_q;
+  logic [14:0] registration_counts_votes_3_down_q;
+  logic [14:0] registration_counts_votes_3_up_q;
+  logic [14:0] registration_counts_votes_4_down_q;
+  logic [14:0] registration_counts_votes_4_up_q;
+  logic [14:0] registration_counts_half_votes_0_down_q;
+  logic [14:0] registration_counts_half_votes_0_up_q;
+  logic [14:0] registration_counts_half_votes_1_down_q;
+  logic [14:0] registration_counts_half_votes_1_up_q;
+  logic [14:0] registration_counts_half_votes_2_down_q;
+  logic [14:0] registration_counts_half_votes_2_up_q;
+  logic [14:0] registration_counts_half_votes_3_down_q;
+  logic [14:0] registration_counts_half_votes_3_up_q;
   logic [2:0] region_row_q;
   logic [7:0] region_columns_q;
   logic [8:0] region_across_rest_q;
@@ -1981,7 +1984,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:101
   logic and_335;
   assign and_335 = whole_s3_q & (averager_memory_rdata_q[24] | equal_325_s3_q);
-  // hls/stages/agreement.hpp:175
+  // hls/stages/agreement.hpp:174
   logic all_of_skin;
   assign all_of_skin = select_302_s3_q ? (mask_s3_q & averager_running_of_skin_q) : mask_s3_q;
   // hls/stages/census.hpp:102
@@ -2061,12 +2064,12 @@ module horopter_agreement (
   assign less_391 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
   logic less_392;
   assign less_392 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
-  // hls/stages/agreement.hpp:242
+  // hls/stages/agreement.hpp:241
   logic equal_393;
   assign equal_393 = select_304_s3_q == 6'h0;
   logic [3:0] select_396;
   assign select_396 = equal_395_s3_q ? 4'h0 : rows_passed_above_q[3:0];
-  // hls/stages/agreement.hpp:243
+  // hls/stages/agreement.hpp:242
   logic [4:0] select_397;
   assign select_397 = equal_393 ? {select_396, 1'b1} : rows_passed_above_q;
   // hls/stages/census.hpp:196
@@ -2080,7 +2083,7 @@ module horopter_agreement (
   assign and_401 = census_memory_rdata_q[38] & (census_memory_rdata_q[18] & whole_2);
   logic and_403;
   assign and_403 = census_memory_rdata_q[77] & (census_memory_rdata_q[58] & and_401);
-  // hls/stages/agreement.hpp:243
+  // hls/stages/agreement.hpp:242
   logic whole_3;
   assign whole_3 = census_columns_values_0_cell_0_mask_q & and_403;
   logic whole_4;
@@ -2156,59 +2159,59 @@ module horopter_agreement (
   assign sum_443 = {9'h0, difference_441[9]} + {1'b0, xor_442};
   logic [11:0] texture;
   assign texture = ({1'b0, sum_436} + {2'h0, sum_439}) + {2'h0, sum_443};
-  // hls/stages/agreement.hpp:415
+  // hls/stages/agreement.hpp:412
   logic not_513;
   assign not_513 = ~($signed(run_shift_s3_q) < $signed($unsigned(cfg_shift_lowest_i)));
   logic less_514;
   assign less_514 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s3_q);
-  // hls/stages/agreement.hpp:423
+  // hls/stages/agreement.hpp:420
   logic [7:0] select_752;
   assign select_752 = best_2_s3_q[1] ? (best_2_s3_q[0] ? sum_688_s3_q : sum_580_s3_q) : (best_2_s3_q[0] ? sum_633_s3_q : sum_745_s3_q);
   logic less_806;
   assign less_806 = select_752 < sum_805_s3_q;
   logic [1:0] select_807;
   assign select_807 = less_806 ? 2'h0 : best_2_s3_q;
-  // hls/stages/agreement.hpp:425
+  // hls/stages/agreement.hpp:422
   logic [7:0] select_810;
   assign select_810 = select_807[1] ? (select_807[0] ? sum_688_s3_q : sum_580_s3_q) : (select_807[0] ? sum_633_s3_q : sum_745_s3_q);
   logic [7:0] of_best;
   assign of_best = less_806 ? sum_805_s3_q : select_810;
   logic [7:0] of_best_2;
   assign of_best_2 = (not_513 & (~less_514)) ? of_best : 8'h0;
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:424
   logic less_813;
   assign less_813 = $signed(run_shift_s3_q) < $signed(6'h1);
-  // hls/stages/agreement.hpp:430
+  // hls/stages/agreement.hpp:427
   logic less_814;
   assign less_814 = best_left_rdata_s3_q[7:0] < of_best_2;
   logic or_816;
   assign or_816 = less_814 | equal_815_s3_q;
-  // hls/stages/agreement.hpp:433
+  // hls/stages/agreement.hpp:430
   logic [7:0] select_819;
   assign select_819 = less_813 ? (or_816 ? of_best_2 : best_left_rdata_s3_q[7:0]) : (less_814 ? of_best_2 : best_left_rdata_s3_q[7:0]);
   logic [5:0] select_823;
   assign select_823 = less_813 ? (or_816 ? run_shift_s3_q : best_left_rdata_s3_q[13:8]) : (less_814 ? run_shift_s3_q : best_left_rdata_s3_q[13:8]);
-  // hls/stages/agreement.hpp:444
+  // hls/stages/registration.hpp:21
   logic [2:0] near_best;
   assign near_best = ({less_806, select_807} == 3'h4) ? 3'h3 : (({less_806, select_807} == 3'h0) ? 3'h1 : {less_806, select_807});
-  // hls/stages/agreement.hpp:446
+  // hls/stages/registration.hpp:23
   logic [2:0] sum_830;
   assign sum_830 = near_best + 3'h1;
   logic [7:0] select_833;
   assign select_833 = sum_830[1] ? (sum_830[0] ? sum_688_s3_q : sum_580_s3_q) : (sum_830[0] ? sum_633_s3_q : sum_745_s3_q);
   logic [7:0] below;
   assign below = sum_830[2] ? sum_805_s3_q : select_833;
-  // hls/stages/agreement.hpp:445
+  // hls/stages/registration.hpp:22
   logic [2:0] sum_835;
   assign sum_835 = near_best + 3'h7;
   logic [7:0] select_838;
   assign select_838 = sum_835[1] ? (sum_835[0] ? sum_688_s3_q : sum_580_s3_q) : (sum_835[0] ? sum_633_s3_q : sum_745_s3_q);
   logic [7:0] above;
   assign above = sum_835[2] ? sum_805_s3_q : select_838;
-  // hls/stages/agreement.hpp:447
+  // hls/stages/registration.hpp:24
   logic [8:0] rise;
   assign rise = {1'b0, below} - {1'b0, above};
-  // hls/stages/agreement.hpp:449
+  // hls/stages/registration.hpp:26
   logic [7:0] select_844;
   assign select_844 = near_best[1] ? (near_best[0] ? sum_688_s3_q : sum_580_s3_q) : (near_best[0] ? sum_633_s3_q : sum_745_s3_q);
   logic [7:0] select_845;
@@ -2217,20 +2220,20 @@ module horopter_agreement (
   assign select_846 = rise[8] ? below : above;
   logic [8:0] fall;
   assign fall = {1'b0, select_845} - {1'b0, select_846};
-  // hls/stages/agreement.hpp:450
+  // hls/stages/registration.hpp:27
   logic [7:0] twice;
   assign twice = fall[8] ? 8'h0 : fall[7:0];
-  // hls/stages/agreement.hpp:448
+  // hls/stages/registration.hpp:25
   logic [7:0] xor_849;
   assign xor_849 = rise[7:0] ^ {8{rise[8]}};
   logic [8:0] size;
   assign size = {8'h0, rise[8]} + {1'b0, xor_849};
-  // hls/stages/agreement.hpp:437
+  // hls/stages/agreement.hpp:434
   logic less_878;
   assign less_878 = best_right_rdata_q[7:0] < of_best_2;
   logic or_880;
   assign or_880 = less_878 | equal_879_s3_q;
-  // hls/stages/agreement.hpp:438
+  // hls/stages/agreement.hpp:435
   logic [7:0] select_883;
   assign select_883 = less_813 ? (or_880 ? of_best_2 : best_right_rdata_q[7:0]) : (less_878 ? of_best_2 : best_right_rdata_q[7:0]);
   logic [7:0] select_884;
@@ -2239,108 +2242,108 @@ module horopter_agreement (
   assign select_887 = less_813 ? (or_880 ? x_s3_2_q : best_right_rdata_q[14:8]) : (less_878 ? x_s3_2_q : best_right_rdata_q[14:8]);
   logic [6:0] select_888;
   assign select_888 = equal_511_s3_q ? x_s3_2_q : select_887;
-  // hls/stages/agreement.hpp:138
+  // hls/stages/agreement.hpp:140
   logic [7:0] select_889;
   assign select_889 = drew_s3_q ? region_columns_q : 8'h1;
-  // hls/stages/agreement.hpp:656
+  // hls/stages/agreement.hpp:538
   logic or_892;
   assign or_892 = select_889[7] | (~({select_889[5], select_889[3], select_889[1]} == 3'h0));
-  // hls/stages/agreement.hpp:655
+  // hls/stages/agreement.hpp:537
   logic or_895;
   assign or_895 = select_889[7] | (~({select_889[6], select_889[3:2]} == 3'h0));
-  // hls/stages/agreement.hpp:654
+  // hls/stages/agreement.hpp:536
   logic or_898;
   assign or_898 = select_889[7] | (~(select_889[6:4] == 3'h0));
-  // hls/stages/agreement.hpp:469
+  // hls/stages/division.hpp:18
   logic [5:0] sum_900;
   assign sum_900 = region_across_rest_q[8:3] + 6'h1;
-  // hls/stages/agreement.hpp:664
+  // hls/stages/agreement.hpp:546
   logic or_903;
   assign or_903 = (~sum_900[5]) | equal_902_s3_q;
-  // hls/stages/agreement.hpp:591
+  // hls/stages/agreement.hpp:516
   logic and_904;
   assign and_904 = not_365_s3_q & or_903;
-  // hls/stages/agreement.hpp:724
+  // hls/stages/agreement.hpp:606
   logic equal_906;
   assign equal_906 = x_s3_q[5:4] == 2'h3;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_908;
   assign and_908 = equal_905_s3_q & (~equal_906);
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic textured;
   assign textured = not_365_s3_q & and_916_s3_q;
-  // hls/stages/agreement.hpp:582
+  // hls/stages/agreement.hpp:505
   logic [8:0] way;
   assign way = {2'h0, best_right_rdata_q[14:8]} - {1'b0, x_s3_q};
-  // hls/stages/agreement.hpp:584
+  // hls/stages/agreement.hpp:507
   logic [9:0] sum_925;
   assign sum_925 = {way[8], way} + 10'h1;
   logic and_927;
   assign and_927 = (and_916_s3_q & (8'hb6 < best_left_rdata_s3_q[7:0])) & ({{6{sum_925[9]}}, sum_925} < 16'h3);
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic explained;
   assign explained = not_365_s3_q & and_927;
-  // hls/stages/agreement.hpp:586
+  // hls/stages/agreement.hpp:509
   logic and_935;
   assign and_935 = cfg_nearer_above_i & ($signed(6'h0) < $signed(best_left_rdata_s3_q[13:8]));
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic and_937;
   assign and_937 = and_927 & ((cfg_nearer_below_i & best_left_rdata_s3_q[13]) | and_935);
   logic near;
   assign near = not_365_s3_q & and_937;
-  // hls/stages/agreement.hpp:824
+  // hls/stages/agreement.hpp:694
   logic select_950;
   assign select_950 = done_q ? write_half_q : read_half_q;
-  // hls/stages/agreement.hpp:828
+  // hls/stages/agreement.hpp:698
   logic select_951;
   assign select_951 = left_first_s3_q ? select_950 : read_half_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic next_row;
   assign next_row = and_956_s3_q & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:844
+  // hls/stages/agreement.hpp:714
   logic [5:0] select_959;
   assign select_959 = next_row ? cfg_width_i[8:3] : 6'h0;
   logic [10:0] select_961;
   assign select_961 = left_first_s3_q ? 11'h0 : (seen_base_q + {5'h0, select_959});
-  // hls/stages/agreement.hpp:854
+  // hls/stages/agreement.hpp:724
   logic equal_962;
   assign equal_962 = seen_x_q == 3'h7;
   logic [7:0] select_964;
   assign select_964 = and_956_s3_q ? 8'h0 : (seen_column_q + {7'h0, equal_962});
-  // hls/stages/agreement.hpp:857
+  // hls/stages/agreement.hpp:727
   logic [10:0] index;
   assign index = select_961 + {3'h0, select_964};
-  // hls/stages/agreement.hpp:814
+  // hls/stages/agreement.hpp:684
   logic [11:0] sum_966;
   assign sum_966 = {1'b0, {2{select_951}}, 2'h0, {2{select_951}}, 1'b0, {2{select_951}}, 1'b0, select_951} + {1'b0, index};
   // hls/stages/census.hpp:31
   logic not_967;
   assign not_967 = ~left_first_s3_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic and_969;
   assign and_969 = not_967 & (began_q | and_956_s3_q);
-  // hls/stages/agreement.hpp:855
+  // hls/stages/agreement.hpp:725
   logic [2:0] select_971;
   assign select_971 = and_956_s3_q ? 3'h0 : (seen_x_q + 3'h1);
-  // hls/stages/agreement.hpp:856
+  // hls/stages/agreement.hpp:726
   logic and_973;
   assign and_973 = and_969 & (select_971 == 3'h0);
   logic less_974;
   assign less_974 = select_964 < {2'h0, cfg_width_i[8:3]};
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic and_975;
   assign and_975 = and_973 & less_974;
   logic and_976;
   assign and_976 = and_310_s3_q & and_975;
-  // hls/stages/agreement.hpp:707
+  // hls/stages/agreement.hpp:589
   logic [7:0] sum_980;
   assign sum_980 = {2'h0, x_s3_q[7:2]} + 8'hff;
   logic [10:0] index_2;
   assign index_2 = {sum_980[7], sum_980, x_s3_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:814
+  // hls/stages/agreement.hpp:684
   logic [11:0] sum_982;
   assign sum_982 = {1'b0, {2{write_half_q}}, 2'h0, {2{write_half_q}}, 1'b0, {2{write_half_q}}, 1'b0, write_half_q} + {1'b0, index_2};
-  // hls/stages/agreement.hpp:591
+  // hls/stages/agreement.hpp:516
   logic [3:0] select_983;
   assign select_983 = less_364_s3_q ? 4'h0 : seen_columns_rdata_q[11:8];
   logic and_984;
@@ -2349,40 +2352,40 @@ module horopter_agreement (
   assign and_985 = seen_columns_rdata_q[3] & not_365_s3_q;
   logic and_986;
   assign and_986 = seen_columns_rdata_q[0] & not_365_s3_q;
-  // hls/stages/agreement.hpp:687
+  // hls/stages/agreement.hpp:569
   logic [1:0] sum_988;
   assign sum_988 = {1'b0, and_985} + ({1'b0, textured} + {1'b0, and_986});
   logic [2:0] textured_2;
   assign textured_2 = {2'h0, select_983[1]} + ({2'h0, and_984} + {1'b0, sum_988});
-  // hls/stages/agreement.hpp:591
+  // hls/stages/agreement.hpp:516
   logic [7:0] select_998;
   assign select_998 = less_364_s3_q ? select_889 : (sum_900[5] ? select_889 : {select_889[6:0], 1'b0});
-  // hls/stages/agreement.hpp:656
+  // hls/stages/agreement.hpp:538
   logic or_1001;
   assign or_1001 = select_998[7] | (~({select_998[5], select_998[3], select_998[1]} == 3'h0));
-  // hls/stages/agreement.hpp:591
+  // hls/stages/agreement.hpp:516
   logic and_1017;
   assign and_1017 = seen_columns_rdata_q[7] & not_365_s3_q;
   logic and_1018;
   assign and_1018 = seen_columns_rdata_q[4] & not_365_s3_q;
   logic and_1019;
   assign and_1019 = seen_columns_rdata_q[1] & not_365_s3_q;
-  // hls/stages/agreement.hpp:688
+  // hls/stages/agreement.hpp:570
   logic [1:0] sum_1021;
   assign sum_1021 = {1'b0, and_1018} + ({1'b0, explained} + {1'b0, and_1019});
   logic [2:0] explained_2;
   assign explained_2 = {2'h0, select_983[2]} + ({2'h0, and_1017} + {1'b0, sum_1021});
-  // hls/stages/agreement.hpp:591
+  // hls/stages/agreement.hpp:516
   logic and_1032;
   assign and_1032 = seen_columns_rdata_q[5] & not_365_s3_q;
   logic and_1033;
   assign and_1033 = seen_columns_rdata_q[2] & not_365_s3_q;
-  // hls/stages/agreement.hpp:689
+  // hls/stages/agreement.hpp:571
   logic [1:0] sum_1035;
   assign sum_1035 = {1'b0, and_1032} + ({1'b0, near} + {1'b0, and_1033});
   logic [2:0] near_2;
   assign near_2 = {2'h0, select_983[3]} + ({2'h0, select_983[0]} + {1'b0, sum_1035});
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [11:0] select_1097;
   assign select_1097 = left_first_s3_q ? select_323 : (and_310_s3_q ? select_323 : averager_running_0_q);
   logic [11:0] select_1100;
@@ -2390,13 +2393,13 @@ module horopter_agreement (
   // hls/stages/census.hpp:133
   logic [10:0] select_1118;
   assign select_1118 = and_342_s3_q ? total : averager_total_0_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [10:0] select_1120;
   assign select_1120 = left_first_s3_q ? select_1118 : (and_310_s3_q ? select_1118 : averager_total_0_q);
   // hls/stages/census.hpp:133
   logic [10:0] select_1122;
   assign select_1122 = and_342_s3_q ? total_2 : averager_total_1_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [10:0] select_1124;
   assign select_1124 = left_first_s3_q ? select_1122 : (and_310_s3_q ? select_1122 : averager_total_1_q);
   logic select_1153;
@@ -2404,459 +2407,459 @@ module horopter_agreement (
   // hls/stages/census.hpp:141
   logic select_1155;
   assign select_1155 = and_342_s3_q ? whole_2 : averager_mask_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1157;
   assign select_1157 = left_first_s3_q ? select_1155 : (and_310_s3_q ? select_1155 : averager_mask_q);
   // hls/stages/census.hpp:141
   logic select_1159;
   assign select_1159 = and_342_s3_q ? select_360 : averager_of_skin_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1161;
   assign select_1161 = left_first_s3_q ? select_1159 : (and_310_s3_q ? select_1159 : averager_of_skin_q);
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1163;
   assign select_1163 = and_343_s3_q ? total[10:2] : census_columns_values_0_cell_0_left_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1164;
   assign select_1164 = and_310_s3_q ? select_1163 : census_columns_values_0_cell_0_left_q;
   logic [8:0] select_1166;
   assign select_1166 = and_310_s3_q ? (left_first_s3_q ? select_1163 : select_1164) : census_columns_values_0_cell_0_left_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1167;
   assign select_1167 = and_343_s3_q ? total_2[10:2] : census_columns_values_0_cell_0_right_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1168;
   assign select_1168 = and_310_s3_q ? select_1167 : census_columns_values_0_cell_0_right_q;
   logic [8:0] select_1170;
   assign select_1170 = and_310_s3_q ? (left_first_s3_q ? select_1167 : select_1168) : census_columns_values_0_cell_0_right_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1171;
   assign select_1171 = and_343_s3_q ? whole_2 : census_columns_values_0_cell_0_mask_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1172;
   assign select_1172 = and_310_s3_q ? select_1171 : census_columns_values_0_cell_0_mask_q;
   logic select_1174;
   assign select_1174 = and_310_s3_q ? (left_first_s3_q ? select_1171 : select_1172) : census_columns_values_0_cell_0_mask_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1175;
   assign select_1175 = and_343_s3_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1176;
   assign select_1176 = and_310_s3_q ? select_1175 : census_columns_values_0_cell_1_left_q;
   logic [8:0] select_1178;
   assign select_1178 = and_310_s3_q ? (left_first_s3_q ? select_1175 : select_1176) : census_columns_values_0_cell_1_left_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1179;
   assign select_1179 = and_343_s3_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1180;
   assign select_1180 = and_310_s3_q ? select_1179 : census_columns_values_0_cell_1_right_q;
   logic [8:0] select_1182;
   assign select_1182 = and_310_s3_q ? (left_first_s3_q ? select_1179 : select_1180) : census_columns_values_0_cell_1_right_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1183;
   assign select_1183 = and_343_s3_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1184;
   assign select_1184 = and_310_s3_q ? select_1183 : census_columns_values_0_cell_1_mask_q;
   logic select_1186;
   assign select_1186 = and_310_s3_q ? (left_first_s3_q ? select_1183 : select_1184) : census_columns_values_0_cell_1_mask_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1187;
   assign select_1187 = and_343_s3_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1188;
   assign select_1188 = and_310_s3_q ? select_1187 : census_columns_values_0_cell_2_left_q;
   logic [8:0] select_1190;
   assign select_1190 = and_310_s3_q ? (left_first_s3_q ? select_1187 : select_1188) : census_columns_values_0_cell_2_left_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1191;
   assign select_1191 = and_343_s3_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1192;
   assign select_1192 = and_310_s3_q ? select_1191 : census_columns_values_0_cell_2_right_q;
   logic [8:0] select_1194;
   assign select_1194 = and_310_s3_q ? (left_first_s3_q ? select_1191 : select_1192) : census_columns_values_0_cell_2_right_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1195;
   assign select_1195 = and_343_s3_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1196;
   assign select_1196 = and_310_s3_q ? select_1195 : census_columns_values_0_cell_2_mask_q;
   logic select_1198;
   assign select_1198 = and_310_s3_q ? (left_first_s3_q ? select_1195 : select_1196) : census_columns_values_0_cell_2_mask_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1199;
   assign select_1199 = and_343_s3_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1200;
   assign select_1200 = and_310_s3_q ? select_1199 : census_columns_values_0_cell_2_of_skin_q;
   logic select_1202;
   assign select_1202 = and_310_s3_q ? (left_first_s3_q ? select_1199 : select_1200) : census_columns_values_0_cell_2_of_skin_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1203;
   assign select_1203 = and_343_s3_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1204;
   assign select_1204 = and_310_s3_q ? select_1203 : census_columns_values_0_cell_3_left_q;
   logic [8:0] select_1206;
   assign select_1206 = and_310_s3_q ? (left_first_s3_q ? select_1203 : select_1204) : census_columns_values_0_cell_3_left_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1207;
   assign select_1207 = and_343_s3_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1208;
   assign select_1208 = and_310_s3_q ? select_1207 : census_columns_values_0_cell_3_right_q;
   logic [8:0] select_1210;
   assign select_1210 = and_310_s3_q ? (left_first_s3_q ? select_1207 : select_1208) : census_columns_values_0_cell_3_right_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1211;
   assign select_1211 = and_343_s3_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1212;
   assign select_1212 = and_310_s3_q ? select_1211 : census_columns_values_0_cell_3_mask_q;
   logic select_1214;
   assign select_1214 = and_310_s3_q ? (left_first_s3_q ? select_1211 : select_1212) : census_columns_values_0_cell_3_mask_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1215;
   assign select_1215 = and_343_s3_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1216;
   assign select_1216 = and_310_s3_q ? select_1215 : census_columns_values_0_cell_4_left_q;
   logic [8:0] select_1218;
   assign select_1218 = and_310_s3_q ? (left_first_s3_q ? select_1215 : select_1216) : census_columns_values_0_cell_4_left_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1219;
   assign select_1219 = and_343_s3_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1220;
   assign select_1220 = and_310_s3_q ? select_1219 : census_columns_values_0_cell_4_right_q;
   logic [8:0] select_1222;
   assign select_1222 = and_310_s3_q ? (left_first_s3_q ? select_1219 : select_1220) : census_columns_values_0_cell_4_right_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1223;
   assign select_1223 = and_343_s3_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1224;
   assign select_1224 = and_310_s3_q ? select_1223 : census_columns_values_0_cell_4_mask_q;
   logic select_1226;
   assign select_1226 = and_310_s3_q ? (left_first_s3_q ? select_1223 : select_1224) : census_columns_values_0_cell_4_mask_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1227;
   assign select_1227 = and_343_s3_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1228;
   assign select_1228 = and_310_s3_q ? select_1227 : census_columns_values_1_cell_0_left_q;
   logic [8:0] select_1230;
   assign select_1230 = and_310_s3_q ? (left_first_s3_q ? select_1227 : select_1228) : census_columns_values_1_cell_0_left_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1231;
   assign select_1231 = and_343_s3_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1232;
   assign select_1232 = and_310_s3_q ? select_1231 : census_columns_values_1_cell_0_right_q;
   logic [8:0] select_1234;
   assign select_1234 = and_310_s3_q ? (left_first_s3_q ? select_1231 : select_1232) : census_columns_values_1_cell_0_right_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1235;
   assign select_1235 = and_343_s3_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1236;
   assign select_1236 = and_310_s3_q ? select_1235 : census_columns_values_1_cell_0_mask_q;
   logic select_1238;
   assign select_1238 = and_310_s3_q ? (left_first_s3_q ? select_1235 : select_1236) : census_columns_values_1_cell_0_mask_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1239;
   assign select_1239 = and_343_s3_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1240;
   assign select_1240 = and_310_s3_q ? select_1239 : census_columns_values_1_cell_1_left_q;
   logic [8:0] select_1242;
   assign select_1242 = and_310_s3_q ? (left_first_s3_q ? select_1239 : select_1240) : census_columns_values_1_cell_1_left_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1243;
   assign select_1243 = and_343_s3_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1244;
   assign select_1244 = and_310_s3_q ? select_1243 : census_columns_values_1_cell_1_right_q;
   logic [8:0] select_1246;
   assign select_1246 = and_310_s3_q ? (left_first_s3_q ? select_1243 : select_1244) : census_columns_values_1_cell_1_right_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1247;
   assign select_1247 = and_343_s3_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1248;
   assign select_1248 = and_310_s3_q ? select_1247 : census_columns_values_1_cell_1_mask_q;
   logic select_1250;
   assign select_1250 = and_310_s3_q ? (left_first_s3_q ? select_1247 : select_1248) : census_columns_values_1_cell_1_mask_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1251;
   assign select_1251 = and_343_s3_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1252;
   assign select_1252 = and_310_s3_q ? select_1251 : census_columns_values_1_cell_2_left_q;
   logic [8:0] select_1254;
   assign select_1254 = and_310_s3_q ? (left_first_s3_q ? select_1251 : select_1252) : census_columns_values_1_cell_2_left_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1255;
   assign select_1255 = and_343_s3_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1256;
   assign select_1256 = and_310_s3_q ? select_1255 : census_columns_values_1_cell_2_right_q;
   logic [8:0] select_1258;
   assign select_1258 = and_310_s3_q ? (left_first_s3_q ? select_1255 : select_1256) : census_columns_values_1_cell_2_right_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1259;
   assign select_1259 = and_343_s3_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1260;
   assign select_1260 = and_310_s3_q ? select_1259 : census_columns_values_1_cell_2_mask_q;
   logic select_1262;
   assign select_1262 = and_310_s3_q ? (left_first_s3_q ? select_1259 : select_1260) : census_columns_values_1_cell_2_mask_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1263;
   assign select_1263 = and_343_s3_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1264;
   assign select_1264 = and_310_s3_q ? select_1263 : census_columns_values_1_cell_2_of_skin_q;
   logic select_1266;
   assign select_1266 = and_310_s3_q ? (left_first_s3_q ? select_1263 : select_1264) : census_columns_values_1_cell_2_of_skin_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1267;
   assign select_1267 = and_343_s3_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1268;
   assign select_1268 = and_310_s3_q ? select_1267 : census_columns_values_1_cell_3_left_q;
   logic [8:0] select_1270;
   assign select_1270 = and_310_s3_q ? (left_first_s3_q ? select_1267 : select_1268) : census_columns_values_1_cell_3_left_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1271;
   assign select_1271 = and_343_s3_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1272;
   assign select_1272 = and_310_s3_q ? select_1271 : census_columns_values_1_cell_3_right_q;
   logic [8:0] select_1274;
   assign select_1274 = and_310_s3_q ? (left_first_s3_q ? select_1271 : select_1272) : census_columns_values_1_cell_3_right_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1275;
   assign select_1275 = and_343_s3_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1276;
   assign select_1276 = and_310_s3_q ? select_1275 : census_columns_values_1_cell_3_mask_q;
   logic select_1278;
   assign select_1278 = and_310_s3_q ? (left_first_s3_q ? select_1275 : select_1276) : census_columns_values_1_cell_3_mask_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1279;
   assign select_1279 = and_343_s3_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1280;
   assign select_1280 = and_310_s3_q ? select_1279 : census_columns_values_1_cell_4_left_q;
   logic [8:0] select_1282;
   assign select_1282 = and_310_s3_q ? (left_first_s3_q ? select_1279 : select_1280) : census_columns_values_1_cell_4_left_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1283;
   assign select_1283 = and_343_s3_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1284;
   assign select_1284 = and_310_s3_q ? select_1283 : census_columns_values_1_cell_4_right_q;
   logic [8:0] select_1286;
   assign select_1286 = and_310_s3_q ? (left_first_s3_q ? select_1283 : select_1284) : census_columns_values_1_cell_4_right_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1287;
   assign select_1287 = and_343_s3_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1288;
   assign select_1288 = and_310_s3_q ? select_1287 : census_columns_values_1_cell_4_mask_q;
   logic select_1290;
   assign select_1290 = and_310_s3_q ? (left_first_s3_q ? select_1287 : select_1288) : census_columns_values_1_cell_4_mask_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1291;
   assign select_1291 = and_343_s3_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1292;
   assign select_1292 = and_310_s3_q ? select_1291 : census_columns_values_2_cell_0_left_q;
   logic [8:0] select_1294;
   assign select_1294 = and_310_s3_q ? (left_first_s3_q ? select_1291 : select_1292) : census_columns_values_2_cell_0_left_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1295;
   assign select_1295 = and_343_s3_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1296;
   assign select_1296 = and_310_s3_q ? select_1295 : census_columns_values_2_cell_0_right_q;
   logic [8:0] select_1298;
   assign select_1298 = and_310_s3_q ? (left_first_s3_q ? select_1295 : select_1296) : census_columns_values_2_cell_0_right_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1299;
   assign select_1299 = and_343_s3_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1300;
   assign select_1300 = and_310_s3_q ? select_1299 : census_columns_values_2_cell_0_mask_q;
   logic select_1302;
   assign select_1302 = and_310_s3_q ? (left_first_s3_q ? select_1299 : select_1300) : census_columns_values_2_cell_0_mask_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1303;
   assign select_1303 = and_343_s3_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1304;
   assign select_1304 = and_310_s3_q ? select_1303 : census_columns_values_2_cell_1_left_q;
   logic [8:0] select_1306;
   assign select_1306 = and_310_s3_q ? (left_first_s3_q ? select_1303 : select_1304) : census_columns_values_2_cell_1_left_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1307;
   assign select_1307 = and_343_s3_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1308;
   assign select_1308 = and_310_s3_q ? select_1307 : census_columns_values_2_cell_1_right_q;
   logic [8:0] select_1310;
   assign select_1310 = and_310_s3_q ? (left_first_s3_q ? select_1307 : select_1308) : census_columns_values_2_cell_1_right_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1311;
   assign select_1311 = and_343_s3_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1312;
   assign select_1312 = and_310_s3_q ? select_1311 : census_columns_values_2_cell_1_mask_q;
   logic select_1314;
   assign select_1314 = and_310_s3_q ? (left_first_s3_q ? select_1311 : select_1312) : census_columns_values_2_cell_1_mask_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1315;
   assign select_1315 = and_343_s3_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1316;
   assign select_1316 = and_310_s3_q ? select_1315 : census_columns_values_2_cell_2_left_q;
   logic [8:0] select_1318;
   assign select_1318 = and_310_s3_q ? (left_first_s3_q ? select_1315 : select_1316) : census_columns_values_2_cell_2_left_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1319;
   assign select_1319 = and_343_s3_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1320;
   assign select_1320 = and_310_s3_q ? select_1319 : census_columns_values_2_cell_2_right_q;
   logic [8:0] select_1322;
   assign select_1322 = and_310_s3_q ? (left_first_s3_q ? select_1319 : select_1320) : census_columns_values_2_cell_2_right_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1323;
   assign select_1323 = and_343_s3_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1324;
   assign select_1324 = and_310_s3_q ? select_1323 : census_columns_values_2_cell_2_mask_q;
   logic select_1326;
   assign select_1326 = and_310_s3_q ? (left_first_s3_q ? select_1323 : select_1324) : census_columns_values_2_cell_2_mask_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1327;
   assign select_1327 = and_343_s3_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1328;
   assign select_1328 = and_310_s3_q ? select_1327 : census_columns_values_2_cell_3_left_q;
   logic [8:0] select_1330;
   assign select_1330 = and_310_s3_q ? (left_first_s3_q ? select_1327 : select_1328) : census_columns_values_2_cell_3_left_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1331;
   assign select_1331 = and_343_s3_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1332;
   assign select_1332 = and_310_s3_q ? select_1331 : census_columns_values_2_cell_3_right_q;
   logic [8:0] select_1334;
   assign select_1334 = and_310_s3_q ? (left_first_s3_q ? select_1331 : select_1332) : census_columns_values_2_cell_3_right_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1335;
   assign select_1335 = and_343_s3_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1336;
   assign select_1336 = and_310_s3_q ? select_1335 : census_columns_values_2_cell_3_mask_q;
   logic select_1338;
   assign select_1338 = and_310_s3_q ? (left_first_s3_q ? select_1335 : select_1336) : census_columns_values_2_cell_3_mask_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1339;
   assign select_1339 = and_343_s3_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1340;
   assign select_1340 = and_310_s3_q ? select_1339 : census_columns_values_2_cell_4_left_q;
   logic [8:0] select_1342;
   assign select_1342 = and_310_s3_q ? (left_first_s3_q ? select_1339 : select_1340) : census_columns_values_2_cell_4_left_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1343;
   assign select_1343 = and_343_s3_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1344;
   assign select_1344 = and_310_s3_q ? select_1343 : census_columns_values_2_cell_4_right_q;
   logic [8:0] select_1346;
   assign select_1346 = and_310_s3_q ? (left_first_s3_q ? select_1343 : select_1344) : census_columns_values_2_cell_4_right_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1347;
   assign select_1347 = and_343_s3_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1348;
   assign select_1348 = and_310_s3_q ? select_1347 : census_columns_values_2_cell_4_mask_q;
   logic select_1350;
   assign select_1350 = and_310_s3_q ? (left_first_s3_q ? select_1347 : select_1348) : census_columns_values_2_cell_4_mask_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1351;
   assign select_1351 = and_343_s3_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1352;
   assign select_1352 = and_310_s3_q ? select_1351 : census_columns_values_3_cell_0_mask_q;
   logic select_1354;
   assign select_1354 = and_310_s3_q ? (left_first_s3_q ? select_1351 : select_1352) : census_columns_values_3_cell_0_mask_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1355;
   assign select_1355 = and_343_s3_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1356;
   assign select_1356 = and_310_s3_q ? select_1355 : census_columns_values_3_cell_1_left_q;
   logic [8:0] select_1358;
   assign select_1358 = and_310_s3_q ? (left_first_s3_q ? select_1355 : select_1356) : census_columns_values_3_cell_1_left_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1359;
   assign select_1359 = and_343_s3_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1360;
   assign select_1360 = and_310_s3_q ? select_1359 : census_columns_values_3_cell_1_right_q;
   logic [8:0] select_1362;
   assign select_1362 = and_310_s3_q ? (left_first_s3_q ? select_1359 : select_1360) : census_columns_values_3_cell_1_right_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1363;
   assign select_1363 = and_343_s3_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1364;
   assign select_1364 = and_310_s3_q ? select_1363 : census_columns_values_3_cell_1_mask_q;
   logic select_1366;
   assign select_1366 = and_310_s3_q ? (left_first_s3_q ? select_1363 : select_1364) : census_columns_values_3_cell_1_mask_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1367;
   assign select_1367 = and_343_s3_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1368;
   assign select_1368 = and_310_s3_q ? select_1367 : census_columns_values_3_cell_2_mask_q;
   logic select_1370;
   assign select_1370 = and_310_s3_q ? (left_first_s3_q ? select_1367 : select_1368) : census_columns_values_3_cell_2_mask_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1371;
   assign select_1371 = and_343_s3_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1372;
   assign select_1372 = and_310_s3_q ? select_1371 : census_columns_values_3_cell_3_left_q;
   logic [8:0] select_1374;
   assign select_1374 = and_310_s3_q ? (left_first_s3_q ? select_1371 : select_1372) : census_columns_values_3_cell_3_left_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1375;
   assign select_1375 = and_343_s3_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1376;
   assign select_1376 = and_310_s3_q ? select_1375 : census_columns_values_3_cell_3_right_q;
   logic [8:0] select_1378;
   assign select_1378 = and_310_s3_q ? (left_first_s3_q ? select_1375 : select_1376) : census_columns_values_3_cell_3_right_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1379;
   assign select_1379 = and_343_s3_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1380;
   assign select_1380 = and_310_s3_q ? select_1379 : census_columns_values_3_cell_3_mask_q;
   logic select_1382;
   assign select_1382 = and_310_s3_q ? (left_first_s3_q ? select_1379 : select_1380) : census_columns_values_3_cell_3_mask_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1383;
   assign select_1383 = and_343_s3_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1384;
   assign select_1384 = and_310_s3_q ? select_1383 : census_columns_values_3_cell_4_mask_q;
   logic select_1386;
@@ -2894,22 +2897,22 @@ module horopter_agreement (
   assign xor_1407 = difference_1406[8:0] ^ {9{difference_1406[9]}};
   logic [9:0] sum_1408;
   assign sum_1408 = {9'h0, difference_1406[9]} + {1'b0, xor_1407};
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [3:0] select_1444;
   assign select_1444 = and_343_s3_q ? {select_398[2:0], 1'b1} : census_filled_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [3:0] select_1446;
   assign select_1446 = left_first_s3_q ? select_1444 : (and_310_s3_q ? select_1444 : census_filled_q);
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1448;
   assign select_1448 = and_343_s3_q ? total[10:2] : sharpness_last_mean_0_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1450;
   assign select_1450 = left_first_s3_q ? select_1448 : (and_310_s3_q ? select_1448 : sharpness_last_mean_0_q);
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1452;
   assign select_1452 = and_343_s3_q ? total_2[10:2] : sharpness_last_mean_1_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1454;
   assign select_1454 = left_first_s3_q ? select_1452 : (and_310_s3_q ? select_1452 : sharpness_last_mean_1_q);
   // hls/stages/census.hpp:273
@@ -2921,436 +2924,451 @@ module horopter_agreement (
   assign difference_1485 = {1'b0, total_2[10:2]} - {1'b0, sharpness_last_mean_1_q};
   logic [8:0] contrast_2;
   assign contrast_2 = {8'h0, difference_1485[9]} + (difference_1485[8:0] ^ {9{difference_1485[9]}});
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [4:0] select_1513;
   assign select_1513 = and_343_s3_q ? select_397 : rows_passed_above_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [4:0] select_1515;
   assign select_1515 = left_first_s3_q ? select_1513 : (and_310_s3_q ? select_1513 : rows_passed_above_q);
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic and_1702;
   assign and_1702 = and_343_s3_q & (equal_395_s3_q & equal_1518_s3_q);
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic and_1703;
   assign and_1703 = and_310_s3_q & and_1702;
   logic select_1705;
   assign select_1705 = and_310_s3_q ? (left_first_s3_q ? and_1702 : and_1703) : and_1703;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_1710;
   assign and_1710 = not_362_s3_q & (not_506_s3_q & (drew_s3_q & (not_365_s3_q & and_1706_s3_q)));
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic [8:0] select_1755;
   assign select_1755 = less_364_s3_q ? 9'h0 : (and_916_s3_q ? {and_927, cfg_explained_limit_i} : 9'h0);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [8:0] select_1758;
   assign select_1758 = equal_361_s3_q ? 9'h0 : (equal_363_s3_q ? 9'h0 : (drew_s3_q ? select_1755 : 9'h0));
-  // hls/stages/agreement.hpp:552
+  // hls/stages/agreement.hpp:480
   logic [23:0] sum_1759;
   assign sum_1759 = counts_too_little_explained_q + {{15{select_1758[8]}}, select_1758};
-  // hls/stages/agreement.hpp:588
+  // hls/stages/agreement.hpp:511
   logic [9:0] select_1782;
   assign select_1782 = (left_rdata_s3_q & and_1706_s3_q) ? ({1'b0, and_937, 8'h0} - {2'h0, cfg_hidden_limit_i}) : 10'h0;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [9:0] select_1785;
   assign select_1785 = equal_363_s3_q ? 10'h0 : (drew_s3_q ? (less_364_s3_q ? 10'h0 : select_1782) : 10'h0);
   logic [9:0] select_1786;
   assign select_1786 = equal_361_s3_q ? 10'h0 : select_1785;
-  // hls/stages/agreement.hpp:562
+  // hls/stages/agreement.hpp:484
   logic [23:0] select_1788;
   assign select_1788 = select_1705 ? 24'h0 : (counts_too_much_hidden_q + {{14{select_1786[9]}}, select_1786});
-  // hls/stages/agreement.hpp:588
+  // hls/stages/agreement.hpp:511
   logic and_1790;
   assign and_1790 = and_927 & less_1789_s3_q;
-  // hls/stages/agreement.hpp:622
+  // hls/stages/registration.hpp:73
   logic equal_1793;
   assign equal_1793 = {lower_half_s3_q, less_1792_s3_q} == 2'h3;
   logic equal_1794;
   assign equal_1794 = {lower_half_s3_q, less_1792_s3_q} == 2'h2;
   logic equal_1795;
   assign equal_1795 = {lower_half_s3_q, less_1792_s3_q} == 2'h1;
-  // hls/stages/agreement.hpp:643
+  // hls/stages/registration.hpp:154
   logic [9:0] sum_1826;
   assign sum_1826 = {difference_1825_s3_q, select_1823_s3_q} + {sum_1822_s3_q[9], sum_1822_s3_q[9:1]};
-  // hls/stages/agreement.hpp:617
+  // hls/stages/registration.hpp:69
   logic [11:0] difference_1827;
   assign difference_1827 = {{4{best_left_rdata_s3_q[21]}}, best_left_rdata_s3_q[21:14]} - {sum_1826[9], sum_1826, sum_1822_s3_q[0]};
-  // hls/stages/agreement.hpp:647
+  // hls/stages/registration.hpp:158
   logic [11:0] select_1829;
   assign select_1829 = ($signed(difference_1827[11:7]) < $signed(5'h1f)) ? 12'hf80 : difference_1827;
   logic [11:0] residual;
   assign residual = ($signed(5'h0) < $signed(select_1829[11:7])) ? 12'h7f : select_1829;
-  // hls/stages/agreement.hpp:622
+  // hls/stages/registration.hpp:73
   logic not_1869;
   assign not_1869 = ~equal_1793;
   logic not_1870;
   assign not_1870 = ~equal_1794;
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic and_1875;
   assign and_1875 = not_365_s3_q & (and_1790 & (not_1869 & (not_1870 & (~equal_1795))));
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_1878;
   assign and_1878 = not_362_s3_q & (not_506_s3_q & (drew_s3_q & and_1875));
+  // hls/stages/agreement.hpp:485
+  logic [11:0] select_1880;
+  assign select_1880 = select_1705 ? 12'h0 : (registration_counts_measured_0_q + {11'h0, and_1878});
+  // hls/stages/agreement.hpp:299
   logic and_1885;
   assign and_1885 = drew_s3_q & (not_365_s3_q & (and_1790 & (not_1869 & (equal_1795 & not_1870))));
   logic and_1887;
   assign and_1887 = not_362_s3_q & (not_506_s3_q & and_1885);
+  // hls/stages/agreement.hpp:485
+  logic [11:0] select_1889;
+  assign select_1889 = select_1705 ? 12'h0 : (registration_counts_measured_1_q + {11'h0, and_1887});
+  // hls/stages/agreement.hpp:299
   logic and_1893;
   assign and_1893 = drew_s3_q & (not_365_s3_q & (and_1790 & (equal_1794 & not_1869)));
   logic and_1895;
   assign and_1895 = not_362_s3_q & (not_506_s3_q & and_1893);
+  // hls/stages/agreement.hpp:485
+  logic [11:0] select_1897;
+  assign select_1897 = select_1705 ? 12'h0 : (registration_counts_measured_2_q + {11'h0, and_1895});
+  // hls/stages/agreement.hpp:299
   logic and_1901;
   assign and_1901 = not_506_s3_q & (drew_s3_q & (not_365_s3_q & (and_1790 & equal_1793)));
   logic and_1902;
   assign and_1902 = not_362_s3_q & and_1901;
-  // hls/stages/agreement.hpp:635
+  // hls/stages/agreement.hpp:485
+  logic [11:0] select_1904;
+  assign select_1904 = select_1705 ? 12'h0 : (registration_counts_measured_3_q + {11'h0, and_1902});
+  // hls/stages/registration.hpp:146
   logic less_1905;
   assign less_1905 = $signed(residual[7:0]) < $signed({2'h0, cfg_moved_limit_i});
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic and_1906;
   assign and_1906 = and_1790 & less_1905;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [1:0] select_1909;
   assign select_1909 = equal_363_s3_q ? 2'h0 : (drew_s3_q ? (less_364_s3_q ? 2'h0 : {and_1906, and_1790}) : 2'h0);
-  logic [1:0] to_down;
-  assign to_down = equal_361_s3_q ? 2'h0 : select_1909;
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1912;
-  assign select_1912 = select_1705 ? 15'h0 : (counts_votes_0_down_q + {{13{to_down[1]}}, to_down});
-  // hls/stages/agreement.hpp:635
+  logic [1:0] select_1910;
+  assign select_1910 = equal_361_s3_q ? 2'h0 : select_1909;
+  // hls/stages/registration.hpp:121
+  logic [14:0] sum_1911;
+  assign sum_1911 = registration_counts_votes_0_down_q + {{13{select_1910[1]}}, select_1910};
+  // hls/stages/registration.hpp:146
   logic [12:0] difference_1913;
   assign difference_1913 = 13'h0 - {residual[11], residual};
   logic less_1914;
   assign less_1914 = $signed(difference_1913) < $signed({7'h0, cfg_moved_limit_i});
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic and_1915;
   assign and_1915 = and_1790 & less_1914;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [1:0] select_1918;
   assign select_1918 = equal_363_s3_q ? 2'h0 : (drew_s3_q ? (less_364_s3_q ? 2'h0 : {and_1915, and_1790}) : 2'h0);
-  logic [1:0] to_up;
-  assign to_up = equal_361_s3_q ? 2'h0 : select_1918;
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1921;
-  assign select_1921 = select_1705 ? 15'h0 : (counts_votes_0_up_q + {{13{to_up[1]}}, to_up});
-  // hls/stages/agreement.hpp:629
+  logic [1:0] select_1919;
+  assign select_1919 = equal_361_s3_q ? 2'h0 : select_1918;
+  // hls/stages/registration.hpp:122
+  logic [14:0] sum_1920;
+  assign sum_1920 = registration_counts_votes_0_up_q + {{13{select_1919[1]}}, select_1919};
+  // hls/stages/registration.hpp:80
   logic not_1922;
   assign not_1922 = ~less_1792_s3_q;
-  // hls/stages/agreement.hpp:628
+  // hls/stages/registration.hpp:79
   logic and_1923;
   assign and_1923 = less_1905 & not_1922;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [1:0] select_1926;
   assign select_1926 = drew_s3_q ? (less_364_s3_q ? 2'h0 : (and_1790 ? {and_1923, not_1922} : 2'h0)) : 2'h0;
-  logic [1:0] to_down_2;
-  assign to_down_2 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : select_1926);
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1930;
-  assign select_1930 = select_1705 ? 15'h0 : (counts_votes_1_down_q + {{13{to_down_2[1]}}, to_down_2});
-  // hls/stages/agreement.hpp:628
+  logic [1:0] select_1928;
+  assign select_1928 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : select_1926);
+  // hls/stages/registration.hpp:121
+  logic [14:0] sum_1929;
+  assign sum_1929 = registration_counts_votes_1_down_q + {{13{select_1928[1]}}, select_1928};
+  // hls/stages/registration.hpp:79
   logic and_1931;
   assign and_1931 = less_1914 & not_1922;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [1:0] select_1934;
   assign select_1934 = drew_s3_q ? (less_364_s3_q ? 2'h0 : (and_1790 ? {and_1931, not_1922} : 2'h0)) : 2'h0;
-  logic [1:0] to_up_2;
-  assign to_up_2 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : select_1934);
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1938;
-  assign select_1938 = select_1705 ? 15'h0 : (counts_votes_1_up_q + {{13{to_up_2[1]}}, to_up_2});
-  // hls/stages/agreement.hpp:628
+  logic [1:0] select_1936;
+  assign select_1936 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : select_1934);
+  // hls/stages/registration.hpp:122
+  logic [14:0] sum_1937;
+  assign sum_1937 = registration_counts_votes_1_up_q + {{13{select_1936[1]}}, select_1936};
+  // hls/stages/registration.hpp:79
   logic and_1939;
   assign and_1939 = less_1792_s3_q & less_1905;
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic [1:0] select_1941;
   assign select_1941 = less_364_s3_q ? 2'h0 : (and_1790 ? {and_1939, less_1792_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_down_3;
-  assign to_down_3 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : (drew_s3_q ? select_1941 : 2'h0));
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1946;
-  assign select_1946 = select_1705 ? 15'h0 : (counts_votes_2_down_q + {{13{to_down_3[1]}}, to_down_3});
-  // hls/stages/agreement.hpp:628
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_1944;
+  assign select_1944 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : (drew_s3_q ? select_1941 : 2'h0));
+  // hls/stages/registration.hpp:121
+  logic [14:0] sum_1945;
+  assign sum_1945 = registration_counts_votes_2_down_q + {{13{select_1944[1]}}, select_1944};
+  // hls/stages/registration.hpp:79
   logic and_1947;
   assign and_1947 = less_1792_s3_q & less_1914;
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic [1:0] select_1949;
   assign select_1949 = less_364_s3_q ? 2'h0 : (and_1790 ? {and_1947, less_1792_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_up_3;
-  assign to_up_3 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : (drew_s3_q ? select_1949 : 2'h0));
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1954;
-  assign select_1954 = select_1705 ? 15'h0 : (counts_votes_2_up_q + {{13{to_up_3[1]}}, to_up_3});
-  // hls/stages/agreement.hpp:629
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_1952;
+  assign select_1952 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : (drew_s3_q ? select_1949 : 2'h0));
+  // hls/stages/registration.hpp:122
+  logic [14:0] sum_1953;
+  assign sum_1953 = registration_counts_votes_2_up_q + {{13{select_1952[1]}}, select_1952};
+  // hls/stages/registration.hpp:80
   logic not_1955;
   assign not_1955 = ~lower_half_s3_q;
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic and_1956;
   assign and_1956 = less_1905 & not_1955;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [1:0] select_1959;
   assign select_1959 = drew_s3_q ? (less_364_s3_q ? 2'h0 : (and_1790 ? {and_1956, not_1955} : 2'h0)) : 2'h0;
-  logic [1:0] to_down_4;
-  assign to_down_4 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : select_1959);
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1963;
-  assign select_1963 = select_1705 ? 15'h0 : (counts_votes_3_down_q + {{13{to_down_4[1]}}, to_down_4});
-  // hls/stages/agreement.hpp:166
+  logic [1:0] select_1961;
+  assign select_1961 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : select_1959);
+  // hls/stages/registration.hpp:121
+  logic [14:0] sum_1962;
+  assign sum_1962 = registration_counts_votes_3_down_q + {{13{select_1961[1]}}, select_1961};
+  // hls/stages/agreement.hpp:165
   logic and_1964;
   assign and_1964 = less_1914 & not_1955;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [1:0] select_1967;
   assign select_1967 = drew_s3_q ? (less_364_s3_q ? 2'h0 : (and_1790 ? {and_1964, not_1955} : 2'h0)) : 2'h0;
-  logic [1:0] to_up_4;
-  assign to_up_4 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : select_1967);
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1971;
-  assign select_1971 = select_1705 ? 15'h0 : (counts_votes_3_up_q + {{13{to_up_4[1]}}, to_up_4});
-  // hls/stages/agreement.hpp:166
+  logic [1:0] select_1969;
+  assign select_1969 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : select_1967);
+  // hls/stages/registration.hpp:122
+  logic [14:0] sum_1970;
+  assign sum_1970 = registration_counts_votes_3_up_q + {{13{select_1969[1]}}, select_1969};
+  // hls/stages/agreement.hpp:165
   logic and_1972;
   assign and_1972 = lower_half_s3_q & less_1905;
   logic [1:0] select_1974;
   assign select_1974 = less_364_s3_q ? 2'h0 : (and_1790 ? {and_1972, lower_half_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_down_5;
-  assign to_down_5 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : (drew_s3_q ? select_1974 : 2'h0));
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1979;
-  assign select_1979 = select_1705 ? 15'h0 : (counts_votes_4_down_q + {{13{to_down_5[1]}}, to_down_5});
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_1977;
+  assign select_1977 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : (drew_s3_q ? select_1974 : 2'h0));
+  // hls/stages/registration.hpp:121
+  logic [14:0] sum_1978;
+  assign sum_1978 = registration_counts_votes_4_down_q + {{13{select_1977[1]}}, select_1977};
+  // hls/stages/agreement.hpp:165
   logic and_1980;
   assign and_1980 = lower_half_s3_q & less_1914;
   logic [1:0] select_1982;
   assign select_1982 = less_364_s3_q ? 2'h0 : (and_1790 ? {and_1980, lower_half_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_up_5;
-  assign to_up_5 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : (drew_s3_q ? select_1982 : 2'h0));
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1987;
-  assign select_1987 = select_1705 ? 15'h0 : (counts_votes_4_up_q + {{13{to_up_5[1]}}, to_up_5});
-  // hls/stages/agreement.hpp:635
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_1985;
+  assign select_1985 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : (drew_s3_q ? select_1982 : 2'h0));
+  // hls/stages/registration.hpp:122
+  logic [14:0] sum_1986;
+  assign sum_1986 = registration_counts_votes_4_up_q + {{13{select_1985[1]}}, select_1985};
+  // hls/stages/registration.hpp:146
   logic less_1988;
   assign less_1988 = $signed(residual[7:0]) < $signed({2'h0, cfg_moved_half_limit_i});
-  // hls/stages/agreement.hpp:628
+  // hls/stages/registration.hpp:79
   logic and_1989;
   assign and_1989 = not_1922 & less_1988;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [1:0] select_1992;
   assign select_1992 = drew_s3_q ? (less_364_s3_q ? 2'h0 : (and_1790 ? {and_1989, not_1922} : 2'h0)) : 2'h0;
-  logic [1:0] to_down_6;
-  assign to_down_6 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : select_1992);
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1996;
-  assign select_1996 = select_1705 ? 15'h0 : (counts_half_votes_0_down_q + {{13{to_down_6[1]}}, to_down_6});
-  // hls/stages/agreement.hpp:635
+  logic [1:0] select_1994;
+  assign select_1994 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : select_1992);
+  // hls/stages/registration.hpp:121
+  logic [14:0] sum_1995;
+  assign sum_1995 = registration_counts_half_votes_0_down_q + {{13{select_1994[1]}}, select_1994};
+  // hls/stages/registration.hpp:146
   logic less_1997;
   assign less_1997 = $signed(difference_1913) < $signed({7'h0, cfg_moved_half_limit_i});
-  // hls/stages/agreement.hpp:628
+  // hls/stages/registration.hpp:79
   logic and_1998;
   assign and_1998 = not_1922 & less_1997;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [1:0] select_2001;
   assign select_2001 = drew_s3_q ? (less_364_s3_q ? 2'h0 : (and_1790 ? {and_1998, not_1922} : 2'h0)) : 2'h0;
-  logic [1:0] to_up_6;
-  assign to_up_6 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : select_2001);
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_2005;
-  assign select_2005 = select_1705 ? 15'h0 : (counts_half_votes_0_up_q + {{13{to_up_6[1]}}, to_up_6});
-  // hls/stages/agreement.hpp:628
+  logic [1:0] select_2003;
+  assign select_2003 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : select_2001);
+  // hls/stages/registration.hpp:122
+  logic [14:0] sum_2004;
+  assign sum_2004 = registration_counts_half_votes_0_up_q + {{13{select_2003[1]}}, select_2003};
+  // hls/stages/registration.hpp:79
   logic and_2006;
   assign and_2006 = less_1792_s3_q & less_1988;
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic [1:0] select_2008;
   assign select_2008 = less_364_s3_q ? 2'h0 : (and_1790 ? {and_2006, less_1792_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_down_7;
-  assign to_down_7 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : (drew_s3_q ? select_2008 : 2'h0));
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_2013;
-  assign select_2013 = select_1705 ? 15'h0 : (counts_half_votes_1_down_q + {{13{to_down_7[1]}}, to_down_7});
-  // hls/stages/agreement.hpp:628
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_2011;
+  assign select_2011 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : (drew_s3_q ? select_2008 : 2'h0));
+  // hls/stages/registration.hpp:121
+  logic [14:0] sum_2012;
+  assign sum_2012 = registration_counts_half_votes_1_down_q + {{13{select_2011[1]}}, select_2011};
+  // hls/stages/registration.hpp:79
   logic and_2014;
   assign and_2014 = less_1792_s3_q & less_1997;
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic [1:0] select_2016;
   assign select_2016 = less_364_s3_q ? 2'h0 : (and_1790 ? {and_2014, less_1792_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_up_7;
-  assign to_up_7 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : (drew_s3_q ? select_2016 : 2'h0));
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_2021;
-  assign select_2021 = select_1705 ? 15'h0 : (counts_half_votes_1_up_q + {{13{to_up_7[1]}}, to_up_7});
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_2019;
+  assign select_2019 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : (drew_s3_q ? select_2016 : 2'h0));
+  // hls/stages/registration.hpp:122
+  logic [14:0] sum_2020;
+  assign sum_2020 = registration_counts_half_votes_1_up_q + {{13{select_2019[1]}}, select_2019};
+  // hls/stages/agreement.hpp:165
   logic and_2022;
   assign and_2022 = less_1988 & not_1955;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [1:0] select_2025;
   assign select_2025 = drew_s3_q ? (less_364_s3_q ? 2'h0 : (and_1790 ? {and_2022, not_1955} : 2'h0)) : 2'h0;
-  logic [1:0] to_down_8;
-  assign to_down_8 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : select_2025);
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_2029;
-  assign select_2029 = select_1705 ? 15'h0 : (counts_half_votes_2_down_q + {{13{to_down_8[1]}}, to_down_8});
-  // hls/stages/agreement.hpp:166
+  logic [1:0] select_2027;
+  assign select_2027 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : select_2025);
+  // hls/stages/registration.hpp:121
+  logic [14:0] sum_2028;
+  assign sum_2028 = registration_counts_half_votes_2_down_q + {{13{select_2027[1]}}, select_2027};
+  // hls/stages/agreement.hpp:165
   logic and_2030;
   assign and_2030 = less_1997 & not_1955;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [1:0] select_2033;
   assign select_2033 = drew_s3_q ? (less_364_s3_q ? 2'h0 : (and_1790 ? {and_2030, not_1955} : 2'h0)) : 2'h0;
-  logic [1:0] to_up_8;
-  assign to_up_8 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : select_2033);
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_2037;
-  assign select_2037 = select_1705 ? 15'h0 : (counts_half_votes_2_up_q + {{13{to_up_8[1]}}, to_up_8});
-  // hls/stages/agreement.hpp:166
+  logic [1:0] select_2035;
+  assign select_2035 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : select_2033);
+  // hls/stages/registration.hpp:122
+  logic [14:0] sum_2036;
+  assign sum_2036 = registration_counts_half_votes_2_up_q + {{13{select_2035[1]}}, select_2035};
+  // hls/stages/agreement.hpp:165
   logic and_2038;
   assign and_2038 = lower_half_s3_q & less_1988;
   logic [1:0] select_2040;
   assign select_2040 = less_364_s3_q ? 2'h0 : (and_1790 ? {and_2038, lower_half_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_down_9;
-  assign to_down_9 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : (drew_s3_q ? select_2040 : 2'h0));
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_2045;
-  assign select_2045 = select_1705 ? 15'h0 : (counts_half_votes_3_down_q + {{13{to_down_9[1]}}, to_down_9});
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_2043;
+  assign select_2043 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : (drew_s3_q ? select_2040 : 2'h0));
+  // hls/stages/registration.hpp:121
+  logic [14:0] sum_2044;
+  assign sum_2044 = registration_counts_half_votes_3_down_q + {{13{select_2043[1]}}, select_2043};
+  // hls/stages/agreement.hpp:165
   logic and_2046;
   assign and_2046 = lower_half_s3_q & less_1997;
   logic [1:0] select_2048;
   assign select_2048 = less_364_s3_q ? 2'h0 : (and_1790 ? {and_2046, lower_half_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_up_9;
-  assign to_up_9 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : (drew_s3_q ? select_2048 : 2'h0));
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_2053;
-  assign select_2053 = select_1705 ? 15'h0 : (counts_half_votes_3_up_q + {{13{to_up_9[1]}}, to_up_9});
-  // hls/stages/agreement.hpp:485
-  logic [7:0] sum_2070;
-  assign sum_2070 = region_down_rest_q[8:1] + 8'h3;
-  // hls/stages/agreement.hpp:247
-  logic [2:0] select_2072;
-  assign select_2072 = less_2069_s3_q ? (sum_2070[7] ? region_row_q : next_region_row_q) : region_row_q;
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_2051;
+  assign select_2051 = equal_361_s3_q ? 2'h0 : (equal_363_s3_q ? 2'h0 : (drew_s3_q ? select_2048 : 2'h0));
+  // hls/stages/registration.hpp:122
+  logic [14:0] sum_2052;
+  assign sum_2052 = registration_counts_half_votes_3_up_q + {{13{select_2051[1]}}, select_2051};
+  // hls/stages/division.hpp:34
+  logic [7:0] sum_2072;
+  assign sum_2072 = region_down_rest_q[8:1] + 8'h3;
+  // hls/stages/agreement.hpp:246
   logic [2:0] select_2074;
-  assign select_2074 = equal_1518_s3_q ? (equal_395_s3_q ? 3'h0 : select_2072) : region_row_q;
-  // hls/stages/agreement.hpp:177
-  logic [2:0] select_2075;
-  assign select_2075 = and_343_s3_q ? select_2074 : region_row_q;
-  // hls/stages/agreement.hpp:180
+  assign select_2074 = less_2071_s3_q ? (sum_2072[7] ? region_row_q : next_region_row_q) : region_row_q;
+  logic [2:0] select_2076;
+  assign select_2076 = equal_1518_s3_q ? (equal_395_s3_q ? 3'h0 : select_2074) : region_row_q;
+  // hls/stages/agreement.hpp:176
   logic [2:0] select_2077;
-  assign select_2077 = left_first_s3_q ? select_2075 : (and_310_s3_q ? select_2075 : region_row_q);
-  // hls/stages/agreement.hpp:302
-  logic [7:0] select_2081;
-  assign select_2081 = equal_361_s3_q ? select_889 : (equal_363_s3_q ? select_889 : (drew_s3_q ? select_998 : 8'h1));
-  // hls/stages/agreement.hpp:486
-  logic [8:0] sum_2082;
-  assign sum_2082 = region_across_rest_q + {{2{region_across_back_q[6]}}, region_across_back_q};
-  // hls/stages/agreement.hpp:487
-  logic [8:0] select_2083;
-  assign select_2083 = sum_900[5] ? {1'b1, sum_900[4:0], region_across_rest_q[2:0]} : sum_2082;
-  // hls/stages/agreement.hpp:138
-  logic [8:0] select_2084;
-  assign select_2084 = drew_s3_q ? select_2083 : {columns_begin_rest_q[7], columns_begin_rest_q};
-  // hls/stages/agreement.hpp:247
-  logic [7:0] select_2087;
-  assign select_2087 = equal_1518_s3_q ? (8'hf0 - {2'h0, cfg_width_i[8:3]}) : columns_begin_rest_q;
-  // hls/stages/agreement.hpp:177
-  logic [7:0] select_2088;
-  assign select_2088 = and_343_s3_q ? select_2087 : columns_begin_rest_q;
-  // hls/stages/agreement.hpp:180
+  assign select_2077 = and_343_s3_q ? select_2076 : region_row_q;
+  // hls/stages/agreement.hpp:179
+  logic [2:0] select_2079;
+  assign select_2079 = left_first_s3_q ? select_2077 : (and_310_s3_q ? select_2077 : region_row_q);
+  // hls/stages/agreement.hpp:299
+  logic [7:0] select_2083;
+  assign select_2083 = equal_361_s3_q ? select_889 : (equal_363_s3_q ? select_889 : (drew_s3_q ? select_998 : 8'h1));
+  // hls/stages/division.hpp:35
+  logic [8:0] sum_2084;
+  assign sum_2084 = region_across_rest_q + {{2{region_across_back_q[6]}}, region_across_back_q};
+  // hls/stages/division.hpp:36
+  logic [8:0] select_2085;
+  assign select_2085 = sum_900[5] ? {1'b1, sum_900[4:0], region_across_rest_q[2:0]} : sum_2084;
+  // hls/stages/agreement.hpp:140
+  logic [8:0] select_2086;
+  assign select_2086 = drew_s3_q ? select_2085 : {columns_begin_rest_q[7], columns_begin_rest_q};
+  // hls/stages/agreement.hpp:246
+  logic [7:0] select_2089;
+  assign select_2089 = equal_1518_s3_q ? (8'hf0 - {2'h0, cfg_width_i[8:3]}) : columns_begin_rest_q;
+  // hls/stages/agreement.hpp:176
   logic [7:0] select_2090;
-  assign select_2090 = left_first_s3_q ? select_2088 : (and_310_s3_q ? select_2088 : columns_begin_rest_q);
-  // hls/stages/agreement.hpp:247
-  logic [6:0] select_2093;
-  assign select_2093 = equal_1518_s3_q ? (7'h8 - {1'b0, cfg_width_i[8:3]}) : columns_begin_back_q;
-  // hls/stages/agreement.hpp:177
-  logic [6:0] select_2094;
-  assign select_2094 = and_343_s3_q ? select_2093 : columns_begin_back_q;
-  // hls/stages/agreement.hpp:180
+  assign select_2090 = and_343_s3_q ? select_2089 : columns_begin_rest_q;
+  // hls/stages/agreement.hpp:179
+  logic [7:0] select_2092;
+  assign select_2092 = left_first_s3_q ? select_2090 : (and_310_s3_q ? select_2090 : columns_begin_rest_q);
+  // hls/stages/agreement.hpp:246
+  logic [6:0] select_2095;
+  assign select_2095 = equal_1518_s3_q ? (7'h8 - {1'b0, cfg_width_i[8:3]}) : columns_begin_back_q;
+  // hls/stages/agreement.hpp:176
   logic [6:0] select_2096;
-  assign select_2096 = left_first_s3_q ? select_2094 : (and_310_s3_q ? select_2094 : columns_begin_back_q);
-  // hls/stages/agreement.hpp:247
-  logic [8:0] select_2100;
-  assign select_2100 = equal_395_s3_q ? {{2{difference_2098[6]}}, difference_2098} : (less_2069_s3_q ? region_down_next_q : region_down_rest_q);
-  // hls/stages/agreement.hpp:177
+  assign select_2096 = and_343_s3_q ? select_2095 : columns_begin_back_q;
+  // hls/stages/agreement.hpp:179
+  logic [6:0] select_2098;
+  assign select_2098 = left_first_s3_q ? select_2096 : (and_310_s3_q ? select_2096 : columns_begin_back_q);
+  // hls/stages/agreement.hpp:246
   logic [8:0] select_2102;
-  assign select_2102 = and_343_s3_q ? (equal_1518_s3_q ? select_2100 : region_down_rest_q) : region_down_rest_q;
-  // hls/stages/agreement.hpp:180
+  assign select_2102 = equal_395_s3_q ? {{2{difference_2100[6]}}, difference_2100} : (less_2071_s3_q ? region_down_next_q : region_down_rest_q);
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_2104;
-  assign select_2104 = left_first_s3_q ? select_2102 : (and_310_s3_q ? select_2102 : region_down_rest_q);
-  // hls/stages/agreement.hpp:247
-  logic [6:0] select_2107;
-  assign select_2107 = equal_395_s3_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
-  // hls/stages/agreement.hpp:177
+  assign select_2104 = and_343_s3_q ? (equal_1518_s3_q ? select_2102 : region_down_rest_q) : region_down_rest_q;
+  // hls/stages/agreement.hpp:179
+  logic [8:0] select_2106;
+  assign select_2106 = left_first_s3_q ? select_2104 : (and_310_s3_q ? select_2104 : region_down_rest_q);
+  // hls/stages/agreement.hpp:246
   logic [6:0] select_2109;
-  assign select_2109 = and_343_s3_q ? (equal_1518_s3_q ? select_2107 : region_down_back_q) : region_down_back_q;
-  // hls/stages/agreement.hpp:180
+  assign select_2109 = equal_395_s3_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
+  // hls/stages/agreement.hpp:176
   logic [6:0] select_2111;
-  assign select_2111 = left_first_s3_q ? select_2109 : (and_310_s3_q ? select_2109 : region_down_back_q);
-  // hls/stages/agreement.hpp:486
-  logic [8:0] sum_2113;
-  assign sum_2113 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
-  // hls/stages/agreement.hpp:487
-  logic [8:0] select_2114;
-  assign select_2114 = sum_2070[7] ? {1'b1, sum_2070[6:0], region_down_rest_q[0]} : sum_2113;
-  // hls/stages/agreement.hpp:469
+  assign select_2111 = and_343_s3_q ? (equal_1518_s3_q ? select_2109 : region_down_back_q) : region_down_back_q;
+  // hls/stages/agreement.hpp:179
+  logic [6:0] select_2113;
+  assign select_2113 = left_first_s3_q ? select_2111 : (and_310_s3_q ? select_2111 : region_down_back_q);
+  // hls/stages/division.hpp:35
+  logic [8:0] sum_2115;
+  assign sum_2115 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
+  // hls/stages/division.hpp:36
+  logic [8:0] select_2116;
+  assign select_2116 = sum_2072[7] ? {1'b1, sum_2072[6:0], region_down_rest_q[0]} : sum_2115;
+  // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_2070[7];
-  // hls/stages/agreement.hpp:247
-  logic select_2118;
-  assign select_2118 = equal_1518_s3_q ? (equal_395_s3_q | (less_2069_s3_q ? next : region_fresh_q)) : region_fresh_q;
-  // hls/stages/agreement.hpp:177
-  logic select_2119;
-  assign select_2119 = and_343_s3_q ? select_2118 : region_fresh_q;
-  // hls/stages/agreement.hpp:180
+  assign next = ~sum_2072[7];
+  // hls/stages/agreement.hpp:246
+  logic select_2120;
+  assign select_2120 = equal_1518_s3_q ? (equal_395_s3_q | (less_2071_s3_q ? next : region_fresh_q)) : region_fresh_q;
+  // hls/stages/agreement.hpp:176
   logic select_2121;
-  assign select_2121 = left_first_s3_q ? select_2119 : (and_310_s3_q ? select_2119 : region_fresh_q);
-  // hls/stages/agreement.hpp:138
-  logic or_2126;
-  assign or_2126 = segment_starts_q | not_1582_s3_q;
-  // hls/stages/agreement.hpp:591
-  logic select_2129;
-  assign select_2129 = less_364_s3_q ? or_2126 : (sum_900[5] ? (equal_902_s3_q & or_903) : or_903);
-  // hls/stages/agreement.hpp:302
-  logic select_2132;
-  assign select_2132 = equal_361_s3_q ? or_2126 : (equal_363_s3_q ? or_2126 : (drew_s3_q ? select_2129 : or_2126));
-  // hls/stages/agreement.hpp:737
-  logic equal_2134;
-  assign equal_2134 = x_s3_q[5:0] == 6'h3f;
-  // hls/stages/agreement.hpp:739
-  logic [7:0] select_2158;
-  assign select_2158 = ($signed(24'h0) < $signed(counts_too_much_hidden_q)) ? next_hidden_for_q : 8'h0;
-  // hls/stages/agreement.hpp:302
+  assign select_2121 = and_343_s3_q ? select_2120 : region_fresh_q;
+  // hls/stages/agreement.hpp:179
+  logic select_2123;
+  assign select_2123 = left_first_s3_q ? select_2121 : (and_310_s3_q ? select_2121 : region_fresh_q);
+  // hls/stages/agreement.hpp:140
+  logic or_2128;
+  assign or_2128 = segment_starts_q | not_1582_s3_q;
+  // hls/stages/agreement.hpp:516
+  logic select_2131;
+  assign select_2131 = less_364_s3_q ? or_2128 : (sum_900[5] ? (equal_902_s3_q & or_903) : or_903);
+  // hls/stages/agreement.hpp:299
+  logic select_2134;
+  assign select_2134 = equal_361_s3_q ? or_2128 : (equal_363_s3_q ? or_2128 : (drew_s3_q ? select_2131 : or_2128));
+  // hls/stages/agreement.hpp:619
+  logic equal_2136;
+  assign equal_2136 = x_s3_q[5:0] == 6'h3f;
+  // hls/stages/agreement.hpp:621
   logic [7:0] select_2160;
-  assign select_2160 = equal_905_s3_q ? (equal_2134 ? select_2158 : hidden_for_q) : hidden_for_q;
+  assign select_2160 = ($signed(24'h0) < $signed(counts_too_much_hidden_q)) ? next_hidden_for_q : 8'h0;
+  // hls/stages/agreement.hpp:299
   logic [7:0] select_2162;
-  assign select_2162 = equal_363_s3_q ? hidden_for_q : (drew_s3_q ? hidden_for_q : select_2160);
-  // hls/stages/agreement.hpp:143
-  logic not_2164;
-  assign not_2164 = ~hidden_for_q[7];
-  // hls/stages/agreement.hpp:302
+  assign select_2162 = equal_905_s3_q ? (equal_2136 ? select_2160 : hidden_for_q) : hidden_for_q;
+  logic [7:0] select_2164;
+  assign select_2164 = equal_363_s3_q ? hidden_for_q : (drew_s3_q ? hidden_for_q : select_2162);
+  // hls/stages/agreement.hpp:142
+  logic not_2166;
+  assign not_2166 = ~hidden_for_q[7];
+  // hls/stages/agreement.hpp:299
   logic select_2241;
   assign select_2241 = equal_363_s3_q ? centres_values_0_q : (drew_s3_q ? and_985 : centres_values_0_q);
   logic select_2244;
   assign select_2244 = equal_363_s3_q ? centres_values_1_q : (drew_s3_q ? centres_values_0_q : centres_values_1_q);
-  // hls/stages/agreement.hpp:247
+  // hls/stages/agreement.hpp:246
   logic [10:0] select_2249;
   assign select_2249 = equal_1518_s3_q ? (equal_2246_s3_q ? 11'h0 : (map_row_q + {5'h0, map_width_q})) : map_row_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [10:0] select_2250;
   assign select_2250 = and_343_s3_q ? select_2249 : map_row_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [10:0] select_2252;
   assign select_2252 = left_first_s3_q ? select_2250 : (and_310_s3_q ? select_2250 : map_row_q);
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [5:0] select_2255;
   assign select_2255 = and_343_s3_q ? (equal_1518_s3_q ? cfg_width_i[8:3] : map_width_q) : map_width_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [5:0] select_2257;
   assign select_2257 = left_first_s3_q ? select_2255 : (and_310_s3_q ? select_2255 : map_width_q);
-  // hls/stages/agreement.hpp:824
+  // hls/stages/agreement.hpp:694
   logic xor_2259;
   assign xor_2259 = write_half_q ^ done_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_2261;
   assign select_2261 = and_310_s3_q ? (left_first_s3_q ? xor_2259 : write_half_q) : write_half_q;
   logic select_2263;
@@ -3359,153 +3377,169 @@ module horopter_agreement (
   assign select_2265 = left_first_s3_q ? select_950 : (and_310_s3_q ? select_951 : read_half_q);
   logic and_2269;
   assign and_2269 = (~begins_product_q) & (done_q | said_q);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_2279;
-  assign and_2279 = not_362_s3_q & (not_506_s3_q & (not_1582_s3_q & (equal_905_s3_q & equal_2134)));
-  // hls/stages/agreement.hpp:180
+  assign and_2279 = not_362_s3_q & (not_506_s3_q & (not_1582_s3_q & (equal_905_s3_q & equal_2136)));
+  // hls/stages/agreement.hpp:179
   logic select_2288;
   assign select_2288 = and_310_s3_q ? (left_first_s3_q ? and_969 : (and_310_s3_q ? and_969 : began_q)) : began_q;
   logic [2:0] select_2290;
   assign select_2290 = left_first_s3_q ? select_971 : (and_310_s3_q ? select_971 : seen_x_q);
-  // hls/stages/agreement.hpp:853
+  // hls/stages/agreement.hpp:723
   logic [2:0] select_2294;
   assign select_2294 = and_956_s3_q ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [2:0] select_2297;
   assign select_2297 = left_first_s3_q ? 3'h0 : (and_310_s3_q ? (left_first_s3_q ? 3'h0 : select_2294) : seen_y_q);
   logic [7:0] select_2300;
   assign select_2300 = left_first_s3_q ? select_964 : (and_310_s3_q ? select_964 : seen_column_q);
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [7:0] select_2306;
   assign select_2306 = left_first_s3_q ? select_2304 : (seen_rows_left_q - {7'h0, was_next_row_q});
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [7:0] select_2308;
   assign select_2308 = left_first_s3_q ? select_2304 : (and_310_s3_q ? select_2306 : seen_rows_left_q);
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic and_2313;
   assign and_2313 = (seen_y_q == 3'h7) & (~(seen_rows_left_q == 8'h0));
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_2315;
   assign select_2315 = left_first_s3_q ? and_2313 : (and_310_s3_q ? and_2313 : at_cell_end_q);
   logic select_2318;
   assign select_2318 = left_first_s3_q ? next_row : (and_310_s3_q ? next_row : was_next_row_q);
   logic [10:0] select_2321;
   assign select_2321 = left_first_s3_q ? 11'h0 : (and_310_s3_q ? select_961 : seen_base_q);
-  // hls/stages/agreement.hpp:795
+  // hls/stages/registration.hpp:99
   logic [12:0] upper;
-  assign upper = {1'b0, counts_measured_0_q} + {1'b0, counts_measured_1_q};
+  assign upper = {1'b0, registration_counts_measured_0_q} + {1'b0, registration_counts_measured_1_q};
   logic [12:0] lower;
-  assign lower = {1'b0, counts_measured_2_q} + {1'b0, counts_measured_3_q};
-  // hls/stages/agreement.hpp:799
+  assign lower = {1'b0, registration_counts_measured_2_q} + {1'b0, registration_counts_measured_3_q};
+  // hls/stages/registration.hpp:103
   logic [13:0] sum_2400;
   assign sum_2400 = {1'b0, upper} + {1'b0, lower};
   logic less_2401;
   assign less_2401 = 11'h4 < sum_2400[13:3];
-  // hls/stages/agreement.hpp:795
+  // hls/stages/registration.hpp:99
   logic [12:0] left;
-  assign left = {1'b0, counts_measured_0_q} + {1'b0, counts_measured_2_q};
-  // hls/stages/agreement.hpp:796
+  assign left = {1'b0, registration_counts_measured_0_q} + {1'b0, registration_counts_measured_2_q};
+  // hls/stages/registration.hpp:100
   logic less_2404;
   assign less_2404 = 11'he < left[12:2];
-  // hls/stages/agreement.hpp:504
+  // hls/stages/registration.hpp:119
   logic less_2406;
-  assign less_2406 = $signed(15'h0) < $signed(counts_votes_0_up_q);
-  // hls/stages/agreement.hpp:800
+  assign less_2406 = $signed(15'h0) < $signed(registration_counts_votes_0_up_q);
+  // hls/stages/registration.hpp:104
   logic or_2407;
   assign or_2407 = (~less_2404) | less_2406;
-  // hls/stages/agreement.hpp:795
+  // hls/stages/registration.hpp:99
   logic [12:0] right;
-  assign right = {1'b0, counts_measured_1_q} + {1'b0, counts_measured_3_q};
-  // hls/stages/agreement.hpp:796
+  assign right = {1'b0, registration_counts_measured_1_q} + {1'b0, registration_counts_measured_3_q};
+  // hls/stages/registration.hpp:100
   logic less_2409;
   assign less_2409 = 11'he < right[12:2];
-  // hls/stages/agreement.hpp:504
+  // hls/stages/registration.hpp:119
   logic less_2411;
-  assign less_2411 = $signed(15'h0) < $signed(counts_half_votes_0_up_q);
-  // hls/stages/agreement.hpp:800
+  assign less_2411 = $signed(15'h0) < $signed(registration_counts_half_votes_0_up_q);
+  // hls/stages/registration.hpp:104
   logic select_2413;
   assign select_2413 = less_2401 ? (or_2407 ? less_2406 : less_2411) : less_2411;
   logic or_2414;
   assign or_2414 = (~less_2409) | select_2413;
-  // hls/stages/agreement.hpp:796
+  // hls/stages/registration.hpp:100
   logic less_2415;
   assign less_2415 = 11'he < upper[12:2];
-  // hls/stages/agreement.hpp:504
+  // hls/stages/registration.hpp:119
   logic less_2417;
-  assign less_2417 = $signed(15'h0) < $signed(counts_half_votes_1_up_q);
-  // hls/stages/agreement.hpp:800
+  assign less_2417 = $signed(15'h0) < $signed(registration_counts_half_votes_1_up_q);
+  // hls/stages/registration.hpp:104
   logic select_2418;
   assign select_2418 = or_2414 ? select_2413 : less_2417;
   logic select_2420;
   assign select_2420 = less_2401 ? select_2418 : (less_2404 ? select_2418 : less_2417);
   logic or_2421;
   assign or_2421 = (~less_2415) | select_2420;
-  // hls/stages/agreement.hpp:504
+  // hls/stages/registration.hpp:119
   logic less_2422;
-  assign less_2422 = $signed(15'h0) < $signed(counts_half_votes_2_up_q);
-  // hls/stages/agreement.hpp:800
+  assign less_2422 = $signed(15'h0) < $signed(registration_counts_half_votes_2_up_q);
+  // hls/stages/registration.hpp:104
   logic select_2423;
   assign select_2423 = or_2421 ? select_2420 : less_2422;
   logic select_2426;
   assign select_2426 = less_2401 ? select_2423 : (less_2404 ? select_2423 : (less_2409 ? select_2423 : less_2422));
-  // hls/stages/agreement.hpp:797
+  // hls/stages/registration.hpp:101
   logic less_2427;
   assign less_2427 = 11'he < lower[12:2];
-  // hls/stages/agreement.hpp:800
+  // hls/stages/registration.hpp:104
   logic or_2429;
   assign or_2429 = select_2426 | (~less_2427);
-  // hls/stages/agreement.hpp:504
+  // hls/stages/registration.hpp:119
   logic less_2430;
-  assign less_2430 = $signed(15'h0) < $signed(counts_half_votes_3_up_q);
-  // hls/stages/agreement.hpp:801
+  assign less_2430 = $signed(15'h0) < $signed(registration_counts_half_votes_3_up_q);
+  // hls/stages/registration.hpp:105
   logic select_2431;
   assign select_2431 = or_2429 ? select_2426 : less_2430;
   logic select_2434;
   assign select_2434 = less_2404 ? select_2431 : (less_2409 ? select_2431 : (less_2415 ? select_2431 : less_2430));
-  // hls/stages/agreement.hpp:741
+  // hls/stages/agreement.hpp:623
   logic and_2446;
-  assign and_2446 = ($signed(15'h0) < $signed(counts_votes_3_up_q)) & ($signed(15'h0) < $signed(counts_votes_4_down_q));
+  assign and_2446 = ($signed(15'h0) < $signed(registration_counts_votes_3_up_q)) & ($signed(15'h0) < $signed(registration_counts_votes_4_down_q));
+  logic or_2447;
+  assign or_2447 = ($signed(15'h0) < $signed(registration_counts_votes_4_up_q)) | and_2446;
   logic select_2448;
-  assign select_2448 = ($signed(15'h0) < $signed(counts_votes_3_down_q)) ? (($signed(15'h0) < $signed(counts_votes_4_up_q)) | and_2446) : and_2446;
+  assign select_2448 = ($signed(15'h0) < $signed(registration_counts_votes_3_down_q)) ? or_2447 : and_2446;
   logic and_2449;
   assign and_2449 = (less_2415 & less_2427) & select_2448;
+  logic or_2450;
+  assign or_2450 = ($signed(15'h0) < $signed(registration_counts_votes_2_down_q)) | and_2449;
   logic select_2451;
-  assign select_2451 = ($signed(15'h0) < $signed(counts_votes_1_up_q)) ? (($signed(15'h0) < $signed(counts_votes_2_down_q)) | and_2449) : and_2449;
+  assign select_2451 = ($signed(15'h0) < $signed(registration_counts_votes_1_up_q)) ? or_2450 : and_2449;
+  logic or_2452;
+  assign or_2452 = ($signed(15'h0) < $signed(registration_counts_votes_2_up_q)) | select_2451;
   logic select_2453;
-  assign select_2453 = ($signed(15'h0) < $signed(counts_votes_1_down_q)) ? (($signed(15'h0) < $signed(counts_votes_2_up_q)) | select_2451) : select_2451;
+  assign select_2453 = ($signed(15'h0) < $signed(registration_counts_votes_1_down_q)) ? or_2452 : select_2451;
   logic select_2454;
   assign select_2454 = (less_2404 & less_2409) ? select_2453 : and_2449;
   logic or_2455;
   assign or_2455 = (less_2401 ? select_2431 : select_2434) | select_2454;
+  // hls/stages/registration.hpp:119
+  logic less_2456;
+  assign less_2456 = $signed(15'h0) < $signed(registration_counts_half_votes_3_down_q);
+  // hls/stages/agreement.hpp:623
   logic or_2457;
-  assign or_2457 = ($signed(15'h0) < $signed(counts_half_votes_3_down_q)) | or_2455;
+  assign or_2457 = less_2456 | or_2455;
   logic select_2458;
   assign select_2458 = or_2429 ? or_2455 : or_2457;
-  logic or_2460;
-  assign or_2460 = ($signed(15'h0) < $signed(counts_half_votes_2_down_q)) | select_2458;
+  // hls/stages/registration.hpp:119
+  logic less_2459;
+  assign less_2459 = $signed(15'h0) < $signed(registration_counts_half_votes_2_down_q);
+  logic less_2462;
+  assign less_2462 = $signed(15'h0) < $signed(registration_counts_half_votes_1_down_q);
+  logic less_2465;
+  assign less_2465 = $signed(15'h0) < $signed(registration_counts_half_votes_0_down_q);
+  // hls/stages/agreement.hpp:623
   logic and_2507;
-  assign and_2507 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_2158 < cfg_hidden_frames_i));
-  // hls/stages/agreement.hpp:302
+  assign and_2507 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_2160 < cfg_hidden_frames_i));
+  // hls/stages/agreement.hpp:299
   logic and_2511;
-  assign and_2511 = not_1582_s3_q & (equal_905_s3_q & (equal_2134 & (cfg_prove_i & and_2507)));
+  assign and_2511 = not_1582_s3_q & (equal_905_s3_q & (equal_2136 & (cfg_prove_i & and_2507)));
   logic [11:0] select_2535;
-  assign select_2535 = equal_905_s3_q ? (equal_2134 ? counts_measured_0_q : 12'h0) : 12'h0;
+  assign select_2535 = equal_905_s3_q ? (equal_2136 ? registration_counts_measured_0_q : 12'h0) : 12'h0;
   logic [11:0] select_2538;
   assign select_2538 = equal_361_s3_q ? 12'h0 : (equal_363_s3_q ? 12'h0 : (drew_s3_q ? 12'h0 : select_2535));
   logic [11:0] select_2540;
-  assign select_2540 = equal_905_s3_q ? (equal_2134 ? counts_measured_1_q : 12'h0) : 12'h0;
+  assign select_2540 = equal_905_s3_q ? (equal_2136 ? registration_counts_measured_1_q : 12'h0) : 12'h0;
   logic [11:0] select_2543;
   assign select_2543 = equal_361_s3_q ? 12'h0 : (equal_363_s3_q ? 12'h0 : (drew_s3_q ? 12'h0 : select_2540));
   logic [11:0] select_2545;
-  assign select_2545 = equal_905_s3_q ? (equal_2134 ? counts_measured_2_q : 12'h0) : 12'h0;
+  assign select_2545 = equal_905_s3_q ? (equal_2136 ? registration_counts_measured_2_q : 12'h0) : 12'h0;
   logic [11:0] select_2548;
   assign select_2548 = equal_361_s3_q ? 12'h0 : (equal_363_s3_q ? 12'h0 : (drew_s3_q ? 12'h0 : select_2545));
   logic [11:0] select_2550;
-  assign select_2550 = equal_905_s3_q ? (equal_2134 ? counts_measured_3_q : 12'h0) : 12'h0;
+  assign select_2550 = equal_905_s3_q ? (equal_2136 ? registration_counts_measured_3_q : 12'h0) : 12'h0;
   logic [11:0] select_2553;
   assign select_2553 = equal_361_s3_q ? 12'h0 : (equal_363_s3_q ? 12'h0 : (drew_s3_q ? 12'h0 : select_2550));
 
-  // Memory regions, 64 x 36, DISTANCE 12, hls/stages/agreement.hpp:912; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory regions, 64 x 36, DISTANCE 12, hls/stages/agreement.hpp:782; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [35:0] regions_mem [0:63];
@@ -3521,7 +3555,7 @@ module horopter_agreement (
     if (regions_re) regions_rdata_q <= regions_mem[regions_raddr];
   end
 
-  // Memory map, 3290 x 2, DISTANCE 16, hls/stages/agreement.hpp:932; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory map, 3290 x 2, DISTANCE 16, hls/stages/agreement.hpp:801; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [1:0] map_mem [0:3289];
@@ -3626,28 +3660,28 @@ module horopter_agreement (
       rows_passed_above_q <= 5'h0;
       counts_too_little_explained_q <= 24'h0;
       counts_too_much_hidden_q <= 24'h0;
-      counts_measured_0_q <= 12'h0;
-      counts_measured_1_q <= 12'h0;
-      counts_measured_2_q <= 12'h0;
-      counts_measured_3_q <= 12'h0;
-      counts_votes_0_down_q <= 15'h0;
-      counts_votes_0_up_q <= 15'h0;
-      counts_votes_1_down_q <= 15'h0;
-      counts_votes_1_up_q <= 15'h0;
-      counts_votes_2_down_q <= 15'h0;
-      counts_votes_2_up_q <= 15'h0;
-      counts_votes_3_down_q <= 15'h0;
-      counts_votes_3_up_q <= 15'h0;
-      counts_votes_4_down_q <= 15'h0;
-      counts_votes_4_up_q <= 15'h0;
-      counts_half_votes_0_down_q <= 15'h0;
-      counts_half_votes_0_up_q <= 15'h0;
-      counts_half_votes_1_down_q <= 15'h0;
-      counts_half_votes_1_up_q <= 15'h0;
-      counts_half_votes_2_down_q <= 15'h0;
-      counts_half_votes_2_up_q <= 15'h0;
-      counts_half_votes_3_down_q <= 15'h0;
-      counts_half_votes_3_up_q <= 15'h0;
+      registration_counts_measured_0_q <= 12'h0;
+      registration_counts_measured_1_q <= 12'h0;
+      registration_counts_measured_2_q <= 12'h0;
+      registration_counts_measured_3_q <= 12'h0;
+      registration_counts_votes_0_down_q <= 15'h0;
+      registration_counts_votes_0_up_q <= 15'h0;
+      registration_counts_votes_1_down_q <= 15'h0;
+      registration_counts_votes_1_up_q <= 15'h0;
+      registration_counts_votes_2_down_q <= 15'h0;
+      registration_counts_votes_2_up_q <= 15'h0;
+      registration_counts_votes_3_down_q <= 15'h0;
+      registration_counts_votes_3_up_q <= 15'h0;
+      registration_counts_votes_4_down_q <= 15'h0;
+      registration_counts_votes_4_up_q <= 15'h0;
+      registration_counts_half_votes_0_down_q <= 15'h0;
+      registration_counts_half_votes_0_up_q <= 15'h0;
+      registration_counts_half_votes_1_down_q <= 15'h0;
+      registration_counts_half_votes_1_up_q <= 15'h0;
+      registration_counts_half_votes_2_down_q <= 15'h0;
+      registration_counts_half_votes_2_up_q <= 15'h0;
+      registration_counts_half_votes_3_down_q <= 15'h0;
+      registration_counts_half_votes_3_up_q <= 15'h0;
       region_row_q <= 3'h0;
       region_columns_q <= 8'h1;
       region_across_rest_q <= 9'h0;
@@ -3687,41 +3721,41 @@ module horopter_agreement (
       rows_passed_above_q <= and_310_s3_q ? select_1515 : rows_passed_above_q;
       counts_too_little_explained_q <= select_1705 ? 24'h0 : sum_1759;
       counts_too_much_hidden_q <= select_1788;
-      counts_measured_0_q <= select_1705 ? 12'h0 : (counts_measured_0_q + {11'h0, and_1878});
-      counts_measured_1_q <= select_1705 ? 12'h0 : (counts_measured_1_q + {11'h0, and_1887});
-      counts_measured_2_q <= select_1705 ? 12'h0 : (counts_measured_2_q + {11'h0, and_1895});
-      counts_measured_3_q <= select_1705 ? 12'h0 : (counts_measured_3_q + {11'h0, and_1902});
-      counts_votes_0_down_q <= select_1912;
-      counts_votes_0_up_q <= select_1921;
-      counts_votes_1_down_q <= select_1930;
-      counts_votes_1_up_q <= select_1938;
-      counts_votes_2_down_q <= select_1946;
-      counts_votes_2_up_q <= select_1954;
-      counts_votes_3_down_q <= select_1963;
-      counts_votes_3_up_q <= select_1971;
-      counts_votes_4_down_q <= select_1979;
-      counts_votes_4_up_q <= select_1987;
-      counts_half_votes_0_down_q <= select_1996;
-      counts_half_votes_0_up_q <= select_2005;
-      counts_half_votes_1_down_q <= select_2013;
-      counts_half_votes_1_up_q <= select_2021;
-      counts_half_votes_2_down_q <= select_2029;
-      counts_half_votes_2_up_q <= select_2037;
-      counts_half_votes_3_down_q <= select_2045;
-      counts_half_votes_3_up_q <= select_2053;
-      region_row_q <= and_310_s3_q ? select_2077 : region_row_q;
-      region_columns_q <= select_2081;
-      region_across_rest_q <= select_2084;
+      registration_counts_measured_0_q <= select_1880;
+      registration_counts_measured_1_q <= select_1889;
+      registration_counts_measured_2_q <= select_1897;
+      registration_counts_measured_3_q <= select_1904;
+      registration_counts_votes_0_down_q <= select_1705 ? 15'h0 : sum_1911;
+      registration_counts_votes_0_up_q <= select_1705 ? 15'h0 : sum_1920;
+      registration_counts_votes_1_down_q <= select_1705 ? 15'h0 : sum_1929;
+      registration_counts_votes_1_up_q <= select_1705 ? 15'h0 : sum_1937;
+      registration_counts_votes_2_down_q <= select_1705 ? 15'h0 : sum_1945;
+      registration_counts_votes_2_up_q <= select_1705 ? 15'h0 : sum_1953;
+      registration_counts_votes_3_down_q <= select_1705 ? 15'h0 : sum_1962;
+      registration_counts_votes_3_up_q <= select_1705 ? 15'h0 : sum_1970;
+      registration_counts_votes_4_down_q <= select_1705 ? 15'h0 : sum_1978;
+      registration_counts_votes_4_up_q <= select_1705 ? 15'h0 : sum_1986;
+      registration_counts_half_votes_0_down_q <= select_1705 ? 15'h0 : sum_1995;
+      registration_counts_half_votes_0_up_q <= select_1705 ? 15'h0 : sum_2004;
+      registration_counts_half_votes_1_down_q <= select_1705 ? 15'h0 : sum_2012;
+      registration_counts_half_votes_1_up_q <= select_1705 ? 15'h0 : sum_2020;
+      registration_counts_half_votes_2_down_q <= select_1705 ? 15'h0 : sum_2028;
+      registration_counts_half_votes_2_up_q <= select_1705 ? 15'h0 : sum_2036;
+      registration_counts_half_votes_3_down_q <= select_1705 ? 15'h0 : sum_2044;
+      registration_counts_half_votes_3_up_q <= select_1705 ? 15'h0 : sum_2052;
+      region_row_q <= and_310_s3_q ? select_2079 : region_row_q;
+      region_columns_q <= select_2083;
+      region_across_rest_q <= select_2086;
       region_across_back_q <= drew_s3_q ? region_across_back_q : columns_begin_back_q;
-      columns_begin_rest_q <= and_310_s3_q ? select_2090 : columns_begin_rest_q;
-      columns_begin_back_q <= and_310_s3_q ? select_2096 : columns_begin_back_q;
-      region_down_rest_q <= and_310_s3_q ? select_2104 : region_down_rest_q;
-      region_down_back_q <= and_310_s3_q ? select_2111 : region_down_back_q;
-      region_down_next_q <= select_2114;
-      region_fresh_q <= and_310_s3_q ? select_2121 : region_fresh_q;
-      segment_starts_q <= select_2132;
-      hidden_for_q <= equal_361_s3_q ? hidden_for_q : select_2162;
-      next_hidden_for_q <= hidden_for_q + {7'h0, not_2164};
+      columns_begin_rest_q <= and_310_s3_q ? select_2092 : columns_begin_rest_q;
+      columns_begin_back_q <= and_310_s3_q ? select_2098 : columns_begin_back_q;
+      region_down_rest_q <= and_310_s3_q ? select_2106 : region_down_rest_q;
+      region_down_back_q <= and_310_s3_q ? select_2113 : region_down_back_q;
+      region_down_next_q <= select_2116;
+      region_fresh_q <= and_310_s3_q ? select_2123 : region_fresh_q;
+      segment_starts_q <= select_2134;
+      hidden_for_q <= equal_361_s3_q ? hidden_for_q : select_2164;
+      next_hidden_for_q <= hidden_for_q + {7'h0, not_2166};
       next_region_row_q <= region_row_q + 3'h1;
       begins_product_q <= drew_s3_q;
       centres_values_0_q <= equal_361_s3_q ? centres_values_0_q : select_2241;
@@ -3984,8 +4018,8 @@ module horopter_agreement (
   logic equal_1794_s4_q;
   logic equal_1795_s4_q;
   logic [7:0] residual_s4_q;
-  logic equal_2134_s4_q;
-  logic less_2140_s4_q;
+  logic equal_2136_s4_q;
+  logic less_2142_s4_q;
   logic and_2324_s4_q;
   logic less_2401_s4_q;
   logic less_2402_s4_q;
@@ -4113,11 +4147,11 @@ module horopter_agreement (
       equal_1794_s4_q <= equal_1794;
       equal_1795_s4_q <= equal_1795;
       residual_s4_q <= residual[7:0];
-      equal_2134_s4_q <= equal_2134;
-      less_2140_s4_q <= $signed(24'h0) < $signed(counts_too_little_explained_q);
+      equal_2136_s4_q <= equal_2136;
+      less_2142_s4_q <= $signed(24'h0) < $signed(counts_too_little_explained_q);
       and_2324_s4_q <= and_1054_s3_q & (sum_982 == sum_966);
       less_2401_s4_q <= less_2401;
-      less_2402_s4_q <= $signed(15'h0) < $signed(counts_votes_0_down_q);
+      less_2402_s4_q <= $signed(15'h0) < $signed(registration_counts_votes_0_down_q);
       less_2404_s4_q <= less_2404;
       or_2407_s4_q <= or_2407;
       less_2409_s4_q <= less_2409;
@@ -4125,9 +4159,9 @@ module horopter_agreement (
       less_2415_s4_q <= less_2415;
       or_2421_s4_q <= or_2421;
       select_2458_s4_q <= select_2458;
-      or_2460_s4_q <= or_2460;
-      less_2462_s4_q <= $signed(15'h0) < $signed(counts_half_votes_1_down_q);
-      less_2465_s4_q <= $signed(15'h0) < $signed(counts_half_votes_0_down_q);
+      or_2460_s4_q <= less_2459 | select_2458;
+      less_2462_s4_q <= less_2462;
+      less_2465_s4_q <= less_2465;
       select_2469_s4_q <= less_2427 ? or_2457 : select_2454;
       and_2513_s4_q <= not_362_s3_q & (not_506_s3_q & and_2511);
       select_2538_s4_q <= select_2538;
@@ -4167,10 +4201,10 @@ module horopter_agreement (
   logic [13:0] counts_regions_bad_q;
   logic [23:0] counts_too_many_bad_q;
   logic [23:0] counts_too_much_unproven_q;
-  logic [19:0] counts_across_0_q;
-  logic [19:0] counts_across_1_q;
-  logic [19:0] counts_across_2_q;
-  logic [19:0] counts_across_3_q;
+  logic [19:0] registration_counts_across_0_q;
+  logic [19:0] registration_counts_across_1_q;
+  logic [19:0] registration_counts_across_2_q;
+  logic [19:0] registration_counts_across_3_q;
   logic [5:0] segment_textured_q;
   logic [5:0] segment_explained_q;
   logic [5:0] segment_nearer_q;
@@ -4214,7 +4248,7 @@ module horopter_agreement (
   assign less_448 = 9'h4 < sum_447[13:5];
   logic and_449;
   assign and_449 = and_399_s4_q & less_448;
-  // hls/stages/agreement.hpp:451
+  // hls/stages/registration.hpp:28
   logic not_854;
   assign not_854 = ~difference_853_s4_q[8];
   logic [7:0] xor_855;
@@ -4239,52 +4273,52 @@ module horopter_agreement (
   assign xor_864 = twice_s4_q ^ {8{not_863}};
   logic [9:0] sum_865;
   assign sum_865 = {sum_862[8:0], not_863} + {not_863, xor_864, not_863};
-  // hls/stages/agreement.hpp:454
+  // hls/stages/registration.hpp:31
   logic [7:0] difference_866;
   assign difference_866 = {sum_841_s4_q, select_807_s4_q, 5'h0} - {3'h0, difference_853_s4_q[8], sum_856[9], sum_859[9], sum_862[9], sum_865[9]};
-  // hls/stages/agreement.hpp:431
+  // hls/stages/agreement.hpp:428
   logic [7:0] select_867;
   assign select_867 = rise_s4_q ? difference_866 : {sum_841_s4_q, select_807_s4_q, difference_853_s4_q[8], sum_856[9], sum_859[9], sum_862[9], sum_865[9]};
   logic [7:0] select_868;
   assign select_868 = equal_829_s4_q ? select_867 : {sum_841_s4_q, select_807_s4_q, 5'h0};
-  // hls/stages/agreement.hpp:433
+  // hls/stages/agreement.hpp:430
   logic [7:0] select_871;
   assign select_871 = less_813_s4_q ? (or_816_s4_q ? select_868 : best_left_rdata_s4_q) : (less_814_s4_q ? select_868 : best_left_rdata_s4_q);
   logic [7:0] select_872;
   assign select_872 = equal_511_s4_q ? select_868 : select_871;
-  // hls/stages/agreement.hpp:536
+  // hls/stages/agreement.hpp:464
   logic [5:0] select_918;
   assign select_918 = segment_started_q ? segment_textured_q : 6'h0;
-  // hls/stages/agreement.hpp:537
+  // hls/stages/agreement.hpp:465
   logic [5:0] sum_919;
   assign sum_919 = {5'h0, textured_s4_q} + select_918;
-  // hls/stages/agreement.hpp:667
+  // hls/stages/agreement.hpp:549
   logic [11:0] sum_921;
   assign sum_921 = {6'h0, sum_919} + (region_fresh_s4_q ? 12'h0 : regions_rdata_q[11:0]);
-  // hls/stages/agreement.hpp:536
+  // hls/stages/agreement.hpp:464
   logic [5:0] select_929;
   assign select_929 = segment_started_q ? segment_explained_q : 6'h0;
-  // hls/stages/agreement.hpp:537
+  // hls/stages/agreement.hpp:465
   logic [5:0] sum_930;
   assign sum_930 = {5'h0, explained_s4_q} + select_929;
-  // hls/stages/agreement.hpp:668
+  // hls/stages/agreement.hpp:550
   logic [11:0] sum_932;
   assign sum_932 = {6'h0, sum_930} + (region_fresh_s4_q ? 12'h0 : regions_rdata_q[23:12]);
-  // hls/stages/agreement.hpp:536
+  // hls/stages/agreement.hpp:464
   logic [5:0] select_940;
   assign select_940 = segment_started_q ? segment_nearer_q : 6'h0;
-  // hls/stages/agreement.hpp:538
+  // hls/stages/agreement.hpp:466
   logic [5:0] sum_941;
   assign sum_941 = {5'h0, and_939_s4_q} + select_940;
-  // hls/stages/agreement.hpp:669
+  // hls/stages/agreement.hpp:551
   logic [11:0] sum_943;
   assign sum_943 = {6'h0, sum_941} + (region_fresh_s4_q ? 12'h0 : regions_rdata_q[35:24]);
-  // hls/stages/agreement.hpp:693
+  // hls/stages/agreement.hpp:575
   logic [4:0] difference_992;
   assign difference_992 = {2'h0, textured_2_s4_q} - (age_s4_q ? box_textured_columns_values_4_q : 5'h0);
   logic [4:0] t;
   assign t = difference_992 + (equal_993_s4_q ? 5'h0 : box_textured_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:699
+  // hls/stages/agreement.hpp:581
   logic not_1008;
   assign not_1008 = ~region_row_s4_q[2];
   logic [2:0] select_1009;
@@ -4297,46 +4331,46 @@ module horopter_agreement (
   assign select_1012 = or_1004_s4_q ? {select_1011[11], 1'b0, select_1011[10], 1'b0, select_1011[9], 1'b0, select_1011[8], 1'b0, select_1011[7], 1'b0, select_1011[6], 1'b0, select_1011[5], 1'b0, select_1011[4], 1'b0, select_1011[3], 1'b0, select_1011[2], 1'b0, select_1011[1], 1'b0, select_1011[0], 1'b0} : {1'b0, select_1011[11], 1'b0, select_1011[10], 1'b0, select_1011[9], 1'b0, select_1011[8], 1'b0, select_1011[7], 1'b0, select_1011[6], 1'b0, select_1011[5], 1'b0, select_1011[4], 1'b0, select_1011[3], 1'b0, select_1011[2], 1'b0, select_1011[1], 1'b0, select_1011[0]};
   logic [47:0] select_1013;
   assign select_1013 = or_1001_s4_q ? {select_1012[23], 1'b0, select_1012[22], 1'b0, select_1012[21], 1'b0, select_1012[20], 1'b0, select_1012[19], 1'b0, select_1012[18], 1'b0, select_1012[17], 1'b0, select_1012[16], 1'b0, select_1012[15], 1'b0, select_1012[14], 1'b0, select_1012[13], 1'b0, select_1012[12], 1'b0, select_1012[11], 1'b0, select_1012[10], 1'b0, select_1012[9], 1'b0, select_1012[8], 1'b0, select_1012[7], 1'b0, select_1012[6], 1'b0, select_1012[5], 1'b0, select_1012[4], 1'b0, select_1012[3], 1'b0, select_1012[2], 1'b0, select_1012[1], 1'b0, select_1012[0], 1'b0} : {1'b0, select_1012[23], 1'b0, select_1012[22], 1'b0, select_1012[21], 1'b0, select_1012[20], 1'b0, select_1012[19], 1'b0, select_1012[18], 1'b0, select_1012[17], 1'b0, select_1012[16], 1'b0, select_1012[15], 1'b0, select_1012[14], 1'b0, select_1012[13], 1'b0, select_1012[12], 1'b0, select_1012[11], 1'b0, select_1012[10], 1'b0, select_1012[9], 1'b0, select_1012[8], 1'b0, select_1012[7], 1'b0, select_1012[6], 1'b0, select_1012[5], 1'b0, select_1012[4], 1'b0, select_1012[3], 1'b0, select_1012[2], 1'b0, select_1012[1], 1'b0, select_1012[0]};
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:576
   logic [4:0] difference_1025;
   assign difference_1025 = {2'h0, explained_2_s4_q} - (age_s4_q ? box_explained_columns_values_4_q : 5'h0);
   logic [4:0] e;
   assign e = difference_1025 + (equal_993_s4_q ? 5'h0 : box_explained_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:700
+  // hls/stages/agreement.hpp:582
   logic [5:0] sum_1028;
   assign sum_1028 = {1'b0, e} + {2'h0, e[4:1]};
   logic is_seen;
   assign is_seen = (t[4:1] == 4'h0) ? (~((good_q & select_1013) == 48'h0)) : (~({sum_1028, e[0]} < {2'h0, t}));
-  // hls/stages/agreement.hpp:695
+  // hls/stages/agreement.hpp:577
   logic [4:0] difference_1039;
   assign difference_1039 = {2'h0, near_2_s4_q} - (age_s4_q ? box_nearer_columns_values_4_q : 5'h0);
   logic [4:0] n;
   assign n = difference_1039 + (equal_993_s4_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:708
+  // hls/stages/agreement.hpp:590
   logic and_1043;
   assign and_1043 = is_seen & ({1'b0, e[4:1]} < n);
   // hls/stages/census.hpp:132
   logic [8:0] select_1102;
   assign select_1102 = and_342_s4_q ? grey_s4_q : averager_quarter_1_0_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1104;
   assign select_1104 = left_first_s4_q ? select_1102 : (and_310_s4_q ? select_1102 : averager_quarter_1_0_q);
   // hls/stages/census.hpp:132
   logic [8:0] select_1106;
   assign select_1106 = and_342_s4_q ? grey_2_s4_q : averager_quarter_1_1_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1108;
   assign select_1108 = left_first_s4_q ? select_1106 : (and_310_s4_q ? select_1106 : averager_quarter_1_1_q);
   // hls/stages/census.hpp:131
   logic [8:0] select_1110;
   assign select_1110 = and_342_s4_q ? averager_quarter_1_0_q : averager_quarter_2_0_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1112;
   assign select_1112 = left_first_s4_q ? select_1110 : (and_310_s4_q ? select_1110 : averager_quarter_2_0_q);
   // hls/stages/census.hpp:131
   logic [8:0] select_1114;
   assign select_1114 = and_342_s4_q ? averager_quarter_1_1_q : averager_quarter_2_1_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [8:0] select_1116;
   assign select_1116 = left_first_s4_q ? select_1114 : (and_310_s4_q ? select_1114 : averager_quarter_2_1_q);
   // hls/stages/census.hpp:128
@@ -4355,7 +4389,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:134
   logic [13:0] select_1132;
   assign select_1132 = and_342_s4_q ? detail : averager_detail_0_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [13:0] select_1134;
   assign select_1134 = left_first_s4_q ? select_1132 : (and_310_s4_q ? select_1132 : averager_detail_0_q);
   // hls/stages/census.hpp:128
@@ -4374,43 +4408,43 @@ module horopter_agreement (
   // hls/stages/census.hpp:134
   logic [13:0] select_1142;
   assign select_1142 = and_342_s4_q ? detail_2 : averager_detail_1_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [13:0] select_1144;
   assign select_1144 = left_first_s4_q ? select_1142 : (and_310_s4_q ? select_1142 : averager_detail_1_q);
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [11:0] select_1387;
   assign select_1387 = and_343_s4_q ? texture_s4_q : census_changes_values_0_left_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [11:0] select_1389;
   assign select_1389 = left_first_s4_q ? select_1387 : (and_310_s4_q ? select_1387 : census_changes_values_0_left_q);
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [11:0] select_1410;
   assign select_1410 = and_343_s4_q ? sum_1409_s4_q : census_changes_values_0_right_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [11:0] select_1412;
   assign select_1412 = left_first_s4_q ? select_1410 : (and_310_s4_q ? select_1410 : census_changes_values_0_right_q);
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [11:0] select_1414;
   assign select_1414 = and_343_s4_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [11:0] select_1416;
   assign select_1416 = left_first_s4_q ? select_1414 : (and_310_s4_q ? select_1414 : census_changes_values_1_left_q);
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [11:0] select_1418;
   assign select_1418 = and_343_s4_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [11:0] select_1420;
   assign select_1420 = left_first_s4_q ? select_1418 : (and_310_s4_q ? select_1418 : census_changes_values_1_right_q);
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [11:0] select_1422;
   assign select_1422 = and_343_s4_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [11:0] select_1424;
   assign select_1424 = left_first_s4_q ? select_1422 : (and_310_s4_q ? select_1422 : census_changes_values_2_left_q);
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [11:0] select_1426;
   assign select_1426 = and_343_s4_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [11:0] select_1428;
   assign select_1428 = left_first_s4_q ? select_1426 : (and_310_s4_q ? select_1426 : census_changes_values_2_right_q);
   // hls/stages/census.hpp:202
@@ -4427,34 +4461,34 @@ module horopter_agreement (
   // hls/stages/census.hpp:227
   logic [19:0] sum_1438;
   assign sum_1438 = census_left_misses_q + {{17{and_1437}}, and_1436, 1'b0, and_1436};
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [19:0] select_1440;
   assign select_1440 = and_343_s4_q ? (equal_1431_s4_q ? 20'h0 : sum_1438) : census_left_misses_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [19:0] select_1442;
   assign select_1442 = left_first_s4_q ? select_1440 : (and_310_s4_q ? select_1440 : census_left_misses_q);
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1456;
   assign select_1456 = and_343_s4_q ? whole_2_s4_q : sharpness_last_mask_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1458;
   assign select_1458 = left_first_s4_q ? select_1456 : (and_310_s4_q ? select_1456 : sharpness_last_mask_q);
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [13:0] select_1460;
   assign select_1460 = and_343_s4_q ? detail : sharpness_last_detail_0_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [13:0] select_1462;
   assign select_1462 = left_first_s4_q ? select_1460 : (and_310_s4_q ? select_1460 : sharpness_last_detail_0_q);
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [13:0] select_1464;
   assign select_1464 = and_343_s4_q ? detail_2 : sharpness_last_detail_1_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [13:0] select_1466;
   assign select_1466 = left_first_s4_q ? select_1464 : (and_310_s4_q ? select_1464 : sharpness_last_detail_1_q);
   // hls/stages/census.hpp:275
   logic and_1470;
   assign and_1470 = whole_2_s4_q & (~(select_304_s4_q[5:1] == 5'h0));
-  // hls/stages/agreement.hpp:244
+  // hls/stages/agreement.hpp:243
   logic and_1476;
   assign and_1476 = and_1470 & (sharpness_last_mask_q & (7'h2 < contrast_s4_q[8:2]));
   // hls/stages/census.hpp:274
@@ -4466,13 +4500,13 @@ module horopter_agreement (
   // hls/stages/census.hpp:277
   logic [23:0] select_1480;
   assign select_1480 = equal_1431_s4_q ? {11'h0, select_1478} : (sharpness_sums_detail_0_q + {11'h0, select_1478});
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [23:0] select_1481;
   assign select_1481 = and_343_s4_q ? select_1480 : sharpness_sums_detail_0_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [23:0] select_1483;
   assign select_1483 = left_first_s4_q ? select_1481 : (and_310_s4_q ? select_1481 : sharpness_sums_detail_0_q);
-  // hls/stages/agreement.hpp:244
+  // hls/stages/agreement.hpp:243
   logic and_1490;
   assign and_1490 = and_1470 & (sharpness_last_mask_q & (7'h2 < contrast_2_s4_q[8:2]));
   // hls/stages/census.hpp:274
@@ -4484,10 +4518,10 @@ module horopter_agreement (
   // hls/stages/census.hpp:277
   logic [23:0] select_1494;
   assign select_1494 = equal_1431_s4_q ? {11'h0, select_1492} : (sharpness_sums_detail_1_q + {11'h0, select_1492});
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [23:0] select_1495;
   assign select_1495 = and_343_s4_q ? select_1494 : sharpness_sums_detail_1_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [23:0] select_1497;
   assign select_1497 = left_first_s4_q ? select_1495 : (and_310_s4_q ? select_1495 : sharpness_sums_detail_1_q);
   // hls/stages/census.hpp:277
@@ -4495,10 +4529,10 @@ module horopter_agreement (
   assign select_1500 = and_1476 ? contrast_s4_q : 9'h0;
   logic [23:0] sum_1501;
   assign sum_1501 = (equal_1431_s4_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_1500};
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [23:0] select_1502;
   assign select_1502 = and_343_s4_q ? sum_1501 : sharpness_sums_contrast_0_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [23:0] select_1504;
   assign select_1504 = left_first_s4_q ? select_1502 : (and_310_s4_q ? select_1502 : sharpness_sums_contrast_0_q);
   // hls/stages/census.hpp:277
@@ -4506,181 +4540,181 @@ module horopter_agreement (
   assign select_1507 = and_1490 ? contrast_2_s4_q : 9'h0;
   logic [23:0] sum_1508;
   assign sum_1508 = (equal_1431_s4_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_1507};
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [23:0] select_1509;
   assign select_1509 = and_343_s4_q ? sum_1508 : sharpness_sums_contrast_1_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic [23:0] select_1511;
   assign select_1511 = left_first_s4_q ? select_1509 : (and_310_s4_q ? select_1509 : sharpness_sums_contrast_1_q);
-  // hls/stages/agreement.hpp:562
+  // hls/stages/agreement.hpp:484
   logic [13:0] select_1712;
   assign select_1712 = select_1705_s4_q ? 14'h0 : (counts_supervised_q + {13'h0, and_1710_s4_q});
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_1715;
   assign and_1715 = not_362_s4_q & (not_506_s4_q & (begins_product_q & textured_s4_q));
-  // hls/stages/agreement.hpp:562
+  // hls/stages/agreement.hpp:484
   logic [13:0] select_1717;
   assign select_1717 = select_1705_s4_q ? 14'h0 : (counts_textured_q + {13'h0, and_1715});
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_1720;
   assign and_1720 = not_362_s4_q & (not_506_s4_q & (begins_product_q & explained_s4_q));
-  // hls/stages/agreement.hpp:562
+  // hls/stages/agreement.hpp:484
   logic [13:0] select_1722;
   assign select_1722 = select_1705_s4_q ? 14'h0 : (counts_explained_q + {13'h0, and_1720});
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_1725;
   assign and_1725 = not_362_s4_q & (not_506_s4_q & (begins_product_q & and_939_s4_q));
-  // hls/stages/agreement.hpp:702
+  // hls/stages/agreement.hpp:584
   logic or_1731;
   assign or_1731 = is_seen | or_1730_s4_q;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_1735;
   assign and_1735 = not_362_s4_q & (not_506_s4_q & (begins_product_q & (~or_1731)));
-  // hls/stages/agreement.hpp:562
+  // hls/stages/agreement.hpp:484
   logic [13:0] select_1737;
   assign select_1737 = select_1705_s4_q ? 14'h0 : (counts_unproven_q + {13'h0, and_1735});
-  // hls/stages/agreement.hpp:726
+  // hls/stages/agreement.hpp:608
   logic less_1738;
   assign less_1738 = region_row_s4_q < x_s4_q[5:3];
   logic [11:0] select_1739;
   assign select_1739 = less_1738 ? 12'h0 : regions_rdata_q[11:0];
   logic [11:0] select_1742;
   assign select_1742 = less_1738 ? 12'h0 : regions_rdata_q[23:12];
-  // hls/stages/agreement.hpp:727
+  // hls/stages/agreement.hpp:609
   logic [12:0] sum_1743;
   assign sum_1743 = {1'b0, select_1742} + {3'h0, select_1742[11:2]};
   logic and_1745;
   assign and_1745 = (~(select_1739[11:4] == 8'h0)) & ({sum_1743, select_1742[1:0]} < {3'h0, select_1739});
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [11:0] select_1748;
   assign select_1748 = equal_905_s4_q ? (equal_906_s4_q ? 12'h0 : (and_1745 ? select_1739 : 12'h0)) : 12'h0;
   logic [11:0] select_1750;
   assign select_1750 = equal_363_s4_q ? 12'h0 : (begins_product_q ? 12'h0 : select_1748);
   logic [11:0] select_1751;
   assign select_1751 = equal_361_s4_q ? 12'h0 : select_1750;
-  // hls/stages/agreement.hpp:562
+  // hls/stages/agreement.hpp:484
   logic [13:0] select_1753;
   assign select_1753 = select_1705_s4_q ? 14'h0 : (counts_regions_bad_q + {2'h0, select_1751});
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic [8:0] select_1763;
   assign select_1763 = less_364_s4_q ? 9'h0 : (and_916_s4_q ? (9'h0 - {1'b0, cfg_regions_limit_i}) : 9'h0);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [20:0] select_1764;
   assign select_1764 = begins_product_q ? {{12{select_1763[8]}}, select_1763} : {1'b0, select_1748, 8'h0};
   logic [20:0] select_1766;
   assign select_1766 = equal_361_s4_q ? 21'h0 : (equal_363_s4_q ? 21'h0 : select_1764);
-  // hls/stages/agreement.hpp:562
+  // hls/stages/agreement.hpp:484
   logic [23:0] select_1768;
   assign select_1768 = select_1705_s4_q ? 24'h0 : (counts_too_many_bad_q + {{3{select_1766[20]}}, select_1766});
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:530
   logic [8:0] select_1770;
   assign select_1770 = and_916_s4_q ? (9'h0 - {1'b0, cfg_unproven_limit_i}) : 9'h0;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [7:0] select_1771;
   assign select_1771 = less_364_s4_q ? 8'h0 : select_1770[7:0];
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic and_1772;
   assign and_1772 = not_365_s4_q & select_1770[8];
-  // hls/stages/agreement.hpp:706
+  // hls/stages/agreement.hpp:588
   logic [2:0] select_1774;
   assign select_1774 = or_1731 ? {3{and_1772}} : ({3{and_1772}} + 3'h1);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [10:0] select_1776;
   assign select_1776 = equal_363_s4_q ? 11'h0 : (begins_product_q ? {select_1774, select_1771} : 11'h0);
   logic [10:0] select_1777;
   assign select_1777 = equal_361_s4_q ? 11'h0 : select_1776;
-  // hls/stages/agreement.hpp:554
+  // hls/stages/agreement.hpp:482
   logic [23:0] sum_1778;
   assign sum_1778 = counts_too_much_unproven_q + {{13{select_1777[10]}}, select_1777};
-  // hls/stages/agreement.hpp:629
+  // hls/stages/registration.hpp:80
   logic [7:0] select_1833;
   assign select_1833 = equal_1794_s4_q ? 8'h0 : (equal_1795_s4_q ? 8'h0 : residual_s4_q);
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic [7:0] select_1836;
   assign select_1836 = less_364_s4_q ? 8'h0 : (and_1790_s4_q ? (equal_1793_s4_q ? 8'h0 : select_1833) : 8'h0);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [7:0] select_1839;
   assign select_1839 = equal_361_s4_q ? 8'h0 : (equal_363_s4_q ? 8'h0 : (begins_product_q ? select_1836 : 8'h0));
-  // hls/stages/agreement.hpp:182
-  logic [19:0] select_1841;
-  assign select_1841 = select_1705_s4_q ? 20'h0 : (counts_across_0_q + {{12{select_1839[7]}}, select_1839});
-  // hls/stages/agreement.hpp:629
+  // hls/stages/registration.hpp:89
+  logic [19:0] sum_1840;
+  assign sum_1840 = registration_counts_across_0_q + {{12{select_1839[7]}}, select_1839};
+  // hls/stages/registration.hpp:80
   logic [7:0] select_1843;
   assign select_1843 = equal_1794_s4_q ? 8'h0 : (equal_1795_s4_q ? residual_s4_q : 8'h0);
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic [7:0] select_1846;
   assign select_1846 = less_364_s4_q ? 8'h0 : (and_1790_s4_q ? (equal_1793_s4_q ? 8'h0 : select_1843) : 8'h0);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [7:0] select_1849;
   assign select_1849 = equal_361_s4_q ? 8'h0 : (equal_363_s4_q ? 8'h0 : (begins_product_q ? select_1846 : 8'h0));
-  // hls/stages/agreement.hpp:182
-  logic [19:0] select_1851;
-  assign select_1851 = select_1705_s4_q ? 20'h0 : (counts_across_1_q + {{12{select_1849[7]}}, select_1849});
-  // hls/stages/agreement.hpp:629
+  // hls/stages/registration.hpp:89
+  logic [19:0] sum_1850;
+  assign sum_1850 = registration_counts_across_1_q + {{12{select_1849[7]}}, select_1849};
+  // hls/stages/registration.hpp:80
   logic [7:0] select_1853;
   assign select_1853 = equal_1793_s4_q ? 8'h0 : (equal_1794_s4_q ? residual_s4_q : 8'h0);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [7:0] select_1856;
   assign select_1856 = begins_product_q ? (less_364_s4_q ? 8'h0 : (and_1790_s4_q ? select_1853 : 8'h0)) : 8'h0;
   logic [7:0] select_1858;
   assign select_1858 = equal_361_s4_q ? 8'h0 : (equal_363_s4_q ? 8'h0 : select_1856);
-  // hls/stages/agreement.hpp:182
-  logic [19:0] select_1860;
-  assign select_1860 = select_1705_s4_q ? 20'h0 : (counts_across_2_q + {{12{select_1858[7]}}, select_1858});
-  // hls/stages/agreement.hpp:166
+  // hls/stages/registration.hpp:89
+  logic [19:0] sum_1859;
+  assign sum_1859 = registration_counts_across_2_q + {{12{select_1858[7]}}, select_1858};
+  // hls/stages/agreement.hpp:165
   logic [7:0] select_1863;
   assign select_1863 = less_364_s4_q ? 8'h0 : (and_1790_s4_q ? (equal_1793_s4_q ? residual_s4_q : 8'h0) : 8'h0);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [7:0] select_1866;
   assign select_1866 = equal_361_s4_q ? 8'h0 : (equal_363_s4_q ? 8'h0 : (begins_product_q ? select_1863 : 8'h0));
-  // hls/stages/agreement.hpp:182
-  logic [19:0] select_1868;
-  assign select_1868 = select_1705_s4_q ? 20'h0 : (counts_across_3_q + {{12{select_1866[7]}}, select_1866});
-  // hls/stages/agreement.hpp:722
-  logic and_2139;
-  assign and_2139 = (~({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q})) & (11'h4 < counts_textured_q[13:3]);
-  // hls/stages/agreement.hpp:729
-  logic [12:0] sum_2143;
-  assign sum_2143 = {1'b0, select_1742} + {2'h0, select_1742[11:1]};
-  logic select_2146;
-  assign select_2146 = (select_1739[11:3] == 9'h0) ? (and_2139 & (~less_2140_s4_q)) : (~({sum_2143, select_1742[0]} < {2'h0, select_1739}));
-  // hls/stages/agreement.hpp:737
-  logic [47:0] select_2147;
-  assign select_2147 = equal_906_s4_q ? good_next_q : {select_2146, good_next_q[47:1]};
-  // hls/stages/agreement.hpp:302
+  // hls/stages/registration.hpp:89
+  logic [19:0] sum_1867;
+  assign sum_1867 = registration_counts_across_3_q + {{12{select_1866[7]}}, select_1866};
+  // hls/stages/agreement.hpp:604
+  logic and_2141;
+  assign and_2141 = (~({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q})) & (11'h4 < counts_textured_q[13:3]);
+  // hls/stages/agreement.hpp:611
+  logic [12:0] sum_2145;
+  assign sum_2145 = {1'b0, select_1742} + {2'h0, select_1742[11:1]};
+  logic select_2148;
+  assign select_2148 = (select_1739[11:3] == 9'h0) ? (and_2141 & (~less_2142_s4_q)) : (~({sum_2145, select_1742[0]} < {2'h0, select_1739}));
+  // hls/stages/agreement.hpp:619
   logic [47:0] select_2149;
-  assign select_2149 = equal_905_s4_q ? (equal_2134_s4_q ? select_2147 : good_q) : good_q;
+  assign select_2149 = equal_906_s4_q ? good_next_q : {select_2148, good_next_q[47:1]};
+  // hls/stages/agreement.hpp:299
   logic [47:0] select_2151;
-  assign select_2151 = equal_363_s4_q ? good_q : (begins_product_q ? good_q : select_2149);
-  logic [47:0] select_2154;
-  assign select_2154 = begins_product_q ? good_next_q : (equal_905_s4_q ? select_2147 : good_next_q);
+  assign select_2151 = equal_905_s4_q ? (equal_2136_s4_q ? select_2149 : good_q) : good_q;
+  logic [47:0] select_2153;
+  assign select_2153 = equal_363_s4_q ? good_q : (begins_product_q ? good_q : select_2151);
   logic [47:0] select_2156;
-  assign select_2156 = equal_361_s4_q ? good_next_q : (equal_363_s4_q ? good_next_q : select_2154);
-  // hls/stages/agreement.hpp:754
+  assign select_2156 = begins_product_q ? good_next_q : (equal_905_s4_q ? select_2149 : good_next_q);
+  logic [47:0] select_2158;
+  assign select_2158 = equal_361_s4_q ? good_next_q : (equal_363_s4_q ? good_next_q : select_2156);
+  // hls/stages/agreement.hpp:636
   logic [35:0] select_2177;
   assign select_2177 = multiplier_0_q[17] ? (product_0_q + {1'b0, addend_0_q}) : product_0_q;
-  // hls/stages/agreement.hpp:748
+  // hls/stages/agreement.hpp:630
   logic [35:0] detail_left;
   assign detail_left = begins_product_s4_q ? 36'h0 : select_2177;
-  // hls/stages/agreement.hpp:754
+  // hls/stages/agreement.hpp:636
   logic [35:0] select_2180;
   assign select_2180 = multiplier_1_q[17] ? (product_1_q + {1'b0, addend_1_q}) : product_1_q;
-  // hls/stages/agreement.hpp:758
+  // hls/stages/agreement.hpp:640
   logic [35:0] detail_right;
   assign detail_right = begins_product_s4_q ? 36'h0 : select_2180;
-  // hls/stages/agreement.hpp:748
+  // hls/stages/agreement.hpp:630
   logic [34:0] select_2182;
   assign select_2182 = begins_product_s4_q ? {sharpness_sums_detail_0_q[23:6], 17'h0} : {1'b0, addend_0_q[34:1]};
-  // hls/stages/agreement.hpp:758
+  // hls/stages/agreement.hpp:640
   logic [34:0] select_2183;
   assign select_2183 = begins_product_s4_q ? {sharpness_sums_detail_1_q[23:6], 17'h0} : {1'b0, addend_1_q[34:1]};
-  // hls/stages/agreement.hpp:748
+  // hls/stages/agreement.hpp:630
   logic [17:0] select_2184;
   assign select_2184 = begins_product_s4_q ? sharpness_sums_contrast_1_q[23:6] : {multiplier_0_q[16:0], 1'b0};
-  // hls/stages/agreement.hpp:758
+  // hls/stages/agreement.hpp:640
   logic [17:0] select_2185;
   assign select_2185 = begins_product_s4_q ? sharpness_sums_contrast_0_q[23:6] : {multiplier_1_q[16:0], 1'b0};
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [4:0] select_2186;
   assign select_2186 = begins_product_q ? {2'h0, textured_2_s4_q} : box_textured_columns_values_0_q;
   logic [4:0] select_2188;
@@ -4747,19 +4781,19 @@ module horopter_agreement (
   assign select_2236 = equal_361_s4_q ? box_nearer_columns_values_4_q : (equal_363_s4_q ? box_nearer_columns_values_4_q : select_2234);
   logic [4:0] select_2238;
   assign select_2238 = equal_363_s4_q ? box_nearer_sum_sums_values_0_q : (begins_product_q ? n : box_nearer_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:828
+  // hls/stages/agreement.hpp:698
   logic select_2272;
   assign select_2272 = left_first_s4_q ? done_s4_q : proven_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_2274;
   assign select_2274 = left_first_s4_q ? done_s4_q : (and_310_s4_q ? select_2272 : proven_q);
-  // hls/stages/agreement.hpp:857
+  // hls/stages/agreement.hpp:727
   logic [1:0] select_2325;
   assign select_2325 = and_2324_s4_q ? {and_1043, is_seen} : map_rdata_q;
-  // hls/stages/agreement.hpp:858
+  // hls/stages/agreement.hpp:728
   logic and_2326;
   assign and_2326 = select_2272 & less_2302;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_2329;
   assign select_2329 = and_973_s4_q ? (less_974_s4_q ? (select_2325[0] & and_2326) : seen_q) : seen_q;
   logic select_2331;
@@ -4772,51 +4806,51 @@ module horopter_agreement (
   assign select_2337 = left_first_s4_q ? select_2335 : (and_310_s4_q ? select_2335 : nearer_q);
   logic select_2338;
   assign select_2338 = and_310_s4_q ? select_2337 : nearer_q;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [13:0] select_2343;
-  assign select_2343 = equal_905_s4_q ? (equal_2134_s4_q ? counts_supervised_q : 14'h0) : 14'h0;
+  assign select_2343 = equal_905_s4_q ? (equal_2136_s4_q ? counts_supervised_q : 14'h0) : 14'h0;
   logic [13:0] select_2345;
   assign select_2345 = equal_363_s4_q ? 14'h0 : (begins_product_q ? 14'h0 : select_2343);
   logic [13:0] select_2348;
-  assign select_2348 = equal_905_s4_q ? (equal_2134_s4_q ? counts_textured_q : 14'h0) : 14'h0;
+  assign select_2348 = equal_905_s4_q ? (equal_2136_s4_q ? counts_textured_q : 14'h0) : 14'h0;
   logic [13:0] select_2350;
   assign select_2350 = equal_363_s4_q ? 14'h0 : (begins_product_q ? 14'h0 : select_2348);
   logic [13:0] select_2353;
-  assign select_2353 = equal_905_s4_q ? (equal_2134_s4_q ? counts_explained_q : 14'h0) : 14'h0;
+  assign select_2353 = equal_905_s4_q ? (equal_2136_s4_q ? counts_explained_q : 14'h0) : 14'h0;
   logic [13:0] select_2355;
   assign select_2355 = equal_363_s4_q ? 14'h0 : (begins_product_q ? 14'h0 : select_2353);
   logic [13:0] select_2358;
-  assign select_2358 = equal_905_s4_q ? (equal_2134_s4_q ? counts_nearer_q : 14'h0) : 14'h0;
+  assign select_2358 = equal_905_s4_q ? (equal_2136_s4_q ? counts_nearer_q : 14'h0) : 14'h0;
   logic [13:0] select_2360;
   assign select_2360 = equal_363_s4_q ? 14'h0 : (begins_product_q ? 14'h0 : select_2358);
   logic [13:0] select_2363;
-  assign select_2363 = equal_905_s4_q ? (equal_2134_s4_q ? counts_unproven_q : 14'h0) : 14'h0;
+  assign select_2363 = equal_905_s4_q ? (equal_2136_s4_q ? counts_unproven_q : 14'h0) : 14'h0;
   logic [13:0] select_2365;
   assign select_2365 = equal_363_s4_q ? 14'h0 : (begins_product_q ? 14'h0 : select_2363);
   logic [13:0] select_2368;
-  assign select_2368 = equal_905_s4_q ? (equal_2134_s4_q ? counts_regions_bad_q : 14'h0) : 14'h0;
+  assign select_2368 = equal_905_s4_q ? (equal_2136_s4_q ? counts_regions_bad_q : 14'h0) : 14'h0;
   logic [13:0] select_2370;
   assign select_2370 = equal_363_s4_q ? 14'h0 : (begins_product_q ? 14'h0 : select_2368);
   logic and_2376;
-  assign and_2376 = not_1582_s4_q & (equal_905_s4_q & (equal_2134_s4_q & (cfg_prove_i & (~proven_q))));
-  // hls/stages/agreement.hpp:774
+  assign and_2376 = not_1582_s4_q & (equal_905_s4_q & (equal_2136_s4_q & (cfg_prove_i & (~proven_q))));
+  // hls/stages/agreement.hpp:656
   logic not_2379;
-  assign not_2379 = ~and_2139;
-  // hls/stages/agreement.hpp:302
+  assign not_2379 = ~and_2141;
+  // hls/stages/agreement.hpp:299
   logic and_2383;
-  assign and_2383 = not_1582_s4_q & (equal_905_s4_q & (equal_2134_s4_q & (cfg_prove_i & not_2379)));
-  // hls/stages/agreement.hpp:775
+  assign and_2383 = not_1582_s4_q & (equal_905_s4_q & (equal_2136_s4_q & (cfg_prove_i & not_2379)));
+  // hls/stages/agreement.hpp:657
   logic or_2386;
   assign or_2386 = not_2339 | not_2379;
-  // hls/stages/agreement.hpp:741
+  // hls/stages/agreement.hpp:623
   logic or_2391;
   assign or_2391 = ($signed(24'h0) < $signed(counts_too_many_bad_q)) | ($signed(24'h0) < $signed(counts_too_much_unproven_q));
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_2393;
-  assign and_2393 = equal_2134_s4_q & ((less_2140_s4_q | or_2386) ? (~or_2386) : or_2391);
+  assign and_2393 = equal_2136_s4_q & ((less_2142_s4_q | or_2386) ? (~or_2386) : or_2391);
   logic and_2397;
   assign and_2397 = not_362_s4_q & (not_506_s4_q & (not_1582_s4_q & (equal_905_s4_q & and_2393)));
-  // hls/stages/agreement.hpp:741
+  // hls/stages/agreement.hpp:623
   logic select_2461;
   assign select_2461 = or_2421_s4_q ? select_2458_s4_q : or_2460_s4_q;
   logic or_2463;
@@ -4829,64 +4863,64 @@ module horopter_agreement (
   assign select_2471 = less_2409_s4_q ? or_2463 : (less_2415_s4_q ? or_2460_s4_q : select_2469_s4_q);
   logic select_2473;
   assign select_2473 = less_2401_s4_q ? (less_2402_s4_q | (or_2407_s4_q ? select_2464 : or_2466)) : (less_2404_s4_q ? or_2466 : select_2471);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_2477;
-  assign and_2477 = not_1582_s4_q & (equal_905_s4_q & (equal_2134_s4_q & (cfg_prove_i & select_2473)));
-  // hls/stages/agreement.hpp:781
+  assign and_2477 = not_1582_s4_q & (equal_905_s4_q & (equal_2136_s4_q & (cfg_prove_i & select_2473)));
+  // hls/stages/agreement.hpp:663
   logic and_2480;
-  assign and_2480 = cfg_prove_i & and_2139;
-  // hls/stages/agreement.hpp:782
+  assign and_2480 = cfg_prove_i & and_2141;
+  // hls/stages/agreement.hpp:664
   logic [36:0] sum_2481;
   assign sum_2481 = {1'b0, detail_right} + {3'h0, detail_right[35:2]};
   logic less_2483;
   assign less_2483 = {sharpness_sums_contrast_0_q, 2'h0} < {2'h0, sharpness_sums_contrast_1_q};
-  // hls/stages/agreement.hpp:741
+  // hls/stages/agreement.hpp:623
   logic or_2486;
   assign or_2486 = ({detail_left, 3'h0} < {sum_2481, detail_right[1:0]}) | (less_2483 | ($signed(20'h0) < $signed(census_left_misses_q)));
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_2490;
-  assign and_2490 = not_1582_s4_q & (equal_905_s4_q & (equal_2134_s4_q & (and_2480 & or_2486)));
-  // hls/stages/agreement.hpp:785
+  assign and_2490 = not_1582_s4_q & (equal_905_s4_q & (equal_2136_s4_q & (and_2480 & or_2486)));
+  // hls/stages/agreement.hpp:667
   logic [36:0] sum_2493;
   assign sum_2493 = {1'b0, detail_left} + {3'h0, detail_left[35:2]};
   logic less_2495;
   assign less_2495 = {sharpness_sums_contrast_1_q, 2'h0} < {2'h0, sharpness_sums_contrast_0_q};
-  // hls/stages/agreement.hpp:741
+  // hls/stages/agreement.hpp:623
   logic or_2496;
   assign or_2496 = ({detail_right, 3'h0} < {sum_2493, detail_left[1:0]}) | less_2495;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_2500;
-  assign and_2500 = not_1582_s4_q & (equal_905_s4_q & (equal_2134_s4_q & (and_2480 & or_2496)));
+  assign and_2500 = not_1582_s4_q & (equal_905_s4_q & (equal_2136_s4_q & (and_2480 & or_2496)));
   logic [19:0] select_2515;
-  assign select_2515 = equal_905_s4_q ? (equal_2134_s4_q ? counts_across_0_q : 20'h0) : 20'h0;
+  assign select_2515 = equal_905_s4_q ? (equal_2136_s4_q ? registration_counts_across_0_q : 20'h0) : 20'h0;
   logic [19:0] select_2517;
   assign select_2517 = equal_363_s4_q ? 20'h0 : (begins_product_q ? 20'h0 : select_2515);
   logic [19:0] select_2520;
-  assign select_2520 = equal_905_s4_q ? (equal_2134_s4_q ? counts_across_1_q : 20'h0) : 20'h0;
+  assign select_2520 = equal_905_s4_q ? (equal_2136_s4_q ? registration_counts_across_1_q : 20'h0) : 20'h0;
   logic [19:0] select_2522;
   assign select_2522 = equal_363_s4_q ? 20'h0 : (begins_product_q ? 20'h0 : select_2520);
   logic [19:0] select_2525;
-  assign select_2525 = equal_905_s4_q ? (equal_2134_s4_q ? counts_across_2_q : 20'h0) : 20'h0;
+  assign select_2525 = equal_905_s4_q ? (equal_2136_s4_q ? registration_counts_across_2_q : 20'h0) : 20'h0;
   logic [19:0] select_2527;
   assign select_2527 = equal_363_s4_q ? 20'h0 : (begins_product_q ? 20'h0 : select_2525);
   logic [19:0] select_2530;
-  assign select_2530 = equal_905_s4_q ? (equal_2134_s4_q ? counts_across_3_q : 20'h0) : 20'h0;
+  assign select_2530 = equal_905_s4_q ? (equal_2136_s4_q ? registration_counts_across_3_q : 20'h0) : 20'h0;
   logic [19:0] select_2532;
   assign select_2532 = equal_363_s4_q ? 20'h0 : (begins_product_q ? 20'h0 : select_2530);
   logic [23:0] select_2555;
-  assign select_2555 = equal_905_s4_q ? (equal_2134_s4_q ? sharpness_sums_detail_0_q : 24'h0) : 24'h0;
+  assign select_2555 = equal_905_s4_q ? (equal_2136_s4_q ? sharpness_sums_detail_0_q : 24'h0) : 24'h0;
   logic [23:0] select_2557;
   assign select_2557 = equal_363_s4_q ? 24'h0 : (begins_product_q ? 24'h0 : select_2555);
   logic [23:0] select_2560;
-  assign select_2560 = equal_905_s4_q ? (equal_2134_s4_q ? sharpness_sums_detail_1_q : 24'h0) : 24'h0;
+  assign select_2560 = equal_905_s4_q ? (equal_2136_s4_q ? sharpness_sums_detail_1_q : 24'h0) : 24'h0;
   logic [23:0] select_2562;
   assign select_2562 = equal_363_s4_q ? 24'h0 : (begins_product_q ? 24'h0 : select_2560);
   logic [23:0] select_2565;
-  assign select_2565 = equal_905_s4_q ? (equal_2134_s4_q ? sharpness_sums_contrast_0_q : 24'h0) : 24'h0;
+  assign select_2565 = equal_905_s4_q ? (equal_2136_s4_q ? sharpness_sums_contrast_0_q : 24'h0) : 24'h0;
   logic [23:0] select_2567;
   assign select_2567 = equal_363_s4_q ? 24'h0 : (begins_product_q ? 24'h0 : select_2565);
   logic [23:0] select_2570;
-  assign select_2570 = equal_905_s4_q ? (equal_2134_s4_q ? sharpness_sums_contrast_1_q : 24'h0) : 24'h0;
+  assign select_2570 = equal_905_s4_q ? (equal_2136_s4_q ? sharpness_sums_contrast_1_q : 24'h0) : 24'h0;
   logic [23:0] select_2572;
   assign select_2572 = equal_363_s4_q ? 24'h0 : (begins_product_q ? 24'h0 : select_2570);
   logic [5:0] select_2579;
@@ -4895,10 +4929,10 @@ module horopter_agreement (
   assign select_2584 = begins_product_q ? 12'h0 : (equal_905_s4_q ? (equal_906_s4_q ? 12'h0 : select_1739) : 12'h0);
   logic [11:0] select_2589;
   assign select_2589 = begins_product_q ? 12'h0 : (equal_905_s4_q ? (equal_906_s4_q ? 12'h0 : select_1742) : 12'h0);
-  // hls/stages/agreement.hpp:737
+  // hls/stages/agreement.hpp:619
   logic [11:0] select_2593;
   assign select_2593 = equal_906_s4_q ? 12'h0 : (less_1738 ? 12'h0 : regions_rdata_q[35:24]);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [11:0] select_2595;
   assign select_2595 = begins_product_q ? 12'h0 : (equal_905_s4_q ? select_2593 : 12'h0);
 
@@ -5045,10 +5079,10 @@ module horopter_agreement (
       counts_regions_bad_q <= 14'h0;
       counts_too_many_bad_q <= 24'h0;
       counts_too_much_unproven_q <= 24'h0;
-      counts_across_0_q <= 20'h0;
-      counts_across_1_q <= 20'h0;
-      counts_across_2_q <= 20'h0;
-      counts_across_3_q <= 20'h0;
+      registration_counts_across_0_q <= 20'h0;
+      registration_counts_across_1_q <= 20'h0;
+      registration_counts_across_2_q <= 20'h0;
+      registration_counts_across_3_q <= 20'h0;
       segment_textured_q <= 6'h0;
       segment_explained_q <= 6'h0;
       segment_nearer_q <= 6'h0;
@@ -5078,16 +5112,16 @@ module horopter_agreement (
       counts_regions_bad_q <= select_1753;
       counts_too_many_bad_q <= select_1768;
       counts_too_much_unproven_q <= select_1705_s4_q ? 24'h0 : sum_1778;
-      counts_across_0_q <= select_1841;
-      counts_across_1_q <= select_1851;
-      counts_across_2_q <= select_1860;
-      counts_across_3_q <= select_1868;
+      registration_counts_across_0_q <= select_1705_s4_q ? 20'h0 : sum_1840;
+      registration_counts_across_1_q <= select_1705_s4_q ? 20'h0 : sum_1850;
+      registration_counts_across_2_q <= select_1705_s4_q ? 20'h0 : sum_1859;
+      registration_counts_across_3_q <= select_1705_s4_q ? 20'h0 : sum_1867;
       segment_textured_q <= select_918 + {5'h0, and_1715};
       segment_explained_q <= select_929 + {5'h0, and_1720};
       segment_nearer_q <= select_940 + {5'h0, and_1725};
       segment_started_q <= ~segment_starts_q;
-      good_q <= equal_361_s4_q ? good_q : select_2151;
-      good_next_q <= select_2156;
+      good_q <= equal_361_s4_q ? good_q : select_2153;
+      good_next_q <= select_2158;
       product_0_q <= detail_left;
       product_1_q <= detail_right;
       addend_0_q <= select_2182;

@@ -117,8 +117,8 @@ module horopter_agreement (
   assign sum_1286 = {1'b0, cfg_width_i[10:5]} + 7'h11;
   logic [6:0] sum_1301;
   assign sum_1301 = {1'b0, cfg_height_i[10:5]} + 7'h5;
-  logic [7:0] difference_1725;
-  assign difference_1725 = 8'h0 - {1'b0, cfg_height_i[10:4]};
+  logic [7:0] difference_1727;
+  assign difference_1727 = 8'h0 - {1'b0, cfg_height_i[10:4]};
   logic less_1886;
   assign less_1886 = 7'h8 < cfg_height_i[10:4];
   logic [4:0] sum_1887;
@@ -156,7 +156,7 @@ module horopter_agreement (
   assign or_308 = marks_first_i | raster_at_live_q;
   logic [3:0] select_320;
   assign select_320 = marks_first_i ? 4'h0 : raster_at_y_q;
-  // hls/stages/agreement.hpp:175
+  // hls/stages/agreement.hpp:174
   logic whole;
   assign whole = equal_301 ? present_i : (present_i & averager_running_mask_q);
   // hls/stages/census.hpp:45
@@ -168,16 +168,16 @@ module horopter_agreement (
   // hls/stages/census.hpp:40
   logic [6:0] row;
   assign row = marks_first_i ? 7'h0 : raster_at_row_q;
-  // hls/stages/agreement.hpp:828
+  // hls/stages/agreement.hpp:698
   logic or_943;
   assign or_943 = marks_first_i | raster_row_ended_q;
-  // hls/stages/agreement.hpp:830
+  // hls/stages/agreement.hpp:700
   logic [13:0] select_945;
   assign select_945 = marks_first_i ? 14'h1 : (or_943 ? {rows_passed_q[12:0], 1'b1} : rows_passed_q);
-  // hls/stages/agreement.hpp:829
+  // hls/stages/agreement.hpp:699
   logic [8:0] select_947;
   assign select_947 = or_943 ? 9'h0 : columns_passed_q;
-  // hls/stages/agreement.hpp:837
+  // hls/stages/agreement.hpp:707
   logic select_949;
   assign select_949 = cfg_compete_i ? (or_943 & select_945[13]) : (select_947[8] & select_945[9]);
   // hls/stages/census.hpp:44
@@ -275,7 +275,7 @@ module horopter_agreement (
   logic [7:0] next_beats_q;
   logic [5:0] next_shift_q;
   logic next_last_shift_q;
-  // hls/stages/agreement.hpp:175
+  // hls/stages/agreement.hpp:174
   logic and_316;
   assign and_316 = not_313_s1_q & (~(averager_place_q[8:5] == 4'hf));
   // hls/stages/census.hpp:105
@@ -284,33 +284,33 @@ module horopter_agreement (
   // hls/stages/census.hpp:106
   logic and_339;
   assign and_339 = equal_336_s1_q & and_338;
-  // hls/stages/agreement.hpp:337
+  // hls/stages/agreement.hpp:334
   logic equal_354;
   assign equal_354 = run_phase_q == 3'h3;
   logic equal_356;
   assign equal_356 = run_phase_q == 3'h2;
-  // hls/stages/agreement.hpp:395
+  // hls/stages/agreement.hpp:392
   logic less_357;
   assign less_357 = run_highest_q < x_q;
-  // hls/stages/agreement.hpp:399
+  // hls/stages/agreement.hpp:396
   logic not_358;
   assign not_358 = ~less_357;
-  // hls/stages/agreement.hpp:758
+  // hls/stages/agreement.hpp:640
   logic drew;
   assign drew = run_phase_q == 3'h4;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [6:0] select_474;
   assign select_474 = equal_354 ? ({run_shift_q[5], run_shift_q} + x_q[6:0]) : x_q[6:0];
-  // hls/stages/agreement.hpp:414
+  // hls/stages/agreement.hpp:411
   logic [7:0] x;
   assign x = x_q + 8'hfd;
-  // hls/stages/agreement.hpp:706
+  // hls/stages/agreement.hpp:588
   logic [6:0] sum_1040;
   assign sum_1040 = {1'b0, run_highest_q[7:2]} + 7'h1;
-  // hls/stages/agreement.hpp:246
+  // hls/stages/agreement.hpp:245
   logic equal_1214;
   assign equal_1214 = {last[7], select_303_s1_q} == {1'b0, last[6:0]};
-  // hls/stages/agreement.hpp:174
+  // hls/stages/agreement.hpp:173
   logic [2:0] select_1215;
   assign select_1215 = ends_q ? following_phase_q : run_phase_q;
   logic [7:0] select_1218;
@@ -323,16 +323,16 @@ module horopter_agreement (
   assign select_1227 = ends_q ? following_shift_q : run_shift_q;
   logic select_1230;
   assign select_1230 = ends_q ? following_last_shift_q : run_last_shift_q;
-  // hls/stages/agreement.hpp:247
+  // hls/stages/agreement.hpp:246
   logic not_1231;
   assign not_1231 = ~equal_1214;
-  // hls/stages/agreement.hpp:329
+  // hls/stages/agreement.hpp:326
   logic not_1234;
   assign not_1234 = ~run_last_shift_q;
-  // hls/stages/agreement.hpp:337
+  // hls/stages/agreement.hpp:334
   logic equal_1235;
   assign equal_1235 = run_phase_q == 3'h1;
-  // hls/stages/agreement.hpp:154
+  // hls/stages/agreement.hpp:153
   logic or_1236;
   assign or_1236 = equal_1235 | equal_356;
   logic [2:0] select_1237;
@@ -349,42 +349,42 @@ module horopter_agreement (
   assign select_1253 = equal_354 ? (run_last_shift_q ? whole_beats_q : next_beats_q) : (equal_356 ? first_beats_q : (equal_1235 ? whole_beats_q : 8'h0));
   logic [5:0] select_1258;
   assign select_1258 = equal_354 ? (run_last_shift_q ? 6'h0 : next_shift_q) : (equal_356 ? (6'h0 - least_q[5:0]) : 6'h0);
-  // hls/stages/agreement.hpp:134
+  // hls/stages/agreement.hpp:136
   logic not_1260;
   assign not_1260 = ~drew;
-  // hls/stages/agreement.hpp:154
+  // hls/stages/agreement.hpp:153
   logic select_1264;
   assign select_1264 = equal_354 ? (next_last_shift_q & not_1234) : (equal_356 & (least_q == 7'h0));
-  // hls/stages/agreement.hpp:174
+  // hls/stages/agreement.hpp:173
   logic [7:0] select_1267;
   assign select_1267 = ends_q ? following_lowest_q : (x_q + 8'h1);
   logic [7:0] select_1271;
   assign select_1271 = ends_q ? following_beats_q : (beats_left_q + 8'hff);
-  // hls/stages/agreement.hpp:253
+  // hls/stages/agreement.hpp:252
   logic less_1278;
   assign less_1278 = 6'he < select_303_s1_q[6:1];
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [6:0] select_1281;
   assign select_1281 = and_339 ? (equal_1214 ? (less_1278 ? 7'h1e : select_303_s1_q) : least_q) : least_q;
-  // hls/stages/agreement.hpp:247
+  // hls/stages/agreement.hpp:246
   logic [7:0] select_1284;
   assign select_1284 = equal_1214 ? (less_1278 ? {sum_1282, cfg_width_i[5:4]} : 8'h23) : first_beats_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [7:0] select_1288;
   assign select_1288 = and_339 ? (equal_1214 ? {sum_1286, cfg_width_i[4]} : whole_beats_q) : whole_beats_q;
-  // hls/stages/agreement.hpp:305
+  // hls/stages/agreement.hpp:302
   logic not_1289;
   assign not_1289 = ~ends_q;
-  // hls/stages/agreement.hpp:174
+  // hls/stages/agreement.hpp:173
   logic and_1294;
   assign and_1294 = not_1289 & (beats_left_q == 8'h1);
-  // hls/stages/agreement.hpp:265
+  // hls/stages/agreement.hpp:262
   logic equal_1298;
   assign equal_1298 = {sum_1297_s1_q[7], cfg_height_i[10:4]} == {1'b0, sum_1297_s1_q[6:0]};
-  // hls/stages/agreement.hpp:618
+  // hls/stages/agreement.hpp:512
   logic [5:0] sum_1433;
   assign sum_1433 = {1'b0, last_q[6:2]} + 6'h1;
-  // hls/stages/agreement.hpp:147
+  // hls/stages/agreement.hpp:146
   logic not_1789;
   assign not_1789 = ~run_shift_q[5];
 
@@ -531,19 +531,19 @@ module horopter_agreement (
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
   logic [6:0] age_q;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_359;
   assign and_359 = equal_356_s2_q & not_358_s2_q;
   logic select_446;
   assign select_446 = equal_354_s2_q ? not_358_s2_q : (equal_356_s2_q ? not_358_s2_q : and_444_s2_q);
-  // hls/stages/agreement.hpp:174
+  // hls/stages/agreement.hpp:173
   logic [5:0] select_1290;
   assign select_1290 = ends_s2_q ? 6'h0 : age_q[5:0];
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [6:0] select_1292;
   assign select_1292 = and_339_s2_q ? (equal_1214_s2_q ? 7'h0 : {select_1290, not_1289_s2_q}) : {select_1290, not_1289_s2_q};
 
-  // Memory left, 120 x 77, DISTANCE 32, hls/stages/agreement.hpp:896; read in stage 2, written in stage 5: 2 < 5 < 2 + DISTANCE.
+  // Memory left, 120 x 77, DISTANCE 32, hls/stages/agreement.hpp:766; read in stage 2, written in stage 5: 2 < 5 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [76:0] left_mem [0:119];
@@ -559,7 +559,7 @@ module horopter_agreement (
     if (left_re) left_rdata_q <= left_mem[left_raddr];
   end
 
-  // Memory right_codes, 120 x 91, DISTANCE 32, hls/stages/agreement.hpp:897; read in stage 2, written in stage 5: 2 < 5 < 2 + DISTANCE.
+  // Memory right_codes, 120 x 91, DISTANCE 32, hls/stages/agreement.hpp:767; read in stage 2, written in stage 5: 2 < 5 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [90:0] right_codes_mem [0:119];
@@ -667,14 +667,14 @@ module horopter_agreement (
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:321
   logic not_355;
   assign not_355 = ~equal_354_s3_q;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_360;
   assign and_360 = not_355 & and_359_s3_q;
 
-  // Memory fresh, 120 x 29, DISTANCE 32, hls/stages/agreement.hpp:895; read in stage 3, written in stage 25: 3 < 25 < 3 + DISTANCE.
+  // Memory fresh, 120 x 29, DISTANCE 32, hls/stages/agreement.hpp:765; read in stage 3, written in stage 25: 3 < 25 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [28:0] fresh_mem [0:119];
@@ -782,7 +782,7 @@ module horopter_agreement (
   // Stage 4 -----------------------------------------------------------------------------------------------------------
   logic [6:0] row_q;
   logic lower_half_q;
-  // hls/stages/agreement.hpp:370
+  // hls/stages/agreement.hpp:367
   logic equal_448;
   assign equal_448 = row_q == 7'h0;
   logic not_450;
@@ -799,12 +799,12 @@ module horopter_agreement (
   assign equal_469 = row_q[6:2] == 5'h0;
   logic not_471;
   assign not_471 = ~equal_469;
-  // hls/stages/agreement.hpp:371
+  // hls/stages/agreement.hpp:368
   logic less_485;
   assign less_485 = row_q < 7'h5;
   logic less_489;
   assign less_489 = row_q[6:1] < 6'h3;
-  // hls/stages/agreement.hpp:163
+  // hls/stages/agreement.hpp:162
   logic and_510;
   assign and_510 = left_rdata_s4_q[44] & not_358_s4_q;
   logic [11:0] a;
@@ -827,22 +827,22 @@ module horopter_agreement (
   assign b_5 = less_357_s4_q ? 12'h0 : right_codes_rdata_s4_q[24:13];
   logic [11:0] b_6;
   assign b_6 = less_357_s4_q ? 12'h0 : right_codes_rdata_s4_q[89:78];
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [11:0] not_721;
   assign not_721 = ~(a_3 ^ b_6);
-  // hls/stages/agreement.hpp:163
+  // hls/stages/agreement.hpp:162
   logic [11:0] b_7;
   assign b_7 = less_357_s4_q ? 12'h0 : right_codes_rdata_s4_q[11:0];
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [11:0] not_750;
   assign not_750 = ~(a ^ b_7);
-  // hls/stages/agreement.hpp:581
+  // hls/stages/agreement.hpp:504
   logic not_907;
   assign not_907 = ~(row_q[6:3] == 4'h0);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_1044;
   assign and_1044 = drew_s4_q & (((7'h6 < row_q) & (~(x_s4_q[7:2] == 6'h0))) & not_1042_s4_q);
-  // hls/stages/agreement.hpp:247
+  // hls/stages/agreement.hpp:246
   logic select_1304;
   assign select_1304 = equal_1214_s4_q ? (~({row_s4_q, 1'b0} < {sum_1301, cfg_height_i[4]})) : lower_half_q;
 
@@ -955,7 +955,7 @@ module horopter_agreement (
   logic less_1431_s5_q;
   logic less_1434_s5_q;
   logic equal_1696_s5_q;
-  logic less_1705_s5_q;
+  logic less_1707_s5_q;
   logic equal_1864_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
@@ -1058,13 +1058,13 @@ module horopter_agreement (
       less_1431_s5_q <= 6'h4 < row_q[6:1];
       less_1434_s5_q <= less_1434_s4_q;
       equal_1696_s5_q <= row_s4_q[6:2] == 5'h0;
-      less_1705_s5_q <= 6'h2 < row_s4_q[6:1];
+      less_1707_s5_q <= 6'h2 < row_s4_q[6:1];
       equal_1864_s5_q <= row_s4_q[6:3] == 4'h0;
     end
   end
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [11:0] not_516;
   assign not_516 = ~(a_s5_q ^ b_s5_q);
   logic [1:0] sum_518;
@@ -1290,7 +1290,7 @@ module horopter_agreement (
   logic less_1431_s6_q;
   logic less_1434_s6_q;
   logic equal_1696_s6_q;
-  logic less_1705_s6_q;
+  logic less_1707_s6_q;
   logic equal_1864_s6_q;
   always_ff @(posedge clk_i) begin
     if (s5_en) begin
@@ -1380,13 +1380,13 @@ module horopter_agreement (
       less_1431_s6_q <= less_1431_s5_q;
       less_1434_s6_q <= less_1434_s5_q;
       equal_1696_s6_q <= equal_1696_s5_q;
-      less_1705_s6_q <= less_1705_s5_q;
+      less_1707_s6_q <= less_1707_s5_q;
       equal_1864_s6_q <= equal_1864_s5_q;
     end
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [2:0] sum_521;
   assign sum_521 = {2'h0, not_516_s6_q[1]} + ({2'h0, not_516_s6_q[0]} + sum_519_s6_q);
   logic [2:0] sum_540;
@@ -1504,7 +1504,7 @@ module horopter_agreement (
   logic less_1431_s7_q;
   logic less_1434_s7_q;
   logic equal_1696_s7_q;
-  logic less_1705_s7_q;
+  logic less_1707_s7_q;
   logic equal_1864_s7_q;
   always_ff @(posedge clk_i) begin
     if (s6_en) begin
@@ -1594,13 +1594,13 @@ module horopter_agreement (
       less_1431_s7_q <= less_1431_s6_q;
       less_1434_s7_q <= less_1434_s6_q;
       equal_1696_s7_q <= equal_1696_s6_q;
-      less_1705_s7_q <= less_1705_s6_q;
+      less_1707_s7_q <= less_1707_s6_q;
       equal_1864_s7_q <= equal_1864_s6_q;
     end
   end
 
   // Stage 7 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [2:0] sum_522;
   assign sum_522 = {2'h0, not_516_s7_q[0]} + sum_521_s7_q;
   logic [2:0] sum_541;
@@ -1718,7 +1718,7 @@ module horopter_agreement (
   logic less_1431_s8_q;
   logic less_1434_s8_q;
   logic equal_1696_s8_q;
-  logic less_1705_s8_q;
+  logic less_1707_s8_q;
   logic equal_1864_s8_q;
   always_ff @(posedge clk_i) begin
     if (s7_en) begin
@@ -1808,13 +1808,13 @@ module horopter_agreement (
       less_1431_s8_q <= less_1431_s7_q;
       less_1434_s8_q <= less_1434_s7_q;
       equal_1696_s8_q <= equal_1696_s7_q;
-      less_1705_s8_q <= less_1705_s7_q;
+      less_1707_s8_q <= less_1707_s7_q;
       equal_1864_s8_q <= equal_1864_s7_q;
     end
   end
 
   // Stage 8 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [3:0] sum_525;
   assign sum_525 = {3'h0, not_516_s8_q[1]} + ({3'h0, not_516_s8_q[0]} + sum_523_s8_q);
   logic [3:0] sum_544;
@@ -1932,7 +1932,7 @@ module horopter_agreement (
   logic less_1431_s9_q;
   logic less_1434_s9_q;
   logic equal_1696_s9_q;
-  logic less_1705_s9_q;
+  logic less_1707_s9_q;
   logic equal_1864_s9_q;
   always_ff @(posedge clk_i) begin
     if (s8_en) begin
@@ -2022,26 +2022,26 @@ module horopter_agreement (
       less_1431_s9_q <= less_1431_s8_q;
       less_1434_s9_q <= less_1434_s8_q;
       equal_1696_s9_q <= equal_1696_s8_q;
-      less_1705_s9_q <= less_1705_s8_q;
+      less_1707_s9_q <= less_1707_s8_q;
       equal_1864_s9_q <= equal_1864_s8_q;
     end
   end
 
   // Stage 9 -----------------------------------------------------------------------------------------------------------
-  logic [23:0] slope_row_q;
-  logic [27:0] slope_change_q;
-  logic [27:0] slope_q;
-  logic [23:0] next_slope_row_q;
-  logic [27:0] next_slope_change_q;
-  // hls/stages/agreement.hpp:322
+  logic [23:0] registration_slope_row_q;
+  logic [27:0] registration_slope_change_q;
+  logic [27:0] registration_slope_q;
+  logic [23:0] registration_next_slope_row_q;
+  logic [27:0] registration_next_slope_change_q;
+  // hls/stages/agreement.hpp:319
   logic not_499;
   assign not_499 = ~equal_356_s9_q;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_500;
   assign and_500 = not_499 & and_444_s9_q;
   logic select_501;
   assign select_501 = equal_354_s9_q ? and_498_s9_q : and_500;
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [3:0] sum_527;
   assign sum_527 = {3'h0, not_516_s9_q[1]} + ({3'h0, not_516_s9_q[0]} + sum_525_s9_q);
   logic [3:0] column;
@@ -2082,29 +2082,32 @@ module horopter_agreement (
   assign sum_776 = {3'h0, not_765_s9_q[1]} + ({3'h0, not_765_s9_q[0]} + sum_774_s9_q);
   logic [3:0] sum_792;
   assign sum_792 = {3'h0, not_781_s9_q[1]} + ({3'h0, not_781_s9_q[0]} + sum_790_s9_q);
-  // hls/stages/agreement.hpp:647
+  // hls/stages/registration.hpp:158
   logic [16:0] select_1439;
-  assign select_1439 = ($signed(slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : slope_change_q[27:11];
-  // hls/stages/agreement.hpp:260
+  assign select_1439 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
+  // hls/stages/registration.hpp:57
   logic [23:0] select_1697;
-  assign select_1697 = equal_1696_s9_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : next_slope_row_q;
-  // hls/stages/agreement.hpp:177
+  assign select_1697 = equal_1696_s9_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : registration_next_slope_row_q;
+  // hls/stages/agreement.hpp:176
   logic [23:0] select_1699;
-  assign select_1699 = and_339_s9_q ? (equal_1214_s9_q ? select_1697 : slope_row_q) : slope_row_q;
-  // hls/stages/agreement.hpp:261
+  assign select_1699 = and_339_s9_q ? (equal_1214_s9_q ? select_1697 : registration_slope_row_q) : registration_slope_row_q;
+  // hls/stages/registration.hpp:58
   logic [27:0] select_1700;
-  assign select_1700 = equal_1696_s9_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : next_slope_change_q;
-  // hls/stages/agreement.hpp:177
+  assign select_1700 = equal_1696_s9_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : registration_next_slope_change_q;
+  // hls/stages/agreement.hpp:176
   logic [27:0] select_1702;
-  assign select_1702 = and_339_s9_q ? (equal_1214_s9_q ? select_1700 : slope_change_q) : slope_change_q;
-  // hls/stages/agreement.hpp:141
-  logic [23:0] sum_1785;
-  assign sum_1785 = {{8{cfg_epipolar_row_i[15]}}, $unsigned(cfg_epipolar_row_i)} + slope_row_q;
-  // hls/stages/agreement.hpp:142
-  logic [27:0] sum_1786;
-  assign sum_1786 = {{12{cfg_epipolar_both_i[15]}}, $unsigned(cfg_epipolar_both_i)} + slope_change_q;
+  assign select_1702 = and_339_s9_q ? (equal_1214_s9_q ? select_1700 : registration_slope_change_q) : registration_slope_change_q;
+  // hls/stages/registration.hpp:48
+  logic [27:0] select_1704;
+  assign select_1704 = drew_s9_q ? (registration_slope_change_q + registration_slope_q) : {registration_slope_row_q, 4'h0};
+  // hls/stages/registration.hpp:50
+  logic [23:0] sum_1705;
+  assign sum_1705 = {{8{cfg_epipolar_row_i[15]}}, $unsigned(cfg_epipolar_row_i)} + registration_slope_row_q;
+  // hls/stages/registration.hpp:51
+  logic [27:0] sum_1706;
+  assign sum_1706 = {{12{cfg_epipolar_both_i[15]}}, $unsigned(cfg_epipolar_both_i)} + registration_slope_change_q;
 
-  // Memory best_left, 120 x 22, DISTANCE 32, hls/stages/agreement.hpp:898; read in stage 9, written in stage 26: 9 < 26 < 9 + DISTANCE.
+  // Memory best_left, 120 x 22, DISTANCE 32, hls/stages/agreement.hpp:768; read in stage 9, written in stage 26: 9 < 26 < 9 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [21:0] best_left_mem [0:119];
@@ -2122,17 +2125,17 @@ module horopter_agreement (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      slope_row_q <= 24'h0;
-      slope_change_q <= 28'h0;
-      slope_q <= 28'h0;
-      next_slope_row_q <= 24'h0;
-      next_slope_change_q <= 28'h0;
+      registration_slope_row_q <= 24'h0;
+      registration_slope_change_q <= 28'h0;
+      registration_slope_q <= 28'h0;
+      registration_next_slope_row_q <= 24'h0;
+      registration_next_slope_change_q <= 28'h0;
     end else if (s9_en) begin
-      slope_row_q <= select_1699;
-      slope_change_q <= select_1702;
-      slope_q <= drew_s9_q ? (slope_change_q + slope_q) : {slope_row_q, 4'h0};
-      next_slope_row_q <= sum_1785;
-      next_slope_change_q <= sum_1786;
+      registration_slope_row_q <= select_1699;
+      registration_slope_change_q <= select_1702;
+      registration_slope_q <= select_1704;
+      registration_next_slope_row_q <= sum_1705;
+      registration_next_slope_change_q <= sum_1706;
     end
   end
 
@@ -2146,7 +2149,7 @@ module horopter_agreement (
   logic [7:0] x_s10_q;
   logic [1:0] age_s10_q;
   logic lower_half_s10_q;
-  logic [11:0] slope_s10_q;
+  logic [11:0] registration_slope_s10_q;
   logic equal_301_s10_q;
   logic [6:0] select_303_s10_q;
   logic [8:0] select_307_s10_q;
@@ -2200,7 +2203,7 @@ module horopter_agreement (
   logic less_1431_s10_q;
   logic less_1434_s10_q;
   logic [16:0] select_1439_s10_q;
-  logic less_1705_s10_q;
+  logic less_1707_s10_q;
   logic equal_1864_s10_q;
   always_ff @(posedge clk_i) begin
     if (s9_en) begin
@@ -2214,7 +2217,7 @@ module horopter_agreement (
       x_s10_q <= x_s9_q;
       age_s10_q <= age_s9_q;
       lower_half_s10_q <= lower_half_s9_q;
-      slope_s10_q <= slope_q[27:16];
+      registration_slope_s10_q <= registration_slope_q[27:16];
       equal_301_s10_q <= equal_301_s9_q;
       select_303_s10_q <= select_303_s9_q;
       select_307_s10_q <= select_307_s9_q;
@@ -2268,13 +2271,13 @@ module horopter_agreement (
       less_1431_s10_q <= less_1431_s9_q;
       less_1434_s10_q <= less_1434_s9_q;
       select_1439_s10_q <= select_1439;
-      less_1705_s10_q <= less_1705_s9_q;
+      less_1707_s10_q <= less_1707_s9_q;
       equal_1864_s10_q <= equal_1864_s9_q;
     end
   end
 
   // Stage 10 ----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:408
+  // hls/stages/agreement.hpp:405
   logic [4:0] column_2;
   assign column_2 = {1'b0, column_s10_q} + {1'b0, select_547_s10_q};
   logic [5:0] column_3;
@@ -2295,7 +2298,7 @@ module horopter_agreement (
   assign column_14 = {1'b0, column_13_s10_q} + {1'b0, select_777_s10_q};
   logic [5:0] column_15;
   assign column_15 = {1'b0, column_14} + {2'h0, select_793_s10_q};
-  // hls/stages/agreement.hpp:647
+  // hls/stages/registration.hpp:158
   logic [13:0] select_1441;
   assign select_1441 = ($signed(10'h0) < $signed(select_1439_s10_q[16:7])) ? 14'h7f : select_1439_s10_q[13:0];
 
@@ -2309,7 +2312,7 @@ module horopter_agreement (
   logic [7:0] x_s11_q;
   logic [1:0] age_s11_q;
   logic lower_half_s11_q;
-  logic [11:0] slope_s11_q;
+  logic [11:0] registration_slope_s11_q;
   logic equal_301_s11_q;
   logic [6:0] select_303_s11_q;
   logic [8:0] select_307_s11_q;
@@ -2354,7 +2357,7 @@ module horopter_agreement (
   logic less_1431_s11_q;
   logic less_1434_s11_q;
   logic [13:0] select_1441_s11_q;
-  logic less_1705_s11_q;
+  logic less_1707_s11_q;
   logic equal_1864_s11_q;
   always_ff @(posedge clk_i) begin
     if (s10_en) begin
@@ -2368,7 +2371,7 @@ module horopter_agreement (
       x_s11_q <= x_s10_q;
       age_s11_q <= age_s10_q;
       lower_half_s11_q <= lower_half_s10_q;
-      slope_s11_q <= slope_s10_q;
+      registration_slope_s11_q <= registration_slope_s10_q;
       equal_301_s11_q <= equal_301_s10_q;
       select_303_s11_q <= select_303_s10_q;
       select_307_s11_q <= select_307_s10_q;
@@ -2413,7 +2416,7 @@ module horopter_agreement (
       less_1431_s11_q <= less_1431_s10_q;
       less_1434_s11_q <= less_1434_s10_q;
       select_1441_s11_q <= select_1441;
-      less_1705_s11_q <= less_1705_s10_q;
+      less_1707_s11_q <= less_1707_s10_q;
       equal_1864_s11_q <= equal_1864_s10_q;
     end
   end
@@ -2440,14 +2443,14 @@ module horopter_agreement (
   logic [7:0] sums_3_columns_values_4_q;
   logic [7:0] sums_3_columns_values_5_q;
   logic [7:0] sums_3_columns_values_6_q;
-  // hls/stages/agreement.hpp:410
+  // hls/stages/agreement.hpp:407
   logic [7:0] difference_570;
   assign difference_570 = {2'h0, column_3_s11_q} - (age_s11_q[1] ? sums_2_columns_values_6_q : 8'h0);
   logic [7:0] difference_624;
   assign difference_624 = {2'h0, column_6_s11_q} - (age_s11_q[1] ? sums_1_columns_values_6_q : 8'h0);
   logic [7:0] difference_679;
   assign difference_679 = {2'h0, column_9_s11_q} - (age_s11_q[1] ? sums_3_columns_values_6_q : 8'h0);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [7:0] select_1314;
   assign select_1314 = equal_354_s11_q ? {2'h0, column_6_s11_q} : sums_1_columns_values_0_q;
   logic [7:0] select_1315;
@@ -2490,15 +2493,15 @@ module horopter_agreement (
   assign select_1335 = equal_354_s11_q ? sums_3_columns_values_4_q : sums_3_columns_values_5_q;
   logic [7:0] select_1336;
   assign select_1336 = equal_354_s11_q ? sums_3_columns_values_5_q : sums_3_columns_values_6_q;
-  // hls/stages/agreement.hpp:642
+  // hls/stages/registration.hpp:153
   logic [9:0] select_1442;
   assign select_1442 = best_left_rdata_s11_q[12] ? select_1441_s11_q[9:0] : 10'h0;
   logic [8:0] difference_1444;
   assign difference_1444 = select_1442[9:1] - (best_left_rdata_s11_q[13] ? select_1441_s11_q[8:0] : 9'h0);
-  // hls/stages/agreement.hpp:640
+  // hls/stages/registration.hpp:151
   logic [12:0] sum_1447;
   assign sum_1447 = (best_left_rdata_s11_q[8] ? select_1441_s11_q[13:1] : 13'h0) + (best_left_rdata_s11_q[9] ? select_1441_s11_q[12:0] : 13'h0);
-  // hls/stages/agreement.hpp:641
+  // hls/stages/registration.hpp:152
   logic [11:0] select_1448;
   assign select_1448 = best_left_rdata_s11_q[10] ? select_1441_s11_q[11:0] : 12'h0;
   logic [10:0] sum_1450;
@@ -2566,7 +2569,7 @@ module horopter_agreement (
   logic [7:0] x_s12_q;
   logic [1:0] age_s12_q;
   logic lower_half_s12_q;
-  logic [11:0] slope_s12_q;
+  logic [11:0] registration_slope_s12_q;
   logic equal_301_s12_q;
   logic [6:0] select_303_s12_q;
   logic [8:0] select_307_s12_q;
@@ -2615,7 +2618,7 @@ module horopter_agreement (
   logic [11:0] sum_1447_s12_q;
   logic select_1448_s12_q;
   logic [10:0] sum_1450_s12_q;
-  logic less_1705_s12_q;
+  logic less_1707_s12_q;
   logic equal_1864_s12_q;
   always_ff @(posedge clk_i) begin
     if (s11_en) begin
@@ -2629,7 +2632,7 @@ module horopter_agreement (
       x_s12_q <= x_s11_q;
       age_s12_q <= age_s11_q;
       lower_half_s12_q <= lower_half_s11_q;
-      slope_s12_q <= slope_s11_q;
+      registration_slope_s12_q <= registration_slope_s11_q;
       equal_301_s12_q <= equal_301_s11_q;
       select_303_s12_q <= select_303_s11_q;
       select_307_s12_q <= select_307_s11_q;
@@ -2678,7 +2681,7 @@ module horopter_agreement (
       sum_1447_s12_q <= sum_1447[12:1];
       select_1448_s12_q <= select_1448[0];
       sum_1450_s12_q <= sum_1450;
-      less_1705_s12_q <= less_1705_s11_q;
+      less_1707_s12_q <= less_1707_s11_q;
       equal_1864_s12_q <= equal_1864_s11_q;
     end
   end
@@ -2701,7 +2704,7 @@ module horopter_agreement (
   logic [7:0] sums_4_columns_values_4_q;
   logic [7:0] sums_4_columns_values_5_q;
   logic [7:0] sums_4_columns_values_6_q;
-  // hls/stages/agreement.hpp:410
+  // hls/stages/agreement.hpp:407
   logic [7:0] sum_573;
   assign sum_573 = difference_570_s12_q + (equal_571_s12_q ? 8'h0 : sums_2_sum_sums_values_0_q);
   logic [7:0] sum_626;
@@ -2712,7 +2715,7 @@ module horopter_agreement (
   assign difference_736 = {2'h0, column_12_s12_q} - (age_s12_q[1] ? sums_0_columns_values_6_q : 8'h0);
   logic [7:0] difference_796;
   assign difference_796 = {2'h0, column_15_s12_q} - (age_s12_q[1] ? sums_4_columns_values_6_q : 8'h0);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [7:0] select_1306;
   assign select_1306 = equal_354_s12_q ? {2'h0, column_12_s12_q} : sums_0_columns_values_0_q;
   logic [7:0] select_1307;
@@ -2741,7 +2744,7 @@ module horopter_agreement (
   assign select_1343 = equal_354_s12_q ? sums_4_columns_values_4_q : sums_4_columns_values_5_q;
   logic [7:0] select_1344;
   assign select_1344 = equal_354_s12_q ? sums_4_columns_values_5_q : sums_4_columns_values_6_q;
-  // hls/stages/agreement.hpp:643
+  // hls/stages/registration.hpp:154
   logic [11:0] sum_1451;
   assign sum_1451 = sum_1447_s12_q + {sum_1450_s12_q, select_1448_s12_q};
   logic [9:0] sum_1452;
@@ -2801,7 +2804,7 @@ module horopter_agreement (
   logic [7:0] x_s13_q;
   logic age_s13_q;
   logic lower_half_s13_q;
-  logic [11:0] slope_s13_q;
+  logic [11:0] registration_slope_s13_q;
   logic equal_301_s13_q;
   logic [6:0] select_303_s13_q;
   logic [8:0] select_307_s13_q;
@@ -2847,7 +2850,7 @@ module horopter_agreement (
   logic less_1431_s13_q;
   logic less_1434_s13_q;
   logic [7:0] sum_1452_s13_q;
-  logic less_1705_s13_q;
+  logic less_1707_s13_q;
   logic equal_1864_s13_q;
   always_ff @(posedge clk_i) begin
     if (s12_en) begin
@@ -2861,7 +2864,7 @@ module horopter_agreement (
       x_s13_q <= x_s12_q;
       age_s13_q <= age_s12_q[0];
       lower_half_s13_q <= lower_half_s12_q;
-      slope_s13_q <= slope_s12_q;
+      registration_slope_s13_q <= registration_slope_s12_q;
       equal_301_s13_q <= equal_301_s12_q;
       select_303_s13_q <= select_303_s12_q;
       select_307_s13_q <= select_307_s12_q;
@@ -2907,7 +2910,7 @@ module horopter_agreement (
       less_1431_s13_q <= less_1431_s12_q;
       less_1434_s13_q <= less_1434_s12_q;
       sum_1452_s13_q <= sum_1452[9:2];
-      less_1705_s13_q <= less_1705_s12_q;
+      less_1707_s13_q <= less_1707_s12_q;
       equal_1864_s13_q <= equal_1864_s12_q;
     end
   end
@@ -2915,25 +2918,25 @@ module horopter_agreement (
   // Stage 13 ----------------------------------------------------------------------------------------------------------
   logic [7:0] sums_0_sum_sums_values_0_q;
   logic [7:0] sums_4_sum_sums_values_0_q;
-  // hls/stages/agreement.hpp:423
+  // hls/stages/agreement.hpp:420
   logic not_683;
   assign not_683 = ~less_627_s13_q;
   logic [1:0] best;
   assign best = ((less_627_s13_q ? sum_626_s13_q : sum_573_s13_q) < sum_681_s13_q) ? 2'h3 : {not_683, less_627_s13_q};
-  // hls/stages/agreement.hpp:410
+  // hls/stages/agreement.hpp:407
   logic [7:0] sum_738;
   assign sum_738 = difference_736_s13_q + (equal_571_s13_q ? 8'h0 : sums_0_sum_sums_values_0_q);
   logic [7:0] sum_798;
   assign sum_798 = difference_796_s13_q + (equal_571_s13_q ? 8'h0 : sums_4_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:435
+  // hls/stages/agreement.hpp:432
   logic [6:0] partner;
   assign partner = {run_shift_s13_q[5], run_shift_s13_q} + x_s13_2_q;
-  // hls/stages/agreement.hpp:580
+  // hls/stages/agreement.hpp:503
   logic [6:0] sum_868;
   assign sum_868 = x_s13_q[6:0] + {best_left_rdata_s13_q[13], best_left_rdata_s13_q[13:8]};
-  // hls/stages/agreement.hpp:615
+  // hls/stages/registration.hpp:67
   logic [12:0] sum_1453;
-  assign sum_1453 = {slope_s13_q[11], slope_s13_q} + {{5{sum_1452_s13_q[7]}}, sum_1452_s13_q};
+  assign sum_1453 = {registration_slope_s13_q[11], registration_slope_s13_q} + {{5{sum_1452_s13_q[7]}}, sum_1452_s13_q};
 
   // Not reset: nothing of it counts before it is written anew.
 `ifndef SYNTHESIS
@@ -3009,7 +3012,7 @@ module horopter_agreement (
   logic [7:0] sum_1453_s14_q;
   logic less_1454_s14_q;
   logic less_1455_s14_q;
-  logic less_1705_s14_q;
+  logic less_1707_s14_q;
   logic equal_1864_s14_q;
   always_ff @(posedge clk_i) begin
     if (s13_en) begin
@@ -3073,18 +3076,18 @@ module horopter_agreement (
       sum_1453_s14_q <= sum_1453[7:0];
       less_1454_s14_q <= $signed(6'h0) < $signed(sum_1453[12:7]);
       less_1455_s14_q <= $signed(sum_1453[12:7]) < $signed(6'h3f);
-      less_1705_s14_q <= less_1705_s13_q;
+      less_1707_s14_q <= less_1707_s13_q;
       equal_1864_s14_q <= equal_1864_s13_q;
     end
   end
 
   // Stage 14 ----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:423
+  // hls/stages/agreement.hpp:420
   logic less_741;
   assign less_741 = (best_s14_q[1] ? select_685_s14_q : select_739_s14_q) < sum_738_s14_q;
   logic [1:0] best_2;
   assign best_2 = less_741 ? 2'h0 : best_s14_q;
-  // hls/stages/agreement.hpp:640
+  // hls/stages/registration.hpp:151
   logic [7:0] slope;
   assign slope = less_1454_s14_q ? 8'h7f : (less_1455_s14_q ? 8'h80 : sum_1453_s14_q);
   logic [6:0] select_1458;
@@ -3093,14 +3096,14 @@ module horopter_agreement (
   assign select_1459 = best_left_rdata_s14_q[9] ? slope : 8'h0;
   logic [8:0] sum_1460;
   assign sum_1460 = {{2{select_1458[6]}}, select_1458} + {select_1459[7], select_1459};
-  // hls/stages/agreement.hpp:641
+  // hls/stages/registration.hpp:152
   logic [7:0] select_1461;
   assign select_1461 = best_left_rdata_s14_q[10] ? slope : 8'h0;
   logic [7:0] select_1462;
   assign select_1462 = best_left_rdata_s14_q[11] ? slope : 8'h0;
   logic [8:0] sum_1463;
   assign sum_1463 = {{2{select_1461[7]}}, select_1461[7:1]} + {select_1462[7], select_1462};
-  // hls/stages/agreement.hpp:642
+  // hls/stages/registration.hpp:153
   logic [7:0] select_1465;
   assign select_1465 = best_left_rdata_s14_q[12] ? slope : 8'h0;
   logic [7:0] select_1466;
@@ -3108,7 +3111,7 @@ module horopter_agreement (
   logic [8:0] difference_1467;
   assign difference_1467 = {{2{select_1465[7]}}, select_1465[7:1]} - {select_1466[7], select_1466};
 
-  // Memory best_right, 120 x 15, DISTANCE 32, hls/stages/agreement.hpp:899; read in stage 14, written in stage 18: 14 < 18 < 14 + DISTANCE.
+  // Memory best_right, 120 x 15, DISTANCE 32, hls/stages/agreement.hpp:769; read in stage 14, written in stage 18: 14 < 18 < 14 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [14:0] best_right_mem [0:119];
@@ -3184,7 +3187,7 @@ module horopter_agreement (
   logic [8:0] sum_1463_s15_q;
   logic select_1465_s15_q;
   logic [8:0] difference_1467_s15_q;
-  logic less_1705_s15_q;
+  logic less_1707_s15_q;
   logic equal_1864_s15_q;
   always_ff @(posedge clk_i) begin
     if (s14_en) begin
@@ -3248,23 +3251,23 @@ module horopter_agreement (
       sum_1463_s15_q <= sum_1463;
       select_1465_s15_q <= select_1465[0];
       difference_1467_s15_q <= difference_1467;
-      less_1705_s15_q <= less_1705_s14_q;
+      less_1707_s15_q <= less_1707_s14_q;
       equal_1864_s15_q <= equal_1864_s14_q;
     end
   end
 
   // Stage 15 ----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:415
+  // hls/stages/agreement.hpp:412
   logic less_505;
   assign less_505 = $signed(run_shift_s15_q) < $signed($unsigned(cfg_shift_lowest_i));
   logic less_507;
   assign less_507 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s15_q);
-  // hls/stages/agreement.hpp:423
+  // hls/stages/agreement.hpp:420
   logic less_799;
   assign less_799 = (best_2_s15_q[1] ? select_743_s15_q : select_744_s15_q) < sum_798_s15_q;
   logic [1:0] select_800;
   assign select_800 = less_799 ? 2'h0 : best_2_s15_q;
-  // hls/stages/agreement.hpp:643
+  // hls/stages/registration.hpp:154
   logic [10:0] sum_1464;
   assign sum_1464 = {{3{sum_1460_s15_q[7]}}, sum_1460_s15_q} + {sum_1463_s15_q[8], sum_1463_s15_q, select_1461_s15_q};
   logic [9:0] sum_1468;
@@ -3347,7 +3350,7 @@ module horopter_agreement (
   logic less_1434_s16_q;
   logic sum_1464_s16_q;
   logic [9:0] sum_1468_s16_q;
-  logic less_1705_s16_q;
+  logic less_1707_s16_q;
   logic equal_1864_s16_q;
   always_ff @(posedge clk_i) begin
     if (s15_en) begin
@@ -3412,7 +3415,7 @@ module horopter_agreement (
       less_1434_s16_q <= less_1434_s15_q;
       sum_1464_s16_q <= sum_1464[1];
       sum_1468_s16_q <= sum_1468;
-      less_1705_s16_q <= less_1705_s15_q;
+      less_1707_s16_q <= less_1707_s15_q;
       equal_1864_s16_q <= equal_1864_s15_q;
     end
   end
@@ -3430,49 +3433,49 @@ module horopter_agreement (
   assign select_319 = equal_301_s16_q ? {6'h0, pixel_0_s16_q} : ({6'h0, pixel_0_s16_q} + averager_running_0_q);
   logic [13:0] sum_325;
   assign sum_325 = {6'h0, pixel_1_s16_q} + (equal_301_s16_q ? 14'h0 : averager_running_1_q);
-  // hls/stages/agreement.hpp:175
+  // hls/stages/agreement.hpp:174
   logic all_of_skin;
   assign all_of_skin = equal_301_s16_q ? mask_s16_q : (mask_s16_q & averager_running_of_skin_q);
-  // hls/stages/agreement.hpp:425
+  // hls/stages/agreement.hpp:422
   logic [7:0] of_best;
   assign of_best = less_799_s16_q ? sum_798_s16_q : (select_800_s16_q[1] ? select_801_s16_q : select_802_s16_q);
   logic [7:0] of_best_2;
   assign of_best_2 = and_509_s16_q ? of_best : 8'h0;
-  // hls/stages/agreement.hpp:444
+  // hls/stages/registration.hpp:21
   logic [2:0] near_best;
   assign near_best = ({less_799_s16_q, select_800_s16_q} == 3'h4) ? 3'h3 : (equal_819_s16_q ? 3'h1 : {less_799_s16_q, select_800_s16_q});
-  // hls/stages/agreement.hpp:446
+  // hls/stages/registration.hpp:23
   logic [2:0] sum_823;
   assign sum_823 = near_best + 3'h1;
-  // hls/stages/agreement.hpp:445
+  // hls/stages/registration.hpp:22
   logic [2:0] sum_828;
   assign sum_828 = near_best + 3'h7;
-  // hls/stages/agreement.hpp:449
+  // hls/stages/registration.hpp:26
   logic [7:0] select_837;
   assign select_837 = near_best[1] ? (near_best[0] ? sum_681_s16_q : sum_573_s16_q) : (near_best[0] ? sum_626_s16_q : sum_738_s16_q);
-  // hls/stages/agreement.hpp:469
+  // hls/stages/division.hpp:18
   logic [5:0] sum_893;
   assign sum_893 = region_across_rest_q[8:3] + 6'h1;
-  // hls/stages/agreement.hpp:582
+  // hls/stages/agreement.hpp:505
   logic [8:0] way;
   assign way = {2'h0, best_right_rdata_s16_q[14:8]} - {1'b0, x_s16_q};
-  // hls/stages/agreement.hpp:586
+  // hls/stages/agreement.hpp:509
   logic and_928;
   assign and_928 = cfg_nearer_above_i & ($signed(6'h0) < $signed(best_left_rdata_s16_q[13:8]));
-  // hls/stages/agreement.hpp:617
+  // hls/stages/registration.hpp:69
   logic [11:0] difference_1469;
   assign difference_1469 = {{4{best_left_rdata_s16_q[21]}}, best_left_rdata_s16_q[21:14]} - {sum_1468_s16_q[9], sum_1468_s16_q, sum_1464_s16_q};
-  // hls/stages/agreement.hpp:486
-  logic [8:0] sum_1715;
-  assign sum_1715 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
-  // hls/stages/agreement.hpp:487
-  logic [8:0] select_1716;
-  assign select_1716 = sum_893[5] ? {1'b1, sum_893[4:0], region_across_rest_q[2:0]} : sum_1715;
-  // hls/stages/agreement.hpp:247
-  logic [8:0] select_1720;
-  assign select_1720 = equal_1214_s16_q ? (9'h1f0 - {2'h0, cfg_width_i[10:4]}) : columns_begin_rest_q;
-  logic [7:0] select_1723;
-  assign select_1723 = equal_1214_s16_q ? (8'h8 - {1'b0, cfg_width_i[10:4]}) : columns_begin_back_q;
+  // hls/stages/division.hpp:35
+  logic [8:0] sum_1717;
+  assign sum_1717 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
+  // hls/stages/division.hpp:36
+  logic [8:0] select_1718;
+  assign select_1718 = sum_893[5] ? {1'b1, sum_893[4:0], region_across_rest_q[2:0]} : sum_1717;
+  // hls/stages/agreement.hpp:246
+  logic [8:0] select_1722;
+  assign select_1722 = equal_1214_s16_q ? (9'h1f0 - {2'h0, cfg_width_i[10:4]}) : columns_begin_rest_q;
+  logic [7:0] select_1725;
+  assign select_1725 = equal_1214_s16_q ? (8'h8 - {1'b0, cfg_width_i[10:4]}) : columns_begin_back_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -3483,10 +3486,10 @@ module horopter_agreement (
       columns_begin_back_q <= 8'h0;
     end else if (s16_en) begin
       averager_running_of_skin_q <= all_of_skin;
-      region_across_rest_q <= drew_s16_q ? select_1716 : columns_begin_rest_q;
+      region_across_rest_q <= drew_s16_q ? select_1718 : columns_begin_rest_q;
       region_across_back_q <= drew_s16_q ? region_across_back_q : columns_begin_back_q;
-      columns_begin_rest_q <= and_339_s16_q ? select_1720 : columns_begin_rest_q;
-      columns_begin_back_q <= and_339_s16_q ? select_1723 : columns_begin_back_q;
+      columns_begin_rest_q <= and_339_s16_q ? select_1722 : columns_begin_rest_q;
+      columns_begin_back_q <= and_339_s16_q ? select_1725 : columns_begin_back_q;
     end
   end
 
@@ -3570,7 +3573,7 @@ module horopter_agreement (
   logic less_1431_s17_q;
   logic less_1434_s17_q;
   logic [11:0] difference_1469_s17_q;
-  logic less_1705_s17_q;
+  logic less_1707_s17_q;
   logic equal_1864_s17_q;
   always_ff @(posedge clk_i) begin
     if (s16_en) begin
@@ -3640,7 +3643,7 @@ module horopter_agreement (
       less_1431_s17_q <= less_1431_s16_q;
       less_1434_s17_q <= less_1434_s16_q;
       difference_1469_s17_q <= difference_1469;
-      less_1705_s17_q <= less_1705_s16_q;
+      less_1707_s17_q <= less_1707_s16_q;
       equal_1864_s17_q <= equal_1864_s16_q;
     end
   end
@@ -3661,87 +3664,87 @@ module horopter_agreement (
   // hls/stages/census.hpp:102
   logic and_335;
   assign and_335 = averager_running_of_skin_q & (averager_memory_rdata_s17_q[29] | equal_321_s17_q);
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:424
   logic less_806;
   assign less_806 = $signed(run_shift_s17_q) < $signed(6'h1);
-  // hls/stages/agreement.hpp:430
+  // hls/stages/agreement.hpp:427
   logic or_809;
   assign or_809 = less_807_s17_q | equal_808_s17_q;
-  // hls/stages/agreement.hpp:433
+  // hls/stages/agreement.hpp:430
   logic [7:0] select_812;
   assign select_812 = less_806 ? (or_809 ? of_best_2_s17_q : best_left_rdata_s17_q[7:0]) : (less_807_s17_q ? of_best_2_s17_q : best_left_rdata_s17_q[7:0]);
   logic [5:0] select_816;
   assign select_816 = less_806 ? (or_809 ? run_shift_s17_q : best_left_rdata_s17_q[13:8]) : (less_807_s17_q ? run_shift_s17_q : best_left_rdata_s17_q[13:8]);
-  // hls/stages/agreement.hpp:446
+  // hls/stages/registration.hpp:23
   logic [7:0] below;
   assign below = sum_823_s17_q[1] ? sum_798_s17_q : (sum_823_s17_q[0] ? select_824_s17_q : select_825_s17_q);
-  // hls/stages/agreement.hpp:445
+  // hls/stages/registration.hpp:22
   logic [7:0] above;
   assign above = sum_828_s17_q[1] ? sum_798_s17_q : (sum_828_s17_q[0] ? select_829_s17_q : select_830_s17_q);
-  // hls/stages/agreement.hpp:447
+  // hls/stages/registration.hpp:24
   logic [8:0] rise;
   assign rise = {1'b0, below} - {1'b0, above};
-  // hls/stages/agreement.hpp:437
+  // hls/stages/agreement.hpp:434
   logic or_873;
   assign or_873 = less_871_s17_q | equal_872_s17_q;
-  // hls/stages/agreement.hpp:438
+  // hls/stages/agreement.hpp:435
   logic [7:0] select_876;
   assign select_876 = less_806 ? (or_873 ? of_best_2_s17_q : best_right_rdata_s17_q[7:0]) : (less_871_s17_q ? of_best_2_s17_q : best_right_rdata_s17_q[7:0]);
   logic [6:0] select_880;
   assign select_880 = less_806 ? (or_873 ? x_s17_2_q : best_right_rdata_s17_q[14:8]) : (less_871_s17_q ? x_s17_2_q : best_right_rdata_s17_q[14:8]);
-  // hls/stages/agreement.hpp:138
+  // hls/stages/agreement.hpp:140
   logic [7:0] select_882;
   assign select_882 = drew_s17_q ? region_columns_q : 8'h1;
-  // hls/stages/agreement.hpp:656
+  // hls/stages/agreement.hpp:538
   logic or_885;
   assign or_885 = select_882[7] | (~({select_882[5], select_882[3], select_882[1]} == 3'h0));
-  // hls/stages/agreement.hpp:664
+  // hls/stages/agreement.hpp:546
   logic or_896;
   assign or_896 = (~sum_893_s17_q) | equal_895_s17_q;
-  // hls/stages/agreement.hpp:591
+  // hls/stages/agreement.hpp:516
   logic and_897;
   assign and_897 = not_358_s17_q & or_896;
-  // hls/stages/agreement.hpp:724
+  // hls/stages/agreement.hpp:606
   logic equal_899;
   assign equal_899 = x_s17_q[5:4] == 2'h3;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_901;
   assign and_901 = equal_898_s17_q & (~equal_899);
   logic and_904;
   assign and_904 = not_355_s17_q & (not_499_s17_q & (drew_s17_q ? and_897 : and_901));
-  // hls/stages/agreement.hpp:584
+  // hls/stages/agreement.hpp:507
   logic [9:0] sum_918;
   assign sum_918 = {way_s17_q[8], way_s17_q} + 10'h1;
-  // hls/stages/agreement.hpp:591
+  // hls/stages/agreement.hpp:516
   logic [7:0] select_990;
   assign select_990 = less_357_s17_q ? select_882 : (sum_893_s17_q ? select_882 : {select_882[6:0], 1'b0});
-  // hls/stages/agreement.hpp:656
+  // hls/stages/agreement.hpp:538
   logic or_993;
   assign or_993 = select_990[7] | (~({select_990[5], select_990[3], select_990[1]} == 3'h0));
-  // hls/stages/agreement.hpp:647
+  // hls/stages/registration.hpp:158
   logic [11:0] select_1471;
   assign select_1471 = ($signed(difference_1469_s17_q[11:7]) < $signed(5'h1f)) ? 12'hf80 : difference_1469_s17_q;
-  // hls/stages/agreement.hpp:485
-  logic [7:0] sum_1706;
-  assign sum_1706 = region_down_rest_q[8:1] + 8'h3;
-  // hls/stages/agreement.hpp:302
-  logic [7:0] select_1714;
-  assign select_1714 = equal_354_s17_q ? select_882 : (equal_356_s17_q ? select_882 : (drew_s17_q ? select_990 : 8'h1));
-  // hls/stages/agreement.hpp:247
-  logic [8:0] select_1727;
-  assign select_1727 = equal_388_s17_q ? {difference_1725[7], difference_1725} : (less_1705_s17_q ? region_down_next_q : region_down_rest_q);
-  // hls/stages/agreement.hpp:177
+  // hls/stages/division.hpp:34
+  logic [7:0] sum_1708;
+  assign sum_1708 = region_down_rest_q[8:1] + 8'h3;
+  // hls/stages/agreement.hpp:299
+  logic [7:0] select_1716;
+  assign select_1716 = equal_354_s17_q ? select_882 : (equal_356_s17_q ? select_882 : (drew_s17_q ? select_990 : 8'h1));
+  // hls/stages/agreement.hpp:246
   logic [8:0] select_1729;
-  assign select_1729 = and_339_s17_q ? (equal_1214_s17_q ? select_1727 : region_down_rest_q) : region_down_rest_q;
-  // hls/stages/agreement.hpp:247
-  logic [7:0] select_1731;
-  assign select_1731 = equal_388_s17_q ? (8'h6 - {1'b0, cfg_height_i[10:4]}) : region_down_back_q;
-  // hls/stages/agreement.hpp:177
+  assign select_1729 = equal_388_s17_q ? {difference_1727[7], difference_1727} : (less_1707_s17_q ? region_down_next_q : region_down_rest_q);
+  // hls/stages/agreement.hpp:176
+  logic [8:0] select_1731;
+  assign select_1731 = and_339_s17_q ? (equal_1214_s17_q ? select_1729 : region_down_rest_q) : region_down_rest_q;
+  // hls/stages/agreement.hpp:246
   logic [7:0] select_1733;
-  assign select_1733 = and_339_s17_q ? (equal_1214_s17_q ? select_1731 : region_down_back_q) : region_down_back_q;
-  // hls/stages/agreement.hpp:487
-  logic [8:0] select_1735;
-  assign select_1735 = sum_1706[7] ? {1'b1, sum_1706[6:0], region_down_rest_q[0]} : (region_down_rest_q + {region_down_back_q[7], region_down_back_q});
+  assign select_1733 = equal_388_s17_q ? (8'h6 - {1'b0, cfg_height_i[10:4]}) : region_down_back_q;
+  // hls/stages/agreement.hpp:176
+  logic [7:0] select_1735;
+  assign select_1735 = and_339_s17_q ? (equal_1214_s17_q ? select_1733 : region_down_back_q) : region_down_back_q;
+  // hls/stages/division.hpp:36
+  logic [8:0] select_1737;
+  assign select_1737 = sum_1708[7] ? {1'b1, sum_1708[6:0], region_down_rest_q[0]} : (region_down_rest_q + {region_down_back_q[7], region_down_back_q});
 
   // Memory census_memory, 120 x 78, DISTANCE 16, hls/stages/census.hpp:254; read in stage 17, written in stage 19: 17 < 19 < 17 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -3759,7 +3762,7 @@ module horopter_agreement (
     if (census_memory_re) census_memory_rdata_q <= census_memory_mem[census_memory_raddr];
   end
 
-  // Memory seen_columns, 120 x 12, DISTANCE 32, hls/stages/agreement.hpp:928; read in stage 17, written in stage 19: 17 < 19 < 17 + DISTANCE.
+  // Memory seen_columns, 120 x 12, DISTANCE 32, hls/stages/agreement.hpp:797; read in stage 17, written in stage 19: 17 < 19 < 17 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [11:0] seen_columns_mem [0:119];
@@ -3782,10 +3785,10 @@ module horopter_agreement (
       region_down_back_q <= 8'h0;
       region_down_next_q <= 9'h0;
     end else if (s17_en) begin
-      region_columns_q <= select_1714;
-      region_down_rest_q <= select_1729;
-      region_down_back_q <= select_1733;
-      region_down_next_q <= select_1735;
+      region_columns_q <= select_1716;
+      region_down_rest_q <= select_1731;
+      region_down_back_q <= select_1735;
+      region_down_next_q <= select_1737;
     end
   end
 
@@ -3862,9 +3865,9 @@ module horopter_agreement (
   logic less_1434_s18_q;
   logic [11:0] select_1471_s18_q;
   logic less_1472_s18_q;
-  logic less_1705_s18_q;
-  logic sum_1706_s18_q;
-  logic select_1746_s18_q;
+  logic less_1707_s18_q;
+  logic sum_1708_s18_q;
+  logic select_1748_s18_q;
   logic equal_1864_s18_q;
   logic and_2142_s18_q;
   always_ff @(posedge clk_i) begin
@@ -3942,9 +3945,9 @@ module horopter_agreement (
       less_1434_s18_q <= less_1434_s17_q;
       select_1471_s18_q <= select_1471;
       less_1472_s18_q <= $signed(5'h0) < $signed(select_1471[11:7]);
-      less_1705_s18_q <= less_1705_s17_q;
-      sum_1706_s18_q <= sum_1706[7];
-      select_1746_s18_q <= sum_893_s17_q ? (equal_895_s17_q & or_896) : or_896;
+      less_1707_s18_q <= less_1707_s17_q;
+      sum_1708_s18_q <= sum_1708[7];
+      select_1748_s18_q <= sum_893_s17_q ? (equal_895_s17_q & or_896) : or_896;
       equal_1864_s18_q <= equal_1864_s17_q;
       and_2142_s18_q <= not_355_s17_q & (not_499_s17_q & (not_1260_s17_q & and_901));
     end
@@ -3983,78 +3986,78 @@ module horopter_agreement (
   // hls/stages/census.hpp:105
   logic select_353;
   assign select_353 = equal_342_s18_q ? and_351 : (averager_of_skin_q & and_351);
-  // hls/stages/agreement.hpp:449
+  // hls/stages/registration.hpp:26
   logic [7:0] select_839;
   assign select_839 = rise_s18_q ? below_s18_q : above_s18_q;
   logic [8:0] fall;
   assign fall = {1'b0, select_838_s18_q} - {1'b0, select_839};
-  // hls/stages/agreement.hpp:450
+  // hls/stages/registration.hpp:27
   logic [7:0] twice;
   assign twice = fall[8] ? 8'h0 : fall[7:0];
-  // hls/stages/agreement.hpp:448
+  // hls/stages/registration.hpp:25
   logic [8:0] size;
   assign size = {8'h0, rise_s18_q} + {1'b0, xor_842_s18_q};
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [5:0] select_892;
   assign select_892 = drew_s18_q ? {region_row_q, or_891_s18_q, or_888_s18_q, or_885_s18_q} : x_s18_q[5:0];
-  // hls/stages/agreement.hpp:584
+  // hls/stages/agreement.hpp:507
   logic and_920;
   assign and_920 = and_916_s18_q & less_919_s18_q;
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic and_930;
   assign and_930 = and_920 & or_929_s18_q;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_1352;
   assign and_1352 = not_355_s18_q & (not_499_s18_q & (drew_s18_q & (not_358_s18_q & and_1348_s18_q)));
-  // hls/stages/agreement.hpp:588
+  // hls/stages/agreement.hpp:511
   logic and_1432;
   assign and_1432 = and_920 & less_1431_s18_q;
-  // hls/stages/agreement.hpp:622
+  // hls/stages/registration.hpp:73
   logic equal_1435;
   assign equal_1435 = {lower_half_s18_q, less_1434_s18_q} == 2'h3;
   logic equal_1436;
   assign equal_1436 = {lower_half_s18_q, less_1434_s18_q} == 2'h2;
   logic equal_1437;
   assign equal_1437 = {lower_half_s18_q, less_1434_s18_q} == 2'h1;
-  // hls/stages/agreement.hpp:647
+  // hls/stages/registration.hpp:158
   logic [11:0] residual;
   assign residual = less_1472_s18_q ? 12'h7f : select_1471_s18_q;
-  // hls/stages/agreement.hpp:622
+  // hls/stages/registration.hpp:73
   logic not_1511;
   assign not_1511 = ~equal_1435;
   logic not_1512;
   assign not_1512 = ~equal_1436;
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic and_1517;
   assign and_1517 = not_358_s18_q & (and_1432 & (not_1511 & (not_1512 & (~equal_1437))));
   logic and_1526;
   assign and_1526 = not_358_s18_q & (and_1432 & (not_1511 & (equal_1437 & not_1512)));
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_1535;
   assign and_1535 = drew_s18_q & (not_358_s18_q & (and_1432 & (equal_1436 & not_1511)));
   logic and_1543;
   assign and_1543 = not_499_s18_q & (drew_s18_q & (not_358_s18_q & (and_1432 & equal_1435)));
-  // hls/stages/agreement.hpp:247
-  logic [2:0] select_1708;
-  assign select_1708 = less_1705_s18_q ? (sum_1706_s18_q ? region_row_q : next_region_row_q) : region_row_q;
+  // hls/stages/agreement.hpp:246
   logic [2:0] select_1710;
-  assign select_1710 = equal_1214_s18_q ? (equal_388_s18_q ? 3'h0 : select_1708) : region_row_q;
-  // hls/stages/agreement.hpp:469
+  assign select_1710 = less_1707_s18_q ? (sum_1708_s18_q ? region_row_q : next_region_row_q) : region_row_q;
+  logic [2:0] select_1712;
+  assign select_1712 = equal_1214_s18_q ? (equal_388_s18_q ? 3'h0 : select_1710) : region_row_q;
+  // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_1706_s18_q;
-  // hls/stages/agreement.hpp:247
-  logic select_1739;
-  assign select_1739 = equal_1214_s18_q ? (equal_388_s18_q | (less_1705_s18_q ? next : region_fresh_q)) : region_fresh_q;
-  // hls/stages/agreement.hpp:138
-  logic or_1744;
-  assign or_1744 = segment_starts_q | not_1260_s18_q;
-  // hls/stages/agreement.hpp:302
-  logic select_1748;
-  assign select_1748 = drew_s18_q ? (less_357_s18_q ? or_1744 : select_1746_s18_q) : or_1744;
+  assign next = ~sum_1708_s18_q;
+  // hls/stages/agreement.hpp:246
+  logic select_1741;
+  assign select_1741 = equal_1214_s18_q ? (equal_388_s18_q | (less_1707_s18_q ? next : region_fresh_q)) : region_fresh_q;
+  // hls/stages/agreement.hpp:140
+  logic or_1746;
+  assign or_1746 = segment_starts_q | not_1260_s18_q;
+  // hls/stages/agreement.hpp:299
   logic select_1750;
-  assign select_1750 = equal_354_s18_q ? or_1744 : (equal_356_s18_q ? or_1744 : select_1748);
+  assign select_1750 = drew_s18_q ? (less_357_s18_q ? or_1746 : select_1748_s18_q) : or_1746;
+  logic select_1752;
+  assign select_1752 = equal_354_s18_q ? or_1746 : (equal_356_s18_q ? or_1746 : select_1750);
 
-  // Memory regions, 64 x 36, DISTANCE 32, hls/stages/agreement.hpp:912; read in stage 18, written in stage 21: 18 < 21 < 18 + DISTANCE.
+  // Memory regions, 64 x 36, DISTANCE 32, hls/stages/agreement.hpp:782; read in stage 18, written in stage 21: 18 < 21 < 18 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [35:0] regions_mem [0:63];
@@ -4171,9 +4174,9 @@ module horopter_agreement (
     end else if (s18_en) begin
       averager_mask_q <= and_338_s18_q ? whole_2 : averager_mask_q;
       averager_of_skin_q <= and_338_s18_q ? select_353 : averager_of_skin_q;
-      region_row_q <= and_339_s18_q ? select_1710 : region_row_q;
-      region_fresh_q <= and_339_s18_q ? select_1739 : region_fresh_q;
-      segment_starts_q <= select_1750;
+      region_row_q <= and_339_s18_q ? select_1712 : region_row_q;
+      region_fresh_q <= and_339_s18_q ? select_1741 : region_fresh_q;
+      segment_starts_q <= select_1752;
       next_region_row_q <= region_row_q + 3'h1;
     end
   end
@@ -4406,10 +4409,10 @@ module horopter_agreement (
   logic [8:0] sharpness_last_mean_0_q;
   logic [8:0] sharpness_last_mean_1_q;
   logic [4:0] rows_passed_above_q;
-  logic [11:0] counts_measured_0_q;
-  logic [11:0] counts_measured_1_q;
-  logic [11:0] counts_measured_2_q;
-  logic [11:0] counts_measured_3_q;
+  logic [11:0] registration_counts_measured_0_q;
+  logic [11:0] registration_counts_measured_1_q;
+  logic [11:0] registration_counts_measured_2_q;
+  logic [11:0] registration_counts_measured_3_q;
   logic [6:0] segment_textured_q;
   logic [6:0] segment_explained_q;
   logic [6:0] segment_nearer_q;
@@ -4464,12 +4467,12 @@ module horopter_agreement (
   assign less_384 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
   logic less_385;
   assign less_385 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
-  // hls/stages/agreement.hpp:242
+  // hls/stages/agreement.hpp:241
   logic equal_386;
   assign equal_386 = select_303_s19_q == 7'h0;
   logic [3:0] select_389;
   assign select_389 = equal_388_s19_q ? 4'h0 : rows_passed_above_q[3:0];
-  // hls/stages/agreement.hpp:243
+  // hls/stages/agreement.hpp:242
   logic [4:0] select_390;
   assign select_390 = equal_386 ? {select_389, 1'b1} : rows_passed_above_q;
   // hls/stages/census.hpp:196
@@ -4491,27 +4494,27 @@ module horopter_agreement (
   assign difference_430 = {1'b0, census_memory_rdata_s19_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
   logic [9:0] difference_434;
   assign difference_434 = {1'b0, census_memory_rdata_s19_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
-  // hls/stages/agreement.hpp:451
+  // hls/stages/registration.hpp:28
   logic [8:0] select_845;
   assign select_845 = ({twice_s19_q, 1'b0} < size_s19_q) ? {twice_s19_q, 1'b0} : size_s19_q;
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic textured;
   assign textured = not_358_s19_q & and_909_s19_q;
-  // hls/stages/agreement.hpp:536
+  // hls/stages/agreement.hpp:464
   logic [6:0] select_911;
   assign select_911 = segment_started_q ? segment_textured_q : 7'h0;
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic explained;
   assign explained = not_358_s19_q & and_920_s19_q;
-  // hls/stages/agreement.hpp:536
+  // hls/stages/agreement.hpp:464
   logic [6:0] select_922;
   assign select_922 = segment_started_q ? segment_explained_q : 7'h0;
   logic [6:0] select_933;
   assign select_933 = segment_started_q ? segment_nearer_q : 7'h0;
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic near;
   assign near = not_358_s19_q & and_930_s19_q;
-  // hls/stages/agreement.hpp:591
+  // hls/stages/agreement.hpp:516
   logic and_977;
   assign and_977 = seen_columns_rdata_s19_q[3] & not_358_s19_q;
   logic and_978;
@@ -4529,7 +4532,7 @@ module horopter_agreement (
   assign sum_1065 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s19_q};
   logic [9:0] sum_1072;
   assign sum_1072 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s19_q};
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1081;
   assign select_1081 = and_339_s19_q ? total_s19_q : census_columns_values_0_cell_0_left_q;
   logic [8:0] select_1082;
@@ -4626,75 +4629,85 @@ module horopter_agreement (
   assign difference_1182 = {1'b0, total_s19_q} - {1'b0, sharpness_last_mean_0_q};
   logic [9:0] difference_1193;
   assign difference_1193 = {1'b0, total_2_s19_q} - {1'b0, sharpness_last_mean_1_q};
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic and_1347;
   assign and_1347 = and_339_s19_q & (equal_388_s19_q & equal_1214_s19_q);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_1357;
   assign and_1357 = not_355_s19_q & (not_499_s19_q & (drew_s19_q & textured));
   logic and_1362;
   assign and_1362 = not_355_s19_q & (not_499_s19_q & (drew_s19_q & explained));
   logic and_1367;
   assign and_1367 = not_355_s19_q & (not_499_s19_q & (drew_s19_q & and_932_s19_q));
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic [8:0] select_1397;
   assign select_1397 = less_357_s19_q ? 9'h0 : (and_909_s19_q ? {and_920_s19_q, cfg_explained_limit_i} : 9'h0);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [8:0] select_1400;
   assign select_1400 = equal_354_s19_q ? 9'h0 : (equal_356_s19_q ? 9'h0 : (drew_s19_q ? select_1397 : 9'h0));
-  // hls/stages/agreement.hpp:588
+  // hls/stages/agreement.hpp:511
   logic [9:0] select_1424;
   assign select_1424 = and_1422_s19_q ? ({1'b0, and_930_s19_q, 8'h0} - {2'h0, cfg_hidden_limit_i}) : 10'h0;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [9:0] select_1427;
   assign select_1427 = equal_356_s19_q ? 10'h0 : (drew_s19_q ? (less_357_s19_q ? 10'h0 : select_1424) : 10'h0);
   logic and_1520;
   assign and_1520 = not_355_s19_q & (not_499_s19_q & and_1518_s19_q);
+  // hls/stages/agreement.hpp:485
+  logic [11:0] select_1522;
+  assign select_1522 = and_1347 ? 12'h0 : (registration_counts_measured_0_q + {11'h0, and_1520});
+  // hls/stages/agreement.hpp:299
   logic and_1529;
   assign and_1529 = not_355_s19_q & (not_499_s19_q & and_1527_s19_q);
+  // hls/stages/agreement.hpp:485
+  logic [11:0] select_1531;
+  assign select_1531 = and_1347 ? 12'h0 : (registration_counts_measured_1_q + {11'h0, and_1529});
+  // hls/stages/agreement.hpp:299
   logic and_1537;
   assign and_1537 = not_355_s19_q & and_1536_s19_q;
-  // hls/stages/agreement.hpp:182
+  // hls/stages/agreement.hpp:485
+  logic [11:0] select_1539;
+  assign select_1539 = and_1347 ? 12'h0 : (registration_counts_measured_2_q + {11'h0, and_1537});
   logic [11:0] select_1546;
-  assign select_1546 = and_1347 ? 12'h0 : (counts_measured_3_q + {11'h0, and_1544_s19_q});
-  // hls/stages/agreement.hpp:635
+  assign select_1546 = and_1347 ? 12'h0 : (registration_counts_measured_3_q + {11'h0, and_1544_s19_q});
+  // hls/stages/registration.hpp:146
   logic less_1556;
   assign less_1556 = $signed(difference_1555_s19_q) < $signed({7'h0, cfg_moved_limit_i});
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic and_1557;
   assign and_1557 = and_1432_s19_q & less_1556;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [1:0] select_1559;
   assign select_1559 = drew_s19_q ? (less_357_s19_q ? 2'h0 : {and_1557, and_1432_s19_q}) : 2'h0;
-  // hls/stages/agreement.hpp:629
+  // hls/stages/registration.hpp:80
   logic not_1564;
   assign not_1564 = ~less_1434_s19_q;
-  // hls/stages/agreement.hpp:635
+  // hls/stages/registration.hpp:146
   logic less_1639;
   assign less_1639 = $signed(difference_1555_s19_q) < $signed({7'h0, cfg_moved_half_limit_i});
-  // hls/stages/agreement.hpp:628
+  // hls/stages/registration.hpp:79
   logic and_1640;
   assign and_1640 = not_1564 & less_1639;
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic [1:0] select_1642;
   assign select_1642 = less_357_s19_q ? 2'h0 : (and_1432_s19_q ? {and_1640, not_1564} : 2'h0);
-  // hls/stages/agreement.hpp:628
+  // hls/stages/registration.hpp:79
   logic and_1656;
   assign and_1656 = less_1434_s19_q & less_1639;
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic [1:0] select_1658;
   assign select_1658 = less_357_s19_q ? 2'h0 : (and_1432_s19_q ? {and_1656, less_1434_s19_q} : 2'h0);
-  // hls/stages/agreement.hpp:795
+  // hls/stages/registration.hpp:99
   logic [12:0] upper;
-  assign upper = {1'b0, counts_measured_0_q} + {1'b0, counts_measured_1_q};
+  assign upper = {1'b0, registration_counts_measured_0_q} + {1'b0, registration_counts_measured_1_q};
   logic [12:0] lower;
-  assign lower = {1'b0, counts_measured_2_q} + {1'b0, counts_measured_3_q};
-  // hls/stages/agreement.hpp:799
+  assign lower = {1'b0, registration_counts_measured_2_q} + {1'b0, registration_counts_measured_3_q};
+  // hls/stages/registration.hpp:103
   logic [13:0] sum_1966;
   assign sum_1966 = {1'b0, upper} + {1'b0, lower};
-  // hls/stages/agreement.hpp:795
+  // hls/stages/registration.hpp:99
   logic [12:0] left;
-  assign left = {1'b0, counts_measured_0_q} + {1'b0, counts_measured_2_q};
+  assign left = {1'b0, registration_counts_measured_0_q} + {1'b0, registration_counts_measured_2_q};
 
   // Memory census_memory, write
   logic [6:0] census_memory_waddr;
@@ -4766,10 +4779,10 @@ module horopter_agreement (
     if (!rst_ni) begin
       census_filled_q <= 4'h0;
       rows_passed_above_q <= 5'h0;
-      counts_measured_0_q <= 12'h0;
-      counts_measured_1_q <= 12'h0;
-      counts_measured_2_q <= 12'h0;
-      counts_measured_3_q <= 12'h0;
+      registration_counts_measured_0_q <= 12'h0;
+      registration_counts_measured_1_q <= 12'h0;
+      registration_counts_measured_2_q <= 12'h0;
+      registration_counts_measured_3_q <= 12'h0;
       segment_textured_q <= 7'h0;
       segment_explained_q <= 7'h0;
       segment_nearer_q <= 7'h0;
@@ -4777,10 +4790,10 @@ module horopter_agreement (
     end else if (s19_en) begin
       census_filled_q <= and_339_s19_q ? {select_391[2:0], 1'b1} : census_filled_q;
       rows_passed_above_q <= and_339_s19_q ? select_390 : rows_passed_above_q;
-      counts_measured_0_q <= and_1347 ? 12'h0 : (counts_measured_0_q + {11'h0, and_1520});
-      counts_measured_1_q <= and_1347 ? 12'h0 : (counts_measured_1_q + {11'h0, and_1529});
-      counts_measured_2_q <= and_1347 ? 12'h0 : (counts_measured_2_q + {11'h0, and_1537});
-      counts_measured_3_q <= select_1546;
+      registration_counts_measured_0_q <= select_1522;
+      registration_counts_measured_1_q <= select_1531;
+      registration_counts_measured_2_q <= select_1539;
+      registration_counts_measured_3_q <= select_1546;
       segment_textured_q <= select_911 + {6'h0, and_1357};
       segment_explained_q <= select_922 + {6'h0, and_1362};
       segment_nearer_q <= select_933 + {6'h0, and_1367};
@@ -4904,10 +4917,10 @@ module horopter_agreement (
   logic [7:0] x_s20_q;
   logic age_s20_q;
   logic lower_half_s20_q;
-  logic [11:0] counts_measured_0_s20_q;
-  logic [11:0] counts_measured_1_s20_q;
-  logic [11:0] counts_measured_2_s20_q;
-  logic [11:0] counts_measured_3_s20_q;
+  logic [11:0] registration_counts_measured_0_s20_q;
+  logic [11:0] registration_counts_measured_1_s20_q;
+  logic [11:0] registration_counts_measured_2_s20_q;
+  logic [11:0] registration_counts_measured_3_s20_q;
   logic [2:0] region_row_s20_q;
   logic region_fresh_s20_q;
   logic [6:0] select_303_s20_q;
@@ -5058,10 +5071,10 @@ module horopter_agreement (
       x_s20_q <= x_s19_q;
       age_s20_q <= age_s19_q;
       lower_half_s20_q <= lower_half_s19_q;
-      counts_measured_0_s20_q <= counts_measured_0_q;
-      counts_measured_1_s20_q <= counts_measured_1_q;
-      counts_measured_2_s20_q <= counts_measured_2_q;
-      counts_measured_3_s20_q <= counts_measured_3_q;
+      registration_counts_measured_0_s20_q <= registration_counts_measured_0_q;
+      registration_counts_measured_1_s20_q <= registration_counts_measured_1_q;
+      registration_counts_measured_2_s20_q <= registration_counts_measured_2_q;
+      registration_counts_measured_3_s20_q <= registration_counts_measured_3_q;
       region_row_s20_q <= region_row_s19_q;
       region_fresh_s20_q <= region_fresh_s19_q;
       select_303_s20_q <= select_303_s19_q;
@@ -5210,12 +5223,12 @@ module horopter_agreement (
   logic census_columns_values_2_cell_1_mask_q;
   logic [23:0] counts_too_little_explained_q;
   logic [23:0] counts_too_much_hidden_q;
-  logic [14:0] counts_votes_0_up_q;
-  logic [14:0] counts_half_votes_0_up_q;
-  logic [14:0] counts_half_votes_1_up_q;
+  logic [14:0] registration_counts_votes_0_up_q;
+  logic [14:0] registration_counts_half_votes_0_up_q;
+  logic [14:0] registration_counts_half_votes_1_up_q;
   logic centres_values_0_q;
   logic centres_values_1_q;
-  // hls/stages/agreement.hpp:243
+  // hls/stages/agreement.hpp:242
   logic whole_3;
   assign whole_3 = census_columns_values_0_cell_0_mask_q & and_396_s20_q;
   logic whole_4;
@@ -5235,22 +5248,22 @@ module horopter_agreement (
   assign sum_421 = {9'h0, difference_419_s20_q} + {1'b0, xor_420_s20_q};
   logic [9:0] sum_424;
   assign sum_424 = {9'h0, difference_422_s20_q} + {1'b0, xor_423_s20_q};
-  // hls/stages/agreement.hpp:667
+  // hls/stages/agreement.hpp:549
   logic [11:0] sum_914;
   assign sum_914 = {5'h0, sum_912_s20_q} + (region_fresh_s20_q ? 12'h0 : regions_rdata_s20_q[11:0]);
-  // hls/stages/agreement.hpp:668
+  // hls/stages/agreement.hpp:550
   logic [11:0] sum_925;
   assign sum_925 = {5'h0, sum_923_s20_q} + (region_fresh_s20_q ? 12'h0 : regions_rdata_s20_q[23:12]);
-  // hls/stages/agreement.hpp:669
+  // hls/stages/agreement.hpp:551
   logic [11:0] sum_936;
   assign sum_936 = {5'h0, sum_934_s20_q} + (region_fresh_s20_q ? 12'h0 : regions_rdata_s20_q[35:24]);
-  // hls/stages/agreement.hpp:687
+  // hls/stages/agreement.hpp:569
   logic [2:0] textured_2;
   assign textured_2 = {2'h0, select_975_s20_q[1]} + ({2'h0, and_976_s20_q} + {1'b0, sum_980_s20_q});
-  // hls/stages/agreement.hpp:688
+  // hls/stages/agreement.hpp:570
   logic [2:0] explained_2;
   assign explained_2 = {2'h0, select_975_s20_q[2]} + ({2'h0, and_1009_s20_q} + {1'b0, sum_1013_s20_q});
-  // hls/stages/agreement.hpp:689
+  // hls/stages/agreement.hpp:571
   logic [2:0] near_2;
   assign near_2 = {2'h0, select_975_s20_q[3]} + ({2'h0, select_975_s20_q[0]} + {1'b0, sum_1027_s20_q});
   // hls/stages/census.hpp:129
@@ -5262,7 +5275,7 @@ module horopter_agreement (
   assign xor_1074 = {difference_1073_s20_q[8:0], sum_1072_s20_q} ^ {10{difference_1073_s20_q[9]}};
   logic [10:0] size_3;
   assign size_3 = {10'h0, difference_1073_s20_q[9]} + {1'b0, xor_1074};
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1083;
   assign select_1083 = and_339_s20_q ? whole_2_s20_q : census_columns_values_0_cell_0_mask_q;
   logic select_1099;
@@ -5289,33 +5302,33 @@ module horopter_agreement (
   assign contrast = {8'h0, difference_1182_s20_q} + xor_1183_s20_q;
   logic [8:0] contrast_2;
   assign contrast_2 = {8'h0, difference_1193_s20_q} + xor_1194_s20_q;
-  // hls/stages/agreement.hpp:726
+  // hls/stages/agreement.hpp:608
   logic less_1380;
   assign less_1380 = region_row_s20_q < x_s20_q[5:3];
   logic [11:0] select_1384;
   assign select_1384 = less_1380 ? 12'h0 : regions_rdata_s20_q[23:12];
-  // hls/stages/agreement.hpp:552
+  // hls/stages/agreement.hpp:480
   logic [23:0] sum_1401;
   assign sum_1401 = counts_too_little_explained_q + {{15{select_1400_s20_q[8]}}, select_1400_s20_q};
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [9:0] select_1428;
   assign select_1428 = equal_354_s20_q ? 10'h0 : select_1427_s20_q;
-  // hls/stages/agreement.hpp:562
+  // hls/stages/agreement.hpp:484
   logic [23:0] select_1430;
   assign select_1430 = and_1347_s20_q ? 24'h0 : (counts_too_much_hidden_q + {{14{select_1428[9]}}, select_1428});
-  // hls/stages/agreement.hpp:635
+  // hls/stages/registration.hpp:146
   logic less_1547;
   assign less_1547 = $signed(residual_s20_q) < $signed({2'h0, cfg_moved_limit_i});
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_up;
-  assign to_up = equal_354_s20_q ? 2'h0 : select_1560_s20_q;
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1563;
-  assign select_1563 = and_1347_s20_q ? 15'h0 : (counts_votes_0_up_q + {{13{to_up[1]}}, to_up});
-  // hls/stages/agreement.hpp:629
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_1561;
+  assign select_1561 = equal_354_s20_q ? 2'h0 : select_1560_s20_q;
+  // hls/stages/registration.hpp:122
+  logic [14:0] sum_1562;
+  assign sum_1562 = registration_counts_votes_0_up_q + {{13{select_1561[1]}}, select_1561};
+  // hls/stages/registration.hpp:80
   logic not_1597;
   assign not_1597 = ~lower_half_s20_q;
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic and_1598;
   assign and_1598 = less_1547 & not_1597;
   logic [1:0] select_1600;
@@ -5324,10 +5337,10 @@ module horopter_agreement (
   assign and_1606 = less_1556_s20_q & not_1597;
   logic [1:0] select_1608;
   assign select_1608 = less_357_s20_q ? 2'h0 : (and_1432_s20_q ? {and_1606, not_1597} : 2'h0);
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_up_4;
-  assign to_up_4 = equal_354_s20_q ? 2'h0 : (equal_356_s20_q ? 2'h0 : (drew_s20_q ? select_1608 : 2'h0));
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_1611;
+  assign select_1611 = equal_354_s20_q ? 2'h0 : (equal_356_s20_q ? 2'h0 : (drew_s20_q ? select_1608 : 2'h0));
+  // hls/stages/agreement.hpp:165
   logic and_1614;
   assign and_1614 = lower_half_s20_q & less_1547;
   logic [1:0] select_1616;
@@ -5336,53 +5349,53 @@ module horopter_agreement (
   assign and_1622 = lower_half_s20_q & less_1556_s20_q;
   logic [1:0] select_1624;
   assign select_1624 = less_357_s20_q ? 2'h0 : (and_1432_s20_q ? {and_1622, lower_half_s20_q} : 2'h0);
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_up_5;
-  assign to_up_5 = equal_354_s20_q ? 2'h0 : (equal_356_s20_q ? 2'h0 : (drew_s20_q ? select_1624 : 2'h0));
-  logic [1:0] to_up_6;
-  assign to_up_6 = equal_354_s20_q ? 2'h0 : (equal_356_s20_q ? 2'h0 : select_1643_s20_q);
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1647;
-  assign select_1647 = and_1347_s20_q ? 15'h0 : (counts_half_votes_0_up_q + {{13{to_up_6[1]}}, to_up_6});
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_up_7;
-  assign to_up_7 = equal_354_s20_q ? 2'h0 : (equal_356_s20_q ? 2'h0 : select_1659_s20_q);
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1663;
-  assign select_1663 = and_1347_s20_q ? 15'h0 : (counts_half_votes_1_up_q + {{13{to_up_7[1]}}, to_up_7});
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_1627;
+  assign select_1627 = equal_354_s20_q ? 2'h0 : (equal_356_s20_q ? 2'h0 : (drew_s20_q ? select_1624 : 2'h0));
+  logic [1:0] select_1645;
+  assign select_1645 = equal_354_s20_q ? 2'h0 : (equal_356_s20_q ? 2'h0 : select_1643_s20_q);
+  // hls/stages/registration.hpp:122
+  logic [14:0] sum_1646;
+  assign sum_1646 = registration_counts_half_votes_0_up_q + {{13{select_1645[1]}}, select_1645};
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_1661;
+  assign select_1661 = equal_354_s20_q ? 2'h0 : (equal_356_s20_q ? 2'h0 : select_1659_s20_q);
+  // hls/stages/registration.hpp:122
+  logic [14:0] sum_1662;
+  assign sum_1662 = registration_counts_half_votes_1_up_q + {{13{select_1661[1]}}, select_1661};
+  // hls/stages/agreement.hpp:165
   logic and_1672;
   assign and_1672 = less_1639_s20_q & not_1597;
   logic [1:0] select_1674;
   assign select_1674 = less_357_s20_q ? 2'h0 : (and_1432_s20_q ? {and_1672, not_1597} : 2'h0);
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_up_8;
-  assign to_up_8 = equal_354_s20_q ? 2'h0 : (equal_356_s20_q ? 2'h0 : (drew_s20_q ? select_1674 : 2'h0));
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_1677;
+  assign select_1677 = equal_354_s20_q ? 2'h0 : (equal_356_s20_q ? 2'h0 : (drew_s20_q ? select_1674 : 2'h0));
+  // hls/stages/agreement.hpp:165
   logic and_1688;
   assign and_1688 = lower_half_s20_q & less_1639_s20_q;
   logic [1:0] select_1690;
   assign select_1690 = less_357_s20_q ? 2'h0 : (and_1432_s20_q ? {and_1688, lower_half_s20_q} : 2'h0);
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_up_9;
-  assign to_up_9 = equal_354_s20_q ? 2'h0 : (equal_356_s20_q ? 2'h0 : (drew_s20_q ? select_1690 : 2'h0));
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_1693;
+  assign select_1693 = equal_354_s20_q ? 2'h0 : (equal_356_s20_q ? 2'h0 : (drew_s20_q ? select_1690 : 2'h0));
   logic select_1859;
   assign select_1859 = equal_356_s20_q ? centres_values_0_q : (drew_s20_q ? and_977_s20_q : centres_values_0_q);
   logic select_1862;
   assign select_1862 = equal_356_s20_q ? centres_values_1_q : (drew_s20_q ? centres_values_0_q : centres_values_1_q);
-  // hls/stages/agreement.hpp:504
+  // hls/stages/registration.hpp:119
   logic less_1972;
-  assign less_1972 = $signed(15'h0) < $signed(counts_votes_0_up_q);
-  // hls/stages/agreement.hpp:800
+  assign less_1972 = $signed(15'h0) < $signed(registration_counts_votes_0_up_q);
+  // hls/stages/registration.hpp:104
   logic or_1973;
   assign or_1973 = (~less_1970_s20_q) | less_1972;
-  // hls/stages/agreement.hpp:795
+  // hls/stages/registration.hpp:99
   logic [12:0] right;
-  assign right = {1'b0, counts_measured_1_s20_q} + {1'b0, counts_measured_3_s20_q};
-  // hls/stages/agreement.hpp:504
+  assign right = {1'b0, registration_counts_measured_1_s20_q} + {1'b0, registration_counts_measured_3_s20_q};
+  // hls/stages/registration.hpp:119
   logic less_1977;
-  assign less_1977 = $signed(15'h0) < $signed(counts_half_votes_0_up_q);
-  // hls/stages/agreement.hpp:737
+  assign less_1977 = $signed(15'h0) < $signed(registration_counts_half_votes_0_up_q);
+  // hls/stages/agreement.hpp:619
   logic [11:0] select_2159;
   assign select_2159 = equal_899_s20_q ? 12'h0 : (less_1380 ? 12'h0 : regions_rdata_s20_q[35:24]);
 
@@ -5390,17 +5403,17 @@ module horopter_agreement (
     if (!rst_ni) begin
       counts_too_little_explained_q <= 24'h0;
       counts_too_much_hidden_q <= 24'h0;
-      counts_votes_0_up_q <= 15'h0;
-      counts_half_votes_0_up_q <= 15'h0;
-      counts_half_votes_1_up_q <= 15'h0;
+      registration_counts_votes_0_up_q <= 15'h0;
+      registration_counts_half_votes_0_up_q <= 15'h0;
+      registration_counts_half_votes_1_up_q <= 15'h0;
       centres_values_0_q <= 1'b0;
       centres_values_1_q <= 1'b0;
     end else if (s20_en) begin
       counts_too_little_explained_q <= and_1347_s20_q ? 24'h0 : sum_1401;
       counts_too_much_hidden_q <= select_1430;
-      counts_votes_0_up_q <= select_1563;
-      counts_half_votes_0_up_q <= select_1647;
-      counts_half_votes_1_up_q <= select_1663;
+      registration_counts_votes_0_up_q <= and_1347_s20_q ? 15'h0 : sum_1562;
+      registration_counts_half_votes_0_up_q <= and_1347_s20_q ? 15'h0 : sum_1646;
+      registration_counts_half_votes_1_up_q <= and_1347_s20_q ? 15'h0 : sum_1662;
       centres_values_0_q <= equal_354_s20_q ? centres_values_0_q : select_1859;
       centres_values_1_q <= equal_354_s20_q ? centres_values_1_q : select_1862;
     end
@@ -5447,10 +5460,10 @@ module horopter_agreement (
   logic [7:0] x_s21_q;
   logic age_s21_q;
   logic lower_half_s21_q;
-  logic [11:0] counts_measured_0_s21_q;
-  logic [11:0] counts_measured_1_s21_q;
-  logic [11:0] counts_measured_2_s21_q;
-  logic [11:0] counts_measured_3_s21_q;
+  logic [11:0] registration_counts_measured_0_s21_q;
+  logic [11:0] registration_counts_measured_1_s21_q;
+  logic [11:0] registration_counts_measured_2_s21_q;
+  logic [11:0] registration_counts_measured_3_s21_q;
   logic [2:0] region_row_s21_q;
   logic [6:0] select_303_s21_q;
   logic and_338_s21_q;
@@ -5557,14 +5570,14 @@ module horopter_agreement (
   logic not_1564_s21_q;
   logic not_1597_s21_q;
   logic [1:0] select_1601_s21_q;
-  logic [1:0] to_up_4_s21_q;
+  logic [1:0] select_1611_s21_q;
   logic [1:0] select_1617_s21_q;
-  logic [1:0] to_up_5_s21_q;
-  logic [1:0] to_up_8_s21_q;
-  logic [1:0] to_up_9_s21_q;
-  logic less_1758_s21_q;
-  logic [12:0] sum_1761_s21_q;
-  logic less_1775_s21_q;
+  logic [1:0] select_1627_s21_q;
+  logic [1:0] select_1677_s21_q;
+  logic [1:0] select_1693_s21_q;
+  logic less_1760_s21_q;
+  logic [12:0] sum_1763_s21_q;
+  logic less_1777_s21_q;
   logic equal_1864_s21_q;
   logic less_1967_s21_q;
   logic less_1970_s21_q;
@@ -5594,10 +5607,10 @@ module horopter_agreement (
       x_s21_q <= x_s20_q;
       age_s21_q <= age_s20_q;
       lower_half_s21_q <= lower_half_s20_q;
-      counts_measured_0_s21_q <= counts_measured_0_s20_q;
-      counts_measured_1_s21_q <= counts_measured_1_s20_q;
-      counts_measured_2_s21_q <= counts_measured_2_s20_q;
-      counts_measured_3_s21_q <= counts_measured_3_s20_q;
+      registration_counts_measured_0_s21_q <= registration_counts_measured_0_s20_q;
+      registration_counts_measured_1_s21_q <= registration_counts_measured_1_s20_q;
+      registration_counts_measured_2_s21_q <= registration_counts_measured_2_s20_q;
+      registration_counts_measured_3_s21_q <= registration_counts_measured_3_s20_q;
       region_row_s21_q <= region_row_s20_q;
       select_303_s21_q <= select_303_s20_q;
       and_338_s21_q <= and_338_s20_q;
@@ -5704,14 +5717,14 @@ module horopter_agreement (
       not_1564_s21_q <= not_1564_s20_q;
       not_1597_s21_q <= not_1597;
       select_1601_s21_q <= drew_s20_q ? select_1600 : 2'h0;
-      to_up_4_s21_q <= to_up_4;
+      select_1611_s21_q <= select_1611;
       select_1617_s21_q <= drew_s20_q ? select_1616 : 2'h0;
-      to_up_5_s21_q <= to_up_5;
-      to_up_8_s21_q <= to_up_8;
-      to_up_9_s21_q <= to_up_9;
-      less_1758_s21_q <= $signed(24'h0) < $signed(counts_too_little_explained_q);
-      sum_1761_s21_q <= {1'b0, select_1384} + {2'h0, select_1384[11:1]};
-      less_1775_s21_q <= $signed(24'h0) < $signed(counts_too_much_hidden_q);
+      select_1627_s21_q <= select_1627;
+      select_1677_s21_q <= select_1677;
+      select_1693_s21_q <= select_1693;
+      less_1760_s21_q <= $signed(24'h0) < $signed(counts_too_little_explained_q);
+      sum_1763_s21_q <= {1'b0, select_1384} + {2'h0, select_1384[11:1]};
+      less_1777_s21_q <= $signed(24'h0) < $signed(counts_too_much_hidden_q);
       equal_1864_s21_q <= equal_1864_s20_q;
       less_1967_s21_q <= 11'h4 < sum_1966_s20_q;
       less_1970_s21_q <= less_1970_s20_q;
@@ -5720,7 +5733,7 @@ module horopter_agreement (
       less_1977_s21_q <= less_1977;
       select_1978_s21_q <= or_1973 ? less_1972 : less_1977;
       less_1981_s21_q <= less_1981_s20_q;
-      less_1983_s21_q <= $signed(15'h0) < $signed(counts_half_votes_1_up_q);
+      less_1983_s21_q <= $signed(15'h0) < $signed(registration_counts_half_votes_1_up_q);
       less_1993_s21_q <= less_1993_s20_q;
       and_2142_s21_q <= and_2142_s20_q;
       select_2161_s21_q <= drew_s20_q ? 12'h0 : (equal_898_s20_q ? select_2159 : 12'h0);
@@ -5739,12 +5752,12 @@ module horopter_agreement (
   logic census_columns_values_3_cell_3_mask_q;
   logic [13:0] counts_supervised_q;
   logic [13:0] counts_textured_q;
-  logic [14:0] counts_votes_3_down_q;
-  logic [14:0] counts_votes_3_up_q;
-  logic [14:0] counts_votes_4_down_q;
-  logic [14:0] counts_votes_4_up_q;
-  logic [14:0] counts_half_votes_2_up_q;
-  logic [14:0] counts_half_votes_3_up_q;
+  logic [14:0] registration_counts_votes_3_down_q;
+  logic [14:0] registration_counts_votes_3_up_q;
+  logic [14:0] registration_counts_votes_4_down_q;
+  logic [14:0] registration_counts_votes_4_up_q;
+  logic [14:0] registration_counts_half_votes_2_up_q;
+  logic [14:0] registration_counts_half_votes_3_up_q;
   logic [4:0] box_textured_columns_values_0_q;
   logic [4:0] box_textured_columns_values_1_q;
   logic [4:0] box_textured_columns_values_2_q;
@@ -5768,7 +5781,7 @@ module horopter_agreement (
   logic at_cell_end_q;
   logic was_next_row_q;
   logic [12:0] seen_base_q;
-  // hls/stages/agreement.hpp:243
+  // hls/stages/agreement.hpp:242
   logic whole_10;
   assign whole_10 = census_columns_values_1_cell_2_mask_s21_q & whole_9_s21_q;
   logic whole_11;
@@ -5786,32 +5799,32 @@ module horopter_agreement (
   // hls/stages/census.hpp:190
   logic [10:0] sum_429;
   assign sum_429 = sum_425_s21_q + {1'b0, sum_428_s21_q};
-  // hls/stages/agreement.hpp:451
+  // hls/stages/registration.hpp:28
   logic not_847;
   assign not_847 = ~difference_846_s21_q[8];
   logic [7:0] xor_848;
   assign xor_848 = twice_s21_q ^ {8{not_847}};
   logic [9:0] sum_849;
   assign sum_849 = {difference_846_s21_q[7:0], 1'b0, not_847} + {not_847, xor_848, not_847};
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic next_row;
   assign next_row = select_949_s21_q & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:844
+  // hls/stages/agreement.hpp:714
   logic [6:0] select_952;
   assign select_952 = next_row ? cfg_width_i[10:4] : 7'h0;
-  // hls/stages/agreement.hpp:854
+  // hls/stages/agreement.hpp:724
   logic equal_955;
   assign equal_955 = seen_x_q == 4'hf;
   // hls/stages/census.hpp:31
   logic not_962;
   assign not_962 = ~marks_first_s21_q;
-  // hls/stages/agreement.hpp:693
+  // hls/stages/agreement.hpp:575
   logic [4:0] difference_984;
   assign difference_984 = {2'h0, textured_2_s21_q} - (age_s21_q ? box_textured_columns_values_4_q : 5'h0);
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:576
   logic [4:0] difference_1017;
   assign difference_1017 = {2'h0, explained_2_s21_q} - (age_s21_q ? box_explained_columns_values_4_q : 5'h0);
-  // hls/stages/agreement.hpp:695
+  // hls/stages/agreement.hpp:577
   logic [4:0] difference_1031;
   assign difference_1031 = {2'h0, near_2_s21_q} - (age_s21_q ? box_nearer_columns_values_4_q : 5'h0);
   // hls/stages/census.hpp:130
@@ -5819,7 +5832,7 @@ module horopter_agreement (
   assign detail = {3'h0, size_2_s21_q} + (equal_342_s21_q ? 14'h0 : averager_detail_0_q);
   logic [13:0] detail_2;
   assign detail_2 = {3'h0, size_3_s21_q} + (equal_342_s21_q ? 14'h0 : averager_detail_1_q);
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1121;
   assign select_1121 = and_339_s21_q ? census_columns_values_1_cell_2_mask_s21_q : census_columns_values_2_cell_2_mask_q;
   logic select_1124;
@@ -5837,67 +5850,68 @@ module horopter_agreement (
   // hls/stages/census.hpp:192
   logic [10:0] sum_1148;
   assign sum_1148 = sum_1144_s21_q + {1'b0, sum_1147_s21_q};
-  // hls/stages/agreement.hpp:562
+  // hls/stages/agreement.hpp:484
   logic [13:0] select_1354;
   assign select_1354 = and_1347_s21_q ? 14'h0 : (counts_supervised_q + {13'h0, and_1352_s21_q});
   logic [13:0] select_1359;
   assign select_1359 = and_1347_s21_q ? 14'h0 : (counts_textured_q + {13'h0, and_1357_s21_q});
-  // hls/stages/agreement.hpp:628
+  // hls/stages/registration.hpp:79
   logic and_1573;
   assign and_1573 = less_1556_s21_q & not_1564_s21_q;
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic [1:0] select_1575;
   assign select_1575 = less_357_s21_q ? 2'h0 : (and_1432_s21_q ? {and_1573, not_1564_s21_q} : 2'h0);
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_up_2;
-  assign to_up_2 = equal_354_s21_q ? 2'h0 : (equal_356_s21_q ? 2'h0 : (drew_s21_q ? select_1575 : 2'h0));
-  // hls/stages/agreement.hpp:628
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_1578;
+  assign select_1578 = equal_354_s21_q ? 2'h0 : (equal_356_s21_q ? 2'h0 : (drew_s21_q ? select_1575 : 2'h0));
+  // hls/stages/registration.hpp:79
   logic and_1581;
   assign and_1581 = less_1434_s21_q & less_1547_s21_q;
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic [1:0] select_1583;
   assign select_1583 = less_357_s21_q ? 2'h0 : (and_1432_s21_q ? {and_1581, less_1434_s21_q} : 2'h0);
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_down_3;
-  assign to_down_3 = equal_354_s21_q ? 2'h0 : (equal_356_s21_q ? 2'h0 : (drew_s21_q ? select_1583 : 2'h0));
-  // hls/stages/agreement.hpp:628
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_1586;
+  assign select_1586 = equal_354_s21_q ? 2'h0 : (equal_356_s21_q ? 2'h0 : (drew_s21_q ? select_1583 : 2'h0));
+  // hls/stages/registration.hpp:79
   logic and_1589;
   assign and_1589 = less_1434_s21_q & less_1556_s21_q;
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic [1:0] select_1591;
   assign select_1591 = less_357_s21_q ? 2'h0 : (and_1432_s21_q ? {and_1589, less_1434_s21_q} : 2'h0);
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_up_3;
-  assign to_up_3 = equal_354_s21_q ? 2'h0 : (equal_356_s21_q ? 2'h0 : (drew_s21_q ? select_1591 : 2'h0));
-  logic [1:0] to_down_4;
-  assign to_down_4 = equal_354_s21_q ? 2'h0 : (equal_356_s21_q ? 2'h0 : select_1601_s21_q);
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1605;
-  assign select_1605 = and_1347_s21_q ? 15'h0 : (counts_votes_3_down_q + {{13{to_down_4[1]}}, to_down_4});
-  logic [14:0] select_1613;
-  assign select_1613 = and_1347_s21_q ? 15'h0 : (counts_votes_3_up_q + {{13{to_up_4_s21_q[1]}}, to_up_4_s21_q});
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_down_5;
-  assign to_down_5 = equal_354_s21_q ? 2'h0 : (equal_356_s21_q ? 2'h0 : select_1617_s21_q);
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1621;
-  assign select_1621 = and_1347_s21_q ? 15'h0 : (counts_votes_4_down_q + {{13{to_down_5[1]}}, to_down_5});
-  logic [14:0] select_1629;
-  assign select_1629 = and_1347_s21_q ? 15'h0 : (counts_votes_4_up_q + {{13{to_up_5_s21_q[1]}}, to_up_5_s21_q});
-  // hls/stages/agreement.hpp:507
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_1594;
+  assign select_1594 = equal_354_s21_q ? 2'h0 : (equal_356_s21_q ? 2'h0 : (drew_s21_q ? select_1591 : 2'h0));
+  logic [1:0] select_1603;
+  assign select_1603 = equal_354_s21_q ? 2'h0 : (equal_356_s21_q ? 2'h0 : select_1601_s21_q);
+  // hls/stages/registration.hpp:121
+  logic [14:0] sum_1604;
+  assign sum_1604 = registration_counts_votes_3_down_q + {{13{select_1603[1]}}, select_1603};
+  // hls/stages/registration.hpp:122
+  logic [14:0] sum_1612;
+  assign sum_1612 = registration_counts_votes_3_up_q + {{13{select_1611_s21_q[1]}}, select_1611_s21_q};
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_1619;
+  assign select_1619 = equal_354_s21_q ? 2'h0 : (equal_356_s21_q ? 2'h0 : select_1617_s21_q);
+  // hls/stages/registration.hpp:121
+  logic [14:0] sum_1620;
+  assign sum_1620 = registration_counts_votes_4_down_q + {{13{select_1619[1]}}, select_1619};
+  // hls/stages/registration.hpp:122
+  logic [14:0] sum_1628;
+  assign sum_1628 = registration_counts_votes_4_up_q + {{13{select_1627_s21_q[1]}}, select_1627_s21_q};
   logic [14:0] sum_1678;
-  assign sum_1678 = counts_half_votes_2_up_q + {{13{to_up_8_s21_q[1]}}, to_up_8_s21_q};
+  assign sum_1678 = registration_counts_half_votes_2_up_q + {{13{select_1677_s21_q[1]}}, select_1677_s21_q};
   logic [14:0] sum_1694;
-  assign sum_1694 = counts_half_votes_3_up_q + {{13{to_up_9_s21_q[1]}}, to_up_9_s21_q};
-  // hls/stages/agreement.hpp:722
-  logic and_1757;
-  assign and_1757 = (~({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q})) & (11'h4 < counts_textured_q[13:3]);
-  // hls/stages/agreement.hpp:729
-  logic less_1762;
-  assign less_1762 = {sum_1761_s21_q, select_1384_s21_q[0]} < {2'h0, select_1381_s21_q};
-  logic select_1764;
-  assign select_1764 = (select_1381_s21_q[11:3] == 9'h0) ? (and_1757 & (~less_1758_s21_q)) : (~less_1762);
-  // hls/stages/agreement.hpp:302
+  assign sum_1694 = registration_counts_half_votes_3_up_q + {{13{select_1693_s21_q[1]}}, select_1693_s21_q};
+  // hls/stages/agreement.hpp:604
+  logic and_1759;
+  assign and_1759 = (~({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q})) & (11'h4 < counts_textured_q[13:3]);
+  // hls/stages/agreement.hpp:611
+  logic less_1764;
+  assign less_1764 = {sum_1763_s21_q, select_1384_s21_q[0]} < {2'h0, select_1381_s21_q};
+  logic select_1766;
+  assign select_1766 = (select_1381_s21_q[11:3] == 9'h0) ? (and_1759 & (~less_1760_s21_q)) : (~less_1764);
+  // hls/stages/agreement.hpp:299
   logic [4:0] select_1804;
   assign select_1804 = drew_s21_q ? {2'h0, textured_2_s21_q} : box_textured_columns_values_0_q;
   logic [4:0] select_1806;
@@ -5958,13 +5972,13 @@ module horopter_agreement (
   assign select_1852 = drew_s21_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
   logic [4:0] select_1854;
   assign select_1854 = equal_354_s21_q ? box_nearer_columns_values_4_q : (equal_356_s21_q ? box_nearer_columns_values_4_q : select_1852);
-  // hls/stages/agreement.hpp:853
+  // hls/stages/agreement.hpp:723
   logic [3:0] select_1884;
   assign select_1884 = select_949_s21_q ? (began_q ? (seen_y_q + 4'h1) : seen_y_q) : seen_y_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [7:0] select_1890;
   assign select_1890 = marks_first_s21_q ? (less_1886 ? {sum_1887, cfg_height_i[6:4]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
-  // hls/stages/agreement.hpp:800
+  // hls/stages/registration.hpp:104
   logic select_1979;
   assign select_1979 = less_1967_s21_q ? select_1978_s21_q : less_1977_s21_q;
   logic or_1980;
@@ -5973,12 +5987,14 @@ module horopter_agreement (
   assign select_1984 = or_1980 ? select_1979 : less_1983_s21_q;
   logic select_1986;
   assign select_1986 = less_1967_s21_q ? select_1984 : (less_1970_s21_q ? select_1984 : less_1983_s21_q);
-  // hls/stages/agreement.hpp:741
+  // hls/stages/agreement.hpp:623
   logic and_2012;
-  assign and_2012 = ($signed(15'h0) < $signed(counts_votes_3_up_q)) & ($signed(15'h0) < $signed(counts_votes_4_down_q));
+  assign and_2012 = ($signed(15'h0) < $signed(registration_counts_votes_3_up_q)) & ($signed(15'h0) < $signed(registration_counts_votes_4_down_q));
+  logic or_2013;
+  assign or_2013 = ($signed(15'h0) < $signed(registration_counts_votes_4_up_q)) | and_2012;
   logic select_2014;
-  assign select_2014 = ($signed(15'h0) < $signed(counts_votes_3_down_q)) ? (($signed(15'h0) < $signed(counts_votes_4_up_q)) | and_2012) : and_2012;
-  // hls/stages/agreement.hpp:302
+  assign select_2014 = ($signed(15'h0) < $signed(registration_counts_votes_3_down_q)) ? or_2013 : and_2012;
+  // hls/stages/agreement.hpp:299
   logic [11:0] select_2163;
   assign select_2163 = equal_354_s21_q ? 12'h0 : (equal_356_s21_q ? 12'h0 : select_2161_s21_q);
 
@@ -6025,12 +6041,12 @@ module horopter_agreement (
     if (!rst_ni) begin
       counts_supervised_q <= 14'h0;
       counts_textured_q <= 14'h0;
-      counts_votes_3_down_q <= 15'h0;
-      counts_votes_3_up_q <= 15'h0;
-      counts_votes_4_down_q <= 15'h0;
-      counts_votes_4_up_q <= 15'h0;
-      counts_half_votes_2_up_q <= 15'h0;
-      counts_half_votes_3_up_q <= 15'h0;
+      registration_counts_votes_3_down_q <= 15'h0;
+      registration_counts_votes_3_up_q <= 15'h0;
+      registration_counts_votes_4_down_q <= 15'h0;
+      registration_counts_votes_4_up_q <= 15'h0;
+      registration_counts_half_votes_2_up_q <= 15'h0;
+      registration_counts_half_votes_3_up_q <= 15'h0;
       began_q <= 1'b0;
       seen_x_q <= 4'h0;
       seen_y_q <= 4'h0;
@@ -6042,12 +6058,12 @@ module horopter_agreement (
     end else if (s21_en) begin
       counts_supervised_q <= select_1354;
       counts_textured_q <= select_1359;
-      counts_votes_3_down_q <= select_1605;
-      counts_votes_3_up_q <= select_1613;
-      counts_votes_4_down_q <= select_1621;
-      counts_votes_4_up_q <= select_1629;
-      counts_half_votes_2_up_q <= and_1347_s21_q ? 15'h0 : sum_1678;
-      counts_half_votes_3_up_q <= and_1347_s21_q ? 15'h0 : sum_1694;
+      registration_counts_votes_3_down_q <= and_1347_s21_q ? 15'h0 : sum_1604;
+      registration_counts_votes_3_up_q <= and_1347_s21_q ? 15'h0 : sum_1612;
+      registration_counts_votes_4_down_q <= and_1347_s21_q ? 15'h0 : sum_1620;
+      registration_counts_votes_4_up_q <= and_1347_s21_q ? 15'h0 : sum_1628;
+      registration_counts_half_votes_2_up_q <= and_1347_s21_q ? 15'h0 : sum_1678;
+      registration_counts_half_votes_3_up_q <= and_1347_s21_q ? 15'h0 : sum_1694;
       began_q <= not_962 & (began_q | select_949_s21_q);
       seen_x_q <= select_949_s21_q ? 4'h0 : (seen_x_q + 4'h1);
       seen_y_q <= marks_first_s21_q ? 4'h0 : select_1884;
@@ -6133,10 +6149,10 @@ module horopter_agreement (
   logic lower_half_s22_q;
   logic [13:0] counts_supervised_s22_q;
   logic [13:0] counts_textured_s22_q;
-  logic [11:0] counts_measured_0_s22_q;
-  logic [11:0] counts_measured_1_s22_q;
-  logic [11:0] counts_measured_2_s22_q;
-  logic [11:0] counts_measured_3_s22_q;
+  logic [11:0] registration_counts_measured_0_s22_q;
+  logic [11:0] registration_counts_measured_1_s22_q;
+  logic [11:0] registration_counts_measured_2_s22_q;
+  logic [11:0] registration_counts_measured_3_s22_q;
   logic [2:0] region_row_s22_q;
   logic [6:0] select_303_s22_q;
   logic and_339_s22_q;
@@ -6229,14 +6245,14 @@ module horopter_agreement (
   logic [7:0] residual_s22_q;
   logic less_1547_s22_q;
   logic not_1564_s22_q;
-  logic [1:0] to_up_2_s22_q;
-  logic [1:0] to_down_3_s22_q;
-  logic [1:0] to_up_3_s22_q;
+  logic [1:0] select_1578_s22_q;
+  logic [1:0] select_1586_s22_q;
+  logic [1:0] select_1594_s22_q;
   logic not_1597_s22_q;
-  logic and_1757_s22_q;
-  logic less_1758_s22_q;
-  logic select_1764_s22_q;
-  logic less_1775_s22_q;
+  logic and_1759_s22_q;
+  logic less_1760_s22_q;
+  logic select_1766_s22_q;
+  logic less_1777_s22_q;
   logic equal_1864_s22_q;
   logic less_1967_s22_q;
   logic less_1970_s22_q;
@@ -6269,10 +6285,10 @@ module horopter_agreement (
       lower_half_s22_q <= lower_half_s21_q;
       counts_supervised_s22_q <= counts_supervised_q;
       counts_textured_s22_q <= counts_textured_q;
-      counts_measured_0_s22_q <= counts_measured_0_s21_q;
-      counts_measured_1_s22_q <= counts_measured_1_s21_q;
-      counts_measured_2_s22_q <= counts_measured_2_s21_q;
-      counts_measured_3_s22_q <= counts_measured_3_s21_q;
+      registration_counts_measured_0_s22_q <= registration_counts_measured_0_s21_q;
+      registration_counts_measured_1_s22_q <= registration_counts_measured_1_s21_q;
+      registration_counts_measured_2_s22_q <= registration_counts_measured_2_s21_q;
+      registration_counts_measured_3_s22_q <= registration_counts_measured_3_s21_q;
       region_row_s22_q <= region_row_s21_q;
       select_303_s22_q <= select_303_s21_q;
       and_339_s22_q <= and_339_s21_q;
@@ -6365,14 +6381,14 @@ module horopter_agreement (
       residual_s22_q <= residual_s21_q;
       less_1547_s22_q <= less_1547_s21_q;
       not_1564_s22_q <= not_1564_s21_q;
-      to_up_2_s22_q <= to_up_2;
-      to_down_3_s22_q <= to_down_3;
-      to_up_3_s22_q <= to_up_3;
+      select_1578_s22_q <= select_1578;
+      select_1586_s22_q <= select_1586;
+      select_1594_s22_q <= select_1594;
       not_1597_s22_q <= not_1597_s21_q;
-      and_1757_s22_q <= and_1757;
-      less_1758_s22_q <= less_1758_s21_q;
-      select_1764_s22_q <= select_1764;
-      less_1775_s22_q <= less_1775_s21_q;
+      and_1759_s22_q <= and_1759;
+      less_1760_s22_q <= less_1760_s21_q;
+      select_1766_s22_q <= select_1766;
+      less_1777_s22_q <= less_1777_s21_q;
       equal_1864_s22_q <= equal_1864_s21_q;
       less_1967_s22_q <= less_1967_s21_q;
       less_1970_s22_q <= less_1970_s21_q;
@@ -6381,9 +6397,9 @@ module horopter_agreement (
       or_1980_s22_q <= or_1980;
       less_1981_s22_q <= less_1981_s21_q;
       select_1986_s22_q <= select_1986;
-      less_1988_s22_q <= $signed(15'h0) < $signed(counts_half_votes_2_up_q);
+      less_1988_s22_q <= $signed(15'h0) < $signed(registration_counts_half_votes_2_up_q);
       less_1993_s22_q <= less_1993_s21_q;
-      less_1996_s22_q <= $signed(15'h0) < $signed(counts_half_votes_3_up_q);
+      less_1996_s22_q <= $signed(15'h0) < $signed(registration_counts_half_votes_3_up_q);
       select_2014_s22_q <= select_2014;
       and_2142_s22_q <= and_2142_s21_q;
       select_2163_s22_q <= select_2163;
@@ -6399,9 +6415,9 @@ module horopter_agreement (
   logic sharpness_last_mask_q;
   logic [13:0] sharpness_last_detail_0_q;
   logic [13:0] sharpness_last_detail_1_q;
-  logic [14:0] counts_votes_1_up_q;
-  logic [14:0] counts_votes_2_down_q;
-  logic [14:0] counts_votes_2_up_q;
+  logic [14:0] registration_counts_votes_1_up_q;
+  logic [14:0] registration_counts_votes_2_down_q;
+  logic [14:0] registration_counts_votes_2_up_q;
   logic [47:0] good_next_q;
   logic begins_product_q;
   logic [4:0] box_textured_sum_sums_values_0_q;
@@ -6413,7 +6429,7 @@ module horopter_agreement (
   logic read_half_q;
   logic done_q;
   logic said_q;
-  // hls/stages/agreement.hpp:243
+  // hls/stages/agreement.hpp:242
   logic whole_17;
   assign whole_17 = census_columns_values_2_cell_4_mask_s22_q & whole_16_s22_q;
   logic whole_18;
@@ -6429,30 +6445,30 @@ module horopter_agreement (
   // hls/stages/census.hpp:190
   logic [11:0] texture;
   assign texture = sum_433_s22_q + {2'h0, sum_436_s22_q};
-  // hls/stages/agreement.hpp:451
+  // hls/stages/registration.hpp:28
   logic not_850;
   assign not_850 = ~sum_849_s22_q[9];
   logic [7:0] xor_851;
   assign xor_851 = twice_s22_q ^ {8{not_850}};
-  // hls/stages/agreement.hpp:857
+  // hls/stages/agreement.hpp:727
   logic [12:0] index;
   assign index = seen_base_q + {5'h0, seen_column_q};
-  // hls/stages/agreement.hpp:828
+  // hls/stages/agreement.hpp:698
   logic select_960;
   assign select_960 = marks_first_s22_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
-  // hls/stages/agreement.hpp:814
+  // hls/stages/agreement.hpp:684
   logic [10:0] sum_961;
   assign sum_961 = {1'b0, {5{select_960}}, 1'b0, {2{select_960}}, 1'b0, select_960} + {1'b0, index[12:3]};
-  // hls/stages/agreement.hpp:707
+  // hls/stages/agreement.hpp:589
   logic [12:0] index_2;
   assign index_2 = {{3{sum_972_s22_q[7]}}, sum_972_s22_q, x_s22_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:814
+  // hls/stages/agreement.hpp:684
   logic [10:0] sum_974;
   assign sum_974 = {1'b0, {5{write_half_q}}, 1'b0, {2{write_half_q}}, 1'b0, write_half_q} + {1'b0, index_2[12:3]};
-  // hls/stages/agreement.hpp:693
+  // hls/stages/agreement.hpp:575
   logic [4:0] t;
   assign t = difference_984_s22_q + (equal_985_s22_q ? 5'h0 : box_textured_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:699
+  // hls/stages/agreement.hpp:581
   logic not_1000;
   assign not_1000 = ~region_row_s22_q[2];
   logic [2:0] select_1001;
@@ -6463,19 +6479,19 @@ module horopter_agreement (
   assign select_1003 = or_999_s22_q ? {select_1002[5], 1'b0, select_1002[4], 1'b0, select_1002[3], 1'b0, select_1002[2], 1'b0, select_1002[1], 1'b0, select_1002[0], 1'b0} : {1'b0, select_1002[5], 1'b0, select_1002[4], 1'b0, select_1002[3], 1'b0, select_1002[2], 1'b0, select_1002[1], 1'b0, select_1002[0]};
   logic [23:0] select_1004;
   assign select_1004 = or_996_s22_q ? {select_1003[11], 1'b0, select_1003[10], 1'b0, select_1003[9], 1'b0, select_1003[8], 1'b0, select_1003[7], 1'b0, select_1003[6], 1'b0, select_1003[5], 1'b0, select_1003[4], 1'b0, select_1003[3], 1'b0, select_1003[2], 1'b0, select_1003[1], 1'b0, select_1003[0], 1'b0} : {1'b0, select_1003[11], 1'b0, select_1003[10], 1'b0, select_1003[9], 1'b0, select_1003[8], 1'b0, select_1003[7], 1'b0, select_1003[6], 1'b0, select_1003[5], 1'b0, select_1003[4], 1'b0, select_1003[3], 1'b0, select_1003[2], 1'b0, select_1003[1], 1'b0, select_1003[0]};
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:576
   logic [4:0] e;
   assign e = difference_1017_s22_q + (equal_985_s22_q ? 5'h0 : box_explained_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:695
+  // hls/stages/agreement.hpp:577
   logic [4:0] n;
   assign n = difference_1031_s22_q + (equal_985_s22_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic select_1136;
   assign select_1136 = and_339_s22_q ? census_columns_values_2_cell_4_mask_s22_q : census_columns_values_3_cell_4_mask_q;
   // hls/stages/census.hpp:192
   logic [11:0] sum_1156;
   assign sum_1156 = sum_1152_s22_q + {2'h0, sum_1155_s22_q};
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [11:0] select_1158;
   assign select_1158 = and_339_s22_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
   logic [11:0] select_1159;
@@ -6483,60 +6499,58 @@ module horopter_agreement (
   // hls/stages/census.hpp:275
   logic and_1181;
   assign and_1181 = whole_2_s22_q & (~(select_303_s22_q[6:1] == 6'h0));
-  // hls/stages/agreement.hpp:244
+  // hls/stages/agreement.hpp:243
   logic and_1187;
   assign and_1187 = and_1181 & (sharpness_last_mask_q & (7'h2 < contrast_s22_q[8:2]));
   // hls/stages/census.hpp:274
   logic [14:0] detail_3;
   assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, detail_s22_q};
-  // hls/stages/agreement.hpp:244
+  // hls/stages/agreement.hpp:243
   logic and_1198;
   assign and_1198 = and_1181 & (sharpness_last_mask_q & (7'h2 < contrast_2_s22_q[8:2]));
   // hls/stages/census.hpp:274
   logic [14:0] detail_4;
   assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, detail_2_s22_q};
-  // hls/stages/agreement.hpp:727
+  // hls/stages/agreement.hpp:609
   logic [12:0] sum_1385;
   assign sum_1385 = {1'b0, select_1384_s22_q} + {3'h0, select_1384_s22_q[11:2]};
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic and_1548;
   assign and_1548 = and_1432_s22_q & less_1547_s22_q;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [1:0] select_1550;
   assign select_1550 = drew_s22_q ? (less_357_s22_q ? 2'h0 : {and_1548, and_1432_s22_q}) : 2'h0;
-  logic [1:0] to_down;
-  assign to_down = equal_354_s22_q ? 2'h0 : (equal_356_s22_q ? 2'h0 : select_1550);
-  // hls/stages/agreement.hpp:628
+  // hls/stages/registration.hpp:79
   logic and_1565;
   assign and_1565 = less_1547_s22_q & not_1564_s22_q;
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic [1:0] select_1567;
   assign select_1567 = less_357_s22_q ? 2'h0 : (and_1432_s22_q ? {and_1565, not_1564_s22_q} : 2'h0);
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_down_2;
-  assign to_down_2 = equal_354_s22_q ? 2'h0 : (equal_356_s22_q ? 2'h0 : (drew_s22_q ? select_1567 : 2'h0));
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1580;
-  assign select_1580 = and_1347_s22_q ? 15'h0 : (counts_votes_1_up_q + {{13{to_up_2_s22_q[1]}}, to_up_2_s22_q});
-  // hls/stages/agreement.hpp:506
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_1570;
+  assign select_1570 = equal_354_s22_q ? 2'h0 : (equal_356_s22_q ? 2'h0 : (drew_s22_q ? select_1567 : 2'h0));
+  // hls/stages/registration.hpp:122
+  logic [14:0] sum_1579;
+  assign sum_1579 = registration_counts_votes_1_up_q + {{13{select_1578_s22_q[1]}}, select_1578_s22_q};
+  // hls/stages/registration.hpp:121
   logic [14:0] sum_1587;
-  assign sum_1587 = counts_votes_2_down_q + {{13{to_down_3_s22_q[1]}}, to_down_3_s22_q};
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1596;
-  assign select_1596 = and_1347_s22_q ? 15'h0 : (counts_votes_2_up_q + {{13{to_up_3_s22_q[1]}}, to_up_3_s22_q});
-  // hls/stages/agreement.hpp:635
+  assign sum_1587 = registration_counts_votes_2_down_q + {{13{select_1586_s22_q[1]}}, select_1586_s22_q};
+  // hls/stages/registration.hpp:122
+  logic [14:0] sum_1595;
+  assign sum_1595 = registration_counts_votes_2_up_q + {{13{select_1594_s22_q[1]}}, select_1594_s22_q};
+  // hls/stages/registration.hpp:146
   logic less_1630;
   assign less_1630 = $signed(residual_s22_q) < $signed({2'h0, cfg_moved_half_limit_i});
-  // hls/stages/agreement.hpp:628
+  // hls/stages/registration.hpp:79
   logic and_1631;
   assign and_1631 = not_1564_s22_q & less_1630;
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic [1:0] select_1633;
   assign select_1633 = less_357_s22_q ? 2'h0 : (and_1432_s22_q ? {and_1631, not_1564_s22_q} : 2'h0);
-  // hls/stages/agreement.hpp:628
+  // hls/stages/registration.hpp:79
   logic and_1648;
   assign and_1648 = less_1434_s22_q & less_1630;
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic [1:0] select_1650;
   assign select_1650 = less_357_s22_q ? 2'h0 : (and_1432_s22_q ? {and_1648, less_1434_s22_q} : 2'h0);
   logic and_1664;
@@ -6547,16 +6561,16 @@ module horopter_agreement (
   assign and_1680 = lower_half_s22_q & less_1630;
   logic [1:0] select_1682;
   assign select_1682 = less_357_s22_q ? 2'h0 : (and_1432_s22_q ? {and_1680, lower_half_s22_q} : 2'h0);
-  // hls/stages/agreement.hpp:737
-  logic equal_1752;
-  assign equal_1752 = x_s22_q == 6'h3f;
-  logic [47:0] select_1765;
-  assign select_1765 = equal_899_s22_q ? good_next_q : {select_1764_s22_q, good_next_q[47:1]};
-  // hls/stages/agreement.hpp:302
-  logic [47:0] select_1772;
-  assign select_1772 = drew_s22_q ? good_next_q : (equal_898_s22_q ? select_1765 : good_next_q);
+  // hls/stages/agreement.hpp:619
+  logic equal_1754;
+  assign equal_1754 = x_s22_q == 6'h3f;
+  logic [47:0] select_1767;
+  assign select_1767 = equal_899_s22_q ? good_next_q : {select_1766_s22_q, good_next_q[47:1]};
+  // hls/stages/agreement.hpp:299
   logic [47:0] select_1774;
-  assign select_1774 = equal_354_s22_q ? good_next_q : (equal_356_s22_q ? good_next_q : select_1772);
+  assign select_1774 = drew_s22_q ? good_next_q : (equal_898_s22_q ? select_1767 : good_next_q);
+  logic [47:0] select_1776;
+  assign select_1776 = equal_354_s22_q ? good_next_q : (equal_356_s22_q ? good_next_q : select_1774);
   logic [4:0] select_1820;
   assign select_1820 = equal_356_s22_q ? box_textured_sum_sums_values_0_q : (drew_s22_q ? t : box_textured_sum_sums_values_0_q);
   logic [4:0] select_1838;
@@ -6565,50 +6579,54 @@ module horopter_agreement (
   assign select_1839 = equal_354_s22_q ? box_explained_sum_sums_values_0_q : select_1838;
   logic [4:0] select_1856;
   assign select_1856 = equal_356_s22_q ? box_nearer_sum_sums_values_0_q : (drew_s22_q ? n : box_nearer_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:247
+  // hls/stages/agreement.hpp:246
   logic [12:0] select_1867;
   assign select_1867 = equal_1214_s22_q ? (equal_1864_s22_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [6:0] select_1870;
   assign select_1870 = and_339_s22_q ? (equal_1214_s22_q ? cfg_width_i[10:4] : map_width_q) : map_width_q;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_1880;
-  assign and_1880 = not_499_s22_q & (not_1260_s22_q & (equal_898_s22_q & equal_1752));
+  assign and_1880 = not_499_s22_q & (not_1260_s22_q & (equal_898_s22_q & equal_1754));
   logic [13:0] select_1909;
-  assign select_1909 = equal_898_s22_q ? (equal_1752 ? counts_supervised_s22_q : 14'h0) : 14'h0;
+  assign select_1909 = equal_898_s22_q ? (equal_1754 ? counts_supervised_s22_q : 14'h0) : 14'h0;
   logic [13:0] select_1912;
   assign select_1912 = equal_354_s22_q ? 14'h0 : (equal_356_s22_q ? 14'h0 : (drew_s22_q ? 14'h0 : select_1909));
   logic [13:0] select_1914;
-  assign select_1914 = equal_898_s22_q ? (equal_1752 ? counts_textured_s22_q : 14'h0) : 14'h0;
+  assign select_1914 = equal_898_s22_q ? (equal_1754 ? counts_textured_s22_q : 14'h0) : 14'h0;
   logic [13:0] select_1917;
   assign select_1917 = equal_354_s22_q ? 14'h0 : (equal_356_s22_q ? 14'h0 : (drew_s22_q ? 14'h0 : select_1914));
-  // hls/stages/agreement.hpp:800
+  // hls/stages/registration.hpp:104
   logic or_1987;
   assign or_1987 = (~less_1981_s22_q) | select_1986_s22_q;
   logic select_1989;
   assign select_1989 = or_1987 ? select_1986_s22_q : less_1988_s22_q;
   logic select_1991;
   assign select_1991 = less_1970_s22_q ? select_1989 : (less_1975_s22_q ? select_1989 : less_1988_s22_q);
-  // hls/stages/agreement.hpp:741
+  // hls/stages/agreement.hpp:623
   logic and_2015;
   assign and_2015 = (less_1981_s22_q & less_1993_s22_q) & select_2014_s22_q;
+  logic or_2016;
+  assign or_2016 = ($signed(15'h0) < $signed(registration_counts_votes_2_down_q)) | and_2015;
   logic select_2017;
-  assign select_2017 = ($signed(15'h0) < $signed(counts_votes_1_up_q)) ? (($signed(15'h0) < $signed(counts_votes_2_down_q)) | and_2015) : and_2015;
-  // hls/stages/agreement.hpp:302
+  assign select_2017 = ($signed(15'h0) < $signed(registration_counts_votes_1_up_q)) ? or_2016 : and_2015;
+  logic or_2018;
+  assign or_2018 = ($signed(15'h0) < $signed(registration_counts_votes_2_up_q)) | select_2017;
+  // hls/stages/agreement.hpp:299
   logic [11:0] select_2101;
-  assign select_2101 = equal_898_s22_q ? (equal_1752 ? counts_measured_0_s22_q : 12'h0) : 12'h0;
+  assign select_2101 = equal_898_s22_q ? (equal_1754 ? registration_counts_measured_0_s22_q : 12'h0) : 12'h0;
   logic [11:0] select_2104;
   assign select_2104 = equal_354_s22_q ? 12'h0 : (equal_356_s22_q ? 12'h0 : (drew_s22_q ? 12'h0 : select_2101));
   logic [11:0] select_2106;
-  assign select_2106 = equal_898_s22_q ? (equal_1752 ? counts_measured_1_s22_q : 12'h0) : 12'h0;
+  assign select_2106 = equal_898_s22_q ? (equal_1754 ? registration_counts_measured_1_s22_q : 12'h0) : 12'h0;
   logic [11:0] select_2109;
   assign select_2109 = equal_354_s22_q ? 12'h0 : (equal_356_s22_q ? 12'h0 : (drew_s22_q ? 12'h0 : select_2106));
   logic [11:0] select_2111;
-  assign select_2111 = equal_898_s22_q ? (equal_1752 ? counts_measured_2_s22_q : 12'h0) : 12'h0;
+  assign select_2111 = equal_898_s22_q ? (equal_1754 ? registration_counts_measured_2_s22_q : 12'h0) : 12'h0;
   logic [11:0] select_2114;
   assign select_2114 = equal_354_s22_q ? 12'h0 : (equal_356_s22_q ? 12'h0 : (drew_s22_q ? 12'h0 : select_2111));
   logic [11:0] select_2116;
-  assign select_2116 = equal_898_s22_q ? (equal_1752 ? counts_measured_3_s22_q : 12'h0) : 12'h0;
+  assign select_2116 = equal_898_s22_q ? (equal_1754 ? registration_counts_measured_3_s22_q : 12'h0) : 12'h0;
   logic [11:0] select_2119;
   assign select_2119 = equal_354_s22_q ? 12'h0 : (equal_356_s22_q ? 12'h0 : (drew_s22_q ? 12'h0 : select_2116));
   logic [5:0] select_2145;
@@ -6620,9 +6638,9 @@ module horopter_agreement (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      counts_votes_1_up_q <= 15'h0;
-      counts_votes_2_down_q <= 15'h0;
-      counts_votes_2_up_q <= 15'h0;
+      registration_counts_votes_1_up_q <= 15'h0;
+      registration_counts_votes_2_down_q <= 15'h0;
+      registration_counts_votes_2_up_q <= 15'h0;
       good_next_q <= 48'h0;
       begins_product_q <= 1'b0;
       map_row_q <= 13'h0;
@@ -6632,10 +6650,10 @@ module horopter_agreement (
       done_q <= 1'b0;
       said_q <= 1'b0;
     end else if (s22_en) begin
-      counts_votes_1_up_q <= select_1580;
-      counts_votes_2_down_q <= and_1347_s22_q ? 15'h0 : sum_1587;
-      counts_votes_2_up_q <= select_1596;
-      good_next_q <= select_1774;
+      registration_counts_votes_1_up_q <= and_1347_s22_q ? 15'h0 : sum_1579;
+      registration_counts_votes_2_down_q <= and_1347_s22_q ? 15'h0 : sum_1587;
+      registration_counts_votes_2_up_q <= and_1347_s22_q ? 15'h0 : sum_1595;
+      good_next_q <= select_1776;
       begins_product_q <= drew_s22_q;
       map_row_q <= and_339_s22_q ? select_1867 : map_row_q;
       map_width_q <= select_1870;
@@ -6775,17 +6793,17 @@ module horopter_agreement (
   logic equal_1436_s23_q;
   logic equal_1437_s23_q;
   logic [7:0] residual_s23_q;
-  logic [1:0] to_down_s23_q;
-  logic [1:0] to_down_2_s23_q;
+  logic [1:0] select_1552_s23_q;
+  logic [1:0] select_1570_s23_q;
   logic [1:0] select_1634_s23_q;
   logic [1:0] select_1651_s23_q;
   logic [1:0] select_1667_s23_q;
   logic [1:0] select_1683_s23_q;
-  logic equal_1752_s23_q;
-  logic and_1757_s23_q;
-  logic less_1758_s23_q;
-  logic [47:0] select_1765_s23_q;
-  logic less_1775_s23_q;
+  logic equal_1754_s23_q;
+  logic and_1759_s23_q;
+  logic less_1760_s23_q;
+  logic [47:0] select_1767_s23_q;
+  logic less_1777_s23_q;
   logic [13:0] select_1912_s23_q;
   logic [13:0] select_1917_s23_q;
   logic less_1967_s23_q;
@@ -6908,17 +6926,17 @@ module horopter_agreement (
       equal_1436_s23_q <= equal_1436_s22_q;
       equal_1437_s23_q <= equal_1437_s22_q;
       residual_s23_q <= residual_s22_q;
-      to_down_s23_q <= to_down;
-      to_down_2_s23_q <= to_down_2;
+      select_1552_s23_q <= equal_354_s22_q ? 2'h0 : (equal_356_s22_q ? 2'h0 : select_1550);
+      select_1570_s23_q <= select_1570;
       select_1634_s23_q <= drew_s22_q ? select_1633 : 2'h0;
       select_1651_s23_q <= drew_s22_q ? select_1650 : 2'h0;
       select_1667_s23_q <= drew_s22_q ? select_1666 : 2'h0;
       select_1683_s23_q <= drew_s22_q ? select_1682 : 2'h0;
-      equal_1752_s23_q <= equal_1752;
-      and_1757_s23_q <= and_1757_s22_q;
-      less_1758_s23_q <= less_1758_s22_q;
-      select_1765_s23_q <= select_1765;
-      less_1775_s23_q <= less_1775_s22_q;
+      equal_1754_s23_q <= equal_1754;
+      and_1759_s23_q <= and_1759_s22_q;
+      less_1760_s23_q <= less_1760_s22_q;
+      select_1767_s23_q <= select_1767;
+      less_1777_s23_q <= less_1777_s22_q;
       select_1912_s23_q <= select_1912;
       select_1917_s23_q <= select_1917;
       less_1967_s23_q <= less_1967_s22_q;
@@ -6933,7 +6951,7 @@ module horopter_agreement (
       less_1996_s23_q <= less_1996_s22_q;
       and_2015_s23_q <= and_2015;
       select_2017_s23_q <= select_2017;
-      or_2018_s23_q <= ($signed(15'h0) < $signed(counts_votes_2_up_q)) | select_2017;
+      or_2018_s23_q <= or_2018;
       select_2104_s23_q <= select_2104;
       select_2109_s23_q <= select_2109;
       select_2114_s23_q <= select_2114;
@@ -6952,12 +6970,12 @@ module horopter_agreement (
   logic [23:0] sharpness_sums_detail_1_q;
   logic [23:0] sharpness_sums_contrast_0_q;
   logic [23:0] sharpness_sums_contrast_1_q;
-  logic [14:0] counts_votes_0_down_q;
-  logic [14:0] counts_votes_1_down_q;
-  logic [14:0] counts_half_votes_0_down_q;
-  logic [14:0] counts_half_votes_1_down_q;
-  logic [14:0] counts_half_votes_2_down_q;
-  logic [14:0] counts_half_votes_3_down_q;
+  logic [14:0] registration_counts_votes_0_down_q;
+  logic [14:0] registration_counts_votes_1_down_q;
+  logic [14:0] registration_counts_half_votes_0_down_q;
+  logic [14:0] registration_counts_half_votes_1_down_q;
+  logic [14:0] registration_counts_half_votes_2_down_q;
+  logic [14:0] registration_counts_half_votes_3_down_q;
   logic [47:0] good_q;
   logic [7:0] hidden_for_q;
   logic [7:0] next_hidden_for_q;
@@ -6972,7 +6990,7 @@ module horopter_agreement (
   assign sum_439 = {2'h0, census_changes_values_1_left_s23_q} + {1'b0, sum_438_s23_q};
   logic [13:0] sum_440;
   assign sum_440 = {2'h0, census_changes_values_2_left_q} + sum_439;
-  // hls/stages/agreement.hpp:451
+  // hls/stages/registration.hpp:28
   logic not_853;
   assign not_853 = ~sum_852_s23_q[9];
   logic [7:0] xor_854;
@@ -6981,13 +6999,13 @@ module horopter_agreement (
   assign sum_855 = {sum_852_s23_q[8:0], not_853} + {not_853, xor_854, not_853};
   logic not_856;
   assign not_856 = ~sum_855[9];
-  // hls/stages/agreement.hpp:699
+  // hls/stages/agreement.hpp:581
   logic [47:0] select_1005;
   assign select_1005 = or_993_s23_q ? {select_1004_s23_q[23], 1'b0, select_1004_s23_q[22], 1'b0, select_1004_s23_q[21], 1'b0, select_1004_s23_q[20], 1'b0, select_1004_s23_q[19], 1'b0, select_1004_s23_q[18], 1'b0, select_1004_s23_q[17], 1'b0, select_1004_s23_q[16], 1'b0, select_1004_s23_q[15], 1'b0, select_1004_s23_q[14], 1'b0, select_1004_s23_q[13], 1'b0, select_1004_s23_q[12], 1'b0, select_1004_s23_q[11], 1'b0, select_1004_s23_q[10], 1'b0, select_1004_s23_q[9], 1'b0, select_1004_s23_q[8], 1'b0, select_1004_s23_q[7], 1'b0, select_1004_s23_q[6], 1'b0, select_1004_s23_q[5], 1'b0, select_1004_s23_q[4], 1'b0, select_1004_s23_q[3], 1'b0, select_1004_s23_q[2], 1'b0, select_1004_s23_q[1], 1'b0, select_1004_s23_q[0], 1'b0} : {1'b0, select_1004_s23_q[23], 1'b0, select_1004_s23_q[22], 1'b0, select_1004_s23_q[21], 1'b0, select_1004_s23_q[20], 1'b0, select_1004_s23_q[19], 1'b0, select_1004_s23_q[18], 1'b0, select_1004_s23_q[17], 1'b0, select_1004_s23_q[16], 1'b0, select_1004_s23_q[15], 1'b0, select_1004_s23_q[14], 1'b0, select_1004_s23_q[13], 1'b0, select_1004_s23_q[12], 1'b0, select_1004_s23_q[11], 1'b0, select_1004_s23_q[10], 1'b0, select_1004_s23_q[9], 1'b0, select_1004_s23_q[8], 1'b0, select_1004_s23_q[7], 1'b0, select_1004_s23_q[6], 1'b0, select_1004_s23_q[5], 1'b0, select_1004_s23_q[4], 1'b0, select_1004_s23_q[3], 1'b0, select_1004_s23_q[2], 1'b0, select_1004_s23_q[1], 1'b0, select_1004_s23_q[0]};
-  // hls/stages/agreement.hpp:700
+  // hls/stages/agreement.hpp:582
   logic [5:0] sum_1020;
   assign sum_1020 = {1'b0, e_s23_q} + {2'h0, e_s23_q[4:1]};
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [11:0] select_1160;
   assign select_1160 = and_339_s23_q ? census_changes_values_1_left_s23_q : census_changes_values_2_left_q;
   logic [11:0] select_1161;
@@ -7006,105 +7024,114 @@ module horopter_agreement (
   assign sum_1206 = (equal_1163_s23_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_1205_s23_q};
   logic [23:0] sum_1210;
   assign sum_1210 = (equal_1163_s23_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_1209_s23_q};
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1554;
-  assign select_1554 = and_1347_s23_q ? 15'h0 : (counts_votes_0_down_q + {{13{to_down_s23_q[1]}}, to_down_s23_q});
-  // hls/stages/agreement.hpp:506
+  // hls/stages/registration.hpp:121
+  logic [14:0] sum_1553;
+  assign sum_1553 = registration_counts_votes_0_down_q + {{13{select_1552_s23_q[1]}}, select_1552_s23_q};
   logic [14:0] sum_1571;
-  assign sum_1571 = counts_votes_1_down_q + {{13{to_down_2_s23_q[1]}}, to_down_2_s23_q};
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_down_6;
-  assign to_down_6 = equal_354_s23_q ? 2'h0 : (equal_356_s23_q ? 2'h0 : select_1634_s23_q);
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1638;
-  assign select_1638 = and_1347_s23_q ? 15'h0 : (counts_half_votes_0_down_q + {{13{to_down_6[1]}}, to_down_6});
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_down_7;
-  assign to_down_7 = equal_354_s23_q ? 2'h0 : (equal_356_s23_q ? 2'h0 : select_1651_s23_q);
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1655;
-  assign select_1655 = and_1347_s23_q ? 15'h0 : (counts_half_votes_1_down_q + {{13{to_down_7[1]}}, to_down_7});
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_down_8;
-  assign to_down_8 = equal_354_s23_q ? 2'h0 : (equal_356_s23_q ? 2'h0 : select_1667_s23_q);
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1671;
-  assign select_1671 = and_1347_s23_q ? 15'h0 : (counts_half_votes_2_down_q + {{13{to_down_8[1]}}, to_down_8});
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_down_9;
-  assign to_down_9 = equal_354_s23_q ? 2'h0 : (equal_356_s23_q ? 2'h0 : select_1683_s23_q);
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1687;
-  assign select_1687 = and_1347_s23_q ? 15'h0 : (counts_half_votes_3_down_q + {{13{to_down_9[1]}}, to_down_9});
-  // hls/stages/agreement.hpp:302
-  logic [47:0] select_1767;
-  assign select_1767 = equal_898_s23_q ? (equal_1752_s23_q ? select_1765_s23_q : good_q) : good_q;
+  assign sum_1571 = registration_counts_votes_1_down_q + {{13{select_1570_s23_q[1]}}, select_1570_s23_q};
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_1636;
+  assign select_1636 = equal_354_s23_q ? 2'h0 : (equal_356_s23_q ? 2'h0 : select_1634_s23_q);
+  // hls/stages/registration.hpp:121
+  logic [14:0] sum_1637;
+  assign sum_1637 = registration_counts_half_votes_0_down_q + {{13{select_1636[1]}}, select_1636};
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_1653;
+  assign select_1653 = equal_354_s23_q ? 2'h0 : (equal_356_s23_q ? 2'h0 : select_1651_s23_q);
+  // hls/stages/registration.hpp:121
+  logic [14:0] sum_1654;
+  assign sum_1654 = registration_counts_half_votes_1_down_q + {{13{select_1653[1]}}, select_1653};
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_1669;
+  assign select_1669 = equal_354_s23_q ? 2'h0 : (equal_356_s23_q ? 2'h0 : select_1667_s23_q);
+  // hls/stages/registration.hpp:121
+  logic [14:0] sum_1670;
+  assign sum_1670 = registration_counts_half_votes_2_down_q + {{13{select_1669[1]}}, select_1669};
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_1685;
+  assign select_1685 = equal_354_s23_q ? 2'h0 : (equal_356_s23_q ? 2'h0 : select_1683_s23_q);
+  // hls/stages/registration.hpp:121
+  logic [14:0] sum_1686;
+  assign sum_1686 = registration_counts_half_votes_3_down_q + {{13{select_1685[1]}}, select_1685};
+  // hls/stages/agreement.hpp:299
   logic [47:0] select_1769;
-  assign select_1769 = equal_356_s23_q ? good_q : (begins_product_q ? good_q : select_1767);
-  // hls/stages/agreement.hpp:739
-  logic [7:0] select_1776;
-  assign select_1776 = less_1775_s23_q ? next_hidden_for_q : 8'h0;
-  // hls/stages/agreement.hpp:302
+  assign select_1769 = equal_898_s23_q ? (equal_1754_s23_q ? select_1767_s23_q : good_q) : good_q;
+  logic [47:0] select_1771;
+  assign select_1771 = equal_356_s23_q ? good_q : (begins_product_q ? good_q : select_1769);
+  // hls/stages/agreement.hpp:621
   logic [7:0] select_1778;
-  assign select_1778 = equal_898_s23_q ? (equal_1752_s23_q ? select_1776 : hidden_for_q) : hidden_for_q;
+  assign select_1778 = less_1777_s23_q ? next_hidden_for_q : 8'h0;
+  // hls/stages/agreement.hpp:299
   logic [7:0] select_1780;
-  assign select_1780 = equal_356_s23_q ? hidden_for_q : (begins_product_q ? hidden_for_q : select_1778);
-  // hls/stages/agreement.hpp:143
-  logic not_1782;
-  assign not_1782 = ~hidden_for_q[7];
-  // hls/stages/agreement.hpp:754
+  assign select_1780 = equal_898_s23_q ? (equal_1754_s23_q ? select_1778 : hidden_for_q) : hidden_for_q;
+  logic [7:0] select_1782;
+  assign select_1782 = equal_356_s23_q ? hidden_for_q : (begins_product_q ? hidden_for_q : select_1780);
+  // hls/stages/agreement.hpp:142
+  logic not_1784;
+  assign not_1784 = ~hidden_for_q[7];
+  // hls/stages/agreement.hpp:636
   logic [35:0] select_1795;
   assign select_1795 = multiplier_0_q[17] ? (product_0_q + {1'b0, addend_0_q}) : product_0_q;
-  // hls/stages/agreement.hpp:748
+  // hls/stages/agreement.hpp:630
   logic [35:0] detail_left;
   assign detail_left = begins_product_s23_q ? 36'h0 : select_1795;
-  // hls/stages/agreement.hpp:754
+  // hls/stages/agreement.hpp:636
   logic [35:0] select_1798;
   assign select_1798 = multiplier_1_q[17] ? (product_1_q + {1'b0, addend_1_q}) : product_1_q;
-  // hls/stages/agreement.hpp:758
+  // hls/stages/agreement.hpp:640
   logic [35:0] detail_right;
   assign detail_right = begins_product_s23_q ? 36'h0 : select_1798;
-  // hls/stages/agreement.hpp:748
+  // hls/stages/agreement.hpp:630
   logic [34:0] select_1800;
   assign select_1800 = begins_product_s23_q ? {sharpness_sums_detail_0_q[23:6], 17'h0} : {1'b0, addend_0_q[34:1]};
-  // hls/stages/agreement.hpp:758
+  // hls/stages/agreement.hpp:640
   logic [34:0] select_1801;
   assign select_1801 = begins_product_s23_q ? {sharpness_sums_detail_1_q[23:6], 17'h0} : {1'b0, addend_1_q[34:1]};
-  // hls/stages/agreement.hpp:748
+  // hls/stages/agreement.hpp:630
   logic [17:0] select_1802;
   assign select_1802 = begins_product_s23_q ? sharpness_sums_contrast_1_q[23:6] : {multiplier_0_q[16:0], 1'b0};
-  // hls/stages/agreement.hpp:758
+  // hls/stages/agreement.hpp:640
   logic [17:0] select_1803;
   assign select_1803 = begins_product_s23_q ? sharpness_sums_contrast_0_q[23:6] : {multiplier_1_q[16:0], 1'b0};
-  // hls/stages/agreement.hpp:857
+  // hls/stages/agreement.hpp:727
   logic and_1896;
   assign and_1896 = and_1046_s23_q & ({sum_974_s23_q, index_2_s23_q} == {sum_961_s23_q, index_s23_q});
-  // hls/stages/agreement.hpp:800
+  // hls/stages/registration.hpp:104
   logic or_1995;
   assign or_1995 = select_1992_s23_q | (~less_1993_s23_q);
-  // hls/stages/agreement.hpp:801
+  // hls/stages/registration.hpp:105
   logic select_1997;
   assign select_1997 = or_1995 ? select_1992_s23_q : less_1996_s23_q;
   logic select_1999;
   assign select_1999 = less_1975_s23_q ? select_1997 : (less_1981_s23_q ? select_1997 : less_1996_s23_q);
-  // hls/stages/agreement.hpp:741
+  // hls/stages/agreement.hpp:623
   logic select_2019;
-  assign select_2019 = ($signed(15'h0) < $signed(counts_votes_1_down_q)) ? or_2018_s23_q : select_2017_s23_q;
+  assign select_2019 = ($signed(15'h0) < $signed(registration_counts_votes_1_down_q)) ? or_2018_s23_q : select_2017_s23_q;
   logic select_2020;
   assign select_2020 = (less_1970_s23_q & less_1975_s23_q) ? select_2019 : and_2015_s23_q;
+  // hls/stages/registration.hpp:119
+  logic less_2022;
+  assign less_2022 = $signed(15'h0) < $signed(registration_counts_half_votes_3_down_q);
+  logic less_2025;
+  assign less_2025 = $signed(15'h0) < $signed(registration_counts_half_votes_2_down_q);
+  logic less_2028;
+  assign less_2028 = $signed(15'h0) < $signed(registration_counts_half_votes_1_down_q);
+  logic less_2031;
+  assign less_2031 = $signed(15'h0) < $signed(registration_counts_half_votes_0_down_q);
+  // hls/stages/agreement.hpp:623
   logic and_2073;
-  assign and_2073 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_1776 < cfg_hidden_frames_i));
-  // hls/stages/agreement.hpp:302
+  assign and_2073 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_1778 < cfg_hidden_frames_i));
+  // hls/stages/agreement.hpp:299
   logic [23:0] select_2121;
-  assign select_2121 = equal_898_s23_q ? (equal_1752_s23_q ? sharpness_sums_detail_0_q : 24'h0) : 24'h0;
+  assign select_2121 = equal_898_s23_q ? (equal_1754_s23_q ? sharpness_sums_detail_0_q : 24'h0) : 24'h0;
   logic [23:0] select_2123;
   assign select_2123 = equal_356_s23_q ? 24'h0 : (begins_product_q ? 24'h0 : select_2121);
   logic [23:0] select_2126;
-  assign select_2126 = equal_898_s23_q ? (equal_1752_s23_q ? sharpness_sums_detail_1_q : 24'h0) : 24'h0;
+  assign select_2126 = equal_898_s23_q ? (equal_1754_s23_q ? sharpness_sums_detail_1_q : 24'h0) : 24'h0;
   logic [23:0] select_2128;
   assign select_2128 = equal_356_s23_q ? 24'h0 : (begins_product_q ? 24'h0 : select_2126);
 
-  // Memory map, 16080 x 2, DISTANCE 16, hls/stages/agreement.hpp:932; read in stage 23, written in stage 24: 23 < 24 < 23 + DISTANCE.
+  // Memory map, 16080 x 2, DISTANCE 16, hls/stages/agreement.hpp:801; read in stage 23, written in stage 24: 23 < 24 < 23 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [1:0] map_mem [0:16079];
@@ -7126,12 +7153,12 @@ module horopter_agreement (
       sharpness_sums_detail_1_q <= 24'h0;
       sharpness_sums_contrast_0_q <= 24'h0;
       sharpness_sums_contrast_1_q <= 24'h0;
-      counts_votes_0_down_q <= 15'h0;
-      counts_votes_1_down_q <= 15'h0;
-      counts_half_votes_0_down_q <= 15'h0;
-      counts_half_votes_1_down_q <= 15'h0;
-      counts_half_votes_2_down_q <= 15'h0;
-      counts_half_votes_3_down_q <= 15'h0;
+      registration_counts_votes_0_down_q <= 15'h0;
+      registration_counts_votes_1_down_q <= 15'h0;
+      registration_counts_half_votes_0_down_q <= 15'h0;
+      registration_counts_half_votes_1_down_q <= 15'h0;
+      registration_counts_half_votes_2_down_q <= 15'h0;
+      registration_counts_half_votes_3_down_q <= 15'h0;
       good_q <= 48'h0;
       hidden_for_q <= 8'h0;
       next_hidden_for_q <= 8'h0;
@@ -7146,15 +7173,15 @@ module horopter_agreement (
       sharpness_sums_detail_1_q <= and_339_s23_q ? select_1202 : sharpness_sums_detail_1_q;
       sharpness_sums_contrast_0_q <= and_339_s23_q ? sum_1206 : sharpness_sums_contrast_0_q;
       sharpness_sums_contrast_1_q <= and_339_s23_q ? sum_1210 : sharpness_sums_contrast_1_q;
-      counts_votes_0_down_q <= select_1554;
-      counts_votes_1_down_q <= and_1347_s23_q ? 15'h0 : sum_1571;
-      counts_half_votes_0_down_q <= select_1638;
-      counts_half_votes_1_down_q <= select_1655;
-      counts_half_votes_2_down_q <= select_1671;
-      counts_half_votes_3_down_q <= select_1687;
-      good_q <= equal_354_s23_q ? good_q : select_1769;
-      hidden_for_q <= equal_354_s23_q ? hidden_for_q : select_1780;
-      next_hidden_for_q <= hidden_for_q + {7'h0, not_1782};
+      registration_counts_votes_0_down_q <= and_1347_s23_q ? 15'h0 : sum_1553;
+      registration_counts_votes_1_down_q <= and_1347_s23_q ? 15'h0 : sum_1571;
+      registration_counts_half_votes_0_down_q <= and_1347_s23_q ? 15'h0 : sum_1637;
+      registration_counts_half_votes_1_down_q <= and_1347_s23_q ? 15'h0 : sum_1654;
+      registration_counts_half_votes_2_down_q <= and_1347_s23_q ? 15'h0 : sum_1670;
+      registration_counts_half_votes_3_down_q <= and_1347_s23_q ? 15'h0 : sum_1686;
+      good_q <= equal_354_s23_q ? good_q : select_1771;
+      hidden_for_q <= equal_354_s23_q ? hidden_for_q : select_1782;
+      next_hidden_for_q <= hidden_for_q + {7'h0, not_1784};
       product_0_q <= detail_left;
       product_1_q <= detail_right;
       addend_0_q <= select_1800;
@@ -7270,9 +7297,9 @@ module horopter_agreement (
   logic equal_1436_s24_q;
   logic equal_1437_s24_q;
   logic [7:0] residual_s24_q;
-  logic equal_1752_s24_q;
-  logic and_1757_s24_q;
-  logic less_1758_s24_q;
+  logic equal_1754_s24_q;
+  logic and_1759_s24_q;
+  logic less_1760_s24_q;
   logic and_1881_s24_q;
   logic and_1896_s24_q;
   logic [13:0] select_1912_s24_q;
@@ -7399,15 +7426,15 @@ module horopter_agreement (
       equal_1436_s24_q <= equal_1436_s23_q;
       equal_1437_s24_q <= equal_1437_s23_q;
       residual_s24_q <= residual_s23_q;
-      equal_1752_s24_q <= equal_1752_s23_q;
-      and_1757_s24_q <= and_1757_s23_q;
-      less_1758_s24_q <= less_1758_s23_q;
+      equal_1754_s24_q <= equal_1754_s23_q;
+      and_1759_s24_q <= and_1759_s23_q;
+      less_1760_s24_q <= less_1760_s23_q;
       and_1881_s24_q <= said_q;
       and_1896_s24_q <= and_1896;
       select_1912_s24_q <= select_1912_s23_q;
       select_1917_s24_q <= select_1917_s23_q;
       less_1967_s24_q <= less_1967_s23_q;
-      less_1968_s24_q <= $signed(15'h0) < $signed(counts_votes_0_down_q);
+      less_1968_s24_q <= $signed(15'h0) < $signed(registration_counts_votes_0_down_q);
       less_1970_s24_q <= less_1970_s23_q;
       or_1973_s24_q <= or_1973_s23_q;
       less_1975_s24_q <= less_1975_s23_q;
@@ -7419,11 +7446,11 @@ module horopter_agreement (
       select_1997_s24_q <= select_1997;
       select_2000_s24_q <= less_1970_s23_q ? select_1997 : select_1999;
       select_2020_s24_q <= select_2020;
-      less_2022_s24_q <= $signed(15'h0) < $signed(counts_half_votes_3_down_q);
-      less_2025_s24_q <= $signed(15'h0) < $signed(counts_half_votes_2_down_q);
-      less_2028_s24_q <= $signed(15'h0) < $signed(counts_half_votes_1_down_q);
-      less_2031_s24_q <= $signed(15'h0) < $signed(counts_half_votes_0_down_q);
-      and_2075_s24_q <= equal_1752_s23_q & (cfg_prove_i & and_2073);
+      less_2022_s24_q <= less_2022;
+      less_2025_s24_q <= less_2025;
+      less_2028_s24_q <= less_2028;
+      less_2031_s24_q <= less_2031;
+      and_2075_s24_q <= equal_1754_s23_q & (cfg_prove_i & and_2073);
       select_2104_s24_q <= select_2104_s23_q;
       select_2109_s24_q <= select_2109_s23_q;
       select_2114_s24_q <= select_2114_s23_q;
@@ -7439,53 +7466,53 @@ module horopter_agreement (
 
   // Stage 24 ----------------------------------------------------------------------------------------------------------
   logic proven_q;
-  // hls/stages/agreement.hpp:451
+  // hls/stages/registration.hpp:28
   logic [9:0] sum_858;
   assign sum_858 = {sum_855_s24_q[8:0], not_856_s24_q} + {not_856_s24_q, xor_857_s24_q, not_856_s24_q};
-  // hls/stages/agreement.hpp:454
+  // hls/stages/registration.hpp:31
   logic [7:0] difference_859;
   assign difference_859 = {sum_834_s24_q, select_800_s24_q, 5'h0} - {3'h0, difference_846_s24_q, sum_849_s24_q, sum_852_s24_q, sum_855_s24_q[9], sum_858[9]};
-  // hls/stages/agreement.hpp:700
+  // hls/stages/agreement.hpp:582
   logic is_seen;
   assign is_seen = equal_988_s24_q ? not_1008_s24_q : not_1022_s24_q;
-  // hls/stages/agreement.hpp:708
+  // hls/stages/agreement.hpp:590
   logic and_1035;
   assign and_1035 = is_seen & less_1034_s24_q;
-  // hls/stages/agreement.hpp:702
+  // hls/stages/agreement.hpp:584
   logic or_1373;
   assign or_1373 = is_seen | or_1372_s24_q;
-  // hls/stages/agreement.hpp:737
+  // hls/stages/agreement.hpp:619
   logic [11:0] select_1389;
   assign select_1389 = equal_899_s24_q ? 12'h0 : (and_1387_s24_q ? select_1381_s24_q : 12'h0);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [11:0] select_1390;
   assign select_1390 = equal_898_s24_q ? select_1389 : 12'h0;
   logic [11:0] select_1393;
   assign select_1393 = equal_354_s24_q ? 12'h0 : (equal_356_s24_q ? 12'h0 : (drew_s24_q ? 12'h0 : select_1390));
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic [8:0] select_1405;
   assign select_1405 = less_357_s24_q ? 9'h0 : (and_909_s24_q ? (9'h0 - {1'b0, cfg_regions_limit_i}) : 9'h0);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [20:0] select_1406;
   assign select_1406 = drew_s24_q ? {{12{select_1405[8]}}, select_1405} : {1'b0, select_1390, 8'h0};
   logic [20:0] select_1408;
   assign select_1408 = equal_354_s24_q ? 21'h0 : (equal_356_s24_q ? 21'h0 : select_1406);
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:530
   logic [8:0] select_1412;
   assign select_1412 = and_909_s24_q ? (9'h0 - {1'b0, cfg_unproven_limit_i}) : 9'h0;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [7:0] select_1413;
   assign select_1413 = less_357_s24_q ? 8'h0 : select_1412[7:0];
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic and_1414;
   assign and_1414 = not_358_s24_q & select_1412[8];
-  // hls/stages/agreement.hpp:706
+  // hls/stages/agreement.hpp:588
   logic [2:0] select_1416;
   assign select_1416 = or_1373 ? {3{and_1414}} : ({3{and_1414}} + 3'h1);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_1941;
-  assign and_1941 = equal_898_s24_q & (equal_1752_s24_q & (cfg_prove_i & (~proven_q)));
-  // hls/stages/agreement.hpp:741
+  assign and_1941 = equal_898_s24_q & (equal_1754_s24_q & (cfg_prove_i & (~proven_q)));
+  // hls/stages/agreement.hpp:623
   logic or_2021;
   assign or_2021 = (less_1967_s24_q ? select_1997_s24_q : select_2000_s24_q) | select_2020_s24_q;
   logic or_2023;
@@ -7496,7 +7523,7 @@ module horopter_agreement (
   assign or_2026 = less_2025_s24_q | select_2024;
   logic select_2036;
   assign select_2036 = less_1981_s24_q ? or_2026 : (less_1993_s24_q ? or_2023 : select_2020_s24_q);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_2078;
   assign and_2078 = not_499_s24_q & (not_1260_s24_q & (equal_898_s24_q & and_2075_s24_q));
   logic [11:0] select_2149;
@@ -7617,9 +7644,9 @@ module horopter_agreement (
   logic equal_1436_s25_q;
   logic equal_1437_s25_q;
   logic [7:0] residual_s25_q;
-  logic equal_1752_s25_q;
-  logic and_1757_s25_q;
-  logic less_1758_s25_q;
+  logic equal_1754_s25_q;
+  logic and_1759_s25_q;
+  logic less_1760_s25_q;
   logic [35:0] detail_left_s25_q;
   logic [35:0] detail_right_s25_q;
   logic and_1881_s25_q;
@@ -7738,9 +7765,9 @@ module horopter_agreement (
       equal_1436_s25_q <= equal_1436_s24_q;
       equal_1437_s25_q <= equal_1437_s24_q;
       residual_s25_q <= residual_s24_q;
-      equal_1752_s25_q <= equal_1752_s24_q;
-      and_1757_s25_q <= and_1757_s24_q;
-      less_1758_s25_q <= less_1758_s24_q;
+      equal_1754_s25_q <= equal_1754_s24_q;
+      and_1759_s25_q <= and_1759_s24_q;
+      less_1760_s25_q <= less_1760_s24_q;
       detail_left_s25_q <= product_0_q;
       detail_right_s25_q <= product_1_q;
       and_1881_s25_q <= and_1881_s24_q;
@@ -7782,12 +7809,12 @@ module horopter_agreement (
   // hls/stages/census.hpp:223
   logic and_442;
   assign and_442 = and_392_s25_q & less_441_s25_q;
-  // hls/stages/agreement.hpp:431
+  // hls/stages/agreement.hpp:428
   logic [7:0] select_860;
   assign select_860 = rise_s25_q ? difference_859_s25_q : {sum_834_s25_q, select_800_s25_q, difference_846_s25_q, sum_849_s25_q, sum_852_s25_q, sum_855_s25_q, sum_858_s25_q};
   logic [7:0] select_861;
   assign select_861 = equal_822_s25_q ? select_860 : {sum_834_s25_q, select_800_s25_q, 5'h0};
-  // hls/stages/agreement.hpp:433
+  // hls/stages/agreement.hpp:430
   logic [7:0] select_864;
   assign select_864 = less_806_s25_q ? (or_809_s25_q ? select_861 : best_left_rdata_s25_q) : (less_807_s25_q ? select_861 : best_left_rdata_s25_q);
   // hls/stages/census.hpp:226
@@ -7796,58 +7823,58 @@ module horopter_agreement (
   // hls/stages/census.hpp:227
   logic [19:0] sum_1170;
   assign sum_1170 = census_left_misses_q + {{17{and_1169}}, and_1168_s25_q, 1'b0, and_1168_s25_q};
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [19:0] select_1172;
   assign select_1172 = and_339_s25_q ? (equal_1163_s25_q ? 20'h0 : sum_1170) : census_left_misses_q;
-  // hls/stages/agreement.hpp:553
+  // hls/stages/agreement.hpp:481
   logic [23:0] sum_1409;
   assign sum_1409 = counts_too_many_bad_q + {{3{select_1408_s25_q[20]}}, select_1408_s25_q};
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [10:0] select_1419;
   assign select_1419 = equal_354_s25_q ? 11'h0 : (equal_356_s25_q ? 11'h0 : select_1417_s25_q);
-  // hls/stages/agreement.hpp:554
+  // hls/stages/agreement.hpp:482
   logic [23:0] sum_1420;
   assign sum_1420 = counts_too_much_unproven_q + {{13{select_1419[10]}}, select_1419};
-  // hls/stages/agreement.hpp:629
+  // hls/stages/registration.hpp:80
   logic [7:0] select_1475;
   assign select_1475 = equal_1436_s25_q ? 8'h0 : (equal_1437_s25_q ? 8'h0 : residual_s25_q);
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic [7:0] select_1478;
   assign select_1478 = less_357_s25_q ? 8'h0 : (and_1432_s25_q ? (equal_1435_s25_q ? 8'h0 : select_1475) : 8'h0);
-  // hls/stages/agreement.hpp:629
+  // hls/stages/registration.hpp:80
   logic [7:0] select_1485;
   assign select_1485 = equal_1436_s25_q ? 8'h0 : (equal_1437_s25_q ? residual_s25_q : 8'h0);
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic [7:0] select_1488;
   assign select_1488 = less_357_s25_q ? 8'h0 : (and_1432_s25_q ? (equal_1435_s25_q ? 8'h0 : select_1485) : 8'h0);
-  // hls/stages/agreement.hpp:629
+  // hls/stages/registration.hpp:80
   logic [7:0] select_1495;
   assign select_1495 = equal_1435_s25_q ? 8'h0 : (equal_1436_s25_q ? residual_s25_q : 8'h0);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [7:0] select_1498;
   assign select_1498 = drew_s25_q ? (less_357_s25_q ? 8'h0 : (and_1432_s25_q ? select_1495 : 8'h0)) : 8'h0;
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic [7:0] select_1504;
   assign select_1504 = and_1432_s25_q ? (equal_1435_s25_q ? residual_s25_q : 8'h0) : 8'h0;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [7:0] select_1507;
   assign select_1507 = equal_356_s25_q ? 8'h0 : (drew_s25_q ? (less_357_s25_q ? 8'h0 : select_1504) : 8'h0);
-  // hls/stages/agreement.hpp:857
+  // hls/stages/agreement.hpp:727
   logic [1:0] select_1897;
   assign select_1897 = and_1896_s25_q ? {and_1035_s25_q, is_seen_s25_q} : map_rdata_s25_q;
-  // hls/stages/agreement.hpp:858
+  // hls/stages/agreement.hpp:728
   logic and_1898;
   assign and_1898 = proven_q & less_1886;
-  // hls/stages/agreement.hpp:774
+  // hls/stages/agreement.hpp:656
   logic not_1945;
-  assign not_1945 = ~and_1757_s25_q;
-  // hls/stages/agreement.hpp:302
+  assign not_1945 = ~and_1759_s25_q;
+  // hls/stages/agreement.hpp:299
   logic and_1949;
-  assign and_1949 = not_1260_s25_q & (equal_898_s25_q & (equal_1752_s25_q & (cfg_prove_i & not_1945)));
-  // hls/stages/agreement.hpp:775
+  assign and_1949 = not_1260_s25_q & (equal_898_s25_q & (equal_1754_s25_q & (cfg_prove_i & not_1945)));
+  // hls/stages/agreement.hpp:657
   logic or_1952;
   assign or_1952 = not_1905 | not_1945;
-  // hls/stages/agreement.hpp:741
+  // hls/stages/agreement.hpp:623
   logic or_1957;
   assign or_1957 = ($signed(24'h0) < $signed(counts_too_many_bad_q)) | ($signed(24'h0) < $signed(counts_too_much_unproven_q));
   logic or_2029;
@@ -7860,29 +7887,29 @@ module horopter_agreement (
   assign select_2038 = less_1970_s25_q ? or_2032 : (less_1975_s25_q ? or_2029 : select_2036_s25_q);
   logic select_2039;
   assign select_2039 = less_1967_s25_q ? (less_1968_s25_q | (or_1973_s25_q ? select_2030 : or_2032)) : select_2038;
-  // hls/stages/agreement.hpp:781
+  // hls/stages/agreement.hpp:663
   logic and_2046;
-  assign and_2046 = cfg_prove_i & and_1757_s25_q;
-  // hls/stages/agreement.hpp:782
+  assign and_2046 = cfg_prove_i & and_1759_s25_q;
+  // hls/stages/agreement.hpp:664
   logic less_2048;
   assign less_2048 = {detail_left_s25_q, 3'h0} < {sum_2047_s25_q, detail_right_s25_q[1:0]};
   logic less_2049;
   assign less_2049 = {sharpness_sums_contrast_0_s25_q, 2'h0} < {2'h0, sharpness_sums_contrast_1_s25_q};
-  // hls/stages/agreement.hpp:741
+  // hls/stages/agreement.hpp:623
   logic or_2052;
   assign or_2052 = less_2048 | (less_2049 | ($signed(20'h0) < $signed(census_left_misses_q)));
-  // hls/stages/agreement.hpp:785
+  // hls/stages/agreement.hpp:667
   logic less_2060;
   assign less_2060 = {detail_right_s25_q, 3'h0} < {sum_2059_s25_q, detail_left_s25_q[1:0]};
   logic less_2061;
   assign less_2061 = {sharpness_sums_contrast_1_s25_q, 2'h0} < {2'h0, sharpness_sums_contrast_0_s25_q};
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [23:0] select_2131;
-  assign select_2131 = equal_898_s25_q ? (equal_1752_s25_q ? sharpness_sums_contrast_0_s25_q : 24'h0) : 24'h0;
+  assign select_2131 = equal_898_s25_q ? (equal_1754_s25_q ? sharpness_sums_contrast_0_s25_q : 24'h0) : 24'h0;
   logic [23:0] select_2134;
   assign select_2134 = equal_354_s25_q ? 24'h0 : (equal_356_s25_q ? 24'h0 : (drew_s25_q ? 24'h0 : select_2131));
   logic [23:0] select_2136;
-  assign select_2136 = equal_898_s25_q ? (equal_1752_s25_q ? sharpness_sums_contrast_1_s25_q : 24'h0) : 24'h0;
+  assign select_2136 = equal_898_s25_q ? (equal_1754_s25_q ? sharpness_sums_contrast_1_s25_q : 24'h0) : 24'h0;
   logic [23:0] select_2139;
   assign select_2139 = equal_354_s25_q ? 24'h0 : (equal_356_s25_q ? 24'h0 : (drew_s25_q ? 24'h0 : select_2136));
 
@@ -8120,7 +8147,7 @@ module horopter_agreement (
   logic [7:0] select_1490_s26_q;
   logic [7:0] select_1500_s26_q;
   logic [7:0] select_1508_s26_q;
-  logic equal_1752_s26_q;
+  logic equal_1754_s26_q;
   logic and_1881_s26_q;
   logic and_1899_s26_q;
   logic and_1902_s26_q;
@@ -8177,7 +8204,7 @@ module horopter_agreement (
       select_1490_s26_q <= equal_356_s25_q ? 8'h0 : (drew_s25_q ? select_1488 : 8'h0);
       select_1500_s26_q <= equal_354_s25_q ? 8'h0 : (equal_356_s25_q ? 8'h0 : select_1498);
       select_1508_s26_q <= equal_354_s25_q ? 8'h0 : select_1507;
-      equal_1752_s26_q <= equal_1752_s25_q;
+      equal_1754_s26_q <= equal_1754_s25_q;
       and_1881_s26_q <= and_1881_s25_q;
       and_1899_s26_q <= select_1897[0] & and_1898;
       and_1902_s26_q <= select_1897[1] & and_1898;
@@ -8185,7 +8212,7 @@ module horopter_agreement (
       select_1917_s26_q <= select_1917_s25_q;
       and_1944_s26_q <= and_1944_s25_q;
       and_1951_s26_q <= not_355_s25_q & (not_499_s25_q & and_1949);
-      select_1958_s26_q <= (less_1758_s25_q | or_1952) ? (~or_1952) : or_1957;
+      select_1958_s26_q <= (less_1760_s25_q | or_1952) ? (~or_1952) : or_1957;
       select_2039_s26_q <= select_2039;
       and_2053_s26_q <= and_2046 & or_2052;
       and_2063_s26_q <= and_2046 & (less_2060 | less_2061);
@@ -8211,13 +8238,13 @@ module horopter_agreement (
   logic [13:0] counts_nearer_q;
   logic [13:0] counts_unproven_q;
   logic [13:0] counts_regions_bad_q;
-  logic [19:0] counts_across_0_q;
-  logic [19:0] counts_across_1_q;
-  logic [19:0] counts_across_2_q;
-  logic [19:0] counts_across_3_q;
+  logic [19:0] registration_counts_across_0_q;
+  logic [19:0] registration_counts_across_1_q;
+  logic [19:0] registration_counts_across_2_q;
+  logic [19:0] registration_counts_across_3_q;
   logic seen_q;
   logic nearer_q;
-  // hls/stages/agreement.hpp:562
+  // hls/stages/agreement.hpp:484
   logic [13:0] select_1364;
   assign select_1364 = and_1347_s26_q ? 14'h0 : (counts_explained_q + {13'h0, and_1362_s26_q});
   logic [13:0] select_1369;
@@ -8226,67 +8253,66 @@ module horopter_agreement (
   assign select_1379 = and_1347_s26_q ? 14'h0 : (counts_unproven_q + {13'h0, and_1377_s26_q});
   logic [13:0] select_1395;
   assign select_1395 = and_1347_s26_q ? 14'h0 : (counts_regions_bad_q + {2'h0, select_1393_s26_q});
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [7:0] select_1481;
   assign select_1481 = equal_354_s26_q ? 8'h0 : select_1480_s26_q;
-  // hls/stages/agreement.hpp:182
-  logic [19:0] select_1483;
-  assign select_1483 = and_1347_s26_q ? 20'h0 : (counts_across_0_q + {{12{select_1481[7]}}, select_1481});
-  // hls/stages/agreement.hpp:302
+  // hls/stages/registration.hpp:89
+  logic [19:0] sum_1482;
+  assign sum_1482 = registration_counts_across_0_q + {{12{select_1481[7]}}, select_1481};
+  // hls/stages/agreement.hpp:299
   logic [7:0] select_1491;
   assign select_1491 = equal_354_s26_q ? 8'h0 : select_1490_s26_q;
-  // hls/stages/agreement.hpp:182
-  logic [19:0] select_1493;
-  assign select_1493 = and_1347_s26_q ? 20'h0 : (counts_across_1_q + {{12{select_1491[7]}}, select_1491});
-  // hls/stages/agreement.hpp:557
+  // hls/stages/registration.hpp:89
+  logic [19:0] sum_1492;
+  assign sum_1492 = registration_counts_across_1_q + {{12{select_1491[7]}}, select_1491};
   logic [19:0] sum_1501;
-  assign sum_1501 = counts_across_2_q + {{12{select_1500_s26_q[7]}}, select_1500_s26_q};
+  assign sum_1501 = registration_counts_across_2_q + {{12{select_1500_s26_q[7]}}, select_1500_s26_q};
   logic [19:0] sum_1509;
-  assign sum_1509 = counts_across_3_q + {{12{select_1508_s26_q[7]}}, select_1508_s26_q};
-  // hls/stages/agreement.hpp:180
+  assign sum_1509 = registration_counts_across_3_q + {{12{select_1508_s26_q[7]}}, select_1508_s26_q};
+  // hls/stages/agreement.hpp:179
   logic select_1901;
   assign select_1901 = and_968_s26_q ? (less_969_s26_q ? and_1899_s26_q : seen_q) : seen_q;
   logic select_1904;
   assign select_1904 = and_968_s26_q ? (less_969_s26_q ? and_1902_s26_q : nearer_q) : nearer_q;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [13:0] select_1919;
-  assign select_1919 = equal_898_s26_q ? (equal_1752_s26_q ? counts_explained_q : 14'h0) : 14'h0;
+  assign select_1919 = equal_898_s26_q ? (equal_1754_s26_q ? counts_explained_q : 14'h0) : 14'h0;
   logic [13:0] select_1922;
   assign select_1922 = equal_354_s26_q ? 14'h0 : (equal_356_s26_q ? 14'h0 : (drew_s26_q ? 14'h0 : select_1919));
   logic [13:0] select_1924;
-  assign select_1924 = equal_898_s26_q ? (equal_1752_s26_q ? counts_nearer_q : 14'h0) : 14'h0;
+  assign select_1924 = equal_898_s26_q ? (equal_1754_s26_q ? counts_nearer_q : 14'h0) : 14'h0;
   logic [13:0] select_1927;
   assign select_1927 = equal_354_s26_q ? 14'h0 : (equal_356_s26_q ? 14'h0 : (drew_s26_q ? 14'h0 : select_1924));
   logic [13:0] select_1929;
-  assign select_1929 = equal_898_s26_q ? (equal_1752_s26_q ? counts_unproven_q : 14'h0) : 14'h0;
+  assign select_1929 = equal_898_s26_q ? (equal_1754_s26_q ? counts_unproven_q : 14'h0) : 14'h0;
   logic [13:0] select_1932;
   assign select_1932 = equal_354_s26_q ? 14'h0 : (equal_356_s26_q ? 14'h0 : (drew_s26_q ? 14'h0 : select_1929));
   logic [13:0] select_1934;
-  assign select_1934 = equal_898_s26_q ? (equal_1752_s26_q ? counts_regions_bad_q : 14'h0) : 14'h0;
+  assign select_1934 = equal_898_s26_q ? (equal_1754_s26_q ? counts_regions_bad_q : 14'h0) : 14'h0;
   logic [13:0] select_1937;
   assign select_1937 = equal_354_s26_q ? 14'h0 : (equal_356_s26_q ? 14'h0 : (drew_s26_q ? 14'h0 : select_1934));
   logic and_1961;
-  assign and_1961 = not_1260_s26_q & (equal_898_s26_q & (equal_1752_s26_q & select_1958_s26_q));
+  assign and_1961 = not_1260_s26_q & (equal_898_s26_q & (equal_1754_s26_q & select_1958_s26_q));
   logic and_2042;
-  assign and_2042 = equal_898_s26_q & (equal_1752_s26_q & (cfg_prove_i & select_2039_s26_q));
+  assign and_2042 = equal_898_s26_q & (equal_1754_s26_q & (cfg_prove_i & select_2039_s26_q));
   logic and_2056;
-  assign and_2056 = not_1260_s26_q & (equal_898_s26_q & (equal_1752_s26_q & and_2053_s26_q));
+  assign and_2056 = not_1260_s26_q & (equal_898_s26_q & (equal_1754_s26_q & and_2053_s26_q));
   logic and_2066;
-  assign and_2066 = not_1260_s26_q & (equal_898_s26_q & (equal_1752_s26_q & and_2063_s26_q));
+  assign and_2066 = not_1260_s26_q & (equal_898_s26_q & (equal_1754_s26_q & and_2063_s26_q));
   logic [19:0] select_2081;
-  assign select_2081 = equal_898_s26_q ? (equal_1752_s26_q ? counts_across_0_q : 20'h0) : 20'h0;
+  assign select_2081 = equal_898_s26_q ? (equal_1754_s26_q ? registration_counts_across_0_q : 20'h0) : 20'h0;
   logic [19:0] select_2084;
   assign select_2084 = equal_354_s26_q ? 20'h0 : (equal_356_s26_q ? 20'h0 : (drew_s26_q ? 20'h0 : select_2081));
   logic [19:0] select_2086;
-  assign select_2086 = equal_898_s26_q ? (equal_1752_s26_q ? counts_across_1_q : 20'h0) : 20'h0;
+  assign select_2086 = equal_898_s26_q ? (equal_1754_s26_q ? registration_counts_across_1_q : 20'h0) : 20'h0;
   logic [19:0] select_2089;
   assign select_2089 = equal_354_s26_q ? 20'h0 : (equal_356_s26_q ? 20'h0 : (drew_s26_q ? 20'h0 : select_2086));
   logic [19:0] select_2091;
-  assign select_2091 = equal_898_s26_q ? (equal_1752_s26_q ? counts_across_2_q : 20'h0) : 20'h0;
+  assign select_2091 = equal_898_s26_q ? (equal_1754_s26_q ? registration_counts_across_2_q : 20'h0) : 20'h0;
   logic [19:0] select_2094;
   assign select_2094 = equal_354_s26_q ? 20'h0 : (equal_356_s26_q ? 20'h0 : (drew_s26_q ? 20'h0 : select_2091));
   logic [19:0] select_2096;
-  assign select_2096 = equal_898_s26_q ? (equal_1752_s26_q ? counts_across_3_q : 20'h0) : 20'h0;
+  assign select_2096 = equal_898_s26_q ? (equal_1754_s26_q ? registration_counts_across_3_q : 20'h0) : 20'h0;
   logic [19:0] select_2099;
   assign select_2099 = equal_354_s26_q ? 20'h0 : (equal_356_s26_q ? 20'h0 : (drew_s26_q ? 20'h0 : select_2096));
 
@@ -8449,10 +8475,10 @@ module horopter_agreement (
       counts_nearer_q <= 14'h0;
       counts_unproven_q <= 14'h0;
       counts_regions_bad_q <= 14'h0;
-      counts_across_0_q <= 20'h0;
-      counts_across_1_q <= 20'h0;
-      counts_across_2_q <= 20'h0;
-      counts_across_3_q <= 20'h0;
+      registration_counts_across_0_q <= 20'h0;
+      registration_counts_across_1_q <= 20'h0;
+      registration_counts_across_2_q <= 20'h0;
+      registration_counts_across_3_q <= 20'h0;
       seen_q <= 1'b0;
       nearer_q <= 1'b0;
     end else if (s26_en) begin
@@ -8460,10 +8486,10 @@ module horopter_agreement (
       counts_nearer_q <= select_1369;
       counts_unproven_q <= select_1379;
       counts_regions_bad_q <= select_1395;
-      counts_across_0_q <= select_1483;
-      counts_across_1_q <= select_1493;
-      counts_across_2_q <= and_1347_s26_q ? 20'h0 : sum_1501;
-      counts_across_3_q <= and_1347_s26_q ? 20'h0 : sum_1509;
+      registration_counts_across_0_q <= and_1347_s26_q ? 20'h0 : sum_1482;
+      registration_counts_across_1_q <= and_1347_s26_q ? 20'h0 : sum_1492;
+      registration_counts_across_2_q <= and_1347_s26_q ? 20'h0 : sum_1501;
+      registration_counts_across_3_q <= and_1347_s26_q ? 20'h0 : sum_1509;
       seen_q <= select_1901;
       nearer_q <= select_1904;
     end

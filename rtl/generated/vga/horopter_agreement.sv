@@ -95,8 +95,8 @@ module horopter_agreement (
   assign sum_1283 = {1'b0, cfg_width_i[9:4]} + 7'h7;
   logic [5:0] sum_1298;
   assign sum_1298 = {1'b0, cfg_height_i[8:4]} + 6'h5;
-  logic [6:0] difference_1722;
-  assign difference_1722 = 7'h0 - {1'b0, cfg_height_i[8:3]};
+  logic [6:0] difference_1724;
+  assign difference_1724 = 7'h0 - {1'b0, cfg_height_i[8:3]};
   logic less_1883;
   assign less_1883 = 6'h8 < cfg_height_i[8:3];
   logic [4:0] sum_1884;
@@ -157,13 +157,13 @@ module horopter_agreement (
   // hls/stages/census.hpp:40
   logic or_307;
   assign or_307 = marks_first_i | raster_at_live_q;
-  // hls/stages/agreement.hpp:175
+  // hls/stages/agreement.hpp:174
   logic and_313;
   assign and_313 = (~((~or_307) | (~select_300[0]))) & (select_306[8:6] < 3'h5);
   // hls/stages/census.hpp:40
   logic [2:0] select_317;
   assign select_317 = marks_first_i ? 3'h0 : raster_at_y_q;
-  // hls/stages/agreement.hpp:175
+  // hls/stages/agreement.hpp:174
   logic whole;
   assign whole = select_300[0] ? (present_i & averager_running_mask_q) : present_i;
   // hls/stages/census.hpp:45
@@ -178,22 +178,22 @@ module horopter_agreement (
   // hls/stages/census.hpp:106
   logic and_336;
   assign and_336 = equal_333 & and_335;
-  // hls/stages/agreement.hpp:337
+  // hls/stages/agreement.hpp:334
   logic equal_351;
   assign equal_351 = run_phase_q == 3'h3;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:321
   logic not_352;
   assign not_352 = ~equal_351;
-  // hls/stages/agreement.hpp:337
+  // hls/stages/agreement.hpp:334
   logic equal_353;
   assign equal_353 = run_phase_q == 3'h2;
-  // hls/stages/agreement.hpp:395
+  // hls/stages/agreement.hpp:392
   logic less_354;
   assign less_354 = run_highest_q < x_q;
-  // hls/stages/agreement.hpp:399
+  // hls/stages/agreement.hpp:396
   logic not_355;
   assign not_355 = ~less_354;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_356;
   assign and_356 = equal_353 & not_355;
   logic and_357;
@@ -201,39 +201,39 @@ module horopter_agreement (
   // hls/stages/census.hpp:40
   logic [5:0] row;
   assign row = marks_first_i ? 6'h0 : raster_at_row_q;
-  // hls/stages/agreement.hpp:758
+  // hls/stages/agreement.hpp:640
   logic drew;
   assign drew = run_phase_q == 3'h4;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_441;
   assign and_441 = drew & not_355;
   logic [6:0] select_471;
   assign select_471 = equal_351 ? ({run_shift_q[5], run_shift_q} + x_q[6:0]) : x_q[6:0];
-  // hls/stages/agreement.hpp:414
+  // hls/stages/agreement.hpp:411
   logic [7:0] x;
   assign x = x_q + 8'hfd;
-  // hls/stages/agreement.hpp:828
+  // hls/stages/agreement.hpp:698
   logic or_940;
   assign or_940 = marks_first_i | raster_row_ended_q;
-  // hls/stages/agreement.hpp:830
+  // hls/stages/agreement.hpp:700
   logic [17:0] select_942;
   assign select_942 = marks_first_i ? 18'h1 : (or_940 ? {rows_passed_q[16:0], 1'b1} : rows_passed_q);
-  // hls/stages/agreement.hpp:829
+  // hls/stages/agreement.hpp:699
   logic [8:0] select_944;
   assign select_944 = or_940 ? 9'h0 : columns_passed_q;
-  // hls/stages/agreement.hpp:837
+  // hls/stages/agreement.hpp:707
   logic select_946;
   assign select_946 = cfg_compete_i ? (or_940 & select_942[17]) : (select_944[8] & select_942[9]);
-  // hls/stages/agreement.hpp:706
+  // hls/stages/agreement.hpp:588
   logic [6:0] sum_1037;
   assign sum_1037 = {1'b0, run_highest_q[7:2]} + 7'h1;
   // hls/stages/census.hpp:44
   logic [8:0] select_1054;
   assign select_1054 = marks_first_i ? cfg_height_i : (raster_rows_left_q - {8'h0, marks_last_i});
-  // hls/stages/agreement.hpp:246
+  // hls/stages/agreement.hpp:245
   logic equal_1211;
   assign equal_1211 = {last[7], select_302} == {1'b0, last[6:0]};
-  // hls/stages/agreement.hpp:174
+  // hls/stages/agreement.hpp:173
   logic [2:0] select_1212;
   assign select_1212 = ends_q ? following_phase_q : run_phase_q;
   logic [7:0] select_1215;
@@ -246,16 +246,16 @@ module horopter_agreement (
   assign select_1224 = ends_q ? following_shift_q : run_shift_q;
   logic select_1227;
   assign select_1227 = ends_q ? following_last_shift_q : run_last_shift_q;
-  // hls/stages/agreement.hpp:247
+  // hls/stages/agreement.hpp:246
   logic not_1228;
   assign not_1228 = ~equal_1211;
-  // hls/stages/agreement.hpp:329
+  // hls/stages/agreement.hpp:326
   logic not_1231;
   assign not_1231 = ~run_last_shift_q;
-  // hls/stages/agreement.hpp:337
+  // hls/stages/agreement.hpp:334
   logic equal_1232;
   assign equal_1232 = run_phase_q == 3'h1;
-  // hls/stages/agreement.hpp:154
+  // hls/stages/agreement.hpp:153
   logic or_1233;
   assign or_1233 = equal_1232 | equal_353;
   logic [2:0] select_1234;
@@ -272,55 +272,55 @@ module horopter_agreement (
   assign select_1250 = equal_351 ? (run_last_shift_q ? whole_beats_q : next_beats_q) : (equal_353 ? first_beats_q : (equal_1232 ? whole_beats_q : 8'h0));
   logic [5:0] select_1255;
   assign select_1255 = equal_351 ? (run_last_shift_q ? 6'h0 : next_shift_q) : (equal_353 ? (6'h0 - least_q[5:0]) : 6'h0);
-  // hls/stages/agreement.hpp:134
+  // hls/stages/agreement.hpp:136
   logic not_1257;
   assign not_1257 = ~drew;
-  // hls/stages/agreement.hpp:154
+  // hls/stages/agreement.hpp:153
   logic select_1261;
   assign select_1261 = equal_351 ? (next_last_shift_q & not_1231) : (equal_353 & (least_q == 7'h0));
-  // hls/stages/agreement.hpp:174
+  // hls/stages/agreement.hpp:173
   logic [7:0] select_1264;
   assign select_1264 = ends_q ? following_lowest_q : (x_q + 8'h1);
   logic [7:0] select_1268;
   assign select_1268 = ends_q ? following_beats_q : (beats_left_q + 8'hff);
-  // hls/stages/agreement.hpp:253
+  // hls/stages/agreement.hpp:252
   logic less_1275;
   assign less_1275 = 6'he < select_302[6:1];
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [6:0] select_1278;
   assign select_1278 = and_336 ? (equal_1211 ? (less_1275 ? 7'h1e : select_302) : least_q) : least_q;
-  // hls/stages/agreement.hpp:247
+  // hls/stages/agreement.hpp:246
   logic [7:0] select_1281;
   assign select_1281 = equal_1211 ? (less_1275 ? {sum_1279, cfg_width_i[6:3]} : 8'hf) : first_beats_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [7:0] select_1285;
   assign select_1285 = and_336 ? (equal_1211 ? {sum_1283, cfg_width_i[3]} : whole_beats_q) : whole_beats_q;
-  // hls/stages/agreement.hpp:305
+  // hls/stages/agreement.hpp:302
   logic not_1286;
   assign not_1286 = ~ends_q;
-  // hls/stages/agreement.hpp:174
+  // hls/stages/agreement.hpp:173
   logic [5:0] select_1287;
   assign select_1287 = ends_q ? 6'h0 : age_q[5:0];
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [6:0] select_1289;
   assign select_1289 = and_336 ? (equal_1211 ? 7'h0 : {select_1287, not_1286}) : {select_1287, not_1286};
-  // hls/stages/agreement.hpp:174
+  // hls/stages/agreement.hpp:173
   logic and_1291;
   assign and_1291 = not_1286 & (beats_left_q == 8'h1);
-  // hls/stages/agreement.hpp:265
+  // hls/stages/agreement.hpp:262
   logic [6:0] sum_1294;
   assign sum_1294 = {1'b0, row} + 7'h1;
-  // hls/stages/agreement.hpp:247
+  // hls/stages/agreement.hpp:246
   logic select_1296;
   assign select_1296 = equal_1211 ? ({sum_1294[6], cfg_height_i[8:3]} == {1'b0, sum_1294[5:0]}) : final_row_q;
-  // hls/stages/agreement.hpp:618
+  // hls/stages/agreement.hpp:512
   logic [5:0] sum_1430;
   assign sum_1430 = {1'b0, last_q[6:2]} + 6'h1;
-  // hls/stages/agreement.hpp:147
+  // hls/stages/agreement.hpp:146
   logic not_1786;
   assign not_1786 = ~run_shift_q[5];
 
-  // Memory fresh, 80 x 29, DISTANCE 12, hls/stages/agreement.hpp:895; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
+  // Memory fresh, 80 x 29, DISTANCE 12, hls/stages/agreement.hpp:765; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [28:0] fresh_mem [0:79];
@@ -336,7 +336,7 @@ module horopter_agreement (
     if (fresh_re) fresh_rdata_q <= fresh_mem[fresh_raddr];
   end
 
-  // Memory left, 80 x 77, DISTANCE 12, hls/stages/agreement.hpp:896; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory left, 80 x 77, DISTANCE 12, hls/stages/agreement.hpp:766; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [76:0] left_mem [0:79];
@@ -352,7 +352,7 @@ module horopter_agreement (
     if (left_re) left_rdata_q <= left_mem[left_raddr];
   end
 
-  // Memory right_codes, 80 x 91, DISTANCE 12, hls/stages/agreement.hpp:897; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory right_codes, 80 x 91, DISTANCE 12, hls/stages/agreement.hpp:767; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [90:0] right_codes_mem [0:79];
@@ -532,7 +532,7 @@ module horopter_agreement (
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   logic [5:0] row_q;
   logic lower_half_q;
-  // hls/stages/agreement.hpp:370
+  // hls/stages/agreement.hpp:367
   logic equal_445;
   assign equal_445 = row_q == 6'h0;
   logic [11:0] select_446;
@@ -583,7 +583,7 @@ module horopter_agreement (
   assign not_468 = ~equal_466;
   logic and_469;
   assign and_469 = left_rdata_q[60] & not_468;
-  // hls/stages/agreement.hpp:371
+  // hls/stages/agreement.hpp:368
   logic [11:0] select_474;
   assign select_474 = equal_445 ? 12'h0 : right_codes_rdata_q[11:0];
   logic and_475;
@@ -612,22 +612,22 @@ module horopter_agreement (
   assign select_487 = less_486 ? 12'h0 : right_codes_rdata_q[76:65];
   logic and_489;
   assign and_489 = right_codes_rdata_q[77] & (~less_486);
-  // hls/stages/agreement.hpp:322
+  // hls/stages/agreement.hpp:319
   logic not_496;
   assign not_496 = ~equal_353_s1_q;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_497;
   assign and_497 = not_496 & and_441_s1_q;
   logic select_498;
   assign select_498 = equal_351_s1_q ? and_495_s1_q : and_497;
-  // hls/stages/agreement.hpp:163
+  // hls/stages/agreement.hpp:162
   logic and_507;
   assign and_507 = left_rdata_q[44] & not_355_s1_q;
   logic [11:0] a;
   assign a = less_354_s1_q ? 12'h0 : left_rdata_q[43:32];
   logic [11:0] b;
   assign b = less_354_s1_q ? 12'h0 : right_codes_rdata_q[37:26];
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [11:0] not_513;
   assign not_513 = ~(a ^ b);
   logic [1:0] sum_515;
@@ -638,12 +638,12 @@ module horopter_agreement (
   assign sum_519 = {2'h0, not_513[6]} + sum_518;
   logic [3:0] sum_522;
   assign sum_522 = {3'h0, not_513[9]} + ({3'h0, not_513[8]} + ({3'h0, not_513[7]} + {1'b0, sum_519}));
-  // hls/stages/agreement.hpp:163
+  // hls/stages/agreement.hpp:162
   logic [11:0] a_2;
   assign a_2 = less_354_s1_q ? 12'h0 : left_rdata_q[59:48];
   logic [11:0] b_2;
   assign b_2 = less_354_s1_q ? 12'h0 : right_codes_rdata_q[50:39];
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [11:0] not_532;
   assign not_532 = ~(a_2 ^ b_2);
   logic [1:0] sum_534;
@@ -654,14 +654,14 @@ module horopter_agreement (
   assign sum_538 = {2'h0, not_532[6]} + sum_537;
   logic [3:0] sum_541;
   assign sum_541 = {3'h0, not_532[9]} + ({3'h0, not_532[8]} + ({3'h0, not_532[7]} + {1'b0, sum_538}));
-  // hls/stages/agreement.hpp:163
+  // hls/stages/agreement.hpp:162
   logic and_546;
   assign and_546 = left_rdata_q[76] & not_355_s1_q;
   logic [11:0] a_3;
   assign a_3 = less_354_s1_q ? 12'h0 : left_rdata_q[75:64];
   logic [11:0] b_3;
   assign b_3 = less_354_s1_q ? 12'h0 : right_codes_rdata_q[63:52];
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [11:0] not_552;
   assign not_552 = ~(a_3 ^ b_3);
   logic [1:0] sum_554;
@@ -692,10 +692,10 @@ module horopter_agreement (
   assign sum_594 = {2'h0, not_588[6]} + sum_593;
   logic [3:0] sum_597;
   assign sum_597 = {3'h0, not_588[9]} + ({3'h0, not_588[8]} + ({3'h0, not_588[7]} + {1'b0, sum_594}));
-  // hls/stages/agreement.hpp:163
+  // hls/stages/agreement.hpp:162
   logic [11:0] b_4;
   assign b_4 = less_354_s1_q ? 12'h0 : right_codes_rdata_q[76:65];
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [11:0] not_606;
   assign not_606 = ~(a_3 ^ b_4);
   logic [1:0] sum_608;
@@ -706,10 +706,10 @@ module horopter_agreement (
   assign sum_612 = {2'h0, not_606[6]} + sum_611;
   logic [3:0] sum_615;
   assign sum_615 = {3'h0, not_606[9]} + ({3'h0, not_606[8]} + ({3'h0, not_606[7]} + {1'b0, sum_612}));
-  // hls/stages/agreement.hpp:163
+  // hls/stages/agreement.hpp:162
   logic [11:0] b_5;
   assign b_5 = less_354_s1_q ? 12'h0 : right_codes_rdata_q[24:13];
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [11:0] not_630;
   assign not_630 = ~(a ^ b_5);
   logic [1:0] sum_632;
@@ -760,10 +760,10 @@ module horopter_agreement (
   assign sum_706 = {2'h0, not_700[6]} + sum_705;
   logic [3:0] sum_709;
   assign sum_709 = {3'h0, not_700[9]} + ({3'h0, not_700[8]} + ({3'h0, not_700[7]} + {1'b0, sum_706}));
-  // hls/stages/agreement.hpp:163
+  // hls/stages/agreement.hpp:162
   logic [11:0] b_6;
   assign b_6 = less_354_s1_q ? 12'h0 : right_codes_rdata_q[89:78];
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [11:0] not_718;
   assign not_718 = ~(a_3 ^ b_6);
   logic [1:0] sum_720;
@@ -774,10 +774,10 @@ module horopter_agreement (
   assign sum_724 = {2'h0, not_718[6]} + sum_723;
   logic [3:0] sum_727;
   assign sum_727 = {3'h0, not_718[9]} + ({3'h0, not_718[8]} + ({3'h0, not_718[7]} + {1'b0, sum_724}));
-  // hls/stages/agreement.hpp:163
+  // hls/stages/agreement.hpp:162
   logic [11:0] b_7;
   assign b_7 = less_354_s1_q ? 12'h0 : right_codes_rdata_q[11:0];
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [11:0] not_747;
   assign not_747 = ~(a ^ b_7);
   logic [1:0] sum_749;
@@ -808,20 +808,20 @@ module horopter_agreement (
   assign sum_784 = {2'h0, not_778[6]} + sum_783;
   logic [3:0] sum_787;
   assign sum_787 = {3'h0, not_778[9]} + ({3'h0, not_778[8]} + ({3'h0, not_778[7]} + {1'b0, sum_784}));
-  // hls/stages/agreement.hpp:581
+  // hls/stages/agreement.hpp:504
   logic not_904;
   assign not_904 = ~(row_q[5:3] == 3'h0);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_1041;
   assign and_1041 = drew_s1_q & (((6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0))) & not_1039_s1_q);
-  // hls/stages/agreement.hpp:243
+  // hls/stages/agreement.hpp:242
   logic [5:0] or_1159;
   assign or_1159 = select_302_s1_q[5:0] | row_s1_q;
-  // hls/stages/agreement.hpp:247
+  // hls/stages/agreement.hpp:246
   logic select_1301;
   assign select_1301 = equal_1211_s1_q ? (~({row_s1_q, 1'b0} < {sum_1298, cfg_height_i[3]})) : lower_half_q;
 
-  // Memory best_left, 80 x 22, DISTANCE 12, hls/stages/agreement.hpp:898; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
+  // Memory best_left, 80 x 22, DISTANCE 12, hls/stages/agreement.hpp:768; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [21:0] best_left_mem [0:79];
@@ -975,7 +975,7 @@ module horopter_agreement (
   logic less_1428_s2_q;
   logic less_1431_s2_q;
   logic equal_1693_s2_q;
-  logic less_1702_s2_q;
+  logic less_1704_s2_q;
   logic equal_1861_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
@@ -1067,7 +1067,7 @@ module horopter_agreement (
       less_1428_s2_q <= 5'h4 < row_q[5:1];
       less_1431_s2_q <= less_1431_s1_q;
       equal_1693_s2_q <= row_s1_q[5:2] == 4'h0;
-      less_1702_s2_q <= 5'h2 < row_s1_q[5:1];
+      less_1704_s2_q <= 5'h2 < row_s1_q[5:1];
       equal_1861_s2_q <= row_s1_q[5:3] == 3'h0;
     end
   end
@@ -1116,11 +1116,11 @@ module horopter_agreement (
   logic [7:0] sums_4_columns_values_5_q;
   logic [7:0] sums_4_columns_values_6_q;
   logic [7:0] sums_4_sum_sums_values_0_q;
-  logic [23:0] slope_row_q;
-  logic [27:0] slope_change_q;
-  logic [27:0] slope_q;
-  logic [23:0] next_slope_row_q;
-  logic [27:0] next_slope_change_q;
+  logic [23:0] registration_slope_row_q;
+  logic [27:0] registration_slope_change_q;
+  logic [27:0] registration_slope_q;
+  logic [23:0] registration_next_slope_row_q;
+  logic [27:0] registration_next_slope_change_q;
   logic began_q;
   logic [2:0] seen_x_q;
   logic [2:0] seen_y_q;
@@ -1134,136 +1134,136 @@ module horopter_agreement (
   assign select_316 = select_300_s2_q ? ({4'h0, pixel_0_s2_q} + averager_running_0_q) : {4'h0, pixel_0_s2_q};
   logic [11:0] sum_322;
   assign sum_322 = {4'h0, pixel_1_s2_q} + (select_300_s2_q ? averager_running_1_q : 12'h0);
-  // hls/stages/agreement.hpp:175
+  // hls/stages/agreement.hpp:174
   logic all_of_skin;
   assign all_of_skin = select_300_s2_q ? (mask_s2_q & averager_running_of_skin_q) : mask_s2_q;
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [3:0] column;
   assign column = (and_507_s2_q & and_508_s2_q) ? ({3'h0, not_513_s2_q} + sum_523_s2_q) : 4'h0;
   logic [3:0] select_544;
   assign select_544 = (and_526_s2_q & and_527_s2_q) ? ({3'h0, not_532_s2_q} + sum_542_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:408
+  // hls/stages/agreement.hpp:405
   logic [4:0] column_2;
   assign column_2 = {1'b0, column} + {1'b0, select_544};
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [3:0] select_564;
   assign select_564 = (and_546_s2_q & and_547_s2_q) ? ({3'h0, not_552_s2_q} + sum_562_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:408
+  // hls/stages/agreement.hpp:405
   logic [5:0] column_3;
   assign column_3 = {1'b0, column_2} + {2'h0, select_564};
-  // hls/stages/agreement.hpp:410
+  // hls/stages/agreement.hpp:407
   logic [7:0] difference_567;
   assign difference_567 = {2'h0, column_3} - (age_s2_q[1] ? sums_2_columns_values_6_q : 8'h0);
   logic [7:0] sum_570;
   assign sum_570 = difference_567 + (equal_568_s2_q ? 8'h0 : sums_2_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [3:0] column_4;
   assign column_4 = (and_507_s2_q & and_527_s2_q) ? ({3'h0, not_573_s2_q} + sum_583_s2_q) : 4'h0;
   logic [3:0] select_600;
   assign select_600 = (and_526_s2_q & and_547_s2_q) ? ({3'h0, not_588_s2_q} + sum_598_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:408
+  // hls/stages/agreement.hpp:405
   logic [4:0] column_5;
   assign column_5 = {1'b0, column_4} + {1'b0, select_600};
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [3:0] select_618;
   assign select_618 = (and_546_s2_q & and_602_s2_q) ? ({3'h0, not_606_s2_q} + sum_616_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:408
+  // hls/stages/agreement.hpp:405
   logic [5:0] column_6;
   assign column_6 = {1'b0, column_5} + {2'h0, select_618};
-  // hls/stages/agreement.hpp:410
+  // hls/stages/agreement.hpp:407
   logic [7:0] difference_621;
   assign difference_621 = {2'h0, column_6} - (age_s2_q[1] ? sums_1_columns_values_6_q : 8'h0);
   logic [7:0] sum_623;
   assign sum_623 = difference_621 + (equal_568_s2_q ? 8'h0 : sums_1_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:423
+  // hls/stages/agreement.hpp:420
   logic less_624;
   assign less_624 = sum_570 < sum_623;
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [3:0] column_7;
   assign column_7 = (and_507_s2_q & and_626_s2_q) ? ({3'h0, not_630_s2_q} + sum_640_s2_q) : 4'h0;
   logic [3:0] select_657;
   assign select_657 = (and_526_s2_q & and_508_s2_q) ? ({3'h0, not_645_s2_q} + sum_655_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:408
+  // hls/stages/agreement.hpp:405
   logic [4:0] column_8;
   assign column_8 = {1'b0, column_7} + {1'b0, select_657};
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [3:0] select_673;
   assign select_673 = (and_546_s2_q & and_527_s2_q) ? ({3'h0, not_661_s2_q} + sum_671_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:408
+  // hls/stages/agreement.hpp:405
   logic [5:0] column_9;
   assign column_9 = {1'b0, column_8} + {2'h0, select_673};
-  // hls/stages/agreement.hpp:410
+  // hls/stages/agreement.hpp:407
   logic [7:0] difference_676;
   assign difference_676 = {2'h0, column_9} - (age_s2_q[1] ? sums_3_columns_values_6_q : 8'h0);
   logic [7:0] sum_678;
   assign sum_678 = difference_676 + (equal_568_s2_q ? 8'h0 : sums_3_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:423
+  // hls/stages/agreement.hpp:420
   logic not_680;
   assign not_680 = ~less_624;
   logic [1:0] best;
   assign best = ((less_624 ? sum_623 : sum_570) < sum_678) ? 2'h3 : {not_680, less_624};
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [3:0] column_10;
   assign column_10 = (and_507_s2_q & and_547_s2_q) ? ({3'h0, not_685_s2_q} + sum_695_s2_q) : 4'h0;
   logic [3:0] select_712;
   assign select_712 = (and_526_s2_q & and_602_s2_q) ? ({3'h0, not_700_s2_q} + sum_710_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:408
+  // hls/stages/agreement.hpp:405
   logic [4:0] column_11;
   assign column_11 = {1'b0, column_10} + {1'b0, select_712};
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [3:0] select_730;
   assign select_730 = and_715_s2_q ? ({3'h0, not_718_s2_q} + sum_728_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:408
+  // hls/stages/agreement.hpp:405
   logic [5:0] column_12;
   assign column_12 = {1'b0, column_11} + {2'h0, select_730};
-  // hls/stages/agreement.hpp:410
+  // hls/stages/agreement.hpp:407
   logic [7:0] difference_733;
   assign difference_733 = {2'h0, column_12} - (age_s2_q[1] ? sums_0_columns_values_6_q : 8'h0);
   logic [7:0] sum_735;
   assign sum_735 = difference_733 + (equal_568_s2_q ? 8'h0 : sums_0_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:423
+  // hls/stages/agreement.hpp:420
   logic [7:0] select_737;
   assign select_737 = best[1] ? (best[0] ? sum_678 : sum_570) : (best[0] ? sum_623 : sum_735);
   logic [1:0] best_2;
   assign best_2 = (select_737 < sum_735) ? 2'h0 : best;
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [3:0] column_13;
   assign column_13 = and_744_s2_q ? ({3'h0, not_747_s2_q} + sum_757_s2_q) : 4'h0;
   logic [3:0] select_774;
   assign select_774 = (and_526_s2_q & and_626_s2_q) ? ({3'h0, not_762_s2_q} + sum_772_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:408
+  // hls/stages/agreement.hpp:405
   logic [4:0] column_14;
   assign column_14 = {1'b0, column_13} + {1'b0, select_774};
-  // hls/stages/agreement.hpp:380
+  // hls/stages/agreement.hpp:377
   logic [3:0] select_790;
   assign select_790 = (and_546_s2_q & and_508_s2_q) ? ({3'h0, not_778_s2_q} + sum_788_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:408
+  // hls/stages/agreement.hpp:405
   logic [5:0] column_15;
   assign column_15 = {1'b0, column_14} + {2'h0, select_790};
-  // hls/stages/agreement.hpp:410
+  // hls/stages/agreement.hpp:407
   logic [7:0] difference_793;
   assign difference_793 = {2'h0, column_15} - (age_s2_q[1] ? sums_4_columns_values_6_q : 8'h0);
   logic [7:0] sum_795;
   assign sum_795 = difference_793 + (equal_568_s2_q ? 8'h0 : sums_4_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:435
+  // hls/stages/agreement.hpp:432
   logic [6:0] partner;
   assign partner = {run_shift_s2_q[5], run_shift_s2_q} + x_s2_2_q;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [6:0] select_866;
   assign select_866 = equal_351_s2_q ? partner : (x_s2_q[6:0] + {best_left_rdata_q[13], best_left_rdata_q[13:8]});
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic next_row;
   assign next_row = select_946_s2_q & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:844
+  // hls/stages/agreement.hpp:714
   logic [6:0] select_949;
   assign select_949 = next_row ? cfg_width_i[9:3] : 7'h0;
-  // hls/stages/agreement.hpp:854
+  // hls/stages/agreement.hpp:724
   logic equal_952;
   assign equal_952 = seen_x_q == 3'h7;
   // hls/stages/census.hpp:31
   logic not_959;
   assign not_959 = ~marks_first_s2_q;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [7:0] select_1304;
   assign select_1304 = equal_351_s2_q ? sums_0_columns_values_0_q : sums_0_columns_values_1_q;
   logic [7:0] select_1305;
@@ -1324,33 +1324,33 @@ module horopter_agreement (
   assign select_1340 = equal_351_s2_q ? sums_4_columns_values_4_q : sums_4_columns_values_5_q;
   logic [7:0] select_1341;
   assign select_1341 = equal_351_s2_q ? sums_4_columns_values_5_q : sums_4_columns_values_6_q;
-  // hls/stages/agreement.hpp:647
+  // hls/stages/registration.hpp:158
   logic [16:0] select_1436;
-  assign select_1436 = ($signed(slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : slope_change_q[27:11];
+  assign select_1436 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
   logic [13:0] select_1438;
   assign select_1438 = ($signed(10'h0) < $signed(select_1436[16:7])) ? 14'h7f : select_1436[13:0];
-  // hls/stages/agreement.hpp:642
+  // hls/stages/registration.hpp:153
   logic [9:0] select_1439;
   assign select_1439 = best_left_rdata_q[12] ? select_1438[9:0] : 10'h0;
   logic [8:0] difference_1441;
   assign difference_1441 = select_1439[9:1] - (best_left_rdata_q[13] ? select_1438[8:0] : 9'h0);
-  // hls/stages/agreement.hpp:640
+  // hls/stages/registration.hpp:151
   logic [12:0] sum_1444;
   assign sum_1444 = (best_left_rdata_q[8] ? select_1438[13:1] : 13'h0) + (best_left_rdata_q[9] ? select_1438[12:0] : 13'h0);
-  // hls/stages/agreement.hpp:641
+  // hls/stages/registration.hpp:152
   logic [11:0] select_1445;
   assign select_1445 = best_left_rdata_q[10] ? select_1438[11:0] : 12'h0;
   logic [10:0] sum_1447;
   assign sum_1447 = select_1445[11:1] + (best_left_rdata_q[11] ? select_1438[10:0] : 11'h0);
-  // hls/stages/agreement.hpp:643
+  // hls/stages/registration.hpp:154
   logic [11:0] sum_1448;
   assign sum_1448 = sum_1444[12:1] + {sum_1447, select_1445[0]};
   logic [9:0] sum_1449;
   assign sum_1449 = {difference_1441, select_1439[0]} + sum_1448[11:2];
-  // hls/stages/agreement.hpp:615
+  // hls/stages/registration.hpp:67
   logic [12:0] sum_1450;
-  assign sum_1450 = {slope_q[27], slope_q[27:16]} + {{5{sum_1449[9]}}, sum_1449[9:2]};
-  // hls/stages/agreement.hpp:640
+  assign sum_1450 = {registration_slope_q[27], registration_slope_q[27:16]} + {{5{sum_1449[9]}}, sum_1449[9:2]};
+  // hls/stages/registration.hpp:151
   logic [7:0] select_1453;
   assign select_1453 = ($signed(sum_1450[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_1450[7:0];
   logic [7:0] slope;
@@ -1361,45 +1361,48 @@ module horopter_agreement (
   assign select_1456 = best_left_rdata_q[9] ? slope : 8'h0;
   logic [8:0] sum_1457;
   assign sum_1457 = {{2{select_1455[6]}}, select_1455} + {select_1456[7], select_1456};
-  // hls/stages/agreement.hpp:641
+  // hls/stages/registration.hpp:152
   logic [7:0] select_1458;
   assign select_1458 = best_left_rdata_q[10] ? slope : 8'h0;
   logic [7:0] select_1459;
   assign select_1459 = best_left_rdata_q[11] ? slope : 8'h0;
   logic [8:0] sum_1460;
   assign sum_1460 = {{2{select_1458[7]}}, select_1458[7:1]} + {select_1459[7], select_1459};
-  // hls/stages/agreement.hpp:643
+  // hls/stages/registration.hpp:154
   logic [10:0] sum_1461;
   assign sum_1461 = {{3{sum_1457[8]}}, sum_1457[8:1]} + {sum_1460[8], sum_1460, select_1458[0]};
-  // hls/stages/agreement.hpp:642
+  // hls/stages/registration.hpp:153
   logic [7:0] select_1462;
   assign select_1462 = best_left_rdata_q[12] ? slope : 8'h0;
   logic [7:0] select_1463;
   assign select_1463 = best_left_rdata_q[13] ? slope : 8'h0;
   logic [8:0] difference_1464;
   assign difference_1464 = {{2{select_1462[7]}}, select_1462[7:1]} - {select_1463[7], select_1463};
-  // hls/stages/agreement.hpp:260
+  // hls/stages/registration.hpp:57
   logic [23:0] select_1694;
-  assign select_1694 = equal_1693_s2_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : next_slope_row_q;
-  // hls/stages/agreement.hpp:177
+  assign select_1694 = equal_1693_s2_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : registration_next_slope_row_q;
+  // hls/stages/agreement.hpp:176
   logic [23:0] select_1696;
-  assign select_1696 = and_336_s2_q ? (equal_1211_s2_q ? select_1694 : slope_row_q) : slope_row_q;
-  // hls/stages/agreement.hpp:261
+  assign select_1696 = and_336_s2_q ? (equal_1211_s2_q ? select_1694 : registration_slope_row_q) : registration_slope_row_q;
+  // hls/stages/registration.hpp:58
   logic [27:0] select_1697;
-  assign select_1697 = equal_1693_s2_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : next_slope_change_q;
-  // hls/stages/agreement.hpp:177
+  assign select_1697 = equal_1693_s2_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : registration_next_slope_change_q;
+  // hls/stages/agreement.hpp:176
   logic [27:0] select_1699;
-  assign select_1699 = and_336_s2_q ? (equal_1211_s2_q ? select_1697 : slope_change_q) : slope_change_q;
-  // hls/stages/agreement.hpp:141
-  logic [23:0] sum_1782;
-  assign sum_1782 = {{8{cfg_epipolar_row_i[15]}}, $unsigned(cfg_epipolar_row_i)} + slope_row_q;
-  // hls/stages/agreement.hpp:142
-  logic [27:0] sum_1783;
-  assign sum_1783 = {{12{cfg_epipolar_both_i[15]}}, $unsigned(cfg_epipolar_both_i)} + slope_change_q;
-  // hls/stages/agreement.hpp:853
+  assign select_1699 = and_336_s2_q ? (equal_1211_s2_q ? select_1697 : registration_slope_change_q) : registration_slope_change_q;
+  // hls/stages/registration.hpp:48
+  logic [27:0] select_1701;
+  assign select_1701 = drew_s2_q ? (registration_slope_change_q + registration_slope_q) : {registration_slope_row_q, 4'h0};
+  // hls/stages/registration.hpp:50
+  logic [23:0] sum_1702;
+  assign sum_1702 = {{8{cfg_epipolar_row_i[15]}}, $unsigned(cfg_epipolar_row_i)} + registration_slope_row_q;
+  // hls/stages/registration.hpp:51
+  logic [27:0] sum_1703;
+  assign sum_1703 = {{12{cfg_epipolar_both_i[15]}}, $unsigned(cfg_epipolar_both_i)} + registration_slope_change_q;
+  // hls/stages/agreement.hpp:723
   logic [2:0] select_1881;
   assign select_1881 = select_946_s2_q ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [7:0] select_1887;
   assign select_1887 = marks_first_s2_q ? (less_1883 ? {sum_1884, cfg_height_i[5:3]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
 
@@ -1435,7 +1438,7 @@ module horopter_agreement (
     if (census_memory_re) census_memory_rdata_q <= census_memory_mem[census_memory_raddr];
   end
 
-  // Memory best_right, 80 x 15, DISTANCE 12, hls/stages/agreement.hpp:899; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory best_right, 80 x 15, DISTANCE 12, hls/stages/agreement.hpp:769; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [14:0] best_right_mem [0:79];
@@ -1451,7 +1454,7 @@ module horopter_agreement (
     if (best_right_re) best_right_rdata_q <= best_right_mem[best_right_raddr];
   end
 
-  // Memory seen_columns, 80 x 12, DISTANCE 12, hls/stages/agreement.hpp:928; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory seen_columns, 80 x 12, DISTANCE 12, hls/stages/agreement.hpp:797; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [11:0] seen_columns_mem [0:79];
@@ -1470,11 +1473,11 @@ module horopter_agreement (
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       averager_running_of_skin_q <= 1'b0;
-      slope_row_q <= 24'h0;
-      slope_change_q <= 28'h0;
-      slope_q <= 28'h0;
-      next_slope_row_q <= 24'h0;
-      next_slope_change_q <= 28'h0;
+      registration_slope_row_q <= 24'h0;
+      registration_slope_change_q <= 28'h0;
+      registration_slope_q <= 28'h0;
+      registration_next_slope_row_q <= 24'h0;
+      registration_next_slope_change_q <= 28'h0;
       began_q <= 1'b0;
       seen_x_q <= 3'h0;
       seen_y_q <= 3'h0;
@@ -1485,11 +1488,11 @@ module horopter_agreement (
       seen_base_q <= 13'h0;
     end else if (s2_en) begin
       averager_running_of_skin_q <= all_of_skin;
-      slope_row_q <= select_1696;
-      slope_change_q <= select_1699;
-      slope_q <= drew_s2_q ? (slope_change_q + slope_q) : {slope_row_q, 4'h0};
-      next_slope_row_q <= sum_1782;
-      next_slope_change_q <= sum_1783;
+      registration_slope_row_q <= select_1696;
+      registration_slope_change_q <= select_1699;
+      registration_slope_q <= select_1701;
+      registration_next_slope_row_q <= sum_1702;
+      registration_next_slope_change_q <= sum_1703;
       began_q <= not_959 & (began_q | select_946_s2_q);
       seen_x_q <= select_946_s2_q ? 3'h0 : (seen_x_q + 3'h1);
       seen_y_q <= marks_first_s2_q ? 3'h0 : select_1881;
@@ -1650,7 +1653,7 @@ module horopter_agreement (
   logic [9:0] sum_1461_s3_q;
   logic select_1462_s3_q;
   logic [8:0] difference_1464_s3_q;
-  logic less_1702_s3_q;
+  logic less_1704_s3_q;
   logic equal_1861_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
@@ -1709,7 +1712,7 @@ module horopter_agreement (
       sum_1461_s3_q <= sum_1461[10:1];
       select_1462_s3_q <= select_1462[0];
       difference_1464_s3_q <= difference_1464;
-      less_1702_s3_q <= less_1702_s2_q;
+      less_1704_s3_q <= less_1704_s2_q;
       equal_1861_s3_q <= equal_1861_s2_q;
     end
   end
@@ -1781,28 +1784,28 @@ module horopter_agreement (
   logic [4:0] rows_passed_above_q;
   logic [23:0] counts_too_little_explained_q;
   logic [23:0] counts_too_much_hidden_q;
-  logic [11:0] counts_measured_0_q;
-  logic [11:0] counts_measured_1_q;
-  logic [11:0] counts_measured_2_q;
-  logic [11:0] counts_measured_3_q;
-  logic [14:0] counts_votes_0_down_q;
-  logic [14:0] counts_votes_0_up_q;
-  logic [14:0] counts_votes_1_down_q;
-  logic [14:0] counts_votes_1_up_q;
-  logic [14:0] counts_votes_2_down_q;
-  logic [14:0] counts_votes_2_up_q;
-  logic [14:0] counts_votes_3_down_q;
-  logic [14:0] counts_votes_3_up_q;
-  logic [14:0] counts_votes_4_down_q;
-  logic [14:0] counts_votes_4_up_q;
-  logic [14:0] counts_half_votes_0_down_q;
-  logic [14:0] counts_half_votes_0_up_q;
-  logic [14:0] counts_half_votes_1_down_q;
-  logic [14:0] counts_half_votes_1_up_q;
-  logic [14:0] counts_half_votes_2_down_q;
-  logic [14:0] counts_half_votes_2_up_q;
-  logic [14:0] counts_half_votes_3_down_q;
-  logic [14:0] counts_half_votes_3_up_q;
+  logic [11:0] registration_counts_measured_0_q;
+  logic [11:0] registration_counts_measured_1_q;
+  logic [11:0] registration_counts_measured_2_q;
+  logic [11:0] registration_counts_measured_3_q;
+  logic [14:0] registration_counts_votes_0_down_q;
+  logic [14:0] registration_counts_votes_0_up_q;
+  logic [14:0] registration_counts_votes_1_down_q;
+  logic [14:0] registration_counts_votes_1_up_q;
+  logic [14:0] registration_counts_votes_2_down_q;
+  logic [14:0] registration_counts_votes_2_up_q;
+  logic [14:0] registration_counts_votes_3_down_q;
+  logic [14:0] registration_counts_votes_3_up_q;
+  logic [14:0] registration_counts_votes_4_down_q;
+  logic [14:0] registration_counts_votes_4_up_q;
+  logic [14:0] registration_counts_half_votes_0_down_q;
+  logic [14:0] registration_counts_half_votes_0_up_q;
+  logic [14:0] registration_counts_half_votes_1_down_q;
+  logic [14:0] registration_counts_half_votes_1_up_q;
+  logic [14:0] registration_counts_half_votes_2_down_q;
+  logic [14:0] registration_counts_half_votes_2_up_q;
+  logic [14:0] registration_counts_half_votes_3_down_q;
+  logic [14:0] registration_counts_half_votes_3_up_q;
   logic [2:0] region_row_q;
   logic [7:0] region_columns_q;
   logic [8:0] region_across_rest_q;
@@ -1912,12 +1915,12 @@ module horopter_agreement (
   assign less_381 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
   logic less_382;
   assign less_382 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
-  // hls/stages/agreement.hpp:242
+  // hls/stages/agreement.hpp:241
   logic equal_383;
   assign equal_383 = select_302_s3_q == 7'h0;
   logic [3:0] select_386;
   assign select_386 = equal_385_s3_q ? 4'h0 : rows_passed_above_q[3:0];
-  // hls/stages/agreement.hpp:243
+  // hls/stages/agreement.hpp:242
   logic [4:0] select_387;
   assign select_387 = equal_383 ? {select_386, 1'b1} : rows_passed_above_q;
   // hls/stages/census.hpp:196
@@ -1931,7 +1934,7 @@ module horopter_agreement (
   assign and_391 = census_memory_rdata_q[38] & (census_memory_rdata_q[18] & whole_2);
   logic and_393;
   assign and_393 = census_memory_rdata_q[77] & (census_memory_rdata_q[58] & and_391);
-  // hls/stages/agreement.hpp:243
+  // hls/stages/agreement.hpp:242
   logic whole_3;
   assign whole_3 = census_columns_values_0_cell_0_mask_q & and_393;
   logic whole_4;
@@ -2007,59 +2010,59 @@ module horopter_agreement (
   assign sum_433 = {9'h0, difference_431[9]} + {1'b0, xor_432};
   logic [11:0] texture;
   assign texture = ({1'b0, sum_426} + {2'h0, sum_429}) + {2'h0, sum_433};
-  // hls/stages/agreement.hpp:415
+  // hls/stages/agreement.hpp:412
   logic not_503;
   assign not_503 = ~($signed(run_shift_s3_q) < $signed($unsigned(cfg_shift_lowest_i)));
   logic less_504;
   assign less_504 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s3_q);
-  // hls/stages/agreement.hpp:423
+  // hls/stages/agreement.hpp:420
   logic [7:0] select_742;
   assign select_742 = best_2_s3_q[1] ? (best_2_s3_q[0] ? sum_678_s3_q : sum_570_s3_q) : (best_2_s3_q[0] ? sum_623_s3_q : sum_735_s3_q);
   logic less_796;
   assign less_796 = select_742 < sum_795_s3_q;
   logic [1:0] select_797;
   assign select_797 = less_796 ? 2'h0 : best_2_s3_q;
-  // hls/stages/agreement.hpp:425
+  // hls/stages/agreement.hpp:422
   logic [7:0] select_800;
   assign select_800 = select_797[1] ? (select_797[0] ? sum_678_s3_q : sum_570_s3_q) : (select_797[0] ? sum_623_s3_q : sum_735_s3_q);
   logic [7:0] of_best;
   assign of_best = less_796 ? sum_795_s3_q : select_800;
   logic [7:0] of_best_2;
   assign of_best_2 = (not_503 & (~less_504)) ? of_best : 8'h0;
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:424
   logic less_803;
   assign less_803 = $signed(run_shift_s3_q) < $signed(6'h1);
-  // hls/stages/agreement.hpp:430
+  // hls/stages/agreement.hpp:427
   logic less_804;
   assign less_804 = best_left_rdata_s3_q[7:0] < of_best_2;
   logic or_806;
   assign or_806 = less_804 | equal_805_s3_q;
-  // hls/stages/agreement.hpp:433
+  // hls/stages/agreement.hpp:430
   logic [7:0] select_809;
   assign select_809 = less_803 ? (or_806 ? of_best_2 : best_left_rdata_s3_q[7:0]) : (less_804 ? of_best_2 : best_left_rdata_s3_q[7:0]);
   logic [5:0] select_813;
   assign select_813 = less_803 ? (or_806 ? run_shift_s3_q : best_left_rdata_s3_q[13:8]) : (less_804 ? run_shift_s3_q : best_left_rdata_s3_q[13:8]);
-  // hls/stages/agreement.hpp:444
+  // hls/stages/registration.hpp:21
   logic [2:0] near_best;
   assign near_best = ({less_796, select_797} == 3'h4) ? 3'h3 : (({less_796, select_797} == 3'h0) ? 3'h1 : {less_796, select_797});
-  // hls/stages/agreement.hpp:446
+  // hls/stages/registration.hpp:23
   logic [2:0] sum_820;
   assign sum_820 = near_best + 3'h1;
   logic [7:0] select_823;
   assign select_823 = sum_820[1] ? (sum_820[0] ? sum_678_s3_q : sum_570_s3_q) : (sum_820[0] ? sum_623_s3_q : sum_735_s3_q);
   logic [7:0] below;
   assign below = sum_820[2] ? sum_795_s3_q : select_823;
-  // hls/stages/agreement.hpp:445
+  // hls/stages/registration.hpp:22
   logic [2:0] sum_825;
   assign sum_825 = near_best + 3'h7;
   logic [7:0] select_828;
   assign select_828 = sum_825[1] ? (sum_825[0] ? sum_678_s3_q : sum_570_s3_q) : (sum_825[0] ? sum_623_s3_q : sum_735_s3_q);
   logic [7:0] above;
   assign above = sum_825[2] ? sum_795_s3_q : select_828;
-  // hls/stages/agreement.hpp:447
+  // hls/stages/registration.hpp:24
   logic [8:0] rise;
   assign rise = {1'b0, below} - {1'b0, above};
-  // hls/stages/agreement.hpp:449
+  // hls/stages/registration.hpp:26
   logic [7:0] select_834;
   assign select_834 = near_best[1] ? (near_best[0] ? sum_678_s3_q : sum_570_s3_q) : (near_best[0] ? sum_623_s3_q : sum_735_s3_q);
   logic [7:0] select_835;
@@ -2068,20 +2071,20 @@ module horopter_agreement (
   assign select_836 = rise[8] ? below : above;
   logic [8:0] fall;
   assign fall = {1'b0, select_835} - {1'b0, select_836};
-  // hls/stages/agreement.hpp:450
+  // hls/stages/registration.hpp:27
   logic [7:0] twice;
   assign twice = fall[8] ? 8'h0 : fall[7:0];
-  // hls/stages/agreement.hpp:448
+  // hls/stages/registration.hpp:25
   logic [7:0] xor_839;
   assign xor_839 = rise[7:0] ^ {8{rise[8]}};
   logic [8:0] size;
   assign size = {8'h0, rise[8]} + {1'b0, xor_839};
-  // hls/stages/agreement.hpp:437
+  // hls/stages/agreement.hpp:434
   logic less_868;
   assign less_868 = best_right_rdata_q[7:0] < of_best_2;
   logic or_870;
   assign or_870 = less_868 | equal_869_s3_q;
-  // hls/stages/agreement.hpp:438
+  // hls/stages/agreement.hpp:435
   logic [7:0] select_873;
   assign select_873 = less_803 ? (or_870 ? of_best_2 : best_right_rdata_q[7:0]) : (less_868 ? of_best_2 : best_right_rdata_q[7:0]);
   logic [7:0] select_874;
@@ -2090,78 +2093,78 @@ module horopter_agreement (
   assign select_877 = less_803 ? (or_870 ? x_s3_2_q : best_right_rdata_q[14:8]) : (less_868 ? x_s3_2_q : best_right_rdata_q[14:8]);
   logic [6:0] select_878;
   assign select_878 = equal_501_s3_q ? x_s3_2_q : select_877;
-  // hls/stages/agreement.hpp:138
+  // hls/stages/agreement.hpp:140
   logic [7:0] select_879;
   assign select_879 = drew_s3_q ? region_columns_q : 8'h1;
-  // hls/stages/agreement.hpp:656
+  // hls/stages/agreement.hpp:538
   logic or_882;
   assign or_882 = select_879[7] | (~({select_879[5], select_879[3], select_879[1]} == 3'h0));
-  // hls/stages/agreement.hpp:655
+  // hls/stages/agreement.hpp:537
   logic or_885;
   assign or_885 = select_879[7] | (~({select_879[6], select_879[3:2]} == 3'h0));
-  // hls/stages/agreement.hpp:654
+  // hls/stages/agreement.hpp:536
   logic or_888;
   assign or_888 = select_879[7] | (~(select_879[6:4] == 3'h0));
-  // hls/stages/agreement.hpp:469
+  // hls/stages/division.hpp:18
   logic [5:0] sum_890;
   assign sum_890 = region_across_rest_q[8:3] + 6'h1;
-  // hls/stages/agreement.hpp:664
+  // hls/stages/agreement.hpp:546
   logic or_893;
   assign or_893 = (~sum_890[5]) | equal_892_s3_q;
-  // hls/stages/agreement.hpp:591
+  // hls/stages/agreement.hpp:516
   logic and_894;
   assign and_894 = not_355_s3_q & or_893;
-  // hls/stages/agreement.hpp:724
+  // hls/stages/agreement.hpp:606
   logic equal_896;
   assign equal_896 = x_s3_q[5:4] == 2'h3;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_898;
   assign and_898 = equal_895_s3_q & (~equal_896);
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic textured;
   assign textured = not_355_s3_q & and_906_s3_q;
-  // hls/stages/agreement.hpp:582
+  // hls/stages/agreement.hpp:505
   logic [8:0] way;
   assign way = {2'h0, best_right_rdata_q[14:8]} - {1'b0, x_s3_q};
-  // hls/stages/agreement.hpp:584
+  // hls/stages/agreement.hpp:507
   logic [9:0] sum_915;
   assign sum_915 = {way[8], way} + 10'h1;
   logic and_917;
   assign and_917 = (and_906_s3_q & (8'hb6 < best_left_rdata_s3_q[7:0])) & ({{6{sum_915[9]}}, sum_915} < 16'h3);
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic explained;
   assign explained = not_355_s3_q & and_917;
-  // hls/stages/agreement.hpp:586
+  // hls/stages/agreement.hpp:509
   logic and_925;
   assign and_925 = cfg_nearer_above_i & ($signed(6'h0) < $signed(best_left_rdata_s3_q[13:8]));
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic and_927;
   assign and_927 = and_917 & ((cfg_nearer_below_i & best_left_rdata_s3_q[13]) | and_925);
   logic near;
   assign near = not_355_s3_q & and_927;
-  // hls/stages/agreement.hpp:857
+  // hls/stages/agreement.hpp:727
   logic [12:0] index;
   assign index = seen_base_q + {5'h0, seen_column_q};
-  // hls/stages/agreement.hpp:828
+  // hls/stages/agreement.hpp:698
   logic select_957;
   assign select_957 = marks_first_s3_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
-  // hls/stages/agreement.hpp:814
+  // hls/stages/agreement.hpp:684
   logic [7:0] sum_958;
   assign sum_958 = {1'b0, select_957, 2'h0, select_957, 1'b0, {2{select_957}}} + {1'b0, index[12:6]};
-  // hls/stages/agreement.hpp:856
+  // hls/stages/agreement.hpp:726
   logic and_965;
   assign and_965 = began_q & (seen_x_q == 3'h0);
   logic less_966;
   assign less_966 = seen_column_q < {1'b0, cfg_width_i[9:3]};
-  // hls/stages/agreement.hpp:707
+  // hls/stages/agreement.hpp:589
   logic [7:0] sum_969;
   assign sum_969 = {2'h0, x_s3_q[7:2]} + 8'hff;
   logic [12:0] index_2;
   assign index_2 = {{3{sum_969[7]}}, sum_969, x_s3_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:814
+  // hls/stages/agreement.hpp:684
   logic [7:0] sum_971;
   assign sum_971 = {1'b0, write_half_q, 2'h0, write_half_q, 1'b0, {2{write_half_q}}} + {1'b0, index_2[12:6]};
-  // hls/stages/agreement.hpp:591
+  // hls/stages/agreement.hpp:516
   logic [3:0] select_972;
   assign select_972 = less_354_s3_q ? 4'h0 : seen_columns_rdata_q[11:8];
   logic and_973;
@@ -2170,40 +2173,40 @@ module horopter_agreement (
   assign and_974 = seen_columns_rdata_q[3] & not_355_s3_q;
   logic and_975;
   assign and_975 = seen_columns_rdata_q[0] & not_355_s3_q;
-  // hls/stages/agreement.hpp:687
+  // hls/stages/agreement.hpp:569
   logic [1:0] sum_977;
   assign sum_977 = {1'b0, and_974} + ({1'b0, textured} + {1'b0, and_975});
   logic [2:0] textured_2;
   assign textured_2 = {2'h0, select_972[1]} + ({2'h0, and_973} + {1'b0, sum_977});
-  // hls/stages/agreement.hpp:591
+  // hls/stages/agreement.hpp:516
   logic [7:0] select_987;
   assign select_987 = less_354_s3_q ? select_879 : (sum_890[5] ? select_879 : {select_879[6:0], 1'b0});
-  // hls/stages/agreement.hpp:656
+  // hls/stages/agreement.hpp:538
   logic or_990;
   assign or_990 = select_987[7] | (~({select_987[5], select_987[3], select_987[1]} == 3'h0));
-  // hls/stages/agreement.hpp:591
+  // hls/stages/agreement.hpp:516
   logic and_1006;
   assign and_1006 = seen_columns_rdata_q[7] & not_355_s3_q;
   logic and_1007;
   assign and_1007 = seen_columns_rdata_q[4] & not_355_s3_q;
   logic and_1008;
   assign and_1008 = seen_columns_rdata_q[1] & not_355_s3_q;
-  // hls/stages/agreement.hpp:688
+  // hls/stages/agreement.hpp:570
   logic [1:0] sum_1010;
   assign sum_1010 = {1'b0, and_1007} + ({1'b0, explained} + {1'b0, and_1008});
   logic [2:0] explained_2;
   assign explained_2 = {2'h0, select_972[2]} + ({2'h0, and_1006} + {1'b0, sum_1010});
-  // hls/stages/agreement.hpp:591
+  // hls/stages/agreement.hpp:516
   logic and_1021;
   assign and_1021 = seen_columns_rdata_q[5] & not_355_s3_q;
   logic and_1022;
   assign and_1022 = seen_columns_rdata_q[2] & not_355_s3_q;
-  // hls/stages/agreement.hpp:689
+  // hls/stages/agreement.hpp:571
   logic [1:0] sum_1024;
   assign sum_1024 = {1'b0, and_1021} + ({1'b0, near} + {1'b0, and_1022});
   logic [2:0] near_2;
   assign near_2 = {2'h0, select_972[3]} + ({2'h0, select_972[0]} + {1'b0, sum_1024});
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [8:0] select_1078;
   assign select_1078 = and_336_s3_q ? total[10:2] : census_columns_values_0_cell_0_left_q;
   logic [8:0] select_1079;
@@ -2356,501 +2359,532 @@ module horopter_agreement (
   assign difference_1190 = {1'b0, total_2[10:2]} - {1'b0, sharpness_last_mean_1_q};
   logic [8:0] contrast_2;
   assign contrast_2 = {8'h0, difference_1190[9]} + (difference_1190[8:0] ^ {9{difference_1190[9]}});
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic and_1344;
   assign and_1344 = and_336_s3_q & (equal_385_s3_q & equal_1211_s3_q);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_1349;
   assign and_1349 = not_352_s3_q & (not_496_s3_q & (drew_s3_q & (not_355_s3_q & and_1345_s3_q)));
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic [8:0] select_1394;
   assign select_1394 = less_354_s3_q ? 9'h0 : (and_906_s3_q ? {and_917, cfg_explained_limit_i} : 9'h0);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [8:0] select_1397;
   assign select_1397 = equal_351_s3_q ? 9'h0 : (equal_353_s3_q ? 9'h0 : (drew_s3_q ? select_1394 : 9'h0));
-  // hls/stages/agreement.hpp:552
+  // hls/stages/agreement.hpp:480
   logic [23:0] sum_1398;
   assign sum_1398 = counts_too_little_explained_q + {{15{select_1397[8]}}, select_1397};
-  // hls/stages/agreement.hpp:588
+  // hls/stages/agreement.hpp:511
   logic [9:0] select_1421;
   assign select_1421 = (left_rdata_s3_q & and_1345_s3_q) ? ({1'b0, and_927, 8'h0} - {2'h0, cfg_hidden_limit_i}) : 10'h0;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [9:0] select_1424;
   assign select_1424 = equal_353_s3_q ? 10'h0 : (drew_s3_q ? (less_354_s3_q ? 10'h0 : select_1421) : 10'h0);
   logic [9:0] select_1425;
   assign select_1425 = equal_351_s3_q ? 10'h0 : select_1424;
-  // hls/stages/agreement.hpp:562
+  // hls/stages/agreement.hpp:484
   logic [23:0] select_1427;
   assign select_1427 = and_1344 ? 24'h0 : (counts_too_much_hidden_q + {{14{select_1425[9]}}, select_1425});
-  // hls/stages/agreement.hpp:588
+  // hls/stages/agreement.hpp:511
   logic and_1429;
   assign and_1429 = and_917 & less_1428_s3_q;
-  // hls/stages/agreement.hpp:622
+  // hls/stages/registration.hpp:73
   logic equal_1432;
   assign equal_1432 = {lower_half_s3_q, less_1431_s3_q} == 2'h3;
   logic equal_1433;
   assign equal_1433 = {lower_half_s3_q, less_1431_s3_q} == 2'h2;
   logic equal_1434;
   assign equal_1434 = {lower_half_s3_q, less_1431_s3_q} == 2'h1;
-  // hls/stages/agreement.hpp:643
+  // hls/stages/registration.hpp:154
   logic [9:0] sum_1465;
   assign sum_1465 = {difference_1464_s3_q, select_1462_s3_q} + {sum_1461_s3_q[9], sum_1461_s3_q[9:1]};
-  // hls/stages/agreement.hpp:617
+  // hls/stages/registration.hpp:69
   logic [11:0] difference_1466;
   assign difference_1466 = {{4{best_left_rdata_s3_q[21]}}, best_left_rdata_s3_q[21:14]} - {sum_1465[9], sum_1465, sum_1461_s3_q[0]};
-  // hls/stages/agreement.hpp:647
+  // hls/stages/registration.hpp:158
   logic [11:0] select_1468;
   assign select_1468 = ($signed(difference_1466[11:7]) < $signed(5'h1f)) ? 12'hf80 : difference_1466;
   logic [11:0] residual;
   assign residual = ($signed(5'h0) < $signed(select_1468[11:7])) ? 12'h7f : select_1468;
-  // hls/stages/agreement.hpp:622
+  // hls/stages/registration.hpp:73
   logic not_1508;
   assign not_1508 = ~equal_1432;
   logic not_1509;
   assign not_1509 = ~equal_1433;
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic and_1514;
   assign and_1514 = not_355_s3_q & (and_1429 & (not_1508 & (not_1509 & (~equal_1434))));
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_1517;
   assign and_1517 = not_352_s3_q & (not_496_s3_q & (drew_s3_q & and_1514));
+  // hls/stages/agreement.hpp:485
+  logic [11:0] select_1519;
+  assign select_1519 = and_1344 ? 12'h0 : (registration_counts_measured_0_q + {11'h0, and_1517});
+  // hls/stages/agreement.hpp:299
   logic and_1524;
   assign and_1524 = drew_s3_q & (not_355_s3_q & (and_1429 & (not_1508 & (equal_1434 & not_1509))));
   logic and_1526;
   assign and_1526 = not_352_s3_q & (not_496_s3_q & and_1524);
+  // hls/stages/agreement.hpp:485
+  logic [11:0] select_1528;
+  assign select_1528 = and_1344 ? 12'h0 : (registration_counts_measured_1_q + {11'h0, and_1526});
+  // hls/stages/agreement.hpp:299
   logic and_1532;
   assign and_1532 = drew_s3_q & (not_355_s3_q & (and_1429 & (equal_1433 & not_1508)));
   logic and_1534;
   assign and_1534 = not_352_s3_q & (not_496_s3_q & and_1532);
+  // hls/stages/agreement.hpp:485
+  logic [11:0] select_1536;
+  assign select_1536 = and_1344 ? 12'h0 : (registration_counts_measured_2_q + {11'h0, and_1534});
+  // hls/stages/agreement.hpp:299
   logic and_1540;
   assign and_1540 = not_496_s3_q & (drew_s3_q & (not_355_s3_q & (and_1429 & equal_1432)));
   logic and_1541;
   assign and_1541 = not_352_s3_q & and_1540;
-  // hls/stages/agreement.hpp:635
+  // hls/stages/agreement.hpp:485
+  logic [11:0] select_1543;
+  assign select_1543 = and_1344 ? 12'h0 : (registration_counts_measured_3_q + {11'h0, and_1541});
+  // hls/stages/registration.hpp:146
   logic less_1544;
   assign less_1544 = $signed(residual[7:0]) < $signed({2'h0, cfg_moved_limit_i});
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic and_1545;
   assign and_1545 = and_1429 & less_1544;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [1:0] select_1548;
   assign select_1548 = equal_353_s3_q ? 2'h0 : (drew_s3_q ? (less_354_s3_q ? 2'h0 : {and_1545, and_1429}) : 2'h0);
-  logic [1:0] to_down;
-  assign to_down = equal_351_s3_q ? 2'h0 : select_1548;
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1551;
-  assign select_1551 = and_1344 ? 15'h0 : (counts_votes_0_down_q + {{13{to_down[1]}}, to_down});
-  // hls/stages/agreement.hpp:635
+  logic [1:0] select_1549;
+  assign select_1549 = equal_351_s3_q ? 2'h0 : select_1548;
+  // hls/stages/registration.hpp:121
+  logic [14:0] sum_1550;
+  assign sum_1550 = registration_counts_votes_0_down_q + {{13{select_1549[1]}}, select_1549};
+  // hls/stages/registration.hpp:146
   logic [12:0] difference_1552;
   assign difference_1552 = 13'h0 - {residual[11], residual};
   logic less_1553;
   assign less_1553 = $signed(difference_1552) < $signed({7'h0, cfg_moved_limit_i});
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic and_1554;
   assign and_1554 = and_1429 & less_1553;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [1:0] select_1557;
   assign select_1557 = equal_353_s3_q ? 2'h0 : (drew_s3_q ? (less_354_s3_q ? 2'h0 : {and_1554, and_1429}) : 2'h0);
-  logic [1:0] to_up;
-  assign to_up = equal_351_s3_q ? 2'h0 : select_1557;
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1560;
-  assign select_1560 = and_1344 ? 15'h0 : (counts_votes_0_up_q + {{13{to_up[1]}}, to_up});
-  // hls/stages/agreement.hpp:629
+  logic [1:0] select_1558;
+  assign select_1558 = equal_351_s3_q ? 2'h0 : select_1557;
+  // hls/stages/registration.hpp:122
+  logic [14:0] sum_1559;
+  assign sum_1559 = registration_counts_votes_0_up_q + {{13{select_1558[1]}}, select_1558};
+  // hls/stages/registration.hpp:80
   logic not_1561;
   assign not_1561 = ~less_1431_s3_q;
-  // hls/stages/agreement.hpp:628
+  // hls/stages/registration.hpp:79
   logic and_1562;
   assign and_1562 = less_1544 & not_1561;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [1:0] select_1565;
   assign select_1565 = drew_s3_q ? (less_354_s3_q ? 2'h0 : (and_1429 ? {and_1562, not_1561} : 2'h0)) : 2'h0;
-  logic [1:0] to_down_2;
-  assign to_down_2 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : select_1565);
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1569;
-  assign select_1569 = and_1344 ? 15'h0 : (counts_votes_1_down_q + {{13{to_down_2[1]}}, to_down_2});
-  // hls/stages/agreement.hpp:628
+  logic [1:0] select_1567;
+  assign select_1567 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : select_1565);
+  // hls/stages/registration.hpp:121
+  logic [14:0] sum_1568;
+  assign sum_1568 = registration_counts_votes_1_down_q + {{13{select_1567[1]}}, select_1567};
+  // hls/stages/registration.hpp:79
   logic and_1570;
   assign and_1570 = less_1553 & not_1561;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [1:0] select_1573;
   assign select_1573 = drew_s3_q ? (less_354_s3_q ? 2'h0 : (and_1429 ? {and_1570, not_1561} : 2'h0)) : 2'h0;
-  logic [1:0] to_up_2;
-  assign to_up_2 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : select_1573);
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1577;
-  assign select_1577 = and_1344 ? 15'h0 : (counts_votes_1_up_q + {{13{to_up_2[1]}}, to_up_2});
-  // hls/stages/agreement.hpp:628
+  logic [1:0] select_1575;
+  assign select_1575 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : select_1573);
+  // hls/stages/registration.hpp:122
+  logic [14:0] sum_1576;
+  assign sum_1576 = registration_counts_votes_1_up_q + {{13{select_1575[1]}}, select_1575};
+  // hls/stages/registration.hpp:79
   logic and_1578;
   assign and_1578 = less_1431_s3_q & less_1544;
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic [1:0] select_1580;
   assign select_1580 = less_354_s3_q ? 2'h0 : (and_1429 ? {and_1578, less_1431_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_down_3;
-  assign to_down_3 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : (drew_s3_q ? select_1580 : 2'h0));
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1585;
-  assign select_1585 = and_1344 ? 15'h0 : (counts_votes_2_down_q + {{13{to_down_3[1]}}, to_down_3});
-  // hls/stages/agreement.hpp:628
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_1583;
+  assign select_1583 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : (drew_s3_q ? select_1580 : 2'h0));
+  // hls/stages/registration.hpp:121
+  logic [14:0] sum_1584;
+  assign sum_1584 = registration_counts_votes_2_down_q + {{13{select_1583[1]}}, select_1583};
+  // hls/stages/registration.hpp:79
   logic and_1586;
   assign and_1586 = less_1431_s3_q & less_1553;
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic [1:0] select_1588;
   assign select_1588 = less_354_s3_q ? 2'h0 : (and_1429 ? {and_1586, less_1431_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_up_3;
-  assign to_up_3 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : (drew_s3_q ? select_1588 : 2'h0));
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1593;
-  assign select_1593 = and_1344 ? 15'h0 : (counts_votes_2_up_q + {{13{to_up_3[1]}}, to_up_3});
-  // hls/stages/agreement.hpp:629
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_1591;
+  assign select_1591 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : (drew_s3_q ? select_1588 : 2'h0));
+  // hls/stages/registration.hpp:122
+  logic [14:0] sum_1592;
+  assign sum_1592 = registration_counts_votes_2_up_q + {{13{select_1591[1]}}, select_1591};
+  // hls/stages/registration.hpp:80
   logic not_1594;
   assign not_1594 = ~lower_half_s3_q;
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic and_1595;
   assign and_1595 = less_1544 & not_1594;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [1:0] select_1598;
   assign select_1598 = drew_s3_q ? (less_354_s3_q ? 2'h0 : (and_1429 ? {and_1595, not_1594} : 2'h0)) : 2'h0;
-  logic [1:0] to_down_4;
-  assign to_down_4 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : select_1598);
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1602;
-  assign select_1602 = and_1344 ? 15'h0 : (counts_votes_3_down_q + {{13{to_down_4[1]}}, to_down_4});
-  // hls/stages/agreement.hpp:166
+  logic [1:0] select_1600;
+  assign select_1600 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : select_1598);
+  // hls/stages/registration.hpp:121
+  logic [14:0] sum_1601;
+  assign sum_1601 = registration_counts_votes_3_down_q + {{13{select_1600[1]}}, select_1600};
+  // hls/stages/agreement.hpp:165
   logic and_1603;
   assign and_1603 = less_1553 & not_1594;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [1:0] select_1606;
   assign select_1606 = drew_s3_q ? (less_354_s3_q ? 2'h0 : (and_1429 ? {and_1603, not_1594} : 2'h0)) : 2'h0;
-  logic [1:0] to_up_4;
-  assign to_up_4 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : select_1606);
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1610;
-  assign select_1610 = and_1344 ? 15'h0 : (counts_votes_3_up_q + {{13{to_up_4[1]}}, to_up_4});
-  // hls/stages/agreement.hpp:166
+  logic [1:0] select_1608;
+  assign select_1608 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : select_1606);
+  // hls/stages/registration.hpp:122
+  logic [14:0] sum_1609;
+  assign sum_1609 = registration_counts_votes_3_up_q + {{13{select_1608[1]}}, select_1608};
+  // hls/stages/agreement.hpp:165
   logic and_1611;
   assign and_1611 = lower_half_s3_q & less_1544;
   logic [1:0] select_1613;
   assign select_1613 = less_354_s3_q ? 2'h0 : (and_1429 ? {and_1611, lower_half_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_down_5;
-  assign to_down_5 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : (drew_s3_q ? select_1613 : 2'h0));
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1618;
-  assign select_1618 = and_1344 ? 15'h0 : (counts_votes_4_down_q + {{13{to_down_5[1]}}, to_down_5});
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_1616;
+  assign select_1616 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : (drew_s3_q ? select_1613 : 2'h0));
+  // hls/stages/registration.hpp:121
+  logic [14:0] sum_1617;
+  assign sum_1617 = registration_counts_votes_4_down_q + {{13{select_1616[1]}}, select_1616};
+  // hls/stages/agreement.hpp:165
   logic and_1619;
   assign and_1619 = lower_half_s3_q & less_1553;
   logic [1:0] select_1621;
   assign select_1621 = less_354_s3_q ? 2'h0 : (and_1429 ? {and_1619, lower_half_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_up_5;
-  assign to_up_5 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : (drew_s3_q ? select_1621 : 2'h0));
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1626;
-  assign select_1626 = and_1344 ? 15'h0 : (counts_votes_4_up_q + {{13{to_up_5[1]}}, to_up_5});
-  // hls/stages/agreement.hpp:635
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_1624;
+  assign select_1624 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : (drew_s3_q ? select_1621 : 2'h0));
+  // hls/stages/registration.hpp:122
+  logic [14:0] sum_1625;
+  assign sum_1625 = registration_counts_votes_4_up_q + {{13{select_1624[1]}}, select_1624};
+  // hls/stages/registration.hpp:146
   logic less_1627;
   assign less_1627 = $signed(residual[7:0]) < $signed({2'h0, cfg_moved_half_limit_i});
-  // hls/stages/agreement.hpp:628
+  // hls/stages/registration.hpp:79
   logic and_1628;
   assign and_1628 = not_1561 & less_1627;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [1:0] select_1631;
   assign select_1631 = drew_s3_q ? (less_354_s3_q ? 2'h0 : (and_1429 ? {and_1628, not_1561} : 2'h0)) : 2'h0;
-  logic [1:0] to_down_6;
-  assign to_down_6 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : select_1631);
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1635;
-  assign select_1635 = and_1344 ? 15'h0 : (counts_half_votes_0_down_q + {{13{to_down_6[1]}}, to_down_6});
-  // hls/stages/agreement.hpp:635
+  logic [1:0] select_1633;
+  assign select_1633 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : select_1631);
+  // hls/stages/registration.hpp:121
+  logic [14:0] sum_1634;
+  assign sum_1634 = registration_counts_half_votes_0_down_q + {{13{select_1633[1]}}, select_1633};
+  // hls/stages/registration.hpp:146
   logic less_1636;
   assign less_1636 = $signed(difference_1552) < $signed({7'h0, cfg_moved_half_limit_i});
-  // hls/stages/agreement.hpp:628
+  // hls/stages/registration.hpp:79
   logic and_1637;
   assign and_1637 = not_1561 & less_1636;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [1:0] select_1640;
   assign select_1640 = drew_s3_q ? (less_354_s3_q ? 2'h0 : (and_1429 ? {and_1637, not_1561} : 2'h0)) : 2'h0;
-  logic [1:0] to_up_6;
-  assign to_up_6 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : select_1640);
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1644;
-  assign select_1644 = and_1344 ? 15'h0 : (counts_half_votes_0_up_q + {{13{to_up_6[1]}}, to_up_6});
-  // hls/stages/agreement.hpp:628
+  logic [1:0] select_1642;
+  assign select_1642 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : select_1640);
+  // hls/stages/registration.hpp:122
+  logic [14:0] sum_1643;
+  assign sum_1643 = registration_counts_half_votes_0_up_q + {{13{select_1642[1]}}, select_1642};
+  // hls/stages/registration.hpp:79
   logic and_1645;
   assign and_1645 = less_1431_s3_q & less_1627;
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic [1:0] select_1647;
   assign select_1647 = less_354_s3_q ? 2'h0 : (and_1429 ? {and_1645, less_1431_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_down_7;
-  assign to_down_7 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : (drew_s3_q ? select_1647 : 2'h0));
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1652;
-  assign select_1652 = and_1344 ? 15'h0 : (counts_half_votes_1_down_q + {{13{to_down_7[1]}}, to_down_7});
-  // hls/stages/agreement.hpp:628
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_1650;
+  assign select_1650 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : (drew_s3_q ? select_1647 : 2'h0));
+  // hls/stages/registration.hpp:121
+  logic [14:0] sum_1651;
+  assign sum_1651 = registration_counts_half_votes_1_down_q + {{13{select_1650[1]}}, select_1650};
+  // hls/stages/registration.hpp:79
   logic and_1653;
   assign and_1653 = less_1431_s3_q & less_1636;
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic [1:0] select_1655;
   assign select_1655 = less_354_s3_q ? 2'h0 : (and_1429 ? {and_1653, less_1431_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_up_7;
-  assign to_up_7 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : (drew_s3_q ? select_1655 : 2'h0));
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1660;
-  assign select_1660 = and_1344 ? 15'h0 : (counts_half_votes_1_up_q + {{13{to_up_7[1]}}, to_up_7});
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_1658;
+  assign select_1658 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : (drew_s3_q ? select_1655 : 2'h0));
+  // hls/stages/registration.hpp:122
+  logic [14:0] sum_1659;
+  assign sum_1659 = registration_counts_half_votes_1_up_q + {{13{select_1658[1]}}, select_1658};
+  // hls/stages/agreement.hpp:165
   logic and_1661;
   assign and_1661 = less_1627 & not_1594;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [1:0] select_1664;
   assign select_1664 = drew_s3_q ? (less_354_s3_q ? 2'h0 : (and_1429 ? {and_1661, not_1594} : 2'h0)) : 2'h0;
-  logic [1:0] to_down_8;
-  assign to_down_8 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : select_1664);
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1668;
-  assign select_1668 = and_1344 ? 15'h0 : (counts_half_votes_2_down_q + {{13{to_down_8[1]}}, to_down_8});
-  // hls/stages/agreement.hpp:166
+  logic [1:0] select_1666;
+  assign select_1666 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : select_1664);
+  // hls/stages/registration.hpp:121
+  logic [14:0] sum_1667;
+  assign sum_1667 = registration_counts_half_votes_2_down_q + {{13{select_1666[1]}}, select_1666};
+  // hls/stages/agreement.hpp:165
   logic and_1669;
   assign and_1669 = less_1636 & not_1594;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [1:0] select_1672;
   assign select_1672 = drew_s3_q ? (less_354_s3_q ? 2'h0 : (and_1429 ? {and_1669, not_1594} : 2'h0)) : 2'h0;
-  logic [1:0] to_up_8;
-  assign to_up_8 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : select_1672);
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1676;
-  assign select_1676 = and_1344 ? 15'h0 : (counts_half_votes_2_up_q + {{13{to_up_8[1]}}, to_up_8});
-  // hls/stages/agreement.hpp:166
+  logic [1:0] select_1674;
+  assign select_1674 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : select_1672);
+  // hls/stages/registration.hpp:122
+  logic [14:0] sum_1675;
+  assign sum_1675 = registration_counts_half_votes_2_up_q + {{13{select_1674[1]}}, select_1674};
+  // hls/stages/agreement.hpp:165
   logic and_1677;
   assign and_1677 = lower_half_s3_q & less_1627;
   logic [1:0] select_1679;
   assign select_1679 = less_354_s3_q ? 2'h0 : (and_1429 ? {and_1677, lower_half_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_down_9;
-  assign to_down_9 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : (drew_s3_q ? select_1679 : 2'h0));
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1684;
-  assign select_1684 = and_1344 ? 15'h0 : (counts_half_votes_3_down_q + {{13{to_down_9[1]}}, to_down_9});
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_1682;
+  assign select_1682 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : (drew_s3_q ? select_1679 : 2'h0));
+  // hls/stages/registration.hpp:121
+  logic [14:0] sum_1683;
+  assign sum_1683 = registration_counts_half_votes_3_down_q + {{13{select_1682[1]}}, select_1682};
+  // hls/stages/agreement.hpp:165
   logic and_1685;
   assign and_1685 = lower_half_s3_q & less_1636;
   logic [1:0] select_1687;
   assign select_1687 = less_354_s3_q ? 2'h0 : (and_1429 ? {and_1685, lower_half_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:302
-  logic [1:0] to_up_9;
-  assign to_up_9 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : (drew_s3_q ? select_1687 : 2'h0));
-  // hls/stages/agreement.hpp:182
-  logic [14:0] select_1692;
-  assign select_1692 = and_1344 ? 15'h0 : (counts_half_votes_3_up_q + {{13{to_up_9[1]}}, to_up_9});
-  // hls/stages/agreement.hpp:485
-  logic [7:0] sum_1703;
-  assign sum_1703 = region_down_rest_q[8:1] + 8'h3;
-  // hls/stages/agreement.hpp:247
-  logic [2:0] select_1705;
-  assign select_1705 = less_1702_s3_q ? (sum_1703[7] ? region_row_q : next_region_row_q) : region_row_q;
+  // hls/stages/agreement.hpp:299
+  logic [1:0] select_1690;
+  assign select_1690 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : (drew_s3_q ? select_1687 : 2'h0));
+  // hls/stages/registration.hpp:122
+  logic [14:0] sum_1691;
+  assign sum_1691 = registration_counts_half_votes_3_up_q + {{13{select_1690[1]}}, select_1690};
+  // hls/stages/division.hpp:34
+  logic [7:0] sum_1705;
+  assign sum_1705 = region_down_rest_q[8:1] + 8'h3;
+  // hls/stages/agreement.hpp:246
   logic [2:0] select_1707;
-  assign select_1707 = equal_1211_s3_q ? (equal_385_s3_q ? 3'h0 : select_1705) : region_row_q;
-  // hls/stages/agreement.hpp:302
-  logic [7:0] select_1711;
-  assign select_1711 = equal_351_s3_q ? select_879 : (equal_353_s3_q ? select_879 : (drew_s3_q ? select_987 : 8'h1));
-  // hls/stages/agreement.hpp:486
-  logic [8:0] sum_1712;
-  assign sum_1712 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
-  // hls/stages/agreement.hpp:487
-  logic [8:0] select_1713;
-  assign select_1713 = sum_890[5] ? {1'b1, sum_890[4:0], region_across_rest_q[2:0]} : sum_1712;
-  // hls/stages/agreement.hpp:247
-  logic [8:0] select_1717;
-  assign select_1717 = equal_1211_s3_q ? (9'h1f0 - {2'h0, cfg_width_i[9:3]}) : columns_begin_rest_q;
-  logic [7:0] select_1720;
-  assign select_1720 = equal_1211_s3_q ? (8'h8 - {1'b0, cfg_width_i[9:3]}) : columns_begin_back_q;
-  logic [8:0] select_1724;
-  assign select_1724 = equal_385_s3_q ? {{2{difference_1722[6]}}, difference_1722} : (less_1702_s3_q ? region_down_next_q : region_down_rest_q);
-  // hls/stages/agreement.hpp:177
+  assign select_1707 = less_1704_s3_q ? (sum_1705[7] ? region_row_q : next_region_row_q) : region_row_q;
+  logic [2:0] select_1709;
+  assign select_1709 = equal_1211_s3_q ? (equal_385_s3_q ? 3'h0 : select_1707) : region_row_q;
+  // hls/stages/agreement.hpp:299
+  logic [7:0] select_1713;
+  assign select_1713 = equal_351_s3_q ? select_879 : (equal_353_s3_q ? select_879 : (drew_s3_q ? select_987 : 8'h1));
+  // hls/stages/division.hpp:35
+  logic [8:0] sum_1714;
+  assign sum_1714 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
+  // hls/stages/division.hpp:36
+  logic [8:0] select_1715;
+  assign select_1715 = sum_890[5] ? {1'b1, sum_890[4:0], region_across_rest_q[2:0]} : sum_1714;
+  // hls/stages/agreement.hpp:246
+  logic [8:0] select_1719;
+  assign select_1719 = equal_1211_s3_q ? (9'h1f0 - {2'h0, cfg_width_i[9:3]}) : columns_begin_rest_q;
+  logic [7:0] select_1722;
+  assign select_1722 = equal_1211_s3_q ? (8'h8 - {1'b0, cfg_width_i[9:3]}) : columns_begin_back_q;
   logic [8:0] select_1726;
-  assign select_1726 = and_336_s3_q ? (equal_1211_s3_q ? select_1724 : region_down_rest_q) : region_down_rest_q;
-  // hls/stages/agreement.hpp:247
-  logic [6:0] select_1728;
-  assign select_1728 = equal_385_s3_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
-  // hls/stages/agreement.hpp:177
+  assign select_1726 = equal_385_s3_q ? {{2{difference_1724[6]}}, difference_1724} : (less_1704_s3_q ? region_down_next_q : region_down_rest_q);
+  // hls/stages/agreement.hpp:176
+  logic [8:0] select_1728;
+  assign select_1728 = and_336_s3_q ? (equal_1211_s3_q ? select_1726 : region_down_rest_q) : region_down_rest_q;
+  // hls/stages/agreement.hpp:246
   logic [6:0] select_1730;
-  assign select_1730 = and_336_s3_q ? (equal_1211_s3_q ? select_1728 : region_down_back_q) : region_down_back_q;
-  // hls/stages/agreement.hpp:486
-  logic [8:0] sum_1731;
-  assign sum_1731 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
-  // hls/stages/agreement.hpp:487
-  logic [8:0] select_1732;
-  assign select_1732 = sum_1703[7] ? {1'b1, sum_1703[6:0], region_down_rest_q[0]} : sum_1731;
-  // hls/stages/agreement.hpp:469
+  assign select_1730 = equal_385_s3_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
+  // hls/stages/agreement.hpp:176
+  logic [6:0] select_1732;
+  assign select_1732 = and_336_s3_q ? (equal_1211_s3_q ? select_1730 : region_down_back_q) : region_down_back_q;
+  // hls/stages/division.hpp:35
+  logic [8:0] sum_1733;
+  assign sum_1733 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
+  // hls/stages/division.hpp:36
+  logic [8:0] select_1734;
+  assign select_1734 = sum_1705[7] ? {1'b1, sum_1705[6:0], region_down_rest_q[0]} : sum_1733;
+  // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_1703[7];
-  // hls/stages/agreement.hpp:247
-  logic select_1736;
-  assign select_1736 = equal_1211_s3_q ? (equal_385_s3_q | (less_1702_s3_q ? next : region_fresh_q)) : region_fresh_q;
-  // hls/stages/agreement.hpp:138
-  logic or_1741;
-  assign or_1741 = segment_starts_q | not_1257_s3_q;
-  // hls/stages/agreement.hpp:591
-  logic select_1744;
-  assign select_1744 = less_354_s3_q ? or_1741 : (sum_890[5] ? (equal_892_s3_q & or_893) : or_893);
-  // hls/stages/agreement.hpp:302
-  logic select_1747;
-  assign select_1747 = equal_351_s3_q ? or_1741 : (equal_353_s3_q ? or_1741 : (drew_s3_q ? select_1744 : or_1741));
-  // hls/stages/agreement.hpp:737
-  logic equal_1749;
-  assign equal_1749 = x_s3_q[5:0] == 6'h3f;
-  // hls/stages/agreement.hpp:739
-  logic [7:0] select_1773;
-  assign select_1773 = ($signed(24'h0) < $signed(counts_too_much_hidden_q)) ? next_hidden_for_q : 8'h0;
-  // hls/stages/agreement.hpp:302
+  assign next = ~sum_1705[7];
+  // hls/stages/agreement.hpp:246
+  logic select_1738;
+  assign select_1738 = equal_1211_s3_q ? (equal_385_s3_q | (less_1704_s3_q ? next : region_fresh_q)) : region_fresh_q;
+  // hls/stages/agreement.hpp:140
+  logic or_1743;
+  assign or_1743 = segment_starts_q | not_1257_s3_q;
+  // hls/stages/agreement.hpp:516
+  logic select_1746;
+  assign select_1746 = less_354_s3_q ? or_1743 : (sum_890[5] ? (equal_892_s3_q & or_893) : or_893);
+  // hls/stages/agreement.hpp:299
+  logic select_1749;
+  assign select_1749 = equal_351_s3_q ? or_1743 : (equal_353_s3_q ? or_1743 : (drew_s3_q ? select_1746 : or_1743));
+  // hls/stages/agreement.hpp:619
+  logic equal_1751;
+  assign equal_1751 = x_s3_q[5:0] == 6'h3f;
+  // hls/stages/agreement.hpp:621
   logic [7:0] select_1775;
-  assign select_1775 = equal_895_s3_q ? (equal_1749 ? select_1773 : hidden_for_q) : hidden_for_q;
+  assign select_1775 = ($signed(24'h0) < $signed(counts_too_much_hidden_q)) ? next_hidden_for_q : 8'h0;
+  // hls/stages/agreement.hpp:299
   logic [7:0] select_1777;
-  assign select_1777 = equal_353_s3_q ? hidden_for_q : (drew_s3_q ? hidden_for_q : select_1775);
-  // hls/stages/agreement.hpp:143
-  logic not_1779;
-  assign not_1779 = ~hidden_for_q[7];
-  // hls/stages/agreement.hpp:302
+  assign select_1777 = equal_895_s3_q ? (equal_1751 ? select_1775 : hidden_for_q) : hidden_for_q;
+  logic [7:0] select_1779;
+  assign select_1779 = equal_353_s3_q ? hidden_for_q : (drew_s3_q ? hidden_for_q : select_1777);
+  // hls/stages/agreement.hpp:142
+  logic not_1781;
+  assign not_1781 = ~hidden_for_q[7];
+  // hls/stages/agreement.hpp:299
   logic select_1856;
   assign select_1856 = equal_353_s3_q ? centres_values_0_q : (drew_s3_q ? and_974 : centres_values_0_q);
   logic select_1859;
   assign select_1859 = equal_353_s3_q ? centres_values_1_q : (drew_s3_q ? centres_values_0_q : centres_values_1_q);
-  // hls/stages/agreement.hpp:247
+  // hls/stages/agreement.hpp:246
   logic [12:0] select_1864;
   assign select_1864 = equal_1211_s3_q ? (equal_1861_s3_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [6:0] select_1867;
   assign select_1867 = and_336_s3_q ? (equal_1211_s3_q ? cfg_width_i[9:3] : map_width_q) : map_width_q;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_1878;
-  assign and_1878 = not_352_s3_q & (not_496_s3_q & (not_1257_s3_q & (equal_895_s3_q & equal_1749)));
-  // hls/stages/agreement.hpp:857
+  assign and_1878 = not_352_s3_q & (not_496_s3_q & (not_1257_s3_q & (equal_895_s3_q & equal_1751)));
+  // hls/stages/agreement.hpp:727
   logic and_1893;
   assign and_1893 = and_1043_s3_q & ({sum_971, index_2[5:0]} == {sum_958, index[5:0]});
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_1939;
-  assign and_1939 = not_1257_s3_q & (equal_895_s3_q & (equal_1749 & (cfg_prove_i & (~proven_q))));
-  // hls/stages/agreement.hpp:795
+  assign and_1939 = not_1257_s3_q & (equal_895_s3_q & (equal_1751 & (cfg_prove_i & (~proven_q))));
+  // hls/stages/registration.hpp:99
   logic [12:0] upper;
-  assign upper = {1'b0, counts_measured_0_q} + {1'b0, counts_measured_1_q};
+  assign upper = {1'b0, registration_counts_measured_0_q} + {1'b0, registration_counts_measured_1_q};
   logic [12:0] lower;
-  assign lower = {1'b0, counts_measured_2_q} + {1'b0, counts_measured_3_q};
-  // hls/stages/agreement.hpp:799
+  assign lower = {1'b0, registration_counts_measured_2_q} + {1'b0, registration_counts_measured_3_q};
+  // hls/stages/registration.hpp:103
   logic [13:0] sum_1963;
   assign sum_1963 = {1'b0, upper} + {1'b0, lower};
   logic less_1964;
   assign less_1964 = 11'h4 < sum_1963[13:3];
-  // hls/stages/agreement.hpp:795
+  // hls/stages/registration.hpp:99
   logic [12:0] left;
-  assign left = {1'b0, counts_measured_0_q} + {1'b0, counts_measured_2_q};
-  // hls/stages/agreement.hpp:796
+  assign left = {1'b0, registration_counts_measured_0_q} + {1'b0, registration_counts_measured_2_q};
+  // hls/stages/registration.hpp:100
   logic less_1967;
   assign less_1967 = 11'he < left[12:2];
-  // hls/stages/agreement.hpp:504
+  // hls/stages/registration.hpp:119
   logic less_1969;
-  assign less_1969 = $signed(15'h0) < $signed(counts_votes_0_up_q);
-  // hls/stages/agreement.hpp:800
+  assign less_1969 = $signed(15'h0) < $signed(registration_counts_votes_0_up_q);
+  // hls/stages/registration.hpp:104
   logic or_1970;
   assign or_1970 = (~less_1967) | less_1969;
-  // hls/stages/agreement.hpp:795
+  // hls/stages/registration.hpp:99
   logic [12:0] right;
-  assign right = {1'b0, counts_measured_1_q} + {1'b0, counts_measured_3_q};
-  // hls/stages/agreement.hpp:796
+  assign right = {1'b0, registration_counts_measured_1_q} + {1'b0, registration_counts_measured_3_q};
+  // hls/stages/registration.hpp:100
   logic less_1972;
   assign less_1972 = 11'he < right[12:2];
-  // hls/stages/agreement.hpp:504
+  // hls/stages/registration.hpp:119
   logic less_1974;
-  assign less_1974 = $signed(15'h0) < $signed(counts_half_votes_0_up_q);
-  // hls/stages/agreement.hpp:800
+  assign less_1974 = $signed(15'h0) < $signed(registration_counts_half_votes_0_up_q);
+  // hls/stages/registration.hpp:104
   logic select_1976;
   assign select_1976 = less_1964 ? (or_1970 ? less_1969 : less_1974) : less_1974;
   logic or_1977;
   assign or_1977 = (~less_1972) | select_1976;
-  // hls/stages/agreement.hpp:796
+  // hls/stages/registration.hpp:100
   logic less_1978;
   assign less_1978 = 11'he < upper[12:2];
-  // hls/stages/agreement.hpp:504
+  // hls/stages/registration.hpp:119
   logic less_1980;
-  assign less_1980 = $signed(15'h0) < $signed(counts_half_votes_1_up_q);
-  // hls/stages/agreement.hpp:800
+  assign less_1980 = $signed(15'h0) < $signed(registration_counts_half_votes_1_up_q);
+  // hls/stages/registration.hpp:104
   logic select_1981;
   assign select_1981 = or_1977 ? select_1976 : less_1980;
   logic select_1983;
   assign select_1983 = less_1964 ? select_1981 : (less_1967 ? select_1981 : less_1980);
   logic or_1984;
   assign or_1984 = (~less_1978) | select_1983;
-  // hls/stages/agreement.hpp:504
+  // hls/stages/registration.hpp:119
   logic less_1985;
-  assign less_1985 = $signed(15'h0) < $signed(counts_half_votes_2_up_q);
-  // hls/stages/agreement.hpp:800
+  assign less_1985 = $signed(15'h0) < $signed(registration_counts_half_votes_2_up_q);
+  // hls/stages/registration.hpp:104
   logic select_1986;
   assign select_1986 = or_1984 ? select_1983 : less_1985;
   logic select_1989;
   assign select_1989 = less_1964 ? select_1986 : (less_1967 ? select_1986 : (less_1972 ? select_1986 : less_1985));
-  // hls/stages/agreement.hpp:797
+  // hls/stages/registration.hpp:101
   logic less_1990;
   assign less_1990 = 11'he < lower[12:2];
-  // hls/stages/agreement.hpp:800
+  // hls/stages/registration.hpp:104
   logic or_1992;
   assign or_1992 = select_1989 | (~less_1990);
-  // hls/stages/agreement.hpp:504
+  // hls/stages/registration.hpp:119
   logic less_1993;
-  assign less_1993 = $signed(15'h0) < $signed(counts_half_votes_3_up_q);
-  // hls/stages/agreement.hpp:801
+  assign less_1993 = $signed(15'h0) < $signed(registration_counts_half_votes_3_up_q);
+  // hls/stages/registration.hpp:105
   logic select_1994;
   assign select_1994 = or_1992 ? select_1989 : less_1993;
   logic select_1997;
   assign select_1997 = less_1967 ? select_1994 : (less_1972 ? select_1994 : (less_1978 ? select_1994 : less_1993));
-  // hls/stages/agreement.hpp:741
+  // hls/stages/agreement.hpp:623
   logic and_2009;
-  assign and_2009 = ($signed(15'h0) < $signed(counts_votes_3_up_q)) & ($signed(15'h0) < $signed(counts_votes_4_down_q));
+  assign and_2009 = ($signed(15'h0) < $signed(registration_counts_votes_3_up_q)) & ($signed(15'h0) < $signed(registration_counts_votes_4_down_q));
+  logic or_2010;
+  assign or_2010 = ($signed(15'h0) < $signed(registration_counts_votes_4_up_q)) | and_2009;
   logic select_2011;
-  assign select_2011 = ($signed(15'h0) < $signed(counts_votes_3_down_q)) ? (($signed(15'h0) < $signed(counts_votes_4_up_q)) | and_2009) : and_2009;
+  assign select_2011 = ($signed(15'h0) < $signed(registration_counts_votes_3_down_q)) ? or_2010 : and_2009;
   logic and_2012;
   assign and_2012 = (less_1978 & less_1990) & select_2011;
+  logic or_2013;
+  assign or_2013 = ($signed(15'h0) < $signed(registration_counts_votes_2_down_q)) | and_2012;
   logic select_2014;
-  assign select_2014 = ($signed(15'h0) < $signed(counts_votes_1_up_q)) ? (($signed(15'h0) < $signed(counts_votes_2_down_q)) | and_2012) : and_2012;
+  assign select_2014 = ($signed(15'h0) < $signed(registration_counts_votes_1_up_q)) ? or_2013 : and_2012;
+  logic or_2015;
+  assign or_2015 = ($signed(15'h0) < $signed(registration_counts_votes_2_up_q)) | select_2014;
   logic select_2016;
-  assign select_2016 = ($signed(15'h0) < $signed(counts_votes_1_down_q)) ? (($signed(15'h0) < $signed(counts_votes_2_up_q)) | select_2014) : select_2014;
+  assign select_2016 = ($signed(15'h0) < $signed(registration_counts_votes_1_down_q)) ? or_2015 : select_2014;
   logic select_2017;
   assign select_2017 = (less_1967 & less_1972) ? select_2016 : and_2012;
   logic or_2018;
   assign or_2018 = (less_1964 ? select_1994 : select_1997) | select_2017;
+  // hls/stages/registration.hpp:119
+  logic less_2019;
+  assign less_2019 = $signed(15'h0) < $signed(registration_counts_half_votes_3_down_q);
+  // hls/stages/agreement.hpp:623
   logic or_2020;
-  assign or_2020 = ($signed(15'h0) < $signed(counts_half_votes_3_down_q)) | or_2018;
+  assign or_2020 = less_2019 | or_2018;
   logic select_2021;
   assign select_2021 = or_1992 ? or_2018 : or_2020;
-  logic or_2023;
-  assign or_2023 = ($signed(15'h0) < $signed(counts_half_votes_2_down_q)) | select_2021;
+  // hls/stages/registration.hpp:119
+  logic less_2022;
+  assign less_2022 = $signed(15'h0) < $signed(registration_counts_half_votes_2_down_q);
+  logic less_2025;
+  assign less_2025 = $signed(15'h0) < $signed(registration_counts_half_votes_1_down_q);
+  logic less_2028;
+  assign less_2028 = $signed(15'h0) < $signed(registration_counts_half_votes_0_down_q);
+  // hls/stages/agreement.hpp:623
   logic and_2070;
-  assign and_2070 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_1773 < cfg_hidden_frames_i));
-  // hls/stages/agreement.hpp:302
+  assign and_2070 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_1775 < cfg_hidden_frames_i));
+  // hls/stages/agreement.hpp:299
   logic and_2074;
-  assign and_2074 = not_1257_s3_q & (equal_895_s3_q & (equal_1749 & (cfg_prove_i & and_2070)));
+  assign and_2074 = not_1257_s3_q & (equal_895_s3_q & (equal_1751 & (cfg_prove_i & and_2070)));
   logic [11:0] select_2098;
-  assign select_2098 = equal_895_s3_q ? (equal_1749 ? counts_measured_0_q : 12'h0) : 12'h0;
+  assign select_2098 = equal_895_s3_q ? (equal_1751 ? registration_counts_measured_0_q : 12'h0) : 12'h0;
   logic [11:0] select_2101;
   assign select_2101 = equal_351_s3_q ? 12'h0 : (equal_353_s3_q ? 12'h0 : (drew_s3_q ? 12'h0 : select_2098));
   logic [11:0] select_2103;
-  assign select_2103 = equal_895_s3_q ? (equal_1749 ? counts_measured_1_q : 12'h0) : 12'h0;
+  assign select_2103 = equal_895_s3_q ? (equal_1751 ? registration_counts_measured_1_q : 12'h0) : 12'h0;
   logic [11:0] select_2106;
   assign select_2106 = equal_351_s3_q ? 12'h0 : (equal_353_s3_q ? 12'h0 : (drew_s3_q ? 12'h0 : select_2103));
   logic [11:0] select_2108;
-  assign select_2108 = equal_895_s3_q ? (equal_1749 ? counts_measured_2_q : 12'h0) : 12'h0;
+  assign select_2108 = equal_895_s3_q ? (equal_1751 ? registration_counts_measured_2_q : 12'h0) : 12'h0;
   logic [11:0] select_2111;
   assign select_2111 = equal_351_s3_q ? 12'h0 : (equal_353_s3_q ? 12'h0 : (drew_s3_q ? 12'h0 : select_2108));
   logic [11:0] select_2113;
-  assign select_2113 = equal_895_s3_q ? (equal_1749 ? counts_measured_3_q : 12'h0) : 12'h0;
+  assign select_2113 = equal_895_s3_q ? (equal_1751 ? registration_counts_measured_3_q : 12'h0) : 12'h0;
   logic [11:0] select_2116;
   assign select_2116 = equal_351_s3_q ? 12'h0 : (equal_353_s3_q ? 12'h0 : (drew_s3_q ? 12'h0 : select_2113));
 
-  // Memory regions, 64 x 36, DISTANCE 12, hls/stages/agreement.hpp:912; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory regions, 64 x 36, DISTANCE 12, hls/stages/agreement.hpp:782; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [35:0] regions_mem [0:63];
@@ -2866,7 +2900,7 @@ module horopter_agreement (
     if (regions_re) regions_rdata_q <= regions_mem[regions_raddr];
   end
 
-  // Memory map, 9600 x 2, DISTANCE 16, hls/stages/agreement.hpp:932; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory map, 9600 x 2, DISTANCE 16, hls/stages/agreement.hpp:801; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [1:0] map_mem [0:9599];
@@ -2970,28 +3004,28 @@ module horopter_agreement (
       rows_passed_above_q <= 5'h0;
       counts_too_little_explained_q <= 24'h0;
       counts_too_much_hidden_q <= 24'h0;
-      counts_measured_0_q <= 12'h0;
-      counts_measured_1_q <= 12'h0;
-      counts_measured_2_q <= 12'h0;
-      counts_measured_3_q <= 12'h0;
-      counts_votes_0_down_q <= 15'h0;
-      counts_votes_0_up_q <= 15'h0;
-      counts_votes_1_down_q <= 15'h0;
-      counts_votes_1_up_q <= 15'h0;
-      counts_votes_2_down_q <= 15'h0;
-      counts_votes_2_up_q <= 15'h0;
-      counts_votes_3_down_q <= 15'h0;
-      counts_votes_3_up_q <= 15'h0;
-      counts_votes_4_down_q <= 15'h0;
-      counts_votes_4_up_q <= 15'h0;
-      counts_half_votes_0_down_q <= 15'h0;
-      counts_half_votes_0_up_q <= 15'h0;
-      counts_half_votes_1_down_q <= 15'h0;
-      counts_half_votes_1_up_q <= 15'h0;
-      counts_half_votes_2_down_q <= 15'h0;
-      counts_half_votes_2_up_q <= 15'h0;
-      counts_half_votes_3_down_q <= 15'h0;
-      counts_half_votes_3_up_q <= 15'h0;
+      registration_counts_measured_0_q <= 12'h0;
+      registration_counts_measured_1_q <= 12'h0;
+      registration_counts_measured_2_q <= 12'h0;
+      registration_counts_measured_3_q <= 12'h0;
+      registration_counts_votes_0_down_q <= 15'h0;
+      registration_counts_votes_0_up_q <= 15'h0;
+      registration_counts_votes_1_down_q <= 15'h0;
+      registration_counts_votes_1_up_q <= 15'h0;
+      registration_counts_votes_2_down_q <= 15'h0;
+      registration_counts_votes_2_up_q <= 15'h0;
+      registration_counts_votes_3_down_q <= 15'h0;
+      registration_counts_votes_3_up_q <= 15'h0;
+      registration_counts_votes_4_down_q <= 15'h0;
+      registration_counts_votes_4_up_q <= 15'h0;
+      registration_counts_half_votes_0_down_q <= 15'h0;
+      registration_counts_half_votes_0_up_q <= 15'h0;
+      registration_counts_half_votes_1_down_q <= 15'h0;
+      registration_counts_half_votes_1_up_q <= 15'h0;
+      registration_counts_half_votes_2_down_q <= 15'h0;
+      registration_counts_half_votes_2_up_q <= 15'h0;
+      registration_counts_half_votes_3_down_q <= 15'h0;
+      registration_counts_half_votes_3_up_q <= 15'h0;
       region_row_q <= 3'h0;
       region_columns_q <= 8'h1;
       region_across_rest_q <= 9'h0;
@@ -3023,41 +3057,41 @@ module horopter_agreement (
       rows_passed_above_q <= and_336_s3_q ? select_387 : rows_passed_above_q;
       counts_too_little_explained_q <= and_1344 ? 24'h0 : sum_1398;
       counts_too_much_hidden_q <= select_1427;
-      counts_measured_0_q <= and_1344 ? 12'h0 : (counts_measured_0_q + {11'h0, and_1517});
-      counts_measured_1_q <= and_1344 ? 12'h0 : (counts_measured_1_q + {11'h0, and_1526});
-      counts_measured_2_q <= and_1344 ? 12'h0 : (counts_measured_2_q + {11'h0, and_1534});
-      counts_measured_3_q <= and_1344 ? 12'h0 : (counts_measured_3_q + {11'h0, and_1541});
-      counts_votes_0_down_q <= select_1551;
-      counts_votes_0_up_q <= select_1560;
-      counts_votes_1_down_q <= select_1569;
-      counts_votes_1_up_q <= select_1577;
-      counts_votes_2_down_q <= select_1585;
-      counts_votes_2_up_q <= select_1593;
-      counts_votes_3_down_q <= select_1602;
-      counts_votes_3_up_q <= select_1610;
-      counts_votes_4_down_q <= select_1618;
-      counts_votes_4_up_q <= select_1626;
-      counts_half_votes_0_down_q <= select_1635;
-      counts_half_votes_0_up_q <= select_1644;
-      counts_half_votes_1_down_q <= select_1652;
-      counts_half_votes_1_up_q <= select_1660;
-      counts_half_votes_2_down_q <= select_1668;
-      counts_half_votes_2_up_q <= select_1676;
-      counts_half_votes_3_down_q <= select_1684;
-      counts_half_votes_3_up_q <= select_1692;
-      region_row_q <= and_336_s3_q ? select_1707 : region_row_q;
-      region_columns_q <= select_1711;
-      region_across_rest_q <= drew_s3_q ? select_1713 : columns_begin_rest_q;
+      registration_counts_measured_0_q <= select_1519;
+      registration_counts_measured_1_q <= select_1528;
+      registration_counts_measured_2_q <= select_1536;
+      registration_counts_measured_3_q <= select_1543;
+      registration_counts_votes_0_down_q <= and_1344 ? 15'h0 : sum_1550;
+      registration_counts_votes_0_up_q <= and_1344 ? 15'h0 : sum_1559;
+      registration_counts_votes_1_down_q <= and_1344 ? 15'h0 : sum_1568;
+      registration_counts_votes_1_up_q <= and_1344 ? 15'h0 : sum_1576;
+      registration_counts_votes_2_down_q <= and_1344 ? 15'h0 : sum_1584;
+      registration_counts_votes_2_up_q <= and_1344 ? 15'h0 : sum_1592;
+      registration_counts_votes_3_down_q <= and_1344 ? 15'h0 : sum_1601;
+      registration_counts_votes_3_up_q <= and_1344 ? 15'h0 : sum_1609;
+      registration_counts_votes_4_down_q <= and_1344 ? 15'h0 : sum_1617;
+      registration_counts_votes_4_up_q <= and_1344 ? 15'h0 : sum_1625;
+      registration_counts_half_votes_0_down_q <= and_1344 ? 15'h0 : sum_1634;
+      registration_counts_half_votes_0_up_q <= and_1344 ? 15'h0 : sum_1643;
+      registration_counts_half_votes_1_down_q <= and_1344 ? 15'h0 : sum_1651;
+      registration_counts_half_votes_1_up_q <= and_1344 ? 15'h0 : sum_1659;
+      registration_counts_half_votes_2_down_q <= and_1344 ? 15'h0 : sum_1667;
+      registration_counts_half_votes_2_up_q <= and_1344 ? 15'h0 : sum_1675;
+      registration_counts_half_votes_3_down_q <= and_1344 ? 15'h0 : sum_1683;
+      registration_counts_half_votes_3_up_q <= and_1344 ? 15'h0 : sum_1691;
+      region_row_q <= and_336_s3_q ? select_1709 : region_row_q;
+      region_columns_q <= select_1713;
+      region_across_rest_q <= drew_s3_q ? select_1715 : columns_begin_rest_q;
       region_across_back_q <= drew_s3_q ? region_across_back_q : columns_begin_back_q;
-      columns_begin_rest_q <= and_336_s3_q ? select_1717 : columns_begin_rest_q;
-      columns_begin_back_q <= and_336_s3_q ? select_1720 : columns_begin_back_q;
-      region_down_rest_q <= select_1726;
-      region_down_back_q <= select_1730;
-      region_down_next_q <= select_1732;
-      region_fresh_q <= and_336_s3_q ? select_1736 : region_fresh_q;
-      segment_starts_q <= select_1747;
-      hidden_for_q <= equal_351_s3_q ? hidden_for_q : select_1777;
-      next_hidden_for_q <= hidden_for_q + {7'h0, not_1779};
+      columns_begin_rest_q <= and_336_s3_q ? select_1719 : columns_begin_rest_q;
+      columns_begin_back_q <= and_336_s3_q ? select_1722 : columns_begin_back_q;
+      region_down_rest_q <= select_1728;
+      region_down_back_q <= select_1732;
+      region_down_next_q <= select_1734;
+      region_fresh_q <= and_336_s3_q ? select_1738 : region_fresh_q;
+      segment_starts_q <= select_1749;
+      hidden_for_q <= equal_351_s3_q ? hidden_for_q : select_1779;
+      next_hidden_for_q <= hidden_for_q + {7'h0, not_1781};
       next_region_row_q <= region_row_q + 3'h1;
       begins_product_q <= drew_s3_q;
       centres_values_0_q <= equal_351_s3_q ? centres_values_0_q : select_1856;
@@ -3305,8 +3339,8 @@ module horopter_agreement (
   logic equal_1433_s4_q;
   logic equal_1434_s4_q;
   logic [7:0] residual_s4_q;
-  logic equal_1749_s4_q;
-  logic less_1755_s4_q;
+  logic equal_1751_s4_q;
+  logic less_1757_s4_q;
   logic and_1893_s4_q;
   logic and_1941_s4_q;
   logic less_1964_s4_q;
@@ -3433,12 +3467,12 @@ module horopter_agreement (
       equal_1433_s4_q <= equal_1433;
       equal_1434_s4_q <= equal_1434;
       residual_s4_q <= residual[7:0];
-      equal_1749_s4_q <= equal_1749;
-      less_1755_s4_q <= $signed(24'h0) < $signed(counts_too_little_explained_q);
+      equal_1751_s4_q <= equal_1751;
+      less_1757_s4_q <= $signed(24'h0) < $signed(counts_too_little_explained_q);
       and_1893_s4_q <= and_1893;
       and_1941_s4_q <= not_352_s3_q & (not_496_s3_q & and_1939);
       less_1964_s4_q <= less_1964;
-      less_1965_s4_q <= $signed(15'h0) < $signed(counts_votes_0_down_q);
+      less_1965_s4_q <= $signed(15'h0) < $signed(registration_counts_votes_0_down_q);
       less_1967_s4_q <= less_1967;
       or_1970_s4_q <= or_1970;
       less_1972_s4_q <= less_1972;
@@ -3446,9 +3480,9 @@ module horopter_agreement (
       less_1978_s4_q <= less_1978;
       or_1984_s4_q <= or_1984;
       select_2021_s4_q <= select_2021;
-      or_2023_s4_q <= or_2023;
-      less_2025_s4_q <= $signed(15'h0) < $signed(counts_half_votes_1_down_q);
-      less_2028_s4_q <= $signed(15'h0) < $signed(counts_half_votes_0_down_q);
+      or_2023_s4_q <= less_2022 | select_2021;
+      less_2025_s4_q <= less_2025;
+      less_2028_s4_q <= less_2028;
       select_2032_s4_q <= less_1990 ? or_2020 : select_2017;
       and_2076_s4_q <= not_352_s3_q & (not_496_s3_q & and_2074);
       select_2101_s4_q <= select_2101;
@@ -3488,10 +3522,10 @@ module horopter_agreement (
   logic [13:0] counts_regions_bad_q;
   logic [23:0] counts_too_many_bad_q;
   logic [23:0] counts_too_much_unproven_q;
-  logic [19:0] counts_across_0_q;
-  logic [19:0] counts_across_1_q;
-  logic [19:0] counts_across_2_q;
-  logic [19:0] counts_across_3_q;
+  logic [19:0] registration_counts_across_0_q;
+  logic [19:0] registration_counts_across_1_q;
+  logic [19:0] registration_counts_across_2_q;
+  logic [19:0] registration_counts_across_3_q;
   logic [6:0] segment_textured_q;
   logic [6:0] segment_explained_q;
   logic [6:0] segment_nearer_q;
@@ -3534,7 +3568,7 @@ module horopter_agreement (
   assign less_438 = 9'h4 < sum_437[13:5];
   logic and_439;
   assign and_439 = and_389_s4_q & less_438;
-  // hls/stages/agreement.hpp:451
+  // hls/stages/registration.hpp:28
   logic not_844;
   assign not_844 = ~difference_843_s4_q[8];
   logic [7:0] xor_845;
@@ -3559,52 +3593,52 @@ module horopter_agreement (
   assign xor_854 = twice_s4_q ^ {8{not_853}};
   logic [9:0] sum_855;
   assign sum_855 = {sum_852[8:0], not_853} + {not_853, xor_854, not_853};
-  // hls/stages/agreement.hpp:454
+  // hls/stages/registration.hpp:31
   logic [7:0] difference_856;
   assign difference_856 = {sum_831_s4_q, select_797_s4_q, 5'h0} - {3'h0, difference_843_s4_q[8], sum_846[9], sum_849[9], sum_852[9], sum_855[9]};
-  // hls/stages/agreement.hpp:431
+  // hls/stages/agreement.hpp:428
   logic [7:0] select_857;
   assign select_857 = rise_s4_q ? difference_856 : {sum_831_s4_q, select_797_s4_q, difference_843_s4_q[8], sum_846[9], sum_849[9], sum_852[9], sum_855[9]};
   logic [7:0] select_858;
   assign select_858 = equal_819_s4_q ? select_857 : {sum_831_s4_q, select_797_s4_q, 5'h0};
-  // hls/stages/agreement.hpp:433
+  // hls/stages/agreement.hpp:430
   logic [7:0] select_861;
   assign select_861 = less_803_s4_q ? (or_806_s4_q ? select_858 : best_left_rdata_s4_q) : (less_804_s4_q ? select_858 : best_left_rdata_s4_q);
   logic [7:0] select_862;
   assign select_862 = equal_501_s4_q ? select_858 : select_861;
-  // hls/stages/agreement.hpp:536
+  // hls/stages/agreement.hpp:464
   logic [6:0] select_908;
   assign select_908 = segment_started_q ? segment_textured_q : 7'h0;
-  // hls/stages/agreement.hpp:537
+  // hls/stages/agreement.hpp:465
   logic [6:0] sum_909;
   assign sum_909 = {6'h0, textured_s4_q} + select_908;
-  // hls/stages/agreement.hpp:667
+  // hls/stages/agreement.hpp:549
   logic [11:0] sum_911;
   assign sum_911 = {5'h0, sum_909} + (region_fresh_s4_q ? 12'h0 : regions_rdata_q[11:0]);
-  // hls/stages/agreement.hpp:536
+  // hls/stages/agreement.hpp:464
   logic [6:0] select_919;
   assign select_919 = segment_started_q ? segment_explained_q : 7'h0;
-  // hls/stages/agreement.hpp:537
+  // hls/stages/agreement.hpp:465
   logic [6:0] sum_920;
   assign sum_920 = {6'h0, explained_s4_q} + select_919;
-  // hls/stages/agreement.hpp:668
+  // hls/stages/agreement.hpp:550
   logic [11:0] sum_922;
   assign sum_922 = {5'h0, sum_920} + (region_fresh_s4_q ? 12'h0 : regions_rdata_q[23:12]);
-  // hls/stages/agreement.hpp:536
+  // hls/stages/agreement.hpp:464
   logic [6:0] select_930;
   assign select_930 = segment_started_q ? segment_nearer_q : 7'h0;
-  // hls/stages/agreement.hpp:538
+  // hls/stages/agreement.hpp:466
   logic [6:0] sum_931;
   assign sum_931 = {6'h0, and_929_s4_q} + select_930;
-  // hls/stages/agreement.hpp:669
+  // hls/stages/agreement.hpp:551
   logic [11:0] sum_933;
   assign sum_933 = {5'h0, sum_931} + (region_fresh_s4_q ? 12'h0 : regions_rdata_q[35:24]);
-  // hls/stages/agreement.hpp:693
+  // hls/stages/agreement.hpp:575
   logic [4:0] difference_981;
   assign difference_981 = {2'h0, textured_2_s4_q} - (age_s4_q ? box_textured_columns_values_4_q : 5'h0);
   logic [4:0] t;
   assign t = difference_981 + (equal_982_s4_q ? 5'h0 : box_textured_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:699
+  // hls/stages/agreement.hpp:581
   logic not_997;
   assign not_997 = ~region_row_s4_q[2];
   logic [2:0] select_998;
@@ -3617,22 +3651,22 @@ module horopter_agreement (
   assign select_1001 = or_993_s4_q ? {select_1000[11], 1'b0, select_1000[10], 1'b0, select_1000[9], 1'b0, select_1000[8], 1'b0, select_1000[7], 1'b0, select_1000[6], 1'b0, select_1000[5], 1'b0, select_1000[4], 1'b0, select_1000[3], 1'b0, select_1000[2], 1'b0, select_1000[1], 1'b0, select_1000[0], 1'b0} : {1'b0, select_1000[11], 1'b0, select_1000[10], 1'b0, select_1000[9], 1'b0, select_1000[8], 1'b0, select_1000[7], 1'b0, select_1000[6], 1'b0, select_1000[5], 1'b0, select_1000[4], 1'b0, select_1000[3], 1'b0, select_1000[2], 1'b0, select_1000[1], 1'b0, select_1000[0]};
   logic [47:0] select_1002;
   assign select_1002 = or_990_s4_q ? {select_1001[23], 1'b0, select_1001[22], 1'b0, select_1001[21], 1'b0, select_1001[20], 1'b0, select_1001[19], 1'b0, select_1001[18], 1'b0, select_1001[17], 1'b0, select_1001[16], 1'b0, select_1001[15], 1'b0, select_1001[14], 1'b0, select_1001[13], 1'b0, select_1001[12], 1'b0, select_1001[11], 1'b0, select_1001[10], 1'b0, select_1001[9], 1'b0, select_1001[8], 1'b0, select_1001[7], 1'b0, select_1001[6], 1'b0, select_1001[5], 1'b0, select_1001[4], 1'b0, select_1001[3], 1'b0, select_1001[2], 1'b0, select_1001[1], 1'b0, select_1001[0], 1'b0} : {1'b0, select_1001[23], 1'b0, select_1001[22], 1'b0, select_1001[21], 1'b0, select_1001[20], 1'b0, select_1001[19], 1'b0, select_1001[18], 1'b0, select_1001[17], 1'b0, select_1001[16], 1'b0, select_1001[15], 1'b0, select_1001[14], 1'b0, select_1001[13], 1'b0, select_1001[12], 1'b0, select_1001[11], 1'b0, select_1001[10], 1'b0, select_1001[9], 1'b0, select_1001[8], 1'b0, select_1001[7], 1'b0, select_1001[6], 1'b0, select_1001[5], 1'b0, select_1001[4], 1'b0, select_1001[3], 1'b0, select_1001[2], 1'b0, select_1001[1], 1'b0, select_1001[0]};
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:576
   logic [4:0] difference_1014;
   assign difference_1014 = {2'h0, explained_2_s4_q} - (age_s4_q ? box_explained_columns_values_4_q : 5'h0);
   logic [4:0] e;
   assign e = difference_1014 + (equal_982_s4_q ? 5'h0 : box_explained_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:700
+  // hls/stages/agreement.hpp:582
   logic [5:0] sum_1017;
   assign sum_1017 = {1'b0, e} + {2'h0, e[4:1]};
   logic is_seen;
   assign is_seen = (t[4:1] == 4'h0) ? (~((good_q & select_1002) == 48'h0)) : (~({sum_1017, e[0]} < {2'h0, t}));
-  // hls/stages/agreement.hpp:695
+  // hls/stages/agreement.hpp:577
   logic [4:0] difference_1028;
   assign difference_1028 = {2'h0, near_2_s4_q} - (age_s4_q ? box_nearer_columns_values_4_q : 5'h0);
   logic [4:0] n;
   assign n = difference_1028 + (equal_982_s4_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:708
+  // hls/stages/agreement.hpp:590
   logic and_1032;
   assign and_1032 = is_seen & ({1'b0, e[4:1]} < n);
   // hls/stages/census.hpp:128
@@ -3661,7 +3695,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:130
   logic [13:0] detail_2;
   assign detail_2 = {3'h0, size_3} + (equal_339_s4_q ? 14'h0 : averager_detail_1_q);
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [11:0] select_1155;
   assign select_1155 = and_336_s4_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
   logic [11:0] select_1156;
@@ -3684,13 +3718,13 @@ module horopter_agreement (
   // hls/stages/census.hpp:227
   logic [19:0] sum_1167;
   assign sum_1167 = census_left_misses_q + {{17{and_1166}}, and_1165, 1'b0, and_1165};
-  // hls/stages/agreement.hpp:177
+  // hls/stages/agreement.hpp:176
   logic [19:0] select_1169;
   assign select_1169 = and_336_s4_q ? (equal_1160_s4_q ? 20'h0 : sum_1167) : census_left_misses_q;
   // hls/stages/census.hpp:275
   logic and_1178;
   assign and_1178 = whole_2_s4_q & (~(select_302_s4_q[6:1] == 6'h0));
-  // hls/stages/agreement.hpp:244
+  // hls/stages/agreement.hpp:243
   logic and_1184;
   assign and_1184 = and_1178 & (sharpness_last_mask_q & (7'h2 < contrast_s4_q[8:2]));
   // hls/stages/census.hpp:274
@@ -3702,7 +3736,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:277
   logic [23:0] select_1188;
   assign select_1188 = equal_1160_s4_q ? {11'h0, select_1186} : (sharpness_sums_detail_0_q + {11'h0, select_1186});
-  // hls/stages/agreement.hpp:244
+  // hls/stages/agreement.hpp:243
   logic and_1195;
   assign and_1195 = and_1178 & (sharpness_last_mask_q & (7'h2 < contrast_2_s4_q[8:2]));
   // hls/stages/census.hpp:274
@@ -3722,164 +3756,164 @@ module horopter_agreement (
   assign select_1206 = and_1195 ? contrast_2_s4_q : 9'h0;
   logic [23:0] sum_1207;
   assign sum_1207 = (equal_1160_s4_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_1206};
-  // hls/stages/agreement.hpp:562
+  // hls/stages/agreement.hpp:484
   logic [13:0] select_1351;
   assign select_1351 = and_1344_s4_q ? 14'h0 : (counts_supervised_q + {13'h0, and_1349_s4_q});
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_1354;
   assign and_1354 = not_352_s4_q & (not_496_s4_q & (begins_product_q & textured_s4_q));
   logic and_1359;
   assign and_1359 = not_352_s4_q & (not_496_s4_q & (begins_product_q & explained_s4_q));
   logic and_1364;
   assign and_1364 = not_352_s4_q & (not_496_s4_q & (begins_product_q & and_929_s4_q));
-  // hls/stages/agreement.hpp:702
+  // hls/stages/agreement.hpp:584
   logic or_1370;
   assign or_1370 = is_seen | or_1369_s4_q;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_1374;
   assign and_1374 = not_352_s4_q & (not_496_s4_q & (begins_product_q & (~or_1370)));
-  // hls/stages/agreement.hpp:726
+  // hls/stages/agreement.hpp:608
   logic less_1377;
   assign less_1377 = region_row_s4_q < x_s4_q[5:3];
   logic [11:0] select_1378;
   assign select_1378 = less_1377 ? 12'h0 : regions_rdata_q[11:0];
   logic [11:0] select_1381;
   assign select_1381 = less_1377 ? 12'h0 : regions_rdata_q[23:12];
-  // hls/stages/agreement.hpp:727
+  // hls/stages/agreement.hpp:609
   logic [12:0] sum_1382;
   assign sum_1382 = {1'b0, select_1381} + {3'h0, select_1381[11:2]};
   logic and_1384;
   assign and_1384 = (~(select_1378[11:4] == 8'h0)) & ({sum_1382, select_1381[1:0]} < {3'h0, select_1378});
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [11:0] select_1387;
   assign select_1387 = equal_895_s4_q ? (equal_896_s4_q ? 12'h0 : (and_1384 ? select_1378 : 12'h0)) : 12'h0;
   logic [11:0] select_1389;
   assign select_1389 = equal_353_s4_q ? 12'h0 : (begins_product_q ? 12'h0 : select_1387);
   logic [11:0] select_1390;
   assign select_1390 = equal_351_s4_q ? 12'h0 : select_1389;
-  // hls/stages/agreement.hpp:562
+  // hls/stages/agreement.hpp:484
   logic [13:0] select_1392;
   assign select_1392 = and_1344_s4_q ? 14'h0 : (counts_regions_bad_q + {2'h0, select_1390});
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic [8:0] select_1402;
   assign select_1402 = less_354_s4_q ? 9'h0 : (and_906_s4_q ? (9'h0 - {1'b0, cfg_regions_limit_i}) : 9'h0);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [20:0] select_1403;
   assign select_1403 = begins_product_q ? {{12{select_1402[8]}}, select_1402} : {1'b0, select_1387, 8'h0};
   logic [20:0] select_1405;
   assign select_1405 = equal_351_s4_q ? 21'h0 : (equal_353_s4_q ? 21'h0 : select_1403);
-  // hls/stages/agreement.hpp:562
+  // hls/stages/agreement.hpp:484
   logic [23:0] select_1407;
   assign select_1407 = and_1344_s4_q ? 24'h0 : (counts_too_many_bad_q + {{3{select_1405[20]}}, select_1405});
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:530
   logic [8:0] select_1409;
   assign select_1409 = and_906_s4_q ? (9'h0 - {1'b0, cfg_unproven_limit_i}) : 9'h0;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [7:0] select_1410;
   assign select_1410 = less_354_s4_q ? 8'h0 : select_1409[7:0];
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic and_1411;
   assign and_1411 = not_355_s4_q & select_1409[8];
-  // hls/stages/agreement.hpp:706
+  // hls/stages/agreement.hpp:588
   logic [2:0] select_1413;
   assign select_1413 = or_1370 ? {3{and_1411}} : ({3{and_1411}} + 3'h1);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [10:0] select_1415;
   assign select_1415 = equal_353_s4_q ? 11'h0 : (begins_product_q ? {select_1413, select_1410} : 11'h0);
   logic [10:0] select_1416;
   assign select_1416 = equal_351_s4_q ? 11'h0 : select_1415;
-  // hls/stages/agreement.hpp:554
+  // hls/stages/agreement.hpp:482
   logic [23:0] sum_1417;
   assign sum_1417 = counts_too_much_unproven_q + {{13{select_1416[10]}}, select_1416};
-  // hls/stages/agreement.hpp:629
+  // hls/stages/registration.hpp:80
   logic [7:0] select_1472;
   assign select_1472 = equal_1433_s4_q ? 8'h0 : (equal_1434_s4_q ? 8'h0 : residual_s4_q);
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic [7:0] select_1475;
   assign select_1475 = less_354_s4_q ? 8'h0 : (and_1429_s4_q ? (equal_1432_s4_q ? 8'h0 : select_1472) : 8'h0);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [7:0] select_1478;
   assign select_1478 = equal_351_s4_q ? 8'h0 : (equal_353_s4_q ? 8'h0 : (begins_product_q ? select_1475 : 8'h0));
-  // hls/stages/agreement.hpp:182
-  logic [19:0] select_1480;
-  assign select_1480 = and_1344_s4_q ? 20'h0 : (counts_across_0_q + {{12{select_1478[7]}}, select_1478});
-  // hls/stages/agreement.hpp:629
+  // hls/stages/registration.hpp:89
+  logic [19:0] sum_1479;
+  assign sum_1479 = registration_counts_across_0_q + {{12{select_1478[7]}}, select_1478};
+  // hls/stages/registration.hpp:80
   logic [7:0] select_1482;
   assign select_1482 = equal_1433_s4_q ? 8'h0 : (equal_1434_s4_q ? residual_s4_q : 8'h0);
-  // hls/stages/agreement.hpp:166
+  // hls/stages/agreement.hpp:165
   logic [7:0] select_1485;
   assign select_1485 = less_354_s4_q ? 8'h0 : (and_1429_s4_q ? (equal_1432_s4_q ? 8'h0 : select_1482) : 8'h0);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [7:0] select_1488;
   assign select_1488 = equal_351_s4_q ? 8'h0 : (equal_353_s4_q ? 8'h0 : (begins_product_q ? select_1485 : 8'h0));
-  // hls/stages/agreement.hpp:182
-  logic [19:0] select_1490;
-  assign select_1490 = and_1344_s4_q ? 20'h0 : (counts_across_1_q + {{12{select_1488[7]}}, select_1488});
-  // hls/stages/agreement.hpp:629
+  // hls/stages/registration.hpp:89
+  logic [19:0] sum_1489;
+  assign sum_1489 = registration_counts_across_1_q + {{12{select_1488[7]}}, select_1488};
+  // hls/stages/registration.hpp:80
   logic [7:0] select_1492;
   assign select_1492 = equal_1432_s4_q ? 8'h0 : (equal_1433_s4_q ? residual_s4_q : 8'h0);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [7:0] select_1495;
   assign select_1495 = begins_product_q ? (less_354_s4_q ? 8'h0 : (and_1429_s4_q ? select_1492 : 8'h0)) : 8'h0;
   logic [7:0] select_1497;
   assign select_1497 = equal_351_s4_q ? 8'h0 : (equal_353_s4_q ? 8'h0 : select_1495);
-  // hls/stages/agreement.hpp:182
-  logic [19:0] select_1499;
-  assign select_1499 = and_1344_s4_q ? 20'h0 : (counts_across_2_q + {{12{select_1497[7]}}, select_1497});
-  // hls/stages/agreement.hpp:166
+  // hls/stages/registration.hpp:89
+  logic [19:0] sum_1498;
+  assign sum_1498 = registration_counts_across_2_q + {{12{select_1497[7]}}, select_1497};
+  // hls/stages/agreement.hpp:165
   logic [7:0] select_1502;
   assign select_1502 = less_354_s4_q ? 8'h0 : (and_1429_s4_q ? (equal_1432_s4_q ? residual_s4_q : 8'h0) : 8'h0);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [7:0] select_1505;
   assign select_1505 = equal_351_s4_q ? 8'h0 : (equal_353_s4_q ? 8'h0 : (begins_product_q ? select_1502 : 8'h0));
-  // hls/stages/agreement.hpp:182
-  logic [19:0] select_1507;
-  assign select_1507 = and_1344_s4_q ? 20'h0 : (counts_across_3_q + {{12{select_1505[7]}}, select_1505});
-  // hls/stages/agreement.hpp:722
-  logic and_1754;
-  assign and_1754 = (~({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q})) & (11'h4 < counts_textured_q[13:3]);
-  // hls/stages/agreement.hpp:729
-  logic [12:0] sum_1758;
-  assign sum_1758 = {1'b0, select_1381} + {2'h0, select_1381[11:1]};
-  logic select_1761;
-  assign select_1761 = (select_1378[11:3] == 9'h0) ? (and_1754 & (~less_1755_s4_q)) : (~({sum_1758, select_1381[0]} < {2'h0, select_1378}));
-  // hls/stages/agreement.hpp:737
-  logic [47:0] select_1762;
-  assign select_1762 = equal_896_s4_q ? good_next_q : {select_1761, good_next_q[47:1]};
-  // hls/stages/agreement.hpp:302
+  // hls/stages/registration.hpp:89
+  logic [19:0] sum_1506;
+  assign sum_1506 = registration_counts_across_3_q + {{12{select_1505[7]}}, select_1505};
+  // hls/stages/agreement.hpp:604
+  logic and_1756;
+  assign and_1756 = (~({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q})) & (11'h4 < counts_textured_q[13:3]);
+  // hls/stages/agreement.hpp:611
+  logic [12:0] sum_1760;
+  assign sum_1760 = {1'b0, select_1381} + {2'h0, select_1381[11:1]};
+  logic select_1763;
+  assign select_1763 = (select_1378[11:3] == 9'h0) ? (and_1756 & (~less_1757_s4_q)) : (~({sum_1760, select_1381[0]} < {2'h0, select_1378}));
+  // hls/stages/agreement.hpp:619
   logic [47:0] select_1764;
-  assign select_1764 = equal_895_s4_q ? (equal_1749_s4_q ? select_1762 : good_q) : good_q;
+  assign select_1764 = equal_896_s4_q ? good_next_q : {select_1763, good_next_q[47:1]};
+  // hls/stages/agreement.hpp:299
   logic [47:0] select_1766;
-  assign select_1766 = equal_353_s4_q ? good_q : (begins_product_q ? good_q : select_1764);
-  logic [47:0] select_1769;
-  assign select_1769 = begins_product_q ? good_next_q : (equal_895_s4_q ? select_1762 : good_next_q);
+  assign select_1766 = equal_895_s4_q ? (equal_1751_s4_q ? select_1764 : good_q) : good_q;
+  logic [47:0] select_1768;
+  assign select_1768 = equal_353_s4_q ? good_q : (begins_product_q ? good_q : select_1766);
   logic [47:0] select_1771;
-  assign select_1771 = equal_351_s4_q ? good_next_q : (equal_353_s4_q ? good_next_q : select_1769);
-  // hls/stages/agreement.hpp:754
+  assign select_1771 = begins_product_q ? good_next_q : (equal_895_s4_q ? select_1764 : good_next_q);
+  logic [47:0] select_1773;
+  assign select_1773 = equal_351_s4_q ? good_next_q : (equal_353_s4_q ? good_next_q : select_1771);
+  // hls/stages/agreement.hpp:636
   logic [35:0] select_1792;
   assign select_1792 = multiplier_0_q[17] ? (product_0_q + {1'b0, addend_0_q}) : product_0_q;
-  // hls/stages/agreement.hpp:748
+  // hls/stages/agreement.hpp:630
   logic [35:0] detail_left;
   assign detail_left = begins_product_s4_q ? 36'h0 : select_1792;
-  // hls/stages/agreement.hpp:754
+  // hls/stages/agreement.hpp:636
   logic [35:0] select_1795;
   assign select_1795 = multiplier_1_q[17] ? (product_1_q + {1'b0, addend_1_q}) : product_1_q;
-  // hls/stages/agreement.hpp:758
+  // hls/stages/agreement.hpp:640
   logic [35:0] detail_right;
   assign detail_right = begins_product_s4_q ? 36'h0 : select_1795;
-  // hls/stages/agreement.hpp:748
+  // hls/stages/agreement.hpp:630
   logic [34:0] select_1797;
   assign select_1797 = begins_product_s4_q ? {sharpness_sums_detail_0_q[23:6], 17'h0} : {1'b0, addend_0_q[34:1]};
-  // hls/stages/agreement.hpp:758
+  // hls/stages/agreement.hpp:640
   logic [34:0] select_1798;
   assign select_1798 = begins_product_s4_q ? {sharpness_sums_detail_1_q[23:6], 17'h0} : {1'b0, addend_1_q[34:1]};
-  // hls/stages/agreement.hpp:748
+  // hls/stages/agreement.hpp:630
   logic [17:0] select_1799;
   assign select_1799 = begins_product_s4_q ? sharpness_sums_contrast_1_q[23:6] : {multiplier_0_q[16:0], 1'b0};
-  // hls/stages/agreement.hpp:758
+  // hls/stages/agreement.hpp:640
   logic [17:0] select_1800;
   assign select_1800 = begins_product_s4_q ? sharpness_sums_contrast_0_q[23:6] : {multiplier_1_q[16:0], 1'b0};
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [4:0] select_1801;
   assign select_1801 = begins_product_q ? {2'h0, textured_2_s4_q} : box_textured_columns_values_0_q;
   logic [4:0] select_1803;
@@ -3946,60 +3980,60 @@ module horopter_agreement (
   assign select_1851 = equal_351_s4_q ? box_nearer_columns_values_4_q : (equal_353_s4_q ? box_nearer_columns_values_4_q : select_1849);
   logic [4:0] select_1853;
   assign select_1853 = equal_353_s4_q ? box_nearer_sum_sums_values_0_q : (begins_product_q ? n : box_nearer_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:857
+  // hls/stages/agreement.hpp:727
   logic [1:0] select_1894;
   assign select_1894 = and_1893_s4_q ? {and_1032, is_seen} : map_rdata_q;
-  // hls/stages/agreement.hpp:858
+  // hls/stages/agreement.hpp:728
   logic and_1895;
   assign and_1895 = proven_q & less_1883;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:179
   logic select_1898;
   assign select_1898 = and_965_s4_q ? (less_966_s4_q ? (select_1894[0] & and_1895) : seen_q) : seen_q;
   logic select_1901;
   assign select_1901 = and_965_s4_q ? (less_966_s4_q ? (select_1894[1] & and_1895) : nearer_q) : nearer_q;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [13:0] select_1906;
-  assign select_1906 = equal_895_s4_q ? (equal_1749_s4_q ? counts_supervised_q : 14'h0) : 14'h0;
+  assign select_1906 = equal_895_s4_q ? (equal_1751_s4_q ? counts_supervised_q : 14'h0) : 14'h0;
   logic [13:0] select_1908;
   assign select_1908 = equal_353_s4_q ? 14'h0 : (begins_product_q ? 14'h0 : select_1906);
   logic [13:0] select_1911;
-  assign select_1911 = equal_895_s4_q ? (equal_1749_s4_q ? counts_textured_q : 14'h0) : 14'h0;
+  assign select_1911 = equal_895_s4_q ? (equal_1751_s4_q ? counts_textured_q : 14'h0) : 14'h0;
   logic [13:0] select_1913;
   assign select_1913 = equal_353_s4_q ? 14'h0 : (begins_product_q ? 14'h0 : select_1911);
   logic [13:0] select_1916;
-  assign select_1916 = equal_895_s4_q ? (equal_1749_s4_q ? counts_explained_q : 14'h0) : 14'h0;
+  assign select_1916 = equal_895_s4_q ? (equal_1751_s4_q ? counts_explained_q : 14'h0) : 14'h0;
   logic [13:0] select_1918;
   assign select_1918 = equal_353_s4_q ? 14'h0 : (begins_product_q ? 14'h0 : select_1916);
   logic [13:0] select_1921;
-  assign select_1921 = equal_895_s4_q ? (equal_1749_s4_q ? counts_nearer_q : 14'h0) : 14'h0;
+  assign select_1921 = equal_895_s4_q ? (equal_1751_s4_q ? counts_nearer_q : 14'h0) : 14'h0;
   logic [13:0] select_1923;
   assign select_1923 = equal_353_s4_q ? 14'h0 : (begins_product_q ? 14'h0 : select_1921);
   logic [13:0] select_1926;
-  assign select_1926 = equal_895_s4_q ? (equal_1749_s4_q ? counts_unproven_q : 14'h0) : 14'h0;
+  assign select_1926 = equal_895_s4_q ? (equal_1751_s4_q ? counts_unproven_q : 14'h0) : 14'h0;
   logic [13:0] select_1928;
   assign select_1928 = equal_353_s4_q ? 14'h0 : (begins_product_q ? 14'h0 : select_1926);
   logic [13:0] select_1931;
-  assign select_1931 = equal_895_s4_q ? (equal_1749_s4_q ? counts_regions_bad_q : 14'h0) : 14'h0;
+  assign select_1931 = equal_895_s4_q ? (equal_1751_s4_q ? counts_regions_bad_q : 14'h0) : 14'h0;
   logic [13:0] select_1933;
   assign select_1933 = equal_353_s4_q ? 14'h0 : (begins_product_q ? 14'h0 : select_1931);
-  // hls/stages/agreement.hpp:774
+  // hls/stages/agreement.hpp:656
   logic not_1942;
-  assign not_1942 = ~and_1754;
-  // hls/stages/agreement.hpp:302
+  assign not_1942 = ~and_1756;
+  // hls/stages/agreement.hpp:299
   logic and_1946;
-  assign and_1946 = not_1257_s4_q & (equal_895_s4_q & (equal_1749_s4_q & (cfg_prove_i & not_1942)));
-  // hls/stages/agreement.hpp:775
+  assign and_1946 = not_1257_s4_q & (equal_895_s4_q & (equal_1751_s4_q & (cfg_prove_i & not_1942)));
+  // hls/stages/agreement.hpp:657
   logic or_1949;
   assign or_1949 = not_1902 | not_1942;
-  // hls/stages/agreement.hpp:741
+  // hls/stages/agreement.hpp:623
   logic or_1954;
   assign or_1954 = ($signed(24'h0) < $signed(counts_too_many_bad_q)) | ($signed(24'h0) < $signed(counts_too_much_unproven_q));
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_1956;
-  assign and_1956 = equal_1749_s4_q & ((less_1755_s4_q | or_1949) ? (~or_1949) : or_1954);
+  assign and_1956 = equal_1751_s4_q & ((less_1757_s4_q | or_1949) ? (~or_1949) : or_1954);
   logic and_1960;
   assign and_1960 = not_352_s4_q & (not_496_s4_q & (not_1257_s4_q & (equal_895_s4_q & and_1956)));
-  // hls/stages/agreement.hpp:741
+  // hls/stages/agreement.hpp:623
   logic select_2024;
   assign select_2024 = or_1984_s4_q ? select_2021_s4_q : or_2023_s4_q;
   logic or_2026;
@@ -4012,64 +4046,64 @@ module horopter_agreement (
   assign select_2034 = less_1972_s4_q ? or_2026 : (less_1978_s4_q ? or_2023_s4_q : select_2032_s4_q);
   logic select_2036;
   assign select_2036 = less_1964_s4_q ? (less_1965_s4_q | (or_1970_s4_q ? select_2027 : or_2029)) : (less_1967_s4_q ? or_2029 : select_2034);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_2040;
-  assign and_2040 = not_1257_s4_q & (equal_895_s4_q & (equal_1749_s4_q & (cfg_prove_i & select_2036)));
-  // hls/stages/agreement.hpp:781
+  assign and_2040 = not_1257_s4_q & (equal_895_s4_q & (equal_1751_s4_q & (cfg_prove_i & select_2036)));
+  // hls/stages/agreement.hpp:663
   logic and_2043;
-  assign and_2043 = cfg_prove_i & and_1754;
-  // hls/stages/agreement.hpp:782
+  assign and_2043 = cfg_prove_i & and_1756;
+  // hls/stages/agreement.hpp:664
   logic [36:0] sum_2044;
   assign sum_2044 = {1'b0, detail_right} + {3'h0, detail_right[35:2]};
   logic less_2046;
   assign less_2046 = {sharpness_sums_contrast_0_q, 2'h0} < {2'h0, sharpness_sums_contrast_1_q};
-  // hls/stages/agreement.hpp:741
+  // hls/stages/agreement.hpp:623
   logic or_2049;
   assign or_2049 = ({detail_left, 3'h0} < {sum_2044, detail_right[1:0]}) | (less_2046 | ($signed(20'h0) < $signed(census_left_misses_q)));
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_2053;
-  assign and_2053 = not_1257_s4_q & (equal_895_s4_q & (equal_1749_s4_q & (and_2043 & or_2049)));
-  // hls/stages/agreement.hpp:785
+  assign and_2053 = not_1257_s4_q & (equal_895_s4_q & (equal_1751_s4_q & (and_2043 & or_2049)));
+  // hls/stages/agreement.hpp:667
   logic [36:0] sum_2056;
   assign sum_2056 = {1'b0, detail_left} + {3'h0, detail_left[35:2]};
   logic less_2058;
   assign less_2058 = {sharpness_sums_contrast_1_q, 2'h0} < {2'h0, sharpness_sums_contrast_0_q};
-  // hls/stages/agreement.hpp:741
+  // hls/stages/agreement.hpp:623
   logic or_2059;
   assign or_2059 = ({detail_right, 3'h0} < {sum_2056, detail_left[1:0]}) | less_2058;
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic and_2063;
-  assign and_2063 = not_1257_s4_q & (equal_895_s4_q & (equal_1749_s4_q & (and_2043 & or_2059)));
+  assign and_2063 = not_1257_s4_q & (equal_895_s4_q & (equal_1751_s4_q & (and_2043 & or_2059)));
   logic [19:0] select_2078;
-  assign select_2078 = equal_895_s4_q ? (equal_1749_s4_q ? counts_across_0_q : 20'h0) : 20'h0;
+  assign select_2078 = equal_895_s4_q ? (equal_1751_s4_q ? registration_counts_across_0_q : 20'h0) : 20'h0;
   logic [19:0] select_2080;
   assign select_2080 = equal_353_s4_q ? 20'h0 : (begins_product_q ? 20'h0 : select_2078);
   logic [19:0] select_2083;
-  assign select_2083 = equal_895_s4_q ? (equal_1749_s4_q ? counts_across_1_q : 20'h0) : 20'h0;
+  assign select_2083 = equal_895_s4_q ? (equal_1751_s4_q ? registration_counts_across_1_q : 20'h0) : 20'h0;
   logic [19:0] select_2085;
   assign select_2085 = equal_353_s4_q ? 20'h0 : (begins_product_q ? 20'h0 : select_2083);
   logic [19:0] select_2088;
-  assign select_2088 = equal_895_s4_q ? (equal_1749_s4_q ? counts_across_2_q : 20'h0) : 20'h0;
+  assign select_2088 = equal_895_s4_q ? (equal_1751_s4_q ? registration_counts_across_2_q : 20'h0) : 20'h0;
   logic [19:0] select_2090;
   assign select_2090 = equal_353_s4_q ? 20'h0 : (begins_product_q ? 20'h0 : select_2088);
   logic [19:0] select_2093;
-  assign select_2093 = equal_895_s4_q ? (equal_1749_s4_q ? counts_across_3_q : 20'h0) : 20'h0;
+  assign select_2093 = equal_895_s4_q ? (equal_1751_s4_q ? registration_counts_across_3_q : 20'h0) : 20'h0;
   logic [19:0] select_2095;
   assign select_2095 = equal_353_s4_q ? 20'h0 : (begins_product_q ? 20'h0 : select_2093);
   logic [23:0] select_2118;
-  assign select_2118 = equal_895_s4_q ? (equal_1749_s4_q ? sharpness_sums_detail_0_q : 24'h0) : 24'h0;
+  assign select_2118 = equal_895_s4_q ? (equal_1751_s4_q ? sharpness_sums_detail_0_q : 24'h0) : 24'h0;
   logic [23:0] select_2120;
   assign select_2120 = equal_353_s4_q ? 24'h0 : (begins_product_q ? 24'h0 : select_2118);
   logic [23:0] select_2123;
-  assign select_2123 = equal_895_s4_q ? (equal_1749_s4_q ? sharpness_sums_detail_1_q : 24'h0) : 24'h0;
+  assign select_2123 = equal_895_s4_q ? (equal_1751_s4_q ? sharpness_sums_detail_1_q : 24'h0) : 24'h0;
   logic [23:0] select_2125;
   assign select_2125 = equal_353_s4_q ? 24'h0 : (begins_product_q ? 24'h0 : select_2123);
   logic [23:0] select_2128;
-  assign select_2128 = equal_895_s4_q ? (equal_1749_s4_q ? sharpness_sums_contrast_0_q : 24'h0) : 24'h0;
+  assign select_2128 = equal_895_s4_q ? (equal_1751_s4_q ? sharpness_sums_contrast_0_q : 24'h0) : 24'h0;
   logic [23:0] select_2130;
   assign select_2130 = equal_353_s4_q ? 24'h0 : (begins_product_q ? 24'h0 : select_2128);
   logic [23:0] select_2133;
-  assign select_2133 = equal_895_s4_q ? (equal_1749_s4_q ? sharpness_sums_contrast_1_q : 24'h0) : 24'h0;
+  assign select_2133 = equal_895_s4_q ? (equal_1751_s4_q ? sharpness_sums_contrast_1_q : 24'h0) : 24'h0;
   logic [23:0] select_2135;
   assign select_2135 = equal_353_s4_q ? 24'h0 : (begins_product_q ? 24'h0 : select_2133);
   logic [5:0] select_2142;
@@ -4078,10 +4112,10 @@ module horopter_agreement (
   assign select_2147 = begins_product_q ? 12'h0 : (equal_895_s4_q ? (equal_896_s4_q ? 12'h0 : select_1378) : 12'h0);
   logic [11:0] select_2152;
   assign select_2152 = begins_product_q ? 12'h0 : (equal_895_s4_q ? (equal_896_s4_q ? 12'h0 : select_1381) : 12'h0);
-  // hls/stages/agreement.hpp:737
+  // hls/stages/agreement.hpp:619
   logic [11:0] select_2156;
   assign select_2156 = equal_896_s4_q ? 12'h0 : (less_1377 ? 12'h0 : regions_rdata_q[35:24]);
-  // hls/stages/agreement.hpp:302
+  // hls/stages/agreement.hpp:299
   logic [11:0] select_2158;
   assign select_2158 = begins_product_q ? 12'h0 : (equal_895_s4_q ? select_2156 : 12'h0);
 
@@ -4228,10 +4262,10 @@ module horopter_agreement (
       counts_regions_bad_q <= 14'h0;
       counts_too_many_bad_q <= 24'h0;
       counts_too_much_unproven_q <= 24'h0;
-      counts_across_0_q <= 20'h0;
-      counts_across_1_q <= 20'h0;
-      counts_across_2_q <= 20'h0;
-      counts_across_3_q <= 20'h0;
+      registration_counts_across_0_q <= 20'h0;
+      registration_counts_across_1_q <= 20'h0;
+      registration_counts_across_2_q <= 20'h0;
+      registration_counts_across_3_q <= 20'h0;
       segment_textured_q <= 7'h0;
       segment_explained_q <= 7'h0;
       segment_nearer_q <= 7'h0;
@@ -4260,16 +4294,16 @@ module horopter_agreement (
       counts_regions_bad_q <= select_1392;
       counts_too_many_bad_q <= select_1407;
       counts_too_much_unproven_q <= and_1344_s4_q ? 24'h0 : sum_1417;
-      counts_across_0_q <= select_1480;
-      counts_across_1_q <= select_1490;
-      counts_across_2_q <= select_1499;
-      counts_across_3_q <= select_1507;
+      registration_counts_across_0_q <= and_1344_s4_q ? 20'h0 : sum_1479;
+      registration_counts_across_1_q <= and_1344_s4_q ? 20'h0 : sum_1489;
+      registration_counts_across_2_q <= and_1344_s4_q ? 20'h0 : sum_1498;
+      registration_counts_across_3_q <= and_1344_s4_q ? 20'h0 : sum_1506;
       segment_textured_q <= select_908 + {6'h0, and_1354};
       segment_explained_q <= select_919 + {6'h0, and_1359};
       segment_nearer_q <= select_930 + {6'h0, and_1364};
       segment_started_q <= ~segment_starts_q;
-      good_q <= equal_351_s4_q ? good_q : select_1766;
-      good_next_q <= select_1771;
+      good_q <= equal_351_s4_q ? good_q : select_1768;
+      good_next_q <= select_1773;
       product_0_q <= detail_left;
       product_1_q <= detail_right;
       addend_0_q <= select_1797;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::MapExpand<horopter::hls::profiles::vga>, hls/stages/map_expand.hpp. Do not edit.
 //
-// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 116 bits, pipeline 83 bits, memories 0 bits.
+// State 116 bits, pipeline 34 bits, memories 0 bits.
 module horopter_map_expand (
   input  logic clk_i,
   input  logic rst_ni,
@@ -13,8 +13,12 @@ module horopter_map_expand (
   input  logic load_i,
   input  logic [15:0] column_top_x_i,
   input  logic [15:0] column_top_y_i,
+  input  logic column_top_exists_i,
+  input  logic column_top_of_skin_i,
   input  logic [15:0] column_bottom_x_i,
   input  logic [15:0] column_bottom_y_i,
+  input  logic column_bottom_exists_i,
+  input  logic column_bottom_of_skin_i,
   input  logic column_swapped_i,
   input  logic [5:0] row_fraction_i,
   input  logic marks_first_i,
@@ -34,10 +38,9 @@ module horopter_map_expand (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q, valid_s2_q;
-  logic s0_en, s1_en;
+  logic valid_s1_q;
+  logic s0_en;
   assign s0_en = en_i & valid_i;
-  assign s1_en = en_i & valid_s1_q;
 
   // Of the configuration alone: not pipelined.
   logic [2:0] up;
@@ -50,172 +53,183 @@ module horopter_map_expand (
   logic left_of_skin_q;
   logic [27:0] x_place_q;
   logic [27:0] x_increment_q;
+  logic [27:0] y_place_q;
+  logic [27:0] y_increment_q;
+  // hls/stages/map_expand.hpp:68
+  logic not_25;
+  assign not_25 = ~prime_i;
+  // hls/stages/map_expand.hpp:69
+  logic and_26;
+  assign and_26 = load_i & not_25;
+  // hls/stages/map_expand.hpp:140
+  logic or_27;
+  assign or_27 = prime_i | and_26;
+  // hls/stages/map_expand.hpp:186
+  logic equal_28;
+  assign equal_28 = row_fraction_i == 6'h0;
+  logic and_29;
+  assign and_29 = column_swapped_i & equal_28;
+  // hls/stages/map_expand.hpp:187
+  logic and_32;
+  assign and_32 = equal_28 & (~column_swapped_i);
   // hls/stages/map_expand.hpp:73
-  logic not_21;
-  assign not_21 = ~prime_i;
-  // hls/stages/map_expand.hpp:74
-  logic and_22;
-  assign and_22 = load_i & not_21;
-  // hls/stages/map_expand.hpp:145
-  logic or_23;
-  assign or_23 = prime_i | and_22;
-  // hls/stages/map_expand.hpp:191
-  logic equal_24;
-  assign equal_24 = row_fraction_i == 6'h0;
-  logic and_25;
-  assign and_25 = column_swapped_i & equal_24;
-  // hls/stages/map_expand.hpp:192
-  logic and_31;
-  assign and_31 = equal_24 & (~column_swapped_i);
-  // hls/stages/map_expand.hpp:193
-  logic or_35;
-  assign or_35 = and_31 | (~((column_bottom_x_i & column_bottom_y_i) == 16'hffff));
-  logic and_36;
-  assign and_36 = (and_25 | (~((column_top_x_i & column_top_y_i) == 16'hffff))) & or_35;
-  // hls/stages/map_expand.hpp:85
-  logic select_38;
-  assign select_38 = and_22 ? right_valid_q : left_valid_q;
-  // hls/stages/map_expand.hpp:35
-  logic or_41;
-  assign or_41 = (~column_top_y_i[15]) | (column_top_y_i[14:13] == 2'h0);
-  // hls/stages/map_expand.hpp:32
-  logic equal_43;
-  assign equal_43 = column_bottom_y_i[14:13] == 2'h0;
-  logic and_47;
-  assign and_47 = (or_41 | and_25) & (and_31 | (equal_43 | (~column_bottom_y_i[15])));
-  // hls/stages/map_expand.hpp:85
-  logic select_49;
-  assign select_49 = and_22 ? right_of_skin_q : left_of_skin_q;
-  // hls/stages/map_expand.hpp:113
+  logic and_34;
+  assign and_34 = (column_top_exists_i | and_29) & (column_bottom_exists_i | and_32);
+  // hls/stages/map_expand.hpp:80
+  logic select_36;
+  assign select_36 = and_26 ? right_valid_q : left_valid_q;
+  // hls/stages/map_expand.hpp:73
+  logic and_39;
+  assign and_39 = (column_top_of_skin_i | and_29) & (column_bottom_of_skin_i | and_32);
+  // hls/stages/map_expand.hpp:80
+  logic select_41;
+  assign select_41 = and_26 ? right_of_skin_q : left_of_skin_q;
+  // hls/stages/map_expand.hpp:108
   logic [2:0] up_2;
   assign up_2 = prime_i ? 3'h6 : up;
-  // hls/stages/map_expand.hpp:168
-  logic xor_54;
-  assign xor_54 = column_swapped_i ^ row_fraction_i[5];
+  // hls/stages/map_expand.hpp:163
+  logic xor_46;
+  assign xor_46 = column_swapped_i ^ row_fraction_i[5];
   logic [15:0] sum;
-  assign sum = xor_54 ? column_bottom_x_i : column_top_x_i;
-  // hls/stages/map_expand.hpp:172
-  logic xor_56;
-  assign xor_56 = row_fraction_i[3] ^ row_fraction_i[4];
+  assign sum = xor_46 ? column_bottom_x_i : column_top_x_i;
   // hls/stages/map_expand.hpp:167
-  logic [16:0] difference;
-  assign difference = {1'b0, column_bottom_x_i} - {1'b0, column_top_x_i};
-  // hls/stages/map_expand.hpp:174
-  logic or_60;
-  assign or_60 = xor_56 | (row_fraction_i[3] ^ (~row_fraction_i[5]));
-  // hls/stages/map_expand.hpp:176
-  logic [16:0] select_61;
-  assign select_61 = or_60 ? 17'h0 : difference;
+  logic xor_48;
+  assign xor_48 = row_fraction_i[3] ^ row_fraction_i[4];
+  // hls/stages/map_expand.hpp:162
+  logic [16:0] once;
+  assign once = {1'b0, column_bottom_x_i} - {1'b0, column_top_x_i};
+  // hls/stages/map_expand.hpp:169
+  logic or_52;
+  assign or_52 = xor_48 | (row_fraction_i[3] ^ (~row_fraction_i[5]));
+  // hls/stages/map_expand.hpp:171
+  logic [16:0] select_53;
+  assign select_53 = or_52 ? 17'h0 : once;
   logic [17:0] size;
-  assign size = xor_56 ? {difference[16], difference} : {select_61, 1'b0};
-  // hls/stages/map_expand.hpp:180
-  logic [17:0] select_64;
-  assign select_64 = xor_54 ? (~size) : size;
-  logic [18:0] sum_65;
-  assign sum_65 = {sum, 3'h1} + {select_64, xor_54};
-  // hls/stages/map_expand.hpp:177
-  logic xor_66;
-  assign xor_66 = column_swapped_i ^ row_fraction_i[3];
+  assign size = xor_48 ? {once[16], once} : {select_53, 1'b0};
+  // hls/stages/map_expand.hpp:175
+  logic [17:0] select_56;
+  assign select_56 = xor_46 ? (~size) : size;
+  logic [18:0] sum_57;
+  assign sum_57 = {sum, 3'h1} + {select_56, xor_46};
   // hls/stages/map_expand.hpp:172
-  logic xor_67;
-  assign xor_67 = row_fraction_i[1] ^ row_fraction_i[2];
-  // hls/stages/map_expand.hpp:173
-  logic and_70;
-  assign and_70 = (~xor_67) & (row_fraction_i[1] ^ row_fraction_i[3]);
-  // hls/stages/map_expand.hpp:176
-  logic [16:0] select_71;
-  assign select_71 = and_70 ? difference : 17'h0;
+  logic xor_58;
+  assign xor_58 = column_swapped_i ^ row_fraction_i[3];
+  // hls/stages/map_expand.hpp:167
+  logic xor_59;
+  assign xor_59 = row_fraction_i[1] ^ row_fraction_i[2];
+  // hls/stages/map_expand.hpp:168
+  logic and_62;
+  assign and_62 = (~xor_59) & (row_fraction_i[1] ^ row_fraction_i[3]);
+  // hls/stages/map_expand.hpp:171
+  logic [16:0] select_63;
+  assign select_63 = and_62 ? once : 17'h0;
   logic [17:0] size_2;
-  assign size_2 = xor_67 ? {difference[16], difference} : {select_71, 1'b0};
-  // hls/stages/map_expand.hpp:180
-  logic [17:0] select_74;
-  assign select_74 = xor_66 ? (~size_2) : size_2;
-  logic [20:0] sum_75;
-  assign sum_75 = {sum_65[18:1], 3'h1} + {{2{select_74[17]}}, select_74, xor_66};
-  // hls/stages/map_expand.hpp:177
-  logic xor_76;
-  assign xor_76 = column_swapped_i ^ row_fraction_i[1];
-  // hls/stages/map_expand.hpp:173
-  logic and_78;
-  assign and_78 = row_fraction_i[1] & (~row_fraction_i[0]);
-  // hls/stages/map_expand.hpp:176
-  logic [16:0] select_79;
-  assign select_79 = and_78 ? difference : 17'h0;
+  assign size_2 = xor_59 ? {once[16], once} : {select_63, 1'b0};
+  // hls/stages/map_expand.hpp:175
+  logic [17:0] select_66;
+  assign select_66 = xor_58 ? (~size_2) : size_2;
+  logic [20:0] sum_67;
+  assign sum_67 = {sum_57[18:1], 3'h1} + {{2{select_66[17]}}, select_66, xor_58};
+  // hls/stages/map_expand.hpp:172
+  logic xor_68;
+  assign xor_68 = column_swapped_i ^ row_fraction_i[1];
+  // hls/stages/map_expand.hpp:168
+  logic and_70;
+  assign and_70 = row_fraction_i[1] & (~row_fraction_i[0]);
+  // hls/stages/map_expand.hpp:171
+  logic [16:0] select_71;
+  assign select_71 = and_70 ? once : 17'h0;
   logic [17:0] size_3;
-  assign size_3 = row_fraction_i[0] ? {difference[16], difference} : {select_79, 1'b0};
-  // hls/stages/map_expand.hpp:180
-  logic [17:0] select_82;
-  assign select_82 = xor_76 ? (~size_3) : size_3;
+  assign size_3 = row_fraction_i[0] ? {once[16], once} : {select_71, 1'b0};
+  // hls/stages/map_expand.hpp:175
+  logic [17:0] select_74;
+  assign select_74 = xor_68 ? (~size_3) : size_3;
   logic [22:0] arriving;
-  assign arriving = {sum_75[20:1], 3'h1} + {{4{select_82[17]}}, select_82, xor_76};
-  // hls/stages/map_expand.hpp:145
+  assign arriving = {sum_67[20:1], 3'h1} + {{4{select_74[17]}}, select_74, xor_68};
+  // hls/stages/map_expand.hpp:140
   logic [22:0] value;
   assign value = {1'b0, arriving[22:1]} - {1'b0, x_place_q[27:6]};
-  // hls/stages/map_expand.hpp:113
-  logic [22:0] select_85;
-  assign select_85 = up_2[0] ? {value[21:0], 1'b0} : value;
-  // hls/stages/map_expand.hpp:114
-  logic [24:0] select_86;
-  assign select_86 = up_2[1] ? {select_85, 2'h0} : {{2{value[22]}}, select_85};
-  // hls/stages/map_expand.hpp:115
+  // hls/stages/map_expand.hpp:108
+  logic [22:0] select_77;
+  assign select_77 = up_2[0] ? {value[21:0], 1'b0} : value;
+  // hls/stages/map_expand.hpp:109
+  logic [24:0] select_78;
+  assign select_78 = up_2[1] ? {select_77, 2'h0} : {{2{value[22]}}, select_77};
+  // hls/stages/map_expand.hpp:110
   logic [27:0] value_2;
-  assign value_2 = up_2[2] ? {select_86[23:0], 4'h0} : {{3{value[22]}}, select_86};
-  // hls/stages/map_expand.hpp:146
-  logic [27:0] select_88;
-  assign select_88 = or_23 ? value_2 : x_increment_q;
-  logic [27:0] sum_89;
-  assign sum_89 = x_place_q + select_88;
-  // hls/stages/map_expand.hpp:147
-  logic [5:0] select_90;
-  assign select_90 = prime_i ? 6'h0 : sum_89[5:0];
-  // hls/stages/map_expand.hpp:35
-  logic [1:0] sum_93;
-  assign sum_93 = column_bottom_y_i[14:13] + 2'h3;
-  logic [15:0] b;
-  assign b = (column_bottom_y_i[15] & (~equal_43)) ? {sum_93, column_bottom_y_i[12:0], 1'b0} : column_bottom_y_i;
-  logic [1:0] sum_95;
-  assign sum_95 = column_top_y_i[14:13] + 2'h3;
-  logic [15:0] a;
-  assign a = or_41 ? column_top_y_i : {sum_95, column_top_y_i[12:0], 1'b0};
-  // hls/stages/map_expand.hpp:168
+  assign value_2 = up_2[2] ? {select_78[23:0], 4'h0} : {{3{value[22]}}, select_78};
+  // hls/stages/map_expand.hpp:141
+  logic [27:0] select_80;
+  assign select_80 = or_27 ? value_2 : x_increment_q;
+  logic [27:0] sum_81;
+  assign sum_81 = x_place_q + select_80;
+  // hls/stages/map_expand.hpp:142
+  logic [5:0] select_82;
+  assign select_82 = prime_i ? 6'h0 : sum_81[5:0];
+  // hls/stages/map_expand.hpp:163
   logic [15:0] sum_2;
-  assign sum_2 = xor_54 ? b : a;
-  // hls/stages/map_expand.hpp:167
-  logic [16:0] once;
-  assign once = {1'b0, b} - {1'b0, a};
-  // hls/stages/map_expand.hpp:176
-  logic [16:0] select_99;
-  assign select_99 = or_60 ? 17'h0 : once;
+  assign sum_2 = xor_46 ? column_bottom_y_i : column_top_y_i;
+  // hls/stages/map_expand.hpp:162
+  logic [16:0] once_2;
+  assign once_2 = {1'b0, column_bottom_y_i} - {1'b0, column_top_y_i};
+  // hls/stages/map_expand.hpp:171
+  logic [16:0] select_85;
+  assign select_85 = or_52 ? 17'h0 : once_2;
   logic [17:0] size_4;
-  assign size_4 = xor_56 ? {once[16], once} : {select_99, 1'b0};
-  // hls/stages/map_expand.hpp:180
-  logic [17:0] select_102;
-  assign select_102 = xor_54 ? (~size_4) : size_4;
-  logic [18:0] sum_103;
-  assign sum_103 = {sum_2, 3'h1} + {select_102, xor_54};
-  // hls/stages/map_expand.hpp:176
-  logic [16:0] select_104;
-  assign select_104 = and_70 ? once : 17'h0;
+  assign size_4 = xor_48 ? {once_2[16], once_2} : {select_85, 1'b0};
+  // hls/stages/map_expand.hpp:175
+  logic [17:0] select_88;
+  assign select_88 = xor_46 ? (~size_4) : size_4;
+  logic [18:0] sum_89;
+  assign sum_89 = {sum_2, 3'h1} + {select_88, xor_46};
+  // hls/stages/map_expand.hpp:171
+  logic [16:0] select_90;
+  assign select_90 = and_62 ? once_2 : 17'h0;
   logic [17:0] size_5;
-  assign size_5 = xor_67 ? {once[16], once} : {select_104, 1'b0};
-  // hls/stages/map_expand.hpp:180
-  logic [17:0] select_107;
-  assign select_107 = xor_66 ? (~size_5) : size_5;
-  logic [20:0] sum_108;
-  assign sum_108 = {sum_103[18:1], 3'h1} + {{2{select_107[17]}}, select_107, xor_66};
-  // hls/stages/map_expand.hpp:176
-  logic [16:0] select_109;
-  assign select_109 = and_78 ? once : 17'h0;
+  assign size_5 = xor_59 ? {once_2[16], once_2} : {select_90, 1'b0};
+  // hls/stages/map_expand.hpp:175
+  logic [17:0] select_93;
+  assign select_93 = xor_58 ? (~size_5) : size_5;
+  logic [20:0] sum_94;
+  assign sum_94 = {sum_89[18:1], 3'h1} + {{2{select_93[17]}}, select_93, xor_58};
+  // hls/stages/map_expand.hpp:171
+  logic [16:0] select_95;
+  assign select_95 = and_70 ? once_2 : 17'h0;
   logic [17:0] size_6;
-  assign size_6 = row_fraction_i[0] ? {once[16], once} : {select_109, 1'b0};
-  // hls/stages/map_expand.hpp:180
-  logic [17:0] select_112;
-  assign select_112 = xor_76 ? (~size_6) : size_6;
+  assign size_6 = row_fraction_i[0] ? {once_2[16], once_2} : {select_95, 1'b0};
+  // hls/stages/map_expand.hpp:175
+  logic [17:0] select_98;
+  assign select_98 = xor_68 ? (~size_6) : size_6;
   logic [22:0] arriving_2;
-  assign arriving_2 = {sum_108[20:1], 3'h1} + {{4{select_112[17]}}, select_112, xor_76};
-  // hls/stages/map_expand.hpp:200
-  logic [15:0] sum_121;
-  assign sum_121 = {1'b0, x_place_q[27:13]} + 16'h1;
+  assign arriving_2 = {sum_94[20:1], 3'h1} + {{4{select_98[17]}}, select_98, xor_68};
+  // hls/stages/map_expand.hpp:140
+  logic [22:0] value_3;
+  assign value_3 = {1'b0, arriving_2[22:1]} - {1'b0, y_place_q[27:6]};
+  // hls/stages/map_expand.hpp:108
+  logic [22:0] select_101;
+  assign select_101 = up_2[0] ? {value_3[21:0], 1'b0} : value_3;
+  // hls/stages/map_expand.hpp:109
+  logic [24:0] select_102;
+  assign select_102 = up_2[1] ? {select_101, 2'h0} : {{2{value_3[22]}}, select_101};
+  // hls/stages/map_expand.hpp:110
+  logic [27:0] value_4;
+  assign value_4 = up_2[2] ? {select_102[23:0], 4'h0} : {{3{value_3[22]}}, select_102};
+  // hls/stages/map_expand.hpp:141
+  logic [27:0] select_104;
+  assign select_104 = or_27 ? value_4 : y_increment_q;
+  logic [27:0] sum_105;
+  assign sum_105 = y_place_q + select_104;
+  // hls/stages/map_expand.hpp:142
+  logic [5:0] select_106;
+  assign select_106 = prime_i ? 6'h0 : sum_105[5:0];
+  // hls/stages/map_expand.hpp:195
+  logic [15:0] sum_107;
+  assign sum_107 = {1'b0, x_place_q[27:13]} + 16'h1;
+  logic [15:0] sum_109;
+  assign sum_109 = {1'b0, y_place_q[27:13]} + 16'h1;
+  // hls/stages/map_expand.hpp:87
+  logic and_115;
+  assign and_115 = (~(sum_107[15:10] == 6'h0)) & (~(sum_109[15:10] == 6'h0));
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -224,10 +238,10 @@ module horopter_map_expand (
       right_of_skin_q <= 1'b0;
       left_of_skin_q <= 1'b0;
     end else if (s0_en) begin
-      right_valid_q <= or_23 ? and_36 : right_valid_q;
-      left_valid_q <= select_38;
-      right_of_skin_q <= or_23 ? and_47 : right_of_skin_q;
-      left_of_skin_q <= select_49;
+      right_valid_q <= or_27 ? and_34 : right_valid_q;
+      left_valid_q <= select_36;
+      right_of_skin_q <= or_27 ? and_39 : right_of_skin_q;
+      left_of_skin_q <= select_41;
     end
   end
 
@@ -236,137 +250,64 @@ module horopter_map_expand (
   initial begin
     x_place_q = 28'h0;
     x_increment_q = 28'h0;
-  end
-`endif
-  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (rst_ni & s0_en) begin
-      x_place_q <= {sum_89[27:6], select_90};
-      x_increment_q <= select_88;
-    end
-  end
-
-  logic prime_s1_q;
-  logic marks_first_s1_q;
-  logic marks_last_s1_q;
-  logic marks_live_s1_q;
-  logic not_21_s1_q;
-  logic or_23_s1_q;
-  logic [2:0] up_2_s1_q;
-  logic [21:0] arriving_2_s1_q;
-  logic [8:0] sum_121_s1_q;
-  logic [4:0] sum_122_s1_q;
-  logic not_126_s1_q;
-  logic and_131_s1_q;
-  logic and_134_s1_q;
-  always_ff @(posedge clk_i) begin
-    if (s0_en) begin
-      prime_s1_q <= prime_i;
-      marks_first_s1_q <= marks_first_i;
-      marks_last_s1_q <= marks_last_i;
-      marks_live_s1_q <= marks_live_i;
-      not_21_s1_q <= not_21;
-      or_23_s1_q <= or_23;
-      up_2_s1_q <= up_2;
-      arriving_2_s1_q <= arriving_2[22:1];
-      sum_121_s1_q <= sum_121[9:1];
-      sum_122_s1_q <= sum_121[14:10] + 5'h1f;
-      not_126_s1_q <= ~(sum_121[15:10] == 6'h0);
-      and_131_s1_q <= (right_of_skin_q | and_22) & select_49;
-      and_134_s1_q <= (right_valid_q | and_22) & select_38;
-    end
-  end
-
-  // Stage 1 -----------------------------------------------------------------------------------------------------------
-  logic [27:0] y_place_q;
-  logic [27:0] y_increment_q;
-  // hls/stages/map_expand.hpp:145
-  logic [22:0] value_3;
-  assign value_3 = {1'b0, arriving_2_s1_q} - {1'b0, y_place_q[27:6]};
-  // hls/stages/map_expand.hpp:113
-  logic [22:0] select_115;
-  assign select_115 = up_2_s1_q[0] ? {value_3[21:0], 1'b0} : value_3;
-  // hls/stages/map_expand.hpp:114
-  logic [24:0] select_116;
-  assign select_116 = up_2_s1_q[1] ? {select_115, 2'h0} : {{2{value_3[22]}}, select_115};
-  // hls/stages/map_expand.hpp:115
-  logic [27:0] value_4;
-  assign value_4 = up_2_s1_q[2] ? {select_116[23:0], 4'h0} : {{3{value_3[22]}}, select_116};
-  // hls/stages/map_expand.hpp:146
-  logic [27:0] select_118;
-  assign select_118 = or_23_s1_q ? value_4 : y_increment_q;
-  logic [27:0] sum_119;
-  assign sum_119 = y_place_q + select_118;
-  // hls/stages/map_expand.hpp:147
-  logic [5:0] select_120;
-  assign select_120 = prime_s1_q ? 6'h0 : sum_119[5:0];
-  // hls/stages/map_expand.hpp:200
-  logic [15:0] sum_123;
-  assign sum_123 = {1'b0, y_place_q[27:13]} + 16'h1;
-  // hls/stages/map_expand.hpp:92
-  logic and_129;
-  assign and_129 = not_126_s1_q & (~(sum_123[15:10] == 6'h0));
-
-  // Not reset: nothing of it counts before it is written anew.
-`ifndef SYNTHESIS
-  initial begin
     y_place_q = 28'h0;
     y_increment_q = 28'h0;
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (s1_en) begin
-      y_place_q <= {sum_119[27:6], select_120};
-      y_increment_q <= select_118;
+    if (rst_ni & s0_en) begin
+      x_place_q <= {sum_81[27:6], select_82};
+      x_increment_q <= select_80;
+      y_place_q <= {sum_105[27:6], select_106};
+      y_increment_q <= select_104;
     end
   end
 
-  logic marks_first_s2_q;
-  logic marks_last_s2_q;
-  logic marks_live_s2_q;
-  logic [8:0] sum_121_s2_q;
-  logic [4:0] sum_122_s2_q;
-  logic [8:0] sum_123_s2_q;
-  logic [4:0] sum_124_s2_q;
-  logic and_132_s2_q;
-  logic and_135_s2_q;
+  logic marks_first_s1_q;
+  logic marks_last_s1_q;
+  logic marks_live_s1_q;
+  logic [8:0] sum_107_s1_q;
+  logic [4:0] sum_108_s1_q;
+  logic [8:0] sum_109_s1_q;
+  logic [4:0] sum_110_s1_q;
+  logic and_118_s1_q;
+  logic and_121_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
-      marks_first_s2_q <= marks_first_s1_q;
-      marks_last_s2_q <= marks_last_s1_q;
-      marks_live_s2_q <= marks_live_s1_q;
-      sum_121_s2_q <= sum_121_s1_q;
-      sum_122_s2_q <= sum_122_s1_q;
-      sum_123_s2_q <= sum_123[9:1];
-      sum_124_s2_q <= sum_123[14:10] + 5'h1f;
-      and_132_s2_q <= and_129 & and_131_s1_q;
-      and_135_s2_q <= and_129 & and_134_s1_q;
+    if (s0_en) begin
+      marks_first_s1_q <= marks_first_i;
+      marks_last_s1_q <= marks_last_i;
+      marks_live_s1_q <= marks_live_i;
+      sum_107_s1_q <= sum_107[9:1];
+      sum_108_s1_q <= sum_107[14:10] + 5'h1f;
+      sum_109_s1_q <= sum_109[9:1];
+      sum_110_s1_q <= sum_109[14:10] + 5'h1f;
+      and_118_s1_q <= and_115 & ((right_of_skin_q | and_26) & select_41);
+      and_121_s1_q <= and_115 & ((right_valid_q | and_26) & select_36);
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign x_o = {sum_122_s2_q, sum_121_s2_q[8:3]};
-  assign y_o = {sum_124_s2_q, sum_123_s2_q[8:3]};
-  assign wx_o = sum_121_s2_q[2:0];
-  assign wy_o = sum_123_s2_q[2:0];
-  assign mapped_o = and_132_s2_q;
-  assign present_o = and_135_s2_q;
-  assign marks_first_o = marks_first_s2_q;
-  assign marks_last_o = marks_last_s2_q;
-  assign marks_live_o = marks_live_s2_q;
-  assign valid_o = valid_s2_q;
+  assign x_o = {sum_108_s1_q, sum_107_s1_q[8:3]};
+  assign y_o = {sum_110_s1_q, sum_109_s1_q[8:3]};
+  assign wx_o = sum_107_s1_q[2:0];
+  assign wy_o = sum_109_s1_q[2:0];
+  assign mapped_o = and_118_s1_q;
+  assign present_o = and_121_s1_q;
+  assign marks_first_o = marks_first_s1_q;
+  assign marks_last_o = marks_last_s1_q;
+  assign marks_live_o = marks_live_s1_q;
+  assign valid_o = valid_s1_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       valid_s1_q <= 1'b0;
-      valid_s2_q <= 1'b0;
     end else if (en_i) begin
-      valid_s1_q <= valid_i;
-      valid_s2_q <= valid_s1_q & not_21_s1_q;
+      valid_s1_q <= valid_i & not_25;
     end
   end
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_123[0], sum_121[0], arriving_2[0], sum_108[0], sum_103[0], arriving[0], sum_75[0], sum_65[0]};
+  assign unused_bits = ^{sum_109[0], sum_107[0], arriving_2[0], sum_94[0], sum_89[0], arriving[0], sum_67[0], sum_57[0]};
 
 endmodule

@@ -129,12 +129,11 @@ inline std::uint32_t encode_control(double x_px, double y_px) {
   if (!(x >= 0 && x < 0xFFFF && y >= 0 && y < around_skin)) return unmapped;
   return static_cast<std::uint32_t>(y) << 16 | static_cast<std::uint32_t>(x);
 }
-/// The same around the skin.
-inline std::uint32_t encode_around_skin(double x_px, double y_px) {
-  const std::uint32_t point = encode_control(x_px, y_px);
-  return point == unmapped ? unmapped : (around_skin + (point >> 17)) << 16 | (point & 0xFFFFU);
-}
 inline bool is_of_skin(std::uint32_t control) { return control >> 16 < around_skin; }
+/// A control point of the skin as one around it; others as they are.
+inline std::uint32_t around_skin_instead(std::uint32_t control) {
+  return is_of_skin(control) ? (around_skin + (control >> 17)) << 16 | (control & 0xFFFFU) : control;
+}
 /// (px + 64) · 32, of either kind.
 inline int control_y(std::uint32_t control) {
   const int y = static_cast<int>(control >> 16);
