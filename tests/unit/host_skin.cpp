@@ -9,9 +9,11 @@
 #include "horopter/base/error.hpp"
 #include "horopter/map/map.hpp"
 #include "horopter/map/map_compiler.hpp"
+#include "horopter/map/support.hpp"
 #include "horopter/skin/skin.hpp"
 #include "horopter/skin/skin_file.hpp"
 #include "host_temporary.hpp"
+#include "table_11_1.hpp"
 
 namespace horopter {
 namespace {
@@ -390,6 +392,40 @@ TEST_CASE("Areas are kept to a sixteenth") {
   CHECK(hls::table::encode_area(1e9) == 255);
   CHECK(hls::table::decode_area(0) == 1.0 / 4096);
   CHECK(hls::table::decode_area(255) == 983'040);
+}
+
+TEST_CASE("Around a small skin a table goes on along the plane that continues it, and supervises none of it") {
+  const CameraPair cameras = table_11_1(640, 480);
+  const MachineProfile& vga = find_profile("vga");
+  const ScanGeometry scan{640, 480, Scan::progressive};
+  TriangleMesh mesh;
+  mesh.vertices_mm = {{-100, -80, 1000}, {100, -80, 1040}, {100, 80, 1040}, {-100, 80, 1000}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  const SurfacePtr small = make_mesh(mesh);
+  const SurfacePtr plane = make_plane({0, 0, 1020}, {0.2, 0, -1});
+  const CompiledMap whole = compile_map(RigSkin(cameras, plane, "plane"), vga, scan);
+  const bool every_pixel = GENERATE(true, false);
+  const CompiledMap part = every_pixel ? compile_map(RigSkin(cameras, small, "mesh"), vga, scan)
+                                       : MapCompiler(cameras, vga, scan).compile(*small);
+  if (every_pixel) CHECK(std::ranges::count(part.table.supervised(3).pixels, 1) == part.report.supervised());
+  CHECK(part.report.supervised() < part.report.pixels / 4);
+  CHECK(part.table.facts().judgeable_by_thesis < part.report.supervised());
+  CHECK(compared_share(part.table, vga, 32) > 0.9 * compared_share(whole.table, vga, 32));
+  CHECK(compared_share(whole.table, vga, 32) > 0.7);
+  int compared = 0;
+  double largest_px = 0;
+  for (int y = 100; y < 380; y += 4) {
+    for (int x = 260; x < 380; x += 4) {  // further to the sides the plane is nearer, or further, than all of the skin
+      const auto around = part.table.expand_around(x, y);
+      const auto exact = whole.table.expand_around(x, y);
+      if (!around || !exact || part.table.expand(x, y)) continue;
+      ++compared;
+      largest_px = std::max({largest_px, std::abs(std::ldexp(around->x - exact->x, -MapTable::kFractionBits)),
+                             std::abs(std::ldexp(around->y - exact->y, -MapTable::kFractionBits))});
+    }
+  }
+  CHECK(compared > 500);
+  CHECK(largest_px < 0.3);
 }
 
 TEST_CASE("The default profile is the smallest that takes the image as it is") {
