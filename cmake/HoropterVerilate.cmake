@@ -5,7 +5,8 @@
 #
 # makes the static library <target> with the class V<target> (header "V<target>.h"), linked to the one compiled
 # Verilator runtime that all models share. The assertions of the SystemVerilog are kept (they cost 2 % of the speed): one
-# that fails throws horopter::verilated::Stopped out of eval(). The model's own sources come as two files, the one that runs every clock
+# that fails throws horopter::verilated::Stopped out of eval(). What Verilator has made lies in the target's property
+# HOROPTER_MODEL_DIR. The model's own sources come as two files, the one that runs every clock
 # optimised for speed, the other (constructors, initial values) for compile time.
 include_guard(GLOBAL)
 
@@ -73,4 +74,5 @@ function(horopter_verilate target)
   set_source_files_properties(${slow} PROPERTIES COMPILE_OPTIONS "-O0;-w")
   target_include_directories(${target} SYSTEM PUBLIC ${dir})
   target_link_libraries(${target} PUBLIC horopter_verilated_runtime)
+  set_target_properties(${target} PROPERTIES HOROPTER_MODEL_DIR ${dir})
 endfunction()

@@ -5,6 +5,7 @@
 // but for stream registers); write_error_o is valid with it, and a refused write changes nothing. Read: read_data_o and
 // read_error_o follow read_addr_i three clocks later, every clock. Partial writes follow the strobes; of a stream
 // register they are an error. Reset: synchronous, all storage to its reset value.
+// changed_o: a register that the bus writes has changed without a write, and has not been written since (horopter_guard).
 module horopter_csr #(
     parameter bit BOTH_RULES = 1'b1,
     parameter bit COMPETE = 1'b1,
@@ -32,6 +33,7 @@ module horopter_csr #(
     input  logic [11:0] read_addr_i,
     output logic [31:0] read_data_o,
     output logic        read_error_o,
+    output logic        changed_o,
     input  logic [15:0] build_size_width_i,
     input  logic [15:0] build_size_height_i,
     input  logic [15:0] build_store_rows_i,
@@ -90,8 +92,8 @@ module horopter_csr #(
     output logic [23:0] map_undecidable_limit_pixels_o,
     input  logic [25:0] faults_cameras_set_i,
     output logic [25:0] faults_cameras_o,
-    input  logic [14:0] faults_machine_set_i,
-    output logic [14:0] faults_machine_o,
+    input  logic [15:0] faults_machine_set_i,
+    output logic [15:0] faults_machine_o,
     input  logic [31:0] frame_sequence_value_i,
     input  logic [ 5:0] frame_status_i,
     input  logic [25:0] frame_faults_cameras_i,
@@ -103,7 +105,7 @@ module horopter_csr #(
     input  logic [31:0] frame_cycles_clocks_i,
     input  logic [31:0] frame_latency_clocks_i,
     input  logic [31:0] frame_tail_clocks_i,
-    input  logic [14:0] frame_faults_machine_i,
+    input  logic [15:0] frame_faults_machine_i,
     output logic [14:0] agreement_o,
     output logic [31:0] agreement_limits_o,
     output logic [ 7:0] hidden_frames_o,
@@ -516,6 +518,329 @@ module horopter_csr #(
     end
   end
 
+  // Each of these registers is guarded from the clock on in which it has its new value.
+  logic [34:0] written_q, guard_error;
+  always_ff @(posedge clk_i) begin
+    written_q <= '0;
+    if (!rst_ni) written_q <= '1;
+    if (write_q && write_group_q[0] && write_word_q[0]) written_q[0] <= 1'b1;
+    if (write_q && write_group_q[0] && write_word_q[1]) written_q[1] <= 1'b1;
+    if (write_q && write_group_q[0] && write_word_q[3]) written_q[2] <= 1'b1;
+    if (write_q && write_group_q[0] && write_word_q[4]) written_q[3] <= 1'b1;
+    if (write_q && write_group_q[0] && write_word_q[5]) written_q[4] <= 1'b1;
+    if (write_q && write_group_q[0] && write_word_q[6]) written_q[5] <= 1'b1;
+    if (write_q && write_group_q[0] && write_word_q[7]) written_q[6] <= 1'b1;
+    if (write_q && write_group_q[1] && write_word_q[0]) written_q[7] <= 1'b1;
+    if (write_q && write_group_q[2] && write_word_q[0]) written_q[8] <= 1'b1;
+    if (write_q && write_group_q[2] && write_word_q[1]) written_q[9] <= 1'b1;
+    if (write_q && write_group_q[2] && write_word_q[2]) written_q[10] <= 1'b1;
+    if (write_q && write_group_q[2] && write_word_q[3]) written_q[11] <= 1'b1;
+    if (write_q && write_group_q[2] && write_word_q[5]) written_q[12] <= 1'b1;
+    if (write_q && write_group_q[3] && write_word_q[0]) written_q[13] <= 1'b1;
+    if (write_q && write_group_q[3] && write_word_q[1]) written_q[14] <= 1'b1;
+    if (write_q && write_group_q[3] && write_word_q[2]) written_q[15] <= 1'b1;
+    if (write_q && write_group_q[3] && write_word_q[3]) written_q[16] <= 1'b1;
+    if (write_q && write_group_q[3] && write_word_q[4]) written_q[17] <= 1'b1;
+    if (write_q && write_group_q[3] && write_word_q[5]) written_q[18] <= 1'b1;
+    if (write_q && write_group_q[3] && write_word_q[6]) written_q[19] <= 1'b1;
+    if (write_q && write_group_q[3] && write_word_q[7]) written_q[20] <= 1'b1;
+    if (write_q && write_group_q[4] && write_word_q[0]) written_q[21] <= 1'b1;
+    if (write_q && write_group_q[4] && write_word_q[1]) written_q[22] <= 1'b1;
+    if (write_q && write_group_q[4] && write_word_q[7]) written_q[23] <= 1'b1;
+    if (write_q && write_group_q[6] && write_word_q[4]) written_q[24] <= 1'b1;
+    if (write_q && write_group_q[6] && write_word_q[5]) written_q[25] <= 1'b1;
+    if (write_q && write_group_q[6] && write_word_q[6]) written_q[26] <= 1'b1;
+    if (write_q && write_group_q[6] && write_word_q[7]) written_q[27] <= 1'b1;
+    if (write_q && write_group_q[7] && write_word_q[0]) written_q[28] <= 1'b1;
+    if (write_q && write_group_q[7] && write_word_q[1]) written_q[29] <= 1'b1;
+    if (write_q && write_group_q[8] && write_word_q[0]) written_q[30] <= 1'b1;
+    if (write_q && write_group_q[8] && write_word_q[1]) written_q[31] <= 1'b1;
+    if (write_q && write_group_q[8] && write_word_q[2]) written_q[32] <= 1'b1;
+    if (write_q && write_group_q[8] && write_word_q[3]) written_q[33] <= 1'b1;
+    if (write_q && write_group_q[8] && write_word_q[6]) written_q[34] <= 1'b1;
+    changed_o <= guard_error != '0;
+  end
+  horopter_guard #(
+      .WIDTH(1)
+  ) u_control_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[0]),
+      .value_i({control_enable_q}),
+      .error_o(guard_error[0])
+  );
+  horopter_guard #(
+      .WIDTH(2)
+  ) u_mode_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[1]),
+      .value_i({mode_test_input_q, mode_live_q}),
+      .error_o(guard_error[1])
+  );
+  horopter_guard #(
+      .WIDTH(12)
+  ) u_width_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[2]),
+      .value_i({width_px_q}),
+      .error_o(guard_error[2])
+  );
+  horopter_guard #(
+      .WIDTH(12)
+  ) u_height_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[3]),
+      .value_i({height_rows_q}),
+      .error_o(guard_error[3])
+  );
+  horopter_guard #(
+      .WIDTH(12)
+  ) u_lookahead_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[4]),
+      .value_i({lookahead_rows_q}),
+      .error_o(guard_error[4])
+  );
+  horopter_guard #(
+      .WIDTH(32)
+  ) u_timeout_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[5]),
+      .value_i({timeout_clocks_q}),
+      .error_o(guard_error[5])
+  );
+  horopter_guard #(
+      .WIDTH(4)
+  ) u_table_select_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[6]),
+      .value_i({table_select_slot_q}),
+      .error_o(guard_error[6])
+  );
+  horopter_guard #(
+      .WIDTH(2)
+  ) u_irq_enable_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[7]),
+      .value_i({irq_enable_fault_q, irq_enable_frame_q}),
+      .error_o(guard_error[7])
+  );
+  horopter_guard #(
+      .WIDTH(16)
+  ) u_sum_limit_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[8]),
+      .value_i({sum_limit_value_q}),
+      .error_o(guard_error[8])
+  );
+  horopter_guard #(
+      .WIDTH(16)
+  ) u_self_limit_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[9]),
+      .value_i({self_limit_value_q}),
+      .error_o(guard_error[9])
+  );
+  horopter_guard #(
+      .WIDTH(16)
+  ) u_texture_limit_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[10]),
+      .value_i({texture_limit_sum_q}),
+      .error_o(guard_error[10])
+  );
+  horopter_guard #(
+      .WIDTH(24)
+  ) u_alarm_limit_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[11]),
+      .value_i({alarm_limit_pixels_q}),
+      .error_o(guard_error[11])
+  );
+  horopter_guard #(
+      .WIDTH(24)
+  ) u_unsupervised_limit_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[12]),
+      .value_i({unsupervised_limit_pixels_q}),
+      .error_o(guard_error[12])
+  );
+  horopter_guard #(
+      .WIDTH(8)
+  ) u_black_level_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[13]),
+      .value_i({black_level_grey_q}),
+      .error_o(guard_error[13])
+  );
+  horopter_guard #(
+      .WIDTH(24)
+  ) u_black_limit_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[14]),
+      .value_i({black_limit_pixels_q}),
+      .error_o(guard_error[14])
+  );
+  horopter_guard #(
+      .WIDTH(8)
+  ) u_white_level_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[15]),
+      .value_i({white_level_grey_q}),
+      .error_o(guard_error[15])
+  );
+  horopter_guard #(
+      .WIDTH(24)
+  ) u_white_limit_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[16]),
+      .value_i({white_limit_pixels_q}),
+      .error_o(guard_error[16])
+  );
+  horopter_guard #(
+      .WIDTH(8)
+  ) u_constant_limit_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[17]),
+      .value_i({constant_limit_grey_q}),
+      .error_o(guard_error[17])
+  );
+  horopter_guard #(
+      .WIDTH(8)
+  ) u_frozen_limit_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[18]),
+      .value_i({frozen_limit_frames_q}),
+      .error_o(guard_error[18])
+  );
+  horopter_guard #(
+      .WIDTH(1)
+  ) u_decision_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[19]),
+      .value_i({decision_compete_q}),
+      .error_o(guard_error[19])
+  );
+  horopter_guard #(
+      .WIDTH(31)
+  ) u_compete_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[20]),
+      .value_i({compete_boundary_q, compete_clear_quorum_q, compete_quorum_q, compete_similar_q, compete_smooth_q, compete_bias_q}),
+      .error_o(guard_error[20])
+  );
+  horopter_guard #(
+      .WIDTH(4)
+  ) u_map_slot_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[21]),
+      .value_i({map_slot_slot_q}),
+      .error_o(guard_error[21])
+  );
+  horopter_guard #(
+      .WIDTH(16)
+  ) u_map_base_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[22]),
+      .value_i({map_base_word64_q}),
+      .error_o(guard_error[22])
+  );
+  horopter_guard #(
+      .WIDTH(24)
+  ) u_map_undecidable_limit_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[23]),
+      .value_i({map_undecidable_limit_pixels_q}),
+      .error_o(guard_error[23])
+  );
+  horopter_guard #(
+      .WIDTH(15)
+  ) u_agreement_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[24]),
+      .value_i({agreement_shift_highest_q, agreement_shift_lowest_q, agreement_nearer_above_q, agreement_nearer_below_q, agreement_prove_q}),
+      .error_o(guard_error[24])
+  );
+  horopter_guard #(
+      .WIDTH(32)
+  ) u_agreement_limits_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[25]),
+      .value_i({agreement_limits_hidden_q, agreement_limits_unproven_q, agreement_limits_regions_q, agreement_limits_explained_q}),
+      .error_o(guard_error[25])
+  );
+  horopter_guard #(
+      .WIDTH(8)
+  ) u_hidden_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[26]),
+      .value_i({hidden_frames_q}),
+      .error_o(guard_error[26])
+  );
+  horopter_guard #(
+      .WIDTH(12)
+  ) u_registration_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[27]),
+      .value_i({registration_moved_half_q, registration_moved_q}),
+      .error_o(guard_error[27])
+  );
+  horopter_guard #(
+      .WIDTH(32)
+  ) u_epipolar_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[28]),
+      .value_i({epipolar_column_q, epipolar_slope_q}),
+      .error_o(guard_error[28])
+  );
+  horopter_guard #(
+      .WIDTH(32)
+  ) u_epipolar_change_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[29]),
+      .value_i({epipolar_change_both_q, epipolar_change_row_q}),
+      .error_o(guard_error[29])
+  );
+  horopter_guard #(
+      .WIDTH(8)
+  ) u_one_camera_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[30]),
+      .value_i({one_camera_segments_q}),
+      .error_o(guard_error[30])
+  );
+  horopter_guard #(
+      .WIDTH(8)
+  ) u_blind_step_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[31]),
+      .value_i({blind_step_grey_q}),
+      .error_o(guard_error[31])
+  );
+  horopter_guard #(
+      .WIDTH(8)
+  ) u_blind_share_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[32]),
+      .value_i({blind_share_of_256_q}),
+      .error_o(guard_error[32])
+  );
+  horopter_guard #(
+      .WIDTH(8)
+  ) u_still_limit_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[33]),
+      .value_i({still_limit_frames_q}),
+      .error_o(guard_error[33])
+  );
+  horopter_guard #(
+      .WIDTH(6)
+  ) u_region_select_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[34]),
+      .value_i({region_select_region_q}),
+      .error_o(guard_error[34])
+  );
+
   // IRQ_STATUS: Events since they were last cleared.
   logic [ 1:0] irq_status_q;
   always_ff @(posedge clk_i) begin
@@ -537,11 +862,11 @@ module horopter_csr #(
   assign faults_cameras_o = faults_cameras_q;
 
   // FAULTS_MACHINE: The same for faults of both cameras together, of tables and of the machine.
-  logic [14:0] faults_machine_q;
+  logic [15:0] faults_machine_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) faults_machine_q <= 15'd0;
+    if (!rst_ni) faults_machine_q <= 16'd0;
     else if (write_q && write_group_q[5] && write_word_q[1])
-      faults_machine_q <= (faults_machine_q & ~(write_data_i[14:0] & {{7{write_strb_i[1]}}, {8{write_strb_i[0]}}})) | faults_machine_set_i;
+      faults_machine_q <= (faults_machine_q & ~(write_data_i[15:0] & {{8{write_strb_i[1]}}, {8{write_strb_i[0]}}})) | faults_machine_set_i;
     else faults_machine_q <= faults_machine_q | faults_machine_set_i;
   end
   assign faults_machine_o = faults_machine_q;
@@ -644,7 +969,7 @@ module horopter_csr #(
     if (wanted_q[6])
       case (word_q)
         3'h0: group_07_q <= {3'd0, faults_cameras_q[25:13], 3'd0, faults_cameras_q[12:0]};
-        default: group_07_q <= {17'd0, faults_machine_q};
+        default: group_07_q <= {16'd0, faults_machine_q};
       endcase
     group_08_q <= 32'd0;
     if (wanted_q[7])
@@ -664,7 +989,7 @@ module horopter_csr #(
         3'h0: group_09_q <= frame_cycles_clocks_i;
         3'h1: group_09_q <= frame_latency_clocks_i;
         3'h2: group_09_q <= frame_tail_clocks_i;
-        3'h3: group_09_q <= {17'd0, frame_faults_machine_i};
+        3'h3: group_09_q <= {16'd0, frame_faults_machine_i};
         3'h4: group_09_q <= {17'd0, agreement_shift_highest_q, agreement_shift_lowest_q, agreement_nearer_above_q, agreement_nearer_below_q, agreement_prove_q};
         3'h5: group_09_q <= {agreement_limits_hidden_q, agreement_limits_unproven_q, agreement_limits_regions_q, agreement_limits_explained_q};
         3'h6: group_09_q <= {24'd0, hidden_frames_q};

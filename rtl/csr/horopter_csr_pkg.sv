@@ -33,6 +33,7 @@ package horopter_csr_pkg;
   } camera_faults_t;
 
   typedef struct packed {  // from the highest bit
+    logic settings;
     logic hidden;
     logic moved;
     logic unproven;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // horopter_frame_control's safe_o, unbounded: it never rises but with the publication of a frame without fault or alarm and
-// with a valid table, never survives a fault by more than 3 clocks, is low after reset, and always differs from unsafe_o.
+// with a valid table, after another such frame and no fault in between, never survives a fault by more than 3 clocks, is low
+// after reset, and always differs from unsafe_o.
 module formal_safe (
     input logic        clk_i,
     input logic        rst_ni,
@@ -28,10 +29,12 @@ module formal_safe (
     input logic [ 1:0] silent,
     input logic        begin_frame,
     input logic        active,
+    input logic [ 1:0] whole,
     input logic        read_slot,
     input logic        table_ok,
     input logic [ 1:0] parity_error,
     input logic        internal,
+    input logic        settings,
     input logic        miss,
     input logic        state_first,
     input logic        state_end,
@@ -74,12 +77,14 @@ module formal_safe (
       .silent_i(silent),
       .begin_i(begin_frame),
       .active_i(active),
+      .whole_i(whole),
       .read_slot_i(read_slot),
       .table_ok_i(table_ok),
       .table_slot_i(4'd0),
       .table_crc_i(32'd0),
       .parity_error_i(parity_error),
       .internal_i(internal),
+      .settings_i(settings),
       .miss_i(miss),
       .state_first_i(state_first),
       .state_end_i(state_end),
@@ -117,6 +122,7 @@ module formal_safe (
 
   logic past_valid = 1'b0, past_safe = 1'b0, past_reset = 1'b1;
   logic [3:0] fault_age = 4'd0;  // bit i: a fault came i + 1 clocks ago
+  logic good_before = 1'b0;  // the frame published before was good, and no fault has come since
   logic fault_now;
   // Identical images are a fault with the second image check of a record; a check follows its image's last pixel.
   logic [1:0] left_checked = 2'b00, right_checked = 2'b00, ended = 2'b00;
@@ -140,7 +146,7 @@ module formal_safe (
     end
   end
   // Faults of a health result without valid, or of an alarm without counts, mean nothing.
-  assign fault_now = {left_stream, right_stream, skew, bad_upload, refused_upload, silence, parity_error, internal, miss} != '0 || identical
+  assign fault_now = {left_stream, right_stream, skew, bad_upload, refused_upload, silence, parity_error, internal, settings, miss} != '0 || identical
       || (health_valid[0] && left_health != '0) || (health_valid[1] && right_health != '0)
       || (counts_valid && (too_undecidable || too_unsupervised)) || (verdict_valid && verdict != '0);
   always @(posedge clk_i) begin
@@ -148,6 +154,8 @@ module formal_safe (
     past_reset <= !rst_ni;
     past_safe <= safe;
     fault_age <= rst_ni ? {fault_age[2:0], fault_now} : 4'd0;
+    if (!rst_ni || fault_age[2]) good_before <= 1'b0;
+    else if (frame_done) good_before <= frame_safe && frame_faults == '0 && !frame_alarm;
   end
 
   always @(*) begin
@@ -157,7 +165,7 @@ module formal_safe (
     if (past_valid) begin
       if (past_reset) assert (!safe);
       // Rises only with a good frame.
-      if (safe && !past_safe) assert (frame_done && frame_safe && frame_faults == '0 && !frame_alarm);
+      if (safe && !past_safe) assert (frame_done && frame_safe && frame_faults == '0 && !frame_alarm && good_before);
       // A fault is felt after its register, its collection and the decision: 3 clocks.
       if (fault_age[2] || fault_age[3]) assert (!safe || frame_done);
       if (fault_age[2]) assert (!safe);

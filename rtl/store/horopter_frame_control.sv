@@ -3,14 +3,15 @@
 //
 // Faults of the streams and skew belong to the frame record open_slot_i, those of an image check to the record in which
 // the camera's frame ended (identical images: that of the second camera), those of the check of both images to its
-// record judged_slot_i, parity, store_miss and internal to the frame being output, those of an upload to the next
+// record judged_slot_i, parity, store_miss, internal and settings to the frame being output, those of an upload to the next
 // frame published. A silence, silence_i, makes not safe at once, but belongs to no frame.
 //
 // A frame is published, publish_o for one clock, when its last state and its last run have left and its counts and its
 // verdict (stage `agreement`) are there. In the same clock all frame_* outputs change, frame_done_o = 1, heartbeat_o toggles.
-// safe_o rises only then, and only if the frame had no fault and no alarm and nothing speaks against the next one; it
-// falls with any fault, with the watchdog, and while safe_allowed_i is 0. unsafe_o is decided and stored on its own.
-// Reset: not safe.
+// safe_o rises only then, and only if this frame and the one before had no fault and no alarm, nothing was wrong in
+// between, and nothing speaks against the next one: what hides the alarm of a single frame does not make safe. It falls
+// with any fault, with the watchdog, and while safe_allowed_i is 0. unsafe_o is decided and stored on its own. frame_safe_o
+// is of the one frame. Reset: not safe.
 module horopter_frame_control (
     input  logic              clk_i,
     input  logic              rst_ni,
@@ -41,12 +42,14 @@ module horopter_frame_control (
     // frame going out
     input  logic              begin_i,
     input  logic              active_i,
+    input  logic [       1:0] whole_i,  // as many rows of it came as an image has
     input  logic              read_slot_i,
     input  logic              table_ok_i,
     input  logic [       3:0] table_slot_i,
     input  logic [      31:0] table_crc_i,
     input  logic [       1:0] parity_error_i,
     input  logic              internal_i,
+    input  logic              settings_i,
     input  logic              miss_i,  // a pixel that missed its source row
     input  logic              state_first_i,  // its first state leaves
     input  logic              state_end_i,  // its last state leaves
@@ -121,6 +124,7 @@ module horopter_frame_control (
       outgoing_q.right.parity <= parity_error_i[1];
       outgoing_q.machine.store_miss <= miss_i;
       outgoing_q.machine.internal <= internal_i;
+      outgoing_q.machine.settings <= settings_i;
       outgoing_q.machine.no_table <= begin_q[4] && !table_ok_i;
       outgoing_q.machine.too_undecidable <= (counts_valid_i && too_undecidable_i) || (verdict_valid_i && verdict_i.untextured);
       outgoing_q.machine.disagree <= verdict_valid_i && verdict_i.disagree;
@@ -180,12 +184,13 @@ module horopter_frame_control (
   logic [1:0] bad_q;  // by record
   logic found_q, others_bad_q;
   assign read_faults = (read_slot_i ? faults1_q : faults0_q) | event_q;
-  // A frame without its image checks, and without a fault of a camera's stream that explains it, was not checked: not safe.
+  // A frame without its image checks or without all its rows, and without a fault of a camera's stream that explains it,
+  // was not checked: not safe.
   always_comb begin
     unchecked = '0;
     unchecked.machine.internal = !read_faults.machine.skew
-        && ((!left_checked_q[read_slot_i] && read_faults.left.stream == '0)
-            || (!right_checked_q[read_slot_i] && read_faults.right.stream == '0));
+        && ((!(left_checked_q[read_slot_i] && whole_i[0]) && read_faults.left.stream == '0)
+            || (!(right_checked_q[read_slot_i] && whole_i[1]) && read_faults.right.stream == '0));
   end
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -331,15 +336,27 @@ module horopter_frame_control (
   logic safe_q = 1'b0, unsafe_q = 1'b1;  // before the first clock, too
   logic bad_now;
   assign bad_now = found_q || fault_set_o != '0 || (late_o && !publish_q) || silent_i != 2'b00 || !safe_allowed_i;
+  logic good_before_q, bad_before_q;  // the frame published before, and all since
+  logic bad_frame;
+  assign bad_frame = total_q != '0 || alarm_q || !table_ok_i || others_bad_q || event_q != '0;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) safe_q <= 1'b0;
-    else if (bad_now) safe_q <= 1'b0;
-    else if (publish_q) safe_q <= good && !others_bad_q && event_q == '0;
+    if (!rst_ni || bad_now) begin
+      safe_q <= 1'b0;
+      good_before_q <= 1'b0;
+    end else if (publish_q) begin
+      safe_q <= good_before_q && good && !others_bad_q && event_q == '0;
+      good_before_q <= good && !others_bad_q && event_q == '0;
+    end
   end
   // The same, said the other way round and stored again.
   always_ff @(posedge clk_i) begin
-    if (!rst_ni || bad_now) unsafe_q <= 1'b1;
-    else if (publish_q) unsafe_q <= total_q != '0 || alarm_q || !table_ok_i || others_bad_q || event_q != '0;
+    if (!rst_ni || bad_now) begin
+      unsafe_q <= 1'b1;
+      bad_before_q <= 1'b1;
+    end else if (publish_q) begin
+      unsafe_q <= bad_before_q || bad_frame;
+      bad_before_q <= bad_frame;
+    end
   end
   assign safe_o = safe_q;
   assign unsafe_o = unsafe_q;

@@ -6,6 +6,8 @@
 // asks at the right time). mask_o = the row came and was good. Rows that never came are not in the ring.
 // SUBSAMPLE = 2: what waits is the mean of two pixels, all that is needed of them; both requests of a pair get it.
 // keep_o: rows before it (counted as the framer counts stored rows) are read for good and may be overwritten.
+// Where a frame's rows are is told anew with each frame, so that nothing that went wrong in one lasts. place_error_o: they
+// do not follow those of the frame before, or the place in the ring is not what its second copy says.
 module horopter_left_store #(
     parameter int unsigned WIDTH = 640,
     parameter int unsigned HEIGHT = 480,
@@ -25,9 +27,12 @@ module horopter_left_store #(
     input  logic                 row_done_i,
     input  logic                 row_bad_i,
     // frame
-    input  logic                 begin_i,  // a new output frame
+    input  logic                 begin_i,  // a new output frame; base_* valid
+    input  logic [  SLOT_BITS:0] base_i,  // count of its first row
+    input  logic [SLOT_BITS-1:0] base_slot_i,
     input  logic [         11:0] rows_i,  // rows of it that came so far
     output logic [  SLOT_BITS:0] keep_o,
+    output logic                 place_error_o,
     // request and answer
     input  logic                 valid_i,
     input  logic                 last_i,
@@ -97,18 +102,28 @@ module horopter_left_store #(
   logic [SLOT_BITS:0] keep_q;
   logic end_of_row, wraps;
   logic last;  // with read
+  logic [SLOT_BITS-1:0] not_slot_q;  // counts down: the second copy of slot_q, inverted
+  logic not_wraps;
   always_ff @(posedge clk_i) begin
     wraps <= 32'(slot_q) == ROWS - 1;  // rows are longer than a clock
+    not_wraps <= not_slot_q == ~SLOT_BITS'(ROWS - 1);
+    place_error_o <= rst_ni && (slot_q != ~not_slot_q || (begin_i && (slot_q != base_slot_i || keep_q != base_i)));
     if (!rst_ni) begin
       row_q <= '0;
       keep_q <= '0;
       slot_q <= '0;
+      not_slot_q <= '1;
     end else begin
       if (begin_i) row_q <= '0;
       else if (end_of_row) row_q <= row_q + 1'b1;
-      if (read && last) begin
+      if (begin_i) begin
+        keep_q <= base_i;
+        slot_q <= base_slot_i;
+        not_slot_q <= ~base_slot_i;
+      end else if (read && last) begin
         keep_q <= keep_q + 1'b1;
         slot_q <= wraps ? '0 : slot_q + 1'b1;
+        not_slot_q <= not_wraps ? '1 : not_slot_q - 1'b1;
       end
     end
   end
@@ -159,9 +174,9 @@ module horopter_left_store #(
         row_starts_q <= 1'b0;
       end else begin
         present_q <= 12'(row_q) < rows_i;
-        row_starts_q <= read && last;  // then slot_q has moved on, and nothing is read
+        row_starts_q <= begin_i || (read && last);  // then slot_q has moved on, and nothing is read
         block_row_q <= (row_starts_q ? ROW_ADDR_BITS'(slot_q) : block_row_q) + (read && &x_q ? ROW_ADDR_BITS'(ROWS) : '0);
-        if (end_of_row) x_q <= '0;
+        if (end_of_row || begin_i) x_q <= '0;
         else if (read) x_q <= x_q + 1'b1;
       end
     end
@@ -192,7 +207,7 @@ module horopter_left_store #(
 
     logic [X_BITS-1:0] x_q;
     always_ff @(posedge clk_i) begin
-      if (!rst_ni || (read && last)) x_q <= '0;
+      if (!rst_ni || begin_i || (read && last)) x_q <= '0;
       else if (read) x_q <= x_q + 1'b1;
     end
     assign read = valid_i && live_i && row_q < rows_i[ROW_BITS-1:0];

@@ -12,7 +12,8 @@
 // With each slot stays the limit of undecidable pixels that was given at its start.
 //
 // Directory: lookup_i for one clock asks for lookup_slot_i; from two clocks later on the table_* outputs tell,
-// until the next lookup. table_ok_o: it was valid, and made for this width and height.
+// until the next lookup. table_ok_o: it was valid, and made for this width and height. table_error_o: what they tell is
+// not what was stored (parity).
 // data_ready_o falls for 6 clocks after each word, in which its bytes go through the CRC, and for some 80 after the
 // third. busy_o: an upload or a word of one is under way, error_o may still change. Reset: all slots invalid.
 module horopter_map_store #(
@@ -48,6 +49,7 @@ module horopter_map_store #(
     input  logic                 lookup_i,
     input  logic [          3:0] lookup_slot_i,
     output logic                 table_ok_o,
+    output logic                 table_error_o,
     output logic [ADDR_BITS-1:0] table_base_o,
     output logic [          2:0] table_nx_o,
     output logic [          2:0] table_ny_o,
@@ -160,10 +162,11 @@ module horopter_map_store #(
   // Extent of each table, for the walk.
   logic [2*ADDR_BITS:0] extent;
   logic [3:0] walk_slot;
-  logic unused_extent_parity, unused_entry_parity, unused_limit_parity;
+  logic extent_error, entry_error, limit_error;
   horopter_ram #(
       .WIDTH(2 * ADDR_BITS + 1),
-      .DEPTH(16)
+      .DEPTH(16),
+      .PARITY(PARITY)
   ) u_extent (
       .clk_i(clk_i),
       .write_en_i(store_entry),
@@ -172,12 +175,13 @@ module horopter_map_store #(
       .read_en_i(state_q == WALK),
       .read_addr_i(walk_slot),
       .read_data_o(extent),
-      .parity_error_o(unused_extent_parity)
+      .parity_error_o(extent_error)
   );
   logic meets_q, overlaps_q, overlap_in_use;
   assign walk_slot = step_q[5:2];
   always_ff @(posedge clk_i) begin
-    meets_q <= {1'b0, extent[ADDR_BITS-1:0]} < end_addr && extent[2*ADDR_BITS:ADDR_BITS] > {1'b0, base_q[ADDR_BITS-1:0]};
+    meets_q <= extent_error
+        || ({1'b0, extent[ADDR_BITS-1:0]} < end_addr && extent[2*ADDR_BITS:ADDR_BITS] > {1'b0, base_q[ADDR_BITS-1:0]});
     overlaps_q <= valid_q[walk_slot] && walk_slot != slot_q && meets_q;
   end
 
@@ -366,7 +370,8 @@ module horopter_map_store #(
   logic lookup_q, lookup_valid_q, slot_read_q, slot_valid_q;
   horopter_ram #(
       .WIDTH(ENTRY_BITS),
-      .DEPTH(16)
+      .DEPTH(16),
+      .PARITY(PARITY)
   ) u_entry (
       .clk_i(clk_i),
       .write_en_i(store_entry),
@@ -375,7 +380,7 @@ module horopter_map_store #(
       .read_en_i(lookup_i || !store_entry),
       .read_addr_i(lookup_i ? lookup_slot_i : slot_i),
       .read_data_o(entry),
-      .parity_error_o(unused_entry_parity)
+      .parity_error_o(entry_error)
   );
   assign {entry_crc, entry_height, entry_width, entry_columns, entry_ny, entry_nx, entry_base} = entry;
   always_ff @(posedge clk_i) begin
@@ -400,7 +405,8 @@ module horopter_map_store #(
   // Kept from the start on, while the slot is invalid; between lookups the output stays.
   horopter_ram #(
       .WIDTH(24),
-      .DEPTH(16)
+      .DEPTH(16),
+      .PARITY(PARITY)
   ) u_limit (
       .clk_i(clk_i),
       .write_en_i(store_limit),
@@ -409,7 +415,32 @@ module horopter_map_store #(
       .read_en_i(lookup_i),
       .read_addr_i(lookup_slot_i),
       .read_data_o(table_undecidable_limit_o),
-      .parity_error_o(unused_limit_parity)
+      .parity_error_o(limit_error)
+  );
+
+  // From the directory into the outputs, and as long as they stay.
+  logic entry_error_q, looked_up_q;
+  logic [1:0] guard_error;
+  always_ff @(posedge clk_i) begin
+    looked_up_q <= lookup_q;
+    if (lookup_q) entry_error_q <= entry_error;
+    table_error_o <= rst_ni && table_ok_o && !looked_up_q && (entry_error_q || limit_error || guard_error != 2'b00);
+  end
+  horopter_guard #(
+      .WIDTH(32)
+  ) u_crc_guard (
+      .clk_i(clk_i),
+      .written_i(looked_up_q),
+      .value_i(table_crc_o),
+      .error_o(guard_error[0])
+  );
+  horopter_guard #(
+      .WIDTH(ADDR_BITS + 18)
+  ) u_geometry_guard (
+      .clk_i(clk_i),
+      .written_i(looked_up_q),
+      .value_i({table_base_o, table_nx_o, table_ny_o, table_columns_o}),
+      .error_o(guard_error[1])
   );
 
   // --- pool ---

@@ -18,11 +18,13 @@
 // Index 0 = left, 1 = right. A slot is one of two frame records; it is busy from its opening until free_i.
 // grant_o and deny_o are combinational from registers; everything else is a register. Reset: no frame.
 module horopter_pairing #(
-    parameter int unsigned RING_BITS = 6  // bits of a slot number of the right image's ring
+    parameter int unsigned LEFT_BITS = 6,  // bits of a slot number of the left image's ring
+    parameter int unsigned RING_BITS = 6  // and of the right one's
 ) (
     input  logic                 clk_i,
     input  logic                 rst_ni,
     input  logic                 live_i,
+    input  logic [         11:0] height_i,
     // framers
     input  logic [          1:0] start_i,
     input  logic [          1:0] empty_i,
@@ -38,6 +40,8 @@ module horopter_pairing #(
     input  logic [          1:0] broken_i,  // the framer has found the frames of its camera broken
     input  logic [          1:0] row_done_i,
     input  logic [          1:0] frame_done_i,
+    input  logic [  LEFT_BITS:0] left_stored_i,
+    input  logic [LEFT_BITS-1:0] left_slot_i,
     input  logic [  RING_BITS:0] right_stored_i,
     input  logic [RING_BITS-1:0] right_slot_i,
     // the arriving frame
@@ -53,7 +57,10 @@ module horopter_pairing #(
     output logic                 left_ended_o,  // no more will come
     output logic [         11:0] right_rows_o,
     output logic                 right_ended_o,
-    output logic [  RING_BITS:0] right_base_o,  // count (as right_stored_i) of its first row
+    output logic [          1:0] whole_o,  // as many rows came as an image has
+    output logic [  LEFT_BITS:0] left_base_o,  // count (as left_stored_i) of its first row
+    output logic [LEFT_BITS-1:0] left_base_slot_o,
+    output logic [  RING_BITS:0] right_base_o,
     output logic [RING_BITS-1:0] right_base_slot_o,
     input  logic                 free_i  // read_slot_i is published
 );
@@ -61,6 +68,8 @@ module horopter_pairing #(
   logic [1:0] joined_q, ended_q, busy_q;
   logic [11:0] left_rows_q[2];
   logic [11:0] right_rows_q[2];
+  logic [LEFT_BITS:0] left_base_q[2];
+  logic [LEFT_BITS-1:0] left_base_slot_q[2];
   logic [RING_BITS:0] base_q[2];
   logic [1:0] left_ended_q, right_ended_q;
   logic [RING_BITS-1:0] base_slot_q[2];
@@ -169,6 +178,8 @@ module horopter_pairing #(
   // Where a frame begins that may be opened now.
   always_ff @(posedge clk_i) begin
     if (can_open_q) begin
+      left_base_q[next_slot] <= left_stored_i;
+      left_base_slot_q[next_slot] <= left_slot_i;
       base_q[next_slot] <= right_stored_i;
       base_slot_q[next_slot] <= right_slot_i;
     end
@@ -183,6 +194,9 @@ module horopter_pairing #(
     left_ended_o <= left_ended_q[read_slot_i] && busy_q[read_slot_i];
     right_rows_o <= busy_q[read_slot_i] ? right_rows_q[read_slot_i] : 12'd0;
     right_ended_o <= right_ended_q[read_slot_i] && busy_q[read_slot_i];
+    whole_o <= {right_rows_q[read_slot_i] == height_i, left_rows_q[read_slot_i] == height_i};
+    left_base_o <= left_base_q[read_slot_i];
+    left_base_slot_o <= left_base_slot_q[read_slot_i];
     right_base_o <= base_q[read_slot_i];
     right_base_slot_o <= base_slot_q[read_slot_i];
   end

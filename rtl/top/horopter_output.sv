@@ -4,6 +4,7 @@
 // go_o: the raster may send another beat; what it has sent, at most IN_FLIGHT beats, still finds room. Formats of
 // m_axis_state and m_axis_runs as in horopter_top. One clock each: state_first_o, state_end_o, runs_end_o: a frame's first
 // state, its last one, its last run leave. overflow_o (states, runs): a beat was lost, which cannot be.
+// rows_error_o, with runs_end_o: the runs do not cover as many rows as the result has, each to its end.
 // core_rst_ni: of the streaming core; it drops what the FIFOs hold, but a beat that is offered stays until it is taken.
 module horopter_output #(
     parameter int unsigned DEPTH = 256,
@@ -11,12 +12,14 @@ module horopter_output #(
     parameter bit FAST = 1'b0,
     parameter int unsigned ROW_BITS = 9,
     parameter int unsigned COLUMN_BITS = 9,
-    parameter int unsigned WIDTH_BITS = 9
+    parameter int unsigned WIDTH_BITS = 9,
+    parameter int unsigned HEIGHT_BITS = 9
 ) (
     input  logic                   clk_i,
     input  logic                   rst_ni,
     input  logic                   core_rst_ni,
     input  logic [ WIDTH_BITS-1:0] result_width_i,
+    input  logic [HEIGHT_BITS-1:0] result_height_i,
     output logic                   go_o,
     output logic [            1:0] overflow_o,
     // from the stages
@@ -41,7 +44,8 @@ module horopter_output #(
     output logic                   m_axis_runs_tlast,
     output logic                   m_axis_runs_tvalid,
     input  logic                   m_axis_runs_tready,
-    output logic                   runs_end_o
+    output logic                   runs_end_o,
+    output logic                   rows_error_o
 );
   localparam int unsigned LEVEL = DEPTH - IN_FLIGHT - 8;
 
@@ -83,11 +87,13 @@ module horopter_output #(
 
   // Runs cover their rows, so that the ends tell row and start of each.
   logic [ROW_BITS-1:0] out_row_q;
+  logic [ROW_BITS-1:0] last_row_q;
   logic [COLUMN_BITS-1:0] out_run_start_q, out_run_end, last_column_q;
   logic [1:0] out_run_state;
   logic out_row_ends;
   always_ff @(posedge clk_i) begin
     last_column_q <= COLUMN_BITS'(result_width_i - 1'b1);
+    last_row_q <= ROW_BITS'(result_height_i - 1'b1);
     if (!core_rst_ni) begin
       out_row_q <= '0;
       out_run_start_q <= '0;
@@ -125,6 +131,7 @@ module horopter_output #(
       .overflow_o(overflow_o[1])
   );
   assign runs_end_o = out_run_valid && out_run_ready && out_run_last;
+  assign rows_error_o = runs_end_o && (!out_row_ends || out_row_q != last_row_q);
   logic [ROW_BITS-1:0] sent_row;
   logic [COLUMN_BITS-1:0] sent_start, sent_end;
   logic [1:0] sent_state;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a frame is made with: the settings, sampled for each frame, so that a change never falls into the middle of one.
 // A limit that is more than can be counted is the largest that can. Of a rule that is not built nothing is kept.
+// changed_o: what was sampled is not what it was (horopter_guard). rst_ni: of the streaming core.
 module horopter_settings #(
     parameter bit THESIS = horopter_profile_pkg::THESIS,
     parameter bit COMPETE = horopter_profile_pkg::COMPETE,
@@ -12,6 +13,7 @@ module horopter_settings #(
     parameter int unsigned HEIGHT_BITS = 9
 ) (
     input  logic                       clk_i,
+    input  logic                       rst_ni,
     // the registers
     input  logic [7:0]                 black_level_i,
     input  logic [7:0]                 white_level_i,
@@ -59,6 +61,7 @@ module horopter_settings #(
     output horopter_csr_pkg::compete_t compete_o,
     output logic [WIDTH_BITS-1:0]      result_width_o,  // after sub-sampling
     output logic [HEIGHT_BITS-1:0]     result_height_o,
+    output logic                       changed_o,
     // of its table, which is looked up at its begin and stays until the next
     input  logic [23:0]                undecidable_limit_i,
     output logic [COUNT_BITS-1:0]      undecidable_limit_o  // a clock later
@@ -88,6 +91,51 @@ module horopter_settings #(
       result_height_o <= height_i;
     end
     undecidable_limit_o <= 32'(undecidable_limit_i) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(undecidable_limit_i);
+  end
+
+  // Both groups, in words, are guarded from the clock on in which they have their new values.
+  localparam int unsigned OPEN_BITS = 32 + 2 * PIXEL_BITS;
+  localparam int unsigned BEGIN_BITS = 2 * SUM_BITS + TEXTURE_BITS + 2 * COUNT_BITS + $bits(agreement_o)
+      + $bits(agreement_limits_o) + 8 + $bits(registration_o)
+      + $bits(epipolar_o) + $bits(epipolar_change_o) + WIDTH_BITS + HEIGHT_BITS
+      + 1 + $bits(compete_o);
+  localparam int unsigned OPEN_WORDS = (OPEN_BITS + 31) / 32;
+  localparam int unsigned BEGIN_WORDS = (BEGIN_BITS + 31) / 32;
+  logic [32*OPEN_WORDS-1:0] opened;
+  logic [32*BEGIN_WORDS-1:0] begun;
+  logic [OPEN_WORDS-1:0] open_error;
+  logic [BEGIN_WORDS-1:0] begin_error;
+  logic opened_q, begun_q;
+  assign opened = (32 * OPEN_WORDS)'({
+      black_level_o, white_level_o, constant_limit_o, frozen_limit_o, black_limit_o, white_limit_o});
+  assign begun = (32 * BEGIN_WORDS)'({
+      sum_limit_o, self_limit_o, texture_limit_o, alarm_limit_o, unsupervised_limit_o, agreement_o, agreement_limits_o,
+      hidden_frames_o, registration_o, epipolar_o, epipolar_change_o, result_width_o, result_height_o, decision_compete_o,
+      compete_o});
+  for (genvar w = 0; w < OPEN_WORDS; w++) begin : g_opened
+    horopter_guard #(
+        .WIDTH(32)
+    ) u_guard (
+        .clk_i(clk_i),
+        .written_i(opened_q),
+        .value_i(opened[32*w+:32]),
+        .error_o(open_error[w])
+    );
+  end
+  for (genvar w = 0; w < BEGIN_WORDS; w++) begin : g_begun
+    horopter_guard #(
+        .WIDTH(32)
+    ) u_guard (
+        .clk_i(clk_i),
+        .written_i(begun_q),
+        .value_i(begun[32*w+:32]),
+        .error_o(begin_error[w])
+    );
+  end
+  always_ff @(posedge clk_i) begin
+    opened_q <= open_i || !rst_ni;
+    begun_q <= begin_i || !rst_ni;
+    changed_o <= rst_ni && (open_error != '0 || begin_error != '0);
   end
 
   if (COMPETE) begin : g_compete

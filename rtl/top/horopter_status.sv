@@ -16,6 +16,7 @@ module horopter_status #(
     input  logic [11:0]                      height_i,
     input  logic [11:0]                      lookahead_i,
     input  logic [31:0]                      timeout_i,
+    input  logic [1:0]                       changed_i,  // without a write: a register, what the frame sampled
     input  horopter_csr_pkg::irq_enable_t    irq_enable_i,
     input  horopter_csr_pkg::irq_status_t    irq_status_i,
     output horopter_csr_pkg::irq_status_t    irq_set_o,
@@ -49,10 +50,12 @@ module horopter_status #(
     // frame going out
     input  logic                             begin_i,
     input  logic                             active_i,
+    input  logic [1:0]                       whole_i,  // as many rows of it came as an image has
     input  logic                             read_slot_i,
     input  logic                             table_ok_i,
     input  logic [3:0]                       table_slot_i,
     input  logic [31:0]                      table_crc_i,
+    input  logic                             table_error_i,  // parity of the directory
     input  logic                             beat_valid_i,
     input  logic                             beat_parity_error_i,  // of the map
     input  logic                             quad_valid_i,
@@ -61,6 +64,8 @@ module horopter_status #(
     input  logic                             left_mask_i,
     input  logic                             left_parity_error_i,
     input  logic [1:0]                       output_overflow_i,  // states, runs
+    input  logic                             place_error_i,  // of its rows in the rings
+    input  logic                             rows_error_i,  // it has not left with as many rows
     input  logic                             state_first_i,  // its first state leaves
     input  logic                             state_end_i,  // its last state leaves
     input  logic                             runs_end_i,  // its last run leaves
@@ -135,7 +140,8 @@ module horopter_status #(
   logic [1:0] parity_error;
   assign miss = quad_valid_i && quad_miss_i;
   assign parity_error = {quad_valid_i && quad_parity_error_i && left_mask_i, left_parity_error_i};
-  assign internal = output_overflow_i != 2'b00 || (beat_valid_i && beat_parity_error_i);
+  assign internal = output_overflow_i != 2'b00 || (beat_valid_i && beat_parity_error_i) || table_error_i || rows_error_i
+      || place_error_i;
 
   horopter_frame_control u_frame_control (
       .clk_i(clk_i),
@@ -165,12 +171,14 @@ module horopter_status #(
       .silent_i(silent_i),
       .begin_i(begin_i),
       .active_i(active_i),
+      .whole_i(whole_i),
       .read_slot_i(read_slot_i),
       .table_ok_i(table_ok_i),
       .table_slot_i(table_slot_i),
       .table_crc_i(table_crc_i),
       .parity_error_i(parity_error),
       .internal_i(internal),
+      .settings_i(changed_i != 2'b00),
       .miss_i(miss),
       .state_first_i(state_first_i),
       .state_end_i(state_end_i),

@@ -10,8 +10,8 @@
 //                            2 undecidable, 3 unsupervised; tuser, tlast as above.
 // m_axis_runs                the rows as runs: {state[63:62], 14'b0, row[47:32], start[31:16], end[15:0]}, end included,
 //                            every row covered completely; tlast = last run of a frame.
-// safe_o, unsafe_o           complements, from separate registers; safe only while the last frame was complete, in time,
-//                            free of faults and of alarm. Anything but safe_o = 1 and unsafe_o = 0 means not safe.
+// safe_o, unsafe_o           complements, from separate registers; safe only while the last two frames were complete, in
+//                            time, free of faults and of alarm. Anything but safe_o = 1 and unsafe_o = 0 means not safe.
 // heartbeat_o                toggles with every finished frame. frame_done_o: one clock, the FRAME registers are new.
 //
 // Parameters fit the memories of a small part: the pool of mapping tables, and the largest LOOKAHEAD, that is the left
@@ -163,6 +163,7 @@ module horopter_top #(
   assign unused_prot = ^{s_axil_awprot, s_axil_arprot};
 
   logic enable, live, test_input, core_rst_n;
+  logic [1:0] changed;  // without a write: a register, what a frame has sampled
   horopter_csr_pkg::status_t status;
   logic [11:0] width, height, lookahead;
   logic [31:0] timeout;
@@ -231,6 +232,7 @@ module horopter_top #(
       .read_addr_i(read_addr),
       .read_data_o(read_data),
       .read_error_o(read_error),
+      .changed_o(changed[0]),
       .build_size_width_i(16'(WIDTH)),
       .build_size_height_i(16'(HEIGHT)),
       .build_store_rows_i(16'(STORE_ROWS)),
@@ -356,6 +358,7 @@ module horopter_top #(
       .HEIGHT_BITS(RESULT_HEIGHT_BITS)
   ) u_settings (
       .clk_i(clk_i),
+      .rst_ni(core_rst_n),
       .black_level_i(black_level),
       .white_level_i(white_level),
       .constant_limit_i(constant_limit),
@@ -401,7 +404,8 @@ module horopter_top #(
       .decision_compete_o(sampled_compete),
       .compete_o(sampled_settings),
       .result_width_o(result_width),
-      .result_height_o(result_height)
+      .result_height_o(result_height),
+      .changed_o(changed[1])
   );
 
   // ------------------------------------------------------------------------------------------------ cameras in
@@ -421,8 +425,6 @@ module horopter_top #(
   logic [7:0] left_cell_mean, right_cell_mean;
   logic judged, judged_slot, one_camera;
   logic open_slot, arrived, skew, patience;
-  logic unused_left;
-  assign unused_left = ^{left_stored, left_slot};
   assign patience = frame_open && !live;
   assign s_axis_test_tready = test_input && (live || (core_rst_n && room == 2'b11));
 
@@ -551,14 +553,19 @@ module horopter_top #(
 
   logic read_slot, published, left_ended, right_ended;
   logic [11:0] left_rows, right_rows;
+  logic [1:0] whole, place_error;
+  logic [LEFT_BITS:0] left_base;
+  logic [LEFT_BITS-1:0] left_base_slot;
   logic [RING_BITS:0] right_base;
   logic [RING_BITS-1:0] right_base_slot;
   horopter_pairing #(
+      .LEFT_BITS(LEFT_BITS),
       .RING_BITS(RING_BITS)
   ) u_pairing (
       .clk_i(clk_i),
       .rst_ni(core_rst_n),
       .live_i(live),
+      .height_i(height),
       .start_i(start),
       .empty_i(start_empty),
       .urgent_i(urgent),
@@ -573,6 +580,8 @@ module horopter_top #(
       .broken_i({right_stream != '0, left_stream != '0}),
       .row_done_i(row_done),
       .frame_done_i(frame_ended),
+      .left_stored_i(left_stored),
+      .left_slot_i(left_slot),
       .right_stored_i(right_stored),
       .right_slot_i(right_slot),
       .slot_o(open_slot),
@@ -586,6 +595,9 @@ module horopter_top #(
       .left_ended_o(left_ended),
       .right_rows_o(right_rows),
       .right_ended_o(right_ended),
+      .whole_o(whole),
+      .left_base_o(left_base),
+      .left_base_slot_o(left_base_slot),
       .right_base_o(right_base),
       .right_base_slot_o(right_base_slot),
       .free_i(published)
@@ -613,7 +625,7 @@ module horopter_top #(
   );
 
   // ------------------------------------------------------------------------------------------------ map and raster
-  logic frame_active, lookup, table_ok;
+  logic frame_active, lookup, table_ok, table_error;
   logic [MAP_ADDR_BITS-1:0] table_base, map_even_addr, map_odd_addr;
   logic [2:0] table_nx, table_ny;
   logic [11:0] table_columns;
@@ -657,6 +669,7 @@ module horopter_top #(
       .lookup_i(lookup),
       .lookup_slot_i(table_select),
       .table_ok_o(table_ok),
+      .table_error_o(table_error),
       .table_base_o(table_base),
       .table_nx_o(table_nx),
       .table_ny_o(table_ny),
@@ -832,6 +845,15 @@ module horopter_top #(
       .miss_o(quad_miss),
       .parity_error_o(quad_parity_error)
   );
+  // It does not change as long as the frame is output.
+  horopter_guard #(
+      .WIDTH(2 * RING_BITS + 1)
+  ) u_right_base_guard (
+      .clk_i(clk_i),
+      .written_i(!frame_active),
+      .value_i({right_base, right_base_slot}),
+      .error_o(place_error[1])
+  );
   horopter_left_store #(
       .WIDTH(WIDTH),
       .HEIGHT(HEIGHT),
@@ -848,8 +870,11 @@ module horopter_top #(
       .row_done_i(row_done[0]),
       .row_bad_i(row_bad[0]),
       .begin_i(frame_begin),
+      .base_i(left_base),
+      .base_slot_i(left_base_slot),
       .rows_i(left_rows),
       .keep_o(left_keep),
+      .place_error_o(place_error[0]),
       .valid_i(left_read_valid),
       .last_i(left_read_last),
       .live_i(left_read_live),
@@ -1024,6 +1049,7 @@ module horopter_top #(
   // ------------------------------------------------------------------------------------------------ outputs
   logic out_first, out_end, out_runs_end, unused_run;
   logic [1:0] output_overflow;
+  logic rows_error;
   assign unused_run = ^{run_row, run_start};
   horopter_output #(
       .DEPTH(FAST ? 512 : 256),
@@ -1031,12 +1057,14 @@ module horopter_top #(
       .FAST(FAST),
       .ROW_BITS(ROW_BITS),
       .COLUMN_BITS(COLUMN_BITS),
-      .WIDTH_BITS(RESULT_WIDTH_BITS)
+      .WIDTH_BITS(RESULT_WIDTH_BITS),
+      .HEIGHT_BITS(RESULT_HEIGHT_BITS)
   ) u_output (
       .clk_i(clk_i),
       .rst_ni(rst_ni),
       .core_rst_ni(core_rst_n),
       .result_width_i(result_width),
+      .result_height_i(result_height),
       .go_o(go),
       .overflow_o(output_overflow),
       .state_valid_i(state_valid && !state_idle),
@@ -1059,7 +1087,8 @@ module horopter_top #(
       .m_axis_runs_tlast(m_axis_runs_tlast),
       .m_axis_runs_tvalid(m_axis_runs_tvalid),
       .m_axis_runs_tready(m_axis_runs_tready),
-      .runs_end_o(out_runs_end)
+      .runs_end_o(out_runs_end),
+      .rows_error_o(rows_error)
   );
 
   // ------------------------------------------------------------------------------------------------ status and faults
@@ -1074,6 +1103,7 @@ module horopter_top #(
       .height_i(height),
       .lookahead_i(lookahead),
       .timeout_i(timeout),
+      .changed_i(changed),
       .irq_enable_i(irq_enable),
       .irq_status_i(irq_status),
       .irq_set_o(irq_set),
@@ -1105,10 +1135,12 @@ module horopter_top #(
       .refused_upload_i(refused_upload),
       .begin_i(frame_begin),
       .active_i(frame_active),
+      .whole_i(whole),
       .read_slot_i(read_slot),
       .table_ok_i(table_ok),
       .table_slot_i(active_slot_q),
       .table_crc_i(table_crc),
+      .table_error_i(table_error),
       .beat_valid_i(beat_valid),
       .beat_parity_error_i(beat_parity_error),
       .quad_valid_i(quad_valid),
@@ -1117,6 +1149,8 @@ module horopter_top #(
       .left_mask_i(left_mask),
       .left_parity_error_i(left_parity_error),
       .output_overflow_i(output_overflow),
+      .rows_error_i(rows_error),
+      .place_error_i(place_error != 2'b00),
       .state_first_i(out_first),
       .state_end_i(out_end),
       .runs_end_i(out_runs_end),

@@ -133,7 +133,12 @@ class Pair {
     read(reg::frame_hidden::kAddress);
     read(reg::frame_unproven_pixels::kAddress);
     CHECK(rtl().safe_pin() != rtl().unsafe_pin());
-    CHECK(rtl().safe_pin() == (reg::frame_status::kSafe.get(read(reg::frame_status::kAddress)) != 0));
+    const bool good = reg::frame_status::kSafe.get(read(reg::frame_status::kAddress)) != 0;
+    if (!good) CHECK_FALSE(rtl().safe_pin());
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::uint32_t status = devices_[i]->read(reg::status::kAddress);
+      CHECK(reg::status::kSafe.get(status) == (rtl().safe_pin() ? 1U : 0U));
+    }
     return {read(reg::frame_faults_cameras::kAddress), read(reg::frame_faults_machine::kAddress)};
   }
 

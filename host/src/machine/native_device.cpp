@@ -260,7 +260,7 @@ void NativeDevice::reset_stream() {
   engine_ = native::make_engine(profile_.name);
   pending_.clear();
   frame_ = {};
-  safe_ = false;
+  safe_ = good_before_ = false;
   active_slot_ = kNoTable;
   frame_faults_pending_ = {};
 }
@@ -399,11 +399,13 @@ FrameStreams NativeDevice::receive() {
   add(result.agreement.unsharp_left, Fault::left_unsharp);
   add(result.agreement.unsharp_right, Fault::right_unsharp);
 
-  safe_ = !faults.any() && !result.alarm;
+  const bool good = !faults.any() && !result.alarm;
+  safe_ = good && good_before_;
+  good_before_ = good;
   faults_ |= faults;
   irq_status_ |= reg::irq_status::kFrame.mask() | (faults.any() ? reg::irq_status::kFault.mask() : 0);
   frame_ = {frame_.sequence + 1,
-            reg::frame_status::kAlarm.put(result.alarm) | reg::frame_status::kSafe.put(safe_) |
+            reg::frame_status::kAlarm.put(result.alarm) | reg::frame_status::kSafe.put(good) |
                 reg::frame_status::kSlot.put(static_cast<std::uint32_t>(active_slot_)),
             faults,
             table != nullptr ? table->words.back() : 0,

@@ -30,6 +30,7 @@ rtl/csr/horopter_csr_pkg.sv
 rtl/store/horopter_table_pkg.sv
 rtl/prim/horopter_clock_gate.sv
 rtl/prim/horopter_mux.sv
+rtl/prim/horopter_guard.sv
 rtl/prim/horopter_ram_bank.sv
 rtl/prim/horopter_ram.sv
 rtl/axis/horopter_axis_skid.sv

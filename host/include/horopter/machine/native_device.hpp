@@ -85,7 +85,8 @@ class NativeDevice : public Device {
     std::array<std::uint32_t, 64> regions{};    ///< FRAME_REGION
   };
   Frame frame_;
-  bool safe_ = false;
+  bool safe_ = false;         // as the pins would say: the last two frames were good
+  bool good_before_ = false;  // the last one was
   struct Pending {
     Image left;
     Image right;

@@ -518,6 +518,8 @@ inline constexpr Field kUnproven{12, 1};
 inline constexpr Field kMoved{13, 1};
 /// For HIDDEN frames, too much of the skin has stood behind something nearer to the cameras.
 inline constexpr Field kHidden{14, 1};
+/// A bit of a register, or of what a frame has sampled of it, fell over; until that register is written again.
+inline constexpr Field kSettings{15, 1};
 }  // namespace faults_machine
 
 /// Counts finished frames since enable. Read before and after the other FRAME registers: the same value means they
@@ -709,6 +711,8 @@ inline constexpr Field kUnproven{12, 1};
 inline constexpr Field kMoved{13, 1};
 /// For HIDDEN frames, too much of the skin has stood behind something nearer to the cameras.
 inline constexpr Field kHidden{14, 1};
+/// A bit of a register, or of what a frame has sampled of it, fell over; until that register is written again.
+inline constexpr Field kSettings{15, 1};
 }  // namespace frame_faults_machine
 
 /// Whether both cameras see the same world, compared coarsely over all depths. Locked while CONTROL.enable is 1.
@@ -1005,6 +1009,7 @@ enum class Fault : std::uint8_t {
   unproven = 44,
   moved = 45,
   hidden = 46,
+  settings = 47,
 };
 
 struct NamedFault {
@@ -1012,7 +1017,7 @@ struct NamedFault {
   std::string_view name;
 };
 
-inline constexpr std::array<NamedFault, 41> kFaults = {{
+inline constexpr std::array<NamedFault, 42> kFaults = {{
     {Fault::left_short_line, "left_short_line"},
     {Fault::left_long_line, "left_long_line"},
     {Fault::left_missing_line, "left_missing_line"},
@@ -1054,6 +1059,7 @@ inline constexpr std::array<NamedFault, 41> kFaults = {{
     {Fault::unproven, "unproven"},
     {Fault::moved, "moved"},
     {Fault::hidden, "hidden"},
+    {Fault::settings, "settings"},
 }};
 
 /// One line of the register map.

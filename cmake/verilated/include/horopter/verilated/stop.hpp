@@ -13,4 +13,7 @@ class Stopped : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// For models that are disturbed on purpose: whether a $error stops, as it does by default.
+void stop_at_errors(bool stops);
+
 }  // namespace horopter::verilated
