@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Horopter on a ULX3S (ECP5-85F) without cameras: a test pattern for both, registers over the USB serial port at 1 Mbaud.
+// Horopter on a ULX3S (ECP5-85F) without cameras: a test pattern for both, registers over the USB serial port.
 //
 // After configuration the words of BOOT_FILE (address << 32 | data, made by scripts/bitstream) are written to the
-// registers: an identity table, and enable. Then the serial port has the bus (horopter_serial).
+// registers: an identity table, and enable. Then the serial port has the bus (horopter_serial). The board's own registers:
+//   8000  "HBRD"                      8008  write: keep the runs of the next frame; read: {busy, 7'b0, runs kept[23:0]}
+//   8004  clock in Hz                 800C  runs that can be kept
+//   C000  the runs, see horopter_runs_memory
 // btn[1] held: the pattern's right image is shifted by 16 px, and nothing is in the skin any more.
 // led: 0 safe, 1 unsafe, 2 heartbeat, 3 the last frame had a pixel in the skin, 4 btn[1],
 //      5 boot is done, 6 a boot write was refused, 7 on.
 module ulx3s_top #(
     parameter BOOT_FILE = "build/ulx3s/boot.hex",
-    parameter int unsigned BOOT_WORDS = 128
+    parameter int unsigned BOOT_WORDS = 128,
+    parameter int unsigned BAUD = 1_000_000,
+    parameter int unsigned RUNS = 4096
 ) (
     input  logic       clk_25mhz,
     input  logic       ftdi_txd,  // to the FPGA
@@ -17,6 +22,7 @@ module ulx3s_top #(
     output logic [7:0] led,
     output logic       wifi_gpio0  // 1 keeps the board from rebooting into the ESP32's bitstream
 );
+  localparam int unsigned CLOCK_HZ = 25_000_000;
   logic clk;
   assign clk = clk_25mhz;
   assign wifi_gpio0 = 1'b1;
@@ -75,8 +81,12 @@ module ulx3s_top #(
   assign wvalid = boot_done_q ? serial_wvalid : boot_w_q && !boot_read_q;
   assign bready = boot_done_q ? serial_bready : 1'b1;
 
+  logic board_write;
+  logic [14:0] board_addr;
+  logic [31:0] board_wdata, board_rdata;
   horopter_serial #(
-      .CLOCKS_PER_BIT(25)
+      .CLOCK_HZ(CLOCK_HZ),
+      .BAUD(BAUD)
   ) u_serial (
       .clk_i(clk),
       .rst_ni(rst_n && boot_done_q),
@@ -97,7 +107,11 @@ module ulx3s_top #(
       .m_axil_rdata(rdata),
       .m_axil_rresp(rresp),
       .m_axil_rvalid(rvalid),
-      .m_axil_rready(rready)
+      .m_axil_rready(rready),
+      .board_addr_o(board_addr),
+      .board_write_o(board_write),
+      .board_wdata_o(board_wdata),
+      .board_rdata_i(board_rdata)
   );
 
   // --- scene ---
@@ -178,7 +192,39 @@ module ulx3s_top #(
       .irq_o(irq)
   );
   logic unused;
-  assign unused = ^{test_ready, state[7:2], state_first, state_last, runs, runs_last, runs_valid, irq};
+  assign unused = ^{test_ready, state[7:2], state_first, state_last, irq, board_wdata[31:1], board_addr[1:0]};
+
+  // --- the board's own registers ---
+  localparam int unsigned RUNS_BITS = $clog2(RUNS);
+  if (RUNS > 4096) begin : g_illegal
+    $fatal(1, "ulx3s_top: RUNS must be at most 4096");
+  end
+  logic runs_busy;
+  logic [23:0] runs_count;
+  logic [31:0] runs_word;
+  horopter_runs_memory #(
+      .RUNS(RUNS)
+  ) u_runs (
+      .clk_i(clk),
+      .rst_ni(rst_n),
+      .start_i(board_write && board_addr[14:2] == 13'd2 && board_wdata[0]),
+      .busy_o(runs_busy),
+      .count_o(runs_count),
+      .s_axis_runs_tdata(runs),
+      .s_axis_runs_tlast(runs_last),
+      .s_axis_runs_tvalid(runs_valid),
+      .read_addr_i(board_addr[RUNS_BITS+1:2]),
+      .read_data_o(runs_word)
+  );
+  always_comb begin
+    case (board_addr[3:2])
+      2'd0: board_rdata = "HBRD";
+      2'd1: board_rdata = CLOCK_HZ;
+      2'd2: board_rdata = {runs_busy, 7'd0, runs_count};
+      default: board_rdata = RUNS;
+    endcase
+    if (board_addr[14]) board_rdata = runs_word;
+  end
 
   always_ff @(posedge clk) begin
     if (frame_done) begin

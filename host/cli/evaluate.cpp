@@ -19,7 +19,6 @@
 #include "commands.hpp"
 #include "horopter/base/json_text.hpp"
 #include "horopter/image/evaluation.hpp"
-#include "horopter/machine/engines.hpp"
 #include "horopter/machine/monitor.hpp"
 #include "horopter/machine/setting_registers.hpp"
 #include "horopter/map/map_compiler.hpp"
@@ -27,6 +26,7 @@
 #include "inputs.hpp"
 #include "numbers.hpp"
 #include "progress.hpp"
+#include "settings.hpp"
 #include "stereo_matching.hpp"
 #include "stereo_pairs.hpp"
 #include "words.hpp"
@@ -95,7 +95,7 @@ Machine make_machine(const EvaluateOptions& options, const MachineProfile& profi
   settings.undecidable_percent = settings.unsupervised_percent = 100;
   settings.frozen_limit = 0;  // the same images again and again
   const auto supervisor =
-      std::make_shared<Supervisor>(make_device(options.engine, profile), profile, maps, settings.without_proof());
+      std::make_shared<Supervisor>(make_picture_device(options.engine, profile), profile, maps, settings.without_proof());
   return [supervisor](const Image& left, const Image& right) {
     FrameResult frame = std::move(supervisor->process(left, right).front());
     if (frame.faults.any()) throw DeviceError("fault " + frame.faults.names().front());
@@ -397,9 +397,7 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
   const CLI::Option* boundary =
       compete_option("--boundary", options->settings.competition.boundary, 14,
                      "compete: where the skin ends, from about 1/2 to 3/2 px before and behind it");
-  only(command->add_option("--engine", options->engine, "native: C++ on this CPU; rtl: the co-simulated hardware"),
-       {"native", "rtl"})
-      ->capture_default_str();
+  add_engine(*command, options->engine)->capture_default_str();
   command
       ->add_option("--profile", options->profile,
                    "Build of the machine: " + profile_sizes() + " (default: the smallest that holds the image)")

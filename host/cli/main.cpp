@@ -92,6 +92,8 @@ int run(int argc, char** argv) {
   add_calibrate(app, outcome);
   add_pattern(app, outcome);
   add_plan(app, outcome);
+  add_upload(app, outcome);
+  add_status(app, outcome);
 #ifdef HOROPTER_HAS_STUDY
   add_study(app, outcome);
 #endif

@@ -16,7 +16,6 @@
 #include "horopter/draw/overlay.hpp"
 #include "horopter/image/frames.hpp"
 #include "horopter/image/output.hpp"
-#include "horopter/machine/engines.hpp"
 #include "horopter/machine/monitor.hpp"
 #include "horopter/machine/moving_supervisor.hpp"
 #include "horopter/machine/report.hpp"
@@ -25,6 +24,7 @@
 #include "inputs.hpp"
 #include "numbers.hpp"
 #include "progress.hpp"
+#include "settings.hpp"
 #include "thickness.hpp"
 #include "warnings.hpp"
 #include "words.hpp"
@@ -75,8 +75,8 @@ struct Session {
       for (const MovingStep& step : maps.steps) tables.push_back(&step.map.table);
       check_alarm_limit(options.skin, tables, *profile, settings.decision, settings.alarm_percent);
       warn_of_proof(options.skin, tables, *profile, maps.lookahead, settings, has_rig);
-      moving = std::make_unique<MovingSupervisor>(make_device(options.engine, *profile), *profile, std::move(maps),
-                                                  settings);
+      moving = std::make_unique<MovingSupervisor>(make_picture_device(options.engine, *profile), *profile,
+                                                  std::move(maps), settings);
       return;
     }
     const MapSet maps = load_or_compile_maps(options.skin, rig, *profile, width, height, settings.decision);
@@ -85,7 +85,7 @@ struct Session {
     check_alarm_limit(options.skin, tables, *profile, settings.decision, settings.alarm_percent);
     has_rig = !maps.rig.empty();
     warn_of_proof(options.skin, tables, *profile, maps.lookahead(), settings, has_rig);
-    supervisor = std::make_unique<Supervisor>(make_device(options.engine, *profile), *profile, maps, settings);
+    supervisor = std::make_unique<Supervisor>(make_picture_device(options.engine, *profile), *profile, maps, settings);
   }
   std::vector<FrameResult> process(const Image& left, const Image& right) {
     return moving ? moving->process(left, right) : supervisor->process(left, right);
@@ -254,9 +254,6 @@ void add_run(CLI::App& app, Outcome& outcome) {
       ->type_name("F...");
   command->add_flag("--pair-by-order", options->pair_by_order,
                     "Pair the images in their order, even where the numbers in their names differ");
-  command->add_flag_callback(
-      "--still-scene", [options] { options->settings.still_limit = 0; },
-      "The scene may stand still: frames that repeat but for noise are no fault (those that repeat exactly are)");
   command->add_option("--skin", options->skin, "The skin: skin.yaml, or a table made by `horopter map`")
       ->required()
       ->type_name("FILE");
@@ -268,55 +265,11 @@ void add_run(CLI::App& app, Outcome& outcome) {
                        " (default: the smallest that holds the image; field, "
                        "which splits an image into two fields, on request only)")
       ->type_name("P");
-  only(command->add_option("--engine", options->engine, "native: C++ on this CPU; rtl: the co-simulated hardware"),
-       {"native", "rtl"})
-      ->capture_default_str();
+  add_engine(*command, options->engine)->capture_default_str();
   add_decision(*command, options->settings.decision);
   add_thickness(*command, options->thickness);
-  command
-      ->add_option("--threshold", options->settings.threshold_percent,
-                   "thesis: in the skin up to this share of the largest sum of direction differences, %; below 0.1 "
-                   "nothing but a perfect copy is in the skin")
-      ->check(CLI::Range(0.1, 100.0))
-      ->excludes("--tolerance")
-      ->excludes("--thickness")
-      ->capture_default_str();
-  command
-      ->add_option(
-          "--texture", options->settings.texture,
-          "thesis: smallest mean gradient that decides, in units of the Sobel magnitude (8 = 1 grey level per pixel)")
-      ->check(CLI::Range(0, 255))
-      ->capture_default_str();
-  command
-      ->add_option("--alarm-limit", options->settings.alarm_percent,
-                   "Alarm above this share of pixels in the skin, % of the whole image")
-      ->check(CLI::Range(0.0, 100.0))
-      ->capture_default_str();
-  command
-      ->add_option(
-          "--undecidable-limit", options->settings.undecidable_percent,
-          "Fault above this share of undecidable pixels, % of those that the rule can judge, see `horopter map`")
-      ->check(CLI::Range(0.0, 100.0))
-      ->capture_default_str();
-  command
-      ->add_option("--unsupervised-limit", options->settings.unsupervised_percent,
-                   "Fault above this share of unsupervised pixels, % of the whole image")
-      ->check(CLI::Range(0.0, 100.0))
-      ->capture_default_str();
-  command
-      ->add_option("--frozen-limit", options->settings.frozen_limit,
-                   "Fault when an image is repeated this many times, 0 = never")
-      ->check(CLI::Range(0, 255))
-      ->capture_default_str();
-  command->add_flag_callback(
-      "--unproven", [options] { options->settings.proof.needed = false; },
-      "Do not ask that both cameras are shown to see the same world: a covered, wrong or moved camera then reads clear. "
-      "For images that are no scene");
-  command
-      ->add_option("--hidden-frames", options->settings.proof.hidden_frames,
-                   "Fault when something has stood between cameras and skin for this many frames, 0 = never")
-      ->check(CLI::Range(0, 128))
-      ->capture_default_str();
+  add_settings(*command, options->settings);
+  command->get_option("--threshold")->excludes("--tolerance")->excludes("--thickness");
   command->add_option("--frames", options->frames, "Stop after this many pairs (default: all)")
       ->check(at_least_one())
       ->type_name("N");

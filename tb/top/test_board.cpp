@@ -1,165 +1,184 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ULX3S without cameras (constraints/ulx3s): it boots, its serial line reads, writes and uploads, the test pattern
-// alarms, and does not with the button held.
+// The ULX3S without cameras (constraints/ulx3s): it boots, the host's driver reads, writes and uploads over its serial
+// line, whatever happens to bytes on the line; the test pattern alarms, and does not with the button held.
+#include <Vboard_line.h>
 #include <Vboard_ulx3s.h>
 
+#include <array>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstdint>
-#include <optional>
-#include <span>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <random>
 #include <string>
 #include <vector>
 
-#include "horopter/base/crc32.hpp"
-#include "horopter/hls/table_format.hpp"
+#include "board_bench.hpp"
+#include "horopter/base/error.hpp"
+#include "horopter/machine/configuration.hpp"
+#include "horopter/machine/inspection.hpp"
 #include "horopter/machine/registers.hpp"
+#include "horopter/machine/serial_device.hpp"
+#include "horopter/map/table_facts.hpp"
 
+namespace horopter::tb {
 namespace {
 
-using horopter::crc32_words;
-namespace reg = horopter::registers;
+namespace reg = registers;
 
-constexpr unsigned kClocksPerBit = 25;
-constexpr unsigned kGapClocks = 1'000'000;
-constexpr unsigned kFrameClocks = (756 + 64) * 286;
-
-class Board {
- public:
-  Board() {
-    model_.ftdi_txd = 1;
-    model_.btn = 0;
-  }
-  ~Board() {
-    Verilated::threadContextp(&context_);
-    model_.final();
-  }
-  Board(const Board&) = delete;
-  Board& operator=(const Board&) = delete;
-
-  void run(unsigned clocks) {
-    for (unsigned i = 0; i < clocks; ++i) {
-      model_.clk_25mhz = 0;
-      model_.eval();
-      model_.clk_25mhz = 1;
-      model_.eval();
+/// A mapping table of one displacement.
+MapTable displaced(int x_px, int spacing_log2 = 6) {
+  MapTable table({756, 286, Scan::even_field}, spacing_log2, spacing_log2);
+  for (int row = 0; row < table.rows(); ++row) {
+    for (int column = 0; column < table.columns(); ++column) {
+      const Point source{static_cast<double>((column << spacing_log2) + x_px),
+                         static_cast<double>(row << spacing_log2)};
+      table.set_control(column, row, MapTable::encode(source));
     }
   }
-  [[nodiscard]] bool led(int i) const { return (model_.led >> i & 1) != 0; }
-  void press(bool held) { model_.btn = held ? 1 : 0; }
+  table.seal(facts_of(table, find_profile("field")));
+  return table;
+}
 
-  void send(unsigned byte, bool stop = true) {
-    const auto bit = [&](bool value) {
-      model_.ftdi_txd = value ? 1 : 0;
-      run(kClocksPerBit);
-    };
-    bit(false);
-    for (int i = 0; i < 8; ++i) bit((byte >> i & 1) != 0);
-    // The answer may begin right after the middle of the stop bit.
-    model_.ftdi_txd = stop ? 1 : 0;
-    run(kClocksPerBit / 2 + 4);
-    model_.ftdi_txd = 1;
-  }
-  /// Nothing if no byte begins within `wait` clocks.
-  std::optional<unsigned> receive(unsigned wait = 2'000) {
-    for (unsigned i = 0; model_.ftdi_rxd != 0; ++i) {
-      if (i == wait) return std::nullopt;
-      run(1);
-    }
-    run(kClocksPerBit / 2);
-    unsigned byte = 0;
-    for (unsigned i = 0; i < 8; ++i) {
-      run(kClocksPerBit);
-      byte |= static_cast<unsigned>(model_.ftdi_rxd) << i;
-    }
-    run(kClocksPerBit);
-    REQUIRE(model_.ftdi_rxd == 1);  // stop bit
-    return byte;
-  }
-  std::optional<unsigned> write(std::uint32_t address, std::uint32_t data) {
-    send('W');
-    send(address & 0xFF);
-    send(address >> 8);
-    for (int i = 0; i < 4; ++i) send(data >> (8 * i) & 0xFF);
-    return receive();
-  }
-  struct Answer {
-    unsigned status = 0xFFFF;
-    std::uint32_t data = 0;
-  };
-  Answer read(std::uint32_t address) {
-    send('R');
-    send(address & 0xFF);
-    send(address >> 8);
-    Answer answer;
-    answer.status = receive().value_or(0xFFFF);
-    for (int i = 0; i < 4; ++i) answer.data |= receive().value_or(0) << (8 * i);
-    return answer;
-  }
-
- private:
-  VerilatedContext context_;
-  Vboard_ulx3s model_{&context_};
-};
+std::uint32_t active_crc(SerialDevice& device) {
+  const auto active = reg::map_status::kActiveSlot.get(device.read(reg::map_status::kAddress));
+  device.write(reg::map_slot::kAddress, active);
+  return device.read(reg::map_crc::kAddress);
+}
 
 }  // namespace
 
 TEST_CASE("board: boot, registers over the serial line, test pattern", "[board]") {
-  Board board;
+  Board<Vboard_ulx3s> board;
   board.run(20'000);
   REQUIRE(board.led(5));        // boot is done
   REQUIRE_FALSE(board.led(6));  // and nothing was refused
   REQUIRE_FALSE(board.led(0));  // no frame yet: not safe
   REQUIRE(board.led(1));
 
-  const auto size = board.read(reg::build_size::kAddress);
-  CHECK(size.status == 0);
-  CHECK(size.data == (286U << 16 | 756U));
-  CHECK(board.write(reg::sum_limit::kAddress, 321) == 0U);
-  CHECK(board.read(reg::sum_limit::kAddress).data == 321);
-  CHECK(board.write(reg::sum_limit::kAddress, 303) == 0U);
+  SerialDevice device(std::make_unique<BoardPort<Vboard_ulx3s>>(board), "board");
+  CHECK(device.read(reg::build_size::kAddress) == (286U << 16 | 756U));
+  CHECK(find_build(device).profile->name == "field");
+  device.write(reg::sum_limit::kAddress, 321);
+  CHECK(device.read(reg::sum_limit::kAddress) == 321);
+  device.write(reg::sum_limit::kAddress, 303);
 
   // What must be refused, and that the line works after it.
-  CHECK(board.write(reg::width::kAddress, 100).value_or(0) == 2U);  // locked while the machine runs
-  CHECK(board.write(0x1000 + reg::sum_limit::kAddress, 5).value_or(0) == 3U);
-  CHECK(board.read(0x1000).status == 3);
-  CHECK(board.read(reg::sum_limit::kAddress).data == 303);
-  board.send('X');
-  CHECK(board.receive() == 0xFFU);
-  board.send('W', false);
-  CHECK(board.receive() == 0xFFU);
-  CHECK(board.read(reg::id::kAddress).data == 0x484F524F);
+  CHECK_THROWS_WITH(device.write(reg::width::kAddress, 100), Catch::Contains("refuses to write register 004c"));
+  CHECK_THROWS_WITH(device.write(0x1080, 5), Catch::Contains("no such address"));
+  CHECK_THROWS_WITH(device.read(0x1000), Catch::Contains("no such address"));
+  CHECK_THROWS_WITH(device.read_all(reg::version::kAddress, 10), Catch::Contains("refuses to read register 001c"));
+  CHECK(device.read(reg::sum_limit::kAddress) == 303);
 
-  // A mapping table: spacing 64, one source for all pixels.
-  auto words = horopter::hls::table::write({756, 286, 6, 6}, {},
-                                           [](int, int) { return horopter::hls::table::encode_control(32, 32); });
-  words.back() = crc32_words(std::span(words).first(words.size() - 1));
-  CHECK(board.write(reg::map_slot::kAddress, 1) == 0U);
-  CHECK(board.write(reg::map_base::kAddress, 1000) == 0U);
-  CHECK(board.write(reg::map_control::kAddress, 1) == 0U);
-  for (const std::uint32_t word : words) REQUIRE(board.write(reg::map_data::kAddress, word) == 0U);
-  CHECK(board.read(reg::map_valid::kAddress).data == 0b11);
-  CHECK(board.read(reg::map_crc::kAddress).data == words.back());
-
-  // A command that is never finished is forgotten, without an answer. Meanwhile frames: all of the pattern is in the
-  // skin.
-  board.send('W');
-  board.send(0x80);
-  CHECK_FALSE(board.receive(kGapClocks + 100).has_value());
-  CHECK(board.read(reg::frame_sequence::kAddress).data >= 3);
-  const auto status = board.read(reg::frame_status::kAddress);
-  CHECK(reg::frame_status::kAlarm.get(status.data) == 1);
-  CHECK(reg::frame_status::kSlot.get(status.data) == 0);
-  CHECK(board.read(reg::frame_faults_cameras::kAddress).data == 0);
-  CHECK(board.read(reg::frame_faults_machine::kAddress).data == 0);
+  board.run(3 * kFrameClocks);
+  const MachineStatus status = read_status(device);
+  CHECK(status.active_slot() == 0);
+  CHECK(reg::frame_status::kAlarm.get(status.word(reg::frame_status::kAddress)) == 1);
+  CHECK_FALSE(status.frame_faults().any());
+  CHECK_FALSE(status.safe());
   CHECK(board.led(3));
   CHECK_FALSE(board.led(0));
-  CHECK(board.led(1));
 
   board.press(true);
   board.run(4 * kFrameClocks);
-  CHECK(board.read(reg::frame_faults_cameras::kAddress).data == 0);
-  CHECK(board.read(reg::frame_faults_machine::kAddress).data == 0);
-  CHECK(reg::frame_status::kAlarm.get(board.read(reg::frame_status::kAddress).data) == 0);
+  CHECK_FALSE(read_status(device).frame_faults().any());
+  CHECK(read_status(device).safe());
   CHECK(board.led(0));
   CHECK_FALSE(board.led(1));
 }
+
+TEST_CASE("board: a table takes close to the line's time", "[board]") {
+  Board<Vboard_ulx3s> board;
+  board.run(20'000);
+  SerialDevice device(std::make_unique<BoardPort<Vboard_ulx3s>>(board), "board");
+  const MapTable table = displaced(3, 2);
+  const auto before = board.clocks();
+  REQUIRE(upload_table(device, 1, 100, table, 0) == 0);
+  const auto bytes = 4.0 * static_cast<double>(table.words().size());
+  const double line_s = bytes * 10 / kBoardBaud;
+  const double taken_s = static_cast<double>(board.clocks() - before) / kBoardClock_hz;
+  std::printf("board: a table of %.1f KiB at %.1f Mbaud in %.1f ms, %.3f times what the line needs\n", bytes / 1024,
+              1e-6 * kBoardBaud, 1e3 * taken_s, taken_s / line_s);
+  CHECK(bytes > 50 * 1024);
+  CHECK(taken_s < 1.2 * line_s);
+  CHECK(device.link().repeated() == 0);
+}
+
+TEST_CASE("board: uploads over a line that loses, changes and doubles bytes are complete or refused", "[board]") {
+  const bool is_long = std::getenv("HOROPTER_LONG") != nullptr;
+  const int uploads = is_long ? 10'000 : 100;
+  Board<Vboard_line> board;
+  board.run(1'000);
+  SerialDevice device(std::make_unique<BoardPort<Vboard_line>>(board), "board");
+  const auto configured = [&] {
+    return std::array{device.read(reg::sum_limit::kAddress), device.read(reg::width::kAddress),
+                      device.read(reg::control::kAddress)};
+  };
+  device.write(reg::width::kAddress, 756);
+  device.write(reg::height::kAddress, 286);
+  device.write(reg::sum_limit::kAddress, 303);
+  REQUIRE(upload_table(device, 0, 0, displaced(0), 0) == 0);
+  device.write(reg::table_select::kAddress, 0);
+  device.write(reg::control::kAddress, 1);
+  board.run(10'000);
+  const auto settings = configured();
+  std::uint32_t active = active_crc(device);
+  REQUIRE(active == displaced(0).crc());
+  std::mt19937 random(20261122);
+  const auto spoil = [&](double share) {
+    return [&random, share](std::uint8_t byte) -> std::vector<std::uint8_t> {
+      if (std::uniform_real_distribution<>(0, 1)(random) >= share) return {byte};
+      switch (random() % 3) {
+        case 0:
+          return {};
+        case 1:
+          return {byte, byte};
+        default:
+          return {static_cast<std::uint8_t>(byte ^ 1U << random() % 8)};
+      }
+    };
+  };
+  int complete = 0;
+  int given_up = 0;
+  std::uint32_t slot = 0;
+  for (int i = 0; i < uploads; ++i) {
+    // From a line with an error now and then to one that carries hardly a frame.
+    const double share = std::pow(10, std::uniform_real_distribution<>(-4, -0.7)(random));
+    const std::uint32_t next = (slot + 1) % 3;
+    const MapTable table = displaced(i % 40);
+    board.to_board = spoil(share);
+    board.from_board = spoil(share);
+    bool loaded = false;
+    try {
+      loaded = upload_table(device, static_cast<int>(next), 1000 * next, table, 0) == 0;
+      if (loaded) device.write(reg::table_select::kAddress, next);
+      ++complete;
+    } catch (const DeviceError&) {
+      ++given_up;
+    }
+    board.to_board = clean;
+    board.from_board = clean;
+    const auto selected = device.read(reg::table_select::kAddress);
+    CAPTURE(i, share, next, selected);
+    if (selected == next) {
+      // Selected: then it is complete, also where the host did not hear of it.
+      board.run(10'000);
+      slot = next;
+      active = table.crc();
+    } else {
+      REQUIRE(selected == slot);
+      REQUIRE_FALSE(loaded);
+    }
+    REQUIRE(reg::map_status::kActiveSlot.get(device.read(reg::map_status::kAddress)) == slot);
+    REQUIRE(active_crc(device) == active);
+    REQUIRE(configured() == settings);
+  }
+  std::printf("board: %d uploads over a bad line: %d complete, %d given up, none mixed; %zu frames repeated\n", uploads,
+              complete, given_up, device.link().repeated());
+  CHECK(complete > uploads / 3);
+  CHECK(given_up > 0);
+}
+
+}  // namespace horopter::tb

@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "horopter/base/error.hpp"
+#include "horopter/machine/configuration.hpp"
+#include "horopter/machine/loader.hpp"
+#include "horopter/machine/machine_build.hpp"
 #include "horopter/machine/registers.hpp"
-#include "horopter/machine/setting_registers.hpp"
-#include "horopter/map/support.hpp"
-#include "stages/pipeline.hpp"
 
 namespace horopter {
 namespace {
@@ -25,68 +25,6 @@ static_assert(kNoTable == kSlots);
 /// Reads of FRAME_SEQUENCE before a machine that has sent all its states counts as broken.
 constexpr int kStatusPolls = 100'000;
 constexpr int kTablePolls = 1'000'000;  // a frame may stand between
-
-constexpr std::array<const char*, 7> kUploadErrors = {
-    "none",      "slot or region in use", "bad header",        "does not fit the pool",
-    "wrong CRC", "no such slot",          "data without start"};
-
-void check_settings(const CompeteSettings& settings) {
-  for (const auto& f : kCompeteFields) {
-    if (const int value = settings.*f.setting; value < 0 || value > f.largest()) {
-      throw UsageError(fmt::format("{} {}; expected 0 to {}", f.name, value, f.largest()));
-    }
-  }
-}
-
-/// The device's build is of this profile. It may have less than the profile where that only limits what it can be asked
-/// for: one of two rules, a smaller pool. Gives the pool's bytes.
-std::size_t check_build(Device& device, const MachineProfile& profile, Decision decision) {
-  const auto size = device.read(reg::build_size::kAddress);
-  const auto store = device.read(reg::build_store::kAddress);
-  const auto window = device.read(reg::build_window::kAddress);
-  const auto competition = device.read(reg::build_compete::kAddress);
-  const auto refuse = [&](const char* what, std::uint32_t found, const char* expected, int value) {
-    throw DeviceError(fmt::format("the machine is not one of profile {}: {} {} instead of {}{}", profile.name, what,
-                                  found, expected, value));
-  };
-  const auto must_be = [&](const char* what, std::uint32_t found, int expected) {
-    if (found != static_cast<std::uint32_t>(expected)) refuse(what, found, "", expected);
-  };
-  const auto at_most = [&](const char* what, std::uint32_t found, int largest) {
-    if (found > static_cast<std::uint32_t>(largest)) refuse(what, found, "at most ", largest);
-  };
-  must_be("width", reg::build_size::kWidth.get(size), profile.width);
-  must_be("height", reg::build_size::kHeight.get(size), profile.height);
-  must_be("store rows", reg::build_store::kRows.get(store), profile.store_rows);
-  at_most("pool KiB", reg::build_store::kPoolKib.get(store), profile.pool_bytes / 1024);
-  must_be("DSAD window", reg::build_window::kDsad.get(window), profile.dsad_window);
-  must_be("majority window", reg::build_window::kMajority.get(window), profile.majority_window);
-  must_be("sub-sampling", reg::build_window::kSubsample.get(window), profile.subsample);
-  must_be("weight bits", reg::build_window::kWeightBits.get(window), profile.weight_bits);
-  must_be("hypotheses", reg::build_window::kHypotheses.get(window), profile.hypotheses);
-  const auto thesis = reg::build_window::kThesis.get(window);
-  const auto compete = reg::build_window::kCompete.get(window);
-  at_most("rule `thesis`", thesis, profile.has_thesis() ? 1 : 0);
-  at_most("rule `compete`", compete, profile.has_compete() ? 1 : 0);
-  must_be("competing planes", reg::build_compete::kPlanes.get(competition), compete != 0 ? profile.planes : 0);
-  must_be("rows of the sum", reg::build_compete::kSumRows.get(competition), compete != 0 ? profile.sum_rows : 0);
-  must_be("columns of the sum", reg::build_compete::kSumColumns.get(competition),
-          compete != 0 ? profile.sum_columns : 0);
-  must_be("reach of the ballot", reg::build_compete::kBallotReach.get(competition),
-          compete != 0 ? profile.ballot_reach : 0);
-  must_be("paths", reg::build_compete::kPaths.get(competition), compete != 0 && profile.paths ? 1 : 0);
-
-  check_decision(profile, decision);
-  const bool wants_compete = decision == Decision::compete;
-  if ((wants_compete ? compete : thesis) == 0) {
-    const Decision other = wants_compete ? Decision::thesis : Decision::compete;
-    throw UsageError(
-        fmt::format("this machine of profile {} is built without the decision '{}'; choose '{}', or build "
-                    "the machine with it",
-                    profile.name, name_of(decision), name_of(other)));
-  }
-  return std::size_t{1024} * reg::build_store::kPoolKib.get(store);
-}
 
 /// What left the machine must agree with itself and with the registers: a machine that contradicts itself is broken.
 void check_consistent(const FrameStreams& streams, const FrameResult& result, int width, int height) {
@@ -126,14 +64,9 @@ void check_consistent(const FrameStreams& streams, const FrameResult& result, in
 
 Monitor::Monitor(std::unique_ptr<Device> device, const MachineProfile& profile, const Settings& settings)
     : device_(std::move(device)), profile_(profile), settings_(settings), slots_(kSlots) {
-  if (const auto id = device_->read(reg::id::kAddress); id != reg::id::kValueValue) {
-    throw DeviceError(fmt::format("no Horopter: its ID is {:08x} instead of {:08x}", id, reg::id::kValueValue));
-  }
-  if (const auto major = reg::version::kMajor.get(device_->read(reg::version::kAddress));
-      major != reg::version::kMajorValue) {
-    throw DeviceError(fmt::format("register map {}.x; expected {}.x", major, reg::version::kMajorValue));
-  }
-  pool_bytes_ = check_build(*device_, profile, settings.decision);
+  const Build build = check_build(*device_, profile);
+  check_rule(build, settings.decision);
+  pool_bytes_ = build.pool_bytes;
 }
 
 Monitor::~Monitor() {
@@ -151,11 +84,10 @@ void Monitor::start(int width, int height, int lookahead) {
   width_ = width;
   height_ = height;
   sequence_ = 0;
-  device_->write(reg::width::kAddress, static_cast<std::uint32_t>(width));
-  device_->write(reg::height::kAddress, static_cast<std::uint32_t>(height));
-  device_->write(reg::lookahead::kAddress, static_cast<std::uint32_t>(lookahead));
   device_->write(reg::table_select::kAddress, kNoTable);
-  write_limits();
+  for (const RegisterWord& word : configuration(*device_, profile_, settings_, {width, height, lookahead})) {
+    device_->write(word.address, word.value);
+  }
   device_->write(reg::faults_cameras::kAddress, 0xFFFFFFFFU);
   device_->write(reg::faults_machine::kAddress, 0xFFFFFFFFU);
   device_->write(reg::control::kAddress, reg::control::kEnable.put(1));
@@ -164,59 +96,6 @@ void Monitor::start(int width, int height, int lookahead) {
     throw DeviceError(
         fmt::format("the machine refuses frames of {}x{} pixels with LOOKAHEAD {}", width, height, lookahead));
   }
-}
-
-void Monitor::write_limits() {
-  const double largest_sum = 15.0 * profile_.dsad_window * profile_.dsad_window;
-  const double incoming = static_cast<double>(width_) * height_;
-  const double result = incoming / profile_.subsample;
-  device_->write(reg::sum_limit::kAddress, limit_of(settings_.threshold_percent, largest_sum));
-  device_->write(reg::self_limit::kAddress, limit_of(settings_.self_percent, largest_sum));
-  device_->write(reg::texture_limit::kAddress,
-                 static_cast<std::uint32_t>(native::Settings::texture_limit_for(settings_.texture)));
-  device_->write(reg::alarm_limit::kAddress, limit_of(settings_.alarm_percent, result));
-  device_->write(reg::unsupervised_limit::kAddress, limit_of(settings_.unsupervised_percent, result));
-  device_->write(reg::black_limit::kAddress, limit_of(settings_.dark_percent, incoming));
-  device_->write(reg::white_limit::kAddress, limit_of(settings_.bright_percent, incoming));
-  device_->write(reg::frozen_limit::kAddress, static_cast<std::uint32_t>(settings_.frozen_limit));
-  device_->write(reg::one_camera::kAddress, static_cast<std::uint32_t>(settings_.one_camera_segments));
-  device_->write(reg::blind_step::kAddress, static_cast<std::uint32_t>(settings_.blind_step));
-  device_->write(reg::blind_share::kAddress, static_cast<std::uint32_t>(settings_.blind_share));
-  device_->write(reg::still_limit::kAddress, static_cast<std::uint32_t>(settings_.still_limit));
-  write_proof();
-  const bool compete = settings_.decision == Decision::compete;
-  device_->write(reg::decision::kAddress, reg::decision::kCompete.put(compete ? 1 : 0));
-  if (compete) {
-    check_settings(settings_.competition);
-    device_->write(reg::compete::kAddress, compete_word(settings_.competition));
-  }
-}
-
-void Monitor::write_proof() {
-  const Proof& proof = settings_.proof;
-  const auto rounded = [](double value, int bits) {
-    return static_cast<std::uint32_t>(std::clamp(std::lround(std::ldexp(value, bits)), -32768L, 32767L));
-  };
-  device_->write(reg::agreement::kAddress,
-                 reg::agreement::kProve.put(proof.needed) | reg::agreement::kNearerBelow.put(proof.nearer_below) |
-                     reg::agreement::kNearerAbove.put(proof.nearer_above) |
-                     reg::agreement::kShiftLowest.put(static_cast<std::uint32_t>(proof.shift_lowest)) |
-                     reg::agreement::kShiftHighest.put(static_cast<std::uint32_t>(proof.shift_highest)));
-  const auto limits = device_->read(reg::agreement_limits::kAddress) & ~reg::agreement_limits::kHidden.mask();
-  device_->write(reg::agreement_limits::kAddress,
-                 limits | reg::agreement_limits::kHidden.put(limit_of(proof.hidden_percent, 255)));
-  device_->write(reg::hidden::kAddress, reg::hidden::kFrames.put(static_cast<std::uint32_t>(proof.hidden_frames)));
-  // Without a rig nobody knows where the right image should be.
-  const auto limit = [&](const reg::Field& field, int value) {
-    return field.put(proof.registered ? static_cast<std::uint32_t>(value) : field.mask() >> field.lsb);
-  };
-  const hls::StageSettings defaults;
-  device_->write(reg::registration::kAddress, limit(reg::registration::kMoved, defaults.moved_limit) |
-                                                  limit(reg::registration::kMovedHalf, defaults.moved_half_limit));
-  device_->write(reg::epipolar::kAddress, reg::epipolar::kSlope.put(rounded(proof.epipolar[0], 15)) |
-                                              reg::epipolar::kColumn.put(rounded(proof.epipolar[1], 20)));
-  device_->write(reg::epipolar_change::kAddress, reg::epipolar_change::kRow.put(rounded(proof.epipolar[2], 20)) |
-                                                     reg::epipolar_change::kBoth.put(rounded(proof.epipolar[3], 24)));
 }
 
 Agreement Monitor::read_agreement() {
@@ -296,26 +175,8 @@ void Monitor::upload(int slot, const MapTable& table, std::optional<std::size_t>
                                   words64 * 8, pool_bytes_));
   }
   slots_[static_cast<std::size_t>(slot)] = {};
-  device_->write(reg::map_slot::kAddress, static_cast<std::uint32_t>(slot));
-  device_->write(reg::map_base::kAddress, static_cast<std::uint32_t>(base));
-  device_->write(
-      reg::map_undecidable_limit::kAddress,
-      limit_of(settings_.undecidable_percent, static_cast<double>(supported_pixels(table, settings_.decision))));
-  device_->write(reg::map_control::kAddress, reg::map_control::kStart.put(1));
-  for (const std::uint32_t word : table.words()) device_->write(reg::map_data::kAddress, word);
-
-  std::uint32_t status = device_->read(reg::map_status::kAddress);
-  for (int poll = 0; reg::map_status::kBusy.get(status) != 0; ++poll) {
-    if (poll == kStatusPolls) throw DeviceError(fmt::format("the upload of table {} does not end", slot));
-    status = device_->read(reg::map_status::kAddress);
-  }
-  if (const auto error = reg::map_status::kError.get(status); error != 0) {
-    throw DeviceError(fmt::format("the machine refuses table {}: {}", slot,
-                                  error < kUploadErrors.size() ? kUploadErrors[error] : "unknown error"));
-  }
-  if ((device_->read(reg::map_valid::kAddress) >> slot & 1U) == 0 ||
-      device_->read(reg::map_crc::kAddress) != table.crc()) {
-    throw DeviceError(fmt::format("table {} is not in the machine after its upload", slot));
+  if (const auto error = upload_table(*device_, slot, base, table, undecidable_limit(table, settings_)); error != 0) {
+    throw DeviceError(fmt::format("the machine refuses table {}: {}", slot, upload_error_text(error)));
   }
   slots_[static_cast<std::size_t>(slot)] = {base, words64};
 }
@@ -391,17 +252,6 @@ FrameResult Monitor::finish() {
   result.runs = std::move(streams.runs);
   return result;
 }
-
-namespace {
-
-Settings settings_for(Settings settings, const MachineProfile& profile, const MapSet& maps) {
-  std::vector<const MapTable*> tables;
-  for (const CompiledMap& map : maps.maps) tables.push_back(&map.table);
-  settings.proof = with_knowledge(settings.proof, profile, tables, maps.rig, maps.skin);
-  return settings;
-}
-
-}  // namespace
 
 Supervisor::Supervisor(std::unique_ptr<Device> device, const MachineProfile& profile, const MapSet& maps,
                        const Settings& settings)

@@ -21,7 +21,11 @@ namespace reg = registers;
 
 int open_or_throw(const std::filesystem::path& path, int flags) {
   const int file = ::open(path.c_str(), flags | O_CLOEXEC);
-  if (file < 0) throw DeviceError(fmt::format("{} cannot be opened ({})", path.string(), std::strerror(errno)));
+  if (file < 0) {
+    throw DeviceError(
+        fmt::format("{} cannot be opened ({}); expected a device of this computer that this user may open",
+                    path.string(), std::strerror(errno)));
+  }
   return file;
 }
 
@@ -37,6 +41,7 @@ UioDevice::UioDevice(const Paths& paths, std::chrono::milliseconds timeout) : ti
     throw DeviceError(fmt::format("{} cannot be mapped ({})", paths.registers.string(), std::strerror(error)));
   }
   registers_ = static_cast<volatile std::uint32_t*>(mapped);
+  if (paths.left.empty()) return;
   try {
     // A FIFO opened for both directions does not wait for its other end.
     files_[kLeft] = open_or_throw(paths.left, O_RDWR | O_NONBLOCK);
@@ -70,7 +75,14 @@ void UioDevice::write(std::uint32_t address, std::uint32_t value) {
   registers_[address / 4] = value;
 }
 
+void UioDevice::check_streams() const {
+  if (takes_pictures()) return;
+  throw UsageError(
+      "a machine without streams takes and gives no pictures; expected --engine uio:REGISTERS,LEFT,RIGHT,STATES,RUNS");
+}
+
 void UioDevice::send(const Image& left, const Image& right) {
+  check_streams();
   outgoing_[0].insert(outgoing_[0].end(), left.pixels.begin(), left.pixels.end());
   outgoing_[1].insert(outgoing_[1].end(), right.pixels.begin(), right.pixels.end());
 }
@@ -107,6 +119,7 @@ bool UioDevice::pump(std::size_t states_wanted, bool runs_wanted) {
 }
 
 FrameStreams UioDevice::receive() {
+  check_streams();
   const auto subsample = std::max(1U, reg::build_window::kSubsample.get(read(reg::build_window::kAddress)));
   const auto width = static_cast<int>(reg::width::kPx.get(read(reg::width::kAddress)) / subsample);
   const auto height = static_cast<int>(reg::height::kRows.get(read(reg::height::kAddress)));

@@ -2,7 +2,9 @@
 // A Horopter machine as software sees it: registers and stream endpoints, whatever is behind them.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,8 +42,15 @@ class Device {
   /// Addresses are bytes (see registers.hpp). Throw DeviceError when the machine refuses the access.
   virtual std::uint32_t read(std::uint32_t address) = 0;
   virtual void write(std::uint32_t address, std::uint32_t value) = 0;
+  /// Many words to one register, one after the other, and many registers from one on: faster where each access waits for
+  /// an answer.
+  virtual void write_all(std::uint32_t address, std::span<const std::uint32_t> values);
+  virtual std::vector<std::uint32_t> read_all(std::uint32_t address, std::size_t registers);
 
+  /// False: it has cameras of its own, or nobody said where its streams are.
+  virtual bool takes_pictures() const { return true; }
   /// Gives the cameras' inputs one frame (or field) each, of the size in WIDTH and HEIGHT. Does not wait for results.
+  /// Throws UsageError where the machine takes no pictures.
   virtual void send(const Image& left, const Image& right) = 0;
   /// Waits for the next whole frame of states and runs. Throws DeviceError when none comes.
   virtual FrameStreams receive() = 0;

@@ -148,8 +148,6 @@ class Monitor {
   std::size_t pool_bytes() const { return pool_bytes_; }
 
  private:
-  void write_limits();
-  void write_proof();
   Agreement read_agreement();
 
   struct Slot {

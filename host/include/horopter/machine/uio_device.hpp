@@ -22,10 +22,10 @@ class UioDevice : public Device {
  public:
   struct Paths {
     std::filesystem::path registers;  ///< /dev/uio0
-    std::filesystem::path left;       ///< written
-    std::filesystem::path right;      ///< written
-    std::filesystem::path states;     ///< read
-    std::filesystem::path runs;       ///< read
+    std::filesystem::path left;    ///< written; without it there are no streams, send() and receive() throw UsageError
+    std::filesystem::path right;   ///< written
+    std::filesystem::path states;  ///< read
+    std::filesystem::path runs;    ///< read
     std::uint64_t register_offset =
         0;  ///< in the mapping; a multiple of the page size (UIO: page size times map number)
   };
@@ -38,6 +38,7 @@ class UioDevice : public Device {
 
   std::uint32_t read(std::uint32_t address) override;
   void write(std::uint32_t address, std::uint32_t value) override;
+  bool takes_pictures() const override { return files_[kLeft] >= 0; }
   void send(const Image& left, const Image& right) override;
   FrameStreams receive() override;
   std::string_view engine() const override { return "uio"; }
@@ -50,6 +51,7 @@ class UioDevice : public Device {
   /// Moves bytes in all directions at once, as none of the streams may wait for another. False: nothing moved in time.
   bool pump(std::size_t states_wanted, bool runs_wanted);
   void close_all();
+  void check_streams() const;
 
   std::array<int, kStreams> files_{-1, -1, -1, -1};
   volatile std::uint32_t* registers_ = nullptr;

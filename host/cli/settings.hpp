@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Options of the commands that set up a machine.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+#include "horopter/machine/monitor.hpp"
+
+namespace horopter::cli {
+
+/// --engine: every engine there is.
+CLI::Option* add_engine(CLI::App& command, std::string& engine);
+
+/// The engine, for pictures of ours. Throws UsageError where it takes none, as well as what make_device throws.
+std::unique_ptr<Device> make_picture_device(const std::string& engine, const MachineProfile& profile);
+
+/// Thresholds and limits.
+void add_settings(CLI::App& command, Settings& settings);
+
+}  // namespace horopter::cli

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+// horopter upload: tables, settings and limits into a machine.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "commands.hpp"
+#include "horopter/base/json_text.hpp"
+#include "horopter/machine/engines.hpp"
+#include "horopter/machine/loader.hpp"
+#include "horopter/map/map_json.hpp"
+#include "inputs.hpp"
+#include "numbers.hpp"
+#include "settings.hpp"
+#include "warnings.hpp"
+#include "words.hpp"
+
+namespace horopter::cli {
+namespace {
+
+struct UploadOptions {
+  std::string engine;
+  std::string map;
+  std::string skin;
+  std::string rig;
+  std::string profile;
+  Settings settings;
+  bool stop_first = false;
+  bool json = false;
+
+  [[nodiscard]] const std::string& file() const { return map.empty() ? skin : map; }
+};
+
+/// What the user's files want, before any machine is touched.
+struct Wanted {
+  std::optional<MapSet> table;  ///< a file of its own
+  std::optional<calib::Rig> rig;
+};
+
+Wanted read_files(const UploadOptions& options) {
+  if (options.map.empty() == options.skin.empty()) throw UsageError("--skin or --map is required, one of both");
+  Wanted wanted;
+  wanted.rig = read_rig_option(options.rig);
+  check_skin_file(options.file());
+  if (is_table(options.file())) wanted.table = load_maps(options.file());
+  if (!options.map.empty() && !wanted.table) {
+    throw FileError(options.map, "", "this is no table", "a table made by `horopter map`, or --skin for a skin.yaml");
+  }
+  return wanted;
+}
+
+const MachineProfile& first_profile(const UploadOptions& options, const Wanted& wanted) {
+  if (wanted.table) return find_profile(wanted.table->profile);
+  if (!options.profile.empty()) return find_profile(options.profile);
+  if (is_somewhere(options.engine)) return profiles().front();  // the machine says what it is
+  throw UsageError(fmt::format("--profile is required with --skin and engine {}", options.engine));
+}
+
+MapSet maps_for(const UploadOptions& options, const Wanted& wanted, const Build& build) {
+  const MachineProfile& profile = *build.profile;
+  const auto belongs = [&](std::string_view name, const std::string& what) {
+    if (name == profile.name) return;
+    throw FileError(options.file(), "", fmt::format("{} for profile {}", what, name),
+                    fmt::format("one for profile {}, as which {} is built", profile.name, options.engine));
+  };
+  if (wanted.table) belongs(wanted.table->profile, "a table");
+  if (!options.profile.empty()) belongs(find_profile(options.profile).name, "--profile, and so a table");
+  int width = profile.largest_image_width();
+  int height = profile.largest_image_height();
+  if (wanted.table) {
+    width = wanted.table->image_width;
+    height = wanted.table->image_height;
+  } else if (wanted.rig && wanted.rig->cameras.front().width_px != 0) {
+    width = wanted.rig->cameras.front().width_px;
+    height = wanted.rig->cameras.front().height_px;
+    check_image_size(options.rig, width, height, profile);
+  }
+  MapSet maps = load_or_compile_maps(options.file(), wanted.rig, profile, width, height, options.settings.decision);
+  std::vector<const MapTable*> tables;
+  for (const CompiledMap& map : maps.maps) tables.push_back(&map.table);
+  check_alarm_limit(options.file(), tables, profile, options.settings.decision, options.settings.alarm_percent);
+  warn_of_proof(options.file(), tables, profile, options.settings, !maps.rig.empty());
+  return maps;
+}
+
+nlohmann::ordered_json report_json(const UploadOptions& options, const Build& build, const LoadReport& report) {
+  nlohmann::ordered_json json;
+  json["engine"] = options.engine;
+  json["profile"] = build.profile->name;
+  json["tables"] = nlohmann::ordered_json::array();
+  for (const auto& table : report.tables) {
+    json["tables"].push_back({{"slot", table.slot}, {"crc", crc_text(table.crc)}, {"bytes", table.bytes}});
+  }
+  json["selected"] = report.tables.front().slot;
+  json["active"] = report.active;
+  json["stopped"] = report.stopped;
+  json["changed"] = report.changed;
+  add_warnings(json);
+  return json;
+}
+
+void print_report(const UploadOptions& options, const Build& build, const LoadReport& report) {
+  fmt::print("{}: profile {}\n", options.engine, build.profile->name);
+  for (const auto& table : report.tables) {
+    fmt::print("table     slot {}, CRC {}, {} bytes of the pool's {}: complete, read back\n", table.slot,
+               crc_text(table.crc), table.bytes, build.pool_bytes);
+  }
+  fmt::print("settings  {}\n", report.changed.empty()
+                                   ? "as they were"
+                                   : fmt::format("changed, and read back: {}", fmt::join(report.changed, ", ")));
+  if (report.stopped) fmt::print("          the machine was stopped meanwhile, and said not safe\n");
+  if (report.active) {
+    fmt::print("active    slot {}: frames are made with it\n", report.tables.front().slot);
+  } else {
+    fmt::print("selected  slot {}: active with the next frame, none has come yet\n", report.tables.front().slot);
+  }
+  if (report.tables.size() > 1) {
+    fmt::print(
+        "          an image is two fields, each with its table: who gives the fields selects, by TABLE_SELECT\n");
+  }
+}
+
+ExitStatus upload(const UploadOptions& options) {
+  const Wanted wanted = read_files(options);
+  const auto device = make_device(options.engine, first_profile(options, wanted));
+  const Build build = find_build(*device);
+  check_rule(build, options.settings.decision);
+  const MapSet maps = maps_for(options, wanted, build);
+  const LoadReport report = load(*device, build, maps, options.settings, options.stop_first);
+  if (options.json) {
+    std::puts(json_text(report_json(options, build, report)).c_str());
+  } else {
+    print_report(options, build, report);
+  }
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+void add_upload(CLI::App& app, Outcome& outcome) {
+  auto options = std::make_shared<UploadOptions>();
+  CLI::App* command = app.add_subcommand("upload", "Put a mapping table, settings and limits into a machine");
+  add_engine(*command, options->engine)->required();
+  command->add_option("--map", options->map, "A table made by `horopter map`")->type_name("FILE");
+  command->add_option("--skin", options->skin, "Instead: the skin (skin.yaml), for the profile that the machine has")
+      ->type_name("FILE");
+  command->add_option("--rig", options->rig, "The cameras (rig.yaml); homographies and correspondences need none")
+      ->type_name("FILE");
+  command->add_option("--profile", options->profile, "What the machine must be: " + profile_sizes())->type_name("P");
+  add_decision(*command, options->settings.decision);
+  add_settings(*command, options->settings);
+  command->add_flag("--stop-first", options->stop_first,
+                    "Stop the machine before the table, which may then take the place of the one in use");
+  command->add_flag("--json", options->json, "Print the report as JSON on standard output, and nothing else");
+  command->footer(
+      "The table goes beside the one in use, which stays in use until the new one is there, complete, by its CRC. Where\n"
+      "a setting changes, the machine is stopped for the change, and says not safe. All is read back. After an error the\n"
+      "table that was in use still is, or the machine is stopped: the message says which. See docs/boards.md.\n\n"
+      "Example: horopter upload --engine serial:/dev/ttyUSB0 --map skin.hmap");
+  command->callback([options, &outcome] { outcome.status = upload(*options); });
+}
+
+}  // namespace horopter::cli

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// All registers of a machine that can be read, in words.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "horopter/machine/faults.hpp"
+#include "horopter/machine/machine_build.hpp"
+
+namespace horopter {
+
+struct MachineStatus {
+  Build build;
+  std::map<std::uint32_t, std::uint32_t> words;       ///< by address
+  std::vector<std::pair<int, std::uint32_t>> tables;  ///< slots with a table, and its CRC
+  bool one_frame = true;  ///< the FRAME registers are of one frame, not of two that came while they were read
+
+  [[nodiscard]] std::uint32_t word(std::uint32_t address) const { return words.at(address); }
+  [[nodiscard]] bool running() const;
+  [[nodiscard]] bool safe() const;
+  /// Table of the frame that is being made; nothing without one.
+  [[nodiscard]] std::optional<int> active_slot() const;
+  [[nodiscard]] std::optional<std::uint32_t> crc_of(int slot) const;
+  [[nodiscard]] Faults faults() const;        ///< since they were cleared
+  [[nodiscard]] Faults frame_faults() const;  ///< of the last frame
+};
+
+/// Throws DeviceError. MAP_SLOT is changed while no upload is under way, and put back.
+MachineStatus read_status(Device& device);
+
+/// {"build", "running", "safe", "table", "tables", "frame", "faults", "frame_faults", "registers": {name: {field: value}}}
+nlohmann::ordered_json status_json(const MachineStatus& status);
+/// A line for each register: name, address, and its fields with their units.
+std::vector<std::string> register_lines(const MachineStatus& status);
+/// What a fault means, a sentence.
+std::string fault_text(std::string_view name);
+
+}  // namespace horopter

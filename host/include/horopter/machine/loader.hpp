@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tables, settings and limits into a machine that may be watching people meanwhile.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "horopter/machine/machine_build.hpp"
+#include "horopter/machine/monitor.hpp"
+#include "horopter/map/map.hpp"
+
+namespace horopter {
+
+struct LoadReport {
+  struct Table {
+    int slot = 0;
+    std::uint32_t crc = 0;
+    std::size_t bytes = 0;  ///< of the pool
+  };
+  std::vector<Table> tables;         ///< the first one is selected
+  std::vector<std::string> changed;  ///< registers that had another value
+  bool stopped = false;              ///< the machine was stopped between the old settings and the new ones
+  bool active = false;               ///< a frame has begun with the first table
+};
+
+/// First the tables, beside the one in use, which stays in use. Only when they are there, complete, by their CRCs, the
+/// settings, and the selection of the first table. Where a setting changes, the machine is stopped in between (it says
+/// not safe): no frame is made by old settings and a new table, or the other way round. All is read back.
+///
+/// `stop_first`: the machine is stopped before the tables, which may then take the place of the one in use.
+///
+/// Throws DeviceError: it tells whether the table that was in use still is, or the machine is stopped. UsageError where
+/// the build does not have the settings' rule. The maps must be of the build's profile.
+LoadReport load(Device& device, const Build& build, const MapSet& maps, const Settings& settings, bool stop_first);
+
+/// `settings` with what the tables and their rig say of the proof.
+Settings settings_for(Settings settings, const MachineProfile& profile, const MapSet& maps);
+
+}  // namespace horopter

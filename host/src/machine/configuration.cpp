@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "horopter/machine/configuration.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "horopter/base/error.hpp"
+#include "horopter/machine/registers.hpp"
+#include "horopter/machine/setting_registers.hpp"
+#include "horopter/map/support.hpp"
+#include "stages/pipeline.hpp"
+
+namespace horopter {
+namespace {
+
+namespace reg = registers;
+
+/// Reads of MAP_STATUS before an upload that does not end is given up.
+constexpr int kStatusPolls = 100'000;
+
+constexpr std::array<std::string_view, 7> kUploadErrors = {
+    "none",      "slot or region in use", "bad header",        "does not fit the pool",
+    "wrong CRC", "no such slot",          "data without start"};
+
+void check_settings(const CompeteSettings& settings) {
+  for (const auto& f : kCompeteFields) {
+    if (const int value = settings.*f.setting; value < 0 || value > f.largest()) {
+      throw UsageError(fmt::format("{} {}; expected 0 to {}", f.name, value, f.largest()));
+    }
+  }
+}
+
+void add_limits(std::vector<RegisterWord>& words, const MachineProfile& profile, const Settings& settings,
+                FrameGeometry geometry) {
+  const double largest_sum = 15.0 * profile.dsad_window * profile.dsad_window;
+  const double incoming = static_cast<double>(geometry.width) * geometry.height;
+  const double result = incoming / profile.subsample;
+  const auto number = [](int value) { return static_cast<std::uint32_t>(value); };
+  const std::array limits{
+      RegisterWord{reg::sum_limit::kAddress, limit_of(settings.threshold_percent, largest_sum)},
+      RegisterWord{reg::self_limit::kAddress, limit_of(settings.self_percent, largest_sum)},
+      RegisterWord{reg::texture_limit::kAddress, number(native::Settings::texture_limit_for(settings.texture))},
+      RegisterWord{reg::alarm_limit::kAddress, limit_of(settings.alarm_percent, result)},
+      RegisterWord{reg::unsupervised_limit::kAddress, limit_of(settings.unsupervised_percent, result)},
+      RegisterWord{reg::black_limit::kAddress, limit_of(settings.dark_percent, incoming)},
+      RegisterWord{reg::white_limit::kAddress, limit_of(settings.bright_percent, incoming)},
+      RegisterWord{reg::frozen_limit::kAddress, number(settings.frozen_limit)},
+      RegisterWord{reg::one_camera::kAddress, number(settings.one_camera_segments)},
+      RegisterWord{reg::blind_step::kAddress, number(settings.blind_step)},
+      RegisterWord{reg::blind_share::kAddress, number(settings.blind_share)},
+      RegisterWord{reg::still_limit::kAddress, number(settings.still_limit)}};
+  words.insert(words.end(), limits.begin(), limits.end());
+}
+
+void add_proof(std::vector<RegisterWord>& words, const Proof& proof, std::uint32_t agreement_limits) {
+  const auto rounded = [](double value, int bits) {
+    return static_cast<std::uint32_t>(std::clamp(std::lround(std::ldexp(value, bits)), -32768L, 32767L));
+  };
+  words.push_back({reg::agreement::kAddress,
+                   reg::agreement::kProve.put(proof.needed) | reg::agreement::kNearerBelow.put(proof.nearer_below) |
+                       reg::agreement::kNearerAbove.put(proof.nearer_above) |
+                       reg::agreement::kShiftLowest.put(static_cast<std::uint32_t>(proof.shift_lowest)) |
+                       reg::agreement::kShiftHighest.put(static_cast<std::uint32_t>(proof.shift_highest))});
+  words.push_back(
+      {reg::agreement_limits::kAddress, (agreement_limits & ~reg::agreement_limits::kHidden.mask()) |
+                                            reg::agreement_limits::kHidden.put(limit_of(proof.hidden_percent, 255))});
+  words.push_back({reg::hidden::kAddress, reg::hidden::kFrames.put(static_cast<std::uint32_t>(proof.hidden_frames))});
+  // Without a rig nobody knows where the right image should be.
+  const auto limit = [&](const reg::Field& field, int value) {
+    return field.put(proof.registered ? static_cast<std::uint32_t>(value) : field.mask() >> field.lsb);
+  };
+  const hls::StageSettings defaults;
+  words.push_back({reg::registration::kAddress, limit(reg::registration::kMoved, defaults.moved_limit) |
+                                                    limit(reg::registration::kMovedHalf, defaults.moved_half_limit)});
+  words.push_back({reg::epipolar::kAddress, reg::epipolar::kSlope.put(rounded(proof.epipolar[0], 15)) |
+                                                reg::epipolar::kColumn.put(rounded(proof.epipolar[1], 20))});
+  words.push_back(
+      {reg::epipolar_change::kAddress, reg::epipolar_change::kRow.put(rounded(proof.epipolar[2], 20)) |
+                                           reg::epipolar_change::kBoth.put(rounded(proof.epipolar[3], 24))});
+}
+
+}  // namespace
+
+std::vector<RegisterWord> configuration(Device& device, const MachineProfile& profile, const Settings& settings,
+                                        FrameGeometry geometry) {
+  std::vector<RegisterWord> words{{reg::width::kAddress, static_cast<std::uint32_t>(geometry.width)},
+                                  {reg::height::kAddress, static_cast<std::uint32_t>(geometry.height)},
+                                  {reg::lookahead::kAddress, static_cast<std::uint32_t>(geometry.lookahead)}};
+  add_limits(words, profile, settings, geometry);
+  add_proof(words, settings.proof, device.read(reg::agreement_limits::kAddress));
+  const bool compete = settings.decision == Decision::compete;
+  words.push_back({reg::decision::kAddress, reg::decision::kCompete.put(compete ? 1 : 0)});
+  if (compete) {
+    check_settings(settings.competition);
+    words.push_back({reg::compete::kAddress, compete_word(settings.competition)});
+  }
+  return words;
+}
+
+std::uint32_t undecidable_limit(const MapTable& table, const Settings& settings) {
+  return limit_of(settings.undecidable_percent, static_cast<double>(supported_pixels(table, settings.decision)));
+}
+
+std::uint32_t upload_table(Device& device, int slot, std::size_t base_word64, const MapTable& table,
+                           std::uint32_t undecidable_limit) {
+  device.write(reg::map_slot::kAddress, static_cast<std::uint32_t>(slot));
+  device.write(reg::map_base::kAddress, static_cast<std::uint32_t>(base_word64));
+  device.write(reg::map_undecidable_limit::kAddress, undecidable_limit);
+  device.write(reg::map_control::kAddress, reg::map_control::kStart.put(1));
+  // A place that is in use is refused by the header.
+  const std::span<const std::uint32_t> words(table.words());
+  device.write_all(reg::map_data::kAddress, words.first(hls::table::header_words));
+  if (reg::map_status::kError.get(device.read(reg::map_status::kAddress)) == kUploadInUse) return kUploadInUse;
+  device.write_all(reg::map_data::kAddress, words.subspan(hls::table::header_words));
+
+  std::uint32_t status = device.read(reg::map_status::kAddress);
+  for (int poll = 0; reg::map_status::kBusy.get(status) != 0; ++poll) {
+    if (poll == kStatusPolls) throw DeviceError(fmt::format("the upload of table {} does not end", slot));
+    status = device.read(reg::map_status::kAddress);
+  }
+  if (const auto error = reg::map_status::kError.get(status); error != 0) return error;
+  if ((device.read(reg::map_valid::kAddress) >> slot & 1U) == 0 || device.read(reg::map_crc::kAddress) != table.crc()) {
+    throw DeviceError(fmt::format("table {} is not in the machine after its upload", slot));
+  }
+  return 0;
+}
+
+std::string_view upload_error_text(std::uint32_t error) {
+  return error < kUploadErrors.size() ? kUploadErrors[error] : "unknown error";
+}
+
+}  // namespace horopter

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "horopter/machine/loader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "horopter/base/error.hpp"
+#include "horopter/machine/configuration.hpp"
+#include "horopter/machine/registers.hpp"
+
+namespace horopter {
+namespace {
+
+namespace reg = registers;
+
+constexpr auto kFrameTimeout = std::chrono::seconds(5);
+
+std::string upper_name(std::uint32_t address) {
+  const auto found = std::ranges::find(reg::kRegisters, address, &reg::Register::address);
+  std::string name(found->name);
+  std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return name;
+}
+
+bool is_running(Device& device) { return reg::status::kRunning.get(device.read(reg::status::kAddress)) != 0; }
+
+/// Slots that no frame is made with, and that are not selected.
+std::vector<int> free_slots(Device& device) {
+  const auto active = reg::map_status::kActiveSlot.get(device.read(reg::map_status::kAddress));
+  const auto selected = reg::table_select::kSlot.get(device.read(reg::table_select::kAddress));
+  std::vector<int> slots;
+  for (std::uint32_t slot = 0; slot < reg::kNoSlot; ++slot) {
+    if (slot != active && slot != selected) slots.push_back(static_cast<int>(slot));
+  }
+  return slots;
+}
+
+/// All tables from `base_word64` on. False: one of them would be in the place of one in use.
+bool upload_from(Device& device, std::size_t base_word64, const MapSet& maps, const std::vector<int>& slots,
+                 const Settings& settings) {
+  for (std::size_t i = 0; i < maps.maps.size(); ++i) {
+    const MapTable& table = maps.maps[i].table;
+    const auto error = upload_table(device, slots[i], base_word64, table, undecidable_limit(table, settings));
+    if (error == kUploadInUse) return false;
+    if (error != 0) {
+      throw DeviceError(
+          fmt::format("the machine refuses the table in slot {}: {}", slots[i], upload_error_text(error)));
+    }
+    base_word64 += table.pool_bytes() / 8;
+  }
+  return true;
+}
+
+void upload_all(Device& device, const Build& build, const MapSet& maps, const std::vector<int>& slots,
+                const Settings& settings) {
+  std::size_t bytes = 0;
+  for (const CompiledMap& map : maps.maps) bytes += map.table.pool_bytes();
+  if (bytes > build.pool_bytes) {
+    throw DeviceError(fmt::format("the tables take {} bytes, the machine's pool has {}; expected tables that fit",
+                                  bytes, build.pool_bytes));
+  }
+  // Where one table is in use there is room below it, or above it, or nowhere.
+  for (const std::size_t base : {std::size_t{0}, (build.pool_bytes - bytes) / 8}) {
+    if (upload_from(device, base, maps, slots, settings)) return;
+  }
+  throw DeviceError(
+      fmt::format("the tables of {} bytes have no room in the pool of {} beside the one in use; expected smaller ones, "
+                  "or --stop-first, which stops the machine and takes the place of the one in use",
+                  bytes, build.pool_bytes));
+}
+
+void write_checked(Device& device, const RegisterWord& word) {
+  device.write(word.address, word.value);
+  if (const auto found = device.read(word.address); found != word.value) {
+    throw DeviceError(
+        fmt::format("{} reads back as {:#x}; expected {:#x}, as written", upper_name(word.address), found, word.value));
+  }
+}
+
+/// Whether a frame begins with the table while we wait for it.
+bool wait_for_table(Device& device, int slot) {
+  const auto end = std::chrono::steady_clock::now() + kFrameTimeout;
+  do {
+    const auto active = reg::map_status::kActiveSlot.get(device.read(reg::map_status::kAddress));
+    if (static_cast<int>(active) == slot) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  } while (std::chrono::steady_clock::now() < end);
+  return false;
+}
+
+}  // namespace
+
+Settings settings_for(Settings settings, const MachineProfile& profile, const MapSet& maps) {
+  std::vector<const MapTable*> tables;
+  for (const CompiledMap& map : maps.maps) tables.push_back(&map.table);
+  settings.proof = with_knowledge(settings.proof, profile, tables, maps.rig, maps.skin);
+  return settings;
+}
+
+LoadReport load(Device& device, const Build& build, const MapSet& maps, const Settings& settings, bool stop_first) {
+  check_rule(build, settings.decision);
+  LoadReport report;
+  bool running = is_running(device);
+  const auto stop = [&] {
+    report.stopped = report.stopped || running;
+    running = false;
+    device.write(reg::control::kAddress, 0);
+  };
+  const bool was_running = running;
+  try {
+    if (stop_first) stop();
+    const auto slots = free_slots(device);
+    upload_all(device, build, maps, slots, settings);
+    for (std::size_t i = 0; i < maps.maps.size(); ++i) {
+      const MapTable& table = maps.maps[i].table;
+      report.tables.push_back({slots[i], table.crc(), table.pool_bytes()});
+    }
+
+    const ScanGeometry& geometry = maps.maps.at(0).table.geometry();
+    auto words = configuration(device, *build.profile, settings_for(settings, *build.profile, maps),
+                               {geometry.width, geometry.height, maps.lookahead()});
+    std::erase_if(words, [&](const RegisterWord& word) { return device.read(word.address) == word.value; });
+    if (!words.empty()) stop();
+    for (const RegisterWord& word : words) {
+      write_checked(device, word);
+      report.changed.push_back(upper_name(word.address));
+    }
+    write_checked(device, {reg::table_select::kAddress, static_cast<std::uint32_t>(report.tables.front().slot)});
+    if (!running) {
+      device.write(reg::faults_cameras::kAddress, 0xFFFFFFFFU);
+      device.write(reg::faults_machine::kAddress, 0xFFFFFFFFU);
+      device.write(reg::control::kAddress, reg::control::kEnable.put(1));
+      running = true;
+    }
+    if (reg::status::kBadGeometry.get(device.read(reg::status::kAddress)) != 0) {
+      throw DeviceError(
+          fmt::format("the machine refuses frames of {}x{} px with LOOKAHEAD {}; expected it to take them",
+                      geometry.width, geometry.height, maps.lookahead()));
+    }
+    report.active = wait_for_table(device, report.tables.front().slot);
+    return report;
+  } catch (const DeviceError& error) {
+    const char* state = !was_running && !report.stopped ? "the machine was not running, and is not started"
+                        : report.stopped && !running
+                            ? "the machine is stopped, and says not safe, until an upload is complete"
+                            : "the table that was in use stays in use";
+    throw DeviceError(fmt::format("{}; {}", error.what(), state));
+  }
+}
+
+}  // namespace horopter

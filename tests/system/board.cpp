@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program with a board: the ULX3S, Verilated, behind a pseudo-terminal, as a user has it behind a serial port; and
+// what else can be there.
+#include <sys/file.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "board_terminal.hpp"
+#include "horopter/machine/monitor.hpp"
+#include "horopter/machine/native_device.hpp"
+#include "sandbox.hpp"
+
+using namespace horopter::test;
+using horopter::Run;
+
+namespace {
+
+constexpr int kWidth = 756;
+constexpr int kHeight = 286;
+
+/// Left and right image of constraints/ulx3s/horopter_pattern.sv, of the frame `index`.
+std::pair<horopter::Image, horopter::Image> pattern(int index) {
+  const auto grey = [](unsigned bx, unsigned by) {
+    const auto bits = [](unsigned value) { return value & 0xFFFFU; };
+    bx &= 0x3FFU;
+    by &= 0x3FFU;
+    unsigned h = bits(bx << 6) ^ by ^ 0x9E37U;
+    h = bits(h + bits((h & 0x7FFU) << 5));
+    h = h ^ (h >> 5) ^ (by << 3);
+    h = bits(h + bits((h & 0x1FFFU) << 3));
+    h = h ^ (h >> 7);
+    return static_cast<std::uint8_t>(32 + (h & 0x7FU) + (h >> 7 & 0x3FU));
+  };
+  horopter::Image left(kWidth, kHeight);
+  horopter::Image right(kWidth, kHeight);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      left.at(x, y) = grey(static_cast<unsigned>(x + 32 + index) >> 2, static_cast<unsigned>(y) >> 2);
+      right.at(x, y) = static_cast<std::uint8_t>(left.at(x, y) + 1);
+    }
+  }
+  return {left, right};
+}
+
+std::vector<Run> read_runs(const std::string& text) {
+  std::istringstream lines(text);
+  std::string line;
+  std::getline(lines, line);
+  std::vector<Run> runs;
+  while (std::getline(lines, line)) {
+    Run run;
+    int state = 0;
+    REQUIRE(std::sscanf(line.c_str(), "%d,%d,%d,%d", &run.row, &run.start, &run.end, &state) == 4);
+    run.state = static_cast<horopter::State>(state);
+    runs.push_back(run);
+  }
+  return runs;
+}
+
+/// Two fields' tables: 3 px to the left at the left edge, 7 at the right one.
+std::string write_table(const Sandbox& box, const std::string& name = "skin") {
+  box.write(name + ".yaml", "surface:\n  type: homography\n  matrix: [[0.995, 0, -3], [0, 1, 0], [0, 0, 1]]\n");
+  const auto made = box.run(
+      {"map", "--skin", name + ".yaml", "--profile", "field", "--size", "756x572", "-o", name + ".hmap", "--json"});
+  INFO(made.err);
+  REQUIRE(made.status == 0);
+  return nlohmann::json::parse(made.out)["tables"][0]["crc"];
+}
+
+nlohmann::json status_of(const Sandbox& box, const std::string& engine) {
+  const auto result = box.run({"status", "--engine", engine, "--json"});
+  INFO(result.err);
+  REQUIRE(result.status == 0);
+  return nlohmann::json::parse(result.out);
+}
+
+void wait_for_crc(const Sandbox& box, const std::string& engine, const std::string& crc) {
+  nlohmann::json status;
+  for (int i = 0; i < 60; ++i) {
+    status = status_of(box, engine);
+    if (!status["table"].is_null() && status["table"].value("crc", "") == crc) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  }
+  CAPTURE(status.dump());
+  FAIL("the table is not active");
+}
+
+void check_fault(const Sandbox& box, const std::vector<std::string>& arguments, const std::string& message) {
+  const auto result = box.run(arguments);
+  CAPTURE(arguments, result.err);
+  CHECK(result.status == 4);
+  CHECK(result.out.empty());
+  CHECK_THAT(result.err, Catch::StartsWith("horopter: ") && Catch::Contains(message));
+}
+
+}  // namespace
+
+TEST_CASE("A table reaches the board, and the board's runs are those of the native engine") {
+  const Sandbox box;
+  const std::string crc = write_table(box);
+  Terminal terminal;
+  BoardBehind board(terminal);
+  const std::string before = status_of(box, terminal.engine())["table"]["crc"];
+  REQUIRE(before != crc);
+
+  const auto upload = box.run({"upload", "--engine", terminal.engine(), "--map", "skin.hmap", "--unproven", "--json"});
+  INFO(upload.err);
+  REQUIRE(upload.status == 0);
+  const auto report = nlohmann::json::parse(upload.out);
+  CHECK(report["tables"][0]["crc"] == crc);
+  CHECK(report["tables"].size() == 2);
+  wait_for_crc(box, terminal.engine(), crc);
+  const auto text = box.run({"status", "--engine", terminal.engine()});
+  CHECK(text.status == 0);
+  CHECK_THAT(text.out,
+             Catch::Contains("is active, CRC " + crc) && Catch::Contains("WIDTH") && Catch::Contains("px 756"));
+
+  const auto sequence = status_of(box, terminal.engine())["frame"]["sequence"].get<int>();
+  const auto frame = box.run({"status", "--engine", terminal.engine(), "--runs", "runs.csv", "--states", "states.png"});
+  INFO(frame.err);
+  REQUIRE(frame.status == 0);
+  const auto runs = read_runs(box.read("runs.csv"));
+  CHECK(runs.size() > 2 * kHeight);
+
+  // The same pattern, in one of the frames around the one that was kept: the pattern counts from the board's reset.
+  const auto& profile = horopter::find_profile("field");
+  const auto maps = horopter::load_maps(box / "skin.hmap");
+  horopter::Settings settings;
+  settings.proof.needed = false;
+  horopter::Monitor native(horopter::make_native_device(profile), profile, settings);
+  native.start(kWidth, kHeight, maps.lookahead());
+  native.upload(0, maps.maps[0].table);
+  native.select(0);
+  int equal = 0;
+  for (int index = sequence; index < sequence + 60 && equal == 0; ++index) {
+    const auto [left, right] = pattern(index);
+    if (native.process(left, right).runs == runs) ++equal;
+  }
+  CHECK(equal == 1);
+
+  // What a board cannot do is said before it is touched.
+  box.write("left.pgm", "P5 756 572 255\n" + std::string(756 * 572, 'x'));
+  const auto run = box.run({"run", "--engine", terminal.engine(), "--left", "left.pgm", "--right", "left.pgm", "--skin",
+                            "skin.hmap", "--profile", "field", "--out", "out"});
+  CHECK(run.status == 2);
+  CHECK_THAT(run.err, Catch::Contains("this machine takes no pictures"));
+  CHECK(status_of(box, terminal.engine())["table"]["crc"] == crc);
+}
+
+TEST_CASE("What happens in the middle of an upload leaves the table in use in use") {
+  const Sandbox box;
+  const std::string crc = write_table(box);
+  auto terminal = std::make_unique<Terminal>();
+  auto board = std::make_unique<BoardBehind>(*terminal);
+  const std::string before = status_of(box, terminal->engine())["table"]["crc"];
+  const std::vector<std::string> upload{"upload", "--engine", terminal->engine(), "--map", "skin.hmap", "--unproven"};
+  constexpr std::size_t kMiddle = 500;  // bytes from the host: among those of the table
+
+  board->at_byte(kMiddle, BoardBehind::Event::reset);
+  check_fault(box, upload, "the board was reset");
+  CHECK(status_of(box, terminal->engine())["table"]["crc"] == before);
+
+  board->at_byte(kMiddle, BoardBehind::Event::noise);
+  check_fault(box, upload, "has stopped answering");
+  board = nullptr;  // the noise stays: another one
+  board = std::make_unique<BoardBehind>(*terminal);
+  CHECK(status_of(box, terminal->engine())["table"]["crc"] == before);
+
+  board->at_byte(kMiddle, BoardBehind::Event::unplug);
+  check_fault(box, upload, "the port has gone");
+  check_fault(box, upload, terminal->name());
+}
+
+TEST_CASE("A serial port without a Horopter board") {
+  const Sandbox box;
+  write_table(box);
+  const auto upload = [&](const std::string& engine) {
+    return std::vector<std::string>{"upload", "--engine", engine, "--map", "skin.hmap"};
+  };
+  const auto status = [](const std::string& engine) { return std::vector<std::string>{"status", "--engine", engine}; };
+  check_fault(box, upload("serial:/dev/no-such-port"), "no such port; expected one");
+  check_fault(box, upload("serial:/dev/null"), "is no serial port; expected one");
+  Terminal terminal;
+  check_fault(box, status(terminal.engine()), "nothing answers; expected a Horopter board");
+  {
+    const int other = ::open(terminal.name().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+    REQUIRE(other >= 0);
+    REQUIRE(::flock(other, LOCK_EX | LOCK_NB) == 0);
+    check_fault(box, status(terminal.engine()), "another program has it open; expected a free port");
+    ::close(other);
+  }
+  {
+    const Behind echo(terminal, [](Terminal& t) { t.write(t.read()); });
+    check_fault(box, status(terminal.engine()), "no answer of a Horopter board: another device");
+  }
+  {
+    std::mt19937 random(1);
+    const Behind noise(terminal, [&](Terminal& t) {
+      std::vector<std::uint8_t> bytes(64);
+      std::ranges::generate(bytes, [&] { return static_cast<std::uint8_t>(random()); });
+      t.write(bytes);
+      t.read();
+    });
+    check_fault(box, upload(terminal.engine()), "no answer of a Horopter board: another device");
+  }
+  if (::geteuid() == 0) {
+    REQUIRE(::chmod(terminal.name().c_str(), 0) == 0);
+    const auto result =
+        box.run_shell("cd / && setpriv --reuid=65534 --clear-groups horopter status --engine " + terminal.engine());
+    CAPTURE(result.err);
+    CHECK(result.status == 4);
+    CHECK_THAT(result.err, Catch::Contains("this user may not open it; expected permission"));
+  }
+}
+
+TEST_CASE("Files and engines that are not the board's") {
+  const Sandbox box;
+  write_table(box);
+  box.write("vga.yaml", "surface:\n  type: homography\n  matrix: [[1, 0, -3], [0, 1, 0], [0, 0, 1]]\n");
+  REQUIRE(box.run({"map", "--skin", "vga.yaml", "--profile", "vga", "-o", "vga.hmap"}).status == 0);
+  Terminal terminal;
+  const BoardBehind board(terminal);
+  const auto upload = [&](const std::vector<std::string>& more) {
+    return std::vector<std::string>{"upload", "--engine", terminal.engine()} + more;
+  };
+  check_bad_file(box, upload({"--map", "vga.hmap"}), "vga.hmap", "a table for profile vga");
+  check_bad_file(box, upload({"--map", "none.hmap"}), "none.hmap", "");
+  check_bad_file(box, upload({"--map", "vga.yaml"}), "vga.yaml", "this is no table");
+  const auto compete = box.run(upload({"--map", "skin.hmap", "--decision", "compete"}));
+  CHECK(compete.status == 2);
+  CHECK_THAT(compete.err, Catch::Contains("does not have the decision 'compete'"));
+  for (const char* engine : {"serial:", "serial:/dev/ttyUSB0@9600", "serial:/dev/ttyUSB0@", "uio:", "uio:/dev/uio0,a",
+                             "uio:/dev/uio0@x", "serial", "other"}) {
+    const auto result = box.run({"status", "--engine", engine});
+    CAPTURE(engine, result.err);
+    CHECK(result.status == 2);
+    CHECK_THAT(result.err, Catch::Contains("expected"));
+  }
+}
