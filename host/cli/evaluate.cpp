@@ -94,8 +94,8 @@ Machine make_machine(const EvaluateOptions& options, const MachineProfile& profi
   Settings settings = options.settings;
   settings.undecidable_percent = settings.unsupervised_percent = 100;
   settings.frozen_limit = 0;  // the same images again and again
-  const auto supervisor =
-      std::make_shared<Supervisor>(make_picture_device(options.engine, profile), profile, maps, settings.without_proof());
+  const auto supervisor = std::make_shared<Supervisor>(make_picture_device(options.engine, profile), profile, maps,
+                                                       settings.without_proof());
   return [supervisor](const Image& left, const Image& right) {
     FrameResult frame = std::move(supervisor->process(left, right).front());
     if (frame.faults.any()) throw DeviceError("fault " + frame.faults.names().front());

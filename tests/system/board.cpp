@@ -180,6 +180,53 @@ TEST_CASE("What happens in the middle of an upload leaves the table in use in us
   check_fault(box, upload, terminal->name());
 }
 
+TEST_CASE("A program that is killed in the middle of an upload leaves a board that works") {
+  const Sandbox box;
+  const std::string crc = write_table(box);
+  Terminal terminal;
+  BoardBehind board(terminal);
+  const std::string before = status_of(box, terminal.engine())["table"]["crc"];
+  const std::string command = "horopter upload --engine " + terminal.engine() + " --map skin.hmap --unproven";
+  board.at_byte(500, BoardBehind::Event::pause);
+  CHECK(box.run_shell("timeout -s KILL 2 " + command + " 2> /dev/null || exit 5").status == 5);
+  board.at_byte(0, BoardBehind::Event::none);
+  terminal.release();
+  const auto status = status_of(box, terminal.engine());
+  CHECK(status["table"]["crc"] == before);
+  CHECK(status["registers"]["map_status"]["busy"] == 1);
+  CHECK(box.run_shell(command).status == 0);
+  wait_for_crc(box, terminal.engine(), crc);
+}
+
+TEST_CASE("Registers in this computer's memory") {
+  const Sandbox box;
+  write_table(box);
+  const auto machine = horopter::make_native_device(horopter::find_profile("field"));
+  const auto file = [&](std::uint32_t changed, std::uint32_t value) {
+    std::string bytes(4096, '\0');
+    for (const auto& r : horopter::registers::kRegisters) {
+      if (r.address > horopter::registers::build_compete::kAddress) continue;
+      const std::uint32_t word = r.address == changed ? value : machine->read(r.address);
+      for (unsigned i = 0; i < 4; ++i) bytes[r.address + i] = static_cast<char>(word >> (8 * i));
+    }
+    return "uio:" + box.write("registers", bytes);
+  };
+  const std::string engine = file(0xFFF, 0);
+  const auto status = status_of(box, engine);
+  CHECK(status["build"]["profile"] == "field");
+  CHECK(status["running"] == false);
+  // Memory that is no machine: it does not fill a slot.
+  check_fault(box, {"upload", "--engine", engine, "--map", "skin.hmap"}, "is not in the machine after its upload");
+  const auto states = box.run({"status", "--engine", engine, "--states", "states.png"});
+  CHECK(states.status == 2);
+  CHECK_THAT(states.err, Catch::Contains("without streams"));
+
+  check_fault(box, {"status", "--engine", file(0x000, 0)}, "no Horopter: its ID is 00000000");
+  check_fault(box, {"status", "--engine", file(0x004, 7U << 16)}, "register map 7.x; expected");
+  check_fault(box, {"status", "--engine", file(0x008, 480U << 16 | 600U)}, "600x480 px, but is none of the profiles");
+  check_fault(box, {"status", "--engine", "uio:/dev/no-such-device"}, "cannot be opened");
+}
+
 TEST_CASE("A serial port without a Horopter board") {
   const Sandbox box;
   write_table(box);

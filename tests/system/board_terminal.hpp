@@ -57,6 +57,8 @@ class Terminal {
     if (master_ >= 0) ::close(master_);
     master_ = -1;
   }
+  /// Of a program that was killed: a port of hardware does so by itself, when nobody has it open any more.
+  void release() const { ::ioctl(slave_, TIOCNXCL); }
   std::vector<std::uint8_t> read() {
     std::array<std::uint8_t, 64> buffer{};
     const ssize_t length = ::read(master_, buffer.data(), buffer.size());
@@ -95,7 +97,7 @@ class Behind {
 /// The board, from its reset on. `at_byte`: what happens when so many bytes have come from the host since it was set.
 class BoardBehind {
  public:
-  enum class Event { none, reset, unplug, noise };
+  enum class Event { none, reset, unplug, noise, pause };
 
   explicit BoardBehind(Terminal& terminal) : behind_(terminal, [this](Terminal& t) { step(t); }) {}
 
@@ -109,9 +111,10 @@ class BoardBehind {
  private:
   void step(Terminal& terminal) {
     if (!board_) board_ = std::make_unique<tb::Board<Vboard_ulx3s>>();
-    if (!board_->sending()) {
+    const bool paused = event_ == Event::pause && bytes_ >= event_at_;
+    if (!board_->sending() && !paused) {
       for (const std::uint8_t byte : terminal.read()) {
-        if (++bytes_ == event_at_ && event_ != Event::none) happen(terminal);
+        if (++bytes_ == event_at_) happen(terminal);
         board_->send(byte);
       }
     }
@@ -128,7 +131,7 @@ class BoardBehind {
       board_->to_board = [](std::uint8_t byte) { return std::vector{static_cast<std::uint8_t>(byte ^ 0x55U)}; };
       board_->from_board = board_->to_board;
     }
-    event_ = Event::none;
+    if (event_ != Event::pause) event_ = Event::none;  // which lasts until another one is set
   }
 
   std::unique_ptr<tb::Board<Vboard_ulx3s>> board_;

@@ -192,7 +192,7 @@ inline constexpr std::array<RegisterField, 206> kRegisterFields = {{
     {0x134, "unproven", {16, 8}, "More of the textured cells around which less than a third is explained are, too."},
     {0x134, "hidden", {24, 8}, "More of the cells nearer than the skin, for HIDDEN.frames, are a fault."},
     {0x138, "frames", {0, 8}, "Frames in a row, 1 to 128; 0 = for ever."},
-    {0x13C, "moved", {0, 6}, "A median of this or more is a fault; in two halves of the image, in opposite directions, of this less 1."},
+    {0x13C, "moved", {0, 6}, "A median of this or more is a fault, of the image or, in opposite directions, of two halves of it."},
     {0x13C, "moved_half", {6, 6}, "In one half of the image a median of this or more is."},
     {0x140, "slope", {0, 16}, "Of the first cell: cells down for a shift of one cell to the right, 2^-15."},
     {0x140, "column", {16, 16}, "Its change from column to column of cells, 2^-20."},
