@@ -57,6 +57,7 @@ module formal_map_store (
       .table_columns_o(),
       .table_crc_o(),
       .table_undecidable_limit_o(),
+      .table_unsupervised_o(),
       .read_en_i(1'b0),
       .even_addr_i('0),
       .odd_addr_i('0),

@@ -9,12 +9,14 @@ module horopter_control_point (
     output logic        of_skin_o
 );
   localparam logic [15:0] AROUND = 16'(horopter_table_pkg::AROUND_SKIN);
+  localparam logic [31:0] UNMAPPED = 32'(horopter_table_pkg::UNMAPPED);
 
-  logic [15:0] y, behind;
+  logic [15:0] y;
+  logic [14:0] behind;
   assign y = word_i[31:16];
-  assign behind = y - AROUND;
+  assign behind = y[14:0] - AROUND[14:0];
   assign x_o = word_i[15:0];
   assign of_skin_o = y < AROUND;
-  assign y_o = of_skin_o ? y : {behind[14:0], 1'b0};
-  assign exists_o = word_i != horopter_table_pkg::UNMAPPED;
+  assign y_o = of_skin_o ? y : {behind, 1'b0};
+  assign exists_o = word_i != UNMAPPED;
 endmodule

@@ -6,7 +6,7 @@
 // after the address, 5 with FAST.
 //
 // Upload: start, then the words of hls/include/horopter/hls/table_format.hpp: header, facts, control points, CRC-32. The
-// facts go through the CRC and are not kept. A slot becomes invalid when an upload into it starts and valid when its CRC
+// facts go through the CRC; of them the pixels that no rule can judge are kept. A slot becomes invalid when an upload into it starts and valid when its CRC
 // is right. A table that the new one overlaps becomes invalid. An upload into a slot or a region in use is refused and
 // changes nothing. In use: valid, and selected or made the current output frame, while running.
 // With each slot stays the limit of undecidable pixels that was given at its start.
@@ -56,6 +56,7 @@ module horopter_map_store #(
     output logic [         11:0] table_columns_o,
     output logic [         31:0] table_crc_o,
     output logic [         23:0] table_undecidable_limit_o,
+    output logic [         47:0] table_unsupervised_o,  // pixels that thesis (low half), compete cannot judge: words 6, 7
     // pool
     input  logic                 read_en_i,
     input  logic [ADDR_BITS-1:0] even_addr_i,
@@ -110,6 +111,8 @@ module horopter_map_store #(
   logic [15:0] base_q;
   logic [31:0] crc_q;
   logic [11:0] facts_q;  // words of facts that are still to come
+  logic [3:0] fact_q;  // one-hot: which of the first four is next
+  logic [47:0] unsupervised_q;
   // By slot; the last one, which is none, stays 0, as a power of two needs no bounds.
   logic [15:0] valid_q, overlap_q;
   logic [6:0] step_q;
@@ -162,7 +165,7 @@ module horopter_map_store #(
   // Extent of each table, for the walk.
   logic [2*ADDR_BITS:0] extent;
   logic [3:0] walk_slot;
-  logic extent_error, entry_error, limit_error;
+  logic extent_error, entry_error, limit_error, unsupervised_error;
   horopter_ram #(
       .WIDTH(2 * ADDR_BITS + 1),
       .DEPTH(16),
@@ -344,9 +347,19 @@ module horopter_map_store #(
         odd_q <= 1'b0;
       end
 
-      HEAD3: if (take) facts_q <= data[11:0];
+      HEAD3:
+      if (take) begin
+        facts_q <= data[11:0];
+        fact_q <= 4'd1;
+      end
 
-      FACTS: if (take) facts_q <= facts_q - 12'd1;
+      FACTS:
+      if (take) begin
+        facts_q <= facts_q - 12'd1;
+        fact_q <= {fact_q[2:0], 1'b0};
+        if (fact_q[2]) unsupervised_q[23:0] <= data[23:0];
+        if (fact_q[3]) unsupervised_q[47:24] <= data[23:0];
+      end
 
       DATA:
       if (take) begin
@@ -417,6 +430,20 @@ module horopter_map_store #(
       .read_data_o(table_undecidable_limit_o),
       .parity_error_o(limit_error)
   );
+  horopter_ram #(
+      .WIDTH(48),
+      .DEPTH(16),
+      .PARITY(PARITY)
+  ) u_unsupervised (
+      .clk_i(clk_i),
+      .write_en_i(store_entry),
+      .write_addr_i(slot_q),
+      .write_data_i(unsupervised_q),
+      .read_en_i(lookup_i),
+      .read_addr_i(lookup_slot_i),
+      .read_data_o(table_unsupervised_o),
+      .parity_error_o(unsupervised_error)
+  );
 
   // From the directory into the outputs, and as long as they stay.
   logic entry_error_q, looked_up_q;
@@ -424,7 +451,7 @@ module horopter_map_store #(
   always_ff @(posedge clk_i) begin
     looked_up_q <= lookup_q;
     if (lookup_q) entry_error_q <= entry_error;
-    table_error_o <= rst_ni && table_ok_o && !looked_up_q && (entry_error_q || limit_error || guard_error != 2'b00);
+    table_error_o <= rst_ni && table_ok_o && !looked_up_q && (entry_error_q || limit_error || unsupervised_error || guard_error != 2'b00);
   end
   horopter_guard #(
       .WIDTH(32)

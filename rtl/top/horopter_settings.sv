@@ -50,7 +50,6 @@ module horopter_settings #(
     output logic [SUM_BITS-1:0]        self_limit_o,
     output logic [TEXTURE_BITS-1:0]    texture_limit_o,
     output logic [COUNT_BITS-1:0]      alarm_limit_o,
-    output logic [COUNT_BITS-1:0]      unsupervised_limit_o,
     output horopter_csr_pkg::agreement_t agreement_o,
     output horopter_csr_pkg::agreement_limits_t agreement_limits_o,
     output logic [7:0]                 hidden_frames_o,
@@ -64,8 +63,13 @@ module horopter_settings #(
     output logic                       changed_o,
     // of its table, which is looked up at its begin and stays until the next
     input  logic [23:0]                undecidable_limit_i,
-    output logic [COUNT_BITS-1:0]      undecidable_limit_o  // a clock later
+    input  logic [47:0]                unsupervised_i,  // pixels that thesis (low half), compete cannot judge
+    output logic [COUNT_BITS-1:0]      undecidable_limit_o,  // a clock later
+    output logic [COUNT_BITS-1:0]      unsupervised_limit_o  // of the register and what the table itself expects the smaller
 );
+  logic [COUNT_BITS-1:0] unsupervised_set, expected_q;
+  logic [23:0] expected;
+  assign expected = decision_compete_o ? unsupervised_i[47:24] : unsupervised_i[23:0];
   always_ff @(posedge clk_i) begin
     if (open_i) begin
       black_level_o <= black_level_i;
@@ -80,7 +84,7 @@ module horopter_settings #(
       self_limit_o <= 32'(self_limit_i) >> SUM_BITS != 0 ? '1 : SUM_BITS'(self_limit_i);
       texture_limit_o <= 32'(texture_limit_i) >> TEXTURE_BITS != 0 ? '1 : TEXTURE_BITS'(texture_limit_i);
       alarm_limit_o <= 32'(alarm_limit_i) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(alarm_limit_i);
-      unsupervised_limit_o <= 32'(unsupervised_limit_i) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(unsupervised_limit_i);
+      unsupervised_set <= 32'(unsupervised_limit_i) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(unsupervised_limit_i);
       agreement_o <= agreement_i;
       agreement_limits_o <= agreement_limits_i;
       hidden_frames_o <= hidden_frames_i;
@@ -91,6 +95,8 @@ module horopter_settings #(
       result_height_o <= height_i;
     end
     undecidable_limit_o <= 32'(undecidable_limit_i) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(undecidable_limit_i);
+    expected_q <= 32'(expected) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(expected);
+    unsupervised_limit_o <= expected_q < unsupervised_set ? expected_q : unsupervised_set;
   end
 
   // Both groups, in words, are guarded from the clock on in which they have their new values.
@@ -109,7 +115,7 @@ module horopter_settings #(
   assign opened = (32 * OPEN_WORDS)'({
       black_level_o, white_level_o, constant_limit_o, frozen_limit_o, black_limit_o, white_limit_o});
   assign begun = (32 * BEGIN_WORDS)'({
-      sum_limit_o, self_limit_o, texture_limit_o, alarm_limit_o, unsupervised_limit_o, agreement_o, agreement_limits_o,
+      sum_limit_o, self_limit_o, texture_limit_o, alarm_limit_o, unsupervised_set, agreement_o, agreement_limits_o,
       hidden_frames_o, registration_o, epipolar_o, epipolar_change_o, result_width_o, result_height_o, decision_compete_o,
       compete_o});
   for (genvar w = 0; w < OPEN_WORDS; w++) begin : g_opened

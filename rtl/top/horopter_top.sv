@@ -342,6 +342,7 @@ module horopter_top #(
   logic [SUM_BITS-1:0] sampled_sum_limit, sampled_self_limit;
   logic [TEXTURE_BITS-1:0] sampled_texture_limit;
   logic [23:0] table_undecidable_limit;
+  logic [47:0] table_unsupervised;
   logic [COUNT_BITS-1:0] sampled_alarm_limit, sampled_undecidable_limit, sampled_unsupervised_limit;
   logic sampled_compete;
   horopter_csr_pkg::compete_t sampled_settings;
@@ -370,6 +371,7 @@ module horopter_top #(
       .texture_limit_i(texture_limit),
       .alarm_limit_i(alarm_limit),
       .undecidable_limit_i(table_undecidable_limit),
+      .unsupervised_i(table_ok ? table_unsupervised : '1),
       .unsupervised_limit_i(unsupervised_limit),
       .agreement_i(agreement),
       .agreement_limits_i(agreement_limits),
@@ -676,6 +678,7 @@ module horopter_top #(
       .table_columns_o(table_columns),
       .table_crc_o(table_crc),
       .table_undecidable_limit_o(table_undecidable_limit),
+      .table_unsupervised_o(table_unsupervised),
       .read_en_i(map_read),
       .even_addr_i(map_even_addr),
       .odd_addr_i(map_odd_addr),

@@ -489,6 +489,21 @@ TEST_CASE("too much that cannot be decided or is not supervised", "[faults]") {
   watch.good();
 }
 
+TEST_CASE("more unsupervised pixels than the table says that there are is a fault", "[faults]") {
+  Watch watch;
+  watch.machine.send(watch.scene());
+  const unsigned there_are = watch.receive().unsupervised;
+  CHECK(there_are > 0);
+  const unsigned hidden = GENERATE(0U, 1U);
+  watch.table.at(hls::table::header_words + 2) = there_are - hidden;
+  watch.table.at(hls::table::header_words) = kWidth * kHeight - (there_are - hidden);
+  watch.table.back() = crc32_words(std::span(watch.table).first(watch.table.size() - 1));
+  watch.machine.upload(1, 500, watch.table);
+  watch.machine.select(1);
+  watch.machine.send(watch.scene());
+  CHECK(watch.receive().fault_names() == (hidden == 0 ? Faults{} : Faults{"too_unsupervised"}));
+}
+
 TEST_CASE("an alarm is not safe, nor is the first frame after it", "[faults]") {
   Watch watch;
   watch.machine.settings().alarm_limit = 3;

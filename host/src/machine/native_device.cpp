@@ -331,8 +331,12 @@ native::Settings NativeDevice::settings() const {
   static_cast<hls::StageSettings&>(s) = stage_settings(word);
   s.lookahead = static_cast<int>(word(reg::lookahead::kAddress));
   // Without a table nothing is undecidable.
-  s.undecidable_limit =
-      active_slot_ != kNoTable ? tables_.at(static_cast<std::size_t>(active_slot_))->undecidable_limit : 0;
+  s.undecidable_limit = 0;
+  if (active_slot_ == kNoTable) return s;
+  const Table& table = *tables_.at(static_cast<std::size_t>(active_slot_));
+  s.undecidable_limit = table.undecidable_limit;
+  s.unsupervised_limit =
+      std::min(s.unsupervised_limit, static_cast<int>(hls::table::unsupervised_pixels(table.words, s.compete != 0)));
   return s;
 }
 

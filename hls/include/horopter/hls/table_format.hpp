@@ -9,7 +9,7 @@
 //         16 areas are known, 17 shifts are known
 //   Facts about what the table lets the machine see. Pixels are those of the result, after sub-sampling:
 //   4, 5  pixels that the rule `thesis`, `compete` can judge: all of their support has a source. 0: no such rule
-//   6, 7  all other pixels, which the machine calls unsupervised whatever the images show
+//   6, 7  all other pixels, which the machine calls unsupervised whatever the images show: more in a frame are a fault
 //   8     shifts along the row, px, that mean a place in front of both cameras: 15..0 lowest, 31..16 highest, two's
 //         complement. The hypothesis pixel that shows what left pixel x sees is at x + shift: 0 is the skin. From a
 //         point at infinity to one as near as the cameras are apart, over the whole skin, to first order in the shift:
@@ -23,8 +23,8 @@
 //   there, but are not supervised: y is 0xA000 + ⌊(px + 64) · 16⌋. All ones: no source
 //   CRC-32 (IEEE 802.3) of all words before it as little-endian bytes
 //
-// The machine stores control points only. It reads over the facts, which the CRC protects, and keeps none of them: they
-// cost no memory.
+// The machine stores the control points, and of the facts words 6 and 7. It reads over the others, which the CRC
+// protects: they cost no memory.
 // A table made without a rig knows no areas and no shifts.
 #pragma once
 
@@ -109,6 +109,11 @@ constexpr std::optional<std::size_t> read_fact_words(std::uint32_t word) {
   const std::uint32_t count = word & 0xFFFU;
   if (count < fact_words) return {};
   return count;
+}
+
+/// Words 6 and 7. The machine takes more of them in a frame as a fault.
+constexpr std::uint32_t unsupervised_pixels(std::span<const std::uint32_t> words, bool compete) {
+  return words[header_words + (compete ? 3 : 2)] & 0xFFFFFFU;
 }
 
 /// Nearest code of an area, mm², at the ends of the range for what lies beyond.

@@ -19,7 +19,7 @@ struct RegisterField {
 };
 
 // clang-format off
-inline constexpr std::array<RegisterField, 206> kRegisterFields = {{
+inline constexpr std::array<RegisterField, 208> kRegisterFields = {{
     {0x000, "value", {0, 32}, "0x484F524F"},
     {0x004, "minor", {0, 16}, "Counts compatible additions."},
     {0x004, "major", {16, 16}, "Counts incompatible changes."},
@@ -64,7 +64,7 @@ inline constexpr std::array<RegisterField, 206> kRegisterFields = {{
     {0x084, "value", {0, 16}, "Sum, 0 to 15 k²."},
     {0x088, "sum", {0, 16}, "9 times the threshold in units of the unscaled Sobel magnitude; 9 · 32 = 4 grey levels per px."},
     {0x08C, "pixels", {0, 24}, "Pixels of the result; by default 5 % of the largest frame."},
-    {0x094, "pixels", {0, 24}, "Pixels of the result; by default all of the largest frame: no limit."},
+    {0x094, "pixels", {0, 24}, "Pixels of the result; by default all of the largest frame. Never more than the table itself says that there are."},
     {0x0A0, "grey", {0, 8}, "Grey level."},
     {0x0A4, "pixels", {0, 24}, "Incoming pixels; by default 95 % of the largest frame."},
     {0x0A8, "grey", {0, 8}, "Grey level."},
@@ -129,6 +129,7 @@ inline constexpr std::array<RegisterField, 206> kRegisterFields = {{
     {0x0E4, "unproven", {12, 1}, "The first frame after enable: nothing has been shown before it that could earn clear."},
     {0x0E4, "moved", {13, 1}, "The right image is displaced across the rows against the rig (REGISTRATION): a camera was knocked, turned or its lens changed."},
     {0x0E4, "hidden", {14, 1}, "For HIDDEN frames, too much of the skin has stood behind something nearer to the cameras."},
+    {0x0E4, "settings", {15, 1}, "A bit of a register, or of what a frame has sampled of it, fell over; until that register is written again."},
     {0x100, "value", {0, 32}, "0 = none yet."},
     {0x104, "alarm", {0, 1}, "More skin pixels than ALARM_LIMIT."},
     {0x104, "safe", {1, 1}, "Complete, free of faults and of alarm."},
@@ -182,6 +183,7 @@ inline constexpr std::array<RegisterField, 206> kRegisterFields = {{
     {0x12C, "unproven", {12, 1}, "The first frame after enable: nothing has been shown before it that could earn clear."},
     {0x12C, "moved", {13, 1}, "The right image is displaced across the rows against the rig (REGISTRATION): a camera was knocked, turned or its lens changed."},
     {0x12C, "hidden", {14, 1}, "For HIDDEN frames, too much of the skin has stood behind something nearer to the cameras."},
+    {0x12C, "settings", {15, 1}, "A bit of a register, or of what a frame has sampled of it, fell over; until that register is written again."},
     {0x130, "prove", {0, 1}, "1 = clear is earned. 0 = a pixel is clear where images do not agree; nothing else is checked."},
     {0x130, "nearer_below", {1, 1}, "1 = shifts below 0 are nearer to the cameras than the skin."},
     {0x130, "nearer_above", {2, 1}, "1 = shifts above 0 are."},

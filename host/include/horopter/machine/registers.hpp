@@ -257,7 +257,7 @@ inline constexpr Field kPixels{0, 24};
 namespace unsupervised_limit {
 inline constexpr std::uint32_t kAddress = 0x094;
 inline constexpr Access kAccess = Access::kReadWrite;
-/// Pixels of the result; by default all of the largest frame: no limit.
+/// Pixels of the result; by default all of the largest frame. Never more than the table itself says that there are.
 inline constexpr Field kPixels{0, 24};
 }  // namespace unsupervised_limit
 
