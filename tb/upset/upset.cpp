@@ -118,13 +118,14 @@ struct Counts {
   unsigned long dangerous = 0;  ///< and the pins say safe
   unsigned long lasting = 0;    ///< in two frames or more
   unsigned long told = 0;       ///< a fault that the undisturbed run does not have, in a register
+  unsigned long stays = 0;      ///< the last frame still has one
   unsigned long unsafe = 0;     ///< the pins say not safe where they need not
   unsigned long stopped = 0;    ///< frames are missing
 };
 
 void judge(const History& is, const History& should_be, Counts& counts) {
   unsigned hidden = 0, dangerous = 0;
-  bool told = false, unsafe = false;
+  bool told = false, stays = false, unsafe = false;
   for (std::size_t k = kFirstUpset; k < should_be.count; ++k) {
     const Seen &a = is.frames[k], &b = should_be.frames[k];
     const bool came = k < is.count;
@@ -132,7 +133,8 @@ void judge(const History& is, const History& should_be, Counts& counts) {
       hidden += came ? 1 : 0;
       dangerous += a.safe ? 1 : 0;
     }
-    told = told || (came && ((a.faults_cameras & ~b.faults_cameras) | (a.faults_machine & ~b.faults_machine)) != 0);
+    stays = came && ((a.faults_cameras & ~b.faults_cameras) | (a.faults_machine & ~b.faults_machine)) != 0;
+    told = told || stays;
     unsafe = unsafe || (b.safe && !a.safe);
   }
   ++counts.injected;
@@ -140,6 +142,7 @@ void judge(const History& is, const History& should_be, Counts& counts) {
   counts.dangerous += dangerous > 0 ? 1 : 0;
   counts.lasting += dangerous > 1 ? 1 : 0;
   counts.told += told ? 1 : 0;
+  counts.stays += stays ? 1 : 0;
   counts.unsafe += unsafe ? 1 : 0;
   counts.stopped += is.count < should_be.count ? 1 : 0;
 }
@@ -215,9 +218,9 @@ int run(const Options& options) {
     const Counts& c = by_signal[signal];
     std::printf(
         "%s\n{\"name\": \"%s\", \"module\": \"%s\", \"bits\": %llu, \"injected\": %lu, \"hides\": %lu, \"dangerous\": %lu, "
-        "\"lasting\": %lu, \"told\": %lu, \"unsafe\": %lu, \"stopped\": %lu}",
+        "\"lasting\": %lu, \"told\": %lu, \"stays\": %lu, \"unsafe\": %lu, \"stopped\": %lu}",
         comma, signal->name, signal->module, static_cast<unsigned long long>(signal->all_bits()), c.injected, c.hides,
-        c.dangerous, c.lasting, c.told, c.unsafe, c.stopped);
+        c.dangerous, c.lasting, c.told, c.stays, c.unsafe, c.stopped);
     comma = ",";
   }
   std::printf("]}\n");
