@@ -236,6 +236,22 @@ TEST_CASE("live: one camera late by a line is skew", "[faults]") {
   watch.good();
 }
 
+TEST_CASE("live: a camera some pixels late is in time, from 64 px to a line late it is skew, again and again",
+          "[faults]") {
+  const unsigned late_px = GENERATE(0U, 48U, 88U, kWidth - 8);
+  const auto side = GENERATE(std::string("left"), std::string("right"));
+  CAPTURE(late_px, side);
+  Watch watch{{kWidth, kHeight, 16, true, kTimeout}};
+  for (int frame = 0; frame < 3; ++frame) {
+    (side == "left" ? watch.machine.left() : watch.machine.right()).idle(late_px);
+    watch.machine.send(watch.scene());
+    const Published p = watch.receive();
+    CHECK(p.fault_names() == (late_px < 64 ? Faults{} : Faults{"skew"}));
+    CHECK(p.safe_pin == (late_px < 64));
+  }
+  watch.good();
+}
+
 TEST_CASE("live: what cannot be stored is an overflow", "[faults]") {
   MachineOptions options{kWidth, kHeight, 16, true, 8 * kTimeout};
   Watch watch{options};
