@@ -87,8 +87,8 @@ Scenario make_scenario(const ScenarioKind& kind, const Options& options, std::op
       add_noise(left, kind.noise_grey, rng);
       add_noise(right, kind.noise_grey, rng);
     }
-    scenario.left.push_back(std::move(left));
-    scenario.right.push_back(std::move(right));
+    scenario.left.push_back(left);
+    scenario.right.push_back(right);
   }
 
   auto settings = native::Settings::defaults(native::make_engine(options.profile)->profile(),
