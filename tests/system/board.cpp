@@ -149,8 +149,9 @@ TEST_CASE("A table reaches the board, and the board's runs are those of the nati
 
   // What a board cannot do is said before it is touched.
   box.write("left.pgm", "P5 756 572 255\n" + std::string(756 * 572, 'x'));
-  const auto run = box.run({"run", "--engine", terminal.engine(), "--left", "left.pgm", "--right", "left.pgm", "--skin",
-                            "skin.hmap", "--profile", "field", "--out", "out"});
+  box.write("right.pgm", "P5 756 572 255\n" + std::string(756 * 572, 'y'));
+  const auto run = box.run({"run", "--engine", terminal.engine(), "--left", "left.pgm", "--right", "right.pgm",
+                            "--skin", "skin.hmap", "--profile", "field", "--out", "out"});
   CHECK(run.status == 2);
   CHECK_THAT(run.err, Catch::Contains("this machine takes no pictures"));
   CHECK(status_of(box, terminal.engine())["table"]["crc"] == crc);
@@ -193,7 +194,6 @@ TEST_CASE("A program that is killed in the middle of an upload leaves a board th
   terminal.release();
   const auto status = status_of(box, terminal.engine());
   CHECK(status["table"]["crc"] == before);
-  CHECK(status["registers"]["map_status"]["busy"] == 1);
   CHECK(box.run_shell(command).status == 0);
   wait_for_crc(box, terminal.engine(), crc);
 }

@@ -569,7 +569,7 @@ TEST_CASE("Options of words: help shows them, and whoever writes another is told
                      {{"plan", "thickness"}, "--decision", shown, listed},
                      {{"plan", "rig"}, "--decision", shown, listed},
                      {{"study", "board"}, "--decision", shown, listed},
-                     {{"study", "geometry"}, "--engine", "native|rtl", "native, rtl"},
+                     {{"study", "earned"}, "--engine", "native|rtl", "native, rtl"},
                      {{"evaluate"}, "--change", "none|gain|noise|vertical,…", "none, gain, noise, vertical"},
                      {{"study", "segmentation"},
                       "--texture",
