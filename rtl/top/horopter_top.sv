@@ -343,6 +343,7 @@ module horopter_top #(
   logic [TEXTURE_BITS-1:0] sampled_texture_limit;
   logic [23:0] table_undecidable_limit;
   logic [47:0] table_unsupervised;
+  logic table_ok;
   logic [COUNT_BITS-1:0] sampled_alarm_limit, sampled_undecidable_limit, sampled_unsupervised_limit;
   logic sampled_compete;
   horopter_csr_pkg::compete_t sampled_settings;
@@ -627,7 +628,7 @@ module horopter_top #(
   );
 
   // ------------------------------------------------------------------------------------------------ map and raster
-  logic frame_active, lookup, table_ok, table_error;
+  logic frame_active, lookup, table_error;
   logic [MAP_ADDR_BITS-1:0] table_base, map_even_addr, map_odd_addr;
   logic [2:0] table_nx, table_ny;
   logic [11:0] table_columns;

@@ -159,7 +159,7 @@ TEST_CASE("A table reaches the board, and the board's runs are those of the nati
 
 TEST_CASE("What happens in the middle of an upload leaves the table in use in use") {
   const Sandbox box;
-  const std::string crc = write_table(box);
+  write_table(box);
   auto terminal = std::make_unique<Terminal>();
   auto board = std::make_unique<BoardBehind>(*terminal);
   const std::string before = status_of(box, terminal->engine())["table"]["crc"];
