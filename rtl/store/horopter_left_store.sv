@@ -102,28 +102,34 @@ module horopter_left_store #(
   logic [SLOT_BITS:0] keep_q;
   logic end_of_row, wraps;
   logic last;  // with read
-  logic [SLOT_BITS-1:0] not_slot_q;  // counts down: the second copy of slot_q, inverted
-  logic not_wraps;
+  logic copy_error;
+  horopter_place_copy #(
+      .ROWS(ROWS)
+  ) u_place_copy (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .begin_i(begin_i),
+      .base_slot_i(base_slot_i),
+      .step_i(read && last),
+      .slot_i(slot_q),
+      .error_o(copy_error)
+  );
   always_ff @(posedge clk_i) begin
     wraps <= 32'(slot_q) == ROWS - 1;  // rows are longer than a clock
-    not_wraps <= not_slot_q == ~SLOT_BITS'(ROWS - 1);
-    place_error_o <= rst_ni && (slot_q != ~not_slot_q || (begin_i && (slot_q != base_slot_i || keep_q != base_i)));
+    place_error_o <= rst_ni && (copy_error || (begin_i && (slot_q != base_slot_i || keep_q != base_i)));
     if (!rst_ni) begin
       row_q <= '0;
       keep_q <= '0;
       slot_q <= '0;
-      not_slot_q <= '1;
     end else begin
       if (begin_i) row_q <= '0;
       else if (end_of_row) row_q <= row_q + 1'b1;
       if (begin_i) begin
         keep_q <= base_i;
         slot_q <= base_slot_i;
-        not_slot_q <= ~base_slot_i;
       end else if (read && last) begin
         keep_q <= keep_q + 1'b1;
         slot_q <= wraps ? '0 : slot_q + 1'b1;
-        not_slot_q <= not_wraps ? '1 : not_slot_q - 1'b1;
       end
     end
   end
