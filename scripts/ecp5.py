@@ -26,17 +26,20 @@ def _users(module):
 
 def use_output_registers(module):
     """yosys does not use the output registers of ECP5's block memories: where every bit that is read goes to a flip-flop
-    of the same clock and nowhere else, that flip-flop moves into the memory. Changes the netlist; returns how many did."""
+    of the same clock and nowhere else, that flip-flop moves into the memory. With words of 36 bits (Lattice's PDPW16KD) the
+    outputs of both ports are the word that port B reads. Changes the netlist; returns how many flip-flops moved."""
     cells, users = module["cells"], _users(module)
     moved = 0
     for cell in list(cells.values()):
         if cell["type"] != "DP16KD" or cell["parameters"]["REGMODE_B"] != "NOREG":
             continue
         ports, chosen, enables, fits = cell["connections"], {}, set(), True
-        if any(users.get(bit) for i in range(18) for bit in ports[f"DOA{i}"]):
+        wide = int(cell["parameters"]["DATA_WIDTH_A"], 2) == 36
+        outputs = [f"DO{side}{i}" for side in ("AB" if wide else "B") for i in range(18)]
+        if not wide and any(users.get(bit) for i in range(18) for bit in ports[f"DOA{i}"]):
             continue  # the write port is read, too
-        for i in range(18):
-            readers = users.get(ports[f"DOB{i}"][0], [])
+        for port in outputs:
+            readers = users.get(ports[port][0], [])
             if not readers:
                 continue
             flip_flop = cells.get(readers[0][0])
@@ -47,11 +50,13 @@ def use_output_registers(module):
                 break
             enabled = flip_flop["parameters"]["CEMUX"].strip() != "1"
             enables.add(flip_flop["connections"]["CE"][0] if enabled else "1")
-            chosen[f"DOB{i}"] = readers[0][0]
+            chosen[port] = readers[0][0]
         if not fits or not chosen or len(enables) != 1:
             continue
-        cell["parameters"]["REGMODE_B"] = "OUTREG"
-        ports["OCEB"] = [enables.pop()]
+        enable = [enables.pop()]
+        for side in "AB" if wide else "B":
+            cell["parameters"][f"REGMODE_{side}"] = "OUTREG"
+            ports[f"OCE{side}"] = enable
         for port, name in chosen.items():
             ports[port] = cells[name]["connections"]["Q"]
             del cells[name]

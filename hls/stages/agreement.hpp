@@ -12,10 +12,11 @@
 // with the skin (Config). One comparison of five sums a beat; a row is done before the next one is complete.
 //
 // Of a frame it says (Verdict, once, in the rows behind the frame): how much is textured, explained, nearer than the skin;
-// whether too little is explained in all (disagree) or in too many regions of 8×6 (also disagree); whether the right image
-// is displaced across the rows against what the cameras' geometry says (moved: in the median of the image, or of a half,
-// so that a camera that is displaced, rolled or enlarged is found); whether one camera is less sharp, or has less contrast
-// (unsharp); whether too much is hidden behind what is nearer (hidden, after hidden_frames frames in a row).
+// whether too little is explained in all (disagree), in too many regions of 8×6, or around too many cells, of all or of
+// the skin alone (also disagree); whether the right image is displaced across the rows against what the cameras' geometry
+// says (moved: in the median of the image, or of a half, so that a camera that is displaced, rolled or enlarged is found);
+// whether one camera is less sharp, or has less contrast (unsharp); whether too much is hidden behind what is nearer
+// (hidden, after hidden_frames frames in a row).
 // Of a pixel of the result it says in the marks what the frame before showed of its cell: `seen`, a third of the textured
 // cells in 5×5 around are explained (where there is no texture, those of its region); `nearer`, most of these are nearer.
 //
@@ -91,13 +92,14 @@ class Agreement {
     u<1> prove;
     s<6> shift_lowest;  // cells: shifts that mean a place in front of both cameras
     s<6> shift_highest;
-    u<1> nearer_below;     // shifts below 0 are nearer than the skin
-    u<1> nearer_above;     // shifts above 0 are
-    u<8> explained_limit;  // smallest share of the textured cells that is explained, in 1/256
-    u<8> regions_limit;    // largest share of the textured cells that may lie in bad regions, in 1/256
-    u<8> unproven_limit;   // largest share of the textured cells that may not be seen, in 1/256
-    u<8> hidden_limit;     // largest share of the cells that may be nearer, in 1/256
-    u<8> hidden_frames;    // for so many frames in a row, 1 to 128; 0 = never
+    u<1> nearer_below;         // shifts below 0 are nearer than the skin
+    u<1> nearer_above;         // shifts above 0 are
+    u<8> explained_limit;      // smallest share of the textured cells that is explained, in 1/256
+    u<8> regions_limit;        // largest share of the textured cells that may lie in bad regions, in 1/256
+    u<8> unproven_limit;       // largest share of the textured cells that may not be seen, in 1/256
+    u<8> unproven_skin_limit;  // the same of the textured cells of the skin alone
+    u<8> hidden_limit;         // largest share of the cells that may be nearer, in 1/256
+    u<8> hidden_frames;        // for so many frames in a row, 1 to 128; 0 = never
     // 1/32 cell: a median of the displacement across the rows that is too large, of the image or, in opposite
     // directions (one that is rolled or enlarged), of two halves of it.
     u<6> moved_limit;
@@ -169,12 +171,15 @@ class Agreement {
         break;
     }
     advance(following);
-    if (pair.whole) {
-      const auto at = raster_.step(pair.first, in.marks.last, config.height);
-      const CellGrey means = averager_.step(at, pair.pixel, in.present, in.mask);
-      if (means.valid) take_cell(at, means, config);
-      read_map(pair.first, in.marks.last, config);
+    typename Raster::Position at;
+    CellGrey means;
+    if (sample_.pair.whole) {
+      at = raster_.step(sample_.pair.first, sample_.last, config.height);
+      means = averager_.step(at, sample_.pair.pixel, sample_.present, sample_.of_skin);
     }
+    if (means.valid) take_cell(at, means, config);
+    sample_ = {pair, in.marks.last, in.present, in.mask};
+    if (pair.whole) read_map(pair.first, in.marks.last, config);
     // Rows beyond the height that was said: what they write to the map is not read.
     done_ = !(pair.whole && pair.first) && !drew_ && (done_ || said);
     drew_ = drew;
@@ -212,6 +217,16 @@ class Agreement {
     std::array<u<8>, 2> pixel{};
     bool first = false;
     bool whole = false;  // both pixels are there
+  };
+
+  using Raster = CellRaster<cell, columns, rows, P.result_width(), P.height>;
+
+  /// What is summed to cells, a beat later than it comes: the way from the stage before is short.
+  struct Sample {
+    Pair pair;
+    bool last = false;
+    bool present = false;
+    bool of_skin = false;
   };
 
   Pair take(const In& in) {
@@ -448,7 +463,8 @@ class Agreement {
   };
   struct Counts {
     u<14> supervised, textured, explained, nearer, unproven, regions_bad;
-    s<24> too_little_explained, too_many_bad, too_much_unproven, too_much_hidden;  // above 0: so it is
+    s<24> too_little_explained, too_many_bad, too_much_unproven, too_much_unseen_skin,
+        too_much_hidden;  // above 0: so it is
   };
   /// What a beat adds to them; one addition each, whatever the phase.
   struct Change {
@@ -457,6 +473,7 @@ class Agreement {
     s<10> too_little_explained;
     s<21> too_many_bad;
     s<11> too_much_unproven;
+    s<11> too_much_unseen_skin;
     s<11> too_much_hidden;
   };
   /// Of the region's part of this row of cells, with this beat.
@@ -480,6 +497,7 @@ class Agreement {
     c.too_little_explained += by.too_little_explained;
     c.too_many_bad += by.too_many_bad;
     c.too_much_unproven += by.too_much_unproven;
+    c.too_much_unseen_skin += by.too_much_unseen_skin;
     c.too_much_hidden += by.too_much_hidden;
     counts_ = new_frame_ ? Counts{} : c;
     registration_.end_beat(new_frame_);
@@ -487,6 +505,7 @@ class Agreement {
 
   struct Seen {
     bool textured = false;
+    bool of_skin = false;
     bool explained = false;
     bool nearer = false;
   };
@@ -504,30 +523,31 @@ class Agreement {
       const bool enough_rows = row_ >= first_row;
       const auto way = s<9>(back.x - u<8>(x_));
       seen.textured = here.supervised && here.textured && enough_rows;
+      seen.of_skin = here.of_skin;
       seen.explained = seen.textured && best.score > score_limit && way >= -1 && way <= 1;
       seen.nearer = seen.explained && ((config.nearer_below != 0 && best.shift.negative()) ||
                                        (config.nearer_above != 0 && best.shift > 0));
-      count(seen, here.supervised && enough_rows, here.of_skin, config);
+      count(seen, here.supervised && enough_rows, config);
       if (seen.explained && row_ >= first_row + across_reach) {
         registration_.measure(best.shift, best.across, shl<1>(x_) > last_ + lit<4>(), lower_half_, config);
       }
     }
     count_region(inside, next_region);
-    draw(seen, inside);
+    draw(seen, inside, config);
   }
 
   /// What is nearer is counted where there is a skin; around it, nearer than what it is compared with means nothing.
-  void count(const Seen& seen, bool supervised, bool of_skin, const Config& config) {
+  void count(const Seen& seen, bool supervised, const Config& config) {
     change_.supervised = u<1>(supervised);
     change_.textured = u<1>(seen.textured);
     change_.explained = u<1>(seen.explained);
-    change_.nearer = u<1>(seen.nearer && of_skin);
+    change_.nearer = u<1>(seen.nearer && seen.of_skin);
     if (seen.textured) {
       change_.too_little_explained = s<10>(s<9>(config.explained_limit) - s<10>(seen.explained ? 256 : 0));
       change_.too_many_bad = s<21>(-s<9>(config.regions_limit));
       change_.too_much_unproven = s<11>(-s<9>(config.unproven_limit));
     }
-    if (supervised && of_skin)
+    if (supervised && seen.of_skin)
       change_.too_much_hidden = s<11>(s<10>(seen.nearer ? 256 : 0) - s<9>(config.hidden_limit));
   }
 
@@ -554,8 +574,13 @@ class Agreement {
     if (next) region_columns_ = u<region_columns>(cat(region_columns_, false));
   }
 
+  struct Centre {
+    bool textured = false;
+    bool of_skin = false;
+  };
+
   /// The map of what is seen, of the cells two rows up and two columns left of this one.
-  void draw(const Seen& seen, bool inside) {
+  void draw(const Seen& seen, bool inside, const Config& config) {
     SeenColumn column;
     if (inside) {
       column = seen_columns_.read(x_);
@@ -575,15 +600,19 @@ class Agreement {
     const u<5> t = box_textured_.step(start, filled, u<5>(textured));
     const u<5> e = box_explained_.step(start, filled, u<5>(explained));
     const u<5> n = box_nearer_.step(start, filled, u<5>(near));
-    const bool centre_textured = centres_.tap(1);
-    centres_.push(inside && column.above[1].textured);
+    const Centre centre = centres_.tap(1);
+    centres_.push({inside && column.above[1].textured, column.above[1].of_skin});
     const bool few = t < 2;
     const bool region_seen = good_.bit(static_cast<int>(cat(region_row_, region_column()).value()));
     const bool is_seen = few ? region_seen : u<7>(e + shl<1>(e)) >= t;
     const bool is_nearer = shl<1>(n) > e;
-    if (x_ >= 2 && centre_textured && !is_seen) {
-      change_.unproven = 1;
-      change_.too_much_unproven = s<11>(change_.too_much_unproven + lit<256>());
+    if (x_ >= 2 && centre.textured) {
+      if (!is_seen) {
+        change_.unproven = 1;
+        change_.too_much_unproven = s<11>(change_.too_much_unproven + lit<256>());
+      }
+      if (centre.of_skin)
+        change_.too_much_unseen_skin = s<11>(s<10>(is_seen ? 0 : 256) - s<9>(config.unproven_skin_limit));
     }
     if (row_ >= lag && x_ >= 4 && x_ <= run_.highest + lit<4>()) {
       map_.write(place_in_map(write_half_, MapIndex(map_row_ + (x_ - lit<4>()))),
@@ -654,7 +683,8 @@ class Agreement {
     verdict.regions_bad = u<16>(c.regions_bad);
     verdict.unproven_yet = config.prove != 0 && !proven_;
     verdict.untextured = config.prove != 0 && !enough;
-    verdict.disagree = config.prove != 0 && enough && (disagree || c.too_many_bad > 0 || c.too_much_unproven > 0);
+    verdict.disagree = config.prove != 0 && enough &&
+                       (disagree || c.too_many_bad > 0 || c.too_much_unproven > 0 || c.too_much_unseen_skin > 0);
     verdict.moved = config.prove != 0 && registration_.moved();
     // A camera's detail in proportion to its contrast is below 5/8 of the other's, or its contrast below a quarter. Or
     // the left one sees nothing where the right one does: of the right one agreement says it already.
@@ -748,7 +778,8 @@ class Agreement {
   Kept<u<8>> left_pixel_;
   bool left_first_ = false;
   bool right_ = false;
-  CellRaster<cell, columns, rows, P.result_width(), P.height> raster_;
+  Sample sample_;
+  Raster raster_;
   CellAverager<cell, P.result_width()> averager_;
   CellCensus<columns> census_;
   Sharpness sharpness_;
@@ -796,7 +827,7 @@ class Agreement {
   std::array<Factor, 2> multiplier_{};
   RAM<SeenColumn, column_count, gap> seen_columns_;
   HorizontalSum<box, 5> box_textured_, box_explained_, box_nearer_;
-  DelayLine<bool, 2> centres_;
+  DelayLine<Centre, 2> centres_;
   // The map.
   RAM<MapCell, 2 * map_cells, min_row_beats> map_;
   MapIndex map_row_{0};

@@ -106,7 +106,7 @@ module horopter_csr #(
     input  logic [31:0] frame_latency_clocks_i,
     input  logic [31:0] frame_tail_clocks_i,
     input  logic [15:0] frame_faults_machine_i,
-    output logic [14:0] agreement_o,
+    output logic [22:0] agreement_o,
     output logic [31:0] agreement_limits_o,
     output logic [ 7:0] hidden_frames_o,
     output logic [11:0] registration_o,
@@ -253,7 +253,8 @@ module horopter_csr #(
   logic        agreement_nearer_above_q;
   logic [ 5:0] agreement_shift_lowest_q;
   logic [ 5:0] agreement_shift_highest_q;
-  assign agreement_o = {agreement_shift_highest_q, agreement_shift_lowest_q, agreement_nearer_above_q, agreement_nearer_below_q, agreement_prove_q};
+  logic [ 7:0] agreement_unproven_skin_q;
+  assign agreement_o = {agreement_unproven_skin_q, agreement_shift_highest_q, agreement_shift_lowest_q, agreement_nearer_above_q, agreement_nearer_below_q, agreement_prove_q};
   // AGREEMENT_LIMITS: Shares in 1/256.
   logic [ 7:0] agreement_limits_explained_q;
   logic [ 7:0] agreement_limits_regions_q;
@@ -329,6 +330,7 @@ module horopter_csr #(
       agreement_nearer_above_q <= 1'd0;
       agreement_shift_lowest_q <= 6'd34;
       agreement_shift_highest_q <= 6'd30;
+      agreement_unproven_skin_q <= 8'd128;
       agreement_limits_explained_q <= 8'd107;
       agreement_limits_regions_q <= 8'd64;
       agreement_limits_unproven_q <= 8'd115;
@@ -470,7 +472,9 @@ module horopter_csr #(
         if (write_strb_i[1]) begin
           agreement_shift_lowest_q[5] <= write_data_i[8];
           agreement_shift_highest_q[5:0] <= write_data_i[14:9];
+          agreement_unproven_skin_q[0] <= write_data_i[15];
         end
+        if (write_strb_i[2]) agreement_unproven_skin_q[7:1] <= write_data_i[22:16];
       end
       if (write_q && write_group_q[6] && write_word_q[5]) begin  // AGREEMENT_LIMITS
         if (write_strb_i[0]) agreement_limits_explained_q[7:0] <= write_data_i[7:0];
@@ -753,11 +757,11 @@ module horopter_csr #(
       .error_o(guard_error[23])
   );
   horopter_guard #(
-      .WIDTH(15)
+      .WIDTH(23)
   ) u_agreement_guard (
       .clk_i(clk_i),
       .written_i(written_q[24]),
-      .value_i({agreement_shift_highest_q, agreement_shift_lowest_q, agreement_nearer_above_q, agreement_nearer_below_q, agreement_prove_q}),
+      .value_i({agreement_unproven_skin_q, agreement_shift_highest_q, agreement_shift_lowest_q, agreement_nearer_above_q, agreement_nearer_below_q, agreement_prove_q}),
       .error_o(guard_error[24])
   );
   horopter_guard #(
@@ -990,7 +994,7 @@ module horopter_csr #(
         3'h1: group_09_q <= frame_latency_clocks_i;
         3'h2: group_09_q <= frame_tail_clocks_i;
         3'h3: group_09_q <= {16'd0, frame_faults_machine_i};
-        3'h4: group_09_q <= {17'd0, agreement_shift_highest_q, agreement_shift_lowest_q, agreement_nearer_above_q, agreement_nearer_below_q, agreement_prove_q};
+        3'h4: group_09_q <= {9'd0, agreement_unproven_skin_q, agreement_shift_highest_q, agreement_shift_lowest_q, agreement_nearer_above_q, agreement_nearer_below_q, agreement_prove_q};
         3'h5: group_09_q <= {agreement_limits_hidden_q, agreement_limits_unproven_q, agreement_limits_regions_q, agreement_limits_explained_q};
         3'h6: group_09_q <= {24'd0, hidden_frames_q};
         default: group_09_q <= {20'd0, registration_moved_half_q, registration_moved_q};

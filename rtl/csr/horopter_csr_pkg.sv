@@ -103,6 +103,7 @@ package horopter_csr_pkg;
   } frame_status_t;
 
   typedef struct packed {  // from the highest bit
+    logic [ 7:0] unproven_skin;
     logic [ 5:0] shift_highest;
     logic [ 5:0] shift_lowest;
     logic nearer_above;

@@ -944,6 +944,7 @@ module horopter_top #(
       .cfg_explained_limit_i(sampled_agreement_limits.explained),
       .cfg_regions_limit_i(sampled_agreement_limits.regions),
       .cfg_unproven_limit_i(sampled_agreement_limits.unproven),
+      .cfg_unproven_skin_limit_i(sampled_agreement.unproven_skin),
       .cfg_hidden_limit_i(sampled_agreement_limits.hidden),
       .cfg_hidden_frames_i(sampled_hidden_frames),
       .cfg_moved_limit_i(sampled_registration.moved),

@@ -134,6 +134,23 @@ TEST_CASE("A camera that is spoiled is not safe") {
   }
 }
 
+TEST_CASE("Tape over a small skin alone is not safe") {
+  Sandbox box;
+  if (!prepare(box, "small")) return;
+  box.write("skin.yaml", "surface: {type: box, centre_mm: [60, 40, 500], size_mm: [120, 100, 80]}\n");
+  // Where the skin lies in each image, and a little around it: at most a tenth of the image.
+  const std::map<std::string, cv::Rect> kTape{{"left", {345, 225, 132, 110}}, {"right", {193, 225, 286, 110}}};
+  for (const auto& [which, tape] : kTape) {
+    cv::Mat taped = cv::imread((box / (which + ".png")).string(), cv::IMREAD_GRAYSCALE);
+    taped(tape).setTo(100);
+    cv::imwrite((box / "taped.png").string(), taped);
+    CAPTURE(which);
+    const auto frame =
+        which == "left" ? run(box, "taped.png", "right.png", "thesis") : run(box, "left.png", "taped.png", "thesis");
+    CHECK(frame["safe"] == false);
+  }
+}
+
 TEST_CASE("A run without proof says so") {
   Sandbox box;
   if (!prepare(box)) return;

@@ -103,6 +103,7 @@ Small::Config defaults(int width, int height) {
   config.explained_limit = 107;
   config.regions_limit = 64;
   config.unproven_limit = 115;
+  config.unproven_skin_limit = hls::StageSettings{}.unproven_skin_limit;
   config.hidden_limit = 26;
   config.hidden_frames = 3;
   config.moved_limit = hls::StageSettings{}.moved_limit;
@@ -230,7 +231,25 @@ TEST_CASE("too little in all, in too many regions, or around too many places: ea
   config.explained_limit = explained;
   config.regions_limit = regions;
   config.unproven_limit = unproven;
+  config.unproven_skin_limit = 255;
   CHECK(last_of(2, config, left, right).verdict.disagree == (explained > 0 || regions < 255 || unproven < 255));
+}
+
+TEST_CASE("a small skin that one camera does not see is no small fault") {
+  const Picture world = scene(320, 240, 1);
+  const Picture left = seen(world, shifted(0, 0), 2);
+  const Box skin{112, 64, 208, 160};  // an eighth of the image
+  Picture right = seen(world, shifted(0, 0), 3);
+  auto config = defaults(320, 240);
+  CHECK(faultless(last_of(2, config, left, right, skin).verdict));
+  constexpr int kMargin = 8;  // px around the skin: a cell is compared with its neighbours
+  for (int y = skin.top - kMargin; y < skin.bottom + kMargin; ++y) {
+    for (int x = skin.left - kMargin; x < skin.right + kMargin; ++x)
+      right.grey[static_cast<std::size_t>(y * 320 + x)] = 90;
+  }
+  CHECK(last_of(2, config, left, right, skin).verdict.disagree);
+  config.unproven_skin_limit = 255;
+  CHECK(!last_of(2, config, left, right, skin).verdict.disagree);
 }
 
 TEST_CASE("noise without a scene is nothing to tell by") {

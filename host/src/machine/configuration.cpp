@@ -59,11 +59,13 @@ void add_proof(std::vector<RegisterWord>& words, const Proof& proof, std::uint32
   const auto rounded = [](double value, int bits) {
     return static_cast<std::uint32_t>(std::clamp(std::lround(std::ldexp(value, bits)), -32768L, 32767L));
   };
+  const hls::StageSettings defaults;
   words.push_back({reg::agreement::kAddress,
                    reg::agreement::kProve.put(proof.needed) | reg::agreement::kNearerBelow.put(proof.nearer_below) |
                        reg::agreement::kNearerAbove.put(proof.nearer_above) |
                        reg::agreement::kShiftLowest.put(static_cast<std::uint32_t>(proof.shift_lowest)) |
-                       reg::agreement::kShiftHighest.put(static_cast<std::uint32_t>(proof.shift_highest))});
+                       reg::agreement::kShiftHighest.put(static_cast<std::uint32_t>(proof.shift_highest)) |
+                       reg::agreement::kUnprovenSkin.put(defaults.unproven_skin_limit)});
   words.push_back(
       {reg::agreement_limits::kAddress, (agreement_limits & ~reg::agreement_limits::kHidden.mask()) |
                                             reg::agreement_limits::kHidden.put(limit_of(proof.hidden_percent, 255))});
@@ -72,7 +74,6 @@ void add_proof(std::vector<RegisterWord>& words, const Proof& proof, std::uint32
   const auto limit = [&](const reg::Field& field, int value) {
     return field.put(proof.registered ? static_cast<std::uint32_t>(value) : field.mask() >> field.lsb);
   };
-  const hls::StageSettings defaults;
   words.push_back({reg::registration::kAddress, limit(reg::registration::kMoved, defaults.moved_limit) |
                                                     limit(reg::registration::kMovedHalf, defaults.moved_half_limit)});
   words.push_back({reg::epipolar::kAddress, reg::epipolar::kSlope.put(rounded(proof.epipolar[0], 15)) |

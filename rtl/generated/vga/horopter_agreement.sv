@@ -3,7 +3,7 @@
 //
 // Latency 5 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 2489 bits, pipeline 1149 bits, memories 55744 bits.
+// State 2537 bits, pipeline 1152 bits, memories 55904 bits.
 module horopter_agreement (
   input  logic clk_i,
   input  logic rst_ni,
@@ -27,6 +27,7 @@ module horopter_agreement (
   input  logic [7:0] cfg_explained_limit_i,
   input  logic [7:0] cfg_regions_limit_i,
   input  logic [7:0] cfg_unproven_limit_i,
+  input  logic [7:0] cfg_unproven_skin_limit_i,
   input  logic [7:0] cfg_hidden_limit_i,
   input  logic [7:0] cfg_hidden_frames_i,
   input  logic [5:0] cfg_moved_limit_i,
@@ -89,22 +90,26 @@ module horopter_agreement (
   // Of the configuration alone: not pipelined.
   logic [7:0] last;
   assign last = {1'b0, cfg_width_i[9:3]} + 8'hff;
-  logic [3:0] sum_1279;
-  assign sum_1279 = {1'b0, cfg_width_i[9:7]} + 4'hf;
-  logic [6:0] sum_1283;
-  assign sum_1283 = {1'b0, cfg_width_i[9:4]} + 7'h7;
-  logic [5:0] sum_1298;
-  assign sum_1298 = {1'b0, cfg_height_i[8:4]} + 6'h5;
-  logic [6:0] difference_1724;
-  assign difference_1724 = 7'h0 - {1'b0, cfg_height_i[8:3]};
-  logic less_1883;
-  assign less_1883 = 6'h8 < cfg_height_i[8:3];
-  logic [4:0] sum_1884;
-  assign sum_1884 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
-  logic not_1902;
-  assign not_1902 = ~cfg_prove_i;
+  logic [3:0] sum_1317;
+  assign sum_1317 = {1'b0, cfg_width_i[9:7]} + 4'hf;
+  logic [6:0] sum_1321;
+  assign sum_1321 = {1'b0, cfg_width_i[9:4]} + 7'h7;
+  logic [5:0] sum_1336;
+  assign sum_1336 = {1'b0, cfg_height_i[8:4]} + 6'h5;
+  logic [6:0] difference_1773;
+  assign difference_1773 = 7'h0 - {1'b0, cfg_height_i[8:3]};
+  logic less_1940;
+  assign less_1940 = 6'h8 < cfg_height_i[8:3];
+  logic [4:0] sum_1941;
+  assign sum_1941 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
+  logic not_1959;
+  assign not_1959 = ~cfg_prove_i;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
+  logic sample_pair_first_q;
+  logic sample_pair_whole_q;
+  logic sample_last_q;
+  logic sample_present_q;
   logic [2:0] raster_at_x_q;
   logic [2:0] raster_at_y_q;
   logic [6:0] raster_at_column_q;
@@ -141,186 +146,190 @@ module horopter_agreement (
   logic [7:0] next_beats_q;
   logic [5:0] next_shift_q;
   logic next_last_shift_q;
-  logic [17:0] rows_passed_q;
-  logic [8:0] columns_passed_q;
   // hls/stages/census.hpp:35
-  logic [2:0] select_300;
-  assign select_300 = marks_first_i ? 3'h0 : (raster_row_ended_q ? 3'h0 : raster_at_x_q);
-  logic [6:0] select_302;
-  assign select_302 = marks_first_i ? 7'h0 : (raster_row_ended_q ? 7'h0 : raster_at_column_q);
+  logic [2:0] select_312;
+  assign select_312 = sample_pair_first_q ? 3'h0 : (raster_row_ended_q ? 3'h0 : raster_at_x_q);
+  logic [6:0] select_314;
+  assign select_314 = sample_pair_first_q ? 7'h0 : (raster_row_ended_q ? 7'h0 : raster_at_column_q);
   // hls/stages/census.hpp:94
-  logic [8:0] select_305;
-  assign select_305 = ({select_302, select_300} == 10'h0) ? 9'h0 : (averager_place_q + 9'h1);
+  logic [8:0] select_317;
+  assign select_317 = ({select_314, select_312} == 10'h0) ? 9'h0 : (averager_place_q + 9'h1);
   // hls/stages/census.hpp:95
-  logic [8:0] select_306;
-  assign select_306 = select_300[0] ? averager_place_q : select_305;
+  logic [8:0] select_318;
+  assign select_318 = select_312[0] ? averager_place_q : select_317;
   // hls/stages/census.hpp:40
-  logic or_307;
-  assign or_307 = marks_first_i | raster_at_live_q;
-  // hls/stages/agreement.hpp:174
-  logic and_313;
-  assign and_313 = (~((~or_307) | (~select_300[0]))) & (select_306[8:6] < 3'h5);
+  logic or_319;
+  assign or_319 = sample_pair_first_q | raster_at_live_q;
+  // hls/stages/agreement.hpp:178
+  logic and_325;
+  assign and_325 = (~((~or_319) | (~select_312[0]))) & (select_318[8:6] < 3'h5);
   // hls/stages/census.hpp:40
-  logic [2:0] select_317;
-  assign select_317 = marks_first_i ? 3'h0 : raster_at_y_q;
-  // hls/stages/agreement.hpp:174
+  logic [2:0] select_330;
+  assign select_330 = sample_pair_first_q ? 3'h0 : raster_at_y_q;
+  // hls/stages/agreement.hpp:178
   logic whole;
-  assign whole = select_300[0] ? (present_i & averager_running_mask_q) : present_i;
+  assign whole = select_312[0] ? (sample_present_q & averager_running_mask_q) : sample_present_q;
+  // hls/stages/agreement.hpp:180
+  logic [6:0] column;
+  assign column = sample_pair_whole_q ? select_314 : 7'h0;
   // hls/stages/census.hpp:45
-  logic equal_333;
-  assign equal_333 = select_300 == 3'h7;
+  logic equal_347;
+  assign equal_347 = select_312 == 3'h7;
   // hls/stages/census.hpp:48
-  logic equal_334;
-  assign equal_334 = select_317 == 3'h7;
+  logic equal_348;
+  assign equal_348 = select_330 == 3'h7;
   // hls/stages/census.hpp:105
-  logic and_335;
-  assign and_335 = equal_334 & and_313;
-  // hls/stages/census.hpp:106
-  logic and_336;
-  assign and_336 = equal_333 & and_335;
-  // hls/stages/agreement.hpp:334
-  logic equal_351;
-  assign equal_351 = run_phase_q == 3'h3;
-  // hls/stages/agreement.hpp:321
-  logic not_352;
-  assign not_352 = ~equal_351;
-  // hls/stages/agreement.hpp:334
-  logic equal_353;
-  assign equal_353 = run_phase_q == 3'h2;
-  // hls/stages/agreement.hpp:392
-  logic less_354;
-  assign less_354 = run_highest_q < x_q;
-  // hls/stages/agreement.hpp:396
-  logic not_355;
-  assign not_355 = ~less_354;
-  // hls/stages/agreement.hpp:299
-  logic and_356;
-  assign and_356 = equal_353 & not_355;
-  logic and_357;
-  assign and_357 = not_352 & and_356;
+  logic and_349;
+  assign and_349 = equal_348 & and_325;
+  // hls/stages/agreement.hpp:180
+  logic and_351;
+  assign and_351 = sample_pair_whole_q & (equal_347 & and_349);
+  // hls/stages/agreement.hpp:349
+  logic equal_370;
+  assign equal_370 = run_phase_q == 3'h3;
+  // hls/stages/agreement.hpp:336
+  logic not_371;
+  assign not_371 = ~equal_370;
+  // hls/stages/agreement.hpp:349
+  logic equal_372;
+  assign equal_372 = run_phase_q == 3'h2;
+  // hls/stages/agreement.hpp:407
+  logic less_373;
+  assign less_373 = run_highest_q < x_q;
+  // hls/stages/agreement.hpp:411
+  logic not_374;
+  assign not_374 = ~less_373;
+  // hls/stages/agreement.hpp:314
+  logic and_375;
+  assign and_375 = equal_372 & not_374;
+  logic and_376;
+  assign and_376 = not_371 & and_375;
   // hls/stages/census.hpp:40
+  logic [5:0] select_403;
+  assign select_403 = sample_pair_first_q ? 6'h0 : raster_at_row_q;
+  // hls/stages/agreement.hpp:180
   logic [5:0] row;
-  assign row = marks_first_i ? 6'h0 : raster_at_row_q;
-  // hls/stages/agreement.hpp:640
+  assign row = sample_pair_whole_q ? select_403 : 6'h0;
+  // hls/stages/agreement.hpp:669
   logic drew;
   assign drew = run_phase_q == 3'h4;
-  // hls/stages/agreement.hpp:299
-  logic and_441;
-  assign and_441 = drew & not_355;
-  logic [6:0] select_471;
-  assign select_471 = equal_351 ? ({run_shift_q[5], run_shift_q} + x_q[6:0]) : x_q[6:0];
-  // hls/stages/agreement.hpp:411
+  // hls/stages/agreement.hpp:314
+  logic and_461;
+  assign and_461 = drew & not_374;
+  logic [6:0] select_491;
+  assign select_491 = equal_370 ? ({run_shift_q[5], run_shift_q} + x_q[6:0]) : x_q[6:0];
+  // hls/stages/agreement.hpp:426
   logic [7:0] x;
   assign x = x_q + 8'hfd;
-  // hls/stages/agreement.hpp:698
-  logic or_940;
-  assign or_940 = marks_first_i | raster_row_ended_q;
-  // hls/stages/agreement.hpp:700
-  logic [17:0] select_942;
-  assign select_942 = marks_first_i ? 18'h1 : (or_940 ? {rows_passed_q[16:0], 1'b1} : rows_passed_q);
-  // hls/stages/agreement.hpp:699
-  logic [8:0] select_944;
-  assign select_944 = or_940 ? 9'h0 : columns_passed_q;
-  // hls/stages/agreement.hpp:707
-  logic select_946;
-  assign select_946 = cfg_compete_i ? (or_940 & select_942[17]) : (select_944[8] & select_942[9]);
-  // hls/stages/agreement.hpp:588
-  logic [6:0] sum_1037;
-  assign sum_1037 = {1'b0, run_highest_q[7:2]} + 7'h1;
+  // hls/stages/agreement.hpp:617
+  logic [6:0] sum_1051;
+  assign sum_1051 = {1'b0, run_highest_q[7:2]} + 7'h1;
+  // hls/stages/agreement.hpp:180
+  logic [2:0] select_1062;
+  assign select_1062 = sample_pair_whole_q ? (sample_last_q ? (select_330 + 3'h1) : select_330) : raster_at_y_q;
+  logic [6:0] select_1064;
+  assign select_1064 = sample_pair_whole_q ? (select_314 + {6'h0, equal_347}) : raster_at_column_q;
+  logic [5:0] select_1067;
+  assign select_1067 = sample_pair_whole_q ? (sample_last_q ? (select_403 + {5'h0, equal_348}) : select_403) : raster_at_row_q;
+  logic select_1071;
+  assign select_1071 = sample_pair_whole_q ? (sample_last_q ? (or_319 & (~raster_final_row_q)) : or_319) : raster_at_live_q;
   // hls/stages/census.hpp:44
-  logic [8:0] select_1054;
-  assign select_1054 = marks_first_i ? cfg_height_i : (raster_rows_left_q - {8'h0, marks_last_i});
-  // hls/stages/agreement.hpp:245
-  logic equal_1211;
-  assign equal_1211 = {last[7], select_302} == {1'b0, last[6:0]};
-  // hls/stages/agreement.hpp:173
-  logic [2:0] select_1212;
-  assign select_1212 = ends_q ? following_phase_q : run_phase_q;
-  logic [7:0] select_1215;
-  assign select_1215 = ends_q ? following_lowest_q : run_lowest_q;
-  logic [7:0] select_1218;
-  assign select_1218 = ends_q ? following_highest_q : run_highest_q;
-  logic [7:0] select_1221;
-  assign select_1221 = ends_q ? following_beats_q : run_beats_q;
-  logic [5:0] select_1224;
-  assign select_1224 = ends_q ? following_shift_q : run_shift_q;
-  logic select_1227;
-  assign select_1227 = ends_q ? following_last_shift_q : run_last_shift_q;
-  // hls/stages/agreement.hpp:246
-  logic not_1228;
-  assign not_1228 = ~equal_1211;
-  // hls/stages/agreement.hpp:326
-  logic not_1231;
-  assign not_1231 = ~run_last_shift_q;
-  // hls/stages/agreement.hpp:334
-  logic equal_1232;
-  assign equal_1232 = run_phase_q == 3'h1;
-  // hls/stages/agreement.hpp:153
-  logic or_1233;
-  assign or_1233 = equal_1232 | equal_353;
-  logic [2:0] select_1234;
-  assign select_1234 = equal_351 ? {run_last_shift_q, {2{not_1231}}} : {1'b0, or_1233, equal_353};
-  logic [7:0] select_1237;
-  assign select_1237 = run_last_shift_q ? 8'h0 : (run_shift_q[5] ? next_lowest_q : 8'h0);
-  logic [6:0] select_1238;
-  assign select_1238 = equal_353 ? least_q : 7'h0;
-  logic [7:0] select_1242;
-  assign select_1242 = run_last_shift_q ? {1'b0, last_q} : (run_shift_q[5] ? {1'b0, last_q} : next_highest_q);
-  logic [6:0] select_1244;
-  assign select_1244 = equal_353 ? last_q : (equal_1232 ? last_q : 7'h0);
-  logic [7:0] select_1250;
-  assign select_1250 = equal_351 ? (run_last_shift_q ? whole_beats_q : next_beats_q) : (equal_353 ? first_beats_q : (equal_1232 ? whole_beats_q : 8'h0));
-  logic [5:0] select_1255;
-  assign select_1255 = equal_351 ? (run_last_shift_q ? 6'h0 : next_shift_q) : (equal_353 ? (6'h0 - least_q[5:0]) : 6'h0);
-  // hls/stages/agreement.hpp:136
-  logic not_1257;
-  assign not_1257 = ~drew;
-  // hls/stages/agreement.hpp:153
-  logic select_1261;
-  assign select_1261 = equal_351 ? (next_last_shift_q & not_1231) : (equal_353 & (least_q == 7'h0));
-  // hls/stages/agreement.hpp:173
-  logic [7:0] select_1264;
-  assign select_1264 = ends_q ? following_lowest_q : (x_q + 8'h1);
-  logic [7:0] select_1268;
-  assign select_1268 = ends_q ? following_beats_q : (beats_left_q + 8'hff);
-  // hls/stages/agreement.hpp:252
-  logic less_1275;
-  assign less_1275 = 6'he < select_302[6:1];
+  logic [8:0] select_1073;
+  assign select_1073 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
+  // hls/stages/agreement.hpp:180
+  logic select_1077;
+  assign select_1077 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
+  // hls/stages/agreement.hpp:260
+  logic equal_1249;
+  assign equal_1249 = {last[7], column} == {1'b0, last[6:0]};
   // hls/stages/agreement.hpp:176
-  logic [6:0] select_1278;
-  assign select_1278 = and_336 ? (equal_1211 ? (less_1275 ? 7'h1e : select_302) : least_q) : least_q;
-  // hls/stages/agreement.hpp:246
-  logic [7:0] select_1281;
-  assign select_1281 = equal_1211 ? (less_1275 ? {sum_1279, cfg_width_i[6:3]} : 8'hf) : first_beats_q;
+  logic [2:0] select_1250;
+  assign select_1250 = ends_q ? following_phase_q : run_phase_q;
+  logic [7:0] select_1253;
+  assign select_1253 = ends_q ? following_lowest_q : run_lowest_q;
+  logic [7:0] select_1256;
+  assign select_1256 = ends_q ? following_highest_q : run_highest_q;
+  logic [7:0] select_1259;
+  assign select_1259 = ends_q ? following_beats_q : run_beats_q;
+  logic [5:0] select_1262;
+  assign select_1262 = ends_q ? following_shift_q : run_shift_q;
+  logic select_1265;
+  assign select_1265 = ends_q ? following_last_shift_q : run_last_shift_q;
+  // hls/stages/agreement.hpp:261
+  logic not_1266;
+  assign not_1266 = ~equal_1249;
+  // hls/stages/agreement.hpp:341
+  logic not_1269;
+  assign not_1269 = ~run_last_shift_q;
+  // hls/stages/agreement.hpp:349
+  logic equal_1270;
+  assign equal_1270 = run_phase_q == 3'h1;
+  // hls/stages/agreement.hpp:155
+  logic or_1271;
+  assign or_1271 = equal_1270 | equal_372;
+  logic [2:0] select_1272;
+  assign select_1272 = equal_370 ? {run_last_shift_q, {2{not_1269}}} : {1'b0, or_1271, equal_372};
+  logic [7:0] select_1275;
+  assign select_1275 = run_last_shift_q ? 8'h0 : (run_shift_q[5] ? next_lowest_q : 8'h0);
+  logic [6:0] select_1276;
+  assign select_1276 = equal_372 ? least_q : 7'h0;
+  logic [7:0] select_1280;
+  assign select_1280 = run_last_shift_q ? {1'b0, last_q} : (run_shift_q[5] ? {1'b0, last_q} : next_highest_q);
+  logic [6:0] select_1282;
+  assign select_1282 = equal_372 ? last_q : (equal_1270 ? last_q : 7'h0);
+  logic [7:0] select_1288;
+  assign select_1288 = equal_370 ? (run_last_shift_q ? whole_beats_q : next_beats_q) : (equal_372 ? first_beats_q : (equal_1270 ? whole_beats_q : 8'h0));
+  logic [5:0] select_1293;
+  assign select_1293 = equal_370 ? (run_last_shift_q ? 6'h0 : next_shift_q) : (equal_372 ? (6'h0 - least_q[5:0]) : 6'h0);
+  // hls/stages/agreement.hpp:138
+  logic not_1295;
+  assign not_1295 = ~drew;
+  // hls/stages/agreement.hpp:155
+  logic select_1299;
+  assign select_1299 = equal_370 ? (next_last_shift_q & not_1269) : (equal_372 & (least_q == 7'h0));
   // hls/stages/agreement.hpp:176
-  logic [7:0] select_1285;
-  assign select_1285 = and_336 ? (equal_1211 ? {sum_1283, cfg_width_i[3]} : whole_beats_q) : whole_beats_q;
-  // hls/stages/agreement.hpp:302
-  logic not_1286;
-  assign not_1286 = ~ends_q;
-  // hls/stages/agreement.hpp:173
-  logic [5:0] select_1287;
-  assign select_1287 = ends_q ? 6'h0 : age_q[5:0];
+  logic [7:0] select_1302;
+  assign select_1302 = ends_q ? following_lowest_q : (x_q + 8'h1);
+  logic [7:0] select_1306;
+  assign select_1306 = ends_q ? following_beats_q : (beats_left_q + 8'hff);
+  // hls/stages/agreement.hpp:267
+  logic less_1313;
+  assign less_1313 = 6'he < column[6:1];
+  // hls/stages/agreement.hpp:181
+  logic [6:0] select_1316;
+  assign select_1316 = and_351 ? (equal_1249 ? (less_1313 ? 7'h1e : column) : least_q) : least_q;
+  // hls/stages/agreement.hpp:261
+  logic [7:0] select_1319;
+  assign select_1319 = equal_1249 ? (less_1313 ? {sum_1317, cfg_width_i[6:3]} : 8'hf) : first_beats_q;
+  // hls/stages/agreement.hpp:181
+  logic [7:0] select_1323;
+  assign select_1323 = and_351 ? (equal_1249 ? {sum_1321, cfg_width_i[3]} : whole_beats_q) : whole_beats_q;
+  // hls/stages/agreement.hpp:317
+  logic not_1324;
+  assign not_1324 = ~ends_q;
   // hls/stages/agreement.hpp:176
-  logic [6:0] select_1289;
-  assign select_1289 = and_336 ? (equal_1211 ? 7'h0 : {select_1287, not_1286}) : {select_1287, not_1286};
-  // hls/stages/agreement.hpp:173
-  logic and_1291;
-  assign and_1291 = not_1286 & (beats_left_q == 8'h1);
-  // hls/stages/agreement.hpp:262
-  logic [6:0] sum_1294;
-  assign sum_1294 = {1'b0, row} + 7'h1;
-  // hls/stages/agreement.hpp:246
-  logic select_1296;
-  assign select_1296 = equal_1211 ? ({sum_1294[6], cfg_height_i[8:3]} == {1'b0, sum_1294[5:0]}) : final_row_q;
-  // hls/stages/agreement.hpp:512
-  logic [5:0] sum_1430;
-  assign sum_1430 = {1'b0, last_q[6:2]} + 6'h1;
-  // hls/stages/agreement.hpp:146
-  logic not_1786;
-  assign not_1786 = ~run_shift_q[5];
+  logic [5:0] select_1325;
+  assign select_1325 = ends_q ? 6'h0 : age_q[5:0];
+  // hls/stages/agreement.hpp:181
+  logic [6:0] select_1327;
+  assign select_1327 = and_351 ? (equal_1249 ? 7'h0 : {select_1325, not_1324}) : {select_1325, not_1324};
+  // hls/stages/agreement.hpp:176
+  logic and_1329;
+  assign and_1329 = not_1324 & (beats_left_q == 8'h1);
+  // hls/stages/agreement.hpp:277
+  logic [6:0] sum_1332;
+  assign sum_1332 = {1'b0, row} + 7'h1;
+  // hls/stages/agreement.hpp:261
+  logic select_1334;
+  assign select_1334 = equal_1249 ? ({sum_1332[6], cfg_height_i[8:3]} == {1'b0, sum_1332[5:0]}) : final_row_q;
+  // hls/stages/agreement.hpp:532
+  logic [5:0] sum_1479;
+  assign sum_1479 = {1'b0, last_q[6:2]} + 6'h1;
+  // hls/stages/agreement.hpp:148
+  logic not_1835;
+  assign not_1835 = ~run_shift_q[5];
 
-  // Memory fresh, 80 x 29, DISTANCE 12, hls/stages/agreement.hpp:765; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
+  // Memory fresh, 80 x 29, DISTANCE 12, hls/stages/agreement.hpp:796; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [28:0] fresh_mem [0:79];
@@ -330,13 +339,13 @@ module horopter_agreement (
   logic [6:0] fresh_raddr;
   assign fresh_raddr = x_q[6:0];
   logic fresh_re;
-  assign fresh_re = s0_en & and_357;
+  assign fresh_re = s0_en & and_376;
   logic [28:0] fresh_rdata_q;
   always_ff @(posedge clk_i) begin
     if (fresh_re) fresh_rdata_q <= fresh_mem[fresh_raddr];
   end
 
-  // Memory left, 80 x 77, DISTANCE 12, hls/stages/agreement.hpp:766; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory left, 80 x 77, DISTANCE 12, hls/stages/agreement.hpp:797; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [76:0] left_mem [0:79];
@@ -346,13 +355,13 @@ module horopter_agreement (
   logic [6:0] left_raddr;
   assign left_raddr = x_q[6:0];
   logic left_re;
-  assign left_re = s0_en & (equal_351 ? not_355 : (equal_353 ? not_355 : and_441));
+  assign left_re = s0_en & (equal_370 ? not_374 : (equal_372 ? not_374 : and_461));
   logic [76:0] left_rdata_q;
   always_ff @(posedge clk_i) begin
     if (left_re) left_rdata_q <= left_mem[left_raddr];
   end
 
-  // Memory right_codes, 80 x 91, DISTANCE 12, hls/stages/agreement.hpp:767; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory right_codes, 80 x 91, DISTANCE 12, hls/stages/agreement.hpp:798; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [90:0] right_codes_mem [0:79];
@@ -360,9 +369,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 80; i++) right_codes_mem[i] = 91'h0;
 `endif
   logic [6:0] right_codes_raddr;
-  assign right_codes_raddr = select_471;
+  assign right_codes_raddr = select_491;
   logic right_codes_re;
-  assign right_codes_re = s0_en & (equal_351 ? not_355 : and_356);
+  assign right_codes_re = s0_en & (equal_370 ? not_374 : and_375);
   logic [90:0] right_codes_rdata_q;
   always_ff @(posedge clk_i) begin
     if (right_codes_re) right_codes_rdata_q <= right_codes_mem[right_codes_raddr];
@@ -370,6 +379,10 @@ module horopter_agreement (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      sample_pair_first_q <= 1'b0;
+      sample_pair_whole_q <= 1'b0;
+      sample_last_q <= 1'b0;
+      sample_present_q <= 1'b0;
       raster_at_x_q <= 3'h0;
       raster_at_y_q <= 3'h0;
       raster_at_column_q <= 7'h0;
@@ -406,47 +419,47 @@ module horopter_agreement (
       next_beats_q <= 8'h0;
       next_shift_q <= 6'h0;
       next_last_shift_q <= 1'b0;
-      rows_passed_q <= 18'h0;
-      columns_passed_q <= 9'h0;
     end else if (s0_en) begin
-      raster_at_x_q <= select_300 + 3'h1;
-      raster_at_y_q <= marks_last_i ? (select_317 + 3'h1) : select_317;
-      raster_at_column_q <= select_302 + {6'h0, equal_333};
-      raster_at_row_q <= marks_last_i ? (row + {5'h0, equal_334}) : row;
-      raster_at_live_q <= marks_last_i ? (or_307 & (~raster_final_row_q)) : or_307;
-      raster_rows_left_q <= select_1054;
-      raster_row_ended_q <= marks_last_i;
-      raster_final_row_q <= raster_rows_left_q == 9'h1;
-      averager_place_q <= select_306;
-      averager_running_mask_q <= whole;
-      run_phase_q <= and_336 ? (equal_1211 ? 3'h1 : select_1212) : select_1212;
-      run_lowest_q <= and_336 ? (equal_1211 ? 8'h0 : select_1215) : select_1215;
-      run_highest_q <= and_336 ? (equal_1211 ? 8'h0 : select_1218) : select_1218;
-      run_beats_q <= and_336 ? (equal_1211 ? 8'hc : select_1221) : select_1221;
-      run_shift_q <= and_336 ? (equal_1211 ? 6'h0 : select_1224) : select_1224;
-      run_last_shift_q <= and_336 ? (select_1227 & not_1228) : select_1227;
-      following_phase_q <= drew ? {final_row_q, 1'b0, final_row_q} : select_1234;
-      following_lowest_q <= drew ? 8'h0 : (equal_351 ? select_1237 : {1'b0, select_1238});
-      following_highest_q <= drew ? 8'h0 : (equal_351 ? select_1242 : {1'b0, select_1244});
-      following_beats_q <= drew ? 8'h3f : select_1250;
-      following_shift_q <= drew ? 6'h0 : select_1255;
-      following_last_shift_q <= not_1257 & select_1261;
-      x_q <= and_336 ? (equal_1211 ? 8'h0 : select_1264) : select_1264;
-      beats_left_q <= and_336 ? (equal_1211 ? 8'hc : select_1268) : select_1268;
-      last_q <= and_336 ? (equal_1211 ? select_302 : last_q) : last_q;
-      least_q <= select_1278;
-      first_beats_q <= and_336 ? select_1281 : first_beats_q;
-      whole_beats_q <= select_1285;
-      age_q <= select_1289;
-      ends_q <= and_336 ? (and_1291 & not_1228) : and_1291;
-      final_row_q <= and_336 ? select_1296 : final_row_q;
+      sample_pair_first_q <= marks_first_i;
+      sample_pair_whole_q <= 1'b1;
+      sample_last_q <= marks_last_i;
+      sample_present_q <= present_i;
+      raster_at_x_q <= sample_pair_whole_q ? (select_312 + 3'h1) : raster_at_x_q;
+      raster_at_y_q <= select_1062;
+      raster_at_column_q <= select_1064;
+      raster_at_row_q <= select_1067;
+      raster_at_live_q <= select_1071;
+      raster_rows_left_q <= sample_pair_whole_q ? select_1073 : raster_rows_left_q;
+      raster_row_ended_q <= sample_pair_whole_q ? sample_last_q : raster_row_ended_q;
+      raster_final_row_q <= select_1077;
+      averager_place_q <= sample_pair_whole_q ? select_318 : averager_place_q;
+      averager_running_mask_q <= sample_pair_whole_q ? whole : averager_running_mask_q;
+      run_phase_q <= and_351 ? (equal_1249 ? 3'h1 : select_1250) : select_1250;
+      run_lowest_q <= and_351 ? (equal_1249 ? 8'h0 : select_1253) : select_1253;
+      run_highest_q <= and_351 ? (equal_1249 ? 8'h0 : select_1256) : select_1256;
+      run_beats_q <= and_351 ? (equal_1249 ? 8'hc : select_1259) : select_1259;
+      run_shift_q <= and_351 ? (equal_1249 ? 6'h0 : select_1262) : select_1262;
+      run_last_shift_q <= and_351 ? (select_1265 & not_1266) : select_1265;
+      following_phase_q <= drew ? {final_row_q, 1'b0, final_row_q} : select_1272;
+      following_lowest_q <= drew ? 8'h0 : (equal_370 ? select_1275 : {1'b0, select_1276});
+      following_highest_q <= drew ? 8'h0 : (equal_370 ? select_1280 : {1'b0, select_1282});
+      following_beats_q <= drew ? 8'h3f : select_1288;
+      following_shift_q <= drew ? 6'h0 : select_1293;
+      following_last_shift_q <= not_1295 & select_1299;
+      x_q <= and_351 ? (equal_1249 ? 8'h0 : select_1302) : select_1302;
+      beats_left_q <= and_351 ? (equal_1249 ? 8'hc : select_1306) : select_1306;
+      last_q <= and_351 ? (equal_1249 ? column : last_q) : last_q;
+      least_q <= select_1316;
+      first_beats_q <= and_351 ? select_1319 : first_beats_q;
+      whole_beats_q <= select_1323;
+      age_q <= select_1327;
+      ends_q <= and_351 ? (and_1329 & not_1266) : and_1329;
+      final_row_q <= and_351 ? select_1334 : final_row_q;
       next_lowest_q <= run_lowest_q + 8'hff;
       next_highest_q <= run_highest_q + 8'hff;
-      next_beats_q <= {{7{not_1786}}, 1'b1} + run_beats_q;
+      next_beats_q <= {{7{not_1835}}, 1'b1} + run_beats_q;
       next_shift_q <= run_shift_q + 6'h1;
       next_last_shift_q <= {{3{run_shift_q[5]}}, run_shift_q} == ({2'h0, least_q} + 9'h1ff);
-      rows_passed_q <= select_942;
-      columns_passed_q <= {select_944[7:0], or_940};
     end
   end
 
@@ -454,216 +467,203 @@ module horopter_agreement (
   logic [7:0] pixel_1_s1_q;
   logic saturated_s1_q;
   logic mask_s1_q;
-  logic marks_first_s1_q;
+  logic sample_pair_whole_s1_q;
   logic [5:0] run_shift_s1_q;
   logic [7:0] x_s1_q;
   logic [1:0] age_s1_q;
-  logic select_300_s1_q;
-  logic [6:0] select_302_s1_q;
-  logic and_313_s1_q;
-  logic equal_318_s1_q;
-  logic and_335_s1_q;
-  logic and_336_s1_q;
-  logic equal_339_s1_q;
-  logic equal_351_s1_q;
-  logic not_352_s1_q;
-  logic equal_353_s1_q;
-  logic less_354_s1_q;
-  logic not_355_s1_q;
-  logic and_357_s1_q;
+  logic select_312_s1_q;
+  logic [8:0] select_318_s1_q;
+  logic and_325_s1_q;
+  logic equal_331_s1_q;
+  logic whole_s1_q;
+  logic [6:0] column_s1_q;
+  logic and_349_s1_q;
+  logic and_351_s1_q;
+  logic equal_354_s1_q;
+  logic equal_370_s1_q;
+  logic not_371_s1_q;
+  logic equal_372_s1_q;
+  logic less_373_s1_q;
+  logic not_374_s1_q;
+  logic and_376_s1_q;
   logic [5:0] row_s1_q;
   logic drew_s1_q;
-  logic and_441_s1_q;
+  logic and_461_s1_q;
   logic [6:0] x_s1_2_q;
-  logic and_495_s1_q;
-  logic equal_501_s1_q;
-  logic equal_568_s1_q;
-  logic equal_805_s1_q;
-  logic equal_869_s1_q;
-  logic equal_892_s1_q;
-  logic equal_895_s1_q;
-  logic select_946_s1_q;
-  logic not_1039_s1_q;
-  logic equal_1211_s1_q;
-  logic not_1257_s1_q;
-  logic less_1431_s1_q;
+  logic and_515_s1_q;
+  logic equal_521_s1_q;
+  logic equal_588_s1_q;
+  logic equal_825_s1_q;
+  logic equal_889_s1_q;
+  logic equal_912_s1_q;
+  logic equal_915_s1_q;
+  logic not_1053_s1_q;
+  logic equal_1249_s1_q;
+  logic not_1295_s1_q;
+  logic less_1480_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       pixel_0_s1_q <= pixel_0_i;
       pixel_1_s1_q <= pixel_1_i;
       saturated_s1_q <= saturated_i;
       mask_s1_q <= mask_i;
-      marks_first_s1_q <= marks_first_i;
+      sample_pair_whole_s1_q <= sample_pair_whole_q;
       run_shift_s1_q <= run_shift_q;
       x_s1_q <= x_q;
       age_s1_q <= {age_q[6], age_q[4]};
-      select_300_s1_q <= select_300[0];
-      select_302_s1_q <= select_302;
-      and_313_s1_q <= and_313;
-      equal_318_s1_q <= select_317 == 3'h0;
-      and_335_s1_q <= and_335;
-      and_336_s1_q <= and_336;
-      equal_339_s1_q <= select_300 == 3'h1;
-      equal_351_s1_q <= equal_351;
-      not_352_s1_q <= not_352;
-      equal_353_s1_q <= equal_353;
-      less_354_s1_q <= less_354;
-      not_355_s1_q <= not_355;
-      and_357_s1_q <= and_357;
+      select_312_s1_q <= select_312[0];
+      select_318_s1_q <= select_318;
+      and_325_s1_q <= and_325;
+      equal_331_s1_q <= select_330 == 3'h0;
+      whole_s1_q <= whole;
+      column_s1_q <= column;
+      and_349_s1_q <= and_349;
+      and_351_s1_q <= and_351;
+      equal_354_s1_q <= select_312 == 3'h1;
+      equal_370_s1_q <= equal_370;
+      not_371_s1_q <= not_371;
+      equal_372_s1_q <= equal_372;
+      less_373_s1_q <= less_373;
+      not_374_s1_q <= not_374;
+      and_376_s1_q <= and_376;
       row_s1_q <= row;
       drew_s1_q <= drew;
-      and_441_s1_q <= and_441;
+      and_461_s1_q <= and_461;
       x_s1_2_q <= x[6:0];
-      and_495_s1_q <= age_q[2] & (~(({1'b0, run_highest_q} + 9'h3) < {1'b0, x_q}));
-      equal_501_s1_q <= {{2{run_shift_q[5]}}, run_shift_q} == (8'h0 - {1'b0, least_q});
-      equal_568_s1_q <= run_lowest_q == x_q;
-      equal_805_s1_q <= run_lowest_q == x;
-      equal_869_s1_q <= run_highest_q == x;
-      equal_892_s1_q <= x_q == {1'b0, last_q};
-      equal_895_s1_q <= run_phase_q == 3'h5;
-      select_946_s1_q <= select_946;
-      not_1039_s1_q <= ~({sum_1037, run_highest_q[1:0]} < {1'b0, x_q});
-      equal_1211_s1_q <= equal_1211;
-      not_1257_s1_q <= not_1257;
-      less_1431_s1_q <= {1'b0, sum_1430, last_q[1]} < x_q;
+      and_515_s1_q <= age_q[2] & (~(({1'b0, run_highest_q} + 9'h3) < {1'b0, x_q}));
+      equal_521_s1_q <= {{2{run_shift_q[5]}}, run_shift_q} == (8'h0 - {1'b0, least_q});
+      equal_588_s1_q <= run_lowest_q == x_q;
+      equal_825_s1_q <= run_lowest_q == x;
+      equal_889_s1_q <= run_highest_q == x;
+      equal_912_s1_q <= x_q == {1'b0, last_q};
+      equal_915_s1_q <= run_phase_q == 3'h5;
+      not_1053_s1_q <= ~({sum_1051, run_highest_q[1:0]} < {1'b0, x_q});
+      equal_1249_s1_q <= equal_1249;
+      not_1295_s1_q <= not_1295;
+      less_1480_s1_q <= {1'b0, sum_1479, last_q[1]} < x_q;
     end
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   logic [5:0] row_q;
   logic lower_half_q;
-  // hls/stages/agreement.hpp:367
-  logic equal_445;
-  assign equal_445 = row_q == 6'h0;
-  logic [11:0] select_446;
-  assign select_446 = equal_445 ? 12'h0 : left_rdata_q[11:0];
-  logic not_447;
-  assign not_447 = ~equal_445;
-  logic and_448;
-  assign and_448 = left_rdata_q[12] & not_447;
-  logic and_449;
-  assign and_449 = left_rdata_q[13] & not_447;
-  logic and_450;
-  assign and_450 = left_rdata_q[14] & not_447;
-  logic and_451;
-  assign and_451 = left_rdata_q[15] & not_447;
-  logic equal_452;
-  assign equal_452 = row_q[5:1] == 5'h0;
-  logic [11:0] select_453;
-  assign select_453 = equal_452 ? 12'h0 : left_rdata_q[27:16];
-  logic not_454;
-  assign not_454 = ~equal_452;
-  logic and_455;
-  assign and_455 = left_rdata_q[28] & not_454;
-  logic and_456;
-  assign and_456 = left_rdata_q[29] & not_454;
-  logic and_457;
-  assign and_457 = left_rdata_q[30] & not_454;
-  logic and_458;
-  assign and_458 = left_rdata_q[31] & not_454;
-  logic less_459;
-  assign less_459 = row_q < 6'h3;
-  logic [11:0] select_460;
-  assign select_460 = less_459 ? 12'h0 : left_rdata_q[43:32];
-  logic not_461;
-  assign not_461 = ~less_459;
-  logic and_462;
-  assign and_462 = left_rdata_q[44] & not_461;
-  logic and_463;
-  assign and_463 = left_rdata_q[45] & not_461;
-  logic and_464;
-  assign and_464 = left_rdata_q[46] & not_461;
-  logic and_465;
-  assign and_465 = left_rdata_q[47] & not_461;
-  logic equal_466;
-  assign equal_466 = row_q[5:2] == 4'h0;
-  logic [11:0] select_467;
-  assign select_467 = equal_466 ? 12'h0 : left_rdata_q[59:48];
-  logic not_468;
-  assign not_468 = ~equal_466;
+  // hls/stages/census.hpp:98
+  logic and_326;
+  assign and_326 = sample_pair_whole_s1_q & and_325_s1_q;
+  // hls/stages/agreement.hpp:382
+  logic equal_465;
+  assign equal_465 = row_q == 6'h0;
+  logic [11:0] select_466;
+  assign select_466 = equal_465 ? 12'h0 : left_rdata_q[11:0];
+  logic not_467;
+  assign not_467 = ~equal_465;
+  logic and_468;
+  assign and_468 = left_rdata_q[12] & not_467;
   logic and_469;
-  assign and_469 = left_rdata_q[60] & not_468;
-  // hls/stages/agreement.hpp:368
-  logic [11:0] select_474;
-  assign select_474 = equal_445 ? 12'h0 : right_codes_rdata_q[11:0];
+  assign and_469 = left_rdata_q[13] & not_467;
+  logic and_470;
+  assign and_470 = left_rdata_q[14] & not_467;
+  logic and_471;
+  assign and_471 = left_rdata_q[15] & not_467;
+  logic equal_472;
+  assign equal_472 = row_q[5:1] == 5'h0;
+  logic [11:0] select_473;
+  assign select_473 = equal_472 ? 12'h0 : left_rdata_q[27:16];
+  logic not_474;
+  assign not_474 = ~equal_472;
   logic and_475;
-  assign and_475 = right_codes_rdata_q[12] & not_447;
-  logic [11:0] select_476;
-  assign select_476 = equal_452 ? 12'h0 : right_codes_rdata_q[24:13];
+  assign and_475 = left_rdata_q[28] & not_474;
+  logic and_476;
+  assign and_476 = left_rdata_q[29] & not_474;
   logic and_477;
-  assign and_477 = right_codes_rdata_q[25] & not_454;
-  logic [11:0] select_478;
-  assign select_478 = less_459 ? 12'h0 : right_codes_rdata_q[37:26];
-  logic and_479;
-  assign and_479 = right_codes_rdata_q[38] & not_461;
+  assign and_477 = left_rdata_q[30] & not_474;
+  logic and_478;
+  assign and_478 = left_rdata_q[31] & not_474;
+  logic less_479;
+  assign less_479 = row_q < 6'h3;
   logic [11:0] select_480;
-  assign select_480 = equal_466 ? 12'h0 : right_codes_rdata_q[50:39];
-  logic and_481;
-  assign and_481 = right_codes_rdata_q[51] & not_468;
-  logic less_482;
-  assign less_482 = row_q < 6'h5;
-  logic [11:0] select_483;
-  assign select_483 = less_482 ? 12'h0 : right_codes_rdata_q[63:52];
+  assign select_480 = less_479 ? 12'h0 : left_rdata_q[43:32];
+  logic not_481;
+  assign not_481 = ~less_479;
+  logic and_482;
+  assign and_482 = left_rdata_q[44] & not_481;
+  logic and_483;
+  assign and_483 = left_rdata_q[45] & not_481;
+  logic and_484;
+  assign and_484 = left_rdata_q[46] & not_481;
   logic and_485;
-  assign and_485 = right_codes_rdata_q[64] & (~less_482);
-  logic less_486;
-  assign less_486 = row_q[5:1] < 5'h3;
+  assign and_485 = left_rdata_q[47] & not_481;
+  logic equal_486;
+  assign equal_486 = row_q[5:2] == 4'h0;
   logic [11:0] select_487;
-  assign select_487 = less_486 ? 12'h0 : right_codes_rdata_q[76:65];
+  assign select_487 = equal_486 ? 12'h0 : left_rdata_q[59:48];
+  logic not_488;
+  assign not_488 = ~equal_486;
   logic and_489;
-  assign and_489 = right_codes_rdata_q[77] & (~less_486);
-  // hls/stages/agreement.hpp:319
-  logic not_496;
-  assign not_496 = ~equal_353_s1_q;
-  // hls/stages/agreement.hpp:299
+  assign and_489 = left_rdata_q[60] & not_488;
+  // hls/stages/agreement.hpp:383
+  logic [11:0] select_494;
+  assign select_494 = equal_465 ? 12'h0 : right_codes_rdata_q[11:0];
+  logic and_495;
+  assign and_495 = right_codes_rdata_q[12] & not_467;
+  logic [11:0] select_496;
+  assign select_496 = equal_472 ? 12'h0 : right_codes_rdata_q[24:13];
   logic and_497;
-  assign and_497 = not_496 & and_441_s1_q;
-  logic select_498;
-  assign select_498 = equal_351_s1_q ? and_495_s1_q : and_497;
-  // hls/stages/agreement.hpp:162
-  logic and_507;
-  assign and_507 = left_rdata_q[44] & not_355_s1_q;
+  assign and_497 = right_codes_rdata_q[25] & not_474;
+  logic [11:0] select_498;
+  assign select_498 = less_479 ? 12'h0 : right_codes_rdata_q[37:26];
+  logic and_499;
+  assign and_499 = right_codes_rdata_q[38] & not_481;
+  logic [11:0] select_500;
+  assign select_500 = equal_486 ? 12'h0 : right_codes_rdata_q[50:39];
+  logic and_501;
+  assign and_501 = right_codes_rdata_q[51] & not_488;
+  logic less_502;
+  assign less_502 = row_q < 6'h5;
+  logic [11:0] select_503;
+  assign select_503 = less_502 ? 12'h0 : right_codes_rdata_q[63:52];
+  logic and_505;
+  assign and_505 = right_codes_rdata_q[64] & (~less_502);
+  logic less_506;
+  assign less_506 = row_q[5:1] < 5'h3;
+  logic [11:0] select_507;
+  assign select_507 = less_506 ? 12'h0 : right_codes_rdata_q[76:65];
+  logic and_509;
+  assign and_509 = right_codes_rdata_q[77] & (~less_506);
+  // hls/stages/agreement.hpp:334
+  logic not_516;
+  assign not_516 = ~equal_372_s1_q;
+  // hls/stages/agreement.hpp:314
+  logic and_517;
+  assign and_517 = not_516 & and_461_s1_q;
+  logic select_518;
+  assign select_518 = equal_370_s1_q ? and_515_s1_q : and_517;
+  // hls/stages/agreement.hpp:164
+  logic and_527;
+  assign and_527 = left_rdata_q[44] & not_374_s1_q;
   logic [11:0] a;
-  assign a = less_354_s1_q ? 12'h0 : left_rdata_q[43:32];
+  assign a = less_373_s1_q ? 12'h0 : left_rdata_q[43:32];
   logic [11:0] b;
-  assign b = less_354_s1_q ? 12'h0 : right_codes_rdata_q[37:26];
-  // hls/stages/agreement.hpp:377
-  logic [11:0] not_513;
-  assign not_513 = ~(a ^ b);
-  logic [1:0] sum_515;
-  assign sum_515 = {1'b0, not_513[2]} + ({1'b0, not_513[0]} + {1'b0, not_513[1]});
-  logic [2:0] sum_518;
-  assign sum_518 = {2'h0, not_513[5]} + ({2'h0, not_513[4]} + ({2'h0, not_513[3]} + {1'b0, sum_515}));
-  logic [2:0] sum_519;
-  assign sum_519 = {2'h0, not_513[6]} + sum_518;
-  logic [3:0] sum_522;
-  assign sum_522 = {3'h0, not_513[9]} + ({3'h0, not_513[8]} + ({3'h0, not_513[7]} + {1'b0, sum_519}));
-  // hls/stages/agreement.hpp:162
-  logic [11:0] a_2;
-  assign a_2 = less_354_s1_q ? 12'h0 : left_rdata_q[59:48];
-  logic [11:0] b_2;
-  assign b_2 = less_354_s1_q ? 12'h0 : right_codes_rdata_q[50:39];
-  // hls/stages/agreement.hpp:377
-  logic [11:0] not_532;
-  assign not_532 = ~(a_2 ^ b_2);
-  logic [1:0] sum_534;
-  assign sum_534 = {1'b0, not_532[2]} + ({1'b0, not_532[0]} + {1'b0, not_532[1]});
-  logic [2:0] sum_537;
-  assign sum_537 = {2'h0, not_532[5]} + ({2'h0, not_532[4]} + ({2'h0, not_532[3]} + {1'b0, sum_534}));
+  assign b = less_373_s1_q ? 12'h0 : right_codes_rdata_q[37:26];
+  // hls/stages/agreement.hpp:392
+  logic [11:0] not_533;
+  assign not_533 = ~(a ^ b);
+  logic [1:0] sum_535;
+  assign sum_535 = {1'b0, not_533[2]} + ({1'b0, not_533[0]} + {1'b0, not_533[1]});
   logic [2:0] sum_538;
-  assign sum_538 = {2'h0, not_532[6]} + sum_537;
-  logic [3:0] sum_541;
-  assign sum_541 = {3'h0, not_532[9]} + ({3'h0, not_532[8]} + ({3'h0, not_532[7]} + {1'b0, sum_538}));
-  // hls/stages/agreement.hpp:162
-  logic and_546;
-  assign and_546 = left_rdata_q[76] & not_355_s1_q;
-  logic [11:0] a_3;
-  assign a_3 = less_354_s1_q ? 12'h0 : left_rdata_q[75:64];
-  logic [11:0] b_3;
-  assign b_3 = less_354_s1_q ? 12'h0 : right_codes_rdata_q[63:52];
-  // hls/stages/agreement.hpp:377
+  assign sum_538 = {2'h0, not_533[5]} + ({2'h0, not_533[4]} + ({2'h0, not_533[3]} + {1'b0, sum_535}));
+  logic [2:0] sum_539;
+  assign sum_539 = {2'h0, not_533[6]} + sum_538;
+  logic [3:0] sum_542;
+  assign sum_542 = {3'h0, not_533[9]} + ({3'h0, not_533[8]} + ({3'h0, not_533[7]} + {1'b0, sum_539}));
+  // hls/stages/agreement.hpp:164
+  logic [11:0] a_2;
+  assign a_2 = less_373_s1_q ? 12'h0 : left_rdata_q[59:48];
+  logic [11:0] b_2;
+  assign b_2 = less_373_s1_q ? 12'h0 : right_codes_rdata_q[50:39];
+  // hls/stages/agreement.hpp:392
   logic [11:0] not_552;
-  assign not_552 = ~(a_3 ^ b_3);
+  assign not_552 = ~(a_2 ^ b_2);
   logic [1:0] sum_554;
   assign sum_554 = {1'b0, not_552[2]} + ({1'b0, not_552[0]} + {1'b0, not_552[1]});
   logic [2:0] sum_557;
@@ -672,156 +672,190 @@ module horopter_agreement (
   assign sum_558 = {2'h0, not_552[6]} + sum_557;
   logic [3:0] sum_561;
   assign sum_561 = {3'h0, not_552[9]} + ({3'h0, not_552[8]} + ({3'h0, not_552[7]} + {1'b0, sum_558}));
-  logic [11:0] not_573;
-  assign not_573 = ~(a ^ b_2);
-  logic [1:0] sum_575;
-  assign sum_575 = {1'b0, not_573[2]} + ({1'b0, not_573[0]} + {1'b0, not_573[1]});
+  // hls/stages/agreement.hpp:164
+  logic and_566;
+  assign and_566 = left_rdata_q[76] & not_374_s1_q;
+  logic [11:0] a_3;
+  assign a_3 = less_373_s1_q ? 12'h0 : left_rdata_q[75:64];
+  logic [11:0] b_3;
+  assign b_3 = less_373_s1_q ? 12'h0 : right_codes_rdata_q[63:52];
+  // hls/stages/agreement.hpp:392
+  logic [11:0] not_572;
+  assign not_572 = ~(a_3 ^ b_3);
+  logic [1:0] sum_574;
+  assign sum_574 = {1'b0, not_572[2]} + ({1'b0, not_572[0]} + {1'b0, not_572[1]});
+  logic [2:0] sum_577;
+  assign sum_577 = {2'h0, not_572[5]} + ({2'h0, not_572[4]} + ({2'h0, not_572[3]} + {1'b0, sum_574}));
   logic [2:0] sum_578;
-  assign sum_578 = {2'h0, not_573[5]} + ({2'h0, not_573[4]} + ({2'h0, not_573[3]} + {1'b0, sum_575}));
-  logic [2:0] sum_579;
-  assign sum_579 = {2'h0, not_573[6]} + sum_578;
-  logic [3:0] sum_582;
-  assign sum_582 = {3'h0, not_573[9]} + ({3'h0, not_573[8]} + ({3'h0, not_573[7]} + {1'b0, sum_579}));
-  logic [11:0] not_588;
-  assign not_588 = ~(a_2 ^ b_3);
-  logic [1:0] sum_590;
-  assign sum_590 = {1'b0, not_588[2]} + ({1'b0, not_588[0]} + {1'b0, not_588[1]});
-  logic [2:0] sum_593;
-  assign sum_593 = {2'h0, not_588[5]} + ({2'h0, not_588[4]} + ({2'h0, not_588[3]} + {1'b0, sum_590}));
-  logic [2:0] sum_594;
-  assign sum_594 = {2'h0, not_588[6]} + sum_593;
-  logic [3:0] sum_597;
-  assign sum_597 = {3'h0, not_588[9]} + ({3'h0, not_588[8]} + ({3'h0, not_588[7]} + {1'b0, sum_594}));
-  // hls/stages/agreement.hpp:162
+  assign sum_578 = {2'h0, not_572[6]} + sum_577;
+  logic [3:0] sum_581;
+  assign sum_581 = {3'h0, not_572[9]} + ({3'h0, not_572[8]} + ({3'h0, not_572[7]} + {1'b0, sum_578}));
+  logic [11:0] not_593;
+  assign not_593 = ~(a ^ b_2);
+  logic [1:0] sum_595;
+  assign sum_595 = {1'b0, not_593[2]} + ({1'b0, not_593[0]} + {1'b0, not_593[1]});
+  logic [2:0] sum_598;
+  assign sum_598 = {2'h0, not_593[5]} + ({2'h0, not_593[4]} + ({2'h0, not_593[3]} + {1'b0, sum_595}));
+  logic [2:0] sum_599;
+  assign sum_599 = {2'h0, not_593[6]} + sum_598;
+  logic [3:0] sum_602;
+  assign sum_602 = {3'h0, not_593[9]} + ({3'h0, not_593[8]} + ({3'h0, not_593[7]} + {1'b0, sum_599}));
+  logic [11:0] not_608;
+  assign not_608 = ~(a_2 ^ b_3);
+  logic [1:0] sum_610;
+  assign sum_610 = {1'b0, not_608[2]} + ({1'b0, not_608[0]} + {1'b0, not_608[1]});
+  logic [2:0] sum_613;
+  assign sum_613 = {2'h0, not_608[5]} + ({2'h0, not_608[4]} + ({2'h0, not_608[3]} + {1'b0, sum_610}));
+  logic [2:0] sum_614;
+  assign sum_614 = {2'h0, not_608[6]} + sum_613;
+  logic [3:0] sum_617;
+  assign sum_617 = {3'h0, not_608[9]} + ({3'h0, not_608[8]} + ({3'h0, not_608[7]} + {1'b0, sum_614}));
+  // hls/stages/agreement.hpp:164
   logic [11:0] b_4;
-  assign b_4 = less_354_s1_q ? 12'h0 : right_codes_rdata_q[76:65];
-  // hls/stages/agreement.hpp:377
-  logic [11:0] not_606;
-  assign not_606 = ~(a_3 ^ b_4);
-  logic [1:0] sum_608;
-  assign sum_608 = {1'b0, not_606[2]} + ({1'b0, not_606[0]} + {1'b0, not_606[1]});
-  logic [2:0] sum_611;
-  assign sum_611 = {2'h0, not_606[5]} + ({2'h0, not_606[4]} + ({2'h0, not_606[3]} + {1'b0, sum_608}));
-  logic [2:0] sum_612;
-  assign sum_612 = {2'h0, not_606[6]} + sum_611;
-  logic [3:0] sum_615;
-  assign sum_615 = {3'h0, not_606[9]} + ({3'h0, not_606[8]} + ({3'h0, not_606[7]} + {1'b0, sum_612}));
-  // hls/stages/agreement.hpp:162
+  assign b_4 = less_373_s1_q ? 12'h0 : right_codes_rdata_q[76:65];
+  // hls/stages/agreement.hpp:392
+  logic [11:0] not_626;
+  assign not_626 = ~(a_3 ^ b_4);
+  logic [1:0] sum_628;
+  assign sum_628 = {1'b0, not_626[2]} + ({1'b0, not_626[0]} + {1'b0, not_626[1]});
+  logic [2:0] sum_631;
+  assign sum_631 = {2'h0, not_626[5]} + ({2'h0, not_626[4]} + ({2'h0, not_626[3]} + {1'b0, sum_628}));
+  logic [2:0] sum_632;
+  assign sum_632 = {2'h0, not_626[6]} + sum_631;
+  logic [3:0] sum_635;
+  assign sum_635 = {3'h0, not_626[9]} + ({3'h0, not_626[8]} + ({3'h0, not_626[7]} + {1'b0, sum_632}));
+  // hls/stages/agreement.hpp:164
   logic [11:0] b_5;
-  assign b_5 = less_354_s1_q ? 12'h0 : right_codes_rdata_q[24:13];
-  // hls/stages/agreement.hpp:377
-  logic [11:0] not_630;
-  assign not_630 = ~(a ^ b_5);
-  logic [1:0] sum_632;
-  assign sum_632 = {1'b0, not_630[2]} + ({1'b0, not_630[0]} + {1'b0, not_630[1]});
-  logic [2:0] sum_635;
-  assign sum_635 = {2'h0, not_630[5]} + ({2'h0, not_630[4]} + ({2'h0, not_630[3]} + {1'b0, sum_632}));
-  logic [2:0] sum_636;
-  assign sum_636 = {2'h0, not_630[6]} + sum_635;
-  logic [3:0] sum_639;
-  assign sum_639 = {3'h0, not_630[9]} + ({3'h0, not_630[8]} + ({3'h0, not_630[7]} + {1'b0, sum_636}));
-  logic [11:0] not_645;
-  assign not_645 = ~(a_2 ^ b);
-  logic [1:0] sum_647;
-  assign sum_647 = {1'b0, not_645[2]} + ({1'b0, not_645[0]} + {1'b0, not_645[1]});
-  logic [2:0] sum_650;
-  assign sum_650 = {2'h0, not_645[5]} + ({2'h0, not_645[4]} + ({2'h0, not_645[3]} + {1'b0, sum_647}));
-  logic [2:0] sum_651;
-  assign sum_651 = {2'h0, not_645[6]} + sum_650;
-  logic [3:0] sum_654;
-  assign sum_654 = {3'h0, not_645[9]} + ({3'h0, not_645[8]} + ({3'h0, not_645[7]} + {1'b0, sum_651}));
-  logic [11:0] not_661;
-  assign not_661 = ~(a_3 ^ b_2);
-  logic [1:0] sum_663;
-  assign sum_663 = {1'b0, not_661[2]} + ({1'b0, not_661[0]} + {1'b0, not_661[1]});
-  logic [2:0] sum_666;
-  assign sum_666 = {2'h0, not_661[5]} + ({2'h0, not_661[4]} + ({2'h0, not_661[3]} + {1'b0, sum_663}));
-  logic [2:0] sum_667;
-  assign sum_667 = {2'h0, not_661[6]} + sum_666;
-  logic [3:0] sum_670;
-  assign sum_670 = {3'h0, not_661[9]} + ({3'h0, not_661[8]} + ({3'h0, not_661[7]} + {1'b0, sum_667}));
-  logic [11:0] not_685;
-  assign not_685 = ~(a ^ b_3);
-  logic [1:0] sum_687;
-  assign sum_687 = {1'b0, not_685[2]} + ({1'b0, not_685[0]} + {1'b0, not_685[1]});
-  logic [2:0] sum_690;
-  assign sum_690 = {2'h0, not_685[5]} + ({2'h0, not_685[4]} + ({2'h0, not_685[3]} + {1'b0, sum_687}));
-  logic [2:0] sum_691;
-  assign sum_691 = {2'h0, not_685[6]} + sum_690;
-  logic [3:0] sum_694;
-  assign sum_694 = {3'h0, not_685[9]} + ({3'h0, not_685[8]} + ({3'h0, not_685[7]} + {1'b0, sum_691}));
-  logic [11:0] not_700;
-  assign not_700 = ~(a_2 ^ b_4);
-  logic [1:0] sum_702;
-  assign sum_702 = {1'b0, not_700[2]} + ({1'b0, not_700[0]} + {1'b0, not_700[1]});
-  logic [2:0] sum_705;
-  assign sum_705 = {2'h0, not_700[5]} + ({2'h0, not_700[4]} + ({2'h0, not_700[3]} + {1'b0, sum_702}));
-  logic [2:0] sum_706;
-  assign sum_706 = {2'h0, not_700[6]} + sum_705;
-  logic [3:0] sum_709;
-  assign sum_709 = {3'h0, not_700[9]} + ({3'h0, not_700[8]} + ({3'h0, not_700[7]} + {1'b0, sum_706}));
-  // hls/stages/agreement.hpp:162
+  assign b_5 = less_373_s1_q ? 12'h0 : right_codes_rdata_q[24:13];
+  // hls/stages/agreement.hpp:392
+  logic [11:0] not_650;
+  assign not_650 = ~(a ^ b_5);
+  logic [1:0] sum_652;
+  assign sum_652 = {1'b0, not_650[2]} + ({1'b0, not_650[0]} + {1'b0, not_650[1]});
+  logic [2:0] sum_655;
+  assign sum_655 = {2'h0, not_650[5]} + ({2'h0, not_650[4]} + ({2'h0, not_650[3]} + {1'b0, sum_652}));
+  logic [2:0] sum_656;
+  assign sum_656 = {2'h0, not_650[6]} + sum_655;
+  logic [3:0] sum_659;
+  assign sum_659 = {3'h0, not_650[9]} + ({3'h0, not_650[8]} + ({3'h0, not_650[7]} + {1'b0, sum_656}));
+  logic [11:0] not_665;
+  assign not_665 = ~(a_2 ^ b);
+  logic [1:0] sum_667;
+  assign sum_667 = {1'b0, not_665[2]} + ({1'b0, not_665[0]} + {1'b0, not_665[1]});
+  logic [2:0] sum_670;
+  assign sum_670 = {2'h0, not_665[5]} + ({2'h0, not_665[4]} + ({2'h0, not_665[3]} + {1'b0, sum_667}));
+  logic [2:0] sum_671;
+  assign sum_671 = {2'h0, not_665[6]} + sum_670;
+  logic [3:0] sum_674;
+  assign sum_674 = {3'h0, not_665[9]} + ({3'h0, not_665[8]} + ({3'h0, not_665[7]} + {1'b0, sum_671}));
+  logic [11:0] not_681;
+  assign not_681 = ~(a_3 ^ b_2);
+  logic [1:0] sum_683;
+  assign sum_683 = {1'b0, not_681[2]} + ({1'b0, not_681[0]} + {1'b0, not_681[1]});
+  logic [2:0] sum_686;
+  assign sum_686 = {2'h0, not_681[5]} + ({2'h0, not_681[4]} + ({2'h0, not_681[3]} + {1'b0, sum_683}));
+  logic [2:0] sum_687;
+  assign sum_687 = {2'h0, not_681[6]} + sum_686;
+  logic [3:0] sum_690;
+  assign sum_690 = {3'h0, not_681[9]} + ({3'h0, not_681[8]} + ({3'h0, not_681[7]} + {1'b0, sum_687}));
+  logic [11:0] not_705;
+  assign not_705 = ~(a ^ b_3);
+  logic [1:0] sum_707;
+  assign sum_707 = {1'b0, not_705[2]} + ({1'b0, not_705[0]} + {1'b0, not_705[1]});
+  logic [2:0] sum_710;
+  assign sum_710 = {2'h0, not_705[5]} + ({2'h0, not_705[4]} + ({2'h0, not_705[3]} + {1'b0, sum_707}));
+  logic [2:0] sum_711;
+  assign sum_711 = {2'h0, not_705[6]} + sum_710;
+  logic [3:0] sum_714;
+  assign sum_714 = {3'h0, not_705[9]} + ({3'h0, not_705[8]} + ({3'h0, not_705[7]} + {1'b0, sum_711}));
+  logic [11:0] not_720;
+  assign not_720 = ~(a_2 ^ b_4);
+  logic [1:0] sum_722;
+  assign sum_722 = {1'b0, not_720[2]} + ({1'b0, not_720[0]} + {1'b0, not_720[1]});
+  logic [2:0] sum_725;
+  assign sum_725 = {2'h0, not_720[5]} + ({2'h0, not_720[4]} + ({2'h0, not_720[3]} + {1'b0, sum_722}));
+  logic [2:0] sum_726;
+  assign sum_726 = {2'h0, not_720[6]} + sum_725;
+  logic [3:0] sum_729;
+  assign sum_729 = {3'h0, not_720[9]} + ({3'h0, not_720[8]} + ({3'h0, not_720[7]} + {1'b0, sum_726}));
+  // hls/stages/agreement.hpp:164
   logic [11:0] b_6;
-  assign b_6 = less_354_s1_q ? 12'h0 : right_codes_rdata_q[89:78];
-  // hls/stages/agreement.hpp:377
-  logic [11:0] not_718;
-  assign not_718 = ~(a_3 ^ b_6);
-  logic [1:0] sum_720;
-  assign sum_720 = {1'b0, not_718[2]} + ({1'b0, not_718[0]} + {1'b0, not_718[1]});
-  logic [2:0] sum_723;
-  assign sum_723 = {2'h0, not_718[5]} + ({2'h0, not_718[4]} + ({2'h0, not_718[3]} + {1'b0, sum_720}));
-  logic [2:0] sum_724;
-  assign sum_724 = {2'h0, not_718[6]} + sum_723;
-  logic [3:0] sum_727;
-  assign sum_727 = {3'h0, not_718[9]} + ({3'h0, not_718[8]} + ({3'h0, not_718[7]} + {1'b0, sum_724}));
-  // hls/stages/agreement.hpp:162
+  assign b_6 = less_373_s1_q ? 12'h0 : right_codes_rdata_q[89:78];
+  // hls/stages/agreement.hpp:392
+  logic [11:0] not_738;
+  assign not_738 = ~(a_3 ^ b_6);
+  logic [1:0] sum_740;
+  assign sum_740 = {1'b0, not_738[2]} + ({1'b0, not_738[0]} + {1'b0, not_738[1]});
+  logic [2:0] sum_743;
+  assign sum_743 = {2'h0, not_738[5]} + ({2'h0, not_738[4]} + ({2'h0, not_738[3]} + {1'b0, sum_740}));
+  logic [2:0] sum_744;
+  assign sum_744 = {2'h0, not_738[6]} + sum_743;
+  logic [3:0] sum_747;
+  assign sum_747 = {3'h0, not_738[9]} + ({3'h0, not_738[8]} + ({3'h0, not_738[7]} + {1'b0, sum_744}));
+  // hls/stages/agreement.hpp:164
   logic [11:0] b_7;
-  assign b_7 = less_354_s1_q ? 12'h0 : right_codes_rdata_q[11:0];
-  // hls/stages/agreement.hpp:377
-  logic [11:0] not_747;
-  assign not_747 = ~(a ^ b_7);
-  logic [1:0] sum_749;
-  assign sum_749 = {1'b0, not_747[2]} + ({1'b0, not_747[0]} + {1'b0, not_747[1]});
-  logic [2:0] sum_752;
-  assign sum_752 = {2'h0, not_747[5]} + ({2'h0, not_747[4]} + ({2'h0, not_747[3]} + {1'b0, sum_749}));
-  logic [2:0] sum_753;
-  assign sum_753 = {2'h0, not_747[6]} + sum_752;
-  logic [3:0] sum_756;
-  assign sum_756 = {3'h0, not_747[9]} + ({3'h0, not_747[8]} + ({3'h0, not_747[7]} + {1'b0, sum_753}));
-  logic [11:0] not_762;
-  assign not_762 = ~(a_2 ^ b_5);
-  logic [1:0] sum_764;
-  assign sum_764 = {1'b0, not_762[2]} + ({1'b0, not_762[0]} + {1'b0, not_762[1]});
-  logic [2:0] sum_767;
-  assign sum_767 = {2'h0, not_762[5]} + ({2'h0, not_762[4]} + ({2'h0, not_762[3]} + {1'b0, sum_764}));
-  logic [2:0] sum_768;
-  assign sum_768 = {2'h0, not_762[6]} + sum_767;
-  logic [3:0] sum_771;
-  assign sum_771 = {3'h0, not_762[9]} + ({3'h0, not_762[8]} + ({3'h0, not_762[7]} + {1'b0, sum_768}));
-  logic [11:0] not_778;
-  assign not_778 = ~(a_3 ^ b);
-  logic [1:0] sum_780;
-  assign sum_780 = {1'b0, not_778[2]} + ({1'b0, not_778[0]} + {1'b0, not_778[1]});
-  logic [2:0] sum_783;
-  assign sum_783 = {2'h0, not_778[5]} + ({2'h0, not_778[4]} + ({2'h0, not_778[3]} + {1'b0, sum_780}));
-  logic [2:0] sum_784;
-  assign sum_784 = {2'h0, not_778[6]} + sum_783;
-  logic [3:0] sum_787;
-  assign sum_787 = {3'h0, not_778[9]} + ({3'h0, not_778[8]} + ({3'h0, not_778[7]} + {1'b0, sum_784}));
-  // hls/stages/agreement.hpp:504
-  logic not_904;
-  assign not_904 = ~(row_q[5:3] == 3'h0);
-  // hls/stages/agreement.hpp:299
-  logic and_1041;
-  assign and_1041 = drew_s1_q & (((6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0))) & not_1039_s1_q);
-  // hls/stages/agreement.hpp:242
-  logic [5:0] or_1159;
-  assign or_1159 = select_302_s1_q[5:0] | row_s1_q;
-  // hls/stages/agreement.hpp:246
-  logic select_1301;
-  assign select_1301 = equal_1211_s1_q ? (~({row_s1_q, 1'b0} < {sum_1298, cfg_height_i[3]})) : lower_half_q;
+  assign b_7 = less_373_s1_q ? 12'h0 : right_codes_rdata_q[11:0];
+  // hls/stages/agreement.hpp:392
+  logic [11:0] not_767;
+  assign not_767 = ~(a ^ b_7);
+  logic [1:0] sum_769;
+  assign sum_769 = {1'b0, not_767[2]} + ({1'b0, not_767[0]} + {1'b0, not_767[1]});
+  logic [2:0] sum_772;
+  assign sum_772 = {2'h0, not_767[5]} + ({2'h0, not_767[4]} + ({2'h0, not_767[3]} + {1'b0, sum_769}));
+  logic [2:0] sum_773;
+  assign sum_773 = {2'h0, not_767[6]} + sum_772;
+  logic [3:0] sum_776;
+  assign sum_776 = {3'h0, not_767[9]} + ({3'h0, not_767[8]} + ({3'h0, not_767[7]} + {1'b0, sum_773}));
+  logic [11:0] not_782;
+  assign not_782 = ~(a_2 ^ b_5);
+  logic [1:0] sum_784;
+  assign sum_784 = {1'b0, not_782[2]} + ({1'b0, not_782[0]} + {1'b0, not_782[1]});
+  logic [2:0] sum_787;
+  assign sum_787 = {2'h0, not_782[5]} + ({2'h0, not_782[4]} + ({2'h0, not_782[3]} + {1'b0, sum_784}));
+  logic [2:0] sum_788;
+  assign sum_788 = {2'h0, not_782[6]} + sum_787;
+  logic [3:0] sum_791;
+  assign sum_791 = {3'h0, not_782[9]} + ({3'h0, not_782[8]} + ({3'h0, not_782[7]} + {1'b0, sum_788}));
+  logic [11:0] not_798;
+  assign not_798 = ~(a_3 ^ b);
+  logic [1:0] sum_800;
+  assign sum_800 = {1'b0, not_798[2]} + ({1'b0, not_798[0]} + {1'b0, not_798[1]});
+  logic [2:0] sum_803;
+  assign sum_803 = {2'h0, not_798[5]} + ({2'h0, not_798[4]} + ({2'h0, not_798[3]} + {1'b0, sum_800}));
+  logic [2:0] sum_804;
+  assign sum_804 = {2'h0, not_798[6]} + sum_803;
+  logic [3:0] sum_807;
+  assign sum_807 = {3'h0, not_798[9]} + ({3'h0, not_798[8]} + ({3'h0, not_798[7]} + {1'b0, sum_804}));
+  // hls/stages/agreement.hpp:523
+  logic not_924;
+  assign not_924 = ~(row_q[5:3] == 3'h0);
+  // hls/stages/agreement.hpp:314
+  logic and_1055;
+  assign and_1055 = drew_s1_q & (((6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0))) & not_1053_s1_q);
+  // hls/stages/agreement.hpp:257
+  logic [5:0] or_1196;
+  assign or_1196 = column_s1_q[5:0] | row_s1_q;
+  // hls/stages/agreement.hpp:261
+  logic select_1339;
+  assign select_1339 = equal_1249_s1_q ? (~({row_s1_q, 1'b0} < {sum_1336, cfg_height_i[3]})) : lower_half_q;
 
-  // Memory best_left, 80 x 22, DISTANCE 12, hls/stages/agreement.hpp:768; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
+  // Memory averager_memory, 320 x 26, DISTANCE 16, hls/stages/census.hpp:146; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [25:0] averager_memory_mem [0:319];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 320; i++) averager_memory_mem[i] = 26'h0;
+`endif
+  logic [8:0] averager_memory_raddr;
+  assign averager_memory_raddr = select_318_s1_q;
+  logic averager_memory_re;
+  assign averager_memory_re = s1_en & and_326;
+  logic [25:0] averager_memory_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (averager_memory_re) averager_memory_rdata_q <= averager_memory_mem[averager_memory_raddr];
+  end
+
+  // Memory best_left, 80 x 22, DISTANCE 12, hls/stages/agreement.hpp:799; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [21:0] best_left_mem [0:79];
@@ -829,9 +863,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 80; i++) best_left_mem[i] = 22'h0;
 `endif
   logic [6:0] best_left_raddr;
-  assign best_left_raddr = equal_351_s1_q ? x_s1_2_q : x_s1_q[6:0];
+  assign best_left_raddr = equal_370_s1_q ? x_s1_2_q : x_s1_q[6:0];
   logic best_left_re;
-  assign best_left_re = s1_en & select_498;
+  assign best_left_re = s1_en & select_518;
   logic [21:0] best_left_rdata_q;
   always_ff @(posedge clk_i) begin
     if (best_left_re) best_left_rdata_q <= best_left_mem[best_left_raddr];
@@ -841,9 +875,9 @@ module horopter_agreement (
   logic [6:0] left_waddr;
   assign left_waddr = x_s1_q[6:0];
   logic left_we;
-  assign left_we = s1_en & and_357_s1_q;
+  assign left_we = s1_en & and_376_s1_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (left_we) left_mem[left_waddr] <= {and_469, select_467, and_465, and_464, and_463, and_462, select_460, and_458, and_457, and_456, and_455, select_453, and_451, and_450, and_449, and_448, select_446, fresh_rdata_q[28:26], fresh_rdata_q[24], fresh_rdata_q[11:0]};
+    if (left_we) left_mem[left_waddr] <= {and_489, select_487, and_485, and_484, and_483, and_482, select_480, and_478, and_477, and_476, and_475, select_473, and_471, and_470, and_469, and_468, select_466, fresh_rdata_q[28:26], fresh_rdata_q[24], fresh_rdata_q[11:0]};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -861,9 +895,9 @@ module horopter_agreement (
   logic [6:0] right_codes_waddr;
   assign right_codes_waddr = x_s1_q[6:0];
   logic right_codes_we;
-  assign right_codes_we = s1_en & and_357_s1_q;
+  assign right_codes_we = s1_en & and_376_s1_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (right_codes_we) right_codes_mem[right_codes_waddr] <= {and_489, select_487, and_485, select_483, and_481, select_480, and_479, select_478, and_477, select_476, and_475, select_474, fresh_rdata_q[25], fresh_rdata_q[23:12]};
+    if (right_codes_we) right_codes_mem[right_codes_waddr] <= {and_509, select_507, and_505, select_503, and_501, select_500, and_499, select_498, and_497, select_496, and_495, select_494, fresh_rdata_q[25], fresh_rdata_q[23:12]};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -882,8 +916,8 @@ module horopter_agreement (
       row_q <= 6'h0;
       lower_half_q <= 1'b0;
     end else if (s1_en) begin
-      row_q <= and_336_s1_q ? (equal_1211_s1_q ? row_s1_q : row_q) : row_q;
-      lower_half_q <= and_336_s1_q ? select_1301 : lower_half_q;
+      row_q <= and_351_s1_q ? (equal_1249_s1_q ? row_s1_q : row_q) : row_q;
+      lower_half_q <= and_351_s1_q ? select_1339 : lower_half_q;
     end
   end
 
@@ -893,189 +927,196 @@ module horopter_agreement (
   logic mask_s2_q;
   logic marks_first_s2_q;
   logic marks_last_s2_q;
+  logic sample_pair_whole_s2_q;
   logic [5:0] run_shift_s2_q;
   logic [7:0] x_s2_q;
   logic [1:0] age_s2_q;
   logic lower_half_s2_q;
-  logic select_300_s2_q;
-  logic [6:0] select_302_s2_q;
-  logic [8:0] select_306_s2_q;
-  logic and_313_s2_q;
-  logic equal_318_s2_q;
+  logic select_312_s2_q;
+  logic [8:0] select_318_s2_q;
+  logic and_325_s2_q;
+  logic and_326_s2_q;
+  logic equal_331_s2_q;
   logic whole_s2_q;
-  logic and_335_s2_q;
-  logic and_336_s2_q;
-  logic equal_339_s2_q;
-  logic equal_351_s2_q;
-  logic not_352_s2_q;
-  logic equal_353_s2_q;
-  logic less_354_s2_q;
-  logic not_355_s2_q;
-  logic equal_385_s2_q;
+  logic [6:0] column_s2_q;
+  logic and_349_s2_q;
+  logic and_351_s2_q;
+  logic equal_354_s2_q;
+  logic equal_370_s2_q;
+  logic not_371_s2_q;
+  logic equal_372_s2_q;
+  logic less_373_s2_q;
+  logic not_374_s2_q;
+  logic equal_405_s2_q;
   logic drew_s2_q;
   logic left_rdata_s2_q;
   logic [6:0] x_s2_2_q;
-  logic not_496_s2_q;
-  logic select_498_s2_q;
-  logic equal_501_s2_q;
-  logic and_507_s2_q;
-  logic and_508_s2_q;
-  logic not_513_s2_q;
-  logic [3:0] sum_523_s2_q;
-  logic and_526_s2_q;
+  logic not_516_s2_q;
+  logic select_518_s2_q;
+  logic equal_521_s2_q;
   logic and_527_s2_q;
-  logic not_532_s2_q;
-  logic [3:0] sum_542_s2_q;
+  logic and_528_s2_q;
+  logic not_533_s2_q;
+  logic [3:0] sum_543_s2_q;
   logic and_546_s2_q;
   logic and_547_s2_q;
   logic not_552_s2_q;
   logic [3:0] sum_562_s2_q;
-  logic equal_568_s2_q;
-  logic not_573_s2_q;
-  logic [3:0] sum_583_s2_q;
-  logic not_588_s2_q;
-  logic [3:0] sum_598_s2_q;
-  logic and_602_s2_q;
-  logic not_606_s2_q;
-  logic [3:0] sum_616_s2_q;
-  logic and_626_s2_q;
-  logic not_630_s2_q;
-  logic [3:0] sum_640_s2_q;
-  logic not_645_s2_q;
-  logic [3:0] sum_655_s2_q;
-  logic not_661_s2_q;
-  logic [3:0] sum_671_s2_q;
-  logic not_685_s2_q;
-  logic [3:0] sum_695_s2_q;
-  logic not_700_s2_q;
-  logic [3:0] sum_710_s2_q;
-  logic and_715_s2_q;
-  logic not_718_s2_q;
-  logic [3:0] sum_728_s2_q;
-  logic and_744_s2_q;
-  logic not_747_s2_q;
-  logic [3:0] sum_757_s2_q;
-  logic not_762_s2_q;
-  logic [3:0] sum_772_s2_q;
-  logic not_778_s2_q;
-  logic [3:0] sum_788_s2_q;
-  logic equal_805_s2_q;
-  logic and_863_s2_q;
-  logic equal_869_s2_q;
-  logic equal_892_s2_q;
-  logic equal_895_s2_q;
-  logic and_906_s2_q;
-  logic and_937_s2_q;
-  logic select_946_s2_q;
-  logic and_1043_s2_q;
-  logic equal_1160_s2_q;
-  logic equal_1211_s2_q;
-  logic not_1257_s2_q;
-  logic and_1345_s2_q;
-  logic less_1428_s2_q;
-  logic less_1431_s2_q;
-  logic equal_1693_s2_q;
-  logic less_1704_s2_q;
-  logic equal_1861_s2_q;
+  logic and_566_s2_q;
+  logic and_567_s2_q;
+  logic not_572_s2_q;
+  logic [3:0] sum_582_s2_q;
+  logic equal_588_s2_q;
+  logic not_593_s2_q;
+  logic [3:0] sum_603_s2_q;
+  logic not_608_s2_q;
+  logic [3:0] sum_618_s2_q;
+  logic and_622_s2_q;
+  logic not_626_s2_q;
+  logic [3:0] sum_636_s2_q;
+  logic and_646_s2_q;
+  logic not_650_s2_q;
+  logic [3:0] sum_660_s2_q;
+  logic not_665_s2_q;
+  logic [3:0] sum_675_s2_q;
+  logic not_681_s2_q;
+  logic [3:0] sum_691_s2_q;
+  logic not_705_s2_q;
+  logic [3:0] sum_715_s2_q;
+  logic not_720_s2_q;
+  logic [3:0] sum_730_s2_q;
+  logic and_735_s2_q;
+  logic not_738_s2_q;
+  logic [3:0] sum_748_s2_q;
+  logic and_764_s2_q;
+  logic not_767_s2_q;
+  logic [3:0] sum_777_s2_q;
+  logic not_782_s2_q;
+  logic [3:0] sum_792_s2_q;
+  logic not_798_s2_q;
+  logic [3:0] sum_808_s2_q;
+  logic equal_825_s2_q;
+  logic and_883_s2_q;
+  logic equal_889_s2_q;
+  logic equal_912_s2_q;
+  logic equal_915_s2_q;
+  logic and_926_s2_q;
+  logic and_957_s2_q;
+  logic and_1057_s2_q;
+  logic equal_1197_s2_q;
+  logic equal_1249_s2_q;
+  logic not_1295_s2_q;
+  logic and_1383_s2_q;
+  logic less_1477_s2_q;
+  logic less_1480_s2_q;
+  logic equal_1742_s2_q;
+  logic less_1753_s2_q;
+  logic equal_1918_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       pixel_0_s2_q <= pixel_0_s1_q;
       pixel_1_s2_q <= pixel_1_s1_q;
       saturated_s2_q <= saturated_s1_q;
       mask_s2_q <= mask_s1_q;
-      marks_first_s2_q <= marks_first_s1_q;
-      marks_last_s2_q <= raster_row_ended_q;
+      marks_first_s2_q <= sample_pair_first_q;
+      marks_last_s2_q <= sample_last_q;
+      sample_pair_whole_s2_q <= sample_pair_whole_s1_q;
       run_shift_s2_q <= run_shift_s1_q;
       x_s2_q <= x_s1_q;
       age_s2_q <= age_s1_q;
       lower_half_s2_q <= lower_half_q;
-      select_300_s2_q <= select_300_s1_q;
-      select_302_s2_q <= select_302_s1_q;
-      select_306_s2_q <= averager_place_q;
-      and_313_s2_q <= and_313_s1_q;
-      equal_318_s2_q <= equal_318_s1_q;
-      whole_s2_q <= averager_running_mask_q;
-      and_335_s2_q <= and_335_s1_q;
-      and_336_s2_q <= and_336_s1_q;
-      equal_339_s2_q <= equal_339_s1_q;
-      equal_351_s2_q <= equal_351_s1_q;
-      not_352_s2_q <= not_352_s1_q;
-      equal_353_s2_q <= equal_353_s1_q;
-      less_354_s2_q <= less_354_s1_q;
-      not_355_s2_q <= not_355_s1_q;
-      equal_385_s2_q <= row_s1_q == 6'h0;
+      select_312_s2_q <= select_312_s1_q;
+      select_318_s2_q <= select_318_s1_q;
+      and_325_s2_q <= and_325_s1_q;
+      and_326_s2_q <= and_326;
+      equal_331_s2_q <= equal_331_s1_q;
+      whole_s2_q <= whole_s1_q;
+      column_s2_q <= column_s1_q;
+      and_349_s2_q <= and_349_s1_q;
+      and_351_s2_q <= and_351_s1_q;
+      equal_354_s2_q <= equal_354_s1_q;
+      equal_370_s2_q <= equal_370_s1_q;
+      not_371_s2_q <= not_371_s1_q;
+      equal_372_s2_q <= equal_372_s1_q;
+      less_373_s2_q <= less_373_s1_q;
+      not_374_s2_q <= not_374_s1_q;
+      equal_405_s2_q <= row_s1_q == 6'h0;
       drew_s2_q <= drew_s1_q;
       left_rdata_s2_q <= left_rdata_q[63];
       x_s2_2_q <= x_s1_2_q;
-      not_496_s2_q <= not_496;
-      select_498_s2_q <= select_498;
-      equal_501_s2_q <= equal_501_s1_q;
-      and_507_s2_q <= and_507;
-      and_508_s2_q <= right_codes_rdata_q[38] & not_355_s1_q;
-      not_513_s2_q <= not_513[11];
-      sum_523_s2_q <= {3'h0, not_513[10]} + sum_522;
-      and_526_s2_q <= left_rdata_q[60] & not_355_s1_q;
-      and_527_s2_q <= right_codes_rdata_q[51] & not_355_s1_q;
-      not_532_s2_q <= not_532[11];
-      sum_542_s2_q <= {3'h0, not_532[10]} + sum_541;
-      and_546_s2_q <= and_546;
-      and_547_s2_q <= right_codes_rdata_q[64] & not_355_s1_q;
+      not_516_s2_q <= not_516;
+      select_518_s2_q <= select_518;
+      equal_521_s2_q <= equal_521_s1_q;
+      and_527_s2_q <= and_527;
+      and_528_s2_q <= right_codes_rdata_q[38] & not_374_s1_q;
+      not_533_s2_q <= not_533[11];
+      sum_543_s2_q <= {3'h0, not_533[10]} + sum_542;
+      and_546_s2_q <= left_rdata_q[60] & not_374_s1_q;
+      and_547_s2_q <= right_codes_rdata_q[51] & not_374_s1_q;
       not_552_s2_q <= not_552[11];
       sum_562_s2_q <= {3'h0, not_552[10]} + sum_561;
-      equal_568_s2_q <= equal_568_s1_q;
-      not_573_s2_q <= not_573[11];
-      sum_583_s2_q <= {3'h0, not_573[10]} + sum_582;
-      not_588_s2_q <= not_588[11];
-      sum_598_s2_q <= {3'h0, not_588[10]} + sum_597;
-      and_602_s2_q <= right_codes_rdata_q[77] & not_355_s1_q;
-      not_606_s2_q <= not_606[11];
-      sum_616_s2_q <= {3'h0, not_606[10]} + sum_615;
-      and_626_s2_q <= right_codes_rdata_q[25] & not_355_s1_q;
-      not_630_s2_q <= not_630[11];
-      sum_640_s2_q <= {3'h0, not_630[10]} + sum_639;
-      not_645_s2_q <= not_645[11];
-      sum_655_s2_q <= {3'h0, not_645[10]} + sum_654;
-      not_661_s2_q <= not_661[11];
-      sum_671_s2_q <= {3'h0, not_661[10]} + sum_670;
-      not_685_s2_q <= not_685[11];
-      sum_695_s2_q <= {3'h0, not_685[10]} + sum_694;
-      not_700_s2_q <= not_700[11];
-      sum_710_s2_q <= {3'h0, not_700[10]} + sum_709;
-      and_715_s2_q <= and_546 & (right_codes_rdata_q[90] & not_355_s1_q);
-      not_718_s2_q <= not_718[11];
-      sum_728_s2_q <= {3'h0, not_718[10]} + sum_727;
-      and_744_s2_q <= and_507 & (right_codes_rdata_q[12] & not_355_s1_q);
-      not_747_s2_q <= not_747[11];
-      sum_757_s2_q <= {3'h0, not_747[10]} + sum_756;
-      not_762_s2_q <= not_762[11];
-      sum_772_s2_q <= {3'h0, not_762[10]} + sum_771;
-      not_778_s2_q <= not_778[11];
-      sum_788_s2_q <= {3'h0, not_778[10]} + sum_787;
-      equal_805_s2_q <= equal_805_s1_q;
-      and_863_s2_q <= equal_351_s1_q & and_495_s1_q;
-      equal_869_s2_q <= equal_869_s1_q;
-      equal_892_s2_q <= equal_892_s1_q;
-      equal_895_s2_q <= equal_895_s1_q;
-      and_906_s2_q <= left_rdata_q[61] & (left_rdata_q[62] & not_904);
-      and_937_s2_q <= not_352_s1_q & and_497;
-      select_946_s2_q <= select_946_s1_q;
-      and_1043_s2_q <= not_352_s1_q & (not_496 & and_1041);
-      equal_1160_s2_q <= {select_302_s1_q[6], or_1159} == 7'h0;
-      equal_1211_s2_q <= equal_1211_s1_q;
-      not_1257_s2_q <= not_1257_s1_q;
-      and_1345_s2_q <= left_rdata_q[61] & not_904;
-      less_1428_s2_q <= 5'h4 < row_q[5:1];
-      less_1431_s2_q <= less_1431_s1_q;
-      equal_1693_s2_q <= row_s1_q[5:2] == 4'h0;
-      less_1704_s2_q <= 5'h2 < row_s1_q[5:1];
-      equal_1861_s2_q <= row_s1_q[5:3] == 3'h0;
+      and_566_s2_q <= and_566;
+      and_567_s2_q <= right_codes_rdata_q[64] & not_374_s1_q;
+      not_572_s2_q <= not_572[11];
+      sum_582_s2_q <= {3'h0, not_572[10]} + sum_581;
+      equal_588_s2_q <= equal_588_s1_q;
+      not_593_s2_q <= not_593[11];
+      sum_603_s2_q <= {3'h0, not_593[10]} + sum_602;
+      not_608_s2_q <= not_608[11];
+      sum_618_s2_q <= {3'h0, not_608[10]} + sum_617;
+      and_622_s2_q <= right_codes_rdata_q[77] & not_374_s1_q;
+      not_626_s2_q <= not_626[11];
+      sum_636_s2_q <= {3'h0, not_626[10]} + sum_635;
+      and_646_s2_q <= right_codes_rdata_q[25] & not_374_s1_q;
+      not_650_s2_q <= not_650[11];
+      sum_660_s2_q <= {3'h0, not_650[10]} + sum_659;
+      not_665_s2_q <= not_665[11];
+      sum_675_s2_q <= {3'h0, not_665[10]} + sum_674;
+      not_681_s2_q <= not_681[11];
+      sum_691_s2_q <= {3'h0, not_681[10]} + sum_690;
+      not_705_s2_q <= not_705[11];
+      sum_715_s2_q <= {3'h0, not_705[10]} + sum_714;
+      not_720_s2_q <= not_720[11];
+      sum_730_s2_q <= {3'h0, not_720[10]} + sum_729;
+      and_735_s2_q <= and_566 & (right_codes_rdata_q[90] & not_374_s1_q);
+      not_738_s2_q <= not_738[11];
+      sum_748_s2_q <= {3'h0, not_738[10]} + sum_747;
+      and_764_s2_q <= and_527 & (right_codes_rdata_q[12] & not_374_s1_q);
+      not_767_s2_q <= not_767[11];
+      sum_777_s2_q <= {3'h0, not_767[10]} + sum_776;
+      not_782_s2_q <= not_782[11];
+      sum_792_s2_q <= {3'h0, not_782[10]} + sum_791;
+      not_798_s2_q <= not_798[11];
+      sum_808_s2_q <= {3'h0, not_798[10]} + sum_807;
+      equal_825_s2_q <= equal_825_s1_q;
+      and_883_s2_q <= equal_370_s1_q & and_515_s1_q;
+      equal_889_s2_q <= equal_889_s1_q;
+      equal_912_s2_q <= equal_912_s1_q;
+      equal_915_s2_q <= equal_915_s1_q;
+      and_926_s2_q <= left_rdata_q[61] & (left_rdata_q[62] & not_924);
+      and_957_s2_q <= not_371_s1_q & and_517;
+      and_1057_s2_q <= not_371_s1_q & (not_516 & and_1055);
+      equal_1197_s2_q <= {column_s1_q[6], or_1196} == 7'h0;
+      equal_1249_s2_q <= equal_1249_s1_q;
+      not_1295_s2_q <= not_1295_s1_q;
+      and_1383_s2_q <= left_rdata_q[61] & not_924;
+      less_1477_s2_q <= 5'h4 < row_q[5:1];
+      less_1480_s2_q <= less_1480_s1_q;
+      equal_1742_s2_q <= row_s1_q[5:2] == 4'h0;
+      less_1753_s2_q <= 5'h2 < row_s1_q[5:1];
+      equal_1918_s2_q <= row_s1_q[5:3] == 3'h0;
     end
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
+  logic [7:0] sample_pair_pixel_0_q;
+  logic [7:0] sample_pair_pixel_1_q;
+  logic sample_of_skin_q;
   logic [11:0] averager_running_0_q;
   logic [11:0] averager_running_1_q;
   logic averager_running_of_skin_q;
+  logic averager_mask_q;
+  logic averager_of_skin_q;
   logic [7:0] sums_0_columns_values_0_q;
   logic [7:0] sums_0_columns_values_1_q;
   logic [7:0] sums_0_columns_values_2_q;
@@ -1121,306 +1162,303 @@ module horopter_agreement (
   logic [27:0] registration_slope_q;
   logic [23:0] registration_next_slope_row_q;
   logic [27:0] registration_next_slope_change_q;
-  logic began_q;
-  logic [2:0] seen_x_q;
-  logic [2:0] seen_y_q;
-  logic [7:0] seen_column_q;
-  logic [7:0] seen_rows_left_q;
-  logic at_cell_end_q;
-  logic was_next_row_q;
-  logic [12:0] seen_base_q;
   // hls/stages/census.hpp:91
-  logic [11:0] select_316;
-  assign select_316 = select_300_s2_q ? ({4'h0, pixel_0_s2_q} + averager_running_0_q) : {4'h0, pixel_0_s2_q};
-  logic [11:0] sum_322;
-  assign sum_322 = {4'h0, pixel_1_s2_q} + (select_300_s2_q ? averager_running_1_q : 12'h0);
-  // hls/stages/agreement.hpp:174
+  logic [11:0] select_329;
+  assign select_329 = select_312_s2_q ? ({4'h0, sample_pair_pixel_0_q} + averager_running_0_q) : {4'h0, sample_pair_pixel_0_q};
+  // hls/stages/census.hpp:100
+  logic [11:0] sum_333;
+  assign sum_333 = select_329 + (equal_331_s2_q ? 12'h0 : averager_memory_rdata_q[11:0]);
+  // hls/stages/census.hpp:91
+  logic [11:0] sum_335;
+  assign sum_335 = {4'h0, sample_pair_pixel_1_q} + (select_312_s2_q ? averager_running_1_q : 12'h0);
+  // hls/stages/census.hpp:100
+  logic [11:0] sum_337;
+  assign sum_337 = sum_335 + (equal_331_s2_q ? 12'h0 : averager_memory_rdata_q[23:12]);
+  // hls/stages/census.hpp:101
+  logic and_341;
+  assign and_341 = whole_s2_q & (averager_memory_rdata_q[24] | equal_331_s2_q);
+  // hls/stages/agreement.hpp:178
   logic all_of_skin;
-  assign all_of_skin = select_300_s2_q ? (mask_s2_q & averager_running_of_skin_q) : mask_s2_q;
-  // hls/stages/agreement.hpp:377
-  logic [3:0] column;
-  assign column = (and_507_s2_q & and_508_s2_q) ? ({3'h0, not_513_s2_q} + sum_523_s2_q) : 4'h0;
-  logic [3:0] select_544;
-  assign select_544 = (and_526_s2_q & and_527_s2_q) ? ({3'h0, not_532_s2_q} + sum_542_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:405
-  logic [4:0] column_2;
-  assign column_2 = {1'b0, column} + {1'b0, select_544};
-  // hls/stages/agreement.hpp:377
+  assign all_of_skin = select_312_s2_q ? (sample_of_skin_q & averager_running_of_skin_q) : sample_of_skin_q;
+  // hls/stages/census.hpp:102
+  logic and_345;
+  assign and_345 = all_of_skin & (averager_memory_rdata_q[25] | equal_331_s2_q);
+  // hls/stages/census.hpp:126
+  logic [8:0] grey;
+  assign grey = and_325_s2_q ? sum_333[11:3] : 9'h0;
+  logic [8:0] grey_2;
+  assign grey_2 = and_325_s2_q ? sum_337[11:3] : 9'h0;
+  logic and_362;
+  assign and_362 = and_325_s2_q & and_341;
+  // hls/stages/census.hpp:105
+  logic select_364;
+  assign select_364 = equal_354_s2_q ? and_362 : (averager_mask_q & and_362);
+  // hls/stages/agreement.hpp:180
+  logic whole_2;
+  assign whole_2 = sample_pair_whole_s2_q & select_364;
+  // hls/stages/census.hpp:126
+  logic and_366;
+  assign and_366 = and_325_s2_q & and_345;
+  // hls/stages/census.hpp:105
+  logic select_368;
+  assign select_368 = equal_354_s2_q ? and_366 : (averager_of_skin_q & and_366);
+  // hls/stages/agreement.hpp:392
+  logic [3:0] column_2;
+  assign column_2 = (and_527_s2_q & and_528_s2_q) ? ({3'h0, not_533_s2_q} + sum_543_s2_q) : 4'h0;
   logic [3:0] select_564;
   assign select_564 = (and_546_s2_q & and_547_s2_q) ? ({3'h0, not_552_s2_q} + sum_562_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:405
-  logic [5:0] column_3;
-  assign column_3 = {1'b0, column_2} + {2'h0, select_564};
-  // hls/stages/agreement.hpp:407
-  logic [7:0] difference_567;
-  assign difference_567 = {2'h0, column_3} - (age_s2_q[1] ? sums_2_columns_values_6_q : 8'h0);
-  logic [7:0] sum_570;
-  assign sum_570 = difference_567 + (equal_568_s2_q ? 8'h0 : sums_2_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:377
-  logic [3:0] column_4;
-  assign column_4 = (and_507_s2_q & and_527_s2_q) ? ({3'h0, not_573_s2_q} + sum_583_s2_q) : 4'h0;
-  logic [3:0] select_600;
-  assign select_600 = (and_526_s2_q & and_547_s2_q) ? ({3'h0, not_588_s2_q} + sum_598_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:405
-  logic [4:0] column_5;
-  assign column_5 = {1'b0, column_4} + {1'b0, select_600};
-  // hls/stages/agreement.hpp:377
-  logic [3:0] select_618;
-  assign select_618 = (and_546_s2_q & and_602_s2_q) ? ({3'h0, not_606_s2_q} + sum_616_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:405
-  logic [5:0] column_6;
-  assign column_6 = {1'b0, column_5} + {2'h0, select_618};
-  // hls/stages/agreement.hpp:407
-  logic [7:0] difference_621;
-  assign difference_621 = {2'h0, column_6} - (age_s2_q[1] ? sums_1_columns_values_6_q : 8'h0);
-  logic [7:0] sum_623;
-  assign sum_623 = difference_621 + (equal_568_s2_q ? 8'h0 : sums_1_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:420
-  logic less_624;
-  assign less_624 = sum_570 < sum_623;
-  // hls/stages/agreement.hpp:377
-  logic [3:0] column_7;
-  assign column_7 = (and_507_s2_q & and_626_s2_q) ? ({3'h0, not_630_s2_q} + sum_640_s2_q) : 4'h0;
-  logic [3:0] select_657;
-  assign select_657 = (and_526_s2_q & and_508_s2_q) ? ({3'h0, not_645_s2_q} + sum_655_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:405
-  logic [4:0] column_8;
-  assign column_8 = {1'b0, column_7} + {1'b0, select_657};
-  // hls/stages/agreement.hpp:377
-  logic [3:0] select_673;
-  assign select_673 = (and_546_s2_q & and_527_s2_q) ? ({3'h0, not_661_s2_q} + sum_671_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:405
-  logic [5:0] column_9;
-  assign column_9 = {1'b0, column_8} + {2'h0, select_673};
-  // hls/stages/agreement.hpp:407
-  logic [7:0] difference_676;
-  assign difference_676 = {2'h0, column_9} - (age_s2_q[1] ? sums_3_columns_values_6_q : 8'h0);
-  logic [7:0] sum_678;
-  assign sum_678 = difference_676 + (equal_568_s2_q ? 8'h0 : sums_3_sum_sums_values_0_q);
+  logic [4:0] column_3;
+  assign column_3 = {1'b0, column_2} + {1'b0, select_564};
+  // hls/stages/agreement.hpp:392
+  logic [3:0] select_584;
+  assign select_584 = (and_566_s2_q & and_567_s2_q) ? ({3'h0, not_572_s2_q} + sum_582_s2_q) : 4'h0;
   // hls/stages/agreement.hpp:420
-  logic not_680;
-  assign not_680 = ~less_624;
+  logic [5:0] column_4;
+  assign column_4 = {1'b0, column_3} + {2'h0, select_584};
+  // hls/stages/agreement.hpp:422
+  logic [7:0] difference_587;
+  assign difference_587 = {2'h0, column_4} - (age_s2_q[1] ? sums_2_columns_values_6_q : 8'h0);
+  logic [7:0] sum_590;
+  assign sum_590 = difference_587 + (equal_588_s2_q ? 8'h0 : sums_2_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:392
+  logic [3:0] column_5;
+  assign column_5 = (and_527_s2_q & and_547_s2_q) ? ({3'h0, not_593_s2_q} + sum_603_s2_q) : 4'h0;
+  logic [3:0] select_620;
+  assign select_620 = (and_546_s2_q & and_567_s2_q) ? ({3'h0, not_608_s2_q} + sum_618_s2_q) : 4'h0;
+  // hls/stages/agreement.hpp:420
+  logic [4:0] column_6;
+  assign column_6 = {1'b0, column_5} + {1'b0, select_620};
+  // hls/stages/agreement.hpp:392
+  logic [3:0] select_638;
+  assign select_638 = (and_566_s2_q & and_622_s2_q) ? ({3'h0, not_626_s2_q} + sum_636_s2_q) : 4'h0;
+  // hls/stages/agreement.hpp:420
+  logic [5:0] column_7;
+  assign column_7 = {1'b0, column_6} + {2'h0, select_638};
+  // hls/stages/agreement.hpp:422
+  logic [7:0] difference_641;
+  assign difference_641 = {2'h0, column_7} - (age_s2_q[1] ? sums_1_columns_values_6_q : 8'h0);
+  logic [7:0] sum_643;
+  assign sum_643 = difference_641 + (equal_588_s2_q ? 8'h0 : sums_1_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:435
+  logic less_644;
+  assign less_644 = sum_590 < sum_643;
+  // hls/stages/agreement.hpp:392
+  logic [3:0] column_8;
+  assign column_8 = (and_527_s2_q & and_646_s2_q) ? ({3'h0, not_650_s2_q} + sum_660_s2_q) : 4'h0;
+  logic [3:0] select_677;
+  assign select_677 = (and_546_s2_q & and_528_s2_q) ? ({3'h0, not_665_s2_q} + sum_675_s2_q) : 4'h0;
+  // hls/stages/agreement.hpp:420
+  logic [4:0] column_9;
+  assign column_9 = {1'b0, column_8} + {1'b0, select_677};
+  // hls/stages/agreement.hpp:392
+  logic [3:0] select_693;
+  assign select_693 = (and_566_s2_q & and_547_s2_q) ? ({3'h0, not_681_s2_q} + sum_691_s2_q) : 4'h0;
+  // hls/stages/agreement.hpp:420
+  logic [5:0] column_10;
+  assign column_10 = {1'b0, column_9} + {2'h0, select_693};
+  // hls/stages/agreement.hpp:422
+  logic [7:0] difference_696;
+  assign difference_696 = {2'h0, column_10} - (age_s2_q[1] ? sums_3_columns_values_6_q : 8'h0);
+  logic [7:0] sum_698;
+  assign sum_698 = difference_696 + (equal_588_s2_q ? 8'h0 : sums_3_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:435
+  logic not_700;
+  assign not_700 = ~less_644;
   logic [1:0] best;
-  assign best = ((less_624 ? sum_623 : sum_570) < sum_678) ? 2'h3 : {not_680, less_624};
-  // hls/stages/agreement.hpp:377
-  logic [3:0] column_10;
-  assign column_10 = (and_507_s2_q & and_547_s2_q) ? ({3'h0, not_685_s2_q} + sum_695_s2_q) : 4'h0;
-  logic [3:0] select_712;
-  assign select_712 = (and_526_s2_q & and_602_s2_q) ? ({3'h0, not_700_s2_q} + sum_710_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:405
-  logic [4:0] column_11;
-  assign column_11 = {1'b0, column_10} + {1'b0, select_712};
-  // hls/stages/agreement.hpp:377
-  logic [3:0] select_730;
-  assign select_730 = and_715_s2_q ? ({3'h0, not_718_s2_q} + sum_728_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:405
-  logic [5:0] column_12;
-  assign column_12 = {1'b0, column_11} + {2'h0, select_730};
-  // hls/stages/agreement.hpp:407
-  logic [7:0] difference_733;
-  assign difference_733 = {2'h0, column_12} - (age_s2_q[1] ? sums_0_columns_values_6_q : 8'h0);
-  logic [7:0] sum_735;
-  assign sum_735 = difference_733 + (equal_568_s2_q ? 8'h0 : sums_0_sum_sums_values_0_q);
+  assign best = ((less_644 ? sum_643 : sum_590) < sum_698) ? 2'h3 : {not_700, less_644};
+  // hls/stages/agreement.hpp:392
+  logic [3:0] column_11;
+  assign column_11 = (and_527_s2_q & and_567_s2_q) ? ({3'h0, not_705_s2_q} + sum_715_s2_q) : 4'h0;
+  logic [3:0] select_732;
+  assign select_732 = (and_546_s2_q & and_622_s2_q) ? ({3'h0, not_720_s2_q} + sum_730_s2_q) : 4'h0;
   // hls/stages/agreement.hpp:420
-  logic [7:0] select_737;
-  assign select_737 = best[1] ? (best[0] ? sum_678 : sum_570) : (best[0] ? sum_623 : sum_735);
+  logic [4:0] column_12;
+  assign column_12 = {1'b0, column_11} + {1'b0, select_732};
+  // hls/stages/agreement.hpp:392
+  logic [3:0] select_750;
+  assign select_750 = and_735_s2_q ? ({3'h0, not_738_s2_q} + sum_748_s2_q) : 4'h0;
+  // hls/stages/agreement.hpp:420
+  logic [5:0] column_13;
+  assign column_13 = {1'b0, column_12} + {2'h0, select_750};
+  // hls/stages/agreement.hpp:422
+  logic [7:0] difference_753;
+  assign difference_753 = {2'h0, column_13} - (age_s2_q[1] ? sums_0_columns_values_6_q : 8'h0);
+  logic [7:0] sum_755;
+  assign sum_755 = difference_753 + (equal_588_s2_q ? 8'h0 : sums_0_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:435
+  logic [7:0] select_757;
+  assign select_757 = best[1] ? (best[0] ? sum_698 : sum_590) : (best[0] ? sum_643 : sum_755);
   logic [1:0] best_2;
-  assign best_2 = (select_737 < sum_735) ? 2'h0 : best;
-  // hls/stages/agreement.hpp:377
-  logic [3:0] column_13;
-  assign column_13 = and_744_s2_q ? ({3'h0, not_747_s2_q} + sum_757_s2_q) : 4'h0;
-  logic [3:0] select_774;
-  assign select_774 = (and_526_s2_q & and_626_s2_q) ? ({3'h0, not_762_s2_q} + sum_772_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:405
-  logic [4:0] column_14;
-  assign column_14 = {1'b0, column_13} + {1'b0, select_774};
-  // hls/stages/agreement.hpp:377
-  logic [3:0] select_790;
-  assign select_790 = (and_546_s2_q & and_508_s2_q) ? ({3'h0, not_778_s2_q} + sum_788_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:405
-  logic [5:0] column_15;
-  assign column_15 = {1'b0, column_14} + {2'h0, select_790};
-  // hls/stages/agreement.hpp:407
-  logic [7:0] difference_793;
-  assign difference_793 = {2'h0, column_15} - (age_s2_q[1] ? sums_4_columns_values_6_q : 8'h0);
-  logic [7:0] sum_795;
-  assign sum_795 = difference_793 + (equal_568_s2_q ? 8'h0 : sums_4_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:432
+  assign best_2 = (select_757 < sum_755) ? 2'h0 : best;
+  // hls/stages/agreement.hpp:392
+  logic [3:0] column_14;
+  assign column_14 = and_764_s2_q ? ({3'h0, not_767_s2_q} + sum_777_s2_q) : 4'h0;
+  logic [3:0] select_794;
+  assign select_794 = (and_546_s2_q & and_646_s2_q) ? ({3'h0, not_782_s2_q} + sum_792_s2_q) : 4'h0;
+  // hls/stages/agreement.hpp:420
+  logic [4:0] column_15;
+  assign column_15 = {1'b0, column_14} + {1'b0, select_794};
+  // hls/stages/agreement.hpp:392
+  logic [3:0] select_810;
+  assign select_810 = (and_566_s2_q & and_528_s2_q) ? ({3'h0, not_798_s2_q} + sum_808_s2_q) : 4'h0;
+  // hls/stages/agreement.hpp:420
+  logic [5:0] column_16;
+  assign column_16 = {1'b0, column_15} + {2'h0, select_810};
+  // hls/stages/agreement.hpp:422
+  logic [7:0] difference_813;
+  assign difference_813 = {2'h0, column_16} - (age_s2_q[1] ? sums_4_columns_values_6_q : 8'h0);
+  logic [7:0] sum_815;
+  assign sum_815 = difference_813 + (equal_588_s2_q ? 8'h0 : sums_4_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:447
   logic [6:0] partner;
   assign partner = {run_shift_s2_q[5], run_shift_s2_q} + x_s2_2_q;
-  // hls/stages/agreement.hpp:299
-  logic [6:0] select_866;
-  assign select_866 = equal_351_s2_q ? partner : (x_s2_q[6:0] + {best_left_rdata_q[13], best_left_rdata_q[13:8]});
-  // hls/stages/agreement.hpp:176
-  logic next_row;
-  assign next_row = select_946_s2_q & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:714
-  logic [6:0] select_949;
-  assign select_949 = next_row ? cfg_width_i[9:3] : 7'h0;
-  // hls/stages/agreement.hpp:724
-  logic equal_952;
-  assign equal_952 = seen_x_q == 3'h7;
-  // hls/stages/census.hpp:31
-  logic not_959;
-  assign not_959 = ~marks_first_s2_q;
-  // hls/stages/agreement.hpp:299
-  logic [7:0] select_1304;
-  assign select_1304 = equal_351_s2_q ? sums_0_columns_values_0_q : sums_0_columns_values_1_q;
-  logic [7:0] select_1305;
-  assign select_1305 = equal_351_s2_q ? sums_0_columns_values_1_q : sums_0_columns_values_2_q;
-  logic [7:0] select_1306;
-  assign select_1306 = equal_351_s2_q ? sums_0_columns_values_2_q : sums_0_columns_values_3_q;
-  logic [7:0] select_1307;
-  assign select_1307 = equal_351_s2_q ? sums_0_columns_values_3_q : sums_0_columns_values_4_q;
-  logic [7:0] select_1308;
-  assign select_1308 = equal_351_s2_q ? sums_0_columns_values_4_q : sums_0_columns_values_5_q;
-  logic [7:0] select_1309;
-  assign select_1309 = equal_351_s2_q ? sums_0_columns_values_5_q : sums_0_columns_values_6_q;
-  logic [7:0] select_1312;
-  assign select_1312 = equal_351_s2_q ? sums_1_columns_values_0_q : sums_1_columns_values_1_q;
-  logic [7:0] select_1313;
-  assign select_1313 = equal_351_s2_q ? sums_1_columns_values_1_q : sums_1_columns_values_2_q;
-  logic [7:0] select_1314;
-  assign select_1314 = equal_351_s2_q ? sums_1_columns_values_2_q : sums_1_columns_values_3_q;
-  logic [7:0] select_1315;
-  assign select_1315 = equal_351_s2_q ? sums_1_columns_values_3_q : sums_1_columns_values_4_q;
-  logic [7:0] select_1316;
-  assign select_1316 = equal_351_s2_q ? sums_1_columns_values_4_q : sums_1_columns_values_5_q;
-  logic [7:0] select_1317;
-  assign select_1317 = equal_351_s2_q ? sums_1_columns_values_5_q : sums_1_columns_values_6_q;
-  logic [7:0] select_1320;
-  assign select_1320 = equal_351_s2_q ? sums_2_columns_values_0_q : sums_2_columns_values_1_q;
-  logic [7:0] select_1321;
-  assign select_1321 = equal_351_s2_q ? sums_2_columns_values_1_q : sums_2_columns_values_2_q;
-  logic [7:0] select_1322;
-  assign select_1322 = equal_351_s2_q ? sums_2_columns_values_2_q : sums_2_columns_values_3_q;
-  logic [7:0] select_1323;
-  assign select_1323 = equal_351_s2_q ? sums_2_columns_values_3_q : sums_2_columns_values_4_q;
-  logic [7:0] select_1324;
-  assign select_1324 = equal_351_s2_q ? sums_2_columns_values_4_q : sums_2_columns_values_5_q;
-  logic [7:0] select_1325;
-  assign select_1325 = equal_351_s2_q ? sums_2_columns_values_5_q : sums_2_columns_values_6_q;
-  logic [7:0] select_1328;
-  assign select_1328 = equal_351_s2_q ? sums_3_columns_values_0_q : sums_3_columns_values_1_q;
-  logic [7:0] select_1329;
-  assign select_1329 = equal_351_s2_q ? sums_3_columns_values_1_q : sums_3_columns_values_2_q;
-  logic [7:0] select_1330;
-  assign select_1330 = equal_351_s2_q ? sums_3_columns_values_2_q : sums_3_columns_values_3_q;
-  logic [7:0] select_1331;
-  assign select_1331 = equal_351_s2_q ? sums_3_columns_values_3_q : sums_3_columns_values_4_q;
-  logic [7:0] select_1332;
-  assign select_1332 = equal_351_s2_q ? sums_3_columns_values_4_q : sums_3_columns_values_5_q;
-  logic [7:0] select_1333;
-  assign select_1333 = equal_351_s2_q ? sums_3_columns_values_5_q : sums_3_columns_values_6_q;
-  logic [7:0] select_1336;
-  assign select_1336 = equal_351_s2_q ? sums_4_columns_values_0_q : sums_4_columns_values_1_q;
-  logic [7:0] select_1337;
-  assign select_1337 = equal_351_s2_q ? sums_4_columns_values_1_q : sums_4_columns_values_2_q;
-  logic [7:0] select_1338;
-  assign select_1338 = equal_351_s2_q ? sums_4_columns_values_2_q : sums_4_columns_values_3_q;
-  logic [7:0] select_1339;
-  assign select_1339 = equal_351_s2_q ? sums_4_columns_values_3_q : sums_4_columns_values_4_q;
-  logic [7:0] select_1340;
-  assign select_1340 = equal_351_s2_q ? sums_4_columns_values_4_q : sums_4_columns_values_5_q;
-  logic [7:0] select_1341;
-  assign select_1341 = equal_351_s2_q ? sums_4_columns_values_5_q : sums_4_columns_values_6_q;
+  // hls/stages/agreement.hpp:314
+  logic [6:0] select_886;
+  assign select_886 = equal_370_s2_q ? partner : (x_s2_q[6:0] + {best_left_rdata_q[13], best_left_rdata_q[13:8]});
+  // hls/stages/agreement.hpp:180
+  logic select_1110;
+  assign select_1110 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
+  logic select_1112;
+  assign select_1112 = sample_pair_whole_s2_q ? (and_349_s2_q ? select_364 : averager_mask_q) : averager_mask_q;
+  logic select_1114;
+  assign select_1114 = sample_pair_whole_s2_q ? (and_349_s2_q ? select_368 : averager_of_skin_q) : averager_of_skin_q;
+  // hls/stages/agreement.hpp:314
+  logic [7:0] select_1342;
+  assign select_1342 = equal_370_s2_q ? sums_0_columns_values_0_q : sums_0_columns_values_1_q;
+  logic [7:0] select_1343;
+  assign select_1343 = equal_370_s2_q ? sums_0_columns_values_1_q : sums_0_columns_values_2_q;
+  logic [7:0] select_1344;
+  assign select_1344 = equal_370_s2_q ? sums_0_columns_values_2_q : sums_0_columns_values_3_q;
+  logic [7:0] select_1345;
+  assign select_1345 = equal_370_s2_q ? sums_0_columns_values_3_q : sums_0_columns_values_4_q;
+  logic [7:0] select_1346;
+  assign select_1346 = equal_370_s2_q ? sums_0_columns_values_4_q : sums_0_columns_values_5_q;
+  logic [7:0] select_1347;
+  assign select_1347 = equal_370_s2_q ? sums_0_columns_values_5_q : sums_0_columns_values_6_q;
+  logic [7:0] select_1350;
+  assign select_1350 = equal_370_s2_q ? sums_1_columns_values_0_q : sums_1_columns_values_1_q;
+  logic [7:0] select_1351;
+  assign select_1351 = equal_370_s2_q ? sums_1_columns_values_1_q : sums_1_columns_values_2_q;
+  logic [7:0] select_1352;
+  assign select_1352 = equal_370_s2_q ? sums_1_columns_values_2_q : sums_1_columns_values_3_q;
+  logic [7:0] select_1353;
+  assign select_1353 = equal_370_s2_q ? sums_1_columns_values_3_q : sums_1_columns_values_4_q;
+  logic [7:0] select_1354;
+  assign select_1354 = equal_370_s2_q ? sums_1_columns_values_4_q : sums_1_columns_values_5_q;
+  logic [7:0] select_1355;
+  assign select_1355 = equal_370_s2_q ? sums_1_columns_values_5_q : sums_1_columns_values_6_q;
+  logic [7:0] select_1358;
+  assign select_1358 = equal_370_s2_q ? sums_2_columns_values_0_q : sums_2_columns_values_1_q;
+  logic [7:0] select_1359;
+  assign select_1359 = equal_370_s2_q ? sums_2_columns_values_1_q : sums_2_columns_values_2_q;
+  logic [7:0] select_1360;
+  assign select_1360 = equal_370_s2_q ? sums_2_columns_values_2_q : sums_2_columns_values_3_q;
+  logic [7:0] select_1361;
+  assign select_1361 = equal_370_s2_q ? sums_2_columns_values_3_q : sums_2_columns_values_4_q;
+  logic [7:0] select_1362;
+  assign select_1362 = equal_370_s2_q ? sums_2_columns_values_4_q : sums_2_columns_values_5_q;
+  logic [7:0] select_1363;
+  assign select_1363 = equal_370_s2_q ? sums_2_columns_values_5_q : sums_2_columns_values_6_q;
+  logic [7:0] select_1366;
+  assign select_1366 = equal_370_s2_q ? sums_3_columns_values_0_q : sums_3_columns_values_1_q;
+  logic [7:0] select_1367;
+  assign select_1367 = equal_370_s2_q ? sums_3_columns_values_1_q : sums_3_columns_values_2_q;
+  logic [7:0] select_1368;
+  assign select_1368 = equal_370_s2_q ? sums_3_columns_values_2_q : sums_3_columns_values_3_q;
+  logic [7:0] select_1369;
+  assign select_1369 = equal_370_s2_q ? sums_3_columns_values_3_q : sums_3_columns_values_4_q;
+  logic [7:0] select_1370;
+  assign select_1370 = equal_370_s2_q ? sums_3_columns_values_4_q : sums_3_columns_values_5_q;
+  logic [7:0] select_1371;
+  assign select_1371 = equal_370_s2_q ? sums_3_columns_values_5_q : sums_3_columns_values_6_q;
+  logic [7:0] select_1374;
+  assign select_1374 = equal_370_s2_q ? sums_4_columns_values_0_q : sums_4_columns_values_1_q;
+  logic [7:0] select_1375;
+  assign select_1375 = equal_370_s2_q ? sums_4_columns_values_1_q : sums_4_columns_values_2_q;
+  logic [7:0] select_1376;
+  assign select_1376 = equal_370_s2_q ? sums_4_columns_values_2_q : sums_4_columns_values_3_q;
+  logic [7:0] select_1377;
+  assign select_1377 = equal_370_s2_q ? sums_4_columns_values_3_q : sums_4_columns_values_4_q;
+  logic [7:0] select_1378;
+  assign select_1378 = equal_370_s2_q ? sums_4_columns_values_4_q : sums_4_columns_values_5_q;
+  logic [7:0] select_1379;
+  assign select_1379 = equal_370_s2_q ? sums_4_columns_values_5_q : sums_4_columns_values_6_q;
   // hls/stages/registration.hpp:158
-  logic [16:0] select_1436;
-  assign select_1436 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
-  logic [13:0] select_1438;
-  assign select_1438 = ($signed(10'h0) < $signed(select_1436[16:7])) ? 14'h7f : select_1436[13:0];
+  logic [16:0] select_1485;
+  assign select_1485 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
+  logic [13:0] select_1487;
+  assign select_1487 = ($signed(10'h0) < $signed(select_1485[16:7])) ? 14'h7f : select_1485[13:0];
   // hls/stages/registration.hpp:153
-  logic [9:0] select_1439;
-  assign select_1439 = best_left_rdata_q[12] ? select_1438[9:0] : 10'h0;
-  logic [8:0] difference_1441;
-  assign difference_1441 = select_1439[9:1] - (best_left_rdata_q[13] ? select_1438[8:0] : 9'h0);
+  logic [9:0] select_1488;
+  assign select_1488 = best_left_rdata_q[12] ? select_1487[9:0] : 10'h0;
+  logic [8:0] difference_1490;
+  assign difference_1490 = select_1488[9:1] - (best_left_rdata_q[13] ? select_1487[8:0] : 9'h0);
   // hls/stages/registration.hpp:151
-  logic [12:0] sum_1444;
-  assign sum_1444 = (best_left_rdata_q[8] ? select_1438[13:1] : 13'h0) + (best_left_rdata_q[9] ? select_1438[12:0] : 13'h0);
+  logic [12:0] sum_1493;
+  assign sum_1493 = (best_left_rdata_q[8] ? select_1487[13:1] : 13'h0) + (best_left_rdata_q[9] ? select_1487[12:0] : 13'h0);
   // hls/stages/registration.hpp:152
-  logic [11:0] select_1445;
-  assign select_1445 = best_left_rdata_q[10] ? select_1438[11:0] : 12'h0;
-  logic [10:0] sum_1447;
-  assign sum_1447 = select_1445[11:1] + (best_left_rdata_q[11] ? select_1438[10:0] : 11'h0);
+  logic [11:0] select_1494;
+  assign select_1494 = best_left_rdata_q[10] ? select_1487[11:0] : 12'h0;
+  logic [10:0] sum_1496;
+  assign sum_1496 = select_1494[11:1] + (best_left_rdata_q[11] ? select_1487[10:0] : 11'h0);
   // hls/stages/registration.hpp:154
-  logic [11:0] sum_1448;
-  assign sum_1448 = sum_1444[12:1] + {sum_1447, select_1445[0]};
-  logic [9:0] sum_1449;
-  assign sum_1449 = {difference_1441, select_1439[0]} + sum_1448[11:2];
+  logic [11:0] sum_1497;
+  assign sum_1497 = sum_1493[12:1] + {sum_1496, select_1494[0]};
+  logic [9:0] sum_1498;
+  assign sum_1498 = {difference_1490, select_1488[0]} + sum_1497[11:2];
   // hls/stages/registration.hpp:67
-  logic [12:0] sum_1450;
-  assign sum_1450 = {registration_slope_q[27], registration_slope_q[27:16]} + {{5{sum_1449[9]}}, sum_1449[9:2]};
+  logic [12:0] sum_1499;
+  assign sum_1499 = {registration_slope_q[27], registration_slope_q[27:16]} + {{5{sum_1498[9]}}, sum_1498[9:2]};
   // hls/stages/registration.hpp:151
-  logic [7:0] select_1453;
-  assign select_1453 = ($signed(sum_1450[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_1450[7:0];
+  logic [7:0] select_1502;
+  assign select_1502 = ($signed(sum_1499[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_1499[7:0];
   logic [7:0] slope;
-  assign slope = ($signed(6'h0) < $signed(sum_1450[12:7])) ? 8'h7f : select_1453;
-  logic [6:0] select_1455;
-  assign select_1455 = best_left_rdata_q[8] ? slope[7:1] : 7'h0;
-  logic [7:0] select_1456;
-  assign select_1456 = best_left_rdata_q[9] ? slope : 8'h0;
-  logic [8:0] sum_1457;
-  assign sum_1457 = {{2{select_1455[6]}}, select_1455} + {select_1456[7], select_1456};
+  assign slope = ($signed(6'h0) < $signed(sum_1499[12:7])) ? 8'h7f : select_1502;
+  logic [6:0] select_1504;
+  assign select_1504 = best_left_rdata_q[8] ? slope[7:1] : 7'h0;
+  logic [7:0] select_1505;
+  assign select_1505 = best_left_rdata_q[9] ? slope : 8'h0;
+  logic [8:0] sum_1506;
+  assign sum_1506 = {{2{select_1504[6]}}, select_1504} + {select_1505[7], select_1505};
   // hls/stages/registration.hpp:152
-  logic [7:0] select_1458;
-  assign select_1458 = best_left_rdata_q[10] ? slope : 8'h0;
-  logic [7:0] select_1459;
-  assign select_1459 = best_left_rdata_q[11] ? slope : 8'h0;
-  logic [8:0] sum_1460;
-  assign sum_1460 = {{2{select_1458[7]}}, select_1458[7:1]} + {select_1459[7], select_1459};
+  logic [7:0] select_1507;
+  assign select_1507 = best_left_rdata_q[10] ? slope : 8'h0;
+  logic [7:0] select_1508;
+  assign select_1508 = best_left_rdata_q[11] ? slope : 8'h0;
+  logic [8:0] sum_1509;
+  assign sum_1509 = {{2{select_1507[7]}}, select_1507[7:1]} + {select_1508[7], select_1508};
   // hls/stages/registration.hpp:154
-  logic [10:0] sum_1461;
-  assign sum_1461 = {{3{sum_1457[8]}}, sum_1457[8:1]} + {sum_1460[8], sum_1460, select_1458[0]};
+  logic [10:0] sum_1510;
+  assign sum_1510 = {{3{sum_1506[8]}}, sum_1506[8:1]} + {sum_1509[8], sum_1509, select_1507[0]};
   // hls/stages/registration.hpp:153
-  logic [7:0] select_1462;
-  assign select_1462 = best_left_rdata_q[12] ? slope : 8'h0;
-  logic [7:0] select_1463;
-  assign select_1463 = best_left_rdata_q[13] ? slope : 8'h0;
-  logic [8:0] difference_1464;
-  assign difference_1464 = {{2{select_1462[7]}}, select_1462[7:1]} - {select_1463[7], select_1463};
+  logic [7:0] select_1511;
+  assign select_1511 = best_left_rdata_q[12] ? slope : 8'h0;
+  logic [7:0] select_1512;
+  assign select_1512 = best_left_rdata_q[13] ? slope : 8'h0;
+  logic [8:0] difference_1513;
+  assign difference_1513 = {{2{select_1511[7]}}, select_1511[7:1]} - {select_1512[7], select_1512};
   // hls/stages/registration.hpp:57
-  logic [23:0] select_1694;
-  assign select_1694 = equal_1693_s2_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : registration_next_slope_row_q;
-  // hls/stages/agreement.hpp:176
-  logic [23:0] select_1696;
-  assign select_1696 = and_336_s2_q ? (equal_1211_s2_q ? select_1694 : registration_slope_row_q) : registration_slope_row_q;
+  logic [23:0] select_1743;
+  assign select_1743 = equal_1742_s2_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : registration_next_slope_row_q;
+  // hls/stages/agreement.hpp:181
+  logic [23:0] select_1745;
+  assign select_1745 = and_351_s2_q ? (equal_1249_s2_q ? select_1743 : registration_slope_row_q) : registration_slope_row_q;
   // hls/stages/registration.hpp:58
-  logic [27:0] select_1697;
-  assign select_1697 = equal_1693_s2_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : registration_next_slope_change_q;
-  // hls/stages/agreement.hpp:176
-  logic [27:0] select_1699;
-  assign select_1699 = and_336_s2_q ? (equal_1211_s2_q ? select_1697 : registration_slope_change_q) : registration_slope_change_q;
+  logic [27:0] select_1746;
+  assign select_1746 = equal_1742_s2_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : registration_next_slope_change_q;
+  // hls/stages/agreement.hpp:181
+  logic [27:0] select_1748;
+  assign select_1748 = and_351_s2_q ? (equal_1249_s2_q ? select_1746 : registration_slope_change_q) : registration_slope_change_q;
   // hls/stages/registration.hpp:48
-  logic [27:0] select_1701;
-  assign select_1701 = drew_s2_q ? (registration_slope_change_q + registration_slope_q) : {registration_slope_row_q, 4'h0};
+  logic [27:0] select_1750;
+  assign select_1750 = drew_s2_q ? (registration_slope_change_q + registration_slope_q) : {registration_slope_row_q, 4'h0};
   // hls/stages/registration.hpp:50
-  logic [23:0] sum_1702;
-  assign sum_1702 = {{8{cfg_epipolar_row_i[15]}}, $unsigned(cfg_epipolar_row_i)} + registration_slope_row_q;
+  logic [23:0] sum_1751;
+  assign sum_1751 = {{8{cfg_epipolar_row_i[15]}}, $unsigned(cfg_epipolar_row_i)} + registration_slope_row_q;
   // hls/stages/registration.hpp:51
-  logic [27:0] sum_1703;
-  assign sum_1703 = {{12{cfg_epipolar_both_i[15]}}, $unsigned(cfg_epipolar_both_i)} + registration_slope_change_q;
-  // hls/stages/agreement.hpp:723
-  logic [2:0] select_1881;
-  assign select_1881 = select_946_s2_q ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q;
-  // hls/stages/agreement.hpp:176
-  logic [7:0] select_1887;
-  assign select_1887 = marks_first_s2_q ? (less_1883 ? {sum_1884, cfg_height_i[5:3]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
-
-  // Memory averager_memory, 320 x 26, DISTANCE 16, hls/stages/census.hpp:146; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  logic [25:0] averager_memory_mem [0:319];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 320; i++) averager_memory_mem[i] = 26'h0;
-`endif
-  logic [8:0] averager_memory_raddr;
-  assign averager_memory_raddr = select_306_s2_q;
-  logic averager_memory_re;
-  assign averager_memory_re = s2_en & and_313_s2_q;
-  logic [25:0] averager_memory_rdata_q;
-  always_ff @(posedge clk_i) begin
-    if (averager_memory_re) averager_memory_rdata_q <= averager_memory_mem[averager_memory_raddr];
-  end
+  logic [27:0] sum_1752;
+  assign sum_1752 = {{12{cfg_epipolar_both_i[15]}}, $unsigned(cfg_epipolar_both_i)} + registration_slope_change_q;
 
   // Memory census_memory, 80 x 78, DISTANCE 16, hls/stages/census.hpp:254; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -1430,15 +1468,15 @@ module horopter_agreement (
   initial for (int i = 0; i < 80; i++) census_memory_mem[i] = 78'h0;
 `endif
   logic [6:0] census_memory_raddr;
-  assign census_memory_raddr = select_302_s2_q;
+  assign census_memory_raddr = column_s2_q;
   logic census_memory_re;
-  assign census_memory_re = s2_en & and_336_s2_q;
+  assign census_memory_re = s2_en & and_351_s2_q;
   logic [77:0] census_memory_rdata_q;
   always_ff @(posedge clk_i) begin
     if (census_memory_re) census_memory_rdata_q <= census_memory_mem[census_memory_raddr];
   end
 
-  // Memory best_right, 80 x 15, DISTANCE 12, hls/stages/agreement.hpp:769; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory best_right, 80 x 15, DISTANCE 12, hls/stages/agreement.hpp:800; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [14:0] best_right_mem [0:79];
@@ -1446,61 +1484,75 @@ module horopter_agreement (
   initial for (int i = 0; i < 80; i++) best_right_mem[i] = 15'h0;
 `endif
   logic [6:0] best_right_raddr;
-  assign best_right_raddr = select_866;
+  assign best_right_raddr = select_886;
   logic best_right_re;
-  assign best_right_re = s2_en & select_498_s2_q;
+  assign best_right_re = s2_en & select_518_s2_q;
   logic [14:0] best_right_rdata_q;
   always_ff @(posedge clk_i) begin
     if (best_right_re) best_right_rdata_q <= best_right_mem[best_right_raddr];
   end
 
-  // Memory seen_columns, 80 x 12, DISTANCE 12, hls/stages/agreement.hpp:797; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory seen_columns, 80 x 14, DISTANCE 12, hls/stages/agreement.hpp:828; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [11:0] seen_columns_mem [0:79];
+  logic [13:0] seen_columns_mem [0:79];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 80; i++) seen_columns_mem[i] = 12'h0;
+  initial for (int i = 0; i < 80; i++) seen_columns_mem[i] = 14'h0;
 `endif
   logic [6:0] seen_columns_raddr;
   assign seen_columns_raddr = x_s2_q[6:0];
   logic seen_columns_re;
-  assign seen_columns_re = s2_en & and_937_s2_q;
-  logic [11:0] seen_columns_rdata_q;
+  assign seen_columns_re = s2_en & and_957_s2_q;
+  logic [13:0] seen_columns_rdata_q;
   always_ff @(posedge clk_i) begin
     if (seen_columns_re) seen_columns_rdata_q <= seen_columns_mem[seen_columns_raddr];
   end
 
+  // Memory averager_memory, write
+  logic [8:0] averager_memory_waddr;
+  assign averager_memory_waddr = select_318_s2_q;
+  logic averager_memory_we;
+  assign averager_memory_we = s2_en & and_326_s2_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {and_345, and_341, sum_337, sum_333};
+  end
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && averager_memory_we) begin
+      if (averager_memory_re && averager_memory_raddr == averager_memory_waddr) begin
+        $error("averager_memory: address %0d is read less than DISTANCE steps after its write", averager_memory_waddr);
+      end
+      if (averager_memory_waddr >= 9'd320) $error("averager_memory: write outside, address %0d", averager_memory_waddr);
+    end
+    if (rst_ni && averager_memory_re && averager_memory_raddr >= 9'd320) $error("averager_memory: read outside, address %0d", averager_memory_raddr);
+  end
+`endif
+
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      sample_pair_pixel_0_q <= 8'h0;
+      sample_pair_pixel_1_q <= 8'h0;
+      sample_of_skin_q <= 1'b0;
       averager_running_of_skin_q <= 1'b0;
+      averager_mask_q <= 1'b0;
+      averager_of_skin_q <= 1'b0;
       registration_slope_row_q <= 24'h0;
       registration_slope_change_q <= 28'h0;
       registration_slope_q <= 28'h0;
       registration_next_slope_row_q <= 24'h0;
       registration_next_slope_change_q <= 28'h0;
-      began_q <= 1'b0;
-      seen_x_q <= 3'h0;
-      seen_y_q <= 3'h0;
-      seen_column_q <= 8'h0;
-      seen_rows_left_q <= 8'h0;
-      at_cell_end_q <= 1'b0;
-      was_next_row_q <= 1'b0;
-      seen_base_q <= 13'h0;
     end else if (s2_en) begin
-      averager_running_of_skin_q <= all_of_skin;
-      registration_slope_row_q <= select_1696;
-      registration_slope_change_q <= select_1699;
-      registration_slope_q <= select_1701;
-      registration_next_slope_row_q <= sum_1702;
-      registration_next_slope_change_q <= sum_1703;
-      began_q <= not_959 & (began_q | select_946_s2_q);
-      seen_x_q <= select_946_s2_q ? 3'h0 : (seen_x_q + 3'h1);
-      seen_y_q <= marks_first_s2_q ? 3'h0 : select_1881;
-      seen_column_q <= select_946_s2_q ? 8'h0 : (seen_column_q + {7'h0, equal_952});
-      seen_rows_left_q <= select_1887;
-      at_cell_end_q <= (seen_y_q == 3'h7) & (~(seen_rows_left_q == 8'h0));
-      was_next_row_q <= next_row;
-      seen_base_q <= marks_first_s2_q ? 13'h0 : (seen_base_q + {6'h0, select_949});
+      sample_pair_pixel_0_q <= pixel_0_s2_q;
+      sample_pair_pixel_1_q <= pixel_1_s2_q;
+      sample_of_skin_q <= mask_s2_q;
+      averager_running_of_skin_q <= select_1110;
+      averager_mask_q <= select_1112;
+      averager_of_skin_q <= select_1114;
+      registration_slope_row_q <= select_1745;
+      registration_slope_change_q <= select_1748;
+      registration_slope_q <= select_1750;
+      registration_next_slope_row_q <= sum_1751;
+      registration_next_slope_change_q <= sum_1752;
     end
   end
 
@@ -1553,175 +1605,167 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s2_en) begin
-      averager_running_0_q <= select_316;
-      averager_running_1_q <= sum_322;
-      sums_0_columns_values_0_q <= equal_351_s2_q ? {2'h0, column_12} : sums_0_columns_values_0_q;
-      sums_0_columns_values_1_q <= select_1304;
-      sums_0_columns_values_2_q <= select_1305;
-      sums_0_columns_values_3_q <= select_1306;
-      sums_0_columns_values_4_q <= select_1307;
-      sums_0_columns_values_5_q <= select_1308;
-      sums_0_columns_values_6_q <= select_1309;
-      sums_0_sum_sums_values_0_q <= equal_351_s2_q ? sum_735 : sums_0_sum_sums_values_0_q;
-      sums_1_columns_values_0_q <= equal_351_s2_q ? {2'h0, column_6} : sums_1_columns_values_0_q;
-      sums_1_columns_values_1_q <= select_1312;
-      sums_1_columns_values_2_q <= select_1313;
-      sums_1_columns_values_3_q <= select_1314;
-      sums_1_columns_values_4_q <= select_1315;
-      sums_1_columns_values_5_q <= select_1316;
-      sums_1_columns_values_6_q <= select_1317;
-      sums_1_sum_sums_values_0_q <= equal_351_s2_q ? sum_623 : sums_1_sum_sums_values_0_q;
-      sums_2_columns_values_0_q <= equal_351_s2_q ? {2'h0, column_3} : sums_2_columns_values_0_q;
-      sums_2_columns_values_1_q <= select_1320;
-      sums_2_columns_values_2_q <= select_1321;
-      sums_2_columns_values_3_q <= select_1322;
-      sums_2_columns_values_4_q <= select_1323;
-      sums_2_columns_values_5_q <= select_1324;
-      sums_2_columns_values_6_q <= select_1325;
-      sums_2_sum_sums_values_0_q <= equal_351_s2_q ? sum_570 : sums_2_sum_sums_values_0_q;
-      sums_3_columns_values_0_q <= equal_351_s2_q ? {2'h0, column_9} : sums_3_columns_values_0_q;
-      sums_3_columns_values_1_q <= select_1328;
-      sums_3_columns_values_2_q <= select_1329;
-      sums_3_columns_values_3_q <= select_1330;
-      sums_3_columns_values_4_q <= select_1331;
-      sums_3_columns_values_5_q <= select_1332;
-      sums_3_columns_values_6_q <= select_1333;
-      sums_3_sum_sums_values_0_q <= equal_351_s2_q ? sum_678 : sums_3_sum_sums_values_0_q;
-      sums_4_columns_values_0_q <= equal_351_s2_q ? {2'h0, column_15} : sums_4_columns_values_0_q;
-      sums_4_columns_values_1_q <= select_1336;
-      sums_4_columns_values_2_q <= select_1337;
-      sums_4_columns_values_3_q <= select_1338;
-      sums_4_columns_values_4_q <= select_1339;
-      sums_4_columns_values_5_q <= select_1340;
-      sums_4_columns_values_6_q <= select_1341;
-      sums_4_sum_sums_values_0_q <= equal_351_s2_q ? sum_795 : sums_4_sum_sums_values_0_q;
+      averager_running_0_q <= sample_pair_whole_s2_q ? select_329 : averager_running_0_q;
+      averager_running_1_q <= sample_pair_whole_s2_q ? sum_335 : averager_running_1_q;
+      sums_0_columns_values_0_q <= equal_370_s2_q ? {2'h0, column_13} : sums_0_columns_values_0_q;
+      sums_0_columns_values_1_q <= select_1342;
+      sums_0_columns_values_2_q <= select_1343;
+      sums_0_columns_values_3_q <= select_1344;
+      sums_0_columns_values_4_q <= select_1345;
+      sums_0_columns_values_5_q <= select_1346;
+      sums_0_columns_values_6_q <= select_1347;
+      sums_0_sum_sums_values_0_q <= equal_370_s2_q ? sum_755 : sums_0_sum_sums_values_0_q;
+      sums_1_columns_values_0_q <= equal_370_s2_q ? {2'h0, column_7} : sums_1_columns_values_0_q;
+      sums_1_columns_values_1_q <= select_1350;
+      sums_1_columns_values_2_q <= select_1351;
+      sums_1_columns_values_3_q <= select_1352;
+      sums_1_columns_values_4_q <= select_1353;
+      sums_1_columns_values_5_q <= select_1354;
+      sums_1_columns_values_6_q <= select_1355;
+      sums_1_sum_sums_values_0_q <= equal_370_s2_q ? sum_643 : sums_1_sum_sums_values_0_q;
+      sums_2_columns_values_0_q <= equal_370_s2_q ? {2'h0, column_4} : sums_2_columns_values_0_q;
+      sums_2_columns_values_1_q <= select_1358;
+      sums_2_columns_values_2_q <= select_1359;
+      sums_2_columns_values_3_q <= select_1360;
+      sums_2_columns_values_4_q <= select_1361;
+      sums_2_columns_values_5_q <= select_1362;
+      sums_2_columns_values_6_q <= select_1363;
+      sums_2_sum_sums_values_0_q <= equal_370_s2_q ? sum_590 : sums_2_sum_sums_values_0_q;
+      sums_3_columns_values_0_q <= equal_370_s2_q ? {2'h0, column_10} : sums_3_columns_values_0_q;
+      sums_3_columns_values_1_q <= select_1366;
+      sums_3_columns_values_2_q <= select_1367;
+      sums_3_columns_values_3_q <= select_1368;
+      sums_3_columns_values_4_q <= select_1369;
+      sums_3_columns_values_5_q <= select_1370;
+      sums_3_columns_values_6_q <= select_1371;
+      sums_3_sum_sums_values_0_q <= equal_370_s2_q ? sum_698 : sums_3_sum_sums_values_0_q;
+      sums_4_columns_values_0_q <= equal_370_s2_q ? {2'h0, column_16} : sums_4_columns_values_0_q;
+      sums_4_columns_values_1_q <= select_1374;
+      sums_4_columns_values_2_q <= select_1375;
+      sums_4_columns_values_3_q <= select_1376;
+      sums_4_columns_values_4_q <= select_1377;
+      sums_4_columns_values_5_q <= select_1378;
+      sums_4_columns_values_6_q <= select_1379;
+      sums_4_sum_sums_values_0_q <= equal_370_s2_q ? sum_815 : sums_4_sum_sums_values_0_q;
     end
   end
 
-  logic [7:0] pixel_0_s3_q;
-  logic [7:0] pixel_1_s3_q;
   logic saturated_s3_q;
-  logic mask_s3_q;
   logic marks_first_s3_q;
   logic marks_last_s3_q;
+  logic sample_pair_whole_s3_q;
   logic [5:0] run_shift_s3_q;
   logic [7:0] x_s3_q;
   logic age_s3_q;
   logic lower_half_s3_q;
-  logic [6:0] select_302_s3_q;
-  logic [8:0] select_306_s3_q;
-  logic and_313_s3_q;
-  logic equal_318_s3_q;
-  logic whole_s3_q;
-  logic and_335_s3_q;
-  logic and_336_s3_q;
-  logic equal_339_s3_q;
-  logic equal_351_s3_q;
-  logic not_352_s3_q;
-  logic equal_353_s3_q;
-  logic less_354_s3_q;
-  logic not_355_s3_q;
-  logic equal_385_s3_q;
+  logic [6:0] column_s3_q;
+  logic and_349_s3_q;
+  logic and_351_s3_q;
+  logic [8:0] grey_s3_q;
+  logic equal_354_s3_q;
+  logic [8:0] grey_2_s3_q;
+  logic whole_2_s3_q;
+  logic and_369_s3_q;
+  logic equal_370_s3_q;
+  logic not_371_s3_q;
+  logic equal_372_s3_q;
+  logic less_373_s3_q;
+  logic not_374_s3_q;
+  logic equal_405_s3_q;
   logic drew_s3_q;
   logic left_rdata_s3_q;
   logic [6:0] x_s3_2_q;
-  logic not_496_s3_q;
+  logic not_516_s3_q;
   logic [21:0] best_left_rdata_s3_q;
-  logic equal_501_s3_q;
-  logic [7:0] sum_570_s3_q;
-  logic [7:0] sum_623_s3_q;
-  logic [7:0] sum_678_s3_q;
-  logic [7:0] sum_735_s3_q;
+  logic equal_521_s3_q;
+  logic [7:0] sum_590_s3_q;
+  logic [7:0] sum_643_s3_q;
+  logic [7:0] sum_698_s3_q;
+  logic [7:0] sum_755_s3_q;
   logic [1:0] best_2_s3_q;
-  logic [7:0] sum_795_s3_q;
-  logic equal_805_s3_q;
-  logic and_863_s3_q;
+  logic [7:0] sum_815_s3_q;
+  logic equal_825_s3_q;
+  logic and_883_s3_q;
   logic [6:0] partner_s3_q;
-  logic equal_869_s3_q;
-  logic equal_892_s3_q;
-  logic equal_895_s3_q;
-  logic and_906_s3_q;
-  logic and_937_s3_q;
-  logic not_959_s3_q;
-  logic and_1043_s3_q;
-  logic equal_1160_s3_q;
-  logic equal_1211_s3_q;
-  logic not_1257_s3_q;
-  logic and_1345_s3_q;
-  logic less_1428_s3_q;
-  logic less_1431_s3_q;
-  logic [9:0] sum_1461_s3_q;
-  logic select_1462_s3_q;
-  logic [8:0] difference_1464_s3_q;
-  logic less_1704_s3_q;
-  logic equal_1861_s3_q;
+  logic equal_889_s3_q;
+  logic equal_912_s3_q;
+  logic equal_915_s3_q;
+  logic and_926_s3_q;
+  logic and_957_s3_q;
+  logic and_1057_s3_q;
+  logic equal_1197_s3_q;
+  logic equal_1249_s3_q;
+  logic not_1295_s3_q;
+  logic and_1383_s3_q;
+  logic less_1477_s3_q;
+  logic less_1480_s3_q;
+  logic [9:0] sum_1510_s3_q;
+  logic select_1511_s3_q;
+  logic [8:0] difference_1513_s3_q;
+  logic less_1753_s3_q;
+  logic equal_1918_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
-      pixel_0_s3_q <= pixel_0_s2_q;
-      pixel_1_s3_q <= pixel_1_s2_q;
       saturated_s3_q <= saturated_s2_q;
-      mask_s3_q <= mask_s2_q;
       marks_first_s3_q <= marks_first_s2_q;
       marks_last_s3_q <= marks_last_s2_q;
+      sample_pair_whole_s3_q <= sample_pair_whole_s2_q;
       run_shift_s3_q <= run_shift_s2_q;
       x_s3_q <= x_s2_q;
       age_s3_q <= age_s2_q[0];
       lower_half_s3_q <= lower_half_s2_q;
-      select_302_s3_q <= select_302_s2_q;
-      select_306_s3_q <= select_306_s2_q;
-      and_313_s3_q <= and_313_s2_q;
-      equal_318_s3_q <= equal_318_s2_q;
-      whole_s3_q <= whole_s2_q;
-      and_335_s3_q <= and_335_s2_q;
-      and_336_s3_q <= and_336_s2_q;
-      equal_339_s3_q <= equal_339_s2_q;
-      equal_351_s3_q <= equal_351_s2_q;
-      not_352_s3_q <= not_352_s2_q;
-      equal_353_s3_q <= equal_353_s2_q;
-      less_354_s3_q <= less_354_s2_q;
-      not_355_s3_q <= not_355_s2_q;
-      equal_385_s3_q <= equal_385_s2_q;
+      column_s3_q <= column_s2_q;
+      and_349_s3_q <= and_349_s2_q;
+      and_351_s3_q <= and_351_s2_q;
+      grey_s3_q <= grey;
+      equal_354_s3_q <= equal_354_s2_q;
+      grey_2_s3_q <= grey_2;
+      whole_2_s3_q <= whole_2;
+      and_369_s3_q <= sample_pair_whole_s2_q & select_368;
+      equal_370_s3_q <= equal_370_s2_q;
+      not_371_s3_q <= not_371_s2_q;
+      equal_372_s3_q <= equal_372_s2_q;
+      less_373_s3_q <= less_373_s2_q;
+      not_374_s3_q <= not_374_s2_q;
+      equal_405_s3_q <= equal_405_s2_q;
       drew_s3_q <= drew_s2_q;
       left_rdata_s3_q <= left_rdata_s2_q;
       x_s3_2_q <= x_s2_2_q;
-      not_496_s3_q <= not_496_s2_q;
+      not_516_s3_q <= not_516_s2_q;
       best_left_rdata_s3_q <= best_left_rdata_q;
-      equal_501_s3_q <= equal_501_s2_q;
-      sum_570_s3_q <= sum_570;
-      sum_623_s3_q <= sum_623;
-      sum_678_s3_q <= sum_678;
-      sum_735_s3_q <= sum_735;
+      equal_521_s3_q <= equal_521_s2_q;
+      sum_590_s3_q <= sum_590;
+      sum_643_s3_q <= sum_643;
+      sum_698_s3_q <= sum_698;
+      sum_755_s3_q <= sum_755;
       best_2_s3_q <= best_2;
-      sum_795_s3_q <= sum_795;
-      equal_805_s3_q <= equal_805_s2_q;
-      and_863_s3_q <= and_863_s2_q;
+      sum_815_s3_q <= sum_815;
+      equal_825_s3_q <= equal_825_s2_q;
+      and_883_s3_q <= and_883_s2_q;
       partner_s3_q <= partner;
-      equal_869_s3_q <= equal_869_s2_q;
-      equal_892_s3_q <= equal_892_s2_q;
-      equal_895_s3_q <= equal_895_s2_q;
-      and_906_s3_q <= and_906_s2_q;
-      and_937_s3_q <= and_937_s2_q;
-      not_959_s3_q <= not_959;
-      and_1043_s3_q <= and_1043_s2_q;
-      equal_1160_s3_q <= equal_1160_s2_q;
-      equal_1211_s3_q <= equal_1211_s2_q;
-      not_1257_s3_q <= not_1257_s2_q;
-      and_1345_s3_q <= and_1345_s2_q;
-      less_1428_s3_q <= less_1428_s2_q;
-      less_1431_s3_q <= less_1431_s2_q;
-      sum_1461_s3_q <= sum_1461[10:1];
-      select_1462_s3_q <= select_1462[0];
-      difference_1464_s3_q <= difference_1464;
-      less_1704_s3_q <= less_1704_s2_q;
-      equal_1861_s3_q <= equal_1861_s2_q;
+      equal_889_s3_q <= equal_889_s2_q;
+      equal_912_s3_q <= equal_912_s2_q;
+      equal_915_s3_q <= equal_915_s2_q;
+      and_926_s3_q <= and_926_s2_q;
+      and_957_s3_q <= and_957_s2_q;
+      and_1057_s3_q <= and_1057_s2_q;
+      equal_1197_s3_q <= equal_1197_s2_q;
+      equal_1249_s3_q <= equal_1249_s2_q;
+      not_1295_s3_q <= not_1295_s2_q;
+      and_1383_s3_q <= and_1383_s2_q;
+      less_1477_s3_q <= less_1477_s2_q;
+      less_1480_s3_q <= less_1480_s2_q;
+      sum_1510_s3_q <= sum_1510[10:1];
+      select_1511_s3_q <= select_1511[0];
+      difference_1513_s3_q <= difference_1513;
+      less_1753_s3_q <= less_1753_s2_q;
+      equal_1918_s3_q <= equal_1918_s2_q;
     end
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
   logic [10:0] averager_total_0_q;
   logic [10:0] averager_total_1_q;
-  logic averager_mask_q;
-  logic averager_of_skin_q;
   logic [8:0] census_columns_values_0_cell_0_left_q;
   logic [8:0] census_columns_values_0_cell_0_right_q;
   logic census_columns_values_0_cell_0_mask_q;
@@ -1821,8 +1865,10 @@ module horopter_agreement (
   logic [7:0] next_hidden_for_q;
   logic [2:0] next_region_row_q;
   logic begins_product_q;
-  logic centres_values_0_q;
-  logic centres_values_1_q;
+  logic centres_values_0_textured_q;
+  logic centres_values_0_of_skin_q;
+  logic centres_values_1_textured_q;
+  logic centres_values_1_of_skin_q;
   logic [12:0] map_row_q;
   logic [6:0] map_width_q;
   logic write_half_q;
@@ -1830,113 +1876,101 @@ module horopter_agreement (
   logic done_q;
   logic proven_q;
   logic said_q;
-  // hls/stages/census.hpp:100
-  logic [11:0] sum_320;
-  assign sum_320 = averager_running_0_q + (equal_318_s3_q ? 12'h0 : averager_memory_rdata_q[11:0]);
-  logic [11:0] sum_324;
-  assign sum_324 = averager_running_1_q + (equal_318_s3_q ? 12'h0 : averager_memory_rdata_q[23:12]);
-  // hls/stages/census.hpp:101
-  logic and_328;
-  assign and_328 = whole_s3_q & (averager_memory_rdata_q[24] | equal_318_s3_q);
-  // hls/stages/census.hpp:102
-  logic and_332;
-  assign and_332 = averager_running_of_skin_q & (averager_memory_rdata_q[25] | equal_318_s3_q);
-  // hls/stages/census.hpp:126
-  logic [8:0] grey;
-  assign grey = and_313_s3_q ? sum_320[11:3] : 9'h0;
+  logic [17:0] rows_passed_q;
+  logic [8:0] columns_passed_q;
+  logic line_ended_q;
+  logic began_q;
+  logic [2:0] seen_x_q;
+  logic [2:0] seen_y_q;
+  logic [7:0] seen_column_q;
+  logic [7:0] seen_rows_left_q;
+  logic at_cell_end_q;
+  logic was_next_row_q;
+  logic [12:0] seen_base_q;
   // hls/stages/census.hpp:127
   logic [10:0] total;
-  assign total = {2'h0, grey} + (equal_339_s3_q ? 11'h0 : averager_total_0_q);
-  // hls/stages/census.hpp:126
-  logic [8:0] grey_2;
-  assign grey_2 = and_313_s3_q ? sum_324[11:3] : 9'h0;
+  assign total = {2'h0, grey_s3_q} + (equal_354_s3_q ? 11'h0 : averager_total_0_q);
+  // hls/stages/agreement.hpp:180
+  logic [8:0] select_357;
+  assign select_357 = sample_pair_whole_s3_q ? total[10:2] : 9'h0;
   // hls/stages/census.hpp:127
   logic [10:0] total_2;
-  assign total_2 = {2'h0, grey_2} + (equal_339_s3_q ? 11'h0 : averager_total_1_q);
-  // hls/stages/census.hpp:126
-  logic and_345;
-  assign and_345 = and_313_s3_q & and_328;
-  // hls/stages/census.hpp:105
-  logic whole_2;
-  assign whole_2 = equal_339_s3_q ? and_345 : (averager_mask_q & and_345);
-  // hls/stages/census.hpp:126
-  logic and_348;
-  assign and_348 = and_313_s3_q & and_332;
-  // hls/stages/census.hpp:105
-  logic select_350;
-  assign select_350 = equal_339_s3_q ? and_348 : (averager_of_skin_q & and_348);
+  assign total_2 = {2'h0, grey_2_s3_q} + (equal_354_s3_q ? 11'h0 : averager_total_1_q);
+  // hls/stages/agreement.hpp:180
+  logic [8:0] select_361;
+  assign select_361 = sample_pair_whole_s3_q ? total_2[10:2] : 9'h0;
   // hls/stages/census.hpp:214
-  logic less_359;
-  assign less_359 = census_memory_rdata_q[8:0] < census_columns_values_1_cell_2_left_q;
-  logic less_360;
-  assign less_360 = census_memory_rdata_q[48:40] < census_columns_values_1_cell_2_left_q;
-  logic less_361;
-  assign less_361 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_362;
-  assign less_362 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_363;
-  assign less_363 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_364;
-  assign less_364 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_365;
-  assign less_365 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_366;
-  assign less_366 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_367;
-  assign less_367 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_368;
-  assign less_368 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_369;
-  assign less_369 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_370;
-  assign less_370 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
-  // hls/stages/census.hpp:215
-  logic less_371;
-  assign less_371 = census_memory_rdata_q[17:9] < census_columns_values_1_cell_2_right_q;
-  logic less_372;
-  assign less_372 = census_memory_rdata_q[57:49] < census_columns_values_1_cell_2_right_q;
-  logic less_373;
-  assign less_373 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_374;
-  assign less_374 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_375;
-  assign less_375 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_376;
-  assign less_376 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_377;
-  assign less_377 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
   logic less_378;
-  assign less_378 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_378 = census_memory_rdata_q[8:0] < census_columns_values_1_cell_2_left_q;
   logic less_379;
-  assign less_379 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_379 = census_memory_rdata_q[48:40] < census_columns_values_1_cell_2_left_q;
   logic less_380;
-  assign less_380 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_380 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
   logic less_381;
-  assign less_381 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_381 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
   logic less_382;
-  assign less_382 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
-  // hls/stages/agreement.hpp:241
-  logic equal_383;
-  assign equal_383 = select_302_s3_q == 7'h0;
-  logic [3:0] select_386;
-  assign select_386 = equal_385_s3_q ? 4'h0 : rows_passed_above_q[3:0];
-  // hls/stages/agreement.hpp:242
-  logic [4:0] select_387;
-  assign select_387 = equal_383 ? {select_386, 1'b1} : rows_passed_above_q;
+  assign less_382 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_383;
+  assign less_383 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_384;
+  assign less_384 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_385;
+  assign less_385 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_386;
+  assign less_386 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_387;
+  assign less_387 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_388;
+  assign less_388 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_389;
+  assign less_389 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  // hls/stages/census.hpp:215
+  logic less_390;
+  assign less_390 = census_memory_rdata_q[17:9] < census_columns_values_1_cell_2_right_q;
+  logic less_391;
+  assign less_391 = census_memory_rdata_q[57:49] < census_columns_values_1_cell_2_right_q;
+  logic less_392;
+  assign less_392 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_393;
+  assign less_393 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_394;
+  assign less_394 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_395;
+  assign less_395 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_396;
+  assign less_396 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_397;
+  assign less_397 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_398;
+  assign less_398 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_399;
+  assign less_399 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_400;
+  assign less_400 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_401;
+  assign less_401 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  // hls/stages/agreement.hpp:256
+  logic equal_402;
+  assign equal_402 = column_s3_q == 7'h0;
+  logic [3:0] select_406;
+  assign select_406 = equal_405_s3_q ? 4'h0 : rows_passed_above_q[3:0];
+  // hls/stages/agreement.hpp:257
+  logic [4:0] select_407;
+  assign select_407 = equal_402 ? {select_406, 1'b1} : rows_passed_above_q;
   // hls/stages/census.hpp:196
-  logic [3:0] select_388;
-  assign select_388 = equal_383 ? 4'h0 : census_filled_q;
+  logic [3:0] select_408;
+  assign select_408 = equal_402 ? 4'h0 : census_filled_q;
   // hls/stages/census.hpp:219
-  logic and_389;
-  assign and_389 = select_387[4] & select_388[3];
+  logic and_409;
+  assign and_409 = select_407[4] & select_408[3];
   // hls/stages/census.hpp:206
-  logic and_391;
-  assign and_391 = census_memory_rdata_q[38] & (census_memory_rdata_q[18] & whole_2);
-  logic and_393;
-  assign and_393 = census_memory_rdata_q[77] & (census_memory_rdata_q[58] & and_391);
-  // hls/stages/agreement.hpp:242
+  logic and_411;
+  assign and_411 = census_memory_rdata_q[38] & (census_memory_rdata_q[18] & whole_2_s3_q);
+  logic and_413;
+  assign and_413 = census_memory_rdata_q[77] & (census_memory_rdata_q[58] & and_411);
+  // hls/stages/agreement.hpp:257
   logic whole_3;
-  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_393;
+  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_413;
   logic whole_4;
   assign whole_4 = census_columns_values_0_cell_1_mask_q & whole_3;
   logic whole_5;
@@ -1976,915 +2010,960 @@ module horopter_agreement (
   logic whole_22;
   assign whole_22 = census_columns_values_3_cell_4_mask_q & whole_21;
   // hls/stages/census.hpp:190
-  logic [9:0] difference_416;
-  assign difference_416 = {1'b0, total[10:2]} - {1'b0, census_columns_values_0_cell_0_left_q};
-  logic [8:0] xor_417;
-  assign xor_417 = difference_416[8:0] ^ {9{difference_416[9]}};
-  logic [9:0] sum_418;
-  assign sum_418 = {9'h0, difference_416[9]} + {1'b0, xor_417};
-  logic [9:0] difference_419;
-  assign difference_419 = {1'b0, census_memory_rdata_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
-  logic [8:0] xor_420;
-  assign xor_420 = difference_419[8:0] ^ {9{difference_419[9]}};
-  logic [9:0] sum_421;
-  assign sum_421 = {9'h0, difference_419[9]} + {1'b0, xor_420};
-  logic [9:0] difference_423;
-  assign difference_423 = {1'b0, census_memory_rdata_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
-  logic [8:0] xor_424;
-  assign xor_424 = difference_423[8:0] ^ {9{difference_423[9]}};
-  logic [9:0] sum_425;
-  assign sum_425 = {9'h0, difference_423[9]} + {1'b0, xor_424};
-  logic [10:0] sum_426;
-  assign sum_426 = ({1'b0, sum_418} + {1'b0, sum_421}) + {1'b0, sum_425};
-  logic [9:0] difference_427;
-  assign difference_427 = {1'b0, census_memory_rdata_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
-  logic [8:0] xor_428;
-  assign xor_428 = difference_427[8:0] ^ {9{difference_427[9]}};
-  logic [9:0] sum_429;
-  assign sum_429 = {9'h0, difference_427[9]} + {1'b0, xor_428};
-  logic [9:0] difference_431;
-  assign difference_431 = {1'b0, census_memory_rdata_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
-  logic [8:0] xor_432;
-  assign xor_432 = difference_431[8:0] ^ {9{difference_431[9]}};
-  logic [9:0] sum_433;
-  assign sum_433 = {9'h0, difference_431[9]} + {1'b0, xor_432};
+  logic [9:0] difference_436;
+  assign difference_436 = {1'b0, select_357} - {1'b0, census_columns_values_0_cell_0_left_q};
+  logic [8:0] xor_437;
+  assign xor_437 = difference_436[8:0] ^ {9{difference_436[9]}};
+  logic [9:0] sum_438;
+  assign sum_438 = {9'h0, difference_436[9]} + {1'b0, xor_437};
+  logic [9:0] difference_439;
+  assign difference_439 = {1'b0, census_memory_rdata_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
+  logic [8:0] xor_440;
+  assign xor_440 = difference_439[8:0] ^ {9{difference_439[9]}};
+  logic [9:0] sum_441;
+  assign sum_441 = {9'h0, difference_439[9]} + {1'b0, xor_440};
+  logic [9:0] difference_443;
+  assign difference_443 = {1'b0, census_memory_rdata_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
+  logic [8:0] xor_444;
+  assign xor_444 = difference_443[8:0] ^ {9{difference_443[9]}};
+  logic [9:0] sum_445;
+  assign sum_445 = {9'h0, difference_443[9]} + {1'b0, xor_444};
+  logic [10:0] sum_446;
+  assign sum_446 = ({1'b0, sum_438} + {1'b0, sum_441}) + {1'b0, sum_445};
+  logic [9:0] difference_447;
+  assign difference_447 = {1'b0, census_memory_rdata_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
+  logic [8:0] xor_448;
+  assign xor_448 = difference_447[8:0] ^ {9{difference_447[9]}};
+  logic [9:0] sum_449;
+  assign sum_449 = {9'h0, difference_447[9]} + {1'b0, xor_448};
+  logic [9:0] difference_451;
+  assign difference_451 = {1'b0, census_memory_rdata_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
+  logic [8:0] xor_452;
+  assign xor_452 = difference_451[8:0] ^ {9{difference_451[9]}};
+  logic [9:0] sum_453;
+  assign sum_453 = {9'h0, difference_451[9]} + {1'b0, xor_452};
   logic [11:0] texture;
-  assign texture = ({1'b0, sum_426} + {2'h0, sum_429}) + {2'h0, sum_433};
-  // hls/stages/agreement.hpp:412
-  logic not_503;
-  assign not_503 = ~($signed(run_shift_s3_q) < $signed($unsigned(cfg_shift_lowest_i)));
-  logic less_504;
-  assign less_504 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s3_q);
-  // hls/stages/agreement.hpp:420
-  logic [7:0] select_742;
-  assign select_742 = best_2_s3_q[1] ? (best_2_s3_q[0] ? sum_678_s3_q : sum_570_s3_q) : (best_2_s3_q[0] ? sum_623_s3_q : sum_735_s3_q);
-  logic less_796;
-  assign less_796 = select_742 < sum_795_s3_q;
-  logic [1:0] select_797;
-  assign select_797 = less_796 ? 2'h0 : best_2_s3_q;
-  // hls/stages/agreement.hpp:422
-  logic [7:0] select_800;
-  assign select_800 = select_797[1] ? (select_797[0] ? sum_678_s3_q : sum_570_s3_q) : (select_797[0] ? sum_623_s3_q : sum_735_s3_q);
-  logic [7:0] of_best;
-  assign of_best = less_796 ? sum_795_s3_q : select_800;
-  logic [7:0] of_best_2;
-  assign of_best_2 = (not_503 & (~less_504)) ? of_best : 8'h0;
-  // hls/stages/agreement.hpp:424
-  logic less_803;
-  assign less_803 = $signed(run_shift_s3_q) < $signed(6'h1);
+  assign texture = ({1'b0, sum_446} + {2'h0, sum_449}) + {2'h0, sum_453};
   // hls/stages/agreement.hpp:427
-  logic less_804;
-  assign less_804 = best_left_rdata_s3_q[7:0] < of_best_2;
-  logic or_806;
-  assign or_806 = less_804 | equal_805_s3_q;
-  // hls/stages/agreement.hpp:430
-  logic [7:0] select_809;
-  assign select_809 = less_803 ? (or_806 ? of_best_2 : best_left_rdata_s3_q[7:0]) : (less_804 ? of_best_2 : best_left_rdata_s3_q[7:0]);
-  logic [5:0] select_813;
-  assign select_813 = less_803 ? (or_806 ? run_shift_s3_q : best_left_rdata_s3_q[13:8]) : (less_804 ? run_shift_s3_q : best_left_rdata_s3_q[13:8]);
+  logic not_523;
+  assign not_523 = ~($signed(run_shift_s3_q) < $signed($unsigned(cfg_shift_lowest_i)));
+  logic less_524;
+  assign less_524 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s3_q);
+  // hls/stages/agreement.hpp:435
+  logic [7:0] select_762;
+  assign select_762 = best_2_s3_q[1] ? (best_2_s3_q[0] ? sum_698_s3_q : sum_590_s3_q) : (best_2_s3_q[0] ? sum_643_s3_q : sum_755_s3_q);
+  logic less_816;
+  assign less_816 = select_762 < sum_815_s3_q;
+  logic [1:0] select_817;
+  assign select_817 = less_816 ? 2'h0 : best_2_s3_q;
+  // hls/stages/agreement.hpp:437
+  logic [7:0] select_820;
+  assign select_820 = select_817[1] ? (select_817[0] ? sum_698_s3_q : sum_590_s3_q) : (select_817[0] ? sum_643_s3_q : sum_755_s3_q);
+  logic [7:0] of_best;
+  assign of_best = less_816 ? sum_815_s3_q : select_820;
+  logic [7:0] of_best_2;
+  assign of_best_2 = (not_523 & (~less_524)) ? of_best : 8'h0;
+  // hls/stages/agreement.hpp:439
+  logic less_823;
+  assign less_823 = $signed(run_shift_s3_q) < $signed(6'h1);
+  // hls/stages/agreement.hpp:442
+  logic less_824;
+  assign less_824 = best_left_rdata_s3_q[7:0] < of_best_2;
+  logic or_826;
+  assign or_826 = less_824 | equal_825_s3_q;
+  // hls/stages/agreement.hpp:445
+  logic [7:0] select_829;
+  assign select_829 = less_823 ? (or_826 ? of_best_2 : best_left_rdata_s3_q[7:0]) : (less_824 ? of_best_2 : best_left_rdata_s3_q[7:0]);
+  logic [5:0] select_833;
+  assign select_833 = less_823 ? (or_826 ? run_shift_s3_q : best_left_rdata_s3_q[13:8]) : (less_824 ? run_shift_s3_q : best_left_rdata_s3_q[13:8]);
   // hls/stages/registration.hpp:21
   logic [2:0] near_best;
-  assign near_best = ({less_796, select_797} == 3'h4) ? 3'h3 : (({less_796, select_797} == 3'h0) ? 3'h1 : {less_796, select_797});
+  assign near_best = ({less_816, select_817} == 3'h4) ? 3'h3 : (({less_816, select_817} == 3'h0) ? 3'h1 : {less_816, select_817});
   // hls/stages/registration.hpp:23
-  logic [2:0] sum_820;
-  assign sum_820 = near_best + 3'h1;
-  logic [7:0] select_823;
-  assign select_823 = sum_820[1] ? (sum_820[0] ? sum_678_s3_q : sum_570_s3_q) : (sum_820[0] ? sum_623_s3_q : sum_735_s3_q);
+  logic [2:0] sum_840;
+  assign sum_840 = near_best + 3'h1;
+  logic [7:0] select_843;
+  assign select_843 = sum_840[1] ? (sum_840[0] ? sum_698_s3_q : sum_590_s3_q) : (sum_840[0] ? sum_643_s3_q : sum_755_s3_q);
   logic [7:0] below;
-  assign below = sum_820[2] ? sum_795_s3_q : select_823;
+  assign below = sum_840[2] ? sum_815_s3_q : select_843;
   // hls/stages/registration.hpp:22
-  logic [2:0] sum_825;
-  assign sum_825 = near_best + 3'h7;
-  logic [7:0] select_828;
-  assign select_828 = sum_825[1] ? (sum_825[0] ? sum_678_s3_q : sum_570_s3_q) : (sum_825[0] ? sum_623_s3_q : sum_735_s3_q);
+  logic [2:0] sum_845;
+  assign sum_845 = near_best + 3'h7;
+  logic [7:0] select_848;
+  assign select_848 = sum_845[1] ? (sum_845[0] ? sum_698_s3_q : sum_590_s3_q) : (sum_845[0] ? sum_643_s3_q : sum_755_s3_q);
   logic [7:0] above;
-  assign above = sum_825[2] ? sum_795_s3_q : select_828;
+  assign above = sum_845[2] ? sum_815_s3_q : select_848;
   // hls/stages/registration.hpp:24
   logic [8:0] rise;
   assign rise = {1'b0, below} - {1'b0, above};
   // hls/stages/registration.hpp:26
-  logic [7:0] select_834;
-  assign select_834 = near_best[1] ? (near_best[0] ? sum_678_s3_q : sum_570_s3_q) : (near_best[0] ? sum_623_s3_q : sum_735_s3_q);
-  logic [7:0] select_835;
-  assign select_835 = near_best[2] ? sum_795_s3_q : select_834;
-  logic [7:0] select_836;
-  assign select_836 = rise[8] ? below : above;
+  logic [7:0] select_854;
+  assign select_854 = near_best[1] ? (near_best[0] ? sum_698_s3_q : sum_590_s3_q) : (near_best[0] ? sum_643_s3_q : sum_755_s3_q);
+  logic [7:0] select_855;
+  assign select_855 = near_best[2] ? sum_815_s3_q : select_854;
+  logic [7:0] select_856;
+  assign select_856 = rise[8] ? below : above;
   logic [8:0] fall;
-  assign fall = {1'b0, select_835} - {1'b0, select_836};
+  assign fall = {1'b0, select_855} - {1'b0, select_856};
   // hls/stages/registration.hpp:27
   logic [7:0] twice;
   assign twice = fall[8] ? 8'h0 : fall[7:0];
   // hls/stages/registration.hpp:25
-  logic [7:0] xor_839;
-  assign xor_839 = rise[7:0] ^ {8{rise[8]}};
+  logic [7:0] xor_859;
+  assign xor_859 = rise[7:0] ^ {8{rise[8]}};
   logic [8:0] size;
-  assign size = {8'h0, rise[8]} + {1'b0, xor_839};
-  // hls/stages/agreement.hpp:434
-  logic less_868;
-  assign less_868 = best_right_rdata_q[7:0] < of_best_2;
-  logic or_870;
-  assign or_870 = less_868 | equal_869_s3_q;
-  // hls/stages/agreement.hpp:435
-  logic [7:0] select_873;
-  assign select_873 = less_803 ? (or_870 ? of_best_2 : best_right_rdata_q[7:0]) : (less_868 ? of_best_2 : best_right_rdata_q[7:0]);
-  logic [7:0] select_874;
-  assign select_874 = equal_501_s3_q ? of_best_2 : select_873;
-  logic [6:0] select_877;
-  assign select_877 = less_803 ? (or_870 ? x_s3_2_q : best_right_rdata_q[14:8]) : (less_868 ? x_s3_2_q : best_right_rdata_q[14:8]);
-  logic [6:0] select_878;
-  assign select_878 = equal_501_s3_q ? x_s3_2_q : select_877;
-  // hls/stages/agreement.hpp:140
-  logic [7:0] select_879;
-  assign select_879 = drew_s3_q ? region_columns_q : 8'h1;
-  // hls/stages/agreement.hpp:538
-  logic or_882;
-  assign or_882 = select_879[7] | (~({select_879[5], select_879[3], select_879[1]} == 3'h0));
-  // hls/stages/agreement.hpp:537
-  logic or_885;
-  assign or_885 = select_879[7] | (~({select_879[6], select_879[3:2]} == 3'h0));
-  // hls/stages/agreement.hpp:536
-  logic or_888;
-  assign or_888 = select_879[7] | (~(select_879[6:4] == 3'h0));
+  assign size = {8'h0, rise[8]} + {1'b0, xor_859};
+  // hls/stages/agreement.hpp:449
+  logic less_888;
+  assign less_888 = best_right_rdata_q[7:0] < of_best_2;
+  logic or_890;
+  assign or_890 = less_888 | equal_889_s3_q;
+  // hls/stages/agreement.hpp:450
+  logic [7:0] select_893;
+  assign select_893 = less_823 ? (or_890 ? of_best_2 : best_right_rdata_q[7:0]) : (less_888 ? of_best_2 : best_right_rdata_q[7:0]);
+  logic [7:0] select_894;
+  assign select_894 = equal_521_s3_q ? of_best_2 : select_893;
+  logic [6:0] select_897;
+  assign select_897 = less_823 ? (or_890 ? x_s3_2_q : best_right_rdata_q[14:8]) : (less_888 ? x_s3_2_q : best_right_rdata_q[14:8]);
+  logic [6:0] select_898;
+  assign select_898 = equal_521_s3_q ? x_s3_2_q : select_897;
+  // hls/stages/agreement.hpp:142
+  logic [7:0] select_899;
+  assign select_899 = drew_s3_q ? region_columns_q : 8'h1;
+  // hls/stages/agreement.hpp:558
+  logic or_902;
+  assign or_902 = select_899[7] | (~({select_899[5], select_899[3], select_899[1]} == 3'h0));
+  // hls/stages/agreement.hpp:557
+  logic or_905;
+  assign or_905 = select_899[7] | (~({select_899[6], select_899[3:2]} == 3'h0));
+  // hls/stages/agreement.hpp:556
+  logic or_908;
+  assign or_908 = select_899[7] | (~(select_899[6:4] == 3'h0));
   // hls/stages/division.hpp:18
-  logic [5:0] sum_890;
-  assign sum_890 = region_across_rest_q[8:3] + 6'h1;
-  // hls/stages/agreement.hpp:546
-  logic or_893;
-  assign or_893 = (~sum_890[5]) | equal_892_s3_q;
-  // hls/stages/agreement.hpp:516
-  logic and_894;
-  assign and_894 = not_355_s3_q & or_893;
-  // hls/stages/agreement.hpp:606
-  logic equal_896;
-  assign equal_896 = x_s3_q[5:4] == 2'h3;
-  // hls/stages/agreement.hpp:299
-  logic and_898;
-  assign and_898 = equal_895_s3_q & (~equal_896);
-  // hls/stages/agreement.hpp:165
+  logic [5:0] sum_910;
+  assign sum_910 = region_across_rest_q[8:3] + 6'h1;
+  // hls/stages/agreement.hpp:566
+  logic or_913;
+  assign or_913 = (~sum_910[5]) | equal_912_s3_q;
+  // hls/stages/agreement.hpp:536
+  logic and_914;
+  assign and_914 = not_374_s3_q & or_913;
+  // hls/stages/agreement.hpp:635
+  logic equal_916;
+  assign equal_916 = x_s3_q[5:4] == 2'h3;
+  // hls/stages/agreement.hpp:314
+  logic and_918;
+  assign and_918 = equal_915_s3_q & (~equal_916);
+  // hls/stages/agreement.hpp:167
   logic textured;
-  assign textured = not_355_s3_q & and_906_s3_q;
-  // hls/stages/agreement.hpp:505
+  assign textured = not_374_s3_q & and_926_s3_q;
+  // hls/stages/agreement.hpp:524
   logic [8:0] way;
   assign way = {2'h0, best_right_rdata_q[14:8]} - {1'b0, x_s3_q};
-  // hls/stages/agreement.hpp:507
-  logic [9:0] sum_915;
-  assign sum_915 = {way[8], way} + 10'h1;
-  logic and_917;
-  assign and_917 = (and_906_s3_q & (8'hb6 < best_left_rdata_s3_q[7:0])) & ({{6{sum_915[9]}}, sum_915} < 16'h3);
-  // hls/stages/agreement.hpp:165
+  // hls/stages/agreement.hpp:527
+  logic [9:0] sum_935;
+  assign sum_935 = {way[8], way} + 10'h1;
+  logic and_937;
+  assign and_937 = (and_926_s3_q & (8'hb6 < best_left_rdata_s3_q[7:0])) & ({{6{sum_935[9]}}, sum_935} < 16'h3);
+  // hls/stages/agreement.hpp:167
   logic explained;
-  assign explained = not_355_s3_q & and_917;
-  // hls/stages/agreement.hpp:509
-  logic and_925;
-  assign and_925 = cfg_nearer_above_i & ($signed(6'h0) < $signed(best_left_rdata_s3_q[13:8]));
-  // hls/stages/agreement.hpp:165
-  logic and_927;
-  assign and_927 = and_917 & ((cfg_nearer_below_i & best_left_rdata_s3_q[13]) | and_925);
+  assign explained = not_374_s3_q & and_937;
+  // hls/stages/agreement.hpp:529
+  logic and_945;
+  assign and_945 = cfg_nearer_above_i & ($signed(6'h0) < $signed(best_left_rdata_s3_q[13:8]));
+  // hls/stages/agreement.hpp:167
+  logic and_947;
+  assign and_947 = and_937 & ((cfg_nearer_below_i & best_left_rdata_s3_q[13]) | and_945);
+  logic and_959;
+  assign and_959 = left_rdata_s3_q & not_374_s3_q;
   logic near;
-  assign near = not_355_s3_q & and_927;
-  // hls/stages/agreement.hpp:727
+  assign near = not_374_s3_q & and_947;
+  // hls/stages/agreement.hpp:728
+  logic or_961;
+  assign or_961 = marks_first_s3_q | line_ended_q;
+  // hls/stages/agreement.hpp:730
+  logic [17:0] select_963;
+  assign select_963 = marks_first_s3_q ? 18'h1 : (or_961 ? {rows_passed_q[16:0], 1'b1} : rows_passed_q);
+  // hls/stages/agreement.hpp:729
+  logic [8:0] select_965;
+  assign select_965 = or_961 ? 9'h0 : columns_passed_q;
+  // hls/stages/agreement.hpp:737
+  logic select_967;
+  assign select_967 = cfg_compete_i ? (or_961 & select_963[17]) : (select_965[8] & select_963[9]);
+  // hls/stages/agreement.hpp:182
+  logic next_row;
+  assign next_row = select_967 & (began_q & at_cell_end_q);
+  // hls/stages/agreement.hpp:744
+  logic [6:0] select_970;
+  assign select_970 = next_row ? cfg_width_i[9:3] : 7'h0;
+  logic [12:0] select_972;
+  assign select_972 = marks_first_s3_q ? 13'h0 : (seen_base_q + {6'h0, select_970});
+  // hls/stages/agreement.hpp:754
+  logic equal_973;
+  assign equal_973 = seen_x_q == 3'h7;
+  logic [7:0] select_975;
+  assign select_975 = select_967 ? 8'h0 : (seen_column_q + {7'h0, equal_973});
+  // hls/stages/agreement.hpp:757
   logic [12:0] index;
-  assign index = seen_base_q + {5'h0, seen_column_q};
-  // hls/stages/agreement.hpp:698
-  logic select_957;
-  assign select_957 = marks_first_s3_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
-  // hls/stages/agreement.hpp:684
-  logic [7:0] sum_958;
-  assign sum_958 = {1'b0, select_957, 2'h0, select_957, 1'b0, {2{select_957}}} + {1'b0, index[12:6]};
-  // hls/stages/agreement.hpp:726
-  logic and_965;
-  assign and_965 = began_q & (seen_x_q == 3'h0);
-  logic less_966;
-  assign less_966 = seen_column_q < {1'b0, cfg_width_i[9:3]};
-  // hls/stages/agreement.hpp:589
-  logic [7:0] sum_969;
-  assign sum_969 = {2'h0, x_s3_q[7:2]} + 8'hff;
+  assign index = select_972 + {5'h0, select_975};
+  // hls/stages/agreement.hpp:728
+  logic select_978;
+  assign select_978 = marks_first_s3_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
+  // hls/stages/agreement.hpp:714
+  logic [7:0] sum_979;
+  assign sum_979 = {1'b0, select_978, 2'h0, select_978, 1'b0, {2{select_978}}} + {1'b0, index[12:6]};
+  // hls/stages/agreement.hpp:727
+  logic not_980;
+  assign not_980 = ~marks_first_s3_q;
+  // hls/stages/agreement.hpp:182
+  logic and_982;
+  assign and_982 = not_980 & (began_q | select_967);
+  // hls/stages/agreement.hpp:755
+  logic [2:0] select_984;
+  assign select_984 = select_967 ? 3'h0 : (seen_x_q + 3'h1);
+  // hls/stages/agreement.hpp:756
+  logic and_986;
+  assign and_986 = and_982 & (select_984 == 3'h0);
+  logic less_987;
+  assign less_987 = select_975 < {1'b0, cfg_width_i[9:3]};
+  // hls/stages/agreement.hpp:618
+  logic [7:0] sum_990;
+  assign sum_990 = {2'h0, x_s3_q[7:2]} + 8'hff;
   logic [12:0] index_2;
-  assign index_2 = {{3{sum_969[7]}}, sum_969, x_s3_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:684
-  logic [7:0] sum_971;
-  assign sum_971 = {1'b0, write_half_q, 2'h0, write_half_q, 1'b0, {2{write_half_q}}} + {1'b0, index_2[12:6]};
-  // hls/stages/agreement.hpp:516
-  logic [3:0] select_972;
-  assign select_972 = less_354_s3_q ? 4'h0 : seen_columns_rdata_q[11:8];
-  logic and_973;
-  assign and_973 = seen_columns_rdata_q[6] & not_355_s3_q;
-  logic and_974;
-  assign and_974 = seen_columns_rdata_q[3] & not_355_s3_q;
-  logic and_975;
-  assign and_975 = seen_columns_rdata_q[0] & not_355_s3_q;
-  // hls/stages/agreement.hpp:569
-  logic [1:0] sum_977;
-  assign sum_977 = {1'b0, and_974} + ({1'b0, textured} + {1'b0, and_975});
+  assign index_2 = {{3{sum_990[7]}}, sum_990, x_s3_q[1:0]} + map_row_q;
+  // hls/stages/agreement.hpp:714
+  logic [7:0] sum_992;
+  assign sum_992 = {1'b0, write_half_q, 2'h0, write_half_q, 1'b0, {2{write_half_q}}} + {1'b0, index_2[12:6]};
+  // hls/stages/agreement.hpp:536
+  logic [5:0] select_993;
+  assign select_993 = less_373_s3_q ? 6'h0 : seen_columns_rdata_q[13:8];
+  logic [5:0] select_994;
+  assign select_994 = less_373_s3_q ? 6'h0 : {seen_columns_rdata_q[7:6], seen_columns_rdata_q[4:2], seen_columns_rdata_q[0]};
+  // hls/stages/agreement.hpp:594
+  logic [1:0] sum_996;
+  assign sum_996 = {1'b0, select_994[3]} + ({1'b0, textured} + {1'b0, select_994[0]});
   logic [2:0] textured_2;
-  assign textured_2 = {2'h0, select_972[1]} + ({2'h0, and_973} + {1'b0, sum_977});
-  // hls/stages/agreement.hpp:516
-  logic [7:0] select_987;
-  assign select_987 = less_354_s3_q ? select_879 : (sum_890[5] ? select_879 : {select_879[6:0], 1'b0});
-  // hls/stages/agreement.hpp:538
-  logic or_990;
-  assign or_990 = select_987[7] | (~({select_987[5], select_987[3], select_987[1]} == 3'h0));
-  // hls/stages/agreement.hpp:516
-  logic and_1006;
-  assign and_1006 = seen_columns_rdata_q[7] & not_355_s3_q;
-  logic and_1007;
-  assign and_1007 = seen_columns_rdata_q[4] & not_355_s3_q;
-  logic and_1008;
-  assign and_1008 = seen_columns_rdata_q[1] & not_355_s3_q;
-  // hls/stages/agreement.hpp:570
-  logic [1:0] sum_1010;
-  assign sum_1010 = {1'b0, and_1007} + ({1'b0, explained} + {1'b0, and_1008});
+  assign textured_2 = {2'h0, select_993[3]} + ({2'h0, select_993[0]} + {1'b0, sum_996});
+  // hls/stages/agreement.hpp:536
+  logic [7:0] select_1006;
+  assign select_1006 = less_373_s3_q ? select_899 : (sum_910[5] ? select_899 : {select_899[6:0], 1'b0});
+  // hls/stages/agreement.hpp:558
+  logic or_1009;
+  assign or_1009 = select_1006[7] | (~({select_1006[5], select_1006[3], select_1006[1]} == 3'h0));
+  // hls/stages/agreement.hpp:595
+  logic [1:0] sum_1026;
+  assign sum_1026 = {1'b0, select_994[4]} + ({1'b0, explained} + {1'b0, select_994[1]});
   logic [2:0] explained_2;
-  assign explained_2 = {2'h0, select_972[2]} + ({2'h0, and_1006} + {1'b0, sum_1010});
-  // hls/stages/agreement.hpp:516
-  logic and_1021;
-  assign and_1021 = seen_columns_rdata_q[5] & not_355_s3_q;
-  logic and_1022;
-  assign and_1022 = seen_columns_rdata_q[2] & not_355_s3_q;
-  // hls/stages/agreement.hpp:571
-  logic [1:0] sum_1024;
-  assign sum_1024 = {1'b0, and_1021} + ({1'b0, near} + {1'b0, and_1022});
+  assign explained_2 = {2'h0, select_993[4]} + ({2'h0, select_993[1]} + {1'b0, sum_1026});
+  // hls/stages/agreement.hpp:596
+  logic [1:0] sum_1038;
+  assign sum_1038 = {1'b0, select_994[5]} + ({1'b0, near} + {1'b0, select_994[2]});
   logic [2:0] near_2;
-  assign near_2 = {2'h0, select_972[3]} + ({2'h0, select_972[0]} + {1'b0, sum_1024});
-  // hls/stages/agreement.hpp:176
-  logic [8:0] select_1078;
-  assign select_1078 = and_336_s3_q ? total[10:2] : census_columns_values_0_cell_0_left_q;
-  logic [8:0] select_1079;
-  assign select_1079 = and_336_s3_q ? total_2[10:2] : census_columns_values_0_cell_0_right_q;
-  logic [8:0] select_1081;
-  assign select_1081 = and_336_s3_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
-  logic [8:0] select_1082;
-  assign select_1082 = and_336_s3_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
-  logic select_1083;
-  assign select_1083 = and_336_s3_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
-  logic [8:0] select_1084;
-  assign select_1084 = and_336_s3_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
-  logic [8:0] select_1085;
-  assign select_1085 = and_336_s3_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
-  logic select_1086;
-  assign select_1086 = and_336_s3_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
-  logic select_1087;
-  assign select_1087 = and_336_s3_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
-  logic [8:0] select_1088;
-  assign select_1088 = and_336_s3_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
-  logic [8:0] select_1089;
-  assign select_1089 = and_336_s3_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
-  logic select_1090;
-  assign select_1090 = and_336_s3_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
-  logic [8:0] select_1091;
-  assign select_1091 = and_336_s3_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
-  logic [8:0] select_1092;
-  assign select_1092 = and_336_s3_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
-  logic select_1093;
-  assign select_1093 = and_336_s3_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
-  logic [8:0] select_1094;
-  assign select_1094 = and_336_s3_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
-  logic [8:0] select_1095;
-  assign select_1095 = and_336_s3_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
-  logic select_1096;
-  assign select_1096 = and_336_s3_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
-  logic [8:0] select_1097;
-  assign select_1097 = and_336_s3_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
-  logic [8:0] select_1098;
-  assign select_1098 = and_336_s3_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
-  logic select_1099;
-  assign select_1099 = and_336_s3_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
-  logic [8:0] select_1100;
-  assign select_1100 = and_336_s3_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
-  logic [8:0] select_1101;
-  assign select_1101 = and_336_s3_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
-  logic select_1102;
-  assign select_1102 = and_336_s3_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
-  logic select_1103;
-  assign select_1103 = and_336_s3_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
-  logic [8:0] select_1104;
-  assign select_1104 = and_336_s3_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
-  logic [8:0] select_1105;
-  assign select_1105 = and_336_s3_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
-  logic select_1106;
-  assign select_1106 = and_336_s3_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
-  logic [8:0] select_1107;
-  assign select_1107 = and_336_s3_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
-  logic [8:0] select_1108;
-  assign select_1108 = and_336_s3_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
-  logic select_1109;
-  assign select_1109 = and_336_s3_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
-  logic [8:0] select_1110;
-  assign select_1110 = and_336_s3_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
-  logic [8:0] select_1111;
-  assign select_1111 = and_336_s3_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
-  logic select_1112;
-  assign select_1112 = and_336_s3_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
-  logic [8:0] select_1113;
-  assign select_1113 = and_336_s3_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
-  logic [8:0] select_1114;
-  assign select_1114 = and_336_s3_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
-  logic select_1115;
-  assign select_1115 = and_336_s3_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
+  assign near_2 = {2'h0, select_993[5]} + ({2'h0, select_993[2]} + {1'b0, sum_1038});
+  // hls/stages/agreement.hpp:180
+  logic [10:0] select_1089;
+  assign select_1089 = sample_pair_whole_s3_q ? (and_349_s3_q ? total : averager_total_0_q) : averager_total_0_q;
+  logic [10:0] select_1091;
+  assign select_1091 = sample_pair_whole_s3_q ? (and_349_s3_q ? total_2 : averager_total_1_q) : averager_total_1_q;
+  // hls/stages/agreement.hpp:181
+  logic [8:0] select_1115;
+  assign select_1115 = and_351_s3_q ? select_357 : census_columns_values_0_cell_0_left_q;
   logic [8:0] select_1116;
-  assign select_1116 = and_336_s3_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
-  logic [8:0] select_1117;
-  assign select_1117 = and_336_s3_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
-  logic select_1118;
-  assign select_1118 = and_336_s3_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
+  assign select_1116 = and_351_s3_q ? select_361 : census_columns_values_0_cell_0_right_q;
+  logic select_1117;
+  assign select_1117 = and_351_s3_q ? whole_2_s3_q : census_columns_values_0_cell_0_mask_q;
+  logic [8:0] select_1118;
+  assign select_1118 = and_351_s3_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
   logic [8:0] select_1119;
-  assign select_1119 = and_336_s3_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
-  logic [8:0] select_1120;
-  assign select_1120 = and_336_s3_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
-  logic select_1121;
-  assign select_1121 = and_336_s3_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
+  assign select_1119 = and_351_s3_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
+  logic select_1120;
+  assign select_1120 = and_351_s3_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
+  logic [8:0] select_1121;
+  assign select_1121 = and_351_s3_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
   logic [8:0] select_1122;
-  assign select_1122 = and_336_s3_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
-  logic [8:0] select_1123;
-  assign select_1123 = and_336_s3_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  assign select_1122 = and_351_s3_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
+  logic select_1123;
+  assign select_1123 = and_351_s3_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
   logic select_1124;
-  assign select_1124 = and_336_s3_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
-  logic select_1125;
-  assign select_1125 = and_336_s3_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
+  assign select_1124 = and_351_s3_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
+  logic [8:0] select_1125;
+  assign select_1125 = and_351_s3_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
   logic [8:0] select_1126;
-  assign select_1126 = and_336_s3_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
-  logic [8:0] select_1127;
-  assign select_1127 = and_336_s3_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
-  logic select_1128;
-  assign select_1128 = and_336_s3_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
-  logic select_1129;
-  assign select_1129 = and_336_s3_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
-  logic [8:0] select_1130;
-  assign select_1130 = and_336_s3_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  assign select_1126 = and_351_s3_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
+  logic select_1127;
+  assign select_1127 = and_351_s3_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
+  logic [8:0] select_1128;
+  assign select_1128 = and_351_s3_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
+  logic [8:0] select_1129;
+  assign select_1129 = and_351_s3_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
+  logic select_1130;
+  assign select_1130 = and_351_s3_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
   logic [8:0] select_1131;
-  assign select_1131 = and_336_s3_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
-  logic select_1132;
-  assign select_1132 = and_336_s3_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
+  assign select_1131 = and_351_s3_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
+  logic [8:0] select_1132;
+  assign select_1132 = and_351_s3_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
   logic select_1133;
-  assign select_1133 = and_336_s3_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
+  assign select_1133 = and_351_s3_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  logic [8:0] select_1134;
+  assign select_1134 = and_351_s3_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
+  logic [8:0] select_1135;
+  assign select_1135 = and_351_s3_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
+  logic select_1136;
+  assign select_1136 = and_351_s3_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
+  logic [8:0] select_1137;
+  assign select_1137 = and_351_s3_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
+  logic [8:0] select_1138;
+  assign select_1138 = and_351_s3_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
+  logic select_1139;
+  assign select_1139 = and_351_s3_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
+  logic select_1140;
+  assign select_1140 = and_351_s3_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
+  logic [8:0] select_1141;
+  assign select_1141 = and_351_s3_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
+  logic [8:0] select_1142;
+  assign select_1142 = and_351_s3_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
+  logic select_1143;
+  assign select_1143 = and_351_s3_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
+  logic [8:0] select_1144;
+  assign select_1144 = and_351_s3_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
+  logic [8:0] select_1145;
+  assign select_1145 = and_351_s3_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
+  logic select_1146;
+  assign select_1146 = and_351_s3_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
+  logic [8:0] select_1147;
+  assign select_1147 = and_351_s3_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
+  logic [8:0] select_1148;
+  assign select_1148 = and_351_s3_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
+  logic select_1149;
+  assign select_1149 = and_351_s3_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
+  logic [8:0] select_1150;
+  assign select_1150 = and_351_s3_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
+  logic [8:0] select_1151;
+  assign select_1151 = and_351_s3_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
+  logic select_1152;
+  assign select_1152 = and_351_s3_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
+  logic [8:0] select_1153;
+  assign select_1153 = and_351_s3_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
+  logic [8:0] select_1154;
+  assign select_1154 = and_351_s3_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
+  logic select_1155;
+  assign select_1155 = and_351_s3_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
+  logic [8:0] select_1156;
+  assign select_1156 = and_351_s3_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
+  logic [8:0] select_1157;
+  assign select_1157 = and_351_s3_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
+  logic select_1158;
+  assign select_1158 = and_351_s3_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
+  logic [8:0] select_1159;
+  assign select_1159 = and_351_s3_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
+  logic [8:0] select_1160;
+  assign select_1160 = and_351_s3_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  logic select_1161;
+  assign select_1161 = and_351_s3_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
+  logic select_1162;
+  assign select_1162 = and_351_s3_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
+  logic [8:0] select_1163;
+  assign select_1163 = and_351_s3_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
+  logic [8:0] select_1164;
+  assign select_1164 = and_351_s3_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  logic select_1165;
+  assign select_1165 = and_351_s3_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
+  logic select_1166;
+  assign select_1166 = and_351_s3_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  logic [8:0] select_1167;
+  assign select_1167 = and_351_s3_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  logic [8:0] select_1168;
+  assign select_1168 = and_351_s3_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  logic select_1169;
+  assign select_1169 = and_351_s3_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
+  logic select_1170;
+  assign select_1170 = and_351_s3_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
   // hls/stages/census.hpp:192
-  logic [9:0] difference_1135;
-  assign difference_1135 = {1'b0, total_2[10:2]} - {1'b0, census_columns_values_0_cell_0_right_q};
-  logic [8:0] xor_1136;
-  assign xor_1136 = difference_1135[8:0] ^ {9{difference_1135[9]}};
-  logic [9:0] sum_1137;
-  assign sum_1137 = {9'h0, difference_1135[9]} + {1'b0, xor_1136};
-  logic [9:0] difference_1138;
-  assign difference_1138 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
-  logic [8:0] xor_1139;
-  assign xor_1139 = difference_1138[8:0] ^ {9{difference_1138[9]}};
-  logic [9:0] sum_1140;
-  assign sum_1140 = {9'h0, difference_1138[9]} + {1'b0, xor_1139};
-  logic [9:0] difference_1142;
-  assign difference_1142 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
-  logic [8:0] xor_1143;
-  assign xor_1143 = difference_1142[8:0] ^ {9{difference_1142[9]}};
-  logic [9:0] sum_1144;
-  assign sum_1144 = {9'h0, difference_1142[9]} + {1'b0, xor_1143};
-  logic [10:0] sum_1145;
-  assign sum_1145 = ({1'b0, sum_1137} + {1'b0, sum_1140}) + {1'b0, sum_1144};
-  logic [9:0] difference_1146;
-  assign difference_1146 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
-  logic [8:0] xor_1147;
-  assign xor_1147 = difference_1146[8:0] ^ {9{difference_1146[9]}};
-  logic [9:0] sum_1148;
-  assign sum_1148 = {9'h0, difference_1146[9]} + {1'b0, xor_1147};
-  logic [9:0] difference_1150;
-  assign difference_1150 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
-  logic [8:0] xor_1151;
-  assign xor_1151 = difference_1150[8:0] ^ {9{difference_1150[9]}};
-  logic [9:0] sum_1152;
-  assign sum_1152 = {9'h0, difference_1150[9]} + {1'b0, xor_1151};
-  // hls/stages/census.hpp:273
+  logic [9:0] difference_1172;
+  assign difference_1172 = {1'b0, select_361} - {1'b0, census_columns_values_0_cell_0_right_q};
+  logic [8:0] xor_1173;
+  assign xor_1173 = difference_1172[8:0] ^ {9{difference_1172[9]}};
+  logic [9:0] sum_1174;
+  assign sum_1174 = {9'h0, difference_1172[9]} + {1'b0, xor_1173};
+  logic [9:0] difference_1175;
+  assign difference_1175 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
+  logic [8:0] xor_1176;
+  assign xor_1176 = difference_1175[8:0] ^ {9{difference_1175[9]}};
+  logic [9:0] sum_1177;
+  assign sum_1177 = {9'h0, difference_1175[9]} + {1'b0, xor_1176};
   logic [9:0] difference_1179;
-  assign difference_1179 = {1'b0, total[10:2]} - {1'b0, sharpness_last_mean_0_q};
+  assign difference_1179 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
+  logic [8:0] xor_1180;
+  assign xor_1180 = difference_1179[8:0] ^ {9{difference_1179[9]}};
+  logic [9:0] sum_1181;
+  assign sum_1181 = {9'h0, difference_1179[9]} + {1'b0, xor_1180};
+  logic [10:0] sum_1182;
+  assign sum_1182 = ({1'b0, sum_1174} + {1'b0, sum_1177}) + {1'b0, sum_1181};
+  logic [9:0] difference_1183;
+  assign difference_1183 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
+  logic [8:0] xor_1184;
+  assign xor_1184 = difference_1183[8:0] ^ {9{difference_1183[9]}};
+  logic [9:0] sum_1185;
+  assign sum_1185 = {9'h0, difference_1183[9]} + {1'b0, xor_1184};
+  logic [9:0] difference_1187;
+  assign difference_1187 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
+  logic [8:0] xor_1188;
+  assign xor_1188 = difference_1187[8:0] ^ {9{difference_1187[9]}};
+  logic [9:0] sum_1189;
+  assign sum_1189 = {9'h0, difference_1187[9]} + {1'b0, xor_1188};
+  // hls/stages/census.hpp:273
+  logic [9:0] difference_1217;
+  assign difference_1217 = {1'b0, select_357} - {1'b0, sharpness_last_mean_0_q};
   logic [8:0] contrast;
-  assign contrast = {8'h0, difference_1179[9]} + (difference_1179[8:0] ^ {9{difference_1179[9]}});
-  logic [9:0] difference_1190;
-  assign difference_1190 = {1'b0, total_2[10:2]} - {1'b0, sharpness_last_mean_1_q};
+  assign contrast = {8'h0, difference_1217[9]} + (difference_1217[8:0] ^ {9{difference_1217[9]}});
+  logic [9:0] difference_1228;
+  assign difference_1228 = {1'b0, select_361} - {1'b0, sharpness_last_mean_1_q};
   logic [8:0] contrast_2;
-  assign contrast_2 = {8'h0, difference_1190[9]} + (difference_1190[8:0] ^ {9{difference_1190[9]}});
-  // hls/stages/agreement.hpp:176
-  logic and_1344;
-  assign and_1344 = and_336_s3_q & (equal_385_s3_q & equal_1211_s3_q);
-  // hls/stages/agreement.hpp:299
-  logic and_1349;
-  assign and_1349 = not_352_s3_q & (not_496_s3_q & (drew_s3_q & (not_355_s3_q & and_1345_s3_q)));
-  // hls/stages/agreement.hpp:165
-  logic [8:0] select_1394;
-  assign select_1394 = less_354_s3_q ? 9'h0 : (and_906_s3_q ? {and_917, cfg_explained_limit_i} : 9'h0);
-  // hls/stages/agreement.hpp:299
-  logic [8:0] select_1397;
-  assign select_1397 = equal_351_s3_q ? 9'h0 : (equal_353_s3_q ? 9'h0 : (drew_s3_q ? select_1394 : 9'h0));
-  // hls/stages/agreement.hpp:480
-  logic [23:0] sum_1398;
-  assign sum_1398 = counts_too_little_explained_q + {{15{select_1397[8]}}, select_1397};
-  // hls/stages/agreement.hpp:511
-  logic [9:0] select_1421;
-  assign select_1421 = (left_rdata_s3_q & and_1345_s3_q) ? ({1'b0, and_927, 8'h0} - {2'h0, cfg_hidden_limit_i}) : 10'h0;
-  // hls/stages/agreement.hpp:299
-  logic [9:0] select_1424;
-  assign select_1424 = equal_353_s3_q ? 10'h0 : (drew_s3_q ? (less_354_s3_q ? 10'h0 : select_1421) : 10'h0);
-  logic [9:0] select_1425;
-  assign select_1425 = equal_351_s3_q ? 10'h0 : select_1424;
-  // hls/stages/agreement.hpp:484
-  logic [23:0] select_1427;
-  assign select_1427 = and_1344 ? 24'h0 : (counts_too_much_hidden_q + {{14{select_1425[9]}}, select_1425});
-  // hls/stages/agreement.hpp:511
-  logic and_1429;
-  assign and_1429 = and_917 & less_1428_s3_q;
+  assign contrast_2 = {8'h0, difference_1228[9]} + (difference_1228[8:0] ^ {9{difference_1228[9]}});
+  // hls/stages/agreement.hpp:181
+  logic and_1382;
+  assign and_1382 = and_351_s3_q & (equal_405_s3_q & equal_1249_s3_q);
+  // hls/stages/agreement.hpp:314
+  logic and_1387;
+  assign and_1387 = not_371_s3_q & (not_516_s3_q & (drew_s3_q & (not_374_s3_q & and_1383_s3_q)));
+  // hls/stages/agreement.hpp:167
+  logic [8:0] select_1432;
+  assign select_1432 = less_373_s3_q ? 9'h0 : (and_926_s3_q ? {and_937, cfg_explained_limit_i} : 9'h0);
+  // hls/stages/agreement.hpp:314
+  logic [8:0] select_1435;
+  assign select_1435 = equal_370_s3_q ? 9'h0 : (equal_372_s3_q ? 9'h0 : (drew_s3_q ? select_1432 : 9'h0));
+  // hls/stages/agreement.hpp:497
+  logic [23:0] sum_1436;
+  assign sum_1436 = counts_too_little_explained_q + {{15{select_1435[8]}}, select_1435};
+  // hls/stages/agreement.hpp:531
+  logic [9:0] select_1470;
+  assign select_1470 = (left_rdata_s3_q & and_1383_s3_q) ? ({1'b0, and_947, 8'h0} - {2'h0, cfg_hidden_limit_i}) : 10'h0;
+  // hls/stages/agreement.hpp:314
+  logic [9:0] select_1473;
+  assign select_1473 = equal_372_s3_q ? 10'h0 : (drew_s3_q ? (less_373_s3_q ? 10'h0 : select_1470) : 10'h0);
+  logic [9:0] select_1474;
+  assign select_1474 = equal_370_s3_q ? 10'h0 : select_1473;
+  // hls/stages/agreement.hpp:502
+  logic [23:0] select_1476;
+  assign select_1476 = and_1382 ? 24'h0 : (counts_too_much_hidden_q + {{14{select_1474[9]}}, select_1474});
+  // hls/stages/agreement.hpp:531
+  logic and_1478;
+  assign and_1478 = and_937 & less_1477_s3_q;
   // hls/stages/registration.hpp:73
-  logic equal_1432;
-  assign equal_1432 = {lower_half_s3_q, less_1431_s3_q} == 2'h3;
-  logic equal_1433;
-  assign equal_1433 = {lower_half_s3_q, less_1431_s3_q} == 2'h2;
-  logic equal_1434;
-  assign equal_1434 = {lower_half_s3_q, less_1431_s3_q} == 2'h1;
+  logic equal_1481;
+  assign equal_1481 = {lower_half_s3_q, less_1480_s3_q} == 2'h3;
+  logic equal_1482;
+  assign equal_1482 = {lower_half_s3_q, less_1480_s3_q} == 2'h2;
+  logic equal_1483;
+  assign equal_1483 = {lower_half_s3_q, less_1480_s3_q} == 2'h1;
   // hls/stages/registration.hpp:154
-  logic [9:0] sum_1465;
-  assign sum_1465 = {difference_1464_s3_q, select_1462_s3_q} + {sum_1461_s3_q[9], sum_1461_s3_q[9:1]};
+  logic [9:0] sum_1514;
+  assign sum_1514 = {difference_1513_s3_q, select_1511_s3_q} + {sum_1510_s3_q[9], sum_1510_s3_q[9:1]};
   // hls/stages/registration.hpp:69
-  logic [11:0] difference_1466;
-  assign difference_1466 = {{4{best_left_rdata_s3_q[21]}}, best_left_rdata_s3_q[21:14]} - {sum_1465[9], sum_1465, sum_1461_s3_q[0]};
+  logic [11:0] difference_1515;
+  assign difference_1515 = {{4{best_left_rdata_s3_q[21]}}, best_left_rdata_s3_q[21:14]} - {sum_1514[9], sum_1514, sum_1510_s3_q[0]};
   // hls/stages/registration.hpp:158
-  logic [11:0] select_1468;
-  assign select_1468 = ($signed(difference_1466[11:7]) < $signed(5'h1f)) ? 12'hf80 : difference_1466;
+  logic [11:0] select_1517;
+  assign select_1517 = ($signed(difference_1515[11:7]) < $signed(5'h1f)) ? 12'hf80 : difference_1515;
   logic [11:0] residual;
-  assign residual = ($signed(5'h0) < $signed(select_1468[11:7])) ? 12'h7f : select_1468;
+  assign residual = ($signed(5'h0) < $signed(select_1517[11:7])) ? 12'h7f : select_1517;
   // hls/stages/registration.hpp:73
-  logic not_1508;
-  assign not_1508 = ~equal_1432;
-  logic not_1509;
-  assign not_1509 = ~equal_1433;
-  // hls/stages/agreement.hpp:165
-  logic and_1514;
-  assign and_1514 = not_355_s3_q & (and_1429 & (not_1508 & (not_1509 & (~equal_1434))));
-  // hls/stages/agreement.hpp:299
-  logic and_1517;
-  assign and_1517 = not_352_s3_q & (not_496_s3_q & (drew_s3_q & and_1514));
-  // hls/stages/agreement.hpp:485
-  logic [11:0] select_1519;
-  assign select_1519 = and_1344 ? 12'h0 : (registration_counts_measured_0_q + {11'h0, and_1517});
-  // hls/stages/agreement.hpp:299
-  logic and_1524;
-  assign and_1524 = drew_s3_q & (not_355_s3_q & (and_1429 & (not_1508 & (equal_1434 & not_1509))));
-  logic and_1526;
-  assign and_1526 = not_352_s3_q & (not_496_s3_q & and_1524);
-  // hls/stages/agreement.hpp:485
-  logic [11:0] select_1528;
-  assign select_1528 = and_1344 ? 12'h0 : (registration_counts_measured_1_q + {11'h0, and_1526});
-  // hls/stages/agreement.hpp:299
-  logic and_1532;
-  assign and_1532 = drew_s3_q & (not_355_s3_q & (and_1429 & (equal_1433 & not_1508)));
-  logic and_1534;
-  assign and_1534 = not_352_s3_q & (not_496_s3_q & and_1532);
-  // hls/stages/agreement.hpp:485
-  logic [11:0] select_1536;
-  assign select_1536 = and_1344 ? 12'h0 : (registration_counts_measured_2_q + {11'h0, and_1534});
-  // hls/stages/agreement.hpp:299
-  logic and_1540;
-  assign and_1540 = not_496_s3_q & (drew_s3_q & (not_355_s3_q & (and_1429 & equal_1432)));
-  logic and_1541;
-  assign and_1541 = not_352_s3_q & and_1540;
-  // hls/stages/agreement.hpp:485
-  logic [11:0] select_1543;
-  assign select_1543 = and_1344 ? 12'h0 : (registration_counts_measured_3_q + {11'h0, and_1541});
+  logic not_1557;
+  assign not_1557 = ~equal_1481;
+  logic not_1558;
+  assign not_1558 = ~equal_1482;
+  // hls/stages/agreement.hpp:167
+  logic and_1563;
+  assign and_1563 = not_374_s3_q & (and_1478 & (not_1557 & (not_1558 & (~equal_1483))));
+  // hls/stages/agreement.hpp:314
+  logic and_1566;
+  assign and_1566 = not_371_s3_q & (not_516_s3_q & (drew_s3_q & and_1563));
+  // hls/stages/agreement.hpp:503
+  logic [11:0] select_1568;
+  assign select_1568 = and_1382 ? 12'h0 : (registration_counts_measured_0_q + {11'h0, and_1566});
+  // hls/stages/agreement.hpp:314
+  logic and_1573;
+  assign and_1573 = drew_s3_q & (not_374_s3_q & (and_1478 & (not_1557 & (equal_1483 & not_1558))));
+  logic and_1575;
+  assign and_1575 = not_371_s3_q & (not_516_s3_q & and_1573);
+  // hls/stages/agreement.hpp:503
+  logic [11:0] select_1577;
+  assign select_1577 = and_1382 ? 12'h0 : (registration_counts_measured_1_q + {11'h0, and_1575});
+  // hls/stages/agreement.hpp:314
+  logic and_1581;
+  assign and_1581 = drew_s3_q & (not_374_s3_q & (and_1478 & (equal_1482 & not_1557)));
+  logic and_1583;
+  assign and_1583 = not_371_s3_q & (not_516_s3_q & and_1581);
+  // hls/stages/agreement.hpp:503
+  logic [11:0] select_1585;
+  assign select_1585 = and_1382 ? 12'h0 : (registration_counts_measured_2_q + {11'h0, and_1583});
+  // hls/stages/agreement.hpp:314
+  logic and_1589;
+  assign and_1589 = not_516_s3_q & (drew_s3_q & (not_374_s3_q & (and_1478 & equal_1481)));
+  logic and_1590;
+  assign and_1590 = not_371_s3_q & and_1589;
+  // hls/stages/agreement.hpp:503
+  logic [11:0] select_1592;
+  assign select_1592 = and_1382 ? 12'h0 : (registration_counts_measured_3_q + {11'h0, and_1590});
   // hls/stages/registration.hpp:146
-  logic less_1544;
-  assign less_1544 = $signed(residual[7:0]) < $signed({2'h0, cfg_moved_limit_i});
-  // hls/stages/agreement.hpp:165
-  logic and_1545;
-  assign and_1545 = and_1429 & less_1544;
-  // hls/stages/agreement.hpp:299
-  logic [1:0] select_1548;
-  assign select_1548 = equal_353_s3_q ? 2'h0 : (drew_s3_q ? (less_354_s3_q ? 2'h0 : {and_1545, and_1429}) : 2'h0);
-  logic [1:0] select_1549;
-  assign select_1549 = equal_351_s3_q ? 2'h0 : select_1548;
-  // hls/stages/registration.hpp:121
-  logic [14:0] sum_1550;
-  assign sum_1550 = registration_counts_votes_0_down_q + {{13{select_1549[1]}}, select_1549};
-  // hls/stages/registration.hpp:146
-  logic [12:0] difference_1552;
-  assign difference_1552 = 13'h0 - {residual[11], residual};
-  logic less_1553;
-  assign less_1553 = $signed(difference_1552) < $signed({7'h0, cfg_moved_limit_i});
-  // hls/stages/agreement.hpp:165
-  logic and_1554;
-  assign and_1554 = and_1429 & less_1553;
-  // hls/stages/agreement.hpp:299
-  logic [1:0] select_1557;
-  assign select_1557 = equal_353_s3_q ? 2'h0 : (drew_s3_q ? (less_354_s3_q ? 2'h0 : {and_1554, and_1429}) : 2'h0);
-  logic [1:0] select_1558;
-  assign select_1558 = equal_351_s3_q ? 2'h0 : select_1557;
-  // hls/stages/registration.hpp:122
-  logic [14:0] sum_1559;
-  assign sum_1559 = registration_counts_votes_0_up_q + {{13{select_1558[1]}}, select_1558};
-  // hls/stages/registration.hpp:80
-  logic not_1561;
-  assign not_1561 = ~less_1431_s3_q;
-  // hls/stages/registration.hpp:79
-  logic and_1562;
-  assign and_1562 = less_1544 & not_1561;
-  // hls/stages/agreement.hpp:299
-  logic [1:0] select_1565;
-  assign select_1565 = drew_s3_q ? (less_354_s3_q ? 2'h0 : (and_1429 ? {and_1562, not_1561} : 2'h0)) : 2'h0;
-  logic [1:0] select_1567;
-  assign select_1567 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : select_1565);
-  // hls/stages/registration.hpp:121
-  logic [14:0] sum_1568;
-  assign sum_1568 = registration_counts_votes_1_down_q + {{13{select_1567[1]}}, select_1567};
-  // hls/stages/registration.hpp:79
-  logic and_1570;
-  assign and_1570 = less_1553 & not_1561;
-  // hls/stages/agreement.hpp:299
-  logic [1:0] select_1573;
-  assign select_1573 = drew_s3_q ? (less_354_s3_q ? 2'h0 : (and_1429 ? {and_1570, not_1561} : 2'h0)) : 2'h0;
-  logic [1:0] select_1575;
-  assign select_1575 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : select_1573);
-  // hls/stages/registration.hpp:122
-  logic [14:0] sum_1576;
-  assign sum_1576 = registration_counts_votes_1_up_q + {{13{select_1575[1]}}, select_1575};
-  // hls/stages/registration.hpp:79
-  logic and_1578;
-  assign and_1578 = less_1431_s3_q & less_1544;
-  // hls/stages/agreement.hpp:165
-  logic [1:0] select_1580;
-  assign select_1580 = less_354_s3_q ? 2'h0 : (and_1429 ? {and_1578, less_1431_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:299
-  logic [1:0] select_1583;
-  assign select_1583 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : (drew_s3_q ? select_1580 : 2'h0));
-  // hls/stages/registration.hpp:121
-  logic [14:0] sum_1584;
-  assign sum_1584 = registration_counts_votes_2_down_q + {{13{select_1583[1]}}, select_1583};
-  // hls/stages/registration.hpp:79
-  logic and_1586;
-  assign and_1586 = less_1431_s3_q & less_1553;
-  // hls/stages/agreement.hpp:165
-  logic [1:0] select_1588;
-  assign select_1588 = less_354_s3_q ? 2'h0 : (and_1429 ? {and_1586, less_1431_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:299
-  logic [1:0] select_1591;
-  assign select_1591 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : (drew_s3_q ? select_1588 : 2'h0));
-  // hls/stages/registration.hpp:122
-  logic [14:0] sum_1592;
-  assign sum_1592 = registration_counts_votes_2_up_q + {{13{select_1591[1]}}, select_1591};
-  // hls/stages/registration.hpp:80
-  logic not_1594;
-  assign not_1594 = ~lower_half_s3_q;
-  // hls/stages/agreement.hpp:165
-  logic and_1595;
-  assign and_1595 = less_1544 & not_1594;
-  // hls/stages/agreement.hpp:299
+  logic less_1593;
+  assign less_1593 = $signed(residual[7:0]) < $signed({2'h0, cfg_moved_limit_i});
+  // hls/stages/agreement.hpp:167
+  logic and_1594;
+  assign and_1594 = and_1478 & less_1593;
+  // hls/stages/agreement.hpp:314
+  logic [1:0] select_1597;
+  assign select_1597 = equal_372_s3_q ? 2'h0 : (drew_s3_q ? (less_373_s3_q ? 2'h0 : {and_1594, and_1478}) : 2'h0);
   logic [1:0] select_1598;
-  assign select_1598 = drew_s3_q ? (less_354_s3_q ? 2'h0 : (and_1429 ? {and_1595, not_1594} : 2'h0)) : 2'h0;
-  logic [1:0] select_1600;
-  assign select_1600 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : select_1598);
+  assign select_1598 = equal_370_s3_q ? 2'h0 : select_1597;
   // hls/stages/registration.hpp:121
-  logic [14:0] sum_1601;
-  assign sum_1601 = registration_counts_votes_3_down_q + {{13{select_1600[1]}}, select_1600};
-  // hls/stages/agreement.hpp:165
+  logic [14:0] sum_1599;
+  assign sum_1599 = registration_counts_votes_0_down_q + {{13{select_1598[1]}}, select_1598};
+  // hls/stages/registration.hpp:146
+  logic [12:0] difference_1601;
+  assign difference_1601 = 13'h0 - {residual[11], residual};
+  logic less_1602;
+  assign less_1602 = $signed(difference_1601) < $signed({7'h0, cfg_moved_limit_i});
+  // hls/stages/agreement.hpp:167
   logic and_1603;
-  assign and_1603 = less_1553 & not_1594;
-  // hls/stages/agreement.hpp:299
+  assign and_1603 = and_1478 & less_1602;
+  // hls/stages/agreement.hpp:314
   logic [1:0] select_1606;
-  assign select_1606 = drew_s3_q ? (less_354_s3_q ? 2'h0 : (and_1429 ? {and_1603, not_1594} : 2'h0)) : 2'h0;
-  logic [1:0] select_1608;
-  assign select_1608 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : select_1606);
+  assign select_1606 = equal_372_s3_q ? 2'h0 : (drew_s3_q ? (less_373_s3_q ? 2'h0 : {and_1603, and_1478}) : 2'h0);
+  logic [1:0] select_1607;
+  assign select_1607 = equal_370_s3_q ? 2'h0 : select_1606;
   // hls/stages/registration.hpp:122
-  logic [14:0] sum_1609;
-  assign sum_1609 = registration_counts_votes_3_up_q + {{13{select_1608[1]}}, select_1608};
-  // hls/stages/agreement.hpp:165
+  logic [14:0] sum_1608;
+  assign sum_1608 = registration_counts_votes_0_up_q + {{13{select_1607[1]}}, select_1607};
+  // hls/stages/registration.hpp:80
+  logic not_1610;
+  assign not_1610 = ~less_1480_s3_q;
+  // hls/stages/registration.hpp:79
   logic and_1611;
-  assign and_1611 = lower_half_s3_q & less_1544;
-  logic [1:0] select_1613;
-  assign select_1613 = less_354_s3_q ? 2'h0 : (and_1429 ? {and_1611, lower_half_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:299
+  assign and_1611 = less_1593 & not_1610;
+  // hls/stages/agreement.hpp:314
+  logic [1:0] select_1614;
+  assign select_1614 = drew_s3_q ? (less_373_s3_q ? 2'h0 : (and_1478 ? {and_1611, not_1610} : 2'h0)) : 2'h0;
   logic [1:0] select_1616;
-  assign select_1616 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : (drew_s3_q ? select_1613 : 2'h0));
+  assign select_1616 = equal_370_s3_q ? 2'h0 : (equal_372_s3_q ? 2'h0 : select_1614);
   // hls/stages/registration.hpp:121
   logic [14:0] sum_1617;
-  assign sum_1617 = registration_counts_votes_4_down_q + {{13{select_1616[1]}}, select_1616};
-  // hls/stages/agreement.hpp:165
+  assign sum_1617 = registration_counts_votes_1_down_q + {{13{select_1616[1]}}, select_1616};
+  // hls/stages/registration.hpp:79
   logic and_1619;
-  assign and_1619 = lower_half_s3_q & less_1553;
-  logic [1:0] select_1621;
-  assign select_1621 = less_354_s3_q ? 2'h0 : (and_1429 ? {and_1619, lower_half_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:299
+  assign and_1619 = less_1602 & not_1610;
+  // hls/stages/agreement.hpp:314
+  logic [1:0] select_1622;
+  assign select_1622 = drew_s3_q ? (less_373_s3_q ? 2'h0 : (and_1478 ? {and_1619, not_1610} : 2'h0)) : 2'h0;
   logic [1:0] select_1624;
-  assign select_1624 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : (drew_s3_q ? select_1621 : 2'h0));
+  assign select_1624 = equal_370_s3_q ? 2'h0 : (equal_372_s3_q ? 2'h0 : select_1622);
   // hls/stages/registration.hpp:122
   logic [14:0] sum_1625;
-  assign sum_1625 = registration_counts_votes_4_up_q + {{13{select_1624[1]}}, select_1624};
-  // hls/stages/registration.hpp:146
-  logic less_1627;
-  assign less_1627 = $signed(residual[7:0]) < $signed({2'h0, cfg_moved_half_limit_i});
+  assign sum_1625 = registration_counts_votes_1_up_q + {{13{select_1624[1]}}, select_1624};
   // hls/stages/registration.hpp:79
-  logic and_1628;
-  assign and_1628 = not_1561 & less_1627;
-  // hls/stages/agreement.hpp:299
-  logic [1:0] select_1631;
-  assign select_1631 = drew_s3_q ? (less_354_s3_q ? 2'h0 : (and_1429 ? {and_1628, not_1561} : 2'h0)) : 2'h0;
-  logic [1:0] select_1633;
-  assign select_1633 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : select_1631);
+  logic and_1627;
+  assign and_1627 = less_1480_s3_q & less_1593;
+  // hls/stages/agreement.hpp:167
+  logic [1:0] select_1629;
+  assign select_1629 = less_373_s3_q ? 2'h0 : (and_1478 ? {and_1627, less_1480_s3_q} : 2'h0);
+  // hls/stages/agreement.hpp:314
+  logic [1:0] select_1632;
+  assign select_1632 = equal_370_s3_q ? 2'h0 : (equal_372_s3_q ? 2'h0 : (drew_s3_q ? select_1629 : 2'h0));
   // hls/stages/registration.hpp:121
-  logic [14:0] sum_1634;
-  assign sum_1634 = registration_counts_half_votes_0_down_q + {{13{select_1633[1]}}, select_1633};
-  // hls/stages/registration.hpp:146
-  logic less_1636;
-  assign less_1636 = $signed(difference_1552) < $signed({7'h0, cfg_moved_half_limit_i});
+  logic [14:0] sum_1633;
+  assign sum_1633 = registration_counts_votes_2_down_q + {{13{select_1632[1]}}, select_1632};
   // hls/stages/registration.hpp:79
-  logic and_1637;
-  assign and_1637 = not_1561 & less_1636;
-  // hls/stages/agreement.hpp:299
+  logic and_1635;
+  assign and_1635 = less_1480_s3_q & less_1602;
+  // hls/stages/agreement.hpp:167
+  logic [1:0] select_1637;
+  assign select_1637 = less_373_s3_q ? 2'h0 : (and_1478 ? {and_1635, less_1480_s3_q} : 2'h0);
+  // hls/stages/agreement.hpp:314
   logic [1:0] select_1640;
-  assign select_1640 = drew_s3_q ? (less_354_s3_q ? 2'h0 : (and_1429 ? {and_1637, not_1561} : 2'h0)) : 2'h0;
-  logic [1:0] select_1642;
-  assign select_1642 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : select_1640);
+  assign select_1640 = equal_370_s3_q ? 2'h0 : (equal_372_s3_q ? 2'h0 : (drew_s3_q ? select_1637 : 2'h0));
   // hls/stages/registration.hpp:122
-  logic [14:0] sum_1643;
-  assign sum_1643 = registration_counts_half_votes_0_up_q + {{13{select_1642[1]}}, select_1642};
-  // hls/stages/registration.hpp:79
-  logic and_1645;
-  assign and_1645 = less_1431_s3_q & less_1627;
-  // hls/stages/agreement.hpp:165
+  logic [14:0] sum_1641;
+  assign sum_1641 = registration_counts_votes_2_up_q + {{13{select_1640[1]}}, select_1640};
+  // hls/stages/registration.hpp:80
+  logic not_1643;
+  assign not_1643 = ~lower_half_s3_q;
+  // hls/stages/agreement.hpp:167
+  logic and_1644;
+  assign and_1644 = less_1593 & not_1643;
+  // hls/stages/agreement.hpp:314
   logic [1:0] select_1647;
-  assign select_1647 = less_354_s3_q ? 2'h0 : (and_1429 ? {and_1645, less_1431_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:299
-  logic [1:0] select_1650;
-  assign select_1650 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : (drew_s3_q ? select_1647 : 2'h0));
+  assign select_1647 = drew_s3_q ? (less_373_s3_q ? 2'h0 : (and_1478 ? {and_1644, not_1643} : 2'h0)) : 2'h0;
+  logic [1:0] select_1649;
+  assign select_1649 = equal_370_s3_q ? 2'h0 : (equal_372_s3_q ? 2'h0 : select_1647);
   // hls/stages/registration.hpp:121
-  logic [14:0] sum_1651;
-  assign sum_1651 = registration_counts_half_votes_1_down_q + {{13{select_1650[1]}}, select_1650};
-  // hls/stages/registration.hpp:79
-  logic and_1653;
-  assign and_1653 = less_1431_s3_q & less_1636;
-  // hls/stages/agreement.hpp:165
+  logic [14:0] sum_1650;
+  assign sum_1650 = registration_counts_votes_3_down_q + {{13{select_1649[1]}}, select_1649};
+  // hls/stages/agreement.hpp:167
+  logic and_1652;
+  assign and_1652 = less_1602 & not_1643;
+  // hls/stages/agreement.hpp:314
   logic [1:0] select_1655;
-  assign select_1655 = less_354_s3_q ? 2'h0 : (and_1429 ? {and_1653, less_1431_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:299
-  logic [1:0] select_1658;
-  assign select_1658 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : (drew_s3_q ? select_1655 : 2'h0));
+  assign select_1655 = drew_s3_q ? (less_373_s3_q ? 2'h0 : (and_1478 ? {and_1652, not_1643} : 2'h0)) : 2'h0;
+  logic [1:0] select_1657;
+  assign select_1657 = equal_370_s3_q ? 2'h0 : (equal_372_s3_q ? 2'h0 : select_1655);
   // hls/stages/registration.hpp:122
-  logic [14:0] sum_1659;
-  assign sum_1659 = registration_counts_half_votes_1_up_q + {{13{select_1658[1]}}, select_1658};
-  // hls/stages/agreement.hpp:165
-  logic and_1661;
-  assign and_1661 = less_1627 & not_1594;
-  // hls/stages/agreement.hpp:299
-  logic [1:0] select_1664;
-  assign select_1664 = drew_s3_q ? (less_354_s3_q ? 2'h0 : (and_1429 ? {and_1661, not_1594} : 2'h0)) : 2'h0;
-  logic [1:0] select_1666;
-  assign select_1666 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : select_1664);
+  logic [14:0] sum_1658;
+  assign sum_1658 = registration_counts_votes_3_up_q + {{13{select_1657[1]}}, select_1657};
+  // hls/stages/agreement.hpp:167
+  logic and_1660;
+  assign and_1660 = lower_half_s3_q & less_1593;
+  logic [1:0] select_1662;
+  assign select_1662 = less_373_s3_q ? 2'h0 : (and_1478 ? {and_1660, lower_half_s3_q} : 2'h0);
+  // hls/stages/agreement.hpp:314
+  logic [1:0] select_1665;
+  assign select_1665 = equal_370_s3_q ? 2'h0 : (equal_372_s3_q ? 2'h0 : (drew_s3_q ? select_1662 : 2'h0));
   // hls/stages/registration.hpp:121
-  logic [14:0] sum_1667;
-  assign sum_1667 = registration_counts_half_votes_2_down_q + {{13{select_1666[1]}}, select_1666};
-  // hls/stages/agreement.hpp:165
-  logic and_1669;
-  assign and_1669 = less_1636 & not_1594;
-  // hls/stages/agreement.hpp:299
-  logic [1:0] select_1672;
-  assign select_1672 = drew_s3_q ? (less_354_s3_q ? 2'h0 : (and_1429 ? {and_1669, not_1594} : 2'h0)) : 2'h0;
-  logic [1:0] select_1674;
-  assign select_1674 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : select_1672);
+  logic [14:0] sum_1666;
+  assign sum_1666 = registration_counts_votes_4_down_q + {{13{select_1665[1]}}, select_1665};
+  // hls/stages/agreement.hpp:167
+  logic and_1668;
+  assign and_1668 = lower_half_s3_q & less_1602;
+  logic [1:0] select_1670;
+  assign select_1670 = less_373_s3_q ? 2'h0 : (and_1478 ? {and_1668, lower_half_s3_q} : 2'h0);
+  // hls/stages/agreement.hpp:314
+  logic [1:0] select_1673;
+  assign select_1673 = equal_370_s3_q ? 2'h0 : (equal_372_s3_q ? 2'h0 : (drew_s3_q ? select_1670 : 2'h0));
   // hls/stages/registration.hpp:122
-  logic [14:0] sum_1675;
-  assign sum_1675 = registration_counts_half_votes_2_up_q + {{13{select_1674[1]}}, select_1674};
-  // hls/stages/agreement.hpp:165
+  logic [14:0] sum_1674;
+  assign sum_1674 = registration_counts_votes_4_up_q + {{13{select_1673[1]}}, select_1673};
+  // hls/stages/registration.hpp:146
+  logic less_1676;
+  assign less_1676 = $signed(residual[7:0]) < $signed({2'h0, cfg_moved_half_limit_i});
+  // hls/stages/registration.hpp:79
   logic and_1677;
-  assign and_1677 = lower_half_s3_q & less_1627;
-  logic [1:0] select_1679;
-  assign select_1679 = less_354_s3_q ? 2'h0 : (and_1429 ? {and_1677, lower_half_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:299
+  assign and_1677 = not_1610 & less_1676;
+  // hls/stages/agreement.hpp:314
+  logic [1:0] select_1680;
+  assign select_1680 = drew_s3_q ? (less_373_s3_q ? 2'h0 : (and_1478 ? {and_1677, not_1610} : 2'h0)) : 2'h0;
   logic [1:0] select_1682;
-  assign select_1682 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : (drew_s3_q ? select_1679 : 2'h0));
+  assign select_1682 = equal_370_s3_q ? 2'h0 : (equal_372_s3_q ? 2'h0 : select_1680);
   // hls/stages/registration.hpp:121
   logic [14:0] sum_1683;
-  assign sum_1683 = registration_counts_half_votes_3_down_q + {{13{select_1682[1]}}, select_1682};
-  // hls/stages/agreement.hpp:165
-  logic and_1685;
-  assign and_1685 = lower_half_s3_q & less_1636;
-  logic [1:0] select_1687;
-  assign select_1687 = less_354_s3_q ? 2'h0 : (and_1429 ? {and_1685, lower_half_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:299
-  logic [1:0] select_1690;
-  assign select_1690 = equal_351_s3_q ? 2'h0 : (equal_353_s3_q ? 2'h0 : (drew_s3_q ? select_1687 : 2'h0));
+  assign sum_1683 = registration_counts_half_votes_0_down_q + {{13{select_1682[1]}}, select_1682};
+  // hls/stages/registration.hpp:146
+  logic less_1685;
+  assign less_1685 = $signed(difference_1601) < $signed({7'h0, cfg_moved_half_limit_i});
+  // hls/stages/registration.hpp:79
+  logic and_1686;
+  assign and_1686 = not_1610 & less_1685;
+  // hls/stages/agreement.hpp:314
+  logic [1:0] select_1689;
+  assign select_1689 = drew_s3_q ? (less_373_s3_q ? 2'h0 : (and_1478 ? {and_1686, not_1610} : 2'h0)) : 2'h0;
+  logic [1:0] select_1691;
+  assign select_1691 = equal_370_s3_q ? 2'h0 : (equal_372_s3_q ? 2'h0 : select_1689);
   // hls/stages/registration.hpp:122
-  logic [14:0] sum_1691;
-  assign sum_1691 = registration_counts_half_votes_3_up_q + {{13{select_1690[1]}}, select_1690};
+  logic [14:0] sum_1692;
+  assign sum_1692 = registration_counts_half_votes_0_up_q + {{13{select_1691[1]}}, select_1691};
+  // hls/stages/registration.hpp:79
+  logic and_1694;
+  assign and_1694 = less_1480_s3_q & less_1676;
+  // hls/stages/agreement.hpp:167
+  logic [1:0] select_1696;
+  assign select_1696 = less_373_s3_q ? 2'h0 : (and_1478 ? {and_1694, less_1480_s3_q} : 2'h0);
+  // hls/stages/agreement.hpp:314
+  logic [1:0] select_1699;
+  assign select_1699 = equal_370_s3_q ? 2'h0 : (equal_372_s3_q ? 2'h0 : (drew_s3_q ? select_1696 : 2'h0));
+  // hls/stages/registration.hpp:121
+  logic [14:0] sum_1700;
+  assign sum_1700 = registration_counts_half_votes_1_down_q + {{13{select_1699[1]}}, select_1699};
+  // hls/stages/registration.hpp:79
+  logic and_1702;
+  assign and_1702 = less_1480_s3_q & less_1685;
+  // hls/stages/agreement.hpp:167
+  logic [1:0] select_1704;
+  assign select_1704 = less_373_s3_q ? 2'h0 : (and_1478 ? {and_1702, less_1480_s3_q} : 2'h0);
+  // hls/stages/agreement.hpp:314
+  logic [1:0] select_1707;
+  assign select_1707 = equal_370_s3_q ? 2'h0 : (equal_372_s3_q ? 2'h0 : (drew_s3_q ? select_1704 : 2'h0));
+  // hls/stages/registration.hpp:122
+  logic [14:0] sum_1708;
+  assign sum_1708 = registration_counts_half_votes_1_up_q + {{13{select_1707[1]}}, select_1707};
+  // hls/stages/agreement.hpp:167
+  logic and_1710;
+  assign and_1710 = less_1676 & not_1643;
+  // hls/stages/agreement.hpp:314
+  logic [1:0] select_1713;
+  assign select_1713 = drew_s3_q ? (less_373_s3_q ? 2'h0 : (and_1478 ? {and_1710, not_1643} : 2'h0)) : 2'h0;
+  logic [1:0] select_1715;
+  assign select_1715 = equal_370_s3_q ? 2'h0 : (equal_372_s3_q ? 2'h0 : select_1713);
+  // hls/stages/registration.hpp:121
+  logic [14:0] sum_1716;
+  assign sum_1716 = registration_counts_half_votes_2_down_q + {{13{select_1715[1]}}, select_1715};
+  // hls/stages/agreement.hpp:167
+  logic and_1718;
+  assign and_1718 = less_1685 & not_1643;
+  // hls/stages/agreement.hpp:314
+  logic [1:0] select_1721;
+  assign select_1721 = drew_s3_q ? (less_373_s3_q ? 2'h0 : (and_1478 ? {and_1718, not_1643} : 2'h0)) : 2'h0;
+  logic [1:0] select_1723;
+  assign select_1723 = equal_370_s3_q ? 2'h0 : (equal_372_s3_q ? 2'h0 : select_1721);
+  // hls/stages/registration.hpp:122
+  logic [14:0] sum_1724;
+  assign sum_1724 = registration_counts_half_votes_2_up_q + {{13{select_1723[1]}}, select_1723};
+  // hls/stages/agreement.hpp:167
+  logic and_1726;
+  assign and_1726 = lower_half_s3_q & less_1676;
+  logic [1:0] select_1728;
+  assign select_1728 = less_373_s3_q ? 2'h0 : (and_1478 ? {and_1726, lower_half_s3_q} : 2'h0);
+  // hls/stages/agreement.hpp:314
+  logic [1:0] select_1731;
+  assign select_1731 = equal_370_s3_q ? 2'h0 : (equal_372_s3_q ? 2'h0 : (drew_s3_q ? select_1728 : 2'h0));
+  // hls/stages/registration.hpp:121
+  logic [14:0] sum_1732;
+  assign sum_1732 = registration_counts_half_votes_3_down_q + {{13{select_1731[1]}}, select_1731};
+  // hls/stages/agreement.hpp:167
+  logic and_1734;
+  assign and_1734 = lower_half_s3_q & less_1685;
+  logic [1:0] select_1736;
+  assign select_1736 = less_373_s3_q ? 2'h0 : (and_1478 ? {and_1734, lower_half_s3_q} : 2'h0);
+  // hls/stages/agreement.hpp:314
+  logic [1:0] select_1739;
+  assign select_1739 = equal_370_s3_q ? 2'h0 : (equal_372_s3_q ? 2'h0 : (drew_s3_q ? select_1736 : 2'h0));
+  // hls/stages/registration.hpp:122
+  logic [14:0] sum_1740;
+  assign sum_1740 = registration_counts_half_votes_3_up_q + {{13{select_1739[1]}}, select_1739};
   // hls/stages/division.hpp:34
-  logic [7:0] sum_1705;
-  assign sum_1705 = region_down_rest_q[8:1] + 8'h3;
-  // hls/stages/agreement.hpp:246
-  logic [2:0] select_1707;
-  assign select_1707 = less_1704_s3_q ? (sum_1705[7] ? region_row_q : next_region_row_q) : region_row_q;
-  logic [2:0] select_1709;
-  assign select_1709 = equal_1211_s3_q ? (equal_385_s3_q ? 3'h0 : select_1707) : region_row_q;
-  // hls/stages/agreement.hpp:299
-  logic [7:0] select_1713;
-  assign select_1713 = equal_351_s3_q ? select_879 : (equal_353_s3_q ? select_879 : (drew_s3_q ? select_987 : 8'h1));
+  logic [7:0] sum_1754;
+  assign sum_1754 = region_down_rest_q[8:1] + 8'h3;
+  // hls/stages/agreement.hpp:261
+  logic [2:0] select_1756;
+  assign select_1756 = less_1753_s3_q ? (sum_1754[7] ? region_row_q : next_region_row_q) : region_row_q;
+  logic [2:0] select_1758;
+  assign select_1758 = equal_1249_s3_q ? (equal_405_s3_q ? 3'h0 : select_1756) : region_row_q;
+  // hls/stages/agreement.hpp:314
+  logic [7:0] select_1762;
+  assign select_1762 = equal_370_s3_q ? select_899 : (equal_372_s3_q ? select_899 : (drew_s3_q ? select_1006 : 8'h1));
   // hls/stages/division.hpp:35
-  logic [8:0] sum_1714;
-  assign sum_1714 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
+  logic [8:0] sum_1763;
+  assign sum_1763 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_1715;
-  assign select_1715 = sum_890[5] ? {1'b1, sum_890[4:0], region_across_rest_q[2:0]} : sum_1714;
-  // hls/stages/agreement.hpp:246
-  logic [8:0] select_1719;
-  assign select_1719 = equal_1211_s3_q ? (9'h1f0 - {2'h0, cfg_width_i[9:3]}) : columns_begin_rest_q;
-  logic [7:0] select_1722;
-  assign select_1722 = equal_1211_s3_q ? (8'h8 - {1'b0, cfg_width_i[9:3]}) : columns_begin_back_q;
-  logic [8:0] select_1726;
-  assign select_1726 = equal_385_s3_q ? {{2{difference_1724[6]}}, difference_1724} : (less_1704_s3_q ? region_down_next_q : region_down_rest_q);
-  // hls/stages/agreement.hpp:176
-  logic [8:0] select_1728;
-  assign select_1728 = and_336_s3_q ? (equal_1211_s3_q ? select_1726 : region_down_rest_q) : region_down_rest_q;
-  // hls/stages/agreement.hpp:246
-  logic [6:0] select_1730;
-  assign select_1730 = equal_385_s3_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
-  // hls/stages/agreement.hpp:176
-  logic [6:0] select_1732;
-  assign select_1732 = and_336_s3_q ? (equal_1211_s3_q ? select_1730 : region_down_back_q) : region_down_back_q;
+  logic [8:0] select_1764;
+  assign select_1764 = sum_910[5] ? {1'b1, sum_910[4:0], region_across_rest_q[2:0]} : sum_1763;
+  // hls/stages/agreement.hpp:261
+  logic [8:0] select_1768;
+  assign select_1768 = equal_1249_s3_q ? (9'h1f0 - {2'h0, cfg_width_i[9:3]}) : columns_begin_rest_q;
+  logic [7:0] select_1771;
+  assign select_1771 = equal_1249_s3_q ? (8'h8 - {1'b0, cfg_width_i[9:3]}) : columns_begin_back_q;
+  logic [8:0] select_1775;
+  assign select_1775 = equal_405_s3_q ? {{2{difference_1773[6]}}, difference_1773} : (less_1753_s3_q ? region_down_next_q : region_down_rest_q);
+  // hls/stages/agreement.hpp:181
+  logic [8:0] select_1777;
+  assign select_1777 = and_351_s3_q ? (equal_1249_s3_q ? select_1775 : region_down_rest_q) : region_down_rest_q;
+  // hls/stages/agreement.hpp:261
+  logic [6:0] select_1779;
+  assign select_1779 = equal_405_s3_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
+  // hls/stages/agreement.hpp:181
+  logic [6:0] select_1781;
+  assign select_1781 = and_351_s3_q ? (equal_1249_s3_q ? select_1779 : region_down_back_q) : region_down_back_q;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_1733;
-  assign sum_1733 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
+  logic [8:0] sum_1782;
+  assign sum_1782 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_1734;
-  assign select_1734 = sum_1705[7] ? {1'b1, sum_1705[6:0], region_down_rest_q[0]} : sum_1733;
+  logic [8:0] select_1783;
+  assign select_1783 = sum_1754[7] ? {1'b1, sum_1754[6:0], region_down_rest_q[0]} : sum_1782;
   // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_1705[7];
-  // hls/stages/agreement.hpp:246
-  logic select_1738;
-  assign select_1738 = equal_1211_s3_q ? (equal_385_s3_q | (less_1704_s3_q ? next : region_fresh_q)) : region_fresh_q;
-  // hls/stages/agreement.hpp:140
-  logic or_1743;
-  assign or_1743 = segment_starts_q | not_1257_s3_q;
-  // hls/stages/agreement.hpp:516
-  logic select_1746;
-  assign select_1746 = less_354_s3_q ? or_1743 : (sum_890[5] ? (equal_892_s3_q & or_893) : or_893);
-  // hls/stages/agreement.hpp:299
-  logic select_1749;
-  assign select_1749 = equal_351_s3_q ? or_1743 : (equal_353_s3_q ? or_1743 : (drew_s3_q ? select_1746 : or_1743));
-  // hls/stages/agreement.hpp:619
-  logic equal_1751;
-  assign equal_1751 = x_s3_q[5:0] == 6'h3f;
-  // hls/stages/agreement.hpp:621
-  logic [7:0] select_1775;
-  assign select_1775 = ($signed(24'h0) < $signed(counts_too_much_hidden_q)) ? next_hidden_for_q : 8'h0;
-  // hls/stages/agreement.hpp:299
-  logic [7:0] select_1777;
-  assign select_1777 = equal_895_s3_q ? (equal_1751 ? select_1775 : hidden_for_q) : hidden_for_q;
-  logic [7:0] select_1779;
-  assign select_1779 = equal_353_s3_q ? hidden_for_q : (drew_s3_q ? hidden_for_q : select_1777);
+  assign next = ~sum_1754[7];
+  // hls/stages/agreement.hpp:261
+  logic select_1787;
+  assign select_1787 = equal_1249_s3_q ? (equal_405_s3_q | (less_1753_s3_q ? next : region_fresh_q)) : region_fresh_q;
   // hls/stages/agreement.hpp:142
-  logic not_1781;
-  assign not_1781 = ~hidden_for_q[7];
-  // hls/stages/agreement.hpp:299
-  logic select_1856;
-  assign select_1856 = equal_353_s3_q ? centres_values_0_q : (drew_s3_q ? and_974 : centres_values_0_q);
-  logic select_1859;
-  assign select_1859 = equal_353_s3_q ? centres_values_1_q : (drew_s3_q ? centres_values_0_q : centres_values_1_q);
-  // hls/stages/agreement.hpp:246
-  logic [12:0] select_1864;
-  assign select_1864 = equal_1211_s3_q ? (equal_1861_s3_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
-  // hls/stages/agreement.hpp:176
-  logic [6:0] select_1867;
-  assign select_1867 = and_336_s3_q ? (equal_1211_s3_q ? cfg_width_i[9:3] : map_width_q) : map_width_q;
-  // hls/stages/agreement.hpp:299
-  logic and_1878;
-  assign and_1878 = not_352_s3_q & (not_496_s3_q & (not_1257_s3_q & (equal_895_s3_q & equal_1751)));
-  // hls/stages/agreement.hpp:727
-  logic and_1893;
-  assign and_1893 = and_1043_s3_q & ({sum_971, index_2[5:0]} == {sum_958, index[5:0]});
-  // hls/stages/agreement.hpp:299
-  logic and_1939;
-  assign and_1939 = not_1257_s3_q & (equal_895_s3_q & (equal_1751 & (cfg_prove_i & (~proven_q))));
+  logic or_1792;
+  assign or_1792 = segment_starts_q | not_1295_s3_q;
+  // hls/stages/agreement.hpp:536
+  logic select_1795;
+  assign select_1795 = less_373_s3_q ? or_1792 : (sum_910[5] ? (equal_912_s3_q & or_913) : or_913);
+  // hls/stages/agreement.hpp:314
+  logic select_1798;
+  assign select_1798 = equal_370_s3_q ? or_1792 : (equal_372_s3_q ? or_1792 : (drew_s3_q ? select_1795 : or_1792));
+  // hls/stages/agreement.hpp:648
+  logic equal_1800;
+  assign equal_1800 = x_s3_q[5:0] == 6'h3f;
+  // hls/stages/agreement.hpp:650
+  logic [7:0] select_1824;
+  assign select_1824 = ($signed(24'h0) < $signed(counts_too_much_hidden_q)) ? next_hidden_for_q : 8'h0;
+  // hls/stages/agreement.hpp:314
+  logic [7:0] select_1826;
+  assign select_1826 = equal_915_s3_q ? (equal_1800 ? select_1824 : hidden_for_q) : hidden_for_q;
+  logic [7:0] select_1828;
+  assign select_1828 = equal_372_s3_q ? hidden_for_q : (drew_s3_q ? hidden_for_q : select_1826);
+  // hls/stages/agreement.hpp:144
+  logic not_1830;
+  assign not_1830 = ~hidden_for_q[7];
+  // hls/stages/agreement.hpp:314
+  logic select_1905;
+  assign select_1905 = drew_s3_q ? (seen_columns_rdata_q[4] & not_374_s3_q) : centres_values_0_textured_q;
+  logic select_1907;
+  assign select_1907 = equal_370_s3_q ? centres_values_0_textured_q : (equal_372_s3_q ? centres_values_0_textured_q : select_1905);
+  logic select_1909;
+  assign select_1909 = drew_s3_q ? (seen_columns_rdata_q[5] & not_374_s3_q) : centres_values_0_of_skin_q;
+  logic select_1911;
+  assign select_1911 = equal_370_s3_q ? centres_values_0_of_skin_q : (equal_372_s3_q ? centres_values_0_of_skin_q : select_1909);
+  logic select_1912;
+  assign select_1912 = drew_s3_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  logic select_1914;
+  assign select_1914 = equal_370_s3_q ? centres_values_1_textured_q : (equal_372_s3_q ? centres_values_1_textured_q : select_1912);
+  logic select_1915;
+  assign select_1915 = drew_s3_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  logic select_1917;
+  assign select_1917 = equal_370_s3_q ? centres_values_1_of_skin_q : (equal_372_s3_q ? centres_values_1_of_skin_q : select_1915);
+  // hls/stages/agreement.hpp:261
+  logic [12:0] select_1921;
+  assign select_1921 = equal_1249_s3_q ? (equal_1918_s3_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
+  // hls/stages/agreement.hpp:181
+  logic [6:0] select_1924;
+  assign select_1924 = and_351_s3_q ? (equal_1249_s3_q ? cfg_width_i[9:3] : map_width_q) : map_width_q;
+  // hls/stages/agreement.hpp:314
+  logic and_1935;
+  assign and_1935 = not_371_s3_q & (not_516_s3_q & (not_1295_s3_q & (equal_915_s3_q & equal_1800)));
+  // hls/stages/agreement.hpp:753
+  logic [2:0] select_1939;
+  assign select_1939 = marks_first_s3_q ? 3'h0 : (select_967 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q);
+  // hls/stages/agreement.hpp:182
+  logic [7:0] select_1944;
+  assign select_1944 = marks_first_s3_q ? (less_1940 ? {sum_1941, cfg_height_i[5:3]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
+  // hls/stages/agreement.hpp:757
+  logic and_1950;
+  assign and_1950 = and_1057_s3_q & ({sum_992, index_2[5:0]} == {sum_979, index[5:0]});
+  // hls/stages/agreement.hpp:314
+  logic and_1996;
+  assign and_1996 = not_1295_s3_q & (equal_915_s3_q & (equal_1800 & (cfg_prove_i & (~proven_q))));
   // hls/stages/registration.hpp:99
   logic [12:0] upper;
   assign upper = {1'b0, registration_counts_measured_0_q} + {1'b0, registration_counts_measured_1_q};
   logic [12:0] lower;
   assign lower = {1'b0, registration_counts_measured_2_q} + {1'b0, registration_counts_measured_3_q};
   // hls/stages/registration.hpp:103
-  logic [13:0] sum_1963;
-  assign sum_1963 = {1'b0, upper} + {1'b0, lower};
-  logic less_1964;
-  assign less_1964 = 11'h4 < sum_1963[13:3];
+  logic [13:0] sum_2022;
+  assign sum_2022 = {1'b0, upper} + {1'b0, lower};
+  logic less_2023;
+  assign less_2023 = 11'h4 < sum_2022[13:3];
   // hls/stages/registration.hpp:99
   logic [12:0] left;
   assign left = {1'b0, registration_counts_measured_0_q} + {1'b0, registration_counts_measured_2_q};
   // hls/stages/registration.hpp:100
-  logic less_1967;
-  assign less_1967 = 11'he < left[12:2];
+  logic less_2026;
+  assign less_2026 = 11'he < left[12:2];
   // hls/stages/registration.hpp:119
-  logic less_1969;
-  assign less_1969 = $signed(15'h0) < $signed(registration_counts_votes_0_up_q);
+  logic less_2028;
+  assign less_2028 = $signed(15'h0) < $signed(registration_counts_votes_0_up_q);
   // hls/stages/registration.hpp:104
-  logic or_1970;
-  assign or_1970 = (~less_1967) | less_1969;
+  logic or_2029;
+  assign or_2029 = (~less_2026) | less_2028;
   // hls/stages/registration.hpp:99
   logic [12:0] right;
   assign right = {1'b0, registration_counts_measured_1_q} + {1'b0, registration_counts_measured_3_q};
   // hls/stages/registration.hpp:100
-  logic less_1972;
-  assign less_1972 = 11'he < right[12:2];
+  logic less_2031;
+  assign less_2031 = 11'he < right[12:2];
   // hls/stages/registration.hpp:119
-  logic less_1974;
-  assign less_1974 = $signed(15'h0) < $signed(registration_counts_half_votes_0_up_q);
+  logic less_2033;
+  assign less_2033 = $signed(15'h0) < $signed(registration_counts_half_votes_0_up_q);
   // hls/stages/registration.hpp:104
-  logic select_1976;
-  assign select_1976 = less_1964 ? (or_1970 ? less_1969 : less_1974) : less_1974;
-  logic or_1977;
-  assign or_1977 = (~less_1972) | select_1976;
+  logic select_2035;
+  assign select_2035 = less_2023 ? (or_2029 ? less_2028 : less_2033) : less_2033;
+  logic or_2036;
+  assign or_2036 = (~less_2031) | select_2035;
   // hls/stages/registration.hpp:100
-  logic less_1978;
-  assign less_1978 = 11'he < upper[12:2];
+  logic less_2037;
+  assign less_2037 = 11'he < upper[12:2];
   // hls/stages/registration.hpp:119
-  logic less_1980;
-  assign less_1980 = $signed(15'h0) < $signed(registration_counts_half_votes_1_up_q);
+  logic less_2039;
+  assign less_2039 = $signed(15'h0) < $signed(registration_counts_half_votes_1_up_q);
   // hls/stages/registration.hpp:104
-  logic select_1981;
-  assign select_1981 = or_1977 ? select_1976 : less_1980;
-  logic select_1983;
-  assign select_1983 = less_1964 ? select_1981 : (less_1967 ? select_1981 : less_1980);
-  logic or_1984;
-  assign or_1984 = (~less_1978) | select_1983;
+  logic select_2040;
+  assign select_2040 = or_2036 ? select_2035 : less_2039;
+  logic select_2042;
+  assign select_2042 = less_2023 ? select_2040 : (less_2026 ? select_2040 : less_2039);
+  logic or_2043;
+  assign or_2043 = (~less_2037) | select_2042;
   // hls/stages/registration.hpp:119
-  logic less_1985;
-  assign less_1985 = $signed(15'h0) < $signed(registration_counts_half_votes_2_up_q);
+  logic less_2044;
+  assign less_2044 = $signed(15'h0) < $signed(registration_counts_half_votes_2_up_q);
   // hls/stages/registration.hpp:104
-  logic select_1986;
-  assign select_1986 = or_1984 ? select_1983 : less_1985;
-  logic select_1989;
-  assign select_1989 = less_1964 ? select_1986 : (less_1967 ? select_1986 : (less_1972 ? select_1986 : less_1985));
+  logic select_2045;
+  assign select_2045 = or_2043 ? select_2042 : less_2044;
+  logic select_2048;
+  assign select_2048 = less_2023 ? select_2045 : (less_2026 ? select_2045 : (less_2031 ? select_2045 : less_2044));
   // hls/stages/registration.hpp:101
-  logic less_1990;
-  assign less_1990 = 11'he < lower[12:2];
+  logic less_2049;
+  assign less_2049 = 11'he < lower[12:2];
   // hls/stages/registration.hpp:104
-  logic or_1992;
-  assign or_1992 = select_1989 | (~less_1990);
+  logic or_2051;
+  assign or_2051 = select_2048 | (~less_2049);
   // hls/stages/registration.hpp:119
-  logic less_1993;
-  assign less_1993 = $signed(15'h0) < $signed(registration_counts_half_votes_3_up_q);
+  logic less_2052;
+  assign less_2052 = $signed(15'h0) < $signed(registration_counts_half_votes_3_up_q);
   // hls/stages/registration.hpp:105
-  logic select_1994;
-  assign select_1994 = or_1992 ? select_1989 : less_1993;
-  logic select_1997;
-  assign select_1997 = less_1967 ? select_1994 : (less_1972 ? select_1994 : (less_1978 ? select_1994 : less_1993));
-  // hls/stages/agreement.hpp:623
-  logic and_2009;
-  assign and_2009 = ($signed(15'h0) < $signed(registration_counts_votes_3_up_q)) & ($signed(15'h0) < $signed(registration_counts_votes_4_down_q));
-  logic or_2010;
-  assign or_2010 = ($signed(15'h0) < $signed(registration_counts_votes_4_up_q)) | and_2009;
-  logic select_2011;
-  assign select_2011 = ($signed(15'h0) < $signed(registration_counts_votes_3_down_q)) ? or_2010 : and_2009;
-  logic and_2012;
-  assign and_2012 = (less_1978 & less_1990) & select_2011;
-  logic or_2013;
-  assign or_2013 = ($signed(15'h0) < $signed(registration_counts_votes_2_down_q)) | and_2012;
-  logic select_2014;
-  assign select_2014 = ($signed(15'h0) < $signed(registration_counts_votes_1_up_q)) ? or_2013 : and_2012;
-  logic or_2015;
-  assign or_2015 = ($signed(15'h0) < $signed(registration_counts_votes_2_up_q)) | select_2014;
-  logic select_2016;
-  assign select_2016 = ($signed(15'h0) < $signed(registration_counts_votes_1_down_q)) ? or_2015 : select_2014;
-  logic select_2017;
-  assign select_2017 = (less_1967 & less_1972) ? select_2016 : and_2012;
-  logic or_2018;
-  assign or_2018 = (less_1964 ? select_1994 : select_1997) | select_2017;
+  logic select_2053;
+  assign select_2053 = or_2051 ? select_2048 : less_2052;
+  logic select_2056;
+  assign select_2056 = less_2026 ? select_2053 : (less_2031 ? select_2053 : (less_2037 ? select_2053 : less_2052));
+  // hls/stages/agreement.hpp:652
+  logic and_2068;
+  assign and_2068 = ($signed(15'h0) < $signed(registration_counts_votes_3_up_q)) & ($signed(15'h0) < $signed(registration_counts_votes_4_down_q));
+  logic or_2069;
+  assign or_2069 = ($signed(15'h0) < $signed(registration_counts_votes_4_up_q)) | and_2068;
+  logic select_2070;
+  assign select_2070 = ($signed(15'h0) < $signed(registration_counts_votes_3_down_q)) ? or_2069 : and_2068;
+  logic and_2071;
+  assign and_2071 = (less_2037 & less_2049) & select_2070;
+  logic or_2072;
+  assign or_2072 = ($signed(15'h0) < $signed(registration_counts_votes_2_down_q)) | and_2071;
+  logic select_2073;
+  assign select_2073 = ($signed(15'h0) < $signed(registration_counts_votes_1_up_q)) ? or_2072 : and_2071;
+  logic or_2074;
+  assign or_2074 = ($signed(15'h0) < $signed(registration_counts_votes_2_up_q)) | select_2073;
+  logic select_2075;
+  assign select_2075 = ($signed(15'h0) < $signed(registration_counts_votes_1_down_q)) ? or_2074 : select_2073;
+  logic select_2076;
+  assign select_2076 = (less_2026 & less_2031) ? select_2075 : and_2071;
+  logic or_2077;
+  assign or_2077 = (less_2023 ? select_2053 : select_2056) | select_2076;
   // hls/stages/registration.hpp:119
-  logic less_2019;
-  assign less_2019 = $signed(15'h0) < $signed(registration_counts_half_votes_3_down_q);
-  // hls/stages/agreement.hpp:623
-  logic or_2020;
-  assign or_2020 = less_2019 | or_2018;
-  logic select_2021;
-  assign select_2021 = or_1992 ? or_2018 : or_2020;
+  logic less_2078;
+  assign less_2078 = $signed(15'h0) < $signed(registration_counts_half_votes_3_down_q);
+  // hls/stages/agreement.hpp:652
+  logic or_2079;
+  assign or_2079 = less_2078 | or_2077;
+  logic select_2080;
+  assign select_2080 = or_2051 ? or_2077 : or_2079;
   // hls/stages/registration.hpp:119
-  logic less_2022;
-  assign less_2022 = $signed(15'h0) < $signed(registration_counts_half_votes_2_down_q);
-  logic less_2025;
-  assign less_2025 = $signed(15'h0) < $signed(registration_counts_half_votes_1_down_q);
-  logic less_2028;
-  assign less_2028 = $signed(15'h0) < $signed(registration_counts_half_votes_0_down_q);
-  // hls/stages/agreement.hpp:623
-  logic and_2070;
-  assign and_2070 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_1775 < cfg_hidden_frames_i));
-  // hls/stages/agreement.hpp:299
-  logic and_2074;
-  assign and_2074 = not_1257_s3_q & (equal_895_s3_q & (equal_1751 & (cfg_prove_i & and_2070)));
-  logic [11:0] select_2098;
-  assign select_2098 = equal_895_s3_q ? (equal_1751 ? registration_counts_measured_0_q : 12'h0) : 12'h0;
-  logic [11:0] select_2101;
-  assign select_2101 = equal_351_s3_q ? 12'h0 : (equal_353_s3_q ? 12'h0 : (drew_s3_q ? 12'h0 : select_2098));
-  logic [11:0] select_2103;
-  assign select_2103 = equal_895_s3_q ? (equal_1751 ? registration_counts_measured_1_q : 12'h0) : 12'h0;
-  logic [11:0] select_2106;
-  assign select_2106 = equal_351_s3_q ? 12'h0 : (equal_353_s3_q ? 12'h0 : (drew_s3_q ? 12'h0 : select_2103));
-  logic [11:0] select_2108;
-  assign select_2108 = equal_895_s3_q ? (equal_1751 ? registration_counts_measured_2_q : 12'h0) : 12'h0;
-  logic [11:0] select_2111;
-  assign select_2111 = equal_351_s3_q ? 12'h0 : (equal_353_s3_q ? 12'h0 : (drew_s3_q ? 12'h0 : select_2108));
-  logic [11:0] select_2113;
-  assign select_2113 = equal_895_s3_q ? (equal_1751 ? registration_counts_measured_3_q : 12'h0) : 12'h0;
-  logic [11:0] select_2116;
-  assign select_2116 = equal_351_s3_q ? 12'h0 : (equal_353_s3_q ? 12'h0 : (drew_s3_q ? 12'h0 : select_2113));
+  logic less_2081;
+  assign less_2081 = $signed(15'h0) < $signed(registration_counts_half_votes_2_down_q);
+  logic less_2084;
+  assign less_2084 = $signed(15'h0) < $signed(registration_counts_half_votes_1_down_q);
+  logic less_2087;
+  assign less_2087 = $signed(15'h0) < $signed(registration_counts_half_votes_0_down_q);
+  // hls/stages/agreement.hpp:652
+  logic and_2129;
+  assign and_2129 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_1824 < cfg_hidden_frames_i));
+  // hls/stages/agreement.hpp:314
+  logic and_2133;
+  assign and_2133 = not_1295_s3_q & (equal_915_s3_q & (equal_1800 & (cfg_prove_i & and_2129)));
+  logic [11:0] select_2157;
+  assign select_2157 = equal_915_s3_q ? (equal_1800 ? registration_counts_measured_0_q : 12'h0) : 12'h0;
+  logic [11:0] select_2160;
+  assign select_2160 = equal_370_s3_q ? 12'h0 : (equal_372_s3_q ? 12'h0 : (drew_s3_q ? 12'h0 : select_2157));
+  logic [11:0] select_2162;
+  assign select_2162 = equal_915_s3_q ? (equal_1800 ? registration_counts_measured_1_q : 12'h0) : 12'h0;
+  logic [11:0] select_2165;
+  assign select_2165 = equal_370_s3_q ? 12'h0 : (equal_372_s3_q ? 12'h0 : (drew_s3_q ? 12'h0 : select_2162));
+  logic [11:0] select_2167;
+  assign select_2167 = equal_915_s3_q ? (equal_1800 ? registration_counts_measured_2_q : 12'h0) : 12'h0;
+  logic [11:0] select_2170;
+  assign select_2170 = equal_370_s3_q ? 12'h0 : (equal_372_s3_q ? 12'h0 : (drew_s3_q ? 12'h0 : select_2167));
+  logic [11:0] select_2172;
+  assign select_2172 = equal_915_s3_q ? (equal_1800 ? registration_counts_measured_3_q : 12'h0) : 12'h0;
+  logic [11:0] select_2175;
+  assign select_2175 = equal_370_s3_q ? 12'h0 : (equal_372_s3_q ? 12'h0 : (drew_s3_q ? 12'h0 : select_2172));
 
-  // Memory regions, 64 x 36, DISTANCE 12, hls/stages/agreement.hpp:782; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory regions, 64 x 36, DISTANCE 12, hls/stages/agreement.hpp:813; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [35:0] regions_mem [0:63];
@@ -2892,15 +2971,15 @@ module horopter_agreement (
   initial for (int i = 0; i < 64; i++) regions_mem[i] = 36'h0;
 `endif
   logic [5:0] regions_raddr;
-  assign regions_raddr = drew_s3_q ? {region_row_q, or_888, or_885, or_882} : x_s3_q[5:0];
+  assign regions_raddr = drew_s3_q ? {region_row_q, or_908, or_905, or_902} : x_s3_q[5:0];
   logic regions_re;
-  assign regions_re = s3_en & (not_352_s3_q & (not_496_s3_q & (drew_s3_q ? and_894 : and_898)));
+  assign regions_re = s3_en & (not_371_s3_q & (not_516_s3_q & (drew_s3_q ? and_914 : and_918)));
   logic [35:0] regions_rdata_q;
   always_ff @(posedge clk_i) begin
     if (regions_re) regions_rdata_q <= regions_mem[regions_raddr];
   end
 
-  // Memory map, 9600 x 2, DISTANCE 16, hls/stages/agreement.hpp:801; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory map, 9600 x 2, DISTANCE 16, hls/stages/agreement.hpp:832; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [1:0] map_mem [0:9599];
@@ -2908,41 +2987,21 @@ module horopter_agreement (
   initial for (int i = 0; i < 9600; i++) map_mem[i] = 2'h0;
 `endif
   logic [13:0] map_raddr;
-  assign map_raddr = {sum_958, index[5:0]};
+  assign map_raddr = {sum_979, index[5:0]};
   logic map_re;
-  assign map_re = s3_en & (and_965 & less_966);
+  assign map_re = s3_en & (and_986 & less_987);
   logic [1:0] map_rdata_q;
   always_ff @(posedge clk_i) begin
     if (map_re) map_rdata_q <= map_mem[map_raddr];
   end
 
-  // Memory averager_memory, write
-  logic [8:0] averager_memory_waddr;
-  assign averager_memory_waddr = select_306_s3_q;
-  logic averager_memory_we;
-  assign averager_memory_we = s3_en & and_313_s3_q;
-  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {and_332, and_328, sum_324, sum_320};
-  end
-`ifndef SYNTHESIS
-  always_ff @(posedge clk_i) begin
-    if (rst_ni && averager_memory_we) begin
-      if (averager_memory_re && averager_memory_raddr == averager_memory_waddr) begin
-        $error("averager_memory: address %0d is read less than DISTANCE steps after its write", averager_memory_waddr);
-      end
-      if (averager_memory_waddr >= 9'd320) $error("averager_memory: write outside, address %0d", averager_memory_waddr);
-    end
-    if (rst_ni && averager_memory_re && averager_memory_raddr >= 9'd320) $error("averager_memory: read outside, address %0d", averager_memory_raddr);
-  end
-`endif
-
   // Memory census_memory, write
   logic [6:0] census_memory_waddr;
-  assign census_memory_waddr = select_302_s3_q;
+  assign census_memory_waddr = column_s3_q;
   logic census_memory_we;
-  assign census_memory_we = s3_en & and_336_s3_q;
+  assign census_memory_we = s3_en & and_351_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (census_memory_we) census_memory_mem[census_memory_waddr] <= {census_memory_rdata_q[58:40], census_memory_rdata_q[38:0], select_350, whole_2, total_2[10:2], total[10:2]};
+    if (census_memory_we) census_memory_mem[census_memory_waddr] <= {census_memory_rdata_q[58:40], census_memory_rdata_q[38:0], and_369_s3_q, whole_2_s3_q, select_361, select_357};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -2960,9 +3019,9 @@ module horopter_agreement (
   logic [6:0] best_right_waddr;
   assign best_right_waddr = partner_s3_q;
   logic best_right_we;
-  assign best_right_we = s3_en & and_863_s3_q;
+  assign best_right_we = s3_en & and_883_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (best_right_we) best_right_mem[best_right_waddr] <= {select_878, select_874};
+    if (best_right_we) best_right_mem[best_right_waddr] <= {select_898, select_894};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -2980,9 +3039,9 @@ module horopter_agreement (
   logic [6:0] seen_columns_waddr;
   assign seen_columns_waddr = x_s3_q[6:0];
   logic seen_columns_we;
-  assign seen_columns_we = s3_en & and_937_s3_q;
+  assign seen_columns_we = s3_en & and_957_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {seen_columns_rdata_q[8:0], near, explained, textured};
+    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {seen_columns_rdata_q[10:6], seen_columns_rdata_q[4:0], near, explained, and_959, textured};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -2998,8 +3057,6 @@ module horopter_agreement (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      averager_mask_q <= 1'b0;
-      averager_of_skin_q <= 1'b0;
       census_filled_q <= 4'h0;
       rows_passed_above_q <= 5'h0;
       counts_too_little_explained_q <= 24'h0;
@@ -3041,8 +3098,10 @@ module horopter_agreement (
       next_hidden_for_q <= 8'h0;
       next_region_row_q <= 3'h0;
       begins_product_q <= 1'b0;
-      centres_values_0_q <= 1'b0;
-      centres_values_1_q <= 1'b0;
+      centres_values_0_textured_q <= 1'b0;
+      centres_values_0_of_skin_q <= 1'b0;
+      centres_values_1_textured_q <= 1'b0;
+      centres_values_1_of_skin_q <= 1'b0;
       map_row_q <= 13'h0;
       map_width_q <= 7'h0;
       write_half_q <= 1'b0;
@@ -3050,59 +3109,81 @@ module horopter_agreement (
       done_q <= 1'b0;
       proven_q <= 1'b0;
       said_q <= 1'b0;
+      rows_passed_q <= 18'h0;
+      columns_passed_q <= 9'h0;
+      line_ended_q <= 1'b1;
+      began_q <= 1'b0;
+      seen_x_q <= 3'h0;
+      seen_y_q <= 3'h0;
+      seen_column_q <= 8'h0;
+      seen_rows_left_q <= 8'h0;
+      at_cell_end_q <= 1'b0;
+      was_next_row_q <= 1'b0;
+      seen_base_q <= 13'h0;
     end else if (s3_en) begin
-      averager_mask_q <= and_335_s3_q ? whole_2 : averager_mask_q;
-      averager_of_skin_q <= and_335_s3_q ? select_350 : averager_of_skin_q;
-      census_filled_q <= and_336_s3_q ? {select_388[2:0], 1'b1} : census_filled_q;
-      rows_passed_above_q <= and_336_s3_q ? select_387 : rows_passed_above_q;
-      counts_too_little_explained_q <= and_1344 ? 24'h0 : sum_1398;
-      counts_too_much_hidden_q <= select_1427;
-      registration_counts_measured_0_q <= select_1519;
-      registration_counts_measured_1_q <= select_1528;
-      registration_counts_measured_2_q <= select_1536;
-      registration_counts_measured_3_q <= select_1543;
-      registration_counts_votes_0_down_q <= and_1344 ? 15'h0 : sum_1550;
-      registration_counts_votes_0_up_q <= and_1344 ? 15'h0 : sum_1559;
-      registration_counts_votes_1_down_q <= and_1344 ? 15'h0 : sum_1568;
-      registration_counts_votes_1_up_q <= and_1344 ? 15'h0 : sum_1576;
-      registration_counts_votes_2_down_q <= and_1344 ? 15'h0 : sum_1584;
-      registration_counts_votes_2_up_q <= and_1344 ? 15'h0 : sum_1592;
-      registration_counts_votes_3_down_q <= and_1344 ? 15'h0 : sum_1601;
-      registration_counts_votes_3_up_q <= and_1344 ? 15'h0 : sum_1609;
-      registration_counts_votes_4_down_q <= and_1344 ? 15'h0 : sum_1617;
-      registration_counts_votes_4_up_q <= and_1344 ? 15'h0 : sum_1625;
-      registration_counts_half_votes_0_down_q <= and_1344 ? 15'h0 : sum_1634;
-      registration_counts_half_votes_0_up_q <= and_1344 ? 15'h0 : sum_1643;
-      registration_counts_half_votes_1_down_q <= and_1344 ? 15'h0 : sum_1651;
-      registration_counts_half_votes_1_up_q <= and_1344 ? 15'h0 : sum_1659;
-      registration_counts_half_votes_2_down_q <= and_1344 ? 15'h0 : sum_1667;
-      registration_counts_half_votes_2_up_q <= and_1344 ? 15'h0 : sum_1675;
-      registration_counts_half_votes_3_down_q <= and_1344 ? 15'h0 : sum_1683;
-      registration_counts_half_votes_3_up_q <= and_1344 ? 15'h0 : sum_1691;
-      region_row_q <= and_336_s3_q ? select_1709 : region_row_q;
-      region_columns_q <= select_1713;
-      region_across_rest_q <= drew_s3_q ? select_1715 : columns_begin_rest_q;
+      census_filled_q <= and_351_s3_q ? {select_408[2:0], 1'b1} : census_filled_q;
+      rows_passed_above_q <= and_351_s3_q ? select_407 : rows_passed_above_q;
+      counts_too_little_explained_q <= and_1382 ? 24'h0 : sum_1436;
+      counts_too_much_hidden_q <= select_1476;
+      registration_counts_measured_0_q <= select_1568;
+      registration_counts_measured_1_q <= select_1577;
+      registration_counts_measured_2_q <= select_1585;
+      registration_counts_measured_3_q <= select_1592;
+      registration_counts_votes_0_down_q <= and_1382 ? 15'h0 : sum_1599;
+      registration_counts_votes_0_up_q <= and_1382 ? 15'h0 : sum_1608;
+      registration_counts_votes_1_down_q <= and_1382 ? 15'h0 : sum_1617;
+      registration_counts_votes_1_up_q <= and_1382 ? 15'h0 : sum_1625;
+      registration_counts_votes_2_down_q <= and_1382 ? 15'h0 : sum_1633;
+      registration_counts_votes_2_up_q <= and_1382 ? 15'h0 : sum_1641;
+      registration_counts_votes_3_down_q <= and_1382 ? 15'h0 : sum_1650;
+      registration_counts_votes_3_up_q <= and_1382 ? 15'h0 : sum_1658;
+      registration_counts_votes_4_down_q <= and_1382 ? 15'h0 : sum_1666;
+      registration_counts_votes_4_up_q <= and_1382 ? 15'h0 : sum_1674;
+      registration_counts_half_votes_0_down_q <= and_1382 ? 15'h0 : sum_1683;
+      registration_counts_half_votes_0_up_q <= and_1382 ? 15'h0 : sum_1692;
+      registration_counts_half_votes_1_down_q <= and_1382 ? 15'h0 : sum_1700;
+      registration_counts_half_votes_1_up_q <= and_1382 ? 15'h0 : sum_1708;
+      registration_counts_half_votes_2_down_q <= and_1382 ? 15'h0 : sum_1716;
+      registration_counts_half_votes_2_up_q <= and_1382 ? 15'h0 : sum_1724;
+      registration_counts_half_votes_3_down_q <= and_1382 ? 15'h0 : sum_1732;
+      registration_counts_half_votes_3_up_q <= and_1382 ? 15'h0 : sum_1740;
+      region_row_q <= and_351_s3_q ? select_1758 : region_row_q;
+      region_columns_q <= select_1762;
+      region_across_rest_q <= drew_s3_q ? select_1764 : columns_begin_rest_q;
       region_across_back_q <= drew_s3_q ? region_across_back_q : columns_begin_back_q;
-      columns_begin_rest_q <= and_336_s3_q ? select_1719 : columns_begin_rest_q;
-      columns_begin_back_q <= and_336_s3_q ? select_1722 : columns_begin_back_q;
-      region_down_rest_q <= select_1728;
-      region_down_back_q <= select_1732;
-      region_down_next_q <= select_1734;
-      region_fresh_q <= and_336_s3_q ? select_1738 : region_fresh_q;
-      segment_starts_q <= select_1749;
-      hidden_for_q <= equal_351_s3_q ? hidden_for_q : select_1779;
-      next_hidden_for_q <= hidden_for_q + {7'h0, not_1781};
+      columns_begin_rest_q <= and_351_s3_q ? select_1768 : columns_begin_rest_q;
+      columns_begin_back_q <= and_351_s3_q ? select_1771 : columns_begin_back_q;
+      region_down_rest_q <= select_1777;
+      region_down_back_q <= select_1781;
+      region_down_next_q <= select_1783;
+      region_fresh_q <= and_351_s3_q ? select_1787 : region_fresh_q;
+      segment_starts_q <= select_1798;
+      hidden_for_q <= equal_370_s3_q ? hidden_for_q : select_1828;
+      next_hidden_for_q <= hidden_for_q + {7'h0, not_1830};
       next_region_row_q <= region_row_q + 3'h1;
       begins_product_q <= drew_s3_q;
-      centres_values_0_q <= equal_351_s3_q ? centres_values_0_q : select_1856;
-      centres_values_1_q <= equal_351_s3_q ? centres_values_1_q : select_1859;
-      map_row_q <= and_336_s3_q ? select_1864 : map_row_q;
-      map_width_q <= select_1867;
+      centres_values_0_textured_q <= select_1907;
+      centres_values_0_of_skin_q <= select_1911;
+      centres_values_1_textured_q <= select_1914;
+      centres_values_1_of_skin_q <= select_1917;
+      map_row_q <= and_351_s3_q ? select_1921 : map_row_q;
+      map_width_q <= select_1924;
       write_half_q <= marks_first_s3_q ? (write_half_q ^ done_q) : write_half_q;
-      read_half_q <= select_957;
-      done_q <= not_959_s3_q & ((~begins_product_q) & (done_q | said_q));
+      read_half_q <= select_978;
+      done_q <= not_980 & ((~begins_product_q) & (done_q | said_q));
       proven_q <= marks_first_s3_q ? done_q : proven_q;
-      said_q <= and_1878;
+      said_q <= and_1935;
+      rows_passed_q <= select_963;
+      columns_passed_q <= {select_965[7:0], or_961};
+      line_ended_q <= marks_last_s3_q;
+      began_q <= and_982;
+      seen_x_q <= select_984;
+      seen_y_q <= select_1939;
+      seen_column_q <= select_975;
+      seen_rows_left_q <= select_1944;
+      at_cell_end_q <= (seen_y_q == 3'h7) & (~(seen_rows_left_q == 8'h0));
+      was_next_row_q <= next_row;
+      seen_base_q <= select_972;
     end
   end
 
@@ -3173,66 +3254,66 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s3_en) begin
-      averager_total_0_q <= and_335_s3_q ? total : averager_total_0_q;
-      averager_total_1_q <= and_335_s3_q ? total_2 : averager_total_1_q;
-      census_columns_values_0_cell_0_left_q <= select_1078;
-      census_columns_values_0_cell_0_right_q <= select_1079;
-      census_columns_values_0_cell_0_mask_q <= and_336_s3_q ? whole_2 : census_columns_values_0_cell_0_mask_q;
-      census_columns_values_0_cell_1_left_q <= select_1081;
-      census_columns_values_0_cell_1_right_q <= select_1082;
-      census_columns_values_0_cell_1_mask_q <= select_1083;
-      census_columns_values_0_cell_2_left_q <= select_1084;
-      census_columns_values_0_cell_2_right_q <= select_1085;
-      census_columns_values_0_cell_2_mask_q <= select_1086;
-      census_columns_values_0_cell_2_of_skin_q <= select_1087;
-      census_columns_values_0_cell_3_left_q <= select_1088;
-      census_columns_values_0_cell_3_right_q <= select_1089;
-      census_columns_values_0_cell_3_mask_q <= select_1090;
-      census_columns_values_0_cell_4_left_q <= select_1091;
-      census_columns_values_0_cell_4_right_q <= select_1092;
-      census_columns_values_0_cell_4_mask_q <= select_1093;
-      census_columns_values_1_cell_0_left_q <= select_1094;
-      census_columns_values_1_cell_0_right_q <= select_1095;
-      census_columns_values_1_cell_0_mask_q <= select_1096;
-      census_columns_values_1_cell_1_left_q <= select_1097;
-      census_columns_values_1_cell_1_right_q <= select_1098;
-      census_columns_values_1_cell_1_mask_q <= select_1099;
-      census_columns_values_1_cell_2_left_q <= select_1100;
-      census_columns_values_1_cell_2_right_q <= select_1101;
-      census_columns_values_1_cell_2_mask_q <= select_1102;
-      census_columns_values_1_cell_2_of_skin_q <= select_1103;
-      census_columns_values_1_cell_3_left_q <= select_1104;
-      census_columns_values_1_cell_3_right_q <= select_1105;
-      census_columns_values_1_cell_3_mask_q <= select_1106;
-      census_columns_values_1_cell_4_left_q <= select_1107;
-      census_columns_values_1_cell_4_right_q <= select_1108;
-      census_columns_values_1_cell_4_mask_q <= select_1109;
-      census_columns_values_2_cell_0_left_q <= select_1110;
-      census_columns_values_2_cell_0_right_q <= select_1111;
-      census_columns_values_2_cell_0_mask_q <= select_1112;
-      census_columns_values_2_cell_1_left_q <= select_1113;
-      census_columns_values_2_cell_1_right_q <= select_1114;
-      census_columns_values_2_cell_1_mask_q <= select_1115;
-      census_columns_values_2_cell_2_left_q <= select_1116;
-      census_columns_values_2_cell_2_right_q <= select_1117;
-      census_columns_values_2_cell_2_mask_q <= select_1118;
-      census_columns_values_2_cell_3_left_q <= select_1119;
-      census_columns_values_2_cell_3_right_q <= select_1120;
-      census_columns_values_2_cell_3_mask_q <= select_1121;
-      census_columns_values_2_cell_4_left_q <= select_1122;
-      census_columns_values_2_cell_4_right_q <= select_1123;
-      census_columns_values_2_cell_4_mask_q <= select_1124;
-      census_columns_values_3_cell_0_mask_q <= select_1125;
-      census_columns_values_3_cell_1_left_q <= select_1126;
-      census_columns_values_3_cell_1_right_q <= select_1127;
-      census_columns_values_3_cell_1_mask_q <= select_1128;
-      census_columns_values_3_cell_2_mask_q <= select_1129;
-      census_columns_values_3_cell_3_left_q <= select_1130;
-      census_columns_values_3_cell_3_right_q <= select_1131;
-      census_columns_values_3_cell_3_mask_q <= select_1132;
-      census_columns_values_3_cell_4_mask_q <= select_1133;
-      sharpness_last_mean_0_q <= and_336_s3_q ? total[10:2] : sharpness_last_mean_0_q;
-      sharpness_last_mean_1_q <= and_336_s3_q ? total_2[10:2] : sharpness_last_mean_1_q;
+      averager_total_0_q <= select_1089;
+      averager_total_1_q <= select_1091;
+      census_columns_values_0_cell_0_left_q <= select_1115;
+      census_columns_values_0_cell_0_right_q <= select_1116;
+      census_columns_values_0_cell_0_mask_q <= select_1117;
+      census_columns_values_0_cell_1_left_q <= select_1118;
+      census_columns_values_0_cell_1_right_q <= select_1119;
+      census_columns_values_0_cell_1_mask_q <= select_1120;
+      census_columns_values_0_cell_2_left_q <= select_1121;
+      census_columns_values_0_cell_2_right_q <= select_1122;
+      census_columns_values_0_cell_2_mask_q <= select_1123;
+      census_columns_values_0_cell_2_of_skin_q <= select_1124;
+      census_columns_values_0_cell_3_left_q <= select_1125;
+      census_columns_values_0_cell_3_right_q <= select_1126;
+      census_columns_values_0_cell_3_mask_q <= select_1127;
+      census_columns_values_0_cell_4_left_q <= select_1128;
+      census_columns_values_0_cell_4_right_q <= select_1129;
+      census_columns_values_0_cell_4_mask_q <= select_1130;
+      census_columns_values_1_cell_0_left_q <= select_1131;
+      census_columns_values_1_cell_0_right_q <= select_1132;
+      census_columns_values_1_cell_0_mask_q <= select_1133;
+      census_columns_values_1_cell_1_left_q <= select_1134;
+      census_columns_values_1_cell_1_right_q <= select_1135;
+      census_columns_values_1_cell_1_mask_q <= select_1136;
+      census_columns_values_1_cell_2_left_q <= select_1137;
+      census_columns_values_1_cell_2_right_q <= select_1138;
+      census_columns_values_1_cell_2_mask_q <= select_1139;
+      census_columns_values_1_cell_2_of_skin_q <= select_1140;
+      census_columns_values_1_cell_3_left_q <= select_1141;
+      census_columns_values_1_cell_3_right_q <= select_1142;
+      census_columns_values_1_cell_3_mask_q <= select_1143;
+      census_columns_values_1_cell_4_left_q <= select_1144;
+      census_columns_values_1_cell_4_right_q <= select_1145;
+      census_columns_values_1_cell_4_mask_q <= select_1146;
+      census_columns_values_2_cell_0_left_q <= select_1147;
+      census_columns_values_2_cell_0_right_q <= select_1148;
+      census_columns_values_2_cell_0_mask_q <= select_1149;
+      census_columns_values_2_cell_1_left_q <= select_1150;
+      census_columns_values_2_cell_1_right_q <= select_1151;
+      census_columns_values_2_cell_1_mask_q <= select_1152;
+      census_columns_values_2_cell_2_left_q <= select_1153;
+      census_columns_values_2_cell_2_right_q <= select_1154;
+      census_columns_values_2_cell_2_mask_q <= select_1155;
+      census_columns_values_2_cell_3_left_q <= select_1156;
+      census_columns_values_2_cell_3_right_q <= select_1157;
+      census_columns_values_2_cell_3_mask_q <= select_1158;
+      census_columns_values_2_cell_4_left_q <= select_1159;
+      census_columns_values_2_cell_4_right_q <= select_1160;
+      census_columns_values_2_cell_4_mask_q <= select_1161;
+      census_columns_values_3_cell_0_mask_q <= select_1162;
+      census_columns_values_3_cell_1_left_q <= select_1163;
+      census_columns_values_3_cell_1_right_q <= select_1164;
+      census_columns_values_3_cell_1_mask_q <= select_1165;
+      census_columns_values_3_cell_2_mask_q <= select_1166;
+      census_columns_values_3_cell_3_left_q <= select_1167;
+      census_columns_values_3_cell_3_right_q <= select_1168;
+      census_columns_values_3_cell_3_mask_q <= select_1169;
+      census_columns_values_3_cell_4_mask_q <= select_1170;
+      sharpness_last_mean_0_q <= and_351_s3_q ? select_357 : sharpness_last_mean_0_q;
+      sharpness_last_mean_1_q <= and_351_s3_q ? select_361 : sharpness_last_mean_1_q;
     end
   end
 
@@ -3241,255 +3322,259 @@ module horopter_agreement (
   logic saturated_s4_q;
   logic mask_s4_q;
   logic marks_first_s4_q;
-  logic marks_last_s4_q;
+  logic sample_pair_whole_s4_q;
   logic census_columns_values_1_cell_2_of_skin_s4_q;
   logic [5:0] x_s4_q;
   logic age_s4_q;
   logic [2:0] region_row_s4_q;
   logic region_fresh_s4_q;
   logic begins_product_s4_q;
-  logic [6:0] select_302_s4_q;
-  logic and_335_s4_q;
-  logic and_336_s4_q;
+  logic centres_values_1_textured_s4_q;
+  logic centres_values_1_of_skin_s4_q;
+  logic [6:0] column_s4_q;
+  logic and_349_s4_q;
+  logic and_351_s4_q;
   logic [8:0] grey_s4_q;
-  logic equal_339_s4_q;
+  logic equal_354_s4_q;
   logic [8:0] grey_2_s4_q;
   logic whole_2_s4_q;
-  logic equal_351_s4_q;
-  logic not_352_s4_q;
-  logic equal_353_s4_q;
-  logic less_354_s4_q;
-  logic not_355_s4_q;
-  logic less_359_s4_q;
-  logic less_360_s4_q;
-  logic less_361_s4_q;
-  logic less_362_s4_q;
-  logic less_363_s4_q;
-  logic less_364_s4_q;
-  logic less_365_s4_q;
-  logic less_366_s4_q;
-  logic less_367_s4_q;
-  logic less_368_s4_q;
-  logic less_369_s4_q;
-  logic less_370_s4_q;
-  logic less_371_s4_q;
-  logic less_372_s4_q;
+  logic equal_370_s4_q;
+  logic not_371_s4_q;
+  logic equal_372_s4_q;
   logic less_373_s4_q;
-  logic less_374_s4_q;
-  logic less_375_s4_q;
-  logic less_376_s4_q;
-  logic less_377_s4_q;
+  logic not_374_s4_q;
   logic less_378_s4_q;
   logic less_379_s4_q;
   logic less_380_s4_q;
   logic less_381_s4_q;
   logic less_382_s4_q;
-  logic and_389_s4_q;
-  logic and_414_s4_q;
-  logic and_415_s4_q;
+  logic less_383_s4_q;
+  logic less_384_s4_q;
+  logic less_385_s4_q;
+  logic less_386_s4_q;
+  logic less_387_s4_q;
+  logic less_388_s4_q;
+  logic less_389_s4_q;
+  logic less_390_s4_q;
+  logic less_391_s4_q;
+  logic less_392_s4_q;
+  logic less_393_s4_q;
+  logic less_394_s4_q;
+  logic less_395_s4_q;
+  logic less_396_s4_q;
+  logic less_397_s4_q;
+  logic less_398_s4_q;
+  logic less_399_s4_q;
+  logic less_400_s4_q;
+  logic less_401_s4_q;
+  logic and_409_s4_q;
+  logic and_434_s4_q;
+  logic and_435_s4_q;
   logic [11:0] texture_s4_q;
   logic [6:0] x_s4_2_q;
-  logic not_496_s4_q;
+  logic not_516_s4_q;
   logic [7:0] best_left_rdata_s4_q;
-  logic equal_501_s4_q;
-  logic select_797_s4_q;
-  logic less_803_s4_q;
-  logic less_804_s4_q;
-  logic or_806_s4_q;
-  logic [7:0] select_810_s4_q;
-  logic [5:0] select_814_s4_q;
-  logic equal_819_s4_q;
+  logic equal_521_s4_q;
+  logic select_817_s4_q;
+  logic less_823_s4_q;
+  logic less_824_s4_q;
+  logic or_826_s4_q;
+  logic [7:0] select_830_s4_q;
+  logic [5:0] select_834_s4_q;
+  logic equal_839_s4_q;
   logic rise_s4_q;
-  logic [1:0] sum_831_s4_q;
+  logic [1:0] sum_851_s4_q;
   logic [7:0] twice_s4_q;
-  logic [8:0] difference_843_s4_q;
-  logic and_863_s4_q;
-  logic or_882_s4_q;
-  logic or_885_s4_q;
-  logic or_888_s4_q;
-  logic equal_895_s4_q;
-  logic equal_896_s4_q;
-  logic and_906_s4_q;
+  logic [8:0] difference_863_s4_q;
+  logic and_883_s4_q;
+  logic or_902_s4_q;
+  logic or_905_s4_q;
+  logic or_908_s4_q;
+  logic equal_915_s4_q;
+  logic equal_916_s4_q;
+  logic and_926_s4_q;
   logic textured_s4_q;
   logic explained_s4_q;
-  logic and_929_s4_q;
-  logic and_936_s4_q;
-  logic and_965_s4_q;
-  logic less_966_s4_q;
+  logic and_949_s4_q;
+  logic and_956_s4_q;
+  logic and_986_s4_q;
+  logic less_987_s4_q;
   logic [5:0] index_2_s4_q;
-  logic [7:0] sum_971_s4_q;
+  logic [7:0] sum_992_s4_q;
   logic [2:0] textured_2_s4_q;
-  logic equal_982_s4_q;
-  logic or_990_s4_q;
-  logic or_993_s4_q;
-  logic or_996_s4_q;
+  logic equal_1001_s4_q;
+  logic or_1009_s4_q;
+  logic or_1012_s4_q;
+  logic or_1015_s4_q;
   logic [2:0] explained_2_s4_q;
   logic [2:0] near_2_s4_q;
-  logic and_1043_s4_q;
-  logic [11:0] sum_1153_s4_q;
-  logic equal_1160_s4_q;
+  logic and_1057_s4_q;
+  logic [11:0] sum_1190_s4_q;
+  logic equal_1197_s4_q;
   logic [8:0] contrast_s4_q;
   logic [8:0] contrast_2_s4_q;
-  logic not_1257_s4_q;
-  logic and_1344_s4_q;
-  logic and_1349_s4_q;
-  logic or_1369_s4_q;
-  logic and_1429_s4_q;
-  logic equal_1432_s4_q;
-  logic equal_1433_s4_q;
-  logic equal_1434_s4_q;
+  logic not_1295_s4_q;
+  logic and_1382_s4_q;
+  logic and_1387_s4_q;
+  logic equal_1405_s4_q;
+  logic and_1478_s4_q;
+  logic equal_1481_s4_q;
+  logic equal_1482_s4_q;
+  logic equal_1483_s4_q;
   logic [7:0] residual_s4_q;
-  logic equal_1751_s4_q;
-  logic less_1757_s4_q;
-  logic and_1893_s4_q;
-  logic and_1941_s4_q;
-  logic less_1964_s4_q;
-  logic less_1965_s4_q;
-  logic less_1967_s4_q;
-  logic or_1970_s4_q;
-  logic less_1972_s4_q;
-  logic or_1977_s4_q;
-  logic less_1978_s4_q;
-  logic or_1984_s4_q;
-  logic select_2021_s4_q;
-  logic or_2023_s4_q;
-  logic less_2025_s4_q;
-  logic less_2028_s4_q;
-  logic select_2032_s4_q;
-  logic and_2076_s4_q;
-  logic [11:0] select_2101_s4_q;
-  logic [11:0] select_2106_s4_q;
-  logic [11:0] select_2111_s4_q;
-  logic [11:0] select_2116_s4_q;
-  logic and_2139_s4_q;
+  logic equal_1800_s4_q;
+  logic less_1806_s4_q;
+  logic and_1950_s4_q;
+  logic and_1998_s4_q;
+  logic less_2023_s4_q;
+  logic less_2024_s4_q;
+  logic less_2026_s4_q;
+  logic or_2029_s4_q;
+  logic less_2031_s4_q;
+  logic or_2036_s4_q;
+  logic less_2037_s4_q;
+  logic or_2043_s4_q;
+  logic select_2080_s4_q;
+  logic or_2082_s4_q;
+  logic less_2084_s4_q;
+  logic less_2087_s4_q;
+  logic select_2091_s4_q;
+  logic and_2135_s4_q;
+  logic [11:0] select_2160_s4_q;
+  logic [11:0] select_2165_s4_q;
+  logic [11:0] select_2170_s4_q;
+  logic [11:0] select_2175_s4_q;
+  logic and_2198_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
-      pixel_0_s4_q <= pixel_0_s3_q;
-      pixel_1_s4_q <= pixel_1_s3_q;
+      pixel_0_s4_q <= sample_pair_pixel_0_q;
+      pixel_1_s4_q <= sample_pair_pixel_1_q;
       saturated_s4_q <= saturated_s3_q;
-      mask_s4_q <= mask_s3_q;
+      mask_s4_q <= sample_of_skin_q;
       marks_first_s4_q <= marks_first_s3_q;
-      marks_last_s4_q <= marks_last_s3_q;
+      sample_pair_whole_s4_q <= sample_pair_whole_s3_q;
       census_columns_values_1_cell_2_of_skin_s4_q <= census_columns_values_1_cell_2_of_skin_q;
       x_s4_q <= x_s3_q[5:0];
       age_s4_q <= age_s3_q;
       region_row_s4_q <= region_row_q;
       region_fresh_s4_q <= region_fresh_q;
       begins_product_s4_q <= begins_product_q;
-      select_302_s4_q <= select_302_s3_q;
-      and_335_s4_q <= and_335_s3_q;
-      and_336_s4_q <= and_336_s3_q;
-      grey_s4_q <= grey;
-      equal_339_s4_q <= equal_339_s3_q;
-      grey_2_s4_q <= grey_2;
-      whole_2_s4_q <= whole_2;
-      equal_351_s4_q <= equal_351_s3_q;
-      not_352_s4_q <= not_352_s3_q;
-      equal_353_s4_q <= equal_353_s3_q;
-      less_354_s4_q <= less_354_s3_q;
-      not_355_s4_q <= not_355_s3_q;
-      less_359_s4_q <= less_359;
-      less_360_s4_q <= less_360;
-      less_361_s4_q <= less_361;
-      less_362_s4_q <= less_362;
-      less_363_s4_q <= less_363;
-      less_364_s4_q <= less_364;
-      less_365_s4_q <= less_365;
-      less_366_s4_q <= less_366;
-      less_367_s4_q <= less_367;
-      less_368_s4_q <= less_368;
-      less_369_s4_q <= less_369;
-      less_370_s4_q <= less_370;
-      less_371_s4_q <= less_371;
-      less_372_s4_q <= less_372;
-      less_373_s4_q <= less_373;
-      less_374_s4_q <= less_374;
-      less_375_s4_q <= less_375;
-      less_376_s4_q <= less_376;
-      less_377_s4_q <= less_377;
+      centres_values_1_textured_s4_q <= centres_values_1_textured_q;
+      centres_values_1_of_skin_s4_q <= centres_values_1_of_skin_q;
+      column_s4_q <= column_s3_q;
+      and_349_s4_q <= and_349_s3_q;
+      and_351_s4_q <= and_351_s3_q;
+      grey_s4_q <= grey_s3_q;
+      equal_354_s4_q <= equal_354_s3_q;
+      grey_2_s4_q <= grey_2_s3_q;
+      whole_2_s4_q <= whole_2_s3_q;
+      equal_370_s4_q <= equal_370_s3_q;
+      not_371_s4_q <= not_371_s3_q;
+      equal_372_s4_q <= equal_372_s3_q;
+      less_373_s4_q <= less_373_s3_q;
+      not_374_s4_q <= not_374_s3_q;
       less_378_s4_q <= less_378;
       less_379_s4_q <= less_379;
       less_380_s4_q <= less_380;
       less_381_s4_q <= less_381;
       less_382_s4_q <= less_382;
-      and_389_s4_q <= and_389;
-      and_414_s4_q <= whole_22 & and_389;
-      and_415_s4_q <= census_columns_values_1_cell_2_mask_q & and_389;
+      less_383_s4_q <= less_383;
+      less_384_s4_q <= less_384;
+      less_385_s4_q <= less_385;
+      less_386_s4_q <= less_386;
+      less_387_s4_q <= less_387;
+      less_388_s4_q <= less_388;
+      less_389_s4_q <= less_389;
+      less_390_s4_q <= less_390;
+      less_391_s4_q <= less_391;
+      less_392_s4_q <= less_392;
+      less_393_s4_q <= less_393;
+      less_394_s4_q <= less_394;
+      less_395_s4_q <= less_395;
+      less_396_s4_q <= less_396;
+      less_397_s4_q <= less_397;
+      less_398_s4_q <= less_398;
+      less_399_s4_q <= less_399;
+      less_400_s4_q <= less_400;
+      less_401_s4_q <= less_401;
+      and_409_s4_q <= and_409;
+      and_434_s4_q <= whole_22 & and_409;
+      and_435_s4_q <= census_columns_values_1_cell_2_mask_q & and_409;
       texture_s4_q <= texture;
       x_s4_2_q <= x_s3_2_q;
-      not_496_s4_q <= not_496_s3_q;
+      not_516_s4_q <= not_516_s3_q;
       best_left_rdata_s4_q <= best_left_rdata_s3_q[21:14];
-      equal_501_s4_q <= equal_501_s3_q;
-      select_797_s4_q <= select_797[0];
-      less_803_s4_q <= less_803;
-      less_804_s4_q <= less_804;
-      or_806_s4_q <= or_806;
-      select_810_s4_q <= equal_501_s3_q ? of_best_2 : select_809;
-      select_814_s4_q <= equal_501_s3_q ? run_shift_s3_q : select_813;
-      equal_819_s4_q <= {less_796, select_797} == near_best;
+      equal_521_s4_q <= equal_521_s3_q;
+      select_817_s4_q <= select_817[0];
+      less_823_s4_q <= less_823;
+      less_824_s4_q <= less_824;
+      or_826_s4_q <= or_826;
+      select_830_s4_q <= equal_521_s3_q ? of_best_2 : select_829;
+      select_834_s4_q <= equal_521_s3_q ? run_shift_s3_q : select_833;
+      equal_839_s4_q <= {less_816, select_817} == near_best;
       rise_s4_q <= rise[8];
-      sum_831_s4_q <= {less_796, select_797[1]} + 2'h3;
+      sum_851_s4_q <= {less_816, select_817[1]} + 2'h3;
       twice_s4_q <= twice;
-      difference_843_s4_q <= {1'b0, twice} - (({twice, 1'b0} < size) ? {twice, 1'b0} : size);
-      and_863_s4_q <= and_863_s3_q;
-      or_882_s4_q <= or_882;
-      or_885_s4_q <= or_885;
-      or_888_s4_q <= or_888;
-      equal_895_s4_q <= equal_895_s3_q;
-      equal_896_s4_q <= equal_896;
-      and_906_s4_q <= and_906_s3_q;
+      difference_863_s4_q <= {1'b0, twice} - (({twice, 1'b0} < size) ? {twice, 1'b0} : size);
+      and_883_s4_q <= and_883_s3_q;
+      or_902_s4_q <= or_902;
+      or_905_s4_q <= or_905;
+      or_908_s4_q <= or_908;
+      equal_915_s4_q <= equal_915_s3_q;
+      equal_916_s4_q <= equal_916;
+      and_926_s4_q <= and_926_s3_q;
       textured_s4_q <= textured;
       explained_s4_q <= explained;
-      and_929_s4_q <= not_355_s3_q & (left_rdata_s3_q & and_927);
-      and_936_s4_q <= not_352_s3_q & (not_496_s3_q & (drew_s3_q & and_894));
-      and_965_s4_q <= and_965;
-      less_966_s4_q <= less_966;
+      and_949_s4_q <= not_374_s3_q & (left_rdata_s3_q & and_947);
+      and_956_s4_q <= not_371_s3_q & (not_516_s3_q & (drew_s3_q & and_914));
+      and_986_s4_q <= and_986;
+      less_987_s4_q <= less_987;
       index_2_s4_q <= index_2[5:0];
-      sum_971_s4_q <= sum_971;
+      sum_992_s4_q <= sum_992;
       textured_2_s4_q <= textured_2;
-      equal_982_s4_q <= x_s3_q == 8'h0;
-      or_990_s4_q <= or_990;
-      or_993_s4_q <= select_987[7] | (~({select_987[6], select_987[3:2]} == 3'h0));
-      or_996_s4_q <= select_987[7] | (~(select_987[6:4] == 3'h0));
+      equal_1001_s4_q <= x_s3_q == 8'h0;
+      or_1009_s4_q <= or_1009;
+      or_1012_s4_q <= select_1006[7] | (~({select_1006[6], select_1006[3:2]} == 3'h0));
+      or_1015_s4_q <= select_1006[7] | (~(select_1006[6:4] == 3'h0));
       explained_2_s4_q <= explained_2;
       near_2_s4_q <= near_2;
-      and_1043_s4_q <= and_1043_s3_q;
-      sum_1153_s4_q <= ({1'b0, sum_1145} + {2'h0, sum_1148}) + {2'h0, sum_1152};
-      equal_1160_s4_q <= equal_1160_s3_q;
+      and_1057_s4_q <= and_1057_s3_q;
+      sum_1190_s4_q <= ({1'b0, sum_1182} + {2'h0, sum_1185}) + {2'h0, sum_1189};
+      equal_1197_s4_q <= equal_1197_s3_q;
       contrast_s4_q <= contrast;
       contrast_2_s4_q <= contrast_2;
-      not_1257_s4_q <= not_1257_s3_q;
-      and_1344_s4_q <= and_1344;
-      and_1349_s4_q <= and_1349;
-      or_1369_s4_q <= (x_s3_q[7:1] == 7'h0) | (~centres_values_1_q);
-      and_1429_s4_q <= and_1429;
-      equal_1432_s4_q <= equal_1432;
-      equal_1433_s4_q <= equal_1433;
-      equal_1434_s4_q <= equal_1434;
+      not_1295_s4_q <= not_1295_s3_q;
+      and_1382_s4_q <= and_1382;
+      and_1387_s4_q <= and_1387;
+      equal_1405_s4_q <= x_s3_q[7:1] == 7'h0;
+      and_1478_s4_q <= and_1478;
+      equal_1481_s4_q <= equal_1481;
+      equal_1482_s4_q <= equal_1482;
+      equal_1483_s4_q <= equal_1483;
       residual_s4_q <= residual[7:0];
-      equal_1751_s4_q <= equal_1751;
-      less_1757_s4_q <= $signed(24'h0) < $signed(counts_too_little_explained_q);
-      and_1893_s4_q <= and_1893;
-      and_1941_s4_q <= not_352_s3_q & (not_496_s3_q & and_1939);
-      less_1964_s4_q <= less_1964;
-      less_1965_s4_q <= $signed(15'h0) < $signed(registration_counts_votes_0_down_q);
-      less_1967_s4_q <= less_1967;
-      or_1970_s4_q <= or_1970;
-      less_1972_s4_q <= less_1972;
-      or_1977_s4_q <= or_1977;
-      less_1978_s4_q <= less_1978;
-      or_1984_s4_q <= or_1984;
-      select_2021_s4_q <= select_2021;
-      or_2023_s4_q <= less_2022 | select_2021;
-      less_2025_s4_q <= less_2025;
-      less_2028_s4_q <= less_2028;
-      select_2032_s4_q <= less_1990 ? or_2020 : select_2017;
-      and_2076_s4_q <= not_352_s3_q & (not_496_s3_q & and_2074);
-      select_2101_s4_q <= select_2101;
-      select_2106_s4_q <= select_2106;
-      select_2111_s4_q <= select_2111;
-      select_2116_s4_q <= select_2116;
-      and_2139_s4_q <= not_352_s3_q & (not_496_s3_q & (not_1257_s3_q & and_898));
+      equal_1800_s4_q <= equal_1800;
+      less_1806_s4_q <= $signed(24'h0) < $signed(counts_too_little_explained_q);
+      and_1950_s4_q <= and_1950;
+      and_1998_s4_q <= not_371_s3_q & (not_516_s3_q & and_1996);
+      less_2023_s4_q <= less_2023;
+      less_2024_s4_q <= $signed(15'h0) < $signed(registration_counts_votes_0_down_q);
+      less_2026_s4_q <= less_2026;
+      or_2029_s4_q <= or_2029;
+      less_2031_s4_q <= less_2031;
+      or_2036_s4_q <= or_2036;
+      less_2037_s4_q <= less_2037;
+      or_2043_s4_q <= or_2043;
+      select_2080_s4_q <= select_2080;
+      or_2082_s4_q <= less_2081 | select_2080;
+      less_2084_s4_q <= less_2084;
+      less_2087_s4_q <= less_2087;
+      select_2091_s4_q <= less_2049 ? or_2079 : select_2076;
+      and_2135_s4_q <= not_371_s3_q & (not_516_s3_q & and_2133);
+      select_2160_s4_q <= select_2160;
+      select_2165_s4_q <= select_2165;
+      select_2170_s4_q <= select_2170;
+      select_2175_s4_q <= select_2175;
+      and_2198_s4_q <= not_371_s3_q & (not_516_s3_q & (not_1295_s3_q & and_918));
     end
   end
 
@@ -3522,6 +3607,7 @@ module horopter_agreement (
   logic [13:0] counts_regions_bad_q;
   logic [23:0] counts_too_many_bad_q;
   logic [23:0] counts_too_much_unproven_q;
+  logic [23:0] counts_too_much_unseen_skin_q;
   logic [19:0] registration_counts_across_0_q;
   logic [19:0] registration_counts_across_1_q;
   logic [19:0] registration_counts_across_2_q;
@@ -3559,573 +3645,608 @@ module horopter_agreement (
   logic seen_q;
   logic nearer_q;
   // hls/stages/census.hpp:201
-  logic [12:0] sum_435;
-  assign sum_435 = {1'b0, census_changes_values_0_left_q} + {1'b0, texture_s4_q};
-  logic [13:0] sum_437;
-  assign sum_437 = {2'h0, census_changes_values_2_left_q} + ({2'h0, census_changes_values_1_left_q} + {1'b0, sum_435});
+  logic [12:0] sum_455;
+  assign sum_455 = {1'b0, census_changes_values_0_left_q} + {1'b0, texture_s4_q};
+  logic [13:0] sum_457;
+  assign sum_457 = {2'h0, census_changes_values_2_left_q} + ({2'h0, census_changes_values_1_left_q} + {1'b0, sum_455});
   // hls/stages/census.hpp:223
-  logic less_438;
-  assign less_438 = 9'h4 < sum_437[13:5];
-  logic and_439;
-  assign and_439 = and_389_s4_q & less_438;
+  logic less_458;
+  assign less_458 = 9'h4 < sum_457[13:5];
+  logic and_459;
+  assign and_459 = and_409_s4_q & less_458;
   // hls/stages/registration.hpp:28
-  logic not_844;
-  assign not_844 = ~difference_843_s4_q[8];
-  logic [7:0] xor_845;
-  assign xor_845 = twice_s4_q ^ {8{not_844}};
-  logic [9:0] sum_846;
-  assign sum_846 = {difference_843_s4_q[7:0], 1'b0, not_844} + {not_844, xor_845, not_844};
-  logic not_847;
-  assign not_847 = ~sum_846[9];
-  logic [7:0] xor_848;
-  assign xor_848 = twice_s4_q ^ {8{not_847}};
-  logic [9:0] sum_849;
-  assign sum_849 = {sum_846[8:0], not_847} + {not_847, xor_848, not_847};
-  logic not_850;
-  assign not_850 = ~sum_849[9];
-  logic [7:0] xor_851;
-  assign xor_851 = twice_s4_q ^ {8{not_850}};
-  logic [9:0] sum_852;
-  assign sum_852 = {sum_849[8:0], not_850} + {not_850, xor_851, not_850};
-  logic not_853;
-  assign not_853 = ~sum_852[9];
-  logic [7:0] xor_854;
-  assign xor_854 = twice_s4_q ^ {8{not_853}};
-  logic [9:0] sum_855;
-  assign sum_855 = {sum_852[8:0], not_853} + {not_853, xor_854, not_853};
+  logic not_864;
+  assign not_864 = ~difference_863_s4_q[8];
+  logic [7:0] xor_865;
+  assign xor_865 = twice_s4_q ^ {8{not_864}};
+  logic [9:0] sum_866;
+  assign sum_866 = {difference_863_s4_q[7:0], 1'b0, not_864} + {not_864, xor_865, not_864};
+  logic not_867;
+  assign not_867 = ~sum_866[9];
+  logic [7:0] xor_868;
+  assign xor_868 = twice_s4_q ^ {8{not_867}};
+  logic [9:0] sum_869;
+  assign sum_869 = {sum_866[8:0], not_867} + {not_867, xor_868, not_867};
+  logic not_870;
+  assign not_870 = ~sum_869[9];
+  logic [7:0] xor_871;
+  assign xor_871 = twice_s4_q ^ {8{not_870}};
+  logic [9:0] sum_872;
+  assign sum_872 = {sum_869[8:0], not_870} + {not_870, xor_871, not_870};
+  logic not_873;
+  assign not_873 = ~sum_872[9];
+  logic [7:0] xor_874;
+  assign xor_874 = twice_s4_q ^ {8{not_873}};
+  logic [9:0] sum_875;
+  assign sum_875 = {sum_872[8:0], not_873} + {not_873, xor_874, not_873};
   // hls/stages/registration.hpp:31
-  logic [7:0] difference_856;
-  assign difference_856 = {sum_831_s4_q, select_797_s4_q, 5'h0} - {3'h0, difference_843_s4_q[8], sum_846[9], sum_849[9], sum_852[9], sum_855[9]};
-  // hls/stages/agreement.hpp:428
-  logic [7:0] select_857;
-  assign select_857 = rise_s4_q ? difference_856 : {sum_831_s4_q, select_797_s4_q, difference_843_s4_q[8], sum_846[9], sum_849[9], sum_852[9], sum_855[9]};
-  logic [7:0] select_858;
-  assign select_858 = equal_819_s4_q ? select_857 : {sum_831_s4_q, select_797_s4_q, 5'h0};
-  // hls/stages/agreement.hpp:430
-  logic [7:0] select_861;
-  assign select_861 = less_803_s4_q ? (or_806_s4_q ? select_858 : best_left_rdata_s4_q) : (less_804_s4_q ? select_858 : best_left_rdata_s4_q);
-  logic [7:0] select_862;
-  assign select_862 = equal_501_s4_q ? select_858 : select_861;
-  // hls/stages/agreement.hpp:464
-  logic [6:0] select_908;
-  assign select_908 = segment_started_q ? segment_textured_q : 7'h0;
-  // hls/stages/agreement.hpp:465
-  logic [6:0] sum_909;
-  assign sum_909 = {6'h0, textured_s4_q} + select_908;
-  // hls/stages/agreement.hpp:549
-  logic [11:0] sum_911;
-  assign sum_911 = {5'h0, sum_909} + (region_fresh_s4_q ? 12'h0 : regions_rdata_q[11:0]);
-  // hls/stages/agreement.hpp:464
-  logic [6:0] select_919;
-  assign select_919 = segment_started_q ? segment_explained_q : 7'h0;
-  // hls/stages/agreement.hpp:465
-  logic [6:0] sum_920;
-  assign sum_920 = {6'h0, explained_s4_q} + select_919;
-  // hls/stages/agreement.hpp:550
-  logic [11:0] sum_922;
-  assign sum_922 = {5'h0, sum_920} + (region_fresh_s4_q ? 12'h0 : regions_rdata_q[23:12]);
-  // hls/stages/agreement.hpp:464
-  logic [6:0] select_930;
-  assign select_930 = segment_started_q ? segment_nearer_q : 7'h0;
-  // hls/stages/agreement.hpp:466
-  logic [6:0] sum_931;
-  assign sum_931 = {6'h0, and_929_s4_q} + select_930;
-  // hls/stages/agreement.hpp:551
-  logic [11:0] sum_933;
-  assign sum_933 = {5'h0, sum_931} + (region_fresh_s4_q ? 12'h0 : regions_rdata_q[35:24]);
-  // hls/stages/agreement.hpp:575
-  logic [4:0] difference_981;
-  assign difference_981 = {2'h0, textured_2_s4_q} - (age_s4_q ? box_textured_columns_values_4_q : 5'h0);
+  logic [7:0] difference_876;
+  assign difference_876 = {sum_851_s4_q, select_817_s4_q, 5'h0} - {3'h0, difference_863_s4_q[8], sum_866[9], sum_869[9], sum_872[9], sum_875[9]};
+  // hls/stages/agreement.hpp:443
+  logic [7:0] select_877;
+  assign select_877 = rise_s4_q ? difference_876 : {sum_851_s4_q, select_817_s4_q, difference_863_s4_q[8], sum_866[9], sum_869[9], sum_872[9], sum_875[9]};
+  logic [7:0] select_878;
+  assign select_878 = equal_839_s4_q ? select_877 : {sum_851_s4_q, select_817_s4_q, 5'h0};
+  // hls/stages/agreement.hpp:445
+  logic [7:0] select_881;
+  assign select_881 = less_823_s4_q ? (or_826_s4_q ? select_878 : best_left_rdata_s4_q) : (less_824_s4_q ? select_878 : best_left_rdata_s4_q);
+  logic [7:0] select_882;
+  assign select_882 = equal_521_s4_q ? select_878 : select_881;
+  // hls/stages/agreement.hpp:481
+  logic [6:0] select_928;
+  assign select_928 = segment_started_q ? segment_textured_q : 7'h0;
+  // hls/stages/agreement.hpp:482
+  logic [6:0] sum_929;
+  assign sum_929 = {6'h0, textured_s4_q} + select_928;
+  // hls/stages/agreement.hpp:569
+  logic [11:0] sum_931;
+  assign sum_931 = {5'h0, sum_929} + (region_fresh_s4_q ? 12'h0 : regions_rdata_q[11:0]);
+  // hls/stages/agreement.hpp:481
+  logic [6:0] select_939;
+  assign select_939 = segment_started_q ? segment_explained_q : 7'h0;
+  // hls/stages/agreement.hpp:482
+  logic [6:0] sum_940;
+  assign sum_940 = {6'h0, explained_s4_q} + select_939;
+  // hls/stages/agreement.hpp:570
+  logic [11:0] sum_942;
+  assign sum_942 = {5'h0, sum_940} + (region_fresh_s4_q ? 12'h0 : regions_rdata_q[23:12]);
+  // hls/stages/agreement.hpp:481
+  logic [6:0] select_950;
+  assign select_950 = segment_started_q ? segment_nearer_q : 7'h0;
+  // hls/stages/agreement.hpp:483
+  logic [6:0] sum_951;
+  assign sum_951 = {6'h0, and_949_s4_q} + select_950;
+  // hls/stages/agreement.hpp:571
+  logic [11:0] sum_953;
+  assign sum_953 = {5'h0, sum_951} + (region_fresh_s4_q ? 12'h0 : regions_rdata_q[35:24]);
+  // hls/stages/agreement.hpp:600
+  logic [4:0] difference_1000;
+  assign difference_1000 = {2'h0, textured_2_s4_q} - (age_s4_q ? box_textured_columns_values_4_q : 5'h0);
   logic [4:0] t;
-  assign t = difference_981 + (equal_982_s4_q ? 5'h0 : box_textured_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:581
-  logic not_997;
-  assign not_997 = ~region_row_s4_q[2];
-  logic [2:0] select_998;
-  assign select_998 = region_row_s4_q[1] ? {1'b0, not_997, 1'b0} : {region_row_s4_q[2], 1'b0, not_997};
-  logic [5:0] select_999;
-  assign select_999 = region_row_s4_q[0] ? {select_998[2], 1'b0, select_998[1], 1'b0, select_998[0], 1'b0} : {1'b0, select_998[2], 1'b0, select_998[1], 1'b0, select_998[0]};
-  logic [11:0] select_1000;
-  assign select_1000 = or_996_s4_q ? {select_999[5], 1'b0, select_999[4], 1'b0, select_999[3], 1'b0, select_999[2], 1'b0, select_999[1], 1'b0, select_999[0], 1'b0} : {1'b0, select_999[5], 1'b0, select_999[4], 1'b0, select_999[3], 1'b0, select_999[2], 1'b0, select_999[1], 1'b0, select_999[0]};
-  logic [23:0] select_1001;
-  assign select_1001 = or_993_s4_q ? {select_1000[11], 1'b0, select_1000[10], 1'b0, select_1000[9], 1'b0, select_1000[8], 1'b0, select_1000[7], 1'b0, select_1000[6], 1'b0, select_1000[5], 1'b0, select_1000[4], 1'b0, select_1000[3], 1'b0, select_1000[2], 1'b0, select_1000[1], 1'b0, select_1000[0], 1'b0} : {1'b0, select_1000[11], 1'b0, select_1000[10], 1'b0, select_1000[9], 1'b0, select_1000[8], 1'b0, select_1000[7], 1'b0, select_1000[6], 1'b0, select_1000[5], 1'b0, select_1000[4], 1'b0, select_1000[3], 1'b0, select_1000[2], 1'b0, select_1000[1], 1'b0, select_1000[0]};
-  logic [47:0] select_1002;
-  assign select_1002 = or_990_s4_q ? {select_1001[23], 1'b0, select_1001[22], 1'b0, select_1001[21], 1'b0, select_1001[20], 1'b0, select_1001[19], 1'b0, select_1001[18], 1'b0, select_1001[17], 1'b0, select_1001[16], 1'b0, select_1001[15], 1'b0, select_1001[14], 1'b0, select_1001[13], 1'b0, select_1001[12], 1'b0, select_1001[11], 1'b0, select_1001[10], 1'b0, select_1001[9], 1'b0, select_1001[8], 1'b0, select_1001[7], 1'b0, select_1001[6], 1'b0, select_1001[5], 1'b0, select_1001[4], 1'b0, select_1001[3], 1'b0, select_1001[2], 1'b0, select_1001[1], 1'b0, select_1001[0], 1'b0} : {1'b0, select_1001[23], 1'b0, select_1001[22], 1'b0, select_1001[21], 1'b0, select_1001[20], 1'b0, select_1001[19], 1'b0, select_1001[18], 1'b0, select_1001[17], 1'b0, select_1001[16], 1'b0, select_1001[15], 1'b0, select_1001[14], 1'b0, select_1001[13], 1'b0, select_1001[12], 1'b0, select_1001[11], 1'b0, select_1001[10], 1'b0, select_1001[9], 1'b0, select_1001[8], 1'b0, select_1001[7], 1'b0, select_1001[6], 1'b0, select_1001[5], 1'b0, select_1001[4], 1'b0, select_1001[3], 1'b0, select_1001[2], 1'b0, select_1001[1], 1'b0, select_1001[0]};
-  // hls/stages/agreement.hpp:576
-  logic [4:0] difference_1014;
-  assign difference_1014 = {2'h0, explained_2_s4_q} - (age_s4_q ? box_explained_columns_values_4_q : 5'h0);
+  assign t = difference_1000 + (equal_1001_s4_q ? 5'h0 : box_textured_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:606
+  logic not_1016;
+  assign not_1016 = ~region_row_s4_q[2];
+  logic [2:0] select_1017;
+  assign select_1017 = region_row_s4_q[1] ? {1'b0, not_1016, 1'b0} : {region_row_s4_q[2], 1'b0, not_1016};
+  logic [5:0] select_1018;
+  assign select_1018 = region_row_s4_q[0] ? {select_1017[2], 1'b0, select_1017[1], 1'b0, select_1017[0], 1'b0} : {1'b0, select_1017[2], 1'b0, select_1017[1], 1'b0, select_1017[0]};
+  logic [11:0] select_1019;
+  assign select_1019 = or_1015_s4_q ? {select_1018[5], 1'b0, select_1018[4], 1'b0, select_1018[3], 1'b0, select_1018[2], 1'b0, select_1018[1], 1'b0, select_1018[0], 1'b0} : {1'b0, select_1018[5], 1'b0, select_1018[4], 1'b0, select_1018[3], 1'b0, select_1018[2], 1'b0, select_1018[1], 1'b0, select_1018[0]};
+  logic [23:0] select_1020;
+  assign select_1020 = or_1012_s4_q ? {select_1019[11], 1'b0, select_1019[10], 1'b0, select_1019[9], 1'b0, select_1019[8], 1'b0, select_1019[7], 1'b0, select_1019[6], 1'b0, select_1019[5], 1'b0, select_1019[4], 1'b0, select_1019[3], 1'b0, select_1019[2], 1'b0, select_1019[1], 1'b0, select_1019[0], 1'b0} : {1'b0, select_1019[11], 1'b0, select_1019[10], 1'b0, select_1019[9], 1'b0, select_1019[8], 1'b0, select_1019[7], 1'b0, select_1019[6], 1'b0, select_1019[5], 1'b0, select_1019[4], 1'b0, select_1019[3], 1'b0, select_1019[2], 1'b0, select_1019[1], 1'b0, select_1019[0]};
+  logic [47:0] select_1021;
+  assign select_1021 = or_1009_s4_q ? {select_1020[23], 1'b0, select_1020[22], 1'b0, select_1020[21], 1'b0, select_1020[20], 1'b0, select_1020[19], 1'b0, select_1020[18], 1'b0, select_1020[17], 1'b0, select_1020[16], 1'b0, select_1020[15], 1'b0, select_1020[14], 1'b0, select_1020[13], 1'b0, select_1020[12], 1'b0, select_1020[11], 1'b0, select_1020[10], 1'b0, select_1020[9], 1'b0, select_1020[8], 1'b0, select_1020[7], 1'b0, select_1020[6], 1'b0, select_1020[5], 1'b0, select_1020[4], 1'b0, select_1020[3], 1'b0, select_1020[2], 1'b0, select_1020[1], 1'b0, select_1020[0], 1'b0} : {1'b0, select_1020[23], 1'b0, select_1020[22], 1'b0, select_1020[21], 1'b0, select_1020[20], 1'b0, select_1020[19], 1'b0, select_1020[18], 1'b0, select_1020[17], 1'b0, select_1020[16], 1'b0, select_1020[15], 1'b0, select_1020[14], 1'b0, select_1020[13], 1'b0, select_1020[12], 1'b0, select_1020[11], 1'b0, select_1020[10], 1'b0, select_1020[9], 1'b0, select_1020[8], 1'b0, select_1020[7], 1'b0, select_1020[6], 1'b0, select_1020[5], 1'b0, select_1020[4], 1'b0, select_1020[3], 1'b0, select_1020[2], 1'b0, select_1020[1], 1'b0, select_1020[0]};
+  // hls/stages/agreement.hpp:601
+  logic [4:0] difference_1030;
+  assign difference_1030 = {2'h0, explained_2_s4_q} - (age_s4_q ? box_explained_columns_values_4_q : 5'h0);
   logic [4:0] e;
-  assign e = difference_1014 + (equal_982_s4_q ? 5'h0 : box_explained_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:582
-  logic [5:0] sum_1017;
-  assign sum_1017 = {1'b0, e} + {2'h0, e[4:1]};
+  assign e = difference_1030 + (equal_1001_s4_q ? 5'h0 : box_explained_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:607
+  logic [5:0] sum_1033;
+  assign sum_1033 = {1'b0, e} + {2'h0, e[4:1]};
   logic is_seen;
-  assign is_seen = (t[4:1] == 4'h0) ? (~((good_q & select_1002) == 48'h0)) : (~({sum_1017, e[0]} < {2'h0, t}));
-  // hls/stages/agreement.hpp:577
-  logic [4:0] difference_1028;
-  assign difference_1028 = {2'h0, near_2_s4_q} - (age_s4_q ? box_nearer_columns_values_4_q : 5'h0);
+  assign is_seen = (t[4:1] == 4'h0) ? (~((good_q & select_1021) == 48'h0)) : (~({sum_1033, e[0]} < {2'h0, t}));
+  // hls/stages/agreement.hpp:602
+  logic [4:0] difference_1042;
+  assign difference_1042 = {2'h0, near_2_s4_q} - (age_s4_q ? box_nearer_columns_values_4_q : 5'h0);
   logic [4:0] n;
-  assign n = difference_1028 + (equal_982_s4_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:590
-  logic and_1032;
-  assign and_1032 = is_seen & ({1'b0, e[4:1]} < n);
+  assign n = difference_1042 + (equal_1001_s4_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:619
+  logic and_1046;
+  assign and_1046 = is_seen & ({1'b0, e[4:1]} < n);
+  // hls/stages/agreement.hpp:180
+  logic [8:0] select_1081;
+  assign select_1081 = sample_pair_whole_s4_q ? (and_349_s4_q ? grey_s4_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
+  logic [8:0] select_1083;
+  assign select_1083 = sample_pair_whole_s4_q ? (and_349_s4_q ? grey_2_s4_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
+  logic [8:0] select_1085;
+  assign select_1085 = sample_pair_whole_s4_q ? (and_349_s4_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  logic [8:0] select_1087;
+  assign select_1087 = sample_pair_whole_s4_q ? (and_349_s4_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
   // hls/stages/census.hpp:128
-  logic [9:0] sum_1062;
-  assign sum_1062 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s4_q};
-  logic [9:0] difference_1063;
-  assign difference_1063 = {1'b0, sum_1062[9:1]} - {1'b0, averager_quarter_1_0_q};
+  logic [9:0] sum_1092;
+  assign sum_1092 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s4_q};
+  logic [9:0] difference_1093;
+  assign difference_1093 = {1'b0, sum_1092[9:1]} - {1'b0, averager_quarter_1_0_q};
   // hls/stages/census.hpp:129
-  logic [9:0] xor_1064;
-  assign xor_1064 = {difference_1063[8:0], sum_1062[0]} ^ {10{difference_1063[9]}};
+  logic [9:0] xor_1094;
+  assign xor_1094 = {difference_1093[8:0], sum_1092[0]} ^ {10{difference_1093[9]}};
   logic [10:0] size_2;
-  assign size_2 = {10'h0, difference_1063[9]} + {1'b0, xor_1064};
+  assign size_2 = {10'h0, difference_1093[9]} + {1'b0, xor_1094};
   // hls/stages/census.hpp:130
   logic [13:0] detail;
-  assign detail = {3'h0, size_2} + (equal_339_s4_q ? 14'h0 : averager_detail_0_q);
+  assign detail = {3'h0, size_2} + (equal_354_s4_q ? 14'h0 : averager_detail_0_q);
+  // hls/stages/agreement.hpp:180
+  logic [13:0] select_1099;
+  assign select_1099 = sample_pair_whole_s4_q ? (and_349_s4_q ? detail : averager_detail_0_q) : averager_detail_0_q;
   // hls/stages/census.hpp:128
-  logic [9:0] sum_1069;
-  assign sum_1069 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s4_q};
-  logic [9:0] difference_1070;
-  assign difference_1070 = {1'b0, sum_1069[9:1]} - {1'b0, averager_quarter_1_1_q};
+  logic [9:0] sum_1100;
+  assign sum_1100 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s4_q};
+  logic [9:0] difference_1101;
+  assign difference_1101 = {1'b0, sum_1100[9:1]} - {1'b0, averager_quarter_1_1_q};
   // hls/stages/census.hpp:129
-  logic [9:0] xor_1071;
-  assign xor_1071 = {difference_1070[8:0], sum_1069[0]} ^ {10{difference_1070[9]}};
+  logic [9:0] xor_1102;
+  assign xor_1102 = {difference_1101[8:0], sum_1100[0]} ^ {10{difference_1101[9]}};
   logic [10:0] size_3;
-  assign size_3 = {10'h0, difference_1070[9]} + {1'b0, xor_1071};
+  assign size_3 = {10'h0, difference_1101[9]} + {1'b0, xor_1102};
   // hls/stages/census.hpp:130
   logic [13:0] detail_2;
-  assign detail_2 = {3'h0, size_3} + (equal_339_s4_q ? 14'h0 : averager_detail_1_q);
-  // hls/stages/agreement.hpp:176
-  logic [11:0] select_1155;
-  assign select_1155 = and_336_s4_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
-  logic [11:0] select_1156;
-  assign select_1156 = and_336_s4_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
-  logic [11:0] select_1157;
-  assign select_1157 = and_336_s4_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
-  logic [11:0] select_1158;
-  assign select_1158 = and_336_s4_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
+  assign detail_2 = {3'h0, size_3} + (equal_354_s4_q ? 14'h0 : averager_detail_1_q);
+  // hls/stages/agreement.hpp:180
+  logic [13:0] select_1107;
+  assign select_1107 = sample_pair_whole_s4_q ? (and_349_s4_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
+  // hls/stages/agreement.hpp:181
+  logic [11:0] select_1192;
+  assign select_1192 = and_351_s4_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
+  logic [11:0] select_1193;
+  assign select_1193 = and_351_s4_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
+  logic [11:0] select_1194;
+  assign select_1194 = and_351_s4_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
+  logic [11:0] select_1195;
+  assign select_1195 = and_351_s4_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
   // hls/stages/census.hpp:202
-  logic [12:0] sum_1161;
-  assign sum_1161 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_1153_s4_q};
-  logic [13:0] sum_1163;
-  assign sum_1163 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_1161});
+  logic [12:0] sum_1198;
+  assign sum_1198 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_1190_s4_q};
+  logic [13:0] sum_1200;
+  assign sum_1200 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_1198});
   // hls/stages/census.hpp:225
-  logic and_1165;
-  assign and_1165 = and_414_s4_q & (9'h4 < sum_1163[13:5]);
+  logic and_1202;
+  assign and_1202 = and_434_s4_q & (9'h4 < sum_1200[13:5]);
   // hls/stages/census.hpp:226
-  logic and_1166;
-  assign and_1166 = and_414_s4_q & less_438;
+  logic and_1203;
+  assign and_1203 = and_434_s4_q & less_458;
   // hls/stages/census.hpp:227
-  logic [19:0] sum_1167;
-  assign sum_1167 = census_left_misses_q + {{17{and_1166}}, and_1165, 1'b0, and_1165};
-  // hls/stages/agreement.hpp:176
-  logic [19:0] select_1169;
-  assign select_1169 = and_336_s4_q ? (equal_1160_s4_q ? 20'h0 : sum_1167) : census_left_misses_q;
+  logic [19:0] sum_1204;
+  assign sum_1204 = census_left_misses_q + {{17{and_1203}}, and_1202, 1'b0, and_1202};
+  // hls/stages/agreement.hpp:181
+  logic [19:0] select_1206;
+  assign select_1206 = and_351_s4_q ? (equal_1197_s4_q ? 20'h0 : sum_1204) : census_left_misses_q;
+  // hls/stages/agreement.hpp:180
+  logic [27:0] select_1211;
+  assign select_1211 = sample_pair_whole_s4_q ? {detail_2, detail} : 28'h0;
   // hls/stages/census.hpp:275
-  logic and_1178;
-  assign and_1178 = whole_2_s4_q & (~(select_302_s4_q[6:1] == 6'h0));
-  // hls/stages/agreement.hpp:243
-  logic and_1184;
-  assign and_1184 = and_1178 & (sharpness_last_mask_q & (7'h2 < contrast_s4_q[8:2]));
+  logic and_1216;
+  assign and_1216 = whole_2_s4_q & (~(column_s4_q[6:1] == 6'h0));
+  // hls/stages/agreement.hpp:258
+  logic and_1222;
+  assign and_1222 = and_1216 & (sharpness_last_mask_q & (7'h2 < contrast_s4_q[8:2]));
   // hls/stages/census.hpp:274
   logic [14:0] detail_3;
-  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, detail};
+  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_1211[13:0]};
   // hls/stages/census.hpp:276
-  logic [12:0] select_1186;
-  assign select_1186 = and_1184 ? detail_3[14:2] : 13'h0;
+  logic [12:0] select_1224;
+  assign select_1224 = and_1222 ? detail_3[14:2] : 13'h0;
   // hls/stages/census.hpp:277
-  logic [23:0] select_1188;
-  assign select_1188 = equal_1160_s4_q ? {11'h0, select_1186} : (sharpness_sums_detail_0_q + {11'h0, select_1186});
-  // hls/stages/agreement.hpp:243
-  logic and_1195;
-  assign and_1195 = and_1178 & (sharpness_last_mask_q & (7'h2 < contrast_2_s4_q[8:2]));
+  logic [23:0] select_1226;
+  assign select_1226 = equal_1197_s4_q ? {11'h0, select_1224} : (sharpness_sums_detail_0_q + {11'h0, select_1224});
+  // hls/stages/agreement.hpp:258
+  logic and_1233;
+  assign and_1233 = and_1216 & (sharpness_last_mask_q & (7'h2 < contrast_2_s4_q[8:2]));
   // hls/stages/census.hpp:274
   logic [14:0] detail_4;
-  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, detail_2};
+  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_1211[27:14]};
   // hls/stages/census.hpp:276
-  logic [12:0] select_1197;
-  assign select_1197 = and_1195 ? detail_4[14:2] : 13'h0;
+  logic [12:0] select_1235;
+  assign select_1235 = and_1233 ? detail_4[14:2] : 13'h0;
   // hls/stages/census.hpp:277
-  logic [23:0] select_1199;
-  assign select_1199 = equal_1160_s4_q ? {11'h0, select_1197} : (sharpness_sums_detail_1_q + {11'h0, select_1197});
-  logic [8:0] select_1202;
-  assign select_1202 = and_1184 ? contrast_s4_q : 9'h0;
-  logic [23:0] sum_1203;
-  assign sum_1203 = (equal_1160_s4_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_1202};
-  logic [8:0] select_1206;
-  assign select_1206 = and_1195 ? contrast_2_s4_q : 9'h0;
-  logic [23:0] sum_1207;
-  assign sum_1207 = (equal_1160_s4_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_1206};
-  // hls/stages/agreement.hpp:484
-  logic [13:0] select_1351;
-  assign select_1351 = and_1344_s4_q ? 14'h0 : (counts_supervised_q + {13'h0, and_1349_s4_q});
-  // hls/stages/agreement.hpp:299
-  logic and_1354;
-  assign and_1354 = not_352_s4_q & (not_496_s4_q & (begins_product_q & textured_s4_q));
-  logic and_1359;
-  assign and_1359 = not_352_s4_q & (not_496_s4_q & (begins_product_q & explained_s4_q));
-  logic and_1364;
-  assign and_1364 = not_352_s4_q & (not_496_s4_q & (begins_product_q & and_929_s4_q));
-  // hls/stages/agreement.hpp:584
-  logic or_1370;
-  assign or_1370 = is_seen | or_1369_s4_q;
-  // hls/stages/agreement.hpp:299
-  logic and_1374;
-  assign and_1374 = not_352_s4_q & (not_496_s4_q & (begins_product_q & (~or_1370)));
-  // hls/stages/agreement.hpp:608
-  logic less_1377;
-  assign less_1377 = region_row_s4_q < x_s4_q[5:3];
-  logic [11:0] select_1378;
-  assign select_1378 = less_1377 ? 12'h0 : regions_rdata_q[11:0];
-  logic [11:0] select_1381;
-  assign select_1381 = less_1377 ? 12'h0 : regions_rdata_q[23:12];
-  // hls/stages/agreement.hpp:609
-  logic [12:0] sum_1382;
-  assign sum_1382 = {1'b0, select_1381} + {3'h0, select_1381[11:2]};
-  logic and_1384;
-  assign and_1384 = (~(select_1378[11:4] == 8'h0)) & ({sum_1382, select_1381[1:0]} < {3'h0, select_1378});
-  // hls/stages/agreement.hpp:299
-  logic [11:0] select_1387;
-  assign select_1387 = equal_895_s4_q ? (equal_896_s4_q ? 12'h0 : (and_1384 ? select_1378 : 12'h0)) : 12'h0;
-  logic [11:0] select_1389;
-  assign select_1389 = equal_353_s4_q ? 12'h0 : (begins_product_q ? 12'h0 : select_1387);
-  logic [11:0] select_1390;
-  assign select_1390 = equal_351_s4_q ? 12'h0 : select_1389;
-  // hls/stages/agreement.hpp:484
-  logic [13:0] select_1392;
-  assign select_1392 = and_1344_s4_q ? 14'h0 : (counts_regions_bad_q + {2'h0, select_1390});
-  // hls/stages/agreement.hpp:165
-  logic [8:0] select_1402;
-  assign select_1402 = less_354_s4_q ? 9'h0 : (and_906_s4_q ? (9'h0 - {1'b0, cfg_regions_limit_i}) : 9'h0);
-  // hls/stages/agreement.hpp:299
-  logic [20:0] select_1403;
-  assign select_1403 = begins_product_q ? {{12{select_1402[8]}}, select_1402} : {1'b0, select_1387, 8'h0};
-  logic [20:0] select_1405;
-  assign select_1405 = equal_351_s4_q ? 21'h0 : (equal_353_s4_q ? 21'h0 : select_1403);
-  // hls/stages/agreement.hpp:484
-  logic [23:0] select_1407;
-  assign select_1407 = and_1344_s4_q ? 24'h0 : (counts_too_many_bad_q + {{3{select_1405[20]}}, select_1405});
-  // hls/stages/agreement.hpp:530
-  logic [8:0] select_1409;
-  assign select_1409 = and_906_s4_q ? (9'h0 - {1'b0, cfg_unproven_limit_i}) : 9'h0;
-  // hls/stages/agreement.hpp:299
-  logic [7:0] select_1410;
-  assign select_1410 = less_354_s4_q ? 8'h0 : select_1409[7:0];
-  // hls/stages/agreement.hpp:165
-  logic and_1411;
-  assign and_1411 = not_355_s4_q & select_1409[8];
-  // hls/stages/agreement.hpp:588
-  logic [2:0] select_1413;
-  assign select_1413 = or_1370 ? {3{and_1411}} : ({3{and_1411}} + 3'h1);
-  // hls/stages/agreement.hpp:299
-  logic [10:0] select_1415;
-  assign select_1415 = equal_353_s4_q ? 11'h0 : (begins_product_q ? {select_1413, select_1410} : 11'h0);
-  logic [10:0] select_1416;
-  assign select_1416 = equal_351_s4_q ? 11'h0 : select_1415;
-  // hls/stages/agreement.hpp:482
-  logic [23:0] sum_1417;
-  assign sum_1417 = counts_too_much_unproven_q + {{13{select_1416[10]}}, select_1416};
-  // hls/stages/registration.hpp:80
-  logic [7:0] select_1472;
-  assign select_1472 = equal_1433_s4_q ? 8'h0 : (equal_1434_s4_q ? 8'h0 : residual_s4_q);
-  // hls/stages/agreement.hpp:165
-  logic [7:0] select_1475;
-  assign select_1475 = less_354_s4_q ? 8'h0 : (and_1429_s4_q ? (equal_1432_s4_q ? 8'h0 : select_1472) : 8'h0);
-  // hls/stages/agreement.hpp:299
-  logic [7:0] select_1478;
-  assign select_1478 = equal_351_s4_q ? 8'h0 : (equal_353_s4_q ? 8'h0 : (begins_product_q ? select_1475 : 8'h0));
-  // hls/stages/registration.hpp:89
-  logic [19:0] sum_1479;
-  assign sum_1479 = registration_counts_across_0_q + {{12{select_1478[7]}}, select_1478};
-  // hls/stages/registration.hpp:80
-  logic [7:0] select_1482;
-  assign select_1482 = equal_1433_s4_q ? 8'h0 : (equal_1434_s4_q ? residual_s4_q : 8'h0);
-  // hls/stages/agreement.hpp:165
-  logic [7:0] select_1485;
-  assign select_1485 = less_354_s4_q ? 8'h0 : (and_1429_s4_q ? (equal_1432_s4_q ? 8'h0 : select_1482) : 8'h0);
-  // hls/stages/agreement.hpp:299
-  logic [7:0] select_1488;
-  assign select_1488 = equal_351_s4_q ? 8'h0 : (equal_353_s4_q ? 8'h0 : (begins_product_q ? select_1485 : 8'h0));
-  // hls/stages/registration.hpp:89
-  logic [19:0] sum_1489;
-  assign sum_1489 = registration_counts_across_1_q + {{12{select_1488[7]}}, select_1488};
-  // hls/stages/registration.hpp:80
-  logic [7:0] select_1492;
-  assign select_1492 = equal_1432_s4_q ? 8'h0 : (equal_1433_s4_q ? residual_s4_q : 8'h0);
-  // hls/stages/agreement.hpp:299
-  logic [7:0] select_1495;
-  assign select_1495 = begins_product_q ? (less_354_s4_q ? 8'h0 : (and_1429_s4_q ? select_1492 : 8'h0)) : 8'h0;
-  logic [7:0] select_1497;
-  assign select_1497 = equal_351_s4_q ? 8'h0 : (equal_353_s4_q ? 8'h0 : select_1495);
-  // hls/stages/registration.hpp:89
-  logic [19:0] sum_1498;
-  assign sum_1498 = registration_counts_across_2_q + {{12{select_1497[7]}}, select_1497};
-  // hls/stages/agreement.hpp:165
-  logic [7:0] select_1502;
-  assign select_1502 = less_354_s4_q ? 8'h0 : (and_1429_s4_q ? (equal_1432_s4_q ? residual_s4_q : 8'h0) : 8'h0);
-  // hls/stages/agreement.hpp:299
-  logic [7:0] select_1505;
-  assign select_1505 = equal_351_s4_q ? 8'h0 : (equal_353_s4_q ? 8'h0 : (begins_product_q ? select_1502 : 8'h0));
-  // hls/stages/registration.hpp:89
-  logic [19:0] sum_1506;
-  assign sum_1506 = registration_counts_across_3_q + {{12{select_1505[7]}}, select_1505};
-  // hls/stages/agreement.hpp:604
-  logic and_1756;
-  assign and_1756 = (~({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q})) & (11'h4 < counts_textured_q[13:3]);
+  logic [23:0] select_1237;
+  assign select_1237 = equal_1197_s4_q ? {11'h0, select_1235} : (sharpness_sums_detail_1_q + {11'h0, select_1235});
+  logic [8:0] select_1240;
+  assign select_1240 = and_1222 ? contrast_s4_q : 9'h0;
+  logic [23:0] sum_1241;
+  assign sum_1241 = (equal_1197_s4_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_1240};
+  logic [8:0] select_1244;
+  assign select_1244 = and_1233 ? contrast_2_s4_q : 9'h0;
+  logic [23:0] sum_1245;
+  assign sum_1245 = (equal_1197_s4_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_1244};
+  // hls/stages/agreement.hpp:502
+  logic [13:0] select_1389;
+  assign select_1389 = and_1382_s4_q ? 14'h0 : (counts_supervised_q + {13'h0, and_1387_s4_q});
+  // hls/stages/agreement.hpp:314
+  logic and_1392;
+  assign and_1392 = not_371_s4_q & (not_516_s4_q & (begins_product_q & textured_s4_q));
+  logic and_1397;
+  assign and_1397 = not_371_s4_q & (not_516_s4_q & (begins_product_q & explained_s4_q));
+  logic and_1402;
+  assign and_1402 = not_371_s4_q & (not_516_s4_q & (begins_product_q & and_949_s4_q));
   // hls/stages/agreement.hpp:611
-  logic [12:0] sum_1760;
-  assign sum_1760 = {1'b0, select_1381} + {2'h0, select_1381[11:1]};
-  logic select_1763;
-  assign select_1763 = (select_1378[11:3] == 9'h0) ? (and_1756 & (~less_1757_s4_q)) : (~({sum_1760, select_1381[0]} < {2'h0, select_1378}));
-  // hls/stages/agreement.hpp:619
-  logic [47:0] select_1764;
-  assign select_1764 = equal_896_s4_q ? good_next_q : {select_1763, good_next_q[47:1]};
-  // hls/stages/agreement.hpp:299
-  logic [47:0] select_1766;
-  assign select_1766 = equal_895_s4_q ? (equal_1751_s4_q ? select_1764 : good_q) : good_q;
-  logic [47:0] select_1768;
-  assign select_1768 = equal_353_s4_q ? good_q : (begins_product_q ? good_q : select_1766);
-  logic [47:0] select_1771;
-  assign select_1771 = begins_product_q ? good_next_q : (equal_895_s4_q ? select_1764 : good_next_q);
-  logic [47:0] select_1773;
-  assign select_1773 = equal_351_s4_q ? good_next_q : (equal_353_s4_q ? good_next_q : select_1771);
-  // hls/stages/agreement.hpp:636
-  logic [35:0] select_1792;
-  assign select_1792 = multiplier_0_q[17] ? (product_0_q + {1'b0, addend_0_q}) : product_0_q;
-  // hls/stages/agreement.hpp:630
+  logic not_1407;
+  assign not_1407 = ~is_seen;
+  // hls/stages/agreement.hpp:314
+  logic and_1410;
+  assign and_1410 = begins_product_q & ((~equal_1405_s4_q) & (centres_values_1_textured_s4_q & not_1407));
+  logic and_1412;
+  assign and_1412 = not_371_s4_q & (not_516_s4_q & and_1410);
+  // hls/stages/agreement.hpp:637
+  logic less_1415;
+  assign less_1415 = region_row_s4_q < x_s4_q[5:3];
+  logic [11:0] select_1416;
+  assign select_1416 = less_1415 ? 12'h0 : regions_rdata_q[11:0];
+  logic [11:0] select_1419;
+  assign select_1419 = less_1415 ? 12'h0 : regions_rdata_q[23:12];
+  // hls/stages/agreement.hpp:638
+  logic [12:0] sum_1420;
+  assign sum_1420 = {1'b0, select_1419} + {3'h0, select_1419[11:2]};
+  logic and_1422;
+  assign and_1422 = (~(select_1416[11:4] == 8'h0)) & ({sum_1420, select_1419[1:0]} < {3'h0, select_1416});
+  // hls/stages/agreement.hpp:314
+  logic [11:0] select_1425;
+  assign select_1425 = equal_915_s4_q ? (equal_916_s4_q ? 12'h0 : (and_1422 ? select_1416 : 12'h0)) : 12'h0;
+  logic [11:0] select_1427;
+  assign select_1427 = equal_372_s4_q ? 12'h0 : (begins_product_q ? 12'h0 : select_1425);
+  logic [11:0] select_1428;
+  assign select_1428 = equal_370_s4_q ? 12'h0 : select_1427;
+  // hls/stages/agreement.hpp:502
+  logic [13:0] select_1430;
+  assign select_1430 = and_1382_s4_q ? 14'h0 : (counts_regions_bad_q + {2'h0, select_1428});
+  // hls/stages/agreement.hpp:167
+  logic [8:0] select_1440;
+  assign select_1440 = less_373_s4_q ? 9'h0 : (and_926_s4_q ? (9'h0 - {1'b0, cfg_regions_limit_i}) : 9'h0);
+  // hls/stages/agreement.hpp:314
+  logic [20:0] select_1441;
+  assign select_1441 = begins_product_q ? {{12{select_1440[8]}}, select_1440} : {1'b0, select_1425, 8'h0};
+  logic [20:0] select_1443;
+  assign select_1443 = equal_370_s4_q ? 21'h0 : (equal_372_s4_q ? 21'h0 : select_1441);
+  // hls/stages/agreement.hpp:502
+  logic [23:0] select_1445;
+  assign select_1445 = and_1382_s4_q ? 24'h0 : (counts_too_many_bad_q + {{3{select_1443[20]}}, select_1443});
+  // hls/stages/agreement.hpp:550
+  logic [8:0] select_1447;
+  assign select_1447 = and_926_s4_q ? (9'h0 - {1'b0, cfg_unproven_limit_i}) : 9'h0;
+  // hls/stages/agreement.hpp:314
+  logic [7:0] select_1448;
+  assign select_1448 = less_373_s4_q ? 8'h0 : select_1447[7:0];
+  // hls/stages/agreement.hpp:167
+  logic and_1449;
+  assign and_1449 = not_374_s4_q & select_1447[8];
+  // hls/stages/agreement.hpp:617
+  logic [2:0] select_1452;
+  assign select_1452 = centres_values_1_textured_s4_q ? (is_seen ? {3{and_1449}} : ({3{and_1449}} + 3'h1)) : {3{and_1449}};
+  logic [2:0] select_1453;
+  assign select_1453 = equal_1405_s4_q ? {3{and_1449}} : select_1452;
+  // hls/stages/agreement.hpp:314
+  logic [10:0] select_1455;
+  assign select_1455 = equal_372_s4_q ? 11'h0 : (begins_product_q ? {select_1453, select_1448} : 11'h0);
+  logic [10:0] select_1456;
+  assign select_1456 = equal_370_s4_q ? 11'h0 : select_1455;
+  // hls/stages/agreement.hpp:499
+  logic [23:0] sum_1457;
+  assign sum_1457 = counts_too_much_unproven_q + {{13{select_1456[10]}}, select_1456};
+  // hls/stages/agreement.hpp:617
+  logic [9:0] select_1460;
+  assign select_1460 = centres_values_1_of_skin_s4_q ? ({1'b0, not_1407, 8'h0} - {2'h0, cfg_unproven_skin_limit_i}) : 10'h0;
+  logic [9:0] select_1462;
+  assign select_1462 = equal_1405_s4_q ? 10'h0 : (centres_values_1_textured_s4_q ? select_1460 : 10'h0);
+  // hls/stages/agreement.hpp:314
+  logic [9:0] select_1464;
+  assign select_1464 = equal_372_s4_q ? 10'h0 : (begins_product_q ? select_1462 : 10'h0);
+  logic [9:0] select_1465;
+  assign select_1465 = equal_370_s4_q ? 10'h0 : select_1464;
+  // hls/stages/agreement.hpp:500
+  logic [23:0] sum_1466;
+  assign sum_1466 = counts_too_much_unseen_skin_q + {{14{select_1465[9]}}, select_1465};
+  // hls/stages/registration.hpp:80
+  logic [7:0] select_1521;
+  assign select_1521 = equal_1482_s4_q ? 8'h0 : (equal_1483_s4_q ? 8'h0 : residual_s4_q);
+  // hls/stages/agreement.hpp:167
+  logic [7:0] select_1524;
+  assign select_1524 = less_373_s4_q ? 8'h0 : (and_1478_s4_q ? (equal_1481_s4_q ? 8'h0 : select_1521) : 8'h0);
+  // hls/stages/agreement.hpp:314
+  logic [7:0] select_1527;
+  assign select_1527 = equal_370_s4_q ? 8'h0 : (equal_372_s4_q ? 8'h0 : (begins_product_q ? select_1524 : 8'h0));
+  // hls/stages/registration.hpp:89
+  logic [19:0] sum_1528;
+  assign sum_1528 = registration_counts_across_0_q + {{12{select_1527[7]}}, select_1527};
+  // hls/stages/registration.hpp:80
+  logic [7:0] select_1531;
+  assign select_1531 = equal_1482_s4_q ? 8'h0 : (equal_1483_s4_q ? residual_s4_q : 8'h0);
+  // hls/stages/agreement.hpp:167
+  logic [7:0] select_1534;
+  assign select_1534 = less_373_s4_q ? 8'h0 : (and_1478_s4_q ? (equal_1481_s4_q ? 8'h0 : select_1531) : 8'h0);
+  // hls/stages/agreement.hpp:314
+  logic [7:0] select_1537;
+  assign select_1537 = equal_370_s4_q ? 8'h0 : (equal_372_s4_q ? 8'h0 : (begins_product_q ? select_1534 : 8'h0));
+  // hls/stages/registration.hpp:89
+  logic [19:0] sum_1538;
+  assign sum_1538 = registration_counts_across_1_q + {{12{select_1537[7]}}, select_1537};
+  // hls/stages/registration.hpp:80
+  logic [7:0] select_1541;
+  assign select_1541 = equal_1481_s4_q ? 8'h0 : (equal_1482_s4_q ? residual_s4_q : 8'h0);
+  // hls/stages/agreement.hpp:314
+  logic [7:0] select_1544;
+  assign select_1544 = begins_product_q ? (less_373_s4_q ? 8'h0 : (and_1478_s4_q ? select_1541 : 8'h0)) : 8'h0;
+  logic [7:0] select_1546;
+  assign select_1546 = equal_370_s4_q ? 8'h0 : (equal_372_s4_q ? 8'h0 : select_1544);
+  // hls/stages/registration.hpp:89
+  logic [19:0] sum_1547;
+  assign sum_1547 = registration_counts_across_2_q + {{12{select_1546[7]}}, select_1546};
+  // hls/stages/agreement.hpp:167
+  logic [7:0] select_1551;
+  assign select_1551 = less_373_s4_q ? 8'h0 : (and_1478_s4_q ? (equal_1481_s4_q ? residual_s4_q : 8'h0) : 8'h0);
+  // hls/stages/agreement.hpp:314
+  logic [7:0] select_1554;
+  assign select_1554 = equal_370_s4_q ? 8'h0 : (equal_372_s4_q ? 8'h0 : (begins_product_q ? select_1551 : 8'h0));
+  // hls/stages/registration.hpp:89
+  logic [19:0] sum_1555;
+  assign sum_1555 = registration_counts_across_3_q + {{12{select_1554[7]}}, select_1554};
+  // hls/stages/agreement.hpp:633
+  logic and_1805;
+  assign and_1805 = (~({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q})) & (11'h4 < counts_textured_q[13:3]);
+  // hls/stages/agreement.hpp:640
+  logic [12:0] sum_1809;
+  assign sum_1809 = {1'b0, select_1419} + {2'h0, select_1419[11:1]};
+  logic select_1812;
+  assign select_1812 = (select_1416[11:3] == 9'h0) ? (and_1805 & (~less_1806_s4_q)) : (~({sum_1809, select_1419[0]} < {2'h0, select_1416}));
+  // hls/stages/agreement.hpp:648
+  logic [47:0] select_1813;
+  assign select_1813 = equal_916_s4_q ? good_next_q : {select_1812, good_next_q[47:1]};
+  // hls/stages/agreement.hpp:314
+  logic [47:0] select_1815;
+  assign select_1815 = equal_915_s4_q ? (equal_1800_s4_q ? select_1813 : good_q) : good_q;
+  logic [47:0] select_1817;
+  assign select_1817 = equal_372_s4_q ? good_q : (begins_product_q ? good_q : select_1815);
+  logic [47:0] select_1820;
+  assign select_1820 = begins_product_q ? good_next_q : (equal_915_s4_q ? select_1813 : good_next_q);
+  logic [47:0] select_1822;
+  assign select_1822 = equal_370_s4_q ? good_next_q : (equal_372_s4_q ? good_next_q : select_1820);
+  // hls/stages/agreement.hpp:665
+  logic [35:0] select_1841;
+  assign select_1841 = multiplier_0_q[17] ? (product_0_q + {1'b0, addend_0_q}) : product_0_q;
+  // hls/stages/agreement.hpp:659
   logic [35:0] detail_left;
-  assign detail_left = begins_product_s4_q ? 36'h0 : select_1792;
-  // hls/stages/agreement.hpp:636
-  logic [35:0] select_1795;
-  assign select_1795 = multiplier_1_q[17] ? (product_1_q + {1'b0, addend_1_q}) : product_1_q;
-  // hls/stages/agreement.hpp:640
+  assign detail_left = begins_product_s4_q ? 36'h0 : select_1841;
+  // hls/stages/agreement.hpp:665
+  logic [35:0] select_1844;
+  assign select_1844 = multiplier_1_q[17] ? (product_1_q + {1'b0, addend_1_q}) : product_1_q;
+  // hls/stages/agreement.hpp:669
   logic [35:0] detail_right;
-  assign detail_right = begins_product_s4_q ? 36'h0 : select_1795;
-  // hls/stages/agreement.hpp:630
-  logic [34:0] select_1797;
-  assign select_1797 = begins_product_s4_q ? {sharpness_sums_detail_0_q[23:6], 17'h0} : {1'b0, addend_0_q[34:1]};
-  // hls/stages/agreement.hpp:640
-  logic [34:0] select_1798;
-  assign select_1798 = begins_product_s4_q ? {sharpness_sums_detail_1_q[23:6], 17'h0} : {1'b0, addend_1_q[34:1]};
-  // hls/stages/agreement.hpp:630
-  logic [17:0] select_1799;
-  assign select_1799 = begins_product_s4_q ? sharpness_sums_contrast_1_q[23:6] : {multiplier_0_q[16:0], 1'b0};
-  // hls/stages/agreement.hpp:640
-  logic [17:0] select_1800;
-  assign select_1800 = begins_product_s4_q ? sharpness_sums_contrast_0_q[23:6] : {multiplier_1_q[16:0], 1'b0};
-  // hls/stages/agreement.hpp:299
-  logic [4:0] select_1801;
-  assign select_1801 = begins_product_q ? {2'h0, textured_2_s4_q} : box_textured_columns_values_0_q;
-  logic [4:0] select_1803;
-  assign select_1803 = equal_351_s4_q ? box_textured_columns_values_0_q : (equal_353_s4_q ? box_textured_columns_values_0_q : select_1801);
-  logic [4:0] select_1804;
-  assign select_1804 = begins_product_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
-  logic [4:0] select_1806;
-  assign select_1806 = equal_351_s4_q ? box_textured_columns_values_1_q : (equal_353_s4_q ? box_textured_columns_values_1_q : select_1804);
-  logic [4:0] select_1807;
-  assign select_1807 = begins_product_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
-  logic [4:0] select_1809;
-  assign select_1809 = equal_351_s4_q ? box_textured_columns_values_2_q : (equal_353_s4_q ? box_textured_columns_values_2_q : select_1807);
-  logic [4:0] select_1810;
-  assign select_1810 = begins_product_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
-  logic [4:0] select_1812;
-  assign select_1812 = equal_351_s4_q ? box_textured_columns_values_3_q : (equal_353_s4_q ? box_textured_columns_values_3_q : select_1810);
-  logic [4:0] select_1813;
-  assign select_1813 = begins_product_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
-  logic [4:0] select_1815;
-  assign select_1815 = equal_351_s4_q ? box_textured_columns_values_4_q : (equal_353_s4_q ? box_textured_columns_values_4_q : select_1813);
-  logic [4:0] select_1817;
-  assign select_1817 = equal_353_s4_q ? box_textured_sum_sums_values_0_q : (begins_product_q ? t : box_textured_sum_sums_values_0_q);
-  logic [4:0] select_1819;
-  assign select_1819 = begins_product_q ? {2'h0, explained_2_s4_q} : box_explained_columns_values_0_q;
-  logic [4:0] select_1821;
-  assign select_1821 = equal_351_s4_q ? box_explained_columns_values_0_q : (equal_353_s4_q ? box_explained_columns_values_0_q : select_1819);
-  logic [4:0] select_1822;
-  assign select_1822 = begins_product_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
-  logic [4:0] select_1824;
-  assign select_1824 = equal_351_s4_q ? box_explained_columns_values_1_q : (equal_353_s4_q ? box_explained_columns_values_1_q : select_1822);
-  logic [4:0] select_1825;
-  assign select_1825 = begins_product_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
-  logic [4:0] select_1827;
-  assign select_1827 = equal_351_s4_q ? box_explained_columns_values_2_q : (equal_353_s4_q ? box_explained_columns_values_2_q : select_1825);
-  logic [4:0] select_1828;
-  assign select_1828 = begins_product_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
-  logic [4:0] select_1830;
-  assign select_1830 = equal_351_s4_q ? box_explained_columns_values_3_q : (equal_353_s4_q ? box_explained_columns_values_3_q : select_1828);
-  logic [4:0] select_1831;
-  assign select_1831 = begins_product_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
-  logic [4:0] select_1833;
-  assign select_1833 = equal_351_s4_q ? box_explained_columns_values_4_q : (equal_353_s4_q ? box_explained_columns_values_4_q : select_1831);
-  logic [4:0] select_1835;
-  assign select_1835 = equal_353_s4_q ? box_explained_sum_sums_values_0_q : (begins_product_q ? e : box_explained_sum_sums_values_0_q);
-  logic [4:0] select_1837;
-  assign select_1837 = begins_product_q ? {2'h0, near_2_s4_q} : box_nearer_columns_values_0_q;
-  logic [4:0] select_1839;
-  assign select_1839 = equal_351_s4_q ? box_nearer_columns_values_0_q : (equal_353_s4_q ? box_nearer_columns_values_0_q : select_1837);
-  logic [4:0] select_1840;
-  assign select_1840 = begins_product_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
-  logic [4:0] select_1842;
-  assign select_1842 = equal_351_s4_q ? box_nearer_columns_values_1_q : (equal_353_s4_q ? box_nearer_columns_values_1_q : select_1840);
-  logic [4:0] select_1843;
-  assign select_1843 = begins_product_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
-  logic [4:0] select_1845;
-  assign select_1845 = equal_351_s4_q ? box_nearer_columns_values_2_q : (equal_353_s4_q ? box_nearer_columns_values_2_q : select_1843);
-  logic [4:0] select_1846;
-  assign select_1846 = begins_product_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
-  logic [4:0] select_1848;
-  assign select_1848 = equal_351_s4_q ? box_nearer_columns_values_3_q : (equal_353_s4_q ? box_nearer_columns_values_3_q : select_1846);
-  logic [4:0] select_1849;
-  assign select_1849 = begins_product_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
-  logic [4:0] select_1851;
-  assign select_1851 = equal_351_s4_q ? box_nearer_columns_values_4_q : (equal_353_s4_q ? box_nearer_columns_values_4_q : select_1849);
+  assign detail_right = begins_product_s4_q ? 36'h0 : select_1844;
+  // hls/stages/agreement.hpp:659
+  logic [34:0] select_1846;
+  assign select_1846 = begins_product_s4_q ? {sharpness_sums_detail_0_q[23:6], 17'h0} : {1'b0, addend_0_q[34:1]};
+  // hls/stages/agreement.hpp:669
+  logic [34:0] select_1847;
+  assign select_1847 = begins_product_s4_q ? {sharpness_sums_detail_1_q[23:6], 17'h0} : {1'b0, addend_1_q[34:1]};
+  // hls/stages/agreement.hpp:659
+  logic [17:0] select_1848;
+  assign select_1848 = begins_product_s4_q ? sharpness_sums_contrast_1_q[23:6] : {multiplier_0_q[16:0], 1'b0};
+  // hls/stages/agreement.hpp:669
+  logic [17:0] select_1849;
+  assign select_1849 = begins_product_s4_q ? sharpness_sums_contrast_0_q[23:6] : {multiplier_1_q[16:0], 1'b0};
+  // hls/stages/agreement.hpp:314
+  logic [4:0] select_1850;
+  assign select_1850 = begins_product_q ? {2'h0, textured_2_s4_q} : box_textured_columns_values_0_q;
+  logic [4:0] select_1852;
+  assign select_1852 = equal_370_s4_q ? box_textured_columns_values_0_q : (equal_372_s4_q ? box_textured_columns_values_0_q : select_1850);
   logic [4:0] select_1853;
-  assign select_1853 = equal_353_s4_q ? box_nearer_sum_sums_values_0_q : (begins_product_q ? n : box_nearer_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:727
-  logic [1:0] select_1894;
-  assign select_1894 = and_1893_s4_q ? {and_1032, is_seen} : map_rdata_q;
-  // hls/stages/agreement.hpp:728
-  logic and_1895;
-  assign and_1895 = proven_q & less_1883;
-  // hls/stages/agreement.hpp:179
-  logic select_1898;
-  assign select_1898 = and_965_s4_q ? (less_966_s4_q ? (select_1894[0] & and_1895) : seen_q) : seen_q;
-  logic select_1901;
-  assign select_1901 = and_965_s4_q ? (less_966_s4_q ? (select_1894[1] & and_1895) : nearer_q) : nearer_q;
-  // hls/stages/agreement.hpp:299
-  logic [13:0] select_1906;
-  assign select_1906 = equal_895_s4_q ? (equal_1751_s4_q ? counts_supervised_q : 14'h0) : 14'h0;
-  logic [13:0] select_1908;
-  assign select_1908 = equal_353_s4_q ? 14'h0 : (begins_product_q ? 14'h0 : select_1906);
-  logic [13:0] select_1911;
-  assign select_1911 = equal_895_s4_q ? (equal_1751_s4_q ? counts_textured_q : 14'h0) : 14'h0;
-  logic [13:0] select_1913;
-  assign select_1913 = equal_353_s4_q ? 14'h0 : (begins_product_q ? 14'h0 : select_1911);
-  logic [13:0] select_1916;
-  assign select_1916 = equal_895_s4_q ? (equal_1751_s4_q ? counts_explained_q : 14'h0) : 14'h0;
-  logic [13:0] select_1918;
-  assign select_1918 = equal_353_s4_q ? 14'h0 : (begins_product_q ? 14'h0 : select_1916);
-  logic [13:0] select_1921;
-  assign select_1921 = equal_895_s4_q ? (equal_1751_s4_q ? counts_nearer_q : 14'h0) : 14'h0;
-  logic [13:0] select_1923;
-  assign select_1923 = equal_353_s4_q ? 14'h0 : (begins_product_q ? 14'h0 : select_1921);
-  logic [13:0] select_1926;
-  assign select_1926 = equal_895_s4_q ? (equal_1751_s4_q ? counts_unproven_q : 14'h0) : 14'h0;
-  logic [13:0] select_1928;
-  assign select_1928 = equal_353_s4_q ? 14'h0 : (begins_product_q ? 14'h0 : select_1926);
-  logic [13:0] select_1931;
-  assign select_1931 = equal_895_s4_q ? (equal_1751_s4_q ? counts_regions_bad_q : 14'h0) : 14'h0;
-  logic [13:0] select_1933;
-  assign select_1933 = equal_353_s4_q ? 14'h0 : (begins_product_q ? 14'h0 : select_1931);
-  // hls/stages/agreement.hpp:656
-  logic not_1942;
-  assign not_1942 = ~and_1756;
-  // hls/stages/agreement.hpp:299
-  logic and_1946;
-  assign and_1946 = not_1257_s4_q & (equal_895_s4_q & (equal_1751_s4_q & (cfg_prove_i & not_1942)));
-  // hls/stages/agreement.hpp:657
-  logic or_1949;
-  assign or_1949 = not_1902 | not_1942;
-  // hls/stages/agreement.hpp:623
-  logic or_1954;
-  assign or_1954 = ($signed(24'h0) < $signed(counts_too_many_bad_q)) | ($signed(24'h0) < $signed(counts_too_much_unproven_q));
-  // hls/stages/agreement.hpp:299
-  logic and_1956;
-  assign and_1956 = equal_1751_s4_q & ((less_1757_s4_q | or_1949) ? (~or_1949) : or_1954);
-  logic and_1960;
-  assign and_1960 = not_352_s4_q & (not_496_s4_q & (not_1257_s4_q & (equal_895_s4_q & and_1956)));
-  // hls/stages/agreement.hpp:623
-  logic select_2024;
-  assign select_2024 = or_1984_s4_q ? select_2021_s4_q : or_2023_s4_q;
-  logic or_2026;
-  assign or_2026 = less_2025_s4_q | select_2024;
-  logic select_2027;
-  assign select_2027 = or_1977_s4_q ? select_2024 : or_2026;
-  logic or_2029;
-  assign or_2029 = less_2028_s4_q | select_2027;
-  logic select_2034;
-  assign select_2034 = less_1972_s4_q ? or_2026 : (less_1978_s4_q ? or_2023_s4_q : select_2032_s4_q);
-  logic select_2036;
-  assign select_2036 = less_1964_s4_q ? (less_1965_s4_q | (or_1970_s4_q ? select_2027 : or_2029)) : (less_1967_s4_q ? or_2029 : select_2034);
-  // hls/stages/agreement.hpp:299
-  logic and_2040;
-  assign and_2040 = not_1257_s4_q & (equal_895_s4_q & (equal_1751_s4_q & (cfg_prove_i & select_2036)));
-  // hls/stages/agreement.hpp:663
-  logic and_2043;
-  assign and_2043 = cfg_prove_i & and_1756;
-  // hls/stages/agreement.hpp:664
-  logic [36:0] sum_2044;
-  assign sum_2044 = {1'b0, detail_right} + {3'h0, detail_right[35:2]};
-  logic less_2046;
-  assign less_2046 = {sharpness_sums_contrast_0_q, 2'h0} < {2'h0, sharpness_sums_contrast_1_q};
-  // hls/stages/agreement.hpp:623
-  logic or_2049;
-  assign or_2049 = ({detail_left, 3'h0} < {sum_2044, detail_right[1:0]}) | (less_2046 | ($signed(20'h0) < $signed(census_left_misses_q)));
-  // hls/stages/agreement.hpp:299
-  logic and_2053;
-  assign and_2053 = not_1257_s4_q & (equal_895_s4_q & (equal_1751_s4_q & (and_2043 & or_2049)));
-  // hls/stages/agreement.hpp:667
-  logic [36:0] sum_2056;
-  assign sum_2056 = {1'b0, detail_left} + {3'h0, detail_left[35:2]};
-  logic less_2058;
-  assign less_2058 = {sharpness_sums_contrast_1_q, 2'h0} < {2'h0, sharpness_sums_contrast_0_q};
-  // hls/stages/agreement.hpp:623
-  logic or_2059;
-  assign or_2059 = ({detail_right, 3'h0} < {sum_2056, detail_left[1:0]}) | less_2058;
-  // hls/stages/agreement.hpp:299
-  logic and_2063;
-  assign and_2063 = not_1257_s4_q & (equal_895_s4_q & (equal_1751_s4_q & (and_2043 & or_2059)));
-  logic [19:0] select_2078;
-  assign select_2078 = equal_895_s4_q ? (equal_1751_s4_q ? registration_counts_across_0_q : 20'h0) : 20'h0;
-  logic [19:0] select_2080;
-  assign select_2080 = equal_353_s4_q ? 20'h0 : (begins_product_q ? 20'h0 : select_2078);
-  logic [19:0] select_2083;
-  assign select_2083 = equal_895_s4_q ? (equal_1751_s4_q ? registration_counts_across_1_q : 20'h0) : 20'h0;
-  logic [19:0] select_2085;
-  assign select_2085 = equal_353_s4_q ? 20'h0 : (begins_product_q ? 20'h0 : select_2083);
-  logic [19:0] select_2088;
-  assign select_2088 = equal_895_s4_q ? (equal_1751_s4_q ? registration_counts_across_2_q : 20'h0) : 20'h0;
-  logic [19:0] select_2090;
-  assign select_2090 = equal_353_s4_q ? 20'h0 : (begins_product_q ? 20'h0 : select_2088);
-  logic [19:0] select_2093;
-  assign select_2093 = equal_895_s4_q ? (equal_1751_s4_q ? registration_counts_across_3_q : 20'h0) : 20'h0;
-  logic [19:0] select_2095;
-  assign select_2095 = equal_353_s4_q ? 20'h0 : (begins_product_q ? 20'h0 : select_2093);
-  logic [23:0] select_2118;
-  assign select_2118 = equal_895_s4_q ? (equal_1751_s4_q ? sharpness_sums_detail_0_q : 24'h0) : 24'h0;
-  logic [23:0] select_2120;
-  assign select_2120 = equal_353_s4_q ? 24'h0 : (begins_product_q ? 24'h0 : select_2118);
-  logic [23:0] select_2123;
-  assign select_2123 = equal_895_s4_q ? (equal_1751_s4_q ? sharpness_sums_detail_1_q : 24'h0) : 24'h0;
-  logic [23:0] select_2125;
-  assign select_2125 = equal_353_s4_q ? 24'h0 : (begins_product_q ? 24'h0 : select_2123);
-  logic [23:0] select_2128;
-  assign select_2128 = equal_895_s4_q ? (equal_1751_s4_q ? sharpness_sums_contrast_0_q : 24'h0) : 24'h0;
-  logic [23:0] select_2130;
-  assign select_2130 = equal_353_s4_q ? 24'h0 : (begins_product_q ? 24'h0 : select_2128);
-  logic [23:0] select_2133;
-  assign select_2133 = equal_895_s4_q ? (equal_1751_s4_q ? sharpness_sums_contrast_1_q : 24'h0) : 24'h0;
-  logic [23:0] select_2135;
-  assign select_2135 = equal_353_s4_q ? 24'h0 : (begins_product_q ? 24'h0 : select_2133);
-  logic [5:0] select_2142;
-  assign select_2142 = begins_product_q ? 6'h0 : (equal_895_s4_q ? (equal_896_s4_q ? 6'h0 : x_s4_q) : 6'h0);
-  logic [11:0] select_2147;
-  assign select_2147 = begins_product_q ? 12'h0 : (equal_895_s4_q ? (equal_896_s4_q ? 12'h0 : select_1378) : 12'h0);
-  logic [11:0] select_2152;
-  assign select_2152 = begins_product_q ? 12'h0 : (equal_895_s4_q ? (equal_896_s4_q ? 12'h0 : select_1381) : 12'h0);
-  // hls/stages/agreement.hpp:619
-  logic [11:0] select_2156;
-  assign select_2156 = equal_896_s4_q ? 12'h0 : (less_1377 ? 12'h0 : regions_rdata_q[35:24]);
-  // hls/stages/agreement.hpp:299
-  logic [11:0] select_2158;
-  assign select_2158 = begins_product_q ? 12'h0 : (equal_895_s4_q ? select_2156 : 12'h0);
+  assign select_1853 = begins_product_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  logic [4:0] select_1855;
+  assign select_1855 = equal_370_s4_q ? box_textured_columns_values_1_q : (equal_372_s4_q ? box_textured_columns_values_1_q : select_1853);
+  logic [4:0] select_1856;
+  assign select_1856 = begins_product_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  logic [4:0] select_1858;
+  assign select_1858 = equal_370_s4_q ? box_textured_columns_values_2_q : (equal_372_s4_q ? box_textured_columns_values_2_q : select_1856);
+  logic [4:0] select_1859;
+  assign select_1859 = begins_product_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  logic [4:0] select_1861;
+  assign select_1861 = equal_370_s4_q ? box_textured_columns_values_3_q : (equal_372_s4_q ? box_textured_columns_values_3_q : select_1859);
+  logic [4:0] select_1862;
+  assign select_1862 = begins_product_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  logic [4:0] select_1864;
+  assign select_1864 = equal_370_s4_q ? box_textured_columns_values_4_q : (equal_372_s4_q ? box_textured_columns_values_4_q : select_1862);
+  logic [4:0] select_1866;
+  assign select_1866 = equal_372_s4_q ? box_textured_sum_sums_values_0_q : (begins_product_q ? t : box_textured_sum_sums_values_0_q);
+  logic [4:0] select_1868;
+  assign select_1868 = begins_product_q ? {2'h0, explained_2_s4_q} : box_explained_columns_values_0_q;
+  logic [4:0] select_1870;
+  assign select_1870 = equal_370_s4_q ? box_explained_columns_values_0_q : (equal_372_s4_q ? box_explained_columns_values_0_q : select_1868);
+  logic [4:0] select_1871;
+  assign select_1871 = begins_product_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  logic [4:0] select_1873;
+  assign select_1873 = equal_370_s4_q ? box_explained_columns_values_1_q : (equal_372_s4_q ? box_explained_columns_values_1_q : select_1871);
+  logic [4:0] select_1874;
+  assign select_1874 = begins_product_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  logic [4:0] select_1876;
+  assign select_1876 = equal_370_s4_q ? box_explained_columns_values_2_q : (equal_372_s4_q ? box_explained_columns_values_2_q : select_1874);
+  logic [4:0] select_1877;
+  assign select_1877 = begins_product_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  logic [4:0] select_1879;
+  assign select_1879 = equal_370_s4_q ? box_explained_columns_values_3_q : (equal_372_s4_q ? box_explained_columns_values_3_q : select_1877);
+  logic [4:0] select_1880;
+  assign select_1880 = begins_product_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  logic [4:0] select_1882;
+  assign select_1882 = equal_370_s4_q ? box_explained_columns_values_4_q : (equal_372_s4_q ? box_explained_columns_values_4_q : select_1880);
+  logic [4:0] select_1884;
+  assign select_1884 = equal_372_s4_q ? box_explained_sum_sums_values_0_q : (begins_product_q ? e : box_explained_sum_sums_values_0_q);
+  logic [4:0] select_1886;
+  assign select_1886 = begins_product_q ? {2'h0, near_2_s4_q} : box_nearer_columns_values_0_q;
+  logic [4:0] select_1888;
+  assign select_1888 = equal_370_s4_q ? box_nearer_columns_values_0_q : (equal_372_s4_q ? box_nearer_columns_values_0_q : select_1886);
+  logic [4:0] select_1889;
+  assign select_1889 = begins_product_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  logic [4:0] select_1891;
+  assign select_1891 = equal_370_s4_q ? box_nearer_columns_values_1_q : (equal_372_s4_q ? box_nearer_columns_values_1_q : select_1889);
+  logic [4:0] select_1892;
+  assign select_1892 = begins_product_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  logic [4:0] select_1894;
+  assign select_1894 = equal_370_s4_q ? box_nearer_columns_values_2_q : (equal_372_s4_q ? box_nearer_columns_values_2_q : select_1892);
+  logic [4:0] select_1895;
+  assign select_1895 = begins_product_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  logic [4:0] select_1897;
+  assign select_1897 = equal_370_s4_q ? box_nearer_columns_values_3_q : (equal_372_s4_q ? box_nearer_columns_values_3_q : select_1895);
+  logic [4:0] select_1898;
+  assign select_1898 = begins_product_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  logic [4:0] select_1900;
+  assign select_1900 = equal_370_s4_q ? box_nearer_columns_values_4_q : (equal_372_s4_q ? box_nearer_columns_values_4_q : select_1898);
+  logic [4:0] select_1902;
+  assign select_1902 = equal_372_s4_q ? box_nearer_sum_sums_values_0_q : (begins_product_q ? n : box_nearer_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:757
+  logic [1:0] select_1951;
+  assign select_1951 = and_1950_s4_q ? {and_1046, is_seen} : map_rdata_q;
+  // hls/stages/agreement.hpp:758
+  logic and_1952;
+  assign and_1952 = proven_q & less_1940;
+  // hls/stages/agreement.hpp:184
+  logic select_1955;
+  assign select_1955 = and_986_s4_q ? (less_987_s4_q ? (select_1951[0] & and_1952) : seen_q) : seen_q;
+  logic select_1958;
+  assign select_1958 = and_986_s4_q ? (less_987_s4_q ? (select_1951[1] & and_1952) : nearer_q) : nearer_q;
+  // hls/stages/agreement.hpp:314
+  logic [13:0] select_1963;
+  assign select_1963 = equal_915_s4_q ? (equal_1800_s4_q ? counts_supervised_q : 14'h0) : 14'h0;
+  logic [13:0] select_1965;
+  assign select_1965 = equal_372_s4_q ? 14'h0 : (begins_product_q ? 14'h0 : select_1963);
+  logic [13:0] select_1968;
+  assign select_1968 = equal_915_s4_q ? (equal_1800_s4_q ? counts_textured_q : 14'h0) : 14'h0;
+  logic [13:0] select_1970;
+  assign select_1970 = equal_372_s4_q ? 14'h0 : (begins_product_q ? 14'h0 : select_1968);
+  logic [13:0] select_1973;
+  assign select_1973 = equal_915_s4_q ? (equal_1800_s4_q ? counts_explained_q : 14'h0) : 14'h0;
+  logic [13:0] select_1975;
+  assign select_1975 = equal_372_s4_q ? 14'h0 : (begins_product_q ? 14'h0 : select_1973);
+  logic [13:0] select_1978;
+  assign select_1978 = equal_915_s4_q ? (equal_1800_s4_q ? counts_nearer_q : 14'h0) : 14'h0;
+  logic [13:0] select_1980;
+  assign select_1980 = equal_372_s4_q ? 14'h0 : (begins_product_q ? 14'h0 : select_1978);
+  logic [13:0] select_1983;
+  assign select_1983 = equal_915_s4_q ? (equal_1800_s4_q ? counts_unproven_q : 14'h0) : 14'h0;
+  logic [13:0] select_1985;
+  assign select_1985 = equal_372_s4_q ? 14'h0 : (begins_product_q ? 14'h0 : select_1983);
+  logic [13:0] select_1988;
+  assign select_1988 = equal_915_s4_q ? (equal_1800_s4_q ? counts_regions_bad_q : 14'h0) : 14'h0;
+  logic [13:0] select_1990;
+  assign select_1990 = equal_372_s4_q ? 14'h0 : (begins_product_q ? 14'h0 : select_1988);
+  // hls/stages/agreement.hpp:685
+  logic not_1999;
+  assign not_1999 = ~and_1805;
+  // hls/stages/agreement.hpp:314
+  logic and_2003;
+  assign and_2003 = not_1295_s4_q & (equal_915_s4_q & (equal_1800_s4_q & (cfg_prove_i & not_1999)));
+  // hls/stages/agreement.hpp:686
+  logic or_2006;
+  assign or_2006 = not_1959 | not_1999;
+  // hls/stages/agreement.hpp:652
+  logic or_2012;
+  assign or_2012 = ($signed(24'h0) < $signed(counts_too_much_unproven_q)) | ($signed(24'h0) < $signed(counts_too_much_unseen_skin_q));
+  logic select_2014;
+  assign select_2014 = (less_1806_s4_q | or_2006) ? (~or_2006) : (($signed(24'h0) < $signed(counts_too_many_bad_q)) | or_2012);
+  // hls/stages/agreement.hpp:314
+  logic and_2017;
+  assign and_2017 = not_1295_s4_q & (equal_915_s4_q & (equal_1800_s4_q & select_2014));
+  // hls/stages/agreement.hpp:652
+  logic select_2083;
+  assign select_2083 = or_2043_s4_q ? select_2080_s4_q : or_2082_s4_q;
+  logic or_2085;
+  assign or_2085 = less_2084_s4_q | select_2083;
+  logic select_2086;
+  assign select_2086 = or_2036_s4_q ? select_2083 : or_2085;
+  logic or_2088;
+  assign or_2088 = less_2087_s4_q | select_2086;
+  logic select_2093;
+  assign select_2093 = less_2031_s4_q ? or_2085 : (less_2037_s4_q ? or_2082_s4_q : select_2091_s4_q);
+  logic select_2095;
+  assign select_2095 = less_2023_s4_q ? (less_2024_s4_q | (or_2029_s4_q ? select_2086 : or_2088)) : (less_2026_s4_q ? or_2088 : select_2093);
+  // hls/stages/agreement.hpp:314
+  logic and_2099;
+  assign and_2099 = not_1295_s4_q & (equal_915_s4_q & (equal_1800_s4_q & (cfg_prove_i & select_2095)));
+  // hls/stages/agreement.hpp:693
+  logic and_2102;
+  assign and_2102 = cfg_prove_i & and_1805;
+  // hls/stages/agreement.hpp:694
+  logic [36:0] sum_2103;
+  assign sum_2103 = {1'b0, detail_right} + {3'h0, detail_right[35:2]};
+  logic less_2105;
+  assign less_2105 = {sharpness_sums_contrast_0_q, 2'h0} < {2'h0, sharpness_sums_contrast_1_q};
+  // hls/stages/agreement.hpp:652
+  logic or_2108;
+  assign or_2108 = ({detail_left, 3'h0} < {sum_2103, detail_right[1:0]}) | (less_2105 | ($signed(20'h0) < $signed(census_left_misses_q)));
+  // hls/stages/agreement.hpp:314
+  logic and_2112;
+  assign and_2112 = not_1295_s4_q & (equal_915_s4_q & (equal_1800_s4_q & (and_2102 & or_2108)));
+  // hls/stages/agreement.hpp:697
+  logic [36:0] sum_2115;
+  assign sum_2115 = {1'b0, detail_left} + {3'h0, detail_left[35:2]};
+  logic less_2117;
+  assign less_2117 = {sharpness_sums_contrast_1_q, 2'h0} < {2'h0, sharpness_sums_contrast_0_q};
+  // hls/stages/agreement.hpp:652
+  logic or_2118;
+  assign or_2118 = ({detail_right, 3'h0} < {sum_2115, detail_left[1:0]}) | less_2117;
+  // hls/stages/agreement.hpp:314
+  logic and_2122;
+  assign and_2122 = not_1295_s4_q & (equal_915_s4_q & (equal_1800_s4_q & (and_2102 & or_2118)));
+  logic [19:0] select_2137;
+  assign select_2137 = equal_915_s4_q ? (equal_1800_s4_q ? registration_counts_across_0_q : 20'h0) : 20'h0;
+  logic [19:0] select_2139;
+  assign select_2139 = equal_372_s4_q ? 20'h0 : (begins_product_q ? 20'h0 : select_2137);
+  logic [19:0] select_2142;
+  assign select_2142 = equal_915_s4_q ? (equal_1800_s4_q ? registration_counts_across_1_q : 20'h0) : 20'h0;
+  logic [19:0] select_2144;
+  assign select_2144 = equal_372_s4_q ? 20'h0 : (begins_product_q ? 20'h0 : select_2142);
+  logic [19:0] select_2147;
+  assign select_2147 = equal_915_s4_q ? (equal_1800_s4_q ? registration_counts_across_2_q : 20'h0) : 20'h0;
+  logic [19:0] select_2149;
+  assign select_2149 = equal_372_s4_q ? 20'h0 : (begins_product_q ? 20'h0 : select_2147);
+  logic [19:0] select_2152;
+  assign select_2152 = equal_915_s4_q ? (equal_1800_s4_q ? registration_counts_across_3_q : 20'h0) : 20'h0;
+  logic [19:0] select_2154;
+  assign select_2154 = equal_372_s4_q ? 20'h0 : (begins_product_q ? 20'h0 : select_2152);
+  logic [23:0] select_2177;
+  assign select_2177 = equal_915_s4_q ? (equal_1800_s4_q ? sharpness_sums_detail_0_q : 24'h0) : 24'h0;
+  logic [23:0] select_2179;
+  assign select_2179 = equal_372_s4_q ? 24'h0 : (begins_product_q ? 24'h0 : select_2177);
+  logic [23:0] select_2182;
+  assign select_2182 = equal_915_s4_q ? (equal_1800_s4_q ? sharpness_sums_detail_1_q : 24'h0) : 24'h0;
+  logic [23:0] select_2184;
+  assign select_2184 = equal_372_s4_q ? 24'h0 : (begins_product_q ? 24'h0 : select_2182);
+  logic [23:0] select_2187;
+  assign select_2187 = equal_915_s4_q ? (equal_1800_s4_q ? sharpness_sums_contrast_0_q : 24'h0) : 24'h0;
+  logic [23:0] select_2189;
+  assign select_2189 = equal_372_s4_q ? 24'h0 : (begins_product_q ? 24'h0 : select_2187);
+  logic [23:0] select_2192;
+  assign select_2192 = equal_915_s4_q ? (equal_1800_s4_q ? sharpness_sums_contrast_1_q : 24'h0) : 24'h0;
+  logic [23:0] select_2194;
+  assign select_2194 = equal_372_s4_q ? 24'h0 : (begins_product_q ? 24'h0 : select_2192);
+  logic [5:0] select_2201;
+  assign select_2201 = begins_product_q ? 6'h0 : (equal_915_s4_q ? (equal_916_s4_q ? 6'h0 : x_s4_q) : 6'h0);
+  logic [11:0] select_2206;
+  assign select_2206 = begins_product_q ? 12'h0 : (equal_915_s4_q ? (equal_916_s4_q ? 12'h0 : select_1416) : 12'h0);
+  logic [11:0] select_2211;
+  assign select_2211 = begins_product_q ? 12'h0 : (equal_915_s4_q ? (equal_916_s4_q ? 12'h0 : select_1419) : 12'h0);
+  // hls/stages/agreement.hpp:648
+  logic [11:0] select_2215;
+  assign select_2215 = equal_916_s4_q ? 12'h0 : (less_1415 ? 12'h0 : regions_rdata_q[35:24]);
+  // hls/stages/agreement.hpp:314
+  logic [11:0] select_2217;
+  assign select_2217 = begins_product_q ? 12'h0 : (equal_915_s4_q ? select_2215 : 12'h0);
 
   // Memory fresh, write
   logic [6:0] fresh_waddr;
-  assign fresh_waddr = select_302_s4_q;
+  assign fresh_waddr = column_s4_q;
   logic fresh_we;
-  assign fresh_we = s4_en & and_336_s4_q;
+  assign fresh_we = s4_en & and_351_s4_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (fresh_we) fresh_mem[fresh_waddr] <= {census_columns_values_1_cell_2_of_skin_s4_q, and_439, and_415_s4_q, and_414_s4_q, and_389_s4_q, less_382_s4_q, less_381_s4_q, less_380_s4_q, less_379_s4_q, less_378_s4_q, less_377_s4_q, less_376_s4_q, less_375_s4_q, less_374_s4_q, less_373_s4_q, less_372_s4_q, less_371_s4_q, less_370_s4_q, less_369_s4_q, less_368_s4_q, less_367_s4_q, less_366_s4_q, less_365_s4_q, less_364_s4_q, less_363_s4_q, less_362_s4_q, less_361_s4_q, less_360_s4_q, less_359_s4_q};
+    if (fresh_we) fresh_mem[fresh_waddr] <= {census_columns_values_1_cell_2_of_skin_s4_q, and_459, and_435_s4_q, and_434_s4_q, and_409_s4_q, less_401_s4_q, less_400_s4_q, less_399_s4_q, less_398_s4_q, less_397_s4_q, less_396_s4_q, less_395_s4_q, less_394_s4_q, less_393_s4_q, less_392_s4_q, less_391_s4_q, less_390_s4_q, less_389_s4_q, less_388_s4_q, less_387_s4_q, less_386_s4_q, less_385_s4_q, less_384_s4_q, less_383_s4_q, less_382_s4_q, less_381_s4_q, less_380_s4_q, less_379_s4_q, less_378_s4_q};
   end
 `ifndef SYNTHESIS
   logic [6:0] fresh_raddr_s1_sim;
@@ -4172,9 +4293,9 @@ module horopter_agreement (
   logic [6:0] best_left_waddr;
   assign best_left_waddr = x_s4_2_q;
   logic best_left_we;
-  assign best_left_we = s4_en & and_863_s4_q;
+  assign best_left_we = s4_en & and_883_s4_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (best_left_we) best_left_mem[best_left_waddr] <= {select_862, select_814_s4_q, select_810_s4_q};
+    if (best_left_we) best_left_mem[best_left_waddr] <= {select_882, select_834_s4_q, select_830_s4_q};
   end
 `ifndef SYNTHESIS
   logic [6:0] best_left_raddr_s2_sim;
@@ -4211,11 +4332,11 @@ module horopter_agreement (
 
   // Memory regions, write
   logic [5:0] regions_waddr;
-  assign regions_waddr = {region_row_s4_q, or_888_s4_q, or_885_s4_q, or_882_s4_q};
+  assign regions_waddr = {region_row_s4_q, or_908_s4_q, or_905_s4_q, or_902_s4_q};
   logic regions_we;
-  assign regions_we = s4_en & and_936_s4_q;
+  assign regions_we = s4_en & and_956_s4_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (regions_we) regions_mem[regions_waddr] <= {sum_933, sum_922, sum_911};
+    if (regions_we) regions_mem[regions_waddr] <= {sum_953, sum_942, sum_931};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4229,11 +4350,11 @@ module horopter_agreement (
 
   // Memory map, write
   logic [13:0] map_waddr;
-  assign map_waddr = {sum_971_s4_q, index_2_s4_q};
+  assign map_waddr = {sum_992_s4_q, index_2_s4_q};
   logic map_we;
-  assign map_we = s4_en & and_1043_s4_q;
+  assign map_we = s4_en & and_1057_s4_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (map_we) map_mem[map_waddr] <= {and_1032, is_seen};
+    if (map_we) map_mem[map_waddr] <= {and_1046, is_seen};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4262,6 +4383,7 @@ module horopter_agreement (
       counts_regions_bad_q <= 14'h0;
       counts_too_many_bad_q <= 24'h0;
       counts_too_much_unproven_q <= 24'h0;
+      counts_too_much_unseen_skin_q <= 24'h0;
       registration_counts_across_0_q <= 20'h0;
       registration_counts_across_1_q <= 20'h0;
       registration_counts_across_2_q <= 20'h0;
@@ -4281,37 +4403,38 @@ module horopter_agreement (
       seen_q <= 1'b0;
       nearer_q <= 1'b0;
     end else if (s4_en) begin
-      census_left_misses_q <= select_1169;
-      sharpness_sums_detail_0_q <= and_336_s4_q ? select_1188 : sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_q <= and_336_s4_q ? select_1199 : sharpness_sums_detail_1_q;
-      sharpness_sums_contrast_0_q <= and_336_s4_q ? sum_1203 : sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_q <= and_336_s4_q ? sum_1207 : sharpness_sums_contrast_1_q;
-      counts_supervised_q <= select_1351;
-      counts_textured_q <= and_1344_s4_q ? 14'h0 : (counts_textured_q + {13'h0, and_1354});
-      counts_explained_q <= and_1344_s4_q ? 14'h0 : (counts_explained_q + {13'h0, and_1359});
-      counts_nearer_q <= and_1344_s4_q ? 14'h0 : (counts_nearer_q + {13'h0, and_1364});
-      counts_unproven_q <= and_1344_s4_q ? 14'h0 : (counts_unproven_q + {13'h0, and_1374});
-      counts_regions_bad_q <= select_1392;
-      counts_too_many_bad_q <= select_1407;
-      counts_too_much_unproven_q <= and_1344_s4_q ? 24'h0 : sum_1417;
-      registration_counts_across_0_q <= and_1344_s4_q ? 20'h0 : sum_1479;
-      registration_counts_across_1_q <= and_1344_s4_q ? 20'h0 : sum_1489;
-      registration_counts_across_2_q <= and_1344_s4_q ? 20'h0 : sum_1498;
-      registration_counts_across_3_q <= and_1344_s4_q ? 20'h0 : sum_1506;
-      segment_textured_q <= select_908 + {6'h0, and_1354};
-      segment_explained_q <= select_919 + {6'h0, and_1359};
-      segment_nearer_q <= select_930 + {6'h0, and_1364};
+      census_left_misses_q <= select_1206;
+      sharpness_sums_detail_0_q <= and_351_s4_q ? select_1226 : sharpness_sums_detail_0_q;
+      sharpness_sums_detail_1_q <= and_351_s4_q ? select_1237 : sharpness_sums_detail_1_q;
+      sharpness_sums_contrast_0_q <= and_351_s4_q ? sum_1241 : sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_q <= and_351_s4_q ? sum_1245 : sharpness_sums_contrast_1_q;
+      counts_supervised_q <= select_1389;
+      counts_textured_q <= and_1382_s4_q ? 14'h0 : (counts_textured_q + {13'h0, and_1392});
+      counts_explained_q <= and_1382_s4_q ? 14'h0 : (counts_explained_q + {13'h0, and_1397});
+      counts_nearer_q <= and_1382_s4_q ? 14'h0 : (counts_nearer_q + {13'h0, and_1402});
+      counts_unproven_q <= and_1382_s4_q ? 14'h0 : (counts_unproven_q + {13'h0, and_1412});
+      counts_regions_bad_q <= select_1430;
+      counts_too_many_bad_q <= select_1445;
+      counts_too_much_unproven_q <= and_1382_s4_q ? 24'h0 : sum_1457;
+      counts_too_much_unseen_skin_q <= and_1382_s4_q ? 24'h0 : sum_1466;
+      registration_counts_across_0_q <= and_1382_s4_q ? 20'h0 : sum_1528;
+      registration_counts_across_1_q <= and_1382_s4_q ? 20'h0 : sum_1538;
+      registration_counts_across_2_q <= and_1382_s4_q ? 20'h0 : sum_1547;
+      registration_counts_across_3_q <= and_1382_s4_q ? 20'h0 : sum_1555;
+      segment_textured_q <= select_928 + {6'h0, and_1392};
+      segment_explained_q <= select_939 + {6'h0, and_1397};
+      segment_nearer_q <= select_950 + {6'h0, and_1402};
       segment_started_q <= ~segment_starts_q;
-      good_q <= equal_351_s4_q ? good_q : select_1768;
-      good_next_q <= select_1773;
+      good_q <= equal_370_s4_q ? good_q : select_1817;
+      good_next_q <= select_1822;
       product_0_q <= detail_left;
       product_1_q <= detail_right;
-      addend_0_q <= select_1797;
-      addend_1_q <= select_1798;
-      multiplier_0_q <= select_1799;
-      multiplier_1_q <= select_1800;
-      seen_q <= select_1898;
-      nearer_q <= select_1901;
+      addend_0_q <= select_1846;
+      addend_1_q <= select_1847;
+      multiplier_0_q <= select_1848;
+      multiplier_1_q <= select_1849;
+      seen_q <= select_1955;
+      nearer_q <= select_1958;
     end
   end
 
@@ -4355,39 +4478,39 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s4_en) begin
-      averager_quarter_1_0_q <= and_335_s4_q ? grey_s4_q : averager_quarter_1_0_q;
-      averager_quarter_1_1_q <= and_335_s4_q ? grey_2_s4_q : averager_quarter_1_1_q;
-      averager_quarter_2_0_q <= and_335_s4_q ? averager_quarter_1_0_q : averager_quarter_2_0_q;
-      averager_quarter_2_1_q <= and_335_s4_q ? averager_quarter_1_1_q : averager_quarter_2_1_q;
-      averager_detail_0_q <= and_335_s4_q ? detail : averager_detail_0_q;
-      averager_detail_1_q <= and_335_s4_q ? detail_2 : averager_detail_1_q;
-      census_changes_values_0_left_q <= and_336_s4_q ? texture_s4_q : census_changes_values_0_left_q;
-      census_changes_values_0_right_q <= and_336_s4_q ? sum_1153_s4_q : census_changes_values_0_right_q;
-      census_changes_values_1_left_q <= select_1155;
-      census_changes_values_1_right_q <= select_1156;
-      census_changes_values_2_left_q <= select_1157;
-      census_changes_values_2_right_q <= select_1158;
-      sharpness_last_mask_q <= and_336_s4_q ? whole_2_s4_q : sharpness_last_mask_q;
-      sharpness_last_detail_0_q <= and_336_s4_q ? detail : sharpness_last_detail_0_q;
-      sharpness_last_detail_1_q <= and_336_s4_q ? detail_2 : sharpness_last_detail_1_q;
-      box_textured_columns_values_0_q <= select_1803;
-      box_textured_columns_values_1_q <= select_1806;
-      box_textured_columns_values_2_q <= select_1809;
-      box_textured_columns_values_3_q <= select_1812;
-      box_textured_columns_values_4_q <= select_1815;
-      box_textured_sum_sums_values_0_q <= equal_351_s4_q ? box_textured_sum_sums_values_0_q : select_1817;
-      box_explained_columns_values_0_q <= select_1821;
-      box_explained_columns_values_1_q <= select_1824;
-      box_explained_columns_values_2_q <= select_1827;
-      box_explained_columns_values_3_q <= select_1830;
-      box_explained_columns_values_4_q <= select_1833;
-      box_explained_sum_sums_values_0_q <= equal_351_s4_q ? box_explained_sum_sums_values_0_q : select_1835;
-      box_nearer_columns_values_0_q <= select_1839;
-      box_nearer_columns_values_1_q <= select_1842;
-      box_nearer_columns_values_2_q <= select_1845;
-      box_nearer_columns_values_3_q <= select_1848;
-      box_nearer_columns_values_4_q <= select_1851;
-      box_nearer_sum_sums_values_0_q <= equal_351_s4_q ? box_nearer_sum_sums_values_0_q : select_1853;
+      averager_quarter_1_0_q <= select_1081;
+      averager_quarter_1_1_q <= select_1083;
+      averager_quarter_2_0_q <= select_1085;
+      averager_quarter_2_1_q <= select_1087;
+      averager_detail_0_q <= select_1099;
+      averager_detail_1_q <= select_1107;
+      census_changes_values_0_left_q <= and_351_s4_q ? texture_s4_q : census_changes_values_0_left_q;
+      census_changes_values_0_right_q <= and_351_s4_q ? sum_1190_s4_q : census_changes_values_0_right_q;
+      census_changes_values_1_left_q <= select_1192;
+      census_changes_values_1_right_q <= select_1193;
+      census_changes_values_2_left_q <= select_1194;
+      census_changes_values_2_right_q <= select_1195;
+      sharpness_last_mask_q <= and_351_s4_q ? whole_2_s4_q : sharpness_last_mask_q;
+      sharpness_last_detail_0_q <= and_351_s4_q ? select_1211[13:0] : sharpness_last_detail_0_q;
+      sharpness_last_detail_1_q <= and_351_s4_q ? select_1211[27:14] : sharpness_last_detail_1_q;
+      box_textured_columns_values_0_q <= select_1852;
+      box_textured_columns_values_1_q <= select_1855;
+      box_textured_columns_values_2_q <= select_1858;
+      box_textured_columns_values_3_q <= select_1861;
+      box_textured_columns_values_4_q <= select_1864;
+      box_textured_sum_sums_values_0_q <= equal_370_s4_q ? box_textured_sum_sums_values_0_q : select_1866;
+      box_explained_columns_values_0_q <= select_1870;
+      box_explained_columns_values_1_q <= select_1873;
+      box_explained_columns_values_2_q <= select_1876;
+      box_explained_columns_values_3_q <= select_1879;
+      box_explained_columns_values_4_q <= select_1882;
+      box_explained_sum_sums_values_0_q <= equal_370_s4_q ? box_explained_sum_sums_values_0_q : select_1884;
+      box_nearer_columns_values_0_q <= select_1888;
+      box_nearer_columns_values_1_q <= select_1891;
+      box_nearer_columns_values_2_q <= select_1894;
+      box_nearer_columns_values_3_q <= select_1897;
+      box_nearer_columns_values_4_q <= select_1900;
+      box_nearer_sum_sums_values_0_q <= equal_370_s4_q ? box_nearer_sum_sums_values_0_q : select_1902;
     end
   end
 
@@ -4397,39 +4520,39 @@ module horopter_agreement (
   logic mask_s5_q;
   logic marks_first_s5_q;
   logic marks_last_s5_q;
-  logic and_1878_s5_q;
-  logic or_1903_s5_q;
-  logic and_1904_s5_q;
-  logic [13:0] select_1909_s5_q;
-  logic [13:0] select_1914_s5_q;
-  logic [13:0] select_1919_s5_q;
-  logic [13:0] select_1924_s5_q;
-  logic [13:0] select_1929_s5_q;
-  logic [13:0] select_1934_s5_q;
-  logic and_1941_s5_q;
-  logic and_1948_s5_q;
-  logic and_1960_s5_q;
-  logic and_2042_s5_q;
-  logic and_2055_s5_q;
-  logic and_2065_s5_q;
-  logic and_2076_s5_q;
-  logic [19:0] select_2081_s5_q;
-  logic [19:0] select_2086_s5_q;
-  logic [19:0] select_2091_s5_q;
-  logic [19:0] select_2096_s5_q;
-  logic [11:0] select_2101_s5_q;
-  logic [11:0] select_2106_s5_q;
-  logic [11:0] select_2111_s5_q;
-  logic [11:0] select_2116_s5_q;
-  logic [23:0] select_2121_s5_q;
-  logic [23:0] select_2126_s5_q;
-  logic [23:0] select_2131_s5_q;
-  logic [23:0] select_2136_s5_q;
-  logic and_2139_s5_q;
-  logic [5:0] select_2144_s5_q;
-  logic [11:0] select_2149_s5_q;
-  logic [11:0] select_2154_s5_q;
+  logic and_1935_s5_q;
+  logic or_1960_s5_q;
+  logic and_1961_s5_q;
+  logic [13:0] select_1966_s5_q;
+  logic [13:0] select_1971_s5_q;
+  logic [13:0] select_1976_s5_q;
+  logic [13:0] select_1981_s5_q;
+  logic [13:0] select_1986_s5_q;
+  logic [13:0] select_1991_s5_q;
+  logic and_1998_s5_q;
+  logic and_2005_s5_q;
+  logic and_2019_s5_q;
+  logic and_2101_s5_q;
+  logic and_2114_s5_q;
+  logic and_2124_s5_q;
+  logic and_2135_s5_q;
+  logic [19:0] select_2140_s5_q;
+  logic [19:0] select_2145_s5_q;
+  logic [19:0] select_2150_s5_q;
+  logic [19:0] select_2155_s5_q;
   logic [11:0] select_2160_s5_q;
+  logic [11:0] select_2165_s5_q;
+  logic [11:0] select_2170_s5_q;
+  logic [11:0] select_2175_s5_q;
+  logic [23:0] select_2180_s5_q;
+  logic [23:0] select_2185_s5_q;
+  logic [23:0] select_2190_s5_q;
+  logic [23:0] select_2195_s5_q;
+  logic and_2198_s5_q;
+  logic [5:0] select_2203_s5_q;
+  logic [11:0] select_2208_s5_q;
+  logic [11:0] select_2213_s5_q;
+  logic [11:0] select_2219_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
       pixel_0_s5_q <= pixel_0_s4_q;
@@ -4437,40 +4560,40 @@ module horopter_agreement (
       saturated_s5_q <= saturated_s4_q;
       mask_s5_q <= mask_s4_q;
       marks_first_s5_q <= marks_first_s4_q;
-      marks_last_s5_q <= marks_last_s4_q;
-      and_1878_s5_q <= said_q;
-      or_1903_s5_q <= not_1902 | select_1898;
-      and_1904_s5_q <= cfg_prove_i & select_1901;
-      select_1909_s5_q <= equal_351_s4_q ? 14'h0 : select_1908;
-      select_1914_s5_q <= equal_351_s4_q ? 14'h0 : select_1913;
-      select_1919_s5_q <= equal_351_s4_q ? 14'h0 : select_1918;
-      select_1924_s5_q <= equal_351_s4_q ? 14'h0 : select_1923;
-      select_1929_s5_q <= equal_351_s4_q ? 14'h0 : select_1928;
-      select_1934_s5_q <= equal_351_s4_q ? 14'h0 : select_1933;
-      and_1941_s5_q <= and_1941_s4_q;
-      and_1948_s5_q <= not_352_s4_q & (not_496_s4_q & and_1946);
-      and_1960_s5_q <= and_1960;
-      and_2042_s5_q <= not_352_s4_q & (not_496_s4_q & and_2040);
-      and_2055_s5_q <= not_352_s4_q & (not_496_s4_q & and_2053);
-      and_2065_s5_q <= not_352_s4_q & (not_496_s4_q & and_2063);
-      and_2076_s5_q <= and_2076_s4_q;
-      select_2081_s5_q <= equal_351_s4_q ? 20'h0 : select_2080;
-      select_2086_s5_q <= equal_351_s4_q ? 20'h0 : select_2085;
-      select_2091_s5_q <= equal_351_s4_q ? 20'h0 : select_2090;
-      select_2096_s5_q <= equal_351_s4_q ? 20'h0 : select_2095;
-      select_2101_s5_q <= select_2101_s4_q;
-      select_2106_s5_q <= select_2106_s4_q;
-      select_2111_s5_q <= select_2111_s4_q;
-      select_2116_s5_q <= select_2116_s4_q;
-      select_2121_s5_q <= equal_351_s4_q ? 24'h0 : select_2120;
-      select_2126_s5_q <= equal_351_s4_q ? 24'h0 : select_2125;
-      select_2131_s5_q <= equal_351_s4_q ? 24'h0 : select_2130;
-      select_2136_s5_q <= equal_351_s4_q ? 24'h0 : select_2135;
-      and_2139_s5_q <= and_2139_s4_q;
-      select_2144_s5_q <= equal_351_s4_q ? 6'h0 : (equal_353_s4_q ? 6'h0 : select_2142);
-      select_2149_s5_q <= equal_351_s4_q ? 12'h0 : (equal_353_s4_q ? 12'h0 : select_2147);
-      select_2154_s5_q <= equal_351_s4_q ? 12'h0 : (equal_353_s4_q ? 12'h0 : select_2152);
-      select_2160_s5_q <= equal_351_s4_q ? 12'h0 : (equal_353_s4_q ? 12'h0 : select_2158);
+      marks_last_s5_q <= line_ended_q;
+      and_1935_s5_q <= said_q;
+      or_1960_s5_q <= not_1959 | select_1955;
+      and_1961_s5_q <= cfg_prove_i & select_1958;
+      select_1966_s5_q <= equal_370_s4_q ? 14'h0 : select_1965;
+      select_1971_s5_q <= equal_370_s4_q ? 14'h0 : select_1970;
+      select_1976_s5_q <= equal_370_s4_q ? 14'h0 : select_1975;
+      select_1981_s5_q <= equal_370_s4_q ? 14'h0 : select_1980;
+      select_1986_s5_q <= equal_370_s4_q ? 14'h0 : select_1985;
+      select_1991_s5_q <= equal_370_s4_q ? 14'h0 : select_1990;
+      and_1998_s5_q <= and_1998_s4_q;
+      and_2005_s5_q <= not_371_s4_q & (not_516_s4_q & and_2003);
+      and_2019_s5_q <= not_371_s4_q & (not_516_s4_q & and_2017);
+      and_2101_s5_q <= not_371_s4_q & (not_516_s4_q & and_2099);
+      and_2114_s5_q <= not_371_s4_q & (not_516_s4_q & and_2112);
+      and_2124_s5_q <= not_371_s4_q & (not_516_s4_q & and_2122);
+      and_2135_s5_q <= and_2135_s4_q;
+      select_2140_s5_q <= equal_370_s4_q ? 20'h0 : select_2139;
+      select_2145_s5_q <= equal_370_s4_q ? 20'h0 : select_2144;
+      select_2150_s5_q <= equal_370_s4_q ? 20'h0 : select_2149;
+      select_2155_s5_q <= equal_370_s4_q ? 20'h0 : select_2154;
+      select_2160_s5_q <= select_2160_s4_q;
+      select_2165_s5_q <= select_2165_s4_q;
+      select_2170_s5_q <= select_2170_s4_q;
+      select_2175_s5_q <= select_2175_s4_q;
+      select_2180_s5_q <= equal_370_s4_q ? 24'h0 : select_2179;
+      select_2185_s5_q <= equal_370_s4_q ? 24'h0 : select_2184;
+      select_2190_s5_q <= equal_370_s4_q ? 24'h0 : select_2189;
+      select_2195_s5_q <= equal_370_s4_q ? 24'h0 : select_2194;
+      and_2198_s5_q <= and_2198_s4_q;
+      select_2203_s5_q <= equal_370_s4_q ? 6'h0 : (equal_372_s4_q ? 6'h0 : select_2201);
+      select_2208_s5_q <= equal_370_s4_q ? 12'h0 : (equal_372_s4_q ? 12'h0 : select_2206);
+      select_2213_s5_q <= equal_370_s4_q ? 12'h0 : (equal_372_s4_q ? 12'h0 : select_2211);
+      select_2219_s5_q <= equal_370_s4_q ? 12'h0 : (equal_372_s4_q ? 12'h0 : select_2217);
     end
   end
 
@@ -4481,39 +4604,39 @@ module horopter_agreement (
   assign mask_o = mask_s5_q;
   assign marks_first_o = marks_first_s5_q;
   assign marks_last_o = marks_last_s5_q;
-  assign marks_seen_o = or_1903_s5_q;
-  assign marks_nearer_o = and_1904_s5_q;
-  assign verdict_valid_o = and_1878_s5_q;
-  assign verdict_supervised_o = {2'h0, select_1909_s5_q};
-  assign verdict_textured_o = {2'h0, select_1914_s5_q};
-  assign verdict_explained_o = {2'h0, select_1919_s5_q};
-  assign verdict_nearer_o = {2'h0, select_1924_s5_q};
-  assign verdict_unproven_o = {2'h0, select_1929_s5_q};
-  assign verdict_regions_bad_o = {2'h0, select_1934_s5_q};
-  assign verdict_unproven_yet_o = and_1941_s5_q;
-  assign verdict_untextured_o = and_1948_s5_q;
-  assign verdict_disagree_o = and_1960_s5_q;
-  assign verdict_moved_o = and_2042_s5_q;
-  assign verdict_unsharp_left_o = and_2055_s5_q;
-  assign verdict_unsharp_right_o = and_2065_s5_q;
-  assign verdict_hidden_o = and_2076_s5_q;
-  assign verdict_across_0_o = select_2081_s5_q;
-  assign verdict_across_1_o = select_2086_s5_q;
-  assign verdict_across_2_o = select_2091_s5_q;
-  assign verdict_across_3_o = select_2096_s5_q;
-  assign verdict_measured_0_o = select_2101_s5_q;
-  assign verdict_measured_1_o = select_2106_s5_q;
-  assign verdict_measured_2_o = select_2111_s5_q;
-  assign verdict_measured_3_o = select_2116_s5_q;
-  assign verdict_detail_0_o = select_2121_s5_q;
-  assign verdict_detail_1_o = select_2126_s5_q;
-  assign verdict_contrast_0_o = select_2131_s5_q;
-  assign verdict_contrast_1_o = select_2136_s5_q;
-  assign region_valid_o = and_2139_s5_q;
-  assign region_region_o = select_2144_s5_q;
-  assign region_textured_o = select_2149_s5_q;
-  assign region_explained_o = select_2154_s5_q;
-  assign region_nearer_o = select_2160_s5_q;
+  assign marks_seen_o = or_1960_s5_q;
+  assign marks_nearer_o = and_1961_s5_q;
+  assign verdict_valid_o = and_1935_s5_q;
+  assign verdict_supervised_o = {2'h0, select_1966_s5_q};
+  assign verdict_textured_o = {2'h0, select_1971_s5_q};
+  assign verdict_explained_o = {2'h0, select_1976_s5_q};
+  assign verdict_nearer_o = {2'h0, select_1981_s5_q};
+  assign verdict_unproven_o = {2'h0, select_1986_s5_q};
+  assign verdict_regions_bad_o = {2'h0, select_1991_s5_q};
+  assign verdict_unproven_yet_o = and_1998_s5_q;
+  assign verdict_untextured_o = and_2005_s5_q;
+  assign verdict_disagree_o = and_2019_s5_q;
+  assign verdict_moved_o = and_2101_s5_q;
+  assign verdict_unsharp_left_o = and_2114_s5_q;
+  assign verdict_unsharp_right_o = and_2124_s5_q;
+  assign verdict_hidden_o = and_2135_s5_q;
+  assign verdict_across_0_o = select_2140_s5_q;
+  assign verdict_across_1_o = select_2145_s5_q;
+  assign verdict_across_2_o = select_2150_s5_q;
+  assign verdict_across_3_o = select_2155_s5_q;
+  assign verdict_measured_0_o = select_2160_s5_q;
+  assign verdict_measured_1_o = select_2165_s5_q;
+  assign verdict_measured_2_o = select_2170_s5_q;
+  assign verdict_measured_3_o = select_2175_s5_q;
+  assign verdict_detail_0_o = select_2180_s5_q;
+  assign verdict_detail_1_o = select_2185_s5_q;
+  assign verdict_contrast_0_o = select_2190_s5_q;
+  assign verdict_contrast_1_o = select_2195_s5_q;
+  assign region_valid_o = and_2198_s5_q;
+  assign region_region_o = select_2203_s5_q;
+  assign region_textured_o = select_2208_s5_q;
+  assign region_explained_o = select_2213_s5_q;
+  assign region_nearer_o = select_2219_s5_q;
   assign valid_o = valid_s5_q;
 
   always_ff @(posedge clk_i) begin
@@ -4534,6 +4657,6 @@ module horopter_agreement (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{right[1:0], left[1:0], sum_1963[2:0], sum_1461[0], sum_1457[0], sum_1449[1:0], sum_1448[1:0], sum_1444[0], detail_4[1:0], detail_3[1:0], sum_1163[4:0], sum_855[8:0], sum_437[4:0], cfg_width_i[2:0]};
+  assign unused_bits = ^{right[1:0], left[1:0], sum_2022[2:0], sum_1510[0], sum_1506[0], sum_1498[1:0], sum_1497[1:0], sum_1493[0], detail_4[1:0], detail_3[1:0], sum_1200[4:0], sum_875[8:0], sum_457[4:0], cfg_width_i[2:0]};
 
 endmodule

@@ -19,7 +19,7 @@ struct RegisterField {
 };
 
 // clang-format off
-inline constexpr std::array<RegisterField, 208> kRegisterFields = {{
+inline constexpr std::array<RegisterField, 209> kRegisterFields = {{
     {0x000, "value", {0, 32}, "0x484F524F"},
     {0x004, "minor", {0, 16}, "Counts compatible additions."},
     {0x004, "major", {16, 16}, "Counts incompatible changes."},
@@ -189,6 +189,7 @@ inline constexpr std::array<RegisterField, 208> kRegisterFields = {{
     {0x130, "nearer_above", {2, 1}, "1 = shifts above 0 are."},
     {0x130, "shift_lowest", {3, 6}, "Cells, two's complement, -30 to 30: lowest shift that means a place in front of both cameras."},
     {0x130, "shift_highest", {9, 6}, "Cells: the highest one."},
+    {0x130, "unproven_skin", {15, 8}, "AGREEMENT_LIMITS.unproven for the cells of the skin alone, in 1/256: so that a small skin is judged for itself."},
     {0x134, "explained", {0, 8}, "Fewer of the textured cells explained by some depth are a fault, `disagree`."},
     {0x134, "regions", {8, 8}, "More of the textured cells in regions of which less than a fifth is explained are, too."},
     {0x134, "unproven", {16, 8}, "More of the textured cells around which less than a third is explained are, too."},

@@ -719,7 +719,7 @@ inline constexpr Field kSettings{15, 1};
 namespace agreement {
 inline constexpr std::uint32_t kAddress = 0x130;
 inline constexpr Access kAccess = Access::kReadWrite;
-inline constexpr std::uint32_t kReset = 0x3D11;
+inline constexpr std::uint32_t kReset = 0x403D11;
 /// 1 = clear is earned. 0 = a pixel is clear where images do not agree; nothing else is checked.
 inline constexpr Field kProve{0, 1};
 /// 1 = shifts below 0 are nearer to the cameras than the skin.
@@ -730,6 +730,8 @@ inline constexpr Field kNearerAbove{2, 1};
 inline constexpr Field kShiftLowest{3, 6};
 /// Cells: the highest one.
 inline constexpr Field kShiftHighest{9, 6};
+/// AGREEMENT_LIMITS.unproven for the cells of the skin alone, in 1/256: so that a small skin is judged for itself.
+inline constexpr Field kUnprovenSkin{15, 8};
 }  // namespace agreement
 
 /// Shares in 1/256.
