@@ -7,6 +7,7 @@
 //   8004  clock in Hz                 800C  runs that can be kept
 //   C000  the runs, see horopter_runs_memory
 // btn[1] held: the pattern's right image is shifted by 16 px, and nothing is in the skin any more.
+// btn[2] pressed and let go: a restart (INTERLOCK).
 // led: 0 safe, 1 unsafe, 2 heartbeat, 3 the last frame had a pixel in the skin, 4 btn[1],
 //      5 boot is done, 6 a boot write was refused, 7 on.
 module ulx3s_top #(
@@ -18,7 +19,7 @@ module ulx3s_top #(
     input  logic       clk_25mhz,
     input  logic       ftdi_txd,  // to the FPGA
     output logic       ftdi_rxd,
-    input  logic [1:1] btn,
+    input  logic [2:1] btn,
     output logic [7:0] led,
     output logic       wifi_gpio0  // 1 keeps the board from rebooting into the ESP32's bitstream
 );
@@ -185,6 +186,7 @@ module ulx3s_top #(
       .m_axis_runs_tlast(runs_last),
       .m_axis_runs_tvalid(runs_valid),
       .m_axis_runs_tready(1'b1),
+      .restart_i(btn[2]),
       .safe_o(safe),
       .unsafe_o(unsafe),
       .heartbeat_o(heartbeat),

@@ -94,6 +94,7 @@ int run(int argc, char** argv) {
   add_plan(app, outcome);
   add_upload(app, outcome);
   add_status(app, outcome);
+  add_restart(app, outcome);
 #ifdef HOROPTER_HAS_STUDY
   add_study(app, outcome);
 #endif

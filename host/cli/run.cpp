@@ -65,6 +65,7 @@ struct Session {
     }
     check_image_size(first.name, width, height, *profile);
     settings = options.settings;
+    settings.interlock.by_itself = true;  // nobody stands beside a run
     thickness = set_thickness(options.thickness, options.skin, rig, *profile, width, height, settings);
     if (is_moving_skin(options.skin)) {
       SkinFile skin = load_skin_for(options.skin, rig, width, height);
@@ -161,7 +162,9 @@ ExitStatus run(const RunOptions& options) {
   Session session(options, rig, pair->left);
   const Device& device = session.device();
   auto summary = summary_json(device.engine(), session.profile->name);
+  summary["restart"] = "by itself";
   summary["clear_is_earned"] = session.settings.proof.needed;
+  if (!options.json) fmt::print("restart: by itself; after an alarm or a fault nobody has to say that all is well\n");
   if (!session.settings.proof.needed && !options.json) {
     fmt::print(
         "unproven: clear means only that the images do not agree; both cameras are not shown to see the place\n");

@@ -37,6 +37,13 @@ std::string rules_text(const Build& build) {
   return build.thesis ? "rule thesis" : "rule compete";
 }
 
+std::string state_text(const MachineStatus& status) {
+  if (!status.running()) return "stopped, not safe";
+  if (status.safe()) return "running, SAFE";
+  const bool waiting = registers::status::kWaiting.get(status.word(registers::status::kAddress)) != 0;
+  return waiting ? "running, not safe, waiting for a restart" : "running, not safe";
+}
+
 std::string table_text(const MachineStatus& status) {
   const auto slot = status.active_slot();
   if (!slot) return "none is active";
@@ -81,7 +88,7 @@ void print_status(const std::string& engine, const MachineStatus& status) {
   fmt::print("machine   {}: profile {}, {}x{} px at most, {}, {} KiB of tables, for a clock of {} kHz\n", engine,
              build.profile->name, build.profile->width, build.profile->height, rules_text(build),
              build.pool_bytes / 1024, status.word(registers::build_clock::kAddress));
-  fmt::print("state     {}, {}\n", status.running() ? "running" : "stopped", status.safe() ? "SAFE" : "not safe");
+  fmt::print("state     {}\n", state_text(status));
   fmt::print("table     {}\n", table_text(status));
   fmt::print("frame     {}\n", frame_text(status));
   print_faults("its faults", status.frame_faults());
@@ -91,8 +98,7 @@ void print_status(const std::string& engine, const MachineStatus& status) {
 }
 
 void print_line(const MachineStatus& status) {
-  std::string line = fmt::format("{}, {}  table: {}  frame {}", status.running() ? "running" : "stopped",
-                                 status.safe() ? "SAFE" : "not safe", table_text(status), frame_text(status));
+  std::string line = fmt::format("{}  table: {}  frame {}", state_text(status), table_text(status), frame_text(status));
   for (const std::string& name : status.frame_faults().names()) line += "  " + name;
   fmt::print("{}\n", line);
   std::fflush(stdout);

@@ -152,6 +152,24 @@ void add_upload(CLI::App& app, Outcome& outcome) {
   command->add_option("--profile", options->profile, "What the machine must be: " + profile_sizes())->type_name("P");
   add_decision(*command, options->settings.decision);
   add_settings(*command, options->settings);
+  command
+      ->add_option_function<std::string>(
+          "--restart",
+          [options](const std::string& how) {
+            auto& interlock = options->settings.interlock;
+            interlock.by_itself = how == "none";
+            interlock.by_pin = how == "pin";
+            interlock.by_register = how == "register";
+          },
+          "What must happen at start, and after an alarm or a fault, that safe_o rises again: pin, a press of restart_i; "
+          "register, `horopter restart`; none, nothing, for what nobody can be inside of")
+      ->check(CLI::IsMember({"pin", "register", "none"}))
+      ->default_str("pin");
+  command
+      ->add_option("--restart-after", options->settings.interlock.frames,
+                   "Frames without fault and alarm that must lie before a restart")
+      ->check(CLI::Range(1, 15))
+      ->capture_default_str();
   command->add_flag("--stop-first", options->stop_first,
                     "Stop the machine before the table, which may then take the place of the one in use");
   command->add_flag("--json", options->json, "Print the report as JSON on standard output, and nothing else");

@@ -7,6 +7,9 @@ package horopter_csr_pkg;
   typedef enum logic [3:0] {  // TABLE_SELECT, FRAME_STATUS and MAP_STATUS: no table.
     NO_SLOT = 4'd15
   } no_slot_t;
+  typedef enum logic [31:0] {  // RESTART: "RSTR".
+    RESTART_KEY = 32'd1381192786
+  } restart_key_t;
 
   typedef struct packed {  // from the highest bit
     logic overflow;
@@ -33,6 +36,7 @@ package horopter_csr_pkg;
   } camera_faults_t;
 
   typedef struct packed {  // from the highest bit
+    logic restart;
     logic settings;
     logic hidden;
     logic moved;
@@ -67,6 +71,8 @@ package horopter_csr_pkg;
   } faults_t;
 
   typedef struct packed {  // from the highest bit
+    logic by_itself;
+    logic waiting;
     logic late;
     logic right_silent;
     logic left_silent;
@@ -86,6 +92,13 @@ package horopter_csr_pkg;
     logic fault;
     logic frame;
   } irq_status_t;
+
+  typedef struct packed {  // from the highest bit
+    logic [ 3:0] frames;
+    logic by_register;
+    logic by_pin;
+    logic by_itself;
+  } interlock_t;
 
   typedef struct packed {  // from the highest bit
     logic [ 3:0] boundary;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // horopter_frame_control's safe_o, unbounded: it never rises but with the publication of a frame without fault or alarm and
 // with a valid table, after another such frame and no fault in between, never survives a fault by more than 3 clocks, is low
-// after reset, and always differs from unsafe_o.
+// after reset, and always differs from unsafe_o. And it never rises but with a restart since the last time that something
+// was wrong, allowed by the settings and after as many good frames as they want, or where none is needed.
 module formal_safe (
     input logic        clk_i,
     input logic        rst_ni,
@@ -35,6 +36,9 @@ module formal_safe (
     input logic [ 1:0] parity_error,
     input logic        internal,
     input logic        settings,
+    input horopter_csr_pkg::interlock_t interlock,
+    input logic        restart,
+    input logic        restart_written,
     input logic        miss,
     input logic        state_first,
     input logic        state_end,
@@ -85,6 +89,9 @@ module formal_safe (
       .parity_error_i(parity_error),
       .internal_i(internal),
       .settings_i(settings),
+      .interlock_i(interlock),
+      .restart_i(restart),
+      .restart_written_i(restart_written),
       .miss_i(miss),
       .state_first_i(state_first),
       .state_end_i(state_end),
@@ -116,6 +123,7 @@ module formal_safe (
       .fault_set_o(fault_set),
       .late_o(late),
       .heartbeat_o(heartbeat),
+      .waiting_o(),
       .safe_o(safe),
       .unsafe_o(unsafe)
   );
@@ -158,14 +166,38 @@ module formal_safe (
     else if (frame_done) good_before <= frame_safe && frame_faults == '0 && !frame_alarm;
   end
 
+  // The interlock's settings are locked while the machine runs. Of restarts: one was asked for since the last time that
+  // something was wrong, after so many good frames.
+  horopter_csr_pkg::interlock_t past_interlock;
+  logic [2:0] past_restart = 3'b000;  // restart_i comes from another clock, through two registers
+  logic asked = 1'b0, asks;
+  logic [3:0] good_frames = 4'd0;
+  assign asks = (interlock.by_register && restart_written) || (interlock.by_pin && past_restart[2] && !past_restart[1]);
+  always @(posedge clk_i) begin
+    past_interlock <= interlock;
+    past_restart <= {past_restart[1:0], restart};
+    if (!rst_ni || fault_age[2] || (frame_done && !(frame_safe && frame_faults == '0 && !frame_alarm))) begin
+      asked <= 1'b0;
+      good_frames <= 4'd0;
+    end else begin
+      if (asks && !safe) asked <= 1'b1;
+      if (frame_done && good_frames != 4'hF) good_frames <= good_frames + 4'd1;
+    end
+  end
+
   always @(*) begin
     if (!past_valid) assume (!rst_ni);
+    if (past_valid && !past_reset) assume (interlock == past_interlock);
     assume ((health_valid & ~ended) == 2'b00);
     assert (safe != unsafe);
     if (past_valid) begin
       if (past_reset) assert (!safe);
       // Rises only with a good frame.
       if (safe && !past_safe) assert (frame_done && frame_safe && frame_faults == '0 && !frame_alarm && good_before);
+      if (safe && !past_safe && !interlock.by_itself) begin
+        assert (asked);
+        assert (good_frames >= interlock.frames && good_frames != 4'd0);  // this one comes on top
+      end
       // A fault is felt after its register, its collection and the decision: 3 clocks.
       if (fault_age[2] || fault_age[3]) assert (!safe || frame_done);
       if (fault_age[2]) assert (!safe);

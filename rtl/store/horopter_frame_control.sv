@@ -9,7 +9,8 @@
 // A frame is published, publish_o for one clock, when its last state and its last run have left and its counts and its
 // verdict (stage `agreement`) are there. In the same clock all frame_* outputs change, frame_done_o = 1, heartbeat_o toggles.
 // safe_o rises only then, and only if this frame and the one before had no fault and no alarm, nothing was wrong in
-// between, and nothing speaks against the next one: what hides the alarm of a single frame does not make safe. It falls
+// between, and nothing speaks against the next one: what hides the alarm of a single frame does not make safe. And only
+// if a restart was given since something was wrong, or none is needed (horopter_interlock). It falls
 // with any fault, with the watchdog, and while safe_allowed_i is 0. unsafe_o is decided and stored on its own. frame_safe_o
 // is of the one frame. Reset: not safe.
 module horopter_frame_control (
@@ -50,6 +51,9 @@ module horopter_frame_control (
     input  logic [       1:0] parity_error_i,
     input  logic              internal_i,
     input  logic              settings_i,
+    input  horopter_csr_pkg::interlock_t interlock_i,
+    input  logic              restart_i,  // of any clock
+    input  logic              restart_written_i,
     input  logic              miss_i,  // a pixel that missed its source row
     input  logic              state_first_i,  // its first state leaves
     input  logic              state_end_i,  // its last state leaves
@@ -83,12 +87,14 @@ module horopter_frame_control (
     output horopter_csr_pkg::faults_t fault_set_o,  // every fault, one clock when it is found
     output logic              late_o,
     output logic              heartbeat_o,
+    output logic              waiting_o,  // for a restart, that would be accepted
     output logic              safe_o,
     output logic              unsafe_o
 );
   // --- faults, registered, so that their sources may be slow ---
   // Of each vector only what its source has; the rest stays '0.
   horopter_csr_pkg::faults_t arriving_q, left_health_q, right_health_q, judged_q, outgoing_q, event_in_q, transient_q;
+  logic released, held, stuck;  // the interlock
   logic open_q, open_slot_q, left_slot_q, right_slot_q, judged_slot_q, late_rises;
   logic [1:0] empty_q;  // the image check has found nothing in the camera's image
   logic [1:0] left_checked_q, right_checked_q;  // by record
@@ -125,6 +131,7 @@ module horopter_frame_control (
       outgoing_q.machine.store_miss <= miss_i;
       outgoing_q.machine.internal <= internal_i;
       outgoing_q.machine.settings <= settings_i;
+      outgoing_q.machine.restart <= stuck && begin_q[4];
       outgoing_q.machine.no_table <= begin_q[4] && !table_ok_i;
       outgoing_q.machine.too_undecidable <= (counts_valid_i && too_undecidable_i) || (verdict_valid_i && verdict_i.untextured);
       outgoing_q.machine.disagree <= verdict_valid_i && verdict_i.disagree;
@@ -337,15 +344,16 @@ module horopter_frame_control (
   logic bad_now;
   assign bad_now = found_q || fault_set_o != '0 || (late_o && !publish_q) || silent_i != 2'b00 || !safe_allowed_i;
   logic good_before_q, bad_before_q;  // the frame published before, and all since
-  logic bad_frame;
+  logic good_frame, bad_frame;
+  assign good_frame = good && !others_bad_q && event_q == '0;
   assign bad_frame = total_q != '0 || alarm_q || !table_ok_i || others_bad_q || event_q != '0;
   always_ff @(posedge clk_i) begin
     if (!rst_ni || bad_now) begin
       safe_q <= 1'b0;
       good_before_q <= 1'b0;
     end else if (publish_q) begin
-      safe_q <= good_before_q && good && !others_bad_q && event_q == '0;
-      good_before_q <= good && !others_bad_q && event_q == '0;
+      safe_q <= good_before_q && good_frame && released;
+      good_before_q <= good_frame;
     end
   end
   // The same, said the other way round and stored again.
@@ -354,10 +362,24 @@ module horopter_frame_control (
       unsafe_q <= 1'b1;
       bad_before_q <= 1'b1;
     end else if (publish_q) begin
-      unsafe_q <= bad_before_q || bad_frame;
+      unsafe_q <= bad_before_q || bad_frame || held;
       bad_before_q <= bad_frame;
     end
   end
+  horopter_interlock u_interlock (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .settings_i(interlock_i),
+      .restart_i(restart_i),
+      .restart_written_i(restart_written_i),
+      .published_i(publish_q),
+      .good_i(good_frame),
+      .bad_now_i(bad_now),
+      .released_o(released),
+      .held_o(held),
+      .waiting_o(waiting_o),
+      .stuck_o(stuck)
+  );
   assign safe_o = safe_q;
   assign unsafe_o = unsafe_q;
 endmodule

@@ -25,7 +25,7 @@ module horopter_raster #(
     input  logic [             11:0] height_i,
     input  logic [             11:0] lookahead_i,
     input  logic                     compete_i,  // constant from the clock after begin_o to the next
-    input  logic                     go_i,
+    input  logic                     go_i,  // FAST: counts from the next clock on
     // frame records
     input  logic [              1:0] busy_i,
     output logic                     slot_o,  // record of the frame being output, or of the next one
@@ -91,10 +91,15 @@ module horopter_raster #(
   assign flush_rows = compete_i ? ROW_BITS'(COMPETE_FLUSH_ROWS) : ROW_BITS'(FLUSH_ROWS);
   logic last_x, last_y, flushed;  // x_q, y_q are the last of the image, y_q is that of the flush rows
 
+  // What go_i comes from lies far away on a fast chip.
+  logic go, go_q;
+  always_ff @(posedge clk_i) go_q <= go_i;
+  assign go = FAST ? go_q : go_i;
+
   // Stage 0 of the beat.
   logic issue_prime, issue_pixel, loads;
-  assign issue_prime = state_q == PRIME && go_i;
-  assign issue_pixel = state_q == PIXELS && go_i;
+  assign issue_prime = state_q == PRIME && go;
+  assign issue_pixel = state_q == PIXELS && go;
   assign loads = cell_end_x && live_q;
   assign map_read_o = issue_prime || (issue_pixel && loads);
   // One behind, but rows only ever arrive. Before a frame begins, y_q is 0.
@@ -150,10 +155,10 @@ module horopter_raster #(
           end
         end
 
-        PRIME: if (go_i) state_q <= PIXELS;
+        PRIME: if (go) state_q <= PIXELS;
 
         PIXELS:
-        if (go_i) begin
+        if (go) begin
           x_q <= x_q + 1'b1;
           first_q <= 1'b0;
           if (last_x) begin

@@ -27,6 +27,10 @@ module horopter_status #(
     // frames coming in
     input  logic                             open_i,  // open_slot_i has just been opened
     input  logic                             open_slot_i,
+    input  horopter_csr_pkg::interlock_t     interlock_i,
+    input  logic                             restart_i,  // of any clock
+    input  logic                             restart_valid_i,  // RESTART is written
+    input  logic [31:0]                      restart_key_i,
     input  logic [1:0]                       busy_i,
     input  logic                             arrived_i,
     input  logic [1:0]                       health_end_i,  // last pixel of a camera's frame goes to its image check
@@ -116,7 +120,7 @@ module horopter_status #(
   end
   assign running_o = running_q;
 
-  logic late;
+  logic late, waiting;
   assign status_o.running = running_q;
   assign status_o.bad_geometry = bad_geometry_q;
   assign status_o.busy = busy_i != 2'b00;
@@ -125,6 +129,8 @@ module horopter_status #(
   assign status_o.left_silent = silent_i[0];
   assign status_o.right_silent = silent_i[1];
   assign status_o.late = late;
+  assign status_o.waiting = waiting;
+  assign status_o.by_itself = interlock_i.by_itself;
 
   horopter_csr_pkg::faults_t fault_set;
   assign irq_set_o.frame = frame_done_o;
@@ -179,6 +185,9 @@ module horopter_status #(
       .parity_error_i(parity_error),
       .internal_i(internal),
       .settings_i(changed_i != 2'b00),
+      .interlock_i(interlock_i),
+      .restart_i(restart_i),
+      .restart_written_i(restart_valid_i && restart_key_i == horopter_csr_pkg::RESTART_KEY),
       .miss_i(miss),
       .state_first_i(state_first_i),
       .state_end_i(state_end_i),
@@ -210,6 +219,7 @@ module horopter_status #(
       .fault_set_o(fault_set),
       .late_o(late),
       .heartbeat_o(heartbeat_o),
+      .waiting_o(waiting),
       .safe_o(safe_o),
       .unsafe_o(unsafe_o)
   );

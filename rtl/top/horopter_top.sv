@@ -10,8 +10,10 @@
 //                            2 undecidable, 3 unsupervised; tuser, tlast as above.
 // m_axis_runs                the rows as runs: {state[63:62], 14'b0, row[47:32], start[31:16], end[15:0]}, end included,
 //                            every row covered completely; tlast = last run of a frame.
+// restart_i                  a button, of any clock: see INTERLOCK and horopter_interlock.sv.
 // safe_o, unsafe_o           complements, from separate registers; safe only while the last two frames were complete, in
-//                            time, free of faults and of alarm. Anything but safe_o = 1 and unsafe_o = 0 means not safe.
+//                            time, free of faults and of alarm, and a restart was given since the last time they were
+//                            not. Anything but safe_o = 1 and unsafe_o = 0 means not safe.
 // heartbeat_o                toggles with every finished frame. frame_done_o: one clock, the FRAME registers are new.
 //
 // Parameters fit the memories of a small part: the pool of mapping tables, and the largest LOOKAHEAD, that is the left
@@ -74,6 +76,7 @@ module horopter_top #(
     output logic        m_axis_runs_tvalid,
     input  logic        m_axis_runs_tready,
     // status
+    input  logic        restart_i,
     output logic        safe_o,
     output logic        unsafe_o,
     output logic        heartbeat_o,
@@ -194,6 +197,9 @@ module horopter_top #(
   logic [15:0] map_base;
   logic map_control_valid, map_control_ready, map_start, map_data_valid, map_data_ready;
   logic [31:0] map_data, map_crc;
+  horopter_csr_pkg::interlock_t interlock;
+  logic restart_valid;
+  logic [31:0] restart_key;
   logic map_busy;
   logic [2:0] map_error;
   logic [14:0] map_valid;
@@ -262,6 +268,10 @@ module horopter_top #(
       .irq_enable_o(irq_enable),
       .irq_status_set_i(irq_set),
       .irq_status_o(irq_status),
+      .interlock_o(interlock),
+      .restart_valid_o(restart_valid),
+      .restart_ready_i(1'b1),
+      .restart_key_o(restart_key),
       .sum_limit_value_o(sum_limit),
       .self_limit_value_o(self_limit),
       .texture_limit_sum_o(texture_limit),
@@ -1118,6 +1128,10 @@ module horopter_top #(
       .faults_set_o(faults_set),
       .open_i(frame_open),
       .open_slot_i(open_slot),
+      .interlock_i(interlock),
+      .restart_i(restart_i),
+      .restart_valid_i(restart_valid),
+      .restart_key_i(restart_key),
       .busy_i(frame_busy),
       .arrived_i(arrived),
       .health_end_i(health_end),

@@ -47,6 +47,8 @@ class Board {
   [[nodiscard]] std::uint64_t clocks() const { return clocks_; }
   [[nodiscard]] bool led(int i) const { return (model_.led >> i & 1) != 0; }
   void press(bool held) { model_.btn = held ? 1 : 0; }
+  /// The restart button, beside the other one, which is held.
+  void press_restart(bool held) { model_.btn = held ? 3 : 1; }
 
   void send(std::uint8_t byte) {
     for (const std::uint8_t changed : to_board(byte)) outgoing_.push_back(changed);

@@ -116,6 +116,7 @@ struct MachineOptions {
   std::uint32_t timeout_clocks = 0;  ///< 0: as by reset
   unsigned gaps_percent = 0;         ///< of the cameras' clocks
   unsigned stalls_percent = 0;       ///< of the sinks' clocks
+  std::uint32_t interlock = reg::interlock::kByItself.put(1);
 };
 
 template <class Model>
@@ -143,6 +144,7 @@ class Machine : public Endpoint {
       simulation_.attach(*endpoint);
     }
     model().s_axis_test_tvalid = 0;
+    model().restart_i = 0;
     model().s_axil_awprot = model().s_axil_arprot = 0;
     left_.set_live(options.live);
     right_.set_live(options.live);
@@ -163,6 +165,7 @@ class Machine : public Endpoint {
   void configure() {
     write(reg::control::kAddress, 0);
     write(reg::mode::kAddress, options_.live ? reg::mode::kLive.put(1) : 0);
+    write(reg::interlock::kAddress, options_.interlock);
     write(reg::width::kAddress, options_.width);
     write(reg::height::kAddress, options_.height);
     write(reg::lookahead::kAddress, options_.lookahead);

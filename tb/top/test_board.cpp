@@ -84,6 +84,12 @@ TEST_CASE("board: boot, registers over the serial line, test pattern", "[board]"
   board.press(true);
   board.run(4 * kFrameClocks);
   CHECK_FALSE(read_status(device).frame_faults().any());
+  CHECK_FALSE(read_status(device).safe());  // until somebody restarts it
+  CHECK_FALSE(board.led(0));
+  board.press_restart(true);
+  board.run(2 * kFrameClocks);
+  board.press_restart(false);
+  board.run(2 * kFrameClocks);
   CHECK(read_status(device).safe());
   CHECK(board.led(0));
   CHECK_FALSE(board.led(1));

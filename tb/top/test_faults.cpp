@@ -578,7 +578,8 @@ AxilMaster<std::uint16_t>::Answer access(Vga& machine, const AxilMaster<std::uin
 TEST_CASE("the registers refuse what they must", "[faults]") {
   Watch watch;
   // Locked while running, and addresses that do not exist: an error answer, nothing changes.
-  for (const std::uint32_t address : {reg::width::kAddress, std::uint32_t{0x7FC}, reg::id::kAddress}) {
+  for (const std::uint32_t address :
+       {reg::width::kAddress, reg::interlock::kAddress, std::uint32_t{0x7FC}, reg::id::kAddress}) {
     CAPTURE(address);
     CHECK(access(watch.machine, {true, address, 64}).response == 2);
   }

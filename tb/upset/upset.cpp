@@ -98,6 +98,7 @@ Scenario make_scenario(const ScenarioKind& kind, const Options& options, std::op
   if (alarm_limit) settings.alarm_limit = static_cast<int>(*alarm_limit);
   auto& setup = scenario.setup;
   setup = {{reg::mode::kAddress, reg::mode::kLive.put(scenario.live ? 1 : 0)},
+           {reg::interlock::kAddress, reg::interlock::kByItself.put(1)},
            {reg::width::kAddress, scenario.width},
            {reg::height::kAddress, scenario.height},
            {reg::lookahead::kAddress, 16},

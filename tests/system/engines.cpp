@@ -135,11 +135,22 @@ class Pair {
     CHECK(rtl().safe_pin() != rtl().unsafe_pin());
     const bool good = reg::frame_status::kSafe.get(read(reg::frame_status::kAddress)) != 0;
     if (!good) CHECK_FALSE(rtl().safe_pin());
+    check_safe();
+    return {read(reg::frame_faults_cameras::kAddress), read(reg::frame_faults_machine::kAddress)};
+  }
+
+  /// What the pins say, and whether a restart is waited for.
+  bool check_safe() {
+    const bool safe = rtl().safe_pin();
+    std::uint32_t waiting[2];
     for (std::size_t i = 0; i < 2; ++i) {
       const std::uint32_t status = devices_[i]->read(reg::status::kAddress);
-      CHECK(reg::status::kSafe.get(status) == (rtl().safe_pin() ? 1U : 0U));
+      CHECK(reg::status::kSafe.get(status) == (safe ? 1U : 0U));
+      CHECK(reg::status::kUnsafe.get(status) == (safe ? 0U : 1U));
+      waiting[i] = reg::status::kWaiting.get(status);
     }
-    return {read(reg::frame_faults_cameras::kAddress), read(reg::frame_faults_machine::kAddress)};
+    CHECK(waiting[0] == waiting[1]);
+    return safe;
   }
 
   /// Clear need not be earned: pictures of noise are no world.
@@ -151,6 +162,7 @@ class Pair {
     start(kWidth, kHeight);
   }
   void start(int width, int height) {
+    if (!interlocked) write(reg::interlock::kAddress, reg::interlock::kByItself.put(1));
     write(reg::width::kAddress, static_cast<std::uint32_t>(width));
     write(reg::height::kAddress, static_cast<std::uint32_t>(height));
     write(reg::lookahead::kAddress, 8);
@@ -161,6 +173,8 @@ class Pair {
     write(reg::white_limit::kAddress, pixels * 95 / 100);
     write(reg::control::kAddress, 1);
   }
+
+  bool interlocked = false;  ///< as it has been written
 
  private:
   std::unique_ptr<Device> devices_[2];
@@ -298,6 +312,44 @@ TEST_CASE("Frames, tables and faults are alike, with gaps and back-pressure on t
   pair.write(reg::table_select::kAddress, 6);
   pair.write(reg::unsupervised_limit::kAddress, 100);
   CHECK(pair.frame(textured(100), textured(101)) == (Faults(Fault::too_undecidable) | Fault::too_unsupervised));
+}
+
+TEST_CASE("Both machines wait for a restart, and take it alike") {
+  const MachineProfile& profile = find_profile("vga");
+  Pair pair(profile);
+  const std::uint32_t frames = GENERATE(0U, 1U, 3U);
+  const bool allowed = GENERATE(true, false);
+  CAPTURE(frames, allowed);
+  pair.interlocked = true;
+  pair.write(reg::interlock::kAddress, reg::interlock::kByRegister.put(allowed) | reg::interlock::kFrames.put(frames));
+  pair.read(reg::interlock::kAddress);
+  pair.start();
+  pair.write(reg::alarm_limit::kAddress, kWidth * kHeight);
+  pair.write(reg::map_undecidable_limit::kAddress, 0xFFFFFF);
+  const auto on = table(profile, {1, 0, -5, 0, 1, 3, 0, 0, 1});
+  CHECK(pair.upload(0, 0, on) == 0);
+  pair.write(reg::table_select::kAddress, 0);
+  std::mt19937 random(7);
+  unsigned safe = 0;
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    const Image image = textured(seed);
+    if (random() % 10 == 0) {
+      pair.frame(Image(kWidth, kHeight, 90), image);
+    } else {
+      pair.frame(image, right_of(image, seed));
+    }
+    if (random() % 10 == 0) {
+      auto wrong_crc = on;
+      wrong_crc.back() ^= 0x100;
+      CHECK(pair.upload(2, 1000, wrong_crc) == 4);
+      CHECK_FALSE(pair.check_safe());
+    }
+    if (random() % 3 == 0) pair.write(reg::restart::kAddress, reg::kRestartKey ^ (random() % 4 == 0 ? 1U : 0U));
+    pair.rtl().run(20);
+    safe += pair.check_safe();
+  }
+  CHECK((safe > 0) == allowed);
+  CHECK(safe < 40);
 }
 
 TEST_CASE("What both cameras show of one world is alike: cells, regions, verdicts, and what is hidden or unproven") {

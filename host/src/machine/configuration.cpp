@@ -83,6 +83,16 @@ void add_proof(std::vector<RegisterWord>& words, const Proof& proof, std::uint32
                                            reg::epipolar_change::kBoth.put(rounded(proof.epipolar[3], 24))});
 }
 
+RegisterWord interlock_word(const Interlock& interlock) {
+  if (interlock.frames < 1 || interlock.frames > 15) {
+    throw UsageError(fmt::format("a restart after {} good frames is not possible; expected 1 to 15", interlock.frames));
+  }
+  return {reg::interlock::kAddress, reg::interlock::kByItself.put(interlock.by_itself) |
+                                        reg::interlock::kByPin.put(interlock.by_pin) |
+                                        reg::interlock::kByRegister.put(interlock.by_register) |
+                                        reg::interlock::kFrames.put(static_cast<std::uint32_t>(interlock.frames))};
+}
+
 }  // namespace
 
 std::vector<RegisterWord> configuration(Device& device, const MachineProfile& profile, const Settings& settings,
@@ -90,6 +100,7 @@ std::vector<RegisterWord> configuration(Device& device, const MachineProfile& pr
   std::vector<RegisterWord> words{{reg::width::kAddress, static_cast<std::uint32_t>(geometry.width)},
                                   {reg::height::kAddress, static_cast<std::uint32_t>(geometry.height)},
                                   {reg::lookahead::kAddress, static_cast<std::uint32_t>(geometry.lookahead)}};
+  words.push_back(interlock_word(settings.interlock));
   add_limits(words, profile, settings, geometry);
   add_proof(words, settings.proof, device.read(reg::agreement_limits::kAddress));
   const bool compete = settings.decision == Decision::compete;

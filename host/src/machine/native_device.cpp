@@ -81,6 +81,7 @@ NativeDevice::NativeDevice(const MachineProfile& profile)
   stored(reg::height::kAddress) = static_cast<std::uint32_t>(profile.height);
   stored(reg::lookahead::kAddress) = static_cast<std::uint32_t>(defaults.lookahead);
   stored(reg::table_select::kAddress) = kNoTable;
+  stored(reg::interlock::kAddress) = reg::interlock::kReset;
   stored(reg::map_undecidable_limit::kAddress) = reg::map_undecidable_limit::kReset;
   stored(reg::decision::kAddress) = reg::decision::kCompete.put(profile.has_thesis() ? 0 : 1);
   stored(reg::compete::kAddress) = profile.has_compete() ? reg::compete::kReset : 0;
@@ -143,7 +144,8 @@ std::uint32_t NativeDevice::read(std::uint32_t address) {
       const bool enabled = reg::control::kEnable.get(stored(reg::control::kAddress)) != 0;
       return reg::status::kRunning.put(running()) | reg::status::kBadGeometry.put(enabled && !geometry_is_possible()) |
              reg::status::kBusy.put(!pending_.empty()) | reg::status::kSafe.put(safe_) |
-             reg::status::kUnsafe.put(!safe_);
+             reg::status::kUnsafe.put(!safe_) | reg::status::kWaiting.put(!released() && restart_is_allowed()) |
+             reg::status::kByItself.put(by_itself());
     }
     case reg::irq_status::kAddress:
       return irq_status_;
@@ -216,6 +218,13 @@ void NativeDevice::write(std::uint32_t address, std::uint32_t value) {
     case reg::irq_status::kAddress:
       irq_status_ &= ~value;
       return;
+    case reg::restart::kAddress:
+      restart(value);
+      return;
+    case reg::interlock::kAddress:
+      stored(address) = value & (reg::interlock::kByItself.mask() | reg::interlock::kByPin.mask() |
+                                 reg::interlock::kByRegister.mask() | reg::interlock::kFrames.mask());
+      return;
     case reg::map_control::kAddress:
       if (reg::map_control::kStart.get(value) != 0) begin_upload();
       return;
@@ -256,11 +265,30 @@ void NativeDevice::write(std::uint32_t address, std::uint32_t value) {
   }
 }
 
+bool NativeDevice::by_itself() const {
+  return reg::interlock::kByItself.get(registers_[reg::interlock::kAddress / 4]) != 0;
+}
+
+bool NativeDevice::restart_is_allowed() const {
+  const std::uint32_t wanted = reg::interlock::kFrames.get(registers_[reg::interlock::kAddress / 4]);
+  return good_frames_ != 0 && good_frames_ >= wanted;
+}
+
+void NativeDevice::hold() {
+  safe_ = good_before_ = restarted_ = false;
+  good_frames_ = 0;
+}
+
+void NativeDevice::restart(std::uint32_t key) {
+  const bool by_register = reg::interlock::kByRegister.get(stored(reg::interlock::kAddress)) != 0;
+  if (key == reg::kRestartKey && by_register && restart_is_allowed()) restarted_ = true;
+}
+
 void NativeDevice::reset_stream() {
   engine_ = native::make_engine(profile_.name);
   pending_.clear();
   frame_ = {};
-  safe_ = good_before_ = false;
+  hold();
   active_slot_ = kNoTable;
   frame_faults_pending_ = {};
 }
@@ -286,6 +314,7 @@ void NativeDevice::end_upload(UploadError error) {
   const Fault fault = error == UploadError::in_use ? Fault::map_busy : Fault::map_crc;
   faults_ |= fault;
   frame_faults_pending_ |= fault;
+  hold();
 }
 
 void NativeDevice::upload_word(std::uint32_t word) {
@@ -404,8 +433,13 @@ FrameStreams NativeDevice::receive() {
   add(result.agreement.unsharp_right, Fault::right_unsharp);
 
   const bool good = !faults.any() && !result.alarm;
-  safe_ = good && good_before_;
-  good_before_ = good;
+  if (good) {
+    safe_ = good_before_ && released();
+    good_before_ = true;
+    good_frames_ = std::min(good_frames_ + 1, 15U);
+  } else {
+    hold();
+  }
   faults_ |= faults;
   irq_status_ |= reg::irq_status::kFrame.mask() | (faults.any() ? reg::irq_status::kFault.mask() : 0);
   frame_ = {frame_.sequence + 1,

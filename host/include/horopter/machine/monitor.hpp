@@ -21,6 +21,14 @@ namespace horopter {
 
 using hls::CompeteSettings;
 
+/// What lets safe_o rise at start, and after an alarm or a fault (register INTERLOCK).
+struct Interlock {
+  bool by_itself = false;    ///< nobody has to restart
+  bool by_pin = true;        ///< a press of restart_i
+  bool by_register = false;  ///< restart()
+  int frames = 2;            ///< without fault and alarm that must lie before a restart, 1 to 15
+};
+
 struct Settings {
   Decision decision = Decision::thesis;  ///< the profile and the machine must have it
   CompeteSettings competition;
@@ -39,6 +47,7 @@ struct Settings {
   double dark_percent = hls::percent::dark_limit;        ///< of the incoming pixels; more dark ones are a black image
   double bright_percent = hls::percent::bright_limit;    ///< the same for white
   Proof proof;
+  Interlock interlock;
   /// Of 256 cells of the incoming image; a camera that sees a step to the next cell at fewer is blind.
   int blind_share = hls::StageSettings{}.blind_share;
   int blind_step = hls::StageSettings{}.blind_step;  ///< such a step, in grey levels

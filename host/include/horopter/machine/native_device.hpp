@@ -53,6 +53,11 @@ class NativeDevice : public Device {
   void end_upload(UploadError error);
   native::Settings settings() const;
   void reset_stream();
+  bool by_itself() const;
+  bool released() const { return restarted_ || by_itself(); }
+  bool restart_is_allowed() const;
+  void restart(std::uint32_t key);
+  void hold();
   void start_frame();
 
   const MachineProfile& profile_;
@@ -87,6 +92,9 @@ class NativeDevice : public Device {
   Frame frame_;
   bool safe_ = false;         // as the pins would say: the last two frames were good
   bool good_before_ = false;  // the last one was
+  // The interlock, as rtl/store/horopter_interlock.sv; without a pin.
+  bool restarted_ = false;
+  unsigned good_frames_ = 0;
   struct Pending {
     Image left;
     Image right;

@@ -19,7 +19,7 @@ struct RegisterField {
 };
 
 // clang-format off
-inline constexpr std::array<RegisterField, 209> kRegisterFields = {{
+inline constexpr std::array<RegisterField, 218> kRegisterFields = {{
     {0x000, "value", {0, 32}, "0x484F524F"},
     {0x004, "minor", {0, 16}, "Counts compatible additions."},
     {0x004, "major", {16, 16}, "Counts incompatible changes."},
@@ -51,6 +51,8 @@ inline constexpr std::array<RegisterField, 209> kRegisterFields = {{
     {0x048, "left_silent", {5, 1}, "No pixel from the left camera for TIMEOUT clocks."},
     {0x048, "right_silent", {6, 1}, "No pixel from the right camera for TIMEOUT clocks."},
     {0x048, "late", {7, 1}, "No frame finished for TIMEOUT clocks."},
+    {0x048, "waiting", {8, 1}, "The last frames were good: a restart would let safe_o rise (INTERLOCK)."},
+    {0x048, "by_itself", {9, 1}, "As INTERLOCK.by_itself: nobody has to restart."},
     {0x04C, "px", {0, 12}, "px; at least 32 times the sub-sampling, a multiple of it, at most BUILD_SIZE."},
     {0x050, "rows", {0, 12}, "Rows, at least 16, at most BUILD_SIZE."},
     {0x054, "rows", {0, 12}, "Output row y starts when right row y + LOOKAHEAD is there; at most half the ring."},
@@ -60,6 +62,11 @@ inline constexpr std::array<RegisterField, 209> kRegisterFields = {{
     {0x060, "fault", {1, 1}, "IRQ_STATUS.fault."},
     {0x064, "frame", {0, 1}, "A frame was finished; the FRAME registers are new."},
     {0x064, "fault", {1, 1}, "A bit of FAULTS_CAMERAS or FAULTS_MACHINE was set."},
+    {0x068, "by_itself", {0, 1}, "1 = safe_o rises by itself, and nobody has to restart. For machines that nobody can be inside of."},
+    {0x068, "by_pin", {1, 1}, "1 = restart_i, pressed while at least one frame is finished and let go, is a restart."},
+    {0x068, "by_register", {2, 1}, "1 = the key written to RESTART is a restart."},
+    {0x068, "frames", {3, 4}, "So many finished frames without fault and alarm must lie before a restart; at least 1."},
+    {0x06C, "key", {0, 32}, "RESTART_KEY; another value does nothing."},
     {0x080, "value", {0, 16}, "Sum, 0 to 15 k²; by default 25 % of 15 k²."},
     {0x084, "value", {0, 16}, "Sum, 0 to 15 k²."},
     {0x088, "sum", {0, 16}, "9 times the threshold in units of the unscaled Sobel magnitude; 9 · 32 = 4 grey levels per px."},
@@ -130,6 +137,7 @@ inline constexpr std::array<RegisterField, 209> kRegisterFields = {{
     {0x0E4, "moved", {13, 1}, "The right image is displaced across the rows against the rig (REGISTRATION): a camera was knocked, turned or its lens changed."},
     {0x0E4, "hidden", {14, 1}, "For HIDDEN frames, too much of the skin has stood behind something nearer to the cameras."},
     {0x0E4, "settings", {15, 1}, "A bit of a register, or of what a frame has sampled of it, fell over; until that register is written again."},
+    {0x0E4, "restart", {16, 1}, "restart_i has been held for 255 frames: a button that is stuck, or a broken wire."},
     {0x100, "value", {0, 32}, "0 = none yet."},
     {0x104, "alarm", {0, 1}, "More skin pixels than ALARM_LIMIT."},
     {0x104, "safe", {1, 1}, "Complete, free of faults and of alarm."},
@@ -184,6 +192,7 @@ inline constexpr std::array<RegisterField, 209> kRegisterFields = {{
     {0x12C, "moved", {13, 1}, "The right image is displaced across the rows against the rig (REGISTRATION): a camera was knocked, turned or its lens changed."},
     {0x12C, "hidden", {14, 1}, "For HIDDEN frames, too much of the skin has stood behind something nearer to the cameras."},
     {0x12C, "settings", {15, 1}, "A bit of a register, or of what a frame has sampled of it, fell over; until that register is written again."},
+    {0x12C, "restart", {16, 1}, "restart_i has been held for 255 frames: a button that is stuck, or a broken wire."},
     {0x130, "prove", {0, 1}, "1 = clear is earned. 0 = a pixel is clear where images do not agree; nothing else is checked."},
     {0x130, "nearer_below", {1, 1}, "1 = shifts below 0 are nearer to the cameras than the skin."},
     {0x130, "nearer_above", {2, 1}, "1 = shifts above 0 are."},

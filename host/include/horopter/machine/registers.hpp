@@ -29,6 +29,9 @@ enum class Access { kReadWrite, kReadOnly, kWriteOneToClear, kWriteStream };
 /// TABLE_SELECT, FRAME_STATUS and MAP_STATUS: no table.
 inline constexpr std::uint32_t kNoSlot = 15;
 
+/// RESTART: "RSTR".
+inline constexpr std::uint32_t kRestartKey = 1381192786;
+
 /// Always 0x484F524F, "HORO".
 namespace id {
 inline constexpr std::uint32_t kAddress = 0x000;
@@ -155,6 +158,10 @@ inline constexpr Field kLeftSilent{5, 1};
 inline constexpr Field kRightSilent{6, 1};
 /// No frame finished for TIMEOUT clocks.
 inline constexpr Field kLate{7, 1};
+/// The last frames were good: a restart would let safe_o rise (INTERLOCK).
+inline constexpr Field kWaiting{8, 1};
+/// As INTERLOCK.by_itself: nobody has to restart.
+inline constexpr Field kByItself{9, 1};
 }  // namespace status
 
 /// Width of the incoming images. Locked while CONTROL.enable is 1.
@@ -219,6 +226,30 @@ inline constexpr Field kFrame{0, 1};
 /// A bit of FAULTS_CAMERAS or FAULTS_MACHINE was set.
 inline constexpr Field kFault{1, 1};
 }  // namespace irq_status
+
+/// What lets safe_o rise at start, and after an alarm or a fault (rtl/store/horopter_interlock.sv). Locked while
+/// CONTROL.enable is 1.
+namespace interlock {
+inline constexpr std::uint32_t kAddress = 0x068;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0x12;
+/// 1 = safe_o rises by itself, and nobody has to restart. For machines that nobody can be inside of.
+inline constexpr Field kByItself{0, 1};
+/// 1 = restart_i, pressed while at least one frame is finished and let go, is a restart.
+inline constexpr Field kByPin{1, 1};
+/// 1 = the key written to RESTART is a restart.
+inline constexpr Field kByRegister{2, 1};
+/// So many finished frames without fault and alarm must lie before a restart; at least 1.
+inline constexpr Field kFrames{3, 4};
+}  // namespace interlock
+
+/// Restart, where INTERLOCK.by_register allows it. One that comes too early is forgotten.
+namespace restart {
+inline constexpr std::uint32_t kAddress = 0x06C;
+inline constexpr Access kAccess = Access::kWriteStream;
+/// RESTART_KEY; another value does nothing.
+inline constexpr Field kKey{0, 32};
+}  // namespace restart
 
 /// A pixel is in the skin when its DSAD sum is at most this.
 namespace sum_limit {
@@ -520,6 +551,8 @@ inline constexpr Field kMoved{13, 1};
 inline constexpr Field kHidden{14, 1};
 /// A bit of a register, or of what a frame has sampled of it, fell over; until that register is written again.
 inline constexpr Field kSettings{15, 1};
+/// restart_i has been held for 255 frames: a button that is stuck, or a broken wire.
+inline constexpr Field kRestart{16, 1};
 }  // namespace faults_machine
 
 /// Counts finished frames since enable. Read before and after the other FRAME registers: the same value means they
@@ -713,13 +746,15 @@ inline constexpr Field kMoved{13, 1};
 inline constexpr Field kHidden{14, 1};
 /// A bit of a register, or of what a frame has sampled of it, fell over; until that register is written again.
 inline constexpr Field kSettings{15, 1};
+/// restart_i has been held for 255 frames: a button that is stuck, or a broken wire.
+inline constexpr Field kRestart{16, 1};
 }  // namespace frame_faults_machine
 
 /// Whether both cameras see the same world, compared coarsely over all depths. Locked while CONTROL.enable is 1.
 namespace agreement {
 inline constexpr std::uint32_t kAddress = 0x130;
 inline constexpr Access kAccess = Access::kReadWrite;
-inline constexpr std::uint32_t kReset = 0x403D11;
+inline constexpr std::uint32_t kReset = 0x4D3D11;
 /// 1 = clear is earned. 0 = a pixel is clear where images do not agree; nothing else is checked.
 inline constexpr Field kProve{0, 1};
 /// 1 = shifts below 0 are nearer to the cameras than the skin.
@@ -1012,6 +1047,7 @@ enum class Fault : std::uint8_t {
   moved = 45,
   hidden = 46,
   settings = 47,
+  restart = 48,
 };
 
 struct NamedFault {
@@ -1019,7 +1055,7 @@ struct NamedFault {
   std::string_view name;
 };
 
-inline constexpr std::array<NamedFault, 42> kFaults = {{
+inline constexpr std::array<NamedFault, 43> kFaults = {{
     {Fault::left_short_line, "left_short_line"},
     {Fault::left_long_line, "left_long_line"},
     {Fault::left_missing_line, "left_missing_line"},
@@ -1062,6 +1098,7 @@ inline constexpr std::array<NamedFault, 42> kFaults = {{
     {Fault::moved, "moved"},
     {Fault::hidden, "hidden"},
     {Fault::settings, "settings"},
+    {Fault::restart, "restart"},
 }};
 
 /// One line of the register map.
@@ -1072,7 +1109,7 @@ struct Register {
   bool locked;  ///< writes are refused while CONTROL.enable is 1
 };
 
-inline constexpr std::array<Register, 77> kRegisters = {{
+inline constexpr std::array<Register, 79> kRegisters = {{
     {"id", 0x000, Access::kReadOnly, false},
     {"version", 0x004, Access::kReadOnly, false},
     {"build_size", 0x008, Access::kReadOnly, false},
@@ -1090,6 +1127,8 @@ inline constexpr std::array<Register, 77> kRegisters = {{
     {"table_select", 0x05C, Access::kReadWrite, false},
     {"irq_enable", 0x060, Access::kReadWrite, false},
     {"irq_status", 0x064, Access::kWriteOneToClear, false},
+    {"interlock", 0x068, Access::kReadWrite, true},
+    {"restart", 0x06C, Access::kWriteStream, false},
     {"sum_limit", 0x080, Access::kReadWrite, false},
     {"self_limit", 0x084, Access::kReadWrite, false},
     {"texture_limit", 0x088, Access::kReadWrite, false},

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// The restart interlock of the machine: after an alarm or a fault good frames alone do not make safe, and only a restart
+// that is whole, allowed and late enough does. What always holds is proved: rtl/formal/formal_safe.sv.
+#include <Vhoropter_machine_vga.h>
+
+#include "machine_bench.hpp"
+
+namespace horopter::tb {
+namespace {
+
+constexpr unsigned kWidth = 64;
+constexpr unsigned kHeight = 24;
+constexpr unsigned kFrames = 3;  // that must be good before a restart
+constexpr int kShift = -5;
+
+const std::uint32_t kByPin = reg::interlock::kByPin.put(1) | reg::interlock::kFrames.put(kFrames);
+const std::uint32_t kByRegister = reg::interlock::kByRegister.put(1) | reg::interlock::kFrames.put(kFrames);
+
+/// A machine that has a table and has seen nothing yet.
+struct Guarded {
+  explicit Guarded(std::uint32_t interlock) : machine{"vga", {kWidth, kHeight, 8, false, 40'000, 0, 0, interlock}} {
+    machine.upload(0, 0, plane_table(kWidth, kHeight, kShift));
+    machine.select(0);
+    good_from_now();
+  }
+
+  void good_from_now() { set_alarm_limit(static_cast<int>(kWidth * kHeight)); }
+  void set_alarm_limit(int pixels) {
+    machine.settings().alarm_limit = pixels;
+    machine.write_limits();
+  }
+  /// Frames of the scene; whether the pins say safe after the last.
+  bool frames(unsigned count) {
+    bool safe = false;
+    for (unsigned i = 0; i < count; ++i) {
+      machine.send(random_pair(kWidth, kHeight, kShift, rng));
+      last = machine.receive();
+      safe = last.safe_pin;
+    }
+    return safe;
+  }
+  /// A press that begins and ends while no frame is finished, or while `count` are.
+  bool press(unsigned count) {
+    machine.model().restart_i = 1;
+    machine.settle(10);
+    const bool safe = frames(count);
+    machine.model().restart_i = 0;
+    machine.settle(10);
+    return safe;
+  }
+  bool waiting() { return reg::status::kWaiting.get(machine.read(reg::status::kAddress)) != 0; }
+
+  Rng rng{"interlock"};
+  Machine<Vhoropter_machine_vga> machine;
+  Published last;
+};
+
+TEST_CASE("good frames alone do not make safe, neither at start nor after an alarm", "[interlock]") {
+  Guarded guarded(kByPin);
+  CHECK_FALSE(guarded.frames(kFrames - 1));
+  CHECK_FALSE(guarded.waiting());
+  CHECK_FALSE(guarded.frames(4));
+  CHECK(guarded.last.safe());  // the frame itself
+  CHECK(guarded.waiting());
+  CHECK_FALSE(guarded.press(1));
+  CHECK(guarded.frames(1));
+  CHECK_FALSE(guarded.waiting());
+  CHECK(guarded.frames(3));
+
+  guarded.set_alarm_limit(0);
+  CHECK_FALSE(guarded.frames(1));
+  CHECK(guarded.last.alarm());
+  guarded.good_from_now();
+  CHECK_FALSE(guarded.frames(kFrames + 4));
+  CHECK(guarded.last.safe());
+  CHECK_FALSE(guarded.press(1));
+  CHECK(guarded.frames(1));
+  CHECK_FALSE(guarded.machine.pins_ever_equal());
+}
+
+TEST_CASE("a restart that comes too early is forgotten", "[interlock]") {
+  Guarded guarded(kByPin);
+  SECTION("before as many good frames") {
+    guarded.frames(1);
+    guarded.press(1);
+  }
+  SECTION("during an alarm") {
+    guarded.frames(kFrames);
+    guarded.set_alarm_limit(0);
+    guarded.press(2);
+    guarded.good_from_now();
+  }
+  SECTION("before an alarm, let go after it") {
+    guarded.frames(kFrames);
+    guarded.machine.model().restart_i = 1;
+    guarded.frames(1);
+    guarded.set_alarm_limit(0);
+    guarded.frames(1);
+    guarded.good_from_now();
+    guarded.frames(1);
+    guarded.machine.model().restart_i = 0;
+  }
+  CHECK_FALSE(guarded.frames(kFrames + 2));
+  CHECK(guarded.waiting());
+  guarded.press(1);
+  CHECK(guarded.frames(1));
+}
+
+TEST_CASE("a button that is held, touched or bounces", "[interlock]") {
+  Guarded guarded(kByPin);
+  guarded.frames(kFrames);
+  // Touched: no frame is finished meanwhile.
+  guarded.press(0);
+  CHECK_FALSE(guarded.frames(2));
+  // Held: nothing until it is let go.
+  CHECK_FALSE(guarded.press(4));
+  CHECK(guarded.frames(1));
+  // Bounces after an alarm, and again when it is let go: what was safe stays, and nothing else becomes it.
+  guarded.set_alarm_limit(0);
+  guarded.frames(1);
+  guarded.good_from_now();
+  for (int i = 0; i < 20; ++i) guarded.press(0);
+  CHECK_FALSE(guarded.frames(kFrames + 1));
+  guarded.press(1);
+  for (int i = 0; i < 20; ++i) guarded.press(0);
+  CHECK(guarded.frames(2));
+}
+
+TEST_CASE("a button that is stuck is a fault until it is let go", "[interlock]") {
+  Guarded guarded(kByPin);
+  guarded.machine.model().restart_i = 1;
+  guarded.frames(254);
+  CHECK(guarded.last.fault_names().empty());
+  guarded.frames(2);
+  CHECK(guarded.last.fault_names() == std::set<std::string>{"restart"});
+  CHECK_FALSE(guarded.last.safe());
+  guarded.machine.model().restart_i = 0;
+  CHECK_FALSE(guarded.frames(kFrames + 1));
+  CHECK(guarded.last.fault_names().empty());
+}
+
+TEST_CASE("the key restarts where it is allowed, and nothing else does", "[interlock]") {
+  const bool allowed = GENERATE(false, true);
+  Guarded guarded(allowed ? kByRegister : kByPin);
+  guarded.frames(kFrames);
+  for (const std::uint32_t key : {0U, 1U, ~0U, reg::kRestartKey ^ 1U})
+    guarded.machine.write(reg::restart::kAddress, key);
+  CHECK_FALSE(guarded.frames(1));
+  if (allowed) guarded.press(1);  // the pin is not asked
+  CHECK_FALSE(guarded.frames(1));
+  guarded.machine.write(reg::restart::kAddress, reg::kRestartKey);
+  CHECK(guarded.frames(1) == allowed);
+}
+
+}  // namespace
+}  // namespace horopter::tb
