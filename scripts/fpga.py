@@ -14,6 +14,26 @@ REQUIREMENTS = ROOT / "constraints/requirements.txt"
 ECP5_FIRST = "proc; opt_expr; techmap -map constraints/compare.v"
 SYNTHESIS = {"ecp5": f"{ECP5_FIRST}; synth_ecp5", "ice40": "synth_ice40 -abc9 -device hx"}
 
+CELLS = {  # what a cell counts as; LUT4, FF, BRAM, MULT
+    "LUT4": (1, 0, 0, 0), "CCU2C": (2, 0, 0, 0), "TRELLIS_DPR16X4": (6, 0, 0, 0), "TRELLIS_FF": (0, 1, 0, 0),
+    "DP16KD": (0, 0, 1, 0), "PDPW16KD": (0, 0, 1, 0), "MULT18X18D": (0, 0, 0, 1),
+    "PFUMX": (0, 0, 0, 0), "L6MUX21": (0, 0, 0, 0),  # part of the slice of the look-up tables they join
+    "SB_LUT4": (1, 0, 0, 0), "SB_RAM40_4K": (0, 0, 1, 0), "SB_MAC16": (0, 0, 0, 1),
+}
+KINDS = ("LUT4", "FF", "BRAM", "MULT")
+
+
+def cell_counts(kind, cell):
+    if cell in CELLS:
+        return CELLS[cell]
+    if cell.startswith("SB_DFF"):
+        return (0, 1, 0, 0)
+    if cell == "SB_CARRY":  # shares a logic cell with the look-up table of its sum
+        return (0, 0, 0, 0)
+    if cell in ("$scopeinfo", "TRELLIS_IO", "SB_IO", "SB_GB"):
+        return None
+    sys.exit(f"fpga: unknown cell '{cell}' ({kind})")
+
 
 def targets():
     return yaml.safe_load((ROOT / "constraints/targets.yaml").read_text(encoding="utf-8"))

@@ -3,25 +3,26 @@
 // image is a fault. The right image is the left one shifted by shift_i px, sampled at the start of a frame, and brighter
 // by one grey level, for identical images are a fault, too: with the identity as mapping table, everything is in the skin
 // at 0 and nothing at more than a few px. One pixel a clock where both streams are taken, then BLANK idle clocks a row.
+// Its size is width_i x height_i, sampled all the time.
 module horopter_pattern #(
-    parameter int unsigned WIDTH = 640,
-    parameter int unsigned HEIGHT = 480,
     parameter int unsigned BLANK = 64
 ) (
-    input  logic       clk_i,
-    input  logic       rst_ni,
-    input  logic [4:0] shift_i,
-    output logic [7:0] m_axis_left_tdata,
-    output logic [7:0] m_axis_right_tdata,
-    output logic       m_axis_tuser,
-    output logic       m_axis_tlast,
-    output logic       m_axis_left_tvalid,
-    output logic       m_axis_right_tvalid,
-    input  logic       m_axis_left_tready,
-    input  logic       m_axis_right_tready
+    input  logic        clk_i,
+    input  logic        rst_ni,
+    input  logic [11:0] width_i,
+    input  logic [11:0] height_i,
+    input  logic [ 4:0] shift_i,
+    output logic [ 7:0] m_axis_left_tdata,
+    output logic [ 7:0] m_axis_right_tdata,
+    output logic        m_axis_tuser,
+    output logic        m_axis_tlast,
+    output logic        m_axis_left_tvalid,
+    output logic        m_axis_right_tvalid,
+    input  logic        m_axis_left_tready,
+    input  logic        m_axis_right_tready
 );
-  if (WIDTH < 2 || HEIGHT < 2 || WIDTH > 4000 || HEIGHT > 4000 || BLANK == 0 || BLANK > 4095) begin : g_illegal
-    $fatal(1, "horopter_pattern: WIDTH and HEIGHT must be 2 to 4000, BLANK 1 to 4095");
+  if (BLANK == 0 || BLANK > 4095) begin : g_illegal
+    $fatal(1, "horopter_pattern: BLANK must be 1 to 4095");
   end
 
   // Grey of a block: its place, multiplied by odd numbers and mixed by exclusive or. 32 to 223, so never saturated.
@@ -37,12 +38,13 @@ module horopter_pattern #(
 
   logic [11:0] x_q, y_q, blank_q, origin_q;
   logic [4:0] shift_q;
-  logic left_taken_q, right_taken_q, pixel, next;
+  logic left_taken_q, right_taken_q, pixel, next, last_row;
   assign pixel = blank_q == 12'd0;
   assign m_axis_left_tdata = grey(10'((x_q + origin_q) >> 2), y_q[11:2]);
   assign m_axis_right_tdata = grey(10'((x_q + origin_q - 12'(shift_q)) >> 2), y_q[11:2]) + 8'd1;
   assign m_axis_tuser = x_q == 12'd0 && y_q == 12'd0;
-  assign m_axis_tlast = 32'(x_q) == WIDTH - 1;
+  assign m_axis_tlast = x_q + 12'd1 >= width_i;
+  assign last_row = y_q + 12'd1 >= height_i;
   assign m_axis_left_tvalid = pixel && !left_taken_q;
   assign m_axis_right_tvalid = pixel && !right_taken_q;
   assign next = pixel && (left_taken_q || m_axis_left_tready) && (right_taken_q || m_axis_right_tready);
@@ -63,9 +65,9 @@ module horopter_pattern #(
       right_taken_q <= 1'b0;
       x_q <= m_axis_tlast ? 12'd0 : x_q + 12'd1;
       if (m_axis_tlast) begin
-        y_q <= 32'(y_q) == HEIGHT - 1 ? 12'd0 : y_q + 12'd1;
+        y_q <= last_row ? 12'd0 : y_q + 12'd1;
         blank_q <= 12'(BLANK);
-        if (32'(y_q) == HEIGHT - 1) origin_q <= origin_q + 12'd1;
+        if (last_row) origin_q <= origin_q + 12'd1;
       end
     end else begin
       left_taken_q <= left_taken_q || m_axis_left_tready;

@@ -115,15 +115,31 @@ module ulx3s_top #(
       .board_rdata_i(board_rdata)
   );
 
-  // --- scene ---
+  // --- scene, of the size that the machine has accepted last; it begins with a whole frame whenever the machine does ---
+  localparam logic [11:0] CONTROL_ADDRESS = 12'h040;  // rtl/csr/registers.md
+  localparam logic [11:0] WIDTH_ADDRESS = 12'h04C;
+  localparam logic [11:0] HEIGHT_ADDRESS = 12'h050;
+  logic [11:0] width_q, height_q;
+  logic enabled_q;
+  always_ff @(posedge clk) begin
+    if (bvalid && bready && bresp == 2'b00) begin
+      if (awaddr == CONTROL_ADDRESS) enabled_q <= wdata[0];
+      if (awaddr == WIDTH_ADDRESS) width_q <= wdata[11:0];
+      if (awaddr == HEIGHT_ADDRESS) height_q <= wdata[11:0];
+    end
+    if (!rst_n) begin
+      enabled_q <= 1'b0;
+      width_q <= 12'(horopter_profile_pkg::WIDTH);
+      height_q <= 12'(horopter_profile_pkg::HEIGHT);
+    end
+  end
   logic [7:0] left_pixel, right_pixel;
   logic first, last, left_valid, right_valid, left_ready, right_ready;
-  horopter_pattern #(
-      .WIDTH(horopter_profile_pkg::WIDTH),
-      .HEIGHT(horopter_profile_pkg::HEIGHT)
-  ) u_pattern (
+  horopter_pattern u_pattern (
       .clk_i(clk),
-      .rst_ni(rst_n),
+      .rst_ni(enabled_q),
+      .width_i(width_q),
+      .height_i(height_q),
       .shift_i(button_q[2] ? 5'd16 : 5'd0),
       .m_axis_left_tdata(left_pixel),
       .m_axis_right_tdata(right_pixel),

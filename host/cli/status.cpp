@@ -47,12 +47,19 @@ std::string state_text(const MachineStatus& status) {
 std::string table_text(const MachineStatus& status) {
   const auto slot = status.active_slot();
   if (!slot) return "none is active";
-  const auto crc = status.crc_of(*slot);
+  const auto active = status.active_table();
+  const auto contents = [](const StoredTable& table) {
+    return fmt::format("CRC {:08x}, {} bytes", table.crc, table.bytes);
+  };
   std::string text = fmt::format("slot {} is active, {}, for images of {}x{} px", *slot,
-                                 crc ? fmt::format("CRC {:08x}", *crc) : std::string("an upload is under way"),
+                                 active ? contents(*active) : std::string("but no longer complete"),
                                  status.word(registers::width::kAddress), status.word(registers::height::kAddress));
-  for (const auto& [other, other_crc] : status.tables) {
-    if (other != *slot) text += fmt::format("; slot {} holds CRC {:08x}", other, other_crc);
+  for (const StoredTable& table : status.tables) {
+    if (table.slot != *slot)
+      text += fmt::format("; slot {} holds CRC {:08x}, {} bytes", table.slot, table.crc, table.bytes);
+  }
+  if (registers::map_status::kBusy.get(status.word(registers::map_status::kAddress)) != 0) {
+    text += "; an upload has begun, and is not complete";
   }
   return text;
 }
@@ -121,7 +128,7 @@ ExitStatus status(const StatusOptions& options) {
   const auto read = [&] {
     const MachineStatus now = read_status(*device);
     if (options.json) {
-      std::puts(json_text(status_json(now)).c_str());
+      std::puts(options.watch ? json_line(status_json(now)).c_str() : json_text(status_json(now)).c_str());
       std::fflush(stdout);
     } else if (options.watch) {
       print_line(now);

@@ -98,6 +98,8 @@ module horopter_csr #(
     output logic [25:0] faults_cameras_o,
     input  logic [16:0] faults_machine_set_i,
     output logic [16:0] faults_machine_o,
+    input  logic [15:0] map_extent_base_word64_i,
+    input  logic [15:0] map_extent_end_word64_i,
     input  logic [31:0] frame_sequence_value_i,
     input  logic [ 5:0] frame_status_i,
     input  logic [25:0] frame_faults_cameras_i,
@@ -935,7 +937,7 @@ module horopter_csr #(
       12'h080, 12'h084, 12'h088, 12'h08C, 12'h094: wanted_q[3] <= 1'b1;
       12'h0A0, 12'h0A4, 12'h0A8, 12'h0AC, 12'h0B0, 12'h0B4, 12'h0B8, 12'h0BC: wanted_q[4] <= 1'b1;
       12'h0C0, 12'h0C4, 12'h0D0, 12'h0D4, 12'h0D8, 12'h0DC: wanted_q[5] <= 1'b1;
-      12'h0E0, 12'h0E4: wanted_q[6] <= 1'b1;
+      12'h0E0, 12'h0E4, 12'h0E8: wanted_q[6] <= 1'b1;
       12'h100, 12'h104, 12'h108, 12'h10C, 12'h110, 12'h114, 12'h118, 12'h11C: wanted_q[7] <= 1'b1;
       12'h120, 12'h124, 12'h128, 12'h12C, 12'h130, 12'h134, 12'h138, 12'h13C: wanted_q[8] <= 1'b1;
       12'h140, 12'h144, 12'h150, 12'h154, 12'h158, 12'h15C: wanted_q[9] <= 1'b1;
@@ -947,7 +949,7 @@ module horopter_csr #(
     if (wanted_q[0])
       case (word_q)
         3'h0: group_00_q <= 32'h484F524F;
-        3'h1: group_00_q <= {16'h2, 16'h1};
+        3'h1: group_00_q <= {16'h2, 16'h2};
         3'h2: group_00_q <= {build_size_height_i, build_size_width_i};
         3'h3: group_00_q <= {build_store_pool_kib_i, build_store_rows_i};
         3'h4: group_00_q <= {2'd0, build_window_compete_i, build_window_thesis_i, build_window_hypotheses_i, build_window_weight_bits_i, build_window_subsample_i, build_window_majority_i, build_window_dsad_i};
@@ -1008,7 +1010,8 @@ module horopter_csr #(
     if (wanted_q[6])
       case (word_q)
         3'h0: group_07_q <= {3'd0, faults_cameras_q[25:13], 3'd0, faults_cameras_q[12:0]};
-        default: group_07_q <= {15'd0, faults_machine_q};
+        3'h1: group_07_q <= {15'd0, faults_machine_q};
+        default: group_07_q <= {map_extent_end_word64_i, map_extent_base_word64_i};
       endcase
     group_08_q <= 32'd0;
     if (wanted_q[7])

@@ -46,6 +46,7 @@ module formal_map_store (
       .error_o(error),
       .valid_o(valid),
       .slot_crc_o(),
+      .slot_extent_o(),
       .bad_upload_o(bad_upload),
       .refused_o(refused),
       .lookup_i(lookup),

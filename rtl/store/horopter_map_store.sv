@@ -43,6 +43,7 @@ module horopter_map_store #(
     output logic [          2:0] error_o,
     output logic [         14:0] valid_o,
     output logic [         31:0] slot_crc_o,  // of slot_i, two clocks later, three at a lookup or the end of an upload
+    output logic [         31:0] slot_extent_o,  // of slot_i: {end, base}, as soon as its CRC; not in the walk
     output logic                 bad_upload_o,  // one clock
     output logic                 refused_o,  // one clock
     // directory
@@ -162,7 +163,7 @@ module horopter_map_store #(
   logic store_limit;
   assign store_limit = start_q && slot_i != NONE && !slot_in_use_q;
 
-  // Extent of each table, for the walk.
+  // Extent of each table, for the walk, else of slot_i.
   logic [2*ADDR_BITS:0] extent;
   logic [3:0] walk_slot;
   logic extent_error, entry_error, limit_error, unsupervised_error;
@@ -175,12 +176,13 @@ module horopter_map_store #(
       .write_en_i(store_entry),
       .write_addr_i(slot_q),
       .write_data_i({end_addr, base_q[ADDR_BITS-1:0]}),
-      .read_en_i(state_q == WALK),
-      .read_addr_i(walk_slot),
+      .read_en_i(!store_entry),
+      .read_addr_i(state_q == WALK ? walk_slot : slot_i),
       .read_data_o(extent),
       .parity_error_o(extent_error)
   );
-  logic meets_q, overlaps_q, overlap_in_use;
+  logic meets_q, overlaps_q, overlap_in_use, slot_valid_q;
+  assign slot_extent_o = slot_valid_q ? {16'(extent[2*ADDR_BITS:ADDR_BITS]), 16'(extent[ADDR_BITS-1:0])} : 32'd0;
   assign walk_slot = step_q[5:2];
   always_ff @(posedge clk_i) begin
     meets_q <= extent_error
@@ -380,7 +382,7 @@ module horopter_map_store #(
   logic [11:0] entry_width, entry_height, entry_columns;
   logic [2:0] entry_ny, entry_nx;
   logic [ADDR_BITS-1:0] entry_base;
-  logic lookup_q, lookup_valid_q, slot_read_q, slot_valid_q;
+  logic lookup_q, lookup_valid_q, slot_read_q;
   horopter_ram #(
       .WIDTH(ENTRY_BITS),
       .DEPTH(16),

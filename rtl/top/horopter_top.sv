@@ -196,7 +196,7 @@ module horopter_top #(
   logic [3:0] map_slot;
   logic [15:0] map_base;
   logic map_control_valid, map_control_ready, map_start, map_data_valid, map_data_ready;
-  logic [31:0] map_data, map_crc;
+  logic [31:0] map_data, map_crc, map_extent;
   horopter_csr_pkg::interlock_t interlock;
   logic restart_valid;
   logic [31:0] restart_key;
@@ -324,6 +324,8 @@ module horopter_top #(
       .map_status_active_slot_i(active_slot_q),
       .map_valid_slots_i(map_valid),
       .map_crc_value_i(map_crc),
+      .map_extent_base_word64_i(map_extent[15:0]),
+      .map_extent_end_word64_i(map_extent[31:16]),
       .faults_cameras_set_i({faults_set.right, faults_set.left}),
       .faults_cameras_o({faults_now.right, faults_now.left}),
       .faults_machine_set_i(faults_set.machine),
@@ -677,6 +679,7 @@ module horopter_top #(
       .error_o(map_error),
       .valid_o(map_valid),
       .slot_crc_o(map_crc),
+      .slot_extent_o(map_extent),
       .bad_upload_o(bad_upload),
       .refused_o(refused_upload),
       .lookup_i(lookup),

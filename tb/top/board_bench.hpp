@@ -45,6 +45,10 @@ class Board {
     for (std::uint64_t i = 0; i < clocks; ++i) clock();
   }
   [[nodiscard]] std::uint64_t clocks() const { return clocks_; }
+  /// Nothing has been on the line for longer than the board needs to answer, or to begin a frame.
+  [[nodiscard]] bool idle() const { return !sending() && clocks_ > active_ + kAnswerClocks; }
+  /// Time goes on, but the board does not.
+  void skip(std::uint64_t clocks) { clocks_ += clocks; }
   [[nodiscard]] bool led(int i) const { return (model_.led >> i & 1) != 0; }
   void press(bool held) { model_.btn = held ? 1 : 0; }
   /// The restart button, beside the other one, which is held.
@@ -60,6 +64,8 @@ class Board {
   Channel from_board = clean;
 
  private:
+  static constexpr std::uint64_t kAnswerClocks = 10'000;
+
   void clock() {
     drive();
     model_.clk_25mhz = 0;
@@ -68,6 +74,7 @@ class Board {
     model_.eval();
     sample();
     ++clocks_;
+    if (to_left_ != 0 || from_left_ != 0) active_ = clocks_;
   }
   /// The board's input, bit by bit.
   void drive() {
@@ -106,6 +113,7 @@ class Board {
   VerilatedContext context_;
   Model model_{&context_};
   std::uint64_t clocks_ = 0;
+  std::uint64_t active_ = 0;  ///< the last clock with something on the line
   std::deque<std::uint8_t> outgoing_;
   std::deque<std::uint8_t> incoming_;
   unsigned to_bits_ = 0;
@@ -116,11 +124,12 @@ class Board {
   int from_phase_ = 0;
 };
 
-/// The board's line in simulated time.
+/// The board's line in simulated time. `skips`: while there is nothing on the line that the board could answer to, it is
+/// not simulated.
 template <class Model>
 class BoardPort : public BytePort {
  public:
-  explicit BoardPort(Board<Model>& board) : board_(board) {}
+  explicit BoardPort(Board<Model>& board, bool skips = false) : board_(board), skips_(skips) {}
   void write(std::span<const std::uint8_t> bytes) override {
     for (const std::uint8_t byte : bytes) board_.send(byte);
   }
@@ -128,7 +137,10 @@ class BoardPort : public BytePort {
     constexpr unsigned kStep = 20;
     while (board_.received().empty()) {
       if (now() >= end) return 0;
-      board_.run(kStep);
+      if (skips_ && board_.idle())
+        board_.skip(kStep);
+      else
+        board_.run(kStep);
     }
     std::size_t count = 0;
     for (; count < bytes.size() && !board_.received().empty(); ++count) {
@@ -143,6 +155,7 @@ class BoardPort : public BytePort {
 
  private:
   Board<Model>& board_;
+  bool skips_;
 };
 
 }  // namespace horopter::tb

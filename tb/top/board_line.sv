@@ -88,7 +88,7 @@ module board_line #(
   logic [3:0] selected, slot, active_q;
   logic [15:0] base;
   logic [23:0] undecidable_limit;
-  logic [31:0] data, crc;
+  logic [31:0] data, crc, extent;
   logic [2:0] error;
   logic [14:0] valid;
   logic [31:0] frame_q;
@@ -122,6 +122,8 @@ module board_line #(
       .map_status_active_slot_i(active_q),
       .map_valid_slots_i(valid),
       .map_crc_value_i(crc),
+      .map_extent_base_word64_i(extent[15:0]),
+      .map_extent_end_word64_i(extent[31:16]),
       .map_undecidable_limit_pixels_o(undecidable_limit)
   );
 
@@ -147,6 +149,7 @@ module board_line #(
       .error_o(error),
       .valid_o(valid),
       .slot_crc_o(crc),
+      .slot_extent_o(extent),
       .lookup_i(1'b0),
       .lookup_slot_i(4'd0),
       .read_en_i(1'b0),

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program with a board: the ULX3S, Verilated, behind a pseudo-terminal, as a user has it behind a serial port; and
 // what else can be there.
+#include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdint>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <sstream>
@@ -15,20 +17,19 @@
 #include <vector>
 
 #include "board_terminal.hpp"
+#include "horopter/machine/loader.hpp"
 #include "horopter/machine/monitor.hpp"
 #include "horopter/machine/native_device.hpp"
 #include "sandbox.hpp"
+#include "shared_data.hpp"
 
 using namespace horopter::test;
 using horopter::Run;
 
 namespace {
 
-constexpr int kWidth = 756;
-constexpr int kHeight = 286;
-
 /// Left and right image of constraints/ulx3s/horopter_pattern.sv, of the frame `index`.
-std::pair<horopter::Image, horopter::Image> pattern(int index) {
+std::pair<horopter::Image, horopter::Image> pattern(int index, int width, int height) {
   const auto grey = [](unsigned bx, unsigned by) {
     const auto bits = [](unsigned value) { return value & 0xFFFFU; };
     bx &= 0x3FFU;
@@ -40,10 +41,10 @@ std::pair<horopter::Image, horopter::Image> pattern(int index) {
     h = h ^ (h >> 7);
     return static_cast<std::uint8_t>(32 + (h & 0x7FU) + (h >> 7 & 0x3FU));
   };
-  horopter::Image left(kWidth, kHeight);
-  horopter::Image right(kWidth, kHeight);
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
+  horopter::Image left(width, height);
+  horopter::Image right(width, height);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
       left.at(x, y) = grey(static_cast<unsigned>(x + 32 + index) >> 2, static_cast<unsigned>(y) >> 2);
       right.at(x, y) = static_cast<std::uint8_t>(left.at(x, y) + 1);
     }
@@ -104,52 +105,69 @@ void check_fault(const Sandbox& box, const std::vector<std::string>& arguments, 
 
 }  // namespace
 
-TEST_CASE("A table reaches the board, and the board's runs are those of the native engine") {
+TEST_CASE("From photographs to a board, and the board's runs are those of the native engine") {
+  const auto folder = opencv_images();
+  if (!folder) return;
   const Sandbox box;
-  const std::string crc = write_table(box);
+  const auto must = [&](const std::vector<std::string>& arguments) {
+    const auto result = box.run(arguments);
+    CAPTURE(arguments, result.err);
+    REQUIRE(result.status == 0);
+    return result.out;
+  };
+  must({"calibrate", "--left", (*folder / "left??.jpg").string(), "--right", (*folder / "right??.jpg").string(),
+        "--target", "chessboard:9x6:30mm", "-o", "rig.yaml"});
+  box.write("skin.yaml", "surface: {type: plane, point_mm: [26, -52, 458], normal: [-0.268, 0.156, -0.951]}\n");
+  const auto table = nlohmann::json::parse(
+      must({"map", "--skin", "skin.yaml", "--rig", "rig.yaml", "--profile", "field", "-o", "skin.hmap", "--json"}));
+  const std::string crc = table["tables"][0]["crc"];
+
   Terminal terminal;
   BoardBehind board(terminal);
   const std::string before = status_of(box, terminal.engine())["table"]["crc"];
   REQUIRE(before != crc);
-
-  const auto upload = box.run({"upload", "--engine", terminal.engine(), "--map", "skin.hmap", "--unproven", "--json"});
-  INFO(upload.err);
-  REQUIRE(upload.status == 0);
-  const auto report = nlohmann::json::parse(upload.out);
-  CHECK(report["tables"][0]["crc"] == crc);
+  const auto report =
+      nlohmann::json::parse(must({"upload", "--engine", terminal.engine(), "--map", "skin.hmap", "--json"}));
   CHECK(report["tables"].size() == 2);
+  CHECK(report["tables"][0]["crc"] == crc);
   wait_for_crc(box, terminal.engine(), crc);
-  const auto text = box.run({"status", "--engine", terminal.engine()});
-  CHECK(text.status == 0);
-  CHECK_THAT(text.out,
-             Catch::Contains("is active, CRC " + crc) && Catch::Contains("WIDTH") && Catch::Contains("px 756"));
+  auto status = status_of(box, terminal.engine());
+  const int slot = report["tables"][0]["slot"];
+  const auto bytes = report["tables"][0]["bytes"].get<int>();
+  CHECK(status["table"] ==
+        nlohmann::json{{"slot", slot}, {"crc", crc}, {"bytes", bytes}, {"width_px", 640}, {"height_rows", 240}});
+  CHECK_THAT(
+      must({"status", "--engine", terminal.engine()}),
+      Catch::Contains(fmt::format("slot {} is active, CRC {}, {} bytes, for images of 640x240 px", slot, crc, bytes)) &&
+          Catch::Contains("WIDTH") && Catch::Contains("px 640"));
 
-  const auto sequence = status_of(box, terminal.engine())["frame"]["sequence"].get<int>();
-  const auto frame = box.run({"status", "--engine", terminal.engine(), "--runs", "runs.csv", "--states", "states.png"});
-  INFO(frame.err);
-  REQUIRE(frame.status == 0);
+  status = status_of(box, terminal.engine());
+  // By the pattern's right image, which is its left one: there is no world that these cameras would see so.
+  CHECK(status["frame_faults"] == nlohmann::json{"one_camera", "disagree", "moved"});
+  CHECK(status["faults"] == nlohmann::json{"one_camera", "disagree", "unproven", "moved"});
+  must({"status", "--engine", terminal.engine(), "--runs", "runs.csv", "--states", "states.png"});
   const auto runs = read_runs(box.read("runs.csv"));
-  CHECK(runs.size() > 2 * kHeight);
+  CHECK(runs.size() > 500);
 
-  // The same pattern, in one of the frames around the one that was kept: the pattern counts from the board's reset.
+  // The same pattern, in one of the frames around the one that was kept: the pattern counts from the machine's start.
   const auto& profile = horopter::find_profile("field");
   const auto maps = horopter::load_maps(box / "skin.hmap");
-  horopter::Settings settings;
-  settings.proof.needed = false;
-  horopter::Monitor native(horopter::make_native_device(profile), profile, settings);
-  native.start(kWidth, kHeight, maps.lookahead());
+  horopter::Monitor native(horopter::make_native_device(profile), profile,
+                           horopter::settings_for(horopter::Settings{}, profile, maps));
+  native.start(640, 240, maps.lookahead());
   native.upload(0, maps.maps[0].table);
   native.select(0);
   int equal = 0;
+  const auto sequence = status["frame"]["sequence"].get<int>();
   for (int index = sequence; index < sequence + 60 && equal == 0; ++index) {
-    const auto [left, right] = pattern(index);
+    const auto [left, right] = pattern(index, 640, 240);
     if (native.process(left, right).runs == runs) ++equal;
   }
   CHECK(equal == 1);
 
   // What a board cannot do is said before it is touched.
-  box.write("left.pgm", "P5 756 572 255\n" + std::string(756 * 572, 'x'));
-  box.write("right.pgm", "P5 756 572 255\n" + std::string(756 * 572, 'y'));
+  box.write("left.pgm", "P5 640 480 255\n" + std::string(640 * 480, 'x'));
+  box.write("right.pgm", "P5 640 480 255\n" + std::string(640 * 480, 'y'));
   const auto run = box.run({"run", "--engine", terminal.engine(), "--left", "left.pgm", "--right", "right.pgm",
                             "--skin", "skin.hmap", "--profile", "field", "--out", "out"});
   CHECK(run.status == 2);
@@ -170,15 +188,35 @@ TEST_CASE("What happens in the middle of an upload leaves the table in use in us
   check_fault(box, upload, "the board was reset");
   CHECK(status_of(box, terminal->engine())["table"]["crc"] == before);
 
+  const auto is_in_use = [&](const std::string& engine) {
+    const auto status = status_of(box, engine);
+    CHECK(status["table"]["crc"] == before);
+    CHECK(status["running"] == true);
+    CHECK(status["registers"]["map_status"]["busy"] == 1);  // it was the middle
+    CHECK_THAT(
+        box.run({"status", "--engine", engine}).out,
+        Catch::Contains("is active, CRC " + before) && Catch::Contains("an upload has begun, and is not complete"));
+  };
   board->at_byte(kMiddle, BoardBehind::Event::noise);
   check_fault(box, upload, "has stopped answering");
-  board = nullptr;  // the noise stays: another one
-  board = std::make_unique<BoardBehind>(*terminal);
-  CHECK(status_of(box, terminal->engine())["table"]["crc"] == before);
+  board->quiet();
+  is_in_use(terminal->engine());
 
   board->at_byte(kMiddle, BoardBehind::Event::unplug);
   check_fault(box, upload, "the port has gone");
   check_fault(box, upload, terminal->name());
+  Terminal other;
+  board->plug(other);
+  is_in_use(other.engine());
+
+  // The line a second, and the cable pulled meanwhile.
+  board->at_byte(3000, BoardBehind::Event::unplug);
+  const auto watch = box.run({"status", "--engine", other.engine(), "--watch", "--json"});
+  CHECK(watch.status == 4);
+  CHECK_THAT(watch.err, Catch::Contains("the port has gone"));
+  REQUIRE(std::ranges::count(watch.out, '\n') >= 1);
+  std::istringstream lines(watch.out);
+  for (std::string line; std::getline(lines, line);) CHECK(nlohmann::json::parse(line)["running"] == true);
 }
 
 TEST_CASE("A program that is killed in the middle of an upload leaves a board that works") {
@@ -222,9 +260,22 @@ TEST_CASE("Registers in this computer's memory") {
   CHECK_THAT(states.err, Catch::Contains("without streams"));
 
   check_fault(box, {"status", "--engine", file(0x000, 0)}, "no Horopter: its ID is 00000000");
-  check_fault(box, {"status", "--engine", file(0x004, 7U << 16)}, "register map 7.x; expected");
+  check_fault(box, {"status", "--engine", file(0x004, 7U << 16)}, "register map 7.0; expected");
+  check_fault(box, {"status", "--engine", file(0x004, 2U << 16)}, "register map 2.0; expected 2.");
   check_fault(box, {"status", "--engine", file(0x008, 480U << 16 | 600U)}, "600x480 px, but is none of the profiles");
   check_fault(box, {"status", "--engine", "uio:/dev/no-such-device"}, "cannot be opened");
+  check_fault(box, {"status", "--engine", "uio:/dev/null"}, "cannot be mapped");
+  check_fault(box, {"status", "--engine", "uio:/dev/zero"}, "no Horopter: its ID is 00000000");
+  check_fault(box, {"status", "--engine", engine + "@100"}, "expected a multiple of the page size");
+  check_fault(box, {"status", "--engine", engine + "@4096"},
+              "has 4096 bytes; expected 4096 bytes of registers at 4096");
+  check_fault(box, {"status", "--engine", "uio:" + box.write("short", "HORO")}, "has 4 bytes; expected 4096 bytes");
+  {
+    const int other = ::open((box / "registers").c_str(), O_RDWR | O_CLOEXEC);
+    REQUIRE(::flock(other, LOCK_EX | LOCK_NB) == 0);
+    check_fault(box, {"status", "--engine", engine}, "is used by another program; expected a machine that is free");
+    ::close(other);
+  }
 }
 
 TEST_CASE("A serial port without a Horopter board") {

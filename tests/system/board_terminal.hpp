@@ -99,7 +99,18 @@ class BoardBehind {
  public:
   enum class Event { none, reset, unplug, noise, pause };
 
-  explicit BoardBehind(Terminal& terminal) : behind_(terminal, [this](Terminal& t) { step(t); }) {}
+  explicit BoardBehind(Terminal& terminal)
+      : terminal_(&terminal), behind_(terminal, [this](Terminal&) { step(*terminal_.load()); }) {}
+  /// Into another port. The one before may go when this has come back.
+  void plug(Terminal& terminal) {
+    terminal_ = &terminal;
+    for (const std::size_t now = steps_; steps_ < now + 2;) std::this_thread::yield();
+  }
+  /// The noise ends.
+  void quiet() {
+    is_quiet_ = true;
+    while (is_quiet_) std::this_thread::yield();
+  }
 
   void at_byte(std::size_t count, Event event) {
     bytes_ = 0;
@@ -110,7 +121,10 @@ class BoardBehind {
 
  private:
   void step(Terminal& terminal) {
+    ++steps_;
     if (!board_) board_ = std::make_unique<tb::Board<Vboard_ulx3s>>();
+    if (is_quiet_) board_->to_board = board_->from_board = tb::clean;
+    is_quiet_ = false;
     const bool paused = event_ == Event::pause && bytes_ >= event_at_;
     if (!board_->sending() && !paused) {
       for (const std::uint8_t byte : terminal.read()) {
@@ -138,6 +152,9 @@ class BoardBehind {
   std::atomic<std::size_t> bytes_ = 0;
   std::atomic<std::size_t> event_at_ = 0;
   std::atomic<Event> event_ = Event::none;
+  std::atomic<std::size_t> steps_ = 0;
+  std::atomic<bool> is_quiet_ = false;
+  std::atomic<Terminal*> terminal_;
   Behind behind_;
 };
 

@@ -109,6 +109,7 @@ class Pair {
     rtl().run(100);
     read(reg::map_valid::kAddress);
     read(reg::map_crc::kAddress);
+    read(reg::map_extent::kAddress);
     return reg::map_status::kError.get(read(reg::map_status::kAddress));
   }
   /// One frame; states, runs and everything that the registers tell of it.

@@ -15,6 +15,7 @@
 #include "horopter/machine/native_device.hpp"
 #include "horopter/machine/registers.hpp"
 #include "horopter/machine/report.hpp"
+#include "horopter/machine/serial_link.hpp"
 #include "horopter/machine/uio_device.hpp"
 #include "horopter/map/map_compiler.hpp"
 #include "horopter/map/support.hpp"
@@ -326,6 +327,7 @@ TEST_CASE("Uploads are refused as the hardware refuses them") {
   CHECK(upload(4, 1000, words) == 0);
   CHECK((device.read(reg::map_valid::kAddress) & 1U << 4) != 0);
   CHECK(device.read(reg::map_crc::kAddress) == words.back());
+  CHECK(reg::map_extent::kBaseWord64.get(device.read(reg::map_extent::kAddress)) == 1000);
 
   auto wrong_crc = words;
   wrong_crc.back() ^= 1;
@@ -525,7 +527,8 @@ TEST_CASE("A build with anything more or other than the profile is refused") {
                                       {reg::build_compete::kAddress, reg::build_compete::kBallotReach, 5},
                                       {reg::build_compete::kAddress, reg::build_compete::kPaths, 0},
                                       {reg::id::kAddress, {0, 32}, 0},
-                                      {reg::version::kAddress, reg::version::kMajor, reg::version::kMajorValue + 1}}));
+                                      {reg::version::kAddress, reg::version::kMajor, reg::version::kMajorValue + 1},
+                                      {reg::version::kAddress, reg::version::kMinor, reg::version::kMinorValue - 1}}));
   CAPTURE(change.address, change.field.lsb);
   const auto decision = GENERATE(Decision::thesis, Decision::compete);
   CHECK_THROWS_AS(monitor_of({change}, decision), DeviceError);
@@ -565,6 +568,60 @@ TEST_CASE("Regions are the connected groups of the skin") {
   CHECK(state_picture(states).at(2, 2) == 255);
   CHECK(state_picture(states).at(5, 5) == 128);
   CHECK(state_picture(states).at(0, 0) == 0);
+}
+
+namespace {
+
+/// A board that opens a session, and then says for ever that it has done nothing yet.
+class Babbling : public BytePort {
+ public:
+  void write(std::span<const std::uint8_t> bytes) override {
+    for (const std::uint8_t byte : bytes) {
+      const auto words = decoder_.take(byte);
+      if (!words) continue;
+      number_ = (*words)[0] & 0xFFU;
+      if (words->size() == 2 && ((*words)[0] >> 14 & 3U) == 0) {
+        answer({(*words)[1], (number_ + 1) % 256 << 8 | number_});
+        opened_ = number_;
+        return;
+      }
+      babbles_ = true;
+    }
+  }
+  std::size_t read(std::span<std::uint8_t> bytes, Time end) override {
+    if (++reads_ > 1'000'000) throw std::runtime_error("it never gives up");
+    now_ += Time(100);
+    if (outgoing_.empty() && babbles_) answer({(opened_ + 1) % 256 << 8 | opened_});
+    if (outgoing_.empty()) now_ = end;
+    const std::size_t count = std::min(bytes.size(), outgoing_.size());
+    std::copy_n(outgoing_.begin(), count, bytes.begin());
+    outgoing_.erase(outgoing_.begin(), outgoing_.begin() + static_cast<std::ptrdiff_t>(count));
+    return count;
+  }
+  Time now() override { return now_; }
+  [[nodiscard]] Time time_of(std::size_t bytes) const override { return Time(10 * bytes); }
+  [[nodiscard]] Time latency() const override { return std::chrono::milliseconds(10); }
+
+ private:
+  void answer(const std::vector<std::uint32_t>& words) { outgoing_ = encode_frame(words); }
+
+  FrameDecoder decoder_;
+  std::vector<std::uint8_t> outgoing_;
+  std::uint32_t number_ = 0;
+  std::uint32_t opened_ = 0;
+  bool babbles_ = false;
+  int reads_ = 0;
+  Time now_{};
+};
+
+}  // namespace
+
+TEST_CASE("A board that answers for ever, but does nothing, is given up") {
+  SerialLink link(std::make_unique<Babbling>(), "port");
+  SECTION("a write") {
+    CHECK_THROWS_WITH(link.write(0xCC, std::vector<std::uint32_t>(100, 1)), Catch::Contains("stopped answering"));
+  }
+  SECTION("a read") { CHECK_THROWS_WITH(link.read(0, 4), Catch::Contains("stopped answering")); }
 }
 
 TEST_CASE("The memory-mapped device moves registers and streams") {
@@ -610,6 +667,8 @@ TEST_CASE("The memory-mapped device moves registers and streams") {
   }
   CHECK_THROWS_WITH(device.receive(), Catch::Contains("no frame comes"));
 
+  CHECK_THROWS_WITH(UioDevice(paths), Catch::Contains("is used by another program"));
+  paths.registers = directory.write("others", std::string(4096, '\0'));
   paths.states = directory / "none";
   CHECK_THROWS_WITH(UioDevice(paths), Catch::Contains("cannot be opened"));
   paths.registers = directory / "none";

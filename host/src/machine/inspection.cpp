@@ -38,15 +38,21 @@ void read_block(Device& device, const Block& block, MachineStatus& status) {
     status.words[block.address + static_cast<std::uint32_t>(4 * i)] = words[i];
 }
 
-std::vector<std::pair<int, std::uint32_t>> read_tables(Device& device, const MachineStatus& status) {
-  std::vector<std::pair<int, std::uint32_t>> tables;
-  if (reg::map_status::kBusy.get(status.word(reg::map_status::kAddress)) != 0) return tables;
+/// That a table takes in the pool.
+std::size_t extent_bytes(std::uint32_t extent) {
+  const std::uint32_t words = reg::map_extent::kEndWord64.get(extent) - reg::map_extent::kBaseWord64.get(extent);
+  return std::size_t{8} * ((words - 1) % 0x10000U + 1);  // all of the largest pool is 0
+}
+
+std::vector<StoredTable> read_tables(Device& device, const MachineStatus& status) {
+  std::vector<StoredTable> tables;
   const std::uint32_t valid = status.word(reg::map_valid::kAddress);
   const std::uint32_t selected = status.word(reg::map_slot::kAddress);
   for (std::uint32_t slot = 0; slot < reg::kNoSlot; ++slot) {
     if ((valid >> slot & 1U) == 0) continue;
     device.write(reg::map_slot::kAddress, slot);
-    tables.emplace_back(static_cast<int>(slot), device.read(reg::map_crc::kAddress));
+    tables.push_back({static_cast<int>(slot), device.read(reg::map_crc::kAddress),
+                      extent_bytes(device.read(reg::map_extent::kAddress))});
   }
   if (!tables.empty()) device.write(reg::map_slot::kAddress, selected);
   return tables;
@@ -65,6 +71,10 @@ bool is_hexadecimal(std::uint32_t address) {
 
 std::string crc_text(std::uint32_t crc) { return fmt::format("{:08x}", crc); }
 
+nlohmann::ordered_json table_json(const StoredTable& table) {
+  return {{"slot", table.slot}, {"crc", crc_text(table.crc)}, {"bytes", table.bytes}};
+}
+
 }  // namespace
 
 bool MachineStatus::running() const { return reg::status::kRunning.get(word(reg::status::kAddress)) != 0; }
@@ -80,10 +90,10 @@ std::optional<int> MachineStatus::active_slot() const {
   return static_cast<int>(slot);
 }
 
-std::optional<std::uint32_t> MachineStatus::crc_of(int slot) const {
-  const auto found = std::ranges::find(tables, slot, &std::pair<int, std::uint32_t>::first);
+std::optional<StoredTable> MachineStatus::active_table() const {
+  const auto found = std::ranges::find(tables, active_slot().value_or(-1), &StoredTable::slot);
   if (found == tables.end()) return std::nullopt;
-  return found->second;
+  return *found;
 }
 
 Faults MachineStatus::faults() const {
@@ -125,12 +135,12 @@ nlohmann::ordered_json status_json(const MachineStatus& status) {
   json["table"] = nullptr;
   if (const auto slot = status.active_slot()) {
     json["table"] = {{"slot", *slot}};
-    if (const auto crc = status.crc_of(*slot)) json["table"]["crc"] = crc_text(*crc);
+    if (const auto table = status.active_table()) json["table"] = table_json(*table);
     json["table"]["width_px"] = status.word(reg::width::kAddress);
     json["table"]["height_rows"] = status.word(reg::height::kAddress);
   }
   json["tables"] = nlohmann::ordered_json::array();
-  for (const auto& [slot, crc] : status.tables) json["tables"].push_back({{"slot", slot}, {"crc", crc_text(crc)}});
+  for (const StoredTable& table : status.tables) json["tables"].push_back(table_json(table));
   const auto frame = status.word(reg::frame_status::kAddress);
   json["frame"] = {{"sequence", status.word(reg::frame_sequence::kAddress)},
                    {"alarm", reg::frame_status::kAlarm.get(frame) != 0},

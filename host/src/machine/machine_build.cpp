@@ -19,11 +19,13 @@ void check_identity(Device& device) {
     throw DeviceError(fmt::format("no Horopter: its ID is {:08x} instead of {:08x}", id, reg::id::kValueValue));
   }
   const auto version = device.read(reg::version::kAddress);
-  if (const auto major = reg::version::kMajor.get(version); major != reg::version::kMajorValue) {
-    throw DeviceError(
-        fmt::format("register map {}.x; expected {}.x, of this program: make the machine and the program "
-                    "from the same sources",
-                    major, reg::version::kMajorValue));
+  const auto major = reg::version::kMajor.get(version);
+  const auto minor = reg::version::kMinor.get(version);
+  if (major != reg::version::kMajorValue || minor < reg::version::kMinorValue) {
+    throw DeviceError(fmt::format(
+        "register map {}.{}; expected {}.{} or a later {}.x, of this program: make the machine and the program "
+        "from the same sources",
+        major, minor, reg::version::kMajorValue, reg::version::kMinorValue, reg::version::kMajorValue));
   }
 }
 

@@ -162,6 +162,12 @@ std::uint32_t NativeDevice::read(std::uint32_t address) {
       const auto slot = stored(reg::map_slot::kAddress);
       return slot < tables_.size() && tables_[slot] ? tables_[slot]->words.back() : 0;
     }
+    case reg::map_extent::kAddress: {
+      const auto slot = stored(reg::map_slot::kAddress);
+      if (slot >= tables_.size() || !tables_[slot]) return 0;
+      return reg::map_extent::kBaseWord64.put(static_cast<std::uint32_t>(tables_[slot]->base_word64)) |
+             reg::map_extent::kEndWord64.put(static_cast<std::uint32_t>(tables_[slot]->end_word64));
+    }
     case reg::faults_cameras::kAddress:
       return faults_.cameras();
     case reg::faults_machine::kAddress:

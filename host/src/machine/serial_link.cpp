@@ -160,13 +160,16 @@ void SerialLink::write(std::uint16_t address, std::span<const std::uint32_t> wor
   std::size_t most_sent = 0;
   std::size_t gone_back_to = frames.size();  // because of a gap; once only, as all that follow it are answered, too
   int tries = 0;
+  Time end{};  // of the wait; what is no progress does not make it longer
   while (done < frames.size()) {
+    const bool sends = sent < std::min(frames.size(), done + kWindow);
     for (; sent < std::min(frames.size(), done + kWindow); ++sent) {
       port_->write(frames[sent]);
       if (sent < most_sent) ++repeated_;
       most_sent = std::max(most_sent, sent + 1);
     }
-    const auto answer = next_answer(port_->now() + patience((sent - done) * kLargestFrame));
+    if (sends) end = port_->now() + patience((sent - done) * kLargestFrame);
+    const auto answer = next_answer(end);
     if (!answer) {
       if (++tries == kTries) fail_unanswered();
       sent = done;
@@ -175,7 +178,10 @@ void SerialLink::write(std::uint16_t address, std::span<const std::uint32_t> wor
     check(*answer, "write", address);
     const std::size_t progress = static_cast<std::uint8_t>(answer->expected - (first + done));
     if (progress > most_sent - done) continue;  // of an earlier session, or request
-    if (progress > 0) tries = 0;
+    if (progress > 0) {
+      tries = 0;
+      end = port_->now() + patience((std::max(sent, done + progress) - done - progress) * kLargestFrame);
+    }
     done += progress;
     sent = std::max(sent, done);
     const auto ahead = static_cast<std::uint8_t>(answer->number - answer->expected);

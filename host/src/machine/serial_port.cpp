@@ -110,17 +110,19 @@ void SerialPort::write(std::span<const std::uint8_t> bytes) {
 }
 
 std::size_t SerialPort::read(std::span<std::uint8_t> bytes, Time end) {
+  bool hung_up = false;  // what had come before is read all the same
   while (true) {
     const ssize_t length = ::read(file_, bytes.data(), bytes.size());
     if (length > 0) return static_cast<std::size_t>(length);
     if (length < 0 && errno != EAGAIN && errno != EINTR) {
       fail(fmt::format("the port has gone ({}); expected it to stay: is the cable in?", std::strerror(errno)));
     }
+    if (hung_up) fail("the port has gone; expected it to stay: is the cable in?");
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - now()).count();
     if (left <= 0) return 0;
     pollfd poll{file_, POLLIN, 0};
     const int ready = ::poll(&poll, 1, static_cast<int>(left) + 1);
-    if (ready > 0 && (poll.revents & POLLIN) == 0) fail("the port has gone; expected it to stay: is the cable in?");
+    hung_up = ready > 0 && (poll.revents & (POLLERR | POLLHUP | POLLNVAL)) != 0;
   }
 }
 

@@ -4,7 +4,9 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
+#include <sys/file.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -33,13 +35,30 @@ int open_or_throw(const std::filesystem::path& path, int flags) {
 
 UioDevice::UioDevice(const Paths& paths, std::chrono::milliseconds timeout) : timeout_(timeout) {
   const int file = open_or_throw(paths.registers, O_RDWR | O_SYNC);
+  const auto refuse = [&](const std::string& why) {
+    ::close(file);
+    throw DeviceError(fmt::format("{} {}", paths.registers.string(), why));
+  };
+  const auto page = static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+  struct stat facts{};
+  if (::fstat(file, &facts) != 0) refuse(fmt::format("tells nothing of itself ({})", std::strerror(errno)));
+  if (paths.register_offset % page != 0) {
+    refuse(
+        fmt::format("cannot be mapped at {}; expected a multiple of the page size, {}", paths.register_offset, page));
+  }
+  if (S_ISREG(facts.st_mode) && static_cast<std::uint64_t>(facts.st_size) < paths.register_offset + kRegisterBytes) {
+    refuse(fmt::format("has {} bytes; expected {} bytes of registers at {}", facts.st_size, kRegisterBytes,
+                       paths.register_offset));
+  }
+  if (::flock(file, LOCK_EX | LOCK_NB) != 0) {
+    refuse("is used by another program; expected a machine that is free: end that program");
+  }
   void* mapped = ::mmap(nullptr, kRegisterBytes, PROT_READ | PROT_WRITE, MAP_SHARED, file,
                         static_cast<off_t>(paths.register_offset));
-  const int error = errno;
-  ::close(file);
   if (mapped == MAP_FAILED) {
-    throw DeviceError(fmt::format("{} cannot be mapped ({})", paths.registers.string(), std::strerror(error)));
+    refuse(fmt::format("cannot be mapped ({}); expected registers, as of /dev/uio0", std::strerror(errno)));
   }
+  registers_file_ = file;
   registers_ = static_cast<volatile std::uint32_t*>(mapped);
   if (paths.left.empty()) return;
   try {
@@ -63,6 +82,8 @@ void UioDevice::close_all() {
   }
   if (registers_ != nullptr) ::munmap(const_cast<std::uint32_t*>(registers_), kRegisterBytes);
   registers_ = nullptr;
+  if (registers_file_ >= 0) ::close(registers_file_);
+  registers_file_ = -1;
 }
 
 std::uint32_t UioDevice::read(std::uint32_t address) {

@@ -2,12 +2,12 @@
 // All registers of a machine that can be read, in words.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "horopter/machine/faults.hpp"
@@ -15,10 +15,17 @@
 
 namespace horopter {
 
+/// A table of which the machine says that it is complete.
+struct StoredTable {
+  int slot = 0;
+  std::uint32_t crc = 0;
+  std::size_t bytes = 0;  ///< of the pool
+};
+
 struct MachineStatus {
   Build build;
-  std::map<std::uint32_t, std::uint32_t> words;       ///< by address
-  std::vector<std::pair<int, std::uint32_t>> tables;  ///< slots with a table, and its CRC
+  std::map<std::uint32_t, std::uint32_t> words;  ///< by address
+  std::vector<StoredTable> tables;               ///< none while an upload is under way
   bool one_frame = true;  ///< the FRAME registers are of one frame, not of two that came while they were read
 
   [[nodiscard]] std::uint32_t word(std::uint32_t address) const { return words.at(address); }
@@ -26,7 +33,8 @@ struct MachineStatus {
   [[nodiscard]] bool safe() const;
   /// Table of the frame that is being made; nothing without one.
   [[nodiscard]] std::optional<int> active_slot() const;
-  [[nodiscard]] std::optional<std::uint32_t> crc_of(int slot) const;
+  /// Nothing while an upload is under way, too.
+  [[nodiscard]] std::optional<StoredTable> active_table() const;
   [[nodiscard]] Faults faults() const;        ///< since they were cleared
   [[nodiscard]] Faults frame_faults() const;  ///< of the last frame
 };

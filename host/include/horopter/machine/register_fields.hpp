@@ -19,7 +19,7 @@ struct RegisterField {
 };
 
 // clang-format off
-inline constexpr std::array<RegisterField, 218> kRegisterFields = {{
+inline constexpr std::array<RegisterField, 220> kRegisterFields = {{
     {0x000, "value", {0, 32}, "0x484F524F"},
     {0x004, "minor", {0, 16}, "Counts compatible additions."},
     {0x004, "major", {16, 16}, "Counts incompatible changes."},
@@ -138,6 +138,8 @@ inline constexpr std::array<RegisterField, 218> kRegisterFields = {{
     {0x0E4, "hidden", {14, 1}, "For HIDDEN frames, too much of the skin has stood behind something nearer to the cameras."},
     {0x0E4, "settings", {15, 1}, "A bit of a register, or of what a frame has sampled of it, fell over; until that register is written again."},
     {0x0E4, "restart", {16, 1}, "restart_i has been held for 255 frames: a button that is stuck, or a broken wire."},
+    {0x0E8, "base_word64", {0, 16}, "Index of its first 64-bit word."},
+    {0x0E8, "end_word64", {16, 16}, "Index after the last one, modulo 65536: it takes (end - base) modulo 65536 words, and all 65536 where that is 0."},
     {0x100, "value", {0, 32}, "0 = none yet."},
     {0x104, "alarm", {0, 1}, "More skin pixels than ALARM_LIMIT."},
     {0x104, "safe", {1, 1}, "Complete, free of faults and of alarm."},

@@ -47,7 +47,7 @@ inline constexpr std::uint32_t kAddress = 0x004;
 inline constexpr Access kAccess = Access::kReadOnly;
 /// Counts compatible additions.
 inline constexpr Field kMinor{0, 16};
-inline constexpr std::uint32_t kMinorValue = 0x1;
+inline constexpr std::uint32_t kMinorValue = 0x2;
 /// Counts incompatible changes.
 inline constexpr Field kMajor{16, 16};
 inline constexpr std::uint32_t kMajorValue = 0x2;
@@ -554,6 +554,17 @@ inline constexpr Field kSettings{15, 1};
 /// restart_i has been held for 255 frames: a button that is stuck, or a broken wire.
 inline constexpr Field kRestart{16, 1};
 }  // namespace faults_machine
+
+/// Where the table in MAP_SLOT lies in the pool; 0 without a table. Means nothing in the 100 clocks after the third
+/// word of an upload.
+namespace map_extent {
+inline constexpr std::uint32_t kAddress = 0x0E8;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Index of its first 64-bit word.
+inline constexpr Field kBaseWord64{0, 16};
+/// Index after the last one, modulo 65536: it takes (end - base) modulo 65536 words, and all 65536 where that is 0.
+inline constexpr Field kEndWord64{16, 16};
+}  // namespace map_extent
 
 /// Counts finished frames since enable. Read before and after the other FRAME registers: the same value means they
 /// belong together.
@@ -1109,7 +1120,7 @@ struct Register {
   bool locked;  ///< writes are refused while CONTROL.enable is 1
 };
 
-inline constexpr std::array<Register, 79> kRegisters = {{
+inline constexpr std::array<Register, 80> kRegisters = {{
     {"id", 0x000, Access::kReadOnly, false},
     {"version", 0x004, Access::kReadOnly, false},
     {"build_size", 0x008, Access::kReadOnly, false},
@@ -1152,6 +1163,7 @@ inline constexpr std::array<Register, 79> kRegisters = {{
     {"map_undecidable_limit", 0x0DC, Access::kReadWrite, false},
     {"faults_cameras", 0x0E0, Access::kWriteOneToClear, false},
     {"faults_machine", 0x0E4, Access::kWriteOneToClear, false},
+    {"map_extent", 0x0E8, Access::kReadOnly, false},
     {"frame_sequence", 0x100, Access::kReadOnly, false},
     {"frame_status", 0x104, Access::kReadOnly, false},
     {"frame_faults_cameras", 0x108, Access::kReadOnly, false},

@@ -30,7 +30,7 @@ class UioDevice : public Device {
         0;  ///< in the mapping; a multiple of the page size (UIO: page size times map number)
   };
 
-  /// Throws DeviceError when something cannot be opened or mapped.
+  /// Throws DeviceError when something cannot be opened or mapped, or is used by another program.
   explicit UioDevice(const Paths& paths, std::chrono::milliseconds timeout = std::chrono::seconds(2));
   ~UioDevice() override;
   UioDevice(const UioDevice&) = delete;
@@ -54,6 +54,7 @@ class UioDevice : public Device {
   void check_streams() const;
 
   std::array<int, kStreams> files_{-1, -1, -1, -1};
+  int registers_file_ = -1;  ///< locked: a machine has one master
   volatile std::uint32_t* registers_ = nullptr;
   std::chrono::milliseconds timeout_;
   std::array<std::deque<std::uint8_t>, 2> outgoing_;
