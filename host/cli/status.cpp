@@ -124,6 +124,11 @@ void write_frame(Device& device, const StatusOptions& options) {
 }
 
 ExitStatus status(const StatusOptions& options) {
+  const bool wants_frame = !options.states.empty() || !options.runs.empty();
+  if (wants_frame && !is_somewhere(options.engine)) {
+    throw UsageError(fmt::format(
+        "engine {} has no frame to show; expected serial:PORT with --states and --runs, or `run`", options.engine));
+  }
   const auto device = make_device(options.engine, find_profile(options.profile));
   const auto read = [&] {
     const MachineStatus now = read_status(*device);
@@ -137,7 +142,7 @@ ExitStatus status(const StatusOptions& options) {
     }
   };
   read();
-  if (!options.states.empty() || !options.runs.empty()) write_frame(*device, options);
+  if (wants_frame) write_frame(*device, options);
   while (options.watch && !asked_to_stop()) {
     const auto next = std::chrono::steady_clock::now() + kWatchPeriod;
     while (std::chrono::steady_clock::now() < next && !asked_to_stop()) std::this_thread::sleep_for(kWatchStep);

@@ -77,6 +77,23 @@ std::string write_table(const Sandbox& box, const std::string& name = "skin") {
   return nlohmann::json::parse(made.out)["tables"][0]["crc"];
 }
 
+/// Two fields' tables of 14 KiB: the left camera's image is curved.
+void write_large_table(const Sandbox& box) {
+  const auto camera = [](const std::string& name, const std::string& distortion, const std::string& x_mm) {
+    return "  - name: " + name +
+           "\n    image_size: [756, 572]\n    model: brown_conrady\n    fx_px: 700\n    fy_px: 700\n    cx_px: 377.5\n"
+           "    cy_px: 285.5\n    distortion: " +
+           distortion + "\n    rotation: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n    translation_mm: [" + x_mm + ", 0, 0]\n";
+  };
+  box.write("rig.yaml", "horopter_rig: 1\nworld: left\ncameras:\n" + camera("left", "{k1: -0.3}", "0") +
+                            camera("right", "{}", "-50"));
+  box.write("skin.yaml", "surface: {type: plane, point_mm: [0, 0, 1000], normal: [0, 0, -1]}\n");
+  const auto made =
+      box.run({"map", "--skin", "skin.yaml", "--rig", "rig.yaml", "--profile", "field", "-o", "skin.hmap"});
+  INFO(made.err);
+  REQUIRE(made.status == 0);
+}
+
 nlohmann::json status_of(const Sandbox& box, const std::string& engine) {
   const auto result = box.run({"status", "--engine", engine, "--json"});
   INFO(result.err);
@@ -177,15 +194,16 @@ TEST_CASE("From photographs to a board, and the board's runs are those of the na
 
 TEST_CASE("What happens in the middle of an upload leaves the table in use in use") {
   const Sandbox box;
-  write_table(box);
+  write_large_table(box);
   auto terminal = std::make_unique<Terminal>();
   auto board = std::make_unique<BoardBehind>(*terminal);
   const std::string before = status_of(box, terminal->engine())["table"]["crc"];
   const std::vector<std::string> upload{"upload", "--engine", terminal->engine(), "--map", "skin.hmap", "--unproven"};
-  constexpr std::size_t kMiddle = 500;  // bytes from the host: among those of the table
+  constexpr std::size_t kMiddle = 4000;  // bytes from the host: among those of the first table
 
   board->at_byte(kMiddle, BoardBehind::Event::reset);
   check_fault(box, upload, "the board was reset");
+  board->drain();
   CHECK(status_of(box, terminal->engine())["table"]["crc"] == before);
 
   const auto is_in_use = [&](const std::string& engine) {
@@ -199,6 +217,7 @@ TEST_CASE("What happens in the middle of an upload leaves the table in use in us
   };
   board->at_byte(kMiddle, BoardBehind::Event::noise);
   check_fault(box, upload, "has stopped answering");
+  board->drain();
   board->quiet();
   is_in_use(terminal->engine());
 
@@ -207,10 +226,11 @@ TEST_CASE("What happens in the middle of an upload leaves the table in use in us
   check_fault(box, upload, terminal->name());
   Terminal other;
   board->plug(other);
+  board->drain();
   is_in_use(other.engine());
 
   // The line a second, and the cable pulled meanwhile.
-  board->at_byte(3000, BoardBehind::Event::unplug);
+  board->at_byte(1000, BoardBehind::Event::unplug);
   const auto watch = box.run({"status", "--engine", other.engine(), "--watch", "--json"});
   CHECK(watch.status == 4);
   CHECK_THAT(watch.err, Catch::Contains("the port has gone"));
@@ -311,6 +331,11 @@ TEST_CASE("A serial port without a Horopter board") {
     check_fault(box, upload(terminal.engine()), "no answer of a Horopter board: another device");
   }
   if (::geteuid() == 0) {
+    Terminal pulled;
+    const Behind cable(pulled, [](Terminal& t) {
+      if (!t.read().empty()) t.hang_up();
+    });
+    check_fault(box, status(pulled.engine()), "the port has gone");
     REQUIRE(::chmod(terminal.name().c_str(), 0) == 0);
     const auto result =
         box.run_shell("cd / && setpriv --reuid=65534 --clear-groups horopter status --engine " + terminal.engine());
@@ -333,6 +358,9 @@ TEST_CASE("Files and engines that are not the board's") {
   check_bad_file(box, upload({"--map", "vga.hmap"}), "vga.hmap", "a table for profile vga");
   check_bad_file(box, upload({"--map", "none.hmap"}), "none.hmap", "");
   check_bad_file(box, upload({"--map", "vga.yaml"}), "vga.yaml", "this is no table");
+  const auto states = box.run({"status", "--engine", "native", "--states", "states.png"});
+  CHECK(states.status == 2);
+  CHECK_THAT(states.err, Catch::Contains("engine native has no frame to show; expected serial:PORT"));
   const auto compete = box.run(upload({"--map", "skin.hmap", "--decision", "compete"}));
   CHECK(compete.status == 2);
   CHECK_THAT(compete.err, Catch::Contains("does not have the decision 'compete'"));

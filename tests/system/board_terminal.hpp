@@ -13,6 +13,7 @@
 #include <array>
 #include <atomic>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -57,6 +58,8 @@ class Terminal {
     if (master_ >= 0) ::close(master_);
     master_ = -1;
   }
+  /// As when an adapter is pulled out of the computer.
+  void hang_up() const { ::ioctl(slave_, TIOCVHANGUP); }
   /// Of a program that was killed: a port of hardware does so by itself, when nobody has it open any more.
   void release() const { ::ioctl(slave_, TIOCNXCL); }
   std::vector<std::uint8_t> read() {
@@ -104,12 +107,16 @@ class BoardBehind {
   /// Into another port. The one before may go when this has come back.
   void plug(Terminal& terminal) {
     terminal_ = &terminal;
-    for (const std::size_t now = steps_; steps_ < now + 2;) std::this_thread::yield();
+    for (const std::size_t now = steps_; steps_ < now + 2;) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  /// It has taken what programs have left in the port; a line of hardware does not hold it.
+  void drain() {
+    for (idle_steps_ = 0; idle_steps_ < 5;) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   /// The noise ends.
   void quiet() {
     is_quiet_ = true;
-    while (is_quiet_) std::this_thread::yield();
+    while (is_quiet_) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 
   void at_byte(std::size_t count, Event event) {
@@ -127,7 +134,9 @@ class BoardBehind {
     is_quiet_ = false;
     const bool paused = event_ == Event::pause && bytes_ >= event_at_;
     if (!board_->sending() && !paused) {
-      for (const std::uint8_t byte : terminal.read()) {
+      const auto bytes = terminal.read();
+      idle_steps_ = bytes.empty() ? idle_steps_ + 1 : 0;
+      for (const std::uint8_t byte : bytes) {
         if (++bytes_ == event_at_) happen(terminal);
         board_->send(byte);
       }
@@ -153,6 +162,7 @@ class BoardBehind {
   std::atomic<std::size_t> event_at_ = 0;
   std::atomic<Event> event_ = Event::none;
   std::atomic<std::size_t> steps_ = 0;
+  std::atomic<int> idle_steps_ = 0;
   std::atomic<bool> is_quiet_ = false;
   std::atomic<Terminal*> terminal_;
   Behind behind_;

@@ -10,6 +10,7 @@
 
 #include "horopter/base/crc32.hpp"
 #include "horopter/base/error.hpp"
+#include "horopter/machine/loader.hpp"
 #include "horopter/machine/monitor.hpp"
 #include "horopter/machine/moving_supervisor.hpp"
 #include "horopter/machine/native_device.hpp"
@@ -509,6 +510,34 @@ TEST_CASE("A build with a smaller pool takes the tables that fit it") {
   CHECK_NOTHROW(moving(2));
 }
 
+TEST_CASE("A table without room beside the one in use is refused, or takes its place in a machine that is stopped") {
+  const MachineProfile& profile = find_profile("vga");
+  Built device({pool_kib(1)});
+  const Build build = find_build(device);
+  const auto maps = [&](int shift) {
+    MapTable table(ScanGeometry{kWidth, kHeight, Scan::progressive}, 3, 3);  // 520 bytes
+    table.set_control(0, 0, MapTable::encode(Point{static_cast<double>(shift), 0}));
+    table.seal(facts_of(table, profile));
+    MapSet set{"vga", kWidth, kHeight, "", "", {{table, {}}}};
+    set.maps[0].report.lookahead = 8;
+    return set;
+  };
+  const Settings settings = Settings{}.without_proof();
+  const auto crc = [&] {
+    device.write(reg::map_slot::kAddress, device.read(reg::table_select::kAddress));
+    return device.read(reg::map_crc::kAddress);
+  };
+  CHECK_FALSE(load(device, build, maps(1), settings, false).stopped);  // it was not running
+  CHECK(crc() == maps(1).maps[0].table.crc());
+  CHECK_THROWS_WITH(load(device, build, maps(2), settings, false),
+                    Catch::Contains("--stop-first") && Catch::Contains("the table that was in use stays in use"));
+  CHECK(crc() == maps(1).maps[0].table.crc());
+  CHECK(reg::status::kRunning.get(device.read(reg::status::kAddress)) == 1);
+  CHECK(load(device, build, maps(2), settings, true).stopped);
+  CHECK(crc() == maps(2).maps[0].table.crc());
+  CHECK(reg::status::kRunning.get(device.read(reg::status::kAddress)) == 1);
+}
+
 TEST_CASE("A build with anything more or other than the profile is refused") {
   const auto change =
       GENERATE(values<Built::Change>({pool_kib(81),
@@ -642,6 +671,11 @@ TEST_CASE("The memory-mapped device moves registers and streams") {
   }
   CHECK_THROWS_AS(device.read(0x1000), DeviceError);
   CHECK_THROWS_AS(device.read(2), DeviceError);
+
+  // What another program has left.
+  std::ofstream(paths.states, std::ios::binary) << std::string(100, '\1');
+  std::ofstream(paths.runs, std::ios::binary) << std::string(16, '\1');
+  device.write(reg::control::kAddress, 0);
 
   // The machine: takes both images row by row, gives the difference as states and one run a row.
   const Image left = textured(kWidth, kHeight, 1);

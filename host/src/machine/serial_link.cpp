@@ -28,6 +28,8 @@ enum Status : std::uint8_t { kDone = 0, kRefused = 2, kNoAddress = 3, kNoSession
 constexpr std::size_t kWindow = 20;
 constexpr int kTries = 10;
 constexpr int kOpenTries = 4;
+/// Answers in a row that tell of nothing new: more than there are frames in all tries.
+constexpr std::size_t kIdleAnswers = 2 * kTries * kWindow;
 
 std::uint32_t header(Kind kind, std::uint16_t address, std::size_t words, std::uint8_t number) {
   return static_cast<std::uint32_t>(address) << 16 | static_cast<std::uint32_t>(kind) << 14 |
@@ -160,27 +162,26 @@ void SerialLink::write(std::uint16_t address, std::span<const std::uint32_t> wor
   std::size_t most_sent = 0;
   std::size_t gone_back_to = frames.size();  // because of a gap; once only, as all that follow it are answered, too
   int tries = 0;
-  Time end{};  // of the wait; what is no progress does not make it longer
+  std::size_t idle_answers = 0;
   while (done < frames.size()) {
-    const bool sends = sent < std::min(frames.size(), done + kWindow);
     for (; sent < std::min(frames.size(), done + kWindow); ++sent) {
       port_->write(frames[sent]);
       if (sent < most_sent) ++repeated_;
       most_sent = std::max(most_sent, sent + 1);
     }
-    if (sends) end = port_->now() + patience((sent - done) * kLargestFrame);
-    const auto answer = next_answer(end);
+    const auto answer = next_answer(port_->now() + patience((sent - done) * kLargestFrame));
     if (!answer) {
       if (++tries == kTries) fail_unanswered();
       sent = done;
       continue;
     }
     check(*answer, "write", address);
+    if (++idle_answers > kIdleAnswers) fail_unanswered();
     const std::size_t progress = static_cast<std::uint8_t>(answer->expected - (first + done));
     if (progress > most_sent - done) continue;  // of an earlier session, or request
     if (progress > 0) {
       tries = 0;
-      end = port_->now() + patience((std::max(sent, done + progress) - done - progress) * kLargestFrame);
+      idle_answers = 0;
     }
     done += progress;
     sent = std::max(sent, done);

@@ -94,6 +94,19 @@ std::uint32_t UioDevice::read(std::uint32_t address) {
 void UioDevice::write(std::uint32_t address, std::uint32_t value) {
   if (address % 4 != 0 || address >= kRegisterBytes) throw DeviceError(fmt::format("no register at {:x}", address));
   registers_[address / 4] = value;
+  if (address == reg::control::kAddress && reg::control::kEnable.get(value) == 0) discard();
+}
+
+void UioDevice::discard() {
+  for (auto& bytes : outgoing_) bytes.clear();
+  for (auto& bytes : incoming_) bytes.clear();
+  constexpr int kReads = 256;  // more than what drivers hold
+  std::array<std::uint8_t, 65536> buffer{};
+  for (const Stream i : {kStates, kRuns}) {
+    for (int read = 0; read < kReads && files_[i] >= 0; ++read) {
+      if (::read(files_[i], buffer.data(), buffer.size()) <= 0) break;
+    }
+  }
 }
 
 void UioDevice::check_streams() const {

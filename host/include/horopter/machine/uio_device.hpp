@@ -50,6 +50,8 @@ class UioDevice : public Device {
 
   /// Moves bytes in all directions at once, as none of the streams may wait for another. False: nothing moved in time.
   bool pump(std::size_t states_wanted, bool runs_wanted);
+  /// What is on the way, also of a program before this one. A machine that is stopped drops its frame.
+  void discard();
   void close_all();
   void check_streams() const;
 
