@@ -443,8 +443,13 @@ void random_sequences(std::string_view purpose, unsigned count) {
   for (unsigned done = 0; done < count;) {
     if (done % kSequencesOfABench == 0) bench = std::make_unique<Bench<Model_>>(live, rng.next());
     CAPTURE(live, done);
-    (bench->sequence() ? done : unknowable) += 1;
+    const bool sent = bench->sequence();
+    (sent ? done : unknowable) += 1;
     latest = std::max(latest, bench->latest());
+    if (sent && done % (5 * kSequencesOfABench) == 0 && done < count) {
+      std::fprintf(stderr, "%.*s, %s: %u of %u\n", static_cast<int>(purpose.size()), purpose.data(),
+                   live ? "live" : "back-pressure", done, count);
+    }
   }
   std::printf("%.*s, %s: %u random broken sequences, %u not knowable and made again", static_cast<int>(purpose.size()),
               purpose.data(), live ? "live" : "back-pressure", count, unknowable);
