@@ -248,6 +248,13 @@ class Machine : public Endpoint {
     return p;
   }
 
+  /// What has come out is not looked at.
+  void forget() {
+    frames_taken_ = frames_done_;
+    states_.take();
+    runs_.take();
+  }
+
   /// Nothing more comes by itself.
   void settle(std::uint64_t clocks = 20'000) { simulation_.run(clocks); }
 

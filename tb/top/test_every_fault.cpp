@@ -1,0 +1,448 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every fault of registers.yaml, in every profile with each rule that it has: raised once, it is named in a frame's result,
+// and safe_o, which was high before, is low. A fault that this file forgets fails it. And the test input.
+#include <Vhoropter_machine_field.h>
+#include <Vhoropter_machine_field___024root.h>
+#include <Vhoropter_machine_hd.h>
+#include <Vhoropter_machine_hd___024root.h>
+#include <Vhoropter_machine_vga.h>
+#include <Vhoropter_machine_vga___024root.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "machine_bench.hpp"
+#include "signal.hpp"
+
+// What tb/upset lists of each model, and its way to compute all logic anew from the registers.
+#define HOROPTER_TB_MACHINE(Name, model)                                            \
+  std::vector<horopter::upset::Signal> signals_##model(V##model##___024root& root); \
+  void V##model##___024root___eval_settle(V##model##___024root* root);              \
+  struct Name {                                                                     \
+    using Model = V##model;                                                         \
+    static auto signals(Model& m) { return signals_##model(*m.rootp); }             \
+    static void settle(Model& m) { V##model##___024root___eval_settle(m.rootp); }   \
+  }
+HOROPTER_TB_MACHINE(FieldMachine, horopter_machine_field);
+HOROPTER_TB_MACHINE(VgaMachine, horopter_machine_vga);
+HOROPTER_TB_MACHINE(HdMachine, horopter_machine_hd);
+
+namespace horopter::tb {
+namespace {
+
+struct FieldThesis : FieldMachine {
+  static constexpr std::string_view profile = "field";
+  static constexpr bool compete = false;
+};
+struct VgaThesis : VgaMachine {
+  static constexpr std::string_view profile = "vga";
+  static constexpr bool compete = false;
+};
+struct VgaCompete : VgaThesis {
+  static constexpr bool compete = true;
+};
+struct HdThesis : HdMachine {
+  static constexpr std::string_view profile = "hd";
+  static constexpr bool compete = false;
+};
+struct HdCompete : HdThesis {
+  static constexpr bool compete = true;
+};
+
+constexpr unsigned kWidth = 64, kHeight = 32, kLookahead = 16;
+constexpr unsigned kTimeout = 15'000;
+constexpr int kShift = -5;
+
+template <class Build>
+class Bench {
+ public:
+  explicit Bench(const MachineOptions& options) : machine{Build::profile, options} {
+    auto& settings = machine.settings();
+    settings.compete = Build::compete ? 1 : 0;
+    settings.alarm_limit = static_cast<int>(options.width * options.height);  // only faults are looked at here
+    settings.frozen_limit = 1;
+    machine.write_limits();
+    CHECK(machine.read(reg::decision::kAddress) == (Build::compete ? 1 : 0));
+    machine.upload(0, 0, table);
+    machine.select(0);
+  }
+  virtual ~Bench() = default;
+
+  virtual FramePair scene() { return random_pair(machine.options().width, machine.options().height, kShift, rng); }
+  void send_scene(Damage left = {}, Damage right = {}) { machine.send(scene(), left, right); }
+
+  /// Begins anew: broken frames leave a doubt.
+  void restart() {
+    machine.write(reg::control::kAddress, 0);
+    machine.left().reset();
+    machine.right().reset();
+    machine.settle(100);
+    machine.forget();
+    machine.write(reg::control::kAddress, reg::control::kEnable.put(1));
+    machine.select(0);
+  }
+  void until_safe() {
+    Published p;
+    for (int frame = 0; frame < 4 && !p.safe_pin; ++frame) {
+      send_scene();
+      p = machine.receive();
+    }
+    CAPTURE(p.fault_names());
+    REQUIRE(p.safe_pin);
+    REQUIRE(machine.model().safe_o == 1);
+  }
+
+  /// `cause` sends some frames. One of their results has the fault and is not safe.
+  void raise(const std::string& fault, const std::function<void()>& cause) {
+    CAPTURE(Build::profile, Build::compete, fault);
+    if (begin_anew) restart();
+    until_safe();
+    cause();
+    expect(fault);
+  }
+  void expect(const std::string& fault) {
+    std::string others;
+    try {
+      for (int frame = 0; frame < 8; ++frame) {
+        const Published p = machine.receive();
+        for (const std::string& name : p.fault_names()) others += name + " ";
+        others += "| ";
+        if (!p.fault_names().contains(fault)) continue;
+        CHECK_FALSE(p.safe());
+        CHECK_FALSE(p.safe_pin);
+        raised.insert(fault);
+        return;
+      }
+    } catch (const Timeout&) {  // no more frames come
+    }
+    FAIL_CHECK("no frame has it, but " << others);
+  }
+
+  /// The same bit of every word of the memory `name`.
+  void flip(const std::string& name) {
+    for (const upset::Signal& signal : Build::signals(machine.model())) {
+      if (!std::string_view(signal.name).starts_with(name + ".")) continue;
+      for (unsigned word = 0; word < signal.words; ++word) signal.flip(std::uint64_t{word} * signal.bits);
+    }
+    Build::settle(machine.model());
+  }
+
+  Rng rng{"every fault"};
+  Machine<typename Build::Model> machine;
+  std::vector<std::uint32_t> table = plane_table(machine.options().width, machine.options().height, kShift);
+  std::set<std::string> raised;
+  bool begin_anew = true;  ///< before every fault
+};
+
+/// Of a scene whose depth both cameras see: places as wide as a cell of the check that clear is earned.
+template <class Build>
+class SceneBench final : public Bench<Build> {
+ public:
+  explicit SceneBench(const hls::Profile& profile)
+      : Bench<Build>{{28 * wide(profile), 13 * tall(profile), kLookahead, false, 8 * kTimeout}},
+        wide_{wide(profile)},
+        tall_{tall(profile)} {
+    for (std::uint8_t& value : places_) value = static_cast<std::uint8_t>(this->rng.below(250));
+    auto& machine = this->machine;
+    this->table = make_table(machine.options().width, machine.options().height, 4, 4,
+                             [](double x, double y) { return std::pair{x, y}; });
+    machine.upload(0, 0, this->table);
+    auto& settings = machine.settings();
+    const native::Settings usual{};
+    settings.prove = 1;
+    settings.nearer_above = 1;
+    settings.hidden_frames = 2;
+    settings.blind_share = usual.blind_share;
+    settings.one_camera_segments = usual.one_camera_segments;
+    machine.configure();
+    machine.write_limits();
+  }
+
+  FramePair scene() override { return {view(0, 0), view(2, 0)}; }
+  /// The scene displaced by so many cells.
+  Image view(int across, int down) {
+    Image image{this->machine.options().width, this->machine.options().height};
+    for (unsigned y = 0; y < image.height; ++y) {
+      for (unsigned x = 0; x < image.width; ++x) {
+        const auto column = static_cast<std::size_t>(static_cast<int>(x / wide_) + across + 8);
+        const auto row = static_cast<std::size_t>(static_cast<int>(y / tall_) + down + 8);
+        image.at(x, y) = static_cast<std::uint8_t>(places_[row * 40 + column] + this->rng.below(3));
+      }
+    }
+    return image;
+  }
+
+ private:
+  static unsigned wide(const hls::Profile& profile) {
+    return static_cast<unsigned>(profile.cell() * profile.subsample);
+  }
+  static unsigned tall(const hls::Profile& profile) { return static_cast<unsigned>(profile.cell()); }
+  unsigned wide_, tall_;
+  std::vector<std::uint8_t> places_ = std::vector<std::uint8_t>(40 * 40);
+};
+
+Image fog(Image image, int contrast_divided_by, unsigned noise, Rng& rng) {
+  for (std::uint8_t& pixel : image.pixels) {
+    pixel = static_cast<std::uint8_t>(112 + pixel / contrast_divided_by + static_cast<int>(rng.below(noise)));
+  }
+  return image;
+}
+
+/// What a frame with gaps and broken lines, other images, tables and memories raises.
+template <class Build>
+std::set<std::string> faults_of_small_frames() {
+  Bench<Build> bench{{kWidth, kHeight, kLookahead, false, kTimeout}};
+  auto& machine = bench.machine;
+  using Kind = Damage::Kind;
+  for (const std::string side : {"left", "right"}) {
+    const bool left = side == "left";
+    for (const auto& [name, damage] : {std::pair{"_short_line", Damage{Kind::short_line, 20, 3}},
+                                       std::pair{"_long_line", Damage{Kind::long_line, 20, 2}},
+                                       std::pair{"_missing_line", Damage{Kind::missing_line, 20, 1}},
+                                       std::pair{"_missing_start", Damage{Kind::missing_start}}}) {
+      bench.raise(side + name, [&] {
+        bench.send_scene(left ? damage : Damage{}, left ? Damage{} : damage);
+        if (damage.kind != Kind::missing_start) bench.send_scene();
+      });
+    }
+    bench.raise(side + "_silent", [&] {
+      const FramePair pair = bench.scene();
+      left ? machine.right().send(pair.right) : machine.left().send(pair.left);
+    });
+    for (const auto& [name, grey] : {std::pair{"_black", 1}, std::pair{"_white", 254}, std::pair{"_constant", 120}}) {
+      bench.raise(side + name, [&] {
+        FramePair pair = bench.scene();
+        for (std::uint8_t& pixel : (left ? pair.left : pair.right).pixels)
+          pixel = static_cast<std::uint8_t>(grey + static_cast<int>(bench.rng.below(2)));
+        machine.send(pair);
+      });
+    }
+    bench.raise(side + "_frozen", [&] {
+      const FramePair first = bench.scene();
+      FramePair second = bench.scene();
+      (left ? second.left : second.right) = left ? first.left : first.right;
+      machine.send(first);
+      machine.send(second);
+    });
+  }
+  bench.raise("skew", [&] {
+    bench.send_scene({Kind::short_line, 20, 3});
+    bench.send_scene();
+  });
+  bench.raise("store_miss", [&] {  // 24 rows below the output row, but only LOOKAHEAD = 16 rows have arrived
+    machine.upload(1, 500, plane_table(kWidth, kHeight, 0, 24));
+    machine.select(1);
+    bench.send_scene();
+  });
+  bench.raise("no_table", [&] {
+    machine.select(15);
+    bench.send_scene();
+  });
+  bench.raise("map_crc", [&] {
+    auto words = bench.table;
+    words[7] ^= 1U << 9;
+    machine.upload(4, 600, words);
+    bench.send_scene();
+  });
+  bench.raise("map_busy", [&] {
+    machine.upload(0, 0, bench.table);
+    bench.send_scene();
+  });
+  const native::Settings usual = machine.settings();
+  for (const bool undecidable : {true, false}) {
+    bench.raise(undecidable ? "too_undecidable" : "too_unsupervised", [&] {
+      (undecidable ? machine.settings().undecidable_limit : machine.settings().unsupervised_limit) = 5;
+      machine.write_limits();
+      machine.upload(1, 500, bench.table);  // with the limit of undecidable pixels
+      machine.select(1);
+      FramePair pair = bench.scene();
+      for (unsigned pixel = 0; undecidable && pixel < kWidth * kHeight / 2; ++pixel) {
+        pair.left.pixels[pixel] = pair.right.pixels[pixel] = static_cast<std::uint8_t>(120 + bench.rng.below(2));
+      }
+      machine.send(pair);
+    });
+    machine.settings() = usual;
+    machine.write_limits();
+  }
+  bench.raise("identical_images", [&] {
+    FramePair pair = bench.scene();
+    pair.right = pair.left;
+    machine.send(pair);
+  });
+  bench.raise("settings", [&] {
+    for (const upset::Signal& signal : Build::signals(machine.model())) {
+      if (std::string_view(signal.name) == "u_csr.alarm_limit_pixels_q") signal.flip(20);
+    }
+    Build::settle(machine.model());
+    bench.send_scene();
+  });
+  machine.write_limits();
+
+  bench.restart();
+  bench.until_safe();
+  machine.settle(2 * kTimeout);
+  CHECK(machine.model().safe_o == 0);
+  // That no frame comes is not a frame's fault.
+  if (horopter::Faults(0, machine.read(reg::faults_machine::kAddress)).has(Fault::late)) bench.raised.insert("late");
+  return bench.raised;
+}
+
+template <class Build>
+std::set<std::string> overflows() {
+  Bench<Build> bench{{kWidth, kHeight, kLookahead, true, 8 * kTimeout}};
+  for (const std::string side : {"left", "right"}) {
+    bench.raise(side + "_overflow", [&] {
+      bench.machine.states().set_pace(Pace::periodic(0, 1));
+      for (int frame = 0; frame < 6; ++frame) bench.send_scene();
+      bench.machine.settle(6 * kWidth * kHeight);
+      bench.machine.states().set_pace({});
+    });
+  }
+  return bench.raised;
+}
+
+/// What only a scene tells: whether both cameras see it, and from where.
+template <class Build>
+std::set<std::string> faults_of_scenes() {
+  SceneBench<Build> bench{native::make_engine(Build::profile)->profile()};
+  auto& machine = bench.machine;
+  bench.begin_anew = false;
+  bench.send_scene();
+  bench.expect("unproven");
+  for (const std::string side : {"left", "right"}) {
+    for (const auto& [what, thick, noise] : {std::tuple{"_blind", 32, 20U}, {"_unsharp", 16, 1U}}) {
+      bench.raise(side + what, [&] {
+        FramePair pair = bench.scene();
+        Image& image = side == "left" ? pair.left : pair.right;
+        image = fog(image, thick, noise, bench.rng);
+        machine.send(pair);
+      });
+    }
+  }
+  bench.raise("one_camera", [&] { machine.send({bench.view(0, 0), bench.view(0, 0)}); });
+  bench.raise("disagree", [&] {
+    FramePair pair = bench.scene();
+    std::ranges::reverse(pair.right.pixels);
+    machine.send(pair);
+  });
+  bench.raise("moved", [&] { machine.send({bench.view(0, 0), bench.view(2, -1)}); });
+  bench.raise("hidden", [&] {
+    for (int frame = 0; frame < 3; ++frame) machine.send({bench.view(0, 0), bench.view(-2, 0)});
+  });
+  return bench.raised;
+}
+
+/// A bit of every memory with parity falls over while a frame leaves, or before it.
+template <class Build>
+std::set<std::string> faults_of_memories() {
+  Bench<Build> bench{{kWidth, kHeight, kLookahead, false, kTimeout}};
+  auto& machine = bench.machine;
+  // Every memory of the stores has parity.
+  std::set<std::string> memories;
+  for (const upset::Signal& signal : Build::signals(machine.model())) {
+    const std::string name = signal.name;
+    if (std::string_view(signal.module) != "ram_bank" || name.find("_store.") == std::string::npos) continue;
+    memories.insert(name.substr(0, std::min(name.find(".g_one."), name.find(".g_banks."))));
+  }
+  CHECK(memories.size() == 4 + 1 + 6);
+  for (const std::string& memory : memories) {
+    CAPTURE(memory);
+    const bool left = memory.starts_with("u_left_store."), right = memory.starts_with("u_image_store.");
+    const bool extent = memory == "u_map_store.u_extent";  // of what is uploaded: read when another table is
+    bench.raise(left     ? "left_parity"
+                : right  ? "right_parity"
+                : extent ? "map_busy"
+                         : "internal",
+                [&] {
+                  if (left || right) {
+                    bench.send_scene();
+                    machine.simulation().run_until(
+                        [&] { return machine.states().beats().size() > kWidth * kHeight / 4; }, 100'000, "some states");
+                  }
+                  bench.flip(memory);
+                  if (extent) machine.upload(3, 700, bench.table);
+                  if (!left && !right) bench.send_scene();
+                });
+    if (!left && !right) bench.flip(memory);  // as it was
+    machine.write(reg::control::kAddress, 0);
+    machine.upload(0, 0, bench.table);
+  }
+  return bench.raised;
+}
+
+TEMPLATE_TEST_CASE("every fault is named, and not safe", "[faults][every]", FieldThesis, VgaThesis, VgaCompete,
+                   HdThesis, HdCompete) {
+  std::set<std::string> raised = faults_of_small_frames<TestType>();
+  raised.merge(overflows<TestType>());
+  raised.merge(faults_of_scenes<TestType>());
+  raised.merge(faults_of_memories<TestType>());
+  for (const auto& [fault, name] : registers::kFaults) {
+    CAPTURE(TestType::profile, TestType::compete, name);
+    CHECK(raised.contains(std::string(name)));
+  }
+}
+
+/// Both images in one stream.
+template <class Model>
+class TestSource final : public Endpoint {
+ public:
+  explicit TestSource(Model& model) : model_{model} {}
+  void send(const FramePair& pair) {
+    pair_ = pair;
+    next_ = 0;
+  }
+  bool done() const { return next_ == pair_.left.pixels.size(); }
+  void drive() override {
+    model_.s_axis_test_tvalid = done() ? 0 : 1;
+    if (done()) return;
+    model_.s_axis_test_tdata = static_cast<std::uint16_t>(pair_.right.pixels[next_] << 8 | pair_.left.pixels[next_]);
+    model_.s_axis_test_tuser = next_ == 0 ? 1 : 0;
+    model_.s_axis_test_tlast = next_ % pair_.left.width == pair_.left.width - 1 ? 1 : 0;
+  }
+  void sample() override {
+    if (!done() && model_.s_axis_test_tready) ++next_;
+  }
+
+ private:
+  Model& model_;
+  FramePair pair_;
+  std::size_t next_ = 0;
+};
+
+TEMPLATE_TEST_CASE("the test input: a frame as of the cameras, which are not looked at, and never safe",
+                   "[faults][every]", FieldThesis, VgaThesis, VgaCompete, HdThesis, HdCompete) {
+  Bench<TestType> bench{{kWidth, kHeight, kLookahead, false, kTimeout}};
+  auto& machine = bench.machine;
+  bench.until_safe();
+  TestSource source{machine.model()};
+  machine.simulation().attach(source);
+  machine.write(reg::control::kAddress, 0);
+  machine.write(reg::mode::kAddress, reg::mode::kTestInput.put(1));
+  machine.write(reg::control::kAddress, reg::control::kEnable.put(1));
+  bench.send_scene();  // nobody takes it
+  const auto taken = machine.left().taken() + machine.right().taken();
+  machine.safe_was_low();
+  for (int frame = 0; frame < 3; ++frame) {
+    CAPTURE(TestType::profile, TestType::compete, frame);
+    const FramePair pair = bench.scene();
+    source.send(pair);
+    const Published p = machine.receive();
+    machine.check_frame(p, pair, bench.table);  // of itself it would be safe
+    CHECK_FALSE(p.safe_pin);
+    CHECK(machine.model().safe_o == 0);
+  }
+  // A broken image comes to both.
+  FramePair pair = bench.scene();
+  pair.left.at(0, 0) = pair.right.at(0, 0);
+  source.send({pair.left, pair.left});
+  const Published p = machine.receive();
+  CHECK(p.fault_names() == std::set<std::string>{"identical_images"});
+  CHECK(machine.left().taken() + machine.right().taken() == taken);
+  machine.write(reg::control::kAddress, 0);
+  machine.write(reg::mode::kAddress, 0);
+  bench.restart();
+  bench.until_safe();
+}
+
+}  // namespace
+}  // namespace horopter::tb
