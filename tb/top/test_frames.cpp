@@ -7,6 +7,7 @@
 #include <Vmachine_vga_compete.h>
 #include <Vmachine_vga_thesis.h>
 
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
@@ -190,17 +191,36 @@ TEST_CASE("a build with a smaller pool refuses what does not fit it", "[top]") {
   CHECK(machine.read(reg::map_valid::kAddress) == 1);
 }
 
-TEST_CASE("hd: a whole frame is bit-exact", "[top]") {
+TEST_CASE("hd: whole frames are bit-exact, with gaps and back-pressure, another table for each", "[top]") {
   Rng rng{"hd"};
-  Machine<Vhoropter_machine_hd> machine{"hd", {1920, 1080, 32}};
-  const auto table = plane_table(1920, 1080, -12, 0, 5);
+  Machine<Vhoropter_machine_hd> machine{"hd", {1920, 1080, 32, false, 0, 5, 5}};
+  const std::array tables{plane_table(1920, 1080, -12, 0, 5), with_surroundings(plane_table(1920, 1080, -3, 2, 5))};
+  machine.upload(0, 0, tables[0]);
+  machine.upload(9, 4000, tables[1]);
+  for (const std::size_t frame : {0U, 1U}) {
+    CAPTURE(frame);
+    const unsigned slot = frame == 0 ? 0 : 9;
+    machine.select(slot);
+    const FramePair pair = random_pair(1920, 1080, frame == 0 ? -12 : -3, rng);
+    machine.send(pair);
+    const Published published = machine.receive();
+    machine.check(published, pair, tables[frame]);
+    CHECK(published.slot() == slot);
+  }
+}
+
+TEST_CASE("hd: latency of rows as long as they can be", "[top]") {
+  Rng rng{"hd"};
+  const MachineOptions options{1920, 64, 32};
+  Machine<Vhoropter_machine_hd> machine{"hd", options};
+  const auto table = plane_table(1920, 64, -12, 0, 5);
   machine.upload(0, 0, table);
   machine.select(0);
-  const FramePair pair = random_pair(1920, 1080, -12, rng);
+  const FramePair pair = random_pair(1920, 64, -12, rng);
   machine.send(pair);
   const Published published = machine.receive();
   machine.check(published, pair, table);
-  report_latency("hd", machine, published, {1920, 1080, 32});
+  report_latency("hd", machine, published, options);
 }
 
 template <class Model>
