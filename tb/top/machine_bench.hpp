@@ -116,7 +116,7 @@ struct MachineOptions {
   std::uint32_t timeout_clocks = 0;  ///< 0: as by reset
   unsigned gaps_percent = 0;         ///< of the cameras' clocks
   unsigned stalls_percent = 0;       ///< of the sinks' clocks
-  std::uint32_t interlock = reg::interlock::kByItself.put(1);
+  std::uint32_t interlock = reg::interlock::kByItself.put(1) | reg::interlock::kByPin.put(1);
 };
 
 template <class Model>

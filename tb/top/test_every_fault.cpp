@@ -269,6 +269,17 @@ std::set<std::string> faults_of_small_frames() {
     pair.right = pair.left;
     machine.send(pair);
   });
+  bench.raise("restart", [&] {  // held for as many frames as count; that they do: test_interlock.cpp
+    machine.model().restart_i = 1;
+    machine.settle(10);
+    for (const upset::Signal& signal : Build::signals(machine.model())) {
+      if (std::string_view(signal.name) != "u_status.u_frame_control.u_interlock.held_frames_q") continue;
+      for (unsigned bit = 0; bit < signal.bits; ++bit) signal.flip(bit);
+    }
+    Build::settle(machine.model());
+    bench.send_scene();
+  });
+  machine.model().restart_i = 0;
   bench.raise("settings", [&] {
     for (const upset::Signal& signal : Build::signals(machine.model())) {
       if (std::string_view(signal.name) == "u_csr.alarm_limit_pixels_q") signal.flip(20);
