@@ -298,6 +298,53 @@ TEST_CASE("Registers in this computer's memory") {
   }
 }
 
+TEST_CASE("A restart is given where it counts, and refused with the reason where it does not") {
+  namespace reg = horopter::registers;
+  const Sandbox box;
+  const auto machine = horopter::make_native_device(horopter::find_profile("field"));
+  const auto restart = [&](std::uint32_t status, std::uint32_t interlock) {
+    std::string bytes(4096, '\0');
+    const auto put = [&](std::uint32_t address, std::uint32_t word) {
+      for (unsigned i = 0; i < 4; ++i) bytes[address + i] = static_cast<char>(word >> (8 * i));
+    };
+    for (const auto& r : reg::kRegisters) {
+      if (r.address <= reg::build_compete::kAddress) put(r.address, machine->read(r.address));
+    }
+    put(reg::status::kAddress, reg::status::kRunning.put(1) | status);
+    put(reg::interlock::kAddress, interlock);
+    return box.run({"restart", "--engine", "uio:" + box.write("registers", bytes)});
+  };
+  const auto written = [&] {
+    const std::string bytes = box.read("registers");
+    std::uint32_t word = 0;
+    for (unsigned i = 0; i < 4; ++i) {
+      word |= std::uint32_t{static_cast<unsigned char>(bytes[reg::restart::kAddress + i])} << (8 * i);
+    }
+    return word;
+  };
+  const std::uint32_t unsafe = reg::status::kUnsafe.put(1);
+  const std::uint32_t waits = unsafe | reg::status::kWaiting.put(1);
+  const std::uint32_t by_register = reg::interlock::kByRegister.put(1) | reg::interlock::kFrames.put(2);
+
+  const auto safe = restart(reg::status::kSafe.put(1), by_register);
+  CHECK(safe.status == 0);
+  CHECK_THAT(safe.out, Catch::Contains("SAFE already"));
+  const auto pin = restart(waits, reg::interlock::kByPin.put(1));
+  CHECK(pin.status == 4);
+  CHECK_THAT(pin.out, Catch::Contains("`horopter upload --restart register`"));
+  const auto early = restart(unsafe, by_register);
+  CHECK(early.status == 4);
+  CHECK_THAT(early.out, Catch::Contains("its last 2 frames were not all without fault and alarm"));
+  CHECK(written() == 0);
+  // Both pins at once: the hardware is broken, and that is not safe.
+  CHECK(restart(unsafe | reg::status::kSafe.put(1), by_register).status == 4);
+  // Memory that is no machine takes the key and does not become safe.
+  const auto given = restart(waits, by_register);
+  CHECK(written() == reg::kRestartKey);
+  CHECK(given.status == 4);
+  CHECK_THAT(given.out, Catch::Contains("a frame with a fault or an alarm came in between, or none"));
+}
+
 TEST_CASE("A serial port without a Horopter board") {
   const Sandbox box;
   write_table(box);
