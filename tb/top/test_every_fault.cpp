@@ -31,22 +31,22 @@ namespace horopter::tb {
 namespace {
 
 struct FieldThesis : FieldMachine {
-  static constexpr std::string_view profile = "field";
-  static constexpr bool compete = false;
+  static constexpr std::string_view kProfile = "field";
+  static constexpr bool kCompete = false;
 };
 struct VgaThesis : VgaMachine {
-  static constexpr std::string_view profile = "vga";
-  static constexpr bool compete = false;
+  static constexpr std::string_view kProfile = "vga";
+  static constexpr bool kCompete = false;
 };
 struct VgaCompete : VgaThesis {
-  static constexpr bool compete = true;
+  static constexpr bool kCompete = true;
 };
 struct HdThesis : HdMachine {
-  static constexpr std::string_view profile = "hd";
-  static constexpr bool compete = false;
+  static constexpr std::string_view kProfile = "hd";
+  static constexpr bool kCompete = false;
 };
 struct HdCompete : HdThesis {
-  static constexpr bool compete = true;
+  static constexpr bool kCompete = true;
 };
 
 constexpr unsigned kWidth = 64, kHeight = 32, kLookahead = 16;
@@ -56,13 +56,13 @@ constexpr int kShift = -5;
 template <class Build>
 class Bench {
  public:
-  explicit Bench(const MachineOptions& options) : machine{Build::profile, options} {
+  explicit Bench(const MachineOptions& options) : machine{Build::kProfile, options} {
     auto& settings = machine.settings();
-    settings.compete = Build::compete ? 1 : 0;
+    settings.compete = Build::kCompete ? 1 : 0;
     settings.alarm_limit = static_cast<int>(options.width * options.height);  // only faults are looked at here
     settings.frozen_limit = 1;
     machine.write_limits();
-    CHECK(machine.read(reg::decision::kAddress) == (Build::compete ? 1 : 0));
+    CHECK(machine.read(reg::decision::kAddress) == (Build::kCompete ? 1 : 0));
     machine.upload(0, 0, table);
     machine.select(0);
   }
@@ -94,7 +94,7 @@ class Bench {
 
   /// `cause` sends some frames. One of their results has the fault and is not safe.
   void raise(const std::string& fault, const std::function<void()>& cause) {
-    CAPTURE(Build::profile, Build::compete, fault);
+    CAPTURE(Build::kProfile, Build::kCompete, fault);
     if (begin_anew) restart();
     until_safe();
     cause();
@@ -209,8 +209,9 @@ std::set<std::string> faults_of_small_frames() {
       const FramePair pair = bench.scene();
       left ? machine.right().send(pair.right) : machine.left().send(pair.left);
     });
-    for (const auto& [name, grey] : {std::pair{"_black", 1}, std::pair{"_white", 254}, std::pair{"_constant", 120}}) {
-      bench.raise(side + name, [&] {
+    for (const auto& empty : {std::pair{"_black", 1}, std::pair{"_white", 254}, std::pair{"_constant", 120}}) {
+      const int grey = empty.second;
+      bench.raise(side + empty.first, [&, grey] {
         FramePair pair = bench.scene();
         for (std::uint8_t& pixel : (left ? pair.left : pair.right).pixels)
           pixel = static_cast<std::uint8_t>(grey + static_cast<int>(bench.rng.below(2)));
@@ -315,14 +316,16 @@ std::set<std::string> overflows() {
 /// What only a scene tells: whether both cameras see it, and from where.
 template <class Build>
 std::set<std::string> faults_of_scenes() {
-  SceneBench<Build> bench{native::make_engine(Build::profile)->profile()};
+  SceneBench<Build> bench{native::make_engine(Build::kProfile)->profile()};
   auto& machine = bench.machine;
   bench.begin_anew = false;
   bench.send_scene();
   bench.expect("unproven");
   for (const std::string side : {"left", "right"}) {
-    for (const auto& [what, thick, noise] : {std::tuple{"_blind", 32, 20U}, {"_unsharp", 16, 1U}}) {
-      bench.raise(side + what, [&] {
+    for (const auto& fault : {std::tuple{"_blind", 32, 20U}, {"_unsharp", 16, 1U}}) {
+      const int thick = std::get<1>(fault);
+      const unsigned noise = std::get<2>(fault);
+      bench.raise(side + std::get<0>(fault), [&, thick, noise] {
         FramePair pair = bench.scene();
         Image& image = side == "left" ? pair.left : pair.right;
         image = fog(image, thick, noise, bench.rng);
@@ -388,7 +391,7 @@ TEMPLATE_TEST_CASE("every fault is named, and not safe", "[faults][every]", Fiel
   raised.merge(faults_of_scenes<TestType>());
   raised.merge(faults_of_memories<TestType>());
   for (const auto& [fault, name] : registers::kFaults) {
-    CAPTURE(TestType::profile, TestType::compete, name);
+    CAPTURE(TestType::kProfile, TestType::kCompete, name);
     CHECK(raised.contains(std::string(name)));
   }
 }
@@ -434,7 +437,7 @@ TEMPLATE_TEST_CASE("the test input: a frame as of the cameras, which are not loo
   const auto taken = machine.left().taken() + machine.right().taken();
   machine.safe_was_low();
   for (int frame = 0; frame < 3; ++frame) {
-    CAPTURE(TestType::profile, TestType::compete, frame);
+    CAPTURE(TestType::kProfile, TestType::kCompete, frame);
     const FramePair pair = bench.scene();
     source.send(pair);
     const Published p = machine.receive();
