@@ -10,6 +10,7 @@
 
 #include "commands.hpp"
 #include "horopter/machine/engines.hpp"
+#include "horopter/machine/inspection.hpp"
 #include "horopter/machine/machine_build.hpp"
 #include "horopter/machine/registers.hpp"
 #include "inputs.hpp"
@@ -24,10 +25,6 @@ namespace reg = registers;
 constexpr auto kPatience = std::chrono::seconds(2);
 constexpr auto kStep = std::chrono::milliseconds(20);
 
-bool is_safe(std::uint32_t status) {
-  return reg::status::kSafe.get(status) != 0 && reg::status::kUnsafe.get(status) == 0;
-}
-
 ExitStatus restart(const std::string& engine) {
   const auto device = make_device(engine, profiles().front());
   find_build(*device);  // or it is no Horopter
@@ -36,7 +33,7 @@ ExitStatus restart(const std::string& engine) {
     return ExitStatus::fault;
   };
   const auto before = device->read(reg::status::kAddress);
-  if (is_safe(before)) {
+  if (says_safe(before)) {
     fmt::print("{}: SAFE already\n", engine);
     return ExitStatus::done;
   }
@@ -50,7 +47,7 @@ ExitStatus restart(const std::string& engine) {
   }
   device->write(reg::restart::kAddress, reg::kRestartKey);
   for (auto waited = std::chrono::milliseconds(0); waited < kPatience; waited += kStep) {
-    if (is_safe(device->read(reg::status::kAddress))) {
+    if (says_safe(device->read(reg::status::kAddress))) {
       fmt::print("{}: restarted, SAFE\n", engine);
       return ExitStatus::done;
     }

@@ -79,10 +79,11 @@ nlohmann::ordered_json table_json(const StoredTable& table) {
 
 bool MachineStatus::running() const { return reg::status::kRunning.get(word(reg::status::kAddress)) != 0; }
 
-bool MachineStatus::safe() const {
-  const auto now = word(reg::status::kAddress);
-  return reg::status::kSafe.get(now) != 0 && reg::status::kUnsafe.get(now) == 0;
+bool says_safe(std::uint32_t status) {
+  return reg::status::kSafe.get(status) != 0 && reg::status::kUnsafe.get(status) == 0;
 }
+
+bool MachineStatus::safe() const { return says_safe(word(reg::status::kAddress)); }
 
 std::optional<int> MachineStatus::active_slot() const {
   const auto slot = reg::map_status::kActiveSlot.get(word(reg::map_status::kAddress));

@@ -22,6 +22,9 @@ struct StoredTable {
   std::size_t bytes = 0;  ///< of the pool
 };
 
+/// Both pins, as STATUS has them, say safe. Equal ones do not.
+bool says_safe(std::uint32_t status);
+
 struct MachineStatus {
   Build build;
   std::map<std::uint32_t, std::uint32_t> words;  ///< by address
