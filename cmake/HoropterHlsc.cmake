@@ -1,6 +1,6 @@
 # hlsc's runs: for every profile every stage of hls/stages/stage_list.def that its rules need.
 #
-#   horopter_hlsc(<directory> STAGE <header> CLASS <C++ type> NAME <module> CLOCK_NS <ns> [TIMING <option of hlsc>...])
+#   horopter_hlsc(<directory> STAGE <header> CLASS <C++ type> NAME <module> CLOCK_NS <ns> [OPTIONS <option of hlsc>...])
 #
 # makes <directory>/<module>.sv and .json of one stage.
 #
@@ -16,10 +16,11 @@ set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEP
 file(STRINGS ${_stage_list} _lines REGEX "^HOROPTER_STAGE\\(")
 set(HOROPTER_STAGES)
 foreach(_line IN LISTS _lines)
-  string(REGEX MATCH "^HOROPTER_STAGE\\( *([a-z0-9_]+) *, *([A-Za-z0-9_]+) *, *([a-z]+)" _ "${_line}")
+  string(REGEX MATCH "^HOROPTER_STAGE\\( *([a-z0-9_]+) *, *([A-Za-z0-9_]+) *, *([a-z]+) *, *([a-z]+)" _ "${_line}")
   list(APPEND HOROPTER_STAGES ${CMAKE_MATCH_1})
   set(HOROPTER_STAGE_CLASS_${CMAKE_MATCH_1} ${CMAKE_MATCH_2})
   set(HOROPTER_STAGE_RULE_${CMAKE_MATCH_1} ${CMAKE_MATCH_3})
+  set(HOROPTER_STAGE_PLACE_${CMAKE_MATCH_1} ${CMAKE_MATCH_4})
 endforeach()
 
 # Every header that a stage may include: hlsc gives no dependency file.
@@ -40,6 +41,10 @@ set(HOROPTER_HLSC_INPUT_NS interpolate 2.3)
 # In slow profiles stages whose chains of additions take longer in gates, where carries ripple, than the model's: the ns that
 # they may fill.
 set(HOROPTER_HLSC_STAGE_NS direction 22)
+
+# Profiles whose ledger has room for a parity bit with each word of the memories of the chain's stages: docs/hardware.md says
+# what it takes.
+set(HOROPTER_HLSC_RAM_PARITY vga)
 
 function(_horopter_profile_line profile result)
   file(STRINGS ${PROJECT_SOURCE_DIR}/hls/include/horopter/hls/profiles.def line REGEX "^HOROPTER_PROFILE\\(${profile},")
@@ -78,11 +83,11 @@ function(_horopter_lookup list key result default)
 endfunction()
 
 function(horopter_hlsc dir)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "STAGE;CLASS;NAME;CLOCK_NS" "TIMING")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "STAGE;CLASS;NAME;CLOCK_NS" "OPTIONS")
   add_custom_command(
     OUTPUT ${dir}/${arg_NAME}.sv ${dir}/${arg_NAME}.json
     COMMAND hlsc ${arg_STAGE} --class ${arg_CLASS} --top-name ${arg_NAME} --target ${HOROPTER_HLSC_TARGET}
-            --clock-ns ${arg_CLOCK_NS} ${arg_TIMING} -I ${PROJECT_SOURCE_DIR}/hls/include -I ${PROJECT_SOURCE_DIR}/hls
+            --clock-ns ${arg_CLOCK_NS} ${arg_OPTIONS} -I ${PROJECT_SOURCE_DIR}/hls/include -I ${PROJECT_SOURCE_DIR}/hls
             --source-root ${PROJECT_SOURCE_DIR} -o ${dir}
     DEPENDS hlsc ${arg_STAGE} ${HOROPTER_STAGE_HEADERS}
     COMMENT "hlsc ${arg_CLASS}"
@@ -103,22 +108,25 @@ function(horopter_generate_stages profile)
     if(NOT rule STREQUAL always AND NOT decisions STREQUAL both AND NOT rule STREQUAL decisions)
       continue()
     endif()
-    set(timing)
+    set(options)
     set(stage_ns ${clock_ns})
     if(slow)
       _horopter_lookup(HOROPTER_HLSC_STAGE_NS ${stage} stage_ns ${clock_ns})
       _horopter_lookup(HOROPTER_HLSC_INPUT_NS ${stage} input "${before}")
       _horopter_lookup(HOROPTER_HLSC_OUTPUT_NS ${stage} before "")
       if(input)
-        list(APPEND timing --input-ns ${input})
+        list(APPEND options --input-ns ${input})
       endif()
       if(before)
-        list(APPEND timing --output-ns ${before})
+        list(APPEND options --output-ns ${before})
       endif()
+    endif()
+    if(profile IN_LIST HOROPTER_HLSC_RAM_PARITY AND NOT HOROPTER_STAGE_PLACE_${stage} STREQUAL beside)
+      list(APPEND options --ram-parity)
     endif()
     horopter_hlsc(${dir} STAGE ${PROJECT_SOURCE_DIR}/hls/stages/${stage}.hpp NAME horopter_${stage}
       CLASS "horopter::stages::${HOROPTER_STAGE_CLASS_${stage}}<horopter::hls::profiles::${profile}>"
-      CLOCK_NS ${stage_ns} TIMING ${timing})
+      CLOCK_NS ${stage_ns} OPTIONS ${options})
     list(APPEND sources ${dir}/horopter_${stage}.sv)
     list(APPEND sidecars ${dir}/horopter_${stage}.json)
   endforeach()

@@ -167,16 +167,23 @@ module formal_safe (
   end
 
   // The interlock's settings are locked while the machine runs. Of restarts: one was asked for since the last time that
-  // something was wrong, after so many good frames.
+  // something was wrong, after so many good frames, and not by a press during which something was wrong.
   horopter_csr_pkg::interlock_t past_interlock;
   logic [2:0] past_restart = 3'b000;  // restart_i comes from another clock, through two registers
   logic asked = 1'b0, asks;
   logic [3:0] good_frames = 4'd0;
-  assign asks = (interlock.by_register && restart_written) || (interlock.by_pin && past_restart[2] && !past_restart[1]);
+  logic wrong, spoiled = 1'b0;
+  logic [2:0] pressed_for = 3'd0;  // a fault is known 3 clocks after it came
+  assign wrong = !rst_ni || fault_age[2] || (frame_done && !(frame_safe && frame_faults == '0 && !frame_alarm));
+  assign asks = (interlock.by_register && restart_written)
+      || (interlock.by_pin && past_restart[2] && !past_restart[1] && !spoiled);
   always @(posedge clk_i) begin
     past_interlock <= interlock;
     past_restart <= {past_restart[1:0], restart};
-    if (!rst_ni || fault_age[2] || (frame_done && !(frame_safe && frame_faults == '0 && !frame_alarm))) begin
+    if (!past_restart[1]) pressed_for <= 3'd0;
+    else if (pressed_for != 3'd7) pressed_for <= pressed_for + 3'd1;
+    spoiled <= (past_restart[1] || past_restart[2]) && (spoiled || (wrong && pressed_for > 3'd3));
+    if (wrong) begin
       asked <= 1'b0;
       good_frames <= 4'd0;
     end else begin

@@ -42,11 +42,13 @@ module horopter_agreement_result #(
     output horopter_csr_pkg::frame_region_t    frame_region_o
 );
   logic [29:0] regions[64];
+  logic [29:0] region_q;  // a block memory's data come late in the clock
   logic [COUNT_BITS-1:0] hidden_q, unproven_q;
   assign unearned_o = hidden_q + unproven_q;
   always_ff @(posedge clk_i) begin
     if (region_valid_i) regions[region_i] <= prove_i ? {region_nearer_i, region_explained_i, region_textured_i} : '0;
-    {frame_region_o.nearer, frame_region_o.explained, frame_region_o.textured} <= regions[region_select_i];
+    region_q <= regions[region_select_i];
+    {frame_region_o.nearer, frame_region_o.explained, frame_region_o.textured} <= region_q;
     if (verdict_valid_i) begin
       frame_agreement_o <= prove_i ? {explained_i, textured_i} : '0;
       frame_cells_o <= prove_i ? {nearer_i, supervised_i} : '0;

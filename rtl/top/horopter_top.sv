@@ -924,6 +924,7 @@ module horopter_top #(
   logic align_hidden, align_unproven;
   logic unused_region;
   assign unused_region = ^{region_textured[11:10], region_explained[11:10], region_nearer[11:10]};
+  logic stage_parity_error;
   horopter_stages #(
       .THESIS(THESIS),
       .COMPETE(COMPETE)
@@ -966,6 +967,7 @@ module horopter_top #(
       .cfg_epipolar_column_i(sampled_epipolar.column),
       .cfg_epipolar_row_i(sampled_epipolar_change.row),
       .cfg_epipolar_both_i(sampled_epipolar_change.both),
+      .parity_error_o(stage_parity_error),
       .agreement_verdict_valid_o(verdict_valid),
       .agreement_verdict_supervised_o(supervised_cells),
       .agreement_verdict_textured_o(textured_cells),
@@ -1165,6 +1167,7 @@ module horopter_top #(
       .table_error_i(table_error),
       .beat_valid_i(beat_valid),
       .beat_parity_error_i(beat_parity_error),
+      .stage_parity_error_i(stage_parity_error),
       .quad_valid_i(quad_valid),
       .quad_miss_i(quad_miss),
       .quad_parity_error_i(quad_parity_error),

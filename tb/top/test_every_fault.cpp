@@ -121,8 +121,21 @@ class Bench {
   /// The same bit of every word of the memory `name`.
   void flip(const std::string& name) {
     for (const upset::Signal& signal : Build::signals(machine.model())) {
-      if (!std::string_view(signal.name).starts_with(name + ".")) continue;
+      if (!std::string_view(signal.name).starts_with(name + ".") && signal.name != name + "_mem") continue;
       for (unsigned word = 0; word < signal.words; ++word) signal.flip(std::uint64_t{word} * signal.bits);
+    }
+    Build::settle(machine.model());
+  }
+  /// The words of the memory `name` whose parity is wrong have it right again.
+  void mend(const std::string& name) {
+    for (const upset::Signal& signal : Build::signals(machine.model())) {
+      if (signal.name != name + "_mem") continue;
+      for (unsigned word = 0; word < signal.words; ++word) {
+        const std::uint64_t begin = std::uint64_t{word} * signal.bits;
+        bool odd = false;
+        for (unsigned bit = 0; bit < signal.bits; ++bit) odd ^= signal.get(begin + bit);
+        if (odd) signal.flip(begin);
+      }
     }
     Build::settle(machine.model());
   }
@@ -346,7 +359,45 @@ std::set<std::string> faults_of_scenes() {
   return bench.raised;
 }
 
-/// A bit of every memory with parity falls over while a frame leaves, or before it.
+/// The memories with parity of the stages of the rule that runs: hlsc --ram-parity writes them with a word for the bit.
+template <class Build>
+std::set<std::string> memories_of_stages(typename Build::Model& model) {
+  constexpr std::string_view kOfMemory = "_mem", kOfWord = "_word_q";
+  std::set<std::string> memories, with_parity;
+  for (const upset::Signal& signal : Build::signals(model)) {
+    const std::string_view name = signal.name;
+    const bool thesis_alone = name.find(".g_dsad.") != name.npos || name.find(".g_texture.") != name.npos ||
+                              name.find(".g_majority.") != name.npos;
+    const bool compete_alone = name.find(".g_") != name.npos && !thesis_alone;
+    if (!name.starts_with("u_stages.") || (Build::kCompete ? thesis_alone : compete_alone)) continue;
+    if (name.ends_with(kOfMemory)) memories.emplace(name.substr(0, name.size() - kOfMemory.size()));
+    if (name.ends_with(kOfWord)) with_parity.emplace(name.substr(0, name.size() - kOfWord.size()));
+  }
+  CHECK(memories.size() >= 10);
+  CHECK((with_parity.empty() || with_parity == memories));
+  return with_parity;
+}
+
+/// A bit of each of them falls over again and again: a word may be read only shortly after it was written.
+template <class Build>
+std::set<std::string> faults_of_stages() {
+  SceneBench<Build> bench{native::make_engine(Build::kProfile)->profile()};
+  auto& machine = bench.machine;
+  for (const std::string& memory : memories_of_stages<Build>(machine.model())) {
+    CAPTURE(memory);
+    bench.raise("internal", [&] {
+      bench.send_scene();
+      for (unsigned i = 0; i < 200; ++i) {
+        machine.simulation().run(101);
+        bench.flip(memory);
+      }
+    });
+    bench.mend(memory);
+  }
+  return bench.raised;
+}
+
+/// A bit of every memory of the stores falls over while a frame leaves, or before it.
 template <class Build>
 std::set<std::string> faults_of_memories() {
   Bench<Build> bench{{kWidth, kHeight, kLookahead, false, kTimeout}};
@@ -390,6 +441,7 @@ TEMPLATE_TEST_CASE("every fault is named, and not safe", "[faults][every]", Fiel
   raised.merge(overflows<TestType>());
   raised.merge(faults_of_scenes<TestType>());
   raised.merge(faults_of_memories<TestType>());
+  raised.merge(faults_of_stages<TestType>());
   for (const auto& [fault, name] : registers::kFaults) {
     CAPTURE(TestType::kProfile, TestType::kCompete, name);
     CHECK(raised.contains(std::string(name)));

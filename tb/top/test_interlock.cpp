@@ -90,14 +90,26 @@ TEST_CASE("a restart that comes too early is forgotten", "[interlock]") {
     guarded.press(2);
     guarded.good_from_now();
   }
-  SECTION("before an alarm, let go after it") {
+  SECTION("before an alarm, let go soon after it, or when all is good again") {
+    const unsigned after = GENERATE(1U, kFrames + 2);
     guarded.frames(kFrames);
     guarded.machine.model().restart_i = 1;
     guarded.frames(1);
     guarded.set_alarm_limit(0);
     guarded.frames(1);
     guarded.good_from_now();
-    guarded.frames(1);
+    guarded.frames(after);
+    guarded.machine.model().restart_i = 0;
+  }
+  SECTION("before a reset, let go when all is good again") {
+    guarded.machine.model().restart_i = 1;
+    guarded.machine.settle(10);
+    guarded.machine.write(reg::control::kAddress, 0);
+    guarded.machine.settle(100);
+    guarded.machine.forget();
+    guarded.machine.write(reg::control::kAddress, reg::control::kEnable.put(1));
+    guarded.machine.select(0);
+    guarded.frames(kFrames + 2);
     guarded.machine.model().restart_i = 0;
   }
   CHECK_FALSE(guarded.frames(kFrames + 2));

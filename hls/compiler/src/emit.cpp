@@ -194,7 +194,8 @@ class Emitter {
   }
 
   void declare_ports() {
-    for (const char* name : {"clk_i", "rst_ni", "en_i", "valid_i", "valid_o"}) names_.insert(name);
+    for (const char* name : {"clk_i", "rst_ni", "en_i", "valid_i", "valid_o", "parity_error_o"}) names_.insert(name);
+    result_.parity_error = parity();
     for (const Port& p : g_.inputs) input_.push_back(signal(unique(sanitise(p.name), "_i"), p.width, p.is_signed));
     for (const Port& p : g_.configs) {
       config_.push_back(signal(unique("cfg_" + sanitise(p.name), "_i"), p.width, p.is_signed));
@@ -498,6 +499,7 @@ class Emitter {
     };
     for (std::size_t i = 0; i < g_.inputs.size(); ++i) port("input ", g_.inputs[i], signals_[input_[i]].name, false);
     for (std::size_t i = 0; i < g_.configs.size(); ++i) port("input ", g_.configs[i], signals_[config_[i]].name, false);
+    if (parity()) out << "  output logic parity_error_o,\n";
     out << "  output logic valid_o" << (g_.outputs.empty() ? "\n" : ",\n");
     for (std::size_t i = 0; i < g_.outputs.size(); ++i) {
       port("output", g_.outputs[i], output_[i], i + 1 == g_.outputs.size());
@@ -581,6 +583,17 @@ class Emitter {
     };
     if (stage < stages()) emit_logic(out, stage, headline);
     if (stage < last_) return;
+    if (parity()) {
+      headline("Parity");
+      out << "  always_ff @(posedge clk_i) parity_error_o <= rst_ni & (";
+      const char* before = "";
+      for (std::size_t r = 0; r < ram_name_.size(); ++r) {
+        if (s_.ram_read_stage[r] < 0) continue;
+        out << before << ram_name_[r] << "_error";
+        before = " | ";
+      }
+      out << ");\n";
+    }
     headline("Outputs");
     for (std::size_t i = 0; i < g_.outputs.size(); ++i) {
       out << "  assign " << output_[i] << " = " << assigned(g_.outputs[i].value, last_) << ";\n";
@@ -703,14 +716,19 @@ class Emitter {
     return wire + " >= " + std::to_string(width) + "'d" + std::to_string(depth);
   }
 
+  [[nodiscard]] bool parity() const {
+    return o_.ram_parity && std::ranges::any_of(s_.ram_read_stage, [](int stage) { return stage >= 0; });
+  }
+
   void emit_memory_read(std::ostream& out, std::size_t r) {
     const Ram& ram = g_.rams[r];
     const std::string& name = ram_name_[r];
     const int stage = s_.ram_read_stage[r], write = s_.ram_write_stage[r];
     const auto width = ram.read_address.size();
-    result_.memories.push_back({name, ram.depth, ram.width, ram.distance, stage, write});
-    out << "\n  // Memory " << name << ", " << ram.depth << " x " << ram.width << ", DISTANCE " << ram.distance << ", "
-        << place(ram.where) << "; read in stage " << stage;
+    const std::uint32_t stored = ram.width + (parity() ? 1 : 0);
+    result_.memories.push_back({name, ram.depth, stored, ram.distance, stage, write});
+    out << "\n  // Memory " << name << ", " << ram.depth << " x " << ram.width << (parity() ? " and parity" : "")
+        << ", DISTANCE " << ram.distance << ", " << place(ram.where) << "; read in stage " << stage;
     if (write >= 0)
       out << ", written in stage " << write << ": " << stage << " < " << write << " < " << stage << " + DISTANCE";
     out << ".\n";
@@ -718,17 +736,24 @@ class Emitter {
       out << "  // So no address is read and written in one clock, and synthesis needs no bypass.\n  (* no_rw_check "
              "*)\n";
     }
-    out << "  logic " << range(ram.width) << name << "_mem [0:" << ram.depth - 1 << "];\n"
+    out << "  logic " << range(stored) << name << "_mem [0:" << ram.depth - 1 << "];\n"
         << "`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop\n"
         << "  initial for (int i = 0; i < " << ram.depth << "; i++) " << name
-        << "_mem[i] = " << literal(std::vector<bool>(ram.width, false)) << ";\n`endif\n"
+        << "_mem[i] = " << literal(std::vector<bool>(stored, false)) << ";\n`endif\n"
         << "  logic " << range(static_cast<std::uint32_t>(width)) << name << "_raddr;\n  assign " << name
         << "_raddr = " << assigned(ram.read_address, stage) << ";\n";
     out << "  logic " << name << "_re;\n  assign " << name << "_re = " << enable(stage);
     if (ram.read_enable != kOne) out << " & " << expression(Bits{ram.read_enable}, stage);
-    out << ";\n  logic " << range(ram.width) << signals_[node_signal_[ram.read]].name << ";\n"
-        << "  always_ff @(posedge clk_i) begin\n    if (" << name << "_re) " << signals_[node_signal_[ram.read]].name
-        << " <= " << name << "_mem[" << address_index(name + "_raddr", width, address_bits(ram.depth)) << "];\n  end\n";
+    const std::string& data = signals_[node_signal_[ram.read]].name;
+    const std::string word = parity() ? name + "_word_q" : data;
+    out << ";\n  logic " << range(stored) << word << ";\n"
+        << "  always_ff @(posedge clk_i) begin\n    if (" << name << "_re) " << word << " <= " << name << "_mem["
+        << address_index(name + "_raddr", width, address_bits(ram.depth)) << "];\n  end\n";
+    if (!parity()) return;
+    out << "  logic " << range(ram.width) << data << ";\n  assign " << data << " = " << word << "[" << ram.width - 1
+        << ":0];\n  logic " << name << "_read_q, " << name << "_error;\n"
+        << "  always_ff @(posedge clk_i) " << name << "_read_q <= rst_ni & " << name << "_re;\n  assign " << name
+        << "_error = " << name << "_read_q & ^" << word << ";\n";
   }
 
   void emit_memory_write(std::ostream& out, std::size_t r) {
@@ -740,9 +765,14 @@ class Emitter {
         << "_waddr;\n  assign " << name << "_waddr = " << assigned(ram.write_address, stage) << ";\n  logic " << name
         << "_we;\n  assign " << name << "_we = " << enable(stage);
     if (ram.write_enable != kOne) out << " & " << expression(Bits{ram.write_enable}, stage);
+    std::string word = assigned(ram.write_data, stage);
+    if (parity()) {
+      out << ";\n  logic " << range(ram.width) << name << "_wdata;\n  assign " << name << "_wdata = " << word;
+      word = "{^" + name + "_wdata, " + name + "_wdata}";
+    }
     out << ";\n  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too\n    if (" << name << "_we) "
-        << name << "_mem[" << address_index(name + "_waddr", width, address_bits(ram.depth))
-        << "] <= " << assigned(ram.write_data, stage) << ";\n  end\n";
+        << name << "_mem[" << address_index(name + "_waddr", width, address_bits(ram.depth)) << "] <= " << word
+        << ";\n  end\n";
     // Later beats whose reads have already happened, or happen in this clock, must not have read this address.
     out << "`ifndef SYNTHESIS\n";
     const auto reader_width = ram.read_address.size();

@@ -60,6 +60,8 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--source-root", options.emit.source_root, "Prefix taken off file names in the output")
       ->type_name("DIR");
+  app.add_flag("--ram-parity", options.emit.ram_parity,
+               "Keep a parity bit with each word of a RAM; output parity_error_o");
   app.add_option("--max-loop", options.stage.largest_loop, "Largest number of iterations that is unrolled")
       ->type_name("N")
       ->capture_default_str();

@@ -86,6 +86,7 @@ std::string sidecar(const Graph& graph, const Schedule& schedule, const EmitOpti
   for (std::size_t i = 0; i < graph.configs.size(); ++i) {
     port(module.config_names[i], "input", graph.configs[i].width, graph.configs[i].is_signed);
   }
+  if (module.parity_error) port("parity_error_o", "output", 1, false);
   port("valid_o", "output", 1, false);
   for (std::size_t i = 0; i < graph.outputs.size(); ++i) {
     port(module.output_names[i], "output", graph.outputs[i].width, graph.outputs[i].is_signed);

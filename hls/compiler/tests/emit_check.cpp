@@ -284,7 +284,8 @@ std::pair<std::string, bool> run_command(const std::string& command) {
   return {text, pclose(pipe) == 0};
 }
 
-std::string check_module(const Graph& graph, const Schedule& schedule, unsigned steps, unsigned seed) {
+std::string check_module(const Graph& graph, const Schedule& schedule, unsigned steps, unsigned seed,
+                         const EmitOptions& options) {
   for (const char* tool : {"verilator", "yosys", "iverilog", "vvp"}) {
     if (!run_command(std::string("command -v ") + tool).second) {
       return std::string(tool) + " is missing: install the Debian packages verilator, yosys and iverilog";
@@ -295,7 +296,8 @@ std::string check_module(const Graph& graph, const Schedule& schedule, unsigned 
                              ("hlsc-" + graph.top_name + "-" + std::to_string(getpid()) + "-" + std::to_string(seed));
   fs::create_directories(directory);
   const std::string module = (directory / (graph.top_name + ".sv")).string();
-  std::ofstream(module) << emit(graph, schedule, {}).text;
+  const EmittedModule emitted = emit(graph, schedule, options);
+  std::ofstream(module) << emitted.text;
   const std::string where = "(files in " + directory.string() + ")\n";
 
   if (const auto [text, ok] = run_command("verilator --lint-only -Wall " + module); !ok || !text.empty()) {
@@ -337,7 +339,7 @@ std::string check_module(const Graph& graph, const Schedule& schedule, unsigned 
   expected.close();
   std::ofstream bench(directory / "bench.sv");
   bench << "module bench;\n  reg clk = 0, rst_n = 0, en = 0, valid = 0;\n  always #1 clk = ~clk;\n"
-           "  integer in_file, out_file, n, results = 0, errors = 0;\n  wire valid_o;\n";
+           "  integer in_file, out_file, n, results = 0, errors = 0;\n  wire valid_o, parity_error;\n";
   for (std::size_t i = 0; i < graph.inputs.size(); ++i)
     bench << "  reg [" << graph.inputs[i].width - 1 << ":0] i" << i << ";\n";
   for (std::size_t i = 0; i < graph.outputs.size(); ++i) {
@@ -350,6 +352,7 @@ std::string check_module(const Graph& graph, const Schedule& schedule, unsigned 
     bench << ", .cfg_" << graph.configs[i].name << "_i(" << graph.configs[i].width << "'d" << configs[i] << ")";
   }
   for (std::size_t i = 0; i < graph.outputs.size(); ++i) bench << ", ." << graph.outputs[i].name << "_o(o" << i << ")";
+  if (emitted.parity_error) bench << ", .parity_error_o(parity_error)";
   bench << ");\n  initial begin\n    in_file = $fopen(\"" << (directory / "stimuli.hex").string()
         << "\", \"r\");\n    out_file = $fopen(\"" << (directory / "expected.hex").string()
         << "\", \"r\");\n    @(negedge clk); @(negedge clk); rst_n = 1;\n    while (!$feof(in_file)) begin\n";
@@ -371,7 +374,20 @@ std::string check_module(const Graph& graph, const Schedule& schedule, unsigned 
           << ") begin errors = errors + 1; if (errors < 6) $display(\"result %0d, " << graph.outputs[i].name
           << ": %h, expected %h\", results, o" << i << ", e" << i << "); end\n";
   }
-  bench << "      end\n      @(negedge clk);\n    end\n    if (errors == 0 && results == " << results
+  bench << "      end\n      @(negedge clk);\n";
+  if (emitted.parity_error)
+    bench << "      if (parity_error !== 0) begin errors = errors + 1; $display(\"parity\"); end\n";
+  bench << "    end\n";
+  for (const EmittedMemory& memory : emitted.memories) {
+    if (!emitted.parity_error) break;
+    const std::string words = "dut." + memory.name + "_mem[n]";
+    bench << "    for (n = 0; n < " << memory.depth << "; n = n + 1) " << words << " = " << words << " ^ 1;\n"
+          << "    en = 1; valid = 1; n = 0;\n    repeat (" << 2 * memory.depth + flush
+          << ") begin @(negedge clk); if (parity_error) n = n + 1; end\n"
+          << "    if (n < " << memory.depth << ") begin errors = errors + 1; $display(\"" << memory.name
+          << ": %0d words found\", n); end\n";
+  }
+  bench << "    if (errors == 0 && results == " << results
         << ") $display(\"same\"); else $display(\"%0d errors, %0d results, expected " << results
         << "\", errors, results);\n    $finish;\n  end\nendmodule\n";
   bench.close();

@@ -65,9 +65,11 @@ class Interpreter {
   std::vector<std::vector<std::uint64_t>> memory_;
 };
 
-/// Empty if the module lints clean, is read by yosys and behaves like the interpreter for `steps` random beats.
+/// Empty if the module lints clean, is read by yosys and behaves like the interpreter for `steps` random beats; with
+/// options.ram_parity also if it finds a bit of each word of each RAM that changes after them, and none before.
 /// Otherwise what is wrong. A missing tool is an error that names it.
-std::string check_module(const Graph& graph, const Schedule& schedule, unsigned steps = 2000, unsigned seed = 1);
+std::string check_module(const Graph& graph, const Schedule& schedule, unsigned steps = 2000, unsigned seed = 1,
+                         const EmitOptions& options = {});
 
 /// Output of a shell command and whether it succeeded.
 std::pair<std::string, bool> run_command(const std::string& command);

@@ -26,6 +26,28 @@ TEST_CASE("an adder", "[emit]") {
   CHECK(check_module(b.graph, s) == "");
 }
 
+TEST_CASE("a RAM with parity tells of each word that is not as it was written", "[emit]") {
+  Builder b("sums");
+  const Bits x = b.input("x", 7);
+  const Bits place = b.state("place", 4);
+  b.set_next(place, slice(b.add(place, constant(1, 4)), 3, 0));
+  const Bits word = b.ram_read("line", 16, 9, 16, place);
+  const Bits sum = slice(b.add(word, x), 8, 0);
+  b.ram_write("line", place, sum, constant(1, 1));
+  b.output("sum", sum);
+  const auto s = schedule(b.graph, at(8));
+  CHECK(check_module(b.graph, s) == "");
+  CHECK(check_module(b.graph, s, 2000, 1, {.ram_parity = true}) == "");
+  CHECK_FALSE(emit(b.graph, s, {}).parity_error);
+  CHECK(emit(b.graph, s, {.ram_parity = true}).memories.at(0).width == 10);
+}
+
+TEST_CASE("without a RAM there is no parity", "[emit]") {
+  Builder b("wire");
+  b.output("y", b.add(b.input("x", 4), constant(1, 1)));
+  CHECK_FALSE(emit(b.graph, schedule(b.graph, at(8)), {.ram_parity = true}).parity_error);
+}
+
 TEST_CASE("an accumulator closes in one stage", "[emit]") {
   Builder b("accumulator");
   const Bits x = b.input("x", 8), clear = b.input("clear", 1);

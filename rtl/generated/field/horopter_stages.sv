@@ -49,6 +49,7 @@ module horopter_stages #(
   input  logic [16:0] cfg_undecidable_limit_i,
   input  logic [16:0] cfg_unsupervised_limit_i,
   input  logic [30:0] compete_settings_i,
+  output logic parity_error_o,
   output logic agreement_verdict_valid_o,
   output logic [15:0] agreement_verdict_supervised_o,
   output logic [15:0] agreement_verdict_textured_o,
@@ -573,4 +574,6 @@ module horopter_stages #(
   // Of the rule that this profile does not have.
   logic unused_settings;
   assign unused_settings = ^{compete_settings_i};
+
+  assign parity_error_o = 1'b0;
 endmodule

@@ -3,7 +3,7 @@
 //
 // Latency 5 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 2537 bits, pipeline 1152 bits, memories 55904 bits.
+// State 2537 bits, pipeline 1152 bits, memories 66448 bits.
 module horopter_agreement (
   input  logic clk_i,
   input  logic rst_ni,
@@ -36,6 +36,7 @@ module horopter_agreement (
   input  logic signed [15:0] cfg_epipolar_column_i,
   input  logic signed [15:0] cfg_epipolar_row_i,
   input  logic signed [15:0] cfg_epipolar_both_i,
+  output logic parity_error_o,
   output logic valid_o,
   output logic [7:0] pixel_0_o,
   output logic [7:0] pixel_1_o,
@@ -329,53 +330,68 @@ module horopter_agreement (
   logic not_1835;
   assign not_1835 = ~run_shift_q[5];
 
-  // Memory fresh, 80 x 29, DISTANCE 12, hls/stages/agreement.hpp:796; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
+  // Memory fresh, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:796; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [28:0] fresh_mem [0:79];
+  logic [29:0] fresh_mem [0:79];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 80; i++) fresh_mem[i] = 29'h0;
+  initial for (int i = 0; i < 80; i++) fresh_mem[i] = 30'h0;
 `endif
   logic [6:0] fresh_raddr;
   assign fresh_raddr = x_q[6:0];
   logic fresh_re;
   assign fresh_re = s0_en & and_376;
-  logic [28:0] fresh_rdata_q;
+  logic [29:0] fresh_word_q;
   always_ff @(posedge clk_i) begin
-    if (fresh_re) fresh_rdata_q <= fresh_mem[fresh_raddr];
+    if (fresh_re) fresh_word_q <= fresh_mem[fresh_raddr];
   end
+  logic [28:0] fresh_rdata_q;
+  assign fresh_rdata_q = fresh_word_q[28:0];
+  logic fresh_read_q, fresh_error;
+  always_ff @(posedge clk_i) fresh_read_q <= rst_ni & fresh_re;
+  assign fresh_error = fresh_read_q & ^fresh_word_q;
 
-  // Memory left, 80 x 77, DISTANCE 12, hls/stages/agreement.hpp:797; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory left, 80 x 77 and parity, DISTANCE 12, hls/stages/agreement.hpp:797; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [76:0] left_mem [0:79];
+  logic [77:0] left_mem [0:79];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 80; i++) left_mem[i] = 77'h0;
+  initial for (int i = 0; i < 80; i++) left_mem[i] = 78'h0;
 `endif
   logic [6:0] left_raddr;
   assign left_raddr = x_q[6:0];
   logic left_re;
   assign left_re = s0_en & (equal_370 ? not_374 : (equal_372 ? not_374 : and_461));
-  logic [76:0] left_rdata_q;
+  logic [77:0] left_word_q;
   always_ff @(posedge clk_i) begin
-    if (left_re) left_rdata_q <= left_mem[left_raddr];
+    if (left_re) left_word_q <= left_mem[left_raddr];
   end
+  logic [76:0] left_rdata_q;
+  assign left_rdata_q = left_word_q[76:0];
+  logic left_read_q, left_error;
+  always_ff @(posedge clk_i) left_read_q <= rst_ni & left_re;
+  assign left_error = left_read_q & ^left_word_q;
 
-  // Memory right_codes, 80 x 91, DISTANCE 12, hls/stages/agreement.hpp:798; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory right_codes, 80 x 91 and parity, DISTANCE 12, hls/stages/agreement.hpp:798; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [90:0] right_codes_mem [0:79];
+  logic [91:0] right_codes_mem [0:79];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 80; i++) right_codes_mem[i] = 91'h0;
+  initial for (int i = 0; i < 80; i++) right_codes_mem[i] = 92'h0;
 `endif
   logic [6:0] right_codes_raddr;
   assign right_codes_raddr = select_491;
   logic right_codes_re;
   assign right_codes_re = s0_en & (equal_370 ? not_374 : and_375);
-  logic [90:0] right_codes_rdata_q;
+  logic [91:0] right_codes_word_q;
   always_ff @(posedge clk_i) begin
-    if (right_codes_re) right_codes_rdata_q <= right_codes_mem[right_codes_raddr];
+    if (right_codes_re) right_codes_word_q <= right_codes_mem[right_codes_raddr];
   end
+  logic [90:0] right_codes_rdata_q;
+  assign right_codes_rdata_q = right_codes_word_q[90:0];
+  logic right_codes_read_q, right_codes_error;
+  always_ff @(posedge clk_i) right_codes_read_q <= rst_ni & right_codes_re;
+  assign right_codes_error = right_codes_read_q & ^right_codes_word_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -839,45 +855,57 @@ module horopter_agreement (
   logic select_1339;
   assign select_1339 = equal_1249_s1_q ? (~({row_s1_q, 1'b0} < {sum_1336, cfg_height_i[3]})) : lower_half_q;
 
-  // Memory averager_memory, 320 x 26, DISTANCE 16, hls/stages/census.hpp:146; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory averager_memory, 320 x 26 and parity, DISTANCE 16, hls/stages/census.hpp:146; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [25:0] averager_memory_mem [0:319];
+  logic [26:0] averager_memory_mem [0:319];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 320; i++) averager_memory_mem[i] = 26'h0;
+  initial for (int i = 0; i < 320; i++) averager_memory_mem[i] = 27'h0;
 `endif
   logic [8:0] averager_memory_raddr;
   assign averager_memory_raddr = select_318_s1_q;
   logic averager_memory_re;
   assign averager_memory_re = s1_en & and_326;
-  logic [25:0] averager_memory_rdata_q;
+  logic [26:0] averager_memory_word_q;
   always_ff @(posedge clk_i) begin
-    if (averager_memory_re) averager_memory_rdata_q <= averager_memory_mem[averager_memory_raddr];
+    if (averager_memory_re) averager_memory_word_q <= averager_memory_mem[averager_memory_raddr];
   end
+  logic [25:0] averager_memory_rdata_q;
+  assign averager_memory_rdata_q = averager_memory_word_q[25:0];
+  logic averager_memory_read_q, averager_memory_error;
+  always_ff @(posedge clk_i) averager_memory_read_q <= rst_ni & averager_memory_re;
+  assign averager_memory_error = averager_memory_read_q & ^averager_memory_word_q;
 
-  // Memory best_left, 80 x 22, DISTANCE 12, hls/stages/agreement.hpp:799; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
+  // Memory best_left, 80 x 22 and parity, DISTANCE 12, hls/stages/agreement.hpp:799; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [21:0] best_left_mem [0:79];
+  logic [22:0] best_left_mem [0:79];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 80; i++) best_left_mem[i] = 22'h0;
+  initial for (int i = 0; i < 80; i++) best_left_mem[i] = 23'h0;
 `endif
   logic [6:0] best_left_raddr;
   assign best_left_raddr = equal_370_s1_q ? x_s1_2_q : x_s1_q[6:0];
   logic best_left_re;
   assign best_left_re = s1_en & select_518;
-  logic [21:0] best_left_rdata_q;
+  logic [22:0] best_left_word_q;
   always_ff @(posedge clk_i) begin
-    if (best_left_re) best_left_rdata_q <= best_left_mem[best_left_raddr];
+    if (best_left_re) best_left_word_q <= best_left_mem[best_left_raddr];
   end
+  logic [21:0] best_left_rdata_q;
+  assign best_left_rdata_q = best_left_word_q[21:0];
+  logic best_left_read_q, best_left_error;
+  always_ff @(posedge clk_i) best_left_read_q <= rst_ni & best_left_re;
+  assign best_left_error = best_left_read_q & ^best_left_word_q;
 
   // Memory left, write
   logic [6:0] left_waddr;
   assign left_waddr = x_s1_q[6:0];
   logic left_we;
   assign left_we = s1_en & and_376_s1_q;
+  logic [76:0] left_wdata;
+  assign left_wdata = {and_489, select_487, and_485, and_484, and_483, and_482, select_480, and_478, and_477, and_476, and_475, select_473, and_471, and_470, and_469, and_468, select_466, fresh_rdata_q[28:26], fresh_rdata_q[24], fresh_rdata_q[11:0]};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (left_we) left_mem[left_waddr] <= {and_489, select_487, and_485, and_484, and_483, and_482, select_480, and_478, and_477, and_476, and_475, select_473, and_471, and_470, and_469, and_468, select_466, fresh_rdata_q[28:26], fresh_rdata_q[24], fresh_rdata_q[11:0]};
+    if (left_we) left_mem[left_waddr] <= {^left_wdata, left_wdata};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -896,8 +924,10 @@ module horopter_agreement (
   assign right_codes_waddr = x_s1_q[6:0];
   logic right_codes_we;
   assign right_codes_we = s1_en & and_376_s1_q;
+  logic [90:0] right_codes_wdata;
+  assign right_codes_wdata = {and_509, select_507, and_505, select_503, and_501, select_500, and_499, select_498, and_497, select_496, and_495, select_494, fresh_rdata_q[25], fresh_rdata_q[23:12]};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (right_codes_we) right_codes_mem[right_codes_waddr] <= {and_509, select_507, and_505, select_503, and_501, select_500, and_499, select_498, and_497, select_496, and_495, select_494, fresh_rdata_q[25], fresh_rdata_q[23:12]};
+    if (right_codes_we) right_codes_mem[right_codes_waddr] <= {^right_codes_wdata, right_codes_wdata};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -1460,61 +1490,78 @@ module horopter_agreement (
   logic [27:0] sum_1752;
   assign sum_1752 = {{12{cfg_epipolar_both_i[15]}}, $unsigned(cfg_epipolar_both_i)} + registration_slope_change_q;
 
-  // Memory census_memory, 80 x 78, DISTANCE 16, hls/stages/census.hpp:254; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory census_memory, 80 x 78 and parity, DISTANCE 16, hls/stages/census.hpp:254; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [77:0] census_memory_mem [0:79];
+  logic [78:0] census_memory_mem [0:79];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 80; i++) census_memory_mem[i] = 78'h0;
+  initial for (int i = 0; i < 80; i++) census_memory_mem[i] = 79'h0;
 `endif
   logic [6:0] census_memory_raddr;
   assign census_memory_raddr = column_s2_q;
   logic census_memory_re;
   assign census_memory_re = s2_en & and_351_s2_q;
-  logic [77:0] census_memory_rdata_q;
+  logic [78:0] census_memory_word_q;
   always_ff @(posedge clk_i) begin
-    if (census_memory_re) census_memory_rdata_q <= census_memory_mem[census_memory_raddr];
+    if (census_memory_re) census_memory_word_q <= census_memory_mem[census_memory_raddr];
   end
+  logic [77:0] census_memory_rdata_q;
+  assign census_memory_rdata_q = census_memory_word_q[77:0];
+  logic census_memory_read_q, census_memory_error;
+  always_ff @(posedge clk_i) census_memory_read_q <= rst_ni & census_memory_re;
+  assign census_memory_error = census_memory_read_q & ^census_memory_word_q;
 
-  // Memory best_right, 80 x 15, DISTANCE 12, hls/stages/agreement.hpp:800; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory best_right, 80 x 15 and parity, DISTANCE 12, hls/stages/agreement.hpp:800; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [14:0] best_right_mem [0:79];
+  logic [15:0] best_right_mem [0:79];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 80; i++) best_right_mem[i] = 15'h0;
+  initial for (int i = 0; i < 80; i++) best_right_mem[i] = 16'h0;
 `endif
   logic [6:0] best_right_raddr;
   assign best_right_raddr = select_886;
   logic best_right_re;
   assign best_right_re = s2_en & select_518_s2_q;
-  logic [14:0] best_right_rdata_q;
+  logic [15:0] best_right_word_q;
   always_ff @(posedge clk_i) begin
-    if (best_right_re) best_right_rdata_q <= best_right_mem[best_right_raddr];
+    if (best_right_re) best_right_word_q <= best_right_mem[best_right_raddr];
   end
+  logic [14:0] best_right_rdata_q;
+  assign best_right_rdata_q = best_right_word_q[14:0];
+  logic best_right_read_q, best_right_error;
+  always_ff @(posedge clk_i) best_right_read_q <= rst_ni & best_right_re;
+  assign best_right_error = best_right_read_q & ^best_right_word_q;
 
-  // Memory seen_columns, 80 x 14, DISTANCE 12, hls/stages/agreement.hpp:828; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory seen_columns, 80 x 14 and parity, DISTANCE 12, hls/stages/agreement.hpp:828; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [13:0] seen_columns_mem [0:79];
+  logic [14:0] seen_columns_mem [0:79];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 80; i++) seen_columns_mem[i] = 14'h0;
+  initial for (int i = 0; i < 80; i++) seen_columns_mem[i] = 15'h0;
 `endif
   logic [6:0] seen_columns_raddr;
   assign seen_columns_raddr = x_s2_q[6:0];
   logic seen_columns_re;
   assign seen_columns_re = s2_en & and_957_s2_q;
-  logic [13:0] seen_columns_rdata_q;
+  logic [14:0] seen_columns_word_q;
   always_ff @(posedge clk_i) begin
-    if (seen_columns_re) seen_columns_rdata_q <= seen_columns_mem[seen_columns_raddr];
+    if (seen_columns_re) seen_columns_word_q <= seen_columns_mem[seen_columns_raddr];
   end
+  logic [13:0] seen_columns_rdata_q;
+  assign seen_columns_rdata_q = seen_columns_word_q[13:0];
+  logic seen_columns_read_q, seen_columns_error;
+  always_ff @(posedge clk_i) seen_columns_read_q <= rst_ni & seen_columns_re;
+  assign seen_columns_error = seen_columns_read_q & ^seen_columns_word_q;
 
   // Memory averager_memory, write
   logic [8:0] averager_memory_waddr;
   assign averager_memory_waddr = select_318_s2_q;
   logic averager_memory_we;
   assign averager_memory_we = s2_en & and_326_s2_q;
+  logic [25:0] averager_memory_wdata;
+  assign averager_memory_wdata = {and_345, and_341, sum_337, sum_333};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {and_345, and_341, sum_337, sum_333};
+    if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {^averager_memory_wdata, averager_memory_wdata};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -2963,45 +3010,57 @@ module horopter_agreement (
   logic [11:0] select_2175;
   assign select_2175 = equal_370_s3_q ? 12'h0 : (equal_372_s3_q ? 12'h0 : (drew_s3_q ? 12'h0 : select_2172));
 
-  // Memory regions, 64 x 36, DISTANCE 12, hls/stages/agreement.hpp:813; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory regions, 64 x 36 and parity, DISTANCE 12, hls/stages/agreement.hpp:813; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [35:0] regions_mem [0:63];
+  logic [36:0] regions_mem [0:63];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 64; i++) regions_mem[i] = 36'h0;
+  initial for (int i = 0; i < 64; i++) regions_mem[i] = 37'h0;
 `endif
   logic [5:0] regions_raddr;
   assign regions_raddr = drew_s3_q ? {region_row_q, or_908, or_905, or_902} : x_s3_q[5:0];
   logic regions_re;
   assign regions_re = s3_en & (not_371_s3_q & (not_516_s3_q & (drew_s3_q ? and_914 : and_918)));
-  logic [35:0] regions_rdata_q;
+  logic [36:0] regions_word_q;
   always_ff @(posedge clk_i) begin
-    if (regions_re) regions_rdata_q <= regions_mem[regions_raddr];
+    if (regions_re) regions_word_q <= regions_mem[regions_raddr];
   end
+  logic [35:0] regions_rdata_q;
+  assign regions_rdata_q = regions_word_q[35:0];
+  logic regions_read_q, regions_error;
+  always_ff @(posedge clk_i) regions_read_q <= rst_ni & regions_re;
+  assign regions_error = regions_read_q & ^regions_word_q;
 
-  // Memory map, 9600 x 2, DISTANCE 16, hls/stages/agreement.hpp:832; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory map, 9600 x 2 and parity, DISTANCE 16, hls/stages/agreement.hpp:832; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [1:0] map_mem [0:9599];
+  logic [2:0] map_mem [0:9599];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 9600; i++) map_mem[i] = 2'h0;
+  initial for (int i = 0; i < 9600; i++) map_mem[i] = 3'h0;
 `endif
   logic [13:0] map_raddr;
   assign map_raddr = {sum_979, index[5:0]};
   logic map_re;
   assign map_re = s3_en & (and_986 & less_987);
-  logic [1:0] map_rdata_q;
+  logic [2:0] map_word_q;
   always_ff @(posedge clk_i) begin
-    if (map_re) map_rdata_q <= map_mem[map_raddr];
+    if (map_re) map_word_q <= map_mem[map_raddr];
   end
+  logic [1:0] map_rdata_q;
+  assign map_rdata_q = map_word_q[1:0];
+  logic map_read_q, map_error;
+  always_ff @(posedge clk_i) map_read_q <= rst_ni & map_re;
+  assign map_error = map_read_q & ^map_word_q;
 
   // Memory census_memory, write
   logic [6:0] census_memory_waddr;
   assign census_memory_waddr = column_s3_q;
   logic census_memory_we;
   assign census_memory_we = s3_en & and_351_s3_q;
+  logic [77:0] census_memory_wdata;
+  assign census_memory_wdata = {census_memory_rdata_q[58:40], census_memory_rdata_q[38:0], and_369_s3_q, whole_2_s3_q, select_361, select_357};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (census_memory_we) census_memory_mem[census_memory_waddr] <= {census_memory_rdata_q[58:40], census_memory_rdata_q[38:0], and_369_s3_q, whole_2_s3_q, select_361, select_357};
+    if (census_memory_we) census_memory_mem[census_memory_waddr] <= {^census_memory_wdata, census_memory_wdata};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -3020,8 +3079,10 @@ module horopter_agreement (
   assign best_right_waddr = partner_s3_q;
   logic best_right_we;
   assign best_right_we = s3_en & and_883_s3_q;
+  logic [14:0] best_right_wdata;
+  assign best_right_wdata = {select_898, select_894};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (best_right_we) best_right_mem[best_right_waddr] <= {select_898, select_894};
+    if (best_right_we) best_right_mem[best_right_waddr] <= {^best_right_wdata, best_right_wdata};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -3040,8 +3101,10 @@ module horopter_agreement (
   assign seen_columns_waddr = x_s3_q[6:0];
   logic seen_columns_we;
   assign seen_columns_we = s3_en & and_957_s3_q;
+  logic [13:0] seen_columns_wdata;
+  assign seen_columns_wdata = {seen_columns_rdata_q[10:6], seen_columns_rdata_q[4:0], near, explained, and_959, textured};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {seen_columns_rdata_q[10:6], seen_columns_rdata_q[4:0], near, explained, and_959, textured};
+    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {^seen_columns_wdata, seen_columns_wdata};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4245,8 +4308,10 @@ module horopter_agreement (
   assign fresh_waddr = column_s4_q;
   logic fresh_we;
   assign fresh_we = s4_en & and_351_s4_q;
+  logic [28:0] fresh_wdata;
+  assign fresh_wdata = {census_columns_values_1_cell_2_of_skin_s4_q, and_459, and_435_s4_q, and_434_s4_q, and_409_s4_q, less_401_s4_q, less_400_s4_q, less_399_s4_q, less_398_s4_q, less_397_s4_q, less_396_s4_q, less_395_s4_q, less_394_s4_q, less_393_s4_q, less_392_s4_q, less_391_s4_q, less_390_s4_q, less_389_s4_q, less_388_s4_q, less_387_s4_q, less_386_s4_q, less_385_s4_q, less_384_s4_q, less_383_s4_q, less_382_s4_q, less_381_s4_q, less_380_s4_q, less_379_s4_q, less_378_s4_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (fresh_we) fresh_mem[fresh_waddr] <= {census_columns_values_1_cell_2_of_skin_s4_q, and_459, and_435_s4_q, and_434_s4_q, and_409_s4_q, less_401_s4_q, less_400_s4_q, less_399_s4_q, less_398_s4_q, less_397_s4_q, less_396_s4_q, less_395_s4_q, less_394_s4_q, less_393_s4_q, less_392_s4_q, less_391_s4_q, less_390_s4_q, less_389_s4_q, less_388_s4_q, less_387_s4_q, less_386_s4_q, less_385_s4_q, less_384_s4_q, less_383_s4_q, less_382_s4_q, less_381_s4_q, less_380_s4_q, less_379_s4_q, less_378_s4_q};
+    if (fresh_we) fresh_mem[fresh_waddr] <= {^fresh_wdata, fresh_wdata};
   end
 `ifndef SYNTHESIS
   logic [6:0] fresh_raddr_s1_sim;
@@ -4294,8 +4359,10 @@ module horopter_agreement (
   assign best_left_waddr = x_s4_2_q;
   logic best_left_we;
   assign best_left_we = s4_en & and_883_s4_q;
+  logic [21:0] best_left_wdata;
+  assign best_left_wdata = {select_882, select_834_s4_q, select_830_s4_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (best_left_we) best_left_mem[best_left_waddr] <= {select_882, select_834_s4_q, select_830_s4_q};
+    if (best_left_we) best_left_mem[best_left_waddr] <= {^best_left_wdata, best_left_wdata};
   end
 `ifndef SYNTHESIS
   logic [6:0] best_left_raddr_s2_sim;
@@ -4335,8 +4402,10 @@ module horopter_agreement (
   assign regions_waddr = {region_row_s4_q, or_908_s4_q, or_905_s4_q, or_902_s4_q};
   logic regions_we;
   assign regions_we = s4_en & and_956_s4_q;
+  logic [35:0] regions_wdata;
+  assign regions_wdata = {sum_953, sum_942, sum_931};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (regions_we) regions_mem[regions_waddr] <= {sum_953, sum_942, sum_931};
+    if (regions_we) regions_mem[regions_waddr] <= {^regions_wdata, regions_wdata};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4353,8 +4422,10 @@ module horopter_agreement (
   assign map_waddr = {sum_992_s4_q, index_2_s4_q};
   logic map_we;
   assign map_we = s4_en & and_1057_s4_q;
+  logic [1:0] map_wdata;
+  assign map_wdata = {and_1046, is_seen};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (map_we) map_mem[map_waddr] <= {and_1046, is_seen};
+    if (map_we) map_mem[map_waddr] <= {^map_wdata, map_wdata};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4596,6 +4667,9 @@ module horopter_agreement (
       select_2219_s5_q <= equal_370_s4_q ? 12'h0 : (equal_372_s4_q ? 12'h0 : select_2217);
     end
   end
+
+  // Parity ------------------------------------------------------------------------------------------------------------
+  always_ff @(posedge clk_i) parity_error_o <= rst_ni & (averager_memory_error | census_memory_error | fresh_error | left_error | right_codes_error | best_left_error | best_right_error | regions_error | seen_columns_error | map_error);
 
   // Outputs -----------------------------------------------------------------------------------------------------------
   assign pixel_0_o = pixel_0_s5_q;

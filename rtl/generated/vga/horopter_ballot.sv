@@ -3,7 +3,7 @@
 //
 // Latency 3 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 13 bits, pipeline 58 bits, memories 172800 bits.
+// State 13 bits, pipeline 58 bits, memories 173440 bits.
 module horopter_ballot (
   input  logic clk_i,
   input  logic rst_ni,
@@ -20,6 +20,7 @@ module horopter_ballot (
   input  logic [3:0] cfg_similar_i,
   input  logic [7:0] cfg_quorum_i,
   input  logic [7:0] cfg_clear_quorum_i,
+  output logic parity_error_o,
   output logic valid_o,
   output logic skin_o,
   output logic clear_o,
@@ -48,21 +49,26 @@ module horopter_ballot (
   logic or_20;
   assign or_20 = marks_first_i | running_q;
 
-  // Memory memory, 640 x 270, DISTANCE 16, hls/stages/ballot.hpp:80; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory memory, 640 x 270 and parity, DISTANCE 16, hls/stages/ballot.hpp:80; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [269:0] memory_mem [0:639];
+  logic [270:0] memory_mem [0:639];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 640; i++) memory_mem[i] = 270'h0;
+  initial for (int i = 0; i < 640; i++) memory_mem[i] = 271'h0;
 `endif
   logic [9:0] memory_raddr;
   assign memory_raddr = running_q ? select_18 : 10'h0;
   logic memory_re;
   assign memory_re = s0_en & or_20;
-  logic [269:0] memory_rdata_q;
+  logic [270:0] memory_word_q;
   always_ff @(posedge clk_i) begin
-    if (memory_re) memory_rdata_q <= memory_mem[memory_raddr];
+    if (memory_re) memory_word_q <= memory_mem[memory_raddr];
   end
+  logic [269:0] memory_rdata_q;
+  assign memory_rdata_q = memory_word_q[269:0];
+  logic memory_read_q, memory_error;
+  always_ff @(posedge clk_i) memory_read_q <= rst_ni & memory_re;
+  assign memory_error = memory_read_q & ^memory_word_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -597,8 +603,10 @@ module horopter_ballot (
   assign memory_waddr = raster_column_q;
   logic memory_we;
   assign memory_we = s1_en & running_q;
+  logic [269:0] memory_wdata;
+  assign memory_wdata = {select_152[7:0], firm_s1_q, select_149, select_146, select_143, select_140, select_137, select_134, select_131, select_128, select_125, select_122, select_119, select_116, select_113, select_110, select_107, select_104, select_101, select_98, and_95, select_92, select_89, and_86, select_83, select_80, and_77, select_74, select_71, and_68, select_65, select_62, and_59, select_56, select_53, and_50, select_47, select_44, and_41, select_38, select_35, and_32, select_29, select_26, exists_s1_q, grey_s1_q, vote_s1_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (memory_we) memory_mem[memory_waddr] <= {select_152[7:0], firm_s1_q, select_149, select_146, select_143, select_140, select_137, select_134, select_131, select_128, select_125, select_122, select_119, select_116, select_113, select_110, select_107, select_104, select_101, select_98, and_95, select_92, select_89, and_86, select_83, select_80, and_77, select_74, select_71, and_68, select_65, select_62, and_59, select_56, select_53, and_50, select_47, select_44, and_41, select_38, select_35, and_32, select_29, select_26, exists_s1_q, grey_s1_q, vote_s1_q};
+    if (memory_we) memory_mem[memory_waddr] <= {^memory_wdata, memory_wdata};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -669,6 +677,9 @@ module horopter_ballot (
       and_279_s3_q <= and_279_s2_q;
     end
   end
+
+  // Parity ------------------------------------------------------------------------------------------------------------
+  always_ff @(posedge clk_i) parity_error_o <= rst_ni & (memory_error);
 
   // Outputs -----------------------------------------------------------------------------------------------------------
   assign skin_o = not_271_s3_q;

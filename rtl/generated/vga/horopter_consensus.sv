@@ -3,7 +3,7 @@
 //
 // Latency 3 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 127 bits, pipeline 24 bits, memories 11520 bits.
+// State 127 bits, pipeline 24 bits, memories 12160 bits.
 module horopter_consensus (
   input  logic clk_i,
   input  logic rst_ni,
@@ -16,6 +16,7 @@ module horopter_consensus (
   input  logic marks_last_i,
   input  logic marks_seen_i,
   input  logic marks_nearer_i,
+  output logic parity_error_o,
   output logic valid_o,
   output logic [1:0] state_o,
   output logic marks_first_o,
@@ -56,21 +57,26 @@ module horopter_consensus (
   logic or_57;
   assign or_57 = marks_first_i | running_q;
 
-  // Memory memory, 640 x 18, DISTANCE 16, hls/stages/consensus.hpp:102; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory memory, 640 x 18 and parity, DISTANCE 16, hls/stages/consensus.hpp:102; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [17:0] memory_mem [0:639];
+  logic [18:0] memory_mem [0:639];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 640; i++) memory_mem[i] = 18'h0;
+  initial for (int i = 0; i < 640; i++) memory_mem[i] = 19'h0;
 `endif
   logic [9:0] memory_raddr;
   assign memory_raddr = select_56;
   logic memory_re;
   assign memory_re = s0_en & or_57;
-  logic [17:0] memory_rdata_q;
+  logic [18:0] memory_word_q;
   always_ff @(posedge clk_i) begin
-    if (memory_re) memory_rdata_q <= memory_mem[memory_raddr];
+    if (memory_re) memory_word_q <= memory_mem[memory_raddr];
   end
+  logic [17:0] memory_rdata_q;
+  assign memory_rdata_q = memory_word_q[17:0];
+  logic memory_read_q, memory_error;
+  always_ff @(posedge clk_i) memory_read_q <= rst_ni & memory_re;
+  assign memory_error = memory_read_q & ^memory_word_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -243,8 +249,10 @@ module horopter_consensus (
   assign memory_waddr = raster_column_q;
   logic memory_we;
   assign memory_we = s1_en & running_q;
+  logic [17:0] memory_wdata;
+  assign memory_wdata = {select_71[4:0], and_68_s1_q, select_67[4:0], and_64_s1_q, select_63[4:0], exists_s1_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (memory_we) memory_mem[memory_waddr] <= {select_71[4:0], and_68_s1_q, select_67[4:0], and_64_s1_q, select_63[4:0], exists_s1_q};
+    if (memory_we) memory_mem[memory_waddr] <= {^memory_wdata, memory_wdata};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -369,6 +377,9 @@ module horopter_consensus (
       select_121_s3_q <= centres_values_2_exists_s2_q ? {and_120, less_115} : 2'h3;
     end
   end
+
+  // Parity ------------------------------------------------------------------------------------------------------------
+  always_ff @(posedge clk_i) parity_error_o <= rst_ni & (memory_error);
 
   // Outputs -----------------------------------------------------------------------------------------------------------
   assign state_o = select_121_s3_q;

@@ -3,7 +3,7 @@
 //
 // Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 189 bits, pipeline 22 bits, memories 61440 bits.
+// State 189 bits, pipeline 22 bits, memories 62080 bits.
 module horopter_dsad (
   input  logic clk_i,
   input  logic rst_ni,
@@ -17,6 +17,7 @@ module horopter_dsad (
   input  logic marks_last_i,
   input  logic marks_seen_i,
   input  logic marks_nearer_i,
+  output logic parity_error_o,
   output logic valid_o,
   output logic [10:0] sum_0_o,
   output logic [10:0] sum_1_o,
@@ -43,21 +44,26 @@ module horopter_dsad (
   logic [9:0] select_35;
   assign select_35 = or_33 ? 10'h0 : (raster_column_q + 10'h1);
 
-  // Memory memory, 640 x 96, DISTANCE 16, hls/stages/dsad.hpp:108; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory memory, 640 x 96 and parity, DISTANCE 16, hls/stages/dsad.hpp:108; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [95:0] memory_mem [0:639];
+  logic [96:0] memory_mem [0:639];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 640; i++) memory_mem[i] = 96'h0;
+  initial for (int i = 0; i < 640; i++) memory_mem[i] = 97'h0;
 `endif
   logic [9:0] memory_raddr;
   assign memory_raddr = select_35;
   logic memory_re;
   assign memory_re = s0_en;
-  logic [95:0] memory_rdata_q;
+  logic [96:0] memory_word_q;
   always_ff @(posedge clk_i) begin
-    if (memory_re) memory_rdata_q <= memory_mem[memory_raddr];
+    if (memory_re) memory_word_q <= memory_mem[memory_raddr];
   end
+  logic [95:0] memory_rdata_q;
+  assign memory_rdata_q = memory_word_q[95:0];
+  logic memory_read_q, memory_error;
+  always_ff @(posedge clk_i) memory_read_q <= rst_ni & memory_re;
+  assign memory_error = memory_read_q & ^memory_word_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -168,8 +174,10 @@ module horopter_dsad (
   assign memory_waddr = raster_column_q;
   logic memory_we;
   assign memory_we = s1_en;
+  logic [95:0] memory_wdata;
+  assign memory_wdata = {select_48[6:0], mask_s1_q, sum_47, sum_43, memory_rdata_q[67:36], difference_1_s1_q, memory_rdata_q[31:0], difference_0_s1_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (memory_we) memory_mem[memory_waddr] <= {select_48[6:0], mask_s1_q, sum_47, sum_43, memory_rdata_q[67:36], difference_1_s1_q, memory_rdata_q[31:0], difference_0_s1_q};
+    if (memory_we) memory_mem[memory_waddr] <= {^memory_wdata, memory_wdata};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -259,6 +267,9 @@ module horopter_dsad (
       equal_63_s2_q <= {select_62, equal_61} == 9'h1ff;
     end
   end
+
+  // Parity ------------------------------------------------------------------------------------------------------------
+  always_ff @(posedge clk_i) parity_error_o <= rst_ni & (memory_error);
 
   // Outputs -----------------------------------------------------------------------------------------------------------
   assign sum_0_o = rows_0_sums_values_0_q;

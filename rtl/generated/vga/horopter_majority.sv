@@ -4,7 +4,7 @@
 // Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
 // Outputs are logic: what they go to takes them with the clock if en_i = 1.
-// State 114 bits, pipeline 14 bits, memories 11520 bits.
+// State 114 bits, pipeline 14 bits, memories 12160 bits.
 module horopter_majority (
   input  logic clk_i,
   input  logic rst_ni,
@@ -17,6 +17,7 @@ module horopter_majority (
   input  logic marks_last_i,
   input  logic marks_seen_i,
   input  logic marks_nearer_i,
+  output logic parity_error_o,
   output logic valid_o,
   output logic [1:0] state_o,
   output logic marks_first_o,
@@ -40,21 +41,26 @@ module horopter_majority (
   logic [9:0] select_22;
   assign select_22 = or_20 ? 10'h0 : (raster_column_q + 10'h1);
 
-  // Memory memory, 640 x 18, DISTANCE 16, hls/stages/majority.hpp:72; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory memory, 640 x 18 and parity, DISTANCE 16, hls/stages/majority.hpp:72; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [17:0] memory_mem [0:639];
+  logic [18:0] memory_mem [0:639];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 640; i++) memory_mem[i] = 18'h0;
+  initial for (int i = 0; i < 640; i++) memory_mem[i] = 19'h0;
 `endif
   logic [9:0] memory_raddr;
   assign memory_raddr = select_22;
   logic memory_re;
   assign memory_re = s0_en;
-  logic [17:0] memory_rdata_q;
+  logic [18:0] memory_word_q;
   always_ff @(posedge clk_i) begin
-    if (memory_re) memory_rdata_q <= memory_mem[memory_raddr];
+    if (memory_re) memory_word_q <= memory_mem[memory_raddr];
   end
+  logic [17:0] memory_rdata_q;
+  assign memory_rdata_q = memory_word_q[17:0];
+  logic memory_read_q, memory_error;
+  always_ff @(posedge clk_i) memory_read_q <= rst_ni & memory_re;
+  assign memory_error = memory_read_q & ^memory_word_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -128,8 +134,10 @@ module horopter_majority (
   assign memory_waddr = raster_column_q;
   logic memory_we;
   assign memory_we = s1_en;
+  logic [17:0] memory_wdata;
+  assign memory_wdata = {select_27[4:0], mask_s1_q, memory_rdata_q[10:6], and_24_s1_q, memory_rdata_q[4:0], decidable_s1_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (memory_we) memory_mem[memory_waddr] <= {select_27[4:0], mask_s1_q, memory_rdata_q[10:6], and_24_s1_q, memory_rdata_q[4:0], decidable_s1_q};
+    if (memory_we) memory_mem[memory_waddr] <= {^memory_wdata, memory_wdata};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -206,6 +214,9 @@ module horopter_majority (
   assign and_51 = less_49 & vote;
   logic not_52;
   assign not_52 = ~less_49;
+
+  // Parity ------------------------------------------------------------------------------------------------------------
+  always_ff @(posedge clk_i) parity_error_o <= rst_ni & (memory_error);
 
   // Outputs -----------------------------------------------------------------------------------------------------------
   assign state_o = equal_48_s2_q ? {not_52, and_51} : 2'h3;

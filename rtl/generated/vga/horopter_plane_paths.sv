@@ -3,7 +3,7 @@
 //
 // Latency 3 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 13 bits, pipeline 769 bits, memories 72960 bits.
+// State 13 bits, pipeline 769 bits, memories 73600 bits.
 module horopter_plane_paths (
   input  logic clk_i,
   input  logic rst_ni,
@@ -36,6 +36,7 @@ module horopter_plane_paths (
   input  logic marks_last_i,
   input  logic marks_seen_i,
   input  logic marks_nearer_i,
+  output logic parity_error_o,
   output logic valid_o,
   output logic [11:0] cost_0_o,
   output logic [11:0] cost_1_o,
@@ -133,21 +134,26 @@ module horopter_plane_paths (
   logic or_359;
   assign or_359 = ({select_354, 4'h0} < {sum_356, sum_355[0], evidence_i[1:0]}) | less_358;
 
-  // Memory memory, 640 x 114, DISTANCE 16, hls/stages/plane_paths.hpp:119; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
+  // Memory memory, 640 x 114 and parity, DISTANCE 16, hls/stages/plane_paths.hpp:119; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [113:0] memory_mem [0:639];
+  logic [114:0] memory_mem [0:639];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 640; i++) memory_mem[i] = 114'h0;
+  initial for (int i = 0; i < 640; i++) memory_mem[i] = 115'h0;
 `endif
   logic [9:0] memory_raddr;
   assign memory_raddr = running_q ? select_34 : 10'h0;
   logic memory_re;
   assign memory_re = s0_en & or_36;
-  logic [113:0] memory_rdata_q;
+  logic [114:0] memory_word_q;
   always_ff @(posedge clk_i) begin
-    if (memory_re) memory_rdata_q <= memory_mem[memory_raddr];
+    if (memory_re) memory_word_q <= memory_mem[memory_raddr];
   end
+  logic [113:0] memory_rdata_q;
+  assign memory_rdata_q = memory_word_q[113:0];
+  logic memory_read_q, memory_error;
+  always_ff @(posedge clk_i) memory_read_q <= rst_ni & memory_re;
+  assign memory_error = memory_read_q & ^memory_word_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -814,8 +820,10 @@ module horopter_plane_paths (
   assign memory_waddr = select_34_s2_q;
   logic memory_we;
   assign memory_we = s2_en & select_317_s2_q;
+  logic [113:0] memory_wdata;
+  assign memory_wdata = {select_315, select_309, select_303, select_297, select_291, select_285, select_279, select_273, select_267, select_261, select_255, select_249, select_243, select_237, select_231, select_225, select_219, select_213, select_207};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (memory_we) memory_mem[memory_waddr] <= {select_315, select_309, select_303, select_297, select_291, select_285, select_279, select_273, select_267, select_261, select_255, select_249, select_243, select_237, select_231, select_225, select_219, select_213, select_207};
+    if (memory_we) memory_mem[memory_waddr] <= {^memory_wdata, memory_wdata};
   end
 `ifndef SYNTHESIS
   logic [9:0] memory_raddr_s1_sim;
@@ -940,6 +948,9 @@ module horopter_plane_paths (
       and_360_s3_q <= and_360_s2_q;
     end
   end
+
+  // Parity ------------------------------------------------------------------------------------------------------------
+  always_ff @(posedge clk_i) parity_error_o <= rst_ni & (memory_error);
 
   // Outputs -----------------------------------------------------------------------------------------------------------
   assign cost_0_o = {sum_43_s3_q, sum_0_s3_q};

@@ -3,7 +3,7 @@
 //
 // Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 3568 bits, pipeline 39 bits, memories 180480 bits.
+// State 3568 bits, pipeline 39 bits, memories 181760 bits.
 module horopter_plane_sums (
   input  logic clk_i,
   input  logic rst_ni,
@@ -18,6 +18,7 @@ module horopter_plane_sums (
   input  logic marks_last_i,
   input  logic marks_seen_i,
   input  logic marks_nearer_i,
+  output logic parity_error_o,
   output logic valid_o,
   output logic [10:0] sum_0_o,
   output logic [10:0] sum_1_o,
@@ -425,37 +426,47 @@ module horopter_plane_sums (
   logic [4:0] select_1109;
   assign select_1109 = entering_values_47_features_mask_q ? (((sum_1103[6:5] == 2'h0) & not_1106) ? sum_1103[4:0] : 5'h1f) : 5'h1f;
 
-  // Memory feature_memory, 640 x 91, DISTANCE 16, hls/stages/plane_sums.hpp:166; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory feature_memory, 640 x 91 and parity, DISTANCE 16, hls/stages/plane_sums.hpp:166; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [90:0] feature_memory_mem [0:639];
+  logic [91:0] feature_memory_mem [0:639];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 640; i++) feature_memory_mem[i] = 91'h0;
+  initial for (int i = 0; i < 640; i++) feature_memory_mem[i] = 92'h0;
 `endif
   logic [9:0] feature_memory_raddr;
   assign feature_memory_raddr = select_693;
   logic feature_memory_re;
   assign feature_memory_re = s0_en;
-  logic [90:0] feature_memory_rdata_q;
+  logic [91:0] feature_memory_word_q;
   always_ff @(posedge clk_i) begin
-    if (feature_memory_re) feature_memory_rdata_q <= feature_memory_mem[feature_memory_raddr];
+    if (feature_memory_re) feature_memory_word_q <= feature_memory_mem[feature_memory_raddr];
   end
+  logic [90:0] feature_memory_rdata_q;
+  assign feature_memory_rdata_q = feature_memory_word_q[90:0];
+  logic feature_memory_read_q, feature_memory_error;
+  always_ff @(posedge clk_i) feature_memory_read_q <= rst_ni & feature_memory_re;
+  assign feature_memory_error = feature_memory_read_q & ^feature_memory_word_q;
 
-  // Memory column_memory, 640 x 191, DISTANCE 16, hls/stages/plane_sums.hpp:167; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory column_memory, 640 x 191 and parity, DISTANCE 16, hls/stages/plane_sums.hpp:167; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [190:0] column_memory_mem [0:639];
+  logic [191:0] column_memory_mem [0:639];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 640; i++) column_memory_mem[i] = 191'h0;
+  initial for (int i = 0; i < 640; i++) column_memory_mem[i] = 192'h0;
 `endif
   logic [9:0] column_memory_raddr;
   assign column_memory_raddr = select_697;
   logic column_memory_re;
   assign column_memory_re = s0_en & or_698;
-  logic [190:0] column_memory_rdata_q;
+  logic [191:0] column_memory_word_q;
   always_ff @(posedge clk_i) begin
-    if (column_memory_re) column_memory_rdata_q <= column_memory_mem[column_memory_raddr];
+    if (column_memory_re) column_memory_word_q <= column_memory_mem[column_memory_raddr];
   end
+  logic [190:0] column_memory_rdata_q;
+  assign column_memory_rdata_q = column_memory_word_q[190:0];
+  logic column_memory_read_q, column_memory_error;
+  always_ff @(posedge clk_i) column_memory_read_q <= rst_ni & column_memory_re;
+  assign column_memory_error = column_memory_read_q & ^column_memory_word_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -2321,8 +2332,10 @@ module horopter_plane_sums (
   assign feature_memory_waddr = arriving_column_q;
   logic feature_memory_we;
   assign feature_memory_we = s1_en;
+  logic [90:0] feature_memory_wdata;
+  assign feature_memory_wdata = {feature_memory_rdata_q[77:0], entering_values_0_features_mask_q, entering_values_0_features_right_q, entering_values_0_features_left_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (feature_memory_we) feature_memory_mem[feature_memory_waddr] <= {feature_memory_rdata_q[77:0], entering_values_0_features_mask_q, entering_values_0_features_right_q, entering_values_0_features_left_q};
+    if (feature_memory_we) feature_memory_mem[feature_memory_waddr] <= {^feature_memory_wdata, feature_memory_wdata};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -2341,8 +2354,10 @@ module horopter_plane_sums (
   assign column_memory_waddr = delayed_column_q;
   logic column_memory_we;
   assign column_memory_we = s1_en & running_q;
+  logic [190:0] column_memory_wdata;
+  assign column_memory_wdata = {and_1135, and_1134, entering_values_24_features_mask_q, and_1133, column_memory_rdata_q[179:174], and_1132, column_memory_rdata_q[172:167], and_1131, column_memory_rdata_q[165:160], seen_values_24_exists_s1_q, seen_values_24_grey_s1_q, sum_1130, sum_1120, sum_1098, sum_1076, sum_1054, sum_1032, sum_1010, sum_988, sum_966, sum_944, sum_922, sum_904, sum_882, sum_860, sum_838, sum_816, sum_794, sum_772, sum_750, sum_728};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (column_memory_we) column_memory_mem[column_memory_waddr] <= {and_1135, and_1134, entering_values_24_features_mask_q, and_1133, column_memory_rdata_q[179:174], and_1132, column_memory_rdata_q[172:167], and_1131, column_memory_rdata_q[165:160], seen_values_24_exists_s1_q, seen_values_24_grey_s1_q, sum_1130, sum_1120, sum_1098, sum_1076, sum_1054, sum_1032, sum_1010, sum_988, sum_966, sum_944, sum_922, sum_904, sum_882, sum_860, sum_838, sum_816, sum_794, sum_772, sum_750, sum_728};
+    if (column_memory_we) column_memory_mem[column_memory_waddr] <= {^column_memory_wdata, column_memory_wdata};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -3066,6 +3081,9 @@ module horopter_plane_sums (
       and_1233_s2_q <= centres_values_3_seen_exists_q & rows_seen_values_3_q;
     end
   end
+
+  // Parity ------------------------------------------------------------------------------------------------------------
+  always_ff @(posedge clk_i) parity_error_o <= rst_ni & (feature_memory_error | column_memory_error);
 
   // Outputs -----------------------------------------------------------------------------------------------------------
   assign sum_0_o = rows_0_sum_sums_values_0_q;

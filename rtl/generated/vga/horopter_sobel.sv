@@ -4,7 +4,7 @@
 // Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
 // Outputs are logic: what they go to takes them with the clock if en_i = 1.
-// State 92 bits, pipeline 23 bits, memories 23040 bits.
+// State 92 bits, pipeline 23 bits, memories 23680 bits.
 module horopter_sobel (
   input  logic clk_i,
   input  logic rst_ni,
@@ -18,6 +18,7 @@ module horopter_sobel (
   input  logic marks_last_i,
   input  logic marks_seen_i,
   input  logic marks_nearer_i,
+  output logic parity_error_o,
   output logic valid_o,
   output logic signed [10:0] gx_0_o,
   output logic signed [10:0] gx_1_o,
@@ -48,21 +49,26 @@ module horopter_sobel (
   logic [9:0] select_24;
   assign select_24 = or_22 ? 10'h0 : (raster_column_q + 10'h1);
 
-  // Memory memory, 640 x 36, DISTANCE 16, hls/stages/sobel.hpp:74; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory memory, 640 x 36 and parity, DISTANCE 16, hls/stages/sobel.hpp:74; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [35:0] memory_mem [0:639];
+  logic [36:0] memory_mem [0:639];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 640; i++) memory_mem[i] = 36'h0;
+  initial for (int i = 0; i < 640; i++) memory_mem[i] = 37'h0;
 `endif
   logic [9:0] memory_raddr;
   assign memory_raddr = select_24;
   logic memory_re;
   assign memory_re = s0_en;
-  logic [35:0] memory_rdata_q;
+  logic [36:0] memory_word_q;
   always_ff @(posedge clk_i) begin
-    if (memory_re) memory_rdata_q <= memory_mem[memory_raddr];
+    if (memory_re) memory_word_q <= memory_mem[memory_raddr];
   end
+  logic [35:0] memory_rdata_q;
+  assign memory_rdata_q = memory_word_q[35:0];
+  logic memory_read_q, memory_error;
+  always_ff @(posedge clk_i) memory_read_q <= rst_ni & memory_re;
+  assign memory_error = memory_read_q & ^memory_word_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -155,8 +161,10 @@ module horopter_sobel (
   assign memory_waddr = raster_column_q;
   logic memory_we;
   assign memory_we = s1_en;
+  logic [35:0] memory_wdata;
+  assign memory_wdata = {select_29[0], saturated_s1_q, select_28[0], mask_s1_q, memory_rdata_q[15:0], pixel_1_s1_q, pixel_0_s1_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (memory_we) memory_mem[memory_waddr] <= {select_29[0], saturated_s1_q, select_28[0], mask_s1_q, memory_rdata_q[15:0], pixel_1_s1_q, pixel_0_s1_q};
+    if (memory_we) memory_mem[memory_waddr] <= {^memory_wdata, memory_wdata};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -207,6 +215,9 @@ module horopter_sobel (
       saturated_columns_values_0_q <= {select_40[0], equal_39};
     end
   end
+
+  // Parity ------------------------------------------------------------------------------------------------------------
+  always_ff @(posedge clk_i) parity_error_o <= rst_ni & (memory_error);
 
   // Outputs -----------------------------------------------------------------------------------------------------------
   assign gx_0_o = {1'b0, smooth} - {1'b0, smooth_0_values_1_q};

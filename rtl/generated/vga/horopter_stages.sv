@@ -49,6 +49,7 @@ module horopter_stages #(
   input  logic [18:0] cfg_undecidable_limit_i,
   input  logic [18:0] cfg_unsupervised_limit_i,
   input  logic [30:0] compete_settings_i,
+  output logic parity_error_o,
   output logic agreement_verdict_valid_o,
   output logic [15:0] agreement_verdict_supervised_o,
   output logic [15:0] agreement_verdict_textured_o,
@@ -172,6 +173,7 @@ module horopter_stages #(
     .marks_last_o(subsample_marks_last_o)
   );
 
+  logic agreement_parity_error_o;
   logic agreement_valid_o;
   logic [7:0] agreement_pixel_0_o;
   logic [7:0] agreement_pixel_1_o;
@@ -217,6 +219,7 @@ module horopter_stages #(
     .cfg_epipolar_column_i(cfg_epipolar_column_i),
     .cfg_epipolar_row_i(cfg_epipolar_row_i),
     .cfg_epipolar_both_i(cfg_epipolar_both_i),
+    .parity_error_o(agreement_parity_error_o),
     .valid_o(agreement_valid_o),
     .pixel_0_o(agreement_pixel_0_o),
     .pixel_1_o(agreement_pixel_1_o),
@@ -259,6 +262,7 @@ module horopter_stages #(
     .region_nearer_o(agreement_region_nearer_o)
   );
 
+  logic lowpass_parity_error_o;
   logic lowpass_valid_o;
   logic [7:0] lowpass_pixel_0_o;
   logic [7:0] lowpass_pixel_1_o;
@@ -281,6 +285,7 @@ module horopter_stages #(
     .marks_last_i(agreement_marks_last_o),
     .marks_seen_i(agreement_marks_seen_o),
     .marks_nearer_i(agreement_marks_nearer_o),
+    .parity_error_o(lowpass_parity_error_o),
     .valid_o(lowpass_valid_o),
     .pixel_0_o(lowpass_pixel_0_o),
     .pixel_1_o(lowpass_pixel_1_o),
@@ -292,6 +297,7 @@ module horopter_stages #(
     .marks_nearer_o(lowpass_marks_nearer_o)
   );
 
+  logic sobel_parity_error_o;
   logic sobel_valid_o;
   logic signed [10:0] sobel_gx_0_o;
   logic signed [10:0] sobel_gx_1_o;
@@ -318,6 +324,7 @@ module horopter_stages #(
     .marks_last_i(lowpass_marks_last_o),
     .marks_seen_i(lowpass_marks_seen_o),
     .marks_nearer_i(lowpass_marks_nearer_o),
+    .parity_error_o(sobel_parity_error_o),
     .valid_o(sobel_valid_o),
     .gx_0_o(sobel_gx_0_o),
     .gx_1_o(sobel_gx_1_o),
@@ -453,6 +460,7 @@ module horopter_stages #(
     assign difference_marks_nearer_o = '0;
   end
 
+  logic texture_parity_error_o;
   logic texture_valid_o;
   logic [3:0] texture_difference_0_o;
   logic [3:0] texture_difference_1_o;
@@ -477,6 +485,7 @@ module horopter_stages #(
       .marks_seen_i(difference_marks_seen_o),
       .marks_nearer_i(difference_marks_nearer_o),
       .cfg_texture_limit_i(cfg_texture_limit_i),
+      .parity_error_o(texture_parity_error_o),
       .valid_o(texture_valid_o),
       .difference_0_o(texture_difference_0_o),
       .difference_1_o(texture_difference_1_o),
@@ -490,6 +499,7 @@ module horopter_stages #(
   end else begin : g_no_texture
     logic unused;
     assign unused = ^{thesis_clk, thesis_runs, difference_valid_o, difference_difference_0_o, difference_difference_1_o, difference_magnitude_o, difference_mask_o, difference_marks_first_o, difference_marks_last_o, difference_marks_seen_o, difference_marks_nearer_o, cfg_texture_limit_i};
+    assign texture_parity_error_o = '0;
     assign texture_valid_o = '0;
     assign texture_difference_0_o = '0;
     assign texture_difference_1_o = '0;
@@ -501,6 +511,7 @@ module horopter_stages #(
     assign texture_marks_nearer_o = '0;
   end
 
+  logic dsad_parity_error_o;
   logic dsad_valid_o;
   logic [10:0] dsad_sum_0_o;
   logic [10:0] dsad_sum_1_o;
@@ -524,6 +535,7 @@ module horopter_stages #(
       .marks_last_i(texture_marks_last_o),
       .marks_seen_i(texture_marks_seen_o),
       .marks_nearer_i(texture_marks_nearer_o),
+      .parity_error_o(dsad_parity_error_o),
       .valid_o(dsad_valid_o),
       .sum_0_o(dsad_sum_0_o),
       .sum_1_o(dsad_sum_1_o),
@@ -537,6 +549,7 @@ module horopter_stages #(
   end else begin : g_no_dsad
     logic unused;
     assign unused = ^{thesis_clk, thesis_runs, texture_valid_o, texture_difference_0_o, texture_difference_1_o, texture_textured_o, texture_mask_o, texture_marks_first_o, texture_marks_last_o, texture_marks_seen_o, texture_marks_nearer_o};
+    assign dsad_parity_error_o = '0;
     assign dsad_valid_o = '0;
     assign dsad_sum_0_o = '0;
     assign dsad_sum_1_o = '0;
@@ -594,6 +607,7 @@ module horopter_stages #(
     assign threshold_marks_nearer_o = '0;
   end
 
+  logic majority_parity_error_o;
   logic majority_valid_o;
   logic [1:0] majority_state_o;
   logic majority_marks_first_o;
@@ -613,6 +627,7 @@ module horopter_stages #(
       .marks_last_i(threshold_marks_last_o),
       .marks_seen_i(threshold_marks_seen_o),
       .marks_nearer_i(threshold_marks_nearer_o),
+      .parity_error_o(majority_parity_error_o),
       .valid_o(majority_valid_o),
       .state_o(majority_state_o),
       .marks_first_o(majority_marks_first_o),
@@ -623,6 +638,7 @@ module horopter_stages #(
   end else begin : g_no_majority
     logic unused;
     assign unused = ^{thesis_clk, thesis_runs, threshold_valid_o, threshold_skin_o, threshold_decidable_o, threshold_mask_o, threshold_marks_first_o, threshold_marks_last_o, threshold_marks_seen_o, threshold_marks_nearer_o};
+    assign majority_parity_error_o = '0;
     assign majority_valid_o = '0;
     assign majority_state_o = '0;
     assign majority_marks_first_o = '0;
@@ -685,6 +701,7 @@ module horopter_stages #(
     assign contrast_marks_nearer_o = '0;
   end
 
+  logic plane_sums_parity_error_o;
   logic plane_sums_valid_o;
   logic [10:0] plane_sums_sum_0_o;
   logic [10:0] plane_sums_sum_1_o;
@@ -728,6 +745,7 @@ module horopter_stages #(
       .marks_last_i(contrast_marks_last_o),
       .marks_seen_i(contrast_marks_seen_o),
       .marks_nearer_i(contrast_marks_nearer_o),
+      .parity_error_o(plane_sums_parity_error_o),
       .valid_o(plane_sums_valid_o),
       .sum_0_o(plane_sums_sum_0_o),
       .sum_1_o(plane_sums_sum_1_o),
@@ -760,6 +778,7 @@ module horopter_stages #(
   end else begin : g_no_plane_sums
     logic unused;
     assign unused = ^{compete_clk, compete_runs, contrast_valid_o, contrast_left_o, contrast_right_o, contrast_mask_o, contrast_grey_o, contrast_exists_o, contrast_marks_first_o, contrast_marks_last_o, contrast_marks_seen_o, contrast_marks_nearer_o};
+    assign plane_sums_parity_error_o = '0;
     assign plane_sums_valid_o = '0;
     assign plane_sums_sum_0_o = '0;
     assign plane_sums_sum_1_o = '0;
@@ -790,6 +809,7 @@ module horopter_stages #(
     assign plane_sums_marks_nearer_o = '0;
   end
 
+  logic plane_paths_parity_error_o;
   logic plane_paths_valid_o;
   logic [11:0] plane_paths_cost_0_o;
   logic [11:0] plane_paths_cost_1_o;
@@ -852,6 +872,7 @@ module horopter_stages #(
       .marks_last_i(plane_sums_marks_last_o),
       .marks_seen_i(plane_sums_marks_seen_o),
       .marks_nearer_i(plane_sums_marks_nearer_o),
+      .parity_error_o(plane_paths_parity_error_o),
       .valid_o(plane_paths_valid_o),
       .cost_0_o(plane_paths_cost_0_o),
       .cost_1_o(plane_paths_cost_1_o),
@@ -885,6 +906,7 @@ module horopter_stages #(
   end else begin : g_no_plane_paths
     logic unused;
     assign unused = ^{compete_clk, compete_runs, plane_sums_valid_o, plane_sums_sum_0_o, plane_sums_sum_1_o, plane_sums_sum_2_o, plane_sums_sum_3_o, plane_sums_sum_4_o, plane_sums_sum_5_o, plane_sums_sum_6_o, plane_sums_sum_7_o, plane_sums_sum_8_o, plane_sums_sum_9_o, plane_sums_sum_10_o, plane_sums_sum_11_o, plane_sums_sum_12_o, plane_sums_sum_13_o, plane_sums_sum_14_o, plane_sums_sum_15_o, plane_sums_sum_16_o, plane_sums_sum_17_o, plane_sums_sum_18_o, plane_sums_evidence_o, plane_sums_grey_o, plane_sums_known_o, plane_sums_exists_o, plane_sums_marks_first_o, plane_sums_marks_last_o, plane_sums_marks_seen_o, plane_sums_marks_nearer_o};
+    assign plane_paths_parity_error_o = '0;
     assign plane_paths_valid_o = '0;
     assign plane_paths_cost_0_o = '0;
     assign plane_paths_cost_1_o = '0;
@@ -1033,6 +1055,7 @@ module horopter_stages #(
     assign spread_marks_nearer_o = '0;
   end
 
+  logic ballot_parity_error_o;
   logic ballot_valid_o;
   logic ballot_skin_o;
   logic ballot_clear_o;
@@ -1058,6 +1081,7 @@ module horopter_stages #(
       .cfg_similar_i(compete_settings_i[10:7]),
       .cfg_quorum_i(compete_settings_i[18:11]),
       .cfg_clear_quorum_i(compete_settings_i[26:19]),
+      .parity_error_o(ballot_parity_error_o),
       .valid_o(ballot_valid_o),
       .skin_o(ballot_skin_o),
       .clear_o(ballot_clear_o),
@@ -1070,6 +1094,7 @@ module horopter_stages #(
   end else begin : g_no_ballot
     logic unused;
     assign unused = ^{compete_clk, compete_runs, spread_valid_o, spread_vote_o, spread_firm_o, spread_grey_o, spread_exists_o, spread_marks_first_o, spread_marks_last_o, spread_marks_seen_o, spread_marks_nearer_o, compete_settings_i[10:7], compete_settings_i[18:11], compete_settings_i[26:19]};
+    assign ballot_parity_error_o = '0;
     assign ballot_valid_o = '0;
     assign ballot_skin_o = '0;
     assign ballot_clear_o = '0;
@@ -1080,6 +1105,7 @@ module horopter_stages #(
     assign ballot_marks_nearer_o = '0;
   end
 
+  logic consensus_parity_error_o;
   logic consensus_valid_o;
   logic [1:0] consensus_state_o;
   logic consensus_marks_first_o;
@@ -1099,6 +1125,7 @@ module horopter_stages #(
       .marks_last_i(ballot_marks_last_o),
       .marks_seen_i(ballot_marks_seen_o),
       .marks_nearer_i(ballot_marks_nearer_o),
+      .parity_error_o(consensus_parity_error_o),
       .valid_o(consensus_valid_o),
       .state_o(consensus_state_o),
       .marks_first_o(consensus_marks_first_o),
@@ -1109,6 +1136,7 @@ module horopter_stages #(
   end else begin : g_no_consensus
     logic unused;
     assign unused = ^{compete_clk, compete_runs, ballot_valid_o, ballot_skin_o, ballot_clear_o, ballot_exists_o, ballot_marks_first_o, ballot_marks_last_o, ballot_marks_seen_o, ballot_marks_nearer_o};
+    assign consensus_parity_error_o = '0;
     assign consensus_valid_o = '0;
     assign consensus_state_o = '0;
     assign consensus_marks_first_o = '0;
@@ -1191,4 +1219,6 @@ module horopter_stages #(
     .too_undecidable_o(alarm_too_undecidable_o),
     .too_unsupervised_o(alarm_too_unsupervised_o)
   );
+
+  assign parity_error_o = agreement_parity_error_o | lowpass_parity_error_o | sobel_parity_error_o | texture_parity_error_o | dsad_parity_error_o | majority_parity_error_o | plane_sums_parity_error_o | plane_paths_parity_error_o | ballot_parity_error_o | consensus_parity_error_o;
 endmodule

@@ -4,7 +4,7 @@
 // Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
 // Outputs are logic: what they go to takes them with the clock if en_i = 1.
-// State 64 bits, pipeline 22 bits, memories 23680 bits.
+// State 64 bits, pipeline 22 bits, memories 24320 bits.
 module horopter_texture (
   input  logic clk_i,
   input  logic rst_ni,
@@ -19,6 +19,7 @@ module horopter_texture (
   input  logic marks_seen_i,
   input  logic marks_nearer_i,
   input  logic [11:0] cfg_texture_limit_i,
+  output logic parity_error_o,
   output logic valid_o,
   output logic [3:0] difference_0_o,
   output logic [3:0] difference_1_o,
@@ -45,21 +46,26 @@ module horopter_texture (
   logic [9:0] select_22;
   assign select_22 = or_20 ? 10'h0 : (raster_column_q + 10'h1);
 
-  // Memory memory, 640 x 37, DISTANCE 16, hls/stages/texture.hpp:86; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory memory, 640 x 37 and parity, DISTANCE 16, hls/stages/texture.hpp:86; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [36:0] memory_mem [0:639];
+  logic [37:0] memory_mem [0:639];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 640; i++) memory_mem[i] = 37'h0;
+  initial for (int i = 0; i < 640; i++) memory_mem[i] = 38'h0;
 `endif
   logic [9:0] memory_raddr;
   assign memory_raddr = select_22;
   logic memory_re;
   assign memory_re = s0_en;
-  logic [36:0] memory_rdata_q;
+  logic [37:0] memory_word_q;
   always_ff @(posedge clk_i) begin
-    if (memory_re) memory_rdata_q <= memory_mem[memory_raddr];
+    if (memory_re) memory_word_q <= memory_mem[memory_raddr];
   end
+  logic [36:0] memory_rdata_q;
+  assign memory_rdata_q = memory_word_q[36:0];
+  logic memory_read_q, memory_error;
+  always_ff @(posedge clk_i) memory_read_q <= rst_ni & memory_re;
+  assign memory_error = memory_read_q & ^memory_word_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -134,8 +140,10 @@ module horopter_texture (
   assign memory_waddr = raster_column_q;
   logic memory_we;
   assign memory_we = s1_en;
+  logic [36:0] memory_wdata;
+  assign memory_wdata = {delayed[11:10], not_37, sum_30, memory_rdata_q[15:0], magnitude_s1_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (memory_we) memory_mem[memory_waddr] <= {delayed[11:10], not_37, sum_30, memory_rdata_q[15:0], magnitude_s1_q};
+    if (memory_we) memory_mem[memory_waddr] <= {^memory_wdata, memory_wdata};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -180,6 +188,9 @@ module horopter_texture (
       row_sum_sums_values_0_q <= sum;
     end
   end
+
+  // Parity ------------------------------------------------------------------------------------------------------------
+  always_ff @(posedge clk_i) parity_error_o <= rst_ni & (memory_error);
 
   // Outputs -----------------------------------------------------------------------------------------------------------
   assign difference_0_o = difference_0_s1_q;

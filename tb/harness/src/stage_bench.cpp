@@ -236,6 +236,9 @@ class StageBench {
     model_.eval();
     *dut_.clock = 1;
     model_.eval();
+    if (report_.resets > 0 && dut_.parity_error != nullptr && *dut_.parity_error != 0) {
+      throw Mismatch{"a word of a memory is not as it was written"};
+    }
   }
 
   void clock(bool enable, bool valid) {

@@ -33,6 +33,7 @@ struct Dut {
   std::uint8_t* enable = nullptr;
   std::uint8_t* valid_in = nullptr;
   const std::uint8_t* valid_out = nullptr;
+  const std::uint8_t* parity_error = nullptr;  ///< only where memories have parity
   std::uint32_t* in = nullptr;
   std::uint32_t* config = nullptr;
   const std::uint32_t* out = nullptr;
