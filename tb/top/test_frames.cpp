@@ -9,7 +9,6 @@
 
 #include <array>
 #include <cstdio>
-#include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 
 #include "machine_bench.hpp"
@@ -223,33 +222,37 @@ TEST_CASE("hd: latency of rows as long as they can be", "[top]") {
   report_latency("hd", machine, published, options);
 }
 
+constexpr const char* kSamples = "/usr/share/doc/opencv-doc/examples/data/";
+
+/// The first `width` by `height` pixels of an image of OpenCV's examples; empty if they are not installed.
+Image sample(const std::string& name, unsigned width, unsigned height) {
+  const cv::Mat image = cv::imread(kSamples + name, cv::IMREAD_GRAYSCALE);
+  if (image.empty()) {
+    WARN("skipped: no " << kSamples << name << " (package opencv-doc)");
+    return {};
+  }
+  REQUIRE(image.cols >= static_cast<int>(width));
+  REQUIRE(image.rows >= static_cast<int>(height));
+  Image result{width, height};
+  for (unsigned y = 0; y < height; ++y) {
+    for (unsigned x = 0; x < width; ++x) {
+      result.at(x, y) = image.at<std::uint8_t>(static_cast<int>(y), static_cast<int>(x));
+    }
+  }
+  return result;
+}
+
 template <class Model>
 void real_pairs(std::string_view profile, unsigned width, unsigned height) {
-  const std::filesystem::path data = "/usr/share/doc/opencv-doc/examples/data";
-  if (!std::filesystem::exists(data / "left01.jpg")) {
-    WARN("skipped: no " << (data / "left01.jpg").string() << " (package opencv-doc)");
-    return;
-  }
   Machine<Model> machine{profile, {width, height, 32, false, 0, 10, 10}};
   const auto table = plane_table(width, height, -30, 8);
   machine.upload(1, 0, table);
   machine.select(1);
   for (const int number : {1, 2, 3, 4, 5}) {
     CAPTURE(profile, number);
-    const auto load = [&](const char* side) {
-      char name[16];
-      std::snprintf(name, sizeof name, "%s%02d.jpg", side, number);
-      const cv::Mat image = cv::imread((data / name).string(), cv::IMREAD_GRAYSCALE);
-      REQUIRE(image.cols >= static_cast<int>(width));
-      Image result{width, height};
-      for (unsigned y = 0; y < height; ++y) {
-        for (unsigned x = 0; x < width; ++x) {
-          result.at(x, y) = image.at<std::uint8_t>(static_cast<int>(y), static_cast<int>(x));
-        }
-      }
-      return result;
-    };
-    const FramePair pair{load("left"), load("right")};
+    const std::string name = "0" + std::to_string(number) + ".jpg";
+    const FramePair pair{sample("left" + name, width, height), sample("right" + name, width, height)};
+    if (pair.left.pixels.empty()) return;
     machine.send(pair);
     machine.check(machine.receive(), pair, table);
   }
@@ -257,6 +260,24 @@ void real_pairs(std::string_view profile, unsigned width, unsigned height) {
 TEST_CASE("real pairs are bit-exact", "[top]") {
   real_pairs<Vhoropter_machine_vga>("vga", 640, 480);
   real_pairs<Vhoropter_machine_field>("field", 640, 286);
+}
+TEST_CASE("hd: a real pair is bit-exact, with both rules", "[top]") {
+  const FramePair pair{sample("aloeL.jpg", 1280, 1080), sample("aloeR.jpg", 1280, 1080)};
+  if (pair.left.pixels.empty()) return;
+  const auto table = with_surroundings(plane_table(1280, 1080, -60, 2, 5));
+  for (const bool compete : {false, true}) {
+    CAPTURE(compete);
+    Machine<Vhoropter_machine_hd> machine{"hd", {1280, 1080, 32}};
+    machine.settings().compete = compete ? 1 : 0;
+    machine.write_limits();
+    machine.upload(1, 0, table);
+    machine.select(1);
+    machine.send(pair);
+    const Published published = machine.receive();
+    machine.check(published, pair, table);
+    CHECK(published.skin > 0);
+    CHECK(published.undecidable > 0);
+  }
 }
 
 TEST_CASE("a table uploaded while another is in use changes the frames from its switch on, and no other", "[top]") {
@@ -289,19 +310,21 @@ TEST_CASE("a table uploaded while another is in use changes the frames from its 
   }
 }
 
-TEST_CASE("15 tables, another one for every frame", "[top]") {
+/// 15 tables in the pool, another one for every frame.
+void fifteen_tables(unsigned width, unsigned height, unsigned frames) {
   Rng rng{"tables"};
-  Machine<Vhoropter_machine_field> machine{"field", {128, 32, 8}};
+  Machine<Vhoropter_machine_field> machine{"field", {width, height, 8}};
   std::vector<std::vector<std::uint32_t>> tables;
   unsigned base = 0;
   for (unsigned slot = 0; slot < 15; ++slot) {
-    tables.push_back(plane_table(128, 32, -static_cast<int>(slot)));
+    tables.push_back(plane_table(width, height, -static_cast<int>(slot)));
     machine.upload(slot, base, tables.back());
+    REQUIRE(machine.upload_error() == 0);
     base += static_cast<unsigned>(tables.back().size() - 4) / 2;
   }
-  for (unsigned n = 0; n < 30; ++n) {
+  for (unsigned n = 0; n < frames; ++n) {
     const unsigned slot = n * 4 % 15;
-    const FramePair pair = random_pair(128, 32, -static_cast<int>(slot), rng);
+    const FramePair pair = random_pair(width, height, -static_cast<int>(slot), rng);
     machine.select(slot);
     machine.send(pair);
     const Published p = machine.receive();
@@ -309,6 +332,10 @@ TEST_CASE("15 tables, another one for every frame", "[top]") {
     CHECK(p.slot() == slot);
     machine.check(p, pair, tables[slot]);
   }
+}
+TEST_CASE("15 tables, another one for every frame", "[top]") {
+  fifteen_tables(128, 32, 30);
+  fifteen_tables(756, 286, 15);
 }
 
 TEST_CASE("a camera that stops right after its last pixel hides nothing of that frame", "[top]") {

@@ -71,6 +71,25 @@ TEST_CASE("evaluate compares the skin with two matchers") {
   }
 }
 
+TEST_CASE("compete on a real pair") {
+  const std::string data = "/usr/share/doc/opencv-doc/examples/data/";
+  if (!fs::exists(data + "aloeGT.png")) {
+    WARN("skipped: no " << data << "aloeGT.png (package opencv-doc)");
+    return;
+  }
+  Sandbox box;
+  const auto result =
+      box.run({"evaluate", "--left", data + "aloeL.jpg", "--right", data + "aloeR.jpg", "--disparity",
+               data + "aloeGT.png", "--resize", "0.5", "--decision", "compete", "--change", "none", "--json"});
+  CAPTURE(result.err);
+  REQUIRE(result.status == 0);
+  const auto methods = nlohmann::json::parse(result.out)["pairs"][0]["methods"];
+  const auto iou = [&](const char* method) { return methods[method]["iou"].get<double>(); };
+  CHECK(iou("horopter") > 0.7);
+  CHECK(iou("horopter") > iou("stereobm"));
+  CHECK(methods["horopter"]["false_per_frame"].get<double>() < 0.5);
+}
+
 TEST_CASE("evaluate sets the rule to a tolerance that is given") {
   Sandbox box;
   with_pair(box);

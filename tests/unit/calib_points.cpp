@@ -118,6 +118,25 @@ TEST_CASE("exact points give the camera back") {
   CHECK(value(result, "tz_mm") == Approx(1000).epsilon(1e-8));
 }
 
+TEST_CASE("points near the image centre are left out of the first pass alone") {
+  const auto points = seen(camera_at(tilted()), {0, 50, 100}, 0.1);
+  const auto with = [&](double near_centre) {
+    return calibrate_points(points, kSensor, PointMethod::full, {.near_centre = near_centre});
+  };
+  const PointCalibration all = with(0), usual = with(PointOptions{}.near_centre), none = with(2);
+  for (const PointCalibration* result : {&usual, &none}) {
+    CHECK(result->errors.count == points.size());
+    CHECK(result->errors.rms_px == Approx(all.errors.rms_px).epsilon(1e-6));
+    for (const char* name : {"f_mm", "sx", "cx_px", "cy_px", "kappa1_per_mm2", "tz_mm"}) {
+      CAPTURE(name);
+      CHECK(value(*result, name) == Approx(value(all, name)).epsilon(1e-4));
+    }
+  }
+  // With no point left there is no first pass, and the second has as far to go as the first had.
+  CHECK(none.iterations < all.iterations);
+  CHECK(usual.iterations > none.iterations);
+}
+
 TEST_CASE("one tilted plane, sx given, any plane of the world") {
   Sensor sensor = kSensor;
   sensor.sx = 1.01;
