@@ -26,6 +26,7 @@
 #include "horopter/image/output.hpp"
 #include "numbers.hpp"
 #include "progress.hpp"
+#include "settings.hpp"
 
 namespace horopter::cli {
 namespace {
@@ -394,10 +395,7 @@ void add_calibrate(CLI::App& app, Outcome& outcome) {
   files("--left", options->left, "Images of the left camera: files, globs, directories",
         "From images of a flat target");
   files("--right", options->right, "Images of the right camera, in the same order", "From images of a flat target");
-  command
-      ->add_flag("--pair-by-order", options->pair_by_order,
-                 "Pair the images in their order, even where the numbers in their names differ")
-      ->group("From images of a flat target");
+  add_pair_by_order(*command, options->pair_by_order)->group("From images of a flat target");
   files("--images", options->images, "Images of a single camera", "From images of a flat target");
   command
       ->add_option("--target", options->target,

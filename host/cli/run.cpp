@@ -255,8 +255,7 @@ void add_run(CLI::App& app, Outcome& outcome) {
       ->required()
       ->expected(1, -1)
       ->type_name("F...");
-  command->add_flag("--pair-by-order", options->pair_by_order,
-                    "Pair the images in their order, even where the numbers in their names differ");
+  add_pair_by_order(*command, options->pair_by_order);
   command->add_option("--skin", options->skin, "The skin: skin.yaml, or a table made by `horopter map`")
       ->required()
       ->type_name("FILE");

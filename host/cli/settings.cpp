@@ -31,6 +31,11 @@ std::unique_ptr<Device> make_picture_device(const std::string& engine, const Mac
                   engine));
 }
 
+CLI::Option* add_pair_by_order(CLI::App& command, bool& by_order) {
+  return command.add_flag("--pair-by-order", by_order,
+                          "Pair the images in their order, even where the numbers in their names differ");
+}
+
 void add_settings(CLI::App& command, Settings& settings) {
   command
       .add_option("--threshold", settings.threshold_percent,

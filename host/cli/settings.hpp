@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Options of the commands that set up a machine.
+// Options that several commands share: those that set up a machine, and how images are paired.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -15,6 +15,9 @@ CLI::Option* add_engine(CLI::App& command, std::string& engine);
 
 /// The engine, for pictures of ours. Throws UsageError where it takes none, as well as what make_device throws.
 std::unique_ptr<Device> make_picture_device(const std::string& engine, const MachineProfile& profile);
+
+/// --pair-by-order, of the commands that take --left and --right.
+CLI::Option* add_pair_by_order(CLI::App& command, bool& by_order);
 
 /// Thresholds and limits.
 void add_settings(CLI::App& command, Settings& settings);
