@@ -44,6 +44,11 @@ std::string state_text(const MachineStatus& status) {
   return waiting ? "running, not safe, waiting for a restart" : "running, not safe";
 }
 
+std::string cameras_text(const MachineStatus& status) {
+  const char* wait = status.live() ? "live: they cannot wait" : "they wait until their pixels are taken";
+  return status.test_input() ? fmt::format("none, but the test input ({}); never safe", wait) : wait;
+}
+
 std::string table_text(const MachineStatus& status) {
   const auto slot = status.active_slot();
   if (!slot) return "none is active";
@@ -96,6 +101,7 @@ void print_status(const std::string& engine, const MachineStatus& status) {
              build.profile->name, build.profile->width, build.profile->height, rules_text(build),
              build.pool_bytes / 1024, status.word(registers::build_clock::kAddress));
   fmt::print("state     {}\n", state_text(status));
+  fmt::print("cameras   {}\n", cameras_text(status));
   fmt::print("table     {}\n", table_text(status));
   fmt::print("frame     {}\n", frame_text(status));
   print_faults("its faults", status.frame_faults());

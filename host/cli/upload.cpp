@@ -170,6 +170,9 @@ void add_upload(CLI::App& app, Outcome& outcome) {
                    "Frames without fault and alarm that must lie before a restart")
       ->check(CLI::Range(1, 15))
       ->capture_default_str();
+  command->add_flag(
+      "--live", options->settings.live,
+      "The cameras cannot wait: pixels that cannot be stored are a fault. Without it they are told to wait");
   command->add_flag("--stop-first", options->stop_first,
                     "Stop the machine before the table, which may then take the place of the one in use");
   command->add_flag("--json", options->json, "Print the report as JSON on standard output, and nothing else");

@@ -254,6 +254,14 @@ TEST_CASE("A program that is killed in the middle of an upload leaves a board th
   CHECK(status["table"]["crc"] == before);
   CHECK(box.run_shell(command).status == 0);
   wait_for_crc(box, terminal.engine(), crc);
+
+  // Cameras that cannot wait, and again ones that can.
+  CHECK(box.run_shell(command + " --live").status == 0);
+  CHECK(status_of(box, terminal.engine())["live"] == true);
+  CHECK_THAT(box.run({"status", "--engine", terminal.engine()}).out,
+             Catch::Contains("cameras   live: they cannot wait"));
+  CHECK(box.run_shell(command).status == 0);
+  CHECK(status_of(box, terminal.engine())["live"] == false);
 }
 
 TEST_CASE("Registers in this computer's memory") {

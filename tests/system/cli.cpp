@@ -94,6 +94,31 @@ TEST_CASE("Thresholds and limits change what they name") {
   CHECK(blind["safe"] == false);
 }
 
+TEST_CASE("A machine's commands answer in JSON, and upload writes the mode that it is given") {
+  Sandbox box;
+  box.write("skin.yaml", "surface:\n  type: homography\n  matrix: [[1, 0, -3], [0, 1, 0], [0, 0, 1]]\n");
+  REQUIRE(box.run({"map", "--skin", "skin.yaml", "--profile", "vga", "-o", "skin.hmap"}).status == 0);
+  const auto changed = [&](const std::vector<std::string>& more) {
+    const auto result =
+        box.run(std::vector<std::string>{"upload", "--engine", "native", "--map", "skin.hmap", "--json"} + more);
+    CAPTURE(result.err);
+    REQUIRE(result.status == 0);
+    const auto names = nlohmann::json::parse(result.out)["changed"];
+    return std::ranges::find(names, "MODE") != names.end();
+  };
+  CHECK(changed({"--live"}));
+  CHECK_FALSE(changed({}));  // it was 0
+  const auto status = box.run({"status", "--engine", "native"});
+  CHECK_THAT(status.out, Catch::Contains("cameras   they wait until their pixels are taken"));
+  const auto restart = box.run({"restart", "--engine", "native", "--json"});
+  CHECK(restart.status == 4);
+  const auto answer = nlohmann::json::parse(restart.out);
+  CHECK(answer["engine"] == "native");
+  CHECK(answer["restarted"] == false);
+  CHECK(answer["safe"] == false);
+  CHECK_THAT(answer["reason"].get<std::string>(), Catch::Contains("`horopter upload --restart register`"));
+}
+
 #ifdef HOROPTER_TEST_RTL
 TEST_CASE("The hardware and the native engine write the same pictures") {
   Sandbox box;

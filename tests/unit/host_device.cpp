@@ -10,6 +10,7 @@
 
 #include "horopter/base/crc32.hpp"
 #include "horopter/base/error.hpp"
+#include "horopter/machine/inspection.hpp"
 #include "horopter/machine/loader.hpp"
 #include "horopter/machine/monitor.hpp"
 #include "horopter/machine/moving_supervisor.hpp"
@@ -473,6 +474,16 @@ Monitor monitor_of(std::vector<Built::Change> changes, Decision decision = Decis
   return {std::make_unique<Built>(std::move(changes)), find_profile("vga"), settings};
 }
 
+/// One table of 520 bytes.
+MapSet small_maps(int shift) {
+  MapTable table(ScanGeometry{kWidth, kHeight, Scan::progressive}, 3, 3);
+  table.set_control(0, 0, MapTable::encode(Point{static_cast<double>(shift), 0}));
+  table.seal(facts_of(table, find_profile("vga")));
+  MapSet set{"vga", kWidth, kHeight, "", "", {{table, {}}}};
+  set.maps[0].report.lookahead = 8;
+  return set;
+}
+
 }  // namespace
 
 TEST_CASE("A build with one of the profile's rules is taken, and asked for the other it is refused") {
@@ -511,31 +522,52 @@ TEST_CASE("A build with a smaller pool takes the tables that fit it") {
 }
 
 TEST_CASE("A table without room beside the one in use is refused, or takes its place in a machine that is stopped") {
-  const MachineProfile& profile = find_profile("vga");
   Built device({pool_kib(1)});
   const Build build = find_build(device);
-  const auto maps = [&](int shift) {
-    MapTable table(ScanGeometry{kWidth, kHeight, Scan::progressive}, 3, 3);  // 520 bytes
-    table.set_control(0, 0, MapTable::encode(Point{static_cast<double>(shift), 0}));
-    table.seal(facts_of(table, profile));
-    MapSet set{"vga", kWidth, kHeight, "", "", {{table, {}}}};
-    set.maps[0].report.lookahead = 8;
-    return set;
-  };
   const Settings settings = Settings{}.without_proof();
   const auto crc = [&] {
     device.write(reg::map_slot::kAddress, device.read(reg::table_select::kAddress));
     return device.read(reg::map_crc::kAddress);
   };
-  CHECK_FALSE(load(device, build, maps(1), settings, false).stopped);  // it was not running
-  CHECK(crc() == maps(1).maps[0].table.crc());
-  CHECK_THROWS_WITH(load(device, build, maps(2), settings, false),
+  CHECK_FALSE(load(device, build, small_maps(1), settings, false).stopped);  // it was not running
+  CHECK(crc() == small_maps(1).maps[0].table.crc());
+  CHECK_THROWS_WITH(load(device, build, small_maps(2), settings, false),
                     Catch::Contains("--stop-first") && Catch::Contains("the table that was in use stays in use"));
-  CHECK(crc() == maps(1).maps[0].table.crc());
+  CHECK(crc() == small_maps(1).maps[0].table.crc());
   CHECK(reg::status::kRunning.get(device.read(reg::status::kAddress)) == 1);
-  CHECK(load(device, build, maps(2), settings, true).stopped);
-  CHECK(crc() == maps(2).maps[0].table.crc());
+  CHECK(load(device, build, small_maps(2), settings, true).stopped);
+  CHECK(crc() == small_maps(2).maps[0].table.crc());
   CHECK(reg::status::kRunning.get(device.read(reg::status::kAddress)) == 1);
+}
+
+TEST_CASE("An upload says whether the cameras can wait; without a word they can, whatever was set before") {
+  const auto device = make_native_device(find_profile("vga"));
+  const Build build = find_build(*device);
+  Settings settings = Settings{}.without_proof();
+  const auto mode = [&] { return device->read(reg::mode::kAddress); };
+  const auto changes_mode = [&] {
+    const LoadReport report = load(*device, build, small_maps(1), settings, false);
+    return std::ranges::find(report.changed, "MODE") != report.changed.end() && report.stopped;
+  };
+  load(*device, build, small_maps(1), settings, false);
+  CHECK_FALSE(read_status(*device).live());
+  settings.live = true;
+  CHECK(changes_mode());
+  CHECK(mode() == reg::mode::kLive.put(1));
+  const MachineStatus status = read_status(*device);
+  CHECK(status.running());
+  CHECK(status_json(status)["live"] == true);
+  CHECK(status_json(status)["test_input"] == false);
+  CHECK_FALSE(changes_mode());
+  settings.live = false;
+  CHECK(changes_mode());
+  CHECK(mode() == 0);
+  // The test input, too: an upload is for cameras.
+  device->write(reg::control::kAddress, 0);
+  device->write(reg::mode::kAddress, reg::mode::kTestInput.put(1));
+  CHECK(status_json(read_status(*device))["test_input"] == true);
+  load(*device, build, small_maps(1), settings, false);
+  CHECK(mode() == 0);
 }
 
 TEST_CASE("A build with anything more or other than the profile is refused") {

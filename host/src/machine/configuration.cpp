@@ -101,6 +101,7 @@ std::vector<RegisterWord> configuration(Device& device, const MachineProfile& pr
                                   {reg::height::kAddress, static_cast<std::uint32_t>(geometry.height)},
                                   {reg::lookahead::kAddress, static_cast<std::uint32_t>(geometry.lookahead)}};
   words.push_back(interlock_word(settings.interlock));
+  words.push_back({reg::mode::kAddress, reg::mode::kLive.put(settings.live)});
   add_limits(words, profile, settings, geometry);
   add_proof(words, settings.proof, device.read(reg::agreement_limits::kAddress));
   const bool compete = settings.decision == Decision::compete;

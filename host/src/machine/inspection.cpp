@@ -79,6 +79,10 @@ nlohmann::ordered_json table_json(const StoredTable& table) {
 
 bool MachineStatus::running() const { return reg::status::kRunning.get(word(reg::status::kAddress)) != 0; }
 
+bool MachineStatus::live() const { return reg::mode::kLive.get(word(reg::mode::kAddress)) != 0; }
+
+bool MachineStatus::test_input() const { return reg::mode::kTestInput.get(word(reg::mode::kAddress)) != 0; }
+
 bool says_safe(std::uint32_t status) {
   return reg::status::kSafe.get(status) != 0 && reg::status::kUnsafe.get(status) == 0;
 }
@@ -133,6 +137,8 @@ nlohmann::ordered_json status_json(const MachineStatus& status) {
                    {"clock_khz", status.word(reg::build_clock::kAddress)}};
   json["running"] = status.running();
   json["safe"] = status.safe();
+  json["live"] = status.live();
+  json["test_input"] = status.test_input();
   json["table"] = nullptr;
   if (const auto slot = status.active_slot()) {
     json["table"] = {{"slot", *slot}};

@@ -34,6 +34,8 @@ struct MachineStatus {
   [[nodiscard]] std::uint32_t word(std::uint32_t address) const { return words.at(address); }
   [[nodiscard]] bool running() const;
   [[nodiscard]] bool safe() const;
+  [[nodiscard]] bool live() const;        ///< its cameras cannot wait
+  [[nodiscard]] bool test_input() const;  ///< instead of the cameras; never safe
   /// Table of the frame that is being made; nothing without one.
   [[nodiscard]] std::optional<int> active_slot() const;
   /// Nothing while an upload is under way, too.
@@ -45,7 +47,7 @@ struct MachineStatus {
 /// Throws DeviceError. MAP_SLOT is changed while no upload is under way, and put back.
 MachineStatus read_status(Device& device);
 
-/// {"build", "running", "safe", "table", "tables", "frame", "faults", "frame_faults", "registers": {name: {field: value}}}
+/// {"build", "running", "safe", "live", "test_input", "table", "tables", "frame", "faults", "frame_faults", "registers": {name: {field: value}}}
 nlohmann::ordered_json status_json(const MachineStatus& status);
 /// A line for each register: name, address, and its fields with their units.
 std::vector<std::string> register_lines(const MachineStatus& status);

@@ -48,6 +48,7 @@ struct Settings {
   double bright_percent = hls::percent::bright_limit;    ///< the same for white
   Proof proof;
   Interlock interlock;
+  bool live = false;  ///< the cameras cannot wait (register MODE)
   /// Of 256 cells of the incoming image; a camera that sees a step to the next cell at fewer is blind.
   int blind_share = hls::StageSettings{}.blind_share;
   int blind_step = hls::StageSettings{}.blind_step;  ///< such a step, in grey levels
