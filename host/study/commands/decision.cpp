@@ -169,7 +169,13 @@ Variant variant(const std::string& name, const Parts& parts = {}) {
           }};
 }
 
-/// What hlsc says of the stages that only one rule needs, for each column.
+/// A bit of each word of a stage's memories that is no part of the rule.
+bool has_parity(const nlohmann::json& sidecar) {
+  return std::ranges::any_of(sidecar.value("ports", nlohmann::json::array()),
+                             [](const auto& port) { return port.value("name", "") == "parity_error_o"; });
+}
+
+/// What hlsc says of the stages that only one rule needs, for each column, without parity.
 int built_bits(const std::string& generated, const std::string& profile, hls::Rule rule) {
   int bits = 0;
   const auto add = [&](const char* stage, hls::Rule needs) {
@@ -179,6 +185,8 @@ int built_bits(const std::string& generated, const std::string& profile, hls::Ru
     const auto sidecar = nlohmann::json::parse(text, nullptr, false);
     if (!sidecar.contains("memory_bits")) throw FileError(file, "memory_bits", "not there", "as hlsc writes it");
     bits += sidecar["memory_bits"].get<int>();
+    if (!has_parity(sidecar)) return;
+    for (const auto& memory : sidecar.value("memories", nlohmann::json::array())) bits -= memory.value("depth", 0);
   };
 #define HOROPTER_STAGE(name, Class, rule, place) add(#name, hls::Rule::rule);
 #include "stages/stage_list.def"
@@ -281,8 +289,9 @@ std::vector<StereoPair> pairs_of(const StudyScope& scope) {
 /// Gates of the stages that only one rule needs, from what scripts/synth wrote of each.
 std::string gates_text(const std::string& synthesised) {
   std::string text =
-      "\nGates are known of what is built: `scripts/synth --target ecp5-85k --profile hd --decision compete --module "
-      "contest --seeds 0 --json DIR/contest.json`, and so on for each stage; `--synth DIR` brings them here.\n";
+      "\n`scripts/synth` measures each stage that is built: `scripts/synth --target ecp5-85k --profile hd --decision "
+      "compete --module contest --seeds 0 --json DIR/contest.json`, and so on. `horopter study decision --synth DIR` "
+      "makes a table of the files in DIR here.\n";
   if (synthesised.empty()) return text;
   text +=
       "\n| stage | rule | profile | LUT4 | flip-flops | memory blocks | multipliers |\n| --- | --- | --- | --- | --- | "
@@ -345,8 +354,8 @@ constexpr const char* kIntroduction = R"(# The decision
 
 Made by `horopter study decision`: do not edit. A *rule* decides for each pixel whether something is in the skin. There are two:
 `thesis` (one threshold) and `compete` (parallel skins compete). This page measures what each part of `compete` is worth: in the
-variants a part is left out, or larger, or smaller. All have one setting, that of the registers. The stages of the rules are compiled for
-the CPU.
+variants a part is left out, or larger, or smaller. All variants of `compete` use the reset values of the registers. The two variants
+of `thesis` name their settings. The stages of the rules are compiled for the CPU.
 
 The question is always which pixels lie within ±1 px of a disparity, for up to six disparities of each of the pairs {}. Answers
 are scored as by `horopter evaluate`.
@@ -356,12 +365,12 @@ are scored as by `horopter evaluate`.
 | IoU | intersection over union: pixels that are both answered and true, over those that are one or the other |
 | false object | a connected group of answered pixels, at least 0.2 % of the image, where nearly nothing is true |
 | undecidable | share of the pixels that the rule leaves open |
-| memory | bits that the rule's own stages keep for each column of the image |
-| latency | rows after the one that LOOKAHEAD waits for. LOOKAHEAD is how many rows the right image is ahead of the result. |
+| memory | bits that the rule's own stages keep for each column of the image, without parity |
+| latency | rows from the newest row of the right image to the result, beyond LOOKAHEAD (how many rows the right image must be ahead of the result) |
 | planes | the parallel skins that compete |
 | sums | the window over which the cost of a plane is summed, rows x columns |
-| paths | the pixel above helps |
-| boundary | a test of where between two pixels the skin ends |
+| paths | the sums of the pixel above are used, too |
+| boundary | the skin ends between two pixels: the place is estimated |
 | view from the right | the right pixel is asked, too, which plane it prefers |
 | ballot | pixels of like brightness in the rows above and below vote |
 | evidence | a pixel with too little texture does not vote |
