@@ -457,8 +457,11 @@ void random_sequences(std::string_view purpose, unsigned count) {
   std::printf("\n");
 }
 
-/// 10⁵ of both modes together with HOROPTER_LONG.
+/// 10⁵ of both modes together with HOROPTER_LONG. HOROPTER_SEQUENCES: that many of each, for several runs beside each
+/// other with HOROPTER_SEED of their own.
 unsigned sequences(unsigned short_run, unsigned long_run) {
+  if (const char* asked = std::getenv("HOROPTER_SEQUENCES"))
+    return static_cast<unsigned>(std::strtoul(asked, nullptr, 10));
   return std::getenv("HOROPTER_LONG") != nullptr ? long_run : short_run;
 }
 
