@@ -49,6 +49,9 @@ module horopter_output #(
 );
   localparam int unsigned LEVEL = DEPTH - IN_FLIGHT - 8;
 
+  // The core's reset comes a clock after rst_ni: what a FIFO holds must not be offered between them.
+  logic fifo_rst_n;
+  assign fifo_rst_n = rst_ni && core_rst_ni;
   logic state_almost_full, runs_almost_full, unused_state_ready, unused_runs_ready;
   logic out_state_valid, out_state_ready, out_first, out_last, out_end, out_run_valid, out_run_ready, out_run_last;
   logic [1:0] out_state;
@@ -58,7 +61,7 @@ module horopter_output #(
       .ALMOST_FULL(LEVEL)
   ) u_state_fifo (
       .clk_i(clk_i),
-      .rst_ni(core_rst_ni),
+      .rst_ni(fifo_rst_n),
       .s_valid_i(state_valid_i),
       .s_ready_o(unused_state_ready),
       .s_data_i({state_end_i, state_first_i, state_last_i, state_i}),
@@ -120,7 +123,7 @@ module horopter_output #(
       .ALMOST_FULL(LEVEL)
   ) u_runs_fifo (
       .clk_i(clk_i),
-      .rst_ni(core_rst_ni),
+      .rst_ni(fifo_rst_n),
       .s_valid_i(written_run),
       .s_ready_o(unused_runs_ready),
       .s_data_i(written_data),

@@ -33,7 +33,7 @@ BY_PROFILE = {
 RESULT = ("FRAME_SEQUENCE", "FRAME_STATUS", "FRAME_FAULTS_CAMERAS", "FRAME_FAULTS_MACHINE", "FRAME_TABLE_CRC", "FRAME_SKIN",
           "FRAME_UNDECIDABLE", "FRAME_UNSUPERVISED", "FRAME_MISSES")
 WIDTH, HEIGHT, SPACING_LOG2, SLOT, SHIFT_PX, CLOCK_STEPS, RESTART_KEY = 64, 24, 4, 3, -6, 2, 0x52535452
-RESET_CLOCKS = 2  # until every output is in reset
+RESET_CLOCKS = 1  # until every output is in reset
 OKAY, SLVERR = AxiResp.OKAY, AxiResp.SLVERR
 PAYLOAD = {"m_axis_state_t": ("data", "user", "last"), "m_axis_runs_t": ("data", "last"), "s_axil_b": ("resp",),
            "s_axil_r": ("resp", "data")}

@@ -559,6 +559,24 @@ TEST_CASE("safe_o is low from reset until the second good frame, and after a res
   CHECK_FALSE(watch.machine.pins_ever_equal());
 }
 
+TEST_CASE("a reset of one clock leaves no beat behind", "[faults]") {
+  Watch watch;
+  auto& machine = watch.machine;
+  auto& model = machine.model();
+  machine.states().set_pace(Pace::periodic(0, 1));
+  machine.runs().set_pace(Pace::periodic(0, 1));
+  machine.send(watch.scene());
+  machine.simulation().run_until([&] { return model.m_axis_state_tvalid && model.m_axis_runs_tvalid; }, 100'000,
+                                 "a state and a run");
+  machine.simulation().reset(1);
+  for (int clock = 0; clock < 100; ++clock) {
+    CAPTURE(clock);
+    REQUIRE(model.m_axis_state_tvalid == 0);
+    REQUIRE(model.m_axis_runs_tvalid == 0);
+    machine.simulation().run(1);
+  }
+}
+
 /// One access to the registers, with the strobes of a master that writes bytes.
 AxilMaster<std::uint16_t>::Answer access(Vga& machine, const AxilMaster<std::uint16_t>::Access& access) {
   AxilMaster<std::uint16_t> host{HOROPTER_TB_AXIL(machine.model(), s_axil), 1};
