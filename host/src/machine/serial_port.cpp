@@ -24,7 +24,7 @@ constexpr std::array kRates = {115'200,   230'400,   460'800,   500'000,   576'0
                                1'000'000, 1'152'000, 1'500'000, 2'000'000, 2'500'000, 3'000'000};
 constexpr std::array<speed_t, kRates.size()> kSpeeds = {B115200,  B230400,  B460800,  B500000,  B576000,  B921600,
                                                         B1000000, B1152000, B1500000, B2000000, B2500000, B3000000};
-constexpr int kWriteTimeout_ms = 5000;
+constexpr int kWriteTimeout_ms = 10'000;
 
 }  // namespace
 
@@ -102,7 +102,10 @@ void SerialPort::write(std::span<const std::uint8_t> bytes) {
     }
     pollfd poll{file_, POLLOUT, 0};
     const int ready = ::poll(&poll, 1, kWriteTimeout_ms);
-    if (ready == 0) fail("takes no more bytes; expected it to: is the board's port of another kind?");
+    if (ready == 0) {
+      fail(
+          "the board has stopped answering, and its port takes no more bytes; expected it to: look at cable and power");
+    }
     if (ready > 0 && (poll.revents & (POLLERR | POLLHUP | POLLNVAL)) != 0) {
       fail("the port has gone; expected it to stay: is the cable in?");
     }
