@@ -15,6 +15,12 @@ ScheduleOptions at(double clock_ns, Target target = Target::kIce40Hx) {
   return options;
 }
 
+EmitOptions with_parity() {
+  EmitOptions options;
+  options.ram_parity = true;
+  return options;
+}
+
 }  // namespace
 
 TEST_CASE("an adder", "[emit]") {
@@ -37,15 +43,15 @@ TEST_CASE("a RAM with parity tells of each word that is not as it was written", 
   b.output("sum", sum);
   const auto s = schedule(b.graph, at(8));
   CHECK(check_module(b.graph, s) == "");
-  CHECK(check_module(b.graph, s, 2000, 1, {.ram_parity = true}) == "");
+  CHECK(check_module(b.graph, s, 2000, 1, with_parity()) == "");
   CHECK_FALSE(emit(b.graph, s, {}).parity_error);
-  CHECK(emit(b.graph, s, {.ram_parity = true}).memories.at(0).width == 10);
+  CHECK(emit(b.graph, s, with_parity()).memories.at(0).width == 10);
 }
 
 TEST_CASE("without a RAM there is no parity", "[emit]") {
   Builder b("wire");
   b.output("y", b.add(b.input("x", 4), constant(1, 1)));
-  CHECK_FALSE(emit(b.graph, schedule(b.graph, at(8)), {.ram_parity = true}).parity_error);
+  CHECK_FALSE(emit(b.graph, schedule(b.graph, at(8)), with_parity()).parity_error);
 }
 
 TEST_CASE("an accumulator closes in one stage", "[emit]") {
