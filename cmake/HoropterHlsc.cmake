@@ -42,8 +42,8 @@ set(HOROPTER_HLSC_INPUT_NS interpolate 2.3)
 # they may fill.
 set(HOROPTER_HLSC_STAGE_NS direction 22)
 
-# Profiles whose ledger has room for a parity bit with each word of the memories of the chain's stages: docs/hardware.md says
-# what it takes.
+# Profiles that have room for a parity bit with each word of the memories of the chain's stages: gates in field, look-up tables
+# and block memories in hd are used up.
 set(HOROPTER_HLSC_RAM_PARITY vga)
 
 function(_horopter_profile_line profile result)

@@ -9,6 +9,7 @@ import pathlib
 import random
 import re
 import runpy
+import sys
 import zlib
 
 import cocotb
@@ -17,7 +18,12 @@ from cocotb.triggers import ClockCycles, RisingEdge, with_timeout
 from cocotbext.axi import AxiLiteBus, AxiLiteMaster, AxiResp, AxiStreamBus, AxiStreamFrame, AxiStreamSink, AxiStreamSource
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-REGISTERS = {reg["address"]: reg for reg in runpy.run_path(str(ROOT / "scripts/generate-registers"))["load"]()["registers"]}
+sys.path.insert(0, str(ROOT / "scripts"))
+import fpga  # noqa: E402
+
+MAP = runpy.run_path(str(ROOT / "scripts/generate-registers"))["load"]()
+REGISTERS = {reg["address"]: reg for reg in MAP["registers"]}
+CONSTANTS = {constant["name"]: constant["value"] for constant in MAP["constants"]}
 ADDRESS = {reg["name"].upper(): address for address, reg in REGISTERS.items()}
 READABLE = {address for address, reg in REGISTERS.items() if reg["access"] != "stream"}
 P = {name: int(value) for name, value in re.findall(
@@ -32,7 +38,7 @@ BY_PROFILE = {
     "frame_sequence": 0, "map_valid": 0, "map_extent": 0}
 RESULT = ("FRAME_SEQUENCE", "FRAME_STATUS", "FRAME_FAULTS_CAMERAS", "FRAME_FAULTS_MACHINE", "FRAME_TABLE_CRC", "FRAME_SKIN",
           "FRAME_UNDECIDABLE", "FRAME_UNSUPERVISED", "FRAME_MISSES")
-WIDTH, HEIGHT, SPACING_LOG2, SLOT, SHIFT_PX, CLOCK_STEPS, RESTART_KEY = 64, 24, 4, 3, -6, 2, 0x52535452
+WIDTH, HEIGHT, SPACING_LOG2, SLOT, SHIFT_PX, CLOCK_STEPS = 64, 24, 4, 3, -6, 2
 RESET_CLOCKS = 1  # until every output is in reset
 OKAY, SLVERR = AxiResp.OKAY, AxiResp.SLVERR
 PAYLOAD = {"m_axis_state_t": ("data", "user", "last"), "m_axis_runs_t": ("data", "last"), "s_axil_b": ("resp",),
@@ -81,11 +87,13 @@ def table():
     """Words of a mapping table: on its skin both images differ by SHIFT_PX (hls/include/horopter/hls/table_format.hpp)."""
     columns, rows = ((size - 1 >> SPACING_LOG2) + 2 for size in (WIDTH, HEIGHT))
     pairs = (rows + 1) // 2
-    words = [0x484D << 16 | 3 << 8 | SPACING_LOG2 << 4 | SPACING_LOG2, pairs << 16 | columns, HEIGHT << 16 | WIDTH, 1 << 12 | 5,
-             0, 0, WIDTH * HEIGHT, WIDTH * HEIGHT, 0]
+    form = {name: value for name, (value, _, _) in fpga.table_format().items()}
+    words = [form["magic"] << 16 | form["version"] << 8 | SPACING_LOG2 << 4 | SPACING_LOG2, pairs << 16 | columns,
+             HEIGHT << 16 | WIDTH, 1 << 12 | form["fact_words"], 0, 0, WIDTH * HEIGHT, WIDTH * HEIGHT, 0]
     for pair, column, odd in itertools.product(range(pairs), range(columns), (0, 1)):
         x_px, y_px = (column << SPACING_LOG2) + SHIFT_PX, 2 * pair + odd << SPACING_LOG2
-        words.append((y_px + 64) * 32 << 16 | (x_px + 64) * 32)
+        x, y = ((px + form["control_offset_px"]) * form["control_scale"] for px in (x_px, y_px))
+        words.append(y << 16 | x)
     return [*words, zlib.crc32(b"".join(word.to_bytes(4, "little") for word in words))]
 
 
@@ -284,7 +292,7 @@ async def random_writes(dut):
         reads = [host.init_read(ADDRESS["ID"], 4) for _ in range(rng.randint(0, 8))]
         found = [answer.resp for answer in await machine.answers(events)]
         assert found == expected, f"batch {batch}: {found}, not {expected}"
-        assert {number(answer.data) for answer in await machine.answers(reads)} <= {0x484F524F}
+        assert {number(answer.data) for answer in await machine.answers(reads)} <= {after_reset(ADDRESS["ID"])}
         aw, w, b = host.write_if.aw_channel, host.write_if.w_channel, host.write_if.b_channel
         for _ in range(6):  # any strobes, none among them, and data before the address
             address, data, strobes = rng.choice(list(values)), rng.getrandbits(32), rng.randrange(16)
@@ -328,7 +336,7 @@ async def safe_only_after_a_restart(dut):
     await machine.reset()
     await machine.configure(interlock=2 << 3 | 1 << 2)
     await machine.write("ALARM_LIMIT", WIDTH * HEIGHT // 10)
-    key, wrong = RESTART_KEY, RESTART_KEY ^ 1
+    key, wrong = CONSTANTS["restart_key"], CONSTANTS["restart_key"] ^ 1
     for n, (written, good, safe) in enumerate(((key, 1, 0), (key, 1, 0), (wrong, 1, 0), (key, 1, 1), (wrong, 1, 1), (key, 0, 0),
                                                (key, 1, 0), (key, 1, 0), (key, 1, 1))):
         await machine.write("RESTART", written)
