@@ -133,13 +133,16 @@ module horopter_status #(
   assign status_o.waiting = waiting;
   assign status_o.by_itself = interlock_i.by_itself;
 
+  // The core's reset comes a clock after rst_ni: what it says between them is of the time before.
+  logic reset_q;
   horopter_csr_pkg::faults_t fault_set;
-  assign irq_set_o.frame = frame_done_o;
+  assign irq_set_o.frame = frame_done_o && !reset_q;
   assign irq_set_o.fault = faults_set_o != '0;
   always_ff @(posedge clk_i) begin
-    faults_set_o <= fault_set;
-    if (bad_upload_i) faults_set_o.machine.map_crc <= 1'b1;
-    if (refused_upload_i) faults_set_o.machine.map_busy <= 1'b1;
+    reset_q <= !rst_ni;
+    faults_set_o <= rst_ni && !reset_q ? fault_set : '0;
+    if (rst_ni && bad_upload_i) faults_set_o.machine.map_crc <= 1'b1;
+    if (rst_ni && refused_upload_i) faults_set_o.machine.map_busy <= 1'b1;
     irq_o <= rst_ni && ((irq_status_i.frame && irq_enable_i.frame) || (irq_status_i.fault && irq_enable_i.fault));
   end
 

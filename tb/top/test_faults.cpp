@@ -577,6 +577,22 @@ TEST_CASE("a reset of one clock leaves no beat behind", "[faults]") {
   }
 }
 
+TEST_CASE("a reset of one clock leaves no fault and no event behind", "[faults]") {
+  // At every clock around that in which a fault of the first line is found.
+  for (unsigned clock = kWidth - 20; clock < kWidth + 40; ++clock) {
+    CAPTURE(clock);
+    Watch watch;
+    auto& machine = watch.machine;
+    machine.send(watch.scene(), {Damage::Kind::short_line, 0, 3});
+    machine.simulation().run(clock);
+    machine.simulation().reset(1);
+    machine.settle(10);
+    CHECK(machine.read(reg::faults_cameras::kAddress) == 0);
+    CHECK(machine.read(reg::faults_machine::kAddress) == 0);
+    CHECK(machine.read(reg::irq_status::kAddress) == 0);
+  }
+}
+
 /// One access to the registers, with the strobes of a master that writes bytes.
 AxilMaster<std::uint16_t>::Answer access(Vga& machine, const AxilMaster<std::uint16_t>::Access& access) {
   AxilMaster<std::uint16_t> host{HOROPTER_TB_AXIL(machine.model(), s_axil), 1};
