@@ -112,6 +112,18 @@ struct Agreement {
   std::array<Region, 48> regions{};
 };
 
+/// Pixels in the skin that touch each other (stages/objects.hpp).
+struct Object {
+  int pixels = 0;
+  int left = 0;  // box: columns and rows, inclusive
+  int top = 0;
+  int right = 0;
+  int bottom = 0;
+  std::int64_t columns = 0;  // sums over its pixels
+  std::int64_t rows = 0;
+  friend bool operator==(const Object&, const Object&) = default;
+};
+
 struct ImageHealth {
   bool black = false;
   bool white = false;
@@ -130,8 +142,10 @@ struct FrameResult {
   int skin_pixels = 0;
   int undecidable_pixels = 0;
   int unsupervised_pixels = 0;
-  int hidden_pixels = 0;    // undecidable: something nearer than the skin is seen there
-  int unproven_pixels = 0;  // undecidable: nothing shows that both cameras see their place
+  int hidden_pixels = 0;         // undecidable: something nearer than the skin is seen there
+  int unproven_pixels = 0;       // undecidable: nothing shows that both cameras see their place
+  std::vector<Object> objects;   // in the order in which they end
+  bool object_overflow = false;  // more than can be told apart: some of them are wrong
   bool alarm = false;
   bool too_undecidable = false;
   bool too_unsupervised = false;
@@ -171,6 +185,7 @@ class Pipeline {
     taps_.mask.fill(false);
     taps_.present.fill(false);
     for (int y = 0; y < P.flush_rows(compete_); ++y) finish_row(result);
+    find_objects(result);
     return result;
   }
 
@@ -219,6 +234,7 @@ class Pipeline {
     const FrameSettings of_stages(settings, image.width / P.subsample, image.height);
     if constexpr (P.has_thesis()) thesis_rows_.begin(of_stages);
     if constexpr (P.has_compete()) compete_rows_.begin(of_stages);
+    objects_config_ = stages::chain::by_name<typename stages::Objects<P>::Config>(of_stages);
     health_config_ = stages::chain::by_name<typename Health::Config>(of_stages);
     if (settings.prove != prove_ || image.width != width_ || image.height != height_) hls::reset(agreement_);
     agreement_config_ = stages::chain::by_name<typename stages::Agreement<P>::Config>(of_stages);
@@ -527,6 +543,33 @@ class Pipeline {
     }
   }
 
+  /// On the whole result: what the hardware says of it while the rows come is the same.
+  void find_objects(FrameResult& result) {
+    Borrowed stage(objects_);
+    OutOf<stages::Objects<P>> out;
+    const auto step = [&](const InOf<stages::Objects<P>>& in) {
+      out = stage->step(in, objects_config_);
+      if (out.ended) [[unlikely]] {
+        add_object(out.object, result);
+      }
+    };
+    const std::uint8_t* state = result.states.data();
+    for (int y = 0; y < result.height; ++y) {
+      for (int x = 0; x < result.width; ++x) step({*state++, x == 0 && y == 0, x + 1 == result.width, false});
+    }
+    do {
+      step({0, false, false, true});
+    } while (!out.done);
+    result.object_overflow = out.overflow;
+    result.alarm |= out.alarm;
+  }
+  template <class From>
+  [[gnu::noinline]] static void add_object(const From& from, FrameResult& result) {
+    result.objects.push_back({static_cast<int>(from.pixels.value()), from.left.value(), from.top.value(),
+                              from.right.value(), from.bottom.value(), static_cast<std::int64_t>(from.columns.value()),
+                              static_cast<std::int64_t>(from.rows.value())});
+  }
+
   static void take_verdict(const OutOf<stages::Agreement<P>>& out, FrameResult& result) {
     Agreement& to = result.agreement;
     if (out.region.valid) [[unlikely]] {
@@ -582,6 +625,7 @@ class Pipeline {
   Health right_health_;
   Coarse coarse_;
   Still still_;
+  stages::Objects<P> objects_;
 
   typename stages::MapExpand<P>::Config map_config_;
   typename Health::Config health_config_;
@@ -589,6 +633,7 @@ class Pipeline {
   int prove_ = 0;
   typename Coarse::Config coarse_config_;
   typename Still::Config still_config_;
+  typename stages::Objects<P>::Config objects_config_;
 
   std::conditional_t<P.has_thesis(), Strips<P, hls::Rule::thesis>, Nothing> thesis_rows_;
   std::conditional_t<P.has_compete(), Strips<P, hls::Rule::compete>, Nothing> compete_rows_;

@@ -23,6 +23,7 @@
 #include "horopter/plan/tolerance.hpp"
 #include "inputs.hpp"
 #include "numbers.hpp"
+#include "object.hpp"
 #include "progress.hpp"
 #include "settings.hpp"
 #include "thickness.hpp"
@@ -42,6 +43,7 @@ struct RunOptions {
   std::string out;
   Settings settings;
   ThicknessOption thickness;
+  ObjectOption object;
   std::size_t frames = 0;
   bool pair_by_order = false;
   bool overlay = true;
@@ -67,6 +69,7 @@ struct Session {
     settings = options.settings;
     settings.interlock.by_itself = true;  // nobody stands beside a run
     thickness = set_thickness(options.thickness, options.skin, rig, *profile, width, height, settings);
+    set_object(options.object, options.skin, rig, *profile, width, height, settings);
     if (is_moving_skin(options.skin)) {
       SkinFile skin = load_skin_for(options.skin, rig, width, height);
       d95_px = std::min(skin.motion_limits.tolerance_px, horopter::d95_px(settings));
@@ -169,6 +172,9 @@ ExitStatus run(const RunOptions& options) {
     fmt::print(
         "unproven: clear means only that the images do not agree; both cameras are not shown to see the place\n");
   }
+  summary["object"] = {{"px", std::round(10 * session.settings.object_px) / 10},
+                       {"pixels", object_limit(session.settings, *session.profile)}};
+  if (!options.json) fmt::print("object: {}\n", object_text(options.object, session.settings, *session.profile));
   if (session.thickness) {
     summary.update(session.thickness->json());
     if (!options.json) fmt::print("{}\n", session.thickness->text(session.settings));
@@ -269,6 +275,7 @@ void add_run(CLI::App& app, Outcome& outcome) {
       ->type_name("P");
   add_engine(*command, options->engine)->capture_default_str();
   add_decision(*command, options->settings.decision);
+  add_object(*command, options->object);
   add_thickness(*command, options->thickness);
   add_settings(*command, options->settings);
   command->get_option("--threshold")->excludes("--tolerance")->excludes("--thickness");

@@ -14,6 +14,7 @@
 #include "horopter/map/map_json.hpp"
 #include "inputs.hpp"
 #include "numbers.hpp"
+#include "object.hpp"
 #include "settings.hpp"
 #include "warnings.hpp"
 #include "words.hpp"
@@ -28,6 +29,7 @@ struct UploadOptions {
   std::string rig;
   std::string profile;
   Settings settings;
+  ObjectOption object;
   bool stop_first = false;
   bool json = false;
 
@@ -129,7 +131,9 @@ ExitStatus upload(const UploadOptions& options) {
   const Build build = find_build(*device);
   check_rule(build, options.settings.decision);
   const MapSet maps = maps_for(options, wanted, build);
-  const LoadReport report = load(*device, build, maps, options.settings, options.stop_first);
+  Settings settings = options.settings;
+  set_object(options.object, options.file(), wanted.rig, *build.profile, maps.image_width, maps.image_height, settings);
+  const LoadReport report = load(*device, build, maps, settings, options.stop_first);
   if (options.json) {
     std::puts(json_text(report_json(options, build, report)).c_str());
   } else {
@@ -152,6 +156,7 @@ void add_upload(CLI::App& app, Outcome& outcome) {
   command->add_option("--profile", options->profile, "What the machine must be: " + profile_sizes())->type_name("P");
   add_decision(*command, options->settings.decision);
   add_settings(*command, options->settings);
+  add_object(*command, options->object);
   command
       ->add_option_function<std::string>(
           "--restart",

@@ -96,8 +96,8 @@ module horopter_csr #(
     output logic [23:0] map_undecidable_limit_pixels_o,
     input  logic [25:0] faults_cameras_set_i,
     output logic [25:0] faults_cameras_o,
-    input  logic [16:0] faults_machine_set_i,
-    output logic [16:0] faults_machine_o,
+    input  logic [17:0] faults_machine_set_i,
+    output logic [17:0] faults_machine_o,
     input  logic [15:0] map_extent_base_word64_i,
     input  logic [15:0] map_extent_end_word64_i,
     input  logic [31:0] frame_sequence_value_i,
@@ -111,7 +111,7 @@ module horopter_csr #(
     input  logic [31:0] frame_cycles_clocks_i,
     input  logic [31:0] frame_latency_clocks_i,
     input  logic [31:0] frame_tail_clocks_i,
-    input  logic [16:0] frame_faults_machine_i,
+    input  logic [17:0] frame_faults_machine_i,
     output logic [22:0] agreement_o,
     output logic [31:0] agreement_limits_o,
     output logic [ 7:0] hidden_frames_o,
@@ -136,11 +136,15 @@ module horopter_csr #(
     input  logic [23:0] frame_hidden_pixels_i,
     input  logic [23:0] frame_unproven_pixels_pixels_i,
     output logic [ 5:0] region_select_region_o,
-    input  logic [29:0] frame_region_i
+    input  logic [29:0] frame_region_i,
+    output logic [23:0] object_limit_pixels_o,
+    input  logic [23:0] frame_object_pixels_i,
+    input  logic [23:0] frame_object_columns_i,
+    input  logic [23:0] frame_object_rows_i
 );
   // The address is decoded always, into a group of eight words and the word; it counts from the second clock of a write on.
   logic taken_q, write_q;
-  logic [8:0] write_group_q;
+  logic [9:0] write_group_q;
   logic [7:0] write_word_q;
   assign write_q = taken_q && !write_error_o;
   always_ff @(posedge clk_i) begin
@@ -155,10 +159,11 @@ module horopter_csr #(
     write_group_q[6] <= write_addr_i[11:5] == 7'h09;
     write_group_q[7] <= write_addr_i[11:5] == 7'h0A;
     write_group_q[8] <= write_addr_i[11:5] == 7'h0C;
+    write_group_q[9] <= write_addr_i[11:5] == 7'h0D;
     case (write_addr_i)
       12'h040, 12'h058, 12'h05C, 12'h060, 12'h064, 12'h080, 12'h084, 12'h088, 12'h08C, 12'h094, 12'h0A0, 12'h0A4,
       12'h0A8, 12'h0AC, 12'h0B0, 12'h0B4, 12'h0B8, 12'h0BC, 12'h0C0, 12'h0C4, 12'h0DC, 12'h0E0, 12'h0E4, 12'h134,
-      12'h138, 12'h13C, 12'h140, 12'h144, 12'h180, 12'h184, 12'h188, 12'h18C, 12'h198: write_error_o <= 1'b0;
+      12'h138, 12'h13C, 12'h140, 12'h144, 12'h180, 12'h184, 12'h188, 12'h18C, 12'h198, 12'h1A0: write_error_o <= 1'b0;
       12'h044, 12'h04C, 12'h050, 12'h054, 12'h068, 12'h130: write_error_o <= locked_i;
       12'h06C, 12'h0C8, 12'h0CC: write_error_o <= write_strb_i != 4'hF;
       default: write_error_o <= 1'b1;
@@ -306,6 +311,9 @@ module horopter_csr #(
   // REGION_SELECT: Which region FRAME_REGION tells of.
   logic [ 5:0] region_select_region_q;
   assign region_select_region_o = region_select_region_q;
+  // OBJECT_LIMIT: An object, pixels in the skin that touch each other, of this many pixels is an alarm, at once (hls/stages/objects.hpp).
+  logic [23:0] object_limit_pixels_q;
+  assign object_limit_pixels_o = object_limit_pixels_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -366,6 +374,7 @@ module horopter_csr #(
       blind_share_of_256_q <= 8'd2;
       still_limit_frames_q <= 8'd4;
       region_select_region_q <= 6'd0;
+      object_limit_pixels_q <= 24'd1000;
     end else begin
       if (write_q && write_group_q[0] && write_word_q[0]) begin  // CONTROL
         if (write_strb_i[0]) control_enable_q <= write_data_i[0];
@@ -546,11 +555,16 @@ module horopter_csr #(
       if (write_q && write_group_q[8] && write_word_q[6]) begin  // REGION_SELECT
         if (write_strb_i[0]) region_select_region_q[5:0] <= write_data_i[5:0];
       end
+      if (write_q && write_group_q[9] && write_word_q[0]) begin  // OBJECT_LIMIT
+        if (write_strb_i[0]) object_limit_pixels_q[7:0] <= write_data_i[7:0];
+        if (write_strb_i[1]) object_limit_pixels_q[15:8] <= write_data_i[15:8];
+        if (write_strb_i[2]) object_limit_pixels_q[23:16] <= write_data_i[23:16];
+      end
     end
   end
 
   // Each of these registers is guarded from the clock on in which it has its new value.
-  logic [35:0] written_q, guard_error;
+  logic [36:0] written_q, guard_error;
   always_ff @(posedge clk_i) begin
     written_q <= '0;
     if (!rst_ni) written_q <= '1;
@@ -590,6 +604,7 @@ module horopter_csr #(
     if (write_q && write_group_q[8] && write_word_q[2]) written_q[33] <= 1'b1;
     if (write_q && write_group_q[8] && write_word_q[3]) written_q[34] <= 1'b1;
     if (write_q && write_group_q[8] && write_word_q[6]) written_q[35] <= 1'b1;
+    if (write_q && write_group_q[9] && write_word_q[0]) written_q[36] <= 1'b1;
     changed_o <= guard_error != '0;
   end
   horopter_guard #(
@@ -880,6 +895,14 @@ module horopter_csr #(
       .value_i({region_select_region_q}),
       .error_o(guard_error[35])
   );
+  horopter_guard #(
+      .WIDTH(24)
+  ) u_object_limit_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[36]),
+      .value_i({object_limit_pixels_q}),
+      .error_o(guard_error[36])
+  );
 
   // IRQ_STATUS: Events since they were last cleared.
   logic [ 1:0] irq_status_q;
@@ -902,11 +925,11 @@ module horopter_csr #(
   assign faults_cameras_o = faults_cameras_q;
 
   // FAULTS_MACHINE: The same for faults of both cameras together, of tables and of the machine.
-  logic [16:0] faults_machine_q;
+  logic [17:0] faults_machine_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) faults_machine_q <= 17'd0;
+    if (!rst_ni) faults_machine_q <= 18'd0;
     else if (write_q && write_group_q[5] && write_word_q[1])
-      faults_machine_q <= (faults_machine_q & ~(write_data_i[16:0] & {{1{write_strb_i[2]}}, {8{write_strb_i[1]}}, {8{write_strb_i[0]}}})) | faults_machine_set_i;
+      faults_machine_q <= (faults_machine_q & ~(write_data_i[17:0] & {{2{write_strb_i[2]}}, {8{write_strb_i[1]}}, {8{write_strb_i[0]}}})) | faults_machine_set_i;
     else faults_machine_q <= faults_machine_q | faults_machine_set_i;
   end
   assign faults_machine_o = faults_machine_q;
@@ -924,7 +947,8 @@ module horopter_csr #(
   logic [31:0] group_0A_q;
   logic [31:0] group_0B_q;
   logic [31:0] group_0C_q;
-  logic [11:0] wanted_q;
+  logic [31:0] group_0D_q;
+  logic [12:0] wanted_q;
   logic known_q;
   logic [2:0] word_q;
   always_ff @(posedge clk_i) begin
@@ -943,6 +967,7 @@ module horopter_csr #(
       12'h140, 12'h144, 12'h150, 12'h154, 12'h158, 12'h15C: wanted_q[9] <= 1'b1;
       12'h160, 12'h164, 12'h168, 12'h16C, 12'h170, 12'h174, 12'h178: wanted_q[10] <= 1'b1;
       12'h180, 12'h184, 12'h188, 12'h18C, 12'h190, 12'h194, 12'h198, 12'h19C: wanted_q[11] <= 1'b1;
+      12'h1A0, 12'h1A4, 12'h1A8, 12'h1AC: wanted_q[12] <= 1'b1;
       default: ;  // no register
     endcase
     group_00_q <= 32'd0;
@@ -1010,7 +1035,7 @@ module horopter_csr #(
     if (wanted_q[6])
       case (word_q)
         3'h0: group_07_q <= {3'd0, faults_cameras_q[25:13], 3'd0, faults_cameras_q[12:0]};
-        3'h1: group_07_q <= {15'd0, faults_machine_q};
+        3'h1: group_07_q <= {14'd0, faults_machine_q};
         default: group_07_q <= {map_extent_end_word64_i, map_extent_base_word64_i};
       endcase
     group_08_q <= 32'd0;
@@ -1031,7 +1056,7 @@ module horopter_csr #(
         3'h0: group_09_q <= frame_cycles_clocks_i;
         3'h1: group_09_q <= frame_latency_clocks_i;
         3'h2: group_09_q <= frame_tail_clocks_i;
-        3'h3: group_09_q <= {15'd0, frame_faults_machine_i};
+        3'h3: group_09_q <= {14'd0, frame_faults_machine_i};
         3'h4: group_09_q <= {9'd0, agreement_unproven_skin_q, agreement_shift_highest_q, agreement_shift_lowest_q, agreement_nearer_above_q, agreement_nearer_below_q, agreement_prove_q};
         3'h5: group_09_q <= {agreement_limits_hidden_q, agreement_limits_unproven_q, agreement_limits_regions_q, agreement_limits_explained_q};
         3'h6: group_09_q <= {24'd0, hidden_frames_q};
@@ -1070,8 +1095,16 @@ module horopter_csr #(
         3'h6: group_0C_q <= {26'd0, region_select_region_q};
         default: group_0C_q <= {2'd0, frame_region_i};
       endcase
+    group_0D_q <= 32'd0;
+    if (wanted_q[12])
+      case (word_q)
+        3'h0: group_0D_q <= {8'd0, object_limit_pixels_q};
+        3'h1: group_0D_q <= {8'd0, frame_object_pixels_i};
+        3'h2: group_0D_q <= {4'd0, frame_object_columns_i[23:12], 4'd0, frame_object_columns_i[11:0]};
+        default: group_0D_q <= {4'd0, frame_object_rows_i[23:12], 4'd0, frame_object_rows_i[11:0]};
+      endcase
     known_q <= wanted_q != '0;
-    read_data_o <= group_00_q | group_02_q | group_03_q | group_04_q | group_05_q | group_06_q | group_07_q | group_08_q | group_09_q | group_0A_q | group_0B_q | group_0C_q;
+    read_data_o <= group_00_q | group_02_q | group_03_q | group_04_q | group_05_q | group_06_q | group_07_q | group_08_q | group_09_q | group_0A_q | group_0B_q | group_0C_q | group_0D_q;
     read_error_o <= !known_q;
   end
 endmodule

@@ -36,6 +36,7 @@ package horopter_csr_pkg;
   } camera_faults_t;
 
   typedef struct packed {  // from the highest bit
+    logic objects;
     logic restart;
     logic settings;
     logic hidden;
@@ -186,4 +187,14 @@ package horopter_csr_pkg;
     logic [ 9:0] explained;
     logic [ 9:0] textured;
   } frame_region_t;
+
+  typedef struct packed {  // from the highest bit
+    logic [11:0] right;
+    logic [11:0] left;
+  } frame_object_columns_t;
+
+  typedef struct packed {  // from the highest bit
+    logic [11:0] bottom;
+    logic [11:0] top;
+  } frame_object_rows_t;
 endpackage

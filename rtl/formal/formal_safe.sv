@@ -45,6 +45,9 @@ module formal_safe (
     input logic        runs_end,
     input logic        counts_valid,
     input logic        alarm,
+    input logic        objects_ended,
+    input logic        objects_overflow,
+    input logic        object_alarm,
     input logic        too_undecidable,
     input logic        too_unsupervised,
     input logic        verdict_valid,
@@ -101,6 +104,9 @@ module formal_safe (
       .undecidable_i(24'd0),
       .unsupervised_i(24'd0),
       .alarm_i(alarm),
+      .objects_ended_i(objects_ended),
+      .objects_overflow_i(objects_overflow),
+      .object_alarm_i(object_alarm),
       .too_undecidable_i(too_undecidable),
       .too_unsupervised_i(too_unsupervised),
       .verdict_valid_i(verdict_valid),
@@ -156,6 +162,7 @@ module formal_safe (
   // Faults of a health result without valid, or of an alarm without counts, mean nothing.
   assign fault_now = {left_stream, right_stream, skew, bad_upload, refused_upload, silence, parity_error, internal, settings, miss} != '0 || identical
       || (health_valid[0] && left_health != '0) || (health_valid[1] && right_health != '0)
+      || object_alarm || (objects_ended && objects_overflow)
       || (counts_valid && (too_undecidable || too_unsupervised)) || (verdict_valid && verdict != '0);
   always @(posedge clk_i) begin
     past_valid <= 1'b1;

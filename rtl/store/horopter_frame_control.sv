@@ -6,12 +6,12 @@
 // record judged_slot_i, parity, store_miss, internal and settings to the frame being output, those of an upload to the next
 // frame published. A silence, silence_i, makes not safe at once, but belongs to no frame.
 //
-// A frame is published, publish_o for one clock, when its last state and its last run have left and its counts and its
-// verdict (stage `agreement`) are there. In the same clock all frame_* outputs change, frame_done_o = 1, heartbeat_o toggles.
+// A frame is published, publish_o for one clock, when its last state and its last run have left and its counts, its
+// objects and its verdict (stage `agreement`) are there. In the same clock all frame_* outputs change, frame_done_o = 1, heartbeat_o toggles.
 // safe_o rises only then, and only if this frame and the one before had no fault and no alarm, nothing was wrong in
 // between, and nothing speaks against the next one: what hides the alarm of a single frame does not make safe. And only
 // if a restart was given since something was wrong, or none is needed (horopter_interlock). It falls
-// with any fault, with the watchdog, and while safe_allowed_i is 0. unsafe_o is decided and stored on its own. frame_safe_o
+// with any fault, with an object that is an alarm, with the watchdog, and while safe_allowed_i is 0. unsafe_o is decided and stored on its own. frame_safe_o
 // is of the one frame. Reset: not safe.
 module horopter_frame_control (
     input  logic              clk_i,
@@ -63,6 +63,9 @@ module horopter_frame_control (
     input  logic [      23:0] undecidable_i,
     input  logic [      23:0] unsupervised_i,
     input  logic              alarm_i,
+    input  logic              objects_ended_i,  // the frame's objects are known
+    input  logic              objects_overflow_i,  // with it: more than can be told apart
+    input  logic              object_alarm_i,  // of the frame so far, or of the last one
     input  logic              too_undecidable_i,
     input  logic              too_unsupervised_i,
     input  logic              verdict_valid_i,  // what both cameras see, together
@@ -134,6 +137,7 @@ module horopter_frame_control (
       outgoing_q.machine.restart <= stuck && begin_q[4];
       outgoing_q.machine.no_table <= begin_q[4] && !table_ok_i;
       outgoing_q.machine.too_undecidable <= (counts_valid_i && too_undecidable_i) || (verdict_valid_i && verdict_i.untextured);
+      outgoing_q.machine.objects <= objects_ended_i && objects_overflow_i;
       outgoing_q.machine.disagree <= verdict_valid_i && verdict_i.disagree;
       outgoing_q.machine.unproven <= verdict_valid_i && verdict_i.unproven;
       outgoing_q.machine.moved <= verdict_valid_i && verdict_i.moved;
@@ -156,11 +160,11 @@ module horopter_frame_control (
   end
 
   // --- where they belong: a frame record, or, if that is closed already, to the next frame published ---
-  logic state_ended_q, runs_ended_q, counted_q, judged_by_both_q;
+  logic state_ended_q, runs_ended_q, counted_q, objects_ended_q, judged_by_both_q;
   logic complete, publishing, publish_q;
   logic [1:0] accepts;  // records that still take faults
   horopter_csr_pkg::faults_t set_record0, set_record1, set_event;
-  assign complete = active_i && state_ended_q && runs_ended_q && counted_q && judged_by_both_q && !publishing && !publish_q && !publish_o;
+  assign complete = active_i && state_ended_q && runs_ended_q && counted_q && objects_ended_q && judged_by_both_q && !publishing && !publish_q && !publish_o;
   always_ff @(posedge clk_i) begin
     publishing <= rst_ni && complete;
     accepts <= busy_i;
@@ -237,10 +241,10 @@ module horopter_frame_control (
   logic [31:0] open_time, arrived_time;  // of the frame being output
   assign open_time = read_slot_i ? open_time1_q : open_time0_q;
   assign arrived_time = read_slot_i ? arrived_time1_q : arrived_time0_q;
-  logic state_first_q, first_seen_q, alarm_q;
+  logic state_first_q, first_seen_q, alarm_q, object_alarm_q;
   logic [23:0] skin_q, undecidable_q, unsupervised_q, misses_q;
   logic good;
-  assign good = total_q == '0 && !alarm_q && table_ok_i;
+  assign good = total_q == '0 && !alarm_q && !object_alarm_q && table_ok_i;
   always_ff @(posedge clk_i) begin
     publish_q <= 1'b0;
     publish_o <= 1'b0;
@@ -257,9 +261,11 @@ module horopter_frame_control (
       state_ended_q <= 1'b0;
       runs_ended_q <= 1'b0;
       counted_q <= 1'b0;
+      objects_ended_q <= 1'b0;
       judged_by_both_q <= 1'b0;
       first_seen_q <= 1'b0;
       alarm_q <= 1'b1;
+      object_alarm_q <= 1'b1;
       misses_q <= 24'd0;
       frame_sequence_o <= 32'd0;
       frame_alarm_o <= 1'b0;
@@ -284,9 +290,11 @@ module horopter_frame_control (
         state_ended_q <= 1'b0;
         runs_ended_q <= 1'b0;
         counted_q <= 1'b0;
+        objects_ended_q <= 1'b0;
         judged_by_both_q <= 1'b0;
         first_seen_q <= 1'b0;
         alarm_q <= 1'b1;
+        object_alarm_q <= 1'b1;
         misses_q <= 24'd0;
       end else if (active_i) begin
         if (state_first_q) first_seen_q <= 1'b1;
@@ -297,6 +305,10 @@ module horopter_frame_control (
           counted_q <= 1'b1;
           alarm_q <= alarm_i;
         end
+        if (objects_ended_i) begin
+          objects_ended_q <= 1'b1;
+          object_alarm_q <= object_alarm_i;
+        end
         if (miss_i) misses_q <= misses_q + 24'd1;  // no more than pixels
       end
 
@@ -306,7 +318,7 @@ module horopter_frame_control (
         frame_done_o <= 1'b1;
         heartbeat_o <= !heartbeat_o;
         frame_sequence_o <= frame_sequence_o + 32'd1;
-        frame_alarm_o <= alarm_q;
+        frame_alarm_o <= alarm_q || object_alarm_q;
         frame_safe_o <= good;
         frame_slot_o <= table_ok_i ? table_slot_i : horopter_csr_pkg::NO_SLOT;
         frame_faults_o <= total_q;
@@ -341,12 +353,15 @@ module horopter_frame_control (
 
   // --- safe ---
   logic safe_q = 1'b0, unsafe_q = 1'b1;  // before the first clock, too
+  // As a fault: an object is known before its frame has ended.
+  logic [2:0] object_now_q;
+  always_ff @(posedge clk_i) object_now_q <= rst_ni ? {object_now_q[1:0], object_alarm_i} : 3'b000;
   logic bad_now;
-  assign bad_now = found_q || fault_set_o != '0 || (late_o && !publish_q) || silent_i != 2'b00 || !safe_allowed_i;
+  assign bad_now = found_q || object_now_q[2:1] != 2'b00 || fault_set_o != '0 || (late_o && !publish_q) || silent_i != 2'b00 || !safe_allowed_i;
   logic good_before_q, bad_before_q;  // the frame published before, and all since
   logic good_frame, bad_frame;
   assign good_frame = good && !others_bad_q && event_q == '0;
-  assign bad_frame = total_q != '0 || alarm_q || !table_ok_i || others_bad_q || event_q != '0;
+  assign bad_frame = total_q != '0 || alarm_q || object_alarm_q || !table_ok_i || others_bad_q || event_q != '0;
   always_ff @(posedge clk_i) begin
     if (!rst_ni || bad_now) begin
       safe_q <= 1'b0;

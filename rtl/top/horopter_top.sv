@@ -174,7 +174,7 @@ module horopter_top #(
   horopter_csr_pkg::irq_enable_t irq_enable;
   horopter_csr_pkg::irq_status_t irq_set, irq_status;
   logic [15:0] sum_limit, self_limit, texture_limit;
-  logic [23:0] alarm_limit, map_undecidable_limit, unsupervised_limit, black_limit, white_limit;
+  logic [23:0] alarm_limit, object_limit, map_undecidable_limit, unsupervised_limit, black_limit, white_limit;
   logic [7:0] black_level, white_level, constant_limit, frozen_limit, one_camera_segments;
   logic [7:0] blind_step, blind_share, still_limit;
   horopter_csr_pkg::agreement_t agreement, sampled_agreement;
@@ -188,6 +188,9 @@ module horopter_top #(
   horopter_csr_pkg::frame_cells_t frame_cells;
   horopter_csr_pkg::frame_unproven_t frame_unproven;
   horopter_csr_pkg::frame_region_t frame_region;
+  logic [23:0] frame_object;
+  horopter_csr_pkg::frame_object_columns_t frame_object_columns;
+  horopter_csr_pkg::frame_object_rows_t frame_object_rows;
   logic [127:0] frame_across;
   logic [47:0] frame_detail, frame_contrast;
   logic [23:0] frame_hidden, frame_unproven_pixels;
@@ -276,6 +279,7 @@ module horopter_top #(
       .self_limit_value_o(self_limit),
       .texture_limit_sum_o(texture_limit),
       .alarm_limit_pixels_o(alarm_limit),
+      .object_limit_pixels_o(object_limit),
       .unsupervised_limit_pixels_o(unsupervised_limit),
       .black_level_grey_o(black_level),
       .black_limit_pixels_o(black_limit),
@@ -310,6 +314,9 @@ module horopter_top #(
       .frame_hidden_pixels_i(frame_hidden),
       .frame_unproven_pixels_pixels_i(frame_unproven_pixels),
       .frame_region_i(frame_region),
+      .frame_object_pixels_i(frame_object),
+      .frame_object_columns_i(frame_object_columns),
+      .frame_object_rows_i(frame_object_rows),
       .map_slot_slot_o(map_slot),
       .map_base_word64_o(map_base),
       .map_undecidable_limit_pixels_o(map_undecidable_limit),
@@ -356,7 +363,7 @@ module horopter_top #(
   logic [23:0] table_undecidable_limit;
   logic [47:0] table_unsupervised;
   logic table_ok;
-  logic [COUNT_BITS-1:0] sampled_alarm_limit, sampled_undecidable_limit, sampled_unsupervised_limit;
+  logic [COUNT_BITS-1:0] sampled_alarm_limit, sampled_object_limit, sampled_undecidable_limit, sampled_unsupervised_limit;
   logic sampled_compete;
   horopter_csr_pkg::compete_t sampled_settings;
   logic [RESULT_WIDTH_BITS-1:0] result_width;
@@ -383,6 +390,7 @@ module horopter_top #(
       .self_limit_i(self_limit),
       .texture_limit_i(texture_limit),
       .alarm_limit_i(alarm_limit),
+      .object_limit_i(object_limit),
       .undecidable_limit_i(table_undecidable_limit),
       .unsupervised_i(table_ok ? table_unsupervised : '1),
       .unsupervised_limit_i(unsupervised_limit),
@@ -408,6 +416,7 @@ module horopter_top #(
       .self_limit_o(sampled_self_limit),
       .texture_limit_o(sampled_texture_limit),
       .alarm_limit_o(sampled_alarm_limit),
+      .object_limit_o(sampled_object_limit),
       .undecidable_limit_o(sampled_undecidable_limit),
       .unsupervised_limit_o(sampled_unsupervised_limit),
       .agreement_o(sampled_agreement),
@@ -1066,6 +1075,24 @@ module horopter_top #(
       .frame_region_o(frame_region)
   );
 
+  logic objects_ended, objects_overflow, object_alarm;
+  horopter_object_check u_object_check (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .object_limit_i(sampled_object_limit),
+      .state_valid_i(state_valid && !state_idle),
+      .state_i(state),
+      .state_first_i(state_first),
+      .state_last_i(state_last),
+      .state_end_i(state_end),
+      .ended_o(objects_ended),
+      .overflow_o(objects_overflow),
+      .alarm_o(object_alarm),
+      .frame_pixels_o(frame_object),
+      .frame_columns_o(frame_object_columns),
+      .frame_rows_o(frame_object_rows)
+  );
+
   // ------------------------------------------------------------------------------------------------ outputs
   logic out_first, out_end, out_runs_end, unused_run;
   logic [1:0] output_overflow;
@@ -1184,6 +1211,9 @@ module horopter_top #(
       .undecidable_i(24'(undecidable_pixels) + 24'(unearned_pixels)),
       .unsupervised_i(24'(unsupervised_pixels)),
       .alarm_i(alarm),
+      .objects_ended_i(objects_ended),
+      .objects_overflow_i(objects_overflow),
+      .object_alarm_i(object_alarm),
       .too_undecidable_i(too_undecidable),
       .too_unsupervised_i(too_unsupervised),
       .verdict_valid_i(verdict_valid),

@@ -2,6 +2,8 @@
 // horopter_top between two cameras, two sinks and a host, beside the native engine, which says what must come out.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cstddef>
 #include <cstdint>
@@ -96,6 +98,7 @@ struct Published {
   std::vector<std::uint8_t> states;
   std::vector<native::Run> runs;
   std::uint32_t sequence = 0, status = 0, table_crc = 0, skin = 0, undecidable = 0, unsupervised = 0;
+  std::array<std::uint32_t, 3> object{};  ///< FRAME_OBJECT and the two registers after it
   std::uint32_t latency = 0, tail = 0;
   Faults faults;
   bool safe_pin = false;
@@ -138,6 +141,7 @@ class Machine : public Endpoint {
                                              static_cast<int>(options.height))
                       .without_proof()} {
     settings_.lookahead = static_cast<int>(options.lookahead);
+    settings_.object_limit = static_cast<int>(options.width * options.height) + 1;  // none is an alarm
     for (Endpoint* endpoint :
          {static_cast<Endpoint*>(&left_), static_cast<Endpoint*>(&right_), static_cast<Endpoint*>(&states_),
           static_cast<Endpoint*>(&runs_), static_cast<Endpoint*>(&host_), static_cast<Endpoint*>(this)}) {
@@ -241,6 +245,8 @@ class Machine : public Endpoint {
     p.skin = read(reg::frame_skin::kAddress);
     p.undecidable = read(reg::frame_undecidable::kAddress);
     p.unsupervised = read(reg::frame_unsupervised::kAddress);
+    p.object = {read(reg::frame_object::kAddress), read(reg::frame_object_columns::kAddress),
+                read(reg::frame_object_rows::kAddress)};
     p.latency = read(reg::frame_latency::kAddress);
     p.tail = read(reg::frame_tail::kAddress);
     take_frame(p);
@@ -266,7 +272,18 @@ class Machine : public Endpoint {
     return engine_->process(view(pair.left), view(pair.right), native::TableView(table), settings_);
   }
 
-  /// States, runs, counts, table and alarm of a frame without faults are those of the native engine. It is safe, and the
+  static std::array<std::uint32_t, 3> object_words(const native::FrameResult& e) {
+    const auto largest = std::max_element(e.objects.begin(), e.objects.end(),
+                                          [](const auto& a, const auto& b) { return a.pixels < b.pixels; });
+    if (largest == e.objects.end()) return {};
+    const auto pair = [](int low, int high) {
+      return static_cast<std::uint32_t>(low) | static_cast<std::uint32_t>(high) << 16;
+    };
+    return {static_cast<std::uint32_t>(largest->pixels), pair(largest->left, largest->right),
+            pair(largest->top, largest->bottom)};
+  }
+
+  /// States, runs, counts, table, the largest object and alarm of a frame without faults are those of the native engine. It is safe, and the
   /// pins say so if the frame before it was good and nothing was wrong in between.
   void check(const Published& p, const FramePair& pair, const std::vector<std::uint32_t>& table) {
     check_frame(p, pair, table);
@@ -274,7 +291,8 @@ class Machine : public Endpoint {
   }
   void check_frame(const Published& p, const FramePair& pair, const std::vector<std::uint32_t>& table) {
     const native::FrameResult e = expected(pair, table);
-    CHECK(p.fault_names() == std::set<std::string>{});
+    CHECK(p.fault_names() == (e.object_overflow ? std::set<std::string>{"objects"} : std::set<std::string>{}));
+    if (!e.object_overflow) CHECK(p.object == object_words(e));
     REQUIRE(p.states.size() == e.states.size());
     std::size_t different = 0;
     for (std::size_t i = 0; i < e.states.size(); ++i) different += p.states[i] != e.states[i] ? 1 : 0;
@@ -285,7 +303,7 @@ class Machine : public Endpoint {
     CHECK(p.unsupervised == static_cast<std::uint32_t>(e.unsupervised_pixels));
     CHECK(p.alarm() == e.alarm);
     CHECK(p.table_crc == table.back());
-    CHECK(p.safe() == !e.alarm);
+    CHECK(p.safe() == (!e.alarm && !e.object_overflow));
   }
 
   void drive() override {}

@@ -354,5 +354,66 @@ TEST_CASE("a camera that stops right after its last pixel hides nothing of that 
   CHECK_FALSE(p.safe_pin);
 }
 
+/// Nothing is on the skin but an object of 70×70 px.
+template <class Model>
+void early_alarm(const std::string& profile, bool compete, unsigned width, unsigned height) {
+  CAPTURE(profile, compete);
+  constexpr int kShift_px = -6;
+  Rng rng{"early"};
+  Machine<Model> machine{profile, {width, height, 16, false}};
+  const auto table = plane_table(width, height, kShift_px);
+  machine.upload(0, 0, table);
+  machine.select(0);
+  machine.settings().object_limit = 500;
+  machine.settings().compete = compete ? 1 : 0;
+  machine.write_limits();
+  const auto scene = [&](bool object) {
+    FramePair pair{textured_image(width, height, rng), textured_image(width, height, rng)};
+    for (unsigned y = 20; object && y < 90; ++y) {
+      for (unsigned x = 60; x < 130; ++x) {
+        pair.left.at(x, y) = pair.right.at(static_cast<unsigned>(static_cast<int>(x) + kShift_px), y);
+      }
+    }
+    return pair;
+  };
+  for (int frame = 0; frame < 3; ++frame) {
+    const FramePair pair = scene(false);
+    machine.send(pair);
+    machine.check(machine.receive(), pair, table);
+  }
+  REQUIRE(machine.model().safe_o == 1);
+  const FramePair pair = scene(true);
+  const native::FrameResult whole = machine.expected(pair, table);
+  CHECK(whole.alarm);
+  REQUIRE(whole.objects.size() >= 1);
+  const auto largest = *std::ranges::max_element(whole.objects, {}, &native::Object::pixels);
+  unsigned row = 0;  // in which it reaches the limit
+  for (int pixels = 0; row < height && pixels < 500; ++row) {
+    const auto begin = whole.states.begin() + row * static_cast<std::ptrdiff_t>(whole.width);
+    pixels += static_cast<int>(std::count(begin + largest.left, begin + largest.right + 1, 1));
+  }
+  machine.send(pair);
+  machine.simulation().run_until([&] { return machine.model().safe_o == 0; }, 40 * width * height, "safe_o low");
+  const std::size_t rows = machine.states().beats().size() / static_cast<unsigned>(whole.width);
+  CHECK(rows <= row + 2);
+  CHECK(rows + 10 < height);  // long before the frame's end
+  const Published p = machine.receive();
+  machine.check(p, pair, table);
+  CHECK(p.alarm());
+  CHECK(p.object[0] == static_cast<std::uint32_t>(largest.pixels));
+  for (int frame = 0; frame < 3; ++frame) {
+    const FramePair clear = scene(false);
+    machine.send(clear);
+    machine.check(machine.receive(), clear, table);
+  }
+  CHECK(machine.model().safe_o == 1);
+}
+
+TEST_CASE("an object is an alarm before its frame has ended", "[top]") {
+  early_alarm<Vmachine_vga_thesis>("vga", false, 192, 120);
+  early_alarm<Vmachine_vga_compete>("vga", true, 192, 120);
+  early_alarm<Vhoropter_machine_field>("field", false, 384, 120);
+}
+
 }  // namespace
 }  // namespace horopter::tb

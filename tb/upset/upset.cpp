@@ -95,6 +95,7 @@ Scenario make_scenario(const ScenarioKind& kind, const Options& options, std::op
                                              static_cast<int>(scenario.width), static_cast<int>(scenario.height))
                       .without_proof();  // too few cells for one
   settings.compete = options.rule == "compete" ? 1 : 0;
+  settings.object_limit = static_cast<int>(scenario.width * scenario.height) + 1;  // the share of the image counts
   if (alarm_limit) settings.alarm_limit = static_cast<int>(*alarm_limit);
   auto& setup = scenario.setup;
   setup = {{reg::mode::kAddress, reg::mode::kLive.put(scenario.live ? 1 : 0)},

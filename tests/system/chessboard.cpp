@@ -63,7 +63,8 @@ TEST_CASE("the skin on a chessboard finds it, the displaced skin does not", "[sy
     return;
   }
   const auto engine = native::make_engine("vga");
-  const auto settings = native::Settings::defaults(engine->profile(), 640, 480).without_proof();
+  auto settings = native::Settings::defaults(engine->profile(), 640, 480).without_proof();
+  settings.object_limit = 3'927;  // that of `horopter run`
   const double displacements[] = {0, 16, -16};
   Shares sum[3];
   int alarms[3] = {};

@@ -86,9 +86,21 @@ TEST_CASE("Thresholds and limits change what they name") {
   CHECK(frame({"--tolerance", "0.3"})["skin_pixels"].get<int>() < normal["skin_pixels"].get<int>());
   CHECK(frame({"--tolerance", "2.4"})["skin_pixels"].get<int>() > normal["skin_pixels"].get<int>());
   CHECK(frame({"--texture", "200"})["undecidable_pixels"].get<int>() > normal["undecidable_pixels"].get<int>());
-  const auto high = frame({"--alarm-limit", "60"});
+  const auto high = frame({"--alarm-limit", "60", "--object", "0"});
   CHECK(high["alarm"] == false);
   CHECK(high["safe"] == true);
+  CHECK(high["objects"].empty());
+  const auto large = frame({"--alarm-limit", "60", "--object", "40px"});
+  CHECK(large["alarm"] == true);
+  REQUIRE(large["objects"].size() >= 1);
+  CHECK(large["objects"][0]["area_px"].get<int>() >= 628);  // half of that disc
+  for (const char* wrong : {"5", "40cm", "-1", "3mm", "px", "nan"}) {
+    CAPTURE(wrong);
+    CHECK(box.run(run_arguments() + std::vector<std::string>{"--object", wrong}).status == 2);
+  }
+  const auto nowhere = box.run(run_arguments() + std::vector<std::string>{"--object", "40mm"});
+  CHECK(nowhere.status == 2);
+  CHECK(nowhere.err.find("--object in mm needs a surface") != std::string::npos);
   const auto blind = frame({"--unsupervised-limit", "1"});
   CHECK(blind["faults"] == nlohmann::json{"too_unsupervised"});
   CHECK(blind["safe"] == false);

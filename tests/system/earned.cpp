@@ -70,14 +70,15 @@ const std::map<std::string, Spoil> kSpoiled{
      }},
 };
 
-const fs::path images = "/usr/share/doc/opencv-doc/examples/data";
+const fs::path kImages = "/usr/share/doc/opencv-doc/examples/data";
 
 /// The rig of the photographs of opencv-doc, calibrated once.
 const std::string& rig() {
   static const std::string text = [] {
     Sandbox box;
-    const auto made = box.run({"calibrate", "--left", (images / "left??.jpg").string(), "--right",
-                               (images / "right??.jpg").string(), "--target", "chessboard:9x6:30mm", "-o", "rig.yaml"});
+    const auto made =
+        box.run({"calibrate", "--left", (kImages / "left??.jpg").string(), "--right",
+                 (kImages / "right??.jpg").string(), "--target", "chessboard:9x6:30mm", "-o", "rig.yaml"});
     CAPTURE(made.err);
     REQUIRE(made.status == 0);
     return box.read("rig.yaml");
@@ -87,11 +88,11 @@ const std::string& rig() {
 
 /// Two photographs of opencv-doc, their rig, and a skin that nothing is in: over the whole image, or a small one.
 bool prepare(Sandbox& box, const std::string& skin = "whole") {
-  if (!fs::exists(images / "left01.jpg")) return false;
+  if (!fs::exists(kImages / "left01.jpg")) return false;
   box.write("rig.yaml", rig());
   for (const std::string side : {"left", "right"}) {
     cv::imwrite((box / (side + ".png")).string(),
-                cv::imread((images / (side + "01.jpg")).string(), cv::IMREAD_GRAYSCALE));
+                cv::imread((kImages / (side + "01.jpg")).string(), cv::IMREAD_GRAYSCALE));
   }
   box.write("skin.yaml", skin == "whole" ? "surface: {type: plane, point_mm: [0, 0, 300], normal: [0, 0, -1]}\n"
                                          : "surface: {type: box, centre_mm: [0, 0, 900], size_mm: [400, 300, 200]}\n");
@@ -108,6 +109,24 @@ nlohmann::json run(const Sandbox& box, const std::string& left, const std::strin
 }
 
 }  // namespace
+
+TEST_CASE("An object in mm is taken where the skin is farthest away") {
+  Sandbox box;
+  if (!prepare(box)) return;
+  const auto object = [&](const std::string& size) {
+    const auto result = box.run({"run", "--left", "left.png", "--right", "right.png", "--skin", "skin.yaml", "--rig",
+                                 "rig.yaml", "--object", size, "--out", "out", "--json"});
+    CAPTURE(result.err);
+    REQUIRE((result.status == 0 || result.status == 4));
+    return nlohmann::json::parse(result.out)["object"];
+  };
+  // The plane is 300 mm away, the focal length is about 535 px.
+  const double px = object("40mm")["px"].get<double>();
+  CHECK(px > 66);
+  CHECK(px < 76);
+  CHECK(object("40mm")["pixels"].get<double>() == Approx(CV_PI / 8 * px * px).epsilon(0.01));
+  CHECK(object("80mm")["px"].get<double>() == Approx(2 * px).margin(0.2));
+}
 
 TEST_CASE("Photographs of two cameras earn clear, and say by what") {
   Sandbox box;
@@ -150,8 +169,8 @@ TEST_CASE("Tape over a small skin alone is not safe") {
   if (!prepare(box, "small")) return;
   box.write("skin.yaml", "surface: {type: box, centre_mm: [60, 40, 500], size_mm: [120, 100, 80]}\n");
   // Where the skin lies in each image, and a little around it: at most a tenth of the image.
-  const std::map<std::string, cv::Rect> kTape{{"left", {345, 225, 132, 110}}, {"right", {193, 225, 286, 110}}};
-  for (const auto& [which, tape] : kTape) {
+  const std::map<std::string, cv::Rect> places{{"left", {345, 225, 132, 110}}, {"right", {193, 225, 286, 110}}};
+  for (const auto& [which, tape] : places) {
     cv::Mat taped = cv::imread((box / (which + ".png")).string(), cv::IMREAD_GRAYSCALE);
     taped(tape).setTo(100);
     cv::imwrite((box / "taped.png").string(), taped);

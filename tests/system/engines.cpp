@@ -326,6 +326,7 @@ TEST_CASE("Both machines wait for a restart, and take it alike") {
   pair.read(reg::interlock::kAddress);
   pair.start();
   pair.write(reg::alarm_limit::kAddress, kWidth * kHeight);
+  pair.write(reg::object_limit::kAddress, kWidth * kHeight + 1);
   pair.write(reg::map_undecidable_limit::kAddress, 0xFFFFFF);
   const auto on = table(profile, {1, 0, -5, 0, 1, 3, 0, 0, 1});
   CHECK(pair.upload(0, 0, on) == 0);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "horopter/base/error.hpp"
 #include "horopter/machine/registers.hpp"
@@ -44,6 +45,7 @@ void add_limits(std::vector<RegisterWord>& words, const MachineProfile& profile,
       RegisterWord{reg::self_limit::kAddress, limit_of(settings.self_percent, largest_sum)},
       RegisterWord{reg::texture_limit::kAddress, number(native::Settings::texture_limit_for(settings.texture))},
       RegisterWord{reg::alarm_limit::kAddress, limit_of(settings.alarm_percent, result)},
+      RegisterWord{reg::object_limit::kAddress, static_cast<std::uint32_t>(object_limit(settings, profile))},
       RegisterWord{reg::unsupervised_limit::kAddress, limit_of(settings.unsupervised_percent, result)},
       RegisterWord{reg::black_limit::kAddress, limit_of(settings.dark_percent, incoming)},
       RegisterWord{reg::white_limit::kAddress, limit_of(settings.bright_percent, incoming)},
@@ -94,6 +96,14 @@ RegisterWord interlock_word(const Interlock& interlock) {
 }
 
 }  // namespace
+
+std::int64_t object_limit(const Settings& settings, const MachineProfile& profile) {
+  const std::int64_t frame = std::int64_t{profile.width / profile.subsample} * profile.height;
+  if (settings.object_px <= 0) return frame + 1;
+  const double disc = std::numbers::pi / 4 * settings.object_px * settings.object_px;
+  const int px_of_image = profile.subsample * profile.fields_per_image();  // in a pixel of the result
+  return std::clamp<std::int64_t>(std::llround(disc / 2 / px_of_image), 1, frame + 1);
+}
 
 std::vector<RegisterWord> configuration(Device& device, const MachineProfile& profile, const Settings& settings,
                                         FrameGeometry geometry) {

@@ -236,6 +236,8 @@ FrameResult Monitor::finish() {
   result.unsupervised_pixels = device_->read(reg::frame_unsupervised::kAddress);
   result.hidden_pixels = device_->read(reg::frame_hidden::kAddress);
   result.unproven_pixels = device_->read(reg::frame_unproven_pixels::kAddress);
+  result.largest_object_pixels = device_->read(reg::frame_object::kAddress);
+  result.object_limit_pixels = object_limit(settings_, profile_);
   if (settings_.proof.needed) result.agreement = read_agreement();
   result.cycles = device_->read(reg::frame_cycles::kAddress);
   result.latency = device_->read(reg::frame_latency::kAddress);

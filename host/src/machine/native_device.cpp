@@ -68,6 +68,17 @@ std::array<std::uint32_t, 64> region_words(const native::Agreement& a) {
   return words;
 }
 
+std::array<std::uint32_t, 3> object_words(const std::vector<native::Object>& objects) {
+  const auto largest = std::ranges::max_element(objects, {}, &native::Object::pixels);  // the first of equal ones
+  if (largest == objects.end()) return {};
+  const auto number = [](int value) { return static_cast<std::uint32_t>(value); };
+  return {number(largest->pixels),
+          reg::frame_object_columns::kLeft.put(number(largest->left)) |
+              reg::frame_object_columns::kRight.put(number(largest->right)),
+          reg::frame_object_rows::kTop.put(number(largest->top)) |
+              reg::frame_object_rows::kBottom.put(number(largest->bottom))};
+}
+
 native::ImageView view(const Image& image) { return {image.pixels.data(), image.width, image.height, image.width}; }
 
 }  // namespace
@@ -194,6 +205,10 @@ std::uint32_t NativeDevice::read(std::uint32_t address) {
       return frame_.hidden;
     case reg::frame_unproven_pixels::kAddress:
       return frame_.unproven_pixels;
+    case reg::frame_object::kAddress:
+    case reg::frame_object_columns::kAddress:
+    case reg::frame_object_rows::kAddress:
+      return frame_.object.at((address - reg::frame_object::kAddress) / 4);
     case reg::frame_region::kAddress:
       return frame_.regions.at(stored(reg::region_select::kAddress) & 63U);
     default:
@@ -430,6 +445,7 @@ FrameStreams NativeDevice::receive() {
   add(result.too_unsupervised, Fault::too_unsupervised);
   add(result.identical_images, Fault::identical_images);
   add(result.one_camera, Fault::one_camera);
+  add(result.object_overflow, Fault::objects);
   add(result.agreement.untextured, Fault::too_undecidable);
   add(result.agreement.disagree, Fault::disagree);
   add(result.agreement.unproven, Fault::unproven);
@@ -459,6 +475,7 @@ FrameStreams NativeDevice::receive() {
             static_cast<std::uint32_t>(result.store_misses),
             static_cast<std::uint32_t>(result.hidden_pixels),
             static_cast<std::uint32_t>(result.unproven_pixels),
+            object_words(result.objects),
             agreement_words(result.agreement),
             region_words(result.agreement)};
 

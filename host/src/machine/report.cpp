@@ -22,7 +22,7 @@ std::vector<Region> regions_of(const Image& states) {
   for (int i = 1; i < count; ++i) {
     const int* row = stats.ptr<int>(i);
     regions.push_back({row[cv::CC_STAT_LEFT], row[cv::CC_STAT_TOP], row[cv::CC_STAT_WIDTH], row[cv::CC_STAT_HEIGHT],
-                       row[cv::CC_STAT_AREA]});
+                       row[cv::CC_STAT_AREA], centroids.at<double>(i, 0), centroids.at<double>(i, 1)});
   }
   std::ranges::sort(regions, {}, [](const Region& r) { return std::tuple(-r.pixels, r.y, r.x); });
   return regions;
@@ -36,6 +36,8 @@ Image state_picture(const Image& states) {
 }
 
 namespace {
+
+double rounded(double value) { return std::round(10 * value) / 10; }
 
 /// Shares of the textured cells that are explained, of the frame and of each region (null: no texture), and what the
 /// right image is displaced.
@@ -84,6 +86,14 @@ nlohmann::ordered_json frame_json(int frame, const std::string& left, const std:
                                {"width", region.width},
                                {"height", region.height},
                                {"pixels", region.pixels}});
+  }
+  json["objects"] = nlohmann::ordered_json::array();
+  for (const Region& region : regions_of(result.states)) {
+    if (region.pixels < result.object_limit_pixels) break;
+    json["objects"].push_back({{"area_px", region.pixels},
+                               {"skin_pixels", region.pixels},
+                               {"box", {region.x, region.y, region.width, region.height}},
+                               {"centroid_px", {rounded(region.centroid_x), rounded(region.centroid_y)}}});
   }
   add_agreement(json, result.agreement);
   if (result.skin_time_s) json["skin_time_s"] = *result.skin_time_s;

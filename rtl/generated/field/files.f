@@ -12,6 +12,7 @@ rtl/generated/field/horopter_interpolate.sv
 rtl/generated/field/horopter_lowpass.sv
 rtl/generated/field/horopter_majority.sv
 rtl/generated/field/horopter_map_expand.sv
+rtl/generated/field/horopter_objects.sv
 rtl/generated/field/horopter_runs.sv
 rtl/generated/field/horopter_sobel.sv
 rtl/generated/field/horopter_stages.sv
@@ -46,6 +47,7 @@ rtl/camera/horopter_camera_input.sv
 rtl/camera/horopter_coarse_check.sv
 rtl/top/horopter_settings.sv
 rtl/top/horopter_agreement_result.sv
+rtl/top/horopter_object_check.sv
 rtl/top/horopter_output.sv
 rtl/top/horopter_status.sv
 rtl/top/horopter_top.sv

@@ -16,6 +16,7 @@ rtl/generated/hd/horopter_interpolate.sv
 rtl/generated/hd/horopter_lowpass.sv
 rtl/generated/hd/horopter_majority.sv
 rtl/generated/hd/horopter_map_expand.sv
+rtl/generated/hd/horopter_objects.sv
 rtl/generated/hd/horopter_plane_paths.sv
 rtl/generated/hd/horopter_plane_sums.sv
 rtl/generated/hd/horopter_runs.sv
@@ -53,6 +54,7 @@ rtl/camera/horopter_camera_input.sv
 rtl/camera/horopter_coarse_check.sv
 rtl/top/horopter_settings.sv
 rtl/top/horopter_agreement_result.sv
+rtl/top/horopter_object_check.sv
 rtl/top/horopter_output.sv
 rtl/top/horopter_status.sv
 rtl/top/horopter_top.sv

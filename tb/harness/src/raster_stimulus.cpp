@@ -79,7 +79,8 @@ void RasterStimulus::choose() {
 
 void RasterStimulus::start_frame() {
   x_ = y_ = 0;
-  cut_off_ = idle_next_ = primed_ = false;
+  cut_off_ = primed_ = false;
+  idle_beats_ = 0;
   row_ = kind_ == Kind::ragged ? ragged_row() : width_;
   any_beats_ = 2'000;
 }
@@ -109,17 +110,18 @@ void RasterStimulus::mark(Beat& in) {
     }
     if (row_end) primed_ = false;
   }
-  set(first_, x_ == 0 && y_ == 0 && !idle_next_);
+  set(first_, x_ == 0 && y_ == 0 && idle_beats_ == 0);
   set(start_, x_ == 0);
-  set(last_, row_end && !lost && !idle_next_);
+  set(last_, row_end && !lost && idle_beats_ == 0);
   set(live_, live);
-  set(end_, frame_end && !idle_next_);
-  set(idle_, idle_next_);
-  if (idle_ && idle_next_) {
-    idle_next_ = false;
+  set(end_, frame_end && idle_beats_ == 0);
+  set(idle_, idle_beats_ != 0);
+  if (idle_beats_ != 0) {
+    --idle_beats_;
     return;
   }
-  idle_next_ = idle_ && frame_end;
+  // Mostly one; `objects` says in them what it has not said yet.
+  if (idle_ && frame_end) idle_beats_ = rng_.chance(3) ? static_cast<unsigned>(rng_.between(1, 900)) : 1;
   advance();
 }
 
@@ -131,9 +133,9 @@ void RasterStimulus::advance() {
   if (++y_ < height_ && !(kind_ == Kind::ragged && rng_.chance(20))) return;
   y_ = 0;
   if (!fixed_geometry_ && rng_.chance(4)) {
-    const bool idle = idle_next_;
+    const unsigned idle = idle_beats_;
     choose();
-    idle_next_ = idle;
+    idle_beats_ = idle;
   }
 }
 

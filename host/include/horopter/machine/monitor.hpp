@@ -39,6 +39,9 @@ struct Settings {
   double self_percent = 100.0 / 15;  ///< of 15·k²; a window whose directions vary less is no texture. Default: k²
   // Of both:
   double alarm_percent = hls::percent::alarm_limit;  ///< of the result's pixels; more skin pixels are an alarm
+  /// An object on the skin that is this many px across in the left image is an alarm; 0 = none is. object_limit() says how
+  /// many pixels that is.
+  double object_px = 100;
   /// Of supported_pixels (support.hpp); more are a fault. Noise alone leaves more undecidable with `thesis`; `compete`
   /// decides some of it, the more the stronger it is (its votes gather in patches).
   double undecidable_percent = 80;
@@ -99,8 +102,10 @@ struct FrameResult {
   std::int64_t skin_pixels = 0;
   std::int64_t undecidable_pixels = 0;
   std::int64_t unsupervised_pixels = 0;
-  std::int64_t hidden_pixels = 0;    ///< undecidable: something nearer than the skin is seen there
-  std::int64_t unproven_pixels = 0;  ///< undecidable: nothing shows that both cameras see their place
+  std::int64_t largest_object_pixels = 0;  ///< pixels in the skin that touch each other
+  std::int64_t object_limit_pixels = 0;    ///< an object of so many is an alarm
+  std::int64_t hidden_pixels = 0;          ///< undecidable: something nearer than the skin is seen there
+  std::int64_t unproven_pixels = 0;        ///< undecidable: nothing shows that both cameras see their place
   Agreement agreement;
   bool alarm = false;
   bool safe = false;
@@ -113,6 +118,10 @@ struct FrameResult {
   Scan scan = Scan::progressive;
   std::optional<double> skin_time_s;  ///< of a moving skin's motion
 };
+
+/// Pixels of the result of which an object is an alarm: half the disc that is settings.object_px across, for what the
+/// windows, places without texture and the majority leave of it. More than a frame has where none is.
+std::int64_t object_limit(const Settings& settings, const MachineProfile& profile);
 
 class Monitor {
  public:

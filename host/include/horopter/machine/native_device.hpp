@@ -86,6 +86,7 @@ class NativeDevice : public Device {
     std::uint32_t misses = 0;
     std::uint32_t hidden = 0;
     std::uint32_t unproven_pixels = 0;
+    std::array<std::uint32_t, 3> object{};      ///< FRAME_OBJECT and the two registers after it
     std::array<std::uint32_t, 11> agreement{};  ///< FRAME_AGREEMENT to FRAME_CONTRAST_RIGHT
     std::array<std::uint32_t, 64> regions{};    ///< FRAME_REGION
   };

@@ -19,7 +19,7 @@ struct RegisterField {
 };
 
 // clang-format off
-inline constexpr std::array<RegisterField, 220> kRegisterFields = {{
+inline constexpr std::array<RegisterField, 228> kRegisterFields = {{
     {0x000, "value", {0, 32}, "0x484F524F"},
     {0x004, "minor", {0, 16}, "Counts compatible additions."},
     {0x004, "major", {16, 16}, "Counts incompatible changes."},
@@ -138,10 +138,11 @@ inline constexpr std::array<RegisterField, 220> kRegisterFields = {{
     {0x0E4, "hidden", {14, 1}, "For HIDDEN frames, too much of the skin has stood behind something nearer to the cameras."},
     {0x0E4, "settings", {15, 1}, "A bit of a register, or of what a frame has sampled of it, fell over; until that register is written again."},
     {0x0E4, "restart", {16, 1}, "restart_i has been held for 255 frames: a button that is stuck, or a broken wire."},
+    {0x0E4, "objects", {17, 1}, "More objects, or more of them in one row, than the machine can tell apart (hls/stages/objects.hpp)."},
     {0x0E8, "base_word64", {0, 16}, "Index of its first 64-bit word."},
     {0x0E8, "end_word64", {16, 16}, "Index after the last one, modulo 65536: it takes (end - base) modulo 65536 words, and all 65536 where that is 0."},
     {0x100, "value", {0, 32}, "0 = none yet."},
-    {0x104, "alarm", {0, 1}, "More skin pixels than ALARM_LIMIT."},
+    {0x104, "alarm", {0, 1}, "More skin pixels than ALARM_LIMIT, or an object of OBJECT_LIMIT."},
     {0x104, "safe", {1, 1}, "Complete, free of faults and of alarm."},
     {0x104, "slot", {2, 4}, "Slot of the table that made it, 15 = none."},
     {0x108, "left_short_line", {0, 1}, "A line of the left camera ended early; the whole row counts as missing."},
@@ -195,6 +196,7 @@ inline constexpr std::array<RegisterField, 220> kRegisterFields = {{
     {0x12C, "hidden", {14, 1}, "For HIDDEN frames, too much of the skin has stood behind something nearer to the cameras."},
     {0x12C, "settings", {15, 1}, "A bit of a register, or of what a frame has sampled of it, fell over; until that register is written again."},
     {0x12C, "restart", {16, 1}, "restart_i has been held for 255 frames: a button that is stuck, or a broken wire."},
+    {0x12C, "objects", {17, 1}, "More objects, or more of them in one row, than the machine can tell apart (hls/stages/objects.hpp)."},
     {0x130, "prove", {0, 1}, "1 = clear is earned. 0 = a pixel is clear where images do not agree; nothing else is checked."},
     {0x130, "nearer_below", {1, 1}, "1 = shifts below 0 are nearer to the cameras than the skin."},
     {0x130, "nearer_above", {2, 1}, "1 = shifts above 0 are."},
@@ -240,6 +242,12 @@ inline constexpr std::array<RegisterField, 220> kRegisterFields = {{
     {0x19C, "textured", {0, 10}, "With texture."},
     {0x19C, "explained", {10, 10}, "Of these: explained."},
     {0x19C, "nearer", {20, 10}, "Of these: nearer than the skin."},
+    {0x1A0, "pixels", {0, 24}, "Pixels of the result; more than the result has = never."},
+    {0x1A4, "pixels", {0, 24}, "Pixels of the result; 0 = none."},
+    {0x1A8, "left", {0, 12}, "First column, px of the result."},
+    {0x1A8, "right", {16, 12}, "Last column."},
+    {0x1AC, "top", {0, 12}, "First row."},
+    {0x1AC, "bottom", {16, 12}, "Last row."},
 }};
 // clang-format on
 

@@ -554,6 +554,8 @@ inline constexpr Field kHidden{14, 1};
 inline constexpr Field kSettings{15, 1};
 /// restart_i has been held for 255 frames: a button that is stuck, or a broken wire.
 inline constexpr Field kRestart{16, 1};
+/// More objects, or more of them in one row, than the machine can tell apart (hls/stages/objects.hpp).
+inline constexpr Field kObjects{17, 1};
 }  // namespace faults_machine
 
 /// Where the table in MAP_SLOT lies in the pool; 0 without a table. Means nothing in the 100 clocks after the third
@@ -580,7 +582,7 @@ inline constexpr Field kValue{0, 32};
 namespace frame_status {
 inline constexpr std::uint32_t kAddress = 0x104;
 inline constexpr Access kAccess = Access::kReadOnly;
-/// More skin pixels than ALARM_LIMIT.
+/// More skin pixels than ALARM_LIMIT, or an object of OBJECT_LIMIT.
 inline constexpr Field kAlarm{0, 1};
 /// Complete, free of faults and of alarm.
 inline constexpr Field kSafe{1, 1};
@@ -761,6 +763,8 @@ inline constexpr Field kHidden{14, 1};
 inline constexpr Field kSettings{15, 1};
 /// restart_i has been held for 255 frames: a button that is stuck, or a broken wire.
 inline constexpr Field kRestart{16, 1};
+/// More objects, or more of them in one row, than the machine can tell apart (hls/stages/objects.hpp).
+inline constexpr Field kObjects{17, 1};
 }  // namespace frame_faults_machine
 
 /// Whether both cameras see the same world, compared coarsely over all depths. Locked while CONTROL.enable is 1.
@@ -1016,6 +1020,44 @@ inline constexpr Field kExplained{10, 10};
 inline constexpr Field kNearer{20, 10};
 }  // namespace frame_region
 
+/// An object, pixels in the skin that touch each other, of this many pixels is an alarm, at once
+/// (hls/stages/objects.hpp).
+namespace object_limit {
+inline constexpr std::uint32_t kAddress = 0x1A0;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0x3E8;
+/// Pixels of the result; more than the result has = never.
+inline constexpr Field kPixels{0, 24};
+}  // namespace object_limit
+
+/// The largest object; this and the following two change some clocks before the others.
+namespace frame_object {
+inline constexpr std::uint32_t kAddress = 0x1A4;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Pixels of the result; 0 = none.
+inline constexpr Field kPixels{0, 24};
+}  // namespace frame_object
+
+/// Its box.
+namespace frame_object_columns {
+inline constexpr std::uint32_t kAddress = 0x1A8;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// First column, px of the result.
+inline constexpr Field kLeft{0, 12};
+/// Last column.
+inline constexpr Field kRight{16, 12};
+}  // namespace frame_object_columns
+
+/// Its box.
+namespace frame_object_rows {
+inline constexpr std::uint32_t kAddress = 0x1AC;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// First row.
+inline constexpr Field kTop{0, 12};
+/// Last row.
+inline constexpr Field kBottom{16, 12};
+}  // namespace frame_object_rows
+
 /// Every fault, as its bit of 64: FAULTS_CAMERAS is the lower word, FAULTS_MACHINE the upper.
 enum class Fault : std::uint8_t {
   left_short_line = 0,
@@ -1061,6 +1103,7 @@ enum class Fault : std::uint8_t {
   hidden = 46,
   settings = 47,
   restart = 48,
+  objects = 49,
 };
 
 struct NamedFault {
@@ -1068,7 +1111,7 @@ struct NamedFault {
   std::string_view name;
 };
 
-inline constexpr std::array<NamedFault, 43> kFaults = {{
+inline constexpr std::array<NamedFault, 44> kFaults = {{
     {Fault::left_short_line, "left_short_line"},
     {Fault::left_long_line, "left_long_line"},
     {Fault::left_missing_line, "left_missing_line"},
@@ -1112,6 +1155,7 @@ inline constexpr std::array<NamedFault, 43> kFaults = {{
     {Fault::hidden, "hidden"},
     {Fault::settings, "settings"},
     {Fault::restart, "restart"},
+    {Fault::objects, "objects"},
 }};
 
 /// One line of the register map.
@@ -1122,7 +1166,7 @@ struct Register {
   bool locked;  ///< writes are refused while CONTROL.enable is 1
 };
 
-inline constexpr std::array<Register, 80> kRegisters = {{
+inline constexpr std::array<Register, 84> kRegisters = {{
     {"id", 0x000, Access::kReadOnly, false},
     {"version", 0x004, Access::kReadOnly, false},
     {"build_size", 0x008, Access::kReadOnly, false},
@@ -1203,6 +1247,10 @@ inline constexpr std::array<Register, 80> kRegisters = {{
     {"frame_unproven_pixels", 0x194, Access::kReadOnly, false},
     {"region_select", 0x198, Access::kReadWrite, false},
     {"frame_region", 0x19C, Access::kReadOnly, false},
+    {"object_limit", 0x1A0, Access::kReadWrite, false},
+    {"frame_object", 0x1A4, Access::kReadOnly, false},
+    {"frame_object_columns", 0x1A8, Access::kReadOnly, false},
+    {"frame_object_rows", 0x1AC, Access::kReadOnly, false},
 }};
 
 }  // namespace horopter::registers

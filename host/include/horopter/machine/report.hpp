@@ -19,6 +19,8 @@ struct Region {
   int width = 0;
   int height = 0;
   std::int64_t pixels = 0;
+  double centroid_x = 0;
+  double centroid_y = 0;
   friend bool operator==(const Region&, const Region&) = default;
 };
 

@@ -37,8 +37,8 @@ class RasterStimulus : public Stimulus {
   Index first_, start_, last_, live_, end_, idle_, prime_, load_;
   Index width_port_, height_port_, spacing_port_;
   Kind kind_ = Kind::frames, next_kind_ = Kind::frames;
-  unsigned width_ = 0, height_ = 0, row_ = 0, x_ = 0, y_ = 0, any_beats_ = 0, spacing_x_log2_ = 0;
-  bool fixed_geometry_ = false, idle_next_ = false, primed_ = false, cut_off_ = false;
+  unsigned width_ = 0, height_ = 0, row_ = 0, x_ = 0, y_ = 0, any_beats_ = 0, spacing_x_log2_ = 0, idle_beats_ = 0;
+  bool fixed_geometry_ = false, primed_ = false, cut_off_ = false;
 };
 
 }  // namespace horopter::tb

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "object.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "horopter/base/error.hpp"
+#include "horopter/plan/plan.hpp"
+#include "horopter/skin/rig_skin.hpp"
+#include "inputs.hpp"
+
+namespace horopter::cli {
+namespace {
+
+/// Windows of 9×9 pixels and a majority of 7×7 leave nothing certain of what is smaller.
+constexpr double kSmallest_px = 16, kLargest_px = 1000, kSmallest_mm = 5, kLargest_mm = 2000;
+
+void parse(const std::string& text, ObjectOption& option) {
+  const bool in_mm = text.ends_with("mm");
+  const std::string number = text.substr(0, text.size() - (in_mm || text.ends_with("px") ? 2 : 0));
+  double value = 0;
+  const bool is_number = CLI::detail::lexical_cast(number, value) && std::isfinite(value);
+  const bool never = is_number && value == 0 && !in_mm;
+  const double smallest = in_mm ? kSmallest_mm : kSmallest_px, largest = in_mm ? kLargest_mm : kLargest_px;
+  if (!is_number || (!never && (value < smallest || value > largest))) {
+    throw CLI::ValidationError(
+        "--object", fmt::format("'{}'; expected {:g} to {:g} px, as in 72px, or {:g} to {:g} mm, as in 40mm, or 0",
+                                text, kSmallest_px, kLargest_px, kSmallest_mm, kLargest_mm));
+  }
+  option.mm.reset();
+  (in_mm ? option.mm.emplace() : option.px) = value;
+}
+
+}  // namespace
+
+void add_object(CLI::App& command, ObjectOption& option) {
+  command
+      .add_option_function<std::string>(
+          "--object", [&option](const std::string& text) { parse(text, option); },
+          "Alarm for an object on the skin this large across, at once: px of the left image, or mm with a rig; 0: only "
+          "--alarm-limit counts")
+      ->type_name("SIZE")
+      ->default_str(fmt::format("{:g}px", option.px));
+}
+
+void set_object(const ObjectOption& option, const std::string& skin, const std::optional<calib::Rig>& rig,
+                const MachineProfile& profile, int image_width, int image_height, Settings& settings) {
+  settings.object_px = option.px;
+  if (!option.mm) return;
+  SkinFile file;
+  if (!is_table(skin) && !is_moving_skin(skin)) file = load_skin_for(skin, rig, image_width, image_height);
+  const auto* in_space = dynamic_cast<const RigSkin*>(file.skin.get());
+  if (in_space == nullptr) {
+    throw UsageError(
+        "--object in mm needs a surface that does not move, and cameras: a skin.yaml of the rig's world, and --rig; in px it "
+        "needs neither");
+  }
+  const ScanGeometry geometry = scans_of(profile, image_width, image_height).front();
+  try {
+    constexpr double kAny_px = 1;  // only the distance is asked for
+    const ThicknessPlan plan = plan_thickness(in_space->cameras(), *in_space->surface(), profile, geometry, kAny_px);
+    settings.object_px = StereoAxis(in_space->cameras()).f_px * *option.mm / plan.distance.largest;
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(fmt::format("--object: {}", error.what()));
+  }
+  if (!(settings.object_px >= kSmallest_px)) {
+    throw UsageError(fmt::format(
+        "{:g} mm are {:.1f} px where the skin is farthest away; the smallest that windows and "
+        "majority leave anything certain of is {:g} px, {:.0f} mm here",
+        *option.mm, settings.object_px, kSmallest_px, std::ceil(*option.mm * kSmallest_px / settings.object_px)));
+  }
+}
+
+std::string object_text(const ObjectOption& option, const Settings& settings, const MachineProfile& profile) {
+  if (settings.object_px <= 0) return "none is an alarm by itself";
+  const std::string mm = option.mm ? fmt::format("{:g} mm, ", *option.mm) : "";
+  return fmt::format("{}{:.0f} px across, {} pixels of the result", mm, settings.object_px,
+                     object_limit(settings, profile));
+}
+
+}  // namespace horopter::cli

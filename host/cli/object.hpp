@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// --object: how large an object on the skin must be to be an alarm.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "commands.hpp"
+#include "horopter/base/profile.hpp"
+#include "horopter/calib/rig.hpp"
+#include "horopter/machine/monitor.hpp"
+
+namespace horopter::cli {
+
+/// What was asked for: px, or mm of a body that is to be found wherever it is in the skin.
+struct ObjectOption {
+  double px = Settings().object_px;
+  std::optional<double> mm;
+};
+
+void add_object(CLI::App& command, ObjectOption& option);
+
+/// Sets settings.object_px. A body of so many mm has the fewest px where the skin is farthest away. Throws UsageError for mm
+/// of a skin without a surface in a rig's world, or of one that moves, and where it is less than an object can be.
+void set_object(const ObjectOption& option, const std::string& skin, const std::optional<calib::Rig>& rig,
+                const MachineProfile& profile, int image_width, int image_height, Settings& settings);
+
+/// "72 px across, 2036 pixels of the result", with mm where they were asked for.
+std::string object_text(const ObjectOption& option, const Settings& settings, const MachineProfile& profile);
+
+}  // namespace horopter::cli
