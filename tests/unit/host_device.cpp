@@ -624,7 +624,7 @@ TEST_CASE("Regions are the connected groups of the skin") {
   set(2, 3);
   set(8, 5);
   states.at(5, 5) = static_cast<std::uint8_t>(State::undecidable);
-  CHECK(regions_of(states) == std::vector<Region>{{1, 1, 2, 3, 3}, {8, 5, 1, 1, 1}});
+  CHECK(regions_of(states) == std::vector<Region>{{1, 1, 2, 3, 3, 5.0 / 3, 2}, {8, 5, 1, 1, 1, 8, 5}});
   CHECK(regions_of(Image(10, 6)).empty());
   CHECK(state_picture(states).at(2, 2) == 255);
   CHECK(state_picture(states).at(5, 5) == 128);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "horopter/draw/map_draw.hpp"
+#include "horopter/draw/overlay.hpp"
 #include "horopter/draw/plot.hpp"
 
 using namespace horopter;
@@ -68,8 +69,8 @@ TEST_CASE("A picture of thickness is framed, and its scale runs from the thinnes
   constexpr int kHeight = 120;
   std::vector<double> mm(static_cast<std::size_t>(kWidth) * kHeight, NAN);
   for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth / 2; ++x)
-      mm[static_cast<std::size_t>(y * kWidth + x)] = 10.0 + 10.0 * x / (kWidth / 2 - 1);
+    constexpr int kHalf = kWidth / 2;
+    for (int x = 0; x < kHalf; ++x) mm[static_cast<std::size_t>(y * kWidth + x)] = 10.0 + 10.0 * x / (kHalf - 1);
   }
   const ThicknessPicture drawn = draw_thickness(kWidth, kHeight, mm, "Thickness");
   CHECK(drawn.thinnest_mm == 10);
@@ -104,4 +105,26 @@ TEST_CASE("Pictures one below the other are of one width") {
   CHECK(both.height == 2);
   CHECK(both.bgr == std::vector<std::uint8_t>{1, 2, 3, 4, 5, 6, 1, 2, 3, 4, 5, 6});
   CHECK_THROWS_AS(one_below_other({one, {1, 1, {1, 2, 3}}}), std::invalid_argument);
+}
+
+TEST_CASE("An overlay frames objects that are an alarm in red, with their size, and others in yellow") {
+  const int width = 320, height = 240;
+  FrameResult result;
+  result.states = Image(width, height);
+  for (int y = 100; y < 160; ++y) {
+    for (int x = 50; x < 130; ++x) result.states.at(x, y) = static_cast<std::uint8_t>(State::skin);
+    for (int x = 200; x < 230; ++x) result.states.at(x, y) = static_cast<std::uint8_t>(State::skin);
+  }
+  result.object_limit_pixels = 3000;
+  const Picture overlay = draw_overlay(Image(width, height, 90), result);
+  const int bar = overlay.height - overlay.width * height / width;  // above the picture
+  const int scale = overlay.width / width;
+  const auto corner = [&](int x, int y) { return at(overlay, scale * x, bar + scale * y); };
+  CHECK(corner(50, 130).red > 200);
+  CHECK(corner(50, 130).green < 80);
+  CHECK(corner(200, 130).red > 200);
+  CHECK(corner(200, 130).green > 200);
+  result.object_limit_pixels = 0;  // none is
+  const Picture none = draw_overlay(Image(width, height, 90), result);
+  CHECK(at(none, scale * 50, bar + scale * 130).green > 200);
 }

@@ -185,6 +185,15 @@ double matrix_rms(const Eigen::Matrix<double, 3, 4>& m, std::span<const PointPai
   return std::sqrt(sum / static_cast<double>(points.size()));
 }
 
+/// What follows from points need not be a camera.
+CameraModel found_model(const Intrinsics& intrinsics) {
+  try {
+    return CameraModel(intrinsics);
+  } catch (const std::invalid_argument& error) {
+    throw CalibrationError(fmt::format("the points determine no camera: {}", error.what()));
+  }
+}
+
 /// The linear method: `result` gets the physical camera in the matrix of (6.6).
 void calibrate_linearly(std::span<const PointPair> points, const Sensor& sensor, PointCalibration& result) {
   const Eigen::Matrix<double, 3, 4> m = direct_linear_transform(points);
@@ -194,7 +203,7 @@ void calibrate_linearly(std::span<const PointPair> points, const Sensor& sensor,
   tsai.cx_px = physical.cx_px;
   tsai.cy_px = physical.cy_px;
   result.matrix_rms_px = matrix_rms(m, points);
-  result.camera.model = CameraModel(tsai);
+  result.camera.model = found_model(tsai);
   result.camera.world_to_camera = physical.world_to_camera;
   JointProblem problem = problem_of(points, tsai, physical.world_to_camera);
   FreeParameters& free = problem.cameras[0].free;
@@ -300,7 +309,7 @@ void check_focal_length(const JointProblem& problem, bool coplanar) {
 
 /// Takes camera, parameters and deviations from the solved problem. Only tz of the pose was free if not `pose_free`.
 void take_solution(JointProblem problem, bool pose_free, PointCalibration& result) {
-  result.camera.model = CameraModel(problem.cameras[0].intrinsics);
+  result.camera.model = found_model(problem.cameras[0].intrinsics);
   result.camera.world_to_camera = problem.views[0].target_to_rig;
   if (!pose_free) problem.views[0].free = {false, false, false, false, false, true};
   const JointCovariance sd = covariance(problem);

@@ -57,8 +57,21 @@ Picture draw_overlay(const Image& left, const FrameResult& result) {
   cv::resize(small, picture, {}, factor, factor, cv::INTER_NEAREST);
 
   const auto smallest = std::max<std::int64_t>(16, static_cast<std::int64_t>(states.pixels.size()) / 2000);
-  const cv::Scalar yellow(0, 220, 255);
+  const cv::Scalar yellow(0, 220, 255), red(40, 40, 230), white(255, 255, 255);
+  int number = 0;  // of the objects that are an alarm, the largest first
   for (const Region& region : regions_of(states)) {
+    const bool alarm = result.object_limit_pixels > 0 && region.pixels >= result.object_limit_pixels;
+    if (alarm) {
+      const cv::Point corner(region.x * factor, region.y * factor);
+      cv::rectangle(picture, corner, {(region.x + region.width) * factor - 1, (region.y + region.height) * factor - 1},
+                    red, 3);
+      const std::string label = fmt::format("{}: {} px", ++number, region.pixels);
+      for (const auto& [colour, thickness] : {std::pair{red, 4}, {white, 1}}) {
+        cv::putText(picture, label, corner + cv::Point(5, 17), cv::FONT_HERSHEY_SIMPLEX, 0.45, colour, thickness,
+                    cv::LINE_AA);
+      }
+      continue;
+    }
     if (region.pixels < smallest) continue;
     cv::rectangle(picture, {region.x * factor, region.y * factor},
                   {(region.x + region.width) * factor - 1, (region.y + region.height) * factor - 1}, yellow, 2);
