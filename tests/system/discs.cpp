@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bodies of a known size on the skin: what of them is one object, for both rules (docs/use.md, "The limits").
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "horopter/hls/table_format.hpp"
+#include "stages/engine.hpp"
+
+using namespace horopter;
+
+namespace {
+
+constexpr int kWidth = 320, kHeight = 240;
+
+struct Picture {
+  std::vector<std::uint8_t> pixels = std::vector<std::uint8_t>(std::size_t{kWidth} * kHeight);
+  std::uint8_t& at(int x, int y) { return pixels[static_cast<std::size_t>(y * kWidth + x)]; }
+  [[nodiscard]] native::ImageView view() const { return {pixels.data(), kWidth, kHeight, kWidth}; }
+};
+
+/// Squares of three sizes on top of each other, and noise of a camera.
+Picture textured(std::mt19937& random) {
+  Picture picture;
+  std::vector<int> sum(picture.pixels.size());
+  std::uniform_int_distribution<int> grey(-38, 38), noise(-2, 2);
+  for (const int size : {3, 7, 16}) {
+    std::vector<int> squares(static_cast<std::size_t>((kWidth / size + 1) * (kHeight / size + 1)));
+    for (int& square : squares) square = grey(random);
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) {
+        sum[static_cast<std::size_t>(y * kWidth + x)] +=
+            squares[static_cast<std::size_t>(y / size * (kWidth / size + 1) + x / size)];
+      }
+    }
+  }
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    picture.pixels[i] = static_cast<std::uint8_t>(std::clamp(128 + sum[i] + noise(random), 1, 254));
+  }
+  return picture;
+}
+
+}  // namespace
+
+TEST_CASE("a textured disc on the skin is an object of at least half its area") {
+  const auto engine = native::make_engine("vga");
+  const auto table = hls::table::write({kWidth, kHeight, 4, 4}, {}, [](int column, int row) {
+    return hls::table::encode_control(column * 16, row * 16);
+  });
+  std::mt19937 random(5);
+  for (const bool compete : {false, true}) {
+    for (const int diameter_px : {24, 40, 72, 100}) {
+      auto settings = native::Settings::defaults(engine->profile(), kWidth, kHeight).without_proof();
+      settings.compete = compete ? 1 : 0;
+      const double half = std::numbers::pi / 8 * diameter_px * diameter_px;
+      settings.object_limit = static_cast<int>(half);
+      double least = 2, most_elsewhere = 0;
+      for (int n = 0; n < 25; ++n) {
+        Picture left = textured(random);
+        const Picture right = textured(random);
+        const auto free = [&](int size) {
+          return std::uniform_int_distribution<int>(diameter_px / 2 + 24, size - diameter_px / 2 - 24)(random);
+        };
+        const int centre_x = free(kWidth), centre_y = free(kHeight);
+        const auto empty = engine->process(left.view(), right.view(), native::TableView(table), settings);
+        for (const auto& object : empty.objects) most_elsewhere = std::max(most_elsewhere, object.pixels / half);
+        for (int y = 0; y < kHeight; ++y) {
+          for (int x = 0; x < kWidth; ++x) {
+            if (std::hypot(x - centre_x, y - centre_y) <= diameter_px / 2.0) {
+              const int noisy =
+                  right.pixels[static_cast<std::size_t>(y * kWidth + x)] + static_cast<int>(random() % 5) - 2;
+              left.at(x, y) = static_cast<std::uint8_t>(std::clamp(noisy, 1, 254));
+            }
+          }
+        }
+        const auto result = engine->process(left.view(), right.view(), native::TableView(table), settings);
+        int largest = 0;
+        for (const auto& object : result.objects) largest = std::max(largest, object.pixels);
+        least = std::min(least, largest / (2 * half));
+        CAPTURE(compete, diameter_px, n, largest);
+        CHECK(result.alarm);
+      }
+      std::printf("%s, %3d px: at least %.2f of the disc; without it at most %.2f of the limit\n",
+                  compete ? "compete" : "thesis", diameter_px, least, most_elsewhere);
+      CHECK(least >= 0.5);
+    }
+  }
+}
