@@ -47,12 +47,13 @@ struct ScenarioKind {
   bool live;
   int noise_grey;  ///< largest, of each camera
   bool barely;     ///< the limit is just below what there is of it
+  bool by_object;  ///< the alarm is that of the object alone, else that of the share of the image
 };
 constexpr auto kScenarios = std::to_array<ScenarioKind>({
-    {"always", Object::always, true, 0, false},
-    {"comes", Object::comes, false, 0, false},
-    {"barely", Object::comes, true, 0, true},
-    {"noise", Object::comes, true, 4, false},
+    {"always", Object::always, true, 0, false, false},
+    {"comes", Object::comes, false, 0, false, false},
+    {"barely", Object::comes, true, 0, true, false},
+    {"noise", Object::comes, true, 4, false, true},
 });
 
 void add_noise(tb::Image& image, int largest, tb::Rng& rng) {
@@ -95,7 +96,9 @@ Scenario make_scenario(const ScenarioKind& kind, const Options& options, std::op
                                              static_cast<int>(scenario.width), static_cast<int>(scenario.height))
                       .without_proof();  // too few cells for one
   settings.compete = options.rule == "compete" ? 1 : 0;
-  settings.object_limit = static_cast<int>(scenario.width * scenario.height) + 1;  // the share of the image counts
+  const int never = static_cast<int>(scenario.width * scenario.height) + 1;
+  settings.object_limit = kind.by_object ? 300 : never;
+  if (kind.by_object) settings.alarm_limit = never;
   if (alarm_limit) settings.alarm_limit = static_cast<int>(*alarm_limit);
   auto& setup = scenario.setup;
   setup = {{reg::mode::kAddress, reg::mode::kLive.put(scenario.live ? 1 : 0)},
