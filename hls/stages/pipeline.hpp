@@ -155,6 +155,13 @@ struct FrameResult {
   bool identical_images = false;  // the same signature
   Agreement agreement;
   bool one_camera = false;  // the same but for noise, compression or gain
+
+  /// The first that ended of those with the most pixels; none without pixels.
+  [[nodiscard]] Object largest_object() const {
+    const auto smaller = [](const Object& a, const Object& b) { return a.pixels < b.pixels; };
+    const auto largest = std::max_element(objects.begin(), objects.end(), smaller);
+    return largest == objects.end() ? Object{} : *largest;
+  }
 };
 
 template <hls::Profile P>

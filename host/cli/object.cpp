@@ -26,11 +26,43 @@ void parse(const std::string& text, ObjectOption& option) {
   const double smallest = in_mm ? kSmallest_mm : kSmallest_px, largest = in_mm ? kLargest_mm : kLargest_px;
   if (!is_number || (!never && (value < smallest || value > largest))) {
     throw CLI::ValidationError(
-        "--object", fmt::format("'{}'; expected {:g} to {:g} px, as in 72px, or {:g} to {:g} mm, as in 40mm, or 0",
+        "--object", fmt::format("'{}'; expected {:g} to {:g} px, as in 100px, or {:g} to {:g} mm, as in 40mm, or 0",
                                 text, kSmallest_px, kLargest_px, kSmallest_mm, kLargest_mm));
   }
+  option.given = true;
   option.mm.reset();
   (in_mm ? option.mm.emplace() : option.px) = value;
+}
+
+/// Of a body of so many mm, where the skin is farthest away.
+double farthest_px(double mm, const std::string& skin, const std::optional<calib::Rig>& rig,
+                   const MachineProfile& profile, int image_width, int image_height) {
+  SkinFile file;
+  if (!is_table(skin) && !is_moving_skin(skin)) file = load_skin_for(skin, rig, image_width, image_height);
+  const auto* in_space = dynamic_cast<const RigSkin*>(file.skin.get());
+  if (in_space == nullptr) {
+    throw UsageError(
+        "--object in mm needs a surface that does not move, and cameras: a skin.yaml of the rig's world, and --rig; in px it "
+        "needs neither");
+  }
+  const ScanGeometry geometry = scans_of(profile, image_width, image_height).front();
+  double object_px = 0;
+  try {
+    constexpr double kAny_px = 1;  // only the distance is asked for
+    const ThicknessPlan plan = plan_thickness(in_space->cameras(), *in_space->surface(), profile, geometry, kAny_px);
+    if (plan.supervised == 0) throw UsageError("--object in mm: nothing of the skin is supervised");
+    const calib::CameraModel& left = in_space->cameras().left().model;
+    object_px = std::min(left.fx_px(), left.fy_px()) * mm / plan.distance.largest;
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(fmt::format("--object: {}", error.what()));
+  }
+  if (!(object_px >= kSmallest_px)) {
+    throw UsageError(
+        fmt::format("{:g} mm are {:.1f} px where the skin is farthest away; the smallest that windows and "
+                    "majority leave anything certain of is {:g} px, {:.0f} mm here",
+                    mm, object_px, kSmallest_px, std::ceil(mm * kSmallest_px / object_px)));
+  }
+  return object_px;
 }
 
 }  // namespace
@@ -48,28 +80,12 @@ void add_object(CLI::App& command, ObjectOption& option) {
 void set_object(const ObjectOption& option, const std::string& skin, const std::optional<calib::Rig>& rig,
                 const MachineProfile& profile, int image_width, int image_height, Settings& settings) {
   settings.object_px = option.px;
-  if (!option.mm) return;
-  SkinFile file;
-  if (!is_table(skin) && !is_moving_skin(skin)) file = load_skin_for(skin, rig, image_width, image_height);
-  const auto* in_space = dynamic_cast<const RigSkin*>(file.skin.get());
-  if (in_space == nullptr) {
+  if (option.mm) settings.object_px = farthest_px(*option.mm, skin, rig, profile, image_width, image_height);
+  const int side_px = std::min(image_width, image_height);
+  if (option.given && settings.object_px > side_px) {
     throw UsageError(
-        "--object in mm needs a surface that does not move, and cameras: a skin.yaml of the rig's world, and --rig; in px it "
-        "needs neither");
-  }
-  const ScanGeometry geometry = scans_of(profile, image_width, image_height).front();
-  try {
-    constexpr double kAny_px = 1;  // only the distance is asked for
-    const ThicknessPlan plan = plan_thickness(in_space->cameras(), *in_space->surface(), profile, geometry, kAny_px);
-    settings.object_px = StereoAxis(in_space->cameras()).f_px * *option.mm / plan.distance.largest;
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(fmt::format("--object: {}", error.what()));
-  }
-  if (!(settings.object_px >= kSmallest_px)) {
-    throw UsageError(fmt::format(
-        "{:g} mm are {:.1f} px where the skin is farthest away; the smallest that windows and "
-        "majority leave anything certain of is {:g} px, {:.0f} mm here",
-        *option.mm, settings.object_px, kSmallest_px, std::ceil(*option.mm * kSmallest_px / settings.object_px)));
+        fmt::format("an object of {:.0f} px across does not fit into an image of {}x{}: none would be an alarm",
+                    settings.object_px, image_width, image_height));
   }
 }
 

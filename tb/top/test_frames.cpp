@@ -385,8 +385,7 @@ void early_alarm(const std::string& profile, bool compete, unsigned width, unsig
   const FramePair pair = scene(true);
   const native::FrameResult whole = machine.expected(pair, table);
   CHECK(whole.alarm);
-  REQUIRE(whole.objects.size() >= 1);
-  const auto largest = *std::ranges::max_element(whole.objects, {}, &native::Object::pixels);
+  const native::Object largest = whole.largest_object();
   unsigned row = 0;  // in which it reaches the limit
   for (int pixels = 0; row < height && pixels < 500; ++row) {
     const auto begin = whole.states.begin() + row * static_cast<std::ptrdiff_t>(whole.width);

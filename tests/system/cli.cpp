@@ -98,6 +98,9 @@ TEST_CASE("Thresholds and limits change what they name") {
     CAPTURE(wrong);
     CHECK(box.run(run_arguments() + std::vector<std::string>{"--object", wrong}).status == 2);
   }
+  const auto huge = box.run(run_arguments() + std::vector<std::string>{"--object", "900px"});
+  CHECK(huge.status == 2);
+  CHECK(huge.err.find("does not fit into an image") != std::string::npos);
   const auto nowhere = box.run(run_arguments() + std::vector<std::string>{"--object", "40mm"});
   CHECK(nowhere.status == 2);
   CHECK(nowhere.err.find("--object in mm needs a surface") != std::string::npos);

@@ -68,7 +68,7 @@ TEST_CASE("a textured disc on the skin is an object of at least half its area") 
         };
         const int centre_x = free(kWidth), centre_y = free(kHeight);
         const auto empty = engine->process(left.view(), right.view(), native::TableView(table), settings);
-        for (const auto& object : empty.objects) most_elsewhere = std::max(most_elsewhere, object.pixels / half);
+        most_elsewhere = std::max(most_elsewhere, empty.largest_object().pixels / half);
         for (int y = 0; y < kHeight; ++y) {
           for (int x = 0; x < kWidth; ++x) {
             if (std::hypot(x - centre_x, y - centre_y) <= diameter_px / 2.0) {
@@ -79,8 +79,7 @@ TEST_CASE("a textured disc on the skin is an object of at least half its area") 
           }
         }
         const auto result = engine->process(left.view(), right.view(), native::TableView(table), settings);
-        int largest = 0;
-        for (const auto& object : result.objects) largest = std::max(largest, object.pixels);
+        const int largest = result.largest_object().pixels;
         least = std::min(least, largest / (2 * half));
         CAPTURE(compete, diameter_px, n, largest);
         CHECK(result.alarm);

@@ -126,6 +126,9 @@ TEST_CASE("An object in mm is taken where the skin is farthest away") {
   CHECK(px < 76);
   CHECK(object("40mm")["pixels"].get<double>() == Approx(CV_PI / 8 * px * px).epsilon(0.01));
   CHECK(object("80mm")["px"].get<double>() == Approx(2 * px).margin(0.2));
+  // Turned about the vertical axis it is nearer on one side and farther on the other.
+  box.write("skin.yaml", "surface: {type: plane, point_mm: [0, 0, 300], normal: [0.3, 0, -1]}\n");
+  CHECK(object("40mm")["px"].get<double>() < px - 5);
 }
 
 TEST_CASE("Photographs of two cameras earn clear, and say by what") {

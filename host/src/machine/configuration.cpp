@@ -99,7 +99,8 @@ RegisterWord interlock_word(const Interlock& interlock) {
 
 std::int64_t object_limit(const Settings& settings, const MachineProfile& profile) {
   const std::int64_t frame = std::int64_t{profile.width / profile.subsample} * profile.height;
-  if (settings.object_px <= 0) return frame + 1;
+  if (!(settings.object_px >= 0)) throw UsageError(fmt::format("an object of {} px across", settings.object_px));
+  if (settings.object_px == 0) return frame + 1;
   const double disc = std::numbers::pi / 4 * settings.object_px * settings.object_px;
   const int px_of_image = profile.subsample * profile.fields_per_image();  // in a pixel of the result
   return std::clamp<std::int64_t>(std::llround(disc / 2 / px_of_image), 1, frame + 1);

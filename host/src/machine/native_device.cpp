@@ -68,15 +68,13 @@ std::array<std::uint32_t, 64> region_words(const native::Agreement& a) {
   return words;
 }
 
-std::array<std::uint32_t, 3> object_words(const std::vector<native::Object>& objects) {
-  const auto largest = std::ranges::max_element(objects, {}, &native::Object::pixels);  // the first of equal ones
-  if (largest == objects.end()) return {};
+std::array<std::uint32_t, 3> object_words(const native::Object& object) {
   const auto number = [](int value) { return static_cast<std::uint32_t>(value); };
-  return {number(largest->pixels),
-          reg::frame_object_columns::kLeft.put(number(largest->left)) |
-              reg::frame_object_columns::kRight.put(number(largest->right)),
-          reg::frame_object_rows::kTop.put(number(largest->top)) |
-              reg::frame_object_rows::kBottom.put(number(largest->bottom))};
+  return {number(object.pixels),
+          reg::frame_object_columns::kLeft.put(number(object.left)) |
+              reg::frame_object_columns::kRight.put(number(object.right)),
+          reg::frame_object_rows::kTop.put(number(object.top)) |
+              reg::frame_object_rows::kBottom.put(number(object.bottom))};
 }
 
 native::ImageView view(const Image& image) { return {image.pixels.data(), image.width, image.height, image.width}; }
@@ -475,7 +473,7 @@ FrameStreams NativeDevice::receive() {
             static_cast<std::uint32_t>(result.store_misses),
             static_cast<std::uint32_t>(result.hidden_pixels),
             static_cast<std::uint32_t>(result.unproven_pixels),
-            object_words(result.objects),
+            object_words(result.largest_object()),
             agreement_words(result.agreement),
             region_words(result.agreement)};
 

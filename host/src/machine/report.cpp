@@ -80,7 +80,8 @@ nlohmann::ordered_json frame_json(int frame, const std::string& left, const std:
                               {"unproven_pixels", result.unproven_pixels},
                               {"regions", nlohmann::ordered_json::array()},
                               {"faults", result.faults.names()}};
-  for (const Region& region : regions_of(result.states)) {
+  const std::vector<Region> regions = regions_of(result.states);
+  for (const Region& region : regions) {
     json["regions"].push_back({{"x", region.x},
                                {"y", region.y},
                                {"width", region.width},
@@ -88,7 +89,7 @@ nlohmann::ordered_json frame_json(int frame, const std::string& left, const std:
                                {"pixels", region.pixels}});
   }
   json["objects"] = nlohmann::ordered_json::array();
-  for (const Region& region : regions_of(result.states)) {
+  for (const Region& region : regions) {
     if (region.pixels < result.object_limit_pixels) break;
     json["objects"].push_back({{"area_px", region.pixels},
                                {"skin_pixels", region.pixels},
