@@ -60,7 +60,6 @@ module horopter_status #(
     input  logic [3:0]                       table_slot_i,
     input  logic [31:0]                      table_crc_i,
     input  logic                             table_error_i,  // parity of the directory
-    input  logic                             beat_valid_i,
     input  logic                             beat_parity_error_i,  // of the map
     input  logic                             stage_parity_error_i,  // of a stage's memory
     input  logic                             quad_valid_i,
@@ -153,7 +152,7 @@ module horopter_status #(
   logic [1:0] parity_error;
   assign miss = quad_valid_i && quad_miss_i;
   assign parity_error = {quad_valid_i && quad_parity_error_i && left_mask_i, left_parity_error_i};
-  assign internal = output_overflow_i != 2'b00 || (beat_valid_i && beat_parity_error_i) || table_error_i || rows_error_i
+  assign internal = output_overflow_i != 2'b00 || beat_parity_error_i || table_error_i || rows_error_i
       || place_error_i || stage_parity_error_i;
 
   horopter_frame_control u_frame_control (

@@ -17,12 +17,14 @@
 // heartbeat_o                toggles with every finished frame. frame_done_o: one clock, the FRAME registers are new.
 //
 // Parameters fit the memories of a small part: the pool of mapping tables, and the largest LOOKAHEAD, that is the left
-// delay: a larger one is a bad geometry. A profile that has both rules of decision can be built with one of them.
+// delay: a larger one is a bad geometry. A profile that has both rules of decision can be built with one of them. TWICE: what
+// says where each pixel comes from is built twice, against upsets.
 module horopter_top #(
     parameter bit THESIS = horopter_profile_pkg::THESIS,
     parameter bit COMPETE = horopter_profile_pkg::COMPETE,
     parameter int unsigned POOL_BYTES = horopter_profile_pkg::POOL_BYTES,
-    parameter int unsigned MAX_LOOKAHEAD = horopter_profile_pkg::STORE_ROWS / 2
+    parameter int unsigned MAX_LOOKAHEAD = horopter_profile_pkg::STORE_ROWS / 2,
+    parameter bit TWICE = horopter_profile_pkg::COMPETE
 ) (
     input  logic        clk_i,
     input  logic        rst_ni,
@@ -655,10 +657,7 @@ module horopter_top #(
   logic [11:0] table_columns;
   logic [31:0] table_crc, map_even, map_odd;
   logic map_read, map_parity_error;
-  logic go, beat_valid, beat_prime, beat_load, beat_first, beat_last, beat_live, beat_parity_error;
-  logic [31:0] beat_even, beat_odd;
-  logic beat_swapped;
-  logic [5:0] beat_fraction;
+  logic go, beat_parity_error;
 
   always_ff @(posedge clk_i) begin
     if (!core_rst_n) active_slot_q <= horopter_csr_pkg::NO_SLOT;
@@ -710,15 +709,18 @@ module horopter_top #(
       .parity_error_o(map_parity_error)
   );
 
-  horopter_raster #(
-      .WIDTH(WIDTH),
-      .HEIGHT(HEIGHT),
+  logic place_valid, place_present, place_mapped, place_first, place_last, place_live, places_differ;
+  logic [10:0] place_x, place_y;
+  logic [WEIGHT_BITS-1:0] place_wx, place_wy;
+  localparam int unsigned SAID_BITS = 2 * MAP_ADDR_BITS + 2 * WEIGHT_BITS + 34;
+  logic [SAID_BITS-1:0] said;
+  horopter_places #(
+      .COMPETE(COMPETE),
       .FAST(FAST),
-      .FLUSH_ROWS(horopter_profile_pkg::FLUSH_ROWS),
-      .COMPETE_FLUSH_ROWS(COMPETE ? horopter_profile_pkg::COMPETE_FLUSH_ROWS : horopter_profile_pkg::FLUSH_ROWS),
+      .SAYS(TWICE),
       .IN_FLIGHT(IN_FLIGHT),
       .MAP_ADDR_BITS(MAP_ADDR_BITS)
-  ) u_raster (
+  ) u_places (
       .clk_i(clk_i),
       .rst_ni(core_rst_n),
       .width_i(width),
@@ -747,72 +749,87 @@ module horopter_top #(
       .map_even_i(map_even),
       .map_odd_i(map_odd),
       .map_error_i(map_parity_error),
-      .valid_o(beat_valid),
-      .prime_o(beat_prime),
-      .load_o(beat_load),
-      .even_o(beat_even),
-      .odd_o(beat_odd),
-      .swapped_o(beat_swapped),
-      .row_fraction_o(beat_fraction),
-      .first_o(beat_first),
-      .last_o(beat_last),
-      .live_o(beat_live),
-      .map_parity_error_o(beat_parity_error)
-  );
-
-  // ------------------------------------------------------------------------------------------------ right image, transformed
-  logic [15:0] even_x, even_y, odd_x, odd_y;
-  logic even_exists, even_of_skin, odd_exists, odd_of_skin;
-  horopter_control_point u_even_point (
-      .word_i(beat_even),
-      .x_o(even_x),
-      .y_o(even_y),
-      .exists_o(even_exists),
-      .of_skin_o(even_of_skin)
-  );
-  horopter_control_point u_odd_point (
-      .word_i(beat_odd),
-      .x_o(odd_x),
-      .y_o(odd_y),
-      .exists_o(odd_exists),
-      .of_skin_o(odd_of_skin)
-  );
-  logic place_valid, place_present, place_mapped, place_first, place_last, place_live;
-  logic [10:0] place_x, place_y;
-  logic [WEIGHT_BITS-1:0] place_wx, place_wy;
-  horopter_map_expand u_map_expand (
-      .clk_i(clk_i),
-      .rst_ni(core_rst_n),
-      .en_i(1'b1),
-      .valid_i(beat_valid),
-      .prime_i(beat_prime),
-      .load_i(beat_load),
-      .column_top_x_i(even_x),
-      .column_top_y_i(even_y),
-      .column_top_exists_i(even_exists),
-      .column_top_of_skin_i(even_of_skin),
-      .column_bottom_x_i(odd_x),
-      .column_bottom_y_i(odd_y),
-      .column_bottom_exists_i(odd_exists),
-      .column_bottom_of_skin_i(odd_of_skin),
-      .column_swapped_i(beat_swapped),
-      .row_fraction_i(beat_fraction),
-      .marks_first_i(beat_first),
-      .marks_last_i(beat_last),
-      .marks_live_i(beat_live),
-      .cfg_spacing_x_log2_i(table_nx),
+      .map_parity_error_o(beat_parity_error),
       .valid_o(place_valid),
       .x_o(place_x),
       .y_o(place_y),
       .wx_o(place_wx),
       .wy_o(place_wy),
-      .mapped_o(place_mapped),
       .present_o(place_present),
-      .marks_first_o(place_first),
-      .marks_last_o(place_last),
-      .marks_live_o(place_live)
+      .mapped_o(place_mapped),
+      .first_o(place_first),
+      .last_o(place_last),
+      .live_o(place_live),
+      .said_o(said)
   );
+  if (TWICE) begin : g_twice
+    // What comes from another place than the table says is compared with the wrong pixels, and nothing else would tell.
+    logic [SAID_BITS-1:0] said_again;
+    logic unused_slot, unused_begin, unused_active, unused_lookup, unused_map_read, unused_map_parity_error;
+    logic unused_valid, unused_present, unused_mapped, unused_first, unused_last, unused_live;
+    logic [MAP_ADDR_BITS-1:0] unused_map_even_addr, unused_map_odd_addr;
+    logic [10:0] unused_x, unused_y;
+    logic [WEIGHT_BITS-1:0] unused_wx, unused_wy;
+    (* keep_hierarchy *) horopter_places #(
+        .COMPETE(COMPETE),
+        .FAST(FAST),
+        .SAYS(1'b1),
+        .IN_FLIGHT(IN_FLIGHT),
+        .MAP_ADDR_BITS(MAP_ADDR_BITS)
+    ) u_places_again (
+        .clk_i(clk_i),
+        .rst_ni(core_rst_n),
+        .width_i(width),
+        .height_i(height),
+        .lookahead_i(lookahead),
+        .compete_i(sampled_compete),
+        .go_i(go),
+        .busy_i(frame_busy),
+        .slot_o(unused_slot),
+        .left_rows_i(left_rows),
+        .left_ended_i(left_ended),
+        .right_rows_i(right_rows),
+        .right_ended_i(right_ended),
+        .begin_o(unused_begin),
+        .active_o(unused_active),
+        .published_i(published),
+        .lookup_o(unused_lookup),
+        .table_ok_i(table_ok),
+        .table_base_i(table_base),
+        .table_nx_i(table_nx),
+        .table_ny_i(table_ny),
+        .table_columns_i(table_columns),
+        .map_read_o(unused_map_read),
+        .map_even_addr_o(unused_map_even_addr),
+        .map_odd_addr_o(unused_map_odd_addr),
+        .map_even_i(map_even),
+        .map_odd_i(map_odd),
+        .map_error_i(map_parity_error),
+        .map_parity_error_o(unused_map_parity_error),
+        .valid_o(unused_valid),
+        .x_o(unused_x),
+        .y_o(unused_y),
+        .wx_o(unused_wx),
+        .wy_o(unused_wy),
+        .present_o(unused_present),
+        .mapped_o(unused_mapped),
+        .first_o(unused_first),
+        .last_o(unused_last),
+        .live_o(unused_live),
+        .said_o(said_again)
+    );
+    logic [SAID_BITS/8:0] differ_q;
+    always_ff @(posedge clk_i) begin
+      for (int unsigned i = 0; i <= SAID_BITS / 8; i++) differ_q[i] <= core_rst_n && 8'((said ^ said_again) >> (8 * i)) != 8'd0;
+      places_differ <= differ_q != '0;
+    end
+  end else begin : g_once
+    logic unused_said;
+    assign unused_said = ^said;
+    assign places_differ = 1'b0;
+  end
 
+  // ------------------------------------------------------------------------------------------------ right image, transformed
   logic quad_valid, quad_mask, quad_present, quad_first, quad_last, quad_live, quad_miss, quad_parity_error;
   logic [7:0] p00, p01, p10, p11, left_pixel;
   logic swapped_x, swapped_y;
@@ -1192,7 +1209,6 @@ module horopter_top #(
       .table_slot_i(active_slot_q),
       .table_crc_i(table_crc),
       .table_error_i(table_error),
-      .beat_valid_i(beat_valid),
       .beat_parity_error_i(beat_parity_error),
       .stage_parity_error_i(stage_parity_error),
       .quad_valid_i(quad_valid),
@@ -1202,7 +1218,7 @@ module horopter_top #(
       .left_parity_error_i(left_parity_error),
       .output_overflow_i(output_overflow),
       .rows_error_i(rows_error),
-      .place_error_i(place_error != 2'b00),
+      .place_error_i(places_differ || place_error != 2'b00),
       .state_first_i(out_first),
       .state_end_i(out_end),
       .runs_end_i(out_runs_end),
