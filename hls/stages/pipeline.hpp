@@ -112,7 +112,7 @@ struct Agreement {
   std::array<Region, 48> regions{};
 };
 
-/// Pixels in the skin that touch each other (stages/objects.hpp).
+/// Pixels that touch each other and are in the skin or blind (stages/objects.hpp).
 struct Object {
   int pixels = 0;
   int left = 0;  // box: columns and rows, inclusive
@@ -144,6 +144,8 @@ struct FrameResult {
   int unsupervised_pixels = 0;
   int hidden_pixels = 0;         // undecidable: something nearer than the skin is seen there
   int unproven_pixels = 0;       // undecidable: nothing shows that both cameras see their place
+  int blind_pixels = 0;          // undecidable, where that could be decided when it was taught
+  bool taught = false;           // at least one frame was
   std::vector<Object> objects;   // in the order in which they end
   bool object_overflow = false;  // more than can be told apart: some of them are wrong
   bool alarm = false;
@@ -241,6 +243,7 @@ class Pipeline {
     const FrameSettings of_stages(settings, image.width / P.subsample, image.height);
     if constexpr (P.has_thesis()) thesis_rows_.begin(of_stages);
     if constexpr (P.has_compete()) compete_rows_.begin(of_stages);
+    blind_config_ = stages::chain::by_name<typename stages::Blind<P>::Config>(of_stages);
     objects_config_ = stages::chain::by_name<typename stages::Objects<P>::Config>(of_stages);
     health_config_ = stages::chain::by_name<typename Health::Config>(of_stages);
     if (settings.prove != prove_ || image.width != width_ || image.height != height_) hls::reset(agreement_);
@@ -560,12 +563,36 @@ class Pipeline {
         add_object(out.object, result);
       }
     };
+    const bool looks = blind_config_.watch || blind_config_.teach;
+    const auto pixel = [&](const OutOf<stages::Blind<P>>& of) {
+      if (!of.there) return;
+      result.blind_pixels += of.blind ? 1 : 0;
+      step({of.blind || of.state == stages::state::skin, of.first, of.last, false});
+    };
     const std::uint8_t* state = result.states.data();
     for (int y = 0; y < result.height; ++y) {
-      for (int x = 0; x < result.width; ++x) step({*state++, x == 0 && y == 0, x + 1 == result.width, false});
+      for (int x = 0; x < result.width; ++x, ++state) {
+        const bool first = x == 0 && y == 0;
+        const bool last = x + 1 == result.width;
+        // Without both, nothing is blind; that the session has ended it sees by the frame's first pixel.
+        if (looks || first) {
+          const auto of = blind_.step({*state, first, last, false}, blind_config_);
+          result.taught = of.taught;
+          pixel(of);
+        }
+        if (!looks) step({*state == stages::state::skin, first, last, false});
+      }
+    }
+    if (looks) {
+      for (bool done = false; !done;) {
+        const auto fetched = blind_.step({0, false, false, true}, blind_config_);
+        done = fetched.done;
+        result.taught = fetched.taught;
+        pixel(fetched);
+      }
     }
     do {
-      step({0, false, false, true});
+      step({false, false, false, true});
     } while (!out.done);
     result.object_overflow = out.overflow;
     result.alarm |= out.alarm;
@@ -632,6 +659,7 @@ class Pipeline {
   Health right_health_;
   Coarse coarse_;
   Still still_;
+  stages::Blind<P> blind_;
   stages::Objects<P> objects_;
 
   typename stages::MapExpand<P>::Config map_config_;
@@ -640,6 +668,7 @@ class Pipeline {
   int prove_ = 0;
   typename Coarse::Config coarse_config_;
   typename Still::Config still_config_;
+  typename stages::Blind<P>::Config blind_config_;
   typename stages::Objects<P>::Config objects_config_;
 
   std::conditional_t<P.has_thesis(), Strips<P, hls::Rule::thesis>, Nothing> thesis_rows_;

@@ -7,6 +7,7 @@
 // register they are an error. Reset: synchronous, all storage to its reset value.
 // changed_o: a register that the bus writes has changed without a write, and has not been written since (horopter_guard).
 module horopter_csr #(
+    parameter bit BLIND = 1'b1,
     parameter bit BOTH_RULES = 1'b1,
     parameter bit COMPETE = 1'b1,
     parameter logic [11:0] WIDTH_PX_RESET = 12'd0,
@@ -45,6 +46,7 @@ module horopter_csr #(
     input  logic [ 3:0] build_window_hypotheses_i,
     input  logic        build_window_thesis_i,
     input  logic        build_window_compete_i,
+    input  logic        build_window_blind_i,
     input  logic [31:0] build_clock_khz_i,
     input  logic [ 7:0] build_compete_planes_i,
     input  logic [ 3:0] build_compete_sum_rows_i,
@@ -54,7 +56,7 @@ module horopter_csr #(
     output logic        control_enable_o,
     output logic        mode_live_o,
     output logic        mode_test_input_o,
-    input  logic [ 9:0] status_i,
+    input  logic [10:0] status_i,
     output logic [11:0] width_px_o,
     output logic [11:0] height_rows_o,
     output logic [11:0] lookahead_rows_o,
@@ -96,8 +98,8 @@ module horopter_csr #(
     output logic [23:0] map_undecidable_limit_pixels_o,
     input  logic [25:0] faults_cameras_set_i,
     output logic [25:0] faults_cameras_o,
-    input  logic [17:0] faults_machine_set_i,
-    output logic [17:0] faults_machine_o,
+    input  logic [18:0] faults_machine_set_i,
+    output logic [18:0] faults_machine_o,
     input  logic [15:0] map_extent_base_word64_i,
     input  logic [15:0] map_extent_end_word64_i,
     input  logic [31:0] frame_sequence_value_i,
@@ -111,7 +113,7 @@ module horopter_csr #(
     input  logic [31:0] frame_cycles_clocks_i,
     input  logic [31:0] frame_latency_clocks_i,
     input  logic [31:0] frame_tail_clocks_i,
-    input  logic [17:0] frame_faults_machine_i,
+    input  logic [18:0] frame_faults_machine_i,
     output logic [22:0] agreement_o,
     output logic [31:0] agreement_limits_o,
     output logic [ 7:0] hidden_frames_o,
@@ -140,7 +142,9 @@ module horopter_csr #(
     output logic [23:0] object_limit_pixels_o,
     input  logic [23:0] frame_object_pixels_i,
     input  logic [23:0] frame_object_columns_i,
-    input  logic [23:0] frame_object_rows_i
+    input  logic [23:0] frame_object_rows_i,
+    output logic [ 9:0] blocks_o,
+    input  logic [23:0] frame_blind_pixels_i
 );
   // The address is decoded always, into a group of eight words and the word; it counts from the second clock of a write on.
   logic taken_q, write_q;
@@ -163,7 +167,8 @@ module horopter_csr #(
     case (write_addr_i)
       12'h040, 12'h058, 12'h05C, 12'h060, 12'h064, 12'h080, 12'h084, 12'h088, 12'h08C, 12'h094, 12'h0A0, 12'h0A4,
       12'h0A8, 12'h0AC, 12'h0B0, 12'h0B4, 12'h0B8, 12'h0BC, 12'h0C0, 12'h0C4, 12'h0DC, 12'h0E0, 12'h0E4, 12'h134,
-      12'h138, 12'h13C, 12'h140, 12'h144, 12'h180, 12'h184, 12'h188, 12'h18C, 12'h198, 12'h1A0: write_error_o <= 1'b0;
+      12'h138, 12'h13C, 12'h140, 12'h144, 12'h180, 12'h184, 12'h188, 12'h18C, 12'h198, 12'h1A0, 12'h1B0: write_error_o
+      <= 1'b0;
       12'h044, 12'h04C, 12'h050, 12'h054, 12'h068, 12'h130: write_error_o <= locked_i;
       12'h06C, 12'h0C8, 12'h0CC: write_error_o <= write_strb_i != 4'hF;
       default: write_error_o <= 1'b1;
@@ -311,9 +316,14 @@ module horopter_csr #(
   // REGION_SELECT: Which region FRAME_REGION tells of.
   logic [ 5:0] region_select_region_q;
   assign region_select_region_o = region_select_region_q;
-  // OBJECT_LIMIT: An object, pixels in the skin that touch each other, of this many pixels is an alarm, at once (hls/stages/objects.hpp).
+  // OBJECT_LIMIT: An object, pixels that touch each other and are in the skin or blind (BLOCKS), of this many pixels is an alarm, at once (hls/stages/objects.hpp).
   logic [23:0] object_limit_pixels_q;
   assign object_limit_pixels_o = object_limit_pixels_q;
+  // BLOCKS: Blocks of the result, 8×8 px, in a build wider than 1024 px 16×16 px, and how many of their pixels cannot be decided.
+  logic        blocks_watch_q;
+  logic        blocks_teach_q;
+  logic [ 7:0] blocks_margin_q;
+  assign blocks_o = {blocks_margin_q, blocks_teach_q, blocks_watch_q};
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -375,6 +385,9 @@ module horopter_csr #(
       still_limit_frames_q <= 8'd4;
       region_select_region_q <= 6'd0;
       object_limit_pixels_q <= 24'd1000;
+      blocks_watch_q <= 1'd0;
+      blocks_teach_q <= 1'd0;
+      blocks_margin_q <= BLIND ? 8'd8 : 8'd0;
     end else begin
       if (write_q && write_group_q[0] && write_word_q[0]) begin  // CONTROL
         if (write_strb_i[0]) control_enable_q <= write_data_i[0];
@@ -560,11 +573,19 @@ module horopter_csr #(
         if (write_strb_i[1]) object_limit_pixels_q[15:8] <= write_data_i[15:8];
         if (write_strb_i[2]) object_limit_pixels_q[23:16] <= write_data_i[23:16];
       end
+      if (BLIND && write_q && write_group_q[9] && write_word_q[4]) begin  // BLOCKS
+        if (write_strb_i[0]) begin
+          blocks_watch_q <= write_data_i[0];
+          blocks_teach_q <= write_data_i[1];
+          blocks_margin_q[5:0] <= write_data_i[7:2];
+        end
+        if (write_strb_i[1]) blocks_margin_q[7:6] <= write_data_i[9:8];
+      end
     end
   end
 
   // Each of these registers is guarded from the clock on in which it has its new value.
-  logic [36:0] written_q, guard_error;
+  logic [37:0] written_q, guard_error;
   always_ff @(posedge clk_i) begin
     written_q <= '0;
     if (!rst_ni) written_q <= '1;
@@ -605,6 +626,7 @@ module horopter_csr #(
     if (write_q && write_group_q[8] && write_word_q[3]) written_q[34] <= 1'b1;
     if (write_q && write_group_q[8] && write_word_q[6]) written_q[35] <= 1'b1;
     if (write_q && write_group_q[9] && write_word_q[0]) written_q[36] <= 1'b1;
+    if (write_q && write_group_q[9] && write_word_q[4]) written_q[37] <= 1'b1;
     changed_o <= guard_error != '0;
   end
   horopter_guard #(
@@ -903,6 +925,14 @@ module horopter_csr #(
       .value_i({object_limit_pixels_q}),
       .error_o(guard_error[36])
   );
+  horopter_guard #(
+      .WIDTH(10)
+  ) u_blocks_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[37]),
+      .value_i({blocks_margin_q, blocks_teach_q, blocks_watch_q}),
+      .error_o(guard_error[37])
+  );
 
   // IRQ_STATUS: Events since they were last cleared.
   logic [ 1:0] irq_status_q;
@@ -925,11 +955,11 @@ module horopter_csr #(
   assign faults_cameras_o = faults_cameras_q;
 
   // FAULTS_MACHINE: The same for faults of both cameras together, of tables and of the machine.
-  logic [17:0] faults_machine_q;
+  logic [18:0] faults_machine_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) faults_machine_q <= 18'd0;
+    if (!rst_ni) faults_machine_q <= 19'd0;
     else if (write_q && write_group_q[5] && write_word_q[1])
-      faults_machine_q <= (faults_machine_q & ~(write_data_i[17:0] & {{2{write_strb_i[2]}}, {8{write_strb_i[1]}}, {8{write_strb_i[0]}}})) | faults_machine_set_i;
+      faults_machine_q <= (faults_machine_q & ~(write_data_i[18:0] & {{3{write_strb_i[2]}}, {8{write_strb_i[1]}}, {8{write_strb_i[0]}}})) | faults_machine_set_i;
     else faults_machine_q <= faults_machine_q | faults_machine_set_i;
   end
   assign faults_machine_o = faults_machine_q;
@@ -967,17 +997,17 @@ module horopter_csr #(
       12'h140, 12'h144, 12'h150, 12'h154, 12'h158, 12'h15C: wanted_q[9] <= 1'b1;
       12'h160, 12'h164, 12'h168, 12'h16C, 12'h170, 12'h174, 12'h178: wanted_q[10] <= 1'b1;
       12'h180, 12'h184, 12'h188, 12'h18C, 12'h190, 12'h194, 12'h198, 12'h19C: wanted_q[11] <= 1'b1;
-      12'h1A0, 12'h1A4, 12'h1A8, 12'h1AC: wanted_q[12] <= 1'b1;
+      12'h1A0, 12'h1A4, 12'h1A8, 12'h1AC, 12'h1B0, 12'h1B4: wanted_q[12] <= 1'b1;
       default: ;  // no register
     endcase
     group_00_q <= 32'd0;
     if (wanted_q[0])
       case (word_q)
         3'h0: group_00_q <= 32'h484F524F;
-        3'h1: group_00_q <= {16'h2, 16'h3};
+        3'h1: group_00_q <= {16'h2, 16'h4};
         3'h2: group_00_q <= {build_size_height_i, build_size_width_i};
         3'h3: group_00_q <= {build_store_pool_kib_i, build_store_rows_i};
-        3'h4: group_00_q <= {2'd0, build_window_compete_i, build_window_thesis_i, build_window_hypotheses_i, build_window_weight_bits_i, build_window_subsample_i, build_window_majority_i, build_window_dsad_i};
+        3'h4: group_00_q <= {1'd0, build_window_blind_i, build_window_compete_i, build_window_thesis_i, build_window_hypotheses_i, build_window_weight_bits_i, build_window_subsample_i, build_window_majority_i, build_window_dsad_i};
         3'h5: group_00_q <= build_clock_khz_i;
         default: group_00_q <= {11'd0, build_compete_paths_i, build_compete_ballot_reach_i, build_compete_sum_columns_i, build_compete_sum_rows_i, build_compete_planes_i};
       endcase
@@ -986,7 +1016,7 @@ module horopter_csr #(
       case (word_q)
         3'h0: group_02_q <= {31'd0, control_enable_q};
         3'h1: group_02_q <= {30'd0, mode_test_input_q, mode_live_q};
-        3'h2: group_02_q <= {22'd0, status_i};
+        3'h2: group_02_q <= {21'd0, status_i};
         3'h3: group_02_q <= {20'd0, width_px_q};
         3'h4: group_02_q <= {20'd0, height_rows_q};
         3'h5: group_02_q <= {20'd0, lookahead_rows_q};
@@ -1035,7 +1065,7 @@ module horopter_csr #(
     if (wanted_q[6])
       case (word_q)
         3'h0: group_07_q <= {3'd0, faults_cameras_q[25:13], 3'd0, faults_cameras_q[12:0]};
-        3'h1: group_07_q <= {14'd0, faults_machine_q};
+        3'h1: group_07_q <= {13'd0, faults_machine_q};
         default: group_07_q <= {map_extent_end_word64_i, map_extent_base_word64_i};
       endcase
     group_08_q <= 32'd0;
@@ -1056,7 +1086,7 @@ module horopter_csr #(
         3'h0: group_09_q <= frame_cycles_clocks_i;
         3'h1: group_09_q <= frame_latency_clocks_i;
         3'h2: group_09_q <= frame_tail_clocks_i;
-        3'h3: group_09_q <= {14'd0, frame_faults_machine_i};
+        3'h3: group_09_q <= {13'd0, frame_faults_machine_i};
         3'h4: group_09_q <= {9'd0, agreement_unproven_skin_q, agreement_shift_highest_q, agreement_shift_lowest_q, agreement_nearer_above_q, agreement_nearer_below_q, agreement_prove_q};
         3'h5: group_09_q <= {agreement_limits_hidden_q, agreement_limits_unproven_q, agreement_limits_regions_q, agreement_limits_explained_q};
         3'h6: group_09_q <= {24'd0, hidden_frames_q};
@@ -1101,7 +1131,9 @@ module horopter_csr #(
         3'h0: group_0D_q <= {8'd0, object_limit_pixels_q};
         3'h1: group_0D_q <= {8'd0, frame_object_pixels_i};
         3'h2: group_0D_q <= {4'd0, frame_object_columns_i[23:12], 4'd0, frame_object_columns_i[11:0]};
-        default: group_0D_q <= {4'd0, frame_object_rows_i[23:12], 4'd0, frame_object_rows_i[11:0]};
+        3'h3: group_0D_q <= {4'd0, frame_object_rows_i[23:12], 4'd0, frame_object_rows_i[11:0]};
+        3'h4: group_0D_q <= {22'd0, blocks_margin_q, blocks_teach_q, blocks_watch_q};
+        default: group_0D_q <= {8'd0, frame_blind_pixels_i};
       endcase
     known_q <= wanted_q != '0;
     read_data_o <= group_00_q | group_02_q | group_03_q | group_04_q | group_05_q | group_06_q | group_07_q | group_08_q | group_09_q | group_0A_q | group_0B_q | group_0C_q | group_0D_q;

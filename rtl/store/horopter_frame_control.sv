@@ -66,6 +66,7 @@ module horopter_frame_control (
     input  logic              objects_ended_i,  // the frame's objects are known
     input  logic              objects_overflow_i,  // with it: more than can be told apart
     input  logic              object_alarm_i,  // of the frame so far, or of the last one
+    input  logic              teaching_i,  // the frame teaches what cannot be decided
     input  logic              too_undecidable_i,
     input  logic              too_unsupervised_i,
     input  logic              verdict_valid_i,  // what both cameras see, together
@@ -135,6 +136,7 @@ module horopter_frame_control (
       outgoing_q.machine.internal <= internal_i;
       outgoing_q.machine.settings <= settings_i;
       outgoing_q.machine.restart <= stuck && begin_q[4];
+      outgoing_q.machine.teaching <= teaching_i && begin_q[4];
       outgoing_q.machine.no_table <= begin_q[4] && !table_ok_i;
       outgoing_q.machine.too_undecidable <= (counts_valid_i && too_undecidable_i) || (verdict_valid_i && verdict_i.untextured);
       outgoing_q.machine.objects <= objects_ended_i && objects_overflow_i;

@@ -81,6 +81,8 @@ module horopter_status #(
     input  logic                             objects_ended_i,
     input  logic                             objects_overflow_i,
     input  logic                             object_alarm_i,
+    input  logic                             taught_i,
+    input  logic                             teaching_i,
     input  logic                             too_undecidable_i,
     input  logic                             too_unsupervised_i,
     input  logic                             verdict_valid_i,  // what both cameras see, together
@@ -134,6 +136,7 @@ module horopter_status #(
   assign status_o.late = late;
   assign status_o.waiting = waiting;
   assign status_o.by_itself = interlock_i.by_itself;
+  assign status_o.taught = taught_i;
 
   // The core's reset comes a clock after rst_ni: what it says between them is of the time before.
   logic reset_q;
@@ -206,6 +209,7 @@ module horopter_status #(
       .objects_ended_i(objects_ended_i),
       .objects_overflow_i(objects_overflow_i),
       .object_alarm_i(object_alarm_i),
+      .teaching_i(teaching_i),
       .too_undecidable_i(too_undecidable_i),
       .too_unsupervised_i(too_unsupervised_i),
       .verdict_valid_i(verdict_valid_i),

@@ -98,6 +98,7 @@ struct Published {
   std::vector<native::Run> runs;
   std::uint32_t sequence = 0, status = 0, table_crc = 0, skin = 0, undecidable = 0, unsupervised = 0;
   std::array<std::uint32_t, 3> object{};  ///< FRAME_OBJECT and the two registers after it
+  std::uint32_t blind = 0;
   std::uint32_t latency = 0, tail = 0;
   Faults faults;
   bool safe_pin = false;
@@ -246,6 +247,7 @@ class Machine : public Endpoint {
     p.unsupervised = read(reg::frame_unsupervised::kAddress);
     p.object = {read(reg::frame_object::kAddress), read(reg::frame_object_columns::kAddress),
                 read(reg::frame_object_rows::kAddress)};
+    p.blind = read(reg::frame_blind::kAddress);
     p.latency = read(reg::frame_latency::kAddress);
     p.tail = read(reg::frame_tail::kAddress);
     take_frame(p);
@@ -287,7 +289,11 @@ class Machine : public Endpoint {
   }
   void check_frame(const Published& p, const FramePair& pair, const std::vector<std::uint32_t>& table) {
     const native::FrameResult e = expected(pair, table);
-    CHECK(p.fault_names() == (e.object_overflow ? std::set<std::string>{"objects"} : std::set<std::string>{}));
+    std::set<std::string> faults;
+    if (e.object_overflow) faults.insert("objects");
+    if (settings_.teach != 0) faults.insert("teaching");
+    CHECK(p.fault_names() == faults);
+    CHECK(p.blind == static_cast<std::uint32_t>(e.blind_pixels));
     if (!e.object_overflow) CHECK(p.object == object_words(e.largest_object()));
     REQUIRE(p.states.size() == e.states.size());
     std::size_t different = 0;
@@ -299,7 +305,8 @@ class Machine : public Endpoint {
     CHECK(p.unsupervised == static_cast<std::uint32_t>(e.unsupervised_pixels));
     CHECK(p.alarm() == e.alarm);
     CHECK(p.table_crc == table.back());
-    CHECK(p.safe() == (!e.alarm && !e.object_overflow));
+    CHECK(p.safe() == (!e.alarm && faults.empty()));
+    CHECK((reg::status::kTaught.get(read(reg::status::kAddress)) != 0) == e.taught);
   }
 
   void drive() override {}

@@ -302,6 +302,13 @@ std::set<std::string> faults_of_small_frames() {
     bench.send_scene();
   });
   machine.write_limits();
+  bench.raise("teaching", [&] {
+    machine.settings().teach = 1;
+    machine.write_limits();
+    bench.send_scene();
+  });
+  machine.settings().teach = 0;
+  machine.write_limits();
   bench.raise("objects",
               [&] {  // places of runs are taken that are not: what does not fit by itself: tests/unit/objects.cpp
                 bench.send_scene();

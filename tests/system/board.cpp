@@ -182,6 +182,22 @@ TEST_CASE("From photographs to a board, and the board's runs are those of the na
   }
   CHECK(equal == 1);
 
+  // It learns, watches, and an upload that changes nothing leaves it so.
+  const auto blocks = [&] {
+    const std::string text = must({"status", "--engine", terminal.engine()});
+    return std::tuple(text.find("watch 1") != text.npos, text.find("teach 1") != text.npos,
+                      text.find("taught 1") != text.npos);
+  };
+  CHECK(blocks() == std::tuple(false, false, false));
+  const auto taught = nlohmann::json::parse(
+      must({"teach", "--engine", terminal.engine(), "--frames", "2", "--margin", "12", "--json"}));
+  CHECK(taught == nlohmann::json{{"engine", terminal.engine()}, {"watches", true}, {"frames", 2}});
+  CHECK(blocks() == std::tuple(true, false, true));
+  must({"upload", "--engine", terminal.engine(), "--map", "skin.hmap"});
+  CHECK(blocks() == std::tuple(true, false, true));
+  must({"teach", "--engine", terminal.engine(), "--off"});
+  CHECK(blocks() == std::tuple(false, false, true));
+
   // What a board cannot do is said before it is touched.
   box.write("left.pgm", "P5 640 480 255\n" + std::string(640 * 480, 'x'));
   box.write("right.pgm", "P5 640 480 255\n" + std::string(640 * 480, 'y'));
@@ -351,6 +367,30 @@ TEST_CASE("A restart is given where it counts, and refused with the reason where
   CHECK(written() == reg::kRestartKey);
   CHECK(given.status == 4);
   CHECK_THAT(given.out, Catch::Contains("a frame with a fault or an alarm came in between, or none"));
+}
+
+TEST_CASE("A machine that makes no frames is left teaching, and one that does not run is not taught") {
+  namespace reg = horopter::registers;
+  const Sandbox box;
+  const auto machine = horopter::make_native_device(horopter::find_profile("field"));
+  const auto teach = [&](std::uint32_t status) {
+    std::string bytes(4096, '\0');
+    const auto put = [&](std::uint32_t address, std::uint32_t word) {
+      for (unsigned i = 0; i < 4; ++i) bytes[address + i] = static_cast<char>(word >> (8 * i));
+    };
+    for (const auto& r : reg::kRegisters) {
+      if (r.address <= reg::build_compete::kAddress) put(r.address, machine->read(r.address));
+    }
+    put(reg::status::kAddress, status);
+    const auto result = box.run({"teach", "--engine", "uio:" + box.write("registers", bytes), "--frames", "3"});
+    CHECK(result.status == 4);
+    return std::pair(result.err, static_cast<unsigned>(box.read("registers")[reg::blocks::kAddress]) & 3U);
+  };
+  CHECK_THAT(teach(0).first, Catch::Contains("`horopter upload` starts it"));
+  CHECK(teach(0).second == 0);
+  const auto [text, blocks] = teach(reg::status::kRunning.put(1));
+  CHECK_THAT(text, Catch::Contains("0 of 3 were; the machine is still teaching, and not safe"));
+  CHECK(blocks == 3);
 }
 
 TEST_CASE("A serial port without a Horopter board") {

@@ -46,6 +46,7 @@ void add_limits(std::vector<RegisterWord>& words, const MachineProfile& profile,
       RegisterWord{reg::texture_limit::kAddress, number(native::Settings::texture_limit_for(settings.texture))},
       RegisterWord{reg::alarm_limit::kAddress, limit_of(settings.alarm_percent, result)},
       RegisterWord{reg::object_limit::kAddress, static_cast<std::uint32_t>(object_limit(settings, profile))},
+      blocks_word(settings.blind),
       RegisterWord{reg::unsupervised_limit::kAddress, limit_of(settings.unsupervised_percent, result)},
       RegisterWord{reg::black_limit::kAddress, limit_of(settings.dark_percent, incoming)},
       RegisterWord{reg::white_limit::kAddress, limit_of(settings.bright_percent, incoming)},
@@ -104,6 +105,11 @@ std::int64_t object_limit(const Settings& settings, const MachineProfile& profil
   const double disc = std::numbers::pi / 4 * settings.object_px * settings.object_px;
   const int px_of_image = profile.subsample * profile.fields_per_image();  // in a pixel of the result
   return std::clamp<std::int64_t>(std::llround(disc / 2 / px_of_image), 1, frame + 1);
+}
+
+RegisterWord blocks_word(const BlindSettings& blind) {
+  return {reg::blocks::kAddress, reg::blocks::kWatch.put(blind.watch) | reg::blocks::kTeach.put(blind.teach) |
+                                     reg::blocks::kMargin.put(static_cast<std::uint32_t>(blind.margin))};
 }
 
 std::vector<RegisterWord> configuration(Device& device, const MachineProfile& profile, const Settings& settings,

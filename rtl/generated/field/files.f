@@ -2,6 +2,7 @@ rtl/generated/field/horopter_profile_pkg.sv
 rtl/generated/field/horopter_agreement.sv
 rtl/generated/field/horopter_alarm.sv
 rtl/generated/field/horopter_align.sv
+rtl/generated/field/horopter_blind.sv
 rtl/generated/field/horopter_cells.sv
 rtl/generated/field/horopter_coarse.sv
 rtl/generated/field/horopter_difference.sv

@@ -3,6 +3,7 @@ rtl/generated/hd/horopter_agreement.sv
 rtl/generated/hd/horopter_alarm.sv
 rtl/generated/hd/horopter_align.sv
 rtl/generated/hd/horopter_ballot.sv
+rtl/generated/hd/horopter_blind.sv
 rtl/generated/hd/horopter_cells.sv
 rtl/generated/hd/horopter_coarse.sv
 rtl/generated/hd/horopter_consensus.sv

@@ -3,6 +3,7 @@ rtl/generated/vga/horopter_agreement.sv
 rtl/generated/vga/horopter_alarm.sv
 rtl/generated/vga/horopter_align.sv
 rtl/generated/vga/horopter_ballot.sv
+rtl/generated/vga/horopter_blind.sv
 rtl/generated/vga/horopter_cells.sv
 rtl/generated/vga/horopter_coarse.sv
 rtl/generated/vga/horopter_consensus.sv
