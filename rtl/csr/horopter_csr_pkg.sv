@@ -37,6 +37,7 @@ package horopter_csr_pkg;
 
   typedef struct packed {  // from the highest bit
     logic teaching;
+    logic contactors;
     logic objects;
     logic restart;
     logic settings;

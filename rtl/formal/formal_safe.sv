@@ -49,6 +49,8 @@ module formal_safe (
     input logic        objects_overflow,
     input logic        object_alarm,
     input logic        teaching,
+    input logic        contactors_bad,
+    input logic        contactors_ready,
     input logic        too_undecidable,
     input logic        too_unsupervised,
     input logic        verdict_valid,
@@ -106,6 +108,8 @@ module formal_safe (
       .unsupervised_i(24'd0),
       .alarm_i(alarm),
       .teaching_i(teaching),
+      .contactors_bad_i(contactors_bad),
+      .contactors_ready_i(contactors_ready),
       .objects_ended_i(objects_ended),
       .objects_overflow_i(objects_overflow),
       .object_alarm_i(object_alarm),
@@ -136,7 +140,7 @@ module formal_safe (
       .unsafe_o(unsafe)
   );
 
-  logic past_valid = 1'b0, past_safe = 1'b0, past_reset = 1'b1;
+  logic past_valid = 1'b0, past_safe = 1'b0, past_reset = 1'b1, past_ready = 1'b0;
   logic [3:0] fault_age = 4'd0;  // bit i: a fault came i + 1 clocks ago
   logic good_before = 1'b0;  // the frame published before was good, and no fault has come since
   logic fault_now;
@@ -163,7 +167,7 @@ module formal_safe (
     end
   end
   // Faults of a health result without valid, or of an alarm without counts, mean nothing.
-  assign fault_now = {left_stream, right_stream, skew, bad_upload, refused_upload, silence, parity_error, internal, settings, miss} != '0 || identical
+  assign fault_now = {left_stream, right_stream, skew, bad_upload, refused_upload, silence, parity_error, internal, settings, contactors_bad, miss} != '0 || identical
       || (health_valid[0] && left_health != '0) || (health_valid[1] && right_health != '0)
       || object_alarm || (objects_ended && objects_overflow) || (begun[4] && teaching)
       || (counts_valid && (too_undecidable || too_unsupervised)) || (verdict_valid && verdict != '0);
@@ -171,6 +175,7 @@ module formal_safe (
     past_valid <= 1'b1;
     past_reset <= !rst_ni;
     past_safe <= safe;
+    past_ready <= contactors_ready;
     begun <= rst_ni ? {begun[3:0], begin_frame} : 5'd0;
     fault_age <= rst_ni ? {fault_age[2:0], fault_now} : 4'd0;
     if (!rst_ni || fault_age[2]) good_before <= 1'b0;
@@ -216,6 +221,7 @@ module formal_safe (
         assert (asked);
         assert (good_frames >= interlock.frames && good_frames != 4'd0);  // this one comes on top
       end
+      if (safe && !past_safe) assert (past_ready);
       // A fault is felt after its register, its collection and the decision: 3 clocks.
       if (fault_age[2] || fault_age[3]) assert (!safe || frame_done);
       if (fault_age[2]) assert (!safe);

@@ -66,6 +66,8 @@ module horopter_frame_control (
     input  logic              objects_ended_i,  // the frame's objects are known
     input  logic              objects_overflow_i,  // with it: more than can be told apart
     input  logic              object_alarm_i,  // of the frame so far, or of the last one
+    input  logic              contactors_bad_i,  // they do not follow safe_o
+    input  logic              contactors_ready_i,  // they have dropped
     input  logic              teaching_i,  // the frame teaches what cannot be decided
     input  logic              too_undecidable_i,
     input  logic              too_unsupervised_i,
@@ -135,6 +137,7 @@ module horopter_frame_control (
       outgoing_q.machine.store_miss <= miss_i;
       outgoing_q.machine.internal <= internal_i;
       outgoing_q.machine.settings <= settings_i;
+      outgoing_q.machine.contactors <= contactors_bad_i;
       outgoing_q.machine.restart <= stuck && begin_q[4];
       outgoing_q.machine.teaching <= teaching_i && begin_q[4];
       outgoing_q.machine.no_table <= begin_q[4] && !table_ok_i;
@@ -369,7 +372,7 @@ module horopter_frame_control (
       safe_q <= 1'b0;
       good_before_q <= 1'b0;
     end else if (publish_q) begin
-      safe_q <= good_before_q && good_frame && released;
+      safe_q <= good_before_q && good_frame && released && (safe_q || contactors_ready_i);
       good_before_q <= good_frame;
     end
   end
@@ -379,7 +382,7 @@ module horopter_frame_control (
       unsafe_q <= 1'b1;
       bad_before_q <= 1'b1;
     end else if (publish_q) begin
-      unsafe_q <= bad_before_q || bad_frame || held;
+      unsafe_q <= bad_before_q || bad_frame || held || (unsafe_q && !contactors_ready_i);
       bad_before_q <= bad_frame;
     end
   end

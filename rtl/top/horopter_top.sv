@@ -11,6 +11,7 @@
 // m_axis_runs                the rows as runs: {state[63:62], 14'b0, row[47:32], start[31:16], end[15:0]}, end included,
 //                            every row covered completely; tlast = last run of a frame.
 // restart_i                  a button, of any clock: see INTERLOCK and horopter_interlock.sv.
+// feedback_i                 of the contactors that safe_o switches, of any clock: see FEEDBACK and horopter_feedback.sv.
 // safe_o, unsafe_o           complements, from separate registers; safe only while the last two frames were complete, in
 //                            time, free of faults and of alarm, and a restart was given since the last time they were
 //                            not. Anything but safe_o = 1 and unsafe_o = 0 means not safe.
@@ -80,6 +81,7 @@ module horopter_top #(
     input  logic        m_axis_runs_tready,
     // status
     input  logic        restart_i,
+    input  logic        feedback_i,
     output logic        safe_o,
     output logic        unsafe_o,
     output logic        heartbeat_o,
@@ -206,7 +208,7 @@ module horopter_top #(
   logic [31:0] map_data, map_crc, map_extent;
   horopter_csr_pkg::interlock_t interlock;
   logic restart_valid;
-  logic [31:0] restart_key;
+  logic [31:0] restart_key, feedback_clocks;
   logic map_busy;
   logic [2:0] map_error;
   logic [14:0] map_valid;
@@ -278,6 +280,7 @@ module horopter_top #(
       .irq_status_set_i(irq_set),
       .irq_status_o(irq_status),
       .interlock_o(interlock),
+      .feedback_clocks_o(feedback_clocks),
       .restart_valid_o(restart_valid),
       .restart_ready_i(1'b1),
       .restart_key_o(restart_key),
@@ -1194,6 +1197,8 @@ module horopter_top #(
       .open_slot_i(open_slot),
       .interlock_i(interlock),
       .restart_i(restart_i),
+      .feedback_i(feedback_i),
+      .feedback_clocks_i(feedback_clocks),
       .restart_valid_i(restart_valid),
       .restart_key_i(restart_key),
       .busy_i(frame_busy),

@@ -148,7 +148,7 @@ class Machine : public Endpoint {
       simulation_.attach(*endpoint);
     }
     model().s_axis_test_tvalid = 0;
-    model().restart_i = 0;
+    model().restart_i = model().feedback_i = 0;
     model().s_axil_awprot = model().s_axil_arprot = 0;
     left_.set_live(options.live);
     right_.set_live(options.live);
@@ -309,7 +309,23 @@ class Machine : public Endpoint {
     CHECK((reg::status::kTaught.get(read(reg::status::kAddress)) != 0) == e.taught);
   }
 
-  void drive() override {}
+  /// What safe_o switches: they drop and pull in within so many clocks, or stay as they are.
+  enum class Contactors { follow, stay_dropped, stay_pulled };
+  void set_contactors(Contactors contactors, unsigned clocks) {
+    contactors_ = contactors;
+    contactor_clocks_ = clocks;
+  }
+
+  void drive() override {
+    const bool wanted = contactors_ == Contactors::follow ? !model().safe_o : contactors_ == Contactors::stay_dropped;
+    if (wanted == (model().feedback_i != 0)) {
+      contactor_wait_ = contactor_clocks_;
+    } else if (contactor_wait_ == 0) {
+      model().feedback_i = wanted ? 1 : 0;
+    } else {
+      --contactor_wait_;
+    }
+  }
   void sample() override {
     if (model().frame_done_o) ++frames_done_;
     if (!model().safe_o) safe_was_low_ = true;
@@ -320,6 +336,9 @@ class Machine : public Endpoint {
   bool pins_ever_equal() const { return both_equal_; }
 
  private:
+  Contactors contactors_ = Contactors::follow;
+  unsigned contactor_clocks_ = 0, contactor_wait_ = 0;
+
   static Pace pace(unsigned pauses_percent, std::uint64_t purpose) {
     return pauses_percent == 0 ? Pace{} : Pace::random(100 - pauses_percent, session_seed() * 8 + purpose);
   }

@@ -96,6 +96,14 @@ RegisterWord interlock_word(const Interlock& interlock) {
                                         reg::interlock::kFrames.put(static_cast<std::uint32_t>(interlock.frames))};
 }
 
+RegisterWord feedback_word(Device& device, double feedback_ms) {
+  const double clocks = feedback_ms * reg::build_clock::kKhz.get(device.read(reg::build_clock::kAddress));
+  if (!(clocks >= 0 && clocks < 4294967295.0)) {
+    throw UsageError(fmt::format("contactors that take {} ms cannot be supervised", feedback_ms));
+  }
+  return {reg::feedback::kAddress, static_cast<std::uint32_t>(std::ceil(clocks))};
+}
+
 }  // namespace
 
 std::int64_t object_limit(const Settings& settings, const MachineProfile& profile) {
@@ -118,6 +126,7 @@ std::vector<RegisterWord> configuration(Device& device, const MachineProfile& pr
                                   {reg::height::kAddress, static_cast<std::uint32_t>(geometry.height)},
                                   {reg::lookahead::kAddress, static_cast<std::uint32_t>(geometry.lookahead)}};
   words.push_back(interlock_word(settings.interlock));
+  words.push_back(feedback_word(device, settings.interlock.feedback_ms));
   words.push_back({reg::mode::kAddress, reg::mode::kLive.put(settings.live)});
   add_limits(words, profile, settings, geometry);
   add_proof(words, settings.proof, device.read(reg::agreement_limits::kAddress));

@@ -447,6 +447,7 @@ FrameStreams NativeDevice::receive() {
   add(result.identical_images, Fault::identical_images);
   add(result.one_camera, Fault::one_camera);
   add(result.object_overflow, Fault::objects);
+  add(stored(reg::feedback::kAddress) != 0, Fault::contactors);  // there are none
   add(reg::blocks::kTeach.get(stored(reg::blocks::kAddress)) != 0, Fault::teaching);
   add(result.agreement.untextured, Fault::too_undecidable);
   add(result.agreement.disagree, Fault::disagree);

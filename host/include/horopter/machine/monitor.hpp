@@ -27,6 +27,7 @@ struct Interlock {
   bool by_itself = false;    ///< nobody has to restart
   bool by_pin = true;        ///< a press of restart_i
   bool by_register = false;  ///< restart()
+  double feedback_ms = 0;    ///< contactors must follow safe_o in this time (register FEEDBACK); 0 = there are none
   int frames = 2;            ///< without fault and alarm that must lie before a restart, 1 to 15
 };
 

@@ -19,7 +19,7 @@ struct RegisterField {
 };
 
 // clang-format off
-inline constexpr std::array<RegisterField, 236> kRegisterFields = {{
+inline constexpr std::array<RegisterField, 239> kRegisterFields = {{
     {0x000, "value", {0, 32}, "0x484F524F"},
     {0x004, "minor", {0, 16}, "Counts compatible additions."},
     {0x004, "major", {16, 16}, "Counts incompatible changes."},
@@ -69,6 +69,7 @@ inline constexpr std::array<RegisterField, 236> kRegisterFields = {{
     {0x068, "by_register", {2, 1}, "1 = the key written to RESTART is a restart."},
     {0x068, "frames", {3, 4}, "So many finished frames without fault and alarm must lie before a restart; at least 1."},
     {0x06C, "key", {0, 32}, "RESTART_KEY; another value does nothing."},
+    {0x070, "clocks", {0, 32}, "feedback_i must be the opposite of safe_o so many clocks after it has changed, and 1 before it may rise; 0 = nothing is connected."},
     {0x080, "value", {0, 16}, "Sum, 0 to 15 k²; by default 25 % of 15 k²."},
     {0x084, "value", {0, 16}, "Sum, 0 to 15 k²."},
     {0x088, "sum", {0, 16}, "9 times the threshold in units of the unscaled Sobel magnitude; 9 · 32 = 4 grey levels per px."},
@@ -141,7 +142,8 @@ inline constexpr std::array<RegisterField, 236> kRegisterFields = {{
     {0x0E4, "settings", {15, 1}, "A bit of a register, or of what a frame has sampled of it, fell over; until that register is written again."},
     {0x0E4, "restart", {16, 1}, "restart_i has been held for 255 frames: a button that is stuck, or a broken wire."},
     {0x0E4, "objects", {17, 1}, "More objects, or more of them in one row, than the machine can tell apart (hls/stages/objects.hpp)."},
-    {0x0E4, "teaching", {18, 1}, "BLOCKS.teach is set: the machine learns, and does not watch."},
+    {0x0E4, "contactors", {18, 1}, "feedback_i did not follow safe_o for FEEDBACK clocks: a contactor does not drop or does not pull in, or a broken wire."},
+    {0x0E4, "teaching", {19, 1}, "BLOCKS.teach is set: the machine learns, and does not watch."},
     {0x0E8, "base_word64", {0, 16}, "Index of its first 64-bit word."},
     {0x0E8, "end_word64", {16, 16}, "Index after the last one, modulo 65536: it takes (end - base) modulo 65536 words, and all 65536 where that is 0."},
     {0x100, "value", {0, 32}, "0 = none yet."},
@@ -200,7 +202,8 @@ inline constexpr std::array<RegisterField, 236> kRegisterFields = {{
     {0x12C, "settings", {15, 1}, "A bit of a register, or of what a frame has sampled of it, fell over; until that register is written again."},
     {0x12C, "restart", {16, 1}, "restart_i has been held for 255 frames: a button that is stuck, or a broken wire."},
     {0x12C, "objects", {17, 1}, "More objects, or more of them in one row, than the machine can tell apart (hls/stages/objects.hpp)."},
-    {0x12C, "teaching", {18, 1}, "BLOCKS.teach is set: the machine learns, and does not watch."},
+    {0x12C, "contactors", {18, 1}, "feedback_i did not follow safe_o for FEEDBACK clocks: a contactor does not drop or does not pull in, or a broken wire."},
+    {0x12C, "teaching", {19, 1}, "BLOCKS.teach is set: the machine learns, and does not watch."},
     {0x130, "prove", {0, 1}, "1 = clear is earned. 0 = a pixel is clear where images do not agree; nothing else is checked."},
     {0x130, "nearer_below", {1, 1}, "1 = shifts below 0 are nearer to the cameras than the skin."},
     {0x130, "nearer_above", {2, 1}, "1 = shifts above 0 are."},

@@ -255,6 +255,16 @@ inline constexpr Access kAccess = Access::kWriteStream;
 inline constexpr Field kKey{0, 32};
 }  // namespace restart
 
+/// Contactors that safe_o switches (rtl/store/horopter_feedback.sv). Locked while CONTROL.enable is 1.
+namespace feedback {
+inline constexpr std::uint32_t kAddress = 0x070;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0x0;
+/// feedback_i must be the opposite of safe_o so many clocks after it has changed, and 1 before it may rise; 0 = nothing
+/// is connected.
+inline constexpr Field kClocks{0, 32};
+}  // namespace feedback
+
 /// A pixel is in the skin when its DSAD sum is at most this.
 namespace sum_limit {
 inline constexpr std::uint32_t kAddress = 0x080;
@@ -560,8 +570,11 @@ inline constexpr Field kSettings{15, 1};
 inline constexpr Field kRestart{16, 1};
 /// More objects, or more of them in one row, than the machine can tell apart (hls/stages/objects.hpp).
 inline constexpr Field kObjects{17, 1};
+/// feedback_i did not follow safe_o for FEEDBACK clocks: a contactor does not drop or does not pull in, or a broken
+/// wire.
+inline constexpr Field kContactors{18, 1};
 /// BLOCKS.teach is set: the machine learns, and does not watch.
-inline constexpr Field kTeaching{18, 1};
+inline constexpr Field kTeaching{19, 1};
 }  // namespace faults_machine
 
 /// Where the table in MAP_SLOT lies in the pool; 0 without a table. Means nothing in the 100 clocks after the third
@@ -771,8 +784,11 @@ inline constexpr Field kSettings{15, 1};
 inline constexpr Field kRestart{16, 1};
 /// More objects, or more of them in one row, than the machine can tell apart (hls/stages/objects.hpp).
 inline constexpr Field kObjects{17, 1};
+/// feedback_i did not follow safe_o for FEEDBACK clocks: a contactor does not drop or does not pull in, or a broken
+/// wire.
+inline constexpr Field kContactors{18, 1};
 /// BLOCKS.teach is set: the machine learns, and does not watch.
-inline constexpr Field kTeaching{18, 1};
+inline constexpr Field kTeaching{19, 1};
 }  // namespace frame_faults_machine
 
 /// Whether both cameras see the same world, compared coarsely over all depths. Locked while CONTROL.enable is 1.
@@ -1136,7 +1152,8 @@ enum class Fault : std::uint8_t {
   settings = 47,
   restart = 48,
   objects = 49,
-  teaching = 50,
+  contactors = 50,
+  teaching = 51,
 };
 
 struct NamedFault {
@@ -1144,7 +1161,7 @@ struct NamedFault {
   std::string_view name;
 };
 
-inline constexpr std::array<NamedFault, 45> kFaults = {{
+inline constexpr std::array<NamedFault, 46> kFaults = {{
     {Fault::left_short_line, "left_short_line"},
     {Fault::left_long_line, "left_long_line"},
     {Fault::left_missing_line, "left_missing_line"},
@@ -1189,6 +1206,7 @@ inline constexpr std::array<NamedFault, 45> kFaults = {{
     {Fault::settings, "settings"},
     {Fault::restart, "restart"},
     {Fault::objects, "objects"},
+    {Fault::contactors, "contactors"},
     {Fault::teaching, "teaching"},
 }};
 
@@ -1200,7 +1218,7 @@ struct Register {
   bool locked;  ///< writes are refused while CONTROL.enable is 1
 };
 
-inline constexpr std::array<Register, 86> kRegisters = {{
+inline constexpr std::array<Register, 87> kRegisters = {{
     {"id", 0x000, Access::kReadOnly, false},
     {"version", 0x004, Access::kReadOnly, false},
     {"build_size", 0x008, Access::kReadOnly, false},
@@ -1220,6 +1238,7 @@ inline constexpr std::array<Register, 86> kRegisters = {{
     {"irq_status", 0x064, Access::kWriteOneToClear, false},
     {"interlock", 0x068, Access::kReadWrite, true},
     {"restart", 0x06C, Access::kWriteStream, false},
+    {"feedback", 0x070, Access::kReadWrite, true},
     {"sum_limit", 0x080, Access::kReadWrite, false},
     {"self_limit", 0x084, Access::kReadWrite, false},
     {"texture_limit", 0x088, Access::kReadWrite, false},
