@@ -12,7 +12,8 @@
 //         until `done`. A frame in which no idle beat follows has taught nothing for good.
 // Config  width, height: of the frame. width, teach, watch: taken with its first pixel. The first frame with `teach` after one
 //         without it forgets what was taught. blind_margin: in 1/64 of a block's pixels. Never taught is taught that
-//         everything can be decided, and so is a block of which the number kept is damaged.
+//         everything can be decided, and so is a block of which the number kept is damaged. forget: with the first pixel,
+//         too; the frame before this one taught, but had a fault or an alarm: what was taught is not true.
 // Out     there: a pixel leaves, with its state and its marks; blind: it is in a blind block, and undecidable.
 //         done: none is left. taught: at least one frame was.
 // Memory: SIDE + 1 rows of states, and two numbers a block. Reset forgets that anything was taught.
@@ -42,6 +43,7 @@ class BlindBlocks {
     u<bits_for(HEIGHT)> height;
     bool watch = false;
     bool teach = false;
+    bool forget = false;
     u<8> blind_margin;
   };
   struct Out {
@@ -120,8 +122,8 @@ class BlindBlocks {
   }
 
   void begin(const Config& config) {
-    has_taught_ = has_taught_ && (session_ || !config.teach);
-    session_ = session_ && config.teach;
+    has_taught_ = has_taught_ && !config.forget && (session_ || !config.teach);
+    session_ = session_ && !config.forget && config.teach;
     teaches_ = config.teach;
     watches_ = config.watch && !config.teach;
     ended_ = false;

@@ -36,6 +36,7 @@ using hls::CompeteSettings;
 /// The registers that decide what a frame's result is.
 struct Settings : hls::StageSettings {
   int lookahead = 0;  // rows
+  int forget = 0;     // the frame before taught what went blind, but had a fault or an alarm
 
   /// ⌊p · 15·k² / 100⌋.
   static constexpr int sum_limit_for(int percent, int window) { return percent * 15 * window * window / 100; }

@@ -136,6 +136,14 @@ void write_frame(OutputDirectory& output, int frame, const Image& left, const Fr
 /// What the pairs of --teach have taught.
 void report_taught(const BlindWatch& watch, std::size_t pairs, const BlindSettings& settings,
                    nlohmann::ordered_json& summary, bool json) {
+  summary["taught"] = {{"pairs", pairs}, {"frames", watch.taught()}};
+  if (watch.taught() == 0) {
+    if (!json) {
+      fmt::print(
+          "taught nothing: its last frame had a fault or an alarm. Now everything that cannot be decided counts\n");
+    }
+    return;
+  }
   auto never = nlohmann::ordered_json::array();
   double pixels = 0, undecidable = 0, unwatched = 0;
   for (const BlindWatch::Block& block : watch.blocks()) {
@@ -147,16 +155,15 @@ void report_taught(const BlindWatch& watch, std::size_t pairs, const BlindSettin
     never.push_back({block.x, block.y, block.width, block.height});
   }
   const auto percent = [&](double part) { return std::round(1000 * part / pixels) / 10; };
-  summary["taught"] = {{"pairs", pairs},
-                       {"blocks", watch.blocks().size()},
-                       {"undecidable_percent", percent(undecidable)},
-                       {"watched_for_texture_only_percent", percent(unwatched)},
-                       {"watched_for_texture_only", std::move(never)}};
+  summary["taught"].update({{"blocks", watch.blocks().size()},
+                            {"undecidable_percent", percent(undecidable)},
+                            {"watched_for_texture_only_percent", percent(unwatched)},
+                            {"watched_for_texture_only", std::move(never)}});
   if (json) return;
   fmt::print(
-      "taught by {} pairs: at most {:.1f} % could not be decided. If somebody was in the zone, this is too much. {:.1f} % of "
-      "the image is watched for textured things only: nothing could be decided there\n",
-      pairs, percent(undecidable), percent(unwatched));
+      "taught by {} frames without fault and alarm: at most {:.1f} % could not be decided. If somebody was in the zone, "
+      "this is too much. {:.1f} % of the image is watched for textured things only: nothing could be decided there\n",
+      watch.taught(), percent(undecidable), percent(unwatched));
 }
 
 /// What a run made that did not get to its end.

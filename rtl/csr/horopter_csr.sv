@@ -145,7 +145,8 @@ module horopter_csr #(
     input  logic [23:0] frame_object_columns_i,
     input  logic [23:0] frame_object_rows_i,
     output logic [ 9:0] blocks_o,
-    input  logic [23:0] frame_blind_pixels_i
+    input  logic [23:0] frame_blind_pixels_i,
+    input  logic [15:0] taught_frames_i
 );
   // The address is decoded always, into a group of eight words and the word; it counts from the second clock of a write on.
   logic taken_q, write_q;
@@ -1017,7 +1018,7 @@ module horopter_csr #(
       12'h140, 12'h144, 12'h150, 12'h154, 12'h158, 12'h15C: wanted_q[9] <= 1'b1;
       12'h160, 12'h164, 12'h168, 12'h16C, 12'h170, 12'h174, 12'h178: wanted_q[10] <= 1'b1;
       12'h180, 12'h184, 12'h188, 12'h18C, 12'h190, 12'h194, 12'h198, 12'h19C: wanted_q[11] <= 1'b1;
-      12'h1A0, 12'h1A4, 12'h1A8, 12'h1AC, 12'h1B0, 12'h1B4: wanted_q[12] <= 1'b1;
+      12'h1A0, 12'h1A4, 12'h1A8, 12'h1AC, 12'h1B0, 12'h1B4, 12'h1B8: wanted_q[12] <= 1'b1;
       default: ;  // no register
     endcase
     group_00_q <= 32'd0;
@@ -1154,7 +1155,8 @@ module horopter_csr #(
         3'h2: group_0D_q <= {4'd0, frame_object_columns_i[23:12], 4'd0, frame_object_columns_i[11:0]};
         3'h3: group_0D_q <= {4'd0, frame_object_rows_i[23:12], 4'd0, frame_object_rows_i[11:0]};
         3'h4: group_0D_q <= {22'd0, blocks_margin_q, blocks_teach_q, blocks_watch_q};
-        default: group_0D_q <= {8'd0, frame_blind_pixels_i};
+        3'h5: group_0D_q <= {8'd0, frame_blind_pixels_i};
+        default: group_0D_q <= {16'd0, taught_frames_i};
       endcase
     known_q <= wanted_q != '0;
     read_data_o <= group_00_q | group_02_q | group_03_q | group_04_q | group_05_q | group_06_q | group_07_q | group_08_q | group_09_q | group_0A_q | group_0B_q | group_0C_q | group_0D_q;

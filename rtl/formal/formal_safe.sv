@@ -118,6 +118,7 @@ module formal_safe (
       .verdict_valid_i(verdict_valid),
       .verdict_i(verdict),
       .publish_o(publish),
+      .forget_o(),
       .frame_sequence_o(sequence_number),
       .frame_alarm_o(frame_alarm),
       .frame_safe_o(frame_safe),

@@ -74,6 +74,7 @@ module horopter_frame_control (
     input  logic              verdict_valid_i,  // what both cameras see, together
     input  horopter_csr_pkg::verdict_t verdict_i,
     output logic              publish_o,
+    output logic              forget_o,  // the last published frame taught, but not what is true
     // the last published frame
     output logic [      31:0] frame_sequence_o,
     output logic              frame_alarm_o,
@@ -336,6 +337,17 @@ module horopter_frame_control (
         frame_tail_o <= arrived_time - time_q;
       end
     end
+  end
+
+  // With a fault of its own, or an alarm, what a frame has taught says nothing of an empty zone.
+  horopter_csr_pkg::faults_t beside_teaching;
+  always_comb begin
+    beside_teaching = total_q;
+    beside_teaching.machine.teaching = 1'b0;
+  end
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) forget_o <= 1'b0;
+    else if (publish_q) forget_o <= teaching_i && (beside_teaching != '0 || alarm_q || object_alarm_q);
   end
 
   always_ff @(posedge clk_i) begin

@@ -18,6 +18,7 @@ module horopter_object_check #(
     input  logic [    $clog2(COLUMNS + 1)-1:0]    width_i,
     input  logic [       $clog2(ROWS + 1)-1:0]    height_i,
     input  horopter_csr_pkg::blocks_t             blocks_i,
+    input  logic                                  forget_i,  // what was taught; before a frame begins
     input  logic                                  state_valid_i,
     input  logic [                         1:0]   state_i,
     input  logic                                  state_first_i,
@@ -27,6 +28,7 @@ module horopter_object_check #(
     output logic                                  overflow_o,
     output logic                                  alarm_o,
     output logic                                  taught_o,
+    output logic [                        15:0]   taught_frames_o,
     output logic [                        23:0]   frame_pixels_o,
     output horopter_csr_pkg::frame_object_columns_t frame_columns_o,
     output horopter_csr_pkg::frame_object_rows_t  frame_rows_o,
@@ -49,6 +51,7 @@ module horopter_object_check #(
         .cfg_height_i(height_i),
         .cfg_watch_i(blocks_i.watch),
         .cfg_teach_i(blocks_i.teach),
+        .cfg_forget_i(forget_i),
         .cfg_blind_margin_i(blocks_i.margin),
         .valid_o(blind_valid),
         .there_o(there),
@@ -62,7 +65,7 @@ module horopter_object_check #(
   end else begin : g_no_blind
     assign {blind_valid, there, pixel_state, blind, pixel_first, pixel_last, blind_done, taught} = '0;
     logic unused_blind;
-    assign unused_blind = ^{width_i, height_i, blocks_i, blind_idle_q};
+    assign unused_blind = ^{width_i, height_i, blocks_i, forget_i, blind_idle_q};
   end
   logic looks, pixel_valid;
   assign looks = BLIND && (blocks_i.watch || blocks_i.teach);  // all through the frame
@@ -76,6 +79,18 @@ module horopter_object_check #(
     else if (blind_valid) taught_o <= taught;
     if (!looks) blind_q <= '0;
     else if (pixel_valid) blind_q <= (pixel_first ? '0 : blind_q) + COUNT_BITS'(blind);
+  end
+
+  logic taught_before_q;  // by the frame before this one
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      taught_before_q <= 1'b0;
+      taught_frames_o <= 16'd0;
+    end else if (BLIND && state_valid_i && state_first_i) begin
+      taught_before_q <= blocks_i.teach;
+      if (forget_i || (blocks_i.teach && !taught_before_q)) taught_frames_o <= 16'd0;
+      else if (taught_before_q && taught_frames_o != 16'hFFFF) taught_frames_o <= taught_frames_o + 16'd1;
+    end
   end
 
   logic idle_q;  // the frame has ended

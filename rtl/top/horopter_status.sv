@@ -85,6 +85,7 @@ module horopter_status #(
     input  logic                             object_alarm_i,
     input  logic                             taught_i,
     input  logic                             teaching_i,
+    output logic                             forget_o,  // what it has taught
     input  logic                             too_undecidable_i,
     input  logic                             too_unsupervised_i,
     input  logic                             verdict_valid_i,  // what both cameras see, together
@@ -224,6 +225,7 @@ module horopter_status #(
       .objects_overflow_i(objects_overflow_i),
       .object_alarm_i(object_alarm_i),
       .teaching_i(teaching_i),
+      .forget_o(forget_o),
       .too_undecidable_i(too_undecidable_i),
       .too_unsupervised_i(too_unsupervised_i),
       .verdict_valid_i(verdict_valid_i),

@@ -195,6 +195,7 @@ module horopter_top #(
   horopter_csr_pkg::frame_region_t frame_region;
   logic [23:0] frame_object, frame_blind;
   horopter_csr_pkg::blocks_t blocks, sampled_blocks;
+  logic [15:0] taught_frames;
   horopter_csr_pkg::frame_object_columns_t frame_object_columns;
   horopter_csr_pkg::frame_object_rows_t frame_object_rows;
   logic [127:0] frame_across;
@@ -328,6 +329,7 @@ module horopter_top #(
       .frame_object_columns_i(frame_object_columns),
       .frame_object_rows_i(frame_object_rows),
       .frame_blind_pixels_i(frame_blind),
+      .taught_frames_i(taught_frames),
       .map_slot_slot_o(map_slot),
       .map_base_word64_o(map_base),
       .map_undecidable_limit_pixels_o(map_undecidable_limit),
@@ -1103,7 +1105,7 @@ module horopter_top #(
       .frame_region_o(frame_region)
   );
 
-  logic objects_ended, objects_overflow, object_alarm, taught;
+  logic objects_ended, objects_overflow, object_alarm, taught, forget;
   horopter_object_check #(
       .BLIND(BLIND)
   ) u_object_check (
@@ -1113,6 +1115,7 @@ module horopter_top #(
       .width_i(result_width),
       .height_i(result_height),
       .blocks_i(sampled_blocks),
+      .forget_i(forget),
       .state_valid_i(state_valid && !state_idle),
       .state_i(state),
       .state_first_i(state_first),
@@ -1122,6 +1125,7 @@ module horopter_top #(
       .overflow_o(objects_overflow),
       .alarm_o(object_alarm),
       .taught_o(taught),
+      .taught_frames_o(taught_frames),
       .frame_pixels_o(frame_object),
       .frame_columns_o(frame_object_columns),
       .frame_rows_o(frame_object_rows),
@@ -1252,6 +1256,7 @@ module horopter_top #(
       .object_alarm_i(object_alarm),
       .taught_i(taught),
       .teaching_i(sampled_blocks.teach),
+      .forget_o(forget),
       .too_undecidable_i(too_undecidable),
       .too_unsupervised_i(too_unsupervised),
       .verdict_valid_i(verdict_valid),

@@ -289,6 +289,7 @@ class Machine : public Endpoint {
   }
   void check_frame(const Published& p, const FramePair& pair, const std::vector<std::uint32_t>& table) {
     const native::FrameResult e = expected(pair, table);
+    settings_.forget = settings_.teach != 0 && (e.alarm || e.object_overflow) ? 1 : 0;
     std::set<std::string> faults;
     if (e.object_overflow) faults.insert("objects");
     if (settings_.teach != 0) faults.insert("teaching");

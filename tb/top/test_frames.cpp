@@ -428,10 +428,12 @@ void went_blind(const std::string& profile, bool compete, unsigned width, unsign
   auto& settings = machine.settings();
   settings.compete = compete ? 1 : 0;
   settings.object_limit = 400;
-  unsigned blind = 0, seeing = 0, teaching = 0;
-  for (unsigned frame = 0; frame < 18; ++frame) {
+  unsigned blind = 0, seeing = 0, teaching = 0, forgotten = 0, frames_taught = 0;
+  bool taught_before = false, forgets = false;
+  for (unsigned frame = 0; frame < 24; ++frame) {
     CAPTURE(frame);
-    settings.teach = frame < 2 || rng.chance(4) ? 1 : 0;
+    settings.teach = frame < 3 || rng.chance(3) ? 1 : 0;
+    settings.object_limit = rng.chance(3) ? 400 : 100'000;
     settings.watch = frame < 6 || !rng.chance(3) ? 1 : 0;
     settings.blind_margin = static_cast<int>(rng.below(24));
     machine.write_limits();
@@ -443,14 +445,23 @@ void went_blind(const std::string& profile, bool compete, unsigned width, unsign
     seeing += p.blind == 0 && settings.watch != 0 && settings.teach == 0 ? 1 : 0;
     teaching += settings.teach != 0 ? 1 : 0;
     if (settings.teach != 0) CHECK_FALSE(p.safe_pin);
+    // Frames before this one, which is over.
+    const unsigned taught = machine.read(reg::taught::kAddress);
+    CHECK(taught == (forgets || (settings.teach != 0 && !taught_before) ? 0 : frames_taught + (taught_before ? 1 : 0)));
+    frames_taught = taught;
+    taught_before = settings.teach != 0;
+    forgets = settings.forget != 0;
+    forgotten += forgets ? 1 : 0;
   }
   CHECK(blind >= 3);
   CHECK(teaching >= 3);
+  CHECK(forgotten >= 1);
   // Before anything was taught, everything could be decided.
   machine.configure();
   settings.teach = 0;
   settings.watch = 1;
   settings.blind_margin = 0;
+  settings.object_limit = 400;
   machine.write_limits();
   FramePair pair = random_pair(width, height, -6, rng);
   for (unsigned y = 16; y < height; ++y) {

@@ -166,6 +166,48 @@ TEST_CASE("A plain body before a textured wall is an alarm where the empty zone 
   }
 }
 
+TEST_CASE("What is taught by a frame with a fault or an alarm is forgotten") {
+  Sandbox box;
+  cv::Mat wall = noise(3, 128, 60);
+  cv::GaussianBlur(wall, wall, {5, 5}, 1.2);
+  wall = (wall - 128) * 3 + 128;
+  cv::Mat right;
+  const cv::Matx23d shifted(1, 0, -7, 0, 1, 0);
+  cv::warpAffine(wall, right, shifted, wall.size(), cv::INTER_LINEAR, cv::BORDER_REFLECT);
+  constexpr int kPairs = 6;
+  const auto make = [&](int spoiled, bool covered) {
+    for (int pair = 0; pair < kPairs; ++pair) {
+      const auto seed = static_cast<std::uint64_t>(2 * pair + 10);
+      cv::Mat seen = grey(right + noise(seed + 1, 0, 1)), left = grey(wall + noise(seed, 0, 1));
+      if (pair == spoiled && covered) seen = grey(noise(seed + 1, 30, 1));
+      if (pair == spoiled && !covered) {  // somebody in the skin, 15 px of disparity
+        left(cv::Rect(115, 60, 140, 120)).copyTo(seen(cv::Rect(100, 60, 140, 120)));
+      }
+      with(box, left, seen, kPlane);
+      for (const auto& [side, image] : {std::pair{"left", left}, {"right", seen}}) {
+        cv::imwrite((box / (side + std::to_string(pair) + ".png")).string(), image);
+        fs::remove(box / (std::string(side) + ".png"));
+      }
+    }
+    const auto result =
+        box.run_proven({"run", "--left", "left*.png", "--right", "right*.png", "--skin", "skin.yaml", "--rig",
+                        "rig.yaml", "--out", "out", "--json", "--still-scene", "--teach", "4"});
+    CAPTURE(result.err);
+    return nlohmann::json::parse(result.out);
+  };
+  // The machine's first frame shows nothing yet, and is unproven all over: it teaches nothing.
+  const auto good = make(-1, false);
+  CAPTURE(good["taught"].dump());
+  CHECK(good["taught"]["frames"] == 4);
+  CHECK(good["taught"]["undecidable_percent"].get<double>() < 40);
+  CHECK(make(1, true)["taught"]["frames"] <= 2);
+  CHECK(make(1, false)["taught"]["frames"] == 2);
+  // The last one: nothing is known, and all that is undecidable counts.
+  const auto nothing = make(3, true);
+  CHECK(nothing["taught"] == nlohmann::json{{"pairs", 4}, {"frames", 0}});
+  CHECK(nothing["frames"][5]["blind_pixels"].get<int>() > 0);
+}
+
 TEST_CASE("A skin too small for its alarm is refused, and one that is nearly so is warned of") {
   Sandbox box;
   with(box, grey(noise(1, 100, 30)), grey(noise(2, 100, 30)),

@@ -17,12 +17,13 @@ BlindWatch::BlindWatch(int width, int height, int side) : side_(side) {
   }
 }
 
-std::vector<std::uint8_t> BlindWatch::frame(const Image& states, const BlindSettings& settings) {
-  const bool anew = settings.teach && !teaching_;
+std::vector<std::uint8_t> BlindWatch::frame(const Image& states, const BlindSettings& settings, bool true_of_empty) {
+  if (settings.teach && !teaching_) taught_ = 0;
   teaching_ = settings.teach;
   if (!settings.teach && !settings.watch) return {};
   std::vector<std::uint8_t> blind(settings.teach ? 0 : states.pixels.size());
   const int margin = settings.margin * side_ * side_ / 64;
+  const int step = side_ / 8;  // in which the machine keeps it
   for (Block& block : blocks_) {
     const auto each_undecidable = [&](const auto& act) {
       for (int y = block.y; y < block.y + block.height; ++y) {
@@ -33,17 +34,16 @@ std::vector<std::uint8_t> BlindWatch::frame(const Image& states, const BlindSett
     };
     int count = 0;
     each_undecidable([&](int, int) { ++count; });
+    const int known = taught_ > 0 ? block.most_undecidable : 0;
     if (settings.teach) {
-      const int step = side_ / 8;  // in which the machine keeps it
-      const int most = anew ? count : std::max(block.most_undecidable, count);
-      block.most_undecidable = (most + step - 1) / step * step;
-    } else if (count > (taught_ ? block.most_undecidable : 0) + margin) {
+      block.most_undecidable = (std::max(known, count) + step - 1) / step * step;
+    } else if (count > known + margin) {
       each_undecidable([&](int x, int y) {
         blind[static_cast<std::size_t>(y) * static_cast<std::size_t>(states.width) + static_cast<std::size_t>(x)] = 1;
       });
     }
   }
-  taught_ = taught_ || settings.teach;
+  if (settings.teach) taught_ = true_of_empty ? taught_ + 1 : 0;
   return blind;
 }
 

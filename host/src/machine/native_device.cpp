@@ -207,6 +207,8 @@ std::uint32_t NativeDevice::read(std::uint32_t address) {
     case reg::frame_object_columns::kAddress:
     case reg::frame_object_rows::kAddress:
       return frame_.object.at((address - reg::frame_object::kAddress) / 4);
+    case reg::taught::kAddress:
+      return taught_frames_;
     case reg::frame_blind::kAddress:
       return frame_.blind;
     case reg::frame_region::kAddress:
@@ -310,7 +312,8 @@ void NativeDevice::reset_stream() {
   pending_.clear();
   frame_ = {};
   hold();
-  taught_ = false;
+  taught_ = taught_before_ = forget_ = false;
+  taught_frames_ = 0;
   active_slot_ = kNoTable;
   frame_faults_pending_ = {};
 }
@@ -381,6 +384,7 @@ native::Settings NativeDevice::settings() const {
   native::Settings s;
   static_cast<hls::StageSettings&>(s) = stage_settings(word);
   s.lookahead = static_cast<int>(word(reg::lookahead::kAddress));
+  s.forget = forget_ ? 1 : 0;
   // Without a table nothing is undecidable.
   s.undecidable_limit = 0;
   if (active_slot_ == kNoTable) return s;
@@ -458,6 +462,14 @@ FrameStreams NativeDevice::receive() {
   add(result.agreement.unsharp_right, Fault::right_unsharp);
 
   taught_ = result.taught;
+  const bool teaches = faults.has(Fault::teaching);
+  if (forget_ || (teaches && !taught_before_)) {
+    taught_frames_ = 0;
+  } else if (taught_before_) {
+    taught_frames_ = std::min(taught_frames_ + 1, 0xFFFFU);
+  }
+  taught_before_ = teaches;
+  forget_ = faults.has(Fault::teaching) && (result.alarm || faults.without(Fault::teaching).any());
   const bool good = !faults.any() && !result.alarm;
   if (good) {
     safe_ = good_before_ && released();

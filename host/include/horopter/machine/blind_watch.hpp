@@ -28,19 +28,20 @@ class BlindWatch {
   BlindWatch(int width, int height, int side);
 
   /// The next frame's states, in the order in which the machine had them. Of each pixel: 1 = it is blind. Empty where
-  /// none can be.
-  std::vector<std::uint8_t> frame(const Image& states, const BlindSettings& settings);
+  /// none can be. A frame that teaches is `true_of_empty` if it has no other fault and no alarm; else all that was taught is
+  /// forgotten.
+  std::vector<std::uint8_t> frame(const Image& states, const BlindSettings& settings, bool true_of_empty = true);
 
   int side() const { return side_; }  ///< of a block
-  /// At least one frame was taught.
-  bool taught() const { return taught_; }
+  /// Frames that were taught, since it was begun anew or forgotten.
+  int taught() const { return taught_; }
   /// Row by row, with what was taught.
   const std::vector<Block>& blocks() const { return blocks_; }
 
  private:
   int side_;
   std::vector<Block> blocks_;
-  bool taught_ = false;
+  int taught_ = 0;
   bool teaching_ = false;
 };
 

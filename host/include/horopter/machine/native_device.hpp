@@ -95,6 +95,9 @@ class NativeDevice : public Device {
   bool safe_ = false;         // as the pins would say: the last two frames were good
   bool good_before_ = false;  // the last one was
   bool taught_ = false;       // register STATUS
+  bool taught_before_ = false;
+  unsigned taught_frames_ = 0;  // register TAUGHT
+  bool forget_ = false;       // the last frame taught, but not what is true
   // The interlock, as rtl/store/horopter_interlock.sv; without a pin.
   bool restarted_ = false;
   unsigned good_frames_ = 0;

@@ -1092,7 +1092,7 @@ inline constexpr std::uint32_t kReset = 0x20;
 /// object. Before anything was taught since enable: than the margin.
 inline constexpr Field kWatch{0, 1};
 /// 1 = the largest number is kept of each block, and every frame has the fault `teaching`. The first frame forgets what
-/// was taught before.
+/// was taught before, and so does a frame with another fault or an alarm.
 inline constexpr Field kTeach{1, 1};
 /// 1/64 of a block's pixels.
 inline constexpr Field kMargin{2, 8};
@@ -1105,6 +1105,14 @@ inline constexpr Access kAccess = Access::kReadOnly;
 /// Pixels of the result.
 inline constexpr Field kPixels{0, 24};
 }  // namespace frame_blind
+
+/// What is taught.
+namespace taught {
+inline constexpr std::uint32_t kAddress = 0x1B8;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Frames that have taught, before the one that is output, since it was begun or forgotten; at most 65535.
+inline constexpr Field kFrames{0, 16};
+}  // namespace taught
 
 /// Every fault, as its bit of 64: FAULTS_CAMERAS is the lower word, FAULTS_MACHINE the upper.
 enum class Fault : std::uint8_t {
@@ -1218,7 +1226,7 @@ struct Register {
   bool locked;  ///< writes are refused while CONTROL.enable is 1
 };
 
-inline constexpr std::array<Register, 87> kRegisters = {{
+inline constexpr std::array<Register, 88> kRegisters = {{
     {"id", 0x000, Access::kReadOnly, false},
     {"version", 0x004, Access::kReadOnly, false},
     {"build_size", 0x008, Access::kReadOnly, false},
@@ -1306,6 +1314,7 @@ inline constexpr std::array<Register, 87> kRegisters = {{
     {"frame_object_rows", 0x1AC, Access::kReadOnly, false},
     {"blocks", 0x1B0, Access::kReadWrite, false},
     {"frame_blind", 0x1B4, Access::kReadOnly, false},
+    {"taught", 0x1B8, Access::kReadOnly, false},
 }};
 
 }  // namespace horopter::registers
