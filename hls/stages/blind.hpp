@@ -93,6 +93,14 @@ class BlindBlocks {
     return out;
   }
 
+#ifndef __HLSC__
+  /// For an engine that leaves out frames of which nothing can be blind. Whether something is taught.
+  bool leave_out(const Config& config) {
+    begin(config);
+    return has_taught_;
+  }
+#endif
+
  private:
   using Column = u<bits_for(WIDTH - 1)>;
   using Row = u<bits_for(HEIGHT)>;

@@ -570,18 +570,19 @@ class Pipeline {
       result.blind_pixels += of.blind ? 1 : 0;
       step({of.blind || of.state == stages::state::skin, of.first, of.last, false});
     };
+    if (!looks) result.taught = blind_.leave_out(blind_config_);
     const std::uint8_t* state = result.states.data();
     for (int y = 0; y < result.height; ++y) {
       for (int x = 0; x < result.width; ++x, ++state) {
         const bool first = x == 0 && y == 0;
         const bool last = x + 1 == result.width;
-        // Without both, nothing is blind; that the session has ended it sees by the frame's first pixel.
-        if (looks || first) {
+        if (looks) {
           const auto of = blind_.step({*state, first, last, false}, blind_config_);
           result.taught = of.taught;
           pixel(of);
+        } else {
+          step({*state == stages::state::skin, first, last, false});
         }
-        if (!looks) step({*state == stages::state::skin, first, last, false});
       }
     }
     if (looks) {
