@@ -84,10 +84,10 @@ module horopter_blind (
   // hls/stages/blind.hpp:77
   logic [5:0] block;
   assign block = (last_block_2 < x[8:3]) ? last_block_2 : x[8:3];
-  // hls/stages/blind.hpp:151
+  // hls/stages/blind.hpp:159
   logic ends;
   assign ends = last_i | ((x[8:3] < last_block_2) & (x[2:0] == 3'h7));
-  // hls/stages/blind.hpp:155
+  // hls/stages/blind.hpp:163
   logic and_51;
   assign and_51 = not_32 & ends;
   // hls/stages/blind.hpp:68
@@ -95,22 +95,22 @@ module horopter_blind (
   assign or_53 = new_block_q | and_33;
   logic [2:0] select_57;
   assign select_57 = and_33 ? 3'h0 : inner_row_q;
-  // hls/stages/blind.hpp:143
+  // hls/stages/blind.hpp:151
   logic equal_58;
   assign equal_58 = select_57 == 3'h0;
   // hls/stages/blind.hpp:68
   logic [10:0] select_61;
   assign select_61 = and_33 ? 11'h0 : place_q;
-  // hls/stages/blind.hpp:159
+  // hls/stages/blind.hpp:167
   logic [10:0] place;
   assign place = select_61 + {5'h0, block};
-  // hls/stages/blind.hpp:158
+  // hls/stages/blind.hpp:166
   logic equal_63;
   assign equal_63 = select_57 == 3'h7;
   // hls/stages/blind.hpp:68
   logic [8:0] select_64;
   assign select_64 = and_33 ? 9'h0 : row_q;
-  // hls/stages/blind.hpp:158
+  // hls/stages/blind.hpp:166
   logic [9:0] sum_65;
   assign sum_65 = {1'b0, select_64} + 10'h1;
   logic equal_66;
@@ -136,16 +136,16 @@ module horopter_blind (
   // hls/stages/blind.hpp:68
   logic and_116;
   assign and_116 = odd_q & not_84;
-  // hls/stages/blind.hpp:143
+  // hls/stages/blind.hpp:151
   logic not_118;
   assign not_118 = ~(and_116 ^ equal_58);
   // hls/stages/blind.hpp:68
   logic [3:0] select_119;
   assign select_119 = and_33 ? 4'h0 : above_q;
-  // hls/stages/blind.hpp:144
+  // hls/stages/blind.hpp:152
   logic equal_120;
   assign equal_120 = select_119 == 4'h9;
-  // hls/stages/blind.hpp:143
+  // hls/stages/blind.hpp:151
   logic and_121;
   assign and_121 = or_37 & equal_120;
   // hls/stages/blind.hpp:65
@@ -171,7 +171,7 @@ module horopter_blind (
   logic select_165;
   assign select_165 = and_33 ? (session_q & (cfg_teach_i & not_89)) : session_q;
 
-  // Memory states, 378 x 18, DISTANCE 16, hls/stages/blind.hpp:180; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory states, 378 x 18, DISTANCE 16, hls/stages/blind.hpp:188; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [17:0] states_mem [0:377];
@@ -187,7 +187,7 @@ module horopter_blind (
     if (states_re) states_rdata_q <= states_mem[states_raddr];
   end
 
-  // Memory counts, 47 x 7, DISTANCE 16, hls/stages/blind.hpp:181; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory counts, 47 x 7, DISTANCE 16, hls/stages/blind.hpp:189; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [6:0] counts_mem [0:46];
@@ -203,7 +203,7 @@ module horopter_blind (
     if (counts_re) counts_rdata_q <= counts_mem[counts_raddr];
   end
 
-  // Memory taught, 1692 x 8, DISTANCE 16, hls/stages/blind.hpp:182; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory taught, 1692 x 8, DISTANCE 16, hls/stages/blind.hpp:190; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [7:0] taught_mem [0:1691];
@@ -219,7 +219,7 @@ module horopter_blind (
     if (taught_re) taught_rdata_q <= taught_mem[taught_raddr];
   end
 
-  // Memory blind, 128 x 1, DISTANCE 16, hls/stages/blind.hpp:183; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory blind, 128 x 1, DISTANCE 16, hls/stages/blind.hpp:191; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic blind_mem [0:127];
@@ -318,27 +318,27 @@ module horopter_blind (
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   logic [3:0] in_row_q;
-  // hls/stages/blind.hpp:152
+  // hls/stages/blind.hpp:160
   logic equal_55;
   assign equal_55 = state_s1_q == 2'h2;
   logic [3:0] sum_56;
   assign sum_56 = (or_53_s1_q ? 4'h0 : in_row_q) + {3'h0, equal_55};
-  // hls/stages/blind.hpp:156
+  // hls/stages/blind.hpp:164
   logic [6:0] sum_60;
   assign sum_60 = {3'h0, sum_56} + (equal_58_s1_q ? 7'h0 : counts_rdata_q);
   // hls/stages/blind.hpp:79
   logic [6:0] known;
   assign known = (^taught_rdata_q) ? 7'h0 : (has_taught_q ? taught_rdata_q[6:0] : 7'h0);
-  // hls/stages/blind.hpp:163
+  // hls/stages/blind.hpp:171
   logic [6:0] stored;
   assign stored = (known < sum_60) ? sum_60 : known;
-  // hls/stages/blind.hpp:113
+  // hls/stages/blind.hpp:121
   logic parity_111;
   assign parity_111 = ^stored;
-  // hls/stages/blind.hpp:166
+  // hls/stages/blind.hpp:174
   logic and_127;
   assign and_127 = watches_q & (({1'b0, cfg_blind_margin_i} + {2'h0, known}) < {2'h0, sum_60});
-  // hls/stages/blind.hpp:147
+  // hls/stages/blind.hpp:155
   logic and_171;
   assign and_171 = equal_120_s1_q & (blind_rdata_q & (states_rdata_q[17:16] == 2'h2));
 

@@ -97,7 +97,7 @@ module horopter_blind (
   // hls/stages/blind.hpp:68
   logic [10:0] select_64;
   assign select_64 = and_33 ? 11'h0 : row_q;
-  // hls/stages/blind.hpp:158
+  // hls/stages/blind.hpp:166
   logic [11:0] sum_65;
   assign sum_65 = {1'b0, select_64} + 12'h1;
   // hls/stages/blind.hpp:65
@@ -113,7 +113,7 @@ module horopter_blind (
   logic or_152;
   assign or_152 = and_33 | (and_36 & last);
 
-  // Memory states, 1920 x 34, DISTANCE 16, hls/stages/blind.hpp:180; read in stage 1, written in stage 3: 1 < 3 < 1 + DISTANCE.
+  // Memory states, 1920 x 34, DISTANCE 16, hls/stages/blind.hpp:188; read in stage 1, written in stage 3: 1 < 3 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [33:0] states_mem [0:1919];
@@ -184,7 +184,7 @@ module horopter_blind (
   // hls/stages/blind.hpp:77
   logic [6:0] block;
   assign block = less_45_s2_q ? last_block_q : before_v_q[10:4];
-  // hls/stages/blind.hpp:151
+  // hls/stages/blind.hpp:159
   logic ends;
   assign ends = last_s2_q | ((before_v_q[10:4] < last_block_q) & (before_v_q[3:0] == 4'hf));
   // hls/stages/blind.hpp:68
@@ -192,7 +192,7 @@ module horopter_blind (
   assign select_57 = and_33_s2_q ? 4'h0 : inner_row_q;
   logic [9:0] select_61;
   assign select_61 = and_33_s2_q ? 10'h0 : place_q;
-  // hls/stages/blind.hpp:158
+  // hls/stages/blind.hpp:166
   logic equal_63;
   assign equal_63 = select_57 == 4'hf;
   // hls/stages/blind.hpp:82
@@ -249,7 +249,7 @@ module horopter_blind (
   // Stage 3 -----------------------------------------------------------------------------------------------------------
   logic new_block_q;
   logic teaches_q;
-  // hls/stages/blind.hpp:155
+  // hls/stages/blind.hpp:163
   logic and_51;
   assign and_51 = not_32_s3_q & ends_s3_q;
   // hls/stages/blind.hpp:68
@@ -265,7 +265,7 @@ module horopter_blind (
   logic and_119;
   assign and_119 = ends_s3_q & (equal_63_s3_q ? select_90 : (select_90 & equal_66_s3_q));
 
-  // Memory counts, 120 x 9, DISTANCE 16, hls/stages/blind.hpp:181; read in stage 3, written in stage 6: 3 < 6 < 3 + DISTANCE.
+  // Memory counts, 120 x 9, DISTANCE 16, hls/stages/blind.hpp:189; read in stage 3, written in stage 6: 3 < 6 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [8:0] counts_mem [0:119];
@@ -281,7 +281,7 @@ module horopter_blind (
     if (counts_re) counts_rdata_q <= counts_mem[counts_raddr];
   end
 
-  // Memory taught, 8160 x 9, DISTANCE 16, hls/stages/blind.hpp:182; read in stage 3, written in stage 8: 3 < 8 < 3 + DISTANCE.
+  // Memory taught, 8160 x 9, DISTANCE 16, hls/stages/blind.hpp:190; read in stage 3, written in stage 8: 3 < 8 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [8:0] taught_mem [0:8159];
@@ -401,7 +401,7 @@ module horopter_blind (
   assign and_121 = odd_q & not_86;
   logic [4:0] select_124;
   assign select_124 = and_33_s4_q ? 5'h0 : above_q;
-  // hls/stages/blind.hpp:144
+  // hls/stages/blind.hpp:152
   logic equal_125;
   assign equal_125 = select_124 == 5'h11;
   // hls/stages/blind.hpp:82
@@ -476,19 +476,19 @@ module horopter_blind (
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
   logic [4:0] in_row_q;
-  // hls/stages/blind.hpp:152
+  // hls/stages/blind.hpp:160
   logic [4:0] sum_56;
   assign sum_56 = (or_53_s5_q ? 5'h0 : in_row_q) + {4'h0, equal_55_s5_q};
   // hls/stages/blind.hpp:79
   logic [7:0] known;
   assign known = (^taught_rdata_s5_q) ? 8'h0 : (has_taught_q ? taught_rdata_s5_q[7:0] : 8'h0);
-  // hls/stages/blind.hpp:143
+  // hls/stages/blind.hpp:151
   logic not_123;
   assign not_123 = ~(and_121_s5_q ^ equal_58_s5_q);
   logic and_126;
   assign and_126 = or_37_s5_q & equal_125_s5_q;
 
-  // Memory blind, 256 x 1, DISTANCE 16, hls/stages/blind.hpp:183; read in stage 5, written in stage 7: 5 < 7 < 5 + DISTANCE.
+  // Memory blind, 256 x 1, DISTANCE 16, hls/stages/blind.hpp:191; read in stage 5, written in stage 7: 5 < 7 < 5 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic blind_mem [0:255];
@@ -552,10 +552,10 @@ module horopter_blind (
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/blind.hpp:163
+  // hls/stages/blind.hpp:171
   logic [8:0] select_102;
   assign select_102 = ({known_s6_q, 1'b0} < sum_60_s6_q) ? sum_60_s6_q : {known_s6_q, 1'b0};
-  // hls/stages/blind.hpp:165
+  // hls/stages/blind.hpp:173
   logic [8:0] sum_130;
   assign sum_130 = {1'b0, cfg_blind_margin_i} + {2'h0, known_s6_q[7:1]};
 
@@ -640,10 +640,10 @@ module horopter_blind (
   end
 
   // Stage 7 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/blind.hpp:163
+  // hls/stages/blind.hpp:171
   logic [8:0] stored;
   assign stored = select_102_s7_q + 9'h1;
-  // hls/stages/blind.hpp:147
+  // hls/stages/blind.hpp:155
   logic and_176;
   assign and_176 = equal_125_s7_q & (blind_rdata_s7_q & (states_rdata_s7_q == 2'h2));
 
@@ -706,7 +706,7 @@ module horopter_blind (
   end
 
   // Stage 8 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/blind.hpp:113
+  // hls/stages/blind.hpp:121
   logic parity_116;
   assign parity_116 = ^stored_s8_q;
 
