@@ -129,6 +129,7 @@ module horopter_status #(
   assign running_o = running_q;
 
   logic late, waiting;
+  logic contactors_bad, contactors_ready;
   assign status_o.running = running_q;
   assign status_o.bad_geometry = bad_geometry_q;
   assign status_o.busy = busy_i != 2'b00;
@@ -155,7 +156,6 @@ module horopter_status #(
   end
 
   logic miss, internal;
-  logic contactors_bad, contactors_ready;
   horopter_feedback u_feedback (
       .clk_i(clk_i),
       .rst_ni(rst_ni),
