@@ -11,21 +11,27 @@
 
 namespace horopter::stages {
 
-template <int BEATS, int R>
+template <int BEATS, int R, class V = Scalar>
 class ColumnBallot {
   static_assert(R >= 2 && R <= 12);
 
  public:
-  using In = VoteSpread::Out;
+  template <int N>
+  using U = typename V::template u<N>;
+  template <int N>
+  using S = typename V::template s<N>;
+  using Bit = typename V::bit;
+
+  using In = typename VoteSpread<V>::Out;
   struct Config {
     u<4> similar;       // 4 grey levels
     u<8> quorum;        // votes; at least 1
     u<8> clear_quorum;  // 8 votes; at least 1
   };
   struct Out {
-    bool skin = false;
-    bool clear = false;
-    bool exists = false;
+    Bit skin = false;
+    Bit clear = false;
+    Bit exists = false;
     Marks marks;
   };
 
@@ -43,8 +49,8 @@ class ColumnBallot {
     std::array<Sum, 2 * R + 1> votes{};
     for (std::size_t i = 0; i <= 2 * R; ++i) {
       const Ballot& other = i == 2 * R ? own : above.ballot[i];
-      const u<7> difference = abs(s<7>(other.grey - centre.grey));
-      if (difference <= config.similar) votes[i] = Sum(other.vote);
+      const U<7> difference = abs(S<7>(other.grey - centre.grey));
+      votes[i] = select(difference <= config.similar, Sum(other.vote), Sum(0));
     }
     for (std::size_t n = 2 * R + 1; n > 1; n = (n + 1) / 2) {
       for (std::size_t i = 0; i < n / 2; ++i) votes[i] = Sum(votes[2 * i] + votes[2 * i + 1]);
@@ -53,7 +59,7 @@ class ColumnBallot {
     Column column;
     for (std::size_t i = 2 * R - 1; i > 0; --i) column.ballot[i] = above.ballot[i - 1];
     column.ballot[0] = own;
-    column.firm = u<R>(cat(above.firm, in.firm));
+    column.firm = U<R>(cat(above.firm, in.firm));
     if (running_) memory_.write(at.column, column);
 
     Out out;
@@ -65,16 +71,16 @@ class ColumnBallot {
   }
 
  private:
-  using Sum = s<13>;  // 25 · 127 and its sign
+  using Sum = S<13>;  // 25 · 127 and its sign
 
   struct Ballot {
-    s<8> vote;
-    u<6> grey;
-    bool exists = false;
+    S<8> vote;
+    U<6> grey;
+    Bit exists = false;
   };
   struct Column {
     std::array<Ballot, 2 * R> ballot{};  // the nearest row first
-    u<R> firm;                           // the nearest row lowest
+    U<R> firm;                           // the nearest row lowest
   };
 
   ColumnMemory<Column, BEATS> memory_;
@@ -82,7 +88,7 @@ class ColumnBallot {
   bool running_ = false;
 };
 
-template <Profile P>
-using Ballot = ColumnBallot<P.result_width(), P.ballot_reach>;
+template <Profile P, class V = Scalar>
+using Ballot = ColumnBallot<P.result_width(), P.ballot_reach, V>;
 
 }  // namespace horopter::stages

@@ -458,9 +458,15 @@ class Pipeline {
       }
     };
     if constexpr (P.has_compete()) {
-      if (compete_) return compete_rows_.row(grey_, first_row_, see);
+      if (compete_) {
+        compete_rows_.pass(grey_, first_row_);
+        return compete_rows_.finish(grey_, first_row_, see);
+      }
     }
-    if constexpr (P.has_thesis()) thesis_rows_.row(grey_, first_row_, see);
+    if constexpr (P.has_thesis()) {
+      thesis_rows_.pass(grey_, first_row_);
+      thesis_rows_.finish(grey_, first_row_, see);
+    }
   }
 
   /// Fields in arrays of their own: the compiler vectorises this stage without state.
