@@ -56,6 +56,61 @@ class PlaneSummer {
   };
 
   Out step(const In& in) {
+    const Place place = take(in);
+    const auto& at = place.at;
+    Column column;
+    if (running_) column = column_memory_.read(at.column);
+    Out out;
+    for (std::size_t n = 0; n < planes; ++n) {
+      const U<5> plus = cost(entering_, PLANES.shift[n]);
+      const U<5> minus = cost(leaving_, PLANES.shift[n]);
+      out.sum[n] = window_sum(n, column, at, plus, minus);
+    }
+    out.evidence = window_sum(planes, column, at, size(entering_), size(leaving_));
+
+    // Grey value and masks wait for the centre of the window.
+    const Bit gradient = entering_.tap(PLANES.reach()).features.mask;
+    const bool enough = at.rows >= half;
+    const Centre centre{column.seen[half], column.gradient[half - 1] && Bit(enough)};
+    for (std::size_t i = half; i > 0; --i) column.seen[i] = column.seen[i - 1];
+    for (std::size_t i = half - 1; i > 0; --i) column.gradient[i] = column.gradient[i - 1];
+    column.seen[0] = place.seen;
+    column.gradient[0] = gradient;
+    if (running_) column_memory_.write(at.column, column);
+    const Centre pixel = centres_.oldest();
+    centres_.push(centre);
+    out.grey = pixel.seen.grey;
+    out.exists = pixel.seen.exists && Bit(rows_seen_.oldest());
+    rows_seen_.push(at.rows > half);
+    out.known = pixel.gradient && centre.gradient && Bit(at.column >= (COLUMNS - 1) / 2);
+    out.marks = centre_marks_.oldest();
+    centre_marks_.push(place.marks);
+    return out;
+  }
+
+#ifndef __HLSC__
+  /// For an engine that needs no sums of a row's first beats: `skip` stands for step() in these, then comes begin(), then
+  /// step(). What that puts out is as ever from the COLUMNS-th beat on, but for the marks.
+  void skip(const In& in) { take(in); }
+  void begin() { rows_ = {}; }
+#endif
+
+ private:
+  static constexpr std::size_t half = (ROWS - 1) / 2;  // rows
+  static constexpr int column_bits = bits_for(largest_cost * ROWS);
+
+  struct Seen {
+    U<6> grey;
+    Bit exists = false;
+  };
+  /// Where the delayed left features stand.
+  struct Place {
+    RasterPosition<BEATS, ROWS> at;
+    Marks marks;
+    Seen seen;
+  };
+
+  Place take(const In& in) {
     feature_memory_.begin_step();
     column_memory_.begin_step();
 
@@ -80,42 +135,12 @@ class PlaneSummer {
     marks_.push(in.marks);
     const auto at = delayed_.step(marks.first, marks.last);
     running_ = running_ || marks.first;
-    Column column;
-    if (running_) column = column_memory_.read(at.column);
-    Out out;
-    for (std::size_t n = 0; n < planes; ++n) {
-      const U<5> plus = cost(entering_, PLANES.shift[n]);
-      const U<5> minus = cost(leaving_, PLANES.shift[n]);
-      out.sum[n] = window_sum(n, column, at, plus, minus);
-    }
-    out.evidence = window_sum(planes, column, at, size(entering_), size(leaving_));
-
-    // Grey value and masks wait for the centre of the window; the low-pass is a row and a column ahead of the gradient.
+    // The low-pass is a row and a column ahead of the gradient.
     const Seen seen{U<6>(in.grey.template bits<7, 2>()), in.exists};
     const Seen here = seen_.oldest();
     seen_.push(seen);
-    const Bit gradient = entering_.tap(PLANES.reach()).features.mask;
-    const bool enough = at.rows >= half;
-    const Centre centre{column.seen[half], column.gradient[half - 1] && Bit(enough)};
-    for (std::size_t i = half; i > 0; --i) column.seen[i] = column.seen[i - 1];
-    for (std::size_t i = half - 1; i > 0; --i) column.gradient[i] = column.gradient[i - 1];
-    column.seen[0] = here;
-    column.gradient[0] = gradient;
-    if (running_) column_memory_.write(at.column, column);
-    const Centre pixel = centres_.oldest();
-    centres_.push(centre);
-    out.grey = pixel.seen.grey;
-    out.exists = pixel.seen.exists && Bit(rows_seen_.oldest());
-    rows_seen_.push(at.rows > half);
-    out.known = pixel.gradient && centre.gradient && Bit(at.column >= (COLUMNS - 1) / 2);
-    out.marks = centre_marks_.oldest();
-    centre_marks_.push(marks);
-    return out;
+    return {at, marks, here};
   }
-
- private:
-  static constexpr std::size_t half = (ROWS - 1) / 2;  // rows
-  static constexpr int column_bits = bits_for(largest_cost * ROWS);
 
   struct FeaturePair {
     S<6> left, right;
@@ -127,10 +152,6 @@ class PlaneSummer {
   struct Tap {
     FeaturePair features;
     bool row = false;
-  };
-  struct Seen {
-    U<6> grey;
-    Bit exists = false;
   };
   struct Centre {
     Seen seen;

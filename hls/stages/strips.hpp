@@ -63,6 +63,12 @@ struct StripShape {
     return 0;
   }
   static constexpr std::size_t vote_lead() { return vote_delay(); }
+
+  /// Beats of a strip before the first sum over planes that a result of it depends on; COLUMNS before that is the first
+  /// cost.
+  static constexpr std::size_t first_sum() {
+    return lead(hls::Rule::compete) + delay(hls::Rule::compete) - 2 * stages::planes_of<P.planes>.reach();
+  }
 };
 
 /// A row, lane by lane, between its own order and that of strips: 16 bits a pixel. By way of memory, a row at a time: the
@@ -235,6 +241,7 @@ class Strips {
   /// The first of those that take votes.
   static constexpr std::size_t votes =
       compete ? std::find(order.begin(), order.end(), Stage::spread) - order.begin() - first : count;
+  static constexpr std::size_t planes = compete ? std::find(order.begin(), order.end(), Stage::plane_sums) - order.begin() - first : count;
   static_assert(order[0] == Stage::interpolate && order[1] == Stage::subsample && order[2] == Stage::agreement,
                 "the engine makes rows of these three by itself");
   static_assert(std::all_of(order.begin() + first, order.begin() + first + count, in_lanes),
@@ -321,9 +328,21 @@ class Strips {
       if constexpr (requires { stage.end_row(); }) stage.end_row();
     };
     std::apply([&](auto&... stage) { (begin_row(stage), ...); }, stages_);
-    for (std::size_t i = 0; i < lead + delay; ++i) through<0, votes>(grey(i, first_row));
+    constexpr std::size_t first_sum = Shape::first_sum();
+    constexpr auto first_cost = first_sum - static_cast<std::size_t>(P.sum_columns);
+    auto& sums = std::get<planes>(stages_);
+    const auto features = [&](std::size_t beat) { return through<0, planes>(grey(beat, first_row)); };
+    for (std::size_t i = 0; i < first_cost; ++i) sums.skip(features(i));
+    sums.begin();
+    for (std::size_t i = first_cost; i < first_sum; ++i) sums.step(features(i));
+    const auto vote_of = [&](std::size_t beat) {
+      auto of_planes = sums.step(features(beat));
+      of_planes.marks = {first_row && beat == first_sum, beat + 1 == beats_};
+      return through<planes + 1, votes>(of_planes);
+    };
+    for (std::size_t i = first_sum; i < lead + delay; ++i) vote_of(i);
     for (std::size_t i = 0; i < strip_; ++i) {
-      const auto vote = through<0, votes>(grey(lead + delay + i, first_row));
+      const auto vote = vote_of(lead + delay + i);
       words_.set(i, cat(cat(cat(Lanes::u<7>(vote.vote), vote.firm), vote.grey), vote.exists).vector());
     }
     std::apply([&](auto&... stage) { (end_row(stage), ...); }, stages_);

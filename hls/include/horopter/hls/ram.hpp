@@ -106,9 +106,10 @@ class RAM {
 #endif
   }
 
-  /// The word before this step, or what this step has written there. `address` < N.
+  /// The word before this step, or what this step has written there. `address` < N. Valid until a write: copy it, as the
+  /// hardware does.
   template <typename A>
-  T read(const A& address) {
+  const T& read(const A& address) {
     const std::size_t a = detail::ram_address(address);
     check(a, read_address_, write_address_);
     check_distance(a);
