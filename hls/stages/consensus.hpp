@@ -74,8 +74,8 @@ class ConsensusVote {
     out.marks = centre.marks;
     const Bit skin = shl<1>(total.skin) > total.exists;
     const Bit clear = shl<1>(total.clear) > total.exists;
-    const U<2> decided = select(clear, U<2>(state::clear), U<2>(state::undecidable));
-    out.state = select(centre.exists, select(skin, U<2>(state::skin), decided), U<2>(state::unsupervised));
+    const U<2> other = select(clear, U<2>(state::clear), U<2>(state::undecidable));
+    out.state = select(!centre.exists, U<2>(state::unsupervised), select(skin, U<2>(state::skin), other));
     return out;
   }
 

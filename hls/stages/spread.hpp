@@ -49,7 +49,7 @@ class VoteSpread {
     const bool row_start = in.marks.first || row_ended_;
     row_ended_ = in.marks.last;
     const U<7> difference = abs(S<7>(in.grey - last_.grey));
-    const Bit joined = Bit(!row_start) && in.exists && last_.exists && difference <= config.smooth;
+    const Bit joined = !row_start && in.exists && last_.exists && difference <= config.smooth;
     Arms arms{Sum(last_.vote), Sum(last_.vote), joined};
     last_ = in;
 
