@@ -7,6 +7,7 @@ namespace {
 template <hls::Profile P>
 class ProfileEngine final : public Engine {
  public:
+  explicit ProfileEngine(int threads) : pipeline_(threads) {}
   FrameResult process(const ImageView& left, const ImageView& right, const TableView& table,
                       const Settings& settings) override {
     return pipeline_.process(left, right, table, settings);
@@ -19,9 +20,9 @@ class ProfileEngine final : public Engine {
 
 }  // namespace
 
-std::unique_ptr<Engine> make_engine(std::string_view profile_name) {
+std::unique_ptr<Engine> make_engine(std::string_view profile_name, int threads) {
 #define HOROPTER_PROFILE(name, ...) \
-  if (profile_name == #name) return std::make_unique<ProfileEngine<hls::profiles::name>>();
+  if (profile_name == #name) return std::make_unique<ProfileEngine<hls::profiles::name>>(threads);
 #include "horopter/hls/profiles.def"
 #undef HOROPTER_PROFILE
   return nullptr;

@@ -18,6 +18,6 @@ class Engine {
 };
 
 /// Null for a name that profiles.def does not have. An engine remembers the last frame only to find a frozen camera.
-std::unique_ptr<Engine> make_engine(std::string_view profile_name);
+std::unique_ptr<Engine> make_engine(std::string_view profile_name, int threads = 1);
 
 }  // namespace horopter::native

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The native engine's way through the chain: a row at a time. The stages that stand in `lanes` see the row as strips
-// side by side in the lanes of a vector, the same classes on another kind of value; those behind them take it beat by
-// beat. The same bits as one call of step per beat (tests/unit/pipeline.cpp, compete.cpp).
+// side by side in the lanes of a vector, the same classes on another kind of value. Those behind them, align, runs and
+// alarm, shift, compare and count what has been decided: the engine does that itself, for speed (pipeline.hpp). The same
+// bits as one call of step per beat (tests/unit/pipeline.cpp, compete.cpp).
 #pragma once
 
 #include <algorithm>
@@ -86,9 +87,10 @@ class Transposed {
     }
   }
   /// The strips' own pixels.
-  void join(std::uint16_t* row, std::size_t strip) const {
+  template <class T>
+  void join(T* row, std::size_t strip) const {
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-      for (std::size_t i = 0; i < strip; ++i) row[lane * strip + i] = words_[i * lanes + lane];
+      for (std::size_t i = 0; i < strip; ++i) row[lane * strip + i] = static_cast<T>(words_[i * lanes + lane]);
     }
   }
   [[nodiscard]] Vector beat(std::size_t i) const {
@@ -169,9 +171,17 @@ struct PairRow {
 
   Row<hls::u<8>> left, right;
   Row<bool> saturated, mask, present;
-  /// What `agreement` says in the marks, column x at x.
-  std::array<bool, Shape::lanes * Shape::largest> seen, nearer;
 };
+
+/// What `agreement` says in the marks of a row, column x at x.
+template <hls::Profile P>
+struct MarksRow {
+  std::array<bool, static_cast<std::size_t>(P.result_width())> seen, nearer;
+};
+
+/// What the stages in lanes decide of a row, column x at x.
+template <hls::Profile P>
+using StatesRow = std::array<std::uint8_t, StripShape<P>::lanes * StripShape<P>::largest>;
 
 /// The stages of one rule from the one behind `subsample` on.
 template <hls::Profile P, hls::Rule RULE>
@@ -189,51 +199,6 @@ class Strips {
   static constexpr std::size_t vote_delay = Shape::vote_delay();
   static constexpr std::size_t largest_vote_beats = vote_lead + Shape::largest + vote_delay;
 
- public:
-  /// `settings`: of the stages, with the size of the result.
-  template <class Settings>
-  void begin(const Settings& settings) {
-    width_ = static_cast<std::size_t>(settings.width);
-    strip_ = (width_ + lanes - 1) / lanes;
-    beats_ = lead + strip_ + delay;
-    vote_beats_ = vote_lead + strip_ + vote_delay;
-    row_.fill({});
-    row_[width_ - 1].marks.last = true;
-    votes_.fill(0);
-    stages::chain::configure(configs_, settings);
-    behind_.configure(settings);
-  }
-
-  /// The stages in lanes: after it, `finish` takes what they say of the row.
-  void pass(const PairRow<P>& pairs, bool first_row) {
-    load(pairs);
-    if constexpr (compete) {
-      pass_beats(first_row);
-      exchange();
-      pass_votes(first_row);
-    } else {
-      [&]<std::size_t... I>(std::index_sequence<I...>) { (pass_row<I>(first_row), ...); }(Indices{});
-      const auto& decided = std::get<count - 1>(rows_);
-      for (std::size_t i = 0; i < strip_; ++i) words_.set(i, decided[lead + delay + i].state.vector());
-    }
-    words_.join(states_.data(), strip_);
-  }
-
-  /// `see(At<stage>, out)`: every beat that a stage behind those in lanes puts out, as in Chain::step.
-  template <class Marked, class See>
-  [[gnu::flatten]] void finish(const Marked& of_agreement, bool first_row, See see) {
-    for (std::size_t x = 0; x < width_; ++x) {
-      row_[x].state = hls::u<2>(states_[x]);
-      row_[x].marks.seen = of_agreement.seen[x];
-      row_[x].marks.nearer = of_agreement.nearer[x];
-    }
-    row_[0].marks.first = first_row;
-    const std::size_t n = width_;
-    Borrowed behind(behind_);
-    for (std::size_t x = 0; x < n; ++x) behind->step(row_[x], see);
-  }
-
- private:
   static constexpr auto order = stages::chain::order<RULE>();
   static constexpr bool in_lanes(Stage stage) { return stages::chain::place_of(stage) == stages::Place::lanes; }
   static constexpr std::size_t first = 3;
@@ -241,7 +206,8 @@ class Strips {
   /// The first of those that take votes.
   static constexpr std::size_t votes =
       compete ? std::find(order.begin(), order.end(), Stage::spread) - order.begin() - first : count;
-  static constexpr std::size_t planes = compete ? std::find(order.begin(), order.end(), Stage::plane_sums) - order.begin() - first : count;
+  static constexpr std::size_t planes =
+      compete ? std::find(order.begin(), order.end(), Stage::plane_sums) - order.begin() - first : count;
   static_assert(order[0] == Stage::interpolate && order[1] == Stage::subsample && order[2] == Stage::agreement,
                 "the engine makes rows of these three by itself");
   static_assert(std::all_of(order.begin() + first, order.begin() + first + count, in_lanes),
@@ -269,7 +235,6 @@ class Strips {
   };
   template <std::size_t I>
   using Of = typename InStrips<order[first + I]>::type;
-  using Behind = stages::Chain<P, RULE, order[first + count]>;
 
   template <class T>
   using StripRow = std::array<T, largest_beats>;
@@ -282,6 +247,52 @@ class Strips {
   template <std::size_t... I>
   static std::tuple<StripRow<typename Of<I>::Out>...> rows_of(std::index_sequence<I...>);
 
+  static constexpr std::size_t first_sum = compete ? Shape::first_sum() : 0;
+  /// The stages of the first half.
+  static constexpr std::size_t half = compete ? planes + 1 : 3;
+
+ public:
+  using Between = std::array<typename Of<half - 1>::Out, largest_beats - first_sum>;
+
+  /// `settings`: of the stages, with the size of the result.
+  template <class Settings>
+  void begin(const Settings& settings) {
+    width_ = static_cast<std::size_t>(settings.width);
+    strip_ = (width_ + lanes - 1) / lanes;
+    beats_ = lead + strip_ + delay;
+    vote_beats_ = vote_lead + strip_ + vote_delay;
+    votes_.fill(0);
+    stages::chain::configure(configs_, settings);
+  }
+
+  /// A row passes in two halves, so that two threads can share it: up to the sums over planes, or the directions, which
+  /// `between` holds, and the rest.
+  void pass_first(const PairRow<P>& pairs, bool first_row, Between& between) {
+    load(pairs);
+    if constexpr (compete) {
+      sum_planes(first_row, between);
+    } else {
+      pass_row<0>(first_row, between);
+      pass_row<1>(first_row, between);
+      pass_row<2>(first_row, between);
+    }
+  }
+  void pass_second(const Between& between, bool first_row, StatesRow<P>& states) {
+    if constexpr (compete) {
+      vote(between);
+      exchange();
+      pass_votes(first_row);
+    } else {
+      [&]<std::size_t... I>(std::index_sequence<I...>) {
+        (pass_row<half + I>(first_row, between), ...);
+      }(std::make_index_sequence<count - half>{});
+      const auto& decided = std::get<count - 1>(rows_);
+      for (std::size_t i = 0; i < strip_; ++i) words_.set(i, decided[lead + delay + i].state.vector());
+    }
+    words_.join(states.data(), strip_);
+  }
+
+ private:
   void load(const PairRow<P>& pairs) {
     const std::size_t begin = PairRow<P>::before - lead;
     const std::size_t end = begin + (lanes - 1) * strip_ + beats_;
@@ -303,49 +314,53 @@ class Strips {
   }
 
   /// One stage takes the whole row before the next begins: the same as beat by beat, as none feeds back.
-  template <std::size_t I>
-  [[gnu::flatten]] void pass_row(bool first_row) {
+  template <std::size_t I, class Middle>
+  [[gnu::flatten]] void pass_row(bool first_row, Middle& between) {
     Borrowed stage(std::get<I>(stages_));
     const auto& config = std::get<I>(configs_);
     const std::size_t n = beats_;
-    auto& to = std::get<I>(rows_);
+    const auto row_of = [&]<std::size_t J>(std::integral_constant<std::size_t, J>) -> auto& {
+      if constexpr (J + 1 == half) {
+        return between;
+      } else {
+        return std::get<J>(rows_);
+      }
+    };
+    auto& to = row_of(std::integral_constant<std::size_t, I>{});
     for (std::size_t i = 0; i < n; ++i) {
       if constexpr (I == 0) {
         to[i] = stages::chain::step(*stage, grey(i, first_row), config);
       } else {
-        to[i] = stages::chain::step(*stage, std::get<I - 1>(rows_)[i], config);
+        to[i] = stages::chain::step(*stage, row_of(std::integral_constant<std::size_t, I - 1>{})[i], config);
       }
     }
   }
 
-  /// All stages take a beat before the next one comes: rows of the sums of all planes would not fit a cache.
-  [[gnu::flatten]] void pass_beats(bool first_row) {
-    const auto begin_row = [&](auto& stage) {
-      if constexpr (requires { stage.end_row(); })
-        stage.begin_row(first_row, static_cast<int>(lead), static_cast<int>(lead + strip_));
-    };
-    const auto end_row = [](auto& stage) {
-      if constexpr (requires { stage.end_row(); }) stage.end_row();
-    };
-    std::apply([&](auto&... stage) { (begin_row(stage), ...); }, stages_);
-    constexpr std::size_t first_sum = Shape::first_sum();
+  /// All stages of a half take a beat before the next one comes.
+  [[gnu::flatten]] void sum_planes(bool first_row, Between& between) {
     constexpr auto first_cost = first_sum - static_cast<std::size_t>(P.sum_columns);
+    auto& contrast = std::get<planes - 1>(stages_);
     auto& sums = std::get<planes>(stages_);
+    contrast.begin_row(first_row, static_cast<int>(lead), static_cast<int>(lead + strip_));
     const auto features = [&](std::size_t beat) { return through<0, planes>(grey(beat, first_row)); };
     for (std::size_t i = 0; i < first_cost; ++i) sums.skip(features(i));
     sums.begin();
     for (std::size_t i = first_cost; i < first_sum; ++i) sums.step(features(i));
-    const auto vote_of = [&](std::size_t beat) {
-      auto of_planes = sums.step(features(beat));
-      of_planes.marks = {first_row && beat == first_sum, beat + 1 == beats_};
-      return through<planes + 1, votes>(of_planes);
-    };
+    for (std::size_t i = first_sum; i < beats_; ++i) {
+      auto& to = between[i - first_sum];
+      to = sums.step(features(i));
+      to.marks = {first_row && i == first_sum, i + 1 == beats_};
+    }
+    contrast.end_row();
+  }
+
+  [[gnu::flatten]] void vote(const Between& between) {
+    const auto vote_of = [&](std::size_t beat) { return through<half, votes>(between[beat - first_sum]); };
     for (std::size_t i = first_sum; i < lead + delay; ++i) vote_of(i);
     for (std::size_t i = 0; i < strip_; ++i) {
       const auto vote = vote_of(lead + delay + i);
       words_.set(i, cat(cat(cat(Lanes::u<7>(vote.vote), vote.firm), vote.grey), vote.exists).vector());
     }
-    std::apply([&](auto&... stage) { (end_row(stage), ...); }, stages_);
   }
 
   /// The strips of the votes from those of the planes.
@@ -394,9 +409,6 @@ class Strips {
   Transposed<P, Shape::largest> words_;  // of votes, of states
   std::array<std::uint16_t, vote_lead + lanes * Shape::largest + vote_delay> votes_{};
   Transposed<P, largest_vote_beats> vote_words_;
-  std::array<std::uint16_t, lanes * Shape::largest> states_{};
-  std::array<typename Behind::In, lanes * Shape::largest> row_{};
-  Behind behind_;
 };
 
 }  // namespace horopter::native
