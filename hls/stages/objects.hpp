@@ -126,6 +126,16 @@ class ObjectFinder {
     bool there = false;
   };
   /// The one at a place, by halves.
+#ifndef __HLSC__
+  static Entry chosen(const std::array<Entry, LABELS>& entries, const Place& place) {
+    return entries[place_of(place)];
+  }
+  static std::size_t place_of(const Place& place) {
+    std::size_t sum = 0;
+    for (std::size_t i = 0; i < LABELS; ++i) sum += place[i] ? i : 0;
+    return sum;
+  }
+#else
   static Entry chosen(std::array<Entry, LABELS> entries, const Place& place) {
     for (std::size_t i = 0; i < LABELS; ++i) {
       if (!place[i]) entries[i] = Entry{};
@@ -138,6 +148,7 @@ class ObjectFinder {
     }
     return entries[0];
   }
+#endif
   static bool same(const Entry& a, const Entry& b) { return a.there & b.there & (a.label == b.label); }
 
   static constexpr std::size_t group = 4;

@@ -112,8 +112,10 @@ struct Agreement {
     int textured = 0;
     int explained = 0;
     int nearer = 0;
+    friend bool operator==(const Region&, const Region&) = default;
   };
   std::array<Region, 48> regions{};
+  friend bool operator==(const Agreement&, const Agreement&) = default;
 };
 
 /// Pixels in the skin that touch each other (stages/objects.hpp).
@@ -134,6 +136,7 @@ struct ImageHealth {
   bool constant = false;
   bool frozen = false;
   bool blind = false;
+  friend bool operator==(const ImageHealth&, const ImageHealth&) = default;
 
   [[nodiscard]] bool empty() const { return black || white || constant; }  ///< which says that it is blind
 };
@@ -159,6 +162,7 @@ struct FrameResult {
   bool identical_images = false;  // the same signature
   Agreement agreement;
   bool one_camera = false;  // the same but for noise, compression or gain
+  friend bool operator==(const FrameResult&, const FrameResult&) = default;
 
   /// The first that ended of those with the most pixels; none without pixels.
   [[nodiscard]] Object largest_object() const {
@@ -600,7 +604,7 @@ class Pipeline {
       const bool clear = state == stages::state::clear;
       const bool is_hidden = clear & marks.nearer[static_cast<std::size_t>(x)];
       const bool is_unproven = clear & !marks.seen[static_cast<std::size_t>(x)];
-      to[x] = is_hidden | is_unproven ? std::uint8_t{stages::state::undecidable} : state;
+      to[x] = (is_hidden | is_unproven) ? std::uint8_t{stages::state::undecidable} : state;
       skin += state == stages::state::skin;
       undecidable += state == stages::state::undecidable;
       unsupervised += state == stages::state::unsupervised;

@@ -8,19 +8,15 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#ifdef __AVX2__
-#include <immintrin.h>
-#endif
 
 #include "horopter/hls/values.hpp"
 
 namespace horopter::hls::lanes {
 
-// All files of a program must agree on it, or hide what they make of it from each other (hls/CMakeLists.txt).
+// All files of a program must agree on it, or hide what they make of it from each other (hls/CMakeLists.txt). Vectors of
+// AVX-512 are not used: strips of half the width have as many columns around them, and 32 lanes are slower than 16.
 #if defined(HOROPTER_LANES)
 inline constexpr int count = HOROPTER_LANES;
-#elif defined(__AVX512BW__) && defined(__AVX512VL__)
-inline constexpr int count = 32;
 #elif defined(__AVX2__)
 inline constexpr int count = 16;
 #else
