@@ -18,6 +18,8 @@
 // Illegal use: a frame that begins before `done`: what was not said is lost.
 #pragma once
 
+#include <algorithm>
+
 #include "stages/stream.hpp"
 
 namespace horopter::stages {
@@ -97,6 +99,29 @@ class ObjectFinder {
     return out;
   }
 
+#ifndef __HLSC__
+  /// For an engine that leaves out beats in which nothing happens: those of a row, neither its first nor its last, whose
+  /// pixels are in the skin, or not, as is the one before them, and the same of the pixels above. `rests`: nothing is to be
+  /// done but that. `pixels` of such beats stand for as many calls of step.
+  [[nodiscard]] bool rests() const {
+    return at_rest(false) && read_ == write_ && visible_ == write_ && room_ == 0 && !little_room_ && !ended_ &&
+           (met_ || !before_ || !over_before_);
+  }
+  void skip(int pixels) {
+    full_ = queue_full_ = false;
+    if (before_ != over_before_) {
+      for (int i = 0; i < pixels; ++i) {
+        above_.begin_step();
+        above_.write(raster_.step(false, false).column, before_);
+      }
+    } else {
+      raster_.skip(pixels);
+    }
+    if (before_) last_run_.right = Column(last_run_.right + u<bits_for(WIDTH - 1)>(pixels));
+    phase_ = Phase(phase_ + u<16>(pixels));
+  }
+#endif
+
  private:
   static constexpr int slot = 2 * GAP;  // beats for an event
   static constexpr std::size_t queue_length = 2 * LABELS;
@@ -127,13 +152,9 @@ class ObjectFinder {
   };
   /// The one at a place, by halves.
 #ifndef __HLSC__
-  static Entry chosen(const std::array<Entry, LABELS>& entries, const Place& place) {
-    return entries[place_of(place)];
-  }
+  static Entry chosen(const std::array<Entry, LABELS>& entries, const Place& place) { return entries[place_of(place)]; }
   static std::size_t place_of(const Place& place) {
-    std::size_t sum = 0;
-    for (std::size_t i = 0; i < LABELS; ++i) sum += place[i] ? i : 0;
-    return sum;
+    return static_cast<std::size_t>(std::find(place.begin(), place.end(), true) - place.begin());
   }
 #else
   static Entry chosen(std::array<Entry, LABELS> entries, const Place& place) {
@@ -263,15 +284,19 @@ class ObjectFinder {
       second_ends_ = closes;
     }
 
-    const Place reserved = find_free(begins, restarts);
+    bool reserves = false;
+    const Place reserved = find_free(begins, restarts, reserves);
     const Label label = ends ? ended : run.label;
-    for (std::size_t i = 0; i < LABELS; ++i) {
-      const bool comes = ends & end_[i], goes = passes & begin_[i];
-      if (comes | (joins & (is_front[i] | begin_[i]))) entries_[i].label = label;
-      entries_[i].there = !restarts & ((entries_[i].there & !goes) | comes);
-      const bool freed = frees & (front.label == static_cast<int>(i));
-      used_[i] = !restarts & ((used_[i] & !freed) | reserved[i]);
-    }
+#ifndef __HLSC__
+    if (ends | joins | passes | frees | restarts | reserves)
+#endif
+      for (std::size_t i = 0; i < LABELS; ++i) {
+        const bool comes = ends & end_[i], goes = passes & begin_[i];
+        if (comes | (joins & (is_front[i] | begin_[i]))) entries_[i].label = label;
+        entries_[i].there = !restarts & ((entries_[i].there & !goes) | comes);
+        const bool freed = frees & (front.label == static_cast<int>(i));
+        used_[i] = !restarts & ((used_[i] & !freed) | reserved[i]);
+      }
     if (passes | restarts) begin_ = restarts ? first_place() : after(begin_);
     if (ends | restarts) end_ = restarts ? first_place() : after(end_);
     if (restarts) {
@@ -283,14 +308,15 @@ class ObjectFinder {
   }
 
   /// Looks for labels that are not used, a group in two beats, and keeps two. The result: those that it takes from now on.
-  Place find_free(bool taken, bool restarts) {
+  Place find_free(bool taken, bool restarts, bool& comes) {
     std::array<bool, group> first{};
     bool all_used = true;
     for (std::size_t k = 0; k < group; ++k) {
       first[k] = all_used & !looked_.bit(static_cast<int>(k));
       all_used = all_used & looked_.bit(static_cast<int>(k));
     }
-    const bool looked = looked_there_ & !restarts, comes = looked & !all_used;
+    const bool looked = looked_there_ & !restarts;
+    comes = looked & !all_used;
     const Entry found = found_;
     const bool moves = found.there & (taken | !free_.there);
     if (moves) free_.label = found.label;
@@ -299,12 +325,18 @@ class ObjectFinder {
     found_.there = !restarts & (comes | (found.there & !moves));
     Place reserved{};
     u<group> used(0);
+#ifndef __HLSC__
+    const auto at = static_cast<std::size_t>(at_group_.value()) * group;  // of the only group
+    for (std::size_t k = 0; k < group; ++k) reserved[at + k] = comes & first[k];
+    for (std::size_t k = 0; k < group; ++k) used = used | u<group>(u<1>(used_[at + k]).value() << k);
+#else
     for (std::size_t i = 0; i < LABELS; ++i) reserved[i] = comes & group_[i / group] & first[i % group];
     for (std::size_t i = 0; i < LABELS; i += group) {
       std::array<bool, group> of_group{};
       for (std::size_t k = 0; k < group; ++k) of_group[k] = used_[i + k] & group_[i / group];
       used = used | word_of(of_group);
     }
+#endif
     looked_ = used;
     looked_there_ = !restarts & !looked_there_ & (!found.there | moves);
     const Groups here = group_;

@@ -735,9 +735,30 @@ class Pipeline {
         add_object(out.object, result);
       }
     };
-    const std::uint8_t* state = result.states.data() + index(begin) * index(result.width);
+    const std::size_t width = index(result.width);
+    std::array<std::uint8_t, P.result_width()>
+        alike{};  // equal where pixel and pixel above are alike in being in the skin
     for (int y = begin; y < end; ++y) {
-      for (int x = 0; x < result.width; ++x) step({*state++, x == 0 && y == 0, x + 1 == result.width, false});
+      const std::uint8_t* state = result.states.data() + index(y) * width;
+      const std::uint8_t* above = y == 0 ? state : state - width;
+      for (std::size_t x = 0; x < width; ++x) {
+        alike[x] = static_cast<std::uint8_t>((state[x] == stages::state::skin ? 1 : 0) |
+                                             (above[x] == stages::state::skin ? 2 : 0));
+      }
+      step({state[0], y == 0, width == 1, false});
+      for (std::size_t x = 1; x < width;) {
+        std::size_t other = x;
+        if (alike[x] == alike[x - 1] && stage->rests()) {
+          while (other + 1 < width && alike[other] == alike[x]) ++other;
+        }
+        if (other > x) {
+          stage->skip(static_cast<int>(other - x));
+          x = other;
+        } else {
+          step({state[x], false, x + 1 == width, false});
+          ++x;
+        }
+      }
     }
     if (end < result.height) return;
     do {

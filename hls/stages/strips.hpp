@@ -80,10 +80,18 @@ class Transposed {
   using Vector = hls::lanes::unsigned_vector;
 
  public:
-  /// `row`: where the strip of the first lane begins.
+  /// `row`: where the strip of the first lane begins. Beyond a strip's width comes what the next lane begins with.
   void cut(const std::uint16_t* row, std::size_t strip, std::size_t beats) {
+    const std::size_t own = std::min(strip, beats);
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-      for (std::size_t beat = 0; beat < beats; ++beat) words_[beat * lanes + lane] = row[lane * strip + beat];
+      for (std::size_t beat = 0; beat < own; ++beat) words_[beat * lanes + lane] = row[lane * strip + beat];
+    }
+    for (std::size_t beat = own; beat < beats; ++beat) {
+      std::uint16_t* const to = words_.data() + beat * lanes;
+      Vector vector;
+      std::memcpy(&vector, to - strip * lanes + 1, sizeof vector);
+      std::memcpy(to, &vector, sizeof vector);
+      to[lanes - 1] = row[(lanes - 1) * strip + beat];
     }
   }
   /// The strips' own pixels.

@@ -137,6 +137,43 @@ TEST_CASE("engine: the same results for all instructions and any number of threa
   }
 }
 
+TEST_CASE("engine: objects are those of one step a pixel") {
+  constexpr hls::Profile profile = hls::profiles::vga;
+  using Finder = stages::Objects<profile>;
+  std::mt19937 random(23);
+  const auto engine = native::make_engine("vga");
+  std::size_t objects = 0;
+  Finder finder;
+  for (const Frame& frame : frames_of(profile, random)) {
+    const auto result = engine->process(frame.images.left.view(), frame.images.right.view(),
+                                        native::TableView(frame.table), frame.settings);
+    std::vector<native::Object> found;
+    const typename Finder::Config config{typename Finder::Count(frame.settings.object_limit)};
+    typename Finder::Out out;
+    const auto step = [&](const typename Finder::In& in) {
+      out = finder.step(in, config);
+      if (!out.ended) return;
+      const auto& o = out.object;
+      found.push_back({static_cast<int>(o.pixels.value()), o.left.value(), o.top.value(), o.right.value(),
+                       o.bottom.value(), static_cast<std::int64_t>(o.columns.value()),
+                       static_cast<std::int64_t>(o.rows.value())});
+    };
+    for (int y = 0; y < result.height; ++y) {
+      for (int x = 0; x < result.width; ++x) {
+        step({result.states[static_cast<std::size_t>(y * result.width + x)], x == 0 && y == 0, x + 1 == result.width,
+              false});
+      }
+    }
+    do {
+      step({0, false, false, true});
+    } while (!out.done);
+    REQUIRE(result.objects == found);
+    REQUIRE(result.object_overflow == out.overflow);
+    objects += found.size();
+  }
+  CHECK(objects > 100);
+}
+
 TEST_CASE("engine: instructions are chosen by name, and those that are not there are refused") {
   CHECK(native::available_instructions().front() == Instructions::baseline);
   CHECK(native::make_engine("nothing") == nullptr);
