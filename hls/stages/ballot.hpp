@@ -39,13 +39,18 @@ class ColumnBallot {
     memory_.begin_step();
     const auto at = raster_.step(in.marks.first, in.marks.last);
     running_ = running_ || in.marks.first;
+#ifdef __HLSC__
     Column above;
     if (running_) above = memory_.read(at.column);
+#else
+    Column nothing;
+    Column& above = running_ ? memory_.change(at.column) : nothing;
+#endif
     if (at.frame_start_row) [[unlikely]] {
       above = Column{};
     }
     const Ballot own{in.vote, in.grey, in.exists};
-    const Ballot& centre = above.ballot[R - 1];
+    const Ballot centre = above.ballot[R - 1];
     std::array<Sum, 2 * R + 1> votes{};
     for (std::size_t i = 0; i <= 2 * R; ++i) {
       const Ballot& other = i == 2 * R ? own : above.ballot[i];
@@ -56,17 +61,18 @@ class ColumnBallot {
       for (std::size_t i = 0; i < n / 2; ++i) votes[i] = Sum(votes[2 * i] + votes[2 * i + 1]);
       if (n % 2 == 1) votes[n / 2] = votes[n - 1];
     }
-    Column column;
-    for (std::size_t i = 2 * R - 1; i > 0; --i) column.ballot[i] = above.ballot[i - 1];
-    column.ballot[0] = own;
-    column.firm = U<R>(cat(above.firm, in.firm));
-    if (running_) memory_.write(at.column, column);
-
     Out out;
     out.skin = votes[0] >= config.quorum;
     out.clear = -votes[0] >= shl<3>(config.clear_quorum) || (votes[0] < lit<0>() && above.firm.bit(R - 1));
     out.exists = centre.exists;
     out.marks = in.marks;
+
+    for (std::size_t i = 2 * R - 1; i > 0; --i) above.ballot[i] = above.ballot[i - 1];
+    above.ballot[0] = own;
+    above.firm = U<R>(cat(above.firm, in.firm));
+#ifdef __HLSC__
+    if (running_) memory_.write(at.column, above);
+#endif
     return out;
   }
 

@@ -57,34 +57,13 @@ class PlaneSummer {
 
   Out step(const In& in) {
     const Place place = take(in);
-    const auto& at = place.at;
+#ifndef __HLSC__
+    if (running_) return sum(place, column_memory_.change(place.at.column));
+#endif
     Column column;
-    if (running_) column = column_memory_.read(at.column);
-    Out out;
-    for (std::size_t n = 0; n < planes; ++n) {
-      const U<5> plus = cost(entering_, PLANES.shift[n]);
-      const U<5> minus = cost(leaving_, PLANES.shift[n]);
-      out.sum[n] = window_sum(n, column, at, plus, minus);
-    }
-    out.evidence = window_sum(planes, column, at, size(entering_), size(leaving_));
-
-    // Grey value and masks wait for the centre of the window.
-    const Bit gradient = entering_.tap(PLANES.reach()).features.mask;
-    const bool enough = at.rows >= half;
-    const Centre centre{column.seen[half], column.gradient[half - 1] && Bit(enough)};
-    for (std::size_t i = half; i > 0; --i) column.seen[i] = column.seen[i - 1];
-    for (std::size_t i = half - 1; i > 0; --i) column.gradient[i] = column.gradient[i - 1];
-    column.seen[0] = place.seen;
-    column.gradient[0] = gradient;
-    if (running_) column_memory_.write(at.column, column);
-    const Centre pixel = centres_.oldest();
-    centres_.push(centre);
-    out.grey = pixel.seen.grey;
-    out.exists = pixel.seen.exists && Bit(rows_seen_.oldest());
-    rows_seen_.push(at.rows > half);
-    out.known = pixel.gradient && centre.gradient && Bit(at.column >= (COLUMNS - 1) / 2);
-    out.marks = centre_marks_.oldest();
-    centre_marks_.push(place.marks);
+    if (running_) column = column_memory_.read(place.at.column);
+    const Out out = sum(place, column);
+    if (running_) column_memory_.write(place.at.column, column);
     return out;
   }
 
@@ -103,12 +82,46 @@ class PlaneSummer {
     U<6> grey;
     Bit exists = false;
   };
+  struct Column {
+    std::array<U<column_bits>, planes + 1> sum{};
+    std::array<Seen, half + 1> seen{};
+    std::array<Bit, half> gradient{};
+  };
   /// Where the delayed left features stand.
   struct Place {
     RasterPosition<BEATS, ROWS> at;
     Marks marks;
     Seen seen;
   };
+
+  Out sum(const Place& place, Column& column) {
+    const auto& at = place.at;
+    Out out;
+    for (std::size_t n = 0; n < planes; ++n) {
+      const U<5> plus = cost(entering_, PLANES.shift[n]);
+      const U<5> minus = cost(leaving_, PLANES.shift[n]);
+      out.sum[n] = window_sum(n, column, at, plus, minus);
+    }
+    out.evidence = window_sum(planes, column, at, size(entering_), size(leaving_));
+
+    // Grey value and masks wait for the centre of the window.
+    const Bit gradient = entering_.tap(PLANES.reach()).features.mask;
+    const bool enough = at.rows >= half;
+    const Centre centre{column.seen[half], column.gradient[half - 1] && Bit(enough)};
+    for (std::size_t i = half; i > 0; --i) column.seen[i] = column.seen[i - 1];
+    for (std::size_t i = half - 1; i > 0; --i) column.gradient[i] = column.gradient[i - 1];
+    column.seen[0] = place.seen;
+    column.gradient[0] = gradient;
+    const Centre pixel = centres_.oldest();
+    centres_.push(centre);
+    out.grey = pixel.seen.grey;
+    out.exists = pixel.seen.exists && Bit(rows_seen_.oldest());
+    rows_seen_.push(at.rows > half);
+    out.known = pixel.gradient && centre.gradient && Bit(at.column >= (COLUMNS - 1) / 2);
+    out.marks = centre_marks_.oldest();
+    centre_marks_.push(place.marks);
+    return out;
+  }
 
   Place take(const In& in) {
     feature_memory_.begin_step();
@@ -117,7 +130,11 @@ class PlaneSummer {
     // Features of this row and of the row that leaves the window, both for the incoming column.
     const auto arriving_at = arriving_.step(in.marks.first, in.marks.last);
     if (arriving_at.row_start) row_parity_ = !row_parity_;
+#ifdef __HLSC__
     FeatureRows rows = feature_memory_.read(arriving_at.column);
+#else
+    FeatureRows& rows = feature_memory_.change(arriving_at.column);
+#endif
     FeaturePair entering;
     entering.left = in.left;
     entering.right = in.right;
@@ -126,7 +143,9 @@ class PlaneSummer {
     leaving.mask = leaving.mask && Bit(arriving_at.rows == ROWS);
     for (std::size_t i = ROWS - 1; i > 0; --i) rows.row[i] = rows.row[i - 1];
     rows.row[0] = entering;
+#ifdef __HLSC__
     feature_memory_.write(arriving_at.column, rows);
+#endif
     entering_.push({entering, row_parity_});
     leaving_.push({leaving, row_parity_});
 
@@ -156,11 +175,6 @@ class PlaneSummer {
   struct Centre {
     Seen seen;
     Bit gradient = false;
-  };
-  struct Column {
-    std::array<U<column_bits>, planes + 1> sum{};
-    std::array<Seen, half + 1> seen{};
-    std::array<Bit, half> gradient{};
   };
   using Taps = DelayLine<Tap, 2 * PLANES.reach() + 1>;
 

@@ -127,6 +127,16 @@ class RAM {
     words_[a] = data;
   }
 
+  /// A read and a write of a word where it stands: on the CPU large words need not be copied.
+  template <typename A>
+  T& change(const A& address) {
+    const std::size_t a = detail::ram_address(address);
+#ifndef HOROPTER_HLS_UNCHECKED
+    write(a, T(read(a)));
+#endif
+    return words_[a];
+  }
+
  private:
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
