@@ -61,18 +61,24 @@ class ColumnBallot {
       for (std::size_t i = 0; i < n / 2; ++i) votes[i] = Sum(votes[2 * i] + votes[2 * i + 1]);
       if (n % 2 == 1) votes[n / 2] = votes[n - 1];
     }
+    const Bit firm = above.firm.bit(R - 1);
+#ifdef __HLSC__
+    Column column;
+#else
+    Column& column = above;
+#endif
+    for (std::size_t i = 2 * R - 1; i > 0; --i) column.ballot[i] = above.ballot[i - 1];
+    column.ballot[0] = own;
+    column.firm = U<R>(cat(above.firm, in.firm));
+#ifdef __HLSC__
+    if (running_) memory_.write(at.column, column);
+#endif
+
     Out out;
     out.skin = votes[0] >= config.quorum;
-    out.clear = -votes[0] >= shl<3>(config.clear_quorum) || (votes[0] < lit<0>() && above.firm.bit(R - 1));
+    out.clear = -votes[0] >= shl<3>(config.clear_quorum) || (votes[0] < lit<0>() && firm);
     out.exists = centre.exists;
     out.marks = in.marks;
-
-    for (std::size_t i = 2 * R - 1; i > 0; --i) above.ballot[i] = above.ballot[i - 1];
-    above.ballot[0] = own;
-    above.firm = U<R>(cat(above.firm, in.firm));
-#ifdef __HLSC__
-    if (running_) memory_.write(at.column, above);
-#endif
     return out;
   }
 

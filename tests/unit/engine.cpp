@@ -138,13 +138,13 @@ TEST_CASE("engine: the same results for all instructions and any number of threa
 }
 
 TEST_CASE("engine: objects are those of one step a pixel") {
-  constexpr hls::Profile profile = hls::profiles::vga;
-  using Finder = stages::Objects<profile>;
+  constexpr hls::Profile kProfile = hls::profiles::vga;
+  using Finder = stages::Objects<kProfile>;
   std::mt19937 random(23);
   const auto engine = native::make_engine("vga");
   std::size_t objects = 0;
   Finder finder;
-  for (const Frame& frame : frames_of(profile, random)) {
+  for (const Frame& frame : frames_of(kProfile, random)) {
     const auto result = engine->process(frame.images.left.view(), frame.images.right.view(),
                                         native::TableView(frame.table), frame.settings);
     std::vector<native::Object> found;

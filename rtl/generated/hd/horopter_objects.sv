@@ -49,19 +49,19 @@ module horopter_objects (
   logic [10:0] raster_column_q;
   logic raster_rows_q;
   logic raster_row_ended_q;
-  // hls/stages/objects.hpp:166
+  // hls/stages/objects.hpp:198
   logic or_259;
   assign or_259 = first_i | raster_row_ended_q;
   logic [10:0] x;
   assign x = or_259 ? 11'h0 : raster_column_q;
-  // hls/stages/objects.hpp:76
+  // hls/stages/objects.hpp:78
   logic not_261;
   assign not_261 = ~idle_i;
-  // hls/stages/objects.hpp:166
+  // hls/stages/objects.hpp:198
   logic and_280;
   assign and_280 = raster_rows_q & (~first_i);
 
-  // Memory above, 1920 x 1, DISTANCE 16, hls/stages/objects.hpp:379; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory above, 1920 x 1, DISTANCE 16, hls/stages/objects.hpp:422; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic above_mem [0:1919];
@@ -155,24 +155,24 @@ module horopter_objects (
   logic before_v_q;
   logic over_before_q;
   logic ended_q;
-  // hls/stages/objects.hpp:77
+  // hls/stages/objects.hpp:79
   logic not_265;
   assign not_265 = ~and_264_s2_q;
-  // hls/stages/objects.hpp:178
+  // hls/stages/objects.hpp:210
   logic and_272;
   assign and_272 = ended_q & not_265;
-  // hls/stages/objects.hpp:176
+  // hls/stages/objects.hpp:208
   logic not_274;
   assign not_274 = ~or_273_s2_q;
-  // hls/stages/objects.hpp:178
+  // hls/stages/objects.hpp:210
   logic and_276;
   assign and_276 = before_v_q & not_265;
   logic and_278;
   assign and_278 = over_before_q & not_265;
-  // hls/stages/objects.hpp:89
+  // hls/stages/objects.hpp:91
   logic and_282;
   assign and_282 = not_261_s2_q & (above_rdata_s2_q & and_280_s2_q);
-  // hls/stages/objects.hpp:176
+  // hls/stages/objects.hpp:208
   logic and_283;
   assign and_283 = and_282 & not_274;
 
@@ -225,39 +225,39 @@ module horopter_objects (
   logic [5:0] room_q;
   logic little_room_q;
   logic [3:0] phase_q;
-  // hls/stages/objects.hpp:269
+  // hls/stages/objects.hpp:305
   logic equal_266;
   assign equal_266 = phase_q == 4'h0;
-  // hls/stages/objects.hpp:310
+  // hls/stages/objects.hpp:353
   logic equal_267;
   assign equal_267 = read_q == visible_q;
   logic not_268;
   assign not_268 = ~equal_267;
-  // hls/stages/objects.hpp:89
+  // hls/stages/objects.hpp:91
   logic and_289;
   assign and_289 = or_284_s3_q & and_288_s3_q;
-  // hls/stages/objects.hpp:183
+  // hls/stages/objects.hpp:215
   logic and_292;
   assign and_292 = (met_q & not_265_s3_q) & (~select_277_s3_q);
-  // hls/stages/objects.hpp:184
+  // hls/stages/objects.hpp:216
   logic and_294;
   assign and_294 = and_289 & (~and_292);
-  // hls/stages/objects.hpp:185
+  // hls/stages/objects.hpp:217
   logic or_298;
   assign or_298 = and_296_s3_q | (select_277_s3_q | and_294);
-  // hls/stages/objects.hpp:193
+  // hls/stages/objects.hpp:225
   logic [5:0] select_389;
   assign select_389 = and_264_s3_q ? 6'h0 : (or_298 ? (little_room_q ? write_q : (write_q + 6'h1)) : write_q);
-  // hls/stages/objects.hpp:88
+  // hls/stages/objects.hpp:90
   logic [5:0] select_393;
   assign select_393 = and_264_s3_q ? 6'h0 : (equal_266 ? (equal_267 ? read_q : (read_q + 6'h1)) : read_q);
-  // hls/stages/objects.hpp:78
+  // hls/stages/objects.hpp:80
   logic [5:0] room;
   assign room = read_q - write_q;
-  // hls/stages/objects.hpp:77
+  // hls/stages/objects.hpp:79
   logic little_room;
   assign little_room = not_265_s3_q & (({2'h0, room_q} + 8'hff) < 8'h7);
-  // hls/stages/objects.hpp:270
+  // hls/stages/objects.hpp:306
   logic and_411;
   assign and_411 = (~(not_261_s3_q | not_268)) & ((write_q == read_q) & and_409_s3_q);
 
@@ -327,7 +327,7 @@ module horopter_objects (
   // Stage 4 -----------------------------------------------------------------------------------------------------------
   logic [10:0] row_q;
 
-  // Memory queue, 64 x 36, DISTANCE 16, hls/stages/objects.hpp:386; read in stage 4, written in stage 5: 4 < 5 < 4 + DISTANCE.
+  // Memory queue, 64 x 36, DISTANCE 16, hls/stages/objects.hpp:429; read in stage 4, written in stage 5: 4 < 5 < 4 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [35:0] queue_mem [0:63];
@@ -394,10 +394,10 @@ module horopter_objects (
   logic [10:0] last_run_left_q;
   logic [10:0] last_run_right_q;
   logic [10:0] last_run_row_q;
-  // hls/stages/objects.hpp:89
+  // hls/stages/objects.hpp:91
   logic [10:0] x_2;
   assign x_2 = idle_s5_q ? last_run_right_q : x_s5_q;
-  // hls/stages/objects.hpp:201
+  // hls/stages/objects.hpp:233
   logic [10:0] select_383;
   assign select_383 = and_285_s5_q ? (or_380_s5_q ? x_2 : last_run_left_q) : last_run_left_q;
 
@@ -571,15 +571,15 @@ module horopter_objects (
   logic end_30_q;
   logic end_31_q;
   logic front_there_q;
-  // hls/stages/objects.hpp:88
+  // hls/stages/objects.hpp:90
   logic and_414;
   assign and_414 = not_265_s6_q & (equal_266_s6_q ? (not_268_s6_q | and_411_s6_q) : busy_q);
   logic select_416;
   assign select_416 = and_264_s6_q ? draining_q : (equal_266_s6_q ? and_411_s6_q : draining_q);
-  // hls/stages/objects.hpp:218
+  // hls/stages/objects.hpp:250
   logic and_418;
   assign and_418 = busy_q & equal_417_s6_q;
-  // hls/stages/objects.hpp:88
+  // hls/stages/objects.hpp:90
   logic and_422;
   assign and_422 = not_265_s6_q & (and_418 ? (draining_q & (~front_there_q)) : done_q);
   logic select_424;
@@ -594,217 +594,217 @@ module horopter_objects (
   assign select_436 = equal_266_s6_q ? (equal_267_s6_q ? event_run_right_q : queue_rdata_s6_q[24:14]) : event_run_right_q;
   logic [10:0] select_439;
   assign select_439 = equal_266_s6_q ? (equal_267_s6_q ? event_run_row_q : queue_rdata_s6_q[35:25]) : event_run_row_q;
-  // hls/stages/objects.hpp:218
+  // hls/stages/objects.hpp:250
   logic and_442;
   assign and_442 = busy_q & equal_441_s6_q;
-  // hls/stages/objects.hpp:222
+  // hls/stages/objects.hpp:254
   logic and_443;
   assign and_443 = event_ends_q & and_442;
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_444;
   assign and_444 = end_0_q & and_443;
-  // hls/stages/objects.hpp:219
+  // hls/stages/objects.hpp:251
   logic and_453;
   assign and_453 = busy_q & equal_452_s6_q;
-  // hls/stages/objects.hpp:248
+  // hls/stages/objects.hpp:280
   logic and_455;
   assign and_455 = front_there_q & (event_passes_q & and_453);
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_460;
   assign and_460 = not_265_s6_q & (and_444 | (entries_0_there_q & (~(begin_0_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_461;
   assign and_461 = end_1_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_470;
   assign and_470 = not_265_s6_q & (and_461 | (entries_1_there_q & (~(begin_1_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_471;
   assign and_471 = end_2_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_480;
   assign and_480 = not_265_s6_q & (and_471 | (entries_2_there_q & (~(begin_2_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_481;
   assign and_481 = end_3_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_490;
   assign and_490 = not_265_s6_q & (and_481 | (entries_3_there_q & (~(begin_3_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_491;
   assign and_491 = end_4_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_500;
   assign and_500 = not_265_s6_q & (and_491 | (entries_4_there_q & (~(begin_4_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_501;
   assign and_501 = end_5_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_510;
   assign and_510 = not_265_s6_q & (and_501 | (entries_5_there_q & (~(begin_5_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_511;
   assign and_511 = end_6_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_520;
   assign and_520 = not_265_s6_q & (and_511 | (entries_6_there_q & (~(begin_6_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_521;
   assign and_521 = end_7_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_530;
   assign and_530 = not_265_s6_q & (and_521 | (entries_7_there_q & (~(begin_7_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_531;
   assign and_531 = end_8_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_540;
   assign and_540 = not_265_s6_q & (and_531 | (entries_8_there_q & (~(begin_8_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_541;
   assign and_541 = end_9_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_550;
   assign and_550 = not_265_s6_q & (and_541 | (entries_9_there_q & (~(begin_9_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_551;
   assign and_551 = end_10_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_560;
   assign and_560 = not_265_s6_q & (and_551 | (entries_10_there_q & (~(begin_10_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_561;
   assign and_561 = end_11_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_570;
   assign and_570 = not_265_s6_q & (and_561 | (entries_11_there_q & (~(begin_11_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_571;
   assign and_571 = end_12_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_580;
   assign and_580 = not_265_s6_q & (and_571 | (entries_12_there_q & (~(begin_12_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_581;
   assign and_581 = end_13_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_590;
   assign and_590 = not_265_s6_q & (and_581 | (entries_13_there_q & (~(begin_13_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_591;
   assign and_591 = end_14_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_600;
   assign and_600 = not_265_s6_q & (and_591 | (entries_14_there_q & (~(begin_14_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_601;
   assign and_601 = end_15_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_610;
   assign and_610 = not_265_s6_q & (and_601 | (entries_15_there_q & (~(begin_15_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_611;
   assign and_611 = end_16_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_620;
   assign and_620 = not_265_s6_q & (and_611 | (entries_16_there_q & (~(begin_16_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_621;
   assign and_621 = end_17_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_630;
   assign and_630 = not_265_s6_q & (and_621 | (entries_17_there_q & (~(begin_17_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_631;
   assign and_631 = end_18_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_640;
   assign and_640 = not_265_s6_q & (and_631 | (entries_18_there_q & (~(begin_18_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_641;
   assign and_641 = end_19_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_650;
   assign and_650 = not_265_s6_q & (and_641 | (entries_19_there_q & (~(begin_19_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_651;
   assign and_651 = end_20_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_660;
   assign and_660 = not_265_s6_q & (and_651 | (entries_20_there_q & (~(begin_20_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_661;
   assign and_661 = end_21_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_670;
   assign and_670 = not_265_s6_q & (and_661 | (entries_21_there_q & (~(begin_21_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_671;
   assign and_671 = end_22_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_680;
   assign and_680 = not_265_s6_q & (and_671 | (entries_22_there_q & (~(begin_22_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_681;
   assign and_681 = end_23_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_690;
   assign and_690 = not_265_s6_q & (and_681 | (entries_23_there_q & (~(begin_23_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_691;
   assign and_691 = end_24_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_700;
   assign and_700 = not_265_s6_q & (and_691 | (entries_24_there_q & (~(begin_24_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_701;
   assign and_701 = end_25_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_710;
   assign and_710 = not_265_s6_q & (and_701 | (entries_25_there_q & (~(begin_25_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_711;
   assign and_711 = end_26_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_720;
   assign and_720 = not_265_s6_q & (and_711 | (entries_26_there_q & (~(begin_26_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_721;
   assign and_721 = end_27_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_730;
   assign and_730 = not_265_s6_q & (and_721 | (entries_27_there_q & (~(begin_27_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_731;
   assign and_731 = end_28_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_740;
   assign and_740 = not_265_s6_q & (and_731 | (entries_28_there_q & (~(begin_28_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_741;
   assign and_741 = end_29_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_750;
   assign and_750 = not_265_s6_q & (and_741 | (entries_29_there_q & (~(begin_29_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_751;
   assign and_751 = end_30_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_760;
   assign and_760 = not_265_s6_q & (and_751 | (entries_30_there_q & (~(begin_30_q & and_455))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_761;
   assign and_761 = end_31_q & and_443;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_770;
   assign and_770 = not_265_s6_q & (and_761 | (entries_31_there_q & (~(begin_31_q & and_455))));
-  // hls/stages/objects.hpp:264
+  // hls/stages/objects.hpp:300
   logic or_771;
   assign or_771 = and_264_s6_q | and_455;
-  // hls/stages/objects.hpp:265
+  // hls/stages/objects.hpp:301
   logic or_836;
   assign or_836 = and_264_s6_q | and_443;
-  // hls/stages/objects.hpp:136
+  // hls/stages/objects.hpp:167
   logic or_1324;
   assign or_1324 = (entries_0_there_q & begin_0_q) | (entries_1_there_q & begin_1_q);
   logic or_1327;
@@ -1450,10 +1450,10 @@ module horopter_objects (
   logic second_q;
   logic second_ends_q;
   logic overflow_q;
-  // hls/stages/objects.hpp:327
+  // hls/stages/objects.hpp:370
   logic and_302;
   assign and_302 = second_q & equal_301_s7_q;
-  // hls/stages/objects.hpp:336
+  // hls/stages/objects.hpp:379
   logic not_303;
   assign not_303 = ~joined_q;
   logic [2:0] select_304;
@@ -1472,19 +1472,19 @@ module horopter_objects (
   assign select_316 = select_304[0] ? group_7_q : group_5_q;
   logic [4:0] select_317;
   assign select_317 = select_304[1] ? (select_304[0] ? front_label_q : {1'b0, looked_q}) : {4'h0, select_316};
-  // hls/stages/objects.hpp:328
+  // hls/stages/objects.hpp:371
   logic and_323;
   assign and_323 = and_321_s7_q & (event_ends_s7_q | joined_q);
-  // hls/stages/objects.hpp:242
+  // hls/stages/objects.hpp:274
   logic and_445;
   assign and_445 = joined_q & and_321_s7_q;
-  // hls/stages/objects.hpp:223
+  // hls/stages/objects.hpp:255
   logic [4:0] ended;
   assign ended = run_there_q ? run_label_q : free_label_q;
-  // hls/stages/objects.hpp:256
+  // hls/stages/objects.hpp:289
   logic [4:0] label_2;
   assign label_2 = and_443_s7_q ? ended : run_label_q;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_451;
   assign select_451 = (and_444_s7_q | (and_445 & (begin_0_s7_q | same_0_q))) ? label_2 : entries_0_label_q;
   logic [4:0] select_465;
@@ -1549,54 +1549,54 @@ module horopter_objects (
   assign select_755 = (and_751_s7_q | (and_445 & (begin_30_s7_q | same_30_q))) ? label_2 : entries_30_label_q;
   logic [4:0] select_765;
   assign select_765 = (and_761_s7_q | (and_445 & (begin_31_s7_q | same_31_q))) ? label_2 : entries_31_label_q;
-  // hls/stages/objects.hpp:222
+  // hls/stages/objects.hpp:254
   logic not_901;
   assign not_901 = ~run_there_q;
-  // hls/stages/objects.hpp:233
+  // hls/stages/objects.hpp:265
   logic and_903;
   assign and_903 = not_901 & (event_meets_s7_q & and_418_s7_q);
-  // hls/stages/objects.hpp:240
+  // hls/stages/objects.hpp:272
   logic and_909;
   assign and_909 = not_265_s7_q & ((run_there_q & (~and_443_s7_q)) | (front_there_s7_q & and_903));
-  // hls/stages/objects.hpp:249
+  // hls/stages/objects.hpp:281
   logic closes;
   assign closes = (not_303 & and_455_s7_q) & (~others_q);
   logic frees;
   assign frees = closes | (joined_q & and_453_s7_q);
-  // hls/stages/objects.hpp:261
+  // hls/stages/objects.hpp:297
   logic not_917;
   assign not_917 = ~frees;
-  // hls/stages/objects.hpp:282
+  // hls/stages/objects.hpp:318
   logic and_920;
   assign and_920 = looked_there_q & not_265_s7_q;
-  // hls/stages/objects.hpp:280
+  // hls/stages/objects.hpp:316
   logic equal_921;
   assign equal_921 = looked_q == 4'hf;
-  // hls/stages/objects.hpp:282
+  // hls/stages/objects.hpp:319
   logic and_923;
   assign and_923 = and_920 & (~equal_921);
-  // hls/stages/objects.hpp:279
+  // hls/stages/objects.hpp:315
   logic not_924;
   assign not_924 = ~looked_q[0];
-  // hls/stages/objects.hpp:262
+  // hls/stages/objects.hpp:298
   logic or_927;
   assign or_927 = (used_0_q & ((~(front_label_q == 5'h0)) | not_917)) | (and_923 & (group_0_q & not_924));
-  // hls/stages/objects.hpp:279
+  // hls/stages/objects.hpp:315
   logic equal_933;
   assign equal_933 = looked_q[1:0] == 2'h1;
-  // hls/stages/objects.hpp:262
+  // hls/stages/objects.hpp:298
   logic or_936;
   assign or_936 = (used_1_q & (not_917 | (~(front_label_q == 5'h1)))) | (and_923 & (group_0_q & equal_933));
-  // hls/stages/objects.hpp:279
+  // hls/stages/objects.hpp:315
   logic equal_942;
   assign equal_942 = looked_q[2:0] == 3'h3;
-  // hls/stages/objects.hpp:262
+  // hls/stages/objects.hpp:298
   logic or_945;
   assign or_945 = (used_2_q & (not_917 | (~(front_label_q == 5'h2)))) | (and_923 & (group_0_q & equal_942));
-  // hls/stages/objects.hpp:279
+  // hls/stages/objects.hpp:315
   logic equal_951;
   assign equal_951 = looked_q == 4'h7;
-  // hls/stages/objects.hpp:262
+  // hls/stages/objects.hpp:298
   logic or_954;
   assign or_954 = (used_3_q & (not_917 | (~(front_label_q == 5'h3)))) | (and_923 & (group_0_q & equal_951));
   logic or_962;
@@ -1655,24 +1655,24 @@ module horopter_objects (
   assign or_1170 = (used_30_q & (not_917 | (~(front_label_q == 5'h1e)))) | (and_923 & (group_7_q & equal_942));
   logic or_1178;
   assign or_1178 = (used_31_q & (not_917 | (~(front_label_q == 5'h1f)))) | (and_923 & (group_7_q & equal_951));
-  // hls/stages/objects.hpp:222
+  // hls/stages/objects.hpp:254
   logic and_1180;
   assign and_1180 = and_443_s7_q & not_901;
-  // hls/stages/objects.hpp:229
+  // hls/stages/objects.hpp:261
   logic not_1181;
   assign not_1181 = ~free_there_q;
-  // hls/stages/objects.hpp:284
+  // hls/stages/objects.hpp:321
   logic and_1183;
   assign and_1183 = found_there_q & (and_1180 | not_1181);
-  // hls/stages/objects.hpp:287
+  // hls/stages/objects.hpp:324
   logic or_1189;
   assign or_1189 = equal_933 | equal_951;
   logic or_1190;
   assign or_1190 = equal_942 | equal_951;
-  // hls/stages/objects.hpp:300
+  // hls/stages/objects.hpp:343
   logic and_1195;
   assign and_1195 = equal_921 & and_920;
-  // hls/stages/objects.hpp:294
+  // hls/stages/objects.hpp:336
   logic and_1214;
   assign and_1214 = used_0_q & group_0_q;
   logic and_1215;
@@ -1689,10 +1689,10 @@ module horopter_objects (
   assign and_1220 = used_6_q & group_1_q;
   logic and_1221;
   assign and_1221 = used_7_q & group_1_q;
-  // hls/stages/objects.hpp:295
+  // hls/stages/objects.hpp:337
   logic [3:0] used;
   assign used = {and_1217, and_1216, and_1215, and_1214} | {and_1221, and_1220, and_1219, and_1218};
-  // hls/stages/objects.hpp:294
+  // hls/stages/objects.hpp:336
   logic and_1223;
   assign and_1223 = used_8_q & group_2_q;
   logic and_1224;
@@ -1701,10 +1701,10 @@ module horopter_objects (
   assign and_1225 = used_10_q & group_2_q;
   logic and_1226;
   assign and_1226 = used_11_q & group_2_q;
-  // hls/stages/objects.hpp:295
+  // hls/stages/objects.hpp:337
   logic [3:0] used_2;
   assign used_2 = used | {and_1226, and_1225, and_1224, and_1223};
-  // hls/stages/objects.hpp:294
+  // hls/stages/objects.hpp:336
   logic and_1228;
   assign and_1228 = used_12_q & group_3_q;
   logic and_1229;
@@ -1713,10 +1713,10 @@ module horopter_objects (
   assign and_1230 = used_14_q & group_3_q;
   logic and_1231;
   assign and_1231 = used_15_q & group_3_q;
-  // hls/stages/objects.hpp:295
+  // hls/stages/objects.hpp:337
   logic [3:0] used_3;
   assign used_3 = used_2 | {and_1231, and_1230, and_1229, and_1228};
-  // hls/stages/objects.hpp:294
+  // hls/stages/objects.hpp:336
   logic and_1233;
   assign and_1233 = used_16_q & group_4_q;
   logic and_1234;
@@ -1725,10 +1725,10 @@ module horopter_objects (
   assign and_1235 = used_18_q & group_4_q;
   logic and_1236;
   assign and_1236 = used_19_q & group_4_q;
-  // hls/stages/objects.hpp:295
+  // hls/stages/objects.hpp:337
   logic [3:0] used_4;
   assign used_4 = used_3 | {and_1236, and_1235, and_1234, and_1233};
-  // hls/stages/objects.hpp:294
+  // hls/stages/objects.hpp:336
   logic and_1238;
   assign and_1238 = used_20_q & group_5_q;
   logic and_1239;
@@ -1737,10 +1737,10 @@ module horopter_objects (
   assign and_1240 = used_22_q & group_5_q;
   logic and_1241;
   assign and_1241 = used_23_q & group_5_q;
-  // hls/stages/objects.hpp:295
+  // hls/stages/objects.hpp:337
   logic [3:0] used_5;
   assign used_5 = used_4 | {and_1241, and_1240, and_1239, and_1238};
-  // hls/stages/objects.hpp:294
+  // hls/stages/objects.hpp:336
   logic and_1243;
   assign and_1243 = used_24_q & group_6_q;
   logic and_1244;
@@ -1749,10 +1749,10 @@ module horopter_objects (
   assign and_1245 = used_26_q & group_6_q;
   logic and_1246;
   assign and_1246 = used_27_q & group_6_q;
-  // hls/stages/objects.hpp:295
+  // hls/stages/objects.hpp:337
   logic [3:0] used_6;
   assign used_6 = used_5 | {and_1246, and_1245, and_1244, and_1243};
-  // hls/stages/objects.hpp:294
+  // hls/stages/objects.hpp:336
   logic and_1248;
   assign and_1248 = used_28_q & group_7_q;
   logic and_1249;
@@ -1761,13 +1761,13 @@ module horopter_objects (
   assign and_1250 = used_30_q & group_7_q;
   logic and_1251;
   assign and_1251 = used_31_q & group_7_q;
-  // hls/stages/objects.hpp:295
+  // hls/stages/objects.hpp:337
   logic [3:0] used_7;
   assign used_7 = used_6 | {and_1251, and_1250, and_1249, and_1248};
-  // hls/stages/objects.hpp:298
+  // hls/stages/objects.hpp:341
   logic and_1257;
   assign and_1257 = not_265_s7_q & ((~looked_there_q) & (and_1183 | (~found_there_q)));
-  // hls/stages/objects.hpp:135
+  // hls/stages/objects.hpp:166
   logic [4:0] or_1260;
   assign or_1260 = (begin_0_s7_q ? entries_0_label_q : 5'h0) | (begin_1_s7_q ? entries_1_label_q : 5'h0);
   logic [4:0] or_1263;
@@ -1804,7 +1804,7 @@ module horopter_objects (
   assign or_1316 = (begin_30_s7_q ? entries_30_label_q : 5'h0) | (begin_31_s7_q ? entries_31_label_q : 5'h0);
   logic [4:0] or_1319;
   assign or_1319 = ((or_1291 | or_1294) | (or_1298 | or_1301)) | ((or_1306 | or_1309) | (or_1313 | or_1316));
-  // hls/stages/objects.hpp:237
+  // hls/stages/objects.hpp:269
   logic and_1392;
   assign and_1392 = (and_1388_s7_q & (entries_0_label_q == front_label_q)) & (~begin_0_s7_q);
   logic and_1398;
@@ -1869,22 +1869,22 @@ module horopter_objects (
   assign and_1572 = (and_1568_s7_q & (entries_30_label_q == front_label_q)) & (~begin_30_s7_q);
   logic and_1578;
   assign and_1578 = (and_1574_s7_q & (entries_31_label_q == front_label_q)) & (~begin_31_s7_q);
-  // hls/stages/objects.hpp:244
+  // hls/stages/objects.hpp:276
   logic equal_1580;
   assign equal_1580 = {same_31_q, same_30_q, same_29_q, same_28_q, same_27_q, same_26_q, same_25_q, same_24_q, same_23_q, same_22_q, same_21_q, same_20_q, same_19_q, same_18_q, same_17_q, same_16_q, same_15_q, same_14_q, same_13_q, same_12_q, same_11_q, same_10_q, same_9_q, same_8_q, same_7_q, same_6_q, same_5_q, same_4_q, same_3_q, same_2_q, same_1_q, same_0_q} == 32'h0;
-  // hls/stages/objects.hpp:235
+  // hls/stages/objects.hpp:267
   logic equal_1582;
   assign equal_1582 = run_label_q == front_label_q;
-  // hls/stages/objects.hpp:248
+  // hls/stages/objects.hpp:280
   logic select_1586;
   assign select_1586 = and_321_s7_q ? ((~equal_1580) | (equal_1582 & (run_there_q & front_there_s7_q))) : others_q;
-  // hls/stages/objects.hpp:235
+  // hls/stages/objects.hpp:267
   logic and_1590;
   assign and_1590 = (front_there_s7_q & (event_meets_s7_q & run_there_q)) & (~equal_1582);
-  // hls/stages/objects.hpp:248
+  // hls/stages/objects.hpp:280
   logic [4:0] select_1593;
   assign select_1593 = and_321_s7_q ? (joined_q ? run_label_q : front_label_q) : other_q;
-  // hls/stages/objects.hpp:93
+  // hls/stages/objects.hpp:95
   logic or_1663;
   assign or_1663 = (and_443_s7_q & (or_1658_s7_q | (not_901 & not_1181))) | and_1662_s7_q;
 
@@ -2168,14 +2168,14 @@ module horopter_objects (
   end
 
   // Stage 8 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/objects.hpp:336
+  // hls/stages/objects.hpp:379
   logic [4:0] label;
   assign label = and_302_s8_q ? select_311_s8_q : select_318_s8_q;
-  // hls/stages/objects.hpp:350
+  // hls/stages/objects.hpp:393
   logic [10:0] pixels;
   assign pixels = (event_run_right_s8_q - event_run_left_s8_q) + 11'h1;
 
-  // Memory objects, 32 x 129, DISTANCE 8, hls/stages/objects.hpp:414; read in stage 8, written in stage 12: 8 < 12 < 8 + DISTANCE.
+  // Memory objects, 32 x 129, DISTANCE 8, hls/stages/objects.hpp:457; read in stage 8, written in stage 12: 8 < 12 < 8 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [128:0] objects_mem [0:31];
@@ -2225,10 +2225,10 @@ module horopter_objects (
   end
 
   // Stage 9 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/objects.hpp:355
+  // hls/stages/objects.hpp:398
   logic [22:0] product_349;
   assign product_349 = {12'h0, pixels_s9_q} * {11'h0, sum_348_s9_q};
-  // hls/stages/objects.hpp:356
+  // hls/stages/objects.hpp:399
   logic [21:0] product_355;
   assign product_355 = {11'h0, event_run_row_s9_q} * {11'h0, pixels_s9_q};
 
@@ -2277,10 +2277,10 @@ module horopter_objects (
   logic [10:0] joining_bottom_q;
   logic [31:0] joining_columns_q;
   logic [31:0] joining_rows_q;
-  // hls/stages/objects.hpp:361
+  // hls/stages/objects.hpp:404
   logic [20:0] sum_330;
   assign sum_330 = objects_rdata_s10_q[20:0] + (and_302_s10_q ? joining_pixels_q : {10'h0, pixels_s10_q});
-  // hls/stages/objects.hpp:333
+  // hls/stages/objects.hpp:376
   logic [10:0] select_332;
   assign select_332 = and_302_s10_q ? joining_left_q : event_run_left_s10_q;
   logic [10:0] select_336;
@@ -2291,13 +2291,13 @@ module horopter_objects (
   assign select_344 = and_302_s10_q ? joining_bottom_q : event_run_row_s10_q;
   logic [31:0] b;
   assign b = and_302_s10_q ? joining_columns_q : {10'h0, product_349_s10_q};
-  // hls/stages/objects.hpp:373
+  // hls/stages/objects.hpp:416
   logic [16:0] low;
   assign low = {1'b0, objects_rdata_s10_q[80:65]} + {1'b0, b[15:0]};
-  // hls/stages/objects.hpp:333
+  // hls/stages/objects.hpp:376
   logic [31:0] b_2;
   assign b_2 = and_302_s10_q ? joining_rows_q : {10'h0, product_355_s10_q};
-  // hls/stages/objects.hpp:373
+  // hls/stages/objects.hpp:416
   logic [16:0] low_2;
   assign low_2 = {1'b0, objects_rdata_s10_q[112:97]} + {1'b0, b_2[15:0]};
 
@@ -2389,7 +2389,7 @@ module horopter_objects (
   end
 
   // Stage 11 ----------------------------------------------------------------------------------------------------------
-  // hls/stages/objects.hpp:339
+  // hls/stages/objects.hpp:382
   logic [20:0] select_331;
   assign select_331 = and_326_s11_q ? {10'h0, pixels_s11_q} : sum_330_s11_q;
   logic [10:0] select_335;
@@ -2400,19 +2400,19 @@ module horopter_objects (
   assign select_343 = and_326_s11_q ? event_run_row_s11_q : (less_341_s11_q ? select_340_s11_q : objects_rdata_s11_q[32:22]);
   logic [10:0] select_347;
   assign select_347 = and_326_s11_q ? event_run_row_s11_q : (less_345_s11_q ? select_344_s11_q : objects_rdata_s11_q[43:33]);
-  // hls/stages/objects.hpp:375
+  // hls/stages/objects.hpp:418
   logic [15:0] sum_353;
   assign sum_353 = {15'h0, low_s11_q[16]} + sum_352_s11_q;
-  // hls/stages/objects.hpp:339
+  // hls/stages/objects.hpp:382
   logic [31:0] select_354;
   assign select_354 = and_326_s11_q ? {10'h0, product_349_s11_q} : {sum_353, low_s11_q[15:0]};
-  // hls/stages/objects.hpp:375
+  // hls/stages/objects.hpp:418
   logic [15:0] sum_359;
   assign sum_359 = {15'h0, low_2_s11_q[16]} + sum_358_s11_q;
-  // hls/stages/objects.hpp:339
+  // hls/stages/objects.hpp:382
   logic [31:0] select_360;
   assign select_360 = and_326_s11_q ? {10'h0, product_355_s11_q} : {sum_359, low_2_s11_q[15:0]};
-  // hls/stages/objects.hpp:85
+  // hls/stages/objects.hpp:87
   logic and_1678;
   assign and_1678 = or_324_s11_q & (not_362_s11_q & (~(select_331 < cfg_object_limit_i)));
 

@@ -40,19 +40,19 @@ module horopter_objects (
   logic [9:0] raster_column_q;
   logic raster_rows_q;
   logic raster_row_ended_q;
-  // hls/stages/objects.hpp:166
+  // hls/stages/objects.hpp:198
   logic or_259;
   assign or_259 = first_i | raster_row_ended_q;
   logic [9:0] x;
   assign x = or_259 ? 10'h0 : (raster_column_q + 10'h1);
-  // hls/stages/objects.hpp:76
+  // hls/stages/objects.hpp:78
   logic not_262;
   assign not_262 = ~idle_i;
-  // hls/stages/objects.hpp:166
+  // hls/stages/objects.hpp:198
   logic and_281;
   assign and_281 = raster_rows_q & (~first_i);
 
-  // Memory above, 640 x 1, DISTANCE 16, hls/stages/objects.hpp:379; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory above, 640 x 1, DISTANCE 16, hls/stages/objects.hpp:422; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic above_mem [0:639];
@@ -111,73 +111,73 @@ module horopter_objects (
   logic [5:0] room_q;
   logic little_room_q;
   logic [1:0] phase_q;
-  // hls/stages/objects.hpp:77
+  // hls/stages/objects.hpp:79
   logic not_266;
   assign not_266 = ~and_265_s1_q;
-  // hls/stages/objects.hpp:219
+  // hls/stages/objects.hpp:251
   logic equal_267;
   assign equal_267 = phase_q == 2'h0;
-  // hls/stages/objects.hpp:310
+  // hls/stages/objects.hpp:353
   logic equal_268;
   assign equal_268 = read_q == visible_q;
   logic not_269;
   assign not_269 = ~equal_268;
-  // hls/stages/objects.hpp:178
+  // hls/stages/objects.hpp:210
   logic and_273;
   assign and_273 = ended_q & not_266;
-  // hls/stages/objects.hpp:176
+  // hls/stages/objects.hpp:208
   logic not_275;
   assign not_275 = ~or_274_s1_q;
-  // hls/stages/objects.hpp:178
+  // hls/stages/objects.hpp:210
   logic and_277;
   assign and_277 = before_v_q & not_266;
   logic select_278;
   assign select_278 = (and_273 | not_275) ? and_273 : and_277;
   logic and_279;
   assign and_279 = over_before_q & not_266;
-  // hls/stages/objects.hpp:89
+  // hls/stages/objects.hpp:91
   logic and_283;
   assign and_283 = not_262_s1_q & (above_rdata_q & and_281_s1_q);
-  // hls/stages/objects.hpp:176
+  // hls/stages/objects.hpp:208
   logic and_284;
   assign and_284 = and_283 & not_275;
-  // hls/stages/objects.hpp:89
+  // hls/stages/objects.hpp:91
   logic and_286;
   assign and_286 = not_262_s1_q & equal_264_s1_q;
   logic and_289;
   assign and_289 = (and_279 | and_284) & (not_275 & (and_286 | and_277));
-  // hls/stages/objects.hpp:183
+  // hls/stages/objects.hpp:215
   logic and_292;
   assign and_292 = (met_q & not_266) & (~select_278);
-  // hls/stages/objects.hpp:184
+  // hls/stages/objects.hpp:216
   logic and_294;
   assign and_294 = and_289 & (~and_292);
-  // hls/stages/objects.hpp:179
+  // hls/stages/objects.hpp:211
   logic and_296;
   assign and_296 = and_279 & (~and_284);
-  // hls/stages/objects.hpp:185
+  // hls/stages/objects.hpp:217
   logic or_298;
   assign or_298 = and_296 | (select_278 | and_294);
-  // hls/stages/objects.hpp:196
+  // hls/stages/objects.hpp:228
   logic [8:0] select_377;
   assign select_377 = (idle_s1_q | not_275) ? row_q : (and_265_s1_q ? 9'h0 : (row_q + 9'h1));
-  // hls/stages/objects.hpp:193
+  // hls/stages/objects.hpp:225
   logic [5:0] select_388;
   assign select_388 = and_265_s1_q ? 6'h0 : (or_298 ? (little_room_q ? write_q : (write_q + 6'h1)) : write_q);
-  // hls/stages/objects.hpp:88
+  // hls/stages/objects.hpp:90
   logic [5:0] select_392;
   assign select_392 = and_265_s1_q ? 6'h0 : (equal_267 ? (equal_268 ? read_q : (read_q + 6'h1)) : read_q);
-  // hls/stages/objects.hpp:78
+  // hls/stages/objects.hpp:80
   logic [5:0] room;
   assign room = read_q - write_q;
-  // hls/stages/objects.hpp:77
+  // hls/stages/objects.hpp:79
   logic little_room;
   assign little_room = not_266 & (({2'h0, room_q} + 8'hff) < 8'h7);
-  // hls/stages/objects.hpp:270
+  // hls/stages/objects.hpp:306
   logic and_409;
   assign and_409 = (write_q == read_q) & ((~before_v_q) & ((~over_before_q) & (~ended_q)));
 
-  // Memory queue, 64 x 32, DISTANCE 4, hls/stages/objects.hpp:386; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory queue, 64 x 32, DISTANCE 4, hls/stages/objects.hpp:429; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [31:0] queue_mem [0:63];
@@ -510,12 +510,12 @@ module horopter_objects (
   logic second_q;
   logic second_ends_q;
   logic overflow_q;
-  // hls/stages/objects.hpp:327
+  // hls/stages/objects.hpp:370
   logic equal_301;
   assign equal_301 = phase_s2_q == 2'h1;
   logic and_302;
   assign and_302 = second_q & equal_301;
-  // hls/stages/objects.hpp:336
+  // hls/stages/objects.hpp:379
   logic not_303;
   assign not_303 = ~joined_q;
   logic [2:0] select_304;
@@ -536,29 +536,29 @@ module horopter_objects (
   assign select_317 = select_304[1] ? (select_304[0] ? front_label_q : {1'b0, looked_q}) : {4'h0, select_316};
   logic [4:0] label;
   assign label = and_302 ? (select_304[2] ? select_307 : {4'h0, select_310}) : (select_304[2] ? select_314 : select_317);
-  // hls/stages/objects.hpp:328
+  // hls/stages/objects.hpp:371
   logic and_321;
   assign and_321 = busy_q & (phase_s2_q == 2'h3);
   logic and_323;
   assign and_323 = and_321 & (event_ends_q | joined_q);
-  // hls/stages/objects.hpp:335
+  // hls/stages/objects.hpp:378
   logic or_324;
   assign or_324 = and_302 | and_323;
-  // hls/stages/objects.hpp:89
+  // hls/stages/objects.hpp:91
   logic [9:0] x_2;
   assign x_2 = idle_s2_q ? last_run_right_q : x_s2_q;
-  // hls/stages/objects.hpp:201
+  // hls/stages/objects.hpp:233
   logic [9:0] select_382;
   assign select_382 = before_v_q ? (or_379_s2_q ? x_2 : last_run_left_q) : last_run_left_q;
-  // hls/stages/objects.hpp:88
+  // hls/stages/objects.hpp:90
   logic and_413;
   assign and_413 = not_266_s2_q & (equal_267_s2_q ? (not_269_s2_q | and_410_s2_q) : busy_q);
   logic select_415;
   assign select_415 = and_265_s2_q ? draining_q : (equal_267_s2_q ? and_410_s2_q : draining_q);
-  // hls/stages/objects.hpp:218
+  // hls/stages/objects.hpp:250
   logic and_417;
   assign and_417 = busy_q & (phase_s2_q == 2'h2);
-  // hls/stages/objects.hpp:88
+  // hls/stages/objects.hpp:90
   logic and_421;
   assign and_421 = not_266_s2_q & (and_417 ? (draining_q & (~front_there_q)) : done_q);
   logic select_423;
@@ -573,338 +573,338 @@ module horopter_objects (
   assign select_435 = equal_267_s2_q ? (equal_268_s2_q ? event_run_right_q : queue_rdata_q[22:13]) : event_run_right_q;
   logic [8:0] select_438;
   assign select_438 = equal_267_s2_q ? (equal_268_s2_q ? event_run_row_q : queue_rdata_q[31:23]) : event_run_row_q;
-  // hls/stages/objects.hpp:218
+  // hls/stages/objects.hpp:250
   logic and_440;
   assign and_440 = busy_q & equal_301;
-  // hls/stages/objects.hpp:222
+  // hls/stages/objects.hpp:254
   logic and_441;
   assign and_441 = event_ends_q & and_440;
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_442;
   assign and_442 = end_0_q & and_441;
-  // hls/stages/objects.hpp:242
+  // hls/stages/objects.hpp:274
   logic and_443;
   assign and_443 = joined_q & and_321;
-  // hls/stages/objects.hpp:223
+  // hls/stages/objects.hpp:255
   logic [4:0] ended;
   assign ended = run_there_q ? run_label_q : free_label_q;
-  // hls/stages/objects.hpp:256
+  // hls/stages/objects.hpp:289
   logic [4:0] label_2;
   assign label_2 = and_441 ? ended : run_label_q;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_449;
   assign select_449 = (and_442 | (and_443 & (begin_0_q | same_0_q))) ? label_2 : entries_0_label_q;
-  // hls/stages/objects.hpp:219
+  // hls/stages/objects.hpp:251
   logic and_450;
   assign and_450 = busy_q & equal_267_s2_q;
-  // hls/stages/objects.hpp:248
+  // hls/stages/objects.hpp:280
   logic and_452;
   assign and_452 = front_there_q & (event_passes_q & and_450);
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic and_457;
   assign and_457 = not_266_s2_q & (and_442 | (entries_0_there_q & (~(begin_0_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_458;
   assign and_458 = end_1_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_462;
   assign select_462 = (and_458 | (and_443 & (begin_1_q | same_1_q))) ? label_2 : entries_1_label_q;
   logic and_467;
   assign and_467 = not_266_s2_q & (and_458 | (entries_1_there_q & (~(begin_1_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_468;
   assign and_468 = end_2_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_472;
   assign select_472 = (and_468 | (and_443 & (begin_2_q | same_2_q))) ? label_2 : entries_2_label_q;
   logic and_477;
   assign and_477 = not_266_s2_q & (and_468 | (entries_2_there_q & (~(begin_2_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_478;
   assign and_478 = end_3_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_482;
   assign select_482 = (and_478 | (and_443 & (begin_3_q | same_3_q))) ? label_2 : entries_3_label_q;
   logic and_487;
   assign and_487 = not_266_s2_q & (and_478 | (entries_3_there_q & (~(begin_3_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_488;
   assign and_488 = end_4_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_492;
   assign select_492 = (and_488 | (and_443 & (begin_4_q | same_4_q))) ? label_2 : entries_4_label_q;
   logic and_497;
   assign and_497 = not_266_s2_q & (and_488 | (entries_4_there_q & (~(begin_4_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_498;
   assign and_498 = end_5_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_502;
   assign select_502 = (and_498 | (and_443 & (begin_5_q | same_5_q))) ? label_2 : entries_5_label_q;
   logic and_507;
   assign and_507 = not_266_s2_q & (and_498 | (entries_5_there_q & (~(begin_5_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_508;
   assign and_508 = end_6_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_512;
   assign select_512 = (and_508 | (and_443 & (begin_6_q | same_6_q))) ? label_2 : entries_6_label_q;
   logic and_517;
   assign and_517 = not_266_s2_q & (and_508 | (entries_6_there_q & (~(begin_6_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_518;
   assign and_518 = end_7_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_522;
   assign select_522 = (and_518 | (and_443 & (begin_7_q | same_7_q))) ? label_2 : entries_7_label_q;
   logic and_527;
   assign and_527 = not_266_s2_q & (and_518 | (entries_7_there_q & (~(begin_7_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_528;
   assign and_528 = end_8_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_532;
   assign select_532 = (and_528 | (and_443 & (begin_8_q | same_8_q))) ? label_2 : entries_8_label_q;
   logic and_537;
   assign and_537 = not_266_s2_q & (and_528 | (entries_8_there_q & (~(begin_8_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_538;
   assign and_538 = end_9_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_542;
   assign select_542 = (and_538 | (and_443 & (begin_9_q | same_9_q))) ? label_2 : entries_9_label_q;
   logic and_547;
   assign and_547 = not_266_s2_q & (and_538 | (entries_9_there_q & (~(begin_9_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_548;
   assign and_548 = end_10_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_552;
   assign select_552 = (and_548 | (and_443 & (begin_10_q | same_10_q))) ? label_2 : entries_10_label_q;
   logic and_557;
   assign and_557 = not_266_s2_q & (and_548 | (entries_10_there_q & (~(begin_10_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_558;
   assign and_558 = end_11_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_562;
   assign select_562 = (and_558 | (and_443 & (begin_11_q | same_11_q))) ? label_2 : entries_11_label_q;
   logic and_567;
   assign and_567 = not_266_s2_q & (and_558 | (entries_11_there_q & (~(begin_11_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_568;
   assign and_568 = end_12_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_572;
   assign select_572 = (and_568 | (and_443 & (begin_12_q | same_12_q))) ? label_2 : entries_12_label_q;
   logic and_577;
   assign and_577 = not_266_s2_q & (and_568 | (entries_12_there_q & (~(begin_12_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_578;
   assign and_578 = end_13_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_582;
   assign select_582 = (and_578 | (and_443 & (begin_13_q | same_13_q))) ? label_2 : entries_13_label_q;
   logic and_587;
   assign and_587 = not_266_s2_q & (and_578 | (entries_13_there_q & (~(begin_13_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_588;
   assign and_588 = end_14_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_592;
   assign select_592 = (and_588 | (and_443 & (begin_14_q | same_14_q))) ? label_2 : entries_14_label_q;
   logic and_597;
   assign and_597 = not_266_s2_q & (and_588 | (entries_14_there_q & (~(begin_14_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_598;
   assign and_598 = end_15_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_602;
   assign select_602 = (and_598 | (and_443 & (begin_15_q | same_15_q))) ? label_2 : entries_15_label_q;
   logic and_607;
   assign and_607 = not_266_s2_q & (and_598 | (entries_15_there_q & (~(begin_15_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_608;
   assign and_608 = end_16_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_612;
   assign select_612 = (and_608 | (and_443 & (begin_16_q | same_16_q))) ? label_2 : entries_16_label_q;
   logic and_617;
   assign and_617 = not_266_s2_q & (and_608 | (entries_16_there_q & (~(begin_16_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_618;
   assign and_618 = end_17_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_622;
   assign select_622 = (and_618 | (and_443 & (begin_17_q | same_17_q))) ? label_2 : entries_17_label_q;
   logic and_627;
   assign and_627 = not_266_s2_q & (and_618 | (entries_17_there_q & (~(begin_17_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_628;
   assign and_628 = end_18_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_632;
   assign select_632 = (and_628 | (and_443 & (begin_18_q | same_18_q))) ? label_2 : entries_18_label_q;
   logic and_637;
   assign and_637 = not_266_s2_q & (and_628 | (entries_18_there_q & (~(begin_18_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_638;
   assign and_638 = end_19_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_642;
   assign select_642 = (and_638 | (and_443 & (begin_19_q | same_19_q))) ? label_2 : entries_19_label_q;
   logic and_647;
   assign and_647 = not_266_s2_q & (and_638 | (entries_19_there_q & (~(begin_19_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_648;
   assign and_648 = end_20_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_652;
   assign select_652 = (and_648 | (and_443 & (begin_20_q | same_20_q))) ? label_2 : entries_20_label_q;
   logic and_657;
   assign and_657 = not_266_s2_q & (and_648 | (entries_20_there_q & (~(begin_20_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_658;
   assign and_658 = end_21_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_662;
   assign select_662 = (and_658 | (and_443 & (begin_21_q | same_21_q))) ? label_2 : entries_21_label_q;
   logic and_667;
   assign and_667 = not_266_s2_q & (and_658 | (entries_21_there_q & (~(begin_21_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_668;
   assign and_668 = end_22_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_672;
   assign select_672 = (and_668 | (and_443 & (begin_22_q | same_22_q))) ? label_2 : entries_22_label_q;
   logic and_677;
   assign and_677 = not_266_s2_q & (and_668 | (entries_22_there_q & (~(begin_22_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_678;
   assign and_678 = end_23_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_682;
   assign select_682 = (and_678 | (and_443 & (begin_23_q | same_23_q))) ? label_2 : entries_23_label_q;
   logic and_687;
   assign and_687 = not_266_s2_q & (and_678 | (entries_23_there_q & (~(begin_23_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_688;
   assign and_688 = end_24_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_692;
   assign select_692 = (and_688 | (and_443 & (begin_24_q | same_24_q))) ? label_2 : entries_24_label_q;
   logic and_697;
   assign and_697 = not_266_s2_q & (and_688 | (entries_24_there_q & (~(begin_24_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_698;
   assign and_698 = end_25_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_702;
   assign select_702 = (and_698 | (and_443 & (begin_25_q | same_25_q))) ? label_2 : entries_25_label_q;
   logic and_707;
   assign and_707 = not_266_s2_q & (and_698 | (entries_25_there_q & (~(begin_25_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_708;
   assign and_708 = end_26_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_712;
   assign select_712 = (and_708 | (and_443 & (begin_26_q | same_26_q))) ? label_2 : entries_26_label_q;
   logic and_717;
   assign and_717 = not_266_s2_q & (and_708 | (entries_26_there_q & (~(begin_26_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_718;
   assign and_718 = end_27_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_722;
   assign select_722 = (and_718 | (and_443 & (begin_27_q | same_27_q))) ? label_2 : entries_27_label_q;
   logic and_727;
   assign and_727 = not_266_s2_q & (and_718 | (entries_27_there_q & (~(begin_27_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_728;
   assign and_728 = end_28_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_732;
   assign select_732 = (and_728 | (and_443 & (begin_28_q | same_28_q))) ? label_2 : entries_28_label_q;
   logic and_737;
   assign and_737 = not_266_s2_q & (and_728 | (entries_28_there_q & (~(begin_28_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_738;
   assign and_738 = end_29_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_742;
   assign select_742 = (and_738 | (and_443 & (begin_29_q | same_29_q))) ? label_2 : entries_29_label_q;
   logic and_747;
   assign and_747 = not_266_s2_q & (and_738 | (entries_29_there_q & (~(begin_29_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_748;
   assign and_748 = end_30_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_752;
   assign select_752 = (and_748 | (and_443 & (begin_30_q | same_30_q))) ? label_2 : entries_30_label_q;
   logic and_757;
   assign and_757 = not_266_s2_q & (and_748 | (entries_30_there_q & (~(begin_30_q & and_452))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:294
   logic and_758;
   assign and_758 = end_31_q & and_441;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:296
   logic [4:0] select_762;
   assign select_762 = (and_758 | (and_443 & (begin_31_q | same_31_q))) ? label_2 : entries_31_label_q;
   logic and_767;
   assign and_767 = not_266_s2_q & (and_758 | (entries_31_there_q & (~(begin_31_q & and_452))));
-  // hls/stages/objects.hpp:264
+  // hls/stages/objects.hpp:300
   logic or_768;
   assign or_768 = and_265_s2_q | and_452;
-  // hls/stages/objects.hpp:265
+  // hls/stages/objects.hpp:301
   logic or_833;
   assign or_833 = and_265_s2_q | and_441;
-  // hls/stages/objects.hpp:222
+  // hls/stages/objects.hpp:254
   logic not_898;
   assign not_898 = ~run_there_q;
-  // hls/stages/objects.hpp:233
+  // hls/stages/objects.hpp:265
   logic and_900;
   assign and_900 = not_898 & (event_meets_q & and_417);
-  // hls/stages/objects.hpp:240
+  // hls/stages/objects.hpp:272
   logic and_906;
   assign and_906 = not_266_s2_q & ((run_there_q & (~and_441)) | (front_there_q & and_900));
-  // hls/stages/objects.hpp:249
+  // hls/stages/objects.hpp:281
   logic closes;
   assign closes = (not_303 & and_452) & (~others_q);
   logic frees;
   assign frees = closes | (joined_q & and_450);
-  // hls/stages/objects.hpp:261
+  // hls/stages/objects.hpp:297
   logic not_914;
   assign not_914 = ~frees;
-  // hls/stages/objects.hpp:282
+  // hls/stages/objects.hpp:318
   logic and_917;
   assign and_917 = looked_there_q & not_266_s2_q;
-  // hls/stages/objects.hpp:280
+  // hls/stages/objects.hpp:316
   logic equal_918;
   assign equal_918 = looked_q == 4'hf;
-  // hls/stages/objects.hpp:282
+  // hls/stages/objects.hpp:319
   logic and_920;
   assign and_920 = and_917 & (~equal_918);
-  // hls/stages/objects.hpp:279
+  // hls/stages/objects.hpp:315
   logic not_921;
   assign not_921 = ~looked_q[0];
-  // hls/stages/objects.hpp:262
+  // hls/stages/objects.hpp:298
   logic or_924;
   assign or_924 = (used_0_q & ((~(front_label_q == 5'h0)) | not_914)) | (and_920 & (group_0_q & not_921));
-  // hls/stages/objects.hpp:279
+  // hls/stages/objects.hpp:315
   logic equal_930;
   assign equal_930 = looked_q[1:0] == 2'h1;
-  // hls/stages/objects.hpp:262
+  // hls/stages/objects.hpp:298
   logic or_933;
   assign or_933 = (used_1_q & (not_914 | (~(front_label_q == 5'h1)))) | (and_920 & (group_0_q & equal_930));
-  // hls/stages/objects.hpp:279
+  // hls/stages/objects.hpp:315
   logic equal_939;
   assign equal_939 = looked_q[2:0] == 3'h3;
-  // hls/stages/objects.hpp:262
+  // hls/stages/objects.hpp:298
   logic or_942;
   assign or_942 = (used_2_q & (not_914 | (~(front_label_q == 5'h2)))) | (and_920 & (group_0_q & equal_939));
-  // hls/stages/objects.hpp:279
+  // hls/stages/objects.hpp:315
   logic equal_948;
   assign equal_948 = looked_q == 4'h7;
-  // hls/stages/objects.hpp:262
+  // hls/stages/objects.hpp:298
   logic or_951;
   assign or_951 = (used_3_q & (not_914 | (~(front_label_q == 5'h3)))) | (and_920 & (group_0_q & equal_948));
   logic or_959;
@@ -963,24 +963,24 @@ module horopter_objects (
   assign or_1167 = (used_30_q & (not_914 | (~(front_label_q == 5'h1e)))) | (and_920 & (group_7_q & equal_939));
   logic or_1175;
   assign or_1175 = (used_31_q & (not_914 | (~(front_label_q == 5'h1f)))) | (and_920 & (group_7_q & equal_948));
-  // hls/stages/objects.hpp:222
+  // hls/stages/objects.hpp:254
   logic and_1177;
   assign and_1177 = and_441 & not_898;
-  // hls/stages/objects.hpp:229
+  // hls/stages/objects.hpp:261
   logic not_1178;
   assign not_1178 = ~free_there_q;
-  // hls/stages/objects.hpp:284
+  // hls/stages/objects.hpp:321
   logic and_1180;
   assign and_1180 = found_there_q & (and_1177 | not_1178);
-  // hls/stages/objects.hpp:287
+  // hls/stages/objects.hpp:324
   logic or_1186;
   assign or_1186 = equal_930 | equal_948;
   logic or_1187;
   assign or_1187 = equal_939 | equal_948;
-  // hls/stages/objects.hpp:300
+  // hls/stages/objects.hpp:343
   logic and_1192;
   assign and_1192 = equal_918 & and_917;
-  // hls/stages/objects.hpp:294
+  // hls/stages/objects.hpp:336
   logic and_1211;
   assign and_1211 = used_0_q & group_0_q;
   logic and_1212;
@@ -997,10 +997,10 @@ module horopter_objects (
   assign and_1217 = used_6_q & group_1_q;
   logic and_1218;
   assign and_1218 = used_7_q & group_1_q;
-  // hls/stages/objects.hpp:295
+  // hls/stages/objects.hpp:337
   logic [3:0] used;
   assign used = {and_1214, and_1213, and_1212, and_1211} | {and_1218, and_1217, and_1216, and_1215};
-  // hls/stages/objects.hpp:294
+  // hls/stages/objects.hpp:336
   logic and_1220;
   assign and_1220 = used_8_q & group_2_q;
   logic and_1221;
@@ -1009,10 +1009,10 @@ module horopter_objects (
   assign and_1222 = used_10_q & group_2_q;
   logic and_1223;
   assign and_1223 = used_11_q & group_2_q;
-  // hls/stages/objects.hpp:295
+  // hls/stages/objects.hpp:337
   logic [3:0] used_2;
   assign used_2 = used | {and_1223, and_1222, and_1221, and_1220};
-  // hls/stages/objects.hpp:294
+  // hls/stages/objects.hpp:336
   logic and_1225;
   assign and_1225 = used_12_q & group_3_q;
   logic and_1226;
@@ -1021,10 +1021,10 @@ module horopter_objects (
   assign and_1227 = used_14_q & group_3_q;
   logic and_1228;
   assign and_1228 = used_15_q & group_3_q;
-  // hls/stages/objects.hpp:295
+  // hls/stages/objects.hpp:337
   logic [3:0] used_3;
   assign used_3 = used_2 | {and_1228, and_1227, and_1226, and_1225};
-  // hls/stages/objects.hpp:294
+  // hls/stages/objects.hpp:336
   logic and_1230;
   assign and_1230 = used_16_q & group_4_q;
   logic and_1231;
@@ -1033,10 +1033,10 @@ module horopter_objects (
   assign and_1232 = used_18_q & group_4_q;
   logic and_1233;
   assign and_1233 = used_19_q & group_4_q;
-  // hls/stages/objects.hpp:295
+  // hls/stages/objects.hpp:337
   logic [3:0] used_4;
   assign used_4 = used_3 | {and_1233, and_1232, and_1231, and_1230};
-  // hls/stages/objects.hpp:294
+  // hls/stages/objects.hpp:336
   logic and_1235;
   assign and_1235 = used_20_q & group_5_q;
   logic and_1236;
@@ -1045,10 +1045,10 @@ module horopter_objects (
   assign and_1237 = used_22_q & group_5_q;
   logic and_1238;
   assign and_1238 = used_23_q & group_5_q;
-  // hls/stages/objects.hpp:295
+  // hls/stages/objects.hpp:337
   logic [3:0] used_5;
   assign used_5 = used_4 | {and_1238, and_1237, and_1236, and_1235};
-  // hls/stages/objects.hpp:294
+  // hls/stages/objects.hpp:336
   logic and_1240;
   assign and_1240 = used_24_q & group_6_q;
   logic and_1241;
@@ -1057,10 +1057,10 @@ module horopter_objects (
   assign and_1242 = used_26_q & group_6_q;
   logic and_1243;
   assign and_1243 = used_27_q & group_6_q;
-  // hls/stages/objects.hpp:295
+  // hls/stages/objects.hpp:337
   logic [3:0] used_6;
   assign used_6 = used_5 | {and_1243, and_1242, and_1241, and_1240};
-  // hls/stages/objects.hpp:294
+  // hls/stages/objects.hpp:336
   logic and_1245;
   assign and_1245 = used_28_q & group_7_q;
   logic and_1246;
@@ -1069,13 +1069,13 @@ module horopter_objects (
   assign and_1247 = used_30_q & group_7_q;
   logic and_1248;
   assign and_1248 = used_31_q & group_7_q;
-  // hls/stages/objects.hpp:295
+  // hls/stages/objects.hpp:337
   logic [3:0] used_7;
   assign used_7 = used_6 | {and_1248, and_1247, and_1246, and_1245};
-  // hls/stages/objects.hpp:298
+  // hls/stages/objects.hpp:341
   logic and_1254;
   assign and_1254 = not_266_s2_q & ((~looked_there_q) & (and_1180 | (~found_there_q)));
-  // hls/stages/objects.hpp:135
+  // hls/stages/objects.hpp:166
   logic [4:0] or_1257;
   assign or_1257 = (begin_0_q ? entries_0_label_q : 5'h0) | (begin_1_q ? entries_1_label_q : 5'h0);
   logic [4:0] or_1260;
@@ -1112,7 +1112,7 @@ module horopter_objects (
   assign or_1313 = (begin_30_q ? entries_30_label_q : 5'h0) | (begin_31_q ? entries_31_label_q : 5'h0);
   logic [4:0] or_1316;
   assign or_1316 = ((or_1288 | or_1291) | (or_1295 | or_1298)) | ((or_1303 | or_1306) | (or_1310 | or_1313));
-  // hls/stages/objects.hpp:136
+  // hls/stages/objects.hpp:167
   logic or_1321;
   assign or_1321 = (entries_0_there_q & begin_0_q) | (entries_1_there_q & begin_1_q);
   logic or_1324;
@@ -1149,7 +1149,7 @@ module horopter_objects (
   assign or_1377 = (entries_30_there_q & begin_30_q) | (entries_31_there_q & begin_31_q);
   logic or_1380;
   assign or_1380 = ((or_1352 | or_1355) | (or_1359 | or_1362)) | ((or_1367 | or_1370) | (or_1374 | or_1377));
-  // hls/stages/objects.hpp:141
+  // hls/stages/objects.hpp:173
   logic and_1387;
   assign and_1387 = (entries_0_there_q & front_there_q) & (entries_0_label_q == front_label_q);
   logic and_1393;
@@ -1214,19 +1214,19 @@ module horopter_objects (
   assign and_1567 = (entries_30_there_q & front_there_q) & (entries_30_label_q == front_label_q);
   logic and_1573;
   assign and_1573 = (entries_31_there_q & front_there_q) & (entries_31_label_q == front_label_q);
-  // hls/stages/objects.hpp:244
+  // hls/stages/objects.hpp:276
   logic equal_1577;
   assign equal_1577 = {same_31_q, same_30_q, same_29_q, same_28_q, same_27_q, same_26_q, same_25_q, same_24_q, same_23_q, same_22_q, same_21_q, same_20_q, same_19_q, same_18_q, same_17_q, same_16_q, same_15_q, same_14_q, same_13_q, same_12_q, same_11_q, same_10_q, same_9_q, same_8_q, same_7_q, same_6_q, same_5_q, same_4_q, same_3_q, same_2_q, same_1_q, same_0_q} == 32'h0;
-  // hls/stages/objects.hpp:235
+  // hls/stages/objects.hpp:267
   logic equal_1579;
   assign equal_1579 = run_label_q == front_label_q;
-  // hls/stages/objects.hpp:248
+  // hls/stages/objects.hpp:280
   logic select_1583;
   assign select_1583 = and_321 ? ((~equal_1577) | (equal_1579 & (run_there_q & front_there_q))) : others_q;
-  // hls/stages/objects.hpp:239
+  // hls/stages/objects.hpp:271
   logic select_1588;
   assign select_1588 = and_417 ? ((front_there_q & (event_meets_q & run_there_q)) & (~equal_1579)) : joined_q;
-  // hls/stages/objects.hpp:136
+  // hls/stages/objects.hpp:167
   logic or_1599;
   assign or_1599 = ((entries_0_there_q & end_0_q) | (entries_1_there_q & end_1_q)) | ((entries_2_there_q & end_2_q) | (entries_3_there_q & end_3_q));
   logic or_1606;
@@ -1259,11 +1259,11 @@ module horopter_objects (
   assign or_1654 = ((or_1626 | or_1629) | (or_1633 | or_1636)) | ((or_1641 | or_1644) | (or_1648 | or_1651));
   logic or_1655;
   assign or_1655 = ((or_1599 | or_1606) | (or_1614 | (or_1617 | or_1620))) | or_1654;
-  // hls/stages/objects.hpp:93
+  // hls/stages/objects.hpp:95
   logic or_1664;
   assign or_1664 = ((and_441 & (or_1655 | (not_898 & not_1178))) | and_1659_s2_q) | (~(and_265_s2_q | (~overflow_q)));
 
-  // Memory objects, 32 x 114, DISTANCE 2, hls/stages/objects.hpp:414; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory objects, 32 x 114, DISTANCE 2, hls/stages/objects.hpp:457; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [113:0] objects_mem [0:31];
@@ -1801,84 +1801,84 @@ module horopter_objects (
   logic [28:0] joining_columns_q;
   logic [27:0] joining_rows_q;
   logic alarm_q;
-  // hls/stages/objects.hpp:350
+  // hls/stages/objects.hpp:393
   logic [9:0] pixels;
   assign pixels = (event_run_right_s3_q - event_run_left_s3_q) + 10'h1;
-  // hls/stages/objects.hpp:361
+  // hls/stages/objects.hpp:404
   logic [18:0] sum_330;
   assign sum_330 = objects_rdata_q[18:0] + (and_302_s3_q ? joining_pixels_q : {9'h0, pixels});
-  // hls/stages/objects.hpp:339
+  // hls/stages/objects.hpp:382
   logic [18:0] select_331;
   assign select_331 = and_326_s3_q ? {9'h0, pixels} : sum_330;
-  // hls/stages/objects.hpp:333
+  // hls/stages/objects.hpp:376
   logic [9:0] select_332;
   assign select_332 = and_302_s3_q ? joining_left_q : event_run_left_s3_q;
-  // hls/stages/objects.hpp:362
+  // hls/stages/objects.hpp:405
   logic [9:0] select_334;
   assign select_334 = (select_332 < objects_rdata_q[28:19]) ? select_332 : objects_rdata_q[28:19];
-  // hls/stages/objects.hpp:339
+  // hls/stages/objects.hpp:382
   logic [9:0] select_335;
   assign select_335 = and_326_s3_q ? event_run_left_s3_q : select_334;
-  // hls/stages/objects.hpp:333
+  // hls/stages/objects.hpp:376
   logic [9:0] select_336;
   assign select_336 = and_302_s3_q ? joining_right_q : event_run_right_s3_q;
-  // hls/stages/objects.hpp:363
+  // hls/stages/objects.hpp:406
   logic [9:0] select_338;
   assign select_338 = (objects_rdata_q[38:29] < select_336) ? select_336 : objects_rdata_q[38:29];
-  // hls/stages/objects.hpp:339
+  // hls/stages/objects.hpp:382
   logic [9:0] select_339;
   assign select_339 = and_326_s3_q ? event_run_right_s3_q : select_338;
-  // hls/stages/objects.hpp:333
+  // hls/stages/objects.hpp:376
   logic [8:0] select_340;
   assign select_340 = and_302_s3_q ? joining_top_q : event_run_row_s3_q;
-  // hls/stages/objects.hpp:364
+  // hls/stages/objects.hpp:407
   logic [8:0] select_342;
   assign select_342 = (select_340 < objects_rdata_q[47:39]) ? select_340 : objects_rdata_q[47:39];
-  // hls/stages/objects.hpp:339
+  // hls/stages/objects.hpp:382
   logic [8:0] select_343;
   assign select_343 = and_326_s3_q ? event_run_row_s3_q : select_342;
-  // hls/stages/objects.hpp:333
+  // hls/stages/objects.hpp:376
   logic [8:0] select_344;
   assign select_344 = and_302_s3_q ? joining_bottom_q : event_run_row_s3_q;
-  // hls/stages/objects.hpp:365
+  // hls/stages/objects.hpp:408
   logic [8:0] select_346;
   assign select_346 = (objects_rdata_q[56:48] < select_344) ? select_344 : objects_rdata_q[56:48];
-  // hls/stages/objects.hpp:339
+  // hls/stages/objects.hpp:382
   logic [8:0] select_347;
   assign select_347 = and_326_s3_q ? event_run_row_s3_q : select_346;
-  // hls/stages/objects.hpp:355
+  // hls/stages/objects.hpp:398
   logic [10:0] sum_348;
   assign sum_348 = {1'b0, event_run_left_s3_q} + {1'b0, event_run_right_s3_q};
   logic [20:0] product_349;
   assign product_349 = {11'h0, pixels} * {10'h0, sum_348};
-  // hls/stages/objects.hpp:333
+  // hls/stages/objects.hpp:376
   logic [28:0] b;
   assign b = and_302_s3_q ? joining_columns_q : {9'h0, product_349[20:1]};
-  // hls/stages/objects.hpp:373
+  // hls/stages/objects.hpp:416
   logic [16:0] low;
   assign low = {1'b0, objects_rdata_q[72:57]} + {1'b0, b[15:0]};
-  // hls/stages/objects.hpp:375
+  // hls/stages/objects.hpp:418
   logic [12:0] sum_353;
   assign sum_353 = {12'h0, low[16]} + (objects_rdata_q[85:73] + b[28:16]);
-  // hls/stages/objects.hpp:339
+  // hls/stages/objects.hpp:382
   logic [28:0] select_354;
   assign select_354 = and_326_s3_q ? {9'h0, product_349[20:1]} : {sum_353, low[15:0]};
-  // hls/stages/objects.hpp:356
+  // hls/stages/objects.hpp:399
   logic [18:0] product_355;
   assign product_355 = {10'h0, event_run_row_s3_q} * {9'h0, pixels};
-  // hls/stages/objects.hpp:333
+  // hls/stages/objects.hpp:376
   logic [27:0] b_2;
   assign b_2 = and_302_s3_q ? joining_rows_q : {9'h0, product_355};
-  // hls/stages/objects.hpp:373
+  // hls/stages/objects.hpp:416
   logic [16:0] low_2;
   assign low_2 = {1'b0, objects_rdata_q[101:86]} + {1'b0, b_2[15:0]};
-  // hls/stages/objects.hpp:375
+  // hls/stages/objects.hpp:418
   logic [11:0] sum_359;
   assign sum_359 = {11'h0, low_2[16]} + (objects_rdata_q[113:102] + b_2[27:16]);
-  // hls/stages/objects.hpp:339
+  // hls/stages/objects.hpp:382
   logic [27:0] select_360;
   assign select_360 = and_326_s3_q ? {9'h0, product_355} : {sum_359, low_2[15:0]};
-  // hls/stages/objects.hpp:85
+  // hls/stages/objects.hpp:87
   logic and_1675;
   assign and_1675 = or_324_s3_q & (not_362_s3_q & (~(select_331 < cfg_object_limit_i)));
 
