@@ -21,6 +21,7 @@ rtl/store/horopter_control_point.sv
 rtl/store/horopter_raster.sv
 rtl/store/horopter_places.sv
 rtl/store/horopter_interlock.sv
+rtl/store/horopter_feedback.sv
 rtl/store/horopter_frame_control.sv
 rtl/camera/horopter_camera_input.sv
 rtl/camera/horopter_coarse_check.sv

@@ -203,6 +203,7 @@ module ulx3s_top #(
       .m_axis_runs_tvalid(runs_valid),
       .m_axis_runs_tready(1'b1),
       .restart_i(btn[2]),
+      .feedback_i(1'b0),  // no contactors
       .safe_o(safe),
       .unsafe_o(unsafe),
       .heartbeat_o(heartbeat),

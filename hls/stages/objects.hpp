@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// objects: joins the pixels in the skin to objects (8-connected, one pass) and says of each its pixels, box and sums of
-// places. The thesis counts pixels of the whole image (10.4.6); an object is found wherever it is, however large the image.
+// objects: joins occupied pixels, those in the skin and those that are blind, to objects (8-connected, one pass) and says of
+// each its pixels, box and sums of places. The thesis counts pixels of the whole image (10.4.6); an object is found wherever
+// it is, however large the image.
 //
 // Labelling by runs, after Bailey and Johnston (Single Pass Connected Components Analysis, IVCNZ 2007): only the runs of
 // the row above that are still to come, and those of the row so far, have a label. These stand in registers, so that where
@@ -8,8 +9,8 @@
 // consists of stands in a memory. Where a run ends, meets one of the row above, or passes it, this is written to a queue,
 // and worked off in 2·GAP beats.
 //
-// In      the pixels of the result in raster order: first, last of a row. After the frame: beats with `idle`, not pixels,
-//         until `done`; the objects that reach the last row end in these.
+// In      the pixels of the result in raster order: occupied or not; first, last of a row. After the frame: beats with
+//         `idle`, not pixels, until `done`; the objects that reach the last row end in these.
 // Config  object_limit: pixels of an object that are an alarm.
 // Out     ended: an object has; its pixels, its box (columns and rows, inclusive), the sums of its columns and rows.
 //         alarm: an object of the frame so far has reached the limit, ended or not. overflow: more labels or a longer
@@ -48,7 +49,7 @@ class ObjectFinder {
   using RowSum = u<bits_for(WIDTH* HEIGHT) + bits_for(HEIGHT - 1)>;
 
   struct In {
-    u<2> state;
+    bool occupied = false;
     bool first = false;
     bool last = false;
     bool idle = false;
@@ -196,7 +197,7 @@ class ObjectFinder {
     Column x = last_run_.right;
     if (!in.idle) {
       const auto at = raster_.step(in.first, in.last);
-      here = in.state == state::skin;
+      here = in.occupied;
       over = above_.read(at.column) == 1 && !at.frame_start_row;
       above_.write(at.column, here);
       edge = at.row_start;

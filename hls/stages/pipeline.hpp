@@ -40,6 +40,7 @@ using hls::CompeteSettings;
 /// The registers that decide what a frame's result is.
 struct Settings : hls::StageSettings {
   int lookahead = 0;  // rows
+  int forget = 0;     // the frame before taught what went blind, but had a fault or an alarm
 
   /// ⌊p · 15·k² / 100⌋.
   static constexpr int sum_limit_for(int percent, int window) { return percent * 15 * window * window / 100; }
@@ -118,7 +119,7 @@ struct Agreement {
   friend bool operator==(const Agreement&, const Agreement&) = default;
 };
 
-/// Pixels in the skin that touch each other (stages/objects.hpp).
+/// Pixels that touch each other and are in the skin or blind (stages/objects.hpp).
 struct Object {
   int pixels = 0;
   int left = 0;  // box: columns and rows, inclusive
@@ -151,6 +152,8 @@ struct FrameResult {
   int unsupervised_pixels = 0;
   int hidden_pixels = 0;         // undecidable: something nearer than the skin is seen there
   int unproven_pixels = 0;       // undecidable: nothing shows that both cameras see their place
+  int blind_pixels = 0;          // undecidable, where that could be decided when it was taught
+  bool taught = false;           // at least one frame was
   std::vector<Object> objects;   // in the order in which they end
   bool object_overflow = false;  // more than can be told apart: some of them are wrong
   bool alarm = false;
@@ -251,6 +254,7 @@ class Pipeline {
     const FrameSettings of_stages(settings, image.width / P.subsample, image.height);
     if constexpr (P.has_thesis()) thesis_rows_.begin(of_stages);
     if constexpr (P.has_compete()) compete_rows_.begin(of_stages);
+    blind_config_ = stages::chain::by_name<typename stages::Blind<P>::Config>(of_stages);
     objects_config_ = stages::chain::by_name<typename stages::Objects<P>::Config>(of_stages);
     health_config_ = stages::chain::by_name<typename Health::Config>(of_stages);
     if (settings.prove != prove_ || image.width != width_ || image.height != height_) hls::reset(agreement_);
@@ -735,38 +739,68 @@ class Pipeline {
         add_object(out.object, result);
       }
     };
-    const std::size_t width = index(result.width);
-    std::array<std::uint8_t, P.result_width()>
-        alike{};  // equal where pixel and pixel above are alike in being in the skin
-    for (int y = begin; y < end; ++y) {
-      const std::uint8_t* state = result.states.data() + index(y) * width;
-      const std::uint8_t* above = y == 0 ? state : state - width;
-      for (std::size_t x = 0; x < width; ++x) {
-        alike[x] = static_cast<std::uint8_t>((state[x] == stages::state::skin ? 1 : 0) |
-                                             (above[x] == stages::state::skin ? 2 : 0));
-      }
-      step({state[0], y == 0, width == 1, false});
-      for (std::size_t x = 1; x < width;) {
-        std::size_t other = x;
-        if (alike[x] == alike[x - 1] && stage->rests()) {
-          while (other + 1 < width && alike[other] == alike[x]) ++other;
-        }
-        if (other > x) {
-          stage->skip(static_cast<int>(other - x));
-          x = other;
-        } else {
-          step({state[x], false, x + 1 == width, false});
-          ++x;
-        }
-      }
+    if (blind_config_.watch || blind_config_.teach) {
+      look_for_blind(result, begin, end, step);
+    } else {
+      if (begin == 0) result.taught = blind_.leave_out(blind_config_);
+      for (int y = begin; y < end; ++y) find_objects_of_row(result, y, *stage, step);
     }
     if (end < result.height) return;
     do {
-      step({0, false, false, true});
+      step({false, false, false, true});
     } while (!out.done);
     result.object_overflow = out.overflow;
     result.alarm |= out.alarm;
   }
+  /// Most beats change nothing: those with a pixel that is as the one before it, both in their row and above.
+  template <class Step>
+  void find_objects_of_row(const FrameResult& result, int y, stages::Objects<P>& stage, const Step& step) {
+    const std::size_t width = index(result.width);
+    const std::uint8_t* state = result.states.data() + index(y) * width;
+    const std::uint8_t* above = y == 0 ? state : state - width;
+    std::array<std::uint8_t, P.result_width()> alike{};  // equal where both are
+    const auto occupied = [](std::uint8_t code) { return code == stages::state::skin; };
+    for (std::size_t x = 0; x < width; ++x) {
+      alike[x] = static_cast<std::uint8_t>((occupied(state[x]) ? 1 : 0) | (occupied(above[x]) ? 2 : 0));
+    }
+    step({occupied(state[0]), y == 0, width == 1, false});
+    for (std::size_t x = 1; x < width;) {
+      std::size_t other = x;
+      if (alike[x] == alike[x - 1] && stage.rests()) {
+        while (other + 1 < width && alike[other] == alike[x]) ++other;
+      }
+      if (other > x) {
+        stage.skip(static_cast<int>(other - x));
+        x = other;
+      } else {
+        step({occupied(state[x]), false, x + 1 == width, false});
+        ++x;
+      }
+    }
+  }
+
+  /// Pixels leave `blind` some rows after they came; after the last row they are fetched.
+  template <class Step>
+  void look_for_blind(FrameResult& result, int begin, int end, const Step& step) {
+    bool done = false;
+    const auto pass = [&](const InOf<stages::Blind<P>>& in) {
+      const auto out = blind_.step(in, blind_config_);
+      done = out.done;
+      result.taught = out.taught;
+      if (!out.there) return;
+      result.blind_pixels += out.blind ? 1 : 0;
+      step({out.blind || out.state == stages::state::skin, out.first, out.last, false});
+    };
+    const std::uint8_t* state = result.states.data() + index(begin) * index(result.width);
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < result.width; ++x) pass({*state++, x == 0 && y == 0, x + 1 == result.width, false});
+    }
+    if (end < result.height) return;
+    do {
+      pass({0, false, false, true});
+    } while (!done);
+  }
+
   template <class From>
   [[gnu::noinline]] static void add_object(const From& from, FrameResult& result) {
     result.objects.push_back({static_cast<int>(from.pixels.value()), from.left.value(), from.top.value(),
@@ -814,6 +848,7 @@ class Pipeline {
   Health right_health_;
   Coarse coarse_;
   Still still_;
+  stages::Blind<P> blind_;
   stages::Objects<P> objects_;
 
   typename stages::MapExpand<P>::Config map_config_;
@@ -822,6 +857,7 @@ class Pipeline {
   int prove_ = 0;
   typename Coarse::Config coarse_config_;
   typename Still::Config still_config_;
+  typename stages::Blind<P>::Config blind_config_;
   typename stages::Objects<P>::Config objects_config_;
 
   Thesis thesis_rows_;

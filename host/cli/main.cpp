@@ -95,6 +95,7 @@ int run(int argc, char** argv) {
   add_upload(app, outcome);
   add_status(app, outcome);
   add_restart(app, outcome);
+  add_teach(app, outcome);
 #ifdef HOROPTER_HAS_STUDY
   add_study(app, outcome);
 #endif

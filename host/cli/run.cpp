@@ -45,6 +45,7 @@ struct RunOptions {
   ThicknessOption thickness;
   ObjectOption object;
   std::size_t frames = 0;
+  std::size_t teach = 0;  ///< pairs that show the zone empty, before the others
   bool pair_by_order = false;
   bool overlay = true;
   bool json = false;
@@ -68,6 +69,7 @@ struct Session {
     check_image_size(first.name, width, height, *profile);
     settings = options.settings;
     settings.interlock.by_itself = true;  // nobody stands beside a run
+    settings.blind.watch = options.teach != 0;
     thickness = set_thickness(options.thickness, options.skin, rig, *profile, width, height, settings);
     set_object(options.object, options.skin, rig, *profile, width, height, settings);
     if (is_moving_skin(options.skin)) {
@@ -94,7 +96,8 @@ struct Session {
   std::vector<FrameResult> process(const Image& left, const Image& right) {
     return moving ? moving->process(left, right) : supervisor->process(left, right);
   }
-  const Device& device() { return (moving ? moving->monitor() : supervisor->monitor()).device(); }
+  Monitor& monitor() { return moving ? moving->monitor() : supervisor->monitor(); }
+  const Device& device() { return monitor().device(); }
 
   const MachineProfile* profile = nullptr;
   Settings settings;
@@ -128,6 +131,39 @@ void write_frame(OutputDirectory& output, int frame, const Image& left, const Fr
                               ? draw_overlay(left, result)
                               : draw_overlay(field_of(left, result.scan == Scan::odd_field ? 1 : 0), result);
   output.write(base + "-overlay.png", encode_png_bgr(picture.width, picture.height, picture.bgr));
+}
+
+/// What the pairs of --teach have taught.
+void report_taught(const BlindWatch& watch, std::size_t pairs, const BlindSettings& settings,
+                   nlohmann::ordered_json& summary, bool json) {
+  summary["taught"] = {{"pairs", pairs}, {"frames", watch.taught()}};
+  if (watch.taught() == 0) {
+    if (!json) {
+      fmt::print(
+          "taught nothing: its last frame had a fault or an alarm. Now everything that cannot be decided counts\n");
+    }
+    return;
+  }
+  auto never = nlohmann::ordered_json::array();
+  double pixels = 0, undecidable = 0, unwatched = 0;
+  for (const BlindWatch::Block& block : watch.blocks()) {
+    const int all = block.width * block.height;
+    pixels += all;
+    undecidable += block.most_undecidable;
+    if (all > block.most_undecidable + settings.margin * watch.side() * watch.side() / 64) continue;
+    unwatched += all;
+    never.push_back({block.x, block.y, block.width, block.height});
+  }
+  const auto percent = [&](double part) { return std::round(1000 * part / pixels) / 10; };
+  summary["taught"].update({{"blocks", watch.blocks().size()},
+                            {"undecidable_percent", percent(undecidable)},
+                            {"watched_for_texture_only_percent", percent(unwatched)},
+                            {"watched_for_texture_only", std::move(never)}});
+  if (json) return;
+  fmt::print(
+      "taught by {} frames without fault and alarm: at most {:.1f} % could not be decided. If somebody was in the zone, "
+      "this is too much. {:.1f} % of the image is watched for textured things only: nothing could be decided there\n",
+      watch.taught(), percent(undecidable), percent(unwatched));
 }
 
 /// What a run made that did not get to its end.
@@ -191,6 +227,11 @@ ExitStatus run(const RunOptions& options) {
     }
   }
   add_warnings(summary);
+  if (options.teach != 0) {
+    session.monitor().teach(true);
+    if (!options.json)
+      fmt::print("teaching: the zone must be empty for {} pairs; none of them is safe\n", options.teach);
+  }
   Progress progress("supervising pair");
   ExitStatus status = ExitStatus::done;
   int frame = 0;
@@ -202,6 +243,12 @@ ExitStatus run(const RunOptions& options) {
   });
   try {
     for (std::size_t index = 0; pair; ++index) {
+      if (options.teach != 0 && index == options.teach) {
+        progress.clear();
+        const std::lock_guard lock(results);
+        report_taught(session.monitor().blind_watch(), index, session.settings.blind, summary, options.json);
+        session.monitor().teach(false);
+      }
       for (const FrameResult& result : session.process(pair->left.image, pair->right.image)) {
         {
           const std::lock_guard lock(results);
@@ -209,7 +256,7 @@ ExitStatus run(const RunOptions& options) {
           summary["frames"].push_back(
               frame_json(frame, pair->left.name, pair->right.name, result, device.counts_cycles()));
         }
-        if (result.faults.any()) status = ExitStatus::fault;
+        if (result.faults.without(Fault::teaching).any()) status = ExitStatus::fault;
         if (!options.json) {
           progress.clear();
           print_frame(frame, result);
@@ -223,6 +270,9 @@ ExitStatus run(const RunOptions& options) {
     }
     progress.clear();
     const std::lock_guard lock(results);
+    if (options.teach != 0 && !summary.contains("taught")) {
+      report_taught(session.monitor().blind_watch(), options.teach, session.settings.blind, summary, options.json);
+    }
     output.write("summary.json", json_text(summary) + "\n");
     output.commit();
     complete = true;
@@ -280,6 +330,14 @@ void add_run(CLI::App& app, Outcome& outcome) {
   add_settings(*command, options->settings);
   command->get_option("--threshold")->excludes("--tolerance")->excludes("--thickness");
   command->add_option("--frames", options->frames, "Stop after this many pairs (default: all)")
+      ->check(at_least_one())
+      ->type_name("N");
+  command
+      ->add_option(
+          "--teach", options->teach,
+          "The first N pairs show the zone empty: learn where nothing can be decided. After them a place that could "
+          "be decided and cannot be any more is blind and counts as an object. Without it, whatever has no texture "
+          "reads undecidable, and a plain glove is no alarm")
       ->check(at_least_one())
       ->type_name("N");
   command->add_option("--out", options->out, "Directory for the results")->required()->type_name("DIR");

@@ -175,6 +175,13 @@ void add_upload(CLI::App& app, Outcome& outcome) {
                    "Frames without fault and alarm that must lie before a restart")
       ->check(CLI::Range(1, 15))
       ->capture_default_str();
+  command
+      ->add_option(
+          "--feedback", options->settings.interlock.feedback_ms,
+          "Contactors hang at safe_o, and their mirror contacts at feedback_i: they must follow within this time, ms, "
+          "of the clock that the profile is meant for; 0 = there are none")
+      ->check(CLI::Range(0.0, 10'000.0))
+      ->capture_default_str();
   command->add_flag(
       "--live", options->settings.live,
       "The cameras cannot wait: pixels that cannot be stored are a fault. Without it they are told to wait");

@@ -31,6 +31,7 @@ class RtlMachine final : public RtlDevice {
     m.s_axil_awvalid = m.s_axil_wvalid = m.s_axil_bready = m.s_axil_arvalid = m.s_axil_rready = 0;
     m.s_axil_awprot = m.s_axil_arprot = 0;
     m.restart_i = 0;
+    m.feedback_i = 0;
     m.s_axis_left_tvalid = m.s_axis_right_tvalid = m.s_axis_test_tvalid = 0;
     m.m_axis_state_tready = m.m_axis_runs_tready = 1;
     m.rst_ni = 0;

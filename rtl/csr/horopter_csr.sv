@@ -7,6 +7,7 @@
 // register they are an error. Reset: synchronous, all storage to its reset value.
 // changed_o: a register that the bus writes has changed without a write, and has not been written since (horopter_guard).
 module horopter_csr #(
+    parameter bit BLIND = 1'b1,
     parameter bit BOTH_RULES = 1'b1,
     parameter bit COMPETE = 1'b1,
     parameter logic [11:0] WIDTH_PX_RESET = 12'd0,
@@ -45,6 +46,7 @@ module horopter_csr #(
     input  logic [ 3:0] build_window_hypotheses_i,
     input  logic        build_window_thesis_i,
     input  logic        build_window_compete_i,
+    input  logic        build_window_blind_i,
     input  logic [31:0] build_clock_khz_i,
     input  logic [ 7:0] build_compete_planes_i,
     input  logic [ 3:0] build_compete_sum_rows_i,
@@ -54,7 +56,7 @@ module horopter_csr #(
     output logic        control_enable_o,
     output logic        mode_live_o,
     output logic        mode_test_input_o,
-    input  logic [ 9:0] status_i,
+    input  logic [10:0] status_i,
     output logic [11:0] width_px_o,
     output logic [11:0] height_rows_o,
     output logic [11:0] lookahead_rows_o,
@@ -67,6 +69,7 @@ module horopter_csr #(
     output logic        restart_valid_o,
     input  logic        restart_ready_i,
     output logic [31:0] restart_key_o,
+    output logic [31:0] feedback_clocks_o,
     output logic [15:0] sum_limit_value_o,
     output logic [15:0] self_limit_value_o,
     output logic [15:0] texture_limit_sum_o,
@@ -96,8 +99,8 @@ module horopter_csr #(
     output logic [23:0] map_undecidable_limit_pixels_o,
     input  logic [25:0] faults_cameras_set_i,
     output logic [25:0] faults_cameras_o,
-    input  logic [17:0] faults_machine_set_i,
-    output logic [17:0] faults_machine_o,
+    input  logic [19:0] faults_machine_set_i,
+    output logic [19:0] faults_machine_o,
     input  logic [15:0] map_extent_base_word64_i,
     input  logic [15:0] map_extent_end_word64_i,
     input  logic [31:0] frame_sequence_value_i,
@@ -111,7 +114,7 @@ module horopter_csr #(
     input  logic [31:0] frame_cycles_clocks_i,
     input  logic [31:0] frame_latency_clocks_i,
     input  logic [31:0] frame_tail_clocks_i,
-    input  logic [17:0] frame_faults_machine_i,
+    input  logic [19:0] frame_faults_machine_i,
     output logic [22:0] agreement_o,
     output logic [31:0] agreement_limits_o,
     output logic [ 7:0] hidden_frames_o,
@@ -140,7 +143,10 @@ module horopter_csr #(
     output logic [23:0] object_limit_pixels_o,
     input  logic [23:0] frame_object_pixels_i,
     input  logic [23:0] frame_object_columns_i,
-    input  logic [23:0] frame_object_rows_i
+    input  logic [23:0] frame_object_rows_i,
+    output logic [ 9:0] blocks_o,
+    input  logic [23:0] frame_blind_pixels_i,
+    input  logic [15:0] taught_frames_i
 );
   // The address is decoded always, into a group of eight words and the word; it counts from the second clock of a write on.
   logic taken_q, write_q;
@@ -163,8 +169,9 @@ module horopter_csr #(
     case (write_addr_i)
       12'h040, 12'h058, 12'h05C, 12'h060, 12'h064, 12'h080, 12'h084, 12'h088, 12'h08C, 12'h094, 12'h0A0, 12'h0A4,
       12'h0A8, 12'h0AC, 12'h0B0, 12'h0B4, 12'h0B8, 12'h0BC, 12'h0C0, 12'h0C4, 12'h0DC, 12'h0E0, 12'h0E4, 12'h134,
-      12'h138, 12'h13C, 12'h140, 12'h144, 12'h180, 12'h184, 12'h188, 12'h18C, 12'h198, 12'h1A0: write_error_o <= 1'b0;
-      12'h044, 12'h04C, 12'h050, 12'h054, 12'h068, 12'h130: write_error_o <= locked_i;
+      12'h138, 12'h13C, 12'h140, 12'h144, 12'h180, 12'h184, 12'h188, 12'h18C, 12'h198, 12'h1A0, 12'h1B0: write_error_o
+      <= 1'b0;
+      12'h044, 12'h04C, 12'h050, 12'h054, 12'h068, 12'h070, 12'h130: write_error_o <= locked_i;
       12'h06C, 12'h0C8, 12'h0CC: write_error_o <= write_strb_i != 4'hF;
       default: write_error_o <= 1'b1;
     endcase
@@ -214,6 +221,9 @@ module horopter_csr #(
   logic        interlock_by_register_q;
   logic [ 3:0] interlock_frames_q;
   assign interlock_o = {interlock_frames_q, interlock_by_register_q, interlock_by_pin_q, interlock_by_itself_q};
+  // FEEDBACK: Contactors that safe_o switches (rtl/store/horopter_feedback.sv).
+  logic [31:0] feedback_clocks_q;
+  assign feedback_clocks_o = feedback_clocks_q;
   // SUM_LIMIT: A pixel is in the skin when its DSAD sum is at most this.
   logic [15:0] sum_limit_value_q;
   assign sum_limit_value_o = sum_limit_value_q;
@@ -311,9 +321,14 @@ module horopter_csr #(
   // REGION_SELECT: Which region FRAME_REGION tells of.
   logic [ 5:0] region_select_region_q;
   assign region_select_region_o = region_select_region_q;
-  // OBJECT_LIMIT: An object, pixels in the skin that touch each other, of this many pixels is an alarm, at once (hls/stages/objects.hpp).
+  // OBJECT_LIMIT: An object, pixels that touch each other and are in the skin or blind (BLOCKS), of this many pixels is an alarm, at once (hls/stages/objects.hpp).
   logic [23:0] object_limit_pixels_q;
   assign object_limit_pixels_o = object_limit_pixels_q;
+  // BLOCKS: Blocks of the result, 8×8 px, in a build wider than 1024 px 16×16 px, and how many of their pixels cannot be decided.
+  logic        blocks_watch_q;
+  logic        blocks_teach_q;
+  logic [ 7:0] blocks_margin_q;
+  assign blocks_o = {blocks_margin_q, blocks_teach_q, blocks_watch_q};
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -331,6 +346,7 @@ module horopter_csr #(
       interlock_by_pin_q <= 1'd1;
       interlock_by_register_q <= 1'd0;
       interlock_frames_q <= 4'd2;
+      feedback_clocks_q <= 32'd0;
       sum_limit_value_q <= SUM_LIMIT_VALUE_RESET;
       self_limit_value_q <= SELF_LIMIT_VALUE_RESET;
       texture_limit_sum_q <= 16'd288;
@@ -375,6 +391,9 @@ module horopter_csr #(
       still_limit_frames_q <= 8'd4;
       region_select_region_q <= 6'd0;
       object_limit_pixels_q <= 24'd1000;
+      blocks_watch_q <= 1'd0;
+      blocks_teach_q <= 1'd0;
+      blocks_margin_q <= BLIND ? 8'd8 : 8'd0;
     end else begin
       if (write_q && write_group_q[0] && write_word_q[0]) begin  // CONTROL
         if (write_strb_i[0]) control_enable_q <= write_data_i[0];
@@ -419,6 +438,12 @@ module horopter_csr #(
           interlock_by_register_q <= write_data_i[2];
           interlock_frames_q[3:0] <= write_data_i[6:3];
         end
+      end
+      if (write_q && write_group_q[1] && write_word_q[4]) begin  // FEEDBACK
+        if (write_strb_i[0]) feedback_clocks_q[7:0] <= write_data_i[7:0];
+        if (write_strb_i[1]) feedback_clocks_q[15:8] <= write_data_i[15:8];
+        if (write_strb_i[2]) feedback_clocks_q[23:16] <= write_data_i[23:16];
+        if (write_strb_i[3]) feedback_clocks_q[31:24] <= write_data_i[31:24];
       end
       if (write_q && write_group_q[2] && write_word_q[0]) begin  // SUM_LIMIT
         if (write_strb_i[0]) sum_limit_value_q[7:0] <= write_data_i[7:0];
@@ -560,11 +585,19 @@ module horopter_csr #(
         if (write_strb_i[1]) object_limit_pixels_q[15:8] <= write_data_i[15:8];
         if (write_strb_i[2]) object_limit_pixels_q[23:16] <= write_data_i[23:16];
       end
+      if (BLIND && write_q && write_group_q[9] && write_word_q[4]) begin  // BLOCKS
+        if (write_strb_i[0]) begin
+          blocks_watch_q <= write_data_i[0];
+          blocks_teach_q <= write_data_i[1];
+          blocks_margin_q[5:0] <= write_data_i[7:2];
+        end
+        if (write_strb_i[1]) blocks_margin_q[7:6] <= write_data_i[9:8];
+      end
     end
   end
 
   // Each of these registers is guarded from the clock on in which it has its new value.
-  logic [36:0] written_q, guard_error;
+  logic [38:0] written_q, guard_error;
   always_ff @(posedge clk_i) begin
     written_q <= '0;
     if (!rst_ni) written_q <= '1;
@@ -577,34 +610,36 @@ module horopter_csr #(
     if (write_q && write_group_q[0] && write_word_q[7]) written_q[6] <= 1'b1;
     if (write_q && write_group_q[1] && write_word_q[0]) written_q[7] <= 1'b1;
     if (write_q && write_group_q[1] && write_word_q[2]) written_q[8] <= 1'b1;
-    if (write_q && write_group_q[2] && write_word_q[0]) written_q[9] <= 1'b1;
-    if (write_q && write_group_q[2] && write_word_q[1]) written_q[10] <= 1'b1;
-    if (write_q && write_group_q[2] && write_word_q[2]) written_q[11] <= 1'b1;
-    if (write_q && write_group_q[2] && write_word_q[3]) written_q[12] <= 1'b1;
-    if (write_q && write_group_q[2] && write_word_q[5]) written_q[13] <= 1'b1;
-    if (write_q && write_group_q[3] && write_word_q[0]) written_q[14] <= 1'b1;
-    if (write_q && write_group_q[3] && write_word_q[1]) written_q[15] <= 1'b1;
-    if (write_q && write_group_q[3] && write_word_q[2]) written_q[16] <= 1'b1;
-    if (write_q && write_group_q[3] && write_word_q[3]) written_q[17] <= 1'b1;
-    if (write_q && write_group_q[3] && write_word_q[4]) written_q[18] <= 1'b1;
-    if (write_q && write_group_q[3] && write_word_q[5]) written_q[19] <= 1'b1;
-    if (write_q && write_group_q[3] && write_word_q[6]) written_q[20] <= 1'b1;
-    if (write_q && write_group_q[3] && write_word_q[7]) written_q[21] <= 1'b1;
-    if (write_q && write_group_q[4] && write_word_q[0]) written_q[22] <= 1'b1;
-    if (write_q && write_group_q[4] && write_word_q[1]) written_q[23] <= 1'b1;
-    if (write_q && write_group_q[4] && write_word_q[7]) written_q[24] <= 1'b1;
-    if (write_q && write_group_q[6] && write_word_q[4]) written_q[25] <= 1'b1;
-    if (write_q && write_group_q[6] && write_word_q[5]) written_q[26] <= 1'b1;
-    if (write_q && write_group_q[6] && write_word_q[6]) written_q[27] <= 1'b1;
-    if (write_q && write_group_q[6] && write_word_q[7]) written_q[28] <= 1'b1;
-    if (write_q && write_group_q[7] && write_word_q[0]) written_q[29] <= 1'b1;
-    if (write_q && write_group_q[7] && write_word_q[1]) written_q[30] <= 1'b1;
-    if (write_q && write_group_q[8] && write_word_q[0]) written_q[31] <= 1'b1;
-    if (write_q && write_group_q[8] && write_word_q[1]) written_q[32] <= 1'b1;
-    if (write_q && write_group_q[8] && write_word_q[2]) written_q[33] <= 1'b1;
-    if (write_q && write_group_q[8] && write_word_q[3]) written_q[34] <= 1'b1;
-    if (write_q && write_group_q[8] && write_word_q[6]) written_q[35] <= 1'b1;
-    if (write_q && write_group_q[9] && write_word_q[0]) written_q[36] <= 1'b1;
+    if (write_q && write_group_q[1] && write_word_q[4]) written_q[9] <= 1'b1;
+    if (write_q && write_group_q[2] && write_word_q[0]) written_q[10] <= 1'b1;
+    if (write_q && write_group_q[2] && write_word_q[1]) written_q[11] <= 1'b1;
+    if (write_q && write_group_q[2] && write_word_q[2]) written_q[12] <= 1'b1;
+    if (write_q && write_group_q[2] && write_word_q[3]) written_q[13] <= 1'b1;
+    if (write_q && write_group_q[2] && write_word_q[5]) written_q[14] <= 1'b1;
+    if (write_q && write_group_q[3] && write_word_q[0]) written_q[15] <= 1'b1;
+    if (write_q && write_group_q[3] && write_word_q[1]) written_q[16] <= 1'b1;
+    if (write_q && write_group_q[3] && write_word_q[2]) written_q[17] <= 1'b1;
+    if (write_q && write_group_q[3] && write_word_q[3]) written_q[18] <= 1'b1;
+    if (write_q && write_group_q[3] && write_word_q[4]) written_q[19] <= 1'b1;
+    if (write_q && write_group_q[3] && write_word_q[5]) written_q[20] <= 1'b1;
+    if (write_q && write_group_q[3] && write_word_q[6]) written_q[21] <= 1'b1;
+    if (write_q && write_group_q[3] && write_word_q[7]) written_q[22] <= 1'b1;
+    if (write_q && write_group_q[4] && write_word_q[0]) written_q[23] <= 1'b1;
+    if (write_q && write_group_q[4] && write_word_q[1]) written_q[24] <= 1'b1;
+    if (write_q && write_group_q[4] && write_word_q[7]) written_q[25] <= 1'b1;
+    if (write_q && write_group_q[6] && write_word_q[4]) written_q[26] <= 1'b1;
+    if (write_q && write_group_q[6] && write_word_q[5]) written_q[27] <= 1'b1;
+    if (write_q && write_group_q[6] && write_word_q[6]) written_q[28] <= 1'b1;
+    if (write_q && write_group_q[6] && write_word_q[7]) written_q[29] <= 1'b1;
+    if (write_q && write_group_q[7] && write_word_q[0]) written_q[30] <= 1'b1;
+    if (write_q && write_group_q[7] && write_word_q[1]) written_q[31] <= 1'b1;
+    if (write_q && write_group_q[8] && write_word_q[0]) written_q[32] <= 1'b1;
+    if (write_q && write_group_q[8] && write_word_q[1]) written_q[33] <= 1'b1;
+    if (write_q && write_group_q[8] && write_word_q[2]) written_q[34] <= 1'b1;
+    if (write_q && write_group_q[8] && write_word_q[3]) written_q[35] <= 1'b1;
+    if (write_q && write_group_q[8] && write_word_q[6]) written_q[36] <= 1'b1;
+    if (write_q && write_group_q[9] && write_word_q[0]) written_q[37] <= 1'b1;
+    if (write_q && write_group_q[9] && write_word_q[4]) written_q[38] <= 1'b1;
     changed_o <= guard_error != '0;
   end
   horopter_guard #(
@@ -680,228 +715,244 @@ module horopter_csr #(
       .error_o(guard_error[8])
   );
   horopter_guard #(
+      .WIDTH(32)
+  ) u_feedback_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[9]),
+      .value_i({feedback_clocks_q}),
+      .error_o(guard_error[9])
+  );
+  horopter_guard #(
       .WIDTH(16)
   ) u_sum_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[9]),
+      .written_i(written_q[10]),
       .value_i({sum_limit_value_q}),
-      .error_o(guard_error[9])
+      .error_o(guard_error[10])
   );
   horopter_guard #(
       .WIDTH(16)
   ) u_self_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[10]),
+      .written_i(written_q[11]),
       .value_i({self_limit_value_q}),
-      .error_o(guard_error[10])
+      .error_o(guard_error[11])
   );
   horopter_guard #(
       .WIDTH(16)
   ) u_texture_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[11]),
+      .written_i(written_q[12]),
       .value_i({texture_limit_sum_q}),
-      .error_o(guard_error[11])
+      .error_o(guard_error[12])
   );
   horopter_guard #(
       .WIDTH(24)
   ) u_alarm_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[12]),
+      .written_i(written_q[13]),
       .value_i({alarm_limit_pixels_q}),
-      .error_o(guard_error[12])
+      .error_o(guard_error[13])
   );
   horopter_guard #(
       .WIDTH(24)
   ) u_unsupervised_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[13]),
+      .written_i(written_q[14]),
       .value_i({unsupervised_limit_pixels_q}),
-      .error_o(guard_error[13])
+      .error_o(guard_error[14])
   );
   horopter_guard #(
       .WIDTH(8)
   ) u_black_level_guard (
       .clk_i(clk_i),
-      .written_i(written_q[14]),
+      .written_i(written_q[15]),
       .value_i({black_level_grey_q}),
-      .error_o(guard_error[14])
+      .error_o(guard_error[15])
   );
   horopter_guard #(
       .WIDTH(24)
   ) u_black_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[15]),
+      .written_i(written_q[16]),
       .value_i({black_limit_pixels_q}),
-      .error_o(guard_error[15])
+      .error_o(guard_error[16])
   );
   horopter_guard #(
       .WIDTH(8)
   ) u_white_level_guard (
       .clk_i(clk_i),
-      .written_i(written_q[16]),
+      .written_i(written_q[17]),
       .value_i({white_level_grey_q}),
-      .error_o(guard_error[16])
+      .error_o(guard_error[17])
   );
   horopter_guard #(
       .WIDTH(24)
   ) u_white_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[17]),
+      .written_i(written_q[18]),
       .value_i({white_limit_pixels_q}),
-      .error_o(guard_error[17])
+      .error_o(guard_error[18])
   );
   horopter_guard #(
       .WIDTH(8)
   ) u_constant_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[18]),
+      .written_i(written_q[19]),
       .value_i({constant_limit_grey_q}),
-      .error_o(guard_error[18])
+      .error_o(guard_error[19])
   );
   horopter_guard #(
       .WIDTH(8)
   ) u_frozen_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[19]),
+      .written_i(written_q[20]),
       .value_i({frozen_limit_frames_q}),
-      .error_o(guard_error[19])
+      .error_o(guard_error[20])
   );
   horopter_guard #(
       .WIDTH(1)
   ) u_decision_guard (
       .clk_i(clk_i),
-      .written_i(written_q[20]),
+      .written_i(written_q[21]),
       .value_i({decision_compete_q}),
-      .error_o(guard_error[20])
+      .error_o(guard_error[21])
   );
   horopter_guard #(
       .WIDTH(31)
   ) u_compete_guard (
       .clk_i(clk_i),
-      .written_i(written_q[21]),
+      .written_i(written_q[22]),
       .value_i({compete_boundary_q, compete_clear_quorum_q, compete_quorum_q, compete_similar_q, compete_smooth_q, compete_bias_q}),
-      .error_o(guard_error[21])
+      .error_o(guard_error[22])
   );
   horopter_guard #(
       .WIDTH(4)
   ) u_map_slot_guard (
       .clk_i(clk_i),
-      .written_i(written_q[22]),
+      .written_i(written_q[23]),
       .value_i({map_slot_slot_q}),
-      .error_o(guard_error[22])
+      .error_o(guard_error[23])
   );
   horopter_guard #(
       .WIDTH(16)
   ) u_map_base_guard (
       .clk_i(clk_i),
-      .written_i(written_q[23]),
+      .written_i(written_q[24]),
       .value_i({map_base_word64_q}),
-      .error_o(guard_error[23])
+      .error_o(guard_error[24])
   );
   horopter_guard #(
       .WIDTH(24)
   ) u_map_undecidable_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[24]),
+      .written_i(written_q[25]),
       .value_i({map_undecidable_limit_pixels_q}),
-      .error_o(guard_error[24])
+      .error_o(guard_error[25])
   );
   horopter_guard #(
       .WIDTH(23)
   ) u_agreement_guard (
       .clk_i(clk_i),
-      .written_i(written_q[25]),
+      .written_i(written_q[26]),
       .value_i({agreement_unproven_skin_q, agreement_shift_highest_q, agreement_shift_lowest_q, agreement_nearer_above_q, agreement_nearer_below_q, agreement_prove_q}),
-      .error_o(guard_error[25])
+      .error_o(guard_error[26])
   );
   horopter_guard #(
       .WIDTH(32)
   ) u_agreement_limits_guard (
       .clk_i(clk_i),
-      .written_i(written_q[26]),
+      .written_i(written_q[27]),
       .value_i({agreement_limits_hidden_q, agreement_limits_unproven_q, agreement_limits_regions_q, agreement_limits_explained_q}),
-      .error_o(guard_error[26])
+      .error_o(guard_error[27])
   );
   horopter_guard #(
       .WIDTH(8)
   ) u_hidden_guard (
       .clk_i(clk_i),
-      .written_i(written_q[27]),
+      .written_i(written_q[28]),
       .value_i({hidden_frames_q}),
-      .error_o(guard_error[27])
+      .error_o(guard_error[28])
   );
   horopter_guard #(
       .WIDTH(12)
   ) u_registration_guard (
       .clk_i(clk_i),
-      .written_i(written_q[28]),
+      .written_i(written_q[29]),
       .value_i({registration_moved_half_q, registration_moved_q}),
-      .error_o(guard_error[28])
+      .error_o(guard_error[29])
   );
   horopter_guard #(
       .WIDTH(32)
   ) u_epipolar_guard (
       .clk_i(clk_i),
-      .written_i(written_q[29]),
+      .written_i(written_q[30]),
       .value_i({epipolar_column_q, epipolar_slope_q}),
-      .error_o(guard_error[29])
+      .error_o(guard_error[30])
   );
   horopter_guard #(
       .WIDTH(32)
   ) u_epipolar_change_guard (
       .clk_i(clk_i),
-      .written_i(written_q[30]),
+      .written_i(written_q[31]),
       .value_i({epipolar_change_both_q, epipolar_change_row_q}),
-      .error_o(guard_error[30])
+      .error_o(guard_error[31])
   );
   horopter_guard #(
       .WIDTH(8)
   ) u_one_camera_guard (
       .clk_i(clk_i),
-      .written_i(written_q[31]),
+      .written_i(written_q[32]),
       .value_i({one_camera_segments_q}),
-      .error_o(guard_error[31])
+      .error_o(guard_error[32])
   );
   horopter_guard #(
       .WIDTH(8)
   ) u_blind_step_guard (
       .clk_i(clk_i),
-      .written_i(written_q[32]),
+      .written_i(written_q[33]),
       .value_i({blind_step_grey_q}),
-      .error_o(guard_error[32])
+      .error_o(guard_error[33])
   );
   horopter_guard #(
       .WIDTH(8)
   ) u_blind_share_guard (
       .clk_i(clk_i),
-      .written_i(written_q[33]),
+      .written_i(written_q[34]),
       .value_i({blind_share_of_256_q}),
-      .error_o(guard_error[33])
+      .error_o(guard_error[34])
   );
   horopter_guard #(
       .WIDTH(8)
   ) u_still_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[34]),
+      .written_i(written_q[35]),
       .value_i({still_limit_frames_q}),
-      .error_o(guard_error[34])
+      .error_o(guard_error[35])
   );
   horopter_guard #(
       .WIDTH(6)
   ) u_region_select_guard (
       .clk_i(clk_i),
-      .written_i(written_q[35]),
+      .written_i(written_q[36]),
       .value_i({region_select_region_q}),
-      .error_o(guard_error[35])
+      .error_o(guard_error[36])
   );
   horopter_guard #(
       .WIDTH(24)
   ) u_object_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[36]),
+      .written_i(written_q[37]),
       .value_i({object_limit_pixels_q}),
-      .error_o(guard_error[36])
+      .error_o(guard_error[37])
+  );
+  horopter_guard #(
+      .WIDTH(10)
+  ) u_blocks_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[38]),
+      .value_i({blocks_margin_q, blocks_teach_q, blocks_watch_q}),
+      .error_o(guard_error[38])
   );
 
   // IRQ_STATUS: Events since they were last cleared.
@@ -925,11 +976,11 @@ module horopter_csr #(
   assign faults_cameras_o = faults_cameras_q;
 
   // FAULTS_MACHINE: The same for faults of both cameras together, of tables and of the machine.
-  logic [17:0] faults_machine_q;
+  logic [19:0] faults_machine_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) faults_machine_q <= 18'd0;
+    if (!rst_ni) faults_machine_q <= 20'd0;
     else if (write_q && write_group_q[5] && write_word_q[1])
-      faults_machine_q <= (faults_machine_q & ~(write_data_i[17:0] & {{2{write_strb_i[2]}}, {8{write_strb_i[1]}}, {8{write_strb_i[0]}}})) | faults_machine_set_i;
+      faults_machine_q <= (faults_machine_q & ~(write_data_i[19:0] & {{4{write_strb_i[2]}}, {8{write_strb_i[1]}}, {8{write_strb_i[0]}}})) | faults_machine_set_i;
     else faults_machine_q <= faults_machine_q | faults_machine_set_i;
   end
   assign faults_machine_o = faults_machine_q;
@@ -957,7 +1008,7 @@ module horopter_csr #(
     case (read_addr_i)
       12'h000, 12'h004, 12'h008, 12'h00C, 12'h010, 12'h014, 12'h018: wanted_q[0] <= 1'b1;
       12'h040, 12'h044, 12'h048, 12'h04C, 12'h050, 12'h054, 12'h058, 12'h05C: wanted_q[1] <= 1'b1;
-      12'h060, 12'h064, 12'h068: wanted_q[2] <= 1'b1;
+      12'h060, 12'h064, 12'h068, 12'h070: wanted_q[2] <= 1'b1;
       12'h080, 12'h084, 12'h088, 12'h08C, 12'h094: wanted_q[3] <= 1'b1;
       12'h0A0, 12'h0A4, 12'h0A8, 12'h0AC, 12'h0B0, 12'h0B4, 12'h0B8, 12'h0BC: wanted_q[4] <= 1'b1;
       12'h0C0, 12'h0C4, 12'h0D0, 12'h0D4, 12'h0D8, 12'h0DC: wanted_q[5] <= 1'b1;
@@ -967,17 +1018,17 @@ module horopter_csr #(
       12'h140, 12'h144, 12'h150, 12'h154, 12'h158, 12'h15C: wanted_q[9] <= 1'b1;
       12'h160, 12'h164, 12'h168, 12'h16C, 12'h170, 12'h174, 12'h178: wanted_q[10] <= 1'b1;
       12'h180, 12'h184, 12'h188, 12'h18C, 12'h190, 12'h194, 12'h198, 12'h19C: wanted_q[11] <= 1'b1;
-      12'h1A0, 12'h1A4, 12'h1A8, 12'h1AC: wanted_q[12] <= 1'b1;
+      12'h1A0, 12'h1A4, 12'h1A8, 12'h1AC, 12'h1B0, 12'h1B4, 12'h1B8: wanted_q[12] <= 1'b1;
       default: ;  // no register
     endcase
     group_00_q <= 32'd0;
     if (wanted_q[0])
       case (word_q)
         3'h0: group_00_q <= 32'h484F524F;
-        3'h1: group_00_q <= {16'h2, 16'h3};
+        3'h1: group_00_q <= {16'h2, 16'h4};
         3'h2: group_00_q <= {build_size_height_i, build_size_width_i};
         3'h3: group_00_q <= {build_store_pool_kib_i, build_store_rows_i};
-        3'h4: group_00_q <= {2'd0, build_window_compete_i, build_window_thesis_i, build_window_hypotheses_i, build_window_weight_bits_i, build_window_subsample_i, build_window_majority_i, build_window_dsad_i};
+        3'h4: group_00_q <= {1'd0, build_window_blind_i, build_window_compete_i, build_window_thesis_i, build_window_hypotheses_i, build_window_weight_bits_i, build_window_subsample_i, build_window_majority_i, build_window_dsad_i};
         3'h5: group_00_q <= build_clock_khz_i;
         default: group_00_q <= {11'd0, build_compete_paths_i, build_compete_ballot_reach_i, build_compete_sum_columns_i, build_compete_sum_rows_i, build_compete_planes_i};
       endcase
@@ -986,7 +1037,7 @@ module horopter_csr #(
       case (word_q)
         3'h0: group_02_q <= {31'd0, control_enable_q};
         3'h1: group_02_q <= {30'd0, mode_test_input_q, mode_live_q};
-        3'h2: group_02_q <= {22'd0, status_i};
+        3'h2: group_02_q <= {21'd0, status_i};
         3'h3: group_02_q <= {20'd0, width_px_q};
         3'h4: group_02_q <= {20'd0, height_rows_q};
         3'h5: group_02_q <= {20'd0, lookahead_rows_q};
@@ -998,7 +1049,8 @@ module horopter_csr #(
       case (word_q)
         3'h0: group_03_q <= {30'd0, irq_enable_fault_q, irq_enable_frame_q};
         3'h1: group_03_q <= {30'd0, irq_status_q};
-        default: group_03_q <= {25'd0, interlock_frames_q, interlock_by_register_q, interlock_by_pin_q, interlock_by_itself_q};
+        3'h2: group_03_q <= {25'd0, interlock_frames_q, interlock_by_register_q, interlock_by_pin_q, interlock_by_itself_q};
+        default: group_03_q <= feedback_clocks_q;
       endcase
     group_04_q <= 32'd0;
     if (wanted_q[3])
@@ -1035,7 +1087,7 @@ module horopter_csr #(
     if (wanted_q[6])
       case (word_q)
         3'h0: group_07_q <= {3'd0, faults_cameras_q[25:13], 3'd0, faults_cameras_q[12:0]};
-        3'h1: group_07_q <= {14'd0, faults_machine_q};
+        3'h1: group_07_q <= {12'd0, faults_machine_q};
         default: group_07_q <= {map_extent_end_word64_i, map_extent_base_word64_i};
       endcase
     group_08_q <= 32'd0;
@@ -1056,7 +1108,7 @@ module horopter_csr #(
         3'h0: group_09_q <= frame_cycles_clocks_i;
         3'h1: group_09_q <= frame_latency_clocks_i;
         3'h2: group_09_q <= frame_tail_clocks_i;
-        3'h3: group_09_q <= {14'd0, frame_faults_machine_i};
+        3'h3: group_09_q <= {12'd0, frame_faults_machine_i};
         3'h4: group_09_q <= {9'd0, agreement_unproven_skin_q, agreement_shift_highest_q, agreement_shift_lowest_q, agreement_nearer_above_q, agreement_nearer_below_q, agreement_prove_q};
         3'h5: group_09_q <= {agreement_limits_hidden_q, agreement_limits_unproven_q, agreement_limits_regions_q, agreement_limits_explained_q};
         3'h6: group_09_q <= {24'd0, hidden_frames_q};
@@ -1101,7 +1153,10 @@ module horopter_csr #(
         3'h0: group_0D_q <= {8'd0, object_limit_pixels_q};
         3'h1: group_0D_q <= {8'd0, frame_object_pixels_i};
         3'h2: group_0D_q <= {4'd0, frame_object_columns_i[23:12], 4'd0, frame_object_columns_i[11:0]};
-        default: group_0D_q <= {4'd0, frame_object_rows_i[23:12], 4'd0, frame_object_rows_i[11:0]};
+        3'h3: group_0D_q <= {4'd0, frame_object_rows_i[23:12], 4'd0, frame_object_rows_i[11:0]};
+        3'h4: group_0D_q <= {22'd0, blocks_margin_q, blocks_teach_q, blocks_watch_q};
+        3'h5: group_0D_q <= {8'd0, frame_blind_pixels_i};
+        default: group_0D_q <= {16'd0, taught_frames_i};
       endcase
     known_q <= wanted_q != '0;
     read_data_o <= group_00_q | group_02_q | group_03_q | group_04_q | group_05_q | group_06_q | group_07_q | group_08_q | group_09_q | group_0A_q | group_0B_q | group_0C_q | group_0D_q;

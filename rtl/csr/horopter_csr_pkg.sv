@@ -36,6 +36,8 @@ package horopter_csr_pkg;
   } camera_faults_t;
 
   typedef struct packed {  // from the highest bit
+    logic teaching;
+    logic contactors;
     logic objects;
     logic restart;
     logic settings;
@@ -72,6 +74,7 @@ package horopter_csr_pkg;
   } faults_t;
 
   typedef struct packed {  // from the highest bit
+    logic taught;
     logic by_itself;
     logic waiting;
     logic late;
@@ -197,4 +200,10 @@ package horopter_csr_pkg;
     logic [11:0] bottom;
     logic [11:0] top;
   } frame_object_rows_t;
+
+  typedef struct packed {  // from the highest bit
+    logic [ 7:0] margin;
+    logic teach;
+    logic watch;
+  } blocks_t;
 endpackage

@@ -48,6 +48,9 @@ module formal_safe (
     input logic        objects_ended,
     input logic        objects_overflow,
     input logic        object_alarm,
+    input logic        teaching,
+    input logic        contactors_bad,
+    input logic        contactors_ready,
     input logic        too_undecidable,
     input logic        too_unsupervised,
     input logic        verdict_valid,
@@ -104,6 +107,9 @@ module formal_safe (
       .undecidable_i(24'd0),
       .unsupervised_i(24'd0),
       .alarm_i(alarm),
+      .teaching_i(teaching),
+      .contactors_bad_i(contactors_bad),
+      .contactors_ready_i(contactors_ready),
       .objects_ended_i(objects_ended),
       .objects_overflow_i(objects_overflow),
       .object_alarm_i(object_alarm),
@@ -112,6 +118,7 @@ module formal_safe (
       .verdict_valid_i(verdict_valid),
       .verdict_i(verdict),
       .publish_o(publish),
+      .forget_o(),
       .frame_sequence_o(sequence_number),
       .frame_alarm_o(frame_alarm),
       .frame_safe_o(frame_safe),
@@ -134,10 +141,11 @@ module formal_safe (
       .unsafe_o(unsafe)
   );
 
-  logic past_valid = 1'b0, past_safe = 1'b0, past_reset = 1'b1;
+  logic past_valid = 1'b0, past_safe = 1'b0, past_reset = 1'b1, past_ready = 1'b0;
   logic [3:0] fault_age = 4'd0;  // bit i: a fault came i + 1 clocks ago
   logic good_before = 1'b0;  // the frame published before was good, and no fault has come since
   logic fault_now;
+  logic [4:0] begun = 5'd0;  // the frame that is output began so many clocks ago
   // Identical images are a fault with the second image check of a record; a check follows its image's last pixel.
   logic [1:0] left_checked = 2'b00, right_checked = 2'b00, ended = 2'b00;
   logic left_slot, right_slot, opened = 1'b0, opened_slot, identical;
@@ -160,14 +168,16 @@ module formal_safe (
     end
   end
   // Faults of a health result without valid, or of an alarm without counts, mean nothing.
-  assign fault_now = {left_stream, right_stream, skew, bad_upload, refused_upload, silence, parity_error, internal, settings, miss} != '0 || identical
+  assign fault_now = {left_stream, right_stream, skew, bad_upload, refused_upload, silence, parity_error, internal, settings, contactors_bad, miss} != '0 || identical
       || (health_valid[0] && left_health != '0) || (health_valid[1] && right_health != '0)
-      || object_alarm || (objects_ended && objects_overflow)
+      || object_alarm || (objects_ended && objects_overflow) || (begun[4] && teaching)
       || (counts_valid && (too_undecidable || too_unsupervised)) || (verdict_valid && verdict != '0);
   always @(posedge clk_i) begin
     past_valid <= 1'b1;
     past_reset <= !rst_ni;
     past_safe <= safe;
+    past_ready <= contactors_ready;
+    begun <= rst_ni ? {begun[3:0], begin_frame} : 5'd0;
     fault_age <= rst_ni ? {fault_age[2:0], fault_now} : 4'd0;
     if (!rst_ni || fault_age[2]) good_before <= 1'b0;
     else if (frame_done) good_before <= frame_safe && frame_faults == '0 && !frame_alarm;
@@ -212,6 +222,7 @@ module formal_safe (
         assert (asked);
         assert (good_frames >= interlock.frames && good_frames != 4'd0);  // this one comes on top
       end
+      if (safe && !past_safe) assert (past_ready);
       // A fault is felt after its register, its collection and the decision: 3 clocks.
       if (fault_age[2] || fault_age[3]) assert (!safe || frame_done);
       if (fault_age[2]) assert (!safe);

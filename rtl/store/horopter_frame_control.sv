@@ -66,11 +66,15 @@ module horopter_frame_control (
     input  logic              objects_ended_i,  // the frame's objects are known
     input  logic              objects_overflow_i,  // with it: more than can be told apart
     input  logic              object_alarm_i,  // of the frame so far, or of the last one
+    input  logic              contactors_bad_i,  // they do not follow safe_o
+    input  logic              contactors_ready_i,  // they have dropped
+    input  logic              teaching_i,  // the frame teaches what cannot be decided
     input  logic              too_undecidable_i,
     input  logic              too_unsupervised_i,
     input  logic              verdict_valid_i,  // what both cameras see, together
     input  horopter_csr_pkg::verdict_t verdict_i,
     output logic              publish_o,
+    output logic              forget_o,  // the last published frame taught, but not what is true
     // the last published frame
     output logic [      31:0] frame_sequence_o,
     output logic              frame_alarm_o,
@@ -134,7 +138,9 @@ module horopter_frame_control (
       outgoing_q.machine.store_miss <= miss_i;
       outgoing_q.machine.internal <= internal_i;
       outgoing_q.machine.settings <= settings_i;
+      outgoing_q.machine.contactors <= contactors_bad_i;
       outgoing_q.machine.restart <= stuck && begin_q[4];
+      outgoing_q.machine.teaching <= teaching_i && begin_q[4];
       outgoing_q.machine.no_table <= begin_q[4] && !table_ok_i;
       outgoing_q.machine.too_undecidable <= (counts_valid_i && too_undecidable_i) || (verdict_valid_i && verdict_i.untextured);
       outgoing_q.machine.objects <= objects_ended_i && objects_overflow_i;
@@ -333,6 +339,17 @@ module horopter_frame_control (
     end
   end
 
+  // With a fault of its own, or an alarm, what a frame has taught says nothing of an empty zone.
+  horopter_csr_pkg::faults_t beside_teaching;
+  always_comb begin
+    beside_teaching = total_q;
+    beside_teaching.machine.teaching = 1'b0;
+  end
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) forget_o <= 1'b0;
+    else if (publish_q) forget_o <= teaching_i && (beside_teaching != '0 || alarm_q || object_alarm_q);
+  end
+
   always_ff @(posedge clk_i) begin
     if (!rst_ni || (publish_q && !table_ok_i)) frame_table_crc_o <= 32'd0;
     else if (publish_q) frame_table_crc_o <= table_crc_i;
@@ -367,7 +384,7 @@ module horopter_frame_control (
       safe_q <= 1'b0;
       good_before_q <= 1'b0;
     end else if (publish_q) begin
-      safe_q <= good_before_q && good_frame && released;
+      safe_q <= good_before_q && good_frame && released && (safe_q || contactors_ready_i);
       good_before_q <= good_frame;
     end
   end
@@ -377,7 +394,7 @@ module horopter_frame_control (
       unsafe_q <= 1'b1;
       bad_before_q <= 1'b1;
     end else if (publish_q) begin
-      unsafe_q <= bad_before_q || bad_frame || held;
+      unsafe_q <= bad_before_q || bad_frame || held || (unsafe_q && !contactors_ready_i);
       bad_before_q <= bad_frame;
     end
   end

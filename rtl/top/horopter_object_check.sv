@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Objects of a frame: the stage `objects` on the states as they leave the chain. After the frame's last state it gets idle
-// beats, one a clock, until everything has been said.
+// Objects of a frame: the stages `blind` and `objects` on the states as they leave the chain. After the frame's last state
+// each gets idle beats, one a clock, until everything has been said. A frame of which nothing can be blind does not wait for
+// `blind`, from which pixels come some rows later.
 //
 // ended_o: one clock, everything of the frame has been said; overflow_o comes with it. alarm_o: an object of the frame so far,
-// or of the last one until the next begins, has reached the limit. frame_*: of the largest object, from ended_o on; 0 without
-// one. rst_ni: of the streaming core.
+// or of the last one until the next begins, has reached the limit. taught_o: at least one frame was taught. frame_*: of the
+// largest object, 0 without one, and the number of blind pixels, from ended_o on. rst_ni: of the streaming core.
 module horopter_object_check #(
+    parameter bit BLIND = 1'b1,
     parameter int unsigned COLUMNS = horopter_profile_pkg::WIDTH / horopter_profile_pkg::SUBSAMPLE,
     parameter int unsigned ROWS = horopter_profile_pkg::HEIGHT,
     parameter int unsigned COUNT_BITS = $clog2(COLUMNS * ROWS + 1)
@@ -13,6 +15,10 @@ module horopter_object_check #(
     input  logic                                  clk_i,
     input  logic                                  rst_ni,
     input  logic [              COUNT_BITS-1:0]   object_limit_i,
+    input  logic [    $clog2(COLUMNS + 1)-1:0]    width_i,
+    input  logic [       $clog2(ROWS + 1)-1:0]    height_i,
+    input  horopter_csr_pkg::blocks_t             blocks_i,
+    input  logic                                  forget_i,  // what was taught; before a frame begins
     input  logic                                  state_valid_i,
     input  logic [                         1:0]   state_i,
     input  logic                                  state_first_i,
@@ -21,10 +27,72 @@ module horopter_object_check #(
     output logic                                  ended_o,
     output logic                                  overflow_o,
     output logic                                  alarm_o,
+    output logic                                  taught_o,
+    output logic [                        15:0]   taught_frames_o,
     output logic [                        23:0]   frame_pixels_o,
     output horopter_csr_pkg::frame_object_columns_t frame_columns_o,
-    output horopter_csr_pkg::frame_object_rows_t  frame_rows_o
+    output horopter_csr_pkg::frame_object_rows_t  frame_rows_o,
+    output logic [                        23:0]   frame_blind_o
 );
+  // Pixels leave it some rows after they came: the idle beats of `objects` begin when it is done.
+  logic blind_idle_q, blind_valid, there, blind, pixel_first, pixel_last, blind_done, taught;
+  logic [1:0] pixel_state;
+  if (BLIND) begin : g_blind
+    horopter_blind u_blind (
+        .clk_i(clk_i),
+        .rst_ni(rst_ni),
+        .en_i(1'b1),
+        .valid_i(state_valid_i || blind_idle_q),
+        .state_i(state_i),
+        .first_i(state_first_i),
+        .last_i(state_last_i),
+        .idle_i(blind_idle_q),
+        .cfg_width_i(width_i),
+        .cfg_height_i(height_i),
+        .cfg_watch_i(blocks_i.watch),
+        .cfg_teach_i(blocks_i.teach),
+        .cfg_forget_i(forget_i),
+        .cfg_blind_margin_i(blocks_i.margin),
+        .valid_o(blind_valid),
+        .there_o(there),
+        .state_o(pixel_state),
+        .blind_o(blind),
+        .first_o(pixel_first),
+        .last_o(pixel_last),
+        .done_o(blind_done),
+        .taught_o(taught)
+    );
+  end else begin : g_no_blind
+    assign {blind_valid, there, pixel_state, blind, pixel_first, pixel_last, blind_done, taught} = '0;
+    logic unused_blind;
+    assign unused_blind = ^{width_i, height_i, blocks_i, forget_i, blind_idle_q};
+  end
+  logic looks, pixel_valid;
+  assign looks = BLIND && (blocks_i.watch || blocks_i.teach);  // all through the frame
+  assign pixel_valid = blind_valid && there && looks;
+  logic [COUNT_BITS-1:0] blind_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) blind_idle_q <= 1'b0;
+    else if (state_valid_i) blind_idle_q <= state_end_i && looks;
+    else if (blind_valid && blind_done) blind_idle_q <= 1'b0;
+    if (!rst_ni) taught_o <= 1'b0;
+    else if (blind_valid) taught_o <= taught;
+    if (!looks) blind_q <= '0;
+    else if (pixel_valid) blind_q <= (pixel_first ? '0 : blind_q) + COUNT_BITS'(blind);
+  end
+
+  logic taught_before_q;  // by the frame before this one
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      taught_before_q <= 1'b0;
+      taught_frames_o <= 16'd0;
+    end else if (BLIND && state_valid_i && state_first_i) begin
+      taught_before_q <= blocks_i.teach;
+      if (forget_i || (blocks_i.teach && !taught_before_q)) taught_frames_o <= 16'd0;
+      else if (taught_before_q && taught_frames_o != 16'hFFFF) taught_frames_o <= taught_frames_o + 16'd1;
+    end
+  end
+
   logic idle_q;  // the frame has ended
   logic valid, object_ended, alarm, overflow, done;
   logic [COUNT_BITS-1:0] pixels, largest_q;
@@ -40,10 +108,10 @@ module horopter_object_check #(
       .clk_i(clk_i),
       .rst_ni(rst_ni),
       .en_i(1'b1),
-      .valid_i(state_valid_i || idle_q),
-      .state_i(state_i),
-      .first_i(state_first_i),
-      .last_i(state_last_i),
+      .valid_i(looks ? pixel_valid || idle_q : state_valid_i || idle_q),
+      .occupied_i(looks ? blind || pixel_state == 2'd1 : state_i == 2'd1),
+      .first_i(looks ? pixel_first : state_first_i),
+      .last_i(looks ? pixel_last : state_last_i),
       .idle_i(idle_q),
       .cfg_object_limit_i(object_limit_i),
       .valid_o(valid),
@@ -65,7 +133,7 @@ module horopter_object_check #(
     if (valid) overflow_o <= overflow;
     alarm_o <= rst_ni && (valid ? alarm : alarm_o);
     if (!rst_ni) idle_q <= 1'b0;
-    else idle_q <= (state_valid_i && state_end_i) || (idle_q && !(valid && done));
+    else idle_q <= (looks ? blind_valid && blind_done && blind_idle_q && !idle_q : state_valid_i && state_end_i) || (idle_q && !(valid && done));
     if (!rst_ni || ended_o) waits_q <= 1'b0;
     else if (state_valid_i && state_end_i) waits_q <= 1'b1;
     if (!rst_ni || ended_o) largest_q <= '0;
@@ -80,8 +148,10 @@ module horopter_object_check #(
       frame_pixels_o <= 24'd0;
       frame_columns_o <= '0;
       frame_rows_o <= '0;
+      frame_blind_o <= 24'd0;
     end else if (ended_o) begin
       frame_pixels_o <= 24'(largest_q);
+      frame_blind_o <= 24'(blind_q);
       frame_columns_o.left <= largest_q == '0 ? 12'd0 : 12'(left_q);
       frame_columns_o.right <= largest_q == '0 ? 12'd0 : 12'(right_q);
       frame_rows_o.top <= largest_q == '0 ? 12'd0 : 12'(top_q);

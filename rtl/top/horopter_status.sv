@@ -29,6 +29,8 @@ module horopter_status #(
     input  logic                             open_slot_i,
     input  horopter_csr_pkg::interlock_t     interlock_i,
     input  logic                             restart_i,  // of any clock
+    input  logic                             feedback_i,  // the same
+    input  logic [31:0]                      feedback_clocks_i,
     input  logic                             restart_valid_i,  // RESTART is written
     input  logic [31:0]                      restart_key_i,
     input  logic [1:0]                       busy_i,
@@ -81,6 +83,9 @@ module horopter_status #(
     input  logic                             objects_ended_i,
     input  logic                             objects_overflow_i,
     input  logic                             object_alarm_i,
+    input  logic                             taught_i,
+    input  logic                             teaching_i,
+    output logic                             forget_o,  // what it has taught
     input  logic                             too_undecidable_i,
     input  logic                             too_unsupervised_i,
     input  logic                             verdict_valid_i,  // what both cameras see, together
@@ -132,8 +137,9 @@ module horopter_status #(
   assign status_o.left_silent = silent_i[0];
   assign status_o.right_silent = silent_i[1];
   assign status_o.late = late;
-  assign status_o.waiting = waiting;
+  assign status_o.waiting = waiting && contactors_ready;
   assign status_o.by_itself = interlock_i.by_itself;
+  assign status_o.taught = taught_i;
 
   // The core's reset comes a clock after rst_ni: what it says between them is of the time before.
   logic reset_q;
@@ -149,6 +155,16 @@ module horopter_status #(
   end
 
   logic miss, internal;
+  logic contactors_bad, contactors_ready;
+  horopter_feedback u_feedback (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .clocks_i(feedback_clocks_i),
+      .safe_i(safe_o),
+      .feedback_i(feedback_i),
+      .ready_o(contactors_ready),
+      .bad_o(contactors_bad)
+  );
   logic [1:0] parity_error;
   assign miss = quad_valid_i && quad_miss_i;
   assign parity_error = {quad_valid_i && quad_parity_error_i && left_mask_i, left_parity_error_i};
@@ -193,6 +209,8 @@ module horopter_status #(
       .settings_i(changed_i != 2'b00),
       .interlock_i(interlock_i),
       .restart_i(restart_i),
+      .contactors_bad_i(contactors_bad),
+      .contactors_ready_i(contactors_ready),
       .restart_written_i(restart_valid_i && restart_key_i == horopter_csr_pkg::RESTART_KEY),
       .miss_i(miss),
       .state_first_i(state_first_i),
@@ -206,6 +224,8 @@ module horopter_status #(
       .objects_ended_i(objects_ended_i),
       .objects_overflow_i(objects_overflow_i),
       .object_alarm_i(object_alarm_i),
+      .teaching_i(teaching_i),
+      .forget_o(forget_o),
       .too_undecidable_i(too_undecidable_i),
       .too_unsupervised_i(too_unsupervised_i),
       .verdict_valid_i(verdict_valid_i),

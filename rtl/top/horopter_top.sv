@@ -11,6 +11,7 @@
 // m_axis_runs                the rows as runs: {state[63:62], 14'b0, row[47:32], start[31:16], end[15:0]}, end included,
 //                            every row covered completely; tlast = last run of a frame.
 // restart_i                  a button, of any clock: see INTERLOCK and horopter_interlock.sv.
+// feedback_i                 of the contactors that safe_o switches, of any clock: see FEEDBACK and horopter_feedback.sv.
 // safe_o, unsafe_o           complements, from separate registers; safe only while the last two frames were complete, in
 //                            time, free of faults and of alarm, and a restart was given since the last time they were
 //                            not. Anything but safe_o = 1 and unsafe_o = 0 means not safe.
@@ -18,13 +19,14 @@
 //
 // Parameters fit the memories of a small part: the pool of mapping tables, and the largest LOOKAHEAD, that is the left
 // delay: a larger one is a bad geometry. A profile that has both rules of decision can be built with one of them. TWICE: what
-// says where each pixel comes from is built twice, against upsets.
+// says where each pixel comes from is built twice, against upsets. BLIND: watches for what goes blind; 0: BLOCKS keeps its reset.
 module horopter_top #(
     parameter bit THESIS = horopter_profile_pkg::THESIS,
     parameter bit COMPETE = horopter_profile_pkg::COMPETE,
     parameter int unsigned POOL_BYTES = horopter_profile_pkg::POOL_BYTES,
     parameter int unsigned MAX_LOOKAHEAD = horopter_profile_pkg::STORE_ROWS / 2,
-    parameter bit TWICE = horopter_profile_pkg::COMPETE
+    parameter bit TWICE = horopter_profile_pkg::COMPETE,
+    parameter bit BLIND = 1'b1
 ) (
     input  logic        clk_i,
     input  logic        rst_ni,
@@ -79,6 +81,7 @@ module horopter_top #(
     input  logic        m_axis_runs_tready,
     // status
     input  logic        restart_i,
+    input  logic        feedback_i,
     output logic        safe_o,
     output logic        unsafe_o,
     output logic        heartbeat_o,
@@ -190,7 +193,9 @@ module horopter_top #(
   horopter_csr_pkg::frame_cells_t frame_cells;
   horopter_csr_pkg::frame_unproven_t frame_unproven;
   horopter_csr_pkg::frame_region_t frame_region;
-  logic [23:0] frame_object;
+  logic [23:0] frame_object, frame_blind;
+  horopter_csr_pkg::blocks_t blocks, sampled_blocks;
+  logic [15:0] taught_frames;
   horopter_csr_pkg::frame_object_columns_t frame_object_columns;
   horopter_csr_pkg::frame_object_rows_t frame_object_rows;
   logic [127:0] frame_across;
@@ -204,7 +209,7 @@ module horopter_top #(
   logic [31:0] map_data, map_crc, map_extent;
   horopter_csr_pkg::interlock_t interlock;
   logic restart_valid;
-  logic [31:0] restart_key;
+  logic [31:0] restart_key, feedback_clocks;
   logic map_busy;
   logic [2:0] map_error;
   logic [14:0] map_valid;
@@ -219,6 +224,7 @@ module horopter_top #(
   horopter_csr #(
       .BOTH_RULES(THESIS && COMPETE),
       .COMPETE(COMPETE),
+      .BLIND(BLIND),
       .DECISION_COMPETE_RESET(!THESIS),
       .WIDTH_PX_RESET(12'(WIDTH)),
       .HEIGHT_ROWS_RESET(12'(HEIGHT)),
@@ -255,6 +261,7 @@ module horopter_top #(
       .build_window_hypotheses_i(4'(horopter_profile_pkg::HYPOTHESES)),
       .build_window_thesis_i(THESIS),
       .build_window_compete_i(COMPETE),
+      .build_window_blind_i(BLIND),
       .build_compete_planes_i(COMPETE ? 8'(horopter_profile_pkg::PLANES) : 8'd0),
       .build_compete_sum_rows_i(COMPETE ? 4'(horopter_profile_pkg::SUM_ROWS) : 4'd0),
       .build_compete_sum_columns_i(COMPETE ? 4'(horopter_profile_pkg::SUM_COLUMNS) : 4'd0),
@@ -274,6 +281,7 @@ module horopter_top #(
       .irq_status_set_i(irq_set),
       .irq_status_o(irq_status),
       .interlock_o(interlock),
+      .feedback_clocks_o(feedback_clocks),
       .restart_valid_o(restart_valid),
       .restart_ready_i(1'b1),
       .restart_key_o(restart_key),
@@ -282,6 +290,7 @@ module horopter_top #(
       .texture_limit_sum_o(texture_limit),
       .alarm_limit_pixels_o(alarm_limit),
       .object_limit_pixels_o(object_limit),
+      .blocks_o(blocks),
       .unsupervised_limit_pixels_o(unsupervised_limit),
       .black_level_grey_o(black_level),
       .black_limit_pixels_o(black_limit),
@@ -319,6 +328,8 @@ module horopter_top #(
       .frame_object_pixels_i(frame_object),
       .frame_object_columns_i(frame_object_columns),
       .frame_object_rows_i(frame_object_rows),
+      .frame_blind_pixels_i(frame_blind),
+      .taught_frames_i(taught_frames),
       .map_slot_slot_o(map_slot),
       .map_base_word64_o(map_base),
       .map_undecidable_limit_pixels_o(map_undecidable_limit),
@@ -393,6 +404,7 @@ module horopter_top #(
       .texture_limit_i(texture_limit),
       .alarm_limit_i(alarm_limit),
       .object_limit_i(object_limit),
+      .blocks_i(blocks),
       .undecidable_limit_i(table_undecidable_limit),
       .unsupervised_i(table_ok ? table_unsupervised : '1),
       .unsupervised_limit_i(unsupervised_limit),
@@ -419,6 +431,7 @@ module horopter_top #(
       .texture_limit_o(sampled_texture_limit),
       .alarm_limit_o(sampled_alarm_limit),
       .object_limit_o(sampled_object_limit),
+      .blocks_o(sampled_blocks),
       .undecidable_limit_o(sampled_undecidable_limit),
       .unsupervised_limit_o(sampled_unsupervised_limit),
       .agreement_o(sampled_agreement),
@@ -1092,11 +1105,17 @@ module horopter_top #(
       .frame_region_o(frame_region)
   );
 
-  logic objects_ended, objects_overflow, object_alarm;
-  horopter_object_check u_object_check (
+  logic objects_ended, objects_overflow, object_alarm, taught, forget;
+  horopter_object_check #(
+      .BLIND(BLIND)
+  ) u_object_check (
       .clk_i(clk_i),
       .rst_ni(core_rst_n),
       .object_limit_i(sampled_object_limit),
+      .width_i(result_width),
+      .height_i(result_height),
+      .blocks_i(sampled_blocks),
+      .forget_i(forget),
       .state_valid_i(state_valid && !state_idle),
       .state_i(state),
       .state_first_i(state_first),
@@ -1105,9 +1124,12 @@ module horopter_top #(
       .ended_o(objects_ended),
       .overflow_o(objects_overflow),
       .alarm_o(object_alarm),
+      .taught_o(taught),
+      .taught_frames_o(taught_frames),
       .frame_pixels_o(frame_object),
       .frame_columns_o(frame_object_columns),
-      .frame_rows_o(frame_object_rows)
+      .frame_rows_o(frame_object_rows),
+      .frame_blind_o(frame_blind)
   );
 
   // ------------------------------------------------------------------------------------------------ outputs
@@ -1179,6 +1201,8 @@ module horopter_top #(
       .open_slot_i(open_slot),
       .interlock_i(interlock),
       .restart_i(restart_i),
+      .feedback_i(feedback_i),
+      .feedback_clocks_i(feedback_clocks),
       .restart_valid_i(restart_valid),
       .restart_key_i(restart_key),
       .busy_i(frame_busy),
@@ -1230,6 +1254,9 @@ module horopter_top #(
       .objects_ended_i(objects_ended),
       .objects_overflow_i(objects_overflow),
       .object_alarm_i(object_alarm),
+      .taught_i(taught),
+      .teaching_i(sampled_blocks.teach),
+      .forget_o(forget),
       .too_undecidable_i(too_undecidable),
       .too_unsupervised_i(too_unsupervised),
       .verdict_valid_i(verdict_valid),

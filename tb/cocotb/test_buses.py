@@ -110,7 +110,7 @@ class Machine:
         logging.getLogger("cocotb.horopter_top").setLevel(logging.ERROR)  # the models tell of every frame and access
         self.dut, self.rng = dut, random.Random(f"{cocotb.RANDOM_SEED} {purpose}")
         cocotb.start_soon(Clock(dut.clk_i, CLOCK_STEPS, "step").start())
-        dut.restart_i.value = dut.s_axis_test_tvalid.value = 0
+        dut.restart_i.value = dut.feedback_i.value = dut.s_axis_test_tvalid.value = 0
 
         def model(kind, bus, name, **options):  # by exact names, or this Verilator gives the ports' copies inside
             return kind(bus.from_prefix(dut, name, case_insensitive=False), dut.clk_i, dut.rst_ni, False, **options)

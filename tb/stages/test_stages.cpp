@@ -45,7 +45,7 @@ void bench(const std::string& name) {
     RasterStimulus stimulus{Rng{rng.next()}, dut, horopter::hls::min_row_beats,
                             static_cast<unsigned>(kProfile.result_width())};
     BenchOptions options;
-    options.beats = name == "objects" ? 1'000'000 : 120'000;  // what it does takes many rows
+    options.beats = name == "objects" || name == "blind" ? 1'000'000 : 120'000;  // what it does takes many rows
     const BenchReport report = run_stage_bench<Stage>(*model, dut, stimulus, rng, options);
     CAPTURE(report.clocks, report.beats, report.outputs, report.gaps, report.stalls, report.resets,
             report.resets_in_flight);

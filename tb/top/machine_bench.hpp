@@ -98,6 +98,7 @@ struct Published {
   std::vector<native::Run> runs;
   std::uint32_t sequence = 0, status = 0, table_crc = 0, skin = 0, undecidable = 0, unsupervised = 0;
   std::array<std::uint32_t, 3> object{};  ///< FRAME_OBJECT and the two registers after it
+  std::uint32_t blind = 0;
   std::uint32_t latency = 0, tail = 0;
   Faults faults;
   bool safe_pin = false;
@@ -147,7 +148,7 @@ class Machine : public Endpoint {
       simulation_.attach(*endpoint);
     }
     model().s_axis_test_tvalid = 0;
-    model().restart_i = 0;
+    model().restart_i = model().feedback_i = 0;
     model().s_axil_awprot = model().s_axil_arprot = 0;
     left_.set_live(options.live);
     right_.set_live(options.live);
@@ -246,6 +247,7 @@ class Machine : public Endpoint {
     p.unsupervised = read(reg::frame_unsupervised::kAddress);
     p.object = {read(reg::frame_object::kAddress), read(reg::frame_object_columns::kAddress),
                 read(reg::frame_object_rows::kAddress)};
+    p.blind = read(reg::frame_blind::kAddress);
     p.latency = read(reg::frame_latency::kAddress);
     p.tail = read(reg::frame_tail::kAddress);
     take_frame(p);
@@ -287,7 +289,12 @@ class Machine : public Endpoint {
   }
   void check_frame(const Published& p, const FramePair& pair, const std::vector<std::uint32_t>& table) {
     const native::FrameResult e = expected(pair, table);
-    CHECK(p.fault_names() == (e.object_overflow ? std::set<std::string>{"objects"} : std::set<std::string>{}));
+    settings_.forget = settings_.teach != 0 && (e.alarm || e.object_overflow) ? 1 : 0;
+    std::set<std::string> faults;
+    if (e.object_overflow) faults.insert("objects");
+    if (settings_.teach != 0) faults.insert("teaching");
+    CHECK(p.fault_names() == faults);
+    CHECK(p.blind == static_cast<std::uint32_t>(e.blind_pixels));
     if (!e.object_overflow) CHECK(p.object == object_words(e.largest_object()));
     REQUIRE(p.states.size() == e.states.size());
     std::size_t different = 0;
@@ -299,10 +306,27 @@ class Machine : public Endpoint {
     CHECK(p.unsupervised == static_cast<std::uint32_t>(e.unsupervised_pixels));
     CHECK(p.alarm() == e.alarm);
     CHECK(p.table_crc == table.back());
-    CHECK(p.safe() == (!e.alarm && !e.object_overflow));
+    CHECK(p.safe() == (!e.alarm && faults.empty()));
+    CHECK((reg::status::kTaught.get(read(reg::status::kAddress)) != 0) == e.taught);
   }
 
-  void drive() override {}
+  /// What safe_o switches: they drop and pull in within so many clocks, or stay as they are.
+  enum class Contactors { follow, stay_dropped, stay_pulled };
+  void set_contactors(Contactors contactors, unsigned clocks) {
+    contactors_ = contactors;
+    contactor_clocks_ = clocks;
+  }
+
+  void drive() override {
+    const bool wanted = contactors_ == Contactors::follow ? !model().safe_o : contactors_ == Contactors::stay_dropped;
+    if (wanted == (model().feedback_i != 0)) {
+      contactor_wait_ = contactor_clocks_;
+    } else if (contactor_wait_ == 0) {
+      model().feedback_i = wanted ? 1 : 0;
+    } else {
+      --contactor_wait_;
+    }
+  }
   void sample() override {
     if (model().frame_done_o) ++frames_done_;
     if (!model().safe_o) safe_was_low_ = true;
@@ -313,6 +337,9 @@ class Machine : public Endpoint {
   bool pins_ever_equal() const { return both_equal_; }
 
  private:
+  Contactors contactors_ = Contactors::follow;
+  unsigned contactor_clocks_ = 0, contactor_wait_ = 0;
+
   static Pace pace(unsigned pauses_percent, std::uint64_t purpose) {
     return pauses_percent == 0 ? Pace{} : Pace::random(100 - pauses_percent, session_seed() * 8 + purpose);
   }

@@ -302,6 +302,25 @@ std::set<std::string> faults_of_small_frames() {
     bench.send_scene();
   });
   machine.write_limits();
+  const auto supervise_contactors = [&](std::uint32_t clocks) {
+    machine.write(reg::control::kAddress, 0);
+    machine.write(reg::feedback::kAddress, clocks);
+    machine.write(reg::control::kAddress, reg::control::kEnable.put(1));
+  };
+  supervise_contactors(300);
+  bench.raise("contactors", [&] {
+    machine.set_contactors(decltype(bench.machine)::Contactors::stay_dropped, 0);
+    bench.send_scene();
+  });
+  machine.set_contactors(decltype(bench.machine)::Contactors::follow, 0);
+  supervise_contactors(0);
+  bench.raise("teaching", [&] {
+    machine.settings().teach = 1;
+    machine.write_limits();
+    bench.send_scene();
+  });
+  machine.settings().teach = 0;
+  machine.write_limits();
   bench.raise("objects",
               [&] {  // places of runs are taken that are not: what does not fit by itself: tests/unit/objects.cpp
                 bench.send_scene();

@@ -414,5 +414,71 @@ TEST_CASE("an object is an alarm before its frame has ended", "[top]") {
   early_alarm<Vhoropter_machine_field>("field", false, 384, 120);
 }
 
+/// Taught, not watched and watched in turn, every frame as the native engine has it.
+template <class Model>
+void went_blind(const std::string& profile, bool compete, unsigned width, unsigned height) {
+  CAPTURE(profile, compete);
+  Rng rng{"blind"};
+  MachineOptions options{width, height, 16, false};
+  options.gaps_percent = options.stalls_percent = 20;
+  Machine<Model> machine{profile, options};
+  const auto table = plane_table(width, height, -6);
+  machine.upload(0, 0, table);
+  machine.select(0);
+  auto& settings = machine.settings();
+  settings.compete = compete ? 1 : 0;
+  settings.object_limit = 400;
+  unsigned blind = 0, seeing = 0, teaching = 0, forgotten = 0, frames_taught = 0;
+  bool taught_before = false, forgets = false;
+  for (unsigned frame = 0; frame < 24; ++frame) {
+    CAPTURE(frame);
+    settings.teach = frame < 3 || rng.chance(3) ? 1 : 0;
+    settings.object_limit = rng.chance(3) ? 400 : 100'000;
+    settings.watch = frame < 6 || !rng.chance(3) ? 1 : 0;
+    settings.blind_margin = static_cast<int>(rng.below(24));
+    machine.write_limits();
+    const FramePair pair = random_pair(width, height, -6, rng);
+    machine.send(pair);
+    const Published p = machine.receive();
+    machine.check(p, pair, table);
+    blind += p.blind != 0 ? 1 : 0;
+    seeing += p.blind == 0 && settings.watch != 0 && settings.teach == 0 ? 1 : 0;
+    teaching += settings.teach != 0 ? 1 : 0;
+    if (settings.teach != 0) CHECK_FALSE(p.safe_pin);
+    // Frames before this one, which is over.
+    const unsigned taught = machine.read(reg::taught::kAddress);
+    CHECK(taught == (forgets || (settings.teach != 0 && !taught_before) ? 0 : frames_taught + (taught_before ? 1 : 0)));
+    frames_taught = taught;
+    taught_before = settings.teach != 0;
+    forgets = settings.forget != 0;
+    forgotten += forgets ? 1 : 0;
+  }
+  CHECK(blind >= 3);
+  CHECK(teaching >= 3);
+  CHECK(forgotten >= 1);
+  // Before anything was taught, everything could be decided.
+  machine.configure();
+  settings.teach = 0;
+  settings.watch = 1;
+  settings.blind_margin = 0;
+  settings.object_limit = 400;
+  machine.write_limits();
+  FramePair pair = random_pair(width, height, -6, rng);
+  for (unsigned y = 16; y < height; ++y) {
+    for (unsigned x = 0; x < width / 2; ++x) pair.left.at(x, y) = pair.right.at(x, y) = 90;
+  }
+  machine.select(0);
+  machine.send(pair);
+  const Published p = machine.receive();
+  CHECK(p.blind == p.undecidable);
+  CHECK(p.alarm());
+}
+
+TEST_CASE("what went blind counts as an object, as natively", "[top]") {
+  went_blind<Vmachine_vga_thesis>("vga", false, 150, 90);
+  went_blind<Vmachine_vga_compete>("vga", true, 150, 90);
+  went_blind<Vhoropter_machine_field>("field", false, 300, 83);
+}
+
 }  // namespace
 }  // namespace horopter::tb

@@ -164,5 +164,93 @@ TEST_CASE("the key restarts where it is allowed, and nothing else does", "[inter
   CHECK(guarded.frames(1) == allowed);
 }
 
+/// Contactors hang at safe_o.
+struct WithContactors : Guarded {
+  static constexpr unsigned kPatience = 600;  // clocks: less than a frame takes
+  using Contactors = Machine<Vhoropter_machine_vga>::Contactors;
+  explicit WithContactors(std::uint32_t interlock) : Guarded(interlock) {
+    machine.write(reg::control::kAddress, 0);
+    machine.write(reg::feedback::kAddress, kPatience);
+    machine.settle(10);
+    machine.write(reg::control::kAddress, reg::control::kEnable.put(1));
+    machine.select(0);
+  }
+  bool told() {
+    const auto faults = Faults(0, machine.read(reg::faults_machine::kAddress));
+    return faults.has(Fault::contactors);
+  }
+};
+
+TEST_CASE("contactors that follow are no fault", "[interlock]") {
+  WithContactors cell(kByPin);
+  cell.machine.set_contactors(WithContactors::Contactors::follow, 500);
+  cell.machine.settle(2'000);
+  cell.frames(kFrames);
+  CHECK_FALSE(cell.press(1));
+  CHECK(cell.frames(3));
+  cell.set_alarm_limit(0);
+  CHECK_FALSE(cell.frames(2));
+  cell.good_from_now();
+  cell.frames(kFrames);
+  cell.press(1);
+  CHECK(cell.frames(2));
+  CHECK_FALSE(cell.told());
+}
+
+TEST_CASE("contactors that weld, stick or are slow are a fault, and safe_o does not rise again", "[interlock]") {
+  using Contactors = WithContactors::Contactors;
+  WithContactors cell(kByPin);
+  cell.machine.settle(2'000);
+  cell.frames(kFrames);
+  cell.press(1);
+  REQUIRE(cell.frames(2));
+  SECTION("welded: they do not drop after an alarm") {
+    cell.machine.set_contactors(Contactors::stay_pulled, 0);
+    CHECK(cell.frames(2));  // nobody can know yet
+    cell.set_alarm_limit(0);
+    cell.frames(1);
+    cell.good_from_now();
+    cell.frames(kFrames);
+    CHECK(cell.told());
+    CHECK(cell.last.fault_names().contains("contactors"));
+    CHECK_FALSE(cell.waiting());
+    cell.press(1);
+    CHECK_FALSE(cell.frames(kFrames));
+    cell.machine.set_contactors(Contactors::follow, 20);
+    cell.frames(kFrames + 1);
+    cell.press(1);
+    CHECK(cell.frames(2));
+  }
+  SECTION("they drop by themselves, or their wire is short") {
+    cell.machine.set_contactors(Contactors::stay_dropped, 0);
+    cell.frames(2);
+    CHECK(cell.told());
+    CHECK_FALSE(cell.frames(1));
+  }
+  SECTION("too slow") {
+    cell.machine.set_contactors(Contactors::follow, 700);
+    cell.set_alarm_limit(0);
+    cell.frames(2);
+    CHECK(cell.told());
+  }
+}
+
+TEST_CASE("a contactor that welded is seen where safe_o would rise before its time is over", "[interlock]") {
+  WithContactors cell(reg::interlock::kByItself.put(1));
+  cell.machine.write(reg::control::kAddress, 0);
+  cell.machine.write(reg::feedback::kAddress, 0xFFFFFFFFU);  // never told as a fault
+  cell.machine.settle(10);
+  cell.machine.write(reg::control::kAddress, reg::control::kEnable.put(1));
+  cell.machine.select(0);
+  REQUIRE(cell.frames(3));
+  cell.machine.set_contactors(WithContactors::Contactors::stay_pulled, 0);
+  cell.set_alarm_limit(0);
+  CHECK_FALSE(cell.frames(1));
+  cell.good_from_now();
+  CHECK_FALSE(cell.frames(6));
+  cell.machine.set_contactors(WithContactors::Contactors::follow, 0);
+  CHECK(cell.frames(2));
+}
+
 }  // namespace
 }  // namespace horopter::tb

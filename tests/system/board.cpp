@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <cstdio>
@@ -182,6 +183,23 @@ TEST_CASE("From photographs to a board, and the board's runs are those of the na
   }
   CHECK(equal == 1);
 
+  // Such frames teach nothing, and the board says what is wrong with them. An upload that changes nothing leaves it so.
+  const auto blocks = [&] {
+    const std::string text = must({"status", "--engine", terminal.engine()});
+    return std::tuple(text.find("watch 1") != text.npos, text.find("teach 1") != text.npos,
+                      text.find("taught 1") != text.npos);
+  };
+  CHECK(blocks() == std::tuple(false, false, false));
+  const auto taught = box.run({"teach", "--engine", terminal.engine(), "--frames", "1", "--margin", "12", "--json"});
+  CHECK(taught.status == 4);
+  CHECK_THAT(taught.err, Catch::Contains("one_camera disagree moved; the machine is still teaching"));
+  must({"upload", "--engine", terminal.engine(), "--map", "skin.hmap"});
+  CHECK(std::get<1>(blocks()));
+  CHECK(status_of(box, terminal.engine())["frame_faults"] ==
+        nlohmann::json{"one_camera", "disagree", "moved", "teaching"});
+  must({"teach", "--engine", terminal.engine(), "--off"});
+  CHECK_FALSE(std::get<1>(blocks()));
+
   // What a board cannot do is said before it is touched.
   box.write("left.pgm", "P5 640 480 255\n" + std::string(640 * 480, 'x'));
   box.write("right.pgm", "P5 640 480 255\n" + std::string(640 * 480, 'y'));
@@ -351,6 +369,79 @@ TEST_CASE("A restart is given where it counts, and refused with the reason where
   CHECK(written() == reg::kRestartKey);
   CHECK(given.status == 4);
   CHECK_THAT(given.out, Catch::Contains("a frame with a fault or an alarm came in between, or none"));
+}
+
+TEST_CASE("Teaching ends when frames enough were good, and says why where they are not") {
+  namespace reg = horopter::registers;
+  const Sandbox box;
+  const auto machine = horopter::make_native_device(horopter::find_profile("field"));
+  std::vector<std::uint32_t> words(1024);
+  for (const auto& r : reg::kRegisters) {
+    if (r.address <= reg::build_compete::kAddress) words[r.address / 4] = machine->read(r.address);
+  }
+  const auto teach = [&](bool running) {
+    words[reg::status::kAddress / 4] = reg::status::kRunning.put(running);
+    box.write("registers", std::string(reinterpret_cast<const char*>(words.data()), 4 * words.size()));
+    return box.run({"teach", "--engine", "uio:" + (box / "registers").string(), "--frames", "3"});
+  };
+  const auto left_with = [&] { return static_cast<unsigned>(box.read("registers")[reg::blocks::kAddress]) & 3U; };
+
+  const auto stopped = teach(false);
+  CHECK(stopped.status == 4);
+  CHECK_THAT(stopped.err, Catch::Contains("`horopter upload` starts it"));
+  CHECK(left_with() == 0);
+
+  words[reg::build_window::kAddress / 4] &= ~reg::build_window::kBlind.mask();
+  const auto without = teach(true);
+  CHECK(without.status == 2);
+  CHECK_THAT(without.err, Catch::Contains("built without the stage `blind`"));
+  words[reg::build_window::kAddress / 4] |= reg::build_window::kBlind.mask();
+
+  const auto silent = teach(true);
+  CHECK(silent.status == 4);
+  CHECK_THAT(silent.err, Catch::Contains("no frame was finished in 5 s; the machine is still teaching, and not safe"));
+  CHECK(left_with() == 3);
+
+  // Somebody who makes frames behind the registers: good ones, or of those one in four not.
+  const auto with_frames = [&](bool good, bool good_at_the_end) {
+    std::atomic<bool> ends = false;
+    words[reg::status::kAddress / 4] = reg::status::kRunning.put(1);
+    box.write("registers", std::string(reinterpret_cast<const char*>(words.data()), 4 * words.size()));
+    std::thread frames([&] {
+      const int file = ::open((box / "registers").c_str(), O_RDWR | O_CLOEXEC);
+      const auto put = [&](std::uint32_t address, std::uint32_t word) {
+        REQUIRE(::pwrite(file, &word, sizeof word, address) == sizeof word);
+      };
+      std::uint32_t taught = 0;
+      for (std::uint32_t sequence = 1; !ends; ++sequence) {
+        std::uint32_t blocks = 0;
+        REQUIRE(::pread(file, &blocks, sizeof blocks, reg::blocks::kAddress) == sizeof blocks);
+        const bool teaching = (blocks & reg::blocks::kTeach.mask()) != 0;
+        const bool forgets = teaching ? !good && sequence % 3 == 0 : taught != 0 && !good_at_the_end;
+        taught = forgets ? 0 : taught + (teaching ? 1 : 0);
+        put(reg::taught::kAddress, taught);
+        put(reg::frame_sequence::kAddress, sequence);
+        std::this_thread::sleep_for(std::chrono::milliseconds(30));
+      }
+      ::close(file);
+    });
+    const auto result = box.run({"teach", "--engine", "uio:" + (box / "registers").string(), "--frames", "3"});
+    ends = true;
+    frames.join();
+    return result;
+  };
+  const auto good = with_frames(true, true);
+  CHECK(good.status == 0);
+  CHECK_THAT(good.out, Catch::Contains("taught by 3 frames"));
+  CHECK(left_with() == 1);
+  const auto forgotten = with_frames(true, false);
+  CHECK(forgotten.status == 4);
+  CHECK_THAT(forgotten.err, Catch::Contains("all is forgotten; teach again"));
+  CHECK(left_with() == 1);  // and all that is undecidable counts
+  const auto never = with_frames(false, true);
+  CHECK(never.status == 4);
+  CHECK_THAT(never.err, Catch::Contains("3 in a row have not been without fault and alarm"));
+  CHECK(left_with() == 3);
 }
 
 TEST_CASE("A serial port without a Horopter board") {

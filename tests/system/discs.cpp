@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bodies of a known size on the skin: what of them is one object, for both rules (docs/use.md, "The limits").
+// Bodies of a known size on the skin, textured and plain: what of them is one object, for both rules (docs/use.md, "The
+// limits").
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -87,6 +88,71 @@ TEST_CASE("a textured disc on the skin is an object of at least half its area") 
       std::printf("%s, %3d px: at least %.2f of the disc; without it at most %.2f of the limit\n",
                   compete ? "compete" : "thesis", diameter_px, least, most_elsewhere);
       CHECK(least >= 0.5);
+    }
+  }
+}
+
+TEST_CASE("a plain disc before a textured background is an object where the empty zone was taught") {
+  constexpr int kBehind_px = 14;  // shift of the background against the skin
+  const auto engine = native::make_engine("vga");
+  const auto table = hls::table::write({kWidth, kHeight, 4, 4}, {}, [](int column, int row) {
+    return hls::table::encode_control(column * 16, row * 16);
+  });
+  std::mt19937 random(7);
+  const auto noisy = [&](int grey) {
+    return static_cast<std::uint8_t>(std::clamp(grey + static_cast<int>(random() % 5) - 2, 1, 254));
+  };
+  for (const bool compete : {false, true}) {
+    for (const int diameter_px : {40, 72, 100}) {
+      auto settings = native::Settings::defaults(engine->profile(), kWidth, kHeight).without_proof();
+      settings.compete = compete ? 1 : 0;
+      const double half = std::numbers::pi / 8 * diameter_px * diameter_px;
+      settings.object_limit = static_cast<int>(half);
+      double least = 2, most_without = 0, most_empty = 0;
+      int alarms_without = 0;
+      for (int n = 0; n < 8; ++n) {
+        Picture background = textured(random);
+        const auto free = [&](int size) {
+          return std::uniform_int_distribution<int>(diameter_px / 2 + 24, size - diameter_px / 2 - 24)(random);
+        };
+        const int centre_x = free(kWidth), centre_y = free(kHeight),
+                  grey = std::uniform_int_distribution(20, 235)(random);
+        const auto look = [&](bool body) {
+          Picture left, right;
+          for (int y = 0; y < kHeight; ++y) {
+            for (int x = 0; x < kWidth; ++x) {
+              const bool inside = body && std::hypot(x - centre_x, y - centre_y) <= diameter_px / 2.0;
+              left.at(x, y) = noisy(inside ? grey : background.at(x, y));
+              right.at(x, y) = noisy(inside ? grey : background.at(std::min(x + kBehind_px, kWidth - 1), y));
+            }
+          }
+          return engine->process(left.view(), right.view(), native::TableView(table), settings);
+        };
+        settings.watch = settings.teach = 0;
+        const auto untaught = look(true);
+        most_without = std::max(most_without, untaught.largest_object().pixels / (2 * half));
+        alarms_without += untaught.alarm ? 1 : 0;
+        settings.teach = 1;
+        for (int frame = 0; frame < 5; ++frame) look(false);
+        settings.teach = 0;
+        settings.watch = 1;
+        for (int frame = 0; frame < 5; ++frame) {
+          const auto empty = look(false);
+          most_empty = std::max(most_empty, empty.largest_object().pixels / half);
+          CHECK_FALSE(empty.alarm);
+        }
+        const auto result = look(true);
+        const int largest = result.largest_object().pixels;
+        least = std::min(least, largest / (2 * half));
+        CAPTURE(compete, diameter_px, n, grey, largest, result.blind_pixels);
+        CHECK(result.alarm);
+      }
+      std::printf(
+          "%s, %3d px, plain: at least %.2f of the disc; not taught at most %.2f, an alarm in %d of 8; empty at most %.2f of the "
+          "limit\n",
+          compete ? "compete" : "thesis", diameter_px, least, most_without, alarms_without, most_empty);
+      CHECK(least >= 0.5);
+      if (!compete) CHECK(alarms_without < 8);
     }
   }
 }

@@ -101,6 +101,113 @@ TEST_CASE("Cameras that decide nothing are not safe: blind and too_undecidable, 
   CHECK(faults(undecidable - 0.5) == 3);
 }
 
+TEST_CASE("A plain body before a textured wall is an alarm where the empty zone was taught, on both engines") {
+  constexpr int kPairs = 6, kTaught = 3;
+  constexpr int kSkin_px = 15, kWall_px = 7;  // disparities; the wall is behind the skin
+  Sandbox box;
+  cv::Mat wall = noise(3, 128, 60);
+  cv::GaussianBlur(wall, wall, {5, 5}, 1.2);
+  wall = (wall - 128) * 3 + 128;
+  for (int pair = kPairs - 1; pair >= 0; --pair) {
+    cv::Mat left = wall.clone(), right;
+    const cv::Matx23d shifted(1, 0, -kWall_px, 0, 1, 0);
+    cv::warpAffine(wall, right, shifted, wall.size(), cv::INTER_LINEAR, cv::BORDER_REFLECT);
+    if (pair > kTaught) {
+      cv::circle(left, {170, 120}, 45, {90}, cv::FILLED);
+      cv::circle(right, {170 - kSkin_px, 120}, 45, {90}, cv::FILLED);
+    }
+    const auto seed = static_cast<std::uint64_t>(2 * pair + 10);
+    with(box, grey(left + noise(seed, 0, 1)), grey(right + noise(seed + 1, 0, 1)), kPlane);
+    for (const std::string side : {"left", "right"}) {
+      fs::rename(box / (side + ".png"), box / (side + std::to_string(pair) + ".png"));
+    }
+  }
+  const auto supervise = [&](const std::string& engine, const std::string& decision, bool teach) {
+    std::vector<std::string> arguments{"run",    "--left",     "left*.png", "--right",      "right*.png",
+                                       "--skin", "skin.yaml",  "--rig",     "rig.yaml",     "--out",
+                                       "out",    "--json",     "--object",  "60px",         "--engine",
+                                       engine,   "--decision", decision,    "--still-scene"};
+    if (teach) arguments.insert(arguments.end(), {"--teach", std::to_string(kTaught)});
+    const auto result = box.run(arguments);
+    CAPTURE(result.err, result.out);
+    REQUIRE(result.status == 0);
+    return nlohmann::json::parse(result.out);
+  };
+  const auto before = supervise("native", "thesis", false);
+  for (const auto& frame : before["frames"]) {
+    CHECK(frame["alarm"] == false);  // that is the danger
+    CHECK(frame["blind_pixels"] == 0);
+  }
+  for (const std::string decision : {"thesis", "compete"}) {
+    CAPTURE(decision);
+    const auto after = supervise("native", decision, true);
+    CHECK(after["taught"]["pairs"] == kTaught);
+    for (int i = 0; i < kPairs; ++i) {
+      const auto& frame = after["frames"][static_cast<std::size_t>(i)];
+      CAPTURE(i, frame.dump());
+      CHECK(frame["faults"] == (i < kTaught ? nlohmann::json{"teaching"} : nlohmann::json::array()));
+      CHECK(frame["alarm"] == (i > kTaught));
+      CHECK(frame["safe"] == (i == kTaught));
+      if (i <= kTaught) continue;
+      REQUIRE(frame["objects"].size() >= 1);
+      const auto& object = frame["objects"][0];
+      CHECK(object["blind_pixels"].get<int>() >= 2'000);
+      CHECK(object["skin_pixels"].get<int>() + object["blind_pixels"].get<int>() == object["area_px"].get<int>());
+    }
+    auto on_hardware = supervise("rtl", decision, true);
+    REQUIRE(on_hardware["frames"].size() == kPairs);
+    for (std::size_t i = 0; i < kPairs; ++i) {
+      for (const char* what : {"alarm", "safe", "blind_pixels", "objects", "faults"}) {
+        CAPTURE(i, what);
+        CHECK(on_hardware["frames"][i][what] == after["frames"][i][what]);
+      }
+    }
+    CHECK(on_hardware["taught"] == after["taught"]);
+  }
+}
+
+TEST_CASE("What is taught by a frame with a fault or an alarm is forgotten") {
+  Sandbox box;
+  cv::Mat wall = noise(3, 128, 60);
+  cv::GaussianBlur(wall, wall, {5, 5}, 1.2);
+  wall = (wall - 128) * 3 + 128;
+  cv::Mat right;
+  const cv::Matx23d shifted(1, 0, -7, 0, 1, 0);
+  cv::warpAffine(wall, right, shifted, wall.size(), cv::INTER_LINEAR, cv::BORDER_REFLECT);
+  constexpr int kPairs = 6;
+  const auto make = [&](int spoiled, bool covered) {
+    for (int pair = 0; pair < kPairs; ++pair) {
+      const auto seed = static_cast<std::uint64_t>(2 * pair + 10);
+      cv::Mat seen = grey(right + noise(seed + 1, 0, 1)), left = grey(wall + noise(seed, 0, 1));
+      if (pair == spoiled && covered) seen = grey(noise(seed + 1, 30, 1));
+      if (pair == spoiled && !covered) {  // somebody in the skin, 15 px of disparity
+        left(cv::Rect(115, 60, 140, 120)).copyTo(seen(cv::Rect(100, 60, 140, 120)));
+      }
+      with(box, left, seen, kPlane);
+      for (const auto& [side, image] : {std::pair{"left", left}, {"right", seen}}) {
+        cv::imwrite((box / (side + std::to_string(pair) + ".png")).string(), image);
+        fs::remove(box / (std::string(side) + ".png"));
+      }
+    }
+    const auto result =
+        box.run_proven({"run", "--left", "left*.png", "--right", "right*.png", "--skin", "skin.yaml", "--rig",
+                        "rig.yaml", "--out", "out", "--json", "--still-scene", "--teach", "4"});
+    CAPTURE(result.err);
+    return nlohmann::json::parse(result.out);
+  };
+  // The machine's first frame shows nothing yet, and is unproven all over: it teaches nothing.
+  const auto good = make(-1, false);
+  CAPTURE(good["taught"].dump());
+  CHECK(good["taught"]["frames"] == 4);
+  CHECK(good["taught"]["undecidable_percent"].get<double>() < 40);
+  CHECK(make(1, true)["taught"]["frames"] <= 2);
+  CHECK(make(1, false)["taught"]["frames"] == 2);
+  // The last one: nothing is known, and all that is undecidable counts.
+  const auto nothing = make(3, true);
+  CHECK(nothing["taught"] == nlohmann::json{{"pairs", 4}, {"frames", 0}});
+  CHECK(nothing["frames"][5]["blind_pixels"].get<int>() > 0);
+}
+
 TEST_CASE("A skin too small for its alarm is refused, and one that is nearly so is warned of") {
   Sandbox box;
   with(box, grey(noise(1, 100, 30)), grey(noise(2, 100, 30)),

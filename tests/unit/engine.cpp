@@ -89,6 +89,10 @@ std::vector<Frame> frames_of(const hls::Profile& profile, std::mt19937& random) 
         frame.settings.compete = compete ? 1 : 0;
         frame.settings.frozen_limit = 1;
         if (small && n == 0) frame.settings = frame.settings.without_proof();
+        if (small) {
+          frame.settings.teach = n == 0 ? 1 : 0;
+          frame.settings.watch = 1;
+        }
         frames.push_back(std::move(frame));
       }
     }
@@ -119,6 +123,7 @@ TEST_CASE("engine: the same results for all instructions and any number of threa
   CHECK(std::any_of(expected.begin(), expected.end(), [](const auto& result) { return result.objects.size() > 2; }));
   CHECK(std::any_of(expected.begin(), expected.end(), [](const auto& r) { return r.agreement.explained_cells > 50; }));
   CHECK(std::any_of(expected.begin(), expected.end(), [](const auto& result) { return result.left.frozen; }));
+  CHECK(std::any_of(expected.begin(), expected.end(), [](const auto& result) { return result.blind_pixels > 100; }));
 
   for (const Instructions instructions : native::available_instructions()) {
     for (const int threads : {1, 2, 3}) {
@@ -144,7 +149,8 @@ TEST_CASE("engine: objects are those of one step a pixel") {
   const auto engine = native::make_engine("vga");
   std::size_t objects = 0;
   Finder finder;
-  for (const Frame& frame : frames_of(kProfile, random)) {
+  for (Frame frame : frames_of(kProfile, random)) {
+    frame.settings.watch = frame.settings.teach = 0;
     const auto result = engine->process(frame.images.left.view(), frame.images.right.view(),
                                         native::TableView(frame.table), frame.settings);
     std::vector<native::Object> found;
@@ -160,12 +166,12 @@ TEST_CASE("engine: objects are those of one step a pixel") {
     };
     for (int y = 0; y < result.height; ++y) {
       for (int x = 0; x < result.width; ++x) {
-        step({result.states[static_cast<std::size_t>(y * result.width + x)], x == 0 && y == 0, x + 1 == result.width,
-              false});
+        const bool occupied = result.states[static_cast<std::size_t>(y * result.width + x)] == stages::state::skin;
+        step({occupied, x == 0 && y == 0, x + 1 == result.width, false});
       }
     }
     do {
-      step({0, false, false, true});
+      step({false, false, false, true});
     } while (!out.done);
     REQUIRE(result.objects == found);
     REQUIRE(result.object_overflow == out.overflow);

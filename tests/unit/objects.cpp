@@ -30,7 +30,7 @@ struct Found {
   int idle_beats = 0;
 };
 
-/// `picture`: 0, or in the skin.
+/// `picture`: 0, or occupied.
 Found find(Finder& finder, const cv::Mat& picture, int limit) {
   Found found;
   const Finder::Config config{limit};
@@ -45,7 +45,7 @@ Found find(Finder& finder, const cv::Mat& picture, int limit) {
   for (int y = 0; y < picture.rows; ++y) {
     for (int x = 0; x < picture.cols; ++x) {
       Finder::In in;
-      in.state = picture.at<std::uint8_t>(y, x) != 0 ? stages::state::skin : stages::state::clear;
+      in.occupied = picture.at<std::uint8_t>(y, x) != 0;
       in.first = x == 0 && y == 0;
       in.last = x + 1 == picture.cols;
       out = finder.step(in, config);

@@ -44,7 +44,9 @@ Picture draw_overlay(const Image& left, const FrameResult& result) {
           mix(30, 40, 255, 55);
           break;
         case State::undecidable:
-          mix(60, 30, 20, 30);
+          result.blind.empty() || result.blind[static_cast<std::size_t>(y * states.width + x)] == 0
+              ? mix(60, 30, 20, 30)
+              : mix(0, 150, 255, 55);
           break;
         case State::unsupervised:
           (x + y) % 8 == 0 ? mix(20, 20, 20, 85) : mix(20, 20, 20, 65);
@@ -59,7 +61,7 @@ Picture draw_overlay(const Image& left, const FrameResult& result) {
   const auto smallest = std::max<std::int64_t>(16, static_cast<std::int64_t>(states.pixels.size()) / 2000);
   const cv::Scalar yellow(0, 220, 255), red(40, 40, 230), white(255, 255, 255);
   int number = 0;  // of the objects that are an alarm, the largest first
-  for (const Region& region : regions_of(states)) {
+  for (const Region& region : objects_of(result)) {
     const bool alarm = result.object_limit_pixels > 0 && region.pixels >= result.object_limit_pixels;
     if (alarm) {
       const cv::Point corner(region.x * factor, region.y * factor);
@@ -80,6 +82,10 @@ Picture draw_overlay(const Image& left, const FrameResult& result) {
   std::string text = result.alarm ? "ALARM" : result.safe ? "safe" : "not safe";
   const double percent = 100.0 * static_cast<double>(result.skin_pixels) / static_cast<double>(states.pixels.size());
   text += fmt::format("   {:.1f} % in the skin", percent);
+  if (result.blind_pixels > 0) {
+    text += fmt::format("   {:.1f} % blind",
+                        100.0 * static_cast<double>(result.blind_pixels) / static_cast<double>(states.pixels.size()));
+  }
   for (const std::string& fault : result.faults.names()) text += "   " + fault;
   const cv::Scalar colour = result.faults.any() ? cv::Scalar(0, 140, 255)
                             : result.alarm      ? cv::Scalar(40, 40, 230)

@@ -46,6 +46,7 @@ void add_limits(std::vector<RegisterWord>& words, const MachineProfile& profile,
       RegisterWord{reg::texture_limit::kAddress, number(native::Settings::texture_limit_for(settings.texture))},
       RegisterWord{reg::alarm_limit::kAddress, limit_of(settings.alarm_percent, result)},
       RegisterWord{reg::object_limit::kAddress, static_cast<std::uint32_t>(object_limit(settings, profile))},
+      blocks_word(settings.blind),
       RegisterWord{reg::unsupervised_limit::kAddress, limit_of(settings.unsupervised_percent, result)},
       RegisterWord{reg::black_limit::kAddress, limit_of(settings.dark_percent, incoming)},
       RegisterWord{reg::white_limit::kAddress, limit_of(settings.bright_percent, incoming)},
@@ -95,6 +96,14 @@ RegisterWord interlock_word(const Interlock& interlock) {
                                         reg::interlock::kFrames.put(static_cast<std::uint32_t>(interlock.frames))};
 }
 
+RegisterWord feedback_word(Device& device, double feedback_ms) {
+  const double clocks = feedback_ms * reg::build_clock::kKhz.get(device.read(reg::build_clock::kAddress));
+  if (!(clocks >= 0 && clocks < 4294967295.0)) {
+    throw UsageError(fmt::format("contactors that take {} ms cannot be supervised", feedback_ms));
+  }
+  return {reg::feedback::kAddress, static_cast<std::uint32_t>(std::ceil(clocks))};
+}
+
 }  // namespace
 
 std::int64_t object_limit(const Settings& settings, const MachineProfile& profile) {
@@ -106,12 +115,18 @@ std::int64_t object_limit(const Settings& settings, const MachineProfile& profil
   return std::clamp<std::int64_t>(std::llround(disc / 2 / px_of_image), 1, frame + 1);
 }
 
+RegisterWord blocks_word(const BlindSettings& blind) {
+  return {reg::blocks::kAddress, reg::blocks::kWatch.put(blind.watch) | reg::blocks::kTeach.put(blind.teach) |
+                                     reg::blocks::kMargin.put(static_cast<std::uint32_t>(blind.margin))};
+}
+
 std::vector<RegisterWord> configuration(Device& device, const MachineProfile& profile, const Settings& settings,
                                         FrameGeometry geometry) {
   std::vector<RegisterWord> words{{reg::width::kAddress, static_cast<std::uint32_t>(geometry.width)},
                                   {reg::height::kAddress, static_cast<std::uint32_t>(geometry.height)},
                                   {reg::lookahead::kAddress, static_cast<std::uint32_t>(geometry.lookahead)}};
   words.push_back(interlock_word(settings.interlock));
+  words.push_back(feedback_word(device, settings.interlock.feedback_ms));
   words.push_back({reg::mode::kAddress, reg::mode::kLive.put(settings.live)});
   add_limits(words, profile, settings, geometry);
   add_proof(words, settings.proof, device.read(reg::agreement_limits::kAddress));

@@ -81,7 +81,8 @@ std::optional<std::string> difference(const BuildWords& words, const MachineProf
 
 Build build_of(const BuildWords& words, const MachineProfile& profile) {
   return {&profile, std::size_t{1024} * reg::build_store::kPoolKib.get(words.store),
-          reg::build_window::kThesis.get(words.window) != 0, reg::build_window::kCompete.get(words.window) != 0};
+          reg::build_window::kThesis.get(words.window) != 0, reg::build_window::kCompete.get(words.window) != 0,
+          reg::build_window::kBlind.get(words.window) != 0};
 }
 
 }  // namespace
@@ -115,6 +116,13 @@ void check_rule(const Build& build, Decision decision) {
       fmt::format("this machine of profile {} is built without the decision '{}'; choose '{}', or build "
                   "the machine with it",
                   build.profile->name, name_of(decision), name_of(other)));
+}
+
+void check_blind(const Build& build) {
+  if (build.blind) return;
+  throw UsageError(fmt::format(
+      "this machine of profile {} is built without the stage `blind`: it cannot learn what goes blind; build it with BLIND = 1",
+      build.profile->name));
 }
 
 }  // namespace horopter

@@ -66,6 +66,7 @@ Monitor::Monitor(std::unique_ptr<Device> device, const MachineProfile& profile, 
     : device_(std::move(device)), profile_(profile), settings_(settings), slots_(kSlots) {
   const Build build = check_build(*device_, profile);
   check_rule(build, settings.decision);
+  if (settings.blind.watch || settings.blind.teach) check_blind(build);
   pool_bytes_ = build.pool_bytes;
 }
 
@@ -84,6 +85,7 @@ void Monitor::start(int width, int height, int lookahead) {
   width_ = width;
   height_ = height;
   sequence_ = 0;
+  blind_watch_.emplace(width / profile_.subsample, height, profile_.cell());
   device_->write(reg::table_select::kAddress, kNoTable);
   for (const RegisterWord& word : configuration(*device_, profile_, settings_, {width, height, lookahead})) {
     device_->write(word.address, word.value);
@@ -181,6 +183,12 @@ void Monitor::upload(int slot, const MapTable& table, std::optional<std::size_t>
   slots_[static_cast<std::size_t>(slot)] = {base, words64};
 }
 
+void Monitor::teach(bool on) {
+  settings_.blind.teach = on;
+  const RegisterWord word = blocks_word(settings_.blind);
+  device_->write(word.address, word.value);
+}
+
 void Monitor::select(int slot) { device_->write(reg::table_select::kAddress, static_cast<std::uint32_t>(slot)); }
 
 Monitor::Repeated::Repeated(Monitor& monitor) : monitor_(monitor) {
@@ -234,6 +242,7 @@ FrameResult Monitor::finish() {
   result.skin_pixels = device_->read(reg::frame_skin::kAddress);
   result.undecidable_pixels = device_->read(reg::frame_undecidable::kAddress);
   result.unsupervised_pixels = device_->read(reg::frame_unsupervised::kAddress);
+  result.blind_pixels = device_->read(reg::frame_blind::kAddress);
   result.hidden_pixels = device_->read(reg::frame_hidden::kAddress);
   result.unproven_pixels = device_->read(reg::frame_unproven_pixels::kAddress);
   result.largest_object_pixels = device_->read(reg::frame_object::kAddress);
@@ -251,6 +260,15 @@ FrameResult Monitor::finish() {
   sequence_ = result.sequence;
   check_consistent(streams, result, width_ / profile_.subsample, height_);
   result.states = std::move(streams.states);
+  BlindSettings blind = settings_.blind;
+  blind.teach = result.faults.has(Fault::teaching);
+  const bool alone = !result.faults.without(Fault::teaching).any() && !result.alarm;
+  result.blind = blind_watch_->frame(result.states, blind, alone);
+  if (const auto pixels = std::ranges::count(result.blind, 1); pixels != result.blind_pixels) {
+    throw DeviceError(
+        fmt::format("the machine has {} blind pixels; by its states, and those that it was taught, there are {}",
+                    result.blind_pixels, pixels));
+  }
   result.runs = std::move(streams.runs);
   return result;
 }

@@ -140,7 +140,7 @@ std::uint32_t NativeDevice::read(std::uint32_t address) {
              reg::build_window::kWeightBits.put(static_cast<std::uint32_t>(profile_.weight_bits)) |
              reg::build_window::kHypotheses.put(static_cast<std::uint32_t>(profile_.hypotheses)) |
              reg::build_window::kThesis.put(profile_.has_thesis()) |
-             reg::build_window::kCompete.put(profile_.has_compete());
+             reg::build_window::kCompete.put(profile_.has_compete()) | reg::build_window::kBlind.put(1);
     case reg::build_compete::kAddress:
       return reg::build_compete::kPlanes.put(static_cast<std::uint32_t>(profile_.planes)) |
              reg::build_compete::kSumRows.put(static_cast<std::uint32_t>(profile_.sum_rows)) |
@@ -154,7 +154,7 @@ std::uint32_t NativeDevice::read(std::uint32_t address) {
       return reg::status::kRunning.put(running()) | reg::status::kBadGeometry.put(enabled && !geometry_is_possible()) |
              reg::status::kBusy.put(!pending_.empty()) | reg::status::kSafe.put(safe_) |
              reg::status::kUnsafe.put(!safe_) | reg::status::kWaiting.put(!released() && restart_is_allowed()) |
-             reg::status::kByItself.put(by_itself());
+             reg::status::kByItself.put(by_itself()) | reg::status::kTaught.put(taught_);
     }
     case reg::irq_status::kAddress:
       return irq_status_;
@@ -207,6 +207,10 @@ std::uint32_t NativeDevice::read(std::uint32_t address) {
     case reg::frame_object_columns::kAddress:
     case reg::frame_object_rows::kAddress:
       return frame_.object.at((address - reg::frame_object::kAddress) / 4);
+    case reg::taught::kAddress:
+      return taught_frames_;
+    case reg::frame_blind::kAddress:
+      return frame_.blind;
     case reg::frame_region::kAddress:
       return frame_.regions.at(stored(reg::region_select::kAddress) & 63U);
     default:
@@ -308,6 +312,8 @@ void NativeDevice::reset_stream() {
   pending_.clear();
   frame_ = {};
   hold();
+  taught_ = taught_before_ = forget_ = false;
+  taught_frames_ = 0;
   active_slot_ = kNoTable;
   frame_faults_pending_ = {};
 }
@@ -378,6 +384,7 @@ native::Settings NativeDevice::settings() const {
   native::Settings s;
   static_cast<hls::StageSettings&>(s) = stage_settings(word);
   s.lookahead = static_cast<int>(word(reg::lookahead::kAddress));
+  s.forget = forget_ ? 1 : 0;
   // Without a table nothing is undecidable.
   s.undecidable_limit = 0;
   if (active_slot_ == kNoTable) return s;
@@ -444,6 +451,8 @@ FrameStreams NativeDevice::receive() {
   add(result.identical_images, Fault::identical_images);
   add(result.one_camera, Fault::one_camera);
   add(result.object_overflow, Fault::objects);
+  add(stored(reg::feedback::kAddress) != 0, Fault::contactors);  // there are none
+  add(reg::blocks::kTeach.get(stored(reg::blocks::kAddress)) != 0, Fault::teaching);
   add(result.agreement.untextured, Fault::too_undecidable);
   add(result.agreement.disagree, Fault::disagree);
   add(result.agreement.unproven, Fault::unproven);
@@ -452,6 +461,15 @@ FrameStreams NativeDevice::receive() {
   add(result.agreement.unsharp_left, Fault::left_unsharp);
   add(result.agreement.unsharp_right, Fault::right_unsharp);
 
+  taught_ = result.taught;
+  const bool teaches = faults.has(Fault::teaching);
+  if (forget_ || (teaches && !taught_before_)) {
+    taught_frames_ = 0;
+  } else if (taught_before_) {
+    taught_frames_ = std::min(taught_frames_ + 1, 0xFFFFU);
+  }
+  taught_before_ = teaches;
+  forget_ = faults.has(Fault::teaching) && (result.alarm || faults.without(Fault::teaching).any());
   const bool good = !faults.any() && !result.alarm;
   if (good) {
     safe_ = good_before_ && released();
@@ -474,6 +492,7 @@ FrameStreams NativeDevice::receive() {
             static_cast<std::uint32_t>(result.hidden_pixels),
             static_cast<std::uint32_t>(result.unproven_pixels),
             object_words(result.largest_object()),
+            static_cast<std::uint32_t>(result.blind_pixels),
             agreement_words(result.agreement),
             region_words(result.agreement)};
 

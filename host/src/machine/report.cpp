@@ -10,22 +10,47 @@
 #include "horopter/map/map_json.hpp"
 
 namespace horopter {
+namespace {
 
-std::vector<Region> regions_of(const Image& states) {
-  const cv::Mat codes(states.height, states.width, CV_8UC1, const_cast<std::uint8_t*>(states.pixels.data()));
-  const cv::Mat skin = codes == static_cast<int>(State::skin);
+/// Pixels of `mask`, of which those of `blind`, if that is not empty, are counted.
+std::vector<Region> connected(const cv::Mat& mask, const cv::Mat& blind) {
   cv::Mat labels;
   cv::Mat stats;
   cv::Mat centroids;
-  const int count = cv::connectedComponentsWithStats(skin, labels, stats, centroids, 8);
+  const int count = cv::connectedComponentsWithStats(mask, labels, stats, centroids, 8);
+  std::vector<std::int64_t> blind_pixels(static_cast<std::size_t>(count));
+  if (!blind.empty()) {
+    for (int y = 0; y < mask.rows; ++y) {
+      for (int x = 0; x < mask.cols; ++x) {
+        if (blind.at<std::uint8_t>(y, x) != 0) ++blind_pixels[static_cast<std::size_t>(labels.at<int>(y, x))];
+      }
+    }
+  }
   std::vector<Region> regions;
   for (int i = 1; i < count; ++i) {
     const int* row = stats.ptr<int>(i);
     regions.push_back({row[cv::CC_STAT_LEFT], row[cv::CC_STAT_TOP], row[cv::CC_STAT_WIDTH], row[cv::CC_STAT_HEIGHT],
-                       row[cv::CC_STAT_AREA], centroids.at<double>(i, 0), centroids.at<double>(i, 1)});
+                       row[cv::CC_STAT_AREA], centroids.at<double>(i, 0), centroids.at<double>(i, 1),
+                       blind_pixels[static_cast<std::size_t>(i)]});
   }
   std::ranges::sort(regions, {}, [](const Region& r) { return std::tuple(-r.pixels, r.y, r.x); });
   return regions;
+}
+
+cv::Mat in_skin(const Image& states) {
+  const cv::Mat codes(states.height, states.width, CV_8UC1, const_cast<std::uint8_t*>(states.pixels.data()));
+  return codes == static_cast<int>(State::skin);
+}
+
+}  // namespace
+
+std::vector<Region> regions_of(const Image& states) { return connected(in_skin(states), {}); }
+
+std::vector<Region> objects_of(const FrameResult& result) {
+  if (result.blind.empty()) return regions_of(result.states);
+  const cv::Mat blind(result.states.height, result.states.width, CV_8UC1,
+                      const_cast<std::uint8_t*>(result.blind.data()));
+  return connected(in_skin(result.states) | (blind != 0), blind);
 }
 
 Image state_picture(const Image& states) {
@@ -76,12 +101,12 @@ nlohmann::ordered_json frame_json(int frame, const std::string& left, const std:
                               {"skin_pixels", result.skin_pixels},
                               {"undecidable_pixels", result.undecidable_pixels},
                               {"unsupervised_pixels", result.unsupervised_pixels},
+                              {"blind_pixels", result.blind_pixels},
                               {"hidden_pixels", result.hidden_pixels},
                               {"unproven_pixels", result.unproven_pixels},
                               {"regions", nlohmann::ordered_json::array()},
                               {"faults", result.faults.names()}};
-  const std::vector<Region> regions = regions_of(result.states);
-  for (const Region& region : regions) {
+  for (const Region& region : regions_of(result.states)) {
     json["regions"].push_back({{"x", region.x},
                                {"y", region.y},
                                {"width", region.width},
@@ -89,10 +114,11 @@ nlohmann::ordered_json frame_json(int frame, const std::string& left, const std:
                                {"pixels", region.pixels}});
   }
   json["objects"] = nlohmann::ordered_json::array();
-  for (const Region& region : regions) {
+  for (const Region& region : objects_of(result)) {
     if (region.pixels < result.object_limit_pixels) break;
     json["objects"].push_back({{"area_px", region.pixels},
-                               {"skin_pixels", region.pixels},
+                               {"skin_pixels", region.pixels - region.blind_pixels},
+                               {"blind_pixels", region.blind_pixels},
                                {"box", {region.x, region.y, region.width, region.height}},
                                {"centroid_px", {rounded(region.centroid_x), rounded(region.centroid_y)}}});
   }

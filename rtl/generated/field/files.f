@@ -2,6 +2,7 @@ rtl/generated/field/horopter_profile_pkg.sv
 rtl/generated/field/horopter_agreement.sv
 rtl/generated/field/horopter_alarm.sv
 rtl/generated/field/horopter_align.sv
+rtl/generated/field/horopter_blind.sv
 rtl/generated/field/horopter_cells.sv
 rtl/generated/field/horopter_coarse.sv
 rtl/generated/field/horopter_difference.sv
@@ -43,6 +44,7 @@ rtl/store/horopter_control_point.sv
 rtl/store/horopter_raster.sv
 rtl/store/horopter_places.sv
 rtl/store/horopter_interlock.sv
+rtl/store/horopter_feedback.sv
 rtl/store/horopter_frame_control.sv
 rtl/camera/horopter_camera_input.sv
 rtl/camera/horopter_coarse_check.sv

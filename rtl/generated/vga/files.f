@@ -3,6 +3,7 @@ rtl/generated/vga/horopter_agreement.sv
 rtl/generated/vga/horopter_alarm.sv
 rtl/generated/vga/horopter_align.sv
 rtl/generated/vga/horopter_ballot.sv
+rtl/generated/vga/horopter_blind.sv
 rtl/generated/vga/horopter_cells.sv
 rtl/generated/vga/horopter_coarse.sv
 rtl/generated/vga/horopter_consensus.sv
@@ -50,6 +51,7 @@ rtl/store/horopter_control_point.sv
 rtl/store/horopter_raster.sv
 rtl/store/horopter_places.sv
 rtl/store/horopter_interlock.sv
+rtl/store/horopter_feedback.sv
 rtl/store/horopter_frame_control.sv
 rtl/camera/horopter_camera_input.sv
 rtl/camera/horopter_coarse_check.sv

@@ -73,14 +73,16 @@ void RasterStimulus::choose() {
     row_ = std::max(x_ + 1, min_row_);
     cut_off_ = true;
   } else {
+    const unsigned idle = idle_beats_;  // nor in the middle of these
     restart();
+    idle_beats_ = idle;
   }
 }
 
 void RasterStimulus::start_frame() {
   x_ = y_ = 0;
   cut_off_ = primed_ = false;
-  idle_beats_ = 0;
+  idle_beats_ = marked_row_ = 0;
   row_ = kind_ == Kind::ragged ? ragged_row() : width_;
   any_beats_ = 2'000;
 }
@@ -96,7 +98,8 @@ void RasterStimulus::mark(Beat& in) {
   const bool live = y_ < height_ - std::min(height_ - 1, kFlushRows);
   const bool row_end = x_ + 1 == row_;
   const bool frame_end = row_end && y_ + 1 == height_;
-  const bool lost = kind_ == Kind::ragged && row_end && rng_.chance(8);  // a mark does not come
+  const bool lost =
+      kind_ == Kind::ragged && row_end && !(idle_ && frame_end) && rng_.chance(8);  // a mark does not come
   if (prime_ && load_) {
     // One beat before the row, then a new column every 2^spacing pixels.
     set(prime_, !primed_);
@@ -120,8 +123,10 @@ void RasterStimulus::mark(Beat& in) {
     --idle_beats_;
     return;
   }
-  // Mostly one; `objects` says in them what it has not said yet.
-  if (idle_ && frame_end) idle_beats_ = rng_.chance(3) ? static_cast<unsigned>(rng_.between(1, 900)) : 1;
+  // Whole rows of idle beats, mostly one; `objects` says in them what it has not said yet, `blind` fetches pixels.
+  ++marked_row_;
+  if (idle_ && frame_end) idle_beats_ = marked_row_ * (rng_.chance(3) ? static_cast<unsigned>(rng_.between(1, 20)) : 1);
+  if (row_end && !lost) marked_row_ = 0;
   advance();
 }
 
@@ -133,9 +138,7 @@ void RasterStimulus::advance() {
   if (++y_ < height_ && !(kind_ == Kind::ragged && rng_.chance(20))) return;
   y_ = 0;
   if (!fixed_geometry_ && rng_.chance(4)) {
-    const unsigned idle = idle_beats_;
     choose();
-    idle_beats_ = idle;
   }
 }
 

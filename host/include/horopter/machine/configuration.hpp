@@ -29,6 +29,9 @@ struct FrameGeometry {
 std::vector<RegisterWord> configuration(Device& device, const MachineProfile& profile, const Settings& settings,
                                         FrameGeometry geometry);
 
+/// The register BLOCKS, which is not locked.
+RegisterWord blocks_word(const BlindSettings& blind);
+
 /// MAP_UNDECIDABLE_LIMIT of a table, pixels.
 std::uint32_t undecidable_limit(const MapTable& table, const Settings& settings);
 

@@ -32,6 +32,10 @@ class Faults {
     return *this;
   }
   constexpr void clear(Faults others) { bits_ &= ~others.bits_; }
+  [[nodiscard]] constexpr Faults without(Faults others) const {
+    others.bits_ = bits_ & ~others.bits_;
+    return others;
+  }
   friend constexpr Faults operator|(Faults a, Faults b) { return a |= b; }
   friend constexpr bool operator==(Faults, Faults) = default;
 

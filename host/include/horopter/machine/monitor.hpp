@@ -12,6 +12,7 @@
 
 #include "horopter/base/profile.hpp"
 #include "horopter/hls/settings.hpp"
+#include "horopter/machine/blind_watch.hpp"
 #include "horopter/machine/device.hpp"
 #include "horopter/machine/faults.hpp"
 #include "horopter/machine/proof.hpp"
@@ -26,6 +27,7 @@ struct Interlock {
   bool by_itself = false;    ///< nobody has to restart
   bool by_pin = true;        ///< a press of restart_i
   bool by_register = false;  ///< restart()
+  double feedback_ms = 0;    ///< contactors must follow safe_o in this time (register FEEDBACK); 0 = there are none
   int frames = 2;            ///< without fault and alarm that must lie before a restart, 1 to 15
 };
 
@@ -42,6 +44,7 @@ struct Settings {
   /// An object on the skin that is this many px across in the left image is an alarm; 0 = none is. object_limit() says how
   /// many pixels that is.
   double object_px = 100;
+  BlindSettings blind;  ///< what counts as an object where nothing can be decided
   /// Of supported_pixels (support.hpp); more are a fault. Noise alone leaves more undecidable with `thesis`; `compete`
   /// decides some of it, the more the stronger it is (its votes gather in patches).
   double undecidable_percent = 80;
@@ -102,8 +105,10 @@ struct FrameResult {
   std::int64_t skin_pixels = 0;
   std::int64_t undecidable_pixels = 0;
   std::int64_t unsupervised_pixels = 0;
-  std::int64_t largest_object_pixels = 0;  ///< pixels in the skin that touch each other
+  std::int64_t largest_object_pixels = 0;  ///< pixels that touch each other and are in the skin or blind
   std::int64_t object_limit_pixels = 0;    ///< an object of so many is an alarm
+  std::int64_t blind_pixels = 0;           ///< undecidable, where that could be decided when it was taught
+  std::vector<std::uint8_t> blind;         ///< of each pixel: 1 = it is one of these; empty where none can be
   std::int64_t hidden_pixels = 0;          ///< undecidable: something nearer than the skin is seen there
   std::int64_t unproven_pixels = 0;        ///< undecidable: nothing shows that both cameras see their place
   Agreement agreement;
@@ -146,6 +151,10 @@ class Monitor {
   /// The two halves of process(). Between them tables that are not in use can be uploaded.
   void begin(const Image& left, const Image& right);
   FrameResult finish();
+  /// From the next frame on: learn what cannot be decided, or watch for it (BlindSettings). The zone is empty.
+  void teach(bool on);
+  /// What was taught since start().
+  const BlindWatch& blind_watch() const { return *blind_watch_; }
   /// Waits until the output of a frame that was begun is made by this table. Throws DeviceError when it never is.
   void wait_for_table(int slot);
 
@@ -182,6 +191,7 @@ class Monitor {
   int height_ = 0;
   std::vector<Slot> slots_;
   std::uint32_t sequence_ = 0;
+  std::optional<BlindWatch> blind_watch_;
 };
 
 /// A monitor for image pairs of one skin: every image makes one result, or two for profiles that take fields.

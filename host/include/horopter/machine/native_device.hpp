@@ -86,13 +86,18 @@ class NativeDevice : public Device {
     std::uint32_t misses = 0;
     std::uint32_t hidden = 0;
     std::uint32_t unproven_pixels = 0;
-    std::array<std::uint32_t, 3> object{};      ///< FRAME_OBJECT and the two registers after it
+    std::array<std::uint32_t, 3> object{};  ///< FRAME_OBJECT and the two registers after it
+    std::uint32_t blind = 0;
     std::array<std::uint32_t, 11> agreement{};  ///< FRAME_AGREEMENT to FRAME_CONTRAST_RIGHT
     std::array<std::uint32_t, 64> regions{};    ///< FRAME_REGION
   };
   Frame frame_;
   bool safe_ = false;         // as the pins would say: the last two frames were good
   bool good_before_ = false;  // the last one was
+  bool taught_ = false;       // register STATUS
+  bool taught_before_ = false;
+  unsigned taught_frames_ = 0;  // register TAUGHT
+  bool forget_ = false;       // the last frame taught, but not what is true
   // The interlock, as rtl/store/horopter_interlock.sv; without a pin.
   bool restarted_ = false;
   unsigned good_frames_ = 0;

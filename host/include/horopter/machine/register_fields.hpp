@@ -19,7 +19,7 @@ struct RegisterField {
 };
 
 // clang-format off
-inline constexpr std::array<RegisterField, 228> kRegisterFields = {{
+inline constexpr std::array<RegisterField, 240> kRegisterFields = {{
     {0x000, "value", {0, 32}, "0x484F524F"},
     {0x004, "minor", {0, 16}, "Counts compatible additions."},
     {0x004, "major", {16, 16}, "Counts incompatible changes."},
@@ -34,6 +34,7 @@ inline constexpr std::array<RegisterField, 228> kRegisterFields = {{
     {0x010, "hypotheses", {24, 4}, "Hypotheses compared at once."},
     {0x010, "thesis", {28, 1}, "Has the rule `thesis`: one threshold."},
     {0x010, "compete", {29, 1}, "Has the rule `compete`: parallel skins compete."},
+    {0x010, "blind", {30, 1}, "Has the stage `blind`: watches for what goes blind (BLOCKS)."},
     {0x014, "khz", {0, 32}, "Clock in kHz."},
     {0x018, "planes", {0, 8}, "Parallel skins that compete."},
     {0x018, "sum_rows", {8, 4}, "Rows of the window in which costs are summed."},
@@ -53,6 +54,7 @@ inline constexpr std::array<RegisterField, 228> kRegisterFields = {{
     {0x048, "late", {7, 1}, "No frame finished for TIMEOUT clocks."},
     {0x048, "waiting", {8, 1}, "The last frames were good: a restart would let safe_o rise (INTERLOCK)."},
     {0x048, "by_itself", {9, 1}, "As INTERLOCK.by_itself: nobody has to restart."},
+    {0x048, "taught", {10, 1}, "At least one frame was taught since enable (BLOCKS)."},
     {0x04C, "px", {0, 12}, "px; at least 32 times the sub-sampling, a multiple of it, at most BUILD_SIZE."},
     {0x050, "rows", {0, 12}, "Rows, at least 16, at most BUILD_SIZE."},
     {0x054, "rows", {0, 12}, "Output row y starts when right row y + LOOKAHEAD is there; at most half the ring."},
@@ -67,6 +69,7 @@ inline constexpr std::array<RegisterField, 228> kRegisterFields = {{
     {0x068, "by_register", {2, 1}, "1 = the key written to RESTART is a restart."},
     {0x068, "frames", {3, 4}, "So many finished frames without fault and alarm must lie before a restart; at least 1."},
     {0x06C, "key", {0, 32}, "RESTART_KEY; another value does nothing."},
+    {0x070, "clocks", {0, 32}, "feedback_i must be the opposite of safe_o so many clocks after it has changed, and 1 before it may rise; 0 = nothing is connected."},
     {0x080, "value", {0, 16}, "Sum, 0 to 15 k²; by default 25 % of 15 k²."},
     {0x084, "value", {0, 16}, "Sum, 0 to 15 k²."},
     {0x088, "sum", {0, 16}, "9 times the threshold in units of the unscaled Sobel magnitude; 9 · 32 = 4 grey levels per px."},
@@ -139,6 +142,8 @@ inline constexpr std::array<RegisterField, 228> kRegisterFields = {{
     {0x0E4, "settings", {15, 1}, "A bit of a register, or of what a frame has sampled of it, fell over; until that register is written again."},
     {0x0E4, "restart", {16, 1}, "restart_i has been held for 255 frames: a button that is stuck, or a broken wire."},
     {0x0E4, "objects", {17, 1}, "More objects, or more of them in one row, than the machine can tell apart (hls/stages/objects.hpp)."},
+    {0x0E4, "contactors", {18, 1}, "feedback_i did not follow safe_o for FEEDBACK clocks: a contactor does not drop or does not pull in, or a broken wire."},
+    {0x0E4, "teaching", {19, 1}, "BLOCKS.teach is set: the machine learns, and does not watch."},
     {0x0E8, "base_word64", {0, 16}, "Index of its first 64-bit word."},
     {0x0E8, "end_word64", {16, 16}, "Index after the last one, modulo 65536: it takes (end - base) modulo 65536 words, and all 65536 where that is 0."},
     {0x100, "value", {0, 32}, "0 = none yet."},
@@ -197,6 +202,8 @@ inline constexpr std::array<RegisterField, 228> kRegisterFields = {{
     {0x12C, "settings", {15, 1}, "A bit of a register, or of what a frame has sampled of it, fell over; until that register is written again."},
     {0x12C, "restart", {16, 1}, "restart_i has been held for 255 frames: a button that is stuck, or a broken wire."},
     {0x12C, "objects", {17, 1}, "More objects, or more of them in one row, than the machine can tell apart (hls/stages/objects.hpp)."},
+    {0x12C, "contactors", {18, 1}, "feedback_i did not follow safe_o for FEEDBACK clocks: a contactor does not drop or does not pull in, or a broken wire."},
+    {0x12C, "teaching", {19, 1}, "BLOCKS.teach is set: the machine learns, and does not watch."},
     {0x130, "prove", {0, 1}, "1 = clear is earned. 0 = a pixel is clear where images do not agree; nothing else is checked."},
     {0x130, "nearer_below", {1, 1}, "1 = shifts below 0 are nearer to the cameras than the skin."},
     {0x130, "nearer_above", {2, 1}, "1 = shifts above 0 are."},
@@ -248,6 +255,11 @@ inline constexpr std::array<RegisterField, 228> kRegisterFields = {{
     {0x1A8, "right", {16, 12}, "Last column."},
     {0x1AC, "top", {0, 12}, "First row."},
     {0x1AC, "bottom", {16, 12}, "Last row."},
+    {0x1B0, "watch", {0, 1}, "1 = a block is blind that has more undecidable pixels than were taught, and a margin; they count as pixels of an object. Before anything was taught since enable: than the margin."},
+    {0x1B0, "teach", {1, 1}, "1 = the largest number is kept of each block, and every frame has the fault `teaching`. The first frame forgets what was taught before, and so does a frame with another fault or an alarm."},
+    {0x1B0, "margin", {2, 8}, "1/64 of a block's pixels."},
+    {0x1B4, "pixels", {0, 24}, "Pixels of the result."},
+    {0x1B8, "frames", {0, 16}, "Frames that have taught, before the one that is output, since it was begun or forgotten; at most 65535."},
 }};
 // clang-format on
 

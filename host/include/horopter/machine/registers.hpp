@@ -47,7 +47,7 @@ inline constexpr std::uint32_t kAddress = 0x004;
 inline constexpr Access kAccess = Access::kReadOnly;
 /// Counts compatible additions.
 inline constexpr Field kMinor{0, 16};
-inline constexpr std::uint32_t kMinorValue = 0x3;
+inline constexpr std::uint32_t kMinorValue = 0x4;
 /// Counts incompatible changes.
 inline constexpr Field kMajor{16, 16};
 inline constexpr std::uint32_t kMajorValue = 0x2;
@@ -91,6 +91,8 @@ inline constexpr Field kHypotheses{24, 4};
 inline constexpr Field kThesis{28, 1};
 /// Has the rule `compete`: parallel skins compete.
 inline constexpr Field kCompete{29, 1};
+/// Has the stage `blind`: watches for what goes blind (BLOCKS).
+inline constexpr Field kBlind{30, 1};
 }  // namespace build_window
 
 /// Clock the profile is meant for.
@@ -162,6 +164,8 @@ inline constexpr Field kLate{7, 1};
 inline constexpr Field kWaiting{8, 1};
 /// As INTERLOCK.by_itself: nobody has to restart.
 inline constexpr Field kByItself{9, 1};
+/// At least one frame was taught since enable (BLOCKS).
+inline constexpr Field kTaught{10, 1};
 }  // namespace status
 
 /// Width of the incoming images. Locked while CONTROL.enable is 1.
@@ -250,6 +254,16 @@ inline constexpr Access kAccess = Access::kWriteStream;
 /// RESTART_KEY; another value does nothing.
 inline constexpr Field kKey{0, 32};
 }  // namespace restart
+
+/// Contactors that safe_o switches (rtl/store/horopter_feedback.sv). Locked while CONTROL.enable is 1.
+namespace feedback {
+inline constexpr std::uint32_t kAddress = 0x070;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0x0;
+/// feedback_i must be the opposite of safe_o so many clocks after it has changed, and 1 before it may rise; 0 = nothing
+/// is connected.
+inline constexpr Field kClocks{0, 32};
+}  // namespace feedback
 
 /// A pixel is in the skin when its DSAD sum is at most this.
 namespace sum_limit {
@@ -556,6 +570,11 @@ inline constexpr Field kSettings{15, 1};
 inline constexpr Field kRestart{16, 1};
 /// More objects, or more of them in one row, than the machine can tell apart (hls/stages/objects.hpp).
 inline constexpr Field kObjects{17, 1};
+/// feedback_i did not follow safe_o for FEEDBACK clocks: a contactor does not drop or does not pull in, or a broken
+/// wire.
+inline constexpr Field kContactors{18, 1};
+/// BLOCKS.teach is set: the machine learns, and does not watch.
+inline constexpr Field kTeaching{19, 1};
 }  // namespace faults_machine
 
 /// Where the table in MAP_SLOT lies in the pool; 0 without a table. Means nothing in the 100 clocks after the third
@@ -765,6 +784,11 @@ inline constexpr Field kSettings{15, 1};
 inline constexpr Field kRestart{16, 1};
 /// More objects, or more of them in one row, than the machine can tell apart (hls/stages/objects.hpp).
 inline constexpr Field kObjects{17, 1};
+/// feedback_i did not follow safe_o for FEEDBACK clocks: a contactor does not drop or does not pull in, or a broken
+/// wire.
+inline constexpr Field kContactors{18, 1};
+/// BLOCKS.teach is set: the machine learns, and does not watch.
+inline constexpr Field kTeaching{19, 1};
 }  // namespace frame_faults_machine
 
 /// Whether both cameras see the same world, compared coarsely over all depths. Locked while CONTROL.enable is 1.
@@ -1020,8 +1044,8 @@ inline constexpr Field kExplained{10, 10};
 inline constexpr Field kNearer{20, 10};
 }  // namespace frame_region
 
-/// An object, pixels in the skin that touch each other, of this many pixels is an alarm, at once
-/// (hls/stages/objects.hpp).
+/// An object, pixels that touch each other and are in the skin or blind (BLOCKS), of this many pixels is an alarm, at
+/// once (hls/stages/objects.hpp).
 namespace object_limit {
 inline constexpr std::uint32_t kAddress = 0x1A0;
 inline constexpr Access kAccess = Access::kReadWrite;
@@ -1057,6 +1081,38 @@ inline constexpr Field kTop{0, 12};
 /// Last row.
 inline constexpr Field kBottom{16, 12};
 }  // namespace frame_object_rows
+
+/// Blocks of the result, 8×8 px, in a build wider than 1024 px 16×16 px, and how many of their pixels cannot be
+/// decided.
+namespace blocks {
+inline constexpr std::uint32_t kAddress = 0x1B0;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0x20;
+/// 1 = a block is blind that has more undecidable pixels than were taught, and a margin; they count as pixels of an
+/// object. Before anything was taught since enable: than the margin.
+inline constexpr Field kWatch{0, 1};
+/// 1 = the largest number is kept of each block, and every frame has the fault `teaching`. The first frame forgets what
+/// was taught before, and so does a frame with another fault or an alarm.
+inline constexpr Field kTeach{1, 1};
+/// 1/64 of a block's pixels.
+inline constexpr Field kMargin{2, 8};
+}  // namespace blocks
+
+/// Undecidable pixels of blind blocks; changes some clocks before the others.
+namespace frame_blind {
+inline constexpr std::uint32_t kAddress = 0x1B4;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Pixels of the result.
+inline constexpr Field kPixels{0, 24};
+}  // namespace frame_blind
+
+/// What is taught.
+namespace taught {
+inline constexpr std::uint32_t kAddress = 0x1B8;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Frames that have taught, before the one that is output, since it was begun or forgotten; at most 65535.
+inline constexpr Field kFrames{0, 16};
+}  // namespace taught
 
 /// Every fault, as its bit of 64: FAULTS_CAMERAS is the lower word, FAULTS_MACHINE the upper.
 enum class Fault : std::uint8_t {
@@ -1104,6 +1160,8 @@ enum class Fault : std::uint8_t {
   settings = 47,
   restart = 48,
   objects = 49,
+  contactors = 50,
+  teaching = 51,
 };
 
 struct NamedFault {
@@ -1111,7 +1169,7 @@ struct NamedFault {
   std::string_view name;
 };
 
-inline constexpr std::array<NamedFault, 44> kFaults = {{
+inline constexpr std::array<NamedFault, 46> kFaults = {{
     {Fault::left_short_line, "left_short_line"},
     {Fault::left_long_line, "left_long_line"},
     {Fault::left_missing_line, "left_missing_line"},
@@ -1156,6 +1214,8 @@ inline constexpr std::array<NamedFault, 44> kFaults = {{
     {Fault::settings, "settings"},
     {Fault::restart, "restart"},
     {Fault::objects, "objects"},
+    {Fault::contactors, "contactors"},
+    {Fault::teaching, "teaching"},
 }};
 
 /// One line of the register map.
@@ -1166,7 +1226,7 @@ struct Register {
   bool locked;  ///< writes are refused while CONTROL.enable is 1
 };
 
-inline constexpr std::array<Register, 84> kRegisters = {{
+inline constexpr std::array<Register, 88> kRegisters = {{
     {"id", 0x000, Access::kReadOnly, false},
     {"version", 0x004, Access::kReadOnly, false},
     {"build_size", 0x008, Access::kReadOnly, false},
@@ -1186,6 +1246,7 @@ inline constexpr std::array<Register, 84> kRegisters = {{
     {"irq_status", 0x064, Access::kWriteOneToClear, false},
     {"interlock", 0x068, Access::kReadWrite, true},
     {"restart", 0x06C, Access::kWriteStream, false},
+    {"feedback", 0x070, Access::kReadWrite, true},
     {"sum_limit", 0x080, Access::kReadWrite, false},
     {"self_limit", 0x084, Access::kReadWrite, false},
     {"texture_limit", 0x088, Access::kReadWrite, false},
@@ -1251,6 +1312,9 @@ inline constexpr std::array<Register, 84> kRegisters = {{
     {"frame_object", 0x1A4, Access::kReadOnly, false},
     {"frame_object_columns", 0x1A8, Access::kReadOnly, false},
     {"frame_object_rows", 0x1AC, Access::kReadOnly, false},
+    {"blocks", 0x1B0, Access::kReadWrite, false},
+    {"frame_blind", 0x1B4, Access::kReadOnly, false},
+    {"taught", 0x1B8, Access::kReadOnly, false},
 }};
 
 }  // namespace horopter::registers

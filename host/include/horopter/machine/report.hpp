@@ -12,7 +12,7 @@
 
 namespace horopter {
 
-/// A connected group of pixels in the skin (also diagonally connected).
+/// A connected group of pixels (also diagonally connected).
 struct Region {
   int x = 0;  ///< of the box around it: left column, upper row
   int y = 0;
@@ -21,11 +21,14 @@ struct Region {
   std::int64_t pixels = 0;
   double centroid_x = 0;
   double centroid_y = 0;
+  std::int64_t blind_pixels = 0;  ///< of `pixels`
   friend bool operator==(const Region&, const Region&) = default;
 };
 
-/// Largest first. The pixels of all regions together are the skin pixels.
+/// Of pixels in the skin, the largest first. The pixels of all regions together are the skin pixels.
 std::vector<Region> regions_of(const Image& states);
+/// The same of pixels in the skin and blind ones: the machine's objects (hls/stages/objects.hpp).
+std::vector<Region> objects_of(const FrameResult& result);
 
 /// Grey levels of the written state pictures: 0 clear, 255 skin, 128 undecidable, 64 unsupervised.
 Image state_picture(const Image& states);

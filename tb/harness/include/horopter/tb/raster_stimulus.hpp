@@ -38,6 +38,7 @@ class RasterStimulus : public Stimulus {
   Index width_port_, height_port_, spacing_port_;
   Kind kind_ = Kind::frames, next_kind_ = Kind::frames;
   unsigned width_ = 0, height_ = 0, row_ = 0, x_ = 0, y_ = 0, any_beats_ = 0, spacing_x_log2_ = 0, idle_beats_ = 0;
+  unsigned marked_row_ = 0;  ///< beats since the last mark of a row's end
   bool fixed_geometry_ = false, primed_ = false, cut_off_ = false;
 };
 

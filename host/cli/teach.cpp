@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// horopter teach: the zone is empty, and a running machine learns where nothing can be decided.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+
+#include "commands.hpp"
+#include "horopter/base/error.hpp"
+#include "horopter/base/json_text.hpp"
+#include "horopter/machine/configuration.hpp"
+#include "horopter/machine/device.hpp"
+#include "horopter/machine/engines.hpp"
+#include "horopter/machine/faults.hpp"
+#include "horopter/machine/machine_build.hpp"
+#include "horopter/machine/registers.hpp"
+#include "inputs.hpp"
+#include "progress.hpp"
+#include "settings.hpp"
+
+namespace horopter::cli {
+namespace {
+
+namespace reg = registers;
+
+constexpr auto kFrameTimeout = std::chrono::seconds(5);
+constexpr auto kStep = std::chrono::milliseconds(20);
+constexpr std::uint32_t kUsualFrames = 500;
+constexpr std::uint32_t kPatience = 4;  // times the frames that are asked for
+
+struct TeachOptions {
+  std::string engine;
+  std::uint32_t frames = kUsualFrames;
+  BlindSettings blind;
+  bool off = false;
+  bool json = false;
+};
+
+void set(Device& device, const BlindSettings& blind) {
+  const RegisterWord word = blocks_word(blind);
+  device.write(word.address, word.value);
+  if (device.read(word.address) != word.value) throw DeviceError("BLOCKS does not read back as it was written");
+}
+
+/// Until `done`, which is told the number of frames since the call. What ends early leaves the machine teaching, and so not
+/// safe.
+template <class Done>
+void wait_for_frames(Device& device, Done done) {
+  const std::uint32_t first = device.read(reg::frame_sequence::kAddress);
+  std::uint32_t frames = 0;
+  auto last_change = std::chrono::steady_clock::now();
+  while (!done(frames)) {
+    const std::uint32_t now = device.read(reg::frame_sequence::kAddress) - first;
+    if (now != frames) last_change = std::chrono::steady_clock::now();
+    if (std::chrono::steady_clock::now() - last_change > kFrameTimeout) {
+      throw DeviceError(fmt::format("no frame was finished in {} s; the machine is still teaching, and not safe",
+                                    kFrameTimeout.count()));
+    }
+    frames = now;
+    std::this_thread::sleep_for(kStep);
+  }
+}
+
+std::uint32_t taught_frames(Device& device) { return device.read(reg::taught::kAddress); }
+
+/// A frame with a fault or an alarm makes the machine forget: so many in a row.
+void learn(Device& device, std::uint32_t frames) {
+  Progress progress("teaching, frame");
+  device.write(reg::faults_cameras::kAddress, 0xFFFFFFFFU);
+  device.write(reg::faults_machine::kAddress, 0xFFFFFFFFU);
+  wait_for_frames(device, [&](std::uint32_t passed) {
+    const std::uint32_t taught = taught_frames(device);
+    progress.show(taught, frames);
+    if (taught >= frames) return true;
+    if (passed <= kPatience * frames + 20) return false;
+    const Faults faults{device.read(reg::faults_cameras::kAddress), device.read(reg::faults_machine::kAddress)};
+    std::string names;
+    for (const std::string& name : faults.without(Fault::teaching).names()) names += " " + name;
+    throw DeviceError(fmt::format(
+        "{} frames have passed, and {} in a row have not been without fault and alarm;{}{}; the machine is still teaching, "
+        "and not safe",
+        passed, frames, names.empty() ? " there was an alarm" : " faults:", names));
+  });
+}
+
+ExitStatus teach(TeachOptions options) {
+  const auto device = make_device(options.engine, profiles().front());
+  check_blind(find_build(*device));
+  if (!options.off) {
+    if (reg::status::kRunning.get(device->read(reg::status::kAddress)) == 0) {
+      throw DeviceError("the machine is not running; `horopter upload` starts it");
+    }
+    options.blind.watch = options.blind.teach = true;
+    set(*device, options.blind);
+    learn(*device, options.frames);
+    options.blind.teach = false;
+    set(*device, options.blind);
+    // The frame in progress still teaches, and may make it forget.
+    wait_for_frames(*device, [](std::uint32_t frames) { return frames > 2; });
+    if (taught_frames(*device) < options.frames) {
+      throw DeviceError("the last frame that taught had a fault or an alarm, and all is forgotten; teach again");
+    }
+  } else {
+    set(*device, options.blind);
+  }
+  if (options.json) {
+    const nlohmann::ordered_json json{
+        {"engine", options.engine}, {"watches", options.blind.watch}, {"frames", options.off ? 0 : options.frames}};
+    std::puts(json_text(json).c_str());
+  } else if (options.off) {
+    fmt::print("{}: does not watch for what goes blind\n", options.engine);
+  } else {
+    fmt::print("{}: taught by {} frames; what could be decided in them and cannot be any more counts as an object\n",
+               options.engine, options.frames);
+  }
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+void add_teach(CLI::App& app, Outcome& outcome) {
+  auto options = std::make_shared<TeachOptions>();
+  CLI::App* command =
+      app.add_subcommand("teach", "Let a running machine learn where nothing can be decided; the zone is empty");
+  add_engine(*command, options->engine)->required();
+  command->add_option("--frames", options->frames, "Learn from this many frames: at least a whole cycle of the robot")
+      ->check(CLI::Range(1, 65'535))
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--margin", options->blind.margin,
+          "A block (8x8 px, in hd 16x16) is blind with this many undecidable pixels more than it was taught, in 1/64 "
+          "of it")
+      ->check(CLI::Range(0, 255))
+      ->capture_default_str();
+  command->add_flag("--off", options->off, "Do not watch for what goes blind")->excludes("--frames");
+  command->add_flag("--json", options->json, "Print the answer as JSON on standard output, and nothing else");
+  command->footer(
+      "Where nothing has texture the machine cannot say what is in the skin. So it learns where that is while nobody is in\n"
+      "the zone and the robot moves as it will. Afterwards a place that could be decided and cannot be any more is blind, and\n"
+      "counts as an object. While it learns, the machine is not safe. A frame with a fault or an alarm begins it anew. It forgets when it is stopped, by an `upload` that\n"
+      "changes settings, too: then everything that cannot be decided counts, until it is taught again.\n\n"
+      "Example: horopter teach --engine serial:/dev/ttyUSB0 --frames 3000");
+  command->callback([options, &outcome] { outcome.status = teach(*options); });
+}
+
+}  // namespace horopter::cli

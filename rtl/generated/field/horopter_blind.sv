@@ -1,0 +1,474 @@
+// SPDX-License-Identifier: Apache-2.0
+// Made by hlsc from horopter::stages::Blind<horopter::hls::profiles::field>, hls/stages/blind.hpp. Do not edit.
+//
+// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// State 79 bits, pipeline 41 bits, memories 20797 bits.
+module horopter_blind (
+  input  logic clk_i,
+  input  logic rst_ni,
+  input  logic en_i,
+  input  logic valid_i,
+  input  logic [1:0] state_i,
+  input  logic first_i,
+  input  logic last_i,
+  input  logic idle_i,
+  input  logic [8:0] cfg_width_i,
+  input  logic [8:0] cfg_height_i,
+  input  logic cfg_watch_i,
+  input  logic cfg_teach_i,
+  input  logic cfg_forget_i,
+  input  logic [7:0] cfg_blind_margin_i,
+  output logic valid_o,
+  output logic there_o,
+  output logic [1:0] state_o,
+  output logic blind_o,
+  output logic first_o,
+  output logic last_o,
+  output logic done_o,
+  output logic taught_o
+);
+
+  // A beat is in stage k, k enabled clocks after it entered.
+  logic valid_s1_q, valid_s2_q;
+  logic s0_en, s1_en;
+  assign s0_en = en_i & valid_i;
+  assign s1_en = en_i & valid_s1_q;
+
+  // Of the configuration alone: not pipelined.
+  logic [5:0] last_block;
+  assign last_block = (cfg_width_i[8:4] == 5'h0) ? 6'h1 : ((2'h2 < cfg_width_i[8:7]) ? 6'h2e : (cfg_width_i[8:3] + 6'h3f));
+  logic not_89;
+  assign not_89 = ~cfg_forget_i;
+  logic not_90;
+  assign not_90 = ~cfg_teach_i;
+
+  // Stage 0 -----------------------------------------------------------------------------------------------------------
+  logic [8:0] x_q;
+  logic [8:0] before_v_q;
+  logic [8:0] before_end_q;
+  logic [8:0] row_q;
+  logic [2:0] inner_row_q;
+  logic [5:0] last_block_q;
+  logic odd_q;
+  logic [10:0] place_q;
+  logic new_block_q;
+  logic [3:0] above_q;
+  logic [3:0] rows_left_q;
+  logic more_q;
+  logic row_ended_q;
+  logic at_end_q;
+  logic first_above_q;
+  logic ended_q;
+  logic teaches_q;
+  logic watches_q;
+  logic session_q;
+  logic has_taught_q;
+  // hls/stages/blind.hpp:64
+  logic not_32;
+  assign not_32 = ~idle_i;
+  logic and_33;
+  assign and_33 = first_i & not_32;
+  // hls/stages/blind.hpp:66
+  logic [8:0] x;
+  assign x = (row_ended_q | and_33) ? 9'h0 : x_q;
+  // hls/stages/blind.hpp:64
+  logic and_36;
+  assign and_36 = idle_i & more_q;
+  // hls/stages/blind.hpp:78
+  logic or_37;
+  assign or_37 = not_32 | and_36;
+  // hls/stages/blind.hpp:75
+  logic [5:0] last_block_2;
+  assign last_block_2 = and_33 ? last_block : last_block_q;
+  // hls/stages/blind.hpp:77
+  logic [5:0] block;
+  assign block = (last_block_2 < x[8:3]) ? last_block_2 : x[8:3];
+  // hls/stages/blind.hpp:159
+  logic ends;
+  assign ends = last_i | ((x[8:3] < last_block_2) & (x[2:0] == 3'h7));
+  // hls/stages/blind.hpp:163
+  logic and_51;
+  assign and_51 = not_32 & ends;
+  // hls/stages/blind.hpp:68
+  logic or_53;
+  assign or_53 = new_block_q | and_33;
+  logic [2:0] select_57;
+  assign select_57 = and_33 ? 3'h0 : inner_row_q;
+  // hls/stages/blind.hpp:151
+  logic equal_58;
+  assign equal_58 = select_57 == 3'h0;
+  // hls/stages/blind.hpp:68
+  logic [10:0] select_61;
+  assign select_61 = and_33 ? 11'h0 : place_q;
+  // hls/stages/blind.hpp:167
+  logic [10:0] place;
+  assign place = select_61 + {5'h0, block};
+  // hls/stages/blind.hpp:166
+  logic equal_63;
+  assign equal_63 = select_57 == 3'h7;
+  // hls/stages/blind.hpp:68
+  logic [8:0] select_64;
+  assign select_64 = and_33 ? 9'h0 : row_q;
+  // hls/stages/blind.hpp:166
+  logic [9:0] sum_65;
+  assign sum_65 = {1'b0, select_64} + 10'h1;
+  logic equal_66;
+  assign equal_66 = {sum_65[9], cfg_height_i} == {1'b0, sum_65[8:0]};
+  // hls/stages/blind.hpp:81
+  logic and_69;
+  assign and_69 = not_32 & (ends & (equal_63 | equal_66));
+  // hls/stages/blind.hpp:64
+  logic not_84;
+  assign not_84 = ~and_33;
+  // hls/stages/blind.hpp:68
+  logic and_85;
+  assign and_85 = ended_q & not_84;
+  logic and_87;
+  assign and_87 = idle_i & (~and_85);
+  logic select_88;
+  assign select_88 = and_33 ? cfg_teach_i : teaches_q;
+  logic select_94;
+  assign select_94 = and_33 ? (has_taught_q & (not_89 & (session_q | not_90))) : has_taught_q;
+  // hls/stages/blind.hpp:81
+  logic and_115;
+  assign and_115 = not_32 & (ends & (equal_63 ? select_88 : (select_88 & equal_66)));
+  // hls/stages/blind.hpp:68
+  logic and_116;
+  assign and_116 = odd_q & not_84;
+  // hls/stages/blind.hpp:151
+  logic not_118;
+  assign not_118 = ~(and_116 ^ equal_58);
+  // hls/stages/blind.hpp:68
+  logic [3:0] select_119;
+  assign select_119 = and_33 ? 4'h0 : above_q;
+  // hls/stages/blind.hpp:152
+  logic equal_120;
+  assign equal_120 = select_119 == 4'h9;
+  // hls/stages/blind.hpp:151
+  logic and_121;
+  assign and_121 = or_37 & equal_120;
+  // hls/stages/blind.hpp:65
+  logic last;
+  assign last = idle_i ? at_end_q : last_i;
+  // hls/stages/blind.hpp:83
+  logic [8:0] select_131;
+  assign select_131 = (not_32 & last) ? before_v_q : before_end_q;
+  // hls/stages/blind.hpp:81
+  logic and_132;
+  assign and_132 = last & or_37;
+  // hls/stages/blind.hpp:82
+  logic [10:0] select_140;
+  assign select_140 = and_132 ? (equal_63 ? (select_61 + 11'h2f) : select_61) : select_61;
+  logic [3:0] select_145;
+  assign select_145 = and_132 ? (equal_120 ? select_119 : (select_119 + 4'h1)) : select_119;
+  // hls/stages/blind.hpp:88
+  logic or_147;
+  assign or_147 = and_33 | (and_36 & last);
+  // hls/stages/blind.hpp:68
+  logic and_160;
+  assign and_160 = first_above_q & not_84;
+  logic select_165;
+  assign select_165 = and_33 ? (session_q & (cfg_teach_i & not_89)) : session_q;
+
+  // Memory states, 378 x 18, DISTANCE 16, hls/stages/blind.hpp:188; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [17:0] states_mem [0:377];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 378; i++) states_mem[i] = 18'h0;
+`endif
+  logic [8:0] states_raddr;
+  assign states_raddr = x;
+  logic states_re;
+  assign states_re = s0_en & or_37;
+  logic [17:0] states_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (states_re) states_rdata_q <= states_mem[states_raddr];
+  end
+
+  // Memory counts, 47 x 7, DISTANCE 16, hls/stages/blind.hpp:189; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [6:0] counts_mem [0:46];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 47; i++) counts_mem[i] = 7'h0;
+`endif
+  logic [5:0] counts_raddr;
+  assign counts_raddr = block;
+  logic counts_re;
+  assign counts_re = s0_en & and_51;
+  logic [6:0] counts_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (counts_re) counts_rdata_q <= counts_mem[counts_raddr];
+  end
+
+  // Memory taught, 1692 x 8, DISTANCE 16, hls/stages/blind.hpp:190; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [7:0] taught_mem [0:1691];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 1692; i++) taught_mem[i] = 8'h0;
+`endif
+  logic [10:0] taught_raddr;
+  assign taught_raddr = place;
+  logic taught_re;
+  assign taught_re = s0_en & and_69;
+  logic [7:0] taught_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (taught_re) taught_rdata_q <= taught_mem[taught_raddr];
+  end
+
+  // Memory blind, 128 x 1, DISTANCE 16, hls/stages/blind.hpp:191; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic blind_mem [0:127];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 128; i++) blind_mem[i] = 1'b0;
+`endif
+  logic [6:0] blind_raddr;
+  assign blind_raddr = {block, not_118};
+  logic blind_re;
+  assign blind_re = s0_en & and_121;
+  logic blind_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (blind_re) blind_rdata_q <= blind_mem[blind_raddr];
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      x_q <= 9'h0;
+      before_v_q <= 9'h0;
+      before_end_q <= 9'h178;
+      row_q <= 9'h0;
+      inner_row_q <= 3'h0;
+      last_block_q <= 6'h0;
+      odd_q <= 1'b0;
+      place_q <= 11'h0;
+      new_block_q <= 1'b1;
+      above_q <= 4'h0;
+      rows_left_q <= 4'h0;
+      more_q <= 1'b0;
+      row_ended_q <= 1'b1;
+      at_end_q <= 1'b0;
+      first_above_q <= 1'b0;
+      ended_q <= 1'b1;
+      teaches_q <= 1'b0;
+      watches_q <= 1'b0;
+      session_q <= 1'b0;
+      has_taught_q <= 1'b0;
+    end else if (s0_en) begin
+      x_q <= x + 9'h1;
+      before_v_q <= x;
+      before_end_q <= select_131;
+      row_q <= and_132 ? sum_65[8:0] : select_64;
+      inner_row_q <= and_132 ? (select_57 + 3'h1) : select_57;
+      last_block_q <= last_block_2;
+      odd_q <= and_132 ? (and_116 ^ equal_63) : and_116;
+      place_q <= select_140;
+      new_block_q <= idle_i ? or_53 : ends;
+      above_q <= select_145;
+      rows_left_q <= or_147 ? (and_33 ? 4'h9 : (rows_left_q + 4'hf)) : rows_left_q;
+      more_q <= or_147 ? (and_33 | (~(rows_left_q == 4'h1))) : more_q;
+      row_ended_q <= last;
+      at_end_q <= (~(x < select_131)) & (~last);
+      first_above_q <= and_132 ? (select_119 == 4'h8) : and_160;
+      ended_q <= and_85 | and_87;
+      teaches_q <= select_88;
+      watches_q <= and_33 ? (cfg_watch_i & not_90) : watches_q;
+      session_q <= and_87 ? (select_88 | select_165) : select_165;
+      has_taught_q <= and_87 ? (select_88 | select_94) : select_94;
+    end
+  end
+
+  logic [1:0] state_s1_q;
+  logic idle_s1_q;
+  logic or_37_s1_q;
+  logic [5:0] block_s1_q;
+  logic and_51_s1_q;
+  logic or_53_s1_q;
+  logic equal_58_s1_q;
+  logic [10:0] place_s1_q;
+  logic and_69_s1_q;
+  logic and_115_s1_q;
+  logic and_116_s1_q;
+  logic equal_120_s1_q;
+  logic and_121_s1_q;
+  logic and_175_s1_q;
+  logic and_177_s1_q;
+  always_ff @(posedge clk_i) begin
+    if (s0_en) begin
+      state_s1_q <= state_i;
+      idle_s1_q <= idle_i;
+      or_37_s1_q <= or_37;
+      block_s1_q <= block;
+      and_51_s1_q <= and_51;
+      or_53_s1_q <= or_53;
+      equal_58_s1_q <= equal_58;
+      place_s1_q <= place;
+      and_69_s1_q <= and_69;
+      and_115_s1_q <= and_115;
+      and_116_s1_q <= and_116;
+      equal_120_s1_q <= equal_120;
+      and_121_s1_q <= and_121;
+      and_175_s1_q <= or_37 & (and_160 & (x == 9'h0));
+      and_177_s1_q <= idle_i & (~more_q);
+    end
+  end
+
+  // Stage 1 -----------------------------------------------------------------------------------------------------------
+  logic [3:0] in_row_q;
+  // hls/stages/blind.hpp:160
+  logic equal_55;
+  assign equal_55 = state_s1_q == 2'h2;
+  logic [3:0] sum_56;
+  assign sum_56 = (or_53_s1_q ? 4'h0 : in_row_q) + {3'h0, equal_55};
+  // hls/stages/blind.hpp:164
+  logic [6:0] sum_60;
+  assign sum_60 = {3'h0, sum_56} + (equal_58_s1_q ? 7'h0 : counts_rdata_q);
+  // hls/stages/blind.hpp:79
+  logic [6:0] known;
+  assign known = (^taught_rdata_q) ? 7'h0 : (has_taught_q ? taught_rdata_q[6:0] : 7'h0);
+  // hls/stages/blind.hpp:171
+  logic [6:0] stored;
+  assign stored = (known < sum_60) ? sum_60 : known;
+  // hls/stages/blind.hpp:121
+  logic parity_111;
+  assign parity_111 = ^stored;
+  // hls/stages/blind.hpp:174
+  logic and_127;
+  assign and_127 = watches_q & (({1'b0, cfg_blind_margin_i} + {2'h0, known}) < {2'h0, sum_60});
+  // hls/stages/blind.hpp:155
+  logic and_171;
+  assign and_171 = equal_120_s1_q & (blind_rdata_q & (states_rdata_q[17:16] == 2'h2));
+
+  // Memory states, write
+  logic [8:0] states_waddr;
+  assign states_waddr = before_v_q;
+  logic states_we;
+  assign states_we = s1_en & or_37_s1_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (states_we) states_mem[states_waddr] <= {states_rdata_q[15:0], state_s1_q};
+  end
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && states_we) begin
+      if (states_re && states_raddr == states_waddr) begin
+        $error("states: address %0d is read less than DISTANCE steps after its write", states_waddr);
+      end
+      if (states_waddr >= 9'd378) $error("states: write outside, address %0d", states_waddr);
+    end
+    if (rst_ni && states_re && states_raddr >= 9'd378) $error("states: read outside, address %0d", states_raddr);
+  end
+`endif
+
+  // Memory counts, write
+  logic [5:0] counts_waddr;
+  assign counts_waddr = block_s1_q;
+  logic counts_we;
+  assign counts_we = s1_en & and_51_s1_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (counts_we) counts_mem[counts_waddr] <= sum_60;
+  end
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && counts_we) begin
+      if (counts_re && counts_raddr == counts_waddr) begin
+        $error("counts: address %0d is read less than DISTANCE steps after its write", counts_waddr);
+      end
+      if (counts_waddr >= 6'd47) $error("counts: write outside, address %0d", counts_waddr);
+    end
+    if (rst_ni && counts_re && counts_raddr >= 6'd47) $error("counts: read outside, address %0d", counts_raddr);
+  end
+`endif
+
+  // Memory taught, write
+  logic [10:0] taught_waddr;
+  assign taught_waddr = place_s1_q;
+  logic taught_we;
+  assign taught_we = s1_en & and_115_s1_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (taught_we) taught_mem[taught_waddr] <= {parity_111, stored};
+  end
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && taught_we) begin
+      if (taught_re && taught_raddr == taught_waddr) begin
+        $error("taught: address %0d is read less than DISTANCE steps after its write", taught_waddr);
+      end
+      if (taught_waddr >= 11'd1692) $error("taught: write outside, address %0d", taught_waddr);
+    end
+    if (rst_ni && taught_re && taught_raddr >= 11'd1692) $error("taught: read outside, address %0d", taught_raddr);
+  end
+`endif
+
+  // Memory blind, write
+  logic [6:0] blind_waddr;
+  assign blind_waddr = {block_s1_q, and_116_s1_q};
+  logic blind_we;
+  assign blind_we = s1_en & and_69_s1_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (blind_we) blind_mem[blind_waddr] <= and_127;
+  end
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && blind_we) begin
+      if (blind_re && blind_raddr == blind_waddr) begin
+        $error("blind: address %0d is read less than DISTANCE steps after its write", blind_waddr);
+      end
+    end
+  end
+`endif
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      in_row_q <= 4'h0;
+    end else if (s1_en) begin
+      in_row_q <= idle_s1_q ? in_row_q : sum_56;
+    end
+  end
+
+  logic select_96_s2_q;
+  logic and_121_s2_q;
+  logic last_s2_q;
+  logic [1:0] select_168_s2_q;
+  logic and_172_s2_q;
+  logic and_175_s2_q;
+  logic and_177_s2_q;
+  always_ff @(posedge clk_i) begin
+    if (s1_en) begin
+      select_96_s2_q <= has_taught_q;
+      and_121_s2_q <= and_121_s1_q;
+      last_s2_q <= row_ended_q;
+      select_168_s2_q <= or_37_s1_q ? states_rdata_q[17:16] : 2'h0;
+      and_172_s2_q <= or_37_s1_q & and_171;
+      and_175_s2_q <= and_175_s1_q;
+      and_177_s2_q <= and_177_s1_q;
+    end
+  end
+
+  // Outputs -----------------------------------------------------------------------------------------------------------
+  assign there_o = and_121_s2_q;
+  assign state_o = select_168_s2_q;
+  assign blind_o = and_172_s2_q;
+  assign first_o = and_175_s2_q;
+  assign last_o = last_s2_q;
+  assign done_o = and_177_s2_q;
+  assign taught_o = select_96_s2_q;
+  assign valid_o = valid_s2_q;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      valid_s1_q <= 1'b0;
+      valid_s2_q <= 1'b0;
+    end else if (en_i) begin
+      valid_s1_q <= valid_i;
+      valid_s2_q <= valid_s1_q;
+    end
+  end
+
+  // Nothing depends on these bits.
+  logic unused_bits;
+  assign unused_bits = ^cfg_width_i[2:0];
+
+endmodule

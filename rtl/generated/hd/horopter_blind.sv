@@ -1,0 +1,827 @@
+// SPDX-License-Identifier: Apache-2.0
+// Made by hlsc from horopter::stages::Blind<horopter::hls::profiles::hd>, hls/stages/blind.hpp. Do not edit.
+//
+// Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// State 91 bits, pipeline 321 bits, memories 140056 bits.
+module horopter_blind (
+  input  logic clk_i,
+  input  logic rst_ni,
+  input  logic en_i,
+  input  logic valid_i,
+  input  logic [1:0] state_i,
+  input  logic first_i,
+  input  logic last_i,
+  input  logic idle_i,
+  input  logic [10:0] cfg_width_i,
+  input  logic [10:0] cfg_height_i,
+  input  logic cfg_watch_i,
+  input  logic cfg_teach_i,
+  input  logic cfg_forget_i,
+  input  logic [7:0] cfg_blind_margin_i,
+  output logic valid_o,
+  output logic there_o,
+  output logic [1:0] state_o,
+  output logic blind_o,
+  output logic first_o,
+  output logic last_o,
+  output logic done_o,
+  output logic taught_o
+);
+
+  // A beat is in stage k, k enabled clocks after it entered.
+  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q, valid_s9_q;
+  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en, s8_en;
+  assign s0_en = en_i & valid_i;
+  assign s1_en = en_i & valid_s1_q;
+  assign s2_en = en_i & valid_s2_q;
+  assign s3_en = en_i & valid_s3_q;
+  assign s4_en = en_i & valid_s4_q;
+  assign s5_en = en_i & valid_s5_q;
+  assign s6_en = en_i & valid_s6_q;
+  assign s7_en = en_i & valid_s7_q;
+  assign s8_en = en_i & valid_s8_q;
+
+  // Of the configuration alone: not pipelined.
+  logic [6:0] select_42;
+  assign select_42 = (7'h78 < cfg_width_i[10:4]) ? 7'h77 : (cfg_width_i[10:4] + 7'h7f);
+  logic [6:0] last_block;
+  assign last_block = (cfg_width_i[10:5] == 6'h0) ? 7'h1 : select_42;
+  logic not_91;
+  assign not_91 = ~cfg_forget_i;
+  logic not_92;
+  assign not_92 = ~cfg_teach_i;
+
+  // Stage 0 -----------------------------------------------------------------------------------------------------------
+
+  logic [1:0] state_s1_q;
+  logic first_s1_q;
+  logic last_s1_q;
+  logic idle_s1_q;
+  always_ff @(posedge clk_i) begin
+    if (s0_en) begin
+      state_s1_q <= state_i;
+      first_s1_q <= first_i;
+      last_s1_q <= last_i;
+      idle_s1_q <= idle_i;
+    end
+  end
+
+  // Stage 1 -----------------------------------------------------------------------------------------------------------
+  logic [10:0] x_q;
+  logic [10:0] before_v_q;
+  logic [10:0] before_end_q;
+  logic [10:0] row_q;
+  logic [6:0] last_block_q;
+  logic [4:0] rows_left_q;
+  logic more_q;
+  logic row_ended_q;
+  logic at_end_q;
+  // hls/stages/blind.hpp:64
+  logic not_32;
+  assign not_32 = ~idle_s1_q;
+  logic and_33;
+  assign and_33 = first_s1_q & not_32;
+  // hls/stages/blind.hpp:66
+  logic [10:0] x;
+  assign x = (row_ended_q | and_33) ? 11'h0 : x_q;
+  // hls/stages/blind.hpp:64
+  logic and_36;
+  assign and_36 = idle_s1_q & more_q;
+  // hls/stages/blind.hpp:78
+  logic or_37;
+  assign or_37 = not_32 | and_36;
+  // hls/stages/blind.hpp:75
+  logic [6:0] last_block_2;
+  assign last_block_2 = and_33 ? last_block : last_block_q;
+  // hls/stages/blind.hpp:68
+  logic [10:0] select_64;
+  assign select_64 = and_33 ? 11'h0 : row_q;
+  // hls/stages/blind.hpp:166
+  logic [11:0] sum_65;
+  assign sum_65 = {1'b0, select_64} + 12'h1;
+  // hls/stages/blind.hpp:65
+  logic last;
+  assign last = idle_s1_q ? at_end_q : last_s1_q;
+  // hls/stages/blind.hpp:83
+  logic [10:0] select_136;
+  assign select_136 = (not_32 & last) ? before_v_q : before_end_q;
+  // hls/stages/blind.hpp:81
+  logic and_137;
+  assign and_137 = last & or_37;
+  // hls/stages/blind.hpp:88
+  logic or_152;
+  assign or_152 = and_33 | (and_36 & last);
+
+  // Memory states, 1920 x 34, DISTANCE 16, hls/stages/blind.hpp:188; read in stage 1, written in stage 3: 1 < 3 < 1 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [33:0] states_mem [0:1919];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 1920; i++) states_mem[i] = 34'h0;
+`endif
+  logic [10:0] states_raddr;
+  assign states_raddr = x;
+  logic states_re;
+  assign states_re = s1_en & or_37;
+  logic [33:0] states_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (states_re) states_rdata_q <= states_mem[states_raddr];
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      x_q <= 11'h0;
+      before_v_q <= 11'h0;
+      before_end_q <= 11'h77e;
+      row_q <= 11'h0;
+      last_block_q <= 7'h0;
+      rows_left_q <= 5'h0;
+      more_q <= 1'b0;
+      row_ended_q <= 1'b1;
+      at_end_q <= 1'b0;
+    end else if (s1_en) begin
+      x_q <= x + 11'h1;
+      before_v_q <= x;
+      before_end_q <= select_136;
+      row_q <= and_137 ? sum_65[10:0] : select_64;
+      last_block_q <= last_block_2;
+      rows_left_q <= or_152 ? (and_33 ? 5'h11 : (rows_left_q + 5'h1f)) : rows_left_q;
+      more_q <= or_152 ? (and_33 | (~(rows_left_q == 5'h1))) : more_q;
+      row_ended_q <= last;
+      at_end_q <= (~(x < select_136)) & (~last);
+    end
+  end
+
+  logic [1:0] state_s2_q;
+  logic last_s2_q;
+  logic idle_s2_q;
+  logic not_32_s2_q;
+  logic and_33_s2_q;
+  logic or_37_s2_q;
+  logic less_45_s2_q;
+  logic [11:0] sum_65_s2_q;
+  logic and_137_s2_q;
+  logic and_182_s2_q;
+  always_ff @(posedge clk_i) begin
+    if (s1_en) begin
+      state_s2_q <= state_s1_q;
+      last_s2_q <= last_s1_q;
+      idle_s2_q <= idle_s1_q;
+      not_32_s2_q <= not_32;
+      and_33_s2_q <= and_33;
+      or_37_s2_q <= or_37;
+      less_45_s2_q <= last_block_2 < x[10:4];
+      sum_65_s2_q <= sum_65;
+      and_137_s2_q <= and_137;
+      and_182_s2_q <= idle_s1_q & (~more_q);
+    end
+  end
+
+  // Stage 2 -----------------------------------------------------------------------------------------------------------
+  logic [3:0] inner_row_q;
+  logic [9:0] place_q;
+  // hls/stages/blind.hpp:77
+  logic [6:0] block;
+  assign block = less_45_s2_q ? last_block_q : before_v_q[10:4];
+  // hls/stages/blind.hpp:159
+  logic ends;
+  assign ends = last_s2_q | ((before_v_q[10:4] < last_block_q) & (before_v_q[3:0] == 4'hf));
+  // hls/stages/blind.hpp:68
+  logic [3:0] select_57;
+  assign select_57 = and_33_s2_q ? 4'h0 : inner_row_q;
+  logic [9:0] select_61;
+  assign select_61 = and_33_s2_q ? 10'h0 : place_q;
+  // hls/stages/blind.hpp:166
+  logic equal_63;
+  assign equal_63 = select_57 == 4'hf;
+  // hls/stages/blind.hpp:82
+  logic [9:0] select_145;
+  assign select_145 = and_137_s2_q ? (equal_63 ? (select_61 + 10'hf) : select_61) : select_61;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      inner_row_q <= 4'h0;
+      place_q <= 10'h0;
+    end else if (s2_en) begin
+      inner_row_q <= and_137_s2_q ? (select_57 + 4'h1) : select_57;
+      place_q <= select_145;
+    end
+  end
+
+  logic [1:0] state_s3_q;
+  logic idle_s3_q;
+  logic not_32_s3_q;
+  logic and_33_s3_q;
+  logic [10:0] x_s3_q;
+  logic or_37_s3_q;
+  logic [33:0] states_rdata_s3_q;
+  logic [6:0] block_s3_q;
+  logic ends_s3_q;
+  logic equal_58_s3_q;
+  logic [9:0] sum_62_s3_q;
+  logic equal_63_s3_q;
+  logic equal_66_s3_q;
+  logic last_s3_q;
+  logic and_137_s3_q;
+  logic and_182_s3_q;
+  always_ff @(posedge clk_i) begin
+    if (s2_en) begin
+      state_s3_q <= state_s2_q;
+      idle_s3_q <= idle_s2_q;
+      not_32_s3_q <= not_32_s2_q;
+      and_33_s3_q <= and_33_s2_q;
+      x_s3_q <= before_v_q;
+      or_37_s3_q <= or_37_s2_q;
+      states_rdata_s3_q <= states_rdata_q;
+      block_s3_q <= block;
+      ends_s3_q <= ends;
+      equal_58_s3_q <= select_57 == 4'h0;
+      sum_62_s3_q <= select_61 + {6'h0, block[6:3]};
+      equal_63_s3_q <= equal_63;
+      equal_66_s3_q <= {sum_65_s2_q[11], cfg_height_i} == {1'b0, sum_65_s2_q[10:0]};
+      last_s3_q <= row_ended_q;
+      and_137_s3_q <= and_137_s2_q;
+      and_182_s3_q <= and_182_s2_q;
+    end
+  end
+
+  // Stage 3 -----------------------------------------------------------------------------------------------------------
+  logic new_block_q;
+  logic teaches_q;
+  // hls/stages/blind.hpp:163
+  logic and_51;
+  assign and_51 = not_32_s3_q & ends_s3_q;
+  // hls/stages/blind.hpp:68
+  logic or_53;
+  assign or_53 = new_block_q | and_33_s3_q;
+  // hls/stages/blind.hpp:81
+  logic and_69;
+  assign and_69 = not_32_s3_q & (ends_s3_q & (equal_63_s3_q | equal_66_s3_q));
+  // hls/stages/blind.hpp:68
+  logic select_90;
+  assign select_90 = and_33_s3_q ? cfg_teach_i : teaches_q;
+  // hls/stages/blind.hpp:81
+  logic and_119;
+  assign and_119 = ends_s3_q & (equal_63_s3_q ? select_90 : (select_90 & equal_66_s3_q));
+
+  // Memory counts, 120 x 9, DISTANCE 16, hls/stages/blind.hpp:189; read in stage 3, written in stage 6: 3 < 6 < 3 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [8:0] counts_mem [0:119];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 120; i++) counts_mem[i] = 9'h0;
+`endif
+  logic [6:0] counts_raddr;
+  assign counts_raddr = block_s3_q;
+  logic counts_re;
+  assign counts_re = s3_en & and_51;
+  logic [8:0] counts_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (counts_re) counts_rdata_q <= counts_mem[counts_raddr];
+  end
+
+  // Memory taught, 8160 x 9, DISTANCE 16, hls/stages/blind.hpp:190; read in stage 3, written in stage 8: 3 < 8 < 3 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [8:0] taught_mem [0:8159];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 8160; i++) taught_mem[i] = 9'h0;
+`endif
+  logic [12:0] taught_raddr;
+  assign taught_raddr = {sum_62_s3_q, block_s3_q[2:0]};
+  logic taught_re;
+  assign taught_re = s3_en & and_69;
+  logic [8:0] taught_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (taught_re) taught_rdata_q <= taught_mem[taught_raddr];
+  end
+
+  // Memory states, write
+  logic [10:0] states_waddr;
+  assign states_waddr = x_s3_q;
+  logic states_we;
+  assign states_we = s3_en & or_37_s3_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (states_we) states_mem[states_waddr] <= {states_rdata_s3_q[31:0], state_s3_q};
+  end
+`ifndef SYNTHESIS
+  logic [10:0] states_raddr_s2_sim;
+  logic states_re_s2_sim;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      states_re_s2_sim <= 1'b0;
+    end else if (en_i) begin
+      states_re_s2_sim <= states_re;
+      states_raddr_s2_sim <= states_raddr;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && states_we) begin
+      if (states_re && states_raddr == states_waddr) begin
+        $error("states: address %0d is read less than DISTANCE steps after its write", states_waddr);
+      end
+      if (states_re_s2_sim && states_raddr_s2_sim == states_waddr) begin
+        $error("states: address %0d is read less than DISTANCE steps after its write", states_waddr);
+      end
+      if (states_waddr >= 11'd1920) $error("states: write outside, address %0d", states_waddr);
+    end
+    if (rst_ni && states_re && states_raddr >= 11'd1920) $error("states: read outside, address %0d", states_raddr);
+  end
+`endif
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      new_block_q <= 1'b1;
+      teaches_q <= 1'b0;
+    end else if (s3_en) begin
+      new_block_q <= idle_s3_q ? or_53 : ends_s3_q;
+      teaches_q <= select_90;
+    end
+  end
+
+  logic idle_s4_q;
+  logic and_33_s4_q;
+  logic or_37_s4_q;
+  logic [1:0] states_rdata_s4_q;
+  logic [6:0] block_s4_q;
+  logic and_51_s4_q;
+  logic or_53_s4_q;
+  logic equal_55_s4_q;
+  logic equal_58_s4_q;
+  logic [9:0] sum_62_s4_q;
+  logic equal_63_s4_q;
+  logic and_69_s4_q;
+  logic and_120_s4_q;
+  logic last_s4_q;
+  logic and_137_s4_q;
+  logic equal_178_s4_q;
+  logic and_182_s4_q;
+  always_ff @(posedge clk_i) begin
+    if (s3_en) begin
+      idle_s4_q <= idle_s3_q;
+      and_33_s4_q <= and_33_s3_q;
+      or_37_s4_q <= or_37_s3_q;
+      states_rdata_s4_q <= states_rdata_s3_q[33:32];
+      block_s4_q <= block_s3_q;
+      and_51_s4_q <= and_51;
+      or_53_s4_q <= or_53;
+      equal_55_s4_q <= state_s3_q == 2'h2;
+      equal_58_s4_q <= equal_58_s3_q;
+      sum_62_s4_q <= sum_62_s3_q;
+      equal_63_s4_q <= equal_63_s3_q;
+      and_69_s4_q <= and_69;
+      and_120_s4_q <= not_32_s3_q & and_119;
+      last_s4_q <= last_s3_q;
+      and_137_s4_q <= and_137_s3_q;
+      equal_178_s4_q <= x_s3_q == 11'h0;
+      and_182_s4_q <= and_182_s3_q;
+    end
+  end
+
+  // Stage 4 -----------------------------------------------------------------------------------------------------------
+  logic odd_q;
+  logic [4:0] above_q;
+  logic first_above_q;
+  logic ended_q;
+  logic watches_q;
+  logic session_q;
+  logic has_taught_q;
+  // hls/stages/blind.hpp:64
+  logic not_86;
+  assign not_86 = ~and_33_s4_q;
+  // hls/stages/blind.hpp:68
+  logic and_87;
+  assign and_87 = ended_q & not_86;
+  logic and_89;
+  assign and_89 = idle_s4_q & (~and_87);
+  logic select_96;
+  assign select_96 = and_33_s4_q ? (has_taught_q & (not_91 & (session_q | not_92))) : has_taught_q;
+  logic and_121;
+  assign and_121 = odd_q & not_86;
+  logic [4:0] select_124;
+  assign select_124 = and_33_s4_q ? 5'h0 : above_q;
+  // hls/stages/blind.hpp:152
+  logic equal_125;
+  assign equal_125 = select_124 == 5'h11;
+  // hls/stages/blind.hpp:82
+  logic [4:0] select_150;
+  assign select_150 = and_137_s4_q ? (equal_125 ? select_124 : (select_124 + 5'h1)) : select_124;
+  // hls/stages/blind.hpp:68
+  logic and_165;
+  assign and_165 = first_above_q & not_86;
+  logic select_170;
+  assign select_170 = and_33_s4_q ? (session_q & (cfg_teach_i & not_91)) : session_q;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      odd_q <= 1'b0;
+      above_q <= 5'h0;
+      first_above_q <= 1'b0;
+      ended_q <= 1'b1;
+      watches_q <= 1'b0;
+      session_q <= 1'b0;
+      has_taught_q <= 1'b0;
+    end else if (s4_en) begin
+      odd_q <= and_137_s4_q ? (and_121 ^ equal_63_s4_q) : and_121;
+      above_q <= select_150;
+      first_above_q <= and_137_s4_q ? (select_124 == 5'h10) : and_165;
+      ended_q <= and_87 | and_89;
+      watches_q <= and_33_s4_q ? (cfg_watch_i & not_92) : watches_q;
+      session_q <= and_89 ? (teaches_q | select_170) : select_170;
+      has_taught_q <= and_89 ? (teaches_q | select_96) : select_96;
+    end
+  end
+
+  logic idle_s5_q;
+  logic or_37_s5_q;
+  logic [1:0] states_rdata_s5_q;
+  logic [6:0] block_s5_q;
+  logic and_51_s5_q;
+  logic [8:0] counts_rdata_s5_q;
+  logic or_53_s5_q;
+  logic equal_55_s5_q;
+  logic equal_58_s5_q;
+  logic [9:0] sum_62_s5_q;
+  logic and_69_s5_q;
+  logic [8:0] taught_rdata_s5_q;
+  logic and_120_s5_q;
+  logic and_121_s5_q;
+  logic equal_125_s5_q;
+  logic last_s5_q;
+  logic and_180_s5_q;
+  logic and_182_s5_q;
+  always_ff @(posedge clk_i) begin
+    if (s4_en) begin
+      idle_s5_q <= idle_s4_q;
+      or_37_s5_q <= or_37_s4_q;
+      states_rdata_s5_q <= states_rdata_s4_q;
+      block_s5_q <= block_s4_q;
+      and_51_s5_q <= and_51_s4_q;
+      counts_rdata_s5_q <= counts_rdata_q;
+      or_53_s5_q <= or_53_s4_q;
+      equal_55_s5_q <= equal_55_s4_q;
+      equal_58_s5_q <= equal_58_s4_q;
+      sum_62_s5_q <= sum_62_s4_q;
+      and_69_s5_q <= and_69_s4_q;
+      taught_rdata_s5_q <= taught_rdata_q;
+      and_120_s5_q <= and_120_s4_q;
+      and_121_s5_q <= and_121;
+      equal_125_s5_q <= equal_125;
+      last_s5_q <= last_s4_q;
+      and_180_s5_q <= or_37_s4_q & (and_165 & equal_178_s4_q);
+      and_182_s5_q <= and_182_s4_q;
+    end
+  end
+
+  // Stage 5 -----------------------------------------------------------------------------------------------------------
+  logic [4:0] in_row_q;
+  // hls/stages/blind.hpp:160
+  logic [4:0] sum_56;
+  assign sum_56 = (or_53_s5_q ? 5'h0 : in_row_q) + {4'h0, equal_55_s5_q};
+  // hls/stages/blind.hpp:79
+  logic [7:0] known;
+  assign known = (^taught_rdata_s5_q) ? 8'h0 : (has_taught_q ? taught_rdata_s5_q[7:0] : 8'h0);
+  // hls/stages/blind.hpp:151
+  logic not_123;
+  assign not_123 = ~(and_121_s5_q ^ equal_58_s5_q);
+  logic and_126;
+  assign and_126 = or_37_s5_q & equal_125_s5_q;
+
+  // Memory blind, 256 x 1, DISTANCE 16, hls/stages/blind.hpp:191; read in stage 5, written in stage 7: 5 < 7 < 5 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic blind_mem [0:255];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 256; i++) blind_mem[i] = 1'b0;
+`endif
+  logic [7:0] blind_raddr;
+  assign blind_raddr = {block_s5_q, not_123};
+  logic blind_re;
+  assign blind_re = s5_en & and_126;
+  logic blind_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (blind_re) blind_rdata_q <= blind_mem[blind_raddr];
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      in_row_q <= 5'h0;
+    end else if (s5_en) begin
+      in_row_q <= idle_s5_q ? in_row_q : sum_56;
+    end
+  end
+
+  logic or_37_s6_q;
+  logic [1:0] states_rdata_s6_q;
+  logic [6:0] block_s6_q;
+  logic and_51_s6_q;
+  logic [8:0] sum_60_s6_q;
+  logic [9:0] sum_62_s6_q;
+  logic and_69_s6_q;
+  logic select_98_s6_q;
+  logic [7:0] known_s6_q;
+  logic and_120_s6_q;
+  logic and_121_s6_q;
+  logic equal_125_s6_q;
+  logic and_126_s6_q;
+  logic select_129_s6_q;
+  logic last_s6_q;
+  logic and_180_s6_q;
+  logic and_182_s6_q;
+  always_ff @(posedge clk_i) begin
+    if (s5_en) begin
+      or_37_s6_q <= or_37_s5_q;
+      states_rdata_s6_q <= states_rdata_s5_q;
+      block_s6_q <= block_s5_q;
+      and_51_s6_q <= and_51_s5_q;
+      sum_60_s6_q <= {4'h0, sum_56} + (equal_58_s5_q ? 9'h0 : counts_rdata_s5_q);
+      sum_62_s6_q <= sum_62_s5_q;
+      and_69_s6_q <= and_69_s5_q;
+      select_98_s6_q <= has_taught_q;
+      known_s6_q <= known;
+      and_120_s6_q <= and_120_s5_q;
+      and_121_s6_q <= and_121_s5_q;
+      equal_125_s6_q <= equal_125_s5_q;
+      and_126_s6_q <= and_126;
+      select_129_s6_q <= watches_q;
+      last_s6_q <= last_s5_q;
+      and_180_s6_q <= and_180_s5_q;
+      and_182_s6_q <= and_182_s5_q;
+    end
+  end
+
+  // Stage 6 -----------------------------------------------------------------------------------------------------------
+  // hls/stages/blind.hpp:171
+  logic [8:0] select_102;
+  assign select_102 = ({known_s6_q, 1'b0} < sum_60_s6_q) ? sum_60_s6_q : {known_s6_q, 1'b0};
+  // hls/stages/blind.hpp:173
+  logic [8:0] sum_130;
+  assign sum_130 = {1'b0, cfg_blind_margin_i} + {2'h0, known_s6_q[7:1]};
+
+  // Memory counts, write
+  logic [6:0] counts_waddr;
+  assign counts_waddr = block_s6_q;
+  logic counts_we;
+  assign counts_we = s6_en & and_51_s6_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (counts_we) counts_mem[counts_waddr] <= sum_60_s6_q;
+  end
+`ifndef SYNTHESIS
+  logic [6:0] counts_raddr_s4_sim;
+  logic counts_re_s4_sim;
+  logic [6:0] counts_raddr_s5_sim;
+  logic counts_re_s5_sim;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      counts_re_s4_sim <= 1'b0;
+      counts_re_s5_sim <= 1'b0;
+    end else if (en_i) begin
+      counts_re_s4_sim <= counts_re;
+      counts_raddr_s4_sim <= counts_raddr;
+      counts_re_s5_sim <= counts_re_s4_sim;
+      counts_raddr_s5_sim <= counts_raddr_s4_sim;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && counts_we) begin
+      if (counts_re && counts_raddr == counts_waddr) begin
+        $error("counts: address %0d is read less than DISTANCE steps after its write", counts_waddr);
+      end
+      if (counts_re_s4_sim && counts_raddr_s4_sim == counts_waddr) begin
+        $error("counts: address %0d is read less than DISTANCE steps after its write", counts_waddr);
+      end
+      if (counts_re_s5_sim && counts_raddr_s5_sim == counts_waddr) begin
+        $error("counts: address %0d is read less than DISTANCE steps after its write", counts_waddr);
+      end
+      if (counts_waddr >= 7'd120) $error("counts: write outside, address %0d", counts_waddr);
+    end
+    if (rst_ni && counts_re && counts_raddr >= 7'd120) $error("counts: read outside, address %0d", counts_raddr);
+  end
+`endif
+
+  logic or_37_s7_q;
+  logic [1:0] states_rdata_s7_q;
+  logic [6:0] block_s7_q;
+  logic [9:0] sum_62_s7_q;
+  logic and_69_s7_q;
+  logic select_98_s7_q;
+  logic [8:0] select_102_s7_q;
+  logic and_120_s7_q;
+  logic and_121_s7_q;
+  logic equal_125_s7_q;
+  logic and_126_s7_q;
+  logic blind_rdata_s7_q;
+  logic select_129_s7_q;
+  logic less_131_s7_q;
+  logic last_s7_q;
+  logic and_180_s7_q;
+  logic and_182_s7_q;
+  always_ff @(posedge clk_i) begin
+    if (s6_en) begin
+      or_37_s7_q <= or_37_s6_q;
+      states_rdata_s7_q <= states_rdata_s6_q;
+      block_s7_q <= block_s6_q;
+      sum_62_s7_q <= sum_62_s6_q;
+      and_69_s7_q <= and_69_s6_q;
+      select_98_s7_q <= select_98_s6_q;
+      select_102_s7_q <= select_102;
+      and_120_s7_q <= and_120_s6_q;
+      and_121_s7_q <= and_121_s6_q;
+      equal_125_s7_q <= equal_125_s6_q;
+      and_126_s7_q <= and_126_s6_q;
+      blind_rdata_s7_q <= blind_rdata_q;
+      select_129_s7_q <= select_129_s6_q;
+      less_131_s7_q <= {sum_130, known_s6_q[0], 1'b0} < {2'h0, sum_60_s6_q};
+      last_s7_q <= last_s6_q;
+      and_180_s7_q <= and_180_s6_q;
+      and_182_s7_q <= and_182_s6_q;
+    end
+  end
+
+  // Stage 7 -----------------------------------------------------------------------------------------------------------
+  // hls/stages/blind.hpp:171
+  logic [8:0] stored;
+  assign stored = select_102_s7_q + 9'h1;
+  // hls/stages/blind.hpp:155
+  logic and_176;
+  assign and_176 = equal_125_s7_q & (blind_rdata_s7_q & (states_rdata_s7_q == 2'h2));
+
+  // Memory blind, write
+  logic [7:0] blind_waddr;
+  assign blind_waddr = {block_s7_q, and_121_s7_q};
+  logic blind_we;
+  assign blind_we = s7_en & and_69_s7_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (blind_we) blind_mem[blind_waddr] <= select_129_s7_q & less_131_s7_q;
+  end
+`ifndef SYNTHESIS
+  logic [7:0] blind_raddr_s6_sim;
+  logic blind_re_s6_sim;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      blind_re_s6_sim <= 1'b0;
+    end else if (en_i) begin
+      blind_re_s6_sim <= blind_re;
+      blind_raddr_s6_sim <= blind_raddr;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && blind_we) begin
+      if (blind_re && blind_raddr == blind_waddr) begin
+        $error("blind: address %0d is read less than DISTANCE steps after its write", blind_waddr);
+      end
+      if (blind_re_s6_sim && blind_raddr_s6_sim == blind_waddr) begin
+        $error("blind: address %0d is read less than DISTANCE steps after its write", blind_waddr);
+      end
+    end
+  end
+`endif
+
+  logic [2:0] block_s8_q;
+  logic [9:0] sum_62_s8_q;
+  logic select_98_s8_q;
+  logic [7:0] stored_s8_q;
+  logic and_120_s8_q;
+  logic and_126_s8_q;
+  logic last_s8_q;
+  logic [1:0] select_173_s8_q;
+  logic and_177_s8_q;
+  logic and_180_s8_q;
+  logic and_182_s8_q;
+  always_ff @(posedge clk_i) begin
+    if (s7_en) begin
+      block_s8_q <= block_s7_q[2:0];
+      sum_62_s8_q <= sum_62_s7_q;
+      select_98_s8_q <= select_98_s7_q;
+      stored_s8_q <= stored[8:1];
+      and_120_s8_q <= and_120_s7_q;
+      and_126_s8_q <= and_126_s7_q;
+      last_s8_q <= last_s7_q;
+      select_173_s8_q <= or_37_s7_q ? states_rdata_s7_q : 2'h0;
+      and_177_s8_q <= or_37_s7_q & and_176;
+      and_180_s8_q <= and_180_s7_q;
+      and_182_s8_q <= and_182_s7_q;
+    end
+  end
+
+  // Stage 8 -----------------------------------------------------------------------------------------------------------
+  // hls/stages/blind.hpp:121
+  logic parity_116;
+  assign parity_116 = ^stored_s8_q;
+
+  // Memory taught, write
+  logic [12:0] taught_waddr;
+  assign taught_waddr = {sum_62_s8_q, block_s8_q};
+  logic taught_we;
+  assign taught_we = s8_en & and_120_s8_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (taught_we) taught_mem[taught_waddr] <= {parity_116, stored_s8_q};
+  end
+`ifndef SYNTHESIS
+  logic [12:0] taught_raddr_s4_sim;
+  logic taught_re_s4_sim;
+  logic [12:0] taught_raddr_s5_sim;
+  logic taught_re_s5_sim;
+  logic [12:0] taught_raddr_s6_sim;
+  logic taught_re_s6_sim;
+  logic [12:0] taught_raddr_s7_sim;
+  logic taught_re_s7_sim;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      taught_re_s4_sim <= 1'b0;
+      taught_re_s5_sim <= 1'b0;
+      taught_re_s6_sim <= 1'b0;
+      taught_re_s7_sim <= 1'b0;
+    end else if (en_i) begin
+      taught_re_s4_sim <= taught_re;
+      taught_raddr_s4_sim <= taught_raddr;
+      taught_re_s5_sim <= taught_re_s4_sim;
+      taught_raddr_s5_sim <= taught_raddr_s4_sim;
+      taught_re_s6_sim <= taught_re_s5_sim;
+      taught_raddr_s6_sim <= taught_raddr_s5_sim;
+      taught_re_s7_sim <= taught_re_s6_sim;
+      taught_raddr_s7_sim <= taught_raddr_s6_sim;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && taught_we) begin
+      if (taught_re && taught_raddr == taught_waddr) begin
+        $error("taught: address %0d is read less than DISTANCE steps after its write", taught_waddr);
+      end
+      if (taught_re_s4_sim && taught_raddr_s4_sim == taught_waddr) begin
+        $error("taught: address %0d is read less than DISTANCE steps after its write", taught_waddr);
+      end
+      if (taught_re_s5_sim && taught_raddr_s5_sim == taught_waddr) begin
+        $error("taught: address %0d is read less than DISTANCE steps after its write", taught_waddr);
+      end
+      if (taught_re_s6_sim && taught_raddr_s6_sim == taught_waddr) begin
+        $error("taught: address %0d is read less than DISTANCE steps after its write", taught_waddr);
+      end
+      if (taught_re_s7_sim && taught_raddr_s7_sim == taught_waddr) begin
+        $error("taught: address %0d is read less than DISTANCE steps after its write", taught_waddr);
+      end
+      if (taught_waddr >= 13'd8160) $error("taught: write outside, address %0d", taught_waddr);
+    end
+    if (rst_ni && taught_re && taught_raddr >= 13'd8160) $error("taught: read outside, address %0d", taught_raddr);
+  end
+`endif
+
+  logic select_98_s9_q;
+  logic and_126_s9_q;
+  logic last_s9_q;
+  logic [1:0] select_173_s9_q;
+  logic and_177_s9_q;
+  logic and_180_s9_q;
+  logic and_182_s9_q;
+  always_ff @(posedge clk_i) begin
+    if (s8_en) begin
+      select_98_s9_q <= select_98_s8_q;
+      and_126_s9_q <= and_126_s8_q;
+      last_s9_q <= last_s8_q;
+      select_173_s9_q <= select_173_s8_q;
+      and_177_s9_q <= and_177_s8_q;
+      and_180_s9_q <= and_180_s8_q;
+      and_182_s9_q <= and_182_s8_q;
+    end
+  end
+
+  // Outputs -----------------------------------------------------------------------------------------------------------
+  assign there_o = and_126_s9_q;
+  assign state_o = select_173_s9_q;
+  assign blind_o = and_177_s9_q;
+  assign first_o = and_180_s9_q;
+  assign last_o = last_s9_q;
+  assign done_o = and_182_s9_q;
+  assign taught_o = select_98_s9_q;
+  assign valid_o = valid_s9_q;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      valid_s1_q <= 1'b0;
+      valid_s2_q <= 1'b0;
+      valid_s3_q <= 1'b0;
+      valid_s4_q <= 1'b0;
+      valid_s5_q <= 1'b0;
+      valid_s6_q <= 1'b0;
+      valid_s7_q <= 1'b0;
+      valid_s8_q <= 1'b0;
+      valid_s9_q <= 1'b0;
+    end else if (en_i) begin
+      valid_s1_q <= valid_i;
+      valid_s2_q <= valid_s1_q;
+      valid_s3_q <= valid_s2_q;
+      valid_s4_q <= valid_s3_q;
+      valid_s5_q <= valid_s4_q;
+      valid_s6_q <= valid_s5_q;
+      valid_s7_q <= valid_s6_q;
+      valid_s8_q <= valid_s7_q;
+      valid_s9_q <= valid_s8_q;
+    end
+  end
+
+  // Nothing depends on these bits.
+  logic unused_bits;
+  assign unused_bits = ^{stored[0], cfg_width_i[3:0]};
+
+endmodule
