@@ -153,6 +153,9 @@ class Agreement {
     const bool drew = run_.phase == Phase::conclude;
     const Run following = following_;
     following_ = next_run();
+#ifndef __HLSC__
+    run_was_ = run_.phase;
+#endif
     switch (run_.phase) {
       case Phase::idle:
       case Phase::wait:
@@ -487,6 +490,9 @@ class Agreement {
     const Change& by = change_;
     segment_ = segment();
     segment_started_ = !segment_starts_;
+#ifndef __HLSC__
+    if (run_was_ != Phase::conclude && run_was_ != Phase::finish && !new_frame_) return registration_.end_beat(false);
+#endif
     Counts c = counts_;
     c.supervised += by.supervised;
     c.textured += by.textured;
@@ -801,7 +807,10 @@ class Agreement {
   // The row and the frame.
   Counts counts_;
   Registration registration_;
-  Change change_;           // of this beat
+  Change change_;  // of this beat
+#ifndef __HLSC__
+  Phase run_was_ = Phase::idle;  // of this beat: the others change nothing
+#endif
   bool new_frame_ = false;  // begins with this beat
   u<3> region_row_{0};
   u<region_columns> region_columns_{1};  // bit n: in region column n

@@ -11,21 +11,27 @@
 
 namespace horopter::stages {
 
-template <int BEATS, int R>
+template <int BEATS, int R, class V = Scalar>
 class ColumnBallot {
   static_assert(R >= 2 && R <= 12);
 
  public:
-  using In = VoteSpread::Out;
+  template <int N>
+  using U = typename V::template u<N>;
+  template <int N>
+  using S = typename V::template s<N>;
+  using Bit = typename V::bit;
+
+  using In = typename VoteSpread<V>::Out;
   struct Config {
     u<4> similar;       // 4 grey levels
     u<8> quorum;        // votes; at least 1
     u<8> clear_quorum;  // 8 votes; at least 1
   };
   struct Out {
-    bool skin = false;
-    bool clear = false;
-    bool exists = false;
+    Bit skin = false;
+    Bit clear = false;
+    Bit exists = false;
     Marks marks;
   };
 
@@ -33,48 +39,60 @@ class ColumnBallot {
     memory_.begin_step();
     const auto at = raster_.step(in.marks.first, in.marks.last);
     running_ = running_ || in.marks.first;
+#ifdef __HLSC__
     Column above;
     if (running_) above = memory_.read(at.column);
+#else
+    Column nothing;
+    Column& above = running_ ? memory_.change(at.column) : nothing;
+#endif
     if (at.frame_start_row) [[unlikely]] {
       above = Column{};
     }
     const Ballot own{in.vote, in.grey, in.exists};
-    const Ballot& centre = above.ballot[R - 1];
+    const Ballot centre = above.ballot[R - 1];
     std::array<Sum, 2 * R + 1> votes{};
     for (std::size_t i = 0; i <= 2 * R; ++i) {
       const Ballot& other = i == 2 * R ? own : above.ballot[i];
-      const u<7> difference = abs(s<7>(other.grey - centre.grey));
-      if (difference <= config.similar) votes[i] = Sum(other.vote);
+      const U<7> difference = abs(S<7>(other.grey - centre.grey));
+      votes[i] = select(difference <= config.similar, Sum(other.vote), Sum(0));
     }
     for (std::size_t n = 2 * R + 1; n > 1; n = (n + 1) / 2) {
       for (std::size_t i = 0; i < n / 2; ++i) votes[i] = Sum(votes[2 * i] + votes[2 * i + 1]);
       if (n % 2 == 1) votes[n / 2] = votes[n - 1];
     }
+    const Bit firm = above.firm.bit(R - 1);
+#ifdef __HLSC__
     Column column;
+#else
+    Column& column = above;
+#endif
     for (std::size_t i = 2 * R - 1; i > 0; --i) column.ballot[i] = above.ballot[i - 1];
     column.ballot[0] = own;
-    column.firm = u<R>(cat(above.firm, in.firm));
+    column.firm = U<R>(cat(above.firm, in.firm));
+#ifdef __HLSC__
     if (running_) memory_.write(at.column, column);
+#endif
 
     Out out;
     out.skin = votes[0] >= config.quorum;
-    out.clear = -votes[0] >= shl<3>(config.clear_quorum) || (votes[0] < lit<0>() && above.firm.bit(R - 1));
+    out.clear = -votes[0] >= shl<3>(config.clear_quorum) || (votes[0] < lit<0>() && firm);
     out.exists = centre.exists;
     out.marks = in.marks;
     return out;
   }
 
  private:
-  using Sum = s<13>;  // 25 · 127 and its sign
+  using Sum = S<13>;  // 25 · 127 and its sign
 
   struct Ballot {
-    s<8> vote;
-    u<6> grey;
-    bool exists = false;
+    S<8> vote;
+    U<6> grey;
+    Bit exists = false;
   };
   struct Column {
     std::array<Ballot, 2 * R> ballot{};  // the nearest row first
-    u<R> firm;                           // the nearest row lowest
+    U<R> firm;                           // the nearest row lowest
   };
 
   ColumnMemory<Column, BEATS> memory_;
@@ -82,7 +100,7 @@ class ColumnBallot {
   bool running_ = false;
 };
 
-template <Profile P>
-using Ballot = ColumnBallot<P.result_width(), P.ballot_reach>;
+template <Profile P, class V = Scalar>
+using Ballot = ColumnBallot<P.result_width(), P.ballot_reach, V>;
 
 }  // namespace horopter::stages

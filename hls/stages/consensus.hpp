@@ -13,19 +13,23 @@
 
 namespace horopter::stages {
 
-template <int BEATS, int M>
+template <int BEATS, int M, class V = Scalar>
 class ConsensusVote {
   static_assert(M >= 3 && M <= 9 && M % 2 == 1, "the window is 3×3 to 9×9");
 
  public:
+  template <int N>
+  using U = typename V::template u<N>;
+  using Bit = typename V::bit;
+
   struct In {
-    bool skin = false;
-    bool clear = false;
-    bool exists = false;
+    Bit skin = false;
+    Bit clear = false;
+    Bit exists = false;
     Marks marks;
   };
   struct Out {
-    u<2> state;
+    U<2> state;
     Marks marks;
   };
 
@@ -40,13 +44,13 @@ class ConsensusVote {
     if (at.frame_start_row) [[unlikely]] {
       above = Column{};
     }
-    const u<M> exists_column = cat(above.exists, in.exists);
-    const u<M> clear_column = cat(above.clear, in.exists && in.clear);
-    const u<M> skin_column = cat(above.skin, in.exists && in.skin);
+    const U<M> exists_column = cat(above.exists, in.exists);
+    const U<M> clear_column = cat(above.clear, in.exists && in.clear);
+    const U<M> skin_column = cat(above.skin, in.exists && in.skin);
     Column column;
-    column.exists = u<M - 1>(exists_column);
-    column.clear = u<M - 1>(clear_column);
-    column.skin = u<M - 1>(skin_column);
+    column.exists = U<M - 1>(exists_column);
+    column.clear = U<M - 1>(clear_column);
+    column.skin = U<M - 1>(skin_column);
     if (running_) memory_.write(at.column, column);
 
     const Counts counts{popcount(exists_column), popcount(clear_column), popcount(skin_column)};
@@ -68,18 +72,16 @@ class ConsensusVote {
     centres_.push({exists_column.bit(delay), in.marks});
     Out out;
     out.marks = centre.marks;
-    const bool skin = shl<1>(total.skin) > total.exists;
-    const bool clear = shl<1>(total.clear) > total.exists;
-    out.state = !centre.exists ? u<2>(state::unsupervised)
-                : skin         ? u<2>(state::skin)
-                : clear        ? u<2>(state::clear)
-                               : u<2>(state::undecidable);
+    const Bit skin = shl<1>(total.skin) > total.exists;
+    const Bit clear = shl<1>(total.clear) > total.exists;
+    const U<2> other = select(clear, U<2>(state::clear), U<2>(state::undecidable));
+    out.state = select(!centre.exists, U<2>(state::unsupervised), select(skin, U<2>(state::skin), other));
     return out;
   }
 
  private:
-  using Count = u<bits_for(M)>;
-  using Total = u<bits_for(M* M)>;
+  using Count = U<bits_for(M)>;
+  using Total = U<bits_for(M* M)>;
 
   struct Counts {
     Count exists, clear, skin;
@@ -88,11 +90,11 @@ class ConsensusVote {
     Total exists, clear, skin;
   };
   struct Centre {
-    bool exists = false;
+    Bit exists = false;
     Marks marks;
   };
   struct Column {
-    u<M - 1> exists, clear, skin;
+    U<M - 1> exists, clear, skin;
   };
 
   static void advance(Total& total, Count entering, Count leaving, bool filled) {
@@ -108,7 +110,7 @@ class ConsensusVote {
   DelayLine<Centre, (M - 1) / 2> centres_;
 };
 
-template <Profile P>
-using Consensus = ConsensusVote<P.result_width(), P.majority_window>;
+template <Profile P, class V = Scalar>
+using Consensus = ConsensusVote<P.result_width(), P.majority_window, V>;
 
 }  // namespace horopter::stages

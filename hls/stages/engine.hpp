@@ -3,7 +3,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string_view>
+#include <vector>
 
 #include "stages/pipeline.hpp"
 
@@ -17,7 +19,19 @@ class Engine {
   [[nodiscard]] virtual const hls::Profile& profile() const = 0;
 };
 
+/// What the engine is compiled for. The results are the same, bit by bit.
+enum class Instructions { baseline, avx2, avx512 };
+
+std::string_view name_of(Instructions instructions);
+
+/// Those that this build has and this processor too, the fastest last.
+std::vector<Instructions> available_instructions();
+
 /// Null for a name that profiles.def does not have. An engine remembers the last frame only to find a frozen camera.
-std::unique_ptr<Engine> make_engine(std::string_view profile_name);
+/// `threads`: that share a frame; 0: as many as the environment variable HOROPTER_THREADS says, or else 1. `instructions`: of those available; without, the one that the environment
+/// variable HOROPTER_INSTRUCTIONS names (baseline, avx2, avx512), or else the fastest. Throws std::invalid_argument for one
+/// that is not available.
+std::unique_ptr<Engine> make_engine(std::string_view profile_name, int threads = 0,
+                                    std::optional<Instructions> instructions = std::nullopt);
 
 }  // namespace horopter::native

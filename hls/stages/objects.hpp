@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// objects: joins occupied pixels, those in the skin and those that are blind, to objects (8-connected, one pass) and says of each its pixels, box and sums of
-// places. The thesis counts pixels of the whole image (10.4.6); an object is found wherever it is, however large the image.
+// objects: joins occupied pixels, those in the skin and those that are blind, to objects (8-connected, one pass) and says of
+// each its pixels, box and sums of places. The thesis counts pixels of the whole image (10.4.6); an object is found wherever
+// it is, however large the image.
 //
 // Labelling by runs, after Bailey and Johnston (Single Pass Connected Components Analysis, IVCNZ 2007): only the runs of
 // the row above that are still to come, and those of the row so far, have a label. These stand in registers, so that where
@@ -8,8 +9,8 @@
 // consists of stands in a memory. Where a run ends, meets one of the row above, or passes it, this is written to a queue,
 // and worked off in 2·GAP beats.
 //
-// In      the pixels of the result in raster order: occupied or not; first, last of a row. After the frame: beats with `idle`, not pixels,
-//         until `done`; the objects that reach the last row end in these.
+// In      the pixels of the result in raster order: occupied or not; first, last of a row. After the frame: beats with
+//         `idle`, not pixels, until `done`; the objects that reach the last row end in these.
 // Config  object_limit: pixels of an object that are an alarm.
 // Out     ended: an object has; its pixels, its box (columns and rows, inclusive), the sums of its columns and rows.
 //         alarm: an object of the frame so far has reached the limit, ended or not. overflow: more labels or a longer
@@ -17,6 +18,8 @@
 //         done: in an idle beat, everything has been said.
 // Illegal use: a frame that begins before `done`: what was not said is lost.
 #pragma once
+
+#include <algorithm>
 
 #include "stages/stream.hpp"
 
@@ -97,6 +100,29 @@ class ObjectFinder {
     return out;
   }
 
+#ifndef __HLSC__
+  /// For an engine that leaves out beats in which nothing happens: those of a row, neither its first nor its last, whose
+  /// pixels are in the skin, or not, as is the one before them, and the same of the pixels above. `rests`: nothing is to be
+  /// done but that. `pixels` of such beats stand for as many calls of step.
+  [[nodiscard]] bool rests() const {
+    return at_rest(false) && read_ == write_ && visible_ == write_ && room_ == 0 && !little_room_ && !ended_ &&
+           (met_ || !before_ || !over_before_);
+  }
+  void skip(int pixels) {
+    full_ = queue_full_ = false;
+    if (before_ != over_before_) {
+      for (int i = 0; i < pixels; ++i) {
+        above_.begin_step();
+        above_.write(raster_.step(false, false).column, before_);
+      }
+    } else {
+      raster_.skip(pixels);
+    }
+    if (before_) last_run_.right = Column(last_run_.right + u<bits_for(WIDTH - 1)>(pixels));
+    phase_ = Phase(phase_ + u<16>(pixels));
+  }
+#endif
+
  private:
   static constexpr int slot = 2 * GAP;  // beats for an event
   static constexpr std::size_t queue_length = 2 * LABELS;
@@ -126,6 +152,12 @@ class ObjectFinder {
     bool there = false;
   };
   /// The one at a place, by halves.
+#ifndef __HLSC__
+  static Entry chosen(const std::array<Entry, LABELS>& entries, const Place& place) { return entries[place_of(place)]; }
+  static std::size_t place_of(const Place& place) {
+    return static_cast<std::size_t>(std::find(place.begin(), place.end(), true) - place.begin());
+  }
+#else
   static Entry chosen(std::array<Entry, LABELS> entries, const Place& place) {
     for (std::size_t i = 0; i < LABELS; ++i) {
       if (!place[i]) entries[i] = Entry{};
@@ -138,6 +170,7 @@ class ObjectFinder {
     }
     return entries[0];
   }
+#endif
   static bool same(const Entry& a, const Entry& b) { return a.there & b.there & (a.label == b.label); }
 
   static constexpr std::size_t group = 4;
@@ -252,15 +285,19 @@ class ObjectFinder {
       second_ends_ = closes;
     }
 
-    const Place reserved = find_free(begins, restarts);
+    bool reserves = false;
+    const Place reserved = find_free(begins, restarts, reserves);
     const Label label = ends ? ended : run.label;
-    for (std::size_t i = 0; i < LABELS; ++i) {
-      const bool comes = ends & end_[i], goes = passes & begin_[i];
-      if (comes | (joins & (is_front[i] | begin_[i]))) entries_[i].label = label;
-      entries_[i].there = !restarts & ((entries_[i].there & !goes) | comes);
-      const bool freed = frees & (front.label == static_cast<int>(i));
-      used_[i] = !restarts & ((used_[i] & !freed) | reserved[i]);
-    }
+#ifndef __HLSC__
+    if (ends | joins | passes | frees | restarts | reserves)
+#endif
+      for (std::size_t i = 0; i < LABELS; ++i) {
+        const bool comes = ends & end_[i], goes = passes & begin_[i];
+        if (comes | (joins & (is_front[i] | begin_[i]))) entries_[i].label = label;
+        entries_[i].there = !restarts & ((entries_[i].there & !goes) | comes);
+        const bool freed = frees & (front.label == static_cast<int>(i));
+        used_[i] = !restarts & ((used_[i] & !freed) | reserved[i]);
+      }
     if (passes | restarts) begin_ = restarts ? first_place() : after(begin_);
     if (ends | restarts) end_ = restarts ? first_place() : after(end_);
     if (restarts) {
@@ -272,14 +309,15 @@ class ObjectFinder {
   }
 
   /// Looks for labels that are not used, a group in two beats, and keeps two. The result: those that it takes from now on.
-  Place find_free(bool taken, bool restarts) {
+  Place find_free(bool taken, bool restarts, bool& comes) {
     std::array<bool, group> first{};
     bool all_used = true;
     for (std::size_t k = 0; k < group; ++k) {
       first[k] = all_used & !looked_.bit(static_cast<int>(k));
       all_used = all_used & looked_.bit(static_cast<int>(k));
     }
-    const bool looked = looked_there_ & !restarts, comes = looked & !all_used;
+    const bool looked = looked_there_ & !restarts;
+    comes = looked & !all_used;
     const Entry found = found_;
     const bool moves = found.there & (taken | !free_.there);
     if (moves) free_.label = found.label;
@@ -288,12 +326,18 @@ class ObjectFinder {
     found_.there = !restarts & (comes | (found.there & !moves));
     Place reserved{};
     u<group> used(0);
+#ifndef __HLSC__
+    const auto at = static_cast<std::size_t>(at_group_.value()) * group;  // of the only group
+    for (std::size_t k = 0; k < group; ++k) reserved[at + k] = comes & first[k];
+    for (std::size_t k = 0; k < group; ++k) used = used | u<group>(u<1>(used_[at + k]).value() << k);
+#else
     for (std::size_t i = 0; i < LABELS; ++i) reserved[i] = comes & group_[i / group] & first[i % group];
     for (std::size_t i = 0; i < LABELS; i += group) {
       std::array<bool, group> of_group{};
       for (std::size_t k = 0; k < group; ++k) of_group[k] = used_[i + k] & group_[i / group];
       used = used | word_of(of_group);
     }
+#endif
     looked_ = used;
     looked_there_ = !restarts & !looked_there_ & (!found.there | moves);
     const Groups here = group_;

@@ -8,11 +8,14 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -20,6 +23,7 @@
 #include "stages/chain.hpp"
 #include "stages/strips.hpp"
 #include "stages/table_view.hpp"
+#include "stages/workers.hpp"
 
 namespace horopter::native {
 
@@ -109,8 +113,10 @@ struct Agreement {
     int textured = 0;
     int explained = 0;
     int nearer = 0;
+    friend bool operator==(const Region&, const Region&) = default;
   };
   std::array<Region, 48> regions{};
+  friend bool operator==(const Agreement&, const Agreement&) = default;
 };
 
 /// Pixels that touch each other and are in the skin or blind (stages/objects.hpp).
@@ -131,6 +137,7 @@ struct ImageHealth {
   bool constant = false;
   bool frozen = false;
   bool blind = false;
+  friend bool operator==(const ImageHealth&, const ImageHealth&) = default;
 
   [[nodiscard]] bool empty() const { return black || white || constant; }  ///< which says that it is blind
 };
@@ -158,6 +165,7 @@ struct FrameResult {
   bool identical_images = false;  // the same signature
   Agreement agreement;
   bool one_camera = false;  // the same but for noise, compression or gain
+  friend bool operator==(const FrameResult&, const FrameResult&) = default;
 
   /// The first that ended of those with the most pixels; none without pixels.
   [[nodiscard]] Object largest_object() const {
@@ -172,6 +180,16 @@ class Pipeline {
  public:
   static constexpr hls::Profile profile = P;
 
+  /// `threads`: that share a frame. The results are the same for any number of them.
+  explicit Pipeline(int threads = 1)
+      : workers_(threads),
+        slots_(threads > 1 ? 8 : 1),
+        pairs_(slots_),
+        marks_(slots_),
+        states_(slots_),
+        thesis_between_(slots_),
+        compete_between_(slots_) {}
+
   /// One frame. `table`: for the size of the images. Throws std::invalid_argument for sizes the profile cannot take.
   FrameResult process(const ImageView& left, const ImageView& right, const TableView& table, const Settings& settings) {
     check(left, right, table, settings);
@@ -180,29 +198,19 @@ class Pipeline {
     result.width = left.width / P.subsample;
     result.height = left.height;
     result.states.resize(static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height));
-    written_ = 0;
-
-    examine(left, right, result);
-    compare(left, right, result);
     const Expansion& sources = expansion(table, settings.lookahead);
     result.store_misses = sources.misses;
     store(right);
-    for (int y = 0; y < left.height; ++y) {
-      first_row_ = y == 0;
-      fetch_row(y, left, sources);
-      finish_row(result);
-    }
-    taps_.mask.fill(false);
-    taps_.present.fill(false);
-    for (int y = 0; y < P.flush_rows(compete_); ++y) finish_row(result);
-    find_objects(result);
+    pass_rows(left.height + P.flush_rows(compete_), {left, right, sources, result});
     return result;
   }
 
  private:
   static constexpr std::size_t padded_stride = P.width + 1;
 
-  struct Nothing {};
+  struct Nothing {
+    using Between = char;
+  };
   template <class Stage>
   using InOf = typename Stage::In;
   template <class Stage>
@@ -217,6 +225,8 @@ class Pipeline {
   };
 
   using Pairs = PairRow<P>;
+  using Thesis = std::conditional_t<P.has_thesis(), Strips<P, hls::Rule::thesis>, Nothing>;
+  using Compete = std::conditional_t<P.has_compete(), Strips<P, hls::Rule::compete>, Nothing>;
   struct FullPairs {
     Row<hls::u<8>> left, right;
     Row<bool> saturated, mask, present;
@@ -254,8 +264,13 @@ class Pipeline {
     still_config_ = stages::chain::by_name<typename Still::Config>(of_stages);
     coarse_config_ = stages::chain::by_name<typename Coarse::Config>(of_stages);
     width_ = image.width;
-    grey_.mask.fill(false);
-    grey_.present.fill(false);
+    for (Pairs& pairs : pairs_) {
+      pairs.mask.fill(false);
+      pairs.present.fill(false);
+    }
+    alarm_config_ = stages::chain::by_name<typename stages::Alarm<P>::Config>(of_stages);
+    skin_ = undecidable_ = unsupervised_ = 0;
+    rows_finished_ = 0;
   }
 
   static constexpr std::size_t index(int i) { return static_cast<std::size_t>(i); }
@@ -439,32 +454,192 @@ class Pipeline {
     }
   }
 
-  /// Passes a row of beats through all stages from the interpolation on.
-  void finish_row(FrameResult& result) {
-    if constexpr (P.subsample == 1) {
-      interpolate_row(grey_, Pairs::before);
-    } else {
-      interpolate_row(pairs_, 0);
-      subsample_row();
-    }
-    agree_row(result);
-    const auto see = [&]<stages::Stage STAGE>(stages::At<STAGE>, const auto& out) {
-      if constexpr (STAGE == stages::Stage::align) {
-        if (!out.idle) [[likely]] {
-          result.states[written_++] = out.state.value();
-          result.hidden_pixels += out.hidden ? 1 : 0;
-          result.unproven_pixels += out.unproven ? 1 : 0;
+  // What can be done beside each other: each part takes the rows in order, one thread at a time.
+  enum Part : std::size_t { first_half, second_half, agree, finish, look_at_images, parts };
+
+  /// Rows that a part has done, and whether somebody is at it.
+  struct alignas(64) Progress {
+    std::atomic<int> done = 0;
+    std::atomic<bool> taken = false;
+  };
+
+  struct Frame {
+    const ImageView& left;
+    const ImageView& right;
+    const Expansion& sources;
+    FrameResult& result;
+  };
+
+  void do_row(Part part, int y, const Frame& frame) {
+    const std::size_t slot = index(y) % slots_;
+    switch (part) {
+      case first_half:
+        if (y < frame.left.height) {
+          fetch_row(y, frame.left, frame.sources);
+        } else if (y == frame.left.height) {
+          taps_.mask.fill(false);
+          taps_.present.fill(false);
         }
-      } else if constexpr (STAGE == stages::Stage::runs) {
-        add_run(out, result);
-      } else if constexpr (STAGE == stages::Stage::alarm) {
-        set_counts(out, result);
-      }
-    };
-    if constexpr (P.has_compete()) {
-      if (compete_) return compete_rows_.row(grey_, first_row_, see);
+        make_pairs(y == 0, pairs_[slot]);
+        with_rule([&](auto& strips, auto& between) { strips.pass_first(pairs_[slot], y == 0, between[slot]); });
+        break;
+      case second_half:
+        with_rule([&](auto& strips, auto& between) { strips.pass_second(between[slot], y == 0, states_[slot]); });
+        break;
+      case agree:
+        agree_row(y == 0, pairs_[slot], marks_[slot], frame.result);
+        break;
+      case finish:
+        finish_row(y, states_[slot], marks_[slot], frame.result);
+        break;
+      default:
+        examine(frame.left, frame.right, frame.result);
+        compare(frame.left, frame.right, frame.result);
     }
-    if constexpr (P.has_thesis()) thesis_rows_.row(grey_, first_row_, see);
+  }
+
+  /// What a row needs is there, and where its result goes is free.
+  [[nodiscard]] bool can_do(Part part, int y) const {
+    const auto done = [&](Part other) { return progress_[other].done.load(std::memory_order_acquire); };
+    const int slots = static_cast<int>(slots_);
+    switch (part) {
+      case first_half:
+        return y < slots + done(second_half) && y < slots + done(agree);
+      case second_half:
+      case agree:
+        return y < done(first_half) && y < slots + done(finish);
+      case finish:
+        return y < done(second_half) && y < done(agree);
+      default:
+        return true;
+    }
+  }
+
+  void pass_rows(int rows, const Frame& frame) {
+    if (workers_.count() == 1) {
+      do_row(look_at_images, 0, frame);
+      for (int y = 0; y < rows; ++y) {
+        for (const Part part : {first_half, second_half, agree, finish}) do_row(part, y, frame);
+      }
+      return;
+    }
+    for (Progress& progress : progress_) progress.done = 0;
+    std::exception_ptr failure;
+    std::atomic<bool> failed = false;
+    const auto rows_of = [&](Part part) { return part == look_at_images ? 1 : rows; };
+    /// As many rows as can be done now: what a part keeps stays in one processor's cache.
+    const auto take = [&](Part part) {
+      Progress& progress = progress_[part];
+      int y = progress.done.load(std::memory_order_relaxed);
+      if (y == rows_of(part) || !can_do(part, y) || progress.taken.exchange(true, std::memory_order_acquire))
+        return false;
+      y = progress.done.load(std::memory_order_relaxed);
+      for (; y < rows_of(part) && !failed && can_do(part, y); ++y) {
+        do_row(part, y, frame);
+        progress.done.store(y + 1, std::memory_order_release);
+      }
+      progress.taken.store(false, std::memory_order_release);
+      return true;
+    };
+    const auto finished = [&] {
+      for (const Part part : {finish, look_at_images}) {
+        if (progress_[part].done.load(std::memory_order_acquire) != rows_of(part)) return false;
+      }
+      return true;
+    };
+    workers_.run([&](int worker) {
+      // Where each begins to look for work.
+      static constexpr std::array<std::array<Part, parts>, 3> order{{
+          {first_half, finish, second_half, look_at_images, agree},
+          {agree, second_half, finish, look_at_images, first_half},
+          {second_half, finish, look_at_images, agree, first_half},
+      }};
+      const auto& mine = order[index(worker) % order.size()];
+      try {
+        while (!failed && !finished()) {
+          if (std::none_of(mine.begin(), mine.end(), take)) std::this_thread::yield();
+        }
+      } catch (...) {
+        if (!failed.exchange(true)) failure = std::current_exception();
+      }
+    });
+    for (Progress& progress : progress_) progress.taken = false;
+    if (failure) std::rethrow_exception(failure);
+  }
+
+  template <class Do>
+  void with_rule(const Do& act) {
+    if constexpr (P.has_compete()) {
+      if (compete_) return act(compete_rows_, compete_between_);
+    }
+    if constexpr (P.has_thesis()) act(thesis_rows_, thesis_between_);
+  }
+
+  void make_pairs(bool first_row, Pairs& pairs) {
+    if constexpr (P.subsample == 1) {
+      interpolate_row(pairs, Pairs::before);
+    } else {
+      interpolate_row(full_pairs_, 0);
+      subsample_row(first_row, pairs);
+    }
+  }
+
+  /// What align, alarm and runs make of a row of beats. The raster of the result is that of the beats, shifted as a whole.
+  void finish_row(int row, const StatesRow<P>& states, const MarksRow<P>& marks, FrameResult& result) {
+    const stages::ResultOffset offset = compete_ ? stages::compete_offset<P> : stages::thesis_offset<P>;
+    const std::ptrdiff_t width = result.width;
+    const std::ptrdiff_t from = (row - offset.rows) * width - offset.columns;  // pixel of the row's first beat
+    const std::ptrdiff_t begin = std::clamp<std::ptrdiff_t>(-from, 0, width);
+    const std::ptrdiff_t end = std::clamp<std::ptrdiff_t>(width * result.height - from, 0, width);
+    if (begin >= end) return;
+    place(begin, end, states, marks, result.states.data() + from, result);
+    const auto rows = static_cast<int>((from + end) / width);  // that are complete
+    for (int y = rows_finished_; y < rows; ++y) find_runs(y, result);
+    find_objects(result, rows_finished_, rows);
+    rows_finished_ = rows;
+    if (rows == result.height) set_counts(result);
+  }
+
+  void place(std::ptrdiff_t begin, std::ptrdiff_t end, const StatesRow<P>& states, const MarksRow<P>& marks,
+             std::uint8_t* to, FrameResult& result) {
+    std::uint32_t skin = 0, undecidable = 0, unsupervised = 0, hidden = 0, unproven = 0;
+    for (std::ptrdiff_t x = begin; x < end; ++x) {
+      const std::uint8_t state = states[static_cast<std::size_t>(x)];
+      const bool clear = state == stages::state::clear;
+      const bool is_hidden = clear & marks.nearer[static_cast<std::size_t>(x)];
+      const bool is_unproven = clear & !marks.seen[static_cast<std::size_t>(x)];
+      to[x] = (is_hidden | is_unproven) ? std::uint8_t{stages::state::undecidable} : state;
+      skin += state == stages::state::skin;
+      undecidable += state == stages::state::undecidable;
+      unsupervised += state == stages::state::unsupervised;
+      hidden += is_hidden;
+      unproven += is_unproven;
+    }
+    skin_ += skin;
+    undecidable_ += undecidable;
+    unsupervised_ += unsupervised;
+    result.hidden_pixels += static_cast<int>(hidden);
+    result.unproven_pixels += static_cast<int>(unproven);
+  }
+
+  static void find_runs(int y, FrameResult& result) {
+    const std::uint8_t* states = result.states.data() + index(y) * index(result.width);
+    for (int start = 0; start < result.width;) {
+      int end = start + 1;
+      while (end < result.width && states[end] == states[start]) ++end;
+      result.runs.push_back({static_cast<std::uint16_t>(y), static_cast<std::uint16_t>(start),
+                             static_cast<std::uint16_t>(end - 1), states[start]});
+      start = end;
+    }
+  }
+
+  void set_counts(FrameResult& result) const {
+    result.skin_pixels = static_cast<int>(skin_);
+    result.undecidable_pixels = static_cast<int>(undecidable_) + result.hidden_pixels + result.unproven_pixels;
+    result.unsupervised_pixels = static_cast<int>(unsupervised_);
+    result.alarm |= skin_ > alarm_config_.alarm_limit.value();
+    result.too_undecidable = undecidable_ > alarm_config_.undecidable_limit.value();
+    result.too_unsupervised = unsupervised_ > alarm_config_.unsupervised_limit.value();
   }
 
   /// Fields in arrays of their own: the compiler vectorises this stage without state.
@@ -498,45 +673,45 @@ class Pipeline {
     }
   }
 
-  [[gnu::flatten]] void subsample_row() {
+  [[gnu::flatten]] void subsample_row(bool first_row, Pairs& to) {
     Borrowed stage(subsample_);
     std::size_t written = Pairs::before;
     for (std::size_t i = 0; i < index(width_); ++i) {
       stages::GreyPair in;
-      in.pixel = {pairs_.left[i], pairs_.right[i]};
-      in.saturated = pairs_.saturated[i];
-      in.mask = pairs_.mask[i];
-      in.present = pairs_.present[i];
-      in.marks = {i == 0 && first_row_, i + 1 == index(width_)};
+      in.pixel = {full_pairs_.left[i], full_pairs_.right[i]};
+      in.saturated = full_pairs_.saturated[i];
+      in.mask = full_pairs_.mask[i];
+      in.present = full_pairs_.present[i];
+      in.marks = {i == 0 && first_row, i + 1 == index(width_)};
       const auto out = stage->step(in);
       if (out.valid) {
-        grey_.left[written] = out.pixel[0];
-        grey_.right[written] = out.pixel[1];
-        grey_.saturated[written] = out.saturated;
-        grey_.mask[written] = out.mask;
-        grey_.present[written] = out.present;
+        to.left[written] = out.pixel[0];
+        to.right[written] = out.pixel[1];
+        to.saturated[written] = out.saturated;
+        to.mask[written] = out.mask;
+        to.present[written] = out.present;
         ++written;
       }
     }
   }
 
   /// Where nothing has to be proved, the stage says so of every pixel; the hardware's does no more.
-  void agree_row(FrameResult& result) {
+  void agree_row(bool first_row, const Pairs& pairs, MarksRow<P>& marks, FrameResult& result) {
     if (prove_ == 0) {
-      grey_.seen.fill(true);
-      grey_.nearer.fill(false);
+      marks.seen.fill(true);
+      marks.nearer.fill(false);
       return;
     }
     const std::size_t n = index(width_) / P.subsample;
     for (std::size_t x = 0; x < n; ++x) {
       InOf<stages::Agreement<P>> in;
-      in.saturated = grey_.saturated[Pairs::before + x];
-      in.mask = grey_.mask[Pairs::before + x];
-      in.present = grey_.present[Pairs::before + x];
-      const bool first = x == 0 && first_row_;
+      in.saturated = pairs.saturated[Pairs::before + x];
+      in.mask = pairs.mask[Pairs::before + x];
+      in.present = pairs.present[Pairs::before + x];
+      const bool first = x == 0 && first_row;
       const bool last = x + 1 == n;
-      const hls::u<8> left = grey_.left[Pairs::before + x];
-      const hls::u<8> right = grey_.right[Pairs::before + x];
+      const hls::u<8> left = pairs.left[Pairs::before + x];
+      const hls::u<8> right = pairs.right[Pairs::before + x];
       if constexpr (P.packed()) {
         in.pixel = {left};
         in.marks = {first, false};
@@ -548,14 +723,14 @@ class Pipeline {
         in.marks = {first, last};
       }
       const auto out = agreement_.step(in, agreement_config_);
-      grey_.seen[x] = out.marks.seen;
-      grey_.nearer[x] = out.marks.nearer;
+      marks.seen[x] = out.marks.seen;
+      marks.nearer[x] = out.marks.nearer;
       take_verdict(out, result);
     }
   }
 
-  /// On the whole result: what the hardware says of it while the rows come is the same.
-  void find_objects(FrameResult& result) {
+  /// In the rows begin … end − 1 of the result.
+  void find_objects(FrameResult& result, int begin, int end) {
     Borrowed stage(objects_);
     OutOf<stages::Objects<P>> out;
     const auto step = [&](const InOf<stages::Objects<P>>& in) {
@@ -564,41 +739,68 @@ class Pipeline {
         add_object(out.object, result);
       }
     };
-    const bool looks = blind_config_.watch || blind_config_.teach;
-    const auto pixel = [&](const OutOf<stages::Blind<P>>& of) {
-      if (!of.there) return;
-      result.blind_pixels += of.blind ? 1 : 0;
-      step({of.blind || of.state == stages::state::skin, of.first, of.last, false});
-    };
-    if (!looks) result.taught = blind_.leave_out(blind_config_);
-    const std::uint8_t* state = result.states.data();
-    for (int y = 0; y < result.height; ++y) {
-      for (int x = 0; x < result.width; ++x, ++state) {
-        const bool first = x == 0 && y == 0;
-        const bool last = x + 1 == result.width;
-        if (looks) {
-          const auto of = blind_.step({*state, first, last, false}, blind_config_);
-          result.taught = of.taught;
-          pixel(of);
-        } else {
-          step({*state == stages::state::skin, first, last, false});
-        }
-      }
+    if (blind_config_.watch || blind_config_.teach) {
+      look_for_blind(result, begin, end, step);
+    } else {
+      if (begin == 0) result.taught = blind_.leave_out(blind_config_);
+      for (int y = begin; y < end; ++y) find_objects_of_row(result, y, *stage, step);
     }
-    if (looks) {
-      for (bool done = false; !done;) {
-        const auto fetched = blind_.step({0, false, false, true}, blind_config_);
-        done = fetched.done;
-        result.taught = fetched.taught;
-        pixel(fetched);
-      }
-    }
+    if (end < result.height) return;
     do {
       step({false, false, false, true});
     } while (!out.done);
     result.object_overflow = out.overflow;
     result.alarm |= out.alarm;
   }
+  /// Most beats change nothing: those with a pixel that is as the one before it, both in their row and above.
+  template <class Step>
+  void find_objects_of_row(const FrameResult& result, int y, stages::Objects<P>& stage, const Step& step) {
+    const std::size_t width = index(result.width);
+    const std::uint8_t* state = result.states.data() + index(y) * width;
+    const std::uint8_t* above = y == 0 ? state : state - width;
+    std::array<std::uint8_t, P.result_width()> alike{};  // equal where both are
+    const auto occupied = [](std::uint8_t code) { return code == stages::state::skin; };
+    for (std::size_t x = 0; x < width; ++x) {
+      alike[x] = static_cast<std::uint8_t>((occupied(state[x]) ? 1 : 0) | (occupied(above[x]) ? 2 : 0));
+    }
+    step({occupied(state[0]), y == 0, width == 1, false});
+    for (std::size_t x = 1; x < width;) {
+      std::size_t other = x;
+      if (alike[x] == alike[x - 1] && stage.rests()) {
+        while (other + 1 < width && alike[other] == alike[x]) ++other;
+      }
+      if (other > x) {
+        stage.skip(static_cast<int>(other - x));
+        x = other;
+      } else {
+        step({occupied(state[x]), false, x + 1 == width, false});
+        ++x;
+      }
+    }
+  }
+
+  /// Pixels leave `blind` some rows after they came; after the last row they are fetched.
+  template <class Step>
+  void look_for_blind(FrameResult& result, int begin, int end, const Step& step) {
+    bool done = false;
+    const auto pass = [&](const InOf<stages::Blind<P>>& in) {
+      const auto out = blind_.step(in, blind_config_);
+      done = out.done;
+      result.taught = out.taught;
+      if (!out.there) return;
+      result.blind_pixels += out.blind ? 1 : 0;
+      step({out.blind || out.state == stages::state::skin, out.first, out.last, false});
+    };
+    const std::uint8_t* state = result.states.data() + index(begin) * index(result.width);
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < result.width; ++x) pass({*state++, x == 0 && y == 0, x + 1 == result.width, false});
+    }
+    if (end < result.height) return;
+    do {
+      pass({0, false, false, true});
+    } while (!done);
+  }
+
   template <class From>
   [[gnu::noinline]] static void add_object(const From& from, FrameResult& result) {
     result.objects.push_back({static_cast<int>(from.pixels.value()), from.left.value(), from.top.value(),
@@ -639,21 +841,6 @@ class Pipeline {
     }
   }
 
-  [[gnu::noinline]] static void add_run(const OutOf<stages::Runs<P>>& run, FrameResult& result) {
-    result.runs.push_back({static_cast<std::uint16_t>(run.row.value()), static_cast<std::uint16_t>(run.start.value()),
-                           static_cast<std::uint16_t>(run.end.value()), run.state.value()});
-  }
-
-  [[gnu::noinline]] static void set_counts(const OutOf<stages::Alarm<P>>& counts, FrameResult& result) {
-    result.skin_pixels = static_cast<int>(counts.skin_pixels.value());
-    result.undecidable_pixels =
-        static_cast<int>(counts.undecidable_pixels.value()) + result.hidden_pixels + result.unproven_pixels;
-    result.unsupervised_pixels = static_cast<int>(counts.unsupervised_pixels.value());
-    result.alarm = counts.alarm;
-    result.too_undecidable = counts.too_undecidable;
-    result.too_unsupervised = counts.too_unsupervised;
-  }
-
   stages::MapExpand<P> map_expand_;
   stages::Subsampler<P.subsample> subsample_;
   stages::Agreement<P> agreement_;
@@ -673,19 +860,30 @@ class Pipeline {
   typename stages::Blind<P>::Config blind_config_;
   typename stages::Objects<P>::Config objects_config_;
 
-  std::conditional_t<P.has_thesis(), Strips<P, hls::Rule::thesis>, Nothing> thesis_rows_;
-  std::conditional_t<P.has_compete(), Strips<P, hls::Rule::compete>, Nothing> compete_rows_;
+  Thesis thesis_rows_;
+  Compete compete_rows_;
   bool compete_ = false;
 
-  std::size_t written_ = 0;  // pixels of the result
-  int width_ = 0;            // of the images
+  int width_ = 0;  // of the images
   int height_ = 0;
-  bool first_row_ = false;
   std::vector<Expansion> expansions_;
   std::vector<std::uint8_t> padded_;
   Taps taps_{};
-  FullPairs pairs_{};  // before `subsample`
-  Pairs grey_{};
+  FullPairs full_pairs_{};  // before `subsample`
+
+  typename stages::Alarm<P>::Config alarm_config_;
+  std::uint32_t skin_ = 0, undecidable_ = 0, unsupervised_ = 0;
+  int rows_finished_ = 0;
+
+  Workers workers_;
+  std::array<Progress, parts> progress_;
+  /// Rows on their way from part to part.
+  std::size_t slots_ = 1;
+  std::vector<Pairs> pairs_;
+  std::vector<MarksRow<P>> marks_;
+  std::vector<StatesRow<P>> states_;
+  std::vector<typename Thesis::Between> thesis_between_;
+  std::vector<typename Compete::Between> compete_between_;
 };
 
 }  // namespace horopter::native

@@ -56,32 +56,46 @@ class PlaneSummer {
   };
 
   Out step(const In& in) {
-    feature_memory_.begin_step();
-    column_memory_.begin_step();
-
-    // Features of this row and of the row that leaves the window, both for the incoming column.
-    const auto arriving_at = arriving_.step(in.marks.first, in.marks.last);
-    if (arriving_at.row_start) row_parity_ = !row_parity_;
-    FeatureRows rows = feature_memory_.read(arriving_at.column);
-    FeaturePair entering;
-    entering.left = in.left;
-    entering.right = in.right;
-    entering.mask = in.mask;
-    FeaturePair leaving = rows.row[ROWS - 1];
-    leaving.mask = leaving.mask && Bit(arriving_at.rows == ROWS);
-    for (std::size_t i = ROWS - 1; i > 0; --i) rows.row[i] = rows.row[i - 1];
-    rows.row[0] = entering;
-    feature_memory_.write(arriving_at.column, rows);
-    entering_.push({entering, row_parity_});
-    leaving_.push({leaving, row_parity_});
-
-    // From here on in the column of the delayed left features.
-    const Marks marks = marks_.oldest();
-    marks_.push(in.marks);
-    const auto at = delayed_.step(marks.first, marks.last);
-    running_ = running_ || marks.first;
+    const Place place = take(in);
+#ifndef __HLSC__
+    if (running_) return sum(place, column_memory_.change(place.at.column));
+#endif
     Column column;
-    if (running_) column = column_memory_.read(at.column);
+    if (running_) column = column_memory_.read(place.at.column);
+    const Out out = sum(place, column);
+    if (running_) column_memory_.write(place.at.column, column);
+    return out;
+  }
+
+#ifndef __HLSC__
+  /// For an engine that needs no sums of a row's first beats: `skip` stands for step() in these, then comes begin(), then
+  /// step(). What that puts out is as ever from the COLUMNS-th beat on, but for the marks.
+  void skip(const In& in) { take(in); }
+  void begin() { rows_ = {}; }
+#endif
+
+ private:
+  static constexpr std::size_t half = (ROWS - 1) / 2;  // rows
+  static constexpr int column_bits = bits_for(largest_cost * ROWS);
+
+  struct Seen {
+    U<6> grey;
+    Bit exists = false;
+  };
+  struct Column {
+    std::array<U<column_bits>, planes + 1> sum{};
+    std::array<Seen, half + 1> seen{};
+    std::array<Bit, half> gradient{};
+  };
+  /// Where the delayed left features stand.
+  struct Place {
+    RasterPosition<BEATS, ROWS> at;
+    Marks marks;
+    Seen seen;
+  };
+
+  Out sum(const Place& place, Column& column) {
+    const auto& at = place.at;
     Out out;
     for (std::size_t n = 0; n < planes; ++n) {
       const U<5> plus = cost(entering_, PLANES.shift[n]);
@@ -90,18 +104,14 @@ class PlaneSummer {
     }
     out.evidence = window_sum(planes, column, at, size(entering_), size(leaving_));
 
-    // Grey value and masks wait for the centre of the window; the low-pass is a row and a column ahead of the gradient.
-    const Seen seen{U<6>(in.grey.template bits<7, 2>()), in.exists};
-    const Seen here = seen_.oldest();
-    seen_.push(seen);
+    // Grey value and masks wait for the centre of the window.
     const Bit gradient = entering_.tap(PLANES.reach()).features.mask;
     const bool enough = at.rows >= half;
     const Centre centre{column.seen[half], column.gradient[half - 1] && Bit(enough)};
     for (std::size_t i = half; i > 0; --i) column.seen[i] = column.seen[i - 1];
     for (std::size_t i = half - 1; i > 0; --i) column.gradient[i] = column.gradient[i - 1];
-    column.seen[0] = here;
+    column.seen[0] = place.seen;
     column.gradient[0] = gradient;
-    if (running_) column_memory_.write(at.column, column);
     const Centre pixel = centres_.oldest();
     centres_.push(centre);
     out.grey = pixel.seen.grey;
@@ -109,13 +119,47 @@ class PlaneSummer {
     rows_seen_.push(at.rows > half);
     out.known = pixel.gradient && centre.gradient && Bit(at.column >= (COLUMNS - 1) / 2);
     out.marks = centre_marks_.oldest();
-    centre_marks_.push(marks);
+    centre_marks_.push(place.marks);
     return out;
   }
 
- private:
-  static constexpr std::size_t half = (ROWS - 1) / 2;  // rows
-  static constexpr int column_bits = bits_for(largest_cost * ROWS);
+  Place take(const In& in) {
+    feature_memory_.begin_step();
+    column_memory_.begin_step();
+
+    // Features of this row and of the row that leaves the window, both for the incoming column.
+    const auto arriving_at = arriving_.step(in.marks.first, in.marks.last);
+    if (arriving_at.row_start) row_parity_ = !row_parity_;
+#ifdef __HLSC__
+    FeatureRows rows = feature_memory_.read(arriving_at.column);
+#else
+    FeatureRows& rows = feature_memory_.change(arriving_at.column);
+#endif
+    FeaturePair entering;
+    entering.left = in.left;
+    entering.right = in.right;
+    entering.mask = in.mask;
+    FeaturePair leaving = rows.row[ROWS - 1];
+    leaving.mask = leaving.mask && Bit(arriving_at.rows == ROWS);
+    for (std::size_t i = ROWS - 1; i > 0; --i) rows.row[i] = rows.row[i - 1];
+    rows.row[0] = entering;
+#ifdef __HLSC__
+    feature_memory_.write(arriving_at.column, rows);
+#endif
+    entering_.push({entering, row_parity_});
+    leaving_.push({leaving, row_parity_});
+
+    // From here on in the column of the delayed left features.
+    const Marks marks = marks_.oldest();
+    marks_.push(in.marks);
+    const auto at = delayed_.step(marks.first, marks.last);
+    running_ = running_ || marks.first;
+    // The low-pass is a row and a column ahead of the gradient.
+    const Seen seen{U<6>(in.grey.template bits<7, 2>()), in.exists};
+    const Seen here = seen_.oldest();
+    seen_.push(seen);
+    return {at, marks, here};
+  }
 
   struct FeaturePair {
     S<6> left, right;
@@ -128,18 +172,9 @@ class PlaneSummer {
     FeaturePair features;
     bool row = false;
   };
-  struct Seen {
-    U<6> grey;
-    Bit exists = false;
-  };
   struct Centre {
     Seen seen;
     Bit gradient = false;
-  };
-  struct Column {
-    std::array<U<column_bits>, planes + 1> sum{};
-    std::array<Seen, half + 1> seen{};
-    std::array<Bit, half> gradient{};
   };
   using Taps = DelayLine<Tap, 2 * PLANES.reach() + 1>;
 

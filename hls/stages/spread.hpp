@@ -13,23 +13,30 @@
 
 namespace horopter::stages {
 
+template <class V = Scalar>
 class VoteSpread {
  public:
+  template <int N>
+  using U = typename V::template u<N>;
+  template <int N>
+  using S = typename V::template s<N>;
+  using Bit = typename V::bit;
+
   struct In {
-    s<7> vote;
-    bool firm = false;
-    u<6> grey;
-    bool exists = false;
+    S<7> vote;
+    Bit firm = false;
+    U<6> grey;
+    Bit exists = false;
     Marks marks;
   };
   struct Config {
     u<3> smooth;  // 4 grey levels
   };
   struct Out {
-    s<8> vote;
-    bool firm = false;
-    u<6> grey;
-    bool exists = false;
+    S<8> vote;
+    Bit firm = false;
+    U<6> grey;
+    Bit exists = false;
     Marks marks;
   };
 
@@ -41,8 +48,8 @@ class VoteSpread {
     // A pixel is known to join its right neighbour one beat later.
     const bool row_start = in.marks.first || row_ended_;
     row_ended_ = in.marks.last;
-    const u<7> difference = abs(s<7>(in.grey - last_.grey));
-    const bool joined = !row_start && in.exists && last_.exists && difference <= config.smooth;
+    const U<7> difference = abs(S<7>(in.grey - last_.grey));
+    const Bit joined = !row_start && in.exists && last_.exists && difference <= config.smooth;
     Arms arms{Sum(last_.vote), Sum(last_.vote), joined};
     last_ = in;
 
@@ -54,11 +61,11 @@ class VoteSpread {
 
     const In centre = centres_.oldest();
     centres_.push(in);
-    const s<12> sum(arms.left + arms.right - centre.vote);
-    const s<10> quarter = shr<2>(sum);
+    const S<12> sum(arms.left + arms.right - centre.vote);
+    const S<10> quarter = shr<2>(sum);
     Out out;
-    out.vote = quarter > lit<127>() ? s<8>(127) : quarter < lit<-127>() ? s<8>(-127) : s<8>(quarter);
-    if (!centre.exists) out.vote = s<8>(0);
+    out.vote = select(quarter > lit<127>(), S<8>(127), select(quarter < lit<-127>(), S<8>(-127), S<8>(quarter)));
+    out.vote = select(centre.exists, out.vote, S<8>(0));
     out.firm = centre.firm;
     out.grey = centre.grey;
     out.exists = centre.exists;
@@ -67,11 +74,11 @@ class VoteSpread {
   }
 
  private:
-  using Sum = s<11>;  // 34 · Σ ρ^i < 512, and floors
+  using Sum = S<11>;  // 34 · Σ ρ^i < 512, and floors
 
   struct Arms {
-    Sum left, right;      // of the pixel itself and those to its left, to its right
-    bool joined = false;  // from the pixel to the first beyond its right arm, all are alike
+    Sum left, right;     // of the pixel itself and those to its left, to its right
+    Bit joined = false;  // from the pixel to the first beyond its right arm, all are alike
   };
 
   /// value · ρ^DISTANCE, rounded to a shift and a subtraction.
@@ -91,8 +98,8 @@ class VoteSpread {
     const Arms left = line.oldest();
     line.push(right);
     Arms result = centre;
-    if (left.joined) result.left = Sum(centre.left + faded<DISTANCE>(left.left));
-    if (centre.joined) result.right = Sum(centre.right + faded<DISTANCE>(right.right));
+    result.left = select(left.joined, Sum(centre.left + faded<DISTANCE>(left.left)), centre.left);
+    result.right = select(centre.joined, Sum(centre.right + faded<DISTANCE>(right.right)), centre.right);
     result.joined = centre.joined && right.joined;
     return result;
   }
@@ -107,7 +114,7 @@ class VoteSpread {
   DelayLine<In, delay> centres_;
 };
 
-template <Profile P>
-using Spread = VoteSpread;
+template <Profile P, class V = Scalar>
+using Spread = VoteSpread<V>;
 
 }  // namespace horopter::stages

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames per second of the native engine on one core, for frames of noise (every branch is unpredictable).
+// Frames per second of the native engine, for frames of noise (every branch is unpredictable): for each profile and rule,
+// with all instructions that this processor has, and one or two threads. `horopter evaluate` compares it with OpenCV.
 #include <benchmark/benchmark.h>
 
 #include <cstdint>
@@ -20,8 +21,9 @@ std::vector<std::uint32_t> shifted_table(int width, int height) {
   });
 }
 
-void process(benchmark::State& state, const std::string& name) {
-  const auto engine = native::make_engine(name);
+void process(benchmark::State& state, const std::string& name, hls::Rule rule, native::Instructions instructions,
+             int threads) {
+  const auto engine = native::make_engine(name, threads, instructions);
   const hls::Profile& profile = engine->profile();
   std::mt19937 random(7);
   const std::size_t pixels = static_cast<std::size_t>(profile.width) * static_cast<std::size_t>(profile.height);
@@ -31,7 +33,8 @@ void process(benchmark::State& state, const std::string& name) {
   for (auto& pixel : right) pixel = static_cast<std::uint8_t>(random());
   const auto words = shifted_table(profile.width, profile.height);
   const native::TableView table(words);
-  const auto settings = native::Settings::defaults(profile, profile.width, profile.height);
+  auto settings = native::Settings::defaults(profile, profile.width, profile.height);
+  settings.compete = rule == hls::Rule::compete ? 1 : 0;
   const auto view = [&](const std::vector<std::uint8_t>& image) {
     return native::ImageView{image.data(), profile.width, profile.height, profile.width};
   };
@@ -47,9 +50,19 @@ void process(benchmark::State& state, const std::string& name) {
 int main(int argc, char** argv) {
   for (const auto& named : hls::named_profiles) {
     const std::string name(named.name);
-    benchmark::RegisterBenchmark(("native/" + name).c_str(), [name](benchmark::State& state) {
-      process(state, name);
-    })->Unit(benchmark::kMillisecond);
+    for (const hls::Rule rule : {hls::Rule::thesis, hls::Rule::compete}) {
+      if (!named.profile.has(rule)) continue;
+      for (const native::Instructions instructions : native::available_instructions()) {
+        for (const int threads : {1, 2}) {
+          const std::string title = "native/" + name + (rule == hls::Rule::compete ? "/compete/" : "/thesis/") +
+                                    std::string(native::name_of(instructions)) + "/threads:" + std::to_string(threads);
+          benchmark::RegisterBenchmark(
+              title.c_str(), [=](benchmark::State& state) { process(state, name, rule, instructions, threads); })
+              ->Unit(benchmark::kMillisecond)
+              ->UseRealTime();
+        }
+      }
+    }
   }
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();

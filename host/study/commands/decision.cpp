@@ -118,7 +118,7 @@ class Variation {
   }
 
   /// What a pixel's own row says waits as long as for the ballot, for which `align` is made.
-  void wait(const stages::VoteSpread::Out& spread) {
+  void wait(const stages::VoteSpread<>::Out& spread) {
     const int sum = static_cast<int>(spread.vote.value());
     waiting_.push_back(
         {sum >= quorum_, sum <= -clear_quorum_ || (sum < 0 && spread.firm), spread.exists, stages::Marks{}});

@@ -162,16 +162,16 @@ module horopter_agreement (
   // hls/stages/census.hpp:40
   logic or_321;
   assign or_321 = sample_pair_first_q | raster_at_live_q;
-  // hls/stages/agreement.hpp:178
+  // hls/stages/agreement.hpp:181
   logic and_327;
   assign and_327 = (~((~or_321) | (~select_314[0]))) & (select_320 < 8'hbd);
   // hls/stages/census.hpp:40
   logic [2:0] select_332;
   assign select_332 = sample_pair_first_q ? 3'h0 : raster_at_y_q;
-  // hls/stages/agreement.hpp:178
+  // hls/stages/agreement.hpp:181
   logic whole;
   assign whole = select_314[0] ? (sample_present_q & averager_running_mask_q) : sample_present_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic [5:0] column;
   assign column = sample_pair_whole_q ? select_316 : 6'h0;
   // hls/stages/census.hpp:45
@@ -183,25 +183,25 @@ module horopter_agreement (
   // hls/stages/census.hpp:105
   logic and_351;
   assign and_351 = equal_350 & and_327;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic and_353;
   assign and_353 = sample_pair_whole_q & (equal_349 & and_351);
-  // hls/stages/agreement.hpp:349
+  // hls/stages/agreement.hpp:352
   logic equal_372;
   assign equal_372 = run_phase_q == 3'h3;
-  // hls/stages/agreement.hpp:336
+  // hls/stages/agreement.hpp:339
   logic not_373;
   assign not_373 = ~equal_372;
-  // hls/stages/agreement.hpp:349
+  // hls/stages/agreement.hpp:352
   logic equal_374;
   assign equal_374 = run_phase_q == 3'h2;
-  // hls/stages/agreement.hpp:407
+  // hls/stages/agreement.hpp:410
   logic less_375;
   assign less_375 = run_highest_q < x_q;
-  // hls/stages/agreement.hpp:411
+  // hls/stages/agreement.hpp:414
   logic not_376;
   assign not_376 = ~less_375;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_377;
   assign and_377 = equal_374 & not_376;
   logic and_378;
@@ -209,25 +209,25 @@ module horopter_agreement (
   // hls/stages/census.hpp:40
   logic [5:0] select_405;
   assign select_405 = sample_pair_first_q ? 6'h0 : raster_at_row_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic [5:0] row;
   assign row = sample_pair_whole_q ? select_405 : 6'h0;
-  // hls/stages/agreement.hpp:669
+  // hls/stages/agreement.hpp:675
   logic drew;
   assign drew = run_phase_q == 3'h4;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_463;
   assign and_463 = drew & not_376;
-  // hls/stages/agreement.hpp:426
+  // hls/stages/agreement.hpp:429
   logic [7:0] x;
   assign x = x_q + 8'hfd;
   // hls/stages/agreement.hpp:125
   logic and_981;
   assign and_981 = right_q & (~marks_first_i);
-  // hls/stages/agreement.hpp:617
+  // hls/stages/agreement.hpp:623
   logic [6:0] sum_1056;
   assign sum_1056 = {1'b0, run_highest_q[7:2]} + 7'h1;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic [2:0] select_1072;
   assign select_1072 = sample_pair_whole_q ? (sample_last_q ? (select_332 + 3'h1) : select_332) : raster_at_y_q;
   logic [5:0] select_1074;
@@ -239,13 +239,13 @@ module horopter_agreement (
   // hls/stages/census.hpp:44
   logic [8:0] select_1083;
   assign select_1083 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic select_1087;
   assign select_1087 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
-  // hls/stages/agreement.hpp:260
+  // hls/stages/agreement.hpp:263
   logic equal_1259;
   assign equal_1259 = {last[7:6], column} == {2'h0, last[5:0]};
-  // hls/stages/agreement.hpp:176
+  // hls/stages/agreement.hpp:179
   logic [2:0] select_1260;
   assign select_1260 = ends_q ? following_phase_q : run_phase_q;
   logic [7:0] select_1263;
@@ -258,13 +258,13 @@ module horopter_agreement (
   assign select_1272 = ends_q ? following_shift_q : run_shift_q;
   logic select_1275;
   assign select_1275 = ends_q ? following_last_shift_q : run_last_shift_q;
-  // hls/stages/agreement.hpp:261
+  // hls/stages/agreement.hpp:264
   logic not_1276;
   assign not_1276 = ~equal_1259;
-  // hls/stages/agreement.hpp:341
+  // hls/stages/agreement.hpp:344
   logic not_1279;
   assign not_1279 = ~run_last_shift_q;
-  // hls/stages/agreement.hpp:349
+  // hls/stages/agreement.hpp:352
   logic equal_1280;
   assign equal_1280 = run_phase_q == 3'h1;
   // hls/stages/agreement.hpp:155
@@ -292,49 +292,49 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:155
   logic select_1309;
   assign select_1309 = equal_372 ? (next_last_shift_q & not_1279) : (equal_374 & (least_q == 6'h0));
-  // hls/stages/agreement.hpp:176
+  // hls/stages/agreement.hpp:179
   logic [7:0] select_1312;
   assign select_1312 = ends_q ? following_lowest_q : (x_q + 8'h1);
   logic [7:0] select_1316;
   assign select_1316 = ends_q ? following_beats_q : (beats_left_q + 8'hff);
-  // hls/stages/agreement.hpp:267
+  // hls/stages/agreement.hpp:270
   logic less_1323;
   assign less_1323 = 5'he < column[5:1];
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [5:0] select_1326;
   assign select_1326 = and_353 ? (equal_1259 ? (less_1323 ? 6'h1e : column) : least_q) : least_q;
-  // hls/stages/agreement.hpp:261
+  // hls/stages/agreement.hpp:264
   logic [7:0] select_1329;
   assign select_1329 = equal_1259 ? (less_1323 ? {sum_1327, cfg_width_i[6:3]} : 8'hf) : first_beats_q;
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [6:0] select_1333;
   assign select_1333 = and_353 ? (equal_1259 ? {sum_1331, cfg_width_i[3]} : whole_beats_q) : whole_beats_q;
-  // hls/stages/agreement.hpp:317
+  // hls/stages/agreement.hpp:320
   logic not_1334;
   assign not_1334 = ~ends_q;
-  // hls/stages/agreement.hpp:176
+  // hls/stages/agreement.hpp:179
   logic [5:0] select_1335;
   assign select_1335 = ends_q ? 6'h0 : age_q[5:0];
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [6:0] select_1337;
   assign select_1337 = and_353 ? (equal_1259 ? 7'h0 : {select_1335, not_1334}) : {select_1335, not_1334};
-  // hls/stages/agreement.hpp:176
+  // hls/stages/agreement.hpp:179
   logic and_1339;
   assign and_1339 = not_1334 & (beats_left_q == 8'h1);
-  // hls/stages/agreement.hpp:277
+  // hls/stages/agreement.hpp:280
   logic [6:0] sum_1342;
   assign sum_1342 = {1'b0, row} + 7'h1;
-  // hls/stages/agreement.hpp:261
+  // hls/stages/agreement.hpp:264
   logic select_1344;
   assign select_1344 = equal_1259 ? ({sum_1342[6], cfg_height_i[8:3]} == {1'b0, sum_1342[5:0]}) : final_row_q;
-  // hls/stages/agreement.hpp:532
+  // hls/stages/agreement.hpp:538
   logic [4:0] sum_1489;
   assign sum_1489 = {1'b0, last_q[5:2]} + 5'h1;
   // hls/stages/agreement.hpp:148
   logic not_1845;
   assign not_1845 = ~run_shift_q[5];
 
-  // Memory fresh, 47 x 29, DISTANCE 12, hls/stages/agreement.hpp:796; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
+  // Memory fresh, 47 x 29, DISTANCE 12, hls/stages/agreement.hpp:802; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [28:0] fresh_mem [0:46];
@@ -350,7 +350,7 @@ module horopter_agreement (
     if (fresh_re) fresh_rdata_q <= fresh_mem[fresh_raddr];
   end
 
-  // Memory left, 47 x 77, DISTANCE 12, hls/stages/agreement.hpp:797; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory left, 47 x 77, DISTANCE 12, hls/stages/agreement.hpp:803; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [76:0] left_mem [0:46];
@@ -366,7 +366,7 @@ module horopter_agreement (
     if (left_re) left_rdata_q <= left_mem[left_raddr];
   end
 
-  // Memory right_codes, 47 x 91, DISTANCE 12, hls/stages/agreement.hpp:798; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory right_codes, 47 x 91, DISTANCE 12, hls/stages/agreement.hpp:804; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [90:0] right_codes_mem [0:46];
@@ -559,7 +559,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:98
   logic and_328;
   assign and_328 = sample_pair_whole_s1_q & and_327_s1_q;
-  // hls/stages/agreement.hpp:382
+  // hls/stages/agreement.hpp:385
   logic equal_467;
   assign equal_467 = row_q == 6'h0;
   logic [11:0] select_468;
@@ -610,7 +610,7 @@ module horopter_agreement (
   assign not_490 = ~equal_488;
   logic and_491;
   assign and_491 = left_rdata_q[60] & not_490;
-  // hls/stages/agreement.hpp:383
+  // hls/stages/agreement.hpp:386
   logic [11:0] select_496;
   assign select_496 = equal_467 ? 12'h0 : right_codes_rdata_q[11:0];
   logic and_497;
@@ -639,22 +639,22 @@ module horopter_agreement (
   assign select_509 = less_508 ? 12'h0 : right_codes_rdata_q[76:65];
   logic and_511;
   assign and_511 = right_codes_rdata_q[77] & (~less_508);
-  // hls/stages/agreement.hpp:334
+  // hls/stages/agreement.hpp:337
   logic not_518;
   assign not_518 = ~equal_374_s1_q;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_519;
   assign and_519 = not_518 & and_463_s1_q;
   logic select_520;
   assign select_520 = equal_372_s1_q ? and_517_s1_q : and_519;
-  // hls/stages/agreement.hpp:164
+  // hls/stages/agreement.hpp:167
   logic and_529;
   assign and_529 = left_rdata_q[44] & not_376_s1_q;
   logic [11:0] a;
   assign a = less_375_s1_q ? 12'h0 : left_rdata_q[43:32];
   logic [11:0] b;
   assign b = less_375_s1_q ? 12'h0 : right_codes_rdata_q[37:26];
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [11:0] not_535;
   assign not_535 = ~(a ^ b);
   logic [1:0] sum_537;
@@ -665,12 +665,12 @@ module horopter_agreement (
   assign sum_541 = {2'h0, not_535[6]} + sum_540;
   logic [3:0] sum_544;
   assign sum_544 = {3'h0, not_535[9]} + ({3'h0, not_535[8]} + ({3'h0, not_535[7]} + {1'b0, sum_541}));
-  // hls/stages/agreement.hpp:164
+  // hls/stages/agreement.hpp:167
   logic [11:0] a_2;
   assign a_2 = less_375_s1_q ? 12'h0 : left_rdata_q[59:48];
   logic [11:0] b_2;
   assign b_2 = less_375_s1_q ? 12'h0 : right_codes_rdata_q[50:39];
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [11:0] not_554;
   assign not_554 = ~(a_2 ^ b_2);
   logic [1:0] sum_556;
@@ -681,14 +681,14 @@ module horopter_agreement (
   assign sum_560 = {2'h0, not_554[6]} + sum_559;
   logic [3:0] sum_563;
   assign sum_563 = {3'h0, not_554[9]} + ({3'h0, not_554[8]} + ({3'h0, not_554[7]} + {1'b0, sum_560}));
-  // hls/stages/agreement.hpp:164
+  // hls/stages/agreement.hpp:167
   logic and_568;
   assign and_568 = left_rdata_q[76] & not_376_s1_q;
   logic [11:0] a_3;
   assign a_3 = less_375_s1_q ? 12'h0 : left_rdata_q[75:64];
   logic [11:0] b_3;
   assign b_3 = less_375_s1_q ? 12'h0 : right_codes_rdata_q[63:52];
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [11:0] not_574;
   assign not_574 = ~(a_3 ^ b_3);
   logic [1:0] sum_576;
@@ -719,10 +719,10 @@ module horopter_agreement (
   assign sum_616 = {2'h0, not_610[6]} + sum_615;
   logic [3:0] sum_619;
   assign sum_619 = {3'h0, not_610[9]} + ({3'h0, not_610[8]} + ({3'h0, not_610[7]} + {1'b0, sum_616}));
-  // hls/stages/agreement.hpp:164
+  // hls/stages/agreement.hpp:167
   logic [11:0] b_4;
   assign b_4 = less_375_s1_q ? 12'h0 : right_codes_rdata_q[76:65];
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [11:0] not_628;
   assign not_628 = ~(a_3 ^ b_4);
   logic [1:0] sum_630;
@@ -733,10 +733,10 @@ module horopter_agreement (
   assign sum_634 = {2'h0, not_628[6]} + sum_633;
   logic [3:0] sum_637;
   assign sum_637 = {3'h0, not_628[9]} + ({3'h0, not_628[8]} + ({3'h0, not_628[7]} + {1'b0, sum_634}));
-  // hls/stages/agreement.hpp:164
+  // hls/stages/agreement.hpp:167
   logic [11:0] b_5;
   assign b_5 = less_375_s1_q ? 12'h0 : right_codes_rdata_q[24:13];
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [11:0] not_652;
   assign not_652 = ~(a ^ b_5);
   logic [1:0] sum_654;
@@ -787,10 +787,10 @@ module horopter_agreement (
   assign sum_728 = {2'h0, not_722[6]} + sum_727;
   logic [3:0] sum_731;
   assign sum_731 = {3'h0, not_722[9]} + ({3'h0, not_722[8]} + ({3'h0, not_722[7]} + {1'b0, sum_728}));
-  // hls/stages/agreement.hpp:164
+  // hls/stages/agreement.hpp:167
   logic [11:0] b_6;
   assign b_6 = less_375_s1_q ? 12'h0 : right_codes_rdata_q[89:78];
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [11:0] not_740;
   assign not_740 = ~(a_3 ^ b_6);
   logic [1:0] sum_742;
@@ -801,10 +801,10 @@ module horopter_agreement (
   assign sum_746 = {2'h0, not_740[6]} + sum_745;
   logic [3:0] sum_749;
   assign sum_749 = {3'h0, not_740[9]} + ({3'h0, not_740[8]} + ({3'h0, not_740[7]} + {1'b0, sum_746}));
-  // hls/stages/agreement.hpp:164
+  // hls/stages/agreement.hpp:167
   logic [11:0] b_7;
   assign b_7 = less_375_s1_q ? 12'h0 : right_codes_rdata_q[11:0];
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [11:0] not_769;
   assign not_769 = ~(a ^ b_7);
   logic [1:0] sum_771;
@@ -835,13 +835,13 @@ module horopter_agreement (
   assign sum_806 = {2'h0, not_800[6]} + sum_805;
   logic [3:0] sum_809;
   assign sum_809 = {3'h0, not_800[9]} + ({3'h0, not_800[8]} + ({3'h0, not_800[7]} + {1'b0, sum_806}));
-  // hls/stages/agreement.hpp:523
+  // hls/stages/agreement.hpp:529
   logic not_926;
   assign not_926 = ~(row_q[5:3] == 3'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_1060;
   assign and_1060 = drew_s1_q & (((6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0))) & not_1058_s1_q);
-  // hls/stages/agreement.hpp:261
+  // hls/stages/agreement.hpp:264
   logic select_1349;
   assign select_1349 = equal_1259_s1_q ? (~({row_s1_q, 1'b0} < {sum_1346, cfg_height_i[3]})) : lower_half_q;
 
@@ -861,7 +861,7 @@ module horopter_agreement (
     if (averager_memory_re) averager_memory_rdata_q <= averager_memory_mem[averager_memory_raddr];
   end
 
-  // Memory best_left, 47 x 22, DISTANCE 12, hls/stages/agreement.hpp:799; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
+  // Memory best_left, 47 x 22, DISTANCE 12, hls/stages/agreement.hpp:805; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [21:0] best_left_mem [0:46];
@@ -1186,7 +1186,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:101
   logic and_343;
   assign and_343 = whole_s2_q & (averager_memory_rdata_q[24] | equal_333_s2_q);
-  // hls/stages/agreement.hpp:178
+  // hls/stages/agreement.hpp:181
   logic all_of_skin;
   assign all_of_skin = select_314_s2_q ? (sample_of_skin_q & averager_running_of_skin_q) : sample_of_skin_q;
   // hls/stages/census.hpp:102
@@ -1202,7 +1202,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:105
   logic select_366;
   assign select_366 = equal_356_s2_q ? and_364 : (averager_mask_q & and_364);
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic whole_2;
   assign whole_2 = sample_pair_whole_s2_q & select_366;
   // hls/stages/census.hpp:126
@@ -1211,128 +1211,128 @@ module horopter_agreement (
   // hls/stages/census.hpp:105
   logic select_370;
   assign select_370 = equal_356_s2_q ? and_368 : (averager_of_skin_q & and_368);
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [3:0] column_2;
   assign column_2 = (and_529_s2_q & and_530_s2_q) ? ({3'h0, not_535_s2_q} + sum_545_s2_q) : 4'h0;
   logic [3:0] select_566;
   assign select_566 = (and_548_s2_q & and_549_s2_q) ? ({3'h0, not_554_s2_q} + sum_564_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:420
+  // hls/stages/agreement.hpp:423
   logic [4:0] column_3;
   assign column_3 = {1'b0, column_2} + {1'b0, select_566};
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [3:0] select_586;
   assign select_586 = (and_568_s2_q & and_569_s2_q) ? ({3'h0, not_574_s2_q} + sum_584_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:420
+  // hls/stages/agreement.hpp:423
   logic [5:0] column_4;
   assign column_4 = {1'b0, column_3} + {2'h0, select_586};
-  // hls/stages/agreement.hpp:422
+  // hls/stages/agreement.hpp:425
   logic [7:0] difference_589;
   assign difference_589 = {2'h0, column_4} - (age_s2_q[1] ? sums_2_columns_values_6_q : 8'h0);
   logic [7:0] sum_592;
   assign sum_592 = difference_589 + (equal_590_s2_q ? 8'h0 : sums_2_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [3:0] column_5;
   assign column_5 = (and_529_s2_q & and_549_s2_q) ? ({3'h0, not_595_s2_q} + sum_605_s2_q) : 4'h0;
   logic [3:0] select_622;
   assign select_622 = (and_548_s2_q & and_569_s2_q) ? ({3'h0, not_610_s2_q} + sum_620_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:420
+  // hls/stages/agreement.hpp:423
   logic [4:0] column_6;
   assign column_6 = {1'b0, column_5} + {1'b0, select_622};
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [3:0] select_640;
   assign select_640 = (and_568_s2_q & and_624_s2_q) ? ({3'h0, not_628_s2_q} + sum_638_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:420
+  // hls/stages/agreement.hpp:423
   logic [5:0] column_7;
   assign column_7 = {1'b0, column_6} + {2'h0, select_640};
-  // hls/stages/agreement.hpp:422
+  // hls/stages/agreement.hpp:425
   logic [7:0] difference_643;
   assign difference_643 = {2'h0, column_7} - (age_s2_q[1] ? sums_1_columns_values_6_q : 8'h0);
   logic [7:0] sum_645;
   assign sum_645 = difference_643 + (equal_590_s2_q ? 8'h0 : sums_1_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:435
+  // hls/stages/agreement.hpp:438
   logic less_646;
   assign less_646 = sum_592 < sum_645;
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [3:0] column_8;
   assign column_8 = (and_529_s2_q & and_648_s2_q) ? ({3'h0, not_652_s2_q} + sum_662_s2_q) : 4'h0;
   logic [3:0] select_679;
   assign select_679 = (and_548_s2_q & and_530_s2_q) ? ({3'h0, not_667_s2_q} + sum_677_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:420
+  // hls/stages/agreement.hpp:423
   logic [4:0] column_9;
   assign column_9 = {1'b0, column_8} + {1'b0, select_679};
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [3:0] select_695;
   assign select_695 = (and_568_s2_q & and_549_s2_q) ? ({3'h0, not_683_s2_q} + sum_693_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:420
+  // hls/stages/agreement.hpp:423
   logic [5:0] column_10;
   assign column_10 = {1'b0, column_9} + {2'h0, select_695};
-  // hls/stages/agreement.hpp:422
+  // hls/stages/agreement.hpp:425
   logic [7:0] difference_698;
   assign difference_698 = {2'h0, column_10} - (age_s2_q[1] ? sums_3_columns_values_6_q : 8'h0);
   logic [7:0] sum_700;
   assign sum_700 = difference_698 + (equal_590_s2_q ? 8'h0 : sums_3_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:435
+  // hls/stages/agreement.hpp:438
   logic not_702;
   assign not_702 = ~less_646;
   logic [1:0] best;
   assign best = ((less_646 ? sum_645 : sum_592) < sum_700) ? 2'h3 : {not_702, less_646};
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [3:0] column_11;
   assign column_11 = (and_529_s2_q & and_569_s2_q) ? ({3'h0, not_707_s2_q} + sum_717_s2_q) : 4'h0;
   logic [3:0] select_734;
   assign select_734 = (and_548_s2_q & and_624_s2_q) ? ({3'h0, not_722_s2_q} + sum_732_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:420
+  // hls/stages/agreement.hpp:423
   logic [4:0] column_12;
   assign column_12 = {1'b0, column_11} + {1'b0, select_734};
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [3:0] select_752;
   assign select_752 = and_737_s2_q ? ({3'h0, not_740_s2_q} + sum_750_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:420
+  // hls/stages/agreement.hpp:423
   logic [5:0] column_13;
   assign column_13 = {1'b0, column_12} + {2'h0, select_752};
-  // hls/stages/agreement.hpp:422
+  // hls/stages/agreement.hpp:425
   logic [7:0] difference_755;
   assign difference_755 = {2'h0, column_13} - (age_s2_q[1] ? sums_0_columns_values_6_q : 8'h0);
   logic [7:0] sum_757;
   assign sum_757 = difference_755 + (equal_590_s2_q ? 8'h0 : sums_0_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:435
+  // hls/stages/agreement.hpp:438
   logic [7:0] select_759;
   assign select_759 = best[1] ? (best[0] ? sum_700 : sum_592) : (best[0] ? sum_645 : sum_757);
   logic [1:0] best_2;
   assign best_2 = (select_759 < sum_757) ? 2'h0 : best;
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [3:0] column_14;
   assign column_14 = and_766_s2_q ? ({3'h0, not_769_s2_q} + sum_779_s2_q) : 4'h0;
   logic [3:0] select_796;
   assign select_796 = (and_548_s2_q & and_648_s2_q) ? ({3'h0, not_784_s2_q} + sum_794_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:420
+  // hls/stages/agreement.hpp:423
   logic [4:0] column_15;
   assign column_15 = {1'b0, column_14} + {1'b0, select_796};
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [3:0] select_812;
   assign select_812 = (and_568_s2_q & and_530_s2_q) ? ({3'h0, not_800_s2_q} + sum_810_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:420
+  // hls/stages/agreement.hpp:423
   logic [5:0] column_16;
   assign column_16 = {1'b0, column_15} + {2'h0, select_812};
-  // hls/stages/agreement.hpp:422
+  // hls/stages/agreement.hpp:425
   logic [7:0] difference_815;
   assign difference_815 = {2'h0, column_16} - (age_s2_q[1] ? sums_4_columns_values_6_q : 8'h0);
   logic [7:0] sum_817;
   assign sum_817 = difference_815 + (equal_590_s2_q ? 8'h0 : sums_4_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:447
+  // hls/stages/agreement.hpp:450
   logic [5:0] partner;
   assign partner = run_shift_s2_q + x_s2_2_q[5:0];
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [5:0] select_888;
   assign select_888 = equal_372_s2_q ? partner : (x_s2_q[5:0] + best_left_rdata_q[13:8]);
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic select_1120;
   assign select_1120 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
   logic select_1122;
   assign select_1122 = sample_pair_whole_s2_q ? (and_351_s2_q ? select_366 : averager_mask_q) : averager_mask_q;
   logic select_1124;
   assign select_1124 = sample_pair_whole_s2_q ? (and_351_s2_q ? select_370 : averager_of_skin_q) : averager_of_skin_q;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [7:0] select_1352;
   assign select_1352 = equal_372_s2_q ? sums_0_columns_values_0_q : sums_0_columns_values_1_q;
   logic [7:0] select_1353;
@@ -1450,13 +1450,13 @@ module horopter_agreement (
   // hls/stages/registration.hpp:57
   logic [23:0] select_1753;
   assign select_1753 = equal_1752_s2_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : registration_next_slope_row_q;
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [23:0] select_1755;
   assign select_1755 = and_353_s2_q ? (equal_1259_s2_q ? select_1753 : registration_slope_row_q) : registration_slope_row_q;
   // hls/stages/registration.hpp:58
   logic [27:0] select_1756;
   assign select_1756 = equal_1752_s2_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : registration_next_slope_change_q;
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [27:0] select_1758;
   assign select_1758 = and_353_s2_q ? (equal_1259_s2_q ? select_1756 : registration_slope_change_q) : registration_slope_change_q;
   // hls/stages/registration.hpp:48
@@ -1485,7 +1485,7 @@ module horopter_agreement (
     if (census_memory_re) census_memory_rdata_q <= census_memory_mem[census_memory_raddr];
   end
 
-  // Memory best_right, 47 x 15, DISTANCE 12, hls/stages/agreement.hpp:800; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory best_right, 47 x 15, DISTANCE 12, hls/stages/agreement.hpp:806; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [14:0] best_right_mem [0:46];
@@ -1501,7 +1501,7 @@ module horopter_agreement (
     if (best_right_re) best_right_rdata_q <= best_right_mem[best_right_raddr];
   end
 
-  // Memory seen_columns, 47 x 14, DISTANCE 12, hls/stages/agreement.hpp:828; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory seen_columns, 47 x 14, DISTANCE 12, hls/stages/agreement.hpp:837; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [13:0] seen_columns_mem [0:46];
@@ -1904,13 +1904,13 @@ module horopter_agreement (
   // hls/stages/census.hpp:127
   logic [10:0] total;
   assign total = {2'h0, grey_s3_q} + (equal_356_s3_q ? 11'h0 : averager_total_0_q);
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic [8:0] select_359;
   assign select_359 = sample_pair_whole_s3_q ? total[10:2] : 9'h0;
   // hls/stages/census.hpp:127
   logic [10:0] total_2;
   assign total_2 = {2'h0, grey_2_s3_q} + (equal_356_s3_q ? 11'h0 : averager_total_1_q);
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic [8:0] select_363;
   assign select_363 = sample_pair_whole_s3_q ? total_2[10:2] : 9'h0;
   // hls/stages/census.hpp:214
@@ -1963,12 +1963,12 @@ module horopter_agreement (
   assign less_402 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
   logic less_403;
   assign less_403 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
-  // hls/stages/agreement.hpp:256
+  // hls/stages/agreement.hpp:259
   logic equal_404;
   assign equal_404 = column_s3_q == 6'h0;
   logic [3:0] select_408;
   assign select_408 = equal_407_s3_q ? 4'h0 : rows_passed_above_q[3:0];
-  // hls/stages/agreement.hpp:257
+  // hls/stages/agreement.hpp:260
   logic [4:0] select_409;
   assign select_409 = equal_404 ? {select_408, 1'b1} : rows_passed_above_q;
   // hls/stages/census.hpp:196
@@ -1982,7 +1982,7 @@ module horopter_agreement (
   assign and_413 = census_memory_rdata_q[38] & (census_memory_rdata_q[18] & whole_2_s3_q);
   logic and_415;
   assign and_415 = census_memory_rdata_q[77] & (census_memory_rdata_q[58] & and_413);
-  // hls/stages/agreement.hpp:257
+  // hls/stages/agreement.hpp:260
   logic whole_3;
   assign whole_3 = census_columns_values_0_cell_0_mask_q & and_415;
   logic whole_4;
@@ -2058,34 +2058,34 @@ module horopter_agreement (
   assign sum_455 = {9'h0, difference_453[9]} + {1'b0, xor_454};
   logic [11:0] texture;
   assign texture = ({1'b0, sum_448} + {2'h0, sum_451}) + {2'h0, sum_455};
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:430
   logic not_525;
   assign not_525 = ~($signed(run_shift_s3_q) < $signed($unsigned(cfg_shift_lowest_i)));
   logic less_526;
   assign less_526 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s3_q);
-  // hls/stages/agreement.hpp:435
+  // hls/stages/agreement.hpp:438
   logic [7:0] select_764;
   assign select_764 = best_2_s3_q[1] ? (best_2_s3_q[0] ? sum_700_s3_q : sum_592_s3_q) : (best_2_s3_q[0] ? sum_645_s3_q : sum_757_s3_q);
   logic less_818;
   assign less_818 = select_764 < sum_817_s3_q;
   logic [1:0] select_819;
   assign select_819 = less_818 ? 2'h0 : best_2_s3_q;
-  // hls/stages/agreement.hpp:437
+  // hls/stages/agreement.hpp:440
   logic [7:0] select_822;
   assign select_822 = select_819[1] ? (select_819[0] ? sum_700_s3_q : sum_592_s3_q) : (select_819[0] ? sum_645_s3_q : sum_757_s3_q);
   logic [7:0] of_best;
   assign of_best = less_818 ? sum_817_s3_q : select_822;
   logic [7:0] of_best_2;
   assign of_best_2 = (not_525 & (~less_526)) ? of_best : 8'h0;
-  // hls/stages/agreement.hpp:439
+  // hls/stages/agreement.hpp:442
   logic less_825;
   assign less_825 = $signed(run_shift_s3_q) < $signed(6'h1);
-  // hls/stages/agreement.hpp:442
+  // hls/stages/agreement.hpp:445
   logic less_826;
   assign less_826 = best_left_rdata_s3_q[7:0] < of_best_2;
   logic or_828;
   assign or_828 = less_826 | equal_827_s3_q;
-  // hls/stages/agreement.hpp:445
+  // hls/stages/agreement.hpp:448
   logic [7:0] select_831;
   assign select_831 = less_825 ? (or_828 ? of_best_2 : best_left_rdata_s3_q[7:0]) : (less_826 ? of_best_2 : best_left_rdata_s3_q[7:0]);
   logic [5:0] select_835;
@@ -2127,12 +2127,12 @@ module horopter_agreement (
   assign xor_861 = rise[7:0] ^ {8{rise[8]}};
   logic [8:0] size;
   assign size = {8'h0, rise[8]} + {1'b0, xor_861};
-  // hls/stages/agreement.hpp:449
+  // hls/stages/agreement.hpp:452
   logic less_890;
   assign less_890 = best_right_rdata_q[7:0] < of_best_2;
   logic or_892;
   assign or_892 = less_890 | equal_891_s3_q;
-  // hls/stages/agreement.hpp:450
+  // hls/stages/agreement.hpp:453
   logic [7:0] select_895;
   assign select_895 = less_825 ? (or_892 ? of_best_2 : best_right_rdata_q[7:0]) : (less_890 ? of_best_2 : best_right_rdata_q[7:0]);
   logic [7:0] select_896;
@@ -2144,149 +2144,149 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:142
   logic [7:0] select_901;
   assign select_901 = drew_s3_q ? region_columns_q : 8'h1;
-  // hls/stages/agreement.hpp:558
+  // hls/stages/agreement.hpp:564
   logic or_904;
   assign or_904 = select_901[7] | (~({select_901[5], select_901[3], select_901[1]} == 3'h0));
-  // hls/stages/agreement.hpp:557
+  // hls/stages/agreement.hpp:563
   logic or_907;
   assign or_907 = select_901[7] | (~({select_901[6], select_901[3:2]} == 3'h0));
-  // hls/stages/agreement.hpp:556
+  // hls/stages/agreement.hpp:562
   logic or_910;
   assign or_910 = select_901[7] | (~(select_901[6:4] == 3'h0));
   // hls/stages/division.hpp:18
   logic [5:0] sum_912;
   assign sum_912 = region_across_rest_q[8:3] + 6'h1;
-  // hls/stages/agreement.hpp:566
+  // hls/stages/agreement.hpp:572
   logic or_915;
   assign or_915 = (~sum_912[5]) | equal_914_s3_q;
-  // hls/stages/agreement.hpp:536
+  // hls/stages/agreement.hpp:542
   logic and_916;
   assign and_916 = not_376_s3_q & or_915;
-  // hls/stages/agreement.hpp:635
+  // hls/stages/agreement.hpp:641
   logic equal_918;
   assign equal_918 = x_s3_q[5:4] == 2'h3;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_920;
   assign and_920 = equal_917_s3_q & (~equal_918);
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic textured;
   assign textured = not_376_s3_q & and_928_s3_q;
-  // hls/stages/agreement.hpp:524
+  // hls/stages/agreement.hpp:530
   logic [8:0] way;
   assign way = {2'h0, best_right_rdata_q[14:8]} - {1'b0, x_s3_q};
-  // hls/stages/agreement.hpp:527
+  // hls/stages/agreement.hpp:533
   logic [9:0] sum_937;
   assign sum_937 = {way[8], way} + 10'h1;
   logic and_939;
   assign and_939 = (and_928_s3_q & (8'hb6 < best_left_rdata_s3_q[7:0])) & ({{6{sum_937[9]}}, sum_937} < 16'h3);
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic explained;
   assign explained = not_376_s3_q & and_939;
-  // hls/stages/agreement.hpp:529
+  // hls/stages/agreement.hpp:535
   logic and_947;
   assign and_947 = cfg_nearer_above_i & ($signed(6'h0) < $signed(best_left_rdata_s3_q[13:8]));
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_949;
   assign and_949 = and_939 & ((cfg_nearer_below_i & best_left_rdata_s3_q[13]) | and_947);
   logic and_961;
   assign and_961 = left_rdata_s3_q & not_376_s3_q;
   logic near;
   assign near = not_376_s3_q & and_949;
-  // hls/stages/agreement.hpp:724
+  // hls/stages/agreement.hpp:730
   logic select_963;
   assign select_963 = done_q ? write_half_q : read_half_q;
-  // hls/stages/agreement.hpp:728
+  // hls/stages/agreement.hpp:734
   logic select_964;
   assign select_964 = left_first_s3_q ? select_963 : read_half_q;
   logic or_965;
   assign or_965 = left_first_s3_q | line_ended_q;
-  // hls/stages/agreement.hpp:729
+  // hls/stages/agreement.hpp:735
   logic [8:0] select_966;
   assign select_966 = or_965 ? 9'h0 : columns_passed_q;
-  // hls/stages/agreement.hpp:730
+  // hls/stages/agreement.hpp:736
   logic [9:0] select_968;
   assign select_968 = left_first_s3_q ? 10'h1 : (or_965 ? {rows_passed_q[8:0], 1'b1} : rows_passed_q);
-  // hls/stages/agreement.hpp:733
+  // hls/stages/agreement.hpp:739
   logic and_969;
   assign and_969 = select_966[8] & select_968[9];
-  // hls/stages/agreement.hpp:182
+  // hls/stages/agreement.hpp:185
   logic next_row;
   assign next_row = and_969 & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:744
+  // hls/stages/agreement.hpp:750
   logic [5:0] select_972;
   assign select_972 = next_row ? cfg_width_i[8:3] : 6'h0;
   logic [10:0] select_974;
   assign select_974 = left_first_s3_q ? 11'h0 : (seen_base_q + {5'h0, select_972});
-  // hls/stages/agreement.hpp:754
+  // hls/stages/agreement.hpp:760
   logic equal_975;
   assign equal_975 = seen_x_q == 3'h7;
   logic [7:0] select_977;
   assign select_977 = and_969 ? 8'h0 : (seen_column_q + {7'h0, equal_975});
-  // hls/stages/agreement.hpp:757
+  // hls/stages/agreement.hpp:763
   logic [10:0] index;
   assign index = select_974 + {3'h0, select_977};
-  // hls/stages/agreement.hpp:714
+  // hls/stages/agreement.hpp:720
   logic [11:0] sum_979;
   assign sum_979 = {1'b0, {2{select_964}}, 2'h0, {2{select_964}}, 1'b0, {2{select_964}}, 1'b0, select_964} + {1'b0, index};
-  // hls/stages/agreement.hpp:727
+  // hls/stages/agreement.hpp:733
   logic not_982;
   assign not_982 = ~left_first_s3_q;
-  // hls/stages/agreement.hpp:182
+  // hls/stages/agreement.hpp:185
   logic and_984;
   assign and_984 = not_982 & (began_q | and_969);
-  // hls/stages/agreement.hpp:755
+  // hls/stages/agreement.hpp:761
   logic [2:0] select_986;
   assign select_986 = and_969 ? 3'h0 : (seen_x_q + 3'h1);
-  // hls/stages/agreement.hpp:756
+  // hls/stages/agreement.hpp:762
   logic and_988;
   assign and_988 = and_984 & (select_986 == 3'h0);
   logic less_989;
   assign less_989 = select_977 < {2'h0, cfg_width_i[8:3]};
-  // hls/stages/agreement.hpp:184
+  // hls/stages/agreement.hpp:187
   logic and_990;
   assign and_990 = and_988 & less_989;
   logic and_991;
   assign and_991 = and_981_s3_q & and_990;
-  // hls/stages/agreement.hpp:618
+  // hls/stages/agreement.hpp:624
   logic [7:0] sum_995;
   assign sum_995 = {2'h0, x_s3_q[7:2]} + 8'hff;
   logic [10:0] index_2;
   assign index_2 = {sum_995[7], sum_995, x_s3_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:714
+  // hls/stages/agreement.hpp:720
   logic [11:0] sum_997;
   assign sum_997 = {1'b0, {2{write_half_q}}, 2'h0, {2{write_half_q}}, 1'b0, {2{write_half_q}}, 1'b0, write_half_q} + {1'b0, index_2};
-  // hls/stages/agreement.hpp:536
+  // hls/stages/agreement.hpp:542
   logic [5:0] select_998;
   assign select_998 = less_375_s3_q ? 6'h0 : seen_columns_rdata_q[13:8];
   logic [5:0] select_999;
   assign select_999 = less_375_s3_q ? 6'h0 : {seen_columns_rdata_q[7:6], seen_columns_rdata_q[4:2], seen_columns_rdata_q[0]};
-  // hls/stages/agreement.hpp:594
+  // hls/stages/agreement.hpp:600
   logic [1:0] sum_1001;
   assign sum_1001 = {1'b0, select_999[3]} + ({1'b0, textured} + {1'b0, select_999[0]});
   logic [2:0] textured_2;
   assign textured_2 = {2'h0, select_998[3]} + ({2'h0, select_998[0]} + {1'b0, sum_1001});
-  // hls/stages/agreement.hpp:536
+  // hls/stages/agreement.hpp:542
   logic [7:0] select_1011;
   assign select_1011 = less_375_s3_q ? select_901 : (sum_912[5] ? select_901 : {select_901[6:0], 1'b0});
-  // hls/stages/agreement.hpp:558
+  // hls/stages/agreement.hpp:564
   logic or_1014;
   assign or_1014 = select_1011[7] | (~({select_1011[5], select_1011[3], select_1011[1]} == 3'h0));
-  // hls/stages/agreement.hpp:595
+  // hls/stages/agreement.hpp:601
   logic [1:0] sum_1031;
   assign sum_1031 = {1'b0, select_999[4]} + ({1'b0, explained} + {1'b0, select_999[1]});
   logic [2:0] explained_2;
   assign explained_2 = {2'h0, select_998[4]} + ({2'h0, select_998[1]} + {1'b0, sum_1031});
-  // hls/stages/agreement.hpp:596
+  // hls/stages/agreement.hpp:602
   logic [1:0] sum_1043;
   assign sum_1043 = {1'b0, select_999[5]} + ({1'b0, near} + {1'b0, select_999[2]});
   logic [2:0] near_2;
   assign near_2 = {2'h0, select_998[5]} + ({2'h0, select_998[2]} + {1'b0, sum_1043});
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic [10:0] select_1099;
   assign select_1099 = sample_pair_whole_s3_q ? (and_351_s3_q ? total : averager_total_0_q) : averager_total_0_q;
   logic [10:0] select_1101;
   assign select_1101 = sample_pair_whole_s3_q ? (and_351_s3_q ? total_2 : averager_total_1_q) : averager_total_1_q;
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [8:0] select_1125;
   assign select_1125 = and_353_s3_q ? select_359 : census_columns_values_0_cell_0_left_q;
   logic [8:0] select_1126;
@@ -2441,33 +2441,33 @@ module horopter_agreement (
   assign difference_1238 = {1'b0, select_363} - {1'b0, sharpness_last_mean_1_q};
   logic [8:0] contrast_2;
   assign contrast_2 = {8'h0, difference_1238[9]} + (difference_1238[8:0] ^ {9{difference_1238[9]}});
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic and_1392;
   assign and_1392 = and_353_s3_q & (equal_407_s3_q & equal_1259_s3_q);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_1397;
   assign and_1397 = not_373_s3_q & (not_518_s3_q & (drew_s3_q & (not_376_s3_q & and_1393_s3_q)));
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [8:0] select_1442;
   assign select_1442 = less_375_s3_q ? 9'h0 : (and_928_s3_q ? {and_939, cfg_explained_limit_i} : 9'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [8:0] select_1445;
   assign select_1445 = equal_372_s3_q ? 9'h0 : (equal_374_s3_q ? 9'h0 : (drew_s3_q ? select_1442 : 9'h0));
-  // hls/stages/agreement.hpp:497
+  // hls/stages/agreement.hpp:503
   logic [23:0] sum_1446;
   assign sum_1446 = counts_too_little_explained_q + {{15{select_1445[8]}}, select_1445};
-  // hls/stages/agreement.hpp:531
+  // hls/stages/agreement.hpp:537
   logic [9:0] select_1480;
   assign select_1480 = (left_rdata_s3_q & and_1393_s3_q) ? ({1'b0, and_949, 8'h0} - {2'h0, cfg_hidden_limit_i}) : 10'h0;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [9:0] select_1483;
   assign select_1483 = equal_374_s3_q ? 10'h0 : (drew_s3_q ? (less_375_s3_q ? 10'h0 : select_1480) : 10'h0);
   logic [9:0] select_1484;
   assign select_1484 = equal_372_s3_q ? 10'h0 : select_1483;
-  // hls/stages/agreement.hpp:502
+  // hls/stages/agreement.hpp:508
   logic [23:0] select_1486;
   assign select_1486 = and_1392 ? 24'h0 : (counts_too_much_hidden_q + {{14{select_1484[9]}}, select_1484});
-  // hls/stages/agreement.hpp:531
+  // hls/stages/agreement.hpp:537
   logic and_1488;
   assign and_1488 = and_939 & less_1487_s3_q;
   // hls/stages/registration.hpp:73
@@ -2493,46 +2493,46 @@ module horopter_agreement (
   assign not_1567 = ~equal_1491;
   logic not_1568;
   assign not_1568 = ~equal_1492;
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1573;
   assign and_1573 = not_376_s3_q & (and_1488 & (not_1567 & (not_1568 & (~equal_1493))));
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_1576;
   assign and_1576 = not_373_s3_q & (not_518_s3_q & (drew_s3_q & and_1573));
-  // hls/stages/agreement.hpp:503
+  // hls/stages/agreement.hpp:509
   logic [11:0] select_1578;
   assign select_1578 = and_1392 ? 12'h0 : (registration_counts_measured_0_q + {11'h0, and_1576});
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_1583;
   assign and_1583 = drew_s3_q & (not_376_s3_q & (and_1488 & (not_1567 & (equal_1493 & not_1568))));
   logic and_1585;
   assign and_1585 = not_373_s3_q & (not_518_s3_q & and_1583);
-  // hls/stages/agreement.hpp:503
+  // hls/stages/agreement.hpp:509
   logic [11:0] select_1587;
   assign select_1587 = and_1392 ? 12'h0 : (registration_counts_measured_1_q + {11'h0, and_1585});
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_1591;
   assign and_1591 = drew_s3_q & (not_376_s3_q & (and_1488 & (equal_1492 & not_1567)));
   logic and_1593;
   assign and_1593 = not_373_s3_q & (not_518_s3_q & and_1591);
-  // hls/stages/agreement.hpp:503
+  // hls/stages/agreement.hpp:509
   logic [11:0] select_1595;
   assign select_1595 = and_1392 ? 12'h0 : (registration_counts_measured_2_q + {11'h0, and_1593});
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_1599;
   assign and_1599 = not_518_s3_q & (drew_s3_q & (not_376_s3_q & (and_1488 & equal_1491)));
   logic and_1600;
   assign and_1600 = not_373_s3_q & and_1599;
-  // hls/stages/agreement.hpp:503
+  // hls/stages/agreement.hpp:509
   logic [11:0] select_1602;
   assign select_1602 = and_1392 ? 12'h0 : (registration_counts_measured_3_q + {11'h0, and_1600});
   // hls/stages/registration.hpp:146
   logic less_1603;
   assign less_1603 = $signed(residual[7:0]) < $signed({2'h0, cfg_moved_limit_i});
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1604;
   assign and_1604 = and_1488 & less_1603;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1607;
   assign select_1607 = equal_374_s3_q ? 2'h0 : (drew_s3_q ? (less_375_s3_q ? 2'h0 : {and_1604, and_1488}) : 2'h0);
   logic [1:0] select_1608;
@@ -2545,10 +2545,10 @@ module horopter_agreement (
   assign difference_1611 = 13'h0 - {residual[11], residual};
   logic less_1612;
   assign less_1612 = $signed(difference_1611) < $signed({7'h0, cfg_moved_limit_i});
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1613;
   assign and_1613 = and_1488 & less_1612;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1616;
   assign select_1616 = equal_374_s3_q ? 2'h0 : (drew_s3_q ? (less_375_s3_q ? 2'h0 : {and_1613, and_1488}) : 2'h0);
   logic [1:0] select_1617;
@@ -2562,7 +2562,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:79
   logic and_1621;
   assign and_1621 = less_1603 & not_1620;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1624;
   assign select_1624 = drew_s3_q ? (less_375_s3_q ? 2'h0 : (and_1488 ? {and_1621, not_1620} : 2'h0)) : 2'h0;
   logic [1:0] select_1626;
@@ -2573,7 +2573,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:79
   logic and_1629;
   assign and_1629 = less_1612 & not_1620;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1632;
   assign select_1632 = drew_s3_q ? (less_375_s3_q ? 2'h0 : (and_1488 ? {and_1629, not_1620} : 2'h0)) : 2'h0;
   logic [1:0] select_1634;
@@ -2584,10 +2584,10 @@ module horopter_agreement (
   // hls/stages/registration.hpp:79
   logic and_1637;
   assign and_1637 = less_1490_s3_q & less_1603;
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [1:0] select_1639;
   assign select_1639 = less_375_s3_q ? 2'h0 : (and_1488 ? {and_1637, less_1490_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1642;
   assign select_1642 = equal_372_s3_q ? 2'h0 : (equal_374_s3_q ? 2'h0 : (drew_s3_q ? select_1639 : 2'h0));
   // hls/stages/registration.hpp:121
@@ -2596,10 +2596,10 @@ module horopter_agreement (
   // hls/stages/registration.hpp:79
   logic and_1645;
   assign and_1645 = less_1490_s3_q & less_1612;
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [1:0] select_1647;
   assign select_1647 = less_375_s3_q ? 2'h0 : (and_1488 ? {and_1645, less_1490_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1650;
   assign select_1650 = equal_372_s3_q ? 2'h0 : (equal_374_s3_q ? 2'h0 : (drew_s3_q ? select_1647 : 2'h0));
   // hls/stages/registration.hpp:122
@@ -2608,10 +2608,10 @@ module horopter_agreement (
   // hls/stages/registration.hpp:80
   logic not_1653;
   assign not_1653 = ~lower_half_s3_q;
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1654;
   assign and_1654 = less_1603 & not_1653;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1657;
   assign select_1657 = drew_s3_q ? (less_375_s3_q ? 2'h0 : (and_1488 ? {and_1654, not_1653} : 2'h0)) : 2'h0;
   logic [1:0] select_1659;
@@ -2619,10 +2619,10 @@ module horopter_agreement (
   // hls/stages/registration.hpp:121
   logic [14:0] sum_1660;
   assign sum_1660 = registration_counts_votes_3_down_q + {{13{select_1659[1]}}, select_1659};
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1662;
   assign and_1662 = less_1612 & not_1653;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1665;
   assign select_1665 = drew_s3_q ? (less_375_s3_q ? 2'h0 : (and_1488 ? {and_1662, not_1653} : 2'h0)) : 2'h0;
   logic [1:0] select_1667;
@@ -2630,23 +2630,23 @@ module horopter_agreement (
   // hls/stages/registration.hpp:122
   logic [14:0] sum_1668;
   assign sum_1668 = registration_counts_votes_3_up_q + {{13{select_1667[1]}}, select_1667};
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1670;
   assign and_1670 = lower_half_s3_q & less_1603;
   logic [1:0] select_1672;
   assign select_1672 = less_375_s3_q ? 2'h0 : (and_1488 ? {and_1670, lower_half_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1675;
   assign select_1675 = equal_372_s3_q ? 2'h0 : (equal_374_s3_q ? 2'h0 : (drew_s3_q ? select_1672 : 2'h0));
   // hls/stages/registration.hpp:121
   logic [14:0] sum_1676;
   assign sum_1676 = registration_counts_votes_4_down_q + {{13{select_1675[1]}}, select_1675};
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1678;
   assign and_1678 = lower_half_s3_q & less_1612;
   logic [1:0] select_1680;
   assign select_1680 = less_375_s3_q ? 2'h0 : (and_1488 ? {and_1678, lower_half_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1683;
   assign select_1683 = equal_372_s3_q ? 2'h0 : (equal_374_s3_q ? 2'h0 : (drew_s3_q ? select_1680 : 2'h0));
   // hls/stages/registration.hpp:122
@@ -2658,7 +2658,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:79
   logic and_1687;
   assign and_1687 = not_1620 & less_1686;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1690;
   assign select_1690 = drew_s3_q ? (less_375_s3_q ? 2'h0 : (and_1488 ? {and_1687, not_1620} : 2'h0)) : 2'h0;
   logic [1:0] select_1692;
@@ -2672,7 +2672,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:79
   logic and_1696;
   assign and_1696 = not_1620 & less_1695;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1699;
   assign select_1699 = drew_s3_q ? (less_375_s3_q ? 2'h0 : (and_1488 ? {and_1696, not_1620} : 2'h0)) : 2'h0;
   logic [1:0] select_1701;
@@ -2683,10 +2683,10 @@ module horopter_agreement (
   // hls/stages/registration.hpp:79
   logic and_1704;
   assign and_1704 = less_1490_s3_q & less_1686;
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [1:0] select_1706;
   assign select_1706 = less_375_s3_q ? 2'h0 : (and_1488 ? {and_1704, less_1490_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1709;
   assign select_1709 = equal_372_s3_q ? 2'h0 : (equal_374_s3_q ? 2'h0 : (drew_s3_q ? select_1706 : 2'h0));
   // hls/stages/registration.hpp:121
@@ -2695,19 +2695,19 @@ module horopter_agreement (
   // hls/stages/registration.hpp:79
   logic and_1712;
   assign and_1712 = less_1490_s3_q & less_1695;
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [1:0] select_1714;
   assign select_1714 = less_375_s3_q ? 2'h0 : (and_1488 ? {and_1712, less_1490_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1717;
   assign select_1717 = equal_372_s3_q ? 2'h0 : (equal_374_s3_q ? 2'h0 : (drew_s3_q ? select_1714 : 2'h0));
   // hls/stages/registration.hpp:122
   logic [14:0] sum_1718;
   assign sum_1718 = registration_counts_half_votes_1_up_q + {{13{select_1717[1]}}, select_1717};
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1720;
   assign and_1720 = less_1686 & not_1653;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1723;
   assign select_1723 = drew_s3_q ? (less_375_s3_q ? 2'h0 : (and_1488 ? {and_1720, not_1653} : 2'h0)) : 2'h0;
   logic [1:0] select_1725;
@@ -2715,10 +2715,10 @@ module horopter_agreement (
   // hls/stages/registration.hpp:121
   logic [14:0] sum_1726;
   assign sum_1726 = registration_counts_half_votes_2_down_q + {{13{select_1725[1]}}, select_1725};
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1728;
   assign and_1728 = less_1695 & not_1653;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1731;
   assign select_1731 = drew_s3_q ? (less_375_s3_q ? 2'h0 : (and_1488 ? {and_1728, not_1653} : 2'h0)) : 2'h0;
   logic [1:0] select_1733;
@@ -2726,23 +2726,23 @@ module horopter_agreement (
   // hls/stages/registration.hpp:122
   logic [14:0] sum_1734;
   assign sum_1734 = registration_counts_half_votes_2_up_q + {{13{select_1733[1]}}, select_1733};
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1736;
   assign and_1736 = lower_half_s3_q & less_1686;
   logic [1:0] select_1738;
   assign select_1738 = less_375_s3_q ? 2'h0 : (and_1488 ? {and_1736, lower_half_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1741;
   assign select_1741 = equal_372_s3_q ? 2'h0 : (equal_374_s3_q ? 2'h0 : (drew_s3_q ? select_1738 : 2'h0));
   // hls/stages/registration.hpp:121
   logic [14:0] sum_1742;
   assign sum_1742 = registration_counts_half_votes_3_down_q + {{13{select_1741[1]}}, select_1741};
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1744;
   assign and_1744 = lower_half_s3_q & less_1695;
   logic [1:0] select_1746;
   assign select_1746 = less_375_s3_q ? 2'h0 : (and_1488 ? {and_1744, lower_half_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1749;
   assign select_1749 = equal_372_s3_q ? 2'h0 : (equal_374_s3_q ? 2'h0 : (drew_s3_q ? select_1746 : 2'h0));
   // hls/stages/registration.hpp:122
@@ -2751,12 +2751,12 @@ module horopter_agreement (
   // hls/stages/division.hpp:34
   logic [7:0] sum_1764;
   assign sum_1764 = region_down_rest_q[8:1] + 8'h3;
-  // hls/stages/agreement.hpp:261
+  // hls/stages/agreement.hpp:264
   logic [2:0] select_1766;
   assign select_1766 = less_1763_s3_q ? (sum_1764[7] ? region_row_q : next_region_row_q) : region_row_q;
   logic [2:0] select_1768;
   assign select_1768 = equal_1259_s3_q ? (equal_407_s3_q ? 3'h0 : select_1766) : region_row_q;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [7:0] select_1772;
   assign select_1772 = equal_372_s3_q ? select_901 : (equal_374_s3_q ? select_901 : (drew_s3_q ? select_1011 : 8'h1));
   // hls/stages/division.hpp:35
@@ -2768,20 +2768,20 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:142
   logic [8:0] select_1775;
   assign select_1775 = drew_s3_q ? select_1774 : {columns_begin_rest_q[7], columns_begin_rest_q};
-  // hls/stages/agreement.hpp:261
+  // hls/stages/agreement.hpp:264
   logic [7:0] select_1778;
   assign select_1778 = equal_1259_s3_q ? (8'hf0 - {2'h0, cfg_width_i[8:3]}) : columns_begin_rest_q;
   logic [6:0] select_1781;
   assign select_1781 = equal_1259_s3_q ? (7'h8 - {1'b0, cfg_width_i[8:3]}) : columns_begin_back_q;
   logic [8:0] select_1785;
   assign select_1785 = equal_407_s3_q ? {{2{difference_1783[6]}}, difference_1783} : (less_1763_s3_q ? region_down_next_q : region_down_rest_q);
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [8:0] select_1787;
   assign select_1787 = and_353_s3_q ? (equal_1259_s3_q ? select_1785 : region_down_rest_q) : region_down_rest_q;
-  // hls/stages/agreement.hpp:261
+  // hls/stages/agreement.hpp:264
   logic [6:0] select_1789;
   assign select_1789 = equal_407_s3_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [6:0] select_1791;
   assign select_1791 = and_353_s3_q ? (equal_1259_s3_q ? select_1789 : region_down_back_q) : region_down_back_q;
   // hls/stages/division.hpp:35
@@ -2793,25 +2793,25 @@ module horopter_agreement (
   // hls/stages/division.hpp:18
   logic next;
   assign next = ~sum_1764[7];
-  // hls/stages/agreement.hpp:261
+  // hls/stages/agreement.hpp:264
   logic select_1797;
   assign select_1797 = equal_1259_s3_q ? (equal_407_s3_q | (less_1763_s3_q ? next : region_fresh_q)) : region_fresh_q;
   // hls/stages/agreement.hpp:142
   logic or_1802;
   assign or_1802 = segment_starts_q | not_1305_s3_q;
-  // hls/stages/agreement.hpp:536
+  // hls/stages/agreement.hpp:542
   logic select_1805;
   assign select_1805 = less_375_s3_q ? or_1802 : (sum_912[5] ? (equal_914_s3_q & or_915) : or_915);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic select_1808;
   assign select_1808 = equal_372_s3_q ? or_1802 : (equal_374_s3_q ? or_1802 : (drew_s3_q ? select_1805 : or_1802));
-  // hls/stages/agreement.hpp:648
+  // hls/stages/agreement.hpp:654
   logic equal_1810;
   assign equal_1810 = x_s3_q[5:0] == 6'h3f;
-  // hls/stages/agreement.hpp:650
+  // hls/stages/agreement.hpp:656
   logic [7:0] select_1834;
   assign select_1834 = ($signed(24'h0) < $signed(counts_too_much_hidden_q)) ? next_hidden_for_q : 8'h0;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [7:0] select_1836;
   assign select_1836 = equal_917_s3_q ? (equal_1810 ? select_1834 : hidden_for_q) : hidden_for_q;
   logic [7:0] select_1838;
@@ -2819,7 +2819,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:144
   logic not_1840;
   assign not_1840 = ~hidden_for_q[7];
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic select_1915;
   assign select_1915 = drew_s3_q ? (seen_columns_rdata_q[4] & not_376_s3_q) : centres_values_0_textured_q;
   logic select_1917;
@@ -2836,16 +2836,16 @@ module horopter_agreement (
   assign select_1925 = drew_s3_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
   logic select_1927;
   assign select_1927 = equal_372_s3_q ? centres_values_1_of_skin_q : (equal_374_s3_q ? centres_values_1_of_skin_q : select_1925);
-  // hls/stages/agreement.hpp:261
+  // hls/stages/agreement.hpp:264
   logic [10:0] select_1931;
   assign select_1931 = equal_1259_s3_q ? (equal_1928_s3_q ? 11'h0 : (map_row_q + {5'h0, map_width_q})) : map_row_q;
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [5:0] select_1934;
   assign select_1934 = and_353_s3_q ? (equal_1259_s3_q ? cfg_width_i[8:3] : map_width_q) : map_width_q;
-  // hls/stages/agreement.hpp:724
+  // hls/stages/agreement.hpp:730
   logic xor_1935;
   assign xor_1935 = write_half_q ^ done_q;
-  // hls/stages/agreement.hpp:184
+  // hls/stages/agreement.hpp:187
   logic select_1937;
   assign select_1937 = and_981_s3_q ? (left_first_s3_q ? xor_1935 : write_half_q) : write_half_q;
   logic select_1939;
@@ -2854,10 +2854,10 @@ module horopter_agreement (
   assign select_1941 = left_first_s3_q ? select_963 : (and_981_s3_q ? select_964 : read_half_q);
   logic and_1945;
   assign and_1945 = (~begins_product_q) & (done_q | said_q);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_1955;
   assign and_1955 = not_373_s3_q & (not_518_s3_q & (not_1305_s3_q & (equal_917_s3_q & equal_1810)));
-  // hls/stages/agreement.hpp:184
+  // hls/stages/agreement.hpp:187
   logic [9:0] select_1957;
   assign select_1957 = left_first_s3_q ? 10'h1 : (and_981_s3_q ? select_968 : rows_passed_q);
   logic [8:0] select_1960;
@@ -2868,24 +2868,24 @@ module horopter_agreement (
   assign select_1967 = and_981_s3_q ? (left_first_s3_q ? and_984 : (and_981_s3_q ? and_984 : began_q)) : began_q;
   logic [2:0] select_1969;
   assign select_1969 = left_first_s3_q ? select_986 : (and_981_s3_q ? select_986 : seen_x_q);
-  // hls/stages/agreement.hpp:753
+  // hls/stages/agreement.hpp:759
   logic [2:0] select_1974;
   assign select_1974 = left_first_s3_q ? 3'h0 : (and_969 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q);
-  // hls/stages/agreement.hpp:184
+  // hls/stages/agreement.hpp:187
   logic [2:0] select_1977;
   assign select_1977 = and_981_s3_q ? (left_first_s3_q ? 3'h0 : (and_981_s3_q ? select_1974 : seen_y_q)) : seen_y_q;
   logic [7:0] select_1979;
   assign select_1979 = left_first_s3_q ? select_977 : (and_981_s3_q ? select_977 : seen_column_q);
-  // hls/stages/agreement.hpp:182
+  // hls/stages/agreement.hpp:185
   logic [7:0] select_1985;
   assign select_1985 = left_first_s3_q ? select_1983 : (seen_rows_left_q - {7'h0, was_next_row_q});
-  // hls/stages/agreement.hpp:184
+  // hls/stages/agreement.hpp:187
   logic [7:0] select_1987;
   assign select_1987 = left_first_s3_q ? select_1983 : (and_981_s3_q ? select_1985 : seen_rows_left_q);
-  // hls/stages/agreement.hpp:182
+  // hls/stages/agreement.hpp:185
   logic and_1992;
   assign and_1992 = (seen_y_q == 3'h7) & (~(seen_rows_left_q == 8'h0));
-  // hls/stages/agreement.hpp:184
+  // hls/stages/agreement.hpp:187
   logic select_1994;
   assign select_1994 = left_first_s3_q ? and_1992 : (and_981_s3_q ? and_1992 : at_cell_end_q);
   logic select_1997;
@@ -2963,7 +2963,7 @@ module horopter_agreement (
   assign select_2112 = or_2110 ? select_2107 : less_2111;
   logic select_2115;
   assign select_2115 = less_2085 ? select_2112 : (less_2090 ? select_2112 : (less_2096 ? select_2112 : less_2111));
-  // hls/stages/agreement.hpp:652
+  // hls/stages/agreement.hpp:658
   logic and_2127;
   assign and_2127 = ($signed(15'h0) < $signed(registration_counts_votes_3_up_q)) & ($signed(15'h0) < $signed(registration_counts_votes_4_down_q));
   logic or_2128;
@@ -2987,7 +2987,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:119
   logic less_2137;
   assign less_2137 = $signed(15'h0) < $signed(registration_counts_half_votes_3_down_q);
-  // hls/stages/agreement.hpp:652
+  // hls/stages/agreement.hpp:658
   logic or_2138;
   assign or_2138 = less_2137 | or_2136;
   logic select_2139;
@@ -2999,10 +2999,10 @@ module horopter_agreement (
   assign less_2143 = $signed(15'h0) < $signed(registration_counts_half_votes_1_down_q);
   logic less_2146;
   assign less_2146 = $signed(15'h0) < $signed(registration_counts_half_votes_0_down_q);
-  // hls/stages/agreement.hpp:652
+  // hls/stages/agreement.hpp:658
   logic and_2188;
   assign and_2188 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_1834 < cfg_hidden_frames_i));
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_2192;
   assign and_2192 = not_1305_s3_q & (equal_917_s3_q & (equal_1810 & (cfg_prove_i & and_2188)));
   logic [11:0] select_2216;
@@ -3022,7 +3022,7 @@ module horopter_agreement (
   logic [11:0] select_2234;
   assign select_2234 = equal_372_s3_q ? 12'h0 : (equal_374_s3_q ? 12'h0 : (drew_s3_q ? 12'h0 : select_2231));
 
-  // Memory regions, 64 x 36, DISTANCE 12, hls/stages/agreement.hpp:813; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory regions, 64 x 36, DISTANCE 12, hls/stages/agreement.hpp:822; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [35:0] regions_mem [0:63];
@@ -3038,7 +3038,7 @@ module horopter_agreement (
     if (regions_re) regions_rdata_q <= regions_mem[regions_raddr];
   end
 
-  // Memory map, 3290 x 2, DISTANCE 16, hls/stages/agreement.hpp:832; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory map, 3290 x 2, DISTANCE 16, hls/stages/agreement.hpp:841; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [1:0] map_mem [0:3289];
@@ -3742,49 +3742,49 @@ module horopter_agreement (
   // hls/stages/registration.hpp:31
   logic [7:0] difference_878;
   assign difference_878 = {sum_853_s4_q, select_819_s4_q, 5'h0} - {3'h0, difference_865_s4_q[8], sum_868[9], sum_871[9], sum_874[9], sum_877[9]};
-  // hls/stages/agreement.hpp:443
+  // hls/stages/agreement.hpp:446
   logic [7:0] select_879;
   assign select_879 = rise_s4_q ? difference_878 : {sum_853_s4_q, select_819_s4_q, difference_865_s4_q[8], sum_868[9], sum_871[9], sum_874[9], sum_877[9]};
   logic [7:0] select_880;
   assign select_880 = equal_841_s4_q ? select_879 : {sum_853_s4_q, select_819_s4_q, 5'h0};
-  // hls/stages/agreement.hpp:445
+  // hls/stages/agreement.hpp:448
   logic [7:0] select_883;
   assign select_883 = less_825_s4_q ? (or_828_s4_q ? select_880 : best_left_rdata_s4_q) : (less_826_s4_q ? select_880 : best_left_rdata_s4_q);
   logic [7:0] select_884;
   assign select_884 = equal_523_s4_q ? select_880 : select_883;
-  // hls/stages/agreement.hpp:481
+  // hls/stages/agreement.hpp:484
   logic [5:0] select_930;
   assign select_930 = segment_started_q ? segment_textured_q : 6'h0;
-  // hls/stages/agreement.hpp:482
+  // hls/stages/agreement.hpp:485
   logic [5:0] sum_931;
   assign sum_931 = {5'h0, textured_s4_q} + select_930;
-  // hls/stages/agreement.hpp:569
+  // hls/stages/agreement.hpp:575
   logic [11:0] sum_933;
   assign sum_933 = {6'h0, sum_931} + (region_fresh_s4_q ? 12'h0 : regions_rdata_q[11:0]);
-  // hls/stages/agreement.hpp:481
+  // hls/stages/agreement.hpp:484
   logic [5:0] select_941;
   assign select_941 = segment_started_q ? segment_explained_q : 6'h0;
-  // hls/stages/agreement.hpp:482
+  // hls/stages/agreement.hpp:485
   logic [5:0] sum_942;
   assign sum_942 = {5'h0, explained_s4_q} + select_941;
-  // hls/stages/agreement.hpp:570
+  // hls/stages/agreement.hpp:576
   logic [11:0] sum_944;
   assign sum_944 = {6'h0, sum_942} + (region_fresh_s4_q ? 12'h0 : regions_rdata_q[23:12]);
-  // hls/stages/agreement.hpp:481
+  // hls/stages/agreement.hpp:484
   logic [5:0] select_952;
   assign select_952 = segment_started_q ? segment_nearer_q : 6'h0;
-  // hls/stages/agreement.hpp:483
+  // hls/stages/agreement.hpp:486
   logic [5:0] sum_953;
   assign sum_953 = {5'h0, and_951_s4_q} + select_952;
-  // hls/stages/agreement.hpp:571
+  // hls/stages/agreement.hpp:577
   logic [11:0] sum_955;
   assign sum_955 = {6'h0, sum_953} + (region_fresh_s4_q ? 12'h0 : regions_rdata_q[35:24]);
-  // hls/stages/agreement.hpp:600
+  // hls/stages/agreement.hpp:606
   logic [4:0] difference_1005;
   assign difference_1005 = {2'h0, textured_2_s4_q} - (age_s4_q ? box_textured_columns_values_4_q : 5'h0);
   logic [4:0] t;
   assign t = difference_1005 + (equal_1006_s4_q ? 5'h0 : box_textured_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:606
+  // hls/stages/agreement.hpp:612
   logic not_1021;
   assign not_1021 = ~region_row_s4_q[2];
   logic [2:0] select_1022;
@@ -3797,25 +3797,25 @@ module horopter_agreement (
   assign select_1025 = or_1017_s4_q ? {select_1024[11], 1'b0, select_1024[10], 1'b0, select_1024[9], 1'b0, select_1024[8], 1'b0, select_1024[7], 1'b0, select_1024[6], 1'b0, select_1024[5], 1'b0, select_1024[4], 1'b0, select_1024[3], 1'b0, select_1024[2], 1'b0, select_1024[1], 1'b0, select_1024[0], 1'b0} : {1'b0, select_1024[11], 1'b0, select_1024[10], 1'b0, select_1024[9], 1'b0, select_1024[8], 1'b0, select_1024[7], 1'b0, select_1024[6], 1'b0, select_1024[5], 1'b0, select_1024[4], 1'b0, select_1024[3], 1'b0, select_1024[2], 1'b0, select_1024[1], 1'b0, select_1024[0]};
   logic [47:0] select_1026;
   assign select_1026 = or_1014_s4_q ? {select_1025[23], 1'b0, select_1025[22], 1'b0, select_1025[21], 1'b0, select_1025[20], 1'b0, select_1025[19], 1'b0, select_1025[18], 1'b0, select_1025[17], 1'b0, select_1025[16], 1'b0, select_1025[15], 1'b0, select_1025[14], 1'b0, select_1025[13], 1'b0, select_1025[12], 1'b0, select_1025[11], 1'b0, select_1025[10], 1'b0, select_1025[9], 1'b0, select_1025[8], 1'b0, select_1025[7], 1'b0, select_1025[6], 1'b0, select_1025[5], 1'b0, select_1025[4], 1'b0, select_1025[3], 1'b0, select_1025[2], 1'b0, select_1025[1], 1'b0, select_1025[0], 1'b0} : {1'b0, select_1025[23], 1'b0, select_1025[22], 1'b0, select_1025[21], 1'b0, select_1025[20], 1'b0, select_1025[19], 1'b0, select_1025[18], 1'b0, select_1025[17], 1'b0, select_1025[16], 1'b0, select_1025[15], 1'b0, select_1025[14], 1'b0, select_1025[13], 1'b0, select_1025[12], 1'b0, select_1025[11], 1'b0, select_1025[10], 1'b0, select_1025[9], 1'b0, select_1025[8], 1'b0, select_1025[7], 1'b0, select_1025[6], 1'b0, select_1025[5], 1'b0, select_1025[4], 1'b0, select_1025[3], 1'b0, select_1025[2], 1'b0, select_1025[1], 1'b0, select_1025[0]};
-  // hls/stages/agreement.hpp:601
+  // hls/stages/agreement.hpp:607
   logic [4:0] difference_1035;
   assign difference_1035 = {2'h0, explained_2_s4_q} - (age_s4_q ? box_explained_columns_values_4_q : 5'h0);
   logic [4:0] e;
   assign e = difference_1035 + (equal_1006_s4_q ? 5'h0 : box_explained_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:607
+  // hls/stages/agreement.hpp:613
   logic [5:0] sum_1038;
   assign sum_1038 = {1'b0, e} + {2'h0, e[4:1]};
   logic is_seen;
   assign is_seen = (t[4:1] == 4'h0) ? (~((good_q & select_1026) == 48'h0)) : (~({sum_1038, e[0]} < {2'h0, t}));
-  // hls/stages/agreement.hpp:602
+  // hls/stages/agreement.hpp:608
   logic [4:0] difference_1047;
   assign difference_1047 = {2'h0, near_2_s4_q} - (age_s4_q ? box_nearer_columns_values_4_q : 5'h0);
   logic [4:0] n;
   assign n = difference_1047 + (equal_1006_s4_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:619
+  // hls/stages/agreement.hpp:625
   logic and_1051;
   assign and_1051 = is_seen & ({1'b0, e[4:1]} < n);
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic [8:0] select_1091;
   assign select_1091 = sample_pair_whole_s4_q ? (and_351_s4_q ? grey_s4_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
   logic [8:0] select_1093;
@@ -3837,7 +3837,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:130
   logic [13:0] detail;
   assign detail = {3'h0, size_2} + (equal_356_s4_q ? 14'h0 : averager_detail_0_q);
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic [13:0] select_1109;
   assign select_1109 = sample_pair_whole_s4_q ? (and_351_s4_q ? detail : averager_detail_0_q) : averager_detail_0_q;
   // hls/stages/census.hpp:128
@@ -3853,10 +3853,10 @@ module horopter_agreement (
   // hls/stages/census.hpp:130
   logic [13:0] detail_2;
   assign detail_2 = {3'h0, size_3} + (equal_356_s4_q ? 14'h0 : averager_detail_1_q);
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic [13:0] select_1117;
   assign select_1117 = sample_pair_whole_s4_q ? (and_351_s4_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [11:0] select_1202;
   assign select_1202 = and_353_s4_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
   logic [11:0] select_1203;
@@ -3879,16 +3879,16 @@ module horopter_agreement (
   // hls/stages/census.hpp:227
   logic [19:0] sum_1214;
   assign sum_1214 = census_left_misses_q + {{17{and_1213}}, and_1212, 1'b0, and_1212};
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [19:0] select_1216;
   assign select_1216 = and_353_s4_q ? (equal_1207_s4_q ? 20'h0 : sum_1214) : census_left_misses_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic [27:0] select_1221;
   assign select_1221 = sample_pair_whole_s4_q ? {detail_2, detail} : 28'h0;
   // hls/stages/census.hpp:275
   logic and_1226;
   assign and_1226 = whole_2_s4_q & (~(column_s4_q[5:1] == 5'h0));
-  // hls/stages/agreement.hpp:258
+  // hls/stages/agreement.hpp:261
   logic and_1232;
   assign and_1232 = and_1226 & (sharpness_last_mask_q & (7'h2 < contrast_s4_q[8:2]));
   // hls/stages/census.hpp:274
@@ -3900,7 +3900,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:277
   logic [23:0] select_1236;
   assign select_1236 = equal_1207_s4_q ? {11'h0, select_1234} : (sharpness_sums_detail_0_q + {11'h0, select_1234});
-  // hls/stages/agreement.hpp:258
+  // hls/stages/agreement.hpp:261
   logic and_1243;
   assign and_1243 = and_1226 & (sharpness_last_mask_q & (7'h2 < contrast_2_s4_q[8:2]));
   // hls/stages/census.hpp:274
@@ -3920,99 +3920,99 @@ module horopter_agreement (
   assign select_1254 = and_1243 ? contrast_2_s4_q : 9'h0;
   logic [23:0] sum_1255;
   assign sum_1255 = (equal_1207_s4_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_1254};
-  // hls/stages/agreement.hpp:502
+  // hls/stages/agreement.hpp:508
   logic [13:0] select_1399;
   assign select_1399 = and_1392_s4_q ? 14'h0 : (counts_supervised_q + {13'h0, and_1397_s4_q});
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_1402;
   assign and_1402 = not_373_s4_q & (not_518_s4_q & (begins_product_q & textured_s4_q));
   logic and_1407;
   assign and_1407 = not_373_s4_q & (not_518_s4_q & (begins_product_q & explained_s4_q));
   logic and_1412;
   assign and_1412 = not_373_s4_q & (not_518_s4_q & (begins_product_q & and_951_s4_q));
-  // hls/stages/agreement.hpp:611
+  // hls/stages/agreement.hpp:617
   logic not_1417;
   assign not_1417 = ~is_seen;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_1420;
   assign and_1420 = begins_product_q & ((~equal_1415_s4_q) & (centres_values_1_textured_s4_q & not_1417));
   logic and_1422;
   assign and_1422 = not_373_s4_q & (not_518_s4_q & and_1420);
-  // hls/stages/agreement.hpp:637
+  // hls/stages/agreement.hpp:643
   logic less_1425;
   assign less_1425 = region_row_s4_q < x_s4_q[5:3];
   logic [11:0] select_1426;
   assign select_1426 = less_1425 ? 12'h0 : regions_rdata_q[11:0];
   logic [11:0] select_1429;
   assign select_1429 = less_1425 ? 12'h0 : regions_rdata_q[23:12];
-  // hls/stages/agreement.hpp:638
+  // hls/stages/agreement.hpp:644
   logic [12:0] sum_1430;
   assign sum_1430 = {1'b0, select_1429} + {3'h0, select_1429[11:2]};
   logic and_1432;
   assign and_1432 = (~(select_1426[11:4] == 8'h0)) & ({sum_1430, select_1429[1:0]} < {3'h0, select_1426});
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [11:0] select_1435;
   assign select_1435 = equal_917_s4_q ? (equal_918_s4_q ? 12'h0 : (and_1432 ? select_1426 : 12'h0)) : 12'h0;
   logic [11:0] select_1437;
   assign select_1437 = equal_374_s4_q ? 12'h0 : (begins_product_q ? 12'h0 : select_1435);
   logic [11:0] select_1438;
   assign select_1438 = equal_372_s4_q ? 12'h0 : select_1437;
-  // hls/stages/agreement.hpp:502
+  // hls/stages/agreement.hpp:508
   logic [13:0] select_1440;
   assign select_1440 = and_1392_s4_q ? 14'h0 : (counts_regions_bad_q + {2'h0, select_1438});
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [8:0] select_1450;
   assign select_1450 = less_375_s4_q ? 9'h0 : (and_928_s4_q ? (9'h0 - {1'b0, cfg_regions_limit_i}) : 9'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [20:0] select_1451;
   assign select_1451 = begins_product_q ? {{12{select_1450[8]}}, select_1450} : {1'b0, select_1435, 8'h0};
   logic [20:0] select_1453;
   assign select_1453 = equal_372_s4_q ? 21'h0 : (equal_374_s4_q ? 21'h0 : select_1451);
-  // hls/stages/agreement.hpp:502
+  // hls/stages/agreement.hpp:508
   logic [23:0] select_1455;
   assign select_1455 = and_1392_s4_q ? 24'h0 : (counts_too_many_bad_q + {{3{select_1453[20]}}, select_1453});
-  // hls/stages/agreement.hpp:550
+  // hls/stages/agreement.hpp:556
   logic [8:0] select_1457;
   assign select_1457 = and_928_s4_q ? (9'h0 - {1'b0, cfg_unproven_limit_i}) : 9'h0;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [7:0] select_1458;
   assign select_1458 = less_375_s4_q ? 8'h0 : select_1457[7:0];
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1459;
   assign and_1459 = not_376_s4_q & select_1457[8];
-  // hls/stages/agreement.hpp:617
+  // hls/stages/agreement.hpp:623
   logic [2:0] select_1462;
   assign select_1462 = centres_values_1_textured_s4_q ? (is_seen ? {3{and_1459}} : ({3{and_1459}} + 3'h1)) : {3{and_1459}};
   logic [2:0] select_1463;
   assign select_1463 = equal_1415_s4_q ? {3{and_1459}} : select_1462;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [10:0] select_1465;
   assign select_1465 = equal_374_s4_q ? 11'h0 : (begins_product_q ? {select_1463, select_1458} : 11'h0);
   logic [10:0] select_1466;
   assign select_1466 = equal_372_s4_q ? 11'h0 : select_1465;
-  // hls/stages/agreement.hpp:499
+  // hls/stages/agreement.hpp:505
   logic [23:0] sum_1467;
   assign sum_1467 = counts_too_much_unproven_q + {{13{select_1466[10]}}, select_1466};
-  // hls/stages/agreement.hpp:617
+  // hls/stages/agreement.hpp:623
   logic [9:0] select_1470;
   assign select_1470 = centres_values_1_of_skin_s4_q ? ({1'b0, not_1417, 8'h0} - {2'h0, cfg_unproven_skin_limit_i}) : 10'h0;
   logic [9:0] select_1472;
   assign select_1472 = equal_1415_s4_q ? 10'h0 : (centres_values_1_textured_s4_q ? select_1470 : 10'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [9:0] select_1474;
   assign select_1474 = equal_374_s4_q ? 10'h0 : (begins_product_q ? select_1472 : 10'h0);
   logic [9:0] select_1475;
   assign select_1475 = equal_372_s4_q ? 10'h0 : select_1474;
-  // hls/stages/agreement.hpp:500
+  // hls/stages/agreement.hpp:506
   logic [23:0] sum_1476;
   assign sum_1476 = counts_too_much_unseen_skin_q + {{14{select_1475[9]}}, select_1475};
   // hls/stages/registration.hpp:80
   logic [7:0] select_1531;
   assign select_1531 = equal_1492_s4_q ? 8'h0 : (equal_1493_s4_q ? 8'h0 : residual_s4_q);
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [7:0] select_1534;
   assign select_1534 = less_375_s4_q ? 8'h0 : (and_1488_s4_q ? (equal_1491_s4_q ? 8'h0 : select_1531) : 8'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [7:0] select_1537;
   assign select_1537 = equal_372_s4_q ? 8'h0 : (equal_374_s4_q ? 8'h0 : (begins_product_q ? select_1534 : 8'h0));
   // hls/stages/registration.hpp:89
@@ -4021,10 +4021,10 @@ module horopter_agreement (
   // hls/stages/registration.hpp:80
   logic [7:0] select_1541;
   assign select_1541 = equal_1492_s4_q ? 8'h0 : (equal_1493_s4_q ? residual_s4_q : 8'h0);
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [7:0] select_1544;
   assign select_1544 = less_375_s4_q ? 8'h0 : (and_1488_s4_q ? (equal_1491_s4_q ? 8'h0 : select_1541) : 8'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [7:0] select_1547;
   assign select_1547 = equal_372_s4_q ? 8'h0 : (equal_374_s4_q ? 8'h0 : (begins_product_q ? select_1544 : 8'h0));
   // hls/stages/registration.hpp:89
@@ -4033,7 +4033,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:80
   logic [7:0] select_1551;
   assign select_1551 = equal_1491_s4_q ? 8'h0 : (equal_1492_s4_q ? residual_s4_q : 8'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [7:0] select_1554;
   assign select_1554 = begins_product_q ? (less_375_s4_q ? 8'h0 : (and_1488_s4_q ? select_1551 : 8'h0)) : 8'h0;
   logic [7:0] select_1556;
@@ -4041,27 +4041,27 @@ module horopter_agreement (
   // hls/stages/registration.hpp:89
   logic [19:0] sum_1557;
   assign sum_1557 = registration_counts_across_2_q + {{12{select_1556[7]}}, select_1556};
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [7:0] select_1561;
   assign select_1561 = less_375_s4_q ? 8'h0 : (and_1488_s4_q ? (equal_1491_s4_q ? residual_s4_q : 8'h0) : 8'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [7:0] select_1564;
   assign select_1564 = equal_372_s4_q ? 8'h0 : (equal_374_s4_q ? 8'h0 : (begins_product_q ? select_1561 : 8'h0));
   // hls/stages/registration.hpp:89
   logic [19:0] sum_1565;
   assign sum_1565 = registration_counts_across_3_q + {{12{select_1564[7]}}, select_1564};
-  // hls/stages/agreement.hpp:633
+  // hls/stages/agreement.hpp:639
   logic and_1815;
   assign and_1815 = (~({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q})) & (11'h4 < counts_textured_q[13:3]);
-  // hls/stages/agreement.hpp:640
+  // hls/stages/agreement.hpp:646
   logic [12:0] sum_1819;
   assign sum_1819 = {1'b0, select_1429} + {2'h0, select_1429[11:1]};
   logic select_1822;
   assign select_1822 = (select_1426[11:3] == 9'h0) ? (and_1815 & (~less_1816_s4_q)) : (~({sum_1819, select_1429[0]} < {2'h0, select_1426}));
-  // hls/stages/agreement.hpp:648
+  // hls/stages/agreement.hpp:654
   logic [47:0] select_1823;
   assign select_1823 = equal_918_s4_q ? good_next_q : {select_1822, good_next_q[47:1]};
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [47:0] select_1825;
   assign select_1825 = equal_917_s4_q ? (equal_1810_s4_q ? select_1823 : good_q) : good_q;
   logic [47:0] select_1827;
@@ -4070,31 +4070,31 @@ module horopter_agreement (
   assign select_1830 = begins_product_q ? good_next_q : (equal_917_s4_q ? select_1823 : good_next_q);
   logic [47:0] select_1832;
   assign select_1832 = equal_372_s4_q ? good_next_q : (equal_374_s4_q ? good_next_q : select_1830);
-  // hls/stages/agreement.hpp:665
+  // hls/stages/agreement.hpp:671
   logic [35:0] select_1851;
   assign select_1851 = multiplier_0_q[17] ? (product_0_q + {1'b0, addend_0_q}) : product_0_q;
-  // hls/stages/agreement.hpp:659
+  // hls/stages/agreement.hpp:665
   logic [35:0] detail_left;
   assign detail_left = begins_product_s4_q ? 36'h0 : select_1851;
-  // hls/stages/agreement.hpp:665
+  // hls/stages/agreement.hpp:671
   logic [35:0] select_1854;
   assign select_1854 = multiplier_1_q[17] ? (product_1_q + {1'b0, addend_1_q}) : product_1_q;
-  // hls/stages/agreement.hpp:669
+  // hls/stages/agreement.hpp:675
   logic [35:0] detail_right;
   assign detail_right = begins_product_s4_q ? 36'h0 : select_1854;
-  // hls/stages/agreement.hpp:659
+  // hls/stages/agreement.hpp:665
   logic [34:0] select_1856;
   assign select_1856 = begins_product_s4_q ? {sharpness_sums_detail_0_q[23:6], 17'h0} : {1'b0, addend_0_q[34:1]};
-  // hls/stages/agreement.hpp:669
+  // hls/stages/agreement.hpp:675
   logic [34:0] select_1857;
   assign select_1857 = begins_product_s4_q ? {sharpness_sums_detail_1_q[23:6], 17'h0} : {1'b0, addend_1_q[34:1]};
-  // hls/stages/agreement.hpp:659
+  // hls/stages/agreement.hpp:665
   logic [17:0] select_1858;
   assign select_1858 = begins_product_s4_q ? sharpness_sums_contrast_1_q[23:6] : {multiplier_0_q[16:0], 1'b0};
-  // hls/stages/agreement.hpp:669
+  // hls/stages/agreement.hpp:675
   logic [17:0] select_1859;
   assign select_1859 = begins_product_s4_q ? sharpness_sums_contrast_0_q[23:6] : {multiplier_1_q[16:0], 1'b0};
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [4:0] select_1860;
   assign select_1860 = begins_product_q ? {2'h0, textured_2_s4_q} : box_textured_columns_values_0_q;
   logic [4:0] select_1862;
@@ -4161,19 +4161,19 @@ module horopter_agreement (
   assign select_1910 = equal_372_s4_q ? box_nearer_columns_values_4_q : (equal_374_s4_q ? box_nearer_columns_values_4_q : select_1908);
   logic [4:0] select_1912;
   assign select_1912 = equal_374_s4_q ? box_nearer_sum_sums_values_0_q : (begins_product_q ? n : box_nearer_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:728
+  // hls/stages/agreement.hpp:734
   logic select_1948;
   assign select_1948 = left_first_s4_q ? done_s4_q : proven_q;
-  // hls/stages/agreement.hpp:184
+  // hls/stages/agreement.hpp:187
   logic select_1950;
   assign select_1950 = left_first_s4_q ? done_s4_q : (and_981_s4_q ? select_1948 : proven_q);
-  // hls/stages/agreement.hpp:757
+  // hls/stages/agreement.hpp:763
   logic [1:0] select_2004;
   assign select_2004 = and_2003_s4_q ? {and_1051, is_seen} : map_rdata_q;
-  // hls/stages/agreement.hpp:758
+  // hls/stages/agreement.hpp:764
   logic and_2005;
   assign and_2005 = select_1948 & less_1981;
-  // hls/stages/agreement.hpp:184
+  // hls/stages/agreement.hpp:187
   logic select_2008;
   assign select_2008 = and_988_s4_q ? (less_989_s4_q ? (select_2004[0] & and_2005) : seen_q) : seen_q;
   logic select_2010;
@@ -4186,7 +4186,7 @@ module horopter_agreement (
   assign select_2016 = left_first_s4_q ? select_2014 : (and_981_s4_q ? select_2014 : nearer_q);
   logic select_2017;
   assign select_2017 = and_981_s4_q ? select_2016 : nearer_q;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [13:0] select_2022;
   assign select_2022 = equal_917_s4_q ? (equal_1810_s4_q ? counts_supervised_q : 14'h0) : 14'h0;
   logic [13:0] select_2024;
@@ -4213,24 +4213,24 @@ module horopter_agreement (
   assign select_2049 = equal_374_s4_q ? 14'h0 : (begins_product_q ? 14'h0 : select_2047);
   logic and_2055;
   assign and_2055 = not_1305_s4_q & (equal_917_s4_q & (equal_1810_s4_q & (cfg_prove_i & (~proven_q))));
-  // hls/stages/agreement.hpp:685
+  // hls/stages/agreement.hpp:691
   logic not_2058;
   assign not_2058 = ~and_1815;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_2062;
   assign and_2062 = not_1305_s4_q & (equal_917_s4_q & (equal_1810_s4_q & (cfg_prove_i & not_2058)));
-  // hls/stages/agreement.hpp:686
+  // hls/stages/agreement.hpp:692
   logic or_2065;
   assign or_2065 = not_2018 | not_2058;
-  // hls/stages/agreement.hpp:652
+  // hls/stages/agreement.hpp:658
   logic or_2071;
   assign or_2071 = ($signed(24'h0) < $signed(counts_too_much_unproven_q)) | ($signed(24'h0) < $signed(counts_too_much_unseen_skin_q));
   logic select_2073;
   assign select_2073 = (less_1816_s4_q | or_2065) ? (~or_2065) : (($signed(24'h0) < $signed(counts_too_many_bad_q)) | or_2071);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_2076;
   assign and_2076 = not_1305_s4_q & (equal_917_s4_q & (equal_1810_s4_q & select_2073));
-  // hls/stages/agreement.hpp:652
+  // hls/stages/agreement.hpp:658
   logic select_2142;
   assign select_2142 = or_2102_s4_q ? select_2139_s4_q : or_2141_s4_q;
   logic or_2144;
@@ -4243,32 +4243,32 @@ module horopter_agreement (
   assign select_2152 = less_2090_s4_q ? or_2144 : (less_2096_s4_q ? or_2141_s4_q : select_2150_s4_q);
   logic select_2154;
   assign select_2154 = less_2082_s4_q ? (less_2083_s4_q | (or_2088_s4_q ? select_2145 : or_2147)) : (less_2085_s4_q ? or_2147 : select_2152);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_2158;
   assign and_2158 = not_1305_s4_q & (equal_917_s4_q & (equal_1810_s4_q & (cfg_prove_i & select_2154)));
-  // hls/stages/agreement.hpp:693
+  // hls/stages/agreement.hpp:699
   logic and_2161;
   assign and_2161 = cfg_prove_i & and_1815;
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:700
   logic [36:0] sum_2162;
   assign sum_2162 = {1'b0, detail_right} + {3'h0, detail_right[35:2]};
   logic less_2164;
   assign less_2164 = {sharpness_sums_contrast_0_q, 2'h0} < {2'h0, sharpness_sums_contrast_1_q};
-  // hls/stages/agreement.hpp:652
+  // hls/stages/agreement.hpp:658
   logic or_2167;
   assign or_2167 = ({detail_left, 3'h0} < {sum_2162, detail_right[1:0]}) | (less_2164 | ($signed(20'h0) < $signed(census_left_misses_q)));
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_2171;
   assign and_2171 = not_1305_s4_q & (equal_917_s4_q & (equal_1810_s4_q & (and_2161 & or_2167)));
-  // hls/stages/agreement.hpp:697
+  // hls/stages/agreement.hpp:703
   logic [36:0] sum_2174;
   assign sum_2174 = {1'b0, detail_left} + {3'h0, detail_left[35:2]};
   logic less_2176;
   assign less_2176 = {sharpness_sums_contrast_1_q, 2'h0} < {2'h0, sharpness_sums_contrast_0_q};
-  // hls/stages/agreement.hpp:652
+  // hls/stages/agreement.hpp:658
   logic or_2177;
   assign or_2177 = ({detail_right, 3'h0} < {sum_2174, detail_left[1:0]}) | less_2176;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_2181;
   assign and_2181 = not_1305_s4_q & (equal_917_s4_q & (equal_1810_s4_q & (and_2161 & or_2177)));
   logic [19:0] select_2196;
@@ -4309,10 +4309,10 @@ module horopter_agreement (
   assign select_2265 = begins_product_q ? 12'h0 : (equal_917_s4_q ? (equal_918_s4_q ? 12'h0 : select_1426) : 12'h0);
   logic [11:0] select_2270;
   assign select_2270 = begins_product_q ? 12'h0 : (equal_917_s4_q ? (equal_918_s4_q ? 12'h0 : select_1429) : 12'h0);
-  // hls/stages/agreement.hpp:648
+  // hls/stages/agreement.hpp:654
   logic [11:0] select_2274;
   assign select_2274 = equal_918_s4_q ? 12'h0 : (less_1425 ? 12'h0 : regions_rdata_q[35:24]);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [11:0] select_2276;
   assign select_2276 = begins_product_q ? 12'h0 : (equal_917_s4_q ? select_2274 : 12'h0);
 

@@ -40,19 +40,19 @@ module horopter_objects (
   logic [8:0] raster_column_q;
   logic raster_rows_q;
   logic raster_row_ended_q;
-  // hls/stages/objects.hpp:166
+  // hls/stages/objects.hpp:199
   logic or_259;
   assign or_259 = first_i | raster_row_ended_q;
   logic [8:0] x;
   assign x = or_259 ? 9'h0 : (raster_column_q + 9'h1);
-  // hls/stages/objects.hpp:76
+  // hls/stages/objects.hpp:79
   logic not_262;
   assign not_262 = ~idle_i;
-  // hls/stages/objects.hpp:166
+  // hls/stages/objects.hpp:199
   logic and_280;
   assign and_280 = raster_rows_q & (~first_i);
 
-  // Memory above, 378 x 1, DISTANCE 16, hls/stages/objects.hpp:379; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory above, 378 x 1, DISTANCE 16, hls/stages/objects.hpp:423; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic above_mem [0:377];
@@ -111,73 +111,73 @@ module horopter_objects (
   logic [5:0] room_q;
   logic little_room_q;
   logic [1:0] phase_q;
-  // hls/stages/objects.hpp:77
+  // hls/stages/objects.hpp:80
   logic not_265;
   assign not_265 = ~and_264_s1_q;
-  // hls/stages/objects.hpp:219
+  // hls/stages/objects.hpp:252
   logic equal_266;
   assign equal_266 = phase_q == 2'h0;
-  // hls/stages/objects.hpp:310
+  // hls/stages/objects.hpp:354
   logic equal_267;
   assign equal_267 = read_q == visible_q;
   logic not_268;
   assign not_268 = ~equal_267;
-  // hls/stages/objects.hpp:178
+  // hls/stages/objects.hpp:211
   logic and_272;
   assign and_272 = ended_q & not_265;
-  // hls/stages/objects.hpp:176
+  // hls/stages/objects.hpp:209
   logic not_274;
   assign not_274 = ~or_273_s1_q;
-  // hls/stages/objects.hpp:178
+  // hls/stages/objects.hpp:211
   logic and_276;
   assign and_276 = before_v_q & not_265;
   logic select_277;
   assign select_277 = (and_272 | not_274) ? and_272 : and_276;
   logic and_278;
   assign and_278 = over_before_q & not_265;
-  // hls/stages/objects.hpp:89
+  // hls/stages/objects.hpp:92
   logic and_282;
   assign and_282 = not_262_s1_q & (above_rdata_q & and_280_s1_q);
-  // hls/stages/objects.hpp:176
+  // hls/stages/objects.hpp:209
   logic and_283;
   assign and_283 = and_282 & not_274;
-  // hls/stages/objects.hpp:89
+  // hls/stages/objects.hpp:92
   logic and_285;
   assign and_285 = occupied_s1_q & not_262_s1_q;
   logic and_288;
   assign and_288 = (and_278 | and_283) & (not_274 & (and_285 | and_276));
-  // hls/stages/objects.hpp:183
+  // hls/stages/objects.hpp:216
   logic and_291;
   assign and_291 = (met_q & not_265) & (~select_277);
-  // hls/stages/objects.hpp:184
+  // hls/stages/objects.hpp:217
   logic and_293;
   assign and_293 = and_288 & (~and_291);
-  // hls/stages/objects.hpp:179
+  // hls/stages/objects.hpp:212
   logic and_295;
   assign and_295 = and_278 & (~and_283);
-  // hls/stages/objects.hpp:185
+  // hls/stages/objects.hpp:218
   logic or_297;
   assign or_297 = and_295 | (select_277 | and_293);
-  // hls/stages/objects.hpp:196
+  // hls/stages/objects.hpp:229
   logic [8:0] select_376;
   assign select_376 = (idle_s1_q | not_274) ? row_q : (and_264_s1_q ? 9'h0 : (row_q + 9'h1));
-  // hls/stages/objects.hpp:193
+  // hls/stages/objects.hpp:226
   logic [5:0] select_387;
   assign select_387 = and_264_s1_q ? 6'h0 : (or_297 ? (little_room_q ? write_q : (write_q + 6'h1)) : write_q);
-  // hls/stages/objects.hpp:88
+  // hls/stages/objects.hpp:91
   logic [5:0] select_391;
   assign select_391 = and_264_s1_q ? 6'h0 : (equal_266 ? (equal_267 ? read_q : (read_q + 6'h1)) : read_q);
-  // hls/stages/objects.hpp:78
+  // hls/stages/objects.hpp:81
   logic [5:0] room;
   assign room = read_q - write_q;
-  // hls/stages/objects.hpp:77
+  // hls/stages/objects.hpp:80
   logic little_room;
   assign little_room = not_265 & (({2'h0, room_q} + 8'hff) < 8'h7);
-  // hls/stages/objects.hpp:270
+  // hls/stages/objects.hpp:307
   logic and_408;
   assign and_408 = (write_q == read_q) & ((~before_v_q) & ((~over_before_q) & (~ended_q)));
 
-  // Memory queue, 64 x 30, DISTANCE 4, hls/stages/objects.hpp:386; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory queue, 64 x 30, DISTANCE 4, hls/stages/objects.hpp:430; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [29:0] queue_mem [0:63];
@@ -510,12 +510,12 @@ module horopter_objects (
   logic second_q;
   logic second_ends_q;
   logic overflow_q;
-  // hls/stages/objects.hpp:327
+  // hls/stages/objects.hpp:371
   logic equal_300;
   assign equal_300 = phase_s2_q == 2'h1;
   logic and_301;
   assign and_301 = second_q & equal_300;
-  // hls/stages/objects.hpp:336
+  // hls/stages/objects.hpp:380
   logic not_302;
   assign not_302 = ~joined_q;
   logic [2:0] select_303;
@@ -536,29 +536,29 @@ module horopter_objects (
   assign select_316 = select_303[1] ? (select_303[0] ? front_label_q : {1'b0, looked_q}) : {4'h0, select_315};
   logic [4:0] label;
   assign label = and_301 ? (select_303[2] ? select_306 : {4'h0, select_309}) : (select_303[2] ? select_313 : select_316);
-  // hls/stages/objects.hpp:328
+  // hls/stages/objects.hpp:372
   logic and_320;
   assign and_320 = busy_q & (phase_s2_q == 2'h3);
   logic and_322;
   assign and_322 = and_320 & (event_ends_q | joined_q);
-  // hls/stages/objects.hpp:335
+  // hls/stages/objects.hpp:379
   logic or_323;
   assign or_323 = and_301 | and_322;
-  // hls/stages/objects.hpp:89
+  // hls/stages/objects.hpp:92
   logic [8:0] x_2;
   assign x_2 = idle_s2_q ? last_run_right_q : x_s2_q;
-  // hls/stages/objects.hpp:201
+  // hls/stages/objects.hpp:234
   logic [8:0] select_381;
   assign select_381 = before_v_q ? (or_378_s2_q ? x_2 : last_run_left_q) : last_run_left_q;
-  // hls/stages/objects.hpp:88
+  // hls/stages/objects.hpp:91
   logic and_412;
   assign and_412 = not_265_s2_q & (equal_266_s2_q ? (not_268_s2_q | and_409_s2_q) : busy_q);
   logic select_414;
   assign select_414 = and_264_s2_q ? draining_q : (equal_266_s2_q ? and_409_s2_q : draining_q);
-  // hls/stages/objects.hpp:218
+  // hls/stages/objects.hpp:251
   logic and_416;
   assign and_416 = busy_q & (phase_s2_q == 2'h2);
-  // hls/stages/objects.hpp:88
+  // hls/stages/objects.hpp:91
   logic and_420;
   assign and_420 = not_265_s2_q & (and_416 ? (draining_q & (~front_there_q)) : done_q);
   logic select_422;
@@ -573,338 +573,338 @@ module horopter_objects (
   assign select_434 = equal_266_s2_q ? (equal_267_s2_q ? event_run_right_q : queue_rdata_q[20:12]) : event_run_right_q;
   logic [8:0] select_437;
   assign select_437 = equal_266_s2_q ? (equal_267_s2_q ? event_run_row_q : queue_rdata_q[29:21]) : event_run_row_q;
-  // hls/stages/objects.hpp:218
+  // hls/stages/objects.hpp:251
   logic and_439;
   assign and_439 = busy_q & equal_300;
-  // hls/stages/objects.hpp:222
+  // hls/stages/objects.hpp:255
   logic and_440;
   assign and_440 = event_ends_q & and_439;
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_441;
   assign and_441 = end_0_q & and_440;
-  // hls/stages/objects.hpp:242
+  // hls/stages/objects.hpp:275
   logic and_442;
   assign and_442 = joined_q & and_320;
-  // hls/stages/objects.hpp:223
+  // hls/stages/objects.hpp:256
   logic [4:0] ended;
   assign ended = run_there_q ? run_label_q : free_label_q;
-  // hls/stages/objects.hpp:256
+  // hls/stages/objects.hpp:290
   logic [4:0] label_2;
   assign label_2 = and_440 ? ended : run_label_q;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_448;
   assign select_448 = (and_441 | (and_442 & (begin_0_q | same_0_q))) ? label_2 : entries_0_label_q;
-  // hls/stages/objects.hpp:219
+  // hls/stages/objects.hpp:252
   logic and_449;
   assign and_449 = busy_q & equal_266_s2_q;
-  // hls/stages/objects.hpp:248
+  // hls/stages/objects.hpp:281
   logic and_451;
   assign and_451 = front_there_q & (event_passes_q & and_449);
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_456;
   assign and_456 = not_265_s2_q & (and_441 | (entries_0_there_q & (~(begin_0_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_457;
   assign and_457 = end_1_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_461;
   assign select_461 = (and_457 | (and_442 & (begin_1_q | same_1_q))) ? label_2 : entries_1_label_q;
   logic and_466;
   assign and_466 = not_265_s2_q & (and_457 | (entries_1_there_q & (~(begin_1_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_467;
   assign and_467 = end_2_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_471;
   assign select_471 = (and_467 | (and_442 & (begin_2_q | same_2_q))) ? label_2 : entries_2_label_q;
   logic and_476;
   assign and_476 = not_265_s2_q & (and_467 | (entries_2_there_q & (~(begin_2_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_477;
   assign and_477 = end_3_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_481;
   assign select_481 = (and_477 | (and_442 & (begin_3_q | same_3_q))) ? label_2 : entries_3_label_q;
   logic and_486;
   assign and_486 = not_265_s2_q & (and_477 | (entries_3_there_q & (~(begin_3_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_487;
   assign and_487 = end_4_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_491;
   assign select_491 = (and_487 | (and_442 & (begin_4_q | same_4_q))) ? label_2 : entries_4_label_q;
   logic and_496;
   assign and_496 = not_265_s2_q & (and_487 | (entries_4_there_q & (~(begin_4_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_497;
   assign and_497 = end_5_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_501;
   assign select_501 = (and_497 | (and_442 & (begin_5_q | same_5_q))) ? label_2 : entries_5_label_q;
   logic and_506;
   assign and_506 = not_265_s2_q & (and_497 | (entries_5_there_q & (~(begin_5_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_507;
   assign and_507 = end_6_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_511;
   assign select_511 = (and_507 | (and_442 & (begin_6_q | same_6_q))) ? label_2 : entries_6_label_q;
   logic and_516;
   assign and_516 = not_265_s2_q & (and_507 | (entries_6_there_q & (~(begin_6_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_517;
   assign and_517 = end_7_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_521;
   assign select_521 = (and_517 | (and_442 & (begin_7_q | same_7_q))) ? label_2 : entries_7_label_q;
   logic and_526;
   assign and_526 = not_265_s2_q & (and_517 | (entries_7_there_q & (~(begin_7_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_527;
   assign and_527 = end_8_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_531;
   assign select_531 = (and_527 | (and_442 & (begin_8_q | same_8_q))) ? label_2 : entries_8_label_q;
   logic and_536;
   assign and_536 = not_265_s2_q & (and_527 | (entries_8_there_q & (~(begin_8_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_537;
   assign and_537 = end_9_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_541;
   assign select_541 = (and_537 | (and_442 & (begin_9_q | same_9_q))) ? label_2 : entries_9_label_q;
   logic and_546;
   assign and_546 = not_265_s2_q & (and_537 | (entries_9_there_q & (~(begin_9_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_547;
   assign and_547 = end_10_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_551;
   assign select_551 = (and_547 | (and_442 & (begin_10_q | same_10_q))) ? label_2 : entries_10_label_q;
   logic and_556;
   assign and_556 = not_265_s2_q & (and_547 | (entries_10_there_q & (~(begin_10_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_557;
   assign and_557 = end_11_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_561;
   assign select_561 = (and_557 | (and_442 & (begin_11_q | same_11_q))) ? label_2 : entries_11_label_q;
   logic and_566;
   assign and_566 = not_265_s2_q & (and_557 | (entries_11_there_q & (~(begin_11_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_567;
   assign and_567 = end_12_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_571;
   assign select_571 = (and_567 | (and_442 & (begin_12_q | same_12_q))) ? label_2 : entries_12_label_q;
   logic and_576;
   assign and_576 = not_265_s2_q & (and_567 | (entries_12_there_q & (~(begin_12_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_577;
   assign and_577 = end_13_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_581;
   assign select_581 = (and_577 | (and_442 & (begin_13_q | same_13_q))) ? label_2 : entries_13_label_q;
   logic and_586;
   assign and_586 = not_265_s2_q & (and_577 | (entries_13_there_q & (~(begin_13_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_587;
   assign and_587 = end_14_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_591;
   assign select_591 = (and_587 | (and_442 & (begin_14_q | same_14_q))) ? label_2 : entries_14_label_q;
   logic and_596;
   assign and_596 = not_265_s2_q & (and_587 | (entries_14_there_q & (~(begin_14_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_597;
   assign and_597 = end_15_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_601;
   assign select_601 = (and_597 | (and_442 & (begin_15_q | same_15_q))) ? label_2 : entries_15_label_q;
   logic and_606;
   assign and_606 = not_265_s2_q & (and_597 | (entries_15_there_q & (~(begin_15_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_607;
   assign and_607 = end_16_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_611;
   assign select_611 = (and_607 | (and_442 & (begin_16_q | same_16_q))) ? label_2 : entries_16_label_q;
   logic and_616;
   assign and_616 = not_265_s2_q & (and_607 | (entries_16_there_q & (~(begin_16_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_617;
   assign and_617 = end_17_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_621;
   assign select_621 = (and_617 | (and_442 & (begin_17_q | same_17_q))) ? label_2 : entries_17_label_q;
   logic and_626;
   assign and_626 = not_265_s2_q & (and_617 | (entries_17_there_q & (~(begin_17_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_627;
   assign and_627 = end_18_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_631;
   assign select_631 = (and_627 | (and_442 & (begin_18_q | same_18_q))) ? label_2 : entries_18_label_q;
   logic and_636;
   assign and_636 = not_265_s2_q & (and_627 | (entries_18_there_q & (~(begin_18_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_637;
   assign and_637 = end_19_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_641;
   assign select_641 = (and_637 | (and_442 & (begin_19_q | same_19_q))) ? label_2 : entries_19_label_q;
   logic and_646;
   assign and_646 = not_265_s2_q & (and_637 | (entries_19_there_q & (~(begin_19_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_647;
   assign and_647 = end_20_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_651;
   assign select_651 = (and_647 | (and_442 & (begin_20_q | same_20_q))) ? label_2 : entries_20_label_q;
   logic and_656;
   assign and_656 = not_265_s2_q & (and_647 | (entries_20_there_q & (~(begin_20_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_657;
   assign and_657 = end_21_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_661;
   assign select_661 = (and_657 | (and_442 & (begin_21_q | same_21_q))) ? label_2 : entries_21_label_q;
   logic and_666;
   assign and_666 = not_265_s2_q & (and_657 | (entries_21_there_q & (~(begin_21_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_667;
   assign and_667 = end_22_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_671;
   assign select_671 = (and_667 | (and_442 & (begin_22_q | same_22_q))) ? label_2 : entries_22_label_q;
   logic and_676;
   assign and_676 = not_265_s2_q & (and_667 | (entries_22_there_q & (~(begin_22_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_677;
   assign and_677 = end_23_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_681;
   assign select_681 = (and_677 | (and_442 & (begin_23_q | same_23_q))) ? label_2 : entries_23_label_q;
   logic and_686;
   assign and_686 = not_265_s2_q & (and_677 | (entries_23_there_q & (~(begin_23_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_687;
   assign and_687 = end_24_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_691;
   assign select_691 = (and_687 | (and_442 & (begin_24_q | same_24_q))) ? label_2 : entries_24_label_q;
   logic and_696;
   assign and_696 = not_265_s2_q & (and_687 | (entries_24_there_q & (~(begin_24_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_697;
   assign and_697 = end_25_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_701;
   assign select_701 = (and_697 | (and_442 & (begin_25_q | same_25_q))) ? label_2 : entries_25_label_q;
   logic and_706;
   assign and_706 = not_265_s2_q & (and_697 | (entries_25_there_q & (~(begin_25_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_707;
   assign and_707 = end_26_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_711;
   assign select_711 = (and_707 | (and_442 & (begin_26_q | same_26_q))) ? label_2 : entries_26_label_q;
   logic and_716;
   assign and_716 = not_265_s2_q & (and_707 | (entries_26_there_q & (~(begin_26_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_717;
   assign and_717 = end_27_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_721;
   assign select_721 = (and_717 | (and_442 & (begin_27_q | same_27_q))) ? label_2 : entries_27_label_q;
   logic and_726;
   assign and_726 = not_265_s2_q & (and_717 | (entries_27_there_q & (~(begin_27_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_727;
   assign and_727 = end_28_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_731;
   assign select_731 = (and_727 | (and_442 & (begin_28_q | same_28_q))) ? label_2 : entries_28_label_q;
   logic and_736;
   assign and_736 = not_265_s2_q & (and_727 | (entries_28_there_q & (~(begin_28_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_737;
   assign and_737 = end_29_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_741;
   assign select_741 = (and_737 | (and_442 & (begin_29_q | same_29_q))) ? label_2 : entries_29_label_q;
   logic and_746;
   assign and_746 = not_265_s2_q & (and_737 | (entries_29_there_q & (~(begin_29_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_747;
   assign and_747 = end_30_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_751;
   assign select_751 = (and_747 | (and_442 & (begin_30_q | same_30_q))) ? label_2 : entries_30_label_q;
   logic and_756;
   assign and_756 = not_265_s2_q & (and_747 | (entries_30_there_q & (~(begin_30_q & and_451))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_757;
   assign and_757 = end_31_q & and_440;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_761;
   assign select_761 = (and_757 | (and_442 & (begin_31_q | same_31_q))) ? label_2 : entries_31_label_q;
   logic and_766;
   assign and_766 = not_265_s2_q & (and_757 | (entries_31_there_q & (~(begin_31_q & and_451))));
-  // hls/stages/objects.hpp:264
+  // hls/stages/objects.hpp:301
   logic or_767;
   assign or_767 = and_264_s2_q | and_451;
-  // hls/stages/objects.hpp:265
+  // hls/stages/objects.hpp:302
   logic or_832;
   assign or_832 = and_264_s2_q | and_440;
-  // hls/stages/objects.hpp:222
+  // hls/stages/objects.hpp:255
   logic not_897;
   assign not_897 = ~run_there_q;
-  // hls/stages/objects.hpp:233
+  // hls/stages/objects.hpp:266
   logic and_899;
   assign and_899 = not_897 & (event_meets_q & and_416);
-  // hls/stages/objects.hpp:240
+  // hls/stages/objects.hpp:273
   logic and_905;
   assign and_905 = not_265_s2_q & ((run_there_q & (~and_440)) | (front_there_q & and_899));
-  // hls/stages/objects.hpp:249
+  // hls/stages/objects.hpp:282
   logic closes;
   assign closes = (not_302 & and_451) & (~others_q);
   logic frees;
   assign frees = closes | (joined_q & and_449);
-  // hls/stages/objects.hpp:261
+  // hls/stages/objects.hpp:298
   logic not_913;
   assign not_913 = ~frees;
-  // hls/stages/objects.hpp:282
+  // hls/stages/objects.hpp:319
   logic and_916;
   assign and_916 = looked_there_q & not_265_s2_q;
-  // hls/stages/objects.hpp:280
+  // hls/stages/objects.hpp:317
   logic equal_917;
   assign equal_917 = looked_q == 4'hf;
-  // hls/stages/objects.hpp:282
+  // hls/stages/objects.hpp:320
   logic and_919;
   assign and_919 = and_916 & (~equal_917);
-  // hls/stages/objects.hpp:279
+  // hls/stages/objects.hpp:316
   logic not_920;
   assign not_920 = ~looked_q[0];
-  // hls/stages/objects.hpp:262
+  // hls/stages/objects.hpp:299
   logic or_923;
   assign or_923 = (used_0_q & ((~(front_label_q == 5'h0)) | not_913)) | (and_919 & (group_0_q & not_920));
-  // hls/stages/objects.hpp:279
+  // hls/stages/objects.hpp:316
   logic equal_929;
   assign equal_929 = looked_q[1:0] == 2'h1;
-  // hls/stages/objects.hpp:262
+  // hls/stages/objects.hpp:299
   logic or_932;
   assign or_932 = (used_1_q & (not_913 | (~(front_label_q == 5'h1)))) | (and_919 & (group_0_q & equal_929));
-  // hls/stages/objects.hpp:279
+  // hls/stages/objects.hpp:316
   logic equal_938;
   assign equal_938 = looked_q[2:0] == 3'h3;
-  // hls/stages/objects.hpp:262
+  // hls/stages/objects.hpp:299
   logic or_941;
   assign or_941 = (used_2_q & (not_913 | (~(front_label_q == 5'h2)))) | (and_919 & (group_0_q & equal_938));
-  // hls/stages/objects.hpp:279
+  // hls/stages/objects.hpp:316
   logic equal_947;
   assign equal_947 = looked_q == 4'h7;
-  // hls/stages/objects.hpp:262
+  // hls/stages/objects.hpp:299
   logic or_950;
   assign or_950 = (used_3_q & (not_913 | (~(front_label_q == 5'h3)))) | (and_919 & (group_0_q & equal_947));
   logic or_958;
@@ -963,24 +963,24 @@ module horopter_objects (
   assign or_1166 = (used_30_q & (not_913 | (~(front_label_q == 5'h1e)))) | (and_919 & (group_7_q & equal_938));
   logic or_1174;
   assign or_1174 = (used_31_q & (not_913 | (~(front_label_q == 5'h1f)))) | (and_919 & (group_7_q & equal_947));
-  // hls/stages/objects.hpp:222
+  // hls/stages/objects.hpp:255
   logic and_1176;
   assign and_1176 = and_440 & not_897;
-  // hls/stages/objects.hpp:229
+  // hls/stages/objects.hpp:262
   logic not_1177;
   assign not_1177 = ~free_there_q;
-  // hls/stages/objects.hpp:284
+  // hls/stages/objects.hpp:322
   logic and_1179;
   assign and_1179 = found_there_q & (and_1176 | not_1177);
-  // hls/stages/objects.hpp:287
+  // hls/stages/objects.hpp:325
   logic or_1185;
   assign or_1185 = equal_929 | equal_947;
   logic or_1186;
   assign or_1186 = equal_938 | equal_947;
-  // hls/stages/objects.hpp:300
+  // hls/stages/objects.hpp:344
   logic and_1191;
   assign and_1191 = equal_917 & and_916;
-  // hls/stages/objects.hpp:294
+  // hls/stages/objects.hpp:337
   logic and_1210;
   assign and_1210 = used_0_q & group_0_q;
   logic and_1211;
@@ -997,10 +997,10 @@ module horopter_objects (
   assign and_1216 = used_6_q & group_1_q;
   logic and_1217;
   assign and_1217 = used_7_q & group_1_q;
-  // hls/stages/objects.hpp:295
+  // hls/stages/objects.hpp:338
   logic [3:0] used;
   assign used = {and_1213, and_1212, and_1211, and_1210} | {and_1217, and_1216, and_1215, and_1214};
-  // hls/stages/objects.hpp:294
+  // hls/stages/objects.hpp:337
   logic and_1219;
   assign and_1219 = used_8_q & group_2_q;
   logic and_1220;
@@ -1009,10 +1009,10 @@ module horopter_objects (
   assign and_1221 = used_10_q & group_2_q;
   logic and_1222;
   assign and_1222 = used_11_q & group_2_q;
-  // hls/stages/objects.hpp:295
+  // hls/stages/objects.hpp:338
   logic [3:0] used_2;
   assign used_2 = used | {and_1222, and_1221, and_1220, and_1219};
-  // hls/stages/objects.hpp:294
+  // hls/stages/objects.hpp:337
   logic and_1224;
   assign and_1224 = used_12_q & group_3_q;
   logic and_1225;
@@ -1021,10 +1021,10 @@ module horopter_objects (
   assign and_1226 = used_14_q & group_3_q;
   logic and_1227;
   assign and_1227 = used_15_q & group_3_q;
-  // hls/stages/objects.hpp:295
+  // hls/stages/objects.hpp:338
   logic [3:0] used_3;
   assign used_3 = used_2 | {and_1227, and_1226, and_1225, and_1224};
-  // hls/stages/objects.hpp:294
+  // hls/stages/objects.hpp:337
   logic and_1229;
   assign and_1229 = used_16_q & group_4_q;
   logic and_1230;
@@ -1033,10 +1033,10 @@ module horopter_objects (
   assign and_1231 = used_18_q & group_4_q;
   logic and_1232;
   assign and_1232 = used_19_q & group_4_q;
-  // hls/stages/objects.hpp:295
+  // hls/stages/objects.hpp:338
   logic [3:0] used_4;
   assign used_4 = used_3 | {and_1232, and_1231, and_1230, and_1229};
-  // hls/stages/objects.hpp:294
+  // hls/stages/objects.hpp:337
   logic and_1234;
   assign and_1234 = used_20_q & group_5_q;
   logic and_1235;
@@ -1045,10 +1045,10 @@ module horopter_objects (
   assign and_1236 = used_22_q & group_5_q;
   logic and_1237;
   assign and_1237 = used_23_q & group_5_q;
-  // hls/stages/objects.hpp:295
+  // hls/stages/objects.hpp:338
   logic [3:0] used_5;
   assign used_5 = used_4 | {and_1237, and_1236, and_1235, and_1234};
-  // hls/stages/objects.hpp:294
+  // hls/stages/objects.hpp:337
   logic and_1239;
   assign and_1239 = used_24_q & group_6_q;
   logic and_1240;
@@ -1057,10 +1057,10 @@ module horopter_objects (
   assign and_1241 = used_26_q & group_6_q;
   logic and_1242;
   assign and_1242 = used_27_q & group_6_q;
-  // hls/stages/objects.hpp:295
+  // hls/stages/objects.hpp:338
   logic [3:0] used_6;
   assign used_6 = used_5 | {and_1242, and_1241, and_1240, and_1239};
-  // hls/stages/objects.hpp:294
+  // hls/stages/objects.hpp:337
   logic and_1244;
   assign and_1244 = used_28_q & group_7_q;
   logic and_1245;
@@ -1069,13 +1069,13 @@ module horopter_objects (
   assign and_1246 = used_30_q & group_7_q;
   logic and_1247;
   assign and_1247 = used_31_q & group_7_q;
-  // hls/stages/objects.hpp:295
+  // hls/stages/objects.hpp:338
   logic [3:0] used_7;
   assign used_7 = used_6 | {and_1247, and_1246, and_1245, and_1244};
-  // hls/stages/objects.hpp:298
+  // hls/stages/objects.hpp:342
   logic and_1253;
   assign and_1253 = not_265_s2_q & ((~looked_there_q) & (and_1179 | (~found_there_q)));
-  // hls/stages/objects.hpp:135
+  // hls/stages/objects.hpp:167
   logic [4:0] or_1256;
   assign or_1256 = (begin_0_q ? entries_0_label_q : 5'h0) | (begin_1_q ? entries_1_label_q : 5'h0);
   logic [4:0] or_1259;
@@ -1112,7 +1112,7 @@ module horopter_objects (
   assign or_1312 = (begin_30_q ? entries_30_label_q : 5'h0) | (begin_31_q ? entries_31_label_q : 5'h0);
   logic [4:0] or_1315;
   assign or_1315 = ((or_1287 | or_1290) | (or_1294 | or_1297)) | ((or_1302 | or_1305) | (or_1309 | or_1312));
-  // hls/stages/objects.hpp:136
+  // hls/stages/objects.hpp:168
   logic or_1320;
   assign or_1320 = (entries_0_there_q & begin_0_q) | (entries_1_there_q & begin_1_q);
   logic or_1323;
@@ -1149,7 +1149,7 @@ module horopter_objects (
   assign or_1376 = (entries_30_there_q & begin_30_q) | (entries_31_there_q & begin_31_q);
   logic or_1379;
   assign or_1379 = ((or_1351 | or_1354) | (or_1358 | or_1361)) | ((or_1366 | or_1369) | (or_1373 | or_1376));
-  // hls/stages/objects.hpp:141
+  // hls/stages/objects.hpp:174
   logic and_1386;
   assign and_1386 = (entries_0_there_q & front_there_q) & (entries_0_label_q == front_label_q);
   logic and_1392;
@@ -1214,19 +1214,19 @@ module horopter_objects (
   assign and_1566 = (entries_30_there_q & front_there_q) & (entries_30_label_q == front_label_q);
   logic and_1572;
   assign and_1572 = (entries_31_there_q & front_there_q) & (entries_31_label_q == front_label_q);
-  // hls/stages/objects.hpp:244
+  // hls/stages/objects.hpp:277
   logic equal_1576;
   assign equal_1576 = {same_31_q, same_30_q, same_29_q, same_28_q, same_27_q, same_26_q, same_25_q, same_24_q, same_23_q, same_22_q, same_21_q, same_20_q, same_19_q, same_18_q, same_17_q, same_16_q, same_15_q, same_14_q, same_13_q, same_12_q, same_11_q, same_10_q, same_9_q, same_8_q, same_7_q, same_6_q, same_5_q, same_4_q, same_3_q, same_2_q, same_1_q, same_0_q} == 32'h0;
-  // hls/stages/objects.hpp:235
+  // hls/stages/objects.hpp:268
   logic equal_1578;
   assign equal_1578 = run_label_q == front_label_q;
-  // hls/stages/objects.hpp:248
+  // hls/stages/objects.hpp:281
   logic select_1582;
   assign select_1582 = and_320 ? ((~equal_1576) | (equal_1578 & (run_there_q & front_there_q))) : others_q;
-  // hls/stages/objects.hpp:239
+  // hls/stages/objects.hpp:272
   logic select_1587;
   assign select_1587 = and_416 ? ((front_there_q & (event_meets_q & run_there_q)) & (~equal_1578)) : joined_q;
-  // hls/stages/objects.hpp:136
+  // hls/stages/objects.hpp:168
   logic or_1598;
   assign or_1598 = ((entries_0_there_q & end_0_q) | (entries_1_there_q & end_1_q)) | ((entries_2_there_q & end_2_q) | (entries_3_there_q & end_3_q));
   logic or_1605;
@@ -1259,11 +1259,11 @@ module horopter_objects (
   assign or_1653 = ((or_1625 | or_1628) | (or_1632 | or_1635)) | ((or_1640 | or_1643) | (or_1647 | or_1650));
   logic or_1654;
   assign or_1654 = ((or_1598 | or_1605) | (or_1613 | (or_1616 | or_1619))) | or_1653;
-  // hls/stages/objects.hpp:93
+  // hls/stages/objects.hpp:96
   logic or_1663;
   assign or_1663 = ((and_440 & (or_1654 | (not_897 & not_1177))) | and_1658_s2_q) | (~(and_264_s2_q | (~overflow_q)));
 
-  // Memory objects, 32 x 105, DISTANCE 2, hls/stages/objects.hpp:414; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory objects, 32 x 105, DISTANCE 2, hls/stages/objects.hpp:458; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [104:0] objects_mem [0:31];
@@ -1801,84 +1801,84 @@ module horopter_objects (
   logic [25:0] joining_columns_q;
   logic [25:0] joining_rows_q;
   logic alarm_q;
-  // hls/stages/objects.hpp:350
+  // hls/stages/objects.hpp:394
   logic [8:0] pixels;
   assign pixels = (event_run_right_s3_q - event_run_left_s3_q) + 9'h1;
-  // hls/stages/objects.hpp:361
+  // hls/stages/objects.hpp:405
   logic [16:0] sum_329;
   assign sum_329 = objects_rdata_q[16:0] + (and_301_s3_q ? joining_pixels_q : {8'h0, pixels});
-  // hls/stages/objects.hpp:339
+  // hls/stages/objects.hpp:383
   logic [16:0] select_330;
   assign select_330 = and_325_s3_q ? {8'h0, pixels} : sum_329;
-  // hls/stages/objects.hpp:333
+  // hls/stages/objects.hpp:377
   logic [8:0] select_331;
   assign select_331 = and_301_s3_q ? joining_left_q : event_run_left_s3_q;
-  // hls/stages/objects.hpp:362
+  // hls/stages/objects.hpp:406
   logic [8:0] select_333;
   assign select_333 = (select_331 < objects_rdata_q[25:17]) ? select_331 : objects_rdata_q[25:17];
-  // hls/stages/objects.hpp:339
+  // hls/stages/objects.hpp:383
   logic [8:0] select_334;
   assign select_334 = and_325_s3_q ? event_run_left_s3_q : select_333;
-  // hls/stages/objects.hpp:333
+  // hls/stages/objects.hpp:377
   logic [8:0] select_335;
   assign select_335 = and_301_s3_q ? joining_right_q : event_run_right_s3_q;
-  // hls/stages/objects.hpp:363
+  // hls/stages/objects.hpp:407
   logic [8:0] select_337;
   assign select_337 = (objects_rdata_q[34:26] < select_335) ? select_335 : objects_rdata_q[34:26];
-  // hls/stages/objects.hpp:339
+  // hls/stages/objects.hpp:383
   logic [8:0] select_338;
   assign select_338 = and_325_s3_q ? event_run_right_s3_q : select_337;
-  // hls/stages/objects.hpp:333
+  // hls/stages/objects.hpp:377
   logic [8:0] select_339;
   assign select_339 = and_301_s3_q ? joining_top_q : event_run_row_s3_q;
-  // hls/stages/objects.hpp:364
+  // hls/stages/objects.hpp:408
   logic [8:0] select_341;
   assign select_341 = (select_339 < objects_rdata_q[43:35]) ? select_339 : objects_rdata_q[43:35];
-  // hls/stages/objects.hpp:339
+  // hls/stages/objects.hpp:383
   logic [8:0] select_342;
   assign select_342 = and_325_s3_q ? event_run_row_s3_q : select_341;
-  // hls/stages/objects.hpp:333
+  // hls/stages/objects.hpp:377
   logic [8:0] select_343;
   assign select_343 = and_301_s3_q ? joining_bottom_q : event_run_row_s3_q;
-  // hls/stages/objects.hpp:365
+  // hls/stages/objects.hpp:409
   logic [8:0] select_345;
   assign select_345 = (objects_rdata_q[52:44] < select_343) ? select_343 : objects_rdata_q[52:44];
-  // hls/stages/objects.hpp:339
+  // hls/stages/objects.hpp:383
   logic [8:0] select_346;
   assign select_346 = and_325_s3_q ? event_run_row_s3_q : select_345;
-  // hls/stages/objects.hpp:355
+  // hls/stages/objects.hpp:399
   logic [9:0] sum_347;
   assign sum_347 = {1'b0, event_run_left_s3_q} + {1'b0, event_run_right_s3_q};
   logic [18:0] product_348;
   assign product_348 = {10'h0, pixels} * {9'h0, sum_347};
-  // hls/stages/objects.hpp:333
+  // hls/stages/objects.hpp:377
   logic [25:0] b;
   assign b = and_301_s3_q ? joining_columns_q : {8'h0, product_348[18:1]};
-  // hls/stages/objects.hpp:373
+  // hls/stages/objects.hpp:417
   logic [16:0] low;
   assign low = {1'b0, objects_rdata_q[68:53]} + {1'b0, b[15:0]};
-  // hls/stages/objects.hpp:375
+  // hls/stages/objects.hpp:419
   logic [9:0] sum_352;
   assign sum_352 = {9'h0, low[16]} + (objects_rdata_q[78:69] + b[25:16]);
-  // hls/stages/objects.hpp:339
+  // hls/stages/objects.hpp:383
   logic [25:0] select_353;
   assign select_353 = and_325_s3_q ? {8'h0, product_348[18:1]} : {sum_352, low[15:0]};
-  // hls/stages/objects.hpp:356
+  // hls/stages/objects.hpp:400
   logic [17:0] product_354;
   assign product_354 = {9'h0, event_run_row_s3_q} * {9'h0, pixels};
-  // hls/stages/objects.hpp:333
+  // hls/stages/objects.hpp:377
   logic [25:0] b_2;
   assign b_2 = and_301_s3_q ? joining_rows_q : {8'h0, product_354};
-  // hls/stages/objects.hpp:373
+  // hls/stages/objects.hpp:417
   logic [16:0] low_2;
   assign low_2 = {1'b0, objects_rdata_q[94:79]} + {1'b0, b_2[15:0]};
-  // hls/stages/objects.hpp:375
+  // hls/stages/objects.hpp:419
   logic [9:0] sum_358;
   assign sum_358 = {9'h0, low_2[16]} + (objects_rdata_q[104:95] + b_2[25:16]);
-  // hls/stages/objects.hpp:339
+  // hls/stages/objects.hpp:383
   logic [25:0] select_359;
   assign select_359 = and_325_s3_q ? {8'h0, product_354} : {sum_358, low_2[15:0]};
-  // hls/stages/objects.hpp:85
+  // hls/stages/objects.hpp:88
   logic and_1674;
   assign and_1674 = or_323_s3_q & (not_361_s3_q & (~(select_330 < cfg_object_limit_i)));
 

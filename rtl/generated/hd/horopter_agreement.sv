@@ -143,7 +143,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:40
   logic [3:0] select_333;
   assign select_333 = sample_pair_first_q ? 4'h0 : raster_at_y_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic [3:0] select_1065;
   assign select_1065 = sample_pair_whole_q ? (sample_last_q ? (select_333 + 4'h1) : select_333) : raster_at_y_q;
 
@@ -212,10 +212,10 @@ module horopter_agreement (
   // hls/stages/census.hpp:40
   logic or_320;
   assign or_320 = sample_pair_first_s1_q | raster_at_live_q;
-  // hls/stages/agreement.hpp:178
+  // hls/stages/agreement.hpp:181
   logic whole;
   assign whole = equal_313 ? sample_present_s1_q : (sample_present_s1_q & averager_running_mask_q);
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic [6:0] column;
   assign column = sample_pair_whole_s1_q ? select_315 : 7'h0;
   // hls/stages/census.hpp:45
@@ -224,7 +224,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:40
   logic [6:0] select_406;
   assign select_406 = sample_pair_first_s1_q ? 7'h0 : raster_at_row_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic [6:0] row;
   assign row = sample_pair_whole_s1_q ? select_406 : 7'h0;
   logic [6:0] select_1067;
@@ -232,13 +232,13 @@ module horopter_agreement (
   // hls/stages/census.hpp:52
   logic [6:0] select_1069;
   assign select_1069 = sample_last_s1_q ? (select_406 + {6'h0, equal_351_s1_q}) : select_406;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic select_1074;
   assign select_1074 = sample_pair_whole_s1_q ? (sample_last_s1_q ? (or_320 & (~raster_final_row_q)) : or_320) : raster_at_live_q;
   // hls/stages/census.hpp:44
   logic [10:0] select_1076;
   assign select_1076 = sample_pair_first_s1_q ? cfg_height_i : (raster_rows_left_q - {10'h0, sample_last_s1_q});
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic select_1080;
   assign select_1080 = sample_pair_whole_s1_q ? (raster_rows_left_q == 11'h1) : raster_final_row_q;
 
@@ -304,7 +304,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:95
   logic [8:0] select_319;
   assign select_319 = equal_313_s2_q ? (equal_316_s2_q ? 9'h0 : (averager_place_q + 9'h1)) : averager_place_q;
-  // hls/stages/agreement.hpp:277
+  // hls/stages/agreement.hpp:280
   logic [7:0] sum_1335;
   assign sum_1335 = {1'b0, row_s2_q} + 8'h1;
 
@@ -383,42 +383,42 @@ module horopter_agreement (
   logic [7:0] next_beats_q;
   logic [5:0] next_shift_q;
   logic next_last_shift_q;
-  // hls/stages/agreement.hpp:178
+  // hls/stages/agreement.hpp:181
   logic and_328;
   assign and_328 = not_325_s3_q & (~(select_319_s3_q[8:5] == 4'hf));
   // hls/stages/census.hpp:105
   logic and_352;
   assign and_352 = equal_351_s3_q & and_328;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic and_354;
   assign and_354 = sample_pair_whole_s3_q & (equal_350_s3_q & and_352);
-  // hls/stages/agreement.hpp:349
+  // hls/stages/agreement.hpp:352
   logic equal_373;
   assign equal_373 = run_phase_q == 3'h3;
   logic equal_375;
   assign equal_375 = run_phase_q == 3'h2;
-  // hls/stages/agreement.hpp:407
+  // hls/stages/agreement.hpp:410
   logic less_376;
   assign less_376 = run_highest_q < x_q;
-  // hls/stages/agreement.hpp:411
+  // hls/stages/agreement.hpp:414
   logic not_377;
   assign not_377 = ~less_376;
-  // hls/stages/agreement.hpp:669
+  // hls/stages/agreement.hpp:675
   logic drew;
   assign drew = run_phase_q == 3'h4;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [6:0] select_494;
   assign select_494 = equal_373 ? ({run_shift_q[5], run_shift_q} + x_q[6:0]) : x_q[6:0];
-  // hls/stages/agreement.hpp:426
+  // hls/stages/agreement.hpp:429
   logic [7:0] x;
   assign x = x_q + 8'hfd;
-  // hls/stages/agreement.hpp:617
+  // hls/stages/agreement.hpp:623
   logic [6:0] sum_1054;
   assign sum_1054 = {1'b0, run_highest_q[7:2]} + 7'h1;
-  // hls/stages/agreement.hpp:260
+  // hls/stages/agreement.hpp:263
   logic equal_1252;
   assign equal_1252 = {last[7], column_s3_q} == {1'b0, last[6:0]};
-  // hls/stages/agreement.hpp:176
+  // hls/stages/agreement.hpp:179
   logic [2:0] select_1253;
   assign select_1253 = ends_q ? following_phase_q : run_phase_q;
   logic [7:0] select_1256;
@@ -431,13 +431,13 @@ module horopter_agreement (
   assign select_1265 = ends_q ? following_shift_q : run_shift_q;
   logic select_1268;
   assign select_1268 = ends_q ? following_last_shift_q : run_last_shift_q;
-  // hls/stages/agreement.hpp:261
+  // hls/stages/agreement.hpp:264
   logic not_1269;
   assign not_1269 = ~equal_1252;
-  // hls/stages/agreement.hpp:341
+  // hls/stages/agreement.hpp:344
   logic not_1272;
   assign not_1272 = ~run_last_shift_q;
-  // hls/stages/agreement.hpp:349
+  // hls/stages/agreement.hpp:352
   logic equal_1273;
   assign equal_1273 = run_phase_q == 3'h1;
   // hls/stages/agreement.hpp:155
@@ -463,33 +463,33 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:155
   logic select_1302;
   assign select_1302 = equal_373 ? (next_last_shift_q & not_1272) : (equal_375 & (least_q == 7'h0));
-  // hls/stages/agreement.hpp:176
+  // hls/stages/agreement.hpp:179
   logic [7:0] select_1305;
   assign select_1305 = ends_q ? following_lowest_q : (x_q + 8'h1);
   logic [7:0] select_1309;
   assign select_1309 = ends_q ? following_beats_q : (beats_left_q + 8'hff);
-  // hls/stages/agreement.hpp:267
+  // hls/stages/agreement.hpp:270
   logic less_1316;
   assign less_1316 = 6'he < column_s3_q[6:1];
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [6:0] select_1319;
   assign select_1319 = and_354 ? (equal_1252 ? (less_1316 ? 7'h1e : column_s3_q) : least_q) : least_q;
-  // hls/stages/agreement.hpp:261
+  // hls/stages/agreement.hpp:264
   logic [7:0] select_1322;
   assign select_1322 = equal_1252 ? (less_1316 ? {sum_1320, cfg_width_i[5:4]} : 8'h23) : first_beats_q;
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [7:0] select_1326;
   assign select_1326 = and_354 ? (equal_1252 ? {sum_1324, cfg_width_i[4]} : whole_beats_q) : whole_beats_q;
-  // hls/stages/agreement.hpp:317
+  // hls/stages/agreement.hpp:320
   logic not_1327;
   assign not_1327 = ~ends_q;
-  // hls/stages/agreement.hpp:176
+  // hls/stages/agreement.hpp:179
   logic and_1332;
   assign and_1332 = not_1327 & (beats_left_q == 8'h1);
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic select_1338;
   assign select_1338 = and_354 ? (equal_1252 ? equal_1336_s3_q : final_row_q) : final_row_q;
-  // hls/stages/agreement.hpp:532
+  // hls/stages/agreement.hpp:538
   logic [5:0] sum_1482;
   assign sum_1482 = {1'b0, last_q[6:2]} + 6'h1;
   // hls/stages/agreement.hpp:148
@@ -639,19 +639,19 @@ module horopter_agreement (
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
   logic [6:0] age_q;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_378;
   assign and_378 = equal_375_s4_q & not_377_s4_q;
   logic select_466;
   assign select_466 = equal_373_s4_q ? not_377_s4_q : (equal_375_s4_q ? not_377_s4_q : and_464_s4_q);
-  // hls/stages/agreement.hpp:176
+  // hls/stages/agreement.hpp:179
   logic [5:0] select_1328;
   assign select_1328 = ends_s4_q ? 6'h0 : age_q[5:0];
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [6:0] select_1330;
   assign select_1330 = and_354_s4_q ? (equal_1252_s4_q ? 7'h0 : {select_1328, not_1327_s4_q}) : {select_1328, not_1327_s4_q};
 
-  // Memory left, 120 x 77, DISTANCE 32, hls/stages/agreement.hpp:797; read in stage 4, written in stage 7: 4 < 7 < 4 + DISTANCE.
+  // Memory left, 120 x 77, DISTANCE 32, hls/stages/agreement.hpp:803; read in stage 4, written in stage 7: 4 < 7 < 4 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [76:0] left_mem [0:119];
@@ -667,7 +667,7 @@ module horopter_agreement (
     if (left_re) left_rdata_q <= left_mem[left_raddr];
   end
 
-  // Memory right_codes, 120 x 91, DISTANCE 32, hls/stages/agreement.hpp:798; read in stage 4, written in stage 7: 4 < 7 < 4 + DISTANCE.
+  // Memory right_codes, 120 x 91, DISTANCE 32, hls/stages/agreement.hpp:804; read in stage 4, written in stage 7: 4 < 7 < 4 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [90:0] right_codes_mem [0:119];
@@ -775,14 +775,14 @@ module horopter_agreement (
   end
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:336
+  // hls/stages/agreement.hpp:339
   logic not_374;
   assign not_374 = ~equal_373_s5_q;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_379;
   assign and_379 = not_374 & and_378_s5_q;
 
-  // Memory fresh, 120 x 29, DISTANCE 32, hls/stages/agreement.hpp:796; read in stage 5, written in stage 27: 5 < 27 < 5 + DISTANCE.
+  // Memory fresh, 120 x 29, DISTANCE 32, hls/stages/agreement.hpp:802; read in stage 5, written in stage 27: 5 < 27 < 5 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [28:0] fresh_mem [0:119];
@@ -890,7 +890,7 @@ module horopter_agreement (
   // Stage 6 -----------------------------------------------------------------------------------------------------------
   logic [6:0] row_q;
   logic lower_half_q;
-  // hls/stages/agreement.hpp:382
+  // hls/stages/agreement.hpp:385
   logic equal_468;
   assign equal_468 = row_q == 7'h0;
   logic not_470;
@@ -907,12 +907,12 @@ module horopter_agreement (
   assign equal_489 = row_q[6:2] == 5'h0;
   logic not_491;
   assign not_491 = ~equal_489;
-  // hls/stages/agreement.hpp:383
+  // hls/stages/agreement.hpp:386
   logic less_505;
   assign less_505 = row_q < 7'h5;
   logic less_509;
   assign less_509 = row_q[6:1] < 6'h3;
-  // hls/stages/agreement.hpp:164
+  // hls/stages/agreement.hpp:167
   logic and_530;
   assign and_530 = left_rdata_s6_q[44] & not_377_s6_q;
   logic [11:0] a;
@@ -935,22 +935,22 @@ module horopter_agreement (
   assign b_5 = less_376_s6_q ? 12'h0 : right_codes_rdata_s6_q[24:13];
   logic [11:0] b_6;
   assign b_6 = less_376_s6_q ? 12'h0 : right_codes_rdata_s6_q[89:78];
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [11:0] not_741;
   assign not_741 = ~(a_3 ^ b_6);
-  // hls/stages/agreement.hpp:164
+  // hls/stages/agreement.hpp:167
   logic [11:0] b_7;
   assign b_7 = less_376_s6_q ? 12'h0 : right_codes_rdata_s6_q[11:0];
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [11:0] not_770;
   assign not_770 = ~(a ^ b_7);
-  // hls/stages/agreement.hpp:523
+  // hls/stages/agreement.hpp:529
   logic not_927;
   assign not_927 = ~(row_q[6:3] == 4'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_1058;
   assign and_1058 = drew_s6_q & (((7'h6 < row_q) & (~(x_s6_q[7:2] == 6'h0))) & not_1056_s6_q);
-  // hls/stages/agreement.hpp:261
+  // hls/stages/agreement.hpp:264
   logic select_1342;
   assign select_1342 = equal_1252_s6_q ? (~({row_s6_q, 1'b0} < {sum_1339, cfg_height_i[4]})) : lower_half_q;
 
@@ -1172,7 +1172,7 @@ module horopter_agreement (
   end
 
   // Stage 7 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [11:0] not_536;
   assign not_536 = ~(a_s7_q ^ b_s7_q);
   logic [1:0] sum_538;
@@ -1494,7 +1494,7 @@ module horopter_agreement (
   end
 
   // Stage 8 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [2:0] sum_541;
   assign sum_541 = {2'h0, not_536_s8_q[1]} + ({2'h0, not_536_s8_q[0]} + sum_539_s8_q);
   logic [2:0] sum_560;
@@ -1708,7 +1708,7 @@ module horopter_agreement (
   end
 
   // Stage 9 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [2:0] sum_542;
   assign sum_542 = {2'h0, not_536_s9_q[0]} + sum_541_s9_q;
   logic [2:0] sum_561;
@@ -1922,7 +1922,7 @@ module horopter_agreement (
   end
 
   // Stage 10 ----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [3:0] sum_545;
   assign sum_545 = {3'h0, not_536_s10_q[1]} + ({3'h0, not_536_s10_q[0]} + sum_543_s10_q);
   logic [3:0] sum_564;
@@ -2141,15 +2141,15 @@ module horopter_agreement (
   logic [27:0] registration_slope_q;
   logic [23:0] registration_next_slope_row_q;
   logic [27:0] registration_next_slope_change_q;
-  // hls/stages/agreement.hpp:334
+  // hls/stages/agreement.hpp:337
   logic not_519;
   assign not_519 = ~equal_375_s11_q;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_520;
   assign and_520 = not_519 & and_464_s11_q;
   logic select_521;
   assign select_521 = equal_373_s11_q ? and_518_s11_q : and_520;
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [3:0] sum_547;
   assign sum_547 = {3'h0, not_536_s11_q[1]} + ({3'h0, not_536_s11_q[0]} + sum_545_s11_q);
   logic [3:0] column_2;
@@ -2196,13 +2196,13 @@ module horopter_agreement (
   // hls/stages/registration.hpp:57
   logic [23:0] select_1746;
   assign select_1746 = equal_1745_s11_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : registration_next_slope_row_q;
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [23:0] select_1748;
   assign select_1748 = and_354_s11_q ? (equal_1252_s11_q ? select_1746 : registration_slope_row_q) : registration_slope_row_q;
   // hls/stages/registration.hpp:58
   logic [27:0] select_1749;
   assign select_1749 = equal_1745_s11_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : registration_next_slope_change_q;
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [27:0] select_1751;
   assign select_1751 = and_354_s11_q ? (equal_1252_s11_q ? select_1749 : registration_slope_change_q) : registration_slope_change_q;
   // hls/stages/registration.hpp:48
@@ -2215,7 +2215,7 @@ module horopter_agreement (
   logic [27:0] sum_1755;
   assign sum_1755 = {{12{cfg_epipolar_both_i[15]}}, $unsigned(cfg_epipolar_both_i)} + registration_slope_change_q;
 
-  // Memory best_left, 120 x 22, DISTANCE 32, hls/stages/agreement.hpp:799; read in stage 11, written in stage 28: 11 < 28 < 11 + DISTANCE.
+  // Memory best_left, 120 x 22, DISTANCE 32, hls/stages/agreement.hpp:805; read in stage 11, written in stage 28: 11 < 28 < 11 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [21:0] best_left_mem [0:119];
@@ -2385,7 +2385,7 @@ module horopter_agreement (
   end
 
   // Stage 12 ----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:420
+  // hls/stages/agreement.hpp:423
   logic [4:0] column_3;
   assign column_3 = {1'b0, column_2_s12_q} + {1'b0, select_567_s12_q};
   logic [5:0] column_4;
@@ -2551,14 +2551,14 @@ module horopter_agreement (
   logic [7:0] sums_3_columns_values_4_q;
   logic [7:0] sums_3_columns_values_5_q;
   logic [7:0] sums_3_columns_values_6_q;
-  // hls/stages/agreement.hpp:422
+  // hls/stages/agreement.hpp:425
   logic [7:0] difference_590;
   assign difference_590 = {2'h0, column_4_s13_q} - (age_s13_q[1] ? sums_2_columns_values_6_q : 8'h0);
   logic [7:0] difference_644;
   assign difference_644 = {2'h0, column_7_s13_q} - (age_s13_q[1] ? sums_1_columns_values_6_q : 8'h0);
   logic [7:0] difference_699;
   assign difference_699 = {2'h0, column_10_s13_q} - (age_s13_q[1] ? sums_3_columns_values_6_q : 8'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [7:0] select_1352;
   assign select_1352 = equal_373_s13_q ? {2'h0, column_7_s13_q} : sums_1_columns_values_0_q;
   logic [7:0] select_1353;
@@ -2812,7 +2812,7 @@ module horopter_agreement (
   logic [7:0] sums_4_columns_values_4_q;
   logic [7:0] sums_4_columns_values_5_q;
   logic [7:0] sums_4_columns_values_6_q;
-  // hls/stages/agreement.hpp:422
+  // hls/stages/agreement.hpp:425
   logic [7:0] sum_593;
   assign sum_593 = difference_590_s14_q + (equal_591_s14_q ? 8'h0 : sums_2_sum_sums_values_0_q);
   logic [7:0] sum_646;
@@ -2823,7 +2823,7 @@ module horopter_agreement (
   assign difference_756 = {2'h0, column_13_s14_q} - (age_s14_q[1] ? sums_0_columns_values_6_q : 8'h0);
   logic [7:0] difference_816;
   assign difference_816 = {2'h0, column_16_s14_q} - (age_s14_q[1] ? sums_4_columns_values_6_q : 8'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [7:0] select_1344;
   assign select_1344 = equal_373_s14_q ? {2'h0, column_13_s14_q} : sums_0_columns_values_0_q;
   logic [7:0] select_1345;
@@ -3026,20 +3026,20 @@ module horopter_agreement (
   // Stage 15 ----------------------------------------------------------------------------------------------------------
   logic [7:0] sums_0_sum_sums_values_0_q;
   logic [7:0] sums_4_sum_sums_values_0_q;
-  // hls/stages/agreement.hpp:435
+  // hls/stages/agreement.hpp:438
   logic not_703;
   assign not_703 = ~less_647_s15_q;
   logic [1:0] best;
   assign best = ((less_647_s15_q ? sum_646_s15_q : sum_593_s15_q) < sum_701_s15_q) ? 2'h3 : {not_703, less_647_s15_q};
-  // hls/stages/agreement.hpp:422
+  // hls/stages/agreement.hpp:425
   logic [7:0] sum_758;
   assign sum_758 = difference_756_s15_q + (equal_591_s15_q ? 8'h0 : sums_0_sum_sums_values_0_q);
   logic [7:0] sum_818;
   assign sum_818 = difference_816_s15_q + (equal_591_s15_q ? 8'h0 : sums_4_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:447
+  // hls/stages/agreement.hpp:450
   logic [6:0] partner;
   assign partner = {run_shift_s15_q[5], run_shift_s15_q} + x_s15_2_q;
-  // hls/stages/agreement.hpp:522
+  // hls/stages/agreement.hpp:528
   logic [6:0] sum_888;
   assign sum_888 = x_s15_q[6:0] + {best_left_rdata_s15_q[13], best_left_rdata_s15_q[13:8]};
   // hls/stages/registration.hpp:67
@@ -3190,7 +3190,7 @@ module horopter_agreement (
   end
 
   // Stage 16 ----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:435
+  // hls/stages/agreement.hpp:438
   logic less_761;
   assign less_761 = (best_s16_q[1] ? select_705_s16_q : select_759_s16_q) < sum_758_s16_q;
   logic [1:0] best_2;
@@ -3219,7 +3219,7 @@ module horopter_agreement (
   logic [8:0] difference_1516;
   assign difference_1516 = {{2{select_1514[7]}}, select_1514[7:1]} - {select_1515[7], select_1515};
 
-  // Memory best_right, 120 x 15, DISTANCE 32, hls/stages/agreement.hpp:800; read in stage 16, written in stage 20: 16 < 20 < 16 + DISTANCE.
+  // Memory best_right, 120 x 15, DISTANCE 32, hls/stages/agreement.hpp:806; read in stage 16, written in stage 20: 16 < 20 < 16 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [14:0] best_right_mem [0:119];
@@ -3368,12 +3368,12 @@ module horopter_agreement (
   // hls/stages/census.hpp:98
   logic and_329;
   assign and_329 = sample_pair_whole_s17_q & and_328_s17_q;
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:430
   logic less_525;
   assign less_525 = $signed(run_shift_s17_q) < $signed($unsigned(cfg_shift_lowest_i));
   logic less_527;
   assign less_527 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s17_q);
-  // hls/stages/agreement.hpp:435
+  // hls/stages/agreement.hpp:438
   logic less_819;
   assign less_819 = (best_2_s17_q[1] ? select_763_s17_q : select_764_s17_q) < sum_818_s17_q;
   logic [1:0] select_820;
@@ -3549,10 +3549,10 @@ module horopter_agreement (
   assign select_332 = equal_313_s18_q ? {6'h0, sample_pair_pixel_0_q} : ({6'h0, sample_pair_pixel_0_q} + averager_running_0_q);
   logic [13:0] sum_338;
   assign sum_338 = {6'h0, sample_pair_pixel_1_q} + (equal_313_s18_q ? 14'h0 : averager_running_1_q);
-  // hls/stages/agreement.hpp:178
+  // hls/stages/agreement.hpp:181
   logic all_of_skin;
   assign all_of_skin = equal_313_s18_q ? sample_of_skin_q : (sample_of_skin_q & averager_running_of_skin_q);
-  // hls/stages/agreement.hpp:437
+  // hls/stages/agreement.hpp:440
   logic [7:0] of_best;
   assign of_best = less_819_s18_q ? sum_818_s18_q : (select_820_s18_q[1] ? select_821_s18_q : select_822_s18_q);
   logic [7:0] of_best_2;
@@ -3572,13 +3572,13 @@ module horopter_agreement (
   // hls/stages/division.hpp:18
   logic [5:0] sum_913;
   assign sum_913 = region_across_rest_q[8:3] + 6'h1;
-  // hls/stages/agreement.hpp:524
+  // hls/stages/agreement.hpp:530
   logic [8:0] way;
   assign way = {2'h0, best_right_rdata_s18_q[14:8]} - {1'b0, x_s18_q};
-  // hls/stages/agreement.hpp:529
+  // hls/stages/agreement.hpp:535
   logic and_948;
   assign and_948 = cfg_nearer_above_i & ($signed(6'h0) < $signed(best_left_rdata_s18_q[13:8]));
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic select_1113;
   assign select_1113 = sample_pair_whole_s18_q ? all_of_skin : averager_running_of_skin_q;
   // hls/stages/registration.hpp:69
@@ -3590,7 +3590,7 @@ module horopter_agreement (
   // hls/stages/division.hpp:36
   logic [8:0] select_1767;
   assign select_1767 = sum_913[5] ? {1'b1, sum_913[4:0], region_across_rest_q[2:0]} : sum_1766;
-  // hls/stages/agreement.hpp:261
+  // hls/stages/agreement.hpp:264
   logic [8:0] select_1771;
   assign select_1771 = equal_1252_s18_q ? (9'h1f0 - {2'h0, cfg_width_i[10:4]}) : columns_begin_rest_q;
   logic [7:0] select_1774;
@@ -3791,13 +3791,13 @@ module horopter_agreement (
   // hls/stages/census.hpp:102
   logic and_348;
   assign and_348 = all_of_skin_s19_q & (averager_memory_rdata_s19_q[29] | equal_334_s19_q);
-  // hls/stages/agreement.hpp:439
+  // hls/stages/agreement.hpp:442
   logic less_826;
   assign less_826 = $signed(run_shift_s19_q) < $signed(6'h1);
-  // hls/stages/agreement.hpp:442
+  // hls/stages/agreement.hpp:445
   logic or_829;
   assign or_829 = less_827_s19_q | equal_828_s19_q;
-  // hls/stages/agreement.hpp:445
+  // hls/stages/agreement.hpp:448
   logic [7:0] select_832;
   assign select_832 = less_826 ? (or_829 ? of_best_2_s19_q : best_left_rdata_s19_q[7:0]) : (less_827_s19_q ? of_best_2_s19_q : best_left_rdata_s19_q[7:0]);
   logic [5:0] select_836;
@@ -3811,10 +3811,10 @@ module horopter_agreement (
   // hls/stages/registration.hpp:24
   logic [8:0] rise;
   assign rise = {1'b0, below} - {1'b0, above};
-  // hls/stages/agreement.hpp:449
+  // hls/stages/agreement.hpp:452
   logic or_893;
   assign or_893 = less_891_s19_q | equal_892_s19_q;
-  // hls/stages/agreement.hpp:450
+  // hls/stages/agreement.hpp:453
   logic [7:0] select_896;
   assign select_896 = less_826 ? (or_893 ? of_best_2_s19_q : best_right_rdata_s19_q[7:0]) : (less_891_s19_q ? of_best_2_s19_q : best_right_rdata_s19_q[7:0]);
   logic [6:0] select_900;
@@ -3822,30 +3822,30 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:142
   logic [7:0] select_902;
   assign select_902 = drew_s19_q ? region_columns_q : 8'h1;
-  // hls/stages/agreement.hpp:558
+  // hls/stages/agreement.hpp:564
   logic or_905;
   assign or_905 = select_902[7] | (~({select_902[5], select_902[3], select_902[1]} == 3'h0));
-  // hls/stages/agreement.hpp:566
+  // hls/stages/agreement.hpp:572
   logic or_916;
   assign or_916 = (~sum_913_s19_q) | equal_915_s19_q;
-  // hls/stages/agreement.hpp:536
+  // hls/stages/agreement.hpp:542
   logic and_917;
   assign and_917 = not_377_s19_q & or_916;
-  // hls/stages/agreement.hpp:635
+  // hls/stages/agreement.hpp:641
   logic equal_919;
   assign equal_919 = x_s19_q[5:4] == 2'h3;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_921;
   assign and_921 = equal_918_s19_q & (~equal_919);
   logic and_924;
   assign and_924 = not_374_s19_q & (not_519_s19_q & (drew_s19_q ? and_917 : and_921));
-  // hls/stages/agreement.hpp:527
+  // hls/stages/agreement.hpp:533
   logic [9:0] sum_938;
   assign sum_938 = {way_s19_q[8], way_s19_q} + 10'h1;
-  // hls/stages/agreement.hpp:536
+  // hls/stages/agreement.hpp:542
   logic [7:0] select_1009;
   assign select_1009 = less_376_s19_q ? select_902 : (sum_913_s19_q ? select_902 : {select_902[6:0], 1'b0});
-  // hls/stages/agreement.hpp:558
+  // hls/stages/agreement.hpp:564
   logic or_1012;
   assign or_1012 = select_1009[7] | (~({select_1009[5], select_1009[3], select_1009[1]} == 3'h0));
   // hls/stages/registration.hpp:158
@@ -3854,19 +3854,19 @@ module horopter_agreement (
   // hls/stages/division.hpp:34
   logic [7:0] sum_1757;
   assign sum_1757 = region_down_rest_q[8:1] + 8'h3;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [7:0] select_1765;
   assign select_1765 = equal_373_s19_q ? select_902 : (equal_375_s19_q ? select_902 : (drew_s19_q ? select_1009 : 8'h1));
-  // hls/stages/agreement.hpp:261
+  // hls/stages/agreement.hpp:264
   logic [8:0] select_1778;
   assign select_1778 = equal_408_s19_q ? {difference_1776[7], difference_1776} : (less_1756_s19_q ? region_down_next_q : region_down_rest_q);
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [8:0] select_1780;
   assign select_1780 = and_354_s19_q ? (equal_1252_s19_q ? select_1778 : region_down_rest_q) : region_down_rest_q;
-  // hls/stages/agreement.hpp:261
+  // hls/stages/agreement.hpp:264
   logic [7:0] select_1782;
   assign select_1782 = equal_408_s19_q ? (8'h6 - {1'b0, cfg_height_i[10:4]}) : region_down_back_q;
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [7:0] select_1784;
   assign select_1784 = and_354_s19_q ? (equal_1252_s19_q ? select_1782 : region_down_back_q) : region_down_back_q;
   // hls/stages/division.hpp:36
@@ -3889,7 +3889,7 @@ module horopter_agreement (
     if (census_memory_re) census_memory_rdata_q <= census_memory_mem[census_memory_raddr];
   end
 
-  // Memory seen_columns, 120 x 14, DISTANCE 32, hls/stages/agreement.hpp:828; read in stage 19, written in stage 21: 19 < 21 < 19 + DISTANCE.
+  // Memory seen_columns, 120 x 14, DISTANCE 32, hls/stages/agreement.hpp:837; read in stage 19, written in stage 21: 19 < 21 < 19 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [13:0] seen_columns_mem [0:119];
@@ -4109,7 +4109,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:105
   logic select_367;
   assign select_367 = equal_357_s20_q ? and_365 : (averager_mask_q & and_365);
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic whole_2;
   assign whole_2 = sample_pair_whole_s20_q & select_367;
   // hls/stages/census.hpp:126
@@ -4129,16 +4129,16 @@ module horopter_agreement (
   // hls/stages/registration.hpp:25
   logic [8:0] size;
   assign size = {8'h0, rise_s20_q} + {1'b0, xor_862_s20_q};
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [5:0] select_912;
   assign select_912 = drew_s20_q ? {region_row_q, or_911_s20_q, or_908_s20_q, or_905_s20_q} : x_s20_q[5:0];
-  // hls/stages/agreement.hpp:527
+  // hls/stages/agreement.hpp:533
   logic and_940;
   assign and_940 = and_936_s20_q & less_939_s20_q;
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_950;
   assign and_950 = and_940 & or_949_s20_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic [10:0] select_1092;
   assign select_1092 = sample_pair_whole_s20_q ? (and_352_s20_q ? total : averager_total_0_q) : averager_total_0_q;
   logic [10:0] select_1094;
@@ -4147,10 +4147,10 @@ module horopter_agreement (
   assign select_1115 = sample_pair_whole_s20_q ? (and_352_s20_q ? select_367 : averager_mask_q) : averager_mask_q;
   logic select_1117;
   assign select_1117 = sample_pair_whole_s20_q ? (and_352_s20_q ? select_371 : averager_of_skin_q) : averager_of_skin_q;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_1390;
   assign and_1390 = not_374_s20_q & (not_519_s20_q & (drew_s20_q & (not_377_s20_q & and_1386_s20_q)));
-  // hls/stages/agreement.hpp:531
+  // hls/stages/agreement.hpp:537
   logic and_1481;
   assign and_1481 = and_940 & less_1480_s20_q;
   // hls/stages/registration.hpp:73
@@ -4168,17 +4168,17 @@ module horopter_agreement (
   assign not_1560 = ~equal_1484;
   logic not_1561;
   assign not_1561 = ~equal_1485;
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1566;
   assign and_1566 = not_377_s20_q & (and_1481 & (not_1560 & (not_1561 & (~equal_1486))));
   logic and_1575;
   assign and_1575 = not_377_s20_q & (and_1481 & (not_1560 & (equal_1486 & not_1561)));
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_1584;
   assign and_1584 = drew_s20_q & (not_377_s20_q & (and_1481 & (equal_1485 & not_1560)));
   logic and_1592;
   assign and_1592 = not_519_s20_q & (drew_s20_q & (not_377_s20_q & (and_1481 & equal_1484)));
-  // hls/stages/agreement.hpp:261
+  // hls/stages/agreement.hpp:264
   logic [2:0] select_1759;
   assign select_1759 = less_1756_s20_q ? (sum_1757_s20_q ? region_row_q : next_region_row_q) : region_row_q;
   logic [2:0] select_1761;
@@ -4186,19 +4186,19 @@ module horopter_agreement (
   // hls/stages/division.hpp:18
   logic next;
   assign next = ~sum_1757_s20_q;
-  // hls/stages/agreement.hpp:261
+  // hls/stages/agreement.hpp:264
   logic select_1790;
   assign select_1790 = equal_1252_s20_q ? (equal_408_s20_q | (less_1756_s20_q ? next : region_fresh_q)) : region_fresh_q;
   // hls/stages/agreement.hpp:142
   logic or_1795;
   assign or_1795 = segment_starts_q | not_1298_s20_q;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic select_1799;
   assign select_1799 = drew_s20_q ? (less_376_s20_q ? or_1795 : select_1797_s20_q) : or_1795;
   logic select_1801;
   assign select_1801 = equal_373_s20_q ? or_1795 : (equal_375_s20_q ? or_1795 : select_1799);
 
-  // Memory regions, 64 x 36, DISTANCE 32, hls/stages/agreement.hpp:813; read in stage 20, written in stage 23: 20 < 23 < 20 + DISTANCE.
+  // Memory regions, 64 x 36, DISTANCE 32, hls/stages/agreement.hpp:822; read in stage 20, written in stage 23: 20 < 23 < 20 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [35:0] regions_mem [0:63];
@@ -4610,12 +4610,12 @@ module horopter_agreement (
   assign less_403 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
   logic less_404;
   assign less_404 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
-  // hls/stages/agreement.hpp:256
+  // hls/stages/agreement.hpp:259
   logic equal_405;
   assign equal_405 = column_s21_q == 7'h0;
   logic [3:0] select_409;
   assign select_409 = equal_408_s21_q ? 4'h0 : rows_passed_above_q[3:0];
-  // hls/stages/agreement.hpp:257
+  // hls/stages/agreement.hpp:260
   logic [4:0] select_410;
   assign select_410 = equal_405 ? {select_409, 1'b1} : rows_passed_above_q;
   // hls/stages/census.hpp:196
@@ -4640,33 +4640,33 @@ module horopter_agreement (
   // hls/stages/registration.hpp:28
   logic [8:0] select_865;
   assign select_865 = ({twice_s21_q, 1'b0} < size_s21_q) ? {twice_s21_q, 1'b0} : size_s21_q;
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic textured;
   assign textured = not_377_s21_q & and_929_s21_q;
-  // hls/stages/agreement.hpp:481
+  // hls/stages/agreement.hpp:484
   logic [6:0] select_931;
   assign select_931 = segment_started_q ? segment_textured_q : 7'h0;
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic explained;
   assign explained = not_377_s21_q & and_940_s21_q;
-  // hls/stages/agreement.hpp:481
+  // hls/stages/agreement.hpp:484
   logic [6:0] select_942;
   assign select_942 = segment_started_q ? segment_explained_q : 7'h0;
   logic [6:0] select_953;
   assign select_953 = segment_started_q ? segment_nearer_q : 7'h0;
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic near;
   assign near = not_377_s21_q & and_950_s21_q;
-  // hls/stages/agreement.hpp:536
+  // hls/stages/agreement.hpp:542
   logic [5:0] select_997;
   assign select_997 = less_376_s21_q ? 6'h0 : {seen_columns_rdata_s21_q[7:6], seen_columns_rdata_s21_q[4:2], seen_columns_rdata_s21_q[0]};
-  // hls/stages/agreement.hpp:594
+  // hls/stages/agreement.hpp:600
   logic [1:0] sum_999;
   assign sum_999 = {1'b0, select_997[3]} + ({1'b0, textured} + {1'b0, select_997[0]});
-  // hls/stages/agreement.hpp:595
+  // hls/stages/agreement.hpp:601
   logic [1:0] sum_1029;
   assign sum_1029 = {1'b0, select_997[4]} + ({1'b0, explained} + {1'b0, select_997[1]});
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic [8:0] select_1084;
   assign select_1084 = sample_pair_whole_s21_q ? (and_352_s21_q ? grey_s21_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
   logic [8:0] select_1086;
@@ -4680,7 +4680,7 @@ module horopter_agreement (
   assign sum_1095 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s21_q};
   logic [9:0] sum_1103;
   assign sum_1103 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s21_q};
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [8:0] select_1118;
   assign select_1118 = and_354_s21_q ? select_360_s21_q : census_columns_values_0_cell_0_left_q;
   logic [8:0] select_1119;
@@ -4777,43 +4777,43 @@ module horopter_agreement (
   assign difference_1220 = {1'b0, select_360_s21_q} - {1'b0, sharpness_last_mean_0_q};
   logic [9:0] difference_1231;
   assign difference_1231 = {1'b0, select_364_s21_q} - {1'b0, sharpness_last_mean_1_q};
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic and_1385;
   assign and_1385 = and_354_s21_q & (equal_408_s21_q & equal_1252_s21_q);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_1395;
   assign and_1395 = not_374_s21_q & (not_519_s21_q & (drew_s21_q & textured));
   logic and_1400;
   assign and_1400 = not_374_s21_q & (not_519_s21_q & (drew_s21_q & explained));
   logic and_1405;
   assign and_1405 = not_374_s21_q & (not_519_s21_q & (drew_s21_q & and_952_s21_q));
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [8:0] select_1435;
   assign select_1435 = less_376_s21_q ? 9'h0 : (and_929_s21_q ? {and_940_s21_q, cfg_explained_limit_i} : 9'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [8:0] select_1438;
   assign select_1438 = equal_373_s21_q ? 9'h0 : (equal_375_s21_q ? 9'h0 : (drew_s21_q ? select_1435 : 9'h0));
-  // hls/stages/agreement.hpp:531
+  // hls/stages/agreement.hpp:537
   logic [9:0] select_1473;
   assign select_1473 = and_1471_s21_q ? ({1'b0, and_950_s21_q, 8'h0} - {2'h0, cfg_hidden_limit_i}) : 10'h0;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [9:0] select_1476;
   assign select_1476 = equal_375_s21_q ? 10'h0 : (drew_s21_q ? (less_376_s21_q ? 10'h0 : select_1473) : 10'h0);
   logic and_1569;
   assign and_1569 = not_374_s21_q & (not_519_s21_q & and_1567_s21_q);
-  // hls/stages/agreement.hpp:503
+  // hls/stages/agreement.hpp:509
   logic [11:0] select_1571;
   assign select_1571 = and_1385 ? 12'h0 : (registration_counts_measured_0_q + {11'h0, and_1569});
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_1578;
   assign and_1578 = not_374_s21_q & (not_519_s21_q & and_1576_s21_q);
-  // hls/stages/agreement.hpp:503
+  // hls/stages/agreement.hpp:509
   logic [11:0] select_1580;
   assign select_1580 = and_1385 ? 12'h0 : (registration_counts_measured_1_q + {11'h0, and_1578});
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_1586;
   assign and_1586 = not_374_s21_q & and_1585_s21_q;
-  // hls/stages/agreement.hpp:503
+  // hls/stages/agreement.hpp:509
   logic [11:0] select_1588;
   assign select_1588 = and_1385 ? 12'h0 : (registration_counts_measured_2_q + {11'h0, and_1586});
   logic [11:0] select_1595;
@@ -4821,10 +4821,10 @@ module horopter_agreement (
   // hls/stages/registration.hpp:146
   logic less_1605;
   assign less_1605 = $signed(difference_1604_s21_q) < $signed({7'h0, cfg_moved_limit_i});
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1606;
   assign and_1606 = and_1481_s21_q & less_1605;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1608;
   assign select_1608 = drew_s21_q ? (less_376_s21_q ? 2'h0 : {and_1606, and_1481_s21_q}) : 2'h0;
   // hls/stages/registration.hpp:80
@@ -4836,13 +4836,13 @@ module horopter_agreement (
   // hls/stages/registration.hpp:79
   logic and_1689;
   assign and_1689 = not_1613 & less_1688;
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [1:0] select_1691;
   assign select_1691 = less_376_s21_q ? 2'h0 : (and_1481_s21_q ? {and_1689, not_1613} : 2'h0);
   // hls/stages/registration.hpp:79
   logic and_1705;
   assign and_1705 = less_1483_s21_q & less_1688;
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [1:0] select_1707;
   assign select_1707 = less_376_s21_q ? 2'h0 : (and_1481_s21_q ? {and_1705, less_1483_s21_q} : 2'h0);
   // hls/stages/registration.hpp:99
@@ -5379,7 +5379,7 @@ module horopter_agreement (
   logic [13:0] rows_passed_q;
   logic [8:0] columns_passed_q;
   logic line_ended_q;
-  // hls/stages/agreement.hpp:257
+  // hls/stages/agreement.hpp:260
   logic whole_3;
   assign whole_3 = census_columns_values_0_cell_0_mask_q & and_416_s22_q;
   logic whole_4;
@@ -5399,34 +5399,34 @@ module horopter_agreement (
   assign sum_441 = {9'h0, difference_439_s22_q} + {1'b0, xor_440_s22_q};
   logic [9:0] sum_444;
   assign sum_444 = {9'h0, difference_442_s22_q} + {1'b0, xor_443_s22_q};
-  // hls/stages/agreement.hpp:569
+  // hls/stages/agreement.hpp:575
   logic [11:0] sum_934;
   assign sum_934 = {5'h0, sum_932_s22_q} + (region_fresh_s22_q ? 12'h0 : regions_rdata_s22_q[11:0]);
-  // hls/stages/agreement.hpp:570
+  // hls/stages/agreement.hpp:576
   logic [11:0] sum_945;
   assign sum_945 = {5'h0, sum_943_s22_q} + (region_fresh_s22_q ? 12'h0 : regions_rdata_s22_q[23:12]);
-  // hls/stages/agreement.hpp:571
+  // hls/stages/agreement.hpp:577
   logic [11:0] sum_956;
   assign sum_956 = {5'h0, sum_954_s22_q} + (region_fresh_s22_q ? 12'h0 : regions_rdata_s22_q[35:24]);
-  // hls/stages/agreement.hpp:728
+  // hls/stages/agreement.hpp:734
   logic or_964;
   assign or_964 = marks_first_s22_q | line_ended_q;
-  // hls/stages/agreement.hpp:730
+  // hls/stages/agreement.hpp:736
   logic [13:0] select_966;
   assign select_966 = marks_first_s22_q ? 14'h1 : (or_964 ? {rows_passed_q[12:0], 1'b1} : rows_passed_q);
-  // hls/stages/agreement.hpp:729
+  // hls/stages/agreement.hpp:735
   logic [8:0] select_968;
   assign select_968 = or_964 ? 9'h0 : columns_passed_q;
-  // hls/stages/agreement.hpp:737
+  // hls/stages/agreement.hpp:743
   logic select_970;
   assign select_970 = cfg_compete_i ? (or_964 & select_966[13]) : (select_968[8] & select_966[9]);
-  // hls/stages/agreement.hpp:594
+  // hls/stages/agreement.hpp:600
   logic [2:0] textured_2;
   assign textured_2 = {2'h0, select_996_s22_q[3]} + ({2'h0, select_996_s22_q[0]} + {1'b0, sum_999_s22_q});
-  // hls/stages/agreement.hpp:595
+  // hls/stages/agreement.hpp:601
   logic [2:0] explained_2;
   assign explained_2 = {2'h0, select_996_s22_q[4]} + ({2'h0, select_996_s22_q[1]} + {1'b0, sum_1029_s22_q});
-  // hls/stages/agreement.hpp:596
+  // hls/stages/agreement.hpp:602
   logic [2:0] near_2;
   assign near_2 = {2'h0, select_996_s22_q[5]} + ({2'h0, select_996_s22_q[2]} + {1'b0, sum_1041_s22_q});
   // hls/stages/census.hpp:129
@@ -5438,7 +5438,7 @@ module horopter_agreement (
   assign xor_1105 = {difference_1104_s22_q[8:0], sum_1103_s22_q} ^ {10{difference_1104_s22_q[9]}};
   logic [10:0] size_3;
   assign size_3 = {10'h0, difference_1104_s22_q[9]} + {1'b0, xor_1105};
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic select_1120;
   assign select_1120 = and_354_s22_q ? whole_2_s22_q : census_columns_values_0_cell_0_mask_q;
   logic select_1136;
@@ -5465,24 +5465,24 @@ module horopter_agreement (
   assign contrast = {8'h0, difference_1220_s22_q} + xor_1221_s22_q;
   logic [8:0] contrast_2;
   assign contrast_2 = {8'h0, difference_1231_s22_q} + xor_1232_s22_q;
-  // hls/stages/agreement.hpp:637
+  // hls/stages/agreement.hpp:643
   logic less_1418;
   assign less_1418 = region_row_s22_q < x_s22_q[5:3];
   logic [11:0] select_1422;
   assign select_1422 = less_1418 ? 12'h0 : regions_rdata_s22_q[23:12];
-  // hls/stages/agreement.hpp:497
+  // hls/stages/agreement.hpp:503
   logic [23:0] sum_1439;
   assign sum_1439 = counts_too_little_explained_q + {{15{select_1438_s22_q[8]}}, select_1438_s22_q};
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [9:0] select_1477;
   assign select_1477 = equal_373_s22_q ? 10'h0 : select_1476_s22_q;
-  // hls/stages/agreement.hpp:502
+  // hls/stages/agreement.hpp:508
   logic [23:0] select_1479;
   assign select_1479 = and_1385_s22_q ? 24'h0 : (counts_too_much_hidden_q + {{14{select_1477[9]}}, select_1477});
   // hls/stages/registration.hpp:146
   logic less_1596;
   assign less_1596 = $signed(residual_s22_q) < $signed({2'h0, cfg_moved_limit_i});
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1610;
   assign select_1610 = equal_373_s22_q ? 2'h0 : select_1609_s22_q;
   // hls/stages/registration.hpp:122
@@ -5491,7 +5491,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:80
   logic not_1646;
   assign not_1646 = ~lower_half_s22_q;
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1647;
   assign and_1647 = less_1596 & not_1646;
   logic [1:0] select_1649;
@@ -5500,10 +5500,10 @@ module horopter_agreement (
   assign and_1655 = less_1605_s22_q & not_1646;
   logic [1:0] select_1657;
   assign select_1657 = less_376_s22_q ? 2'h0 : (and_1481_s22_q ? {and_1655, not_1646} : 2'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1660;
   assign select_1660 = equal_373_s22_q ? 2'h0 : (equal_375_s22_q ? 2'h0 : (drew_s22_q ? select_1657 : 2'h0));
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1663;
   assign and_1663 = lower_half_s22_q & less_1596;
   logic [1:0] select_1665;
@@ -5512,7 +5512,7 @@ module horopter_agreement (
   assign and_1671 = lower_half_s22_q & less_1605_s22_q;
   logic [1:0] select_1673;
   assign select_1673 = less_376_s22_q ? 2'h0 : (and_1481_s22_q ? {and_1671, lower_half_s22_q} : 2'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1676;
   assign select_1676 = equal_373_s22_q ? 2'h0 : (equal_375_s22_q ? 2'h0 : (drew_s22_q ? select_1673 : 2'h0));
   logic [1:0] select_1694;
@@ -5520,26 +5520,26 @@ module horopter_agreement (
   // hls/stages/registration.hpp:122
   logic [14:0] sum_1695;
   assign sum_1695 = registration_counts_half_votes_0_up_q + {{13{select_1694[1]}}, select_1694};
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1710;
   assign select_1710 = equal_373_s22_q ? 2'h0 : (equal_375_s22_q ? 2'h0 : select_1708_s22_q);
   // hls/stages/registration.hpp:122
   logic [14:0] sum_1711;
   assign sum_1711 = registration_counts_half_votes_1_up_q + {{13{select_1710[1]}}, select_1710};
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1721;
   assign and_1721 = less_1688_s22_q & not_1646;
   logic [1:0] select_1723;
   assign select_1723 = less_376_s22_q ? 2'h0 : (and_1481_s22_q ? {and_1721, not_1646} : 2'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1726;
   assign select_1726 = equal_373_s22_q ? 2'h0 : (equal_375_s22_q ? 2'h0 : (drew_s22_q ? select_1723 : 2'h0));
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1737;
   assign and_1737 = lower_half_s22_q & less_1688_s22_q;
   logic [1:0] select_1739;
   assign select_1739 = less_376_s22_q ? 2'h0 : (and_1481_s22_q ? {and_1737, lower_half_s22_q} : 2'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1742;
   assign select_1742 = equal_373_s22_q ? 2'h0 : (equal_375_s22_q ? 2'h0 : (drew_s22_q ? select_1739 : 2'h0));
   logic select_1909;
@@ -5566,7 +5566,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:119
   logic less_2036;
   assign less_2036 = $signed(15'h0) < $signed(registration_counts_half_votes_0_up_q);
-  // hls/stages/agreement.hpp:648
+  // hls/stages/agreement.hpp:654
   logic [11:0] select_2218;
   assign select_2218 = equal_919_s22_q ? 12'h0 : (less_1418 ? 12'h0 : regions_rdata_s22_q[35:24]);
 
@@ -5964,7 +5964,7 @@ module horopter_agreement (
   logic at_cell_end_q;
   logic was_next_row_q;
   logic [12:0] seen_base_q;
-  // hls/stages/agreement.hpp:257
+  // hls/stages/agreement.hpp:260
   logic whole_10;
   assign whole_10 = census_columns_values_1_cell_2_mask_s23_q & whole_9_s23_q;
   logic whole_11;
@@ -5989,40 +5989,40 @@ module horopter_agreement (
   assign xor_868 = twice_s23_q ^ {8{not_867}};
   logic [9:0] sum_869;
   assign sum_869 = {difference_866_s23_q[7:0], 1'b0, not_867} + {not_867, xor_868, not_867};
-  // hls/stages/agreement.hpp:182
+  // hls/stages/agreement.hpp:185
   logic next_row;
   assign next_row = select_970_s23_q & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:744
+  // hls/stages/agreement.hpp:750
   logic [6:0] select_973;
   assign select_973 = next_row ? cfg_width_i[10:4] : 7'h0;
-  // hls/stages/agreement.hpp:754
+  // hls/stages/agreement.hpp:760
   logic equal_976;
   assign equal_976 = seen_x_q == 4'hf;
-  // hls/stages/agreement.hpp:727
+  // hls/stages/agreement.hpp:733
   logic not_983;
   assign not_983 = ~marks_first_s23_q;
-  // hls/stages/agreement.hpp:600
+  // hls/stages/agreement.hpp:606
   logic [4:0] difference_1003;
   assign difference_1003 = {2'h0, textured_2_s23_q} - (age_s23_q ? box_textured_columns_values_4_q : 5'h0);
-  // hls/stages/agreement.hpp:601
+  // hls/stages/agreement.hpp:607
   logic [4:0] difference_1033;
   assign difference_1033 = {2'h0, explained_2_s23_q} - (age_s23_q ? box_explained_columns_values_4_q : 5'h0);
-  // hls/stages/agreement.hpp:602
+  // hls/stages/agreement.hpp:608
   logic [4:0] difference_1045;
   assign difference_1045 = {2'h0, near_2_s23_q} - (age_s23_q ? box_nearer_columns_values_4_q : 5'h0);
   // hls/stages/census.hpp:130
   logic [13:0] detail;
   assign detail = {3'h0, size_2_s23_q} + (equal_357_s23_q ? 14'h0 : averager_detail_0_q);
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic [13:0] select_1102;
   assign select_1102 = sample_pair_whole_s23_q ? (and_352_s23_q ? detail : averager_detail_0_q) : averager_detail_0_q;
   // hls/stages/census.hpp:130
   logic [13:0] detail_2;
   assign detail_2 = {3'h0, size_3_s23_q} + (equal_357_s23_q ? 14'h0 : averager_detail_1_q);
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic [13:0] select_1110;
   assign select_1110 = sample_pair_whole_s23_q ? (and_352_s23_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic select_1158;
   assign select_1158 = and_354_s23_q ? census_columns_values_1_cell_2_mask_s23_q : census_columns_values_2_cell_2_mask_q;
   logic select_1161;
@@ -6040,7 +6040,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:192
   logic [10:0] sum_1185;
   assign sum_1185 = sum_1181_s23_q + {1'b0, sum_1184_s23_q};
-  // hls/stages/agreement.hpp:502
+  // hls/stages/agreement.hpp:508
   logic [13:0] select_1392;
   assign select_1392 = and_1385_s23_q ? 14'h0 : (counts_supervised_q + {13'h0, and_1390_s23_q});
   logic [13:0] select_1397;
@@ -6048,28 +6048,28 @@ module horopter_agreement (
   // hls/stages/registration.hpp:79
   logic and_1622;
   assign and_1622 = less_1605_s23_q & not_1613_s23_q;
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [1:0] select_1624;
   assign select_1624 = less_376_s23_q ? 2'h0 : (and_1481_s23_q ? {and_1622, not_1613_s23_q} : 2'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1627;
   assign select_1627 = equal_373_s23_q ? 2'h0 : (equal_375_s23_q ? 2'h0 : (drew_s23_q ? select_1624 : 2'h0));
   // hls/stages/registration.hpp:79
   logic and_1630;
   assign and_1630 = less_1483_s23_q & less_1596_s23_q;
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [1:0] select_1632;
   assign select_1632 = less_376_s23_q ? 2'h0 : (and_1481_s23_q ? {and_1630, less_1483_s23_q} : 2'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1635;
   assign select_1635 = equal_373_s23_q ? 2'h0 : (equal_375_s23_q ? 2'h0 : (drew_s23_q ? select_1632 : 2'h0));
   // hls/stages/registration.hpp:79
   logic and_1638;
   assign and_1638 = less_1483_s23_q & less_1605_s23_q;
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [1:0] select_1640;
   assign select_1640 = less_376_s23_q ? 2'h0 : (and_1481_s23_q ? {and_1638, less_1483_s23_q} : 2'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1643;
   assign select_1643 = equal_373_s23_q ? 2'h0 : (equal_375_s23_q ? 2'h0 : (drew_s23_q ? select_1640 : 2'h0));
   logic [1:0] select_1652;
@@ -6080,7 +6080,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:122
   logic [14:0] sum_1661;
   assign sum_1661 = registration_counts_votes_3_up_q + {{13{select_1660_s23_q[1]}}, select_1660_s23_q};
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1668;
   assign select_1668 = equal_373_s23_q ? 2'h0 : (equal_375_s23_q ? 2'h0 : select_1666_s23_q);
   // hls/stages/registration.hpp:121
@@ -6093,15 +6093,15 @@ module horopter_agreement (
   assign sum_1727 = registration_counts_half_votes_2_up_q + {{13{select_1726_s23_q[1]}}, select_1726_s23_q};
   logic [14:0] sum_1743;
   assign sum_1743 = registration_counts_half_votes_3_up_q + {{13{select_1742_s23_q[1]}}, select_1742_s23_q};
-  // hls/stages/agreement.hpp:633
+  // hls/stages/agreement.hpp:639
   logic and_1808;
   assign and_1808 = (~({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q})) & (11'h4 < counts_textured_q[13:3]);
-  // hls/stages/agreement.hpp:640
+  // hls/stages/agreement.hpp:646
   logic less_1813;
   assign less_1813 = {sum_1812_s23_q, select_1422_s23_q[0]} < {2'h0, select_1419_s23_q};
   logic select_1815;
   assign select_1815 = (select_1419_s23_q[11:3] == 9'h0) ? (and_1808 & (~less_1809_s23_q)) : (~less_1813);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [4:0] select_1853;
   assign select_1853 = drew_s23_q ? {2'h0, textured_2_s23_q} : box_textured_columns_values_0_q;
   logic [4:0] select_1855;
@@ -6162,10 +6162,10 @@ module horopter_agreement (
   assign select_1901 = drew_s23_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
   logic [4:0] select_1903;
   assign select_1903 = equal_373_s23_q ? box_nearer_columns_values_4_q : (equal_375_s23_q ? box_nearer_columns_values_4_q : select_1901);
-  // hls/stages/agreement.hpp:753
+  // hls/stages/agreement.hpp:759
   logic [3:0] select_1941;
   assign select_1941 = select_970_s23_q ? (began_q ? (seen_y_q + 4'h1) : seen_y_q) : seen_y_q;
-  // hls/stages/agreement.hpp:182
+  // hls/stages/agreement.hpp:185
   logic [7:0] select_1947;
   assign select_1947 = marks_first_s23_q ? (less_1943 ? {sum_1944, cfg_height_i[6:4]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
   // hls/stages/registration.hpp:104
@@ -6177,14 +6177,14 @@ module horopter_agreement (
   assign select_2043 = or_2039 ? select_2038 : less_2042_s23_q;
   logic select_2045;
   assign select_2045 = less_2026_s23_q ? select_2043 : (less_2029_s23_q ? select_2043 : less_2042_s23_q);
-  // hls/stages/agreement.hpp:652
+  // hls/stages/agreement.hpp:658
   logic and_2071;
   assign and_2071 = ($signed(15'h0) < $signed(registration_counts_votes_3_up_q)) & ($signed(15'h0) < $signed(registration_counts_votes_4_down_q));
   logic or_2072;
   assign or_2072 = ($signed(15'h0) < $signed(registration_counts_votes_4_up_q)) | and_2071;
   logic select_2073;
   assign select_2073 = ($signed(15'h0) < $signed(registration_counts_votes_3_down_q)) ? or_2072 : and_2071;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [11:0] select_2222;
   assign select_2222 = equal_373_s23_q ? 12'h0 : (equal_375_s23_q ? 12'h0 : select_2220_s23_q);
 
@@ -6621,7 +6621,7 @@ module horopter_agreement (
   logic read_half_q;
   logic done_q;
   logic said_q;
-  // hls/stages/agreement.hpp:257
+  // hls/stages/agreement.hpp:260
   logic whole_17;
   assign whole_17 = census_columns_values_2_cell_4_mask_s24_q & whole_16_s24_q;
   logic whole_18;
@@ -6642,25 +6642,25 @@ module horopter_agreement (
   assign not_870 = ~sum_869_s24_q[9];
   logic [7:0] xor_871;
   assign xor_871 = twice_s24_q ^ {8{not_870}};
-  // hls/stages/agreement.hpp:757
+  // hls/stages/agreement.hpp:763
   logic [12:0] index;
   assign index = seen_base_q + {5'h0, seen_column_q};
-  // hls/stages/agreement.hpp:728
+  // hls/stages/agreement.hpp:734
   logic select_981;
   assign select_981 = marks_first_s24_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
-  // hls/stages/agreement.hpp:714
+  // hls/stages/agreement.hpp:720
   logic [10:0] sum_982;
   assign sum_982 = {1'b0, {5{select_981}}, 1'b0, {2{select_981}}, 1'b0, select_981} + {1'b0, index[12:3]};
-  // hls/stages/agreement.hpp:618
+  // hls/stages/agreement.hpp:624
   logic [12:0] index_2;
   assign index_2 = {{3{sum_993_s24_q[7]}}, sum_993_s24_q, x_s24_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:714
+  // hls/stages/agreement.hpp:720
   logic [10:0] sum_995;
   assign sum_995 = {1'b0, {5{write_half_q}}, 1'b0, {2{write_half_q}}, 1'b0, write_half_q} + {1'b0, index_2[12:3]};
-  // hls/stages/agreement.hpp:600
+  // hls/stages/agreement.hpp:606
   logic [4:0] t;
   assign t = difference_1003_s24_q + (equal_1004_s24_q ? 5'h0 : box_textured_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:606
+  // hls/stages/agreement.hpp:612
   logic not_1019;
   assign not_1019 = ~region_row_s24_q[2];
   logic [2:0] select_1020;
@@ -6673,19 +6673,19 @@ module horopter_agreement (
   assign select_1023 = or_1015_s24_q ? {select_1022[11], 1'b0, select_1022[10], 1'b0, select_1022[9], 1'b0, select_1022[8], 1'b0, select_1022[7], 1'b0, select_1022[6], 1'b0, select_1022[5], 1'b0, select_1022[4], 1'b0, select_1022[3], 1'b0, select_1022[2], 1'b0, select_1022[1], 1'b0, select_1022[0], 1'b0} : {1'b0, select_1022[11], 1'b0, select_1022[10], 1'b0, select_1022[9], 1'b0, select_1022[8], 1'b0, select_1022[7], 1'b0, select_1022[6], 1'b0, select_1022[5], 1'b0, select_1022[4], 1'b0, select_1022[3], 1'b0, select_1022[2], 1'b0, select_1022[1], 1'b0, select_1022[0]};
   logic [47:0] select_1024;
   assign select_1024 = or_1012_s24_q ? {select_1023[23], 1'b0, select_1023[22], 1'b0, select_1023[21], 1'b0, select_1023[20], 1'b0, select_1023[19], 1'b0, select_1023[18], 1'b0, select_1023[17], 1'b0, select_1023[16], 1'b0, select_1023[15], 1'b0, select_1023[14], 1'b0, select_1023[13], 1'b0, select_1023[12], 1'b0, select_1023[11], 1'b0, select_1023[10], 1'b0, select_1023[9], 1'b0, select_1023[8], 1'b0, select_1023[7], 1'b0, select_1023[6], 1'b0, select_1023[5], 1'b0, select_1023[4], 1'b0, select_1023[3], 1'b0, select_1023[2], 1'b0, select_1023[1], 1'b0, select_1023[0], 1'b0} : {1'b0, select_1023[23], 1'b0, select_1023[22], 1'b0, select_1023[21], 1'b0, select_1023[20], 1'b0, select_1023[19], 1'b0, select_1023[18], 1'b0, select_1023[17], 1'b0, select_1023[16], 1'b0, select_1023[15], 1'b0, select_1023[14], 1'b0, select_1023[13], 1'b0, select_1023[12], 1'b0, select_1023[11], 1'b0, select_1023[10], 1'b0, select_1023[9], 1'b0, select_1023[8], 1'b0, select_1023[7], 1'b0, select_1023[6], 1'b0, select_1023[5], 1'b0, select_1023[4], 1'b0, select_1023[3], 1'b0, select_1023[2], 1'b0, select_1023[1], 1'b0, select_1023[0]};
-  // hls/stages/agreement.hpp:601
+  // hls/stages/agreement.hpp:607
   logic [4:0] e;
   assign e = difference_1033_s24_q + (equal_1004_s24_q ? 5'h0 : box_explained_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:602
+  // hls/stages/agreement.hpp:608
   logic [4:0] n;
   assign n = difference_1045_s24_q + (equal_1004_s24_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic select_1173;
   assign select_1173 = and_354_s24_q ? census_columns_values_2_cell_4_mask_s24_q : census_columns_values_3_cell_4_mask_q;
   // hls/stages/census.hpp:192
   logic [11:0] sum_1193;
   assign sum_1193 = sum_1189_s24_q + {2'h0, sum_1192_s24_q};
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [11:0] select_1195;
   assign select_1195 = and_354_s24_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
   logic [11:0] select_1196;
@@ -6697,34 +6697,34 @@ module horopter_agreement (
   // hls/stages/census.hpp:275
   logic and_1219;
   assign and_1219 = whole_2_s24_q & (~(column_s24_q[6:1] == 6'h0));
-  // hls/stages/agreement.hpp:258
+  // hls/stages/agreement.hpp:261
   logic and_1225;
   assign and_1225 = and_1219 & (sharpness_last_mask_q & (7'h2 < contrast_s24_q[8:2]));
   // hls/stages/census.hpp:274
   logic [14:0] detail_3;
   assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_1214_s24_q[13:0]};
-  // hls/stages/agreement.hpp:258
+  // hls/stages/agreement.hpp:261
   logic and_1236;
   assign and_1236 = and_1219 & (sharpness_last_mask_q & (7'h2 < contrast_2_s24_q[8:2]));
   // hls/stages/census.hpp:274
   logic [14:0] detail_4;
   assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_1214_s24_q[27:14]};
-  // hls/stages/agreement.hpp:638
+  // hls/stages/agreement.hpp:644
   logic [12:0] sum_1423;
   assign sum_1423 = {1'b0, select_1422_s24_q} + {3'h0, select_1422_s24_q[11:2]};
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1597;
   assign and_1597 = and_1481_s24_q & less_1596_s24_q;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1599;
   assign select_1599 = drew_s24_q ? (less_376_s24_q ? 2'h0 : {and_1597, and_1481_s24_q}) : 2'h0;
   // hls/stages/registration.hpp:79
   logic and_1614;
   assign and_1614 = less_1596_s24_q & not_1613_s24_q;
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [1:0] select_1616;
   assign select_1616 = less_376_s24_q ? 2'h0 : (and_1481_s24_q ? {and_1614, not_1613_s24_q} : 2'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1619;
   assign select_1619 = equal_373_s24_q ? 2'h0 : (equal_375_s24_q ? 2'h0 : (drew_s24_q ? select_1616 : 2'h0));
   // hls/stages/registration.hpp:122
@@ -6742,13 +6742,13 @@ module horopter_agreement (
   // hls/stages/registration.hpp:79
   logic and_1680;
   assign and_1680 = not_1613_s24_q & less_1679;
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [1:0] select_1682;
   assign select_1682 = less_376_s24_q ? 2'h0 : (and_1481_s24_q ? {and_1680, not_1613_s24_q} : 2'h0);
   // hls/stages/registration.hpp:79
   logic and_1697;
   assign and_1697 = less_1483_s24_q & less_1679;
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [1:0] select_1699;
   assign select_1699 = less_376_s24_q ? 2'h0 : (and_1481_s24_q ? {and_1697, less_1483_s24_q} : 2'h0);
   logic and_1713;
@@ -6759,12 +6759,12 @@ module horopter_agreement (
   assign and_1729 = lower_half_s24_q & less_1679;
   logic [1:0] select_1731;
   assign select_1731 = less_376_s24_q ? 2'h0 : (and_1481_s24_q ? {and_1729, lower_half_s24_q} : 2'h0);
-  // hls/stages/agreement.hpp:648
+  // hls/stages/agreement.hpp:654
   logic equal_1803;
   assign equal_1803 = x_s24_q == 6'h3f;
   logic [47:0] select_1816;
   assign select_1816 = equal_919_s24_q ? good_next_q : {select_1815_s24_q, good_next_q[47:1]};
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [47:0] select_1823;
   assign select_1823 = drew_s24_q ? good_next_q : (equal_918_s24_q ? select_1816 : good_next_q);
   logic [47:0] select_1825;
@@ -6777,13 +6777,13 @@ module horopter_agreement (
   assign select_1888 = equal_373_s24_q ? box_explained_sum_sums_values_0_q : select_1887;
   logic [4:0] select_1905;
   assign select_1905 = equal_375_s24_q ? box_nearer_sum_sums_values_0_q : (drew_s24_q ? n : box_nearer_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:261
+  // hls/stages/agreement.hpp:264
   logic [12:0] select_1924;
   assign select_1924 = equal_1252_s24_q ? (equal_1921_s24_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [6:0] select_1927;
   assign select_1927 = and_354_s24_q ? (equal_1252_s24_q ? cfg_width_i[10:4] : map_width_q) : map_width_q;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_1937;
   assign and_1937 = not_519_s24_q & (not_1298_s24_q & (equal_918_s24_q & equal_1803));
   logic [13:0] select_1966;
@@ -6801,7 +6801,7 @@ module horopter_agreement (
   assign select_2048 = or_2046 ? select_2045_s24_q : less_2047_s24_q;
   logic select_2050;
   assign select_2050 = less_2029_s24_q ? select_2048 : (less_2034_s24_q ? select_2048 : less_2047_s24_q);
-  // hls/stages/agreement.hpp:652
+  // hls/stages/agreement.hpp:658
   logic and_2074;
   assign and_2074 = (less_2040_s24_q & less_2052_s24_q) & select_2073_s24_q;
   logic or_2075;
@@ -6810,7 +6810,7 @@ module horopter_agreement (
   assign select_2076 = ($signed(15'h0) < $signed(registration_counts_votes_1_up_q)) ? or_2075 : and_2074;
   logic or_2077;
   assign or_2077 = ($signed(15'h0) < $signed(registration_counts_votes_2_up_q)) | select_2076;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [11:0] select_2160;
   assign select_2160 = equal_918_s24_q ? (equal_1803 ? registration_counts_measured_0_s24_q : 12'h0) : 12'h0;
   logic [11:0] select_2163;
@@ -7201,10 +7201,10 @@ module horopter_agreement (
   assign sum_875 = {sum_872_s25_q[8:0], not_873} + {not_873, xor_874, not_873};
   logic not_876;
   assign not_876 = ~sum_875[9];
-  // hls/stages/agreement.hpp:607
+  // hls/stages/agreement.hpp:613
   logic is_seen;
   assign is_seen = (t_s25_q[4:1] == 4'h0) ? (~((good_q & select_1024_s25_q) == 48'h0)) : (~({sum_1036_s25_q, e_s25_q} < {2'h0, t_s25_q}));
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [11:0] select_1197;
   assign select_1197 = and_354_s25_q ? census_changes_values_1_left_s25_q : census_changes_values_2_left_q;
   logic [11:0] select_1198;
@@ -7223,10 +7223,10 @@ module horopter_agreement (
   assign sum_1244 = (equal_1200_s25_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_1243_s25_q};
   logic [23:0] sum_1248;
   assign sum_1248 = (equal_1200_s25_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_1247_s25_q};
-  // hls/stages/agreement.hpp:550
+  // hls/stages/agreement.hpp:556
   logic [8:0] select_1450;
   assign select_1450 = and_929_s25_q ? (9'h0 - {1'b0, cfg_unproven_limit_i}) : 9'h0;
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1452;
   assign and_1452 = not_377_s25_q & select_1450[8];
   // hls/stages/registration.hpp:121
@@ -7234,39 +7234,39 @@ module horopter_agreement (
   assign sum_1602 = registration_counts_votes_0_down_q + {{13{select_1601_s25_q[1]}}, select_1601_s25_q};
   logic [14:0] sum_1620;
   assign sum_1620 = registration_counts_votes_1_down_q + {{13{select_1619_s25_q[1]}}, select_1619_s25_q};
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1685;
   assign select_1685 = equal_373_s25_q ? 2'h0 : (equal_375_s25_q ? 2'h0 : select_1683_s25_q);
   // hls/stages/registration.hpp:121
   logic [14:0] sum_1686;
   assign sum_1686 = registration_counts_half_votes_0_down_q + {{13{select_1685[1]}}, select_1685};
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1702;
   assign select_1702 = equal_373_s25_q ? 2'h0 : (equal_375_s25_q ? 2'h0 : select_1700_s25_q);
   // hls/stages/registration.hpp:121
   logic [14:0] sum_1703;
   assign sum_1703 = registration_counts_half_votes_1_down_q + {{13{select_1702[1]}}, select_1702};
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1718;
   assign select_1718 = equal_373_s25_q ? 2'h0 : (equal_375_s25_q ? 2'h0 : select_1716_s25_q);
   // hls/stages/registration.hpp:121
   logic [14:0] sum_1719;
   assign sum_1719 = registration_counts_half_votes_2_down_q + {{13{select_1718[1]}}, select_1718};
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1734;
   assign select_1734 = equal_373_s25_q ? 2'h0 : (equal_375_s25_q ? 2'h0 : select_1732_s25_q);
   // hls/stages/registration.hpp:121
   logic [14:0] sum_1735;
   assign sum_1735 = registration_counts_half_votes_3_down_q + {{13{select_1734[1]}}, select_1734};
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [47:0] select_1818;
   assign select_1818 = equal_918_s25_q ? (equal_1803_s25_q ? select_1816_s25_q : good_q) : good_q;
   logic [47:0] select_1820;
   assign select_1820 = equal_375_s25_q ? good_q : (begins_product_q ? good_q : select_1818);
-  // hls/stages/agreement.hpp:650
+  // hls/stages/agreement.hpp:656
   logic [7:0] select_1827;
   assign select_1827 = less_1826_s25_q ? next_hidden_for_q : 8'h0;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [7:0] select_1829;
   assign select_1829 = equal_918_s25_q ? (equal_1803_s25_q ? select_1827 : hidden_for_q) : hidden_for_q;
   logic [7:0] select_1831;
@@ -7274,31 +7274,31 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:144
   logic not_1833;
   assign not_1833 = ~hidden_for_q[7];
-  // hls/stages/agreement.hpp:665
+  // hls/stages/agreement.hpp:671
   logic [35:0] select_1844;
   assign select_1844 = multiplier_0_q[17] ? (product_0_q + {1'b0, addend_0_q}) : product_0_q;
-  // hls/stages/agreement.hpp:659
+  // hls/stages/agreement.hpp:665
   logic [35:0] detail_left;
   assign detail_left = begins_product_s25_q ? 36'h0 : select_1844;
-  // hls/stages/agreement.hpp:665
+  // hls/stages/agreement.hpp:671
   logic [35:0] select_1847;
   assign select_1847 = multiplier_1_q[17] ? (product_1_q + {1'b0, addend_1_q}) : product_1_q;
-  // hls/stages/agreement.hpp:669
+  // hls/stages/agreement.hpp:675
   logic [35:0] detail_right;
   assign detail_right = begins_product_s25_q ? 36'h0 : select_1847;
-  // hls/stages/agreement.hpp:659
+  // hls/stages/agreement.hpp:665
   logic [34:0] select_1849;
   assign select_1849 = begins_product_s25_q ? {sharpness_sums_detail_0_q[23:6], 17'h0} : {1'b0, addend_0_q[34:1]};
-  // hls/stages/agreement.hpp:669
+  // hls/stages/agreement.hpp:675
   logic [34:0] select_1850;
   assign select_1850 = begins_product_s25_q ? {sharpness_sums_detail_1_q[23:6], 17'h0} : {1'b0, addend_1_q[34:1]};
-  // hls/stages/agreement.hpp:659
+  // hls/stages/agreement.hpp:665
   logic [17:0] select_1851;
   assign select_1851 = begins_product_s25_q ? sharpness_sums_contrast_1_q[23:6] : {multiplier_0_q[16:0], 1'b0};
-  // hls/stages/agreement.hpp:669
+  // hls/stages/agreement.hpp:675
   logic [17:0] select_1852;
   assign select_1852 = begins_product_s25_q ? sharpness_sums_contrast_0_q[23:6] : {multiplier_1_q[16:0], 1'b0};
-  // hls/stages/agreement.hpp:757
+  // hls/stages/agreement.hpp:763
   logic and_1953;
   assign and_1953 = and_1060_s25_q & ({sum_995_s25_q, index_2_s25_q} == {sum_982_s25_q, index_s25_q});
   // hls/stages/registration.hpp:104
@@ -7309,7 +7309,7 @@ module horopter_agreement (
   assign select_2056 = or_2054 ? select_2051_s25_q : less_2055_s25_q;
   logic select_2058;
   assign select_2058 = less_2034_s25_q ? select_2056 : (less_2040_s25_q ? select_2056 : less_2055_s25_q);
-  // hls/stages/agreement.hpp:652
+  // hls/stages/agreement.hpp:658
   logic select_2078;
   assign select_2078 = ($signed(15'h0) < $signed(registration_counts_votes_1_down_q)) ? or_2077_s25_q : select_2076_s25_q;
   logic select_2079;
@@ -7323,10 +7323,10 @@ module horopter_agreement (
   assign less_2087 = $signed(15'h0) < $signed(registration_counts_half_votes_1_down_q);
   logic less_2090;
   assign less_2090 = $signed(15'h0) < $signed(registration_counts_half_votes_0_down_q);
-  // hls/stages/agreement.hpp:652
+  // hls/stages/agreement.hpp:658
   logic and_2132;
   assign and_2132 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_1827 < cfg_hidden_frames_i));
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [23:0] select_2180;
   assign select_2180 = equal_918_s25_q ? (equal_1803_s25_q ? sharpness_sums_detail_0_q : 24'h0) : 24'h0;
   logic [23:0] select_2182;
@@ -7336,7 +7336,7 @@ module horopter_agreement (
   logic [23:0] select_2187;
   assign select_2187 = equal_375_s25_q ? 24'h0 : (begins_product_q ? 24'h0 : select_2185);
 
-  // Memory map, 16080 x 2, DISTANCE 16, hls/stages/agreement.hpp:832; read in stage 25, written in stage 26: 25 < 26 < 25 + DISTANCE.
+  // Memory map, 16080 x 2, DISTANCE 16, hls/stages/agreement.hpp:841; read in stage 25, written in stage 26: 25 < 26 < 25 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [1:0] map_mem [0:16079];
@@ -7681,48 +7681,48 @@ module horopter_agreement (
   // hls/stages/registration.hpp:31
   logic [7:0] difference_879;
   assign difference_879 = {sum_854_s26_q, select_820_s26_q, 5'h0} - {3'h0, difference_866_s26_q, sum_869_s26_q, sum_872_s26_q, sum_875_s26_q[9], sum_878[9]};
-  // hls/stages/agreement.hpp:619
+  // hls/stages/agreement.hpp:625
   logic and_1049;
   assign and_1049 = is_seen_s26_q & less_1048_s26_q;
-  // hls/stages/agreement.hpp:611
+  // hls/stages/agreement.hpp:617
   logic not_1410;
   assign not_1410 = ~is_seen_s26_q;
-  // hls/stages/agreement.hpp:617
+  // hls/stages/agreement.hpp:623
   logic and_1412;
   assign and_1412 = (~equal_1408_s26_q) & (centres_values_1_textured_s26_q & not_1410);
-  // hls/stages/agreement.hpp:648
+  // hls/stages/agreement.hpp:654
   logic [11:0] select_1427;
   assign select_1427 = equal_919_s26_q ? 12'h0 : (and_1425_s26_q ? select_1419_s26_q : 12'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [11:0] select_1428;
   assign select_1428 = equal_918_s26_q ? select_1427 : 12'h0;
   logic [11:0] select_1431;
   assign select_1431 = equal_373_s26_q ? 12'h0 : (equal_375_s26_q ? 12'h0 : (drew_s26_q ? 12'h0 : select_1428));
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [8:0] select_1443;
   assign select_1443 = less_376_s26_q ? 9'h0 : (and_929_s26_q ? (9'h0 - {1'b0, cfg_regions_limit_i}) : 9'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [20:0] select_1444;
   assign select_1444 = drew_s26_q ? {{12{select_1443[8]}}, select_1443} : {1'b0, select_1428, 8'h0};
   logic [20:0] select_1446;
   assign select_1446 = equal_373_s26_q ? 21'h0 : (equal_375_s26_q ? 21'h0 : select_1444);
-  // hls/stages/agreement.hpp:617
+  // hls/stages/agreement.hpp:623
   logic [2:0] select_1455;
   assign select_1455 = centres_values_1_textured_s26_q ? (is_seen_s26_q ? {3{and_1452_s26_q}} : sum_1453_s26_q) : {3{and_1452_s26_q}};
   logic [2:0] select_1456;
   assign select_1456 = equal_1408_s26_q ? {3{and_1452_s26_q}} : select_1455;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [10:0] select_1458;
   assign select_1458 = equal_375_s26_q ? 11'h0 : (drew_s26_q ? {select_1456, select_1451_s26_q} : 11'h0);
-  // hls/stages/agreement.hpp:617
+  // hls/stages/agreement.hpp:623
   logic [9:0] select_1463;
   assign select_1463 = centres_values_1_of_skin_s26_q ? ({1'b0, not_1410, 8'h0} - {2'h0, cfg_unproven_skin_limit_i}) : 10'h0;
   logic [9:0] select_1465;
   assign select_1465 = equal_1408_s26_q ? 10'h0 : (centres_values_1_textured_s26_q ? select_1463 : 10'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_1998;
   assign and_1998 = equal_918_s26_q & (equal_1803_s26_q & (cfg_prove_i & (~proven_q)));
-  // hls/stages/agreement.hpp:652
+  // hls/stages/agreement.hpp:658
   logic or_2080;
   assign or_2080 = (less_2026_s26_q ? select_2056_s26_q : select_2059_s26_q) | select_2079_s26_q;
   logic or_2082;
@@ -7733,7 +7733,7 @@ module horopter_agreement (
   assign or_2085 = less_2084_s26_q | select_2083;
   logic select_2095;
   assign select_2095 = less_2040_s26_q ? or_2085 : (less_2052_s26_q ? or_2082 : select_2079_s26_q);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_2137;
   assign and_2137 = not_519_s26_q & (not_1298_s26_q & (equal_918_s26_q & and_2134_s26_q));
   logic [11:0] select_2208;
@@ -8022,12 +8022,12 @@ module horopter_agreement (
   // hls/stages/census.hpp:223
   logic and_462;
   assign and_462 = and_412_s27_q & less_461_s27_q;
-  // hls/stages/agreement.hpp:443
+  // hls/stages/agreement.hpp:446
   logic [7:0] select_880;
   assign select_880 = rise_s27_q ? difference_879_s27_q : {sum_854_s27_q, select_820_s27_q, difference_866_s27_q, sum_869_s27_q, sum_872_s27_q, sum_875_s27_q, sum_878_s27_q};
   logic [7:0] select_881;
   assign select_881 = equal_842_s27_q ? select_880 : {sum_854_s27_q, select_820_s27_q, 5'h0};
-  // hls/stages/agreement.hpp:445
+  // hls/stages/agreement.hpp:448
   logic [7:0] select_884;
   assign select_884 = less_826_s27_q ? (or_829_s27_q ? select_881 : best_left_rdata_s27_q) : (less_827_s27_q ? select_881 : best_left_rdata_s27_q);
   // hls/stages/census.hpp:226
@@ -8036,61 +8036,61 @@ module horopter_agreement (
   // hls/stages/census.hpp:227
   logic [19:0] sum_1207;
   assign sum_1207 = census_left_misses_q + {{17{and_1206}}, and_1205_s27_q, 1'b0, and_1205_s27_q};
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [19:0] select_1209;
   assign select_1209 = and_354_s27_q ? (equal_1200_s27_q ? 20'h0 : sum_1207) : census_left_misses_q;
-  // hls/stages/agreement.hpp:498
+  // hls/stages/agreement.hpp:504
   logic [23:0] sum_1447;
   assign sum_1447 = counts_too_many_bad_q + {{3{select_1446_s27_q[20]}}, select_1446_s27_q};
-  // hls/stages/agreement.hpp:499
+  // hls/stages/agreement.hpp:505
   logic [23:0] sum_1460;
   assign sum_1460 = counts_too_much_unproven_q + {{13{select_1459_s27_q[10]}}, select_1459_s27_q};
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [9:0] select_1468;
   assign select_1468 = equal_373_s27_q ? 10'h0 : (equal_375_s27_q ? 10'h0 : select_1466_s27_q);
-  // hls/stages/agreement.hpp:500
+  // hls/stages/agreement.hpp:506
   logic [23:0] sum_1469;
   assign sum_1469 = counts_too_much_unseen_skin_q + {{14{select_1468[9]}}, select_1468};
   // hls/stages/registration.hpp:80
   logic [7:0] select_1524;
   assign select_1524 = equal_1485_s27_q ? 8'h0 : (equal_1486_s27_q ? 8'h0 : residual_s27_q);
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [7:0] select_1527;
   assign select_1527 = less_376_s27_q ? 8'h0 : (and_1481_s27_q ? (equal_1484_s27_q ? 8'h0 : select_1524) : 8'h0);
   // hls/stages/registration.hpp:80
   logic [7:0] select_1534;
   assign select_1534 = equal_1485_s27_q ? 8'h0 : (equal_1486_s27_q ? residual_s27_q : 8'h0);
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [7:0] select_1537;
   assign select_1537 = less_376_s27_q ? 8'h0 : (and_1481_s27_q ? (equal_1484_s27_q ? 8'h0 : select_1534) : 8'h0);
   // hls/stages/registration.hpp:80
   logic [7:0] select_1544;
   assign select_1544 = equal_1484_s27_q ? 8'h0 : (equal_1485_s27_q ? residual_s27_q : 8'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [7:0] select_1547;
   assign select_1547 = drew_s27_q ? (less_376_s27_q ? 8'h0 : (and_1481_s27_q ? select_1544 : 8'h0)) : 8'h0;
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [7:0] select_1553;
   assign select_1553 = and_1481_s27_q ? (equal_1484_s27_q ? residual_s27_q : 8'h0) : 8'h0;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [7:0] select_1556;
   assign select_1556 = equal_375_s27_q ? 8'h0 : (drew_s27_q ? (less_376_s27_q ? 8'h0 : select_1553) : 8'h0);
-  // hls/stages/agreement.hpp:757
+  // hls/stages/agreement.hpp:763
   logic [1:0] select_1954;
   assign select_1954 = and_1953_s27_q ? {and_1049_s27_q, is_seen_s27_q} : map_rdata_s27_q;
-  // hls/stages/agreement.hpp:758
+  // hls/stages/agreement.hpp:764
   logic and_1955;
   assign and_1955 = proven_q & less_1943;
-  // hls/stages/agreement.hpp:685
+  // hls/stages/agreement.hpp:691
   logic not_2002;
   assign not_2002 = ~and_1808_s27_q;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_2006;
   assign and_2006 = not_1298_s27_q & (equal_918_s27_q & (equal_1803_s27_q & (cfg_prove_i & not_2002)));
-  // hls/stages/agreement.hpp:686
+  // hls/stages/agreement.hpp:692
   logic or_2009;
   assign or_2009 = not_1962 | not_2002;
-  // hls/stages/agreement.hpp:652
+  // hls/stages/agreement.hpp:658
   logic or_2015;
   assign or_2015 = ($signed(24'h0) < $signed(counts_too_much_unproven_q)) | ($signed(24'h0) < $signed(counts_too_much_unseen_skin_q));
   logic or_2088;
@@ -8103,23 +8103,23 @@ module horopter_agreement (
   assign select_2097 = less_2029_s27_q ? or_2091 : (less_2034_s27_q ? or_2088 : select_2095_s27_q);
   logic select_2098;
   assign select_2098 = less_2026_s27_q ? (less_2027_s27_q | (or_2032_s27_q ? select_2089 : or_2091)) : select_2097;
-  // hls/stages/agreement.hpp:693
+  // hls/stages/agreement.hpp:699
   logic and_2105;
   assign and_2105 = cfg_prove_i & and_1808_s27_q;
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:700
   logic less_2107;
   assign less_2107 = {detail_left_s27_q, 3'h0} < {sum_2106_s27_q, detail_right_s27_q[1:0]};
   logic less_2108;
   assign less_2108 = {sharpness_sums_contrast_0_s27_q, 2'h0} < {2'h0, sharpness_sums_contrast_1_s27_q};
-  // hls/stages/agreement.hpp:652
+  // hls/stages/agreement.hpp:658
   logic or_2111;
   assign or_2111 = less_2107 | (less_2108 | ($signed(20'h0) < $signed(census_left_misses_q)));
-  // hls/stages/agreement.hpp:697
+  // hls/stages/agreement.hpp:703
   logic less_2119;
   assign less_2119 = {detail_right_s27_q, 3'h0} < {sum_2118_s27_q, detail_left_s27_q[1:0]};
   logic less_2120;
   assign less_2120 = {sharpness_sums_contrast_1_s27_q, 2'h0} < {2'h0, sharpness_sums_contrast_0_s27_q};
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [23:0] select_2190;
   assign select_2190 = equal_918_s27_q ? (equal_1803_s27_q ? sharpness_sums_contrast_0_s27_q : 24'h0) : 24'h0;
   logic [23:0] select_2193;
@@ -8466,7 +8466,7 @@ module horopter_agreement (
   logic [19:0] registration_counts_across_3_q;
   logic seen_q;
   logic nearer_q;
-  // hls/stages/agreement.hpp:502
+  // hls/stages/agreement.hpp:508
   logic [13:0] select_1402;
   assign select_1402 = and_1385_s28_q ? 14'h0 : (counts_explained_q + {13'h0, and_1400_s28_q});
   logic [13:0] select_1407;
@@ -8475,13 +8475,13 @@ module horopter_agreement (
   assign select_1417 = and_1385_s28_q ? 14'h0 : (counts_unproven_q + {13'h0, and_1415_s28_q});
   logic [13:0] select_1433;
   assign select_1433 = and_1385_s28_q ? 14'h0 : (counts_regions_bad_q + {2'h0, select_1431_s28_q});
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [7:0] select_1530;
   assign select_1530 = equal_373_s28_q ? 8'h0 : select_1529_s28_q;
   // hls/stages/registration.hpp:89
   logic [19:0] sum_1531;
   assign sum_1531 = registration_counts_across_0_q + {{12{select_1530[7]}}, select_1530};
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [7:0] select_1540;
   assign select_1540 = equal_373_s28_q ? 8'h0 : select_1539_s28_q;
   // hls/stages/registration.hpp:89
@@ -8491,12 +8491,12 @@ module horopter_agreement (
   assign sum_1550 = registration_counts_across_2_q + {{12{select_1549_s28_q[7]}}, select_1549_s28_q};
   logic [19:0] sum_1558;
   assign sum_1558 = registration_counts_across_3_q + {{12{select_1557_s28_q[7]}}, select_1557_s28_q};
-  // hls/stages/agreement.hpp:184
+  // hls/stages/agreement.hpp:187
   logic select_1958;
   assign select_1958 = and_989_s28_q ? (less_990_s28_q ? and_1956_s28_q : seen_q) : seen_q;
   logic select_1961;
   assign select_1961 = and_989_s28_q ? (less_990_s28_q ? and_1959_s28_q : nearer_q) : nearer_q;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [13:0] select_1976;
   assign select_1976 = equal_918_s28_q ? (equal_1803_s28_q ? counts_explained_q : 14'h0) : 14'h0;
   logic [13:0] select_1979;

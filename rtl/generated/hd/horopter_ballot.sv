@@ -46,14 +46,14 @@ module horopter_ballot (
   logic [10:0] raster_column_q;
   logic raster_row_ended_q;
   logic running_q;
-  // hls/stages/ballot.hpp:34
+  // hls/stages/ballot.hpp:40
   logic [10:0] select_17;
   assign select_17 = (marks_first_i | raster_row_ended_q) ? 11'h0 : raster_column_q;
-  // hls/stages/ballot.hpp:37
+  // hls/stages/ballot.hpp:44
   logic or_18;
   assign or_18 = marks_first_i | running_q;
 
-  // Memory memory, 1920 x 150, DISTANCE 16, hls/stages/ballot.hpp:80; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
+  // Memory memory, 1920 x 150, DISTANCE 16, hls/stages/ballot.hpp:98; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [149:0] memory_mem [0:1919];
@@ -137,10 +137,10 @@ module horopter_ballot (
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
   logic raster_rows_q;
-  // hls/stages/ballot.hpp:34
+  // hls/stages/ballot.hpp:40
   logic and_21;
   assign and_21 = raster_rows_q & (~marks_first_s2_q);
-  // hls/stages/ballot.hpp:38
+  // hls/stages/ballot.hpp:49
   logic [7:0] select_23;
   assign select_23 = running_s2_q ? memory_rdata_s2_q[7:0] : (marks_first_s2_q ? memory_rdata_s2_q[7:0] : 8'h0);
   logic [5:0] select_26;
@@ -187,10 +187,10 @@ module horopter_ballot (
   assign select_86 = running_s2_q ? memory_rdata_s2_q[130:125] : (marks_first_s2_q ? memory_rdata_s2_q[130:125] : 6'h0);
   logic [4:0] select_89;
   assign select_89 = running_s2_q ? memory_rdata_s2_q[149:145] : (marks_first_s2_q ? memory_rdata_s2_q[149:145] : 5'h0);
-  logic [5:0] select_106;
-  assign select_106 = running_s2_q ? memory_rdata_s2_q[144:139] : (marks_first_s2_q ? memory_rdata_s2_q[144:139] : 6'h0);
-  logic [7:0] select_113;
-  assign select_113 = running_s2_q ? memory_rdata_s2_q[138:131] : (marks_first_s2_q ? memory_rdata_s2_q[138:131] : 8'h0);
+  logic [5:0] select_143;
+  assign select_143 = running_s2_q ? memory_rdata_s2_q[144:139] : (marks_first_s2_q ? memory_rdata_s2_q[144:139] : 6'h0);
+  logic [7:0] select_150;
+  assign select_150 = running_s2_q ? memory_rdata_s2_q[138:131] : (marks_first_s2_q ? memory_rdata_s2_q[138:131] : 8'h0);
   logic select_169;
   assign select_169 = running_s2_q ? memory_rdata_s2_q[74] : (marks_first_s2_q & memory_rdata_s2_q[74]);
 
@@ -235,8 +235,8 @@ module horopter_ballot (
   logic [5:0] select_87_s3_q;
   logic [4:0] select_90_s3_q;
   logic select_92_s3_q;
-  logic [5:0] select_107_s3_q;
-  logic [7:0] select_114_s3_q;
+  logic [5:0] select_144_s3_q;
+  logic [7:0] select_151_s3_q;
   logic and_170_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
@@ -273,74 +273,74 @@ module horopter_ballot (
       select_87_s3_q <= and_21 ? select_86 : 6'h0;
       select_90_s3_q <= and_21 ? select_89 : 5'h0;
       select_92_s3_q <= select_92_s2_q;
-      select_107_s3_q <= and_21 ? select_106 : 6'h0;
-      select_114_s3_q <= and_21 ? select_113 : 8'h0;
+      select_144_s3_q <= and_21 ? select_143 : 6'h0;
+      select_151_s3_q <= and_21 ? select_150 : 8'h0;
       and_170_s3_q <= and_21 & select_169;
     end
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/ballot.hpp:46
+  // hls/stages/ballot.hpp:57
   logic [6:0] difference_95;
-  assign difference_95 = {1'b0, grey_s3_q} - {1'b0, select_63_s3_q};
+  assign difference_95 = {1'b0, select_36_s3_q} - {1'b0, select_63_s3_q};
   logic [5:0] xor_96;
   assign xor_96 = difference_95[5:0] ^ {6{difference_95[6]}};
   logic [6:0] difference;
   assign difference = {6'h0, difference_95[6]} + {1'b0, xor_96};
   logic [6:0] difference_100;
-  assign difference_100 = {1'b0, select_87_s3_q} - {1'b0, select_63_s3_q};
+  assign difference_100 = {1'b0, select_27_s3_q} - {1'b0, select_63_s3_q};
   logic [5:0] xor_101;
   assign xor_101 = difference_100[5:0] ^ {6{difference_100[6]}};
   logic [6:0] difference_2;
   assign difference_2 = {6'h0, difference_100[6]} + {1'b0, xor_101};
-  logic [6:0] difference_108;
-  assign difference_108 = {1'b0, select_107_s3_q} - {1'b0, select_63_s3_q};
-  logic [5:0] xor_109;
-  assign xor_109 = difference_108[5:0] ^ {6{difference_108[6]}};
+  logic [6:0] difference_106;
+  assign difference_106 = {1'b0, select_54_s3_q} - {1'b0, select_63_s3_q};
+  logic [5:0] xor_107;
+  assign xor_107 = difference_106[5:0] ^ {6{difference_106[6]}};
   logic [6:0] difference_3;
-  assign difference_3 = {6'h0, difference_108[6]} + {1'b0, xor_109};
+  assign difference_3 = {6'h0, difference_106[6]} + {1'b0, xor_107};
+  logic [6:0] difference_111;
+  assign difference_111 = {1'b0, select_45_s3_q} - {1'b0, select_63_s3_q};
+  logic [5:0] xor_112;
+  assign xor_112 = difference_111[5:0] ^ {6{difference_111[6]}};
+  logic [6:0] difference_4;
+  assign difference_4 = {6'h0, difference_111[6]} + {1'b0, xor_112};
   logic [6:0] difference_118;
-  assign difference_118 = {1'b0, select_27_s3_q} - {1'b0, select_63_s3_q};
+  assign difference_118 = {1'b0, select_69_s3_q} - {1'b0, select_63_s3_q};
   logic [5:0] xor_119;
   assign xor_119 = difference_118[5:0] ^ {6{difference_118[6]}};
-  logic [6:0] difference_4;
-  assign difference_4 = {6'h0, difference_118[6]} + {1'b0, xor_119};
-  logic [6:0] difference_123;
-  assign difference_123 = {1'b0, select_36_s3_q} - {1'b0, select_63_s3_q};
-  logic [5:0] xor_124;
-  assign xor_124 = difference_123[5:0] ^ {6{difference_123[6]}};
   logic [6:0] difference_5;
-  assign difference_5 = {6'h0, difference_123[6]} + {1'b0, xor_124};
+  assign difference_5 = {6'h0, difference_118[6]} + {1'b0, xor_119};
+  logic [6:0] difference_124;
+  assign difference_124 = {1'b0, select_81_s3_q} - {1'b0, select_63_s3_q};
+  logic [5:0] xor_125;
+  assign xor_125 = difference_124[5:0] ^ {6{difference_124[6]}};
+  logic [6:0] difference_6;
+  assign difference_6 = {6'h0, difference_124[6]} + {1'b0, xor_125};
   logic [6:0] difference_129;
-  assign difference_129 = {1'b0, select_45_s3_q} - {1'b0, select_63_s3_q};
+  assign difference_129 = {1'b0, select_75_s3_q} - {1'b0, select_63_s3_q};
   logic [5:0] xor_130;
   assign xor_130 = difference_129[5:0] ^ {6{difference_129[6]}};
-  logic [6:0] difference_6;
-  assign difference_6 = {6'h0, difference_129[6]} + {1'b0, xor_130};
-  logic [6:0] difference_134;
-  assign difference_134 = {1'b0, select_54_s3_q} - {1'b0, select_63_s3_q};
-  logic [5:0] xor_135;
-  assign xor_135 = difference_134[5:0] ^ {6{difference_134[6]}};
   logic [6:0] difference_7;
-  assign difference_7 = {6'h0, difference_134[6]} + {1'b0, xor_135};
-  logic [6:0] difference_141;
-  assign difference_141 = {1'b0, select_69_s3_q} - {1'b0, select_63_s3_q};
-  logic [5:0] xor_142;
-  assign xor_142 = difference_141[5:0] ^ {6{difference_141[6]}};
+  assign difference_7 = {6'h0, difference_129[6]} + {1'b0, xor_130};
+  logic [6:0] difference_137;
+  assign difference_137 = {1'b0, grey_s3_q} - {1'b0, select_63_s3_q};
+  logic [5:0] xor_138;
+  assign xor_138 = difference_137[5:0] ^ {6{difference_137[6]}};
   logic [6:0] difference_8;
-  assign difference_8 = {6'h0, difference_141[6]} + {1'b0, xor_142};
-  logic [6:0] difference_147;
-  assign difference_147 = {1'b0, select_75_s3_q} - {1'b0, select_63_s3_q};
-  logic [5:0] xor_148;
-  assign xor_148 = difference_147[5:0] ^ {6{difference_147[6]}};
+  assign difference_8 = {6'h0, difference_137[6]} + {1'b0, xor_138};
+  logic [6:0] difference_145;
+  assign difference_145 = {1'b0, select_144_s3_q} - {1'b0, select_63_s3_q};
+  logic [5:0] xor_146;
+  assign xor_146 = difference_145[5:0] ^ {6{difference_145[6]}};
   logic [6:0] difference_9;
-  assign difference_9 = {6'h0, difference_147[6]} + {1'b0, xor_148};
-  logic [6:0] difference_152;
-  assign difference_152 = {1'b0, select_81_s3_q} - {1'b0, select_63_s3_q};
-  logic [5:0] xor_153;
-  assign xor_153 = difference_152[5:0] ^ {6{difference_152[6]}};
+  assign difference_9 = {6'h0, difference_145[6]} + {1'b0, xor_146};
+  logic [6:0] difference_153;
+  assign difference_153 = {1'b0, select_87_s3_q} - {1'b0, select_63_s3_q};
+  logic [5:0] xor_154;
+  assign xor_154 = difference_153[5:0] ^ {6{difference_153[6]}};
   logic [6:0] difference_10;
-  assign difference_10 = {6'h0, difference_152[6]} + {1'b0, xor_153};
+  assign difference_10 = {6'h0, difference_153[6]} + {1'b0, xor_154};
 
   // Memory memory, write
   logic [10:0] memory_waddr;
@@ -401,13 +401,13 @@ module horopter_ballot (
   logic [6:0] difference_s4_q;
   logic [6:0] difference_2_s4_q;
   logic [6:0] difference_3_s4_q;
-  logic [7:0] select_114_s4_q;
   logic [6:0] difference_4_s4_q;
   logic [6:0] difference_5_s4_q;
   logic [6:0] difference_6_s4_q;
   logic [6:0] difference_7_s4_q;
   logic [6:0] difference_8_s4_q;
   logic [6:0] difference_9_s4_q;
+  logic [7:0] select_151_s4_q;
   logic [6:0] difference_10_s4_q;
   logic and_170_s4_q;
   always_ff @(posedge clk_i) begin
@@ -430,54 +430,54 @@ module horopter_ballot (
       difference_s4_q <= difference;
       difference_2_s4_q <= difference_2;
       difference_3_s4_q <= difference_3;
-      select_114_s4_q <= select_114_s3_q;
       difference_4_s4_q <= difference_4;
       difference_5_s4_q <= difference_5;
       difference_6_s4_q <= difference_6;
       difference_7_s4_q <= difference_7;
       difference_8_s4_q <= difference_8;
       difference_9_s4_q <= difference_9;
+      select_151_s4_q <= select_151_s3_q;
       difference_10_s4_q <= difference_10;
       and_170_s4_q <= and_170_s3_q;
     end
   end
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/ballot.hpp:47
+  // hls/stages/ballot.hpp:58
+  logic [7:0] select_99;
+  assign select_99 = ({3'h0, cfg_similar_i} < difference_s4_q) ? 8'h0 : select_33_s4_q;
   logic [7:0] select_104;
-  assign select_104 = ({3'h0, cfg_similar_i} < difference_2_s4_q) ? 8'h0 : select_84_s4_q;
+  assign select_104 = ({3'h0, cfg_similar_i} < difference_2_s4_q) ? 8'h0 : select_24_s4_q;
+  logic [7:0] select_110;
+  assign select_110 = ({3'h0, cfg_similar_i} < difference_3_s4_q) ? 8'h0 : select_51_s4_q;
   logic [7:0] select_115;
-  assign select_115 = ({3'h0, cfg_similar_i} < difference_3_s4_q) ? 8'h0 : select_114_s4_q;
+  assign select_115 = ({3'h0, cfg_similar_i} < difference_4_s4_q) ? 8'h0 : select_42_s4_q;
   logic [7:0] select_122;
-  assign select_122 = ({3'h0, cfg_similar_i} < difference_4_s4_q) ? 8'h0 : select_24_s4_q;
-  logic [7:0] select_127;
-  assign select_127 = ({3'h0, cfg_similar_i} < difference_5_s4_q) ? 8'h0 : select_33_s4_q;
+  assign select_122 = ({3'h0, cfg_similar_i} < difference_5_s4_q) ? 8'h0 : select_66_s4_q;
+  // hls/stages/ballot.hpp:61
+  logic [8:0] sum_123;
+  assign sum_123 = {select_60_s4_q[7], select_60_s4_q} + {select_122[7], select_122};
+  // hls/stages/ballot.hpp:58
+  logic [7:0] select_128;
+  assign select_128 = ({3'h0, cfg_similar_i} < difference_6_s4_q) ? 8'h0 : select_78_s4_q;
   logic [7:0] select_133;
-  assign select_133 = ({3'h0, cfg_similar_i} < difference_6_s4_q) ? 8'h0 : select_42_s4_q;
-  logic [7:0] select_138;
-  assign select_138 = ({3'h0, cfg_similar_i} < difference_7_s4_q) ? 8'h0 : select_51_s4_q;
-  logic [7:0] select_145;
-  assign select_145 = ({3'h0, cfg_similar_i} < difference_8_s4_q) ? 8'h0 : select_66_s4_q;
-  // hls/stages/ballot.hpp:50
-  logic [8:0] sum_146;
-  assign sum_146 = {select_60_s4_q[7], select_60_s4_q} + {select_145[7], select_145};
-  // hls/stages/ballot.hpp:47
-  logic [7:0] select_151;
-  assign select_151 = ({3'h0, cfg_similar_i} < difference_9_s4_q) ? 8'h0 : select_72_s4_q;
-  logic [7:0] select_156;
-  assign select_156 = ({3'h0, cfg_similar_i} < difference_10_s4_q) ? 8'h0 : select_78_s4_q;
+  assign select_133 = ({3'h0, cfg_similar_i} < difference_7_s4_q) ? 8'h0 : select_72_s4_q;
+  logic [7:0] select_152;
+  assign select_152 = ({3'h0, cfg_similar_i} < difference_9_s4_q) ? 8'h0 : select_151_s4_q;
+  logic [7:0] select_157;
+  assign select_157 = ({3'h0, cfg_similar_i} < difference_10_s4_q) ? 8'h0 : select_84_s4_q;
 
   logic marks_first_s5_q;
   logic marks_last_s5_q;
   logic marks_seen_s5_q;
   logic marks_nearer_s5_q;
   logic select_90_s5_q;
-  logic [7:0] select_99_s5_q;
+  logic [8:0] sum_105_s5_q;
   logic [8:0] sum_116_s5_q;
-  logic [8:0] sum_128_s5_q;
-  logic [8:0] sum_139_s5_q;
-  logic [8:0] sum_146_s5_q;
-  logic [8:0] sum_157_s5_q;
+  logic [8:0] sum_123_s5_q;
+  logic [8:0] sum_134_s5_q;
+  logic [7:0] select_141_s5_q;
+  logic [8:0] sum_158_s5_q;
   logic and_170_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
@@ -486,32 +486,32 @@ module horopter_ballot (
       marks_seen_s5_q <= marks_seen_s4_q;
       marks_nearer_s5_q <= marks_nearer_s4_q;
       select_90_s5_q <= select_90_s4_q;
-      select_99_s5_q <= ({3'h0, cfg_similar_i} < difference_s4_q) ? 8'h0 : vote_s4_q;
-      sum_116_s5_q <= {select_104[7], select_104} + {select_115[7], select_115};
-      sum_128_s5_q <= {select_122[7], select_122} + {select_127[7], select_127};
-      sum_139_s5_q <= {select_133[7], select_133} + {select_138[7], select_138};
-      sum_146_s5_q <= sum_146;
-      sum_157_s5_q <= {select_151[7], select_151} + {select_156[7], select_156};
+      sum_105_s5_q <= {select_99[7], select_99} + {select_104[7], select_104};
+      sum_116_s5_q <= {select_110[7], select_110} + {select_115[7], select_115};
+      sum_123_s5_q <= sum_123;
+      sum_134_s5_q <= {select_128[7], select_128} + {select_133[7], select_133};
+      select_141_s5_q <= ({3'h0, cfg_similar_i} < difference_8_s4_q) ? 8'h0 : vote_s4_q;
+      sum_158_s5_q <= {select_152[7], select_152} + {select_157[7], select_157};
       and_170_s5_q <= and_170_s4_q;
     end
   end
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/ballot.hpp:50
+  // hls/stages/ballot.hpp:61
   logic [9:0] sum_117;
-  assign sum_117 = {{2{select_99_s5_q[7]}}, select_99_s5_q} + {sum_116_s5_q[8], sum_116_s5_q};
-  logic [9:0] sum_140;
-  assign sum_140 = {sum_128_s5_q[8], sum_128_s5_q} + {sum_139_s5_q[8], sum_139_s5_q};
-  logic [9:0] sum_158;
-  assign sum_158 = {sum_146_s5_q[8], sum_146_s5_q} + {sum_157_s5_q[8], sum_157_s5_q};
+  assign sum_117 = {sum_105_s5_q[8], sum_105_s5_q} + {sum_116_s5_q[8], sum_116_s5_q};
+  logic [9:0] sum_135;
+  assign sum_135 = {sum_123_s5_q[8], sum_123_s5_q} + {sum_134_s5_q[8], sum_134_s5_q};
+  logic [9:0] sum_159;
+  assign sum_159 = {{2{select_141_s5_q[7]}}, select_141_s5_q} + {sum_158_s5_q[8], sum_158_s5_q};
 
   logic marks_first_s6_q;
   logic marks_last_s6_q;
   logic marks_seen_s6_q;
   logic marks_nearer_s6_q;
   logic select_90_s6_q;
-  logic [9:0] sum_117_s6_q;
-  logic [10:0] sum_159_s6_q;
+  logic [10:0] sum_136_s6_q;
+  logic [9:0] sum_159_s6_q;
   logic and_170_s6_q;
   always_ff @(posedge clk_i) begin
     if (s5_en) begin
@@ -520,27 +520,27 @@ module horopter_ballot (
       marks_seen_s6_q <= marks_seen_s5_q;
       marks_nearer_s6_q <= marks_nearer_s5_q;
       select_90_s6_q <= select_90_s5_q;
-      sum_117_s6_q <= sum_117;
-      sum_159_s6_q <= {sum_140[9], sum_140} + {sum_158[9], sum_158};
+      sum_136_s6_q <= {sum_117[9], sum_117} + {sum_135[9], sum_135};
+      sum_159_s6_q <= sum_159;
       and_170_s6_q <= and_170_s5_q;
     end
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/ballot.hpp:50
-  logic [11:0] sum_160;
-  assign sum_160 = {{2{sum_117_s6_q[9]}}, sum_117_s6_q} + {sum_159_s6_q[10], sum_159_s6_q};
   // hls/stages/ballot.hpp:61
-  logic [12:0] difference_164;
-  assign difference_164 = 13'h0 - {sum_160[11], sum_160};
+  logic [11:0] sum_160;
+  assign sum_160 = {sum_136_s6_q[10], sum_136_s6_q} + {{2{sum_159_s6_q[9]}}, sum_159_s6_q};
+  // hls/stages/ballot.hpp:79
+  logic [12:0] difference_163;
+  assign difference_163 = 13'h0 - {sum_160[11], sum_160};
 
   logic marks_first_s7_q;
   logic marks_last_s7_q;
   logic marks_seen_s7_q;
   logic marks_nearer_s7_q;
   logic not_162_s7_q;
-  logic and_163_s7_q;
-  logic [9:0] difference_164_s7_q;
+  logic [9:0] difference_163_s7_q;
+  logic and_166_s7_q;
   logic and_170_s7_q;
   always_ff @(posedge clk_i) begin
     if (s6_en) begin
@@ -549,16 +549,16 @@ module horopter_ballot (
       marks_seen_s7_q <= marks_seen_s6_q;
       marks_nearer_s7_q <= marks_nearer_s6_q;
       not_162_s7_q <= ~($signed(sum_160) < $signed({4'h0, cfg_quorum_i}));
-      and_163_s7_q <= select_90_s6_q & sum_160[11];
-      difference_164_s7_q <= difference_164[12:3];
+      difference_163_s7_q <= difference_163[12:3];
+      and_166_s7_q <= select_90_s6_q & sum_160[11];
       and_170_s7_q <= and_170_s6_q;
     end
   end
 
   // Stage 7 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/ballot.hpp:61
-  logic less_165;
-  assign less_165 = $signed(difference_164_s7_q) < $signed({2'h0, cfg_clear_quorum_i});
+  // hls/stages/ballot.hpp:79
+  logic less_164;
+  assign less_164 = $signed(difference_163_s7_q) < $signed({2'h0, cfg_clear_quorum_i});
 
   logic marks_first_s8_q;
   logic marks_last_s8_q;
@@ -574,7 +574,7 @@ module horopter_ballot (
       marks_seen_s8_q <= marks_seen_s7_q;
       marks_nearer_s8_q <= marks_nearer_s7_q;
       not_162_s8_q <= not_162_s7_q;
-      or_167_s8_q <= and_163_s7_q | (~less_165);
+      or_167_s8_q <= (~less_164) | and_166_s7_q;
       and_170_s8_q <= and_170_s7_q;
     end
   end
@@ -613,6 +613,6 @@ module horopter_ballot (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^difference_164[2:0];
+  assign unused_bits = ^difference_163[2:0];
 
 endmodule

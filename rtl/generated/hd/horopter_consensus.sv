@@ -46,16 +46,16 @@ module horopter_consensus (
   logic centres_values_1_marks_nearer_q;
   logic centres_values_2_marks_seen_q;
   logic centres_values_2_marks_nearer_q;
-  // hls/stages/consensus.hpp:36
+  // hls/stages/consensus.hpp:40
   logic or_54;
   assign or_54 = marks_first_i | raster_row_ended_q;
   logic [10:0] select_55;
   assign select_55 = or_54 ? 11'h0 : raster_column_q;
-  // hls/stages/consensus.hpp:94
+  // hls/stages/consensus.hpp:96
   logic or_56;
   assign or_56 = marks_first_i | running_q;
 
-  // Memory memory, 1920 x 18, DISTANCE 16, hls/stages/consensus.hpp:102; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
+  // Memory memory, 1920 x 18, DISTANCE 16, hls/stages/consensus.hpp:104; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [17:0] memory_mem [0:1919];
@@ -178,16 +178,16 @@ module horopter_consensus (
   logic centres_values_0_exists_q;
   logic centres_values_1_exists_q;
   logic centres_values_2_exists_q;
-  // hls/stages/consensus.hpp:36
+  // hls/stages/consensus.hpp:40
   logic and_59;
   assign and_59 = raster_rows_q & (~centres_values_0_marks_first_q);
-  // hls/stages/consensus.hpp:40
+  // hls/stages/consensus.hpp:44
   logic [5:0] select_61;
   assign select_61 = running_s2_q ? memory_rdata_s2_q[5:0] : (centres_values_0_marks_first_q ? memory_rdata_s2_q[5:0] : 6'h0);
-  // hls/stages/consensus.hpp:43
+  // hls/stages/consensus.hpp:47
   logic [5:0] select_62;
   assign select_62 = and_59 ? select_61 : 6'h0;
-  // hls/stages/consensus.hpp:40
+  // hls/stages/consensus.hpp:44
   logic [5:0] select_65;
   assign select_65 = running_s2_q ? memory_rdata_s2_q[11:6] : (centres_values_0_marks_first_q ? memory_rdata_s2_q[11:6] : 6'h0);
   logic [5:0] select_69;
@@ -241,14 +241,14 @@ module horopter_consensus (
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/consensus.hpp:52
+  // hls/stages/consensus.hpp:56
   logic [1:0] sum_76;
   assign sum_76 = {1'b0, select_62_s3_q[1]} + ({1'b0, exists_s3_q} + {1'b0, select_62_s3_q[0]});
   logic [1:0] sum_82;
   assign sum_82 = {1'b0, select_66_s3_q[1]} + ({1'b0, and_63_s3_q} + {1'b0, select_66_s3_q[0]});
   logic [1:0] sum_88;
   assign sum_88 = {1'b0, select_70_s3_q[1]} + ({1'b0, and_67_s3_q} + {1'b0, select_70_s3_q[0]});
-  // hls/stages/consensus.hpp:55
+  // hls/stages/consensus.hpp:59
   logic total;
   assign total = select_55_s3_q < 11'h3;
 
@@ -327,7 +327,7 @@ module horopter_consensus (
   end
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/consensus.hpp:52
+  // hls/stages/consensus.hpp:56
   logic [2:0] sum_79;
   assign sum_79 = {2'h0, select_62_s4_q[1]} + ({2'h0, select_62_s4_q[0]} + sum_77_s4_q);
   logic [2:0] sum_85;
@@ -390,7 +390,7 @@ module horopter_consensus (
   logic [2:0] columns_values_6_exists_q;
   logic [2:0] columns_values_6_clear_q;
   logic [2:0] columns_values_6_skin_q;
-  // hls/stages/consensus.hpp:52
+  // hls/stages/consensus.hpp:56
   logic [2:0] entering;
   assign entering = {2'h0, select_62_s5_q} + sum_79_s5_q;
   logic [2:0] entering_2;
@@ -480,7 +480,7 @@ module horopter_consensus (
   logic [5:0] rest_exists_q;
   logic [5:0] rest_clear_q;
   logic [5:0] rest_skin_q;
-  // hls/stages/consensus.hpp:99
+  // hls/stages/consensus.hpp:101
   logic [2:0] select_95;
   assign select_95 = less_94_s6_q ? columns_values_6_exists_s6_q : 3'h0;
   logic [3:0] difference_96;
@@ -499,13 +499,13 @@ module horopter_consensus (
   assign difference_104 = {1'b0, columns_values_0_skin_q} - {1'b0, select_103};
   logic [5:0] sum_105;
   assign sum_105 = (or_54_s6_q ? 6'h0 : sums_skin_q) + {{2{difference_104[3]}}, difference_104};
-  // hls/stages/consensus.hpp:62
+  // hls/stages/consensus.hpp:66
   logic [5:0] difference_107;
   assign difference_107 = (or_54_s6_q ? sums_exists_q : rest_exists_q) - {3'h0, columns_values_6_exists_s6_q};
-  // hls/stages/consensus.hpp:63
+  // hls/stages/consensus.hpp:67
   logic [5:0] difference_109;
   assign difference_109 = (or_54_s6_q ? sums_clear_q : rest_clear_q) - {3'h0, columns_values_6_clear_s6_q};
-  // hls/stages/consensus.hpp:64
+  // hls/stages/consensus.hpp:68
   logic [5:0] difference_111;
   assign difference_111 = (or_54_s6_q ? sums_skin_q : rest_skin_q) - {3'h0, columns_values_6_skin_s6_q};
 
@@ -545,16 +545,17 @@ module horopter_consensus (
   end
 
   // Stage 7 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/consensus.hpp:71
+  // hls/stages/consensus.hpp:75
   logic [4:0] select_113;
   assign select_113 = total_s7_q ? rest_exists_q[5:1] : sums_exists_q[5:1];
   logic less_115;
   assign less_115 = {1'b0, select_113} < (total_s7_q ? rest_skin_q : sums_skin_q);
-  // hls/stages/consensus.hpp:73
-  logic not_118;
-  assign not_118 = ~({1'b0, select_113} < (total_s7_q ? rest_clear_q : sums_clear_q));
+  // hls/stages/consensus.hpp:77
+  logic other;
+  assign other = ~({1'b0, select_113} < (total_s7_q ? rest_clear_q : sums_clear_q));
+  // hls/stages/consensus.hpp:78
   logic and_120;
-  assign and_120 = not_118 & (~less_115);
+  assign and_120 = other & (~less_115);
 
   logic centres_values_2_marks_first_s8_q;
   logic centres_values_2_marks_last_s8_q;

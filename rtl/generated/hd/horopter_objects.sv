@@ -49,19 +49,19 @@ module horopter_objects (
   logic [10:0] raster_column_q;
   logic raster_rows_q;
   logic raster_row_ended_q;
-  // hls/stages/objects.hpp:166
+  // hls/stages/objects.hpp:199
   logic or_259;
   assign or_259 = first_i | raster_row_ended_q;
   logic [10:0] x;
   assign x = or_259 ? 11'h0 : raster_column_q;
-  // hls/stages/objects.hpp:76
+  // hls/stages/objects.hpp:79
   logic not_261;
   assign not_261 = ~idle_i;
-  // hls/stages/objects.hpp:166
+  // hls/stages/objects.hpp:199
   logic and_279;
   assign and_279 = raster_rows_q & (~first_i);
 
-  // Memory above, 1920 x 1, DISTANCE 16, hls/stages/objects.hpp:379; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory above, 1920 x 1, DISTANCE 16, hls/stages/objects.hpp:423; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic above_mem [0:1919];
@@ -155,24 +155,24 @@ module horopter_objects (
   logic before_v_q;
   logic over_before_q;
   logic ended_q;
-  // hls/stages/objects.hpp:77
+  // hls/stages/objects.hpp:80
   logic not_264;
   assign not_264 = ~and_263_s2_q;
-  // hls/stages/objects.hpp:178
+  // hls/stages/objects.hpp:211
   logic and_271;
   assign and_271 = ended_q & not_264;
-  // hls/stages/objects.hpp:176
+  // hls/stages/objects.hpp:209
   logic not_273;
   assign not_273 = ~or_272_s2_q;
-  // hls/stages/objects.hpp:178
+  // hls/stages/objects.hpp:211
   logic and_275;
   assign and_275 = before_v_q & not_264;
   logic and_277;
   assign and_277 = over_before_q & not_264;
-  // hls/stages/objects.hpp:89
+  // hls/stages/objects.hpp:92
   logic and_281;
   assign and_281 = not_261_s2_q & (above_rdata_s2_q & and_279_s2_q);
-  // hls/stages/objects.hpp:176
+  // hls/stages/objects.hpp:209
   logic and_282;
   assign and_282 = and_281 & not_273;
 
@@ -225,39 +225,39 @@ module horopter_objects (
   logic [5:0] room_q;
   logic little_room_q;
   logic [3:0] phase_q;
-  // hls/stages/objects.hpp:269
+  // hls/stages/objects.hpp:306
   logic equal_265;
   assign equal_265 = phase_q == 4'h0;
-  // hls/stages/objects.hpp:310
+  // hls/stages/objects.hpp:354
   logic equal_266;
   assign equal_266 = read_q == visible_q;
   logic not_267;
   assign not_267 = ~equal_266;
-  // hls/stages/objects.hpp:89
+  // hls/stages/objects.hpp:92
   logic and_288;
   assign and_288 = or_283_s3_q & and_287_s3_q;
-  // hls/stages/objects.hpp:183
+  // hls/stages/objects.hpp:216
   logic and_291;
   assign and_291 = (met_q & not_264_s3_q) & (~select_276_s3_q);
-  // hls/stages/objects.hpp:184
+  // hls/stages/objects.hpp:217
   logic and_293;
   assign and_293 = and_288 & (~and_291);
-  // hls/stages/objects.hpp:185
+  // hls/stages/objects.hpp:218
   logic or_297;
   assign or_297 = and_295_s3_q | (select_276_s3_q | and_293);
-  // hls/stages/objects.hpp:193
+  // hls/stages/objects.hpp:226
   logic [5:0] select_388;
   assign select_388 = and_263_s3_q ? 6'h0 : (or_297 ? (little_room_q ? write_q : (write_q + 6'h1)) : write_q);
-  // hls/stages/objects.hpp:88
+  // hls/stages/objects.hpp:91
   logic [5:0] select_392;
   assign select_392 = and_263_s3_q ? 6'h0 : (equal_265 ? (equal_266 ? read_q : (read_q + 6'h1)) : read_q);
-  // hls/stages/objects.hpp:78
+  // hls/stages/objects.hpp:81
   logic [5:0] room;
   assign room = read_q - write_q;
-  // hls/stages/objects.hpp:77
+  // hls/stages/objects.hpp:80
   logic little_room;
   assign little_room = not_264_s3_q & (({2'h0, room_q} + 8'hff) < 8'h7);
-  // hls/stages/objects.hpp:270
+  // hls/stages/objects.hpp:307
   logic and_410;
   assign and_410 = (~(not_261_s3_q | not_267)) & ((write_q == read_q) & and_408_s3_q);
 
@@ -327,7 +327,7 @@ module horopter_objects (
   // Stage 4 -----------------------------------------------------------------------------------------------------------
   logic [10:0] row_q;
 
-  // Memory queue, 64 x 36, DISTANCE 16, hls/stages/objects.hpp:386; read in stage 4, written in stage 5: 4 < 5 < 4 + DISTANCE.
+  // Memory queue, 64 x 36, DISTANCE 16, hls/stages/objects.hpp:430; read in stage 4, written in stage 5: 4 < 5 < 4 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [35:0] queue_mem [0:63];
@@ -394,10 +394,10 @@ module horopter_objects (
   logic [10:0] last_run_left_q;
   logic [10:0] last_run_right_q;
   logic [10:0] last_run_row_q;
-  // hls/stages/objects.hpp:89
+  // hls/stages/objects.hpp:92
   logic [10:0] x_2;
   assign x_2 = idle_s5_q ? last_run_right_q : x_s5_q;
-  // hls/stages/objects.hpp:201
+  // hls/stages/objects.hpp:234
   logic [10:0] select_382;
   assign select_382 = and_284_s5_q ? (or_379_s5_q ? x_2 : last_run_left_q) : last_run_left_q;
 
@@ -571,15 +571,15 @@ module horopter_objects (
   logic end_30_q;
   logic end_31_q;
   logic front_there_q;
-  // hls/stages/objects.hpp:88
+  // hls/stages/objects.hpp:91
   logic and_413;
   assign and_413 = not_264_s6_q & (equal_265_s6_q ? (not_267_s6_q | and_410_s6_q) : busy_q);
   logic select_415;
   assign select_415 = and_263_s6_q ? draining_q : (equal_265_s6_q ? and_410_s6_q : draining_q);
-  // hls/stages/objects.hpp:218
+  // hls/stages/objects.hpp:251
   logic and_417;
   assign and_417 = busy_q & equal_416_s6_q;
-  // hls/stages/objects.hpp:88
+  // hls/stages/objects.hpp:91
   logic and_421;
   assign and_421 = not_264_s6_q & (and_417 ? (draining_q & (~front_there_q)) : done_q);
   logic select_423;
@@ -594,217 +594,217 @@ module horopter_objects (
   assign select_435 = equal_265_s6_q ? (equal_266_s6_q ? event_run_right_q : queue_rdata_s6_q[24:14]) : event_run_right_q;
   logic [10:0] select_438;
   assign select_438 = equal_265_s6_q ? (equal_266_s6_q ? event_run_row_q : queue_rdata_s6_q[35:25]) : event_run_row_q;
-  // hls/stages/objects.hpp:218
+  // hls/stages/objects.hpp:251
   logic and_441;
   assign and_441 = busy_q & equal_440_s6_q;
-  // hls/stages/objects.hpp:222
+  // hls/stages/objects.hpp:255
   logic and_442;
   assign and_442 = event_ends_q & and_441;
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_443;
   assign and_443 = end_0_q & and_442;
-  // hls/stages/objects.hpp:219
+  // hls/stages/objects.hpp:252
   logic and_452;
   assign and_452 = busy_q & equal_451_s6_q;
-  // hls/stages/objects.hpp:248
+  // hls/stages/objects.hpp:281
   logic and_454;
   assign and_454 = front_there_q & (event_passes_q & and_452);
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_459;
   assign and_459 = not_264_s6_q & (and_443 | (entries_0_there_q & (~(begin_0_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_460;
   assign and_460 = end_1_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_469;
   assign and_469 = not_264_s6_q & (and_460 | (entries_1_there_q & (~(begin_1_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_470;
   assign and_470 = end_2_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_479;
   assign and_479 = not_264_s6_q & (and_470 | (entries_2_there_q & (~(begin_2_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_480;
   assign and_480 = end_3_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_489;
   assign and_489 = not_264_s6_q & (and_480 | (entries_3_there_q & (~(begin_3_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_490;
   assign and_490 = end_4_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_499;
   assign and_499 = not_264_s6_q & (and_490 | (entries_4_there_q & (~(begin_4_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_500;
   assign and_500 = end_5_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_509;
   assign and_509 = not_264_s6_q & (and_500 | (entries_5_there_q & (~(begin_5_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_510;
   assign and_510 = end_6_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_519;
   assign and_519 = not_264_s6_q & (and_510 | (entries_6_there_q & (~(begin_6_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_520;
   assign and_520 = end_7_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_529;
   assign and_529 = not_264_s6_q & (and_520 | (entries_7_there_q & (~(begin_7_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_530;
   assign and_530 = end_8_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_539;
   assign and_539 = not_264_s6_q & (and_530 | (entries_8_there_q & (~(begin_8_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_540;
   assign and_540 = end_9_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_549;
   assign and_549 = not_264_s6_q & (and_540 | (entries_9_there_q & (~(begin_9_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_550;
   assign and_550 = end_10_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_559;
   assign and_559 = not_264_s6_q & (and_550 | (entries_10_there_q & (~(begin_10_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_560;
   assign and_560 = end_11_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_569;
   assign and_569 = not_264_s6_q & (and_560 | (entries_11_there_q & (~(begin_11_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_570;
   assign and_570 = end_12_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_579;
   assign and_579 = not_264_s6_q & (and_570 | (entries_12_there_q & (~(begin_12_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_580;
   assign and_580 = end_13_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_589;
   assign and_589 = not_264_s6_q & (and_580 | (entries_13_there_q & (~(begin_13_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_590;
   assign and_590 = end_14_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_599;
   assign and_599 = not_264_s6_q & (and_590 | (entries_14_there_q & (~(begin_14_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_600;
   assign and_600 = end_15_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_609;
   assign and_609 = not_264_s6_q & (and_600 | (entries_15_there_q & (~(begin_15_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_610;
   assign and_610 = end_16_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_619;
   assign and_619 = not_264_s6_q & (and_610 | (entries_16_there_q & (~(begin_16_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_620;
   assign and_620 = end_17_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_629;
   assign and_629 = not_264_s6_q & (and_620 | (entries_17_there_q & (~(begin_17_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_630;
   assign and_630 = end_18_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_639;
   assign and_639 = not_264_s6_q & (and_630 | (entries_18_there_q & (~(begin_18_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_640;
   assign and_640 = end_19_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_649;
   assign and_649 = not_264_s6_q & (and_640 | (entries_19_there_q & (~(begin_19_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_650;
   assign and_650 = end_20_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_659;
   assign and_659 = not_264_s6_q & (and_650 | (entries_20_there_q & (~(begin_20_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_660;
   assign and_660 = end_21_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_669;
   assign and_669 = not_264_s6_q & (and_660 | (entries_21_there_q & (~(begin_21_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_670;
   assign and_670 = end_22_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_679;
   assign and_679 = not_264_s6_q & (and_670 | (entries_22_there_q & (~(begin_22_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_680;
   assign and_680 = end_23_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_689;
   assign and_689 = not_264_s6_q & (and_680 | (entries_23_there_q & (~(begin_23_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_690;
   assign and_690 = end_24_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_699;
   assign and_699 = not_264_s6_q & (and_690 | (entries_24_there_q & (~(begin_24_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_700;
   assign and_700 = end_25_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_709;
   assign and_709 = not_264_s6_q & (and_700 | (entries_25_there_q & (~(begin_25_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_710;
   assign and_710 = end_26_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_719;
   assign and_719 = not_264_s6_q & (and_710 | (entries_26_there_q & (~(begin_26_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_720;
   assign and_720 = end_27_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_729;
   assign and_729 = not_264_s6_q & (and_720 | (entries_27_there_q & (~(begin_27_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_730;
   assign and_730 = end_28_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_739;
   assign and_739 = not_264_s6_q & (and_730 | (entries_28_there_q & (~(begin_28_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_740;
   assign and_740 = end_29_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_749;
   assign and_749 = not_264_s6_q & (and_740 | (entries_29_there_q & (~(begin_29_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_750;
   assign and_750 = end_30_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_759;
   assign and_759 = not_264_s6_q & (and_750 | (entries_30_there_q & (~(begin_30_q & and_454))));
-  // hls/stages/objects.hpp:258
+  // hls/stages/objects.hpp:295
   logic and_760;
   assign and_760 = end_31_q & and_442;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic and_769;
   assign and_769 = not_264_s6_q & (and_760 | (entries_31_there_q & (~(begin_31_q & and_454))));
-  // hls/stages/objects.hpp:264
+  // hls/stages/objects.hpp:301
   logic or_770;
   assign or_770 = and_263_s6_q | and_454;
-  // hls/stages/objects.hpp:265
+  // hls/stages/objects.hpp:302
   logic or_835;
   assign or_835 = and_263_s6_q | and_442;
-  // hls/stages/objects.hpp:136
+  // hls/stages/objects.hpp:168
   logic or_1323;
   assign or_1323 = (entries_0_there_q & begin_0_q) | (entries_1_there_q & begin_1_q);
   logic or_1326;
@@ -1450,10 +1450,10 @@ module horopter_objects (
   logic second_q;
   logic second_ends_q;
   logic overflow_q;
-  // hls/stages/objects.hpp:327
+  // hls/stages/objects.hpp:371
   logic and_301;
   assign and_301 = second_q & equal_300_s7_q;
-  // hls/stages/objects.hpp:336
+  // hls/stages/objects.hpp:380
   logic not_302;
   assign not_302 = ~joined_q;
   logic [2:0] select_303;
@@ -1472,19 +1472,19 @@ module horopter_objects (
   assign select_315 = select_303[0] ? group_7_q : group_5_q;
   logic [4:0] select_316;
   assign select_316 = select_303[1] ? (select_303[0] ? front_label_q : {1'b0, looked_q}) : {4'h0, select_315};
-  // hls/stages/objects.hpp:328
+  // hls/stages/objects.hpp:372
   logic and_322;
   assign and_322 = and_320_s7_q & (event_ends_s7_q | joined_q);
-  // hls/stages/objects.hpp:242
+  // hls/stages/objects.hpp:275
   logic and_444;
   assign and_444 = joined_q & and_320_s7_q;
-  // hls/stages/objects.hpp:223
+  // hls/stages/objects.hpp:256
   logic [4:0] ended;
   assign ended = run_there_q ? run_label_q : free_label_q;
-  // hls/stages/objects.hpp:256
+  // hls/stages/objects.hpp:290
   logic [4:0] label_2;
   assign label_2 = and_442_s7_q ? ended : run_label_q;
-  // hls/stages/objects.hpp:260
+  // hls/stages/objects.hpp:297
   logic [4:0] select_450;
   assign select_450 = (and_443_s7_q | (and_444 & (begin_0_s7_q | same_0_q))) ? label_2 : entries_0_label_q;
   logic [4:0] select_464;
@@ -1549,54 +1549,54 @@ module horopter_objects (
   assign select_754 = (and_750_s7_q | (and_444 & (begin_30_s7_q | same_30_q))) ? label_2 : entries_30_label_q;
   logic [4:0] select_764;
   assign select_764 = (and_760_s7_q | (and_444 & (begin_31_s7_q | same_31_q))) ? label_2 : entries_31_label_q;
-  // hls/stages/objects.hpp:222
+  // hls/stages/objects.hpp:255
   logic not_900;
   assign not_900 = ~run_there_q;
-  // hls/stages/objects.hpp:233
+  // hls/stages/objects.hpp:266
   logic and_902;
   assign and_902 = not_900 & (event_meets_s7_q & and_417_s7_q);
-  // hls/stages/objects.hpp:240
+  // hls/stages/objects.hpp:273
   logic and_908;
   assign and_908 = not_264_s7_q & ((run_there_q & (~and_442_s7_q)) | (front_there_s7_q & and_902));
-  // hls/stages/objects.hpp:249
+  // hls/stages/objects.hpp:282
   logic closes;
   assign closes = (not_302 & and_454_s7_q) & (~others_q);
   logic frees;
   assign frees = closes | (joined_q & and_452_s7_q);
-  // hls/stages/objects.hpp:261
+  // hls/stages/objects.hpp:298
   logic not_916;
   assign not_916 = ~frees;
-  // hls/stages/objects.hpp:282
+  // hls/stages/objects.hpp:319
   logic and_919;
   assign and_919 = looked_there_q & not_264_s7_q;
-  // hls/stages/objects.hpp:280
+  // hls/stages/objects.hpp:317
   logic equal_920;
   assign equal_920 = looked_q == 4'hf;
-  // hls/stages/objects.hpp:282
+  // hls/stages/objects.hpp:320
   logic and_922;
   assign and_922 = and_919 & (~equal_920);
-  // hls/stages/objects.hpp:279
+  // hls/stages/objects.hpp:316
   logic not_923;
   assign not_923 = ~looked_q[0];
-  // hls/stages/objects.hpp:262
+  // hls/stages/objects.hpp:299
   logic or_926;
   assign or_926 = (used_0_q & ((~(front_label_q == 5'h0)) | not_916)) | (and_922 & (group_0_q & not_923));
-  // hls/stages/objects.hpp:279
+  // hls/stages/objects.hpp:316
   logic equal_932;
   assign equal_932 = looked_q[1:0] == 2'h1;
-  // hls/stages/objects.hpp:262
+  // hls/stages/objects.hpp:299
   logic or_935;
   assign or_935 = (used_1_q & (not_916 | (~(front_label_q == 5'h1)))) | (and_922 & (group_0_q & equal_932));
-  // hls/stages/objects.hpp:279
+  // hls/stages/objects.hpp:316
   logic equal_941;
   assign equal_941 = looked_q[2:0] == 3'h3;
-  // hls/stages/objects.hpp:262
+  // hls/stages/objects.hpp:299
   logic or_944;
   assign or_944 = (used_2_q & (not_916 | (~(front_label_q == 5'h2)))) | (and_922 & (group_0_q & equal_941));
-  // hls/stages/objects.hpp:279
+  // hls/stages/objects.hpp:316
   logic equal_950;
   assign equal_950 = looked_q == 4'h7;
-  // hls/stages/objects.hpp:262
+  // hls/stages/objects.hpp:299
   logic or_953;
   assign or_953 = (used_3_q & (not_916 | (~(front_label_q == 5'h3)))) | (and_922 & (group_0_q & equal_950));
   logic or_961;
@@ -1655,24 +1655,24 @@ module horopter_objects (
   assign or_1169 = (used_30_q & (not_916 | (~(front_label_q == 5'h1e)))) | (and_922 & (group_7_q & equal_941));
   logic or_1177;
   assign or_1177 = (used_31_q & (not_916 | (~(front_label_q == 5'h1f)))) | (and_922 & (group_7_q & equal_950));
-  // hls/stages/objects.hpp:222
+  // hls/stages/objects.hpp:255
   logic and_1179;
   assign and_1179 = and_442_s7_q & not_900;
-  // hls/stages/objects.hpp:229
+  // hls/stages/objects.hpp:262
   logic not_1180;
   assign not_1180 = ~free_there_q;
-  // hls/stages/objects.hpp:284
+  // hls/stages/objects.hpp:322
   logic and_1182;
   assign and_1182 = found_there_q & (and_1179 | not_1180);
-  // hls/stages/objects.hpp:287
+  // hls/stages/objects.hpp:325
   logic or_1188;
   assign or_1188 = equal_932 | equal_950;
   logic or_1189;
   assign or_1189 = equal_941 | equal_950;
-  // hls/stages/objects.hpp:300
+  // hls/stages/objects.hpp:344
   logic and_1194;
   assign and_1194 = equal_920 & and_919;
-  // hls/stages/objects.hpp:294
+  // hls/stages/objects.hpp:337
   logic and_1213;
   assign and_1213 = used_0_q & group_0_q;
   logic and_1214;
@@ -1689,10 +1689,10 @@ module horopter_objects (
   assign and_1219 = used_6_q & group_1_q;
   logic and_1220;
   assign and_1220 = used_7_q & group_1_q;
-  // hls/stages/objects.hpp:295
+  // hls/stages/objects.hpp:338
   logic [3:0] used;
   assign used = {and_1216, and_1215, and_1214, and_1213} | {and_1220, and_1219, and_1218, and_1217};
-  // hls/stages/objects.hpp:294
+  // hls/stages/objects.hpp:337
   logic and_1222;
   assign and_1222 = used_8_q & group_2_q;
   logic and_1223;
@@ -1701,10 +1701,10 @@ module horopter_objects (
   assign and_1224 = used_10_q & group_2_q;
   logic and_1225;
   assign and_1225 = used_11_q & group_2_q;
-  // hls/stages/objects.hpp:295
+  // hls/stages/objects.hpp:338
   logic [3:0] used_2;
   assign used_2 = used | {and_1225, and_1224, and_1223, and_1222};
-  // hls/stages/objects.hpp:294
+  // hls/stages/objects.hpp:337
   logic and_1227;
   assign and_1227 = used_12_q & group_3_q;
   logic and_1228;
@@ -1713,10 +1713,10 @@ module horopter_objects (
   assign and_1229 = used_14_q & group_3_q;
   logic and_1230;
   assign and_1230 = used_15_q & group_3_q;
-  // hls/stages/objects.hpp:295
+  // hls/stages/objects.hpp:338
   logic [3:0] used_3;
   assign used_3 = used_2 | {and_1230, and_1229, and_1228, and_1227};
-  // hls/stages/objects.hpp:294
+  // hls/stages/objects.hpp:337
   logic and_1232;
   assign and_1232 = used_16_q & group_4_q;
   logic and_1233;
@@ -1725,10 +1725,10 @@ module horopter_objects (
   assign and_1234 = used_18_q & group_4_q;
   logic and_1235;
   assign and_1235 = used_19_q & group_4_q;
-  // hls/stages/objects.hpp:295
+  // hls/stages/objects.hpp:338
   logic [3:0] used_4;
   assign used_4 = used_3 | {and_1235, and_1234, and_1233, and_1232};
-  // hls/stages/objects.hpp:294
+  // hls/stages/objects.hpp:337
   logic and_1237;
   assign and_1237 = used_20_q & group_5_q;
   logic and_1238;
@@ -1737,10 +1737,10 @@ module horopter_objects (
   assign and_1239 = used_22_q & group_5_q;
   logic and_1240;
   assign and_1240 = used_23_q & group_5_q;
-  // hls/stages/objects.hpp:295
+  // hls/stages/objects.hpp:338
   logic [3:0] used_5;
   assign used_5 = used_4 | {and_1240, and_1239, and_1238, and_1237};
-  // hls/stages/objects.hpp:294
+  // hls/stages/objects.hpp:337
   logic and_1242;
   assign and_1242 = used_24_q & group_6_q;
   logic and_1243;
@@ -1749,10 +1749,10 @@ module horopter_objects (
   assign and_1244 = used_26_q & group_6_q;
   logic and_1245;
   assign and_1245 = used_27_q & group_6_q;
-  // hls/stages/objects.hpp:295
+  // hls/stages/objects.hpp:338
   logic [3:0] used_6;
   assign used_6 = used_5 | {and_1245, and_1244, and_1243, and_1242};
-  // hls/stages/objects.hpp:294
+  // hls/stages/objects.hpp:337
   logic and_1247;
   assign and_1247 = used_28_q & group_7_q;
   logic and_1248;
@@ -1761,13 +1761,13 @@ module horopter_objects (
   assign and_1249 = used_30_q & group_7_q;
   logic and_1250;
   assign and_1250 = used_31_q & group_7_q;
-  // hls/stages/objects.hpp:295
+  // hls/stages/objects.hpp:338
   logic [3:0] used_7;
   assign used_7 = used_6 | {and_1250, and_1249, and_1248, and_1247};
-  // hls/stages/objects.hpp:298
+  // hls/stages/objects.hpp:342
   logic and_1256;
   assign and_1256 = not_264_s7_q & ((~looked_there_q) & (and_1182 | (~found_there_q)));
-  // hls/stages/objects.hpp:135
+  // hls/stages/objects.hpp:167
   logic [4:0] or_1259;
   assign or_1259 = (begin_0_s7_q ? entries_0_label_q : 5'h0) | (begin_1_s7_q ? entries_1_label_q : 5'h0);
   logic [4:0] or_1262;
@@ -1804,7 +1804,7 @@ module horopter_objects (
   assign or_1315 = (begin_30_s7_q ? entries_30_label_q : 5'h0) | (begin_31_s7_q ? entries_31_label_q : 5'h0);
   logic [4:0] or_1318;
   assign or_1318 = ((or_1290 | or_1293) | (or_1297 | or_1300)) | ((or_1305 | or_1308) | (or_1312 | or_1315));
-  // hls/stages/objects.hpp:237
+  // hls/stages/objects.hpp:270
   logic and_1391;
   assign and_1391 = (and_1387_s7_q & (entries_0_label_q == front_label_q)) & (~begin_0_s7_q);
   logic and_1397;
@@ -1869,22 +1869,22 @@ module horopter_objects (
   assign and_1571 = (and_1567_s7_q & (entries_30_label_q == front_label_q)) & (~begin_30_s7_q);
   logic and_1577;
   assign and_1577 = (and_1573_s7_q & (entries_31_label_q == front_label_q)) & (~begin_31_s7_q);
-  // hls/stages/objects.hpp:244
+  // hls/stages/objects.hpp:277
   logic equal_1579;
   assign equal_1579 = {same_31_q, same_30_q, same_29_q, same_28_q, same_27_q, same_26_q, same_25_q, same_24_q, same_23_q, same_22_q, same_21_q, same_20_q, same_19_q, same_18_q, same_17_q, same_16_q, same_15_q, same_14_q, same_13_q, same_12_q, same_11_q, same_10_q, same_9_q, same_8_q, same_7_q, same_6_q, same_5_q, same_4_q, same_3_q, same_2_q, same_1_q, same_0_q} == 32'h0;
-  // hls/stages/objects.hpp:235
+  // hls/stages/objects.hpp:268
   logic equal_1581;
   assign equal_1581 = run_label_q == front_label_q;
-  // hls/stages/objects.hpp:248
+  // hls/stages/objects.hpp:281
   logic select_1585;
   assign select_1585 = and_320_s7_q ? ((~equal_1579) | (equal_1581 & (run_there_q & front_there_s7_q))) : others_q;
-  // hls/stages/objects.hpp:235
+  // hls/stages/objects.hpp:268
   logic and_1589;
   assign and_1589 = (front_there_s7_q & (event_meets_s7_q & run_there_q)) & (~equal_1581);
-  // hls/stages/objects.hpp:248
+  // hls/stages/objects.hpp:281
   logic [4:0] select_1592;
   assign select_1592 = and_320_s7_q ? (joined_q ? run_label_q : front_label_q) : other_q;
-  // hls/stages/objects.hpp:93
+  // hls/stages/objects.hpp:96
   logic or_1662;
   assign or_1662 = (and_442_s7_q & (or_1657_s7_q | (not_900 & not_1180))) | and_1661_s7_q;
 
@@ -2168,14 +2168,14 @@ module horopter_objects (
   end
 
   // Stage 8 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/objects.hpp:336
+  // hls/stages/objects.hpp:380
   logic [4:0] label;
   assign label = and_301_s8_q ? select_310_s8_q : select_317_s8_q;
-  // hls/stages/objects.hpp:350
+  // hls/stages/objects.hpp:394
   logic [10:0] pixels;
   assign pixels = (event_run_right_s8_q - event_run_left_s8_q) + 11'h1;
 
-  // Memory objects, 32 x 129, DISTANCE 8, hls/stages/objects.hpp:414; read in stage 8, written in stage 12: 8 < 12 < 8 + DISTANCE.
+  // Memory objects, 32 x 129, DISTANCE 8, hls/stages/objects.hpp:458; read in stage 8, written in stage 12: 8 < 12 < 8 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [128:0] objects_mem [0:31];
@@ -2225,10 +2225,10 @@ module horopter_objects (
   end
 
   // Stage 9 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/objects.hpp:355
+  // hls/stages/objects.hpp:399
   logic [22:0] product_348;
   assign product_348 = {12'h0, pixels_s9_q} * {11'h0, sum_347_s9_q};
-  // hls/stages/objects.hpp:356
+  // hls/stages/objects.hpp:400
   logic [21:0] product_354;
   assign product_354 = {11'h0, event_run_row_s9_q} * {11'h0, pixels_s9_q};
 
@@ -2277,10 +2277,10 @@ module horopter_objects (
   logic [10:0] joining_bottom_q;
   logic [31:0] joining_columns_q;
   logic [31:0] joining_rows_q;
-  // hls/stages/objects.hpp:361
+  // hls/stages/objects.hpp:405
   logic [20:0] sum_329;
   assign sum_329 = objects_rdata_s10_q[20:0] + (and_301_s10_q ? joining_pixels_q : {10'h0, pixels_s10_q});
-  // hls/stages/objects.hpp:333
+  // hls/stages/objects.hpp:377
   logic [10:0] select_331;
   assign select_331 = and_301_s10_q ? joining_left_q : event_run_left_s10_q;
   logic [10:0] select_335;
@@ -2291,13 +2291,13 @@ module horopter_objects (
   assign select_343 = and_301_s10_q ? joining_bottom_q : event_run_row_s10_q;
   logic [31:0] b;
   assign b = and_301_s10_q ? joining_columns_q : {10'h0, product_348_s10_q};
-  // hls/stages/objects.hpp:373
+  // hls/stages/objects.hpp:417
   logic [16:0] low;
   assign low = {1'b0, objects_rdata_s10_q[80:65]} + {1'b0, b[15:0]};
-  // hls/stages/objects.hpp:333
+  // hls/stages/objects.hpp:377
   logic [31:0] b_2;
   assign b_2 = and_301_s10_q ? joining_rows_q : {10'h0, product_354_s10_q};
-  // hls/stages/objects.hpp:373
+  // hls/stages/objects.hpp:417
   logic [16:0] low_2;
   assign low_2 = {1'b0, objects_rdata_s10_q[112:97]} + {1'b0, b_2[15:0]};
 
@@ -2389,7 +2389,7 @@ module horopter_objects (
   end
 
   // Stage 11 ----------------------------------------------------------------------------------------------------------
-  // hls/stages/objects.hpp:339
+  // hls/stages/objects.hpp:383
   logic [20:0] select_330;
   assign select_330 = and_325_s11_q ? {10'h0, pixels_s11_q} : sum_329_s11_q;
   logic [10:0] select_334;
@@ -2400,19 +2400,19 @@ module horopter_objects (
   assign select_342 = and_325_s11_q ? event_run_row_s11_q : (less_340_s11_q ? select_339_s11_q : objects_rdata_s11_q[32:22]);
   logic [10:0] select_346;
   assign select_346 = and_325_s11_q ? event_run_row_s11_q : (less_344_s11_q ? select_343_s11_q : objects_rdata_s11_q[43:33]);
-  // hls/stages/objects.hpp:375
+  // hls/stages/objects.hpp:419
   logic [15:0] sum_352;
   assign sum_352 = {15'h0, low_s11_q[16]} + sum_351_s11_q;
-  // hls/stages/objects.hpp:339
+  // hls/stages/objects.hpp:383
   logic [31:0] select_353;
   assign select_353 = and_325_s11_q ? {10'h0, product_348_s11_q} : {sum_352, low_s11_q[15:0]};
-  // hls/stages/objects.hpp:375
+  // hls/stages/objects.hpp:419
   logic [15:0] sum_358;
   assign sum_358 = {15'h0, low_2_s11_q[16]} + sum_357_s11_q;
-  // hls/stages/objects.hpp:339
+  // hls/stages/objects.hpp:383
   logic [31:0] select_359;
   assign select_359 = and_325_s11_q ? {10'h0, product_354_s11_q} : {sum_358, low_2_s11_q[15:0]};
-  // hls/stages/objects.hpp:85
+  // hls/stages/objects.hpp:88
   logic and_1677;
   assign and_1677 = or_323_s11_q & (not_361_s11_q & (~(select_330 < cfg_object_limit_i)));
 

@@ -171,13 +171,13 @@ module horopter_plane_sums (
   logic centre_marks_values_2_nearer_q;
   logic centre_marks_values_3_seen_q;
   logic centre_marks_values_3_nearer_q;
-  // hls/stages/plane_sums.hpp:63
+  // hls/stages/plane_sums.hpp:131
   logic or_691;
   assign or_691 = marks_first_i | arriving_row_ended_q;
   logic [10:0] select_692;
   assign select_692 = or_691 ? 11'h0 : arriving_column_q;
 
-  // Memory feature_memory, 1920 x 91, DISTANCE 16, hls/stages/plane_sums.hpp:166; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
+  // Memory feature_memory, 1920 x 91, DISTANCE 16, hls/stages/plane_sums.hpp:201; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [90:0] feature_memory_mem [0:1919];
@@ -648,15 +648,15 @@ module horopter_plane_sums (
   logic marks_values_24_last_q;
   logic marks_values_25_first_q;
   logic marks_values_25_last_q;
-  // hls/stages/plane_sums.hpp:81
+  // hls/stages/plane_sums.hpp:155
   logic or_694;
   assign or_694 = delayed_row_ended_q | marks_values_25_first_q;
   logic [10:0] select_695;
   assign select_695 = or_694 ? 11'h0 : delayed_column_q;
-  // hls/stages/plane_sums.hpp:82
+  // hls/stages/plane_sums.hpp:156
   logic or_696;
   assign or_696 = running_q | marks_values_25_first_q;
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_1099;
   assign difference_1099 = {entering_values_23_features_left_q[5], entering_values_23_features_left_q} - {entering_values_47_features_right_q[5], entering_values_47_features_right_q};
   logic [5:0] xor_1100;
@@ -666,7 +666,7 @@ module horopter_plane_sums (
   logic [5:0] xor_1110;
   assign xor_1110 = difference_1109[5:0] ^ {6{difference_1109[6]}};
 
-  // Memory column_memory, 1920 x 191, DISTANCE 16, hls/stages/plane_sums.hpp:167; read in stage 1, written in stage 5: 1 < 5 < 1 + DISTANCE.
+  // Memory column_memory, 1920 x 191, DISTANCE 16, hls/stages/plane_sums.hpp:202; read in stage 1, written in stage 5: 1 < 5 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [190:0] column_memory_mem [0:1919];
@@ -1275,19 +1275,19 @@ module horopter_plane_sums (
   logic centre_marks_values_2_last_q;
   logic centre_marks_values_3_first_q;
   logic centre_marks_values_3_last_q;
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_702;
   assign difference_702 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_0_features_right_q[5], entering_values_0_features_right_q};
   logic [5:0] xor_703;
   assign xor_703 = difference_702[5:0] ^ {6{difference_702[6]}};
   logic [6:0] difference_714;
   assign difference_714 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_0_features_right_q[5], leaving_values_0_features_right_q};
-  // hls/stages/plane_sums.hpp:63
+  // hls/stages/plane_sums.hpp:131
   logic [2:0] select_718;
   assign select_718 = marks_values_0_first_q ? 3'h0 : arriving_rows_q;
   logic equal_719;
   assign equal_719 = select_718 == 3'h7;
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_729;
   assign difference_729 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_6_features_right_q[5], entering_values_6_features_right_q};
   logic [5:0] xor_730;
@@ -1424,10 +1424,10 @@ module horopter_plane_sums (
   assign difference_1087 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_42_features_right_q[5], leaving_values_42_features_right_q};
   logic [5:0] xor_1088;
   assign xor_1088 = difference_1087[5:0] ^ {6{difference_1087[6]}};
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_1104;
   assign not_1104 = ~(entering_values_23_row_q ^ entering_values_47_row_q);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_1106;
   assign select_1106 = ((sum_1101_s2_q[6:5] == 2'h0) & not_1104) ? sum_1101_s2_q[4:0] : 5'h1f;
   logic [4:0] select_1108;
@@ -1436,19 +1436,19 @@ module horopter_plane_sums (
   assign select_1114 = (not_1104 & (sum_1111_s2_q[6:5] == 2'h0)) ? sum_1111_s2_q[4:0] : 5'h1f;
   logic [4:0] select_1116;
   assign select_1116 = leaving_values_23_features_mask_q ? (leaving_values_47_features_mask_q ? select_1114 : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:163
+  // hls/stages/plane_sums.hpp:198
   logic [4:0] xor_1121;
   assign xor_1121 = entering_values_23_features_left_s2_q[4:0] ^ {5{entering_values_23_features_left_s2_q[5]}};
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_1123;
   assign select_1123 = entering_values_23_features_mask_q ? ({4'h0, entering_values_23_features_left_s2_q[5]} + xor_1121) : 5'h0;
-  // hls/stages/plane_sums.hpp:163
+  // hls/stages/plane_sums.hpp:198
   logic [4:0] xor_1124;
   assign xor_1124 = leaving_values_23_features_left_s2_q[4:0] ^ {5{leaving_values_23_features_left_s2_q[5]}};
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_1126;
   assign select_1126 = leaving_values_23_features_mask_q ? ({4'h0, leaving_values_23_features_left_s2_q[5]} + xor_1124) : 5'h0;
-  // hls/stages/plane_sums.hpp:63
+  // hls/stages/plane_sums.hpp:131
   logic not_1135;
   assign not_1135 = ~equal_719;
   logic [2:0] select_1137;
@@ -1926,293 +1926,293 @@ module horopter_plane_sums (
   logic rows_seen_values_1_q;
   logic rows_seen_values_2_q;
   logic rows_seen_values_3_q;
-  // hls/stages/plane_sums.hpp:81
+  // hls/stages/plane_sums.hpp:155
   logic [2:0] select_698;
   assign select_698 = centre_marks_values_0_first_q ? 3'h0 : delayed_rows_q;
   logic equal_699;
   assign equal_699 = select_698 == 3'h0;
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above;
   assign above = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[7:0] : 8'h0);
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_711;
   assign and_711 = (sum_704_s3_q[6:5] == 2'h0) & (entering_values_0_features_mask_q & not_709_s3_q);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_713;
   assign select_713 = entering_values_24_features_mask_q ? (and_711 ? sum_704_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] sum_716;
   assign sum_716 = {6'h0, difference_714_s3_q} + {1'b0, xor_715_s3_q};
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_722;
   assign and_722 = (sum_716[6:5] == 2'h0) & (leaving_values_0_features_mask_q & not_709_s3_q);
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_2;
   assign above_2 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[15:8] : 8'h0);
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_734;
   assign not_734 = ~(entering_values_6_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_736;
   assign and_736 = (sum_731_s3_q[6:5] == 2'h0) & (entering_values_6_features_mask_q & not_734);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_738;
   assign select_738 = entering_values_24_features_mask_q ? (and_736 ? sum_731_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_744;
   assign and_744 = (sum_741_s3_q[6:5] == 2'h0) & (leaving_values_6_features_mask_q & not_734);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_746;
   assign select_746 = leaving_values_24_features_mask_q ? (and_744 ? sum_741_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_3;
   assign above_3 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[23:16] : 8'h0);
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_756;
   assign not_756 = ~(entering_values_11_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_758;
   assign and_758 = (sum_753_s3_q[6:5] == 2'h0) & (entering_values_11_features_mask_q & not_756);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_760;
   assign select_760 = entering_values_24_features_mask_q ? (and_758 ? sum_753_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_766;
   assign and_766 = (sum_763_s3_q[6:5] == 2'h0) & (leaving_values_11_features_mask_q & not_756);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_768;
   assign select_768 = leaving_values_24_features_mask_q ? (and_766 ? sum_763_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_4;
   assign above_4 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[31:24] : 8'h0);
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_778;
   assign not_778 = ~(entering_values_15_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_780;
   assign and_780 = (sum_775_s3_q[6:5] == 2'h0) & (entering_values_15_features_mask_q & not_778);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_782;
   assign select_782 = entering_values_24_features_mask_q ? (and_780 ? sum_775_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_788;
   assign and_788 = (sum_785_s3_q[6:5] == 2'h0) & (leaving_values_15_features_mask_q & not_778);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_790;
   assign select_790 = leaving_values_24_features_mask_q ? (and_788 ? sum_785_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_5;
   assign above_5 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[39:32] : 8'h0);
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_800;
   assign not_800 = ~(entering_values_18_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_802;
   assign and_802 = (sum_797_s3_q[6:5] == 2'h0) & (entering_values_18_features_mask_q & not_800);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_804;
   assign select_804 = entering_values_24_features_mask_q ? (and_802 ? sum_797_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_810;
   assign and_810 = (sum_807_s3_q[6:5] == 2'h0) & (leaving_values_18_features_mask_q & not_800);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_812;
   assign select_812 = leaving_values_24_features_mask_q ? (and_810 ? sum_807_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_6;
   assign above_6 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[47:40] : 8'h0);
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_822;
   assign not_822 = ~(entering_values_20_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_824;
   assign and_824 = (sum_819_s3_q[6:5] == 2'h0) & (entering_values_20_features_mask_q & not_822);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_826;
   assign select_826 = entering_values_24_features_mask_q ? (and_824 ? sum_819_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_832;
   assign and_832 = (sum_829_s3_q[6:5] == 2'h0) & (leaving_values_20_features_mask_q & not_822);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_834;
   assign select_834 = leaving_values_24_features_mask_q ? (and_832 ? sum_829_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_7;
   assign above_7 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[55:48] : 8'h0);
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_844;
   assign not_844 = ~(entering_values_21_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_846;
   assign and_846 = (sum_841_s3_q[6:5] == 2'h0) & (entering_values_21_features_mask_q & not_844);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_848;
   assign select_848 = entering_values_24_features_mask_q ? (and_846 ? sum_841_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_854;
   assign and_854 = (sum_851_s3_q[6:5] == 2'h0) & (leaving_values_21_features_mask_q & not_844);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_856;
   assign select_856 = leaving_values_24_features_mask_q ? (and_854 ? sum_851_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_8;
   assign above_8 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[63:56] : 8'h0);
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_866;
   assign not_866 = ~(entering_values_22_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_868;
   assign and_868 = (sum_863_s3_q[6:5] == 2'h0) & (entering_values_22_features_mask_q & not_866);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_870;
   assign select_870 = entering_values_24_features_mask_q ? (and_868 ? sum_863_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_876;
   assign and_876 = (sum_873_s3_q[6:5] == 2'h0) & (leaving_values_22_features_mask_q & not_866);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_878;
   assign select_878 = leaving_values_24_features_mask_q ? (and_876 ? sum_873_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_9;
   assign above_9 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[71:64] : 8'h0);
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_888;
   assign not_888 = ~(entering_values_23_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_890;
   assign and_890 = (sum_885_s3_q[6:5] == 2'h0) & (entering_values_23_features_mask_q & not_888);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_892;
   assign select_892 = entering_values_24_features_mask_q ? (and_890 ? sum_885_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_898;
   assign and_898 = (sum_895_s3_q[6:5] == 2'h0) & (leaving_values_23_features_mask_q & not_888);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_900;
   assign select_900 = leaving_values_24_features_mask_q ? (and_898 ? sum_895_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_10;
   assign above_10 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[79:72] : 8'h0);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_910;
   assign select_910 = (entering_values_24_features_mask_q & (sum_907_s3_q[6:5] == 2'h0)) ? sum_907_s3_q[4:0] : 5'h1f;
   logic [4:0] select_917;
   assign select_917 = (leaving_values_24_features_mask_q & (sum_914_s3_q[6:5] == 2'h0)) ? sum_914_s3_q[4:0] : 5'h1f;
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_11;
   assign above_11 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[87:80] : 8'h0);
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_928;
   assign not_928 = ~(entering_values_24_row_q ^ entering_values_25_row_q);
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_930;
   assign and_930 = (sum_925_s3_q[6:5] == 2'h0) & (entering_values_25_features_mask_q & not_928);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_932;
   assign select_932 = entering_values_24_features_mask_q ? (and_930 ? sum_925_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_938;
   assign and_938 = (sum_935_s3_q[6:5] == 2'h0) & (leaving_values_25_features_mask_q & not_928);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_940;
   assign select_940 = leaving_values_24_features_mask_q ? (and_938 ? sum_935_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_12;
   assign above_12 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[95:88] : 8'h0);
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_950;
   assign not_950 = ~(entering_values_24_row_q ^ entering_values_26_row_q);
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_952;
   assign and_952 = (sum_947_s3_q[6:5] == 2'h0) & (entering_values_26_features_mask_q & not_950);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_954;
   assign select_954 = entering_values_24_features_mask_q ? (and_952 ? sum_947_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_960;
   assign and_960 = (sum_957_s3_q[6:5] == 2'h0) & (leaving_values_26_features_mask_q & not_950);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_962;
   assign select_962 = leaving_values_24_features_mask_q ? (and_960 ? sum_957_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_13;
   assign above_13 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[103:96] : 8'h0);
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_972;
   assign not_972 = ~(entering_values_24_row_q ^ entering_values_27_row_q);
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_974;
   assign and_974 = (sum_969_s3_q[6:5] == 2'h0) & (entering_values_27_features_mask_q & not_972);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_976;
   assign select_976 = entering_values_24_features_mask_q ? (and_974 ? sum_969_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_982;
   assign and_982 = (sum_979_s3_q[6:5] == 2'h0) & (leaving_values_27_features_mask_q & not_972);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_984;
   assign select_984 = leaving_values_24_features_mask_q ? (and_982 ? sum_979_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_14;
   assign above_14 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[111:104] : 8'h0);
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_994;
   assign not_994 = ~(entering_values_24_row_q ^ entering_values_28_row_q);
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_996;
   assign and_996 = (sum_991_s3_q[6:5] == 2'h0) & (entering_values_28_features_mask_q & not_994);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_998;
   assign select_998 = entering_values_24_features_mask_q ? (and_996 ? sum_991_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_1004;
   assign and_1004 = (sum_1001_s3_q[6:5] == 2'h0) & (leaving_values_28_features_mask_q & not_994);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_1006;
   assign select_1006 = leaving_values_24_features_mask_q ? (and_1004 ? sum_1001_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_15;
   assign above_15 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[119:112] : 8'h0);
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_1016;
   assign not_1016 = ~(entering_values_24_row_q ^ entering_values_30_row_q);
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_1018;
   assign and_1018 = (sum_1013_s3_q[6:5] == 2'h0) & (entering_values_30_features_mask_q & not_1016);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_1020;
   assign select_1020 = entering_values_24_features_mask_q ? (and_1018 ? sum_1013_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_1026;
   assign and_1026 = (sum_1023_s3_q[6:5] == 2'h0) & (leaving_values_30_features_mask_q & not_1016);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_1028;
   assign select_1028 = leaving_values_24_features_mask_q ? (and_1026 ? sum_1023_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_16;
   assign above_16 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[127:120] : 8'h0);
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_1038;
   assign not_1038 = ~(entering_values_24_row_q ^ entering_values_33_row_q);
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_1040;
   assign and_1040 = (sum_1035_s3_q[6:5] == 2'h0) & (entering_values_33_features_mask_q & not_1038);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_1042;
   assign select_1042 = entering_values_24_features_mask_q ? (and_1040 ? sum_1035_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_1048;
   assign and_1048 = (sum_1045_s3_q[6:5] == 2'h0) & (leaving_values_33_features_mask_q & not_1038);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_1050;
   assign select_1050 = leaving_values_24_features_mask_q ? (and_1048 ? sum_1045_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_17;
   assign above_17 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[135:128] : 8'h0);
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_1060;
   assign not_1060 = ~(entering_values_24_row_q ^ entering_values_37_row_q);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_1062;
   assign select_1062 = ((sum_1057_s3_q[6:5] == 2'h0) & not_1060) ? sum_1057_s3_q[4:0] : 5'h1f;
   logic [4:0] select_1064;
@@ -2221,13 +2221,13 @@ module horopter_plane_sums (
   assign select_1070 = (not_1060 & (sum_1067_s3_q[6:5] == 2'h0)) ? sum_1067_s3_q[4:0] : 5'h1f;
   logic [4:0] select_1072;
   assign select_1072 = leaving_values_24_features_mask_q ? (leaving_values_37_features_mask_q ? select_1070 : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_18;
   assign above_18 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[143:136] : 8'h0);
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_1082;
   assign not_1082 = ~(entering_values_24_row_q ^ entering_values_42_row_q);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_1084;
   assign select_1084 = ((sum_1079_s3_q[6:5] == 2'h0) & not_1082) ? sum_1079_s3_q[4:0] : 5'h1f;
   logic [4:0] select_1086;
@@ -2236,20 +2236,20 @@ module horopter_plane_sums (
   assign select_1092 = (not_1082 & (sum_1089_s3_q[6:5] == 2'h0)) ? sum_1089_s3_q[4:0] : 5'h1f;
   logic [4:0] select_1094;
   assign select_1094 = leaving_values_24_features_mask_q ? (leaving_values_42_features_mask_q ? select_1092 : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_19;
   assign above_19 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[151:144] : 8'h0);
   logic [7:0] above_20;
   assign above_20 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[159:152] : 8'h0);
-  // hls/stages/plane_sums.hpp:81
+  // hls/stages/plane_sums.hpp:155
   logic not_1140;
   assign not_1140 = ~(select_698 == 3'h7);
   logic [2:0] select_1142;
   assign select_1142 = centre_marks_values_0_last_q ? (select_698 + {2'h0, not_1140}) : select_698;
-  // hls/stages/plane_sums.hpp:99
+  // hls/stages/plane_sums.hpp:110
   logic and_1228;
   assign and_1228 = (column_memory_rdata_s3_q[190] & or_696_s3_q) & (3'h2 < select_698);
-  // hls/stages/plane_sums.hpp:110
+  // hls/stages/plane_sums.hpp:120
   logic and_1232;
   assign and_1232 = (centres_values_3_gradient_q & and_1228) & (~(select_695_s3_q[10:2] == 9'h0));
 
@@ -2635,7 +2635,7 @@ module horopter_plane_sums (
   logic [10:0] rows_19_columns_values_6_q;
   logic [10:0] rows_19_columns_values_7_q;
   logic [10:0] rows_19_columns_values_8_q;
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_724;
   assign select_724 = leaving_values_23_features_mask_s4_q ? select_723_s4_q : 5'h0;
   logic [5:0] difference_725;
@@ -2714,7 +2714,7 @@ module horopter_plane_sums (
   assign sum_1118 = above_19_s4_q + {{2{difference_1117_s4_q[5]}}, difference_1117_s4_q};
   logic [7:0] sum_1128;
   assign sum_1128 = above_20_s4_q + {{2{difference_1127_s4_q[5]}}, difference_1127_s4_q};
-  // hls/stages/plane_sums.hpp:150
+  // hls/stages/plane_sums.hpp:185
   logic less_1143;
   assign less_1143 = 11'h8 < select_695_s4_q;
 
@@ -3192,7 +3192,7 @@ module horopter_plane_sums (
   logic [10:0] rows_17_sum_sums_values_0_q;
   logic [10:0] rows_18_sum_sums_values_0_q;
   logic [10:0] rows_19_sum_sums_values_0_q;
-  // hls/stages/plane_sums.hpp:150
+  // hls/stages/plane_sums.hpp:185
   logic [10:0] sum_1147;
   assign sum_1147 = ({3'h0, rows_0_columns_values_0_q[7:0]} - select_1144_s5_q) + (or_694_s5_q ? 11'h0 : rows_0_sum_sums_values_0_q);
   logic [10:0] sum_1151;

@@ -239,14 +239,14 @@ module horopter_spread (
   logic centres_values_31_marks_first_q;
   logic centres_values_31_marks_seen_q;
   logic centres_values_31_marks_nearer_q;
-  // hls/stages/spread.hpp:44
+  // hls/stages/spread.hpp:51
   logic [6:0] difference_421;
   assign difference_421 = {1'b0, grey_i} - {1'b0, last_grey_q};
   logic [5:0] xor_422;
   assign xor_422 = difference_421[5:0] ^ {6{difference_421[6]}};
   logic [6:0] difference;
   assign difference = {6'h0, difference_421[6]} + {1'b0, xor_422};
-  // hls/stages/spread.hpp:80
+  // hls/stages/spread.hpp:87
   logic [7:0] difference_432;
   assign difference_432 = {last_vote_q[6], last_vote_q} - {{5{last_vote_q[6]}}, last_vote_q[6:4]};
 
@@ -707,15 +707,14 @@ module horopter_spread (
   logic centres_values_29_marks_last_q;
   logic centres_values_30_marks_last_q;
   logic centres_values_31_marks_last_q;
-  // hls/stages/spread.hpp:46
+  // hls/stages/spread.hpp:51
   logic and_426;
   assign and_426 = centres_values_1_exists_q & (~({4'h0, cfg_smooth_i} < difference_s1_q));
-  logic and_428;
-  assign and_428 = (~(centres_values_0_marks_first_q | row_ended_q)) & (last_exists_q & and_426);
-  // hls/stages/spread.hpp:95
+  logic joined;
+  assign joined = (~(centres_values_0_marks_first_q | row_ended_q)) & (last_exists_q & and_426);
+  // hls/stages/spread.hpp:102
   logic [8:0] sum_433;
   assign sum_433 = {{2{first_values_0_left_s1_q[6]}}, first_values_0_left_s1_q} + {difference_432_s1_q[7], difference_432_s1_q};
-  // hls/stages/spread.hpp:49
   logic [8:0] value;
   assign value = first_values_0_joined_q ? sum_433 : {{2{first_values_0_left_s1_q[6]}}, first_values_0_left_s1_q};
 
@@ -760,7 +759,7 @@ module horopter_spread (
       centres_values_31_marks_last_q <= 1'b0;
     end else if (s1_en) begin
       row_ended_q <= marks_last_s1_q;
-      first_values_0_joined_q <= and_428;
+      first_values_0_joined_q <= joined;
       first_values_1_joined_q <= first_values_0_joined_q;
       second_values_0_right_q <= value;
       second_values_1_right_q <= second_values_0_right_q;
@@ -825,10 +824,10 @@ module horopter_spread (
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/spread.hpp:81
+  // hls/stages/spread.hpp:88
   logic [9:0] difference_439;
   assign difference_439 = {second_values_0_right_q[8], second_values_0_right_q} - {{4{second_values_0_right_q[8]}}, second_values_0_right_q[8:3]};
-  // hls/stages/spread.hpp:95
+  // hls/stages/spread.hpp:102
   logic [10:0] sum_440;
   assign sum_440 = {{2{second_values_1_right_s2_q[8]}}, second_values_1_right_s2_q} + {difference_439[9], difference_439};
 
@@ -900,10 +899,10 @@ module horopter_spread (
   logic [6:0] centres_values_29_vote_q;
   logic [6:0] centres_values_30_vote_q;
   logic [6:0] centres_values_31_vote_q;
-  // hls/stages/spread.hpp:80
+  // hls/stages/spread.hpp:87
   logic [7:0] difference_429;
   assign difference_429 = {first_values_1_left_q[6], first_values_1_left_q} - {{5{first_values_1_left_q[6]}}, first_values_1_left_q[6:4]};
-  // hls/stages/spread.hpp:50
+  // hls/stages/spread.hpp:102
   logic [10:0] value_2;
   assign value_2 = second_values_1_joined_q ? sum_440_s3_q : {{2{second_values_1_right_s3_q[8]}}, second_values_1_right_s3_q};
 
@@ -1041,16 +1040,15 @@ module horopter_spread (
   logic [10:0] fourth_values_5_right_q;
   logic [10:0] fourth_values_6_right_q;
   logic [10:0] fourth_values_7_right_q;
-  // hls/stages/spread.hpp:94
+  // hls/stages/spread.hpp:101
   logic [8:0] sum_430;
   assign sum_430 = {{2{first_values_1_left_q[6]}}, first_values_1_left_q} + {difference_429_s4_q[7], difference_429_s4_q};
-  // hls/stages/spread.hpp:49
   logic [8:0] select_431;
   assign select_431 = first_values_1_joined_s4_q ? sum_430 : {{2{first_values_1_left_q[6]}}, first_values_1_left_q};
-  // hls/stages/spread.hpp:81
+  // hls/stages/spread.hpp:88
   logic [9:0] difference_436;
   assign difference_436 = {second_values_3_left_q[8], second_values_3_left_q} - {{4{second_values_3_left_q[8]}}, second_values_3_left_q[8:3]};
-  // hls/stages/spread.hpp:51
+  // hls/stages/spread.hpp:102
   logic [10:0] value_3;
   assign value_3 = third_values_3_joined_q ? (third_values_3_right_s4_q + difference_446_s4_q) : third_values_3_right_s4_q;
 
@@ -1138,16 +1136,15 @@ module horopter_spread (
   logic [10:0] third_values_5_left_q;
   logic [10:0] third_values_6_left_q;
   logic [10:0] third_values_7_left_q;
-  // hls/stages/spread.hpp:94
+  // hls/stages/spread.hpp:101
   logic [10:0] sum_437;
   assign sum_437 = {{2{second_values_2_left_q[8]}}, second_values_2_left_q} + {difference_436_s5_q[9], difference_436_s5_q};
-  // hls/stages/spread.hpp:50
   logic [10:0] select_438;
   assign select_438 = second_values_3_joined_s5_q ? sum_437 : {{2{second_values_2_left_q[8]}}, second_values_2_left_q};
-  // hls/stages/spread.hpp:82
+  // hls/stages/spread.hpp:89
   logic [10:0] difference_443;
   assign difference_443 = third_values_7_left_q - {{2{third_values_7_left_q[10]}}, third_values_7_left_q[10:2]};
-  // hls/stages/spread.hpp:83
+  // hls/stages/spread.hpp:90
   logic [10:0] difference_454;
   assign difference_454 = fourth_values_0_right_q - {fourth_values_0_right_q[10], fourth_values_0_right_q[10:1]};
   logic [10:0] sum_455;
@@ -1255,15 +1252,15 @@ module horopter_spread (
   logic [10:0] fifth_values_13_right_q;
   logic [10:0] fifth_values_14_right_q;
   logic [10:0] fifth_values_15_right_q;
-  // hls/stages/spread.hpp:51
+  // hls/stages/spread.hpp:101
   logic [10:0] select_445;
   assign select_445 = third_values_7_joined_s6_q ? sum_444_s6_q : third_values_4_left_q;
-  // hls/stages/spread.hpp:83
+  // hls/stages/spread.hpp:90
   logic [10:0] difference_450;
   assign difference_450 = fourth_values_15_left_q - {fourth_values_15_left_q[10], fourth_values_15_left_q[10:1]};
   logic [10:0] sum_451;
   assign sum_451 = {{3{fourth_values_15_left_q[10]}}, fourth_values_15_left_q[10:3]} + difference_450;
-  // hls/stages/spread.hpp:52
+  // hls/stages/spread.hpp:102
   logic [10:0] value_4;
   assign value_4 = fourth_values_7_joined_q ? (fourth_values_7_right_s6_q + sum_455_s6_q) : fourth_values_7_right_s6_q;
 
@@ -1461,10 +1458,10 @@ module horopter_spread (
   logic fifth_values_30_joined_q;
   logic [9:0] fifth_values_31_left_q;
   logic fifth_values_31_joined_q;
-  // hls/stages/spread.hpp:52
+  // hls/stages/spread.hpp:101
   logic [10:0] select_453;
   assign select_453 = fourth_values_15_joined_s7_q ? (fourth_values_8_left_q + sum_451_s7_q) : fourth_values_8_left_q;
-  // hls/stages/spread.hpp:84
+  // hls/stages/spread.hpp:91
   logic [10:0] difference_459;
   assign difference_459 = {fifth_values_31_left_q[9], fifth_values_31_left_q} - {{3{fifth_values_31_left_q[9]}}, fifth_values_31_left_q[9:2]};
   logic [10:0] difference_462;
@@ -1636,9 +1633,10 @@ module horopter_spread (
   end
 
   // Stage 8 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/spread.hpp:53
+  // hls/stages/spread.hpp:101
   logic [10:0] select_461;
   assign select_461 = fifth_values_31_joined_s8_q ? sum_460_s8_q : {fifth_values_16_left_q, fifth_values_15_left_s8_q};
+  // hls/stages/spread.hpp:102
   logic [10:0] select_464;
   assign select_464 = fifth_values_16_joined_q ? sum_463_s8_q : fifth_values_15_right_s8_q;
 
@@ -1666,7 +1664,7 @@ module horopter_spread (
   end
 
   // Stage 9 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/spread.hpp:57
+  // hls/stages/spread.hpp:64
   logic [11:0] difference_466;
   assign difference_466 = sum_465_s9_q - {{5{centres_values_31_vote_s9_q[6]}}, centres_values_31_vote_s9_q};
 
@@ -1694,7 +1692,7 @@ module horopter_spread (
   end
 
   // Stage 10 ----------------------------------------------------------------------------------------------------------
-  // hls/stages/spread.hpp:60
+  // hls/stages/spread.hpp:67
   logic [9:0] select_468;
   assign select_468 = less_467_s10_q ? 10'h381 : difference_466_s10_q;
   logic [7:0] select_470;

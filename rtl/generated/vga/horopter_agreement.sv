@@ -161,16 +161,16 @@ module horopter_agreement (
   // hls/stages/census.hpp:40
   logic or_319;
   assign or_319 = sample_pair_first_q | raster_at_live_q;
-  // hls/stages/agreement.hpp:178
+  // hls/stages/agreement.hpp:181
   logic and_325;
   assign and_325 = (~((~or_319) | (~select_312[0]))) & (select_318[8:6] < 3'h5);
   // hls/stages/census.hpp:40
   logic [2:0] select_330;
   assign select_330 = sample_pair_first_q ? 3'h0 : raster_at_y_q;
-  // hls/stages/agreement.hpp:178
+  // hls/stages/agreement.hpp:181
   logic whole;
   assign whole = select_312[0] ? (sample_present_q & averager_running_mask_q) : sample_present_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic [6:0] column;
   assign column = sample_pair_whole_q ? select_314 : 7'h0;
   // hls/stages/census.hpp:45
@@ -182,25 +182,25 @@ module horopter_agreement (
   // hls/stages/census.hpp:105
   logic and_349;
   assign and_349 = equal_348 & and_325;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic and_351;
   assign and_351 = sample_pair_whole_q & (equal_347 & and_349);
-  // hls/stages/agreement.hpp:349
+  // hls/stages/agreement.hpp:352
   logic equal_370;
   assign equal_370 = run_phase_q == 3'h3;
-  // hls/stages/agreement.hpp:336
+  // hls/stages/agreement.hpp:339
   logic not_371;
   assign not_371 = ~equal_370;
-  // hls/stages/agreement.hpp:349
+  // hls/stages/agreement.hpp:352
   logic equal_372;
   assign equal_372 = run_phase_q == 3'h2;
-  // hls/stages/agreement.hpp:407
+  // hls/stages/agreement.hpp:410
   logic less_373;
   assign less_373 = run_highest_q < x_q;
-  // hls/stages/agreement.hpp:411
+  // hls/stages/agreement.hpp:414
   logic not_374;
   assign not_374 = ~less_373;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_375;
   assign and_375 = equal_372 & not_374;
   logic and_376;
@@ -208,24 +208,24 @@ module horopter_agreement (
   // hls/stages/census.hpp:40
   logic [5:0] select_403;
   assign select_403 = sample_pair_first_q ? 6'h0 : raster_at_row_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic [5:0] row;
   assign row = sample_pair_whole_q ? select_403 : 6'h0;
-  // hls/stages/agreement.hpp:669
+  // hls/stages/agreement.hpp:675
   logic drew;
   assign drew = run_phase_q == 3'h4;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_461;
   assign and_461 = drew & not_374;
   logic [6:0] select_491;
   assign select_491 = equal_370 ? ({run_shift_q[5], run_shift_q} + x_q[6:0]) : x_q[6:0];
-  // hls/stages/agreement.hpp:426
+  // hls/stages/agreement.hpp:429
   logic [7:0] x;
   assign x = x_q + 8'hfd;
-  // hls/stages/agreement.hpp:617
+  // hls/stages/agreement.hpp:623
   logic [6:0] sum_1051;
   assign sum_1051 = {1'b0, run_highest_q[7:2]} + 7'h1;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic [2:0] select_1062;
   assign select_1062 = sample_pair_whole_q ? (sample_last_q ? (select_330 + 3'h1) : select_330) : raster_at_y_q;
   logic [6:0] select_1064;
@@ -237,13 +237,13 @@ module horopter_agreement (
   // hls/stages/census.hpp:44
   logic [8:0] select_1073;
   assign select_1073 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic select_1077;
   assign select_1077 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
-  // hls/stages/agreement.hpp:260
+  // hls/stages/agreement.hpp:263
   logic equal_1249;
   assign equal_1249 = {last[7], column} == {1'b0, last[6:0]};
-  // hls/stages/agreement.hpp:176
+  // hls/stages/agreement.hpp:179
   logic [2:0] select_1250;
   assign select_1250 = ends_q ? following_phase_q : run_phase_q;
   logic [7:0] select_1253;
@@ -256,13 +256,13 @@ module horopter_agreement (
   assign select_1262 = ends_q ? following_shift_q : run_shift_q;
   logic select_1265;
   assign select_1265 = ends_q ? following_last_shift_q : run_last_shift_q;
-  // hls/stages/agreement.hpp:261
+  // hls/stages/agreement.hpp:264
   logic not_1266;
   assign not_1266 = ~equal_1249;
-  // hls/stages/agreement.hpp:341
+  // hls/stages/agreement.hpp:344
   logic not_1269;
   assign not_1269 = ~run_last_shift_q;
-  // hls/stages/agreement.hpp:349
+  // hls/stages/agreement.hpp:352
   logic equal_1270;
   assign equal_1270 = run_phase_q == 3'h1;
   // hls/stages/agreement.hpp:155
@@ -288,49 +288,49 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:155
   logic select_1299;
   assign select_1299 = equal_370 ? (next_last_shift_q & not_1269) : (equal_372 & (least_q == 7'h0));
-  // hls/stages/agreement.hpp:176
+  // hls/stages/agreement.hpp:179
   logic [7:0] select_1302;
   assign select_1302 = ends_q ? following_lowest_q : (x_q + 8'h1);
   logic [7:0] select_1306;
   assign select_1306 = ends_q ? following_beats_q : (beats_left_q + 8'hff);
-  // hls/stages/agreement.hpp:267
+  // hls/stages/agreement.hpp:270
   logic less_1313;
   assign less_1313 = 6'he < column[6:1];
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [6:0] select_1316;
   assign select_1316 = and_351 ? (equal_1249 ? (less_1313 ? 7'h1e : column) : least_q) : least_q;
-  // hls/stages/agreement.hpp:261
+  // hls/stages/agreement.hpp:264
   logic [7:0] select_1319;
   assign select_1319 = equal_1249 ? (less_1313 ? {sum_1317, cfg_width_i[6:3]} : 8'hf) : first_beats_q;
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [7:0] select_1323;
   assign select_1323 = and_351 ? (equal_1249 ? {sum_1321, cfg_width_i[3]} : whole_beats_q) : whole_beats_q;
-  // hls/stages/agreement.hpp:317
+  // hls/stages/agreement.hpp:320
   logic not_1324;
   assign not_1324 = ~ends_q;
-  // hls/stages/agreement.hpp:176
+  // hls/stages/agreement.hpp:179
   logic [5:0] select_1325;
   assign select_1325 = ends_q ? 6'h0 : age_q[5:0];
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [6:0] select_1327;
   assign select_1327 = and_351 ? (equal_1249 ? 7'h0 : {select_1325, not_1324}) : {select_1325, not_1324};
-  // hls/stages/agreement.hpp:176
+  // hls/stages/agreement.hpp:179
   logic and_1329;
   assign and_1329 = not_1324 & (beats_left_q == 8'h1);
-  // hls/stages/agreement.hpp:277
+  // hls/stages/agreement.hpp:280
   logic [6:0] sum_1332;
   assign sum_1332 = {1'b0, row} + 7'h1;
-  // hls/stages/agreement.hpp:261
+  // hls/stages/agreement.hpp:264
   logic select_1334;
   assign select_1334 = equal_1249 ? ({sum_1332[6], cfg_height_i[8:3]} == {1'b0, sum_1332[5:0]}) : final_row_q;
-  // hls/stages/agreement.hpp:532
+  // hls/stages/agreement.hpp:538
   logic [5:0] sum_1479;
   assign sum_1479 = {1'b0, last_q[6:2]} + 6'h1;
   // hls/stages/agreement.hpp:148
   logic not_1835;
   assign not_1835 = ~run_shift_q[5];
 
-  // Memory fresh, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:796; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
+  // Memory fresh, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:802; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [29:0] fresh_mem [0:79];
@@ -351,7 +351,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) fresh_read_q <= rst_ni & fresh_re;
   assign fresh_error = fresh_read_q & ^fresh_word_q;
 
-  // Memory left, 80 x 77 and parity, DISTANCE 12, hls/stages/agreement.hpp:797; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory left, 80 x 77 and parity, DISTANCE 12, hls/stages/agreement.hpp:803; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [77:0] left_mem [0:79];
@@ -372,7 +372,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) left_read_q <= rst_ni & left_re;
   assign left_error = left_read_q & ^left_word_q;
 
-  // Memory right_codes, 80 x 91 and parity, DISTANCE 12, hls/stages/agreement.hpp:798; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory right_codes, 80 x 91 and parity, DISTANCE 12, hls/stages/agreement.hpp:804; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [91:0] right_codes_mem [0:79];
@@ -566,7 +566,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:98
   logic and_326;
   assign and_326 = sample_pair_whole_s1_q & and_325_s1_q;
-  // hls/stages/agreement.hpp:382
+  // hls/stages/agreement.hpp:385
   logic equal_465;
   assign equal_465 = row_q == 6'h0;
   logic [11:0] select_466;
@@ -617,7 +617,7 @@ module horopter_agreement (
   assign not_488 = ~equal_486;
   logic and_489;
   assign and_489 = left_rdata_q[60] & not_488;
-  // hls/stages/agreement.hpp:383
+  // hls/stages/agreement.hpp:386
   logic [11:0] select_494;
   assign select_494 = equal_465 ? 12'h0 : right_codes_rdata_q[11:0];
   logic and_495;
@@ -646,22 +646,22 @@ module horopter_agreement (
   assign select_507 = less_506 ? 12'h0 : right_codes_rdata_q[76:65];
   logic and_509;
   assign and_509 = right_codes_rdata_q[77] & (~less_506);
-  // hls/stages/agreement.hpp:334
+  // hls/stages/agreement.hpp:337
   logic not_516;
   assign not_516 = ~equal_372_s1_q;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_517;
   assign and_517 = not_516 & and_461_s1_q;
   logic select_518;
   assign select_518 = equal_370_s1_q ? and_515_s1_q : and_517;
-  // hls/stages/agreement.hpp:164
+  // hls/stages/agreement.hpp:167
   logic and_527;
   assign and_527 = left_rdata_q[44] & not_374_s1_q;
   logic [11:0] a;
   assign a = less_373_s1_q ? 12'h0 : left_rdata_q[43:32];
   logic [11:0] b;
   assign b = less_373_s1_q ? 12'h0 : right_codes_rdata_q[37:26];
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [11:0] not_533;
   assign not_533 = ~(a ^ b);
   logic [1:0] sum_535;
@@ -672,12 +672,12 @@ module horopter_agreement (
   assign sum_539 = {2'h0, not_533[6]} + sum_538;
   logic [3:0] sum_542;
   assign sum_542 = {3'h0, not_533[9]} + ({3'h0, not_533[8]} + ({3'h0, not_533[7]} + {1'b0, sum_539}));
-  // hls/stages/agreement.hpp:164
+  // hls/stages/agreement.hpp:167
   logic [11:0] a_2;
   assign a_2 = less_373_s1_q ? 12'h0 : left_rdata_q[59:48];
   logic [11:0] b_2;
   assign b_2 = less_373_s1_q ? 12'h0 : right_codes_rdata_q[50:39];
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [11:0] not_552;
   assign not_552 = ~(a_2 ^ b_2);
   logic [1:0] sum_554;
@@ -688,14 +688,14 @@ module horopter_agreement (
   assign sum_558 = {2'h0, not_552[6]} + sum_557;
   logic [3:0] sum_561;
   assign sum_561 = {3'h0, not_552[9]} + ({3'h0, not_552[8]} + ({3'h0, not_552[7]} + {1'b0, sum_558}));
-  // hls/stages/agreement.hpp:164
+  // hls/stages/agreement.hpp:167
   logic and_566;
   assign and_566 = left_rdata_q[76] & not_374_s1_q;
   logic [11:0] a_3;
   assign a_3 = less_373_s1_q ? 12'h0 : left_rdata_q[75:64];
   logic [11:0] b_3;
   assign b_3 = less_373_s1_q ? 12'h0 : right_codes_rdata_q[63:52];
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [11:0] not_572;
   assign not_572 = ~(a_3 ^ b_3);
   logic [1:0] sum_574;
@@ -726,10 +726,10 @@ module horopter_agreement (
   assign sum_614 = {2'h0, not_608[6]} + sum_613;
   logic [3:0] sum_617;
   assign sum_617 = {3'h0, not_608[9]} + ({3'h0, not_608[8]} + ({3'h0, not_608[7]} + {1'b0, sum_614}));
-  // hls/stages/agreement.hpp:164
+  // hls/stages/agreement.hpp:167
   logic [11:0] b_4;
   assign b_4 = less_373_s1_q ? 12'h0 : right_codes_rdata_q[76:65];
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [11:0] not_626;
   assign not_626 = ~(a_3 ^ b_4);
   logic [1:0] sum_628;
@@ -740,10 +740,10 @@ module horopter_agreement (
   assign sum_632 = {2'h0, not_626[6]} + sum_631;
   logic [3:0] sum_635;
   assign sum_635 = {3'h0, not_626[9]} + ({3'h0, not_626[8]} + ({3'h0, not_626[7]} + {1'b0, sum_632}));
-  // hls/stages/agreement.hpp:164
+  // hls/stages/agreement.hpp:167
   logic [11:0] b_5;
   assign b_5 = less_373_s1_q ? 12'h0 : right_codes_rdata_q[24:13];
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [11:0] not_650;
   assign not_650 = ~(a ^ b_5);
   logic [1:0] sum_652;
@@ -794,10 +794,10 @@ module horopter_agreement (
   assign sum_726 = {2'h0, not_720[6]} + sum_725;
   logic [3:0] sum_729;
   assign sum_729 = {3'h0, not_720[9]} + ({3'h0, not_720[8]} + ({3'h0, not_720[7]} + {1'b0, sum_726}));
-  // hls/stages/agreement.hpp:164
+  // hls/stages/agreement.hpp:167
   logic [11:0] b_6;
   assign b_6 = less_373_s1_q ? 12'h0 : right_codes_rdata_q[89:78];
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [11:0] not_738;
   assign not_738 = ~(a_3 ^ b_6);
   logic [1:0] sum_740;
@@ -808,10 +808,10 @@ module horopter_agreement (
   assign sum_744 = {2'h0, not_738[6]} + sum_743;
   logic [3:0] sum_747;
   assign sum_747 = {3'h0, not_738[9]} + ({3'h0, not_738[8]} + ({3'h0, not_738[7]} + {1'b0, sum_744}));
-  // hls/stages/agreement.hpp:164
+  // hls/stages/agreement.hpp:167
   logic [11:0] b_7;
   assign b_7 = less_373_s1_q ? 12'h0 : right_codes_rdata_q[11:0];
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [11:0] not_767;
   assign not_767 = ~(a ^ b_7);
   logic [1:0] sum_769;
@@ -842,16 +842,16 @@ module horopter_agreement (
   assign sum_804 = {2'h0, not_798[6]} + sum_803;
   logic [3:0] sum_807;
   assign sum_807 = {3'h0, not_798[9]} + ({3'h0, not_798[8]} + ({3'h0, not_798[7]} + {1'b0, sum_804}));
-  // hls/stages/agreement.hpp:523
+  // hls/stages/agreement.hpp:529
   logic not_924;
   assign not_924 = ~(row_q[5:3] == 3'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_1055;
   assign and_1055 = drew_s1_q & (((6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0))) & not_1053_s1_q);
-  // hls/stages/agreement.hpp:257
+  // hls/stages/agreement.hpp:260
   logic [5:0] or_1196;
   assign or_1196 = column_s1_q[5:0] | row_s1_q;
-  // hls/stages/agreement.hpp:261
+  // hls/stages/agreement.hpp:264
   logic select_1339;
   assign select_1339 = equal_1249_s1_q ? (~({row_s1_q, 1'b0} < {sum_1336, cfg_height_i[3]})) : lower_half_q;
 
@@ -876,7 +876,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) averager_memory_read_q <= rst_ni & averager_memory_re;
   assign averager_memory_error = averager_memory_read_q & ^averager_memory_word_q;
 
-  // Memory best_left, 80 x 22 and parity, DISTANCE 12, hls/stages/agreement.hpp:799; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
+  // Memory best_left, 80 x 22 and parity, DISTANCE 12, hls/stages/agreement.hpp:805; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [22:0] best_left_mem [0:79];
@@ -1207,7 +1207,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:101
   logic and_341;
   assign and_341 = whole_s2_q & (averager_memory_rdata_q[24] | equal_331_s2_q);
-  // hls/stages/agreement.hpp:178
+  // hls/stages/agreement.hpp:181
   logic all_of_skin;
   assign all_of_skin = select_312_s2_q ? (sample_of_skin_q & averager_running_of_skin_q) : sample_of_skin_q;
   // hls/stages/census.hpp:102
@@ -1223,7 +1223,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:105
   logic select_364;
   assign select_364 = equal_354_s2_q ? and_362 : (averager_mask_q & and_362);
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic whole_2;
   assign whole_2 = sample_pair_whole_s2_q & select_364;
   // hls/stages/census.hpp:126
@@ -1232,128 +1232,128 @@ module horopter_agreement (
   // hls/stages/census.hpp:105
   logic select_368;
   assign select_368 = equal_354_s2_q ? and_366 : (averager_of_skin_q & and_366);
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [3:0] column_2;
   assign column_2 = (and_527_s2_q & and_528_s2_q) ? ({3'h0, not_533_s2_q} + sum_543_s2_q) : 4'h0;
   logic [3:0] select_564;
   assign select_564 = (and_546_s2_q & and_547_s2_q) ? ({3'h0, not_552_s2_q} + sum_562_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:420
+  // hls/stages/agreement.hpp:423
   logic [4:0] column_3;
   assign column_3 = {1'b0, column_2} + {1'b0, select_564};
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [3:0] select_584;
   assign select_584 = (and_566_s2_q & and_567_s2_q) ? ({3'h0, not_572_s2_q} + sum_582_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:420
+  // hls/stages/agreement.hpp:423
   logic [5:0] column_4;
   assign column_4 = {1'b0, column_3} + {2'h0, select_584};
-  // hls/stages/agreement.hpp:422
+  // hls/stages/agreement.hpp:425
   logic [7:0] difference_587;
   assign difference_587 = {2'h0, column_4} - (age_s2_q[1] ? sums_2_columns_values_6_q : 8'h0);
   logic [7:0] sum_590;
   assign sum_590 = difference_587 + (equal_588_s2_q ? 8'h0 : sums_2_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [3:0] column_5;
   assign column_5 = (and_527_s2_q & and_547_s2_q) ? ({3'h0, not_593_s2_q} + sum_603_s2_q) : 4'h0;
   logic [3:0] select_620;
   assign select_620 = (and_546_s2_q & and_567_s2_q) ? ({3'h0, not_608_s2_q} + sum_618_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:420
+  // hls/stages/agreement.hpp:423
   logic [4:0] column_6;
   assign column_6 = {1'b0, column_5} + {1'b0, select_620};
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [3:0] select_638;
   assign select_638 = (and_566_s2_q & and_622_s2_q) ? ({3'h0, not_626_s2_q} + sum_636_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:420
+  // hls/stages/agreement.hpp:423
   logic [5:0] column_7;
   assign column_7 = {1'b0, column_6} + {2'h0, select_638};
-  // hls/stages/agreement.hpp:422
+  // hls/stages/agreement.hpp:425
   logic [7:0] difference_641;
   assign difference_641 = {2'h0, column_7} - (age_s2_q[1] ? sums_1_columns_values_6_q : 8'h0);
   logic [7:0] sum_643;
   assign sum_643 = difference_641 + (equal_588_s2_q ? 8'h0 : sums_1_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:435
+  // hls/stages/agreement.hpp:438
   logic less_644;
   assign less_644 = sum_590 < sum_643;
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [3:0] column_8;
   assign column_8 = (and_527_s2_q & and_646_s2_q) ? ({3'h0, not_650_s2_q} + sum_660_s2_q) : 4'h0;
   logic [3:0] select_677;
   assign select_677 = (and_546_s2_q & and_528_s2_q) ? ({3'h0, not_665_s2_q} + sum_675_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:420
+  // hls/stages/agreement.hpp:423
   logic [4:0] column_9;
   assign column_9 = {1'b0, column_8} + {1'b0, select_677};
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [3:0] select_693;
   assign select_693 = (and_566_s2_q & and_547_s2_q) ? ({3'h0, not_681_s2_q} + sum_691_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:420
+  // hls/stages/agreement.hpp:423
   logic [5:0] column_10;
   assign column_10 = {1'b0, column_9} + {2'h0, select_693};
-  // hls/stages/agreement.hpp:422
+  // hls/stages/agreement.hpp:425
   logic [7:0] difference_696;
   assign difference_696 = {2'h0, column_10} - (age_s2_q[1] ? sums_3_columns_values_6_q : 8'h0);
   logic [7:0] sum_698;
   assign sum_698 = difference_696 + (equal_588_s2_q ? 8'h0 : sums_3_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:435
+  // hls/stages/agreement.hpp:438
   logic not_700;
   assign not_700 = ~less_644;
   logic [1:0] best;
   assign best = ((less_644 ? sum_643 : sum_590) < sum_698) ? 2'h3 : {not_700, less_644};
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [3:0] column_11;
   assign column_11 = (and_527_s2_q & and_567_s2_q) ? ({3'h0, not_705_s2_q} + sum_715_s2_q) : 4'h0;
   logic [3:0] select_732;
   assign select_732 = (and_546_s2_q & and_622_s2_q) ? ({3'h0, not_720_s2_q} + sum_730_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:420
+  // hls/stages/agreement.hpp:423
   logic [4:0] column_12;
   assign column_12 = {1'b0, column_11} + {1'b0, select_732};
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [3:0] select_750;
   assign select_750 = and_735_s2_q ? ({3'h0, not_738_s2_q} + sum_748_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:420
+  // hls/stages/agreement.hpp:423
   logic [5:0] column_13;
   assign column_13 = {1'b0, column_12} + {2'h0, select_750};
-  // hls/stages/agreement.hpp:422
+  // hls/stages/agreement.hpp:425
   logic [7:0] difference_753;
   assign difference_753 = {2'h0, column_13} - (age_s2_q[1] ? sums_0_columns_values_6_q : 8'h0);
   logic [7:0] sum_755;
   assign sum_755 = difference_753 + (equal_588_s2_q ? 8'h0 : sums_0_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:435
+  // hls/stages/agreement.hpp:438
   logic [7:0] select_757;
   assign select_757 = best[1] ? (best[0] ? sum_698 : sum_590) : (best[0] ? sum_643 : sum_755);
   logic [1:0] best_2;
   assign best_2 = (select_757 < sum_755) ? 2'h0 : best;
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [3:0] column_14;
   assign column_14 = and_764_s2_q ? ({3'h0, not_767_s2_q} + sum_777_s2_q) : 4'h0;
   logic [3:0] select_794;
   assign select_794 = (and_546_s2_q & and_646_s2_q) ? ({3'h0, not_782_s2_q} + sum_792_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:420
+  // hls/stages/agreement.hpp:423
   logic [4:0] column_15;
   assign column_15 = {1'b0, column_14} + {1'b0, select_794};
-  // hls/stages/agreement.hpp:392
+  // hls/stages/agreement.hpp:395
   logic [3:0] select_810;
   assign select_810 = (and_566_s2_q & and_528_s2_q) ? ({3'h0, not_798_s2_q} + sum_808_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:420
+  // hls/stages/agreement.hpp:423
   logic [5:0] column_16;
   assign column_16 = {1'b0, column_15} + {2'h0, select_810};
-  // hls/stages/agreement.hpp:422
+  // hls/stages/agreement.hpp:425
   logic [7:0] difference_813;
   assign difference_813 = {2'h0, column_16} - (age_s2_q[1] ? sums_4_columns_values_6_q : 8'h0);
   logic [7:0] sum_815;
   assign sum_815 = difference_813 + (equal_588_s2_q ? 8'h0 : sums_4_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:447
+  // hls/stages/agreement.hpp:450
   logic [6:0] partner;
   assign partner = {run_shift_s2_q[5], run_shift_s2_q} + x_s2_2_q;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [6:0] select_886;
   assign select_886 = equal_370_s2_q ? partner : (x_s2_q[6:0] + {best_left_rdata_q[13], best_left_rdata_q[13:8]});
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic select_1110;
   assign select_1110 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
   logic select_1112;
   assign select_1112 = sample_pair_whole_s2_q ? (and_349_s2_q ? select_364 : averager_mask_q) : averager_mask_q;
   logic select_1114;
   assign select_1114 = sample_pair_whole_s2_q ? (and_349_s2_q ? select_368 : averager_of_skin_q) : averager_of_skin_q;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [7:0] select_1342;
   assign select_1342 = equal_370_s2_q ? sums_0_columns_values_0_q : sums_0_columns_values_1_q;
   logic [7:0] select_1343;
@@ -1471,13 +1471,13 @@ module horopter_agreement (
   // hls/stages/registration.hpp:57
   logic [23:0] select_1743;
   assign select_1743 = equal_1742_s2_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : registration_next_slope_row_q;
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [23:0] select_1745;
   assign select_1745 = and_351_s2_q ? (equal_1249_s2_q ? select_1743 : registration_slope_row_q) : registration_slope_row_q;
   // hls/stages/registration.hpp:58
   logic [27:0] select_1746;
   assign select_1746 = equal_1742_s2_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : registration_next_slope_change_q;
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [27:0] select_1748;
   assign select_1748 = and_351_s2_q ? (equal_1249_s2_q ? select_1746 : registration_slope_change_q) : registration_slope_change_q;
   // hls/stages/registration.hpp:48
@@ -1511,7 +1511,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) census_memory_read_q <= rst_ni & census_memory_re;
   assign census_memory_error = census_memory_read_q & ^census_memory_word_q;
 
-  // Memory best_right, 80 x 15 and parity, DISTANCE 12, hls/stages/agreement.hpp:800; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory best_right, 80 x 15 and parity, DISTANCE 12, hls/stages/agreement.hpp:806; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [15:0] best_right_mem [0:79];
@@ -1532,7 +1532,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) best_right_read_q <= rst_ni & best_right_re;
   assign best_right_error = best_right_read_q & ^best_right_word_q;
 
-  // Memory seen_columns, 80 x 14 and parity, DISTANCE 12, hls/stages/agreement.hpp:828; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory seen_columns, 80 x 14 and parity, DISTANCE 12, hls/stages/agreement.hpp:837; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [14:0] seen_columns_mem [0:79];
@@ -1937,13 +1937,13 @@ module horopter_agreement (
   // hls/stages/census.hpp:127
   logic [10:0] total;
   assign total = {2'h0, grey_s3_q} + (equal_354_s3_q ? 11'h0 : averager_total_0_q);
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic [8:0] select_357;
   assign select_357 = sample_pair_whole_s3_q ? total[10:2] : 9'h0;
   // hls/stages/census.hpp:127
   logic [10:0] total_2;
   assign total_2 = {2'h0, grey_2_s3_q} + (equal_354_s3_q ? 11'h0 : averager_total_1_q);
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic [8:0] select_361;
   assign select_361 = sample_pair_whole_s3_q ? total_2[10:2] : 9'h0;
   // hls/stages/census.hpp:214
@@ -1996,12 +1996,12 @@ module horopter_agreement (
   assign less_400 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
   logic less_401;
   assign less_401 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
-  // hls/stages/agreement.hpp:256
+  // hls/stages/agreement.hpp:259
   logic equal_402;
   assign equal_402 = column_s3_q == 7'h0;
   logic [3:0] select_406;
   assign select_406 = equal_405_s3_q ? 4'h0 : rows_passed_above_q[3:0];
-  // hls/stages/agreement.hpp:257
+  // hls/stages/agreement.hpp:260
   logic [4:0] select_407;
   assign select_407 = equal_402 ? {select_406, 1'b1} : rows_passed_above_q;
   // hls/stages/census.hpp:196
@@ -2015,7 +2015,7 @@ module horopter_agreement (
   assign and_411 = census_memory_rdata_q[38] & (census_memory_rdata_q[18] & whole_2_s3_q);
   logic and_413;
   assign and_413 = census_memory_rdata_q[77] & (census_memory_rdata_q[58] & and_411);
-  // hls/stages/agreement.hpp:257
+  // hls/stages/agreement.hpp:260
   logic whole_3;
   assign whole_3 = census_columns_values_0_cell_0_mask_q & and_413;
   logic whole_4;
@@ -2091,34 +2091,34 @@ module horopter_agreement (
   assign sum_453 = {9'h0, difference_451[9]} + {1'b0, xor_452};
   logic [11:0] texture;
   assign texture = ({1'b0, sum_446} + {2'h0, sum_449}) + {2'h0, sum_453};
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:430
   logic not_523;
   assign not_523 = ~($signed(run_shift_s3_q) < $signed($unsigned(cfg_shift_lowest_i)));
   logic less_524;
   assign less_524 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s3_q);
-  // hls/stages/agreement.hpp:435
+  // hls/stages/agreement.hpp:438
   logic [7:0] select_762;
   assign select_762 = best_2_s3_q[1] ? (best_2_s3_q[0] ? sum_698_s3_q : sum_590_s3_q) : (best_2_s3_q[0] ? sum_643_s3_q : sum_755_s3_q);
   logic less_816;
   assign less_816 = select_762 < sum_815_s3_q;
   logic [1:0] select_817;
   assign select_817 = less_816 ? 2'h0 : best_2_s3_q;
-  // hls/stages/agreement.hpp:437
+  // hls/stages/agreement.hpp:440
   logic [7:0] select_820;
   assign select_820 = select_817[1] ? (select_817[0] ? sum_698_s3_q : sum_590_s3_q) : (select_817[0] ? sum_643_s3_q : sum_755_s3_q);
   logic [7:0] of_best;
   assign of_best = less_816 ? sum_815_s3_q : select_820;
   logic [7:0] of_best_2;
   assign of_best_2 = (not_523 & (~less_524)) ? of_best : 8'h0;
-  // hls/stages/agreement.hpp:439
+  // hls/stages/agreement.hpp:442
   logic less_823;
   assign less_823 = $signed(run_shift_s3_q) < $signed(6'h1);
-  // hls/stages/agreement.hpp:442
+  // hls/stages/agreement.hpp:445
   logic less_824;
   assign less_824 = best_left_rdata_s3_q[7:0] < of_best_2;
   logic or_826;
   assign or_826 = less_824 | equal_825_s3_q;
-  // hls/stages/agreement.hpp:445
+  // hls/stages/agreement.hpp:448
   logic [7:0] select_829;
   assign select_829 = less_823 ? (or_826 ? of_best_2 : best_left_rdata_s3_q[7:0]) : (less_824 ? of_best_2 : best_left_rdata_s3_q[7:0]);
   logic [5:0] select_833;
@@ -2160,12 +2160,12 @@ module horopter_agreement (
   assign xor_859 = rise[7:0] ^ {8{rise[8]}};
   logic [8:0] size;
   assign size = {8'h0, rise[8]} + {1'b0, xor_859};
-  // hls/stages/agreement.hpp:449
+  // hls/stages/agreement.hpp:452
   logic less_888;
   assign less_888 = best_right_rdata_q[7:0] < of_best_2;
   logic or_890;
   assign or_890 = less_888 | equal_889_s3_q;
-  // hls/stages/agreement.hpp:450
+  // hls/stages/agreement.hpp:453
   logic [7:0] select_893;
   assign select_893 = less_823 ? (or_890 ? of_best_2 : best_right_rdata_q[7:0]) : (less_888 ? of_best_2 : best_right_rdata_q[7:0]);
   logic [7:0] select_894;
@@ -2177,142 +2177,142 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:142
   logic [7:0] select_899;
   assign select_899 = drew_s3_q ? region_columns_q : 8'h1;
-  // hls/stages/agreement.hpp:558
+  // hls/stages/agreement.hpp:564
   logic or_902;
   assign or_902 = select_899[7] | (~({select_899[5], select_899[3], select_899[1]} == 3'h0));
-  // hls/stages/agreement.hpp:557
+  // hls/stages/agreement.hpp:563
   logic or_905;
   assign or_905 = select_899[7] | (~({select_899[6], select_899[3:2]} == 3'h0));
-  // hls/stages/agreement.hpp:556
+  // hls/stages/agreement.hpp:562
   logic or_908;
   assign or_908 = select_899[7] | (~(select_899[6:4] == 3'h0));
   // hls/stages/division.hpp:18
   logic [5:0] sum_910;
   assign sum_910 = region_across_rest_q[8:3] + 6'h1;
-  // hls/stages/agreement.hpp:566
+  // hls/stages/agreement.hpp:572
   logic or_913;
   assign or_913 = (~sum_910[5]) | equal_912_s3_q;
-  // hls/stages/agreement.hpp:536
+  // hls/stages/agreement.hpp:542
   logic and_914;
   assign and_914 = not_374_s3_q & or_913;
-  // hls/stages/agreement.hpp:635
+  // hls/stages/agreement.hpp:641
   logic equal_916;
   assign equal_916 = x_s3_q[5:4] == 2'h3;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_918;
   assign and_918 = equal_915_s3_q & (~equal_916);
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic textured;
   assign textured = not_374_s3_q & and_926_s3_q;
-  // hls/stages/agreement.hpp:524
+  // hls/stages/agreement.hpp:530
   logic [8:0] way;
   assign way = {2'h0, best_right_rdata_q[14:8]} - {1'b0, x_s3_q};
-  // hls/stages/agreement.hpp:527
+  // hls/stages/agreement.hpp:533
   logic [9:0] sum_935;
   assign sum_935 = {way[8], way} + 10'h1;
   logic and_937;
   assign and_937 = (and_926_s3_q & (8'hb6 < best_left_rdata_s3_q[7:0])) & ({{6{sum_935[9]}}, sum_935} < 16'h3);
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic explained;
   assign explained = not_374_s3_q & and_937;
-  // hls/stages/agreement.hpp:529
+  // hls/stages/agreement.hpp:535
   logic and_945;
   assign and_945 = cfg_nearer_above_i & ($signed(6'h0) < $signed(best_left_rdata_s3_q[13:8]));
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_947;
   assign and_947 = and_937 & ((cfg_nearer_below_i & best_left_rdata_s3_q[13]) | and_945);
   logic and_959;
   assign and_959 = left_rdata_s3_q & not_374_s3_q;
   logic near;
   assign near = not_374_s3_q & and_947;
-  // hls/stages/agreement.hpp:728
+  // hls/stages/agreement.hpp:734
   logic or_961;
   assign or_961 = marks_first_s3_q | line_ended_q;
-  // hls/stages/agreement.hpp:730
+  // hls/stages/agreement.hpp:736
   logic [17:0] select_963;
   assign select_963 = marks_first_s3_q ? 18'h1 : (or_961 ? {rows_passed_q[16:0], 1'b1} : rows_passed_q);
-  // hls/stages/agreement.hpp:729
+  // hls/stages/agreement.hpp:735
   logic [8:0] select_965;
   assign select_965 = or_961 ? 9'h0 : columns_passed_q;
-  // hls/stages/agreement.hpp:737
+  // hls/stages/agreement.hpp:743
   logic select_967;
   assign select_967 = cfg_compete_i ? (or_961 & select_963[17]) : (select_965[8] & select_963[9]);
-  // hls/stages/agreement.hpp:182
+  // hls/stages/agreement.hpp:185
   logic next_row;
   assign next_row = select_967 & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:744
+  // hls/stages/agreement.hpp:750
   logic [6:0] select_970;
   assign select_970 = next_row ? cfg_width_i[9:3] : 7'h0;
   logic [12:0] select_972;
   assign select_972 = marks_first_s3_q ? 13'h0 : (seen_base_q + {6'h0, select_970});
-  // hls/stages/agreement.hpp:754
+  // hls/stages/agreement.hpp:760
   logic equal_973;
   assign equal_973 = seen_x_q == 3'h7;
   logic [7:0] select_975;
   assign select_975 = select_967 ? 8'h0 : (seen_column_q + {7'h0, equal_973});
-  // hls/stages/agreement.hpp:757
+  // hls/stages/agreement.hpp:763
   logic [12:0] index;
   assign index = select_972 + {5'h0, select_975};
-  // hls/stages/agreement.hpp:728
+  // hls/stages/agreement.hpp:734
   logic select_978;
   assign select_978 = marks_first_s3_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
-  // hls/stages/agreement.hpp:714
+  // hls/stages/agreement.hpp:720
   logic [7:0] sum_979;
   assign sum_979 = {1'b0, select_978, 2'h0, select_978, 1'b0, {2{select_978}}} + {1'b0, index[12:6]};
-  // hls/stages/agreement.hpp:727
+  // hls/stages/agreement.hpp:733
   logic not_980;
   assign not_980 = ~marks_first_s3_q;
-  // hls/stages/agreement.hpp:182
+  // hls/stages/agreement.hpp:185
   logic and_982;
   assign and_982 = not_980 & (began_q | select_967);
-  // hls/stages/agreement.hpp:755
+  // hls/stages/agreement.hpp:761
   logic [2:0] select_984;
   assign select_984 = select_967 ? 3'h0 : (seen_x_q + 3'h1);
-  // hls/stages/agreement.hpp:756
+  // hls/stages/agreement.hpp:762
   logic and_986;
   assign and_986 = and_982 & (select_984 == 3'h0);
   logic less_987;
   assign less_987 = select_975 < {1'b0, cfg_width_i[9:3]};
-  // hls/stages/agreement.hpp:618
+  // hls/stages/agreement.hpp:624
   logic [7:0] sum_990;
   assign sum_990 = {2'h0, x_s3_q[7:2]} + 8'hff;
   logic [12:0] index_2;
   assign index_2 = {{3{sum_990[7]}}, sum_990, x_s3_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:714
+  // hls/stages/agreement.hpp:720
   logic [7:0] sum_992;
   assign sum_992 = {1'b0, write_half_q, 2'h0, write_half_q, 1'b0, {2{write_half_q}}} + {1'b0, index_2[12:6]};
-  // hls/stages/agreement.hpp:536
+  // hls/stages/agreement.hpp:542
   logic [5:0] select_993;
   assign select_993 = less_373_s3_q ? 6'h0 : seen_columns_rdata_q[13:8];
   logic [5:0] select_994;
   assign select_994 = less_373_s3_q ? 6'h0 : {seen_columns_rdata_q[7:6], seen_columns_rdata_q[4:2], seen_columns_rdata_q[0]};
-  // hls/stages/agreement.hpp:594
+  // hls/stages/agreement.hpp:600
   logic [1:0] sum_996;
   assign sum_996 = {1'b0, select_994[3]} + ({1'b0, textured} + {1'b0, select_994[0]});
   logic [2:0] textured_2;
   assign textured_2 = {2'h0, select_993[3]} + ({2'h0, select_993[0]} + {1'b0, sum_996});
-  // hls/stages/agreement.hpp:536
+  // hls/stages/agreement.hpp:542
   logic [7:0] select_1006;
   assign select_1006 = less_373_s3_q ? select_899 : (sum_910[5] ? select_899 : {select_899[6:0], 1'b0});
-  // hls/stages/agreement.hpp:558
+  // hls/stages/agreement.hpp:564
   logic or_1009;
   assign or_1009 = select_1006[7] | (~({select_1006[5], select_1006[3], select_1006[1]} == 3'h0));
-  // hls/stages/agreement.hpp:595
+  // hls/stages/agreement.hpp:601
   logic [1:0] sum_1026;
   assign sum_1026 = {1'b0, select_994[4]} + ({1'b0, explained} + {1'b0, select_994[1]});
   logic [2:0] explained_2;
   assign explained_2 = {2'h0, select_993[4]} + ({2'h0, select_993[1]} + {1'b0, sum_1026});
-  // hls/stages/agreement.hpp:596
+  // hls/stages/agreement.hpp:602
   logic [1:0] sum_1038;
   assign sum_1038 = {1'b0, select_994[5]} + ({1'b0, near} + {1'b0, select_994[2]});
   logic [2:0] near_2;
   assign near_2 = {2'h0, select_993[5]} + ({2'h0, select_993[2]} + {1'b0, sum_1038});
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic [10:0] select_1089;
   assign select_1089 = sample_pair_whole_s3_q ? (and_349_s3_q ? total : averager_total_0_q) : averager_total_0_q;
   logic [10:0] select_1091;
   assign select_1091 = sample_pair_whole_s3_q ? (and_349_s3_q ? total_2 : averager_total_1_q) : averager_total_1_q;
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [8:0] select_1115;
   assign select_1115 = and_351_s3_q ? select_357 : census_columns_values_0_cell_0_left_q;
   logic [8:0] select_1116;
@@ -2467,33 +2467,33 @@ module horopter_agreement (
   assign difference_1228 = {1'b0, select_361} - {1'b0, sharpness_last_mean_1_q};
   logic [8:0] contrast_2;
   assign contrast_2 = {8'h0, difference_1228[9]} + (difference_1228[8:0] ^ {9{difference_1228[9]}});
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic and_1382;
   assign and_1382 = and_351_s3_q & (equal_405_s3_q & equal_1249_s3_q);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_1387;
   assign and_1387 = not_371_s3_q & (not_516_s3_q & (drew_s3_q & (not_374_s3_q & and_1383_s3_q)));
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [8:0] select_1432;
   assign select_1432 = less_373_s3_q ? 9'h0 : (and_926_s3_q ? {and_937, cfg_explained_limit_i} : 9'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [8:0] select_1435;
   assign select_1435 = equal_370_s3_q ? 9'h0 : (equal_372_s3_q ? 9'h0 : (drew_s3_q ? select_1432 : 9'h0));
-  // hls/stages/agreement.hpp:497
+  // hls/stages/agreement.hpp:503
   logic [23:0] sum_1436;
   assign sum_1436 = counts_too_little_explained_q + {{15{select_1435[8]}}, select_1435};
-  // hls/stages/agreement.hpp:531
+  // hls/stages/agreement.hpp:537
   logic [9:0] select_1470;
   assign select_1470 = (left_rdata_s3_q & and_1383_s3_q) ? ({1'b0, and_947, 8'h0} - {2'h0, cfg_hidden_limit_i}) : 10'h0;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [9:0] select_1473;
   assign select_1473 = equal_372_s3_q ? 10'h0 : (drew_s3_q ? (less_373_s3_q ? 10'h0 : select_1470) : 10'h0);
   logic [9:0] select_1474;
   assign select_1474 = equal_370_s3_q ? 10'h0 : select_1473;
-  // hls/stages/agreement.hpp:502
+  // hls/stages/agreement.hpp:508
   logic [23:0] select_1476;
   assign select_1476 = and_1382 ? 24'h0 : (counts_too_much_hidden_q + {{14{select_1474[9]}}, select_1474});
-  // hls/stages/agreement.hpp:531
+  // hls/stages/agreement.hpp:537
   logic and_1478;
   assign and_1478 = and_937 & less_1477_s3_q;
   // hls/stages/registration.hpp:73
@@ -2519,46 +2519,46 @@ module horopter_agreement (
   assign not_1557 = ~equal_1481;
   logic not_1558;
   assign not_1558 = ~equal_1482;
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1563;
   assign and_1563 = not_374_s3_q & (and_1478 & (not_1557 & (not_1558 & (~equal_1483))));
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_1566;
   assign and_1566 = not_371_s3_q & (not_516_s3_q & (drew_s3_q & and_1563));
-  // hls/stages/agreement.hpp:503
+  // hls/stages/agreement.hpp:509
   logic [11:0] select_1568;
   assign select_1568 = and_1382 ? 12'h0 : (registration_counts_measured_0_q + {11'h0, and_1566});
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_1573;
   assign and_1573 = drew_s3_q & (not_374_s3_q & (and_1478 & (not_1557 & (equal_1483 & not_1558))));
   logic and_1575;
   assign and_1575 = not_371_s3_q & (not_516_s3_q & and_1573);
-  // hls/stages/agreement.hpp:503
+  // hls/stages/agreement.hpp:509
   logic [11:0] select_1577;
   assign select_1577 = and_1382 ? 12'h0 : (registration_counts_measured_1_q + {11'h0, and_1575});
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_1581;
   assign and_1581 = drew_s3_q & (not_374_s3_q & (and_1478 & (equal_1482 & not_1557)));
   logic and_1583;
   assign and_1583 = not_371_s3_q & (not_516_s3_q & and_1581);
-  // hls/stages/agreement.hpp:503
+  // hls/stages/agreement.hpp:509
   logic [11:0] select_1585;
   assign select_1585 = and_1382 ? 12'h0 : (registration_counts_measured_2_q + {11'h0, and_1583});
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_1589;
   assign and_1589 = not_516_s3_q & (drew_s3_q & (not_374_s3_q & (and_1478 & equal_1481)));
   logic and_1590;
   assign and_1590 = not_371_s3_q & and_1589;
-  // hls/stages/agreement.hpp:503
+  // hls/stages/agreement.hpp:509
   logic [11:0] select_1592;
   assign select_1592 = and_1382 ? 12'h0 : (registration_counts_measured_3_q + {11'h0, and_1590});
   // hls/stages/registration.hpp:146
   logic less_1593;
   assign less_1593 = $signed(residual[7:0]) < $signed({2'h0, cfg_moved_limit_i});
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1594;
   assign and_1594 = and_1478 & less_1593;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1597;
   assign select_1597 = equal_372_s3_q ? 2'h0 : (drew_s3_q ? (less_373_s3_q ? 2'h0 : {and_1594, and_1478}) : 2'h0);
   logic [1:0] select_1598;
@@ -2571,10 +2571,10 @@ module horopter_agreement (
   assign difference_1601 = 13'h0 - {residual[11], residual};
   logic less_1602;
   assign less_1602 = $signed(difference_1601) < $signed({7'h0, cfg_moved_limit_i});
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1603;
   assign and_1603 = and_1478 & less_1602;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1606;
   assign select_1606 = equal_372_s3_q ? 2'h0 : (drew_s3_q ? (less_373_s3_q ? 2'h0 : {and_1603, and_1478}) : 2'h0);
   logic [1:0] select_1607;
@@ -2588,7 +2588,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:79
   logic and_1611;
   assign and_1611 = less_1593 & not_1610;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1614;
   assign select_1614 = drew_s3_q ? (less_373_s3_q ? 2'h0 : (and_1478 ? {and_1611, not_1610} : 2'h0)) : 2'h0;
   logic [1:0] select_1616;
@@ -2599,7 +2599,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:79
   logic and_1619;
   assign and_1619 = less_1602 & not_1610;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1622;
   assign select_1622 = drew_s3_q ? (less_373_s3_q ? 2'h0 : (and_1478 ? {and_1619, not_1610} : 2'h0)) : 2'h0;
   logic [1:0] select_1624;
@@ -2610,10 +2610,10 @@ module horopter_agreement (
   // hls/stages/registration.hpp:79
   logic and_1627;
   assign and_1627 = less_1480_s3_q & less_1593;
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [1:0] select_1629;
   assign select_1629 = less_373_s3_q ? 2'h0 : (and_1478 ? {and_1627, less_1480_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1632;
   assign select_1632 = equal_370_s3_q ? 2'h0 : (equal_372_s3_q ? 2'h0 : (drew_s3_q ? select_1629 : 2'h0));
   // hls/stages/registration.hpp:121
@@ -2622,10 +2622,10 @@ module horopter_agreement (
   // hls/stages/registration.hpp:79
   logic and_1635;
   assign and_1635 = less_1480_s3_q & less_1602;
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [1:0] select_1637;
   assign select_1637 = less_373_s3_q ? 2'h0 : (and_1478 ? {and_1635, less_1480_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1640;
   assign select_1640 = equal_370_s3_q ? 2'h0 : (equal_372_s3_q ? 2'h0 : (drew_s3_q ? select_1637 : 2'h0));
   // hls/stages/registration.hpp:122
@@ -2634,10 +2634,10 @@ module horopter_agreement (
   // hls/stages/registration.hpp:80
   logic not_1643;
   assign not_1643 = ~lower_half_s3_q;
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1644;
   assign and_1644 = less_1593 & not_1643;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1647;
   assign select_1647 = drew_s3_q ? (less_373_s3_q ? 2'h0 : (and_1478 ? {and_1644, not_1643} : 2'h0)) : 2'h0;
   logic [1:0] select_1649;
@@ -2645,10 +2645,10 @@ module horopter_agreement (
   // hls/stages/registration.hpp:121
   logic [14:0] sum_1650;
   assign sum_1650 = registration_counts_votes_3_down_q + {{13{select_1649[1]}}, select_1649};
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1652;
   assign and_1652 = less_1602 & not_1643;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1655;
   assign select_1655 = drew_s3_q ? (less_373_s3_q ? 2'h0 : (and_1478 ? {and_1652, not_1643} : 2'h0)) : 2'h0;
   logic [1:0] select_1657;
@@ -2656,23 +2656,23 @@ module horopter_agreement (
   // hls/stages/registration.hpp:122
   logic [14:0] sum_1658;
   assign sum_1658 = registration_counts_votes_3_up_q + {{13{select_1657[1]}}, select_1657};
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1660;
   assign and_1660 = lower_half_s3_q & less_1593;
   logic [1:0] select_1662;
   assign select_1662 = less_373_s3_q ? 2'h0 : (and_1478 ? {and_1660, lower_half_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1665;
   assign select_1665 = equal_370_s3_q ? 2'h0 : (equal_372_s3_q ? 2'h0 : (drew_s3_q ? select_1662 : 2'h0));
   // hls/stages/registration.hpp:121
   logic [14:0] sum_1666;
   assign sum_1666 = registration_counts_votes_4_down_q + {{13{select_1665[1]}}, select_1665};
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1668;
   assign and_1668 = lower_half_s3_q & less_1602;
   logic [1:0] select_1670;
   assign select_1670 = less_373_s3_q ? 2'h0 : (and_1478 ? {and_1668, lower_half_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1673;
   assign select_1673 = equal_370_s3_q ? 2'h0 : (equal_372_s3_q ? 2'h0 : (drew_s3_q ? select_1670 : 2'h0));
   // hls/stages/registration.hpp:122
@@ -2684,7 +2684,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:79
   logic and_1677;
   assign and_1677 = not_1610 & less_1676;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1680;
   assign select_1680 = drew_s3_q ? (less_373_s3_q ? 2'h0 : (and_1478 ? {and_1677, not_1610} : 2'h0)) : 2'h0;
   logic [1:0] select_1682;
@@ -2698,7 +2698,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:79
   logic and_1686;
   assign and_1686 = not_1610 & less_1685;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1689;
   assign select_1689 = drew_s3_q ? (less_373_s3_q ? 2'h0 : (and_1478 ? {and_1686, not_1610} : 2'h0)) : 2'h0;
   logic [1:0] select_1691;
@@ -2709,10 +2709,10 @@ module horopter_agreement (
   // hls/stages/registration.hpp:79
   logic and_1694;
   assign and_1694 = less_1480_s3_q & less_1676;
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [1:0] select_1696;
   assign select_1696 = less_373_s3_q ? 2'h0 : (and_1478 ? {and_1694, less_1480_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1699;
   assign select_1699 = equal_370_s3_q ? 2'h0 : (equal_372_s3_q ? 2'h0 : (drew_s3_q ? select_1696 : 2'h0));
   // hls/stages/registration.hpp:121
@@ -2721,19 +2721,19 @@ module horopter_agreement (
   // hls/stages/registration.hpp:79
   logic and_1702;
   assign and_1702 = less_1480_s3_q & less_1685;
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [1:0] select_1704;
   assign select_1704 = less_373_s3_q ? 2'h0 : (and_1478 ? {and_1702, less_1480_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1707;
   assign select_1707 = equal_370_s3_q ? 2'h0 : (equal_372_s3_q ? 2'h0 : (drew_s3_q ? select_1704 : 2'h0));
   // hls/stages/registration.hpp:122
   logic [14:0] sum_1708;
   assign sum_1708 = registration_counts_half_votes_1_up_q + {{13{select_1707[1]}}, select_1707};
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1710;
   assign and_1710 = less_1676 & not_1643;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1713;
   assign select_1713 = drew_s3_q ? (less_373_s3_q ? 2'h0 : (and_1478 ? {and_1710, not_1643} : 2'h0)) : 2'h0;
   logic [1:0] select_1715;
@@ -2741,10 +2741,10 @@ module horopter_agreement (
   // hls/stages/registration.hpp:121
   logic [14:0] sum_1716;
   assign sum_1716 = registration_counts_half_votes_2_down_q + {{13{select_1715[1]}}, select_1715};
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1718;
   assign and_1718 = less_1685 & not_1643;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1721;
   assign select_1721 = drew_s3_q ? (less_373_s3_q ? 2'h0 : (and_1478 ? {and_1718, not_1643} : 2'h0)) : 2'h0;
   logic [1:0] select_1723;
@@ -2752,23 +2752,23 @@ module horopter_agreement (
   // hls/stages/registration.hpp:122
   logic [14:0] sum_1724;
   assign sum_1724 = registration_counts_half_votes_2_up_q + {{13{select_1723[1]}}, select_1723};
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1726;
   assign and_1726 = lower_half_s3_q & less_1676;
   logic [1:0] select_1728;
   assign select_1728 = less_373_s3_q ? 2'h0 : (and_1478 ? {and_1726, lower_half_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1731;
   assign select_1731 = equal_370_s3_q ? 2'h0 : (equal_372_s3_q ? 2'h0 : (drew_s3_q ? select_1728 : 2'h0));
   // hls/stages/registration.hpp:121
   logic [14:0] sum_1732;
   assign sum_1732 = registration_counts_half_votes_3_down_q + {{13{select_1731[1]}}, select_1731};
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1734;
   assign and_1734 = lower_half_s3_q & less_1685;
   logic [1:0] select_1736;
   assign select_1736 = less_373_s3_q ? 2'h0 : (and_1478 ? {and_1734, lower_half_s3_q} : 2'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [1:0] select_1739;
   assign select_1739 = equal_370_s3_q ? 2'h0 : (equal_372_s3_q ? 2'h0 : (drew_s3_q ? select_1736 : 2'h0));
   // hls/stages/registration.hpp:122
@@ -2777,12 +2777,12 @@ module horopter_agreement (
   // hls/stages/division.hpp:34
   logic [7:0] sum_1754;
   assign sum_1754 = region_down_rest_q[8:1] + 8'h3;
-  // hls/stages/agreement.hpp:261
+  // hls/stages/agreement.hpp:264
   logic [2:0] select_1756;
   assign select_1756 = less_1753_s3_q ? (sum_1754[7] ? region_row_q : next_region_row_q) : region_row_q;
   logic [2:0] select_1758;
   assign select_1758 = equal_1249_s3_q ? (equal_405_s3_q ? 3'h0 : select_1756) : region_row_q;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [7:0] select_1762;
   assign select_1762 = equal_370_s3_q ? select_899 : (equal_372_s3_q ? select_899 : (drew_s3_q ? select_1006 : 8'h1));
   // hls/stages/division.hpp:35
@@ -2791,20 +2791,20 @@ module horopter_agreement (
   // hls/stages/division.hpp:36
   logic [8:0] select_1764;
   assign select_1764 = sum_910[5] ? {1'b1, sum_910[4:0], region_across_rest_q[2:0]} : sum_1763;
-  // hls/stages/agreement.hpp:261
+  // hls/stages/agreement.hpp:264
   logic [8:0] select_1768;
   assign select_1768 = equal_1249_s3_q ? (9'h1f0 - {2'h0, cfg_width_i[9:3]}) : columns_begin_rest_q;
   logic [7:0] select_1771;
   assign select_1771 = equal_1249_s3_q ? (8'h8 - {1'b0, cfg_width_i[9:3]}) : columns_begin_back_q;
   logic [8:0] select_1775;
   assign select_1775 = equal_405_s3_q ? {{2{difference_1773[6]}}, difference_1773} : (less_1753_s3_q ? region_down_next_q : region_down_rest_q);
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [8:0] select_1777;
   assign select_1777 = and_351_s3_q ? (equal_1249_s3_q ? select_1775 : region_down_rest_q) : region_down_rest_q;
-  // hls/stages/agreement.hpp:261
+  // hls/stages/agreement.hpp:264
   logic [6:0] select_1779;
   assign select_1779 = equal_405_s3_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [6:0] select_1781;
   assign select_1781 = and_351_s3_q ? (equal_1249_s3_q ? select_1779 : region_down_back_q) : region_down_back_q;
   // hls/stages/division.hpp:35
@@ -2816,25 +2816,25 @@ module horopter_agreement (
   // hls/stages/division.hpp:18
   logic next;
   assign next = ~sum_1754[7];
-  // hls/stages/agreement.hpp:261
+  // hls/stages/agreement.hpp:264
   logic select_1787;
   assign select_1787 = equal_1249_s3_q ? (equal_405_s3_q | (less_1753_s3_q ? next : region_fresh_q)) : region_fresh_q;
   // hls/stages/agreement.hpp:142
   logic or_1792;
   assign or_1792 = segment_starts_q | not_1295_s3_q;
-  // hls/stages/agreement.hpp:536
+  // hls/stages/agreement.hpp:542
   logic select_1795;
   assign select_1795 = less_373_s3_q ? or_1792 : (sum_910[5] ? (equal_912_s3_q & or_913) : or_913);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic select_1798;
   assign select_1798 = equal_370_s3_q ? or_1792 : (equal_372_s3_q ? or_1792 : (drew_s3_q ? select_1795 : or_1792));
-  // hls/stages/agreement.hpp:648
+  // hls/stages/agreement.hpp:654
   logic equal_1800;
   assign equal_1800 = x_s3_q[5:0] == 6'h3f;
-  // hls/stages/agreement.hpp:650
+  // hls/stages/agreement.hpp:656
   logic [7:0] select_1824;
   assign select_1824 = ($signed(24'h0) < $signed(counts_too_much_hidden_q)) ? next_hidden_for_q : 8'h0;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [7:0] select_1826;
   assign select_1826 = equal_915_s3_q ? (equal_1800 ? select_1824 : hidden_for_q) : hidden_for_q;
   logic [7:0] select_1828;
@@ -2842,7 +2842,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:144
   logic not_1830;
   assign not_1830 = ~hidden_for_q[7];
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic select_1905;
   assign select_1905 = drew_s3_q ? (seen_columns_rdata_q[4] & not_374_s3_q) : centres_values_0_textured_q;
   logic select_1907;
@@ -2859,25 +2859,25 @@ module horopter_agreement (
   assign select_1915 = drew_s3_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
   logic select_1917;
   assign select_1917 = equal_370_s3_q ? centres_values_1_of_skin_q : (equal_372_s3_q ? centres_values_1_of_skin_q : select_1915);
-  // hls/stages/agreement.hpp:261
+  // hls/stages/agreement.hpp:264
   logic [12:0] select_1921;
   assign select_1921 = equal_1249_s3_q ? (equal_1918_s3_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [6:0] select_1924;
   assign select_1924 = and_351_s3_q ? (equal_1249_s3_q ? cfg_width_i[9:3] : map_width_q) : map_width_q;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_1935;
   assign and_1935 = not_371_s3_q & (not_516_s3_q & (not_1295_s3_q & (equal_915_s3_q & equal_1800)));
-  // hls/stages/agreement.hpp:753
+  // hls/stages/agreement.hpp:759
   logic [2:0] select_1939;
   assign select_1939 = marks_first_s3_q ? 3'h0 : (select_967 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q);
-  // hls/stages/agreement.hpp:182
+  // hls/stages/agreement.hpp:185
   logic [7:0] select_1944;
   assign select_1944 = marks_first_s3_q ? (less_1940 ? {sum_1941, cfg_height_i[5:3]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
-  // hls/stages/agreement.hpp:757
+  // hls/stages/agreement.hpp:763
   logic and_1950;
   assign and_1950 = and_1057_s3_q & ({sum_992, index_2[5:0]} == {sum_979, index[5:0]});
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_1996;
   assign and_1996 = not_1295_s3_q & (equal_915_s3_q & (equal_1800 & (cfg_prove_i & (~proven_q))));
   // hls/stages/registration.hpp:99
@@ -2951,7 +2951,7 @@ module horopter_agreement (
   assign select_2053 = or_2051 ? select_2048 : less_2052;
   logic select_2056;
   assign select_2056 = less_2026 ? select_2053 : (less_2031 ? select_2053 : (less_2037 ? select_2053 : less_2052));
-  // hls/stages/agreement.hpp:652
+  // hls/stages/agreement.hpp:658
   logic and_2068;
   assign and_2068 = ($signed(15'h0) < $signed(registration_counts_votes_3_up_q)) & ($signed(15'h0) < $signed(registration_counts_votes_4_down_q));
   logic or_2069;
@@ -2975,7 +2975,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:119
   logic less_2078;
   assign less_2078 = $signed(15'h0) < $signed(registration_counts_half_votes_3_down_q);
-  // hls/stages/agreement.hpp:652
+  // hls/stages/agreement.hpp:658
   logic or_2079;
   assign or_2079 = less_2078 | or_2077;
   logic select_2080;
@@ -2987,10 +2987,10 @@ module horopter_agreement (
   assign less_2084 = $signed(15'h0) < $signed(registration_counts_half_votes_1_down_q);
   logic less_2087;
   assign less_2087 = $signed(15'h0) < $signed(registration_counts_half_votes_0_down_q);
-  // hls/stages/agreement.hpp:652
+  // hls/stages/agreement.hpp:658
   logic and_2129;
   assign and_2129 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_1824 < cfg_hidden_frames_i));
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_2133;
   assign and_2133 = not_1295_s3_q & (equal_915_s3_q & (equal_1800 & (cfg_prove_i & and_2129)));
   logic [11:0] select_2157;
@@ -3010,7 +3010,7 @@ module horopter_agreement (
   logic [11:0] select_2175;
   assign select_2175 = equal_370_s3_q ? 12'h0 : (equal_372_s3_q ? 12'h0 : (drew_s3_q ? 12'h0 : select_2172));
 
-  // Memory regions, 64 x 36 and parity, DISTANCE 12, hls/stages/agreement.hpp:813; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory regions, 64 x 36 and parity, DISTANCE 12, hls/stages/agreement.hpp:822; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [36:0] regions_mem [0:63];
@@ -3031,7 +3031,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) regions_read_q <= rst_ni & regions_re;
   assign regions_error = regions_read_q & ^regions_word_q;
 
-  // Memory map, 9600 x 2 and parity, DISTANCE 16, hls/stages/agreement.hpp:832; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory map, 9600 x 2 and parity, DISTANCE 16, hls/stages/agreement.hpp:841; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [2:0] map_mem [0:9599];
@@ -3745,49 +3745,49 @@ module horopter_agreement (
   // hls/stages/registration.hpp:31
   logic [7:0] difference_876;
   assign difference_876 = {sum_851_s4_q, select_817_s4_q, 5'h0} - {3'h0, difference_863_s4_q[8], sum_866[9], sum_869[9], sum_872[9], sum_875[9]};
-  // hls/stages/agreement.hpp:443
+  // hls/stages/agreement.hpp:446
   logic [7:0] select_877;
   assign select_877 = rise_s4_q ? difference_876 : {sum_851_s4_q, select_817_s4_q, difference_863_s4_q[8], sum_866[9], sum_869[9], sum_872[9], sum_875[9]};
   logic [7:0] select_878;
   assign select_878 = equal_839_s4_q ? select_877 : {sum_851_s4_q, select_817_s4_q, 5'h0};
-  // hls/stages/agreement.hpp:445
+  // hls/stages/agreement.hpp:448
   logic [7:0] select_881;
   assign select_881 = less_823_s4_q ? (or_826_s4_q ? select_878 : best_left_rdata_s4_q) : (less_824_s4_q ? select_878 : best_left_rdata_s4_q);
   logic [7:0] select_882;
   assign select_882 = equal_521_s4_q ? select_878 : select_881;
-  // hls/stages/agreement.hpp:481
+  // hls/stages/agreement.hpp:484
   logic [6:0] select_928;
   assign select_928 = segment_started_q ? segment_textured_q : 7'h0;
-  // hls/stages/agreement.hpp:482
+  // hls/stages/agreement.hpp:485
   logic [6:0] sum_929;
   assign sum_929 = {6'h0, textured_s4_q} + select_928;
-  // hls/stages/agreement.hpp:569
+  // hls/stages/agreement.hpp:575
   logic [11:0] sum_931;
   assign sum_931 = {5'h0, sum_929} + (region_fresh_s4_q ? 12'h0 : regions_rdata_q[11:0]);
-  // hls/stages/agreement.hpp:481
+  // hls/stages/agreement.hpp:484
   logic [6:0] select_939;
   assign select_939 = segment_started_q ? segment_explained_q : 7'h0;
-  // hls/stages/agreement.hpp:482
+  // hls/stages/agreement.hpp:485
   logic [6:0] sum_940;
   assign sum_940 = {6'h0, explained_s4_q} + select_939;
-  // hls/stages/agreement.hpp:570
+  // hls/stages/agreement.hpp:576
   logic [11:0] sum_942;
   assign sum_942 = {5'h0, sum_940} + (region_fresh_s4_q ? 12'h0 : regions_rdata_q[23:12]);
-  // hls/stages/agreement.hpp:481
+  // hls/stages/agreement.hpp:484
   logic [6:0] select_950;
   assign select_950 = segment_started_q ? segment_nearer_q : 7'h0;
-  // hls/stages/agreement.hpp:483
+  // hls/stages/agreement.hpp:486
   logic [6:0] sum_951;
   assign sum_951 = {6'h0, and_949_s4_q} + select_950;
-  // hls/stages/agreement.hpp:571
+  // hls/stages/agreement.hpp:577
   logic [11:0] sum_953;
   assign sum_953 = {5'h0, sum_951} + (region_fresh_s4_q ? 12'h0 : regions_rdata_q[35:24]);
-  // hls/stages/agreement.hpp:600
+  // hls/stages/agreement.hpp:606
   logic [4:0] difference_1000;
   assign difference_1000 = {2'h0, textured_2_s4_q} - (age_s4_q ? box_textured_columns_values_4_q : 5'h0);
   logic [4:0] t;
   assign t = difference_1000 + (equal_1001_s4_q ? 5'h0 : box_textured_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:606
+  // hls/stages/agreement.hpp:612
   logic not_1016;
   assign not_1016 = ~region_row_s4_q[2];
   logic [2:0] select_1017;
@@ -3800,25 +3800,25 @@ module horopter_agreement (
   assign select_1020 = or_1012_s4_q ? {select_1019[11], 1'b0, select_1019[10], 1'b0, select_1019[9], 1'b0, select_1019[8], 1'b0, select_1019[7], 1'b0, select_1019[6], 1'b0, select_1019[5], 1'b0, select_1019[4], 1'b0, select_1019[3], 1'b0, select_1019[2], 1'b0, select_1019[1], 1'b0, select_1019[0], 1'b0} : {1'b0, select_1019[11], 1'b0, select_1019[10], 1'b0, select_1019[9], 1'b0, select_1019[8], 1'b0, select_1019[7], 1'b0, select_1019[6], 1'b0, select_1019[5], 1'b0, select_1019[4], 1'b0, select_1019[3], 1'b0, select_1019[2], 1'b0, select_1019[1], 1'b0, select_1019[0]};
   logic [47:0] select_1021;
   assign select_1021 = or_1009_s4_q ? {select_1020[23], 1'b0, select_1020[22], 1'b0, select_1020[21], 1'b0, select_1020[20], 1'b0, select_1020[19], 1'b0, select_1020[18], 1'b0, select_1020[17], 1'b0, select_1020[16], 1'b0, select_1020[15], 1'b0, select_1020[14], 1'b0, select_1020[13], 1'b0, select_1020[12], 1'b0, select_1020[11], 1'b0, select_1020[10], 1'b0, select_1020[9], 1'b0, select_1020[8], 1'b0, select_1020[7], 1'b0, select_1020[6], 1'b0, select_1020[5], 1'b0, select_1020[4], 1'b0, select_1020[3], 1'b0, select_1020[2], 1'b0, select_1020[1], 1'b0, select_1020[0], 1'b0} : {1'b0, select_1020[23], 1'b0, select_1020[22], 1'b0, select_1020[21], 1'b0, select_1020[20], 1'b0, select_1020[19], 1'b0, select_1020[18], 1'b0, select_1020[17], 1'b0, select_1020[16], 1'b0, select_1020[15], 1'b0, select_1020[14], 1'b0, select_1020[13], 1'b0, select_1020[12], 1'b0, select_1020[11], 1'b0, select_1020[10], 1'b0, select_1020[9], 1'b0, select_1020[8], 1'b0, select_1020[7], 1'b0, select_1020[6], 1'b0, select_1020[5], 1'b0, select_1020[4], 1'b0, select_1020[3], 1'b0, select_1020[2], 1'b0, select_1020[1], 1'b0, select_1020[0]};
-  // hls/stages/agreement.hpp:601
+  // hls/stages/agreement.hpp:607
   logic [4:0] difference_1030;
   assign difference_1030 = {2'h0, explained_2_s4_q} - (age_s4_q ? box_explained_columns_values_4_q : 5'h0);
   logic [4:0] e;
   assign e = difference_1030 + (equal_1001_s4_q ? 5'h0 : box_explained_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:607
+  // hls/stages/agreement.hpp:613
   logic [5:0] sum_1033;
   assign sum_1033 = {1'b0, e} + {2'h0, e[4:1]};
   logic is_seen;
   assign is_seen = (t[4:1] == 4'h0) ? (~((good_q & select_1021) == 48'h0)) : (~({sum_1033, e[0]} < {2'h0, t}));
-  // hls/stages/agreement.hpp:602
+  // hls/stages/agreement.hpp:608
   logic [4:0] difference_1042;
   assign difference_1042 = {2'h0, near_2_s4_q} - (age_s4_q ? box_nearer_columns_values_4_q : 5'h0);
   logic [4:0] n;
   assign n = difference_1042 + (equal_1001_s4_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:619
+  // hls/stages/agreement.hpp:625
   logic and_1046;
   assign and_1046 = is_seen & ({1'b0, e[4:1]} < n);
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic [8:0] select_1081;
   assign select_1081 = sample_pair_whole_s4_q ? (and_349_s4_q ? grey_s4_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
   logic [8:0] select_1083;
@@ -3840,7 +3840,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:130
   logic [13:0] detail;
   assign detail = {3'h0, size_2} + (equal_354_s4_q ? 14'h0 : averager_detail_0_q);
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic [13:0] select_1099;
   assign select_1099 = sample_pair_whole_s4_q ? (and_349_s4_q ? detail : averager_detail_0_q) : averager_detail_0_q;
   // hls/stages/census.hpp:128
@@ -3856,10 +3856,10 @@ module horopter_agreement (
   // hls/stages/census.hpp:130
   logic [13:0] detail_2;
   assign detail_2 = {3'h0, size_3} + (equal_354_s4_q ? 14'h0 : averager_detail_1_q);
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic [13:0] select_1107;
   assign select_1107 = sample_pair_whole_s4_q ? (and_349_s4_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [11:0] select_1192;
   assign select_1192 = and_351_s4_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
   logic [11:0] select_1193;
@@ -3882,16 +3882,16 @@ module horopter_agreement (
   // hls/stages/census.hpp:227
   logic [19:0] sum_1204;
   assign sum_1204 = census_left_misses_q + {{17{and_1203}}, and_1202, 1'b0, and_1202};
-  // hls/stages/agreement.hpp:181
+  // hls/stages/agreement.hpp:184
   logic [19:0] select_1206;
   assign select_1206 = and_351_s4_q ? (equal_1197_s4_q ? 20'h0 : sum_1204) : census_left_misses_q;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:183
   logic [27:0] select_1211;
   assign select_1211 = sample_pair_whole_s4_q ? {detail_2, detail} : 28'h0;
   // hls/stages/census.hpp:275
   logic and_1216;
   assign and_1216 = whole_2_s4_q & (~(column_s4_q[6:1] == 6'h0));
-  // hls/stages/agreement.hpp:258
+  // hls/stages/agreement.hpp:261
   logic and_1222;
   assign and_1222 = and_1216 & (sharpness_last_mask_q & (7'h2 < contrast_s4_q[8:2]));
   // hls/stages/census.hpp:274
@@ -3903,7 +3903,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:277
   logic [23:0] select_1226;
   assign select_1226 = equal_1197_s4_q ? {11'h0, select_1224} : (sharpness_sums_detail_0_q + {11'h0, select_1224});
-  // hls/stages/agreement.hpp:258
+  // hls/stages/agreement.hpp:261
   logic and_1233;
   assign and_1233 = and_1216 & (sharpness_last_mask_q & (7'h2 < contrast_2_s4_q[8:2]));
   // hls/stages/census.hpp:274
@@ -3923,99 +3923,99 @@ module horopter_agreement (
   assign select_1244 = and_1233 ? contrast_2_s4_q : 9'h0;
   logic [23:0] sum_1245;
   assign sum_1245 = (equal_1197_s4_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_1244};
-  // hls/stages/agreement.hpp:502
+  // hls/stages/agreement.hpp:508
   logic [13:0] select_1389;
   assign select_1389 = and_1382_s4_q ? 14'h0 : (counts_supervised_q + {13'h0, and_1387_s4_q});
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_1392;
   assign and_1392 = not_371_s4_q & (not_516_s4_q & (begins_product_q & textured_s4_q));
   logic and_1397;
   assign and_1397 = not_371_s4_q & (not_516_s4_q & (begins_product_q & explained_s4_q));
   logic and_1402;
   assign and_1402 = not_371_s4_q & (not_516_s4_q & (begins_product_q & and_949_s4_q));
-  // hls/stages/agreement.hpp:611
+  // hls/stages/agreement.hpp:617
   logic not_1407;
   assign not_1407 = ~is_seen;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_1410;
   assign and_1410 = begins_product_q & ((~equal_1405_s4_q) & (centres_values_1_textured_s4_q & not_1407));
   logic and_1412;
   assign and_1412 = not_371_s4_q & (not_516_s4_q & and_1410);
-  // hls/stages/agreement.hpp:637
+  // hls/stages/agreement.hpp:643
   logic less_1415;
   assign less_1415 = region_row_s4_q < x_s4_q[5:3];
   logic [11:0] select_1416;
   assign select_1416 = less_1415 ? 12'h0 : regions_rdata_q[11:0];
   logic [11:0] select_1419;
   assign select_1419 = less_1415 ? 12'h0 : regions_rdata_q[23:12];
-  // hls/stages/agreement.hpp:638
+  // hls/stages/agreement.hpp:644
   logic [12:0] sum_1420;
   assign sum_1420 = {1'b0, select_1419} + {3'h0, select_1419[11:2]};
   logic and_1422;
   assign and_1422 = (~(select_1416[11:4] == 8'h0)) & ({sum_1420, select_1419[1:0]} < {3'h0, select_1416});
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [11:0] select_1425;
   assign select_1425 = equal_915_s4_q ? (equal_916_s4_q ? 12'h0 : (and_1422 ? select_1416 : 12'h0)) : 12'h0;
   logic [11:0] select_1427;
   assign select_1427 = equal_372_s4_q ? 12'h0 : (begins_product_q ? 12'h0 : select_1425);
   logic [11:0] select_1428;
   assign select_1428 = equal_370_s4_q ? 12'h0 : select_1427;
-  // hls/stages/agreement.hpp:502
+  // hls/stages/agreement.hpp:508
   logic [13:0] select_1430;
   assign select_1430 = and_1382_s4_q ? 14'h0 : (counts_regions_bad_q + {2'h0, select_1428});
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [8:0] select_1440;
   assign select_1440 = less_373_s4_q ? 9'h0 : (and_926_s4_q ? (9'h0 - {1'b0, cfg_regions_limit_i}) : 9'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [20:0] select_1441;
   assign select_1441 = begins_product_q ? {{12{select_1440[8]}}, select_1440} : {1'b0, select_1425, 8'h0};
   logic [20:0] select_1443;
   assign select_1443 = equal_370_s4_q ? 21'h0 : (equal_372_s4_q ? 21'h0 : select_1441);
-  // hls/stages/agreement.hpp:502
+  // hls/stages/agreement.hpp:508
   logic [23:0] select_1445;
   assign select_1445 = and_1382_s4_q ? 24'h0 : (counts_too_many_bad_q + {{3{select_1443[20]}}, select_1443});
-  // hls/stages/agreement.hpp:550
+  // hls/stages/agreement.hpp:556
   logic [8:0] select_1447;
   assign select_1447 = and_926_s4_q ? (9'h0 - {1'b0, cfg_unproven_limit_i}) : 9'h0;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [7:0] select_1448;
   assign select_1448 = less_373_s4_q ? 8'h0 : select_1447[7:0];
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic and_1449;
   assign and_1449 = not_374_s4_q & select_1447[8];
-  // hls/stages/agreement.hpp:617
+  // hls/stages/agreement.hpp:623
   logic [2:0] select_1452;
   assign select_1452 = centres_values_1_textured_s4_q ? (is_seen ? {3{and_1449}} : ({3{and_1449}} + 3'h1)) : {3{and_1449}};
   logic [2:0] select_1453;
   assign select_1453 = equal_1405_s4_q ? {3{and_1449}} : select_1452;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [10:0] select_1455;
   assign select_1455 = equal_372_s4_q ? 11'h0 : (begins_product_q ? {select_1453, select_1448} : 11'h0);
   logic [10:0] select_1456;
   assign select_1456 = equal_370_s4_q ? 11'h0 : select_1455;
-  // hls/stages/agreement.hpp:499
+  // hls/stages/agreement.hpp:505
   logic [23:0] sum_1457;
   assign sum_1457 = counts_too_much_unproven_q + {{13{select_1456[10]}}, select_1456};
-  // hls/stages/agreement.hpp:617
+  // hls/stages/agreement.hpp:623
   logic [9:0] select_1460;
   assign select_1460 = centres_values_1_of_skin_s4_q ? ({1'b0, not_1407, 8'h0} - {2'h0, cfg_unproven_skin_limit_i}) : 10'h0;
   logic [9:0] select_1462;
   assign select_1462 = equal_1405_s4_q ? 10'h0 : (centres_values_1_textured_s4_q ? select_1460 : 10'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [9:0] select_1464;
   assign select_1464 = equal_372_s4_q ? 10'h0 : (begins_product_q ? select_1462 : 10'h0);
   logic [9:0] select_1465;
   assign select_1465 = equal_370_s4_q ? 10'h0 : select_1464;
-  // hls/stages/agreement.hpp:500
+  // hls/stages/agreement.hpp:506
   logic [23:0] sum_1466;
   assign sum_1466 = counts_too_much_unseen_skin_q + {{14{select_1465[9]}}, select_1465};
   // hls/stages/registration.hpp:80
   logic [7:0] select_1521;
   assign select_1521 = equal_1482_s4_q ? 8'h0 : (equal_1483_s4_q ? 8'h0 : residual_s4_q);
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [7:0] select_1524;
   assign select_1524 = less_373_s4_q ? 8'h0 : (and_1478_s4_q ? (equal_1481_s4_q ? 8'h0 : select_1521) : 8'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [7:0] select_1527;
   assign select_1527 = equal_370_s4_q ? 8'h0 : (equal_372_s4_q ? 8'h0 : (begins_product_q ? select_1524 : 8'h0));
   // hls/stages/registration.hpp:89
@@ -4024,10 +4024,10 @@ module horopter_agreement (
   // hls/stages/registration.hpp:80
   logic [7:0] select_1531;
   assign select_1531 = equal_1482_s4_q ? 8'h0 : (equal_1483_s4_q ? residual_s4_q : 8'h0);
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [7:0] select_1534;
   assign select_1534 = less_373_s4_q ? 8'h0 : (and_1478_s4_q ? (equal_1481_s4_q ? 8'h0 : select_1531) : 8'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [7:0] select_1537;
   assign select_1537 = equal_370_s4_q ? 8'h0 : (equal_372_s4_q ? 8'h0 : (begins_product_q ? select_1534 : 8'h0));
   // hls/stages/registration.hpp:89
@@ -4036,7 +4036,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:80
   logic [7:0] select_1541;
   assign select_1541 = equal_1481_s4_q ? 8'h0 : (equal_1482_s4_q ? residual_s4_q : 8'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [7:0] select_1544;
   assign select_1544 = begins_product_q ? (less_373_s4_q ? 8'h0 : (and_1478_s4_q ? select_1541 : 8'h0)) : 8'h0;
   logic [7:0] select_1546;
@@ -4044,27 +4044,27 @@ module horopter_agreement (
   // hls/stages/registration.hpp:89
   logic [19:0] sum_1547;
   assign sum_1547 = registration_counts_across_2_q + {{12{select_1546[7]}}, select_1546};
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:170
   logic [7:0] select_1551;
   assign select_1551 = less_373_s4_q ? 8'h0 : (and_1478_s4_q ? (equal_1481_s4_q ? residual_s4_q : 8'h0) : 8'h0);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [7:0] select_1554;
   assign select_1554 = equal_370_s4_q ? 8'h0 : (equal_372_s4_q ? 8'h0 : (begins_product_q ? select_1551 : 8'h0));
   // hls/stages/registration.hpp:89
   logic [19:0] sum_1555;
   assign sum_1555 = registration_counts_across_3_q + {{12{select_1554[7]}}, select_1554};
-  // hls/stages/agreement.hpp:633
+  // hls/stages/agreement.hpp:639
   logic and_1805;
   assign and_1805 = (~({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q})) & (11'h4 < counts_textured_q[13:3]);
-  // hls/stages/agreement.hpp:640
+  // hls/stages/agreement.hpp:646
   logic [12:0] sum_1809;
   assign sum_1809 = {1'b0, select_1419} + {2'h0, select_1419[11:1]};
   logic select_1812;
   assign select_1812 = (select_1416[11:3] == 9'h0) ? (and_1805 & (~less_1806_s4_q)) : (~({sum_1809, select_1419[0]} < {2'h0, select_1416}));
-  // hls/stages/agreement.hpp:648
+  // hls/stages/agreement.hpp:654
   logic [47:0] select_1813;
   assign select_1813 = equal_916_s4_q ? good_next_q : {select_1812, good_next_q[47:1]};
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [47:0] select_1815;
   assign select_1815 = equal_915_s4_q ? (equal_1800_s4_q ? select_1813 : good_q) : good_q;
   logic [47:0] select_1817;
@@ -4073,31 +4073,31 @@ module horopter_agreement (
   assign select_1820 = begins_product_q ? good_next_q : (equal_915_s4_q ? select_1813 : good_next_q);
   logic [47:0] select_1822;
   assign select_1822 = equal_370_s4_q ? good_next_q : (equal_372_s4_q ? good_next_q : select_1820);
-  // hls/stages/agreement.hpp:665
+  // hls/stages/agreement.hpp:671
   logic [35:0] select_1841;
   assign select_1841 = multiplier_0_q[17] ? (product_0_q + {1'b0, addend_0_q}) : product_0_q;
-  // hls/stages/agreement.hpp:659
+  // hls/stages/agreement.hpp:665
   logic [35:0] detail_left;
   assign detail_left = begins_product_s4_q ? 36'h0 : select_1841;
-  // hls/stages/agreement.hpp:665
+  // hls/stages/agreement.hpp:671
   logic [35:0] select_1844;
   assign select_1844 = multiplier_1_q[17] ? (product_1_q + {1'b0, addend_1_q}) : product_1_q;
-  // hls/stages/agreement.hpp:669
+  // hls/stages/agreement.hpp:675
   logic [35:0] detail_right;
   assign detail_right = begins_product_s4_q ? 36'h0 : select_1844;
-  // hls/stages/agreement.hpp:659
+  // hls/stages/agreement.hpp:665
   logic [34:0] select_1846;
   assign select_1846 = begins_product_s4_q ? {sharpness_sums_detail_0_q[23:6], 17'h0} : {1'b0, addend_0_q[34:1]};
-  // hls/stages/agreement.hpp:669
+  // hls/stages/agreement.hpp:675
   logic [34:0] select_1847;
   assign select_1847 = begins_product_s4_q ? {sharpness_sums_detail_1_q[23:6], 17'h0} : {1'b0, addend_1_q[34:1]};
-  // hls/stages/agreement.hpp:659
+  // hls/stages/agreement.hpp:665
   logic [17:0] select_1848;
   assign select_1848 = begins_product_s4_q ? sharpness_sums_contrast_1_q[23:6] : {multiplier_0_q[16:0], 1'b0};
-  // hls/stages/agreement.hpp:669
+  // hls/stages/agreement.hpp:675
   logic [17:0] select_1849;
   assign select_1849 = begins_product_s4_q ? sharpness_sums_contrast_0_q[23:6] : {multiplier_1_q[16:0], 1'b0};
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [4:0] select_1850;
   assign select_1850 = begins_product_q ? {2'h0, textured_2_s4_q} : box_textured_columns_values_0_q;
   logic [4:0] select_1852;
@@ -4164,18 +4164,18 @@ module horopter_agreement (
   assign select_1900 = equal_370_s4_q ? box_nearer_columns_values_4_q : (equal_372_s4_q ? box_nearer_columns_values_4_q : select_1898);
   logic [4:0] select_1902;
   assign select_1902 = equal_372_s4_q ? box_nearer_sum_sums_values_0_q : (begins_product_q ? n : box_nearer_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:757
+  // hls/stages/agreement.hpp:763
   logic [1:0] select_1951;
   assign select_1951 = and_1950_s4_q ? {and_1046, is_seen} : map_rdata_q;
-  // hls/stages/agreement.hpp:758
+  // hls/stages/agreement.hpp:764
   logic and_1952;
   assign and_1952 = proven_q & less_1940;
-  // hls/stages/agreement.hpp:184
+  // hls/stages/agreement.hpp:187
   logic select_1955;
   assign select_1955 = and_986_s4_q ? (less_987_s4_q ? (select_1951[0] & and_1952) : seen_q) : seen_q;
   logic select_1958;
   assign select_1958 = and_986_s4_q ? (less_987_s4_q ? (select_1951[1] & and_1952) : nearer_q) : nearer_q;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [13:0] select_1963;
   assign select_1963 = equal_915_s4_q ? (equal_1800_s4_q ? counts_supervised_q : 14'h0) : 14'h0;
   logic [13:0] select_1965;
@@ -4200,24 +4200,24 @@ module horopter_agreement (
   assign select_1988 = equal_915_s4_q ? (equal_1800_s4_q ? counts_regions_bad_q : 14'h0) : 14'h0;
   logic [13:0] select_1990;
   assign select_1990 = equal_372_s4_q ? 14'h0 : (begins_product_q ? 14'h0 : select_1988);
-  // hls/stages/agreement.hpp:685
+  // hls/stages/agreement.hpp:691
   logic not_1999;
   assign not_1999 = ~and_1805;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_2003;
   assign and_2003 = not_1295_s4_q & (equal_915_s4_q & (equal_1800_s4_q & (cfg_prove_i & not_1999)));
-  // hls/stages/agreement.hpp:686
+  // hls/stages/agreement.hpp:692
   logic or_2006;
   assign or_2006 = not_1959 | not_1999;
-  // hls/stages/agreement.hpp:652
+  // hls/stages/agreement.hpp:658
   logic or_2012;
   assign or_2012 = ($signed(24'h0) < $signed(counts_too_much_unproven_q)) | ($signed(24'h0) < $signed(counts_too_much_unseen_skin_q));
   logic select_2014;
   assign select_2014 = (less_1806_s4_q | or_2006) ? (~or_2006) : (($signed(24'h0) < $signed(counts_too_many_bad_q)) | or_2012);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_2017;
   assign and_2017 = not_1295_s4_q & (equal_915_s4_q & (equal_1800_s4_q & select_2014));
-  // hls/stages/agreement.hpp:652
+  // hls/stages/agreement.hpp:658
   logic select_2083;
   assign select_2083 = or_2043_s4_q ? select_2080_s4_q : or_2082_s4_q;
   logic or_2085;
@@ -4230,32 +4230,32 @@ module horopter_agreement (
   assign select_2093 = less_2031_s4_q ? or_2085 : (less_2037_s4_q ? or_2082_s4_q : select_2091_s4_q);
   logic select_2095;
   assign select_2095 = less_2023_s4_q ? (less_2024_s4_q | (or_2029_s4_q ? select_2086 : or_2088)) : (less_2026_s4_q ? or_2088 : select_2093);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_2099;
   assign and_2099 = not_1295_s4_q & (equal_915_s4_q & (equal_1800_s4_q & (cfg_prove_i & select_2095)));
-  // hls/stages/agreement.hpp:693
+  // hls/stages/agreement.hpp:699
   logic and_2102;
   assign and_2102 = cfg_prove_i & and_1805;
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:700
   logic [36:0] sum_2103;
   assign sum_2103 = {1'b0, detail_right} + {3'h0, detail_right[35:2]};
   logic less_2105;
   assign less_2105 = {sharpness_sums_contrast_0_q, 2'h0} < {2'h0, sharpness_sums_contrast_1_q};
-  // hls/stages/agreement.hpp:652
+  // hls/stages/agreement.hpp:658
   logic or_2108;
   assign or_2108 = ({detail_left, 3'h0} < {sum_2103, detail_right[1:0]}) | (less_2105 | ($signed(20'h0) < $signed(census_left_misses_q)));
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_2112;
   assign and_2112 = not_1295_s4_q & (equal_915_s4_q & (equal_1800_s4_q & (and_2102 & or_2108)));
-  // hls/stages/agreement.hpp:697
+  // hls/stages/agreement.hpp:703
   logic [36:0] sum_2115;
   assign sum_2115 = {1'b0, detail_left} + {3'h0, detail_left[35:2]};
   logic less_2117;
   assign less_2117 = {sharpness_sums_contrast_1_q, 2'h0} < {2'h0, sharpness_sums_contrast_0_q};
-  // hls/stages/agreement.hpp:652
+  // hls/stages/agreement.hpp:658
   logic or_2118;
   assign or_2118 = ({detail_right, 3'h0} < {sum_2115, detail_left[1:0]}) | less_2117;
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic and_2122;
   assign and_2122 = not_1295_s4_q & (equal_915_s4_q & (equal_1800_s4_q & (and_2102 & or_2118)));
   logic [19:0] select_2137;
@@ -4296,10 +4296,10 @@ module horopter_agreement (
   assign select_2206 = begins_product_q ? 12'h0 : (equal_915_s4_q ? (equal_916_s4_q ? 12'h0 : select_1416) : 12'h0);
   logic [11:0] select_2211;
   assign select_2211 = begins_product_q ? 12'h0 : (equal_915_s4_q ? (equal_916_s4_q ? 12'h0 : select_1419) : 12'h0);
-  // hls/stages/agreement.hpp:648
+  // hls/stages/agreement.hpp:654
   logic [11:0] select_2215;
   assign select_2215 = equal_916_s4_q ? 12'h0 : (less_1415 ? 12'h0 : regions_rdata_q[35:24]);
-  // hls/stages/agreement.hpp:314
+  // hls/stages/agreement.hpp:317
   logic [11:0] select_2217;
   assign select_2217 = begins_product_q ? 12'h0 : (equal_915_s4_q ? select_2215 : 12'h0);
 

@@ -48,16 +48,16 @@ module horopter_consensus (
   logic centres_values_2_marks_last_q;
   logic centres_values_2_marks_seen_q;
   logic centres_values_2_marks_nearer_q;
-  // hls/stages/consensus.hpp:36
+  // hls/stages/consensus.hpp:40
   logic or_54;
   assign or_54 = marks_first_i | raster_row_ended_q;
   logic [9:0] select_56;
   assign select_56 = or_54 ? 10'h0 : (raster_column_q + 10'h1);
-  // hls/stages/consensus.hpp:94
+  // hls/stages/consensus.hpp:96
   logic or_57;
   assign or_57 = marks_first_i | running_q;
 
-  // Memory memory, 640 x 18 and parity, DISTANCE 16, hls/stages/consensus.hpp:102; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory memory, 640 x 18 and parity, DISTANCE 16, hls/stages/consensus.hpp:104; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [18:0] memory_mem [0:639];
@@ -169,28 +169,28 @@ module horopter_consensus (
   logic centres_values_0_exists_q;
   logic centres_values_1_exists_q;
   logic centres_values_2_exists_q;
-  // hls/stages/consensus.hpp:36
+  // hls/stages/consensus.hpp:40
   logic and_60;
   assign and_60 = raster_rows_q & (~centres_values_0_marks_first_q);
-  // hls/stages/consensus.hpp:40
+  // hls/stages/consensus.hpp:44
   logic [5:0] select_62;
   assign select_62 = running_s1_q ? memory_rdata_q[5:0] : (centres_values_0_marks_first_q ? memory_rdata_q[5:0] : 6'h0);
-  // hls/stages/consensus.hpp:43
+  // hls/stages/consensus.hpp:47
   logic [5:0] select_63;
   assign select_63 = and_60 ? select_62 : 6'h0;
-  // hls/stages/consensus.hpp:40
+  // hls/stages/consensus.hpp:44
   logic [5:0] select_66;
   assign select_66 = running_s1_q ? memory_rdata_q[11:6] : (centres_values_0_marks_first_q ? memory_rdata_q[11:6] : 6'h0);
-  // hls/stages/consensus.hpp:44
+  // hls/stages/consensus.hpp:48
   logic [5:0] select_67;
   assign select_67 = and_60 ? select_66 : 6'h0;
-  // hls/stages/consensus.hpp:40
+  // hls/stages/consensus.hpp:44
   logic [5:0] select_70;
   assign select_70 = running_s1_q ? memory_rdata_q[17:12] : (centres_values_0_marks_first_q ? memory_rdata_q[17:12] : 6'h0);
-  // hls/stages/consensus.hpp:45
+  // hls/stages/consensus.hpp:49
   logic [5:0] select_71;
   assign select_71 = and_60 ? select_70 : 6'h0;
-  // hls/stages/consensus.hpp:52
+  // hls/stages/consensus.hpp:56
   logic [1:0] sum_76;
   assign sum_76 = {1'b0, select_63[1]} + ({1'b0, exists_s1_q} + {1'b0, select_63[0]});
   logic [2:0] sum_79;
@@ -209,10 +209,10 @@ module horopter_consensus (
   assign sum_91 = {2'h0, select_71[4]} + ({2'h0, select_71[3]} + ({2'h0, select_71[2]} + {1'b0, sum_88}));
   logic [2:0] entering_3;
   assign entering_3 = {2'h0, select_71[5]} + sum_91;
-  // hls/stages/consensus.hpp:58
+  // hls/stages/consensus.hpp:62
   logic less_94;
   assign less_94 = 10'h6 < raster_column_q;
-  // hls/stages/consensus.hpp:99
+  // hls/stages/consensus.hpp:101
   logic [2:0] select_95;
   assign select_95 = less_94 ? columns_values_6_exists_q : 3'h0;
   logic [3:0] difference_96;
@@ -231,16 +231,16 @@ module horopter_consensus (
   assign difference_104 = {1'b0, entering_3} - {1'b0, select_103};
   logic [5:0] sum_105;
   assign sum_105 = (or_54_s1_q ? 6'h0 : sums_skin_q) + {{2{difference_104[3]}}, difference_104};
-  // hls/stages/consensus.hpp:62
+  // hls/stages/consensus.hpp:66
   logic [5:0] difference_107;
   assign difference_107 = (or_54_s1_q ? sums_exists_q : rest_exists_q) - {3'h0, columns_values_6_exists_q};
-  // hls/stages/consensus.hpp:63
+  // hls/stages/consensus.hpp:67
   logic [5:0] difference_109;
   assign difference_109 = (or_54_s1_q ? sums_clear_q : rest_clear_q) - {3'h0, columns_values_6_clear_q};
-  // hls/stages/consensus.hpp:64
+  // hls/stages/consensus.hpp:68
   logic [5:0] difference_111;
   assign difference_111 = (or_54_s1_q ? sums_skin_q : rest_skin_q) - {3'h0, columns_values_6_skin_q};
-  // hls/stages/consensus.hpp:55
+  // hls/stages/consensus.hpp:59
   logic total;
   assign total = raster_column_q < 10'h3;
 
@@ -352,16 +352,17 @@ module horopter_consensus (
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/consensus.hpp:71
+  // hls/stages/consensus.hpp:75
   logic [4:0] select_113;
   assign select_113 = total_s2_q ? rest_exists_q[5:1] : sums_exists_q[5:1];
   logic less_115;
   assign less_115 = {1'b0, select_113} < (total_s2_q ? rest_skin_q : sums_skin_q);
-  // hls/stages/consensus.hpp:73
-  logic not_118;
-  assign not_118 = ~({1'b0, select_113} < (total_s2_q ? rest_clear_q : sums_clear_q));
+  // hls/stages/consensus.hpp:77
+  logic other;
+  assign other = ~({1'b0, select_113} < (total_s2_q ? rest_clear_q : sums_clear_q));
+  // hls/stages/consensus.hpp:78
   logic and_120;
-  assign and_120 = not_118 & (~less_115);
+  assign and_120 = other & (~less_115);
 
   logic centres_values_2_marks_first_s3_q;
   logic centres_values_2_marks_last_s3_q;

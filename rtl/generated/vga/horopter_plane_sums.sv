@@ -399,34 +399,34 @@ module horopter_plane_sums (
   logic centre_marks_values_3_last_q;
   logic centre_marks_values_3_seen_q;
   logic centre_marks_values_3_nearer_q;
-  // hls/stages/plane_sums.hpp:63
+  // hls/stages/plane_sums.hpp:131
   logic or_691;
   assign or_691 = marks_first_i | arriving_row_ended_q;
   logic [9:0] select_693;
   assign select_693 = or_691 ? 10'h0 : (arriving_column_q + 10'h1);
-  // hls/stages/plane_sums.hpp:81
+  // hls/stages/plane_sums.hpp:155
   logic or_695;
   assign or_695 = delayed_row_ended_q | marks_values_25_first_q;
   logic [9:0] select_697;
   assign select_697 = or_695 ? 10'h0 : (delayed_column_q + 10'h1);
-  // hls/stages/plane_sums.hpp:82
+  // hls/stages/plane_sums.hpp:156
   logic or_698;
   assign or_698 = running_q | marks_values_25_first_q;
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_1101;
   assign difference_1101 = {entering_values_23_features_left_q[5], entering_values_23_features_left_q} - {entering_values_47_features_right_q[5], entering_values_47_features_right_q};
   logic [5:0] xor_1102;
   assign xor_1102 = difference_1101[5:0] ^ {6{difference_1101[6]}};
   logic [6:0] sum_1103;
   assign sum_1103 = {6'h0, difference_1101[6]} + {1'b0, xor_1102};
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_1106;
   assign not_1106 = ~(entering_values_23_row_q ^ entering_values_47_row_q);
-  // hls/stages/plane_sums.hpp:87
+  // hls/stages/plane_sums.hpp:101
   logic [4:0] select_1109;
   assign select_1109 = entering_values_47_features_mask_q ? (((sum_1103[6:5] == 2'h0) & not_1106) ? sum_1103[4:0] : 5'h1f) : 5'h1f;
 
-  // Memory feature_memory, 640 x 91 and parity, DISTANCE 16, hls/stages/plane_sums.hpp:166; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory feature_memory, 640 x 91 and parity, DISTANCE 16, hls/stages/plane_sums.hpp:201; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [91:0] feature_memory_mem [0:639];
@@ -447,7 +447,7 @@ module horopter_plane_sums (
   always_ff @(posedge clk_i) feature_memory_read_q <= rst_ni & feature_memory_re;
   assign feature_memory_error = feature_memory_read_q & ^feature_memory_word_q;
 
-  // Memory column_memory, 640 x 191 and parity, DISTANCE 16, hls/stages/plane_sums.hpp:167; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory column_memory, 640 x 191 and parity, DISTANCE 16, hls/stages/plane_sums.hpp:202; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [191:0] column_memory_mem [0:639];
@@ -1526,43 +1526,43 @@ module horopter_plane_sums (
   logic rows_seen_values_1_q;
   logic rows_seen_values_2_q;
   logic rows_seen_values_3_q;
-  // hls/stages/plane_sums.hpp:81
+  // hls/stages/plane_sums.hpp:155
   logic [2:0] select_700;
   assign select_700 = centre_marks_values_0_first_q ? 3'h0 : delayed_rows_q;
   logic equal_701;
   assign equal_701 = select_700 == 3'h0;
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above;
   assign above = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[7:0] : 8'h0);
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_704;
   assign difference_704 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_0_features_right_q[5], entering_values_0_features_right_q};
   logic [5:0] xor_705;
   assign xor_705 = difference_704[5:0] ^ {6{difference_704[6]}};
   logic [6:0] sum_706;
   assign sum_706 = {6'h0, difference_704[6]} + {1'b0, xor_705};
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_713;
   assign and_713 = (sum_706[6:5] == 2'h0) & (entering_values_0_features_mask_q & not_711_s1_q);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_715;
   assign select_715 = entering_values_24_features_mask_q ? (and_713 ? sum_706[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_716;
   assign difference_716 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {feature_memory_rdata_q[89], feature_memory_rdata_q[89:84]};
   logic [5:0] xor_717;
   assign xor_717 = difference_716[5:0] ^ {6{difference_716[6]}};
   logic [6:0] sum_718;
   assign sum_718 = {6'h0, difference_716[6]} + {1'b0, xor_717};
-  // hls/stages/plane_sums.hpp:63
+  // hls/stages/plane_sums.hpp:131
   logic [2:0] select_720;
   assign select_720 = marks_values_0_first_q ? 3'h0 : arriving_rows_q;
   logic equal_721;
   assign equal_721 = select_720 == 3'h7;
-  // hls/stages/plane_sums.hpp:71
+  // hls/stages/plane_sums.hpp:143
   logic and_722;
   assign and_722 = feature_memory_rdata_q[90] & equal_721;
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_725;
   assign select_725 = ((sum_718[6:5] == 2'h0) & (and_722 & not_711_s1_q)) ? sum_718[4:0] : 5'h1f;
   logic [4:0] select_726;
@@ -1571,317 +1571,317 @@ module horopter_plane_sums (
   assign difference_727 = {1'b0, select_715} - {1'b0, select_726};
   logic [7:0] sum_728;
   assign sum_728 = above + {{2{difference_727[5]}}, difference_727};
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_2;
   assign above_2 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[15:8] : 8'h0);
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_731;
   assign difference_731 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_6_features_right_q[5], entering_values_6_features_right_q};
   logic [5:0] xor_732;
   assign xor_732 = difference_731[5:0] ^ {6{difference_731[6]}};
   logic [6:0] sum_733;
   assign sum_733 = {6'h0, difference_731[6]} + {1'b0, xor_732};
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_736;
   assign not_736 = ~(entering_values_6_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_738;
   assign and_738 = (sum_733[6:5] == 2'h0) & (entering_values_6_features_mask_q & not_736);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_740;
   assign select_740 = entering_values_24_features_mask_q ? (and_738 ? sum_733[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_741;
   assign difference_741 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_5_features_right_q[5], leaving_values_5_features_right_q};
   logic [5:0] xor_742;
   assign xor_742 = difference_741[5:0] ^ {6{difference_741[6]}};
   logic [6:0] sum_743;
   assign sum_743 = {6'h0, difference_741[6]} + {1'b0, xor_742};
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_746;
   assign and_746 = (sum_743[6:5] == 2'h0) & (leaving_values_5_features_mask_q & not_736);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_748;
   assign select_748 = leaving_values_23_features_mask_q ? (and_746 ? sum_743[4:0] : 5'h1f) : 5'h0;
   logic [5:0] difference_749;
   assign difference_749 = {1'b0, select_740} - {1'b0, select_748};
   logic [7:0] sum_750;
   assign sum_750 = above_2 + {{2{difference_749[5]}}, difference_749};
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_3;
   assign above_3 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[23:16] : 8'h0);
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_753;
   assign difference_753 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_11_features_right_q[5], entering_values_11_features_right_q};
   logic [5:0] xor_754;
   assign xor_754 = difference_753[5:0] ^ {6{difference_753[6]}};
   logic [6:0] sum_755;
   assign sum_755 = {6'h0, difference_753[6]} + {1'b0, xor_754};
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_758;
   assign not_758 = ~(entering_values_11_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_760;
   assign and_760 = (sum_755[6:5] == 2'h0) & (entering_values_11_features_mask_q & not_758);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_762;
   assign select_762 = entering_values_24_features_mask_q ? (and_760 ? sum_755[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_763;
   assign difference_763 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_10_features_right_q[5], leaving_values_10_features_right_q};
   logic [5:0] xor_764;
   assign xor_764 = difference_763[5:0] ^ {6{difference_763[6]}};
   logic [6:0] sum_765;
   assign sum_765 = {6'h0, difference_763[6]} + {1'b0, xor_764};
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_768;
   assign and_768 = (sum_765[6:5] == 2'h0) & (leaving_values_10_features_mask_q & not_758);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_770;
   assign select_770 = leaving_values_23_features_mask_q ? (and_768 ? sum_765[4:0] : 5'h1f) : 5'h0;
   logic [5:0] difference_771;
   assign difference_771 = {1'b0, select_762} - {1'b0, select_770};
   logic [7:0] sum_772;
   assign sum_772 = above_3 + {{2{difference_771[5]}}, difference_771};
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_4;
   assign above_4 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[31:24] : 8'h0);
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_775;
   assign difference_775 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_15_features_right_q[5], entering_values_15_features_right_q};
   logic [5:0] xor_776;
   assign xor_776 = difference_775[5:0] ^ {6{difference_775[6]}};
   logic [6:0] sum_777;
   assign sum_777 = {6'h0, difference_775[6]} + {1'b0, xor_776};
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_780;
   assign not_780 = ~(entering_values_15_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_782;
   assign and_782 = (sum_777[6:5] == 2'h0) & (entering_values_15_features_mask_q & not_780);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_784;
   assign select_784 = entering_values_24_features_mask_q ? (and_782 ? sum_777[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_785;
   assign difference_785 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_14_features_right_q[5], leaving_values_14_features_right_q};
   logic [5:0] xor_786;
   assign xor_786 = difference_785[5:0] ^ {6{difference_785[6]}};
   logic [6:0] sum_787;
   assign sum_787 = {6'h0, difference_785[6]} + {1'b0, xor_786};
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_790;
   assign and_790 = (sum_787[6:5] == 2'h0) & (leaving_values_14_features_mask_q & not_780);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_792;
   assign select_792 = leaving_values_23_features_mask_q ? (and_790 ? sum_787[4:0] : 5'h1f) : 5'h0;
   logic [5:0] difference_793;
   assign difference_793 = {1'b0, select_784} - {1'b0, select_792};
   logic [7:0] sum_794;
   assign sum_794 = above_4 + {{2{difference_793[5]}}, difference_793};
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_5;
   assign above_5 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[39:32] : 8'h0);
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_797;
   assign difference_797 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_18_features_right_q[5], entering_values_18_features_right_q};
   logic [5:0] xor_798;
   assign xor_798 = difference_797[5:0] ^ {6{difference_797[6]}};
   logic [6:0] sum_799;
   assign sum_799 = {6'h0, difference_797[6]} + {1'b0, xor_798};
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_802;
   assign not_802 = ~(entering_values_18_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_804;
   assign and_804 = (sum_799[6:5] == 2'h0) & (entering_values_18_features_mask_q & not_802);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_806;
   assign select_806 = entering_values_24_features_mask_q ? (and_804 ? sum_799[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_807;
   assign difference_807 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_17_features_right_q[5], leaving_values_17_features_right_q};
   logic [5:0] xor_808;
   assign xor_808 = difference_807[5:0] ^ {6{difference_807[6]}};
   logic [6:0] sum_809;
   assign sum_809 = {6'h0, difference_807[6]} + {1'b0, xor_808};
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_812;
   assign and_812 = (sum_809[6:5] == 2'h0) & (leaving_values_17_features_mask_q & not_802);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_814;
   assign select_814 = leaving_values_23_features_mask_q ? (and_812 ? sum_809[4:0] : 5'h1f) : 5'h0;
   logic [5:0] difference_815;
   assign difference_815 = {1'b0, select_806} - {1'b0, select_814};
   logic [7:0] sum_816;
   assign sum_816 = above_5 + {{2{difference_815[5]}}, difference_815};
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_6;
   assign above_6 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[47:40] : 8'h0);
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_819;
   assign difference_819 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_20_features_right_q[5], entering_values_20_features_right_q};
   logic [5:0] xor_820;
   assign xor_820 = difference_819[5:0] ^ {6{difference_819[6]}};
   logic [6:0] sum_821;
   assign sum_821 = {6'h0, difference_819[6]} + {1'b0, xor_820};
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_824;
   assign not_824 = ~(entering_values_20_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_826;
   assign and_826 = (sum_821[6:5] == 2'h0) & (entering_values_20_features_mask_q & not_824);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_828;
   assign select_828 = entering_values_24_features_mask_q ? (and_826 ? sum_821[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_829;
   assign difference_829 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_19_features_right_q[5], leaving_values_19_features_right_q};
   logic [5:0] xor_830;
   assign xor_830 = difference_829[5:0] ^ {6{difference_829[6]}};
   logic [6:0] sum_831;
   assign sum_831 = {6'h0, difference_829[6]} + {1'b0, xor_830};
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_834;
   assign and_834 = (sum_831[6:5] == 2'h0) & (leaving_values_19_features_mask_q & not_824);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_836;
   assign select_836 = leaving_values_23_features_mask_q ? (and_834 ? sum_831[4:0] : 5'h1f) : 5'h0;
   logic [5:0] difference_837;
   assign difference_837 = {1'b0, select_828} - {1'b0, select_836};
   logic [7:0] sum_838;
   assign sum_838 = above_6 + {{2{difference_837[5]}}, difference_837};
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_7;
   assign above_7 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[55:48] : 8'h0);
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_841;
   assign difference_841 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_21_features_right_q[5], entering_values_21_features_right_q};
   logic [5:0] xor_842;
   assign xor_842 = difference_841[5:0] ^ {6{difference_841[6]}};
   logic [6:0] sum_843;
   assign sum_843 = {6'h0, difference_841[6]} + {1'b0, xor_842};
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_846;
   assign not_846 = ~(entering_values_21_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_848;
   assign and_848 = (sum_843[6:5] == 2'h0) & (entering_values_21_features_mask_q & not_846);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_850;
   assign select_850 = entering_values_24_features_mask_q ? (and_848 ? sum_843[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_851;
   assign difference_851 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_20_features_right_q[5], leaving_values_20_features_right_q};
   logic [5:0] xor_852;
   assign xor_852 = difference_851[5:0] ^ {6{difference_851[6]}};
   logic [6:0] sum_853;
   assign sum_853 = {6'h0, difference_851[6]} + {1'b0, xor_852};
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_856;
   assign and_856 = (sum_853[6:5] == 2'h0) & (leaving_values_20_features_mask_q & not_846);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_858;
   assign select_858 = leaving_values_23_features_mask_q ? (and_856 ? sum_853[4:0] : 5'h1f) : 5'h0;
   logic [5:0] difference_859;
   assign difference_859 = {1'b0, select_850} - {1'b0, select_858};
   logic [7:0] sum_860;
   assign sum_860 = above_7 + {{2{difference_859[5]}}, difference_859};
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_8;
   assign above_8 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[63:56] : 8'h0);
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_863;
   assign difference_863 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_22_features_right_q[5], entering_values_22_features_right_q};
   logic [5:0] xor_864;
   assign xor_864 = difference_863[5:0] ^ {6{difference_863[6]}};
   logic [6:0] sum_865;
   assign sum_865 = {6'h0, difference_863[6]} + {1'b0, xor_864};
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_868;
   assign not_868 = ~(entering_values_22_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_870;
   assign and_870 = (sum_865[6:5] == 2'h0) & (entering_values_22_features_mask_q & not_868);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_872;
   assign select_872 = entering_values_24_features_mask_q ? (and_870 ? sum_865[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_873;
   assign difference_873 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_21_features_right_q[5], leaving_values_21_features_right_q};
   logic [5:0] xor_874;
   assign xor_874 = difference_873[5:0] ^ {6{difference_873[6]}};
   logic [6:0] sum_875;
   assign sum_875 = {6'h0, difference_873[6]} + {1'b0, xor_874};
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_878;
   assign and_878 = (sum_875[6:5] == 2'h0) & (leaving_values_21_features_mask_q & not_868);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_880;
   assign select_880 = leaving_values_23_features_mask_q ? (and_878 ? sum_875[4:0] : 5'h1f) : 5'h0;
   logic [5:0] difference_881;
   assign difference_881 = {1'b0, select_872} - {1'b0, select_880};
   logic [7:0] sum_882;
   assign sum_882 = above_8 + {{2{difference_881[5]}}, difference_881};
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_9;
   assign above_9 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[71:64] : 8'h0);
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_885;
   assign difference_885 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_23_features_right_q[5], entering_values_23_features_right_q};
   logic [5:0] xor_886;
   assign xor_886 = difference_885[5:0] ^ {6{difference_885[6]}};
   logic [6:0] sum_887;
   assign sum_887 = {6'h0, difference_885[6]} + {1'b0, xor_886};
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_890;
   assign not_890 = ~(entering_values_23_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_892;
   assign and_892 = (sum_887[6:5] == 2'h0) & (entering_values_23_features_mask_q & not_890);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_894;
   assign select_894 = entering_values_24_features_mask_q ? (and_892 ? sum_887[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_895;
   assign difference_895 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_22_features_right_q[5], leaving_values_22_features_right_q};
   logic [5:0] xor_896;
   assign xor_896 = difference_895[5:0] ^ {6{difference_895[6]}};
   logic [6:0] sum_897;
   assign sum_897 = {6'h0, difference_895[6]} + {1'b0, xor_896};
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_900;
   assign and_900 = (sum_897[6:5] == 2'h0) & (leaving_values_22_features_mask_q & not_890);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_902;
   assign select_902 = leaving_values_23_features_mask_q ? (and_900 ? sum_897[4:0] : 5'h1f) : 5'h0;
   logic [5:0] difference_903;
   assign difference_903 = {1'b0, select_894} - {1'b0, select_902};
   logic [7:0] sum_904;
   assign sum_904 = above_9 + {{2{difference_903[5]}}, difference_903};
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_10;
   assign above_10 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[79:72] : 8'h0);
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_907;
   assign difference_907 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_24_features_right_q[5], entering_values_24_features_right_q};
   logic [5:0] xor_908;
   assign xor_908 = difference_907[5:0] ^ {6{difference_907[6]}};
   logic [6:0] sum_909;
   assign sum_909 = {6'h0, difference_907[6]} + {1'b0, xor_908};
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_912;
   assign select_912 = (entering_values_24_features_mask_q & (sum_909[6:5] == 2'h0)) ? sum_909[4:0] : 5'h1f;
   logic [4:0] select_913;
   assign select_913 = entering_values_24_features_mask_q ? select_912 : 5'h0;
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_914;
   assign difference_914 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_23_features_right_q[5], leaving_values_23_features_right_q};
   logic [5:0] xor_915;
   assign xor_915 = difference_914[5:0] ^ {6{difference_914[6]}};
   logic [6:0] sum_916;
   assign sum_916 = {6'h0, difference_914[6]} + {1'b0, xor_915};
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_919;
   assign select_919 = (leaving_values_23_features_mask_q & (sum_916[6:5] == 2'h0)) ? sum_916[4:0] : 5'h1f;
   logic [4:0] select_920;
@@ -1890,305 +1890,305 @@ module horopter_plane_sums (
   assign difference_921 = {1'b0, select_913} - {1'b0, select_920};
   logic [7:0] sum_922;
   assign sum_922 = above_10 + {{2{difference_921[5]}}, difference_921};
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_11;
   assign above_11 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[87:80] : 8'h0);
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_925;
   assign difference_925 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_25_features_right_q[5], entering_values_25_features_right_q};
   logic [5:0] xor_926;
   assign xor_926 = difference_925[5:0] ^ {6{difference_925[6]}};
   logic [6:0] sum_927;
   assign sum_927 = {6'h0, difference_925[6]} + {1'b0, xor_926};
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_930;
   assign not_930 = ~(entering_values_24_row_q ^ entering_values_25_row_q);
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_932;
   assign and_932 = (sum_927[6:5] == 2'h0) & (entering_values_25_features_mask_q & not_930);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_934;
   assign select_934 = entering_values_24_features_mask_q ? (and_932 ? sum_927[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_935;
   assign difference_935 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_24_features_right_q[5], leaving_values_24_features_right_q};
   logic [5:0] xor_936;
   assign xor_936 = difference_935[5:0] ^ {6{difference_935[6]}};
   logic [6:0] sum_937;
   assign sum_937 = {6'h0, difference_935[6]} + {1'b0, xor_936};
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_940;
   assign and_940 = (sum_937[6:5] == 2'h0) & (leaving_values_24_features_mask_q & not_930);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_942;
   assign select_942 = leaving_values_23_features_mask_q ? (and_940 ? sum_937[4:0] : 5'h1f) : 5'h0;
   logic [5:0] difference_943;
   assign difference_943 = {1'b0, select_934} - {1'b0, select_942};
   logic [7:0] sum_944;
   assign sum_944 = above_11 + {{2{difference_943[5]}}, difference_943};
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_12;
   assign above_12 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[95:88] : 8'h0);
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_947;
   assign difference_947 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_26_features_right_q[5], entering_values_26_features_right_q};
   logic [5:0] xor_948;
   assign xor_948 = difference_947[5:0] ^ {6{difference_947[6]}};
   logic [6:0] sum_949;
   assign sum_949 = {6'h0, difference_947[6]} + {1'b0, xor_948};
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_952;
   assign not_952 = ~(entering_values_24_row_q ^ entering_values_26_row_q);
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_954;
   assign and_954 = (sum_949[6:5] == 2'h0) & (entering_values_26_features_mask_q & not_952);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_956;
   assign select_956 = entering_values_24_features_mask_q ? (and_954 ? sum_949[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_957;
   assign difference_957 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_25_features_right_q[5], leaving_values_25_features_right_q};
   logic [5:0] xor_958;
   assign xor_958 = difference_957[5:0] ^ {6{difference_957[6]}};
   logic [6:0] sum_959;
   assign sum_959 = {6'h0, difference_957[6]} + {1'b0, xor_958};
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_962;
   assign and_962 = (sum_959[6:5] == 2'h0) & (leaving_values_25_features_mask_q & not_952);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_964;
   assign select_964 = leaving_values_23_features_mask_q ? (and_962 ? sum_959[4:0] : 5'h1f) : 5'h0;
   logic [5:0] difference_965;
   assign difference_965 = {1'b0, select_956} - {1'b0, select_964};
   logic [7:0] sum_966;
   assign sum_966 = above_12 + {{2{difference_965[5]}}, difference_965};
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_13;
   assign above_13 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[103:96] : 8'h0);
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_969;
   assign difference_969 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_27_features_right_q[5], entering_values_27_features_right_q};
   logic [5:0] xor_970;
   assign xor_970 = difference_969[5:0] ^ {6{difference_969[6]}};
   logic [6:0] sum_971;
   assign sum_971 = {6'h0, difference_969[6]} + {1'b0, xor_970};
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_974;
   assign not_974 = ~(entering_values_24_row_q ^ entering_values_27_row_q);
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_976;
   assign and_976 = (sum_971[6:5] == 2'h0) & (entering_values_27_features_mask_q & not_974);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_978;
   assign select_978 = entering_values_24_features_mask_q ? (and_976 ? sum_971[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_979;
   assign difference_979 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_26_features_right_q[5], leaving_values_26_features_right_q};
   logic [5:0] xor_980;
   assign xor_980 = difference_979[5:0] ^ {6{difference_979[6]}};
   logic [6:0] sum_981;
   assign sum_981 = {6'h0, difference_979[6]} + {1'b0, xor_980};
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_984;
   assign and_984 = (sum_981[6:5] == 2'h0) & (leaving_values_26_features_mask_q & not_974);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_986;
   assign select_986 = leaving_values_23_features_mask_q ? (and_984 ? sum_981[4:0] : 5'h1f) : 5'h0;
   logic [5:0] difference_987;
   assign difference_987 = {1'b0, select_978} - {1'b0, select_986};
   logic [7:0] sum_988;
   assign sum_988 = above_13 + {{2{difference_987[5]}}, difference_987};
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_14;
   assign above_14 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[111:104] : 8'h0);
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_991;
   assign difference_991 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_28_features_right_q[5], entering_values_28_features_right_q};
   logic [5:0] xor_992;
   assign xor_992 = difference_991[5:0] ^ {6{difference_991[6]}};
   logic [6:0] sum_993;
   assign sum_993 = {6'h0, difference_991[6]} + {1'b0, xor_992};
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_996;
   assign not_996 = ~(entering_values_24_row_q ^ entering_values_28_row_q);
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_998;
   assign and_998 = (sum_993[6:5] == 2'h0) & (entering_values_28_features_mask_q & not_996);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_1000;
   assign select_1000 = entering_values_24_features_mask_q ? (and_998 ? sum_993[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_1001;
   assign difference_1001 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_27_features_right_q[5], leaving_values_27_features_right_q};
   logic [5:0] xor_1002;
   assign xor_1002 = difference_1001[5:0] ^ {6{difference_1001[6]}};
   logic [6:0] sum_1003;
   assign sum_1003 = {6'h0, difference_1001[6]} + {1'b0, xor_1002};
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_1006;
   assign and_1006 = (sum_1003[6:5] == 2'h0) & (leaving_values_27_features_mask_q & not_996);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_1008;
   assign select_1008 = leaving_values_23_features_mask_q ? (and_1006 ? sum_1003[4:0] : 5'h1f) : 5'h0;
   logic [5:0] difference_1009;
   assign difference_1009 = {1'b0, select_1000} - {1'b0, select_1008};
   logic [7:0] sum_1010;
   assign sum_1010 = above_14 + {{2{difference_1009[5]}}, difference_1009};
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_15;
   assign above_15 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[119:112] : 8'h0);
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_1013;
   assign difference_1013 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_30_features_right_q[5], entering_values_30_features_right_q};
   logic [5:0] xor_1014;
   assign xor_1014 = difference_1013[5:0] ^ {6{difference_1013[6]}};
   logic [6:0] sum_1015;
   assign sum_1015 = {6'h0, difference_1013[6]} + {1'b0, xor_1014};
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_1018;
   assign not_1018 = ~(entering_values_24_row_q ^ entering_values_30_row_q);
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_1020;
   assign and_1020 = (sum_1015[6:5] == 2'h0) & (entering_values_30_features_mask_q & not_1018);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_1022;
   assign select_1022 = entering_values_24_features_mask_q ? (and_1020 ? sum_1015[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_1023;
   assign difference_1023 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_29_features_right_q[5], leaving_values_29_features_right_q};
   logic [5:0] xor_1024;
   assign xor_1024 = difference_1023[5:0] ^ {6{difference_1023[6]}};
   logic [6:0] sum_1025;
   assign sum_1025 = {6'h0, difference_1023[6]} + {1'b0, xor_1024};
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_1028;
   assign and_1028 = (sum_1025[6:5] == 2'h0) & (leaving_values_29_features_mask_q & not_1018);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_1030;
   assign select_1030 = leaving_values_23_features_mask_q ? (and_1028 ? sum_1025[4:0] : 5'h1f) : 5'h0;
   logic [5:0] difference_1031;
   assign difference_1031 = {1'b0, select_1022} - {1'b0, select_1030};
   logic [7:0] sum_1032;
   assign sum_1032 = above_15 + {{2{difference_1031[5]}}, difference_1031};
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_16;
   assign above_16 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[127:120] : 8'h0);
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_1035;
   assign difference_1035 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_33_features_right_q[5], entering_values_33_features_right_q};
   logic [5:0] xor_1036;
   assign xor_1036 = difference_1035[5:0] ^ {6{difference_1035[6]}};
   logic [6:0] sum_1037;
   assign sum_1037 = {6'h0, difference_1035[6]} + {1'b0, xor_1036};
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_1040;
   assign not_1040 = ~(entering_values_24_row_q ^ entering_values_33_row_q);
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_1042;
   assign and_1042 = (sum_1037[6:5] == 2'h0) & (entering_values_33_features_mask_q & not_1040);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_1044;
   assign select_1044 = entering_values_24_features_mask_q ? (and_1042 ? sum_1037[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_1045;
   assign difference_1045 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_32_features_right_q[5], leaving_values_32_features_right_q};
   logic [5:0] xor_1046;
   assign xor_1046 = difference_1045[5:0] ^ {6{difference_1045[6]}};
   logic [6:0] sum_1047;
   assign sum_1047 = {6'h0, difference_1045[6]} + {1'b0, xor_1046};
-  // hls/stages/plane_sums.hpp:158
+  // hls/stages/plane_sums.hpp:193
   logic and_1050;
   assign and_1050 = (sum_1047[6:5] == 2'h0) & (leaving_values_32_features_mask_q & not_1040);
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_1052;
   assign select_1052 = leaving_values_23_features_mask_q ? (and_1050 ? sum_1047[4:0] : 5'h1f) : 5'h0;
   logic [5:0] difference_1053;
   assign difference_1053 = {1'b0, select_1044} - {1'b0, select_1052};
   logic [7:0] sum_1054;
   assign sum_1054 = above_16 + {{2{difference_1053[5]}}, difference_1053};
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_17;
   assign above_17 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[135:128] : 8'h0);
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_1057;
   assign difference_1057 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_37_features_right_q[5], entering_values_37_features_right_q};
   logic [5:0] xor_1058;
   assign xor_1058 = difference_1057[5:0] ^ {6{difference_1057[6]}};
   logic [6:0] sum_1059;
   assign sum_1059 = {6'h0, difference_1057[6]} + {1'b0, xor_1058};
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_1062;
   assign not_1062 = ~(entering_values_24_row_q ^ entering_values_37_row_q);
-  // hls/stages/plane_sums.hpp:87
+  // hls/stages/plane_sums.hpp:101
   logic [4:0] select_1065;
   assign select_1065 = entering_values_37_features_mask_q ? (((sum_1059[6:5] == 2'h0) & not_1062) ? sum_1059[4:0] : 5'h1f) : 5'h1f;
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_1066;
   assign select_1066 = entering_values_24_features_mask_q ? select_1065 : 5'h0;
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_1067;
   assign difference_1067 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_36_features_right_q[5], leaving_values_36_features_right_q};
   logic [5:0] xor_1068;
   assign xor_1068 = difference_1067[5:0] ^ {6{difference_1067[6]}};
   logic [6:0] sum_1069;
   assign sum_1069 = {6'h0, difference_1067[6]} + {1'b0, xor_1068};
-  // hls/stages/plane_sums.hpp:88
+  // hls/stages/plane_sums.hpp:102
   logic [4:0] select_1073;
   assign select_1073 = leaving_values_36_features_mask_q ? ((not_1062 & (sum_1069[6:5] == 2'h0)) ? sum_1069[4:0] : 5'h1f) : 5'h1f;
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_1074;
   assign select_1074 = leaving_values_23_features_mask_q ? select_1073 : 5'h0;
   logic [5:0] difference_1075;
   assign difference_1075 = {1'b0, select_1066} - {1'b0, select_1074};
   logic [7:0] sum_1076;
   assign sum_1076 = above_17 + {{2{difference_1075[5]}}, difference_1075};
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_18;
   assign above_18 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[143:136] : 8'h0);
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_1079;
   assign difference_1079 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_42_features_right_q[5], entering_values_42_features_right_q};
   logic [5:0] xor_1080;
   assign xor_1080 = difference_1079[5:0] ^ {6{difference_1079[6]}};
   logic [6:0] sum_1081;
   assign sum_1081 = {6'h0, difference_1079[6]} + {1'b0, xor_1080};
-  // hls/stages/plane_sums.hpp:157
+  // hls/stages/plane_sums.hpp:192
   logic not_1084;
   assign not_1084 = ~(entering_values_24_row_q ^ entering_values_42_row_q);
-  // hls/stages/plane_sums.hpp:87
+  // hls/stages/plane_sums.hpp:101
   logic [4:0] select_1087;
   assign select_1087 = entering_values_42_features_mask_q ? (((sum_1081[6:5] == 2'h0) & not_1084) ? sum_1081[4:0] : 5'h1f) : 5'h1f;
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_1088;
   assign select_1088 = entering_values_24_features_mask_q ? select_1087 : 5'h0;
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_1089;
   assign difference_1089 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_41_features_right_q[5], leaving_values_41_features_right_q};
   logic [5:0] xor_1090;
   assign xor_1090 = difference_1089[5:0] ^ {6{difference_1089[6]}};
   logic [6:0] sum_1091;
   assign sum_1091 = {6'h0, difference_1089[6]} + {1'b0, xor_1090};
-  // hls/stages/plane_sums.hpp:88
+  // hls/stages/plane_sums.hpp:102
   logic [4:0] select_1095;
   assign select_1095 = leaving_values_41_features_mask_q ? ((not_1084 & (sum_1091[6:5] == 2'h0)) ? sum_1091[4:0] : 5'h1f) : 5'h1f;
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_1096;
   assign select_1096 = leaving_values_23_features_mask_q ? select_1095 : 5'h0;
   logic [5:0] difference_1097;
   assign difference_1097 = {1'b0, select_1088} - {1'b0, select_1096};
   logic [7:0] sum_1098;
   assign sum_1098 = above_18 + {{2{difference_1097[5]}}, difference_1097};
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_19;
   assign above_19 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[151:144] : 8'h0);
-  // hls/stages/plane_sums.hpp:156
+  // hls/stages/plane_sums.hpp:191
   logic [6:0] difference_1111;
   assign difference_1111 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_47_features_right_q[5], leaving_values_47_features_right_q};
   logic [5:0] xor_1112;
   assign xor_1112 = difference_1111[5:0] ^ {6{difference_1111[6]}};
   logic [6:0] sum_1113;
   assign sum_1113 = {6'h0, difference_1111[6]} + {1'b0, xor_1112};
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_1116;
   assign select_1116 = (not_1106_s1_q & (sum_1113[6:5] == 2'h0)) ? sum_1113[4:0] : 5'h1f;
   logic [4:0] select_1118;
@@ -2197,19 +2197,19 @@ module horopter_plane_sums (
   assign difference_1119 = {1'b0, select_1110_s1_q} - {1'b0, select_1118};
   logic [7:0] sum_1120;
   assign sum_1120 = above_19 + {{2{difference_1119[5]}}, difference_1119};
-  // hls/stages/plane_sums.hpp:148
+  // hls/stages/plane_sums.hpp:183
   logic [7:0] above_20;
   assign above_20 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[159:152] : 8'h0);
-  // hls/stages/plane_sums.hpp:163
+  // hls/stages/plane_sums.hpp:198
   logic [4:0] xor_1123;
   assign xor_1123 = entering_values_23_features_left_s1_q[4:0] ^ {5{entering_values_23_features_left_s1_q[5]}};
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_1125;
   assign select_1125 = entering_values_24_features_mask_q ? ({4'h0, entering_values_23_features_left_s1_q[5]} + xor_1123) : 5'h0;
-  // hls/stages/plane_sums.hpp:163
+  // hls/stages/plane_sums.hpp:198
   logic [4:0] xor_1126;
   assign xor_1126 = leaving_values_23_features_left_q[4:0] ^ {5{leaving_values_23_features_left_q[5]}};
-  // hls/stages/plane_sums.hpp:149
+  // hls/stages/plane_sums.hpp:184
   logic [4:0] select_1128;
   assign select_1128 = leaving_values_23_features_mask_q ? ({4'h0, leaving_values_23_features_left_q[5]} + xor_1126) : 5'h0;
   logic [5:0] difference_1129;
@@ -2227,17 +2227,17 @@ module horopter_plane_sums (
   assign and_1134 = column_memory_rdata_q[188] & running_q;
   logic and_1135;
   assign and_1135 = column_memory_rdata_q[189] & running_q;
-  // hls/stages/plane_sums.hpp:63
+  // hls/stages/plane_sums.hpp:131
   logic not_1136;
   assign not_1136 = ~equal_721;
   logic [2:0] select_1138;
   assign select_1138 = arriving_row_ended_q ? (select_720 + {2'h0, not_1136}) : select_720;
-  // hls/stages/plane_sums.hpp:81
+  // hls/stages/plane_sums.hpp:155
   logic not_1140;
   assign not_1140 = ~(select_700 == 3'h7);
   logic [2:0] select_1142;
   assign select_1142 = delayed_row_ended_q ? (select_700 + {2'h0, not_1140}) : select_700;
-  // hls/stages/plane_sums.hpp:150
+  // hls/stages/plane_sums.hpp:185
   logic less_1143;
   assign less_1143 = 10'h8 < delayed_column_q;
   logic [10:0] difference_1145;
@@ -2320,10 +2320,10 @@ module horopter_plane_sums (
   assign difference_1221 = {3'h0, sum_1130} - (less_1143 ? rows_19_columns_values_8_q : 11'h0);
   logic [10:0] sum_1223;
   assign sum_1223 = difference_1221 + (or_695_s1_q ? 11'h0 : rows_19_sum_sums_values_0_q);
-  // hls/stages/plane_sums.hpp:99
+  // hls/stages/plane_sums.hpp:110
   logic and_1228;
   assign and_1228 = (column_memory_rdata_q[190] & running_q) & (3'h2 < select_700);
-  // hls/stages/plane_sums.hpp:110
+  // hls/stages/plane_sums.hpp:120
   logic and_1232;
   assign and_1232 = (centres_values_3_gradient_q & and_1228) & (~(delayed_column_q[9:2] == 8'h0));
 

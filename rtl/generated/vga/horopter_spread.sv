@@ -321,42 +321,38 @@ module horopter_spread (
   logic centres_values_31_marks_last_q;
   logic centres_values_31_marks_seen_q;
   logic centres_values_31_marks_nearer_q;
-  // hls/stages/spread.hpp:44
+  // hls/stages/spread.hpp:51
   logic [6:0] difference_421;
   assign difference_421 = {1'b0, grey_i} - {1'b0, last_grey_q};
   logic [5:0] xor_422;
   assign xor_422 = difference_421[5:0] ^ {6{difference_421[6]}};
   logic [6:0] difference;
   assign difference = {6'h0, difference_421[6]} + {1'b0, xor_422};
-  // hls/stages/spread.hpp:46
   logic and_427;
   assign and_427 = exists_i & (last_exists_q & (~({4'h0, cfg_smooth_i} < difference)));
-  logic and_428;
-  assign and_428 = (~(marks_first_i | row_ended_q)) & and_427;
-  // hls/stages/spread.hpp:80
+  logic joined;
+  assign joined = (~(marks_first_i | row_ended_q)) & and_427;
+  // hls/stages/spread.hpp:87
   logic [7:0] difference_432;
   assign difference_432 = {last_vote_q[6], last_vote_q} - {{5{last_vote_q[6]}}, last_vote_q[6:4]};
-  // hls/stages/spread.hpp:95
+  // hls/stages/spread.hpp:102
   logic [8:0] sum_433;
   assign sum_433 = {{2{first_values_0_left_q[6]}}, first_values_0_left_q} + {difference_432[7], difference_432};
-  // hls/stages/spread.hpp:49
   logic [8:0] value;
   assign value = first_values_0_joined_q ? sum_433 : {{2{first_values_0_left_q[6]}}, first_values_0_left_q};
+  // hls/stages/spread.hpp:105
   logic and_435;
-  assign and_435 = first_values_0_joined_q & and_428;
-  // hls/stages/spread.hpp:81
+  assign and_435 = first_values_0_joined_q & joined;
+  // hls/stages/spread.hpp:88
   logic [9:0] difference_439;
   assign difference_439 = {value[8], value} - {{4{value[8]}}, value[8:3]};
-  // hls/stages/spread.hpp:95
+  // hls/stages/spread.hpp:102
   logic [10:0] sum_440;
   assign sum_440 = {{2{second_values_1_right_q[8]}}, second_values_1_right_q} + {difference_439[9], difference_439};
-  // hls/stages/spread.hpp:50
   logic [10:0] value_2;
   assign value_2 = second_values_1_joined_q ? sum_440 : {{2{second_values_1_right_q[8]}}, second_values_1_right_q};
-  // hls/stages/spread.hpp:95
   logic [10:0] sum_447;
   assign sum_447 = third_values_3_right_q + (value_2 - {{2{value_2[10]}}, value_2[10:2]});
-  // hls/stages/spread.hpp:51
   logic [10:0] value_3;
   assign value_3 = third_values_3_joined_q ? sum_447 : third_values_3_right_q;
 
@@ -653,7 +649,7 @@ module horopter_spread (
       last_grey_q <= grey_i;
       last_exists_q <= exists_i;
       first_values_0_left_q <= last_vote_q;
-      first_values_0_joined_q <= and_428;
+      first_values_0_joined_q <= joined;
       first_values_1_left_q <= first_values_0_left_q;
       first_values_1_joined_q <= first_values_0_joined_q;
       second_values_0_right_q <= value;
@@ -1090,64 +1086,62 @@ module horopter_spread (
   logic fifth_values_30_joined_q;
   logic [9:0] fifth_values_31_left_q;
   logic fifth_values_31_joined_q;
-  // hls/stages/spread.hpp:80
+  // hls/stages/spread.hpp:87
   logic [7:0] difference_429;
   assign difference_429 = {centres_values_3_vote_q[6], centres_values_3_vote_q} - {{5{centres_values_3_vote_q[6]}}, centres_values_3_vote_q[6:4]};
-  // hls/stages/spread.hpp:94
+  // hls/stages/spread.hpp:101
   logic [8:0] sum_430;
   assign sum_430 = {{2{first_values_1_left_q[6]}}, first_values_1_left_q} + {difference_429[7], difference_429};
-  // hls/stages/spread.hpp:49
   logic [8:0] select_431;
   assign select_431 = first_values_1_joined_s1_q ? sum_430 : {{2{first_values_1_left_q[6]}}, first_values_1_left_q};
-  // hls/stages/spread.hpp:81
+  // hls/stages/spread.hpp:88
   logic [9:0] difference_436;
   assign difference_436 = {second_values_3_left_q[8], second_values_3_left_q} - {{4{second_values_3_left_q[8]}}, second_values_3_left_q[8:3]};
-  // hls/stages/spread.hpp:94
+  // hls/stages/spread.hpp:101
   logic [10:0] sum_437;
   assign sum_437 = {{2{second_values_1_left_q[8]}}, second_values_1_left_q} + {difference_436[9], difference_436};
-  // hls/stages/spread.hpp:50
   logic [10:0] select_438;
   assign select_438 = second_values_3_joined_s1_q ? sum_437 : {{2{second_values_1_left_q[8]}}, second_values_1_left_q};
-  // hls/stages/spread.hpp:82
+  // hls/stages/spread.hpp:89
   logic [10:0] difference_443;
   assign difference_443 = third_values_7_left_q - {{2{third_values_7_left_q[10]}}, third_values_7_left_q[10:2]};
-  // hls/stages/spread.hpp:51
+  // hls/stages/spread.hpp:101
   logic [10:0] select_445;
   assign select_445 = third_values_7_joined_s1_q ? (third_values_3_left_q + difference_443) : third_values_3_left_q;
+  // hls/stages/spread.hpp:103
   logic and_449;
   assign and_449 = third_values_4_joined_q & third_values_0_joined_q;
-  // hls/stages/spread.hpp:83
+  // hls/stages/spread.hpp:90
   logic [10:0] difference_450;
   assign difference_450 = fourth_values_15_left_q - {fourth_values_15_left_q[10], fourth_values_15_left_q[10:1]};
   logic [10:0] sum_451;
   assign sum_451 = {{3{fourth_values_15_left_q[10]}}, fourth_values_15_left_q[10:3]} + difference_450;
-  // hls/stages/spread.hpp:52
+  // hls/stages/spread.hpp:101
   logic [10:0] select_453;
   assign select_453 = fourth_values_15_joined_q ? (fourth_values_7_left_q + sum_451) : fourth_values_7_left_q;
-  // hls/stages/spread.hpp:83
+  // hls/stages/spread.hpp:90
   logic [10:0] difference_454;
   assign difference_454 = fourth_values_0_right_q - {fourth_values_0_right_q[10], fourth_values_0_right_q[10:1]};
   logic [10:0] sum_455;
   assign sum_455 = {{3{fourth_values_0_right_q[10]}}, fourth_values_0_right_q[10:3]} + difference_454;
-  // hls/stages/spread.hpp:52
+  // hls/stages/spread.hpp:102
   logic [10:0] value_4;
   assign value_4 = fourth_values_7_joined_q ? (fourth_values_7_right_s1_q + sum_455) : fourth_values_7_right_s1_q;
-  // hls/stages/spread.hpp:84
+  // hls/stages/spread.hpp:91
   logic [10:0] difference_459;
   assign difference_459 = {fifth_values_31_left_q[9], fifth_values_31_left_q} - {{3{fifth_values_31_left_q[9]}}, fifth_values_31_left_q[9:2]};
-  // hls/stages/spread.hpp:53
+  // hls/stages/spread.hpp:101
   logic [10:0] select_461;
   assign select_461 = fifth_values_31_joined_q ? (fifth_values_15_left_q + difference_459) : fifth_values_15_left_q;
-  // hls/stages/spread.hpp:95
+  // hls/stages/spread.hpp:102
   logic [10:0] sum_463;
   assign sum_463 = fifth_values_15_right_q + ({value_4[10], value_4[10:1]} - {{3{value_4[10]}}, value_4[10:3]});
-  // hls/stages/spread.hpp:53
   logic [10:0] select_464;
   assign select_464 = fifth_values_15_joined_q ? sum_463 : fifth_values_15_right_q;
-  // hls/stages/spread.hpp:57
+  // hls/stages/spread.hpp:64
   logic [11:0] difference_466;
   assign difference_466 = ({select_461[10], select_461} + {select_464[10], select_464}) - {{5{centres_values_31_vote_s1_q[6]}}, centres_values_31_vote_s1_q};
-  // hls/stages/spread.hpp:60
+  // hls/stages/spread.hpp:67
   logic [9:0] select_468;
   assign select_468 = ($signed(difference_466[11:2]) < $signed(10'h381)) ? 10'h381 : difference_466[11:2];
   logic [7:0] select_470;

@@ -444,22 +444,11 @@ constexpr u<N> max(u<N> a, u<N> b) {
   return a < b ? b : a;
 }
 
-namespace detail {
-
-constexpr std::array<std::uint8_t, 512> make_popcount_table() {
-  std::array<std::uint8_t, 512> table{};
-  for (std::size_t i = 1; i < table.size(); ++i) table[i] = static_cast<std::uint8_t>(table[i / 2] + i % 2);
-  return table;
-}
-inline constexpr auto popcount_table = make_popcount_table();
-
-}  // namespace detail
-
 /// Number of ones.
 template <int N>
 constexpr u<bits_for(N)> popcount(u<N> value) {
 #ifndef __HLSC__
-  if constexpr (N <= 9) return {detail::exact_t{}, detail::popcount_table[value.value()]};
+  return {detail::exact_t{}, static_cast<std::uint64_t>(std::popcount(std::uint64_t{value.value()}))};
 #endif
   u<bits_for(N)> sum(0);
   for (int i = 0; i < N; ++i) sum = u<bits_for(N)>(sum + u<1>(value.bit(i)));

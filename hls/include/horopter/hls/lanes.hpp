@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The integers of int.hpp, eight at once: the same operations with the same widths in one vector register of eight
-// 16-bit lanes. For the native engine only. Not all of int.hpp, but what stages do to pixel values.
+// The integers of int.hpp, several at once: the same operations with the same widths in one vector register of 16-bit
+// lanes, as many as the instructions have that this is compiled for. For the native engine only. Not all of int.hpp, but
+// what stages do to pixel values.
 #pragma once
 
 #include <algorithm>
@@ -12,10 +13,18 @@
 
 namespace horopter::hls::lanes {
 
+// All files of a program must agree on it, or hide what they make of it from each other (hls/CMakeLists.txt). Vectors of
+// AVX-512 are not used: strips of half the width have as many columns around them, and 32 lanes are slower than 16.
+#if defined(HOROPTER_LANES)
+inline constexpr int count = HOROPTER_LANES;
+#elif defined(__AVX2__)
+inline constexpr int count = 16;
+#else
 inline constexpr int count = 8;
+#endif
 
-using unsigned_vector = std::uint16_t __attribute__((vector_size(16)));
-using signed_vector = std::int16_t __attribute__((vector_size(16)));
+using unsigned_vector = std::uint16_t __attribute__((vector_size(2 * count)));
+using signed_vector = std::int16_t __attribute__((vector_size(2 * count)));
 
 template <int N>
 class s;
@@ -68,6 +77,17 @@ class u {
   template <int Hi, int Lo>
   [[nodiscard]] u<Hi - Lo + 1> bits() const {
     return u<Hi - Lo + 1>(u<16>(value_ >> Lo));
+  }
+
+  template <class T>
+  u& operator+=(T other) {
+    return *this =
+               u(static_cast<unsigned_vector>((value_ + reinterpret_cast<unsigned_vector>(other.vector())) & low_bits));
+  }
+  template <class T>
+  u& operator-=(T other) {
+    return *this =
+               u(static_cast<unsigned_vector>((value_ - reinterpret_cast<unsigned_vector>(other.vector())) & low_bits));
   }
 
  private:
@@ -186,6 +206,10 @@ template <class A, class B>
 auto operator-(A a, B b) {
   return subtract(spread(a), spread(b));
 }
+template <vector A>
+auto operator-(A a) {
+  return subtract(u<1>(0), a);
+}
 template <class A, class B>
   requires operands<A, B>
 bit operator<(A a, B b) {
@@ -299,8 +323,8 @@ u<bits_for(N)> popcount(u<N> value) {
 template <int Q, int N>
 u<Q> ratio(u<N> smaller, u<N> larger) {
   static_assert(Q + N <= 16 && Q + 2 * N <= 26);
-  using floats = float __attribute__((vector_size(32)));
-  using ints = std::int32_t __attribute__((vector_size(32)));
+  using floats = float __attribute__((vector_size(4 * count)));
+  using ints = std::int32_t __attribute__((vector_size(4 * count)));
   const signed_vector scaled = as_signed(smaller);
   ints dividend = (__builtin_convertvector(scaled, ints) << Q) - 1;
   dividend &= ~(dividend >> 31);

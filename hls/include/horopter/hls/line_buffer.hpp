@@ -56,6 +56,11 @@ class Raster {
     return position;
   }
 
+#ifndef __HLSC__
+  /// Beats that neither begin nor end a row.
+  void skip(int beats) { column_ = Column(column_.value() + beats); }
+#endif
+
  private:
   using Column = u<bits_for(BEATS - 1)>;
 

@@ -106,9 +106,10 @@ class RAM {
 #endif
   }
 
-  /// The word before this step, or what this step has written there. `address` < N.
+  /// The word before this step, or what this step has written there. `address` < N. Valid until a write: copy it, as the
+  /// hardware does.
   template <typename A>
-  T read(const A& address) {
+  const T& read(const A& address) {
     const std::size_t a = detail::ram_address(address);
     check(a, read_address_, write_address_);
     check_distance(a);
@@ -124,6 +125,16 @@ class RAM {
     last_write_[a] = step_;
 #endif
     words_[a] = data;
+  }
+
+  /// A read and a write of a word where it stands: on the CPU large words need not be copied.
+  template <typename A>
+  T& change(const A& address) {
+    const std::size_t a = detail::ram_address(address);
+#ifndef HOROPTER_HLS_UNCHECKED
+    write(a, T(read(a)));
+#endif
+    return words_[a];
   }
 
  private:

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Compiled once for each of Instructions, which HOROPTER_INSTRUCTIONS names. Of all that is in the object file nothing but
+// the function below is seen by others (hls/CMakeLists.txt): what it shares with them by its name, they must not take.
+#include "stages/engine.hpp"
+
+#define HOROPTER_JOINED(a, b) a##b
+#define HOROPTER_NAMED(a, b) HOROPTER_JOINED(a, b)
+
+namespace horopter::native {
+namespace {
+
+template <hls::Profile P>
+class ProfileEngine final : public Engine {
+ public:
+  explicit ProfileEngine(int threads) : pipeline_(threads) {}
+  FrameResult process(const ImageView& left, const ImageView& right, const TableView& table,
+                      const Settings& settings) override {
+    return pipeline_.process(left, right, table, settings);
+  }
+  [[nodiscard]] const hls::Profile& profile() const override { return Pipeline<P>::profile; }
+
+ private:
+  Pipeline<P> pipeline_;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> HOROPTER_NAMED(make_engine_, HOROPTER_INSTRUCTIONS)(std::string_view profile_name, int threads);
+
+std::unique_ptr<Engine> HOROPTER_NAMED(make_engine_, HOROPTER_INSTRUCTIONS)(std::string_view profile_name,
+                                                                            int threads) {
+#define HOROPTER_PROFILE(name, ...) \
+  if (profile_name == #name) return std::make_unique<ProfileEngine<hls::profiles::name>>(threads);
+#include "horopter/hls/profiles.def"
+#undef HOROPTER_PROFILE
+  return nullptr;
+}
+
+}  // namespace horopter::native
