@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "horopter/base/error.hpp"
+#include "horopter/map/support.hpp"
 #include "horopter/plan/plan.hpp"
 #include "horopter/skin/rig_skin.hpp"
 #include "inputs.hpp"
@@ -89,11 +92,33 @@ void set_object(const ObjectOption& option, const std::string& skin, const std::
   }
 }
 
-std::string object_text(const ObjectOption& option, const Settings& settings, const MachineProfile& profile) {
+std::int64_t check_object_limit(const ObjectOption& option, const std::string& skin,
+                                const std::vector<const MapTable*>& tables, const MachineProfile& profile,
+                                const Settings& settings) {
+  std::int64_t judgeable = std::numeric_limits<std::int64_t>::max();
+  for (const MapTable* table : tables) judgeable = std::min(judgeable, supported_pixels(*table, settings.decision));
+  const std::int64_t limit = object_limit(settings, profile);
+  if (option.given && settings.object_px > 0 && limit > judgeable) {
+    throw FileError(skin, "",
+                    fmt::format("no object can be an alarm: one of {:.0f} px across takes {} pixels of the result, and "
+                                "{} can judge {} of this skin",
+                                settings.object_px, limit, name_of(settings.decision), judgeable),
+                    "a larger skin, or a smaller --object; 0 for none");
+  }
+  return judgeable;
+}
+
+std::string object_text(const ObjectOption& option, const Settings& settings, const MachineProfile& profile,
+                        std::int64_t judgeable_pixels) {
   if (settings.object_px <= 0) return "none is an alarm by itself";
   const std::string mm = option.mm ? fmt::format("{:g} mm, ", *option.mm) : "";
-  return fmt::format("{}{:.0f} px across, {} pixels of the result", mm, settings.object_px,
-                     object_limit(settings, profile));
+  const std::int64_t limit = object_limit(settings, profile);
+  std::string text = fmt::format("{}{:.0f} px across, {} pixels of the result", mm, settings.object_px, limit);
+  if (limit > judgeable_pixels) {
+    text += fmt::format("; {} can judge {} of this skin, so only --alarm-limit counts", name_of(settings.decision),
+                        judgeable_pixels);
+  }
+  return text;
 }
 
 }  // namespace horopter::cli
