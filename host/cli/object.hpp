@@ -24,9 +24,9 @@ struct ObjectOption {
 
 void add_object(CLI::App& command, ObjectOption& option);
 
-/// Sets settings.object_px. A body of so many mm has the fewest px where the skin is farthest away. Throws UsageError for mm
-/// of a skin without a surface in a rig's world, or of one that moves, and for less than an object can be, or
-/// more than fits into the image.
+/// Sets settings.object_px. A body of so many mm has the fewest px where the skin is farthest away. Throws FileError for mm
+/// of a skin without a surface in a rig's world, of one that moves, or of a table without a rig; UsageError for less than
+/// an object can be, or more than fits into the image.
 void set_object(const ObjectOption& option, const std::string& skin, const std::optional<calib::Rig>& rig,
                 const MachineProfile& profile, int image_width, int image_height, Settings& settings);
 

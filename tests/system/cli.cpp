@@ -101,9 +101,8 @@ TEST_CASE("Thresholds and limits change what they name") {
   const auto huge = box.run(run_arguments() + std::vector<std::string>{"--object", "900px"});
   CHECK(huge.status == 2);
   CHECK(huge.err.find("does not fit into an image") != std::string::npos);
-  const auto nowhere = box.run(run_arguments() + std::vector<std::string>{"--object", "40mm"});
-  CHECK(nowhere.status == 2);
-  CHECK(nowhere.err.find("--object in mm needs a surface") != std::string::npos);
+  check_bad_file(box, run_arguments() + std::vector<std::string>{"--object", "40mm"}, "skin.yaml",
+                 "a homography knows no mm");
   const auto blind = frame({"--unsupervised-limit", "1"});
   CHECK(blind["faults"] == nlohmann::json{"too_unsupervised"});
   CHECK(blind["safe"] == false);
@@ -183,6 +182,39 @@ TEST_CASE("Objects have a place and size in mm with a rig, and are followed from
   }
   CHECK(in_px["velocity_px_s"][0].get<double>() == Approx(25.0 * kStep_px / static_cast<double>(fields)).margin(30));
   CHECK(in_px["id"] == 1);
+}
+
+TEST_CASE("--object in mm is that of the skin's file by its table alone; a table without a rig is refused") {
+  Sandbox box;
+  with_pairs(box);
+  box.write("rig.yaml", rig_text());
+  box.write("wall.yaml", "surface: {type: plane, point_mm: [0, 0, 1000], normal: [0.3, 0, -1]}\n");
+  const auto object_px = [&](const std::string& skin, const std::vector<std::string>& more) {
+    const auto result = box.run(run_arguments("left0.png", "right0.png", skin) + more +
+                                std::vector<std::string>{"--object", "150mm", "--json"});
+    CAPTURE(skin, result.err);
+    REQUIRE((result.status == 0 || result.status == 4));
+    return nlohmann::json::parse(result.out)["object"]["px"].get<double>();
+  };
+  const std::vector<std::string> rig{"--rig", "rig.yaml"};
+  const std::string profile = GENERATE("vga", "field");
+  const std::vector<std::string> build{"--profile", profile};
+  REQUIRE(box.run(std::vector<std::string>{"map", "--skin", "wall.yaml", "-o", "wall.hmap"} + rig + build).status == 0);
+  const double by_skin = object_px("wall.yaml", rig + build);
+  CHECK(by_skin < 30);  // 150 mm at 1 m
+  CHECK(by_skin > 20);
+  CHECK(object_px("wall.hmap", build) == Approx(by_skin).epsilon(0.02));
+  REQUIRE(
+      box.run(std::vector<std::string>{"map", "--skin", "skin.yaml", "-o", "none.hmap", "--size", "200x120"} + build)
+          .status == 0);
+  fs::remove_all(box / "out");
+  check_bad_file(
+      box, run_arguments("left0.png", "right0.png", "none.hmap") + build + std::vector<std::string>{"--object", "40mm"},
+      "none.hmap", "without a rig knows no mm");
+  // At 1 m 5 mm are 1 px.
+  CHECK(box.run(run_arguments("left0.png", "right0.png", "wall.hmap") + build +
+                std::vector<std::string>{"--object", "5mm"})
+            .status == 2);
 }
 
 TEST_CASE("An object that is larger than the skin is refused where it was asked for, and said where it was not") {
