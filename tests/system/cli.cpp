@@ -147,7 +147,8 @@ TEST_CASE("Objects have a place and size in mm with a rig, and are followed from
     const double pixel_mm = 5.0 * static_cast<double>(fields);
     CHECK(object["area_mm2"].get<double>() ==
           Approx(object["area_px"].get<double>() * pixel_mm * pixel_mm).epsilon(0.01));
-    const double x_mm = 5 * (60 + 35 + kStep_px * static_cast<double>(i / fields) - 100);
+    const std::size_t pair = i / fields;
+    const double x_mm = 5 * (60 + 35 + kStep_px * static_cast<double>(pair) - 100);
     CHECK(object["centroid_mm"][0].get<double>() == Approx(x_mm).margin(25));
     CHECK(object["centroid_mm"][1].get<double>() == Approx(5 * (30 + 25 - 60)).margin(25));
     CHECK(object["centroid_mm"][2].get<double>() == Approx(1000).margin(5));

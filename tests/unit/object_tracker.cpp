@@ -275,7 +275,10 @@ TEST_CASE("Hundreds of objects at once keep their ids, and none has two") {
   std::vector<int> ids;
   for (int frame = 0; frame < 6; ++frame) {
     std::vector<SkinObject> objects;
-    for (int i = 0; i < 300; ++i) objects.push_back(body(10 + 20 * (i % 30) + frame, 10 + 20.0 * (i / 30), 8, 8));
+    for (int i = 0; i < 300; ++i) {
+      const int column = i % 30, row = i / 30;
+      objects.push_back(body(10 + 20 * column + frame, 10 + 20 * row, 8, 8));
+    }
     const auto found = follow(tracker, objects);
     std::vector<int> now;
     for (const TrackedObject& object : found) now.push_back(object.id);

@@ -27,22 +27,29 @@ std::optional<ObjectInSpace> measure(const ObjectPixels& object, SkinPlaces& pla
   Matrix3d second = Matrix3d::Zero();
   std::vector<Vector3d> corners;
   std::optional<Vector3d> origin;  // near, so that squares lose no digits
+  const auto add_end = [&](const SkinPlace& end, double side) {
+    for (const double below : {-0.5, 0.5}) {
+      corners.emplace_back(end.at_mm - *origin + side * end.along_mm + below * end.down_mm);
+    }
+  };
   for (const PixelRun& run : object.runs) {
-    for (int x = run.first; x <= run.last; ++x) {
+    for (int x = run.first; x <= run.last;) {
       const auto place = places.at(x, run.row);
       if (!place) return {};
       if (!origin) origin = place->at_mm;
-      const Vector3d at = place->at_mm - *origin;
-      const double area = place->area_mm2();
+      // Up to the end of the block pixels are alike.
+      const int last = std::min(run.last, x | (SkinPlaces::kBlock - 1));
+      const int pixels = last - x + 1;
+      const Vector3d middle = place->at_mm - *origin + 0.5 * (pixels - 1) * place->along_mm;
+      const double area = pixels * place->area_mm2();
       area_mm2 += area;
-      first += area * at;
-      second += area * at * at.transpose();
-      for (const double side : {-0.5, 0.5}) {
-        if (x != (side < 0 ? run.first : run.last)) continue;
-        corners.emplace_back(at + side * place->along_mm - 0.5 * place->down_mm);
-        corners.emplace_back(at + side * place->along_mm + 0.5 * place->down_mm);
-      }
+      first += area * middle;
+      second += area * middle * middle.transpose();
+      second += area * (pixels * pixels - 1) / 12.0 * place->along_mm * place->along_mm.transpose();
+      x = last + 1;
     }
+    add_end(*places.at(run.first, run.row), -0.5);
+    add_end(*places.at(run.last, run.row), 0.5);
   }
   if (!(area_mm2 > 0)) return {};
   const Vector3d centre = first / area_mm2;

@@ -13,15 +13,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kBlockLog2 = 2;
-constexpr int kBlock = 1 << kBlockLog2;
 /// How far slopes are measured, either way: over so much the rounding of a table's control points, 1/32 px, is nothing,
 /// and an edge of the skin is not yet smoothed away.
 constexpr int kReach = 4;
 /// Bend over that reach, in ways of one side, beyond which it is an edge.
 constexpr double kEdge = 0.1;
 
-constexpr int blocks(int size) { return (size + kBlock - 1) >> kBlockLog2; }
+constexpr int blocks(int size) { return (size + SkinPlaces::kBlock - 1) / SkinPlaces::kBlock; }
 
 }  // namespace
 
@@ -33,7 +31,8 @@ SkinPlaces::SkinPlaces(const MapTable& table, CameraPair cameras)
       columns_(blocks(width_)),
       blocks_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(blocks(height_))) {}
 
-std::optional<Vector3d> SkinPlaces::place_mm(int x, int y) const {
+std::optional<Point> SkinPlaces::source(int x, int y) const {
+  if (x < 0 || y < 0 || x >= width_ || y >= height_) return {};
   const int subsample = table_.facts().subsample;
   Point source;
   for (int i = 0; i < subsample; ++i) {
@@ -42,30 +41,32 @@ std::optional<Vector3d> SkinPlaces::place_mm(int x, int y) const {
     source.x += std::ldexp(static_cast<double>(expanded->x), -MapTable::kFractionBits) / subsample;
     source.y += std::ldexp(static_cast<double>(expanded->y), -MapTable::kFractionBits) / subsample;
   }
+  return source;
+}
+
+std::optional<Vector3d> SkinPlaces::place_mm(int x, int y) const {
+  const auto right = source(x, y);
+  if (!right) return {};
+  const int subsample = table_.facts().subsample;
   const ScanGeometry& geometry = table_.geometry();
   const Point left{subsample * x + 0.5 * (subsample - 1), static_cast<double>(y)};
-  return cameras_.place_mm(geometry.to_frame(left), geometry.to_frame(source));
+  return cameras_.place_mm(geometry.to_frame(left), geometry.to_frame(*right));
 }
 
 SkinPlaces::Side SkinPlaces::side(int x, int y, int dx, int dy, const Vector3d& here) const {
-  Side side{0, here, 0};
-  Vector3d middle = here;
-  // Beyond a pixel without a place another part of the skin may begin.
-  for (int i = 1; i <= kReach; ++i) {
-    const int px = x + i * dx, py = y + i * dy;
-    if (px < 0 || py < 0 || px >= width_ || py >= height_) break;
-    const auto next = place_mm(px, py);
-    if (!next) break;
-    side.end = *next;
-    side.reach = i;
-    if (2 * i == kReach) middle = *next;
+  // Beyond a pixel without a source another part of the skin may begin.
+  int reach = 0;
+  while (reach < kReach && source(x + (reach + 1) * dx, y + (reach + 1) * dy)) ++reach;
+  for (; reach > 0; --reach) {
+    const auto end = place_mm(x + reach * dx, y + reach * dy);
+    if (!end) continue;
+    const auto middle = reach == kReach ? place_mm(x + reach / 2 * dx, y + reach / 2 * dy) : std::nullopt;
+    return {reach, *end, (here - 2 * middle.value_or(0.5 * (here + *end)) + *end).norm()};
   }
-  side.bend = (here - 2 * middle + side.end).norm();
-  return side;
+  return {0, here, 0};
 }
 
 std::optional<SkinPlace> SkinPlaces::exactly_at(int x, int y) const {
-  if (x < 0 || y < 0 || x >= width_ || y >= height_) return {};
   const auto here = place_mm(x, y);
   if (!here) return {};
   const auto slope = [&](int dx, int dy) -> std::optional<Vector3d> {
@@ -105,7 +106,7 @@ void SkinPlaces::look(int column, int row, Block& block) const {
 
 std::optional<SkinPlace> SkinPlaces::at(int x, int y) {
   if (x < 0 || y < 0 || x >= width_ || y >= height_) return {};
-  const int column = x >> kBlockLog2, row = y >> kBlockLog2;
+  const int column = x / kBlock, row = y / kBlock;
   Block& block =
       blocks_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)];
   if (block.known == Block::Known::not_yet) look(column, row, block);

@@ -32,16 +32,20 @@ struct SkinPlace {
 /// threads at once.
 class SkinPlaces {
  public:
+  static constexpr int kBlock = 4;  ///< pixels either way
+
   /// The table must live as long.
   SkinPlaces(const MapTable& table, CameraPair cameras);
 
   /// Of a pixel of the result (after sub-sampling) with a source; nothing without, or where the lines of sight do not
-  /// determine a place. Blocks of 4×4 pixels are taken for plane.
+  /// determine a place. Blocks, from pixel (0, 0) on, are taken for plane.
   std::optional<SkinPlace> at(int x, int y);
   /// Of this pixel alone.
   std::optional<SkinPlace> exactly_at(int x, int y) const;
 
  private:
+  /// In the right image, coordinates of the scan; nothing outside the result, too.
+  std::optional<Point> source(int x, int y) const;
   std::optional<Eigen::Vector3d> place_mm(int x, int y) const;
   /// From a pixel into one direction, as far as there are places.
   struct Side {
