@@ -388,7 +388,7 @@ TEST_CASE("A summary says of an object what is known, and leaves out what is not
   CHECK(json["velocity_px_s"].dump() == "[50.0,-37.5]");
   CHECK_FALSE(json.contains("velocity_px_frame"));
   object.in_space = ObjectInSpace{1234.56, 60.04, 20.06, {-1.26, 2, 800}};
-  object.motion->mm_frame = Vector3d(1, 0, -0.5);
+  object.motion->mm_frame = Vector3d(1, -0.001, -0.5);
   json = object_json(object);
   CHECK(json["area_mm2"].dump() == "1234.6");
   CHECK(json["size_mm"].dump() == "[60.0,20.1]");

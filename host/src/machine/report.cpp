@@ -17,7 +17,8 @@ Image state_picture(const Image& states) {
 
 namespace {
 
-double rounded(double value) { return std::round(10 * value) / 10; }
+/// Never −0.
+double rounded(double value) { return std::round(10 * value) / 10 + 0.0; }
 
 /// Shares of the textured cells that are explained, of the frame and of each region (null: no texture), and what the
 /// right image is displaced.
