@@ -3,10 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "horopter/base/error.hpp"
+#include "horopter/map/map.hpp"
+#include "horopter/map/skin_places.hpp"
+#include "horopter/map/support.hpp"
 #include "horopter/plan/plan.hpp"
 #include "horopter/skin/rig_skin.hpp"
 #include "inputs.hpp"
@@ -34,28 +39,66 @@ void parse(const std::string& text, ObjectOption& option) {
   (in_mm ? option.mm.emplace() : option.px) = value;
 }
 
-/// Of a body of so many mm, where the skin is farthest away.
-double farthest_px(double mm, const std::string& skin, const std::optional<calib::Rig>& rig,
-                   const MachineProfile& profile, int image_width, int image_height) {
+/// Along the axis of symmetry, as plan_thickness says it, by a table alone: its rig is in it.
+double farthest_mm_of_table(const std::string& skin, const MapSet& maps, const CameraPair& cameras) {
+  constexpr int kStep_px = 8;
+  const StereoAxis axis(cameras);
+  double farthest_mm = 0;
+  for (const CompiledMap& map : maps.maps) {
+    const SkinPlaces places(map.table, cameras);
+    const ScanGeometry& geometry = map.table.geometry();
+    for (int y = 0; y < geometry.height; y += kStep_px) {
+      for (int x = 0; x < geometry.width / map.table.facts().subsample; x += kStep_px) {
+        if (const auto place = places.exactly_at(x, y)) {
+          farthest_mm = std::max(farthest_mm, (place->at_mm - axis.middle_mm).dot(axis.direction));
+        }
+      }
+    }
+  }
+  if (!(farthest_mm > 0))
+    throw FileError(skin, "", "--object in mm: nothing of the skin is supervised", "a larger skin");
+  return farthest_mm;
+}
+
+/// px across of a body of so many mm, where the skin is farthest away.
+double px_where_farthest(double mm, const std::string& skin, const std::optional<calib::Rig>& rig,
+                         const MachineProfile& profile, int image_width, int image_height) {
+  const auto px = [&](const CameraPair& cameras, double distance_mm) {
+    return std::min(cameras.left().model.fx_px(), cameras.left().model.fy_px()) * mm / distance_mm;
+  };
+  if (is_table(skin)) {
+    const MapSet maps = load_maps(skin);
+    if (maps.rig.empty()) {
+      throw FileError(skin, "", "--object in mm: a table that was made without a rig knows no mm",
+                      "one that was made with --rig, or --object in px");
+    }
+    const CameraPair cameras = first_pair(calib::rig_from_yaml(maps.rig, skin), skin);
+    return px(cameras, farthest_mm_of_table(skin, maps, cameras));
+  }
   SkinFile file;
-  if (!is_table(skin) && !is_moving_skin(skin)) file = load_skin_for(skin, rig, image_width, image_height);
+  if (!is_moving_skin(skin)) file = load_skin_for(skin, rig, image_width, image_height);
   const auto* in_space = dynamic_cast<const RigSkin*>(file.skin.get());
   if (in_space == nullptr) {
-    throw UsageError(
-        "--object in mm needs a surface that does not move, and cameras: a skin.yaml of the rig's world, and --rig; in px it "
-        "needs neither");
+    throw FileError(skin, "",
+                    file.skin ? fmt::format("--object in mm: a {} knows no mm", file.skin->type())
+                              : std::string("--object in mm: this skin moves, and its distance changes"),
+                    "a surface in the rig's world that does not move, or --object in px");
   }
   const ScanGeometry geometry = scans_of(profile, image_width, image_height).front();
-  double object_px = 0;
   try {
     constexpr double kAny_px = 1;  // only the distance is asked for
     const ThicknessPlan plan = plan_thickness(in_space->cameras(), *in_space->surface(), profile, geometry, kAny_px);
     if (plan.supervised == 0) throw UsageError("--object in mm: nothing of the skin is supervised");
-    const calib::CameraModel& left = in_space->cameras().left().model;
-    object_px = std::min(left.fx_px(), left.fy_px()) * mm / plan.distance.largest;
+    return px(in_space->cameras(), plan.distance.largest);
   } catch (const std::invalid_argument& error) {
     throw UsageError(fmt::format("--object: {}", error.what()));
   }
+}
+
+/// The same, as large as an object can be. Throws UsageError.
+double object_px_of(double mm, const std::string& skin, const std::optional<calib::Rig>& rig,
+                    const MachineProfile& profile, int image_width, int image_height) {
+  const double object_px = px_where_farthest(mm, skin, rig, profile, image_width, image_height);
   if (!(object_px >= kSmallest_px)) {
     throw UsageError(
         fmt::format("{:g} mm are {:.1f} px where the skin is farthest away; the smallest that windows and "
@@ -80,7 +123,7 @@ void add_object(CLI::App& command, ObjectOption& option) {
 void set_object(const ObjectOption& option, const std::string& skin, const std::optional<calib::Rig>& rig,
                 const MachineProfile& profile, int image_width, int image_height, Settings& settings) {
   settings.object_px = option.px;
-  if (option.mm) settings.object_px = farthest_px(*option.mm, skin, rig, profile, image_width, image_height);
+  if (option.mm) settings.object_px = object_px_of(*option.mm, skin, rig, profile, image_width, image_height);
   const int side_px = std::min(image_width, image_height);
   if (option.given && settings.object_px > side_px) {
     throw UsageError(
@@ -89,11 +132,33 @@ void set_object(const ObjectOption& option, const std::string& skin, const std::
   }
 }
 
-std::string object_text(const ObjectOption& option, const Settings& settings, const MachineProfile& profile) {
+std::int64_t check_object_limit(const ObjectOption& option, const std::string& skin,
+                                const std::vector<const MapTable*>& tables, const MachineProfile& profile,
+                                const Settings& settings) {
+  std::int64_t judgeable = std::numeric_limits<std::int64_t>::max();
+  for (const MapTable* table : tables) judgeable = std::min(judgeable, supported_pixels(*table, settings.decision));
+  const std::int64_t limit = object_limit(settings, profile);
+  if (option.given && settings.object_px > 0 && limit > judgeable) {
+    throw FileError(skin, "",
+                    fmt::format("no object can be an alarm: one of {:.0f} px across takes {} pixels of the result, and "
+                                "{} can judge {} of this skin",
+                                settings.object_px, limit, name_of(settings.decision), judgeable),
+                    "a larger skin, or a smaller --object; 0 for none");
+  }
+  return judgeable;
+}
+
+std::string object_text(const ObjectOption& option, const Settings& settings, const MachineProfile& profile,
+                        std::int64_t judgeable_pixels) {
   if (settings.object_px <= 0) return "none is an alarm by itself";
   const std::string mm = option.mm ? fmt::format("{:g} mm, ", *option.mm) : "";
-  return fmt::format("{}{:.0f} px across, {} pixels of the result", mm, settings.object_px,
-                     object_limit(settings, profile));
+  const std::int64_t limit = object_limit(settings, profile);
+  std::string text = fmt::format("{}{:.0f} px across, {} pixels of the result", mm, settings.object_px, limit);
+  if (limit > judgeable_pixels) {
+    text += fmt::format("; {} can judge {} of this skin, so only --alarm-limit counts", name_of(settings.decision),
+                        judgeable_pixels);
+  }
+  return text;
 }
 
 }  // namespace horopter::cli

@@ -2,13 +2,16 @@
 // --object: how large an object on the skin must be to be an alarm.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "commands.hpp"
 #include "horopter/base/profile.hpp"
 #include "horopter/calib/rig.hpp"
 #include "horopter/machine/monitor.hpp"
+#include "horopter/map/map.hpp"
 
 namespace horopter::cli {
 
@@ -21,13 +24,20 @@ struct ObjectOption {
 
 void add_object(CLI::App& command, ObjectOption& option);
 
-/// Sets settings.object_px. A body of so many mm has the fewest px where the skin is farthest away. Throws UsageError for mm
-/// of a skin without a surface in a rig's world, or of one that moves, and for less than an object can be, or
-/// more than fits into the image.
+/// Sets settings.object_px. A body of so many mm has the fewest px where the skin is farthest away. Throws FileError for mm
+/// of a skin without a surface in a rig's world, of one that moves, or of a table without a rig; UsageError for less than
+/// an object can be, or more than fits into the image.
 void set_object(const ObjectOption& option, const std::string& skin, const std::optional<calib::Rig>& rig,
                 const MachineProfile& profile, int image_width, int image_height, Settings& settings);
 
-/// "72 px across, 2036 pixels of the result", with mm where they were asked for.
-std::string object_text(const ObjectOption& option, const Settings& settings, const MachineProfile& profile);
+/// The pixels of the result that the rule can judge, in the table with the fewest. Throws FileError where an object was
+/// asked for that takes more: none would be an alarm.
+std::int64_t check_object_limit(const ObjectOption& option, const std::string& skin,
+                                const std::vector<const MapTable*>& tables, const MachineProfile& profile,
+                                const Settings& settings);
+
+/// "72 px across, 2036 pixels of the result", with mm where they were asked for; and whether so many can be judged.
+std::string object_text(const ObjectOption& option, const Settings& settings, const MachineProfile& profile,
+                        std::int64_t judgeable_pixels);
 
 }  // namespace horopter::cli

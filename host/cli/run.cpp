@@ -18,6 +18,7 @@
 #include "horopter/image/output.hpp"
 #include "horopter/machine/monitor.hpp"
 #include "horopter/machine/moving_supervisor.hpp"
+#include "horopter/machine/object_follower.hpp"
 #include "horopter/machine/report.hpp"
 #include "horopter/map/map_json.hpp"
 #include "horopter/plan/tolerance.hpp"
@@ -46,6 +47,7 @@ struct RunOptions {
   ObjectOption object;
   std::size_t frames = 0;
   std::size_t teach = 0;  ///< pairs that show the zone empty, before the others
+  std::optional<double> results_per_s;
   bool pair_by_order = false;
   bool overlay = true;
   bool json = false;
@@ -73,39 +75,62 @@ struct Session {
     thickness = set_thickness(options.thickness, options.skin, rig, *profile, width, height, settings);
     set_object(options.object, options.skin, rig, *profile, width, height, settings);
     if (is_moving_skin(options.skin)) {
-      SkinFile skin = load_skin_for(options.skin, rig, width, height);
-      d95_px = std::min(skin.motion_limits.tolerance_px, horopter::d95_px(settings));
-      skin.motion_limits.tolerance_px = d95_px;
-      MovingMaps maps = compile_motion(skin, *profile, width, height, view_limits(*profile, settings.decision));
-      std::vector<const MapTable*> tables;
-      for (const MovingStep& step : maps.steps) tables.push_back(&step.map.table);
-      check_alarm_limit(options.skin, tables, *profile, settings.decision, settings.alarm_percent);
-      warn_of_proof(options.skin, tables, *profile, maps.lookahead, settings, has_rig);
-      moving = std::make_unique<MovingSupervisor>(make_picture_device(options.engine, *profile), *profile,
-                                                  std::move(maps), settings);
+      begin_moving(options, rig, width, height);
       return;
     }
-    const MapSet maps = load_or_compile_maps(options.skin, rig, *profile, width, height, settings.decision);
+    maps = load_or_compile_maps(options.skin, rig, *profile, width, height, settings.decision);
     std::vector<const MapTable*> tables;
     for (const CompiledMap& map : maps.maps) tables.push_back(&map.table);
     check_alarm_limit(options.skin, tables, *profile, settings.decision, settings.alarm_percent);
+    judgeable_pixels = check_object_limit(options.object, options.skin, tables, *profile, settings);
     has_rig = !maps.rig.empty();
+    follower = std::make_unique<ObjectFollower>(*profile, tables, maps.rig);
+    results_per_s = options.results_per_s;
     warn_of_proof(options.skin, tables, *profile, maps.lookahead(), settings, has_rig);
     supervisor = std::make_unique<Supervisor>(make_picture_device(options.engine, *profile), *profile, maps, settings);
   }
   std::vector<FrameResult> process(const Image& left, const Image& right) {
     return moving ? moving->process(left, right) : supervisor->process(left, right);
   }
+  std::vector<TrackedObject> follow(int frame, const FrameResult& result) {
+    return follower->follow(result, results_per_s ? std::optional(frame / *results_per_s) : std::nullopt);
+  }
   Monitor& monitor() { return moving ? moving->monitor() : supervisor->monitor(); }
   const Device& device() { return monitor().device(); }
+
+  void begin_moving(const RunOptions& options, const std::optional<calib::Rig>& rig, int width, int height) {
+    SkinFile skin = load_skin_for(options.skin, rig, width, height);
+    results_per_s = skin.motion_limits.images_per_s;
+    if (options.results_per_s.value_or(*results_per_s) != *results_per_s) {
+      throw FileError(options.skin, "motion", fmt::format("frame_rate_per_s is {:g}", *results_per_s),
+                      fmt::format("{:g}, as --frame-rate says", *options.results_per_s));
+    }
+    d95_px = std::min(skin.motion_limits.tolerance_px, horopter::d95_px(settings));
+    skin.motion_limits.tolerance_px = d95_px;
+    MovingMaps compiled = compile_motion(skin, *profile, width, height, view_limits(*profile, settings.decision));
+    std::vector<const MapTable*> tables;
+    for (const MovingStep& step : compiled.steps) tables.push_back(&step.map.table);
+    check_alarm_limit(options.skin, tables, *profile, settings.decision, settings.alarm_percent);
+    judgeable_pixels = check_object_limit(options.object, options.skin, tables, *profile, settings);
+    warn_of_proof(options.skin, tables, *profile, compiled.lookahead, settings, has_rig);
+    moving = std::make_unique<MovingSupervisor>(make_picture_device(options.engine, *profile), *profile,
+                                                std::move(compiled), settings);
+    tables.clear();  // these went into it
+    for (const MovingStep& step : moving->maps().steps) tables.push_back(&step.map.table);
+    follower = std::make_unique<ObjectFollower>(*profile, tables, moving->maps().rig);
+  }
 
   const MachineProfile* profile = nullptr;
   Settings settings;
   std::optional<ChosenThickness> thickness;
   bool has_rig = true;
-  double d95_px = 0;  ///< of a skin that moves: what its steps are planned for
+  std::int64_t judgeable_pixels = 0;  ///< on the skin
+  double d95_px = 0;                  ///< of a skin that moves: what its steps are planned for
+  MapSet maps;                        ///< of a skin that does not move
   std::unique_ptr<Supervisor> supervisor;
   std::unique_ptr<MovingSupervisor> moving;  ///< instead, for a skin that moves
+  std::unique_ptr<ObjectFollower> follower;
+  std::optional<double> results_per_s;
 };
 
 void print_frame(int frame, const FrameResult& result) {
@@ -123,13 +148,14 @@ void print_frame(int frame, const FrameResult& result) {
   std::fflush(stdout);  // a frame that was seen is said, whatever comes
 }
 
-void write_frame(OutputDirectory& output, int frame, const Image& left, const FrameResult& result, bool overlay) {
+void write_frame(OutputDirectory& output, int frame, const Image& left, const FrameResult& result,
+                 const std::vector<TrackedObject>& objects, bool overlay) {
   const std::string base = fmt::format("frame-{:04}", frame);
   output.write(base + "-state.png", encode_png(state_picture(result.states)));
   if (!overlay) return;
   const Picture picture = result.scan == Scan::progressive
-                              ? draw_overlay(left, result)
-                              : draw_overlay(field_of(left, result.scan == Scan::odd_field ? 1 : 0), result);
+                              ? draw_overlay(left, result, objects)
+                              : draw_overlay(field_of(left, result.scan == Scan::odd_field ? 1 : 0), result, objects);
   output.write(base + "-overlay.png", encode_png_bgr(picture.width, picture.height, picture.bgr));
 }
 
@@ -209,8 +235,15 @@ ExitStatus run(const RunOptions& options) {
         "unproven: clear means only that the images do not agree; both cameras are not shown to see the place\n");
   }
   summary["object"] = {{"px", std::round(10 * session.settings.object_px) / 10},
-                       {"pixels", object_limit(session.settings, *session.profile)}};
-  if (!options.json) fmt::print("object: {}\n", object_text(options.object, session.settings, *session.profile));
+                       {"pixels", object_limit(session.settings, *session.profile)},
+                       {"judgeable_pixels", session.judgeable_pixels},
+                       {"in_mm", session.follower->in_mm()}};
+  if (session.results_per_s) summary["frame_rate_per_s"] = *session.results_per_s;
+  if (!options.json) {
+    fmt::print("object: {}{}\n",
+               object_text(options.object, session.settings, *session.profile, session.judgeable_pixels),
+               session.follower->in_mm() ? "" : "; without a rig nothing is known in mm");
+  }
   if (session.thickness) {
     summary.update(session.thickness->json());
     if (!options.json) fmt::print("{}\n", session.thickness->text(session.settings));
@@ -250,11 +283,12 @@ ExitStatus run(const RunOptions& options) {
         session.monitor().teach(false);
       }
       for (const FrameResult& result : session.process(pair->left.image, pair->right.image)) {
+        const std::vector<TrackedObject> objects = session.follow(frame, result);
         {
           const std::lock_guard lock(results);
-          write_frame(output, frame, pair->left.image, result, options.overlay);
+          write_frame(output, frame, pair->left.image, result, objects, options.overlay);
           summary["frames"].push_back(
-              frame_json(frame, pair->left.name, pair->right.name, result, device.counts_cycles()));
+              frame_json(frame, pair->left.name, pair->right.name, result, objects, device.counts_cycles()));
         }
         if (result.faults.without(Fault::teaching).any()) status = ExitStatus::fault;
         if (!options.json) {
@@ -340,6 +374,12 @@ void add_run(CLI::App& app, Outcome& outcome) {
           "reads undecidable, and a plain glove is no alarm")
       ->check(at_least_one())
       ->type_name("N");
+  command
+      ->add_option("--frame-rate", options->results_per_s,
+                   "Results a second, frames or fields of profile field: objects then have a velocity by the second, "
+                   "else by the frame")
+      ->check(within(0.1, 10'000, "a second"))
+      ->type_name("HZ");
   command->add_option("--out", options->out, "Directory for the results")->required()->type_name("DIR");
   command->add_flag_callback("--no-overlay", [options] { options->overlay = false; }, "Write no overlay pictures");
   command->add_flag("--json", options->json, "Print summary.json on standard output, and nothing else");

@@ -101,12 +101,146 @@ TEST_CASE("Thresholds and limits change what they name") {
   const auto huge = box.run(run_arguments() + std::vector<std::string>{"--object", "900px"});
   CHECK(huge.status == 2);
   CHECK(huge.err.find("does not fit into an image") != std::string::npos);
-  const auto nowhere = box.run(run_arguments() + std::vector<std::string>{"--object", "40mm"});
-  CHECK(nowhere.status == 2);
-  CHECK(nowhere.err.find("--object in mm needs a surface") != std::string::npos);
+  check_bad_file(box, run_arguments() + std::vector<std::string>{"--object", "40mm"}, "skin.yaml",
+                 "a homography knows no mm");
   const auto blind = frame({"--unsupervised-limit", "1"});
   CHECK(blind["faults"] == nlohmann::json{"too_unsupervised"});
   CHECK(blind["safe"] == false);
+}
+
+TEST_CASE("Objects have a place and size in mm with a rig, and are followed from frame to frame") {
+  const std::string profile = GENERATE("vga", "field");
+  const std::size_t fields = profile == "field" ? 2 : 1;
+  CAPTURE(profile);
+  Sandbox box;
+  constexpr int kPairs = 4, kStep_px = 12;  // of 5 mm on the skin
+  for (int i = 0; i < kPairs; ++i) {
+    const cv::Mat left = textured(200, 120, static_cast<std::uint64_t>(i) + 1);
+    const std::string number = std::to_string(i);
+    save((box / ("left" + number + ".png")).string(), left);
+    save((box / ("right" + number + ".png")).string(), right_of(left, kBlock + cv::Point(i * kStep_px, 0), -10, 0));
+  }
+  box.write("rig.yaml", rig_text());
+  box.write("wall.yaml", "surface: {type: plane, point_mm: [0, 0, 1000], normal: [0, 0, -1]}\n");
+  const std::vector<std::string> rated{"--frame-rate", profile == "field" ? "50" : "25"};
+  const auto supervise = [&](const std::string& skin, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"run",       "--left", "left*.png", "--right", "right*.png", "--skin", skin,
+                                       "--profile", profile,  "--object",  "40px",    "--out",      "out",    "--json"};
+    const auto result = box.run(arguments + more);
+    CAPTURE(result.err);
+    REQUIRE((result.status == 0 || result.status == 4));
+    return nlohmann::json::parse(result.out);
+  };
+  const std::vector<std::string> with_rig{"--rig", "rig.yaml"};
+  const auto summary = supervise("wall.yaml", with_rig + rated);
+  CHECK(summary["object"]["in_mm"] == true);
+  CHECK(summary["frame_rate_per_s"] == 25 * fields);
+  REQUIRE(summary["frames"].size() == kPairs * fields);
+  for (std::size_t i = 0; i < summary["frames"].size(); ++i) {
+    const auto& objects = summary["frames"][i]["objects"];
+    CAPTURE(i, objects.dump());
+    REQUIRE(objects.size() == 1);
+    const auto& object = objects[0];
+    CHECK(object["id"] == 1);
+    CHECK(object["age_frames"] == i + 1);
+    // A pixel of the result is 5 mm wide and high, or in fields 10.
+    const double pixel_mm = 5.0 * static_cast<double>(fields);
+    CHECK(object["area_mm2"].get<double>() ==
+          Approx(object["area_px"].get<double>() * pixel_mm * pixel_mm).epsilon(0.01));
+    const std::size_t pair = i / fields;
+    const double x_mm = 5 * (60 + 35 + kStep_px * static_cast<double>(pair) - 100);
+    CHECK(object["centroid_mm"][0].get<double>() == Approx(x_mm).margin(25));
+    CHECK(object["centroid_mm"][1].get<double>() == Approx(5 * (30 + 25 - 60)).margin(25));
+    CHECK(object["centroid_mm"][2].get<double>() == Approx(1000).margin(5));
+    CHECK(object["size_mm"][0].get<double>() == Approx(350).margin(60));
+    CHECK(object["size_mm"][1].get<double>() == Approx(250).margin(60));
+    REQUIRE(object.contains("velocity_mm_s") == (i >= fields));
+    if (i < 3 * fields) continue;
+    CHECK(object["velocity_mm_s"][0].get<double>() == Approx(1500).margin(200));
+    CHECK(object["velocity_mm_s"][1].get<double>() == Approx(0).margin(200));
+    CHECK(object["velocity_mm_s"][2].get<double>() == Approx(0).margin(20));
+  }
+  // The same of a table that was made before: its rig is in it.
+  REQUIRE(
+      box.run({"map", "--skin", "wall.yaml", "--rig", "rig.yaml", "--profile", profile, "-o", "wall.hmap"}).status ==
+      0);
+  const auto by_table = supervise("wall.hmap", rated);
+  for (std::size_t i = 0; i < summary["frames"].size(); ++i) {
+    CHECK(by_table["frames"][i]["objects"] == summary["frames"][i]["objects"]);
+  }
+  // Without a rate by the frame, without a rig in px.
+  const auto unrated = supervise("wall.yaml", with_rig);
+  CHECK_FALSE(unrated.contains("frame_rate_per_s"));
+  const auto& last = unrated["frames"].back()["objects"][0];
+  CHECK(last["velocity_mm_frame"][0].get<double>() == Approx(60.0 / static_cast<double>(fields)).margin(8));
+  CHECK_FALSE(last.contains("velocity_mm_s"));
+  box.write("no_rig.yaml", "surface: {type: homography, matrix: [[1, 0, -10], [0, 1, 0], [0, 0, 1]]}\n");
+  const auto without = supervise("no_rig.yaml", rated);
+  CHECK(without["object"]["in_mm"] == false);
+  const auto& in_px = without["frames"].back()["objects"][0];
+  for (const char* mm : {"area_mm2", "size_mm", "centroid_mm", "velocity_mm_s", "velocity_mm_frame"}) {
+    CHECK_FALSE(in_px.contains(mm));
+  }
+  CHECK(in_px["velocity_px_s"][0].get<double>() == Approx(25.0 * kStep_px / static_cast<double>(fields)).margin(30));
+  CHECK(in_px["id"] == 1);
+}
+
+TEST_CASE("--object in mm is that of the skin's file by its table alone; a table without a rig is refused") {
+  Sandbox box;
+  with_pairs(box);
+  box.write("rig.yaml", rig_text());
+  box.write("wall.yaml", "surface: {type: plane, point_mm: [0, 0, 1000], normal: [0.3, 0, -1]}\n");
+  const auto object_px = [&](const std::string& skin, const std::vector<std::string>& more) {
+    const auto result = box.run(run_arguments("left0.png", "right0.png", skin) + more +
+                                std::vector<std::string>{"--object", "150mm", "--json"});
+    CAPTURE(skin, result.err);
+    REQUIRE((result.status == 0 || result.status == 4));
+    return nlohmann::json::parse(result.out)["object"]["px"].get<double>();
+  };
+  const std::vector<std::string> rig{"--rig", "rig.yaml"};
+  const std::string profile = GENERATE("vga", "field");
+  const std::vector<std::string> build{"--profile", profile};
+  REQUIRE(box.run(std::vector<std::string>{"map", "--skin", "wall.yaml", "-o", "wall.hmap"} + rig + build).status == 0);
+  const double by_skin = object_px("wall.yaml", rig + build);
+  CHECK(by_skin < 30);  // 150 mm at 1 m
+  CHECK(by_skin > 20);
+  CHECK(object_px("wall.hmap", build) == Approx(by_skin).epsilon(0.02));
+  REQUIRE(
+      box.run(std::vector<std::string>{"map", "--skin", "skin.yaml", "-o", "none.hmap", "--size", "200x120"} + build)
+          .status == 0);
+  fs::remove_all(box / "out");
+  check_bad_file(
+      box, run_arguments("left0.png", "right0.png", "none.hmap") + build + std::vector<std::string>{"--object", "40mm"},
+      "none.hmap", "without a rig knows no mm");
+  // At 1 m 5 mm are 1 px.
+  CHECK(box.run(run_arguments("left0.png", "right0.png", "wall.hmap") + build +
+                std::vector<std::string>{"--object", "5mm"})
+            .status == 2);
+}
+
+TEST_CASE("An object that is larger than the skin is refused where it was asked for, and said where it was not") {
+  Sandbox box;
+  with_pairs(box);
+  box.write("rig.yaml", rig_text());
+  // 60 × 60 px of the left image: less than half of a disc of 100 px, and than one of 80 px.
+  box.write("small.yaml",
+            "surface: {type: planes, polygons_mm: [[[-100, -150, 1000], [200, -150, 1000], [200, 150, 1000], "
+            "[-100, 150, 1000]]]}\n");
+  const std::vector<std::string> small = run_arguments("left0.png", "right0.png", "small.yaml") +
+                                         std::vector<std::string>{"--rig", "rig.yaml", "--alarm-limit", "1"};
+  check_bad_file(box, small + std::vector<std::string>{"--object", "80px"}, "small.yaml", "no object can be an alarm");
+  const auto told = box.run(small);
+  CAPTURE(told.err);
+  CHECK((told.status == 0 || told.status == 4));
+  CHECK_THAT(told.out, Catch::Contains("so only --alarm-limit counts"));
+  const auto object = nlohmann::json::parse(box.read("out/summary.json"))["object"];
+  CHECK(object["judgeable_pixels"].get<int>() > 1000);
+  CHECK(object["judgeable_pixels"].get<int>() < object["pixels"].get<int>());
+  const auto fits = box.run(small + std::vector<std::string>{"--object", "30px"});
+  CHECK((fits.status == 0 || fits.status == 4));
+  CHECK_THAT(fits.out, !Catch::Contains("only --alarm-limit counts"));
+  const auto none = box.run(small + std::vector<std::string>{"--object", "0"});
+  CHECK_THAT(none.out, Catch::Contains("none is an alarm by itself"));
 }
 
 TEST_CASE("A machine's commands answer in JSON, and upload writes the mode that it is given") {
@@ -188,6 +322,7 @@ TEST_CASE("A skin that moves: every frame names its table and time") {
   CHECK(summary["motion"]["tables"] == 4);
   CHECK(summary["motion"]["inserted"] == 0);
   CHECK(summary["motion"]["d95_px"] == 0.7);
+  CHECK(summary["frame_rate_per_s"] == 50);
   const auto& frames = summary["frames"];
   REQUIRE(frames.size() == 5);
   for (std::size_t i = 0; i < 5; ++i) {
@@ -200,6 +335,8 @@ TEST_CASE("A skin that moves: every frame names its table and time") {
 
   CHECK(box.run(arguments).status == 2);  // no rig
   fs::remove_all(box / "out");
+  check_bad_file(box, arguments + rig + std::vector<std::string>{"--frame-rate", "25"}, "moving.yaml",
+                 "frame_rate_per_s is 50");
 
   // The settings in force plan the steps, whichever option gives them; what they cannot serve is refused.
   for (const std::vector<std::string>& thin : {std::vector<std::string>{"--threshold", "3"},

@@ -421,11 +421,14 @@ class Passing : public Device {
 /// With one thing broken.
 class Broken : public Passing {
  public:
-  enum class How { count, state, run, sequence, silent };
+  enum class How { count, state, run, sequence, silent, object, no_alarm };
   explicit Broken(How how) : Passing("vga"), how_(how) {}
   std::uint32_t read(std::uint32_t address) override {
     const auto value = Passing::read(address);
     if (how_ == How::count && address == reg::frame_skin::kAddress) return value + 1;
+    if (how_ == How::object && address == reg::frame_object::kAddress) return value - 1;
+    if (how_ == How::no_alarm && address == reg::frame_status::kAddress)
+      return value & ~reg::frame_status::kAlarm.mask();
     if (how_ == How::sequence && address == reg::frame_sequence::kAddress && value != 0) return value + 1;
     if (how_ == How::silent && address == reg::frame_sequence::kAddress) return 0;
     return value;
@@ -599,9 +602,11 @@ TEST_CASE("A build with anything more or other than the profile is refused") {
 }
 
 TEST_CASE("A machine that contradicts itself is found out") {
-  const auto how =
-      GENERATE(Broken::How::count, Broken::How::state, Broken::How::run, Broken::How::sequence, Broken::How::silent);
-  Monitor monitor(std::make_unique<Broken>(how), find_profile("vga"));
+  const auto how = GENERATE(Broken::How::count, Broken::How::state, Broken::How::run, Broken::How::sequence,
+                            Broken::How::silent, Broken::How::object, Broken::How::no_alarm);
+  Settings settings;
+  settings.object_px = 40;
+  Monitor monitor(std::make_unique<Broken>(how), find_profile("vga"), settings);
   monitor.start(kWidth, kHeight, 8);
   monitor.upload(0, shift_table(find_profile("vga"), kWidth, kHeight, -6, 2));
   monitor.select(0);

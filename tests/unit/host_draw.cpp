@@ -8,6 +8,7 @@
 #include "horopter/draw/map_draw.hpp"
 #include "horopter/draw/overlay.hpp"
 #include "horopter/draw/plot.hpp"
+#include "horopter/machine/regions.hpp"
 
 using namespace horopter;
 
@@ -127,4 +128,47 @@ TEST_CASE("An overlay frames objects that are an alarm in red, with their size, 
   result.object_limit_pixels = 0;  // none is
   const Picture none = draw_overlay(Image(width, height, 90), result);
   CHECK(at(none, scale * 50, bar + scale * 130).green > 200);
+}
+
+TEST_CASE("An overlay shows an object's id, size in mm and way") {
+  const int width = 320, height = 240;
+  FrameResult result;
+  result.states = Image(width, height);
+  for (int y = 60; y < 160; ++y) {
+    for (int x = 200; x < 310; ++x) result.states.at(x, y) = static_cast<std::uint8_t>(State::skin);
+  }
+  result.object_limit_pixels = 3000;
+  const Image left(width, height, 90);
+  TrackedObject object;
+  object.region = objects_of(result).at(0);
+  object.id = 1;
+  const Picture numbered = draw_overlay(left, result);
+  CHECK(draw_overlay(left, result, {object}).bgr == numbered.bgr);  // nothing more is known of it
+  const auto differs = [&](const Picture& other) { return other.bgr != numbered.bgr; };
+  object.id = 12;
+  CHECK(differs(draw_overlay(left, result, {object})));
+  object.id = 1;
+  object.in_space = ObjectInSpace{1000, 120, 80, {0, 0, 800}};
+  CHECK(differs(draw_overlay(left, result, {object})));
+  object.in_space.reset();
+  // It goes to the left: white where it will be, and not on the other side.
+  object.motion = ObjectMotion{{-24, 0}, {}, {}};
+  const Picture moving = draw_overlay(left, result, {object});
+  const int scale = moving.width / width;
+  const int bar = moving.height - scale * height;
+  const auto is_white = [&](int x, int y) {
+    const Colour c = at(moving, scale * x, bar + scale * y);
+    return c.blue > 220 && c.green > 220 && c.red > 220;
+  };
+  const int y = static_cast<int>(std::lround(object.region.centroid_y));
+  CHECK(is_white(200, y));
+  CHECK(is_white(160, y));
+  CHECK_FALSE(is_white(120, y));
+  CHECK_FALSE(is_white(280, y));
+  // One that does not move has no arrow, and one of another frame is not taken for this one.
+  object.motion = ObjectMotion{{0.1, 0}, {}, {}};
+  CHECK_FALSE(differs(draw_overlay(left, result, {object})));
+  object.motion = ObjectMotion{{-24, 0}, {}, {}};
+  ++object.region.pixels;
+  CHECK_FALSE(differs(draw_overlay(left, result, {object})));
 }

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-#include "horopter/machine/report.hpp"
+#include "horopter/machine/regions.hpp"
 
 namespace horopter {
 namespace {
@@ -20,9 +20,47 @@ cv::Mat left_at_result_size(const Image& left, int width, int height) {
   return small;
 }
 
+constexpr int kArrow_frames = 5;
+const cv::Scalar kRed(40, 40, 230), kWhite(255, 255, 255), kYellow(0, 220, 255);
+
+/// Both colours, so that it is seen on everything.
+void write(cv::Mat& picture, const std::string& text, cv::Point at) {
+  constexpr double kScale = 0.45;
+  const int width = cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, kScale, 1, nullptr).width;
+  at.x = std::max(0, std::min(at.x, picture.cols - width - 2));
+  for (const auto& [colour, thickness] : {std::pair{kRed, 4}, {kWhite, 1}}) {
+    cv::putText(picture, text, at, cv::FONT_HERSHEY_SIMPLEX, kScale, colour, thickness, cv::LINE_AA);
+  }
+}
+
+/// `factor`: pixels of the picture for one of the result.
+void draw_alarm(cv::Mat& picture, const TrackedObject& object, int factor) {
+  const Region& r = object.region;
+  const cv::Point corner(r.x * factor, r.y * factor);
+  cv::rectangle(picture, corner, {(r.x + r.width) * factor - 1, (r.y + r.height) * factor - 1}, kRed, 3);
+  if (object.motion) {
+    const auto place = [&](double x, double y) {
+      return cv::Point(cvRound((x + 0.5) * factor), cvRound((y + 0.5) * factor));
+    };
+    const Eigen::Vector2d way = kArrow_frames * object.motion->px_frame;
+    const cv::Point from = place(r.centroid_x, r.centroid_y);
+    const cv::Point to = place(r.centroid_x + way.x(), r.centroid_y + way.y());
+    constexpr double kShortest_px = 6;  // less is noise
+    if (cv::norm(to - from) >= kShortest_px) {
+      for (const auto& [colour, thickness] : {std::pair{kRed, 5}, {kWhite, 2}}) {
+        cv::arrowedLine(picture, from, to, colour, thickness, cv::LINE_AA, 0, 0.25);
+      }
+    }
+  }
+  const std::string size =
+      object.in_space ? fmt::format("{:.0f} x {:.0f} mm", object.in_space->length_mm, object.in_space->width_mm)
+                      : fmt::format("{} px", r.pixels);
+  write(picture, fmt::format("{}: {}", object.id, size), corner + cv::Point(5, 17));
+}
+
 }  // namespace
 
-Picture draw_overlay(const Image& left, const FrameResult& result) {
+Picture draw_overlay(const Image& left, const FrameResult& result, const std::vector<TrackedObject>& objects) {
   const Image& states = result.states;
   const cv::Mat grey = left_at_result_size(left, states.width, states.height);
   cv::Mat small(states.height, states.width, CV_8UC3);
@@ -59,24 +97,20 @@ Picture draw_overlay(const Image& left, const FrameResult& result) {
   cv::resize(small, picture, {}, factor, factor, cv::INTER_NEAREST);
 
   const auto smallest = std::max<std::int64_t>(16, static_cast<std::int64_t>(states.pixels.size()) / 2000);
-  const cv::Scalar yellow(0, 220, 255), red(40, 40, 230), white(255, 255, 255);
   int number = 0;  // of the objects that are an alarm, the largest first
   for (const Region& region : objects_of(result)) {
     const bool alarm = result.object_limit_pixels > 0 && region.pixels >= result.object_limit_pixels;
     if (alarm) {
-      const cv::Point corner(region.x * factor, region.y * factor);
-      cv::rectangle(picture, corner, {(region.x + region.width) * factor - 1, (region.y + region.height) * factor - 1},
-                    red, 3);
-      const std::string label = fmt::format("{}: {} px", ++number, region.pixels);
-      for (const auto& [colour, thickness] : {std::pair{red, 4}, {white, 1}}) {
-        cv::putText(picture, label, corner + cv::Point(5, 17), cv::FONT_HERSHEY_SIMPLEX, 0.45, colour, thickness,
-                    cv::LINE_AA);
-      }
+      const auto followed = std::ranges::find(objects, region, [](const TrackedObject& o) { return o.region; });
+      TrackedObject unknown;
+      unknown.region = region;
+      unknown.id = ++number;
+      draw_alarm(picture, followed != objects.end() ? *followed : unknown, factor);
       continue;
     }
     if (region.pixels < smallest) continue;
     cv::rectangle(picture, {region.x * factor, region.y * factor},
-                  {(region.x + region.width) * factor - 1, (region.y + region.height) * factor - 1}, yellow, 2);
+                  {(region.x + region.width) * factor - 1, (region.y + region.height) * factor - 1}, kYellow, 2);
   }
 
   std::string text = result.alarm ? "ALARM" : result.safe ? "safe" : "not safe";

@@ -12,6 +12,7 @@
 #include "horopter/machine/configuration.hpp"
 #include "horopter/machine/loader.hpp"
 #include "horopter/machine/machine_build.hpp"
+#include "horopter/machine/regions.hpp"
 #include "horopter/machine/registers.hpp"
 
 namespace horopter {
@@ -58,6 +59,21 @@ void check_consistent(const FrameStreams& streams, const FrameResult& result, in
     }
   }
   if (row != height) throw DeviceError(fmt::format("the machine's runs end in row {} of {}", row, height));
+}
+
+/// So must its objects. Where it could not tell all of them apart (fault `objects`) it may not have the largest.
+void check_objects(const FrameResult& result) {
+  if (result.faults.has(Fault::objects)) return;
+  const std::vector<Region> objects = objects_of(result);
+  const std::int64_t largest = objects.empty() ? 0 : objects.front().pixels;
+  if (largest != result.largest_object_pixels) {
+    throw DeviceError(fmt::format("the machine's largest object has {} pixels; in its states the largest has {}",
+                                  result.largest_object_pixels, largest));
+  }
+  if (largest >= result.object_limit_pixels && !result.alarm) {
+    throw DeviceError(fmt::format("the machine has an object of {} pixels, of which {} are an alarm, and no alarm",
+                                  largest, result.object_limit_pixels));
+  }
 }
 
 }  // namespace
@@ -269,6 +285,7 @@ FrameResult Monitor::finish() {
         fmt::format("the machine has {} blind pixels; by its states, and those that it was taught, there are {}",
                     result.blind_pixels, pixels));
   }
+  check_objects(result);
   result.runs = std::move(streams.runs);
   return result;
 }

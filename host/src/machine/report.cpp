@@ -4,55 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
-#include <tuple>
 
 #include "horopter/map/map_json.hpp"
 
 namespace horopter {
-namespace {
-
-/// Pixels of `mask`, of which those of `blind`, if that is not empty, are counted.
-std::vector<Region> connected(const cv::Mat& mask, const cv::Mat& blind) {
-  cv::Mat labels;
-  cv::Mat stats;
-  cv::Mat centroids;
-  const int count = cv::connectedComponentsWithStats(mask, labels, stats, centroids, 8);
-  std::vector<std::int64_t> blind_pixels(static_cast<std::size_t>(count));
-  if (!blind.empty()) {
-    for (int y = 0; y < mask.rows; ++y) {
-      for (int x = 0; x < mask.cols; ++x) {
-        if (blind.at<std::uint8_t>(y, x) != 0) ++blind_pixels[static_cast<std::size_t>(labels.at<int>(y, x))];
-      }
-    }
-  }
-  std::vector<Region> regions;
-  for (int i = 1; i < count; ++i) {
-    const int* row = stats.ptr<int>(i);
-    regions.push_back({row[cv::CC_STAT_LEFT], row[cv::CC_STAT_TOP], row[cv::CC_STAT_WIDTH], row[cv::CC_STAT_HEIGHT],
-                       row[cv::CC_STAT_AREA], centroids.at<double>(i, 0), centroids.at<double>(i, 1),
-                       blind_pixels[static_cast<std::size_t>(i)]});
-  }
-  std::ranges::sort(regions, {}, [](const Region& r) { return std::tuple(-r.pixels, r.y, r.x); });
-  return regions;
-}
-
-cv::Mat in_skin(const Image& states) {
-  const cv::Mat codes(states.height, states.width, CV_8UC1, const_cast<std::uint8_t*>(states.pixels.data()));
-  return codes == static_cast<int>(State::skin);
-}
-
-}  // namespace
-
-std::vector<Region> regions_of(const Image& states) { return connected(in_skin(states), {}); }
-
-std::vector<Region> objects_of(const FrameResult& result) {
-  if (result.blind.empty()) return regions_of(result.states);
-  const cv::Mat blind(result.states.height, result.states.width, CV_8UC1,
-                      const_cast<std::uint8_t*>(result.blind.data()));
-  return connected(in_skin(result.states) | (blind != 0), blind);
-}
-
 Image state_picture(const Image& states) {
   constexpr std::array<std::uint8_t, 4> kLevels{0, 255, 128, 64};
   Image picture(states.width, states.height);
@@ -62,7 +17,8 @@ Image state_picture(const Image& states) {
 
 namespace {
 
-double rounded(double value) { return std::round(10 * value) / 10; }
+/// Never −0.
+double rounded(double value) { return std::round(10 * value) / 10 + 0.0; }
 
 /// Shares of the textured cells that are explained, of the frame and of each region (null: no texture), and what the
 /// right image is displaced.
@@ -89,8 +45,40 @@ void add_agreement(nlohmann::ordered_json& json, const Agreement& agreement) {
 
 }  // namespace
 
+nlohmann::ordered_json object_json(const TrackedObject& object) {
+  using Json = nlohmann::ordered_json;
+  const Region& region = object.region;
+  const auto vector = [](const auto& v) {
+    Json numbers = Json::array();
+    for (const double number : v) numbers.push_back(rounded(number));
+    return numbers;
+  };
+  Json json{{"id", object.id}, {"area_px", region.pixels}};
+  if (object.in_space) json["area_mm2"] = rounded(object.in_space->area_mm2);
+  json["skin_pixels"] = region.pixels - region.blind_pixels;
+  json["blind_pixels"] = region.blind_pixels;
+  json["box"] = {region.x, region.y, region.width, region.height};
+  if (object.in_space) json["size_mm"] = {rounded(object.in_space->length_mm), rounded(object.in_space->width_mm)};
+  json["centroid_px"] = {rounded(region.centroid_x), rounded(region.centroid_y)};
+  if (object.in_space) json["centroid_mm"] = vector(object.in_space->centroid_mm);
+  json["age_frames"] = object.age_frames;
+  if (!object.motion) return json;
+  const ObjectMotion& motion = *object.motion;
+  if (const auto mm_s = motion.mm_s()) {
+    json["velocity_mm_s"] = vector(*mm_s);
+  } else if (motion.mm_frame) {
+    json["velocity_mm_frame"] = vector(*motion.mm_frame);
+  } else if (const auto px_s = motion.px_s()) {
+    json["velocity_px_s"] = vector(*px_s);
+  } else {
+    json["velocity_px_frame"] = vector(motion.px_frame);
+  }
+  return json;
+}
+
 nlohmann::ordered_json frame_json(int frame, const std::string& left, const std::string& right,
-                                  const FrameResult& result, bool with_cycles) {
+                                  const FrameResult& result, const std::vector<TrackedObject>& objects,
+                                  bool with_cycles) {
   nlohmann::ordered_json json{{"frame", frame},
                               {"left", left},
                               {"right", right},
@@ -114,14 +102,7 @@ nlohmann::ordered_json frame_json(int frame, const std::string& left, const std:
                                {"pixels", region.pixels}});
   }
   json["objects"] = nlohmann::ordered_json::array();
-  for (const Region& region : objects_of(result)) {
-    if (region.pixels < result.object_limit_pixels) break;
-    json["objects"].push_back({{"area_px", region.pixels},
-                               {"skin_pixels", region.pixels - region.blind_pixels},
-                               {"blind_pixels", region.blind_pixels},
-                               {"box", {region.x, region.y, region.width, region.height}},
-                               {"centroid_px", {rounded(region.centroid_x), rounded(region.centroid_y)}}});
-  }
+  for (const TrackedObject& object : objects) json["objects"].push_back(object_json(object));
   add_agreement(json, result.agreement);
   if (result.skin_time_s) json["skin_time_s"] = *result.skin_time_s;
   if (result.scan != Scan::progressive) json["field"] = scan_name(result.scan);

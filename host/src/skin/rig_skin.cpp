@@ -108,6 +108,12 @@ double row_error_at(const calib::CameraModel& model, Point pixel, const Vector3d
   return std::nan("");
 }
 
+/// Least squares of the place along a line of sight that another camera sees, right camera: (between + t·sight) × seen = 0.
+double distance_along(const Vector3d& sight, const Vector3d& between, const Vector3d& seen) {
+  const Vector3d a = sight.cross(seen);
+  return -a.dot(between.cross(seen)) / a.squaredNorm();
+}
+
 }  // namespace
 
 CameraPair::CameraPair(calib::Camera left, calib::Camera right)
@@ -251,10 +257,7 @@ double CameraPair::thickness_mm(Point left, Point right, double tolerance_px) co
   if (!from_left || !from_right) return std::nan("");
   const calib::Pose left_to_right = right_.world_to_camera * left_.world_to_camera.inverse();
   const Vector3d sight = left_to_right.rotation * from_left->homogeneous();
-  // Least squares of the place along the left line of sight that the right pixel sees: (B + t·s) × q = 0.
-  const Vector3d seen = from_right->homogeneous();
-  const Vector3d a = sight.cross(seen);
-  const double distance = -a.dot(between_.cross(seen)) / a.squaredNorm();
+  const double distance = distance_along(sight, between_, from_right->homogeneous());
   const Vector3d point = between_ + distance * sight;
   Matrix2d lens;
   if (!(distance > 0) || !(point.z() > 0)) return std::nan("");
@@ -262,6 +265,18 @@ double CameraPair::thickness_mm(Point left, Point right, double tolerance_px) co
   if (!right_.model.distort(normalised, &lens)) return std::nan("");
   const Vector2d pixels_per_distance = lens * (sight.head<2>() - normalised * sight.z()) / point.z();
   return 2 * tolerance_px / pixels_per_distance.norm() * sight.norm();
+}
+
+std::optional<Vector3d> CameraPair::place_mm(Point left, Point right) const {
+  const auto from_left = left_.model.undistort({left.x, left.y});
+  const auto from_right = right_.model.undistort({right.x, right.y});
+  if (!from_left || !from_right) return {};
+  const Vector3d in_world = left_.world_to_camera.rotation.transpose() * from_left->homogeneous();
+  const Vector3d sight = right_.world_to_camera.rotation * in_world;
+  const double distance = distance_along(sight, between_, from_right->homogeneous());
+  const Vector3d place = left_centre_ + distance * in_world;
+  if (!(distance > 0) || !place.allFinite() || !((right_.world_to_camera * place).z() > 0)) return {};
+  return place;
 }
 
 RigSkin::RigSkin(CameraPair cameras, SurfacePtr surface, std::string_view type)

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -49,6 +50,9 @@ class CameraPair {
   /// nearer along the epipolar line to where it is as much further (2·D in 11.1, without its approximations).
   /// NaN where the two lines of sight do not determine a distance.
   double thickness_mm(Point left, Point right, double tolerance_px) const;
+  /// World coordinates of what both pixels see: on the left line of sight, where the right one comes nearest. Nothing
+  /// where the two do not determine a place before both cameras.
+  std::optional<Eigen::Vector3d> place_mm(Point left, Point right) const;
 
  private:
   calib::Camera left_;
