@@ -8,11 +8,14 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "commands.hpp"
+#include "horopter/base/interval.hpp"
 #include "horopter/base/json_text.hpp"
 #include "horopter/draw/map_draw.hpp"
 #include "horopter/image/output.hpp"
@@ -116,6 +119,68 @@ Planned plan(const CapabilityOptions& options) {
 Json size_json(double mm) { return std::isfinite(mm) ? Json(std::round(10 * mm) / 10) : Json(); }
 std::string size_text(double mm) { return std::isfinite(mm) ? fmt::format("{:.1f} mm", mm) : "none"; }
 
+void print_found(const CapabilityOptions& options, const Planned& plan) {
+  const CapabilityPlan& found = plan.capability;
+  fmt::print("profile    {}, rule {}, {:g} images a second, disparity tolerance (D95) {:.2f} px of the result\n",
+             plan.profile.name, name_of(plan.settings.decision), plan.timing.images_per_s, plan.d95_px);
+  fmt::print("object     {}\n", object_text(options.object, plan.settings, plan.profile));
+  if (found.supervised == 0) return;
+  fmt::print("skin       {:.1f} to {:.1f} mm thick, {:.1f} mm in the mean\n", plan.thickness.across.smallest,
+             plan.thickness.across.largest, plan.thickness.across.mean);
+  const std::string shape =
+      options.body == Body::ball ? "a ball" : fmt::format("a rod of which {:g} mm lie in the skin", kRodLength_mm);
+  fmt::print("body       {}, textured, at {:g} mm/s: it moves {:.1f} mm from image to image\n", shape,
+             options.speed_mm_s, plan.crossing.step_mm);
+  fmt::print("smallest   {} at the best place, {} at the median, {} at the worst\n", size_text(found.smallest_mm),
+             size_text(found.median_mm), size_text(found.largest_mm));
+  for (const double mm : kAsked_mm) {
+    fmt::print("  {:3g} mm   found at {:5.1f} % of the skin\n", mm, 100 * found.share_found(mm));
+  }
+  if (const double none = 1 - found.share_found(kLargestBody_mm); none > 0) {
+    fmt::print("  none up to {:g} mm at {:.1f} % of the skin: it is too thin for the speed, or the object too large\n",
+               kLargestBody_mm, 100 * none);
+  }
+}
+
+/// The rows of the rule and of the limit that is nearest.
+std::vector<Walked> of_rule(std::span<const Walked> rows, const Planned& plan) {
+  const std::int64_t limit_px = nearest_walked_px(object_limit(plan.settings, plan.profile));
+  std::vector<Walked> result;
+  for (const Walked& row : rows) {
+    if (row.decision == plan.settings.decision && row.object_limit_px == limit_px) result.push_back(row);
+  }
+  return result;
+}
+
+double per_hour(double share) { return share * walk_setup().images_per_s * 3600; }
+
+Json walked_json(const Planned& plan) {
+  Json json{{"object_pixels", nearest_walked_px(object_limit(plan.settings, plan.profile))},
+            {"rod_mm", walk_setup().rod_mm},
+            {"rod_px", walk_setup().rod_px},
+            {"fastest_m_s", walk_setup().fastest_m_s},
+            {"within_frames", walk_setup().frames},
+            {"found", Json::array()},
+            {"false_alarms", Json::array()}};
+  for (const Walked& row : of_rule(walked_rods(), plan)) {
+    const Interval interval = wilson(row.hits, row.of);
+    json["found"].push_back({{"coat", row.what},
+                             {"taught", row.taught},
+                             {"crossings", row.of},
+                             {"found", row.hits},
+                             {"interval", {interval.low, interval.high}}});
+  }
+  for (const Walked& row : of_rule(walked_lights(), plan)) {
+    const Interval interval = wilson(row.hits, row.of);
+    json["false_alarms"].push_back({{"disturbance", row.what},
+                                    {"taught", row.taught},
+                                    {"frames", row.of},
+                                    {"alarms", row.hits},
+                                    {"per_hour", {per_hour(interval.low), per_hour(interval.high)}}});
+  }
+  return json;
+}
+
 Json to_json(const CapabilityOptions& options, const Planned& plan) {
   const CapabilityPlan& found = plan.capability;
   Json json{
@@ -140,6 +205,7 @@ Json to_json(const CapabilityOptions& options, const Planned& plan) {
   for (const ResponseItem& item : detection_items(plan.timing)) {
     json["response"]["items"].push_back({{"item", item.name}, {"ms", item.seconds * 1e3}, {"source", item.source}});
   }
+  json["walked"] = walked_json(plan);
   json["response"]["stopping_ms"] = plan.stopping_s * 1e3;
   json["response"]["total_ms"] = plan.response_s() * 1e3;
   json["safety_distance_mm"] = nullptr;
@@ -149,27 +215,40 @@ Json to_json(const CapabilityOptions& options, const Planned& plan) {
   return json;
 }
 
-void print_found(const CapabilityOptions& options, const Planned& plan) {
-  const CapabilityPlan& found = plan.capability;
-  fmt::print("profile    {}, rule {}, {:g} images a second, disparity tolerance (D95) {:.2f} px of the result\n",
-             plan.profile.name, name_of(plan.settings.decision), plan.timing.images_per_s, plan.d95_px);
-  fmt::print("object     {}\n", object_text(options.object, plan.settings, plan.profile));
-  if (found.supervised == 0) return;
-  fmt::print("skin       {:.1f} to {:.1f} mm thick, {:.1f} mm in the mean\n", plan.thickness.across.smallest,
-             plan.thickness.across.largest, plan.thickness.across.mean);
-  const std::string shape =
-      options.body == Body::ball ? "a ball" : fmt::format("a rod of which {:g} mm lie in the skin", kRodLength_mm);
-  fmt::print("body       {}, textured, at {:g} mm/s: it moves {:.1f} mm from image to image\n", shape,
-             options.speed_mm_s, plan.crossing.step_mm);
-  fmt::print("smallest   {} at the best place, {} at the median, {} at the worst\n", size_text(found.smallest_mm),
-             size_text(found.median_mm), size_text(found.largest_mm));
-  for (const double mm : kAsked_mm) {
-    fmt::print("  {:3g} mm   found at {:5.1f} % of the skin\n", mm, 100 * found.share_found(mm));
+/// What surfaces, and light, do to it.
+void print_walked(const Planned& plan) {
+  const WalkSetup& setup = walk_setup();
+  fmt::print(
+      "measured   `horopter study walk`: rods of {:g} mm, {:g} px wide, at up to {:g} m/s, through {:g} mm of skin, an object of {} "
+      "pixels: found within {} frames [95 % limits]\n",
+      setup.rod_mm, setup.rod_px, setup.fastest_m_s, setup.thickness_mm,
+      nearest_walked_px(object_limit(plan.settings, plan.profile)), setup.frames);
+  for (const Walked& row : of_rule(walked_rods(), plan)) {
+    const Interval interval = wilson(row.hits, row.of);
+    fmt::print("  {:10} {:14} {} of {} [{:.1f} %, {:.1f} %]\n", row.taught ? "taught" : "not taught", row.what,
+               row.hits, row.of, 100 * interval.low, 100 * interval.high);
   }
-  if (const double none = 1 - found.share_found(kLargestBody_mm); none > 0) {
-    fmt::print("  none up to {:g} mm at {:.1f} % of the skin: it is too thin for the speed, or the object too large\n",
-               kLargestBody_mm, 100 * none);
+  fmt::print("  without a body, false alarms an hour [95 % limits]\n");
+  for (const Walked& row : of_rule(walked_lights(), plan)) {
+    const Interval interval = wilson(row.hits, row.of);
+    fmt::print("  {:10} {:28} {:.0f} [{:.0f}, {:.0f}], {} in {} frames\n", row.taught ? "taught" : "not taught",
+               row.what, per_hour(static_cast<double>(row.hits) / static_cast<double>(row.of)), per_hour(interval.low),
+               per_hour(interval.high), row.hits, row.of);
   }
+}
+
+/// Where walking found less than it should.
+void warn_of_coats(const Planned& plan) {
+  constexpr double kEnough = 0.999;
+  std::vector<std::string> missed;
+  for (const Walked& row : of_rule(walked_rods(), plan)) {
+    if (static_cast<double>(row.hits) >= kEnough * static_cast<double>(row.of)) continue;
+    missed.push_back(
+        fmt::format("{} ({}: {} of {})", row.what, row.taught ? "taught" : "not taught", row.hits, row.of));
+  }
+  if (missed.empty()) return;
+  warn(fmt::format("the figures hold for bodies with texture; `horopter study walk` missed rods of {:g} mm; found: {}",
+                   walk_setup().rod_mm, fmt::join(missed, ", ")));
 }
 
 void print_response(const Planned& plan) {
@@ -216,10 +295,12 @@ ExitStatus plan_capability(const CapabilityOptions& options) {
     warn(fmt::format("a {} of {:g} mm is not found at {:.1f} % of this skin", name_of(options.body), kHand_mm,
                      100 * (1 - planned.capability.share_found(kHand_mm))));
   }
+  warn_of_coats(planned);
   add_warnings(json);
   if (!options.json) {
     print_found(options, planned);
     if (planned.capability.supervised > 0) {
+      print_walked(planned);
       print_response(planned);
       print_distance(planned);
     }
@@ -275,6 +356,7 @@ void add_plan_capability(CLI::App& plan, Outcome& outcome) {
       "many: host/src/plan/disc_table.def, made by test-discs), must reach the limit of --object. Cameras see the front of a\n"
       "body only; its back does not count. Thickness is that for D95 of the rule's setting. A px is as many mm as in its\n"
       "worst direction. The figures are for a body with texture, all of it before supervised skin, and a good frame.\n"
+      "Other surfaces, and light that changes, are measured: host/src/plan/walk_table.def, made by `horopter study walk`.\n"
       "S = K T + C is ISO 13855:2010, for detection zones across the way of approach: d is the largest figure of the skin.\n"
       "Exit status 1: nothing of the skin is supervised, or so little that `map` refuses the cameras.\n\n"
       "Example: horopter plan capability --rig rig.yaml --skin skin.yaml --object 40mm --stopping-ms 120 --draw body.png");

@@ -116,6 +116,16 @@ TEST_CASE("plan capability: the smallest body, the response time and the distanc
   REQUIRE(arm["detection_capability_mm"]["largest"].get<double>() <= 40);
   CHECK(arm["safety_distance_mm"]["c"].get<double>() ==
         Approx(std::max(0.0, 8 * (arm["detection_capability_mm"]["largest"].get<double>() - 14))).margin(0.5));
+  // What was measured stands beside it: four coats, taught and not; and in the warnings, what was missed.
+  CHECK(arm["walked"]["found"].size() == 8);
+  CHECK(arm["walked"]["false_alarms"].size() == 12);
+  int missed = 0;
+  for (const json& row : arm["walked"]["found"]) {
+    CHECK(row["crossings"].get<int>() > 0);
+    CHECK(row["found"].get<int>() <= row["crossings"].get<int>());
+    missed += row["found"].get<int>() < row["crossings"].get<int>() ? 1 : 0;
+  }
+  CHECK((missed > 0) == (arm.contains("warnings") && arm["warnings"].dump().find("study walk") != std::string::npos));
   // So fast that no body is certain: neither figures nor a distance, and it is said.
   const auto fast = box.run(plan + std::vector<std::string>{"--speed", "90000"});
   CHECK(fast.status == 0);

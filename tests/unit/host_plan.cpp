@@ -121,6 +121,21 @@ TEST_CASE("The smallest body: its cap in the skin is as many pixels as an object
   CHECK(smallest_body_mm(crossing, 40, 0.5) > one_mm);
 }
 
+TEST_CASE("The table of study walk is whole: every coat and light, both rules, taught and not, the same limits") {
+  CHECK(walked_rods().size() == 2 * 2 * 2 * 4);
+  CHECK(walked_lights().size() == 2 * 2 * 2 * 6);
+  CHECK(walk_setup().rod_mm == 40);
+  for (const auto rows : {walked_rods(), walked_lights()}) {
+    for (const Walked& row : rows) {
+      CHECK(row.hits <= row.of);
+      CHECK(row.of > 0);
+      CHECK(nearest_walked_px(row.object_limit_px) == row.object_limit_px);
+    }
+  }
+  CHECK(nearest_walked_px(1) == nearest_walked_px(900));
+  CHECK(nearest_walked_px(1'000'000) == 3927);
+}
+
 TEST_CASE("Pixels of the skin are as large as the camera model says, in their worst direction") {
   const CameraPair cameras = table_11_1(640, 480, 0);
   const MachineProfile& profile = find_profile("vga");

@@ -21,6 +21,30 @@ constexpr auto kDiscs = std::to_array<DiscShare>({
 #undef DISC
 });
 
+constexpr WalkSetup kSetup{
+#define SETUP(...) __VA_ARGS__
+#define WALK(...)
+#define LIGHT(...)
+#include "walk_table.def"
+#undef SETUP
+#undef WALK
+};
+constexpr auto kRods = std::to_array<Walked>({
+#define SETUP(...)
+#define WALK(rule, taught, what, limit_px, of, hits) {Decision::rule, taught, what, limit_px, of, hits},
+#include "walk_table.def"
+#undef WALK
+#undef LIGHT
+});
+constexpr auto kLights = std::to_array<Walked>({
+#define WALK(...)
+#define LIGHT(rule, taught, what, limit_px, of, hits) {Decision::rule, taught, what, limit_px, of, hits},
+#include "walk_table.def"
+#undef SETUP
+#undef WALK
+#undef LIGHT
+});
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// What of a body's surface is in the skin.
@@ -126,6 +150,17 @@ CapabilityPlan plan_capability(const ThicknessPlan& plan, const MachineProfile& 
   result.median_mm = all[all.size() / 2];
   result.largest_mm = all.back();
   return result;
+}
+
+const WalkSetup& walk_setup() { return kSetup; }
+std::span<const Walked> walked_rods() { return kRods; }
+std::span<const Walked> walked_lights() { return kLights; }
+
+std::int64_t nearest_walked_px(std::int64_t object_limit_px) {
+  const auto away = [&](const Walked& row) {
+    return std::abs(std::log(static_cast<double>(row.object_limit_px) / static_cast<double>(object_limit_px)));
+  };
+  return std::ranges::min_element(kRods, {}, away)->object_limit_px;
 }
 
 }  // namespace horopter

@@ -9,6 +9,8 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "horopter/machine/monitor.hpp"
@@ -55,5 +57,30 @@ struct CapabilityPlan {
 };
 /// `plan`: with a thickness at which what lies in the skin is found (D95).
 CapabilityPlan plan_capability(const ThicknessPlan& plan, const MachineProfile& profile, const Crossing& crossing);
+
+/// What `horopter study walk` measured and wrote (walk_table.def).
+struct Walked {
+  Decision decision = Decision::thesis;
+  bool taught = false;               ///< what went blind counted
+  std::string_view what;             ///< coat of the rods, or disturbance
+  std::int64_t object_limit_px = 0;  ///< pixels of the result that were an alarm
+  std::int64_t of = 0;               ///< crossings, or frames
+  std::int64_t hits = 0;             ///< crossings in which the rod was found in time, or false alarms
+};
+/// What crossed there.
+struct WalkSetup {
+  double rod_mm = 0;
+  double rod_px = 0;  ///< its width in px of the result
+  double fastest_m_s = 0;
+  double images_per_s = 0;
+  double thickness_mm = 0;  ///< of the skin, D50
+  int frames = 0;           ///< within which it was to be found
+};
+const WalkSetup& walk_setup();
+/// Rods of each coat that crossed the skin; and without a body, disturbances of the light.
+std::span<const Walked> walked_rods();
+std::span<const Walked> walked_lights();
+/// Of the limits that were walked, the one that a limit is nearest to.
+std::int64_t nearest_walked_px(std::int64_t object_limit_px);
 
 }  // namespace horopter
