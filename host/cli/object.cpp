@@ -19,8 +19,14 @@
 namespace horopter::cli {
 namespace {
 
-/// Windows of 9×9 pixels and a majority of 7×7 leave nothing certain of what is smaller.
-constexpr double kSmallest_px = 16, kLargest_px = 1000, kSmallest_mm = 5, kLargest_mm = 2000;
+constexpr double kLargest_px = 1000, kSmallest_mm = 5, kLargest_mm = 2000;
+
+/// With the smallest windows that there are.
+double smallest_of_all_px() {
+  double smallest = kLargest_px;
+  for (const MachineProfile& profile : profiles()) smallest = std::min(smallest, smallest_object_px(profile));
+  return smallest;
+}
 
 void parse(const std::string& text, ObjectOption& option) {
   const bool in_mm = text.ends_with("mm");
@@ -28,11 +34,12 @@ void parse(const std::string& text, ObjectOption& option) {
   double value = 0;
   const bool is_number = CLI::detail::lexical_cast(number, value) && std::isfinite(value);
   const bool never = is_number && value == 0 && !in_mm;
-  const double smallest = in_mm ? kSmallest_mm : kSmallest_px, largest = in_mm ? kLargest_mm : kLargest_px;
+  const double smallest_px = smallest_of_all_px();
+  const double smallest = in_mm ? kSmallest_mm : smallest_px, largest = in_mm ? kLargest_mm : kLargest_px;
   if (!is_number || (!never && (value < smallest || value > largest))) {
     throw CLI::ValidationError(
         "--object", fmt::format("'{}'; expected {:g} to {:g} px, as in 100px, or {:g} to {:g} mm, as in 40mm, or 0",
-                                text, kSmallest_px, kLargest_px, kSmallest_mm, kLargest_mm));
+                                text, smallest_px, kLargest_px, kSmallest_mm, kLargest_mm));
   }
   option.given = true;
   option.mm.reset();
@@ -99,11 +106,12 @@ double px_where_farthest(double mm, const std::string& skin, const std::optional
 double object_px_of(double mm, const std::string& skin, const std::optional<calib::Rig>& rig,
                     const MachineProfile& profile, int image_width, int image_height) {
   const double object_px = px_where_farthest(mm, skin, rig, profile, image_width, image_height);
-  if (!(object_px >= kSmallest_px)) {
+  const double smallest_px = smallest_object_px(profile);
+  if (!(object_px >= smallest_px)) {
     throw UsageError(
         fmt::format("{:g} mm are {:.1f} px where the skin is farthest away; the smallest that windows and "
                     "majority leave anything certain of is {:g} px, {:.0f} mm here",
-                    mm, object_px, kSmallest_px, std::ceil(mm * kSmallest_px / object_px)));
+                    mm, object_px, smallest_px, std::ceil(mm * smallest_px / object_px)));
   }
   return object_px;
 }
@@ -124,6 +132,13 @@ void set_object(const ObjectOption& option, const std::string& skin, const std::
                 const MachineProfile& profile, int image_width, int image_height, Settings& settings) {
   settings.object_px = option.px;
   if (option.mm) settings.object_px = object_px_of(*option.mm, skin, rig, profile, image_width, image_height);
+  if (const double smallest_px = smallest_object_px(profile);
+      settings.object_px != 0 && settings.object_px < smallest_px) {
+    throw UsageError(
+        fmt::format("an object of {:g} px: profile {} sees nothing certain of it, by its windows and majority; "
+                    "the smallest is {:g} px",
+                    settings.object_px, profile.name, smallest_px));
+  }
   const int side_px = std::min(image_width, image_height);
   if (option.given && settings.object_px > side_px) {
     throw UsageError(

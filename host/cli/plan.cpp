@@ -22,6 +22,7 @@
 #include "horopter/skin/skin_file.hpp"
 #include "inputs.hpp"
 #include "numbers.hpp"
+#include "plan_inputs.hpp"
 #include "thickness.hpp"
 #include "warnings.hpp"
 #include "words.hpp"
@@ -36,8 +37,7 @@ struct ThicknessOptions {
   std::string profile;
   double tolerance_px = kD95_px;
   Decision decision = Decision::thesis;
-  double images_per_s = 0;
-  double stopping_ms = 0;
+  TimingOptions timing;
   std::string out;
   bool json = false;
 };
@@ -114,24 +114,6 @@ CamerasAndSkins read_skins(const ThicknessOptions& options) {
   return read;
 }
 
-/// The build that the options name, else the smallest that holds the left camera's images.
-const MachineProfile& profile_for(const ThicknessOptions& options, const calib::Camera& left) {
-  const int width = left.width_px;
-  const int height = left.height_px;
-  if (width == 0 || height == 0) {
-    throw FileError(options.rig, "cameras", "camera " + left.name + " has no image size",
-                    "image_size: [width, height]");
-  }
-  const MachineProfile* profile =
-      options.profile.empty() ? smallest_profile(width, height) : &find_profile(options.profile);
-  if (profile == nullptr) {
-    throw FileError(options.rig, "cameras", fmt::format("images of {}x{} pixels", width, height),
-                    "at most what profile hd takes");
-  }
-  check_image_size(options.rig, width, height, *profile);
-  return *profile;
-}
-
 /// What holds for all skins of an installation.
 struct Installation {
   const MachineProfile& profile;
@@ -149,7 +131,7 @@ nlohmann::ordered_json to_json(const Installation& at, const ThicknessOptions& o
           {"tolerance_is", "D95"},
           {"images_per_s", at.images_per_s},
           {"detection_ms", at.detection_s * 1e3},
-          {"stopping_ms", options.stopping_ms},
+          {"stopping_ms", options.timing.stopping_ms},
           {"safety_distance_mm",
            {{"hand_1.6_m_s", safety_distance_mm(at.response_s, kHandSpeed_m_s)},
             {"hand_2.0_m_s", safety_distance_mm(at.response_s, kIsoHandSpeed_m_s)},
@@ -168,8 +150,9 @@ void print_before_skins(const Installation& at, const ThicknessOptions& options)
 }
 
 void print_after_skins(const Installation& at, const ThicknessOptions& options) {
-  fmt::print("response {:.1f} ms to the alarm and {:.1f} ms to stop{}\n", at.detection_s * 1e3, options.stopping_ms,
-             options.stopping_ms == 0 ? " (--stopping-ms: the robot's stopping time is not in it)" : "");
+  fmt::print("response {:.1f} ms to the alarm and {:.1f} ms to stop{}\n", at.detection_s * 1e3,
+             options.timing.stopping_ms,
+             options.timing.stopping_ms == 0 ? " (--stopping-ms: the robot's stopping time is not in it)" : "");
   fmt::print(
       "safety   {:.0f} mm at a hand's 1.6 m/s (thesis 2.3); {:.0f} mm at 2.0 m/s; {:.0f} mm by ISO 13855:2010 "
       "(K T alone: its supplement C comes on top)\n",
@@ -191,17 +174,17 @@ ExitStatus plan_thickness(const ThicknessOptions& options) {
   }
   if (!options.profile.empty()) find_profile(options.profile);
   const auto [cameras, skins] = read_skins(options);
-  const MachineProfile& profile = profile_for(options, cameras.left());
+  const MachineProfile& profile = profile_for(options.rig, options.profile, cameras.left());
   const ScanGeometry geometry = scans_of(profile, cameras.left().width_px, cameras.left().height_px).front();
   const ViewLimits view = view_limits(profile, options.decision);
-  // As cameras of the thesis and of today have it.
-  const double images_per_s = options.images_per_s > 0 ? options.images_per_s : profile.takes_fields() ? 50 : 60;
-  const double detection_s = detection_time_s(profile, geometry.height, images_per_s);
+  const Timing timing = options.timing.timing(profile, options.decision, geometry.height);
+  const double images_per_s = timing.images_per_s;
+  const double detection_s = detection_time_s(timing);
 
   std::optional<OutputDirectory> output;
   if (!options.out.empty()) output.emplace(options.out).set_aside("thickness.json");
   const Installation installation{profile, StereoAxis(cameras), images_per_s, detection_s,
-                                  detection_s + options.stopping_ms * 1e-3};
+                                  detection_s + options.timing.stopping_ms * 1e-3};
   nlohmann::ordered_json json = to_json(installation, options);
   if (!options.json) print_before_skins(installation, options);
   double slowest_m_s = std::numeric_limits<double>::infinity();  // that may pass between two images
@@ -279,15 +262,7 @@ void add_plan(CLI::App& app, Outcome& outcome) {
       ->capture_default_str()
       ->type_name("PX|D95");
   add_decision(*thickness, options->decision);
-  thickness
-      ->add_option("--frame-rate", options->images_per_s,
-                   "Results a second: frames, or fields of profile field (default: 50 fields, 60 frames)")
-      ->check(within(0.1, 10'000, "a second"))
-      ->type_name("HZ");
-  thickness->add_option("--stopping-ms", options->stopping_ms, "Time that the robot takes to stop after the alarm, ms")
-      ->check(within(0, 60'000, "ms"))
-      ->capture_default_str()
-      ->type_name("MS");
+  add_timing(*thickness, options->timing);
   thickness
       ->add_option("--out", options->out,
                    "Directory for thickness.json and pictures of the thickness (red thin to blue thick, dark where "
@@ -300,12 +275,13 @@ void add_plan(CLI::App& app, Outcome& outcome) {
       "parallel cameras. D95 is the disparity up to which 95 % of an object's pixels are found; it depends on the\n"
       "threshold (Table 11.2: 0.4, 0.6, 0.7, 0.9, 1.0, 1.1 px at 11.3, 15.0, 18.4, 21.9, 25.1, 28.4 %).\n"
       "Largest speed is thickness times results a second: a faster object can pass between two images. The safety\n"
-      "distance is response time times speed: to the alarm two image periods and the machine's lines, and the robot's\n"
-      "stopping time. For --decision compete, pixels whose epipolar line leaves the row are not supervised (`horopter map\n"
+      "distance is response time times speed: to the alarm two image periods, the exposure and the machine's lines, and the\n"
+      "robot's stopping time (`horopter plan capability` has it item by item). For --decision compete, pixels whose epipolar line leaves the row are not supervised (`horopter map\n"
       "--help`). Exit status 1: nothing of a skin is supervised, or so little that `map` refuses the cameras.\n\n"
       "Examples: horopter plan thickness --rig rig.yaml --skin skin.yaml --stopping-ms 120 --out plan\n"
       "          horopter plan thickness --rig host/examples/table_11_1.yaml --profile field --distance 700 800 900");
   thickness->callback([options, &outcome] { outcome.status = plan_thickness(*options); });
+  add_plan_capability(*command, outcome);
   add_plan_rig(*command, outcome);
 }
 

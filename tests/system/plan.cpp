@@ -62,7 +62,7 @@ TEST_CASE("plan thickness: a user's skin, and what is refused") {
   CHECK(result.status == 0);
   CHECK_THAT(result.out, Catch::Contains("exploitation") && Catch::Contains("camera model") &&
                              Catch::Contains("11.1 and 11.2") && Catch::Contains("largest speed") &&
-                             Catch::Contains("320 mm at a hand's 1.6 m/s") && Catch::Contains("400 mm by ISO 13855"));
+                             Catch::Contains("353 mm at a hand's 1.6 m/s") && Catch::Contains("441 mm by ISO 13855"));
   CHECK(box.run(plan).status == 2);
   CHECK(box.run(plan + std::vector<std::string>{"--distance", "800", "--skin", skin}).status == 2);
   CHECK(box.run(plan + std::vector<std::string>{"--distance", "-1"}).status == 2);
@@ -77,6 +77,105 @@ TEST_CASE("plan thickness: a user's skin, and what is refused") {
   CHECK(box.run(plan + std::vector<std::string>{"--distance", "60"}).status == 1);
   CHECK_THAT(box.run({"plan", "thickness", "--help"}).out,
              Catch::Contains("--tolerance") && Catch::Contains("D95") && Catch::Contains("Example"));
+}
+
+TEST_CASE("plan capability: the smallest body, the response time and the distance for it") {
+  Sandbox box;
+  box.write("skin.yaml", "surface: {type: plane, point_mm: [0, 0, 500], normal: [0, 0, -1]}\n");
+  const std::vector<std::string> plan{"plan", "capability", "--rig", kTable, "--skin", "skin.yaml", "--profile", "hd"};
+  const auto of = [&](const std::vector<std::string>& more) {
+    const auto result = box.run(plan + more + std::vector<std::string>{"--json"});
+    CAPTURE(result.err);
+    REQUIRE(result.status == 0);
+    return json::parse(result.out);
+  };
+  const json slow = of({"--speed", "100", "--object", "40mm", "--draw", "body.png"});
+  const json& mm = slow["detection_capability_mm"];
+  CHECK(mm["smallest"].get<double>() > 10);
+  CHECK(mm["smallest"].get<double>() <= mm["median"].get<double>());
+  CHECK(mm["median"].get<double>() <= mm["largest"].get<double>());
+  CHECK_THAT(box.read("body.png"), Catch::Contains("PNG"));
+  // The items are all there is.
+  double sum_ms = slow["response"]["stopping_ms"];
+  for (const json& item : slow["response"]["items"]) {
+    CHECK_FALSE(item["source"].get<std::string>().empty());
+    sum_ms += item["ms"].get<double>();
+  }
+  CHECK(slow["response"]["total_ms"].get<double>() == Approx(sum_ms));
+  // A rod shows more than a ball; a larger limit and a faster body need larger ones; so does a thinner skin.
+  const auto median = [](const json& report) { return report["detection_capability_mm"]["median"].get<double>(); };
+  CHECK(median(of({"--speed", "100", "--object", "40mm", "--body", "rod"})) < median(slow));
+  CHECK(median(of({"--speed", "100", "--object", "70mm"})) > median(slow));
+  CHECK(median(of({"--speed", "1000", "--object", "40mm"})) > median(slow));
+  CHECK(median(of({"--speed", "100", "--object", "40mm", "--tolerance", "1"})) > median(slow));
+  // More images a second: a body moves less between two.
+  CHECK(median(of({"--speed", "1000", "--object", "40mm", "--fps", "200"})) <
+        median(of({"--speed", "1000", "--object", "40mm"})));
+  // A rod of an arm, still: the standard has a distance.
+  const json arm = of({"--speed", "0", "--body", "rod", "--object", "40mm", "--stopping-ms", "100"});
+  REQUIRE(arm["detection_capability_mm"]["largest"].get<double>() <= 40);
+  CHECK(arm["safety_distance_mm"]["c"].get<double>() ==
+        Approx(std::max(0.0, 8 * (arm["detection_capability_mm"]["largest"].get<double>() - 14))).margin(0.5));
+  // What was measured stands beside it: four coats, taught and not; and in the warnings, what was missed.
+  CHECK(arm["walked"]["found"].size() == 8);
+  CHECK(arm["walked"]["false_alarms"].size() == 12);
+  int missed = 0;
+  for (const json& row : arm["walked"]["found"]) {
+    CHECK(row["crossings"].get<int>() > 0);
+    CHECK(row["found"].get<int>() <= row["crossings"].get<int>());
+    missed += row["found"].get<int>() < row["crossings"].get<int>() ? 1 : 0;
+  }
+  CHECK((missed > 0) == (arm.contains("warnings") && arm["warnings"].dump().find("study walk") != std::string::npos));
+  // So fast that no body is certain: neither figures nor a distance, and it is said.
+  const auto fast = box.run(plan + std::vector<std::string>{"--speed", "90000"});
+  CHECK(fast.status == 0);
+  CHECK_THAT(fast.out, Catch::Contains("smallest   none") && Catch::Contains("at 100.0 % of the skin") &&
+                           Catch::Contains("none by ISO 13855:2010"));
+  CHECK_THAT(fast.err, Catch::Contains("not found at 100.0 % of this skin"));
+}
+
+TEST_CASE("plan capability: what is refused") {
+  Sandbox box;
+  box.write("skin.yaml", "surface: {type: plane, point_mm: [0, 0, 800], normal: [0, 0, -1]}\n");
+  const std::vector<std::string> plan{"plan", "capability", "--rig", kTable};
+  const std::vector<std::string> skin{"--skin", "skin.yaml"};
+  const auto refused = [&](const std::vector<std::string>& more, const std::string& message) {
+    const auto result = box.run(plan + skin + more);
+    CAPTURE(more, result.err);
+    CHECK(result.status == 2);
+    CHECK_THAT(result.err, Catch::Contains(message));
+  };
+  refused({"--object", "12px"}, "expected 16 to 1000 px");
+  refused({"--object", "20px", "--profile", "field"}, "the smallest is 32 px");
+  refused({"--object", "6mm"}, "the smallest that windows and majority leave");
+  refused({"--object", "0"}, "no body is an alarm by itself");
+  refused({"--object", "900px"}, "does not fit into an image");
+  refused({"--speed", "-1"}, "expected");
+  refused({"--body", "cube"}, "ball, rod");
+  refused({"--exposure-ms", "50"}, "an exposure of 50 ms");
+  refused({"--tolerance", "0.3"}, "it is not known up to which disparity");
+  refused({"--thickness", "500"}, "the rule thesis can be set to");
+  CHECK(box.run({"plan", "capability", "--skin", "skin.yaml"}).status == 2);
+  CHECK(box.run(plan + skin + std::vector<std::string>{"--profile", "field", "--decision", "compete"}).status == 2);
+  const auto bad = [&](const std::string& file, const std::string& text, const std::string& message) {
+    box.write(file, text);
+    check_bad_file(box, plan + std::vector<std::string>{"--skin", file}, file, message);
+  };
+  bad("flat.yaml", "surface: {type: homography, matrix: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}\n", "no place in space");
+  bad("moving.yaml",
+      "surface: {type: plane, point_mm: [0, 0, 800], normal: [0, 0, -1]}\nmotion:\n  frame_rate_per_s: 50\n"
+      "  object_speed_m_s: 0.1\n  poses:\n    - {time_s: 1, shift_mm: [0, 0, -1]}\n",
+      "motion");
+  REQUIRE(box.run({"map", "--rig", kTable, "--skin", "skin.yaml", "--profile", "hd", "-o", "skin.hmap"}).status == 0);
+  check_bad_file(box, plan + std::vector<std::string>{"--skin", "skin.hmap"}, "skin.hmap",
+                 "does not say where its skin is");
+  check_bad_file(box, plan + std::vector<std::string>{"--skin", "none.yaml"}, "none.yaml", "");
+  // Behind the cameras.
+  box.write("behind.yaml", "surface: {type: plane, point_mm: [0, 0, -800], normal: [0, 0, 1]}\n");
+  const auto behind = box.run(plan + std::vector<std::string>{"--skin", "behind.yaml"});
+  CHECK(behind.status == 1);
+  CHECK_THAT(behind.err, Catch::Contains("nothing of the skin is supervised"));
+  CHECK_THAT(behind.out, !Catch::Contains("distance"));
 }
 
 TEST_CASE("plan rig: from lenses and a wanted thickness to a rig, which is planned again as it was written") {

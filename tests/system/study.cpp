@@ -214,3 +214,49 @@ TEST_CASE("study earned: every disturbance of a board has its line, and none of 
   const auto refused = box.run({"study", "earned", "--frames", "0", "--out", "none"});
   CHECK(refused.status == 2);
 }
+
+TEST_CASE("study walk: which bodies are found, what fails first, and the same for the same seed") {
+  if (!fs::exists("/usr/share/doc/opencv-doc/examples/data/aloeL.jpg")) return;
+  Sandbox box;
+  const std::vector<std::string> walk{"study", "walk", "--quick", "--crossings", "1", "--frames", "3"};
+  const auto result = box.run(walk + std::vector<std::string>{"--out", "walk", "--json"});
+  CAPTURE(result.err);
+  REQUIRE(result.status == 0);
+  const json found = json::parse(result.out);
+  CHECK(found == summary(box, "walk"));
+  CHECK(found["crossings"] == 2 * 2 * 4);
+  // Two rules, taught and not, two limits, two bodies, four coats.
+  REQUIRE(found["found"].size() == 2 * 2 * 2 * 2 * 4);
+  int textured = 0, others = 0;
+  for (const json& line : found["found"]) {
+    CAPTURE(line.dump());
+    CHECK(line["crossings"] == 2);
+    const double share = line["share"];
+    CHECK(line["interval"][0].get<double>() <= share);
+    CHECK(line["interval"][1].get<double>() >= share);
+    CHECK(line["found"].get<int>() >= line["found_within_3_frames"].get<int>());
+    if (line["object"] != "40 mm") continue;
+    (line["coat"] == "textured" ? textured : others) += line["found"].get<int>();
+  }
+  CHECK(textured > 0);
+  CHECK(others > 0);
+  // Four machines, seven disturbances, one photograph.
+  REQUIRE(found["disturbances"].size() == 4 * 7);
+  for (const json& line : found["disturbances"]) CHECK(line["frames"] == 3);
+  // What fails comes first.
+  const std::size_t failures = found["failures"].size();
+  for (std::size_t i = 0; i < found["findings"].size(); ++i) {
+    const auto text = found["findings"][i].get<std::string>();
+    if (i < failures) CHECK_THAT(text, Catch::StartsWith("FAILS: "));
+  }
+  CHECK_THAT(box.read("walk/walk_table.def"), Catch::Contains("WALK(thesis, true, \"black glove\", ") &&
+                                                  Catch::Contains("LIGHT(compete, false, \"lamp switched\", "));
+  CHECK_THAT(box.read("walk/walk.svg"), Catch::EndsWith("</svg>\n") && !Catch::Contains("nan"));
+  CHECK(std::ranges::count(box.read("walk/crossings.csv"), '\n') == 1 + 16 * 4);
+  REQUIRE(box.run(walk + std::vector<std::string>{"--out", "again"}).status == 0);
+  for (const char* file : {"summary.json", "crossings.csv", "disturbances.csv", "walk_table.def"}) {
+    CHECK(box.read(std::string("walk/") + file) == box.read(std::string("again/") + file));
+  }
+  CHECK(box.run({"study", "walk", "--crossings", "0", "--out", "none"}).status == 2);
+  CHECK(box.run({"study", "walk", "--quick", "--data", "nowhere", "--out", "none"}).status == 3);
+}

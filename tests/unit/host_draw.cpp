@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures: what plots and pictures of thickness say about themselves.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <string>
@@ -97,6 +98,31 @@ TEST_CASE("A skin that is nowhere supervised has a picture, too") {
   const ThicknessPicture drawn = draw_thickness(40, 30, std::vector<double>(1200, NAN), "Thickness");
   CHECK(std::isnan(drawn.thinnest_mm));
   CHECK(drawn.picture.width >= 300);
+}
+
+TEST_CASE("Where no body is found the picture of the smallest bodies is grey, and the scale is without it") {
+  constexpr int kWidth = 300, kHeight = 60;
+  std::vector<double> mm(static_cast<std::size_t>(kWidth) * kHeight, INFINITY);
+  const auto grey_rows = [&](const Picture& picture) {
+    int rows = 0;
+    for (int y = 0; y < picture.height; ++y) {
+      const Colour colour = at(picture, 200, y);
+      const int most = std::max({colour.red, colour.green, colour.blue}),
+                least = std::min({colour.red, colour.green, colour.blue});
+      rows += most - least < 80 && most > 100 && most < 200 ? 1 : 0;
+    }
+    return rows;
+  };
+  const ThicknessPicture none = draw_bodies(kWidth, kHeight, mm, "Bodies");
+  CHECK(std::isnan(none.thickest_mm));
+  CHECK(grey_rows(none.picture) >= kHeight);
+  for (std::size_t i = 0; i < mm.size(); ++i) {
+    if (i % kWidth < 100) mm[i] = 20 + static_cast<double>(i % kWidth);
+  }
+  const ThicknessPicture some = draw_bodies(kWidth, kHeight, mm, "Bodies");
+  CHECK(some.thinnest_mm == 20);
+  CHECK(some.thickest_mm == 119);
+  CHECK(grey_rows(some.picture) >= kHeight);
 }
 
 TEST_CASE("Pictures one below the other are of one width") {

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
 
+#include "horopter/plan/capability.hpp"
 #include "horopter/plan/plan.hpp"
 #include "table_11_1.hpp"
 
@@ -36,8 +39,137 @@ TEST_CASE("Formulas of 2.3, 11.1 to 11.3") {
   CHECK(iso_13855_distance_mm(0.2) == Approx(400));
   CHECK(iso_13855_distance_mm(0.26) == Approx(500));
   CHECK(iso_13855_distance_mm(0.5) == Approx(800));
-  // 40 ms are two fields; the rest are the lines that the machine waits.
-  CHECK(detection_time_s(find_profile("field"), 286, 50) == Approx(0.040 + 43.0 / 286 / 50));
+  // 60 ms are three fields; the rest are the lines that the machine waits.
+  const Timing timing{find_profile("field"), Decision::thesis, 286, 50, {}};
+  CHECK(detection_time_s(timing) == Approx(0.060 + 52.0 / 286 / 50));
+}
+
+TEST_CASE("The response time is the sum of its items, each with its source") {
+  Timing timing{find_profile("vga"), Decision::thesis, 480, 60, 0.004};
+  double sum_s = 0;
+  for (const ResponseItem& item : detection_items(timing)) {
+    CHECK_FALSE(item.name.empty());
+    CHECK_FALSE(item.source.empty());
+    CHECK(item.seconds >= 0);
+    sum_s += item.seconds;
+  }
+  CHECK(detection_time_s(timing) == Approx(sum_s));
+  CHECK(sum_s == Approx(2 / 60.0 + 0.004 + (64 + 10 + 1 + 9) / 480.0 / 60));
+  timing.exposure_s.reset();  // as long as it can be
+  CHECK(detection_time_s(timing) == Approx(sum_s - 0.004 + 1 / 60.0));
+  timing.decision = Decision::compete;  // larger windows
+  CHECK(detection_time_s(timing) > sum_s - 0.004 + 1 / 60.0);
+}
+
+TEST_CASE("ISO 13855 has a distance for fingers, hands and arms, and none beyond") {
+  const auto finger = iso_13855_distance(0.1, 14);
+  REQUIRE(finger);
+  CHECK(finger->c_mm == 0);
+  CHECK(finger->distance_mm == Approx(200));
+  CHECK(iso_13855_distance(0.01, 14)->distance_mm == 100);  // at least
+  const auto hand = iso_13855_distance(0.14, 40);
+  CHECK(hand->c_mm == Approx(208));
+  CHECK(hand->distance_mm == Approx(488));
+  CHECK(hand->k_m_s == 2.0);
+  // Beyond 500 mm with 1.6 m/s, but 500 mm at least.
+  CHECK(iso_13855_distance(0.15, 40)->distance_mm == Approx(500));
+  CHECK(iso_13855_distance(0.15, 40)->k_m_s == 1.6);
+  CHECK(iso_13855_distance(0.25, 40)->distance_mm == Approx(608));
+  CHECK(iso_13855_distance(0.1, 40.1)->c_mm == 850);
+  CHECK(iso_13855_distance(0.1, 40.1)->distance_mm == Approx(1010));
+  CHECK(iso_13855_distance(0.1, 70)->distance_mm == Approx(1010));
+  for (const double none_mm : {70.1, std::numeric_limits<double>::infinity(), std::nan(""), 0.0, -1.0}) {
+    CAPTURE(none_mm);
+    CHECK_FALSE(iso_13855_distance(0.1, none_mm));
+  }
+}
+
+TEST_CASE("The smallest body: its cap in the skin is as many pixels as an object has") {
+  CHECK(disc_share(Decision::thesis, 16) == 0);
+  CHECK(disc_share(Decision::compete, std::nan("")) == 0);
+  double before = 0;
+  for (double px = 17; px < 200; px += 1) {
+    CHECK(disc_share(Decision::thesis, px) >= 0);
+    CHECK(disc_share(Decision::thesis, px) <= 1);
+    before = std::max(before, disc_share(Decision::thesis, px));
+  }
+  CHECK(before > 0.5);
+  // Standing still, in a skin thicker than itself, a ball is a disc.
+  Crossing crossing{Decision::thesis, Body::ball, 2000, 0};
+  const double mm = smallest_body_mm(crossing, 500, 0.5);
+  const double px = mm / 0.5;
+  CHECK(M_PI / 4 * px * px * disc_share(Decision::thesis, px) >= 2000 * 0.999);
+  CHECK(M_PI / 4 * px * px / 1.03 / 1.03 * disc_share(Decision::thesis, px / 1.03) < 2000);
+  // A thin skin shows a cap only.
+  CHECK(smallest_body_mm(crossing, 5, 0.5) > 1.5 * mm);
+  // Farther away it is smaller.
+  CHECK(smallest_body_mm(crossing, 500, 1) > 1.9 * mm);
+  // A rod shows more, the larger the limit.
+  crossing.body = Body::rod;
+  CHECK(smallest_body_mm(crossing, 500, 0.5) < mm);
+  crossing.body = Body::ball;
+  // Faster than skin and front half are deep: none that is smaller.
+  crossing.step_mm = 100;
+  const double fast_mm = smallest_body_mm(crossing, 20, 0.5);
+  CHECK(fast_mm / 2 + 20 > 100);
+  CHECK(std::isinf(smallest_body_mm({Decision::thesis, Body::ball, 2000, kLargestBody_mm}, 20, 0.5)));
+  CHECK(std::isinf(smallest_body_mm({Decision::thesis, Body::ball, 1e9, 0}, 20, 0.5)));
+  // More images need more time.
+  crossing.step_mm = 10;
+  const double one_mm = smallest_body_mm(crossing, 40, 0.5);
+  crossing.images = 3;
+  CHECK(smallest_body_mm(crossing, 40, 0.5) > one_mm);
+}
+
+TEST_CASE("The table of study walk is whole: every coat and light, both rules, taught and not, the same limits") {
+  CHECK(walked_rods().size() == 2 * 2 * 2 * 4);
+  CHECK(walked_lights().size() == 2 * 2 * 2 * 6);
+  CHECK(walk_setup().rod_mm == 40);
+  for (const auto rows : {walked_rods(), walked_lights()}) {
+    for (const Walked& row : rows) {
+      CHECK(row.hits <= row.of);
+      CHECK(row.of > 0);
+      CHECK(nearest_walked_px(row.object_limit_px) == row.object_limit_px);
+    }
+  }
+  CHECK(nearest_walked_px(1) == nearest_walked_px(900));
+  CHECK(nearest_walked_px(1'000'000) == 3927);
+}
+
+TEST_CASE("Pixels of the skin are as large as the camera model says, in their worst direction") {
+  const CameraPair cameras = table_11_1(640, 480, 0);
+  const MachineProfile& profile = find_profile("vga");
+  const ScanGeometry frame{640, 480, Scan::progressive};
+  const SurfacePtr skin = make_plane({0, 0, 800}, {0.5, -0.2, -1});
+  const auto plan = plan_thickness(cameras, *skin, profile, frame, 1);
+  const Vector3d centre = cameras.left().world_to_camera.centre();
+  const auto place = [&](double x, double y) -> Vector3d {
+    const Vector3d sight = cameras.rays(std::array{Point{x, y}}).directions[0];
+    Hit hit;
+    skin->intersect(centre, std::span(&sight, 1), std::span(&hit, 1));
+    return centre + hit.distance * sight;
+  };
+  int checked = 0;
+  for (int y = 30; y < 480; y += 70) {
+    for (int x = 30; x < 640; x += 70) {
+      const double found = plan.mm_per_px[static_cast<std::size_t>(y) * 640 + static_cast<std::size_t>(x)];
+      if (std::isnan(found)) continue;
+      double largest = 0;
+      for (int degrees = 0; degrees < 180; degrees += 2) {
+        const double c = 0.5 * std::cos(degrees * M_PI / 180), s = 0.5 * std::sin(degrees * M_PI / 180);
+        largest = std::max(largest, (place(x + c, y + s) - place(x - c, y - s)).norm());
+      }
+      CHECK(found == Approx(largest).epsilon(2e-3));
+      ++checked;
+    }
+  }
+  CHECK(checked > 20);
+  const CapabilityPlan capability = plan_capability(plan, profile, {Decision::thesis, Body::rod, 2000, 5});
+  CHECK(capability.supervised == plan.supervised);
+  CHECK(capability.smallest_mm <= capability.median_mm);
+  CHECK(capability.median_mm <= capability.largest_mm);
+  CHECK(capability.share_found(capability.largest_mm) == 1);
+  CHECK(capability.share_found(capability.smallest_mm - 1) == 0);
 }
 
 TEST_CASE("Table 11.1 by formula and by camera model; the thesis's factor") {

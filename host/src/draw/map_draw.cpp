@@ -111,6 +111,8 @@ class ThicknessColours {
   std::vector<double> lines_mm_;
 };
 
+const cv::Vec3b kInfiniteHsv(0, 0, 150);  ///< grey
+
 cv::Mat thickness_hsv(int width, int height, std::span<const double> thickness_mm, ThicknessPicture& range) {
   range.thinnest_mm = INFINITY;
   for (const double mm : thickness_mm) {
@@ -119,6 +121,9 @@ cv::Mat thickness_hsv(int width, int height, std::span<const double> thickness_m
     range.thickest_mm = std::max(range.thickest_mm, mm);
   }
   cv::Mat picture = dark(width, height);
+  for (std::size_t i = 0; i < thickness_mm.size(); ++i) {
+    if (std::isinf(thickness_mm[i])) picture.at<cv::Vec3b>(static_cast<int>(i)) = kInfiniteHsv;
+  }
   if (range.thickest_mm == 0) {
     range.thinnest_mm = range.thickest_mm = NAN;
     return picture;
@@ -135,12 +140,22 @@ cv::Mat thickness_hsv(int width, int height, std::span<const double> thickness_m
 
 constexpr int kThicknessLegend = 60;
 
+/// What the colours mean.
+struct Legend {
+  const char* text;
+  const char* nothing;  ///< where no pixel has a colour of the scale
+};
+constexpr Legend kThickness{"thickness of the skin; dark in the picture: unsupervised",
+                            "dark: unsupervised; no pixel is supervised"};
+constexpr Legend kBodies{"diameter of the smallest body that is found; grey: none is; dark: unsupervised",
+                         "grey: no body is found; dark: unsupervised"};
+
 /// The scale of colours, with mm at its ends and at the lines.
-void draw_scale(cv::Mat& page, const ThicknessPicture& range) {
+void draw_scale(cv::Mat& page, const ThicknessPicture& range, const Legend& legend) {
   const int top = page.rows - kThicknessLegend;
   const int width = std::min(page.cols - kLeft - kRight, 500);
   if (std::isnan(range.thinnest_mm)) {
-    write(page, "dark: unsupervised; no pixel is supervised", {kLeft, top + 14}, Side::left);
+    write(page, legend.nothing, {kLeft, top + 14}, Side::left);
     return;
   }
   const ThicknessColours colours(range);
@@ -161,13 +176,13 @@ void draw_scale(cv::Mat& page, const ThicknessPicture& range) {
     const int x = kLeft + static_cast<int>(colours.place(mm) * (width - 1));
     if (x - last >= kRoom && end - x >= kRoom) last = label(mm);
   }
-  write(page, "thickness of the skin; dark in the picture: unsupervised", {kLeft, top + 51}, Side::left, 0.42,
-        page.cols - kLeft - 8);
+  write(page, legend.text, {kLeft, top + 51}, Side::left, 0.42, page.cols - kLeft - 8);
 }
 
-ThicknessPicture finished(const cv::Mat& picture, const std::string& title, ThicknessPicture range) {
+ThicknessPicture finished(const cv::Mat& picture, const std::string& title, ThicknessPicture range,
+                          const Legend& legend = kThickness) {
   cv::Mat page = framed(picture, title, kThicknessLegend);
-  draw_scale(page, range);
+  draw_scale(page, range, legend);
   range.picture = picture_of(page);
   return range;
 }
@@ -240,6 +255,12 @@ ThicknessPicture draw_thickness(const MapTable& table, std::span<const double> t
   cv::Mat picture = in_bgr(thickness_hsv(scan.width, scan.height, thickness_mm, range));
   draw_grid(table, picture);
   return finished(picture, title, std::move(range));
+}
+
+ThicknessPicture draw_bodies(int width, int height, std::span<const double> body_mm, const std::string& title) {
+  ThicknessPicture range;
+  const cv::Mat picture = in_bgr(thickness_hsv(width, height, body_mm, range));
+  return finished(picture, title, std::move(range), kBodies);
 }
 
 Picture one_below_other(const std::vector<Picture>& pictures) {

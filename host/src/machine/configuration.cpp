@@ -115,6 +115,11 @@ std::int64_t object_limit(const Settings& settings, const MachineProfile& profil
   return std::clamp<std::int64_t>(std::llround(disc / 2 / px_of_image), 1, frame + 1);
 }
 
+double smallest_object_px(const MachineProfile& profile) {
+  const int window = std::max({profile.dsad_window, profile.sum_rows, profile.sum_columns});
+  return (window + profile.majority_window) * profile.subsample;
+}
+
 RegisterWord blocks_word(const BlindSettings& blind) {
   return {reg::blocks::kAddress, reg::blocks::kWatch.put(blind.watch) | reg::blocks::kTeach.put(blind.teach) |
                                      reg::blocks::kMargin.put(static_cast<std::uint32_t>(blind.margin))};

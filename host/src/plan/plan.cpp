@@ -20,6 +20,20 @@ double slope_deg(const Vector3d& normal, const Vector3d& axis) {
   return std::acos(std::min(1.0, std::abs(normal.dot(axis)))) / kDegree;
 }
 
+/// Largest singular value of the place on the skin's tangent plane by the pixel: dP = t (dv - v (n dv)/(n v)).
+double largest_step_mm(const Rays& rays, std::size_t i, const Hit& hit, const Eigen::Matrix3d& to_right) {
+  Eigen::Matrix3d view;  // direction and its derivatives, right camera
+  for (int k = 0; k < 9; ++k) view(k / 3, k % 3) = rays.right_view[static_cast<std::size_t>(k)][i];
+  const Vector3d normal = to_right * hit.normal;
+  const auto step = [&](int column) -> Vector3d {
+    return hit.distance * (view.col(column) - view.col(0) * normal.dot(view.col(column)) / normal.dot(view.col(0)));
+  };
+  const Vector3d x = step(1), y = step(2);
+  const double sum = x.squaredNorm() + y.squaredNorm();
+  const double determinant = x.cross(y).squaredNorm();
+  return std::sqrt(0.5 * (sum + std::sqrt(std::max(0.0, sum * sum - 4 * determinant))));
+}
+
 }  // namespace
 
 double coplanar_thickness_mm(double tolerance_px, double distance_mm, double baseline_mm, double f_px) {
@@ -38,10 +52,33 @@ double face_width_mm(double thickness_mm, double slope_deg) {
 
 double face_share(double tilt_deg) { return tilt_deg <= 45 ? 1 : std::max(0.0, 1 / std::tan(tilt_deg * kDegree)); }
 
-double detection_time_s(const MachineProfile& profile, int rows, double images_per_s) {
-  // A line of states more than the windows take: the pipeline. Lines without blanking are the longest there can be.
-  const double lines = profile.largest_lookahead() + profile.flush_rows() + 1;
-  return (2 + lines / rows) / images_per_s;
+std::vector<ResponseItem> detection_items(const Timing& timing) {
+  const MachineProfile& profile = timing.profile;
+  const double image_s = 1 / timing.images_per_s;
+  // Lines without blanking are the longest that there can be.
+  const auto lines_s = [&](int lines) { return lines * image_s / timing.rows; };
+  const std::string hardware = "docs/hardware.md, How long it takes; tb/top/test_frames.cpp";
+  return {{"wait for the next image to begin", image_s, "image rate: the object came when an image had just begun"},
+          {"exposure", timing.exposure_s.value_or(image_s),
+           timing.exposure_s ? "--exposure-ms" : "no --exposure-ms: the longest that there is, from image to image"},
+          {"transfer of the image", image_s, "image rate: the longest that there is, without blanking"},
+          {"LOOKAHEAD, wait for right rows", lines_s(profile.largest_lookahead()),
+           "largest of the profile (hls/include/horopter/hls/profiles.def); " + hardware},
+          {"windows of the rule", lines_s(profile.flush_rows(timing.decision == Decision::compete)),
+           "hls/include/horopter/hls/profiles.hpp flush_rows; " + hardware},
+          {"pipeline", lines_s(1), "less than a line: docs/hardware.md, How long it takes"},
+          {"what went blind, by blocks", lines_s(profile.cell() + 1),
+           "docs/safety.md, Faults: a block is known with its last row; only for what is found by being blind"},
+          {"coarse decision on both cameras", 0,
+           "32 clocks (docs/safety.md, Faults); an object's alarm does not wait for it"},
+          {"frames with the alarm", 0, "one, which is in the transfer; two good ones only raise safe_o"},
+          {"output", 0, "3 clocks, rtl/formal/formal_safe.sv; contactors and robot are in the stopping time"}};
+}
+
+double detection_time_s(const Timing& timing) {
+  double sum_s = 0;
+  for (const ResponseItem& item : detection_items(timing)) sum_s += item.seconds;
+  return sum_s;
 }
 
 double safety_distance_mm(double response_s, double speed_m_s) { return response_s * speed_m_s * 1e3; }
@@ -50,6 +87,17 @@ double iso_13855_distance_mm(double response_s) {
   const double near = safety_distance_mm(response_s, kIsoHandSpeed_m_s);
   if (near <= kIsoNear_mm) return near;
   return std::max(kIsoNear_mm, safety_distance_mm(response_s, kHandSpeed_m_s));
+}
+
+std::optional<IsoDistance> iso_13855_distance(double response_s, double capability_mm) {
+  constexpr double kLeast_mm = 100, kHandSupplement = 8, kFinger_mm = 14, kArmSupplement_mm = 850;
+  if (!(capability_mm > 0 && capability_mm <= kIsoArm_mm)) return std::nullopt;
+  const double slow_mm = safety_distance_mm(response_s, kHandSpeed_m_s);
+  if (capability_mm > kIsoHand_mm) return IsoDistance{kHandSpeed_m_s, kArmSupplement_mm, slow_mm + kArmSupplement_mm};
+  const double c_mm = std::max(0.0, kHandSupplement * (capability_mm - kFinger_mm));
+  const double near_mm = safety_distance_mm(response_s, kIsoHandSpeed_m_s) + c_mm;
+  if (near_mm <= kIsoNear_mm) return IsoDistance{kIsoHandSpeed_m_s, c_mm, std::max(kLeast_mm, near_mm)};
+  return IsoDistance{kHandSpeed_m_s, c_mm, std::max(kIsoNear_mm, slow_mm + c_mm)};
 }
 
 StereoAxis::StereoAxis(const CameraPair& cameras) {
@@ -79,6 +127,8 @@ ThicknessPlan plan_thickness(const CameraPair& cameras, const Surface& surface, 
   ThicknessPlan plan;
   plan.pixels = std::int64_t{geometry.width} * geometry.height;
   plan.across_mm.assign(static_cast<std::size_t>(plan.pixels), std::nan(""));
+  plan.mm_per_px = plan.across_mm;
+  const Eigen::Matrix3d to_right = cameras.right().world_to_camera.rotation;
   plan.face_width = std::numeric_limits<double>::infinity();
   Statistics distance;
   Statistics slope;
@@ -116,6 +166,7 @@ ThicknessPlan plan_thickness(const CameraPair& cameras, const Surface& surface, 
       // Along the axis the skin is thicker than across, by 11.2.
       plan.face_width = std::min(plan.face_width, face_width_mm(thickness / std::cos(angle * kDegree), angle));
       plan.across_mm[static_cast<std::size_t>(y) * width + x] = thickness;
+      plan.mm_per_px[static_cast<std::size_t>(y) * width + x] = largest_step_mm(rays, x, hits[x], to_right);
     }
   }
   if (plan.supervised == 0) plan.face_width = std::nan("");

@@ -99,10 +99,10 @@ double d95_px(const Settings& settings) {
   if (settings.decision == Decision::compete) {
     const int least = Settings{}.competition.boundary;
     if (settings.competition.boundary >= least) return kD95_px;
-    throw UsageError(
-        fmt::format("a boundary of {}: it is not known up to which disparity it finds 95 % of an object (D95), which "
-                    "the steps of a moving skin are made for; expected {} or more, a tolerance of {:g} px (D50)",
-                    settings.competition.boundary, least, kBoundaries[static_cast<std::size_t>(least)].tolerance_px));
+    throw UsageError(fmt::format(
+        "a boundary of {}: it is not known up to which disparity it finds 95 % of an object (D95), which "
+        "moving skins and `plan capability` are planned for; expected {} or more, a tolerance of {:g} px (D50)",
+        settings.competition.boundary, least, kBoundaries[static_cast<std::size_t>(least)].tolerance_px));
   }
   struct Row {
     double threshold_percent, d95_px;
@@ -112,7 +112,7 @@ double d95_px(const Settings& settings) {
   if (!(percent >= kTable[0].threshold_percent)) {
     throw UsageError(
         fmt::format("a threshold of {:g} %: it is not known up to which disparity it finds 95 % of an object (D95), "
-                    "which the steps of a moving skin are made for; expected {:g} % or more (Table 11.2)",
+                    "which moving skins and `plan capability` are planned for; expected {:g} % or more (Table 11.2)",
                     percent, kTable[0].threshold_percent));
   }
   for (std::size_t i = 1; i < std::size(kTable); ++i) {

@@ -90,6 +90,22 @@ void add_earned_options(CLI::App& command, StudyScope& scope) {
   only(command.add_option("--engine", scope.engine, "Engine")->capture_default_str(), engine_names());
 }
 
+void add_walk_options(CLI::App& command, StudyScope& scope) {
+  constexpr int kFrames = 36;
+  scope.frames = kFrames;
+  add_data_option(command, scope, "Directory with the photographs of opencv-doc");
+  command.add_option("--crossings", scope.crossings, "Of each body, surface and speed: 5, 4 and 5 of them")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 100'000))
+      ->type_name("N");
+  command.add_option("--frames", scope.frames, "Without a body, of each disturbance and photograph")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1'000'000))
+      ->type_name("N");
+  add_thickness(command, scope.thickness);
+  only(command.add_option("--engine", scope.engine, "Engine")->capture_default_str(), engine_names());
+}
+
 }  // namespace
 
 const std::vector<NamedStudy>& studies() {
@@ -156,7 +172,7 @@ void add_study(CLI::App& app, Outcome& outcome) {
       add_texture_options(*one, *scope);
     if (named.run == study_segmentation) add_series_option(*one, *scope);
   }
-  add("all", "All of these (not board, decision and earned), with a page of every figure and STUDY.md",
+  add("all", "All of these (not board, decision, earned and walk), with a page of every figure and STUDY.md",
       [](const StudyOptions& options) { return study_all(options.out, options.scope); });
   const auto [board, of_board] =
       add_one("board", "A skin in mm on photographs of a chessboard, calibrated on the others, moved through the board",
@@ -168,6 +184,10 @@ void add_study(CLI::App& app, Outcome& outcome) {
   const auto [earned, of_earned] = add_one(
       "earned", "Clear must be earned: disturbed cameras, which of them ever read safe; false faults", study_earned);
   add_earned_options(*earned, *of_earned);
+  const auto [walk, of_walk] = add_one(
+      "walk", "Test bodies cross the skin before photographs: which are found, how soon; and false alarms without them",
+      study_walk);
+  add_walk_options(*walk, *of_walk);
 }
 
 }  // namespace horopter::cli

@@ -27,13 +27,14 @@ struct StudyScope {
   std::string synthesised;                  ///< what scripts/synth wrote of the stages; empty: none
   std::string generated = "rtl/generated";  ///< what hlsc made of the stages
   ThicknessOption thickness;
-  int frames = 2;  ///< of each pair
+  int frames = 2;     ///< of each pair, or disturbance
+  int crossings = 1;  ///< of each body, surface and speed
   std::string engine = "native";
 };
 
 using Study = void (*)(StudyReport&, const StudyScope&);
 
-// What each of them measures stands beside its name in studies(); of the last three, where their options are.
+// What each of them measures stands beside its name in studies(); of the last four, where their options are.
 void study_edges(StudyReport& report, const StudyScope& scope);
 void study_calibration(StudyReport& report, const StudyScope& scope);
 void study_interpolation(StudyReport& report, const StudyScope& scope);
@@ -51,6 +52,7 @@ void study_geometry(StudyReport& report, const StudyScope& scope);
 void study_board(StudyReport& report, const StudyScope& scope);
 void study_decision(StudyReport& report, const StudyScope& scope);
 void study_earned(StudyReport& report, const StudyScope& scope);
+void study_walk(StudyReport& report, const StudyScope& scope);
 
 struct NamedStudy {
   const char* name;

@@ -29,6 +29,9 @@ ThicknessPicture draw_thickness(int width, int height, std::span<const double> t
 /// The same for the pixels of a table's scan, with its control points.
 ThicknessPicture draw_thickness(const MapTable& table, std::span<const double> thickness_mm, const std::string& title);
 
+/// The smallest body that is found at each pixel (plan/capability.hpp), in the same colours; grey where it is infinite.
+ThicknessPicture draw_bodies(int width, int height, std::span<const double> body_mm, const std::string& title);
+
 /// Pictures of one width. Throws std::invalid_argument where they are not.
 Picture one_below_other(const std::vector<Picture>& pictures);
 

@@ -127,6 +127,8 @@ struct FrameResult {
 /// Pixels of the result of which an object is an alarm: half the disc that is settings.object_px across, for what the
 /// windows, places without texture and the majority leave of it. More than a frame has where none is.
 std::int64_t object_limit(const Settings& settings, const MachineProfile& profile);
+/// px of the left image across; of what is smaller the windows and the majority leave nothing certain.
+double smallest_object_px(const MachineProfile& profile);
 
 class Monitor {
  public:

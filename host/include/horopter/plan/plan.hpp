@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "horopter/base/profile.hpp"
@@ -32,14 +34,42 @@ double face_width_mm(double thickness_mm, double slope_deg);
 /// 11.2.2: detectable share of a face that is tilted against the skin by an angle, 1/tan ω, at most 1.
 double face_share(double tilt_deg);
 
-/// Longest time from an object's entry to the alarm: an image in which it is not yet, a whole one in which it is, and
-/// the lines that the profile's machine is late at most.
-double detection_time_s(const MachineProfile& profile, int rows, double images_per_s);
+/// What a machine and its cameras are set to, as far as it takes time.
+struct Timing {
+  const MachineProfile& profile;
+  Decision decision = Decision::thesis;
+  int rows = 0;  ///< of an image, or field
+  double images_per_s = 0;
+  std::optional<double> exposure_s;  ///< nothing: the longest that there is, from image to image
+};
+/// A part of the response time.
+struct ResponseItem {
+  std::string name;
+  double seconds = 0;
+  std::string source;  ///< where that is said, or measured, or proved
+};
+/// Longest times from an object's entry to the alarm, in their order. An object that comes while an image is exposed may
+/// not be seen in it.
+std::vector<ResponseItem> detection_items(const Timing& timing);
+/// All of them.
+double detection_time_s(const Timing& timing);
 /// Response time (detection and stopping) times speed (2.3).
 double safety_distance_mm(double response_s, double speed_m_s);
 /// K·T of ISO 13855:2010: with 2.0 m/s; where that gives more than 500 mm with 1.6 m/s, but 500 mm at least. Its
 /// supplement C for what reaches through before it is detected is not in it.
 double iso_13855_distance_mm(double response_s);
+
+/// S = K·T + C of ISO 13855:2010 for approach at right angles to the skin, with what it is made of.
+struct IsoDistance {
+  double k_m_s = 0;
+  double c_mm = 0;
+  double distance_mm = 0;
+};
+inline constexpr double kIsoHand_mm = 40;  ///< up to this detection capability C = 8 (d - 14) mm, 0 at least
+inline constexpr double kIsoArm_mm = 70;   ///< and up to this 850 mm; beyond it the standard has no C
+/// `capability_mm`: d, the smallest body that is found. Up to 40 mm K is 2.0 m/s and S 100 mm at least; where that gives
+/// more than 500 mm, K is 1.6 m/s and S 500 mm at least. Up to 70 mm K is 1.6 m/s. Nothing where the standard has none.
+std::optional<IsoDistance> iso_13855_distance(double response_s, double capability_mm);
 
 // By the camera model.
 
@@ -78,6 +108,8 @@ struct ThicknessPlan {
   double on_axis_formula = 0;
   double face_width = 0;          ///< smallest width of 11.3
   std::vector<double> across_mm;  ///< of each pixel, row by row; NaN where it is not supervised
+  /// Of each of these pixels: mm of the skin for a pixel of the left image, in the direction in which they are most.
+  std::vector<double> mm_per_px;
 
   /// "Exploitation" of the left image (Fig. 11.2).
   double exploitation() const { return static_cast<double>(shared) / static_cast<double>(pixels); }

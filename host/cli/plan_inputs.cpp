@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plan_inputs.hpp"
+
+#include <fmt/format.h>
+
+#include "horopter/base/error.hpp"
+#include "inputs.hpp"
+#include "numbers.hpp"
+
+namespace horopter::cli {
+
+const MachineProfile& profile_for(const std::string& rig, const std::string& profile, const calib::Camera& left) {
+  const int width = left.width_px;
+  const int height = left.height_px;
+  if (width == 0 || height == 0) {
+    throw FileError(rig, "cameras", "camera " + left.name + " has no image size", "image_size: [width, height]");
+  }
+  const MachineProfile* found = profile.empty() ? smallest_profile(width, height) : &find_profile(profile);
+  if (found == nullptr) {
+    throw FileError(rig, "cameras", fmt::format("images of {}x{} pixels", width, height),
+                    "at most what profile hd takes");
+  }
+  check_image_size(rig, width, height, *found);
+  return *found;
+}
+
+Timing TimingOptions::timing(const MachineProfile& profile, Decision decision, int rows) const {
+  const double rate = images_per_s > 0 ? images_per_s : profile.takes_fields() ? 50 : 60;
+  std::optional<double> exposure_s;
+  if (exposure_ms) exposure_s = *exposure_ms * 1e-3;
+  if (exposure_s && *exposure_s * rate > 1 + 1e-9) {
+    throw UsageError(fmt::format("an exposure of {:g} ms; at {:g} images a second there are {:.2f} ms for one",
+                                 *exposure_ms, rate, 1e3 / rate));
+  }
+  return {profile, decision, rows, rate, exposure_s};
+}
+
+void add_timing(CLI::App& command, TimingOptions& options) {
+  command
+      .add_option("--frame-rate,--fps", options.images_per_s,
+                  "Results a second: frames, or fields of profile field (default: 50 fields, 60 frames)")
+      ->check(within(0.1, 10'000, "a second"))
+      ->type_name("HZ");
+  command
+      .add_option("--exposure-ms", options.exposure_ms,
+                  "Longest exposure of an image, ms (default: from image to image, the longest that there is)")
+      ->check(within(0, 10'000, "ms"))
+      ->type_name("MS");
+  command.add_option("--stopping-ms", options.stopping_ms, "Time that the robot takes to stop after the alarm, ms")
+      ->check(within(0, 60'000, "ms"))
+      ->capture_default_str()
+      ->type_name("MS");
+}
+
+}  // namespace horopter::cli
