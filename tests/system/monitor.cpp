@@ -238,6 +238,58 @@ TEST_CASE("the same by GStreamer, until a camera is gone: named, and not safe") 
   CHECK(monitor.end(SIGINT) == 0);
 }
 
+TEST_CASE("MQTT: a state that is kept, a last will, and a broker that goes is named and not safe") {
+  const CellBox box;
+  const std::string port = std::to_string(free_port());
+  box.write("broker.conf", "listener " + port + " 127.0.0.1\nallow_anonymous false\npassword_file users\n");
+  box.write("users", "");
+  // It gives up root, and must read its files all the same.
+  fs::permissions(box / "", fs::perms::others_exec, fs::perm_options::add);
+  fs::permissions((box / "").parent_path().parent_path(), fs::perms::others_exec, fs::perm_options::add);
+  box.write("password", "secret\n");
+  REQUIRE(Running(box, {"mosquitto_passwd", "-b", "users", "cell", "secret"}, "passwd").wait() == 0);
+  fs::permissions(box / "users", fs::perms::others_read, fs::perm_options::add);
+  Running broker(box, {"/usr/sbin/mosquitto", "-c", "broker.conf"}, "broker");
+  const auto listen = [&](const std::string& topic) {
+    return std::vector<std::string>{"mosquitto_sub", "-h", "127.0.0.1", "-p", port, "-u", "cell", "-P",
+                                    "secret",        "-t", topic,       "-q", "1"};
+  };
+  box.cell(kFiles, "restart: by_itself\nlimits: {decision_ms: 30000}\noutputs: {mqtt: {host: 127.0.0.1, port: " + port +
+                       ", topic: cells/3, user: cell, password_file: password}}\n");
+  const auto last_state = [](const Running& listener) {
+    json last;
+    std::istringstream lines(listener.out());
+    for (std::string line; std::getline(lines, line);) {
+      if (!lines.eof()) last = json::parse(line);
+    }
+    return last;
+  };
+  SECTION("killed") {
+    Running monitor = box.start();
+    INFO(monitor.err() << broker.err());
+    REQUIRE(monitor.event("released").is_object());
+    Running listener(box, listen("cells/3/state"), "listener");
+    REQUIRE(eventually([&] { return last_state(listener).value("safe", false); }));
+    monitor.end(SIGKILL);
+    REQUIRE(eventually([&] { return last_state(listener).contains("reason"); }));
+    CHECK(last_state(listener)["safe"] == false);
+    Running later(box, listen("cells/3/state"), "later");
+    CHECK(eventually([&] { return last_state(later).contains("reason"); }));
+  }
+  SECTION("ended, and a broker that goes") {
+    Running monitor = box.start();
+    REQUIRE(monitor.event("released").is_object());
+    Running listener(box, listen("cells/3/#"), "listener");
+    REQUIRE(eventually([&] { return last_state(listener).value("safe", false); }));
+    broker.end(SIGKILL);
+    const json stopped = monitor.event("stopped", [](const json& event) { return has_cause(event, "output"); });
+    INFO(monitor.out());
+    REQUIRE(stopped.is_object());
+    CHECK_THAT(stopped["causes"].dump(), Catch::Contains("MQTT broker 127.0.0.1:" + port));
+    CHECK(monitor.end(SIGTERM) == 0);
+  }
+}
+
 TEST_CASE("what is wrong with the cell is said at once") {
   const Sandbox box;
   box.write("skin.yaml", "surface:\n  type: homography\n  matrix: [[1, 0, -10], [0, 1, 0], [0, 0, 1]]\n");

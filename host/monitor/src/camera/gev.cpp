@@ -17,6 +17,7 @@ namespace {
 
 /// Buffers that a camera may fill while the computer is busy.
 constexpr unsigned kBuffers = 8;
+constexpr double kSilentPeriods = 10;
 /// The exposure is asked for that often: each time costs an answer of the camera.
 constexpr auto kBetweenExposures = std::chrono::milliseconds(500);
 
@@ -57,14 +58,14 @@ std::string id_of(const std::string& place) {
 
 class GevGrabber : public Grabber {
  public:
-  GevGrabber(const std::string& place, const CameraSettings& settings) : stamps_(settings.stamps) {
+  GevGrabber(const std::string& place, const CameraSettings& settings)
+      : stamps_(settings.stamps), silence_(longest_silence(settings)) {
     {
       Check check(fmt::format("no camera '{}'", place));
       camera_.reset(arv_camera_new(id_of(place).c_str(), *check));
       check.done();
       if (camera_ == nullptr) throw CameraError(fmt::format("there is no camera '{}'", place));
     }
-    // Another program that looks at the camera must not end an acquisition that we have not begun.
     set_up(settings);
     open_stream();
     start();
@@ -81,15 +82,24 @@ class GevGrabber : public Grabber {
         arv_stream_timeout_pop_buffer(stream_.get(), static_cast<guint64>(std::chrono::microseconds(patience).count()));
     const auto arrived = Clock::now();
     if (buffer == nullptr) {
-      if (lost_) throw CameraError("the camera does not answer any more");
+      if (lost_ || arrived - heard_ > silence_) throw CameraError("the camera does not answer any more");
       return std::nullopt;
     }
+    heard_ = arrived;
     auto frame = frame_of(buffer, arrived);
     arv_stream_push_buffer(stream_.get(), buffer);
     return frame;
   }
 
  private:
+  /// A camera that runs by itself and gives nothing for so long is opened anew; one that waits for a trigger may wait.
+  static Duration longest_silence(const CameraSettings& settings) {
+    if (!settings.camera.trigger.empty()) return Duration::max();
+    return std::max<Duration>(
+        std::chrono::seconds(2),
+        std::chrono::duration_cast<Duration>(std::chrono::duration<double>(kSilentPeriods / settings.frames_per_s)));
+  }
+
   void set_up(const CameraSettings& settings) {
     ArvCamera* camera = camera_.get();
     {
@@ -193,6 +203,8 @@ class GevGrabber : public Grabber {
   }
 
   Stamps stamps_;
+  Duration silence_;
+  Clock::time_point heard_ = Clock::now();
   std::unique_ptr<ArvCamera, Unref<ArvCamera>> camera_;
   std::unique_ptr<ArvStream, Unref<ArvStream>> stream_;
   std::string serial_;

@@ -24,6 +24,14 @@ struct Unref {
   void operator()(Object* object) const { gst_object_unref(object); }
 };
 using ElementPtr = std::unique_ptr<GstElement, Unref<GstElement>>;
+/// A pipeline must stand still before it goes, also where it could not be started.
+struct StopAndUnref {
+  void operator()(GstElement* pipeline) const {
+    gst_element_set_state(pipeline, GST_STATE_NULL);
+    gst_object_unref(pipeline);
+  }
+};
+using PipelinePtr = std::unique_ptr<GstElement, StopAndUnref>;
 struct UnrefSample {
   void operator()(GstSample* sample) const { gst_sample_unref(sample); }
 };
@@ -62,13 +70,6 @@ class GstGrabber : public Grabber {
     if (sink_ == nullptr) throw CameraError("GStreamer: the pipeline has a sink of its own");
     start();
   }
-  ~GstGrabber() override {
-    gst_element_set_state(pipeline_.get(), GST_STATE_NULL);
-    sink_.reset();
-  }
-  GstGrabber(const GstGrabber&) = delete;
-  GstGrabber& operator=(const GstGrabber&) = delete;
-
   std::optional<CameraFrame> next(std::chrono::milliseconds patience) override {
     const auto wait = static_cast<GstClockTime>(std::chrono::nanoseconds(patience).count());
     const SamplePtr sample(gst_app_sink_try_pull_sample(GST_APP_SINK(sink_.get()), wait));
@@ -147,7 +148,7 @@ class GstGrabber : public Grabber {
 
   bool counts_;
   GstClockTime base_ = 0;
-  ElementPtr pipeline_;
+  PipelinePtr pipeline_;
   ElementPtr sink_;
 };
 
