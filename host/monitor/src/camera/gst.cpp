@@ -111,14 +111,21 @@ class GstGrabber : public Grabber {
 
   void check_bus() {
     GstBus* bus = gst_element_get_bus(pipeline_.get());
-    GstMessage* message = gst_bus_pop_filtered(bus, static_cast<GstMessageType>(GST_MESSAGE_ERROR | GST_MESSAGE_EOS));
+    std::string problem;
+    while (GstMessage* message = gst_bus_pop(bus)) {
+      if (problem.empty()) problem = problem_in(*message);
+      gst_message_unref(message);
+    }
     gst_object_unref(bus);
-    if (message == nullptr) return;
-    const bool ended = GST_MESSAGE_TYPE(message) == GST_MESSAGE_EOS;
+    if (!problem.empty()) throw CameraError("GStreamer: " + problem);
+  }
+
+  static std::string problem_in(GstMessage& message) {
+    if (GST_MESSAGE_TYPE(&message) == GST_MESSAGE_EOS) return "the stream has ended";
+    if (GST_MESSAGE_TYPE(&message) != GST_MESSAGE_ERROR) return "";
     GError* error = nullptr;
-    if (!ended) gst_message_parse_error(message, &error, nullptr);
-    gst_message_unref(message);
-    throw CameraError(ended ? "GStreamer: the stream has ended" : "GStreamer: " + take_text(error));
+    gst_message_parse_error(&message, &error, nullptr);
+    return take_text(error);
   }
 
   CameraFrame frame_of(GstSample& sample, Clock::time_point arrived) {

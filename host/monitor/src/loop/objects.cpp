@@ -54,7 +54,7 @@ std::vector<ObjectState> ObjectTracker::next(const FrameResult& result, const Ob
       object.age_frames = 1;
     }
     objects.push_back(object);
-    known_.push_back(std::move(now));
+    known_.push_back(now);
   }
   return objects;
 }

@@ -60,8 +60,8 @@ class MqttPart : public Part {
     mosquitto_disconnect_callback_set(
         client_.get(), [](mosquitto*, void* self, int) { static_cast<MqttPart*>(self)->connected_ = false; });
     mosquitto_reconnect_delay_set(client_.get(), 1, 5, false);
-    check(mosquitto_loop_start(client_.get()));
     mosquitto_connect_async(client_.get(), mqtt.host.c_str(), mqtt.port, kKeepAlive_s);  // or it is tried again
+    check(mosquitto_loop_start(client_.get()));
     ticker_.emplace(state, [this](const Signal& signal) { look(signal); });
   }
   ~MqttPart() override {
@@ -105,7 +105,6 @@ class MqttPart : public Part {
     }
     mosquitto_publish_callback_set(client,
                                    [](mosquitto*, void* self, int) { --static_cast<MqttPart*>(self)->waiting_; });
-    mosquitto_threaded_set(client, true);
   }
 
   void publish(const std::string& topic, const std::string& text, bool retain) {
