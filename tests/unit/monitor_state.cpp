@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // What outputs may say, causes in words, objects that are followed, and what Modbus shows: without cameras and time.
+#include <atomic>
 #include <catch2/catch.hpp>
+#include <memory>
 #include <set>
 #include <string>
+#include <thread>
 
 #include "horopter/machine/registers.hpp"
 #include "horopter/monitor/causes.hpp"
+#include "horopter/monitor/metrics.hpp"
 #include "horopter/monitor/objects.hpp"
 #include "horopter/monitor/safe_state.hpp"
+#include "output/gpio.hpp"
 #include "output/modbus.hpp"
 
 using namespace horopter::monitor;
@@ -145,4 +150,59 @@ TEST_CASE("Modbus shows safe and its complement, faults, age and configuration")
   CHECK(registers[11] == 2);
   CHECK(discrete_inputs(state.at(kNow)) == std::array<std::uint8_t, 4>{1, 0, 0, 1});
   CHECK(discrete_inputs(state.at(kNow + 1s)) == std::array<std::uint8_t, 4>{0, 1, 0, 1});
+}
+
+TEST_CASE("lines follow what may be said, by a thread of their own: a decision that hangs, and the end, are not safe") {
+  SafeState state(50ms);
+  std::atomic<int> said = -1;  // safe line, and twice the other
+  std::atomic<bool> works = true;
+  const auto eventually = [](const auto& condition) {
+    for (const auto give_up = Clock::now() + 60s; Clock::now() < give_up; std::this_thread::sleep_for(1ms)) {
+      if (condition()) return true;
+    }
+    return false;
+  };
+  auto lines = std::make_unique<LinesFollower>(
+      [&](bool safe, bool not_safe) {
+        said = (safe ? 1 : 0) + (not_safe ? 2 : 0);
+        return works.load();
+      },
+      state);
+  REQUIRE(eventually([&] { return said == 2; }));
+  // The decision goes on until the line says so; then it hangs.
+  REQUIRE(eventually([&] {
+    state.not_safe({});
+    state.catch_up();
+    state.decided(Clock::now(), true, false, {});
+    std::this_thread::sleep_for(5ms);
+    return said == 1;
+  }));
+  CHECK(eventually([&] { return said == 2; }));
+  CHECK(lines->trouble().empty());
+  said = -1;
+  lines.reset();
+  CHECK(said == 2);
+  works = false;
+  lines = std::make_unique<LinesFollower>([&](bool, bool) { return works.load(); }, state);
+  CHECK(eventually([&] { return !lines->trouble().empty(); }));
+  works = true;
+  CHECK(eventually([&] { return lines->trouble().empty(); }));
+}
+
+TEST_CASE("metrics: each value once, with its type, and names that cannot break out of their quotes") {
+  Status status;
+  status.frame = 7;
+  status.skew_ms = -0.5;
+  status.causes = {cause_of("left_gap"), {"a\"b\\c\nd", "", ""}};
+  status.cameras.resize(2);
+  status.cameras[1].name = "r";
+  status.cameras[1].dropped = 3;
+  const std::string text = metrics(status);
+  for (const char* line :
+       {"# TYPE horopter_safe gauge\nhoropter_safe 0\n", "horopter_pairs_total 7\n", "horopter_skew_seconds -0.0005\n",
+        "horopter_cause{name=\"left_gap\"} 1\n", "horopter_cause{name=\"a\\\"b\\\\c\\nd\"} 1\n",
+        "horopter_camera_dropped_total{side=\"right\",camera=\"r\"} 3\n"}) {
+    CHECK_THAT(text, Catch::Contains(line));
+  }
+  CHECK(text.find("explained") == std::string::npos);
 }

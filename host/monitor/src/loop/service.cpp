@@ -300,7 +300,9 @@ void Service::begin_request(MonitorFaults own) {
       restarting_ = restart->actor;
     }
   }
-  if (teach) {
+  if (teach && Clock::now() - teach->at > state_.limit()) {
+    note(teach->actor, "teaching refused: no image came in time");
+  } else if (teach) {
     teacher_ = teach->actor;
     to_teach_ = teach->frames;
     monitor.set_blind({.watch = true, .teach = true, .margin = cell_.teach.margin});
