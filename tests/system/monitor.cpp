@@ -121,27 +121,32 @@ int free_port() {
   return ntohs(address.sin_port);
 }
 
-const std::string kFiles = "  left: {source: 'files:" + kData + "left??.jpg', repeat: true}\n" +
-                           "  right: {source: 'files:" + kData + "right??.jpg', repeat: true}\n";
+/// Of these four the third is an alarm.
+const std::string kFiles = "  left: {source: 'files:" + kData + "left0[1-4].jpg', repeat: true}\n" +
+                           "  right: {source: 'files:" + kData + "right0[1-4].jpg', repeat: true}\n";
 
 std::string gst_source(const std::string& side, const std::string& options) {
   return "  " + side + ": {source: 'gst:multifilesrc location=" + kData + side +
-         "%02d.jpg start-index=1 stop-index=9 " + options + " caps=image/jpeg,framerate=5/1 ! jpegdec'}\n";
+         "%02d.jpg start-index=1 stop-index=6 " + options + " caps=image/jpeg,framerate=2/1 ! jpegdec'}\n";
 }
 
 /// The rig of the photographs, a skin in front of which most of them are safe, and a cell.
 class CellBox : public Sandbox {
  public:
   CellBox() {
-    const auto made = run({"calibrate", "--left", kData + "left??.jpg", "--right", kData + "right??.jpg", "--target",
-                           "chessboard:9x6:30mm", "-o", "rig.yaml"});
-    INFO(made.err);
-    REQUIRE(made.status == 0);
+    static const std::string rig = [this] {
+      const auto made = run({"calibrate", "--left", kData + "left??.jpg", "--right", kData + "right??.jpg", "--target",
+                             "chessboard:9x6:30mm", "-o", "rig.yaml"});
+      INFO(made.err);
+      REQUIRE(made.status == 0);
+      return read("rig.yaml");
+    }();
+    write("rig.yaml", rig);
     write("skin.yaml", "surface: {type: plane, point_mm: [0, 0, 300], normal: [0, 0, -1]}\n");
   }
   std::string cell(const std::string& cameras, const std::string& more) const {
     return write("cell.yaml",
-                 "name: test\ncameras:\n" + cameras + "  frames_per_s: 5\nrig: rig.yaml\nskin: skin.yaml\n" + more);
+                 "name: test\ncameras:\n" + cameras + "  frames_per_s: 2\nrig: rig.yaml\nskin: skin.yaml\n" + more);
   }
   Running start(const std::vector<std::string>& more = {}) const {
     return Running(*this, std::vector<std::string>{HOROPTER_PROGRAM, "monitor", "cell.yaml", "--json"} + more,
@@ -193,11 +198,12 @@ TEST_CASE("recorded pairs as live cameras: events in JSON, Modbus by pymodbus, a
   CHECK(read["write_refused"] == true);
   char crc[9];
   std::snprintf(crc, sizeof crc, "%04x%04x", registers[12].get<unsigned>(), registers[13].get<unsigned>());
-  const json stopped = monitor.event("stopped");
+  // A busy computer may drop a pair, and stop for that: the photographs come again.
+  const json stopped = monitor.event("stopped", [](const json& event) { return has_cause(event, "alarm"); });
+  INFO(monitor.out());
   REQUIRE(stopped.is_object());
-  CHECK(has_cause(stopped, "alarm"));
   CHECK(stopped["configuration"] == crc);
-  CHECK(stopped["objects"].size() == 1);
+  REQUIRE(stopped["objects"].size() == 1);
   CHECK(stopped["objects"][0]["distance_mm"] == Approx(300).epsilon(0.02));
   CHECK(monitor.end(SIGTERM) == 0);
   for (const json& event : monitor.events()) CHECK(event["configuration"] == crc);
@@ -206,16 +212,27 @@ TEST_CASE("recorded pairs as live cameras: events in JSON, Modbus by pymodbus, a
 TEST_CASE("without a restart it is not safe, however good the images") {
   const CellBox box;
   box.cell(kFiles, "limits: {decision_ms: 30000}\n");
-  Running monitor = box.start({"--frames", "12"});
-  CHECK(monitor.wait() == 0);
-  const auto events = monitor.events();
+  Running monitor = box.start();
+  const json possible = monitor.event("restart_possible");
   INFO(monitor.out() << monitor.err());
-  REQUIRE_FALSE(events.empty());
-  for (const json& event : events) {
+  REQUIRE(possible.is_object());
+  const int at = possible["frame"];
+  REQUIRE(eventually([&] {  // and it stays so
+    const auto events = monitor.events();
+    return !events.empty() && events.back()["frame"] > at;
+  }));
+  CHECK(monitor.end(SIGTERM) == 0);
+  for (const json& event : monitor.events()) {
     CHECK(event["safe"] == false);
     CHECK(event["event"] != "released");
   }
-  CHECK(monitor.event("restart_possible").is_object());
+}
+
+TEST_CASE("it ends after so many pairs") {
+  const CellBox box;
+  box.cell(kFiles, "limits: {decision_ms: 30000}\n");
+  Running monitor = box.start({"--frames", "2"});
+  CHECK(monitor.wait() == 0);
 }
 
 TEST_CASE("the same by GStreamer, until a camera is gone: named, and not safe") {

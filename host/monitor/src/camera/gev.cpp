@@ -71,7 +71,7 @@ class GevGrabber : public Grabber {
     start();
   }
   ~GevGrabber() override {
-    if (camera_ != nullptr) arv_camera_stop_acquisition(camera_.get(), nullptr);
+    if (camera_ != nullptr && !gone_) arv_camera_stop_acquisition(camera_.get(), nullptr);
     stream_.reset();
   }
   GevGrabber(const GevGrabber&) = delete;
@@ -82,7 +82,8 @@ class GevGrabber : public Grabber {
         arv_stream_timeout_pop_buffer(stream_.get(), static_cast<guint64>(std::chrono::microseconds(patience).count()));
     const auto arrived = Clock::now();
     if (buffer == nullptr) {
-      if (lost_ || arrived - heard_ > silence_) throw CameraError("the camera does not answer any more");
+      gone_ = lost_ || arrived - heard_ > silence_;
+      if (gone_) throw CameraError("the camera does not answer any more");
       return std::nullopt;
     }
     heard_ = arrived;
@@ -214,6 +215,7 @@ class GevGrabber : public Grabber {
   std::optional<double> exposure_us_;
   Clock::time_point exposure_asked_{};
   std::atomic<bool> lost_ = false;
+  bool gone_ = false;  ///< who asks it waits in vain
 };
 
 }  // namespace
