@@ -87,6 +87,7 @@ int run(int argc, char** argv) {
       "4 fault of a frame, the device or the engine, 130 stopped by SIGINT, 143 by SIGTERM. `horopter COMMAND --help` tells all about a command.");
   Outcome outcome;
   add_run(app, outcome);
+  add_monitor(app, outcome);
   add_map(app, outcome);
   add_evaluate(app, outcome);
   add_calibrate(app, outcome);

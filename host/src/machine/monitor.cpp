@@ -10,6 +10,7 @@
 
 #include "horopter/base/error.hpp"
 #include "horopter/machine/configuration.hpp"
+#include "horopter/machine/inspection.hpp"
 #include "horopter/machine/loader.hpp"
 #include "horopter/machine/machine_build.hpp"
 #include "horopter/machine/regions.hpp"
@@ -25,6 +26,7 @@ constexpr int kSlots = hls::table::slots;
 static_assert(kNoTable == kSlots);
 /// Reads of FRAME_SEQUENCE before a machine that has sent all its states counts as broken.
 constexpr int kStatusPolls = 100'000;
+constexpr int kTripPolls = 1000;
 constexpr int kTablePolls = 1'000'000;  // a frame may stand between
 
 /// What left the machine must agree with itself and with the registers: a machine that contradicts itself is broken.
@@ -200,9 +202,25 @@ void Monitor::upload(int slot, const MapTable& table, std::optional<std::size_t>
 }
 
 void Monitor::teach(bool on) {
-  settings_.blind.teach = on;
-  const RegisterWord word = blocks_word(settings_.blind);
+  BlindSettings blind = settings_.blind;
+  blind.teach = on;
+  set_blind(blind);
+}
+
+void Monitor::set_blind(const BlindSettings& blind) {
+  settings_.blind = blind;
+  const RegisterWord word = blocks_word(blind);
   device_->write(word.address, word.value);
+}
+
+void Monitor::trip() {
+  const auto slot = reg::map_status::kActiveSlot.get(device_->read(reg::map_status::kAddress));
+  if (slot == kNoTable) return;
+  device_->write(reg::map_slot::kAddress, slot);
+  device_->write(reg::map_control::kAddress, reg::map_control::kStart.put(1));
+  for (int poll = 0; says_safe(device_->read(reg::status::kAddress)); ++poll) {
+    if (poll == kTripPolls) throw DeviceError("the machine stays safe although it was told not to be");
+  }
 }
 
 void Monitor::select(int slot) { device_->write(reg::table_select::kAddress, static_cast<std::uint32_t>(slot)); }

@@ -155,6 +155,11 @@ class Monitor {
   FrameResult finish();
   /// From the next frame on: learn what cannot be decided, or watch for it (BlindSettings). The zone is empty.
   void teach(bool on);
+  void set_blind(const BlindSettings& blind);
+  /// Takes safe away as a fault does, for who knows more than the machine: by an upload into the table in use, which it
+  /// refuses. The next frame has the fault `map_busy`. Nothing before the first frame, when it is not safe. Throws
+  /// DeviceError where it is safe all the same.
+  void trip();
   /// What was taught since start().
   const BlindWatch& blind_watch() const { return *blind_watch_; }
   /// Waits until the output of a frame that was begun is made by this table. Throws DeviceError when it never is.

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+// horopter monitor: live cameras in, a latched decision out, until it is asked to stop.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "commands.hpp"
+#include "horopter/base/ending.hpp"
+#include "horopter/monitor/cell.hpp"
+#include "horopter/monitor/part.hpp"
+#include "horopter/monitor/service.hpp"
+#include "horopter/monitor/systemd.hpp"
+#include "horopter/plan/plan.hpp"
+#include "horopter/plan/tolerance.hpp"
+#include "horopter/skin/rig_skin.hpp"
+#include "inputs.hpp"
+#include "numbers.hpp"
+#include "object.hpp"
+#include "settings.hpp"
+#include "thickness.hpp"
+#include "warnings.hpp"
+
+namespace horopter::cli {
+namespace {
+
+/// Images of files begin so long after the cameras were told to start.
+constexpr auto kBegin = std::chrono::milliseconds(300);
+/// A thread of an output looks at what it may say that often, at least.
+constexpr auto kOutputsTold = std::chrono::milliseconds(100);
+
+struct MonitorOptions {
+  std::string cell;
+  std::uint64_t frames = 0;
+  bool json = false;
+};
+
+/// A skin's place in the rig's world, for distances.
+struct SkinInSpace {
+  SkinFile file;
+  const RigSkin* skin = nullptr;
+};
+
+std::shared_ptr<SkinInSpace> in_space(const monitor::Cell& cell, const std::optional<calib::Rig>& rig, int width,
+                                      int height) {
+  if (is_table(cell.skin.string())) return nullptr;
+  auto place = std::make_shared<SkinInSpace>();
+  place->file = load_skin_for(cell.skin.string(), rig, width, height);
+  place->skin = dynamic_cast<const RigSkin*>(place->file.skin.get());
+  return place->skin != nullptr ? place : nullptr;
+}
+
+/// How far apart two images may be, where cell.yaml does not say.
+double skew_ms(const monitor::Cell& cell, const SkinInSpace* place, const MachineProfile& profile,
+               const ScanGeometry& geometry, const Settings& settings) {
+  if (cell.largest_skew_ms) return *cell.largest_skew_ms;
+  const auto fail = [&](const std::string& why) {
+    throw FileError(cell.path.string(), "cameras.largest_skew_ms", "missing; " + why, "it in ms");
+  };
+  if (place == nullptr) fail("without a skin in the rig's world nobody can work it out");
+  double tolerance_px = 0;
+  try {
+    tolerance_px = d95_px(settings);
+  } catch (const UsageError& error) {
+    fail(error.what());
+  }
+  const ThicknessPlan plan =
+      plan_thickness(place->skin->cameras(), *place->skin->surface(), profile, geometry, tolerance_px);
+  const calib::CameraModel& left = place->skin->cameras().left().model;
+  const double mm_per_px = plan.distance.smallest / (std::max(left.fx_px(), left.fy_px()) / profile.subsample);
+  const double most_ms = monitor::largest_skew_ms(tolerance_px, mm_per_px, cell.object_speed_m_s);
+  if (!std::isfinite(most_ms)) fail("nothing of the skin is supervised");
+  return std::min(most_ms, cell.period_ms() / 2);
+}
+
+monitor::ObjectScale scale_of(const std::shared_ptr<SkinInSpace>& place, const MachineProfile& profile,
+                              const ScanGeometry& geometry) {
+  if (place == nullptr) return {};
+  const auto distance_mm = [place, geometry, subsample = profile.subsample](double x,
+                                                                            double y) -> std::optional<double> {
+    const Point pixel = geometry.to_frame({subsample * x + 0.5 * (subsample - 1), y});
+    const CameraPair& cameras = place->skin->cameras();
+    const Rays rays = cameras.rays(std::span(&pixel, 1));
+    std::vector<Hit> hits(1);
+    place->skin->surface()->intersect(cameras.left().world_to_camera.centre(), rays.directions, hits);
+    if (!std::isfinite(hits.front().distance)) return std::nullopt;
+    return hits.front().distance;
+  };
+  return {distance_mm, place->skin->cameras().left().model.fx_px() / profile.subsample};
+}
+
+monitor::Machine make_machine(const monitor::Cell& cell, const std::optional<calib::Rig>& rig, int width, int height) {
+  const std::string skin = cell.skin.string();
+  const std::string file = cell.path.string();
+  const MachineProfile* profile = cell.profile.empty() ? smallest_profile(width, height) : &find_profile(cell.profile);
+  if (profile == nullptr) {
+    throw FileError(file, "cameras", fmt::format("images of {}x{} pixels", width, height), "at most 1920x1080");
+  }
+  check_image_size(file, width, height, *profile);
+  Settings settings = cell.settings;
+  set_thickness({.tolerance_px = cell.tolerance_px, .thickness_mm = cell.thickness_mm}, skin, rig, *profile, width,
+                height, settings);
+  ObjectOption object;
+  object.given = cell.object_px || cell.object_mm;
+  object.px = cell.object_px.value_or(object.px);
+  object.mm = cell.object_mm;
+  set_object(object, skin, rig, *profile, width, height, settings);
+  const MapSet maps = load_or_compile_maps(skin, rig, *profile, width, height, settings.decision);
+  std::vector<const MapTable*> tables;
+  for (const CompiledMap& map : maps.maps) tables.push_back(&map.table);
+  check_alarm_limit(skin, tables, *profile, settings.decision, settings.alarm_percent);
+  warn_of_proof(skin, tables, *profile, maps.lookahead(), settings, !maps.rig.empty());
+  const auto place = in_space(cell, rig, width, height);
+  const ScanGeometry geometry = scans_of(*profile, width, height).front();
+  monitor::Machine machine;
+  machine.largest_skew_ms = skew_ms(cell, place.get(), *profile, geometry, settings);
+  machine.scale = scale_of(place, *profile, geometry);
+  machine.supervisor =
+      std::make_unique<Supervisor>(make_picture_device(cell.engine, *profile), *profile, maps, settings);
+  return machine;
+}
+
+std::vector<std::unique_ptr<monitor::Camera>> start_cameras(const monitor::Cell& cell, monitor::CameraSink& sink) {
+  std::vector<std::unique_ptr<monitor::Camera>> cameras;
+  const auto begin = monitor::Clock::now() + kBegin;
+  const std::size_t sources = cell.layout == monitor::Layout::single ? 2 : 1;
+  for (std::size_t i = 0; i < sources; ++i) {
+    cameras.push_back(monitor::start_camera(static_cast<monitor::Side>(i), cell.layout,
+                                            {.camera = cell.cameras.at(i),
+                                             .frames_per_s = cell.frames_per_s,
+                                             .stamps = cell.stamps,
+                                             .directory = cell.path.parent_path().string(),
+                                             .begin = begin},
+                                            sink));
+  }
+  return cameras;
+}
+
+ExitStatus run_monitor(const MonitorOptions& options) {
+  const monitor::Cell cell = monitor::load_cell(options.cell);
+  const auto rig = read_rig_option(cell.rig.string());
+  check_skin_file(cell.skin.string());
+  if (is_moving_skin(cell.skin.string())) {
+    throw FileError(cell.skin.string(), "motion", "a skin that moves", "one that does not: only `run` moves skins");
+  }
+  const int width = rig && !rig->cameras.empty() ? rig->cameras.front().width_px : 0;
+  const int height = width != 0 ? rig->cameras.front().height_px : 0;
+  monitor::Service service(
+      cell, [&](int columns, int rows) { return make_machine(cell, rig, columns, rows); }, width, height);
+  if (cell.settings.interlock.by_itself)
+    warn("restart: by itself; after an alarm or a fault nobody has to say that all is well");
+  const auto parts = monitor::make_parts(cell, service.safe_state(), service,
+                                         options.json ? monitor::Lines::json : monitor::Lines::text);
+  for (const auto& part : parts) service.add(part.get());
+  const BeforeEnding before_ending([&] {
+    service.end_unsafe();
+    std::this_thread::sleep_for(kOutputsTold);
+  });
+  monitor::SystemdNotice systemd;
+  service.on_turn([&] { systemd.turn(monitor::Clock::now()); });
+  {
+    const auto cameras = start_cameras(cell, service);
+    service.run(asked_to_stop, options.frames);
+    monitor::SystemdNotice::stopping();
+  }
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+void add_monitor(CLI::App& app, Outcome& outcome) {
+  auto options = std::make_shared<MonitorOptions>();
+  CLI::App* command =
+      app.add_subcommand("monitor", "Supervise live cameras: outputs, restart and teaching, until it is stopped");
+  command->add_option("cell", options->cell, "cell.yaml: cameras, skin, limits, outputs")
+      ->required()
+      ->type_name("FILE");
+  command->add_option("--frames", options->frames, "Stop after this many pairs (default: run until stopped)")
+      ->check(at_least_one())
+      ->type_name("N");
+  command->add_flag("--json", options->json, "Print each event as a line of JSON on standard output, and nothing else");
+  command->footer(
+      monitor::cell_help() +
+      "\nSIGINT or SIGTERM ends it: the outputs go unsafe first, and the exit status is 0. It is 3 for a bad\n"
+      "file, and 4 where the machine has failed.\n\n"
+      "Example: horopter monitor cell.yaml");
+  command->callback([options, &outcome] { outcome.status = run_monitor(*options); });
+}
+
+}  // namespace horopter::cli

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a cell has beside cameras and machine: outputs, log, page. parts.cpp makes them.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "horopter/monitor/cell.hpp"
+#include "horopter/monitor/safe_state.hpp"
+#include "horopter/monitor/state.hpp"
+
+namespace horopter::monitor {
+
+class Part : public Listener {
+ public:
+  /// What is wrong with it, for the fault `output`; empty while all is well. Asked with every decision: must not wait.
+  [[nodiscard]] virtual std::string trouble() const { return {}; }
+};
+
+/// Where events are printed.
+enum class Lines { text, json };
+
+/// All that cell.yaml names, and the lines on standard output. They must go before the service that they were made for.
+std::vector<std::unique_ptr<Part>> make_parts(const Cell& cell, const SafeState& state, Control& control, Lines lines);
+
+}  // namespace horopter::monitor

@@ -1,0 +1,470 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "horopter/monitor/service.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "horopter/machine/inspection.hpp"
+#include "horopter/machine/registers.hpp"
+#include "horopter/map/map_json.hpp"
+#include "horopter/monitor/causes.hpp"
+
+namespace horopter::monitor {
+namespace {
+
+namespace reg = registers;
+
+constexpr auto kSides = std::to_array<Side>({Side::left, Side::right});
+/// Of the thread that looks at the age of the decision, in its limit.
+constexpr int kLooksInLimit = 8;
+/// And how soon a service that ends has ended.
+constexpr Duration kLongestLook = std::chrono::milliseconds(50);
+
+Duration milliseconds_of(double ms) {
+  return std::chrono::duration_cast<Duration>(std::chrono::duration<double, std::milli>(ms));
+}
+
+PairingRules rules_of(const Cell& cell, int width, int height) {
+  PairingRules rules;
+  rules.period = milliseconds_of(cell.period_ms());
+  rules.largest_skew = rules.period / 2;  // until the machine is there
+  rules.lost_after = milliseconds_of(cell.decision_limit_ms);
+  rules.width = width;
+  rules.height = height;
+  rules.exposure_may_change = {cell.cameras[0].exposure_may_change, cell.cameras[1].exposure_may_change};
+  rules.serials = {cell.cameras[0].serial, cell.cameras[1].serial};
+  return rules;
+}
+
+FaultWords words_of(MonitorFaults own, const Faults& faults) {
+  return {faults.cameras(), faults.machine(), own.word()};
+}
+
+bool same_names(const std::vector<Cause>& a, const std::vector<Cause>& b) {
+  return std::ranges::equal(a, b, {}, &Cause::name, &Cause::name);
+}
+
+bool is_good(const FrameResult& result) { return !result.alarm && !result.faults.any(); }
+
+/// The worse one of two fields: what an output says of the pair.
+const FrameResult& worst(const std::vector<FrameResult>& results) {
+  const auto found = std::ranges::find_if(results, [](const FrameResult& r) { return !is_good(r); });
+  return found == results.end() ? results.back() : *found;
+}
+
+}  // namespace
+
+Service::Service(const Cell& cell, MakeMachine make_machine, int width, int height)
+    : cell_(cell),
+      make_machine_(std::move(make_machine)),
+      state_(milliseconds_of(cell.decision_limit_ms)),
+      look_(std::min(kLongestLook, state_.limit() / kLooksInLimit)),
+      pairing_(rules_of(cell, width, height)) {
+  status_.time = std::chrono::system_clock::now();
+  status_.causes = status_.latched = causes_of(false, MonitorFault::starting, {});
+  status_.restart_by_itself = cell_.settings.interlock.by_itself;
+  for (const CameraCell& camera : cell_.cameras) {
+    CameraState& state = status_.cameras.emplace_back();
+    state.name = camera.name;
+    state.source = without_secrets(camera.source);
+  }
+  state_.not_safe(words_of(MonitorFault::starting, {}));
+  if (width != 0) start_machine(width, height);
+  watch_ = std::thread([this] { watch(); });
+}
+
+Service::~Service() {
+  state_.end();
+  watching_ = false;
+  watch_.join();
+}
+
+void Service::start_machine(int width, int height) {
+  machine_ = make_machine_(width, height);
+  const std::lock_guard lock(intake_mutex_);
+  pairing_.set_size(width, height);
+  pairing_.set_largest_skew(milliseconds_of(machine_->largest_skew_ms));
+  pairing_.clear();
+}
+
+// Cameras -------------------------------------------------------------------------------------------------------------
+
+void Service::frame(Side side, CameraFrame frame) {
+  {
+    const std::lock_guard lock(intake_mutex_);
+    links_.at(static_cast<std::size_t>(side)).exposure_us = frame.exposure_us;
+    pairing_.add(side, std::move(frame));
+  }
+  intake_.notify_one();
+}
+
+void Service::connected(Side side) {
+  const std::lock_guard lock(intake_mutex_);
+  Link& link = links_.at(static_cast<std::size_t>(side));
+  if (link.was_connected) pairing_.reconnected(side);
+  link = {.connected = true, .was_connected = true, .ended = false, .why = {}, .exposure_us = {}};
+}
+
+void Service::lost(Side side, const std::string& why) {
+  const std::lock_guard lock(intake_mutex_);
+  Link& link = links_.at(static_cast<std::size_t>(side));
+  link.connected = false;
+  link.why = why;
+}
+
+void Service::ended(Side side) {
+  {
+    const std::lock_guard lock(intake_mutex_);
+    links_.at(static_cast<std::size_t>(side)).ended = true;
+  }
+  intake_.notify_one();
+}
+
+std::optional<ImagePair> Service::wait_for_pair() {
+  std::unique_lock lock(intake_mutex_);
+  intake_.wait_for(lock, look_, [this] { return pairing_.has_pair(); });
+  return pairing_.take();
+}
+
+bool Service::images_ended() {
+  const std::lock_guard lock(intake_mutex_);
+  return std::ranges::all_of(links_, &Link::ended) && !pairing_.has_pair();
+}
+
+// The decision --------------------------------------------------------------------------------------------------------
+
+void Service::run(const std::function<bool()>& asked_to_stop, std::uint64_t pairs) {
+  try {
+    loop(asked_to_stop, pairs);
+    state_.end();
+  } catch (const std::exception& error) {
+    Cause cause = cause_of("engine");
+    cause.text += fmt::format(" ({})", error.what());
+    stop_by({cause}, words_of(MonitorFault::engine, {}));
+    state_.end();
+    throw;
+  }
+}
+
+void Service::loop(const std::function<bool()>& asked_to_stop, std::uint64_t pairs) {
+  started_ = Clock::now();
+  note({"configuration", ""},
+       fmt::format("begins with {}, configuration {}", cell_.path.string(), crc_text(cell_.crc)));
+  while (!asked_to_stop()) {
+    if (turn_) turn_();
+    auto pair = wait_for_pair();
+    if (pair) {
+      judge(std::move(*pair));
+    } else if (images_ended()) {
+      return;
+    } else {
+      idle();
+    }
+    if (pairs != 0 && status().frame >= pairs) return;
+  }
+}
+
+MonitorFaults Service::faults_of_parts() {
+  troubles_.clear();
+  for (const Part* part : parts_) {
+    if (std::string trouble = part->trouble(); !trouble.empty()) troubles_.push_back(std::move(trouble));
+  }
+  return troubles_.empty() ? MonitorFaults() : MonitorFault::output;
+}
+
+MonitorFaults Service::missed() const { return state_.missed() ? MonitorFault::decision_late : MonitorFaults(); }
+
+/// The machine does not know of what the monitor finds: its interlock falls, and the next pair is no good one.
+void Service::take_safe_away(MonitorFaults own) {
+  state_.not_safe(words_of(own, {}));
+  if (machine_) machine_->supervisor->monitor().trip();
+  if (own.has(MonitorFault::decision_late)) state_.catch_up();
+}
+
+/// Without a pair: what is wrong now.
+void Service::idle() {
+  MonitorFaults own = faults_of_parts();
+  {
+    const std::lock_guard lock(intake_mutex_);
+    own |= pairing_.check(Clock::now(), started_);
+  }
+  own |= missed();
+  if (!own.any()) return;
+  pending_ |= own;
+  take_safe_away(own);
+  stop_by(own_causes(own, causes_of(false, own, {})), words_of(own, {}));
+}
+
+/// With what is known beside their names.
+std::vector<Cause> Service::own_causes(MonitorFaults own, std::vector<Cause> causes) {
+  const std::lock_guard lock(intake_mutex_);
+  for (Cause& cause : causes) {
+    for (const Side side : kSides) {
+      const Link& link = links_.at(static_cast<std::size_t>(side));
+      const auto lost = of(side, MonitorFault::left_camera_lost);
+      const bool about = own.has(lost) && cause.name == kMonitorFaultNames.at(static_cast<std::size_t>(lost));
+      if (about && !link.why.empty()) cause.text += fmt::format(" ({})", link.why);
+    }
+    if (cause.name == "output") cause.text += fmt::format(" ({})", fmt::join(troubles_, "; "));
+  }
+  return causes;
+}
+
+void Service::judge(ImagePair pair) {
+  if (!machine_) {
+    start_machine(pair.left.image.width, pair.left.image.height);
+    return;  // it has waited for longer than a decision may
+  }
+  horopter::Monitor& monitor = machine_->supervisor->monitor();
+  MonitorFaults own = std::exchange(pending_, {}) | pair.faults | faults_of_parts();
+  own |= missed();
+  if (own.any()) take_safe_away(own);
+  begin_request(own);
+
+  std::vector<FrameResult> results;
+  if (pair.judgeable) results = machine_->supervisor->process(pair.left.image, pair.right.image);
+  Faults faults;
+  bool alarm = false;
+  for (FrameResult& result : results) {
+    if (own.any()) result.faults.clear(Fault::map_busy);  // of the trip
+    faults |= result.faults;
+    alarm |= result.alarm;
+  }
+  const std::uint32_t word = monitor.device().read(reg::status::kAddress);
+  if (Clock::now() - pair.arrived() > state_.limit()) {
+    own |= MonitorFault::decision_late;
+    pending_ |= MonitorFault::decision_late;  // the machine shall know of it, too
+  }
+  const bool good = pair.judgeable && !own.any() && !faults.any() && !alarm;
+
+  Status status = this->status();
+  status.time = std::chrono::system_clock::now();
+  status.frame += 1;
+  status.safe = good && says_safe(word);
+  status.alarm = alarm;
+  status.restart = status.safe                                    ? Restart::not_needed
+                   : good && reg::status::kWaiting.get(word) != 0 ? Restart::possible
+                                                                  : Restart::needed;
+  status.causes = own_causes(own, causes_of(alarm, own, faults));
+  status.taught = reg::status::kTaught.get(word) != 0;
+  status.skew_ms = std::chrono::duration<double, std::milli>(pair.skew).count();
+  if (!results.empty()) {
+    const FrameResult& shown = worst(results);
+    status.objects = tracker_.next(shown, machine_->scale, pair.arrived());
+    status.table = shown.table;
+    status.table_crc = shown.table_crc;
+    const Agreement& agreement = shown.agreement;
+    status.explained.reset();
+    if (agreement.textured > 0) status.explained = static_cast<double>(agreement.explained) / agreement.textured;
+    for (std::size_t i = 0; i < 2; ++i) status.cameras.at(i).sharpness = agreement.sharpness.at(i);
+  }
+  status.decision_ms = std::chrono::duration<double, std::milli>(Clock::now() - pair.arrived()).count();
+  status.teaching = to_teach_ != 0;
+  describe_cameras(status);
+  state_.decided(pair.arrived(), status.safe, alarm, words_of(own, faults));
+
+  MomentPtr moment;
+  if (!results.empty()) {
+    auto made = std::make_shared<Moment>();
+    made->arrived = pair.arrived();
+    made->result = worst(results);
+    const int parity = made->result.scan == Scan::odd_field ? 1 : 0;
+    const bool whole = made->result.scan == Scan::progressive;
+    made->left = whole ? std::move(pair.left.image) : field_of(pair.left.image, parity);
+    made->right = whole ? std::move(pair.right.image) : field_of(pair.right.image, parity);
+    made->status = status;
+    moment = std::move(made);
+  }
+  publish(std::move(status), moment);
+  if (to_teach_ != 0) count_taught();
+}
+
+void Service::begin_request(MonitorFaults own) {
+  std::optional<Request> restart;
+  std::optional<Request> teach;
+  {
+    const std::lock_guard lock(status_mutex_);
+    restart = std::exchange(restart_request_, {});
+    teach = std::exchange(teach_request_, {});
+  }
+  horopter::Monitor& monitor = machine_->supervisor->monitor();
+  if (restart) {
+    // An old one was meant for what somebody saw then.
+    if (own.any() || Clock::now() - restart->at > state_.limit()) {
+      note(restart->actor, "restart refused: a fault came in between");
+    } else {
+      monitor.device().write(reg::restart::kAddress, reg::kRestartKey);
+      restarting_ = restart->actor;
+    }
+  }
+  if (teach && Clock::now() - teach->at > state_.limit()) {
+    note(teach->actor, "teaching refused: no image came in time");
+  } else if (teach) {
+    teacher_ = teach->actor;
+    to_teach_ = teach->frames;
+    monitor.set_blind({.watch = true, .teach = true, .margin = cell_.teach.margin});
+    note(teacher_, fmt::format("teaching: the zone must be empty for {} pairs", to_teach_));
+  }
+}
+
+void Service::count_taught() {
+  if (--to_teach_ != 0) return;
+  horopter::Monitor& monitor = machine_->supervisor->monitor();
+  monitor.set_blind({.watch = true, .teach = false, .margin = cell_.teach.margin});
+  const int taught = monitor.blind_watch().taught();
+  note(teacher_, taught != 0 ? fmt::format("taught by {} frames", taught)
+                             : "taught nothing: the last frame had a fault or an alarm; everything that cannot be "
+                               "decided counts as an object now");
+}
+
+// What others see -----------------------------------------------------------------------------------------------------
+
+void Service::describe_cameras(Status& status) {
+  const std::lock_guard lock(intake_mutex_);
+  for (const Side side : kSides) {
+    const auto i = static_cast<std::size_t>(side);
+    CameraState& camera = status.cameras.at(i);
+    const SideCounts& counts = pairing_.counts(side);
+    camera.connected = links_.at(i).connected;
+    camera.frames = counts.frames;
+    camera.dropped = counts.dropped;
+    camera.lost_packets = counts.lost_packets;
+    camera.repeated = counts.repeated;
+    camera.frames_per_s = pairing_.rate(side);
+    camera.exposure_us = links_.at(i).exposure_us;
+  }
+}
+
+void Service::publish(Status status, const MomentPtr& moment) {
+  const std::lock_guard telling(listeners_mutex_);
+  Status before;
+  {
+    const std::lock_guard lock(status_mutex_);
+    before = std::exchange(status_, status);
+    if (std::exchange(untold_stop_, false)) before.safe = true;
+    if (moment) latest_ = moment;
+    if (status.safe) {
+      status_.latched.clear();
+    } else if (before.safe) {
+      status_.latched = status.causes;
+    } else {
+      status_.latched = before.latched;
+    }
+    status = status_;
+  }
+  tell(before, status, moment);
+}
+
+void Service::tell(const Status& before, const Status& status, const MomentPtr& moment) {
+  if (restarting_ && !before.safe) {
+    const Actor actor = *std::exchange(restarting_, {});
+    if (status.safe) {
+      released_by_ = actor;
+    } else {
+      for (Part* part : parts_) part->noted(status, actor, "restart refused: a fault or an alarm came in between");
+    }
+  }
+  const bool other_causes = !before.safe && !status.safe && !moment && !same_names(before.causes, status.causes);
+  for (Part* part : parts_) {
+    if (before.safe && !status.safe) part->stopped(status, moment);
+    if (!before.safe && status.safe) part->released(status, released_by_);
+    if (other_causes) part->noted(status, {"monitor", ""}, "not safe for other reasons now");
+    if (moment) part->judged(moment);
+  }
+}
+
+void Service::note(const Actor& actor, const std::string& what) {
+  const std::lock_guard telling(listeners_mutex_);
+  const Status now = status();
+  for (Part* part : parts_) part->noted(now, actor, what);
+}
+
+/// Not safe, without a pair.
+void Service::stop_by(const std::vector<Cause>& causes, FaultWords words) {
+  state_.not_safe(words);
+  Status status = this->status();
+  {
+    const std::lock_guard lock(status_mutex_);
+    if (!status_.safe && same_names(status_.causes, causes)) return;
+    status.safe = status_.safe;
+  }
+  status.time = std::chrono::system_clock::now();
+  status.safe = false;
+  status.restart = Restart::needed;
+  status.causes = causes;
+  describe_cameras(status);
+  publish(std::move(status), nullptr);
+}
+
+/// The decision may hang: then this thread says that it is not safe.
+void Service::watch() {
+  while (watching_) {
+    std::this_thread::sleep_for(look_);
+    if (state_.at(Clock::now()).safe) continue;
+    std::unique_lock telling(listeners_mutex_, std::try_to_lock);
+    Status before;
+    Status status;
+    {
+      const std::lock_guard lock(status_mutex_);
+      if (!status_.safe || !state_.missed()) continue;
+      before = status_;
+      status_.time = std::chrono::system_clock::now();
+      status_.safe = false;
+      status_.restart = Restart::needed;
+      status_.causes = status_.latched = causes_of(false, MonitorFault::decision_late, {});
+      status = status_;
+      untold_stop_ = !telling.owns_lock();
+    }
+    if (telling.owns_lock()) {
+      for (Part* part : parts_) part->stopped(status, nullptr);
+    }
+  }
+}
+
+// Control -------------------------------------------------------------------------------------------------------------
+
+Status Service::status() const {
+  const std::lock_guard lock(status_mutex_);
+  return status_;
+}
+
+MomentPtr Service::latest() const {
+  const std::lock_guard lock(status_mutex_);
+  return latest_;
+}
+
+bool Service::restart(const Actor& actor, std::string& why) {
+  const std::lock_guard lock(status_mutex_);
+  if (status_.safe) {
+    why = "it is safe already";
+  } else if (!cell_.settings.interlock.by_register) {
+    why = "its configuration lets it restart by itself";
+  } else if (status_.restart != Restart::possible) {
+    why = "the last frames were not all without fault and alarm";
+  } else {
+    restart_request_ = Request{actor, Clock::now(), 0};
+    return true;
+  }
+  return false;
+}
+
+bool Service::teach(int frames, const Actor& actor, std::string& why) {
+  constexpr int kMost = 65'535;
+  const std::lock_guard lock(status_mutex_);
+  if (frames < 1 || frames > kMost) {
+    why = fmt::format("{} frames; expected 1 to {}", frames, kMost);
+  } else if (status_.teaching || teach_request_) {
+    why = "it is teaching already";
+  } else if (status_.frame == 0) {
+    why = "no image has been judged yet";
+  } else {
+    teach_request_ = Request{actor, Clock::now(), frames};
+    return true;
+  }
+  return false;
+}
+
+}  // namespace horopter::monitor

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Two lines of the computer: safe and its complement.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "horopter/monitor/part.hpp"
+#include "output/ticker.hpp"
+
+namespace horopter::monitor {
+
+/// Sets both lines; false where that failed.
+using SetLines = std::function<bool(bool safe, bool not_safe)>;
+
+/// Lines that follow what may be said, and are not safe at the end.
+class LinesFollower : public Part {
+ public:
+  LinesFollower(SetLines set, const SafeState& state);
+  ~LinesFollower() override;
+  LinesFollower(const LinesFollower&) = delete;
+  LinesFollower& operator=(const LinesFollower&) = delete;
+  [[nodiscard]] std::string trouble() const override;
+
+ private:
+  void put(bool safe);
+
+  SetLines set_;
+  std::atomic<bool> failed_ = false;
+  std::optional<bool> said_;
+  Ticker ticker_;  // the last: its thread uses the others
+};
+
+/// Throws FileError for a chip or lines that cannot be had.
+std::unique_ptr<Part> make_gpio(const GpioCell& gpio, const Cell& cell, const SafeState& state);
+
+}  // namespace horopter::monitor

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: Apache-2.0
+// `horopter monitor` from outside: recorded pairs as live cameras, events on standard output, Modbus and MQTT by clients that
+// are not ours, cameras that go, a broker that goes. Limits of time are long: a slow computer fails no test.
+#include <fcntl.h>
+#include <netinet/in.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "sandbox.hpp"
+
+using namespace horopter::test;
+using namespace std::chrono_literals;
+using nlohmann::json;
+
+namespace {
+
+const std::string kData = "/usr/share/doc/opencv-doc/examples/data/";
+
+bool eventually(const std::function<bool()>& condition) {
+  for (const auto give_up = std::chrono::steady_clock::now() + 60s; std::chrono::steady_clock::now() < give_up;
+       std::this_thread::sleep_for(20ms)) {
+    if (condition()) return true;
+  }
+  return false;
+}
+
+/// A program that runs beside the test, until its end or that of the test.
+class Running {
+ public:
+  Running(const Sandbox& box, std::vector<std::string> command, const std::string& name)
+      : out_(box / (name + ".out")), err_(box / (name + ".err")) {
+    std::vector<char*> argv;
+    for (std::string& word : command) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, 1, out_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_addopen(&actions, 2, err_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_addchdir_np(&actions, box.operator/("").c_str());
+    const int spawned = ::posix_spawnp(&child_, argv[0], &actions, nullptr, argv.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    CAPTURE(command);
+    REQUIRE(spawned == 0);
+  }
+  ~Running() {
+    if (child_ != 0) end(SIGKILL);
+  }
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+
+  void send(int signal) const { ::kill(child_, signal); }
+  /// Its status, or 128 + the signal that it died of.
+  int wait() {
+    int status = 0;
+    ::waitpid(child_, &status, 0);
+    child_ = 0;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+  int end(int signal) {
+    send(signal);
+    return wait();
+  }
+  std::string out() const { return read_text(out_); }
+  std::string err() const { return read_text(err_); }
+  std::vector<json> events() const {
+    std::vector<json> events;
+    std::istringstream lines(out());
+    for (std::string line; std::getline(lines, line);) {
+      if (!lines.eof()) events.push_back(json::parse(line));  // the last may not be whole yet
+    }
+    return events;
+  }
+  /// The first of this name for which the condition holds; null where none comes.
+  json event(const std::string& name, const std::function<bool(const json&)>& condition = {}) const {
+    json found;
+    eventually([&] {
+      for (const json& event : events()) {
+        if (event["event"] != name || (condition && !condition(event))) continue;
+        found = event;
+        return true;
+      }
+      return false;
+    });
+    return found;
+  }
+
+ private:
+  fs::path out_, err_;
+  pid_t child_ = 0;
+};
+
+bool has_cause(const json& event, const std::string& name) {
+  for (const json& cause : event["causes"]) {
+    if (cause["name"] == name) return true;
+  }
+  return false;
+}
+
+int free_port() {
+  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t size = sizeof address;
+  REQUIRE(::bind(socket, reinterpret_cast<sockaddr*>(&address), size) == 0);
+  ::getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size);
+  ::close(socket);
+  return ntohs(address.sin_port);
+}
+
+/// Of these four the third is an alarm.
+const std::string kFiles = "  left: {source: 'files:" + kData + "left0[1-4].jpg', repeat: true}\n" +
+                           "  right: {source: 'files:" + kData + "right0[1-4].jpg', repeat: true}\n";
+
+std::string gst_source(const std::string& side, const std::string& options) {
+  return "  " + side + ": {source: 'gst:multifilesrc location=" + kData + side +
+         "%02d.jpg start-index=1 stop-index=6 " + options + " caps=image/jpeg,framerate=2/1 ! jpegdec'}\n";
+}
+
+/// The rig of the photographs, a skin in front of which most of them are safe, and a cell.
+class CellBox : public Sandbox {
+ public:
+  CellBox() {
+    static const std::string rig = [this] {
+      const auto made = run({"calibrate", "--left", kData + "left??.jpg", "--right", kData + "right??.jpg", "--target",
+                             "chessboard:9x6:30mm", "-o", "rig.yaml"});
+      INFO(made.err);
+      REQUIRE(made.status == 0);
+      return read("rig.yaml");
+    }();
+    write("rig.yaml", rig);
+    write("skin.yaml", "surface: {type: plane, point_mm: [0, 0, 300], normal: [0, 0, -1]}\n");
+  }
+  std::string cell(const std::string& cameras, const std::string& more) const {
+    return write("cell.yaml",
+                 "name: test\ncameras:\n" + cameras + "  frames_per_s: 2\nrig: rig.yaml\nskin: skin.yaml\n" + more);
+  }
+  Running start(const std::vector<std::string>& more = {}) const {
+    return Running(*this, std::vector<std::string>{HOROPTER_PROGRAM, "monitor", "cell.yaml", "--json"} + more,
+                   "monitor");
+  }
+};
+
+/// The input registers as pymodbus reads them, as soon as it is safe or has not been for long.
+json read_modbus(const Sandbox& box, int port, bool safe) {
+  box.write("client.py",
+            "import json, sys, time\n"
+            "from pymodbus.client import ModbusTcpClient\n"
+            "client = ModbusTcpClient('127.0.0.1', port=int(sys.argv[1]))\n"
+            "client.connect()\n"
+            "for _ in range(600):\n"
+            "    registers = client.read_input_registers(0, 14, slave=1).registers\n"
+            "    if registers[2] == int(sys.argv[2]): break\n"
+            "    time.sleep(0.1)\n"
+            "bits = client.read_discrete_inputs(0, 4, slave=1).bits[:4]\n"
+            "written = client.write_register(0, 1, slave=1).isError()\n"
+            "print(json.dumps({'registers': registers, 'bits': bits, 'write_refused': written}))\n");
+  Running client(box, {"/usr/bin/python3", "client.py", std::to_string(port), safe ? "1" : "0"}, "client");
+  const int status = client.wait();
+  INFO(client.err());
+  REQUIRE(status == 0);
+  return json::parse(client.out());
+}
+
+}  // namespace
+
+TEST_CASE("recorded pairs as live cameras: events in JSON, Modbus by pymodbus, and a good end") {
+  const CellBox box;
+  const int port = free_port();
+  box.cell(kFiles, "restart: by_itself\nlimits: {decision_ms: 30000}\noutputs: {modbus: {port: " +
+                       std::to_string(port) + "}}\n");
+  Running monitor = box.start();
+  const json released = monitor.event("released");
+  INFO(monitor.out() << monitor.err());
+  REQUIRE(released.is_object());
+  CHECK(released["safe"] == true);
+  CHECK(released["by"]["name"] == "configuration");
+  const json read = read_modbus(box, port, true);
+  const auto& registers = read["registers"];
+  CHECK(registers[0] == 1);
+  CHECK(registers[1] > 0);
+  CHECK(registers[2] == 1);
+  CHECK(registers[3] == 0);
+  CHECK(registers[5] < 30'000);
+  CHECK(read["write_refused"] == true);
+  char crc[9];
+  std::snprintf(crc, sizeof crc, "%04x%04x", registers[12].get<unsigned>(), registers[13].get<unsigned>());
+  // A busy computer may drop a pair, and stop for that: the photographs come again.
+  const json stopped = monitor.event("stopped", [](const json& event) { return has_cause(event, "alarm"); });
+  INFO(monitor.out());
+  REQUIRE(stopped.is_object());
+  CHECK(stopped["configuration"] == crc);
+  REQUIRE(stopped["objects"].size() == 1);
+  CHECK(stopped["objects"][0]["distance_mm"] == Approx(300).epsilon(0.02));
+  CHECK(monitor.end(SIGTERM) == 0);
+  for (const json& event : monitor.events()) CHECK(event["configuration"] == crc);
+}
+
+TEST_CASE("without a restart it is not safe, however good the images") {
+  const CellBox box;
+  box.cell(kFiles, "limits: {decision_ms: 30000}\n");
+  Running monitor = box.start();
+  const json possible = monitor.event("restart_possible");
+  INFO(monitor.out() << monitor.err());
+  REQUIRE(possible.is_object());
+  const int at = possible["frame"];
+  REQUIRE(eventually([&] {  // and it stays so
+    const auto events = monitor.events();
+    return !events.empty() && events.back()["frame"] > at;
+  }));
+  CHECK(monitor.end(SIGTERM) == 0);
+  for (const json& event : monitor.events()) {
+    CHECK(event["safe"] == false);
+    CHECK(event["event"] != "released");
+  }
+}
+
+TEST_CASE("it ends after so many pairs") {
+  const CellBox box;
+  box.cell(kFiles, "limits: {decision_ms: 30000}\n");
+  Running monitor = box.start({"--frames", "2"});
+  CHECK(monitor.wait() == 0);
+}
+
+TEST_CASE("the same by GStreamer, until a camera is gone: named, and not safe") {
+  const CellBox box;
+  const int port = free_port();
+  box.cell(
+      gst_source("left", "loop=true") + gst_source("right", "loop=false"),
+      "restart: by_itself\nlimits: {decision_ms: 1500}\noutputs: {modbus: {port: " + std::to_string(port) + "}}\n");
+  Running monitor = box.start();
+  json lost;
+  eventually([&] {
+    for (const json& event : monitor.events()) {
+      if (has_cause(event, "right_camera_lost") && event["causes"].dump().find("has ended") != std::string::npos) {
+        lost = event;
+      }
+    }
+    return lost.is_object();
+  });
+  INFO(monitor.out() << monitor.err());
+  REQUIRE(lost.is_object());
+  CHECK(lost["safe"] == false);
+  CHECK_THAT(lost["causes"].dump(), Catch::Contains("right camera"));
+  CHECK(lost["frame"] > 0);
+  const auto registers = read_modbus(box, port, false)["registers"];
+  CHECK(registers[2] == 0);
+  CHECK(registers[3] == 1);
+  CHECK((registers[10].get<unsigned>() << 16 | registers[11].get<unsigned>()) != 0);
+  CHECK(monitor.end(SIGINT) == 0);
+}
+
+TEST_CASE("MQTT: a state that is kept, a last will, and a broker that goes is named and not safe") {
+  const CellBox box;
+  const std::string port = std::to_string(free_port());
+  box.write("broker.conf", "listener " + port + " 127.0.0.1\nallow_anonymous false\npassword_file users\n");
+  box.write("users", "");
+  // It gives up root, and must read its files all the same.
+  fs::permissions(box / "", fs::perms::others_exec, fs::perm_options::add);
+  fs::permissions((box / "").parent_path().parent_path(), fs::perms::others_exec, fs::perm_options::add);
+  box.write("password", "secret\n");
+  REQUIRE(Running(box, {"mosquitto_passwd", "-b", "users", "cell", "secret"}, "passwd").wait() == 0);
+  fs::permissions(box / "users", fs::perms::others_read, fs::perm_options::add);
+  Running broker(box, {"/usr/sbin/mosquitto", "-c", "broker.conf"}, "broker");
+  const auto listen = [&](const std::string& topic) {
+    return std::vector<std::string>{"mosquitto_sub", "-h", "127.0.0.1", "-p", port, "-u", "cell", "-P",
+                                    "secret",        "-t", topic,       "-q", "1"};
+  };
+  box.cell(kFiles, "restart: by_itself\nlimits: {decision_ms: 30000}\noutputs: {mqtt: {host: 127.0.0.1, port: " + port +
+                       ", topic: cells/3, user: cell, password_file: password}}\n");
+  const auto last_state = [](const Running& listener) {
+    json last = json::object();
+    std::istringstream lines(listener.out());
+    for (std::string line; std::getline(lines, line);) {
+      if (!lines.eof()) last = json::parse(line);
+    }
+    return last;
+  };
+  SECTION("killed") {
+    Running monitor = box.start();
+    const json released = monitor.event("released");
+    INFO(monitor.out() << monitor.err() << broker.err());
+    REQUIRE(released.is_object());
+    Running listener(box, listen("cells/3/state"), "listener");
+    REQUIRE(eventually([&] { return last_state(listener).value("safe", false); }));
+    monitor.end(SIGKILL);
+    REQUIRE(eventually([&] { return last_state(listener).contains("reason"); }));
+    CHECK(last_state(listener)["safe"] == false);
+    Running later(box, listen("cells/3/state"), "later");
+    CHECK(eventually([&] { return last_state(later).contains("reason"); }));
+  }
+  SECTION("ended, and a broker that goes") {
+    Running monitor = box.start();
+    REQUIRE(monitor.event("released").is_object());
+    Running listener(box, listen("cells/3/#"), "listener");
+    REQUIRE(eventually([&] { return last_state(listener).value("safe", false); }));
+    broker.end(SIGKILL);
+    const json stopped = monitor.event("stopped", [](const json& event) { return has_cause(event, "output"); });
+    INFO(monitor.out());
+    REQUIRE(stopped.is_object());
+    CHECK_THAT(stopped["causes"].dump(), Catch::Contains("MQTT broker 127.0.0.1:" + port));
+    CHECK(monitor.end(SIGTERM) == 0);
+  }
+}
+
+TEST_CASE("what is wrong with the cell is said at once") {
+  const Sandbox box;
+  box.write("skin.yaml", "surface:\n  type: homography\n  matrix: [[1, 0, -10], [0, 1, 0], [0, 0, 1]]\n");
+  box.write("cell.yaml",
+            "cameras: {left: {source: 'files:a*.png'}, right: {source: 'files:b*.png'}, frames_per_s: 5}\nskin: "
+            "skin.yaml\nzones: z\n");
+  const auto result = box.run({"monitor", "cell.yaml"});
+  CHECK(result.status == 3);
+  CHECK_THAT(result.err, Catch::Contains("cell.yaml: line 3") && Catch::Contains("unknown key 'zones'"));
+  CHECK(box.run({"monitor", "none.yaml"}).status == 3);
+  CHECK(box.run({"monitor"}).status == 2);
+}

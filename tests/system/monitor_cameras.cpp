@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sources of images as the monitor opens them: GigE Vision by the fake cameras of Aravis on the loopback, GStreamer, files.
+#include <arv.h>
+
+#include <catch2/catch.hpp>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "horopter/monitor/camera.hpp"
+
+using namespace horopter::monitor;
+using namespace std::chrono_literals;
+
+namespace {
+
+struct Unref {
+  void operator()(ArvGvFakeCamera* camera) const { g_object_unref(camera); }
+};
+using FakeCamera = std::unique_ptr<ArvGvFakeCamera, Unref>;
+
+FakeCamera fake_camera(const char* address, const char* serial) {
+  FakeCamera camera(arv_gv_fake_camera_new(address, serial));
+  REQUIRE(arv_gv_fake_camera_is_running(camera.get()));
+  return camera;
+}
+
+CameraSettings settings(const std::string& source, double frames_per_s = 25) {
+  CameraSettings settings;
+  settings.camera.source = source;
+  settings.frames_per_s = frames_per_s;
+  settings.begin = Clock::now();
+  return settings;
+}
+
+/// So many images, each waited for as long as it takes.
+std::vector<CameraFrame> grab(Grabber& grabber, std::size_t count) {
+  std::vector<CameraFrame> frames;
+  for (const auto give_up = Clock::now() + 60s; frames.size() < count && Clock::now() < give_up;) {
+    if (auto frame = grabber.next(100ms)) frames.push_back(std::move(*frame));
+  }
+  REQUIRE(frames.size() == count);
+  return frames;
+}
+
+/// What is said of a source that cannot be opened.
+std::string problem_of(const CameraSettings& settings) {
+  try {
+    open_grabber(settings);
+  } catch (const CameraError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// Keeps what a camera's thread tells.
+class Sink : public CameraSink {
+ public:
+  void frame(Side side, CameraFrame frame) override {
+    const std::lock_guard lock(mutex_);
+    frames_[side].push_back(std::move(frame));
+  }
+  void connected(Side /*side*/) override {
+    const std::lock_guard lock(mutex_);
+    ++connected_;
+  }
+  void lost(Side /*side*/, const std::string& why) override {
+    const std::lock_guard lock(mutex_);
+    lost_ = why;
+  }
+  void ended(Side /*side*/) override {
+    const std::lock_guard lock(mutex_);
+    ++ended_;
+  }
+  template <class Condition>
+  bool wait(const Condition& condition) {
+    for (const auto give_up = Clock::now() + 60s; Clock::now() < give_up; std::this_thread::sleep_for(5ms)) {
+      const std::lock_guard lock(mutex_);
+      if (condition(*this)) return true;
+    }
+    return false;
+  }
+
+  std::map<Side, std::vector<CameraFrame>> frames_;
+  int connected_ = 0, ended_ = 0;
+  std::string lost_;
+
+ private:
+  std::mutex mutex_;
+};
+
+}  // namespace
+
+TEST_CASE("a GigE Vision camera by its address: features, serial number, counts and exposure") {
+  const FakeCamera camera = fake_camera("127.0.0.1", "L1");
+  auto with_features = settings("gev:127.0.0.1");
+  with_features.camera.features = {{"Height", "120"}, {"Width", "160"}, {"ExposureTimeAbs", "4000"}};
+  const auto grabber = open_grabber(with_features);
+  const auto frames = grab(*grabber, 4);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    CAPTURE(i);
+    CHECK(frames[i].image.width == 160);
+    CHECK(frames[i].image.height == 120);
+    CHECK(frames[i].serial == "L1");
+    CHECK(frames[i].exposure_us == Approx(4000));
+    REQUIRE(frames[i].number);
+    if (i > 0) CHECK(*frames[i].number > *frames[i - 1].number);
+    if (i > 0) CHECK(frames[i].taken > frames[i - 1].taken);
+  }
+  CHECK(frames.front().image.pixels != frames.back().image.pixels);
+}
+
+TEST_CASE("a camera by its serial number; one that is not there, and what it does not have, are named") {
+  const FakeCamera camera = fake_camera("127.0.0.1", "H-42");
+  {
+    const auto grabber = open_grabber(settings("gev:H-42"));
+    CHECK(grab(*grabber, 1).front().serial == "H-42");
+  }
+  CHECK_THAT(problem_of(settings("gev:none")), Catch::Contains("none"));
+  auto wrong = settings("gev:H-42");
+  wrong.camera.features = {{"NoSuchFeature", "1"}};
+  CHECK_THAT(problem_of(wrong), Catch::Contains("NoSuchFeature"));
+}
+
+TEST_CASE("a GigE Vision camera that is killed is lost, and comes back by itself") {
+  std::optional<FakeCamera> camera(fake_camera("127.0.0.1", "K1"));
+  Sink sink;
+  const auto thread = start_camera(Side::left, Layout::single, settings("gev:127.0.0.1"), sink);
+  REQUIRE(sink.wait([](Sink& s) { return s.frames_[Side::left].size() >= 2; }));
+  camera.reset();
+  REQUIRE(sink.wait([](Sink& s) { return !s.lost_.empty(); }));
+  INFO(sink.lost_);
+  camera.emplace(fake_camera("127.0.0.1", "K1"));
+  REQUIRE(sink.wait([](Sink& s) { return s.connected_ == 2; }));
+  const std::size_t before = sink.frames_[Side::left].size();
+  CHECK(sink.wait([&](Sink& s) { return s.frames_[Side::left].size() > before + 2; }));
+}
+
+TEST_CASE("a live pipeline of GStreamer: times by one clock, grey, and errors in its words") {
+  const std::string live = "gst:videotestsrc is-live=true ! video/x-raw,width=64,height=32,framerate=20/1";
+  const auto left = open_grabber(settings(live));
+  const auto right = open_grabber(settings(live));
+  const auto frames = grab(*left, 5);
+  for (std::size_t i = 1; i < frames.size(); ++i) {
+    const auto step = frames[i].taken - frames[i - 1].taken;
+    CHECK(step > 0ns);
+    CHECK(step % 50ms < 1ms);  // a busy computer leaves some out
+  }
+  CHECK(frames.front().image.width == 64);
+  CHECK(frames.front().image.height == 32);
+  // Both since the start of the first: the other one's time is close to ours.
+  const auto other_frame = grab(*right, 1).front();
+  CHECK(std::chrono::abs(other_frame.taken - other_frame.arrived.time_since_epoch()) < 30s);
+  CHECK_THAT(problem_of(settings("gst:nosuchelement")), Catch::Contains("nosuchelement"));
+  CHECK_THAT(problem_of(settings("gst:filesrc location=/none ! jpegdec")), Catch::Contains("GStreamer"));
+  CHECK_FALSE(problem_of(settings("v4l2:/dev/video99")).empty());
+}
+
+TEST_CASE("both images side by side in one are two") {
+  Sink sink;
+  const auto thread = start_camera(
+      Side::left, Layout::side_by_side,
+      settings("gst:videotestsrc is-live=true pattern=smpte ! video/x-raw,width=64,height=32,framerate=20/1"), sink);
+  REQUIRE(sink.wait([](Sink& s) { return !s.frames_[Side::left].empty() && !s.frames_[Side::right].empty(); }));
+  const auto &left = sink.frames_[Side::left].front(), &right = sink.frames_[Side::right].front();
+  CHECK(left.image.width == 32);
+  CHECK(right.image.width == 32);
+  CHECK(left.taken == right.taken);
+  CHECK(left.image.at(0, 0) > right.image.at(31, 0));  // the bars fall from grey to blue
+}
+
+TEST_CASE("files end, or begin again; a pattern without files is lost with its name") {
+  const std::string data = "/usr/share/doc/opencv-doc/examples/data/";
+  auto some = settings("files:" + data + "left0[12].jpg", 100);
+  auto grabber = open_grabber(some);
+  CHECK(grab(*grabber, 2).size() == 2);
+  CHECK_FALSE(grabber->next(100ms));
+  CHECK(grabber->ended());
+  some.camera.repeat = true;
+  grabber = open_grabber(some);
+  const auto frames = grab(*grabber, 5);
+  CHECK(frames[0].image == frames[2].image);
+  CHECK(frames[4].taken - frames[0].taken == 40ms);
+  CHECK_FALSE(grabber->ended());
+  Sink sink;
+  const auto thread = start_camera(Side::right, Layout::single, settings("files:/none*.png"), sink);
+  REQUIRE(sink.wait([](Sink& s) { return !s.lost_.empty(); }));
+  CHECK_THAT(sink.lost_, Catch::Contains("/none*.png"));
+}

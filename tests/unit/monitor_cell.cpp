@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+// cell.yaml: what it says is what is read, and what it should not say is refused by name.
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <string>
+
+#include "horopter/base/error.hpp"
+#include "horopter/monitor/cell.hpp"
+#include "host_temporary.hpp"
+
+using namespace horopter::monitor;
+
+namespace {
+
+const std::string kCameras =
+    "cameras:\n  left: {source: 'files:l*.png'}\n  right: {source: 'files:r*.png'}\n  frames_per_s: 25\n";
+const std::string kSkin = "skin: skin.yaml\n";
+
+struct Files {
+  Files() {
+    write("skin.yaml", "surface:\n");
+    write("rig.yaml", "cameras:\n");
+    write("empty", "x");
+  }
+  void write(const std::string& name, const std::string& text) const { std::ofstream(directory / name) << text; }
+  Cell load(const std::string& text) const {
+    write("cell.yaml", text);
+    return load_cell(directory / "cell.yaml");
+  }
+  std::string refused(const std::string& text) const {
+    CAPTURE(text);
+    try {
+      load(text);
+    } catch (const horopter::FileError& error) {
+      return error.what();
+    }
+    return "";
+  }
+  horopter::TemporaryDirectory directory;
+};
+
+}  // namespace
+
+TEST_CASE("the least that a cell says, and what it then is") {
+  const Files files;
+  const Cell cell = files.load(kCameras + kSkin);
+  CHECK(cell.name == "cell");
+  CHECK(cell.cameras[0].source == "files:l*.png");
+  CHECK(cell.cameras[1].name == "right");
+  CHECK(cell.engine == "native");
+  CHECK(cell.settings.live);
+  CHECK(cell.settings.interlock.by_register);
+  CHECK_FALSE(cell.settings.interlock.by_itself);
+  CHECK_FALSE(cell.settings.interlock.by_pin);
+  CHECK(cell.settings.proof.needed);
+  CHECK(cell.decision_limit_ms == 100);
+  CHECK_FALSE(cell.largest_skew_ms);
+  CHECK_FALSE(cell.outputs.modbus);
+  CHECK_FALSE(cell.log);
+  CHECK_FALSE(cell.web);
+}
+
+TEST_CASE("all that a cell can say") {
+  const Files files;
+  const Cell cell = files.load(
+      "name: press 3\n"
+      "cameras: {left: {source: 'gst:videotestsrc', name: a, exposure_may_change: true}, right: {source: 'files:x', "
+      "repeat: true}, frames_per_s: 50, largest_skew_ms: 0.6, stamps: camera}\n"
+      "rig: rig.yaml\nskin: skin.yaml\nprofile: vga\nengine: native\ndecision: compete\n"
+      "limits: {tolerance_px: 1.5, object: 40mm, alarm_percent: 2, undecidable_percent: 70, unsupervised_percent: 60, "
+      "frozen_frames: 3, hidden_frames: 10, still_scene: true, unproven: true, object_speed_m_s: 2, decision_ms: 45, "
+      "texture: 16}\n"
+      "teach: {needed: true, frames: 20, margin: 4}\nrestart: by_itself\nrestart_after: 5\n"
+      "outputs: {modbus: {address: 0.0.0.0, port: 1502}}\n"
+      "log: {directory: events, size_mb: 50}\n"
+      "web: {listen: '0.0.0.0:80', users_file: empty, tls: {certificate_file: empty, key_file: empty}, restart: true}\n");
+  CHECK(cell.name == "press 3");
+  CHECK(cell.cameras[0].name == "a");
+  CHECK(cell.cameras[0].exposure_may_change);
+  CHECK(cell.cameras[1].repeat);
+  CHECK(cell.largest_skew_ms == 0.6);
+  CHECK(cell.stamps == Stamps::camera);
+  CHECK(cell.settings.decision == horopter::Decision::compete);
+  CHECK(cell.tolerance_px == 1.5);
+  CHECK(cell.object_mm == 40);
+  CHECK(cell.settings.still_limit == 0);
+  CHECK_FALSE(cell.settings.proof.needed);
+  CHECK(cell.settings.blind.watch);
+  CHECK(cell.settings.blind.margin == 4);
+  CHECK(cell.settings.interlock.by_itself);
+  CHECK_FALSE(cell.settings.interlock.by_register);
+  CHECK(cell.settings.interlock.frames == 5);
+  CHECK(cell.decision_limit_ms == 45);
+  CHECK(cell.outputs.modbus->port == 1502);
+  CHECK(cell.log->size_mb == 50);
+  CHECK(cell.log->directory == files.directory / "events");
+  CHECK(cell.web->listen == "0.0.0.0:80");
+  CHECK(cell.web->tls);
+  CHECK(cell.web->restart);
+}
+
+TEST_CASE("what a cell must not say is refused: the file, the place, and what was expected") {
+  const Files files;
+  struct Mistake {
+    std::string text;
+    std::string said;
+  };
+  const std::string good = kCameras + kSkin;
+  const auto mistake = GENERATE_COPY(values<Mistake>({
+      {kSkin, "cameras: missing"},
+      {kCameras, "skin: missing"},
+      {good + "skinn: x\n", "unknown key 'skinn'"},
+      {good + "zones: zones.yaml\n", "unknown key 'zones'"},
+      {good + good, "a second time"},
+      {kCameras + "skin: none.yaml\n", "there is no file"},
+      {good + "rig: none.yaml\n", "there is no file"},
+      {good + "profile: huge\n", "unknown profile 'huge'"},
+      {good + "engine: warp\n", "unknown engine 'warp'"},
+      {good + "decision: maybe\n", "expected thesis or compete"},
+      {good + "restart: never\n", "expected register or by_itself"},
+      {good + "restart_after: 0\n", "expected 1 to 15"},
+      {good + "restart_after: 1.5\n", "a whole number"},
+      {good + "limits: {decision_ms: 10}\n", "at least the time between images, 40 ms"},
+      {good + "limits: {decision_ms: .nan}\n", "limits.decision_ms"},
+      {good + "limits: {alarm_percent: 101}\n", "expected 0 to 100 %"},
+      {good + "limits: {tolerance_px: 1, thickness_mm: 3}\n", "one of the two"},
+      {good + "limits: {object: 40cm}\n", "5mm to 2000mm"},
+      {good + "limits: {object: 40}\n", "5mm to 2000mm"},
+      {good + "limits: {object: nanpx}\n", "5mm to 2000mm"},
+      {good + "limits: {speed: 1}\n", "unknown key 'speed'"},
+      {good + "limits: 3\n", "expected a map"},
+      {good + "teach: {frames: 0}\n", "expected 1 to 65535"},
+      {good + "outputs: {modbus: {port: 70000}}\n", "expected 0 to 65535"},
+      {good + "outputs: {profinet: {}}\n", "unknown key 'profinet'"},
+      {good + "log: {size_mb: 50}\n", "log.directory: missing"},
+      {good + "log: {directory: x, size_mb: 1}\n", "expected 10 to 1e+07 MB"},
+      {good + "web: {listen: here}\n", "an address and a port"},
+      {good + "web: {listen: 'here:99999'}\n", "an address and a port"},
+      {good + "web: {tls: {certificate_file: empty}}\n", "web.tls.key_file: missing"},
+      {"cameras: {left: {source: 'files:a'}, right: {source: 'files:a'}, frames_per_s: 25}\n" + kSkin,
+       "its source is that of the left camera"},
+      {"cameras: {left: {source: 'files:a'}, right: {source: 'files:b'}}\n" + kSkin, "cameras.frames_per_s: missing"},
+      {"cameras: {left: {source: 'files:a'}, right: {source: 'files:b'}, frames_per_s: 0}\n" + kSkin,
+       "expected 0.1 to 1000"},
+      {"cameras: {left: {source: 'files:a'}, frames_per_s: 25}\n" + kSkin, "cameras.right: missing"},
+      {"cameras: {left: {source: 'http:a'}, right: {source: 'files:b'}, frames_per_s: 25}\n" + kSkin,
+       "'http:a' is no source"},
+      {"cameras: {left: {source: 'gst:'}, right: {source: 'files:b'}, frames_per_s: 25}\n" + kSkin,
+       "nothing stands behind it"},
+      {"cameras: {left: {source: 'files:a', trigger: Line1}, right: {source: 'files:b'}, frames_per_s: 25}\n" + kSkin,
+       "this source has none"},
+      {"cameras: {left: {source: 'gst:a', repeat: true}, right: {source: 'files:b'}, frames_per_s: 25}\n" + kSkin,
+       "this source cannot begin again"},
+      {"cameras: {left: {source: 'files:a'}, right: {source: 'files:b'}, frames_per_s: 25, largest_skew_ms: 30}\n" +
+           kSkin,
+       "at most half of the time between images"},
+      {"cameras: {both: {source: 'files:a'}, left: {source: 'files:b'}, frames_per_s: 25}\n" + kSkin, "one of the two"},
+      {"- 1\n", "expected a map"},
+      {"", "cell.yaml"},
+  }));
+  CAPTURE(mistake.text);
+  const std::string said = files.refused(mistake.text);
+  CHECK_THAT(said, Catch::Contains("cell.yaml") && Catch::Contains(mistake.said) && Catch::Contains("expected"));
+}
+
+TEST_CASE("the checksum is of the cell, the rig and the skin") {
+  const Files files;
+  const std::string text = kCameras + kSkin + "rig: rig.yaml\n";
+  const auto crc = files.load(text).crc;
+  CHECK(files.load(text).crc == crc);
+  CHECK(files.load(text + "# changed\n").crc != crc);
+  files.write("skin.yaml", "surface: 2\n");
+  const auto other_skin = files.load(text).crc;
+  CHECK(other_skin != crc);
+  files.write("rig.yaml", "cameras: 2\n");
+  CHECK(files.load(text).crc != other_skin);
+}
+
+TEST_CASE("the longest skew: the thesis's 0.6 ms") {
+  CHECK(largest_skew_ms(0.7, 1.371, 1.6) == Approx(0.6).epsilon(0.01));
+  CHECK(largest_skew_ms(0.7, 1.371, 3.2) == Approx(0.3).epsilon(0.01));
+}
+
+TEST_CASE("a source is shown without passwords") {
+  CHECK(without_secrets("gst:rtspsrc location=rtsp://me:secret@host/x ! decodebin") ==
+        "gst:rtspsrc location=rtsp://…@host/x ! decodebin");
+  CHECK(without_secrets("gst:rtspsrc location=rtsp://h user-id=me user-pw=secret ! x") ==
+        "gst:rtspsrc location=rtsp://h user-id=… user-pw=… ! x");
+  CHECK(without_secrets("files:a*.png") == "files:a*.png");
+}

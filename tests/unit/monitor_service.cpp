@@ -1,0 +1,421 @@
+// SPDX-License-Identifier: Apache-2.0
+// The decision while it runs: images are given to it one pair after the other, and whoever listens hears what came of it.
+// Its limit is long, so that a slow computer is none of the faults; where a decision hangs it hangs for as long as it takes.
+#include <algorithm>
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <condition_variable>
+#include <mutex>
+#include <random>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "horopter/base/error.hpp"
+#include "horopter/machine/native_device.hpp"
+#include "horopter/map/map_compiler.hpp"
+#include "horopter/monitor/service.hpp"
+#include "host_temporary.hpp"
+
+using namespace horopter::monitor;
+using namespace std::chrono_literals;
+using horopter::FrameStreams;
+using horopter::Image;
+
+namespace {
+
+constexpr int kWidth = 200, kHeight = 120;
+
+/// The native engine, that can be held in the middle of a frame, or fail.
+class HeldDevice : public horopter::NativeDevice {
+ public:
+  struct Hold {
+    std::atomic<bool> held = false;
+    std::atomic<bool> fails = false;
+  };
+  HeldDevice(const horopter::MachineProfile& profile, Hold& hold) : NativeDevice(profile), hold_(hold) {}
+  FrameStreams receive() override {
+    while (hold_.held) std::this_thread::sleep_for(1ms);
+    if (hold_.fails) throw horopter::DeviceError("it burns");
+    return NativeDevice::receive();
+  }
+
+ private:
+  Hold& hold_;
+};
+
+struct Event {
+  std::string name;
+  Status status;
+  std::string by;
+  std::string what;
+};
+
+/// Keeps all events, and can wait for the next pair.
+class Recorder : public Part {
+ public:
+  void judged(const MomentPtr& moment) override {
+    const std::lock_guard lock(mutex_);
+    statuses_.push_back(moment->status);
+    changed_.notify_all();
+  }
+  void stopped(const Status& status, const MomentPtr&) override { add({"stopped", status, "", ""}); }
+  void released(const Status& status, const Actor& by) override { add({"released", status, by.name, ""}); }
+  void noted(const Status& status, const Actor& actor, const std::string& what) override {
+    add({"noted", status, actor.name, what});
+  }
+  [[nodiscard]] std::string trouble() const override {
+    const std::lock_guard lock(mutex_);
+    return trouble_;
+  }
+  void set_trouble(const std::string& trouble) {
+    const std::lock_guard lock(mutex_);
+    trouble_ = trouble;
+  }
+  std::vector<Event> events() const {
+    const std::lock_guard lock(mutex_);
+    return events_;
+  }
+  std::vector<std::string> names() const {
+    std::vector<std::string> names;
+    for (const Event& event : events()) names.push_back(event.name);
+    return names;
+  }
+  template <class Condition>
+  bool wait(const Condition& condition) {
+    std::unique_lock lock(mutex_);
+    return changed_.wait_for(lock, 60s, condition);
+  }
+  bool wait_for_event(const std::string& name) {
+    return wait([&] { return !changes_.empty() && changes_.back().name == name; });
+  }
+  /// Of safe to not safe, or back.
+  Event last_change() const {
+    const std::lock_guard lock(mutex_);
+    return changes_.back();
+  }
+  /// Of the pair with this number.
+  Status status_of(std::size_t pair) {
+    REQUIRE(wait([&] { return statuses_.size() >= pair; }));
+    const std::lock_guard lock(mutex_);
+    return statuses_[pair - 1];
+  }
+
+ private:
+  void add(Event event) {
+    const std::lock_guard lock(mutex_);
+    if (event.name != "noted") changes_.push_back(event);
+    events_.push_back(std::move(event));
+    changed_.notify_all();
+  }
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<Status> statuses_;
+  std::vector<Event> events_;
+  std::vector<Event> changes_;
+  std::string trouble_;
+};
+
+Image textured(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  Image coarse(kWidth / 4 + 2, kHeight / 4 + 2);
+  for (auto& pixel : coarse.pixels) pixel = static_cast<std::uint8_t>(20 + random() % 200);
+  Image image(kWidth, kHeight);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const int cx = x / 4, cy = y / 4, fx = x % 4, fy = y % 4;
+      const int sum = coarse.at(cx, cy) * (4 - fx) * (4 - fy) + coarse.at(cx + 1, cy) * fx * (4 - fy) +
+                      coarse.at(cx, cy + 1) * (4 - fx) * fy + coarse.at(cx + 1, cy + 1) * fx * fy;
+      image.at(x, y) = static_cast<std::uint8_t>(sum / 16);
+    }
+  }
+  return image;
+}
+
+template <class Condition>
+bool eventually(const Condition& condition) {
+  for (const auto give_up = Clock::now() + 60s; Clock::now() < give_up; std::this_thread::sleep_for(1ms)) {
+    if (condition()) return true;
+  }
+  return false;
+}
+
+/// A running service, and two cameras in step.
+struct Bench {
+  explicit Bench(std::chrono::milliseconds limit = 120s, bool by_itself = false) {
+    directory.write("skin.yaml", "surface:\n  type: homography\n  matrix: [[1, 0, -10], [0, 1, 0], [0, 0, 1]]\n");
+    cell.frames_per_s = 1;
+    cell.decision_limit_ms = static_cast<double>(limit.count());
+    cell.settings.live = true;
+    cell.settings.proof.needed = false;
+    cell.settings.still_limit = 0;
+    cell.settings.interlock.by_itself = by_itself;
+    cell.settings.interlock.by_register = !by_itself;
+    cell.settings.interlock.by_pin = false;
+    service.emplace(cell, [this](int width, int height) { return machine(width, height); }, kWidth, kHeight);
+    service->add(&recorder);
+    thread = std::thread([this] {
+      try {
+        service->run([this] { return stop.load(); }, 0);
+      } catch (const std::exception& error) {
+        failure = error.what();
+      }
+      ended = true;
+    });
+    service->connected(Side::left);
+    service->connected(Side::right);
+  }
+  ~Bench() {
+    hold.held = false;
+    stop = true;
+    thread.join();
+  }
+  Machine machine(int width, int height) {
+    const auto& profile = horopter::find_profile("vga");
+    const auto skin = horopter::load_skin(directory / "skin.yaml", {99.5, 59.5}, nullptr);
+    const auto maps = horopter::compile_maps(skin, profile, width, height);
+    Machine made;
+    made.largest_skew_ms = 1;
+    made.supervisor = std::make_unique<horopter::Supervisor>(std::make_unique<HeldDevice>(profile, hold), profile, maps,
+                                                             cell.settings);
+    return made;
+  }
+  /// The next moment's images; the left one lies on the skin where there is an alarm.
+  std::pair<CameraFrame, CameraFrame> images(bool alarm = false) {
+    CameraFrame left, right;
+    left.image = textured(2 * number);
+    right.image = textured(2 * number + 1);
+    if (alarm) {
+      for (int y = 0; y < kHeight; ++y) {
+        for (int x = 10; x < kWidth; ++x) right.image.at(x - 10, y) = left.image.at(x, y);
+      }
+    }
+    left.number = right.number = number;
+    left.taken = right.taken = number * 1s;
+    left.arrived = right.arrived = Clock::now();
+    ++number;
+    return {left, right};
+  }
+  void give(std::pair<CameraFrame, CameraFrame> pair) {
+    service->frame(Side::left, std::move(pair.first));
+    service->frame(Side::right, std::move(pair.second));
+  }
+  /// A pair, and what was decided.
+  Status judge(bool alarm = false) {
+    give(images(alarm));
+    return recorder.status_of(++pairs);
+  }
+  /// Good pairs until a restart is possible; then the restart, and the pair with which it is safe.
+  Status release() {
+    Status status;
+    for (int i = 0; i < 10 && status.restart != Restart::possible; ++i) status = judge();
+    REQUIRE(status.restart == Restart::possible);
+    std::string why;
+    REQUIRE(service->restart({"anna", "here"}, why));
+    return judge();
+  }
+
+  horopter::TemporaryDirectory directory;
+  HeldDevice::Hold hold;
+  Cell cell;
+  Recorder recorder;
+  std::optional<Service> service;
+  std::atomic<bool> stop = false, ended = false;
+  std::string failure;
+  std::thread thread;
+  std::uint64_t number = 0;
+  std::size_t pairs = 0;
+};
+
+std::vector<std::string> names_of(const std::vector<Cause>& causes) {
+  std::vector<std::string> names;
+  for (const Cause& cause : causes) names.push_back(cause.name);
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("safe only after a restart by somebody, and after an alarm only after another") {
+  Bench bench;
+  std::string why;
+  CHECK(names_of(bench.service->status().causes) == std::vector<std::string>{"starting"});
+  CHECK_FALSE(bench.service->restart({"anna", ""}, why));
+  CHECK_FALSE(why.empty());
+  Status status = bench.judge();
+  CHECK_FALSE(status.safe);
+  for (int i = 0; i < 5; ++i) {
+    status = bench.judge();
+    CHECK_FALSE(status.safe);
+  }
+  CHECK(status.restart == Restart::possible);
+  CHECK(status.causes.empty());
+  REQUIRE(bench.service->restart({"anna", "here"}, why));
+  status = bench.judge();
+  CHECK(status.safe);
+  CHECK(status.restart == Restart::not_needed);
+  CHECK(bench.service->safe_state().at(Clock::now()).safe);
+  REQUIRE(bench.recorder.wait_for_event("released"));
+  CHECK(bench.recorder.last_change().by == "anna");
+  CHECK_FALSE(bench.service->restart({"anna", ""}, why));
+
+  status = bench.judge(true);
+  CHECK(status.alarm);
+  CHECK_FALSE(status.safe);
+  CHECK(names_of(status.causes) == std::vector<std::string>{"alarm"});
+  CHECK_FALSE(status.objects.empty());
+  CHECK_FALSE(bench.service->safe_state().at(Clock::now()).safe);
+  REQUIRE(bench.recorder.wait_for_event("stopped"));
+  CHECK_FALSE(bench.service->restart({"anna", ""}, why));
+  for (int i = 0; i < 5; ++i) status = bench.judge();
+  CHECK_FALSE(status.safe);
+  CHECK(names_of(status.latched) == std::vector<std::string>{"alarm"});
+  CHECK(bench.release().safe);
+  CHECK(bench.recorder.names() == std::vector<std::string>{"noted", "released", "stopped", "released"});
+}
+
+TEST_CASE("a fault that only the monitor sees takes safe from the machine: nothing but a restart gives it back") {
+  Bench bench;
+  REQUIRE(bench.release().safe);
+  auto pair = bench.images();
+  std::string expected;
+  SECTION("skew") {
+    pair.second.taken += 2ms;
+    expected = "skew";
+  }
+  SECTION("gap") {
+    ++bench.number;
+    pair = bench.images();
+    expected = "left_gap";
+  }
+  SECTION("lost packets") {
+    pair.first.lost_packets = 1;
+    expected = "left_lost_packets";
+  }
+  SECTION("a part in trouble") {
+    bench.recorder.set_trouble("disk full");
+    expected = "output";
+  }
+  bench.give(std::move(pair));
+  Status status = bench.recorder.status_of(++bench.pairs);
+  CHECK_FALSE(status.safe);
+  REQUIRE_FALSE(status.causes.empty());
+  CHECK(status.causes.front().name == expected);
+  if (expected == "output") CHECK_THAT(status.causes.front().text, Catch::Contains("disk full"));
+  bench.recorder.set_trouble("");
+  for (int i = 0; i < 10; ++i) {
+    status = bench.judge();
+    CHECK_FALSE(status.safe);
+  }
+  CHECK(status.restart == Restart::possible);
+  CHECK(status.causes.empty());
+  CHECK(bench.release().safe);
+}
+
+TEST_CASE("images of another size are not judged, and named") {
+  Bench bench;
+  REQUIRE(bench.release().safe);
+  auto pair = bench.images();
+  pair.first.image = Image(100, 120);
+  bench.give(std::move(pair));
+  REQUIRE(bench.recorder.wait_for_event("stopped"));
+  const auto event = bench.recorder.last_change();
+  CHECK(names_of(event.status.causes) == std::vector<std::string>{"left_size"});
+  CHECK_FALSE(bench.judge().safe);
+}
+
+TEST_CASE("a decision that hangs: not safe, whoever looks, and not by itself again") {
+  Bench bench(3s);
+  REQUIRE(bench.release().safe);
+  bench.hold.held = true;
+  bench.give(bench.images());
+  CHECK(eventually([&] { return !bench.service->safe_state().at(Clock::now()).safe; }));
+  REQUIRE(bench.recorder.wait_for_event("stopped"));
+  const Status status = bench.service->status();
+  CHECK_FALSE(status.safe);
+  CHECK(names_of(status.causes) == std::vector<std::string>{"decision_late"});
+  std::string why;
+  CHECK_FALSE(bench.service->restart({"anna", ""}, why));
+  bench.hold.held = false;
+  bench.recorder.status_of(++bench.pairs);
+  for (int i = 0; i < 5; ++i) CHECK_FALSE(bench.judge().safe);
+  CHECK(bench.release().safe);
+}
+
+TEST_CASE("a camera that falls silent is named, with what is known of it") {
+  Bench bench(3s);
+  REQUIRE(bench.release().safe);
+  bench.service->lost(Side::right, "the cable is out");
+  bench.service->frame(Side::left, bench.images().first);
+  REQUIRE(bench.recorder.wait_for_event("stopped"));
+  CHECK_FALSE(bench.service->safe_state().at(Clock::now()).safe);
+  CHECK(eventually([&] {
+    const Status status = bench.service->status();
+    return std::ranges::any_of(status.causes, [](const Cause& cause) {
+      return cause.name == "right_camera_lost" && cause.text.find("the cable is out") != std::string::npos;
+    });
+  }));
+}
+
+TEST_CASE("a machine that fails: not safe, told, and the end") {
+  Bench bench;
+  REQUIRE(bench.release().safe);
+  bench.hold.fails = true;
+  bench.give(bench.images());
+  REQUIRE(bench.recorder.wait_for_event("stopped"));
+  const Status status = bench.service->status();
+  REQUIRE(names_of(status.causes) == std::vector<std::string>{"engine"});
+  CHECK_THAT(status.causes.front().text, Catch::Contains("it burns"));
+  while (!bench.ended) std::this_thread::sleep_for(1ms);
+  CHECK_THAT(bench.failure, Catch::Contains("it burns"));
+  CHECK_FALSE(bench.service->safe_state().at(Clock::now()).safe);
+}
+
+TEST_CASE("teaching: not safe meanwhile, and said when it has ended") {
+  Bench bench;
+  std::string why;
+  CHECK_FALSE(bench.service->teach(3, {"egon", ""}, why));
+  REQUIRE(bench.release().safe);
+  CHECK_FALSE(bench.service->teach(0, {"egon", ""}, why));
+  REQUIRE(bench.service->teach(3, {"egon", ""}, why));
+  for (int i = 0; i < 3; ++i) {
+    const Status status = bench.judge();
+    CHECK_FALSE(status.safe);
+    CHECK(status.teaching);
+    CHECK(names_of(status.causes) == std::vector<std::string>{"teaching"});
+    CHECK_FALSE(bench.service->teach(3, {"egon", ""}, why));
+  }
+  Status status = bench.judge();
+  CHECK_FALSE(status.teaching);
+  CHECK(status.taught);
+  std::vector<std::string> noted;
+  for (const Event& event : bench.recorder.events()) {
+    if (event.name == "noted") noted.push_back(event.what);
+  }
+  REQUIRE(noted.size() == 3);
+  CHECK_THAT(noted[0], Catch::Contains("begins with"));
+  CHECK_THAT(noted[1], Catch::Contains("for 3 pairs"));
+  CHECK(noted[2] == "taught by 3 frames");
+}
+
+TEST_CASE("by itself only where the cell says so; then a restart by hand is refused") {
+  Bench bench(120s, true);
+  Status status;
+  for (int i = 0; i < 4; ++i) status = bench.judge();
+  CHECK(status.safe);
+  CHECK(status.restart_by_itself);
+  CHECK_FALSE(bench.judge(true).safe);
+  std::string why;
+  CHECK_FALSE(bench.service->restart({"anna", ""}, why));
+  CHECK_THAT(why, Catch::Contains("by itself"));
+  for (int i = 0; i < 4; ++i) status = bench.judge();
+  CHECK(status.safe);
+}
+
+TEST_CASE("at its end it is not safe") {
+  Bench bench;
+  REQUIRE(bench.release().safe);
+  bench.stop = true;
+  while (!bench.ended) std::this_thread::sleep_for(1ms);
+  CHECK(bench.failure.empty());
+  CHECK_FALSE(bench.service->safe_state().at(Clock::now()).safe);
+}

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+// What outputs may say, causes in words, objects that are followed, and what Modbus shows: without cameras and time.
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <memory>
+#include <set>
+#include <string>
+#include <thread>
+
+#include "horopter/machine/registers.hpp"
+#include "horopter/monitor/causes.hpp"
+#include "horopter/monitor/metrics.hpp"
+#include "horopter/monitor/objects.hpp"
+#include "horopter/monitor/safe_state.hpp"
+#include "output/gpio.hpp"
+#include "output/modbus.hpp"
+
+using namespace horopter::monitor;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr auto kLimit = 100ms;
+const Clock::time_point kNow(1h);
+
+horopter::FrameResult result_with(int x, int y, int side) {
+  horopter::FrameResult result;
+  result.states = horopter::Image(200, 100);
+  for (int row = y; row < y + side; ++row) {
+    for (int column = x; column < x + side; ++column) {
+      result.states.at(column, row) = static_cast<std::uint8_t>(horopter::State::skin);
+    }
+  }
+  result.object_limit_pixels = 50;
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("a decision is safe as long as it is young, and not by itself again") {
+  SafeState state(kLimit);
+  CHECK_FALSE(state.at(kNow).safe);
+  state.decided(kNow, true, false, {});
+  CHECK(state.at(kNow).safe);
+  CHECK(state.at(kNow + kLimit).safe);
+  CHECK_FALSE(state.missed());
+  const Signal late = state.at(kNow + kLimit + 1ns);
+  CHECK_FALSE(late.safe);
+  CHECK(late.faults.monitor == MonitorFaults(MonitorFault::decision_late).word());
+  CHECK(state.missed());
+  // The decision comes back, and the machine knows nothing of it: still not safe.
+  state.decided(kNow + 2 * kLimit, true, false, {});
+  CHECK_FALSE(state.at(kNow + 2 * kLimit).safe);
+  state.not_safe({});
+  state.catch_up();
+  state.decided(kNow + 3 * kLimit, true, false, {});
+  CHECK(state.at(kNow + 3 * kLimit).safe);
+}
+
+TEST_CASE("an alarm, a fault and the end are not safe at once") {
+  SafeState state(kLimit);
+  state.decided(kNow, true, false, {});
+  SECTION("alarm") {
+    state.decided(kNow, false, true, {1, 2, 4});
+    const Signal signal = state.at(kNow);
+    CHECK(signal.alarm);
+    CHECK(signal.faults.cameras == 1);
+    CHECK(signal.faults.machine == 2);
+    CHECK(signal.faults.monitor == 4);
+    CHECK(signal.decisions == 2);
+    CHECK_FALSE(signal.safe);
+  }
+  SECTION("fault") {
+    state.not_safe({});
+    CHECK_FALSE(state.at(kNow).safe);
+  }
+  SECTION("end: whatever is decided afterwards") {
+    state.end();
+    state.decided(kNow, true, false, {});
+    CHECK_FALSE(state.at(kNow).safe);
+  }
+}
+
+TEST_CASE("every fault of the machine and the monitor has a text and says what to do") {
+  const auto is_said = [](std::string_view name) {
+    CAPTURE(std::string(name));
+    const Cause cause = cause_of(name);
+    CHECK(cause.name == name);
+    CHECK(cause.text.size() > 10);
+    CHECK(cause.text != cause.name);
+    CHECK(cause.advice.size() > 10);
+    CHECK(cause.text.find('{') == std::string::npos);
+    CHECK(cause.advice.find('{') == std::string::npos);
+    if (name.starts_with("right_")) CHECK(cause.text.find("left") == std::string::npos);
+  };
+  for (const auto& [fault, name] : horopter::registers::kFaults) is_said(name);
+  for (const std::string_view name : kMonitorFaultNames) is_said(name);
+  is_said("alarm");
+  CHECK(cause_of("no_such_fault").text == "no_such_fault");
+}
+
+TEST_CASE("causes: the alarm first, and what both name only once") {
+  const auto causes =
+      causes_of(true, MonitorFault::skew, horopter::Faults(horopter::Fault::skew) | horopter::Fault::moved);
+  REQUIRE(causes.size() == 3);
+  CHECK(causes[0].name == "alarm");
+  CHECK(causes[1].name == "skew");
+  CHECK(causes[2].name == "moved");
+}
+
+TEST_CASE("an object keeps its number while it moves, and its speed is in mm") {
+  ObjectTracker tracker;
+  const ObjectScale scale{[](double, double) { return std::optional(1000.0); }, 500};
+  auto objects = tracker.next(result_with(10, 10, 20), scale, kNow);
+  REQUIRE(objects.size() == 1);
+  CHECK(objects[0].id == 1);
+  CHECK(objects[0].age_frames == 1);
+  CHECK(objects[0].size_mm == 40);
+  CHECK_FALSE(objects[0].speed_mm_s);
+  objects = tracker.next(result_with(15, 10, 20), scale, kNow + 100ms);
+  REQUIRE(objects.size() == 1);
+  CHECK(objects[0].id == 1);
+  CHECK(objects[0].age_frames == 2);
+  CHECK(*objects[0].speed_mm_s == Approx(100));
+  objects = tracker.next(result_with(150, 60, 20), scale, kNow + 200ms);
+  REQUIRE(objects.size() == 1);
+  CHECK(objects[0].id == 2);
+  objects = tracker.next(result_with(0, 0, 5), {}, kNow + 300ms);
+  CHECK(objects.empty());
+}
+
+TEST_CASE("Modbus shows safe and its complement, faults, age and configuration") {
+  SafeState state(kLimit);
+  auto registers = input_registers(state.at(kNow), 0x12345678);
+  CHECK(registers[2] == 0);
+  CHECK(registers[3] == 1);
+  CHECK(registers[5] == 65535);
+  CHECK(registers[12] == 0x1234);
+  CHECK(registers[13] == 0x5678);
+  state.decided(kNow, true, false, {0xAABBCCDD, 1, 2});
+  registers = input_registers(state.at(kNow + 30ms), 0);
+  CHECK(registers[0] == 1);
+  CHECK(registers[1] == 1);
+  CHECK(registers[2] == 1);
+  CHECK(registers[3] == 0);
+  CHECK(registers[5] == 30);
+  CHECK(registers[6] == 0xAABB);
+  CHECK(registers[7] == 0xCCDD);
+  CHECK(registers[9] == 1);
+  CHECK(registers[11] == 2);
+  CHECK(discrete_inputs(state.at(kNow)) == std::array<std::uint8_t, 4>{1, 0, 0, 1});
+  CHECK(discrete_inputs(state.at(kNow + 1s)) == std::array<std::uint8_t, 4>{0, 1, 0, 1});
+}
+
+TEST_CASE("lines follow what may be said, by a thread of their own: a decision that hangs, and the end, are not safe") {
+  SafeState state(50ms);
+  std::atomic<int> said = -1;  // safe line, and twice the other
+  std::atomic<bool> works = true;
+  const auto eventually = [](const auto& condition) {
+    for (const auto give_up = Clock::now() + 60s; Clock::now() < give_up; std::this_thread::sleep_for(1ms)) {
+      if (condition()) return true;
+    }
+    return false;
+  };
+  auto lines = std::make_unique<LinesFollower>(
+      [&](bool safe, bool not_safe) {
+        said = (safe ? 1 : 0) + (not_safe ? 2 : 0);
+        return works.load();
+      },
+      state);
+  REQUIRE(eventually([&] { return said == 2; }));
+  // The decision goes on until the line says so; then it hangs.
+  REQUIRE(eventually([&] {
+    state.not_safe({});
+    state.catch_up();
+    state.decided(Clock::now(), true, false, {});
+    std::this_thread::sleep_for(5ms);
+    return said == 1;
+  }));
+  CHECK(eventually([&] { return said == 2; }));
+  CHECK(lines->trouble().empty());
+  said = -1;
+  lines.reset();
+  CHECK(said == 2);
+  works = false;
+  lines = std::make_unique<LinesFollower>([&](bool, bool) { return works.load(); }, state);
+  CHECK(eventually([&] { return !lines->trouble().empty(); }));
+  works = true;
+  CHECK(eventually([&] { return lines->trouble().empty(); }));
+}
+
+TEST_CASE("metrics: each value once, with its type, and names that cannot break out of their quotes") {
+  Status status;
+  status.frame = 7;
+  status.skew_ms = -0.5;
+  status.causes = {cause_of("left_gap"), {"a\"b\\c\nd", "", ""}};
+  status.cameras.resize(2);
+  status.cameras[1].name = "r";
+  status.cameras[1].dropped = 3;
+  const std::string text = metrics(status);
+  for (const char* line :
+       {"# TYPE horopter_safe gauge\nhoropter_safe 0\n", "horopter_pairs_total 7\n", "horopter_skew_seconds -0.0005\n",
+        "horopter_cause{name=\"left_gap\"} 1\n", "horopter_cause{name=\"a\\\"b\\\\c\\nd\"} 1\n",
+        "horopter_camera_dropped_total{side=\"right\",camera=\"r\"} 3\n"}) {
+    CHECK_THAT(text, Catch::Contains(line));
+  }
+  CHECK(text.find("explained") == std::string::npos);
+}
