@@ -96,6 +96,7 @@ int run(int argc, char** argv) {
   add_status(app, outcome);
   add_restart(app, outcome);
   add_teach(app, outcome);
+  add_log(app, outcome);
 #ifdef HOROPTER_HAS_STUDY
   add_study(app, outcome);
 #endif
