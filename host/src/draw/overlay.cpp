@@ -22,7 +22,7 @@ cv::Mat left_at_result_size(const Image& left, int width, int height) {
 
 }  // namespace
 
-Picture draw_overlay(const Image& left, const FrameResult& result) {
+Picture draw_states(const Image& left, const FrameResult& result) {
   const Image& states = result.states;
   const cv::Mat grey = left_at_result_size(left, states.width, states.height);
   cv::Mat small(states.height, states.width, CV_8UC3);
@@ -54,6 +54,13 @@ Picture draw_overlay(const Image& left, const FrameResult& result) {
       }
     }
   }
+  return {small.cols, small.rows, {small.datastart, small.dataend}};
+}
+
+Picture draw_overlay(const Image& left, const FrameResult& result) {
+  const Image& states = result.states;
+  Picture drawn = draw_states(left, result);
+  const cv::Mat small(drawn.height, drawn.width, CV_8UC3, drawn.bgr.data());
   const int factor = std::max(1, (599 + states.width) / states.width);
   cv::Mat picture;
   cv::resize(small, picture, {}, factor, factor, cv::INTER_NEAREST);
