@@ -27,6 +27,8 @@ void add_restart(CLI::App& app, Outcome& outcome);
 void add_teach(CLI::App& app, Outcome& outcome);
 void add_plan_capability(CLI::App& plan, Outcome& outcome);
 void add_monitor(CLI::App& app, Outcome& outcome);
+void add_log(CLI::App& app, Outcome& outcome);
+void add_monitor_user(CLI::App& app, Outcome& outcome);
 void add_plan_rig(CLI::App& plan, Outcome& outcome);
 
 /// For a command that ends by itself, done, when it is asked to stop (SIGINT, SIGTERM): true then. Whoever has not

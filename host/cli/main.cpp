@@ -97,6 +97,8 @@ int run(int argc, char** argv) {
   add_status(app, outcome);
   add_restart(app, outcome);
   add_teach(app, outcome);
+  add_log(app, outcome);
+  add_monitor_user(app, outcome);
 #ifdef HOROPTER_HAS_STUDY
   add_study(app, outcome);
 #endif

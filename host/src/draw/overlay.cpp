@@ -60,7 +60,7 @@ void draw_alarm(cv::Mat& picture, const TrackedObject& object, int factor) {
 
 }  // namespace
 
-Picture draw_overlay(const Image& left, const FrameResult& result, const std::vector<TrackedObject>& objects) {
+Picture draw_states(const Image& left, const FrameResult& result) {
   const Image& states = result.states;
   const cv::Mat grey = left_at_result_size(left, states.width, states.height);
   cv::Mat small(states.height, states.width, CV_8UC3);
@@ -92,6 +92,13 @@ Picture draw_overlay(const Image& left, const FrameResult& result, const std::ve
       }
     }
   }
+  return {small.cols, small.rows, {small.datastart, small.dataend}};
+}
+
+Picture draw_overlay(const Image& left, const FrameResult& result, const std::vector<TrackedObject>& objects) {
+  const Image& states = result.states;
+  Picture drawn = draw_states(left, result);
+  const cv::Mat small(drawn.height, drawn.width, CV_8UC3, drawn.bgr.data());
   const int factor = std::max(1, (599 + states.width) / states.width);
   cv::Mat picture;
   cv::resize(small, picture, {}, factor, factor, cv::INTER_NEAREST);
