@@ -3,6 +3,7 @@
 #include "horopter/monitor/part.hpp"
 #include "output/gpio.hpp"
 #include "output/lines.hpp"
+#include "output/log_and_page.hpp"
 #include "output/modbus.hpp"
 #include "output/mqtt.hpp"
 
@@ -14,6 +15,7 @@ std::vector<std::unique_ptr<Part>> make_parts(const Cell& cell, const SafeState&
   if (cell.outputs.modbus) parts.push_back(make_modbus(*cell.outputs.modbus, cell, state));
   if (cell.outputs.mqtt) parts.push_back(make_mqtt(*cell.outputs.mqtt, cell, state, control));
   if (cell.outputs.gpio) parts.push_back(make_gpio(*cell.outputs.gpio, cell, state));
+  if (cell.log || cell.web) parts.push_back(make_log_and_page(cell, control));
   return parts;
 }
 
