@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,8 +37,9 @@ std::int64_t check_object_limit(const ObjectOption& option, const std::string& s
                                 const std::vector<const MapTable*>& tables, const MachineProfile& profile,
                                 const Settings& settings);
 
-/// "72 px across, 2036 pixels of the result", with mm where they were asked for; and whether so many can be judged.
+/// "72 px across, 2036 pixels of the result", with mm where they were asked for; and whether so many can be judged,
+/// where a table says it.
 std::string object_text(const ObjectOption& option, const Settings& settings, const MachineProfile& profile,
-                        std::int64_t judgeable_pixels);
+                        std::int64_t judgeable_pixels = std::numeric_limits<std::int64_t>::max());
 
 }  // namespace horopter::cli
