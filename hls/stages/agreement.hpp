@@ -17,13 +17,18 @@
 // says (moved: in the median of the image, or of a half, so that a camera that is displaced, rolled or enlarged is found);
 // whether one camera is less sharp, or has less contrast (unsharp); whether too much is hidden behind what is nearer
 // (hidden, after hidden_frames frames in a row).
-// Of a pixel of the result it says in the marks what the frame before showed of its cell: `seen`, a third of the textured
-// cells in 5×5 around are explained (where there is no texture, those of its region); `nearer`, most of these are nearer.
+// Of a pixel of the result it says in the marks what the frame before showed of its cell: `seen`, in 5×5 cells around there
+// are a third as many *shown* ones as textured ones (where there is no texture, explained ones of its region); `nearer`,
+// most of these are nearer. A cell is shown where the left camera's cell is explained, or the right camera's cell that is
+// compared with it at shift 0: what one camera sees there, the other sees elsewhere. So nothing is on the skin. Near the
+// image's edges and beside near things only one of the two may be.
 //
 // In, Out  pixels pass. Marks: seen and nearer belong to the pixel of the result that leaves `align` with this beat.
 // Config   prove = 0: everything counts as seen, and nothing is said. Illegal use: another size without a reset between.
 // Memory: see census.hpp; ring_left, ring_right: codes of 5 and 7 rows; best of a row; the map of the image, twice.
 #pragma once
+
+#include <algorithm>
 
 #include "stages/align.hpp"
 #include "stages/census.hpp"
@@ -72,7 +77,7 @@ class Agreement {
   static constexpr int cell = P.cell();  // px
   static constexpr int columns = P.result_width() / cell;
   static constexpr int rows = P.height / cell;
-  static constexpr int reach = 30;  // cells
+  static constexpr int reach = 29;  // cells; what there is time for in vga
   static constexpr int region_columns = 8;
   static constexpr int region_rows = 6;
   static constexpr int regions = region_columns * region_rows;
@@ -156,21 +161,37 @@ class Agreement {
 #ifndef __HLSC__
     run_was_ = run_.phase;
 #endif
+    Looked looked;
     switch (run_.phase) {
-      case Phase::idle:
-      case Phase::wait:
-        break;
       case Phase::merge:
         merge();
         break;
       case Phase::compare:
         compare(config);
         break;
+      case Phase::match:
       case Phase::conclude:
-        conclude(config, next_region);
+        looked = look(config);
+        break;
+      case Phase::idle:
+      case Phase::wait:
+      case Phase::finish:
+        break;
+    }
+    switch (run_.phase) {
+      case Phase::match:
+        match(looked);
+        break;
+      case Phase::conclude:
+        conclude(looked, config, next_region);
         break;
       case Phase::finish:
         finish(out, config);
+        break;
+      case Phase::idle:
+      case Phase::wait:
+      case Phase::merge:
+      case Phase::compare:
         break;
     }
     advance(following);
@@ -209,6 +230,7 @@ class Agreement {
   static constexpr std::size_t map_cells = static_cast<std::size_t>(columns * rows);
 
   using Index = u<8>;  // of a column or row of cells, and beyond
+  using Age = u<std::max(window, box) + 1>;
   static_assert(columns + half_window + gap < 256 && rows < 128);
   using Shift = Registration::Shift;
   using Score = u<8>;
@@ -294,7 +316,7 @@ class Agreement {
 
   // The sweep ---------------------------------------------------------------------------------------------------------
 
-  enum class Phase : std::uint8_t { idle, wait, merge, compare, conclude, finish };
+  enum class Phase : std::uint8_t { idle, wait, merge, compare, match, conclude, finish };
 
   /// A pass over columns of cells: x_ goes from `lowest` to `highest` and then on, until the memories are ready again.
   struct Run {
@@ -310,7 +332,7 @@ class Agreement {
     run_ = run;
     x_ = run.lowest;
     beats_left_ = run.beats;
-    age_ = u<window + 1>(1);
+    age_ = Age(1);
     ends_ = false;
   }
   void advance(const Run& following) {
@@ -320,12 +342,13 @@ class Agreement {
       x_ += lit<1>();
       ends_ = beats_left_ == 1;
       beats_left_ -= lit<1>();
-      age_ = u<window + 1>(cat(age_, true));
+      age_ = Age(cat(age_, true));
     }
   }
   /// At least so many beats of the run lie before this one.
   template <int BEATS>
   [[nodiscard]] bool after() const {
+    static_assert(BEATS < Age::width);
     return age_.bit(BEATS);
   }
 
@@ -338,7 +361,7 @@ class Agreement {
       case Phase::merge:
         return {Phase::compare, least_, last_, first_beats_, Shift(-s<9>(least_)), least_ == 0};
       case Phase::compare: {
-        if (run_.last_shift) return {Phase::conclude, Index(0), last_, whole_beats_, Shift(0), false};
+        if (run_.last_shift) return {Phase::match, Index(0), last_, whole_beats_, Shift(0), false};
         const bool below = run_.shift.negative();
         next.phase = Phase::compare;
         next.lowest = below ? early_.lowest : Index(0);
@@ -348,6 +371,8 @@ class Agreement {
         next.last_shift = early_.last_shift;
         return next;
       }
+      case Phase::match:
+        return {Phase::conclude, Index(0), last_, whole_beats_, Shift(0), false};
       case Phase::conclude:
         next.phase = final_row_ ? Phase::finish : Phase::idle;
         next.beats = Index(finish_steps - 1);
@@ -509,52 +534,91 @@ class Agreement {
     registration_.end_beat(new_frame_);
   }
 
+  /// Of a cell, for the map.
   struct Seen {
     bool textured = false;
     bool of_skin = false;
     bool explained = false;
+    bool shown = false;
     bool nearer = false;
   };
   struct SeenColumn {
     std::array<Seen, box - 1> above{};
   };
 
-  void conclude(const Config& config, bool next_region) {
-    const bool inside = x_ <= run_.highest;
+  struct Shown {
+    bool shown = false;
+    bool nearer = false;
+  };
+
+  /// What is known of the cell x_ of the left camera.
+  struct Looked {
+    bool inside = false;
+    bool supervised = false;
+    bool textured = false;
+    bool of_skin = false;
+    bool explained = false;
+    bool nearer = false;
+    BestLeft best;
+    Index partner;  // in the right image
+  };
+  Looked look(const Config& config) {
+    Looked l;
+    l.inside = x_ <= run_.highest;
+    if (!l.inside) return l;
+    const LeftCell here = left_.read(x_).age[middle];
+    l.best = best_left_.read(x_);
+    l.partner = Index(s<10>(x_) + l.best.shift);
+    const BestRight back = best_right_.read(l.partner);
+    const bool enough_rows = row_ >= first_row;
+    const auto way = s<9>(back.x - u<8>(x_));
+    l.supervised = here.supervised && enough_rows;
+    l.textured = l.supervised && here.textured;
+    l.of_skin = here.of_skin;
+    l.explained = l.textured && l.best.score > score_limit && way >= -1 && way <= 1;
+    l.nearer = l.explained && ((config.nearer_below != 0 && l.best.shift.negative()) ||
+                               (config.nearer_above != 0 && l.best.shift > 0));
+    return l;
+  }
+
+  /// An explained cell leaves word where the right camera sees it: what that one sees there is not on the skin, either.
+  void match(const Looked& looked) {
+    if (looked.explained) shown_right_.write(looked.partner, Shown{true, looked.nearer});
+  }
+
+  void conclude(const Looked& looked, const Config& config, bool next_region) {
     Seen seen;
-    if (inside) {
-      const LeftCell here = left_.read(x_).age[middle];
-      const BestLeft best = best_left_.read(x_);
-      const BestRight back = best_right_.read(Index(s<10>(x_) + best.shift));
-      const bool enough_rows = row_ >= first_row;
-      const auto way = s<9>(back.x - u<8>(x_));
-      seen.textured = here.supervised && here.textured && enough_rows;
-      seen.of_skin = here.of_skin;
-      seen.explained = seen.textured && best.score > score_limit && way >= -1 && way <= 1;
-      seen.nearer = seen.explained && ((config.nearer_below != 0 && best.shift.negative()) ||
-                                       (config.nearer_above != 0 && best.shift > 0));
-      count(seen, here.supervised && enough_rows, config);
-      if (seen.explained && row_ >= first_row + across_reach) {
-        registration_.measure(best.shift, best.across, shl<1>(x_) > last_ + lit<4>(), lower_half_, config);
+    if (looked.inside) {
+      const Shown right = shown_right_.read(x_);
+      shown_right_.write(x_, Shown{});
+      seen.textured = looked.textured;
+      seen.of_skin = looked.of_skin;
+      seen.explained = looked.explained;
+      seen.shown = looked.explained || right.shown;
+      seen.nearer = looked.explained ? looked.nearer : right.nearer;
+      count(looked, config);
+      if (looked.explained && row_ >= first_row + across_reach) {
+        registration_.measure(looked.best.shift, looked.best.across, shl<1>(x_) > last_ + lit<4>(), lower_half_,
+                              config);
       }
     }
-    count_region(inside, next_region);
-    draw(seen, inside, config);
+    count_region(looked.inside, next_region);
+    draw(seen, looked.inside, config);
   }
 
   /// What is nearer is counted where there is a skin; around it, nearer than what it is compared with means nothing.
-  void count(const Seen& seen, bool supervised, const Config& config) {
-    change_.supervised = u<1>(supervised);
-    change_.textured = u<1>(seen.textured);
-    change_.explained = u<1>(seen.explained);
-    change_.nearer = u<1>(seen.nearer && seen.of_skin);
-    if (seen.textured) {
-      change_.too_little_explained = s<10>(s<9>(config.explained_limit) - s<10>(seen.explained ? 256 : 0));
+  void count(const Looked& cell, const Config& config) {
+    change_.supervised = u<1>(cell.supervised);
+    change_.textured = u<1>(cell.textured);
+    change_.explained = u<1>(cell.explained);
+    change_.nearer = u<1>(cell.nearer && cell.of_skin);
+    if (cell.textured) {
+      change_.too_little_explained = s<10>(s<9>(config.explained_limit) - s<10>(cell.explained ? 256 : 0));
       change_.too_many_bad = s<21>(-s<9>(config.regions_limit));
       change_.too_much_unproven = s<11>(-s<9>(config.unproven_limit));
     }
-    if (supervised && seen.of_skin)
-      change_.too_much_hidden = s<11>(s<10>(seen.nearer ? 256 : 0) - s<9>(config.hidden_limit));
+    if (cell.supervised && cell.of_skin)
+      change_.too_much_hidden = s<11>(s<10>(cell.nearer ? 256 : 0) - s<9>(config.hidden_limit));
   }
 
   [[nodiscard]] u<3> region_column() const {
@@ -595,30 +659,34 @@ class Agreement {
       for (std::size_t i = 1; i < box - 1; ++i) next.above[i] = column.above[i - 1];
       seen_columns_.write(x_, next);
     }
-    u<3> textured(u<1>(seen.textured)), explained(u<1>(seen.explained)), near(u<1>(seen.nearer));
+    u<3> textured(u<1>(seen.textured)), explained(u<1>(seen.explained)), shown(u<1>(seen.shown)),
+        near(u<1>(seen.nearer));
     for (const Seen& above : column.above) {
       textured += u<1>(above.textured);
       explained += u<1>(above.explained);
+      shown += u<1>(above.shown);
       near += u<1>(above.nearer);
     }
     const bool start = x_ == 0;
     const bool filled = after<box>();
     const u<5> t = box_textured_.step(start, filled, u<5>(textured));
     const u<5> e = box_explained_.step(start, filled, u<5>(explained));
+    const u<5> around = box_shown_.step(start, filled, u<5>(shown));
     const u<5> n = box_nearer_.step(start, filled, u<5>(near));
     const Centre centre = centres_.tap(1);
     centres_.push({inside && column.above[1].textured, column.above[1].of_skin});
     const bool few = t < 2;
     const bool region_seen = good_.bit(static_cast<int>(cat(region_row_, region_column()).value()));
-    const bool is_seen = few ? region_seen : u<7>(e + shl<1>(e)) >= t;
-    const bool is_nearer = shl<1>(n) > e;
+    const bool is_proven = few ? region_seen : u<7>(e + shl<1>(e)) >= t;
+    const bool is_seen = few ? region_seen : u<7>(around + shl<1>(around)) >= t;
+    const bool is_nearer = shl<1>(n) > around;
     if (x_ >= 2 && centre.textured) {
-      if (!is_seen) {
+      if (!is_proven) {
         change_.unproven = 1;
         change_.too_much_unproven = s<11>(change_.too_much_unproven + lit<256>());
       }
       if (centre.of_skin)
-        change_.too_much_unseen_skin = s<11>(s<10>(is_seen ? 0 : 256) - s<9>(config.unproven_skin_limit));
+        change_.too_much_unseen_skin = s<11>(s<10>(is_proven ? 0 : 256) - s<9>(config.unproven_skin_limit));
     }
     if (row_ >= lag && x_ >= 4 && x_ <= run_.highest + lit<4>()) {
       map_.write(place_in_map(write_half_, MapIndex(map_row_ + (x_ - lit<4>()))),
@@ -775,6 +843,7 @@ class Agreement {
     right_codes_.begin_step();
     best_left_.begin_step();
     best_right_.begin_step();
+    shown_right_.begin_step();
     seen_columns_.begin_step();
     regions_.begin_step();
     map_.begin_step();
@@ -794,7 +863,7 @@ class Agreement {
   Run run_, following_;
   Index x_{0}, beats_left_{0}, last_{0}, row_{0};
   Index least_{0}, first_beats_{0}, whole_beats_{0};  // of the first shift; of all columns
-  u<window + 1> age_{1};
+  Age age_{1};
   bool ends_ = false;
   bool final_row_ = false;
   bool lower_half_ = false;
@@ -804,6 +873,7 @@ class Agreement {
   RAM<RightColumn, column_count, gap> right_codes_;
   RAM<BestLeft, column_count, gap> best_left_;
   RAM<BestRight, column_count, gap> best_right_;
+  RAM<Shown, column_count, gap> shown_right_;
   // The row and the frame.
   Counts counts_;
   Registration registration_;
@@ -835,7 +905,7 @@ class Agreement {
   std::array<Product, 2> product_{}, addend_{};
   std::array<Factor, 2> multiplier_{};
   RAM<SeenColumn, column_count, gap> seen_columns_;
-  HorizontalSum<box, 5> box_textured_, box_explained_, box_nearer_;
+  HorizontalSum<box, 5> box_textured_, box_explained_, box_shown_, box_nearer_;
   DelayLine<Centre, 2> centres_;
   // The map.
   RAM<MapCell, 2 * map_cells, min_row_beats> map_;

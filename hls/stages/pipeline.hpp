@@ -782,23 +782,22 @@ class Pipeline {
   /// Pixels leave `blind` some rows after they came; after the last row they are fetched.
   template <class Step>
   void look_for_blind(FrameResult& result, int begin, int end, const Step& step) {
-    bool done = false;
     const auto pass = [&](const InOf<stages::Blind<P>>& in) {
       const auto out = blind_.step(in, blind_config_);
-      done = out.done;
       result.taught = out.taught;
-      if (!out.there) return;
-      result.blind_pixels += out.blind ? 1 : 0;
-      step({out.blind || out.state == stages::state::skin, out.first, out.last, false});
+      if (out.there) {
+        result.blind_pixels += out.blind ? 1 : 0;
+        step({out.blind || out.state == stages::state::skin, out.first, out.last, false});
+      }
+      return out.done;
     };
     const std::uint8_t* state = result.states.data() + index(begin) * index(result.width);
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < result.width; ++x) pass({*state++, x == 0 && y == 0, x + 1 == result.width, false});
     }
     if (end < result.height) return;
-    do {
-      pass({0, false, false, true});
-    } while (!done);
+    while (!pass({0, false, false, true})) {
+    }
   }
 
   template <class From>
