@@ -20,7 +20,7 @@ LogSettings log_settings(const Cell& cell) {
   LogSettings settings;
   settings.directory = cell.log->directory;
   settings.limit_bytes = static_cast<std::uint64_t>(kBytes * cell.log->size_mb);
-  settings.configuration = fmt::format("0x{:08x}", cell.crc);
+  settings.configuration = fmt::format("{:08x}", cell.crc);
   settings.versions = {{"horopter", HOROPTER_VERSION}, {"engine", cell.engine}};
   return settings;
 }
