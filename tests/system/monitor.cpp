@@ -18,6 +18,8 @@
 #include <thread>
 #include <vector>
 
+#include "horopter/monitor/users.hpp"
+#include "http.hpp"
 #include "sandbox.hpp"
 
 using namespace horopter::test;
@@ -226,6 +228,51 @@ TEST_CASE("without a restart it is not safe, however good the images") {
     CHECK(event["safe"] == false);
     CHECK(event["event"] != "released");
   }
+}
+
+TEST_CASE("a restart from the page of a running monitor, and the log of the stop after it") {
+  const CellBox box;
+  const int port = free_port();
+  const std::string password = "correct horse";
+  horopter::monitor::set_user(box / "users", "anna", horopter::monitor::Role::plant_operator, password);
+  box.cell(kFiles, "limits: {decision_ms: 30000}\nlog: {directory: log}\nweb: {listen: '127.0.0.1:" +
+                       std::to_string(port) + "', users_file: users, restart: true}\n");
+  Running monitor = box.start();
+  REQUIRE(monitor.event("restart_possible").is_object());
+
+  httplib::Client page("127.0.0.1", port);
+  page.set_read_timeout(60s);
+  httplib::Headers headers{{"Origin", "http://127.0.0.1:" + std::to_string(port)}};
+  const auto login =
+      page.Post("/api/login", headers, json{{"name", "anna"}, {"password", password}}.dump(), "application/json");
+  REQUIRE(login);
+  REQUIRE(login->status == 200);
+  const std::string cookie = login->get_header_value("Set-Cookie");
+  headers.emplace("Cookie", cookie.substr(0, cookie.find(';')));
+  headers.emplace("X-Horopter-Token", json::parse(page.Get("/api/session", headers)->body)["token"].get<std::string>());
+  // Every fourth photograph is an alarm: a restart that meets it is refused, and asked for again.
+  REQUIRE(eventually([&] {
+    const json seen = {{"stop", json::parse(page.Get("/api/status", headers)->body)["stop"]}};
+    page.Post("/api/restart", headers, seen.dump(), "application/json");
+    std::this_thread::sleep_for(300ms);
+    for (const json& event : monitor.events()) {
+      if (event["event"] == "released") return true;
+    }
+    return false;
+  }));
+  CHECK(monitor.event("released")["by"]["name"] == "anna");
+  REQUIRE(monitor.event("stopped", [](const json& event) { return has_cause(event, "alarm"); }).is_object());
+  const auto metrics = page.Get("/metrics", headers);
+  REQUIRE(metrics);
+  CHECK(metrics->status == 200);
+  CHECK_THAT(metrics->body, Catch::Contains("horopter_safe"));
+  CHECK(monitor.end(SIGTERM) == 0);
+
+  const auto checked = box.run({"log", "log", "--check"});
+  INFO(checked.out << checked.err);
+  CHECK(checked.status == 0);
+  const auto listed = box.run({"log", "log", "--json"});
+  CHECK_THAT(listed.out, Catch::Contains("anna") && Catch::Contains("\"alarm\"") && Catch::Contains(".jpg"));
 }
 
 TEST_CASE("it ends after so many pairs") {
