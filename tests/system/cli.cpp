@@ -192,7 +192,7 @@ TEST_CASE("--object in mm is that of the skin's file by its table alone; a table
   box.write("wall.yaml", "surface: {type: plane, point_mm: [0, 0, 1000], normal: [0.3, 0, -1]}\n");
   const auto object_px = [&](const std::string& skin, const std::vector<std::string>& more) {
     const auto result = box.run(run_arguments("left0.png", "right0.png", skin) + more +
-                                std::vector<std::string>{"--object", "150mm", "--json"});
+                                std::vector<std::string>{"--object", "240mm", "--json"});
     CAPTURE(skin, result.err);
     REQUIRE((result.status == 0 || result.status == 4));
     return nlohmann::json::parse(result.out)["object"]["px"].get<double>();
@@ -202,8 +202,8 @@ TEST_CASE("--object in mm is that of the skin's file by its table alone; a table
   const std::vector<std::string> build{"--profile", profile};
   REQUIRE(box.run(std::vector<std::string>{"map", "--skin", "wall.yaml", "-o", "wall.hmap"} + rig + build).status == 0);
   const double by_skin = object_px("wall.yaml", rig + build);
-  CHECK(by_skin < 30);  // 150 mm at 1 m
-  CHECK(by_skin > 20);
+  CHECK(by_skin < 48);  // 240 mm at 1 m
+  CHECK(by_skin > 32);
   CHECK(object_px("wall.hmap", build) == Approx(by_skin).epsilon(0.02));
   REQUIRE(
       box.run(std::vector<std::string>{"map", "--skin", "skin.yaml", "-o", "none.hmap", "--size", "200x120"} + build)
