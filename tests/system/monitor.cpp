@@ -113,6 +113,7 @@ bool has_cause(const json& event, const std::string& name) {
 
 int free_port() {
   const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+  REQUIRE(socket >= 0);
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);

@@ -117,7 +117,8 @@ class Browser {
       const std::string text = answer->get_header_value("Set-Cookie");
       cookie_ = text.substr(0, text.find(';'));
       attributes_ = text.substr(text.find(';'));
-      token_ = Json::parse(get("/api/session")->body)["token"];
+      const Json session = Json::parse(get("/api/session")->body);
+      token_ = session["token"].is_string() ? session["token"].get<std::string>() : "";  // the user may be gone already
     }
     return answer->status;
   }
