@@ -79,22 +79,6 @@ double skew_ms(const monitor::Cell& cell, const SkinInSpace* place, const Machin
   return std::min(most_ms, cell.period_ms() / 2);
 }
 
-monitor::ObjectScale scale_of(const std::shared_ptr<SkinInSpace>& place, const MachineProfile& profile,
-                              const ScanGeometry& geometry) {
-  if (place == nullptr) return {};
-  const auto distance_mm = [place, geometry, subsample = profile.subsample](double x,
-                                                                            double y) -> std::optional<double> {
-    const Point pixel = geometry.to_frame({subsample * x + 0.5 * (subsample - 1), y});
-    const CameraPair& cameras = place->skin->cameras();
-    const Rays rays = cameras.rays(std::span(&pixel, 1));
-    std::vector<Hit> hits(1);
-    place->skin->surface()->intersect(cameras.left().world_to_camera.centre(), rays.directions, hits);
-    if (!std::isfinite(hits.front().distance)) return std::nullopt;
-    return hits.front().distance;
-  };
-  return {distance_mm, place->skin->cameras().left().model.fx_px() / profile.subsample};
-}
-
 monitor::Machine make_machine(const monitor::Cell& cell, const std::optional<calib::Rig>& rig, int width, int height) {
   const std::string skin = cell.skin.string();
   const std::string file = cell.path.string();
@@ -111,7 +95,9 @@ monitor::Machine make_machine(const monitor::Cell& cell, const std::optional<cal
   object.px = cell.object_px.value_or(object.px);
   object.mm = cell.object_mm;
   set_object(object, skin, rig, *profile, width, height, settings);
-  const MapSet maps = load_or_compile_maps(skin, rig, *profile, width, height, settings.decision);
+  auto compiled =
+      std::make_shared<const MapSet>(load_or_compile_maps(skin, rig, *profile, width, height, settings.decision));
+  const MapSet& maps = *compiled;
   std::vector<const MapTable*> tables;
   for (const CompiledMap& map : maps.maps) tables.push_back(&map.table);
   check_alarm_limit(skin, tables, *profile, settings.decision, settings.alarm_percent);
@@ -121,9 +107,13 @@ monitor::Machine make_machine(const monitor::Cell& cell, const std::optional<cal
   const ScanGeometry geometry = scans_of(*profile, width, height).front();
   monitor::Machine machine;
   machine.largest_skew_ms = skew_ms(cell, place.get(), *profile, geometry, settings);
-  machine.scale = scale_of(place, *profile, geometry);
+  machine.objects = std::make_unique<ObjectFollower>(*profile, tables, maps.rig);
+  if (!maps.rig.empty()) {
+    machine.camera_mm = first_pair(calib::rig_from_yaml(maps.rig, skin), skin).left().world_to_camera.centre();
+  }
   machine.supervisor =
       std::make_unique<Supervisor>(make_picture_device(cell.engine, *profile), *profile, maps, settings);
+  machine.maps = std::move(compiled);
   return machine;
 }
 

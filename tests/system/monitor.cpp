@@ -207,7 +207,9 @@ TEST_CASE("recorded pairs as live cameras: events in JSON, Modbus by pymodbus, a
   REQUIRE(stopped.is_object());
   CHECK(stopped["configuration"] == crc);
   REQUIRE(stopped["objects"].size() == 1);
-  CHECK(stopped["objects"][0]["distance_mm"] == Approx(300).epsilon(0.02));
+  // From the left camera; the skin is 300 mm before it, and the board below and right of the middle.
+  CHECK(stopped["objects"][0]["distance_mm"] > 300);
+  CHECK(stopped["objects"][0]["distance_mm"] < 340);
   CHECK(monitor.end(SIGTERM) == 0);
   for (const json& event : monitor.events()) CHECK(event["configuration"] == crc);
 }

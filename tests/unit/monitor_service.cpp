@@ -173,11 +173,14 @@ struct Bench {
   Machine machine(int width, int height) {
     const auto& profile = horopter::find_profile("vga");
     const auto skin = horopter::load_skin(directory / "skin.yaml", {99.5, 59.5}, nullptr);
-    const auto maps = horopter::compile_maps(skin, profile, width, height);
+    const auto maps = std::make_shared<const horopter::MapSet>(horopter::compile_maps(skin, profile, width, height));
     Machine made;
+    made.maps = maps;
+    made.objects = std::make_unique<horopter::ObjectFollower>(
+        profile, std::vector<const horopter::MapTable*>{&maps->maps.at(0).table}, maps->rig);
     made.largest_skew_ms = 1;
-    made.supervisor = std::make_unique<horopter::Supervisor>(std::make_unique<HeldDevice>(profile, hold), profile, maps,
-                                                             cell.settings);
+    made.supervisor = std::make_unique<horopter::Supervisor>(std::make_unique<HeldDevice>(profile, hold), profile,
+                                                             *maps, cell.settings);
     return made;
   }
   /// The next moment's images; the left one lies on the skin where there is an alarm.

@@ -23,18 +23,6 @@ namespace {
 constexpr auto kLimit = 100ms;
 const Clock::time_point kNow(1h);
 
-horopter::FrameResult result_with(int x, int y, int side) {
-  horopter::FrameResult result;
-  result.states = horopter::Image(200, 100);
-  for (int row = y; row < y + side; ++row) {
-    for (int column = x; column < x + side; ++column) {
-      result.states.at(column, row) = static_cast<std::uint8_t>(horopter::State::skin);
-    }
-  }
-  result.object_limit_pixels = 50;
-  return result;
-}
-
 }  // namespace
 
 TEST_CASE("a decision is safe as long as it is young, and not by itself again") {
@@ -108,25 +96,26 @@ TEST_CASE("causes: the alarm first, and what both name only once") {
   CHECK(causes[2].name == "moved");
 }
 
-TEST_CASE("an object keeps its number while it moves, and its speed is in mm") {
-  ObjectTracker tracker;
-  const ObjectScale scale{[](double, double) { return std::optional(1000.0); }, 500};
-  auto objects = tracker.next(result_with(10, 10, 20), scale, kNow);
-  REQUIRE(objects.size() == 1);
-  CHECK(objects[0].id == 1);
-  CHECK(objects[0].age_frames == 1);
-  CHECK(objects[0].size_mm == 40);
-  CHECK_FALSE(objects[0].speed_mm_s);
-  objects = tracker.next(result_with(15, 10, 20), scale, kNow + 100ms);
-  REQUIRE(objects.size() == 1);
-  CHECK(objects[0].id == 1);
-  CHECK(objects[0].age_frames == 2);
-  CHECK(*objects[0].speed_mm_s == Approx(100));
-  objects = tracker.next(result_with(150, 60, 20), scale, kNow + 200ms);
-  REQUIRE(objects.size() == 1);
-  CHECK(objects[0].id == 2);
-  objects = tracker.next(result_with(0, 0, 5), {}, kNow + 300ms);
-  CHECK(objects.empty());
+TEST_CASE("an object is shown with what is known of it, in mm where a rig says it") {
+  horopter::TrackedObject object;
+  object.id = 7;
+  object.age_frames = 3;
+  object.region = {.x = 10, .y = 20, .width = 30, .height = 40, .pixels = 500, .blind_pixels = 60};
+  ObjectState state = state_of(object, Eigen::Vector3d(0, 0, 0));
+  CHECK(state.id == 7);
+  CHECK(state.age_frames == 3);
+  CHECK(state.pixels == 500);
+  CHECK(state.blind_pixels == 60);
+  CHECK((state.x == 10 && state.y == 20 && state.width == 30 && state.height == 40));
+  CHECK_FALSE((state.size_mm || state.distance_mm || state.speed_mm_s));
+  object.in_space =
+      horopter::ObjectInSpace{.area_mm2 = 900, .length_mm = 45, .width_mm = 25, .centroid_mm = {300, 0, 400}};
+  object.motion = horopter::ObjectMotion{.px_frame = {1, 0}, .mm_frame = Eigen::Vector3d(3, 4, 0), .frame_s = 0.1};
+  state = state_of(object, Eigen::Vector3d(0, 0, 0));
+  CHECK(state.size_mm == Approx(45));
+  CHECK(state.distance_mm == Approx(500));
+  CHECK(state.speed_mm_s == Approx(50));
+  CHECK_FALSE(state_of(object, {}).distance_mm);
 }
 
 TEST_CASE("Modbus shows safe and its complement, faults, age and configuration") {

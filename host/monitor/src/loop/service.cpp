@@ -11,6 +11,7 @@
 #include "horopter/machine/registers.hpp"
 #include "horopter/map/map_json.hpp"
 #include "horopter/monitor/causes.hpp"
+#include "horopter/monitor/objects.hpp"
 
 namespace horopter::monitor {
 namespace {
@@ -253,7 +254,6 @@ void Service::judge(ImagePair pair) {
   status.skew_ms = std::chrono::duration<double, std::milli>(pair.skew).count();
   if (!results.empty()) {
     const FrameResult& shown = worst(results);
-    status.objects = tracker_.next(shown, machine_->scale, pair.arrived());
     status.table = shown.table;
     status.table_crc = shown.table_crc;
     const Agreement& agreement = shown.agreement;
@@ -265,6 +265,7 @@ void Service::judge(ImagePair pair) {
   status.teaching = to_teach_ != 0;
   describe_cameras(status);
   state_.decided(pair.arrived(), status.safe, alarm, words_of(own, faults));
+  if (!results.empty()) status.objects = follow(results, pair.arrived());  // after the outputs: it may take its time
 
   MomentPtr moment;
   if (!results.empty()) {
@@ -280,6 +281,18 @@ void Service::judge(ImagePair pair) {
   }
   publish(std::move(status), moment);
   if (to_teach_ != 0) count_taught();
+}
+
+/// Of the result that is shown; those of the other field are followed, too.
+std::vector<ObjectState> Service::follow(const std::vector<FrameResult>& results, Clock::time_point arrived) {
+  const double time_s = std::chrono::duration<double>(arrived.time_since_epoch()).count();
+  std::vector<ObjectState> shown;
+  for (const FrameResult& result : results) {
+    const auto objects = machine_->objects->follow(result, time_s);
+    if (&result != &worst(results)) continue;
+    for (const TrackedObject& object : objects) shown.push_back(state_of(object, machine_->camera_mm));
+  }
+  return shown;
 }
 
 void Service::begin_request(MonitorFaults own) {

@@ -3,6 +3,7 @@
 // decides when it is safe again; what the monitor finds wrong takes safe away from it.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <atomic>
 #include <condition_variable>
@@ -16,9 +17,10 @@
 
 #include "horopter/base/error.hpp"
 #include "horopter/machine/monitor.hpp"
+#include "horopter/machine/object_follower.hpp"
+#include "horopter/map/map.hpp"
 #include "horopter/monitor/camera.hpp"
 #include "horopter/monitor/cell.hpp"
-#include "horopter/monitor/objects.hpp"
 #include "horopter/monitor/pairing.hpp"
 #include "horopter/monitor/part.hpp"
 #include "horopter/monitor/safe_state.hpp"
@@ -28,9 +30,11 @@ namespace horopter::monitor {
 
 /// The machine for images of a size, with the skin's table.
 struct Machine {
+  std::shared_ptr<const MapSet> maps;  ///< what `objects` looks at
   std::unique_ptr<Supervisor> supervisor;
+  std::unique_ptr<ObjectFollower> objects;
+  std::optional<Eigen::Vector3d> camera_mm;  ///< centre of the left camera, with a rig
   double largest_skew_ms = 0;
-  ObjectScale scale;
 };
 using MakeMachine = std::function<Machine(int width, int height)>;
 
@@ -89,6 +93,7 @@ class Service final : public Control, public CameraSink {
   MonitorFaults faults_of_parts();
   [[nodiscard]] MonitorFaults missed() const;
   void take_safe_away(MonitorFaults own);
+  std::vector<ObjectState> follow(const std::vector<FrameResult>& results, Clock::time_point arrived);
   void begin_request(MonitorFaults own);
   void count_taught();
   void publish(Status status, const MomentPtr& moment);
@@ -105,7 +110,6 @@ class Service final : public Control, public CameraSink {
   Duration look_;  ///< the threads wait no longer before they look again
   std::vector<Part*> parts_;
   std::function<void()> turn_;
-  ObjectTracker tracker_;
   Clock::time_point started_ = Clock::now();
 
   mutable std::mutex intake_mutex_;

@@ -50,8 +50,8 @@ struct ObjectState {
   int width = 0;
   int height = 0;
   int age_frames = 0;
-  std::optional<double> size_mm;  ///< with a rig
-  std::optional<double> distance_mm;
+  std::optional<double> size_mm;      ///< with a rig: its length
+  std::optional<double> distance_mm;  ///< of its centre from the left camera
   std::optional<double> speed_mm_s;
 };
 
