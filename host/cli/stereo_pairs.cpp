@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <opencv2/imgproc.hpp>
 #include <sstream>
@@ -20,6 +21,7 @@ namespace {
 
 constexpr double kNoiseSigma = 5;
 constexpr std::uint64_t kNoiseSeed = 6;
+constexpr std::uint8_t kSeenByBoth = 255;  // of a mask
 
 cv::Mat view(const Image& image) {
   return {image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.pixels.data())};
@@ -93,7 +95,8 @@ const Change& find_change(const std::string& name) {
 }  // namespace
 
 std::vector<StereoPairFiles> read_pair_list(const std::string& path) {
-  const std::string expected = "`name left right disparity scale resize`, the last two positive numbers or left out";
+  const std::string expected =
+      "`name left right disparity scale resize mask`, scale and resize positive numbers, the last three may be left out";
   const auto bytes = read_file(path, "a list of pairs: " + expected);
   std::istringstream text(std::string(bytes.begin(), bytes.end()));
   const auto directory = std::filesystem::path(path).parent_path();
@@ -105,7 +108,7 @@ std::vector<StereoPairFiles> read_pair_list(const std::string& path) {
     for (std::string word; words >> word;) fields.push_back(word);
     if (fields.empty()) continue;
     const std::string place = fmt::format("line {}", number);
-    if (fields.size() < 4 || fields.size() > 6) {
+    if (fields.size() < 4 || fields.size() > 7) {
       throw FileError(path, place, fmt::format("{} fields", fields.size()), expected);
     }
     const auto factor = [&](std::size_t index) {
@@ -118,7 +121,8 @@ std::vector<StereoPairFiles> read_pair_list(const std::string& path) {
       return value;
     };
     const auto file = [&](std::size_t index) { return (directory / fields[index]).string(); };
-    pairs.push_back({fields[0], file(1), file(2), file(3), factor(4), factor(5)});
+    pairs.push_back(
+        {fields[0], file(1), file(2), file(3), factor(4), factor(5), fields.size() > 6 ? file(6) : std::string()});
   }
   if (pairs.empty()) throw FileError(path, "", "no pair", expected);
   return pairs;
@@ -127,9 +131,11 @@ std::vector<StereoPairFiles> read_pair_list(const std::string& path) {
 StereoPair load_pair(const StereoPairFiles& files) {
   const Image left = load_image(files.left);
   const Image right = load_image(files.right);
-  const DisparityMap truth = load_disparity(files.disparity, files.scale);
-  for (const auto& [file, width, height] :
-       {std::tuple(files.right, right.width, right.height), {files.disparity, truth.width, truth.height}}) {
+  DisparityMap truth = load_disparity(files.disparity, files.scale);
+  const Image mask = files.mask.empty() ? Image(left.width, left.height) : load_image(files.mask);
+  for (const auto& [file, width, height] : {std::tuple(files.right, right.width, right.height),
+                                            {files.disparity, truth.width, truth.height},
+                                            {files.mask, mask.width, mask.height}}) {
     if (width != left.width || height != left.height) {
       throw FileError(file, "", fmt::format("{}x{} pixels", width, height),
                       fmt::format("{}x{}, as {}", left.width, left.height, files.left));
@@ -139,6 +145,9 @@ StereoPair load_pair(const StereoPairFiles& files) {
   if (wide != truth.px.end()) {
     throw FileError(files.disparity, "", fmt::format("with a scale of {:g} a disparity of {:g} px", files.scale, *wide),
                     fmt::format("less than the {} px of the image's width", truth.width));
+  }
+  for (std::size_t i = 0; !files.mask.empty() && i < truth.px.size(); ++i) {
+    if (mask.pixels[i] != kSeenByBoth) truth.px[i] = std::numeric_limits<float>::quiet_NaN();
   }
   StereoPair pair{files.name, resize_image(left, files.resize, files.left),
                   resize_image(right, files.resize, files.right), truth, files.left};

@@ -19,8 +19,9 @@ struct StereoPairFiles {
   std::string left;
   std::string right;
   std::string disparity;
-  double scale = 1;   ///< of the disparity file: its value for 1 px
-  double resize = 1;  ///< factor by which images and disparities are made smaller or larger
+  double scale = 1;    ///< of the disparity file: its value for 1 px
+  double resize = 1;   ///< factor by which images and disparities are made smaller or larger
+  std::string mask{};  ///< image of the disparities' size: 255 where both cameras see the place; empty: none
 };
 
 struct StereoPair {
@@ -31,8 +32,8 @@ struct StereoPair {
   std::string file{};  ///< of the left image, for messages
 };
 
-/// One pair a line: `name left right disparity scale resize`, separated by blanks; the last two may be left out (1).
-/// Paths are relative to the list; `#` begins a comment. Throws FileError with the line.
+/// One pair a line: `name left right disparity scale resize mask`, separated by blanks; the last three may be left out
+/// (1, 1, none). Paths are relative to the list; `#` begins a comment. Throws FileError with the line.
 std::vector<StereoPairFiles> read_pair_list(const std::string& path);
 
 /// Throws FileError for files that are bad or do not fit each other.

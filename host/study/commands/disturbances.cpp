@@ -178,7 +178,7 @@ std::vector<Disturbance> harmless() {
   }
   all.push_back({"noise 5", [](const Mat& image, const Mat&) { return image; }, 5});
   std::vector<Disturbance> result{
-      {"as it is", "both", true, [](const Sight& sight) { return Disturbed{.light = sight.scene, .copy = {}}; }}};
+      {kAsItIs, "both", true, [](const Sight& sight) { return Disturbed{.light = sight.scene, .copy = {}}; }}};
   for (const Change& what : all) {
     result.push_back({what.name, "right", true, [what](const Sight& sight) { return change(sight, what, {kRight}); }});
   }

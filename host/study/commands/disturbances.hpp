@@ -38,6 +38,8 @@ struct Disturbed {
   std::array<Image, 2> frames(cv::RNG& random) const;
 };
 
+inline const std::string kAsItIs = "as it is";  ///< the first of the harmless ones
+
 struct Disturbance {
   std::string name;
   std::string camera;  ///< left, right or both

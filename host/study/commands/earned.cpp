@@ -37,8 +37,9 @@ constexpr std::array kDecisions{Decision::thesis, Decision::compete};
 constexpr std::array kSkins_px{16, 0, -16};
 /// So many of them, the first ones, are tried with disturbances that are not harmless.
 int disturbed_skins(const StudyScope& scope) { return scope.quick ? 1 : 2; }
-constexpr int kSheet_px = 24;           ///< a sheet is nearer than the skin by this
-constexpr double kOffSkin_px = 2;       ///< further off, a place is truly not in the skin
+constexpr int kSheet_px = 24;      ///< a sheet is nearer than the skin by this
+constexpr double kOffSkin_px = 2;  ///< further off, a place is truly not in the skin
+const std::string kBoards = "boards", kAloe = "aloe";
 constexpr double kMostSaturated = 0.1;  ///< of a harmless image; with more it is left out
 
 /// A pair, its rig and the plane that its skins are parallel to.
@@ -58,7 +59,7 @@ std::vector<Scene> board_scenes(const StudyScope& scope) {
   const calib::Rig rig = calibrate_boards(boards, spec, "k1k2p1p2");
   std::vector<Scene> scenes;
   for (const Board& board : boards) {
-    scenes.push_back({"boards", board.name, board.left, board.right, rig, plane_of(rig, board, spec), {}, 0});
+    scenes.push_back({kBoards, board.name, board.left, board.right, rig, plane_of(rig, board, spec), {}, 0});
   }
   return scenes;
 }
@@ -104,8 +105,41 @@ Scene pair_scene(const std::string& set, const StereoPairFiles& files) {
           px};
 }
 
-std::vector<Scene> load_scenes(const StudyScope& scope) {
+/// The public sets in a directory, as far as they are there.
+std::vector<Scene> set_scenes(StudyReport& report, const StudyScope& scope) {
+  namespace fs = std::filesystem;
   std::vector<Scene> scenes;
+  const auto add = [&](const std::string& set, const fs::path& needed, const auto& pairs) {
+    if (!fs::exists(needed)) {
+      report.finding("{}: skipped, {} is not there", set, needed.string());
+      return;
+    }
+    for (const StereoPairFiles& files : pairs()) {
+      scenes.push_back(pair_scene(set, files));
+      if (scope.quick) return;
+    }
+  };
+  const fs::path root = scope.sets;
+  const fs::path of_2003 = root / "middlebury";
+  add("middlebury", of_2003, [&] {
+    const auto pair = [&](const std::string& name, const char* left, const char* right, const char* truth, int scale) {
+      const fs::path own = of_2003 / name;
+      return StereoPairFiles{name, own / left, own / right, own / truth, 1.0 * scale, 1, {}};
+    };
+    return std::vector{
+        pair("tsukuba", "im3.png", "im4.png", "disp3.pgm", 16), pair("venus", "im2.png", "im6.png", "disp2.pgm", 8),
+        pair("teddy", "im2.png", "im6.png", "disp2.png", 4), pair("cones", "im2.png", "im6.png", "disp2.png", 4)};
+  });
+  for (const std::string set : {"2006", "2014", "views"}) {
+    const fs::path list = root / "stereo" / (set + ".txt");
+    add(set, list, [&] { return read_pair_list(list); });
+  }
+  return scenes;
+}
+
+std::vector<Scene> load_scenes(StudyReport& report, const StudyScope& scope) {
+  std::vector<Scene> scenes;
+  if (!scope.sets.empty()) return set_scenes(report, scope);
   if (!scope.list.empty()) {
     for (const StereoPairFiles& files : read_pair_list(scope.list)) scenes.push_back(pair_scene("list", files));
     return scenes;
@@ -113,7 +147,7 @@ std::vector<Scene> load_scenes(const StudyScope& scope) {
   scenes = board_scenes(scope);
   const std::string data = scope.data + "/";
   if (!scope.quick && std::filesystem::exists(data + "aloeL.jpg")) {
-    scenes.push_back(pair_scene("aloe", {"aloe", data + "aloeL.jpg", data + "aloeR.jpg", data + "aloeGT.png", 1, 0.5}));
+    scenes.push_back(pair_scene(kAloe, {kAloe, data + "aloeL.jpg", data + "aloeR.jpg", data + "aloeGT.png", 1, 0.5}));
   }
   return scenes;
 }
@@ -221,14 +255,14 @@ void read_sums(Run& run, Device& device, double cell) {
   }
 }
 
-/// Pixels that are clear without proof though truly off the skin, and how many of them are in `states`. All count where
-/// no truth is known.
+/// Pixels that are clear without proof, truly behind the skin and seen by both cameras, and how many of them are clear in
+/// `states`. All count where no truth is known. Of what is nearer than the skin, clear is not earned.
 void compare_clear(Run& run, const Image& without, const Image& states) {
   const auto& truth = run.watched->scene.truth;
   const double skin_px = run.watched->scene.plane_px + run.watched->skin_px;
   for (std::size_t i = 0; i < states.pixels.size(); ++i) {
     if (static_cast<State>(without.pixels[i]) != State::clear) continue;
-    if (truth && (!truth->counts(i) || std::abs(truth->disparities().px[i] - skin_px) <= kOffSkin_px)) continue;
+    if (truth && (!truth->counts(i) || truth->disparities().px[i] >= skin_px - kOffSkin_px)) continue;
     ++run.clear;
     run.kept += static_cast<State>(states.pixels[i]) == State::clear ? 1 : 0;
   }
@@ -454,12 +488,50 @@ void report_table(StudyReport& report, const std::string& title, const std::vect
   report.result["kept"].push_back({{"table", title}, {"share", kept.share()}, {"least", kept.worst}});
 }
 
+/// Of the public sets: a line for each set and rule, and one for each skin of it.
+void report_sets(StudyReport& report, const std::vector<Run>& runs) {
+  struct Of {
+    Kept kept;
+    int runs = 0, faulty = 0;
+    void add(const Run& run) {
+      if (run.frames == 0) return;
+      if (run.disturbance->name == kAsItIs) kept.add(run);
+      ++runs;
+      faulty += run.faulty > 0 ? 1 : 0;
+    }
+  };
+  std::map<std::array<std::string, 3>, Of> lines;
+  for (const Run& run : runs) {
+    const std::string& set = run.watched->scene.set;
+    for (const std::string& skin : {fmt::format("{:+} px", run.watched->skin_px), std::string("all")})
+      lines[{set, std::string(name_of(run.decision)), skin}].add(run);
+  }
+  report.finding(
+      "of the pixels that are truly behind the skin, seen by both cameras and clear without proof, so many stay clear:");
+  for (const auto& [name, line] : lines) {
+    const auto& [set, decision, skin] = name;
+    report.finding("  {:12} {:8} skin {:7} {:.3f}  least {:.3f} ({})  {} of {} runs with a false fault", set, decision,
+                   skin, line.kept.share(), line.kept.worst, line.kept.worst_scene, line.faulty, line.runs);
+    report.result["sets"].push_back({{"set", set},
+                                     {"decision", decision},
+                                     {"skin", skin},
+                                     {"kept", line.kept.share()},
+                                     {"least", line.kept.worst},
+                                     {"runs", line.runs},
+                                     {"false_faults", line.faulty}});
+  }
+}
+
 }  // namespace
 
 void study_earned(StudyReport& report, const StudyScope& scope) {
-  const std::vector<Scene> scenes = load_scenes(scope);
-  const std::vector<Disturbance> what = disturbances();
-  const std::vector<Watched> watched = watch_all(report, std::span(scenes).first(scope.quick ? 1 : scenes.size()));
+  const std::vector<Scene> scenes = load_scenes(report, scope);
+  std::vector<Disturbance> what = disturbances();
+  const bool of_sets = !scope.sets.empty();
+  if (of_sets)
+    std::erase_if(what, [&](const Disturbance& one) { return !one.harmless || (scope.quick && one.name != kAsItIs); });
+  const std::vector<Watched> watched =
+      watch_all(report, std::span(scenes).first(scope.quick && !of_sets ? 1 : scenes.size()));
   const std::vector<Run> runs = run_all(scope, scenes, watched, what);
   std::vector<std::pair<std::string, std::vector<const Run*>>> tables;  // in the order of their first runs
   int disturbed = 0;
@@ -476,6 +548,7 @@ void study_earned(StudyReport& report, const StudyScope& scope) {
     faulty += run.disturbance->harmless && run.faulty > 0 ? 1 : 0;
   }
   for (const auto& [title, of_table] : tables) report_table(report, title, of_table, what);
+  if (of_sets) report_sets(report, runs);
   report.finding("of {} disturbed runs {} were ever safe; of {} undisturbed ones {} had a false fault", disturbed, safe,
                  harmless, faulty);
   report.result["disturbed"] = disturbed;

@@ -83,6 +83,11 @@ void add_earned_options(CLI::App& command, StudyScope& scope) {
   add_data_option(command, scope, "Directory with left01.jpg … right14.jpg and aloeL.jpg, aloeR.jpg, aloeGT.png");
   command.add_option("--list", scope.list, "Rectified stereo pairs instead of opencv-doc's, as of `horopter evaluate`")
       ->type_name("FILE");
+  command
+      .add_option("--sets", scope.sets,
+                  "Public sets of pairs instead, undisturbed: what share of what is clear stays clear. Directory with "
+                  "middlebury/ and stereo/2006.txt, 2014.txt, views.txt; a set that is not there is skipped")
+      ->type_name("DIR");
   command.add_option("--frames", scope.frames, "Of each pair, with fresh noise")
       ->capture_default_str()
       ->check(CLI::Range(1, 10'000))
