@@ -221,7 +221,10 @@ class Agreement {
   static constexpr std::size_t across_count = 2 * across_reach + 1;
   static constexpr int best_score = window * 3 * census_bits;
   static constexpr int score_limit = best_score - 70;  // explained: more. 0.28 of all bits may differ
-  static constexpr int middle = across_reach + 1;      // age of the row that is compared
+  static constexpr int best_near_score = 3 * 3 * census_bits;
+  static constexpr int near_score_limit =
+      best_near_score - 23;                        // by the small window: more. 0.2 of all bits may differ
+  static constexpr int middle = across_reach + 1;  // age of the row that is compared
   static constexpr int first_row = 8;         // row of cells with which the first one that can be explained is done
   static constexpr int box = 5;               // cells around a place that must be seen
   static constexpr int lag = middle + 2 + 2;  // rows from a cell to its place in the map
@@ -234,7 +237,8 @@ class Agreement {
   static_assert(columns + half_window + gap < 256 && rows < 128);
   using Shift = Registration::Shift;
   using Score = u<8>;
-  static_assert(best_score < 256);
+  using NearScore = u<7>;
+  static_assert(best_score < 256 && best_near_score < 128);
 
   // Pixels ------------------------------------------------------------------------------------------------------------
 
@@ -424,11 +428,19 @@ class Agreement {
     Score score;
     Shift shift;
     s<8> across;  // 1/32 cell
+    NearScore near_score;
+    Shift near_shift;
   };
   struct BestRight {
     Score score;
     u<7> x;
   };
+  struct NearRight {
+    NearScore score;
+    u<7> x;
+  };
+  using Scores = std::array<Score, across_count>;
+  using NearScores = std::array<NearScore, across_count>;
 
   void compare(const Config& config) {
     // Bits that agree, of a column of three cells and then of the window, for each displacement across the rows.
@@ -439,7 +451,8 @@ class Agreement {
       left = left_.read(x_);
       right = right_codes_.read(Index(s<10>(x_) + run_.shift));
     }
-    std::array<Score, across_count> score{};
+    Scores score{};
+    NearScores near{};
     for (std::size_t n = 0; n < across_count; ++n) {
       u<6> column(0);
       for (std::size_t i = 0; i < 3; ++i) {
@@ -448,34 +461,54 @@ class Agreement {
         column = u<6>(column + alike(l.code, l.valid, r.code, r.valid));
       }
       score[n] = sums_[n].step(x_ == run_.lowest, after<window>(), Score(column));
+      const NearScore before(after<half_window + 1>() ? sums_[n].column(half_window + 1) : Score(0));
+      near[n] = NearScore((sums_[n].column(half_window - 1) + sums_[n].column(half_window)) + before);
     }
     const bool centred = after<half_window>() && x_ <= run_.highest + lit<half_window>();
     if (centred) {
       const Index x(x_ - lit<half_window>());
-      choose(x, score, run_.shift >= config.shift_lowest && run_.shift <= config.shift_highest);
+      choose(x, score, near, run_.shift >= config.shift_lowest && run_.shift <= config.shift_highest);
     }
   }
 
-  /// The best of five scores joins the best of the left cell, and of the right one.
-  void choose(Index x, const std::array<Score, across_count>& score, bool allowed) {
+  template <class Of>
+  static std::size_t best_of(const std::array<Of, across_count>& score) {
     std::size_t best = across_reach;
     for (const std::size_t n : {1U, 3U, 0U, 4U}) {
       if (score[n] > score[best]) best = n;
     }
+    return best;
+  }
+
+  /// The best of five scores joins the best of the left cell, and of the right one; the same of the small windows.
+  void choose(Index x, const Scores& score, const NearScores& near, bool allowed) {
+    const std::size_t best = best_of(score);
     const Score of_best = allowed ? score[best] : Score(0);
+    const NearScore of_near = allowed ? near[best_of(near)] : NearScore(0);
     const bool all_new = s<9>(run_.shift) == -s<9>(least_);
     const bool not_right = run_.shift.negative() || run_.shift == 0;
 
     BestLeft of_left = best_left_.read(x);
-    if (all_new || (not_right && x == run_.lowest) || of_best > of_left.score) {
-      of_left = {of_best, run_.shift, displacement_across(score, best)};
+    const bool left_new = all_new || (not_right && x == run_.lowest);
+    if (left_new || of_best > of_left.score) {
+      of_left.score = of_best;
+      of_left.shift = run_.shift;
+      of_left.across = displacement_across(score, best);
+    }
+    if (left_new || of_near > of_left.near_score) {
+      of_left.near_score = of_near;
+      of_left.near_shift = run_.shift;
     }
     best_left_.write(x, of_left);
 
     const Index partner(s<10>(x) + run_.shift);
+    const bool right_new = all_new || (not_right && x == run_.highest);
     BestRight of_right = best_right_.read(partner);
-    if (all_new || (not_right && x == run_.highest) || of_best > of_right.score) of_right = {of_best, u<7>(x)};
+    if (right_new || of_best > of_right.score) of_right = {of_best, u<7>(x)};
     best_right_.write(partner, of_right);
+    NearRight near_right = near_right_.read(partner);
+    if (right_new || of_near > near_right.score) near_right = {of_near, u<7>(x)};
+    near_right_.write(partner, near_right);
   }
 
   // What the row showed -----------------------------------------------------------------------------------------------
@@ -560,7 +593,9 @@ class Agreement {
     bool explained = false;
     bool nearer = false;
     BestLeft best;
-    Index partner;  // in the right image
+    Index partner;       // in the right image, by the small window
+    bool shown = false;  // by it
+    bool shown_nearer = false;
   };
   Looked look(const Config& config) {
     Looked l;
@@ -568,22 +603,31 @@ class Agreement {
     if (!l.inside) return l;
     const LeftCell here = left_.read(x_).age[middle];
     l.best = best_left_.read(x_);
-    l.partner = Index(s<10>(x_) + l.best.shift);
-    const BestRight back = best_right_.read(l.partner);
+    l.partner = Index(s<10>(x_) + l.best.near_shift);
+    const bool back = comes_back(best_right_.read(Index(s<10>(x_) + l.best.shift)).x);
+    const bool near_back = comes_back(near_right_.read(l.partner).x);
     const bool enough_rows = row_ >= first_row;
-    const auto way = s<9>(back.x - u<8>(x_));
     l.supervised = here.supervised && enough_rows;
     l.textured = l.supervised && here.textured;
     l.of_skin = here.of_skin;
-    l.explained = l.textured && l.best.score > score_limit && way >= -1 && way <= 1;
-    l.nearer = l.explained && ((config.nearer_below != 0 && l.best.shift.negative()) ||
-                               (config.nearer_above != 0 && l.best.shift > 0));
+    l.explained = l.textured && l.best.score > score_limit && back;
+    l.nearer = l.explained && is_nearer(l.best.shift, config);
+    l.shown = l.textured && l.best.near_score > near_score_limit && near_back;
+    l.shown_nearer = l.shown && is_nearer(l.best.near_shift, config);
     return l;
   }
+  /// The right cell's own choice is this cell, or one beside it.
+  [[nodiscard]] bool comes_back(u<7> chosen) const {
+    const auto way = s<9>(chosen - u<8>(x_));
+    return way >= -1 && way <= 1;
+  }
+  static bool is_nearer(Shift shift, const Config& config) {
+    return (config.nearer_below != 0 && shift.negative()) || (config.nearer_above != 0 && shift > 0);
+  }
 
-  /// An explained cell leaves word where the right camera sees it: what that one sees there is not on the skin, either.
+  /// A cell that is shown leaves word where the right camera sees it: what that one sees there is not on the skin, either.
   void match(const Looked& looked) {
-    if (looked.explained) shown_right_.write(looked.partner, Shown{true, looked.nearer});
+    if (looked.shown) shown_right_.write(looked.partner, Shown{true, looked.shown_nearer});
   }
 
   void conclude(const Looked& looked, const Config& config, bool next_region) {
@@ -594,8 +638,8 @@ class Agreement {
       seen.textured = looked.textured;
       seen.of_skin = looked.of_skin;
       seen.explained = looked.explained;
-      seen.shown = looked.explained || right.shown;
-      seen.nearer = looked.explained ? looked.nearer : right.nearer;
+      seen.shown = looked.shown || right.shown;
+      seen.nearer = looked.shown ? looked.shown_nearer : right.nearer;
       count(looked, config);
       if (looked.explained && row_ >= first_row + across_reach) {
         registration_.measure(looked.best.shift, looked.best.across, shl<1>(x_) > last_ + lit<4>(), lower_half_,
@@ -843,6 +887,7 @@ class Agreement {
     right_codes_.begin_step();
     best_left_.begin_step();
     best_right_.begin_step();
+    near_right_.begin_step();
     shown_right_.begin_step();
     seen_columns_.begin_step();
     regions_.begin_step();
@@ -873,6 +918,7 @@ class Agreement {
   RAM<RightColumn, column_count, gap> right_codes_;
   RAM<BestLeft, column_count, gap> best_left_;
   RAM<BestRight, column_count, gap> best_right_;
+  RAM<NearRight, column_count, gap> near_right_;
   RAM<Shown, column_count, gap> shown_right_;
   // The row and the frame.
   Counts counts_;

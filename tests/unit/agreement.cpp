@@ -195,6 +195,19 @@ TEST_CASE("a scene behind the skin is seen, from the second frame on") {
   CHECK(!off.verdict.unproven_yet);
 }
 
+TEST_CASE("what stands in narrow strips of different depth is seen, too") {
+  const Picture world = scene(320, 240, 1);
+  const Picture left = seen(world, shifted(0, 0), 2);
+  const int far_px = GENERATE(24, 40, 72);
+  constexpr int kStrip_px = 24;  // 3 cells: the large window, of 7, shows 0.63 to 0.72
+  const Place place = [=](double x, double y) {
+    return std::pair{x - (static_cast<int>(x) / kStrip_px % 2 == 0 ? 8 : far_px), y};
+  };
+  const Answer answer = last_of(2, defaults(320, 240), left, seen(world, place, 3));
+  CHECK(answer.seen_share > 0.8);
+  CHECK(answer.nearer_share < 0.05);
+}
+
 TEST_CASE("what both cameras cannot see together is not seen") {
   const Picture world = scene(320, 240, 1);
   const Picture left = seen(world, shifted(0, 0), 2);

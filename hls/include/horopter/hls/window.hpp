@@ -91,6 +91,8 @@ class HorizontalSum {
     columns_->push(column);
     return sum_.step(row_start, column, leaving);
   }
+  /// The column value `back` columns before the one of the last step; of another row where that lies before the row.
+  [[nodiscard]] Sum column(int back) { return columns_->tap(back * STRIDE); }
 
  private:
   Kept<DelayLine<Sum, K * STRIDE>> columns_;
