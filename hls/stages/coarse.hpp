@@ -11,6 +11,9 @@
 //
 // Blind. A step from cell to cell of at least `blind_step` is one that the camera sees; noise, a fog, a ramp or a covered
 // lens has none. A camera is blind when it sees one at a smaller share of the cells than blind_share / 256.
+// Blind in a part: tape. An image is also taken in strips of 4 columns of cells, and in rows of cells. A strip or a row is
+// blind where no step in all of it is at least 3/8 of blind_step. The camera is blind when a quarter of the strips or a
+// quarter of the rows is. Fewer than 8 strips, or 16 rows, are not judged.
 //
 // In      left, right: means of the same cell; first: the frame's first; start: a row's first.
 // Config  one_camera_segments: so many segments must be textured, 0 switches the check off; blind_step: grey levels;
@@ -58,6 +61,10 @@ class CoarseCheck {
     const Step h = first_ ? Step(0) : Step(in.right - right_);
     left_steps_.add(in.first, abs(g) >= config.blind_step && !first_, config.blind_share);
     right_steps_.add(in.first, abs(h) >= config.blind_step && !first_, config.blind_share);
+    places_.step(in.first, in.start);
+    const u<8> small_step = u<8>(shr<3>(config.blind_step + shl<1>(config.blind_step)));
+    left_parts_.add(in.first, places_, abs(g) >= small_step && !first_);
+    right_parts_.add(in.first, places_, abs(h) >= small_step && !first_);
 
     // Of the row's second cell there is no determinant.
     const bool counts = !first_ && !second_;
@@ -90,8 +97,9 @@ class CoarseCheck {
 
     Out out;
     out.one_camera = config.one_camera_segments != 0 && segments_missing_ <= 0 && score_ >= 0;
-    out.left_blind = left_steps_.too_few();
-    out.right_blind = right_steps_.too_few();
+    const bool judges_parts = config.blind_share != 0;
+    out.left_blind = left_steps_.too_few() || (judges_parts && left_parts_.too_few(places_));
+    out.right_blind = right_steps_.too_few() || (judges_parts && right_parts_.too_few(places_));
     return out;
   }
 
@@ -110,6 +118,60 @@ class CoarseCheck {
     s<bits> balance_{0};  // cells, in 1/256, beyond their share
   };
 
+  static constexpr int strip_cells = 4;
+  static constexpr int most_strips = 32;
+  static constexpr int least_strips = 8, least_rows = 16;
+
+  /// Where a cell stands, and how many strips and rows there are so far.
+  struct Places {
+    u<7> column{0};
+    bool row_starts = false;
+    bool strip_starts = false;  // the first cell of a strip, in the first row
+    u<6> strips{0};
+    u<5> rows{0};  // up to 16
+    bool first_row = false;
+
+    void step(bool first, bool start) {
+      column = start ? u<7>(0) : u<7>(column + lit<1>());
+      row_starts = start;
+      first_row = first || (first_row && !start);
+      strip_starts = first_row && column.template bits<1, 0>() == 0;
+      strips = u<6>((first ? u<6>(0) : strips) + u<1>(strip_starts));
+      const u<5> rows_before = first ? u<5>(0) : rows;
+      rows = u<5>(rows_before + u<1>(start && !rows_before.bit(4)));
+    }
+    [[nodiscard]] u<5> strip() const { return column.template bits<6, 2>(); }
+  };
+
+  /// Strips and rows without a step against a quarter of all.
+  class Parts {
+   public:
+    void add(bool restart, const Places& at, bool step) {
+      const u<most_strips> here(u<most_strips>(1) << at.strip());
+      const u<most_strips> seen = restart ? u<most_strips>(0) : strips_;
+      const bool new_strip = step && (seen & here) == 0;
+      const bool new_row = step && (at.row_starts || !row_seen_);
+      row_seen_ = step || (row_seen_ && !at.row_starts);
+      strips_ = step ? u<most_strips>(seen | here) : seen;
+      blind_strips_ = balance(restart, blind_strips_, at.strip_starts, new_strip);
+      blind_rows_ = balance(restart, blind_rows_, at.row_starts, new_row);
+    }
+    [[nodiscard]] bool too_few(const Places& at) const {
+      return (at.strips >= least_strips && !blind_strips_.negative()) ||
+             (at.rows >= least_rows && !blind_rows_.negative());
+    }
+
+   private:
+    using Balance = s<10>;
+    /// 3 for each blind one, -1 for each other.
+    static Balance balance(bool restart, Balance before, bool one_more, bool seen) {
+      return Balance((restart ? Balance(0) : before) + (one_more ? s<4>(3) : s<4>(0)) - (seen ? s<4>(4) : s<4>(0)));
+    }
+    u<most_strips> strips_{0};  // bit n: a step was seen in strip n
+    bool row_seen_ = false;
+    Balance blind_strips_{0}, blind_rows_{0};
+  };
+
   u<8> left_{0};
   u<8> right_{0};
   Step g_{0};
@@ -124,6 +186,9 @@ class CoarseCheck {
   Score score_{0};             // 1 for each textured segment that is the same, -4 for each that is not
   Steps left_steps_;
   Steps right_steps_;
+  Places places_;
+  Parts left_parts_;
+  Parts right_parts_;
 };
 
 template <Profile P>

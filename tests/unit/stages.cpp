@@ -761,9 +761,9 @@ TEST_CASE("coarse: an image without contrast is blind, whichever camera's", "[st
     check(ramp, noise, true);
     check(half, noise, false);
   }
-  // Cells are counted exactly.
+  // Cells are counted exactly. Steps of 8 are in every strip and row.
   const auto steps = [](int n) {
-    return [n](int x, int y) { return x % 2 == 1 && y * kCellColumns / 2 + x / 2 < n / 2 ? 114.0 : 100.0; };
+    return [n](int x, int y) { return x % 2 == 0 ? 100.0 : y * kCellColumns / 2 + x / 2 < n / 2 ? 114.0 : 108.0; };
   };
   check(steps(10), 0, false);
   check(steps(8), 0, true);
@@ -771,6 +771,35 @@ TEST_CASE("coarse: an image without contrast is blind, whichever camera's", "[st
   check(steps(10), 0, true);
   config.blind_share = 0;
   check(steps(0), 0, false);
+}
+
+TEST_CASE("coarse: a camera that is covered in part is blind, whichever it is", "[stages]") {
+  SmallCoarse::Config config;
+  config.blind_step = 14;
+  config.blind_share = 2;
+  const auto check = [&](const auto& covered, bool blind) {
+    const auto image = [&](int x, int y) { return covered(x, y) ? 100.0 : scene(x, y); };
+    const auto right = coarse_of(config, 0.2, scene, image);
+    const auto left = coarse_of(config, 0.2, image, scene);
+    CHECK((!right.left_blind && right.right_blind == blind));
+    CHECK((!left.right_blind && left.left_blind == blind));
+  };
+  // Of 10 strips of 4 columns, and of 30 rows.
+  for (const int first : {0, 16, 24}) {
+    CAPTURE(first);
+    const int width = first == 0 ? 12 : 16;  // the cover's left edge is a step of the first strip
+    check([=](int x, int) { return x >= first && x < first + width; }, true);
+    check([=](int x, int) { return x >= first && x < first + width - 4; }, false);
+    check([=](int x, int y) { return x >= first && x < first + width && y != 17; }, false);
+  }
+  for (const int first : {0, 10, 22}) {
+    CAPTURE(first);
+    check([=](int, int y) { return y >= first && y < first + 8; }, true);
+    check([=](int, int y) { return y >= first && y < first + 7; }, false);
+    check([=](int x, int y) { return y >= first && y < first + 8 && x != 17; }, false);
+  }
+  config.blind_share = 0;
+  check([](int x, int) { return x < 12; }, false);
 }
 
 TEST_CASE("still: a frame that repeats one of the two before, but for noise", "[stages]") {
