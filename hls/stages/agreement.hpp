@@ -19,9 +19,9 @@
 // (hidden, after hidden_frames frames in a row).
 // Of a pixel of the result it says in the marks what the frame before showed of its cell: `seen`, in 5×5 cells around there
 // are a third as many *shown* ones as textured ones (where there is no texture, explained ones of its region); `nearer`,
-// most of these are nearer. A cell is shown where the left camera's cell is explained, or the right camera's cell that is
-// compared with it at shift 0: what one camera sees there, the other sees elsewhere. So nothing is on the skin. Near the
-// image's edges and beside near things only one of the two may be.
+// most of these are nearer. A cell is shown where the left camera's cell is explained by windows of 3×3 cells, or the right
+// camera's that is compared with it at shift 0: what one camera sees there, the other sees elsewhere. So nothing is on the
+// skin. Near the image's edges and beside near things only one of the two may be. Faults take the windows of 7×3 alone.
 //
 // In, Out  pixels pass. Marks: seen and nearer belong to the pixel of the result that leaves `align` with this beat.
 // Config   prove = 0: everything counts as seen, and nothing is said. Illegal use: another size without a reset between.

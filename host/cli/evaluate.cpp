@@ -346,8 +346,9 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
       ->check(above_zero())
       ->capture_default_str();
   command
-      ->add_option("--list", options->list,
-                   "Several pairs: a line `name left right disparity scale resize` each, paths relative to the list")
+      ->add_option(
+          "--list", options->list,
+          "Several pairs: a line `name left right disparity scale resize mask` each, paths relative to the list")
       ->type_name("FILE");
   command
       ->add_option("--tolerance", options->tolerance_px,

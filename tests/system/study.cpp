@@ -215,6 +215,31 @@ TEST_CASE("study earned: every disturbance of a board has its line, and none of 
   CHECK(refused.status == 2);
 }
 
+TEST_CASE("study earned --sets: what stays clear, set by set; sets that are not there are named") {
+  Sandbox box;
+  const auto none = box.run({"study", "earned", "--sets", "nowhere", "--out", "none"});
+  CAPTURE(none.err);
+  CHECK(none.status == 0);
+  for (const std::string set : {"middlebury", "2006", "2014", "views"})
+    CHECK_THAT(none.out, Catch::Contains(set + ": skipped, nowhere/"));
+  const auto data = shared_data("stereo");
+  if (!data) return;
+  const auto found = box.run({"study", "earned", "--sets", data->parent_path().string(), "--quick", "--frames", "2",
+                              "--out", "sets", "--json"});
+  CAPTURE(found.err);
+  REQUIRE(found.status == 0);
+  int lines = 0;
+  for (const json& line : json::parse(found.out)["sets"]) {
+    CAPTURE(line.dump());
+    CHECK(line["kept"].get<double>() <= 1);
+    if (line["skin"] != "+16 px") continue;
+    ++lines;
+    CHECK(line["kept"].get<double>() > 0.75);
+    CHECK(line["false_faults"] == 0);
+  }
+  CHECK(lines == 2 * 4);
+}
+
 TEST_CASE("study walk: which bodies are found, what fails first, and the same for the same seed") {
   if (!fs::exists("/usr/share/doc/opencv-doc/examples/data/aloeL.jpg")) return;
   Sandbox box;
