@@ -55,7 +55,7 @@ struct CapabilityOptions {
 };
 
 /// The skin, and what is planned for it.
-struct Planned {
+struct PlannedCapability {
   const MachineProfile& profile;
   ScanGeometry geometry;
   Settings settings;
@@ -81,7 +81,7 @@ void refuse_what_has_no_place(const std::string& skin) {
   }
 }
 
-Planned plan(const CapabilityOptions& options) {
+PlannedCapability plan(const CapabilityOptions& options) {
   const calib::Rig rig = read_rig(options.rig);
   refuse_what_has_no_place(options.skin);
   const auto skin = load_rig_skin(options.skin, rig);
@@ -119,7 +119,7 @@ Planned plan(const CapabilityOptions& options) {
 Json size_json(double mm) { return std::isfinite(mm) ? Json(std::round(10 * mm) / 10) : Json(); }
 std::string size_text(double mm) { return std::isfinite(mm) ? fmt::format("{:.1f} mm", mm) : "none"; }
 
-void print_found(const CapabilityOptions& options, const Planned& plan) {
+void print_found(const CapabilityOptions& options, const PlannedCapability& plan) {
   const CapabilityPlan& found = plan.capability;
   fmt::print("profile    {}, rule {}, {:g} images a second, disparity tolerance (D95) {:.2f} px of the result\n",
              plan.profile.name, name_of(plan.settings.decision), plan.timing.images_per_s, plan.d95_px);
@@ -143,7 +143,7 @@ void print_found(const CapabilityOptions& options, const Planned& plan) {
 }
 
 /// The rows of the rule and of the limit that is nearest.
-std::vector<Walked> of_rule(std::span<const Walked> rows, const Planned& plan) {
+std::vector<Walked> of_rule(std::span<const Walked> rows, const PlannedCapability& plan) {
   const std::int64_t limit_px = nearest_walked_px(object_limit(plan.settings, plan.profile));
   std::vector<Walked> result;
   for (const Walked& row : rows) {
@@ -154,7 +154,7 @@ std::vector<Walked> of_rule(std::span<const Walked> rows, const Planned& plan) {
 
 double per_hour(double share) { return share * walk_setup().images_per_s * 3600; }
 
-Json walked_json(const Planned& plan) {
+Json walked_json(const PlannedCapability& plan) {
   Json json{{"object_pixels", nearest_walked_px(object_limit(plan.settings, plan.profile))},
             {"rod_mm", walk_setup().rod_mm},
             {"rod_px", walk_setup().rod_px},
@@ -181,7 +181,7 @@ Json walked_json(const Planned& plan) {
   return json;
 }
 
-Json to_json(const CapabilityOptions& options, const Planned& plan) {
+Json to_json(const CapabilityOptions& options, const PlannedCapability& plan) {
   const CapabilityPlan& found = plan.capability;
   Json json{
       {"profile", plan.profile.name},
@@ -216,7 +216,7 @@ Json to_json(const CapabilityOptions& options, const Planned& plan) {
 }
 
 /// What surfaces, and light, do to it.
-void print_walked(const Planned& plan) {
+void print_walked(const PlannedCapability& plan) {
   const WalkSetup& setup = walk_setup();
   fmt::print(
       "measured   `horopter study walk`: rods of {:g} mm, {:g} px wide, at up to {:g} m/s, through {:g} mm of skin, an object of {} "
@@ -238,7 +238,7 @@ void print_walked(const Planned& plan) {
 }
 
 /// Where walking found less than it should.
-void warn_of_coats(const Planned& plan) {
+void warn_of_coats(const PlannedCapability& plan) {
   constexpr double kEnough = 0.999;
   std::vector<std::string> missed;
   for (const Walked& row : of_rule(walked_rods(), plan)) {
@@ -251,7 +251,7 @@ void warn_of_coats(const Planned& plan) {
                    walk_setup().rod_mm, fmt::join(missed, ", ")));
 }
 
-void print_response(const Planned& plan) {
+void print_response(const PlannedCapability& plan) {
   fmt::print("response   {:.1f} ms, from the object to the machine's stop\n", plan.response_s() * 1e3);
   for (const ResponseItem& item : detection_items(plan.timing)) {
     fmt::print("  {:6.2f} ms  {} ({})\n", item.seconds * 1e3, item.name, item.source);
@@ -260,7 +260,7 @@ void print_response(const Planned& plan) {
              plan.stopping_s == 0 ? " (--stopping-ms: the robot's stopping time is not in it)" : " (--stopping-ms)");
 }
 
-void print_distance(const Planned& plan) {
+void print_distance(const PlannedCapability& plan) {
   const double mm = plan.capability.largest_mm;
   const auto iso = plan.iso();
   if (!iso) {
@@ -277,7 +277,7 @@ void print_distance(const Planned& plan) {
       iso->distance_mm, iso->k_m_s, plan.response_s() * 1e3, iso->c_mm, formula, mm);
 }
 
-void draw(const CapabilityOptions& options, const Planned& plan) {
+void draw(const CapabilityOptions& options, const PlannedCapability& plan) {
   const std::string title =
       fmt::format("Smallest {} found, {:g} mm/s, {} {}, object {:.0f} px", name_of(options.body), options.speed_mm_s,
                   plan.profile.name, name_of(plan.settings.decision), plan.settings.object_px);
@@ -288,7 +288,7 @@ void draw(const CapabilityOptions& options, const Planned& plan) {
 
 ExitStatus plan_capability(const CapabilityOptions& options) {
   if (!options.profile.empty()) find_profile(options.profile);
-  const Planned planned = plan(options);
+  const PlannedCapability planned = plan(options);
   if (!options.draw.empty()) draw(options, planned);
   Json json = to_json(options, planned);
   if (planned.capability.supervised > 0 && planned.capability.share_found(kHand_mm) < 1) {

@@ -113,7 +113,7 @@ calib::Rig rig_of(RigOptions& options) {
 }
 
 /// A skin to look at: the user's, or a plane across the axis of symmetry.
-struct Planned {
+struct RigSkin {
   std::string name;
   SurfacePtr surface;
 };
@@ -123,7 +123,7 @@ struct Views {
   CommonField field;
 };
 
-Json to_json(const Planned& skin, const Views& views) {
+Json to_json(const RigSkin& skin, const Views& views) {
   const CommonField& f = views.field;
   return {{"skin", skin.name},
           {"distance_mm", range_json(views.thickness.distance)},
@@ -157,7 +157,7 @@ Json to_json(const EntryPlan& plan) {
           {"openings", std::move(openings)}, {"path_mm", std::move(path)}};
 }
 
-void print(const Planned& skin, const Views& views) {
+void print(const RigSkin& skin, const Views& views) {
   const CommonField& f = views.field;
   fmt::print("{}\n", skin.name);
   if (!(f.common_m2 > 0)) {
@@ -247,17 +247,17 @@ void check_usage(const RigOptions& options) {
 }
 
 /// Cameras, skins and machine as planned.
-struct Installation {
+struct RigInstallation {
   calib::Rig rig;
   std::string rig_name;
   CameraPair cameras;
-  std::vector<Planned> skins;
+  std::vector<RigSkin> skins;
   const MachineProfile* profile = nullptr;
-  ScanGeometry geometry;
+  ScanGeometry geometry{};
   ViewLimits view;
 };
 
-void choose_machine(const RigOptions& options, Installation& installation) {
+void choose_machine(const RigOptions& options, RigInstallation& installation) {
   const CameraPair& cameras = installation.cameras;
   const std::string& rig_name = installation.rig_name;
   for (const calib::Camera* camera : {&cameras.left(), &cameras.right()}) {
@@ -277,9 +277,9 @@ void choose_machine(const RigOptions& options, Installation& installation) {
   installation.view = view_limits(*installation.profile, options.decision);
 }
 
-Installation install(RigOptions& options) {
+RigInstallation install(RigOptions& options) {
   const calib::Rig rig = rig_of(options);
-  Installation result{rig, options.rig.empty() ? "the rig" : options.rig, {rig.cameras[0], rig.cameras[1]}, {}};
+  RigInstallation result{rig, options.rig.empty() ? "the rig" : options.rig, {rig.cameras[0], rig.cameras[1]}, {}};
   if (!options.skin.empty()) {
     const auto skin = load_rig_skin(options.skin, rig);
     result.cameras = skin->cameras();
@@ -302,7 +302,7 @@ struct Plan {
   double distance_mm = 0;  ///< at which the rig is looked at
 };
 
-Plan plan_of(RigOptions& options, const Installation& installation) {
+Plan plan_of(RigOptions& options, const RigInstallation& installation) {
   const SurfacePtr zone = options.zone.empty() ? nullptr : load_surface(options.zone);
   SurfacePtr obstacles;
   if (!options.obstacles.empty()) {
@@ -313,7 +313,7 @@ Plan plan_of(RigOptions& options, const Installation& installation) {
   if (!options.from_mm.empty()) options.search.from_mm.emplace(options.from_mm.data());
   const auto& [rig, rig_name, cameras, skins, profile, geometry, view] = installation;
   Plan plan;
-  for (const Planned& skin : skins) {
+  for (const RigSkin& skin : skins) {
     try {
       plan.views.push_back({plan_thickness(cameras, *skin.surface, *profile, geometry, options.tolerance_px, view),
                             common_field(cameras, *skin.surface, geometry, view)});
@@ -335,7 +335,7 @@ Plan plan_of(RigOptions& options, const Installation& installation) {
   return plan;
 }
 
-Json to_json(const RigOptions& options, const Installation& installation, const Plan& plan) {
+Json to_json(const RigOptions& options, const RigInstallation& installation, const Plan& plan) {
   const StereoAxis axis(installation.cameras);
   const auto depth = depth_range(installation.cameras);
   Json json{{"rig",
@@ -357,7 +357,7 @@ Json to_json(const RigOptions& options, const Installation& installation, const 
   return json;
 }
 
-void write(OutputDirectory& output, const RigOptions& options, const Installation& installation, const Plan& plan,
+void write(OutputDirectory& output, const RigOptions& options, const RigInstallation& installation, const Plan& plan,
            const Json& json) {
   const auto& [rig, rig_name, cameras, skins, profile, geometry, view] = installation;
   std::vector<PlannedView> drawn;
@@ -374,7 +374,7 @@ void write(OutputDirectory& output, const RigOptions& options, const Installatio
   output.commit();
 }
 
-void print_head(const RigOptions& options, const Installation& installation, double distance_mm) {
+void print_head(const RigOptions& options, const RigInstallation& installation, double distance_mm) {
   const StereoAxis axis(installation.cameras);
   fmt::print("rig      baseline {:.2f} mm, tilt {:.3f} degrees; at {:.3f} degrees the axes would meet {:.0f} mm away\n",
              axis.baseline_mm, axis.tilt_deg, converging_tilt_deg(axis.baseline_mm, distance_mm), distance_mm);
@@ -391,7 +391,7 @@ void print_head(const RigOptions& options, const Installation& installation, dou
 
 ExitStatus plan_rig(RigOptions options) {
   check_usage(options);
-  const Installation installation = install(options);
+  const RigInstallation installation = install(options);
   std::optional<OutputDirectory> output;
   if (!options.out.empty()) output.emplace(options.out).set_aside("rig.json");
   const Plan plan = plan_of(options, installation);

@@ -29,9 +29,9 @@ namespace {
 namespace reg = registers;
 
 constexpr auto kFrameTimeout = std::chrono::seconds(5);
-constexpr auto kStep = std::chrono::milliseconds(20);
+constexpr auto kPause = std::chrono::milliseconds(20);
 constexpr std::uint32_t kUsualFrames = 500;
-constexpr std::uint32_t kPatience = 4;  // times the frames that are asked for
+constexpr std::uint32_t kPatienceFactor = 4;  // times the frames that are asked for
 
 struct TeachOptions {
   std::string engine;
@@ -62,7 +62,7 @@ void wait_for_frames(Device& device, Done done) {
                                     kFrameTimeout.count()));
     }
     frames = now;
-    std::this_thread::sleep_for(kStep);
+    std::this_thread::sleep_for(kPause);
   }
 }
 
@@ -77,7 +77,7 @@ void learn(Device& device, std::uint32_t frames) {
     const std::uint32_t taught = taught_frames(device);
     progress.show(taught, frames);
     if (taught >= frames) return true;
-    if (passed <= kPatience * frames + 20) return false;
+    if (passed <= kPatienceFactor * frames + 20) return false;
     const Faults faults{device.read(reg::faults_cameras::kAddress), device.read(reg::faults_machine::kAddress)};
     std::string names;
     for (const std::string& name : faults.without(Fault::teaching).names()) names += " " + name;

@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 constexpr int kCamera = CameraParameters::kCount;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUndetermined = std::numeric_limits<double>::infinity();
 
 namespace {
 
@@ -46,7 +46,7 @@ MatrixXd inverse_psd(const MatrixXd& matrix, bool& determined) {
   MatrixXd result = scale.asDiagonal() * solver.eigenvectors() * inverse.asDiagonal() *
                     solver.eigenvectors().transpose() * scale.asDiagonal();
   for (Eigen::Index i = 0; i < n; ++i) {
-    if (unknown[i] > 1e-6 || scale[i] == 0) result(i, i) = kInfinity;
+    if (unknown[i] > 1e-6 || scale[i] == 0) result(i, i) = kUndetermined;
   }
   return result;
 }
@@ -177,7 +177,7 @@ Matrix6 view_covariance(const FreePose& free, const MatrixXd& inverse, const Mat
       view.row(p).setZero();
       view.col(p).setZero();
     }
-    if (std::isnan(view(p, p))) view(p, p) = kInfinity;  // depends on something that is not determined
+    if (std::isnan(view(p, p))) view(p, p) = kUndetermined;  // depends on something that is not determined
   }
   return view;
 }
@@ -192,7 +192,7 @@ JointCovariance covariance(const JointProblem& problem, double sigma_px, double 
   const std::vector<MatrixXd> inverses = eliminate_views(problem, equations, unknowns, result.determined);
   result.degrees_of_freedom = equations.rows - unknowns;
   result.sigma_px =
-      result.degrees_of_freedom > 0 ? std::sqrt(equations.squares / result.degrees_of_freedom) : kInfinity;
+      result.degrees_of_freedom > 0 ? std::sqrt(equations.squares / result.degrees_of_freedom) : kUndetermined;
   if (sigma_px > 0) result.sigma_px = sigma_px;
   result.sigma_px = std::max(result.sigma_px, least_sigma_px);
   const double variance = result.sigma_px * result.sigma_px;

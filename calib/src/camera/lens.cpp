@@ -17,7 +17,7 @@ namespace {
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 // Polynomials in r, lowest power first.
@@ -47,11 +47,11 @@ double evaluate(const Polynomial& p, double r) {
 /// small is safe, one that is too large is not.
 double first_positive_root(Polynomial p) {
   // r = scale·t makes the largest coefficient ratio 1, so that the companion matrix is well balanced.
-  double scale = kInfinity;
+  double scale = kNoLimit;
   for (std::size_t i = 1; i < p.size(); ++i) {
     if (p[i] != 0) scale = std::min(scale, std::pow(p[0] / std::abs(p[i]), 1.0 / static_cast<double>(i)));
   }
-  if (!std::isfinite(scale)) return kInfinity;
+  if (!std::isfinite(scale)) return kNoLimit;
   double power = 1;
   for (double& coefficient : p) {
     coefficient *= power;
@@ -59,19 +59,19 @@ double first_positive_root(Polynomial p) {
   }
   while (p.size() > 1 && std::abs(p.back()) < 1e-15 * p[0]) p.pop_back();
   const auto degree = static_cast<Eigen::Index>(p.size()) - 1;
-  if (degree < 1) return kInfinity;
+  if (degree < 1) return kNoLimit;
   // The companion matrix of the reversed polynomial has the eigenvalues 1/t: the small roots come out best.
   Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(degree, degree);
   for (Eigen::Index i = 0; i < degree; ++i) companion(0, i) = -p[static_cast<std::size_t>(i) + 1] / p[0];
   for (Eigen::Index i = 1; i < degree; ++i) companion(i, i - 1) = 1;
   const Eigen::VectorXcd inverse_roots = Eigen::EigenSolver<Eigen::MatrixXd>(companion, false).eigenvalues();
-  double first = kInfinity;
+  double first = kNoLimit;
   for (const std::complex<double>& inverse_root : inverse_roots) {
     if (std::abs(inverse_root) < 1e-12) continue;
     const std::complex<double> root = 1.0 / inverse_root;
     if (root.real() > 0 && std::abs(root.imag()) < 1e-7 * root.real()) first = std::min(first, root.real());
   }
-  if (!std::isfinite(first)) return kInfinity;
+  if (!std::isfinite(first)) return kNoLimit;
   // The simple root between two points of different sign, to the last bit, from below.
   double low = first * (1 - 1e-6);
   double high = first * (1 + 1e-6);
@@ -159,16 +159,16 @@ LensMap::LensMap(const LensCoefficients& coefficients) : coefficients_(coefficie
   kind_ = tangential ? Kind::general : higher ? Kind::radial : c.k1 != 0 ? Kind::k1 : Kind::identity;
   switch (kind_) {
     case Kind::identity:
-      limit_ = kInfinity;
+      limit_ = kNoLimit;
       break;
     case Kind::k1:
-      limit_ = c.k1 > 0 ? kInfinity : 1 / std::sqrt(-3 * c.k1);
+      limit_ = c.k1 > 0 ? kNoLimit : 1 / std::sqrt(-3 * c.k1);
       break;
     default:
       limit_ = limit_of(c);
   }
   if (!std::isfinite(limit_)) {
-    limit_mapped_ = kInfinity;
+    limit_mapped_ = kNoLimit;
   } else if (kind_ == Kind::k1) {
     limit_mapped_ = 2 * limit_ / 3;
   } else if (kind_ == Kind::radial) {
@@ -176,7 +176,7 @@ LensMap::LensMap(const LensCoefficients& coefficients) : coefficients_(coefficie
   } else {
     // The border of the disc, sampled; between two samples the map moves by at most half a step times its slope.
     constexpr int kSamples = 720;
-    double nearest = kInfinity, longest = 0;
+    double nearest = kNoLimit, longest = 0;
     Vector2d previous;
     for (int i = 0; i <= kSamples; ++i) {
       const double angle = 2 * M_PI * i / kSamples;

@@ -12,8 +12,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kPi = std::numbers::pi;
-
 /// Share of the darker level, and both levels, from the first three moments of the grey levels [48].
 struct TwoLevels {
   double dark_share, dark, bright;
@@ -124,7 +122,7 @@ class Tabatabai2d final : public EdgeEstimator {
     const Vector2d direction = gravity.normalized();
     if (contrast < kLeastContrast || direction.dot(normal) < 0.5) return std::nullopt;
     // Area of the segment beyond distance ρ: acos ρ − ρ √(1 − ρ²) = π · share of the brighter level. Monotonous.
-    const double area = kPi * (1 - levels->dark_share);
+    const double area = std::numbers::pi * (1 - levels->dark_share);
     double low = -1;
     double high = 1;
     for (int i = 0; i < 50; ++i) {
@@ -160,15 +158,15 @@ class Zernike final : public EdgeEstimator {
       a11 += Vector2d(pixel.mx, pixel.my) * v;
       a20 += pixel.m20 * v;
     }
-    a11 *= 2 / kPi;
-    a20 *= 3 / kPi;
+    a11 *= 2 / std::numbers::pi;
+    a20 *= 3 / std::numbers::pi;
     const double magnitude = a11.norm();
     if (magnitude <= 1e-9) return std::nullopt;
     const Vector2d direction = a11 / magnitude;
     const double l = 2.0 / 3.0 * a20 / magnitude;
     if (std::abs(l) >= 0.9 || direction.dot(normal) < 0.5) return std::nullopt;
     // |A11| of a step of height k at distance l is (2/π) · k · ⅔ (1 − l²)^(3/2).
-    const double contrast = magnitude * 0.75 * kPi / std::pow(1 - l * l, 1.5);
+    const double contrast = magnitude * 0.75 * std::numbers::pi / std::pow(1 - l * l, 1.5);
     if (contrast < kLeastContrast) return std::nullopt;
     return Local{direction * (l * window_px() / 2), direction, contrast};
   }

@@ -18,8 +18,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kPi = std::numbers::pi;
-
 class Linear final : public AxisEstimator {
  public:
   explicit Linear(int window) : AxisEstimator(EdgeMethod::linear, window, false) {}
@@ -176,7 +174,7 @@ struct ArctangentShape {
   template <class T>
   static T value(const T& x) {
     using std::atan;
-    return 2 / kPi * atan(x);
+    return 2 / std::numbers::pi * atan(x);
   }
 };
 
@@ -344,7 +342,7 @@ class Gaussian final : public EdgeEstimator {
       for (int x = -half; x <= half; ++x) mean += image(centre.x + x, centre.y + y);
     mean /= window_px() * window_px();
     const auto gauss = [&](double x) {
-      return std::exp(-x * x / (2 * sigma_ * sigma_)) / (sigma_ * std::sqrt(2 * kPi));
+      return std::exp(-x * x / (2 * sigma_ * sigma_)) / (sigma_ * std::sqrt(2 * std::numbers::pi));
     };
     for (int y = -half; y <= half; ++y)
       for (int x = -half; x <= half; ++x) {

@@ -117,7 +117,7 @@ Camera opencv_camera(const std::vector<Storage>& files, int index, std::vector<s
   return camera;
 }
 
-constexpr const char* kExpected = "a complete file of OpenCV's FileStorage";
+constexpr const char* kStorage = "a complete file of OpenCV's FileStorage";
 
 /// OpenCV's parser does not end on some of what is no YAML or JSON. Throws FileError.
 void check_text(const Source& source) {
@@ -125,8 +125,8 @@ void check_text(const Source& source) {
   const auto first = text.find_first_not_of(" \t\r\n");
   if (first != std::string::npos && text[first] == '<') return;   // XML
   if (text.starts_with("%YAML")) text.erase(0, text.find('\n'));  // as OpenCV writes it, it is not YAML's
-  if (!yaml::parse(source.file, text, kExpected).IsMap()) {
-    throw FileError(source.file, "", "OpenCV cannot read it (not a map)", kExpected);
+  if (!yaml::parse(source.file, text, kStorage).IsMap()) {
+    throw FileError(source.file, "", "OpenCV cannot read it (not a map)", kStorage);
   }
 }
 
@@ -141,10 +141,10 @@ std::vector<Storage> open_all(const std::vector<Source>& sources) {
     try {
       files.push_back({&source, cv::FileStorage(text, cv::FileStorage::READ | cv::FileStorage::MEMORY)});
     } catch (const cv::Exception& error) {
-      throw FileError(source.file, "", "OpenCV cannot read it (" + std::string(error.err) + ")", kExpected);
+      throw FileError(source.file, "", "OpenCV cannot read it (" + std::string(error.err) + ")", kStorage);
     }
     if (!files.back().storage.isOpened()) {
-      throw FileError(source.file, "", "OpenCV cannot read it", kExpected);
+      throw FileError(source.file, "", "OpenCV cannot read it", kStorage);
     }
   }
   return files;
@@ -227,7 +227,7 @@ RigFile read_opencv(const std::vector<Source>& sources, const ImportOptions& opt
 } catch (const FileError&) {
   throw;
 } catch (const std::exception&) {  // OpenCV's own, and those of what it is made of
-  throw FileError(sources.front().file, "", "OpenCV cannot read it", kExpected);
+  throw FileError(sources.front().file, "", "OpenCV cannot read it", kStorage);
 }
 
 }  // namespace horopter::calib::import

@@ -17,24 +17,24 @@ using Eigen::Vector2d;
 using nlohmann::json;
 
 /// JSON has neither infinity nor NaN.
-json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
+json finite(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
 
 json values(const std::vector<Parameter>& parameters) {
   json object = json::object();
-  for (const Parameter& parameter : parameters) object[parameter.name] = number(parameter.value);
+  for (const Parameter& parameter : parameters) object[parameter.name] = finite(parameter.value);
   return object;
 }
 
 json deviations(const std::vector<Parameter>& parameters) {
   json object = json::object();
   for (const Parameter& parameter : parameters) {
-    if (parameter.free) object[parameter.name] = number(parameter.sd);
+    if (parameter.free) object[parameter.name] = finite(parameter.sd);
   }
   return object;
 }
 
 /// A mean over the points; null where there are none.
-json over(const PointErrors& errors, double value) { return errors.count > 0 ? number(value) : json(nullptr); }
+json over(const PointErrors& errors, double value) { return errors.count > 0 ? finite(value) : json(nullptr); }
 
 json error_json(const PointErrors& errors) {
   return {{"mean", over(errors, errors.mean_px)},
@@ -127,10 +127,10 @@ json to_json(const Report& report) {
       parameters[camera.name] = values(camera.parameters);
       sds[camera.name] = deviations(camera.parameters);
     }
-    rms[camera.name] = number(camera.rms_px);
+    rms[camera.name] = finite(camera.rms_px);
   }
   // Always the same members: a single camera is the left one.
-  if (!rms.contains("left")) rms["left"] = report.cameras.empty() ? json(nullptr) : number(report.cameras[0].rms_px);
+  if (!rms.contains("left")) rms["left"] = report.cameras.empty() ? json(nullptr) : finite(report.cameras[0].rms_px);
   if (!rms.contains("right")) rms["right"] = nullptr;
   rms["stereo"] = report.cameras.size() > 1 ? over(report.errors, report.errors.rms_px) : json(nullptr);
   rms["all"] = over(report.errors, report.errors.rms_px);
@@ -154,8 +154,8 @@ json to_json(const Report& report) {
               {"rms_px", rms},
               {"nce", over(report.errors, report.errors.nce)},
               {"nce_thesis", over(report.errors, report.errors.nce_thesis)},
-              {"baseline_mm", report.baseline_mm ? number(*report.baseline_mm) : json(nullptr)},
-              {"baseline_sd_mm", report.baseline_mm ? number(report.baseline_sd_mm) : json(nullptr)},
+              {"baseline_mm", report.baseline_mm ? finite(*report.baseline_mm) : json(nullptr)},
+              {"baseline_sd_mm", report.baseline_mm ? finite(report.baseline_sd_mm) : json(nullptr)},
               {"parameters", parameters},
               {"standard_deviations", sds},
               {"views", views},

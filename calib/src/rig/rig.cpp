@@ -17,7 +17,7 @@ namespace {
 
 using import::Source;
 
-constexpr const char* kExpected =
+constexpr const char* kRigForms =
     "rig.yaml, OpenCV's FileStorage (YAML, XML or JSON), ROS camera_info or Kalibr's camchain";
 
 bool is_opencv(const std::string& text) {
@@ -28,8 +28,8 @@ bool is_opencv(const std::string& text) {
 
 RigFile read_yaml(std::vector<Source>& sources) {
   for (Source& source : sources) {
-    source.root = yaml::parse(source.file, source.text, kExpected);
-    if (!source.root.IsMap()) throw FileError(source.file, "", "not a map", kExpected);
+    source.root = yaml::parse(source.file, source.text, kRigForms);
+    if (!source.root.IsMap()) throw FileError(source.file, "", "not a map", kRigForms);
   }
   const auto& [file, text, root] = sources.front();
   const bool own = root["horopter_rig"].IsDefined(), kalibr = root["cam0"].IsDefined();
@@ -38,7 +38,7 @@ RigFile read_yaml(std::vector<Source>& sources) {
     return kalibr ? import::read_kalibr(file, root) : import::read_rig(file, root);
   }
   const bool ros = root["camera_matrix"].IsDefined() || root["K"].IsDefined() || root["k"].IsDefined();
-  if (!ros) throw FileError(file, "", "no rig that is known", kExpected);
+  if (!ros) throw FileError(file, "", "no rig that is known", kRigForms);
   return import::read_ros(sources);
 }
 
@@ -92,8 +92,8 @@ RigFile load_rig(std::span<const std::filesystem::path> files, const ImportOptio
   if (files.empty()) throw std::invalid_argument("load_rig: no files");
   std::vector<Source> sources;
   for (const auto& path : files) {
-    sources.push_back({path.string(), read_text(path, kExpected)});
-    if (sources.back().text.empty()) throw FileError(path.string(), "", "the file is empty", kExpected);
+    sources.push_back({path.string(), read_text(path, kRigForms)});
+    if (sources.back().text.empty()) throw FileError(path.string(), "", "the file is empty", kRigForms);
   }
   RigFile result = read(sources, options);
   complete_sizes(result, sources.front().file, options);

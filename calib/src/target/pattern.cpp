@@ -30,7 +30,7 @@ constexpr double kBarRoom_mm = 9;
 constexpr double kTextRoom_mm = 5;
 constexpr double kTextSize_mm = 2.6;
 
-std::string number(double value, int digits = 5) {
+std::string text_of(double value, int digits = 5) {
   std::array<char, 64> buffer{};
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, digits);
   std::string text(buffer.data(), end.ptr);
@@ -88,9 +88,9 @@ void add_bar(Pattern& pattern, const Vector2d& start, double length, bool uprigh
 const Vector2d kRoom_mm(2 * kBorder_mm + kBarRoom_mm, 2 * kBorder_mm + kBarRoom_mm + kTextRoom_mm);
 
 [[noreturn]] void does_not_fit(const PatternOptions& options, const Vector2d& needed) {
-  std::string message = options.spec.text() + " needs " + number(needed.x(), 1) + " x " + number(needed.y(), 1) +
+  std::string message = options.spec.text() + " needs " + text_of(needed.x(), 1) + " x " + text_of(needed.y(), 1) +
                         " mm with its bars and borders; " + options.paper.name + " has " +
-                        number(options.paper.width_mm, 1) + " x " + number(options.paper.height_mm, 1) + " mm";
+                        text_of(options.paper.width_mm, 1) + " x " + text_of(options.paper.height_mm, 1) + " mm";
   const auto larger = std::ranges::find_if(kSheets, [&](const Sheet& sheet) {
     return (needed.x() <= sheet.width_mm && needed.y() <= sheet.height_mm) ||
            (needed.x() <= sheet.height_mm && needed.y() <= sheet.width_mm);
@@ -152,10 +152,10 @@ void add_bars(Pattern& pattern, const Vector2d& corner, const Vector2d& size) {
   pattern.bar_y_mm = bar_length(bottom - kBorder_mm);
   add_bar(pattern, {corner.x(), below}, pattern.bar_x_mm, false);
   add_bar(pattern, {beside, bottom}, pattern.bar_y_mm, true);
-  const std::string words = number(pattern.bar_x_mm) + " mm. " + pattern.title +
+  const std::string words = text_of(pattern.bar_x_mm) + " mm. " + pattern.title +
                             ". Print at actual size (100 %) and check both bars with a ruler.";
   pattern.texts.push_back({{corner.x() + 1, below + 5.5}, kTextSize_mm, false, words});
-  pattern.texts.push_back({{beside - 0.7, bottom - 1}, kTextSize_mm, true, number(pattern.bar_y_mm) + " mm"});
+  pattern.texts.push_back({{beside - 0.7, bottom - 1}, kTextSize_mm, true, text_of(pattern.bar_y_mm) + " mm"});
 }
 
 }  // namespace

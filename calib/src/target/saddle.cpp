@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector2d;
 
 /// Contrast in the window, and amplitude of the saddle it starts with, below which there is no corner; grey levels.
-constexpr double kLeastContrast = 10;
+constexpr double kLeastWindowContrast = 10;
 constexpr double kLeastAmplitude = 3;
 /// Limits of the blur, px.
 constexpr double kLeastSigma_px = 0.25;
@@ -100,7 +100,7 @@ double start_amplitude(const std::vector<Pixel>& pixels, const Parameters& start
 std::optional<Saddle> fit_saddle(const GreyImage& image, const Vector2d& guess_px, const Vector2d& along_x,
                                  const Vector2d& along_y, double half_px) {
   const auto window = window_around(image, guess_px, half_px);
-  if (!window || window->high - window->low < kLeastContrast) return std::nullopt;
+  if (!window || window->high - window->low < kLeastWindowContrast) return std::nullopt;
   const Vector2d start = guess_px - Vector2d(window->x, window->y);
   Parameters p;
   p << start.x(), start.y(), std::atan2(along_x.y(), along_x.x()), std::atan2(along_y.y(), along_y.x()), std::log(0.8),

@@ -9,15 +9,15 @@
 namespace horopter::calib {
 namespace {
 
-constexpr const char* kExpected =
+constexpr const char* kTargetForm =
     "expected squares:COLUMNSxROWS:SIDEmm:PITCHmm, diamonds:COLUMNSxROWS:SIDEmm:PITCHmm or "
     "chessboard:COLUMNSxROWS:SQUAREmm (chessboard: inner corners)";
 
 [[noreturn]] void bad(std::string_view text, const std::string& what) {
-  throw std::invalid_argument("target '" + std::string(text) + "': " + what + "; " + kExpected);
+  throw std::invalid_argument("target '" + std::string(text) + "': " + what + "; " + kTargetForm);
 }
 
-std::string number(double value) {
+std::string shortest(double value) {
   char buffer[32];
   const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
   return {buffer, end};
@@ -72,15 +72,15 @@ TargetSpec TargetSpec::parse(std::string_view text) {
   spec.side_mm = length(parts[2]);
   spec.pitch_mm = spec.kind == TargetKind::chessboard ? spec.side_mm : length(parts[3]);
   if (spec.kind != TargetKind::chessboard && spec.pitch_mm <= spec.box_mm() * 1.02)
-    bad(text, "fiducials " + number(spec.box_mm()) + " mm wide touch each other at a pitch of " +
-                  number(spec.pitch_mm) + " mm");
+    bad(text, "fiducials " + shortest(spec.box_mm()) + " mm wide touch each other at a pitch of " +
+                  shortest(spec.pitch_mm) + " mm");
   return spec;
 }
 
 std::string TargetSpec::text() const {
-  const std::string size = std::to_string(columns) + "x" + std::to_string(rows) + ":" + number(side_mm) + "mm";
+  const std::string size = std::to_string(columns) + "x" + std::to_string(rows) + ":" + shortest(side_mm) + "mm";
   if (kind == TargetKind::chessboard) return "chessboard:" + size;
-  return (kind == TargetKind::squares ? "squares:" : "diamonds:") + size + ":" + number(pitch_mm) + "mm";
+  return (kind == TargetKind::squares ? "squares:" : "diamonds:") + size + ":" + shortest(pitch_mm) + "mm";
 }
 
 double TargetSpec::box_mm() const { return kind == TargetKind::diamonds ? side_mm * std::numbers::sqrt2 : side_mm; }

@@ -133,9 +133,9 @@ class Axes {
 };
 
 /// One colour for each name; dashes once the colours are used up.
-class Legend {
+class CurveNames {
  public:
-  explicit Legend(const std::vector<Panel>& panels) {
+  explicit CurveNames(const std::vector<Panel>& panels) {
     for (const Panel& panel : panels)
       for (const Curve& curve : panel.curves)
         if (std::find(names_.begin(), names_.end(), curve.name) == names_.end()) names_.push_back(curve.name);
@@ -220,7 +220,7 @@ std::string plot_svg(const std::string& title, const std::vector<Panel>& panels,
   const double total_width = columns * width;
   const std::vector<std::string> title_lines = lines_of(title, static_cast<std::size_t>(total_width / 7.5));
   const double head = 12 + 18 * static_cast<double>(title_lines.size());
-  const Legend legend(panels);
+  const CurveNames legend(panels);
   const double total_height = head + rows * height + legend.height(total_width) + 10;
 
   std::string svg = fmt::format(

@@ -7,6 +7,7 @@
 #include <cctype>
 
 #include "horopter/machine/register_fields.hpp"
+#include "horopter/map/map_json.hpp"
 
 namespace horopter {
 namespace {
@@ -68,8 +69,6 @@ std::string upper(std::string_view name) {
 bool is_hexadecimal(std::uint32_t address) {
   return address == reg::id::kAddress || address == reg::map_crc::kAddress || address == reg::frame_table_crc::kAddress;
 }
-
-std::string crc_text(std::uint32_t crc) { return fmt::format("{:08x}", crc); }
 
 nlohmann::ordered_json table_json(const StoredTable& table) {
   return {{"slot", table.slot}, {"crc", crc_text(table.crc)}, {"bytes", table.bytes}};

@@ -21,9 +21,8 @@ namespace {
 
 namespace reg = registers;
 
-constexpr int kNoTable = reg::kNoSlot;
 constexpr int kSlots = hls::table::slots;
-static_assert(kNoTable == kSlots);
+static_assert(static_cast<int>(reg::kNoSlot) == kSlots);
 /// Reads of FRAME_SEQUENCE before a machine that has sent all its states counts as broken.
 constexpr int kStatusPolls = 100'000;
 constexpr int kTripPolls = 1000;
@@ -104,7 +103,7 @@ void Monitor::start(int width, int height, int lookahead) {
   height_ = height;
   sequence_ = 0;
   blind_watch_.emplace(width / profile_.subsample, height, profile_.cell());
-  device_->write(reg::table_select::kAddress, kNoTable);
+  device_->write(reg::table_select::kAddress, reg::kNoSlot);
   for (const RegisterWord& word : configuration(*device_, profile_, settings_, {width, height, lookahead})) {
     device_->write(word.address, word.value);
   }
@@ -215,7 +214,7 @@ void Monitor::set_blind(const BlindSettings& blind) {
 
 void Monitor::trip() {
   const auto slot = reg::map_status::kActiveSlot.get(device_->read(reg::map_status::kAddress));
-  if (slot == kNoTable) return;
+  if (slot == reg::kNoSlot) return;
   device_->write(reg::map_slot::kAddress, slot);
   device_->write(reg::map_control::kAddress, reg::map_control::kStart.put(1));
   for (int poll = 0; says_safe(device_->read(reg::status::kAddress)); ++poll) {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "horopter/base/angle.hpp"
 #include "statistics.hpp"
 
 namespace horopter {
@@ -13,7 +13,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kIsoNear_mm = 500;
 
 double slope_deg(const Vector3d& normal, const Vector3d& axis) {

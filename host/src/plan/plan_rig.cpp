@@ -6,18 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 #include <vector>
 
+#include "horopter/base/angle.hpp"
 #include "statistics.hpp"
 
 namespace horopter {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 }  // namespace
 

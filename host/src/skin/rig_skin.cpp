@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 
+#include "horopter/base/angle.hpp"
 #include "horopter/calib/vectorised.hpp"
 
 namespace horopter {
@@ -163,7 +163,7 @@ void CameraPair::look(const Surface& surface, const Rays& rays, int row_step, co
   std::array<Hit, kChunk> right_hits;
   std::array<Vector3d, kChunk> sights;  // from the right camera to the point on the skin
   Chunk c;
-  const double smallest_cosine = std::cos(limits.largest_angle_deg * std::numbers::pi / 180);
+  const double smallest_cosine = std::cos(limits.largest_angle_deg * kDegree);
   const double largest_stretch_allowed = 1 / limits.smallest_scale;
   const double largest_row_error = kLargestRowError * row_step;
   const bool search_hidden = !surface.simple();

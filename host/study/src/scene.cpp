@@ -77,7 +77,7 @@ Eigen::Vector2d sample_place(int number) {
   return {(column + 0.5) / kSamples - 0.5, (row + 0.5) / kSamples - 0.5};
 }
 
-int mirrored(int place, int size) {
+int reflected(int place, int size) {
   if (size == 1) return 0;
   const int period = 2 * size - 2;
   const int at = ((place % period) + period) % period;
@@ -88,8 +88,8 @@ double sample(const Image& photograph, double x, double y) {
   const double i = std::floor(x), j = std::floor(y);
   const double a = x - i, b = y - j;
   const auto at = [&](int di, int dj) -> double {
-    return photograph.at(mirrored(static_cast<int>(i) + di, photograph.width),
-                         mirrored(static_cast<int>(j) + dj, photograph.height));
+    return photograph.at(reflected(static_cast<int>(i) + di, photograph.width),
+                         reflected(static_cast<int>(j) + dj, photograph.height));
   };
   return (1 - a) * ((1 - b) * at(0, 0) + b * at(0, 1)) + a * ((1 - b) * at(1, 0) + b * at(1, 1));
 }

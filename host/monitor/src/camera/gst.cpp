@@ -19,11 +19,10 @@ constexpr auto kOpening = std::chrono::seconds(10);
 constexpr const char* kSink =
     " ! videoconvert ! video/x-raw,format=GRAY8 ! appsink name=horopter max-buffers=4 enable-last-sample=false";
 
-template <class Object>
-struct Unref {
-  void operator()(Object* object) const { gst_object_unref(object); }
+struct UnrefElement {
+  void operator()(GstElement* element) const { gst_object_unref(element); }
 };
-using ElementPtr = std::unique_ptr<GstElement, Unref<GstElement>>;
+using ElementPtr = std::unique_ptr<GstElement, UnrefElement>;
 /// A pipeline must stand still before it goes, also where it could not be started.
 struct StopAndUnref {
   void operator()(GstElement* pipeline) const {

@@ -24,7 +24,7 @@ constexpr int kOnce = 1;         ///< QoS: at least once
 /// Though nothing changes, the state is said again that often.
 constexpr auto kAgain = std::chrono::seconds(1);
 /// A broker that takes nothing must not fill the memory.
-constexpr int kMostWaiting = 100;
+constexpr int kMostUnsent = 100;
 /// At the end, for the last message.
 constexpr auto kLastWait = std::chrono::milliseconds(500);
 
@@ -108,7 +108,7 @@ class MqttPart : public Part {
   }
 
   void publish(const std::string& topic, const std::string& text, bool retain) {
-    if (!connected_ || waiting_ >= kMostWaiting) return;
+    if (!connected_ || waiting_ >= kMostUnsent) return;
     ++waiting_;
     const int code = mosquitto_publish(client_.get(), nullptr, topic.c_str(), static_cast<int>(text.size()),
                                        text.data(), kOnce, retain);
