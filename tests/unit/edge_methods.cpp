@@ -178,6 +178,28 @@ TEST_CASE("noise of 1 grey level on a 64 px diamond, 16 points an edge (6.7.2)")
   CHECK(corner_errors(EdgeMethod::gaussian, 45).rms_px < 0.03);
 }
 
+TEST_CASE("line jitter moves lines along themselves: across an upright edge, not across a level one (6.7.2)") {
+  Imaging imaging;
+  imaging.blur_px = 1.2;  // a ramp on which a displacement is found as large as it is
+  imaging.jitter_px = 0.1;
+  const auto estimator = make_edge_estimator(EdgeMethod::linear, {});
+  const auto deviation = [&](const Eigen::Vector2d& normal) {
+    double squares = 0;
+    constexpr int kImages = 200;
+    for (int seed = 0; seed < kImages; ++seed) {
+      const auto image = simulate_edge(25, 25, {12, 12}, normal, imaging, static_cast<std::uint64_t>(seed));
+      const auto found = estimator->estimate(image, {12, 12}, normal);
+      REQUIRE(found);
+      squares += std::pow(normal.dot(found->position_px - Eigen::Vector2d(12, 12)), 2) / kImages;
+    }
+    return std::sqrt(squares);
+  };
+  CHECK(deviation({1, 0}) == Approx(0.1).epsilon(0.2));
+  CHECK(deviation({0, 1}) < 1e-6);
+  imaging.jitter_px = 0;
+  CHECK(deviation({1, 0}) < 1e-6);
+}
+
 TEST_CASE("no edge is no point") {
   GreyImage flat(30, 30, 100);
   GreyImage noisy(30, 30, 100);

@@ -19,6 +19,18 @@ double step2(double t, double sigma) {
   return 0.5 * ((t * t + sigma * sigma) * step0(t, sigma) + t * sigma * bell(t, sigma));
 }
 
+/// Where each line of an image begins, px along it.
+class LineStarts {
+ public:
+  LineStarts(const Imaging& imaging, std::uint64_t seed) : jitter_px_(imaging.jitter_px), random_(seed, kStream) {}
+  double next() { return jitter_px_ > 0 ? jitter_px_ * random_.gaussian() : 0; }
+
+ private:
+  static constexpr std::uint64_t kStream = 1;  ///< the noise has 0
+  double jitter_px_;
+  Random random_;
+};
+
 }  // namespace
 
 double edge_profile(double t, const Vector2d& normal, double blur, double fill) {
@@ -47,11 +59,14 @@ void add_noise(GreyImage& image, const Imaging& imaging, std::uint64_t seed) {
 GreyImage simulate_edge(int width, int height, const Vector2d& point, const Vector2d& normal, const Imaging& imaging,
                         std::uint64_t seed) {
   GreyImage image(width, height);
-  for (int y = 0; y < height; ++y)
+  LineStarts starts(imaging, seed);
+  for (int y = 0; y < height; ++y) {
+    const double start = starts.next();
     for (int x = 0; x < width; ++x)
       image(x, y) = static_cast<float>(imaging.dark + (imaging.bright - imaging.dark) *
-                                                          edge_profile(normal.dot(Vector2d(x, y) - point), normal,
-                                                                       imaging.blur_px, imaging.fill_factor));
+                                                          edge_profile(normal.dot(Vector2d(x + start, y) - point),
+                                                                       normal, imaging.blur_px, imaging.fill_factor));
+  }
   add_noise(image, imaging, seed);
   return image;
 }
@@ -66,12 +81,15 @@ GreyImage simulate_square(int width, int height, const Vector2d& centre, double 
            edge_profile(t - side / 2, direction, imaging.blur_px, imaging.fill_factor);
   };
   GreyImage image(width, height);
-  for (int y = 0; y < height; ++y)
+  LineStarts starts(imaging, seed);
+  for (int y = 0; y < height; ++y) {
+    const double start = starts.next();
     for (int x = 0; x < width; ++x) {
-      const Vector2d p = Vector2d(x, y) - centre;
+      const Vector2d p = Vector2d(x + start, y) - centre;
       image(x, y) =
           static_cast<float>(imaging.dark + (imaging.bright - imaging.dark) * band(u.dot(p), u) * band(v.dot(p), v));
     }
+  }
   add_noise(image, imaging, seed);
   return image;
 }

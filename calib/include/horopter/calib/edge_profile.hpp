@@ -21,6 +21,7 @@ struct Imaging {
   double dark = 40;
   double bright = 200;
   double noise = 0;       ///< standard deviation, grey levels
+  double jitter_px = 0;   ///< standard deviation of a line's start, independent in each line (thesis 6.7.2)
   bool quantise = false;  ///< rounded and limited to 0…255
 };
 
