@@ -65,7 +65,8 @@ double plain(const std::string& name, const Window& r, const Window& s) {
   if (name == "NCC") return total(r, s, product) / std::sqrt(total(r, r, product) * total(s, s, product));
   if (name == "ZNCC") return total(r, s, centred) / std::sqrt(vr() * vs());
   if (name == "MOR") return 2 * total(r, s, centred) / (vr() + vs());
-  if (name == "NISH") return total(r, s, product);
+  if (name == "NISH" || name == "NISD" || name == "NACK") return total(r, s, product);
+  if (name == "CCF") return static_cast<double>(r.size()) / total(r, s, product);
   if (name == "SSD") return total(r, s, squared(difference));
   if (name == "ZSSD") return total(r, s, squared(zero_mean));
   if (name == "LSSD") return total(r, s, squared(scaled));
@@ -95,7 +96,9 @@ std::vector<Preparation> preparations_of(Feature feature) {
     case Feature::direction:
       return {{feature, false}, {feature, true}};
     case Feature::log_sign:
+    case Feature::dog_sign:
       return {{feature, false, false, 3}, {feature, false, false, 5.5}};
+    case Feature::roberts_sign:
     case Feature::camera:
       return {{feature}};
     default:
@@ -108,7 +111,7 @@ std::vector<Preparation> preparations_of(Feature feature) {
 TEST_CASE("every criterion is its formula, to 1e-9") {
   const Image left = random_image(1);
   const Image right = random_image(2);
-  REQUIRE(criteria().size() == 15);
+  REQUIRE(criteria().size() == 18);
   for (const auto& one : criteria()) {
     if (one->feature() == Feature::camera) continue;
     for (const Preparation& preparation : preparations_of(one->feature())) {
@@ -122,13 +125,14 @@ TEST_CASE("every criterion is its formula, to 1e-9") {
           for (int x = kernel / 2; x < kWidth - kernel / 2; ++x) {
             CAPTURE(one->name(), name_of(preparation), kernel, x, y);
             const double expected = plain(one->name(), window(r, x, y, kernel), window(s, x, y, kernel));
-            // High-passed grey values may add up to 0: NSAD is infinite then.
-            if (std::isinf(expected)) {
-              REQUIRE(result.at(x, y) == expected);
+            // High-passed grey values may add up to 0: NSAD is infinite then. CCF is where they correlate the wrong way.
+            if (std::isinf(expected) || (one->name() == "CCF" && expected < 0)) {
+              REQUIRE(std::isinf(result.at(x, y)));
               continue;
             }
             REQUIRE(std::abs(result.at(x, y) - expected) <= 1e-9 * std::abs(expected));
           }
+        if (one->name() == "CCF") continue;  // brighter windows are better than equal ones
         // Equal windows are the best there is.
         Pair same(r, r);
         same.set_kernel(kernel);
@@ -274,6 +278,22 @@ TEST_CASE("filters are their definitions") {
   CHECK(sum == Approx(1));
   CHECK(across == Approx(4).epsilon(0.01));
   CHECK(down == Approx(4).epsilon(0.01));
+
+  // A difference of Gaussians is positive within w/2 of a point, as the Laplacian is.
+  const Plane disc = dog_sign(point, 8);
+  for (int i = 0; i <= dog_reach(8); ++i) {
+    CAPTURE(i);
+    if (i != 4) CHECK(disc.at(20 + i, 20) == (i < 4 ? 1 : -1));
+    if (i > 4) CHECK(log_sign(point, 8).at(20, 20 + std::min(i, log_reach(8))) == -1);
+  }
+  // Roberts' gradient against its mean.
+  const auto roberts = [&](int i, int j) {
+    return std::abs(image.at(i, j) - image.at(i + 1, j + 1)) + std::abs(image.at(i + 1, j) - image.at(i, j + 1));
+  };
+  double around = 0;
+  for (int j = -4; j <= 4; ++j)
+    for (int i = -4; i <= 4; ++i) around += roberts(x + i, y + j) / 81;
+  CHECK(roberts_sign(image).at(x, y) == (roberts(x, y) > around ? 1 : -1));
 }
 
 TEST_CASE("images are prepared in the order low-pass, high-pass or direction") {

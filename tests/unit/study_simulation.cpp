@@ -165,6 +165,23 @@ TEST_CASE("a shift by whole pixels moves the image, halves lie between") {
   CHECK_THROWS_AS(simulation.exact(5.5), std::invalid_argument);
 }
 
+TEST_CASE("a shift for each pixel shows at each what its shift shows") {
+  Conditions conditions;
+  conditions.camera.width = 40;
+  conditions.camera.height = 30;
+  const Simulation simulation(conditions, 2);
+  Raster<float> shifts(40, 30);
+  for (int y = 0; y < 30; ++y)
+    for (int x = 0; x < 40; ++x) shifts.at(x, y) = x < 20 ? -1.25F : 0.5F;
+  const Plane found = simulation.exact(shifts);
+  const Plane left = simulation.exact(-1.25);
+  const Plane right = simulation.exact(0.5);
+  for (int y = 0; y < 30; ++y)
+    for (int x = 0; x < 40; ++x) REQUIRE(found.at(x, y) == (x < 20 ? left : right).at(x, y));
+  CHECK_THROWS_AS(simulation.exact(Raster<float>(39, 30)), std::invalid_argument);
+  CHECK_THROWS_AS(simulation.exact(Raster<float>(40, 30, 2.5F)), std::invalid_argument);
+}
+
 TEST_CASE("a picture is shown where it is, blurred by lens and pixel as they are said to") {
   // A vertical edge in a picture with steps of a quarter pixel: its image is the integral of pixel and Gaussian.
   Conditions conditions = small();

@@ -11,7 +11,7 @@
 #include "horopter/base/file.hpp"
 #include "horopter/base/xml.hpp"
 #include "horopter/image/output.hpp"
-#include "statements.hpp"
+#include "page.hpp"
 #include "study.hpp"
 
 namespace horopter::cli {
@@ -102,18 +102,17 @@ std::string page(const StudyScope& scope, const std::string& verdicts, const std
 }
 
 /// {"all", "confirmed", "partly", "not_confirmed"}: counts of statements.
-nlohmann::json count_verdicts(const nlohmann::ordered_json& results) {
-  nlohmann::json counts{{"all", 0}, {"confirmed", 0}, {"partly", 0}, {"not_confirmed", 0}};
-  const auto increment = [&](const std::string& key) { counts[key] = counts[key].get<int>() + 1; };
-  for (const auto& result : results) {
-    if (!result.contains("statements")) continue;
-    for (const auto& row : result["statements"]) {
-      const auto verdict = row.at("verdict").get<std::string>();
-      increment("all");
-      increment(verdict == "not confirmed" ? "not_confirmed" : verdict);
-    }
+nlohmann::json count_verdicts(const std::vector<StatementGroup>& groups) {
+  StatementGroup total;
+  for (const StatementGroup& group : groups) {
+    total.confirmed += group.confirmed;
+    total.partly += group.partly;
+    total.not_confirmed += group.not_confirmed;
   }
-  return counts;
+  return {{"all", total.all()},
+          {"confirmed", total.confirmed},
+          {"partly", total.partly},
+          {"not_confirmed", total.not_confirmed}};
 }
 
 }  // namespace
@@ -133,7 +132,7 @@ nlohmann::json study_all(const std::string& out, const StudyScope& scope) {
     results[study.name] = result;
     summary["studies"].push_back(study.name);
   }
-  const nlohmann::json counts = count_verdicts(results);
+  const nlohmann::json counts = count_verdicts(statement_groups(results));
   const std::string verdicts =
       fmt::format("{} statements: {} confirmed, {} partly, {} not confirmed", counts["all"].get<int>(),
                   counts["confirmed"].get<int>(), counts["partly"].get<int>(), counts["not_confirmed"].get<int>());

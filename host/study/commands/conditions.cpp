@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <sstream>
@@ -41,9 +42,29 @@ study::Conditions chapter8_conditions(const StudyScope& scope) {
 
 std::vector<double> chapter8_disparities(const StudyScope& scope) {
   std::vector<double> result;
-  const int steps = scope.quick ? 14 : 70;
-  for (int i = 0; i <= steps; ++i) result.push_back(2.8 * i / steps);
+  const int steps = scope.quick ? 15 : 75;
+  for (int i = 0; i <= steps; ++i) result.push_back(3.0 * i / steps);
   return result;
+}
+
+Image interpolated(const Image& source) {
+  Image result(source.width, source.height);
+  constexpr int kWeight = static_cast<int>(8 * kInterpolated_px);
+  for (int y = 0; y < source.height; ++y)
+    for (int x = 0; x < source.width; ++x) {
+      const int next = x + 1 < source.width ? x + 1 : x;
+      result.at(x, y) =
+          static_cast<std::uint8_t>(((8 - kWeight) * source.at(x, y) + kWeight * source.at(next, y) + 4) / 8);
+    }
+  return result;
+}
+
+study::ImageSeries transformed(const study::Simulation& simulation, const std::vector<double>& disparities_px) {
+  study::ImageSeries series = photographs(simulation, disparities_px);
+  series.image = [&simulation, disparities_px](std::size_t i) {
+    return interpolated(simulation.photograph(disparities_px[i] - kInterpolated_px, i + 1));
+  };
+  return series;
 }
 
 std::vector<study::Detection> detect(const char* what, const study::ImageSeries& series,

@@ -202,7 +202,11 @@ Statement statement(const Row& row, const RowFound& found) {
           {found.different, found.worst_yes, more},
           "Largest change of an invariant one {1:.1e}{2}",
           "Invariant and scaled to 1e-4 of the mean, a no above that, for every prefilter; partly: up to two differ",
-          {first <= 0 && second <= kTolerance, first <= 2}};
+          {first <= 0 && second <= kTolerance, first <= 2},
+          who == "NCC" && row.highpass.front()              ? "NCC after a high-pass bears all changes of brightness"
+          : who.starts_with("DSAD")                         ? "directions bear all changes of brightness"
+          : who.starts_with("LSAD") && row.highpass.front() ? "LSAD, LSSD after a high-pass scale with one image"
+                                                            : ""};
 }
 
 /// What a footnote of the table says to be tolerable.

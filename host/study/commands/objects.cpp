@@ -93,12 +93,14 @@ void state_objects(StudyReport& report, const std::vector<double>& smallest) {
                         {rising, smallest[0], smallest[4], list(0)},
                         "Half of the pixels are detected from sides of{3} px on (5×5 … 13×13)",
                         "The side rises with every kernel, with and without low-pass; partly: from 5×5 to 13×13",
-                        {first >= 8, third > second}},
+                        {first >= 8, third > second},
+                        "large windows suppress small objects"},
                        {"A low-pass before suppresses small objects more.",
                         {larger, list(5)},
                         "With it from{1} px on",
                         "A larger side for every kernel; partly: for some",
-                        {first >= 5, first > 0}}});
+                        {first >= 5, first > 0},
+                        "a low-pass suppresses small objects"}});
   report.finding(
       "Half of an object's pixels are detected from a side of{} px on with DSAD LP 5×5 … 13×13, {:.1f} px "
       "with the hardware's 9×9",

@@ -224,12 +224,14 @@ void study_operators(StudyReport& report, const StudyScope& scope) {
                         of_5x5,
                         figure,
                         "Fewer wrong pixels than both; partly: than one",
-                        {first < third && first < fourth, first < third || first < fourth}},
+                        {first < third && first < fourth, first < third || first < fourth},
+                        "the majority is better than opening and closing"},
                        {"Clusterlet elimination performs much better than opening and closing.",
                         of_5x5,
                         figure,
                         "A fifth fewer wrong pixels than both; partly: fewer than one",
-                        {second < 0.8 * third && second < 0.8 * fourth, second < third || second < fourth}}});
+                        {second < 0.8 * third && second < 0.8 * fourth, second < third || second < fourth},
+                        "clusterlet elimination is much better than they"}});
   std::string best = "threshold";
   for (const auto& [name, one] : of.items())
     if (wrong(name.c_str()) < wrong(best.c_str())) best = name;

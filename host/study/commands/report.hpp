@@ -23,7 +23,7 @@ class StudyReport {
   explicit StudyReport(OutputDirectory& directory) : directory_(directory) {}
 
   /// Figures for programs. "conditions" stand on the page and in STUDY.md, too; the keys that the functions below fill
-  /// are "findings", "figures" ([{"file", "title"}], the pictures of the page) and "statements" (evaluate()).
+  /// are "findings", "figures" ([{"file", "title"}], the pictures of the page), "fitted" and "statements" (evaluate()).
   nlohmann::json result{{"findings", nlohmann::json::array()}, {"figures", nlohmann::json::array()}};
 
   void table(const std::string& file, const Csv& csv) { directory_.write(file, csv.text()); }
@@ -41,6 +41,8 @@ class StudyReport {
   void finding(fmt::format_string<Values...> text, Values&&... values) {
     result["findings"].push_back(fmt::format(text, std::forward<Values>(values)...));
   }
+  /// A condition that was chosen by a figure of the thesis: a line of the page.
+  void fitted(const std::string& line) { result["fitted"].push_back(line); }
   /// Of a section of the thesis.
   void state(const std::string& section, const std::vector<Statement>& statements);
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -37,16 +38,12 @@ std::vector<Variant> variants() {
   return result;
 }
 
-constexpr std::array kKernels{5, 9};
+constexpr std::array kKernels{5, 9, 13};
 
+/// Footnote 33: the image material of chapter 8; with another contrast.
 study::Conditions conditions_of(const StudyScope& scope, double texture_grey) {
-  study::Conditions conditions;
-  conditions.seed = scope.seed;
+  study::Conditions conditions = chapter8_conditions(scope);
   conditions.lighting.deviation_grey = texture_grey;
-  if (scope.quick) {
-    conditions.camera.width = 320;
-    conditions.camera.height = 240;
-  }
   return conditions;
 }
 
@@ -101,7 +98,7 @@ Rounding rounding(StudyReport& report, const StudyScope& scope) {
   }
   report.table("rounding.csv", table);
   report.finding(
-      "5x5 and 9x9, D50 0.3 to 2 px: the 8-bit direction costs at most {:.2f} % against floating point from the same "
+      "5x5 to 13x13, D50 0.3 to 2 px: the 8-bit direction costs at most {:.2f} % against floating point from the same "
       "gradients; with the low-pass rounded to 8 bits against all in floating point, at a texture of {}",
       result.direction_percent, result.by_contrast);
   return result;
@@ -167,46 +164,151 @@ void draw_losses(StudyReport& report, const std::vector<Variant>& all,
   report.plot("fig-10-4.svg", "Fig. 10.4: segmentation error and the bits of the direction", panels, 2);
 }
 
-std::vector<Statement> statements(const nlohmann::json& losses, const Rounding& rounding) {
+/// How far directions of two photographs of the same place are apart.
+struct Noise {
+  double below_45_percent = 0, below_22_percent = 0;  ///< shares of differences below π/4 and π/8
+  double mean_deg = 0;
+};
+
+Noise direction_noise(const Image& left, const Image& right) {
+  const study::Plane a = study::prepare(left, {study::Feature::direction, true});
+  const study::Plane b = study::prepare(right, {study::Feature::direction, true});
+  Noise result;
+  double count = 0;
+  for (std::size_t i = 0; i < a.values.size(); ++i) {
+    const double turn = std::abs(std::remainder(a.values[i] - b.values[i], 1.0));
+    if (std::isnan(turn)) continue;
+    result.below_45_percent += 8 * turn < 1 ? 100 : 0;
+    result.below_22_percent += 16 * turn < 1 ? 100 : 0;
+    result.mean_deg += 360 * turn;
+    ++count;
+  }
+  result.below_45_percent /= count;
+  result.below_22_percent /= count;
+  result.mean_deg /= count;
+  return result;
+}
+
+/// Largest error, degrees, over all gradients, of directions from gradients reduced as for the table.
+double table_error_deg() {
+  // 10 bits and a sign: the common largest value loses its two upper bits by a shift of 0, 1 or 2.
+  constexpr int kLargest = 1020;
+  constexpr int kKept = 256;
+  double largest = 0;
+  for (int y = 0; y <= kLargest; ++y)
+    for (int x = std::max(1, y); x <= kLargest; ++x) {  // the other octants mirror this one
+      int shift = 0;
+      while (x >> shift >= kKept) ++shift;
+      if (shift == 0) continue;
+      const double error = std::atan2(y, x) - std::atan2(y >> shift, x >> shift);
+      largest = std::max(largest, std::abs(error) * 180 / std::numbers::pi);
+    }
+  return largest;
+}
+
+std::vector<Statement> resolutions(const nlohmann::json& losses) {
   using namespace measured;
-  const auto percent = [&](const char* kernel, const char* name) {
-    return 100 * losses[kernel][name]["largest_from_0.3_px"].get<double>();
+  const auto percent = [&](const std::string& kernel, int bits, const char* order) {
+    return 100 *
+           losses[kernel][fmt::format("{} bit {} differencing", bits, order)]["largest_from_0.3_px"].get<double>();
   };
-  const auto enough = [&](const char* kernel, const char* name, const char* quote) -> Statement {
+  const char* const rule = "At most 7 % more error than 7 bits, for D50 of 0.3 to 2 px; partly: 15 %";
+  const auto enough = [&](const char* quote, int bits, const char* order) -> Statement {
     return {quote,
-            {percent(kernel, name), kernel, name},
-            "{1}, {2}: costs at most {0:.1f} % against 7 bit",
-            "Below 7 % for D50 of 0.3 to 2 px; partly: below 15 %",
-            {first < 7, first < 15}};
+            {percent("5x5", bits, order), bits, order},
+            "5×5, {1} bit {2} differencing: costs at most {0:.1f} %",
+            rule,
+            {first <= 7, first <= 15}};
   };
-  const double after = percent("5x5", "3 bit after differencing");
-  const double before = percent("5x5", "4 bit before differencing");
-  return {enough("5x5", "4 bit after differencing", "4 bits after differencing are enough."),
-          enough("5x5", "5 bit before differencing", "5 bits before differencing are enough."),
-          enough("9x9", "3 bit after differencing", "Larger kernels need 3 bits after differencing."),
-          enough("5x5", "7 bit before differencing", "Directions of 8 and 7 bits produce the same result."),
-          {"Reducing after differencing is almost as good as before it with a bit more.",
-           {after, before, std::abs(after - before)},
-           "5×5: 3 bit after cost {:.1f} %, 4 bit before {:.1f} %",
-           "Losses within 5 points; partly: 10",
-           {third < 5, third < 10}},
-          {"Ours, not the thesis's: 8-bit directions are within 2 % of floating point.",
-           {rounding.direction_percent, rounding.lowpass_percent, rounding.by_contrast},
-           "5×5 and 9×9, D50 0.3 to 2 px: {0:.2f} % from the same gradients. With the rounding of the low-pass, which "
-           "comes before, too: at a texture of {2}",
-           "Error within 2 % for every contrast, the low-pass included; partly: directions of the same gradients",
-           {first <= 2 && second <= 2, first <= 2}}};
+  double furthest = 0;
+  std::string pairs;
+  for (int bits = 2; bits <= 5; ++bits) {
+    const double after = percent("5x5", bits, "after");
+    const double before = percent("5x5", bits + 1, "before");
+    furthest = std::max(furthest, std::abs(after - before));
+    pairs += fmt::format("{}{} bit after {:.1f} %, {} bit before {:.1f} %", pairs.empty() ? "" : "; ", bits, after,
+                         bits + 1, before);
+  }
+  Statement four = enough(
+      "Fig. 10.4: there is no significant improvement for resolutions ≥ 4 bit when reducing after "
+      "differencing.",
+      4, "after");
+  four.headline = "4 bits of the difference are enough";
+  return {std::move(four),
+          enough("Fig. 10.4: nor for resolutions ≥ 5 bit when reducing before differencing.", 5, "before"),
+          {"The required resolution is even lower for larger kernels: 3 bit and 4 bit, respectively, is sufficient.",
+           {percent("9x9", 3, "after"), percent("9x9", 4, "before"), percent("13x13", 3, "after"),
+            percent("13x13", 4, "before")},
+           "9×9: 3 bit after cost {:.1f} %, 4 bit before {:.1f} %; 13×13: {:.1f} % and {:.1f} %",
+           rule,
+           {first <= 7 && second <= 7 && third <= 7 && fourth <= 7,
+            first <= 15 && second <= 15 && third <= 15 && fourth <= 15},
+           "3 bits are enough for larger windows"},
+          {"The required resolution is even lower for larger correlation kernels.",
+           {percent("5x5", 3, "after"), percent("9x9", 3, "after"), percent("13x13", 3, "after")},
+           "3 bit after differencing cost {:.1f} % with 5×5, {:.1f} % with 9×9, {:.1f} % with 13×13",
+           "Less with every larger kernel; partly: less with 13×13 than with 5×5",
+           {third < second && second < first, third < first}},
+          {"A direction resolution of 8 and 7 bit (reduction before differencing) produces the same result.",
+           {percent("5x5", 7, "before")},
+           "5×5, 7 bit before differencing: {:.2f} % more error",
+           "At most 1 %; partly: 3 %",
+           {first <= 1, first <= 3}},
+          {"The difference is only noticeable at a direction resolution of less than 6 bit.",
+           {percent("5x5", 6, "before"), percent("5x5", 5, "before")},
+           "5×5: 6 bit cost {:.1f} %, 5 bit {:.1f} %",
+           "At most 1 % with 6 bit, more with 5; partly: at most 3 % with 6 bit",
+           {first <= 1 && second > 1, first <= 3}},
+          {"Reducing after differencing is almost as good as before it with a resolution increased by 1 bit.",
+           {furthest, pairs},
+           "5×5: {1}",
+           "Costs within 5 points for 2 to 5 bit; partly: 10",
+           {first <= 5, first <= 10}}};
+}
+
+/// `single`: the same of single images, one of them through the transformation.
+std::vector<Statement> noise_of_directions(const Noise& noise, const Noise& single) {
+  using namespace measured;
+  return {
+      {"In corresponding pictures 95 % of the direction differences are smaller than π/4.",
+       {noise.below_45_percent, single.below_45_percent},
+       "{:.1f} %; of single images through the transformation {:.1f} %",
+       "Within 3 points of 95 %; partly: at least 90 %",
+       {near(first, 95, 3), first >= 90},
+       "95 % of the directions of corresponding pixels agree to π/4"},
+      {"In corresponding pictures 85 % of the direction differences are smaller than π/8.",
+       {noise.below_22_percent, single.below_22_percent},
+       "{:.1f} %; of single images through the transformation {:.1f} %",
+       "Within 3 points of 85 %; partly: within 10",
+       {near(first, 85, 3), near(first, 85, 10)}},
+      {"The direction difference is superimposed with noise having a mean value of approximately π/16.",
+       {noise.mean_deg, single.mean_deg},
+       "{:.1f}°; of single images through the transformation {:.1f}°; π/16 is 11.25°",
+       "Within 25 %; partly: within a factor of 2",
+       {near(first, 11.25, 0.25 * 11.25), first >= 0.5 * 11.25 && first <= 2 * 11.25}},
+      {"The error introduced by this scaling and reduction of resolution (table of directions) is smaller than 0.5°.",
+       {table_error_deg()},
+       "{:.2f}° at most, of all gradients of ±1020",
+       "Below 0.5°; partly: 1°",
+       {first < 0.5, first < 1}}};
+}
+
+Statement rounding_statement(const Rounding& rounding) {
+  using namespace measured;
+  return {"Ours, not the thesis's: 8-bit directions are within 2 % of floating point.",
+          {rounding.direction_percent, rounding.lowpass_percent, rounding.by_contrast},
+          "5×5 to 13×13, D50 0.3 to 2 px: {0:.2f} % from the same gradients. With the rounding of the low-pass, which "
+          "comes before, too: at a texture of {2}",
+          "Error within 2 % for every contrast, the low-pass included; partly: directions of the same gradients",
+          {first <= 2 && second <= 2, first <= 2}};
 }
 
 }  // namespace
 
 void study_resolution(StudyReport& report, const StudyScope& scope) {
-  const study::Conditions conditions = conditions_of(scope, 12);
+  const study::Conditions conditions = chapter8_conditions(scope);
   report.result["conditions"] = study::to_json(conditions);
-  const double step_px = scope.quick ? 0.1 : 0.04;
-  std::vector<double> disparities;
-  const int count = static_cast<int>(std::ceil(study::Detection::kLargest_px / step_px));
-  for (int i = 0; i <= count; ++i) disparities.push_back(i * step_px);
+  const std::vector<double> disparities = chapter8_disparities(scope);
   const study::Simulation simulation(conditions, disparities.back());
 
   const std::vector<Variant> all = variants();
@@ -220,7 +322,14 @@ void study_resolution(StudyReport& report, const StudyScope& scope) {
   }
   draw_losses(report, all, detect("image", study::photographs(simulation, disparities), settings));
   const Rounding rounded = rounding(report, scope);
-  report.state("10.4.5", statements(report.result["losses"], rounded));
+  report.state("10.4.5", resolutions(report.result["losses"]));
+  study::Conditions once = conditions;
+  once.electronics.averaged = 1;
+  const study::Simulation single(once, 1);
+  report.state("10.4.5",
+               noise_of_directions(direction_noise(simulation.photograph(0, 0), simulation.photograph(0, 1)),
+                                   direction_noise(single.photograph(0, 0), transformed(single, {0, 1}).image(0))));
+  report.state("10.4.5", {rounding_statement(rounded)});
 }
 
 }  // namespace horopter::cli

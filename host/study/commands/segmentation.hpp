@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Figures of the experiment of 8.4: every criterion, prefilter, kernel and filter of the result, over disparities.
+// Figures of the experiment of 8.4: every criterion, prefilter, kernel and filter of the result, over disparities. What
+// the thesis says of them is in segmentation_measures.hpp.
 #pragma once
 
 #include <map>
@@ -27,6 +28,8 @@ class Segmentation {
   const study::Detection& of(const std::string& criterion, Prefilter prefilter, int kernel = 9,
                              study::ResultFilter filter = study::ResultFilter::none) const;
   const study::Detection& nish(double log_w_px, int kernel = 9) const;
+  const study::Detection& nisd(double log_w_px, int kernel = 9) const;
+  const study::Detection& nack(int kernel = 9) const;
 
  private:
   const study::Detection& of(const study::Setting& setting) const;
@@ -42,9 +45,5 @@ inline const std::vector<std::string> kZeroMeanGroup{"SAD", "SSD", "ZSAD", "ZSSD
 inline const std::vector<std::string> kLocalGroup{"LSAD", "LSSD", "NSAD"};
 inline const std::vector<std::string> kGreyCriteria{"NCC",   "ZNCC", "MOR",  "SSD",  "ZSSD", "LSSD",
                                                     "ZNSSD", "SAD",  "ZSAD", "LSAD", "NSAD"};
-
-/// Reports what 8.4 and 11.2 say about segmentation, and what of it was found.
-void state_segmentation(const Segmentation& found, const std::vector<int>& kernels, const std::vector<double>& log_w_px,
-                        StudyReport& report);
 
 }  // namespace horopter::cli

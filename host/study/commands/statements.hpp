@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the thesis says, beside what a study found: rows of STUDY.md. A statement is data, and one evaluator makes the
-// verdict from its numbers and its limits.
+// verdict from its numbers and its limits. The page itself is made in page.hpp.
 #pragma once
 
 #include <cmath>
@@ -92,12 +92,10 @@ struct Statement {
   std::string figure;    ///< what we found, in fmt's format; a word why, where that may not be what the thesis says
   std::string rule;      ///< `limits` in words
   Limits limits;
+  std::string headline = {};  ///< the statement in a few words, if it belongs in the summary
 };
 
-/// {"section", "statement", "figure", "verdict", "rule"}: a statement of a section of the thesis, evaluated.
+/// {"section", "statement", "figure", "verdict", "rule", "headline"}: a statement of a section of the thesis, evaluated.
 nlohmann::json evaluate(const std::string& section, const Statement& statement);
-
-/// STUDY.md from the results of studies, {name: result}: a table of all statements, and each study's conditions.
-std::string study_markdown(const nlohmann::ordered_json& results);
 
 }  // namespace horopter::cli

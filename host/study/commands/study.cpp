@@ -119,6 +119,7 @@ const std::vector<NamedStudy>& studies() {
        study_edges},
       {"calibration", "Calibration with a rendered rig: NCE, image error, Cramer-Rao bound (6.8, 6.9)",
        study_calibration},
+      {"sampling", "Point sampling, bilinear interpolation, supersampling over scale (7.3, 7.4, 7.5)", study_sampling},
       {"interpolation", "Bilinear interpolation with weights of few bits: scaling, translation (7.5)",
        study_interpolation},
       {"segmentation", "Every correlation criterion over disparity: detection rates, segmentation errors (8.4, 11.2.1)",
@@ -129,6 +130,8 @@ const std::vector<NamedStudy>& studies() {
       {"cost", "Operations of each criterion (Table 8.5)", study_cost},
       {"detection", "What the hardware's stage detects at which displacement; thresholds for tolerances (11.2)",
        study_detection},
+      {"slopes", "A skin that slopes: what is detected of an object (11.2.2)", study_slopes},
+      {"problems", "Textures that repeat, even changes of brightness, clipped grey values (11.2.3)", study_problems},
       {"operators", "Morphological operators side by side (5.2)", study_operators},
       {"texture", "Measures of texture, and how much of it is needed against the noise (9)", study_texture},
       {"resolution", "Bits of the direction and of its difference (10.4.5)", study_resolution},
@@ -176,6 +179,8 @@ void add_study(CLI::App& app, Outcome& outcome) {
         named.run == study_influences)
       add_texture_options(*one, *scope);
     if (named.run == study_segmentation) add_series_option(*one, *scope);
+    if (named.run == study_cost)
+      one->add_flag("--times", scope->times, "Also the milliseconds of each criterion on this machine");
   }
   add("all", "All of these (not board, decision, earned and walk), with a page of every figure and STUDY.md",
       [](const StudyOptions& options) { return study_all(options.out, options.scope); });

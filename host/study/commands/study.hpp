@@ -16,6 +16,7 @@ namespace horopter::cli {
 
 struct StudyScope {
   std::uint64_t seed = 1;  ///< of the noise
+  bool times = false;      ///< also measure by the clock, which is not the same twice
   bool quick = false;      ///< about a tenth of the images, methods and runs: to see that all is well
   std::string data = "/usr/share/doc/opencv-doc/examples/data";  ///< photographs of studies that take some
   std::vector<std::string> engines;                              ///< that must agree
@@ -38,6 +39,7 @@ using Study = void (*)(StudyReport&, const StudyScope&);
 // What each of them measures stands beside its name in studies(); of the last four, where their options are.
 void study_edges(StudyReport& report, const StudyScope& scope);
 void study_calibration(StudyReport& report, const StudyScope& scope);
+void study_sampling(StudyReport& report, const StudyScope& scope);
 void study_interpolation(StudyReport& report, const StudyScope& scope);
 void study_segmentation(StudyReport& report, const StudyScope& scope);
 void study_invariance(StudyReport& report, const StudyScope& scope);
@@ -45,6 +47,8 @@ void study_influences(StudyReport& report, const StudyScope& scope);
 void study_objects(StudyReport& report, const StudyScope& scope);
 void study_cost(StudyReport& report, const StudyScope& scope);
 void study_detection(StudyReport& report, const StudyScope& scope);
+void study_slopes(StudyReport& report, const StudyScope& scope);
+void study_problems(StudyReport& report, const StudyScope& scope);
 void study_operators(StudyReport& report, const StudyScope& scope);
 void study_texture(StudyReport& report, const StudyScope& scope);
 void study_resolution(StudyReport& report, const StudyScope& scope);

@@ -17,6 +17,10 @@ std::string name_of(const Preparation& preparation) {
       return "hardware";
     case Feature::log_sign:
       return fmt::format("LoG w={:g}", preparation.log_w_px);
+    case Feature::dog_sign:
+      return fmt::format("DoG w={:g}", preparation.log_w_px);
+    case Feature::roberts_sign:
+      return "Roberts";
     case Feature::direction:
       return preparation.lowpass ? "LP" : "none";
     default:
@@ -31,6 +35,8 @@ Plane prepare(const Plane& image, const Preparation& preparation) {
   Plane plane = image;
   if (preparation.feature == Feature::camera) return plane;
   if (preparation.feature == Feature::log_sign) return log_sign(plane, preparation.log_w_px);
+  if (preparation.feature == Feature::dog_sign) return dog_sign(plane, preparation.log_w_px);
+  if (preparation.feature == Feature::roberts_sign) return roberts_sign(plane);
   if (preparation.lowpass) plane = lowpass(plane);
   if (preparation.feature == Feature::direction) return sobel_direction(plane);
   if (preparation.highpass) plane = highpass(plane);

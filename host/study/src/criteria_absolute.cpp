@@ -78,8 +78,12 @@ void with_kernel(int kernel, F f) {
       return f.template operator()<11>();
     case 13:
       return f.template operator()<13>();
+    case 17:
+      return f.template operator()<17>();
+    case 21:
+      return f.template operator()<21>();
     default:
-      throw std::invalid_argument("ZSAD, LSAD: windows of 3×3 to 13×13");
+      throw std::invalid_argument("ZSAD, LSAD: windows of 3×3 to 13×13, 17×17 and 21×21");
   }
 }
 

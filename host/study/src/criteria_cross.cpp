@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Table 8.1: criteria based on cross correlation.
+// Eq. 8.1 and Table 8.1: criteria based on cross correlation.
 #include <cmath>
 
 #include "window_sums.hpp"
@@ -20,6 +20,8 @@ std::vector<std::unique_ptr<Criterion>> cross_correlation_criteria() {
     const double energy = w.var_r() + w.var_s();
     return energy > 0 ? 2 * w.cov() / energy : 0;
   }));
+  // It has no best value, so its reciprocal stands for it: thresholds divide windows as those of 8.1 do.
+  result.push_back(of_window("CCF", false, [](const WindowSums& w) { return w.rs > 0 ? w.n / w.rs : kUndefined; }));
   return result;
 }
 

@@ -172,6 +172,35 @@ Plane log_sign(const Plane& image, double w) {
   return result;
 }
 
+namespace {
+
+constexpr double kWider = 1.6;  ///< of the wider Gaussian, against the narrower
+/// Where both are equal, w/2 from the middle, over the narrower one's deviation.
+const double kMiddle = 2 * std::sqrt(2 * kWider * kWider / (kWider * kWider - 1) * std::log(kWider * kWider));
+
+}  // namespace
+
+int dog_reach(double w) { return static_cast<int>(std::ceil(4 * kWider * w / kMiddle)); }
+
+Plane dog_sign(const Plane& image, double w) {
+  if (!(w >= 1 && w <= 40)) throw std::invalid_argument("dog_sign: w is 1 to 40 px");
+  Plane result = gaussian(image, w / kMiddle);
+  const Plane wide = gaussian(image, kWider * w / kMiddle);
+  for (std::size_t i = 0; i < result.values.size(); ++i) result.values[i] = result.values[i] >= wide.values[i] ? 1 : -1;
+  return result;
+}
+
+Plane roberts_sign(const Plane& image) {
+  constexpr int kNearby = 2 * (kRobertsReach - 1) + 1;
+  Plane result = of_neighbours(image, [](const double* p, std::ptrdiff_t stride) {
+    return std::abs(p[0] - p[stride + 1]) + std::abs(p[1] - p[stride]);
+  });
+  const Plane sums = box_sum(result, kNearby);
+  for (std::size_t i = 0; i < result.values.size(); ++i)
+    result.values[i] = result.values[i] * kNearby * kNearby > sums.values[i] ? 1 : -1;
+  return result;
+}
+
 Gradient sobel(const Plane& image) {
   return {of_neighbours(image, [](const double* p,
                                   std::ptrdiff_t stride) { return smooth(p + 1, stride) - smooth(p - 1, stride); }),

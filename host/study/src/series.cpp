@@ -43,6 +43,10 @@ int reach_of(const Setting& setting) {
       return reach + 1 + (preparation.lowpass ? 1 : 0);
     case Feature::log_sign:
       return reach + log_reach(preparation.log_w_px);
+    case Feature::dog_sign:
+      return reach + dog_reach(preparation.log_w_px);
+    case Feature::roberts_sign:
+      return reach + kRobertsReach;
     default:
       return reach + (preparation.lowpass ? 1 : 0) + (preparation.highpass ? 1 : 0);
   }

@@ -173,9 +173,26 @@ double Simulation::sample(const float* row, int x, double shift_px) const {
              (p[1] - p[-1] + u * (2 * p[-1] - 5 * p[0] + 4 * p[1] - p[2] + u * (3 * (p[0] - p[1]) + p[2] - p[-1])));
 }
 
-Plane Simulation::exact(double shift_px) const {
+void Simulation::check_shift(double shift_px) const {
   if (!(std::abs(shift_px) <= largest_shift_px_))
     throw std::invalid_argument(fmt::format("simulation: shift {} px, made for ± {} px", shift_px, largest_shift_px_));
+}
+
+Plane Simulation::exact(const Raster<float>& shifts_px) const {
+  Plane image(conditions_.camera.width, conditions_.camera.height);
+  if (shifts_px.width != image.width || shifts_px.height != image.height)
+    throw std::invalid_argument("simulation: shifts for another size than the camera's");
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const double shift_px = shifts_px.at(x, y);
+      check_shift(shift_px);
+      image.at(x, y) = sample(fine_.row(y), x, shift_px) * light_.at(x, y);
+    }
+  return image;
+}
+
+Plane Simulation::exact(double shift_px) const {
+  check_shift(shift_px);
   const Camera& camera = conditions_.camera;
   Plane image(camera.width, camera.height);
   for (int y = 0; y < camera.height; ++y) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The correlation criteria of Tables 8.1 and 8.2, of directions (eq. 8.5, 8.6), the binary one (8.1.4), and what the
-// hardware computes, all as planes of one value per pixel.
+// The correlation criteria of Tables 8.1 and 8.2, plain cross correlation (eq. 8.1), those of directions (eq. 8.5, 8.6),
+// the binary ones (8.1.4), and what the hardware computes, all as planes of one value per pixel.
 #pragma once
 
 #include <functional>
@@ -16,17 +16,19 @@ namespace horopter::study {
 
 /// What a criterion works on.
 enum class Feature {
-  grey,       ///< grey values, optionally low-pass or high-pass filtered
-  direction,  ///< of Sobel's gradient, optionally after the low-pass
-  log_sign,   ///< sign of the Laplacian of Gaussian
-  camera      ///< the 8-bit image as it is: the hardware filters by itself
+  grey,          ///< grey values, optionally low-pass or high-pass filtered
+  direction,     ///< of Sobel's gradient, optionally after the low-pass
+  log_sign,      ///< sign of the Laplacian of Gaussian
+  dog_sign,      ///< sign of a difference of two Gaussians, which is nearly the same
+  roberts_sign,  ///< +1 where Roberts' gradient is above its mean nearby
+  camera         ///< the 8-bit image as it is: the hardware filters by itself
 };
 
 struct Preparation {
   Feature feature = Feature::grey;
   bool lowpass = false;
   bool highpass = false;  ///< after the low-pass; Feature::grey only
-  double log_w_px = 0;    ///< Feature::log_sign only
+  double log_w_px = 0;    ///< Feature::log_sign and dog_sign only
   friend auto operator<=>(const Preparation&, const Preparation&) = default;
 };
 

@@ -28,6 +28,17 @@ Plane log_filter(const Plane& image, double w);
 /// +1 where the filter's result is at least 0, else −1 (8.1.4).
 Plane log_sign(const Plane& image, double w);
 
+/// The same of a difference of two Gaussians, of the narrower one less the wider one of 1.6 times its deviation: the
+/// Laplacian of a Gaussian nearly, whose middle has the same diameter.
+Plane dog_sign(const Plane& image, double w);
+/// Half of the side of its window.
+int dog_reach(double w);
+
+/// +1 where Roberts' gradient (the sum of the absolute differences along both diagonals of 2×2 pixels) is above its mean
+/// in 9×9 pixels, else −1.
+Plane roberts_sign(const Plane& image);
+constexpr int kRobertsReach = 5;  ///< of roberts_sign, px
+
 /// Gradients by Sobel's operator (eq. 10.3), 8 per grey level and pixel.
 struct Gradient {
   Plane x, y;

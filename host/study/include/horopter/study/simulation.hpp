@@ -58,6 +58,8 @@ class Simulation {
   Image photograph(double shift_px, std::uint64_t number) const;
   /// The same before noise, jitter and conversion.
   Plane exact(double shift_px) const;
+  /// With a shift for each pixel.
+  Plane exact(const Raster<float>& shifts_px) const;
 
   /// What the electronics make of `still` (jitter moves what the simulation shows at shift_px 0, so there is none
   /// here).
@@ -66,6 +68,7 @@ class Simulation {
   const Conditions& conditions() const { return conditions_; }
 
  private:
+  void check_shift(double shift_px) const;
   double sample(const float* row, int x, double shift_px) const;
   template <class Line>
   Image convert(const Electronics& electronics, std::uint64_t number, Line line) const;
