@@ -86,7 +86,7 @@ Scatters repeated(const StudyScope& scope, double jitter_px, Csv& csv, Progress&
       const auto estimator = make(contender, kBlur_px);
       std::vector<Corners> found;
       for (const GreyImage& image : series) {
-        const Corners corners = measure(image, *estimator, middle, kSide_px, angle, kPoints);
+        const Corners corners = measure_corners(image, *estimator, middle, kSide_px, angle, kPoints);
         if (corners.found) found.push_back(corners);
       }
       const Scatter scatter = scatter_of(found);
@@ -221,8 +221,8 @@ std::vector<Statement> table_6_2(StudyReport& report, const StudyScope& scope) {
       const auto estimator = make(contender, blur);
       std::vector<Corners> series;
       for (int i = 0; i < images; ++i) {
-        const Corners corners =
-            measure(series_of_images[static_cast<std::size_t>(i)], *estimator, middle_of(i), kSide_px, 0, kPoints);
+        const Corners corners = measure_corners(series_of_images[static_cast<std::size_t>(i)], *estimator, middle_of(i),
+                                                kSide_px, 0, kPoints);
         if (corners.found) series.push_back(corners);
       }
       if (series.size() < 3) continue;

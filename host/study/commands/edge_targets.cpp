@@ -48,10 +48,10 @@ std::unique_ptr<EdgeEstimator> make(const Contender& contender, double blur_px) 
   return make_edge_estimator(contender.method, options);
 }
 
-Corners measure(const GreyImage& image, const EdgeEstimator& estimator, const Vector2d& centre, double side,
-                double angle_deg, int points_per_edge) {
+Corners measure_corners(const GreyImage& image, const EdgeEstimator& estimator, const Vector2d& centre, double side,
+                        double angle_deg, int points_per_edge) {
   const auto truth = square_corners(centre, side, angle_deg);
-  std::array<Line, 4> lines;
+  std::array<calib::Line, 4> lines;
   Corners result;
   for (int k = 0; k < 4; ++k) {
     const Vector2d a = truth.col(k);

@@ -35,8 +35,8 @@ struct Corners {
 };
 
 /// Of a bright square in an image, as simulate_square makes it.
-Corners measure(const calib::GreyImage& image, const calib::EdgeEstimator& estimator, const Eigen::Vector2d& centre,
-                double side, double angle_deg, int points_per_edge);
+Corners measure_corners(const calib::GreyImage& image, const calib::EdgeEstimator& estimator,
+                        const Eigen::Vector2d& centre, double side, double angle_deg, int points_per_edge);
 
 inline constexpr double kSide_px = 64;
 

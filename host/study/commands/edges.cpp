@@ -32,7 +32,7 @@ double corner_rms_px(const EdgeEstimator& estimator, const std::vector<Vector2d>
   int n = 0;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const GreyImage image = simulate_square(121, 121, places[i], kSide_px, angle_deg, noisy(blur_px), seed + i);
-    const Corners corners = measure(image, estimator, places[i], kSide_px, angle_deg, points_per_edge);
+    const Corners corners = measure_corners(image, estimator, places[i], kSide_px, angle_deg, points_per_edge);
     if (!corners.found) continue;
     const auto truth = square_corners(places[i], kSide_px, angle_deg);
     for (int k = 0; k < 4; ++k) squares += (corners.at[k] - Vector2d(truth.col(k))).squaredNorm() / 2;

@@ -18,9 +18,9 @@ int place_in(const std::map<std::string, double>& groups, const std::string& gro
 }
 
 /// Statements of one row of the table, whose figures all begin with the order of the groups.
-class Row {
+class InfluenceRow {
  public:
-  Row(const Scores& scores, std::string influence) : scores_(scores), influence_(std::move(influence)) {}
+  InfluenceRow(const Scores& scores, std::string influence) : scores_(scores), influence_(std::move(influence)) {}
 
   void add(const std::string& quote, AllMeasured numbers, const std::string& figure, const std::string& rule,
            const Limits& limits, const std::string& headline = {}) {
@@ -43,7 +43,7 @@ class Row {
   std::string influence_;
 };
 
-int small_kernels_last(const Row& row) {
+int small_kernels_last(const InfluenceRow& row) {
   int last = 0;
   for (const int kernel : {5, 9, 13, 17}) last += row.last(kHigh, kernel) ? 1 : 0;
   return last;
@@ -69,7 +69,7 @@ std::string Scores::figure(const std::string& influence) const {
 }
 
 std::vector<Statement> noise_statements(const Scores& scores) {
-  Row noise(scores, "noise");
+  InfluenceRow noise(scores, "noise");
   int first_of_all = 0;
   int growing = 0;
   for (const int kernel : kInfluencedKernels)
@@ -114,7 +114,7 @@ std::vector<Statement> noise_statements(const Scores& scores) {
 }
 
 std::vector<Statement> scaling_and_blurring_statements(const Scores& scores) {
-  Row scaling(scores, "scaling");
+  InfluenceRow scaling(scores, "scaling");
   const double worst_grey = std::min({scaling.mean(kGreyRaw), scaling.mean(kGreyLow), scaling.mean(kZeroLow)});
   const double best_nish = std::max(
       {scaling.mean("NISH w=2.5"), scaling.mean("NISH w=5"), scaling.mean("NISH w=7"), scaling.mean("NISH w=9")});
@@ -136,7 +136,7 @@ std::vector<Statement> scaling_and_blurring_statements(const Scores& scores) {
               "Place {} with 9×9; detected {:.0f} % with 5×5, {:.0f} % with 9×9",
               "First or second with 9×9, less with 5×5; partly: first or second",
               {first <= 2 && second < third, first <= 2}, "DSAD bears differing scale well");
-  Row blurring(scores, "blurring");
+  InfluenceRow blurring(scores, "blurring");
   blurring.add("blurring: intensity based criteria perform well, slightly worse for zero-mean and mean scaled methods.",
                {blurring.mean(kGreyLow), blurring.mean(kZeroLow), blurring.place(kGreyLow)}, "",
                "Grey values in one of the first three places, zero-mean and scaled below them; partly: the latter",

@@ -31,13 +31,13 @@ const char* name_of(Effect effect) {
 }
 
 /// A row of the table; effects of a common offset, a common scaling, a different offset, a different scaling.
-struct Row {
+struct InvarianceRow {
   std::vector<std::string> criteria;
   std::vector<bool> highpass;
   std::array<Effect, 4> effects;
 };
 
-std::vector<Row> table() {
+std::vector<InvarianceRow> table() {
   using enum Effect;
   return {{{"NCC"}, {false}, {no, yes, no, yes}},
           {{"NCC"}, {true}, {yes, yes, yes, yes}},
@@ -137,7 +137,7 @@ struct RowFound {
 };
 
 /// With every filter before that the row stands for.
-std::vector<Preparation> preparations(const study::Criterion& criterion, const Row& row) {
+std::vector<Preparation> preparations(const study::Criterion& criterion, const InvarianceRow& row) {
   std::vector<Preparation> result;
   for (const bool highpass : row.highpass)
     for (const bool lowpass : {false, true}) {
@@ -150,7 +150,7 @@ std::vector<Preparation> preparations(const study::Criterion& criterion, const R
   return result;
 }
 
-void measure(const std::string& name, const Preparation& preparation, const Row& row, const Plane& left,
+void measure(const std::string& name, const Preparation& preparation, const InvarianceRow& row, const Plane& left,
              const Plane& right, RowFound& of_row, Entries& entries) {
   const study::Criterion& criterion = study::criterion(name);
   const int margin = study::reach_of({&criterion, preparation, 9}) + 1;
@@ -183,7 +183,7 @@ void measure(const std::string& name, const Preparation& preparation, const Row&
   }
 }
 
-Statement statement(const Row& row, const RowFound& found) {
+Statement statement(const InvarianceRow& row, const RowFound& found) {
   using namespace measured;
   const std::string who = fmt::format("{}", fmt::join(row.criteria, ", "));
   const char* images = who == "NISH"              ? "sign of LoG"
@@ -255,7 +255,7 @@ void study_invariance(StudyReport& report, const StudyScope& scope) {
   report.result["conditions"]["offset_grey"] = kOffset;
   report.result["conditions"]["scale"] = kScale;
   Entries entries;
-  for (const Row& row : table()) {
+  for (const InvarianceRow& row : table()) {
     RowFound found;
     for (const std::string& name : row.criteria)
       for (const Preparation& preparation : preparations(study::criterion(name), row))

@@ -20,10 +20,10 @@
 namespace horopter::cli {
 namespace {
 
-constexpr int kWidth = 320;
-constexpr int kHeight = 240;
-constexpr int kMargin = 12;           ///< what windows and operators reach beyond the image
-constexpr double kBackground_px = 3;  ///< disparity of what is not in the skin
+constexpr int kWidth_px = 320;
+constexpr int kHeight_px = 240;
+constexpr int kMargin = 12;       ///< what windows and operators reach beyond the image
+constexpr double kBehind_px = 3;  ///< disparity of what is not in the skin
 constexpr double kNoise_grey = 5;
 constexpr int kKernel = 5;
 constexpr double kThreshold = 0.25;  ///< of the largest sum
@@ -31,14 +31,14 @@ constexpr double kSurely = 0.20;     ///< the strict threshold of the hysteresis
 
 /// What is in the skin: a body, bars of 2 to 24 px, and dots.
 Image objects() {
-  Image truth(kWidth, kHeight);
+  Image truth(kWidth_px, kHeight_px);
   const auto fill = [&](int x0, int y0, int width, int height) {
     for (int y = y0; y < y0 + height; ++y) {
       for (int x = x0; x < x0 + width; ++x) truth.at(x, y) = 1;
     }
   };
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
+  for (int y = 0; y < kHeight_px; ++y) {
+    for (int x = 0; x < kWidth_px; ++x) {
       const double u = (x - 90) / 55.0;
       const double v = (y - 120) / 80.0;
       if (u * u + v * v < 1) truth.at(x, y) = 1;
@@ -60,13 +60,13 @@ Image objects() {
 /// The hardware's sums of a pair whose objects are in the skin.
 study::Plane sums(const Image& truth, std::uint64_t seed) {
   study::Conditions conditions;
-  conditions.camera.width = kWidth;
-  conditions.camera.height = kHeight;
+  conditions.camera.width = kWidth_px;
+  conditions.camera.height = kHeight_px;
   conditions.electronics = {.noise_grey = kNoise_grey, .averaged = 1};
   conditions.seed = seed;
-  const study::Simulation simulation(conditions, kBackground_px);
+  const study::Simulation simulation(conditions, kBehind_px);
   const Image left = simulation.photograph(0, 0);
-  Image right = simulation.photograph(kBackground_px, 1);
+  Image right = simulation.photograph(kBehind_px, 1);
   const Image in_skin = simulation.photograph(0, 2);
   for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
     if (truth.pixels[i] == 1) right.pixels[i] = in_skin.pixels[i];
@@ -95,9 +95,9 @@ int components(const Image& image, int value) {
 
 Score score(const Image& result, const Image& truth) {
   std::array<double, 4> counts{};  // [truth][result]
-  Image inner(kWidth - 2 * kMargin, kHeight - 2 * kMargin);
-  for (int y = kMargin; y < kHeight - kMargin; ++y) {
-    for (int x = kMargin; x < kWidth - kMargin; ++x) {
+  Image inner(kWidth_px - 2 * kMargin, kHeight_px - 2 * kMargin);
+  for (int y = kMargin; y < kHeight_px - kMargin; ++y) {
+    for (int x = kMargin; x < kWidth_px - kMargin; ++x) {
       counts[static_cast<std::size_t>(2 * truth.at(x, y) + result.at(x, y))] += 1;
       inner.at(x - kMargin, y - kMargin) = result.at(x, y);
     }
@@ -118,14 +118,14 @@ Image gallery(const std::vector<Named>& pictures) {
   constexpr int kGap = 8;
   constexpr int kLabel = 18;
   const int rows = (static_cast<int>(pictures.size()) + kColumns - 1) / kColumns;
-  Image page(kColumns * (kWidth + kGap) + kGap, rows * (kHeight + kLabel + kGap) + kGap, 255);
+  Image page(kColumns * (kWidth_px + kGap) + kGap, rows * (kHeight_px + kLabel + kGap) + kGap, 255);
   const cv::Mat canvas(page.height, page.width, CV_8U, page.pixels.data());
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    const int left = kGap + static_cast<int>(i) % kColumns * (kWidth + kGap);
-    const int top = kLabel + static_cast<int>(i) / kColumns * (kHeight + kLabel + kGap);
+    const int left = kGap + static_cast<int>(i) % kColumns * (kWidth_px + kGap);
+    const int top = kLabel + static_cast<int>(i) / kColumns * (kHeight_px + kLabel + kGap);
     cv::putText(canvas, pictures[i].name, {left, top - 5}, cv::FONT_HERSHEY_SIMPLEX, 0.42, cv::Scalar(0), 1);
-    for (int y = 0; y < kHeight; ++y) {
-      for (int x = 0; x < kWidth; ++x) page.at(left + x, top + y) = pictures[i].image.at(x, y) == 1 ? 255 : 0;
+    for (int y = 0; y < kHeight_px; ++y) {
+      for (int x = 0; x < kWidth_px; ++x) page.at(left + x, top + y) = pictures[i].image.at(x, y) == 1 ? 255 : 0;
     }
   }
   return page;
@@ -135,9 +135,9 @@ Image gallery(const std::vector<Named>& pictures) {
 study::Plane similarity(const study::Plane& sum) {
   const double largest = study::criterion("hardware").worst(kKernel);
   study::Plane result = sum;
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
-      const bool inside = std::min({x, y, kWidth - 1 - x, kHeight - 1 - y}) >= kKernel / 2 + 2;
+  for (int y = 0; y < kHeight_px; ++y)
+    for (int x = 0; x < kWidth_px; ++x) {
+      const bool inside = std::min({x, y, kWidth_px - 1 - x, kHeight_px - 1 - y}) >= kKernel / 2 + 2;
       result.at(x, y) = inside ? 1 - sum.at(x, y) / largest : 0;
     }
   return result;
@@ -145,7 +145,7 @@ study::Plane similarity(const study::Plane& sum) {
 
 /// The operators on a noisy pair, Fig. 5.7.
 void compare_operators(StudyReport& report, const Image& truth, const study::Plane& alike) {
-  Image binary(kWidth, kHeight);
+  Image binary(kWidth_px, kHeight_px);
   for (std::size_t i = 0; i < binary.pixels.size(); ++i) binary.pixels[i] = alike.values[i] >= 1 - kThreshold ? 1 : 0;
   Csv table({"operator", "wrong", "missed", "false_alarms", "clusters", "holes"});
   std::vector<Named> pictures{{"truth", truth}};
@@ -206,7 +206,7 @@ void study_operators(StudyReport& report, const StudyScope& scope) {
   const int true_clusters = score(truth, truth).clusters;
   report.result["conditions"] = {{"kernel", kKernel},
                                  {"noise_grey", kNoise_grey},
-                                 {"background_px", kBackground_px},
+                                 {"background_px", kBehind_px},
                                  {"threshold", kThreshold},
                                  {"true_clusters", true_clusters}};
   compare_operators(report, truth, similarity(sums(truth, scope.seed)));

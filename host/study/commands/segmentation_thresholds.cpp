@@ -16,11 +16,11 @@ using enum Prefilter;
 
 /// A row of Table 11.2: with a threshold in % of T_max half of the pixels with a disparity are detected, and 95 % of
 /// those with another.
-struct Row {
+struct ThresholdRow {
   double percent, d50_px, d95_px;
 };
-constexpr std::array kRows{Row{11.3, 0.6, 0.4}, Row{15.0, 0.8, 0.6}, Row{18.4, 1.0, 0.7},
-                           Row{21.9, 1.2, 0.9}, Row{25.1, 1.4, 1.0}, Row{28.4, 1.6, 1.1}};
+constexpr std::array kRows{ThresholdRow{11.3, 0.6, 0.4}, ThresholdRow{15.0, 0.8, 0.6}, ThresholdRow{18.4, 1.0, 0.7},
+                           ThresholdRow{21.9, 1.2, 0.9}, ThresholdRow{25.1, 1.4, 1.0}, ThresholdRow{28.4, 1.6, 1.1}};
 constexpr double kFittedD50_px = 1.0;  ///< the row by which chapter8_conditions() were chosen
 
 double percent_of(const Detection& detection, double d50_px, int kernel) {
@@ -30,7 +30,7 @@ double percent_of(const Detection& detection, double d50_px, int kernel) {
 Statement table_11_2(const Measures& of) {
   std::string found;
   double worst = 0;
-  for (const Row& row : kRows) {
+  for (const ThresholdRow& row : kRows) {
     const double ours = percent_of(of.dsad(), row.d50_px, 9);
     found += fmt::format(" {:.1f}{}", ours, row.d50_px == kFittedD50_px ? " (fitted)" : "");
     if (row.d50_px != kFittedD50_px) worst = std::max(worst, std::abs(ours - row.percent));
@@ -46,7 +46,7 @@ Statement table_11_2(const Measures& of) {
 Statement disparities_of_95(const Measures& of) {
   std::string found;
   double worst = 0;
-  for (const Row& row : kRows) {
+  for (const ThresholdRow& row : kRows) {
     const double place = of.dsad().disparity_at(of.dsad().threshold(row.d50_px), 0.95).value_or(0);
     worst = std::max(worst, std::abs(place - row.d95_px));
     found += fmt::format(" {:.2f}", place);
