@@ -23,10 +23,7 @@ using Eigen::Vector2d;
 
 constexpr double kBlur_px = 0.8;
 constexpr int kPoints = 16;  ///< an edge
-constexpr double kJitter_px = 0.035;
-constexpr const char* kJitterFitted =
-    "the jitter of the lines (0.035 px) of Tables 6.1 and 6.2, so that linear interpolation on squares has the table's "
-    "deviation in x, 0.0178 px.";
+constexpr double kJitter_px = 0.028;
 
 // ---------------------------------------------------------------- Table 6.1
 
@@ -262,7 +259,10 @@ void edge_tables(StudyReport& report, const StudyScope& scope) {
   const Scatters jittered = repeated(scope, kJitter_px, csv, progress);
   progress.clear();
   report.table("table-6-1.csv", csv);
-  report.fitted(kJitterFitted);
+  report.fitted(fmt::format(
+      "the jitter of the lines ({} px) of Tables 6.1 and 6.2, so that linear interpolation on squares has the "
+      "table's deviation in x, 0.0178 px.",
+      kJitter_px));
   report.result["conditions"] = {
       {"blur_px", kBlur_px}, {"jitter_px", kJitter_px}, {"noise_grey", noisy(kBlur_px).noise}};
   const Scatter& linear = jittered.at("square").at("linear-13");
