@@ -68,7 +68,7 @@ struct PairResult {
   std::array<MethodResult, kMethodNames.size()> methods;
 };
 
-const MachineProfile& profile_of(const EvaluateOptions& options, const StereoPair& pair) {
+const MachineProfile& profile_for(const EvaluateOptions& options, const StereoPair& pair) {
   const MachineProfile* profile =
       options.profile.empty() ? smallest_profile(pair.left.width, pair.left.height) : &find_profile(options.profile);
   if (profile == nullptr) {
@@ -121,7 +121,7 @@ json rule_parameters(const EvaluateOptions& options, const MachineProfile& profi
 
 MethodResult run_horopter(const EvaluateOptions& options, const StereoPair& pair, const GroundTruth& truth,
                           const std::vector<double>& disparities, const Image& right, int runs) {
-  const MachineProfile& profile = profile_of(options, pair);
+  const MachineProfile& profile = profile_for(options, pair);
   MethodResult result;
   result.parameters = rule_parameters(options, profile);
   result.seconds = std::numeric_limits<double>::infinity();
@@ -146,14 +146,7 @@ MethodResult score_matching(const Matching& matching, const GroundTruth& truth, 
   result.seconds = matching.seconds;
   result.parameters = matching.parameters;
   for (const double d : disparities) {
-    std::vector<Answer> answers;
-    answers.reserve(matching.disparity_px.size());
-    for (const float found : matching.disparity_px) {
-      answers.push_back(std::isnan(found)                             ? Answer::undecidable
-                        : std::abs(double{found} - d) <= tolerance_px ? Answer::skin
-                                                                      : Answer::clear);
-    }
-    result.by_disparity.push_back(score(truth, d, tolerance_px, answers));
+    result.by_disparity.push_back(score(truth, d, tolerance_px, answers_of(matching, d, tolerance_px)));
   }
   return result;
 }
@@ -164,7 +157,8 @@ PairResult evaluate_pair(const EvaluateOptions& options, const StereoPair& pair,
   result.name = pair.name;
   result.disparities = options.disparities.empty() ? truth.frequent() : options.disparities;
   if (result.disparities.empty()) {
-    throw FileError(pair.name, "", "no pixel of the ground truth counts", "known pixels visible in both images");
+    throw FileError(pair.name, "", "no pixel of the ground truth counts",
+                    "known pixels visible in both images, and in the mask");
   }
   const Image right = changed(pair.right, change);
   const int runs = change == "none" ? kTimedRuns : 1;
@@ -275,7 +269,8 @@ void print(const json& result) {
 
 ExitStatus evaluate(const EvaluateOptions& options) {
   std::vector<StereoPairFiles> files;
-  const bool single = !options.pair.left.empty() || !options.pair.right.empty() || !options.pair.disparity.empty();
+  const bool single = !options.pair.left.empty() || !options.pair.right.empty() || !options.pair.disparity.empty() ||
+                      !options.pair.mask.empty();
   if (single == !options.list.empty()) throw UsageError("either --list, or --left, --right and --disparity");
   if (single) {
     if (options.pair.left.empty() || options.pair.right.empty() || options.pair.disparity.empty()) {
@@ -290,7 +285,7 @@ ExitStatus evaluate(const EvaluateOptions& options) {
   std::vector<StereoPair> pairs;
   for (const StereoPairFiles& one : files) pairs.push_back(load_pair(one));
   std::vector<GroundTruth> truths;
-  for (const StereoPair& pair : pairs) truths.emplace_back(pair.truth);
+  for (const StereoPair& pair : pairs) truths.push_back(pair.ground_truth());
 
   std::vector<std::string> changes{"none"};
   for (const std::string& name : options.changes) {
@@ -339,6 +334,8 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
   command->add_option("--right", options->pair.right, "Right image")->type_name("FILE");
   command->add_option("--disparity", options->pair.disparity, "Ground truth for the left image: PNG, PGM or PFM")
       ->type_name("FILE");
+  command->add_option("--mask", options->pair.mask, "Image that is 255 where both cameras see; only there pixels count")
+      ->type_name("FILE");
   command->add_option("--scale", options->pair.scale, "Value of the ground truth for 1 px")
       ->check(above_zero())
       ->capture_default_str();
@@ -348,7 +345,8 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
   command
       ->add_option(
           "--list", options->list,
-          "Several pairs: a line `name left right disparity scale resize mask` each, paths relative to the list")
+          "Several pairs: a line `name left right disparity scale resize mask` each, the last three may be left "
+          "out; paths relative to the list")
       ->type_name("FILE");
   command
       ->add_option("--tolerance", options->tolerance_px,
@@ -405,8 +403,8 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
       ->type_name("P");
   command->add_flag("--json", options->json, "Print the result as JSON on standard output, and nothing else");
   command->footer(
-      "A pixel counts where ground truth is known, x >= largest disparity + 8, and no pixel of the same row nearer by\n"
-      "more than 1 px lands on the same right column. An object is a connected region in the skin of at least 0.2 % of\n"
+      "A pixel counts where ground truth is known, x >= largest disparity + 8, no pixel of the same row nearer by\n"
+      "more than 1 px lands on the same right column, and the mask, if there is one, is 255. An object is a connected region in the skin of at least 0.2 % of\n"
       "the image, found where at least 30 % of it is answered; a false object is an answered region of that size with\n"
       "less than 10 % of it within the tolerance + 1 px. Undecidable pixels count as not in the skin. Times are of one\n"
       "thread: of one skin for Horopter, of all disparities for the matchers.\n\n"

@@ -77,4 +77,15 @@ Matching match_sgbm(const Image& left, const Image& right, double largest_px, in
   return result;
 }
 
+std::vector<Answer> answers_of(const Matching& matching, double disparity_px, double tolerance_px) {
+  std::vector<Answer> answers;
+  answers.reserve(matching.disparity_px.size());
+  for (const float found : matching.disparity_px) {
+    answers.push_back(std::isnan(found)                                        ? Answer::undecidable
+                      : std::abs(double{found} - disparity_px) <= tolerance_px ? Answer::skin
+                                                                               : Answer::clear);
+  }
+  return answers;
+}
+
 }  // namespace horopter::cli

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "horopter/image/evaluation.hpp"
 #include "horopter/image/image.hpp"
 
 namespace horopter::cli {
@@ -19,5 +20,8 @@ struct Matching {
 /// `largest_px`: disparities from 0 to at least this are searched.
 Matching match_bm(const Image& left, const Image& right, double largest_px, int runs);
 Matching match_sgbm(const Image& left, const Image& right, double largest_px, int runs);
+
+/// Which pixels lie within the tolerance of a disparity.
+std::vector<Answer> answers_of(const Matching& matching, double disparity_px, double tolerance_px);
 
 }  // namespace horopter::cli

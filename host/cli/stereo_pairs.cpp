@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <opencv2/imgproc.hpp>
 #include <sstream>
@@ -21,7 +20,6 @@ namespace {
 
 constexpr double kNoiseSigma = 5;
 constexpr std::uint64_t kNoiseSeed = 6;
-constexpr std::uint8_t kSeenByBoth = 255;  // of a mask
 
 cv::Mat view(const Image& image) {
   return {image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.pixels.data())};
@@ -96,7 +94,7 @@ const Change& find_change(const std::string& name) {
 
 std::vector<StereoPairFiles> read_pair_list(const std::string& path) {
   const std::string expected =
-      "`name left right disparity scale resize mask`, scale and resize positive numbers, the last three may be left out";
+      "`name left right disparity scale resize mask`; the last three may be left out, the numbers are positive";
   const auto bytes = read_file(path, "a list of pairs: " + expected);
   std::istringstream text(std::string(bytes.begin(), bytes.end()));
   const auto directory = std::filesystem::path(path).parent_path();
@@ -128,14 +126,30 @@ std::vector<StereoPairFiles> read_pair_list(const std::string& path) {
   return pairs;
 }
 
+namespace {
+
+/// Not 0 where the mask is 255: the masks of public sets have another value where one camera sees.
+std::vector<std::uint8_t> load_mask(const std::string& file, const Image& left, const std::string& left_file) {
+  Image mask = load_image(file);
+  if (mask.width != left.width || mask.height != left.height) {
+    throw FileError(file, "", fmt::format("{}x{} pixels", mask.width, mask.height),
+                    fmt::format("{}x{}, as {}", left.width, left.height, left_file));
+  }
+  for (auto& value : mask.pixels) value = value == 255 ? 1 : 0;
+  if (std::ranges::count(mask.pixels, 1) == 0) {
+    throw FileError(file, "", "no pixel is 255", "a mask: 255 where both cameras see");
+  }
+  return std::move(mask.pixels);
+}
+
+}  // namespace
+
 StereoPair load_pair(const StereoPairFiles& files) {
   const Image left = load_image(files.left);
   const Image right = load_image(files.right);
-  DisparityMap truth = load_disparity(files.disparity, files.scale);
-  const Image mask = files.mask.empty() ? Image(left.width, left.height) : load_image(files.mask);
-  for (const auto& [file, width, height] : {std::tuple(files.right, right.width, right.height),
-                                            {files.disparity, truth.width, truth.height},
-                                            {files.mask, mask.width, mask.height}}) {
+  const DisparityMap truth = load_disparity(files.disparity, files.scale);
+  for (const auto& [file, width, height] :
+       {std::tuple(files.right, right.width, right.height), {files.disparity, truth.width, truth.height}}) {
     if (width != left.width || height != left.height) {
       throw FileError(file, "", fmt::format("{}x{} pixels", width, height),
                       fmt::format("{}x{}, as {}", left.width, left.height, files.left));
@@ -146,12 +160,22 @@ StereoPair load_pair(const StereoPairFiles& files) {
     throw FileError(files.disparity, "", fmt::format("with a scale of {:g} a disparity of {:g} px", files.scale, *wide),
                     fmt::format("less than the {} px of the image's width", truth.width));
   }
-  for (std::size_t i = 0; !files.mask.empty() && i < truth.px.size(); ++i) {
-    if (mask.pixels[i] != kSeenByBoth) truth.px[i] = std::numeric_limits<float>::quiet_NaN();
+  const std::vector<std::uint8_t> seen =
+      files.mask.empty() ? std::vector<std::uint8_t>() : load_mask(files.mask, left, files.left);
+  StereoPair pair{files.name,
+                  resize_image(left, files.resize, files.left),
+                  resize_image(right, files.resize, files.right),
+                  truth,
+                  files.left,
+                  seen};
+  if (files.resize != 1) {
+    pair.truth = resized(truth, files.resize, pair.left.width, pair.left.height);
+    if (!seen.empty()) {
+      const DisparityMap mask{left.width, left.height, {seen.begin(), seen.end()}};
+      const DisparityMap small = resized(mask, 1, pair.left.width, pair.left.height);
+      pair.seen.assign(small.px.begin(), small.px.end());
+    }
   }
-  StereoPair pair{files.name, resize_image(left, files.resize, files.left),
-                  resize_image(right, files.resize, files.right), truth, files.left};
-  if (files.resize != 1) pair.truth = resized(truth, files.resize, pair.left.width, pair.left.height);
   return pair;
 }
 

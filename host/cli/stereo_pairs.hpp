@@ -21,7 +21,7 @@ struct StereoPairFiles {
   std::string disparity;
   double scale = 1;    ///< of the disparity file: its value for 1 px
   double resize = 1;   ///< factor by which images and disparities are made smaller or larger
-  std::string mask{};  ///< image of the disparities' size: 255 where both cameras see the place; empty: none
+  std::string mask{};  ///< image: 255 where both cameras see; empty: none
 };
 
 struct StereoPair {
@@ -29,11 +29,15 @@ struct StereoPair {
   Image left;
   Image right;
   DisparityMap truth;
-  std::string file{};  ///< of the left image, for messages
+  std::string file{};                ///< of the left image, for messages
+  std::vector<std::uint8_t> seen{};  ///< not 0 where both cameras see, by the mask; empty: there is none
+
+  [[nodiscard]] GroundTruth ground_truth() const { return GroundTruth(truth, seen); }
 };
 
 /// One pair a line: `name left right disparity scale resize mask`, separated by blanks; the last three may be left out
-/// (1, 1, none). Paths are relative to the list; `#` begins a comment. Throws FileError with the line.
+/// (1, 1, none).
+/// Paths are relative to the list; `#` begins a comment. Throws FileError with the line.
 std::vector<StereoPairFiles> read_pair_list(const std::string& path);
 
 /// Throws FileError for files that are bad or do not fit each other.

@@ -162,6 +162,42 @@ TEST_CASE("evaluate takes a list, with paths relative to it, and sizes") {
   CHECK(iou(1, 1) > 0.5);  // 14 px at half the size
 }
 
+TEST_CASE("evaluate counts only what the mask says that both cameras see") {
+  Sandbox box;
+  with_pair(box);
+  const auto evaluated = [&](const std::vector<std::string>& more) {
+    const auto result = box.run(on_pair() + std::vector<std::string>{"--change", "none"} + more);
+    CAPTURE(result.err);
+    REQUIRE(result.status == 0);
+    return nlohmann::json::parse(result.out)["pairs"][0];
+  };
+  const auto without = evaluated({});
+  // Everything, and nothing of the block: 128 is what one camera sees, in the masks of public sets.
+  cv::Mat mask(120, 200, CV_8UC1, cv::Scalar(255));
+  cv::imwrite((box / "all.png").string(), mask);
+  mask(cv::Rect(90, 40, 60, 50)) = 128;
+  cv::imwrite((box / "background.png").string(), mask);
+  CHECK(evaluated({"--mask", "all.png"})["methods"]["stereosgbm"]["iou"] == without["methods"]["stereosgbm"]["iou"]);
+  CHECK(evaluated({"--mask", "background.png"})["disparities"] == nlohmann::json({kBackground}));
+
+  box.write("pairs.txt",
+            "whole left.png right.png truth.pgm 8 1 background.png\n"
+            "half left.png right.png truth.pgm 8 0.5 background.png\n");
+  const auto listed = box.run({"evaluate", "--list", "pairs.txt", "--change", "none", "--json"});
+  CAPTURE(listed.err);
+  REQUIRE(listed.status == 0);
+  const auto pairs = nlohmann::json::parse(listed.out)["pairs"];
+  CHECK(pairs[0]["disparities"] == nlohmann::json({kBackground}));
+  CHECK(pairs[1]["disparities"] == nlohmann::json({kBackground / 2}));
+
+  cv::imwrite((box / "small.png").string(), mask(cv::Rect(0, 0, 30, 20)));
+  check_bad_file(box, on_pair() + std::vector<std::string>{"--mask", "small.png"}, "small.png", "30x20");
+  cv::imwrite((box / "none.png").string(), cv::Mat(120, 200, CV_8UC1, cv::Scalar(128)));
+  check_bad_file(box, on_pair() + std::vector<std::string>{"--mask", "none.png"}, "none.png", "no pixel is 255");
+  box.write("pairs.txt", "one left.png right.png truth.pgm 8 1 small.png more\n");
+  check_bad_file(box, {"evaluate", "--list", "pairs.txt"}, "pairs.txt", "8 fields");
+}
+
 TEST_CASE("evaluate prints the same as a table") {
   Sandbox box;
   with_pair(box);

@@ -119,6 +119,20 @@ TEST_CASE("Pixels count where known, right of the margin and not hidden") {
   CHECK(flat.counted() == 60 - 11);
 }
 
+TEST_CASE("Pixels outside the mask do not count, but hide others all the same") {
+  const DisparityMap map = scene(60, 1, 40, 0, 50, 1, 12);
+  std::vector<std::uint8_t> seen(60, 1);
+  for (std::size_t x = 40; x < 45; ++x) seen[x] = 0;
+  const GroundTruth truth(map, seen);
+  for (std::size_t x = 40; x < 45; ++x) CHECK(!truth.counts(x));
+  for (std::size_t x = 30; x < 40; ++x) CHECK(!truth.counts(x));
+  CHECK(truth.counts(45));
+  CHECK(truth.largest_px() == 12);
+  CHECK(truth.counted() == 40 - 10 - 5);
+  for (std::size_t x = 40; x < 50; ++x) seen[x] = 0;
+  CHECK(GroundTruth(map, seen).frequent() == std::vector<double>{2});
+}
+
 TEST_CASE("The most frequent disparities, apart from each other") {
   DisparityMap map{100, 10, std::vector<float>(1000, 20)};
   const auto put = [&](int row, float d) { std::fill_n(map.px.begin() + row * 100 + 40, 60, d); };

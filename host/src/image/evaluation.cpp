@@ -42,7 +42,8 @@ std::vector<std::pair<int, int>> large_regions(const cv::Mat& mask, const cv::Ma
 
 }  // namespace
 
-GroundTruth::GroundTruth(DisparityMap map) : map_(std::move(map)), counts_(map_.px.size()) {
+GroundTruth::GroundTruth(DisparityMap map, const std::vector<std::uint8_t>& seen)
+    : map_(std::move(map)), counts_(map_.px.size()) {
   for (const float d : map_.px) {
     if (!std::isnan(d)) largest_px_ = std::max(largest_px_, static_cast<double>(d));
   }
@@ -59,8 +60,10 @@ GroundTruth::GroundTruth(DisparityMap map) : map_(std::move(map)), counts_(map_.
     }
     for (int x = 0; x < map_.width; ++x) {
       const float d = map_.at(x, y);
+      const auto pixel = static_cast<std::size_t>(y) * map_.width + x;
       if (std::isnan(d) || x < largest_px_ + kMargin_px || landing(x, d) > d + 1) continue;
-      counts_[static_cast<std::size_t>(y) * map_.width + x] = 1;
+      if (!seen.empty() && seen[pixel] == 0) continue;
+      counts_[pixel] = 1;
       ++counted_;
     }
   }

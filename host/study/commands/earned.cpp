@@ -90,7 +90,7 @@ double median_disparity_px(const GroundTruth& truth) {
 
 Scene pair_scene(const std::string& set, const StereoPairFiles& files) {
   const StereoPair pair = load_pair(files);
-  GroundTruth truth(pair.truth);
+  GroundTruth truth = pair.ground_truth();
   const double px = median_disparity_px(truth);
   if (px < 1) throw FileError(files.disparity, "", "no known disparity of 1 px or more", "half of the known ones");
   const calib::Rig rig = rectified_rig(pair.left);

@@ -13,12 +13,13 @@ namespace horopter {
 enum class Answer : std::uint8_t { clear, skin, undecidable };
 
 /// Ground truth and the pixels of it that count: known, x ≥ largest disparity + `kMargin_px`, and visible in the right
-/// image: no pixel of the same row nearer by more than 1 px lands on the same right column.
+/// image: no pixel of the same row nearer by more than 1 px lands on the same right column, and the mask says so, too.
 class GroundTruth {
  public:
   static constexpr int kMargin_px = 8;
 
-  explicit GroundTruth(DisparityMap map);
+  /// `seen`: not 0 for pixels that both cameras see, row by row; empty: nothing is known of that.
+  explicit GroundTruth(DisparityMap map, const std::vector<std::uint8_t>& seen = {});
   int width() const { return map_.width; }
   int height() const { return map_.height; }
   const DisparityMap& disparities() const { return map_; }
