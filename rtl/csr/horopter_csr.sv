@@ -312,7 +312,7 @@ module horopter_csr #(
   // BLIND_STEP: Blind camera: a step from a cell of its image to the next one in the row is one that it sees. Cells: 8×8 px, in a build wider than 1024 px 16×16 px.
   logic [ 7:0] blind_step_grey_q;
   assign blind_step_grey_o = blind_step_grey_q;
-  // BLIND_SHARE: Blind camera: such steps at a smaller share of the frame's cells than this are a fault.
+  // BLIND_SHARE: Blind camera: such steps at a smaller share of the frame's cells than this are a fault. So is a quarter of the strips of four columns of cells, or of the rows of cells, without a step of 3/8 of BLIND_STEP.
   logic [ 7:0] blind_share_of_256_q;
   assign blind_share_of_256_o = blind_share_of_256_q;
   // STILL_LIMIT: Frozen camera: so many frames one after another that repeat one of the two before them, but for noise, are a fault (hls/stages/still.hpp).

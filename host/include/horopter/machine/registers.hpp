@@ -487,7 +487,8 @@ inline constexpr Field kLeftConstant{8, 1};
 inline constexpr Field kLeftFrozen{9, 1};
 /// A bit of the left image's memory fell over.
 inline constexpr Field kLeftParity{10, 1};
-/// The left image has too little contrast for a scene (BLIND_SHARE): a covered or fogged lens, darkness, glare.
+/// The left image has too little contrast for a scene (BLIND_SHARE), as a whole or in a quarter of its columns or rows:
+/// a covered or fogged lens, tape, darkness, glare.
 inline constexpr Field kLeftBlind{11, 1};
 /// The left image is less sharp than the other one (its detail, in proportion to its contrast, is below 5/8), or has
 /// less than a quarter of its contrast.
@@ -516,7 +517,8 @@ inline constexpr Field kRightConstant{24, 1};
 inline constexpr Field kRightFrozen{25, 1};
 /// A bit of the right image's memory fell over.
 inline constexpr Field kRightParity{26, 1};
-/// The right image has too little contrast for a scene (BLIND_SHARE): a covered or fogged lens, darkness, glare.
+/// The right image has too little contrast for a scene (BLIND_SHARE), as a whole or in a quarter of its columns or
+/// rows: a covered or fogged lens, tape, darkness, glare.
 inline constexpr Field kRightBlind{27, 1};
 /// The right image is less sharp than the other one (its detail, in proportion to its contrast, is below 5/8), or has
 /// less than a quarter of its contrast.
@@ -637,7 +639,8 @@ inline constexpr Field kLeftConstant{8, 1};
 inline constexpr Field kLeftFrozen{9, 1};
 /// A bit of the left image's memory fell over.
 inline constexpr Field kLeftParity{10, 1};
-/// The left image has too little contrast for a scene (BLIND_SHARE): a covered or fogged lens, darkness, glare.
+/// The left image has too little contrast for a scene (BLIND_SHARE), as a whole or in a quarter of its columns or rows:
+/// a covered or fogged lens, tape, darkness, glare.
 inline constexpr Field kLeftBlind{11, 1};
 /// The left image is less sharp than the other one (its detail, in proportion to its contrast, is below 5/8), or has
 /// less than a quarter of its contrast.
@@ -666,7 +669,8 @@ inline constexpr Field kRightConstant{24, 1};
 inline constexpr Field kRightFrozen{25, 1};
 /// A bit of the right image's memory fell over.
 inline constexpr Field kRightParity{26, 1};
-/// The right image has too little contrast for a scene (BLIND_SHARE): a covered or fogged lens, darkness, glare.
+/// The right image has too little contrast for a scene (BLIND_SHARE), as a whole or in a quarter of its columns or
+/// rows: a covered or fogged lens, tape, darkness, glare.
 inline constexpr Field kRightBlind{27, 1};
 /// The right image is less sharp than the other one (its detail, in proportion to its contrast, is below 5/8), or has
 /// less than a quarter of its contrast.
@@ -988,12 +992,13 @@ inline constexpr std::uint32_t kReset = 0xE;
 inline constexpr Field kGrey{0, 8};
 }  // namespace blind_step
 
-/// Blind camera: such steps at a smaller share of the frame's cells than this are a fault.
+/// Blind camera: such steps at a smaller share of the frame's cells than this are a fault. So is a quarter of the
+/// strips of four columns of cells, or of the rows of cells, without a step of 3/8 of BLIND_STEP.
 namespace blind_share {
 inline constexpr std::uint32_t kAddress = 0x188;
 inline constexpr Access kAccess = Access::kReadWrite;
 inline constexpr std::uint32_t kReset = 0x2;
-/// 1/256; by default 0.8 %; 0 = never.
+/// 1/256; by default 0.8 %; 0 = never, nor for strips and rows.
 inline constexpr Field kOf256{0, 8};
 }  // namespace blind_share
 
