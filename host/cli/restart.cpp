@@ -33,16 +33,18 @@ struct RestartOptions {
   bool json = false;
 };
 
-struct Answer {
+struct RestartAnswer {
   bool restarted = false;
   bool safe = false;
   std::string reason;  ///< why it was not restarted
 };
 
-Answer restart(Device& device) {
+RestartAnswer restart(Device& device) {
   const auto before = device.read(reg::status::kAddress);
   if (says_safe(before)) return {.restarted = false, .safe = true, .reason = {}};
-  const auto refused = [](const std::string& why) { return Answer{.restarted = false, .safe = false, .reason = why}; };
+  const auto refused = [](const std::string& why) {
+    return RestartAnswer{.restarted = false, .safe = false, .reason = why};
+  };
   const auto interlock = device.read(reg::interlock::kAddress);
   if (reg::interlock::kByRegister.get(interlock) == 0) {
     return refused("its settings do not allow a restart from here; `horopter upload --restart register` does");
@@ -59,7 +61,7 @@ Answer restart(Device& device) {
   return refused("a frame with a fault or an alarm came in between, or none");
 }
 
-void print_answer(const RestartOptions& options, const Answer& answer) {
+void print_answer(const RestartOptions& options, const RestartAnswer& answer) {
   if (options.json) {
     nlohmann::ordered_json json{
         {"engine", options.engine}, {"restarted", answer.restarted}, {"safe", answer.safe}, {"reason", nullptr}};
@@ -75,7 +77,7 @@ void print_answer(const RestartOptions& options, const Answer& answer) {
 ExitStatus restart(const RestartOptions& options) {
   const auto device = make_device(options.engine, profiles().front());
   find_build(*device);  // or it is no Horopter
-  const Answer answer = restart(*device);
+  const RestartAnswer answer = restart(*device);
   print_answer(options, answer);
   return answer.safe ? ExitStatus::done : ExitStatus::fault;
 }
