@@ -229,7 +229,8 @@ TEST_CASE("study earned --sets: what stays clear, set by set; sets that are not 
   CAPTURE(found.err);
   REQUIRE(found.status == 0);
   int lines = 0;
-  for (const json& line : json::parse(found.out)["sets"]) {
+  const json result = json::parse(found.out);
+  for (const json& line : result.at("sets")) {
     CAPTURE(line.dump());
     CHECK(line["kept"].get<double>() <= 1);
     if (line["skin"] != "+16 px") continue;
