@@ -278,6 +278,36 @@ TEST_CASE("The log stays within its limit: the oldest events go first, and the l
   CHECK(events_of(monitor::read_log(box / "log", true), "stop").back().json["frame"] == 50075);
 }
 
+TEST_CASE("What was removed, and whose end is torn, is told as long as it shows") {
+  Sandbox box;
+  auto settings = settings_in(box / "log");
+  settings.limit_bytes = 1'000'000;
+  {
+    EventLog log(settings);
+    for (std::uint64_t event = 0; event < 6; ++event) play(log, 1000 * event, 1000 * event + 150, 1000 * event + 75);
+    REQUIRE(log.flush(kLong));
+  }
+  // The last event, which is kept, has a torn end.
+  std::ofstream(files_in(box / "log", ".jsonl").back(), std::ios::app) << "0123456789abcdef torn";
+  // Records after it push out what was before it; then those that told of that and of the torn end are pushed out themselves.
+  for (int round = 0; round < 3; ++round) {
+    CAPTURE(round);
+    {
+      EventLog log(settings);
+      for (int i = 0; i < 1500; ++i) {
+        log.note("login_refused", kAnna, "Log-in refused. " + std::string(1000, 'x'));
+        if (i % 500 == 499) REQUIRE(log.flush(kLong));
+      }
+      CHECK(bytes_in(box / "log") <= settings.limit_bytes);
+    }
+    const auto reading = monitor::read_log(box / "log", true);
+    CAPTURE(reading.problems, reading.notes);
+    CHECK(reading.problems.empty());
+    CHECK(reading.events.front().number > 1);
+    CHECK(events_of(reading, "stop").size() == 1);
+  }
+}
+
 TEST_CASE("A writer that is killed at any moment leaves a log in order, with all that it had promised") {
   Sandbox box;
   const auto seed = std::random_device{}();

@@ -122,9 +122,18 @@ Segment read_segment(const fs::path& path) {
   return segment;
 }
 
-std::optional<Removal> removal_in(const Record& record) {
-  if (text_in(record.json, "kind") != "removed") return std::nullopt;
-  return Removal{number_in(record.json, "first"), number_in(record.json, "last"), text_in(record.json, "sha256")};
+std::vector<Removal> removals_in(const Record& record) {
+  if (text_in(record.json, "kind") != "removed") return {};
+  const auto one = [](const Json& json) {
+    return Removal{number_in(json, "first"), number_in(json, "last"), text_in(json, "sha256")};
+  };
+  std::vector<Removal> removals{one(record.json)};
+  if (const auto earlier = record.json.find("earlier"); earlier != record.json.end() && earlier->is_array()) {
+    for (const Json& entry : *earlier) {
+      if (entry.is_object()) removals.push_back(one(entry));
+    }
+  }
+  return removals;
 }
 
 Journal::Journal(const fs::path& directory, std::uint64_t limit_bytes)
@@ -162,6 +171,13 @@ void Journal::remove_leftovers() {
   for (const fs::path& path : leftovers) opened_.leftovers += fs::remove(path, error) ? 1 : 0;
 }
 
+void Journal::take_tellings(Part& part, const Record& record) {
+  for (Removal& removal : removals_in(record)) part.removals.push_back(std::move(removal));
+  if (const auto torn = record.json.find("torn"); torn != record.json.end() && torn->is_array()) {
+    part.torn.insert(part.torn.end(), torn->begin(), torn->end());
+  }
+}
+
 void Journal::read() {
   std::vector<Removal> removals;
   Json known = Json::array();  // torn ends that were told
@@ -173,10 +189,7 @@ void Journal::read() {
     Part part{.path = path, .first = order_of(path)->first, .last = 0, .sha256 = previous_, .bytes = segment.bytes};
     part.last = part.first - 1;
     for (Record& record : segment.records) {
-      if (const auto removal = removal_in(record)) removals.push_back(*removal);
-      if (const auto torn = record.json.find("torn"); torn != record.json.end() && torn->is_array()) {
-        for (const Json& entry : *torn) known.push_back(entry);
-      }
+      take_tellings(part, record);
       part.group = part.group || text_in(record.json, "kind") == kStop;
       part.pictures_of = std::max(part.pictures_of, pictures_in(record));
       part.last = record.number;
@@ -185,7 +198,9 @@ void Journal::read() {
       previous_ = record.sha256;
       opened_.records.push_back(std::move(record));
     }
-    parts_.push_back(part);
+    removals.insert(removals.end(), part.removals.begin(), part.removals.end());
+    known.insert(known.end(), part.torn.begin(), part.torn.end());
+    parts_.push_back(std::move(part));
   }
   Json news = Json::array();
   for (const Json& entry : opened_.torn) {
@@ -318,6 +333,7 @@ int Journal::append(Json record, bool group, Record& written) {
   written = {.number = next_, .sha256 = checksum, .previous = previous_, .json = std::move(full)};
   part.group = part.group || group;
   part.pictures_of = std::max(part.pictures_of, pictures_in(written));
+  take_tellings(part, written);
   part.last = next_;
   part.sha256 = checksum;
   ++next_;
@@ -362,6 +378,29 @@ void Journal::remove(const Part& part) {
   fs::remove(part.path, error);
 }
 
+/// What the parts that are going tell of those that stay must be told again: which records before one of them were removed,
+/// as an array, and, with the next record, whose end is torn.
+Json Journal::still_told(std::span<const Part> going) {
+  Json earlier = Json::array();
+  const auto stays = [&](const auto& is_it) {
+    return std::ranges::any_of(parts_, [&](const Part& part) {
+      return is_it(part) && std::ranges::find(going, part.path, &Part::path) == going.end();
+    });
+  };
+  for (const Part& part : going) {
+    for (const Removal& removal : part.removals) {
+      if (!stays([&](const Part& other) { return other.first == removal.last + 1; })) continue;
+      earlier.push_back({{"first", removal.first}, {"last", removal.last}, {"sha256", removal.sha256}});
+    }
+    for (const Json& entry : part.torn) {
+      if (!entry.is_object()) continue;
+      const std::string file = text_in(entry, "file");
+      if (stays([&](const Part& other) { return other.path.filename() == file; })) opened_.torn.push_back(entry);
+    }
+  }
+  return earlier;
+}
+
 bool Journal::make_room(std::uint64_t bytes) {
   if (bytes_ + bytes <= limit_bytes_) return true;
   if (removing_) return false;
@@ -388,15 +427,14 @@ bool Journal::make_room(std::uint64_t bytes) {
                                 parts_.begin() + static_cast<std::ptrdiff_t>(end));
     Record told;
     const std::int64_t first = begin == 0 ? row.front().first : parts_[begin - 1].last + 1;
-    if (append({{"kind", "removed"},
-                {"text",
-                 fmt::format("The oldest events, {} to {}, were removed: the log is full.", first, row.back().last)},
-                {"first", first},
-                {"last", row.back().last},
-                {"sha256", row.back().sha256}},
-               false, told) != 0) {
-      break;
-    }
+    Json removed{
+        {"kind", "removed"},
+        {"text", fmt::format("The oldest events, {} to {}, were removed: the log is full.", first, row.back().last)},
+        {"first", first},
+        {"last", row.back().last},
+        {"sha256", row.back().sha256}};
+    if (Json earlier = still_told(row); !earlier.empty()) removed["earlier"] = std::move(earlier);
+    if (append(std::move(removed), false, told) != 0) break;
     for (const Part& part : row) {
       bytes_ -= std::min(bytes_, part.bytes + picture_bytes(part));
       remove(part);

@@ -50,7 +50,8 @@ struct Removal {
   std::int64_t last = 0;
   std::string sha256;
 };
-std::optional<Removal> removal_in(const Record& record);
+/// What the record tells to be removed: now, and what a record told that goes with it.
+std::vector<Removal> removals_in(const Record& record);
 
 inline const std::string kNoPrevious(64, '0');
 // Kinds of records that more than one part knows.
@@ -95,7 +96,11 @@ class Journal {
     std::uint64_t bytes = 0;
     bool group = false;
     std::int64_t pictures_of = 0;  ///< the last event of which it has pictures
+    std::vector<Removal> removals;  ///< that it tells of
+    Json torn = Json::array();      ///< torn ends that it tells of
   };
+  static void take_tellings(Part& part, const Record& record);
+  [[nodiscard]] Json still_told(std::span<const Part> going);
 
   void read();
   void remove_leftovers();

@@ -47,7 +47,7 @@ class Check {
       : directory_(directory), reading_(reading), segments_(segments) {
     for (const Segment& segment : segments_) {
       for (const Record& record : segment.records) {
-        if (auto removal = removal_in(record)) removals_.push_back(std::move(*removal));
+        for (Removal& removal : removals_in(record)) removals_.push_back(std::move(removal));
         const auto torn = record.json.find("torn");
         if (torn != record.json.end() && torn->is_array()) torn_.insert(torn_.end(), torn->begin(), torn->end());
       }
