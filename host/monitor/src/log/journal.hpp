@@ -95,9 +95,9 @@ class Journal {
     std::string sha256;  ///< of the last
     std::uint64_t bytes = 0;
     bool group = false;
-    std::int64_t pictures_of = 0;  ///< the last event of which it has pictures
-    std::vector<Removal> removals;  ///< that it tells of
-    Json torn = Json::array();      ///< torn ends that it tells of
+    std::int64_t pictures_of = 0;     ///< the last event of which it has pictures
+    std::vector<Removal> removals{};  ///< that it tells of
+    Json torn = Json::array();        ///< torn ends that it tells of
   };
   static void take_tellings(Part& part, const Record& record);
   [[nodiscard]] Json still_told(std::span<const Part> going);
