@@ -308,6 +308,37 @@ TEST_CASE("What was removed, and whose end is torn, is told as long as it shows"
   }
 }
 
+TEST_CASE("A removal that a kill has interrupted is no damage, and is ended at the next start") {
+  Sandbox box;
+  auto settings = settings_in(box / "log");
+  settings.limit_bytes = 1'000'000;
+  {
+    EventLog log(settings);
+    for (std::uint64_t event = 0; event < 6; ++event) play(log, 1000 * event, 1000 * event + 150, 1000 * event + 75);
+  }
+  const auto before = files_in(box / "log", ".jsonl");
+  fs::create_directories(box / "copy");
+  for (const fs::path& path : before) fs::copy_file(path, box / "copy" / path.filename());
+  {
+    EventLog log(settings);
+    for (int i = 0; i < 900; ++i) {
+      log.note("login_refused", kAnna, "Log-in refused. " + std::string(1000, 'x'));
+      if (i % 300 == 299) REQUIRE(log.flush(kLong));
+    }
+  }
+  std::vector<fs::path> gone;
+  std::ranges::copy_if(before, std::back_inserter(gone), [](const fs::path& path) { return !fs::exists(path); });
+  REQUIRE(gone.size() > 2);
+  const fs::path middle = gone[gone.size() / 2];
+  fs::copy_file(box / "copy" / middle.filename(), middle);
+  CHECK(monitor::read_log(box / "log", true).problems.empty());
+  {
+    EventLog log(settings);
+  }
+  CHECK_FALSE(fs::exists(middle));
+  CHECK(monitor::read_log(box / "log", true).problems.empty());
+}
+
 TEST_CASE("A writer that is killed at any moment leaves a log in order, with all that it had promised") {
   Sandbox box;
   const auto seed = std::random_device{}();

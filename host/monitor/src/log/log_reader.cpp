@@ -79,6 +79,7 @@ class Check {
     std::string previous = kNoPrevious;
     for (const Segment& segment : segments_) {
       for (const Record& record : segment.records) {
+        if (is_going(record.number)) continue;
         const bool follows = record.number == number + 1 && record.previous == previous;
         if (!follows && !was_removed(number + 1, record)) {
           reading_.problems.push_back(
@@ -94,13 +95,8 @@ class Check {
     }
   }
 
-  /// A kill came between the record that tells a removal and its end.
-  void forget_removed() {
-    std::erase_if(reading_.events, [&](const LogReading::Event& event) {
-      return std::ranges::any_of(removals_, [&](const Removal& removal) {
-        return event.number >= removal.first && event.number <= removal.last;
-      });
-    });
+  void forget_going() {
+    std::erase_if(reading_.events, [&](const LogReading::Event& event) { return is_going(event.number); });
   }
 
   void pictures() {
@@ -130,6 +126,11 @@ class Check {
   }
 
  private:
+  /// A kill came between the record that tells a removal and its end; some of the files are still there.
+  [[nodiscard]] bool is_going(std::int64_t number) const {
+    return std::ranges::any_of(
+        removals_, [&](const Removal& removal) { return number >= removal.first && number <= removal.last; });
+  }
   [[nodiscard]] bool was_removed(std::int64_t first, const Record& next) const {
     return std::ranges::any_of(removals_, [&](const Removal& removal) {
       return (removal.first <= first || first == 1) && removal.last == next.number - 1 &&
@@ -199,7 +200,7 @@ LogReading read_log(const fs::path& directory, bool pictures) {
   Check check(directory, reading, segments);
   check.segments();
   check.chain();
-  check.forget_removed();
+  check.forget_going();
   if (pictures) check.pictures();
   return reading;
 }
