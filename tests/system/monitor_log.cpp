@@ -321,9 +321,9 @@ TEST_CASE("A removal that a kill has interrupted is no damage, and is ended at t
   for (const fs::path& path : before) fs::copy_file(path, box / "copy" / path.filename());
   {
     EventLog log(settings);
-    for (int i = 0; i < 900; ++i) {
+    for (int i = 0; i < 1500; ++i) {
       log.note("login_refused", kAnna, "Log-in refused. " + std::string(1000, 'x'));
-      if (i % 300 == 299) REQUIRE(log.flush(kLong));
+      if (i % 500 == 499) REQUIRE(log.flush(kLong));
     }
   }
   std::vector<fs::path> gone;
