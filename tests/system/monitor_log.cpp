@@ -311,11 +311,15 @@ TEST_CASE("What was removed, and whose end is torn, is told as long as it shows"
 TEST_CASE("A removal that a kill has interrupted is no damage, and is ended at the next start") {
   Sandbox box;
   auto settings = settings_in(box / "log");
-  settings.limit_bytes = 1'000'000;
+  settings.limit_bytes = 30'000'000;
   {
     EventLog log(settings);
-    for (std::uint64_t event = 0; event < 6; ++event) play(log, 1000 * event, 1000 * event + 150, 1000 * event + 75);
+    for (std::uint64_t event = 0; event < 6; ++event) {
+      play(log, 1000 * event, 1000 * event + 150, 1000 * event + 75);
+      REQUIRE(log.flush(kLong));
+    }
   }
+  settings.limit_bytes = 1'000'000;
   const auto before = files_in(box / "log", ".jsonl");
   fs::create_directories(box / "copy");
   for (const fs::path& path : before) fs::copy_file(path, box / "copy" / path.filename());
