@@ -67,8 +67,8 @@ WebConfiguration check(WebConfiguration configuration) {
   }
   if (!here && !tls && !configuration.without_tls) {
     refuse(
-        fmt::format("it would listen on {} without TLS, passwords readable on the way; expected a certificate and "
-                    "its key, or `without_tls: true`",
+        fmt::format("it would listen on {} without TLS, passwords readable on the way; expected `tls` with a certificate "
+                    "and its key, or 127.0.0.1",
                     configuration.address));
   }
   if (configuration.port < 0 || configuration.port > 65535) refuse("its port is not 0 to 65535");
