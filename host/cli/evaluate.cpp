@@ -404,10 +404,10 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
   command->add_flag("--json", options->json, "Print the result as JSON on standard output, and nothing else");
   command->footer(
       "A pixel counts where ground truth is known, x >= largest disparity + 8, no pixel of the same row nearer by\n"
-      "more than 1 px lands on the same right column, and the mask, if there is one, is 255. An object is a connected region in the skin of at least 0.2 % of\n"
-      "the image, found where at least 30 % of it is answered; a false object is an answered region of that size with\n"
-      "less than 10 % of it within the tolerance + 1 px. Undecidable pixels count as not in the skin. Times are of one\n"
-      "thread: of one skin for Horopter, of all disparities for the matchers.\n\n"
+      "more than 1 px lands on the same right column, and the mask, if there is one, is 255. An object is a connected\n"
+      "region in the skin of at least 0.2 % of the image, found where at least 30 % of it is answered; a false object is\n"
+      "an answered region of that size with less than 10 % of it within the tolerance + 1 px. Undecidable pixels count as\n"
+      "not in the skin. Times are of one thread: of one skin for Horopter, of all disparities for the matchers.\n\n"
       "Example: horopter evaluate --left im2.png --right im6.png --disparity disp2.png --scale 4");
   command->callback([=, &outcome] {
     const CLI::Option* own = options->settings.decision == Decision::thesis ? threshold : boundary;

@@ -96,9 +96,12 @@ void check_supervised(const std::string& skin, const MapSet& maps) {
       const auto count = [&](auto& n) { return &n == &report.by_reason[static_cast<int>(Reason::no_source)] ? 0 : n; };
       return count(a) < count(b);
     });
+    const auto why = static_cast<Reason>(reason - report.by_reason.begin());
+    const char* question = why == Reason::row ? ": `compete` needs rectified images"
+                           : maps.rig.empty() ? ""
+                                              : ". Is its unit millimetres, and are these the cameras of the images?";
     warn(fmt::format("{}: of what the left camera sees of this skin {:.0f} % is supervised; most of the rest is {}{}",
-                     skin, 100 * share, reason_text(static_cast<Reason>(reason - report.by_reason.begin())),
-                     maps.rig.empty() ? "" : ". Are its unit millimetres, and the cameras those of the images?"));
+                     skin, 100 * share, reason_text(why), question));
     return;
   }
 }

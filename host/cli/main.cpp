@@ -84,7 +84,8 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", HOROPTER_VERSION);
   app.footer(
       "Exit status: 0 done (alarm or not), 1 a check failed, 2 wrong usage, 3 an input file is missing or bad,\n"
-      "4 fault of a frame, the device or the engine, 130 stopped by SIGINT, 143 by SIGTERM. `horopter COMMAND --help` tells all about a command.");
+      "4 fault of a frame or of the machine, 130 stopped by SIGINT, 143 by SIGTERM.\n"
+      "`horopter COMMAND --help` tells all about a command. A first run: README.md, \"Your own cameras\".");
   Outcome outcome;
   add_run(app, outcome);
   add_monitor(app, outcome);

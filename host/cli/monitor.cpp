@@ -13,6 +13,8 @@
 
 #include "commands.hpp"
 #include "horopter/base/ending.hpp"
+#include "horopter/base/error.hpp"
+#include "horopter/image/frames.hpp"
 #include "horopter/monitor/cell.hpp"
 #include "horopter/monitor/part.hpp"
 #include "horopter/monitor/service.hpp"
@@ -20,6 +22,7 @@
 #include "horopter/plan/plan.hpp"
 #include "horopter/plan/tolerance.hpp"
 #include "horopter/skin/rig_skin.hpp"
+#include "horopter/skin/skin_file.hpp"
 #include "inputs.hpp"
 #include "numbers.hpp"
 #include "object.hpp"
@@ -133,10 +136,42 @@ std::vector<std::unique_ptr<monitor::Camera>> start_cameras(const monitor::Cell&
   return cameras;
 }
 
+/// Says where something waits for somebody who cannot come: only the page takes a restart, or teaches.
+void warn_of_nobody(const monitor::Cell& cell) {
+  const bool log_in = cell.web && !cell.web->users_file.empty();
+  if (cell.settings.interlock.by_register && !(log_in && cell.web->restart)) {
+    warn(
+        "nobody can restart this cell, so it is never safe: expected `web: {users_file: …, restart: true}`, or "
+        "`restart: by_itself` where nobody can be inside");
+  }
+  if (cell.teach.needed && !log_in) {
+    warn(
+        "nobody can teach this cell, so everything that cannot be decided counts as an object: expected "
+        "`web: {users_file: …}`");
+  }
+}
+
+/// What could only be said with the first image, if at all. Throws FileError.
+void check_files(const monitor::Cell& cell, bool has_rig) {
+  const std::string scheme = "files:";
+  for (const monitor::CameraCell& camera : cell.cameras) {
+    if (!camera.source.starts_with(scheme)) continue;
+    open_frames({(cell.path.parent_path() / camera.source.substr(scheme.size())).string()});
+  }
+  const std::string skin = cell.skin.string();
+  if (has_rig || is_table(skin)) return;
+  try {
+    load_skin(skin, {}, nullptr);
+  } catch (const UsageError&) {
+    throw FileError(cell.path.string(), "rig", "missing: this skin is seen through cameras", "the cameras (rig.yaml)");
+  }
+}
+
 ExitStatus run_monitor(const MonitorOptions& options) {
   const monitor::Cell cell = monitor::load_cell(options.cell);
   const auto rig = read_rig_option(cell.rig.string());
   check_skin_file(cell.skin.string());
+  check_files(cell, rig.has_value());
   if (is_moving_skin(cell.skin.string())) {
     throw FileError(cell.skin.string(), "motion", "a skin that moves", "one that does not: only `run` moves skins");
   }
@@ -146,6 +181,7 @@ ExitStatus run_monitor(const MonitorOptions& options) {
       cell, [&](int columns, int rows) { return make_machine(cell, rig, columns, rows); }, width, height);
   if (cell.settings.interlock.by_itself)
     warn("restart: by itself; after an alarm or a fault nobody has to say that all is well");
+  warn_of_nobody(cell);
   const auto parts = monitor::make_parts(cell, service.safe_state(), service,
                                          options.json ? monitor::Lines::json : monitor::Lines::text);
   for (const auto& part : parts) service.add(part.get());

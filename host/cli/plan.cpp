@@ -45,6 +45,7 @@ struct ThicknessOptions {
 /// A skin to plan: the user's, or a plane across the axis of symmetry.
 struct PlannedSkin {
   std::string name;
+  std::string title;  ///< short enough for a picture
   std::string picture;
   SurfacePtr surface;
 };
@@ -104,12 +105,13 @@ CamerasAndSkins read_skins(const ThicknessOptions& options) {
   const calib::Rig rig = read_rig(options.rig);
   if (!options.skin.empty()) {
     const auto skin = load_rig_skin(options.skin, rig);
-    return {skin->cameras(), {{skin->description(), "thickness.png", skin->surface()}}};
+    return {skin->cameras(), {{skin->description(), "the skin", "thickness.png", skin->surface()}}};
   }
   CamerasAndSkins read{first_pair(rig, options.rig), {}};
   for (const double distance : options.distances_mm) {
     read.skins.push_back({fmt::format("plane across the axis of symmetry, {} mm from the cameras", distance),
-                          fmt::format("thickness-{}-mm.png", distance), StereoAxis(read.cameras).plane_at(distance)});
+                          fmt::format("a plane at {} mm", distance), fmt::format("thickness-{}-mm.png", distance),
+                          StereoAxis(read.cameras).plane_at(distance)});
   }
   return read;
 }
@@ -164,7 +166,7 @@ void write_picture(OutputDirectory& output, const PlannedSkin& skin, const Thick
                    const ScanGeometry& geometry, double tolerance_px) {
   const auto [page, thinnest_mm, thickest_mm] =
       draw_thickness(geometry.width, geometry.height, plan.across_mm,
-                     fmt::format("Thickness of {} for +-{:g} px", skin.name, tolerance_px));
+                     fmt::format("Thickness across {} for +-{:g} px (D95)", skin.title, tolerance_px));
   output.write(skin.picture, encode_png_bgr(page.width, page.height, page.bgr));
 }
 
@@ -276,8 +278,9 @@ void add_plan(CLI::App& app, Outcome& outcome) {
       "threshold (Table 11.2: 0.4, 0.6, 0.7, 0.9, 1.0, 1.1 px at 11.3, 15.0, 18.4, 21.9, 25.1, 28.4 %).\n"
       "Largest speed is thickness times results a second: a faster object can pass between two images. The safety\n"
       "distance is response time times speed: to the alarm two image periods, the exposure and the machine's lines, and the\n"
-      "robot's stopping time (`horopter plan capability` has it item by item). For --decision compete, pixels whose epipolar line leaves the row are not supervised (`horopter map\n"
-      "--help`). Exit status 1: nothing of a skin is supervised, or so little that `map` refuses the cameras.\n\n"
+      "robot's stopping time (`horopter plan capability` has it item by item). For --decision compete, pixels whose\n"
+      "epipolar line leaves the row are not supervised (`horopter map --help`). Exit status 1: nothing of a skin is\n"
+      "supervised, or so little that `map` refuses the cameras.\n\n"
       "Examples: horopter plan thickness --rig rig.yaml --skin skin.yaml --stopping-ms 120 --out plan\n"
       "          horopter plan thickness --rig host/examples/table_11_1.yaml --profile field --distance 700 800 900");
   thickness->callback([options, &outcome] { outcome.status = plan_thickness(*options); });

@@ -133,16 +133,26 @@ struct Session {
   std::optional<double> results_per_s;
 };
 
+/// In the skin or clear.
+std::int64_t decided_pixels(const FrameResult& result) {
+  return static_cast<std::int64_t>(result.states.pixels.size()) - result.undecidable_pixels -
+         result.unsupervised_pixels;
+}
+
+/// Of what the rule can judge of a skin: a safe frame of which less is decided says next to nothing.
+constexpr double kLittleDecided = 0.05;
+
 void print_frame(int frame, const FrameResult& result) {
   const auto pixels = static_cast<double>(result.states.pixels.size());
-  std::string line =
-      fmt::format("frame {:4}  {:8}  skin {:5.1f} %  undecidable {:5.1f} %  unsupervised {:5.1f} %", frame,
-                  result.alarm  ? "ALARM"
-                  : result.safe ? "safe"
-                                : "not safe",
-                  100 * static_cast<double>(result.skin_pixels) / pixels,
-                  100 * static_cast<double>(result.undecidable_pixels) / pixels,
-                  100 * static_cast<double>(result.unsupervised_pixels) / pixels);
+  std::string line = fmt::format(
+      "frame {:4}  {:8}  skin {:5.1f} %  clear {:5.1f} %  undecidable {:5.1f} %  unsupervised {:5.1f} %", frame,
+      result.alarm  ? "ALARM"
+      : result.safe ? "safe"
+                    : "not safe",
+      100 * static_cast<double>(result.skin_pixels) / pixels,
+      100 * static_cast<double>(decided_pixels(result) - result.skin_pixels) / pixels,
+      100 * static_cast<double>(result.undecidable_pixels) / pixels,
+      100 * static_cast<double>(result.unsupervised_pixels) / pixels);
   for (const std::string& fault : result.faults.names()) line += "  " + fault;
   std::puts(line.c_str());
   std::fflush(stdout);  // a frame that was seen is said, whatever comes
@@ -187,8 +197,9 @@ void report_taught(const BlindWatch& watch, std::size_t pairs, const BlindSettin
                             {"watched_for_texture_only", std::move(never)}});
   if (json) return;
   fmt::print(
-      "taught by {} frames without fault and alarm: at most {:.1f} % could not be decided. If somebody was in the zone, "
-      "this is too much. {:.1f} % of the image is watched for textured things only: nothing could be decided there\n",
+      "taught by {} frames without fault and alarm: at most {:.1f} % could not be decided. Was the zone empty? Whoever was "
+      "in it is not told from now on. {:.1f} % of the image is watched for textured things only: nothing could be decided "
+      "there\n",
       watch.taught(), percent(undecidable), percent(unwatched));
 }
 
@@ -268,7 +279,8 @@ ExitStatus run(const RunOptions& options) {
   Progress progress("supervising pair");
   ExitStatus status = ExitStatus::done;
   int frame = 0;
-  std::mutex results;  // what a signal must find in order: `output`, `summary` and this
+  int hardly_decided = 0;  // safe, but hardly anything was seen
+  std::mutex results;      // what a signal must find in order: `output`, `summary` and this
   bool complete = false;
   const BeforeEnding before_ending([&] {
     results.lock();
@@ -291,6 +303,8 @@ ExitStatus run(const RunOptions& options) {
               frame_json(frame, pair->left.name, pair->right.name, result, objects, device.counts_cycles()));
         }
         if (result.faults.without(Fault::teaching).any()) status = ExitStatus::fault;
+        const auto decided = static_cast<double>(decided_pixels(result));
+        if (result.safe && decided < kLittleDecided * static_cast<double>(session.judgeable_pixels)) ++hardly_decided;
         if (!options.json) {
           progress.clear();
           print_frame(frame, result);
@@ -306,6 +320,14 @@ ExitStatus run(const RunOptions& options) {
     const std::lock_guard lock(results);
     if (options.teach != 0 && !summary.contains("taught")) {
       report_taught(session.monitor().blind_watch(), options.teach, session.settings.blind, summary, options.json);
+    }
+    if (hardly_decided > 0) {
+      warn(fmt::format(
+          "{} of {} frames are safe, but less than {:g} % of what can be judged of this skin was decided in them: the rest "
+          "has no texture, is hidden behind something nearer, or is not shown to be seen by both cameras. Does the skin "
+          "lie where it should?",
+          hardly_decided, frame, 100 * kLittleDecided));
+      add_warnings(summary);
     }
     output.write("summary.json", json_text(summary) + "\n");
     output.commit();

@@ -41,33 +41,39 @@ void add_settings(CLI::App& command, Settings& settings) {
       .add_option("--threshold", settings.threshold_percent,
                   "thesis: in the skin up to this share of the largest sum of direction differences, %; below 0.1 "
                   "nothing but a perfect copy is in the skin")
-      ->check(CLI::Range(0.1, 100.0))
+      ->check(within(0.1, 100, "%"))
+      ->type_name("%")
       ->capture_default_str();
   command
       .add_option(
           "--texture", settings.texture,
           "thesis: smallest mean gradient that decides, in units of the Sobel magnitude (8 = 1 grey level per pixel)")
-      ->check(CLI::Range(0, 255))
+      ->check(within(0, 255, "units"))
+      ->type_name("N")
       ->capture_default_str();
   command
       .add_option("--alarm-limit", settings.alarm_percent,
                   "Alarm above this share of pixels in the skin, % of the whole image")
-      ->check(CLI::Range(0.0, 100.0))
+      ->check(within(0, 100, "%"))
+      ->type_name("%")
       ->capture_default_str();
   command
       .add_option(
           "--undecidable-limit", settings.undecidable_percent,
           "Fault above this share of undecidable pixels, % of those that the rule can judge, see `horopter map`")
-      ->check(CLI::Range(0.0, 100.0))
+      ->check(within(0, 100, "%"))
+      ->type_name("%")
       ->capture_default_str();
   command
       .add_option("--unsupervised-limit", settings.unsupervised_percent,
                   "Fault above this share of unsupervised pixels, % of the whole image")
-      ->check(CLI::Range(0.0, 100.0))
+      ->check(within(0, 100, "%"))
+      ->type_name("%")
       ->capture_default_str();
   command
       .add_option("--frozen-limit", settings.frozen_limit, "Fault when an image is repeated this many times, 0 = never")
-      ->check(CLI::Range(0, 255))
+      ->check(within(0, 255, "images"))
+      ->type_name("N")
       ->capture_default_str();
   command.add_flag_callback(
       "--unproven", [&settings] { settings.proof.needed = false; },
@@ -76,7 +82,8 @@ void add_settings(CLI::App& command, Settings& settings) {
   command
       .add_option("--hidden-frames", settings.proof.hidden_frames,
                   "Fault when something has stood between cameras and skin for this many frames, 0 = never")
-      ->check(CLI::Range(0, 128))
+      ->check(within(0, 128, "frames"))
+      ->type_name("N")
       ->capture_default_str();
   command.add_flag_callback(
       "--still-scene", [&settings] { settings.still_limit = 0; },

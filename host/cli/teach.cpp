@@ -143,8 +143,9 @@ void add_teach(CLI::App& app, Outcome& outcome) {
   command->footer(
       "Where nothing has texture the machine cannot say what is in the skin. So it learns where that is while nobody is in\n"
       "the zone and the robot moves as it will. Afterwards a place that could be decided and cannot be any more is blind, and\n"
-      "counts as an object. While it learns, the machine is not safe. A frame with a fault or an alarm begins it anew. It forgets when it is stopped, by an `upload` that\n"
-      "changes settings, too: then everything that cannot be decided counts, until it is taught again.\n\n"
+      "counts as an object. While it learns, the machine is not safe. A frame with a fault or an alarm begins\n"
+      "it anew. It forgets when it is stopped, by an `upload` that changes settings, too: then everything that cannot be\n"
+      "decided counts, until it is taught again.\n\n"
       "Example: horopter teach --engine serial:/dev/ttyUSB0 --frames 3000");
   command->callback([options, &outcome] { outcome.status = teach(*options); });
 }

@@ -40,7 +40,7 @@ Matrix3 to_array(const RowMajor3& matrix) {
 constexpr std::pair<std::string_view, std::string_view> kReasons[kReasonCount] = {
     {"supervised", "supervised"},
     {"outside", "outside the right image"},
-    {"scale", "reduced to less than 1/2"},
+    {"scale", "reduced to less than 1/2 in the right image"},
     {"angle", "seen too far from the skin's normal"},
     {"no_source", "without a skin in their line of sight"},
     {"hidden", "hidden from the right camera by a part of the skin"},

@@ -354,21 +354,22 @@ constexpr const char* kIntroduction = R"(# The decision
 
 Made by `horopter study decision`: do not edit. A *rule* decides for each pixel whether something is in the skin. There are two:
 `thesis` (one threshold) and `compete` (parallel skins compete). This page measures what each part of `compete` is worth: in the
-variants a part is left out, or larger, or smaller. All variants of `compete` use the reset values of the registers. The two variants
-of `thesis` name their settings. The stages of the rules are compiled for the CPU.
+variants a part is left out, or larger, or smaller. All variants of `compete` have the default settings. The two variants of `thesis`
+name theirs, as `run --threshold` and `--texture`. The stages of the rules are compiled for the CPU.
 
 The question is always which pixels lie within ±1 px of a disparity, for up to six disparities of each of the pairs {}. Answers
 are scored as by `horopter evaluate`.
 
 | word | meaning |
 | --- | --- |
-| IoU | intersection over union: pixels that are both answered and true, over those that are one or the other |
+| IoU | intersection over union: pixels that are both answered and true, over those that are one or the other; 1 is perfect |
+| against vga's | the IoU less that of *compete, as in vga* |
 | false object | a connected group of answered pixels, at least 0.2 % of the image, where nearly nothing is true |
 | undecidable | share of the pixels that the rule leaves open |
 | memory | bits that the rule's own stages keep for each column of the image, without parity |
 | latency | rows from the newest row of the right image to the result, beyond LOOKAHEAD (how many rows the right image must be ahead of the result) |
 | planes | the parallel skins that compete |
-| sums | the window over which the cost of a plane is summed, rows x columns |
+| sums | the window over which the differences of both images on a plane are summed, rows x columns |
 | paths | the sums of the pixel above are used, too |
 | boundary | the skin ends between two pixels: the place is estimated |
 | view from the right | the right pixel is asked, too, which plane it prefers |

@@ -39,7 +39,8 @@ std::string cell(std::string text) {
 constexpr const char* kIntroduction = R"(# What of the thesis holds
 
 Written by `horopter study all{}`: do not edit. The thesis is *Real Time Inverse Stereo System for Surveillance of Dynamic Safety
-Envelopes*. Each verdict is computed from the figures by the rule beside it, the same for every run.
+Envelopes*. Each verdict is computed from the figures by the rule beside it, the same for every run. A rule says when a statement is
+confirmed and, after *partly:*, when it is so in part.
 {} statements, {} of them not the thesis's but ours: {} confirmed, {} partly, {} not confirmed.
 
 )";
@@ -47,6 +48,9 @@ Envelopes*. Each verdict is computed from the figures by the rule beside it, the
 constexpr const char* kGlossary = R"(
 | word | meaning |
 | --- | --- |
+| § | a section of the thesis |
+| fiducial, NCE | a square or diamond of the calibration target; the normalised calibration error: relative to what the size of a pixel explains (6.35) |
+| Zernike, Tabatabai, Gaussian reconstruction | ways to find an edge to a part of a pixel (6.6), in a window of 13×13 pixels for instance |
 | criterion | a measure of how alike two windows of an image are (Tables 8.1 and 8.2) |
 | CCF, NCC, MOR, SAD, SSD | cross correlation, the same normalised, Moravec's, sum of absolute and of squared differences |
 | NISH, NISD, NACK | binary ones: Nishihara's (sign of the Laplacian of Gaussian), the same with a difference of Gaussians, Nack's |

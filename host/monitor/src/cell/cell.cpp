@@ -303,13 +303,14 @@ std::string without_secrets(const std::string& source) {
 
 std::string cell_help() {
   return "cell.yaml, of which docs/monitor.md has every key:\n"
-         "  cameras:  left: {source: …}, right: {source: …}, frames_per_s: 25\n" +
-         source_help() +
-         "\n"
+         "  cameras: {left: {source: …}, right: {source: …}, frames_per_s: 25}\n"
          "  rig: rig.yaml\n"
          "  skin: skin.yaml\n"
-         "  restart: register       # or by_itself, for machines that nobody can be inside of\n"
-         "  outputs: {modbus: {port: 502}}\n";
+         "  restart: register       # on the page; or by_itself, where nobody can be inside\n"
+         "  web: {users_file: users, restart: true}      # the page; `horopter monitor-user` makes the users\n"
+         "  outputs: {modbus: {port: 502}}\n"
+         "A source is one of these:\n  " +
+         source_help() + "\n";
 }
 
 }  // namespace horopter::monitor

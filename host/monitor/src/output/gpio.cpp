@@ -15,7 +15,9 @@ namespace horopter::monitor {
 namespace {
 
 struct CloseChip {
-  void operator()(gpiod_chip* chip) const { gpiod_chip_close(chip); }  // and its lines
+  void operator()(gpiod_chip* chip) const {
+    if (chip != nullptr) gpiod_chip_close(chip);  // and its lines
+  }
 };
 
 }  // namespace

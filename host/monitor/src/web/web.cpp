@@ -66,10 +66,10 @@ WebConfiguration check(WebConfiguration configuration) {
                        configuration.address));
   }
   if (!here && !tls && !configuration.without_tls) {
-    refuse(
-        fmt::format("it would listen on {} without TLS, passwords readable on the way; expected a certificate and "
-                    "its key, or `without_tls: true`",
-                    configuration.address));
+    refuse(fmt::format(
+        "it would listen on {} without TLS, passwords readable on the way; expected `tls` with a certificate "
+        "and its key, or 127.0.0.1",
+        configuration.address));
   }
   if (configuration.port < 0 || configuration.port > 65535) refuse("its port is not 0 to 65535");
   if (!(configuration.decision_limit_ms > 0) || !(configuration.pictures_per_s > 0) || !(configuration.session_h > 0)) {
@@ -395,7 +395,8 @@ class Web::Site {
   void restart(const Json& json, Response& response, const Actor& actor) {
     if (!configuration_.restart_allowed) {
       note_refused("refused", actor, "Restart refused: the configuration does not allow it from the page.");
-      return refuse(response, 403, "The configuration does not allow a restart from the page. Use the button.");
+      return refuse(response, 403,
+                    "The configuration does not allow a restart from the page (`web`: `restart: true`).");
     }
     const auto seen = whole(json, "stop");
     if (!seen) return refuse(response, 400, "Expected the number of the stop that was seen.");
