@@ -245,9 +245,10 @@ class Registration {
 
   void add_half(u<2> kind, u<2> quarter) {
     Sums word = read(kind, quarter);
-    const Votes& votes = kind.bit(0) ? half_.votes : half_.half_votes;
-    word.low += kind == 0 ? half_.across : s<14>(votes.down);
-    word.high += kind == 0 ? s<7>(half_.measured) : votes.up;
+    const s<7> down = kind.bit(0) ? half_.votes.down : half_.half_votes.down;
+    const s<7> up = kind.bit(0) ? half_.votes.up : half_.half_votes.up;
+    word.low += kind == 0 ? half_.across : s<14>(down);
+    word.high += kind == 0 ? s<7>(half_.measured) : up;
     sums_.write(cat(kind, quarter), word);
     if (kind == 2) fresh_ = u<4>(fresh_ & ~u<4>(u<4>(1) << quarter));
   }

@@ -3,7 +3,7 @@
 //
 // Latency 5 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 2075 bits, pipeline 1003 bits, memories 70220 bits.
+// State 1867 bits, pipeline 631 bits, memories 70060 bits.
 module horopter_agreement (
   input  logic clk_i,
   input  logic rst_ni,
@@ -71,34 +71,32 @@ module horopter_agreement (
   // Of the configuration alone: not pipelined.
   logic [7:0] last;
   assign last = {1'b0, cfg_width_i[9:3]} + 8'hff;
-  logic [5:0] sum_3052;
-  assign sum_3052 = {1'b0, cfg_height_i[8:4]} + 6'h5;
-  logic [6:0] difference_3311;
-  assign difference_3311 = 7'h0 - {1'b0, cfg_height_i[8:3]};
-  logic less_3512;
-  assign less_3512 = 6'h8 < cfg_height_i[8:3];
-  logic [4:0] sum_3513;
-  assign sum_3513 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
-  logic not_3531;
-  assign not_3531 = ~cfg_prove_i;
+  logic [5:0] sum_2412;
+  assign sum_2412 = {1'b0, cfg_height_i[8:4]} + 6'h5;
+  logic [6:0] difference_2758;
+  assign difference_2758 = 7'h0 - {1'b0, cfg_height_i[8:3]};
+  logic less_2962;
+  assign less_2962 = 6'h8 < cfg_height_i[8:3];
+  logic [4:0] sum_2963;
+  assign sum_2963 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
+  logic not_2981;
+  assign not_2981 = ~cfg_prove_i;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic sample_pair_first_q;
   logic sample_pair_whole_q;
   logic sample_last_q;
   logic sample_present_q;
-  logic sample_of_skin_q;
   logic [2:0] raster_at_x_q;
   logic [2:0] raster_at_y_q;
   logic [6:0] raster_at_column_q;
   logic [5:0] raster_at_row_q;
-  logic raster_at_first_q;
   logic raster_at_live_q;
   logic [8:0] raster_rows_left_q;
   logic raster_row_ended_q;
   logic raster_final_row_q;
   logic [8:0] averager_place_q;
-  logic [4:0] rows_passed_above_q;
+  logic averager_running_mask_q;
   logic [2:0] run_phase_q;
   logic [5:0] run_shift_q;
   logic run_last_shift_q;
@@ -115,7 +113,6 @@ module horopter_agreement (
   logic [7:0] x_q;
   logic [7:0] columns_left_q;
   logic [6:0] last_q;
-  logic [5:0] row_q;
   logic [6:0] least_q;
   logic [7:0] whole_q;
   logic [7:0] drawn_q;
@@ -124,317 +121,214 @@ module horopter_agreement (
   logic ends_cell_q;
   logic ends_q;
   logic final_row_q;
-  logic lower_half_q;
   // hls/stages/census.hpp:35
-  logic [2:0] select_370;
-  assign select_370 = sample_pair_first_q ? 3'h0 : (raster_row_ended_q ? 3'h0 : raster_at_x_q);
-  logic [6:0] select_372;
-  assign select_372 = sample_pair_first_q ? 7'h0 : (raster_row_ended_q ? 7'h0 : raster_at_column_q);
+  logic [2:0] select_320;
+  assign select_320 = sample_pair_first_q ? 3'h0 : (raster_row_ended_q ? 3'h0 : raster_at_x_q);
+  logic [6:0] select_322;
+  assign select_322 = sample_pair_first_q ? 7'h0 : (raster_row_ended_q ? 7'h0 : raster_at_column_q);
   // hls/stages/census.hpp:94
-  logic [8:0] select_375;
-  assign select_375 = ({select_372, select_370} == 10'h0) ? 9'h0 : (averager_place_q + 9'h1);
+  logic [8:0] select_325;
+  assign select_325 = ({select_322, select_320} == 10'h0) ? 9'h0 : (averager_place_q + 9'h1);
   // hls/stages/census.hpp:95
-  logic [8:0] select_376;
-  assign select_376 = select_370[0] ? averager_place_q : select_375;
+  logic [8:0] select_326;
+  assign select_326 = select_320[0] ? averager_place_q : select_325;
   // hls/stages/census.hpp:40
-  logic or_377;
-  assign or_377 = sample_pair_first_q | raster_at_live_q;
+  logic or_327;
+  assign or_327 = sample_pair_first_q | raster_at_live_q;
   // hls/stages/agreement.hpp:213
-  logic and_383;
-  assign and_383 = (~((~or_377) | (~select_370[0]))) & (select_376[8:6] < 3'h5);
+  logic and_333;
+  assign and_333 = (~((~or_327) | (~select_320[0]))) & (select_326[8:6] < 3'h5);
   // hls/stages/census.hpp:40
-  logic [2:0] select_388;
-  assign select_388 = sample_pair_first_q ? 3'h0 : raster_at_y_q;
+  logic [2:0] select_338;
+  assign select_338 = sample_pair_first_q ? 3'h0 : raster_at_y_q;
+  // hls/stages/agreement.hpp:213
+  logic whole;
+  assign whole = select_320[0] ? (sample_present_q & averager_running_mask_q) : sample_present_q;
   // hls/stages/agreement.hpp:215
   logic [6:0] column;
-  assign column = sample_pair_whole_q ? select_372 : 7'h0;
+  assign column = sample_pair_whole_q ? select_322 : 7'h0;
   // hls/stages/census.hpp:45
-  logic equal_405;
-  assign equal_405 = select_370 == 3'h7;
+  logic equal_355;
+  assign equal_355 = select_320 == 3'h7;
   // hls/stages/census.hpp:48
-  logic equal_406;
-  assign equal_406 = select_388 == 3'h7;
+  logic equal_356;
+  assign equal_356 = select_338 == 3'h7;
   // hls/stages/census.hpp:105
-  logic and_407;
-  assign and_407 = equal_406 & and_383;
+  logic and_357;
+  assign and_357 = equal_356 & and_333;
   // hls/stages/agreement.hpp:215
-  logic and_409;
-  assign and_409 = sample_pair_whole_q & (equal_405 & and_407);
+  logic and_359;
+  assign and_359 = sample_pair_whole_q & (equal_355 & and_357);
   // hls/stages/agreement.hpp:134
   logic so;
   assign so = run_phase_q == 3'h6;
   // hls/stages/agreement.hpp:406
-  logic equal_429;
-  assign equal_429 = run_phase_q == 3'h5;
+  logic equal_379;
+  assign equal_379 = run_phase_q == 3'h5;
   // hls/stages/agreement.hpp:391
-  logic or_430;
-  assign or_430 = so | equal_429;
-  logic not_431;
-  assign not_431 = ~or_430;
+  logic or_380;
+  assign or_380 = so | equal_379;
+  logic not_381;
+  assign not_381 = ~or_380;
   // hls/stages/agreement.hpp:397
-  logic equal_432;
-  assign equal_432 = run_phase_q == 3'h3;
+  logic equal_382;
+  assign equal_382 = run_phase_q == 3'h3;
   // hls/stages/agreement.hpp:398
-  logic equal_434;
-  assign equal_434 = run_phase_q == 3'h2;
+  logic equal_384;
+  assign equal_384 = run_phase_q == 3'h2;
   // hls/stages/agreement.hpp:389
-  logic [7:0] sum_435;
-  assign sum_435 = {{2{run_shift_q[5]}}, run_shift_q} + x_q;
+  logic [7:0] sum_385;
+  assign sum_385 = {{2{run_shift_q[5]}}, run_shift_q} + x_q;
   // hls/stages/agreement.hpp:391
-  logic [7:0] select_436;
-  assign select_436 = run_shift_q[5] ? x_q : sum_435;
-  logic less_437;
-  assign less_437 = {1'b0, last_q} < select_436;
+  logic [7:0] select_386;
+  assign select_386 = run_shift_q[5] ? x_q : sum_385;
+  logic less_387;
+  assign less_387 = {1'b0, last_q} < select_386;
   // hls/stages/agreement.hpp:163
-  logic not_438;
-  assign not_438 = ~less_437;
+  logic not_388;
+  assign not_388 = ~less_387;
   // hls/stages/agreement.hpp:554
-  logic and_439;
-  assign and_439 = equal_434 & not_438;
-  logic and_441;
-  assign and_441 = not_431 & ((~equal_432) & and_439);
-  // hls/stages/agreement.hpp:309
-  logic equal_467;
-  assign equal_467 = column == 7'h0;
+  logic and_389;
+  assign and_389 = equal_384 & not_388;
+  logic and_391;
+  assign and_391 = not_381 & ((~equal_382) & and_389);
   // hls/stages/census.hpp:40
-  logic [5:0] select_468;
-  assign select_468 = sample_pair_first_q ? 6'h0 : raster_at_row_q;
+  logic [5:0] select_418;
+  assign select_418 = sample_pair_first_q ? 6'h0 : raster_at_row_q;
   // hls/stages/agreement.hpp:215
   logic [5:0] row;
-  assign row = sample_pair_whole_q ? select_468 : 6'h0;
-  // hls/stages/agreement.hpp:309
-  logic equal_470;
-  assign equal_470 = row == 6'h0;
-  logic [3:0] select_471;
-  assign select_471 = equal_470 ? 4'h0 : rows_passed_above_q[3:0];
-  // hls/stages/agreement.hpp:310
-  logic [4:0] select_472;
-  assign select_472 = equal_467 ? {select_471, 1'b1} : rows_passed_above_q;
+  assign row = sample_pair_whole_q ? select_418 : 6'h0;
   // hls/stages/agreement.hpp:554
-  logic select_525;
-  assign select_525 = equal_432 ? not_438 : and_439;
+  logic select_475;
+  assign select_475 = equal_382 ? not_388 : and_389;
   // hls/stages/agreement.hpp:597
   logic [7:0] x;
   assign x = x_q + 8'hfd;
   // hls/stages/agreement.hpp:191
-  logic and_549;
-  assign and_549 = age_q[2] & (ends_cell_q & (~(({1'b0, last_q} + 8'h3) < select_436)));
-  logic and_550;
-  assign and_550 = equal_432 & and_549;
-  logic select_551;
-  assign select_551 = or_430 ? not_438 : and_550;
+  logic and_499;
+  assign and_499 = age_q[2] & (ends_cell_q & (~(({1'b0, last_q} + 8'h3) < select_386)));
+  logic and_500;
+  assign and_500 = equal_382 & and_499;
+  logic select_501;
+  assign select_501 = or_380 ? not_388 : and_500;
   // hls/stages/agreement.hpp:602
-  logic equal_554;
-  assign equal_554 = {{2{run_shift_q[5]}}, run_shift_q} == (8'h0 - {1'b0, least_q});
+  logic equal_504;
+  assign equal_504 = {{2{run_shift_q[5]}}, run_shift_q} == (8'h0 - {1'b0, least_q});
   // hls/stages/agreement.hpp:606
-  logic or_556;
-  assign or_556 = equal_554 | ($signed(6'h0) < $signed(run_shift_q));
+  logic or_506;
+  assign or_506 = equal_504 | ($signed(6'h0) < $signed(run_shift_q));
   // hls/stages/agreement.hpp:618
   logic [6:0] right;
-  assign right = sum_435[6:0] + 7'h7d;
-  // hls/stages/registration.hpp:106
-  logic [1:0] sum_1900;
-  assign sum_1900 = slot_q[1:0] + 2'h3;
+  assign right = sum_385[6:0] + 7'h7d;
   // hls/stages/agreement.hpp:747
-  logic [5:0] sum_1931;
-  assign sum_1931 = {1'b0, last_q[6:2]} + 6'h1;
-  // hls/stages/registration.hpp:249
-  logic equal_1948;
-  assign equal_1948 = sum_1900 == 2'h0;
-  // hls/stages/registration.hpp:248
-  logic not_1953;
-  assign not_1953 = ~sum_1900[0];
-  // hls/stages/registration.hpp:250
-  logic [8:0] select_1955;
-  assign select_1955 = equal_1948 ? 9'h18c : ({7'h63, not_1953, 1'b1} + 9'h1);
-  // hls/stages/agreement.hpp:135
-  logic and_1985;
-  assign and_1985 = ends_cell_q & so;
-  // hls/stages/registration.hpp:250
-  logic select_2204;
-  assign select_2204 = select_1955[1] ? (final_row_q & select_1955[0]) : (and_1985 & (~select_1955[0]));
-  logic select_2205;
-  assign select_2205 = select_1955[0] ? so : ends_q;
-  logic [2:0] select_2207;
-  assign select_2207 = select_1955[1] ? {2'h0, select_2205} : (select_1955[0] ? {2'h0, ends_cell_q} : slot_q);
-  logic [2:0] select_2208;
-  assign select_2208 = select_1955[2] ? {2'h0, select_2204} : select_2207;
-  logic [7:0] select_2211;
-  assign select_2211 = select_1955[1] ? (select_1955[0] ? {age_q, 1'b1} : drawn_q) : (select_1955[0] ? whole_q : {1'b0, least_q});
-  logic [6:0] select_2212;
-  assign select_2212 = select_1955[0] ? {1'b0, row_q} : last_q;
-  logic [7:0] select_2214;
-  assign select_2214 = select_1955[1] ? {1'b0, select_2212} : (select_1955[0] ? columns_left_q : x_q);
-  logic [7:0] select_2216;
-  assign select_2216 = select_1955[3] ? {5'h0, select_2208} : (select_1955[2] ? select_2211 : select_2214);
-  // hls/stages/agreement.hpp:421
-  logic [7:0] select_2220;
-  assign select_2220 = (plan_span_q < 8'h9) ? 8'hc : (plan_span_q + 8'h3);
-  // hls/stages/agreement.hpp:423
-  logic not_2221;
-  assign not_2221 = ~run_shift_q[5];
-  logic [7:0] select_2224;
-  assign select_2224 = equal_432 ? ({{7{not_2221}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
-  // hls/stages/agreement.hpp:422
-  logic [5:0] select_2228;
-  assign select_2228 = equal_432 ? (run_shift_q + 6'h1) : (6'h0 - least_q[5:0]);
-  // hls/stages/agreement.hpp:399
-  logic select_2230;
-  assign select_2230 = equal_432 ? (~run_last_shift_q) : equal_434;
-  // hls/stages/agreement.hpp:403
-  logic equal_2232;
-  assign equal_2232 = run_phase_q == 3'h1;
-  // hls/stages/agreement.hpp:406
-  logic equal_2233;
-  assign equal_2233 = run_phase_q == 3'h4;
-  // hls/stages/agreement.hpp:416
-  logic [7:0] or_2236;
-  assign or_2236 = (select_2230 ? plan_columns_q : 8'h0) | ((equal_2232 | equal_2233) ? whole_q : 8'h0);
-  // hls/stages/agreement.hpp:146
-  logic and_2237;
-  assign and_2237 = run_last_shift_q & equal_432;
-  // hls/stages/agreement.hpp:416
-  logic [1:0] or_2238;
-  assign or_2238 = {2{and_2237}} | or_2236[3:2];
-  // hls/stages/agreement.hpp:417
-  logic [7:0] or_2240;
-  assign or_2240 = {or_2236[7:4], or_2238, or_2236[1:0]} | (equal_429 ? drawn_q : 8'h0);
-  logic [4:0] or_2241;
-  assign or_2241 = {5{so}} | {or_2240[6], or_2240[3:0]};
-  // hls/stages/registration.hpp:250
-  logic [7:0] select_2242;
-  assign select_2242 = select_1955[0] ? {{2{select_2228[5]}}, select_2228} : {or_2240[7], or_2241[4], or_2240[5:4], or_2241[3:0]};
-  logic [7:0] select_2243;
-  assign select_2243 = select_1955[1] ? (select_1955[0] ? select_2220 : select_2224) : select_2242;
-  // hls/stages/agreement.hpp:413
-  logic [6:0] value_2;
-  assign value_2 = 7'h0 - {plan_shift_q[5], plan_shift_q};
-  logic [6:0] select_2246;
-  assign select_2246 = (plan_shift_q[5] & select_2230) ? value_2 : 7'h0;
-  logic [1:0] or_2247;
-  assign or_2247 = {2{so}} | select_2246[5:4];
-  // hls/stages/registration.hpp:250
-  logic [7:0] select_2248;
-  assign select_2248 = select_1955[0] ? {{2{select_2246[6]}}, or_2247, select_2246[3:0]} : plan_span_q;
-  // hls/stages/agreement.hpp:146
-  logic and_2250;
-  assign and_2250 = select_2230 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
-  // hls/stages/agreement.hpp:410
-  logic [5:0] select_2251;
-  assign select_2251 = select_2230 ? plan_shift_q : 6'h0;
-  // hls/stages/registration.hpp:250
-  logic [5:0] select_2252;
-  assign select_2252 = select_1955[0] ? {5'h0, and_2250} : select_2251;
-  logic [7:0] select_2253;
-  assign select_2253 = select_1955[1] ? select_2248 : {{2{select_2252[5]}}, select_2252};
-  // hls/stages/agreement.hpp:403
-  logic not_2257;
-  assign not_2257 = ~select_2230;
-  // hls/stages/agreement.hpp:146
-  logic and_2259;
-  assign and_2259 = final_row_q & so;
-  // hls/stages/agreement.hpp:403
-  logic [1:0] select_2260;
-  assign select_2260 = equal_2233 ? 2'h1 : {2{and_2259}};
-  logic [2:0] select_2262;
-  assign select_2262 = (and_2237 | (select_2230 | equal_2232)) ? (equal_2232 ? 3'h2 : {not_2257, {2{select_2230}}}) : (equal_429 ? 3'h6 : {select_2260[0], select_2260});
-  // hls/stages/registration.hpp:250
-  logic [2:0] select_2263;
-  assign select_2263 = select_1955[0] ? select_2262 : 3'h0;
-  logic [7:0] select_2265;
-  assign select_2265 = select_1955[1] ? {5'h0, select_2263} : (select_1955[0] ? 8'h0 : run_span_q);
-  logic [4:0] select_2267;
-  assign select_2267 = select_1955[0] ? {2'h0, run_phase_q} : rows_passed_above_q;
-  logic [5:0] select_2268;
-  assign select_2268 = select_1955[1] ? (select_1955[0] ? {5'h0, run_last_shift_q} : run_shift_q) : {1'b0, select_2267};
-  logic [7:0] select_2269;
-  assign select_2269 = select_1955[2] ? select_2265 : {{2{select_2268[5]}}, select_2268};
-  logic [7:0] select_2270;
-  assign select_2270 = select_1955[3] ? (select_1955[2] ? select_2243 : select_2253) : select_2269;
-  logic [7:0] select_2559;
-  assign select_2559 = select_1955[0] ? {7'h0, averager_place_q[8]} : averager_place_q[7:0];
-  logic select_2580;
-  assign select_2580 = select_1955[0] ? raster_final_row_q : raster_row_ended_q;
-  logic [7:0] select_2581;
-  assign select_2581 = select_1955[0] ? {7'h0, raster_rows_left_q[8]} : raster_rows_left_q[7:0];
-  logic select_2585;
-  assign select_2585 = select_1955[0] ? raster_at_live_q : raster_at_first_q;
-  logic [6:0] select_2587;
-  assign select_2587 = select_1955[1] ? {6'h0, select_2585} : (select_1955[0] ? {1'b0, raster_at_row_q} : raster_at_column_q);
-  logic select_2589;
-  assign select_2589 = select_1955[0] ? sample_of_skin_q : sample_present_q;
-  logic [2:0] select_2590;
-  assign select_2590 = select_1955[1] ? (select_1955[0] ? raster_at_y_q : raster_at_x_q) : {2'h0, select_2589};
-  // hls/stages/agreement.hpp:211
-  logic and_2755;
-  assign and_2755 = ((6'h6 < row_q) & (~(x_q[7:2] == 6'h0))) & (~({sum_1931, last_q[1:0]} < x_q));
+  logic [5:0] sum_1881;
+  assign sum_1881 = {1'b0, last_q[6:2]} + 6'h1;
   // hls/stages/agreement.hpp:215
-  logic [2:0] select_2763;
-  assign select_2763 = sample_pair_whole_q ? (sample_last_q ? (select_388 + 3'h1) : select_388) : raster_at_y_q;
-  logic [6:0] select_2765;
-  assign select_2765 = sample_pair_whole_q ? (select_372 + {6'h0, equal_405}) : raster_at_column_q;
-  logic [5:0] select_2768;
-  assign select_2768 = sample_pair_whole_q ? (sample_last_q ? (select_468 + {5'h0, equal_406}) : select_468) : raster_at_row_q;
-  logic select_2773;
-  assign select_2773 = sample_pair_whole_q ? (sample_last_q ? (or_377 & (~raster_final_row_q)) : or_377) : raster_at_live_q;
+  logic [2:0] select_2065;
+  assign select_2065 = sample_pair_whole_q ? (sample_last_q ? (select_338 + 3'h1) : select_338) : raster_at_y_q;
+  logic [6:0] select_2067;
+  assign select_2067 = sample_pair_whole_q ? (select_322 + {6'h0, equal_355}) : raster_at_column_q;
+  logic [5:0] select_2070;
+  assign select_2070 = sample_pair_whole_q ? (sample_last_q ? (select_418 + {5'h0, equal_356}) : select_418) : raster_at_row_q;
+  logic select_2074;
+  assign select_2074 = sample_pair_whole_q ? (sample_last_q ? (or_327 & (~raster_final_row_q)) : or_327) : raster_at_live_q;
   // hls/stages/census.hpp:44
-  logic [8:0] select_2775;
-  assign select_2775 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
+  logic [8:0] select_2076;
+  assign select_2076 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
   // hls/stages/agreement.hpp:215
-  logic select_2779;
-  assign select_2779 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
-  // hls/stages/agreement.hpp:310
-  logic [5:0] or_2944;
-  assign or_2944 = column[5:0] | row;
+  logic select_2080;
+  assign select_2080 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
   // hls/stages/agreement.hpp:313
-  logic equal_2999;
-  assign equal_2999 = {last[7], column} == {1'b0, last[6:0]};
+  logic equal_2321;
+  assign equal_2321 = {last[7], column} == {1'b0, last[6:0]};
   // hls/stages/agreement.hpp:318
-  logic and_3000;
-  assign and_3000 = and_409 & equal_2999;
+  logic and_2322;
+  assign and_2322 = and_359 & equal_2321;
   // hls/stages/agreement.hpp:368
-  logic select_3003;
-  assign select_3003 = (and_3000 | (~ends_cell_q)) ? and_3000 : ends_q;
+  logic select_2325;
+  assign select_2325 = (and_2322 | (~ends_cell_q)) ? and_2322 : ends_q;
   // hls/stages/agreement.hpp:374
   logic [2:0] now;
-  assign now = select_3003 ? (and_3000 ? 3'h1 : following_phase_q) : run_phase_q;
+  assign now = select_2325 ? (and_2322 ? 3'h1 : following_phase_q) : run_phase_q;
   // hls/stages/agreement.hpp:379
-  logic [5:0] select_3007;
-  assign select_3007 = select_3003 ? (and_3000 ? 6'h0 : following_shift_q) : run_shift_q;
-  logic select_3010;
-  assign select_3010 = select_3003 ? (following_last_shift_q & (~and_3000)) : run_last_shift_q;
+  logic [5:0] select_2329;
+  assign select_2329 = select_2325 ? (and_2322 ? 6'h0 : following_shift_q) : run_shift_q;
+  logic select_2332;
+  assign select_2332 = select_2325 ? (following_last_shift_q & (~and_2322)) : run_last_shift_q;
+  // hls/stages/agreement.hpp:146
+  logic and_2335;
+  assign and_2335 = run_last_shift_q & equal_382;
+  // hls/stages/agreement.hpp:399
+  logic select_2337;
+  assign select_2337 = equal_382 ? (~run_last_shift_q) : equal_384;
+  // hls/stages/agreement.hpp:403
+  logic equal_2338;
+  assign equal_2338 = run_phase_q == 3'h1;
+  logic not_2341;
+  assign not_2341 = ~select_2337;
+  // hls/stages/agreement.hpp:406
+  logic equal_2343;
+  assign equal_2343 = run_phase_q == 3'h4;
+  // hls/stages/agreement.hpp:146
+  logic and_2344;
+  assign and_2344 = final_row_q & so;
+  // hls/stages/agreement.hpp:403
+  logic [1:0] select_2345;
+  assign select_2345 = equal_2343 ? 2'h1 : {2{and_2344}};
+  logic [2:0] select_2347;
+  assign select_2347 = (and_2335 | (select_2337 | equal_2338)) ? (equal_2338 ? 3'h2 : {not_2341, {2{select_2337}}}) : (equal_379 ? 3'h6 : {select_2345[0], select_2345});
+  // hls/stages/agreement.hpp:146
+  logic and_2350;
+  assign and_2350 = select_2337 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
+  // hls/stages/agreement.hpp:413
+  logic [6:0] value;
+  assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
+  logic [6:0] select_2353;
+  assign select_2353 = (plan_shift_q[5] & select_2337) ? value : 7'h0;
+  logic [1:0] or_2354;
+  assign or_2354 = {2{so}} | select_2353[5:4];
+  // hls/stages/agreement.hpp:416
+  logic [7:0] or_2358;
+  assign or_2358 = (select_2337 ? plan_columns_q : 8'h0) | ((equal_2338 | equal_2343) ? whole_q : 8'h0);
+  logic [1:0] or_2359;
+  assign or_2359 = {2{and_2335}} | or_2358[3:2];
+  // hls/stages/agreement.hpp:417
+  logic [7:0] or_2361;
+  assign or_2361 = {or_2358[7:4], or_2359, or_2358[1:0]} | (equal_379 ? drawn_q : 8'h0);
+  logic [4:0] or_2362;
+  assign or_2362 = {5{so}} | {or_2361[6], or_2361[3:0]};
+  // hls/stages/agreement.hpp:423
+  logic not_2366;
+  assign not_2366 = ~run_shift_q[5];
+  logic [7:0] select_2369;
+  assign select_2369 = equal_382 ? ({{7{not_2366}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
   // hls/stages/agreement.hpp:368
-  logic [6:0] select_3013;
-  assign select_3013 = and_3000 ? 7'h0 : following_lowest_q;
+  logic [6:0] select_2373;
+  assign select_2373 = and_2322 ? 7'h0 : following_lowest_q;
   // hls/stages/agreement.hpp:371
-  logic [7:0] select_3015;
-  assign select_3015 = select_3003 ? {select_3013[6], select_3013} : (x_q + {7'h0, ends_cell_q});
-  logic [7:0] select_3018;
-  assign select_3018 = select_3003 ? (and_3000 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
+  logic [7:0] select_2375;
+  assign select_2375 = select_2325 ? {select_2373[6], select_2373} : (x_q + {7'h0, ends_cell_q});
+  logic [7:0] select_2378;
+  assign select_2378 = select_2325 ? (and_2322 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
   // hls/stages/agreement.hpp:365
-  logic [6:0] select_3026;
-  assign select_3026 = and_409 ? (equal_2999 ? ((6'he < column[6:1]) ? 7'h1d : column) : least_q) : least_q;
-  logic [7:0] select_3029;
-  assign select_3029 = and_409 ? (equal_2999 ? ({1'b0, cfg_width_i[9:3]} + 8'hb) : whole_q) : whole_q;
-  logic [7:0] select_3032;
-  assign select_3032 = and_409 ? (equal_2999 ? ({1'b0, cfg_width_i[9:3]} + 8'h3) : drawn_q) : drawn_q;
+  logic [6:0] select_2386;
+  assign select_2386 = and_359 ? (equal_2321 ? ((6'he < column[6:1]) ? 7'h1d : column) : least_q) : least_q;
+  logic [7:0] select_2389;
+  assign select_2389 = and_359 ? (equal_2321 ? ({1'b0, cfg_width_i[9:3]} + 8'hb) : whole_q) : whole_q;
+  logic [7:0] select_2392;
+  assign select_2392 = and_359 ? (equal_2321 ? ({1'b0, cfg_width_i[9:3]} + 8'h3) : drawn_q) : drawn_q;
   // hls/stages/agreement.hpp:376
-  logic select_3043;
-  assign select_3043 = (ends_cell_q | select_3003) ? (~(now == 3'h6)) : (equal_432 | (slot_q == 3'h6));
+  logic select_2403;
+  assign select_2403 = (ends_cell_q | select_2325) ? (~(now == 3'h6)) : (equal_382 | (slot_q == 3'h6));
   // hls/stages/agreement.hpp:371
-  logic and_3047;
-  assign and_3047 = (~select_3003) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
+  logic and_2407;
+  assign and_2407 = (~select_2325) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
   // hls/stages/agreement.hpp:329
-  logic [6:0] sum_3048;
-  assign sum_3048 = {1'b0, row} + 7'h1;
+  logic [6:0] sum_2408;
+  assign sum_2408 = {1'b0, row} + 7'h1;
   // hls/stages/agreement.hpp:314
-  logic select_3050;
-  assign select_3050 = equal_2999 ? ({sum_3048[6], cfg_height_i[8:3]} == {1'b0, sum_3048[5:0]}) : final_row_q;
-  logic select_3055;
-  assign select_3055 = equal_2999 ? (~({row, 1'b0} < {sum_3052, cfg_height_i[3]})) : lower_half_q;
-  // hls/stages/agreement.hpp:365
-  logic and_3187;
-  assign and_3187 = and_409 & (equal_2999 & (row[5:2] == 4'h0));
+  logic select_2410;
+  assign select_2410 = equal_2321 ? ({sum_2408[6], cfg_height_i[8:3]} == {1'b0, sum_2408[5:0]}) : final_row_q;
 
   // Memory fresh, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:1071; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -446,7 +340,7 @@ module horopter_agreement (
   logic [6:0] fresh_raddr;
   assign fresh_raddr = x_q[6:0];
   logic fresh_re;
-  assign fresh_re = s0_en & and_441;
+  assign fresh_re = s0_en & and_391;
   logic [29:0] fresh_word_q;
   always_ff @(posedge clk_i) begin
     if (fresh_re) fresh_word_q <= fresh_mem[fresh_raddr];
@@ -467,7 +361,7 @@ module horopter_agreement (
   logic [6:0] left_raddr;
   assign left_raddr = x_q[6:0];
   logic left_re;
-  assign left_re = s0_en & (or_430 ? not_438 : select_525);
+  assign left_re = s0_en & (or_380 ? not_388 : select_475);
   logic [77:0] left_word_q;
   always_ff @(posedge clk_i) begin
     if (left_re) left_word_q <= left_mem[left_raddr];
@@ -486,9 +380,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 80; i++) right_codes_mem[i] = 92'h0;
 `endif
   logic [6:0] right_codes_raddr;
-  assign right_codes_raddr = equal_432 ? sum_435[6:0] : x_q[6:0];
+  assign right_codes_raddr = equal_382 ? sum_385[6:0] : x_q[6:0];
   logic right_codes_re;
-  assign right_codes_re = s0_en & (not_431 & select_525);
+  assign right_codes_re = s0_en & (not_381 & select_475);
   logic [91:0] right_codes_word_q;
   always_ff @(posedge clk_i) begin
     if (right_codes_re) right_codes_word_q <= right_codes_mem[right_codes_raddr];
@@ -507,9 +401,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 80; i++) best_left_mem[i] = 47'h0;
 `endif
   logic [6:0] best_left_raddr;
-  assign best_left_raddr = or_430 ? x_q[6:0] : x[6:0];
+  assign best_left_raddr = or_380 ? x_q[6:0] : x[6:0];
   logic best_left_re;
-  assign best_left_re = s0_en & select_551;
+  assign best_left_re = s0_en & select_501;
   logic [46:0] best_left_word_q;
   always_ff @(posedge clk_i) begin
     if (best_left_re) best_left_word_q <= best_left_mem[best_left_raddr];
@@ -526,18 +420,16 @@ module horopter_agreement (
       sample_pair_whole_q <= 1'b0;
       sample_last_q <= 1'b0;
       sample_present_q <= 1'b0;
-      sample_of_skin_q <= 1'b0;
       raster_at_x_q <= 3'h0;
       raster_at_y_q <= 3'h0;
       raster_at_column_q <= 7'h0;
       raster_at_row_q <= 6'h0;
-      raster_at_first_q <= 1'b0;
       raster_at_live_q <= 1'b0;
       raster_rows_left_q <= 9'h0;
       raster_row_ended_q <= 1'b1;
       raster_final_row_q <= 1'b0;
       averager_place_q <= 9'h0;
-      rows_passed_above_q <= 5'h0;
+      averager_running_mask_q <= 1'b0;
       run_phase_q <= 3'h0;
       run_shift_q <= 6'h0;
       run_last_shift_q <= 1'b0;
@@ -554,7 +446,6 @@ module horopter_agreement (
       x_q <= 8'h0;
       columns_left_q <= 8'h0;
       last_q <= 7'h0;
-      row_q <= 6'h0;
       least_q <= 7'h0;
       whole_q <= 8'h0;
       drawn_q <= 8'h0;
@@ -563,179 +454,134 @@ module horopter_agreement (
       ends_cell_q <= 1'b1;
       ends_q <= 1'b0;
       final_row_q <= 1'b0;
-      lower_half_q <= 1'b0;
     end else if (s0_en) begin
       sample_pair_first_q <= marks_first_i;
       sample_pair_whole_q <= 1'b1;
       sample_last_q <= marks_last_i;
       sample_present_q <= present_i;
-      sample_of_skin_q <= mask_i;
-      raster_at_x_q <= sample_pair_whole_q ? (select_370 + 3'h1) : raster_at_x_q;
-      raster_at_y_q <= select_2763;
-      raster_at_column_q <= select_2765;
-      raster_at_row_q <= select_2768;
-      raster_at_first_q <= sample_pair_whole_q ? sample_pair_first_q : raster_at_first_q;
-      raster_at_live_q <= select_2773;
-      raster_rows_left_q <= sample_pair_whole_q ? select_2775 : raster_rows_left_q;
+      raster_at_x_q <= sample_pair_whole_q ? (select_320 + 3'h1) : raster_at_x_q;
+      raster_at_y_q <= select_2065;
+      raster_at_column_q <= select_2067;
+      raster_at_row_q <= select_2070;
+      raster_at_live_q <= select_2074;
+      raster_rows_left_q <= sample_pair_whole_q ? select_2076 : raster_rows_left_q;
       raster_row_ended_q <= sample_pair_whole_q ? sample_last_q : raster_row_ended_q;
-      raster_final_row_q <= select_2779;
-      averager_place_q <= sample_pair_whole_q ? select_376 : averager_place_q;
-      rows_passed_above_q <= and_409 ? select_472 : rows_passed_above_q;
+      raster_final_row_q <= select_2080;
+      averager_place_q <= sample_pair_whole_q ? select_326 : averager_place_q;
+      averager_running_mask_q <= sample_pair_whole_q ? whole : averager_running_mask_q;
       run_phase_q <= now;
-      run_shift_q <= select_3007;
-      run_last_shift_q <= select_3010;
-      run_span_q <= select_3003 ? (and_3000 ? 8'h0 : following_span_q) : run_span_q;
-      following_phase_q <= select_2262;
-      following_shift_q <= select_2251;
-      following_last_shift_q <= and_2250;
+      run_shift_q <= select_2329;
+      run_last_shift_q <= select_2332;
+      run_span_q <= select_2325 ? (and_2322 ? 8'h0 : following_span_q) : run_span_q;
+      following_phase_q <= select_2347;
+      following_shift_q <= select_2337 ? plan_shift_q : 6'h0;
+      following_last_shift_q <= and_2350;
       following_span_q <= plan_span_q;
-      following_lowest_q <= {select_2246[6], or_2247, select_2246[3:0]};
-      following_columns_q <= {or_2240[7], or_2241[4], or_2240[5:4], or_2241[3:0]};
-      plan_shift_q <= select_2228;
-      plan_span_q <= select_2224;
-      plan_columns_q <= select_2220;
-      x_q <= select_3015;
-      columns_left_q <= select_3018;
-      last_q <= and_409 ? (equal_2999 ? column : last_q) : last_q;
-      row_q <= and_409 ? (equal_2999 ? row : row_q) : row_q;
-      least_q <= select_3026;
-      whole_q <= select_3029;
-      drawn_q <= select_3032;
-      age_q <= select_3003 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
-      slot_q <= select_3003 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
-      ends_cell_q <= select_3043;
-      ends_q <= and_3047;
-      final_row_q <= and_409 ? select_3050 : final_row_q;
-      lower_half_q <= and_409 ? select_3055 : lower_half_q;
+      following_lowest_q <= {select_2353[6], or_2354, select_2353[3:0]};
+      following_columns_q <= {or_2361[7], or_2362[4], or_2361[5:4], or_2362[3:0]};
+      plan_shift_q <= equal_382 ? (run_shift_q + 6'h1) : (6'h0 - least_q[5:0]);
+      plan_span_q <= select_2369;
+      plan_columns_q <= (plan_span_q < 8'h9) ? 8'hc : (plan_span_q + 8'h3);
+      x_q <= select_2375;
+      columns_left_q <= select_2378;
+      last_q <= and_359 ? (equal_2321 ? column : last_q) : last_q;
+      least_q <= select_2386;
+      whole_q <= select_2389;
+      drawn_q <= select_2392;
+      age_q <= select_2325 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
+      slot_q <= select_2325 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
+      ends_cell_q <= select_2403;
+      ends_q <= and_2407;
+      final_row_q <= and_359 ? select_2410 : final_row_q;
     end
   end
 
   logic [7:0] pixel_0_s1_q;
   logic [7:0] pixel_1_s1_q;
   logic saturated_s1_q;
-  logic sample_pair_first_s1_q;
+  logic mask_s1_q;
   logic sample_pair_whole_s1_q;
-  logic sample_present_s1_q;
-  logic sample_of_skin_s1_q;
   logic [5:0] run_shift_s1_q;
   logic [7:0] x_s1_q;
   logic [3:0] age_s1_q;
   logic [2:0] slot_s1_q;
   logic ends_cell_s1_q;
-  logic lower_half_s1_q;
-  logic select_370_s1_q;
-  logic [8:0] select_376_s1_q;
-  logic and_383_s1_q;
-  logic equal_389_s1_q;
+  logic select_320_s1_q;
+  logic [8:0] select_326_s1_q;
+  logic and_333_s1_q;
+  logic equal_339_s1_q;
+  logic whole_s1_q;
   logic [6:0] column_s1_q;
-  logic and_407_s1_q;
-  logic and_409_s1_q;
-  logic equal_412_s1_q;
+  logic and_357_s1_q;
+  logic and_359_s1_q;
+  logic equal_362_s1_q;
   logic so_s1_q;
-  logic equal_429_s1_q;
-  logic or_430_s1_q;
-  logic equal_432_s1_q;
-  logic less_437_s1_q;
-  logic not_438_s1_q;
-  logic and_441_s1_q;
-  logic equal_467_s1_q;
-  logic equal_470_s1_q;
-  logic select_472_s1_q;
-  logic not_529_s1_q;
+  logic equal_379_s1_q;
+  logic or_380_s1_q;
+  logic equal_382_s1_q;
+  logic less_387_s1_q;
+  logic not_388_s1_q;
+  logic and_391_s1_q;
+  logic [5:0] row_s1_q;
   logic [6:0] x_s1_2_q;
-  logic select_551_s1_q;
-  logic select_558_s1_q;
-  logic and_1833_s1_q;
+  logic select_501_s1_q;
+  logic select_508_s1_q;
+  logic and_1783_s1_q;
   logic [6:0] right_s1_q;
-  logic select_1840_s1_q;
-  logic equal_1849_s1_q;
-  logic not_1854_s1_q;
-  logic [1:0] sum_1900_s1_q;
-  logic less_1932_s1_q;
-  logic equal_1948_s1_q;
-  logic [8:0] select_1955_s1_q;
-  logic and_1985_s1_q;
-  logic less_2005_s1_q;
-  logic [7:0] select_2216_s1_q;
-  logic [7:0] select_2270_s1_q;
-  logic [7:0] select_2559_s1_q;
-  logic [7:0] select_2582_s1_q;
-  logic [6:0] select_2591_s1_q;
-  logic select_2592_s1_q;
-  logic equal_2620_s1_q;
-  logic and_2757_s1_q;
-  logic equal_2945_s1_q;
-  logic equal_2999_s1_q;
-  logic and_3188_s1_q;
-  logic and_3190_s1_q;
-  logic less_3296_s1_q;
-  logic equal_3493_s1_q;
+  logic select_1790_s1_q;
+  logic equal_1799_s1_q;
+  logic less_1882_s1_q;
+  logic equal_1922_s1_q;
+  logic not_2056_s1_q;
+  logic equal_2321_s1_q;
+  logic and_2322_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       pixel_0_s1_q <= pixel_0_i;
       pixel_1_s1_q <= pixel_1_i;
       saturated_s1_q <= saturated_i;
-      sample_pair_first_s1_q <= sample_pair_first_q;
+      mask_s1_q <= mask_i;
       sample_pair_whole_s1_q <= sample_pair_whole_q;
-      sample_present_s1_q <= sample_present_q;
-      sample_of_skin_s1_q <= sample_of_skin_q;
       run_shift_s1_q <= run_shift_q;
       x_s1_q <= x_q;
       age_s1_q <= {age_q[6], age_q[4:3], age_q[0]};
       slot_s1_q <= slot_q;
       ends_cell_s1_q <= ends_cell_q;
-      lower_half_s1_q <= lower_half_q;
-      select_370_s1_q <= select_370[0];
-      select_376_s1_q <= select_376;
-      and_383_s1_q <= and_383;
-      equal_389_s1_q <= select_388 == 3'h0;
+      select_320_s1_q <= select_320[0];
+      select_326_s1_q <= select_326;
+      and_333_s1_q <= and_333;
+      equal_339_s1_q <= select_338 == 3'h0;
+      whole_s1_q <= whole;
       column_s1_q <= column;
-      and_407_s1_q <= and_407;
-      and_409_s1_q <= and_409;
-      equal_412_s1_q <= select_370 == 3'h1;
+      and_357_s1_q <= and_357;
+      and_359_s1_q <= and_359;
+      equal_362_s1_q <= select_320 == 3'h1;
       so_s1_q <= so;
-      equal_429_s1_q <= equal_429;
-      or_430_s1_q <= or_430;
-      equal_432_s1_q <= equal_432;
-      less_437_s1_q <= less_437;
-      not_438_s1_q <= not_438;
-      and_441_s1_q <= and_441;
-      equal_467_s1_q <= equal_467;
-      equal_470_s1_q <= equal_470;
-      select_472_s1_q <= select_472[4];
-      not_529_s1_q <= ~(row_q == 6'h0);
+      equal_379_s1_q <= equal_379;
+      or_380_s1_q <= or_380;
+      equal_382_s1_q <= equal_382;
+      less_387_s1_q <= less_387;
+      not_388_s1_q <= not_388;
+      and_391_s1_q <= and_391;
+      row_s1_q <= row;
       x_s1_2_q <= x[6:0];
-      select_551_s1_q <= select_551;
-      select_558_s1_q <= or_556 ? equal_554 : (~age_q[3]);
-      and_1833_s1_q <= not_431 & and_550;
+      select_501_s1_q <= select_501;
+      select_508_s1_q <= or_506 ? equal_504 : (~age_q[3]);
+      and_1783_s1_q <= not_381 & and_500;
       right_s1_q <= right;
-      select_1840_s1_q <= or_556 ? equal_554 : ({x[7], last_q} == {1'b0, x[6:0]});
-      equal_1849_s1_q <= run_phase_q == 3'h7;
-      not_1854_s1_q <= ~(row_q[5:3] == 3'h0);
-      sum_1900_s1_q <= sum_1900;
-      less_1932_s1_q <= {1'b0, sum_1931, last_q[1]} < x_q;
-      equal_1948_s1_q <= equal_1948;
-      select_1955_s1_q <= select_1955;
-      and_1985_s1_q <= and_1985;
-      less_2005_s1_q <= 5'h4 < row_q[5:1];
-      select_2216_s1_q <= select_2216;
-      select_2270_s1_q <= select_2270;
-      select_2559_s1_q <= select_2559;
-      select_2582_s1_q <= select_1955[1] ? {7'h0, select_2580} : select_2581;
-      select_2591_s1_q <= select_1955[2] ? select_2587 : {4'h0, select_2590};
-      select_2592_s1_q <= select_1955[0] ? sample_last_q : sample_pair_whole_q;
-      equal_2620_s1_q <= x_q == {1'b0, last_q};
-      and_2757_s1_q <= so & (ends_cell_q & and_2755);
-      equal_2945_s1_q <= {column[6], or_2944} == 7'h0;
-      equal_2999_s1_q <= equal_2999;
-      and_3188_s1_q <= and_3000 & and_3187;
-      and_3190_s1_q <= and_3000 & (~and_3187);
-      less_3296_s1_q <= 5'h2 < row[5:1];
-      equal_3493_s1_q <= row[5:3] == 3'h0;
+      select_1790_s1_q <= or_506 ? equal_504 : ({x[7], last_q} == {1'b0, x[6:0]});
+      equal_1799_s1_q <= run_phase_q == 3'h7;
+      less_1882_s1_q <= {1'b0, sum_1881, last_q[1]} < x_q;
+      equal_1922_s1_q <= x_q == {1'b0, last_q};
+      not_2056_s1_q <= ~({sum_1881, last_q[1:0]} < x_q);
+      equal_2321_s1_q <= equal_2321;
+      and_2322_s1_q <= and_2322;
     end
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
+  logic [5:0] row_q;
+  logic lower_half_q;
   logic [5:0] middle_sum_columns_values_0_q;
   logic [5:0] middle_sum_columns_values_1_q;
   logic [5:0] middle_sum_columns_values_2_q;
@@ -777,921 +623,935 @@ module horopter_agreement (
   logic [5:0] sums_3_columns_values_6_q;
   logic [7:0] sums_3_sum_sums_values_0_q;
   // hls/stages/census.hpp:98
-  logic and_384;
-  assign and_384 = sample_pair_whole_s1_q & and_383_s1_q;
+  logic and_334;
+  assign and_334 = sample_pair_whole_s1_q & and_333_s1_q;
+  // hls/stages/agreement.hpp:449
+  logic not_479;
+  assign not_479 = ~(row_q == 6'h0);
   // hls/stages/agreement.hpp:452
-  logic and_530;
-  assign and_530 = left_rdata_q[12] & not_529_s1_q;
-  logic and_531;
-  assign and_531 = left_rdata_q[28] & not_529_s1_q;
-  logic and_532;
-  assign and_532 = left_rdata_q[44] & not_529_s1_q;
-  logic and_533;
-  assign and_533 = left_rdata_q[60] & not_529_s1_q;
+  logic and_480;
+  assign and_480 = left_rdata_q[12] & not_479;
+  logic and_481;
+  assign and_481 = left_rdata_q[28] & not_479;
+  logic and_482;
+  assign and_482 = left_rdata_q[44] & not_479;
+  logic and_483;
+  assign and_483 = left_rdata_q[60] & not_479;
   // hls/stages/agreement.hpp:453
+  logic and_487;
+  assign and_487 = right_codes_rdata_q[12] & not_479;
+  logic and_488;
+  assign and_488 = right_codes_rdata_q[25] & not_479;
+  logic and_489;
+  assign and_489 = right_codes_rdata_q[38] & not_479;
+  logic and_490;
+  assign and_490 = right_codes_rdata_q[51] & not_479;
+  logic and_491;
+  assign and_491 = right_codes_rdata_q[64] & not_479;
+  logic and_492;
+  assign and_492 = right_codes_rdata_q[77] & not_479;
+  // hls/stages/agreement.hpp:159
+  logic and_514;
+  assign and_514 = left_rdata_q[44] & not_388_s1_q;
+  logic and_515;
+  assign and_515 = right_codes_rdata_q[38] & not_388_s1_q;
+  logic [11:0] select_516;
+  assign select_516 = less_387_s1_q ? 12'h0 : right_codes_rdata_q[37:26];
+  logic [11:0] select_517;
+  assign select_517 = less_387_s1_q ? 12'h0 : left_rdata_q[43:32];
+  // hls/stages/agreement.hpp:465
+  logic [11:0] select_521;
+  assign select_521 = and_514 ? (and_515 ? (~(select_516 ^ select_517)) : 12'h0) : 12'h0;
+  // hls/stages/agreement.hpp:480
+  logic parity_527;
+  assign parity_527 = ^select_521[5:3];
+  logic parity_530;
+  assign parity_530 = ^select_521[8:6];
+  logic parity_533;
+  assign parity_533 = ^select_521[11:3];
+  // hls/stages/agreement.hpp:159
   logic and_537;
-  assign and_537 = right_codes_rdata_q[12] & not_529_s1_q;
+  assign and_537 = left_rdata_q[60] & not_388_s1_q;
   logic and_538;
-  assign and_538 = right_codes_rdata_q[25] & not_529_s1_q;
-  logic and_539;
-  assign and_539 = right_codes_rdata_q[38] & not_529_s1_q;
-  logic and_540;
-  assign and_540 = right_codes_rdata_q[51] & not_529_s1_q;
-  logic and_541;
-  assign and_541 = right_codes_rdata_q[64] & not_529_s1_q;
-  logic and_542;
-  assign and_542 = right_codes_rdata_q[77] & not_529_s1_q;
-  // hls/stages/agreement.hpp:159
-  logic and_564;
-  assign and_564 = left_rdata_q[44] & not_438_s1_q;
-  logic and_565;
-  assign and_565 = right_codes_rdata_q[38] & not_438_s1_q;
-  logic [11:0] select_566;
-  assign select_566 = less_437_s1_q ? 12'h0 : right_codes_rdata_q[37:26];
-  logic [11:0] select_567;
-  assign select_567 = less_437_s1_q ? 12'h0 : left_rdata_q[43:32];
+  assign and_538 = right_codes_rdata_q[51] & not_388_s1_q;
+  logic [11:0] select_539;
+  assign select_539 = less_387_s1_q ? 12'h0 : right_codes_rdata_q[50:39];
+  logic [11:0] select_540;
+  assign select_540 = less_387_s1_q ? 12'h0 : left_rdata_q[59:48];
   // hls/stages/agreement.hpp:465
-  logic [11:0] select_571;
-  assign select_571 = and_564 ? (and_565 ? (~(select_566 ^ select_567)) : 12'h0) : 12'h0;
+  logic [11:0] select_544;
+  assign select_544 = and_537 ? (and_538 ? (~(select_539 ^ select_540)) : 12'h0) : 12'h0;
   // hls/stages/agreement.hpp:480
-  logic parity_577;
-  assign parity_577 = ^select_571[5:3];
-  logic parity_580;
-  assign parity_580 = ^select_571[8:6];
-  logic parity_583;
-  assign parity_583 = ^select_571[11:3];
+  logic parity_547;
+  assign parity_547 = ^select_544[8:6];
+  logic parity_550;
+  assign parity_550 = ^select_544[11:9];
   // hls/stages/agreement.hpp:159
-  logic and_587;
-  assign and_587 = left_rdata_q[60] & not_438_s1_q;
-  logic and_588;
-  assign and_588 = right_codes_rdata_q[51] & not_438_s1_q;
-  logic [11:0] select_589;
-  assign select_589 = less_437_s1_q ? 12'h0 : right_codes_rdata_q[50:39];
-  logic [11:0] select_590;
-  assign select_590 = less_437_s1_q ? 12'h0 : left_rdata_q[59:48];
+  logic and_554;
+  assign and_554 = left_rdata_q[76] & not_388_s1_q;
+  logic and_555;
+  assign and_555 = right_codes_rdata_q[64] & not_388_s1_q;
+  logic [11:0] select_556;
+  assign select_556 = less_387_s1_q ? 12'h0 : right_codes_rdata_q[63:52];
+  logic [11:0] select_557;
+  assign select_557 = less_387_s1_q ? 12'h0 : left_rdata_q[75:64];
   // hls/stages/agreement.hpp:465
-  logic [11:0] select_594;
-  assign select_594 = and_587 ? (and_588 ? (~(select_589 ^ select_590)) : 12'h0) : 12'h0;
+  logic [11:0] select_561;
+  assign select_561 = and_554 ? (and_555 ? (~(select_556 ^ select_557)) : 12'h0) : 12'h0;
   // hls/stages/agreement.hpp:480
-  logic parity_597;
-  assign parity_597 = ^select_594[8:6];
-  logic parity_600;
-  assign parity_600 = ^select_594[11:9];
-  // hls/stages/agreement.hpp:159
-  logic and_604;
-  assign and_604 = left_rdata_q[76] & not_438_s1_q;
-  logic and_605;
-  assign and_605 = right_codes_rdata_q[64] & not_438_s1_q;
-  logic [11:0] select_606;
-  assign select_606 = less_437_s1_q ? 12'h0 : right_codes_rdata_q[63:52];
-  logic [11:0] select_607;
-  assign select_607 = less_437_s1_q ? 12'h0 : left_rdata_q[75:64];
-  // hls/stages/agreement.hpp:465
-  logic [11:0] select_611;
-  assign select_611 = and_604 ? (and_605 ? (~(select_606 ^ select_607)) : 12'h0) : 12'h0;
+  logic parity_567;
+  assign parity_567 = ^select_561[2:0];
+  logic parity_570;
+  assign parity_570 = ^select_561[5:3];
+  logic parity_573;
+  assign parity_573 = ^select_561[8:0];
+  logic parity_579;
+  assign parity_579 = ^select_561[11:9];
+  logic parity_582;
+  assign parity_582 = ^select_544[2:0];
+  logic parity_585;
+  assign parity_585 = ^{select_561[11:9], select_544[5:0]};
+  logic parity_588;
+  assign parity_588 = ^{select_561, select_544, select_521[2:0]};
+  logic xor_589;
+  assign xor_589 = parity_533 ^ parity_588;
+  // hls/stages/agreement.hpp:479
+  logic or_593;
+  assign or_593 = (select_521[1:0] == 2'h3) | (select_521[2] & (select_521[0] | select_521[1]));
+  // hls/stages/agreement.hpp:481
+  logic or_597;
+  assign or_597 = (select_544[7:6] == 2'h3) | (select_544[8] & (select_544[6] | select_544[7]));
+  logic or_601;
+  assign or_601 = (select_544[10:9] == 2'h3) | (select_544[11] & (select_544[9] | select_544[10]));
+  // hls/stages/agreement.hpp:479
+  logic or_609;
+  assign or_609 = (select_561[7:6] == 2'h3) | (select_561[8] & (~(select_561[7:6] == 2'h0)));
+  // hls/stages/agreement.hpp:481
+  logic or_613;
+  assign or_613 = (select_561[1:0] == 2'h3) | (select_561[2] & (select_561[0] | select_561[1]));
+  logic or_617;
+  assign or_617 = (select_561[4:3] == 2'h3) | (select_561[5] & (select_561[3] | select_561[4]));
   // hls/stages/agreement.hpp:480
-  logic parity_617;
-  assign parity_617 = ^select_611[2:0];
   logic parity_620;
-  assign parity_620 = ^select_611[5:3];
-  logic parity_623;
-  assign parity_623 = ^select_611[8:0];
-  logic parity_629;
-  assign parity_629 = ^select_611[11:9];
-  logic parity_632;
-  assign parity_632 = ^select_594[2:0];
+  assign parity_620 = ^{or_617, or_613, or_609};
+  // hls/stages/agreement.hpp:479
+  logic or_624;
+  assign or_624 = (select_544[4:3] == 2'h3) | (select_544[5] & (select_544[3] | select_544[4]));
+  // hls/stages/agreement.hpp:481
+  logic or_628;
+  assign or_628 = (select_561[10:9] == 2'h3) | (select_561[11] & (select_561[9] | select_561[10]));
+  logic or_632;
+  assign or_632 = (select_544[1:0] == 2'h3) | (select_544[2] & (select_544[0] | select_544[1]));
+  // hls/stages/agreement.hpp:480
   logic parity_635;
-  assign parity_635 = ^{select_611[11:9], select_594[5:0]};
+  assign parity_635 = ^{or_632, or_628, or_624};
   logic parity_638;
-  assign parity_638 = ^{select_611, select_594, select_571[2:0]};
-  logic xor_639;
-  assign xor_639 = parity_583 ^ parity_638;
-  // hls/stages/agreement.hpp:479
+  assign parity_638 = ^{or_632, or_628, or_624, or_617, or_613, or_609, or_601, or_597, or_593};
+  // hls/stages/agreement.hpp:481
+  logic and_639;
+  assign and_639 = parity_533 & parity_588;
   logic or_643;
-  assign or_643 = (select_571[1:0] == 2'h3) | (select_571[2] & (select_571[0] | select_571[1]));
-  // hls/stages/agreement.hpp:481
+  assign or_643 = (parity_527 & parity_530) | ((^select_521[11:9]) & (parity_527 | parity_530));
+  logic and_646;
+  assign and_646 = (^{select_544[11:6], select_521[2:0]}) & (parity_573 | parity_585);
   logic or_647;
-  assign or_647 = (select_594[7:6] == 2'h3) | (select_594[8] & (select_594[6] | select_594[7]));
-  logic or_651;
-  assign or_651 = (select_594[10:9] == 2'h3) | (select_594[11] & (select_594[9] | select_594[10]));
+  assign or_647 = (parity_573 & parity_585) | and_646;
   // hls/stages/agreement.hpp:479
-  logic or_659;
-  assign or_659 = (select_611[7:6] == 2'h3) | (select_611[8] & (~(select_611[7:6] == 2'h0)));
+  logic or_654;
+  assign or_654 = (select_521[10:9] == 2'h3) | (select_521[11] & (select_521[9] | select_521[10]));
   // hls/stages/agreement.hpp:481
-  logic or_663;
-  assign or_663 = (select_611[1:0] == 2'h3) | (select_611[2] & (select_611[0] | select_611[1]));
-  logic or_667;
-  assign or_667 = (select_611[4:3] == 2'h3) | (select_611[5] & (select_611[3] | select_611[4]));
+  logic or_658;
+  assign or_658 = (select_521[4:3] == 2'h3) | (select_521[5] & (select_521[3] | select_521[4]));
+  logic or_662;
+  assign or_662 = (select_521[7:6] == 2'h3) | (select_521[8] & (select_521[6] | select_521[7]));
   // hls/stages/agreement.hpp:480
-  logic parity_670;
-  assign parity_670 = ^{or_667, or_663, or_659};
-  // hls/stages/agreement.hpp:479
-  logic or_674;
-  assign or_674 = (select_594[4:3] == 2'h3) | (select_594[5] & (select_594[3] | select_594[4]));
+  logic parity_665;
+  assign parity_665 = ^{or_662, or_658, or_654};
   // hls/stages/agreement.hpp:481
-  logic or_678;
-  assign or_678 = (select_611[10:9] == 2'h3) | (select_611[11] & (select_611[9] | select_611[10]));
-  logic or_682;
-  assign or_682 = (select_594[1:0] == 2'h3) | (select_594[2] & (select_594[0] | select_594[1]));
+  logic or_669;
+  assign or_669 = (parity_547 & parity_550) | ((^select_521[2:0]) & (parity_547 | parity_550));
+  logic or_673;
+  assign or_673 = (parity_567 & parity_570) | ((^select_561[8:6]) & (parity_567 | parity_570));
+  logic or_677;
+  assign or_677 = (parity_579 & parity_582) | ((^select_544[5:3]) & (parity_579 | parity_582));
   // hls/stages/agreement.hpp:480
-  logic parity_685;
-  assign parity_685 = ^{or_682, or_678, or_674};
-  logic parity_688;
-  assign parity_688 = ^{or_682, or_678, or_674, or_667, or_663, or_659, or_651, or_647, or_643};
+  logic parity_680;
+  assign parity_680 = ^{or_677, or_673, or_669};
+  logic parity_683;
+  assign parity_683 = ^{or_677, or_673, or_669, or_662, or_658, or_654, or_647, or_643, and_639};
+  logic xor_684;
+  assign xor_684 = parity_638 ^ parity_683;
   // hls/stages/agreement.hpp:481
-  logic and_689;
-  assign and_689 = parity_583 & parity_638;
+  logic and_685;
+  assign and_685 = parity_638 & parity_683;
+  logic or_689;
+  assign or_689 = (parity_620 & parity_635) | ((^{or_601, or_597, or_593}) & (parity_620 | parity_635));
   logic or_693;
-  assign or_693 = (parity_577 & parity_580) | ((^select_571[11:9]) & (parity_577 | parity_580));
-  logic and_696;
-  assign and_696 = (^{select_594[11:6], select_571[2:0]}) & (parity_623 | parity_635);
-  logic or_697;
-  assign or_697 = (parity_623 & parity_635) | and_696;
-  // hls/stages/agreement.hpp:479
+  assign or_693 = (parity_665 & parity_680) | ((^{or_647, or_643, and_639}) & (parity_665 | parity_680));
+  logic or_700;
+  assign or_700 = (or_597 & or_601) | (or_593 & (or_597 | or_601));
   logic or_704;
-  assign or_704 = (select_571[10:9] == 2'h3) | (select_571[11] & (select_571[9] | select_571[10]));
-  // hls/stages/agreement.hpp:481
+  assign or_704 = (or_613 & or_617) | (or_609 & (or_613 | or_617));
   logic or_708;
-  assign or_708 = (select_571[4:3] == 2'h3) | (select_571[5] & (select_571[3] | select_571[4]));
-  logic or_712;
-  assign or_712 = (select_571[7:6] == 2'h3) | (select_571[8] & (select_571[6] | select_571[7]));
+  assign or_708 = (or_628 & or_632) | (or_624 & (or_628 | or_632));
   // hls/stages/agreement.hpp:480
-  logic parity_715;
-  assign parity_715 = ^{or_712, or_708, or_704};
+  logic parity_711;
+  assign parity_711 = ^{or_708, or_704, or_700};
   // hls/stages/agreement.hpp:481
+  logic or_715;
+  assign or_715 = (or_643 & or_647) | (and_639 & (or_643 | or_647));
   logic or_719;
-  assign or_719 = (parity_597 & parity_600) | ((^select_571[2:0]) & (parity_597 | parity_600));
+  assign or_719 = (or_658 & or_662) | (or_654 & (or_658 | or_662));
   logic or_723;
-  assign or_723 = (parity_617 & parity_620) | ((^select_611[8:6]) & (parity_617 | parity_620));
-  logic or_727;
-  assign or_727 = (parity_629 & parity_632) | ((^select_594[5:3]) & (parity_629 | parity_632));
+  assign or_723 = (or_673 & or_677) | (or_669 & (or_673 | or_677));
   // hls/stages/agreement.hpp:480
-  logic parity_730;
-  assign parity_730 = ^{or_727, or_723, or_719};
-  logic parity_733;
-  assign parity_733 = ^{or_727, or_723, or_719, or_712, or_708, or_704, or_697, or_693, and_689};
-  logic xor_734;
-  assign xor_734 = parity_688 ^ parity_733;
+  logic parity_726;
+  assign parity_726 = ^{or_723, or_719, or_715};
+  logic parity_729;
+  assign parity_729 = ^{or_723, or_719, or_715, or_708, or_704, or_700, or_693, or_689, and_685};
   // hls/stages/agreement.hpp:481
-  logic and_735;
-  assign and_735 = parity_688 & parity_733;
-  logic or_739;
-  assign or_739 = (parity_670 & parity_685) | ((^{or_651, or_647, or_643}) & (parity_670 | parity_685));
-  logic or_743;
-  assign or_743 = (parity_715 & parity_730) | ((^{or_697, or_693, and_689}) & (parity_715 | parity_730));
-  logic or_750;
-  assign or_750 = (or_647 & or_651) | (or_643 & (or_647 | or_651));
+  logic or_733;
+  assign or_733 = (parity_711 & parity_726) | ((^{or_693, or_689, and_685}) & (parity_711 | parity_726));
+  logic or_737;
+  assign or_737 = (or_689 & or_693) | (and_685 & (or_689 | or_693));
+  logic or_741;
+  assign or_741 = (or_704 & or_708) | (or_700 & (or_704 | or_708));
+  logic or_745;
+  assign or_745 = (or_719 & or_723) | (or_715 & (or_719 | or_723));
+  // hls/stages/agreement.hpp:480
+  logic parity_750;
+  assign parity_750 = ^{or_745, or_741, or_737, or_733};
+  // hls/stages/agreement.hpp:481
   logic or_754;
-  assign or_754 = (or_663 & or_667) | (or_659 & (or_663 | or_667));
-  logic or_758;
-  assign or_758 = (or_678 & or_682) | (or_674 & (or_678 | or_682));
+  assign or_754 = (or_741 & or_745) | (or_737 & (or_741 | or_745));
+  logic and_755;
+  assign and_755 = or_733 & (^{or_745, or_741, or_737});
   // hls/stages/agreement.hpp:480
-  logic parity_761;
-  assign parity_761 = ^{or_758, or_754, or_750};
-  // hls/stages/agreement.hpp:481
-  logic or_765;
-  assign or_765 = (or_693 & or_697) | (and_689 & (or_693 | or_697));
-  logic or_769;
-  assign or_769 = (or_708 & or_712) | (or_704 & (or_708 | or_712));
-  logic or_773;
-  assign or_773 = (or_723 & or_727) | (or_719 & (or_723 | or_727));
-  // hls/stages/agreement.hpp:480
-  logic parity_776;
-  assign parity_776 = ^{or_773, or_769, or_765};
-  logic parity_779;
-  assign parity_779 = ^{or_773, or_769, or_765, or_758, or_754, or_750, or_743, or_739, and_735};
-  // hls/stages/agreement.hpp:481
-  logic or_783;
-  assign or_783 = (parity_761 & parity_776) | ((^{or_743, or_739, and_735}) & (parity_761 | parity_776));
-  logic or_787;
-  assign or_787 = (or_739 & or_743) | (and_735 & (or_739 | or_743));
-  logic or_791;
-  assign or_791 = (or_754 & or_758) | (or_750 & (or_754 | or_758));
-  logic or_795;
-  assign or_795 = (or_769 & or_773) | (or_765 & (or_769 | or_773));
-  // hls/stages/agreement.hpp:480
-  logic parity_800;
-  assign parity_800 = ^{or_795, or_791, or_787, or_783};
-  // hls/stages/agreement.hpp:481
-  logic or_804;
-  assign or_804 = (or_791 & or_795) | (or_787 & (or_791 | or_795));
-  logic and_805;
-  assign and_805 = or_783 & (^{or_795, or_791, or_787});
-  // hls/stages/agreement.hpp:480
-  logic xor_806;
-  assign xor_806 = or_804 ^ and_805;
+  logic xor_756;
+  assign xor_756 = or_754 ^ and_755;
   // hls/stages/agreement.hpp:483
-  logic and_807;
-  assign and_807 = or_804 & and_805;
+  logic and_757;
+  assign and_757 = or_754 & and_755;
   // hls/stages/agreement.hpp:554
-  logic [5:0] select_808;
-  assign select_808 = equal_432_s1_q ? {and_807, xor_806, parity_800, parity_779, xor_734, xor_639} : 6'h0;
+  logic [5:0] select_758;
+  assign select_758 = equal_382_s1_q ? {and_757, xor_756, parity_750, parity_729, xor_684, xor_589} : 6'h0;
   logic [5:0] column_2;
-  assign column_2 = or_430_s1_q ? 6'h0 : select_808;
+  assign column_2 = or_380_s1_q ? 6'h0 : select_758;
   // hls/stages/agreement.hpp:586
-  logic [5:0] select_810;
-  assign select_810 = age_s1_q[3] ? middle_sum_columns_values_6_q : 6'h0;
-  logic [6:0] difference_811;
-  assign difference_811 = {1'b0, column_2} - {1'b0, select_810};
-  logic [7:0] sum_813;
-  assign sum_813 = {difference_811[6], difference_811} + (age_s1_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
+  logic [5:0] select_760;
+  assign select_760 = age_s1_q[3] ? middle_sum_columns_values_6_q : 6'h0;
+  logic [6:0] difference_761;
+  assign difference_761 = {1'b0, column_2} - {1'b0, select_760};
+  logic [7:0] sum_763;
+  assign sum_763 = {difference_761[6], difference_761} + (age_s1_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
   // hls/stages/agreement.hpp:465
-  logic [11:0] select_817;
-  assign select_817 = and_564 ? (and_588 ? (~(select_589 ^ select_567)) : 12'h0) : 12'h0;
+  logic [11:0] select_767;
+  assign select_767 = and_514 ? (and_538 ? (~(select_539 ^ select_517)) : 12'h0) : 12'h0;
   // hls/stages/agreement.hpp:480
-  logic parity_823;
-  assign parity_823 = ^select_817[5:3];
-  logic parity_826;
-  assign parity_826 = ^select_817[8:6];
-  logic parity_829;
-  assign parity_829 = ^select_817[11:3];
+  logic parity_773;
+  assign parity_773 = ^select_767[5:3];
+  logic parity_776;
+  assign parity_776 = ^select_767[8:6];
+  logic parity_779;
+  assign parity_779 = ^select_767[11:3];
   // hls/stages/agreement.hpp:465
-  logic [11:0] select_836;
-  assign select_836 = and_587 ? (and_605 ? (~(select_606 ^ select_590)) : 12'h0) : 12'h0;
+  logic [11:0] select_786;
+  assign select_786 = and_537 ? (and_555 ? (~(select_556 ^ select_540)) : 12'h0) : 12'h0;
   // hls/stages/agreement.hpp:480
-  logic parity_839;
-  assign parity_839 = ^select_836[8:6];
-  logic parity_842;
-  assign parity_842 = ^select_836[11:9];
+  logic parity_789;
+  assign parity_789 = ^select_786[8:6];
+  logic parity_792;
+  assign parity_792 = ^select_786[11:9];
   // hls/stages/agreement.hpp:159
-  logic and_846;
-  assign and_846 = right_codes_rdata_q[77] & not_438_s1_q;
-  logic [11:0] select_847;
-  assign select_847 = less_437_s1_q ? 12'h0 : right_codes_rdata_q[76:65];
+  logic and_796;
+  assign and_796 = right_codes_rdata_q[77] & not_388_s1_q;
+  logic [11:0] select_797;
+  assign select_797 = less_387_s1_q ? 12'h0 : right_codes_rdata_q[76:65];
   // hls/stages/agreement.hpp:465
-  logic [11:0] select_851;
-  assign select_851 = and_604 ? (and_846 ? (~(select_847 ^ select_607)) : 12'h0) : 12'h0;
+  logic [11:0] select_801;
+  assign select_801 = and_554 ? (and_796 ? (~(select_797 ^ select_557)) : 12'h0) : 12'h0;
   // hls/stages/agreement.hpp:480
-  logic parity_857;
-  assign parity_857 = ^select_851[2:0];
+  logic parity_807;
+  assign parity_807 = ^select_801[2:0];
+  logic parity_810;
+  assign parity_810 = ^select_801[5:3];
+  logic parity_813;
+  assign parity_813 = ^select_801[8:0];
+  logic parity_819;
+  assign parity_819 = ^select_801[11:9];
+  logic parity_822;
+  assign parity_822 = ^select_786[2:0];
+  logic parity_825;
+  assign parity_825 = ^{select_801[11:9], select_786[5:0]};
+  logic parity_828;
+  assign parity_828 = ^{select_801, select_786, select_767[2:0]};
+  logic xor_829;
+  assign xor_829 = parity_779 ^ parity_828;
+  // hls/stages/agreement.hpp:479
+  logic or_833;
+  assign or_833 = (select_767[1:0] == 2'h3) | (select_767[2] & (select_767[0] | select_767[1]));
+  // hls/stages/agreement.hpp:481
+  logic or_837;
+  assign or_837 = (select_786[7:6] == 2'h3) | (select_786[8] & (select_786[6] | select_786[7]));
+  logic or_841;
+  assign or_841 = (select_786[10:9] == 2'h3) | (select_786[11] & (select_786[9] | select_786[10]));
+  // hls/stages/agreement.hpp:479
+  logic or_849;
+  assign or_849 = (select_801[7:6] == 2'h3) | (select_801[8] & (~(select_801[7:6] == 2'h0)));
+  // hls/stages/agreement.hpp:481
+  logic or_853;
+  assign or_853 = (select_801[1:0] == 2'h3) | (select_801[2] & (select_801[0] | select_801[1]));
+  logic or_857;
+  assign or_857 = (select_801[4:3] == 2'h3) | (select_801[5] & (select_801[3] | select_801[4]));
+  // hls/stages/agreement.hpp:480
   logic parity_860;
-  assign parity_860 = ^select_851[5:3];
-  logic parity_863;
-  assign parity_863 = ^select_851[8:0];
-  logic parity_869;
-  assign parity_869 = ^select_851[11:9];
-  logic parity_872;
-  assign parity_872 = ^select_836[2:0];
+  assign parity_860 = ^{or_857, or_853, or_849};
+  // hls/stages/agreement.hpp:479
+  logic or_864;
+  assign or_864 = (select_786[4:3] == 2'h3) | (select_786[5] & (select_786[3] | select_786[4]));
+  // hls/stages/agreement.hpp:481
+  logic or_868;
+  assign or_868 = (select_801[10:9] == 2'h3) | (select_801[11] & (select_801[9] | select_801[10]));
+  logic or_872;
+  assign or_872 = (select_786[1:0] == 2'h3) | (select_786[2] & (select_786[0] | select_786[1]));
+  // hls/stages/agreement.hpp:480
   logic parity_875;
-  assign parity_875 = ^{select_851[11:9], select_836[5:0]};
+  assign parity_875 = ^{or_872, or_868, or_864};
   logic parity_878;
-  assign parity_878 = ^{select_851, select_836, select_817[2:0]};
-  logic xor_879;
-  assign xor_879 = parity_829 ^ parity_878;
-  // hls/stages/agreement.hpp:479
+  assign parity_878 = ^{or_872, or_868, or_864, or_857, or_853, or_849, or_841, or_837, or_833};
+  // hls/stages/agreement.hpp:481
+  logic and_879;
+  assign and_879 = parity_779 & parity_828;
   logic or_883;
-  assign or_883 = (select_817[1:0] == 2'h3) | (select_817[2] & (select_817[0] | select_817[1]));
-  // hls/stages/agreement.hpp:481
+  assign or_883 = (parity_773 & parity_776) | ((^select_767[11:9]) & (parity_773 | parity_776));
+  logic and_886;
+  assign and_886 = (^{select_786[11:6], select_767[2:0]}) & (parity_813 | parity_825);
   logic or_887;
-  assign or_887 = (select_836[7:6] == 2'h3) | (select_836[8] & (select_836[6] | select_836[7]));
-  logic or_891;
-  assign or_891 = (select_836[10:9] == 2'h3) | (select_836[11] & (select_836[9] | select_836[10]));
+  assign or_887 = (parity_813 & parity_825) | and_886;
   // hls/stages/agreement.hpp:479
-  logic or_899;
-  assign or_899 = (select_851[7:6] == 2'h3) | (select_851[8] & (~(select_851[7:6] == 2'h0)));
+  logic or_894;
+  assign or_894 = (select_767[10:9] == 2'h3) | (select_767[11] & (select_767[9] | select_767[10]));
   // hls/stages/agreement.hpp:481
-  logic or_903;
-  assign or_903 = (select_851[1:0] == 2'h3) | (select_851[2] & (select_851[0] | select_851[1]));
-  logic or_907;
-  assign or_907 = (select_851[4:3] == 2'h3) | (select_851[5] & (select_851[3] | select_851[4]));
+  logic or_898;
+  assign or_898 = (select_767[4:3] == 2'h3) | (select_767[5] & (select_767[3] | select_767[4]));
+  logic or_902;
+  assign or_902 = (select_767[7:6] == 2'h3) | (select_767[8] & (select_767[6] | select_767[7]));
   // hls/stages/agreement.hpp:480
-  logic parity_910;
-  assign parity_910 = ^{or_907, or_903, or_899};
-  // hls/stages/agreement.hpp:479
-  logic or_914;
-  assign or_914 = (select_836[4:3] == 2'h3) | (select_836[5] & (select_836[3] | select_836[4]));
+  logic parity_905;
+  assign parity_905 = ^{or_902, or_898, or_894};
   // hls/stages/agreement.hpp:481
-  logic or_918;
-  assign or_918 = (select_851[10:9] == 2'h3) | (select_851[11] & (select_851[9] | select_851[10]));
-  logic or_922;
-  assign or_922 = (select_836[1:0] == 2'h3) | (select_836[2] & (select_836[0] | select_836[1]));
+  logic or_909;
+  assign or_909 = (parity_789 & parity_792) | ((^select_767[2:0]) & (parity_789 | parity_792));
+  logic or_913;
+  assign or_913 = (parity_807 & parity_810) | ((^select_801[8:6]) & (parity_807 | parity_810));
+  logic or_917;
+  assign or_917 = (parity_819 & parity_822) | ((^select_786[5:3]) & (parity_819 | parity_822));
   // hls/stages/agreement.hpp:480
-  logic parity_925;
-  assign parity_925 = ^{or_922, or_918, or_914};
-  logic parity_928;
-  assign parity_928 = ^{or_922, or_918, or_914, or_907, or_903, or_899, or_891, or_887, or_883};
+  logic parity_920;
+  assign parity_920 = ^{or_917, or_913, or_909};
+  logic parity_923;
+  assign parity_923 = ^{or_917, or_913, or_909, or_902, or_898, or_894, or_887, or_883, and_879};
+  logic xor_924;
+  assign xor_924 = parity_878 ^ parity_923;
   // hls/stages/agreement.hpp:481
-  logic and_929;
-  assign and_929 = parity_829 & parity_878;
+  logic and_925;
+  assign and_925 = parity_878 & parity_923;
+  logic or_929;
+  assign or_929 = (parity_860 & parity_875) | ((^{or_841, or_837, or_833}) & (parity_860 | parity_875));
   logic or_933;
-  assign or_933 = (parity_823 & parity_826) | ((^select_817[11:9]) & (parity_823 | parity_826));
-  logic and_936;
-  assign and_936 = (^{select_836[11:6], select_817[2:0]}) & (parity_863 | parity_875);
-  logic or_937;
-  assign or_937 = (parity_863 & parity_875) | and_936;
-  // hls/stages/agreement.hpp:479
+  assign or_933 = (parity_905 & parity_920) | ((^{or_887, or_883, and_879}) & (parity_905 | parity_920));
+  logic or_940;
+  assign or_940 = (or_837 & or_841) | (or_833 & (or_837 | or_841));
   logic or_944;
-  assign or_944 = (select_817[10:9] == 2'h3) | (select_817[11] & (select_817[9] | select_817[10]));
-  // hls/stages/agreement.hpp:481
+  assign or_944 = (or_853 & or_857) | (or_849 & (or_853 | or_857));
   logic or_948;
-  assign or_948 = (select_817[4:3] == 2'h3) | (select_817[5] & (select_817[3] | select_817[4]));
-  logic or_952;
-  assign or_952 = (select_817[7:6] == 2'h3) | (select_817[8] & (select_817[6] | select_817[7]));
+  assign or_948 = (or_868 & or_872) | (or_864 & (or_868 | or_872));
   // hls/stages/agreement.hpp:480
-  logic parity_955;
-  assign parity_955 = ^{or_952, or_948, or_944};
+  logic parity_951;
+  assign parity_951 = ^{or_948, or_944, or_940};
   // hls/stages/agreement.hpp:481
+  logic or_955;
+  assign or_955 = (or_883 & or_887) | (and_879 & (or_883 | or_887));
   logic or_959;
-  assign or_959 = (parity_839 & parity_842) | ((^select_817[2:0]) & (parity_839 | parity_842));
+  assign or_959 = (or_898 & or_902) | (or_894 & (or_898 | or_902));
   logic or_963;
-  assign or_963 = (parity_857 & parity_860) | ((^select_851[8:6]) & (parity_857 | parity_860));
-  logic or_967;
-  assign or_967 = (parity_869 & parity_872) | ((^select_836[5:3]) & (parity_869 | parity_872));
+  assign or_963 = (or_913 & or_917) | (or_909 & (or_913 | or_917));
   // hls/stages/agreement.hpp:480
-  logic parity_970;
-  assign parity_970 = ^{or_967, or_963, or_959};
-  logic parity_973;
-  assign parity_973 = ^{or_967, or_963, or_959, or_952, or_948, or_944, or_937, or_933, and_929};
-  logic xor_974;
-  assign xor_974 = parity_928 ^ parity_973;
+  logic parity_966;
+  assign parity_966 = ^{or_963, or_959, or_955};
+  logic parity_969;
+  assign parity_969 = ^{or_963, or_959, or_955, or_948, or_944, or_940, or_933, or_929, and_925};
   // hls/stages/agreement.hpp:481
-  logic and_975;
-  assign and_975 = parity_928 & parity_973;
-  logic or_979;
-  assign or_979 = (parity_910 & parity_925) | ((^{or_891, or_887, or_883}) & (parity_910 | parity_925));
-  logic or_983;
-  assign or_983 = (parity_955 & parity_970) | ((^{or_937, or_933, and_929}) & (parity_955 | parity_970));
-  logic or_990;
-  assign or_990 = (or_887 & or_891) | (or_883 & (or_887 | or_891));
+  logic or_973;
+  assign or_973 = (parity_951 & parity_966) | ((^{or_933, or_929, and_925}) & (parity_951 | parity_966));
+  logic or_977;
+  assign or_977 = (or_929 & or_933) | (and_925 & (or_929 | or_933));
+  logic or_981;
+  assign or_981 = (or_944 & or_948) | (or_940 & (or_944 | or_948));
+  logic or_985;
+  assign or_985 = (or_959 & or_963) | (or_955 & (or_959 | or_963));
+  // hls/stages/agreement.hpp:480
+  logic parity_990;
+  assign parity_990 = ^{or_985, or_981, or_977, or_973};
+  // hls/stages/agreement.hpp:481
   logic or_994;
-  assign or_994 = (or_903 & or_907) | (or_899 & (or_903 | or_907));
-  logic or_998;
-  assign or_998 = (or_918 & or_922) | (or_914 & (or_918 | or_922));
+  assign or_994 = (or_981 & or_985) | (or_977 & (or_981 | or_985));
+  logic and_995;
+  assign and_995 = or_973 & (^{or_985, or_981, or_977});
   // hls/stages/agreement.hpp:480
-  logic parity_1001;
-  assign parity_1001 = ^{or_998, or_994, or_990};
-  // hls/stages/agreement.hpp:481
-  logic or_1005;
-  assign or_1005 = (or_933 & or_937) | (and_929 & (or_933 | or_937));
-  logic or_1009;
-  assign or_1009 = (or_948 & or_952) | (or_944 & (or_948 | or_952));
-  logic or_1013;
-  assign or_1013 = (or_963 & or_967) | (or_959 & (or_963 | or_967));
-  // hls/stages/agreement.hpp:480
-  logic parity_1016;
-  assign parity_1016 = ^{or_1013, or_1009, or_1005};
-  logic parity_1019;
-  assign parity_1019 = ^{or_1013, or_1009, or_1005, or_998, or_994, or_990, or_983, or_979, and_975};
-  // hls/stages/agreement.hpp:481
-  logic or_1023;
-  assign or_1023 = (parity_1001 & parity_1016) | ((^{or_983, or_979, and_975}) & (parity_1001 | parity_1016));
-  logic or_1027;
-  assign or_1027 = (or_979 & or_983) | (and_975 & (or_979 | or_983));
-  logic or_1031;
-  assign or_1031 = (or_994 & or_998) | (or_990 & (or_994 | or_998));
-  logic or_1035;
-  assign or_1035 = (or_1009 & or_1013) | (or_1005 & (or_1009 | or_1013));
-  // hls/stages/agreement.hpp:480
-  logic parity_1040;
-  assign parity_1040 = ^{or_1035, or_1031, or_1027, or_1023};
-  // hls/stages/agreement.hpp:481
-  logic or_1044;
-  assign or_1044 = (or_1031 & or_1035) | (or_1027 & (or_1031 | or_1035));
-  logic and_1045;
-  assign and_1045 = or_1023 & (^{or_1035, or_1031, or_1027});
-  // hls/stages/agreement.hpp:480
-  logic xor_1046;
-  assign xor_1046 = or_1044 ^ and_1045;
+  logic xor_996;
+  assign xor_996 = or_994 ^ and_995;
   // hls/stages/agreement.hpp:483
-  logic and_1047;
-  assign and_1047 = or_1044 & and_1045;
+  logic and_997;
+  assign and_997 = or_994 & and_995;
   // hls/stages/agreement.hpp:554
-  logic [5:0] select_1048;
-  assign select_1048 = equal_432_s1_q ? {and_1047, xor_1046, parity_1040, parity_1019, xor_974, xor_879} : 6'h0;
+  logic [5:0] select_998;
+  assign select_998 = equal_382_s1_q ? {and_997, xor_996, parity_990, parity_969, xor_924, xor_829} : 6'h0;
   logic [5:0] column_3;
-  assign column_3 = or_430_s1_q ? 6'h0 : select_1048;
+  assign column_3 = or_380_s1_q ? 6'h0 : select_998;
   // hls/stages/agreement.hpp:586
-  logic [5:0] select_1050;
-  assign select_1050 = age_s1_q[3] ? sums_0_columns_values_6_q : 6'h0;
-  logic [6:0] difference_1051;
-  assign difference_1051 = {1'b0, column_3} - {1'b0, select_1050};
-  logic [7:0] sum_1053;
-  assign sum_1053 = {difference_1051[6], difference_1051} + (age_s1_q[0] ? sums_0_sum_sums_values_0_q : 8'h0);
+  logic [5:0] select_1000;
+  assign select_1000 = age_s1_q[3] ? sums_0_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1001;
+  assign difference_1001 = {1'b0, column_3} - {1'b0, select_1000};
+  logic [7:0] sum_1003;
+  assign sum_1003 = {difference_1001[6], difference_1001} + (age_s1_q[0] ? sums_0_sum_sums_values_0_q : 8'h0);
   // hls/stages/agreement.hpp:159
-  logic and_1054;
-  assign and_1054 = right_codes_rdata_q[25] & not_438_s1_q;
-  logic [11:0] select_1055;
-  assign select_1055 = less_437_s1_q ? 12'h0 : right_codes_rdata_q[24:13];
+  logic and_1004;
+  assign and_1004 = right_codes_rdata_q[25] & not_388_s1_q;
+  logic [11:0] select_1005;
+  assign select_1005 = less_387_s1_q ? 12'h0 : right_codes_rdata_q[24:13];
   // hls/stages/agreement.hpp:465
-  logic [11:0] select_1059;
-  assign select_1059 = and_564 ? (and_1054 ? (~(select_1055 ^ select_567)) : 12'h0) : 12'h0;
+  logic [11:0] select_1009;
+  assign select_1009 = and_514 ? (and_1004 ? (~(select_1005 ^ select_517)) : 12'h0) : 12'h0;
   // hls/stages/agreement.hpp:480
+  logic parity_1015;
+  assign parity_1015 = ^select_1009[5:3];
+  logic parity_1018;
+  assign parity_1018 = ^select_1009[8:6];
+  logic parity_1021;
+  assign parity_1021 = ^select_1009[11:3];
+  // hls/stages/agreement.hpp:465
+  logic [11:0] select_1028;
+  assign select_1028 = and_537 ? (and_515 ? (~(select_516 ^ select_540)) : 12'h0) : 12'h0;
+  // hls/stages/agreement.hpp:480
+  logic parity_1031;
+  assign parity_1031 = ^select_1028[8:6];
+  logic parity_1034;
+  assign parity_1034 = ^select_1028[11:9];
+  // hls/stages/agreement.hpp:465
+  logic [11:0] select_1041;
+  assign select_1041 = and_554 ? (and_538 ? (~(select_539 ^ select_557)) : 12'h0) : 12'h0;
+  // hls/stages/agreement.hpp:480
+  logic parity_1047;
+  assign parity_1047 = ^select_1041[2:0];
+  logic parity_1050;
+  assign parity_1050 = ^select_1041[5:3];
+  logic parity_1053;
+  assign parity_1053 = ^select_1041[8:0];
+  logic parity_1059;
+  assign parity_1059 = ^select_1041[11:9];
+  logic parity_1062;
+  assign parity_1062 = ^select_1028[2:0];
   logic parity_1065;
-  assign parity_1065 = ^select_1059[5:3];
+  assign parity_1065 = ^{select_1041[11:9], select_1028[5:0]};
   logic parity_1068;
-  assign parity_1068 = ^select_1059[8:6];
-  logic parity_1071;
-  assign parity_1071 = ^select_1059[11:3];
-  // hls/stages/agreement.hpp:465
-  logic [11:0] select_1078;
-  assign select_1078 = and_587 ? (and_565 ? (~(select_566 ^ select_590)) : 12'h0) : 12'h0;
+  assign parity_1068 = ^{select_1041, select_1028, select_1009[2:0]};
+  logic xor_1069;
+  assign xor_1069 = parity_1021 ^ parity_1068;
+  // hls/stages/agreement.hpp:479
+  logic or_1073;
+  assign or_1073 = (select_1009[1:0] == 2'h3) | (select_1009[2] & (select_1009[0] | select_1009[1]));
+  // hls/stages/agreement.hpp:481
+  logic or_1077;
+  assign or_1077 = (select_1028[7:6] == 2'h3) | (select_1028[8] & (select_1028[6] | select_1028[7]));
+  logic or_1081;
+  assign or_1081 = (select_1028[10:9] == 2'h3) | (select_1028[11] & (select_1028[9] | select_1028[10]));
+  // hls/stages/agreement.hpp:479
+  logic or_1089;
+  assign or_1089 = (select_1041[7:6] == 2'h3) | (select_1041[8] & (~(select_1041[7:6] == 2'h0)));
+  // hls/stages/agreement.hpp:481
+  logic or_1093;
+  assign or_1093 = (select_1041[1:0] == 2'h3) | (select_1041[2] & (select_1041[0] | select_1041[1]));
+  logic or_1097;
+  assign or_1097 = (select_1041[4:3] == 2'h3) | (select_1041[5] & (select_1041[3] | select_1041[4]));
   // hls/stages/agreement.hpp:480
-  logic parity_1081;
-  assign parity_1081 = ^select_1078[8:6];
-  logic parity_1084;
-  assign parity_1084 = ^select_1078[11:9];
-  // hls/stages/agreement.hpp:465
-  logic [11:0] select_1091;
-  assign select_1091 = and_604 ? (and_588 ? (~(select_589 ^ select_607)) : 12'h0) : 12'h0;
-  // hls/stages/agreement.hpp:480
-  logic parity_1097;
-  assign parity_1097 = ^select_1091[2:0];
   logic parity_1100;
-  assign parity_1100 = ^select_1091[5:3];
-  logic parity_1103;
-  assign parity_1103 = ^select_1091[8:0];
-  logic parity_1109;
-  assign parity_1109 = ^select_1091[11:9];
-  logic parity_1112;
-  assign parity_1112 = ^select_1078[2:0];
+  assign parity_1100 = ^{or_1097, or_1093, or_1089};
+  // hls/stages/agreement.hpp:479
+  logic or_1104;
+  assign or_1104 = (select_1028[4:3] == 2'h3) | (select_1028[5] & (select_1028[3] | select_1028[4]));
+  // hls/stages/agreement.hpp:481
+  logic or_1108;
+  assign or_1108 = (select_1041[10:9] == 2'h3) | (select_1041[11] & (select_1041[9] | select_1041[10]));
+  logic or_1112;
+  assign or_1112 = (select_1028[1:0] == 2'h3) | (select_1028[2] & (select_1028[0] | select_1028[1]));
+  // hls/stages/agreement.hpp:480
   logic parity_1115;
-  assign parity_1115 = ^{select_1091[11:9], select_1078[5:0]};
+  assign parity_1115 = ^{or_1112, or_1108, or_1104};
   logic parity_1118;
-  assign parity_1118 = ^{select_1091, select_1078, select_1059[2:0]};
-  logic xor_1119;
-  assign xor_1119 = parity_1071 ^ parity_1118;
-  // hls/stages/agreement.hpp:479
+  assign parity_1118 = ^{or_1112, or_1108, or_1104, or_1097, or_1093, or_1089, or_1081, or_1077, or_1073};
+  // hls/stages/agreement.hpp:481
+  logic and_1119;
+  assign and_1119 = parity_1021 & parity_1068;
   logic or_1123;
-  assign or_1123 = (select_1059[1:0] == 2'h3) | (select_1059[2] & (select_1059[0] | select_1059[1]));
-  // hls/stages/agreement.hpp:481
+  assign or_1123 = (parity_1015 & parity_1018) | ((^select_1009[11:9]) & (parity_1015 | parity_1018));
+  logic and_1126;
+  assign and_1126 = (^{select_1028[11:6], select_1009[2:0]}) & (parity_1053 | parity_1065);
   logic or_1127;
-  assign or_1127 = (select_1078[7:6] == 2'h3) | (select_1078[8] & (select_1078[6] | select_1078[7]));
-  logic or_1131;
-  assign or_1131 = (select_1078[10:9] == 2'h3) | (select_1078[11] & (select_1078[9] | select_1078[10]));
+  assign or_1127 = (parity_1053 & parity_1065) | and_1126;
   // hls/stages/agreement.hpp:479
-  logic or_1139;
-  assign or_1139 = (select_1091[7:6] == 2'h3) | (select_1091[8] & (~(select_1091[7:6] == 2'h0)));
+  logic or_1134;
+  assign or_1134 = (select_1009[10:9] == 2'h3) | (select_1009[11] & (select_1009[9] | select_1009[10]));
   // hls/stages/agreement.hpp:481
-  logic or_1143;
-  assign or_1143 = (select_1091[1:0] == 2'h3) | (select_1091[2] & (select_1091[0] | select_1091[1]));
-  logic or_1147;
-  assign or_1147 = (select_1091[4:3] == 2'h3) | (select_1091[5] & (select_1091[3] | select_1091[4]));
+  logic or_1138;
+  assign or_1138 = (select_1009[4:3] == 2'h3) | (select_1009[5] & (select_1009[3] | select_1009[4]));
+  logic or_1142;
+  assign or_1142 = (select_1009[7:6] == 2'h3) | (select_1009[8] & (select_1009[6] | select_1009[7]));
   // hls/stages/agreement.hpp:480
-  logic parity_1150;
-  assign parity_1150 = ^{or_1147, or_1143, or_1139};
-  // hls/stages/agreement.hpp:479
-  logic or_1154;
-  assign or_1154 = (select_1078[4:3] == 2'h3) | (select_1078[5] & (select_1078[3] | select_1078[4]));
+  logic parity_1145;
+  assign parity_1145 = ^{or_1142, or_1138, or_1134};
   // hls/stages/agreement.hpp:481
-  logic or_1158;
-  assign or_1158 = (select_1091[10:9] == 2'h3) | (select_1091[11] & (select_1091[9] | select_1091[10]));
-  logic or_1162;
-  assign or_1162 = (select_1078[1:0] == 2'h3) | (select_1078[2] & (select_1078[0] | select_1078[1]));
+  logic or_1149;
+  assign or_1149 = (parity_1031 & parity_1034) | ((^select_1009[2:0]) & (parity_1031 | parity_1034));
+  logic or_1153;
+  assign or_1153 = (parity_1047 & parity_1050) | ((^select_1041[8:6]) & (parity_1047 | parity_1050));
+  logic or_1157;
+  assign or_1157 = (parity_1059 & parity_1062) | ((^select_1028[5:3]) & (parity_1059 | parity_1062));
   // hls/stages/agreement.hpp:480
-  logic parity_1165;
-  assign parity_1165 = ^{or_1162, or_1158, or_1154};
-  logic parity_1168;
-  assign parity_1168 = ^{or_1162, or_1158, or_1154, or_1147, or_1143, or_1139, or_1131, or_1127, or_1123};
+  logic parity_1160;
+  assign parity_1160 = ^{or_1157, or_1153, or_1149};
+  logic parity_1163;
+  assign parity_1163 = ^{or_1157, or_1153, or_1149, or_1142, or_1138, or_1134, or_1127, or_1123, and_1119};
+  logic xor_1164;
+  assign xor_1164 = parity_1118 ^ parity_1163;
   // hls/stages/agreement.hpp:481
-  logic and_1169;
-  assign and_1169 = parity_1071 & parity_1118;
+  logic and_1165;
+  assign and_1165 = parity_1118 & parity_1163;
+  logic or_1169;
+  assign or_1169 = (parity_1100 & parity_1115) | ((^{or_1081, or_1077, or_1073}) & (parity_1100 | parity_1115));
   logic or_1173;
-  assign or_1173 = (parity_1065 & parity_1068) | ((^select_1059[11:9]) & (parity_1065 | parity_1068));
-  logic and_1176;
-  assign and_1176 = (^{select_1078[11:6], select_1059[2:0]}) & (parity_1103 | parity_1115);
-  logic or_1177;
-  assign or_1177 = (parity_1103 & parity_1115) | and_1176;
-  // hls/stages/agreement.hpp:479
+  assign or_1173 = (parity_1145 & parity_1160) | ((^{or_1127, or_1123, and_1119}) & (parity_1145 | parity_1160));
+  logic or_1180;
+  assign or_1180 = (or_1077 & or_1081) | (or_1073 & (or_1077 | or_1081));
   logic or_1184;
-  assign or_1184 = (select_1059[10:9] == 2'h3) | (select_1059[11] & (select_1059[9] | select_1059[10]));
-  // hls/stages/agreement.hpp:481
+  assign or_1184 = (or_1093 & or_1097) | (or_1089 & (or_1093 | or_1097));
   logic or_1188;
-  assign or_1188 = (select_1059[4:3] == 2'h3) | (select_1059[5] & (select_1059[3] | select_1059[4]));
-  logic or_1192;
-  assign or_1192 = (select_1059[7:6] == 2'h3) | (select_1059[8] & (select_1059[6] | select_1059[7]));
+  assign or_1188 = (or_1108 & or_1112) | (or_1104 & (or_1108 | or_1112));
   // hls/stages/agreement.hpp:480
-  logic parity_1195;
-  assign parity_1195 = ^{or_1192, or_1188, or_1184};
+  logic parity_1191;
+  assign parity_1191 = ^{or_1188, or_1184, or_1180};
   // hls/stages/agreement.hpp:481
+  logic or_1195;
+  assign or_1195 = (or_1123 & or_1127) | (and_1119 & (or_1123 | or_1127));
   logic or_1199;
-  assign or_1199 = (parity_1081 & parity_1084) | ((^select_1059[2:0]) & (parity_1081 | parity_1084));
+  assign or_1199 = (or_1138 & or_1142) | (or_1134 & (or_1138 | or_1142));
   logic or_1203;
-  assign or_1203 = (parity_1097 & parity_1100) | ((^select_1091[8:6]) & (parity_1097 | parity_1100));
-  logic or_1207;
-  assign or_1207 = (parity_1109 & parity_1112) | ((^select_1078[5:3]) & (parity_1109 | parity_1112));
+  assign or_1203 = (or_1153 & or_1157) | (or_1149 & (or_1153 | or_1157));
   // hls/stages/agreement.hpp:480
-  logic parity_1210;
-  assign parity_1210 = ^{or_1207, or_1203, or_1199};
-  logic parity_1213;
-  assign parity_1213 = ^{or_1207, or_1203, or_1199, or_1192, or_1188, or_1184, or_1177, or_1173, and_1169};
-  logic xor_1214;
-  assign xor_1214 = parity_1168 ^ parity_1213;
+  logic parity_1206;
+  assign parity_1206 = ^{or_1203, or_1199, or_1195};
+  logic parity_1209;
+  assign parity_1209 = ^{or_1203, or_1199, or_1195, or_1188, or_1184, or_1180, or_1173, or_1169, and_1165};
   // hls/stages/agreement.hpp:481
-  logic and_1215;
-  assign and_1215 = parity_1168 & parity_1213;
-  logic or_1219;
-  assign or_1219 = (parity_1150 & parity_1165) | ((^{or_1131, or_1127, or_1123}) & (parity_1150 | parity_1165));
-  logic or_1223;
-  assign or_1223 = (parity_1195 & parity_1210) | ((^{or_1177, or_1173, and_1169}) & (parity_1195 | parity_1210));
-  logic or_1230;
-  assign or_1230 = (or_1127 & or_1131) | (or_1123 & (or_1127 | or_1131));
+  logic or_1213;
+  assign or_1213 = (parity_1191 & parity_1206) | ((^{or_1173, or_1169, and_1165}) & (parity_1191 | parity_1206));
+  logic or_1217;
+  assign or_1217 = (or_1169 & or_1173) | (and_1165 & (or_1169 | or_1173));
+  logic or_1221;
+  assign or_1221 = (or_1184 & or_1188) | (or_1180 & (or_1184 | or_1188));
+  logic or_1225;
+  assign or_1225 = (or_1199 & or_1203) | (or_1195 & (or_1199 | or_1203));
+  // hls/stages/agreement.hpp:480
+  logic parity_1230;
+  assign parity_1230 = ^{or_1225, or_1221, or_1217, or_1213};
+  // hls/stages/agreement.hpp:481
   logic or_1234;
-  assign or_1234 = (or_1143 & or_1147) | (or_1139 & (or_1143 | or_1147));
-  logic or_1238;
-  assign or_1238 = (or_1158 & or_1162) | (or_1154 & (or_1158 | or_1162));
+  assign or_1234 = (or_1221 & or_1225) | (or_1217 & (or_1221 | or_1225));
+  logic and_1235;
+  assign and_1235 = or_1213 & (^{or_1225, or_1221, or_1217});
   // hls/stages/agreement.hpp:480
-  logic parity_1241;
-  assign parity_1241 = ^{or_1238, or_1234, or_1230};
-  // hls/stages/agreement.hpp:481
-  logic or_1245;
-  assign or_1245 = (or_1173 & or_1177) | (and_1169 & (or_1173 | or_1177));
-  logic or_1249;
-  assign or_1249 = (or_1188 & or_1192) | (or_1184 & (or_1188 | or_1192));
-  logic or_1253;
-  assign or_1253 = (or_1203 & or_1207) | (or_1199 & (or_1203 | or_1207));
-  // hls/stages/agreement.hpp:480
-  logic parity_1256;
-  assign parity_1256 = ^{or_1253, or_1249, or_1245};
-  logic parity_1259;
-  assign parity_1259 = ^{or_1253, or_1249, or_1245, or_1238, or_1234, or_1230, or_1223, or_1219, and_1215};
-  // hls/stages/agreement.hpp:481
-  logic or_1263;
-  assign or_1263 = (parity_1241 & parity_1256) | ((^{or_1223, or_1219, and_1215}) & (parity_1241 | parity_1256));
-  logic or_1267;
-  assign or_1267 = (or_1219 & or_1223) | (and_1215 & (or_1219 | or_1223));
-  logic or_1271;
-  assign or_1271 = (or_1234 & or_1238) | (or_1230 & (or_1234 | or_1238));
-  logic or_1275;
-  assign or_1275 = (or_1249 & or_1253) | (or_1245 & (or_1249 | or_1253));
-  // hls/stages/agreement.hpp:480
-  logic parity_1280;
-  assign parity_1280 = ^{or_1275, or_1271, or_1267, or_1263};
-  // hls/stages/agreement.hpp:481
-  logic or_1284;
-  assign or_1284 = (or_1271 & or_1275) | (or_1267 & (or_1271 | or_1275));
-  logic and_1285;
-  assign and_1285 = or_1263 & (^{or_1275, or_1271, or_1267});
-  // hls/stages/agreement.hpp:480
-  logic xor_1286;
-  assign xor_1286 = or_1284 ^ and_1285;
+  logic xor_1236;
+  assign xor_1236 = or_1234 ^ and_1235;
   // hls/stages/agreement.hpp:483
-  logic and_1287;
-  assign and_1287 = or_1284 & and_1285;
+  logic and_1237;
+  assign and_1237 = or_1234 & and_1235;
   // hls/stages/agreement.hpp:554
-  logic [5:0] select_1288;
-  assign select_1288 = equal_432_s1_q ? {and_1287, xor_1286, parity_1280, parity_1259, xor_1214, xor_1119} : 6'h0;
+  logic [5:0] select_1238;
+  assign select_1238 = equal_382_s1_q ? {and_1237, xor_1236, parity_1230, parity_1209, xor_1164, xor_1069} : 6'h0;
   logic [5:0] column_4;
-  assign column_4 = or_430_s1_q ? 6'h0 : select_1288;
+  assign column_4 = or_380_s1_q ? 6'h0 : select_1238;
   // hls/stages/agreement.hpp:586
-  logic [5:0] select_1290;
-  assign select_1290 = age_s1_q[3] ? sums_1_columns_values_6_q : 6'h0;
-  logic [6:0] difference_1291;
-  assign difference_1291 = {1'b0, column_4} - {1'b0, select_1290};
-  logic [7:0] sum_1293;
-  assign sum_1293 = {difference_1291[6], difference_1291} + (age_s1_q[0] ? sums_1_sum_sums_values_0_q : 8'h0);
+  logic [5:0] select_1240;
+  assign select_1240 = age_s1_q[3] ? sums_1_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1241;
+  assign difference_1241 = {1'b0, column_4} - {1'b0, select_1240};
+  logic [7:0] sum_1243;
+  assign sum_1243 = {difference_1241[6], difference_1241} + (age_s1_q[0] ? sums_1_sum_sums_values_0_q : 8'h0);
   // hls/stages/agreement.hpp:465
-  logic [11:0] select_1301;
-  assign select_1301 = and_564 ? (and_605 ? (~(select_606 ^ select_567)) : 12'h0) : 12'h0;
+  logic [11:0] select_1251;
+  assign select_1251 = and_514 ? (and_555 ? (~(select_556 ^ select_517)) : 12'h0) : 12'h0;
   // hls/stages/agreement.hpp:480
-  logic parity_1307;
-  assign parity_1307 = ^select_1301[5:3];
-  logic parity_1310;
-  assign parity_1310 = ^select_1301[8:6];
-  logic parity_1313;
-  assign parity_1313 = ^select_1301[11:3];
+  logic parity_1257;
+  assign parity_1257 = ^select_1251[5:3];
+  logic parity_1260;
+  assign parity_1260 = ^select_1251[8:6];
+  logic parity_1263;
+  assign parity_1263 = ^select_1251[11:3];
   // hls/stages/agreement.hpp:465
-  logic [11:0] select_1320;
-  assign select_1320 = and_587 ? (and_846 ? (~(select_847 ^ select_590)) : 12'h0) : 12'h0;
+  logic [11:0] select_1270;
+  assign select_1270 = and_537 ? (and_796 ? (~(select_797 ^ select_540)) : 12'h0) : 12'h0;
   // hls/stages/agreement.hpp:480
-  logic parity_1323;
-  assign parity_1323 = ^select_1320[8:6];
-  logic parity_1326;
-  assign parity_1326 = ^select_1320[11:9];
+  logic parity_1273;
+  assign parity_1273 = ^select_1270[8:6];
+  logic parity_1276;
+  assign parity_1276 = ^select_1270[11:9];
   // hls/stages/agreement.hpp:465
-  logic [11:0] xor_1332;
-  assign xor_1332 = (less_437_s1_q ? 12'h0 : right_codes_rdata_q[89:78]) ^ select_607;
-  logic [11:0] select_1335;
-  assign select_1335 = and_604 ? ((right_codes_rdata_q[90] & not_438_s1_q) ? (~xor_1332) : 12'h0) : 12'h0;
+  logic [11:0] xor_1282;
+  assign xor_1282 = (less_387_s1_q ? 12'h0 : right_codes_rdata_q[89:78]) ^ select_557;
+  logic [11:0] select_1285;
+  assign select_1285 = and_554 ? ((right_codes_rdata_q[90] & not_388_s1_q) ? (~xor_1282) : 12'h0) : 12'h0;
   // hls/stages/agreement.hpp:480
-  logic parity_1341;
-  assign parity_1341 = ^select_1335[2:0];
+  logic parity_1291;
+  assign parity_1291 = ^select_1285[2:0];
+  logic parity_1294;
+  assign parity_1294 = ^select_1285[5:3];
+  logic parity_1297;
+  assign parity_1297 = ^select_1285[8:0];
+  logic parity_1303;
+  assign parity_1303 = ^select_1285[11:9];
+  logic parity_1306;
+  assign parity_1306 = ^select_1270[2:0];
+  logic parity_1309;
+  assign parity_1309 = ^{select_1285[11:9], select_1270[5:0]};
+  logic parity_1312;
+  assign parity_1312 = ^{select_1285, select_1270, select_1251[2:0]};
+  logic xor_1313;
+  assign xor_1313 = parity_1263 ^ parity_1312;
+  // hls/stages/agreement.hpp:479
+  logic or_1317;
+  assign or_1317 = (select_1251[1:0] == 2'h3) | (select_1251[2] & (select_1251[0] | select_1251[1]));
+  // hls/stages/agreement.hpp:481
+  logic or_1321;
+  assign or_1321 = (select_1270[7:6] == 2'h3) | (select_1270[8] & (select_1270[6] | select_1270[7]));
+  logic or_1325;
+  assign or_1325 = (select_1270[10:9] == 2'h3) | (select_1270[11] & (select_1270[9] | select_1270[10]));
+  // hls/stages/agreement.hpp:479
+  logic or_1333;
+  assign or_1333 = (select_1285[7:6] == 2'h3) | (select_1285[8] & (~(select_1285[7:6] == 2'h0)));
+  // hls/stages/agreement.hpp:481
+  logic or_1337;
+  assign or_1337 = (select_1285[1:0] == 2'h3) | (select_1285[2] & (select_1285[0] | select_1285[1]));
+  logic or_1341;
+  assign or_1341 = (select_1285[4:3] == 2'h3) | (select_1285[5] & (select_1285[3] | select_1285[4]));
+  // hls/stages/agreement.hpp:480
   logic parity_1344;
-  assign parity_1344 = ^select_1335[5:3];
-  logic parity_1347;
-  assign parity_1347 = ^select_1335[8:0];
-  logic parity_1353;
-  assign parity_1353 = ^select_1335[11:9];
-  logic parity_1356;
-  assign parity_1356 = ^select_1320[2:0];
+  assign parity_1344 = ^{or_1341, or_1337, or_1333};
+  // hls/stages/agreement.hpp:479
+  logic or_1348;
+  assign or_1348 = (select_1270[4:3] == 2'h3) | (select_1270[5] & (select_1270[3] | select_1270[4]));
+  // hls/stages/agreement.hpp:481
+  logic or_1352;
+  assign or_1352 = (select_1285[10:9] == 2'h3) | (select_1285[11] & (select_1285[9] | select_1285[10]));
+  logic or_1356;
+  assign or_1356 = (select_1270[1:0] == 2'h3) | (select_1270[2] & (select_1270[0] | select_1270[1]));
+  // hls/stages/agreement.hpp:480
   logic parity_1359;
-  assign parity_1359 = ^{select_1335[11:9], select_1320[5:0]};
+  assign parity_1359 = ^{or_1356, or_1352, or_1348};
   logic parity_1362;
-  assign parity_1362 = ^{select_1335, select_1320, select_1301[2:0]};
-  logic xor_1363;
-  assign xor_1363 = parity_1313 ^ parity_1362;
-  // hls/stages/agreement.hpp:479
+  assign parity_1362 = ^{or_1356, or_1352, or_1348, or_1341, or_1337, or_1333, or_1325, or_1321, or_1317};
+  // hls/stages/agreement.hpp:481
+  logic and_1363;
+  assign and_1363 = parity_1263 & parity_1312;
   logic or_1367;
-  assign or_1367 = (select_1301[1:0] == 2'h3) | (select_1301[2] & (select_1301[0] | select_1301[1]));
-  // hls/stages/agreement.hpp:481
+  assign or_1367 = (parity_1257 & parity_1260) | ((^select_1251[11:9]) & (parity_1257 | parity_1260));
+  logic and_1370;
+  assign and_1370 = (^{select_1270[11:6], select_1251[2:0]}) & (parity_1297 | parity_1309);
   logic or_1371;
-  assign or_1371 = (select_1320[7:6] == 2'h3) | (select_1320[8] & (select_1320[6] | select_1320[7]));
-  logic or_1375;
-  assign or_1375 = (select_1320[10:9] == 2'h3) | (select_1320[11] & (select_1320[9] | select_1320[10]));
+  assign or_1371 = (parity_1297 & parity_1309) | and_1370;
   // hls/stages/agreement.hpp:479
-  logic or_1383;
-  assign or_1383 = (select_1335[7:6] == 2'h3) | (select_1335[8] & (~(select_1335[7:6] == 2'h0)));
+  logic or_1378;
+  assign or_1378 = (select_1251[10:9] == 2'h3) | (select_1251[11] & (select_1251[9] | select_1251[10]));
   // hls/stages/agreement.hpp:481
-  logic or_1387;
-  assign or_1387 = (select_1335[1:0] == 2'h3) | (select_1335[2] & (select_1335[0] | select_1335[1]));
-  logic or_1391;
-  assign or_1391 = (select_1335[4:3] == 2'h3) | (select_1335[5] & (select_1335[3] | select_1335[4]));
+  logic or_1382;
+  assign or_1382 = (select_1251[4:3] == 2'h3) | (select_1251[5] & (select_1251[3] | select_1251[4]));
+  logic or_1386;
+  assign or_1386 = (select_1251[7:6] == 2'h3) | (select_1251[8] & (select_1251[6] | select_1251[7]));
   // hls/stages/agreement.hpp:480
-  logic parity_1394;
-  assign parity_1394 = ^{or_1391, or_1387, or_1383};
-  // hls/stages/agreement.hpp:479
-  logic or_1398;
-  assign or_1398 = (select_1320[4:3] == 2'h3) | (select_1320[5] & (select_1320[3] | select_1320[4]));
+  logic parity_1389;
+  assign parity_1389 = ^{or_1386, or_1382, or_1378};
   // hls/stages/agreement.hpp:481
-  logic or_1402;
-  assign or_1402 = (select_1335[10:9] == 2'h3) | (select_1335[11] & (select_1335[9] | select_1335[10]));
-  logic or_1406;
-  assign or_1406 = (select_1320[1:0] == 2'h3) | (select_1320[2] & (select_1320[0] | select_1320[1]));
+  logic or_1393;
+  assign or_1393 = (parity_1273 & parity_1276) | ((^select_1251[2:0]) & (parity_1273 | parity_1276));
+  logic or_1397;
+  assign or_1397 = (parity_1291 & parity_1294) | ((^select_1285[8:6]) & (parity_1291 | parity_1294));
+  logic or_1401;
+  assign or_1401 = (parity_1303 & parity_1306) | ((^select_1270[5:3]) & (parity_1303 | parity_1306));
   // hls/stages/agreement.hpp:480
-  logic parity_1409;
-  assign parity_1409 = ^{or_1406, or_1402, or_1398};
-  logic parity_1412;
-  assign parity_1412 = ^{or_1406, or_1402, or_1398, or_1391, or_1387, or_1383, or_1375, or_1371, or_1367};
+  logic parity_1404;
+  assign parity_1404 = ^{or_1401, or_1397, or_1393};
+  logic parity_1407;
+  assign parity_1407 = ^{or_1401, or_1397, or_1393, or_1386, or_1382, or_1378, or_1371, or_1367, and_1363};
+  logic xor_1408;
+  assign xor_1408 = parity_1362 ^ parity_1407;
   // hls/stages/agreement.hpp:481
-  logic and_1413;
-  assign and_1413 = parity_1313 & parity_1362;
+  logic and_1409;
+  assign and_1409 = parity_1362 & parity_1407;
+  logic or_1413;
+  assign or_1413 = (parity_1344 & parity_1359) | ((^{or_1325, or_1321, or_1317}) & (parity_1344 | parity_1359));
   logic or_1417;
-  assign or_1417 = (parity_1307 & parity_1310) | ((^select_1301[11:9]) & (parity_1307 | parity_1310));
-  logic and_1420;
-  assign and_1420 = (^{select_1320[11:6], select_1301[2:0]}) & (parity_1347 | parity_1359);
-  logic or_1421;
-  assign or_1421 = (parity_1347 & parity_1359) | and_1420;
-  // hls/stages/agreement.hpp:479
+  assign or_1417 = (parity_1389 & parity_1404) | ((^{or_1371, or_1367, and_1363}) & (parity_1389 | parity_1404));
+  logic or_1424;
+  assign or_1424 = (or_1321 & or_1325) | (or_1317 & (or_1321 | or_1325));
   logic or_1428;
-  assign or_1428 = (select_1301[10:9] == 2'h3) | (select_1301[11] & (select_1301[9] | select_1301[10]));
-  // hls/stages/agreement.hpp:481
+  assign or_1428 = (or_1337 & or_1341) | (or_1333 & (or_1337 | or_1341));
   logic or_1432;
-  assign or_1432 = (select_1301[4:3] == 2'h3) | (select_1301[5] & (select_1301[3] | select_1301[4]));
-  logic or_1436;
-  assign or_1436 = (select_1301[7:6] == 2'h3) | (select_1301[8] & (select_1301[6] | select_1301[7]));
+  assign or_1432 = (or_1352 & or_1356) | (or_1348 & (or_1352 | or_1356));
   // hls/stages/agreement.hpp:480
-  logic parity_1439;
-  assign parity_1439 = ^{or_1436, or_1432, or_1428};
+  logic parity_1435;
+  assign parity_1435 = ^{or_1432, or_1428, or_1424};
   // hls/stages/agreement.hpp:481
+  logic or_1439;
+  assign or_1439 = (or_1367 & or_1371) | (and_1363 & (or_1367 | or_1371));
   logic or_1443;
-  assign or_1443 = (parity_1323 & parity_1326) | ((^select_1301[2:0]) & (parity_1323 | parity_1326));
+  assign or_1443 = (or_1382 & or_1386) | (or_1378 & (or_1382 | or_1386));
   logic or_1447;
-  assign or_1447 = (parity_1341 & parity_1344) | ((^select_1335[8:6]) & (parity_1341 | parity_1344));
-  logic or_1451;
-  assign or_1451 = (parity_1353 & parity_1356) | ((^select_1320[5:3]) & (parity_1353 | parity_1356));
+  assign or_1447 = (or_1397 & or_1401) | (or_1393 & (or_1397 | or_1401));
   // hls/stages/agreement.hpp:480
-  logic parity_1454;
-  assign parity_1454 = ^{or_1451, or_1447, or_1443};
-  logic parity_1457;
-  assign parity_1457 = ^{or_1451, or_1447, or_1443, or_1436, or_1432, or_1428, or_1421, or_1417, and_1413};
-  logic xor_1458;
-  assign xor_1458 = parity_1412 ^ parity_1457;
+  logic parity_1450;
+  assign parity_1450 = ^{or_1447, or_1443, or_1439};
+  logic parity_1453;
+  assign parity_1453 = ^{or_1447, or_1443, or_1439, or_1432, or_1428, or_1424, or_1417, or_1413, and_1409};
   // hls/stages/agreement.hpp:481
-  logic and_1459;
-  assign and_1459 = parity_1412 & parity_1457;
-  logic or_1463;
-  assign or_1463 = (parity_1394 & parity_1409) | ((^{or_1375, or_1371, or_1367}) & (parity_1394 | parity_1409));
-  logic or_1467;
-  assign or_1467 = (parity_1439 & parity_1454) | ((^{or_1421, or_1417, and_1413}) & (parity_1439 | parity_1454));
-  logic or_1474;
-  assign or_1474 = (or_1371 & or_1375) | (or_1367 & (or_1371 | or_1375));
+  logic or_1457;
+  assign or_1457 = (parity_1435 & parity_1450) | ((^{or_1417, or_1413, and_1409}) & (parity_1435 | parity_1450));
+  logic or_1461;
+  assign or_1461 = (or_1413 & or_1417) | (and_1409 & (or_1413 | or_1417));
+  logic or_1465;
+  assign or_1465 = (or_1428 & or_1432) | (or_1424 & (or_1428 | or_1432));
+  logic or_1469;
+  assign or_1469 = (or_1443 & or_1447) | (or_1439 & (or_1443 | or_1447));
+  // hls/stages/agreement.hpp:480
+  logic parity_1474;
+  assign parity_1474 = ^{or_1469, or_1465, or_1461, or_1457};
+  // hls/stages/agreement.hpp:481
   logic or_1478;
-  assign or_1478 = (or_1387 & or_1391) | (or_1383 & (or_1387 | or_1391));
-  logic or_1482;
-  assign or_1482 = (or_1402 & or_1406) | (or_1398 & (or_1402 | or_1406));
+  assign or_1478 = (or_1465 & or_1469) | (or_1461 & (or_1465 | or_1469));
+  logic and_1479;
+  assign and_1479 = or_1457 & (^{or_1469, or_1465, or_1461});
   // hls/stages/agreement.hpp:480
-  logic parity_1485;
-  assign parity_1485 = ^{or_1482, or_1478, or_1474};
-  // hls/stages/agreement.hpp:481
-  logic or_1489;
-  assign or_1489 = (or_1417 & or_1421) | (and_1413 & (or_1417 | or_1421));
-  logic or_1493;
-  assign or_1493 = (or_1432 & or_1436) | (or_1428 & (or_1432 | or_1436));
-  logic or_1497;
-  assign or_1497 = (or_1447 & or_1451) | (or_1443 & (or_1447 | or_1451));
-  // hls/stages/agreement.hpp:480
-  logic parity_1500;
-  assign parity_1500 = ^{or_1497, or_1493, or_1489};
-  logic parity_1503;
-  assign parity_1503 = ^{or_1497, or_1493, or_1489, or_1482, or_1478, or_1474, or_1467, or_1463, and_1459};
-  // hls/stages/agreement.hpp:481
-  logic or_1507;
-  assign or_1507 = (parity_1485 & parity_1500) | ((^{or_1467, or_1463, and_1459}) & (parity_1485 | parity_1500));
-  logic or_1511;
-  assign or_1511 = (or_1463 & or_1467) | (and_1459 & (or_1463 | or_1467));
-  logic or_1515;
-  assign or_1515 = (or_1478 & or_1482) | (or_1474 & (or_1478 | or_1482));
-  logic or_1519;
-  assign or_1519 = (or_1493 & or_1497) | (or_1489 & (or_1493 | or_1497));
-  // hls/stages/agreement.hpp:480
-  logic parity_1524;
-  assign parity_1524 = ^{or_1519, or_1515, or_1511, or_1507};
-  // hls/stages/agreement.hpp:481
-  logic or_1528;
-  assign or_1528 = (or_1515 & or_1519) | (or_1511 & (or_1515 | or_1519));
-  logic and_1529;
-  assign and_1529 = or_1507 & (^{or_1519, or_1515, or_1511});
-  // hls/stages/agreement.hpp:480
-  logic xor_1530;
-  assign xor_1530 = or_1528 ^ and_1529;
+  logic xor_1480;
+  assign xor_1480 = or_1478 ^ and_1479;
   // hls/stages/agreement.hpp:483
-  logic and_1531;
-  assign and_1531 = or_1528 & and_1529;
+  logic and_1481;
+  assign and_1481 = or_1478 & and_1479;
   // hls/stages/agreement.hpp:554
-  logic [5:0] select_1532;
-  assign select_1532 = equal_432_s1_q ? {and_1531, xor_1530, parity_1524, parity_1503, xor_1458, xor_1363} : 6'h0;
+  logic [5:0] select_1482;
+  assign select_1482 = equal_382_s1_q ? {and_1481, xor_1480, parity_1474, parity_1453, xor_1408, xor_1313} : 6'h0;
   logic [5:0] column_5;
-  assign column_5 = or_430_s1_q ? 6'h0 : select_1532;
+  assign column_5 = or_380_s1_q ? 6'h0 : select_1482;
   // hls/stages/agreement.hpp:586
-  logic [5:0] select_1534;
-  assign select_1534 = age_s1_q[3] ? sums_2_columns_values_6_q : 6'h0;
-  logic [6:0] difference_1535;
-  assign difference_1535 = {1'b0, column_5} - {1'b0, select_1534};
-  logic [7:0] sum_1537;
-  assign sum_1537 = {difference_1535[6], difference_1535} + (age_s1_q[0] ? sums_2_sum_sums_values_0_q : 8'h0);
+  logic [5:0] select_1484;
+  assign select_1484 = age_s1_q[3] ? sums_2_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1485;
+  assign difference_1485 = {1'b0, column_5} - {1'b0, select_1484};
+  logic [7:0] sum_1487;
+  assign sum_1487 = {difference_1485[6], difference_1485} + (age_s1_q[0] ? sums_2_sum_sums_values_0_q : 8'h0);
   // hls/stages/agreement.hpp:465
-  logic [11:0] not_1541;
-  assign not_1541 = ~((less_437_s1_q ? 12'h0 : right_codes_rdata_q[11:0]) ^ select_567);
-  logic [11:0] select_1543;
-  assign select_1543 = and_564 ? ((right_codes_rdata_q[12] & not_438_s1_q) ? not_1541 : 12'h0) : 12'h0;
+  logic [11:0] not_1491;
+  assign not_1491 = ~((less_387_s1_q ? 12'h0 : right_codes_rdata_q[11:0]) ^ select_517);
+  logic [11:0] select_1493;
+  assign select_1493 = and_514 ? ((right_codes_rdata_q[12] & not_388_s1_q) ? not_1491 : 12'h0) : 12'h0;
   // hls/stages/agreement.hpp:480
+  logic parity_1499;
+  assign parity_1499 = ^select_1493[5:3];
+  logic parity_1502;
+  assign parity_1502 = ^select_1493[8:6];
+  logic parity_1505;
+  assign parity_1505 = ^select_1493[11:3];
+  // hls/stages/agreement.hpp:465
+  logic [11:0] select_1512;
+  assign select_1512 = and_537 ? (and_1004 ? (~(select_1005 ^ select_540)) : 12'h0) : 12'h0;
+  // hls/stages/agreement.hpp:480
+  logic parity_1515;
+  assign parity_1515 = ^select_1512[8:6];
+  logic parity_1518;
+  assign parity_1518 = ^select_1512[11:9];
+  // hls/stages/agreement.hpp:465
+  logic [11:0] select_1525;
+  assign select_1525 = and_554 ? (and_515 ? (~(select_516 ^ select_557)) : 12'h0) : 12'h0;
+  // hls/stages/agreement.hpp:480
+  logic parity_1531;
+  assign parity_1531 = ^select_1525[2:0];
+  logic parity_1534;
+  assign parity_1534 = ^select_1525[5:3];
+  logic parity_1537;
+  assign parity_1537 = ^select_1525[8:0];
+  logic parity_1543;
+  assign parity_1543 = ^select_1525[11:9];
+  logic parity_1546;
+  assign parity_1546 = ^select_1512[2:0];
   logic parity_1549;
-  assign parity_1549 = ^select_1543[5:3];
+  assign parity_1549 = ^{select_1525[11:9], select_1512[5:0]};
   logic parity_1552;
-  assign parity_1552 = ^select_1543[8:6];
-  logic parity_1555;
-  assign parity_1555 = ^select_1543[11:3];
-  // hls/stages/agreement.hpp:465
-  logic [11:0] select_1562;
-  assign select_1562 = and_587 ? (and_1054 ? (~(select_1055 ^ select_590)) : 12'h0) : 12'h0;
+  assign parity_1552 = ^{select_1525, select_1512, select_1493[2:0]};
+  logic xor_1553;
+  assign xor_1553 = parity_1505 ^ parity_1552;
+  // hls/stages/agreement.hpp:479
+  logic or_1557;
+  assign or_1557 = (select_1493[1:0] == 2'h3) | (select_1493[2] & (select_1493[0] | select_1493[1]));
+  // hls/stages/agreement.hpp:481
+  logic or_1561;
+  assign or_1561 = (select_1512[7:6] == 2'h3) | (select_1512[8] & (select_1512[6] | select_1512[7]));
+  logic or_1565;
+  assign or_1565 = (select_1512[10:9] == 2'h3) | (select_1512[11] & (select_1512[9] | select_1512[10]));
+  // hls/stages/agreement.hpp:479
+  logic or_1573;
+  assign or_1573 = (select_1525[7:6] == 2'h3) | (select_1525[8] & (~(select_1525[7:6] == 2'h0)));
+  // hls/stages/agreement.hpp:481
+  logic or_1577;
+  assign or_1577 = (select_1525[1:0] == 2'h3) | (select_1525[2] & (select_1525[0] | select_1525[1]));
+  logic or_1581;
+  assign or_1581 = (select_1525[4:3] == 2'h3) | (select_1525[5] & (select_1525[3] | select_1525[4]));
   // hls/stages/agreement.hpp:480
-  logic parity_1565;
-  assign parity_1565 = ^select_1562[8:6];
-  logic parity_1568;
-  assign parity_1568 = ^select_1562[11:9];
-  // hls/stages/agreement.hpp:465
-  logic [11:0] select_1575;
-  assign select_1575 = and_604 ? (and_565 ? (~(select_566 ^ select_607)) : 12'h0) : 12'h0;
-  // hls/stages/agreement.hpp:480
-  logic parity_1581;
-  assign parity_1581 = ^select_1575[2:0];
   logic parity_1584;
-  assign parity_1584 = ^select_1575[5:3];
-  logic parity_1587;
-  assign parity_1587 = ^select_1575[8:0];
-  logic parity_1593;
-  assign parity_1593 = ^select_1575[11:9];
-  logic parity_1596;
-  assign parity_1596 = ^select_1562[2:0];
+  assign parity_1584 = ^{or_1581, or_1577, or_1573};
+  // hls/stages/agreement.hpp:479
+  logic or_1588;
+  assign or_1588 = (select_1512[4:3] == 2'h3) | (select_1512[5] & (select_1512[3] | select_1512[4]));
+  // hls/stages/agreement.hpp:481
+  logic or_1592;
+  assign or_1592 = (select_1525[10:9] == 2'h3) | (select_1525[11] & (select_1525[9] | select_1525[10]));
+  logic or_1596;
+  assign or_1596 = (select_1512[1:0] == 2'h3) | (select_1512[2] & (select_1512[0] | select_1512[1]));
+  // hls/stages/agreement.hpp:480
   logic parity_1599;
-  assign parity_1599 = ^{select_1575[11:9], select_1562[5:0]};
+  assign parity_1599 = ^{or_1596, or_1592, or_1588};
   logic parity_1602;
-  assign parity_1602 = ^{select_1575, select_1562, select_1543[2:0]};
-  logic xor_1603;
-  assign xor_1603 = parity_1555 ^ parity_1602;
-  // hls/stages/agreement.hpp:479
+  assign parity_1602 = ^{or_1596, or_1592, or_1588, or_1581, or_1577, or_1573, or_1565, or_1561, or_1557};
+  // hls/stages/agreement.hpp:481
+  logic and_1603;
+  assign and_1603 = parity_1505 & parity_1552;
   logic or_1607;
-  assign or_1607 = (select_1543[1:0] == 2'h3) | (select_1543[2] & (select_1543[0] | select_1543[1]));
-  // hls/stages/agreement.hpp:481
+  assign or_1607 = (parity_1499 & parity_1502) | ((^select_1493[11:9]) & (parity_1499 | parity_1502));
+  logic and_1610;
+  assign and_1610 = (^{select_1512[11:6], select_1493[2:0]}) & (parity_1537 | parity_1549);
   logic or_1611;
-  assign or_1611 = (select_1562[7:6] == 2'h3) | (select_1562[8] & (select_1562[6] | select_1562[7]));
-  logic or_1615;
-  assign or_1615 = (select_1562[10:9] == 2'h3) | (select_1562[11] & (select_1562[9] | select_1562[10]));
+  assign or_1611 = (parity_1537 & parity_1549) | and_1610;
   // hls/stages/agreement.hpp:479
-  logic or_1623;
-  assign or_1623 = (select_1575[7:6] == 2'h3) | (select_1575[8] & (~(select_1575[7:6] == 2'h0)));
+  logic or_1618;
+  assign or_1618 = (select_1493[10:9] == 2'h3) | (select_1493[11] & (select_1493[9] | select_1493[10]));
   // hls/stages/agreement.hpp:481
-  logic or_1627;
-  assign or_1627 = (select_1575[1:0] == 2'h3) | (select_1575[2] & (select_1575[0] | select_1575[1]));
-  logic or_1631;
-  assign or_1631 = (select_1575[4:3] == 2'h3) | (select_1575[5] & (select_1575[3] | select_1575[4]));
+  logic or_1622;
+  assign or_1622 = (select_1493[4:3] == 2'h3) | (select_1493[5] & (select_1493[3] | select_1493[4]));
+  logic or_1626;
+  assign or_1626 = (select_1493[7:6] == 2'h3) | (select_1493[8] & (select_1493[6] | select_1493[7]));
   // hls/stages/agreement.hpp:480
-  logic parity_1634;
-  assign parity_1634 = ^{or_1631, or_1627, or_1623};
-  // hls/stages/agreement.hpp:479
-  logic or_1638;
-  assign or_1638 = (select_1562[4:3] == 2'h3) | (select_1562[5] & (select_1562[3] | select_1562[4]));
+  logic parity_1629;
+  assign parity_1629 = ^{or_1626, or_1622, or_1618};
   // hls/stages/agreement.hpp:481
-  logic or_1642;
-  assign or_1642 = (select_1575[10:9] == 2'h3) | (select_1575[11] & (select_1575[9] | select_1575[10]));
-  logic or_1646;
-  assign or_1646 = (select_1562[1:0] == 2'h3) | (select_1562[2] & (select_1562[0] | select_1562[1]));
+  logic or_1633;
+  assign or_1633 = (parity_1515 & parity_1518) | ((^select_1493[2:0]) & (parity_1515 | parity_1518));
+  logic or_1637;
+  assign or_1637 = (parity_1531 & parity_1534) | ((^select_1525[8:6]) & (parity_1531 | parity_1534));
+  logic or_1641;
+  assign or_1641 = (parity_1543 & parity_1546) | ((^select_1512[5:3]) & (parity_1543 | parity_1546));
   // hls/stages/agreement.hpp:480
-  logic parity_1649;
-  assign parity_1649 = ^{or_1646, or_1642, or_1638};
-  logic parity_1652;
-  assign parity_1652 = ^{or_1646, or_1642, or_1638, or_1631, or_1627, or_1623, or_1615, or_1611, or_1607};
+  logic parity_1644;
+  assign parity_1644 = ^{or_1641, or_1637, or_1633};
+  logic parity_1647;
+  assign parity_1647 = ^{or_1641, or_1637, or_1633, or_1626, or_1622, or_1618, or_1611, or_1607, and_1603};
+  logic xor_1648;
+  assign xor_1648 = parity_1602 ^ parity_1647;
   // hls/stages/agreement.hpp:481
-  logic and_1653;
-  assign and_1653 = parity_1555 & parity_1602;
+  logic and_1649;
+  assign and_1649 = parity_1602 & parity_1647;
+  logic or_1653;
+  assign or_1653 = (parity_1584 & parity_1599) | ((^{or_1565, or_1561, or_1557}) & (parity_1584 | parity_1599));
   logic or_1657;
-  assign or_1657 = (parity_1549 & parity_1552) | ((^select_1543[11:9]) & (parity_1549 | parity_1552));
-  logic and_1660;
-  assign and_1660 = (^{select_1562[11:6], select_1543[2:0]}) & (parity_1587 | parity_1599);
-  logic or_1661;
-  assign or_1661 = (parity_1587 & parity_1599) | and_1660;
-  // hls/stages/agreement.hpp:479
+  assign or_1657 = (parity_1629 & parity_1644) | ((^{or_1611, or_1607, and_1603}) & (parity_1629 | parity_1644));
+  logic or_1664;
+  assign or_1664 = (or_1561 & or_1565) | (or_1557 & (or_1561 | or_1565));
   logic or_1668;
-  assign or_1668 = (select_1543[10:9] == 2'h3) | (select_1543[11] & (select_1543[9] | select_1543[10]));
-  // hls/stages/agreement.hpp:481
+  assign or_1668 = (or_1577 & or_1581) | (or_1573 & (or_1577 | or_1581));
   logic or_1672;
-  assign or_1672 = (select_1543[4:3] == 2'h3) | (select_1543[5] & (select_1543[3] | select_1543[4]));
-  logic or_1676;
-  assign or_1676 = (select_1543[7:6] == 2'h3) | (select_1543[8] & (select_1543[6] | select_1543[7]));
+  assign or_1672 = (or_1592 & or_1596) | (or_1588 & (or_1592 | or_1596));
   // hls/stages/agreement.hpp:480
-  logic parity_1679;
-  assign parity_1679 = ^{or_1676, or_1672, or_1668};
+  logic parity_1675;
+  assign parity_1675 = ^{or_1672, or_1668, or_1664};
   // hls/stages/agreement.hpp:481
+  logic or_1679;
+  assign or_1679 = (or_1607 & or_1611) | (and_1603 & (or_1607 | or_1611));
   logic or_1683;
-  assign or_1683 = (parity_1565 & parity_1568) | ((^select_1543[2:0]) & (parity_1565 | parity_1568));
+  assign or_1683 = (or_1622 & or_1626) | (or_1618 & (or_1622 | or_1626));
   logic or_1687;
-  assign or_1687 = (parity_1581 & parity_1584) | ((^select_1575[8:6]) & (parity_1581 | parity_1584));
-  logic or_1691;
-  assign or_1691 = (parity_1593 & parity_1596) | ((^select_1562[5:3]) & (parity_1593 | parity_1596));
+  assign or_1687 = (or_1637 & or_1641) | (or_1633 & (or_1637 | or_1641));
   // hls/stages/agreement.hpp:480
-  logic parity_1694;
-  assign parity_1694 = ^{or_1691, or_1687, or_1683};
-  logic parity_1697;
-  assign parity_1697 = ^{or_1691, or_1687, or_1683, or_1676, or_1672, or_1668, or_1661, or_1657, and_1653};
-  logic xor_1698;
-  assign xor_1698 = parity_1652 ^ parity_1697;
+  logic parity_1690;
+  assign parity_1690 = ^{or_1687, or_1683, or_1679};
+  logic parity_1693;
+  assign parity_1693 = ^{or_1687, or_1683, or_1679, or_1672, or_1668, or_1664, or_1657, or_1653, and_1649};
   // hls/stages/agreement.hpp:481
-  logic and_1699;
-  assign and_1699 = parity_1652 & parity_1697;
-  logic or_1703;
-  assign or_1703 = (parity_1634 & parity_1649) | ((^{or_1615, or_1611, or_1607}) & (parity_1634 | parity_1649));
-  logic or_1707;
-  assign or_1707 = (parity_1679 & parity_1694) | ((^{or_1661, or_1657, and_1653}) & (parity_1679 | parity_1694));
-  logic or_1714;
-  assign or_1714 = (or_1611 & or_1615) | (or_1607 & (or_1611 | or_1615));
+  logic or_1697;
+  assign or_1697 = (parity_1675 & parity_1690) | ((^{or_1657, or_1653, and_1649}) & (parity_1675 | parity_1690));
+  logic or_1701;
+  assign or_1701 = (or_1653 & or_1657) | (and_1649 & (or_1653 | or_1657));
+  logic or_1705;
+  assign or_1705 = (or_1668 & or_1672) | (or_1664 & (or_1668 | or_1672));
+  logic or_1709;
+  assign or_1709 = (or_1683 & or_1687) | (or_1679 & (or_1683 | or_1687));
+  // hls/stages/agreement.hpp:480
+  logic parity_1714;
+  assign parity_1714 = ^{or_1709, or_1705, or_1701, or_1697};
+  // hls/stages/agreement.hpp:481
   logic or_1718;
-  assign or_1718 = (or_1627 & or_1631) | (or_1623 & (or_1627 | or_1631));
-  logic or_1722;
-  assign or_1722 = (or_1642 & or_1646) | (or_1638 & (or_1642 | or_1646));
+  assign or_1718 = (or_1705 & or_1709) | (or_1701 & (or_1705 | or_1709));
+  logic and_1719;
+  assign and_1719 = or_1697 & (^{or_1709, or_1705, or_1701});
   // hls/stages/agreement.hpp:480
-  logic parity_1725;
-  assign parity_1725 = ^{or_1722, or_1718, or_1714};
-  // hls/stages/agreement.hpp:481
-  logic or_1729;
-  assign or_1729 = (or_1657 & or_1661) | (and_1653 & (or_1657 | or_1661));
-  logic or_1733;
-  assign or_1733 = (or_1672 & or_1676) | (or_1668 & (or_1672 | or_1676));
-  logic or_1737;
-  assign or_1737 = (or_1687 & or_1691) | (or_1683 & (or_1687 | or_1691));
-  // hls/stages/agreement.hpp:480
-  logic parity_1740;
-  assign parity_1740 = ^{or_1737, or_1733, or_1729};
-  logic parity_1743;
-  assign parity_1743 = ^{or_1737, or_1733, or_1729, or_1722, or_1718, or_1714, or_1707, or_1703, and_1699};
-  // hls/stages/agreement.hpp:481
-  logic or_1747;
-  assign or_1747 = (parity_1725 & parity_1740) | ((^{or_1707, or_1703, and_1699}) & (parity_1725 | parity_1740));
-  logic or_1751;
-  assign or_1751 = (or_1703 & or_1707) | (and_1699 & (or_1703 | or_1707));
-  logic or_1755;
-  assign or_1755 = (or_1718 & or_1722) | (or_1714 & (or_1718 | or_1722));
-  logic or_1759;
-  assign or_1759 = (or_1733 & or_1737) | (or_1729 & (or_1733 | or_1737));
-  // hls/stages/agreement.hpp:480
-  logic parity_1764;
-  assign parity_1764 = ^{or_1759, or_1755, or_1751, or_1747};
-  // hls/stages/agreement.hpp:481
-  logic or_1768;
-  assign or_1768 = (or_1755 & or_1759) | (or_1751 & (or_1755 | or_1759));
-  logic and_1769;
-  assign and_1769 = or_1747 & (^{or_1759, or_1755, or_1751});
-  // hls/stages/agreement.hpp:480
-  logic xor_1770;
-  assign xor_1770 = or_1768 ^ and_1769;
+  logic xor_1720;
+  assign xor_1720 = or_1718 ^ and_1719;
   // hls/stages/agreement.hpp:483
-  logic and_1771;
-  assign and_1771 = or_1768 & and_1769;
+  logic and_1721;
+  assign and_1721 = or_1718 & and_1719;
   // hls/stages/agreement.hpp:554
-  logic [5:0] select_1772;
-  assign select_1772 = equal_432_s1_q ? {and_1771, xor_1770, parity_1764, parity_1743, xor_1698, xor_1603} : 6'h0;
+  logic [5:0] select_1722;
+  assign select_1722 = equal_382_s1_q ? {and_1721, xor_1720, parity_1714, parity_1693, xor_1648, xor_1553} : 6'h0;
   logic [5:0] column_6;
-  assign column_6 = or_430_s1_q ? 6'h0 : select_1772;
+  assign column_6 = or_380_s1_q ? 6'h0 : select_1722;
   // hls/stages/agreement.hpp:586
-  logic [5:0] select_1774;
-  assign select_1774 = age_s1_q[3] ? sums_3_columns_values_6_q : 6'h0;
-  logic [6:0] difference_1775;
-  assign difference_1775 = {1'b0, column_6} - {1'b0, select_1774};
-  logic [7:0] sum_1777;
-  assign sum_1777 = {difference_1775[6], difference_1775} + (age_s1_q[0] ? sums_3_sum_sums_values_0_q : 8'h0);
+  logic [5:0] select_1724;
+  assign select_1724 = age_s1_q[3] ? sums_3_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1725;
+  assign difference_1725 = {1'b0, column_6} - {1'b0, select_1724};
+  logic [7:0] sum_1727;
+  assign sum_1727 = {difference_1725[6], difference_1725} + (age_s1_q[0] ? sums_3_sum_sums_values_0_q : 8'h0);
   // hls/stages/agreement.hpp:720
   logic [5:0] shift;
   assign shift = slot_s1_q[2] ? best_left_rdata_q[5:0] : best_left_rdata_q[45:40];
   // hls/stages/agreement.hpp:721
-  logic [6:0] sum_1835;
-  assign sum_1835 = x_s1_q[6:0] + {shift[5], shift};
+  logic [6:0] sum_1785;
+  assign sum_1785 = x_s1_q[6:0] + {shift[5], shift};
   // hls/stages/agreement.hpp:724
-  logic and_1855;
-  assign and_1855 = (or_430_s1_q & (left_rdata_q[61] & not_438_s1_q)) & not_1854_s1_q;
+  logic and_1805;
+  assign and_1805 = (or_380_s1_q & (left_rdata_q[61] & not_388_s1_q)) & (~(row_q[5:3] == 3'h0));
   // hls/stages/agreement.hpp:182
-  logic or_1877;
-  assign or_1877 = (cfg_nearer_below_i & shift[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift)));
+  logic or_1827;
+  assign or_1827 = (cfg_nearer_below_i & shift[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift)));
   // hls/stages/agreement.hpp:211
-  logic [6:0] select_1888;
-  assign select_1888 = so_s1_q ? x_s1_q[6:0] : (or_430_s1_q ? (less_437_s1_q ? 7'h0 : sum_1835) : 7'h0);
+  logic [6:0] select_1838;
+  assign select_1838 = so_s1_q ? x_s1_q[6:0] : (or_380_s1_q ? (less_387_s1_q ? 7'h0 : sum_1785) : 7'h0);
+  logic and_2058;
+  assign and_2058 = ends_cell_s1_q & (((6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0))) & not_2056_s1_q);
+  // hls/stages/agreement.hpp:310
+  logic [5:0] or_2199;
+  assign or_2199 = column_s1_q[5:0] | row_s1_q;
+  // hls/stages/agreement.hpp:314
+  logic select_2415;
+  assign select_2415 = equal_2321_s1_q ? (~({row_s1_q, 1'b0} < {sum_2412, cfg_height_i[3]})) : lower_half_q;
+  // hls/stages/agreement.hpp:365
+  logic and_2626;
+  assign and_2626 = and_359_s1_q & (equal_2321_s1_q & (row_s1_q[5:2] == 4'h0));
 
   // Memory averager_memory, 320 x 26 and parity, DISTANCE 16, hls/stages/census.hpp:146; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -1701,9 +1561,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 320; i++) averager_memory_mem[i] = 27'h0;
 `endif
   logic [8:0] averager_memory_raddr;
-  assign averager_memory_raddr = select_376_s1_q;
+  assign averager_memory_raddr = select_326_s1_q;
   logic averager_memory_re;
-  assign averager_memory_re = s1_en & and_384;
+  assign averager_memory_re = s1_en & and_334;
   logic [26:0] averager_memory_word_q;
   always_ff @(posedge clk_i) begin
     if (averager_memory_re) averager_memory_word_q <= averager_memory_mem[averager_memory_raddr];
@@ -1722,9 +1582,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 80; i++) best_right_mem[i] = 30'h0;
 `endif
   logic [6:0] best_right_raddr;
-  assign best_right_raddr = or_430_s1_q ? sum_1835 : right_s1_q;
+  assign best_right_raddr = or_380_s1_q ? sum_1785 : right_s1_q;
   logic best_right_re;
-  assign best_right_re = s1_en & select_551_s1_q;
+  assign best_right_re = s1_en & select_501_s1_q;
   logic [29:0] best_right_word_q;
   always_ff @(posedge clk_i) begin
     if (best_right_re) best_right_word_q <= best_right_mem[best_right_raddr];
@@ -1739,9 +1599,9 @@ module horopter_agreement (
   logic [6:0] left_waddr;
   assign left_waddr = x_s1_q[6:0];
   logic left_we;
-  assign left_we = s1_en & and_441_s1_q;
+  assign left_we = s1_en & and_391_s1_q;
   logic [76:0] left_wdata;
-  assign left_wdata = {and_533, left_rdata_q[59:45], and_532, left_rdata_q[43:29], and_531, left_rdata_q[27:13], and_530, left_rdata_q[11:0], fresh_rdata_q[28:26], fresh_rdata_q[24], fresh_rdata_q[11:0]};
+  assign left_wdata = {and_483, left_rdata_q[59:45], and_482, left_rdata_q[43:29], and_481, left_rdata_q[27:13], and_480, left_rdata_q[11:0], fresh_rdata_q[28:26], fresh_rdata_q[24], fresh_rdata_q[11:0]};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (left_we) left_mem[left_waddr] <= {^left_wdata, left_wdata};
   end
@@ -1761,9 +1621,9 @@ module horopter_agreement (
   logic [6:0] right_codes_waddr;
   assign right_codes_waddr = x_s1_q[6:0];
   logic right_codes_we;
-  assign right_codes_we = s1_en & and_441_s1_q;
+  assign right_codes_we = s1_en & and_391_s1_q;
   logic [90:0] right_codes_wdata;
-  assign right_codes_wdata = {and_542, right_codes_rdata_q[76:65], and_541, right_codes_rdata_q[63:52], and_540, right_codes_rdata_q[50:39], and_539, right_codes_rdata_q[37:26], and_538, right_codes_rdata_q[24:13], and_537, right_codes_rdata_q[11:0], fresh_rdata_q[25], fresh_rdata_q[23:12]};
+  assign right_codes_wdata = {and_492, right_codes_rdata_q[76:65], and_491, right_codes_rdata_q[63:52], and_490, right_codes_rdata_q[50:39], and_489, right_codes_rdata_q[37:26], and_488, right_codes_rdata_q[24:13], and_487, right_codes_rdata_q[11:0], fresh_rdata_q[25], fresh_rdata_q[23:12]};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (right_codes_we) right_codes_mem[right_codes_waddr] <= {^right_codes_wdata, right_codes_wdata};
   end
@@ -1778,6 +1638,16 @@ module horopter_agreement (
     if (rst_ni && right_codes_re && right_codes_raddr >= 7'd80) $error("right_codes: read outside, address %0d", right_codes_raddr);
   end
 `endif
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      row_q <= 6'h0;
+      lower_half_q <= 1'b0;
+    end else if (s1_en) begin
+      row_q <= and_359_s1_q ? (equal_2321_s1_q ? row_s1_q : row_q) : row_q;
+      lower_half_q <= and_359_s1_q ? select_2415 : lower_half_q;
+    end
+  end
 
   // Not reset: nothing of it counts before it is written anew.
 `ifndef SYNTHESIS
@@ -1833,7 +1703,7 @@ module horopter_agreement (
       middle_sum_columns_values_4_q <= middle_sum_columns_values_3_q;
       middle_sum_columns_values_5_q <= middle_sum_columns_values_4_q;
       middle_sum_columns_values_6_q <= middle_sum_columns_values_5_q;
-      middle_sum_sum_sums_values_0_q <= sum_813;
+      middle_sum_sum_sums_values_0_q <= sum_763;
       sums_0_columns_values_0_q <= column_3;
       sums_0_columns_values_1_q <= sums_0_columns_values_0_q;
       sums_0_columns_values_2_q <= sums_0_columns_values_1_q;
@@ -1841,7 +1711,7 @@ module horopter_agreement (
       sums_0_columns_values_4_q <= sums_0_columns_values_3_q;
       sums_0_columns_values_5_q <= sums_0_columns_values_4_q;
       sums_0_columns_values_6_q <= sums_0_columns_values_5_q;
-      sums_0_sum_sums_values_0_q <= sum_1053;
+      sums_0_sum_sums_values_0_q <= sum_1003;
       sums_1_columns_values_0_q <= column_4;
       sums_1_columns_values_1_q <= sums_1_columns_values_0_q;
       sums_1_columns_values_2_q <= sums_1_columns_values_1_q;
@@ -1849,7 +1719,7 @@ module horopter_agreement (
       sums_1_columns_values_4_q <= sums_1_columns_values_3_q;
       sums_1_columns_values_5_q <= sums_1_columns_values_4_q;
       sums_1_columns_values_6_q <= sums_1_columns_values_5_q;
-      sums_1_sum_sums_values_0_q <= sum_1293;
+      sums_1_sum_sums_values_0_q <= sum_1243;
       sums_2_columns_values_0_q <= column_5;
       sums_2_columns_values_1_q <= sums_2_columns_values_0_q;
       sums_2_columns_values_2_q <= sums_2_columns_values_1_q;
@@ -1857,7 +1727,7 @@ module horopter_agreement (
       sums_2_columns_values_4_q <= sums_2_columns_values_3_q;
       sums_2_columns_values_5_q <= sums_2_columns_values_4_q;
       sums_2_columns_values_6_q <= sums_2_columns_values_5_q;
-      sums_2_sum_sums_values_0_q <= sum_1537;
+      sums_2_sum_sums_values_0_q <= sum_1487;
       sums_3_columns_values_0_q <= column_6;
       sums_3_columns_values_1_q <= sums_3_columns_values_0_q;
       sums_3_columns_values_2_q <= sums_3_columns_values_1_q;
@@ -1865,7 +1735,7 @@ module horopter_agreement (
       sums_3_columns_values_4_q <= sums_3_columns_values_3_q;
       sums_3_columns_values_5_q <= sums_3_columns_values_4_q;
       sums_3_columns_values_6_q <= sums_3_columns_values_5_q;
-      sums_3_sum_sums_values_0_q <= sum_1777;
+      sums_3_sum_sums_values_0_q <= sum_1727;
     end
   end
 
@@ -1875,541 +1745,412 @@ module horopter_agreement (
   logic mask_s2_q;
   logic marks_first_s2_q;
   logic marks_last_s2_q;
-  logic sample_pair_first_s2_q;
   logic sample_pair_whole_s2_q;
-  logic sample_present_s2_q;
-  logic sample_of_skin_s2_q;
   logic [5:0] run_shift_s2_q;
   logic [7:0] x_s2_q;
   logic [1:0] age_s2_q;
   logic [2:0] slot_s2_q;
   logic ends_cell_s2_q;
   logic lower_half_s2_q;
-  logic select_370_s2_q;
-  logic [8:0] select_376_s2_q;
-  logic and_383_s2_q;
-  logic and_384_s2_q;
-  logic equal_389_s2_q;
+  logic select_320_s2_q;
+  logic [8:0] select_326_s2_q;
+  logic and_333_s2_q;
+  logic and_334_s2_q;
+  logic equal_339_s2_q;
+  logic whole_s2_q;
   logic [6:0] column_s2_q;
-  logic and_407_s2_q;
-  logic and_409_s2_q;
-  logic equal_412_s2_q;
+  logic and_357_s2_q;
+  logic and_359_s2_q;
+  logic equal_362_s2_q;
   logic so_s2_q;
-  logic equal_429_s2_q;
-  logic or_430_s2_q;
-  logic less_437_s2_q;
-  logic not_438_s2_q;
-  logic equal_467_s2_q;
-  logic equal_470_s2_q;
-  logic select_472_s2_q;
+  logic equal_379_s2_q;
+  logic or_380_s2_q;
+  logic less_387_s2_q;
+  logic not_388_s2_q;
+  logic equal_420_s2_q;
   logic [6:0] x_s2_2_q;
   logic [45:0] best_left_rdata_s2_q;
-  logic select_558_s2_q;
-  logic and_1833_s2_q;
+  logic select_508_s2_q;
+  logic and_1783_s2_q;
   logic [6:0] right_s2_q;
-  logic select_1840_s2_q;
-  logic equal_1849_s2_q;
-  logic and_1856_s2_q;
-  logic and_1859_s2_q;
-  logic and_1863_s2_q;
-  logic or_1877_s2_q;
-  logic [6:0] select_1888_s2_q;
-  logic [1:0] sum_1900_s2_q;
-  logic less_1932_s2_q;
-  logic equal_1948_s2_q;
-  logic [8:0] select_1955_s2_q;
-  logic and_1985_s2_q;
-  logic less_2005_s2_q;
-  logic [7:0] select_2216_s2_q;
-  logic [7:0] select_2270_s2_q;
-  logic [7:0] select_2559_s2_q;
-  logic [7:0] select_2582_s2_q;
-  logic [6:0] select_2591_s2_q;
-  logic select_2592_s2_q;
-  logic equal_2620_s2_q;
-  logic and_2757_s2_q;
-  logic equal_2945_s2_q;
-  logic equal_2999_s2_q;
-  logic and_3188_s2_q;
-  logic and_3190_s2_q;
-  logic less_3296_s2_q;
-  logic equal_3493_s2_q;
+  logic select_1790_s2_q;
+  logic equal_1799_s2_q;
+  logic and_1806_s2_q;
+  logic and_1809_s2_q;
+  logic and_1813_s2_q;
+  logic or_1827_s2_q;
+  logic [6:0] select_1838_s2_q;
+  logic less_1882_s2_q;
+  logic equal_1922_s2_q;
+  logic and_2059_s2_q;
+  logic equal_2200_s2_q;
+  logic equal_2321_s2_q;
+  logic less_2555_s2_q;
+  logic and_2627_s2_q;
+  logic and_2629_s2_q;
+  logic less_2736_s2_q;
+  logic equal_2943_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       pixel_0_s2_q <= pixel_0_s1_q;
       pixel_1_s2_q <= pixel_1_s1_q;
       saturated_s2_q <= saturated_s1_q;
-      mask_s2_q <= sample_of_skin_q;
+      mask_s2_q <= mask_s1_q;
       marks_first_s2_q <= sample_pair_first_q;
       marks_last_s2_q <= sample_last_q;
-      sample_pair_first_s2_q <= sample_pair_first_s1_q;
       sample_pair_whole_s2_q <= sample_pair_whole_s1_q;
-      sample_present_s2_q <= sample_present_s1_q;
-      sample_of_skin_s2_q <= sample_of_skin_s1_q;
       run_shift_s2_q <= run_shift_s1_q;
       x_s2_q <= x_s1_q;
       age_s2_q <= age_s1_q[2:1];
       slot_s2_q <= slot_s1_q;
       ends_cell_s2_q <= ends_cell_s1_q;
-      lower_half_s2_q <= lower_half_s1_q;
-      select_370_s2_q <= select_370_s1_q;
-      select_376_s2_q <= select_376_s1_q;
-      and_383_s2_q <= and_383_s1_q;
-      and_384_s2_q <= and_384;
-      equal_389_s2_q <= equal_389_s1_q;
+      lower_half_s2_q <= lower_half_q;
+      select_320_s2_q <= select_320_s1_q;
+      select_326_s2_q <= select_326_s1_q;
+      and_333_s2_q <= and_333_s1_q;
+      and_334_s2_q <= and_334;
+      equal_339_s2_q <= equal_339_s1_q;
+      whole_s2_q <= whole_s1_q;
       column_s2_q <= column_s1_q;
-      and_407_s2_q <= and_407_s1_q;
-      and_409_s2_q <= and_409_s1_q;
-      equal_412_s2_q <= equal_412_s1_q;
+      and_357_s2_q <= and_357_s1_q;
+      and_359_s2_q <= and_359_s1_q;
+      equal_362_s2_q <= equal_362_s1_q;
       so_s2_q <= so_s1_q;
-      equal_429_s2_q <= equal_429_s1_q;
-      or_430_s2_q <= or_430_s1_q;
-      less_437_s2_q <= less_437_s1_q;
-      not_438_s2_q <= not_438_s1_q;
-      equal_467_s2_q <= equal_467_s1_q;
-      equal_470_s2_q <= equal_470_s1_q;
-      select_472_s2_q <= select_472_s1_q;
+      equal_379_s2_q <= equal_379_s1_q;
+      or_380_s2_q <= or_380_s1_q;
+      less_387_s2_q <= less_387_s1_q;
+      not_388_s2_q <= not_388_s1_q;
+      equal_420_s2_q <= row_s1_q == 6'h0;
       x_s2_2_q <= x_s1_2_q;
       best_left_rdata_s2_q <= best_left_rdata_q;
-      select_558_s2_q <= select_558_s1_q;
-      and_1833_s2_q <= and_1833_s1_q;
+      select_508_s2_q <= select_508_s1_q;
+      and_1783_s2_q <= and_1783_s1_q;
       right_s2_q <= right_s1_q;
-      select_1840_s2_q <= select_1840_s1_q;
-      equal_1849_s2_q <= equal_1849_s1_q;
-      and_1856_s2_q <= not_438_s1_q & and_1855;
-      and_1859_s2_q <= (or_430_s1_q & (left_rdata_q[62] & not_438_s1_q)) & and_1855;
-      and_1863_s2_q <= not_438_s1_q & (or_430_s1_q & (left_rdata_q[63] & not_438_s1_q));
-      or_1877_s2_q <= or_1877;
-      select_1888_s2_q <= select_1888;
-      sum_1900_s2_q <= sum_1900_s1_q;
-      less_1932_s2_q <= less_1932_s1_q;
-      equal_1948_s2_q <= equal_1948_s1_q;
-      select_1955_s2_q <= select_1955_s1_q;
-      and_1985_s2_q <= and_1985_s1_q;
-      less_2005_s2_q <= less_2005_s1_q;
-      select_2216_s2_q <= select_2216_s1_q;
-      select_2270_s2_q <= select_2270_s1_q;
-      select_2559_s2_q <= select_2559_s1_q;
-      select_2582_s2_q <= select_2582_s1_q;
-      select_2591_s2_q <= select_2591_s1_q;
-      select_2592_s2_q <= select_2592_s1_q;
-      equal_2620_s2_q <= equal_2620_s1_q;
-      and_2757_s2_q <= and_2757_s1_q;
-      equal_2945_s2_q <= equal_2945_s1_q;
-      equal_2999_s2_q <= equal_2999_s1_q;
-      and_3188_s2_q <= and_3188_s1_q;
-      and_3190_s2_q <= and_3190_s1_q;
-      less_3296_s2_q <= less_3296_s1_q;
-      equal_3493_s2_q <= equal_3493_s1_q;
+      select_1790_s2_q <= select_1790_s1_q;
+      equal_1799_s2_q <= equal_1799_s1_q;
+      and_1806_s2_q <= not_388_s1_q & and_1805;
+      and_1809_s2_q <= (or_380_s1_q & (left_rdata_q[62] & not_388_s1_q)) & and_1805;
+      and_1813_s2_q <= not_388_s1_q & (or_380_s1_q & (left_rdata_q[63] & not_388_s1_q));
+      or_1827_s2_q <= or_1827;
+      select_1838_s2_q <= select_1838;
+      less_1882_s2_q <= less_1882_s1_q;
+      equal_1922_s2_q <= equal_1922_s1_q;
+      and_2059_s2_q <= so_s1_q & and_2058;
+      equal_2200_s2_q <= {column_s1_q[6], or_2199} == 7'h0;
+      equal_2321_s2_q <= equal_2321_s1_q;
+      less_2555_s2_q <= 5'h4 < row_q[5:1];
+      and_2627_s2_q <= and_2322_s1_q & and_2626;
+      and_2629_s2_q <= and_2322_s1_q & (~and_2626);
+      less_2736_s2_q <= 5'h2 < row_s1_q[5:1];
+      equal_2943_s2_q <= row_s1_q[5:3] == 3'h0;
     end
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
-  logic [7:0] left_pixel_q;
   logic [7:0] sample_pair_pixel_0_q;
   logic [7:0] sample_pair_pixel_1_q;
+  logic sample_of_skin_q;
   logic [11:0] averager_running_0_q;
   logic [11:0] averager_running_1_q;
-  logic averager_running_mask_q;
   logic averager_running_of_skin_q;
   logic averager_mask_q;
   logic averager_of_skin_q;
   logic [9:0] registration_displacement_over_q;
   logic [4:0] registration_displacement_fraction_q;
   // hls/stages/census.hpp:91
-  logic [11:0] select_387;
-  assign select_387 = select_370_s2_q ? ({4'h0, sample_pair_pixel_0_q} + averager_running_0_q) : {4'h0, sample_pair_pixel_0_q};
+  logic [11:0] select_337;
+  assign select_337 = select_320_s2_q ? ({4'h0, sample_pair_pixel_0_q} + averager_running_0_q) : {4'h0, sample_pair_pixel_0_q};
   // hls/stages/census.hpp:100
-  logic [11:0] sum_391;
-  assign sum_391 = select_387 + (equal_389_s2_q ? 12'h0 : averager_memory_rdata_q[11:0]);
+  logic [11:0] sum_341;
+  assign sum_341 = select_337 + (equal_339_s2_q ? 12'h0 : averager_memory_rdata_q[11:0]);
   // hls/stages/census.hpp:91
-  logic [11:0] sum_393;
-  assign sum_393 = {4'h0, sample_pair_pixel_1_q} + (select_370_s2_q ? averager_running_1_q : 12'h0);
+  logic [11:0] sum_343;
+  assign sum_343 = {4'h0, sample_pair_pixel_1_q} + (select_320_s2_q ? averager_running_1_q : 12'h0);
   // hls/stages/census.hpp:100
-  logic [11:0] sum_395;
-  assign sum_395 = sum_393 + (equal_389_s2_q ? 12'h0 : averager_memory_rdata_q[23:12]);
-  // hls/stages/agreement.hpp:213
-  logic whole;
-  assign whole = select_370_s2_q ? (sample_present_s2_q & averager_running_mask_q) : sample_present_s2_q;
+  logic [11:0] sum_345;
+  assign sum_345 = sum_343 + (equal_339_s2_q ? 12'h0 : averager_memory_rdata_q[23:12]);
   // hls/stages/census.hpp:101
-  logic and_399;
-  assign and_399 = whole & (averager_memory_rdata_q[24] | equal_389_s2_q);
+  logic and_349;
+  assign and_349 = whole_s2_q & (averager_memory_rdata_q[24] | equal_339_s2_q);
   // hls/stages/agreement.hpp:213
   logic all_of_skin;
-  assign all_of_skin = select_370_s2_q ? (sample_of_skin_s2_q & averager_running_of_skin_q) : sample_of_skin_s2_q;
+  assign all_of_skin = select_320_s2_q ? (sample_of_skin_q & averager_running_of_skin_q) : sample_of_skin_q;
   // hls/stages/census.hpp:102
-  logic and_403;
-  assign and_403 = all_of_skin & (averager_memory_rdata_q[25] | equal_389_s2_q);
+  logic and_353;
+  assign and_353 = all_of_skin & (averager_memory_rdata_q[25] | equal_339_s2_q);
   // hls/stages/census.hpp:126
   logic [8:0] grey;
-  assign grey = and_383_s2_q ? sum_391[11:3] : 9'h0;
+  assign grey = and_333_s2_q ? sum_341[11:3] : 9'h0;
   logic [8:0] grey_2;
-  assign grey_2 = and_383_s2_q ? sum_395[11:3] : 9'h0;
-  logic and_420;
-  assign and_420 = and_383_s2_q & and_399;
+  assign grey_2 = and_333_s2_q ? sum_345[11:3] : 9'h0;
+  logic and_370;
+  assign and_370 = and_333_s2_q & and_349;
   // hls/stages/census.hpp:105
-  logic select_422;
-  assign select_422 = equal_412_s2_q ? and_420 : (averager_mask_q & and_420);
+  logic select_372;
+  assign select_372 = equal_362_s2_q ? and_370 : (averager_mask_q & and_370);
   // hls/stages/agreement.hpp:215
   logic whole_2;
-  assign whole_2 = sample_pair_whole_s2_q & select_422;
+  assign whole_2 = sample_pair_whole_s2_q & select_372;
   // hls/stages/census.hpp:126
-  logic and_424;
-  assign and_424 = and_383_s2_q & and_403;
+  logic and_374;
+  assign and_374 = and_333_s2_q & and_353;
   // hls/stages/census.hpp:105
-  logic select_426;
-  assign select_426 = equal_412_s2_q ? and_424 : (averager_of_skin_q & and_424);
+  logic select_376;
+  assign select_376 = equal_362_s2_q ? and_374 : (averager_of_skin_q & and_374);
   // hls/stages/agreement.hpp:596
-  logic not_560;
-  assign not_560 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
-  logic less_561;
-  assign less_561 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
+  logic not_510;
+  assign not_510 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
+  logic less_511;
+  assign less_511 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
   // hls/stages/agreement.hpp:178
-  logic and_563;
-  assign and_563 = not_560 & (~less_561);
+  logic and_513;
+  assign and_513 = not_510 & (~less_511);
   // hls/stages/agreement.hpp:558
-  logic less_1294;
-  assign less_1294 = sums_0_sum_sums_values_0_q < sums_1_sum_sums_values_0_q;
-  logic [7:0] select_1295;
-  assign select_1295 = less_1294 ? sums_1_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
-  logic less_1296;
-  assign less_1296 = middle_sum_sum_sums_values_0_q < select_1295;
-  logic [7:0] select_1297;
-  assign select_1297 = less_1296 ? select_1295 : middle_sum_sum_sums_values_0_q;
-  logic less_1778;
-  assign less_1778 = sums_2_sum_sums_values_0_q < sums_3_sum_sums_values_0_q;
-  logic [7:0] select_1779;
-  assign select_1779 = less_1778 ? sums_3_sum_sums_values_0_q : sums_2_sum_sums_values_0_q;
-  logic less_1780;
-  assign less_1780 = select_1297 < select_1779;
-  logic [7:0] select_1781;
-  assign select_1781 = less_1780 ? select_1779 : select_1297;
+  logic less_1244;
+  assign less_1244 = sums_0_sum_sums_values_0_q < sums_1_sum_sums_values_0_q;
+  logic [7:0] select_1245;
+  assign select_1245 = less_1244 ? sums_1_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
+  logic less_1246;
+  assign less_1246 = middle_sum_sum_sums_values_0_q < select_1245;
+  logic [7:0] select_1247;
+  assign select_1247 = less_1246 ? select_1245 : middle_sum_sum_sums_values_0_q;
+  logic less_1728;
+  assign less_1728 = sums_2_sum_sums_values_0_q < sums_3_sum_sums_values_0_q;
+  logic [7:0] select_1729;
+  assign select_1729 = less_1728 ? sums_3_sum_sums_values_0_q : sums_2_sum_sums_values_0_q;
+  logic less_1730;
+  assign less_1730 = select_1247 < select_1729;
+  logic [7:0] select_1731;
+  assign select_1731 = less_1730 ? select_1729 : select_1247;
   // hls/stages/agreement.hpp:600
   logic [7:0] of_best;
-  assign of_best = and_563 ? select_1781 : 8'h0;
+  assign of_best = and_513 ? select_1731 : 8'h0;
   // hls/stages/agreement.hpp:607
-  logic or_1784;
-  assign or_1784 = select_558_s2_q | (best_left_rdata_s2_q[16:9] < of_best);
+  logic or_1734;
+  assign or_1734 = select_508_s2_q | (best_left_rdata_s2_q[16:9] < of_best);
   // hls/stages/agreement.hpp:612
-  logic [5:0] select_1785;
-  assign select_1785 = or_1784 ? run_shift_s2_q : best_left_rdata_s2_q[5:0];
+  logic [5:0] select_1735;
+  assign select_1735 = or_1734 ? run_shift_s2_q : best_left_rdata_s2_q[5:0];
   // hls/stages/agreement.hpp:559
-  logic or_1787;
-  assign or_1787 = less_1294 | (~less_1296);
-  logic [2:0] select_1788;
-  assign select_1788 = less_1780 ? {less_1778, 2'h0} : {1'b0, or_1787, less_1296};
+  logic or_1737;
+  assign or_1737 = less_1244 | (~less_1246);
+  logic [2:0] select_1738;
+  assign select_1738 = less_1730 ? {less_1728, 2'h0} : {1'b0, or_1737, less_1246};
   // hls/stages/agreement.hpp:612
-  logic [2:0] select_1789;
-  assign select_1789 = or_1784 ? select_1788 : best_left_rdata_s2_q[8:6];
-  logic [7:0] select_1790;
-  assign select_1790 = or_1784 ? of_best : best_left_rdata_s2_q[16:9];
+  logic [2:0] select_1739;
+  assign select_1739 = or_1734 ? select_1738 : best_left_rdata_s2_q[8:6];
+  logic [7:0] select_1740;
+  assign select_1740 = or_1734 ? of_best : best_left_rdata_s2_q[16:9];
   // hls/stages/agreement.hpp:609
-  logic equal_1791;
-  assign equal_1791 = select_1788 == 3'h1;
-  logic equal_1792;
-  assign equal_1792 = select_1788 == 3'h2;
-  logic not_1793;
-  assign not_1793 = ~equal_1792;
-  logic [1:0] select_1794;
-  assign select_1794 = equal_1791 ? 2'h0 : {not_1793, equal_1792};
-  logic [7:0] select_1795;
-  assign select_1795 = select_1794[0] ? sums_1_sum_sums_values_0_q : middle_sum_sum_sums_values_0_q;
-  logic [7:0] select_1796;
-  assign select_1796 = select_1794[0] ? sums_0_sum_sums_values_0_q : sums_2_sum_sums_values_0_q;
+  logic equal_1741;
+  assign equal_1741 = select_1738 == 3'h1;
+  logic equal_1742;
+  assign equal_1742 = select_1738 == 3'h2;
+  logic not_1743;
+  assign not_1743 = ~equal_1742;
+  logic [1:0] select_1744;
+  assign select_1744 = equal_1741 ? 2'h0 : {not_1743, equal_1742};
+  logic [7:0] select_1745;
+  assign select_1745 = select_1744[0] ? sums_1_sum_sums_values_0_q : middle_sum_sum_sums_values_0_q;
+  logic [7:0] select_1746;
+  assign select_1746 = select_1744[0] ? sums_0_sum_sums_values_0_q : sums_2_sum_sums_values_0_q;
   // hls/stages/agreement.hpp:612
-  logic [7:0] select_1798;
-  assign select_1798 = or_1784 ? (select_1794[1] ? select_1795 : select_1796) : best_left_rdata_s2_q[24:17];
+  logic [7:0] select_1748;
+  assign select_1748 = or_1734 ? (select_1744[1] ? select_1745 : select_1746) : best_left_rdata_s2_q[24:17];
   // hls/stages/agreement.hpp:610
-  logic [2:0] select_1799;
-  assign select_1799 = equal_1791 ? 3'h2 : {not_1793, {2{equal_1792}}};
-  logic [7:0] select_1800;
-  assign select_1800 = select_1799[0] ? sums_1_sum_sums_values_0_q : middle_sum_sum_sums_values_0_q;
-  logic [7:0] select_1802;
-  assign select_1802 = select_1799[1] ? select_1800 : (select_1799[0] ? select_1781 : sums_3_sum_sums_values_0_q);
+  logic [2:0] select_1749;
+  assign select_1749 = equal_1741 ? 3'h2 : {not_1743, {2{equal_1742}}};
+  logic [7:0] select_1750;
+  assign select_1750 = select_1749[0] ? sums_1_sum_sums_values_0_q : middle_sum_sum_sums_values_0_q;
+  logic [7:0] select_1752;
+  assign select_1752 = select_1749[1] ? select_1750 : (select_1749[0] ? select_1731 : sums_3_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:612
-  logic [7:0] select_1804;
-  assign select_1804 = or_1784 ? (select_1799[2] ? sums_3_sum_sums_values_0_q : select_1802) : best_left_rdata_s2_q[32:25];
+  logic [7:0] select_1754;
+  assign select_1754 = or_1734 ? (select_1749[2] ? sums_3_sum_sums_values_0_q : select_1752) : best_left_rdata_s2_q[32:25];
   // hls/stages/agreement.hpp:587
   logic [5:0] before_v;
   assign before_v = age_s2_q[0] ? middle_sum_columns_values_4_q : 6'h0;
   // hls/stages/agreement.hpp:588
-  logic [6:0] sum_1806;
-  assign sum_1806 = {1'b0, middle_sum_columns_values_2_q} + {1'b0, middle_sum_columns_values_3_q};
-  logic [6:0] sum_1807;
-  assign sum_1807 = {1'b0, before_v} + sum_1806;
+  logic [6:0] sum_1756;
+  assign sum_1756 = {1'b0, middle_sum_columns_values_2_q} + {1'b0, middle_sum_columns_values_3_q};
+  logic [6:0] sum_1757;
+  assign sum_1757 = {1'b0, before_v} + sum_1756;
   // hls/stages/agreement.hpp:587
   logic [5:0] before_v_2;
   assign before_v_2 = age_s2_q[0] ? sums_0_columns_values_4_q : 6'h0;
   // hls/stages/agreement.hpp:588
-  logic [6:0] sum_1809;
-  assign sum_1809 = {1'b0, sums_0_columns_values_2_q} + {1'b0, sums_0_columns_values_3_q};
-  logic [6:0] sum_1810;
-  assign sum_1810 = {1'b0, before_v_2} + sum_1809;
+  logic [6:0] sum_1759;
+  assign sum_1759 = {1'b0, sums_0_columns_values_2_q} + {1'b0, sums_0_columns_values_3_q};
+  logic [6:0] sum_1760;
+  assign sum_1760 = {1'b0, before_v_2} + sum_1759;
   // hls/stages/agreement.hpp:587
   logic [5:0] before_v_3;
   assign before_v_3 = age_s2_q[0] ? sums_1_columns_values_4_q : 6'h0;
   // hls/stages/agreement.hpp:588
-  logic [6:0] sum_1812;
-  assign sum_1812 = {1'b0, sums_1_columns_values_2_q} + {1'b0, sums_1_columns_values_3_q};
-  logic [6:0] sum_1813;
-  assign sum_1813 = {1'b0, before_v_3} + sum_1812;
+  logic [6:0] sum_1762;
+  assign sum_1762 = {1'b0, sums_1_columns_values_2_q} + {1'b0, sums_1_columns_values_3_q};
+  logic [6:0] sum_1763;
+  assign sum_1763 = {1'b0, before_v_3} + sum_1762;
   // hls/stages/agreement.hpp:558
-  logic [6:0] select_1815;
-  assign select_1815 = (sum_1810 < sum_1813) ? sum_1813 : sum_1810;
-  logic [6:0] select_1817;
-  assign select_1817 = (sum_1807 < select_1815) ? select_1815 : sum_1807;
+  logic [6:0] select_1765;
+  assign select_1765 = (sum_1760 < sum_1763) ? sum_1763 : sum_1760;
+  logic [6:0] select_1767;
+  assign select_1767 = (sum_1757 < select_1765) ? select_1765 : sum_1757;
   // hls/stages/agreement.hpp:587
   logic [5:0] before_v_4;
   assign before_v_4 = age_s2_q[0] ? sums_2_columns_values_4_q : 6'h0;
   // hls/stages/agreement.hpp:588
-  logic [6:0] sum_1819;
-  assign sum_1819 = {1'b0, sums_2_columns_values_2_q} + {1'b0, sums_2_columns_values_3_q};
-  logic [6:0] sum_1820;
-  assign sum_1820 = {1'b0, before_v_4} + sum_1819;
+  logic [6:0] sum_1769;
+  assign sum_1769 = {1'b0, sums_2_columns_values_2_q} + {1'b0, sums_2_columns_values_3_q};
+  logic [6:0] sum_1770;
+  assign sum_1770 = {1'b0, before_v_4} + sum_1769;
   // hls/stages/agreement.hpp:587
   logic [5:0] before_v_5;
   assign before_v_5 = age_s2_q[0] ? sums_3_columns_values_4_q : 6'h0;
   // hls/stages/agreement.hpp:588
-  logic [6:0] sum_1822;
-  assign sum_1822 = {1'b0, sums_3_columns_values_2_q} + {1'b0, sums_3_columns_values_3_q};
-  logic [6:0] sum_1823;
-  assign sum_1823 = {1'b0, before_v_5} + sum_1822;
+  logic [6:0] sum_1772;
+  assign sum_1772 = {1'b0, sums_3_columns_values_2_q} + {1'b0, sums_3_columns_values_3_q};
+  logic [6:0] sum_1773;
+  assign sum_1773 = {1'b0, before_v_5} + sum_1772;
   // hls/stages/agreement.hpp:558
-  logic [6:0] select_1825;
-  assign select_1825 = (sum_1820 < sum_1823) ? sum_1823 : sum_1820;
-  logic [6:0] select_1827;
-  assign select_1827 = (select_1817 < select_1825) ? select_1825 : select_1817;
+  logic [6:0] select_1775;
+  assign select_1775 = (sum_1770 < sum_1773) ? sum_1773 : sum_1770;
   // hls/stages/agreement.hpp:601
   logic [6:0] of_near;
-  assign of_near = and_563 ? select_1827 : 7'h0;
+  assign of_near = and_513 ? ((select_1767 < select_1775) ? select_1775 : select_1767) : 7'h0;
   // hls/stages/agreement.hpp:612
-  logic or_1830;
-  assign or_1830 = select_558_s2_q | (best_left_rdata_s2_q[39:33] < of_near);
+  logic or_1780;
+  assign or_1780 = select_508_s2_q | (best_left_rdata_s2_q[39:33] < of_near);
   // hls/stages/agreement.hpp:616
-  logic [6:0] select_1831;
-  assign select_1831 = or_1830 ? of_near : best_left_rdata_s2_q[39:33];
-  logic [5:0] select_1832;
-  assign select_1832 = or_1830 ? run_shift_s2_q : best_left_rdata_s2_q[45:40];
+  logic [6:0] select_1781;
+  assign select_1781 = or_1780 ? of_near : best_left_rdata_s2_q[39:33];
+  logic [5:0] select_1782;
+  assign select_1782 = or_1780 ? run_shift_s2_q : best_left_rdata_s2_q[45:40];
   // hls/stages/agreement.hpp:621
-  logic or_1842;
-  assign or_1842 = select_1840_s2_q | (best_right_rdata_q[7:0] < of_best);
+  logic or_1792;
+  assign or_1792 = select_1790_s2_q | (best_right_rdata_q[7:0] < of_best);
   // hls/stages/agreement.hpp:625
-  logic [7:0] select_1843;
-  assign select_1843 = or_1842 ? of_best : best_right_rdata_q[7:0];
-  logic [6:0] select_1844;
-  assign select_1844 = or_1842 ? x_s2_2_q : best_right_rdata_q[14:8];
-  logic or_1846;
-  assign or_1846 = select_1840_s2_q | (best_right_rdata_q[21:15] < of_near);
+  logic [7:0] select_1793;
+  assign select_1793 = or_1792 ? of_best : best_right_rdata_q[7:0];
+  logic [6:0] select_1794;
+  assign select_1794 = or_1792 ? x_s2_2_q : best_right_rdata_q[14:8];
+  logic or_1796;
+  assign or_1796 = select_1790_s2_q | (best_right_rdata_q[21:15] < of_near);
   // hls/stages/agreement.hpp:629
-  logic [6:0] select_1847;
-  assign select_1847 = or_1846 ? of_near : best_right_rdata_q[21:15];
-  logic [6:0] select_1848;
-  assign select_1848 = or_1846 ? x_s2_2_q : best_right_rdata_q[28:22];
+  logic [6:0] select_1797;
+  assign select_1797 = or_1796 ? of_near : best_right_rdata_q[21:15];
+  logic [6:0] select_1798;
+  assign select_1798 = or_1796 ? x_s2_2_q : best_right_rdata_q[28:22];
   // hls/stages/agreement.hpp:747
-  logic not_1850;
-  assign not_1850 = ~equal_1849_s2_q;
+  logic not_1800;
+  assign not_1800 = ~equal_1799_s2_q;
   // hls/stages/agreement.hpp:182
-  logic and_1860;
-  assign and_1860 = not_438_s2_q & and_1859_s2_q;
+  logic and_1810;
+  assign and_1810 = not_388_s2_q & and_1809_s2_q;
   // hls/stages/agreement.hpp:727
-  logic select_1866;
-  assign select_1866 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
+  logic select_1816;
+  assign select_1816 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
   // hls/stages/agreement.hpp:728
   logic [6:0] chosen;
   assign chosen = slot_s2_q[2] ? best_right_rdata_q[14:8] : best_right_rdata_q[28:22];
   // hls/stages/agreement.hpp:734
-  logic [8:0] difference_1869;
-  assign difference_1869 = {2'h0, chosen} - {1'b0, x_s2_q};
+  logic [8:0] difference_1819;
+  assign difference_1819 = {2'h0, chosen} - {1'b0, x_s2_q};
   // hls/stages/agreement.hpp:735
-  logic [9:0] sum_1870;
-  assign sum_1870 = {difference_1869[8], difference_1869} + 10'h1;
+  logic [9:0] sum_1820;
+  assign sum_1820 = {difference_1819[8], difference_1819} + 10'h1;
   // hls/stages/agreement.hpp:182
-  logic and_1872;
-  assign and_1872 = (and_1859_s2_q & select_1866) & ({{22{sum_1870[9]}}, sum_1870} < 32'h3);
-  logic and_1873;
-  assign and_1873 = not_438_s2_q & and_1872;
-  logic and_1879;
-  assign and_1879 = not_438_s2_q & (and_1872 & or_1877_s2_q);
+  logic and_1822;
+  assign and_1822 = (and_1809_s2_q & select_1816) & ({{22{sum_1820[9]}}, sum_1820} < 32'h3);
+  logic and_1823;
+  assign and_1823 = not_388_s2_q & and_1822;
+  logic and_1829;
+  assign and_1829 = not_388_s2_q & (and_1822 & or_1827_s2_q);
   // hls/stages/agreement.hpp:191
-  logic [8:0] select_1880;
-  assign select_1880 = less_437_s2_q ? 9'h0 : best_left_rdata_s2_q[8:0];
+  logic [8:0] select_1830;
+  assign select_1830 = less_387_s2_q ? 9'h0 : best_left_rdata_s2_q[8:0];
   logic [14:0] inside_v;
-  assign inside_v = or_430_s2_q ? {select_1880, and_1879, and_1873, and_1863_s2_q, and_1860, and_1856_s2_q, not_438_s2_q} : 15'h0;
+  assign inside_v = or_380_s2_q ? {select_1830, and_1829, and_1823, and_1813_s2_q, and_1810, and_1806_s2_q, not_388_s2_q} : 15'h0;
   // hls/stages/agreement.hpp:211
-  logic and_1882;
-  assign and_1882 = ends_cell_s2_q & inside_v[0];
-  logic and_1884;
-  assign and_1884 = not_1850 & (so_s2_q & and_1882);
+  logic and_1832;
+  assign and_1832 = ends_cell_s2_q & inside_v[0];
+  logic and_1834;
+  assign and_1834 = not_1800 & (so_s2_q & and_1832);
   // hls/stages/agreement.hpp:197
   logic right_2;
-  assign right_2 = inside_v[0] & less_1932_s2_q;
-  // hls/stages/agreement.hpp:191
-  logic [7:0] select_2012;
-  assign select_2012 = or_430_s2_q ? (less_437_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
-  logic [7:0] select_2014;
-  assign select_2014 = or_430_s2_q ? (less_437_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
-  // hls/stages/agreement.hpp:192
-  logic [4:0] select_2016;
-  assign select_2016 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
-  // hls/stages/registration.hpp:76
-  logic less_2106;
-  assign less_2106 = slot_s2_q < 3'h3;
-  // hls/stages/agreement.hpp:191
-  logic [7:0] select_2108;
-  assign select_2108 = or_430_s2_q ? (less_437_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
-  // hls/stages/registration.hpp:33
-  logic [8:0] rise;
-  assign rise = {1'b0, select_2012} - {1'b0, select_2014};
-  // hls/stages/registration.hpp:35
-  logic [7:0] select_2110;
-  assign select_2110 = rise[8] ? select_2012 : select_2014;
-  logic [8:0] difference_2111;
-  assign difference_2111 = {1'b0, select_2108} - {1'b0, select_2110};
-  // hls/stages/registration.hpp:36
-  logic [7:0] wide;
-  assign wide = difference_2111[8] ? 8'h0 : difference_2111[7:0];
-  // hls/stages/registration.hpp:37
-  logic not_2113;
-  assign not_2113 = ~registration_displacement_over_q[9];
-  // hls/stages/registration.hpp:39
-  logic [9:0] left;
-  assign left = less_2106 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_2113};
-  // hls/stages/registration.hpp:34
-  logic [7:0] xor_2115;
-  assign xor_2115 = rise[7:0] ^ {8{rise[8]}};
-  logic [8:0] size;
-  assign size = {8'h0, rise[8]} + {1'b0, xor_2115};
-  // hls/stages/registration.hpp:40
-  logic [8:0] taken;
-  assign taken = ~(({wide, 1'b0} < size) ? {wide, 1'b0} : size);
-  logic [7:0] select_2121;
-  assign select_2121 = registration_displacement_over_q[9] ? wide : (~wide);
-  logic [9:0] taken_2;
-  assign taken_2 = less_2106 ? {taken, 1'b1} : {not_2113, select_2121, not_2113};
-  // hls/stages/registration.hpp:42
-  logic [10:0] sum_2123;
-  assign sum_2123 = {left, 1'b1} + {taken_2, less_2106};
-  // hls/stages/registration.hpp:250
-  logic [7:0] select_2148;
-  assign select_2148 = select_1955_s2_q[0] ? sums_1_sum_sums_values_0_q : middle_sum_sum_sums_values_0_q;
-  logic [7:0] select_2149;
-  assign select_2149 = select_1955_s2_q[0] ? sums_0_sum_sums_values_0_q : sums_2_sum_sums_values_0_q;
-  logic [6:0] select_2151;
-  assign select_2151 = select_1955_s2_q[0] ? {4'h0, select_1788} : select_1827;
-  logic [7:0] select_2153;
-  assign select_2153 = select_1955_s2_q[1] ? {1'b0, select_2151} : (select_1955_s2_q[0] ? select_1781 : sums_3_sum_sums_values_0_q);
-  logic [7:0] select_2154;
-  assign select_2154 = select_1955_s2_q[2] ? (select_1955_s2_q[1] ? select_2148 : select_2149) : select_2153;
-  logic [7:0] select_2157;
-  assign select_2157 = select_1955_s2_q[0] ? sums_2_sum_sums_values_0_q : sums_1_sum_sums_values_0_q;
-  logic [7:0] select_2158;
-  assign select_2158 = select_1955_s2_q[0] ? sums_0_sum_sums_values_0_q : middle_sum_sum_sums_values_0_q;
-  logic [7:0] select_2160;
-  assign select_2160 = select_1955_s2_q[2] ? (select_1955_s2_q[1] ? select_2157 : select_2158) : select_2153;
-  logic [5:0] select_2161;
-  assign select_2161 = select_1955_s2_q[0] ? sums_3_columns_values_6_q : sums_3_columns_values_5_q;
-  logic [5:0] select_2162;
-  assign select_2162 = select_1955_s2_q[0] ? sums_3_columns_values_4_q : sums_3_columns_values_3_q;
-  logic [5:0] select_2163;
-  assign select_2163 = select_1955_s2_q[1] ? select_2161 : select_2162;
-  logic [5:0] select_2164;
-  assign select_2164 = select_1955_s2_q[0] ? sums_3_columns_values_2_q : sums_3_columns_values_1_q;
-  logic [7:0] select_2165;
-  assign select_2165 = select_1955_s2_q[0] ? {2'h0, sums_3_columns_values_0_q} : sums_2_sum_sums_values_0_q;
-  logic [7:0] select_2167;
-  assign select_2167 = select_1955_s2_q[2] ? {2'h0, select_2163} : (select_1955_s2_q[1] ? {2'h0, select_2164} : select_2165);
-  logic [5:0] select_2169;
-  assign select_2169 = select_1955_s2_q[0] ? sums_2_columns_values_6_q : sums_2_columns_values_5_q;
-  logic [5:0] select_2170;
-  assign select_2170 = select_1955_s2_q[0] ? sums_2_columns_values_4_q : sums_2_columns_values_3_q;
-  logic [5:0] select_2171;
-  assign select_2171 = select_1955_s2_q[1] ? select_2169 : select_2170;
-  logic [5:0] select_2172;
-  assign select_2172 = select_1955_s2_q[0] ? sums_2_columns_values_2_q : sums_2_columns_values_1_q;
-  logic [7:0] select_2173;
-  assign select_2173 = select_1955_s2_q[0] ? {2'h0, sums_2_columns_values_0_q} : sums_1_sum_sums_values_0_q;
-  logic [7:0] select_2175;
-  assign select_2175 = select_1955_s2_q[2] ? {2'h0, select_2171} : (select_1955_s2_q[1] ? {2'h0, select_2172} : select_2173);
-  logic [5:0] select_2176;
-  assign select_2176 = select_1955_s2_q[0] ? sums_1_columns_values_6_q : sums_1_columns_values_5_q;
-  logic [5:0] select_2177;
-  assign select_2177 = select_1955_s2_q[0] ? sums_1_columns_values_4_q : sums_1_columns_values_3_q;
-  logic [5:0] select_2178;
-  assign select_2178 = select_1955_s2_q[1] ? select_2176 : select_2177;
-  logic [5:0] select_2179;
-  assign select_2179 = select_1955_s2_q[0] ? sums_1_columns_values_2_q : sums_1_columns_values_1_q;
-  logic [7:0] select_2180;
-  assign select_2180 = select_1955_s2_q[0] ? {2'h0, sums_1_columns_values_0_q} : sums_0_sum_sums_values_0_q;
-  logic [7:0] select_2182;
-  assign select_2182 = select_1955_s2_q[2] ? {2'h0, select_2178} : (select_1955_s2_q[1] ? {2'h0, select_2179} : select_2180);
-  logic [7:0] select_2184;
-  assign select_2184 = select_1955_s2_q[4] ? (select_1955_s2_q[3] ? select_2160 : select_2167) : (select_1955_s2_q[3] ? select_2175 : select_2182);
-  logic [5:0] select_2186;
-  assign select_2186 = select_1955_s2_q[0] ? sums_0_columns_values_6_q : sums_0_columns_values_5_q;
-  logic [5:0] select_2187;
-  assign select_2187 = select_1955_s2_q[0] ? sums_0_columns_values_4_q : sums_0_columns_values_3_q;
-  logic [5:0] select_2188;
-  assign select_2188 = select_1955_s2_q[1] ? select_2186 : select_2187;
-  logic [5:0] select_2189;
-  assign select_2189 = select_1955_s2_q[0] ? sums_0_columns_values_2_q : sums_0_columns_values_1_q;
-  logic [7:0] select_2190;
-  assign select_2190 = select_1955_s2_q[0] ? {2'h0, sums_0_columns_values_0_q} : middle_sum_sum_sums_values_0_q;
-  logic [7:0] select_2192;
-  assign select_2192 = select_1955_s2_q[2] ? {2'h0, select_2188} : (select_1955_s2_q[1] ? {2'h0, select_2189} : select_2190);
-  logic [5:0] select_2193;
-  assign select_2193 = select_1955_s2_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
-  logic [5:0] select_2194;
-  assign select_2194 = select_1955_s2_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
-  logic [5:0] select_2196;
-  assign select_2196 = select_1955_s2_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
-  logic [5:0] select_2197;
-  assign select_2197 = select_1955_s2_q[0] ? middle_sum_columns_values_0_q : {5'h0, lower_half_s2_q};
-  logic [5:0] select_2199;
-  assign select_2199 = select_1955_s2_q[2] ? (select_1955_s2_q[1] ? select_2193 : select_2194) : (select_1955_s2_q[1] ? select_2196 : select_2197);
-  logic [7:0] select_2217;
-  assign select_2217 = select_1955_s2_q[4] ? (select_1955_s2_q[3] ? select_2192 : {2'h0, select_2199}) : select_2216_s2_q;
-  logic select_2557;
-  assign select_2557 = select_1955_s2_q[0] ? averager_running_of_skin_q : averager_running_mask_q;
-  logic select_2558;
-  assign select_2558 = select_1955_s2_q[1] ? (select_1955_s2_q[0] ? averager_of_skin_q : averager_mask_q) : select_2557;
-  logic [7:0] select_2576;
-  assign select_2576 = select_1955_s2_q[0] ? {4'h0, averager_running_1_q[11:8]} : averager_running_1_q[7:0];
-  logic [7:0] select_2579;
-  assign select_2579 = select_1955_s2_q[0] ? {4'h0, averager_running_0_q[11:8]} : averager_running_0_q[7:0];
-  logic [7:0] select_2593;
-  assign select_2593 = select_1955_s2_q[0] ? {7'h0, sample_pair_first_s2_q} : sample_pair_pixel_1_q;
-  logic [7:0] select_2597;
-  assign select_2597 = select_1955_s2_q[1] ? (select_1955_s2_q[0] ? sample_pair_pixel_0_q : 8'h0) : (select_1955_s2_q[0] ? 8'h0 : left_pixel_q);
-  logic [7:0] select_2598;
-  assign select_2598 = select_1955_s2_q[2] ? (select_1955_s2_q[1] ? {7'h0, select_2592_s2_q} : select_2593) : select_2597;
-  // hls/stages/agreement.hpp:197
+  assign right_2 = inside_v[0] & less_1882_s2_q;
   logic textured;
   assign textured = inside_v[0] & inside_v[2];
   // hls/stages/agreement.hpp:215
-  logic select_2812;
-  assign select_2812 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
-  logic select_2814;
-  assign select_2814 = sample_pair_whole_s2_q ? (and_407_s2_q ? select_422 : averager_mask_q) : averager_mask_q;
-  logic select_2816;
-  assign select_2816 = sample_pair_whole_s2_q ? (and_407_s2_q ? select_426 : averager_of_skin_q) : averager_of_skin_q;
+  logic select_2113;
+  assign select_2113 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
+  logic select_2115;
+  assign select_2115 = sample_pair_whole_s2_q ? (and_357_s2_q ? select_372 : averager_mask_q) : averager_mask_q;
+  logic select_2117;
+  assign select_2117 = sample_pair_whole_s2_q ? (and_357_s2_q ? select_376 : averager_of_skin_q) : averager_of_skin_q;
+  // hls/stages/registration.hpp:76
+  logic less_2502;
+  assign less_2502 = slot_s2_q < 3'h3;
+  // hls/stages/agreement.hpp:191
+  logic [7:0] select_2504;
+  assign select_2504 = or_380_s2_q ? (less_387_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
+  logic [7:0] select_2506;
+  assign select_2506 = or_380_s2_q ? (less_387_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
+  logic [7:0] select_2508;
+  assign select_2508 = or_380_s2_q ? (less_387_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
+  // hls/stages/registration.hpp:33
+  logic [8:0] rise;
+  assign rise = {1'b0, select_2506} - {1'b0, select_2508};
+  // hls/stages/registration.hpp:35
+  logic [7:0] select_2510;
+  assign select_2510 = rise[8] ? select_2506 : select_2508;
+  logic [8:0] difference_2511;
+  assign difference_2511 = {1'b0, select_2504} - {1'b0, select_2510};
+  // hls/stages/registration.hpp:36
+  logic [7:0] wide;
+  assign wide = difference_2511[8] ? 8'h0 : difference_2511[7:0];
+  // hls/stages/registration.hpp:37
+  logic not_2513;
+  assign not_2513 = ~registration_displacement_over_q[9];
+  // hls/stages/registration.hpp:39
+  logic [9:0] left;
+  assign left = less_2502 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_2513};
+  // hls/stages/registration.hpp:34
+  logic [7:0] xor_2515;
+  assign xor_2515 = rise[7:0] ^ {8{rise[8]}};
+  logic [8:0] size_3;
+  assign size_3 = {8'h0, rise[8]} + {1'b0, xor_2515};
+  // hls/stages/registration.hpp:40
+  logic [8:0] taken;
+  assign taken = ~(({wide, 1'b0} < size_3) ? {wide, 1'b0} : size_3);
+  logic [7:0] select_2521;
+  assign select_2521 = registration_displacement_over_q[9] ? wide : (~wide);
+  logic [9:0] taken_2;
+  assign taken_2 = less_2502 ? {taken, 1'b1} : {not_2513, select_2521, not_2513};
+  // hls/stages/registration.hpp:42
+  logic [10:0] sum_2523;
+  assign sum_2523 = {left, 1'b1} + {taken_2, less_2502};
+  // hls/stages/agreement.hpp:192
+  logic [4:0] select_2525;
+  assign select_2525 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
 
-  // Memory census_memory, 80 x 80 and parity, DISTANCE 16, hls/stages/census.hpp:254; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory census_memory, 80 x 78 and parity, DISTANCE 16, hls/stages/census.hpp:254; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [80:0] census_memory_mem [0:79];
+  logic [78:0] census_memory_mem [0:79];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 80; i++) census_memory_mem[i] = 81'h0;
+  initial for (int i = 0; i < 80; i++) census_memory_mem[i] = 79'h0;
 `endif
   logic [6:0] census_memory_raddr;
   assign census_memory_raddr = column_s2_q;
   logic census_memory_re;
-  assign census_memory_re = s2_en & and_409_s2_q;
-  logic [80:0] census_memory_word_q;
+  assign census_memory_re = s2_en & and_359_s2_q;
+  logic [78:0] census_memory_word_q;
   always_ff @(posedge clk_i) begin
     if (census_memory_re) census_memory_word_q <= census_memory_mem[census_memory_raddr];
   end
-  logic [79:0] census_memory_rdata_q;
-  assign census_memory_rdata_q = census_memory_word_q[79:0];
+  logic [77:0] census_memory_rdata_q;
+  assign census_memory_rdata_q = census_memory_word_q[77:0];
   logic census_memory_read_q, census_memory_error;
   always_ff @(posedge clk_i) census_memory_read_q <= rst_ni & census_memory_re;
   assign census_memory_error = census_memory_read_q & ^census_memory_word_q;
@@ -2424,7 +2165,7 @@ module horopter_agreement (
   logic [6:0] shown_right_raddr;
   assign shown_right_raddr = x_s2_q[6:0];
   logic shown_right_re;
-  assign shown_right_re = s2_en & and_1884;
+  assign shown_right_re = s2_en & and_1834;
   logic [2:0] shown_right_word_q;
   always_ff @(posedge clk_i) begin
     if (shown_right_re) shown_right_word_q <= shown_right_mem[shown_right_raddr];
@@ -2445,7 +2186,7 @@ module horopter_agreement (
   logic [6:0] seen_columns_raddr;
   assign seen_columns_raddr = x_s2_q[6:0];
   logic seen_columns_re;
-  assign seen_columns_re = s2_en & and_1884;
+  assign seen_columns_re = s2_en & and_1834;
   logic [18:0] seen_columns_word_q;
   always_ff @(posedge clk_i) begin
     if (seen_columns_re) seen_columns_word_q <= seen_columns_mem[seen_columns_raddr];
@@ -2458,11 +2199,11 @@ module horopter_agreement (
 
   // Memory averager_memory, write
   logic [8:0] averager_memory_waddr;
-  assign averager_memory_waddr = select_376_s2_q;
+  assign averager_memory_waddr = select_326_s2_q;
   logic averager_memory_we;
-  assign averager_memory_we = s2_en & and_384_s2_q;
+  assign averager_memory_we = s2_en & and_334_s2_q;
   logic [25:0] averager_memory_wdata;
-  assign averager_memory_wdata = {and_403, and_399, sum_395, sum_391};
+  assign averager_memory_wdata = {and_353, and_349, sum_345, sum_341};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {^averager_memory_wdata, averager_memory_wdata};
   end
@@ -2482,9 +2223,9 @@ module horopter_agreement (
   logic [6:0] best_left_waddr;
   assign best_left_waddr = x_s2_2_q;
   logic best_left_we;
-  assign best_left_we = s2_en & and_1833_s2_q;
+  assign best_left_we = s2_en & and_1783_s2_q;
   logic [45:0] best_left_wdata;
-  assign best_left_wdata = {select_1832, select_1831, select_1804, select_1798, select_1790, select_1789, select_1785};
+  assign best_left_wdata = {select_1782, select_1781, select_1754, select_1748, select_1740, select_1739, select_1735};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (best_left_we) best_left_mem[best_left_waddr] <= {^best_left_wdata, best_left_wdata};
   end
@@ -2517,9 +2258,9 @@ module horopter_agreement (
   logic [6:0] best_right_waddr;
   assign best_right_waddr = right_s2_q;
   logic best_right_we;
-  assign best_right_we = s2_en & and_1833_s2_q;
+  assign best_right_we = s2_en & and_1783_s2_q;
   logic [28:0] best_right_wdata;
-  assign best_right_wdata = {select_1848, select_1847, select_1844, select_1843};
+  assign best_right_wdata = {select_1798, select_1797, select_1794, select_1793};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (best_right_we) best_right_mem[best_right_waddr] <= {^best_right_wdata, best_right_wdata};
   end
@@ -2539,7 +2280,7 @@ module horopter_agreement (
     if (!rst_ni) begin
       sample_pair_pixel_0_q <= 8'h0;
       sample_pair_pixel_1_q <= 8'h0;
-      averager_running_mask_q <= 1'b0;
+      sample_of_skin_q <= 1'b0;
       averager_running_of_skin_q <= 1'b0;
       averager_mask_q <= 1'b0;
       averager_of_skin_q <= 1'b0;
@@ -2548,33 +2289,30 @@ module horopter_agreement (
     end else if (s2_en) begin
       sample_pair_pixel_0_q <= pixel_0_s2_q;
       sample_pair_pixel_1_q <= pixel_1_s2_q;
-      averager_running_mask_q <= sample_pair_whole_s2_q ? whole : averager_running_mask_q;
-      averager_running_of_skin_q <= select_2812;
-      averager_mask_q <= select_2814;
-      averager_of_skin_q <= select_2816;
-      registration_displacement_over_q <= so_s2_q ? sum_2123[10:1] : registration_displacement_over_q;
-      registration_displacement_fraction_q <= select_2016;
+      sample_of_skin_q <= mask_s2_q;
+      averager_running_of_skin_q <= select_2113;
+      averager_mask_q <= select_2115;
+      averager_of_skin_q <= select_2117;
+      registration_displacement_over_q <= so_s2_q ? sum_2523[10:1] : registration_displacement_over_q;
+      registration_displacement_fraction_q <= select_2525;
     end
   end
 
   // Not reset: nothing of it counts before it is written anew.
 `ifndef SYNTHESIS
   initial begin
-    left_pixel_q = 8'h0;
     averager_running_0_q = 12'h0;
     averager_running_1_q = 12'h0;
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s2_en) begin
-      left_pixel_q <= left_pixel_q;
-      averager_running_0_q <= sample_pair_whole_s2_q ? select_387 : averager_running_0_q;
-      averager_running_1_q <= sample_pair_whole_s2_q ? sum_393 : averager_running_1_q;
+      averager_running_0_q <= sample_pair_whole_s2_q ? select_337 : averager_running_0_q;
+      averager_running_1_q <= sample_pair_whole_s2_q ? sum_343 : averager_running_1_q;
     end
   end
 
   logic saturated_s3_q;
-  logic mask_s3_q;
   logic marks_first_s3_q;
   logic marks_last_s3_q;
   logic sample_pair_whole_s3_q;
@@ -2584,52 +2322,36 @@ module horopter_agreement (
   logic ends_cell_s3_q;
   logic lower_half_s3_q;
   logic [6:0] column_s3_q;
-  logic and_407_s3_q;
-  logic and_409_s3_q;
+  logic and_357_s3_q;
+  logic and_359_s3_q;
   logic [8:0] grey_s3_q;
-  logic equal_412_s3_q;
+  logic equal_362_s3_q;
   logic [8:0] grey_2_s3_q;
   logic whole_2_s3_q;
-  logic and_427_s3_q;
+  logic and_377_s3_q;
   logic so_s3_q;
-  logic equal_467_s3_q;
-  logic equal_470_s3_q;
-  logic select_472_s3_q;
-  logic equal_1849_s3_q;
-  logic not_1850_s3_q;
+  logic equal_420_s3_q;
+  logic equal_1799_s3_q;
+  logic not_1800_s3_q;
   logic [13:0] inside_v_s3_q;
-  logic and_1884_s3_q;
-  logic [6:0] select_1888_s3_q;
-  logic and_1893_s3_q;
-  logic [1:0] sum_1900_s3_q;
+  logic and_1834_s3_q;
+  logic [6:0] select_1838_s3_q;
+  logic and_1843_s3_q;
   logic right_2_s3_q;
-  logic equal_1948_s3_q;
-  logic [8:0] select_1955_s3_q;
-  logic and_1985_s3_q;
-  logic and_2006_s3_q;
-  logic less_2015_s3_q;
-  logic [7:0] select_2155_s3_q;
-  logic [7:0] select_2184_s3_q;
-  logic [7:0] select_2217_s3_q;
-  logic [7:0] select_2270_s3_q;
-  logic select_2558_s3_q;
-  logic [7:0] select_2559_s3_q;
-  logic [7:0] select_2576_s3_q;
-  logic [7:0] select_2583_s3_q;
-  logic [7:0] select_2599_s3_q;
-  logic equal_2620_s3_q;
+  logic equal_1922_s3_q;
   logic textured_s3_q;
-  logic and_2758_s3_q;
-  logic equal_2945_s3_q;
-  logic equal_2999_s3_q;
-  logic and_3188_s3_q;
-  logic and_3190_s3_q;
-  logic less_3296_s3_q;
-  logic equal_3493_s3_q;
+  logic and_2060_s3_q;
+  logic equal_2200_s3_q;
+  logic equal_2321_s3_q;
+  logic and_2556_s3_q;
+  logic less_2561_s3_q;
+  logic and_2627_s3_q;
+  logic and_2629_s3_q;
+  logic less_2736_s3_q;
+  logic equal_2943_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       saturated_s3_q <= saturated_s2_q;
-      mask_s3_q <= mask_s2_q;
       marks_first_s3_q <= marks_first_s2_q;
       marks_last_s3_q <= marks_last_s2_q;
       sample_pair_whole_s3_q <= sample_pair_whole_s2_q;
@@ -2639,68 +2361,45 @@ module horopter_agreement (
       ends_cell_s3_q <= ends_cell_s2_q;
       lower_half_s3_q <= lower_half_s2_q;
       column_s3_q <= column_s2_q;
-      and_407_s3_q <= and_407_s2_q;
-      and_409_s3_q <= and_409_s2_q;
+      and_357_s3_q <= and_357_s2_q;
+      and_359_s3_q <= and_359_s2_q;
       grey_s3_q <= grey;
-      equal_412_s3_q <= equal_412_s2_q;
+      equal_362_s3_q <= equal_362_s2_q;
       grey_2_s3_q <= grey_2;
       whole_2_s3_q <= whole_2;
-      and_427_s3_q <= sample_pair_whole_s2_q & select_426;
+      and_377_s3_q <= sample_pair_whole_s2_q & select_376;
       so_s3_q <= so_s2_q;
-      equal_467_s3_q <= equal_467_s2_q;
-      equal_470_s3_q <= equal_470_s2_q;
-      select_472_s3_q <= select_472_s2_q;
-      equal_1849_s3_q <= equal_1849_s2_q;
-      not_1850_s3_q <= not_1850;
+      equal_420_s3_q <= equal_420_s2_q;
+      equal_1799_s3_q <= equal_1799_s2_q;
+      not_1800_s3_q <= not_1800;
       inside_v_s3_q <= {inside_v[14:3], inside_v[1:0]};
-      and_1884_s3_q <= and_1884;
-      select_1888_s3_q <= select_1888_s2_q;
-      and_1893_s3_q <= not_1850 & (so_s2_q ? and_1882 : (equal_429_s2_q & inside_v[4]));
-      sum_1900_s3_q <= sum_1900_s2_q;
+      and_1834_s3_q <= and_1834;
+      select_1838_s3_q <= select_1838_s2_q;
+      and_1843_s3_q <= not_1800 & (so_s2_q ? and_1832 : (equal_379_s2_q & inside_v[4]));
       right_2_s3_q <= right_2;
-      equal_1948_s3_q <= equal_1948_s2_q;
-      select_1955_s3_q <= select_1955_s2_q;
-      and_1985_s3_q <= and_1985_s2_q;
-      and_2006_s3_q <= inside_v[4] & less_2005_s2_q;
-      less_2015_s3_q <= select_2012 < select_2014;
-      select_2155_s3_q <= select_1955_s2_q[3] ? sums_3_sum_sums_values_0_q : select_2154;
-      select_2184_s3_q <= select_2184;
-      select_2217_s3_q <= select_2217;
-      select_2270_s3_q <= select_2270_s2_q;
-      select_2558_s3_q <= select_2558;
-      select_2559_s3_q <= select_2559_s2_q;
-      select_2576_s3_q <= select_2576;
-      select_2583_s3_q <= select_1955_s2_q[2] ? select_2579 : select_2582_s2_q;
-      select_2599_s3_q <= select_1955_s2_q[3] ? {1'b0, select_2591_s2_q} : select_2598;
-      equal_2620_s3_q <= equal_2620_s2_q;
+      equal_1922_s3_q <= equal_1922_s2_q;
       textured_s3_q <= textured;
-      and_2758_s3_q <= not_1850 & and_2757_s2_q;
-      equal_2945_s3_q <= equal_2945_s2_q;
-      equal_2999_s3_q <= equal_2999_s2_q;
-      and_3188_s3_q <= and_3188_s2_q;
-      and_3190_s3_q <= and_3190_s2_q;
-      less_3296_s3_q <= less_3296_s2_q;
-      equal_3493_s3_q <= equal_3493_s2_q;
+      and_2060_s3_q <= not_1800 & and_2059_s2_q;
+      equal_2200_s3_q <= equal_2200_s2_q;
+      equal_2321_s3_q <= equal_2321_s2_q;
+      and_2556_s3_q <= inside_v[4] & less_2555_s2_q;
+      less_2561_s3_q <= select_2506 < select_2508;
+      and_2627_s3_q <= and_2627_s2_q;
+      and_2629_s3_q <= and_2629_s2_q;
+      less_2736_s3_q <= less_2736_s2_q;
+      equal_2943_s3_q <= equal_2943_s2_q;
     end
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
-  logic [8:0] averager_quarter_1_0_q;
-  logic [8:0] averager_quarter_1_1_q;
-  logic [8:0] averager_quarter_2_0_q;
-  logic [8:0] averager_quarter_2_1_q;
   logic [10:0] averager_total_0_q;
   logic [10:0] averager_total_1_q;
-  logic [13:0] averager_detail_0_q;
-  logic [13:0] averager_detail_1_q;
   logic [8:0] census_columns_values_0_cell_0_left_q;
   logic [8:0] census_columns_values_0_cell_0_right_q;
   logic census_columns_values_0_cell_0_mask_q;
-  logic census_columns_values_0_cell_0_of_skin_q;
   logic [8:0] census_columns_values_0_cell_1_left_q;
   logic [8:0] census_columns_values_0_cell_1_right_q;
   logic census_columns_values_0_cell_1_mask_q;
-  logic census_columns_values_0_cell_1_of_skin_q;
   logic [8:0] census_columns_values_0_cell_2_left_q;
   logic [8:0] census_columns_values_0_cell_2_right_q;
   logic census_columns_values_0_cell_2_mask_q;
@@ -2708,19 +2407,15 @@ module horopter_agreement (
   logic [8:0] census_columns_values_0_cell_3_left_q;
   logic [8:0] census_columns_values_0_cell_3_right_q;
   logic census_columns_values_0_cell_3_mask_q;
-  logic census_columns_values_0_cell_3_of_skin_q;
   logic [8:0] census_columns_values_0_cell_4_left_q;
   logic [8:0] census_columns_values_0_cell_4_right_q;
   logic census_columns_values_0_cell_4_mask_q;
-  logic census_columns_values_0_cell_4_of_skin_q;
   logic [8:0] census_columns_values_1_cell_0_left_q;
   logic [8:0] census_columns_values_1_cell_0_right_q;
   logic census_columns_values_1_cell_0_mask_q;
-  logic census_columns_values_1_cell_0_of_skin_q;
   logic [8:0] census_columns_values_1_cell_1_left_q;
   logic [8:0] census_columns_values_1_cell_1_right_q;
   logic census_columns_values_1_cell_1_mask_q;
-  logic census_columns_values_1_cell_1_of_skin_q;
   logic [8:0] census_columns_values_1_cell_2_left_q;
   logic [8:0] census_columns_values_1_cell_2_right_q;
   logic census_columns_values_1_cell_2_mask_q;
@@ -2728,81 +2423,41 @@ module horopter_agreement (
   logic [8:0] census_columns_values_1_cell_3_left_q;
   logic [8:0] census_columns_values_1_cell_3_right_q;
   logic census_columns_values_1_cell_3_mask_q;
-  logic census_columns_values_1_cell_3_of_skin_q;
   logic [8:0] census_columns_values_1_cell_4_left_q;
   logic [8:0] census_columns_values_1_cell_4_right_q;
   logic census_columns_values_1_cell_4_mask_q;
-  logic census_columns_values_1_cell_4_of_skin_q;
   logic [8:0] census_columns_values_2_cell_0_left_q;
   logic [8:0] census_columns_values_2_cell_0_right_q;
   logic census_columns_values_2_cell_0_mask_q;
-  logic census_columns_values_2_cell_0_of_skin_q;
   logic [8:0] census_columns_values_2_cell_1_left_q;
   logic [8:0] census_columns_values_2_cell_1_right_q;
   logic census_columns_values_2_cell_1_mask_q;
-  logic census_columns_values_2_cell_1_of_skin_q;
   logic [8:0] census_columns_values_2_cell_2_left_q;
   logic [8:0] census_columns_values_2_cell_2_right_q;
   logic census_columns_values_2_cell_2_mask_q;
-  logic census_columns_values_2_cell_2_of_skin_q;
   logic [8:0] census_columns_values_2_cell_3_left_q;
   logic [8:0] census_columns_values_2_cell_3_right_q;
   logic census_columns_values_2_cell_3_mask_q;
-  logic census_columns_values_2_cell_3_of_skin_q;
   logic [8:0] census_columns_values_2_cell_4_left_q;
   logic [8:0] census_columns_values_2_cell_4_right_q;
   logic census_columns_values_2_cell_4_mask_q;
-  logic census_columns_values_2_cell_4_of_skin_q;
-  logic [8:0] census_columns_values_3_cell_0_left_q;
-  logic [8:0] census_columns_values_3_cell_0_right_q;
   logic census_columns_values_3_cell_0_mask_q;
-  logic census_columns_values_3_cell_0_of_skin_q;
   logic [8:0] census_columns_values_3_cell_1_left_q;
   logic [8:0] census_columns_values_3_cell_1_right_q;
   logic census_columns_values_3_cell_1_mask_q;
-  logic census_columns_values_3_cell_1_of_skin_q;
-  logic [8:0] census_columns_values_3_cell_2_left_q;
-  logic [8:0] census_columns_values_3_cell_2_right_q;
   logic census_columns_values_3_cell_2_mask_q;
-  logic census_columns_values_3_cell_2_of_skin_q;
   logic [8:0] census_columns_values_3_cell_3_left_q;
   logic [8:0] census_columns_values_3_cell_3_right_q;
   logic census_columns_values_3_cell_3_mask_q;
-  logic census_columns_values_3_cell_3_of_skin_q;
-  logic [8:0] census_columns_values_3_cell_4_left_q;
-  logic [8:0] census_columns_values_3_cell_4_right_q;
   logic census_columns_values_3_cell_4_mask_q;
-  logic census_columns_values_3_cell_4_of_skin_q;
-  logic [8:0] census_columns_values_4_cell_0_left_q;
-  logic [8:0] census_columns_values_4_cell_0_right_q;
-  logic census_columns_values_4_cell_0_mask_q;
-  logic census_columns_values_4_cell_0_of_skin_q;
-  logic [8:0] census_columns_values_4_cell_1_left_q;
-  logic [8:0] census_columns_values_4_cell_1_right_q;
-  logic census_columns_values_4_cell_1_mask_q;
-  logic census_columns_values_4_cell_1_of_skin_q;
-  logic [8:0] census_columns_values_4_cell_2_left_q;
-  logic [8:0] census_columns_values_4_cell_2_right_q;
-  logic census_columns_values_4_cell_2_mask_q;
-  logic census_columns_values_4_cell_2_of_skin_q;
-  logic [8:0] census_columns_values_4_cell_3_left_q;
-  logic [8:0] census_columns_values_4_cell_3_right_q;
-  logic census_columns_values_4_cell_3_mask_q;
-  logic census_columns_values_4_cell_3_of_skin_q;
-  logic [8:0] census_columns_values_4_cell_4_left_q;
-  logic [8:0] census_columns_values_4_cell_4_right_q;
-  logic census_columns_values_4_cell_4_mask_q;
-  logic census_columns_values_4_cell_4_of_skin_q;
-  logic sharpness_last_valid_q;
+  logic [3:0] census_filled_q;
   logic [8:0] sharpness_last_mean_0_q;
   logic [8:0] sharpness_last_mean_1_q;
-  logic sharpness_last_mask_q;
-  logic sharpness_last_of_skin_q;
-  logic [23:0] sharpness_sums_contrast_0_q;
-  logic [23:0] sharpness_sums_contrast_1_q;
+  logic [4:0] rows_passed_above_q;
   logic [7:0] registration_slope_here_q;
   logic registration_of_right_q;
   logic registration_was_inside_q;
+  logic [3:0] registration_fresh_q;
   logic [23:0] registration_slope_row_q;
   logic [27:0] registration_slope_change_q;
   logic [27:0] registration_slope_q;
@@ -2870,74 +2525,88 @@ module horopter_agreement (
   logic [12:0] seen_base_q;
   // hls/stages/census.hpp:127
   logic [10:0] total;
-  assign total = {2'h0, grey_s3_q} + (equal_412_s3_q ? 11'h0 : averager_total_0_q);
+  assign total = {2'h0, grey_s3_q} + (equal_362_s3_q ? 11'h0 : averager_total_0_q);
   // hls/stages/agreement.hpp:215
-  logic [8:0] select_415;
-  assign select_415 = sample_pair_whole_s3_q ? total[10:2] : 9'h0;
+  logic [8:0] select_365;
+  assign select_365 = sample_pair_whole_s3_q ? total[10:2] : 9'h0;
   // hls/stages/census.hpp:127
   logic [10:0] total_2;
-  assign total_2 = {2'h0, grey_2_s3_q} + (equal_412_s3_q ? 11'h0 : averager_total_1_q);
+  assign total_2 = {2'h0, grey_2_s3_q} + (equal_362_s3_q ? 11'h0 : averager_total_1_q);
   // hls/stages/agreement.hpp:215
-  logic [8:0] select_419;
-  assign select_419 = sample_pair_whole_s3_q ? total_2[10:2] : 9'h0;
+  logic [8:0] select_369;
+  assign select_369 = sample_pair_whole_s3_q ? total_2[10:2] : 9'h0;
   // hls/stages/census.hpp:214
-  logic less_443;
-  assign less_443 = census_memory_rdata_q[8:0] < census_columns_values_1_cell_2_left_q;
-  logic less_444;
-  assign less_444 = census_memory_rdata_q[48:40] < census_columns_values_1_cell_2_left_q;
-  logic less_445;
-  assign less_445 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_446;
-  assign less_446 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_447;
-  assign less_447 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_448;
-  assign less_448 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_449;
-  assign less_449 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_450;
-  assign less_450 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_451;
-  assign less_451 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_452;
-  assign less_452 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_453;
-  assign less_453 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_454;
-  assign less_454 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_393;
+  assign less_393 = census_memory_rdata_q[8:0] < census_columns_values_1_cell_2_left_q;
+  logic less_394;
+  assign less_394 = census_memory_rdata_q[48:40] < census_columns_values_1_cell_2_left_q;
+  logic less_395;
+  assign less_395 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_396;
+  assign less_396 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_397;
+  assign less_397 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_398;
+  assign less_398 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_399;
+  assign less_399 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_400;
+  assign less_400 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_401;
+  assign less_401 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_402;
+  assign less_402 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_403;
+  assign less_403 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_404;
+  assign less_404 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
   // hls/stages/census.hpp:215
-  logic less_455;
-  assign less_455 = census_memory_rdata_q[17:9] < census_columns_values_1_cell_2_right_q;
-  logic less_456;
-  assign less_456 = census_memory_rdata_q[57:49] < census_columns_values_1_cell_2_right_q;
-  logic less_457;
-  assign less_457 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_458;
-  assign less_458 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_459;
-  assign less_459 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_460;
-  assign less_460 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_461;
-  assign less_461 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_462;
-  assign less_462 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_463;
-  assign less_463 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_464;
-  assign less_464 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_465;
-  assign less_465 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_466;
-  assign less_466 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_405;
+  assign less_405 = census_memory_rdata_q[17:9] < census_columns_values_1_cell_2_right_q;
+  logic less_406;
+  assign less_406 = census_memory_rdata_q[57:49] < census_columns_values_1_cell_2_right_q;
+  logic less_407;
+  assign less_407 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_408;
+  assign less_408 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_409;
+  assign less_409 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_410;
+  assign less_410 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_411;
+  assign less_411 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_412;
+  assign less_412 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_413;
+  assign less_413 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_414;
+  assign less_414 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_415;
+  assign less_415 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_416;
+  assign less_416 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  // hls/stages/agreement.hpp:309
+  logic equal_417;
+  assign equal_417 = column_s3_q == 7'h0;
+  logic [3:0] select_421;
+  assign select_421 = equal_420_s3_q ? 4'h0 : rows_passed_above_q[3:0];
+  // hls/stages/agreement.hpp:310
+  logic [4:0] select_422;
+  assign select_422 = equal_417 ? {select_421, 1'b1} : rows_passed_above_q;
+  // hls/stages/census.hpp:196
+  logic [3:0] select_423;
+  assign select_423 = equal_417 ? 4'h0 : census_filled_q;
+  // hls/stages/census.hpp:219
+  logic and_424;
+  assign and_424 = select_422[4] & select_423[3];
   // hls/stages/census.hpp:206
-  logic and_476;
-  assign and_476 = census_memory_rdata_q[38] & (census_memory_rdata_q[18] & whole_2_s3_q);
-  logic and_478;
-  assign and_478 = census_memory_rdata_q[78] & (census_memory_rdata_q[58] & and_476);
+  logic and_426;
+  assign and_426 = census_memory_rdata_q[38] & (census_memory_rdata_q[18] & whole_2_s3_q);
+  logic and_428;
+  assign and_428 = census_memory_rdata_q[77] & (census_memory_rdata_q[58] & and_426);
   // hls/stages/agreement.hpp:310
   logic whole_3;
-  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_478;
+  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_428;
   logic whole_4;
   assign whole_4 = census_columns_values_0_cell_1_mask_q & whole_3;
   logic whole_5;
@@ -2977,49 +2646,49 @@ module horopter_agreement (
   logic whole_22;
   assign whole_22 = census_columns_values_3_cell_4_mask_q & whole_21;
   // hls/stages/census.hpp:190
-  logic [9:0] difference_501;
-  assign difference_501 = {1'b0, select_415} - {1'b0, census_columns_values_0_cell_0_left_q};
-  logic [8:0] xor_502;
-  assign xor_502 = difference_501[8:0] ^ {9{difference_501[9]}};
-  logic [9:0] sum_503;
-  assign sum_503 = {9'h0, difference_501[9]} + {1'b0, xor_502};
-  logic [9:0] difference_504;
-  assign difference_504 = {1'b0, census_memory_rdata_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
-  logic [8:0] xor_505;
-  assign xor_505 = difference_504[8:0] ^ {9{difference_504[9]}};
-  logic [9:0] sum_506;
-  assign sum_506 = {9'h0, difference_504[9]} + {1'b0, xor_505};
-  logic [9:0] difference_508;
-  assign difference_508 = {1'b0, census_memory_rdata_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
-  logic [8:0] xor_509;
-  assign xor_509 = difference_508[8:0] ^ {9{difference_508[9]}};
-  logic [9:0] sum_510;
-  assign sum_510 = {9'h0, difference_508[9]} + {1'b0, xor_509};
-  logic [10:0] sum_511;
-  assign sum_511 = ({1'b0, sum_503} + {1'b0, sum_506}) + {1'b0, sum_510};
-  logic [9:0] difference_512;
-  assign difference_512 = {1'b0, census_memory_rdata_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
-  logic [8:0] xor_513;
-  assign xor_513 = difference_512[8:0] ^ {9{difference_512[9]}};
-  logic [9:0] sum_514;
-  assign sum_514 = {9'h0, difference_512[9]} + {1'b0, xor_513};
-  logic [9:0] difference_516;
-  assign difference_516 = {1'b0, census_memory_rdata_q[68:60]} - {1'b0, census_columns_values_0_cell_4_left_q};
-  logic [8:0] xor_517;
-  assign xor_517 = difference_516[8:0] ^ {9{difference_516[9]}};
-  logic [9:0] sum_518;
-  assign sum_518 = {9'h0, difference_516[9]} + {1'b0, xor_517};
+  logic [9:0] difference_451;
+  assign difference_451 = {1'b0, select_365} - {1'b0, census_columns_values_0_cell_0_left_q};
+  logic [8:0] xor_452;
+  assign xor_452 = difference_451[8:0] ^ {9{difference_451[9]}};
+  logic [9:0] sum_453;
+  assign sum_453 = {9'h0, difference_451[9]} + {1'b0, xor_452};
+  logic [9:0] difference_454;
+  assign difference_454 = {1'b0, census_memory_rdata_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
+  logic [8:0] xor_455;
+  assign xor_455 = difference_454[8:0] ^ {9{difference_454[9]}};
+  logic [9:0] sum_456;
+  assign sum_456 = {9'h0, difference_454[9]} + {1'b0, xor_455};
+  logic [9:0] difference_458;
+  assign difference_458 = {1'b0, census_memory_rdata_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
+  logic [8:0] xor_459;
+  assign xor_459 = difference_458[8:0] ^ {9{difference_458[9]}};
+  logic [9:0] sum_460;
+  assign sum_460 = {9'h0, difference_458[9]} + {1'b0, xor_459};
+  logic [10:0] sum_461;
+  assign sum_461 = ({1'b0, sum_453} + {1'b0, sum_456}) + {1'b0, sum_460};
+  logic [9:0] difference_462;
+  assign difference_462 = {1'b0, census_memory_rdata_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
+  logic [8:0] xor_463;
+  assign xor_463 = difference_462[8:0] ^ {9{difference_462[9]}};
+  logic [9:0] sum_464;
+  assign sum_464 = {9'h0, difference_462[9]} + {1'b0, xor_463};
+  logic [9:0] difference_466;
+  assign difference_466 = {1'b0, census_memory_rdata_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
+  logic [8:0] xor_467;
+  assign xor_467 = difference_466[8:0] ^ {9{difference_466[9]}};
+  logic [9:0] sum_468;
+  assign sum_468 = {9'h0, difference_466[9]} + {1'b0, xor_467};
   logic [11:0] texture;
-  assign texture = ({1'b0, sum_511} + {2'h0, sum_514}) + {2'h0, sum_518};
+  assign texture = ({1'b0, sum_461} + {2'h0, sum_464}) + {2'h0, sum_468};
   // hls/stages/agreement.hpp:139
-  logic not_1889;
-  assign not_1889 = ~so_s3_q;
+  logic not_1839;
+  assign not_1839 = ~so_s3_q;
   // hls/stages/agreement.hpp:211
-  logic and_1890;
-  assign and_1890 = not_1889 & inside_v_s3_q[4];
+  logic and_1840;
+  assign and_1840 = not_1839 & inside_v_s3_q[4];
   // hls/stages/agreement.hpp:859
-  logic equal_1894;
-  assign equal_1894 = x_s3_q[6:4] == 3'h7;
+  logic equal_1844;
+  assign equal_1844 = x_s3_q[6:4] == 3'h7;
   // hls/stages/agreement.hpp:899
   logic [1:0] quarter;
   assign quarter = x_s3_q[1:0] + 2'h1;
@@ -3027,1167 +2696,730 @@ module horopter_agreement (
   logic all;
   assign all = x_s3_q[5:3] == 3'h4;
   // hls/stages/agreement.hpp:860
-  logic [1:0] select_1897;
-  assign select_1897 = x_s3_q[4] ? {x_s3_q[3], x_s3_q[0]} : {x_s3_q[0], x_s3_q[3]};
+  logic [1:0] select_1847;
+  assign select_1847 = x_s3_q[4] ? {x_s3_q[3], x_s3_q[0]} : {x_s3_q[0], x_s3_q[3]};
   // hls/stages/agreement.hpp:872
-  logic [3:0] select_1899;
-  assign select_1899 = equal_1894 ? {2'h0, quarter} : (all ? {1'b0, x_s3_q[2:0]} : {x_s3_q[2:1], select_1897});
+  logic [3:0] select_1849;
+  assign select_1849 = equal_1844 ? {2'h0, quarter} : (all ? {1'b0, x_s3_q[2:0]} : {x_s3_q[2:1], select_1847});
+  // hls/stages/registration.hpp:106
+  logic [1:0] sum_1850;
+  assign sum_1850 = slot_s3_q[1:0] + 2'h3;
   // hls/stages/agreement.hpp:211
-  logic [3:0] select_1901;
-  assign select_1901 = equal_1849_s3_q ? select_1899 : {sum_1900_s3_q, lower_half_s3_q, registration_of_right_q};
+  logic [3:0] select_1851;
+  assign select_1851 = equal_1799_s3_q ? select_1849 : {sum_1850, lower_half_s3_q, registration_of_right_q};
   // hls/stages/agreement.hpp:897
-  logic equal_1902;
-  assign equal_1902 = x_s3_q[5:0] == 6'h3e;
-  logic equal_1904;
-  assign equal_1904 = x_s3_q[5:0] == 6'h3d;
-  logic equal_1906;
-  assign equal_1906 = x_s3_q[5:0] == 6'h3c;
-  logic equal_1908;
-  assign equal_1908 = x_s3_q[5:0] == 6'h3b;
-  logic equal_1910;
-  assign equal_1910 = x_s3_q[5:0] == 6'h36;
-  logic equal_1912;
-  assign equal_1912 = x_s3_q[5:0] == 6'h35;
-  logic equal_1914;
-  assign equal_1914 = x_s3_q[5:0] == 6'h34;
+  logic equal_1852;
+  assign equal_1852 = x_s3_q[5:0] == 6'h3e;
+  logic equal_1854;
+  assign equal_1854 = x_s3_q[5:0] == 6'h3d;
+  logic equal_1856;
+  assign equal_1856 = x_s3_q[5:0] == 6'h3c;
+  logic equal_1858;
+  assign equal_1858 = x_s3_q[5:0] == 6'h3b;
+  logic equal_1860;
+  assign equal_1860 = x_s3_q[5:0] == 6'h36;
+  logic equal_1862;
+  assign equal_1862 = x_s3_q[5:0] == 6'h35;
+  logic equal_1864;
+  assign equal_1864 = x_s3_q[5:0] == 6'h34;
   // hls/stages/agreement.hpp:899
-  logic and_1918;
-  assign and_1918 = (~equal_1908) & ((~equal_1910) & ((~equal_1912) & (~equal_1914)));
+  logic and_1868;
+  assign and_1868 = (~equal_1858) & ((~equal_1860) & ((~equal_1862) & (~equal_1864)));
   // hls/stages/agreement.hpp:860
-  logic less_1922;
-  assign less_1922 = x_s3_q[5:0] < 6'h29;
+  logic less_1872;
+  assign less_1872 = x_s3_q[5:0] < 6'h29;
   // hls/stages/registration.hpp:140
   logic [1:0] kind;
   assign kind = all ? {1'b0, x_s3_q[2]} : x_s3_q[2:1];
   // hls/stages/registration.hpp:152
-  logic or_1926;
-  assign or_1926 = (kind == 2'h3) | (x_s3_q[5:3] == 3'h5);
+  logic or_1876;
+  assign or_1876 = (kind == 2'h3) | (x_s3_q[5:3] == 3'h5);
   // hls/stages/agreement.hpp:872
-  logic select_1929;
-  assign select_1929 = equal_1894 ? ((~equal_1902) & ((~equal_1904) & ((~equal_1906) & and_1918))) : (less_1922 & (~or_1926));
+  logic select_1879;
+  assign select_1879 = equal_1844 ? ((~equal_1852) & ((~equal_1854) & ((~equal_1856) & and_1868))) : (less_1872 & (~or_1876));
   // hls/stages/registration.hpp:94
   logic half_ends;
   assign half_ends = inside_v_s3_q[0] ? (right_2_s3_q & (~registration_of_right_q)) : registration_was_inside_q;
   // hls/stages/registration.hpp:106
-  logic [4:0] sum_1937;
-  assign sum_1937 = {2'h0, slot_s3_q} + 5'h1f;
-  logic and_1939;
-  assign and_1939 = half_ends & ({{3{sum_1937[4]}}, sum_1937} < 8'h3);
+  logic [4:0] sum_1887;
+  assign sum_1887 = {2'h0, slot_s3_q} + 5'h1f;
+  logic and_1889;
+  assign and_1889 = half_ends & ({{3{sum_1887[4]}}, sum_1887} < 8'h3);
   // hls/stages/agreement.hpp:211
-  logic and_1940;
-  assign and_1940 = so_s3_q & and_1939;
+  logic and_1890;
+  assign and_1890 = so_s3_q & and_1889;
+  // hls/stages/registration.hpp:243
+  logic not_1893;
+  assign not_1893 = ~lower_half_s3_q;
+  logic [3:0] select_1894;
+  assign select_1894 = registration_of_right_q ? {lower_half_s3_q, 1'b0, not_1893, 1'b0} : {1'b0, lower_half_s3_q, 1'b0, not_1893};
   // hls/stages/agreement.hpp:143
-  logic or_1956;
-  assign or_1956 = segment_starts_q | not_1889;
-  // hls/stages/registration.hpp:250
-  logic [7:0] select_1962;
-  assign select_1962 = select_1955_s3_q[0] ? {8{region_down_next_q[8]}} : region_down_next_q[7:0];
-  // hls/stages/division.hpp:34
-  logic [7:0] sum_1963;
-  assign sum_1963 = region_down_rest_q[8:1] + 8'h3;
-  // hls/stages/division.hpp:35
-  logic [8:0] sum_1964;
-  assign sum_1964 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
-  // hls/stages/division.hpp:36
-  logic [8:0] select_1965;
-  assign select_1965 = sum_1963[7] ? {1'b1, sum_1963[6:0], region_down_rest_q[0]} : sum_1964;
-  // hls/stages/registration.hpp:250
-  logic [7:0] select_1967;
-  assign select_1967 = select_1955_s3_q[1] ? select_1962 : (select_1955_s3_q[0] ? {8{select_1965[8]}} : select_1965[7:0]);
-  logic [5:0] select_1968;
-  assign select_1968 = select_1955_s3_q[0] ? {6{region_down_back_q[6]}} : region_down_back_q[5:0];
-  logic [7:0] select_1969;
-  assign select_1969 = select_1955_s3_q[0] ? {8{region_down_rest_q[8]}} : region_down_rest_q[7:0];
-  logic [7:0] select_1970;
-  assign select_1970 = select_1955_s3_q[1] ? {{2{region_down_back_q[6]}}, select_1968} : select_1969;
-  logic [6:0] select_1973;
-  assign select_1973 = select_1955_s3_q[0] ? {7{columns_begin_back_q[7]}} : columns_begin_back_q[6:0];
-  logic [7:0] select_1974;
-  assign select_1974 = select_1955_s3_q[0] ? {8{columns_begin_rest_q[8]}} : columns_begin_rest_q[7:0];
-  logic [7:0] select_1975;
-  assign select_1975 = select_1955_s3_q[1] ? {columns_begin_back_q[7], select_1973} : select_1974;
-  logic [7:0] select_1977;
-  assign select_1977 = select_1955_s3_q[0] ? {8{region_across_next_q[8]}} : region_across_next_q[7:0];
-  // hls/stages/division.hpp:34
-  logic [5:0] sum_1978;
-  assign sum_1978 = region_across_rest_q[8:3] + 6'h1;
-  // hls/stages/division.hpp:35
-  logic [8:0] sum_1979;
-  assign sum_1979 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
-  // hls/stages/division.hpp:36
-  logic [8:0] select_1980;
-  assign select_1980 = sum_1978[5] ? {1'b1, sum_1978[4:0], region_across_rest_q[2:0]} : sum_1979;
-  // hls/stages/registration.hpp:250
-  logic [7:0] select_1982;
-  assign select_1982 = select_1955_s3_q[1] ? select_1977 : (select_1955_s3_q[0] ? {8{select_1980[8]}} : select_1980[7:0]);
-  // hls/stages/agreement.hpp:143
-  logic [7:0] select_1983;
-  assign select_1983 = so_s3_q ? region_across_back_q : columns_begin_back_q;
-  // hls/stages/registration.hpp:250
-  logic [6:0] select_1984;
-  assign select_1984 = select_1955_s3_q[0] ? {7{select_1983[7]}} : select_1983[6:0];
-  // hls/stages/agreement.hpp:143
-  logic [8:0] select_1987;
-  assign select_1987 = so_s3_q ? (and_1985_s3_q ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
-  // hls/stages/registration.hpp:250
-  logic [7:0] select_1989;
-  assign select_1989 = select_1955_s3_q[1] ? {select_1983[7], select_1984} : (select_1955_s3_q[0] ? {8{select_1987[8]}} : select_1987[7:0]);
-  logic [7:0] select_1991;
-  assign select_1991 = select_1955_s3_q[3] ? (select_1955_s3_q[2] ? 8'h0 : select_1975) : (select_1955_s3_q[2] ? select_1982 : select_1989);
-  // hls/stages/agreement.hpp:143
-  logic [7:0] select_1993;
-  assign select_1993 = so_s3_q ? region_columns_q : 8'h1;
-  // hls/stages/agreement.hpp:131
-  logic [2:0] sum_1994;
-  assign sum_1994 = region_row_q + 3'h1;
-  // hls/stages/registration.hpp:250
-  logic [2:0] select_1995;
-  assign select_1995 = select_1955_s3_q[0] ? next_region_row_q : sum_1994;
-  logic [2:0] select_1998;
-  assign select_1998 = select_1955_s3_q[1] ? (select_1955_s3_q[0] ? region_row_q : 3'h0) : 3'h0;
-  logic [7:0] select_1999;
-  assign select_1999 = select_1955_s3_q[2] ? (select_1955_s3_q[1] ? select_1993 : {5'h0, select_1995}) : {5'h0, select_1998};
-  logic and_2003;
-  assign and_2003 = (select_1955_s3_q[0] ? shown_nearer_q : shown_shown_q) & (~select_1955_s3_q[1]);
-  // hls/stages/registration.hpp:83
-  logic equal_2004;
-  assign equal_2004 = slot_s3_q == 3'h7;
-  // hls/stages/registration.hpp:45
-  logic [1:0] sum_2010;
-  assign sum_2010 = inside_v_s3_q[13:12] + 2'h3;
-  // hls/stages/registration.hpp:47
-  logic [7:0] difference_2017;
-  assign difference_2017 = {sum_2010, inside_v_s3_q[11], 5'h0} - {3'h0, registration_displacement_fraction_q};
-  // hls/stages/registration.hpp:101
-  logic [7:0] select_2018;
-  assign select_2018 = less_2015_s3_q ? difference_2017 : {sum_2010, inside_v_s3_q[11], registration_displacement_fraction_q};
-  logic [7:0] select_2019;
-  assign select_2019 = ((inside_v_s3_q[13:11] == 3'h0) | (inside_v_s3_q[13:11] == 3'h4)) ? {sum_2010, inside_v_s3_q[11], 5'h0} : select_2018;
-  // hls/stages/registration.hpp:206
-  logic [16:0] select_2021;
-  assign select_2021 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
-  logic [7:0] change;
-  assign change = ($signed(10'h0) < $signed(select_2021[16:7])) ? 8'h7f : select_2021[7:0];
-  // hls/stages/registration.hpp:89
-  logic [7:0] a;
-  assign a = equal_2004 ? registration_slope_here_q : change;
-  // hls/stages/registration.hpp:199
-  logic [6:0] select_2025;
-  assign select_2025 = inside_v_s3_q[5] ? a[7:1] : 7'h0;
-  logic [7:0] select_2026;
-  assign select_2026 = inside_v_s3_q[6] ? a : 8'h0;
-  logic [8:0] sum_2027;
-  assign sum_2027 = {{2{select_2025[6]}}, select_2025} + {select_2026[7], select_2026};
-  // hls/stages/registration.hpp:200
-  logic [7:0] select_2028;
-  assign select_2028 = inside_v_s3_q[7] ? a : 8'h0;
-  logic [7:0] select_2029;
-  assign select_2029 = inside_v_s3_q[8] ? a : 8'h0;
-  logic [8:0] sum_2030;
-  assign sum_2030 = {{2{select_2028[7]}}, select_2028[7:1]} + {select_2029[7], select_2029};
-  // hls/stages/registration.hpp:202
-  logic [10:0] sum_2031;
-  assign sum_2031 = {{3{sum_2027[8]}}, sum_2027[8:1]} + {sum_2030[8], sum_2030, select_2028[0]};
-  // hls/stages/registration.hpp:201
-  logic [7:0] select_2032;
-  assign select_2032 = inside_v_s3_q[9] ? a : 8'h0;
-  logic [7:0] select_2033;
-  assign select_2033 = inside_v_s3_q[10] ? a : 8'h0;
-  logic [8:0] difference_2034;
-  assign difference_2034 = {{2{select_2032[7]}}, select_2032[7:1]} - {select_2033[7], select_2033};
-  // hls/stages/registration.hpp:202
-  logic [9:0] sum_2035;
-  assign sum_2035 = {difference_2034, select_2032[0]} + {sum_2031[10], sum_2031[10:2]};
-  // hls/stages/registration.hpp:101
-  logic [11:0] value;
-  assign value = {{4{select_2019[7]}}, select_2019} - {sum_2035[9], sum_2035, sum_2031[1]};
-  // hls/stages/registration.hpp:206
-  logic [11:0] select_2038;
-  assign select_2038 = ($signed(value[11:7]) < $signed(5'h1f)) ? 12'hf80 : value;
-  logic [11:0] residual;
-  assign residual = ($signed(5'h0) < $signed(select_2038[11:7])) ? 12'h7f : select_2038;
-  // hls/stages/registration.hpp:250
-  logic [7:0] select_2076;
-  assign select_2076 = select_1955_s3_q[0] ? {{4{registration_slope_q[27]}}, registration_slope_q[27:24]} : registration_slope_q[23:16];
-  logic [7:0] select_2077;
-  assign select_2077 = select_1955_s3_q[0] ? registration_slope_q[15:8] : registration_slope_q[7:0];
-  logic [7:0] select_2082;
-  assign select_2082 = select_1955_s3_q[0] ? {{4{registration_slope_change_q[27]}}, registration_slope_change_q[27:24]} : registration_slope_change_q[23:16];
-  logic [7:0] select_2083;
-  assign select_2083 = select_1955_s3_q[0] ? registration_slope_change_q[15:8] : registration_slope_change_q[7:0];
-  logic [7:0] select_2085;
-  assign select_2085 = select_1955_s3_q[0] ? {{4{registration_slope_row_q[23]}}, registration_slope_row_q[23:20]} : registration_slope_row_q[19:12];
-  logic [7:0] select_2086;
-  assign select_2086 = select_1955_s3_q[0] ? registration_slope_row_q[11:4] : {registration_slope_row_q[3:0], 4'h0};
-  logic [7:0] select_2088;
-  assign select_2088 = select_1955_s3_q[2] ? (select_1955_s3_q[1] ? select_2082 : select_2083) : (select_1955_s3_q[1] ? select_2085 : select_2086);
-  // hls/stages/registration.hpp:106
-  logic select_2089;
-  assign select_2089 = equal_2004 ? inside_v_s3_q[0] : registration_was_inside_q;
-  // hls/stages/registration.hpp:96
-  logic [12:0] sum_2098;
-  assign sum_2098 = {registration_slope_q[27], registration_slope_q[27:16]} + {{5{sum_2035[9]}}, sum_2035[9:2]};
-  // hls/stages/registration.hpp:206
-  logic [7:0] select_2101;
-  assign select_2101 = ($signed(sum_2098[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_2098[7:0];
-  // hls/stages/registration.hpp:106
-  logic [7:0] select_2103;
-  assign select_2103 = equal_2004 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_2098[12:7])) ? 8'h7f : select_2101);
-  // hls/stages/registration.hpp:250
-  logic [7:0] select_2125;
-  assign select_2125 = select_1955_s3_q[0] ? {6'h0, registration_displacement_over_q[9:8]} : registration_displacement_over_q[7:0];
-  logic [7:0] select_2126;
-  assign select_2126 = select_1955_s3_q[1] ? {3'h0, registration_displacement_fraction_q} : select_2125;
-  // hls/stages/census.hpp:328
-  logic less_2273;
-  assign less_2273 = x_s3_q[4:0] < 5'h3;
-  logic not_2274;
-  assign not_2274 = ~x_s3_q[1];
-  logic [2:0] select_2275;
-  assign select_2275 = x_s3_q[0] ? {1'b0, not_2274, 1'b0} : {x_s3_q[1], 1'b0, not_2274};
-  logic [5:0] select_2276;
-  assign select_2276 = slot_s3_q[2] ? {select_2275[2], 1'b0, select_2275[1], 1'b0, select_2275[0], 1'b0} : {1'b0, select_2275[2], 1'b0, select_2275[1], 1'b0, select_2275[0]};
-  logic [11:0] select_2277;
-  assign select_2277 = slot_s3_q[1] ? {select_2276[5], 1'b0, select_2276[4], 1'b0, select_2276[3], 1'b0, select_2276[2], 1'b0, select_2276[1], 1'b0, select_2276[0], 1'b0} : {1'b0, select_2276[5], 1'b0, select_2276[4], 1'b0, select_2276[3], 1'b0, select_2276[2], 1'b0, select_2276[1], 1'b0, select_2276[0]};
-  logic [23:0] select_2278;
-  assign select_2278 = slot_s3_q[0] ? {select_2277[11], 1'b0, select_2277[10], 1'b0, select_2277[9], 1'b0, select_2277[8], 1'b0, select_2277[7], 1'b0, select_2277[6], 1'b0, select_2277[5], 1'b0, select_2277[4], 1'b0, select_2277[3], 1'b0, select_2277[2], 1'b0, select_2277[1], 1'b0, select_2277[0], 1'b0} : {1'b0, select_2277[11], 1'b0, select_2277[10], 1'b0, select_2277[9], 1'b0, select_2277[8], 1'b0, select_2277[7], 1'b0, select_2277[6], 1'b0, select_2277[5], 1'b0, select_2277[4], 1'b0, select_2277[3], 1'b0, select_2277[2], 1'b0, select_2277[1], 1'b0, select_2277[0]};
-  // hls/stages/census.hpp:291
-  logic and_2282;
-  assign and_2282 = less_2273 & (~((sharpness_sums_contrast_0_q & select_2278) == 24'h0));
-  logic and_2292;
-  assign and_2292 = less_2273 & (~((sharpness_sums_contrast_1_q & select_2278) == 24'h0));
-  // hls/stages/registration.hpp:250
-  logic select_2379;
-  assign select_2379 = select_1955_s3_q[0] ? sharpness_last_of_skin_q : sharpness_last_mask_q;
-  logic [7:0] select_2380;
-  assign select_2380 = select_1955_s3_q[0] ? {7'h0, sharpness_last_mean_1_q[8]} : sharpness_last_mean_1_q[7:0];
-  logic [7:0] select_2382;
-  assign select_2382 = select_1955_s3_q[0] ? {7'h0, sharpness_last_mean_0_q[8]} : sharpness_last_mean_0_q[7:0];
-  logic [7:0] select_2383;
-  assign select_2383 = select_1955_s3_q[1] ? select_2382 : {7'h0, sharpness_last_valid_q};
-  logic [7:0] select_2384;
-  assign select_2384 = select_1955_s3_q[2] ? (select_1955_s3_q[1] ? {7'h0, select_2379} : select_2380) : select_2383;
-  logic select_2406;
-  assign select_2406 = select_1955_s3_q[0] ? census_columns_values_4_cell_4_of_skin_q : census_columns_values_4_cell_4_mask_q;
-  logic [7:0] select_2407;
-  assign select_2407 = select_1955_s3_q[0] ? {7'h0, census_columns_values_4_cell_4_right_q[8]} : census_columns_values_4_cell_4_right_q[7:0];
-  logic [7:0] select_2409;
-  assign select_2409 = select_1955_s3_q[0] ? {7'h0, census_columns_values_4_cell_4_left_q[8]} : census_columns_values_4_cell_4_left_q[7:0];
-  logic select_2410;
-  assign select_2410 = select_1955_s3_q[0] ? census_columns_values_4_cell_3_of_skin_q : census_columns_values_4_cell_3_mask_q;
-  logic [7:0] select_2412;
-  assign select_2412 = select_1955_s3_q[2] ? (select_1955_s3_q[1] ? {7'h0, select_2406} : select_2407) : (select_1955_s3_q[1] ? select_2409 : {7'h0, select_2410});
-  logic [7:0] select_2416;
-  assign select_2416 = select_1955_s3_q[0] ? {7'h0, census_columns_values_4_cell_3_right_q[8]} : census_columns_values_4_cell_3_right_q[7:0];
-  logic [7:0] select_2417;
-  assign select_2417 = select_1955_s3_q[0] ? {7'h0, census_columns_values_4_cell_3_left_q[8]} : census_columns_values_4_cell_3_left_q[7:0];
-  logic select_2419;
-  assign select_2419 = select_1955_s3_q[0] ? census_columns_values_4_cell_2_of_skin_q : census_columns_values_4_cell_2_mask_q;
-  logic [7:0] select_2420;
-  assign select_2420 = select_1955_s3_q[0] ? {7'h0, census_columns_values_4_cell_2_right_q[8]} : census_columns_values_4_cell_2_right_q[7:0];
-  logic [7:0] select_2422;
-  assign select_2422 = select_1955_s3_q[2] ? (select_1955_s3_q[1] ? select_2416 : select_2417) : (select_1955_s3_q[1] ? {7'h0, select_2419} : select_2420);
-  logic [7:0] select_2423;
-  assign select_2423 = select_1955_s3_q[0] ? {7'h0, census_columns_values_4_cell_2_left_q[8]} : census_columns_values_4_cell_2_left_q[7:0];
-  logic select_2424;
-  assign select_2424 = select_1955_s3_q[0] ? census_columns_values_4_cell_1_of_skin_q : census_columns_values_4_cell_1_mask_q;
-  logic [7:0] select_2426;
-  assign select_2426 = select_1955_s3_q[0] ? {7'h0, census_columns_values_4_cell_1_right_q[8]} : census_columns_values_4_cell_1_right_q[7:0];
-  logic [7:0] select_2427;
-  assign select_2427 = select_1955_s3_q[0] ? {7'h0, census_columns_values_4_cell_1_left_q[8]} : census_columns_values_4_cell_1_left_q[7:0];
-  logic [7:0] select_2429;
-  assign select_2429 = select_1955_s3_q[2] ? (select_1955_s3_q[1] ? select_2423 : {7'h0, select_2424}) : (select_1955_s3_q[1] ? select_2426 : select_2427);
-  logic select_2431;
-  assign select_2431 = select_1955_s3_q[0] ? census_columns_values_4_cell_0_of_skin_q : census_columns_values_4_cell_0_mask_q;
-  logic [7:0] select_2432;
-  assign select_2432 = select_1955_s3_q[0] ? {7'h0, census_columns_values_4_cell_0_right_q[8]} : census_columns_values_4_cell_0_right_q[7:0];
-  logic [7:0] select_2434;
-  assign select_2434 = select_1955_s3_q[0] ? {7'h0, census_columns_values_4_cell_0_left_q[8]} : census_columns_values_4_cell_0_left_q[7:0];
-  logic select_2435;
-  assign select_2435 = select_1955_s3_q[0] ? census_columns_values_3_cell_4_of_skin_q : census_columns_values_3_cell_4_mask_q;
-  logic [7:0] select_2437;
-  assign select_2437 = select_1955_s3_q[2] ? (select_1955_s3_q[1] ? {7'h0, select_2431} : select_2432) : (select_1955_s3_q[1] ? select_2434 : {7'h0, select_2435});
-  logic [7:0] select_2438;
-  assign select_2438 = select_1955_s3_q[0] ? {7'h0, census_columns_values_3_cell_4_right_q[8]} : census_columns_values_3_cell_4_right_q[7:0];
-  logic [7:0] select_2439;
-  assign select_2439 = select_1955_s3_q[0] ? {7'h0, census_columns_values_3_cell_4_left_q[8]} : census_columns_values_3_cell_4_left_q[7:0];
-  logic select_2441;
-  assign select_2441 = select_1955_s3_q[0] ? census_columns_values_3_cell_3_of_skin_q : census_columns_values_3_cell_3_mask_q;
-  logic [7:0] select_2442;
-  assign select_2442 = select_1955_s3_q[0] ? {7'h0, census_columns_values_3_cell_3_right_q[8]} : census_columns_values_3_cell_3_right_q[7:0];
-  logic [7:0] select_2444;
-  assign select_2444 = select_1955_s3_q[2] ? (select_1955_s3_q[1] ? select_2438 : select_2439) : (select_1955_s3_q[1] ? {7'h0, select_2441} : select_2442);
-  logic [7:0] select_2446;
-  assign select_2446 = select_1955_s3_q[4] ? (select_1955_s3_q[3] ? select_2422 : select_2429) : (select_1955_s3_q[3] ? select_2437 : select_2444);
-  logic [7:0] select_2447;
-  assign select_2447 = select_1955_s3_q[0] ? {7'h0, census_columns_values_3_cell_3_left_q[8]} : census_columns_values_3_cell_3_left_q[7:0];
-  logic select_2448;
-  assign select_2448 = select_1955_s3_q[0] ? census_columns_values_3_cell_2_of_skin_q : census_columns_values_3_cell_2_mask_q;
-  logic [7:0] select_2450;
-  assign select_2450 = select_1955_s3_q[0] ? {7'h0, census_columns_values_3_cell_2_right_q[8]} : census_columns_values_3_cell_2_right_q[7:0];
-  logic [7:0] select_2451;
-  assign select_2451 = select_1955_s3_q[0] ? {7'h0, census_columns_values_3_cell_2_left_q[8]} : census_columns_values_3_cell_2_left_q[7:0];
-  logic [7:0] select_2453;
-  assign select_2453 = select_1955_s3_q[2] ? (select_1955_s3_q[1] ? select_2447 : {7'h0, select_2448}) : (select_1955_s3_q[1] ? select_2450 : select_2451);
-  logic select_2454;
-  assign select_2454 = select_1955_s3_q[0] ? census_columns_values_3_cell_1_of_skin_q : census_columns_values_3_cell_1_mask_q;
-  logic [7:0] select_2455;
-  assign select_2455 = select_1955_s3_q[0] ? {7'h0, census_columns_values_3_cell_1_right_q[8]} : census_columns_values_3_cell_1_right_q[7:0];
-  logic [7:0] select_2457;
-  assign select_2457 = select_1955_s3_q[0] ? {7'h0, census_columns_values_3_cell_1_left_q[8]} : census_columns_values_3_cell_1_left_q[7:0];
-  logic select_2458;
-  assign select_2458 = select_1955_s3_q[0] ? census_columns_values_3_cell_0_of_skin_q : census_columns_values_3_cell_0_mask_q;
-  logic [7:0] select_2460;
-  assign select_2460 = select_1955_s3_q[2] ? (select_1955_s3_q[1] ? {7'h0, select_2454} : select_2455) : (select_1955_s3_q[1] ? select_2457 : {7'h0, select_2458});
-  logic [7:0] select_2462;
-  assign select_2462 = select_1955_s3_q[0] ? {7'h0, census_columns_values_3_cell_0_right_q[8]} : census_columns_values_3_cell_0_right_q[7:0];
-  logic [7:0] select_2463;
-  assign select_2463 = select_1955_s3_q[0] ? {7'h0, census_columns_values_3_cell_0_left_q[8]} : census_columns_values_3_cell_0_left_q[7:0];
-  logic select_2465;
-  assign select_2465 = select_1955_s3_q[0] ? census_columns_values_2_cell_4_of_skin_q : census_columns_values_2_cell_4_mask_q;
-  logic [7:0] select_2466;
-  assign select_2466 = select_1955_s3_q[0] ? {7'h0, census_columns_values_2_cell_4_right_q[8]} : census_columns_values_2_cell_4_right_q[7:0];
-  logic [7:0] select_2468;
-  assign select_2468 = select_1955_s3_q[2] ? (select_1955_s3_q[1] ? select_2462 : select_2463) : (select_1955_s3_q[1] ? {7'h0, select_2465} : select_2466);
-  logic [7:0] select_2469;
-  assign select_2469 = select_1955_s3_q[0] ? {7'h0, census_columns_values_2_cell_4_left_q[8]} : census_columns_values_2_cell_4_left_q[7:0];
-  logic select_2470;
-  assign select_2470 = select_1955_s3_q[0] ? census_columns_values_2_cell_3_of_skin_q : census_columns_values_2_cell_3_mask_q;
-  logic [7:0] select_2472;
-  assign select_2472 = select_1955_s3_q[0] ? {7'h0, census_columns_values_2_cell_3_right_q[8]} : census_columns_values_2_cell_3_right_q[7:0];
-  logic [7:0] select_2473;
-  assign select_2473 = select_1955_s3_q[0] ? {7'h0, census_columns_values_2_cell_3_left_q[8]} : census_columns_values_2_cell_3_left_q[7:0];
-  logic [7:0] select_2475;
-  assign select_2475 = select_1955_s3_q[2] ? (select_1955_s3_q[1] ? select_2469 : {7'h0, select_2470}) : (select_1955_s3_q[1] ? select_2472 : select_2473);
-  logic [7:0] select_2477;
-  assign select_2477 = select_1955_s3_q[4] ? (select_1955_s3_q[3] ? select_2453 : select_2460) : (select_1955_s3_q[3] ? select_2468 : select_2475);
-  logic select_2480;
-  assign select_2480 = select_1955_s3_q[0] ? census_columns_values_2_cell_2_of_skin_q : census_columns_values_2_cell_2_mask_q;
-  logic [7:0] select_2481;
-  assign select_2481 = select_1955_s3_q[0] ? {7'h0, census_columns_values_2_cell_2_right_q[8]} : census_columns_values_2_cell_2_right_q[7:0];
-  logic [7:0] select_2483;
-  assign select_2483 = select_1955_s3_q[0] ? {7'h0, census_columns_values_2_cell_2_left_q[8]} : census_columns_values_2_cell_2_left_q[7:0];
-  logic select_2484;
-  assign select_2484 = select_1955_s3_q[0] ? census_columns_values_2_cell_1_of_skin_q : census_columns_values_2_cell_1_mask_q;
-  logic [7:0] select_2486;
-  assign select_2486 = select_1955_s3_q[2] ? (select_1955_s3_q[1] ? {7'h0, select_2480} : select_2481) : (select_1955_s3_q[1] ? select_2483 : {7'h0, select_2484});
-  logic [7:0] select_2487;
-  assign select_2487 = select_1955_s3_q[0] ? {7'h0, census_columns_values_2_cell_1_right_q[8]} : census_columns_values_2_cell_1_right_q[7:0];
-  logic [7:0] select_2488;
-  assign select_2488 = select_1955_s3_q[0] ? {7'h0, census_columns_values_2_cell_1_left_q[8]} : census_columns_values_2_cell_1_left_q[7:0];
-  logic select_2490;
-  assign select_2490 = select_1955_s3_q[0] ? census_columns_values_2_cell_0_of_skin_q : census_columns_values_2_cell_0_mask_q;
-  logic [7:0] select_2491;
-  assign select_2491 = select_1955_s3_q[0] ? {7'h0, census_columns_values_2_cell_0_right_q[8]} : census_columns_values_2_cell_0_right_q[7:0];
-  logic [7:0] select_2493;
-  assign select_2493 = select_1955_s3_q[2] ? (select_1955_s3_q[1] ? select_2487 : select_2488) : (select_1955_s3_q[1] ? {7'h0, select_2490} : select_2491);
-  logic [7:0] select_2495;
-  assign select_2495 = select_1955_s3_q[0] ? {7'h0, census_columns_values_2_cell_0_left_q[8]} : census_columns_values_2_cell_0_left_q[7:0];
-  logic select_2496;
-  assign select_2496 = select_1955_s3_q[0] ? census_columns_values_1_cell_4_of_skin_q : census_columns_values_1_cell_4_mask_q;
-  logic [7:0] select_2498;
-  assign select_2498 = select_1955_s3_q[0] ? {7'h0, census_columns_values_1_cell_4_right_q[8]} : census_columns_values_1_cell_4_right_q[7:0];
-  logic [7:0] select_2499;
-  assign select_2499 = select_1955_s3_q[0] ? {7'h0, census_columns_values_1_cell_4_left_q[8]} : census_columns_values_1_cell_4_left_q[7:0];
-  logic [7:0] select_2501;
-  assign select_2501 = select_1955_s3_q[2] ? (select_1955_s3_q[1] ? select_2495 : {7'h0, select_2496}) : (select_1955_s3_q[1] ? select_2498 : select_2499);
-  logic select_2502;
-  assign select_2502 = select_1955_s3_q[0] ? census_columns_values_1_cell_3_of_skin_q : census_columns_values_1_cell_3_mask_q;
-  logic [7:0] select_2503;
-  assign select_2503 = select_1955_s3_q[0] ? {7'h0, census_columns_values_1_cell_3_right_q[8]} : census_columns_values_1_cell_3_right_q[7:0];
-  logic [7:0] select_2505;
-  assign select_2505 = select_1955_s3_q[0] ? {7'h0, census_columns_values_1_cell_3_left_q[8]} : census_columns_values_1_cell_3_left_q[7:0];
-  logic select_2506;
-  assign select_2506 = select_1955_s3_q[0] ? census_columns_values_1_cell_2_of_skin_q : census_columns_values_1_cell_2_mask_q;
-  logic [7:0] select_2508;
-  assign select_2508 = select_1955_s3_q[2] ? (select_1955_s3_q[1] ? {7'h0, select_2502} : select_2503) : (select_1955_s3_q[1] ? select_2505 : {7'h0, select_2506});
-  logic [7:0] select_2510;
-  assign select_2510 = select_1955_s3_q[4] ? (select_1955_s3_q[3] ? select_2486 : select_2493) : (select_1955_s3_q[3] ? select_2501 : select_2508);
-  logic [7:0] select_2511;
-  assign select_2511 = select_1955_s3_q[0] ? {7'h0, census_columns_values_1_cell_2_right_q[8]} : census_columns_values_1_cell_2_right_q[7:0];
-  logic [7:0] select_2512;
-  assign select_2512 = select_1955_s3_q[0] ? {7'h0, census_columns_values_1_cell_2_left_q[8]} : census_columns_values_1_cell_2_left_q[7:0];
-  logic select_2514;
-  assign select_2514 = select_1955_s3_q[0] ? census_columns_values_1_cell_1_of_skin_q : census_columns_values_1_cell_1_mask_q;
-  logic [7:0] select_2515;
-  assign select_2515 = select_1955_s3_q[0] ? {7'h0, census_columns_values_1_cell_1_right_q[8]} : census_columns_values_1_cell_1_right_q[7:0];
-  logic [7:0] select_2517;
-  assign select_2517 = select_1955_s3_q[2] ? (select_1955_s3_q[1] ? select_2511 : select_2512) : (select_1955_s3_q[1] ? {7'h0, select_2514} : select_2515);
-  logic [7:0] select_2518;
-  assign select_2518 = select_1955_s3_q[0] ? {7'h0, census_columns_values_1_cell_1_left_q[8]} : census_columns_values_1_cell_1_left_q[7:0];
-  logic select_2519;
-  assign select_2519 = select_1955_s3_q[0] ? census_columns_values_1_cell_0_of_skin_q : census_columns_values_1_cell_0_mask_q;
-  logic [7:0] select_2521;
-  assign select_2521 = select_1955_s3_q[0] ? {7'h0, census_columns_values_1_cell_0_right_q[8]} : census_columns_values_1_cell_0_right_q[7:0];
-  logic [7:0] select_2522;
-  assign select_2522 = select_1955_s3_q[0] ? {7'h0, census_columns_values_1_cell_0_left_q[8]} : census_columns_values_1_cell_0_left_q[7:0];
-  logic [7:0] select_2524;
-  assign select_2524 = select_1955_s3_q[2] ? (select_1955_s3_q[1] ? select_2518 : {7'h0, select_2519}) : (select_1955_s3_q[1] ? select_2521 : select_2522);
-  logic select_2526;
-  assign select_2526 = select_1955_s3_q[0] ? census_columns_values_0_cell_4_of_skin_q : census_columns_values_0_cell_4_mask_q;
-  logic [7:0] select_2527;
-  assign select_2527 = select_1955_s3_q[0] ? {7'h0, census_columns_values_0_cell_4_right_q[8]} : census_columns_values_0_cell_4_right_q[7:0];
-  logic [7:0] select_2529;
-  assign select_2529 = select_1955_s3_q[0] ? {7'h0, census_columns_values_0_cell_4_left_q[8]} : census_columns_values_0_cell_4_left_q[7:0];
-  logic select_2530;
-  assign select_2530 = select_1955_s3_q[0] ? census_columns_values_0_cell_3_of_skin_q : census_columns_values_0_cell_3_mask_q;
-  logic [7:0] select_2532;
-  assign select_2532 = select_1955_s3_q[2] ? (select_1955_s3_q[1] ? {7'h0, select_2526} : select_2527) : (select_1955_s3_q[1] ? select_2529 : {7'h0, select_2530});
-  logic [7:0] select_2533;
-  assign select_2533 = select_1955_s3_q[0] ? {7'h0, census_columns_values_0_cell_3_right_q[8]} : census_columns_values_0_cell_3_right_q[7:0];
-  logic [7:0] select_2534;
-  assign select_2534 = select_1955_s3_q[0] ? {7'h0, census_columns_values_0_cell_3_left_q[8]} : census_columns_values_0_cell_3_left_q[7:0];
-  logic select_2536;
-  assign select_2536 = select_1955_s3_q[0] ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_0_cell_2_mask_q;
-  logic [7:0] select_2537;
-  assign select_2537 = select_1955_s3_q[0] ? {7'h0, census_columns_values_0_cell_2_right_q[8]} : census_columns_values_0_cell_2_right_q[7:0];
-  logic [7:0] select_2539;
-  assign select_2539 = select_1955_s3_q[2] ? (select_1955_s3_q[1] ? select_2533 : select_2534) : (select_1955_s3_q[1] ? {7'h0, select_2536} : select_2537);
-  logic [7:0] select_2541;
-  assign select_2541 = select_1955_s3_q[4] ? (select_1955_s3_q[3] ? select_2517 : select_2524) : (select_1955_s3_q[3] ? select_2532 : select_2539);
-  logic [7:0] select_2543;
-  assign select_2543 = select_1955_s3_q[0] ? {7'h0, census_columns_values_0_cell_2_left_q[8]} : census_columns_values_0_cell_2_left_q[7:0];
-  logic select_2544;
-  assign select_2544 = select_1955_s3_q[0] ? census_columns_values_0_cell_1_of_skin_q : census_columns_values_0_cell_1_mask_q;
-  logic [7:0] select_2546;
-  assign select_2546 = select_1955_s3_q[0] ? {7'h0, census_columns_values_0_cell_1_right_q[8]} : census_columns_values_0_cell_1_right_q[7:0];
-  logic [7:0] select_2547;
-  assign select_2547 = select_1955_s3_q[0] ? {7'h0, census_columns_values_0_cell_1_left_q[8]} : census_columns_values_0_cell_1_left_q[7:0];
-  logic [7:0] select_2549;
-  assign select_2549 = select_1955_s3_q[2] ? (select_1955_s3_q[1] ? select_2543 : {7'h0, select_2544}) : (select_1955_s3_q[1] ? select_2546 : select_2547);
-  logic select_2550;
-  assign select_2550 = select_1955_s3_q[0] ? census_columns_values_0_cell_0_of_skin_q : census_columns_values_0_cell_0_mask_q;
-  logic [7:0] select_2551;
-  assign select_2551 = select_1955_s3_q[0] ? {7'h0, census_columns_values_0_cell_0_right_q[8]} : census_columns_values_0_cell_0_right_q[7:0];
-  logic [7:0] select_2553;
-  assign select_2553 = select_1955_s3_q[0] ? {7'h0, census_columns_values_0_cell_0_left_q[8]} : census_columns_values_0_cell_0_left_q[7:0];
-  logic [7:0] select_2554;
-  assign select_2554 = select_1955_s3_q[2] ? (select_1955_s3_q[1] ? {7'h0, select_2550} : select_2551) : select_2553;
-  logic [7:0] select_2560;
-  assign select_2560 = select_1955_s3_q[0] ? {2'h0, averager_detail_1_q[13:8]} : averager_detail_1_q[7:0];
-  logic [7:0] select_2562;
-  assign select_2562 = select_1955_s3_q[2] ? {7'h0, select_2558_s3_q} : (select_1955_s3_q[1] ? select_2559_s3_q : select_2560);
-  logic [7:0] select_2563;
-  assign select_2563 = select_1955_s3_q[0] ? {2'h0, averager_detail_0_q[13:8]} : averager_detail_0_q[7:0];
-  logic [7:0] select_2564;
-  assign select_2564 = select_1955_s3_q[0] ? {5'h0, averager_total_1_q[10:8]} : averager_total_1_q[7:0];
-  logic [7:0] select_2566;
-  assign select_2566 = select_1955_s3_q[0] ? {5'h0, averager_total_0_q[10:8]} : averager_total_0_q[7:0];
-  logic [7:0] select_2567;
-  assign select_2567 = select_1955_s3_q[0] ? {7'h0, averager_quarter_2_1_q[8]} : averager_quarter_2_1_q[7:0];
-  logic [7:0] select_2569;
-  assign select_2569 = select_1955_s3_q[2] ? (select_1955_s3_q[1] ? select_2563 : select_2564) : (select_1955_s3_q[1] ? select_2566 : select_2567);
-  logic [7:0] select_2571;
-  assign select_2571 = select_1955_s3_q[4] ? (select_1955_s3_q[3] ? select_2549 : select_2554) : (select_1955_s3_q[3] ? select_2562 : select_2569);
-  logic [7:0] select_2572;
-  assign select_2572 = select_1955_s3_q[0] ? {7'h0, averager_quarter_2_0_q[8]} : averager_quarter_2_0_q[7:0];
-  logic [7:0] select_2573;
-  assign select_2573 = select_1955_s3_q[0] ? {7'h0, averager_quarter_1_1_q[8]} : averager_quarter_1_1_q[7:0];
-  logic [7:0] select_2575;
-  assign select_2575 = select_1955_s3_q[0] ? {7'h0, averager_quarter_1_0_q[8]} : averager_quarter_1_0_q[7:0];
-  logic [7:0] select_2578;
-  assign select_2578 = select_1955_s3_q[2] ? (select_1955_s3_q[1] ? select_2572 : select_2573) : (select_1955_s3_q[1] ? select_2575 : select_2576_s3_q);
-  logic [7:0] select_2600;
-  assign select_2600 = select_1955_s3_q[4] ? (select_1955_s3_q[3] ? select_2578 : select_2583_s3_q) : select_2599_s3_q;
-  logic [7:0] select_2602;
-  assign select_2602 = select_1955_s3_q[6] ? (select_1955_s3_q[5] ? select_2510 : select_2541) : (select_1955_s3_q[5] ? select_2571 : select_2600);
+  logic [7:0] select_1907;
+  assign select_1907 = so_s3_q ? region_columns_q : 8'h1;
   // hls/stages/agreement.hpp:781
-  logic or_2609;
-  assign or_2609 = select_1993[7] | (~({select_1993[5], select_1993[3], select_1993[1]} == 3'h0));
+  logic or_1910;
+  assign or_1910 = select_1907[7] | (~({select_1907[5], select_1907[3], select_1907[1]} == 3'h0));
   // hls/stages/agreement.hpp:780
-  logic or_2612;
-  assign or_2612 = select_1993[7] | (~({select_1993[6], select_1993[3:2]} == 3'h0));
+  logic or_1913;
+  assign or_1913 = select_1907[7] | (~({select_1907[6], select_1907[3:2]} == 3'h0));
   // hls/stages/agreement.hpp:779
-  logic or_2615;
-  assign or_2615 = select_1993[7] | (~(select_1993[6:4] == 3'h0));
+  logic or_1916;
+  assign or_1916 = select_1907[7] | (~(select_1907[6:4] == 3'h0));
   // hls/stages/agreement.hpp:211
-  logic [5:0] select_2616;
-  assign select_2616 = equal_1849_s3_q ? x_s3_q[5:0] : {region_row_q, or_2615, or_2612, or_2609};
+  logic [5:0] select_1917;
+  assign select_1917 = equal_1799_s3_q ? x_s3_q[5:0] : {region_row_q, or_1916, or_1913, or_1910};
   // hls/stages/agreement.hpp:859
-  logic not_2617;
-  assign not_2617 = ~equal_1894;
+  logic not_1918;
+  assign not_1918 = ~equal_1844;
+  // hls/stages/division.hpp:34
+  logic [5:0] sum_1920;
+  assign sum_1920 = region_across_rest_q[8:3] + 6'h1;
   // hls/stages/agreement.hpp:789
-  logic or_2621;
-  assign or_2621 = (~sum_1978[5]) | equal_2620_s3_q;
+  logic or_1923;
+  assign or_1923 = (~sum_1920[5]) | equal_1922_s3_q;
   // hls/stages/agreement.hpp:211
-  logic and_2624;
-  assign and_2624 = so_s3_q & (ends_cell_s3_q & (inside_v_s3_q[0] & or_2621));
+  logic and_1926;
+  assign and_1926 = so_s3_q & (ends_cell_s3_q & (inside_v_s3_q[0] & or_1923));
   // hls/stages/agreement.hpp:197
   logic explained;
   assign explained = inside_v_s3_q[0] & inside_v_s3_q[3];
-  logic and_2638;
-  assign and_2638 = inside_v_s3_q[0] & ({inside_v_s3_q[4], inside_v_s3_q[2]} == 2'h3);
-  logic and_2645;
-  assign and_2645 = inside_v_s3_q[0] & inside_v_s3_q[2];
+  logic and_1940;
+  assign and_1940 = inside_v_s3_q[0] & ({inside_v_s3_q[4], inside_v_s3_q[2]} == 2'h3);
+  logic and_1947;
+  assign and_1947 = inside_v_s3_q[0] & inside_v_s3_q[2];
   // hls/stages/agreement.hpp:752
-  logic select_2646;
-  assign select_2646 = slot_s3_q[2] ? shown_shown_q : inside_v_s3_q[3];
+  logic select_1948;
+  assign select_1948 = slot_s3_q[2] ? shown_shown_q : inside_v_s3_q[3];
   // hls/stages/agreement.hpp:197
   logic shown;
-  assign shown = inside_v_s3_q[0] & (shown_right_rdata_q[0] | select_2646);
+  assign shown = inside_v_s3_q[0] & (shown_right_rdata_q[0] | select_1948);
   // hls/stages/agreement.hpp:752
-  logic select_2649;
-  assign select_2649 = slot_s3_q[2] ? shown_nearer_q : inside_v_s3_q[4];
+  logic select_1951;
+  assign select_1951 = slot_s3_q[2] ? shown_nearer_q : inside_v_s3_q[4];
   // hls/stages/agreement.hpp:197
   logic near;
-  assign near = inside_v_s3_q[0] & (select_2646 ? select_2649 : shown_right_rdata_q[1]);
+  assign near = inside_v_s3_q[0] & (select_1948 ? select_1951 : shown_right_rdata_q[1]);
   // hls/stages/agreement.hpp:984
-  logic or_2652;
-  assign or_2652 = marks_first_s3_q | line_ended_q;
+  logic or_1954;
+  assign or_1954 = marks_first_s3_q | line_ended_q;
   // hls/stages/agreement.hpp:986
-  logic [17:0] select_2654;
-  assign select_2654 = marks_first_s3_q ? 18'h1 : (or_2652 ? {rows_passed_q[16:0], 1'b1} : rows_passed_q);
+  logic [17:0] select_1956;
+  assign select_1956 = marks_first_s3_q ? 18'h1 : (or_1954 ? {rows_passed_q[16:0], 1'b1} : rows_passed_q);
   // hls/stages/agreement.hpp:985
-  logic [8:0] select_2656;
-  assign select_2656 = or_2652 ? 9'h0 : columns_passed_q;
+  logic [8:0] select_1958;
+  assign select_1958 = or_1954 ? 9'h0 : columns_passed_q;
   // hls/stages/agreement.hpp:993
-  logic select_2658;
-  assign select_2658 = cfg_compete_i ? (or_2652 & select_2654[17]) : (select_2656[8] & select_2654[9]);
+  logic select_1960;
+  assign select_1960 = cfg_compete_i ? (or_1954 & select_1956[17]) : (select_1958[8] & select_1956[9]);
   // hls/stages/agreement.hpp:218
   logic next_row;
-  assign next_row = select_2658 & (began_q & at_cell_end_q);
+  assign next_row = select_1960 & (began_q & at_cell_end_q);
   // hls/stages/agreement.hpp:1000
-  logic [6:0] select_2661;
-  assign select_2661 = next_row ? cfg_width_i[9:3] : 7'h0;
-  logic [12:0] select_2663;
-  assign select_2663 = marks_first_s3_q ? 13'h0 : (seen_base_q + {6'h0, select_2661});
+  logic [6:0] select_1963;
+  assign select_1963 = next_row ? cfg_width_i[9:3] : 7'h0;
+  logic [12:0] select_1965;
+  assign select_1965 = marks_first_s3_q ? 13'h0 : (seen_base_q + {6'h0, select_1963});
   // hls/stages/agreement.hpp:1010
-  logic equal_2664;
-  assign equal_2664 = seen_x_q == 3'h7;
-  logic [7:0] select_2666;
-  assign select_2666 = select_2658 ? 8'h0 : (seen_column_q + {7'h0, equal_2664});
+  logic equal_1966;
+  assign equal_1966 = seen_x_q == 3'h7;
+  logic [7:0] select_1968;
+  assign select_1968 = select_1960 ? 8'h0 : (seen_column_q + {7'h0, equal_1966});
   // hls/stages/agreement.hpp:1013
   logic [12:0] index;
-  assign index = select_2663 + {5'h0, select_2666};
+  assign index = select_1965 + {5'h0, select_1968};
   // hls/stages/agreement.hpp:984
-  logic select_2669;
-  assign select_2669 = marks_first_s3_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
+  logic select_1971;
+  assign select_1971 = marks_first_s3_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
   // hls/stages/agreement.hpp:970
-  logic [7:0] sum_2670;
-  assign sum_2670 = {1'b0, select_2669, 2'h0, select_2669, 1'b0, {2{select_2669}}} + {1'b0, index[12:6]};
+  logic [7:0] sum_1972;
+  assign sum_1972 = {1'b0, select_1971, 2'h0, select_1971, 1'b0, {2{select_1971}}} + {1'b0, index[12:6]};
   // hls/stages/agreement.hpp:983
-  logic not_2671;
-  assign not_2671 = ~marks_first_s3_q;
+  logic not_1973;
+  assign not_1973 = ~marks_first_s3_q;
   // hls/stages/agreement.hpp:218
-  logic and_2673;
-  assign and_2673 = not_2671 & (began_q | select_2658);
+  logic and_1975;
+  assign and_1975 = not_1973 & (began_q | select_1960);
   // hls/stages/agreement.hpp:1011
-  logic [2:0] select_2675;
-  assign select_2675 = select_2658 ? 3'h0 : (seen_x_q + 3'h1);
+  logic [2:0] select_1977;
+  assign select_1977 = select_1960 ? 3'h0 : (seen_x_q + 3'h1);
   // hls/stages/agreement.hpp:1012
-  logic and_2677;
-  assign and_2677 = and_2673 & (select_2675 == 3'h0);
-  logic less_2678;
-  assign less_2678 = select_2666 < {1'b0, cfg_width_i[9:3]};
+  logic and_1979;
+  assign and_1979 = and_1975 & (select_1977 == 3'h0);
+  logic less_1980;
+  assign less_1980 = select_1968 < {1'b0, cfg_width_i[9:3]};
   // hls/stages/agreement.hpp:842
-  logic [7:0] sum_2681;
-  assign sum_2681 = {2'h0, x_s3_q[7:2]} + 8'hff;
+  logic [7:0] sum_1983;
+  assign sum_1983 = {2'h0, x_s3_q[7:2]} + 8'hff;
   logic [12:0] index_2;
-  assign index_2 = {{3{sum_2681[7]}}, sum_2681, x_s3_q[1:0]} + map_row_q;
+  assign index_2 = {{3{sum_1983[7]}}, sum_1983, x_s3_q[1:0]} + map_row_q;
   // hls/stages/agreement.hpp:970
-  logic [7:0] sum_2683;
-  assign sum_2683 = {1'b0, write_half_q, 2'h0, write_half_q, 1'b0, {2{write_half_q}}} + {1'b0, index_2[12:6]};
+  logic [7:0] sum_1985;
+  assign sum_1985 = {1'b0, write_half_q, 2'h0, write_half_q, 1'b0, {2{write_half_q}}} + {1'b0, index_2[12:6]};
   // hls/stages/agreement.hpp:765
-  logic and_2684;
-  assign and_2684 = seen_columns_rdata_q[14] & inside_v_s3_q[0];
-  logic and_2685;
-  assign and_2685 = seen_columns_rdata_q[10] & inside_v_s3_q[0];
-  logic and_2686;
-  assign and_2686 = seen_columns_rdata_q[5] & inside_v_s3_q[0];
-  logic and_2687;
-  assign and_2687 = seen_columns_rdata_q[0] & inside_v_s3_q[0];
+  logic and_1986;
+  assign and_1986 = seen_columns_rdata_q[14] & inside_v_s3_q[0];
+  logic and_1987;
+  assign and_1987 = seen_columns_rdata_q[10] & inside_v_s3_q[0];
+  logic and_1988;
+  assign and_1988 = seen_columns_rdata_q[5] & inside_v_s3_q[0];
+  logic and_1989;
+  assign and_1989 = seen_columns_rdata_q[0] & inside_v_s3_q[0];
   // hls/stages/agreement.hpp:818
-  logic [1:0] sum_2689;
-  assign sum_2689 = {1'b0, and_2686} + ({1'b0, textured_s3_q} + {1'b0, and_2687});
+  logic [1:0] sum_1991;
+  assign sum_1991 = {1'b0, and_1988} + ({1'b0, textured_s3_q} + {1'b0, and_1989});
   logic [2:0] textured_2;
-  assign textured_2 = {2'h0, and_2684} + ({2'h0, and_2685} + {1'b0, sum_2689});
+  assign textured_2 = {2'h0, and_1986} + ({2'h0, and_1987} + {1'b0, sum_1991});
   // hls/stages/agreement.hpp:825
-  logic [2:0] select_2692;
-  assign select_2692 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2693;
-  assign difference_2693 = {1'b0, textured_2} - {1'b0, select_2692};
+  logic [2:0] select_1994;
+  assign select_1994 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
+  logic [3:0] difference_1995;
+  assign difference_1995 = {1'b0, textured_2} - {1'b0, select_1994};
   // hls/stages/agreement.hpp:823
-  logic equal_2694;
-  assign equal_2694 = x_s3_q == 8'h0;
+  logic equal_1996;
+  assign equal_1996 = x_s3_q == 8'h0;
   // hls/stages/agreement.hpp:825
   logic [4:0] t;
-  assign t = {difference_2693[3], difference_2693} + (equal_2694 ? 5'h0 : box_textured_sum_sums_values_0_q);
+  assign t = {difference_1995[3], difference_1995} + (equal_1996 ? 5'h0 : box_textured_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:765
-  logic [7:0] select_2699;
-  assign select_2699 = inside_v_s3_q[0] ? (sum_1978[5] ? select_1993 : {select_1993[6:0], 1'b0}) : select_1993;
+  logic [7:0] select_2001;
+  assign select_2001 = inside_v_s3_q[0] ? (sum_1920[5] ? select_1907 : {select_1907[6:0], 1'b0}) : select_1907;
   // hls/stages/agreement.hpp:781
-  logic or_2702;
-  assign or_2702 = select_2699[7] | (~({select_2699[5], select_2699[3], select_2699[1]} == 3'h0));
+  logic or_2004;
+  assign or_2004 = select_2001[7] | (~({select_2001[5], select_2001[3], select_2001[1]} == 3'h0));
   // hls/stages/agreement.hpp:765
-  logic and_2719;
-  assign and_2719 = seen_columns_rdata_q[16] & inside_v_s3_q[0];
-  logic and_2720;
-  assign and_2720 = seen_columns_rdata_q[12] & inside_v_s3_q[0];
-  logic and_2721;
-  assign and_2721 = seen_columns_rdata_q[8] & inside_v_s3_q[0];
-  logic and_2722;
-  assign and_2722 = seen_columns_rdata_q[3] & inside_v_s3_q[0];
+  logic and_2021;
+  assign and_2021 = seen_columns_rdata_q[16] & inside_v_s3_q[0];
+  logic and_2022;
+  assign and_2022 = seen_columns_rdata_q[12] & inside_v_s3_q[0];
+  logic and_2023;
+  assign and_2023 = seen_columns_rdata_q[8] & inside_v_s3_q[0];
+  logic and_2024;
+  assign and_2024 = seen_columns_rdata_q[3] & inside_v_s3_q[0];
   // hls/stages/agreement.hpp:820
-  logic [1:0] sum_2724;
-  assign sum_2724 = {1'b0, and_2721} + ({1'b0, shown} + {1'b0, and_2722});
+  logic [1:0] sum_2026;
+  assign sum_2026 = {1'b0, and_2023} + ({1'b0, shown} + {1'b0, and_2024});
   logic [2:0] shown_2;
-  assign shown_2 = {2'h0, and_2719} + ({2'h0, and_2720} + {1'b0, sum_2724});
+  assign shown_2 = {2'h0, and_2021} + ({2'h0, and_2022} + {1'b0, sum_2026});
   // hls/stages/agreement.hpp:827
-  logic [2:0] select_2727;
-  assign select_2727 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2728;
-  assign difference_2728 = {1'b0, shown_2} - {1'b0, select_2727};
+  logic [2:0] select_2029;
+  assign select_2029 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2030;
+  assign difference_2030 = {1'b0, shown_2} - {1'b0, select_2029};
   logic [4:0] around;
-  assign around = {difference_2728[3], difference_2728} + (equal_2694 ? 5'h0 : box_shown_sum_sums_values_0_q);
+  assign around = {difference_2030[3], difference_2030} + (equal_1996 ? 5'h0 : box_shown_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:834
-  logic [5:0] sum_2731;
-  assign sum_2731 = {1'b0, around} + {2'h0, around[4:1]};
+  logic [5:0] sum_2033;
+  assign sum_2033 = {1'b0, around} + {2'h0, around[4:1]};
   // hls/stages/agreement.hpp:765
-  logic and_2735;
-  assign and_2735 = seen_columns_rdata_q[17] & inside_v_s3_q[0];
-  logic and_2736;
-  assign and_2736 = seen_columns_rdata_q[13] & inside_v_s3_q[0];
-  logic and_2737;
-  assign and_2737 = seen_columns_rdata_q[9] & inside_v_s3_q[0];
-  logic and_2738;
-  assign and_2738 = seen_columns_rdata_q[4] & inside_v_s3_q[0];
+  logic and_2037;
+  assign and_2037 = seen_columns_rdata_q[17] & inside_v_s3_q[0];
+  logic and_2038;
+  assign and_2038 = seen_columns_rdata_q[13] & inside_v_s3_q[0];
+  logic and_2039;
+  assign and_2039 = seen_columns_rdata_q[9] & inside_v_s3_q[0];
+  logic and_2040;
+  assign and_2040 = seen_columns_rdata_q[4] & inside_v_s3_q[0];
   // hls/stages/agreement.hpp:821
-  logic [1:0] sum_2740;
-  assign sum_2740 = {1'b0, and_2737} + ({1'b0, near} + {1'b0, and_2738});
+  logic [1:0] sum_2042;
+  assign sum_2042 = {1'b0, and_2039} + ({1'b0, near} + {1'b0, and_2040});
   logic [2:0] near_2;
-  assign near_2 = {2'h0, and_2735} + ({2'h0, and_2736} + {1'b0, sum_2740});
+  assign near_2 = {2'h0, and_2037} + ({2'h0, and_2038} + {1'b0, sum_2042});
   // hls/stages/agreement.hpp:828
-  logic [2:0] select_2743;
-  assign select_2743 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2744;
-  assign difference_2744 = {1'b0, near_2} - {1'b0, select_2743};
+  logic [2:0] select_2045;
+  assign select_2045 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2046;
+  assign difference_2046 = {1'b0, near_2} - {1'b0, select_2045};
   logic [4:0] n;
-  assign n = {difference_2744[3], difference_2744} + (equal_2694 ? 5'h0 : box_nearer_sum_sums_values_0_q);
+  assign n = {difference_2046[3], difference_2046} + (equal_1996 ? 5'h0 : box_nearer_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:215
-  logic [8:0] select_2783;
-  assign select_2783 = sample_pair_whole_s3_q ? (and_407_s3_q ? grey_s3_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
-  logic [8:0] select_2785;
-  assign select_2785 = sample_pair_whole_s3_q ? (and_407_s3_q ? grey_2_s3_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
-  logic [8:0] select_2787;
-  assign select_2787 = sample_pair_whole_s3_q ? (and_407_s3_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
-  logic [8:0] select_2789;
-  assign select_2789 = sample_pair_whole_s3_q ? (and_407_s3_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
-  logic [10:0] select_2791;
-  assign select_2791 = sample_pair_whole_s3_q ? (and_407_s3_q ? total : averager_total_0_q) : averager_total_0_q;
-  logic [10:0] select_2793;
-  assign select_2793 = sample_pair_whole_s3_q ? (and_407_s3_q ? total_2 : averager_total_1_q) : averager_total_1_q;
-  // hls/stages/census.hpp:128
-  logic [9:0] sum_2794;
-  assign sum_2794 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s3_q};
-  logic [9:0] difference_2795;
-  assign difference_2795 = {1'b0, sum_2794[9:1]} - {1'b0, averager_quarter_1_0_q};
-  // hls/stages/census.hpp:129
-  logic [9:0] xor_2796;
-  assign xor_2796 = {difference_2795[8:0], sum_2794[0]} ^ {10{difference_2795[9]}};
-  logic [10:0] size_2;
-  assign size_2 = {10'h0, difference_2795[9]} + {1'b0, xor_2796};
-  // hls/stages/census.hpp:130
-  logic [13:0] detail;
-  assign detail = {3'h0, size_2} + (equal_412_s3_q ? 14'h0 : averager_detail_0_q);
-  // hls/stages/agreement.hpp:215
-  logic [13:0] select_2801;
-  assign select_2801 = sample_pair_whole_s3_q ? (and_407_s3_q ? detail : averager_detail_0_q) : averager_detail_0_q;
-  // hls/stages/census.hpp:128
-  logic [9:0] sum_2802;
-  assign sum_2802 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s3_q};
-  logic [9:0] difference_2803;
-  assign difference_2803 = {1'b0, sum_2802[9:1]} - {1'b0, averager_quarter_1_1_q};
-  // hls/stages/census.hpp:129
-  logic [9:0] xor_2804;
-  assign xor_2804 = {difference_2803[8:0], sum_2802[0]} ^ {10{difference_2803[9]}};
-  logic [10:0] size_3;
-  assign size_3 = {10'h0, difference_2803[9]} + {1'b0, xor_2804};
-  // hls/stages/census.hpp:130
-  logic [13:0] detail_2;
-  assign detail_2 = {3'h0, size_3} + (equal_412_s3_q ? 14'h0 : averager_detail_1_q);
-  // hls/stages/agreement.hpp:215
-  logic [13:0] select_2809;
-  assign select_2809 = sample_pair_whole_s3_q ? (and_407_s3_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
+  logic [10:0] select_2092;
+  assign select_2092 = sample_pair_whole_s3_q ? (and_357_s3_q ? total : averager_total_0_q) : averager_total_0_q;
+  logic [10:0] select_2094;
+  assign select_2094 = sample_pair_whole_s3_q ? (and_357_s3_q ? total_2 : averager_total_1_q) : averager_total_1_q;
   // hls/stages/agreement.hpp:365
-  logic [8:0] select_2817;
-  assign select_2817 = and_409_s3_q ? select_415 : census_columns_values_0_cell_0_left_q;
-  logic [8:0] select_2818;
-  assign select_2818 = and_409_s3_q ? select_419 : census_columns_values_0_cell_0_right_q;
-  logic select_2819;
-  assign select_2819 = and_409_s3_q ? whole_2_s3_q : census_columns_values_0_cell_0_mask_q;
-  logic select_2820;
-  assign select_2820 = and_409_s3_q ? and_427_s3_q : census_columns_values_0_cell_0_of_skin_q;
-  logic [8:0] select_2821;
-  assign select_2821 = and_409_s3_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
-  logic [8:0] select_2822;
-  assign select_2822 = and_409_s3_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
-  logic select_2823;
-  assign select_2823 = and_409_s3_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
-  logic select_2824;
-  assign select_2824 = and_409_s3_q ? census_memory_rdata_q[19] : census_columns_values_0_cell_1_of_skin_q;
-  logic [8:0] select_2825;
-  assign select_2825 = and_409_s3_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
-  logic [8:0] select_2826;
-  assign select_2826 = and_409_s3_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
-  logic select_2827;
-  assign select_2827 = and_409_s3_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
-  logic select_2828;
-  assign select_2828 = and_409_s3_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
-  logic [8:0] select_2829;
-  assign select_2829 = and_409_s3_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
-  logic [8:0] select_2830;
-  assign select_2830 = and_409_s3_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
-  logic select_2831;
-  assign select_2831 = and_409_s3_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
-  logic select_2832;
-  assign select_2832 = and_409_s3_q ? census_memory_rdata_q[59] : census_columns_values_0_cell_3_of_skin_q;
-  logic [8:0] select_2833;
-  assign select_2833 = and_409_s3_q ? census_memory_rdata_q[68:60] : census_columns_values_0_cell_4_left_q;
-  logic [8:0] select_2834;
-  assign select_2834 = and_409_s3_q ? census_memory_rdata_q[77:69] : census_columns_values_0_cell_4_right_q;
-  logic select_2835;
-  assign select_2835 = and_409_s3_q ? census_memory_rdata_q[78] : census_columns_values_0_cell_4_mask_q;
-  logic select_2836;
-  assign select_2836 = and_409_s3_q ? census_memory_rdata_q[79] : census_columns_values_0_cell_4_of_skin_q;
-  logic [8:0] select_2837;
-  assign select_2837 = and_409_s3_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
-  logic [8:0] select_2838;
-  assign select_2838 = and_409_s3_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
-  logic select_2839;
-  assign select_2839 = and_409_s3_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
-  logic select_2840;
-  assign select_2840 = and_409_s3_q ? census_columns_values_0_cell_0_of_skin_q : census_columns_values_1_cell_0_of_skin_q;
-  logic [8:0] select_2841;
-  assign select_2841 = and_409_s3_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
-  logic [8:0] select_2842;
-  assign select_2842 = and_409_s3_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
-  logic select_2843;
-  assign select_2843 = and_409_s3_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
-  logic select_2844;
-  assign select_2844 = and_409_s3_q ? census_columns_values_0_cell_1_of_skin_q : census_columns_values_1_cell_1_of_skin_q;
-  logic [8:0] select_2845;
-  assign select_2845 = and_409_s3_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
-  logic [8:0] select_2846;
-  assign select_2846 = and_409_s3_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
-  logic select_2847;
-  assign select_2847 = and_409_s3_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
-  logic select_2848;
-  assign select_2848 = and_409_s3_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
-  logic [8:0] select_2849;
-  assign select_2849 = and_409_s3_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
-  logic [8:0] select_2850;
-  assign select_2850 = and_409_s3_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
-  logic select_2851;
-  assign select_2851 = and_409_s3_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
-  logic select_2852;
-  assign select_2852 = and_409_s3_q ? census_columns_values_0_cell_3_of_skin_q : census_columns_values_1_cell_3_of_skin_q;
-  logic [8:0] select_2853;
-  assign select_2853 = and_409_s3_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
-  logic [8:0] select_2854;
-  assign select_2854 = and_409_s3_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
-  logic select_2855;
-  assign select_2855 = and_409_s3_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
-  logic select_2856;
-  assign select_2856 = and_409_s3_q ? census_columns_values_0_cell_4_of_skin_q : census_columns_values_1_cell_4_of_skin_q;
-  logic [8:0] select_2857;
-  assign select_2857 = and_409_s3_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
-  logic [8:0] select_2858;
-  assign select_2858 = and_409_s3_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
-  logic select_2859;
-  assign select_2859 = and_409_s3_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
-  logic select_2860;
-  assign select_2860 = and_409_s3_q ? census_columns_values_1_cell_0_of_skin_q : census_columns_values_2_cell_0_of_skin_q;
-  logic [8:0] select_2861;
-  assign select_2861 = and_409_s3_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
-  logic [8:0] select_2862;
-  assign select_2862 = and_409_s3_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
-  logic select_2863;
-  assign select_2863 = and_409_s3_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
-  logic select_2864;
-  assign select_2864 = and_409_s3_q ? census_columns_values_1_cell_1_of_skin_q : census_columns_values_2_cell_1_of_skin_q;
-  logic [8:0] select_2865;
-  assign select_2865 = and_409_s3_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
-  logic [8:0] select_2866;
-  assign select_2866 = and_409_s3_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
-  logic select_2867;
-  assign select_2867 = and_409_s3_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
-  logic select_2868;
-  assign select_2868 = and_409_s3_q ? census_columns_values_1_cell_2_of_skin_q : census_columns_values_2_cell_2_of_skin_q;
-  logic [8:0] select_2869;
-  assign select_2869 = and_409_s3_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
-  logic [8:0] select_2870;
-  assign select_2870 = and_409_s3_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
-  logic select_2871;
-  assign select_2871 = and_409_s3_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
-  logic select_2872;
-  assign select_2872 = and_409_s3_q ? census_columns_values_1_cell_3_of_skin_q : census_columns_values_2_cell_3_of_skin_q;
-  logic [8:0] select_2873;
-  assign select_2873 = and_409_s3_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
-  logic [8:0] select_2874;
-  assign select_2874 = and_409_s3_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
-  logic select_2875;
-  assign select_2875 = and_409_s3_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
-  logic select_2876;
-  assign select_2876 = and_409_s3_q ? census_columns_values_1_cell_4_of_skin_q : census_columns_values_2_cell_4_of_skin_q;
-  logic [8:0] select_2877;
-  assign select_2877 = and_409_s3_q ? census_columns_values_2_cell_0_left_q : census_columns_values_3_cell_0_left_q;
-  logic [8:0] select_2878;
-  assign select_2878 = and_409_s3_q ? census_columns_values_2_cell_0_right_q : census_columns_values_3_cell_0_right_q;
-  logic select_2879;
-  assign select_2879 = and_409_s3_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
-  logic select_2880;
-  assign select_2880 = and_409_s3_q ? census_columns_values_2_cell_0_of_skin_q : census_columns_values_3_cell_0_of_skin_q;
-  logic [8:0] select_2881;
-  assign select_2881 = and_409_s3_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
-  logic [8:0] select_2882;
-  assign select_2882 = and_409_s3_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
-  logic select_2883;
-  assign select_2883 = and_409_s3_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
-  logic select_2884;
-  assign select_2884 = and_409_s3_q ? census_columns_values_2_cell_1_of_skin_q : census_columns_values_3_cell_1_of_skin_q;
-  logic [8:0] select_2885;
-  assign select_2885 = and_409_s3_q ? census_columns_values_2_cell_2_left_q : census_columns_values_3_cell_2_left_q;
-  logic [8:0] select_2886;
-  assign select_2886 = and_409_s3_q ? census_columns_values_2_cell_2_right_q : census_columns_values_3_cell_2_right_q;
-  logic select_2887;
-  assign select_2887 = and_409_s3_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
-  logic select_2888;
-  assign select_2888 = and_409_s3_q ? census_columns_values_2_cell_2_of_skin_q : census_columns_values_3_cell_2_of_skin_q;
-  logic [8:0] select_2889;
-  assign select_2889 = and_409_s3_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
-  logic [8:0] select_2890;
-  assign select_2890 = and_409_s3_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
-  logic select_2891;
-  assign select_2891 = and_409_s3_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
-  logic select_2892;
-  assign select_2892 = and_409_s3_q ? census_columns_values_2_cell_3_of_skin_q : census_columns_values_3_cell_3_of_skin_q;
-  logic [8:0] select_2893;
-  assign select_2893 = and_409_s3_q ? census_columns_values_2_cell_4_left_q : census_columns_values_3_cell_4_left_q;
-  logic [8:0] select_2894;
-  assign select_2894 = and_409_s3_q ? census_columns_values_2_cell_4_right_q : census_columns_values_3_cell_4_right_q;
-  logic select_2895;
-  assign select_2895 = and_409_s3_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
-  logic select_2896;
-  assign select_2896 = and_409_s3_q ? census_columns_values_2_cell_4_of_skin_q : census_columns_values_3_cell_4_of_skin_q;
-  logic [8:0] select_2897;
-  assign select_2897 = and_409_s3_q ? census_columns_values_3_cell_0_left_q : census_columns_values_4_cell_0_left_q;
-  logic [8:0] select_2898;
-  assign select_2898 = and_409_s3_q ? census_columns_values_3_cell_0_right_q : census_columns_values_4_cell_0_right_q;
-  logic select_2899;
-  assign select_2899 = and_409_s3_q ? census_columns_values_3_cell_0_mask_q : census_columns_values_4_cell_0_mask_q;
-  logic select_2900;
-  assign select_2900 = and_409_s3_q ? census_columns_values_3_cell_0_of_skin_q : census_columns_values_4_cell_0_of_skin_q;
-  logic [8:0] select_2901;
-  assign select_2901 = and_409_s3_q ? census_columns_values_3_cell_1_left_q : census_columns_values_4_cell_1_left_q;
-  logic [8:0] select_2902;
-  assign select_2902 = and_409_s3_q ? census_columns_values_3_cell_1_right_q : census_columns_values_4_cell_1_right_q;
-  logic select_2903;
-  assign select_2903 = and_409_s3_q ? census_columns_values_3_cell_1_mask_q : census_columns_values_4_cell_1_mask_q;
-  logic select_2904;
-  assign select_2904 = and_409_s3_q ? census_columns_values_3_cell_1_of_skin_q : census_columns_values_4_cell_1_of_skin_q;
-  logic [8:0] select_2905;
-  assign select_2905 = and_409_s3_q ? census_columns_values_3_cell_2_left_q : census_columns_values_4_cell_2_left_q;
-  logic [8:0] select_2906;
-  assign select_2906 = and_409_s3_q ? census_columns_values_3_cell_2_right_q : census_columns_values_4_cell_2_right_q;
-  logic select_2907;
-  assign select_2907 = and_409_s3_q ? census_columns_values_3_cell_2_mask_q : census_columns_values_4_cell_2_mask_q;
-  logic select_2908;
-  assign select_2908 = and_409_s3_q ? census_columns_values_3_cell_2_of_skin_q : census_columns_values_4_cell_2_of_skin_q;
-  logic [8:0] select_2909;
-  assign select_2909 = and_409_s3_q ? census_columns_values_3_cell_3_left_q : census_columns_values_4_cell_3_left_q;
-  logic [8:0] select_2910;
-  assign select_2910 = and_409_s3_q ? census_columns_values_3_cell_3_right_q : census_columns_values_4_cell_3_right_q;
-  logic select_2911;
-  assign select_2911 = and_409_s3_q ? census_columns_values_3_cell_3_mask_q : census_columns_values_4_cell_3_mask_q;
-  logic select_2912;
-  assign select_2912 = and_409_s3_q ? census_columns_values_3_cell_3_of_skin_q : census_columns_values_4_cell_3_of_skin_q;
-  logic [8:0] select_2913;
-  assign select_2913 = and_409_s3_q ? census_columns_values_3_cell_4_left_q : census_columns_values_4_cell_4_left_q;
-  logic [8:0] select_2914;
-  assign select_2914 = and_409_s3_q ? census_columns_values_3_cell_4_right_q : census_columns_values_4_cell_4_right_q;
-  logic select_2915;
-  assign select_2915 = and_409_s3_q ? census_columns_values_3_cell_4_mask_q : census_columns_values_4_cell_4_mask_q;
-  logic select_2916;
-  assign select_2916 = and_409_s3_q ? census_columns_values_3_cell_4_of_skin_q : census_columns_values_4_cell_4_of_skin_q;
+  logic [8:0] select_2118;
+  assign select_2118 = and_359_s3_q ? select_365 : census_columns_values_0_cell_0_left_q;
+  logic [8:0] select_2119;
+  assign select_2119 = and_359_s3_q ? select_369 : census_columns_values_0_cell_0_right_q;
+  logic select_2120;
+  assign select_2120 = and_359_s3_q ? whole_2_s3_q : census_columns_values_0_cell_0_mask_q;
+  logic [8:0] select_2121;
+  assign select_2121 = and_359_s3_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
+  logic [8:0] select_2122;
+  assign select_2122 = and_359_s3_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
+  logic select_2123;
+  assign select_2123 = and_359_s3_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
+  logic [8:0] select_2124;
+  assign select_2124 = and_359_s3_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
+  logic [8:0] select_2125;
+  assign select_2125 = and_359_s3_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
+  logic select_2126;
+  assign select_2126 = and_359_s3_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
+  logic select_2127;
+  assign select_2127 = and_359_s3_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
+  logic [8:0] select_2128;
+  assign select_2128 = and_359_s3_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
+  logic [8:0] select_2129;
+  assign select_2129 = and_359_s3_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
+  logic select_2130;
+  assign select_2130 = and_359_s3_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
+  logic [8:0] select_2131;
+  assign select_2131 = and_359_s3_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
+  logic [8:0] select_2132;
+  assign select_2132 = and_359_s3_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
+  logic select_2133;
+  assign select_2133 = and_359_s3_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
+  logic [8:0] select_2134;
+  assign select_2134 = and_359_s3_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
+  logic [8:0] select_2135;
+  assign select_2135 = and_359_s3_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
+  logic select_2136;
+  assign select_2136 = and_359_s3_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  logic [8:0] select_2137;
+  assign select_2137 = and_359_s3_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
+  logic [8:0] select_2138;
+  assign select_2138 = and_359_s3_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
+  logic select_2139;
+  assign select_2139 = and_359_s3_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
+  logic [8:0] select_2140;
+  assign select_2140 = and_359_s3_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
+  logic [8:0] select_2141;
+  assign select_2141 = and_359_s3_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
+  logic select_2142;
+  assign select_2142 = and_359_s3_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
+  logic select_2143;
+  assign select_2143 = and_359_s3_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
+  logic [8:0] select_2144;
+  assign select_2144 = and_359_s3_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
+  logic [8:0] select_2145;
+  assign select_2145 = and_359_s3_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
+  logic select_2146;
+  assign select_2146 = and_359_s3_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
+  logic [8:0] select_2147;
+  assign select_2147 = and_359_s3_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
+  logic [8:0] select_2148;
+  assign select_2148 = and_359_s3_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
+  logic select_2149;
+  assign select_2149 = and_359_s3_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
+  logic [8:0] select_2150;
+  assign select_2150 = and_359_s3_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
+  logic [8:0] select_2151;
+  assign select_2151 = and_359_s3_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
+  logic select_2152;
+  assign select_2152 = and_359_s3_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
+  logic [8:0] select_2153;
+  assign select_2153 = and_359_s3_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
+  logic [8:0] select_2154;
+  assign select_2154 = and_359_s3_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
+  logic select_2155;
+  assign select_2155 = and_359_s3_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
+  logic [8:0] select_2156;
+  assign select_2156 = and_359_s3_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
+  logic [8:0] select_2157;
+  assign select_2157 = and_359_s3_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
+  logic select_2158;
+  assign select_2158 = and_359_s3_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
+  logic [8:0] select_2159;
+  assign select_2159 = and_359_s3_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
+  logic [8:0] select_2160;
+  assign select_2160 = and_359_s3_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
+  logic select_2161;
+  assign select_2161 = and_359_s3_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
+  logic [8:0] select_2162;
+  assign select_2162 = and_359_s3_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
+  logic [8:0] select_2163;
+  assign select_2163 = and_359_s3_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  logic select_2164;
+  assign select_2164 = and_359_s3_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
+  logic select_2165;
+  assign select_2165 = and_359_s3_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
+  logic [8:0] select_2166;
+  assign select_2166 = and_359_s3_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
+  logic [8:0] select_2167;
+  assign select_2167 = and_359_s3_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  logic select_2168;
+  assign select_2168 = and_359_s3_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
+  logic select_2169;
+  assign select_2169 = and_359_s3_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  logic [8:0] select_2170;
+  assign select_2170 = and_359_s3_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  logic [8:0] select_2171;
+  assign select_2171 = and_359_s3_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  logic select_2172;
+  assign select_2172 = and_359_s3_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
+  logic select_2173;
+  assign select_2173 = and_359_s3_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
   // hls/stages/census.hpp:192
-  logic [9:0] difference_2918;
-  assign difference_2918 = {1'b0, select_419} - {1'b0, census_columns_values_0_cell_0_right_q};
-  logic [8:0] xor_2919;
-  assign xor_2919 = difference_2918[8:0] ^ {9{difference_2918[9]}};
-  logic [9:0] sum_2920;
-  assign sum_2920 = {9'h0, difference_2918[9]} + {1'b0, xor_2919};
-  logic [9:0] difference_2921;
-  assign difference_2921 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
-  logic [8:0] xor_2922;
-  assign xor_2922 = difference_2921[8:0] ^ {9{difference_2921[9]}};
-  logic [9:0] sum_2923;
-  assign sum_2923 = {9'h0, difference_2921[9]} + {1'b0, xor_2922};
-  logic [9:0] difference_2925;
-  assign difference_2925 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
-  logic [8:0] xor_2926;
-  assign xor_2926 = difference_2925[8:0] ^ {9{difference_2925[9]}};
-  logic [9:0] sum_2927;
-  assign sum_2927 = {9'h0, difference_2925[9]} + {1'b0, xor_2926};
-  logic [10:0] sum_2928;
-  assign sum_2928 = ({1'b0, sum_2920} + {1'b0, sum_2923}) + {1'b0, sum_2927};
-  logic [9:0] difference_2929;
-  assign difference_2929 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
-  logic [8:0] xor_2930;
-  assign xor_2930 = difference_2929[8:0] ^ {9{difference_2929[9]}};
-  logic [9:0] sum_2931;
-  assign sum_2931 = {9'h0, difference_2929[9]} + {1'b0, xor_2930};
-  logic [9:0] difference_2933;
-  assign difference_2933 = {1'b0, census_memory_rdata_q[77:69]} - {1'b0, census_columns_values_0_cell_4_right_q};
-  logic [8:0] xor_2934;
-  assign xor_2934 = difference_2933[8:0] ^ {9{difference_2933[9]}};
-  logic [9:0] sum_2935;
-  assign sum_2935 = {9'h0, difference_2933[9]} + {1'b0, xor_2934};
-  // hls/stages/census.hpp:275
-  logic and_2966;
-  assign and_2966 = whole_2_s3_q & (~(column_s3_q[6:1] == 6'h0));
+  logic [9:0] difference_2175;
+  assign difference_2175 = {1'b0, select_369} - {1'b0, census_columns_values_0_cell_0_right_q};
+  logic [8:0] xor_2176;
+  assign xor_2176 = difference_2175[8:0] ^ {9{difference_2175[9]}};
+  logic [9:0] sum_2177;
+  assign sum_2177 = {9'h0, difference_2175[9]} + {1'b0, xor_2176};
+  logic [9:0] difference_2178;
+  assign difference_2178 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
+  logic [8:0] xor_2179;
+  assign xor_2179 = difference_2178[8:0] ^ {9{difference_2178[9]}};
+  logic [9:0] sum_2180;
+  assign sum_2180 = {9'h0, difference_2178[9]} + {1'b0, xor_2179};
+  logic [9:0] difference_2182;
+  assign difference_2182 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
+  logic [8:0] xor_2183;
+  assign xor_2183 = difference_2182[8:0] ^ {9{difference_2182[9]}};
+  logic [9:0] sum_2184;
+  assign sum_2184 = {9'h0, difference_2182[9]} + {1'b0, xor_2183};
+  logic [10:0] sum_2185;
+  assign sum_2185 = ({1'b0, sum_2177} + {1'b0, sum_2180}) + {1'b0, sum_2184};
+  logic [9:0] difference_2186;
+  assign difference_2186 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
+  logic [8:0] xor_2187;
+  assign xor_2187 = difference_2186[8:0] ^ {9{difference_2186[9]}};
+  logic [9:0] sum_2188;
+  assign sum_2188 = {9'h0, difference_2186[9]} + {1'b0, xor_2187};
+  logic [9:0] difference_2190;
+  assign difference_2190 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
+  logic [8:0] xor_2191;
+  assign xor_2191 = difference_2190[8:0] ^ {9{difference_2190[9]}};
+  logic [9:0] sum_2192;
+  assign sum_2192 = {9'h0, difference_2190[9]} + {1'b0, xor_2191};
   // hls/stages/census.hpp:273
-  logic [9:0] difference_2967;
-  assign difference_2967 = {1'b0, select_415} - {1'b0, sharpness_last_mean_0_q};
+  logic [9:0] difference_2220;
+  assign difference_2220 = {1'b0, select_365} - {1'b0, sharpness_last_mean_0_q};
   logic [8:0] contrast;
-  assign contrast = {8'h0, difference_2967[9]} + (difference_2967[8:0] ^ {9{difference_2967[9]}});
-  // hls/stages/agreement.hpp:311
-  logic and_2972;
-  assign and_2972 = and_2966 & (sharpness_last_mask_q & (7'h2 < contrast[8:2]));
-  // hls/stages/census.hpp:273
-  logic [9:0] difference_2978;
-  assign difference_2978 = {1'b0, select_419} - {1'b0, sharpness_last_mean_1_q};
+  assign contrast = {8'h0, difference_2220[9]} + (difference_2220[8:0] ^ {9{difference_2220[9]}});
+  logic [9:0] difference_2231;
+  assign difference_2231 = {1'b0, select_369} - {1'b0, sharpness_last_mean_1_q};
   logic [8:0] contrast_2;
-  assign contrast_2 = {8'h0, difference_2978[9]} + (difference_2978[8:0] ^ {9{difference_2978[9]}});
-  // hls/stages/agreement.hpp:311
-  logic and_2983;
-  assign and_2983 = and_2966 & (sharpness_last_mask_q & (7'h2 < contrast_2[8:2]));
-  // hls/stages/census.hpp:277
-  logic [8:0] select_2990;
-  assign select_2990 = and_2972 ? contrast : 9'h0;
-  logic [23:0] sum_2991;
-  assign sum_2991 = (equal_2945_s3_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2990};
-  logic [8:0] select_2994;
-  assign select_2994 = and_2983 ? contrast_2 : 9'h0;
-  logic [23:0] sum_2995;
-  assign sum_2995 = (equal_2945_s3_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2994};
+  assign contrast_2 = {8'h0, difference_2231[9]} + (difference_2231[8:0] ^ {9{difference_2231[9]}});
+  // hls/stages/agreement.hpp:365
+  logic and_2418;
+  assign and_2418 = and_359_s3_q & (equal_420_s3_q & equal_2321_s3_q);
   // hls/stages/agreement.hpp:211
-  logic and_3061;
-  assign and_3061 = so_s3_q & (ends_cell_s3_q & (inside_v_s3_q[0] & inside_v_s3_q[1]));
+  logic and_2421;
+  assign and_2421 = so_s3_q & (ends_cell_s3_q & (inside_v_s3_q[0] & inside_v_s3_q[1]));
   // hls/stages/agreement.hpp:765
-  logic and_3082;
-  assign and_3082 = seen_columns_rdata_q[15] & inside_v_s3_q[0];
-  logic and_3083;
-  assign and_3083 = seen_columns_rdata_q[11] & inside_v_s3_q[0];
-  logic and_3084;
-  assign and_3084 = seen_columns_rdata_q[7] & inside_v_s3_q[0];
-  logic and_3085;
-  assign and_3085 = seen_columns_rdata_q[2] & inside_v_s3_q[0];
+  logic and_2442;
+  assign and_2442 = seen_columns_rdata_q[15] & inside_v_s3_q[0];
+  logic and_2443;
+  assign and_2443 = seen_columns_rdata_q[11] & inside_v_s3_q[0];
+  logic and_2444;
+  assign and_2444 = seen_columns_rdata_q[7] & inside_v_s3_q[0];
+  logic and_2445;
+  assign and_2445 = seen_columns_rdata_q[2] & inside_v_s3_q[0];
   // hls/stages/agreement.hpp:819
-  logic [1:0] sum_3087;
-  assign sum_3087 = {1'b0, and_3084} + ({1'b0, explained} + {1'b0, and_3085});
+  logic [1:0] sum_2447;
+  assign sum_2447 = {1'b0, and_2444} + ({1'b0, explained} + {1'b0, and_2445});
   logic [2:0] explained_2;
-  assign explained_2 = {2'h0, and_3082} + ({2'h0, and_3083} + {1'b0, sum_3087});
+  assign explained_2 = {2'h0, and_2442} + ({2'h0, and_2443} + {1'b0, sum_2447});
   // hls/stages/agreement.hpp:826
-  logic [2:0] select_3090;
-  assign select_3090 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
-  logic [3:0] difference_3091;
-  assign difference_3091 = {1'b0, explained_2} - {1'b0, select_3090};
+  logic [2:0] select_2450;
+  assign select_2450 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2451;
+  assign difference_2451 = {1'b0, explained_2} - {1'b0, select_2450};
   logic [4:0] e;
-  assign e = {difference_3091[3], difference_3091} + (equal_2694 ? 5'h0 : box_explained_sum_sums_values_0_q);
+  assign e = {difference_2451[3], difference_2451} + (equal_1996 ? 5'h0 : box_explained_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:833
-  logic [5:0] sum_3094;
-  assign sum_3094 = {1'b0, e} + {2'h0, e[4:1]};
+  logic [5:0] sum_2454;
+  assign sum_2454 = {1'b0, e} + {2'h0, e[4:1]};
   // hls/stages/agreement.hpp:211
-  logic and_3122;
-  assign and_3122 = ends_cell_s3_q & (inside_v_s3_q[0] & (inside_v_s3_q[2:1] == 2'h3));
-  logic [7:0] select_3143;
-  assign select_3143 = equal_1849_s3_q ? registration_slope_here_q : (so_s3_q ? select_2103 : registration_slope_here_q);
+  logic and_2482;
+  assign and_2482 = ends_cell_s3_q & (inside_v_s3_q[0] & (inside_v_s3_q[2:1] == 2'h3));
+  // hls/stages/registration.hpp:83
+  logic equal_2526;
+  assign equal_2526 = slot_s3_q == 3'h7;
+  // hls/stages/registration.hpp:206
+  logic [16:0] select_2528;
+  assign select_2528 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
+  logic [7:0] change;
+  assign change = ($signed(10'h0) < $signed(select_2528[16:7])) ? 8'h7f : select_2528[7:0];
+  // hls/stages/registration.hpp:89
+  logic [7:0] a;
+  assign a = equal_2526 ? registration_slope_here_q : change;
+  // hls/stages/registration.hpp:201
+  logic [7:0] select_2532;
+  assign select_2532 = inside_v_s3_q[9] ? a : 8'h0;
+  logic [7:0] select_2533;
+  assign select_2533 = inside_v_s3_q[10] ? a : 8'h0;
+  logic [8:0] difference_2534;
+  assign difference_2534 = {{2{select_2532[7]}}, select_2532[7:1]} - {select_2533[7], select_2533};
+  // hls/stages/registration.hpp:199
+  logic [6:0] select_2535;
+  assign select_2535 = inside_v_s3_q[5] ? a[7:1] : 7'h0;
+  logic [7:0] select_2536;
+  assign select_2536 = inside_v_s3_q[6] ? a : 8'h0;
+  logic [8:0] sum_2537;
+  assign sum_2537 = {{2{select_2535[6]}}, select_2535} + {select_2536[7], select_2536};
+  // hls/stages/registration.hpp:200
+  logic [7:0] select_2538;
+  assign select_2538 = inside_v_s3_q[7] ? a : 8'h0;
+  logic [7:0] select_2539;
+  assign select_2539 = inside_v_s3_q[8] ? a : 8'h0;
+  logic [8:0] sum_2540;
+  assign sum_2540 = {{2{select_2538[7]}}, select_2538[7:1]} + {select_2539[7], select_2539};
+  // hls/stages/registration.hpp:202
+  logic [10:0] sum_2541;
+  assign sum_2541 = {{3{sum_2537[8]}}, sum_2537[8:1]} + {sum_2540[8], sum_2540, select_2538[0]};
+  logic [9:0] sum_2542;
+  assign sum_2542 = {difference_2534, select_2532[0]} + {sum_2541[10], sum_2541[10:2]};
+  // hls/stages/registration.hpp:96
+  logic [12:0] sum_2543;
+  assign sum_2543 = {registration_slope_q[27], registration_slope_q[27:16]} + {{5{sum_2542[9]}}, sum_2542[9:2]};
+  // hls/stages/registration.hpp:206
+  logic [7:0] select_2546;
+  assign select_2546 = ($signed(sum_2543[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_2543[7:0];
+  // hls/stages/registration.hpp:106
+  logic [7:0] select_2548;
+  assign select_2548 = equal_2526 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_2543[12:7])) ? 8'h7f : select_2546);
+  // hls/stages/agreement.hpp:211
+  logic [7:0] select_2550;
+  assign select_2550 = equal_1799_s3_q ? registration_slope_here_q : (so_s3_q ? select_2548 : registration_slope_here_q);
   // hls/stages/registration.hpp:107
-  logic equal_3144;
-  assign equal_3144 = slot_s3_q == 3'h4;
+  logic equal_2551;
+  assign equal_2551 = slot_s3_q == 3'h4;
+  // hls/stages/registration.hpp:45
+  logic [1:0] sum_2560;
+  assign sum_2560 = inside_v_s3_q[13:12] + 2'h3;
+  // hls/stages/registration.hpp:47
+  logic [7:0] difference_2562;
+  assign difference_2562 = {sum_2560, inside_v_s3_q[11], 5'h0} - {3'h0, registration_displacement_fraction_q};
+  // hls/stages/registration.hpp:101
+  logic [7:0] select_2563;
+  assign select_2563 = less_2561_s3_q ? difference_2562 : {sum_2560, inside_v_s3_q[11], registration_displacement_fraction_q};
+  logic [7:0] select_2564;
+  assign select_2564 = ((inside_v_s3_q[13:11] == 3'h0) | (inside_v_s3_q[13:11] == 3'h4)) ? {sum_2560, inside_v_s3_q[11], 5'h0} : select_2563;
+  logic [11:0] value_2;
+  assign value_2 = {{4{select_2564[7]}}, select_2564} - {sum_2542[9], sum_2542, sum_2541[1]};
+  // hls/stages/registration.hpp:206
+  logic [11:0] select_2567;
+  assign select_2567 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
+  logic [11:0] residual;
+  assign residual = ($signed(5'h0) < $signed(select_2567[11:7])) ? 12'h7f : select_2567;
   // hls/stages/agreement.hpp:211
-  logic select_3173;
-  assign select_3173 = so_s3_q ? (equal_3144 ? right_2_s3_q : registration_of_right_q) : registration_of_right_q;
-  logic select_3176;
-  assign select_3176 = equal_1849_s3_q ? registration_was_inside_q : (so_s3_q ? select_2089 : registration_was_inside_q);
+  logic select_2611;
+  assign select_2611 = so_s3_q ? (equal_2551 ? right_2_s3_q : registration_of_right_q) : registration_of_right_q;
+  logic select_2614;
+  assign select_2614 = so_s3_q ? (equal_2526 ? inside_v_s3_q[0] : registration_was_inside_q) : registration_was_inside_q;
+  // hls/stages/registration.hpp:254
+  logic [3:0] select_2619;
+  assign select_2619 = (sum_1850 == 2'h2) ? (registration_fresh_q & (~select_1894)) : registration_fresh_q;
+  // hls/stages/agreement.hpp:211
+  logic [3:0] select_2621;
+  assign select_2621 = so_s3_q ? (and_1889 ? select_2619 : registration_fresh_q) : registration_fresh_q;
+  // hls/stages/registration.hpp:227
+  logic [3:0] select_2623;
+  assign select_2623 = and_2418 ? 4'hf : (equal_1799_s3_q ? registration_fresh_q : select_2621);
   // hls/stages/registration.hpp:121
-  logic [15:0] select_3191;
-  assign select_3191 = and_3190_s3_q ? $unsigned(cfg_epipolar_row_i) : 16'h0;
+  logic [15:0] select_2630;
+  assign select_2630 = and_2629_s3_q ? $unsigned(cfg_epipolar_row_i) : 16'h0;
   // hls/stages/registration.hpp:124
-  logic [23:0] select_3193;
-  assign select_3193 = and_3188_s3_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_3191[15]}}, select_3191});
+  logic [23:0] select_2632;
+  assign select_2632 = and_2627_s3_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2630[15]}}, select_2630});
   // hls/stages/registration.hpp:122
-  logic [15:0] select_3194;
-  assign select_3194 = and_3190_s3_q ? $unsigned(cfg_epipolar_both_i) : 16'h0;
+  logic [15:0] select_2633;
+  assign select_2633 = and_2629_s3_q ? $unsigned(cfg_epipolar_both_i) : 16'h0;
   logic [27:0] both;
-  assign both = registration_slope_change_q + {{12{select_3194[15]}}, select_3194};
+  assign both = registration_slope_change_q + {{12{select_2633[15]}}, select_2633};
   // hls/stages/registration.hpp:124
-  logic [27:0] select_3196;
-  assign select_3196 = and_3188_s3_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
+  logic [27:0] select_2635;
+  assign select_2635 = and_2627_s3_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
+  // hls/stages/agreement.hpp:135
+  logic and_2636;
+  assign and_2636 = ends_cell_s3_q & so_s3_q;
   // hls/stages/registration.hpp:117
   logic [27:0] column_7;
-  assign column_7 = registration_slope_q + (and_1985_s3_q ? registration_slope_change_q : 28'h0);
+  assign column_7 = registration_slope_q + (and_2636 ? registration_slope_change_q : 28'h0);
   // hls/stages/agreement.hpp:860
   logic [1:0] quarter_2;
-  assign quarter_2 = all ? x_s3_q[1:0] : select_1897;
+  assign quarter_2 = all ? x_s3_q[1:0] : select_1847;
+  // hls/stages/registration.hpp:243
+  logic not_2644;
+  assign not_2644 = ~quarter_2[1];
+  logic [3:0] select_2645;
+  assign select_2645 = quarter_2[0] ? {quarter_2[1], 1'b0, not_2644, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_2644};
   // hls/stages/agreement.hpp:211
-  logic select_3293;
-  assign select_3293 = equal_1849_s3_q ? shown_shown_q : (so_s3_q ? select_2646 : shown_shown_q);
-  logic select_3295;
-  assign select_3295 = equal_1849_s3_q ? shown_nearer_q : (so_s3_q ? select_2649 : shown_nearer_q);
+  logic select_2733;
+  assign select_2733 = equal_1799_s3_q ? shown_shown_q : (so_s3_q ? select_1948 : shown_shown_q);
+  logic select_2735;
+  assign select_2735 = equal_1799_s3_q ? shown_nearer_q : (so_s3_q ? select_1951 : shown_nearer_q);
+  // hls/stages/division.hpp:34
+  logic [7:0] sum_2737;
+  assign sum_2737 = region_down_rest_q[8:1] + 8'h3;
   // hls/stages/agreement.hpp:314
-  logic [2:0] select_3298;
-  assign select_3298 = less_3296_s3_q ? (sum_1963[7] ? region_row_q : next_region_row_q) : region_row_q;
-  logic [2:0] select_3300;
-  assign select_3300 = equal_2999_s3_q ? (equal_470_s3_q ? 3'h0 : select_3298) : region_row_q;
+  logic [2:0] select_2739;
+  assign select_2739 = less_2736_s3_q ? (sum_2737[7] ? region_row_q : next_region_row_q) : region_row_q;
+  logic [2:0] select_2741;
+  assign select_2741 = equal_2321_s3_q ? (equal_420_s3_q ? 3'h0 : select_2739) : region_row_q;
   // hls/stages/agreement.hpp:211
-  logic [7:0] select_3304;
-  assign select_3304 = equal_1849_s3_q ? select_1993 : (so_s3_q ? (ends_cell_s3_q ? select_2699 : select_1993) : 8'h1);
+  logic [7:0] select_2746;
+  assign select_2746 = equal_1799_s3_q ? select_1907 : (so_s3_q ? (ends_cell_s3_q ? select_2001 : select_1907) : 8'h1);
+  // hls/stages/agreement.hpp:143
+  logic [8:0] select_2748;
+  assign select_2748 = so_s3_q ? (and_2636 ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
+  // hls/stages/division.hpp:35
+  logic [8:0] sum_2750;
+  assign sum_2750 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
+  // hls/stages/division.hpp:36
+  logic [8:0] select_2751;
+  assign select_2751 = sum_1920[5] ? {1'b1, sum_1920[4:0], region_across_rest_q[2:0]} : sum_2750;
   // hls/stages/agreement.hpp:314
-  logic [8:0] select_3306;
-  assign select_3306 = equal_2999_s3_q ? (9'h1f0 - {2'h0, cfg_width_i[9:3]}) : columns_begin_rest_q;
-  logic [7:0] select_3309;
-  assign select_3309 = equal_2999_s3_q ? (8'h8 - {1'b0, cfg_width_i[9:3]}) : columns_begin_back_q;
-  logic [8:0] select_3313;
-  assign select_3313 = equal_470_s3_q ? {{2{difference_3311[6]}}, difference_3311} : (less_3296_s3_q ? region_down_next_q : region_down_rest_q);
+  logic [8:0] select_2753;
+  assign select_2753 = equal_2321_s3_q ? (9'h1f0 - {2'h0, cfg_width_i[9:3]}) : columns_begin_rest_q;
+  logic [7:0] select_2756;
+  assign select_2756 = equal_2321_s3_q ? (8'h8 - {1'b0, cfg_width_i[9:3]}) : columns_begin_back_q;
+  logic [8:0] select_2760;
+  assign select_2760 = equal_420_s3_q ? {{2{difference_2758[6]}}, difference_2758} : (less_2736_s3_q ? region_down_next_q : region_down_rest_q);
   // hls/stages/agreement.hpp:365
-  logic [8:0] select_3315;
-  assign select_3315 = and_409_s3_q ? (equal_2999_s3_q ? select_3313 : region_down_rest_q) : region_down_rest_q;
+  logic [8:0] select_2762;
+  assign select_2762 = and_359_s3_q ? (equal_2321_s3_q ? select_2760 : region_down_rest_q) : region_down_rest_q;
   // hls/stages/agreement.hpp:314
-  logic [6:0] select_3317;
-  assign select_3317 = equal_470_s3_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
+  logic [6:0] select_2764;
+  assign select_2764 = equal_420_s3_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
   // hls/stages/agreement.hpp:365
-  logic [6:0] select_3319;
-  assign select_3319 = and_409_s3_q ? (equal_2999_s3_q ? select_3317 : region_down_back_q) : region_down_back_q;
+  logic [6:0] select_2766;
+  assign select_2766 = and_359_s3_q ? (equal_2321_s3_q ? select_2764 : region_down_back_q) : region_down_back_q;
+  // hls/stages/division.hpp:35
+  logic [8:0] sum_2767;
+  assign sum_2767 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
+  // hls/stages/division.hpp:36
+  logic [8:0] select_2768;
+  assign select_2768 = sum_2737[7] ? {1'b1, sum_2737[6:0], region_down_rest_q[0]} : sum_2767;
   // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_1963[7];
+  assign next = ~sum_2737[7];
   // hls/stages/agreement.hpp:314
-  logic select_3323;
-  assign select_3323 = equal_2999_s3_q ? (equal_470_s3_q | (less_3296_s3_q ? next : region_fresh_q)) : region_fresh_q;
+  logic select_2772;
+  assign select_2772 = equal_2321_s3_q ? (equal_420_s3_q | (less_2736_s3_q ? next : region_fresh_q)) : region_fresh_q;
+  // hls/stages/agreement.hpp:143
+  logic or_2777;
+  assign or_2777 = segment_starts_q | not_1839;
   // hls/stages/agreement.hpp:765
-  logic select_3330;
-  assign select_3330 = inside_v_s3_q[0] ? (sum_1978[5] ? (equal_2620_s3_q & or_2621) : or_2621) : or_1956;
+  logic select_2780;
+  assign select_2780 = inside_v_s3_q[0] ? (sum_1920[5] ? (equal_1922_s3_q & or_1923) : or_1923) : or_2777;
   // hls/stages/agreement.hpp:211
-  logic select_3333;
-  assign select_3333 = equal_1849_s3_q ? or_1956 : (so_s3_q ? (ends_cell_s3_q ? select_3330 : or_1956) : or_1956);
+  logic select_2783;
+  assign select_2783 = equal_1799_s3_q ? or_2777 : (so_s3_q ? (ends_cell_s3_q ? select_2780 : or_2777) : or_2777);
   // hls/stages/agreement.hpp:872
-  logic equal_3358;
-  assign equal_3358 = x_s3_q[6:0] == 7'h7f;
+  logic equal_2808;
+  assign equal_2808 = x_s3_q[6:0] == 7'h7f;
   // hls/stages/agreement.hpp:211
-  logic [2:0] select_3409;
-  assign select_3409 = so_s3_q ? (ends_cell_s3_q ? textured_2 : box_textured_columns_values_0_q) : box_textured_columns_values_0_q;
-  logic [2:0] select_3411;
-  assign select_3411 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
-  logic [2:0] select_3413;
-  assign select_3413 = equal_1849_s3_q ? box_textured_columns_values_1_q : (so_s3_q ? select_3411 : box_textured_columns_values_1_q);
-  logic [2:0] select_3414;
-  assign select_3414 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
-  logic [2:0] select_3416;
-  assign select_3416 = equal_1849_s3_q ? box_textured_columns_values_2_q : (so_s3_q ? select_3414 : box_textured_columns_values_2_q);
-  logic [2:0] select_3417;
-  assign select_3417 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
-  logic [2:0] select_3419;
-  assign select_3419 = equal_1849_s3_q ? box_textured_columns_values_3_q : (so_s3_q ? select_3417 : box_textured_columns_values_3_q);
-  logic [2:0] select_3420;
-  assign select_3420 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
-  logic [2:0] select_3422;
-  assign select_3422 = equal_1849_s3_q ? box_textured_columns_values_4_q : (so_s3_q ? select_3420 : box_textured_columns_values_4_q);
-  logic [4:0] select_3424;
-  assign select_3424 = so_s3_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
-  logic [2:0] select_3427;
-  assign select_3427 = so_s3_q ? (ends_cell_s3_q ? explained_2 : box_explained_columns_values_0_q) : box_explained_columns_values_0_q;
-  logic [2:0] select_3429;
-  assign select_3429 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
-  logic [2:0] select_3431;
-  assign select_3431 = equal_1849_s3_q ? box_explained_columns_values_1_q : (so_s3_q ? select_3429 : box_explained_columns_values_1_q);
-  logic [2:0] select_3432;
-  assign select_3432 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
-  logic [2:0] select_3434;
-  assign select_3434 = equal_1849_s3_q ? box_explained_columns_values_2_q : (so_s3_q ? select_3432 : box_explained_columns_values_2_q);
-  logic [2:0] select_3435;
-  assign select_3435 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
-  logic [2:0] select_3437;
-  assign select_3437 = equal_1849_s3_q ? box_explained_columns_values_3_q : (so_s3_q ? select_3435 : box_explained_columns_values_3_q);
-  logic [2:0] select_3438;
-  assign select_3438 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
-  logic [2:0] select_3440;
-  assign select_3440 = equal_1849_s3_q ? box_explained_columns_values_4_q : (so_s3_q ? select_3438 : box_explained_columns_values_4_q);
-  logic [4:0] select_3442;
-  assign select_3442 = so_s3_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
-  logic [4:0] select_3443;
-  assign select_3443 = equal_1849_s3_q ? box_explained_sum_sums_values_0_q : select_3442;
-  logic [2:0] select_3445;
-  assign select_3445 = so_s3_q ? (ends_cell_s3_q ? shown_2 : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
-  logic [2:0] select_3447;
-  assign select_3447 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
-  logic [2:0] select_3449;
-  assign select_3449 = equal_1849_s3_q ? box_shown_columns_values_1_q : (so_s3_q ? select_3447 : box_shown_columns_values_1_q);
-  logic [2:0] select_3450;
-  assign select_3450 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
-  logic [2:0] select_3452;
-  assign select_3452 = equal_1849_s3_q ? box_shown_columns_values_2_q : (so_s3_q ? select_3450 : box_shown_columns_values_2_q);
-  logic [2:0] select_3453;
-  assign select_3453 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
-  logic [2:0] select_3455;
-  assign select_3455 = equal_1849_s3_q ? box_shown_columns_values_3_q : (so_s3_q ? select_3453 : box_shown_columns_values_3_q);
-  logic [2:0] select_3456;
-  assign select_3456 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
-  logic [2:0] select_3458;
-  assign select_3458 = equal_1849_s3_q ? box_shown_columns_values_4_q : (so_s3_q ? select_3456 : box_shown_columns_values_4_q);
-  logic [4:0] select_3460;
-  assign select_3460 = so_s3_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
-  logic [2:0] select_3463;
-  assign select_3463 = so_s3_q ? (ends_cell_s3_q ? near_2 : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
-  logic [2:0] select_3465;
-  assign select_3465 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
-  logic [2:0] select_3467;
-  assign select_3467 = equal_1849_s3_q ? box_nearer_columns_values_1_q : (so_s3_q ? select_3465 : box_nearer_columns_values_1_q);
-  logic [2:0] select_3468;
-  assign select_3468 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
-  logic [2:0] select_3470;
-  assign select_3470 = equal_1849_s3_q ? box_nearer_columns_values_2_q : (so_s3_q ? select_3468 : box_nearer_columns_values_2_q);
-  logic [2:0] select_3471;
-  assign select_3471 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
-  logic [2:0] select_3473;
-  assign select_3473 = equal_1849_s3_q ? box_nearer_columns_values_3_q : (so_s3_q ? select_3471 : box_nearer_columns_values_3_q);
-  logic [2:0] select_3474;
-  assign select_3474 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
-  logic [2:0] select_3476;
-  assign select_3476 = equal_1849_s3_q ? box_nearer_columns_values_4_q : (so_s3_q ? select_3474 : box_nearer_columns_values_4_q);
-  logic [4:0] select_3478;
-  assign select_3478 = so_s3_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
-  logic select_3481;
-  assign select_3481 = so_s3_q ? (ends_cell_s3_q ? and_2686 : centres_values_0_textured_q) : centres_values_0_textured_q;
-  logic select_3484;
-  assign select_3484 = ends_cell_s3_q ? (seen_columns_rdata_q[6] & inside_v_s3_q[0]) : centres_values_0_of_skin_q;
-  logic select_3486;
-  assign select_3486 = equal_1849_s3_q ? centres_values_0_of_skin_q : (so_s3_q ? select_3484 : centres_values_0_of_skin_q);
-  logic select_3487;
-  assign select_3487 = ends_cell_s3_q ? centres_values_0_textured_q : centres_values_1_textured_q;
-  logic select_3489;
-  assign select_3489 = equal_1849_s3_q ? centres_values_1_textured_q : (so_s3_q ? select_3487 : centres_values_1_textured_q);
-  logic select_3490;
-  assign select_3490 = ends_cell_s3_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
-  logic select_3492;
-  assign select_3492 = equal_1849_s3_q ? centres_values_1_of_skin_q : (so_s3_q ? select_3490 : centres_values_1_of_skin_q);
+  logic [2:0] select_2859;
+  assign select_2859 = so_s3_q ? (ends_cell_s3_q ? textured_2 : box_textured_columns_values_0_q) : box_textured_columns_values_0_q;
+  logic [2:0] select_2861;
+  assign select_2861 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  logic [2:0] select_2863;
+  assign select_2863 = equal_1799_s3_q ? box_textured_columns_values_1_q : (so_s3_q ? select_2861 : box_textured_columns_values_1_q);
+  logic [2:0] select_2864;
+  assign select_2864 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  logic [2:0] select_2866;
+  assign select_2866 = equal_1799_s3_q ? box_textured_columns_values_2_q : (so_s3_q ? select_2864 : box_textured_columns_values_2_q);
+  logic [2:0] select_2867;
+  assign select_2867 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  logic [2:0] select_2869;
+  assign select_2869 = equal_1799_s3_q ? box_textured_columns_values_3_q : (so_s3_q ? select_2867 : box_textured_columns_values_3_q);
+  logic [2:0] select_2870;
+  assign select_2870 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  logic [2:0] select_2872;
+  assign select_2872 = equal_1799_s3_q ? box_textured_columns_values_4_q : (so_s3_q ? select_2870 : box_textured_columns_values_4_q);
+  logic [4:0] select_2874;
+  assign select_2874 = so_s3_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
+  logic [2:0] select_2877;
+  assign select_2877 = so_s3_q ? (ends_cell_s3_q ? explained_2 : box_explained_columns_values_0_q) : box_explained_columns_values_0_q;
+  logic [2:0] select_2879;
+  assign select_2879 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  logic [2:0] select_2881;
+  assign select_2881 = equal_1799_s3_q ? box_explained_columns_values_1_q : (so_s3_q ? select_2879 : box_explained_columns_values_1_q);
+  logic [2:0] select_2882;
+  assign select_2882 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  logic [2:0] select_2884;
+  assign select_2884 = equal_1799_s3_q ? box_explained_columns_values_2_q : (so_s3_q ? select_2882 : box_explained_columns_values_2_q);
+  logic [2:0] select_2885;
+  assign select_2885 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  logic [2:0] select_2887;
+  assign select_2887 = equal_1799_s3_q ? box_explained_columns_values_3_q : (so_s3_q ? select_2885 : box_explained_columns_values_3_q);
+  logic [2:0] select_2888;
+  assign select_2888 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  logic [2:0] select_2890;
+  assign select_2890 = equal_1799_s3_q ? box_explained_columns_values_4_q : (so_s3_q ? select_2888 : box_explained_columns_values_4_q);
+  logic [4:0] select_2892;
+  assign select_2892 = so_s3_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
+  logic [4:0] select_2893;
+  assign select_2893 = equal_1799_s3_q ? box_explained_sum_sums_values_0_q : select_2892;
+  logic [2:0] select_2895;
+  assign select_2895 = so_s3_q ? (ends_cell_s3_q ? shown_2 : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
+  logic [2:0] select_2897;
+  assign select_2897 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  logic [2:0] select_2899;
+  assign select_2899 = equal_1799_s3_q ? box_shown_columns_values_1_q : (so_s3_q ? select_2897 : box_shown_columns_values_1_q);
+  logic [2:0] select_2900;
+  assign select_2900 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  logic [2:0] select_2902;
+  assign select_2902 = equal_1799_s3_q ? box_shown_columns_values_2_q : (so_s3_q ? select_2900 : box_shown_columns_values_2_q);
+  logic [2:0] select_2903;
+  assign select_2903 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  logic [2:0] select_2905;
+  assign select_2905 = equal_1799_s3_q ? box_shown_columns_values_3_q : (so_s3_q ? select_2903 : box_shown_columns_values_3_q);
+  logic [2:0] select_2906;
+  assign select_2906 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  logic [2:0] select_2908;
+  assign select_2908 = equal_1799_s3_q ? box_shown_columns_values_4_q : (so_s3_q ? select_2906 : box_shown_columns_values_4_q);
+  logic [4:0] select_2910;
+  assign select_2910 = so_s3_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
+  logic [2:0] select_2913;
+  assign select_2913 = so_s3_q ? (ends_cell_s3_q ? near_2 : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
+  logic [2:0] select_2915;
+  assign select_2915 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  logic [2:0] select_2917;
+  assign select_2917 = equal_1799_s3_q ? box_nearer_columns_values_1_q : (so_s3_q ? select_2915 : box_nearer_columns_values_1_q);
+  logic [2:0] select_2918;
+  assign select_2918 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  logic [2:0] select_2920;
+  assign select_2920 = equal_1799_s3_q ? box_nearer_columns_values_2_q : (so_s3_q ? select_2918 : box_nearer_columns_values_2_q);
+  logic [2:0] select_2921;
+  assign select_2921 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  logic [2:0] select_2923;
+  assign select_2923 = equal_1799_s3_q ? box_nearer_columns_values_3_q : (so_s3_q ? select_2921 : box_nearer_columns_values_3_q);
+  logic [2:0] select_2924;
+  assign select_2924 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  logic [2:0] select_2926;
+  assign select_2926 = equal_1799_s3_q ? box_nearer_columns_values_4_q : (so_s3_q ? select_2924 : box_nearer_columns_values_4_q);
+  logic [4:0] select_2928;
+  assign select_2928 = so_s3_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
+  logic select_2931;
+  assign select_2931 = so_s3_q ? (ends_cell_s3_q ? and_1988 : centres_values_0_textured_q) : centres_values_0_textured_q;
+  logic select_2934;
+  assign select_2934 = ends_cell_s3_q ? (seen_columns_rdata_q[6] & inside_v_s3_q[0]) : centres_values_0_of_skin_q;
+  logic select_2936;
+  assign select_2936 = equal_1799_s3_q ? centres_values_0_of_skin_q : (so_s3_q ? select_2934 : centres_values_0_of_skin_q);
+  logic select_2937;
+  assign select_2937 = ends_cell_s3_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  logic select_2939;
+  assign select_2939 = equal_1799_s3_q ? centres_values_1_textured_q : (so_s3_q ? select_2937 : centres_values_1_textured_q);
+  logic select_2940;
+  assign select_2940 = ends_cell_s3_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  logic select_2942;
+  assign select_2942 = equal_1799_s3_q ? centres_values_1_of_skin_q : (so_s3_q ? select_2940 : centres_values_1_of_skin_q);
   // hls/stages/agreement.hpp:314
-  logic [12:0] select_3496;
-  assign select_3496 = equal_2999_s3_q ? (equal_3493_s3_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
+  logic [12:0] select_2946;
+  assign select_2946 = equal_2321_s3_q ? (equal_2943_s3_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
   // hls/stages/agreement.hpp:365
-  logic [6:0] select_3499;
-  assign select_3499 = and_409_s3_q ? (equal_2999_s3_q ? cfg_width_i[9:3] : map_width_q) : map_width_q;
+  logic [6:0] select_2949;
+  assign select_2949 = and_359_s3_q ? (equal_2321_s3_q ? cfg_width_i[9:3] : map_width_q) : map_width_q;
   // hls/stages/agreement.hpp:1009
-  logic [2:0] select_3510;
-  assign select_3510 = select_2658 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q;
+  logic [2:0] select_2960;
+  assign select_2960 = select_1960 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q;
   // hls/stages/agreement.hpp:218
-  logic [7:0] select_3516;
-  assign select_3516 = marks_first_s3_q ? (less_3512 ? {sum_3513, cfg_height_i[5:3]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
+  logic [7:0] select_2966;
+  assign select_2966 = marks_first_s3_q ? (less_2962 ? {sum_2963, cfg_height_i[5:3]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
   // hls/stages/agreement.hpp:1013
-  logic and_3522;
-  assign and_3522 = and_2758_s3_q & ({sum_2683, index_2[5:0]} == {sum_2670, index[5:0]});
+  logic and_2972;
+  assign and_2972 = and_2060_s3_q & ({sum_1985, index_2[5:0]} == {sum_1972, index[5:0]});
+  // hls/stages/registration.hpp:243
+  logic not_3024;
+  assign not_3024 = ~quarter[1];
+  logic [3:0] select_3025;
+  assign select_3025 = quarter[0] ? {quarter[1], 1'b0, not_3024, 1'b0} : {1'b0, quarter[1], 1'b0, not_3024};
 
-  // Memory registration_sums, 12 x 32 and parity, DISTANCE 12, hls/stages/registration.hpp:260; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory registration_sums, 12 x 32 and parity, DISTANCE 12, hls/stages/registration.hpp:261; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [32:0] registration_sums_mem [0:11];
@@ -4195,9 +3427,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 12; i++) registration_sums_mem[i] = 33'h0;
 `endif
   logic [3:0] registration_sums_raddr;
-  assign registration_sums_raddr = select_1901;
+  assign registration_sums_raddr = select_1851;
   logic registration_sums_re;
-  assign registration_sums_re = s3_en & (equal_1849_s3_q ? (x_s3_q[6] & select_1929) : and_1940);
+  assign registration_sums_re = s3_en & (equal_1799_s3_q ? (x_s3_q[6] & select_1879) : and_1890);
   logic [32:0] registration_sums_word_q;
   always_ff @(posedge clk_i) begin
     if (registration_sums_re) registration_sums_word_q <= registration_sums_mem[registration_sums_raddr];
@@ -4216,9 +3448,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 64; i++) regions_mem[i] = 31'h0;
 `endif
   logic [5:0] regions_raddr;
-  assign regions_raddr = select_2616;
+  assign regions_raddr = select_1917;
   logic regions_re;
-  assign regions_re = s3_en & (equal_1849_s3_q ? (x_s3_q[6] & not_2617) : and_2624);
+  assign regions_re = s3_en & (equal_1799_s3_q ? (x_s3_q[6] & not_1918) : and_1926);
   logic [30:0] regions_word_q;
   always_ff @(posedge clk_i) begin
     if (regions_re) regions_word_q <= regions_mem[regions_raddr];
@@ -4237,9 +3469,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 9600; i++) map_mem[i] = 3'h0;
 `endif
   logic [13:0] map_raddr;
-  assign map_raddr = {sum_2670, index[5:0]};
+  assign map_raddr = {sum_1972, index[5:0]};
   logic map_re;
-  assign map_re = s3_en & (and_2677 & less_2678);
+  assign map_re = s3_en & (and_1979 & less_1980);
   logic [2:0] map_word_q;
   always_ff @(posedge clk_i) begin
     if (map_re) map_word_q <= map_mem[map_raddr];
@@ -4254,9 +3486,9 @@ module horopter_agreement (
   logic [6:0] census_memory_waddr;
   assign census_memory_waddr = column_s3_q;
   logic census_memory_we;
-  assign census_memory_we = s3_en & and_409_s3_q;
-  logic [79:0] census_memory_wdata;
-  assign census_memory_wdata = {census_memory_rdata_q[59:0], and_427_s3_q, whole_2_s3_q, select_419, select_415};
+  assign census_memory_we = s3_en & and_359_s3_q;
+  logic [77:0] census_memory_wdata;
+  assign census_memory_wdata = {census_memory_rdata_q[58:40], census_memory_rdata_q[38:0], and_377_s3_q, whole_2_s3_q, select_369, select_365};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (census_memory_we) census_memory_mem[census_memory_waddr] <= {^census_memory_wdata, census_memory_wdata};
   end
@@ -4274,11 +3506,11 @@ module horopter_agreement (
 
   // Memory shown_right, write
   logic [6:0] shown_right_waddr;
-  assign shown_right_waddr = select_1888_s3_q;
+  assign shown_right_waddr = select_1838_s3_q;
   logic shown_right_we;
-  assign shown_right_we = s3_en & and_1893_s3_q;
+  assign shown_right_we = s3_en & and_1843_s3_q;
   logic [1:0] shown_right_wdata;
-  assign shown_right_wdata = {and_1890, not_1889};
+  assign shown_right_wdata = {and_1840, not_1839};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (shown_right_we) shown_right_mem[shown_right_waddr] <= {^shown_right_wdata, shown_right_wdata};
   end
@@ -4298,9 +3530,9 @@ module horopter_agreement (
   logic [6:0] seen_columns_waddr;
   assign seen_columns_waddr = x_s3_q[6:0];
   logic seen_columns_we;
-  assign seen_columns_we = s3_en & and_1884_s3_q;
+  assign seen_columns_we = s3_en & and_1834_s3_q;
   logic [17:0] seen_columns_wdata;
-  assign seen_columns_wdata = {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_2645, textured_s3_q};
+  assign seen_columns_wdata = {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_1947, textured_s3_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {^seen_columns_wdata, seen_columns_wdata};
   end
@@ -4318,11 +3550,12 @@ module horopter_agreement (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      sharpness_sums_contrast_0_q <= 24'h0;
-      sharpness_sums_contrast_1_q <= 24'h0;
+      census_filled_q <= 4'h0;
+      rows_passed_above_q <= 5'h0;
       registration_slope_here_q <= 8'h0;
       registration_of_right_q <= 1'b0;
       registration_was_inside_q <= 1'b0;
+      registration_fresh_q <= 4'hf;
       registration_slope_row_q <= 24'h0;
       registration_slope_change_q <= 28'h0;
       registration_slope_q <= 28'h0;
@@ -4365,74 +3598,67 @@ module horopter_agreement (
       was_next_row_q <= 1'b0;
       seen_base_q <= 13'h0;
     end else if (s3_en) begin
-      sharpness_sums_contrast_0_q <= and_409_s3_q ? sum_2991 : sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_q <= and_409_s3_q ? sum_2995 : sharpness_sums_contrast_1_q;
-      registration_slope_here_q <= select_3143;
-      registration_of_right_q <= equal_1849_s3_q ? registration_of_right_q : select_3173;
-      registration_was_inside_q <= select_3176;
-      registration_slope_row_q <= select_3193;
-      registration_slope_change_q <= select_3196;
+      census_filled_q <= and_359_s3_q ? {select_423[2:0], 1'b1} : census_filled_q;
+      rows_passed_above_q <= and_359_s3_q ? select_422 : rows_passed_above_q;
+      registration_slope_here_q <= select_2550;
+      registration_of_right_q <= equal_1799_s3_q ? registration_of_right_q : select_2611;
+      registration_was_inside_q <= equal_1799_s3_q ? registration_was_inside_q : select_2614;
+      registration_fresh_q <= select_2623;
+      registration_slope_row_q <= select_2632;
+      registration_slope_change_q <= select_2635;
       registration_slope_q <= so_s3_q ? column_7 : {registration_slope_row_q, 4'h0};
-      shown_shown_q <= select_3293;
-      shown_nearer_q <= select_3295;
-      region_row_q <= and_409_s3_q ? select_3300 : region_row_q;
-      next_region_row_q <= sum_1994;
-      region_columns_q <= select_3304;
-      region_across_rest_q <= select_1987;
-      region_across_back_q <= select_1983;
-      region_across_next_q <= select_1980;
-      columns_begin_rest_q <= and_409_s3_q ? select_3306 : columns_begin_rest_q;
-      columns_begin_back_q <= and_409_s3_q ? select_3309 : columns_begin_back_q;
-      region_down_rest_q <= select_3315;
-      region_down_back_q <= select_3319;
-      region_down_next_q <= select_1965;
-      region_fresh_q <= and_409_s3_q ? select_3323 : region_fresh_q;
-      segment_starts_q <= select_3333;
-      centres_values_0_textured_q <= equal_1849_s3_q ? centres_values_0_textured_q : select_3481;
-      centres_values_0_of_skin_q <= select_3486;
-      centres_values_1_textured_q <= select_3489;
-      centres_values_1_of_skin_q <= select_3492;
-      map_row_q <= and_409_s3_q ? select_3496 : map_row_q;
-      map_width_q <= select_3499;
+      shown_shown_q <= select_2733;
+      shown_nearer_q <= select_2735;
+      region_row_q <= and_359_s3_q ? select_2741 : region_row_q;
+      next_region_row_q <= region_row_q + 3'h1;
+      region_columns_q <= select_2746;
+      region_across_rest_q <= select_2748;
+      region_across_back_q <= so_s3_q ? region_across_back_q : columns_begin_back_q;
+      region_across_next_q <= select_2751;
+      columns_begin_rest_q <= and_359_s3_q ? select_2753 : columns_begin_rest_q;
+      columns_begin_back_q <= and_359_s3_q ? select_2756 : columns_begin_back_q;
+      region_down_rest_q <= select_2762;
+      region_down_back_q <= select_2766;
+      region_down_next_q <= select_2768;
+      region_fresh_q <= and_359_s3_q ? select_2772 : region_fresh_q;
+      segment_starts_q <= select_2783;
+      centres_values_0_textured_q <= equal_1799_s3_q ? centres_values_0_textured_q : select_2931;
+      centres_values_0_of_skin_q <= select_2936;
+      centres_values_1_textured_q <= select_2939;
+      centres_values_1_of_skin_q <= select_2942;
+      map_row_q <= and_359_s3_q ? select_2946 : map_row_q;
+      map_width_q <= select_2949;
       write_half_q <= marks_first_s3_q ? (write_half_q ^ done_q) : write_half_q;
-      read_half_q <= select_2669;
-      done_q <= not_2671 & ((~drew_q) & (done_q | said_q));
+      read_half_q <= select_1971;
+      done_q <= not_1973 & ((~drew_q) & (done_q | said_q));
       proven_q <= marks_first_s3_q ? done_q : proven_q;
       drew_q <= so_s3_q;
-      said_q <= equal_1849_s3_q & equal_3358;
-      rows_passed_q <= select_2654;
-      columns_passed_q <= {select_2656[7:0], or_2652};
+      said_q <= equal_1799_s3_q & equal_2808;
+      rows_passed_q <= select_1956;
+      columns_passed_q <= {select_1958[7:0], or_1954};
       line_ended_q <= marks_last_s3_q;
-      began_q <= and_2673;
-      seen_x_q <= select_2675;
-      seen_y_q <= marks_first_s3_q ? 3'h0 : select_3510;
-      seen_column_q <= select_2666;
-      seen_rows_left_q <= select_3516;
+      began_q <= and_1975;
+      seen_x_q <= select_1977;
+      seen_y_q <= marks_first_s3_q ? 3'h0 : select_2960;
+      seen_column_q <= select_1968;
+      seen_rows_left_q <= select_2966;
       at_cell_end_q <= (seen_y_q == 3'h7) & (~(seen_rows_left_q == 8'h0));
       was_next_row_q <= next_row;
-      seen_base_q <= select_2663;
+      seen_base_q <= select_1965;
     end
   end
 
   // Not reset: nothing of it counts before it is written anew.
 `ifndef SYNTHESIS
   initial begin
-    averager_quarter_1_0_q = 9'h0;
-    averager_quarter_1_1_q = 9'h0;
-    averager_quarter_2_0_q = 9'h0;
-    averager_quarter_2_1_q = 9'h0;
     averager_total_0_q = 11'h0;
     averager_total_1_q = 11'h0;
-    averager_detail_0_q = 14'h0;
-    averager_detail_1_q = 14'h0;
     census_columns_values_0_cell_0_left_q = 9'h0;
     census_columns_values_0_cell_0_right_q = 9'h0;
     census_columns_values_0_cell_0_mask_q = 1'b0;
-    census_columns_values_0_cell_0_of_skin_q = 1'b0;
     census_columns_values_0_cell_1_left_q = 9'h0;
     census_columns_values_0_cell_1_right_q = 9'h0;
     census_columns_values_0_cell_1_mask_q = 1'b0;
-    census_columns_values_0_cell_1_of_skin_q = 1'b0;
     census_columns_values_0_cell_2_left_q = 9'h0;
     census_columns_values_0_cell_2_right_q = 9'h0;
     census_columns_values_0_cell_2_mask_q = 1'b0;
@@ -4440,19 +3666,15 @@ module horopter_agreement (
     census_columns_values_0_cell_3_left_q = 9'h0;
     census_columns_values_0_cell_3_right_q = 9'h0;
     census_columns_values_0_cell_3_mask_q = 1'b0;
-    census_columns_values_0_cell_3_of_skin_q = 1'b0;
     census_columns_values_0_cell_4_left_q = 9'h0;
     census_columns_values_0_cell_4_right_q = 9'h0;
     census_columns_values_0_cell_4_mask_q = 1'b0;
-    census_columns_values_0_cell_4_of_skin_q = 1'b0;
     census_columns_values_1_cell_0_left_q = 9'h0;
     census_columns_values_1_cell_0_right_q = 9'h0;
     census_columns_values_1_cell_0_mask_q = 1'b0;
-    census_columns_values_1_cell_0_of_skin_q = 1'b0;
     census_columns_values_1_cell_1_left_q = 9'h0;
     census_columns_values_1_cell_1_right_q = 9'h0;
     census_columns_values_1_cell_1_mask_q = 1'b0;
-    census_columns_values_1_cell_1_of_skin_q = 1'b0;
     census_columns_values_1_cell_2_left_q = 9'h0;
     census_columns_values_1_cell_2_right_q = 9'h0;
     census_columns_values_1_cell_2_mask_q = 1'b0;
@@ -4460,76 +3682,35 @@ module horopter_agreement (
     census_columns_values_1_cell_3_left_q = 9'h0;
     census_columns_values_1_cell_3_right_q = 9'h0;
     census_columns_values_1_cell_3_mask_q = 1'b0;
-    census_columns_values_1_cell_3_of_skin_q = 1'b0;
     census_columns_values_1_cell_4_left_q = 9'h0;
     census_columns_values_1_cell_4_right_q = 9'h0;
     census_columns_values_1_cell_4_mask_q = 1'b0;
-    census_columns_values_1_cell_4_of_skin_q = 1'b0;
     census_columns_values_2_cell_0_left_q = 9'h0;
     census_columns_values_2_cell_0_right_q = 9'h0;
     census_columns_values_2_cell_0_mask_q = 1'b0;
-    census_columns_values_2_cell_0_of_skin_q = 1'b0;
     census_columns_values_2_cell_1_left_q = 9'h0;
     census_columns_values_2_cell_1_right_q = 9'h0;
     census_columns_values_2_cell_1_mask_q = 1'b0;
-    census_columns_values_2_cell_1_of_skin_q = 1'b0;
     census_columns_values_2_cell_2_left_q = 9'h0;
     census_columns_values_2_cell_2_right_q = 9'h0;
     census_columns_values_2_cell_2_mask_q = 1'b0;
-    census_columns_values_2_cell_2_of_skin_q = 1'b0;
     census_columns_values_2_cell_3_left_q = 9'h0;
     census_columns_values_2_cell_3_right_q = 9'h0;
     census_columns_values_2_cell_3_mask_q = 1'b0;
-    census_columns_values_2_cell_3_of_skin_q = 1'b0;
     census_columns_values_2_cell_4_left_q = 9'h0;
     census_columns_values_2_cell_4_right_q = 9'h0;
     census_columns_values_2_cell_4_mask_q = 1'b0;
-    census_columns_values_2_cell_4_of_skin_q = 1'b0;
-    census_columns_values_3_cell_0_left_q = 9'h0;
-    census_columns_values_3_cell_0_right_q = 9'h0;
     census_columns_values_3_cell_0_mask_q = 1'b0;
-    census_columns_values_3_cell_0_of_skin_q = 1'b0;
     census_columns_values_3_cell_1_left_q = 9'h0;
     census_columns_values_3_cell_1_right_q = 9'h0;
     census_columns_values_3_cell_1_mask_q = 1'b0;
-    census_columns_values_3_cell_1_of_skin_q = 1'b0;
-    census_columns_values_3_cell_2_left_q = 9'h0;
-    census_columns_values_3_cell_2_right_q = 9'h0;
     census_columns_values_3_cell_2_mask_q = 1'b0;
-    census_columns_values_3_cell_2_of_skin_q = 1'b0;
     census_columns_values_3_cell_3_left_q = 9'h0;
     census_columns_values_3_cell_3_right_q = 9'h0;
     census_columns_values_3_cell_3_mask_q = 1'b0;
-    census_columns_values_3_cell_3_of_skin_q = 1'b0;
-    census_columns_values_3_cell_4_left_q = 9'h0;
-    census_columns_values_3_cell_4_right_q = 9'h0;
     census_columns_values_3_cell_4_mask_q = 1'b0;
-    census_columns_values_3_cell_4_of_skin_q = 1'b0;
-    census_columns_values_4_cell_0_left_q = 9'h0;
-    census_columns_values_4_cell_0_right_q = 9'h0;
-    census_columns_values_4_cell_0_mask_q = 1'b0;
-    census_columns_values_4_cell_0_of_skin_q = 1'b0;
-    census_columns_values_4_cell_1_left_q = 9'h0;
-    census_columns_values_4_cell_1_right_q = 9'h0;
-    census_columns_values_4_cell_1_mask_q = 1'b0;
-    census_columns_values_4_cell_1_of_skin_q = 1'b0;
-    census_columns_values_4_cell_2_left_q = 9'h0;
-    census_columns_values_4_cell_2_right_q = 9'h0;
-    census_columns_values_4_cell_2_mask_q = 1'b0;
-    census_columns_values_4_cell_2_of_skin_q = 1'b0;
-    census_columns_values_4_cell_3_left_q = 9'h0;
-    census_columns_values_4_cell_3_right_q = 9'h0;
-    census_columns_values_4_cell_3_mask_q = 1'b0;
-    census_columns_values_4_cell_3_of_skin_q = 1'b0;
-    census_columns_values_4_cell_4_left_q = 9'h0;
-    census_columns_values_4_cell_4_right_q = 9'h0;
-    census_columns_values_4_cell_4_mask_q = 1'b0;
-    census_columns_values_4_cell_4_of_skin_q = 1'b0;
-    sharpness_last_valid_q = 1'b0;
     sharpness_last_mean_0_q = 9'h0;
     sharpness_last_mean_1_q = 9'h0;
-    sharpness_last_mask_q = 1'b0;
-    sharpness_last_of_skin_q = 1'b0;
     box_textured_columns_values_0_q = 3'h0;
     box_textured_columns_values_1_q = 3'h0;
     box_textured_columns_values_2_q = 3'h0;
@@ -4558,143 +3739,90 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s3_en) begin
-      averager_quarter_1_0_q <= select_2783;
-      averager_quarter_1_1_q <= select_2785;
-      averager_quarter_2_0_q <= select_2787;
-      averager_quarter_2_1_q <= select_2789;
-      averager_total_0_q <= select_2791;
-      averager_total_1_q <= select_2793;
-      averager_detail_0_q <= select_2801;
-      averager_detail_1_q <= select_2809;
-      census_columns_values_0_cell_0_left_q <= select_2817;
-      census_columns_values_0_cell_0_right_q <= select_2818;
-      census_columns_values_0_cell_0_mask_q <= select_2819;
-      census_columns_values_0_cell_0_of_skin_q <= select_2820;
-      census_columns_values_0_cell_1_left_q <= select_2821;
-      census_columns_values_0_cell_1_right_q <= select_2822;
-      census_columns_values_0_cell_1_mask_q <= select_2823;
-      census_columns_values_0_cell_1_of_skin_q <= select_2824;
-      census_columns_values_0_cell_2_left_q <= select_2825;
-      census_columns_values_0_cell_2_right_q <= select_2826;
-      census_columns_values_0_cell_2_mask_q <= select_2827;
-      census_columns_values_0_cell_2_of_skin_q <= select_2828;
-      census_columns_values_0_cell_3_left_q <= select_2829;
-      census_columns_values_0_cell_3_right_q <= select_2830;
-      census_columns_values_0_cell_3_mask_q <= select_2831;
-      census_columns_values_0_cell_3_of_skin_q <= select_2832;
-      census_columns_values_0_cell_4_left_q <= select_2833;
-      census_columns_values_0_cell_4_right_q <= select_2834;
-      census_columns_values_0_cell_4_mask_q <= select_2835;
-      census_columns_values_0_cell_4_of_skin_q <= select_2836;
-      census_columns_values_1_cell_0_left_q <= select_2837;
-      census_columns_values_1_cell_0_right_q <= select_2838;
-      census_columns_values_1_cell_0_mask_q <= select_2839;
-      census_columns_values_1_cell_0_of_skin_q <= select_2840;
-      census_columns_values_1_cell_1_left_q <= select_2841;
-      census_columns_values_1_cell_1_right_q <= select_2842;
-      census_columns_values_1_cell_1_mask_q <= select_2843;
-      census_columns_values_1_cell_1_of_skin_q <= select_2844;
-      census_columns_values_1_cell_2_left_q <= select_2845;
-      census_columns_values_1_cell_2_right_q <= select_2846;
-      census_columns_values_1_cell_2_mask_q <= select_2847;
-      census_columns_values_1_cell_2_of_skin_q <= select_2848;
-      census_columns_values_1_cell_3_left_q <= select_2849;
-      census_columns_values_1_cell_3_right_q <= select_2850;
-      census_columns_values_1_cell_3_mask_q <= select_2851;
-      census_columns_values_1_cell_3_of_skin_q <= select_2852;
-      census_columns_values_1_cell_4_left_q <= select_2853;
-      census_columns_values_1_cell_4_right_q <= select_2854;
-      census_columns_values_1_cell_4_mask_q <= select_2855;
-      census_columns_values_1_cell_4_of_skin_q <= select_2856;
-      census_columns_values_2_cell_0_left_q <= select_2857;
-      census_columns_values_2_cell_0_right_q <= select_2858;
-      census_columns_values_2_cell_0_mask_q <= select_2859;
-      census_columns_values_2_cell_0_of_skin_q <= select_2860;
-      census_columns_values_2_cell_1_left_q <= select_2861;
-      census_columns_values_2_cell_1_right_q <= select_2862;
-      census_columns_values_2_cell_1_mask_q <= select_2863;
-      census_columns_values_2_cell_1_of_skin_q <= select_2864;
-      census_columns_values_2_cell_2_left_q <= select_2865;
-      census_columns_values_2_cell_2_right_q <= select_2866;
-      census_columns_values_2_cell_2_mask_q <= select_2867;
-      census_columns_values_2_cell_2_of_skin_q <= select_2868;
-      census_columns_values_2_cell_3_left_q <= select_2869;
-      census_columns_values_2_cell_3_right_q <= select_2870;
-      census_columns_values_2_cell_3_mask_q <= select_2871;
-      census_columns_values_2_cell_3_of_skin_q <= select_2872;
-      census_columns_values_2_cell_4_left_q <= select_2873;
-      census_columns_values_2_cell_4_right_q <= select_2874;
-      census_columns_values_2_cell_4_mask_q <= select_2875;
-      census_columns_values_2_cell_4_of_skin_q <= select_2876;
-      census_columns_values_3_cell_0_left_q <= select_2877;
-      census_columns_values_3_cell_0_right_q <= select_2878;
-      census_columns_values_3_cell_0_mask_q <= select_2879;
-      census_columns_values_3_cell_0_of_skin_q <= select_2880;
-      census_columns_values_3_cell_1_left_q <= select_2881;
-      census_columns_values_3_cell_1_right_q <= select_2882;
-      census_columns_values_3_cell_1_mask_q <= select_2883;
-      census_columns_values_3_cell_1_of_skin_q <= select_2884;
-      census_columns_values_3_cell_2_left_q <= select_2885;
-      census_columns_values_3_cell_2_right_q <= select_2886;
-      census_columns_values_3_cell_2_mask_q <= select_2887;
-      census_columns_values_3_cell_2_of_skin_q <= select_2888;
-      census_columns_values_3_cell_3_left_q <= select_2889;
-      census_columns_values_3_cell_3_right_q <= select_2890;
-      census_columns_values_3_cell_3_mask_q <= select_2891;
-      census_columns_values_3_cell_3_of_skin_q <= select_2892;
-      census_columns_values_3_cell_4_left_q <= select_2893;
-      census_columns_values_3_cell_4_right_q <= select_2894;
-      census_columns_values_3_cell_4_mask_q <= select_2895;
-      census_columns_values_3_cell_4_of_skin_q <= select_2896;
-      census_columns_values_4_cell_0_left_q <= select_2897;
-      census_columns_values_4_cell_0_right_q <= select_2898;
-      census_columns_values_4_cell_0_mask_q <= select_2899;
-      census_columns_values_4_cell_0_of_skin_q <= select_2900;
-      census_columns_values_4_cell_1_left_q <= select_2901;
-      census_columns_values_4_cell_1_right_q <= select_2902;
-      census_columns_values_4_cell_1_mask_q <= select_2903;
-      census_columns_values_4_cell_1_of_skin_q <= select_2904;
-      census_columns_values_4_cell_2_left_q <= select_2905;
-      census_columns_values_4_cell_2_right_q <= select_2906;
-      census_columns_values_4_cell_2_mask_q <= select_2907;
-      census_columns_values_4_cell_2_of_skin_q <= select_2908;
-      census_columns_values_4_cell_3_left_q <= select_2909;
-      census_columns_values_4_cell_3_right_q <= select_2910;
-      census_columns_values_4_cell_3_mask_q <= select_2911;
-      census_columns_values_4_cell_3_of_skin_q <= select_2912;
-      census_columns_values_4_cell_4_left_q <= select_2913;
-      census_columns_values_4_cell_4_right_q <= select_2914;
-      census_columns_values_4_cell_4_mask_q <= select_2915;
-      census_columns_values_4_cell_4_of_skin_q <= select_2916;
-      sharpness_last_valid_q <= sharpness_last_valid_q | and_409_s3_q;
-      sharpness_last_mean_0_q <= and_409_s3_q ? select_415 : sharpness_last_mean_0_q;
-      sharpness_last_mean_1_q <= and_409_s3_q ? select_419 : sharpness_last_mean_1_q;
-      sharpness_last_mask_q <= and_409_s3_q ? whole_2_s3_q : sharpness_last_mask_q;
-      sharpness_last_of_skin_q <= and_409_s3_q ? and_427_s3_q : sharpness_last_of_skin_q;
-      box_textured_columns_values_0_q <= equal_1849_s3_q ? box_textured_columns_values_0_q : select_3409;
-      box_textured_columns_values_1_q <= select_3413;
-      box_textured_columns_values_2_q <= select_3416;
-      box_textured_columns_values_3_q <= select_3419;
-      box_textured_columns_values_4_q <= select_3422;
-      box_textured_sum_sums_values_0_q <= equal_1849_s3_q ? box_textured_sum_sums_values_0_q : select_3424;
-      box_explained_columns_values_0_q <= equal_1849_s3_q ? box_explained_columns_values_0_q : select_3427;
-      box_explained_columns_values_1_q <= select_3431;
-      box_explained_columns_values_2_q <= select_3434;
-      box_explained_columns_values_3_q <= select_3437;
-      box_explained_columns_values_4_q <= select_3440;
-      box_explained_sum_sums_values_0_q <= select_3443;
-      box_shown_columns_values_0_q <= equal_1849_s3_q ? box_shown_columns_values_0_q : select_3445;
-      box_shown_columns_values_1_q <= select_3449;
-      box_shown_columns_values_2_q <= select_3452;
-      box_shown_columns_values_3_q <= select_3455;
-      box_shown_columns_values_4_q <= select_3458;
-      box_shown_sum_sums_values_0_q <= equal_1849_s3_q ? box_shown_sum_sums_values_0_q : select_3460;
-      box_nearer_columns_values_0_q <= equal_1849_s3_q ? box_nearer_columns_values_0_q : select_3463;
-      box_nearer_columns_values_1_q <= select_3467;
-      box_nearer_columns_values_2_q <= select_3470;
-      box_nearer_columns_values_3_q <= select_3473;
-      box_nearer_columns_values_4_q <= select_3476;
-      box_nearer_sum_sums_values_0_q <= equal_1849_s3_q ? box_nearer_sum_sums_values_0_q : select_3478;
+      averager_total_0_q <= select_2092;
+      averager_total_1_q <= select_2094;
+      census_columns_values_0_cell_0_left_q <= select_2118;
+      census_columns_values_0_cell_0_right_q <= select_2119;
+      census_columns_values_0_cell_0_mask_q <= select_2120;
+      census_columns_values_0_cell_1_left_q <= select_2121;
+      census_columns_values_0_cell_1_right_q <= select_2122;
+      census_columns_values_0_cell_1_mask_q <= select_2123;
+      census_columns_values_0_cell_2_left_q <= select_2124;
+      census_columns_values_0_cell_2_right_q <= select_2125;
+      census_columns_values_0_cell_2_mask_q <= select_2126;
+      census_columns_values_0_cell_2_of_skin_q <= select_2127;
+      census_columns_values_0_cell_3_left_q <= select_2128;
+      census_columns_values_0_cell_3_right_q <= select_2129;
+      census_columns_values_0_cell_3_mask_q <= select_2130;
+      census_columns_values_0_cell_4_left_q <= select_2131;
+      census_columns_values_0_cell_4_right_q <= select_2132;
+      census_columns_values_0_cell_4_mask_q <= select_2133;
+      census_columns_values_1_cell_0_left_q <= select_2134;
+      census_columns_values_1_cell_0_right_q <= select_2135;
+      census_columns_values_1_cell_0_mask_q <= select_2136;
+      census_columns_values_1_cell_1_left_q <= select_2137;
+      census_columns_values_1_cell_1_right_q <= select_2138;
+      census_columns_values_1_cell_1_mask_q <= select_2139;
+      census_columns_values_1_cell_2_left_q <= select_2140;
+      census_columns_values_1_cell_2_right_q <= select_2141;
+      census_columns_values_1_cell_2_mask_q <= select_2142;
+      census_columns_values_1_cell_2_of_skin_q <= select_2143;
+      census_columns_values_1_cell_3_left_q <= select_2144;
+      census_columns_values_1_cell_3_right_q <= select_2145;
+      census_columns_values_1_cell_3_mask_q <= select_2146;
+      census_columns_values_1_cell_4_left_q <= select_2147;
+      census_columns_values_1_cell_4_right_q <= select_2148;
+      census_columns_values_1_cell_4_mask_q <= select_2149;
+      census_columns_values_2_cell_0_left_q <= select_2150;
+      census_columns_values_2_cell_0_right_q <= select_2151;
+      census_columns_values_2_cell_0_mask_q <= select_2152;
+      census_columns_values_2_cell_1_left_q <= select_2153;
+      census_columns_values_2_cell_1_right_q <= select_2154;
+      census_columns_values_2_cell_1_mask_q <= select_2155;
+      census_columns_values_2_cell_2_left_q <= select_2156;
+      census_columns_values_2_cell_2_right_q <= select_2157;
+      census_columns_values_2_cell_2_mask_q <= select_2158;
+      census_columns_values_2_cell_3_left_q <= select_2159;
+      census_columns_values_2_cell_3_right_q <= select_2160;
+      census_columns_values_2_cell_3_mask_q <= select_2161;
+      census_columns_values_2_cell_4_left_q <= select_2162;
+      census_columns_values_2_cell_4_right_q <= select_2163;
+      census_columns_values_2_cell_4_mask_q <= select_2164;
+      census_columns_values_3_cell_0_mask_q <= select_2165;
+      census_columns_values_3_cell_1_left_q <= select_2166;
+      census_columns_values_3_cell_1_right_q <= select_2167;
+      census_columns_values_3_cell_1_mask_q <= select_2168;
+      census_columns_values_3_cell_2_mask_q <= select_2169;
+      census_columns_values_3_cell_3_left_q <= select_2170;
+      census_columns_values_3_cell_3_right_q <= select_2171;
+      census_columns_values_3_cell_3_mask_q <= select_2172;
+      census_columns_values_3_cell_4_mask_q <= select_2173;
+      sharpness_last_mean_0_q <= and_359_s3_q ? select_365 : sharpness_last_mean_0_q;
+      sharpness_last_mean_1_q <= and_359_s3_q ? select_369 : sharpness_last_mean_1_q;
+      box_textured_columns_values_0_q <= equal_1799_s3_q ? box_textured_columns_values_0_q : select_2859;
+      box_textured_columns_values_1_q <= select_2863;
+      box_textured_columns_values_2_q <= select_2866;
+      box_textured_columns_values_3_q <= select_2869;
+      box_textured_columns_values_4_q <= select_2872;
+      box_textured_sum_sums_values_0_q <= equal_1799_s3_q ? box_textured_sum_sums_values_0_q : select_2874;
+      box_explained_columns_values_0_q <= equal_1799_s3_q ? box_explained_columns_values_0_q : select_2877;
+      box_explained_columns_values_1_q <= select_2881;
+      box_explained_columns_values_2_q <= select_2884;
+      box_explained_columns_values_3_q <= select_2887;
+      box_explained_columns_values_4_q <= select_2890;
+      box_explained_sum_sums_values_0_q <= select_2893;
+      box_shown_columns_values_0_q <= equal_1799_s3_q ? box_shown_columns_values_0_q : select_2895;
+      box_shown_columns_values_1_q <= select_2899;
+      box_shown_columns_values_2_q <= select_2902;
+      box_shown_columns_values_3_q <= select_2905;
+      box_shown_columns_values_4_q <= select_2908;
+      box_shown_sum_sums_values_0_q <= equal_1799_s3_q ? box_shown_sum_sums_values_0_q : select_2910;
+      box_nearer_columns_values_0_q <= equal_1799_s3_q ? box_nearer_columns_values_0_q : select_2913;
+      box_nearer_columns_values_1_q <= select_2917;
+      box_nearer_columns_values_2_q <= select_2920;
+      box_nearer_columns_values_3_q <= select_2923;
+      box_nearer_columns_values_4_q <= select_2926;
+      box_nearer_sum_sums_values_0_q <= equal_1799_s3_q ? box_nearer_sum_sums_values_0_q : select_2928;
     end
   end
 
@@ -4703,11 +3831,10 @@ module horopter_agreement (
   logic saturated_s4_q;
   logic mask_s4_q;
   logic marks_first_s4_q;
-  logic census_columns_values_1_cell_2_mask_s4_q;
+  logic sample_pair_whole_s4_q;
   logic census_columns_values_1_cell_2_of_skin_s4_q;
-  logic [23:0] sharpness_sums_contrast_0_s4_q;
-  logic [23:0] sharpness_sums_contrast_1_s4_q;
   logic [7:0] x_s4_q;
+  logic [2:0] slot_s4_q;
   logic ends_cell_s4_q;
   logic lower_half_s4_q;
   logic registration_of_right_s4_q;
@@ -4716,124 +3843,103 @@ module horopter_agreement (
   logic centres_values_1_textured_s4_q;
   logic centres_values_1_of_skin_s4_q;
   logic [6:0] column_s4_q;
-  logic and_409_s4_q;
-  logic less_443_s4_q;
-  logic less_444_s4_q;
-  logic less_445_s4_q;
-  logic less_446_s4_q;
-  logic less_447_s4_q;
-  logic less_448_s4_q;
-  logic less_449_s4_q;
-  logic less_450_s4_q;
-  logic less_451_s4_q;
-  logic less_452_s4_q;
-  logic less_453_s4_q;
-  logic less_454_s4_q;
-  logic less_455_s4_q;
-  logic less_456_s4_q;
-  logic less_457_s4_q;
-  logic less_458_s4_q;
-  logic less_459_s4_q;
-  logic less_460_s4_q;
-  logic less_461_s4_q;
-  logic less_462_s4_q;
-  logic less_463_s4_q;
-  logic less_464_s4_q;
-  logic less_465_s4_q;
-  logic less_466_s4_q;
-  logic equal_467_s4_q;
-  logic select_472_s4_q;
-  logic whole_22_s4_q;
+  logic and_357_s4_q;
+  logic and_359_s4_q;
+  logic [8:0] grey_s4_q;
+  logic equal_362_s4_q;
+  logic [8:0] grey_2_s4_q;
+  logic whole_2_s4_q;
+  logic less_393_s4_q;
+  logic less_394_s4_q;
+  logic less_395_s4_q;
+  logic less_396_s4_q;
+  logic less_397_s4_q;
+  logic less_398_s4_q;
+  logic less_399_s4_q;
+  logic less_400_s4_q;
+  logic less_401_s4_q;
+  logic less_402_s4_q;
+  logic less_403_s4_q;
+  logic less_404_s4_q;
+  logic less_405_s4_q;
+  logic less_406_s4_q;
+  logic less_407_s4_q;
+  logic less_408_s4_q;
+  logic less_409_s4_q;
+  logic less_410_s4_q;
+  logic less_411_s4_q;
+  logic less_412_s4_q;
+  logic less_413_s4_q;
+  logic less_414_s4_q;
+  logic less_415_s4_q;
+  logic less_416_s4_q;
+  logic and_424_s4_q;
+  logic and_449_s4_q;
+  logic and_450_s4_q;
   logic [11:0] texture_s4_q;
-  logic equal_1849_s4_q;
-  logic not_1850_s4_q;
-  logic equal_1894_s4_q;
-  logic [1:0] quarter_s4_q;
+  logic equal_1799_s4_q;
+  logic not_1800_s4_q;
+  logic equal_1844_s4_q;
   logic all_s4_q;
-  logic [1:0] sum_1900_s4_q;
-  logic equal_1902_s4_q;
-  logic equal_1904_s4_q;
-  logic equal_1906_s4_q;
-  logic equal_1908_s4_q;
-  logic equal_1910_s4_q;
-  logic equal_1912_s4_q;
-  logic equal_1914_s4_q;
-  logic less_1922_s4_q;
-  logic or_1926_s4_q;
-  logic and_1939_s4_q;
-  logic equal_1948_s4_q;
-  logic [8:0] select_1955_s4_q;
-  logic or_1956_s4_q;
-  logic [7:0] select_1971_s4_q;
-  logic [7:0] select_1991_s4_q;
-  logic [7:0] select_2000_s4_q;
-  logic and_2003_s4_q;
-  logic equal_2004_s4_q;
-  logic and_2006_s4_q;
-  logic [11:0] residual_s4_q;
-  logic [7:0] select_2078_s4_q;
-  logic [7:0] select_2088_s4_q;
-  logic select_2090_s4_q;
-  logic [7:0] select_2103_s4_q;
-  logic [7:0] select_2126_s4_q;
-  logic [7:0] select_2155_s4_q;
-  logic [7:0] select_2184_s4_q;
-  logic [7:0] select_2217_s4_q;
-  logic [7:0] select_2270_s4_q;
-  logic equal_2272_s4_q;
-  logic and_2282_s4_q;
-  logic and_2292_s4_q;
-  logic less_2300_s4_q;
-  logic [7:0] select_2384_s4_q;
-  logic [7:0] select_2412_s4_q;
-  logic [7:0] select_2478_s4_q;
-  logic [7:0] select_2602_s4_q;
-  logic and_2606_s4_q;
-  logic or_2609_s4_q;
-  logic or_2612_s4_q;
-  logic or_2615_s4_q;
-  logic not_2617_s4_q;
+  logic [1:0] sum_1850_s4_q;
+  logic equal_1852_s4_q;
+  logic equal_1854_s4_q;
+  logic equal_1856_s4_q;
+  logic equal_1858_s4_q;
+  logic equal_1860_s4_q;
+  logic equal_1862_s4_q;
+  logic equal_1864_s4_q;
+  logic less_1872_s4_q;
+  logic or_1876_s4_q;
+  logic equal_1896_s4_q;
+  logic and_1906_s4_q;
+  logic or_1910_s4_q;
+  logic or_1913_s4_q;
+  logic or_1916_s4_q;
+  logic not_1918_s4_q;
   logic textured_s4_q;
   logic explained_s4_q;
-  logic and_2638_s4_q;
-  logic and_2643_s4_q;
-  logic and_2677_s4_q;
-  logic less_2678_s4_q;
+  logic and_1940_s4_q;
+  logic and_1945_s4_q;
+  logic and_1979_s4_q;
+  logic less_1980_s4_q;
   logic [5:0] index_2_s4_q;
-  logic [7:0] sum_2683_s4_q;
-  logic equal_2697_s4_q;
-  logic or_2702_s4_q;
-  logic or_2705_s4_q;
-  logic or_2708_s4_q;
-  logic not_2733_s4_q;
-  logic less_2747_s4_q;
-  logic and_2758_s4_q;
-  logic [11:0] sum_2936_s4_q;
-  logic equal_2945_s4_q;
-  logic [27:0] select_2961_s4_q;
+  logic [7:0] sum_1985_s4_q;
+  logic equal_1999_s4_q;
+  logic or_2004_s4_q;
+  logic or_2007_s4_q;
+  logic or_2010_s4_q;
+  logic not_2035_s4_q;
+  logic less_2049_s4_q;
+  logic and_2060_s4_q;
+  logic [11:0] sum_2193_s4_q;
+  logic equal_2200_s4_q;
+  logic [8:0] contrast_s4_q;
+  logic [8:0] contrast_2_s4_q;
+  logic and_2418_s4_q;
+  logic and_2422_s4_q;
+  logic not_2456_s4_q;
+  logic and_2484_s4_q;
+  logic equal_2526_s4_q;
+  logic and_2554_s4_q;
+  logic and_2556_s4_q;
+  logic [11:0] residual_s4_q;
+  logic equal_2647_s4_q;
+  logic equal_2808_s4_q;
   logic and_2972_s4_q;
-  logic and_2983_s4_q;
-  logic and_3058_s4_q;
-  logic and_3062_s4_q;
-  logic not_3096_s4_q;
-  logic and_3124_s4_q;
-  logic and_3147_s4_q;
-  logic [1:0] quarter_2_s4_q;
-  logic equal_3358_s4_q;
-  logic and_3522_s4_q;
-  logic and_3537_s4_q;
+  logic and_2987_s4_q;
+  logic equal_3027_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       pixel_0_s4_q <= sample_pair_pixel_0_q;
       pixel_1_s4_q <= sample_pair_pixel_1_q;
       saturated_s4_q <= saturated_s3_q;
-      mask_s4_q <= mask_s3_q;
+      mask_s4_q <= sample_of_skin_q;
       marks_first_s4_q <= marks_first_s3_q;
-      census_columns_values_1_cell_2_mask_s4_q <= census_columns_values_1_cell_2_mask_q;
+      sample_pair_whole_s4_q <= sample_pair_whole_s3_q;
       census_columns_values_1_cell_2_of_skin_s4_q <= census_columns_values_1_cell_2_of_skin_q;
-      sharpness_sums_contrast_0_s4_q <= sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_s4_q <= sharpness_sums_contrast_1_q;
       x_s4_q <= x_s3_q;
+      slot_s4_q <= slot_s3_q;
       ends_cell_s4_q <= ends_cell_s3_q;
       lower_half_s4_q <= lower_half_s3_q;
       registration_of_right_s4_q <= registration_of_right_q;
@@ -4842,130 +3948,116 @@ module horopter_agreement (
       centres_values_1_textured_s4_q <= centres_values_1_textured_q;
       centres_values_1_of_skin_s4_q <= centres_values_1_of_skin_q;
       column_s4_q <= column_s3_q;
-      and_409_s4_q <= and_409_s3_q;
-      less_443_s4_q <= less_443;
-      less_444_s4_q <= less_444;
-      less_445_s4_q <= less_445;
-      less_446_s4_q <= less_446;
-      less_447_s4_q <= less_447;
-      less_448_s4_q <= less_448;
-      less_449_s4_q <= less_449;
-      less_450_s4_q <= less_450;
-      less_451_s4_q <= less_451;
-      less_452_s4_q <= less_452;
-      less_453_s4_q <= less_453;
-      less_454_s4_q <= less_454;
-      less_455_s4_q <= less_455;
-      less_456_s4_q <= less_456;
-      less_457_s4_q <= less_457;
-      less_458_s4_q <= less_458;
-      less_459_s4_q <= less_459;
-      less_460_s4_q <= less_460;
-      less_461_s4_q <= less_461;
-      less_462_s4_q <= less_462;
-      less_463_s4_q <= less_463;
-      less_464_s4_q <= less_464;
-      less_465_s4_q <= less_465;
-      less_466_s4_q <= less_466;
-      equal_467_s4_q <= equal_467_s3_q;
-      select_472_s4_q <= select_472_s3_q;
-      whole_22_s4_q <= whole_22;
+      and_357_s4_q <= and_357_s3_q;
+      and_359_s4_q <= and_359_s3_q;
+      grey_s4_q <= grey_s3_q;
+      equal_362_s4_q <= equal_362_s3_q;
+      grey_2_s4_q <= grey_2_s3_q;
+      whole_2_s4_q <= whole_2_s3_q;
+      less_393_s4_q <= less_393;
+      less_394_s4_q <= less_394;
+      less_395_s4_q <= less_395;
+      less_396_s4_q <= less_396;
+      less_397_s4_q <= less_397;
+      less_398_s4_q <= less_398;
+      less_399_s4_q <= less_399;
+      less_400_s4_q <= less_400;
+      less_401_s4_q <= less_401;
+      less_402_s4_q <= less_402;
+      less_403_s4_q <= less_403;
+      less_404_s4_q <= less_404;
+      less_405_s4_q <= less_405;
+      less_406_s4_q <= less_406;
+      less_407_s4_q <= less_407;
+      less_408_s4_q <= less_408;
+      less_409_s4_q <= less_409;
+      less_410_s4_q <= less_410;
+      less_411_s4_q <= less_411;
+      less_412_s4_q <= less_412;
+      less_413_s4_q <= less_413;
+      less_414_s4_q <= less_414;
+      less_415_s4_q <= less_415;
+      less_416_s4_q <= less_416;
+      and_424_s4_q <= and_424;
+      and_449_s4_q <= whole_22 & and_424;
+      and_450_s4_q <= census_columns_values_1_cell_2_mask_q & and_424;
       texture_s4_q <= texture;
-      equal_1849_s4_q <= equal_1849_s3_q;
-      not_1850_s4_q <= not_1850_s3_q;
-      equal_1894_s4_q <= equal_1894;
-      quarter_s4_q <= quarter;
+      equal_1799_s4_q <= equal_1799_s3_q;
+      not_1800_s4_q <= not_1800_s3_q;
+      equal_1844_s4_q <= equal_1844;
       all_s4_q <= all;
-      sum_1900_s4_q <= sum_1900_s3_q;
-      equal_1902_s4_q <= equal_1902;
-      equal_1904_s4_q <= equal_1904;
-      equal_1906_s4_q <= equal_1906;
-      equal_1908_s4_q <= equal_1908;
-      equal_1910_s4_q <= equal_1910;
-      equal_1912_s4_q <= equal_1912;
-      equal_1914_s4_q <= equal_1914;
-      less_1922_s4_q <= less_1922;
-      or_1926_s4_q <= or_1926;
-      and_1939_s4_q <= and_1939;
-      equal_1948_s4_q <= equal_1948_s3_q;
-      select_1955_s4_q <= select_1955_s3_q;
-      or_1956_s4_q <= or_1956;
-      select_1971_s4_q <= select_1955_s3_q[2] ? select_1967 : select_1970;
-      select_1991_s4_q <= select_1991;
-      select_2000_s4_q <= select_1955_s3_q[3] ? select_1999 : 8'h0;
-      and_2003_s4_q <= and_2003;
-      equal_2004_s4_q <= equal_2004;
-      and_2006_s4_q <= and_2006_s3_q;
-      residual_s4_q <= residual;
-      select_2078_s4_q <= select_1955_s3_q[1] ? select_2076 : select_2077;
-      select_2088_s4_q <= select_2088;
-      select_2090_s4_q <= select_1955_s3_q[0] ? select_2089 : registration_of_right_q;
-      select_2103_s4_q <= select_2103;
-      select_2126_s4_q <= select_2126;
-      select_2155_s4_q <= select_2155_s3_q;
-      select_2184_s4_q <= select_2184_s3_q;
-      select_2217_s4_q <= select_2217_s3_q;
-      select_2270_s4_q <= select_2270_s3_q;
-      equal_2272_s4_q <= {x_s3_q[4:0], slot_s3_q} == 8'h0;
-      and_2282_s4_q <= and_2282;
-      and_2292_s4_q <= and_2292;
-      less_2300_s4_q <= 7'h2 < {x_s3_q[4:0], slot_s3_q[2:1]};
-      select_2384_s4_q <= select_2384;
-      select_2412_s4_q <= select_2412;
-      select_2478_s4_q <= select_1955_s3_q[5] ? select_2446 : select_2477;
-      select_2602_s4_q <= select_2602;
-      and_2606_s4_q <= not_1850_s3_q & and_1940;
-      or_2609_s4_q <= or_2609;
-      or_2612_s4_q <= or_2612;
-      or_2615_s4_q <= or_2615;
-      not_2617_s4_q <= not_2617;
+      sum_1850_s4_q <= sum_1850;
+      equal_1852_s4_q <= equal_1852;
+      equal_1854_s4_q <= equal_1854;
+      equal_1856_s4_q <= equal_1856;
+      equal_1858_s4_q <= equal_1858;
+      equal_1860_s4_q <= equal_1860;
+      equal_1862_s4_q <= equal_1862;
+      equal_1864_s4_q <= equal_1864;
+      less_1872_s4_q <= less_1872;
+      or_1876_s4_q <= or_1876;
+      equal_1896_s4_q <= (registration_fresh_q & select_1894) == 4'h0;
+      and_1906_s4_q <= not_1800_s3_q & and_1890;
+      or_1910_s4_q <= or_1910;
+      or_1913_s4_q <= or_1913;
+      or_1916_s4_q <= or_1916;
+      not_1918_s4_q <= not_1918;
       textured_s4_q <= textured_s3_q;
       explained_s4_q <= explained;
-      and_2638_s4_q <= and_2638;
-      and_2643_s4_q <= not_1850_s3_q & and_2624;
-      and_2677_s4_q <= and_2677;
-      less_2678_s4_q <= less_2678;
+      and_1940_s4_q <= and_1940;
+      and_1945_s4_q <= not_1800_s3_q & and_1926;
+      and_1979_s4_q <= and_1979;
+      less_1980_s4_q <= less_1980;
       index_2_s4_q <= index_2[5:0];
-      sum_2683_s4_q <= sum_2683;
-      equal_2697_s4_q <= t[4:1] == 4'h0;
-      or_2702_s4_q <= or_2702;
-      or_2705_s4_q <= select_2699[7] | (~({select_2699[6], select_2699[3:2]} == 3'h0));
-      or_2708_s4_q <= select_2699[7] | (~(select_2699[6:4] == 3'h0));
-      not_2733_s4_q <= ~({sum_2731, around[0]} < {2'h0, t});
-      less_2747_s4_q <= {1'b0, around[4:1]} < n;
-      and_2758_s4_q <= and_2758_s3_q;
-      sum_2936_s4_q <= ({1'b0, sum_2928} + {2'h0, sum_2931}) + {2'h0, sum_2935};
-      equal_2945_s4_q <= equal_2945_s3_q;
-      select_2961_s4_q <= sample_pair_whole_s3_q ? {detail_2, detail} : 28'h0;
+      sum_1985_s4_q <= sum_1985;
+      equal_1999_s4_q <= t[4:1] == 4'h0;
+      or_2004_s4_q <= or_2004;
+      or_2007_s4_q <= select_2001[7] | (~({select_2001[6], select_2001[3:2]} == 3'h0));
+      or_2010_s4_q <= select_2001[7] | (~(select_2001[6:4] == 3'h0));
+      not_2035_s4_q <= ~({sum_2033, around[0]} < {2'h0, t});
+      less_2049_s4_q <= {1'b0, around[4:1]} < n;
+      and_2060_s4_q <= and_2060_s3_q;
+      sum_2193_s4_q <= ({1'b0, sum_2185} + {2'h0, sum_2188}) + {2'h0, sum_2192};
+      equal_2200_s4_q <= equal_2200_s3_q;
+      contrast_s4_q <= contrast;
+      contrast_2_s4_q <= contrast_2;
+      and_2418_s4_q <= and_2418;
+      and_2422_s4_q <= not_1800_s3_q & and_2421;
+      not_2456_s4_q <= ~({sum_2454, e[0]} < {2'h0, t});
+      and_2484_s4_q <= not_1800_s3_q & (so_s3_q & and_2482);
+      equal_2526_s4_q <= equal_2526;
+      and_2554_s4_q <= not_1800_s3_q & (so_s3_q & (half_ends & equal_2551));
+      and_2556_s4_q <= and_2556_s3_q;
+      residual_s4_q <= residual;
+      equal_2647_s4_q <= (registration_fresh_q & select_2645) == 4'h0;
+      equal_2808_s4_q <= equal_2808;
       and_2972_s4_q <= and_2972;
-      and_2983_s4_q <= and_2983;
-      and_3058_s4_q <= and_409_s3_q & (equal_470_s3_q & equal_2999_s3_q);
-      and_3062_s4_q <= not_1850_s3_q & and_3061;
-      not_3096_s4_q <= ~({sum_3094, e[0]} < {2'h0, t});
-      and_3124_s4_q <= not_1850_s3_q & (so_s3_q & and_3122);
-      and_3147_s4_q <= not_1850_s3_q & (so_s3_q & (half_ends & equal_3144));
-      quarter_2_s4_q <= quarter_2;
-      equal_3358_s4_q <= equal_3358;
-      and_3522_s4_q <= and_3522;
-      and_3537_s4_q <= equal_1849_s3_q & (equal_3358 & (cfg_prove_i & (~proven_q)));
+      and_2987_s4_q <= equal_1799_s3_q & (equal_2808 & (cfg_prove_i & (~proven_q)));
+      equal_3027_s4_q <= (registration_fresh_q & select_3025) == 4'h0;
     end
   end
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
+  logic [8:0] averager_quarter_1_0_q;
+  logic [8:0] averager_quarter_1_1_q;
+  logic [8:0] averager_quarter_2_0_q;
+  logic [8:0] averager_quarter_2_1_q;
+  logic [13:0] averager_detail_0_q;
+  logic [13:0] averager_detail_1_q;
   logic [11:0] census_changes_values_0_left_q;
   logic [11:0] census_changes_values_0_right_q;
   logic [11:0] census_changes_values_1_left_q;
   logic [11:0] census_changes_values_1_right_q;
   logic [11:0] census_changes_values_2_left_q;
   logic [11:0] census_changes_values_2_right_q;
-  logic [11:0] census_changes_values_3_left_q;
-  logic [11:0] census_changes_values_3_right_q;
   logic [19:0] census_left_misses_q;
-  logic [4:0] census_filled_q;
+  logic sharpness_last_mask_q;
   logic [13:0] sharpness_last_detail_0_q;
   logic [13:0] sharpness_last_detail_1_q;
   logic [23:0] sharpness_sums_detail_0_q;
   logic [23:0] sharpness_sums_detail_1_q;
+  logic [23:0] sharpness_sums_contrast_0_q;
+  logic [23:0] sharpness_sums_contrast_1_q;
   logic [17:0] sharpness_comparing_rest_0_q;
   logic [17:0] sharpness_comparing_rest_1_q;
   logic [2:0] sharpness_comparing_product_0_q;
@@ -4993,7 +4085,6 @@ module horopter_agreement (
   logic [6:0] registration_half_votes_up_q;
   logic [6:0] registration_half_half_votes_down_q;
   logic [6:0] registration_half_half_votes_up_q;
-  logic [3:0] registration_fresh_q;
   logic [13:0] registration_down_q;
   logic [13:0] registration_up_q;
   logic registration_enough_q;
@@ -5017,802 +4108,658 @@ module horopter_agreement (
   logic hides_q;
   logic seen_q;
   logic nearer_q;
-  // hls/stages/census.hpp:196
-  logic [3:0] select_473;
-  assign select_473 = equal_467_s4_q ? 4'h0 : census_filled_q[3:0];
-  // hls/stages/census.hpp:219
-  logic and_474;
-  assign and_474 = select_472_s4_q & select_473[3];
-  // hls/stages/census.hpp:220
-  logic and_499;
-  assign and_499 = whole_22_s4_q & and_474;
-  // hls/stages/census.hpp:229
-  logic and_500;
-  assign and_500 = census_columns_values_1_cell_2_mask_s4_q & and_474;
   // hls/stages/census.hpp:201
-  logic [12:0] sum_520;
-  assign sum_520 = {1'b0, census_changes_values_0_left_q} + {1'b0, texture_s4_q};
-  logic [13:0] sum_522;
-  assign sum_522 = {2'h0, census_changes_values_2_left_q} + ({2'h0, census_changes_values_1_left_q} + {1'b0, sum_520});
+  logic [12:0] sum_470;
+  assign sum_470 = {1'b0, census_changes_values_0_left_q} + {1'b0, texture_s4_q};
+  logic [13:0] sum_472;
+  assign sum_472 = {2'h0, census_changes_values_2_left_q} + ({2'h0, census_changes_values_1_left_q} + {1'b0, sum_470});
   // hls/stages/census.hpp:223
-  logic less_523;
-  assign less_523 = 9'h4 < sum_522[13:5];
-  logic and_524;
-  assign and_524 = and_474 & less_523;
-  // hls/stages/registration.hpp:243
-  logic not_1943;
-  assign not_1943 = ~lower_half_s4_q;
-  logic [3:0] select_1944;
-  assign select_1944 = registration_of_right_s4_q ? {lower_half_s4_q, 1'b0, not_1943, 1'b0} : {1'b0, lower_half_s4_q, 1'b0, not_1943};
-  logic equal_1946;
-  assign equal_1946 = (registration_fresh_q & select_1944) == 4'h0;
+  logic less_473;
+  assign less_473 = 9'h4 < sum_472[13:5];
+  logic and_474;
+  assign and_474 = and_424_s4_q & less_473;
+  // hls/stages/registration.hpp:250
+  logic equal_1898;
+  assign equal_1898 = sum_1850_s4_q == 2'h0;
+  // hls/stages/registration.hpp:248
+  logic [6:0] down;
+  assign down = sum_1850_s4_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
+  // hls/stages/registration.hpp:250
+  logic [13:0] select_1900;
+  assign select_1900 = equal_1898 ? registration_half_across_q : {{7{down[6]}}, down};
+  logic [19:0] sum_1901;
+  assign sum_1901 = (equal_1896_s4_q ? registration_sums_rdata_q[19:0] : 20'h0) + {{6{select_1900[13]}}, select_1900};
   // hls/stages/registration.hpp:249
-  logic [6:0] select_1949;
-  assign select_1949 = sum_1900_s4_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
-  logic [13:0] select_1950;
-  assign select_1950 = equal_1948_s4_q ? registration_half_across_q : {{7{select_1949[6]}}, select_1949};
-  logic [19:0] sum_1951;
-  assign sum_1951 = (equal_1946 ? registration_sums_rdata_q[19:0] : 20'h0) + {{6{select_1950[13]}}, select_1950};
-  // hls/stages/registration.hpp:250
-  logic select_1957;
-  assign select_1957 = select_1955_s4_q[0] ? segment_started_q : or_1956_s4_q;
-  logic [6:0] select_1959;
-  assign select_1959 = select_1955_s4_q[0] ? segment_textured_q : {6'h0, region_fresh_s4_q};
-  logic [6:0] select_1960;
-  assign select_1960 = select_1955_s4_q[1] ? (select_1955_s4_q[0] ? segment_nearer_q : segment_explained_q) : select_1959;
-  logic [6:0] select_1961;
-  assign select_1961 = select_1955_s4_q[2] ? {6'h0, select_1957} : select_1960;
-  logic [7:0] select_1992;
-  assign select_1992 = select_1955_s4_q[4] ? (select_1955_s4_q[3] ? {1'b0, select_1961} : select_1971_s4_q) : select_1991_s4_q;
-  // hls/stages/registration.hpp:193
-  logic [12:0] difference_2041;
-  assign difference_2041 = 13'h0 - {residual_s4_q[11], residual_s4_q};
-  logic less_2042;
-  assign less_2042 = $signed(difference_2041) < $signed({7'h0, cfg_moved_half_limit_i});
-  // hls/stages/registration.hpp:106
-  logic and_2043;
-  assign and_2043 = and_2006_s4_q & less_2042;
-  logic [1:0] select_2044;
-  assign select_2044 = equal_2004_s4_q ? {and_2043, and_2006_s4_q} : 2'h0;
-  // hls/stages/registration.hpp:193
-  logic less_2045;
-  assign less_2045 = $signed(residual_s4_q[7:0]) < $signed({2'h0, cfg_moved_half_limit_i});
-  // hls/stages/registration.hpp:106
-  logic and_2046;
-  assign and_2046 = and_2006_s4_q & less_2045;
-  logic [1:0] select_2047;
-  assign select_2047 = equal_2004_s4_q ? {and_2046, and_2006_s4_q} : 2'h0;
-  logic and_2049;
-  assign and_2049 = and_2006_s4_q & ($signed(difference_2041) < $signed({7'h0, cfg_moved_limit_i}));
-  logic [1:0] select_2050;
-  assign select_2050 = equal_2004_s4_q ? {and_2049, and_2006_s4_q} : 2'h0;
-  // hls/stages/registration.hpp:250
-  logic [1:0] select_2052;
-  assign select_2052 = select_1955_s4_q[1] ? select_2044 : (select_1955_s4_q[0] ? select_2047 : select_2050);
-  logic [1:0] select_2053;
-  assign select_2053 = select_1955_s4_q[2] ? {1'b0, and_2003_s4_q} : select_2052;
-  // hls/stages/registration.hpp:106
-  logic and_2055;
-  assign and_2055 = and_2006_s4_q & ($signed(residual_s4_q[7:0]) < $signed({2'h0, cfg_moved_limit_i}));
-  logic [1:0] select_2056;
-  assign select_2056 = equal_2004_s4_q ? {and_2055, and_2006_s4_q} : 2'h0;
-  logic and_2057;
-  assign and_2057 = and_2006_s4_q & equal_2004_s4_q;
-  // hls/stages/registration.hpp:250
-  logic [1:0] select_2058;
-  assign select_2058 = select_1955_s4_q[0] ? select_2056 : {1'b0, and_2057};
-  // hls/stages/registration.hpp:106
-  logic [7:0] select_2060;
-  assign select_2060 = equal_2004_s4_q ? (and_2006_s4_q ? residual_s4_q[7:0] : 8'h0) : 8'h0;
-  // hls/stages/registration.hpp:250
-  logic [7:0] select_2062;
-  assign select_2062 = select_1955_s4_q[1] ? {{6{select_2058[1]}}, select_2058} : (select_1955_s4_q[0] ? select_2060 : 8'h0);
-  logic [7:0] select_2064;
-  assign select_2064 = select_1955_s4_q[3] ? {{6{select_2053[1]}}, select_2053} : (select_1955_s4_q[2] ? select_2062 : 8'h0);
-  logic [7:0] select_2066;
-  assign select_2066 = select_1955_s4_q[5] ? select_1992 : (select_1955_s4_q[4] ? select_2000_s4_q : select_2064);
-  logic select_2067;
-  assign select_2067 = select_1955_s4_q[0] ? registration_other_up_q : registration_other_down_q;
-  logic select_2069;
-  assign select_2069 = select_1955_s4_q[0] ? registration_other_enough_q : registration_votes_up_q;
-  logic select_2070;
-  assign select_2070 = select_1955_s4_q[0] ? registration_votes_down_q : registration_enough_q;
-  logic select_2072;
-  assign select_2072 = select_1955_s4_q[2] ? (select_1955_s4_q[1] ? registration_moved_q : select_2067) : (select_1955_s4_q[1] ? select_2069 : select_2070);
-  logic [7:0] select_2073;
-  assign select_2073 = select_1955_s4_q[0] ? {{2{registration_up_q[13]}}, registration_up_q[13:8]} : registration_up_q[7:0];
-  logic [7:0] select_2074;
-  assign select_2074 = select_1955_s4_q[0] ? {{2{registration_down_q[13]}}, registration_down_q[13:8]} : registration_down_q[7:0];
-  logic [7:0] select_2079;
-  assign select_2079 = select_1955_s4_q[2] ? (select_1955_s4_q[1] ? select_2073 : select_2074) : select_2078_s4_q;
-  logic [7:0] select_2081;
-  assign select_2081 = select_1955_s4_q[4] ? 8'h0 : (select_1955_s4_q[3] ? {7'h0, select_2072} : select_2079);
-  logic [6:0] select_2091;
-  assign select_2091 = select_1955_s4_q[1] ? {6'h0, select_2090_s4_q} : registration_half_half_votes_up_q;
-  logic [6:0] select_2092;
-  assign select_2092 = select_1955_s4_q[2] ? {3'h0, registration_fresh_q} : select_2091;
-  logic [7:0] select_2093;
-  assign select_2093 = select_1955_s4_q[3] ? select_2088_s4_q : {select_2092[6], select_2092};
-  logic [6:0] select_2094;
-  assign select_2094 = select_1955_s4_q[0] ? registration_half_half_votes_down_q : registration_half_votes_up_q;
-  logic [6:0] select_2095;
-  assign select_2095 = select_1955_s4_q[0] ? registration_half_votes_down_q : {1'b0, registration_half_measured_q};
-  logic [6:0] select_2096;
-  assign select_2096 = select_1955_s4_q[1] ? select_2094 : select_2095;
-  logic [7:0] select_2097;
-  assign select_2097 = select_1955_s4_q[0] ? {{2{registration_half_across_q[13]}}, registration_half_across_q[13:8]} : registration_half_across_q[7:0];
-  logic [7:0] select_2105;
-  assign select_2105 = select_1955_s4_q[2] ? {select_2096[6], select_2096} : (select_1955_s4_q[1] ? select_2097 : select_2103_s4_q);
-  logic [7:0] select_2127;
-  assign select_2127 = select_1955_s4_q[0] ? {2'h0, counts_skin_unproven_q[13:8]} : counts_skin_unproven_q[7:0];
-  logic [7:0] select_2129;
-  assign select_2129 = select_1955_s4_q[3] ? select_2105 : (select_1955_s4_q[2] ? select_2126_s4_q : select_2127);
-  logic [7:0] select_2131;
-  assign select_2131 = select_1955_s4_q[5] ? select_2081 : (select_1955_s4_q[4] ? select_2093 : select_2129);
-  logic [7:0] select_2133;
-  assign select_2133 = select_1955_s4_q[0] ? {2'h0, counts_skin_textured_q[13:8]} : counts_skin_textured_q[7:0];
-  logic [7:0] select_2134;
-  assign select_2134 = select_1955_s4_q[0] ? {2'h0, counts_skin_supervised_q[13:8]} : counts_skin_supervised_q[7:0];
-  logic [7:0] select_2136;
-  assign select_2136 = select_1955_s4_q[0] ? {2'h0, counts_regions_bad_q[13:8]} : counts_regions_bad_q[7:0];
-  logic [7:0] select_2137;
-  assign select_2137 = select_1955_s4_q[0] ? {2'h0, counts_unproven_q[13:8]} : counts_unproven_q[7:0];
-  logic [7:0] select_2139;
-  assign select_2139 = select_1955_s4_q[2] ? (select_1955_s4_q[1] ? select_2133 : select_2134) : (select_1955_s4_q[1] ? select_2136 : select_2137);
-  logic [7:0] select_2140;
-  assign select_2140 = select_1955_s4_q[0] ? {2'h0, counts_nearer_q[13:8]} : counts_nearer_q[7:0];
-  logic [7:0] select_2141;
-  assign select_2141 = select_1955_s4_q[0] ? {2'h0, counts_explained_q[13:8]} : counts_explained_q[7:0];
-  logic [7:0] select_2143;
-  assign select_2143 = select_1955_s4_q[0] ? {2'h0, counts_textured_q[13:8]} : counts_textured_q[7:0];
-  logic [7:0] select_2144;
-  assign select_2144 = select_1955_s4_q[0] ? {2'h0, counts_supervised_q[13:8]} : counts_supervised_q[7:0];
-  logic [7:0] select_2146;
-  assign select_2146 = select_1955_s4_q[2] ? (select_1955_s4_q[1] ? select_2140 : select_2141) : (select_1955_s4_q[1] ? select_2143 : select_2144);
-  logic [7:0] select_2156;
-  assign select_2156 = select_1955_s4_q[4] ? (select_1955_s4_q[3] ? select_2139 : select_2146) : select_2155_s4_q;
-  // hls/stages/agreement.hpp:150
-  logic equal_2271;
-  assign equal_2271 = x_s4_q[7:3] == 5'h0;
-  // hls/stages/census.hpp:305
-  logic xor_2283;
-  assign xor_2283 = sharpness_comparing_contrast_1_q[1] ^ and_2282_s4_q;
-  logic select_2286;
-  assign select_2286 = (equal_2272_s4_q | xor_2283) ? (and_2282_s4_q & xor_2283) : sharpness_comparing_less_contrast_1_q;
-  // hls/stages/agreement.hpp:154
-  logic select_2288;
-  assign select_2288 = drew_q ? (equal_2271 ? select_2286 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
-  // hls/stages/census.hpp:305
-  logic xor_2293;
-  assign xor_2293 = sharpness_comparing_contrast_0_q[1] ^ and_2292_s4_q;
-  logic select_2296;
-  assign select_2296 = (equal_2272_s4_q | xor_2293) ? (and_2292_s4_q & xor_2293) : sharpness_comparing_less_contrast_0_q;
-  // hls/stages/agreement.hpp:154
-  logic select_2298;
-  assign select_2298 = drew_q ? (equal_2271 ? select_2296 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
-  // hls/stages/census.hpp:296
-  logic [17:0] select_2302;
-  assign select_2302 = (less_2300_s4_q & and_2292_s4_q) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
-  logic [18:0] sum;
-  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2302};
-  // hls/stages/census.hpp:302
-  logic [1:0] five_times;
-  assign five_times = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum[0]});
-  // hls/stages/census.hpp:304
-  logic xor_2306;
-  assign xor_2306 = sharpness_comparing_product_1_q[2] ^ five_times[0];
-  logic select_2309;
-  assign select_2309 = (equal_2272_s4_q | xor_2306) ? (five_times[0] & xor_2306) : sharpness_comparing_less_detail_1_q;
-  // hls/stages/agreement.hpp:154
-  logic select_2311;
-  assign select_2311 = drew_q ? (equal_2271 ? select_2309 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
-  // hls/stages/census.hpp:296
-  logic [17:0] select_2313;
-  assign select_2313 = (less_2300_s4_q & and_2282_s4_q) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
-  logic [18:0] sum_2;
-  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2313};
-  // hls/stages/census.hpp:302
-  logic [1:0] five_times_2;
-  assign five_times_2 = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2[0]});
-  // hls/stages/census.hpp:304
-  logic xor_2317;
-  assign xor_2317 = sharpness_comparing_product_0_q[2] ^ five_times_2[0];
-  logic select_2320;
-  assign select_2320 = (equal_2272_s4_q | xor_2317) ? (five_times_2[0] & xor_2317) : sharpness_comparing_less_detail_0_q;
-  // hls/stages/agreement.hpp:154
-  logic select_2322;
-  assign select_2322 = drew_q ? (equal_2271 ? select_2320 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
-  logic select_2325;
-  assign select_2325 = drew_q ? (equal_2271 ? five_times[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
-  logic select_2327;
-  assign select_2327 = drew_q ? (equal_2271 ? five_times_2[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
-  // hls/stages/registration.hpp:250
-  logic select_2329;
-  assign select_2329 = select_1955_s4_q[1] ? (select_1955_s4_q[0] ? select_2311 : select_2322) : (select_1955_s4_q[0] ? select_2325 : select_2327);
-  logic select_2330;
-  assign select_2330 = select_1955_s4_q[2] ? (select_1955_s4_q[0] ? select_2288 : select_2298) : select_2329;
-  // hls/stages/agreement.hpp:154
-  logic [1:0] select_2331;
-  assign select_2331 = equal_2271 ? {sharpness_comparing_contrast_1_q[0], and_2292_s4_q} : sharpness_comparing_contrast_1_q;
-  logic [1:0] select_2332;
-  assign select_2332 = drew_q ? select_2331 : sharpness_comparing_contrast_1_q;
-  logic [1:0] select_2333;
-  assign select_2333 = equal_2271 ? {sharpness_comparing_contrast_0_q[0], and_2282_s4_q} : sharpness_comparing_contrast_0_q;
-  logic [1:0] select_2334;
-  assign select_2334 = drew_q ? select_2333 : sharpness_comparing_contrast_0_q;
-  // hls/stages/registration.hpp:250
-  logic [1:0] select_2335;
-  assign select_2335 = select_1955_s4_q[0] ? select_2332 : select_2334;
-  // hls/stages/agreement.hpp:154
-  logic [2:0] select_2336;
-  assign select_2336 = equal_2271 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
-  logic [2:0] select_2337;
-  assign select_2337 = drew_q ? select_2336 : sharpness_comparing_product_1_q;
-  logic [2:0] select_2338;
-  assign select_2338 = equal_2271 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
-  logic [2:0] select_2339;
-  assign select_2339 = drew_q ? select_2338 : sharpness_comparing_product_0_q;
-  // hls/stages/registration.hpp:250
-  logic [2:0] select_2341;
-  assign select_2341 = select_1955_s4_q[1] ? {1'b0, select_2335} : (select_1955_s4_q[0] ? select_2337 : select_2339);
-  // hls/stages/agreement.hpp:154
-  logic [17:0] select_2343;
-  assign select_2343 = equal_2271 ? (less_2300_s4_q ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
-  logic [17:0] select_2344;
-  assign select_2344 = drew_q ? select_2343 : sharpness_comparing_rest_1_q;
-  // hls/stages/registration.hpp:250
-  logic [1:0] select_2345;
-  assign select_2345 = select_1955_s4_q[0] ? 2'h0 : select_2344[17:16];
-  logic [7:0] select_2347;
-  assign select_2347 = select_1955_s4_q[1] ? {6'h0, select_2345} : (select_1955_s4_q[0] ? select_2344[15:8] : select_2344[7:0]);
-  logic [7:0] select_2349;
-  assign select_2349 = select_1955_s4_q[3] ? {7'h0, select_2330} : (select_1955_s4_q[2] ? {5'h0, select_2341} : select_2347);
-  logic [7:0] select_2351;
-  assign select_2351 = select_1955_s4_q[5] ? select_2217_s4_q : (select_1955_s4_q[4] ? select_2270_s4_q : select_2349);
-  logic [7:0] select_2352;
-  assign select_2352 = select_1955_s4_q[6] ? (select_1955_s4_q[5] ? select_2156 : select_2184_s4_q) : select_2351;
-  logic [7:0] select_2353;
-  assign select_2353 = select_1955_s4_q[7] ? (select_1955_s4_q[6] ? select_2066 : select_2131) : select_2352;
-  // hls/stages/agreement.hpp:154
-  logic [17:0] select_2355;
-  assign select_2355 = equal_2271 ? (less_2300_s4_q ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
-  logic [17:0] select_2356;
-  assign select_2356 = drew_q ? select_2355 : sharpness_comparing_rest_0_q;
-  // hls/stages/registration.hpp:250
-  logic [1:0] select_2357;
-  assign select_2357 = select_1955_s4_q[0] ? 2'h0 : select_2356[17:16];
-  logic [7:0] select_2359;
-  assign select_2359 = select_1955_s4_q[1] ? {6'h0, select_2357} : (select_1955_s4_q[0] ? select_2356[15:8] : select_2356[7:0]);
-  logic [7:0] select_2360;
-  assign select_2360 = select_1955_s4_q[0] ? 8'h0 : sharpness_sums_contrast_1_s4_q[23:16];
-  logic [7:0] select_2361;
-  assign select_2361 = select_1955_s4_q[0] ? sharpness_sums_contrast_1_s4_q[15:8] : sharpness_sums_contrast_1_s4_q[7:0];
-  logic [7:0] select_2363;
-  assign select_2363 = select_1955_s4_q[2] ? select_2359 : (select_1955_s4_q[1] ? select_2360 : select_2361);
-  logic [7:0] select_2364;
-  assign select_2364 = select_1955_s4_q[0] ? 8'h0 : sharpness_sums_contrast_0_s4_q[23:16];
-  logic [7:0] select_2365;
-  assign select_2365 = select_1955_s4_q[0] ? sharpness_sums_contrast_0_s4_q[15:8] : sharpness_sums_contrast_0_s4_q[7:0];
-  logic [7:0] select_2368;
-  assign select_2368 = select_1955_s4_q[0] ? sharpness_sums_detail_1_q[15:8] : sharpness_sums_detail_1_q[7:0];
-  logic [7:0] select_2369;
-  assign select_2369 = select_1955_s4_q[1] ? (select_1955_s4_q[0] ? 8'h0 : sharpness_sums_detail_1_q[23:16]) : select_2368;
-  logic [7:0] select_2370;
-  assign select_2370 = select_1955_s4_q[2] ? (select_1955_s4_q[1] ? select_2364 : select_2365) : select_2369;
-  logic [7:0] select_2373;
-  assign select_2373 = select_1955_s4_q[0] ? sharpness_sums_detail_0_q[15:8] : sharpness_sums_detail_0_q[7:0];
-  logic [7:0] select_2374;
-  assign select_2374 = select_1955_s4_q[1] ? (select_1955_s4_q[0] ? 8'h0 : sharpness_sums_detail_0_q[23:16]) : select_2373;
-  logic [7:0] select_2375;
-  assign select_2375 = select_1955_s4_q[0] ? {2'h0, sharpness_last_detail_1_q[13:8]} : sharpness_last_detail_1_q[7:0];
-  logic [7:0] select_2376;
-  assign select_2376 = select_1955_s4_q[0] ? {2'h0, sharpness_last_detail_0_q[13:8]} : sharpness_last_detail_0_q[7:0];
-  logic [7:0] select_2378;
-  assign select_2378 = select_1955_s4_q[2] ? select_2374 : (select_1955_s4_q[1] ? select_2375 : select_2376);
-  logic [7:0] select_2386;
-  assign select_2386 = select_1955_s4_q[4] ? (select_1955_s4_q[3] ? select_2363 : select_2370) : (select_1955_s4_q[3] ? select_2378 : select_2384_s4_q);
-  logic [2:0] select_2387;
-  assign select_2387 = select_1955_s4_q[0] ? {3{census_left_misses_q[19]}} : census_left_misses_q[18:16];
-  logic [7:0] select_2388;
-  assign select_2388 = select_1955_s4_q[0] ? census_left_misses_q[15:8] : census_left_misses_q[7:0];
-  logic [7:0] select_2389;
-  assign select_2389 = select_1955_s4_q[1] ? {{5{census_left_misses_q[19]}}, select_2387} : select_2388;
-  logic [7:0] select_2391;
-  assign select_2391 = select_1955_s4_q[0] ? {4'h0, census_changes_values_3_right_q[11:8]} : census_changes_values_3_right_q[7:0];
-  logic [7:0] select_2392;
-  assign select_2392 = select_1955_s4_q[0] ? {4'h0, census_changes_values_3_left_q[11:8]} : census_changes_values_3_left_q[7:0];
-  logic [7:0] select_2394;
-  assign select_2394 = select_1955_s4_q[0] ? {4'h0, census_changes_values_2_right_q[11:8]} : census_changes_values_2_right_q[7:0];
-  logic [7:0] select_2395;
-  assign select_2395 = select_1955_s4_q[0] ? {4'h0, census_changes_values_2_left_q[11:8]} : census_changes_values_2_left_q[7:0];
-  logic [7:0] select_2397;
-  assign select_2397 = select_1955_s4_q[2] ? (select_1955_s4_q[1] ? select_2391 : select_2392) : (select_1955_s4_q[1] ? select_2394 : select_2395);
-  logic [7:0] select_2398;
-  assign select_2398 = select_1955_s4_q[3] ? (select_1955_s4_q[2] ? {3'h0, census_filled_q} : select_2389) : select_2397;
-  logic [7:0] select_2399;
-  assign select_2399 = select_1955_s4_q[0] ? {4'h0, census_changes_values_1_right_q[11:8]} : census_changes_values_1_right_q[7:0];
-  logic [7:0] select_2400;
-  assign select_2400 = select_1955_s4_q[0] ? {4'h0, census_changes_values_1_left_q[11:8]} : census_changes_values_1_left_q[7:0];
-  logic [7:0] select_2402;
-  assign select_2402 = select_1955_s4_q[0] ? {4'h0, census_changes_values_0_right_q[11:8]} : census_changes_values_0_right_q[7:0];
-  logic [7:0] select_2403;
-  assign select_2403 = select_1955_s4_q[0] ? {4'h0, census_changes_values_0_left_q[11:8]} : census_changes_values_0_left_q[7:0];
-  logic [7:0] select_2405;
-  assign select_2405 = select_1955_s4_q[2] ? (select_1955_s4_q[1] ? select_2399 : select_2400) : (select_1955_s4_q[1] ? select_2402 : select_2403);
-  logic [7:0] select_2414;
-  assign select_2414 = select_1955_s4_q[4] ? select_2398 : (select_1955_s4_q[3] ? select_2405 : select_2412_s4_q);
-  logic [7:0] select_2479;
-  assign select_2479 = select_1955_s4_q[6] ? (select_1955_s4_q[5] ? select_2386 : select_2414) : select_2478_s4_q;
-  logic [7:0] select_2604;
-  assign select_2604 = select_1955_s4_q[8] ? select_2353 : (select_1955_s4_q[7] ? select_2479 : select_2602_s4_q);
-  logic [11:0] sum_2605;
-  assign sum_2605 = (equal_1946 ? registration_sums_rdata_q[31:20] : 12'h0) + {{4{select_2604[7]}}, select_2604};
+  logic [6:0] up;
+  assign up = sum_1850_s4_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
+  // hls/stages/registration.hpp:251
+  logic [6:0] select_1904;
+  assign select_1904 = equal_1898 ? {1'b0, registration_half_measured_q} : up;
+  logic [11:0] sum_1905;
+  assign sum_1905 = (equal_1896_s4_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_1904[6]}}, select_1904};
   // hls/stages/agreement.hpp:659
-  logic [6:0] select_2628;
-  assign select_2628 = segment_started_q ? segment_textured_q : 7'h0;
+  logic [6:0] select_1930;
+  assign select_1930 = segment_started_q ? segment_textured_q : 7'h0;
   // hls/stages/agreement.hpp:660
-  logic [6:0] sum_2629;
-  assign sum_2629 = {6'h0, textured_s4_q} + select_2628;
+  logic [6:0] sum_1931;
+  assign sum_1931 = {6'h0, textured_s4_q} + select_1930;
   // hls/stages/agreement.hpp:792
-  logic [9:0] sum_2631;
-  assign sum_2631 = {3'h0, sum_2629} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[9:0]);
+  logic [9:0] sum_1933;
+  assign sum_1933 = {3'h0, sum_1931} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[9:0]);
   // hls/stages/agreement.hpp:659
-  logic [6:0] select_2633;
-  assign select_2633 = segment_started_q ? segment_explained_q : 7'h0;
+  logic [6:0] select_1935;
+  assign select_1935 = segment_started_q ? segment_explained_q : 7'h0;
   // hls/stages/agreement.hpp:660
-  logic [6:0] sum_2634;
-  assign sum_2634 = {6'h0, explained_s4_q} + select_2633;
+  logic [6:0] sum_1936;
+  assign sum_1936 = {6'h0, explained_s4_q} + select_1935;
   // hls/stages/agreement.hpp:793
-  logic [9:0] sum_2636;
-  assign sum_2636 = {3'h0, sum_2634} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[19:10]);
+  logic [9:0] sum_1938;
+  assign sum_1938 = {3'h0, sum_1936} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[19:10]);
   // hls/stages/agreement.hpp:659
-  logic [6:0] select_2639;
-  assign select_2639 = segment_started_q ? segment_nearer_q : 7'h0;
+  logic [6:0] select_1941;
+  assign select_1941 = segment_started_q ? segment_nearer_q : 7'h0;
   // hls/stages/agreement.hpp:661
-  logic [6:0] sum_2640;
-  assign sum_2640 = {6'h0, and_2638_s4_q} + select_2639;
+  logic [6:0] sum_1942;
+  assign sum_1942 = {6'h0, and_1940_s4_q} + select_1941;
   // hls/stages/agreement.hpp:794
-  logic [9:0] sum_2642;
-  assign sum_2642 = {3'h0, sum_2640} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[29:20]);
+  logic [9:0] sum_1944;
+  assign sum_1944 = {3'h0, sum_1942} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[29:20]);
   // hls/stages/agreement.hpp:832
-  logic not_2709;
-  assign not_2709 = ~region_row_s4_q[2];
-  logic [2:0] select_2710;
-  assign select_2710 = region_row_s4_q[1] ? {1'b0, not_2709, 1'b0} : {region_row_s4_q[2], 1'b0, not_2709};
-  logic [5:0] select_2711;
-  assign select_2711 = region_row_s4_q[0] ? {select_2710[2], 1'b0, select_2710[1], 1'b0, select_2710[0], 1'b0} : {1'b0, select_2710[2], 1'b0, select_2710[1], 1'b0, select_2710[0]};
-  logic [11:0] select_2712;
-  assign select_2712 = or_2708_s4_q ? {select_2711[5], 1'b0, select_2711[4], 1'b0, select_2711[3], 1'b0, select_2711[2], 1'b0, select_2711[1], 1'b0, select_2711[0], 1'b0} : {1'b0, select_2711[5], 1'b0, select_2711[4], 1'b0, select_2711[3], 1'b0, select_2711[2], 1'b0, select_2711[1], 1'b0, select_2711[0]};
-  logic [23:0] select_2713;
-  assign select_2713 = or_2705_s4_q ? {select_2712[11], 1'b0, select_2712[10], 1'b0, select_2712[9], 1'b0, select_2712[8], 1'b0, select_2712[7], 1'b0, select_2712[6], 1'b0, select_2712[5], 1'b0, select_2712[4], 1'b0, select_2712[3], 1'b0, select_2712[2], 1'b0, select_2712[1], 1'b0, select_2712[0], 1'b0} : {1'b0, select_2712[11], 1'b0, select_2712[10], 1'b0, select_2712[9], 1'b0, select_2712[8], 1'b0, select_2712[7], 1'b0, select_2712[6], 1'b0, select_2712[5], 1'b0, select_2712[4], 1'b0, select_2712[3], 1'b0, select_2712[2], 1'b0, select_2712[1], 1'b0, select_2712[0]};
-  logic [47:0] select_2714;
-  assign select_2714 = or_2702_s4_q ? {select_2713[23], 1'b0, select_2713[22], 1'b0, select_2713[21], 1'b0, select_2713[20], 1'b0, select_2713[19], 1'b0, select_2713[18], 1'b0, select_2713[17], 1'b0, select_2713[16], 1'b0, select_2713[15], 1'b0, select_2713[14], 1'b0, select_2713[13], 1'b0, select_2713[12], 1'b0, select_2713[11], 1'b0, select_2713[10], 1'b0, select_2713[9], 1'b0, select_2713[8], 1'b0, select_2713[7], 1'b0, select_2713[6], 1'b0, select_2713[5], 1'b0, select_2713[4], 1'b0, select_2713[3], 1'b0, select_2713[2], 1'b0, select_2713[1], 1'b0, select_2713[0], 1'b0} : {1'b0, select_2713[23], 1'b0, select_2713[22], 1'b0, select_2713[21], 1'b0, select_2713[20], 1'b0, select_2713[19], 1'b0, select_2713[18], 1'b0, select_2713[17], 1'b0, select_2713[16], 1'b0, select_2713[15], 1'b0, select_2713[14], 1'b0, select_2713[13], 1'b0, select_2713[12], 1'b0, select_2713[11], 1'b0, select_2713[10], 1'b0, select_2713[9], 1'b0, select_2713[8], 1'b0, select_2713[7], 1'b0, select_2713[6], 1'b0, select_2713[5], 1'b0, select_2713[4], 1'b0, select_2713[3], 1'b0, select_2713[2], 1'b0, select_2713[1], 1'b0, select_2713[0]};
+  logic not_2011;
+  assign not_2011 = ~region_row_s4_q[2];
+  logic [2:0] select_2012;
+  assign select_2012 = region_row_s4_q[1] ? {1'b0, not_2011, 1'b0} : {region_row_s4_q[2], 1'b0, not_2011};
+  logic [5:0] select_2013;
+  assign select_2013 = region_row_s4_q[0] ? {select_2012[2], 1'b0, select_2012[1], 1'b0, select_2012[0], 1'b0} : {1'b0, select_2012[2], 1'b0, select_2012[1], 1'b0, select_2012[0]};
+  logic [11:0] select_2014;
+  assign select_2014 = or_2010_s4_q ? {select_2013[5], 1'b0, select_2013[4], 1'b0, select_2013[3], 1'b0, select_2013[2], 1'b0, select_2013[1], 1'b0, select_2013[0], 1'b0} : {1'b0, select_2013[5], 1'b0, select_2013[4], 1'b0, select_2013[3], 1'b0, select_2013[2], 1'b0, select_2013[1], 1'b0, select_2013[0]};
+  logic [23:0] select_2015;
+  assign select_2015 = or_2007_s4_q ? {select_2014[11], 1'b0, select_2014[10], 1'b0, select_2014[9], 1'b0, select_2014[8], 1'b0, select_2014[7], 1'b0, select_2014[6], 1'b0, select_2014[5], 1'b0, select_2014[4], 1'b0, select_2014[3], 1'b0, select_2014[2], 1'b0, select_2014[1], 1'b0, select_2014[0], 1'b0} : {1'b0, select_2014[11], 1'b0, select_2014[10], 1'b0, select_2014[9], 1'b0, select_2014[8], 1'b0, select_2014[7], 1'b0, select_2014[6], 1'b0, select_2014[5], 1'b0, select_2014[4], 1'b0, select_2014[3], 1'b0, select_2014[2], 1'b0, select_2014[1], 1'b0, select_2014[0]};
+  logic [47:0] select_2016;
+  assign select_2016 = or_2004_s4_q ? {select_2015[23], 1'b0, select_2015[22], 1'b0, select_2015[21], 1'b0, select_2015[20], 1'b0, select_2015[19], 1'b0, select_2015[18], 1'b0, select_2015[17], 1'b0, select_2015[16], 1'b0, select_2015[15], 1'b0, select_2015[14], 1'b0, select_2015[13], 1'b0, select_2015[12], 1'b0, select_2015[11], 1'b0, select_2015[10], 1'b0, select_2015[9], 1'b0, select_2015[8], 1'b0, select_2015[7], 1'b0, select_2015[6], 1'b0, select_2015[5], 1'b0, select_2015[4], 1'b0, select_2015[3], 1'b0, select_2015[2], 1'b0, select_2015[1], 1'b0, select_2015[0], 1'b0} : {1'b0, select_2015[23], 1'b0, select_2015[22], 1'b0, select_2015[21], 1'b0, select_2015[20], 1'b0, select_2015[19], 1'b0, select_2015[18], 1'b0, select_2015[17], 1'b0, select_2015[16], 1'b0, select_2015[15], 1'b0, select_2015[14], 1'b0, select_2015[13], 1'b0, select_2015[12], 1'b0, select_2015[11], 1'b0, select_2015[10], 1'b0, select_2015[9], 1'b0, select_2015[8], 1'b0, select_2015[7], 1'b0, select_2015[6], 1'b0, select_2015[5], 1'b0, select_2015[4], 1'b0, select_2015[3], 1'b0, select_2015[2], 1'b0, select_2015[1], 1'b0, select_2015[0]};
   // hls/stages/agreement.hpp:765
-  logic and_2718;
-  assign and_2718 = good_known_q & (~((good_q & select_2714) == 48'h0));
+  logic and_2020;
+  assign and_2020 = good_known_q & (~((good_q & select_2016) == 48'h0));
   // hls/stages/agreement.hpp:834
   logic is_seen;
-  assign is_seen = equal_2697_s4_q ? and_2718 : not_2733_s4_q;
+  assign is_seen = equal_1999_s4_q ? and_2020 : not_2035_s4_q;
   // hls/stages/agreement.hpp:843
-  logic and_2748;
-  assign and_2748 = is_seen & less_2747_s4_q;
+  logic and_2050;
+  assign and_2050 = is_seen & less_2049_s4_q;
+  // hls/stages/agreement.hpp:215
+  logic [8:0] select_2084;
+  assign select_2084 = sample_pair_whole_s4_q ? (and_357_s4_q ? grey_s4_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
+  logic [8:0] select_2086;
+  assign select_2086 = sample_pair_whole_s4_q ? (and_357_s4_q ? grey_2_s4_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
+  logic [8:0] select_2088;
+  assign select_2088 = sample_pair_whole_s4_q ? (and_357_s4_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  logic [8:0] select_2090;
+  assign select_2090 = sample_pair_whole_s4_q ? (and_357_s4_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
+  // hls/stages/census.hpp:128
+  logic [9:0] sum_2095;
+  assign sum_2095 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s4_q};
+  logic [9:0] difference_2096;
+  assign difference_2096 = {1'b0, sum_2095[9:1]} - {1'b0, averager_quarter_1_0_q};
+  // hls/stages/census.hpp:129
+  logic [9:0] xor_2097;
+  assign xor_2097 = {difference_2096[8:0], sum_2095[0]} ^ {10{difference_2096[9]}};
+  logic [10:0] size;
+  assign size = {10'h0, difference_2096[9]} + {1'b0, xor_2097};
+  // hls/stages/census.hpp:130
+  logic [13:0] detail;
+  assign detail = {3'h0, size} + (equal_362_s4_q ? 14'h0 : averager_detail_0_q);
+  // hls/stages/agreement.hpp:215
+  logic [13:0] select_2102;
+  assign select_2102 = sample_pair_whole_s4_q ? (and_357_s4_q ? detail : averager_detail_0_q) : averager_detail_0_q;
+  // hls/stages/census.hpp:128
+  logic [9:0] sum_2103;
+  assign sum_2103 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s4_q};
+  logic [9:0] difference_2104;
+  assign difference_2104 = {1'b0, sum_2103[9:1]} - {1'b0, averager_quarter_1_1_q};
+  // hls/stages/census.hpp:129
+  logic [9:0] xor_2105;
+  assign xor_2105 = {difference_2104[8:0], sum_2103[0]} ^ {10{difference_2104[9]}};
+  logic [10:0] size_2;
+  assign size_2 = {10'h0, difference_2104[9]} + {1'b0, xor_2105};
+  // hls/stages/census.hpp:130
+  logic [13:0] detail_2;
+  assign detail_2 = {3'h0, size_2} + (equal_362_s4_q ? 14'h0 : averager_detail_1_q);
+  // hls/stages/agreement.hpp:215
+  logic [13:0] select_2110;
+  assign select_2110 = sample_pair_whole_s4_q ? (and_357_s4_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
   // hls/stages/agreement.hpp:365
-  logic [11:0] select_2938;
-  assign select_2938 = and_409_s4_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
-  logic [11:0] select_2939;
-  assign select_2939 = and_409_s4_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
-  logic [11:0] select_2940;
-  assign select_2940 = and_409_s4_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
-  logic [11:0] select_2941;
-  assign select_2941 = and_409_s4_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
-  logic [11:0] select_2942;
-  assign select_2942 = and_409_s4_q ? census_changes_values_2_left_q : census_changes_values_3_left_q;
-  logic [11:0] select_2943;
-  assign select_2943 = and_409_s4_q ? census_changes_values_2_right_q : census_changes_values_3_right_q;
+  logic [11:0] select_2195;
+  assign select_2195 = and_359_s4_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
+  logic [11:0] select_2196;
+  assign select_2196 = and_359_s4_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
+  logic [11:0] select_2197;
+  assign select_2197 = and_359_s4_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
+  logic [11:0] select_2198;
+  assign select_2198 = and_359_s4_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
   // hls/stages/census.hpp:202
-  logic [12:0] sum_2946;
-  assign sum_2946 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2936_s4_q};
-  logic [13:0] sum_2948;
-  assign sum_2948 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2946});
+  logic [12:0] sum_2201;
+  assign sum_2201 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2193_s4_q};
+  logic [13:0] sum_2203;
+  assign sum_2203 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2201});
   // hls/stages/census.hpp:225
-  logic and_2950;
-  assign and_2950 = and_499 & (9'h4 < sum_2948[13:5]);
+  logic and_2205;
+  assign and_2205 = and_449_s4_q & (9'h4 < sum_2203[13:5]);
   // hls/stages/census.hpp:226
-  logic and_2951;
-  assign and_2951 = and_499 & less_523;
+  logic and_2206;
+  assign and_2206 = and_449_s4_q & less_473;
   // hls/stages/census.hpp:227
-  logic [19:0] sum_2952;
-  assign sum_2952 = census_left_misses_q + {{17{and_2951}}, and_2950, 1'b0, and_2950};
+  logic [19:0] sum_2207;
+  assign sum_2207 = census_left_misses_q + {{17{and_2206}}, and_2205, 1'b0, and_2205};
   // hls/stages/agreement.hpp:365
-  logic [19:0] select_2954;
-  assign select_2954 = and_409_s4_q ? (equal_2945_s4_q ? 20'h0 : sum_2952) : census_left_misses_q;
-  logic [13:0] select_2962;
-  assign select_2962 = and_409_s4_q ? select_2961_s4_q[13:0] : sharpness_last_detail_0_q;
-  logic [13:0] select_2963;
-  assign select_2963 = and_409_s4_q ? select_2961_s4_q[27:14] : sharpness_last_detail_1_q;
+  logic [19:0] select_2209;
+  assign select_2209 = and_359_s4_q ? (equal_2200_s4_q ? 20'h0 : sum_2207) : census_left_misses_q;
+  // hls/stages/agreement.hpp:215
+  logic [27:0] select_2214;
+  assign select_2214 = sample_pair_whole_s4_q ? {detail_2, detail} : 28'h0;
+  // hls/stages/census.hpp:275
+  logic and_2219;
+  assign and_2219 = whole_2_s4_q & (~(column_s4_q[6:1] == 6'h0));
+  // hls/stages/agreement.hpp:311
+  logic and_2225;
+  assign and_2225 = and_2219 & (sharpness_last_mask_q & (7'h2 < contrast_s4_q[8:2]));
   // hls/stages/census.hpp:274
   logic [14:0] detail_3;
-  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2961_s4_q[13:0]};
+  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2214[13:0]};
   // hls/stages/census.hpp:276
-  logic [12:0] select_2974;
-  assign select_2974 = and_2972_s4_q ? detail_3[14:2] : 13'h0;
+  logic [12:0] select_2227;
+  assign select_2227 = and_2225 ? detail_3[14:2] : 13'h0;
   // hls/stages/census.hpp:277
-  logic [23:0] select_2976;
-  assign select_2976 = equal_2945_s4_q ? {11'h0, select_2974} : (sharpness_sums_detail_0_q + {11'h0, select_2974});
+  logic [23:0] select_2229;
+  assign select_2229 = equal_2200_s4_q ? {11'h0, select_2227} : (sharpness_sums_detail_0_q + {11'h0, select_2227});
+  // hls/stages/agreement.hpp:311
+  logic and_2236;
+  assign and_2236 = and_2219 & (sharpness_last_mask_q & (7'h2 < contrast_2_s4_q[8:2]));
   // hls/stages/census.hpp:274
   logic [14:0] detail_4;
-  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2961_s4_q[27:14]};
+  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2214[27:14]};
   // hls/stages/census.hpp:276
-  logic [12:0] select_2985;
-  assign select_2985 = and_2983_s4_q ? detail_4[14:2] : 13'h0;
+  logic [12:0] select_2238;
+  assign select_2238 = and_2236 ? detail_4[14:2] : 13'h0;
   // hls/stages/census.hpp:277
-  logic [23:0] select_2987;
-  assign select_2987 = equal_2945_s4_q ? {11'h0, select_2985} : (sharpness_sums_detail_1_q + {11'h0, select_2985});
+  logic [23:0] select_2240;
+  assign select_2240 = equal_2200_s4_q ? {11'h0, select_2238} : (sharpness_sums_detail_1_q + {11'h0, select_2238});
+  logic [8:0] select_2243;
+  assign select_2243 = and_2225 ? contrast_s4_q : 9'h0;
+  logic [23:0] sum_2244;
+  assign sum_2244 = (equal_2200_s4_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2243};
+  logic [8:0] select_2247;
+  assign select_2247 = and_2236 ? contrast_2_s4_q : 9'h0;
+  logic [23:0] sum_2248;
+  assign sum_2248 = (equal_2200_s4_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2247};
+  // hls/stages/agreement.hpp:150
+  logic equal_2250;
+  assign equal_2250 = x_s4_q[7:3] == 5'h0;
+  // hls/stages/census.hpp:289
+  logic less_2251;
+  assign less_2251 = 7'h2 < {x_s4_q[4:0], slot_s4_q[2:1]};
+  // hls/stages/census.hpp:328
+  logic less_2252;
+  assign less_2252 = x_s4_q[4:0] < 5'h3;
+  logic not_2253;
+  assign not_2253 = ~x_s4_q[1];
+  logic [2:0] select_2254;
+  assign select_2254 = x_s4_q[0] ? {1'b0, not_2253, 1'b0} : {x_s4_q[1], 1'b0, not_2253};
+  logic [5:0] select_2255;
+  assign select_2255 = slot_s4_q[2] ? {select_2254[2], 1'b0, select_2254[1], 1'b0, select_2254[0], 1'b0} : {1'b0, select_2254[2], 1'b0, select_2254[1], 1'b0, select_2254[0]};
+  logic [11:0] select_2256;
+  assign select_2256 = slot_s4_q[1] ? {select_2255[5], 1'b0, select_2255[4], 1'b0, select_2255[3], 1'b0, select_2255[2], 1'b0, select_2255[1], 1'b0, select_2255[0], 1'b0} : {1'b0, select_2255[5], 1'b0, select_2255[4], 1'b0, select_2255[3], 1'b0, select_2255[2], 1'b0, select_2255[1], 1'b0, select_2255[0]};
+  logic [23:0] select_2257;
+  assign select_2257 = slot_s4_q[0] ? {select_2256[11], 1'b0, select_2256[10], 1'b0, select_2256[9], 1'b0, select_2256[8], 1'b0, select_2256[7], 1'b0, select_2256[6], 1'b0, select_2256[5], 1'b0, select_2256[4], 1'b0, select_2256[3], 1'b0, select_2256[2], 1'b0, select_2256[1], 1'b0, select_2256[0], 1'b0} : {1'b0, select_2256[11], 1'b0, select_2256[10], 1'b0, select_2256[9], 1'b0, select_2256[8], 1'b0, select_2256[7], 1'b0, select_2256[6], 1'b0, select_2256[5], 1'b0, select_2256[4], 1'b0, select_2256[3], 1'b0, select_2256[2], 1'b0, select_2256[1], 1'b0, select_2256[0]};
+  // hls/stages/census.hpp:291
+  logic and_2261;
+  assign and_2261 = less_2252 & (~((sharpness_sums_contrast_1_q & select_2257) == 24'h0));
+  // hls/stages/census.hpp:296
+  logic [17:0] select_2263;
+  assign select_2263 = (less_2251 & and_2261) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
+  logic [18:0] sum;
+  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2263};
+  // hls/stages/agreement.hpp:154
+  logic [17:0] select_2266;
+  assign select_2266 = equal_2250 ? (less_2251 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
+  // hls/stages/census.hpp:291
+  logic and_2271;
+  assign and_2271 = less_2252 & (~((sharpness_sums_contrast_0_q & select_2257) == 24'h0));
+  // hls/stages/census.hpp:296
+  logic [17:0] select_2273;
+  assign select_2273 = (less_2251 & and_2271) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
+  logic [18:0] sum_2;
+  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2273};
+  // hls/stages/agreement.hpp:154
+  logic [17:0] select_2276;
+  assign select_2276 = equal_2250 ? (less_2251 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
+  logic [2:0] select_2278;
+  assign select_2278 = equal_2250 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
+  logic [2:0] select_2280;
+  assign select_2280 = equal_2250 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
+  logic [1:0] select_2282;
+  assign select_2282 = equal_2250 ? {sharpness_comparing_contrast_0_q[0], and_2271} : sharpness_comparing_contrast_0_q;
+  logic [1:0] select_2284;
+  assign select_2284 = equal_2250 ? {sharpness_comparing_contrast_1_q[0], and_2261} : sharpness_comparing_contrast_1_q;
+  // hls/stages/census.hpp:302
+  logic [1:0] five_times;
+  assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2[0]});
+  // hls/stages/agreement.hpp:154
+  logic select_2289;
+  assign select_2289 = drew_q ? (equal_2250 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
+  // hls/stages/census.hpp:302
+  logic [1:0] five_times_2;
+  assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum[0]});
+  // hls/stages/agreement.hpp:154
+  logic select_2293;
+  assign select_2293 = drew_q ? (equal_2250 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
+  // hls/stages/census.hpp:288
+  logic equal_2294;
+  assign equal_2294 = {x_s4_q[4:0], slot_s4_q} == 8'h0;
+  // hls/stages/census.hpp:304
+  logic xor_2295;
+  assign xor_2295 = sharpness_comparing_product_0_q[2] ^ five_times[0];
+  logic select_2298;
+  assign select_2298 = (equal_2294 | xor_2295) ? (five_times[0] & xor_2295) : sharpness_comparing_less_detail_0_q;
+  // hls/stages/agreement.hpp:154
+  logic select_2300;
+  assign select_2300 = drew_q ? (equal_2250 ? select_2298 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
+  // hls/stages/census.hpp:304
+  logic xor_2301;
+  assign xor_2301 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
+  logic select_2304;
+  assign select_2304 = (equal_2294 | xor_2301) ? (five_times_2[0] & xor_2301) : sharpness_comparing_less_detail_1_q;
+  // hls/stages/agreement.hpp:154
+  logic select_2306;
+  assign select_2306 = drew_q ? (equal_2250 ? select_2304 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
+  // hls/stages/census.hpp:305
+  logic xor_2307;
+  assign xor_2307 = sharpness_comparing_contrast_0_q[1] ^ and_2261;
+  logic select_2310;
+  assign select_2310 = (equal_2294 | xor_2307) ? (and_2261 & xor_2307) : sharpness_comparing_less_contrast_0_q;
+  // hls/stages/agreement.hpp:154
+  logic select_2312;
+  assign select_2312 = drew_q ? (equal_2250 ? select_2310 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
+  // hls/stages/census.hpp:305
+  logic xor_2313;
+  assign xor_2313 = sharpness_comparing_contrast_1_q[1] ^ and_2271;
+  logic select_2316;
+  assign select_2316 = (equal_2294 | xor_2313) ? (and_2271 & xor_2313) : sharpness_comparing_less_contrast_1_q;
+  // hls/stages/agreement.hpp:154
+  logic select_2318;
+  assign select_2318 = drew_q ? (equal_2250 ? select_2316 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:682
-  logic [13:0] select_3064;
-  assign select_3064 = and_3058_s4_q ? 14'h0 : (counts_supervised_q + {13'h0, and_3062_s4_q});
+  logic [13:0] select_2424;
+  assign select_2424 = and_2418_s4_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2422_s4_q});
   // hls/stages/agreement.hpp:211
-  logic and_3067;
-  assign and_3067 = not_1850_s4_q & (drew_q & (ends_cell_s4_q & textured_s4_q));
-  logic and_3072;
-  assign and_3072 = not_1850_s4_q & (drew_q & (ends_cell_s4_q & explained_s4_q));
-  logic and_3077;
-  assign and_3077 = not_1850_s4_q & (drew_q & (ends_cell_s4_q & and_2638_s4_q));
+  logic and_2427;
+  assign and_2427 = not_1800_s4_q & (drew_q & (ends_cell_s4_q & textured_s4_q));
+  logic and_2432;
+  assign and_2432 = not_1800_s4_q & (drew_q & (ends_cell_s4_q & explained_s4_q));
+  logic and_2437;
+  assign and_2437 = not_1800_s4_q & (drew_q & (ends_cell_s4_q & and_1940_s4_q));
   // hls/stages/agreement.hpp:836
-  logic not_3081;
-  assign not_3081 = ~(x_s4_q[7:1] == 7'h0);
+  logic not_2441;
+  assign not_2441 = ~(x_s4_q[7:1] == 7'h0);
   // hls/stages/agreement.hpp:837
-  logic not_3098;
-  assign not_3098 = ~(equal_2697_s4_q ? and_2718 : not_3096_s4_q);
+  logic not_2458;
+  assign not_2458 = ~(equal_1999_s4_q ? and_2020 : not_2456_s4_q);
   // hls/stages/agreement.hpp:211
-  logic and_3101;
-  assign and_3101 = ends_cell_s4_q & (not_3081 & (centres_values_1_textured_s4_q & not_3098));
-  logic and_3103;
-  assign and_3103 = not_1850_s4_q & (drew_q & and_3101);
+  logic and_2461;
+  assign and_2461 = ends_cell_s4_q & (not_2441 & (centres_values_1_textured_s4_q & not_2458));
+  logic and_2463;
+  assign and_2463 = not_1800_s4_q & (drew_q & and_2461);
   // hls/stages/agreement.hpp:862
-  logic less_3106;
-  assign less_3106 = region_row_s4_q < x_s4_q[5:3];
-  logic [9:0] select_3107;
-  assign select_3107 = less_3106 ? 10'h0 : regions_rdata_q[9:0];
-  logic [9:0] select_3110;
-  assign select_3110 = less_3106 ? 10'h0 : regions_rdata_q[19:10];
+  logic less_2466;
+  assign less_2466 = region_row_s4_q < x_s4_q[5:3];
+  logic [9:0] select_2467;
+  assign select_2467 = less_2466 ? 10'h0 : regions_rdata_q[9:0];
+  logic [9:0] select_2470;
+  assign select_2470 = less_2466 ? 10'h0 : regions_rdata_q[19:10];
   // hls/stages/agreement.hpp:863
-  logic [10:0] sum_3111;
-  assign sum_3111 = {1'b0, select_3110} + {3'h0, select_3110[9:2]};
-  logic and_3113;
-  assign and_3113 = (~(select_3107[9:4] == 6'h0)) & ({sum_3111, select_3110[1:0]} < {3'h0, select_3107});
+  logic [10:0] sum_2471;
+  assign sum_2471 = {1'b0, select_2470} + {3'h0, select_2470[9:2]};
+  logic and_2473;
+  assign and_2473 = (~(select_2467[9:4] == 6'h0)) & ({sum_2471, select_2470[1:0]} < {3'h0, select_2467});
   // hls/stages/agreement.hpp:872
-  logic [9:0] select_3116;
-  assign select_3116 = x_s4_q[6] ? (equal_1894_s4_q ? 10'h0 : (and_3113 ? select_3107 : 10'h0)) : 10'h0;
+  logic [9:0] select_2476;
+  assign select_2476 = x_s4_q[6] ? (equal_1844_s4_q ? 10'h0 : (and_2473 ? select_2467 : 10'h0)) : 10'h0;
   // hls/stages/agreement.hpp:211
-  logic [9:0] select_3117;
-  assign select_3117 = equal_1849_s4_q ? select_3116 : 10'h0;
+  logic [9:0] select_2477;
+  assign select_2477 = equal_1799_s4_q ? select_2476 : 10'h0;
   // hls/stages/agreement.hpp:682
-  logic [13:0] select_3119;
-  assign select_3119 = and_3058_s4_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_3117});
-  logic [13:0] select_3126;
-  assign select_3126 = and_3058_s4_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_3124_s4_q});
+  logic [13:0] select_2479;
+  assign select_2479 = and_2418_s4_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2477});
+  logic [13:0] select_2486;
+  assign select_2486 = and_2418_s4_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2484_s4_q});
   // hls/stages/agreement.hpp:841
-  logic and_3128;
-  assign and_3128 = not_3081 & (centres_values_1_textured_s4_q & centres_values_1_of_skin_s4_q);
+  logic and_2488;
+  assign and_2488 = not_2441 & (centres_values_1_textured_s4_q & centres_values_1_of_skin_s4_q);
   // hls/stages/agreement.hpp:211
-  logic and_3131;
-  assign and_3131 = not_1850_s4_q & (drew_q & (ends_cell_s4_q & and_3128));
+  logic and_2491;
+  assign and_2491 = not_1800_s4_q & (drew_q & (ends_cell_s4_q & and_2488));
   // hls/stages/agreement.hpp:682
-  logic [13:0] select_3133;
-  assign select_3133 = and_3058_s4_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_3131});
+  logic [13:0] select_2493;
+  assign select_2493 = and_2418_s4_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2491});
   // hls/stages/agreement.hpp:841
-  logic and_3135;
-  assign and_3135 = centres_values_1_textured_s4_q & (centres_values_1_of_skin_s4_q & not_3098);
+  logic and_2495;
+  assign and_2495 = centres_values_1_textured_s4_q & (centres_values_1_of_skin_s4_q & not_2458);
   // hls/stages/agreement.hpp:211
-  logic and_3139;
-  assign and_3139 = not_1850_s4_q & (drew_q & (ends_cell_s4_q & (not_3081 & and_3135)));
+  logic and_2499;
+  assign and_2499 = not_1800_s4_q & (drew_q & (ends_cell_s4_q & (not_2441 & and_2495)));
   // hls/stages/agreement.hpp:682
-  logic [13:0] select_3141;
-  assign select_3141 = and_3058_s4_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_3139});
+  logic [13:0] select_2501;
+  assign select_2501 = and_2418_s4_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2499});
+  // hls/stages/registration.hpp:106
+  logic [7:0] select_2571;
+  assign select_2571 = equal_2526_s4_q ? (and_2556_s4_q ? residual_s4_q[7:0] : 8'h0) : 8'h0;
   // hls/stages/agreement.hpp:211
-  logic [7:0] select_3149;
-  assign select_3149 = equal_1849_s4_q ? 8'h0 : (drew_q ? select_2060 : 8'h0);
+  logic [7:0] select_2573;
+  assign select_2573 = equal_1799_s4_q ? 8'h0 : (drew_q ? select_2571 : 8'h0);
   // hls/stages/registration.hpp:126
-  logic [13:0] select_3151;
-  assign select_3151 = and_3147_s4_q ? 14'h0 : (registration_half_across_q + {{6{select_3149[7]}}, select_3149});
+  logic [13:0] select_2575;
+  assign select_2575 = and_2554_s4_q ? 14'h0 : (registration_half_across_q + {{6{select_2573[7]}}, select_2573});
   // hls/stages/agreement.hpp:211
-  logic and_3153;
-  assign and_3153 = not_1850_s4_q & (drew_q & and_2057);
+  logic and_2578;
+  assign and_2578 = not_1800_s4_q & (drew_q & (and_2556_s4_q & equal_2526_s4_q));
   // hls/stages/registration.hpp:126
-  logic [5:0] select_3155;
-  assign select_3155 = and_3147_s4_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_3153});
+  logic [5:0] select_2580;
+  assign select_2580 = and_2554_s4_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2578});
+  // hls/stages/registration.hpp:106
+  logic and_2582;
+  assign and_2582 = and_2556_s4_q & ($signed(residual_s4_q[7:0]) < $signed({2'h0, cfg_moved_limit_i}));
   // hls/stages/agreement.hpp:211
-  logic [1:0] select_3157;
-  assign select_3157 = equal_1849_s4_q ? 2'h0 : (drew_q ? select_2056 : 2'h0);
+  logic [1:0] select_2584;
+  assign select_2584 = drew_q ? (equal_2526_s4_q ? {and_2582, and_2556_s4_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2585;
+  assign select_2585 = equal_1799_s4_q ? 2'h0 : select_2584;
   // hls/stages/registration.hpp:172
-  logic [6:0] sum_3158;
-  assign sum_3158 = registration_half_votes_down_q + {{5{select_3157[1]}}, select_3157};
+  logic [6:0] sum_2586;
+  assign sum_2586 = registration_half_votes_down_q + {{5{select_2585[1]}}, select_2585};
+  // hls/stages/registration.hpp:193
+  logic [12:0] difference_2588;
+  assign difference_2588 = 13'h0 - {residual_s4_q[11], residual_s4_q};
+  // hls/stages/registration.hpp:106
+  logic and_2590;
+  assign and_2590 = and_2556_s4_q & ($signed(difference_2588) < $signed({7'h0, cfg_moved_limit_i}));
   // hls/stages/agreement.hpp:211
-  logic [1:0] select_3161;
-  assign select_3161 = equal_1849_s4_q ? 2'h0 : (drew_q ? select_2050 : 2'h0);
+  logic [1:0] select_2592;
+  assign select_2592 = drew_q ? (equal_2526_s4_q ? {and_2590, and_2556_s4_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2593;
+  assign select_2593 = equal_1799_s4_q ? 2'h0 : select_2592;
   // hls/stages/registration.hpp:173
-  logic [6:0] sum_3162;
-  assign sum_3162 = registration_half_votes_up_q + {{5{select_3161[1]}}, select_3161};
+  logic [6:0] sum_2594;
+  assign sum_2594 = registration_half_votes_up_q + {{5{select_2593[1]}}, select_2593};
+  // hls/stages/registration.hpp:193
+  logic less_2596;
+  assign less_2596 = $signed(residual_s4_q[7:0]) < $signed({2'h0, cfg_moved_half_limit_i});
+  // hls/stages/registration.hpp:106
+  logic and_2597;
+  assign and_2597 = and_2556_s4_q & less_2596;
   // hls/stages/agreement.hpp:211
-  logic [1:0] select_3165;
-  assign select_3165 = equal_1849_s4_q ? 2'h0 : (drew_q ? select_2047 : 2'h0);
+  logic [1:0] select_2599;
+  assign select_2599 = drew_q ? (equal_2526_s4_q ? {and_2597, and_2556_s4_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2600;
+  assign select_2600 = equal_1799_s4_q ? 2'h0 : select_2599;
   // hls/stages/registration.hpp:172
-  logic [6:0] sum_3166;
-  assign sum_3166 = registration_half_half_votes_down_q + {{5{select_3165[1]}}, select_3165};
+  logic [6:0] sum_2601;
+  assign sum_2601 = registration_half_half_votes_down_q + {{5{select_2600[1]}}, select_2600};
+  // hls/stages/registration.hpp:193
+  logic less_2603;
+  assign less_2603 = $signed(difference_2588) < $signed({7'h0, cfg_moved_half_limit_i});
+  // hls/stages/registration.hpp:106
+  logic and_2604;
+  assign and_2604 = and_2556_s4_q & less_2603;
   // hls/stages/agreement.hpp:211
-  logic [1:0] select_3169;
-  assign select_3169 = equal_1849_s4_q ? 2'h0 : (drew_q ? select_2044 : 2'h0);
+  logic [1:0] select_2606;
+  assign select_2606 = drew_q ? (equal_2526_s4_q ? {and_2604, and_2556_s4_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2607;
+  assign select_2607 = equal_1799_s4_q ? 2'h0 : select_2606;
   // hls/stages/registration.hpp:173
-  logic [6:0] sum_3170;
-  assign sum_3170 = registration_half_half_votes_up_q + {{5{select_3169[1]}}, select_3169};
-  // hls/stages/registration.hpp:253
-  logic [3:0] select_3180;
-  assign select_3180 = (sum_1900_s4_q == 2'h2) ? (registration_fresh_q & (~select_1944)) : registration_fresh_q;
+  logic [6:0] sum_2608;
+  assign sum_2608 = registration_half_half_votes_up_q + {{5{select_2607[1]}}, select_2607};
   // hls/stages/agreement.hpp:211
-  logic [3:0] select_3182;
-  assign select_3182 = drew_q ? (and_1939_s4_q ? select_3180 : registration_fresh_q) : registration_fresh_q;
-  // hls/stages/registration.hpp:227
-  logic [3:0] select_3184;
-  assign select_3184 = and_3058_s4_q ? 4'hf : (equal_1849_s4_q ? registration_fresh_q : select_3182);
-  // hls/stages/agreement.hpp:211
-  logic and_3202;
-  assign and_3202 = equal_1849_s4_q & (x_s4_q[6] & (not_2617_s4_q & less_1922_s4_q));
-  // hls/stages/registration.hpp:243
-  logic not_3204;
-  assign not_3204 = ~quarter_2_s4_q[1];
-  logic [3:0] select_3205;
-  assign select_3205 = quarter_2_s4_q[0] ? {quarter_2_s4_q[1], 1'b0, not_3204, 1'b0} : {1'b0, quarter_2_s4_q[1], 1'b0, not_3204};
-  logic equal_3207;
-  assign equal_3207 = (registration_fresh_q & select_3205) == 4'h0;
+  logic and_2642;
+  assign and_2642 = equal_1799_s4_q & (x_s4_q[6] & (not_1918_s4_q & less_1872_s4_q));
   // hls/stages/agreement.hpp:862
-  logic [11:0] select_3209;
-  assign select_3209 = or_1926_s4_q ? 12'h0 : (equal_3207 ? registration_sums_rdata_q[11:0] : 12'h0);
+  logic [11:0] select_2649;
+  assign select_2649 = or_1876_s4_q ? 12'h0 : (equal_2647_s4_q ? registration_sums_rdata_q[11:0] : 12'h0);
   // hls/stages/agreement.hpp:872
-  logic [11:0] select_3212;
-  assign select_3212 = x_s4_q[6] ? (equal_1894_s4_q ? 12'h0 : (less_1922_s4_q ? select_3209 : 12'h0)) : 12'h0;
+  logic [11:0] select_2652;
+  assign select_2652 = x_s4_q[6] ? (equal_1844_s4_q ? 12'h0 : (less_1872_s4_q ? select_2649 : 12'h0)) : 12'h0;
   // hls/stages/agreement.hpp:211
-  logic [11:0] select_3213;
-  assign select_3213 = equal_1849_s4_q ? select_3212 : 12'h0;
+  logic [11:0] select_2653;
+  assign select_2653 = equal_1799_s4_q ? select_2652 : 12'h0;
   // hls/stages/registration.hpp:145
-  logic and_3214;
-  assign and_3214 = x_s4_q[1] & all_s4_q;
+  logic and_2654;
+  assign and_2654 = x_s4_q[1] & all_s4_q;
   // hls/stages/agreement.hpp:872
-  logic and_3217;
-  assign and_3217 = not_2617_s4_q & (less_1922_s4_q & ({and_3214, x_s4_q[0]} == 2'h0));
+  logic and_2657;
+  assign and_2657 = not_1918_s4_q & (less_1872_s4_q & ({and_2654, x_s4_q[0]} == 2'h0));
   // hls/stages/agreement.hpp:211
-  logic and_3219;
-  assign and_3219 = equal_1849_s4_q & (x_s4_q[6] & and_3217);
+  logic and_2659;
+  assign and_2659 = equal_1799_s4_q & (x_s4_q[6] & and_2657);
   // hls/stages/registration.hpp:237
-  logic [13:0] sum_3221;
-  assign sum_3221 = {{2{select_3213[11]}}, select_3213} + (and_3219 ? 14'h0 : registration_down_q);
+  logic [13:0] sum_2661;
+  assign sum_2661 = {{2{select_2653[11]}}, select_2653} + (and_2659 ? 14'h0 : registration_down_q);
   // hls/stages/agreement.hpp:862
-  logic [11:0] select_3224;
-  assign select_3224 = or_1926_s4_q ? 12'h0 : (equal_3207 ? registration_sums_rdata_q[31:20] : 12'h0);
+  logic [11:0] select_2664;
+  assign select_2664 = or_1876_s4_q ? 12'h0 : (equal_2647_s4_q ? registration_sums_rdata_q[31:20] : 12'h0);
   // hls/stages/agreement.hpp:872
-  logic [11:0] select_3227;
-  assign select_3227 = x_s4_q[6] ? (equal_1894_s4_q ? 12'h0 : (less_1922_s4_q ? select_3224 : 12'h0)) : 12'h0;
+  logic [11:0] select_2667;
+  assign select_2667 = x_s4_q[6] ? (equal_1844_s4_q ? 12'h0 : (less_1872_s4_q ? select_2664 : 12'h0)) : 12'h0;
   // hls/stages/agreement.hpp:211
-  logic [11:0] select_3228;
-  assign select_3228 = equal_1849_s4_q ? select_3227 : 12'h0;
+  logic [11:0] select_2668;
+  assign select_2668 = equal_1799_s4_q ? select_2667 : 12'h0;
   // hls/stages/registration.hpp:238
-  logic [13:0] sum_3230;
-  assign sum_3230 = {{2{select_3228[11]}}, select_3228} + (and_3219 ? 14'h0 : registration_up_q);
+  logic [13:0] sum_2670;
+  assign sum_2670 = {{2{select_2668[11]}}, select_2668} + (and_2659 ? 14'h0 : registration_up_q);
   // hls/stages/registration.hpp:142
-  logic not_3232;
-  assign not_3232 = ~all_s4_q;
+  logic not_2672;
+  assign not_2672 = ~all_s4_q;
   // hls/stages/agreement.hpp:872
-  logic and_3235;
-  assign and_3235 = not_2617_s4_q & (less_1922_s4_q & (x_s4_q[2:0] == {all_s4_q, not_3232, 1'b0}));
+  logic and_2675;
+  assign and_2675 = not_1918_s4_q & (less_1872_s4_q & (x_s4_q[2:0] == {all_s4_q, not_2672, 1'b0}));
   // hls/stages/agreement.hpp:211
-  logic and_3241;
-  assign and_3241 = equal_1849_s4_q & (x_s4_q[6] & (not_2617_s4_q & (less_1922_s4_q & all_s4_q)));
+  logic and_2681;
+  assign and_2681 = equal_1799_s4_q & (x_s4_q[6] & (not_1918_s4_q & (less_1872_s4_q & all_s4_q)));
   // hls/stages/registration.hpp:231
-  logic not_3242;
-  assign not_3242 = ~and_3241;
-  logic less_3243;
-  assign less_3243 = $signed({9'h1, {2{not_3242}}, and_3241}) < $signed(registration_up_q[13:2]);
-  logic select_3244;
-  assign select_3244 = (equal_1849_s4_q & (x_s4_q[6] & and_3235)) ? less_3243 : registration_enough_q;
+  logic not_2682;
+  assign not_2682 = ~and_2681;
+  logic less_2683;
+  assign less_2683 = $signed({9'h1, {2{not_2682}}, and_2681}) < $signed(registration_up_q[13:2]);
+  logic select_2684;
+  assign select_2684 = (equal_1799_s4_q & (x_s4_q[6] & and_2675)) ? less_2683 : registration_enough_q;
   // hls/stages/agreement.hpp:872
-  logic and_3248;
-  assign and_3248 = x_s4_q[6] & (not_2617_s4_q & (less_1922_s4_q & (x_s4_q[2:0] == 3'h4)));
+  logic and_2688;
+  assign and_2688 = x_s4_q[6] & (not_1918_s4_q & (less_1872_s4_q & (x_s4_q[2:0] == 3'h4)));
   // hls/stages/agreement.hpp:211
-  logic and_3249;
-  assign and_3249 = equal_1849_s4_q & and_3248;
+  logic and_2689;
+  assign and_2689 = equal_1799_s4_q & and_2688;
   // hls/stages/registration.hpp:227
-  logic less_3250;
-  assign less_3250 = $signed(14'h0) < $signed(registration_down_q);
-  logic less_3252;
-  assign less_3252 = $signed(14'h0) < $signed(registration_up_q);
+  logic less_2690;
+  assign less_2690 = $signed(14'h0) < $signed(registration_down_q);
+  logic less_2692;
+  assign less_2692 = $signed(14'h0) < $signed(registration_up_q);
   // hls/stages/agreement.hpp:872
-  logic and_3257;
-  assign and_3257 = x_s4_q[6] & (not_2617_s4_q & (less_1922_s4_q & (x_s4_q[2:0] == 3'h7)));
+  logic and_2697;
+  assign and_2697 = x_s4_q[6] & (not_1918_s4_q & (less_1872_s4_q & (x_s4_q[2:0] == 3'h7)));
   // hls/stages/agreement.hpp:211
-  logic and_3258;
-  assign and_3258 = equal_1849_s4_q & and_3257;
+  logic and_2698;
+  assign and_2698 = equal_1799_s4_q & and_2697;
   // hls/stages/agreement.hpp:872
-  logic and_3265;
-  assign and_3265 = x_s4_q[6] & (not_2617_s4_q & (less_1922_s4_q & (x_s4_q[5:0] == 6'h0)));
+  logic and_2705;
+  assign and_2705 = x_s4_q[6] & (not_1918_s4_q & (less_1872_s4_q & (x_s4_q[5:0] == 6'h0)));
   // hls/stages/registration.hpp:149
-  logic equal_3268;
-  assign equal_3268 = x_s4_q[2:0] == 3'h6;
+  logic equal_2708;
+  assign equal_2708 = x_s4_q[2:0] == 3'h6;
   // hls/stages/agreement.hpp:872
-  logic and_3271;
-  assign and_3271 = not_2617_s4_q & (less_1922_s4_q & (x_s4_q[5] ? x_s4_q[3] : equal_3268));
+  logic and_2711;
+  assign and_2711 = not_1918_s4_q & (less_1872_s4_q & (x_s4_q[5] ? x_s4_q[3] : equal_2708));
   // hls/stages/registration.hpp:229
-  logic and_3275;
-  assign and_3275 = (equal_1849_s4_q & (x_s4_q[6] & and_3271)) & (less_3252 | less_3250);
+  logic and_2715;
+  assign and_2715 = (equal_1799_s4_q & (x_s4_q[6] & and_2711)) & (less_2692 | less_2690);
   // hls/stages/agreement.hpp:872
-  logic and_3280;
-  assign and_3280 = not_2617_s4_q & (less_1922_s4_q & ((~x_s4_q[5]) & (x_s4_q[3] & equal_3268)));
+  logic and_2720;
+  assign and_2720 = not_1918_s4_q & (less_1872_s4_q & ((~x_s4_q[5]) & (x_s4_q[3] & equal_2708)));
   // hls/stages/registration.hpp:229
-  logic and_3283;
-  assign and_3283 = registration_votes_up_q & registration_other_down_q;
-  logic select_3285;
-  assign select_3285 = registration_votes_down_q ? (registration_other_up_q | and_3283) : and_3283;
+  logic and_2723;
+  assign and_2723 = registration_votes_up_q & registration_other_down_q;
+  logic select_2725;
+  assign select_2725 = registration_votes_down_q ? (registration_other_up_q | and_2723) : and_2723;
   // hls/stages/registration.hpp:130
-  logic and_3287;
-  assign and_3287 = (equal_1849_s4_q & (x_s4_q[6] & and_3280)) & (registration_other_enough_q & select_3285);
+  logic and_2727;
+  assign and_2727 = (equal_1799_s4_q & (x_s4_q[6] & and_2720)) & (registration_other_enough_q & select_2725);
   // hls/stages/registration.hpp:230
-  logic or_3290;
-  assign or_3290 = registration_moved_q | (registration_enough_q & (and_3275 | and_3287));
+  logic or_2730;
+  assign or_2730 = registration_moved_q | (registration_enough_q & (and_2715 | and_2727));
   // hls/stages/agreement.hpp:909
-  logic or_3338;
-  assign or_3338 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
+  logic or_2788;
+  assign or_2788 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
   // hls/stages/agreement.hpp:931
-  logic equal_3340;
-  assign equal_3340 = x_s4_q[6:3] == 4'h7;
+  logic equal_2790;
+  assign equal_2790 = x_s4_q[6:3] == 4'h7;
   // hls/stages/agreement.hpp:937
-  logic equal_3341;
-  assign equal_3341 = x_s4_q[2:0] == 3'h0;
+  logic equal_2791;
+  assign equal_2791 = x_s4_q[2:0] == 3'h0;
   // hls/stages/agreement.hpp:940
   logic too_little;
   assign too_little = (counts_explained_q < product_q) | (product_rest_q & (counts_explained_q == product_q));
   // hls/stages/agreement.hpp:941
-  logic select_3347;
-  assign select_3347 = (equal_3340 & equal_3341) ? too_little : disagree_q;
+  logic select_2797;
+  assign select_2797 = (equal_2790 & equal_2791) ? too_little : disagree_q;
   // hls/stages/agreement.hpp:865
-  logic [10:0] sum_3350;
-  assign sum_3350 = {1'b0, select_3110} + {2'h0, select_3110[9:1]};
-  logic select_3353;
-  assign select_3353 = (select_3107[9:3] == 7'h0) ? ((~or_3338) & (~select_3347)) : (~({sum_3350, select_3110[0]} < {2'h0, select_3107}));
+  logic [10:0] sum_2800;
+  assign sum_2800 = {1'b0, select_2470} + {2'h0, select_2470[9:1]};
+  logic select_2803;
+  assign select_2803 = (select_2467[9:3] == 7'h0) ? ((~or_2788) & (~select_2797)) : (~({sum_2800, select_2470[0]} < {2'h0, select_2467}));
   // hls/stages/agreement.hpp:872
-  logic [47:0] select_3355;
-  assign select_3355 = x_s4_q[6] ? (equal_1894_s4_q ? good_q : {select_3353, good_q[47:1]}) : good_q;
+  logic [47:0] select_2805;
+  assign select_2805 = x_s4_q[6] ? (equal_1844_s4_q ? good_q : {select_2803, good_q[47:1]}) : good_q;
   // hls/stages/agreement.hpp:211
-  logic select_3360;
-  assign select_3360 = equal_1849_s4_q ? ((x_s4_q[6] & good_known_q) | equal_3358_s4_q) : good_known_q;
+  logic select_2810;
+  assign select_2810 = equal_1799_s4_q ? ((x_s4_q[6] & good_known_q) | equal_2808_s4_q) : good_known_q;
   // hls/stages/agreement.hpp:931
-  logic equal_3361;
-  assign equal_3361 = x_s4_q[6:3] == 4'ha;
-  logic equal_3363;
-  assign equal_3363 = x_s4_q[6:3] == 4'h9;
-  logic equal_3364;
-  assign equal_3364 = x_s4_q[6:3] == 4'h8;
+  logic equal_2811;
+  assign equal_2811 = x_s4_q[6:3] == 4'ha;
+  logic equal_2813;
+  assign equal_2813 = x_s4_q[6:3] == 4'h9;
+  logic equal_2814;
+  assign equal_2814 = x_s4_q[6:3] == 4'h8;
   // hls/stages/agreement.hpp:856
-  logic [13:0] select_3366;
-  assign select_3366 = equal_3363 ? counts_skin_unproven_q : (equal_3364 ? counts_unproven_q : counts_regions_bad_q);
+  logic [13:0] select_2816;
+  assign select_2816 = equal_2813 ? counts_skin_unproven_q : (equal_2814 ? counts_unproven_q : counts_regions_bad_q);
   logic [13:0] before_v_6;
-  assign before_v_6 = equal_3361 ? counts_nearer_q : select_3366;
+  assign before_v_6 = equal_2811 ? counts_nearer_q : select_2816;
   // hls/stages/agreement.hpp:936
   logic [14:0] over;
   assign over = {1'b0, product_q} - {1'b0, before_v_6};
   // hls/stages/agreement.hpp:944
-  logic select_3369;
-  assign select_3369 = (equal_3361 & equal_3341) ? over[14] : hides_q;
+  logic select_2819;
+  assign select_2819 = (equal_2811 & equal_2791) ? over[14] : hides_q;
   // hls/stages/agreement.hpp:873
-  logic not_3370;
-  assign not_3370 = ~hidden_for_q[7];
-  logic [7:0] select_3372;
-  assign select_3372 = select_3369 ? (hidden_for_q + {7'h0, not_3370}) : 8'h0;
+  logic not_2820;
+  assign not_2820 = ~hidden_for_q[7];
+  logic [7:0] select_2822;
+  assign select_2822 = select_2819 ? (hidden_for_q + {7'h0, not_2820}) : 8'h0;
   // hls/stages/agreement.hpp:211
-  logic [7:0] select_3374;
-  assign select_3374 = equal_1849_s4_q ? (equal_3358_s4_q ? select_3372 : hidden_for_q) : hidden_for_q;
+  logic [7:0] select_2824;
+  assign select_2824 = equal_1799_s4_q ? (equal_2808_s4_q ? select_2822 : hidden_for_q) : hidden_for_q;
   // hls/stages/agreement.hpp:944
-  logic [13:0] select_3375;
-  assign select_3375 = equal_3341 ? 14'h0 : product_q;
+  logic [13:0] select_2825;
+  assign select_2825 = equal_2791 ? 14'h0 : product_q;
   // hls/stages/agreement.hpp:856
-  logic [7:0] select_3377;
-  assign select_3377 = (x_s4_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
-  logic [7:0] select_3379;
-  assign select_3379 = equal_3364 ? cfg_unproven_skin_limit_i : (equal_3340 ? cfg_unproven_limit_i : select_3377);
+  logic [7:0] select_2827;
+  assign select_2827 = (x_s4_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
+  logic [7:0] select_2829;
+  assign select_2829 = equal_2814 ? cfg_unproven_skin_limit_i : (equal_2790 ? cfg_unproven_limit_i : select_2827);
   logic [7:0] limit;
-  assign limit = equal_3361 ? cfg_regions_limit_i : (equal_3363 ? cfg_hidden_limit_i : select_3379);
+  assign limit = equal_2811 ? cfg_regions_limit_i : (equal_2813 ? cfg_hidden_limit_i : select_2829);
   // hls/stages/agreement.hpp:944
-  logic not_3382;
-  assign not_3382 = ~x_s4_q[2];
-  logic [3:0] select_3383;
-  assign select_3383 = x_s4_q[1] ? {x_s4_q[2], 1'b0, not_3382, 1'b0} : {1'b0, x_s4_q[2], 1'b0, not_3382};
-  logic [7:0] select_3384;
-  assign select_3384 = x_s4_q[0] ? {select_3383[3], 1'b0, select_3383[2], 1'b0, select_3383[1], 1'b0, select_3383[0], 1'b0} : {1'b0, select_3383[3], 1'b0, select_3383[2], 1'b0, select_3383[1], 1'b0, select_3383[0]};
+  logic not_2832;
+  assign not_2832 = ~x_s4_q[2];
+  logic [3:0] select_2833;
+  assign select_2833 = x_s4_q[1] ? {x_s4_q[2], 1'b0, not_2832, 1'b0} : {1'b0, x_s4_q[2], 1'b0, not_2832};
+  logic [7:0] select_2834;
+  assign select_2834 = x_s4_q[0] ? {select_2833[3], 1'b0, select_2833[2], 1'b0, select_2833[1], 1'b0, select_2833[0], 1'b0} : {1'b0, select_2833[3], 1'b0, select_2833[2], 1'b0, select_2833[1], 1'b0, select_2833[0]};
   // hls/stages/agreement.hpp:856
-  logic [13:0] select_3388;
-  assign select_3388 = equal_3363 ? counts_skin_supervised_q : (equal_3364 ? counts_skin_textured_q : counts_textured_q);
+  logic [13:0] select_2838;
+  assign select_2838 = equal_2813 ? counts_skin_supervised_q : (equal_2814 ? counts_skin_textured_q : counts_textured_q);
   logic [13:0] of;
-  assign of = equal_3361 ? counts_textured_q : select_3388;
+  assign of = equal_2811 ? counts_textured_q : select_2838;
   // hls/stages/agreement.hpp:944
-  logic [13:0] select_3390;
-  assign select_3390 = ((limit & select_3384) == 8'h0) ? 14'h0 : of;
+  logic [13:0] select_2840;
+  assign select_2840 = ((limit & select_2834) == 8'h0) ? 14'h0 : of;
   logic [14:0] sum_3;
-  assign sum_3 = {1'b0, select_3375} + {1'b0, select_3390};
+  assign sum_3 = {1'b0, select_2825} + {1'b0, select_2840};
   // hls/stages/agreement.hpp:211
-  logic select_3395;
-  assign select_3395 = equal_1849_s4_q ? (equal_3341 ? sum_3[0] : (product_rest_q | sum_3[0])) : product_rest_q;
+  logic select_2845;
+  assign select_2845 = equal_1799_s4_q ? (equal_2791 ? sum_3[0] : (product_rest_q | sum_3[0])) : product_rest_q;
   // hls/stages/agreement.hpp:942
-  logic and_3400;
-  assign and_3400 = too_much_q & (~(equal_3364 & equal_3341));
+  logic and_2850;
+  assign and_2850 = too_much_q & (~(equal_2814 & equal_2791));
   // hls/stages/agreement.hpp:943
-  logic select_3405;
-  assign select_3405 = (over[14] & equal_3341) ? (and_3400 | ((equal_3364 | equal_3363) | (x_s4_q[6:3] == 4'hf))) : and_3400;
+  logic select_2855;
+  assign select_2855 = (over[14] & equal_2791) ? (and_2850 | ((equal_2814 | equal_2813) | (x_s4_q[6:3] == 4'hf))) : and_2850;
   // hls/stages/agreement.hpp:1013
-  logic [1:0] select_3523;
-  assign select_3523 = and_3522_s4_q ? {and_2748, is_seen} : map_rdata_q;
+  logic [1:0] select_2973;
+  assign select_2973 = and_2972_s4_q ? {and_2050, is_seen} : map_rdata_q;
   // hls/stages/agreement.hpp:1014
-  logic and_3524;
-  assign and_3524 = proven_q & less_3512;
+  logic and_2974;
+  assign and_2974 = proven_q & less_2962;
   // hls/stages/agreement.hpp:220
-  logic select_3527;
-  assign select_3527 = and_2677_s4_q ? (less_2678_s4_q ? (select_3523[0] & and_3524) : seen_q) : seen_q;
-  logic select_3530;
-  assign select_3530 = and_2677_s4_q ? (less_2678_s4_q ? (select_3523[1] & and_3524) : nearer_q) : nearer_q;
+  logic select_2977;
+  assign select_2977 = and_1979_s4_q ? (less_1980_s4_q ? (select_2973[0] & and_2974) : seen_q) : seen_q;
+  logic select_2980;
+  assign select_2980 = and_1979_s4_q ? (less_1980_s4_q ? (select_2973[1] & and_2974) : nearer_q) : nearer_q;
   // hls/stages/agreement.hpp:953
-  logic not_3542;
-  assign not_3542 = ~(or_3338 | not_3531);
+  logic not_2992;
+  assign not_2992 = ~(or_2788 | not_2981);
   // hls/stages/agreement.hpp:211
-  logic and_3546;
-  assign and_3546 = equal_1849_s4_q & (equal_3358_s4_q & (not_3542 & (select_3347 | select_3405)));
-  logic and_3549;
-  assign and_3549 = equal_1849_s4_q & (equal_3358_s4_q & (cfg_prove_i & registration_moved_q));
+  logic and_2996;
+  assign and_2996 = equal_1799_s4_q & (equal_2808_s4_q & (not_2992 & (select_2797 | select_2855)));
+  logic and_2999;
+  assign and_2999 = equal_1799_s4_q & (equal_2808_s4_q & (cfg_prove_i & registration_moved_q));
   // hls/stages/agreement.hpp:875
-  logic or_3552;
-  assign or_3552 = select_2322 | (select_2298 | ($signed(20'h0) < $signed(census_left_misses_q)));
+  logic or_3002;
+  assign or_3002 = select_2300 | (select_2312 | ($signed(20'h0) < $signed(census_left_misses_q)));
   // hls/stages/agreement.hpp:211
-  logic and_3559;
-  assign and_3559 = equal_1849_s4_q & (equal_3358_s4_q & (not_3542 & (select_2311 | select_2288)));
+  logic and_3009;
+  assign and_3009 = equal_1799_s4_q & (equal_2808_s4_q & (not_2992 & (select_2306 | select_2318)));
   // hls/stages/agreement.hpp:875
-  logic and_3564;
-  assign and_3564 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_3372 < cfg_hidden_frames_i));
+  logic and_3014;
+  assign and_3014 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_2822 < cfg_hidden_frames_i));
   // hls/stages/agreement.hpp:211
-  logic and_3571;
-  assign and_3571 = equal_1849_s4_q & (x_s4_q[6] & (not_2617_s4_q | (4'hc < x_s4_q[5:2])));
-  // hls/stages/registration.hpp:243
-  logic not_3574;
-  assign not_3574 = ~quarter_s4_q[1];
-  logic [3:0] select_3575;
-  assign select_3575 = quarter_s4_q[0] ? {quarter_s4_q[1], 1'b0, not_3574, 1'b0} : {1'b0, quarter_s4_q[1], 1'b0, not_3574};
-  // hls/stages/agreement.hpp:900
-  logic [31:0] select_3578;
-  assign select_3578 = ((registration_fresh_q & select_3575) == 4'h0) ? registration_sums_rdata_q : 32'h0;
+  logic and_3021;
+  assign and_3021 = equal_1799_s4_q & (x_s4_q[6] & (not_1918_s4_q | (4'hc < x_s4_q[5:2])));
   // hls/stages/agreement.hpp:870
-  logic [31:0] select_3579;
-  assign select_3579 = equal_1914_s4_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : select_3578;
-  logic [31:0] select_3580;
-  assign select_3580 = equal_1912_s4_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_3579;
-  logic [31:0] select_3581;
-  assign select_3581 = equal_1910_s4_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_3580;
-  logic [31:0] select_3582;
-  assign select_3582 = equal_1908_s4_q ? {8'h0, sharpness_sums_detail_0_q} : select_3581;
-  logic [31:0] select_3583;
-  assign select_3583 = equal_1906_s4_q ? {8'h0, sharpness_sums_detail_1_q} : select_3582;
-  logic [31:0] select_3584;
-  assign select_3584 = equal_1904_s4_q ? {8'h0, sharpness_sums_contrast_0_s4_q} : select_3583;
-  logic [31:0] select_3585;
-  assign select_3585 = equal_1902_s4_q ? {8'h0, sharpness_sums_contrast_1_s4_q} : select_3584;
+  logic [31:0] select_3029;
+  assign select_3029 = equal_1864_s4_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_3027_s4_q ? registration_sums_rdata_q : 32'h0);
+  logic [31:0] select_3030;
+  assign select_3030 = equal_1862_s4_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_3029;
+  logic [31:0] select_3031;
+  assign select_3031 = equal_1860_s4_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_3030;
+  logic [31:0] select_3032;
+  assign select_3032 = equal_1858_s4_q ? {8'h0, sharpness_sums_detail_0_q} : select_3031;
+  logic [31:0] select_3033;
+  assign select_3033 = equal_1856_s4_q ? {8'h0, sharpness_sums_detail_1_q} : select_3032;
+  logic [31:0] select_3034;
+  assign select_3034 = equal_1854_s4_q ? {8'h0, sharpness_sums_contrast_0_q} : select_3033;
+  logic [31:0] select_3035;
+  assign select_3035 = equal_1852_s4_q ? {8'h0, sharpness_sums_contrast_1_q} : select_3034;
   // hls/stages/agreement.hpp:868
-  logic [9:0] select_3586;
-  assign select_3586 = less_3106 ? 10'h0 : regions_rdata_q[29:20];
+  logic [9:0] select_3036;
+  assign select_3036 = less_2466 ? 10'h0 : regions_rdata_q[29:20];
   // hls/stages/agreement.hpp:872
-  logic [31:0] select_3587;
-  assign select_3587 = equal_1894_s4_q ? select_3585 : {2'h0, select_3586, select_3110, select_3107};
+  logic [31:0] select_3037;
+  assign select_3037 = equal_1844_s4_q ? select_3035 : {2'h0, select_3036, select_2470, select_2467};
 
   // Memory fresh, write
   logic [6:0] fresh_waddr;
   assign fresh_waddr = column_s4_q;
   logic fresh_we;
-  assign fresh_we = s4_en & and_409_s4_q;
+  assign fresh_we = s4_en & and_359_s4_q;
   logic [28:0] fresh_wdata;
-  assign fresh_wdata = {census_columns_values_1_cell_2_of_skin_s4_q, and_524, and_500, and_499, and_474, less_466_s4_q, less_465_s4_q, less_464_s4_q, less_463_s4_q, less_462_s4_q, less_461_s4_q, less_460_s4_q, less_459_s4_q, less_458_s4_q, less_457_s4_q, less_456_s4_q, less_455_s4_q, less_454_s4_q, less_453_s4_q, less_452_s4_q, less_451_s4_q, less_450_s4_q, less_449_s4_q, less_448_s4_q, less_447_s4_q, less_446_s4_q, less_445_s4_q, less_444_s4_q, less_443_s4_q};
+  assign fresh_wdata = {census_columns_values_1_cell_2_of_skin_s4_q, and_474, and_450_s4_q, and_449_s4_q, and_424_s4_q, less_416_s4_q, less_415_s4_q, less_414_s4_q, less_413_s4_q, less_412_s4_q, less_411_s4_q, less_410_s4_q, less_409_s4_q, less_408_s4_q, less_407_s4_q, less_406_s4_q, less_405_s4_q, less_404_s4_q, less_403_s4_q, less_402_s4_q, less_401_s4_q, less_400_s4_q, less_399_s4_q, less_398_s4_q, less_397_s4_q, less_396_s4_q, less_395_s4_q, less_394_s4_q, less_393_s4_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (fresh_we) fresh_mem[fresh_waddr] <= {^fresh_wdata, fresh_wdata};
   end
@@ -5859,11 +4806,11 @@ module horopter_agreement (
 
   // Memory registration_sums, write
   logic [3:0] registration_sums_waddr;
-  assign registration_sums_waddr = {sum_1900_s4_q, lower_half_s4_q, registration_of_right_s4_q};
+  assign registration_sums_waddr = {sum_1850_s4_q, lower_half_s4_q, registration_of_right_s4_q};
   logic registration_sums_we;
-  assign registration_sums_we = s4_en & and_2606_s4_q;
+  assign registration_sums_we = s4_en & and_1906_s4_q;
   logic [31:0] registration_sums_wdata;
-  assign registration_sums_wdata = {sum_2605, sum_1951};
+  assign registration_sums_wdata = {sum_1905, sum_1901};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {^registration_sums_wdata, registration_sums_wdata};
   end
@@ -5881,11 +4828,11 @@ module horopter_agreement (
 
   // Memory regions, write
   logic [5:0] regions_waddr;
-  assign regions_waddr = {region_row_s4_q, or_2615_s4_q, or_2612_s4_q, or_2609_s4_q};
+  assign regions_waddr = {region_row_s4_q, or_1916_s4_q, or_1913_s4_q, or_1910_s4_q};
   logic regions_we;
-  assign regions_we = s4_en & and_2643_s4_q;
+  assign regions_we = s4_en & and_1945_s4_q;
   logic [29:0] regions_wdata;
-  assign regions_wdata = {sum_2642, sum_2636, sum_2631};
+  assign regions_wdata = {sum_1944, sum_1938, sum_1933};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (regions_we) regions_mem[regions_waddr] <= {^regions_wdata, regions_wdata};
   end
@@ -5901,11 +4848,11 @@ module horopter_agreement (
 
   // Memory map, write
   logic [13:0] map_waddr;
-  assign map_waddr = {sum_2683_s4_q, index_2_s4_q};
+  assign map_waddr = {sum_1985_s4_q, index_2_s4_q};
   logic map_we;
-  assign map_we = s4_en & and_2758_s4_q;
+  assign map_we = s4_en & and_2060_s4_q;
   logic [1:0] map_wdata;
-  assign map_wdata = {and_2748, is_seen};
+  assign map_wdata = {and_2050, is_seen};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (map_we) map_mem[map_waddr] <= {^map_wdata, map_wdata};
   end
@@ -5924,9 +4871,10 @@ module horopter_agreement (
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       census_left_misses_q <= 20'h0;
-      census_filled_q <= 5'h0;
       sharpness_sums_detail_0_q <= 24'h0;
       sharpness_sums_detail_1_q <= 24'h0;
+      sharpness_sums_contrast_0_q <= 24'h0;
+      sharpness_sums_contrast_1_q <= 24'h0;
       sharpness_comparing_rest_0_q <= 18'h0;
       sharpness_comparing_rest_1_q <= 18'h0;
       sharpness_comparing_product_0_q <= 3'h0;
@@ -5954,7 +4902,6 @@ module horopter_agreement (
       registration_half_votes_up_q <= 7'h0;
       registration_half_half_votes_down_q <= 7'h0;
       registration_half_half_votes_up_q <= 7'h0;
-      registration_fresh_q <= 4'hf;
       registration_down_q <= 14'h0;
       registration_up_q <= 14'h0;
       registration_enough_q <= 1'b0;
@@ -5979,91 +4926,101 @@ module horopter_agreement (
       seen_q <= 1'b0;
       nearer_q <= 1'b0;
     end else if (s4_en) begin
-      census_left_misses_q <= select_2954;
-      census_filled_q <= and_409_s4_q ? {select_473, 1'b1} : census_filled_q;
-      sharpness_sums_detail_0_q <= and_409_s4_q ? select_2976 : sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_q <= and_409_s4_q ? select_2987 : sharpness_sums_detail_1_q;
-      sharpness_comparing_rest_0_q <= select_2356;
-      sharpness_comparing_rest_1_q <= select_2344;
-      sharpness_comparing_product_0_q <= select_2339;
-      sharpness_comparing_product_1_q <= select_2337;
-      sharpness_comparing_contrast_0_q <= select_2334;
-      sharpness_comparing_contrast_1_q <= select_2332;
-      sharpness_comparing_carry_0_q <= select_2327;
-      sharpness_comparing_carry_1_q <= select_2325;
-      sharpness_comparing_less_detail_0_q <= select_2322;
-      sharpness_comparing_less_detail_1_q <= select_2311;
-      sharpness_comparing_less_contrast_0_q <= select_2298;
-      sharpness_comparing_less_contrast_1_q <= select_2288;
-      counts_supervised_q <= select_3064;
-      counts_textured_q <= and_3058_s4_q ? 14'h0 : (counts_textured_q + {13'h0, and_3067});
-      counts_explained_q <= and_3058_s4_q ? 14'h0 : (counts_explained_q + {13'h0, and_3072});
-      counts_nearer_q <= and_3058_s4_q ? 14'h0 : (counts_nearer_q + {13'h0, and_3077});
-      counts_unproven_q <= and_3058_s4_q ? 14'h0 : (counts_unproven_q + {13'h0, and_3103});
-      counts_regions_bad_q <= select_3119;
-      counts_skin_supervised_q <= select_3126;
-      counts_skin_textured_q <= select_3133;
-      counts_skin_unproven_q <= select_3141;
-      registration_half_across_q <= select_3151;
-      registration_half_measured_q <= select_3155;
-      registration_half_votes_down_q <= and_3147_s4_q ? 7'h0 : sum_3158;
-      registration_half_votes_up_q <= and_3147_s4_q ? 7'h0 : sum_3162;
-      registration_half_half_votes_down_q <= and_3147_s4_q ? 7'h0 : sum_3166;
-      registration_half_half_votes_up_q <= and_3147_s4_q ? 7'h0 : sum_3170;
-      registration_fresh_q <= select_3184;
-      registration_down_q <= and_3202 ? sum_3221 : registration_down_q;
-      registration_up_q <= and_3202 ? sum_3230 : registration_up_q;
-      registration_enough_q <= select_3244;
-      registration_votes_down_q <= and_3249 ? less_3250 : registration_votes_down_q;
-      registration_votes_up_q <= and_3249 ? less_3252 : registration_votes_up_q;
-      registration_other_enough_q <= and_3258 ? select_3244 : registration_other_enough_q;
-      registration_other_down_q <= and_3258 ? registration_votes_down_q : registration_other_down_q;
-      registration_other_up_q <= and_3258 ? registration_votes_up_q : registration_other_up_q;
-      registration_moved_q <= (~(equal_1849_s4_q & and_3265)) & or_3290;
-      segment_textured_q <= select_2628 + {6'h0, and_3067};
-      segment_explained_q <= select_2633 + {6'h0, and_3072};
-      segment_nearer_q <= select_2639 + {6'h0, and_3077};
+      census_left_misses_q <= select_2209;
+      sharpness_sums_detail_0_q <= and_359_s4_q ? select_2229 : sharpness_sums_detail_0_q;
+      sharpness_sums_detail_1_q <= and_359_s4_q ? select_2240 : sharpness_sums_detail_1_q;
+      sharpness_sums_contrast_0_q <= and_359_s4_q ? sum_2244 : sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_q <= and_359_s4_q ? sum_2248 : sharpness_sums_contrast_1_q;
+      sharpness_comparing_rest_0_q <= drew_q ? select_2266 : sharpness_comparing_rest_0_q;
+      sharpness_comparing_rest_1_q <= drew_q ? select_2276 : sharpness_comparing_rest_1_q;
+      sharpness_comparing_product_0_q <= drew_q ? select_2278 : sharpness_comparing_product_0_q;
+      sharpness_comparing_product_1_q <= drew_q ? select_2280 : sharpness_comparing_product_1_q;
+      sharpness_comparing_contrast_0_q <= drew_q ? select_2282 : sharpness_comparing_contrast_0_q;
+      sharpness_comparing_contrast_1_q <= drew_q ? select_2284 : sharpness_comparing_contrast_1_q;
+      sharpness_comparing_carry_0_q <= select_2289;
+      sharpness_comparing_carry_1_q <= select_2293;
+      sharpness_comparing_less_detail_0_q <= select_2300;
+      sharpness_comparing_less_detail_1_q <= select_2306;
+      sharpness_comparing_less_contrast_0_q <= select_2312;
+      sharpness_comparing_less_contrast_1_q <= select_2318;
+      counts_supervised_q <= select_2424;
+      counts_textured_q <= and_2418_s4_q ? 14'h0 : (counts_textured_q + {13'h0, and_2427});
+      counts_explained_q <= and_2418_s4_q ? 14'h0 : (counts_explained_q + {13'h0, and_2432});
+      counts_nearer_q <= and_2418_s4_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2437});
+      counts_unproven_q <= and_2418_s4_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2463});
+      counts_regions_bad_q <= select_2479;
+      counts_skin_supervised_q <= select_2486;
+      counts_skin_textured_q <= select_2493;
+      counts_skin_unproven_q <= select_2501;
+      registration_half_across_q <= select_2575;
+      registration_half_measured_q <= select_2580;
+      registration_half_votes_down_q <= and_2554_s4_q ? 7'h0 : sum_2586;
+      registration_half_votes_up_q <= and_2554_s4_q ? 7'h0 : sum_2594;
+      registration_half_half_votes_down_q <= and_2554_s4_q ? 7'h0 : sum_2601;
+      registration_half_half_votes_up_q <= and_2554_s4_q ? 7'h0 : sum_2608;
+      registration_down_q <= and_2642 ? sum_2661 : registration_down_q;
+      registration_up_q <= and_2642 ? sum_2670 : registration_up_q;
+      registration_enough_q <= select_2684;
+      registration_votes_down_q <= and_2689 ? less_2690 : registration_votes_down_q;
+      registration_votes_up_q <= and_2689 ? less_2692 : registration_votes_up_q;
+      registration_other_enough_q <= and_2698 ? select_2684 : registration_other_enough_q;
+      registration_other_down_q <= and_2698 ? registration_votes_down_q : registration_other_down_q;
+      registration_other_up_q <= and_2698 ? registration_votes_up_q : registration_other_up_q;
+      registration_moved_q <= (~(equal_1799_s4_q & and_2705)) & or_2730;
+      segment_textured_q <= select_1930 + {6'h0, and_2427};
+      segment_explained_q <= select_1935 + {6'h0, and_2432};
+      segment_nearer_q <= select_1941 + {6'h0, and_2437};
       segment_started_q <= ~segment_starts_q;
-      good_q <= equal_1849_s4_q ? select_3355 : good_q;
-      good_known_q <= select_3360;
-      hidden_for_q <= select_3374;
-      product_q <= equal_1849_s4_q ? sum_3[14:1] : product_q;
-      product_rest_q <= select_3395;
-      disagree_q <= equal_1849_s4_q ? select_3347 : disagree_q;
-      too_much_q <= equal_1849_s4_q ? select_3405 : too_much_q;
-      hides_q <= equal_1849_s4_q ? select_3369 : hides_q;
-      seen_q <= select_3527;
-      nearer_q <= select_3530;
+      good_q <= equal_1799_s4_q ? select_2805 : good_q;
+      good_known_q <= select_2810;
+      hidden_for_q <= select_2824;
+      product_q <= equal_1799_s4_q ? sum_3[14:1] : product_q;
+      product_rest_q <= select_2845;
+      disagree_q <= equal_1799_s4_q ? select_2797 : disagree_q;
+      too_much_q <= equal_1799_s4_q ? select_2855 : too_much_q;
+      hides_q <= equal_1799_s4_q ? select_2819 : hides_q;
+      seen_q <= select_2977;
+      nearer_q <= select_2980;
     end
   end
 
   // Not reset: nothing of it counts before it is written anew.
 `ifndef SYNTHESIS
   initial begin
+    averager_quarter_1_0_q = 9'h0;
+    averager_quarter_1_1_q = 9'h0;
+    averager_quarter_2_0_q = 9'h0;
+    averager_quarter_2_1_q = 9'h0;
+    averager_detail_0_q = 14'h0;
+    averager_detail_1_q = 14'h0;
     census_changes_values_0_left_q = 12'h0;
     census_changes_values_0_right_q = 12'h0;
     census_changes_values_1_left_q = 12'h0;
     census_changes_values_1_right_q = 12'h0;
     census_changes_values_2_left_q = 12'h0;
     census_changes_values_2_right_q = 12'h0;
-    census_changes_values_3_left_q = 12'h0;
-    census_changes_values_3_right_q = 12'h0;
+    sharpness_last_mask_q = 1'b0;
     sharpness_last_detail_0_q = 14'h0;
     sharpness_last_detail_1_q = 14'h0;
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s4_en) begin
-      census_changes_values_0_left_q <= and_409_s4_q ? texture_s4_q : census_changes_values_0_left_q;
-      census_changes_values_0_right_q <= and_409_s4_q ? sum_2936_s4_q : census_changes_values_0_right_q;
-      census_changes_values_1_left_q <= select_2938;
-      census_changes_values_1_right_q <= select_2939;
-      census_changes_values_2_left_q <= select_2940;
-      census_changes_values_2_right_q <= select_2941;
-      census_changes_values_3_left_q <= select_2942;
-      census_changes_values_3_right_q <= select_2943;
-      sharpness_last_detail_0_q <= select_2962;
-      sharpness_last_detail_1_q <= select_2963;
+      averager_quarter_1_0_q <= select_2084;
+      averager_quarter_1_1_q <= select_2086;
+      averager_quarter_2_0_q <= select_2088;
+      averager_quarter_2_1_q <= select_2090;
+      averager_detail_0_q <= select_2102;
+      averager_detail_1_q <= select_2110;
+      census_changes_values_0_left_q <= and_359_s4_q ? texture_s4_q : census_changes_values_0_left_q;
+      census_changes_values_0_right_q <= and_359_s4_q ? sum_2193_s4_q : census_changes_values_0_right_q;
+      census_changes_values_1_left_q <= select_2195;
+      census_changes_values_1_right_q <= select_2196;
+      census_changes_values_2_left_q <= select_2197;
+      census_changes_values_2_right_q <= select_2198;
+      sharpness_last_mask_q <= and_359_s4_q ? whole_2_s4_q : sharpness_last_mask_q;
+      sharpness_last_detail_0_q <= and_359_s4_q ? select_2214[13:0] : sharpness_last_detail_0_q;
+      sharpness_last_detail_1_q <= and_359_s4_q ? select_2214[27:14] : sharpness_last_detail_1_q;
     end
   end
 
@@ -6073,19 +5030,19 @@ module horopter_agreement (
   logic mask_s5_q;
   logic marks_first_s5_q;
   logic marks_last_s5_q;
-  logic and_3507_s5_q;
-  logic or_3532_s5_q;
-  logic and_3533_s5_q;
-  logic and_3537_s5_q;
-  logic and_3540_s5_q;
-  logic and_3546_s5_q;
-  logic and_3549_s5_q;
-  logic and_3555_s5_q;
-  logic and_3559_s5_q;
-  logic and_3567_s5_q;
-  logic and_3571_s5_q;
-  logic [5:0] select_3573_s5_q;
-  logic [31:0] select_3589_s5_q;
+  logic and_2957_s5_q;
+  logic or_2982_s5_q;
+  logic and_2983_s5_q;
+  logic and_2987_s5_q;
+  logic and_2990_s5_q;
+  logic and_2996_s5_q;
+  logic and_2999_s5_q;
+  logic and_3005_s5_q;
+  logic and_3009_s5_q;
+  logic and_3017_s5_q;
+  logic and_3021_s5_q;
+  logic [5:0] select_3023_s5_q;
+  logic [31:0] select_3039_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
       pixel_0_s5_q <= pixel_0_s4_q;
@@ -6094,19 +5051,19 @@ module horopter_agreement (
       mask_s5_q <= mask_s4_q;
       marks_first_s5_q <= marks_first_s4_q;
       marks_last_s5_q <= line_ended_q;
-      and_3507_s5_q <= said_q;
-      or_3532_s5_q <= not_3531 | select_3527;
-      and_3533_s5_q <= cfg_prove_i & select_3530;
-      and_3537_s5_q <= and_3537_s4_q;
-      and_3540_s5_q <= equal_1849_s4_q & (equal_3358_s4_q & (cfg_prove_i & or_3338));
-      and_3546_s5_q <= and_3546;
-      and_3549_s5_q <= and_3549;
-      and_3555_s5_q <= equal_1849_s4_q & (equal_3358_s4_q & (not_3542 & or_3552));
-      and_3559_s5_q <= and_3559;
-      and_3567_s5_q <= equal_1849_s4_q & (equal_3358_s4_q & (cfg_prove_i & and_3564));
-      and_3571_s5_q <= and_3571;
-      select_3573_s5_q <= equal_1849_s4_q ? (x_s4_q[6] ? x_s4_q[5:0] : 6'h0) : 6'h0;
-      select_3589_s5_q <= equal_1849_s4_q ? (x_s4_q[6] ? select_3587 : 32'h0) : 32'h0;
+      and_2957_s5_q <= said_q;
+      or_2982_s5_q <= not_2981 | select_2977;
+      and_2983_s5_q <= cfg_prove_i & select_2980;
+      and_2987_s5_q <= and_2987_s4_q;
+      and_2990_s5_q <= equal_1799_s4_q & (equal_2808_s4_q & (cfg_prove_i & or_2788));
+      and_2996_s5_q <= and_2996;
+      and_2999_s5_q <= and_2999;
+      and_3005_s5_q <= equal_1799_s4_q & (equal_2808_s4_q & (not_2992 & or_3002));
+      and_3009_s5_q <= and_3009;
+      and_3017_s5_q <= equal_1799_s4_q & (equal_2808_s4_q & (cfg_prove_i & and_3014));
+      and_3021_s5_q <= and_3021;
+      select_3023_s5_q <= equal_1799_s4_q ? (x_s4_q[6] ? x_s4_q[5:0] : 6'h0) : 6'h0;
+      select_3039_s5_q <= equal_1799_s4_q ? (x_s4_q[6] ? select_3037 : 32'h0) : 32'h0;
     end
   end
 
@@ -6120,19 +5077,19 @@ module horopter_agreement (
   assign mask_o = mask_s5_q;
   assign marks_first_o = marks_first_s5_q;
   assign marks_last_o = marks_last_s5_q;
-  assign marks_seen_o = or_3532_s5_q;
-  assign marks_nearer_o = and_3533_s5_q;
-  assign verdict_valid_o = and_3507_s5_q;
-  assign verdict_unproven_yet_o = and_3537_s5_q;
-  assign verdict_untextured_o = and_3540_s5_q;
-  assign verdict_disagree_o = and_3546_s5_q;
-  assign verdict_moved_o = and_3549_s5_q;
-  assign verdict_unsharp_left_o = and_3555_s5_q;
-  assign verdict_unsharp_right_o = and_3559_s5_q;
-  assign verdict_hidden_o = and_3567_s5_q;
-  assign frame_valid_o = and_3571_s5_q;
-  assign frame_index_o = select_3573_s5_q;
-  assign frame_word_o = select_3589_s5_q;
+  assign marks_seen_o = or_2982_s5_q;
+  assign marks_nearer_o = and_2983_s5_q;
+  assign verdict_valid_o = and_2957_s5_q;
+  assign verdict_unproven_yet_o = and_2987_s5_q;
+  assign verdict_untextured_o = and_2990_s5_q;
+  assign verdict_disagree_o = and_2996_s5_q;
+  assign verdict_moved_o = and_2999_s5_q;
+  assign verdict_unsharp_left_o = and_3005_s5_q;
+  assign verdict_unsharp_right_o = and_3009_s5_q;
+  assign verdict_hidden_o = and_3017_s5_q;
+  assign frame_valid_o = and_3021_s5_q;
+  assign frame_index_o = select_3023_s5_q;
+  assign frame_word_o = select_3039_s5_q;
   assign valid_o = valid_s5_q;
 
   always_ff @(posedge clk_i) begin
@@ -6153,6 +5110,6 @@ module horopter_agreement (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{over[13:0], detail_4[1:0], detail_3[1:0], sum_2948[4:0], sum_2123[0], sum_2031[0], sum_2027[0], sum_522[4:0], cfg_width_i[2:0]};
+  assign unused_bits = ^{over[13:0], sum_2541[0], sum_2537[0], sum_2523[0], detail_4[1:0], detail_3[1:0], sum_2203[4:0], sum_472[4:0], cfg_width_i[2:0]};
 
 endmodule
