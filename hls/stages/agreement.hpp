@@ -226,11 +226,11 @@ class Agreement {
   }
 
  private:
-  static constexpr int half_window = 3;                       // columns
-  static constexpr int window = 2 * half_window + 1;          // columns
+  static constexpr int half_window = 3;               // columns
+  static constexpr int window = 2 * half_window + 1;  // columns
   static constexpr bool fast = P.clock_khz > 50'000;
   static constexpr int gap = fast ? 24 : 12;  // beats from a memory word's use to the next
-  static constexpr int across_reach = 2;                      // rows
+  static constexpr int across_reach = 2;      // rows
   static constexpr std::size_t across_count = 2 * across_reach + 1;
   static constexpr int best_score = window * 3 * census_bits;
   static constexpr int score_limit = best_score - 70;  // explained: more. 0.28 of all bits may differ
@@ -562,8 +562,7 @@ class Agreement {
     Choice best = second ? chosen_ : first;
     for (std::size_t n = 1; n < units; n += 2) {
       const auto choice = [&](std::size_t unit) {
-        return Choice{score[unit], near[unit],
-                      second ? u<3>(place_of(unit, turns == 2)) : u<3>(place_of(unit, false))};
+        return Choice{score[unit], near[unit], second ? u<3>(place_of(unit, turns == 2)) : u<3>(place_of(unit, false))};
       };
       const Choice two = better(choice(n), choice(n + 1));
       first = better(first, two);
@@ -590,8 +589,8 @@ class Agreement {
 
   /// The best of five scores joins the best of the left cell, and of the right one; the same of the small windows.
   void choose(const Config& config) {
-    const bool centred = after<half_window>() && ends_cell_ &&
-                         (run_.shift.negative() ? x_ : partner()) <= last_ + lit<half_window>();
+    const bool centred =
+        after<half_window>() && ends_cell_ && (run_.shift.negative() ? x_ : partner()) <= last_ + lit<half_window>();
     if (!centred) return;
     const bool allowed = run_.shift >= config.shift_lowest && run_.shift <= config.shift_highest;
     const Index x(x_ - lit<half_window>());
@@ -1050,12 +1049,12 @@ class Agreement {
   };
   Plan plan_;  // the next run, where that compares
   Index x_{0}, columns_left_{0}, last_{0}, row_{0};
-  Index least_{0};            // of the first shift, turned round
+  Index least_{0};             // of the first shift, turned round
   Index whole_{0}, drawn_{0};  // columns of a run over all
   Age age_{1};
-  u<3> slot_{0};                    // beat of the column
-  bool ends_cell_ = true;           // the last one
-  bool ends_ = false;               // the last column
+  u<3> slot_{0};           // beat of the column
+  bool ends_cell_ = true;  // the last one
+  bool ends_ = false;      // the last column
   // Of this beat: it belongs to a row that concludes, the next one to the next cell; with it a row starts, of the first.
   bool in_row_ = false, next_cell_ = false, row_starts_ = false, first_rows_ = false;
   bool final_row_ = false;
@@ -1077,14 +1076,14 @@ class Agreement {
   // The row and the frame.
   Counts counts_;
   OfImage registration_;
-  Shown shown_;  // the cell, by the small window
+  Shown shown_;    // the cell, by the small window
   Change change_;  // of this beat
 #ifndef __HLSC__
   Phase run_was_ = Phase::idle;  // of this beat: the others change nothing
 #endif
-  bool new_frame_ = false;  // begins with this beat
+  bool new_frame_ = false;                                         // begins with this beat
   u<3> region_row_{0}, next_region_row_{0}, early_region_row_{0};  // of a beat before: the way to the register is short
-  u<region_columns> region_columns_{1};  // bit n: in region column n
+  u<region_columns> region_columns_{1};                            // bit n: in region column n
   Division<region_columns> region_across_, columns_begin_;
   Division<region_rows> region_down_;
   bool region_fresh_ = true;

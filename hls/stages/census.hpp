@@ -318,10 +318,10 @@ class Sharpness {
   static constexpr int factor_bits = 18;
   using Factor = u<factor_bits>;
   struct Comparing {
-    std::array<Factor, 2> rest{};      // of the products: the bits to come
-    std::array<u<3>, 2> product{};     // their last bits
-    std::array<u<2>, 2> contrast{};    // of the contrasts
-    std::array<bool, 2> carry{};       // of five times the other's product
+    std::array<Factor, 2> rest{};    // of the products: the bits to come
+    std::array<u<3>, 2> product{};   // their last bits
+    std::array<u<2>, 2> contrast{};  // of the contrasts
+    std::array<bool, 2> carry{};     // of five times the other's product
     std::array<bool, 2> less_detail{}, less_contrast{};
   };
   [[nodiscard]] bool contrast_bit(std::size_t camera, u<6> step) const {

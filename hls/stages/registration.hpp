@@ -78,8 +78,8 @@ class Registration {
   /// A beat of a cell in a row. `inside` the row; behind it, slots go on. `right`, `lower`: half of the image, `right` not
   /// behind the row. `counts`: the cell is explained; looked at in the last slot.
   template <class Config>
-  void step_cell(u<3> slot, bool inside, bool right, bool lower, bool counts, Shift shift, const Displacement::Peak& peak,
-                 const Config& config) {
+  void step_cell(u<3> slot, bool inside, bool right, bool lower, bool counts, Shift shift,
+                 const Displacement::Peak& peak, const Config& config) {
     const bool last = slot == slots - 1;
     // Half-way to the place that was found: with lens distortion the lines are curved.
     const auto change = s<8>(sat_signed<8>(s<17>(shr<11>(slope_change_))));

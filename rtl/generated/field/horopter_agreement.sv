@@ -203,10 +203,10 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:551
   logic select_483;
   assign select_483 = equal_390 ? not_396 : and_397;
-  // hls/stages/agreement.hpp:597
+  // hls/stages/agreement.hpp:596
   logic [7:0] x;
   assign x = x_q + 8'hfd;
-  // hls/stages/agreement.hpp:594
+  // hls/stages/agreement.hpp:593
   logic [6:0] sum_503;
   assign sum_503 = {1'b0, last_q} + 7'h3;
   // hls/stages/agreement.hpp:191
@@ -214,16 +214,16 @@ module horopter_agreement (
   assign and_508 = equal_390 & (age_q[2] & (ends_cell_q & (~({1'b0, sum_503} < select_394))));
   logic select_509;
   assign select_509 = or_388 ? not_396 : and_508;
-  // hls/stages/agreement.hpp:602
+  // hls/stages/agreement.hpp:601
   logic equal_512;
   assign equal_512 = {run_shift_q[5], run_shift_q} == (7'h0 - {1'b0, least_q});
-  // hls/stages/agreement.hpp:606
+  // hls/stages/agreement.hpp:605
   logic or_514;
   assign or_514 = equal_512 | ($signed(6'h0) < $signed(run_shift_q));
-  // hls/stages/agreement.hpp:618
+  // hls/stages/agreement.hpp:617
   logic [5:0] right;
   assign right = sum_393[5:0] + 6'h3d;
-  // hls/stages/agreement.hpp:747
+  // hls/stages/agreement.hpp:746
   logic [4:0] sum_1416;
   assign sum_1416 = {1'b0, last_q[5:2]} + 5'h1;
   // hls/stages/agreement.hpp:123
@@ -340,7 +340,7 @@ module horopter_agreement (
   logic select_1956;
   assign select_1956 = equal_1864 ? ({sum_1954[6], cfg_height_i[8:3]} == {1'b0, sum_1954[5:0]}) : final_row_q;
 
-  // Memory fresh, 47 x 29, DISTANCE 12, hls/stages/agreement.hpp:1071; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
+  // Memory fresh, 47 x 29, DISTANCE 12, hls/stages/agreement.hpp:1070; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [28:0] fresh_mem [0:46];
@@ -356,7 +356,7 @@ module horopter_agreement (
     if (fresh_re) fresh_rdata_q <= fresh_mem[fresh_raddr];
   end
 
-  // Memory left, 47 x 77, DISTANCE 12, hls/stages/agreement.hpp:1072; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory left, 47 x 77, DISTANCE 12, hls/stages/agreement.hpp:1071; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [76:0] left_mem [0:46];
@@ -372,7 +372,7 @@ module horopter_agreement (
     if (left_re) left_rdata_q <= left_mem[left_raddr];
   end
 
-  // Memory right_codes, 47 x 91, DISTANCE 12, hls/stages/agreement.hpp:1073; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory right_codes, 47 x 91, DISTANCE 12, hls/stages/agreement.hpp:1072; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [90:0] right_codes_mem [0:46];
@@ -388,7 +388,7 @@ module horopter_agreement (
     if (right_codes_re) right_codes_rdata_q <= right_codes_mem[right_codes_raddr];
   end
 
-  // Memory best_left, 47 x 46, DISTANCE 12, hls/stages/agreement.hpp:1074; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
+  // Memory best_left, 47 x 46, DISTANCE 12, hls/stages/agreement.hpp:1073; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [45:0] best_left_mem [0:46];
@@ -1169,13 +1169,13 @@ module horopter_agreement (
   assign select_1264 = equal_390_s1_q ? {and_1263, xor_1262, parity_1256, parity_1235, xor_1190, xor_1095} : 6'h0;
   logic [5:0] column_4;
   assign column_4 = or_388_s1_q ? 6'h0 : select_1264;
-  // hls/stages/agreement.hpp:720
+  // hls/stages/agreement.hpp:719
   logic [5:0] shift;
   assign shift = slot_s1_q[2] ? best_left_rdata_q[5:0] : best_left_rdata_q[45:40];
-  // hls/stages/agreement.hpp:721
+  // hls/stages/agreement.hpp:720
   logic [5:0] sum_1320;
   assign sum_1320 = x_s1_q[5:0] + shift;
-  // hls/stages/agreement.hpp:724
+  // hls/stages/agreement.hpp:723
   logic and_1340;
   assign and_1340 = (or_388_s1_q & (left_rdata_q[61] & not_396_s1_q)) & (~(row_q[5:3] == 3'h0));
   // hls/stages/agreement.hpp:182
@@ -1209,7 +1209,7 @@ module horopter_agreement (
     if (averager_memory_re) averager_memory_rdata_q <= averager_memory_mem[averager_memory_raddr];
   end
 
-  // Memory best_right, 47 x 29, DISTANCE 12, hls/stages/agreement.hpp:1075; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory best_right, 47 x 29, DISTANCE 12, hls/stages/agreement.hpp:1074; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [28:0] best_right_mem [0:46];
@@ -1526,7 +1526,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:105
   logic select_384;
   assign select_384 = equal_370_s2_q ? and_382 : (averager_of_skin_q & and_382);
-  // hls/stages/agreement.hpp:596
+  // hls/stages/agreement.hpp:595
   logic not_518;
   assign not_518 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
   logic less_519;
@@ -1534,7 +1534,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:178
   logic and_521;
   assign and_521 = not_518 & (~less_519);
-  // hls/stages/agreement.hpp:586
+  // hls/stages/agreement.hpp:585
   logic [5:0] select_768;
   assign select_768 = age_s2_q[3] ? middle_sum_columns_values_6_q : 6'h0;
   logic [6:0] difference_769;
@@ -1544,13 +1544,13 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:562
   logic [7:0] select_772;
   assign select_772 = slot_s2_q[0] ? chosen_score_q : sum_771;
-  // hls/stages/agreement.hpp:586
+  // hls/stages/agreement.hpp:585
   logic [6:0] difference_1018;
   assign difference_1018 = {1'b0, sums_0_columns_values_0_q} - {1'b0, select_1017_s2_q};
   // hls/stages/agreement.hpp:556
   logic equal_1019;
   assign equal_1019 = {age_s2_q[0], slot_s2_q[0]} == 2'h0;
-  // hls/stages/agreement.hpp:586
+  // hls/stages/agreement.hpp:585
   logic [7:0] sum_1021;
   assign sum_1021 = {difference_1018[6], difference_1018} + (equal_1019 ? 8'h0 : sums_0_sum_sums_values_1_q);
   logic [6:0] difference_1267;
@@ -1564,13 +1564,13 @@ module horopter_agreement (
   assign select_1271 = less_1270 ? sum_1269 : sum_1021;
   logic less_1272;
   assign less_1272 = select_772 < select_1271;
-  // hls/stages/agreement.hpp:600
+  // hls/stages/agreement.hpp:599
   logic [7:0] of_best;
   assign of_best = and_521 ? (less_1272 ? select_1271 : select_772) : 8'h0;
-  // hls/stages/agreement.hpp:607
+  // hls/stages/agreement.hpp:606
   logic or_1276;
   assign or_1276 = select_516_s2_q | (best_left_rdata_s2_q[16:9] < of_best);
-  // hls/stages/agreement.hpp:612
+  // hls/stages/agreement.hpp:611
   logic [5:0] select_1277;
   assign select_1277 = or_1276 ? run_shift_s2_q : best_left_rdata_s2_q[5:0];
   // hls/stages/agreement.hpp:527
@@ -1581,12 +1581,12 @@ module horopter_agreement (
   assign select_1279 = less_1270 ? {slot_s2_q[0], not_1278} : 2'h0;
   logic [2:0] select_1281;
   assign select_1281 = less_1272 ? {select_1279, not_1278} : (slot_s2_q[0] ? chosen_place_q : 3'h2);
-  // hls/stages/agreement.hpp:612
+  // hls/stages/agreement.hpp:611
   logic [2:0] select_1282;
   assign select_1282 = or_1276 ? select_1281 : best_left_rdata_s2_q[8:6];
   logic [7:0] select_1283;
   assign select_1283 = or_1276 ? of_best : best_left_rdata_s2_q[16:9];
-  // hls/stages/agreement.hpp:609
+  // hls/stages/agreement.hpp:608
   logic equal_1284;
   assign equal_1284 = select_1281 == 3'h1;
   logic equal_1285;
@@ -1597,10 +1597,10 @@ module horopter_agreement (
   assign select_1287 = equal_1284 ? 3'h2 : {not_1286, {2{equal_1285}}};
   logic [7:0] select_1289;
   assign select_1289 = select_1287[1] ? sum_1269 : (select_1287[0] ? before_2_q : before_0_q);
-  // hls/stages/agreement.hpp:587
+  // hls/stages/agreement.hpp:586
   logic [5:0] before_v;
   assign before_v = age_s2_q[1] ? middle_sum_columns_values_3_q : 6'h0;
-  // hls/stages/agreement.hpp:588
+  // hls/stages/agreement.hpp:587
   logic [6:0] sum_1292;
   assign sum_1292 = {1'b0, middle_sum_columns_values_1_q} + {1'b0, middle_sum_columns_values_2_q};
   logic [6:0] sum_1293;
@@ -1608,18 +1608,18 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:562
   logic [6:0] select_1294;
   assign select_1294 = slot_s2_q[0] ? chosen_near_q : sum_1293;
-  // hls/stages/agreement.hpp:587
+  // hls/stages/agreement.hpp:586
   logic [5:0] before_v_2;
   assign before_v_2 = age_s2_q[1] ? sums_0_columns_values_8_q : 6'h0;
-  // hls/stages/agreement.hpp:588
+  // hls/stages/agreement.hpp:587
   logic [6:0] sum_1296;
   assign sum_1296 = {1'b0, sums_0_columns_values_4_q} + {1'b0, sums_0_columns_values_6_q};
   logic [6:0] sum_1297;
   assign sum_1297 = {1'b0, before_v_2} + sum_1296;
-  // hls/stages/agreement.hpp:587
+  // hls/stages/agreement.hpp:586
   logic [5:0] before_v_3;
   assign before_v_3 = age_s2_q[1] ? sums_1_columns_values_8_q : 6'h0;
-  // hls/stages/agreement.hpp:588
+  // hls/stages/agreement.hpp:587
   logic [6:0] sum_1299;
   assign sum_1299 = {1'b0, sums_1_columns_values_4_q} + {1'b0, sums_1_columns_values_6_q};
   logic [6:0] sum_1300;
@@ -1629,64 +1629,64 @@ module horopter_agreement (
   assign select_1302 = (sum_1297 < sum_1300) ? sum_1300 : sum_1297;
   logic [6:0] select_1304;
   assign select_1304 = (select_1294 < select_1302) ? select_1302 : select_1294;
-  // hls/stages/agreement.hpp:609
+  // hls/stages/agreement.hpp:608
   logic [6:0] select_1305;
   assign select_1305 = select_1287[0] ? {4'h0, select_1281} : select_1304;
   logic [7:0] select_1306;
   assign select_1306 = select_1287[1] ? (select_1287[0] ? before_1_q : sum_1021) : {1'b0, select_1305};
-  // hls/stages/agreement.hpp:612
+  // hls/stages/agreement.hpp:611
   logic [7:0] select_1308;
   assign select_1308 = or_1276 ? (select_1287[2] ? select_1289 : select_1306) : best_left_rdata_s2_q[24:17];
-  // hls/stages/agreement.hpp:610
+  // hls/stages/agreement.hpp:609
   logic [1:0] select_1309;
   assign select_1309 = equal_1284 ? 2'h0 : {not_1286, equal_1285};
   logic [7:0] select_1311;
   assign select_1311 = select_1309[1] ? sum_1269 : (select_1309[0] ? before_2_q : before_0_q);
-  // hls/stages/agreement.hpp:612
+  // hls/stages/agreement.hpp:611
   logic [7:0] select_1312;
   assign select_1312 = or_1276 ? select_1311 : best_left_rdata_s2_q[32:25];
-  // hls/stages/agreement.hpp:601
+  // hls/stages/agreement.hpp:600
   logic [6:0] of_near;
   assign of_near = and_521 ? select_1304 : 7'h0;
-  // hls/stages/agreement.hpp:612
+  // hls/stages/agreement.hpp:611
   logic or_1315;
   assign or_1315 = select_516_s2_q | (best_left_rdata_s2_q[39:33] < of_near);
-  // hls/stages/agreement.hpp:616
+  // hls/stages/agreement.hpp:615
   logic [6:0] select_1316;
   assign select_1316 = or_1315 ? of_near : best_left_rdata_s2_q[39:33];
   logic [5:0] select_1317;
   assign select_1317 = or_1315 ? run_shift_s2_q : best_left_rdata_s2_q[45:40];
-  // hls/stages/agreement.hpp:621
+  // hls/stages/agreement.hpp:620
   logic or_1327;
   assign or_1327 = select_1325_s2_q | (best_right_rdata_q[7:0] < of_best);
-  // hls/stages/agreement.hpp:625
+  // hls/stages/agreement.hpp:624
   logic [7:0] select_1328;
   assign select_1328 = or_1327 ? of_best : best_right_rdata_q[7:0];
   logic [6:0] select_1329;
   assign select_1329 = or_1327 ? x_s2_2_q : best_right_rdata_q[14:8];
   logic or_1331;
   assign or_1331 = select_1325_s2_q | (best_right_rdata_q[21:15] < of_near);
-  // hls/stages/agreement.hpp:629
+  // hls/stages/agreement.hpp:628
   logic [6:0] select_1332;
   assign select_1332 = or_1331 ? of_near : best_right_rdata_q[21:15];
   logic [6:0] select_1333;
   assign select_1333 = or_1331 ? x_s2_2_q : best_right_rdata_q[28:22];
-  // hls/stages/agreement.hpp:747
+  // hls/stages/agreement.hpp:746
   logic not_1335;
   assign not_1335 = ~equal_1334_s2_q;
   // hls/stages/agreement.hpp:182
   logic and_1345;
   assign and_1345 = not_396_s2_q & and_1344_s2_q;
-  // hls/stages/agreement.hpp:727
+  // hls/stages/agreement.hpp:726
   logic select_1351;
   assign select_1351 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
-  // hls/stages/agreement.hpp:728
+  // hls/stages/agreement.hpp:727
   logic [6:0] chosen;
   assign chosen = slot_s2_q[2] ? best_right_rdata_q[14:8] : best_right_rdata_q[28:22];
-  // hls/stages/agreement.hpp:734
+  // hls/stages/agreement.hpp:733
   logic [8:0] difference_1354;
   assign difference_1354 = {2'h0, chosen} - {1'b0, x_s2_q};
-  // hls/stages/agreement.hpp:735
+  // hls/stages/agreement.hpp:734
   logic [9:0] sum_1355;
   assign sum_1355 = {difference_1354[8], difference_1354} + 10'h1;
   // hls/stages/agreement.hpp:182
@@ -1801,7 +1801,7 @@ module horopter_agreement (
     if (census_memory_re) census_memory_rdata_q <= census_memory_mem[census_memory_raddr];
   end
 
-  // Memory shown_right, 47 x 2, DISTANCE 12, hls/stages/agreement.hpp:1076; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory shown_right, 47 x 2, DISTANCE 12, hls/stages/agreement.hpp:1075; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [1:0] shown_right_mem [0:46];
@@ -1817,7 +1817,7 @@ module horopter_agreement (
     if (shown_right_re) shown_right_rdata_q <= shown_right_mem[shown_right_raddr];
   end
 
-  // Memory seen_columns, 47 x 18, DISTANCE 12, hls/stages/agreement.hpp:1100; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory seen_columns, 47 x 18, DISTANCE 12, hls/stages/agreement.hpp:1099; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [17:0] seen_columns_mem [0:46];
@@ -2357,19 +2357,19 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:211
   logic and_1375;
   assign and_1375 = not_1374 & inside_v_s3_q[4];
-  // hls/stages/agreement.hpp:859
+  // hls/stages/agreement.hpp:858
   logic equal_1379;
   assign equal_1379 = x_s3_q[6:4] == 3'h7;
-  // hls/stages/agreement.hpp:899
+  // hls/stages/agreement.hpp:898
   logic [1:0] quarter;
   assign quarter = x_s3_q[1:0] + 2'h1;
   // hls/stages/registration.hpp:139
   logic all;
   assign all = x_s3_q[5:3] == 3'h4;
-  // hls/stages/agreement.hpp:860
+  // hls/stages/agreement.hpp:859
   logic [1:0] select_1382;
   assign select_1382 = x_s3_q[4] ? {x_s3_q[3], x_s3_q[0]} : {x_s3_q[0], x_s3_q[3]};
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic [3:0] select_1384;
   assign select_1384 = equal_1379 ? {2'h0, quarter} : (all ? {1'b0, x_s3_q[2:0]} : {x_s3_q[2:1], select_1382});
   // hls/stages/registration.hpp:106
@@ -2378,7 +2378,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:211
   logic [3:0] select_1386;
   assign select_1386 = equal_1334_s3_q ? select_1384 : {sum_1385, lower_half_s3_q, registration_of_right_q};
-  // hls/stages/agreement.hpp:897
+  // hls/stages/agreement.hpp:896
   logic equal_1387;
   assign equal_1387 = x_s3_q[5:0] == 6'h3e;
   logic equal_1389;
@@ -2393,10 +2393,10 @@ module horopter_agreement (
   assign equal_1397 = x_s3_q[5:0] == 6'h35;
   logic equal_1399;
   assign equal_1399 = x_s3_q[5:0] == 6'h34;
-  // hls/stages/agreement.hpp:899
+  // hls/stages/agreement.hpp:898
   logic and_1403;
   assign and_1403 = (~equal_1393) & ((~equal_1395) & ((~equal_1397) & (~equal_1399)));
-  // hls/stages/agreement.hpp:860
+  // hls/stages/agreement.hpp:859
   logic less_1407;
   assign less_1407 = x_s3_q[5:0] < 6'h29;
   // hls/stages/registration.hpp:140
@@ -2405,7 +2405,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:152
   logic or_1411;
   assign or_1411 = (kind == 2'h3) | (x_s3_q[5:3] == 3'h5);
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic select_1414;
   assign select_1414 = equal_1379 ? ((~equal_1387) & ((~equal_1389) & ((~equal_1391) & and_1403))) : (less_1407 & (~or_1411));
   // hls/stages/registration.hpp:94
@@ -2427,25 +2427,25 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:143
   logic [7:0] select_1442;
   assign select_1442 = so_s3_q ? region_columns_q : 8'h1;
-  // hls/stages/agreement.hpp:781
+  // hls/stages/agreement.hpp:780
   logic or_1445;
   assign or_1445 = select_1442[7] | (~({select_1442[5], select_1442[3], select_1442[1]} == 3'h0));
-  // hls/stages/agreement.hpp:780
+  // hls/stages/agreement.hpp:779
   logic or_1448;
   assign or_1448 = select_1442[7] | (~({select_1442[6], select_1442[3:2]} == 3'h0));
-  // hls/stages/agreement.hpp:779
+  // hls/stages/agreement.hpp:778
   logic or_1451;
   assign or_1451 = select_1442[7] | (~(select_1442[6:4] == 3'h0));
   // hls/stages/agreement.hpp:211
   logic [5:0] select_1452;
   assign select_1452 = equal_1334_s3_q ? x_s3_q[5:0] : {region_row_q, or_1451, or_1448, or_1445};
-  // hls/stages/agreement.hpp:859
+  // hls/stages/agreement.hpp:858
   logic not_1453;
   assign not_1453 = ~equal_1379;
   // hls/stages/division.hpp:34
   logic [5:0] sum_1455;
   assign sum_1455 = region_across_rest_q[8:3] + 6'h1;
-  // hls/stages/agreement.hpp:789
+  // hls/stages/agreement.hpp:788
   logic or_1458;
   assign or_1458 = (~sum_1455[5]) | equal_1457_s3_q;
   // hls/stages/agreement.hpp:211
@@ -2458,64 +2458,64 @@ module horopter_agreement (
   assign and_1475 = inside_v_s3_q[0] & ({inside_v_s3_q[4], inside_v_s3_q[2]} == 2'h3);
   logic and_1482;
   assign and_1482 = inside_v_s3_q[0] & inside_v_s3_q[2];
-  // hls/stages/agreement.hpp:752
+  // hls/stages/agreement.hpp:751
   logic select_1483;
   assign select_1483 = slot_s3_q[2] ? shown_shown_q : inside_v_s3_q[3];
   // hls/stages/agreement.hpp:197
   logic shown;
   assign shown = inside_v_s3_q[0] & (shown_right_rdata_q[0] | select_1483);
-  // hls/stages/agreement.hpp:752
+  // hls/stages/agreement.hpp:751
   logic select_1486;
   assign select_1486 = slot_s3_q[2] ? shown_nearer_q : inside_v_s3_q[4];
   // hls/stages/agreement.hpp:197
   logic near;
   assign near = inside_v_s3_q[0] & (select_1483 ? select_1486 : shown_right_rdata_q[1]);
-  // hls/stages/agreement.hpp:980
+  // hls/stages/agreement.hpp:979
   logic select_1489;
   assign select_1489 = done_q ? write_half_q : read_half_q;
-  // hls/stages/agreement.hpp:984
+  // hls/stages/agreement.hpp:983
   logic select_1490;
   assign select_1490 = left_first_s3_q ? select_1489 : read_half_q;
   logic or_1491;
   assign or_1491 = left_first_s3_q | line_ended_q;
-  // hls/stages/agreement.hpp:985
+  // hls/stages/agreement.hpp:984
   logic [8:0] select_1492;
   assign select_1492 = or_1491 ? 9'h0 : columns_passed_q;
-  // hls/stages/agreement.hpp:986
+  // hls/stages/agreement.hpp:985
   logic [9:0] select_1494;
   assign select_1494 = left_first_s3_q ? 10'h1 : (or_1491 ? {rows_passed_q[8:0], 1'b1} : rows_passed_q);
-  // hls/stages/agreement.hpp:989
+  // hls/stages/agreement.hpp:988
   logic and_1495;
   assign and_1495 = select_1492[8] & select_1494[9];
   // hls/stages/agreement.hpp:218
   logic next_row;
   assign next_row = and_1495 & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:1000
+  // hls/stages/agreement.hpp:999
   logic [5:0] select_1498;
   assign select_1498 = next_row ? cfg_width_i[8:3] : 6'h0;
   logic [10:0] select_1500;
   assign select_1500 = left_first_s3_q ? 11'h0 : (seen_base_q + {5'h0, select_1498});
-  // hls/stages/agreement.hpp:1010
+  // hls/stages/agreement.hpp:1009
   logic equal_1501;
   assign equal_1501 = seen_x_q == 3'h7;
   logic [7:0] select_1503;
   assign select_1503 = and_1495 ? 8'h0 : (seen_column_q + {7'h0, equal_1501});
-  // hls/stages/agreement.hpp:1013
+  // hls/stages/agreement.hpp:1012
   logic [10:0] index;
   assign index = select_1500 + {3'h0, select_1503};
-  // hls/stages/agreement.hpp:970
+  // hls/stages/agreement.hpp:969
   logic [11:0] sum_1505;
   assign sum_1505 = {1'b0, {2{select_1490}}, 2'h0, {2{select_1490}}, 1'b0, {2{select_1490}}, 1'b0, select_1490} + {1'b0, index};
-  // hls/stages/agreement.hpp:983
+  // hls/stages/agreement.hpp:982
   logic not_1508;
   assign not_1508 = ~left_first_s3_q;
   // hls/stages/agreement.hpp:218
   logic and_1510;
   assign and_1510 = not_1508 & (began_q | and_1495);
-  // hls/stages/agreement.hpp:1011
+  // hls/stages/agreement.hpp:1010
   logic [2:0] select_1512;
   assign select_1512 = and_1495 ? 3'h0 : (seen_x_q + 3'h1);
-  // hls/stages/agreement.hpp:1012
+  // hls/stages/agreement.hpp:1011
   logic and_1514;
   assign and_1514 = and_1510 & (select_1512 == 3'h0);
   logic less_1515;
@@ -2527,15 +2527,15 @@ module horopter_agreement (
   assign and_1517 = and_1507_s3_q & and_1516;
   logic select_1519;
   assign select_1519 = and_1507_s3_q ? (left_first_s3_q ? and_1516 : and_1517) : and_1517;
-  // hls/stages/agreement.hpp:842
+  // hls/stages/agreement.hpp:841
   logic [7:0] sum_1521;
   assign sum_1521 = {2'h0, x_s3_q[7:2]} + 8'hff;
   logic [10:0] index_2;
   assign index_2 = {sum_1521[7], sum_1521, x_s3_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:970
+  // hls/stages/agreement.hpp:969
   logic [11:0] sum_1523;
   assign sum_1523 = {1'b0, {2{write_half_q}}, 2'h0, {2{write_half_q}}, 1'b0, {2{write_half_q}}, 1'b0, write_half_q} + {1'b0, index_2};
-  // hls/stages/agreement.hpp:765
+  // hls/stages/agreement.hpp:764
   logic and_1524;
   assign and_1524 = seen_columns_rdata_q[14] & inside_v_s3_q[0];
   logic and_1525;
@@ -2544,29 +2544,29 @@ module horopter_agreement (
   assign and_1526 = seen_columns_rdata_q[5] & inside_v_s3_q[0];
   logic and_1527;
   assign and_1527 = seen_columns_rdata_q[0] & inside_v_s3_q[0];
-  // hls/stages/agreement.hpp:818
+  // hls/stages/agreement.hpp:817
   logic [1:0] sum_1529;
   assign sum_1529 = {1'b0, and_1526} + ({1'b0, textured_s3_q} + {1'b0, and_1527});
   logic [2:0] textured_2;
   assign textured_2 = {2'h0, and_1524} + ({2'h0, and_1525} + {1'b0, sum_1529});
-  // hls/stages/agreement.hpp:825
+  // hls/stages/agreement.hpp:824
   logic [2:0] select_1532;
   assign select_1532 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
   logic [3:0] difference_1533;
   assign difference_1533 = {1'b0, textured_2} - {1'b0, select_1532};
-  // hls/stages/agreement.hpp:823
+  // hls/stages/agreement.hpp:822
   logic equal_1534;
   assign equal_1534 = x_s3_q == 8'h0;
-  // hls/stages/agreement.hpp:825
+  // hls/stages/agreement.hpp:824
   logic [4:0] t;
   assign t = {difference_1533[3], difference_1533} + (equal_1534 ? 5'h0 : box_textured_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:765
+  // hls/stages/agreement.hpp:764
   logic [7:0] select_1539;
   assign select_1539 = inside_v_s3_q[0] ? (sum_1455[5] ? select_1442 : {select_1442[6:0], 1'b0}) : select_1442;
-  // hls/stages/agreement.hpp:781
+  // hls/stages/agreement.hpp:780
   logic or_1542;
   assign or_1542 = select_1539[7] | (~({select_1539[5], select_1539[3], select_1539[1]} == 3'h0));
-  // hls/stages/agreement.hpp:765
+  // hls/stages/agreement.hpp:764
   logic and_1559;
   assign and_1559 = seen_columns_rdata_q[16] & inside_v_s3_q[0];
   logic and_1560;
@@ -2575,22 +2575,22 @@ module horopter_agreement (
   assign and_1561 = seen_columns_rdata_q[8] & inside_v_s3_q[0];
   logic and_1562;
   assign and_1562 = seen_columns_rdata_q[3] & inside_v_s3_q[0];
-  // hls/stages/agreement.hpp:820
+  // hls/stages/agreement.hpp:819
   logic [1:0] sum_1564;
   assign sum_1564 = {1'b0, and_1561} + ({1'b0, shown} + {1'b0, and_1562});
   logic [2:0] shown_2;
   assign shown_2 = {2'h0, and_1559} + ({2'h0, and_1560} + {1'b0, sum_1564});
-  // hls/stages/agreement.hpp:827
+  // hls/stages/agreement.hpp:826
   logic [2:0] select_1567;
   assign select_1567 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
   logic [3:0] difference_1568;
   assign difference_1568 = {1'b0, shown_2} - {1'b0, select_1567};
   logic [4:0] around;
   assign around = {difference_1568[3], difference_1568} + (equal_1534 ? 5'h0 : box_shown_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:834
+  // hls/stages/agreement.hpp:833
   logic [5:0] sum_1571;
   assign sum_1571 = {1'b0, around} + {2'h0, around[4:1]};
-  // hls/stages/agreement.hpp:765
+  // hls/stages/agreement.hpp:764
   logic and_1575;
   assign and_1575 = seen_columns_rdata_q[17] & inside_v_s3_q[0];
   logic and_1576;
@@ -2599,12 +2599,12 @@ module horopter_agreement (
   assign and_1577 = seen_columns_rdata_q[9] & inside_v_s3_q[0];
   logic and_1578;
   assign and_1578 = seen_columns_rdata_q[4] & inside_v_s3_q[0];
-  // hls/stages/agreement.hpp:821
+  // hls/stages/agreement.hpp:820
   logic [1:0] sum_1580;
   assign sum_1580 = {1'b0, and_1577} + ({1'b0, near} + {1'b0, and_1578});
   logic [2:0] near_2;
   assign near_2 = {2'h0, and_1575} + ({2'h0, and_1576} + {1'b0, sum_1580});
-  // hls/stages/agreement.hpp:828
+  // hls/stages/agreement.hpp:827
   logic [2:0] select_1583;
   assign select_1583 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
   logic [3:0] difference_1584;
@@ -2777,7 +2777,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:211
   logic and_1984;
   assign and_1984 = so_s3_q & (ends_cell_s3_q & (inside_v_s3_q[0] & inside_v_s3_q[1]));
-  // hls/stages/agreement.hpp:765
+  // hls/stages/agreement.hpp:764
   logic and_2005;
   assign and_2005 = seen_columns_rdata_q[15] & inside_v_s3_q[0];
   logic and_2006;
@@ -2786,19 +2786,19 @@ module horopter_agreement (
   assign and_2007 = seen_columns_rdata_q[7] & inside_v_s3_q[0];
   logic and_2008;
   assign and_2008 = seen_columns_rdata_q[2] & inside_v_s3_q[0];
-  // hls/stages/agreement.hpp:819
+  // hls/stages/agreement.hpp:818
   logic [1:0] sum_2010;
   assign sum_2010 = {1'b0, and_2007} + ({1'b0, explained} + {1'b0, and_2008});
   logic [2:0] explained_2;
   assign explained_2 = {2'h0, and_2005} + ({2'h0, and_2006} + {1'b0, sum_2010});
-  // hls/stages/agreement.hpp:826
+  // hls/stages/agreement.hpp:825
   logic [2:0] select_2013;
   assign select_2013 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
   logic [3:0] difference_2014;
   assign difference_2014 = {1'b0, explained_2} - {1'b0, select_2013};
   logic [4:0] e;
   assign e = {difference_2014[3], difference_2014} + (equal_1534 ? 5'h0 : box_explained_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:833
+  // hls/stages/agreement.hpp:832
   logic [5:0] sum_2017;
   assign sum_2017 = {1'b0, e} + {2'h0, e[4:1]};
   // hls/stages/agreement.hpp:211
@@ -2908,7 +2908,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:117
   logic [27:0] column_5;
   assign column_5 = registration_slope_q + (and_2199 ? registration_slope_change_q : 28'h0);
-  // hls/stages/agreement.hpp:860
+  // hls/stages/agreement.hpp:859
   logic [1:0] quarter_2;
   assign quarter_2 = all ? x_s3_q[1:0] : select_1382;
   // hls/stages/registration.hpp:243
@@ -2972,13 +2972,13 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:143
   logic or_2340;
   assign or_2340 = segment_starts_q | not_1374;
-  // hls/stages/agreement.hpp:765
+  // hls/stages/agreement.hpp:764
   logic select_2343;
   assign select_2343 = inside_v_s3_q[0] ? (sum_1455[5] ? (equal_1457_s3_q & or_1458) : or_1458) : or_2340;
   // hls/stages/agreement.hpp:211
   logic select_2346;
   assign select_2346 = equal_1334_s3_q ? or_2340 : (so_s3_q ? (ends_cell_s3_q ? select_2343 : or_2340) : or_2340);
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic equal_2371;
   assign equal_2371 = x_s3_q[6:0] == 7'h7f;
   // hls/stages/agreement.hpp:211
@@ -3084,7 +3084,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:365
   logic [5:0] select_2512;
   assign select_2512 = and_367_s3_q ? (equal_1864_s3_q ? cfg_width_i[8:3] : map_width_q) : map_width_q;
-  // hls/stages/agreement.hpp:980
+  // hls/stages/agreement.hpp:979
   logic xor_2513;
   assign xor_2513 = write_half_q ^ done_q;
   // hls/stages/agreement.hpp:220
@@ -3106,7 +3106,7 @@ module horopter_agreement (
   assign select_2541 = left_first_s3_q ? and_1510 : (and_1507_s3_q ? and_1510 : began_q);
   logic [2:0] select_2544;
   assign select_2544 = left_first_s3_q ? select_1512 : (and_1507_s3_q ? select_1512 : seen_x_q);
-  // hls/stages/agreement.hpp:1009
+  // hls/stages/agreement.hpp:1008
   logic [2:0] select_2549;
   assign select_2549 = left_first_s3_q ? 3'h0 : (and_1495 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q);
   // hls/stages/agreement.hpp:220
@@ -3152,7 +3152,7 @@ module horopter_agreement (
     if (registration_sums_re) registration_sums_rdata_q <= registration_sums_mem[registration_sums_raddr];
   end
 
-  // Memory regions, 64 x 30, DISTANCE 12, hls/stages/agreement.hpp:1093; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory regions, 64 x 30, DISTANCE 12, hls/stages/agreement.hpp:1092; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [29:0] regions_mem [0:63];
@@ -3168,7 +3168,7 @@ module horopter_agreement (
     if (regions_re) regions_rdata_q <= regions_mem[regions_raddr];
   end
 
-  // Memory map, 3290 x 2, DISTANCE 16, hls/stages/agreement.hpp:1104; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory map, 3290 x 2, DISTANCE 16, hls/stages/agreement.hpp:1103; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [1:0] map_mem [0:3289];
@@ -3834,34 +3834,34 @@ module horopter_agreement (
   assign select_1439 = equal_1433 ? {1'b0, registration_half_measured_q} : up;
   logic [11:0] sum_1440;
   assign sum_1440 = (equal_1431_s4_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_1439[6]}}, select_1439};
-  // hls/stages/agreement.hpp:659
+  // hls/stages/agreement.hpp:658
   logic [5:0] select_1465;
   assign select_1465 = segment_started_q ? segment_textured_q : 6'h0;
-  // hls/stages/agreement.hpp:660
+  // hls/stages/agreement.hpp:659
   logic [5:0] sum_1466;
   assign sum_1466 = {5'h0, textured_s4_q} + select_1465;
-  // hls/stages/agreement.hpp:792
+  // hls/stages/agreement.hpp:791
   logic [9:0] sum_1468;
   assign sum_1468 = {4'h0, sum_1466} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[9:0]);
-  // hls/stages/agreement.hpp:659
+  // hls/stages/agreement.hpp:658
   logic [5:0] select_1470;
   assign select_1470 = segment_started_q ? segment_explained_q : 6'h0;
-  // hls/stages/agreement.hpp:660
+  // hls/stages/agreement.hpp:659
   logic [5:0] sum_1471;
   assign sum_1471 = {5'h0, explained_s4_q} + select_1470;
-  // hls/stages/agreement.hpp:793
+  // hls/stages/agreement.hpp:792
   logic [9:0] sum_1473;
   assign sum_1473 = {4'h0, sum_1471} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[19:10]);
-  // hls/stages/agreement.hpp:659
+  // hls/stages/agreement.hpp:658
   logic [5:0] select_1476;
   assign select_1476 = segment_started_q ? segment_nearer_q : 6'h0;
-  // hls/stages/agreement.hpp:661
+  // hls/stages/agreement.hpp:660
   logic [5:0] sum_1477;
   assign sum_1477 = {5'h0, and_1475_s4_q} + select_1476;
-  // hls/stages/agreement.hpp:794
+  // hls/stages/agreement.hpp:793
   logic [9:0] sum_1479;
   assign sum_1479 = {4'h0, sum_1477} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[29:20]);
-  // hls/stages/agreement.hpp:832
+  // hls/stages/agreement.hpp:831
   logic not_1549;
   assign not_1549 = ~region_row_s4_q[2];
   logic [2:0] select_1550;
@@ -3874,13 +3874,13 @@ module horopter_agreement (
   assign select_1553 = or_1545_s4_q ? {select_1552[11], 1'b0, select_1552[10], 1'b0, select_1552[9], 1'b0, select_1552[8], 1'b0, select_1552[7], 1'b0, select_1552[6], 1'b0, select_1552[5], 1'b0, select_1552[4], 1'b0, select_1552[3], 1'b0, select_1552[2], 1'b0, select_1552[1], 1'b0, select_1552[0], 1'b0} : {1'b0, select_1552[11], 1'b0, select_1552[10], 1'b0, select_1552[9], 1'b0, select_1552[8], 1'b0, select_1552[7], 1'b0, select_1552[6], 1'b0, select_1552[5], 1'b0, select_1552[4], 1'b0, select_1552[3], 1'b0, select_1552[2], 1'b0, select_1552[1], 1'b0, select_1552[0]};
   logic [47:0] select_1554;
   assign select_1554 = or_1542_s4_q ? {select_1553[23], 1'b0, select_1553[22], 1'b0, select_1553[21], 1'b0, select_1553[20], 1'b0, select_1553[19], 1'b0, select_1553[18], 1'b0, select_1553[17], 1'b0, select_1553[16], 1'b0, select_1553[15], 1'b0, select_1553[14], 1'b0, select_1553[13], 1'b0, select_1553[12], 1'b0, select_1553[11], 1'b0, select_1553[10], 1'b0, select_1553[9], 1'b0, select_1553[8], 1'b0, select_1553[7], 1'b0, select_1553[6], 1'b0, select_1553[5], 1'b0, select_1553[4], 1'b0, select_1553[3], 1'b0, select_1553[2], 1'b0, select_1553[1], 1'b0, select_1553[0], 1'b0} : {1'b0, select_1553[23], 1'b0, select_1553[22], 1'b0, select_1553[21], 1'b0, select_1553[20], 1'b0, select_1553[19], 1'b0, select_1553[18], 1'b0, select_1553[17], 1'b0, select_1553[16], 1'b0, select_1553[15], 1'b0, select_1553[14], 1'b0, select_1553[13], 1'b0, select_1553[12], 1'b0, select_1553[11], 1'b0, select_1553[10], 1'b0, select_1553[9], 1'b0, select_1553[8], 1'b0, select_1553[7], 1'b0, select_1553[6], 1'b0, select_1553[5], 1'b0, select_1553[4], 1'b0, select_1553[3], 1'b0, select_1553[2], 1'b0, select_1553[1], 1'b0, select_1553[0]};
-  // hls/stages/agreement.hpp:765
+  // hls/stages/agreement.hpp:764
   logic and_1558;
   assign and_1558 = good_known_q & (~((good_q & select_1554) == 48'h0));
-  // hls/stages/agreement.hpp:834
+  // hls/stages/agreement.hpp:833
   logic is_seen;
   assign is_seen = equal_1537_s4_q ? and_1558 : not_1573_s4_q;
-  // hls/stages/agreement.hpp:843
+  // hls/stages/agreement.hpp:842
   logic and_1588;
   assign and_1588 = is_seen & less_1587_s4_q;
   // hls/stages/agreement.hpp:215
@@ -4084,7 +4084,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:154
   logic select_1861;
   assign select_1861 = drew_q ? (equal_1793 ? select_1859 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
-  // hls/stages/agreement.hpp:682
+  // hls/stages/agreement.hpp:681
   logic [13:0] select_1987;
   assign select_1987 = and_1981_s4_q ? 14'h0 : (counts_supervised_q + {13'h0, and_1985_s4_q});
   // hls/stages/agreement.hpp:211
@@ -4094,10 +4094,10 @@ module horopter_agreement (
   assign and_1995 = not_1335_s4_q & (drew_q & (ends_cell_s4_q & explained_s4_q));
   logic and_2000;
   assign and_2000 = not_1335_s4_q & (drew_q & (ends_cell_s4_q & and_1475_s4_q));
-  // hls/stages/agreement.hpp:836
+  // hls/stages/agreement.hpp:835
   logic not_2004;
   assign not_2004 = ~(x_s4_q[7:1] == 7'h0);
-  // hls/stages/agreement.hpp:837
+  // hls/stages/agreement.hpp:836
   logic not_2021;
   assign not_2021 = ~(equal_1537_s4_q ? and_1558 : not_2019_s4_q);
   // hls/stages/agreement.hpp:211
@@ -4105,45 +4105,45 @@ module horopter_agreement (
   assign and_2024 = ends_cell_s4_q & (not_2004 & (centres_values_1_textured_s4_q & not_2021));
   logic and_2026;
   assign and_2026 = not_1335_s4_q & (drew_q & and_2024);
-  // hls/stages/agreement.hpp:862
+  // hls/stages/agreement.hpp:861
   logic less_2029;
   assign less_2029 = region_row_s4_q < x_s4_q[5:3];
   logic [9:0] select_2030;
   assign select_2030 = less_2029 ? 10'h0 : regions_rdata_q[9:0];
   logic [9:0] select_2033;
   assign select_2033 = less_2029 ? 10'h0 : regions_rdata_q[19:10];
-  // hls/stages/agreement.hpp:863
+  // hls/stages/agreement.hpp:862
   logic [10:0] sum_2034;
   assign sum_2034 = {1'b0, select_2033} + {3'h0, select_2033[9:2]};
   logic and_2036;
   assign and_2036 = (~(select_2030[9:4] == 6'h0)) & ({sum_2034, select_2033[1:0]} < {3'h0, select_2030});
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic [9:0] select_2039;
   assign select_2039 = x_s4_q[6] ? (equal_1379_s4_q ? 10'h0 : (and_2036 ? select_2030 : 10'h0)) : 10'h0;
   // hls/stages/agreement.hpp:211
   logic [9:0] select_2040;
   assign select_2040 = equal_1334_s4_q ? select_2039 : 10'h0;
-  // hls/stages/agreement.hpp:682
+  // hls/stages/agreement.hpp:681
   logic [13:0] select_2042;
   assign select_2042 = and_1981_s4_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2040});
   logic [13:0] select_2049;
   assign select_2049 = and_1981_s4_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2047_s4_q});
-  // hls/stages/agreement.hpp:841
+  // hls/stages/agreement.hpp:840
   logic and_2051;
   assign and_2051 = not_2004 & (centres_values_1_textured_s4_q & centres_values_1_of_skin_s4_q);
   // hls/stages/agreement.hpp:211
   logic and_2054;
   assign and_2054 = not_1335_s4_q & (drew_q & (ends_cell_s4_q & and_2051));
-  // hls/stages/agreement.hpp:682
+  // hls/stages/agreement.hpp:681
   logic [13:0] select_2056;
   assign select_2056 = and_1981_s4_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2054});
-  // hls/stages/agreement.hpp:841
+  // hls/stages/agreement.hpp:840
   logic and_2058;
   assign and_2058 = centres_values_1_textured_s4_q & (centres_values_1_of_skin_s4_q & not_2021);
   // hls/stages/agreement.hpp:211
   logic and_2062;
   assign and_2062 = not_1335_s4_q & (drew_q & (ends_cell_s4_q & (not_2004 & and_2058)));
-  // hls/stages/agreement.hpp:682
+  // hls/stages/agreement.hpp:681
   logic [13:0] select_2064;
   assign select_2064 = and_1981_s4_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2062});
   // hls/stages/registration.hpp:106
@@ -4217,10 +4217,10 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:211
   logic and_2205;
   assign and_2205 = equal_1334_s4_q & (x_s4_q[6] & (not_1453_s4_q & less_1407_s4_q));
-  // hls/stages/agreement.hpp:862
+  // hls/stages/agreement.hpp:861
   logic [11:0] select_2212;
   assign select_2212 = or_1411_s4_q ? 12'h0 : (equal_2210_s4_q ? registration_sums_rdata_q[11:0] : 12'h0);
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic [11:0] select_2215;
   assign select_2215 = x_s4_q[6] ? (equal_1379_s4_q ? 12'h0 : (less_1407_s4_q ? select_2212 : 12'h0)) : 12'h0;
   // hls/stages/agreement.hpp:211
@@ -4229,7 +4229,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:145
   logic and_2217;
   assign and_2217 = x_s4_q[1] & all_s4_q;
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic and_2220;
   assign and_2220 = not_1453_s4_q & (less_1407_s4_q & ({and_2217, x_s4_q[0]} == 2'h0));
   // hls/stages/agreement.hpp:211
@@ -4238,10 +4238,10 @@ module horopter_agreement (
   // hls/stages/registration.hpp:237
   logic [13:0] sum_2224;
   assign sum_2224 = {{2{select_2216[11]}}, select_2216} + (and_2222 ? 14'h0 : registration_down_q);
-  // hls/stages/agreement.hpp:862
+  // hls/stages/agreement.hpp:861
   logic [11:0] select_2227;
   assign select_2227 = or_1411_s4_q ? 12'h0 : (equal_2210_s4_q ? registration_sums_rdata_q[31:20] : 12'h0);
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic [11:0] select_2230;
   assign select_2230 = x_s4_q[6] ? (equal_1379_s4_q ? 12'h0 : (less_1407_s4_q ? select_2227 : 12'h0)) : 12'h0;
   // hls/stages/agreement.hpp:211
@@ -4253,7 +4253,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:142
   logic not_2235;
   assign not_2235 = ~all_s4_q;
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic and_2238;
   assign and_2238 = not_1453_s4_q & (less_1407_s4_q & (x_s4_q[2:0] == {all_s4_q, not_2235, 1'b0}));
   // hls/stages/agreement.hpp:211
@@ -4266,7 +4266,7 @@ module horopter_agreement (
   assign less_2246 = $signed({9'h1, {2{not_2245}}, and_2244}) < $signed(registration_up_q[13:2]);
   logic select_2247;
   assign select_2247 = (equal_1334_s4_q & (x_s4_q[6] & and_2238)) ? less_2246 : registration_enough_q;
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic and_2251;
   assign and_2251 = x_s4_q[6] & (not_1453_s4_q & (less_1407_s4_q & (x_s4_q[2:0] == 3'h4)));
   // hls/stages/agreement.hpp:211
@@ -4277,25 +4277,25 @@ module horopter_agreement (
   assign less_2253 = $signed(14'h0) < $signed(registration_down_q);
   logic less_2255;
   assign less_2255 = $signed(14'h0) < $signed(registration_up_q);
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic and_2260;
   assign and_2260 = x_s4_q[6] & (not_1453_s4_q & (less_1407_s4_q & (x_s4_q[2:0] == 3'h7)));
   // hls/stages/agreement.hpp:211
   logic and_2261;
   assign and_2261 = equal_1334_s4_q & and_2260;
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic and_2268;
   assign and_2268 = x_s4_q[6] & (not_1453_s4_q & (less_1407_s4_q & (x_s4_q[5:0] == 6'h0)));
   // hls/stages/registration.hpp:149
   logic equal_2271;
   assign equal_2271 = x_s4_q[2:0] == 3'h6;
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic and_2274;
   assign and_2274 = not_1453_s4_q & (less_1407_s4_q & (x_s4_q[5] ? x_s4_q[3] : equal_2271));
   // hls/stages/registration.hpp:229
   logic and_2278;
   assign and_2278 = (equal_1334_s4_q & (x_s4_q[6] & and_2274)) & (less_2255 | less_2253);
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic and_2283;
   assign and_2283 = not_1453_s4_q & (less_1407_s4_q & ((~x_s4_q[5]) & (x_s4_q[3] & equal_2271)));
   // hls/stages/registration.hpp:229
@@ -4309,51 +4309,51 @@ module horopter_agreement (
   // hls/stages/registration.hpp:230
   logic or_2293;
   assign or_2293 = registration_moved_q | (registration_enough_q & (and_2278 | and_2290));
-  // hls/stages/agreement.hpp:909
+  // hls/stages/agreement.hpp:908
   logic or_2351;
   assign or_2351 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
-  // hls/stages/agreement.hpp:931
+  // hls/stages/agreement.hpp:930
   logic equal_2353;
   assign equal_2353 = x_s4_q[6:3] == 4'h7;
-  // hls/stages/agreement.hpp:937
+  // hls/stages/agreement.hpp:936
   logic equal_2354;
   assign equal_2354 = x_s4_q[2:0] == 3'h0;
-  // hls/stages/agreement.hpp:940
+  // hls/stages/agreement.hpp:939
   logic too_little;
   assign too_little = (counts_explained_q < product_q) | (product_rest_q & (counts_explained_q == product_q));
-  // hls/stages/agreement.hpp:941
+  // hls/stages/agreement.hpp:940
   logic select_2360;
   assign select_2360 = (equal_2353 & equal_2354) ? too_little : disagree_q;
-  // hls/stages/agreement.hpp:865
+  // hls/stages/agreement.hpp:864
   logic [10:0] sum_2363;
   assign sum_2363 = {1'b0, select_2033} + {2'h0, select_2033[9:1]};
   logic select_2366;
   assign select_2366 = (select_2030[9:3] == 7'h0) ? ((~or_2351) & (~select_2360)) : (~({sum_2363, select_2033[0]} < {2'h0, select_2030}));
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic [47:0] select_2368;
   assign select_2368 = x_s4_q[6] ? (equal_1379_s4_q ? good_q : {select_2366, good_q[47:1]}) : good_q;
   // hls/stages/agreement.hpp:211
   logic select_2373;
   assign select_2373 = equal_1334_s4_q ? ((x_s4_q[6] & good_known_q) | equal_2371_s4_q) : good_known_q;
-  // hls/stages/agreement.hpp:931
+  // hls/stages/agreement.hpp:930
   logic equal_2374;
   assign equal_2374 = x_s4_q[6:3] == 4'ha;
   logic equal_2376;
   assign equal_2376 = x_s4_q[6:3] == 4'h9;
   logic equal_2377;
   assign equal_2377 = x_s4_q[6:3] == 4'h8;
-  // hls/stages/agreement.hpp:856
+  // hls/stages/agreement.hpp:855
   logic [13:0] select_2379;
   assign select_2379 = equal_2376 ? counts_skin_unproven_q : (equal_2377 ? counts_unproven_q : counts_regions_bad_q);
   logic [13:0] before_v_4;
   assign before_v_4 = equal_2374 ? counts_nearer_q : select_2379;
-  // hls/stages/agreement.hpp:936
+  // hls/stages/agreement.hpp:935
   logic [14:0] over;
   assign over = {1'b0, product_q} - {1'b0, before_v_4};
-  // hls/stages/agreement.hpp:944
+  // hls/stages/agreement.hpp:943
   logic select_2382;
   assign select_2382 = (equal_2374 & equal_2354) ? over[14] : hides_q;
-  // hls/stages/agreement.hpp:873
+  // hls/stages/agreement.hpp:872
   logic not_2383;
   assign not_2383 = ~hidden_for_q[7];
   logic [7:0] select_2385;
@@ -4361,29 +4361,29 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:211
   logic [7:0] select_2387;
   assign select_2387 = equal_1334_s4_q ? (equal_2371_s4_q ? select_2385 : hidden_for_q) : hidden_for_q;
-  // hls/stages/agreement.hpp:944
+  // hls/stages/agreement.hpp:943
   logic [13:0] select_2388;
   assign select_2388 = equal_2354 ? 14'h0 : product_q;
-  // hls/stages/agreement.hpp:856
+  // hls/stages/agreement.hpp:855
   logic [7:0] select_2390;
   assign select_2390 = (x_s4_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
   logic [7:0] select_2392;
   assign select_2392 = equal_2377 ? cfg_unproven_skin_limit_i : (equal_2353 ? cfg_unproven_limit_i : select_2390);
   logic [7:0] limit;
   assign limit = equal_2374 ? cfg_regions_limit_i : (equal_2376 ? cfg_hidden_limit_i : select_2392);
-  // hls/stages/agreement.hpp:944
+  // hls/stages/agreement.hpp:943
   logic not_2395;
   assign not_2395 = ~x_s4_q[2];
   logic [3:0] select_2396;
   assign select_2396 = x_s4_q[1] ? {x_s4_q[2], 1'b0, not_2395, 1'b0} : {1'b0, x_s4_q[2], 1'b0, not_2395};
   logic [7:0] select_2397;
   assign select_2397 = x_s4_q[0] ? {select_2396[3], 1'b0, select_2396[2], 1'b0, select_2396[1], 1'b0, select_2396[0], 1'b0} : {1'b0, select_2396[3], 1'b0, select_2396[2], 1'b0, select_2396[1], 1'b0, select_2396[0]};
-  // hls/stages/agreement.hpp:856
+  // hls/stages/agreement.hpp:855
   logic [13:0] select_2401;
   assign select_2401 = equal_2376 ? counts_skin_supervised_q : (equal_2377 ? counts_skin_textured_q : counts_textured_q);
   logic [13:0] of;
   assign of = equal_2374 ? counts_textured_q : select_2401;
-  // hls/stages/agreement.hpp:944
+  // hls/stages/agreement.hpp:943
   logic [13:0] select_2403;
   assign select_2403 = ((limit & select_2397) == 8'h0) ? 14'h0 : of;
   logic [14:0] sum_3;
@@ -4391,22 +4391,22 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:211
   logic select_2408;
   assign select_2408 = equal_1334_s4_q ? (equal_2354 ? sum_3[0] : (product_rest_q | sum_3[0])) : product_rest_q;
-  // hls/stages/agreement.hpp:942
+  // hls/stages/agreement.hpp:941
   logic and_2413;
   assign and_2413 = too_much_q & (~(equal_2377 & equal_2354));
-  // hls/stages/agreement.hpp:943
+  // hls/stages/agreement.hpp:942
   logic select_2418;
   assign select_2418 = (over[14] & equal_2354) ? (and_2413 | ((equal_2377 | equal_2376) | (x_s4_q[6:3] == 4'hf))) : and_2413;
-  // hls/stages/agreement.hpp:984
+  // hls/stages/agreement.hpp:983
   logic select_2526;
   assign select_2526 = left_first_s4_q ? done_s4_q : proven_q;
   // hls/stages/agreement.hpp:220
   logic select_2528;
   assign select_2528 = left_first_s4_q ? done_s4_q : (and_1507_s4_q ? select_2526 : proven_q);
-  // hls/stages/agreement.hpp:1013
+  // hls/stages/agreement.hpp:1012
   logic [1:0] select_2579;
   assign select_2579 = and_2578_s4_q ? {and_1588, is_seen} : map_rdata_q;
-  // hls/stages/agreement.hpp:1014
+  // hls/stages/agreement.hpp:1013
   logic and_2580;
   assign and_2580 = select_2526 & less_2556;
   // hls/stages/agreement.hpp:220
@@ -4425,7 +4425,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:211
   logic and_2599;
   assign and_2599 = equal_1334_s4_q & (equal_2371_s4_q & (cfg_prove_i & (~proven_q)));
-  // hls/stages/agreement.hpp:953
+  // hls/stages/agreement.hpp:952
   logic not_2604;
   assign not_2604 = ~(or_2351 | not_2593);
   // hls/stages/agreement.hpp:211
@@ -4433,19 +4433,19 @@ module horopter_agreement (
   assign and_2608 = equal_1334_s4_q & (equal_2371_s4_q & (not_2604 & (select_2360 | select_2418)));
   logic and_2611;
   assign and_2611 = equal_1334_s4_q & (equal_2371_s4_q & (cfg_prove_i & registration_moved_q));
-  // hls/stages/agreement.hpp:875
+  // hls/stages/agreement.hpp:874
   logic or_2614;
   assign or_2614 = select_1843 | (select_1855 | ($signed(20'h0) < $signed(census_left_misses_q)));
   // hls/stages/agreement.hpp:211
   logic and_2621;
   assign and_2621 = equal_1334_s4_q & (equal_2371_s4_q & (not_2604 & (select_1849 | select_1861)));
-  // hls/stages/agreement.hpp:875
+  // hls/stages/agreement.hpp:874
   logic and_2626;
   assign and_2626 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_2385 < cfg_hidden_frames_i));
   // hls/stages/agreement.hpp:211
   logic and_2633;
   assign and_2633 = equal_1334_s4_q & (x_s4_q[6] & (not_1453_s4_q | (4'hc < x_s4_q[5:2])));
-  // hls/stages/agreement.hpp:870
+  // hls/stages/agreement.hpp:869
   logic [31:0] select_2641;
   assign select_2641 = equal_1399_s4_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_2639_s4_q ? registration_sums_rdata_q : 32'h0);
   logic [31:0] select_2642;
@@ -4460,10 +4460,10 @@ module horopter_agreement (
   assign select_2646 = equal_1389_s4_q ? {8'h0, sharpness_sums_contrast_0_q} : select_2645;
   logic [31:0] select_2647;
   assign select_2647 = equal_1387_s4_q ? {8'h0, sharpness_sums_contrast_1_q} : select_2646;
-  // hls/stages/agreement.hpp:868
+  // hls/stages/agreement.hpp:867
   logic [9:0] select_2648;
   assign select_2648 = less_2029 ? 10'h0 : regions_rdata_q[29:20];
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic [31:0] select_2649;
   assign select_2649 = equal_1379_s4_q ? select_2647 : {2'h0, select_2648, select_2033, select_2030};
 

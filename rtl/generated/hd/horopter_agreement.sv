@@ -641,10 +641,10 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:163
   logic not_397;
   assign not_397 = ~less_396;
-  // hls/stages/agreement.hpp:597
+  // hls/stages/agreement.hpp:596
   logic [7:0] x;
   assign x = x_s5_q + 8'hfd;
-  // hls/stages/agreement.hpp:747
+  // hls/stages/agreement.hpp:746
   logic [5:0] sum_1417;
   assign sum_1417 = {1'b0, last_s5_q[6:2]} + 6'h1;
   // hls/stages/agreement.hpp:373
@@ -757,14 +757,14 @@ module horopter_agreement (
   assign and_509 = equal_391_s6_q & and_508_s6_q;
   logic select_510;
   assign select_510 = or_389 ? not_397_s6_q : and_509;
-  // hls/stages/agreement.hpp:606
+  // hls/stages/agreement.hpp:605
   logic or_515;
   assign or_515 = equal_513_s6_q | ($signed(6'h0) < $signed(run_shift_s6_q));
-  // hls/stages/agreement.hpp:618
+  // hls/stages/agreement.hpp:617
   logic [6:0] right;
   assign right = sum_394_s6_q + 7'h7d;
 
-  // Memory left, 120 x 77, DISTANCE 24, hls/stages/agreement.hpp:1072; read in stage 6, written in stage 9: 6 < 9 < 6 + DISTANCE.
+  // Memory left, 120 x 77, DISTANCE 24, hls/stages/agreement.hpp:1071; read in stage 6, written in stage 9: 6 < 9 < 6 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [76:0] left_mem [0:119];
@@ -780,7 +780,7 @@ module horopter_agreement (
     if (left_re) left_rdata_q <= left_mem[left_raddr];
   end
 
-  // Memory right_codes, 120 x 91, DISTANCE 24, hls/stages/agreement.hpp:1073; read in stage 6, written in stage 9: 6 < 9 < 6 + DISTANCE.
+  // Memory right_codes, 120 x 91, DISTANCE 24, hls/stages/agreement.hpp:1072; read in stage 6, written in stage 9: 6 < 9 < 6 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [90:0] right_codes_mem [0:119];
@@ -796,7 +796,7 @@ module horopter_agreement (
     if (right_codes_re) right_codes_rdata_q <= right_codes_mem[right_codes_raddr];
   end
 
-  // Memory best_left, 120 x 46, DISTANCE 24, hls/stages/agreement.hpp:1074; read in stage 6, written in stage 17: 6 < 17 < 6 + DISTANCE.
+  // Memory best_left, 120 x 46, DISTANCE 24, hls/stages/agreement.hpp:1073; read in stage 6, written in stage 17: 6 < 17 < 6 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [45:0] best_left_mem [0:119];
@@ -901,7 +901,7 @@ module horopter_agreement (
 
   // Stage 7 -----------------------------------------------------------------------------------------------------------
 
-  // Memory fresh, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1071; read in stage 7, written in stage 25: 7 < 25 < 7 + DISTANCE.
+  // Memory fresh, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1070; read in stage 7, written in stage 25: 7 < 25 < 7 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [28:0] fresh_mem [0:119];
@@ -1084,10 +1084,10 @@ module horopter_agreement (
   assign select_1052 = (slot_s8_q[0] ? and_1024 : and_524) ? (~(select_549 ^ (slot_s8_q[0] ? select_1027 : select_525))) : 12'h0;
   logic [11:0] select_1067;
   assign select_1067 = (slot_s8_q[0] ? and_524 : and_547) ? (~(select_566 ^ (slot_s8_q[0] ? select_525 : select_548))) : 12'h0;
-  // hls/stages/agreement.hpp:720
+  // hls/stages/agreement.hpp:719
   logic [5:0] shift;
   assign shift = slot_s8_q[2] ? best_left_rdata_s8_q[5:0] : best_left_rdata_s8_q[45:40];
-  // hls/stages/agreement.hpp:724
+  // hls/stages/agreement.hpp:723
   logic and_1341;
   assign and_1341 = (or_389_s8_q & (left_rdata_s8_q[61] & not_397_s8_q)) & (~(row_q[6:3] == 4'h0));
   // hls/stages/agreement.hpp:182
@@ -1531,7 +1531,7 @@ module horopter_agreement (
   logic [6:0] select_1374;
   assign select_1374 = so_s9_q ? x_s9_q[6:0] : (or_389_s9_q ? (less_396_s9_q ? 7'h0 : sum_1321_s9_q) : 7'h0);
 
-  // Memory best_right, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1075; read in stage 9, written in stage 17: 9 < 17 < 9 + DISTANCE.
+  // Memory best_right, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1074; read in stage 9, written in stage 17: 9 < 17 < 9 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [28:0] best_right_mem [0:119];
@@ -2204,19 +2204,19 @@ module horopter_agreement (
   assign select_1265 = equal_391_s11_q ? {and_1264, xor_1263, parity_1257, parity_1236_s11_q, xor_1191_s11_q, xor_1096_s11_q} : 6'h0;
   logic [5:0] column_4;
   assign column_4 = or_389_s11_q ? 6'h0 : select_1265;
-  // hls/stages/agreement.hpp:587
+  // hls/stages/agreement.hpp:586
   logic [5:0] before_v_2;
   assign before_v_2 = age_s11_q[1] ? sums_0_columns_values_7_q : 6'h0;
-  // hls/stages/agreement.hpp:588
+  // hls/stages/agreement.hpp:587
   logic [6:0] sum_1297;
   assign sum_1297 = {1'b0, sums_0_columns_values_3_q} + {1'b0, sums_0_columns_values_5_q};
-  // hls/stages/agreement.hpp:587
+  // hls/stages/agreement.hpp:586
   logic [5:0] before_v_3;
   assign before_v_3 = age_s11_q[1] ? sums_1_columns_values_7_q : 6'h0;
-  // hls/stages/agreement.hpp:588
+  // hls/stages/agreement.hpp:587
   logic [6:0] sum_1300;
   assign sum_1300 = {1'b0, sums_1_columns_values_3_q} + {1'b0, sums_1_columns_values_5_q};
-  // hls/stages/agreement.hpp:728
+  // hls/stages/agreement.hpp:727
   logic [6:0] chosen;
   assign chosen = slot_s11_q[2] ? best_right_rdata_s11_q[14:8] : best_right_rdata_s11_q[28:22];
 
@@ -2415,22 +2415,22 @@ module horopter_agreement (
   logic [5:0] middle_sum_columns_values_4_q;
   logic [5:0] middle_sum_columns_values_5_q;
   logic [5:0] middle_sum_columns_values_6_q;
-  // hls/stages/agreement.hpp:586
+  // hls/stages/agreement.hpp:585
   logic [5:0] select_769;
   assign select_769 = age_s12_q[3] ? middle_sum_columns_values_6_q : 6'h0;
-  // hls/stages/agreement.hpp:587
+  // hls/stages/agreement.hpp:586
   logic [5:0] before_v;
   assign before_v = age_s12_q[1] ? middle_sum_columns_values_3_q : 6'h0;
-  // hls/stages/agreement.hpp:588
+  // hls/stages/agreement.hpp:587
   logic [6:0] sum_1293;
   assign sum_1293 = {1'b0, middle_sum_columns_values_1_q} + {1'b0, middle_sum_columns_values_2_q};
   // hls/stages/agreement.hpp:558
   logic [6:0] select_1303;
   assign select_1303 = (sum_1298_s12_q < sum_1301_s12_q) ? sum_1301_s12_q : sum_1298_s12_q;
-  // hls/stages/agreement.hpp:727
+  // hls/stages/agreement.hpp:726
   logic select_1352;
   assign select_1352 = slot_s12_q[2] ? less_1350_s12_q : (6'h2a < best_left_rdata_s12_q[39:34]);
-  // hls/stages/agreement.hpp:734
+  // hls/stages/agreement.hpp:733
   logic [8:0] difference_1355;
   assign difference_1355 = {2'h0, chosen_s12_q} - {1'b0, x_s12_q};
   // hls/stages/agreement.hpp:174
@@ -2611,12 +2611,12 @@ module horopter_agreement (
   logic [8:0] region_across_next_q;
   logic [8:0] columns_begin_rest_q;
   logic [7:0] columns_begin_back_q;
-  // hls/stages/agreement.hpp:596
+  // hls/stages/agreement.hpp:595
   logic less_518;
   assign less_518 = $signed(run_shift_s13_q) < $signed($unsigned(cfg_shift_lowest_i));
   logic less_520;
   assign less_520 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s13_q);
-  // hls/stages/agreement.hpp:586
+  // hls/stages/agreement.hpp:585
   logic [7:0] sum_772;
   assign sum_772 = {difference_770_s13_q[6], difference_770_s13_q} + (age_s13_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
   logic [7:0] sum_1022;
@@ -2862,7 +2862,7 @@ module horopter_agreement (
   assign select_1272 = less_1271_s14_q ? sums_1_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
   logic less_1273;
   assign less_1273 = select_773 < select_1272;
-  // hls/stages/agreement.hpp:600
+  // hls/stages/agreement.hpp:599
   logic [7:0] of_best;
   assign of_best = and_522_s14_q ? (less_1273 ? select_1272 : select_773) : 8'h0;
   // hls/stages/agreement.hpp:527
@@ -2873,7 +2873,7 @@ module horopter_agreement (
   assign select_1280 = less_1271_s14_q ? {slot_s14_q[0], not_1279} : 2'h0;
   logic [2:0] select_1282;
   assign select_1282 = less_1273 ? {select_1280, not_1279} : (slot_s14_q[0] ? chosen_place_q : 3'h2);
-  // hls/stages/agreement.hpp:601
+  // hls/stages/agreement.hpp:600
   logic [6:0] of_near;
   assign of_near = and_522_s14_q ? select_1305_s14_q : 7'h0;
   // hls/stages/agreement.hpp:182
@@ -3052,7 +3052,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:98
   logic and_343;
   assign and_343 = sample_pair_whole_s15_q & and_342_s15_q;
-  // hls/stages/agreement.hpp:609
+  // hls/stages/agreement.hpp:608
   logic equal_1285;
   assign equal_1285 = select_1282_s15_q == 3'h1;
   logic equal_1286;
@@ -3067,15 +3067,15 @@ module horopter_agreement (
   assign select_1306 = select_1288[0] ? {4'h0, select_1282_s15_q} : select_1305_s15_q;
   logic [7:0] select_1307;
   assign select_1307 = select_1288[1] ? (select_1288[0] ? before_1_s15_q : before_1_q) : {1'b0, select_1306};
-  // hls/stages/agreement.hpp:610
+  // hls/stages/agreement.hpp:609
   logic [1:0] select_1310;
   assign select_1310 = equal_1285 ? 2'h0 : {not_1287, equal_1286};
   logic [7:0] select_1312;
   assign select_1312 = select_1310[1] ? before_2_q : (select_1310[0] ? before_2_s15_q : before_0_s15_q);
-  // hls/stages/agreement.hpp:621
+  // hls/stages/agreement.hpp:620
   logic or_1328;
   assign or_1328 = select_1326_s15_q | (best_right_rdata_s15_q[7:0] < of_best_s15_q);
-  // hls/stages/agreement.hpp:747
+  // hls/stages/agreement.hpp:746
   logic not_1336;
   assign not_1336 = ~equal_1335_s15_q;
   // hls/stages/agreement.hpp:211
@@ -3083,7 +3083,7 @@ module horopter_agreement (
   assign and_1368 = ends_cell_s15_q & inside_v_s15_q[0];
   logic and_1370;
   assign and_1370 = not_1336 & (so_s15_q & and_1368);
-  // hls/stages/agreement.hpp:789
+  // hls/stages/agreement.hpp:788
   logic or_1459;
   assign or_1459 = (~sum_1456_s15_q) | equal_1458_s15_q;
   // hls/stages/registration.hpp:35
@@ -3125,7 +3125,7 @@ module horopter_agreement (
     if (averager_memory_re) averager_memory_rdata_q <= averager_memory_mem[averager_memory_raddr];
   end
 
-  // Memory shown_right, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1076; read in stage 15, written in stage 16: 15 < 16 < 15 + DISTANCE.
+  // Memory shown_right, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1075; read in stage 15, written in stage 16: 15 < 16 < 15 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [1:0] shown_right_mem [0:119];
@@ -3141,7 +3141,7 @@ module horopter_agreement (
     if (shown_right_re) shown_right_rdata_q <= shown_right_mem[shown_right_raddr];
   end
 
-  // Memory seen_columns, 120 x 18, DISTANCE 24, hls/stages/agreement.hpp:1100; read in stage 15, written in stage 18: 15 < 18 < 15 + DISTANCE.
+  // Memory seen_columns, 120 x 18, DISTANCE 24, hls/stages/agreement.hpp:1099; read in stage 15, written in stage 18: 15 < 18 < 15 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [17:0] seen_columns_mem [0:119];
@@ -3536,7 +3536,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:143
   logic [7:0] select_1443;
   assign select_1443 = so_s17_q ? region_columns_q : 8'h1;
-  // hls/stages/agreement.hpp:781
+  // hls/stages/agreement.hpp:780
   logic or_1446;
   assign or_1446 = select_1443[7] | (~({select_1443[5], select_1443[3], select_1443[1]} == 3'h0));
   // hls/stages/agreement.hpp:197
@@ -3544,25 +3544,25 @@ module horopter_agreement (
   assign explained = inside_v_s17_q[0] & inside_v_s17_q[3];
   logic and_1476;
   assign and_1476 = inside_v_s17_q[0] & ({inside_v_s17_q[4], inside_v_s17_q[2]} == 2'h3);
-  // hls/stages/agreement.hpp:752
+  // hls/stages/agreement.hpp:751
   logic select_1484;
   assign select_1484 = slot_s17_q[2] ? shown_shown_q : inside_v_s17_q[3];
   // hls/stages/agreement.hpp:197
   logic shown;
   assign shown = inside_v_s17_q[0] & (shown_right_rdata_s17_q[0] | select_1484);
-  // hls/stages/agreement.hpp:752
+  // hls/stages/agreement.hpp:751
   logic select_1487;
   assign select_1487 = slot_s17_q[2] ? shown_nearer_q : inside_v_s17_q[4];
   // hls/stages/agreement.hpp:197
   logic near;
   assign near = inside_v_s17_q[0] & (select_1484 ? select_1487 : shown_right_rdata_s17_q[1]);
-  // hls/stages/agreement.hpp:765
+  // hls/stages/agreement.hpp:764
   logic [7:0] select_1537;
   assign select_1537 = inside_v_s17_q[0] ? (sum_1456_s17_q ? select_1443 : {select_1443[6:0], 1'b0}) : select_1443;
-  // hls/stages/agreement.hpp:781
+  // hls/stages/agreement.hpp:780
   logic or_1540;
   assign or_1540 = select_1537[7] | (~({select_1537[5], select_1537[3], select_1537[1]} == 3'h0));
-  // hls/stages/agreement.hpp:765
+  // hls/stages/agreement.hpp:764
   logic and_2000;
   assign and_2000 = seen_columns_rdata_s17_q[7] & inside_v_s17_q[0];
   logic and_2001;
@@ -4022,28 +4022,28 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:211
   logic [5:0] select_1453;
   assign select_1453 = equal_1335_s18_q ? x_s18_q[5:0] : {region_row_q, or_1452_s18_q, or_1449_s18_q, or_1446_s18_q};
-  // hls/stages/agreement.hpp:859
+  // hls/stages/agreement.hpp:858
   logic not_1454;
   assign not_1454 = ~equal_1380_s18_q;
   // hls/stages/agreement.hpp:197
   logic and_1483;
   assign and_1483 = inside_v_s18_q[0] & inside_v_s18_q[2];
-  // hls/stages/agreement.hpp:765
+  // hls/stages/agreement.hpp:764
   logic and_1525;
   assign and_1525 = seen_columns_rdata_s18_q[0] & inside_v_s18_q[0];
-  // hls/stages/agreement.hpp:818
+  // hls/stages/agreement.hpp:817
   logic [1:0] sum_1527;
   assign sum_1527 = {1'b0, and_1524_s18_q} + ({1'b0, textured_s18_q} + {1'b0, and_1525});
-  // hls/stages/agreement.hpp:765
+  // hls/stages/agreement.hpp:764
   logic and_1558;
   assign and_1558 = seen_columns_rdata_s18_q[11] & inside_v_s18_q[0];
-  // hls/stages/agreement.hpp:820
+  // hls/stages/agreement.hpp:819
   logic [1:0] sum_1562;
   assign sum_1562 = {1'b0, and_1559_s18_q} + ({1'b0, shown_s18_q} + {1'b0, and_1560_s18_q});
-  // hls/stages/agreement.hpp:765
+  // hls/stages/agreement.hpp:764
   logic and_1574;
   assign and_1574 = seen_columns_rdata_s18_q[12] & inside_v_s18_q[0];
-  // hls/stages/agreement.hpp:821
+  // hls/stages/agreement.hpp:820
   logic [1:0] sum_1578;
   assign sum_1578 = {1'b0, and_1575_s18_q} + ({1'b0, near_s18_q} + {1'b0, and_1576_s18_q});
   // hls/stages/agreement.hpp:215
@@ -4058,16 +4058,16 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:211
   logic and_1977;
   assign and_1977 = so_s18_q & (ends_cell_s18_q & (inside_v_s18_q[0] & inside_v_s18_q[1]));
-  // hls/stages/agreement.hpp:836
+  // hls/stages/agreement.hpp:835
   logic not_1997;
   assign not_1997 = ~(x_s18_q[7:1] == 7'h0);
-  // hls/stages/agreement.hpp:819
+  // hls/stages/agreement.hpp:818
   logic [2:0] explained_2;
   assign explained_2 = {2'h0, and_1998_s18_q} + ({2'h0, and_1999_s18_q} + {1'b0, sum_2003_s18_q});
   // hls/stages/agreement.hpp:211
   logic and_2038;
   assign and_2038 = ends_cell_s18_q & (inside_v_s18_q[0] & (inside_v_s18_q[2:1] == 2'h3));
-  // hls/stages/agreement.hpp:841
+  // hls/stages/agreement.hpp:840
   logic and_2044;
   assign and_2044 = not_1997 & (centres_values_1_textured_q & centres_values_1_of_skin_q);
   // hls/stages/agreement.hpp:192
@@ -4114,12 +4114,12 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:314
   logic select_2338;
   assign select_2338 = equal_1857_s18_q ? (equal_429_s18_q | (less_2302_s18_q ? next : region_fresh_q)) : region_fresh_q;
-  // hls/stages/agreement.hpp:931
+  // hls/stages/agreement.hpp:930
   logic equal_2356;
   assign equal_2356 = x_s18_q[6:3] == 4'h7;
   logic equal_2380;
   assign equal_2380 = x_s18_q[6:3] == 4'h8;
-  // hls/stages/agreement.hpp:856
+  // hls/stages/agreement.hpp:855
   logic [7:0] select_2393;
   assign select_2393 = (x_s18_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
   logic [7:0] select_2395;
@@ -4138,7 +4138,7 @@ module horopter_agreement (
   logic select_2508;
   assign select_2508 = equal_1335_s18_q ? centres_values_1_of_skin_q : (so_s18_q ? select_2506 : centres_values_1_of_skin_q);
 
-  // Memory regions, 64 x 30, DISTANCE 24, hls/stages/agreement.hpp:1093; read in stage 18, written in stage 21: 18 < 21 < 18 + DISTANCE.
+  // Memory regions, 64 x 30, DISTANCE 24, hls/stages/agreement.hpp:1092; read in stage 18, written in stage 21: 18 < 21 < 18 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [29:0] regions_mem [0:63];
@@ -4582,19 +4582,19 @@ module horopter_agreement (
   // hls/stages/registration.hpp:139
   logic all;
   assign all = x_s19_q[5:3] == 3'h4;
-  // hls/stages/agreement.hpp:818
+  // hls/stages/agreement.hpp:817
   logic [2:0] textured_2;
   assign textured_2 = {2'h0, and_1522_s19_q} + ({2'h0, and_1523_s19_q} + {1'b0, sum_1527_s19_q});
-  // hls/stages/agreement.hpp:820
+  // hls/stages/agreement.hpp:819
   logic [2:0] shown_2;
   assign shown_2 = {2'h0, and_1557_s19_q} + sum_1563_s19_q;
-  // hls/stages/agreement.hpp:827
+  // hls/stages/agreement.hpp:826
   logic [2:0] select_1565;
   assign select_1565 = age_s19_q ? box_shown_columns_values_4_q : 3'h0;
-  // hls/stages/agreement.hpp:821
+  // hls/stages/agreement.hpp:820
   logic [2:0] near_2;
   assign near_2 = {2'h0, and_1573_s19_q} + sum_1579_s19_q;
-  // hls/stages/agreement.hpp:828
+  // hls/stages/agreement.hpp:827
   logic [2:0] select_1581;
   assign select_1581 = age_s19_q ? box_nearer_columns_values_4_q : 3'h0;
   // hls/stages/agreement.hpp:215
@@ -4714,10 +4714,10 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:211
   logic and_1983;
   assign and_1983 = not_1336_s19_q & (so_s19_q & (ends_cell_s19_q & textured_s19_q));
-  // hls/stages/agreement.hpp:826
+  // hls/stages/agreement.hpp:825
   logic [2:0] select_2006;
   assign select_2006 = age_s19_q ? box_explained_columns_values_4_q : 3'h0;
-  // hls/stages/agreement.hpp:682
+  // hls/stages/agreement.hpp:681
   logic [13:0] select_2042;
   assign select_2042 = and_1974 ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2040_s19_q});
   logic [13:0] select_2049;
@@ -4735,23 +4735,23 @@ module horopter_agreement (
   assign sum_2126 = {{3{sum_2122_s19_q[7]}}, sum_2122_s19_q} + {sum_2125_s19_q[8], sum_2125_s19_q, select_2123_s19_q};
   logic [9:0] sum_2130;
   assign sum_2130 = {difference_2129_s19_q, select_2127_s19_q} + {sum_2126[10], sum_2126[10:2]};
-  // hls/stages/agreement.hpp:937
+  // hls/stages/agreement.hpp:936
   logic equal_2357;
   assign equal_2357 = x_s19_q[2:0] == 3'h0;
-  // hls/stages/agreement.hpp:931
+  // hls/stages/agreement.hpp:930
   logic equal_2377;
   assign equal_2377 = x_s19_q[6:3] == 4'ha;
-  // hls/stages/agreement.hpp:856
+  // hls/stages/agreement.hpp:855
   logic [7:0] limit;
   assign limit = equal_2377 ? cfg_regions_limit_i : (equal_2379_s19_q ? cfg_hidden_limit_i : select_2395_s19_q);
-  // hls/stages/agreement.hpp:944
+  // hls/stages/agreement.hpp:943
   logic not_2398;
   assign not_2398 = ~x_s19_q[2];
   logic [3:0] select_2399;
   assign select_2399 = x_s19_q[1] ? {x_s19_q[2], 1'b0, not_2398, 1'b0} : {1'b0, x_s19_q[2], 1'b0, not_2398};
   logic [7:0] select_2400;
   assign select_2400 = x_s19_q[0] ? {select_2399[3], 1'b0, select_2399[2], 1'b0, select_2399[1], 1'b0, select_2399[0], 1'b0} : {1'b0, select_2399[3], 1'b0, select_2399[2], 1'b0, select_2399[1], 1'b0, select_2399[0]};
-  // hls/stages/agreement.hpp:856
+  // hls/stages/agreement.hpp:855
   logic [13:0] select_2404;
   assign select_2404 = equal_2379_s19_q ? counts_skin_supervised_q : (equal_2380_s19_q ? counts_skin_textured_q : counts_textured_q);
   logic [13:0] of;
@@ -5307,13 +5307,13 @@ module horopter_agreement (
   assign sum_462 = {9'h0, difference_460_s20_q} + {1'b0, xor_461_s20_q};
   logic [9:0] sum_465;
   assign sum_465 = {9'h0, difference_463_s20_q} + {1'b0, xor_464_s20_q};
-  // hls/stages/agreement.hpp:899
+  // hls/stages/agreement.hpp:898
   logic [1:0] quarter;
   assign quarter = x_s20_q[1:0] + 2'h1;
-  // hls/stages/agreement.hpp:860
+  // hls/stages/agreement.hpp:859
   logic [1:0] select_1383;
   assign select_1383 = x_s20_q[4] ? {x_s20_q[3], x_s20_q[0]} : {x_s20_q[0], x_s20_q[3]};
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic [3:0] select_1385;
   assign select_1385 = equal_1380_s20_q ? {2'h0, quarter} : (all_s20_q ? {1'b0, x_s20_q[2:0]} : {x_s20_q[2:1], select_1383});
   // hls/stages/registration.hpp:106
@@ -5322,19 +5322,19 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:211
   logic [3:0] select_1387;
   assign select_1387 = equal_1335_s20_q ? select_1385 : {sum_1386, lower_half_s20_q, registration_of_right_q};
-  // hls/stages/agreement.hpp:897
+  // hls/stages/agreement.hpp:896
   logic equal_1388;
   assign equal_1388 = x_s20_q[5:0] == 6'h3e;
   logic equal_1390;
   assign equal_1390 = x_s20_q[5:0] == 6'h3d;
   logic equal_1392;
   assign equal_1392 = x_s20_q[5:0] == 6'h3c;
-  // hls/stages/agreement.hpp:899
+  // hls/stages/agreement.hpp:898
   logic and_1403;
   assign and_1403 = (~equal_1396_s20_q) & ((~equal_1398_s20_q) & (~equal_1400_s20_q));
   logic and_1406;
   assign and_1406 = (~equal_1390) & ((~equal_1392) & ((~equal_1394_s20_q) & and_1403));
-  // hls/stages/agreement.hpp:860
+  // hls/stages/agreement.hpp:859
   logic less_1408;
   assign less_1408 = x_s20_q[5:0] < 6'h29;
   // hls/stages/registration.hpp:140
@@ -5343,7 +5343,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:152
   logic or_1412;
   assign or_1412 = (kind == 2'h3) | (x_s20_q[5:3] == 3'h5);
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic select_1415;
   assign select_1415 = equal_1380_s20_q ? ((~equal_1388) & and_1406) : (less_1408 & (~or_1412));
   // hls/stages/registration.hpp:94
@@ -5357,52 +5357,52 @@ module horopter_agreement (
   assign not_1429 = ~lower_half_s20_q;
   logic [3:0] select_1430;
   assign select_1430 = registration_of_right_q ? {lower_half_s20_q, 1'b0, not_1429, 1'b0} : {1'b0, lower_half_s20_q, 1'b0, not_1429};
-  // hls/stages/agreement.hpp:659
+  // hls/stages/agreement.hpp:658
   logic [6:0] select_1466;
   assign select_1466 = segment_started_s20_q ? segment_textured_q : 7'h0;
-  // hls/stages/agreement.hpp:660
+  // hls/stages/agreement.hpp:659
   logic [6:0] sum_1467;
   assign sum_1467 = {6'h0, textured_s20_q} + select_1466;
-  // hls/stages/agreement.hpp:792
+  // hls/stages/agreement.hpp:791
   logic [9:0] sum_1469;
   assign sum_1469 = {3'h0, sum_1467} + (region_fresh_s20_q ? 10'h0 : regions_rdata_s20_q[9:0]);
-  // hls/stages/agreement.hpp:659
+  // hls/stages/agreement.hpp:658
   logic [6:0] select_1471;
   assign select_1471 = segment_started_s20_q ? segment_explained_q : 7'h0;
-  // hls/stages/agreement.hpp:660
+  // hls/stages/agreement.hpp:659
   logic [6:0] sum_1472;
   assign sum_1472 = {6'h0, explained_s20_q} + select_1471;
-  // hls/stages/agreement.hpp:793
+  // hls/stages/agreement.hpp:792
   logic [9:0] sum_1474;
   assign sum_1474 = {3'h0, sum_1472} + (region_fresh_s20_q ? 10'h0 : regions_rdata_s20_q[19:10]);
-  // hls/stages/agreement.hpp:659
+  // hls/stages/agreement.hpp:658
   logic [6:0] select_1477;
   assign select_1477 = segment_started_s20_q ? segment_nearer_q : 7'h0;
-  // hls/stages/agreement.hpp:661
+  // hls/stages/agreement.hpp:660
   logic [6:0] sum_1478;
   assign sum_1478 = {6'h0, and_1476_s20_q} + select_1477;
-  // hls/stages/agreement.hpp:794
+  // hls/stages/agreement.hpp:793
   logic [9:0] sum_1480;
   assign sum_1480 = {3'h0, sum_1478} + (region_fresh_s20_q ? 10'h0 : regions_rdata_s20_q[29:20]);
-  // hls/stages/agreement.hpp:984
+  // hls/stages/agreement.hpp:983
   logic or_1490;
   assign or_1490 = marks_first_s20_q | line_ended_q;
-  // hls/stages/agreement.hpp:986
+  // hls/stages/agreement.hpp:985
   logic [13:0] select_1492;
   assign select_1492 = marks_first_s20_q ? 14'h1 : (or_1490 ? {rows_passed_q[12:0], 1'b1} : rows_passed_q);
-  // hls/stages/agreement.hpp:985
+  // hls/stages/agreement.hpp:984
   logic [8:0] select_1494;
   assign select_1494 = or_1490 ? 9'h0 : columns_passed_q;
-  // hls/stages/agreement.hpp:993
+  // hls/stages/agreement.hpp:992
   logic select_1496;
   assign select_1496 = cfg_compete_i ? (or_1490 & select_1492[13]) : (select_1494[8] & select_1492[9]);
-  // hls/stages/agreement.hpp:825
+  // hls/stages/agreement.hpp:824
   logic [2:0] select_1530;
   assign select_1530 = age_s20_q ? box_textured_columns_values_4_q : 3'h0;
-  // hls/stages/agreement.hpp:827
+  // hls/stages/agreement.hpp:826
   logic [4:0] around;
   assign around = {difference_1566_s20_q[3], difference_1566_s20_q} + (equal_1532_s20_q ? 5'h0 : box_shown_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:828
+  // hls/stages/agreement.hpp:827
   logic [4:0] n;
   assign n = {difference_1582_s20_q[3], difference_1582_s20_q} + (equal_1532_s20_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
   // hls/stages/census.hpp:129
@@ -5444,16 +5444,16 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:211
   logic and_1988;
   assign and_1988 = not_1336_s20_q & (so_s20_q & (ends_cell_s20_q & explained_s20_q));
-  // hls/stages/agreement.hpp:682
+  // hls/stages/agreement.hpp:681
   logic [13:0] select_1990;
   assign select_1990 = and_1974_s20_q ? 14'h0 : (counts_explained_q + {13'h0, and_1988});
   // hls/stages/agreement.hpp:211
   logic and_1993;
   assign and_1993 = not_1336_s20_q & (so_s20_q & (ends_cell_s20_q & and_1476_s20_q));
-  // hls/stages/agreement.hpp:826
+  // hls/stages/agreement.hpp:825
   logic [4:0] e;
   assign e = {difference_2007_s20_q[3], difference_2007_s20_q} + (equal_1532_s20_q ? 5'h0 : box_explained_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:862
+  // hls/stages/agreement.hpp:861
   logic less_2022;
   assign less_2022 = region_row_s20_q < x_s20_q[5:3];
   // hls/stages/registration.hpp:107
@@ -5467,10 +5467,10 @@ module horopter_agreement (
   assign select_2177 = so_s20_q ? (equal_2106 ? right_2_s20_q : registration_of_right_q) : registration_of_right_q;
   logic select_2180;
   assign select_2180 = so_s20_q ? (equal_2082_s20_q ? inside_v_s20_q : registration_was_inside_q) : registration_was_inside_q;
-  // hls/stages/agreement.hpp:860
+  // hls/stages/agreement.hpp:859
   logic [1:0] quarter_2;
   assign quarter_2 = all_s20_q ? x_s20_q[1:0] : select_1383;
-  // hls/stages/agreement.hpp:944
+  // hls/stages/agreement.hpp:943
   logic [13:0] select_2391;
   assign select_2391 = equal_2357_s20_q ? 14'h0 : product_q;
   logic [13:0] select_2406;
@@ -5886,19 +5886,19 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:218
   logic next_row;
   assign next_row = select_1496_s21_q & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:1000
+  // hls/stages/agreement.hpp:999
   logic [6:0] select_1499;
   assign select_1499 = next_row ? cfg_width_i[10:4] : 7'h0;
-  // hls/stages/agreement.hpp:1010
+  // hls/stages/agreement.hpp:1009
   logic equal_1502;
   assign equal_1502 = seen_x_q == 4'hf;
-  // hls/stages/agreement.hpp:983
+  // hls/stages/agreement.hpp:982
   logic not_1509;
   assign not_1509 = ~marks_first_s21_q;
-  // hls/stages/agreement.hpp:825
+  // hls/stages/agreement.hpp:824
   logic [4:0] t;
   assign t = {difference_1531_s21_q[3], difference_1531_s21_q} + (equal_1532_s21_q ? 5'h0 : box_textured_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:832
+  // hls/stages/agreement.hpp:831
   logic not_1547;
   assign not_1547 = ~region_row_s21_q[2];
   logic [2:0] select_1548;
@@ -5909,7 +5909,7 @@ module horopter_agreement (
   assign select_1550 = or_1546_s21_q ? {select_1549[5], 1'b0, select_1549[4], 1'b0, select_1549[3], 1'b0, select_1549[2], 1'b0, select_1549[1], 1'b0, select_1549[0], 1'b0} : {1'b0, select_1549[5], 1'b0, select_1549[4], 1'b0, select_1549[3], 1'b0, select_1549[2], 1'b0, select_1549[1], 1'b0, select_1549[0]};
   logic [23:0] select_1551;
   assign select_1551 = or_1543_s21_q ? {select_1550[11], 1'b0, select_1550[10], 1'b0, select_1550[9], 1'b0, select_1550[8], 1'b0, select_1550[7], 1'b0, select_1550[6], 1'b0, select_1550[5], 1'b0, select_1550[4], 1'b0, select_1550[3], 1'b0, select_1550[2], 1'b0, select_1550[1], 1'b0, select_1550[0], 1'b0} : {1'b0, select_1550[11], 1'b0, select_1550[10], 1'b0, select_1550[9], 1'b0, select_1550[8], 1'b0, select_1550[7], 1'b0, select_1550[6], 1'b0, select_1550[5], 1'b0, select_1550[4], 1'b0, select_1550[3], 1'b0, select_1550[2], 1'b0, select_1550[1], 1'b0, select_1550[0]};
-  // hls/stages/agreement.hpp:834
+  // hls/stages/agreement.hpp:833
   logic [5:0] sum_1569;
   assign sum_1569 = {1'b0, around_s21_q} + {2'h0, around_s21_q[4:1]};
   // hls/stages/census.hpp:130
@@ -5959,10 +5959,10 @@ module horopter_agreement (
   assign select_1791 = slot_s21_q[2] ? {select_1790[2], 1'b0, select_1790[1], 1'b0, select_1790[0], 1'b0} : {1'b0, select_1790[2], 1'b0, select_1790[1], 1'b0, select_1790[0]};
   logic [11:0] select_1792;
   assign select_1792 = slot_s21_q[1] ? {select_1791[5], 1'b0, select_1791[4], 1'b0, select_1791[3], 1'b0, select_1791[2], 1'b0, select_1791[1], 1'b0, select_1791[0], 1'b0} : {1'b0, select_1791[5], 1'b0, select_1791[4], 1'b0, select_1791[3], 1'b0, select_1791[2], 1'b0, select_1791[1], 1'b0, select_1791[0]};
-  // hls/stages/agreement.hpp:682
+  // hls/stages/agreement.hpp:681
   logic [13:0] select_1980;
   assign select_1980 = and_1974_s21_q ? 14'h0 : (counts_supervised_q + {13'h0, and_1978_s21_q});
-  // hls/stages/agreement.hpp:833
+  // hls/stages/agreement.hpp:832
   logic [5:0] sum_2010;
   assign sum_2010 = {1'b0, e_s21_q} + {2'h0, e_s21_q[4:1]};
   // hls/stages/registration.hpp:206
@@ -5982,16 +5982,16 @@ module horopter_agreement (
   assign not_2210 = ~quarter_2_s21_q[1];
   logic [3:0] select_2211;
   assign select_2211 = quarter_2_s21_q[0] ? {quarter_2_s21_q[1], 1'b0, not_2210, 1'b0} : {1'b0, quarter_2_s21_q[1], 1'b0, not_2210};
-  // hls/stages/agreement.hpp:909
+  // hls/stages/agreement.hpp:908
   logic or_2354;
   assign or_2354 = ({counts_textured_s21_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_s21_q[13:3] < 11'h5);
-  // hls/stages/agreement.hpp:940
+  // hls/stages/agreement.hpp:939
   logic too_little;
   assign too_little = less_2359_s21_q | (product_rest_q & equal_2360_s21_q);
-  // hls/stages/agreement.hpp:941
+  // hls/stages/agreement.hpp:940
   logic select_2363;
   assign select_2363 = and_2358_s21_q ? too_little : disagree_q;
-  // hls/stages/agreement.hpp:865
+  // hls/stages/agreement.hpp:864
   logic [10:0] sum_2366;
   assign sum_2366 = {1'b0, select_2026_s21_q} + {2'h0, select_2026_s21_q[9:1]};
   // hls/stages/agreement.hpp:211
@@ -6001,7 +6001,7 @@ module horopter_agreement (
   assign select_2440 = so_s21_q ? (ends_cell_s21_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
   logic [4:0] select_2441;
   assign select_2441 = equal_1335_s21_q ? box_textured_sum_sums_values_0_q : select_2440;
-  // hls/stages/agreement.hpp:1009
+  // hls/stages/agreement.hpp:1008
   logic [3:0] select_2526;
   assign select_2526 = select_1496_s21_q ? (began_q ? (seen_y_q + 4'h1) : seen_y_q) : seen_y_q;
   // hls/stages/agreement.hpp:218
@@ -6399,22 +6399,22 @@ module horopter_agreement (
   // hls/stages/census.hpp:190
   logic [11:0] texture;
   assign texture = sum_474_s22_q + {2'h0, sum_477_s22_q};
-  // hls/stages/agreement.hpp:1013
+  // hls/stages/agreement.hpp:1012
   logic [12:0] index;
   assign index = seen_base_q + {5'h0, seen_column_q};
-  // hls/stages/agreement.hpp:984
+  // hls/stages/agreement.hpp:983
   logic select_1507;
   assign select_1507 = marks_first_s22_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
-  // hls/stages/agreement.hpp:970
+  // hls/stages/agreement.hpp:969
   logic [10:0] sum_1508;
   assign sum_1508 = {1'b0, {5{select_1507}}, 1'b0, {2{select_1507}}, 1'b0, select_1507} + {1'b0, index[12:3]};
-  // hls/stages/agreement.hpp:842
+  // hls/stages/agreement.hpp:841
   logic [12:0] index_2;
   assign index_2 = {{3{sum_1519_s22_q[7]}}, sum_1519_s22_q, x_s22_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:970
+  // hls/stages/agreement.hpp:969
   logic [10:0] sum_1521;
   assign sum_1521 = {1'b0, {5{write_half_q}}, 1'b0, {2{write_half_q}}, 1'b0, write_half_q} + {1'b0, index_2[12:3]};
-  // hls/stages/agreement.hpp:832
+  // hls/stages/agreement.hpp:831
   logic [47:0] select_1552;
   assign select_1552 = or_1540_s22_q ? {select_1551_s22_q[23], 1'b0, select_1551_s22_q[22], 1'b0, select_1551_s22_q[21], 1'b0, select_1551_s22_q[20], 1'b0, select_1551_s22_q[19], 1'b0, select_1551_s22_q[18], 1'b0, select_1551_s22_q[17], 1'b0, select_1551_s22_q[16], 1'b0, select_1551_s22_q[15], 1'b0, select_1551_s22_q[14], 1'b0, select_1551_s22_q[13], 1'b0, select_1551_s22_q[12], 1'b0, select_1551_s22_q[11], 1'b0, select_1551_s22_q[10], 1'b0, select_1551_s22_q[9], 1'b0, select_1551_s22_q[8], 1'b0, select_1551_s22_q[7], 1'b0, select_1551_s22_q[6], 1'b0, select_1551_s22_q[5], 1'b0, select_1551_s22_q[4], 1'b0, select_1551_s22_q[3], 1'b0, select_1551_s22_q[2], 1'b0, select_1551_s22_q[1], 1'b0, select_1551_s22_q[0], 1'b0} : {1'b0, select_1551_s22_q[23], 1'b0, select_1551_s22_q[22], 1'b0, select_1551_s22_q[21], 1'b0, select_1551_s22_q[20], 1'b0, select_1551_s22_q[19], 1'b0, select_1551_s22_q[18], 1'b0, select_1551_s22_q[17], 1'b0, select_1551_s22_q[16], 1'b0, select_1551_s22_q[15], 1'b0, select_1551_s22_q[14], 1'b0, select_1551_s22_q[13], 1'b0, select_1551_s22_q[12], 1'b0, select_1551_s22_q[11], 1'b0, select_1551_s22_q[10], 1'b0, select_1551_s22_q[9], 1'b0, select_1551_s22_q[8], 1'b0, select_1551_s22_q[7], 1'b0, select_1551_s22_q[6], 1'b0, select_1551_s22_q[5], 1'b0, select_1551_s22_q[4], 1'b0, select_1551_s22_q[3], 1'b0, select_1551_s22_q[2], 1'b0, select_1551_s22_q[1], 1'b0, select_1551_s22_q[0]};
   // hls/stages/agreement.hpp:365
@@ -6452,7 +6452,7 @@ module horopter_agreement (
   assign and_1797 = less_1788 & (~((sharpness_sums_contrast_1_q & select_1793) == 24'h0));
   logic and_1807;
   assign and_1807 = less_1788 & (~((sharpness_sums_contrast_0_q & select_1793) == 24'h0));
-  // hls/stages/agreement.hpp:863
+  // hls/stages/agreement.hpp:862
   logic [10:0] sum_2027;
   assign sum_2027 = {1'b0, select_2026_s22_q} + {3'h0, select_2026_s22_q[9:2]};
   // hls/stages/registration.hpp:193
@@ -6460,10 +6460,10 @@ module horopter_agreement (
   assign difference_2154 = 13'h0 - {residual_s22_q[11], residual_s22_q};
   logic less_2169;
   assign less_2169 = $signed(difference_2154) < $signed({7'h0, cfg_moved_half_limit_i});
-  // hls/stages/agreement.hpp:865
+  // hls/stages/agreement.hpp:864
   logic select_2369;
   assign select_2369 = equal_2351_s22_q ? ((~or_2354_s22_q) & (~select_2363_s22_q)) : not_2368_s22_q;
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic [47:0] select_2371;
   assign select_2371 = x_s22_q[6] ? (equal_1380_s22_q ? good_q : {select_2369, good_q[47:1]}) : good_q;
   logic equal_2374;
@@ -6772,10 +6772,10 @@ module horopter_agreement (
   assign sum_480 = {2'h0, census_changes_values_1_left_s23_q} + {1'b0, sum_479_s23_q};
   logic [13:0] sum_481;
   assign sum_481 = {2'h0, census_changes_values_2_left_q} + sum_480;
-  // hls/stages/agreement.hpp:765
+  // hls/stages/agreement.hpp:764
   logic and_1556;
   assign and_1556 = good_known_q & not_1555_s23_q;
-  // hls/stages/agreement.hpp:834
+  // hls/stages/agreement.hpp:833
   logic is_seen;
   assign is_seen = equal_1535_s23_q ? and_1556 : not_1571_s23_q;
   // hls/stages/agreement.hpp:365
@@ -6819,22 +6819,22 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:154
   logic select_1853;
   assign select_1853 = equal_1786_s23_q ? select_1852 : sharpness_comparing_less_contrast_1_q;
-  // hls/stages/agreement.hpp:682
+  // hls/stages/agreement.hpp:681
   logic [13:0] select_1995;
   assign select_1995 = and_1974_s23_q ? 14'h0 : (counts_nearer_q + {13'h0, and_1993_s23_q});
-  // hls/stages/agreement.hpp:837
+  // hls/stages/agreement.hpp:836
   logic not_2014;
   assign not_2014 = ~(equal_1535_s23_q ? and_1556 : not_2012_s23_q);
   // hls/stages/agreement.hpp:211
   logic and_2017;
   assign and_2017 = ends_cell_s23_q & (not_1997_s23_q & (centres_values_1_textured_s23_q & not_2014));
-  // hls/stages/agreement.hpp:868
+  // hls/stages/agreement.hpp:867
   logic [9:0] select_2030;
   assign select_2030 = ((~(select_2023_s23_q[9:4] == 6'h0)) & less_2028_s23_q) ? select_2023_s23_q : 10'h0;
   // hls/stages/agreement.hpp:211
   logic [9:0] select_2033;
   assign select_2033 = equal_1335_s23_q ? (x_s23_q[6] ? (equal_1380_s23_q ? 10'h0 : select_2030) : 10'h0) : 10'h0;
-  // hls/stages/agreement.hpp:841
+  // hls/stages/agreement.hpp:840
   logic and_2051;
   assign and_2051 = centres_values_1_textured_s23_q & (centres_values_1_of_skin_s23_q & not_2014);
   // hls/stages/registration.hpp:106
@@ -6845,28 +6845,28 @@ module horopter_agreement (
   // hls/stages/registration.hpp:193
   logic less_2162;
   assign less_2162 = $signed(residual_s23_q) < $signed({2'h0, cfg_moved_half_limit_i});
-  // hls/stages/agreement.hpp:862
+  // hls/stages/agreement.hpp:861
   logic [11:0] select_2215;
   assign select_2215 = or_1412_s23_q ? 12'h0 : (equal_2213_s23_q ? registration_sums_rdata_s23_q[11:0] : 12'h0);
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic [11:0] select_2217;
   assign select_2217 = equal_1380_s23_q ? 12'h0 : (less_1408_s23_q ? select_2215 : 12'h0);
   // hls/stages/registration.hpp:145
   logic and_2220;
   assign and_2220 = x_s23_q[1] & all_s23_q;
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic and_2223;
   assign and_2223 = not_1454_s23_q & (less_1408_s23_q & ({and_2220, x_s23_q[0]} == 2'h0));
-  // hls/stages/agreement.hpp:862
+  // hls/stages/agreement.hpp:861
   logic [11:0] select_2230;
   assign select_2230 = or_1412_s23_q ? 12'h0 : (equal_2213_s23_q ? registration_sums_rdata_s23_q[31:20] : 12'h0);
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic [11:0] select_2232;
   assign select_2232 = equal_1380_s23_q ? 12'h0 : (less_1408_s23_q ? select_2230 : 12'h0);
   // hls/stages/registration.hpp:142
   logic not_2238;
   assign not_2238 = ~all_s23_q;
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic and_2241;
   assign and_2241 = not_1454_s23_q & (less_1408_s23_q & (x_s23_q[2:0] == {all_s23_q, not_2238, 1'b0}));
   // hls/stages/agreement.hpp:211
@@ -6875,7 +6875,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:149
   logic equal_2274;
   assign equal_2274 = x_s23_q[2:0] == 3'h6;
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic and_2277;
   assign and_2277 = not_1454_s23_q & (less_1408_s23_q & (x_s23_q[5] ? x_s23_q[3] : equal_2274));
   logic and_2286;
@@ -6883,16 +6883,16 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:211
   logic select_2376;
   assign select_2376 = equal_1335_s23_q ? ((x_s23_q[6] & good_known_q) | equal_2374_s23_q) : good_known_q;
-  // hls/stages/agreement.hpp:1013
+  // hls/stages/agreement.hpp:1012
   logic and_2538;
   assign and_2538 = and_1596_s23_q & ({sum_1521_s23_q, index_2_s23_q} == {sum_1508_s23_q, index_s23_q});
-  // hls/stages/agreement.hpp:870
+  // hls/stages/agreement.hpp:869
   logic [31:0] select_2595;
   assign select_2595 = equal_1400_s23_q ? {2'h0, counts_explained_s23_q, 2'h0, counts_textured_s23_q} : (equal_2593_s23_q ? registration_sums_rdata_s23_q : 32'h0);
   logic [31:0] select_2596;
   assign select_2596 = equal_1398_s23_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_s23_q} : select_2595;
 
-  // Memory map, 16080 x 2, DISTANCE 16, hls/stages/agreement.hpp:1104; read in stage 23, written in stage 24: 23 < 24 < 23 + DISTANCE.
+  // Memory map, 16080 x 2, DISTANCE 16, hls/stages/agreement.hpp:1103; read in stage 23, written in stage 24: 23 < 24 < 23 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [1:0] map_mem [0:16079];
@@ -7213,7 +7213,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:154
   logic [17:0] select_1812;
   assign select_1812 = equal_1786_s24_q ? (less_1787_s24_q ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
-  // hls/stages/agreement.hpp:682
+  // hls/stages/agreement.hpp:681
   logic [13:0] select_2021;
   assign select_2021 = and_1974_s24_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2019_s24_q});
   logic [13:0] select_2035;
@@ -7221,7 +7221,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:211
   logic and_2055;
   assign and_2055 = not_1336_s24_q & and_2054_s24_q;
-  // hls/stages/agreement.hpp:682
+  // hls/stages/agreement.hpp:681
   logic [13:0] select_2057;
   assign select_2057 = and_1974_s24_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2055});
   // hls/stages/registration.hpp:125
@@ -7286,7 +7286,7 @@ module horopter_agreement (
   assign less_2249 = $signed({9'h1, {2{not_2248}}, and_2247_s24_q}) < $signed(registration_up_q[13:2]);
   logic select_2250;
   assign select_2250 = and_2243_s24_q ? less_2249 : registration_enough_q;
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic and_2254;
   assign and_2254 = x_s24_q[6] & (not_1454_s24_q & (less_1408_s24_q & (x_s24_q[2:0] == 3'h4)));
   // hls/stages/agreement.hpp:211
@@ -7297,13 +7297,13 @@ module horopter_agreement (
   assign less_2256 = $signed(14'h0) < $signed(registration_down_q);
   logic less_2258;
   assign less_2258 = $signed(14'h0) < $signed(registration_up_q);
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic and_2263;
   assign and_2263 = x_s24_q[6] & (not_1454_s24_q & (less_1408_s24_q & (x_s24_q[2:0] == 3'h7)));
   // hls/stages/agreement.hpp:211
   logic and_2264;
   assign and_2264 = equal_1335_s24_q & and_2263;
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic and_2271;
   assign and_2271 = x_s24_q[6] & (not_1454_s24_q & (less_1408_s24_q & (x_s24_q[5:0] == 6'h0)));
   // hls/stages/registration.hpp:229
@@ -7316,7 +7316,7 @@ module horopter_agreement (
   assign and_2293 = (equal_1335_s24_q & and_2287_s24_q) & (registration_other_enough_q & select_2291);
   logic and_2295;
   assign and_2295 = registration_enough_q & ((and_2279_s24_q & (less_2258 | less_2256)) | and_2293);
-  // hls/stages/agreement.hpp:856
+  // hls/stages/agreement.hpp:855
   logic [13:0] select_2382;
   assign select_2382 = equal_2379_s24_q ? counts_skin_unproven_q : (equal_2380_s24_q ? counts_unproven_q : counts_regions_bad_q);
   logic [13:0] before_v_4;
@@ -7326,7 +7326,7 @@ module horopter_agreement (
   assign and_2553 = equal_1335_s24_q & (equal_2374_s24_q & (cfg_prove_i & (~proven_q)));
   logic and_2587;
   assign and_2587 = equal_1335_s24_q & (x_s24_q[6] & (not_1454_s24_q | (4'hc < x_s24_q[5:2])));
-  // hls/stages/agreement.hpp:870
+  // hls/stages/agreement.hpp:869
   logic [31:0] select_2597;
   assign select_2597 = equal_1396_s24_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_2596_s24_q;
   logic [31:0] select_2598;
@@ -7611,25 +7611,25 @@ module horopter_agreement (
   assign xor_1831 = sharpness_comparing_product_0_q[2] ^ five_times[0];
   logic xor_1837;
   assign xor_1837 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
-  // hls/stages/agreement.hpp:936
+  // hls/stages/agreement.hpp:935
   logic [14:0] over;
   assign over = {1'b0, product_s25_q} - {1'b0, before_v_4_s25_q};
-  // hls/stages/agreement.hpp:944
+  // hls/stages/agreement.hpp:943
   logic select_2385;
   assign select_2385 = and_2378_s25_q ? over[14] : hides_q;
-  // hls/stages/agreement.hpp:1013
+  // hls/stages/agreement.hpp:1012
   logic [1:0] select_2539;
   assign select_2539 = and_2538_s25_q ? {and_1586_s25_q, is_seen_s25_q} : map_rdata_s25_q;
-  // hls/stages/agreement.hpp:1014
+  // hls/stages/agreement.hpp:1013
   logic and_2540;
   assign and_2540 = proven_q & less_2528;
   // hls/stages/agreement.hpp:211
   logic and_2565;
   assign and_2565 = equal_1335_s25_q & (equal_2374_s25_q & (cfg_prove_i & registration_moved_q));
-  // hls/stages/agreement.hpp:875
+  // hls/stages/agreement.hpp:874
   logic or_2567;
   assign or_2567 = select_1848_s25_q | ($signed(20'h0) < $signed(census_left_misses_q));
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic [31:0] select_2603;
   assign select_2603 = equal_1380_s25_q ? select_2601_s25_q : {2'h0, select_2602_s25_q, select_2026_s25_q, select_2023_s25_q};
 
@@ -7955,7 +7955,7 @@ module horopter_agreement (
   assign select_1841 = equal_1786_s26_q ? select_1840 : sharpness_comparing_less_detail_1_q;
   logic select_1842;
   assign select_1842 = so_s26_q ? select_1841 : sharpness_comparing_less_detail_1_q;
-  // hls/stages/agreement.hpp:873
+  // hls/stages/agreement.hpp:872
   logic not_2386;
   assign not_2386 = ~hidden_for_q[7];
   logic [7:0] select_2388;
@@ -7963,10 +7963,10 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:211
   logic [7:0] select_2390;
   assign select_2390 = equal_1335_s26_q ? (equal_2374_s26_q ? select_2388 : hidden_for_q) : hidden_for_q;
-  // hls/stages/agreement.hpp:942
+  // hls/stages/agreement.hpp:941
   logic and_2416;
   assign and_2416 = too_much_q & not_2415_s26_q;
-  // hls/stages/agreement.hpp:943
+  // hls/stages/agreement.hpp:942
   logic select_2421;
   assign select_2421 = and_2413_s26_q ? (and_2416 | or_2419_s26_q) : and_2416;
   // hls/stages/agreement.hpp:220
@@ -7977,7 +7977,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:211
   logic and_2556;
   assign and_2556 = equal_1335_s26_q & (equal_2374_s26_q & (cfg_prove_i & or_2354_s26_q));
-  // hls/stages/agreement.hpp:953
+  // hls/stages/agreement.hpp:952
   logic not_2558;
   assign not_2558 = ~(or_2354_s26_q | not_2547);
   // hls/stages/agreement.hpp:211
@@ -8048,7 +8048,7 @@ module horopter_agreement (
   end
 
   // Stage 27 ----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:875
+  // hls/stages/agreement.hpp:874
   logic and_2581;
   assign and_2581 = cfg_prove_i & ((~(cfg_hidden_frames_i == 8'h0)) & not_2579_s27_q);
 

@@ -201,7 +201,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:554
   logic select_475;
   assign select_475 = equal_382 ? not_388 : and_389;
-  // hls/stages/agreement.hpp:597
+  // hls/stages/agreement.hpp:596
   logic [7:0] x;
   assign x = x_q + 8'hfd;
   // hls/stages/agreement.hpp:191
@@ -211,16 +211,16 @@ module horopter_agreement (
   assign and_500 = equal_382 & and_499;
   logic select_501;
   assign select_501 = or_380 ? not_388 : and_500;
-  // hls/stages/agreement.hpp:602
+  // hls/stages/agreement.hpp:601
   logic equal_504;
   assign equal_504 = {{2{run_shift_q[5]}}, run_shift_q} == (8'h0 - {1'b0, least_q});
-  // hls/stages/agreement.hpp:606
+  // hls/stages/agreement.hpp:605
   logic or_506;
   assign or_506 = equal_504 | ($signed(6'h0) < $signed(run_shift_q));
-  // hls/stages/agreement.hpp:618
+  // hls/stages/agreement.hpp:617
   logic [6:0] right;
   assign right = sum_385[6:0] + 7'h7d;
-  // hls/stages/agreement.hpp:747
+  // hls/stages/agreement.hpp:746
   logic [5:0] sum_1881;
   assign sum_1881 = {1'b0, last_q[6:2]} + 6'h1;
   // hls/stages/agreement.hpp:215
@@ -330,7 +330,7 @@ module horopter_agreement (
   logic select_2410;
   assign select_2410 = equal_2321 ? ({sum_2408[6], cfg_height_i[8:3]} == {1'b0, sum_2408[5:0]}) : final_row_q;
 
-  // Memory fresh, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:1071; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
+  // Memory fresh, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:1070; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [29:0] fresh_mem [0:79];
@@ -351,7 +351,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) fresh_read_q <= rst_ni & fresh_re;
   assign fresh_error = fresh_read_q & ^fresh_word_q;
 
-  // Memory left, 80 x 77 and parity, DISTANCE 12, hls/stages/agreement.hpp:1072; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory left, 80 x 77 and parity, DISTANCE 12, hls/stages/agreement.hpp:1071; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [77:0] left_mem [0:79];
@@ -372,7 +372,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) left_read_q <= rst_ni & left_re;
   assign left_error = left_read_q & ^left_word_q;
 
-  // Memory right_codes, 80 x 91 and parity, DISTANCE 12, hls/stages/agreement.hpp:1073; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory right_codes, 80 x 91 and parity, DISTANCE 12, hls/stages/agreement.hpp:1072; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [91:0] right_codes_mem [0:79];
@@ -393,7 +393,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) right_codes_read_q <= rst_ni & right_codes_re;
   assign right_codes_error = right_codes_read_q & ^right_codes_word_q;
 
-  // Memory best_left, 80 x 46 and parity, DISTANCE 12, hls/stages/agreement.hpp:1074; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
+  // Memory best_left, 80 x 46 and parity, DISTANCE 12, hls/stages/agreement.hpp:1073; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [46:0] best_left_mem [0:79];
@@ -837,7 +837,7 @@ module horopter_agreement (
   assign select_758 = equal_382_s1_q ? {and_757, xor_756, parity_750, parity_729, xor_684, xor_589} : 6'h0;
   logic [5:0] column_2;
   assign column_2 = or_380_s1_q ? 6'h0 : select_758;
-  // hls/stages/agreement.hpp:586
+  // hls/stages/agreement.hpp:585
   logic [5:0] select_760;
   assign select_760 = age_s1_q[3] ? middle_sum_columns_values_6_q : 6'h0;
   logic [6:0] difference_761;
@@ -1009,7 +1009,7 @@ module horopter_agreement (
   assign select_998 = equal_382_s1_q ? {and_997, xor_996, parity_990, parity_969, xor_924, xor_829} : 6'h0;
   logic [5:0] column_3;
   assign column_3 = or_380_s1_q ? 6'h0 : select_998;
-  // hls/stages/agreement.hpp:586
+  // hls/stages/agreement.hpp:585
   logic [5:0] select_1000;
   assign select_1000 = age_s1_q[3] ? sums_0_columns_values_6_q : 6'h0;
   logic [6:0] difference_1001;
@@ -1181,7 +1181,7 @@ module horopter_agreement (
   assign select_1238 = equal_382_s1_q ? {and_1237, xor_1236, parity_1230, parity_1209, xor_1164, xor_1069} : 6'h0;
   logic [5:0] column_4;
   assign column_4 = or_380_s1_q ? 6'h0 : select_1238;
-  // hls/stages/agreement.hpp:586
+  // hls/stages/agreement.hpp:585
   logic [5:0] select_1240;
   assign select_1240 = age_s1_q[3] ? sums_1_columns_values_6_q : 6'h0;
   logic [6:0] difference_1241;
@@ -1350,7 +1350,7 @@ module horopter_agreement (
   assign select_1482 = equal_382_s1_q ? {and_1481, xor_1480, parity_1474, parity_1453, xor_1408, xor_1313} : 6'h0;
   logic [5:0] column_5;
   assign column_5 = or_380_s1_q ? 6'h0 : select_1482;
-  // hls/stages/agreement.hpp:586
+  // hls/stages/agreement.hpp:585
   logic [5:0] select_1484;
   assign select_1484 = age_s1_q[3] ? sums_2_columns_values_6_q : 6'h0;
   logic [6:0] difference_1485;
@@ -1519,20 +1519,20 @@ module horopter_agreement (
   assign select_1722 = equal_382_s1_q ? {and_1721, xor_1720, parity_1714, parity_1693, xor_1648, xor_1553} : 6'h0;
   logic [5:0] column_6;
   assign column_6 = or_380_s1_q ? 6'h0 : select_1722;
-  // hls/stages/agreement.hpp:586
+  // hls/stages/agreement.hpp:585
   logic [5:0] select_1724;
   assign select_1724 = age_s1_q[3] ? sums_3_columns_values_6_q : 6'h0;
   logic [6:0] difference_1725;
   assign difference_1725 = {1'b0, column_6} - {1'b0, select_1724};
   logic [7:0] sum_1727;
   assign sum_1727 = {difference_1725[6], difference_1725} + (age_s1_q[0] ? sums_3_sum_sums_values_0_q : 8'h0);
-  // hls/stages/agreement.hpp:720
+  // hls/stages/agreement.hpp:719
   logic [5:0] shift;
   assign shift = slot_s1_q[2] ? best_left_rdata_q[5:0] : best_left_rdata_q[45:40];
-  // hls/stages/agreement.hpp:721
+  // hls/stages/agreement.hpp:720
   logic [6:0] sum_1785;
   assign sum_1785 = x_s1_q[6:0] + {shift[5], shift};
-  // hls/stages/agreement.hpp:724
+  // hls/stages/agreement.hpp:723
   logic and_1805;
   assign and_1805 = (or_380_s1_q & (left_rdata_q[61] & not_388_s1_q)) & (~(row_q[5:3] == 3'h0));
   // hls/stages/agreement.hpp:182
@@ -1574,7 +1574,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) averager_memory_read_q <= rst_ni & averager_memory_re;
   assign averager_memory_error = averager_memory_read_q & ^averager_memory_word_q;
 
-  // Memory best_right, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:1075; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory best_right, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:1074; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [29:0] best_right_mem [0:79];
@@ -1897,7 +1897,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:105
   logic select_376;
   assign select_376 = equal_362_s2_q ? and_374 : (averager_of_skin_q & and_374);
-  // hls/stages/agreement.hpp:596
+  // hls/stages/agreement.hpp:595
   logic not_510;
   assign not_510 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
   logic less_511;
@@ -1922,13 +1922,13 @@ module horopter_agreement (
   assign less_1730 = select_1247 < select_1729;
   logic [7:0] select_1731;
   assign select_1731 = less_1730 ? select_1729 : select_1247;
-  // hls/stages/agreement.hpp:600
+  // hls/stages/agreement.hpp:599
   logic [7:0] of_best;
   assign of_best = and_513 ? select_1731 : 8'h0;
-  // hls/stages/agreement.hpp:607
+  // hls/stages/agreement.hpp:606
   logic or_1734;
   assign or_1734 = select_508_s2_q | (best_left_rdata_s2_q[16:9] < of_best);
-  // hls/stages/agreement.hpp:612
+  // hls/stages/agreement.hpp:611
   logic [5:0] select_1735;
   assign select_1735 = or_1734 ? run_shift_s2_q : best_left_rdata_s2_q[5:0];
   // hls/stages/agreement.hpp:559
@@ -1936,12 +1936,12 @@ module horopter_agreement (
   assign or_1737 = less_1244 | (~less_1246);
   logic [2:0] select_1738;
   assign select_1738 = less_1730 ? {less_1728, 2'h0} : {1'b0, or_1737, less_1246};
-  // hls/stages/agreement.hpp:612
+  // hls/stages/agreement.hpp:611
   logic [2:0] select_1739;
   assign select_1739 = or_1734 ? select_1738 : best_left_rdata_s2_q[8:6];
   logic [7:0] select_1740;
   assign select_1740 = or_1734 ? of_best : best_left_rdata_s2_q[16:9];
-  // hls/stages/agreement.hpp:609
+  // hls/stages/agreement.hpp:608
   logic equal_1741;
   assign equal_1741 = select_1738 == 3'h1;
   logic equal_1742;
@@ -1954,39 +1954,39 @@ module horopter_agreement (
   assign select_1745 = select_1744[0] ? sums_1_sum_sums_values_0_q : middle_sum_sum_sums_values_0_q;
   logic [7:0] select_1746;
   assign select_1746 = select_1744[0] ? sums_0_sum_sums_values_0_q : sums_2_sum_sums_values_0_q;
-  // hls/stages/agreement.hpp:612
+  // hls/stages/agreement.hpp:611
   logic [7:0] select_1748;
   assign select_1748 = or_1734 ? (select_1744[1] ? select_1745 : select_1746) : best_left_rdata_s2_q[24:17];
-  // hls/stages/agreement.hpp:610
+  // hls/stages/agreement.hpp:609
   logic [2:0] select_1749;
   assign select_1749 = equal_1741 ? 3'h2 : {not_1743, {2{equal_1742}}};
   logic [7:0] select_1750;
   assign select_1750 = select_1749[0] ? sums_1_sum_sums_values_0_q : middle_sum_sum_sums_values_0_q;
   logic [7:0] select_1752;
   assign select_1752 = select_1749[1] ? select_1750 : (select_1749[0] ? select_1731 : sums_3_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:612
+  // hls/stages/agreement.hpp:611
   logic [7:0] select_1754;
   assign select_1754 = or_1734 ? (select_1749[2] ? sums_3_sum_sums_values_0_q : select_1752) : best_left_rdata_s2_q[32:25];
-  // hls/stages/agreement.hpp:587
+  // hls/stages/agreement.hpp:586
   logic [5:0] before_v;
   assign before_v = age_s2_q[0] ? middle_sum_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:588
+  // hls/stages/agreement.hpp:587
   logic [6:0] sum_1756;
   assign sum_1756 = {1'b0, middle_sum_columns_values_2_q} + {1'b0, middle_sum_columns_values_3_q};
   logic [6:0] sum_1757;
   assign sum_1757 = {1'b0, before_v} + sum_1756;
-  // hls/stages/agreement.hpp:587
+  // hls/stages/agreement.hpp:586
   logic [5:0] before_v_2;
   assign before_v_2 = age_s2_q[0] ? sums_0_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:588
+  // hls/stages/agreement.hpp:587
   logic [6:0] sum_1759;
   assign sum_1759 = {1'b0, sums_0_columns_values_2_q} + {1'b0, sums_0_columns_values_3_q};
   logic [6:0] sum_1760;
   assign sum_1760 = {1'b0, before_v_2} + sum_1759;
-  // hls/stages/agreement.hpp:587
+  // hls/stages/agreement.hpp:586
   logic [5:0] before_v_3;
   assign before_v_3 = age_s2_q[0] ? sums_1_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:588
+  // hls/stages/agreement.hpp:587
   logic [6:0] sum_1762;
   assign sum_1762 = {1'b0, sums_1_columns_values_2_q} + {1'b0, sums_1_columns_values_3_q};
   logic [6:0] sum_1763;
@@ -1996,18 +1996,18 @@ module horopter_agreement (
   assign select_1765 = (sum_1760 < sum_1763) ? sum_1763 : sum_1760;
   logic [6:0] select_1767;
   assign select_1767 = (sum_1757 < select_1765) ? select_1765 : sum_1757;
-  // hls/stages/agreement.hpp:587
+  // hls/stages/agreement.hpp:586
   logic [5:0] before_v_4;
   assign before_v_4 = age_s2_q[0] ? sums_2_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:588
+  // hls/stages/agreement.hpp:587
   logic [6:0] sum_1769;
   assign sum_1769 = {1'b0, sums_2_columns_values_2_q} + {1'b0, sums_2_columns_values_3_q};
   logic [6:0] sum_1770;
   assign sum_1770 = {1'b0, before_v_4} + sum_1769;
-  // hls/stages/agreement.hpp:587
+  // hls/stages/agreement.hpp:586
   logic [5:0] before_v_5;
   assign before_v_5 = age_s2_q[0] ? sums_3_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:588
+  // hls/stages/agreement.hpp:587
   logic [6:0] sum_1772;
   assign sum_1772 = {1'b0, sums_3_columns_values_2_q} + {1'b0, sums_3_columns_values_3_q};
   logic [6:0] sum_1773;
@@ -2015,48 +2015,48 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:558
   logic [6:0] select_1775;
   assign select_1775 = (sum_1770 < sum_1773) ? sum_1773 : sum_1770;
-  // hls/stages/agreement.hpp:601
+  // hls/stages/agreement.hpp:600
   logic [6:0] of_near;
   assign of_near = and_513 ? ((select_1767 < select_1775) ? select_1775 : select_1767) : 7'h0;
-  // hls/stages/agreement.hpp:612
+  // hls/stages/agreement.hpp:611
   logic or_1780;
   assign or_1780 = select_508_s2_q | (best_left_rdata_s2_q[39:33] < of_near);
-  // hls/stages/agreement.hpp:616
+  // hls/stages/agreement.hpp:615
   logic [6:0] select_1781;
   assign select_1781 = or_1780 ? of_near : best_left_rdata_s2_q[39:33];
   logic [5:0] select_1782;
   assign select_1782 = or_1780 ? run_shift_s2_q : best_left_rdata_s2_q[45:40];
-  // hls/stages/agreement.hpp:621
+  // hls/stages/agreement.hpp:620
   logic or_1792;
   assign or_1792 = select_1790_s2_q | (best_right_rdata_q[7:0] < of_best);
-  // hls/stages/agreement.hpp:625
+  // hls/stages/agreement.hpp:624
   logic [7:0] select_1793;
   assign select_1793 = or_1792 ? of_best : best_right_rdata_q[7:0];
   logic [6:0] select_1794;
   assign select_1794 = or_1792 ? x_s2_2_q : best_right_rdata_q[14:8];
   logic or_1796;
   assign or_1796 = select_1790_s2_q | (best_right_rdata_q[21:15] < of_near);
-  // hls/stages/agreement.hpp:629
+  // hls/stages/agreement.hpp:628
   logic [6:0] select_1797;
   assign select_1797 = or_1796 ? of_near : best_right_rdata_q[21:15];
   logic [6:0] select_1798;
   assign select_1798 = or_1796 ? x_s2_2_q : best_right_rdata_q[28:22];
-  // hls/stages/agreement.hpp:747
+  // hls/stages/agreement.hpp:746
   logic not_1800;
   assign not_1800 = ~equal_1799_s2_q;
   // hls/stages/agreement.hpp:182
   logic and_1810;
   assign and_1810 = not_388_s2_q & and_1809_s2_q;
-  // hls/stages/agreement.hpp:727
+  // hls/stages/agreement.hpp:726
   logic select_1816;
   assign select_1816 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
-  // hls/stages/agreement.hpp:728
+  // hls/stages/agreement.hpp:727
   logic [6:0] chosen;
   assign chosen = slot_s2_q[2] ? best_right_rdata_q[14:8] : best_right_rdata_q[28:22];
-  // hls/stages/agreement.hpp:734
+  // hls/stages/agreement.hpp:733
   logic [8:0] difference_1819;
   assign difference_1819 = {2'h0, chosen} - {1'b0, x_s2_q};
-  // hls/stages/agreement.hpp:735
+  // hls/stages/agreement.hpp:734
   logic [9:0] sum_1820;
   assign sum_1820 = {difference_1819[8], difference_1819} + 10'h1;
   // hls/stages/agreement.hpp:182
@@ -2155,7 +2155,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) census_memory_read_q <= rst_ni & census_memory_re;
   assign census_memory_error = census_memory_read_q & ^census_memory_word_q;
 
-  // Memory shown_right, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1076; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory shown_right, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1075; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [2:0] shown_right_mem [0:79];
@@ -2176,7 +2176,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) shown_right_read_q <= rst_ni & shown_right_re;
   assign shown_right_error = shown_right_read_q & ^shown_right_word_q;
 
-  // Memory seen_columns, 80 x 18 and parity, DISTANCE 12, hls/stages/agreement.hpp:1100; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory seen_columns, 80 x 18 and parity, DISTANCE 12, hls/stages/agreement.hpp:1099; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [18:0] seen_columns_mem [0:79];
@@ -2686,19 +2686,19 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:211
   logic and_1840;
   assign and_1840 = not_1839 & inside_v_s3_q[4];
-  // hls/stages/agreement.hpp:859
+  // hls/stages/agreement.hpp:858
   logic equal_1844;
   assign equal_1844 = x_s3_q[6:4] == 3'h7;
-  // hls/stages/agreement.hpp:899
+  // hls/stages/agreement.hpp:898
   logic [1:0] quarter;
   assign quarter = x_s3_q[1:0] + 2'h1;
   // hls/stages/registration.hpp:139
   logic all;
   assign all = x_s3_q[5:3] == 3'h4;
-  // hls/stages/agreement.hpp:860
+  // hls/stages/agreement.hpp:859
   logic [1:0] select_1847;
   assign select_1847 = x_s3_q[4] ? {x_s3_q[3], x_s3_q[0]} : {x_s3_q[0], x_s3_q[3]};
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic [3:0] select_1849;
   assign select_1849 = equal_1844 ? {2'h0, quarter} : (all ? {1'b0, x_s3_q[2:0]} : {x_s3_q[2:1], select_1847});
   // hls/stages/registration.hpp:106
@@ -2707,7 +2707,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:211
   logic [3:0] select_1851;
   assign select_1851 = equal_1799_s3_q ? select_1849 : {sum_1850, lower_half_s3_q, registration_of_right_q};
-  // hls/stages/agreement.hpp:897
+  // hls/stages/agreement.hpp:896
   logic equal_1852;
   assign equal_1852 = x_s3_q[5:0] == 6'h3e;
   logic equal_1854;
@@ -2722,10 +2722,10 @@ module horopter_agreement (
   assign equal_1862 = x_s3_q[5:0] == 6'h35;
   logic equal_1864;
   assign equal_1864 = x_s3_q[5:0] == 6'h34;
-  // hls/stages/agreement.hpp:899
+  // hls/stages/agreement.hpp:898
   logic and_1868;
   assign and_1868 = (~equal_1858) & ((~equal_1860) & ((~equal_1862) & (~equal_1864)));
-  // hls/stages/agreement.hpp:860
+  // hls/stages/agreement.hpp:859
   logic less_1872;
   assign less_1872 = x_s3_q[5:0] < 6'h29;
   // hls/stages/registration.hpp:140
@@ -2734,7 +2734,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:152
   logic or_1876;
   assign or_1876 = (kind == 2'h3) | (x_s3_q[5:3] == 3'h5);
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic select_1879;
   assign select_1879 = equal_1844 ? ((~equal_1852) & ((~equal_1854) & ((~equal_1856) & and_1868))) : (less_1872 & (~or_1876));
   // hls/stages/registration.hpp:94
@@ -2756,25 +2756,25 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:143
   logic [7:0] select_1907;
   assign select_1907 = so_s3_q ? region_columns_q : 8'h1;
-  // hls/stages/agreement.hpp:781
+  // hls/stages/agreement.hpp:780
   logic or_1910;
   assign or_1910 = select_1907[7] | (~({select_1907[5], select_1907[3], select_1907[1]} == 3'h0));
-  // hls/stages/agreement.hpp:780
+  // hls/stages/agreement.hpp:779
   logic or_1913;
   assign or_1913 = select_1907[7] | (~({select_1907[6], select_1907[3:2]} == 3'h0));
-  // hls/stages/agreement.hpp:779
+  // hls/stages/agreement.hpp:778
   logic or_1916;
   assign or_1916 = select_1907[7] | (~(select_1907[6:4] == 3'h0));
   // hls/stages/agreement.hpp:211
   logic [5:0] select_1917;
   assign select_1917 = equal_1799_s3_q ? x_s3_q[5:0] : {region_row_q, or_1916, or_1913, or_1910};
-  // hls/stages/agreement.hpp:859
+  // hls/stages/agreement.hpp:858
   logic not_1918;
   assign not_1918 = ~equal_1844;
   // hls/stages/division.hpp:34
   logic [5:0] sum_1920;
   assign sum_1920 = region_across_rest_q[8:3] + 6'h1;
-  // hls/stages/agreement.hpp:789
+  // hls/stages/agreement.hpp:788
   logic or_1923;
   assign or_1923 = (~sum_1920[5]) | equal_1922_s3_q;
   // hls/stages/agreement.hpp:211
@@ -2787,75 +2787,75 @@ module horopter_agreement (
   assign and_1940 = inside_v_s3_q[0] & ({inside_v_s3_q[4], inside_v_s3_q[2]} == 2'h3);
   logic and_1947;
   assign and_1947 = inside_v_s3_q[0] & inside_v_s3_q[2];
-  // hls/stages/agreement.hpp:752
+  // hls/stages/agreement.hpp:751
   logic select_1948;
   assign select_1948 = slot_s3_q[2] ? shown_shown_q : inside_v_s3_q[3];
   // hls/stages/agreement.hpp:197
   logic shown;
   assign shown = inside_v_s3_q[0] & (shown_right_rdata_q[0] | select_1948);
-  // hls/stages/agreement.hpp:752
+  // hls/stages/agreement.hpp:751
   logic select_1951;
   assign select_1951 = slot_s3_q[2] ? shown_nearer_q : inside_v_s3_q[4];
   // hls/stages/agreement.hpp:197
   logic near;
   assign near = inside_v_s3_q[0] & (select_1948 ? select_1951 : shown_right_rdata_q[1]);
-  // hls/stages/agreement.hpp:984
+  // hls/stages/agreement.hpp:983
   logic or_1954;
   assign or_1954 = marks_first_s3_q | line_ended_q;
-  // hls/stages/agreement.hpp:986
+  // hls/stages/agreement.hpp:985
   logic [17:0] select_1956;
   assign select_1956 = marks_first_s3_q ? 18'h1 : (or_1954 ? {rows_passed_q[16:0], 1'b1} : rows_passed_q);
-  // hls/stages/agreement.hpp:985
+  // hls/stages/agreement.hpp:984
   logic [8:0] select_1958;
   assign select_1958 = or_1954 ? 9'h0 : columns_passed_q;
-  // hls/stages/agreement.hpp:993
+  // hls/stages/agreement.hpp:992
   logic select_1960;
   assign select_1960 = cfg_compete_i ? (or_1954 & select_1956[17]) : (select_1958[8] & select_1956[9]);
   // hls/stages/agreement.hpp:218
   logic next_row;
   assign next_row = select_1960 & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:1000
+  // hls/stages/agreement.hpp:999
   logic [6:0] select_1963;
   assign select_1963 = next_row ? cfg_width_i[9:3] : 7'h0;
   logic [12:0] select_1965;
   assign select_1965 = marks_first_s3_q ? 13'h0 : (seen_base_q + {6'h0, select_1963});
-  // hls/stages/agreement.hpp:1010
+  // hls/stages/agreement.hpp:1009
   logic equal_1966;
   assign equal_1966 = seen_x_q == 3'h7;
   logic [7:0] select_1968;
   assign select_1968 = select_1960 ? 8'h0 : (seen_column_q + {7'h0, equal_1966});
-  // hls/stages/agreement.hpp:1013
+  // hls/stages/agreement.hpp:1012
   logic [12:0] index;
   assign index = select_1965 + {5'h0, select_1968};
-  // hls/stages/agreement.hpp:984
+  // hls/stages/agreement.hpp:983
   logic select_1971;
   assign select_1971 = marks_first_s3_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
-  // hls/stages/agreement.hpp:970
+  // hls/stages/agreement.hpp:969
   logic [7:0] sum_1972;
   assign sum_1972 = {1'b0, select_1971, 2'h0, select_1971, 1'b0, {2{select_1971}}} + {1'b0, index[12:6]};
-  // hls/stages/agreement.hpp:983
+  // hls/stages/agreement.hpp:982
   logic not_1973;
   assign not_1973 = ~marks_first_s3_q;
   // hls/stages/agreement.hpp:218
   logic and_1975;
   assign and_1975 = not_1973 & (began_q | select_1960);
-  // hls/stages/agreement.hpp:1011
+  // hls/stages/agreement.hpp:1010
   logic [2:0] select_1977;
   assign select_1977 = select_1960 ? 3'h0 : (seen_x_q + 3'h1);
-  // hls/stages/agreement.hpp:1012
+  // hls/stages/agreement.hpp:1011
   logic and_1979;
   assign and_1979 = and_1975 & (select_1977 == 3'h0);
   logic less_1980;
   assign less_1980 = select_1968 < {1'b0, cfg_width_i[9:3]};
-  // hls/stages/agreement.hpp:842
+  // hls/stages/agreement.hpp:841
   logic [7:0] sum_1983;
   assign sum_1983 = {2'h0, x_s3_q[7:2]} + 8'hff;
   logic [12:0] index_2;
   assign index_2 = {{3{sum_1983[7]}}, sum_1983, x_s3_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:970
+  // hls/stages/agreement.hpp:969
   logic [7:0] sum_1985;
   assign sum_1985 = {1'b0, write_half_q, 2'h0, write_half_q, 1'b0, {2{write_half_q}}} + {1'b0, index_2[12:6]};
-  // hls/stages/agreement.hpp:765
+  // hls/stages/agreement.hpp:764
   logic and_1986;
   assign and_1986 = seen_columns_rdata_q[14] & inside_v_s3_q[0];
   logic and_1987;
@@ -2864,29 +2864,29 @@ module horopter_agreement (
   assign and_1988 = seen_columns_rdata_q[5] & inside_v_s3_q[0];
   logic and_1989;
   assign and_1989 = seen_columns_rdata_q[0] & inside_v_s3_q[0];
-  // hls/stages/agreement.hpp:818
+  // hls/stages/agreement.hpp:817
   logic [1:0] sum_1991;
   assign sum_1991 = {1'b0, and_1988} + ({1'b0, textured_s3_q} + {1'b0, and_1989});
   logic [2:0] textured_2;
   assign textured_2 = {2'h0, and_1986} + ({2'h0, and_1987} + {1'b0, sum_1991});
-  // hls/stages/agreement.hpp:825
+  // hls/stages/agreement.hpp:824
   logic [2:0] select_1994;
   assign select_1994 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
   logic [3:0] difference_1995;
   assign difference_1995 = {1'b0, textured_2} - {1'b0, select_1994};
-  // hls/stages/agreement.hpp:823
+  // hls/stages/agreement.hpp:822
   logic equal_1996;
   assign equal_1996 = x_s3_q == 8'h0;
-  // hls/stages/agreement.hpp:825
+  // hls/stages/agreement.hpp:824
   logic [4:0] t;
   assign t = {difference_1995[3], difference_1995} + (equal_1996 ? 5'h0 : box_textured_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:765
+  // hls/stages/agreement.hpp:764
   logic [7:0] select_2001;
   assign select_2001 = inside_v_s3_q[0] ? (sum_1920[5] ? select_1907 : {select_1907[6:0], 1'b0}) : select_1907;
-  // hls/stages/agreement.hpp:781
+  // hls/stages/agreement.hpp:780
   logic or_2004;
   assign or_2004 = select_2001[7] | (~({select_2001[5], select_2001[3], select_2001[1]} == 3'h0));
-  // hls/stages/agreement.hpp:765
+  // hls/stages/agreement.hpp:764
   logic and_2021;
   assign and_2021 = seen_columns_rdata_q[16] & inside_v_s3_q[0];
   logic and_2022;
@@ -2895,22 +2895,22 @@ module horopter_agreement (
   assign and_2023 = seen_columns_rdata_q[8] & inside_v_s3_q[0];
   logic and_2024;
   assign and_2024 = seen_columns_rdata_q[3] & inside_v_s3_q[0];
-  // hls/stages/agreement.hpp:820
+  // hls/stages/agreement.hpp:819
   logic [1:0] sum_2026;
   assign sum_2026 = {1'b0, and_2023} + ({1'b0, shown} + {1'b0, and_2024});
   logic [2:0] shown_2;
   assign shown_2 = {2'h0, and_2021} + ({2'h0, and_2022} + {1'b0, sum_2026});
-  // hls/stages/agreement.hpp:827
+  // hls/stages/agreement.hpp:826
   logic [2:0] select_2029;
   assign select_2029 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
   logic [3:0] difference_2030;
   assign difference_2030 = {1'b0, shown_2} - {1'b0, select_2029};
   logic [4:0] around;
   assign around = {difference_2030[3], difference_2030} + (equal_1996 ? 5'h0 : box_shown_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:834
+  // hls/stages/agreement.hpp:833
   logic [5:0] sum_2033;
   assign sum_2033 = {1'b0, around} + {2'h0, around[4:1]};
-  // hls/stages/agreement.hpp:765
+  // hls/stages/agreement.hpp:764
   logic and_2037;
   assign and_2037 = seen_columns_rdata_q[17] & inside_v_s3_q[0];
   logic and_2038;
@@ -2919,12 +2919,12 @@ module horopter_agreement (
   assign and_2039 = seen_columns_rdata_q[9] & inside_v_s3_q[0];
   logic and_2040;
   assign and_2040 = seen_columns_rdata_q[4] & inside_v_s3_q[0];
-  // hls/stages/agreement.hpp:821
+  // hls/stages/agreement.hpp:820
   logic [1:0] sum_2042;
   assign sum_2042 = {1'b0, and_2039} + ({1'b0, near} + {1'b0, and_2040});
   logic [2:0] near_2;
   assign near_2 = {2'h0, and_2037} + ({2'h0, and_2038} + {1'b0, sum_2042});
-  // hls/stages/agreement.hpp:828
+  // hls/stages/agreement.hpp:827
   logic [2:0] select_2045;
   assign select_2045 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
   logic [3:0] difference_2046;
@@ -3097,7 +3097,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:211
   logic and_2421;
   assign and_2421 = so_s3_q & (ends_cell_s3_q & (inside_v_s3_q[0] & inside_v_s3_q[1]));
-  // hls/stages/agreement.hpp:765
+  // hls/stages/agreement.hpp:764
   logic and_2442;
   assign and_2442 = seen_columns_rdata_q[15] & inside_v_s3_q[0];
   logic and_2443;
@@ -3106,19 +3106,19 @@ module horopter_agreement (
   assign and_2444 = seen_columns_rdata_q[7] & inside_v_s3_q[0];
   logic and_2445;
   assign and_2445 = seen_columns_rdata_q[2] & inside_v_s3_q[0];
-  // hls/stages/agreement.hpp:819
+  // hls/stages/agreement.hpp:818
   logic [1:0] sum_2447;
   assign sum_2447 = {1'b0, and_2444} + ({1'b0, explained} + {1'b0, and_2445});
   logic [2:0] explained_2;
   assign explained_2 = {2'h0, and_2442} + ({2'h0, and_2443} + {1'b0, sum_2447});
-  // hls/stages/agreement.hpp:826
+  // hls/stages/agreement.hpp:825
   logic [2:0] select_2450;
   assign select_2450 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
   logic [3:0] difference_2451;
   assign difference_2451 = {1'b0, explained_2} - {1'b0, select_2450};
   logic [4:0] e;
   assign e = {difference_2451[3], difference_2451} + (equal_1996 ? 5'h0 : box_explained_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:833
+  // hls/stages/agreement.hpp:832
   logic [5:0] sum_2454;
   assign sum_2454 = {1'b0, e} + {2'h0, e[4:1]};
   // hls/stages/agreement.hpp:211
@@ -3228,7 +3228,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:117
   logic [27:0] column_7;
   assign column_7 = registration_slope_q + (and_2636 ? registration_slope_change_q : 28'h0);
-  // hls/stages/agreement.hpp:860
+  // hls/stages/agreement.hpp:859
   logic [1:0] quarter_2;
   assign quarter_2 = all ? x_s3_q[1:0] : select_1847;
   // hls/stages/registration.hpp:243
@@ -3292,13 +3292,13 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:143
   logic or_2777;
   assign or_2777 = segment_starts_q | not_1839;
-  // hls/stages/agreement.hpp:765
+  // hls/stages/agreement.hpp:764
   logic select_2780;
   assign select_2780 = inside_v_s3_q[0] ? (sum_1920[5] ? (equal_1922_s3_q & or_1923) : or_1923) : or_2777;
   // hls/stages/agreement.hpp:211
   logic select_2783;
   assign select_2783 = equal_1799_s3_q ? or_2777 : (so_s3_q ? (ends_cell_s3_q ? select_2780 : or_2777) : or_2777);
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic equal_2808;
   assign equal_2808 = x_s3_q[6:0] == 7'h7f;
   // hls/stages/agreement.hpp:211
@@ -3404,13 +3404,13 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:365
   logic [6:0] select_2949;
   assign select_2949 = and_359_s3_q ? (equal_2321_s3_q ? cfg_width_i[9:3] : map_width_q) : map_width_q;
-  // hls/stages/agreement.hpp:1009
+  // hls/stages/agreement.hpp:1008
   logic [2:0] select_2960;
   assign select_2960 = select_1960 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q;
   // hls/stages/agreement.hpp:218
   logic [7:0] select_2966;
   assign select_2966 = marks_first_s3_q ? (less_2962 ? {sum_2963, cfg_height_i[5:3]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
-  // hls/stages/agreement.hpp:1013
+  // hls/stages/agreement.hpp:1012
   logic and_2972;
   assign and_2972 = and_2060_s3_q & ({sum_1985, index_2[5:0]} == {sum_1972, index[5:0]});
   // hls/stages/registration.hpp:243
@@ -3440,7 +3440,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) registration_sums_read_q <= rst_ni & registration_sums_re;
   assign registration_sums_error = registration_sums_read_q & ^registration_sums_word_q;
 
-  // Memory regions, 64 x 30 and parity, DISTANCE 12, hls/stages/agreement.hpp:1093; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory regions, 64 x 30 and parity, DISTANCE 12, hls/stages/agreement.hpp:1092; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [30:0] regions_mem [0:63];
@@ -3461,7 +3461,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) regions_read_q <= rst_ni & regions_re;
   assign regions_error = regions_read_q & ^regions_word_q;
 
-  // Memory map, 9600 x 2 and parity, DISTANCE 16, hls/stages/agreement.hpp:1104; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory map, 9600 x 2 and parity, DISTANCE 16, hls/stages/agreement.hpp:1103; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [2:0] map_mem [0:9599];
@@ -4137,34 +4137,34 @@ module horopter_agreement (
   assign select_1904 = equal_1898 ? {1'b0, registration_half_measured_q} : up;
   logic [11:0] sum_1905;
   assign sum_1905 = (equal_1896_s4_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_1904[6]}}, select_1904};
-  // hls/stages/agreement.hpp:659
+  // hls/stages/agreement.hpp:658
   logic [6:0] select_1930;
   assign select_1930 = segment_started_q ? segment_textured_q : 7'h0;
-  // hls/stages/agreement.hpp:660
+  // hls/stages/agreement.hpp:659
   logic [6:0] sum_1931;
   assign sum_1931 = {6'h0, textured_s4_q} + select_1930;
-  // hls/stages/agreement.hpp:792
+  // hls/stages/agreement.hpp:791
   logic [9:0] sum_1933;
   assign sum_1933 = {3'h0, sum_1931} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[9:0]);
-  // hls/stages/agreement.hpp:659
+  // hls/stages/agreement.hpp:658
   logic [6:0] select_1935;
   assign select_1935 = segment_started_q ? segment_explained_q : 7'h0;
-  // hls/stages/agreement.hpp:660
+  // hls/stages/agreement.hpp:659
   logic [6:0] sum_1936;
   assign sum_1936 = {6'h0, explained_s4_q} + select_1935;
-  // hls/stages/agreement.hpp:793
+  // hls/stages/agreement.hpp:792
   logic [9:0] sum_1938;
   assign sum_1938 = {3'h0, sum_1936} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[19:10]);
-  // hls/stages/agreement.hpp:659
+  // hls/stages/agreement.hpp:658
   logic [6:0] select_1941;
   assign select_1941 = segment_started_q ? segment_nearer_q : 7'h0;
-  // hls/stages/agreement.hpp:661
+  // hls/stages/agreement.hpp:660
   logic [6:0] sum_1942;
   assign sum_1942 = {6'h0, and_1940_s4_q} + select_1941;
-  // hls/stages/agreement.hpp:794
+  // hls/stages/agreement.hpp:793
   logic [9:0] sum_1944;
   assign sum_1944 = {3'h0, sum_1942} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[29:20]);
-  // hls/stages/agreement.hpp:832
+  // hls/stages/agreement.hpp:831
   logic not_2011;
   assign not_2011 = ~region_row_s4_q[2];
   logic [2:0] select_2012;
@@ -4177,13 +4177,13 @@ module horopter_agreement (
   assign select_2015 = or_2007_s4_q ? {select_2014[11], 1'b0, select_2014[10], 1'b0, select_2014[9], 1'b0, select_2014[8], 1'b0, select_2014[7], 1'b0, select_2014[6], 1'b0, select_2014[5], 1'b0, select_2014[4], 1'b0, select_2014[3], 1'b0, select_2014[2], 1'b0, select_2014[1], 1'b0, select_2014[0], 1'b0} : {1'b0, select_2014[11], 1'b0, select_2014[10], 1'b0, select_2014[9], 1'b0, select_2014[8], 1'b0, select_2014[7], 1'b0, select_2014[6], 1'b0, select_2014[5], 1'b0, select_2014[4], 1'b0, select_2014[3], 1'b0, select_2014[2], 1'b0, select_2014[1], 1'b0, select_2014[0]};
   logic [47:0] select_2016;
   assign select_2016 = or_2004_s4_q ? {select_2015[23], 1'b0, select_2015[22], 1'b0, select_2015[21], 1'b0, select_2015[20], 1'b0, select_2015[19], 1'b0, select_2015[18], 1'b0, select_2015[17], 1'b0, select_2015[16], 1'b0, select_2015[15], 1'b0, select_2015[14], 1'b0, select_2015[13], 1'b0, select_2015[12], 1'b0, select_2015[11], 1'b0, select_2015[10], 1'b0, select_2015[9], 1'b0, select_2015[8], 1'b0, select_2015[7], 1'b0, select_2015[6], 1'b0, select_2015[5], 1'b0, select_2015[4], 1'b0, select_2015[3], 1'b0, select_2015[2], 1'b0, select_2015[1], 1'b0, select_2015[0], 1'b0} : {1'b0, select_2015[23], 1'b0, select_2015[22], 1'b0, select_2015[21], 1'b0, select_2015[20], 1'b0, select_2015[19], 1'b0, select_2015[18], 1'b0, select_2015[17], 1'b0, select_2015[16], 1'b0, select_2015[15], 1'b0, select_2015[14], 1'b0, select_2015[13], 1'b0, select_2015[12], 1'b0, select_2015[11], 1'b0, select_2015[10], 1'b0, select_2015[9], 1'b0, select_2015[8], 1'b0, select_2015[7], 1'b0, select_2015[6], 1'b0, select_2015[5], 1'b0, select_2015[4], 1'b0, select_2015[3], 1'b0, select_2015[2], 1'b0, select_2015[1], 1'b0, select_2015[0]};
-  // hls/stages/agreement.hpp:765
+  // hls/stages/agreement.hpp:764
   logic and_2020;
   assign and_2020 = good_known_q & (~((good_q & select_2016) == 48'h0));
-  // hls/stages/agreement.hpp:834
+  // hls/stages/agreement.hpp:833
   logic is_seen;
   assign is_seen = equal_1999_s4_q ? and_2020 : not_2035_s4_q;
-  // hls/stages/agreement.hpp:843
+  // hls/stages/agreement.hpp:842
   logic and_2050;
   assign and_2050 = is_seen & less_2049_s4_q;
   // hls/stages/agreement.hpp:215
@@ -4387,7 +4387,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:154
   logic select_2318;
   assign select_2318 = drew_q ? (equal_2250 ? select_2316 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
-  // hls/stages/agreement.hpp:682
+  // hls/stages/agreement.hpp:681
   logic [13:0] select_2424;
   assign select_2424 = and_2418_s4_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2422_s4_q});
   // hls/stages/agreement.hpp:211
@@ -4397,10 +4397,10 @@ module horopter_agreement (
   assign and_2432 = not_1800_s4_q & (drew_q & (ends_cell_s4_q & explained_s4_q));
   logic and_2437;
   assign and_2437 = not_1800_s4_q & (drew_q & (ends_cell_s4_q & and_1940_s4_q));
-  // hls/stages/agreement.hpp:836
+  // hls/stages/agreement.hpp:835
   logic not_2441;
   assign not_2441 = ~(x_s4_q[7:1] == 7'h0);
-  // hls/stages/agreement.hpp:837
+  // hls/stages/agreement.hpp:836
   logic not_2458;
   assign not_2458 = ~(equal_1999_s4_q ? and_2020 : not_2456_s4_q);
   // hls/stages/agreement.hpp:211
@@ -4408,45 +4408,45 @@ module horopter_agreement (
   assign and_2461 = ends_cell_s4_q & (not_2441 & (centres_values_1_textured_s4_q & not_2458));
   logic and_2463;
   assign and_2463 = not_1800_s4_q & (drew_q & and_2461);
-  // hls/stages/agreement.hpp:862
+  // hls/stages/agreement.hpp:861
   logic less_2466;
   assign less_2466 = region_row_s4_q < x_s4_q[5:3];
   logic [9:0] select_2467;
   assign select_2467 = less_2466 ? 10'h0 : regions_rdata_q[9:0];
   logic [9:0] select_2470;
   assign select_2470 = less_2466 ? 10'h0 : regions_rdata_q[19:10];
-  // hls/stages/agreement.hpp:863
+  // hls/stages/agreement.hpp:862
   logic [10:0] sum_2471;
   assign sum_2471 = {1'b0, select_2470} + {3'h0, select_2470[9:2]};
   logic and_2473;
   assign and_2473 = (~(select_2467[9:4] == 6'h0)) & ({sum_2471, select_2470[1:0]} < {3'h0, select_2467});
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic [9:0] select_2476;
   assign select_2476 = x_s4_q[6] ? (equal_1844_s4_q ? 10'h0 : (and_2473 ? select_2467 : 10'h0)) : 10'h0;
   // hls/stages/agreement.hpp:211
   logic [9:0] select_2477;
   assign select_2477 = equal_1799_s4_q ? select_2476 : 10'h0;
-  // hls/stages/agreement.hpp:682
+  // hls/stages/agreement.hpp:681
   logic [13:0] select_2479;
   assign select_2479 = and_2418_s4_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2477});
   logic [13:0] select_2486;
   assign select_2486 = and_2418_s4_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2484_s4_q});
-  // hls/stages/agreement.hpp:841
+  // hls/stages/agreement.hpp:840
   logic and_2488;
   assign and_2488 = not_2441 & (centres_values_1_textured_s4_q & centres_values_1_of_skin_s4_q);
   // hls/stages/agreement.hpp:211
   logic and_2491;
   assign and_2491 = not_1800_s4_q & (drew_q & (ends_cell_s4_q & and_2488));
-  // hls/stages/agreement.hpp:682
+  // hls/stages/agreement.hpp:681
   logic [13:0] select_2493;
   assign select_2493 = and_2418_s4_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2491});
-  // hls/stages/agreement.hpp:841
+  // hls/stages/agreement.hpp:840
   logic and_2495;
   assign and_2495 = centres_values_1_textured_s4_q & (centres_values_1_of_skin_s4_q & not_2458);
   // hls/stages/agreement.hpp:211
   logic and_2499;
   assign and_2499 = not_1800_s4_q & (drew_q & (ends_cell_s4_q & (not_2441 & and_2495)));
-  // hls/stages/agreement.hpp:682
+  // hls/stages/agreement.hpp:681
   logic [13:0] select_2501;
   assign select_2501 = and_2418_s4_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2499});
   // hls/stages/registration.hpp:106
@@ -4520,10 +4520,10 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:211
   logic and_2642;
   assign and_2642 = equal_1799_s4_q & (x_s4_q[6] & (not_1918_s4_q & less_1872_s4_q));
-  // hls/stages/agreement.hpp:862
+  // hls/stages/agreement.hpp:861
   logic [11:0] select_2649;
   assign select_2649 = or_1876_s4_q ? 12'h0 : (equal_2647_s4_q ? registration_sums_rdata_q[11:0] : 12'h0);
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic [11:0] select_2652;
   assign select_2652 = x_s4_q[6] ? (equal_1844_s4_q ? 12'h0 : (less_1872_s4_q ? select_2649 : 12'h0)) : 12'h0;
   // hls/stages/agreement.hpp:211
@@ -4532,7 +4532,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:145
   logic and_2654;
   assign and_2654 = x_s4_q[1] & all_s4_q;
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic and_2657;
   assign and_2657 = not_1918_s4_q & (less_1872_s4_q & ({and_2654, x_s4_q[0]} == 2'h0));
   // hls/stages/agreement.hpp:211
@@ -4541,10 +4541,10 @@ module horopter_agreement (
   // hls/stages/registration.hpp:237
   logic [13:0] sum_2661;
   assign sum_2661 = {{2{select_2653[11]}}, select_2653} + (and_2659 ? 14'h0 : registration_down_q);
-  // hls/stages/agreement.hpp:862
+  // hls/stages/agreement.hpp:861
   logic [11:0] select_2664;
   assign select_2664 = or_1876_s4_q ? 12'h0 : (equal_2647_s4_q ? registration_sums_rdata_q[31:20] : 12'h0);
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic [11:0] select_2667;
   assign select_2667 = x_s4_q[6] ? (equal_1844_s4_q ? 12'h0 : (less_1872_s4_q ? select_2664 : 12'h0)) : 12'h0;
   // hls/stages/agreement.hpp:211
@@ -4556,7 +4556,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:142
   logic not_2672;
   assign not_2672 = ~all_s4_q;
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic and_2675;
   assign and_2675 = not_1918_s4_q & (less_1872_s4_q & (x_s4_q[2:0] == {all_s4_q, not_2672, 1'b0}));
   // hls/stages/agreement.hpp:211
@@ -4569,7 +4569,7 @@ module horopter_agreement (
   assign less_2683 = $signed({9'h1, {2{not_2682}}, and_2681}) < $signed(registration_up_q[13:2]);
   logic select_2684;
   assign select_2684 = (equal_1799_s4_q & (x_s4_q[6] & and_2675)) ? less_2683 : registration_enough_q;
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic and_2688;
   assign and_2688 = x_s4_q[6] & (not_1918_s4_q & (less_1872_s4_q & (x_s4_q[2:0] == 3'h4)));
   // hls/stages/agreement.hpp:211
@@ -4580,25 +4580,25 @@ module horopter_agreement (
   assign less_2690 = $signed(14'h0) < $signed(registration_down_q);
   logic less_2692;
   assign less_2692 = $signed(14'h0) < $signed(registration_up_q);
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic and_2697;
   assign and_2697 = x_s4_q[6] & (not_1918_s4_q & (less_1872_s4_q & (x_s4_q[2:0] == 3'h7)));
   // hls/stages/agreement.hpp:211
   logic and_2698;
   assign and_2698 = equal_1799_s4_q & and_2697;
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic and_2705;
   assign and_2705 = x_s4_q[6] & (not_1918_s4_q & (less_1872_s4_q & (x_s4_q[5:0] == 6'h0)));
   // hls/stages/registration.hpp:149
   logic equal_2708;
   assign equal_2708 = x_s4_q[2:0] == 3'h6;
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic and_2711;
   assign and_2711 = not_1918_s4_q & (less_1872_s4_q & (x_s4_q[5] ? x_s4_q[3] : equal_2708));
   // hls/stages/registration.hpp:229
   logic and_2715;
   assign and_2715 = (equal_1799_s4_q & (x_s4_q[6] & and_2711)) & (less_2692 | less_2690);
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic and_2720;
   assign and_2720 = not_1918_s4_q & (less_1872_s4_q & ((~x_s4_q[5]) & (x_s4_q[3] & equal_2708)));
   // hls/stages/registration.hpp:229
@@ -4612,51 +4612,51 @@ module horopter_agreement (
   // hls/stages/registration.hpp:230
   logic or_2730;
   assign or_2730 = registration_moved_q | (registration_enough_q & (and_2715 | and_2727));
-  // hls/stages/agreement.hpp:909
+  // hls/stages/agreement.hpp:908
   logic or_2788;
   assign or_2788 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
-  // hls/stages/agreement.hpp:931
+  // hls/stages/agreement.hpp:930
   logic equal_2790;
   assign equal_2790 = x_s4_q[6:3] == 4'h7;
-  // hls/stages/agreement.hpp:937
+  // hls/stages/agreement.hpp:936
   logic equal_2791;
   assign equal_2791 = x_s4_q[2:0] == 3'h0;
-  // hls/stages/agreement.hpp:940
+  // hls/stages/agreement.hpp:939
   logic too_little;
   assign too_little = (counts_explained_q < product_q) | (product_rest_q & (counts_explained_q == product_q));
-  // hls/stages/agreement.hpp:941
+  // hls/stages/agreement.hpp:940
   logic select_2797;
   assign select_2797 = (equal_2790 & equal_2791) ? too_little : disagree_q;
-  // hls/stages/agreement.hpp:865
+  // hls/stages/agreement.hpp:864
   logic [10:0] sum_2800;
   assign sum_2800 = {1'b0, select_2470} + {2'h0, select_2470[9:1]};
   logic select_2803;
   assign select_2803 = (select_2467[9:3] == 7'h0) ? ((~or_2788) & (~select_2797)) : (~({sum_2800, select_2470[0]} < {2'h0, select_2467}));
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic [47:0] select_2805;
   assign select_2805 = x_s4_q[6] ? (equal_1844_s4_q ? good_q : {select_2803, good_q[47:1]}) : good_q;
   // hls/stages/agreement.hpp:211
   logic select_2810;
   assign select_2810 = equal_1799_s4_q ? ((x_s4_q[6] & good_known_q) | equal_2808_s4_q) : good_known_q;
-  // hls/stages/agreement.hpp:931
+  // hls/stages/agreement.hpp:930
   logic equal_2811;
   assign equal_2811 = x_s4_q[6:3] == 4'ha;
   logic equal_2813;
   assign equal_2813 = x_s4_q[6:3] == 4'h9;
   logic equal_2814;
   assign equal_2814 = x_s4_q[6:3] == 4'h8;
-  // hls/stages/agreement.hpp:856
+  // hls/stages/agreement.hpp:855
   logic [13:0] select_2816;
   assign select_2816 = equal_2813 ? counts_skin_unproven_q : (equal_2814 ? counts_unproven_q : counts_regions_bad_q);
   logic [13:0] before_v_6;
   assign before_v_6 = equal_2811 ? counts_nearer_q : select_2816;
-  // hls/stages/agreement.hpp:936
+  // hls/stages/agreement.hpp:935
   logic [14:0] over;
   assign over = {1'b0, product_q} - {1'b0, before_v_6};
-  // hls/stages/agreement.hpp:944
+  // hls/stages/agreement.hpp:943
   logic select_2819;
   assign select_2819 = (equal_2811 & equal_2791) ? over[14] : hides_q;
-  // hls/stages/agreement.hpp:873
+  // hls/stages/agreement.hpp:872
   logic not_2820;
   assign not_2820 = ~hidden_for_q[7];
   logic [7:0] select_2822;
@@ -4664,29 +4664,29 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:211
   logic [7:0] select_2824;
   assign select_2824 = equal_1799_s4_q ? (equal_2808_s4_q ? select_2822 : hidden_for_q) : hidden_for_q;
-  // hls/stages/agreement.hpp:944
+  // hls/stages/agreement.hpp:943
   logic [13:0] select_2825;
   assign select_2825 = equal_2791 ? 14'h0 : product_q;
-  // hls/stages/agreement.hpp:856
+  // hls/stages/agreement.hpp:855
   logic [7:0] select_2827;
   assign select_2827 = (x_s4_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
   logic [7:0] select_2829;
   assign select_2829 = equal_2814 ? cfg_unproven_skin_limit_i : (equal_2790 ? cfg_unproven_limit_i : select_2827);
   logic [7:0] limit;
   assign limit = equal_2811 ? cfg_regions_limit_i : (equal_2813 ? cfg_hidden_limit_i : select_2829);
-  // hls/stages/agreement.hpp:944
+  // hls/stages/agreement.hpp:943
   logic not_2832;
   assign not_2832 = ~x_s4_q[2];
   logic [3:0] select_2833;
   assign select_2833 = x_s4_q[1] ? {x_s4_q[2], 1'b0, not_2832, 1'b0} : {1'b0, x_s4_q[2], 1'b0, not_2832};
   logic [7:0] select_2834;
   assign select_2834 = x_s4_q[0] ? {select_2833[3], 1'b0, select_2833[2], 1'b0, select_2833[1], 1'b0, select_2833[0], 1'b0} : {1'b0, select_2833[3], 1'b0, select_2833[2], 1'b0, select_2833[1], 1'b0, select_2833[0]};
-  // hls/stages/agreement.hpp:856
+  // hls/stages/agreement.hpp:855
   logic [13:0] select_2838;
   assign select_2838 = equal_2813 ? counts_skin_supervised_q : (equal_2814 ? counts_skin_textured_q : counts_textured_q);
   logic [13:0] of;
   assign of = equal_2811 ? counts_textured_q : select_2838;
-  // hls/stages/agreement.hpp:944
+  // hls/stages/agreement.hpp:943
   logic [13:0] select_2840;
   assign select_2840 = ((limit & select_2834) == 8'h0) ? 14'h0 : of;
   logic [14:0] sum_3;
@@ -4694,16 +4694,16 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:211
   logic select_2845;
   assign select_2845 = equal_1799_s4_q ? (equal_2791 ? sum_3[0] : (product_rest_q | sum_3[0])) : product_rest_q;
-  // hls/stages/agreement.hpp:942
+  // hls/stages/agreement.hpp:941
   logic and_2850;
   assign and_2850 = too_much_q & (~(equal_2814 & equal_2791));
-  // hls/stages/agreement.hpp:943
+  // hls/stages/agreement.hpp:942
   logic select_2855;
   assign select_2855 = (over[14] & equal_2791) ? (and_2850 | ((equal_2814 | equal_2813) | (x_s4_q[6:3] == 4'hf))) : and_2850;
-  // hls/stages/agreement.hpp:1013
+  // hls/stages/agreement.hpp:1012
   logic [1:0] select_2973;
   assign select_2973 = and_2972_s4_q ? {and_2050, is_seen} : map_rdata_q;
-  // hls/stages/agreement.hpp:1014
+  // hls/stages/agreement.hpp:1013
   logic and_2974;
   assign and_2974 = proven_q & less_2962;
   // hls/stages/agreement.hpp:220
@@ -4711,7 +4711,7 @@ module horopter_agreement (
   assign select_2977 = and_1979_s4_q ? (less_1980_s4_q ? (select_2973[0] & and_2974) : seen_q) : seen_q;
   logic select_2980;
   assign select_2980 = and_1979_s4_q ? (less_1980_s4_q ? (select_2973[1] & and_2974) : nearer_q) : nearer_q;
-  // hls/stages/agreement.hpp:953
+  // hls/stages/agreement.hpp:952
   logic not_2992;
   assign not_2992 = ~(or_2788 | not_2981);
   // hls/stages/agreement.hpp:211
@@ -4719,19 +4719,19 @@ module horopter_agreement (
   assign and_2996 = equal_1799_s4_q & (equal_2808_s4_q & (not_2992 & (select_2797 | select_2855)));
   logic and_2999;
   assign and_2999 = equal_1799_s4_q & (equal_2808_s4_q & (cfg_prove_i & registration_moved_q));
-  // hls/stages/agreement.hpp:875
+  // hls/stages/agreement.hpp:874
   logic or_3002;
   assign or_3002 = select_2300 | (select_2312 | ($signed(20'h0) < $signed(census_left_misses_q)));
   // hls/stages/agreement.hpp:211
   logic and_3009;
   assign and_3009 = equal_1799_s4_q & (equal_2808_s4_q & (not_2992 & (select_2306 | select_2318)));
-  // hls/stages/agreement.hpp:875
+  // hls/stages/agreement.hpp:874
   logic and_3014;
   assign and_3014 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_2822 < cfg_hidden_frames_i));
   // hls/stages/agreement.hpp:211
   logic and_3021;
   assign and_3021 = equal_1799_s4_q & (x_s4_q[6] & (not_1918_s4_q | (4'hc < x_s4_q[5:2])));
-  // hls/stages/agreement.hpp:870
+  // hls/stages/agreement.hpp:869
   logic [31:0] select_3029;
   assign select_3029 = equal_1864_s4_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_3027_s4_q ? registration_sums_rdata_q : 32'h0);
   logic [31:0] select_3030;
@@ -4746,10 +4746,10 @@ module horopter_agreement (
   assign select_3034 = equal_1854_s4_q ? {8'h0, sharpness_sums_contrast_0_q} : select_3033;
   logic [31:0] select_3035;
   assign select_3035 = equal_1852_s4_q ? {8'h0, sharpness_sums_contrast_1_q} : select_3034;
-  // hls/stages/agreement.hpp:868
+  // hls/stages/agreement.hpp:867
   logic [9:0] select_3036;
   assign select_3036 = less_2466 ? 10'h0 : regions_rdata_q[29:20];
-  // hls/stages/agreement.hpp:872
+  // hls/stages/agreement.hpp:871
   logic [31:0] select_3037;
   assign select_3037 = equal_1844_s4_q ? select_3035 : {2'h0, select_3036, select_2470, select_2467};
 
