@@ -407,3 +407,38 @@ TEST_CASE("every size ends with one verdict, before the next frame") {
     for (int i = 0; i < 2; ++i) REQUIRE(frame(*stage, defaults(width, height), noise, noise).verdicts == 1);
   }
 }
+
+namespace {
+
+/// Verdicts of a frame and of the rows behind it.
+template <hls::Profile P>
+int verdicts(int width, int height) {
+  using Stage = Agreement<P>;
+  const auto stage = std::make_unique<Stage>();
+  typename Stage::Config config{};
+  config.width = width;
+  config.height = height;
+  config.prove = 1;
+  constexpr int kBeats = P.packed() ? 2 : 1;  // of a pixel
+  int count = 0;
+  for (int y = 0; y < height + P.flush_rows(); ++y) {
+    for (int x = 0; x < kBeats * width; ++x) {
+      typename Stage::In in;
+      in.present = in.mask = y < height;
+      in.pixel.fill(u<8>(x * 41 + y * 29));
+      in.marks = {x == 0 && y == 0, x + 1 == kBeats * width};
+      count += stage->step(in, config).verdict.valid;
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("so it does where two beats share the sums") {
+  const int cells = GENERATE(0, 1, 2, 3, 6, 14, 30);  // beyond the smallest width
+  const int height = GENERATE(32, 40);
+  CAPTURE(cells, height);
+  CHECK(verdicts<hls::profiles::field>(32 + 8 * cells, height) == 1);
+  CHECK(verdicts<hls::profiles::hd>(32 + 16 * cells, height) == 1);
+}
