@@ -12,7 +12,6 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 TABLE_FORMAT = ROOT / "hls/include/horopter/hls/table_format.hpp"
 REQUIREMENTS = ROOT / "constraints/requirements.txt"
 ECP5_FIRST = "proc; opt_expr; techmap -map constraints/compare.v"
-SYNTHESIS = {"ecp5": f"{ECP5_FIRST}; synth_ecp5", "ice40": "synth_ice40 -abc9 -device hx"}
 
 CELLS = {  # what a cell counts as; LUT4, FF, BRAM, MULT
     "LUT4": (1, 0, 0, 0), "CCU2C": (2, 0, 0, 0), "TRELLIS_DPR16X4": (6, 0, 0, 0), "TRELLIS_FF": (0, 1, 0, 0),
@@ -21,6 +20,14 @@ CELLS = {  # what a cell counts as; LUT4, FF, BRAM, MULT
     "SB_LUT4": (1, 0, 0, 0), "SB_RAM40_4K": (0, 0, 1, 0), "SB_MAC16": (0, 0, 0, 1),
 }
 KINDS = ("LUT4", "FF", "BRAM", "MULT")
+
+
+def synthesis(family, top, netlist):
+    """Commands of yosys behind reading the sources: a flat netlist, in JSON. What keeps its hierarchy while it is optimised, as
+    a second copy of a module must, gives it up then."""
+    first, made = (f"{ECP5_FIRST}; ", "synth_ecp5") if family == "ecp5" else ("", "synth_ice40 -abc9 -device hx")
+    return (f"{first}{made} -top {top}; setattr -unset keep_hierarchy; setattr -mod -unset keep_hierarchy; flatten; opt_clean; "
+            f"write_json {netlist}")
 
 
 def cell_counts(kind, cell):

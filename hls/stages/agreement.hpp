@@ -9,7 +9,8 @@
 // above is compared with the right one's at all shifts of ±reach cells along the row and ±2 across: census codes, summed
 // over 7×3 cells. A textured cell is *explained* where its best shift fits well, and the right cell chooses it back (±1).
 // Shift 0 is the skin; which side of it is nearer to the cameras, and which shifts mean a place in front of both, come
-// with the skin (Config). One comparison of five sums a beat; a row is done before the next one is complete.
+// with the skin (Config). Where a row of cells lasts long enough, two beats share the sums that five displacements across
+// need. A row is done before the next one is complete, the last one before the next frame.
 //
 // Of a frame it says (Verdict, once, in the rows behind the frame): how much is textured, explained, nearer than the skin;
 // whether too little is explained in all (disagree), in too many regions of 8×6, or around too many cells, of all or of
@@ -25,7 +26,8 @@
 //
 // In, Out  pixels pass. Marks: seen and nearer belong to the pixel of the result that leaves `align` with this beat.
 // Config   prove = 0: everything counts as seen, and nothing is said. Illegal use: another size without a reset between.
-// Memory: see census.hpp; ring_left, ring_right: codes of 5 and 7 rows; best of a row; the map of the image, twice.
+// What a frame showed comes as words (FrameWord), one a beat; the verdict is the last.
+// Memory: see census.hpp, registration.hpp; codes of 5 and 7 rows; best of a row; regions; the map of the image, twice.
 #pragma once
 
 #include <algorithm>
@@ -38,15 +40,9 @@
 
 namespace horopter::stages {
 
-/// What a frame showed; once a frame.
+/// What a frame showed; once a frame, behind its words.
 struct Verdict {
   bool valid = false;
-  u<16> supervised;           // cells that exist in both images
-  u<16> textured;             // of these
-  u<16> explained;            // of these
-  u<16> nearer;               // of these, where there is a skin
-  u<16> unproven;             // textured, and not seen
-  u<16> regions_bad;          // textured cells in regions where hardly any is explained
   bool unproven_yet = false;  // no frame before this one
   bool untextured = false;    // too little to tell
   bool disagree = false;
@@ -54,21 +50,17 @@ struct Verdict {
   bool unsharp_left = false;
   bool unsharp_right = false;
   bool hidden = false;
-  std::array<s<20>, 4>
-      across{};  // sum of what the right image is displaced across the rows, in 1/32 cell, by quarters of
-                 // the image: top left, top right, bottom left, bottom right
-  std::array<u<12>, 4> measured{};  // cells it is the sum of
-  std::array<u<24>, 2> detail{};    // Sharpness
-  std::array<u<24>, 2> contrast{};
 };
 
-/// Counts of a region, 8 in a row; the 48 of a frame come before its verdict.
-struct RegionCounts {
+/// The figures behind it, as registers have them (rtl/csr/registers.yaml): FRAME_REGION of the regions, 8 in a row; then
+/// FRAME_AGREEMENT … FRAME_CONTRAST_RIGHT.
+struct FrameWord {
+  static constexpr int regions = 48;
+  static constexpr int first_of_frame = 52;
+  static constexpr int count_of_frame = 11;
   bool valid = false;
-  u<6> region;
-  u<12> textured;
-  u<12> explained;
-  u<12> nearer;
+  u<6> index;
+  u<32> word;
 };
 
 template <Profile P>
@@ -81,6 +73,7 @@ class Agreement {
   static constexpr int region_columns = 8;
   static constexpr int region_rows = 6;
   static constexpr int regions = region_columns * region_rows;
+  static_assert(regions == FrameWord::regions);
 
   using Pixels = std::array<u<8>, static_cast<std::size_t>(P.stream_lanes())>;
   struct In {
@@ -120,13 +113,13 @@ class Agreement {
     bool mask = false;
     Marks marks;
     Verdict verdict;
-    RegionCounts region;
+    FrameWord frame;
   };
 
   Out step(const In& in, const Config& config) {
     begin_step();
     change_ = Change{};
-    new_frame_ = false;
+    new_frame_ = row_starts_ = first_rows_ = false;
     const Pair pair = take(in);
     Out out;
     out.pixel = in.pixel;
@@ -134,50 +127,68 @@ class Agreement {
     out.mask = in.mask;
     out.marks.first = in.marks.first;
     out.marks.last = in.marks.last;
-    multiply();
+    early_region_row_ = next_region_row_;
+    next_region_row_ = u<3>(region_row_ + lit<1>());
     region_down_.look();
+    region_across_.look();
+    in_row_ = run_.phase == Phase::conclude;
+    next_cell_ = in_row_ && ends_cell_;
     const bool next_region = region_across_.at_end();
-    if (run_.phase == Phase::conclude) {
-      region_across_.step();
-    } else {
+    if (next_cell_) region_across_.take();
+    if (!in_row_) {
       region_across_.restart(columns_begin_);
       region_columns_ = 1;
       segment_starts_ = true;
     }
-    registration_.begin_beat(run_.phase == Phase::conclude, config);
-    early_ = next_;
-    next_.hidden_for = u<8>(hidden_for_ + u<1>(!hidden_for_.bit(7)));
-    next_.region_row = u<3>(region_row_ + lit<1>());
-    next_.lowest = Index(run_.lowest - lit<1>());
-    next_.highest = Index(run_.highest - lit<1>());
-    next_.beats = Index(run_.beats + (run_.shift.negative() ? s<2>(1) : s<2>(-1)));
-    next_.shift = Shift(run_.shift + lit<1>());
-    next_.last_shift = s<9>(run_.shift) == s<9>(least_ - lit<1>());
     const bool said = said_;
     said_ = false;
-    const bool drew = run_.phase == Phase::conclude;
     const Run following = following_;
-    following_ = next_run();
+    look_ahead();
 #ifndef __HLSC__
     run_was_ = run_.phase;
 #endif
-    Looked looked;
+    if (in_row_ && x_ < 8) sharpness_.compare(cat(x_.template bits<2, 0>(), slot_));
+    // Flat between the switches is what must be short from register to register.
+    ColumnsAlike columns_alike{};
+    LeftCell here;
     switch (run_.phase) {
       case Phase::merge:
         merge();
         break;
       case Phase::compare:
-        compare(config);
+        columns_alike = compare();
         break;
       case Phase::match:
       case Phase::conclude:
-        looked = look(config);
+        if (inside()) here = left_.read(x_).age[middle];
         break;
       case Phase::idle:
       case Phase::wait:
+      case Phase::settle:
       case Phase::finish:
         break;
     }
+#ifndef __HLSC__
+    if (run_.phase == Phase::compare)  // otherwise it does not matter: windows begin with a run
+#endif
+      add_columns(columns_alike);
+    Looked looked;
+    switch (run_.phase) {
+      case Phase::compare:
+        choose(config);
+        break;
+      case Phase::match:
+      case Phase::conclude:
+        looked = look(here, config);
+        break;
+      case Phase::idle:
+      case Phase::wait:
+      case Phase::merge:
+      case Phase::settle:
+      case Phase::finish:
+        break;
+    }
+    if (in_row_) registration_.step_peak(slot_, looked.best.peak);
     switch (run_.phase) {
       case Phase::match:
         match(looked);
@@ -192,9 +203,9 @@ class Agreement {
       case Phase::wait:
       case Phase::merge:
       case Phase::compare:
+      case Phase::settle:
         break;
     }
-    advance(following);
     typename Raster::Position at;
     CellGrey means;
     if (sample_.pair.whole) {
@@ -202,22 +213,24 @@ class Agreement {
       means = averager_.step(at, sample_.pair.pixel, sample_.present, sample_.of_skin);
     }
     if (means.valid) take_cell(at, means, config);
+    advance(following);
     sample_ = {pair, in.marks.last, in.present, in.mask};
     if (pair.whole) read_map(pair.first, in.marks.last, config);
     // Rows beyond the height that was said: what they write to the map is not read.
     done_ = !(pair.whole && pair.first) && !drew_ && (done_ || said);
-    drew_ = drew;
-    change_counts();
+    drew_ = in_row_;
+    change_counts(config);
     out.marks.seen = config.prove == 0 || seen_;
     out.marks.nearer = config.prove != 0 && nearer_;
     return out;
   }
 
  private:
-  static constexpr int half_window = 3;                       // columns
-  static constexpr int window = 2 * half_window + 1;          // columns
-  static constexpr int gap = P.clock_khz > 50'000 ? 32 : 12;  // beats from a memory word's use to the next
-  static constexpr int across_reach = 2;                      // rows
+  static constexpr int half_window = 3;               // columns
+  static constexpr int window = 2 * half_window + 1;  // columns
+  static constexpr bool fast = P.clock_khz > 50'000;
+  static constexpr int gap = fast ? 24 : 12;  // beats from a memory word's use to the next
+  static constexpr int across_reach = 2;      // rows
   static constexpr std::size_t across_count = 2 * across_reach + 1;
   static constexpr int best_score = window * 3 * census_bits;
   static constexpr int score_limit = best_score - 70;  // explained: more. 0.28 of all bits may differ
@@ -235,10 +248,21 @@ class Agreement {
   using Index = u<8>;  // of a column or row of cells, and beyond
   using Age = u<std::max(window, box) + 1>;
   static_assert(columns + half_window + gap < 256 && rows < 128);
-  using Shift = Registration::Shift;
+  using OfImage = Registration<columns, rows, gap, !fast>;
+  using Shift = typename OfImage::Shift;
+  static constexpr int slots = OfImage::slots;  // beats of a cell where a row concludes
   using Score = u<8>;
   using NearScore = u<7>;
   static_assert(best_score < 256 && best_near_score < 128);
+
+  /// Beats that a column of a shift takes: two where a row of cells lasts long enough, and the rows behind the frame do.
+  static constexpr int turns = [] {
+    constexpr int row_beats = P.result_width() * (P.packed() ? 2 : 1);
+    constexpr int compared_columns =
+        columns + 2 * reach * columns - reach * (reach + 1) + (2 * reach + 1) * half_window;
+    constexpr int other_beats = (slots + 3) * columns + 4 * gap + 128;
+    return 2 * compared_columns + other_beats < std::min(cell, P.flush_rows()) * row_beats ? 2 : 1;
+  }();
 
   // Pixels ------------------------------------------------------------------------------------------------------------
 
@@ -292,16 +316,15 @@ class Agreement {
   /// A row of cells is complete: its codes join those above, and the row `middle` above is compared.
   void start_row(Index row, Index last, const Config& config) {
     const Index count(shr<bits_for(cell - 1)>(config.height));
-    begin({Phase::wait, Index(0), Index(0), Index(gap), Shift(0), false});  // until the last codes can be read
-    const bool wide = last >= reach;
-    least_ = wide ? Index(reach) : last;
-    first_beats_ = wide ? Index((last - lit<reach>()) + lit<tail>()) : Index(tail);
-    whole_beats_ = Index(last + lit<tail>());
+    row_starts_ = true;
+    least_ = last >= reach ? Index(reach) : last;
     map_row_ = row <= lag ? MapIndex(0) : MapIndex(map_row_ + map_width_);
     map_width_ = cells_of(config.width);
-    registration_.start_row(row <= middle, config);
+    first_rows_ = row <= middle;
     columns_begin_.begin(map_width_, u<2>(2));
     last_ = last;
+    whole_ = Index(last + lit<gap>());
+    drawn_ = Index(last + lit<tail>());
     row_ = row;
     final_row_ = row + lit<1>() == count;
     lower_half_ = shl<1>(row) >= count + lit<2 * (lag - 2)>();
@@ -313,79 +336,91 @@ class Agreement {
     } else if (row > lag - 2) {  // the region of the row that is compared
       const bool next = region_down_.at_end();
       region_fresh_ = next;
-      if (next) region_row_ = early_.region_row;
+      if (next) region_row_ = early_region_row_;
       region_down_.take();
     }
   }
 
   // The sweep ---------------------------------------------------------------------------------------------------------
 
-  enum class Phase : std::uint8_t { idle, wait, merge, compare, match, conclude, finish };
+  enum class Phase : std::uint8_t { idle, wait, merge, compare, settle, match, conclude, finish };
 
-  /// A pass over columns of cells: x_ goes from `lowest` to `highest` and then on, until the memories are ready again.
+  /// A pass over columns of cells: x_ goes from `lowest` on, `columns` further ones: those that are there, and then until
+  /// the memories are ready again. A column takes `turns` beats where shifts are compared, `slots` where a row concludes.
   struct Run {
     Phase phase = Phase::idle;
-    Index lowest, highest;
-    Index beats;  // after the first
     Shift shift;
     bool last_shift = false;
+    Index span;  // columns compared, less one
+    Index lowest, columns;
   };
-  static constexpr int tail = half_window + gap;  // beats behind `highest`
+  static constexpr int tail = 4;  // columns behind the last one, until the map of that is drawn
+  static constexpr int least_columns = (gap + turns - 1) / turns;
 
-  void begin(const Run& run) {
-    run_ = run;
-    x_ = run.lowest;
-    beats_left_ = run.beats;
-    age_ = Age(1);
-    ends_ = false;
-  }
+  /// To the next beat. Flat, so that the way from register to register is short.
   void advance(const Run& following) {
-    if (ends_) {
-      begin(following);
-    } else {
-      x_ += lit<1>();
-      ends_ = beats_left_ == 1;
-      beats_left_ -= lit<1>();
-      age_ = Age(cat(age_, true));
-    }
+    Run wait;  // until the last codes can be read
+    wait.phase = Phase::wait;
+    wait.columns = gap;
+    const bool next_column = ends_cell_;
+    const bool last_slot = run_.phase == Phase::compare || slot_ == slots - 2;  // comes next
+    const bool begins = row_starts_ || (next_column && ends_);
+    const Run next = row_starts_ ? wait : following;
+    x_ = begins ? next.lowest : Index(x_ + u<1>(next_column));
+    ends_ = !begins && (next_column ? columns_left_ == 1 : ends_);
+    columns_left_ = begins ? next.columns : Index(columns_left_ - u<1>(next_column));
+    age_ = begins ? Age(1) : (next_column ? Age(cat(age_, true)) : age_);
+    slot_ = begins || next_column ? u<3>(0) : u<3>(slot_ + lit<1>());
+    const Phase now = begins ? next.phase : run_.phase;
+    const bool lasts = now == Phase::conclude || (turns > 1 && now == Phase::compare);
+    ends_cell_ = begins || next_column ? !lasts : last_slot;
+    run_.phase = now;
+    run_.shift = begins ? next.shift : run_.shift;
+    run_.last_shift = begins ? next.last_shift : run_.last_shift;
+    run_.span = begins ? next.span : run_.span;
   }
-  /// At least so many beats of the run lie before this one.
-  template <int BEATS>
+  /// At least so many columns of the run lie before this one.
+  template <int COLUMNS>
   [[nodiscard]] bool after() const {
-    static_assert(BEATS < Age::width);
-    return age_.bit(BEATS);
+    static_assert(COLUMNS < Age::width);
+    return age_.bit(COLUMNS);
   }
+  /// The column that is compared with x_; the same where none is.
+  [[nodiscard]] Index partner() const { return Index(s<10>(x_) + run_.shift); }
+  /// The image has both.
+  [[nodiscard]] bool inside() const { return (run_.shift.negative() ? x_ : partner()) <= last_; }
 
-  /// What comes after a run. Taken when it ends, from a register: all of its beats are time to find out.
-  [[nodiscard]] Run next_run() const {
+  /// What comes after a run: the next shift and its span first, then all of it, each from registers of the beat before. A
+  /// run takes longer than that.
+  void look_ahead() {
+    const Phase now = run_.phase;
+    const bool compares = now == Phase::compare;
+    const bool shifts_follow = now == Phase::merge || (compares && !run_.last_shift);
+    const bool settles = compares && run_.last_shift;
+    const bool finishes = now == Phase::conclude && final_row_;
+    const auto only = [](bool so, Index value) { return so ? value : Index(0); };
     Run next;
-    switch (run_.phase) {
-      case Phase::wait:
-        return {Phase::merge, Index(0), last_, whole_beats_, Shift(0), false};
-      case Phase::merge:
-        return {Phase::compare, least_, last_, first_beats_, Shift(-s<9>(least_)), least_ == 0};
-      case Phase::compare: {
-        if (run_.last_shift) return {Phase::match, Index(0), last_, whole_beats_, Shift(0), false};
-        const bool below = run_.shift.negative();
-        next.phase = Phase::compare;
-        next.lowest = below ? early_.lowest : Index(0);
-        next.highest = below ? last_ : early_.highest;
-        next.beats = early_.beats;
-        next.shift = early_.shift;
-        next.last_shift = early_.last_shift;
-        return next;
-      }
-      case Phase::match:
-        return {Phase::conclude, Index(0), last_, whole_beats_, Shift(0), false};
-      case Phase::conclude:
-        next.phase = final_row_ ? Phase::finish : Phase::idle;
-        next.beats = Index(finish_steps - 1);
-        return next;
-      case Phase::finish:
-      case Phase::idle:
-        return next;
-    }
-    return next;
+    next.phase = now == Phase::wait     ? Phase::merge
+                 : shifts_follow        ? Phase::compare
+                 : settles              ? Phase::settle
+                 : now == Phase::settle ? Phase::match
+                 : now == Phase::match  ? Phase::conclude
+                 : finishes             ? Phase::finish
+                                        : Phase::idle;
+    next.shift = shifts_follow ? plan_.shift : Shift(0);
+    next.last_shift = shifts_follow && plan_.shift == least_;
+    next.span = plan_.span;
+    next.lowest = only(shifts_follow && plan_.shift.negative(), Index(-plan_.shift)) |
+                  only(now == Phase::conclude, Index(finish_begins));
+    // Behind the columns that there are, memories get ready, and the map is drawn.
+    next.columns = only(shifts_follow, plan_.columns) | only(now == Phase::wait || now == Phase::settle, whole_) |
+                   only(settles, Index(gap)) | only(now == Phase::match, drawn_) |
+                   only(now == Phase::conclude, Index(finish_ends - finish_begins));
+    following_ = next;
+    plan_.columns =
+        plan_.span < least_columns - half_window ? Index(least_columns) : Index(plan_.span + lit<half_window>());
+    plan_.shift = compares ? Shift(run_.shift + lit<1>()) : Shift(-s<9>(least_));
+    plan_.span = compares ? Index(run_.span + (run_.shift.negative() ? s<2>(1) : s<2>(-1))) : Index(last_ - least_);
   }
 
   struct LeftCell {
@@ -407,93 +442,171 @@ class Agreement {
   };
 
   void merge() {
-    if (x_ <= run_.highest) {
-      const CellCodes codes = fresh_.read(x_);
-      LeftColumn left = left_.read(x_);
-      RightColumn right = right_codes_.read(x_);
-      for (std::size_t a = left.age.size() - 1; a > 0; --a) left.age[a] = row_ < a ? LeftCell{} : left.age[a - 1];
-      for (std::size_t a = right.age.size() - 1; a > 0; --a) right.age[a] = row_ < a ? RightCell{} : right.age[a - 1];
-      left.age[0] = {codes.left, codes.left_valid, codes.supervised, codes.textured, codes.of_skin};
-      right.age[0] = {codes.right, codes.right_valid};
-      left_.write(x_, left);
-      right_codes_.write(x_, right);
+    if (!inside()) return;
+    const CellCodes codes = fresh_.read(x_);
+    LeftColumn left = left_.read(x_);
+    RightColumn right = right_codes_.read(x_);
+    const bool rows_above = row_ != 0;
+    for (std::size_t a = left.age.size() - 1; a > 0; --a) left.age[a] = left.age[a - 1];
+    for (std::size_t a = right.age.size() - 1; a > 0; --a) right.age[a] = right.age[a - 1];
+    for (std::size_t a = 1; a < left.age.size(); ++a) left.age[a].valid = left.age[a].valid && rows_above;
+    for (std::size_t a = 1; a < right.age.size(); ++a) right.age[a].valid = right.age[a].valid && rows_above;
+    left.age[0] = {codes.left, codes.left_valid, codes.supervised, codes.textured, codes.of_skin};
+    right.age[0] = {codes.right, codes.right_valid};
+    left_.write(x_, left);
+    right_codes_.write(x_, right);
+  }
+
+  static constexpr int column_bits = 3 * census_bits;
+  using ColumnBits = u<column_bits>;
+  using ColumnCount = u<bits_for(column_bits)>;
+
+  static u<census_bits> alike(const LeftCell& l, const RightCell& r) {
+    return l.valid && r.valid ? u<census_bits>(~(l.code ^ r.code)) : u<census_bits>(0);
+  }
+
+  /// How many bits are set. In hardware by full adders of three bits: a tree of wider ones would be deeper, and larger.
+  template <std::size_t N>
+  static u<bits_for(N)> count_bits(const std::array<bool, N>& bits) {
+    if constexpr (N == 1) {
+      return u<1>(bits[0]);
+    } else {
+      constexpr std::size_t full = (N - 1) / 2, half = (N - 1) % 2;
+      std::array<bool, N + full + half> of_one{};  // waiting to be added
+      for (std::size_t i = 0; i < N; ++i) of_one[i] = bits[i];
+      std::array<bool, full + half> of_two{};
+      for (std::size_t i = 0; i < full + half; ++i) {
+        const bool a = of_one[3 * i], b = of_one[3 * i + 1], c = i < full && of_one[3 * i + 2];
+        of_one[N + i] = (a != b) != c;
+        of_two[i] = (a && b) || (c && (a || b));
+      }
+      return u<bits_for(N)>(cat(count_bits(of_two), u<1>(of_one.back())));
     }
   }
-
-  static u<4> alike(u<census_bits> a, bool a_valid, u<census_bits> b, bool b_valid) {
-    return a_valid && b_valid ? u<4>(popcount(u<census_bits>(~(a ^ b)))) : u<4>(0);
+  static ColumnCount count_bits(ColumnBits bits) {
+#ifndef __HLSC__
+    return popcount(bits);
+#endif
+    std::array<bool, column_bits> single{};
+    for (int i = 0; i < column_bits; ++i) single[static_cast<std::size_t>(i)] = bits.bit(i);
+    return count_bits(single);
   }
 
+  using Peak = Displacement::Peak;
   struct BestLeft {
-    Score score;
     Shift shift;
-    s<8> across;  // 1/32 cell
+    Peak peak;
     NearScore near_score;
     Shift near_shift;
   };
   struct BestRight {
     Score score;
     u<7> x;
-  };
-  struct NearRight {
-    NearScore score;
-    u<7> x;
+    NearScore near_score;
+    u<7> near_x;
   };
   using Scores = std::array<Score, across_count>;
-  using NearScores = std::array<NearScore, across_count>;
 
-  void compare(const Config& config) {
-    // Bits that agree, of a column of three cells and then of the window, for each displacement across the rows.
-    const bool inside = x_ <= run_.highest;
+  // Displacements across the rows, first those that count where scores are equal. With two turns, the middle one has its
+  // sum for itself, and two sums serve two of the others each.
+  static constexpr std::size_t units = turns == 1 ? across_count : (across_count + 1) / 2;
+  static constexpr std::array<std::size_t, across_count> places{2, 1, 3, 0, 4};
+  static constexpr std::size_t place_of(std::size_t unit, bool second) {
+    return places[second && unit > 0 ? unit + 2 : unit];
+  }
+  struct Choice {
+    Score score;
+    NearScore near;
+    u<3> place;
+  };
+
+  using ColumnsAlike = std::array<ColumnCount, units>;
+
+  /// Bits that agree, of a column of three cells, for each displacement across the rows.
+  ColumnsAlike compare() {
+    const bool second = turns == 2 && slot_.bit(0);
     LeftColumn left;
     RightColumn right;
-    if (inside) {
+    if (inside()) {
       left = left_.read(x_);
-      right = right_codes_.read(Index(s<10>(x_) + run_.shift));
+      right = right_codes_.read(partner());
     }
-    Scores score{};
-    NearScores near{};
-    for (std::size_t n = 0; n < across_count; ++n) {
-      u<6> column(0);
+    ColumnsAlike columns_alike{};
+    for (std::size_t n = 0; n < units; ++n) {
+      std::array<u<census_bits>, 3> rows_alike{};
       for (std::size_t i = 0; i < 3; ++i) {
         const LeftCell& l = left.age[i + across_reach];
-        const RightCell& r = right.age[i + 2 * across_reach - n];
-        column = u<6>(column + alike(l.code, l.valid, r.code, r.valid));
+        const RightCell& one = right.age[i + 2 * across_reach - place_of(n, false)];
+        const RightCell& other = right.age[i + 2 * across_reach - place_of(n, turns == 2)];
+        const RightCell r = second ? other : one;
+        rows_alike[i] = alike(l, r);
       }
-      score[n] = sums_[n].step(x_ == run_.lowest, after<window>(), Score(column));
-      const NearScore before(after<half_window + 1>() ? sums_[n].column(half_window + 1) : Score(0));
-      near[n] = NearScore((sums_[n].column(half_window - 1) + sums_[n].column(half_window)) + before);
+      columns_alike[n] = count_bits(cat(rows_alike[0], rows_alike[1], rows_alike[2]));
     }
-    const bool centred = after<half_window>() && x_ <= run_.highest + lit<half_window>();
-    if (centred) {
-      const Index x(x_ - lit<half_window>());
-      choose(x, score, near, run_.shift >= config.shift_lowest && run_.shift <= config.shift_highest);
-    }
+    return columns_alike;
   }
 
-  template <class Of>
-  static std::size_t best_of(const std::array<Of, across_count>& score) {
-    std::size_t best = across_reach;
-    for (const std::size_t n : {1U, 3U, 0U, 4U}) {
-      if (score[n] > score[best]) best = n;
+  /// The same of windows of columns, and the best of them.
+  void add_columns(const ColumnsAlike& columns_alike) {
+    const bool second = turns == 2 && slot_.bit(0);
+    std::array<Score, units> score{};
+    std::array<NearScore, units> near{};
+    if (!second) sum(middle_sum_, !after<1>(), columns_alike[0], score[0], near[0]);
+    for (std::size_t n = 1; n < units; ++n)
+      sum(sums_[n - 1], !after<1>() && !second, columns_alike[n], score[n], near[n]);
+    const auto better = [](const Choice& a, const Choice& b) {
+      return Choice{b.score > a.score ? b.score : a.score, b.near > a.near ? b.near : a.near,
+                    b.score > a.score ? b.place : a.place};
+    };
+    Choice first{score[0], near[0], u<3>(across_reach)};
+    Choice best = second ? chosen_ : first;
+    for (std::size_t n = 1; n < units; n += 2) {
+      const auto choice = [&](std::size_t unit) {
+        return Choice{score[unit], near[unit], second ? u<3>(place_of(unit, turns == 2)) : u<3>(place_of(unit, false))};
+      };
+      const Choice two = better(choice(n), choice(n + 1));
+      first = better(first, two);
+      best = better(best, two);
     }
-    return best;
+    for (std::size_t n = 0; n < across_count; ++n) {
+      if (turns == 1) {
+        scores_[places[n]] = score[n % units];
+      } else {
+        scores_[places[n]] = n < units ? before_[n % units] : score[(n - units + 1) % units];
+      }
+    }
+    best_ = best;
+    chosen_ = first;
+    before_ = score;
+  }
+
+  template <class Sums>
+  void sum(Sums& sums, bool starts, ColumnCount column, Score& score, NearScore& near) {
+    score = sums.step(starts, after<window>(), column);
+    const u<6> before = after<half_window + 1>() ? sums.column(half_window + 1) : ColumnCount(0);
+    near = NearScore((sums.column(half_window - 1) + sums.column(half_window)) + before);
   }
 
   /// The best of five scores joins the best of the left cell, and of the right one; the same of the small windows.
-  void choose(Index x, const Scores& score, const NearScores& near, bool allowed) {
-    const std::size_t best = best_of(score);
-    const Score of_best = allowed ? score[best] : Score(0);
-    const NearScore of_near = allowed ? near[best_of(near)] : NearScore(0);
+  void choose(const Config& config) {
+    const bool centred =
+        after<half_window>() && ends_cell_ && (run_.shift.negative() ? x_ : partner()) <= last_ + lit<half_window>();
+    if (!centred) return;
+    const bool allowed = run_.shift >= config.shift_lowest && run_.shift <= config.shift_highest;
+    const Index x(x_ - lit<half_window>());
+    const Choice& best = best_;
+    const Scores& all = scores_;
+    const Score of_best = allowed ? best.score : Score(0);
+    const NearScore of_near = allowed ? best.near : NearScore(0);
     const bool all_new = s<9>(run_.shift) == -s<9>(least_);
     const bool not_right = run_.shift.negative() || run_.shift == 0;
 
     BestLeft of_left = best_left_.read(x);
-    const bool left_new = all_new || (not_right && x == run_.lowest);
-    if (left_new || of_best > of_left.score) {
-      of_left.score = of_best;
+    const bool left_new = all_new || (not_right && !after<half_window + 1>());
+    if (left_new || of_best > of_left.peak.score) {
       of_left.shift = run_.shift;
-      of_left.across = displacement_across(score, best);
+      of_left.peak = {best.place, of_best, best.place == 1 ? all[0] : (best.place == 2 ? all[1] : all[2]),
+                      best.place == 1 ? all[2] : (best.place == 2 ? all[3] : all[4])};
     }
     if (left_new || of_near > of_left.near_score) {
       of_left.near_score = of_near;
@@ -501,41 +614,44 @@ class Agreement {
     }
     best_left_.write(x, of_left);
 
-    const Index partner(s<10>(x) + run_.shift);
-    const bool right_new = all_new || (not_right && x == run_.highest);
-    BestRight of_right = best_right_.read(partner);
-    if (right_new || of_best > of_right.score) of_right = {of_best, u<7>(x)};
-    best_right_.write(partner, of_right);
-    NearRight near_right = near_right_.read(partner);
-    if (right_new || of_near > near_right.score) near_right = {of_near, u<7>(x)};
-    near_right_.write(partner, near_right);
+    const Index right(partner() - lit<half_window>());
+    const bool right_new = all_new || (not_right && x == last_);
+    BestRight of_right = best_right_.read(right);
+    if (right_new || of_best > of_right.score) {
+      of_right.score = of_best;
+      of_right.x = u<7>(x);
+    }
+    if (right_new || of_near > of_right.near_score) {
+      of_right.near_score = of_near;
+      of_right.near_x = u<7>(x);
+    }
+    best_right_.write(right, of_right);
   }
 
   // What the row showed -----------------------------------------------------------------------------------------------
 
   struct RegionSums {
-    u<12> textured;
-    u<12> explained;
-    u<12> nearer;
+    u<10> textured;
+    u<10> explained;
+    u<10> nearer;
   };
+  static_assert((columns / region_columns + 1) * (rows / region_rows + 1) < 1024);
   using SegmentCount = u<bits_for(columns)>;
   struct Segment {  // of a row of cells, in one region
     SegmentCount textured, explained, nearer;
   };
+  using Count = u<14>;
+  static_assert(map_cells < (1U << Count::width));
   struct Counts {
-    u<14> supervised, textured, explained, nearer, unproven, regions_bad;
-    s<24> too_little_explained, too_many_bad, too_much_unproven, too_much_unseen_skin,
-        too_much_hidden;  // above 0: so it is
+    Count supervised, textured, explained, nearer, unproven, regions_bad;
+    Count skin_supervised;  // of the skin alone; these count for `hidden`
+    Count skin_textured, skin_unproven;
   };
   /// What a beat adds to them; one addition each, whatever the phase.
   struct Change {
     u<1> supervised, textured, explained, nearer, unproven;
-    u<12> regions_bad;
-    s<10> too_little_explained;
-    s<21> too_many_bad;
-    s<11> too_much_unproven;
-    s<11> too_much_unseen_skin;
-    s<11> too_much_hidden;
+    u<10> regions_bad;
+    u<1> skin_supervised, skin_textured, skin_unproven;
   };
   /// Of the region's part of this row of cells, with this beat.
   [[nodiscard]] Segment segment() const {
@@ -544,12 +660,13 @@ class Agreement {
             SegmentCount(before.nearer + change_.nearer)};
   }
 
-  void change_counts() {
+  void change_counts(const Config& config) {
     const Change& by = change_;
     segment_ = segment();
     segment_started_ = !segment_starts_;
+    registration_.end_beat(new_frame_, row_starts_, first_rows_, in_row_, next_cell_, config);
 #ifndef __HLSC__
-    if (run_was_ != Phase::conclude && run_was_ != Phase::finish && !new_frame_) return registration_.end_beat(false);
+    if (run_was_ != Phase::conclude && run_was_ != Phase::finish && !new_frame_) return;
 #endif
     Counts c = counts_;
     c.supervised += by.supervised;
@@ -558,13 +675,10 @@ class Agreement {
     c.nearer += by.nearer;
     c.unproven += by.unproven;
     c.regions_bad += by.regions_bad;
-    c.too_little_explained += by.too_little_explained;
-    c.too_many_bad += by.too_many_bad;
-    c.too_much_unproven += by.too_much_unproven;
-    c.too_much_unseen_skin += by.too_much_unseen_skin;
-    c.too_much_hidden += by.too_much_hidden;
+    c.skin_supervised += by.skin_supervised;
+    c.skin_textured += by.skin_textured;
+    c.skin_unproven += by.skin_unproven;
     counts_ = new_frame_ ? Counts{} : c;
-    registration_.end_beat(new_frame_);
   }
 
   /// Of a cell, for the map.
@@ -584,7 +698,8 @@ class Agreement {
     bool nearer = false;
   };
 
-  /// What is known of the cell x_ of the left camera.
+  /// What is known of the cell x_ of the left camera, by the small window in its first slots and by the large one in the
+  /// others.
   struct Looked {
     bool inside = false;
     bool supervised = false;
@@ -593,27 +708,24 @@ class Agreement {
     bool explained = false;
     bool nearer = false;
     BestLeft best;
-    Index partner;       // in the right image, by the small window
-    bool shown = false;  // by it
-    bool shown_nearer = false;
+    Index partner;  // in the right image
   };
-  Looked look(const Config& config) {
+  Looked look(const LeftCell& here, const Config& config) {
     Looked l;
-    l.inside = x_ <= run_.highest;
+    l.inside = inside();
     if (!l.inside) return l;
-    const LeftCell here = left_.read(x_).age[middle];
+    const bool large = slot_.bit(2);
     l.best = best_left_.read(x_);
-    l.partner = Index(s<10>(x_) + l.best.near_shift);
-    const bool back = comes_back(best_right_.read(Index(s<10>(x_) + l.best.shift)).x);
-    const bool near_back = comes_back(near_right_.read(l.partner).x);
+    const Shift shift = large ? l.best.shift : l.best.near_shift;
+    l.partner = Index(s<10>(x_) + shift);
+    const BestRight right = best_right_.read(l.partner);
     const bool enough_rows = row_ >= first_row;
     l.supervised = here.supervised && enough_rows;
     l.textured = l.supervised && here.textured;
     l.of_skin = here.of_skin;
-    l.explained = l.textured && l.best.score > score_limit && back;
-    l.nearer = l.explained && is_nearer(l.best.shift, config);
-    l.shown = l.textured && l.best.near_score > near_score_limit && near_back;
-    l.shown_nearer = l.shown && is_nearer(l.best.near_shift, config);
+    const bool fits = large ? l.best.peak.score > score_limit : l.best.near_score > near_score_limit;
+    l.explained = l.textured && fits && comes_back(large ? right.x : right.near_x);
+    l.nearer = l.explained && is_nearer(shift, config);
     return l;
   }
   /// The right cell's own choice is this cell, or one beside it.
@@ -627,10 +739,16 @@ class Agreement {
 
   /// A cell that is shown leaves word where the right camera sees it: what that one sees there is not on the skin, either.
   void match(const Looked& looked) {
-    if (looked.shown) shown_right_.write(looked.partner, Shown{true, looked.shown_nearer});
+    if (looked.explained) shown_right_.write(looked.partner, Shown{true, looked.nearer});
   }
 
   void conclude(const Looked& looked, const Config& config, bool next_region) {
+    const bool right_half = looked.inside && shl<1>(x_) > last_ + lit<4>();
+    registration_.step_cell(slot_, looked.inside, right_half, lower_half_,
+                            looked.explained && row_ >= first_row + across_reach, looked.best.shift, looked.best.peak,
+                            config);
+    if (!slot_.bit(2)) shown_ = {looked.explained, looked.nearer};
+    if (!ends_cell_) return;
     Seen seen;
     if (looked.inside) {
       const Shown right = shown_right_.read(x_);
@@ -638,31 +756,21 @@ class Agreement {
       seen.textured = looked.textured;
       seen.of_skin = looked.of_skin;
       seen.explained = looked.explained;
-      seen.shown = looked.shown || right.shown;
-      seen.nearer = looked.shown ? looked.shown_nearer : right.nearer;
-      count(looked, config);
-      if (looked.explained && row_ >= first_row + across_reach) {
-        registration_.measure(looked.best.shift, looked.best.across, shl<1>(x_) > last_ + lit<4>(), lower_half_,
-                              config);
-      }
+      seen.shown = shown_.shown || right.shown;
+      seen.nearer = shown_.shown ? shown_.nearer : right.nearer;
+      count(looked);
     }
     count_region(looked.inside, next_region);
-    draw(seen, looked.inside, config);
+    draw(seen, looked.inside);
   }
 
   /// What is nearer is counted where there is a skin; around it, nearer than what it is compared with means nothing.
-  void count(const Looked& cell, const Config& config) {
+  void count(const Looked& cell) {
     change_.supervised = u<1>(cell.supervised);
     change_.textured = u<1>(cell.textured);
     change_.explained = u<1>(cell.explained);
     change_.nearer = u<1>(cell.nearer && cell.of_skin);
-    if (cell.textured) {
-      change_.too_little_explained = s<10>(s<9>(config.explained_limit) - s<10>(cell.explained ? 256 : 0));
-      change_.too_many_bad = s<21>(-s<9>(config.regions_limit));
-      change_.too_much_unproven = s<11>(-s<9>(config.unproven_limit));
-    }
-    if (cell.supervised && cell.of_skin)
-      change_.too_much_hidden = s<11>(s<10>(cell.nearer ? 256 : 0) - s<9>(config.hidden_limit));
+    change_.skin_supervised = u<1>(cell.supervised && cell.of_skin);
   }
 
   [[nodiscard]] u<3> region_column() const {
@@ -694,7 +802,7 @@ class Agreement {
   };
 
   /// The map of what is seen, of the cells two rows up and two columns left of this one.
-  void draw(const Seen& seen, bool inside, const Config& config) {
+  void draw(const Seen& seen, bool inside) {
     SeenColumn column;
     if (inside) {
       column = seen_columns_.read(x_);
@@ -713,26 +821,23 @@ class Agreement {
     }
     const bool start = x_ == 0;
     const bool filled = after<box>();
-    const u<5> t = box_textured_.step(start, filled, u<5>(textured));
-    const u<5> e = box_explained_.step(start, filled, u<5>(explained));
-    const u<5> around = box_shown_.step(start, filled, u<5>(shown));
-    const u<5> n = box_nearer_.step(start, filled, u<5>(near));
+    const u<5> t = box_textured_.step(start, filled, textured);
+    const u<5> e = box_explained_.step(start, filled, explained);
+    const u<5> around = box_shown_.step(start, filled, shown);
+    const u<5> n = box_nearer_.step(start, filled, near);
     const Centre centre = centres_.tap(1);
     centres_.push({inside && column.above[1].textured, column.above[1].of_skin});
     const bool few = t < 2;
-    const bool region_seen = good_.bit(static_cast<int>(cat(region_row_, region_column()).value()));
+    const bool region_seen = good_known_ && good_.bit(static_cast<int>(cat(region_row_, region_column()).value()));
     const bool is_proven = few ? region_seen : u<7>(e + shl<1>(e)) >= t;
     const bool is_seen = few ? region_seen : u<7>(around + shl<1>(around)) >= t;
     const bool is_nearer = shl<1>(n) > around;
     if (x_ >= 2 && centre.textured) {
-      if (!is_proven) {
-        change_.unproven = 1;
-        change_.too_much_unproven = s<11>(change_.too_much_unproven + lit<256>());
-      }
-      if (centre.of_skin)
-        change_.too_much_unseen_skin = s<11>(s<10>(is_proven ? 0 : 256) - s<9>(config.unproven_skin_limit));
+      change_.unproven = u<1>(!is_proven);
+      change_.skin_textured = u<1>(centre.of_skin);
+      change_.skin_unproven = u<1>(centre.of_skin && !is_proven);
     }
-    if (row_ >= lag && x_ >= 4 && x_ <= run_.highest + lit<4>()) {
+    if (row_ >= lag && x_ >= 4 && x_ <= last_ + lit<4>()) {
       map_.write(place_in_map(write_half_, MapIndex(map_row_ + (x_ - lit<4>()))),
                  MapCell{is_seen, is_seen && is_nearer});
     }
@@ -740,84 +845,116 @@ class Agreement {
 
   // The frame ---------------------------------------------------------------------------------------------------------
 
-  static constexpr int finish_steps = 64;
-  static constexpr int factor_bits = 18;
-  using Factor = u<factor_bits>;  // of the products: a sum without its lowest bits
-  using Product = u<2 * factor_bits>;
-  static Factor factor(u<24> sum) { return shr<24 - factor_bits>(sum); }
+  // Steps of x_: what is asked of all cells before regions are judged by it, regions, the frame's words.
+  static constexpr int finish_begins = 48, regions_begin = 64, words_begin = 112, finish_ends = 127;
 
   void finish(Out& out, const Config& config) {
-    const u<6> k(x_);
+    const auto k = u<7>(x_);
+    const auto place = k.template bits<5, 0>();
     const bool enough = shl<4>(counts_.textured) >= counts_.supervised && counts_.textured >= least_textured;
-    const bool disagree = counts_.too_little_explained > 0;
-    if (k < regions) {
-      RegionSums sums = regions_.read(k);
-      if (k.template bits<5, 3>() > region_row_) sums = RegionSums{};
-      const bool bad = sums.textured >= 16 && u<15>(sums.explained + shl<2>(sums.explained)) < sums.textured;
+    weigh(k, config);
+    if (k < regions_begin) {
+      good_known_ = false;
+    } else if (k < words_begin) {
+      if (place < OfImage::moved_steps) registration_.step_moved(place);
+      RegionSums sums = regions_.read(place);
+      if (place.template bits<5, 3>() > region_row_) sums = RegionSums{};
+      const bool bad = sums.textured >= 16 && u<13>(sums.explained + shl<2>(sums.explained)) < sums.textured;
       const bool good =
-          sums.textured < 8 ? enough && !disagree : u<14>(sums.explained + shl<1>(sums.explained)) >= sums.textured;
-      good_next_ = cat(u<1>(good), good_next_.template bits<regions - 1, 1>());
-      if (bad) {
-        change_.regions_bad = sums.textured;
-        change_.too_many_bad = s<21>(shl<8>(sums.textured));
-      }
-      out.region = {true, k, sums.textured, sums.explained, sums.nearer};
+          sums.textured < 8 ? enough && !disagree_ : u<12>(sums.explained + shl<1>(sums.explained)) >= sums.textured;
+      good_ = cat(u<1>(good), good_.template bits<regions - 1, 1>());
+      if (bad) change_.regions_bad = sums.textured;
+      out.frame = {true, place, u<32>(cat(sums.nearer, sums.explained, sums.textured))};
+    } else {
+      out.frame = {place >= FrameWord::first_of_frame, place, word(place)};
     }
-    if (k != finish_steps - 1) return;
-    const bool hides = counts_.too_much_hidden > 0;
-    hidden_for_ = hides ? early_.hidden_for : u<8>(0);
-    good_ = good_next_;
-    say(out.verdict, enough, disagree, config);
+    if (k != finish_ends) return;
+    hidden_for_ = hides_ ? u<8>(hidden_for_ + u<1>(!hidden_for_.bit(7))) : u<8>(0);
+    good_known_ = true;
+    say(out.verdict, enough, config);
     said_ = true;
   }
 
-  /// The products of each camera's detail with the other's contrast, a bit a beat, begun with the frame's last run.
-  void multiply() {
-    for (std::size_t i = 0; i < 2; ++i) {
-      if (begins_product_) {
-        product_[i] = Product(0);
-        addend_[i] = Product(shl<factor_bits - 1>(factor(sharpness_.sums().detail[i])));
-        multiplier_[i] = factor(sharpness_.sums().contrast[1 - i]);
-      } else {
-        if (multiplier_[i].bit(factor_bits - 1)) product_[i] += addend_[i];
-        addend_[i] = Product(shr<1>(addend_[i]));
-        multiplier_[i] = Factor(shl<1>(multiplier_[i]));
-      }
-    }
-    begins_product_ = run_.phase == Phase::conclude;
-  }
-
-  void say(Verdict& verdict, bool enough, bool disagree, const Config& config) const {
+  [[nodiscard]] u<32> word(u<6> place) {
     const Counts& c = counts_;
     const auto& sums = sharpness_.sums();
-    const auto& of_left = sums.contrast[0];
-    const auto& of_right = sums.contrast[1];
+    const auto pair = [](Count low, Count high) { return u<32>(cat(u<16>(high), u<16>(low))); };
+    switch (place.value()) {
+      case 52:
+        return pair(c.textured, c.explained);
+      case 53:
+        return pair(c.supervised, c.nearer);
+      case 54:
+        return pair(c.unproven, c.regions_bad);
+      case 59:
+        return u<32>(sums.detail[0]);
+      case 60:
+        return u<32>(sums.detail[1]);
+      case 61:
+        return u<32>(sums.contrast[0]);
+      case 62:
+        return u<32>(sums.contrast[1]);
+      default: {
+        const auto of = registration_.quarter(u<2>(place.template bits<1, 0>() + lit<1>()));
+        return u<32>(cat(of.high, of.low));
+      }
+    }
+  }
+
+  /// Products of a limit, in 1/256, with a count of cells, a bit of the limit a beat; with the first beat of the next eight
+  /// each is compared with the cells that it limits.
+  void weigh(u<7> k, const Config& config) {
+    const Counts& c = counts_;
+    const u<3> bit = k.template bits<2, 0>();
+    u<8> limit = config.regions_limit;
+    Count of = c.textured;
+    Count before = c.regions_bad;
+    switch (k.template bits<6, 3>().value()) {
+      case 6:
+        limit = config.explained_limit;
+        break;
+      case 7:
+        limit = config.unproven_limit;
+        break;
+      case 8:
+        limit = config.unproven_skin_limit;
+        of = c.skin_textured;
+        before = c.unproven;
+        break;
+      case 9:
+        limit = config.hidden_limit;
+        of = c.skin_supervised;
+        before = c.skin_unproven;
+        break;
+      case 10:
+        before = c.nearer;
+        break;
+      default:
+        break;
+    }
+    const auto over = product_ - before;
+    const bool begins = bit == 0;
+    const auto group = k.template bits<6, 3>();
+    const bool too_little = product_ > c.explained || (product_ == c.explained && product_rest_);
+    if (begins && group == 7) disagree_ = too_little;
+    if (begins && group == 8) too_much_ = false;
+    if (begins && over.negative() && (group == 8 || group == 9 || group == 15)) too_much_ = true;
+    if (begins && group == 10) hides_ = over.negative();
+    const auto sum = (begins ? Count(0) : product_) + (limit.bit(static_cast<int>(bit.value())) ? of : Count(0));
+    product_ = Count(shr<1>(sum));
+    product_rest_ = (!begins && product_rest_) || sum.bit(0);
+  }
+
+  void say(Verdict& verdict, bool enough, const Config& config) const {
     verdict.valid = true;
-    verdict.supervised = u<16>(c.supervised);
-    verdict.textured = u<16>(c.textured);
-    verdict.explained = u<16>(c.explained);
-    verdict.nearer = u<16>(c.nearer);
-    verdict.unproven = u<16>(c.unproven);
-    verdict.regions_bad = u<16>(c.regions_bad);
     verdict.unproven_yet = config.prove != 0 && !proven_;
     verdict.untextured = config.prove != 0 && !enough;
-    verdict.disagree = config.prove != 0 && enough &&
-                       (disagree || c.too_many_bad > 0 || c.too_much_unproven > 0 || c.too_much_unseen_skin > 0);
+    verdict.disagree = config.prove != 0 && enough && (disagree_ || too_much_);
     verdict.moved = config.prove != 0 && registration_.moved();
-    // A camera's detail in proportion to its contrast is below 5/8 of the other's, or its contrast below a quarter. Or
-    // the left one sees nothing where the right one does: of the right one agreement says it already.
-    const auto detail_left = product_[0];
-    const auto detail_right = product_[1];
-    verdict.unsharp_left = config.prove != 0 && enough &&
-                           (shl<3>(detail_left) < detail_right + shl<2>(detail_right) || shl<2>(of_left) < of_right ||
-                            census_.left_sees_less());
-    verdict.unsharp_right = config.prove != 0 && enough &&
-                            (shl<3>(detail_right) < detail_left + shl<2>(detail_left) || shl<2>(of_right) < of_left);
+    // Where the left camera sees nothing and the right one does: of the right one agreement says it already.
+    verdict.unsharp_left = config.prove != 0 && enough && (sharpness_.less(0) || census_.left_sees_less());
+    verdict.unsharp_right = config.prove != 0 && enough && sharpness_.less(1);
     verdict.hidden = config.prove != 0 && config.hidden_frames != 0 && hidden_for_ >= config.hidden_frames;
-    verdict.across = registration_.across();
-    verdict.measured = registration_.measured();
-    verdict.detail = sums.detail;
-    verdict.contrast = sums.contrast;
   }
 
   // The map -----------------------------------------------------------------------------------------------------------
@@ -887,10 +1024,10 @@ class Agreement {
     right_codes_.begin_step();
     best_left_.begin_step();
     best_right_.begin_step();
-    near_right_.begin_step();
     shown_right_.begin_step();
     seen_columns_.begin_step();
     regions_.begin_step();
+    registration_.begin_step();
     map_.begin_step();
   }
 
@@ -906,52 +1043,61 @@ class Agreement {
   u<5> rows_passed_above_{0};  // bit n: n rows of cells have passed
   // The sweep.
   Run run_, following_;
-  Index x_{0}, beats_left_{0}, last_{0}, row_{0};
-  Index least_{0}, first_beats_{0}, whole_beats_{0};  // of the first shift; of all columns
+  struct Plan {
+    Shift shift;
+    Index span, columns;
+  };
+  Plan plan_;  // the next run, where that compares
+  Index x_{0}, columns_left_{0}, last_{0}, row_{0};
+  Index least_{0};             // of the first shift, turned round
+  Index whole_{0}, drawn_{0};  // columns of a run over all
   Age age_{1};
-  bool ends_ = false;
+  u<3> slot_{0};           // beat of the column
+  bool ends_cell_ = true;  // the last one
+  bool ends_ = false;      // the last column
+  // Of this beat: it belongs to a row that concludes, the next one to the next cell; with it a row starts, of the first.
+  bool in_row_ = false, next_cell_ = false, row_starts_ = false, first_rows_ = false;
   bool final_row_ = false;
   bool lower_half_ = false;
-  std::array<HorizontalSum<window, 8>, across_count> sums_{};
+  template <int STRIDE>
+  using ColumnSum = HorizontalSum<window, Score::width, STRIDE, Scalar, ColumnCount::width>;
+  ColumnSum<1> middle_sum_;
+  std::array<ColumnSum<turns>, units - 1> sums_{};
+  Choice chosen_;                      // in the first turn
+  std::array<Score, units> before_{};  // of that
+  Choice best_;                        // of this beat
+  Scores scores_{};
   RAM<CellCodes, column_count, gap> fresh_;
   RAM<LeftColumn, column_count, gap> left_;
   RAM<RightColumn, column_count, gap> right_codes_;
   RAM<BestLeft, column_count, gap> best_left_;
   RAM<BestRight, column_count, gap> best_right_;
-  RAM<NearRight, column_count, gap> near_right_;
   RAM<Shown, column_count, gap> shown_right_;
   // The row and the frame.
   Counts counts_;
-  Registration registration_;
+  OfImage registration_;
+  Shown shown_;    // the cell, by the small window
   Change change_;  // of this beat
 #ifndef __HLSC__
   Phase run_was_ = Phase::idle;  // of this beat: the others change nothing
 #endif
-  bool new_frame_ = false;  // begins with this beat
-  u<3> region_row_{0};
-  u<region_columns> region_columns_{1};  // bit n: in region column n
+  bool new_frame_ = false;                                         // begins with this beat
+  u<3> region_row_{0}, next_region_row_{0}, early_region_row_{0};  // of a beat before: the way to the register is short
+  u<region_columns> region_columns_{1};                            // bit n: in region column n
   Division<region_columns> region_across_, columns_begin_;
   Division<region_rows> region_down_;
   bool region_fresh_ = true;
   Segment segment_;
   bool segment_starts_ = true, segment_started_ = false;
   RAM<RegionSums, 64, gap> regions_;
-  u<regions> good_{0}, good_next_{0};
+  u<regions> good_{0};
+  bool good_known_ = false;
   u<8> hidden_for_{0};
-  /// What counters will be when they count, of a beat before: the way from register to register is short.
-  struct Early {
-    u<8> hidden_for;
-    u<3> region_row;
-    Index lowest, highest, beats;
-    Shift shift;
-    bool last_shift = false;
-  };
-  Early next_, early_;
-  bool begins_product_ = false;
-  std::array<Product, 2> product_{}, addend_{};
-  std::array<Factor, 2> multiplier_{};
+  Count product_{0};
+  bool product_rest_ = false;
+  bool disagree_ = false, too_much_ = false, hides_ = false;
   RAM<SeenColumn, column_count, gap> seen_columns_;
-  HorizontalSum<box, 5> box_textured_, box_explained_, box_shown_, box_nearer_;
+  HorizontalSum<box, 5, 1, Scalar, 3> box_textured_, box_explained_, box_shown_, box_nearer_;
   DelayLine<Centre, 2> centres_;
   // The map.
   RAM<MapCell, 2 * map_cells, min_row_beats> map_;

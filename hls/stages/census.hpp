@@ -280,9 +280,57 @@ class Sharpness {
   }
   [[nodiscard]] const Sums& sums() const { return sums_; }
 
+  /// Compares the sums of a frame, whose cells have all come: compare(0) … compare(compare_steps - 1), a beat each, and on
+  /// until the next frame; less() is known. What is left of one comparison is 0 before the next. The products of each camera's detail with the other's contrast come a bit a beat, the lowest first,
+  /// and so do the comparisons.
+  static constexpr int compare_steps = 46;
+  void compare(u<6> step) {
+    const bool begins = step == 0;
+    const bool multiplies = step >= 24 - factor_bits;
+    Comparing& c = comparing_;
+    const std::array<bool, 2> contrast{contrast_bit(0, step), contrast_bit(1, step)};
+    std::array<bool, 2> product{};
+    for (std::size_t i = 0; i < 2; ++i) {
+      // The lowest bits of the sums are left out.
+      const Factor detail = shr<24 - factor_bits>(sums_.detail[i]);
+      const auto sum = c.rest[i] + (contrast[1 - i] && multiplies ? detail : Factor(0));
+      product[i] = sum.bit(0);
+      c.rest[i] = multiplies ? Factor(shr<1>(sum)) : Factor(0);
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+      // 8 times the one against 5 times the other; 4 times the one against the other.
+      const auto five_times = u<1>(product[1 - i]) + u<1>(c.product[1 - i].bit(1)) + u<1>(c.carry[i]);
+      c.carry[i] = five_times.bit(1);
+      c.less_detail[i] = c.product[i].bit(2) == five_times.bit(0) ? !begins && c.less_detail[i] : five_times.bit(0);
+      c.less_contrast[i] = c.contrast[i].bit(1) == contrast[1 - i] ? !begins && c.less_contrast[i] : contrast[1 - i];
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+      c.product[i] = u<3>(cat(c.product[i], product[i]));
+      c.contrast[i] = u<2>(cat(c.contrast[i], contrast[i]));
+    }
+  }
+  /// A camera's detail in proportion to its contrast is below 5/8 of the other's, or its contrast below a quarter.
+  [[nodiscard]] bool less(std::size_t camera) const {
+    return comparing_.less_detail[camera] || comparing_.less_contrast[camera];
+  }
+
  private:
+  static constexpr int factor_bits = 18;
+  using Factor = u<factor_bits>;
+  struct Comparing {
+    std::array<Factor, 2> rest{};    // of the products: the bits to come
+    std::array<u<3>, 2> product{};   // their last bits
+    std::array<u<2>, 2> contrast{};  // of the contrasts
+    std::array<bool, 2> carry{};     // of five times the other's product
+    std::array<bool, 2> less_detail{}, less_contrast{};
+  };
+  [[nodiscard]] bool contrast_bit(std::size_t camera, u<6> step) const {
+    return step < 24 && sums_.contrast[camera].bit(static_cast<int>(step.value()));
+  }
+
   Kept<CellGrey> last_;
   Sums sums_;
+  Comparing comparing_;
 };
 
 }  // namespace horopter::stages

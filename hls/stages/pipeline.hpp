@@ -809,20 +809,13 @@ class Pipeline {
 
   static void take_verdict(const OutOf<stages::Agreement<P>>& out, FrameResult& result) {
     Agreement& to = result.agreement;
-    if (out.region.valid) [[unlikely]] {
-      const auto& from = out.region;
-      to.regions[from.region.value()] = {from.textured.value(), from.explained.value(), from.nearer.value()};
+    if (out.frame.valid) [[unlikely]] {
+      take_word(out.frame.index.value(), out.frame.word.value(), to);
     }
     if (!out.verdict.valid) [[likely]] {
       return;
     }
     const stages::Verdict& from = out.verdict;
-    to.supervised_cells = from.supervised.value();
-    to.textured_cells = from.textured.value();
-    to.explained_cells = from.explained.value();
-    to.nearer_cells = from.nearer.value();
-    to.unproven_cells = from.unproven.value();
-    to.bad_region_cells = from.regions_bad.value();
     to.unproven = from.unproven_yet;
     to.untextured = from.untextured;
     to.disagree = from.disagree;
@@ -830,13 +823,42 @@ class Pipeline {
     to.unsharp_left = from.unsharp_left;
     to.unsharp_right = from.unsharp_right;
     to.hidden = from.hidden;
-    for (std::size_t i = 0; i < 4; ++i) {
-      to.across[i] = from.across[i].value();
-      to.measured[i] = from.measured[i].value();
+  }
+
+  /// See stages::FrameWord.
+  static void take_word(std::size_t place, std::uint32_t word, Agreement& to) {
+    const auto bits = [&](int lowest, int count) { return static_cast<int>(word >> lowest & ((1U << count) - 1)); };
+    if (place < to.regions.size()) {
+      to.regions[place] = {bits(0, 10), bits(10, 10), bits(20, 10)};
+      return;
     }
-    for (std::size_t i = 0; i < 2; ++i) {
-      to.detail[i] = static_cast<int>(from.detail[i].value());
-      to.contrast[i] = static_cast<int>(from.contrast[i].value());
+    switch (place - stages::FrameWord::first_of_frame) {
+      case 0:
+        to.textured_cells = bits(0, 16);
+        to.explained_cells = bits(16, 16);
+        break;
+      case 1:
+        to.supervised_cells = bits(0, 16);
+        to.nearer_cells = bits(16, 16);
+        break;
+      case 2:
+        to.unproven_cells = bits(0, 16);
+        to.bad_region_cells = bits(16, 16);
+        break;
+      case 3:
+      case 4:
+      case 5:
+      case 6:
+        to.across[place - stages::FrameWord::first_of_frame - 3] = hls::s<20>(word).value();
+        to.measured[place - stages::FrameWord::first_of_frame - 3] = bits(20, 12);
+        break;
+      case 7:
+      case 8:
+        to.detail[place - stages::FrameWord::first_of_frame - 7] = bits(0, 24);
+        break;
+      default:
+        to.contrast[(place - stages::FrameWord::first_of_frame - 9) % 2] = bits(0, 24);
+        break;
     }
   }
 

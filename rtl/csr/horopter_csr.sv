@@ -6,6 +6,7 @@
 // read_error_o follow read_addr_i three clocks later, every clock. Partial writes follow the strobes; of a stream
 // register they are an error. Reset: synchronous, all storage to its reset value.
 // changed_o: a register that the bus writes has changed without a write, and has not been written since (horopter_guard).
+// memory_word_i: of registers whose words lie in a memory, the word of read_addr_i two clocks later.
 module horopter_csr #(
     parameter bit BLIND = 1'b1,
     parameter bit BOTH_RULES = 1'b1,
@@ -35,6 +36,7 @@ module horopter_csr #(
     output logic [31:0] read_data_o,
     output logic        read_error_o,
     output logic        changed_o,
+    input  logic [31:0] memory_word_i,
     input  logic [15:0] build_size_width_i,
     input  logic [15:0] build_size_height_i,
     input  logic [15:0] build_store_rows_i,
@@ -121,17 +123,6 @@ module horopter_csr #(
     output logic [11:0] registration_o,
     output logic [31:0] epipolar_o,
     output logic [31:0] epipolar_change_o,
-    input  logic [31:0] frame_agreement_i,
-    input  logic [31:0] frame_cells_i,
-    input  logic [31:0] frame_unproven_i,
-    input  logic [31:0] frame_across_0_i,
-    input  logic [31:0] frame_across_1_i,
-    input  logic [31:0] frame_across_2_i,
-    input  logic [31:0] frame_across_3_i,
-    input  logic [23:0] frame_detail_left_sum_i,
-    input  logic [23:0] frame_detail_right_sum_i,
-    input  logic [23:0] frame_contrast_left_sum_i,
-    input  logic [23:0] frame_contrast_right_sum_i,
     output logic [ 7:0] one_camera_segments_o,
     output logic [ 7:0] blind_step_grey_o,
     output logic [ 7:0] blind_share_of_256_o,
@@ -139,7 +130,6 @@ module horopter_csr #(
     input  logic [23:0] frame_hidden_pixels_i,
     input  logic [23:0] frame_unproven_pixels_pixels_i,
     output logic [ 5:0] region_select_region_o,
-    input  logic [29:0] frame_region_i,
     output logic [23:0] object_limit_pixels_o,
     input  logic [23:0] frame_object_pixels_i,
     input  logic [23:0] frame_object_columns_i,
@@ -996,15 +986,15 @@ module horopter_csr #(
   logic [31:0] group_08_q;
   logic [31:0] group_09_q;
   logic [31:0] group_0A_q;
-  logic [31:0] group_0B_q;
   logic [31:0] group_0C_q;
   logic [31:0] group_0D_q;
-  logic [12:0] wanted_q;
-  logic known_q;
+  logic [11:0] wanted_q;
+  logic known_q, memory_wanted_q, memory_known_q;
   logic [2:0] word_q;
   always_ff @(posedge clk_i) begin
     word_q <= read_addr_i[4:2];
     wanted_q <= '0;
+    memory_wanted_q <= 1'b0;
     case (read_addr_i)
       12'h000, 12'h004, 12'h008, 12'h00C, 12'h010, 12'h014, 12'h018: wanted_q[0] <= 1'b1;
       12'h040, 12'h044, 12'h048, 12'h04C, 12'h050, 12'h054, 12'h058, 12'h05C: wanted_q[1] <= 1'b1;
@@ -1015,10 +1005,11 @@ module horopter_csr #(
       12'h0E0, 12'h0E4, 12'h0E8: wanted_q[6] <= 1'b1;
       12'h100, 12'h104, 12'h108, 12'h10C, 12'h110, 12'h114, 12'h118, 12'h11C: wanted_q[7] <= 1'b1;
       12'h120, 12'h124, 12'h128, 12'h12C, 12'h130, 12'h134, 12'h138, 12'h13C: wanted_q[8] <= 1'b1;
-      12'h140, 12'h144, 12'h150, 12'h154, 12'h158, 12'h15C: wanted_q[9] <= 1'b1;
-      12'h160, 12'h164, 12'h168, 12'h16C, 12'h170, 12'h174, 12'h178: wanted_q[10] <= 1'b1;
-      12'h180, 12'h184, 12'h188, 12'h18C, 12'h190, 12'h194, 12'h198, 12'h19C: wanted_q[11] <= 1'b1;
-      12'h1A0, 12'h1A4, 12'h1A8, 12'h1AC, 12'h1B0, 12'h1B4, 12'h1B8: wanted_q[12] <= 1'b1;
+      12'h140, 12'h144: wanted_q[9] <= 1'b1;
+      12'h180, 12'h184, 12'h188, 12'h18C, 12'h190, 12'h194, 12'h198: wanted_q[10] <= 1'b1;
+      12'h1A0, 12'h1A4, 12'h1A8, 12'h1AC, 12'h1B0, 12'h1B4, 12'h1B8: wanted_q[11] <= 1'b1;
+      12'h150, 12'h154, 12'h158, 12'h15C, 12'h160, 12'h164, 12'h168, 12'h16C, 12'h170, 12'h174, 12'h178, 12'h19C:
+      memory_wanted_q <= 1'b1;
       default: ;  // no register
     endcase
     group_00_q <= 32'd0;
@@ -1118,25 +1109,10 @@ module horopter_csr #(
     if (wanted_q[9])
       case (word_q)
         3'h0: group_0A_q <= {epipolar_column_q, epipolar_slope_q};
-        3'h1: group_0A_q <= {epipolar_change_both_q, epipolar_change_row_q};
-        3'h4: group_0A_q <= frame_agreement_i;
-        3'h5: group_0A_q <= frame_cells_i;
-        3'h6: group_0A_q <= frame_unproven_i;
-        default: group_0A_q <= frame_across_0_i;
-      endcase
-    group_0B_q <= 32'd0;
-    if (wanted_q[10])
-      case (word_q)
-        3'h0: group_0B_q <= frame_across_1_i;
-        3'h1: group_0B_q <= frame_across_2_i;
-        3'h2: group_0B_q <= frame_across_3_i;
-        3'h3: group_0B_q <= {8'd0, frame_detail_left_sum_i};
-        3'h4: group_0B_q <= {8'd0, frame_detail_right_sum_i};
-        3'h5: group_0B_q <= {8'd0, frame_contrast_left_sum_i};
-        default: group_0B_q <= {8'd0, frame_contrast_right_sum_i};
+        default: group_0A_q <= {epipolar_change_both_q, epipolar_change_row_q};
       endcase
     group_0C_q <= 32'd0;
-    if (wanted_q[11])
+    if (wanted_q[10])
       case (word_q)
         3'h0: group_0C_q <= {24'd0, one_camera_segments_q};
         3'h1: group_0C_q <= {24'd0, blind_step_grey_q};
@@ -1144,11 +1120,10 @@ module horopter_csr #(
         3'h3: group_0C_q <= {24'd0, still_limit_frames_q};
         3'h4: group_0C_q <= {8'd0, frame_hidden_pixels_i};
         3'h5: group_0C_q <= {8'd0, frame_unproven_pixels_pixels_i};
-        3'h6: group_0C_q <= {26'd0, region_select_region_q};
-        default: group_0C_q <= {2'd0, frame_region_i};
+        default: group_0C_q <= {26'd0, region_select_region_q};
       endcase
     group_0D_q <= 32'd0;
-    if (wanted_q[12])
+    if (wanted_q[11])
       case (word_q)
         3'h0: group_0D_q <= {8'd0, object_limit_pixels_q};
         3'h1: group_0D_q <= {8'd0, frame_object_pixels_i};
@@ -1159,7 +1134,8 @@ module horopter_csr #(
         default: group_0D_q <= {16'd0, taught_frames_i};
       endcase
     known_q <= wanted_q != '0;
-    read_data_o <= group_00_q | group_02_q | group_03_q | group_04_q | group_05_q | group_06_q | group_07_q | group_08_q | group_09_q | group_0A_q | group_0B_q | group_0C_q | group_0D_q;
-    read_error_o <= !known_q;
+    memory_known_q <= memory_wanted_q;
+    read_data_o <= group_00_q | group_02_q | group_03_q | group_04_q | group_05_q | group_06_q | group_07_q | group_08_q | group_09_q | group_0A_q | group_0C_q | group_0D_q | (memory_known_q ? memory_word_i : 32'd0);
+    read_error_o <= !known_q && !memory_known_q;
   end
 endmodule

@@ -189,17 +189,12 @@ module horopter_top #(
   horopter_csr_pkg::epipolar_t epipolar, sampled_epipolar;
   horopter_csr_pkg::epipolar_change_t epipolar_change, sampled_epipolar_change;
   logic [5:0] region_select;
-  horopter_csr_pkg::frame_agreement_t frame_agreement;
-  horopter_csr_pkg::frame_cells_t frame_cells;
-  horopter_csr_pkg::frame_unproven_t frame_unproven;
-  horopter_csr_pkg::frame_region_t frame_region;
+  logic [31:0] frame_word;
   logic [23:0] frame_object, frame_blind;
   horopter_csr_pkg::blocks_t blocks, sampled_blocks;
   logic [15:0] taught_frames;
   horopter_csr_pkg::frame_object_columns_t frame_object_columns;
   horopter_csr_pkg::frame_object_rows_t frame_object_rows;
-  logic [127:0] frame_across;
-  logic [47:0] frame_detail, frame_contrast;
   logic [23:0] frame_hidden, frame_unproven_pixels;
   logic decision_compete;
   horopter_csr_pkg::compete_t compete_settings;
@@ -250,6 +245,7 @@ module horopter_top #(
       .read_data_o(read_data),
       .read_error_o(read_error),
       .changed_o(changed[0]),
+      .memory_word_i(frame_word),
       .build_size_width_i(16'(WIDTH)),
       .build_size_height_i(16'(HEIGHT)),
       .build_store_rows_i(16'(STORE_ROWS)),
@@ -311,20 +307,8 @@ module horopter_top #(
       .epipolar_o(epipolar),
       .epipolar_change_o(epipolar_change),
       .region_select_region_o(region_select),
-      .frame_agreement_i(frame_agreement),
-      .frame_cells_i(frame_cells),
-      .frame_unproven_i(frame_unproven),
-      .frame_across_0_i(frame_across[31:0]),
-      .frame_across_1_i(frame_across[63:32]),
-      .frame_across_2_i(frame_across[95:64]),
-      .frame_across_3_i(frame_across[127:96]),
-      .frame_detail_left_sum_i(frame_detail[23:0]),
-      .frame_detail_right_sum_i(frame_detail[47:24]),
-      .frame_contrast_left_sum_i(frame_contrast[23:0]),
-      .frame_contrast_right_sum_i(frame_contrast[47:24]),
       .frame_hidden_pixels_i(frame_hidden),
       .frame_unproven_pixels_pixels_i(frame_unproven_pixels),
-      .frame_region_i(frame_region),
       .frame_object_pixels_i(frame_object),
       .frame_object_columns_i(frame_object_columns),
       .frame_object_rows_i(frame_object_rows),
@@ -950,19 +934,14 @@ module horopter_top #(
   logic [1:0] run_state;
   logic counts_valid, alarm, too_undecidable, too_unsupervised;
   logic [COUNT_BITS-1:0] skin_pixels, undecidable_pixels, unsupervised_pixels, unearned_pixels;
-  logic verdict_valid, region_valid;
+  logic verdict_valid, word_valid;
   logic disagree, unproven, moved, hidden, untextured;
   logic [1:0] unsharp;
   horopter_csr_pkg::verdict_t verdict;
   assign verdict = {unsharp, untextured, hidden, moved, unproven, disagree};  // as horopter_csr_pkg has it
-  logic [15:0] supervised_cells, textured_cells, explained_cells, nearer_cells, unproven_cells, bad_region_cells;
-  logic [79:0] across;
-  logic [47:0] measured, detail, contrast;
-  logic [5:0] region;
-  logic [11:0] region_textured, region_explained, region_nearer;
+  logic [5:0] word_index;
+  logic [31:0] word;
   logic align_hidden, align_unproven;
-  logic unused_region;
-  assign unused_region = ^{region_textured[11:10], region_explained[11:10], region_nearer[11:10]};
   logic stage_parity_error;
   horopter_stages #(
       .THESIS(THESIS),
@@ -1008,12 +987,6 @@ module horopter_top #(
       .cfg_epipolar_both_i(sampled_epipolar_change.both),
       .parity_error_o(stage_parity_error),
       .agreement_verdict_valid_o(verdict_valid),
-      .agreement_verdict_supervised_o(supervised_cells),
-      .agreement_verdict_textured_o(textured_cells),
-      .agreement_verdict_explained_o(explained_cells),
-      .agreement_verdict_nearer_o(nearer_cells),
-      .agreement_verdict_unproven_o(unproven_cells),
-      .agreement_verdict_regions_bad_o(bad_region_cells),
       .agreement_verdict_unproven_yet_o(unproven),
       .agreement_verdict_untextured_o(untextured),
       .agreement_verdict_disagree_o(disagree),
@@ -1021,23 +994,9 @@ module horopter_top #(
       .agreement_verdict_unsharp_left_o(unsharp[0]),
       .agreement_verdict_unsharp_right_o(unsharp[1]),
       .agreement_verdict_hidden_o(hidden),
-      .agreement_verdict_across_0_o(across[19:0]),
-      .agreement_verdict_across_1_o(across[39:20]),
-      .agreement_verdict_across_2_o(across[59:40]),
-      .agreement_verdict_across_3_o(across[79:60]),
-      .agreement_verdict_measured_0_o(measured[11:0]),
-      .agreement_verdict_measured_1_o(measured[23:12]),
-      .agreement_verdict_measured_2_o(measured[35:24]),
-      .agreement_verdict_measured_3_o(measured[47:36]),
-      .agreement_verdict_detail_0_o(detail[23:0]),
-      .agreement_verdict_detail_1_o(detail[47:24]),
-      .agreement_verdict_contrast_0_o(contrast[23:0]),
-      .agreement_verdict_contrast_1_o(contrast[47:24]),
-      .agreement_region_valid_o(region_valid),
-      .agreement_region_region_o(region),
-      .agreement_region_textured_o(region_textured),
-      .agreement_region_explained_o(region_explained),
-      .agreement_region_nearer_o(region_nearer),
+      .agreement_frame_valid_o(word_valid),
+      .agreement_frame_index_o(word_index),
+      .agreement_frame_word_o(word),
       .align_hidden_o(align_hidden),
       .align_unproven_o(align_unproven),
       .cfg_width_i(result_width),
@@ -1071,22 +1030,9 @@ module horopter_top #(
   ) u_agreement_result (
       .clk_i(clk_i),
       .prove_i(sampled_agreement.prove),
-      .verdict_valid_i(verdict_valid),
-      .supervised_i(supervised_cells),
-      .textured_i(textured_cells),
-      .explained_i(explained_cells),
-      .nearer_i(nearer_cells),
-      .unproven_i(unproven_cells),
-      .regions_bad_i(bad_region_cells),
-      .across_i(across),
-      .measured_i(measured),
-      .detail_i(detail),
-      .contrast_i(contrast),
-      .region_valid_i(region_valid),
-      .region_i(region),
-      .region_textured_i(region_textured[9:0]),
-      .region_explained_i(region_explained[9:0]),
-      .region_nearer_i(region_nearer[9:0]),
+      .word_valid_i(word_valid),
+      .index_i(word_index),
+      .word_i(word),
       .state_valid_i(state_valid && !state_idle),
       .state_first_i(state_first),
       .hidden_i(align_hidden),
@@ -1094,15 +1040,10 @@ module horopter_top #(
       .counts_valid_i(counts_valid),
       .unearned_o(unearned_pixels),
       .region_select_i(region_select),
-      .frame_agreement_o(frame_agreement),
-      .frame_cells_o(frame_cells),
-      .frame_unproven_o(frame_unproven),
-      .frame_across_o(frame_across),
-      .frame_detail_o(frame_detail),
-      .frame_contrast_o(frame_contrast),
+      .read_addr_i(read_addr),
+      .word_o(frame_word),
       .frame_hidden_o(frame_hidden),
-      .frame_unproven_pixels_o(frame_unproven_pixels),
-      .frame_region_o(frame_region)
+      .frame_unproven_pixels_o(frame_unproven_pixels)
   );
 
   logic objects_ended, objects_overflow, object_alarm, taught, forget;

@@ -51,12 +51,6 @@ module horopter_stages #(
   input  logic [30:0] compete_settings_i,
   output logic parity_error_o,
   output logic agreement_verdict_valid_o,
-  output logic [15:0] agreement_verdict_supervised_o,
-  output logic [15:0] agreement_verdict_textured_o,
-  output logic [15:0] agreement_verdict_explained_o,
-  output logic [15:0] agreement_verdict_nearer_o,
-  output logic [15:0] agreement_verdict_unproven_o,
-  output logic [15:0] agreement_verdict_regions_bad_o,
   output logic agreement_verdict_unproven_yet_o,
   output logic agreement_verdict_untextured_o,
   output logic agreement_verdict_disagree_o,
@@ -64,23 +58,9 @@ module horopter_stages #(
   output logic agreement_verdict_unsharp_left_o,
   output logic agreement_verdict_unsharp_right_o,
   output logic agreement_verdict_hidden_o,
-  output logic signed [19:0] agreement_verdict_across_0_o,
-  output logic signed [19:0] agreement_verdict_across_1_o,
-  output logic signed [19:0] agreement_verdict_across_2_o,
-  output logic signed [19:0] agreement_verdict_across_3_o,
-  output logic [11:0] agreement_verdict_measured_0_o,
-  output logic [11:0] agreement_verdict_measured_1_o,
-  output logic [11:0] agreement_verdict_measured_2_o,
-  output logic [11:0] agreement_verdict_measured_3_o,
-  output logic [23:0] agreement_verdict_detail_0_o,
-  output logic [23:0] agreement_verdict_detail_1_o,
-  output logic [23:0] agreement_verdict_contrast_0_o,
-  output logic [23:0] agreement_verdict_contrast_1_o,
-  output logic agreement_region_valid_o,
-  output logic [5:0] agreement_region_region_o,
-  output logic [11:0] agreement_region_textured_o,
-  output logic [11:0] agreement_region_explained_o,
-  output logic [11:0] agreement_region_nearer_o,
+  output logic agreement_frame_valid_o,
+  output logic [5:0] agreement_frame_index_o,
+  output logic [31:0] agreement_frame_word_o,
   output logic align_valid_o,
   output logic [1:0] align_state_o,
   output logic align_first_o,
@@ -184,8 +164,8 @@ module horopter_stages #(
   logic agreement_marks_nearer_o;
   logic agreement_verdict_valid;
   assign agreement_verdict_valid_o = agreement_valid_o && agreement_verdict_valid;
-  logic agreement_region_valid;
-  assign agreement_region_valid_o = agreement_valid_o && agreement_region_valid;
+  logic agreement_frame_valid;
+  assign agreement_frame_valid_o = agreement_valid_o && agreement_frame_valid;
   horopter_agreement u_agreement (
     .clk_i(clk_i),
     .rst_ni(rst_ni),
@@ -228,12 +208,6 @@ module horopter_stages #(
     .marks_seen_o(agreement_marks_seen_o),
     .marks_nearer_o(agreement_marks_nearer_o),
     .verdict_valid_o(agreement_verdict_valid),
-    .verdict_supervised_o(agreement_verdict_supervised_o),
-    .verdict_textured_o(agreement_verdict_textured_o),
-    .verdict_explained_o(agreement_verdict_explained_o),
-    .verdict_nearer_o(agreement_verdict_nearer_o),
-    .verdict_unproven_o(agreement_verdict_unproven_o),
-    .verdict_regions_bad_o(agreement_verdict_regions_bad_o),
     .verdict_unproven_yet_o(agreement_verdict_unproven_yet_o),
     .verdict_untextured_o(agreement_verdict_untextured_o),
     .verdict_disagree_o(agreement_verdict_disagree_o),
@@ -241,23 +215,9 @@ module horopter_stages #(
     .verdict_unsharp_left_o(agreement_verdict_unsharp_left_o),
     .verdict_unsharp_right_o(agreement_verdict_unsharp_right_o),
     .verdict_hidden_o(agreement_verdict_hidden_o),
-    .verdict_across_0_o(agreement_verdict_across_0_o),
-    .verdict_across_1_o(agreement_verdict_across_1_o),
-    .verdict_across_2_o(agreement_verdict_across_2_o),
-    .verdict_across_3_o(agreement_verdict_across_3_o),
-    .verdict_measured_0_o(agreement_verdict_measured_0_o),
-    .verdict_measured_1_o(agreement_verdict_measured_1_o),
-    .verdict_measured_2_o(agreement_verdict_measured_2_o),
-    .verdict_measured_3_o(agreement_verdict_measured_3_o),
-    .verdict_detail_0_o(agreement_verdict_detail_0_o),
-    .verdict_detail_1_o(agreement_verdict_detail_1_o),
-    .verdict_contrast_0_o(agreement_verdict_contrast_0_o),
-    .verdict_contrast_1_o(agreement_verdict_contrast_1_o),
-    .region_valid_o(agreement_region_valid),
-    .region_region_o(agreement_region_region_o),
-    .region_textured_o(agreement_region_textured_o),
-    .region_explained_o(agreement_region_explained_o),
-    .region_nearer_o(agreement_region_nearer_o)
+    .frame_valid_o(agreement_frame_valid),
+    .frame_index_o(agreement_frame_index_o),
+    .frame_word_o(agreement_frame_word_o)
   );
 
   logic lowpass_valid_o;

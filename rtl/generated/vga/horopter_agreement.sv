@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Agreement<horopter::hls::profiles::vga>, hls/stages/agreement.hpp. Do not edit.
 //
-// Latency 6 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 5 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 2567 bits, pipeline 1318 bits, memories 69248 bits.
+// State 1867 bits, pipeline 631 bits, memories 70060 bits.
 module horopter_agreement (
   input  logic clk_i,
   input  logic rst_ni,
@@ -47,12 +47,6 @@ module horopter_agreement (
   output logic marks_seen_o,
   output logic marks_nearer_o,
   output logic verdict_valid_o,
-  output logic [15:0] verdict_supervised_o,
-  output logic [15:0] verdict_textured_o,
-  output logic [15:0] verdict_explained_o,
-  output logic [15:0] verdict_nearer_o,
-  output logic [15:0] verdict_unproven_o,
-  output logic [15:0] verdict_regions_bad_o,
   output logic verdict_unproven_yet_o,
   output logic verdict_untextured_o,
   output logic verdict_disagree_o,
@@ -60,50 +54,33 @@ module horopter_agreement (
   output logic verdict_unsharp_left_o,
   output logic verdict_unsharp_right_o,
   output logic verdict_hidden_o,
-  output logic signed [19:0] verdict_across_0_o,
-  output logic signed [19:0] verdict_across_1_o,
-  output logic signed [19:0] verdict_across_2_o,
-  output logic signed [19:0] verdict_across_3_o,
-  output logic [11:0] verdict_measured_0_o,
-  output logic [11:0] verdict_measured_1_o,
-  output logic [11:0] verdict_measured_2_o,
-  output logic [11:0] verdict_measured_3_o,
-  output logic [23:0] verdict_detail_0_o,
-  output logic [23:0] verdict_detail_1_o,
-  output logic [23:0] verdict_contrast_0_o,
-  output logic [23:0] verdict_contrast_1_o,
-  output logic region_valid_o,
-  output logic [5:0] region_region_o,
-  output logic [11:0] region_textured_o,
-  output logic [11:0] region_explained_o,
-  output logic [11:0] region_nearer_o
+  output logic frame_valid_o,
+  output logic [5:0] frame_index_o,
+  output logic [31:0] frame_word_o
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en;
+  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q;
+  logic s0_en, s1_en, s2_en, s3_en, s4_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
   assign s3_en = en_i & valid_s3_q;
   assign s4_en = en_i & valid_s4_q;
-  assign s5_en = en_i & valid_s5_q;
 
   // Of the configuration alone: not pipelined.
   logic [7:0] last;
   assign last = {1'b0, cfg_width_i[9:3]} + 8'hff;
-  logic [6:0] sum_1412;
-  assign sum_1412 = {1'b0, cfg_width_i[9:4]} + 7'h7;
-  logic [5:0] sum_1427;
-  assign sum_1427 = {1'b0, cfg_height_i[8:4]} + 6'h5;
-  logic [6:0] difference_1907;
-  assign difference_1907 = 7'h0 - {1'b0, cfg_height_i[8:3]};
-  logic less_2050;
-  assign less_2050 = 6'h8 < cfg_height_i[8:3];
-  logic [4:0] sum_2051;
-  assign sum_2051 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
-  logic not_2069;
-  assign not_2069 = ~cfg_prove_i;
+  logic [5:0] sum_2412;
+  assign sum_2412 = {1'b0, cfg_height_i[8:4]} + 6'h5;
+  logic [6:0] difference_2758;
+  assign difference_2758 = 7'h0 - {1'b0, cfg_height_i[8:3]};
+  logic less_2962;
+  assign less_2962 = 6'h8 < cfg_height_i[8:3];
+  logic [4:0] sum_2963;
+  assign sum_2963 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
+  logic not_2981;
+  assign not_2981 = ~cfg_prove_i;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic sample_pair_first_q;
@@ -121,235 +98,239 @@ module horopter_agreement (
   logic [8:0] averager_place_q;
   logic averager_running_mask_q;
   logic [2:0] run_phase_q;
-  logic [7:0] run_lowest_q;
-  logic [7:0] run_highest_q;
-  logic [7:0] run_beats_q;
   logic [5:0] run_shift_q;
   logic run_last_shift_q;
+  logic [7:0] run_span_q;
   logic [2:0] following_phase_q;
-  logic [7:0] following_lowest_q;
-  logic [7:0] following_highest_q;
-  logic [7:0] following_beats_q;
   logic [5:0] following_shift_q;
   logic following_last_shift_q;
+  logic [7:0] following_span_q;
+  logic [6:0] following_lowest_q;
+  logic [7:0] following_columns_q;
+  logic [5:0] plan_shift_q;
+  logic [7:0] plan_span_q;
+  logic [7:0] plan_columns_q;
   logic [7:0] x_q;
-  logic [7:0] beats_left_q;
+  logic [7:0] columns_left_q;
   logic [6:0] last_q;
   logic [6:0] least_q;
-  logic [7:0] first_beats_q;
-  logic [7:0] whole_beats_q;
+  logic [7:0] whole_q;
+  logic [7:0] drawn_q;
   logic [6:0] age_q;
+  logic [2:0] slot_q;
+  logic ends_cell_q;
   logic ends_q;
   logic final_row_q;
-  logic [7:0] next_lowest_q;
-  logic [7:0] next_highest_q;
-  logic [7:0] next_beats_q;
-  logic [5:0] next_shift_q;
-  logic next_last_shift_q;
   // hls/stages/census.hpp:35
-  logic [2:0] select_318;
-  assign select_318 = sample_pair_first_q ? 3'h0 : (raster_row_ended_q ? 3'h0 : raster_at_x_q);
-  logic [6:0] select_320;
-  assign select_320 = sample_pair_first_q ? 7'h0 : (raster_row_ended_q ? 7'h0 : raster_at_column_q);
+  logic [2:0] select_320;
+  assign select_320 = sample_pair_first_q ? 3'h0 : (raster_row_ended_q ? 3'h0 : raster_at_x_q);
+  logic [6:0] select_322;
+  assign select_322 = sample_pair_first_q ? 7'h0 : (raster_row_ended_q ? 7'h0 : raster_at_column_q);
   // hls/stages/census.hpp:94
-  logic [8:0] select_323;
-  assign select_323 = ({select_320, select_318} == 10'h0) ? 9'h0 : (averager_place_q + 9'h1);
+  logic [8:0] select_325;
+  assign select_325 = ({select_322, select_320} == 10'h0) ? 9'h0 : (averager_place_q + 9'h1);
   // hls/stages/census.hpp:95
-  logic [8:0] select_324;
-  assign select_324 = select_318[0] ? averager_place_q : select_323;
+  logic [8:0] select_326;
+  assign select_326 = select_320[0] ? averager_place_q : select_325;
   // hls/stages/census.hpp:40
-  logic or_325;
-  assign or_325 = sample_pair_first_q | raster_at_live_q;
-  // hls/stages/agreement.hpp:202
-  logic and_331;
-  assign and_331 = (~((~or_325) | (~select_318[0]))) & (select_324[8:6] < 3'h5);
+  logic or_327;
+  assign or_327 = sample_pair_first_q | raster_at_live_q;
+  // hls/stages/agreement.hpp:213
+  logic and_333;
+  assign and_333 = (~((~or_327) | (~select_320[0]))) & (select_326[8:6] < 3'h5);
   // hls/stages/census.hpp:40
-  logic [2:0] select_336;
-  assign select_336 = sample_pair_first_q ? 3'h0 : raster_at_y_q;
-  // hls/stages/agreement.hpp:202
+  logic [2:0] select_338;
+  assign select_338 = sample_pair_first_q ? 3'h0 : raster_at_y_q;
+  // hls/stages/agreement.hpp:213
   logic whole;
-  assign whole = select_318[0] ? (sample_present_q & averager_running_mask_q) : sample_present_q;
-  // hls/stages/agreement.hpp:204
+  assign whole = select_320[0] ? (sample_present_q & averager_running_mask_q) : sample_present_q;
+  // hls/stages/agreement.hpp:215
   logic [6:0] column;
-  assign column = sample_pair_whole_q ? select_320 : 7'h0;
+  assign column = sample_pair_whole_q ? select_322 : 7'h0;
   // hls/stages/census.hpp:45
-  logic equal_353;
-  assign equal_353 = select_318 == 3'h7;
+  logic equal_355;
+  assign equal_355 = select_320 == 3'h7;
   // hls/stages/census.hpp:48
-  logic equal_354;
-  assign equal_354 = select_336 == 3'h7;
+  logic equal_356;
+  assign equal_356 = select_338 == 3'h7;
   // hls/stages/census.hpp:105
-  logic and_355;
-  assign and_355 = equal_354 & and_331;
-  // hls/stages/agreement.hpp:204
   logic and_357;
-  assign and_357 = sample_pair_whole_q & (equal_353 & and_355);
-  // hls/stages/agreement.hpp:787
-  logic drew;
-  assign drew = run_phase_q == 3'h5;
-  // hls/stages/agreement.hpp:381
-  logic equal_377;
-  assign equal_377 = run_phase_q == 3'h4;
-  // hls/stages/agreement.hpp:590
-  logic or_378;
-  assign or_378 = drew | equal_377;
-  // hls/stages/agreement.hpp:447
-  logic not_379;
-  assign not_379 = ~or_378;
-  // hls/stages/agreement.hpp:381
-  logic equal_380;
-  assign equal_380 = run_phase_q == 3'h3;
+  assign and_357 = equal_356 & and_333;
+  // hls/stages/agreement.hpp:215
+  logic and_359;
+  assign and_359 = sample_pair_whole_q & (equal_355 & and_357);
+  // hls/stages/agreement.hpp:134
+  logic so;
+  assign so = run_phase_q == 3'h6;
+  // hls/stages/agreement.hpp:406
+  logic equal_379;
+  assign equal_379 = run_phase_q == 3'h5;
+  // hls/stages/agreement.hpp:391
+  logic or_380;
+  assign or_380 = so | equal_379;
+  logic not_381;
+  assign not_381 = ~or_380;
+  // hls/stages/agreement.hpp:397
   logic equal_382;
-  assign equal_382 = run_phase_q == 3'h2;
-  // hls/stages/agreement.hpp:602
-  logic less_383;
-  assign less_383 = run_highest_q < x_q;
-  logic not_384;
-  assign not_384 = ~less_383;
-  // hls/stages/agreement.hpp:181
-  logic and_385;
-  assign and_385 = equal_382 & not_384;
-  logic and_387;
-  assign and_387 = not_379 & ((~equal_380) & and_385);
+  assign equal_382 = run_phase_q == 3'h3;
+  // hls/stages/agreement.hpp:398
+  logic equal_384;
+  assign equal_384 = run_phase_q == 3'h2;
+  // hls/stages/agreement.hpp:389
+  logic [7:0] sum_385;
+  assign sum_385 = {{2{run_shift_q[5]}}, run_shift_q} + x_q;
+  // hls/stages/agreement.hpp:391
+  logic [7:0] select_386;
+  assign select_386 = run_shift_q[5] ? x_q : sum_385;
+  logic less_387;
+  assign less_387 = {1'b0, last_q} < select_386;
+  // hls/stages/agreement.hpp:163
+  logic not_388;
+  assign not_388 = ~less_387;
+  // hls/stages/agreement.hpp:554
+  logic and_389;
+  assign and_389 = equal_384 & not_388;
+  logic and_391;
+  assign and_391 = not_381 & ((~equal_382) & and_389);
   // hls/stages/census.hpp:40
-  logic [5:0] select_414;
-  assign select_414 = sample_pair_first_q ? 6'h0 : raster_at_row_q;
-  // hls/stages/agreement.hpp:204
+  logic [5:0] select_418;
+  assign select_418 = sample_pair_first_q ? 6'h0 : raster_at_row_q;
+  // hls/stages/agreement.hpp:215
   logic [5:0] row;
-  assign row = sample_pair_whole_q ? select_414 : 6'h0;
-  // hls/stages/agreement.hpp:181
-  logic select_471;
-  assign select_471 = equal_380 ? not_384 : and_385;
-  logic [6:0] select_500;
-  assign select_500 = equal_380 ? ({run_shift_q[5], run_shift_q} + x_q[6:0]) : x_q[6:0];
-  // hls/stages/agreement.hpp:469
+  assign row = sample_pair_whole_q ? select_418 : 6'h0;
+  // hls/stages/agreement.hpp:554
+  logic select_475;
+  assign select_475 = equal_382 ? not_388 : and_389;
+  // hls/stages/agreement.hpp:596
   logic [7:0] x;
   assign x = x_q + 8'hfd;
-  // hls/stages/agreement.hpp:181
-  logic and_525;
-  assign and_525 = equal_380 & (age_q[2] & (~(({1'b0, run_highest_q} + 9'h3) < {1'b0, x_q})));
-  logic select_526;
-  assign select_526 = or_378 ? not_384 : and_525;
-  // hls/stages/agreement.hpp:488
-  logic equal_529;
-  assign equal_529 = {{2{run_shift_q[5]}}, run_shift_q} == (8'h0 - {1'b0, least_q});
-  // hls/stages/agreement.hpp:492
-  logic or_531;
-  assign or_531 = equal_529 | ($signed(6'h0) < $signed(run_shift_q));
-  // hls/stages/agreement.hpp:143
-  logic not_972;
-  assign not_972 = ~drew;
-  // hls/stages/agreement.hpp:735
-  logic [6:0] sum_1137;
-  assign sum_1137 = {1'b0, run_highest_q[7:2]} + 7'h1;
-  // hls/stages/agreement.hpp:204
-  logic [2:0] select_1147;
-  assign select_1147 = sample_pair_whole_q ? (sample_last_q ? (select_336 + 3'h1) : select_336) : raster_at_y_q;
-  logic [6:0] select_1149;
-  assign select_1149 = sample_pair_whole_q ? (select_320 + {6'h0, equal_353}) : raster_at_column_q;
-  logic [5:0] select_1152;
-  assign select_1152 = sample_pair_whole_q ? (sample_last_q ? (select_414 + {5'h0, equal_354}) : select_414) : raster_at_row_q;
-  logic select_1156;
-  assign select_1156 = sample_pair_whole_q ? (sample_last_q ? (or_325 & (~raster_final_row_q)) : or_325) : raster_at_live_q;
+  // hls/stages/agreement.hpp:191
+  logic and_499;
+  assign and_499 = age_q[2] & (ends_cell_q & (~(({1'b0, last_q} + 8'h3) < select_386)));
+  logic and_500;
+  assign and_500 = equal_382 & and_499;
+  logic select_501;
+  assign select_501 = or_380 ? not_388 : and_500;
+  // hls/stages/agreement.hpp:601
+  logic equal_504;
+  assign equal_504 = {{2{run_shift_q[5]}}, run_shift_q} == (8'h0 - {1'b0, least_q});
+  // hls/stages/agreement.hpp:605
+  logic or_506;
+  assign or_506 = equal_504 | ($signed(6'h0) < $signed(run_shift_q));
+  // hls/stages/agreement.hpp:617
+  logic [6:0] right;
+  assign right = sum_385[6:0] + 7'h7d;
+  // hls/stages/agreement.hpp:746
+  logic [5:0] sum_1881;
+  assign sum_1881 = {1'b0, last_q[6:2]} + 6'h1;
+  // hls/stages/agreement.hpp:215
+  logic [2:0] select_2065;
+  assign select_2065 = sample_pair_whole_q ? (sample_last_q ? (select_338 + 3'h1) : select_338) : raster_at_y_q;
+  logic [6:0] select_2067;
+  assign select_2067 = sample_pair_whole_q ? (select_322 + {6'h0, equal_355}) : raster_at_column_q;
+  logic [5:0] select_2070;
+  assign select_2070 = sample_pair_whole_q ? (sample_last_q ? (select_418 + {5'h0, equal_356}) : select_418) : raster_at_row_q;
+  logic select_2074;
+  assign select_2074 = sample_pair_whole_q ? (sample_last_q ? (or_327 & (~raster_final_row_q)) : or_327) : raster_at_live_q;
   // hls/stages/census.hpp:44
-  logic [8:0] select_1158;
-  assign select_1158 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
-  // hls/stages/agreement.hpp:204
-  logic select_1162;
-  assign select_1162 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
-  // hls/stages/agreement.hpp:289
-  logic equal_1334;
-  assign equal_1334 = {last[7], column} == {1'b0, last[6:0]};
-  // hls/stages/agreement.hpp:200
-  logic [2:0] select_1335;
-  assign select_1335 = ends_q ? following_phase_q : run_phase_q;
-  logic [7:0] select_1338;
-  assign select_1338 = ends_q ? following_lowest_q : run_lowest_q;
-  logic [7:0] select_1341;
-  assign select_1341 = ends_q ? following_highest_q : run_highest_q;
-  logic [7:0] select_1344;
-  assign select_1344 = ends_q ? following_beats_q : run_beats_q;
-  logic [5:0] select_1347;
-  assign select_1347 = ends_q ? following_shift_q : run_shift_q;
-  logic select_1350;
-  assign select_1350 = ends_q ? following_last_shift_q : run_last_shift_q;
-  // hls/stages/agreement.hpp:290
-  logic not_1351;
-  assign not_1351 = ~equal_1334;
+  logic [8:0] select_2076;
+  assign select_2076 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
+  // hls/stages/agreement.hpp:215
+  logic select_2080;
+  assign select_2080 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
+  // hls/stages/agreement.hpp:313
+  logic equal_2321;
+  assign equal_2321 = {last[7], column} == {1'b0, last[6:0]};
+  // hls/stages/agreement.hpp:318
+  logic and_2322;
+  assign and_2322 = and_359 & equal_2321;
+  // hls/stages/agreement.hpp:368
+  logic select_2325;
+  assign select_2325 = (and_2322 | (~ends_cell_q)) ? and_2322 : ends_q;
+  // hls/stages/agreement.hpp:374
+  logic [2:0] now;
+  assign now = select_2325 ? (and_2322 ? 3'h1 : following_phase_q) : run_phase_q;
+  // hls/stages/agreement.hpp:379
+  logic [5:0] select_2329;
+  assign select_2329 = select_2325 ? (and_2322 ? 6'h0 : following_shift_q) : run_shift_q;
+  logic select_2332;
+  assign select_2332 = select_2325 ? (following_last_shift_q & (~and_2322)) : run_last_shift_q;
+  // hls/stages/agreement.hpp:146
+  logic and_2335;
+  assign and_2335 = run_last_shift_q & equal_382;
+  // hls/stages/agreement.hpp:399
+  logic select_2337;
+  assign select_2337 = equal_382 ? (~run_last_shift_q) : equal_384;
+  // hls/stages/agreement.hpp:403
+  logic equal_2338;
+  assign equal_2338 = run_phase_q == 3'h1;
+  logic not_2341;
+  assign not_2341 = ~select_2337;
+  // hls/stages/agreement.hpp:406
+  logic equal_2343;
+  assign equal_2343 = run_phase_q == 3'h4;
+  // hls/stages/agreement.hpp:146
+  logic and_2344;
+  assign and_2344 = final_row_q & so;
+  // hls/stages/agreement.hpp:403
+  logic [1:0] select_2345;
+  assign select_2345 = equal_2343 ? 2'h1 : {2{and_2344}};
+  logic [2:0] select_2347;
+  assign select_2347 = (and_2335 | (select_2337 | equal_2338)) ? (equal_2338 ? 3'h2 : {not_2341, {2{select_2337}}}) : (equal_379 ? 3'h6 : {select_2345[0], select_2345});
+  // hls/stages/agreement.hpp:146
+  logic and_2350;
+  assign and_2350 = select_2337 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
+  // hls/stages/agreement.hpp:413
+  logic [6:0] value;
+  assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
+  logic [6:0] select_2353;
+  assign select_2353 = (plan_shift_q[5] & select_2337) ? value : 7'h0;
+  logic [1:0] or_2354;
+  assign or_2354 = {2{so}} | select_2353[5:4];
+  // hls/stages/agreement.hpp:416
+  logic [7:0] or_2358;
+  assign or_2358 = (select_2337 ? plan_columns_q : 8'h0) | ((equal_2338 | equal_2343) ? whole_q : 8'h0);
+  logic [1:0] or_2359;
+  assign or_2359 = {2{and_2335}} | or_2358[3:2];
+  // hls/stages/agreement.hpp:417
+  logic [7:0] or_2361;
+  assign or_2361 = {or_2358[7:4], or_2359, or_2358[1:0]} | (equal_379 ? drawn_q : 8'h0);
+  logic [4:0] or_2362;
+  assign or_2362 = {5{so}} | {or_2361[6], or_2361[3:0]};
+  // hls/stages/agreement.hpp:423
+  logic not_2366;
+  assign not_2366 = ~run_shift_q[5];
+  logic [7:0] select_2369;
+  assign select_2369 = equal_382 ? ({{7{not_2366}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
+  // hls/stages/agreement.hpp:368
+  logic [6:0] select_2373;
+  assign select_2373 = and_2322 ? 7'h0 : following_lowest_q;
   // hls/stages/agreement.hpp:371
-  logic not_1354;
-  assign not_1354 = ~run_last_shift_q;
-  // hls/stages/agreement.hpp:381
-  logic equal_1355;
-  assign equal_1355 = run_phase_q == 3'h1;
-  // hls/stages/agreement.hpp:160
-  logic or_1356;
-  assign or_1356 = equal_1355 | equal_382;
-  logic [2:0] select_1357;
-  assign select_1357 = equal_380 ? {run_last_shift_q, {2{not_1354}}} : {1'b0, or_1356, equal_382};
-  logic [2:0] select_1359;
-  assign select_1359 = drew ? {{2{final_row_q}}, 1'b0} : (equal_377 ? 3'h5 : select_1357);
-  logic [7:0] select_1361;
-  assign select_1361 = run_last_shift_q ? 8'h0 : (run_shift_q[5] ? next_lowest_q : 8'h0);
-  logic [6:0] select_1362;
-  assign select_1362 = equal_382 ? least_q : 7'h0;
-  logic [7:0] select_1364;
-  assign select_1364 = equal_377 ? 8'h0 : (equal_380 ? select_1361 : {1'b0, select_1362});
-  logic [7:0] select_1367;
-  assign select_1367 = run_last_shift_q ? {1'b0, last_q} : (run_shift_q[5] ? {1'b0, last_q} : next_highest_q);
-  logic [6:0] select_1369;
-  assign select_1369 = equal_382 ? last_q : (equal_1355 ? last_q : 7'h0);
-  logic [7:0] select_1371;
-  assign select_1371 = equal_377 ? {1'b0, last_q} : (equal_380 ? select_1367 : {1'b0, select_1369});
-  logic [7:0] select_1376;
-  assign select_1376 = equal_380 ? (run_last_shift_q ? whole_beats_q : next_beats_q) : (equal_382 ? first_beats_q : (equal_1355 ? whole_beats_q : 8'h0));
-  logic [5:0] select_1382;
-  assign select_1382 = equal_380 ? (run_last_shift_q ? 6'h0 : next_shift_q) : (equal_382 ? (6'h0 - least_q[5:0]) : 6'h0);
-  logic select_1389;
-  assign select_1389 = equal_380 ? (next_last_shift_q & not_1354) : (equal_382 & (least_q == 7'h0));
-  // hls/stages/agreement.hpp:200
-  logic [7:0] select_1393;
-  assign select_1393 = ends_q ? following_lowest_q : (x_q + 8'h1);
-  logic [7:0] select_1397;
-  assign select_1397 = ends_q ? following_beats_q : (beats_left_q + 8'hff);
-  // hls/stages/agreement.hpp:296
-  logic less_1404;
-  assign less_1404 = 7'h1c < column;
-  // hls/stages/agreement.hpp:205
-  logic [6:0] select_1407;
-  assign select_1407 = and_357 ? (equal_1334 ? (less_1404 ? 7'h1d : column) : least_q) : least_q;
-  // hls/stages/agreement.hpp:290
-  logic [7:0] select_1410;
-  assign select_1410 = equal_1334 ? (less_1404 ? ({1'b0, cfg_width_i[9:3]} + 8'hf1) : 8'hf) : first_beats_q;
-  // hls/stages/agreement.hpp:205
-  logic [7:0] select_1414;
-  assign select_1414 = and_357 ? (equal_1334 ? {sum_1412, cfg_width_i[3]} : whole_beats_q) : whole_beats_q;
-  // hls/stages/agreement.hpp:346
-  logic not_1415;
-  assign not_1415 = ~ends_q;
-  // hls/stages/agreement.hpp:200
-  logic [5:0] select_1416;
-  assign select_1416 = ends_q ? 6'h0 : age_q[5:0];
-  // hls/stages/agreement.hpp:205
-  logic [6:0] select_1418;
-  assign select_1418 = and_357 ? (equal_1334 ? 7'h0 : {select_1416, not_1415}) : {select_1416, not_1415};
-  // hls/stages/agreement.hpp:200
-  logic and_1420;
-  assign and_1420 = not_1415 & (beats_left_q == 8'h1);
-  // hls/stages/agreement.hpp:306
-  logic [6:0] sum_1423;
-  assign sum_1423 = {1'b0, row} + 7'h1;
-  // hls/stages/agreement.hpp:290
-  logic select_1425;
-  assign select_1425 = equal_1334 ? ({sum_1423[6], cfg_height_i[8:3]} == {1'b0, sum_1423[5:0]}) : final_row_q;
-  // hls/stages/agreement.hpp:645
-  logic [5:0] sum_1612;
-  assign sum_1612 = {1'b0, last_q[6:2]} + 6'h1;
-  // hls/stages/agreement.hpp:153
-  logic not_1959;
-  assign not_1959 = ~run_shift_q[5];
+  logic [7:0] select_2375;
+  assign select_2375 = select_2325 ? {select_2373[6], select_2373} : (x_q + {7'h0, ends_cell_q});
+  logic [7:0] select_2378;
+  assign select_2378 = select_2325 ? (and_2322 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
+  // hls/stages/agreement.hpp:365
+  logic [6:0] select_2386;
+  assign select_2386 = and_359 ? (equal_2321 ? ((6'he < column[6:1]) ? 7'h1d : column) : least_q) : least_q;
+  logic [7:0] select_2389;
+  assign select_2389 = and_359 ? (equal_2321 ? ({1'b0, cfg_width_i[9:3]} + 8'hb) : whole_q) : whole_q;
+  logic [7:0] select_2392;
+  assign select_2392 = and_359 ? (equal_2321 ? ({1'b0, cfg_width_i[9:3]} + 8'h3) : drawn_q) : drawn_q;
+  // hls/stages/agreement.hpp:376
+  logic select_2403;
+  assign select_2403 = (ends_cell_q | select_2325) ? (~(now == 3'h6)) : (equal_382 | (slot_q == 3'h6));
+  // hls/stages/agreement.hpp:371
+  logic and_2407;
+  assign and_2407 = (~select_2325) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
+  // hls/stages/agreement.hpp:329
+  logic [6:0] sum_2408;
+  assign sum_2408 = {1'b0, row} + 7'h1;
+  // hls/stages/agreement.hpp:314
+  logic select_2410;
+  assign select_2410 = equal_2321 ? ({sum_2408[6], cfg_height_i[8:3]} == {1'b0, sum_2408[5:0]}) : final_row_q;
 
-  // Memory fresh, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:916; read in stage 0, written in stage 5: 0 < 5 < 0 + DISTANCE.
+  // Memory fresh, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:1070; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [29:0] fresh_mem [0:79];
@@ -359,7 +340,7 @@ module horopter_agreement (
   logic [6:0] fresh_raddr;
   assign fresh_raddr = x_q[6:0];
   logic fresh_re;
-  assign fresh_re = s0_en & and_387;
+  assign fresh_re = s0_en & and_391;
   logic [29:0] fresh_word_q;
   always_ff @(posedge clk_i) begin
     if (fresh_re) fresh_word_q <= fresh_mem[fresh_raddr];
@@ -370,7 +351,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) fresh_read_q <= rst_ni & fresh_re;
   assign fresh_error = fresh_read_q & ^fresh_word_q;
 
-  // Memory left, 80 x 77 and parity, DISTANCE 12, hls/stages/agreement.hpp:917; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory left, 80 x 77 and parity, DISTANCE 12, hls/stages/agreement.hpp:1071; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [77:0] left_mem [0:79];
@@ -380,7 +361,7 @@ module horopter_agreement (
   logic [6:0] left_raddr;
   assign left_raddr = x_q[6:0];
   logic left_re;
-  assign left_re = s0_en & (or_378 ? not_384 : select_471);
+  assign left_re = s0_en & (or_380 ? not_388 : select_475);
   logic [77:0] left_word_q;
   always_ff @(posedge clk_i) begin
     if (left_re) left_word_q <= left_mem[left_raddr];
@@ -391,7 +372,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) left_read_q <= rst_ni & left_re;
   assign left_error = left_read_q & ^left_word_q;
 
-  // Memory right_codes, 80 x 91 and parity, DISTANCE 12, hls/stages/agreement.hpp:918; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory right_codes, 80 x 91 and parity, DISTANCE 12, hls/stages/agreement.hpp:1072; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [91:0] right_codes_mem [0:79];
@@ -399,9 +380,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 80; i++) right_codes_mem[i] = 92'h0;
 `endif
   logic [6:0] right_codes_raddr;
-  assign right_codes_raddr = select_500;
+  assign right_codes_raddr = equal_382 ? sum_385[6:0] : x_q[6:0];
   logic right_codes_re;
-  assign right_codes_re = s0_en & (not_379 & select_471);
+  assign right_codes_re = s0_en & (not_381 & select_475);
   logic [91:0] right_codes_word_q;
   always_ff @(posedge clk_i) begin
     if (right_codes_re) right_codes_word_q <= right_codes_mem[right_codes_raddr];
@@ -412,23 +393,23 @@ module horopter_agreement (
   always_ff @(posedge clk_i) right_codes_read_q <= rst_ni & right_codes_re;
   assign right_codes_error = right_codes_read_q & ^right_codes_word_q;
 
-  // Memory best_left, 80 x 35 and parity, DISTANCE 12, hls/stages/agreement.hpp:919; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
+  // Memory best_left, 80 x 46 and parity, DISTANCE 12, hls/stages/agreement.hpp:1073; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [35:0] best_left_mem [0:79];
+  logic [46:0] best_left_mem [0:79];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 80; i++) best_left_mem[i] = 36'h0;
+  initial for (int i = 0; i < 80; i++) best_left_mem[i] = 47'h0;
 `endif
   logic [6:0] best_left_raddr;
-  assign best_left_raddr = or_378 ? x_q[6:0] : x[6:0];
+  assign best_left_raddr = or_380 ? x_q[6:0] : x[6:0];
   logic best_left_re;
-  assign best_left_re = s0_en & select_526;
-  logic [35:0] best_left_word_q;
+  assign best_left_re = s0_en & select_501;
+  logic [46:0] best_left_word_q;
   always_ff @(posedge clk_i) begin
     if (best_left_re) best_left_word_q <= best_left_mem[best_left_raddr];
   end
-  logic [34:0] best_left_rdata_q;
-  assign best_left_rdata_q = best_left_word_q[34:0];
+  logic [45:0] best_left_rdata_q;
+  assign best_left_rdata_q = best_left_word_q[45:0];
   logic best_left_read_q, best_left_error;
   always_ff @(posedge clk_i) best_left_read_q <= rst_ni & best_left_re;
   assign best_left_error = best_left_read_q & ^best_left_word_q;
@@ -450,72 +431,68 @@ module horopter_agreement (
       averager_place_q <= 9'h0;
       averager_running_mask_q <= 1'b0;
       run_phase_q <= 3'h0;
-      run_lowest_q <= 8'h0;
-      run_highest_q <= 8'h0;
-      run_beats_q <= 8'h0;
       run_shift_q <= 6'h0;
       run_last_shift_q <= 1'b0;
+      run_span_q <= 8'h0;
       following_phase_q <= 3'h0;
-      following_lowest_q <= 8'h0;
-      following_highest_q <= 8'h0;
-      following_beats_q <= 8'h0;
       following_shift_q <= 6'h0;
       following_last_shift_q <= 1'b0;
+      following_span_q <= 8'h0;
+      following_lowest_q <= 7'h0;
+      following_columns_q <= 8'h0;
+      plan_shift_q <= 6'h0;
+      plan_span_q <= 8'h0;
+      plan_columns_q <= 8'h0;
       x_q <= 8'h0;
-      beats_left_q <= 8'h0;
+      columns_left_q <= 8'h0;
       last_q <= 7'h0;
       least_q <= 7'h0;
-      first_beats_q <= 8'h0;
-      whole_beats_q <= 8'h0;
+      whole_q <= 8'h0;
+      drawn_q <= 8'h0;
       age_q <= 7'h0;
+      slot_q <= 3'h0;
+      ends_cell_q <= 1'b1;
       ends_q <= 1'b0;
       final_row_q <= 1'b0;
-      next_lowest_q <= 8'h0;
-      next_highest_q <= 8'h0;
-      next_beats_q <= 8'h0;
-      next_shift_q <= 6'h0;
-      next_last_shift_q <= 1'b0;
     end else if (s0_en) begin
       sample_pair_first_q <= marks_first_i;
       sample_pair_whole_q <= 1'b1;
       sample_last_q <= marks_last_i;
       sample_present_q <= present_i;
-      raster_at_x_q <= sample_pair_whole_q ? (select_318 + 3'h1) : raster_at_x_q;
-      raster_at_y_q <= select_1147;
-      raster_at_column_q <= select_1149;
-      raster_at_row_q <= select_1152;
-      raster_at_live_q <= select_1156;
-      raster_rows_left_q <= sample_pair_whole_q ? select_1158 : raster_rows_left_q;
+      raster_at_x_q <= sample_pair_whole_q ? (select_320 + 3'h1) : raster_at_x_q;
+      raster_at_y_q <= select_2065;
+      raster_at_column_q <= select_2067;
+      raster_at_row_q <= select_2070;
+      raster_at_live_q <= select_2074;
+      raster_rows_left_q <= sample_pair_whole_q ? select_2076 : raster_rows_left_q;
       raster_row_ended_q <= sample_pair_whole_q ? sample_last_q : raster_row_ended_q;
-      raster_final_row_q <= select_1162;
-      averager_place_q <= sample_pair_whole_q ? select_324 : averager_place_q;
+      raster_final_row_q <= select_2080;
+      averager_place_q <= sample_pair_whole_q ? select_326 : averager_place_q;
       averager_running_mask_q <= sample_pair_whole_q ? whole : averager_running_mask_q;
-      run_phase_q <= and_357 ? (equal_1334 ? 3'h1 : select_1335) : select_1335;
-      run_lowest_q <= and_357 ? (equal_1334 ? 8'h0 : select_1338) : select_1338;
-      run_highest_q <= and_357 ? (equal_1334 ? 8'h0 : select_1341) : select_1341;
-      run_beats_q <= and_357 ? (equal_1334 ? 8'hc : select_1344) : select_1344;
-      run_shift_q <= and_357 ? (equal_1334 ? 6'h0 : select_1347) : select_1347;
-      run_last_shift_q <= and_357 ? (select_1350 & not_1351) : select_1350;
-      following_phase_q <= select_1359;
-      following_lowest_q <= drew ? 8'h0 : select_1364;
-      following_highest_q <= drew ? 8'h0 : select_1371;
-      following_beats_q <= drew ? 8'h3f : (equal_377 ? whole_beats_q : select_1376);
-      following_shift_q <= drew ? 6'h0 : (equal_377 ? 6'h0 : select_1382);
-      following_last_shift_q <= not_972 & ((~equal_377) & select_1389);
-      x_q <= and_357 ? (equal_1334 ? 8'h0 : select_1393) : select_1393;
-      beats_left_q <= and_357 ? (equal_1334 ? 8'hc : select_1397) : select_1397;
-      last_q <= and_357 ? (equal_1334 ? column : last_q) : last_q;
-      least_q <= select_1407;
-      first_beats_q <= and_357 ? select_1410 : first_beats_q;
-      whole_beats_q <= select_1414;
-      age_q <= select_1418;
-      ends_q <= and_357 ? (and_1420 & not_1351) : and_1420;
-      final_row_q <= and_357 ? select_1425 : final_row_q;
-      next_lowest_q <= run_lowest_q + 8'hff;
-      next_highest_q <= run_highest_q + 8'hff;
-      next_beats_q <= {{7{not_1959}}, 1'b1} + run_beats_q;
-      next_shift_q <= run_shift_q + 6'h1;
-      next_last_shift_q <= {{3{run_shift_q[5]}}, run_shift_q} == ({2'h0, least_q} + 9'h1ff);
+      run_phase_q <= now;
+      run_shift_q <= select_2329;
+      run_last_shift_q <= select_2332;
+      run_span_q <= select_2325 ? (and_2322 ? 8'h0 : following_span_q) : run_span_q;
+      following_phase_q <= select_2347;
+      following_shift_q <= select_2337 ? plan_shift_q : 6'h0;
+      following_last_shift_q <= and_2350;
+      following_span_q <= plan_span_q;
+      following_lowest_q <= {select_2353[6], or_2354, select_2353[3:0]};
+      following_columns_q <= {or_2361[7], or_2362[4], or_2361[5:4], or_2362[3:0]};
+      plan_shift_q <= equal_382 ? (run_shift_q + 6'h1) : (6'h0 - least_q[5:0]);
+      plan_span_q <= select_2369;
+      plan_columns_q <= (plan_span_q < 8'h9) ? 8'hc : (plan_span_q + 8'h3);
+      x_q <= select_2375;
+      columns_left_q <= select_2378;
+      last_q <= and_359 ? (equal_2321 ? column : last_q) : last_q;
+      least_q <= select_2386;
+      whole_q <= select_2389;
+      drawn_q <= select_2392;
+      age_q <= select_2325 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
+      slot_q <= select_2325 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
+      ends_cell_q <= select_2403;
+      ends_q <= and_2407;
+      final_row_q <= and_359 ? select_2410 : final_row_q;
     end
   end
 
@@ -526,36 +503,38 @@ module horopter_agreement (
   logic sample_pair_whole_s1_q;
   logic [5:0] run_shift_s1_q;
   logic [7:0] x_s1_q;
-  logic [2:0] age_s1_q;
-  logic select_318_s1_q;
-  logic [8:0] select_324_s1_q;
-  logic and_331_s1_q;
-  logic equal_337_s1_q;
+  logic [3:0] age_s1_q;
+  logic [2:0] slot_s1_q;
+  logic ends_cell_s1_q;
+  logic select_320_s1_q;
+  logic [8:0] select_326_s1_q;
+  logic and_333_s1_q;
+  logic equal_339_s1_q;
   logic whole_s1_q;
   logic [6:0] column_s1_q;
-  logic and_355_s1_q;
   logic and_357_s1_q;
-  logic equal_360_s1_q;
-  logic drew_s1_q;
-  logic equal_377_s1_q;
-  logic or_378_s1_q;
-  logic equal_380_s1_q;
-  logic less_383_s1_q;
-  logic not_384_s1_q;
-  logic and_387_s1_q;
+  logic and_359_s1_q;
+  logic equal_362_s1_q;
+  logic so_s1_q;
+  logic equal_379_s1_q;
+  logic or_380_s1_q;
+  logic equal_382_s1_q;
+  logic less_387_s1_q;
+  logic not_388_s1_q;
+  logic and_391_s1_q;
   logic [5:0] row_s1_q;
   logic [6:0] x_s1_2_q;
-  logic select_526_s1_q;
-  logic select_533_s1_q;
-  logic equal_600_s1_q;
-  logic and_923_s1_q;
-  logic select_929_s1_q;
-  logic equal_941_s1_q;
-  logic not_972_s1_q;
-  logic equal_1008_s1_q;
-  logic not_1139_s1_q;
-  logic equal_1334_s1_q;
-  logic less_1613_s1_q;
+  logic select_501_s1_q;
+  logic select_508_s1_q;
+  logic and_1783_s1_q;
+  logic [6:0] right_s1_q;
+  logic select_1790_s1_q;
+  logic equal_1799_s1_q;
+  logic less_1882_s1_q;
+  logic equal_1922_s1_q;
+  logic not_2056_s1_q;
+  logic equal_2321_s1_q;
+  logic and_2322_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       pixel_0_s1_q <= pixel_0_i;
@@ -565,346 +544,1053 @@ module horopter_agreement (
       sample_pair_whole_s1_q <= sample_pair_whole_q;
       run_shift_s1_q <= run_shift_q;
       x_s1_q <= x_q;
-      age_s1_q <= {age_q[6], age_q[4:3]};
-      select_318_s1_q <= select_318[0];
-      select_324_s1_q <= select_324;
-      and_331_s1_q <= and_331;
-      equal_337_s1_q <= select_336 == 3'h0;
+      age_s1_q <= {age_q[6], age_q[4:3], age_q[0]};
+      slot_s1_q <= slot_q;
+      ends_cell_s1_q <= ends_cell_q;
+      select_320_s1_q <= select_320[0];
+      select_326_s1_q <= select_326;
+      and_333_s1_q <= and_333;
+      equal_339_s1_q <= select_338 == 3'h0;
       whole_s1_q <= whole;
       column_s1_q <= column;
-      and_355_s1_q <= and_355;
       and_357_s1_q <= and_357;
-      equal_360_s1_q <= select_318 == 3'h1;
-      drew_s1_q <= drew;
-      equal_377_s1_q <= equal_377;
-      or_378_s1_q <= or_378;
-      equal_380_s1_q <= equal_380;
-      less_383_s1_q <= less_383;
-      not_384_s1_q <= not_384;
-      and_387_s1_q <= and_387;
+      and_359_s1_q <= and_359;
+      equal_362_s1_q <= select_320 == 3'h1;
+      so_s1_q <= so;
+      equal_379_s1_q <= equal_379;
+      or_380_s1_q <= or_380;
+      equal_382_s1_q <= equal_382;
+      less_387_s1_q <= less_387;
+      not_388_s1_q <= not_388;
+      and_391_s1_q <= and_391;
       row_s1_q <= row;
       x_s1_2_q <= x[6:0];
-      select_526_s1_q <= select_526;
-      select_533_s1_q <= or_531 ? equal_529 : (run_lowest_q == x);
-      equal_600_s1_q <= run_lowest_q == x_q;
-      and_923_s1_q <= not_379 & and_525;
-      select_929_s1_q <= or_531 ? equal_529 : (run_highest_q == x);
-      equal_941_s1_q <= run_phase_q == 3'h6;
-      not_972_s1_q <= not_972;
-      equal_1008_s1_q <= x_q == {1'b0, last_q};
-      not_1139_s1_q <= ~({sum_1137, run_highest_q[1:0]} < {1'b0, x_q});
-      equal_1334_s1_q <= equal_1334;
-      less_1613_s1_q <= {1'b0, sum_1612, last_q[1]} < x_q;
+      select_501_s1_q <= select_501;
+      select_508_s1_q <= or_506 ? equal_504 : (~age_q[3]);
+      and_1783_s1_q <= not_381 & and_500;
+      right_s1_q <= right;
+      select_1790_s1_q <= or_506 ? equal_504 : ({x[7], last_q} == {1'b0, x[6:0]});
+      equal_1799_s1_q <= run_phase_q == 3'h7;
+      less_1882_s1_q <= {1'b0, sum_1881, last_q[1]} < x_q;
+      equal_1922_s1_q <= x_q == {1'b0, last_q};
+      not_2056_s1_q <= ~({sum_1881, last_q[1:0]} < x_q);
+      equal_2321_s1_q <= equal_2321;
+      and_2322_s1_q <= and_2322;
     end
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   logic [5:0] row_q;
   logic lower_half_q;
-  // hls/stages/agreement.hpp:414
-  logic equal_474;
-  assign equal_474 = row_q == 6'h0;
-  logic [11:0] select_475;
-  assign select_475 = equal_474 ? 12'h0 : left_rdata_q[11:0];
-  logic not_476;
-  assign not_476 = ~equal_474;
-  logic and_477;
-  assign and_477 = left_rdata_q[12] & not_476;
-  logic and_478;
-  assign and_478 = left_rdata_q[13] & not_476;
-  logic and_479;
-  assign and_479 = left_rdata_q[14] & not_476;
+  logic [5:0] middle_sum_columns_values_0_q;
+  logic [5:0] middle_sum_columns_values_1_q;
+  logic [5:0] middle_sum_columns_values_2_q;
+  logic [5:0] middle_sum_columns_values_3_q;
+  logic [5:0] middle_sum_columns_values_4_q;
+  logic [5:0] middle_sum_columns_values_5_q;
+  logic [5:0] middle_sum_columns_values_6_q;
+  logic [7:0] middle_sum_sum_sums_values_0_q;
+  logic [5:0] sums_0_columns_values_0_q;
+  logic [5:0] sums_0_columns_values_1_q;
+  logic [5:0] sums_0_columns_values_2_q;
+  logic [5:0] sums_0_columns_values_3_q;
+  logic [5:0] sums_0_columns_values_4_q;
+  logic [5:0] sums_0_columns_values_5_q;
+  logic [5:0] sums_0_columns_values_6_q;
+  logic [7:0] sums_0_sum_sums_values_0_q;
+  logic [5:0] sums_1_columns_values_0_q;
+  logic [5:0] sums_1_columns_values_1_q;
+  logic [5:0] sums_1_columns_values_2_q;
+  logic [5:0] sums_1_columns_values_3_q;
+  logic [5:0] sums_1_columns_values_4_q;
+  logic [5:0] sums_1_columns_values_5_q;
+  logic [5:0] sums_1_columns_values_6_q;
+  logic [7:0] sums_1_sum_sums_values_0_q;
+  logic [5:0] sums_2_columns_values_0_q;
+  logic [5:0] sums_2_columns_values_1_q;
+  logic [5:0] sums_2_columns_values_2_q;
+  logic [5:0] sums_2_columns_values_3_q;
+  logic [5:0] sums_2_columns_values_4_q;
+  logic [5:0] sums_2_columns_values_5_q;
+  logic [5:0] sums_2_columns_values_6_q;
+  logic [7:0] sums_2_sum_sums_values_0_q;
+  logic [5:0] sums_3_columns_values_0_q;
+  logic [5:0] sums_3_columns_values_1_q;
+  logic [5:0] sums_3_columns_values_2_q;
+  logic [5:0] sums_3_columns_values_3_q;
+  logic [5:0] sums_3_columns_values_4_q;
+  logic [5:0] sums_3_columns_values_5_q;
+  logic [5:0] sums_3_columns_values_6_q;
+  logic [7:0] sums_3_sum_sums_values_0_q;
+  // hls/stages/census.hpp:98
+  logic and_334;
+  assign and_334 = sample_pair_whole_s1_q & and_333_s1_q;
+  // hls/stages/agreement.hpp:449
+  logic not_479;
+  assign not_479 = ~(row_q == 6'h0);
+  // hls/stages/agreement.hpp:452
   logic and_480;
-  assign and_480 = left_rdata_q[15] & not_476;
-  logic equal_481;
-  assign equal_481 = row_q[5:1] == 5'h0;
-  logic [11:0] select_482;
-  assign select_482 = equal_481 ? 12'h0 : left_rdata_q[27:16];
-  logic not_483;
-  assign not_483 = ~equal_481;
-  logic and_484;
-  assign and_484 = left_rdata_q[28] & not_483;
-  logic and_485;
-  assign and_485 = left_rdata_q[29] & not_483;
-  logic and_486;
-  assign and_486 = left_rdata_q[30] & not_483;
+  assign and_480 = left_rdata_q[12] & not_479;
+  logic and_481;
+  assign and_481 = left_rdata_q[28] & not_479;
+  logic and_482;
+  assign and_482 = left_rdata_q[44] & not_479;
+  logic and_483;
+  assign and_483 = left_rdata_q[60] & not_479;
+  // hls/stages/agreement.hpp:453
   logic and_487;
-  assign and_487 = left_rdata_q[31] & not_483;
-  logic less_488;
-  assign less_488 = row_q < 6'h3;
-  logic [11:0] select_489;
-  assign select_489 = less_488 ? 12'h0 : left_rdata_q[43:32];
-  logic not_490;
-  assign not_490 = ~less_488;
+  assign and_487 = right_codes_rdata_q[12] & not_479;
+  logic and_488;
+  assign and_488 = right_codes_rdata_q[25] & not_479;
+  logic and_489;
+  assign and_489 = right_codes_rdata_q[38] & not_479;
+  logic and_490;
+  assign and_490 = right_codes_rdata_q[51] & not_479;
   logic and_491;
-  assign and_491 = left_rdata_q[44] & not_490;
+  assign and_491 = right_codes_rdata_q[64] & not_479;
   logic and_492;
-  assign and_492 = left_rdata_q[45] & not_490;
-  logic and_493;
-  assign and_493 = left_rdata_q[46] & not_490;
-  logic and_494;
-  assign and_494 = left_rdata_q[47] & not_490;
-  logic equal_495;
-  assign equal_495 = row_q[5:2] == 4'h0;
-  logic [11:0] select_496;
-  assign select_496 = equal_495 ? 12'h0 : left_rdata_q[59:48];
-  logic not_497;
-  assign not_497 = ~equal_495;
-  logic and_498;
-  assign and_498 = left_rdata_q[60] & not_497;
-  // hls/stages/agreement.hpp:415
-  logic [11:0] select_503;
-  assign select_503 = equal_474 ? 12'h0 : right_codes_rdata_q[11:0];
-  logic and_504;
-  assign and_504 = right_codes_rdata_q[12] & not_476;
-  logic [11:0] select_505;
-  assign select_505 = equal_481 ? 12'h0 : right_codes_rdata_q[24:13];
-  logic and_506;
-  assign and_506 = right_codes_rdata_q[25] & not_483;
-  logic [11:0] select_507;
-  assign select_507 = less_488 ? 12'h0 : right_codes_rdata_q[37:26];
-  logic and_508;
-  assign and_508 = right_codes_rdata_q[38] & not_490;
-  logic [11:0] select_509;
-  assign select_509 = equal_495 ? 12'h0 : right_codes_rdata_q[50:39];
-  logic and_510;
-  assign and_510 = right_codes_rdata_q[51] & not_497;
-  logic less_511;
-  assign less_511 = row_q < 6'h5;
-  logic [11:0] select_512;
-  assign select_512 = less_511 ? 12'h0 : right_codes_rdata_q[63:52];
+  assign and_492 = right_codes_rdata_q[77] & not_479;
+  // hls/stages/agreement.hpp:159
   logic and_514;
-  assign and_514 = right_codes_rdata_q[64] & (~less_511);
-  logic less_515;
-  assign less_515 = row_q[5:1] < 5'h3;
+  assign and_514 = left_rdata_q[44] & not_388_s1_q;
+  logic and_515;
+  assign and_515 = right_codes_rdata_q[38] & not_388_s1_q;
   logic [11:0] select_516;
-  assign select_516 = less_515 ? 12'h0 : right_codes_rdata_q[76:65];
-  logic and_518;
-  assign and_518 = right_codes_rdata_q[77] & (~less_515);
-  // hls/stages/agreement.hpp:170
-  logic and_539;
-  assign and_539 = left_rdata_q[44] & not_384_s1_q;
-  logic [11:0] a;
-  assign a = less_383_s1_q ? 12'h0 : left_rdata_q[43:32];
-  logic [11:0] b;
-  assign b = less_383_s1_q ? 12'h0 : right_codes_rdata_q[37:26];
-  // hls/stages/agreement.hpp:424
-  logic [11:0] not_545;
-  assign not_545 = ~(a ^ b);
-  logic [1:0] sum_547;
-  assign sum_547 = {1'b0, not_545[2]} + ({1'b0, not_545[0]} + {1'b0, not_545[1]});
-  logic [2:0] sum_550;
-  assign sum_550 = {2'h0, not_545[5]} + ({2'h0, not_545[4]} + ({2'h0, not_545[3]} + {1'b0, sum_547}));
-  logic [2:0] sum_551;
-  assign sum_551 = {2'h0, not_545[6]} + sum_550;
-  logic [3:0] sum_554;
-  assign sum_554 = {3'h0, not_545[9]} + ({3'h0, not_545[8]} + ({3'h0, not_545[7]} + {1'b0, sum_551}));
-  // hls/stages/agreement.hpp:170
-  logic [11:0] a_2;
-  assign a_2 = less_383_s1_q ? 12'h0 : left_rdata_q[59:48];
-  logic [11:0] b_2;
-  assign b_2 = less_383_s1_q ? 12'h0 : right_codes_rdata_q[50:39];
-  // hls/stages/agreement.hpp:424
-  logic [11:0] not_564;
-  assign not_564 = ~(a_2 ^ b_2);
-  logic [1:0] sum_566;
-  assign sum_566 = {1'b0, not_564[2]} + ({1'b0, not_564[0]} + {1'b0, not_564[1]});
-  logic [2:0] sum_569;
-  assign sum_569 = {2'h0, not_564[5]} + ({2'h0, not_564[4]} + ({2'h0, not_564[3]} + {1'b0, sum_566}));
-  logic [2:0] sum_570;
-  assign sum_570 = {2'h0, not_564[6]} + sum_569;
-  logic [3:0] sum_573;
-  assign sum_573 = {3'h0, not_564[9]} + ({3'h0, not_564[8]} + ({3'h0, not_564[7]} + {1'b0, sum_570}));
-  // hls/stages/agreement.hpp:170
-  logic and_578;
-  assign and_578 = left_rdata_q[76] & not_384_s1_q;
-  logic [11:0] a_3;
-  assign a_3 = less_383_s1_q ? 12'h0 : left_rdata_q[75:64];
-  logic [11:0] b_3;
-  assign b_3 = less_383_s1_q ? 12'h0 : right_codes_rdata_q[63:52];
-  // hls/stages/agreement.hpp:424
-  logic [11:0] not_584;
-  assign not_584 = ~(a_3 ^ b_3);
-  logic [1:0] sum_586;
-  assign sum_586 = {1'b0, not_584[2]} + ({1'b0, not_584[0]} + {1'b0, not_584[1]});
-  logic [2:0] sum_589;
-  assign sum_589 = {2'h0, not_584[5]} + ({2'h0, not_584[4]} + ({2'h0, not_584[3]} + {1'b0, sum_586}));
-  logic [2:0] sum_590;
-  assign sum_590 = {2'h0, not_584[6]} + sum_589;
-  logic [3:0] sum_593;
-  assign sum_593 = {3'h0, not_584[9]} + ({3'h0, not_584[8]} + ({3'h0, not_584[7]} + {1'b0, sum_590}));
-  logic [11:0] not_605;
-  assign not_605 = ~(a ^ b_2);
-  logic [1:0] sum_607;
-  assign sum_607 = {1'b0, not_605[2]} + ({1'b0, not_605[0]} + {1'b0, not_605[1]});
-  logic [2:0] sum_610;
-  assign sum_610 = {2'h0, not_605[5]} + ({2'h0, not_605[4]} + ({2'h0, not_605[3]} + {1'b0, sum_607}));
-  logic [2:0] sum_611;
-  assign sum_611 = {2'h0, not_605[6]} + sum_610;
-  logic [3:0] sum_614;
-  assign sum_614 = {3'h0, not_605[9]} + ({3'h0, not_605[8]} + ({3'h0, not_605[7]} + {1'b0, sum_611}));
-  logic [11:0] not_620;
-  assign not_620 = ~(a_2 ^ b_3);
-  logic [1:0] sum_622;
-  assign sum_622 = {1'b0, not_620[2]} + ({1'b0, not_620[0]} + {1'b0, not_620[1]});
-  logic [2:0] sum_625;
-  assign sum_625 = {2'h0, not_620[5]} + ({2'h0, not_620[4]} + ({2'h0, not_620[3]} + {1'b0, sum_622}));
-  logic [2:0] sum_626;
-  assign sum_626 = {2'h0, not_620[6]} + sum_625;
-  logic [3:0] sum_629;
-  assign sum_629 = {3'h0, not_620[9]} + ({3'h0, not_620[8]} + ({3'h0, not_620[7]} + {1'b0, sum_626}));
-  // hls/stages/agreement.hpp:170
-  logic [11:0] b_4;
-  assign b_4 = less_383_s1_q ? 12'h0 : right_codes_rdata_q[76:65];
-  // hls/stages/agreement.hpp:424
-  logic [11:0] not_638;
-  assign not_638 = ~(a_3 ^ b_4);
-  logic [1:0] sum_640;
-  assign sum_640 = {1'b0, not_638[2]} + ({1'b0, not_638[0]} + {1'b0, not_638[1]});
-  logic [2:0] sum_643;
-  assign sum_643 = {2'h0, not_638[5]} + ({2'h0, not_638[4]} + ({2'h0, not_638[3]} + {1'b0, sum_640}));
-  logic [2:0] sum_644;
-  assign sum_644 = {2'h0, not_638[6]} + sum_643;
-  logic [3:0] sum_647;
-  assign sum_647 = {3'h0, not_638[9]} + ({3'h0, not_638[8]} + ({3'h0, not_638[7]} + {1'b0, sum_644}));
-  // hls/stages/agreement.hpp:170
-  logic [11:0] b_5;
-  assign b_5 = less_383_s1_q ? 12'h0 : right_codes_rdata_q[24:13];
-  // hls/stages/agreement.hpp:424
-  logic [11:0] not_662;
-  assign not_662 = ~(a ^ b_5);
-  logic [1:0] sum_664;
-  assign sum_664 = {1'b0, not_662[2]} + ({1'b0, not_662[0]} + {1'b0, not_662[1]});
-  logic [2:0] sum_667;
-  assign sum_667 = {2'h0, not_662[5]} + ({2'h0, not_662[4]} + ({2'h0, not_662[3]} + {1'b0, sum_664}));
-  logic [2:0] sum_668;
-  assign sum_668 = {2'h0, not_662[6]} + sum_667;
-  logic [3:0] sum_671;
-  assign sum_671 = {3'h0, not_662[9]} + ({3'h0, not_662[8]} + ({3'h0, not_662[7]} + {1'b0, sum_668}));
-  logic [11:0] not_677;
-  assign not_677 = ~(a_2 ^ b);
-  logic [1:0] sum_679;
-  assign sum_679 = {1'b0, not_677[2]} + ({1'b0, not_677[0]} + {1'b0, not_677[1]});
-  logic [2:0] sum_682;
-  assign sum_682 = {2'h0, not_677[5]} + ({2'h0, not_677[4]} + ({2'h0, not_677[3]} + {1'b0, sum_679}));
-  logic [2:0] sum_683;
-  assign sum_683 = {2'h0, not_677[6]} + sum_682;
-  logic [3:0] sum_686;
-  assign sum_686 = {3'h0, not_677[9]} + ({3'h0, not_677[8]} + ({3'h0, not_677[7]} + {1'b0, sum_683}));
-  logic [11:0] not_693;
-  assign not_693 = ~(a_3 ^ b_2);
-  logic [1:0] sum_695;
-  assign sum_695 = {1'b0, not_693[2]} + ({1'b0, not_693[0]} + {1'b0, not_693[1]});
-  logic [2:0] sum_698;
-  assign sum_698 = {2'h0, not_693[5]} + ({2'h0, not_693[4]} + ({2'h0, not_693[3]} + {1'b0, sum_695}));
-  logic [2:0] sum_699;
-  assign sum_699 = {2'h0, not_693[6]} + sum_698;
-  logic [3:0] sum_702;
-  assign sum_702 = {3'h0, not_693[9]} + ({3'h0, not_693[8]} + ({3'h0, not_693[7]} + {1'b0, sum_699}));
-  logic [11:0] not_717;
-  assign not_717 = ~(a ^ b_3);
-  logic [1:0] sum_719;
-  assign sum_719 = {1'b0, not_717[2]} + ({1'b0, not_717[0]} + {1'b0, not_717[1]});
-  logic [2:0] sum_722;
-  assign sum_722 = {2'h0, not_717[5]} + ({2'h0, not_717[4]} + ({2'h0, not_717[3]} + {1'b0, sum_719}));
-  logic [2:0] sum_723;
-  assign sum_723 = {2'h0, not_717[6]} + sum_722;
-  logic [3:0] sum_726;
-  assign sum_726 = {3'h0, not_717[9]} + ({3'h0, not_717[8]} + ({3'h0, not_717[7]} + {1'b0, sum_723}));
-  logic [11:0] not_732;
-  assign not_732 = ~(a_2 ^ b_4);
-  logic [1:0] sum_734;
-  assign sum_734 = {1'b0, not_732[2]} + ({1'b0, not_732[0]} + {1'b0, not_732[1]});
-  logic [2:0] sum_737;
-  assign sum_737 = {2'h0, not_732[5]} + ({2'h0, not_732[4]} + ({2'h0, not_732[3]} + {1'b0, sum_734}));
-  logic [2:0] sum_738;
-  assign sum_738 = {2'h0, not_732[6]} + sum_737;
-  logic [3:0] sum_741;
-  assign sum_741 = {3'h0, not_732[9]} + ({3'h0, not_732[8]} + ({3'h0, not_732[7]} + {1'b0, sum_738}));
-  // hls/stages/agreement.hpp:170
-  logic [11:0] b_6;
-  assign b_6 = less_383_s1_q ? 12'h0 : right_codes_rdata_q[89:78];
-  // hls/stages/agreement.hpp:424
-  logic [11:0] not_750;
-  assign not_750 = ~(a_3 ^ b_6);
-  logic [1:0] sum_752;
-  assign sum_752 = {1'b0, not_750[2]} + ({1'b0, not_750[0]} + {1'b0, not_750[1]});
-  logic [2:0] sum_755;
-  assign sum_755 = {2'h0, not_750[5]} + ({2'h0, not_750[4]} + ({2'h0, not_750[3]} + {1'b0, sum_752}));
-  logic [2:0] sum_756;
-  assign sum_756 = {2'h0, not_750[6]} + sum_755;
-  logic [3:0] sum_759;
-  assign sum_759 = {3'h0, not_750[9]} + ({3'h0, not_750[8]} + ({3'h0, not_750[7]} + {1'b0, sum_756}));
-  // hls/stages/agreement.hpp:170
-  logic [11:0] b_7;
-  assign b_7 = less_383_s1_q ? 12'h0 : right_codes_rdata_q[11:0];
-  // hls/stages/agreement.hpp:424
-  logic [11:0] not_779;
-  assign not_779 = ~(a ^ b_7);
-  logic [1:0] sum_781;
-  assign sum_781 = {1'b0, not_779[2]} + ({1'b0, not_779[0]} + {1'b0, not_779[1]});
-  logic [2:0] sum_784;
-  assign sum_784 = {2'h0, not_779[5]} + ({2'h0, not_779[4]} + ({2'h0, not_779[3]} + {1'b0, sum_781}));
-  logic [2:0] sum_785;
-  assign sum_785 = {2'h0, not_779[6]} + sum_784;
-  logic [3:0] sum_788;
-  assign sum_788 = {3'h0, not_779[9]} + ({3'h0, not_779[8]} + ({3'h0, not_779[7]} + {1'b0, sum_785}));
-  logic [11:0] not_794;
-  assign not_794 = ~(a_2 ^ b_5);
-  logic [1:0] sum_796;
-  assign sum_796 = {1'b0, not_794[2]} + ({1'b0, not_794[0]} + {1'b0, not_794[1]});
-  logic [2:0] sum_799;
-  assign sum_799 = {2'h0, not_794[5]} + ({2'h0, not_794[4]} + ({2'h0, not_794[3]} + {1'b0, sum_796}));
-  logic [2:0] sum_800;
-  assign sum_800 = {2'h0, not_794[6]} + sum_799;
-  logic [3:0] sum_803;
-  assign sum_803 = {3'h0, not_794[9]} + ({3'h0, not_794[8]} + ({3'h0, not_794[7]} + {1'b0, sum_800}));
-  logic [11:0] not_810;
-  assign not_810 = ~(a_3 ^ b);
-  logic [1:0] sum_812;
-  assign sum_812 = {1'b0, not_810[2]} + ({1'b0, not_810[0]} + {1'b0, not_810[1]});
-  logic [2:0] sum_815;
-  assign sum_815 = {2'h0, not_810[5]} + ({2'h0, not_810[4]} + ({2'h0, not_810[3]} + {1'b0, sum_812}));
-  logic [2:0] sum_816;
-  assign sum_816 = {2'h0, not_810[6]} + sum_815;
-  logic [3:0] sum_819;
-  assign sum_819 = {3'h0, not_810[9]} + ({3'h0, not_810[8]} + ({3'h0, not_810[7]} + {1'b0, sum_816}));
-  // hls/stages/agreement.hpp:504
-  logic [6:0] partner;
-  assign partner = {run_shift_s1_q[5], run_shift_s1_q} + x_s1_2_q;
-  // hls/stages/agreement.hpp:181
-  logic [6:0] select_926;
-  assign select_926 = or_378_s1_q ? (x_s1_q[6:0] + {best_left_rdata_q[13], best_left_rdata_q[13:8]}) : partner;
-  // hls/stages/agreement.hpp:610
-  logic and_945;
-  assign and_945 = left_rdata_q[61] & (~(row_q[5:3] == 3'h0));
-  // hls/stages/agreement.hpp:343
-  logic and_1141;
-  assign and_1141 = drew_s1_q & (((6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0))) & not_1139_s1_q);
-  // hls/stages/agreement.hpp:286
-  logic [5:0] or_1281;
-  assign or_1281 = column_s1_q[5:0] | row_s1_q;
-  // hls/stages/agreement.hpp:290
-  logic select_1430;
-  assign select_1430 = equal_1334_s1_q ? (~({row_s1_q, 1'b0} < {sum_1427, cfg_height_i[3]})) : lower_half_q;
+  assign select_516 = less_387_s1_q ? 12'h0 : right_codes_rdata_q[37:26];
+  logic [11:0] select_517;
+  assign select_517 = less_387_s1_q ? 12'h0 : left_rdata_q[43:32];
+  // hls/stages/agreement.hpp:465
+  logic [11:0] select_521;
+  assign select_521 = and_514 ? (and_515 ? (~(select_516 ^ select_517)) : 12'h0) : 12'h0;
+  // hls/stages/agreement.hpp:480
+  logic parity_527;
+  assign parity_527 = ^select_521[5:3];
+  logic parity_530;
+  assign parity_530 = ^select_521[8:6];
+  logic parity_533;
+  assign parity_533 = ^select_521[11:3];
+  // hls/stages/agreement.hpp:159
+  logic and_537;
+  assign and_537 = left_rdata_q[60] & not_388_s1_q;
+  logic and_538;
+  assign and_538 = right_codes_rdata_q[51] & not_388_s1_q;
+  logic [11:0] select_539;
+  assign select_539 = less_387_s1_q ? 12'h0 : right_codes_rdata_q[50:39];
+  logic [11:0] select_540;
+  assign select_540 = less_387_s1_q ? 12'h0 : left_rdata_q[59:48];
+  // hls/stages/agreement.hpp:465
+  logic [11:0] select_544;
+  assign select_544 = and_537 ? (and_538 ? (~(select_539 ^ select_540)) : 12'h0) : 12'h0;
+  // hls/stages/agreement.hpp:480
+  logic parity_547;
+  assign parity_547 = ^select_544[8:6];
+  logic parity_550;
+  assign parity_550 = ^select_544[11:9];
+  // hls/stages/agreement.hpp:159
+  logic and_554;
+  assign and_554 = left_rdata_q[76] & not_388_s1_q;
+  logic and_555;
+  assign and_555 = right_codes_rdata_q[64] & not_388_s1_q;
+  logic [11:0] select_556;
+  assign select_556 = less_387_s1_q ? 12'h0 : right_codes_rdata_q[63:52];
+  logic [11:0] select_557;
+  assign select_557 = less_387_s1_q ? 12'h0 : left_rdata_q[75:64];
+  // hls/stages/agreement.hpp:465
+  logic [11:0] select_561;
+  assign select_561 = and_554 ? (and_555 ? (~(select_556 ^ select_557)) : 12'h0) : 12'h0;
+  // hls/stages/agreement.hpp:480
+  logic parity_567;
+  assign parity_567 = ^select_561[2:0];
+  logic parity_570;
+  assign parity_570 = ^select_561[5:3];
+  logic parity_573;
+  assign parity_573 = ^select_561[8:0];
+  logic parity_579;
+  assign parity_579 = ^select_561[11:9];
+  logic parity_582;
+  assign parity_582 = ^select_544[2:0];
+  logic parity_585;
+  assign parity_585 = ^{select_561[11:9], select_544[5:0]};
+  logic parity_588;
+  assign parity_588 = ^{select_561, select_544, select_521[2:0]};
+  logic xor_589;
+  assign xor_589 = parity_533 ^ parity_588;
+  // hls/stages/agreement.hpp:479
+  logic or_593;
+  assign or_593 = (select_521[1:0] == 2'h3) | (select_521[2] & (select_521[0] | select_521[1]));
+  // hls/stages/agreement.hpp:481
+  logic or_597;
+  assign or_597 = (select_544[7:6] == 2'h3) | (select_544[8] & (select_544[6] | select_544[7]));
+  logic or_601;
+  assign or_601 = (select_544[10:9] == 2'h3) | (select_544[11] & (select_544[9] | select_544[10]));
+  // hls/stages/agreement.hpp:479
+  logic or_609;
+  assign or_609 = (select_561[7:6] == 2'h3) | (select_561[8] & (~(select_561[7:6] == 2'h0)));
+  // hls/stages/agreement.hpp:481
+  logic or_613;
+  assign or_613 = (select_561[1:0] == 2'h3) | (select_561[2] & (select_561[0] | select_561[1]));
+  logic or_617;
+  assign or_617 = (select_561[4:3] == 2'h3) | (select_561[5] & (select_561[3] | select_561[4]));
+  // hls/stages/agreement.hpp:480
+  logic parity_620;
+  assign parity_620 = ^{or_617, or_613, or_609};
+  // hls/stages/agreement.hpp:479
+  logic or_624;
+  assign or_624 = (select_544[4:3] == 2'h3) | (select_544[5] & (select_544[3] | select_544[4]));
+  // hls/stages/agreement.hpp:481
+  logic or_628;
+  assign or_628 = (select_561[10:9] == 2'h3) | (select_561[11] & (select_561[9] | select_561[10]));
+  logic or_632;
+  assign or_632 = (select_544[1:0] == 2'h3) | (select_544[2] & (select_544[0] | select_544[1]));
+  // hls/stages/agreement.hpp:480
+  logic parity_635;
+  assign parity_635 = ^{or_632, or_628, or_624};
+  logic parity_638;
+  assign parity_638 = ^{or_632, or_628, or_624, or_617, or_613, or_609, or_601, or_597, or_593};
+  // hls/stages/agreement.hpp:481
+  logic and_639;
+  assign and_639 = parity_533 & parity_588;
+  logic or_643;
+  assign or_643 = (parity_527 & parity_530) | ((^select_521[11:9]) & (parity_527 | parity_530));
+  logic and_646;
+  assign and_646 = (^{select_544[11:6], select_521[2:0]}) & (parity_573 | parity_585);
+  logic or_647;
+  assign or_647 = (parity_573 & parity_585) | and_646;
+  // hls/stages/agreement.hpp:479
+  logic or_654;
+  assign or_654 = (select_521[10:9] == 2'h3) | (select_521[11] & (select_521[9] | select_521[10]));
+  // hls/stages/agreement.hpp:481
+  logic or_658;
+  assign or_658 = (select_521[4:3] == 2'h3) | (select_521[5] & (select_521[3] | select_521[4]));
+  logic or_662;
+  assign or_662 = (select_521[7:6] == 2'h3) | (select_521[8] & (select_521[6] | select_521[7]));
+  // hls/stages/agreement.hpp:480
+  logic parity_665;
+  assign parity_665 = ^{or_662, or_658, or_654};
+  // hls/stages/agreement.hpp:481
+  logic or_669;
+  assign or_669 = (parity_547 & parity_550) | ((^select_521[2:0]) & (parity_547 | parity_550));
+  logic or_673;
+  assign or_673 = (parity_567 & parity_570) | ((^select_561[8:6]) & (parity_567 | parity_570));
+  logic or_677;
+  assign or_677 = (parity_579 & parity_582) | ((^select_544[5:3]) & (parity_579 | parity_582));
+  // hls/stages/agreement.hpp:480
+  logic parity_680;
+  assign parity_680 = ^{or_677, or_673, or_669};
+  logic parity_683;
+  assign parity_683 = ^{or_677, or_673, or_669, or_662, or_658, or_654, or_647, or_643, and_639};
+  logic xor_684;
+  assign xor_684 = parity_638 ^ parity_683;
+  // hls/stages/agreement.hpp:481
+  logic and_685;
+  assign and_685 = parity_638 & parity_683;
+  logic or_689;
+  assign or_689 = (parity_620 & parity_635) | ((^{or_601, or_597, or_593}) & (parity_620 | parity_635));
+  logic or_693;
+  assign or_693 = (parity_665 & parity_680) | ((^{or_647, or_643, and_639}) & (parity_665 | parity_680));
+  logic or_700;
+  assign or_700 = (or_597 & or_601) | (or_593 & (or_597 | or_601));
+  logic or_704;
+  assign or_704 = (or_613 & or_617) | (or_609 & (or_613 | or_617));
+  logic or_708;
+  assign or_708 = (or_628 & or_632) | (or_624 & (or_628 | or_632));
+  // hls/stages/agreement.hpp:480
+  logic parity_711;
+  assign parity_711 = ^{or_708, or_704, or_700};
+  // hls/stages/agreement.hpp:481
+  logic or_715;
+  assign or_715 = (or_643 & or_647) | (and_639 & (or_643 | or_647));
+  logic or_719;
+  assign or_719 = (or_658 & or_662) | (or_654 & (or_658 | or_662));
+  logic or_723;
+  assign or_723 = (or_673 & or_677) | (or_669 & (or_673 | or_677));
+  // hls/stages/agreement.hpp:480
+  logic parity_726;
+  assign parity_726 = ^{or_723, or_719, or_715};
+  logic parity_729;
+  assign parity_729 = ^{or_723, or_719, or_715, or_708, or_704, or_700, or_693, or_689, and_685};
+  // hls/stages/agreement.hpp:481
+  logic or_733;
+  assign or_733 = (parity_711 & parity_726) | ((^{or_693, or_689, and_685}) & (parity_711 | parity_726));
+  logic or_737;
+  assign or_737 = (or_689 & or_693) | (and_685 & (or_689 | or_693));
+  logic or_741;
+  assign or_741 = (or_704 & or_708) | (or_700 & (or_704 | or_708));
+  logic or_745;
+  assign or_745 = (or_719 & or_723) | (or_715 & (or_719 | or_723));
+  // hls/stages/agreement.hpp:480
+  logic parity_750;
+  assign parity_750 = ^{or_745, or_741, or_737, or_733};
+  // hls/stages/agreement.hpp:481
+  logic or_754;
+  assign or_754 = (or_741 & or_745) | (or_737 & (or_741 | or_745));
+  logic and_755;
+  assign and_755 = or_733 & (^{or_745, or_741, or_737});
+  // hls/stages/agreement.hpp:480
+  logic xor_756;
+  assign xor_756 = or_754 ^ and_755;
+  // hls/stages/agreement.hpp:483
+  logic and_757;
+  assign and_757 = or_754 & and_755;
+  // hls/stages/agreement.hpp:554
+  logic [5:0] select_758;
+  assign select_758 = equal_382_s1_q ? {and_757, xor_756, parity_750, parity_729, xor_684, xor_589} : 6'h0;
+  logic [5:0] column_2;
+  assign column_2 = or_380_s1_q ? 6'h0 : select_758;
+  // hls/stages/agreement.hpp:585
+  logic [5:0] select_760;
+  assign select_760 = age_s1_q[3] ? middle_sum_columns_values_6_q : 6'h0;
+  logic [6:0] difference_761;
+  assign difference_761 = {1'b0, column_2} - {1'b0, select_760};
+  logic [7:0] sum_763;
+  assign sum_763 = {difference_761[6], difference_761} + (age_s1_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
+  // hls/stages/agreement.hpp:465
+  logic [11:0] select_767;
+  assign select_767 = and_514 ? (and_538 ? (~(select_539 ^ select_517)) : 12'h0) : 12'h0;
+  // hls/stages/agreement.hpp:480
+  logic parity_773;
+  assign parity_773 = ^select_767[5:3];
+  logic parity_776;
+  assign parity_776 = ^select_767[8:6];
+  logic parity_779;
+  assign parity_779 = ^select_767[11:3];
+  // hls/stages/agreement.hpp:465
+  logic [11:0] select_786;
+  assign select_786 = and_537 ? (and_555 ? (~(select_556 ^ select_540)) : 12'h0) : 12'h0;
+  // hls/stages/agreement.hpp:480
+  logic parity_789;
+  assign parity_789 = ^select_786[8:6];
+  logic parity_792;
+  assign parity_792 = ^select_786[11:9];
+  // hls/stages/agreement.hpp:159
+  logic and_796;
+  assign and_796 = right_codes_rdata_q[77] & not_388_s1_q;
+  logic [11:0] select_797;
+  assign select_797 = less_387_s1_q ? 12'h0 : right_codes_rdata_q[76:65];
+  // hls/stages/agreement.hpp:465
+  logic [11:0] select_801;
+  assign select_801 = and_554 ? (and_796 ? (~(select_797 ^ select_557)) : 12'h0) : 12'h0;
+  // hls/stages/agreement.hpp:480
+  logic parity_807;
+  assign parity_807 = ^select_801[2:0];
+  logic parity_810;
+  assign parity_810 = ^select_801[5:3];
+  logic parity_813;
+  assign parity_813 = ^select_801[8:0];
+  logic parity_819;
+  assign parity_819 = ^select_801[11:9];
+  logic parity_822;
+  assign parity_822 = ^select_786[2:0];
+  logic parity_825;
+  assign parity_825 = ^{select_801[11:9], select_786[5:0]};
+  logic parity_828;
+  assign parity_828 = ^{select_801, select_786, select_767[2:0]};
+  logic xor_829;
+  assign xor_829 = parity_779 ^ parity_828;
+  // hls/stages/agreement.hpp:479
+  logic or_833;
+  assign or_833 = (select_767[1:0] == 2'h3) | (select_767[2] & (select_767[0] | select_767[1]));
+  // hls/stages/agreement.hpp:481
+  logic or_837;
+  assign or_837 = (select_786[7:6] == 2'h3) | (select_786[8] & (select_786[6] | select_786[7]));
+  logic or_841;
+  assign or_841 = (select_786[10:9] == 2'h3) | (select_786[11] & (select_786[9] | select_786[10]));
+  // hls/stages/agreement.hpp:479
+  logic or_849;
+  assign or_849 = (select_801[7:6] == 2'h3) | (select_801[8] & (~(select_801[7:6] == 2'h0)));
+  // hls/stages/agreement.hpp:481
+  logic or_853;
+  assign or_853 = (select_801[1:0] == 2'h3) | (select_801[2] & (select_801[0] | select_801[1]));
+  logic or_857;
+  assign or_857 = (select_801[4:3] == 2'h3) | (select_801[5] & (select_801[3] | select_801[4]));
+  // hls/stages/agreement.hpp:480
+  logic parity_860;
+  assign parity_860 = ^{or_857, or_853, or_849};
+  // hls/stages/agreement.hpp:479
+  logic or_864;
+  assign or_864 = (select_786[4:3] == 2'h3) | (select_786[5] & (select_786[3] | select_786[4]));
+  // hls/stages/agreement.hpp:481
+  logic or_868;
+  assign or_868 = (select_801[10:9] == 2'h3) | (select_801[11] & (select_801[9] | select_801[10]));
+  logic or_872;
+  assign or_872 = (select_786[1:0] == 2'h3) | (select_786[2] & (select_786[0] | select_786[1]));
+  // hls/stages/agreement.hpp:480
+  logic parity_875;
+  assign parity_875 = ^{or_872, or_868, or_864};
+  logic parity_878;
+  assign parity_878 = ^{or_872, or_868, or_864, or_857, or_853, or_849, or_841, or_837, or_833};
+  // hls/stages/agreement.hpp:481
+  logic and_879;
+  assign and_879 = parity_779 & parity_828;
+  logic or_883;
+  assign or_883 = (parity_773 & parity_776) | ((^select_767[11:9]) & (parity_773 | parity_776));
+  logic and_886;
+  assign and_886 = (^{select_786[11:6], select_767[2:0]}) & (parity_813 | parity_825);
+  logic or_887;
+  assign or_887 = (parity_813 & parity_825) | and_886;
+  // hls/stages/agreement.hpp:479
+  logic or_894;
+  assign or_894 = (select_767[10:9] == 2'h3) | (select_767[11] & (select_767[9] | select_767[10]));
+  // hls/stages/agreement.hpp:481
+  logic or_898;
+  assign or_898 = (select_767[4:3] == 2'h3) | (select_767[5] & (select_767[3] | select_767[4]));
+  logic or_902;
+  assign or_902 = (select_767[7:6] == 2'h3) | (select_767[8] & (select_767[6] | select_767[7]));
+  // hls/stages/agreement.hpp:480
+  logic parity_905;
+  assign parity_905 = ^{or_902, or_898, or_894};
+  // hls/stages/agreement.hpp:481
+  logic or_909;
+  assign or_909 = (parity_789 & parity_792) | ((^select_767[2:0]) & (parity_789 | parity_792));
+  logic or_913;
+  assign or_913 = (parity_807 & parity_810) | ((^select_801[8:6]) & (parity_807 | parity_810));
+  logic or_917;
+  assign or_917 = (parity_819 & parity_822) | ((^select_786[5:3]) & (parity_819 | parity_822));
+  // hls/stages/agreement.hpp:480
+  logic parity_920;
+  assign parity_920 = ^{or_917, or_913, or_909};
+  logic parity_923;
+  assign parity_923 = ^{or_917, or_913, or_909, or_902, or_898, or_894, or_887, or_883, and_879};
+  logic xor_924;
+  assign xor_924 = parity_878 ^ parity_923;
+  // hls/stages/agreement.hpp:481
+  logic and_925;
+  assign and_925 = parity_878 & parity_923;
+  logic or_929;
+  assign or_929 = (parity_860 & parity_875) | ((^{or_841, or_837, or_833}) & (parity_860 | parity_875));
+  logic or_933;
+  assign or_933 = (parity_905 & parity_920) | ((^{or_887, or_883, and_879}) & (parity_905 | parity_920));
+  logic or_940;
+  assign or_940 = (or_837 & or_841) | (or_833 & (or_837 | or_841));
+  logic or_944;
+  assign or_944 = (or_853 & or_857) | (or_849 & (or_853 | or_857));
+  logic or_948;
+  assign or_948 = (or_868 & or_872) | (or_864 & (or_868 | or_872));
+  // hls/stages/agreement.hpp:480
+  logic parity_951;
+  assign parity_951 = ^{or_948, or_944, or_940};
+  // hls/stages/agreement.hpp:481
+  logic or_955;
+  assign or_955 = (or_883 & or_887) | (and_879 & (or_883 | or_887));
+  logic or_959;
+  assign or_959 = (or_898 & or_902) | (or_894 & (or_898 | or_902));
+  logic or_963;
+  assign or_963 = (or_913 & or_917) | (or_909 & (or_913 | or_917));
+  // hls/stages/agreement.hpp:480
+  logic parity_966;
+  assign parity_966 = ^{or_963, or_959, or_955};
+  logic parity_969;
+  assign parity_969 = ^{or_963, or_959, or_955, or_948, or_944, or_940, or_933, or_929, and_925};
+  // hls/stages/agreement.hpp:481
+  logic or_973;
+  assign or_973 = (parity_951 & parity_966) | ((^{or_933, or_929, and_925}) & (parity_951 | parity_966));
+  logic or_977;
+  assign or_977 = (or_929 & or_933) | (and_925 & (or_929 | or_933));
+  logic or_981;
+  assign or_981 = (or_944 & or_948) | (or_940 & (or_944 | or_948));
+  logic or_985;
+  assign or_985 = (or_959 & or_963) | (or_955 & (or_959 | or_963));
+  // hls/stages/agreement.hpp:480
+  logic parity_990;
+  assign parity_990 = ^{or_985, or_981, or_977, or_973};
+  // hls/stages/agreement.hpp:481
+  logic or_994;
+  assign or_994 = (or_981 & or_985) | (or_977 & (or_981 | or_985));
+  logic and_995;
+  assign and_995 = or_973 & (^{or_985, or_981, or_977});
+  // hls/stages/agreement.hpp:480
+  logic xor_996;
+  assign xor_996 = or_994 ^ and_995;
+  // hls/stages/agreement.hpp:483
+  logic and_997;
+  assign and_997 = or_994 & and_995;
+  // hls/stages/agreement.hpp:554
+  logic [5:0] select_998;
+  assign select_998 = equal_382_s1_q ? {and_997, xor_996, parity_990, parity_969, xor_924, xor_829} : 6'h0;
+  logic [5:0] column_3;
+  assign column_3 = or_380_s1_q ? 6'h0 : select_998;
+  // hls/stages/agreement.hpp:585
+  logic [5:0] select_1000;
+  assign select_1000 = age_s1_q[3] ? sums_0_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1001;
+  assign difference_1001 = {1'b0, column_3} - {1'b0, select_1000};
+  logic [7:0] sum_1003;
+  assign sum_1003 = {difference_1001[6], difference_1001} + (age_s1_q[0] ? sums_0_sum_sums_values_0_q : 8'h0);
+  // hls/stages/agreement.hpp:159
+  logic and_1004;
+  assign and_1004 = right_codes_rdata_q[25] & not_388_s1_q;
+  logic [11:0] select_1005;
+  assign select_1005 = less_387_s1_q ? 12'h0 : right_codes_rdata_q[24:13];
+  // hls/stages/agreement.hpp:465
+  logic [11:0] select_1009;
+  assign select_1009 = and_514 ? (and_1004 ? (~(select_1005 ^ select_517)) : 12'h0) : 12'h0;
+  // hls/stages/agreement.hpp:480
+  logic parity_1015;
+  assign parity_1015 = ^select_1009[5:3];
+  logic parity_1018;
+  assign parity_1018 = ^select_1009[8:6];
+  logic parity_1021;
+  assign parity_1021 = ^select_1009[11:3];
+  // hls/stages/agreement.hpp:465
+  logic [11:0] select_1028;
+  assign select_1028 = and_537 ? (and_515 ? (~(select_516 ^ select_540)) : 12'h0) : 12'h0;
+  // hls/stages/agreement.hpp:480
+  logic parity_1031;
+  assign parity_1031 = ^select_1028[8:6];
+  logic parity_1034;
+  assign parity_1034 = ^select_1028[11:9];
+  // hls/stages/agreement.hpp:465
+  logic [11:0] select_1041;
+  assign select_1041 = and_554 ? (and_538 ? (~(select_539 ^ select_557)) : 12'h0) : 12'h0;
+  // hls/stages/agreement.hpp:480
+  logic parity_1047;
+  assign parity_1047 = ^select_1041[2:0];
+  logic parity_1050;
+  assign parity_1050 = ^select_1041[5:3];
+  logic parity_1053;
+  assign parity_1053 = ^select_1041[8:0];
+  logic parity_1059;
+  assign parity_1059 = ^select_1041[11:9];
+  logic parity_1062;
+  assign parity_1062 = ^select_1028[2:0];
+  logic parity_1065;
+  assign parity_1065 = ^{select_1041[11:9], select_1028[5:0]};
+  logic parity_1068;
+  assign parity_1068 = ^{select_1041, select_1028, select_1009[2:0]};
+  logic xor_1069;
+  assign xor_1069 = parity_1021 ^ parity_1068;
+  // hls/stages/agreement.hpp:479
+  logic or_1073;
+  assign or_1073 = (select_1009[1:0] == 2'h3) | (select_1009[2] & (select_1009[0] | select_1009[1]));
+  // hls/stages/agreement.hpp:481
+  logic or_1077;
+  assign or_1077 = (select_1028[7:6] == 2'h3) | (select_1028[8] & (select_1028[6] | select_1028[7]));
+  logic or_1081;
+  assign or_1081 = (select_1028[10:9] == 2'h3) | (select_1028[11] & (select_1028[9] | select_1028[10]));
+  // hls/stages/agreement.hpp:479
+  logic or_1089;
+  assign or_1089 = (select_1041[7:6] == 2'h3) | (select_1041[8] & (~(select_1041[7:6] == 2'h0)));
+  // hls/stages/agreement.hpp:481
+  logic or_1093;
+  assign or_1093 = (select_1041[1:0] == 2'h3) | (select_1041[2] & (select_1041[0] | select_1041[1]));
+  logic or_1097;
+  assign or_1097 = (select_1041[4:3] == 2'h3) | (select_1041[5] & (select_1041[3] | select_1041[4]));
+  // hls/stages/agreement.hpp:480
+  logic parity_1100;
+  assign parity_1100 = ^{or_1097, or_1093, or_1089};
+  // hls/stages/agreement.hpp:479
+  logic or_1104;
+  assign or_1104 = (select_1028[4:3] == 2'h3) | (select_1028[5] & (select_1028[3] | select_1028[4]));
+  // hls/stages/agreement.hpp:481
+  logic or_1108;
+  assign or_1108 = (select_1041[10:9] == 2'h3) | (select_1041[11] & (select_1041[9] | select_1041[10]));
+  logic or_1112;
+  assign or_1112 = (select_1028[1:0] == 2'h3) | (select_1028[2] & (select_1028[0] | select_1028[1]));
+  // hls/stages/agreement.hpp:480
+  logic parity_1115;
+  assign parity_1115 = ^{or_1112, or_1108, or_1104};
+  logic parity_1118;
+  assign parity_1118 = ^{or_1112, or_1108, or_1104, or_1097, or_1093, or_1089, or_1081, or_1077, or_1073};
+  // hls/stages/agreement.hpp:481
+  logic and_1119;
+  assign and_1119 = parity_1021 & parity_1068;
+  logic or_1123;
+  assign or_1123 = (parity_1015 & parity_1018) | ((^select_1009[11:9]) & (parity_1015 | parity_1018));
+  logic and_1126;
+  assign and_1126 = (^{select_1028[11:6], select_1009[2:0]}) & (parity_1053 | parity_1065);
+  logic or_1127;
+  assign or_1127 = (parity_1053 & parity_1065) | and_1126;
+  // hls/stages/agreement.hpp:479
+  logic or_1134;
+  assign or_1134 = (select_1009[10:9] == 2'h3) | (select_1009[11] & (select_1009[9] | select_1009[10]));
+  // hls/stages/agreement.hpp:481
+  logic or_1138;
+  assign or_1138 = (select_1009[4:3] == 2'h3) | (select_1009[5] & (select_1009[3] | select_1009[4]));
+  logic or_1142;
+  assign or_1142 = (select_1009[7:6] == 2'h3) | (select_1009[8] & (select_1009[6] | select_1009[7]));
+  // hls/stages/agreement.hpp:480
+  logic parity_1145;
+  assign parity_1145 = ^{or_1142, or_1138, or_1134};
+  // hls/stages/agreement.hpp:481
+  logic or_1149;
+  assign or_1149 = (parity_1031 & parity_1034) | ((^select_1009[2:0]) & (parity_1031 | parity_1034));
+  logic or_1153;
+  assign or_1153 = (parity_1047 & parity_1050) | ((^select_1041[8:6]) & (parity_1047 | parity_1050));
+  logic or_1157;
+  assign or_1157 = (parity_1059 & parity_1062) | ((^select_1028[5:3]) & (parity_1059 | parity_1062));
+  // hls/stages/agreement.hpp:480
+  logic parity_1160;
+  assign parity_1160 = ^{or_1157, or_1153, or_1149};
+  logic parity_1163;
+  assign parity_1163 = ^{or_1157, or_1153, or_1149, or_1142, or_1138, or_1134, or_1127, or_1123, and_1119};
+  logic xor_1164;
+  assign xor_1164 = parity_1118 ^ parity_1163;
+  // hls/stages/agreement.hpp:481
+  logic and_1165;
+  assign and_1165 = parity_1118 & parity_1163;
+  logic or_1169;
+  assign or_1169 = (parity_1100 & parity_1115) | ((^{or_1081, or_1077, or_1073}) & (parity_1100 | parity_1115));
+  logic or_1173;
+  assign or_1173 = (parity_1145 & parity_1160) | ((^{or_1127, or_1123, and_1119}) & (parity_1145 | parity_1160));
+  logic or_1180;
+  assign or_1180 = (or_1077 & or_1081) | (or_1073 & (or_1077 | or_1081));
+  logic or_1184;
+  assign or_1184 = (or_1093 & or_1097) | (or_1089 & (or_1093 | or_1097));
+  logic or_1188;
+  assign or_1188 = (or_1108 & or_1112) | (or_1104 & (or_1108 | or_1112));
+  // hls/stages/agreement.hpp:480
+  logic parity_1191;
+  assign parity_1191 = ^{or_1188, or_1184, or_1180};
+  // hls/stages/agreement.hpp:481
+  logic or_1195;
+  assign or_1195 = (or_1123 & or_1127) | (and_1119 & (or_1123 | or_1127));
+  logic or_1199;
+  assign or_1199 = (or_1138 & or_1142) | (or_1134 & (or_1138 | or_1142));
+  logic or_1203;
+  assign or_1203 = (or_1153 & or_1157) | (or_1149 & (or_1153 | or_1157));
+  // hls/stages/agreement.hpp:480
+  logic parity_1206;
+  assign parity_1206 = ^{or_1203, or_1199, or_1195};
+  logic parity_1209;
+  assign parity_1209 = ^{or_1203, or_1199, or_1195, or_1188, or_1184, or_1180, or_1173, or_1169, and_1165};
+  // hls/stages/agreement.hpp:481
+  logic or_1213;
+  assign or_1213 = (parity_1191 & parity_1206) | ((^{or_1173, or_1169, and_1165}) & (parity_1191 | parity_1206));
+  logic or_1217;
+  assign or_1217 = (or_1169 & or_1173) | (and_1165 & (or_1169 | or_1173));
+  logic or_1221;
+  assign or_1221 = (or_1184 & or_1188) | (or_1180 & (or_1184 | or_1188));
+  logic or_1225;
+  assign or_1225 = (or_1199 & or_1203) | (or_1195 & (or_1199 | or_1203));
+  // hls/stages/agreement.hpp:480
+  logic parity_1230;
+  assign parity_1230 = ^{or_1225, or_1221, or_1217, or_1213};
+  // hls/stages/agreement.hpp:481
+  logic or_1234;
+  assign or_1234 = (or_1221 & or_1225) | (or_1217 & (or_1221 | or_1225));
+  logic and_1235;
+  assign and_1235 = or_1213 & (^{or_1225, or_1221, or_1217});
+  // hls/stages/agreement.hpp:480
+  logic xor_1236;
+  assign xor_1236 = or_1234 ^ and_1235;
+  // hls/stages/agreement.hpp:483
+  logic and_1237;
+  assign and_1237 = or_1234 & and_1235;
+  // hls/stages/agreement.hpp:554
+  logic [5:0] select_1238;
+  assign select_1238 = equal_382_s1_q ? {and_1237, xor_1236, parity_1230, parity_1209, xor_1164, xor_1069} : 6'h0;
+  logic [5:0] column_4;
+  assign column_4 = or_380_s1_q ? 6'h0 : select_1238;
+  // hls/stages/agreement.hpp:585
+  logic [5:0] select_1240;
+  assign select_1240 = age_s1_q[3] ? sums_1_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1241;
+  assign difference_1241 = {1'b0, column_4} - {1'b0, select_1240};
+  logic [7:0] sum_1243;
+  assign sum_1243 = {difference_1241[6], difference_1241} + (age_s1_q[0] ? sums_1_sum_sums_values_0_q : 8'h0);
+  // hls/stages/agreement.hpp:465
+  logic [11:0] select_1251;
+  assign select_1251 = and_514 ? (and_555 ? (~(select_556 ^ select_517)) : 12'h0) : 12'h0;
+  // hls/stages/agreement.hpp:480
+  logic parity_1257;
+  assign parity_1257 = ^select_1251[5:3];
+  logic parity_1260;
+  assign parity_1260 = ^select_1251[8:6];
+  logic parity_1263;
+  assign parity_1263 = ^select_1251[11:3];
+  // hls/stages/agreement.hpp:465
+  logic [11:0] select_1270;
+  assign select_1270 = and_537 ? (and_796 ? (~(select_797 ^ select_540)) : 12'h0) : 12'h0;
+  // hls/stages/agreement.hpp:480
+  logic parity_1273;
+  assign parity_1273 = ^select_1270[8:6];
+  logic parity_1276;
+  assign parity_1276 = ^select_1270[11:9];
+  // hls/stages/agreement.hpp:465
+  logic [11:0] xor_1282;
+  assign xor_1282 = (less_387_s1_q ? 12'h0 : right_codes_rdata_q[89:78]) ^ select_557;
+  logic [11:0] select_1285;
+  assign select_1285 = and_554 ? ((right_codes_rdata_q[90] & not_388_s1_q) ? (~xor_1282) : 12'h0) : 12'h0;
+  // hls/stages/agreement.hpp:480
+  logic parity_1291;
+  assign parity_1291 = ^select_1285[2:0];
+  logic parity_1294;
+  assign parity_1294 = ^select_1285[5:3];
+  logic parity_1297;
+  assign parity_1297 = ^select_1285[8:0];
+  logic parity_1303;
+  assign parity_1303 = ^select_1285[11:9];
+  logic parity_1306;
+  assign parity_1306 = ^select_1270[2:0];
+  logic parity_1309;
+  assign parity_1309 = ^{select_1285[11:9], select_1270[5:0]};
+  logic parity_1312;
+  assign parity_1312 = ^{select_1285, select_1270, select_1251[2:0]};
+  logic xor_1313;
+  assign xor_1313 = parity_1263 ^ parity_1312;
+  // hls/stages/agreement.hpp:479
+  logic or_1317;
+  assign or_1317 = (select_1251[1:0] == 2'h3) | (select_1251[2] & (select_1251[0] | select_1251[1]));
+  // hls/stages/agreement.hpp:481
+  logic or_1321;
+  assign or_1321 = (select_1270[7:6] == 2'h3) | (select_1270[8] & (select_1270[6] | select_1270[7]));
+  logic or_1325;
+  assign or_1325 = (select_1270[10:9] == 2'h3) | (select_1270[11] & (select_1270[9] | select_1270[10]));
+  // hls/stages/agreement.hpp:479
+  logic or_1333;
+  assign or_1333 = (select_1285[7:6] == 2'h3) | (select_1285[8] & (~(select_1285[7:6] == 2'h0)));
+  // hls/stages/agreement.hpp:481
+  logic or_1337;
+  assign or_1337 = (select_1285[1:0] == 2'h3) | (select_1285[2] & (select_1285[0] | select_1285[1]));
+  logic or_1341;
+  assign or_1341 = (select_1285[4:3] == 2'h3) | (select_1285[5] & (select_1285[3] | select_1285[4]));
+  // hls/stages/agreement.hpp:480
+  logic parity_1344;
+  assign parity_1344 = ^{or_1341, or_1337, or_1333};
+  // hls/stages/agreement.hpp:479
+  logic or_1348;
+  assign or_1348 = (select_1270[4:3] == 2'h3) | (select_1270[5] & (select_1270[3] | select_1270[4]));
+  // hls/stages/agreement.hpp:481
+  logic or_1352;
+  assign or_1352 = (select_1285[10:9] == 2'h3) | (select_1285[11] & (select_1285[9] | select_1285[10]));
+  logic or_1356;
+  assign or_1356 = (select_1270[1:0] == 2'h3) | (select_1270[2] & (select_1270[0] | select_1270[1]));
+  // hls/stages/agreement.hpp:480
+  logic parity_1359;
+  assign parity_1359 = ^{or_1356, or_1352, or_1348};
+  logic parity_1362;
+  assign parity_1362 = ^{or_1356, or_1352, or_1348, or_1341, or_1337, or_1333, or_1325, or_1321, or_1317};
+  // hls/stages/agreement.hpp:481
+  logic and_1363;
+  assign and_1363 = parity_1263 & parity_1312;
+  logic or_1367;
+  assign or_1367 = (parity_1257 & parity_1260) | ((^select_1251[11:9]) & (parity_1257 | parity_1260));
+  logic and_1370;
+  assign and_1370 = (^{select_1270[11:6], select_1251[2:0]}) & (parity_1297 | parity_1309);
+  logic or_1371;
+  assign or_1371 = (parity_1297 & parity_1309) | and_1370;
+  // hls/stages/agreement.hpp:479
+  logic or_1378;
+  assign or_1378 = (select_1251[10:9] == 2'h3) | (select_1251[11] & (select_1251[9] | select_1251[10]));
+  // hls/stages/agreement.hpp:481
+  logic or_1382;
+  assign or_1382 = (select_1251[4:3] == 2'h3) | (select_1251[5] & (select_1251[3] | select_1251[4]));
+  logic or_1386;
+  assign or_1386 = (select_1251[7:6] == 2'h3) | (select_1251[8] & (select_1251[6] | select_1251[7]));
+  // hls/stages/agreement.hpp:480
+  logic parity_1389;
+  assign parity_1389 = ^{or_1386, or_1382, or_1378};
+  // hls/stages/agreement.hpp:481
+  logic or_1393;
+  assign or_1393 = (parity_1273 & parity_1276) | ((^select_1251[2:0]) & (parity_1273 | parity_1276));
+  logic or_1397;
+  assign or_1397 = (parity_1291 & parity_1294) | ((^select_1285[8:6]) & (parity_1291 | parity_1294));
+  logic or_1401;
+  assign or_1401 = (parity_1303 & parity_1306) | ((^select_1270[5:3]) & (parity_1303 | parity_1306));
+  // hls/stages/agreement.hpp:480
+  logic parity_1404;
+  assign parity_1404 = ^{or_1401, or_1397, or_1393};
+  logic parity_1407;
+  assign parity_1407 = ^{or_1401, or_1397, or_1393, or_1386, or_1382, or_1378, or_1371, or_1367, and_1363};
+  logic xor_1408;
+  assign xor_1408 = parity_1362 ^ parity_1407;
+  // hls/stages/agreement.hpp:481
+  logic and_1409;
+  assign and_1409 = parity_1362 & parity_1407;
+  logic or_1413;
+  assign or_1413 = (parity_1344 & parity_1359) | ((^{or_1325, or_1321, or_1317}) & (parity_1344 | parity_1359));
+  logic or_1417;
+  assign or_1417 = (parity_1389 & parity_1404) | ((^{or_1371, or_1367, and_1363}) & (parity_1389 | parity_1404));
+  logic or_1424;
+  assign or_1424 = (or_1321 & or_1325) | (or_1317 & (or_1321 | or_1325));
+  logic or_1428;
+  assign or_1428 = (or_1337 & or_1341) | (or_1333 & (or_1337 | or_1341));
+  logic or_1432;
+  assign or_1432 = (or_1352 & or_1356) | (or_1348 & (or_1352 | or_1356));
+  // hls/stages/agreement.hpp:480
+  logic parity_1435;
+  assign parity_1435 = ^{or_1432, or_1428, or_1424};
+  // hls/stages/agreement.hpp:481
+  logic or_1439;
+  assign or_1439 = (or_1367 & or_1371) | (and_1363 & (or_1367 | or_1371));
+  logic or_1443;
+  assign or_1443 = (or_1382 & or_1386) | (or_1378 & (or_1382 | or_1386));
+  logic or_1447;
+  assign or_1447 = (or_1397 & or_1401) | (or_1393 & (or_1397 | or_1401));
+  // hls/stages/agreement.hpp:480
+  logic parity_1450;
+  assign parity_1450 = ^{or_1447, or_1443, or_1439};
+  logic parity_1453;
+  assign parity_1453 = ^{or_1447, or_1443, or_1439, or_1432, or_1428, or_1424, or_1417, or_1413, and_1409};
+  // hls/stages/agreement.hpp:481
+  logic or_1457;
+  assign or_1457 = (parity_1435 & parity_1450) | ((^{or_1417, or_1413, and_1409}) & (parity_1435 | parity_1450));
+  logic or_1461;
+  assign or_1461 = (or_1413 & or_1417) | (and_1409 & (or_1413 | or_1417));
+  logic or_1465;
+  assign or_1465 = (or_1428 & or_1432) | (or_1424 & (or_1428 | or_1432));
+  logic or_1469;
+  assign or_1469 = (or_1443 & or_1447) | (or_1439 & (or_1443 | or_1447));
+  // hls/stages/agreement.hpp:480
+  logic parity_1474;
+  assign parity_1474 = ^{or_1469, or_1465, or_1461, or_1457};
+  // hls/stages/agreement.hpp:481
+  logic or_1478;
+  assign or_1478 = (or_1465 & or_1469) | (or_1461 & (or_1465 | or_1469));
+  logic and_1479;
+  assign and_1479 = or_1457 & (^{or_1469, or_1465, or_1461});
+  // hls/stages/agreement.hpp:480
+  logic xor_1480;
+  assign xor_1480 = or_1478 ^ and_1479;
+  // hls/stages/agreement.hpp:483
+  logic and_1481;
+  assign and_1481 = or_1478 & and_1479;
+  // hls/stages/agreement.hpp:554
+  logic [5:0] select_1482;
+  assign select_1482 = equal_382_s1_q ? {and_1481, xor_1480, parity_1474, parity_1453, xor_1408, xor_1313} : 6'h0;
+  logic [5:0] column_5;
+  assign column_5 = or_380_s1_q ? 6'h0 : select_1482;
+  // hls/stages/agreement.hpp:585
+  logic [5:0] select_1484;
+  assign select_1484 = age_s1_q[3] ? sums_2_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1485;
+  assign difference_1485 = {1'b0, column_5} - {1'b0, select_1484};
+  logic [7:0] sum_1487;
+  assign sum_1487 = {difference_1485[6], difference_1485} + (age_s1_q[0] ? sums_2_sum_sums_values_0_q : 8'h0);
+  // hls/stages/agreement.hpp:465
+  logic [11:0] not_1491;
+  assign not_1491 = ~((less_387_s1_q ? 12'h0 : right_codes_rdata_q[11:0]) ^ select_517);
+  logic [11:0] select_1493;
+  assign select_1493 = and_514 ? ((right_codes_rdata_q[12] & not_388_s1_q) ? not_1491 : 12'h0) : 12'h0;
+  // hls/stages/agreement.hpp:480
+  logic parity_1499;
+  assign parity_1499 = ^select_1493[5:3];
+  logic parity_1502;
+  assign parity_1502 = ^select_1493[8:6];
+  logic parity_1505;
+  assign parity_1505 = ^select_1493[11:3];
+  // hls/stages/agreement.hpp:465
+  logic [11:0] select_1512;
+  assign select_1512 = and_537 ? (and_1004 ? (~(select_1005 ^ select_540)) : 12'h0) : 12'h0;
+  // hls/stages/agreement.hpp:480
+  logic parity_1515;
+  assign parity_1515 = ^select_1512[8:6];
+  logic parity_1518;
+  assign parity_1518 = ^select_1512[11:9];
+  // hls/stages/agreement.hpp:465
+  logic [11:0] select_1525;
+  assign select_1525 = and_554 ? (and_515 ? (~(select_516 ^ select_557)) : 12'h0) : 12'h0;
+  // hls/stages/agreement.hpp:480
+  logic parity_1531;
+  assign parity_1531 = ^select_1525[2:0];
+  logic parity_1534;
+  assign parity_1534 = ^select_1525[5:3];
+  logic parity_1537;
+  assign parity_1537 = ^select_1525[8:0];
+  logic parity_1543;
+  assign parity_1543 = ^select_1525[11:9];
+  logic parity_1546;
+  assign parity_1546 = ^select_1512[2:0];
+  logic parity_1549;
+  assign parity_1549 = ^{select_1525[11:9], select_1512[5:0]};
+  logic parity_1552;
+  assign parity_1552 = ^{select_1525, select_1512, select_1493[2:0]};
+  logic xor_1553;
+  assign xor_1553 = parity_1505 ^ parity_1552;
+  // hls/stages/agreement.hpp:479
+  logic or_1557;
+  assign or_1557 = (select_1493[1:0] == 2'h3) | (select_1493[2] & (select_1493[0] | select_1493[1]));
+  // hls/stages/agreement.hpp:481
+  logic or_1561;
+  assign or_1561 = (select_1512[7:6] == 2'h3) | (select_1512[8] & (select_1512[6] | select_1512[7]));
+  logic or_1565;
+  assign or_1565 = (select_1512[10:9] == 2'h3) | (select_1512[11] & (select_1512[9] | select_1512[10]));
+  // hls/stages/agreement.hpp:479
+  logic or_1573;
+  assign or_1573 = (select_1525[7:6] == 2'h3) | (select_1525[8] & (~(select_1525[7:6] == 2'h0)));
+  // hls/stages/agreement.hpp:481
+  logic or_1577;
+  assign or_1577 = (select_1525[1:0] == 2'h3) | (select_1525[2] & (select_1525[0] | select_1525[1]));
+  logic or_1581;
+  assign or_1581 = (select_1525[4:3] == 2'h3) | (select_1525[5] & (select_1525[3] | select_1525[4]));
+  // hls/stages/agreement.hpp:480
+  logic parity_1584;
+  assign parity_1584 = ^{or_1581, or_1577, or_1573};
+  // hls/stages/agreement.hpp:479
+  logic or_1588;
+  assign or_1588 = (select_1512[4:3] == 2'h3) | (select_1512[5] & (select_1512[3] | select_1512[4]));
+  // hls/stages/agreement.hpp:481
+  logic or_1592;
+  assign or_1592 = (select_1525[10:9] == 2'h3) | (select_1525[11] & (select_1525[9] | select_1525[10]));
+  logic or_1596;
+  assign or_1596 = (select_1512[1:0] == 2'h3) | (select_1512[2] & (select_1512[0] | select_1512[1]));
+  // hls/stages/agreement.hpp:480
+  logic parity_1599;
+  assign parity_1599 = ^{or_1596, or_1592, or_1588};
+  logic parity_1602;
+  assign parity_1602 = ^{or_1596, or_1592, or_1588, or_1581, or_1577, or_1573, or_1565, or_1561, or_1557};
+  // hls/stages/agreement.hpp:481
+  logic and_1603;
+  assign and_1603 = parity_1505 & parity_1552;
+  logic or_1607;
+  assign or_1607 = (parity_1499 & parity_1502) | ((^select_1493[11:9]) & (parity_1499 | parity_1502));
+  logic and_1610;
+  assign and_1610 = (^{select_1512[11:6], select_1493[2:0]}) & (parity_1537 | parity_1549);
+  logic or_1611;
+  assign or_1611 = (parity_1537 & parity_1549) | and_1610;
+  // hls/stages/agreement.hpp:479
+  logic or_1618;
+  assign or_1618 = (select_1493[10:9] == 2'h3) | (select_1493[11] & (select_1493[9] | select_1493[10]));
+  // hls/stages/agreement.hpp:481
+  logic or_1622;
+  assign or_1622 = (select_1493[4:3] == 2'h3) | (select_1493[5] & (select_1493[3] | select_1493[4]));
+  logic or_1626;
+  assign or_1626 = (select_1493[7:6] == 2'h3) | (select_1493[8] & (select_1493[6] | select_1493[7]));
+  // hls/stages/agreement.hpp:480
+  logic parity_1629;
+  assign parity_1629 = ^{or_1626, or_1622, or_1618};
+  // hls/stages/agreement.hpp:481
+  logic or_1633;
+  assign or_1633 = (parity_1515 & parity_1518) | ((^select_1493[2:0]) & (parity_1515 | parity_1518));
+  logic or_1637;
+  assign or_1637 = (parity_1531 & parity_1534) | ((^select_1525[8:6]) & (parity_1531 | parity_1534));
+  logic or_1641;
+  assign or_1641 = (parity_1543 & parity_1546) | ((^select_1512[5:3]) & (parity_1543 | parity_1546));
+  // hls/stages/agreement.hpp:480
+  logic parity_1644;
+  assign parity_1644 = ^{or_1641, or_1637, or_1633};
+  logic parity_1647;
+  assign parity_1647 = ^{or_1641, or_1637, or_1633, or_1626, or_1622, or_1618, or_1611, or_1607, and_1603};
+  logic xor_1648;
+  assign xor_1648 = parity_1602 ^ parity_1647;
+  // hls/stages/agreement.hpp:481
+  logic and_1649;
+  assign and_1649 = parity_1602 & parity_1647;
+  logic or_1653;
+  assign or_1653 = (parity_1584 & parity_1599) | ((^{or_1565, or_1561, or_1557}) & (parity_1584 | parity_1599));
+  logic or_1657;
+  assign or_1657 = (parity_1629 & parity_1644) | ((^{or_1611, or_1607, and_1603}) & (parity_1629 | parity_1644));
+  logic or_1664;
+  assign or_1664 = (or_1561 & or_1565) | (or_1557 & (or_1561 | or_1565));
+  logic or_1668;
+  assign or_1668 = (or_1577 & or_1581) | (or_1573 & (or_1577 | or_1581));
+  logic or_1672;
+  assign or_1672 = (or_1592 & or_1596) | (or_1588 & (or_1592 | or_1596));
+  // hls/stages/agreement.hpp:480
+  logic parity_1675;
+  assign parity_1675 = ^{or_1672, or_1668, or_1664};
+  // hls/stages/agreement.hpp:481
+  logic or_1679;
+  assign or_1679 = (or_1607 & or_1611) | (and_1603 & (or_1607 | or_1611));
+  logic or_1683;
+  assign or_1683 = (or_1622 & or_1626) | (or_1618 & (or_1622 | or_1626));
+  logic or_1687;
+  assign or_1687 = (or_1637 & or_1641) | (or_1633 & (or_1637 | or_1641));
+  // hls/stages/agreement.hpp:480
+  logic parity_1690;
+  assign parity_1690 = ^{or_1687, or_1683, or_1679};
+  logic parity_1693;
+  assign parity_1693 = ^{or_1687, or_1683, or_1679, or_1672, or_1668, or_1664, or_1657, or_1653, and_1649};
+  // hls/stages/agreement.hpp:481
+  logic or_1697;
+  assign or_1697 = (parity_1675 & parity_1690) | ((^{or_1657, or_1653, and_1649}) & (parity_1675 | parity_1690));
+  logic or_1701;
+  assign or_1701 = (or_1653 & or_1657) | (and_1649 & (or_1653 | or_1657));
+  logic or_1705;
+  assign or_1705 = (or_1668 & or_1672) | (or_1664 & (or_1668 | or_1672));
+  logic or_1709;
+  assign or_1709 = (or_1683 & or_1687) | (or_1679 & (or_1683 | or_1687));
+  // hls/stages/agreement.hpp:480
+  logic parity_1714;
+  assign parity_1714 = ^{or_1709, or_1705, or_1701, or_1697};
+  // hls/stages/agreement.hpp:481
+  logic or_1718;
+  assign or_1718 = (or_1705 & or_1709) | (or_1701 & (or_1705 | or_1709));
+  logic and_1719;
+  assign and_1719 = or_1697 & (^{or_1709, or_1705, or_1701});
+  // hls/stages/agreement.hpp:480
+  logic xor_1720;
+  assign xor_1720 = or_1718 ^ and_1719;
+  // hls/stages/agreement.hpp:483
+  logic and_1721;
+  assign and_1721 = or_1718 & and_1719;
+  // hls/stages/agreement.hpp:554
+  logic [5:0] select_1722;
+  assign select_1722 = equal_382_s1_q ? {and_1721, xor_1720, parity_1714, parity_1693, xor_1648, xor_1553} : 6'h0;
+  logic [5:0] column_6;
+  assign column_6 = or_380_s1_q ? 6'h0 : select_1722;
+  // hls/stages/agreement.hpp:585
+  logic [5:0] select_1724;
+  assign select_1724 = age_s1_q[3] ? sums_3_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1725;
+  assign difference_1725 = {1'b0, column_6} - {1'b0, select_1724};
+  logic [7:0] sum_1727;
+  assign sum_1727 = {difference_1725[6], difference_1725} + (age_s1_q[0] ? sums_3_sum_sums_values_0_q : 8'h0);
+  // hls/stages/agreement.hpp:719
+  logic [5:0] shift;
+  assign shift = slot_s1_q[2] ? best_left_rdata_q[5:0] : best_left_rdata_q[45:40];
+  // hls/stages/agreement.hpp:720
+  logic [6:0] sum_1785;
+  assign sum_1785 = x_s1_q[6:0] + {shift[5], shift};
+  // hls/stages/agreement.hpp:723
+  logic and_1805;
+  assign and_1805 = (or_380_s1_q & (left_rdata_q[61] & not_388_s1_q)) & (~(row_q[5:3] == 3'h0));
+  // hls/stages/agreement.hpp:182
+  logic or_1827;
+  assign or_1827 = (cfg_nearer_below_i & shift[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift)));
+  // hls/stages/agreement.hpp:211
+  logic [6:0] select_1838;
+  assign select_1838 = so_s1_q ? x_s1_q[6:0] : (or_380_s1_q ? (less_387_s1_q ? 7'h0 : sum_1785) : 7'h0);
+  logic and_2058;
+  assign and_2058 = ends_cell_s1_q & (((6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0))) & not_2056_s1_q);
+  // hls/stages/agreement.hpp:310
+  logic [5:0] or_2199;
+  assign or_2199 = column_s1_q[5:0] | row_s1_q;
+  // hls/stages/agreement.hpp:314
+  logic select_2415;
+  assign select_2415 = equal_2321_s1_q ? (~({row_s1_q, 1'b0} < {sum_2412, cfg_height_i[3]})) : lower_half_q;
+  // hls/stages/agreement.hpp:365
+  logic and_2626;
+  assign and_2626 = and_359_s1_q & (equal_2321_s1_q & (row_s1_q[5:2] == 4'h0));
 
-  // Memory best_right, 80 x 15 and parity, DISTANCE 12, hls/stages/agreement.hpp:920; read in stage 1, written in stage 3: 1 < 3 < 1 + DISTANCE.
+  // Memory averager_memory, 320 x 26 and parity, DISTANCE 16, hls/stages/census.hpp:146; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [15:0] best_right_mem [0:79];
+  logic [26:0] averager_memory_mem [0:319];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 80; i++) best_right_mem[i] = 16'h0;
+  initial for (int i = 0; i < 320; i++) averager_memory_mem[i] = 27'h0;
+`endif
+  logic [8:0] averager_memory_raddr;
+  assign averager_memory_raddr = select_326_s1_q;
+  logic averager_memory_re;
+  assign averager_memory_re = s1_en & and_334;
+  logic [26:0] averager_memory_word_q;
+  always_ff @(posedge clk_i) begin
+    if (averager_memory_re) averager_memory_word_q <= averager_memory_mem[averager_memory_raddr];
+  end
+  logic [25:0] averager_memory_rdata_q;
+  assign averager_memory_rdata_q = averager_memory_word_q[25:0];
+  logic averager_memory_read_q, averager_memory_error;
+  always_ff @(posedge clk_i) averager_memory_read_q <= rst_ni & averager_memory_re;
+  assign averager_memory_error = averager_memory_read_q & ^averager_memory_word_q;
+
+  // Memory best_right, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:1074; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [29:0] best_right_mem [0:79];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 80; i++) best_right_mem[i] = 30'h0;
 `endif
   logic [6:0] best_right_raddr;
-  assign best_right_raddr = select_926;
+  assign best_right_raddr = or_380_s1_q ? sum_1785 : right_s1_q;
   logic best_right_re;
-  assign best_right_re = s1_en & select_526_s1_q;
-  logic [15:0] best_right_word_q;
+  assign best_right_re = s1_en & select_501_s1_q;
+  logic [29:0] best_right_word_q;
   always_ff @(posedge clk_i) begin
     if (best_right_re) best_right_word_q <= best_right_mem[best_right_raddr];
   end
-  logic [14:0] best_right_rdata_q;
-  assign best_right_rdata_q = best_right_word_q[14:0];
+  logic [28:0] best_right_rdata_q;
+  assign best_right_rdata_q = best_right_word_q[28:0];
   logic best_right_read_q, best_right_error;
   always_ff @(posedge clk_i) best_right_read_q <= rst_ni & best_right_re;
   assign best_right_error = best_right_read_q & ^best_right_word_q;
@@ -913,9 +1599,9 @@ module horopter_agreement (
   logic [6:0] left_waddr;
   assign left_waddr = x_s1_q[6:0];
   logic left_we;
-  assign left_we = s1_en & and_387_s1_q;
+  assign left_we = s1_en & and_391_s1_q;
   logic [76:0] left_wdata;
-  assign left_wdata = {and_498, select_496, and_494, and_493, and_492, and_491, select_489, and_487, and_486, and_485, and_484, select_482, and_480, and_479, and_478, and_477, select_475, fresh_rdata_q[28:26], fresh_rdata_q[24], fresh_rdata_q[11:0]};
+  assign left_wdata = {and_483, left_rdata_q[59:45], and_482, left_rdata_q[43:29], and_481, left_rdata_q[27:13], and_480, left_rdata_q[11:0], fresh_rdata_q[28:26], fresh_rdata_q[24], fresh_rdata_q[11:0]};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (left_we) left_mem[left_waddr] <= {^left_wdata, left_wdata};
   end
@@ -935,9 +1621,9 @@ module horopter_agreement (
   logic [6:0] right_codes_waddr;
   assign right_codes_waddr = x_s1_q[6:0];
   logic right_codes_we;
-  assign right_codes_we = s1_en & and_387_s1_q;
+  assign right_codes_we = s1_en & and_391_s1_q;
   logic [90:0] right_codes_wdata;
-  assign right_codes_wdata = {and_518, select_516, and_514, select_512, and_510, select_509, and_508, select_507, and_506, select_505, and_504, select_503, fresh_rdata_q[25], fresh_rdata_q[23:12]};
+  assign right_codes_wdata = {and_492, right_codes_rdata_q[76:65], and_491, right_codes_rdata_q[63:52], and_490, right_codes_rdata_q[50:39], and_489, right_codes_rdata_q[37:26], and_488, right_codes_rdata_q[24:13], and_487, right_codes_rdata_q[11:0], fresh_rdata_q[25], fresh_rdata_q[23:12]};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (right_codes_we) right_codes_mem[right_codes_waddr] <= {^right_codes_wdata, right_codes_wdata};
   end
@@ -958,8 +1644,98 @@ module horopter_agreement (
       row_q <= 6'h0;
       lower_half_q <= 1'b0;
     end else if (s1_en) begin
-      row_q <= and_357_s1_q ? (equal_1334_s1_q ? row_s1_q : row_q) : row_q;
-      lower_half_q <= and_357_s1_q ? select_1430 : lower_half_q;
+      row_q <= and_359_s1_q ? (equal_2321_s1_q ? row_s1_q : row_q) : row_q;
+      lower_half_q <= and_359_s1_q ? select_2415 : lower_half_q;
+    end
+  end
+
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
+    middle_sum_columns_values_0_q = 6'h0;
+    middle_sum_columns_values_1_q = 6'h0;
+    middle_sum_columns_values_2_q = 6'h0;
+    middle_sum_columns_values_3_q = 6'h0;
+    middle_sum_columns_values_4_q = 6'h0;
+    middle_sum_columns_values_5_q = 6'h0;
+    middle_sum_columns_values_6_q = 6'h0;
+    middle_sum_sum_sums_values_0_q = 8'h0;
+    sums_0_columns_values_0_q = 6'h0;
+    sums_0_columns_values_1_q = 6'h0;
+    sums_0_columns_values_2_q = 6'h0;
+    sums_0_columns_values_3_q = 6'h0;
+    sums_0_columns_values_4_q = 6'h0;
+    sums_0_columns_values_5_q = 6'h0;
+    sums_0_columns_values_6_q = 6'h0;
+    sums_0_sum_sums_values_0_q = 8'h0;
+    sums_1_columns_values_0_q = 6'h0;
+    sums_1_columns_values_1_q = 6'h0;
+    sums_1_columns_values_2_q = 6'h0;
+    sums_1_columns_values_3_q = 6'h0;
+    sums_1_columns_values_4_q = 6'h0;
+    sums_1_columns_values_5_q = 6'h0;
+    sums_1_columns_values_6_q = 6'h0;
+    sums_1_sum_sums_values_0_q = 8'h0;
+    sums_2_columns_values_0_q = 6'h0;
+    sums_2_columns_values_1_q = 6'h0;
+    sums_2_columns_values_2_q = 6'h0;
+    sums_2_columns_values_3_q = 6'h0;
+    sums_2_columns_values_4_q = 6'h0;
+    sums_2_columns_values_5_q = 6'h0;
+    sums_2_columns_values_6_q = 6'h0;
+    sums_2_sum_sums_values_0_q = 8'h0;
+    sums_3_columns_values_0_q = 6'h0;
+    sums_3_columns_values_1_q = 6'h0;
+    sums_3_columns_values_2_q = 6'h0;
+    sums_3_columns_values_3_q = 6'h0;
+    sums_3_columns_values_4_q = 6'h0;
+    sums_3_columns_values_5_q = 6'h0;
+    sums_3_columns_values_6_q = 6'h0;
+    sums_3_sum_sums_values_0_q = 8'h0;
+  end
+`endif
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (s1_en) begin
+      middle_sum_columns_values_0_q <= column_2;
+      middle_sum_columns_values_1_q <= middle_sum_columns_values_0_q;
+      middle_sum_columns_values_2_q <= middle_sum_columns_values_1_q;
+      middle_sum_columns_values_3_q <= middle_sum_columns_values_2_q;
+      middle_sum_columns_values_4_q <= middle_sum_columns_values_3_q;
+      middle_sum_columns_values_5_q <= middle_sum_columns_values_4_q;
+      middle_sum_columns_values_6_q <= middle_sum_columns_values_5_q;
+      middle_sum_sum_sums_values_0_q <= sum_763;
+      sums_0_columns_values_0_q <= column_3;
+      sums_0_columns_values_1_q <= sums_0_columns_values_0_q;
+      sums_0_columns_values_2_q <= sums_0_columns_values_1_q;
+      sums_0_columns_values_3_q <= sums_0_columns_values_2_q;
+      sums_0_columns_values_4_q <= sums_0_columns_values_3_q;
+      sums_0_columns_values_5_q <= sums_0_columns_values_4_q;
+      sums_0_columns_values_6_q <= sums_0_columns_values_5_q;
+      sums_0_sum_sums_values_0_q <= sum_1003;
+      sums_1_columns_values_0_q <= column_4;
+      sums_1_columns_values_1_q <= sums_1_columns_values_0_q;
+      sums_1_columns_values_2_q <= sums_1_columns_values_1_q;
+      sums_1_columns_values_3_q <= sums_1_columns_values_2_q;
+      sums_1_columns_values_4_q <= sums_1_columns_values_3_q;
+      sums_1_columns_values_5_q <= sums_1_columns_values_4_q;
+      sums_1_columns_values_6_q <= sums_1_columns_values_5_q;
+      sums_1_sum_sums_values_0_q <= sum_1243;
+      sums_2_columns_values_0_q <= column_5;
+      sums_2_columns_values_1_q <= sums_2_columns_values_0_q;
+      sums_2_columns_values_2_q <= sums_2_columns_values_1_q;
+      sums_2_columns_values_3_q <= sums_2_columns_values_2_q;
+      sums_2_columns_values_4_q <= sums_2_columns_values_3_q;
+      sums_2_columns_values_5_q <= sums_2_columns_values_4_q;
+      sums_2_columns_values_6_q <= sums_2_columns_values_5_q;
+      sums_2_sum_sums_values_0_q <= sum_1487;
+      sums_3_columns_values_0_q <= column_6;
+      sums_3_columns_values_1_q <= sums_3_columns_values_0_q;
+      sums_3_columns_values_2_q <= sums_3_columns_values_1_q;
+      sums_3_columns_values_3_q <= sums_3_columns_values_2_q;
+      sums_3_columns_values_4_q <= sums_3_columns_values_3_q;
+      sums_3_columns_values_5_q <= sums_3_columns_values_4_q;
+      sums_3_columns_values_6_q <= sums_3_columns_values_5_q;
+      sums_3_sum_sums_values_0_q <= sum_1727;
     end
   end
 
@@ -972,86 +1748,48 @@ module horopter_agreement (
   logic sample_pair_whole_s2_q;
   logic [5:0] run_shift_s2_q;
   logic [7:0] x_s2_q;
-  logic [2:0] age_s2_q;
+  logic [1:0] age_s2_q;
+  logic [2:0] slot_s2_q;
+  logic ends_cell_s2_q;
   logic lower_half_s2_q;
-  logic select_318_s2_q;
-  logic [8:0] select_324_s2_q;
-  logic and_331_s2_q;
-  logic equal_337_s2_q;
+  logic select_320_s2_q;
+  logic [8:0] select_326_s2_q;
+  logic and_333_s2_q;
+  logic and_334_s2_q;
+  logic equal_339_s2_q;
   logic whole_s2_q;
   logic [6:0] column_s2_q;
-  logic and_355_s2_q;
   logic and_357_s2_q;
-  logic equal_360_s2_q;
-  logic drew_s2_q;
-  logic equal_377_s2_q;
-  logic or_378_s2_q;
-  logic equal_380_s2_q;
-  logic less_383_s2_q;
-  logic not_384_s2_q;
-  logic equal_416_s2_q;
+  logic and_359_s2_q;
+  logic equal_362_s2_q;
+  logic so_s2_q;
+  logic equal_379_s2_q;
+  logic or_380_s2_q;
+  logic less_387_s2_q;
+  logic not_388_s2_q;
+  logic equal_420_s2_q;
   logic [6:0] x_s2_2_q;
-  logic select_526_s2_q;
-  logic [34:0] best_left_rdata_s2_q;
-  logic select_533_s2_q;
-  logic and_539_s2_q;
-  logic and_540_s2_q;
-  logic not_545_s2_q;
-  logic [3:0] sum_555_s2_q;
-  logic and_558_s2_q;
-  logic and_559_s2_q;
-  logic not_564_s2_q;
-  logic [3:0] sum_574_s2_q;
-  logic and_578_s2_q;
-  logic and_579_s2_q;
-  logic not_584_s2_q;
-  logic [3:0] sum_594_s2_q;
-  logic equal_600_s2_q;
-  logic not_605_s2_q;
-  logic [3:0] sum_615_s2_q;
-  logic not_620_s2_q;
-  logic [3:0] sum_630_s2_q;
-  logic and_634_s2_q;
-  logic not_638_s2_q;
-  logic [3:0] sum_648_s2_q;
-  logic and_658_s2_q;
-  logic not_662_s2_q;
-  logic [3:0] sum_672_s2_q;
-  logic not_677_s2_q;
-  logic [3:0] sum_687_s2_q;
-  logic not_693_s2_q;
-  logic [3:0] sum_703_s2_q;
-  logic not_717_s2_q;
-  logic [3:0] sum_727_s2_q;
-  logic not_732_s2_q;
-  logic [3:0] sum_742_s2_q;
-  logic and_747_s2_q;
-  logic not_750_s2_q;
-  logic [3:0] sum_760_s2_q;
-  logic and_776_s2_q;
-  logic not_779_s2_q;
-  logic [3:0] sum_789_s2_q;
-  logic not_794_s2_q;
-  logic [3:0] sum_804_s2_q;
-  logic not_810_s2_q;
-  logic [3:0] sum_820_s2_q;
-  logic and_923_s2_q;
-  logic [6:0] partner_s2_q;
-  logic select_929_s2_q;
-  logic equal_941_s2_q;
-  logic and_946_s2_q;
-  logic and_947_s2_q;
-  logic and_949_s2_q;
-  logic not_972_s2_q;
-  logic equal_1008_s2_q;
-  logic and_1141_s2_q;
-  logic equal_1282_s2_q;
-  logic equal_1334_s2_q;
-  logic less_1611_s2_q;
-  logic less_1613_s2_q;
-  logic equal_1877_s2_q;
-  logic less_1888_s2_q;
-  logic equal_2031_s2_q;
+  logic [45:0] best_left_rdata_s2_q;
+  logic select_508_s2_q;
+  logic and_1783_s2_q;
+  logic [6:0] right_s2_q;
+  logic select_1790_s2_q;
+  logic equal_1799_s2_q;
+  logic and_1806_s2_q;
+  logic and_1809_s2_q;
+  logic and_1813_s2_q;
+  logic or_1827_s2_q;
+  logic [6:0] select_1838_s2_q;
+  logic less_1882_s2_q;
+  logic equal_1922_s2_q;
+  logic and_2059_s2_q;
+  logic equal_2200_s2_q;
+  logic equal_2321_s2_q;
+  logic less_2555_s2_q;
+  logic and_2627_s2_q;
+  logic and_2629_s2_q;
+  logic less_2736_s2_q;
+  logic equal_2943_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       pixel_0_s2_q <= pixel_0_s1_q;
@@ -1063,637 +1801,52 @@ module horopter_agreement (
       sample_pair_whole_s2_q <= sample_pair_whole_s1_q;
       run_shift_s2_q <= run_shift_s1_q;
       x_s2_q <= x_s1_q;
-      age_s2_q <= age_s1_q;
+      age_s2_q <= age_s1_q[2:1];
+      slot_s2_q <= slot_s1_q;
+      ends_cell_s2_q <= ends_cell_s1_q;
       lower_half_s2_q <= lower_half_q;
-      select_318_s2_q <= select_318_s1_q;
-      select_324_s2_q <= select_324_s1_q;
-      and_331_s2_q <= and_331_s1_q;
-      equal_337_s2_q <= equal_337_s1_q;
+      select_320_s2_q <= select_320_s1_q;
+      select_326_s2_q <= select_326_s1_q;
+      and_333_s2_q <= and_333_s1_q;
+      and_334_s2_q <= and_334;
+      equal_339_s2_q <= equal_339_s1_q;
       whole_s2_q <= whole_s1_q;
       column_s2_q <= column_s1_q;
-      and_355_s2_q <= and_355_s1_q;
       and_357_s2_q <= and_357_s1_q;
-      equal_360_s2_q <= equal_360_s1_q;
-      drew_s2_q <= drew_s1_q;
-      equal_377_s2_q <= equal_377_s1_q;
-      or_378_s2_q <= or_378_s1_q;
-      equal_380_s2_q <= equal_380_s1_q;
-      less_383_s2_q <= less_383_s1_q;
-      not_384_s2_q <= not_384_s1_q;
-      equal_416_s2_q <= row_s1_q == 6'h0;
+      and_359_s2_q <= and_359_s1_q;
+      equal_362_s2_q <= equal_362_s1_q;
+      so_s2_q <= so_s1_q;
+      equal_379_s2_q <= equal_379_s1_q;
+      or_380_s2_q <= or_380_s1_q;
+      less_387_s2_q <= less_387_s1_q;
+      not_388_s2_q <= not_388_s1_q;
+      equal_420_s2_q <= row_s1_q == 6'h0;
       x_s2_2_q <= x_s1_2_q;
-      select_526_s2_q <= select_526_s1_q;
       best_left_rdata_s2_q <= best_left_rdata_q;
-      select_533_s2_q <= select_533_s1_q;
-      and_539_s2_q <= and_539;
-      and_540_s2_q <= right_codes_rdata_q[38] & not_384_s1_q;
-      not_545_s2_q <= not_545[11];
-      sum_555_s2_q <= {3'h0, not_545[10]} + sum_554;
-      and_558_s2_q <= left_rdata_q[60] & not_384_s1_q;
-      and_559_s2_q <= right_codes_rdata_q[51] & not_384_s1_q;
-      not_564_s2_q <= not_564[11];
-      sum_574_s2_q <= {3'h0, not_564[10]} + sum_573;
-      and_578_s2_q <= and_578;
-      and_579_s2_q <= right_codes_rdata_q[64] & not_384_s1_q;
-      not_584_s2_q <= not_584[11];
-      sum_594_s2_q <= {3'h0, not_584[10]} + sum_593;
-      equal_600_s2_q <= equal_600_s1_q;
-      not_605_s2_q <= not_605[11];
-      sum_615_s2_q <= {3'h0, not_605[10]} + sum_614;
-      not_620_s2_q <= not_620[11];
-      sum_630_s2_q <= {3'h0, not_620[10]} + sum_629;
-      and_634_s2_q <= right_codes_rdata_q[77] & not_384_s1_q;
-      not_638_s2_q <= not_638[11];
-      sum_648_s2_q <= {3'h0, not_638[10]} + sum_647;
-      and_658_s2_q <= right_codes_rdata_q[25] & not_384_s1_q;
-      not_662_s2_q <= not_662[11];
-      sum_672_s2_q <= {3'h0, not_662[10]} + sum_671;
-      not_677_s2_q <= not_677[11];
-      sum_687_s2_q <= {3'h0, not_677[10]} + sum_686;
-      not_693_s2_q <= not_693[11];
-      sum_703_s2_q <= {3'h0, not_693[10]} + sum_702;
-      not_717_s2_q <= not_717[11];
-      sum_727_s2_q <= {3'h0, not_717[10]} + sum_726;
-      not_732_s2_q <= not_732[11];
-      sum_742_s2_q <= {3'h0, not_732[10]} + sum_741;
-      and_747_s2_q <= and_578 & (right_codes_rdata_q[90] & not_384_s1_q);
-      not_750_s2_q <= not_750[11];
-      sum_760_s2_q <= {3'h0, not_750[10]} + sum_759;
-      and_776_s2_q <= and_539 & (right_codes_rdata_q[12] & not_384_s1_q);
-      not_779_s2_q <= not_779[11];
-      sum_789_s2_q <= {3'h0, not_779[10]} + sum_788;
-      not_794_s2_q <= not_794[11];
-      sum_804_s2_q <= {3'h0, not_794[10]} + sum_803;
-      not_810_s2_q <= not_810[11];
-      sum_820_s2_q <= {3'h0, not_810[10]} + sum_819;
-      and_923_s2_q <= and_923_s1_q;
-      partner_s2_q <= partner;
-      select_929_s2_q <= select_929_s1_q;
-      equal_941_s2_q <= equal_941_s1_q;
-      and_946_s2_q <= not_384_s1_q & and_945;
-      and_947_s2_q <= left_rdata_q[62] & and_945;
-      and_949_s2_q <= left_rdata_q[63] & not_384_s1_q;
-      not_972_s2_q <= not_972_s1_q;
-      equal_1008_s2_q <= equal_1008_s1_q;
-      and_1141_s2_q <= and_1141;
-      equal_1282_s2_q <= {column_s1_q[6], or_1281} == 7'h0;
-      equal_1334_s2_q <= equal_1334_s1_q;
-      less_1611_s2_q <= 5'h4 < row_q[5:1];
-      less_1613_s2_q <= less_1613_s1_q;
-      equal_1877_s2_q <= row_s1_q[5:2] == 4'h0;
-      less_1888_s2_q <= 5'h2 < row_s1_q[5:1];
-      equal_2031_s2_q <= row_s1_q[5:3] == 3'h0;
+      select_508_s2_q <= select_508_s1_q;
+      and_1783_s2_q <= and_1783_s1_q;
+      right_s2_q <= right_s1_q;
+      select_1790_s2_q <= select_1790_s1_q;
+      equal_1799_s2_q <= equal_1799_s1_q;
+      and_1806_s2_q <= not_388_s1_q & and_1805;
+      and_1809_s2_q <= (or_380_s1_q & (left_rdata_q[62] & not_388_s1_q)) & and_1805;
+      and_1813_s2_q <= not_388_s1_q & (or_380_s1_q & (left_rdata_q[63] & not_388_s1_q));
+      or_1827_s2_q <= or_1827;
+      select_1838_s2_q <= select_1838;
+      less_1882_s2_q <= less_1882_s1_q;
+      equal_1922_s2_q <= equal_1922_s1_q;
+      and_2059_s2_q <= so_s1_q & and_2058;
+      equal_2200_s2_q <= {column_s1_q[6], or_2199} == 7'h0;
+      equal_2321_s2_q <= equal_2321_s1_q;
+      less_2555_s2_q <= 5'h4 < row_q[5:1];
+      and_2627_s2_q <= and_2322_s1_q & and_2626;
+      and_2629_s2_q <= and_2322_s1_q & (~and_2626);
+      less_2736_s2_q <= 5'h2 < row_s1_q[5:1];
+      equal_2943_s2_q <= row_s1_q[5:3] == 3'h0;
     end
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
-  logic [7:0] sums_0_columns_values_0_q;
-  logic [7:0] sums_0_columns_values_1_q;
-  logic [7:0] sums_0_columns_values_2_q;
-  logic [7:0] sums_0_columns_values_3_q;
-  logic [7:0] sums_0_columns_values_4_q;
-  logic [7:0] sums_0_columns_values_5_q;
-  logic [7:0] sums_0_columns_values_6_q;
-  logic [7:0] sums_0_sum_sums_values_0_q;
-  logic [7:0] sums_1_columns_values_0_q;
-  logic [7:0] sums_1_columns_values_1_q;
-  logic [7:0] sums_1_columns_values_2_q;
-  logic [7:0] sums_1_columns_values_3_q;
-  logic [7:0] sums_1_columns_values_4_q;
-  logic [7:0] sums_1_columns_values_5_q;
-  logic [7:0] sums_1_columns_values_6_q;
-  logic [7:0] sums_1_sum_sums_values_0_q;
-  logic [7:0] sums_2_columns_values_0_q;
-  logic [7:0] sums_2_columns_values_1_q;
-  logic [7:0] sums_2_columns_values_2_q;
-  logic [7:0] sums_2_columns_values_3_q;
-  logic [7:0] sums_2_columns_values_4_q;
-  logic [7:0] sums_2_columns_values_5_q;
-  logic [7:0] sums_2_columns_values_6_q;
-  logic [7:0] sums_2_sum_sums_values_0_q;
-  logic [7:0] sums_3_columns_values_0_q;
-  logic [7:0] sums_3_columns_values_1_q;
-  logic [7:0] sums_3_columns_values_2_q;
-  logic [7:0] sums_3_columns_values_3_q;
-  logic [7:0] sums_3_columns_values_4_q;
-  logic [7:0] sums_3_columns_values_5_q;
-  logic [7:0] sums_3_columns_values_6_q;
-  logic [7:0] sums_3_sum_sums_values_0_q;
-  logic [7:0] sums_4_columns_values_0_q;
-  logic [7:0] sums_4_columns_values_1_q;
-  logic [7:0] sums_4_columns_values_2_q;
-  logic [7:0] sums_4_columns_values_3_q;
-  logic [7:0] sums_4_columns_values_4_q;
-  logic [7:0] sums_4_columns_values_5_q;
-  logic [7:0] sums_4_columns_values_6_q;
-  logic [7:0] sums_4_sum_sums_values_0_q;
-  // hls/stages/census.hpp:98
-  logic and_332;
-  assign and_332 = sample_pair_whole_s2_q & and_331_s2_q;
-  // hls/stages/agreement.hpp:424
-  logic [3:0] column_2;
-  assign column_2 = (and_539_s2_q & and_540_s2_q) ? ({3'h0, not_545_s2_q} + sum_555_s2_q) : 4'h0;
-  logic [3:0] select_576;
-  assign select_576 = (and_558_s2_q & and_559_s2_q) ? ({3'h0, not_564_s2_q} + sum_574_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:461
-  logic [4:0] column_3;
-  assign column_3 = {1'b0, column_2} + {1'b0, select_576};
-  // hls/stages/agreement.hpp:424
-  logic [3:0] select_596;
-  assign select_596 = (and_578_s2_q & and_579_s2_q) ? ({3'h0, not_584_s2_q} + sum_594_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:461
-  logic [5:0] column_4;
-  assign column_4 = {1'b0, column_3} + {2'h0, select_596};
-  // hls/stages/agreement.hpp:463
-  logic [7:0] difference_599;
-  assign difference_599 = {2'h0, column_4} - (age_s2_q[2] ? sums_2_columns_values_6_q : 8'h0);
-  logic [7:0] sum_602;
-  assign sum_602 = difference_599 + (equal_600_s2_q ? 8'h0 : sums_2_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:424
-  logic [3:0] column_5;
-  assign column_5 = (and_539_s2_q & and_559_s2_q) ? ({3'h0, not_605_s2_q} + sum_615_s2_q) : 4'h0;
-  logic [3:0] select_632;
-  assign select_632 = (and_558_s2_q & and_579_s2_q) ? ({3'h0, not_620_s2_q} + sum_630_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:461
-  logic [4:0] column_6;
-  assign column_6 = {1'b0, column_5} + {1'b0, select_632};
-  // hls/stages/agreement.hpp:424
-  logic [3:0] select_650;
-  assign select_650 = (and_578_s2_q & and_634_s2_q) ? ({3'h0, not_638_s2_q} + sum_648_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:461
-  logic [5:0] column_7;
-  assign column_7 = {1'b0, column_6} + {2'h0, select_650};
-  // hls/stages/agreement.hpp:463
-  logic [7:0] difference_653;
-  assign difference_653 = {2'h0, column_7} - (age_s2_q[2] ? sums_1_columns_values_6_q : 8'h0);
-  logic [7:0] sum_655;
-  assign sum_655 = difference_653 + (equal_600_s2_q ? 8'h0 : sums_1_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:478
-  logic less_656;
-  assign less_656 = sum_602 < sum_655;
-  // hls/stages/agreement.hpp:424
-  logic [3:0] column_8;
-  assign column_8 = (and_539_s2_q & and_658_s2_q) ? ({3'h0, not_662_s2_q} + sum_672_s2_q) : 4'h0;
-  logic [3:0] select_689;
-  assign select_689 = (and_558_s2_q & and_540_s2_q) ? ({3'h0, not_677_s2_q} + sum_687_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:461
-  logic [4:0] column_9;
-  assign column_9 = {1'b0, column_8} + {1'b0, select_689};
-  // hls/stages/agreement.hpp:424
-  logic [3:0] select_705;
-  assign select_705 = (and_578_s2_q & and_559_s2_q) ? ({3'h0, not_693_s2_q} + sum_703_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:461
-  logic [5:0] column_10;
-  assign column_10 = {1'b0, column_9} + {2'h0, select_705};
-  // hls/stages/agreement.hpp:463
-  logic [7:0] difference_708;
-  assign difference_708 = {2'h0, column_10} - (age_s2_q[2] ? sums_3_columns_values_6_q : 8'h0);
-  logic [7:0] sum_710;
-  assign sum_710 = difference_708 + (equal_600_s2_q ? 8'h0 : sums_3_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:478
-  logic not_712;
-  assign not_712 = ~less_656;
-  logic [1:0] best;
-  assign best = ((less_656 ? sum_655 : sum_602) < sum_710) ? 2'h3 : {not_712, less_656};
-  // hls/stages/agreement.hpp:424
-  logic [3:0] column_11;
-  assign column_11 = (and_539_s2_q & and_579_s2_q) ? ({3'h0, not_717_s2_q} + sum_727_s2_q) : 4'h0;
-  logic [3:0] select_744;
-  assign select_744 = (and_558_s2_q & and_634_s2_q) ? ({3'h0, not_732_s2_q} + sum_742_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:461
-  logic [4:0] column_12;
-  assign column_12 = {1'b0, column_11} + {1'b0, select_744};
-  // hls/stages/agreement.hpp:424
-  logic [3:0] select_762;
-  assign select_762 = and_747_s2_q ? ({3'h0, not_750_s2_q} + sum_760_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:461
-  logic [5:0] column_13;
-  assign column_13 = {1'b0, column_12} + {2'h0, select_762};
-  // hls/stages/agreement.hpp:463
-  logic [7:0] difference_765;
-  assign difference_765 = {2'h0, column_13} - (age_s2_q[2] ? sums_0_columns_values_6_q : 8'h0);
-  logic [7:0] sum_767;
-  assign sum_767 = difference_765 + (equal_600_s2_q ? 8'h0 : sums_0_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:478
-  logic [7:0] select_769;
-  assign select_769 = best[1] ? (best[0] ? sum_710 : sum_602) : (best[0] ? sum_655 : sum_767);
-  logic [1:0] best_2;
-  assign best_2 = (select_769 < sum_767) ? 2'h0 : best;
-  // hls/stages/agreement.hpp:424
-  logic [3:0] column_14;
-  assign column_14 = and_776_s2_q ? ({3'h0, not_779_s2_q} + sum_789_s2_q) : 4'h0;
-  logic [3:0] select_806;
-  assign select_806 = (and_558_s2_q & and_658_s2_q) ? ({3'h0, not_794_s2_q} + sum_804_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:461
-  logic [4:0] column_15;
-  assign column_15 = {1'b0, column_14} + {1'b0, select_806};
-  // hls/stages/agreement.hpp:424
-  logic [3:0] select_822;
-  assign select_822 = (and_578_s2_q & and_540_s2_q) ? ({3'h0, not_810_s2_q} + sum_820_s2_q) : 4'h0;
-  // hls/stages/agreement.hpp:461
-  logic [5:0] column_16;
-  assign column_16 = {1'b0, column_15} + {2'h0, select_822};
-  // hls/stages/agreement.hpp:463
-  logic [7:0] difference_825;
-  assign difference_825 = {2'h0, column_16} - (age_s2_q[2] ? sums_4_columns_values_6_q : 8'h0);
-  logic [7:0] sum_827;
-  assign sum_827 = difference_825 + (equal_600_s2_q ? 8'h0 : sums_4_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:465
-  logic [6:0] sum_886;
-  assign sum_886 = (age_s2_q[0] ? sums_2_columns_values_3_q[6:0] : 7'h0) + (sums_2_columns_values_1_q[6:0] + sums_2_columns_values_2_q[6:0]);
-  logic [6:0] sum_889;
-  assign sum_889 = (age_s2_q[0] ? sums_1_columns_values_3_q[6:0] : 7'h0) + (sums_1_columns_values_1_q[6:0] + sums_1_columns_values_2_q[6:0]);
-  // hls/stages/agreement.hpp:478
-  logic less_890;
-  assign less_890 = sum_886 < sum_889;
-  // hls/stages/agreement.hpp:465
-  logic [6:0] sum_894;
-  assign sum_894 = (age_s2_q[0] ? sums_3_columns_values_3_q[6:0] : 7'h0) + (sums_3_columns_values_1_q[6:0] + sums_3_columns_values_2_q[6:0]);
-  // hls/stages/agreement.hpp:478
-  logic not_896;
-  assign not_896 = ~less_890;
-  logic [1:0] best_3;
-  assign best_3 = ((less_890 ? sum_889 : sum_886) < sum_894) ? 2'h3 : {not_896, less_890};
-  // hls/stages/agreement.hpp:465
-  logic [6:0] sum_901;
-  assign sum_901 = (age_s2_q[0] ? sums_0_columns_values_3_q[6:0] : 7'h0) + (sums_0_columns_values_1_q[6:0] + sums_0_columns_values_2_q[6:0]);
-  // hls/stages/agreement.hpp:478
-  logic [6:0] select_903;
-  assign select_903 = best_3[1] ? (best_3[0] ? sum_894 : sum_886) : (best_3[0] ? sum_889 : sum_901);
-  logic [1:0] best_4;
-  assign best_4 = (select_903 < sum_901) ? 2'h0 : best_3;
-  logic [6:0] select_908;
-  assign select_908 = best_4[1] ? (best_4[0] ? sum_894 : sum_886) : (best_4[0] ? sum_889 : sum_901);
-  // hls/stages/agreement.hpp:465
-  logic [6:0] sum_911;
-  assign sum_911 = (age_s2_q[0] ? sums_4_columns_values_3_q[6:0] : 7'h0) + (sums_4_columns_values_1_q[6:0] + sums_4_columns_values_2_q[6:0]);
-  // hls/stages/agreement.hpp:478
-  logic less_912;
-  assign less_912 = select_908 < sum_911;
-  logic [1:0] select_913;
-  assign select_913 = less_912 ? 2'h0 : best_4;
-  // hls/stages/agreement.hpp:487
-  logic [6:0] select_916;
-  assign select_916 = select_913[1] ? (select_913[0] ? sum_894 : sum_886) : (select_913[0] ? sum_889 : sum_901);
-  logic [6:0] of_near;
-  assign of_near = less_912 ? sum_911 : select_916;
-  // hls/stages/agreement.hpp:606
-  logic [6:0] sum_934;
-  assign sum_934 = x_s2_q[6:0] + {best_left_rdata_s2_q[34], best_left_rdata_s2_q[34:29]};
-  // hls/stages/agreement.hpp:621
-  logic [8:0] way;
-  assign way = {2'h0, best_right_rdata_q[14:8]} - {1'b0, x_s2_q};
-  // hls/stages/agreement.hpp:622
-  logic [9:0] sum_951;
-  assign sum_951 = {way[8], way} + 10'h1;
-  // hls/stages/agreement.hpp:613
-  logic and_954;
-  assign and_954 = ({{6{sum_951[9]}}, sum_951} < 16'h3) & (8'hb6 < best_left_rdata_s2_q[7:0]);
-  // hls/stages/agreement.hpp:625
-  logic and_959;
-  assign and_959 = cfg_nearer_above_i & ($signed(6'h0) < $signed(best_left_rdata_s2_q[13:8]));
-  // hls/stages/agreement.hpp:174
-  logic and_961;
-  assign and_961 = and_954 & ((cfg_nearer_below_i & best_left_rdata_s2_q[13]) | and_959);
-  // hls/stages/agreement.hpp:343
-  logic [6:0] select_971;
-  assign select_971 = drew_s2_q ? x_s2_q[6:0] : (or_378_s2_q ? (less_383_s2_q ? 7'h0 : sum_934) : 7'h0);
-  // hls/stages/agreement.hpp:181
-  logic [7:0] select_1433;
-  assign select_1433 = or_378_s2_q ? sums_0_columns_values_0_q : (equal_380_s2_q ? {2'h0, column_13} : sums_0_columns_values_0_q);
-  logic [7:0] select_1434;
-  assign select_1434 = equal_380_s2_q ? sums_0_columns_values_0_q : sums_0_columns_values_1_q;
-  logic [7:0] select_1436;
-  assign select_1436 = equal_380_s2_q ? sums_0_columns_values_1_q : sums_0_columns_values_2_q;
-  logic [7:0] select_1438;
-  assign select_1438 = equal_380_s2_q ? sums_0_columns_values_2_q : sums_0_columns_values_3_q;
-  logic [7:0] select_1440;
-  assign select_1440 = equal_380_s2_q ? sums_0_columns_values_3_q : sums_0_columns_values_4_q;
-  logic [7:0] select_1442;
-  assign select_1442 = equal_380_s2_q ? sums_0_columns_values_4_q : sums_0_columns_values_5_q;
-  logic [7:0] select_1444;
-  assign select_1444 = equal_380_s2_q ? sums_0_columns_values_5_q : sums_0_columns_values_6_q;
-  logic [7:0] select_1447;
-  assign select_1447 = or_378_s2_q ? sums_0_sum_sums_values_0_q : (equal_380_s2_q ? sum_767 : sums_0_sum_sums_values_0_q);
-  logic [7:0] select_1449;
-  assign select_1449 = or_378_s2_q ? sums_1_columns_values_0_q : (equal_380_s2_q ? {2'h0, column_7} : sums_1_columns_values_0_q);
-  logic [7:0] select_1450;
-  assign select_1450 = equal_380_s2_q ? sums_1_columns_values_0_q : sums_1_columns_values_1_q;
-  logic [7:0] select_1452;
-  assign select_1452 = equal_380_s2_q ? sums_1_columns_values_1_q : sums_1_columns_values_2_q;
-  logic [7:0] select_1454;
-  assign select_1454 = equal_380_s2_q ? sums_1_columns_values_2_q : sums_1_columns_values_3_q;
-  logic [7:0] select_1456;
-  assign select_1456 = equal_380_s2_q ? sums_1_columns_values_3_q : sums_1_columns_values_4_q;
-  logic [7:0] select_1458;
-  assign select_1458 = equal_380_s2_q ? sums_1_columns_values_4_q : sums_1_columns_values_5_q;
-  logic [7:0] select_1460;
-  assign select_1460 = equal_380_s2_q ? sums_1_columns_values_5_q : sums_1_columns_values_6_q;
-  logic [7:0] select_1463;
-  assign select_1463 = or_378_s2_q ? sums_1_sum_sums_values_0_q : (equal_380_s2_q ? sum_655 : sums_1_sum_sums_values_0_q);
-  logic [7:0] select_1465;
-  assign select_1465 = or_378_s2_q ? sums_2_columns_values_0_q : (equal_380_s2_q ? {2'h0, column_4} : sums_2_columns_values_0_q);
-  logic [7:0] select_1466;
-  assign select_1466 = equal_380_s2_q ? sums_2_columns_values_0_q : sums_2_columns_values_1_q;
-  logic [7:0] select_1468;
-  assign select_1468 = equal_380_s2_q ? sums_2_columns_values_1_q : sums_2_columns_values_2_q;
-  logic [7:0] select_1470;
-  assign select_1470 = equal_380_s2_q ? sums_2_columns_values_2_q : sums_2_columns_values_3_q;
-  logic [7:0] select_1472;
-  assign select_1472 = equal_380_s2_q ? sums_2_columns_values_3_q : sums_2_columns_values_4_q;
-  logic [7:0] select_1474;
-  assign select_1474 = equal_380_s2_q ? sums_2_columns_values_4_q : sums_2_columns_values_5_q;
-  logic [7:0] select_1476;
-  assign select_1476 = equal_380_s2_q ? sums_2_columns_values_5_q : sums_2_columns_values_6_q;
-  logic [7:0] select_1479;
-  assign select_1479 = or_378_s2_q ? sums_2_sum_sums_values_0_q : (equal_380_s2_q ? sum_602 : sums_2_sum_sums_values_0_q);
-  logic [7:0] select_1481;
-  assign select_1481 = or_378_s2_q ? sums_3_columns_values_0_q : (equal_380_s2_q ? {2'h0, column_10} : sums_3_columns_values_0_q);
-  logic [7:0] select_1482;
-  assign select_1482 = equal_380_s2_q ? sums_3_columns_values_0_q : sums_3_columns_values_1_q;
-  logic [7:0] select_1484;
-  assign select_1484 = equal_380_s2_q ? sums_3_columns_values_1_q : sums_3_columns_values_2_q;
-  logic [7:0] select_1486;
-  assign select_1486 = equal_380_s2_q ? sums_3_columns_values_2_q : sums_3_columns_values_3_q;
-  logic [7:0] select_1488;
-  assign select_1488 = equal_380_s2_q ? sums_3_columns_values_3_q : sums_3_columns_values_4_q;
-  logic [7:0] select_1490;
-  assign select_1490 = equal_380_s2_q ? sums_3_columns_values_4_q : sums_3_columns_values_5_q;
-  logic [7:0] select_1492;
-  assign select_1492 = equal_380_s2_q ? sums_3_columns_values_5_q : sums_3_columns_values_6_q;
-  logic [7:0] select_1495;
-  assign select_1495 = or_378_s2_q ? sums_3_sum_sums_values_0_q : (equal_380_s2_q ? sum_710 : sums_3_sum_sums_values_0_q);
-  logic [7:0] select_1497;
-  assign select_1497 = or_378_s2_q ? sums_4_columns_values_0_q : (equal_380_s2_q ? {2'h0, column_16} : sums_4_columns_values_0_q);
-  logic [7:0] select_1498;
-  assign select_1498 = equal_380_s2_q ? sums_4_columns_values_0_q : sums_4_columns_values_1_q;
-  logic [7:0] select_1500;
-  assign select_1500 = equal_380_s2_q ? sums_4_columns_values_1_q : sums_4_columns_values_2_q;
-  logic [7:0] select_1502;
-  assign select_1502 = equal_380_s2_q ? sums_4_columns_values_2_q : sums_4_columns_values_3_q;
-  logic [7:0] select_1504;
-  assign select_1504 = equal_380_s2_q ? sums_4_columns_values_3_q : sums_4_columns_values_4_q;
-  logic [7:0] select_1506;
-  assign select_1506 = equal_380_s2_q ? sums_4_columns_values_4_q : sums_4_columns_values_5_q;
-  logic [7:0] select_1508;
-  assign select_1508 = equal_380_s2_q ? sums_4_columns_values_5_q : sums_4_columns_values_6_q;
-  logic [7:0] select_1511;
-  assign select_1511 = or_378_s2_q ? sums_4_sum_sums_values_0_q : (equal_380_s2_q ? sum_827 : sums_4_sum_sums_values_0_q);
-
-  // Memory averager_memory, 320 x 26 and parity, DISTANCE 16, hls/stages/census.hpp:146; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  logic [26:0] averager_memory_mem [0:319];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 320; i++) averager_memory_mem[i] = 27'h0;
-`endif
-  logic [8:0] averager_memory_raddr;
-  assign averager_memory_raddr = select_324_s2_q;
-  logic averager_memory_re;
-  assign averager_memory_re = s2_en & and_332;
-  logic [26:0] averager_memory_word_q;
-  always_ff @(posedge clk_i) begin
-    if (averager_memory_re) averager_memory_word_q <= averager_memory_mem[averager_memory_raddr];
-  end
-  logic [25:0] averager_memory_rdata_q;
-  assign averager_memory_rdata_q = averager_memory_word_q[25:0];
-  logic averager_memory_read_q, averager_memory_error;
-  always_ff @(posedge clk_i) averager_memory_read_q <= rst_ni & averager_memory_re;
-  assign averager_memory_error = averager_memory_read_q & ^averager_memory_word_q;
-
-  // Memory near_right, 80 x 14 and parity, DISTANCE 12, hls/stages/agreement.hpp:921; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  logic [14:0] near_right_mem [0:79];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 80; i++) near_right_mem[i] = 15'h0;
-`endif
-  logic [6:0] near_right_raddr;
-  assign near_right_raddr = or_378_s2_q ? sum_934 : partner_s2_q;
-  logic near_right_re;
-  assign near_right_re = s2_en & select_526_s2_q;
-  logic [14:0] near_right_word_q;
-  always_ff @(posedge clk_i) begin
-    if (near_right_re) near_right_word_q <= near_right_mem[near_right_raddr];
-  end
-  logic [13:0] near_right_rdata_q;
-  assign near_right_rdata_q = near_right_word_q[13:0];
-  logic near_right_read_q, near_right_error;
-  always_ff @(posedge clk_i) near_right_read_q <= rst_ni & near_right_re;
-  assign near_right_error = near_right_read_q & ^near_right_word_q;
-
-  // Not reset: nothing of it counts before it is written anew.
-`ifndef SYNTHESIS
-  initial begin
-    sums_0_columns_values_0_q = 8'h0;
-    sums_0_columns_values_1_q = 8'h0;
-    sums_0_columns_values_2_q = 8'h0;
-    sums_0_columns_values_3_q = 8'h0;
-    sums_0_columns_values_4_q = 8'h0;
-    sums_0_columns_values_5_q = 8'h0;
-    sums_0_columns_values_6_q = 8'h0;
-    sums_0_sum_sums_values_0_q = 8'h0;
-    sums_1_columns_values_0_q = 8'h0;
-    sums_1_columns_values_1_q = 8'h0;
-    sums_1_columns_values_2_q = 8'h0;
-    sums_1_columns_values_3_q = 8'h0;
-    sums_1_columns_values_4_q = 8'h0;
-    sums_1_columns_values_5_q = 8'h0;
-    sums_1_columns_values_6_q = 8'h0;
-    sums_1_sum_sums_values_0_q = 8'h0;
-    sums_2_columns_values_0_q = 8'h0;
-    sums_2_columns_values_1_q = 8'h0;
-    sums_2_columns_values_2_q = 8'h0;
-    sums_2_columns_values_3_q = 8'h0;
-    sums_2_columns_values_4_q = 8'h0;
-    sums_2_columns_values_5_q = 8'h0;
-    sums_2_columns_values_6_q = 8'h0;
-    sums_2_sum_sums_values_0_q = 8'h0;
-    sums_3_columns_values_0_q = 8'h0;
-    sums_3_columns_values_1_q = 8'h0;
-    sums_3_columns_values_2_q = 8'h0;
-    sums_3_columns_values_3_q = 8'h0;
-    sums_3_columns_values_4_q = 8'h0;
-    sums_3_columns_values_5_q = 8'h0;
-    sums_3_columns_values_6_q = 8'h0;
-    sums_3_sum_sums_values_0_q = 8'h0;
-    sums_4_columns_values_0_q = 8'h0;
-    sums_4_columns_values_1_q = 8'h0;
-    sums_4_columns_values_2_q = 8'h0;
-    sums_4_columns_values_3_q = 8'h0;
-    sums_4_columns_values_4_q = 8'h0;
-    sums_4_columns_values_5_q = 8'h0;
-    sums_4_columns_values_6_q = 8'h0;
-    sums_4_sum_sums_values_0_q = 8'h0;
-  end
-`endif
-  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (s2_en) begin
-      sums_0_columns_values_0_q <= select_1433;
-      sums_0_columns_values_1_q <= or_378_s2_q ? sums_0_columns_values_1_q : select_1434;
-      sums_0_columns_values_2_q <= or_378_s2_q ? sums_0_columns_values_2_q : select_1436;
-      sums_0_columns_values_3_q <= or_378_s2_q ? sums_0_columns_values_3_q : select_1438;
-      sums_0_columns_values_4_q <= or_378_s2_q ? sums_0_columns_values_4_q : select_1440;
-      sums_0_columns_values_5_q <= or_378_s2_q ? sums_0_columns_values_5_q : select_1442;
-      sums_0_columns_values_6_q <= or_378_s2_q ? sums_0_columns_values_6_q : select_1444;
-      sums_0_sum_sums_values_0_q <= select_1447;
-      sums_1_columns_values_0_q <= select_1449;
-      sums_1_columns_values_1_q <= or_378_s2_q ? sums_1_columns_values_1_q : select_1450;
-      sums_1_columns_values_2_q <= or_378_s2_q ? sums_1_columns_values_2_q : select_1452;
-      sums_1_columns_values_3_q <= or_378_s2_q ? sums_1_columns_values_3_q : select_1454;
-      sums_1_columns_values_4_q <= or_378_s2_q ? sums_1_columns_values_4_q : select_1456;
-      sums_1_columns_values_5_q <= or_378_s2_q ? sums_1_columns_values_5_q : select_1458;
-      sums_1_columns_values_6_q <= or_378_s2_q ? sums_1_columns_values_6_q : select_1460;
-      sums_1_sum_sums_values_0_q <= select_1463;
-      sums_2_columns_values_0_q <= select_1465;
-      sums_2_columns_values_1_q <= or_378_s2_q ? sums_2_columns_values_1_q : select_1466;
-      sums_2_columns_values_2_q <= or_378_s2_q ? sums_2_columns_values_2_q : select_1468;
-      sums_2_columns_values_3_q <= or_378_s2_q ? sums_2_columns_values_3_q : select_1470;
-      sums_2_columns_values_4_q <= or_378_s2_q ? sums_2_columns_values_4_q : select_1472;
-      sums_2_columns_values_5_q <= or_378_s2_q ? sums_2_columns_values_5_q : select_1474;
-      sums_2_columns_values_6_q <= or_378_s2_q ? sums_2_columns_values_6_q : select_1476;
-      sums_2_sum_sums_values_0_q <= select_1479;
-      sums_3_columns_values_0_q <= select_1481;
-      sums_3_columns_values_1_q <= or_378_s2_q ? sums_3_columns_values_1_q : select_1482;
-      sums_3_columns_values_2_q <= or_378_s2_q ? sums_3_columns_values_2_q : select_1484;
-      sums_3_columns_values_3_q <= or_378_s2_q ? sums_3_columns_values_3_q : select_1486;
-      sums_3_columns_values_4_q <= or_378_s2_q ? sums_3_columns_values_4_q : select_1488;
-      sums_3_columns_values_5_q <= or_378_s2_q ? sums_3_columns_values_5_q : select_1490;
-      sums_3_columns_values_6_q <= or_378_s2_q ? sums_3_columns_values_6_q : select_1492;
-      sums_3_sum_sums_values_0_q <= select_1495;
-      sums_4_columns_values_0_q <= select_1497;
-      sums_4_columns_values_1_q <= or_378_s2_q ? sums_4_columns_values_1_q : select_1498;
-      sums_4_columns_values_2_q <= or_378_s2_q ? sums_4_columns_values_2_q : select_1500;
-      sums_4_columns_values_3_q <= or_378_s2_q ? sums_4_columns_values_3_q : select_1502;
-      sums_4_columns_values_4_q <= or_378_s2_q ? sums_4_columns_values_4_q : select_1504;
-      sums_4_columns_values_5_q <= or_378_s2_q ? sums_4_columns_values_5_q : select_1506;
-      sums_4_columns_values_6_q <= or_378_s2_q ? sums_4_columns_values_6_q : select_1508;
-      sums_4_sum_sums_values_0_q <= select_1511;
-    end
-  end
-
-  logic [7:0] pixel_0_s3_q;
-  logic [7:0] pixel_1_s3_q;
-  logic saturated_s3_q;
-  logic mask_s3_q;
-  logic marks_first_s3_q;
-  logic marks_last_s3_q;
-  logic sample_pair_whole_s3_q;
-  logic [5:0] run_shift_s3_q;
-  logic [7:0] x_s3_q;
-  logic age_s3_q;
-  logic lower_half_s3_q;
-  logic select_318_s3_q;
-  logic [8:0] select_324_s3_q;
-  logic and_331_s3_q;
-  logic and_332_s3_q;
-  logic equal_337_s3_q;
-  logic whole_s3_q;
-  logic [6:0] column_s3_q;
-  logic and_355_s3_q;
-  logic and_357_s3_q;
-  logic equal_360_s3_q;
-  logic drew_s3_q;
-  logic equal_377_s3_q;
-  logic or_378_s3_q;
-  logic less_383_s3_q;
-  logic not_384_s3_q;
-  logic equal_416_s3_q;
-  logic [6:0] x_s3_2_q;
-  logic [34:0] best_left_rdata_s3_q;
-  logic select_533_s3_q;
-  logic [7:0] sum_602_s3_q;
-  logic [7:0] sum_655_s3_q;
-  logic [7:0] sum_710_s3_q;
-  logic [7:0] sum_767_s3_q;
-  logic [1:0] best_2_s3_q;
-  logic [7:0] sum_827_s3_q;
-  logic [6:0] of_near_s3_q;
-  logic and_923_s3_q;
-  logic [6:0] partner_s3_q;
-  logic [14:0] best_right_rdata_s3_q;
-  logic select_929_s3_q;
-  logic equal_941_s3_q;
-  logic and_946_s3_q;
-  logic and_947_s3_q;
-  logic and_949_s3_q;
-  logic and_956_s3_q;
-  logic and_963_s3_q;
-  logic [6:0] select_971_s3_q;
-  logic not_972_s3_q;
-  logic equal_1008_s3_q;
-  logic and_1141_s3_q;
-  logic equal_1282_s3_q;
-  logic equal_1334_s3_q;
-  logic less_1611_s3_q;
-  logic less_1613_s3_q;
-  logic equal_1877_s3_q;
-  logic less_1888_s3_q;
-  logic equal_2031_s3_q;
-  always_ff @(posedge clk_i) begin
-    if (s2_en) begin
-      pixel_0_s3_q <= pixel_0_s2_q;
-      pixel_1_s3_q <= pixel_1_s2_q;
-      saturated_s3_q <= saturated_s2_q;
-      mask_s3_q <= mask_s2_q;
-      marks_first_s3_q <= marks_first_s2_q;
-      marks_last_s3_q <= marks_last_s2_q;
-      sample_pair_whole_s3_q <= sample_pair_whole_s2_q;
-      run_shift_s3_q <= run_shift_s2_q;
-      x_s3_q <= x_s2_q;
-      age_s3_q <= age_s2_q[1];
-      lower_half_s3_q <= lower_half_s2_q;
-      select_318_s3_q <= select_318_s2_q;
-      select_324_s3_q <= select_324_s2_q;
-      and_331_s3_q <= and_331_s2_q;
-      and_332_s3_q <= and_332;
-      equal_337_s3_q <= equal_337_s2_q;
-      whole_s3_q <= whole_s2_q;
-      column_s3_q <= column_s2_q;
-      and_355_s3_q <= and_355_s2_q;
-      and_357_s3_q <= and_357_s2_q;
-      equal_360_s3_q <= equal_360_s2_q;
-      drew_s3_q <= drew_s2_q;
-      equal_377_s3_q <= equal_377_s2_q;
-      or_378_s3_q <= or_378_s2_q;
-      less_383_s3_q <= less_383_s2_q;
-      not_384_s3_q <= not_384_s2_q;
-      equal_416_s3_q <= equal_416_s2_q;
-      x_s3_2_q <= x_s2_2_q;
-      best_left_rdata_s3_q <= best_left_rdata_s2_q;
-      select_533_s3_q <= select_533_s2_q;
-      sum_602_s3_q <= sum_602;
-      sum_655_s3_q <= sum_655;
-      sum_710_s3_q <= sum_710;
-      sum_767_s3_q <= sum_767;
-      best_2_s3_q <= best_2;
-      sum_827_s3_q <= sum_827;
-      of_near_s3_q <= of_near;
-      and_923_s3_q <= and_923_s2_q;
-      partner_s3_q <= partner_s2_q;
-      best_right_rdata_s3_q <= best_right_rdata_q;
-      select_929_s3_q <= select_929_s2_q;
-      equal_941_s3_q <= equal_941_s2_q;
-      and_946_s3_q <= and_946_s2_q;
-      and_947_s3_q <= and_947_s2_q;
-      and_949_s3_q <= and_949_s2_q;
-      and_956_s3_q <= not_384_s2_q & (and_947_s2_q & and_954);
-      and_963_s3_q <= not_384_s2_q & (and_947_s2_q & and_961);
-      select_971_s3_q <= select_971;
-      not_972_s3_q <= not_972_s2_q;
-      equal_1008_s3_q <= equal_1008_s2_q;
-      and_1141_s3_q <= and_1141_s2_q;
-      equal_1282_s3_q <= equal_1282_s2_q;
-      equal_1334_s3_q <= equal_1334_s2_q;
-      less_1611_s3_q <= less_1611_s2_q;
-      less_1613_s3_q <= less_1613_s2_q;
-      equal_1877_s3_q <= equal_1877_s2_q;
-      less_1888_s3_q <= less_1888_s2_q;
-      equal_2031_s3_q <= equal_2031_s2_q;
-    end
-  end
-
-  // Stage 3 -----------------------------------------------------------------------------------------------------------
   logic [7:0] sample_pair_pixel_0_q;
   logic [7:0] sample_pair_pixel_1_q;
   logic sample_of_skin_q;
@@ -1702,254 +1855,286 @@ module horopter_agreement (
   logic averager_running_of_skin_q;
   logic averager_mask_q;
   logic averager_of_skin_q;
-  logic [23:0] registration_slope_row_q;
-  logic [27:0] registration_slope_change_q;
-  logic [27:0] registration_slope_q;
-  logic [23:0] registration_next_slope_row_q;
-  logic [27:0] registration_next_slope_change_q;
+  logic [9:0] registration_displacement_over_q;
+  logic [4:0] registration_displacement_fraction_q;
   // hls/stages/census.hpp:91
-  logic [11:0] select_335;
-  assign select_335 = select_318_s3_q ? ({4'h0, sample_pair_pixel_0_q} + averager_running_0_q) : {4'h0, sample_pair_pixel_0_q};
+  logic [11:0] select_337;
+  assign select_337 = select_320_s2_q ? ({4'h0, sample_pair_pixel_0_q} + averager_running_0_q) : {4'h0, sample_pair_pixel_0_q};
   // hls/stages/census.hpp:100
-  logic [11:0] sum_339;
-  assign sum_339 = select_335 + (equal_337_s3_q ? 12'h0 : averager_memory_rdata_q[11:0]);
-  // hls/stages/census.hpp:91
   logic [11:0] sum_341;
-  assign sum_341 = {4'h0, sample_pair_pixel_1_q} + (select_318_s3_q ? averager_running_1_q : 12'h0);
-  // hls/stages/census.hpp:100
+  assign sum_341 = select_337 + (equal_339_s2_q ? 12'h0 : averager_memory_rdata_q[11:0]);
+  // hls/stages/census.hpp:91
   logic [11:0] sum_343;
-  assign sum_343 = sum_341 + (equal_337_s3_q ? 12'h0 : averager_memory_rdata_q[23:12]);
+  assign sum_343 = {4'h0, sample_pair_pixel_1_q} + (select_320_s2_q ? averager_running_1_q : 12'h0);
+  // hls/stages/census.hpp:100
+  logic [11:0] sum_345;
+  assign sum_345 = sum_343 + (equal_339_s2_q ? 12'h0 : averager_memory_rdata_q[23:12]);
   // hls/stages/census.hpp:101
-  logic and_347;
-  assign and_347 = whole_s3_q & (averager_memory_rdata_q[24] | equal_337_s3_q);
-  // hls/stages/agreement.hpp:202
+  logic and_349;
+  assign and_349 = whole_s2_q & (averager_memory_rdata_q[24] | equal_339_s2_q);
+  // hls/stages/agreement.hpp:213
   logic all_of_skin;
-  assign all_of_skin = select_318_s3_q ? (sample_of_skin_q & averager_running_of_skin_q) : sample_of_skin_q;
+  assign all_of_skin = select_320_s2_q ? (sample_of_skin_q & averager_running_of_skin_q) : sample_of_skin_q;
   // hls/stages/census.hpp:102
-  logic and_351;
-  assign and_351 = all_of_skin & (averager_memory_rdata_q[25] | equal_337_s3_q);
+  logic and_353;
+  assign and_353 = all_of_skin & (averager_memory_rdata_q[25] | equal_339_s2_q);
   // hls/stages/census.hpp:126
   logic [8:0] grey;
-  assign grey = and_331_s3_q ? sum_339[11:3] : 9'h0;
+  assign grey = and_333_s2_q ? sum_341[11:3] : 9'h0;
   logic [8:0] grey_2;
-  assign grey_2 = and_331_s3_q ? sum_343[11:3] : 9'h0;
-  logic and_368;
-  assign and_368 = and_331_s3_q & and_347;
+  assign grey_2 = and_333_s2_q ? sum_345[11:3] : 9'h0;
+  logic and_370;
+  assign and_370 = and_333_s2_q & and_349;
   // hls/stages/census.hpp:105
-  logic select_370;
-  assign select_370 = equal_360_s3_q ? and_368 : (averager_mask_q & and_368);
-  // hls/stages/agreement.hpp:204
+  logic select_372;
+  assign select_372 = equal_362_s2_q ? and_370 : (averager_mask_q & and_370);
+  // hls/stages/agreement.hpp:215
   logic whole_2;
-  assign whole_2 = sample_pair_whole_s3_q & select_370;
+  assign whole_2 = sample_pair_whole_s2_q & select_372;
   // hls/stages/census.hpp:126
-  logic and_372;
-  assign and_372 = and_331_s3_q & and_351;
+  logic and_374;
+  assign and_374 = and_333_s2_q & and_353;
   // hls/stages/census.hpp:105
-  logic select_374;
-  assign select_374 = equal_360_s3_q ? and_372 : (averager_of_skin_q & and_372);
-  // hls/stages/agreement.hpp:470
-  logic not_535;
-  assign not_535 = ~($signed(run_shift_s3_q) < $signed($unsigned(cfg_shift_lowest_i)));
-  logic less_536;
-  assign less_536 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s3_q);
-  // hls/stages/agreement.hpp:170
-  logic and_538;
-  assign and_538 = not_535 & (~less_536);
-  // hls/stages/agreement.hpp:478
-  logic [7:0] select_774;
-  assign select_774 = best_2_s3_q[1] ? (best_2_s3_q[0] ? sum_710_s3_q : sum_602_s3_q) : (best_2_s3_q[0] ? sum_655_s3_q : sum_767_s3_q);
-  logic less_828;
-  assign less_828 = select_774 < sum_827_s3_q;
-  logic [1:0] select_829;
-  assign select_829 = less_828 ? 2'h0 : best_2_s3_q;
-  // hls/stages/agreement.hpp:486
-  logic [7:0] select_832;
-  assign select_832 = select_829[1] ? (select_829[0] ? sum_710_s3_q : sum_602_s3_q) : (select_829[0] ? sum_655_s3_q : sum_767_s3_q);
+  logic select_376;
+  assign select_376 = equal_362_s2_q ? and_374 : (averager_of_skin_q & and_374);
+  // hls/stages/agreement.hpp:595
+  logic not_510;
+  assign not_510 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
+  logic less_511;
+  assign less_511 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
+  // hls/stages/agreement.hpp:178
+  logic and_513;
+  assign and_513 = not_510 & (~less_511);
+  // hls/stages/agreement.hpp:558
+  logic less_1244;
+  assign less_1244 = sums_0_sum_sums_values_0_q < sums_1_sum_sums_values_0_q;
+  logic [7:0] select_1245;
+  assign select_1245 = less_1244 ? sums_1_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
+  logic less_1246;
+  assign less_1246 = middle_sum_sum_sums_values_0_q < select_1245;
+  logic [7:0] select_1247;
+  assign select_1247 = less_1246 ? select_1245 : middle_sum_sum_sums_values_0_q;
+  logic less_1728;
+  assign less_1728 = sums_2_sum_sums_values_0_q < sums_3_sum_sums_values_0_q;
+  logic [7:0] select_1729;
+  assign select_1729 = less_1728 ? sums_3_sum_sums_values_0_q : sums_2_sum_sums_values_0_q;
+  logic less_1730;
+  assign less_1730 = select_1247 < select_1729;
+  logic [7:0] select_1731;
+  assign select_1731 = less_1730 ? select_1729 : select_1247;
+  // hls/stages/agreement.hpp:599
   logic [7:0] of_best;
-  assign of_best = less_828 ? sum_827_s3_q : select_832;
-  logic [7:0] of_best_2;
-  assign of_best_2 = and_538 ? of_best : 8'h0;
-  // hls/stages/agreement.hpp:493
-  logic or_836;
-  assign or_836 = select_533_s3_q | (best_left_rdata_s3_q[7:0] < of_best_2);
-  // hls/stages/registration.hpp:21
-  logic [2:0] near_best;
-  assign near_best = ({less_828, select_829} == 3'h4) ? 3'h3 : (({less_828, select_829} == 3'h0) ? 3'h1 : {less_828, select_829});
-  // hls/stages/registration.hpp:23
-  logic [2:0] sum_844;
-  assign sum_844 = near_best + 3'h1;
-  logic [7:0] select_847;
-  assign select_847 = sum_844[1] ? (sum_844[0] ? sum_710_s3_q : sum_602_s3_q) : (sum_844[0] ? sum_655_s3_q : sum_767_s3_q);
-  logic [7:0] below;
-  assign below = sum_844[2] ? sum_827_s3_q : select_847;
-  // hls/stages/registration.hpp:22
-  logic [2:0] sum_849;
-  assign sum_849 = near_best + 3'h7;
-  logic [7:0] select_852;
-  assign select_852 = sum_849[1] ? (sum_849[0] ? sum_710_s3_q : sum_602_s3_q) : (sum_849[0] ? sum_655_s3_q : sum_767_s3_q);
-  logic [7:0] above;
-  assign above = sum_849[2] ? sum_827_s3_q : select_852;
-  // hls/stages/registration.hpp:24
-  logic [8:0] rise;
-  assign rise = {1'b0, below} - {1'b0, above};
-  // hls/stages/registration.hpp:26
-  logic [7:0] select_858;
-  assign select_858 = near_best[1] ? (near_best[0] ? sum_710_s3_q : sum_602_s3_q) : (near_best[0] ? sum_655_s3_q : sum_767_s3_q);
-  logic [7:0] select_859;
-  assign select_859 = near_best[2] ? sum_827_s3_q : select_858;
-  logic [7:0] select_860;
-  assign select_860 = rise[8] ? below : above;
-  logic [8:0] fall;
-  assign fall = {1'b0, select_859} - {1'b0, select_860};
-  // hls/stages/registration.hpp:27
-  logic [7:0] twice;
-  assign twice = fall[8] ? 8'h0 : fall[7:0];
-  // hls/stages/registration.hpp:25
-  logic [7:0] xor_863;
-  assign xor_863 = rise[7:0] ^ {8{rise[8]}};
-  logic [8:0] size;
-  assign size = {8'h0, rise[8]} + {1'b0, xor_863};
-  // hls/stages/agreement.hpp:487
-  logic [6:0] of_near_2;
-  assign of_near_2 = and_538 ? of_near_s3_q : 7'h0;
-  // hls/stages/agreement.hpp:498
-  logic or_920;
-  assign or_920 = select_533_s3_q | (best_left_rdata_s3_q[28:22] < of_near_2);
-  // hls/stages/agreement.hpp:507
-  logic or_931;
-  assign or_931 = select_929_s3_q | (best_right_rdata_s3_q[7:0] < of_best_2);
-  // hls/stages/agreement.hpp:508
-  logic [7:0] select_932;
-  assign select_932 = or_931 ? of_best_2 : best_right_rdata_s3_q[7:0];
-  logic [6:0] select_933;
-  assign select_933 = or_931 ? x_s3_2_q : best_right_rdata_s3_q[14:8];
-  // hls/stages/agreement.hpp:510
-  logic or_938;
-  assign or_938 = select_929_s3_q | (near_right_rdata_q[6:0] < of_near_2);
-  // hls/stages/agreement.hpp:511
-  logic [6:0] select_939;
-  assign select_939 = or_938 ? of_near_2 : near_right_rdata_q[6:0];
-  logic [6:0] select_940;
-  assign select_940 = or_938 ? x_s3_2_q : near_right_rdata_q[13:7];
-  // hls/stages/agreement.hpp:635
-  logic not_942;
-  assign not_942 = ~equal_941_s3_q;
-  // hls/stages/agreement.hpp:618
-  logic and_948;
-  assign and_948 = not_384_s3_q & and_947_s3_q;
-  // hls/stages/agreement.hpp:181
-  logic [5:0] select_964;
-  assign select_964 = less_383_s3_q ? 6'h0 : best_left_rdata_s3_q[13:8];
-  logic [11:0] select_965;
-  assign select_965 = or_378_s3_q ? {select_964, and_963_s3_q, and_956_s3_q, and_949_s3_q, and_948, and_946_s3_q, not_384_s3_q} : 12'h0;
-  // hls/stages/agreement.hpp:343
-  logic and_967;
-  assign and_967 = not_942 & (drew_s3_q & select_965[0]);
-  // hls/stages/agreement.hpp:621
-  logic [8:0] way_2;
-  assign way_2 = {2'h0, near_right_rdata_q[13:7]} - {1'b0, x_s3_q};
-  // hls/stages/agreement.hpp:622
-  logic [9:0] sum_974;
-  assign sum_974 = {way_2[8], way_2} + 10'h1;
+  assign of_best = and_513 ? select_1731 : 8'h0;
+  // hls/stages/agreement.hpp:606
+  logic or_1734;
+  assign or_1734 = select_508_s2_q | (best_left_rdata_s2_q[16:9] < of_best);
+  // hls/stages/agreement.hpp:611
+  logic [5:0] select_1735;
+  assign select_1735 = or_1734 ? run_shift_s2_q : best_left_rdata_s2_q[5:0];
+  // hls/stages/agreement.hpp:559
+  logic or_1737;
+  assign or_1737 = less_1244 | (~less_1246);
+  logic [2:0] select_1738;
+  assign select_1738 = less_1730 ? {less_1728, 2'h0} : {1'b0, or_1737, less_1246};
+  // hls/stages/agreement.hpp:611
+  logic [2:0] select_1739;
+  assign select_1739 = or_1734 ? select_1738 : best_left_rdata_s2_q[8:6];
+  logic [7:0] select_1740;
+  assign select_1740 = or_1734 ? of_best : best_left_rdata_s2_q[16:9];
+  // hls/stages/agreement.hpp:608
+  logic equal_1741;
+  assign equal_1741 = select_1738 == 3'h1;
+  logic equal_1742;
+  assign equal_1742 = select_1738 == 3'h2;
+  logic not_1743;
+  assign not_1743 = ~equal_1742;
+  logic [1:0] select_1744;
+  assign select_1744 = equal_1741 ? 2'h0 : {not_1743, equal_1742};
+  logic [7:0] select_1745;
+  assign select_1745 = select_1744[0] ? sums_1_sum_sums_values_0_q : middle_sum_sum_sums_values_0_q;
+  logic [7:0] select_1746;
+  assign select_1746 = select_1744[0] ? sums_0_sum_sums_values_0_q : sums_2_sum_sums_values_0_q;
+  // hls/stages/agreement.hpp:611
+  logic [7:0] select_1748;
+  assign select_1748 = or_1734 ? (select_1744[1] ? select_1745 : select_1746) : best_left_rdata_s2_q[24:17];
+  // hls/stages/agreement.hpp:609
+  logic [2:0] select_1749;
+  assign select_1749 = equal_1741 ? 3'h2 : {not_1743, {2{equal_1742}}};
+  logic [7:0] select_1750;
+  assign select_1750 = select_1749[0] ? sums_1_sum_sums_values_0_q : middle_sum_sum_sums_values_0_q;
+  logic [7:0] select_1752;
+  assign select_1752 = select_1749[1] ? select_1750 : (select_1749[0] ? select_1731 : sums_3_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:611
+  logic [7:0] select_1754;
+  assign select_1754 = or_1734 ? (select_1749[2] ? sums_3_sum_sums_values_0_q : select_1752) : best_left_rdata_s2_q[32:25];
+  // hls/stages/agreement.hpp:586
+  logic [5:0] before_v;
+  assign before_v = age_s2_q[0] ? middle_sum_columns_values_4_q : 6'h0;
+  // hls/stages/agreement.hpp:587
+  logic [6:0] sum_1756;
+  assign sum_1756 = {1'b0, middle_sum_columns_values_2_q} + {1'b0, middle_sum_columns_values_3_q};
+  logic [6:0] sum_1757;
+  assign sum_1757 = {1'b0, before_v} + sum_1756;
+  // hls/stages/agreement.hpp:586
+  logic [5:0] before_v_2;
+  assign before_v_2 = age_s2_q[0] ? sums_0_columns_values_4_q : 6'h0;
+  // hls/stages/agreement.hpp:587
+  logic [6:0] sum_1759;
+  assign sum_1759 = {1'b0, sums_0_columns_values_2_q} + {1'b0, sums_0_columns_values_3_q};
+  logic [6:0] sum_1760;
+  assign sum_1760 = {1'b0, before_v_2} + sum_1759;
+  // hls/stages/agreement.hpp:586
+  logic [5:0] before_v_3;
+  assign before_v_3 = age_s2_q[0] ? sums_1_columns_values_4_q : 6'h0;
+  // hls/stages/agreement.hpp:587
+  logic [6:0] sum_1762;
+  assign sum_1762 = {1'b0, sums_1_columns_values_2_q} + {1'b0, sums_1_columns_values_3_q};
+  logic [6:0] sum_1763;
+  assign sum_1763 = {1'b0, before_v_3} + sum_1762;
+  // hls/stages/agreement.hpp:558
+  logic [6:0] select_1765;
+  assign select_1765 = (sum_1760 < sum_1763) ? sum_1763 : sum_1760;
+  logic [6:0] select_1767;
+  assign select_1767 = (sum_1757 < select_1765) ? select_1765 : sum_1757;
+  // hls/stages/agreement.hpp:586
+  logic [5:0] before_v_4;
+  assign before_v_4 = age_s2_q[0] ? sums_2_columns_values_4_q : 6'h0;
+  // hls/stages/agreement.hpp:587
+  logic [6:0] sum_1769;
+  assign sum_1769 = {1'b0, sums_2_columns_values_2_q} + {1'b0, sums_2_columns_values_3_q};
+  logic [6:0] sum_1770;
+  assign sum_1770 = {1'b0, before_v_4} + sum_1769;
+  // hls/stages/agreement.hpp:586
+  logic [5:0] before_v_5;
+  assign before_v_5 = age_s2_q[0] ? sums_3_columns_values_4_q : 6'h0;
+  // hls/stages/agreement.hpp:587
+  logic [6:0] sum_1772;
+  assign sum_1772 = {1'b0, sums_3_columns_values_2_q} + {1'b0, sums_3_columns_values_3_q};
+  logic [6:0] sum_1773;
+  assign sum_1773 = {1'b0, before_v_5} + sum_1772;
+  // hls/stages/agreement.hpp:558
+  logic [6:0] select_1775;
+  assign select_1775 = (sum_1770 < sum_1773) ? sum_1773 : sum_1770;
+  // hls/stages/agreement.hpp:600
+  logic [6:0] of_near;
+  assign of_near = and_513 ? ((select_1767 < select_1775) ? select_1775 : select_1767) : 7'h0;
+  // hls/stages/agreement.hpp:611
+  logic or_1780;
+  assign or_1780 = select_508_s2_q | (best_left_rdata_s2_q[39:33] < of_near);
   // hls/stages/agreement.hpp:615
-  logic and_977;
-  assign and_977 = ({{6{sum_974[9]}}, sum_974} < 16'h3) & (6'h2a < best_left_rdata_s3_q[28:23]);
-  // hls/stages/agreement.hpp:625
-  logic and_980;
-  assign and_980 = cfg_nearer_above_i & ($signed(6'h0) < $signed(best_left_rdata_s3_q[34:29]));
-  // hls/stages/agreement.hpp:174
-  logic and_982;
-  assign and_982 = and_977 & ((cfg_nearer_below_i & best_left_rdata_s3_q[34]) | and_980);
-  // hls/stages/agreement.hpp:181
-  logic and_989;
-  assign and_989 = or_378_s3_q & (not_384_s3_q & (and_947_s3_q & and_977));
-  // hls/stages/agreement.hpp:343
-  logic and_992;
-  assign and_992 = not_942 & (drew_s3_q ? select_965[0] : (equal_377_s3_q & and_989));
-  // hls/stages/agreement.hpp:204
-  logic select_1195;
-  assign select_1195 = sample_pair_whole_s3_q ? all_of_skin : averager_running_of_skin_q;
-  logic select_1197;
-  assign select_1197 = sample_pair_whole_s3_q ? (and_355_s3_q ? select_370 : averager_mask_q) : averager_mask_q;
-  logic select_1199;
-  assign select_1199 = sample_pair_whole_s3_q ? (and_355_s3_q ? select_374 : averager_of_skin_q) : averager_of_skin_q;
-  // hls/stages/registration.hpp:158
-  logic [16:0] select_1620;
-  assign select_1620 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
-  logic [13:0] select_1622;
-  assign select_1622 = ($signed(10'h0) < $signed(select_1620[16:7])) ? 14'h7f : select_1620[13:0];
-  // hls/stages/registration.hpp:153
-  logic [9:0] select_1623;
-  assign select_1623 = select_965[10] ? select_1622[9:0] : 10'h0;
-  logic [8:0] difference_1625;
-  assign difference_1625 = select_1623[9:1] - (select_965[11] ? select_1622[8:0] : 9'h0);
-  // hls/stages/registration.hpp:151
-  logic [12:0] sum_1628;
-  assign sum_1628 = (select_965[6] ? select_1622[13:1] : 13'h0) + (select_965[7] ? select_1622[12:0] : 13'h0);
-  // hls/stages/registration.hpp:152
-  logic [11:0] select_1629;
-  assign select_1629 = select_965[8] ? select_1622[11:0] : 12'h0;
-  logic [10:0] sum_1631;
-  assign sum_1631 = select_1629[11:1] + (select_965[9] ? select_1622[10:0] : 11'h0);
-  // hls/stages/registration.hpp:154
-  logic [11:0] sum_1632;
-  assign sum_1632 = sum_1628[12:1] + {sum_1631, select_1629[0]};
-  logic [9:0] sum_1633;
-  assign sum_1633 = {difference_1625, select_1623[0]} + sum_1632[11:2];
-  // hls/stages/registration.hpp:67
-  logic [12:0] sum_1634;
-  assign sum_1634 = {registration_slope_q[27], registration_slope_q[27:16]} + {{5{sum_1633[9]}}, sum_1633[9:2]};
-  // hls/stages/registration.hpp:151
-  logic [7:0] select_1637;
-  assign select_1637 = ($signed(sum_1634[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_1634[7:0];
-  logic [7:0] slope;
-  assign slope = ($signed(6'h0) < $signed(sum_1634[12:7])) ? 8'h7f : select_1637;
-  logic [6:0] select_1639;
-  assign select_1639 = select_965[6] ? slope[7:1] : 7'h0;
-  logic [7:0] select_1640;
-  assign select_1640 = select_965[7] ? slope : 8'h0;
-  logic [8:0] sum_1641;
-  assign sum_1641 = {{2{select_1639[6]}}, select_1639} + {select_1640[7], select_1640};
-  // hls/stages/registration.hpp:152
-  logic [7:0] select_1642;
-  assign select_1642 = select_965[8] ? slope : 8'h0;
-  logic [7:0] select_1643;
-  assign select_1643 = select_965[9] ? slope : 8'h0;
-  logic [8:0] sum_1644;
-  assign sum_1644 = {{2{select_1642[7]}}, select_1642[7:1]} + {select_1643[7], select_1643};
-  // hls/stages/registration.hpp:154
-  logic [10:0] sum_1645;
-  assign sum_1645 = {{3{sum_1641[8]}}, sum_1641[8:1]} + {sum_1644[8], sum_1644, select_1642[0]};
-  // hls/stages/registration.hpp:153
-  logic [7:0] select_1646;
-  assign select_1646 = select_965[10] ? slope : 8'h0;
-  logic [7:0] select_1647;
-  assign select_1647 = select_965[11] ? slope : 8'h0;
-  logic [8:0] difference_1648;
-  assign difference_1648 = {{2{select_1646[7]}}, select_1646[7:1]} - {select_1647[7], select_1647};
-  // hls/stages/registration.hpp:57
-  logic [23:0] select_1878;
-  assign select_1878 = equal_1877_s3_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : registration_next_slope_row_q;
-  // hls/stages/agreement.hpp:205
-  logic [23:0] select_1880;
-  assign select_1880 = and_357_s3_q ? (equal_1334_s3_q ? select_1878 : registration_slope_row_q) : registration_slope_row_q;
-  // hls/stages/registration.hpp:58
-  logic [27:0] select_1881;
-  assign select_1881 = equal_1877_s3_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : registration_next_slope_change_q;
-  // hls/stages/agreement.hpp:205
-  logic [27:0] select_1883;
-  assign select_1883 = and_357_s3_q ? (equal_1334_s3_q ? select_1881 : registration_slope_change_q) : registration_slope_change_q;
-  // hls/stages/registration.hpp:48
-  logic [27:0] select_1885;
-  assign select_1885 = drew_s3_q ? (registration_slope_change_q + registration_slope_q) : {registration_slope_row_q, 4'h0};
-  // hls/stages/registration.hpp:50
-  logic [23:0] sum_1886;
-  assign sum_1886 = {{8{cfg_epipolar_row_i[15]}}, $unsigned(cfg_epipolar_row_i)} + registration_slope_row_q;
-  // hls/stages/registration.hpp:51
-  logic [27:0] sum_1887;
-  assign sum_1887 = {{12{cfg_epipolar_both_i[15]}}, $unsigned(cfg_epipolar_both_i)} + registration_slope_change_q;
+  logic [6:0] select_1781;
+  assign select_1781 = or_1780 ? of_near : best_left_rdata_s2_q[39:33];
+  logic [5:0] select_1782;
+  assign select_1782 = or_1780 ? run_shift_s2_q : best_left_rdata_s2_q[45:40];
+  // hls/stages/agreement.hpp:620
+  logic or_1792;
+  assign or_1792 = select_1790_s2_q | (best_right_rdata_q[7:0] < of_best);
+  // hls/stages/agreement.hpp:624
+  logic [7:0] select_1793;
+  assign select_1793 = or_1792 ? of_best : best_right_rdata_q[7:0];
+  logic [6:0] select_1794;
+  assign select_1794 = or_1792 ? x_s2_2_q : best_right_rdata_q[14:8];
+  logic or_1796;
+  assign or_1796 = select_1790_s2_q | (best_right_rdata_q[21:15] < of_near);
+  // hls/stages/agreement.hpp:628
+  logic [6:0] select_1797;
+  assign select_1797 = or_1796 ? of_near : best_right_rdata_q[21:15];
+  logic [6:0] select_1798;
+  assign select_1798 = or_1796 ? x_s2_2_q : best_right_rdata_q[28:22];
+  // hls/stages/agreement.hpp:746
+  logic not_1800;
+  assign not_1800 = ~equal_1799_s2_q;
+  // hls/stages/agreement.hpp:182
+  logic and_1810;
+  assign and_1810 = not_388_s2_q & and_1809_s2_q;
+  // hls/stages/agreement.hpp:726
+  logic select_1816;
+  assign select_1816 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
+  // hls/stages/agreement.hpp:727
+  logic [6:0] chosen;
+  assign chosen = slot_s2_q[2] ? best_right_rdata_q[14:8] : best_right_rdata_q[28:22];
+  // hls/stages/agreement.hpp:733
+  logic [8:0] difference_1819;
+  assign difference_1819 = {2'h0, chosen} - {1'b0, x_s2_q};
+  // hls/stages/agreement.hpp:734
+  logic [9:0] sum_1820;
+  assign sum_1820 = {difference_1819[8], difference_1819} + 10'h1;
+  // hls/stages/agreement.hpp:182
+  logic and_1822;
+  assign and_1822 = (and_1809_s2_q & select_1816) & ({{22{sum_1820[9]}}, sum_1820} < 32'h3);
+  logic and_1823;
+  assign and_1823 = not_388_s2_q & and_1822;
+  logic and_1829;
+  assign and_1829 = not_388_s2_q & (and_1822 & or_1827_s2_q);
+  // hls/stages/agreement.hpp:191
+  logic [8:0] select_1830;
+  assign select_1830 = less_387_s2_q ? 9'h0 : best_left_rdata_s2_q[8:0];
+  logic [14:0] inside_v;
+  assign inside_v = or_380_s2_q ? {select_1830, and_1829, and_1823, and_1813_s2_q, and_1810, and_1806_s2_q, not_388_s2_q} : 15'h0;
+  // hls/stages/agreement.hpp:211
+  logic and_1832;
+  assign and_1832 = ends_cell_s2_q & inside_v[0];
+  logic and_1834;
+  assign and_1834 = not_1800 & (so_s2_q & and_1832);
+  // hls/stages/agreement.hpp:197
+  logic right_2;
+  assign right_2 = inside_v[0] & less_1882_s2_q;
+  logic textured;
+  assign textured = inside_v[0] & inside_v[2];
+  // hls/stages/agreement.hpp:215
+  logic select_2113;
+  assign select_2113 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
+  logic select_2115;
+  assign select_2115 = sample_pair_whole_s2_q ? (and_357_s2_q ? select_372 : averager_mask_q) : averager_mask_q;
+  logic select_2117;
+  assign select_2117 = sample_pair_whole_s2_q ? (and_357_s2_q ? select_376 : averager_of_skin_q) : averager_of_skin_q;
+  // hls/stages/registration.hpp:76
+  logic less_2502;
+  assign less_2502 = slot_s2_q < 3'h3;
+  // hls/stages/agreement.hpp:191
+  logic [7:0] select_2504;
+  assign select_2504 = or_380_s2_q ? (less_387_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
+  logic [7:0] select_2506;
+  assign select_2506 = or_380_s2_q ? (less_387_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
+  logic [7:0] select_2508;
+  assign select_2508 = or_380_s2_q ? (less_387_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
+  // hls/stages/registration.hpp:33
+  logic [8:0] rise;
+  assign rise = {1'b0, select_2506} - {1'b0, select_2508};
+  // hls/stages/registration.hpp:35
+  logic [7:0] select_2510;
+  assign select_2510 = rise[8] ? select_2506 : select_2508;
+  logic [8:0] difference_2511;
+  assign difference_2511 = {1'b0, select_2504} - {1'b0, select_2510};
+  // hls/stages/registration.hpp:36
+  logic [7:0] wide;
+  assign wide = difference_2511[8] ? 8'h0 : difference_2511[7:0];
+  // hls/stages/registration.hpp:37
+  logic not_2513;
+  assign not_2513 = ~registration_displacement_over_q[9];
+  // hls/stages/registration.hpp:39
+  logic [9:0] left;
+  assign left = less_2502 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_2513};
+  // hls/stages/registration.hpp:34
+  logic [7:0] xor_2515;
+  assign xor_2515 = rise[7:0] ^ {8{rise[8]}};
+  logic [8:0] size_3;
+  assign size_3 = {8'h0, rise[8]} + {1'b0, xor_2515};
+  // hls/stages/registration.hpp:40
+  logic [8:0] taken;
+  assign taken = ~(({wide, 1'b0} < size_3) ? {wide, 1'b0} : size_3);
+  logic [7:0] select_2521;
+  assign select_2521 = registration_displacement_over_q[9] ? wide : (~wide);
+  logic [9:0] taken_2;
+  assign taken_2 = less_2502 ? {taken, 1'b1} : {not_2513, select_2521, not_2513};
+  // hls/stages/registration.hpp:42
+  logic [10:0] sum_2523;
+  assign sum_2523 = {left, 1'b1} + {taken_2, less_2502};
+  // hls/stages/agreement.hpp:192
+  logic [4:0] select_2525;
+  assign select_2525 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
 
-  // Memory census_memory, 80 x 78 and parity, DISTANCE 16, hls/stages/census.hpp:254; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory census_memory, 80 x 78 and parity, DISTANCE 16, hls/stages/census.hpp:254; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [78:0] census_memory_mem [0:79];
@@ -1957,9 +2142,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 80; i++) census_memory_mem[i] = 79'h0;
 `endif
   logic [6:0] census_memory_raddr;
-  assign census_memory_raddr = column_s3_q;
+  assign census_memory_raddr = column_s2_q;
   logic census_memory_re;
-  assign census_memory_re = s3_en & and_357_s3_q;
+  assign census_memory_re = s2_en & and_359_s2_q;
   logic [78:0] census_memory_word_q;
   always_ff @(posedge clk_i) begin
     if (census_memory_re) census_memory_word_q <= census_memory_mem[census_memory_raddr];
@@ -1970,7 +2155,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) census_memory_read_q <= rst_ni & census_memory_re;
   assign census_memory_error = census_memory_read_q & ^census_memory_word_q;
 
-  // Memory shown_right, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:922; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory shown_right, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1075; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [2:0] shown_right_mem [0:79];
@@ -1978,9 +2163,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 80; i++) shown_right_mem[i] = 3'h0;
 `endif
   logic [6:0] shown_right_raddr;
-  assign shown_right_raddr = x_s3_q[6:0];
+  assign shown_right_raddr = x_s2_q[6:0];
   logic shown_right_re;
-  assign shown_right_re = s3_en & and_967;
+  assign shown_right_re = s2_en & and_1834;
   logic [2:0] shown_right_word_q;
   always_ff @(posedge clk_i) begin
     if (shown_right_re) shown_right_word_q <= shown_right_mem[shown_right_raddr];
@@ -1991,7 +2176,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) shown_right_read_q <= rst_ni & shown_right_re;
   assign shown_right_error = shown_right_read_q & ^shown_right_word_q;
 
-  // Memory seen_columns, 80 x 18 and parity, DISTANCE 12, hls/stages/agreement.hpp:953; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory seen_columns, 80 x 18 and parity, DISTANCE 12, hls/stages/agreement.hpp:1099; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [18:0] seen_columns_mem [0:79];
@@ -1999,9 +2184,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 80; i++) seen_columns_mem[i] = 19'h0;
 `endif
   logic [6:0] seen_columns_raddr;
-  assign seen_columns_raddr = x_s3_q[6:0];
+  assign seen_columns_raddr = x_s2_q[6:0];
   logic seen_columns_re;
-  assign seen_columns_re = s3_en & and_967;
+  assign seen_columns_re = s2_en & and_1834;
   logic [18:0] seen_columns_word_q;
   always_ff @(posedge clk_i) begin
     if (seen_columns_re) seen_columns_word_q <= seen_columns_mem[seen_columns_raddr];
@@ -2014,11 +2199,11 @@ module horopter_agreement (
 
   // Memory averager_memory, write
   logic [8:0] averager_memory_waddr;
-  assign averager_memory_waddr = select_324_s3_q;
+  assign averager_memory_waddr = select_326_s2_q;
   logic averager_memory_we;
-  assign averager_memory_we = s3_en & and_332_s3_q;
+  assign averager_memory_we = s2_en & and_334_s2_q;
   logic [25:0] averager_memory_wdata;
-  assign averager_memory_wdata = {and_351, and_347, sum_343, sum_339};
+  assign averager_memory_wdata = {and_353, and_349, sum_345, sum_341};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {^averager_memory_wdata, averager_memory_wdata};
   end
@@ -2034,60 +2219,60 @@ module horopter_agreement (
   end
 `endif
 
+  // Memory best_left, write
+  logic [6:0] best_left_waddr;
+  assign best_left_waddr = x_s2_2_q;
+  logic best_left_we;
+  assign best_left_we = s2_en & and_1783_s2_q;
+  logic [45:0] best_left_wdata;
+  assign best_left_wdata = {select_1782, select_1781, select_1754, select_1748, select_1740, select_1739, select_1735};
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (best_left_we) best_left_mem[best_left_waddr] <= {^best_left_wdata, best_left_wdata};
+  end
+`ifndef SYNTHESIS
+  logic [6:0] best_left_raddr_s1_sim;
+  logic best_left_re_s1_sim;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      best_left_re_s1_sim <= 1'b0;
+    end else if (en_i) begin
+      best_left_re_s1_sim <= best_left_re;
+      best_left_raddr_s1_sim <= best_left_raddr;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && best_left_we) begin
+      if (best_left_re && best_left_raddr == best_left_waddr) begin
+        $error("best_left: address %0d is read less than DISTANCE steps after its write", best_left_waddr);
+      end
+      if (best_left_re_s1_sim && best_left_raddr_s1_sim == best_left_waddr) begin
+        $error("best_left: address %0d is read less than DISTANCE steps after its write", best_left_waddr);
+      end
+      if (best_left_waddr >= 7'd80) $error("best_left: write outside, address %0d", best_left_waddr);
+    end
+    if (rst_ni && best_left_re && best_left_raddr >= 7'd80) $error("best_left: read outside, address %0d", best_left_raddr);
+  end
+`endif
+
   // Memory best_right, write
   logic [6:0] best_right_waddr;
-  assign best_right_waddr = partner_s3_q;
+  assign best_right_waddr = right_s2_q;
   logic best_right_we;
-  assign best_right_we = s3_en & and_923_s3_q;
-  logic [14:0] best_right_wdata;
-  assign best_right_wdata = {select_933, select_932};
+  assign best_right_we = s2_en & and_1783_s2_q;
+  logic [28:0] best_right_wdata;
+  assign best_right_wdata = {select_1798, select_1797, select_1794, select_1793};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (best_right_we) best_right_mem[best_right_waddr] <= {^best_right_wdata, best_right_wdata};
   end
 `ifndef SYNTHESIS
-  logic [6:0] best_right_raddr_s2_sim;
-  logic best_right_re_s2_sim;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      best_right_re_s2_sim <= 1'b0;
-    end else if (en_i) begin
-      best_right_re_s2_sim <= best_right_re;
-      best_right_raddr_s2_sim <= best_right_raddr;
-    end
-  end
   always_ff @(posedge clk_i) begin
     if (rst_ni && best_right_we) begin
       if (best_right_re && best_right_raddr == best_right_waddr) begin
         $error("best_right: address %0d is read less than DISTANCE steps after its write", best_right_waddr);
       end
-      if (best_right_re_s2_sim && best_right_raddr_s2_sim == best_right_waddr) begin
-        $error("best_right: address %0d is read less than DISTANCE steps after its write", best_right_waddr);
-      end
       if (best_right_waddr >= 7'd80) $error("best_right: write outside, address %0d", best_right_waddr);
     end
     if (rst_ni && best_right_re && best_right_raddr >= 7'd80) $error("best_right: read outside, address %0d", best_right_raddr);
-  end
-`endif
-
-  // Memory near_right, write
-  logic [6:0] near_right_waddr;
-  assign near_right_waddr = partner_s3_q;
-  logic near_right_we;
-  assign near_right_we = s3_en & and_923_s3_q;
-  logic [13:0] near_right_wdata;
-  assign near_right_wdata = {select_940, select_939};
-  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (near_right_we) near_right_mem[near_right_waddr] <= {^near_right_wdata, near_right_wdata};
-  end
-`ifndef SYNTHESIS
-  always_ff @(posedge clk_i) begin
-    if (rst_ni && near_right_we) begin
-      if (near_right_re && near_right_raddr == near_right_waddr) begin
-        $error("near_right: address %0d is read less than DISTANCE steps after its write", near_right_waddr);
-      end
-      if (near_right_waddr >= 7'd80) $error("near_right: write outside, address %0d", near_right_waddr);
-    end
-    if (rst_ni && near_right_re && near_right_raddr >= 7'd80) $error("near_right: read outside, address %0d", near_right_raddr);
   end
 `endif
 
@@ -2099,23 +2284,17 @@ module horopter_agreement (
       averager_running_of_skin_q <= 1'b0;
       averager_mask_q <= 1'b0;
       averager_of_skin_q <= 1'b0;
-      registration_slope_row_q <= 24'h0;
-      registration_slope_change_q <= 28'h0;
-      registration_slope_q <= 28'h0;
-      registration_next_slope_row_q <= 24'h0;
-      registration_next_slope_change_q <= 28'h0;
-    end else if (s3_en) begin
-      sample_pair_pixel_0_q <= pixel_0_s3_q;
-      sample_pair_pixel_1_q <= pixel_1_s3_q;
-      sample_of_skin_q <= mask_s3_q;
-      averager_running_of_skin_q <= select_1195;
-      averager_mask_q <= select_1197;
-      averager_of_skin_q <= select_1199;
-      registration_slope_row_q <= select_1880;
-      registration_slope_change_q <= select_1883;
-      registration_slope_q <= select_1885;
-      registration_next_slope_row_q <= sum_1886;
-      registration_next_slope_change_q <= sum_1887;
+      registration_displacement_over_q <= 10'h0;
+      registration_displacement_fraction_q <= 5'h0;
+    end else if (s2_en) begin
+      sample_pair_pixel_0_q <= pixel_0_s2_q;
+      sample_pair_pixel_1_q <= pixel_1_s2_q;
+      sample_of_skin_q <= mask_s2_q;
+      averager_running_of_skin_q <= select_2113;
+      averager_mask_q <= select_2115;
+      averager_of_skin_q <= select_2117;
+      registration_displacement_over_q <= so_s2_q ? sum_2523[10:1] : registration_displacement_over_q;
+      registration_displacement_fraction_q <= select_2525;
     end
   end
 
@@ -2127,124 +2306,92 @@ module horopter_agreement (
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (s3_en) begin
-      averager_running_0_q <= sample_pair_whole_s3_q ? select_335 : averager_running_0_q;
-      averager_running_1_q <= sample_pair_whole_s3_q ? sum_341 : averager_running_1_q;
+    if (s2_en) begin
+      averager_running_0_q <= sample_pair_whole_s2_q ? select_337 : averager_running_0_q;
+      averager_running_1_q <= sample_pair_whole_s2_q ? sum_343 : averager_running_1_q;
     end
   end
 
-  logic saturated_s4_q;
-  logic marks_first_s4_q;
-  logic marks_last_s4_q;
-  logic sample_pair_whole_s4_q;
-  logic [7:0] x_s4_q;
-  logic age_s4_q;
-  logic lower_half_s4_q;
-  logic [6:0] column_s4_q;
-  logic and_355_s4_q;
-  logic and_357_s4_q;
-  logic [8:0] grey_s4_q;
-  logic equal_360_s4_q;
-  logic [8:0] grey_2_s4_q;
-  logic whole_2_s4_q;
-  logic and_375_s4_q;
-  logic drew_s4_q;
-  logic or_378_s4_q;
-  logic less_383_s4_q;
-  logic equal_416_s4_q;
-  logic [6:0] x_s4_2_q;
-  logic [7:0] best_left_rdata_s4_q;
-  logic select_829_s4_q;
-  logic or_836_s4_q;
-  logic [7:0] select_837_s4_q;
-  logic [5:0] select_838_s4_q;
-  logic equal_843_s4_q;
-  logic rise_s4_q;
-  logic [1:0] sum_855_s4_q;
-  logic [7:0] twice_s4_q;
-  logic [8:0] difference_867_s4_q;
-  logic [6:0] select_921_s4_q;
-  logic [5:0] select_922_s4_q;
-  logic and_923_s4_q;
-  logic equal_941_s4_q;
-  logic not_942_s4_q;
-  logic [5:0] select_965_s4_q;
-  logic and_967_s4_q;
-  logic [6:0] select_971_s4_q;
-  logic not_972_s4_q;
-  logic and_985_s4_q;
-  logic and_989_s4_q;
-  logic and_992_s4_q;
-  logic equal_1008_s4_q;
-  logic and_1142_s4_q;
-  logic equal_1282_s4_q;
-  logic equal_1334_s4_q;
-  logic less_1611_s4_q;
-  logic less_1613_s4_q;
-  logic [9:0] sum_1645_s4_q;
-  logic select_1646_s4_q;
-  logic [8:0] difference_1648_s4_q;
-  logic less_1888_s4_q;
-  logic equal_2031_s4_q;
+  logic saturated_s3_q;
+  logic marks_first_s3_q;
+  logic marks_last_s3_q;
+  logic sample_pair_whole_s3_q;
+  logic [7:0] x_s3_q;
+  logic age_s3_q;
+  logic [2:0] slot_s3_q;
+  logic ends_cell_s3_q;
+  logic lower_half_s3_q;
+  logic [6:0] column_s3_q;
+  logic and_357_s3_q;
+  logic and_359_s3_q;
+  logic [8:0] grey_s3_q;
+  logic equal_362_s3_q;
+  logic [8:0] grey_2_s3_q;
+  logic whole_2_s3_q;
+  logic and_377_s3_q;
+  logic so_s3_q;
+  logic equal_420_s3_q;
+  logic equal_1799_s3_q;
+  logic not_1800_s3_q;
+  logic [13:0] inside_v_s3_q;
+  logic and_1834_s3_q;
+  logic [6:0] select_1838_s3_q;
+  logic and_1843_s3_q;
+  logic right_2_s3_q;
+  logic equal_1922_s3_q;
+  logic textured_s3_q;
+  logic and_2060_s3_q;
+  logic equal_2200_s3_q;
+  logic equal_2321_s3_q;
+  logic and_2556_s3_q;
+  logic less_2561_s3_q;
+  logic and_2627_s3_q;
+  logic and_2629_s3_q;
+  logic less_2736_s3_q;
+  logic equal_2943_s3_q;
   always_ff @(posedge clk_i) begin
-    if (s3_en) begin
-      saturated_s4_q <= saturated_s3_q;
-      marks_first_s4_q <= marks_first_s3_q;
-      marks_last_s4_q <= marks_last_s3_q;
-      sample_pair_whole_s4_q <= sample_pair_whole_s3_q;
-      x_s4_q <= x_s3_q;
-      age_s4_q <= age_s3_q;
-      lower_half_s4_q <= lower_half_s3_q;
-      column_s4_q <= column_s3_q;
-      and_355_s4_q <= and_355_s3_q;
-      and_357_s4_q <= and_357_s3_q;
-      grey_s4_q <= grey;
-      equal_360_s4_q <= equal_360_s3_q;
-      grey_2_s4_q <= grey_2;
-      whole_2_s4_q <= whole_2;
-      and_375_s4_q <= sample_pair_whole_s3_q & select_374;
-      drew_s4_q <= drew_s3_q;
-      or_378_s4_q <= or_378_s3_q;
-      less_383_s4_q <= less_383_s3_q;
-      equal_416_s4_q <= equal_416_s3_q;
-      x_s4_2_q <= x_s3_2_q;
-      best_left_rdata_s4_q <= best_left_rdata_s3_q[21:14];
-      select_829_s4_q <= select_829[0];
-      or_836_s4_q <= or_836;
-      select_837_s4_q <= or_836 ? of_best_2 : best_left_rdata_s3_q[7:0];
-      select_838_s4_q <= or_836 ? run_shift_s3_q : best_left_rdata_s3_q[13:8];
-      equal_843_s4_q <= {less_828, select_829} == near_best;
-      rise_s4_q <= rise[8];
-      sum_855_s4_q <= {less_828, select_829[1]} + 2'h3;
-      twice_s4_q <= twice;
-      difference_867_s4_q <= {1'b0, twice} - (({twice, 1'b0} < size) ? {twice, 1'b0} : size);
-      select_921_s4_q <= or_920 ? of_near_2 : best_left_rdata_s3_q[28:22];
-      select_922_s4_q <= or_920 ? run_shift_s3_q : best_left_rdata_s3_q[34:29];
-      and_923_s4_q <= and_923_s3_q;
-      equal_941_s4_q <= equal_941_s3_q;
-      not_942_s4_q <= not_942;
-      select_965_s4_q <= select_965[5:0];
-      and_967_s4_q <= and_967;
-      select_971_s4_q <= select_971_s3_q;
-      not_972_s4_q <= not_972_s3_q;
-      and_985_s4_q <= or_378_s3_q & (not_384_s3_q & (and_947_s3_q & and_982));
-      and_989_s4_q <= and_989;
-      and_992_s4_q <= and_992;
-      equal_1008_s4_q <= equal_1008_s3_q;
-      and_1142_s4_q <= not_942 & and_1141_s3_q;
-      equal_1282_s4_q <= equal_1282_s3_q;
-      equal_1334_s4_q <= equal_1334_s3_q;
-      less_1611_s4_q <= less_1611_s3_q;
-      less_1613_s4_q <= less_1613_s3_q;
-      sum_1645_s4_q <= sum_1645[10:1];
-      select_1646_s4_q <= select_1646[0];
-      difference_1648_s4_q <= difference_1648;
-      less_1888_s4_q <= less_1888_s3_q;
-      equal_2031_s4_q <= equal_2031_s3_q;
+    if (s2_en) begin
+      saturated_s3_q <= saturated_s2_q;
+      marks_first_s3_q <= marks_first_s2_q;
+      marks_last_s3_q <= marks_last_s2_q;
+      sample_pair_whole_s3_q <= sample_pair_whole_s2_q;
+      x_s3_q <= x_s2_q;
+      age_s3_q <= age_s2_q[1];
+      slot_s3_q <= slot_s2_q;
+      ends_cell_s3_q <= ends_cell_s2_q;
+      lower_half_s3_q <= lower_half_s2_q;
+      column_s3_q <= column_s2_q;
+      and_357_s3_q <= and_357_s2_q;
+      and_359_s3_q <= and_359_s2_q;
+      grey_s3_q <= grey;
+      equal_362_s3_q <= equal_362_s2_q;
+      grey_2_s3_q <= grey_2;
+      whole_2_s3_q <= whole_2;
+      and_377_s3_q <= sample_pair_whole_s2_q & select_376;
+      so_s3_q <= so_s2_q;
+      equal_420_s3_q <= equal_420_s2_q;
+      equal_1799_s3_q <= equal_1799_s2_q;
+      not_1800_s3_q <= not_1800;
+      inside_v_s3_q <= {inside_v[14:3], inside_v[1:0]};
+      and_1834_s3_q <= and_1834;
+      select_1838_s3_q <= select_1838_s2_q;
+      and_1843_s3_q <= not_1800 & (so_s2_q ? and_1832 : (equal_379_s2_q & inside_v[4]));
+      right_2_s3_q <= right_2;
+      equal_1922_s3_q <= equal_1922_s2_q;
+      textured_s3_q <= textured;
+      and_2060_s3_q <= not_1800 & and_2059_s2_q;
+      equal_2200_s3_q <= equal_2200_s2_q;
+      equal_2321_s3_q <= equal_2321_s2_q;
+      and_2556_s3_q <= inside_v[4] & less_2555_s2_q;
+      less_2561_s3_q <= select_2506 < select_2508;
+      and_2627_s3_q <= and_2627_s2_q;
+      and_2629_s3_q <= and_2629_s2_q;
+      less_2736_s3_q <= less_2736_s2_q;
+      equal_2943_s3_q <= equal_2943_s2_q;
     end
   end
 
-  // Stage 4 -----------------------------------------------------------------------------------------------------------
+  // Stage 3 -----------------------------------------------------------------------------------------------------------
   logic [10:0] averager_total_0_q;
   logic [10:0] averager_total_1_q;
   logic [8:0] census_columns_values_0_cell_0_left_q;
@@ -2307,33 +2454,21 @@ module horopter_agreement (
   logic [8:0] sharpness_last_mean_0_q;
   logic [8:0] sharpness_last_mean_1_q;
   logic [4:0] rows_passed_above_q;
-  logic [23:0] counts_too_much_hidden_q;
-  logic [11:0] registration_counts_measured_0_q;
-  logic [11:0] registration_counts_measured_1_q;
-  logic [11:0] registration_counts_measured_2_q;
-  logic [11:0] registration_counts_measured_3_q;
-  logic [14:0] registration_counts_votes_0_down_q;
-  logic [14:0] registration_counts_votes_0_up_q;
-  logic [14:0] registration_counts_votes_1_down_q;
-  logic [14:0] registration_counts_votes_1_up_q;
-  logic [14:0] registration_counts_votes_2_down_q;
-  logic [14:0] registration_counts_votes_2_up_q;
-  logic [14:0] registration_counts_votes_3_down_q;
-  logic [14:0] registration_counts_votes_3_up_q;
-  logic [14:0] registration_counts_votes_4_down_q;
-  logic [14:0] registration_counts_votes_4_up_q;
-  logic [14:0] registration_counts_half_votes_0_down_q;
-  logic [14:0] registration_counts_half_votes_0_up_q;
-  logic [14:0] registration_counts_half_votes_1_down_q;
-  logic [14:0] registration_counts_half_votes_1_up_q;
-  logic [14:0] registration_counts_half_votes_2_down_q;
-  logic [14:0] registration_counts_half_votes_2_up_q;
-  logic [14:0] registration_counts_half_votes_3_down_q;
-  logic [14:0] registration_counts_half_votes_3_up_q;
+  logic [7:0] registration_slope_here_q;
+  logic registration_of_right_q;
+  logic registration_was_inside_q;
+  logic [3:0] registration_fresh_q;
+  logic [23:0] registration_slope_row_q;
+  logic [27:0] registration_slope_change_q;
+  logic [27:0] registration_slope_q;
+  logic shown_shown_q;
+  logic shown_nearer_q;
   logic [2:0] region_row_q;
+  logic [2:0] next_region_row_q;
   logic [7:0] region_columns_q;
   logic [8:0] region_across_rest_q;
   logic [7:0] region_across_back_q;
+  logic [8:0] region_across_next_q;
   logic [8:0] columns_begin_rest_q;
   logic [7:0] columns_begin_back_q;
   logic [8:0] region_down_rest_q;
@@ -2341,33 +2476,29 @@ module horopter_agreement (
   logic [8:0] region_down_next_q;
   logic region_fresh_q;
   logic segment_starts_q;
-  logic [7:0] hidden_for_q;
-  logic [7:0] next_hidden_for_q;
-  logic [2:0] next_region_row_q;
-  logic begins_product_q;
-  logic [4:0] box_textured_columns_values_0_q;
-  logic [4:0] box_textured_columns_values_1_q;
-  logic [4:0] box_textured_columns_values_2_q;
-  logic [4:0] box_textured_columns_values_3_q;
-  logic [4:0] box_textured_columns_values_4_q;
+  logic [2:0] box_textured_columns_values_0_q;
+  logic [2:0] box_textured_columns_values_1_q;
+  logic [2:0] box_textured_columns_values_2_q;
+  logic [2:0] box_textured_columns_values_3_q;
+  logic [2:0] box_textured_columns_values_4_q;
   logic [4:0] box_textured_sum_sums_values_0_q;
-  logic [4:0] box_explained_columns_values_0_q;
-  logic [4:0] box_explained_columns_values_1_q;
-  logic [4:0] box_explained_columns_values_2_q;
-  logic [4:0] box_explained_columns_values_3_q;
-  logic [4:0] box_explained_columns_values_4_q;
+  logic [2:0] box_explained_columns_values_0_q;
+  logic [2:0] box_explained_columns_values_1_q;
+  logic [2:0] box_explained_columns_values_2_q;
+  logic [2:0] box_explained_columns_values_3_q;
+  logic [2:0] box_explained_columns_values_4_q;
   logic [4:0] box_explained_sum_sums_values_0_q;
-  logic [4:0] box_shown_columns_values_0_q;
-  logic [4:0] box_shown_columns_values_1_q;
-  logic [4:0] box_shown_columns_values_2_q;
-  logic [4:0] box_shown_columns_values_3_q;
-  logic [4:0] box_shown_columns_values_4_q;
+  logic [2:0] box_shown_columns_values_0_q;
+  logic [2:0] box_shown_columns_values_1_q;
+  logic [2:0] box_shown_columns_values_2_q;
+  logic [2:0] box_shown_columns_values_3_q;
+  logic [2:0] box_shown_columns_values_4_q;
   logic [4:0] box_shown_sum_sums_values_0_q;
-  logic [4:0] box_nearer_columns_values_0_q;
-  logic [4:0] box_nearer_columns_values_1_q;
-  logic [4:0] box_nearer_columns_values_2_q;
-  logic [4:0] box_nearer_columns_values_3_q;
-  logic [4:0] box_nearer_columns_values_4_q;
+  logic [2:0] box_nearer_columns_values_0_q;
+  logic [2:0] box_nearer_columns_values_1_q;
+  logic [2:0] box_nearer_columns_values_2_q;
+  logic [2:0] box_nearer_columns_values_3_q;
+  logic [2:0] box_nearer_columns_values_4_q;
   logic [4:0] box_nearer_sum_sums_values_0_q;
   logic centres_values_0_textured_q;
   logic centres_values_0_of_skin_q;
@@ -2379,6 +2510,7 @@ module horopter_agreement (
   logic read_half_q;
   logic done_q;
   logic proven_q;
+  logic drew_q;
   logic said_q;
   logic [17:0] rows_passed_q;
   logic [8:0] columns_passed_q;
@@ -2393,88 +2525,88 @@ module horopter_agreement (
   logic [12:0] seen_base_q;
   // hls/stages/census.hpp:127
   logic [10:0] total;
-  assign total = {2'h0, grey_s4_q} + (equal_360_s4_q ? 11'h0 : averager_total_0_q);
-  // hls/stages/agreement.hpp:204
-  logic [8:0] select_363;
-  assign select_363 = sample_pair_whole_s4_q ? total[10:2] : 9'h0;
+  assign total = {2'h0, grey_s3_q} + (equal_362_s3_q ? 11'h0 : averager_total_0_q);
+  // hls/stages/agreement.hpp:215
+  logic [8:0] select_365;
+  assign select_365 = sample_pair_whole_s3_q ? total[10:2] : 9'h0;
   // hls/stages/census.hpp:127
   logic [10:0] total_2;
-  assign total_2 = {2'h0, grey_2_s4_q} + (equal_360_s4_q ? 11'h0 : averager_total_1_q);
-  // hls/stages/agreement.hpp:204
-  logic [8:0] select_367;
-  assign select_367 = sample_pair_whole_s4_q ? total_2[10:2] : 9'h0;
+  assign total_2 = {2'h0, grey_2_s3_q} + (equal_362_s3_q ? 11'h0 : averager_total_1_q);
+  // hls/stages/agreement.hpp:215
+  logic [8:0] select_369;
+  assign select_369 = sample_pair_whole_s3_q ? total_2[10:2] : 9'h0;
   // hls/stages/census.hpp:214
-  logic less_389;
-  assign less_389 = census_memory_rdata_q[8:0] < census_columns_values_1_cell_2_left_q;
-  logic less_390;
-  assign less_390 = census_memory_rdata_q[48:40] < census_columns_values_1_cell_2_left_q;
-  logic less_391;
-  assign less_391 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_392;
-  assign less_392 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
   logic less_393;
-  assign less_393 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_393 = census_memory_rdata_q[8:0] < census_columns_values_1_cell_2_left_q;
   logic less_394;
-  assign less_394 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_394 = census_memory_rdata_q[48:40] < census_columns_values_1_cell_2_left_q;
   logic less_395;
-  assign less_395 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_395 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
   logic less_396;
-  assign less_396 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_396 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
   logic less_397;
-  assign less_397 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_397 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
   logic less_398;
-  assign less_398 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_398 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
   logic less_399;
-  assign less_399 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_399 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
   logic less_400;
-  assign less_400 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
-  // hls/stages/census.hpp:215
+  assign less_400 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
   logic less_401;
-  assign less_401 = census_memory_rdata_q[17:9] < census_columns_values_1_cell_2_right_q;
+  assign less_401 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
   logic less_402;
-  assign less_402 = census_memory_rdata_q[57:49] < census_columns_values_1_cell_2_right_q;
+  assign less_402 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
   logic less_403;
-  assign less_403 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_403 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
   logic less_404;
-  assign less_404 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_404 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  // hls/stages/census.hpp:215
   logic less_405;
-  assign less_405 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_405 = census_memory_rdata_q[17:9] < census_columns_values_1_cell_2_right_q;
   logic less_406;
-  assign less_406 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_406 = census_memory_rdata_q[57:49] < census_columns_values_1_cell_2_right_q;
   logic less_407;
-  assign less_407 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_407 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
   logic less_408;
-  assign less_408 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_408 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
   logic less_409;
-  assign less_409 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_409 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
   logic less_410;
-  assign less_410 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_410 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
   logic less_411;
-  assign less_411 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_411 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
   logic less_412;
-  assign less_412 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
-  // hls/stages/agreement.hpp:285
-  logic equal_413;
-  assign equal_413 = column_s4_q == 7'h0;
-  logic [3:0] select_417;
-  assign select_417 = equal_416_s4_q ? 4'h0 : rows_passed_above_q[3:0];
-  // hls/stages/agreement.hpp:286
-  logic [4:0] select_418;
-  assign select_418 = equal_413 ? {select_417, 1'b1} : rows_passed_above_q;
+  assign less_412 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_413;
+  assign less_413 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_414;
+  assign less_414 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_415;
+  assign less_415 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_416;
+  assign less_416 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  // hls/stages/agreement.hpp:309
+  logic equal_417;
+  assign equal_417 = column_s3_q == 7'h0;
+  logic [3:0] select_421;
+  assign select_421 = equal_420_s3_q ? 4'h0 : rows_passed_above_q[3:0];
+  // hls/stages/agreement.hpp:310
+  logic [4:0] select_422;
+  assign select_422 = equal_417 ? {select_421, 1'b1} : rows_passed_above_q;
   // hls/stages/census.hpp:196
-  logic [3:0] select_419;
-  assign select_419 = equal_413 ? 4'h0 : census_filled_q;
+  logic [3:0] select_423;
+  assign select_423 = equal_417 ? 4'h0 : census_filled_q;
   // hls/stages/census.hpp:219
-  logic and_420;
-  assign and_420 = select_418[4] & select_419[3];
-  // hls/stages/census.hpp:206
-  logic and_422;
-  assign and_422 = census_memory_rdata_q[38] & (census_memory_rdata_q[18] & whole_2_s4_q);
   logic and_424;
-  assign and_424 = census_memory_rdata_q[77] & (census_memory_rdata_q[58] & and_422);
-  // hls/stages/agreement.hpp:286
+  assign and_424 = select_422[4] & select_423[3];
+  // hls/stages/census.hpp:206
+  logic and_426;
+  assign and_426 = census_memory_rdata_q[38] & (census_memory_rdata_q[18] & whole_2_s3_q);
+  logic and_428;
+  assign and_428 = census_memory_rdata_q[77] & (census_memory_rdata_q[58] & and_426);
+  // hls/stages/agreement.hpp:310
   logic whole_3;
-  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_424;
+  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_428;
   logic whole_4;
   assign whole_4 = census_columns_values_0_cell_1_mask_q & whole_3;
   logic whole_5;
@@ -2514,1006 +2646,822 @@ module horopter_agreement (
   logic whole_22;
   assign whole_22 = census_columns_values_3_cell_4_mask_q & whole_21;
   // hls/stages/census.hpp:190
-  logic [9:0] difference_447;
-  assign difference_447 = {1'b0, select_363} - {1'b0, census_columns_values_0_cell_0_left_q};
-  logic [8:0] xor_448;
-  assign xor_448 = difference_447[8:0] ^ {9{difference_447[9]}};
-  logic [9:0] sum_449;
-  assign sum_449 = {9'h0, difference_447[9]} + {1'b0, xor_448};
-  logic [9:0] difference_450;
-  assign difference_450 = {1'b0, census_memory_rdata_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
-  logic [8:0] xor_451;
-  assign xor_451 = difference_450[8:0] ^ {9{difference_450[9]}};
-  logic [9:0] sum_452;
-  assign sum_452 = {9'h0, difference_450[9]} + {1'b0, xor_451};
+  logic [9:0] difference_451;
+  assign difference_451 = {1'b0, select_365} - {1'b0, census_columns_values_0_cell_0_left_q};
+  logic [8:0] xor_452;
+  assign xor_452 = difference_451[8:0] ^ {9{difference_451[9]}};
+  logic [9:0] sum_453;
+  assign sum_453 = {9'h0, difference_451[9]} + {1'b0, xor_452};
   logic [9:0] difference_454;
-  assign difference_454 = {1'b0, census_memory_rdata_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
+  assign difference_454 = {1'b0, census_memory_rdata_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
   logic [8:0] xor_455;
   assign xor_455 = difference_454[8:0] ^ {9{difference_454[9]}};
   logic [9:0] sum_456;
   assign sum_456 = {9'h0, difference_454[9]} + {1'b0, xor_455};
-  logic [10:0] sum_457;
-  assign sum_457 = ({1'b0, sum_449} + {1'b0, sum_452}) + {1'b0, sum_456};
   logic [9:0] difference_458;
-  assign difference_458 = {1'b0, census_memory_rdata_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
+  assign difference_458 = {1'b0, census_memory_rdata_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
   logic [8:0] xor_459;
   assign xor_459 = difference_458[8:0] ^ {9{difference_458[9]}};
   logic [9:0] sum_460;
   assign sum_460 = {9'h0, difference_458[9]} + {1'b0, xor_459};
+  logic [10:0] sum_461;
+  assign sum_461 = ({1'b0, sum_453} + {1'b0, sum_456}) + {1'b0, sum_460};
   logic [9:0] difference_462;
-  assign difference_462 = {1'b0, census_memory_rdata_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
+  assign difference_462 = {1'b0, census_memory_rdata_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
   logic [8:0] xor_463;
   assign xor_463 = difference_462[8:0] ^ {9{difference_462[9]}};
   logic [9:0] sum_464;
   assign sum_464 = {9'h0, difference_462[9]} + {1'b0, xor_463};
+  logic [9:0] difference_466;
+  assign difference_466 = {1'b0, census_memory_rdata_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
+  logic [8:0] xor_467;
+  assign xor_467 = difference_466[8:0] ^ {9{difference_466[9]}};
+  logic [9:0] sum_468;
+  assign sum_468 = {9'h0, difference_466[9]} + {1'b0, xor_467};
   logic [11:0] texture;
-  assign texture = ({1'b0, sum_457} + {2'h0, sum_460}) + {2'h0, sum_464};
-  // hls/stages/registration.hpp:28
-  logic not_868;
-  assign not_868 = ~difference_867_s4_q[8];
-  logic [7:0] xor_869;
-  assign xor_869 = twice_s4_q ^ {8{not_868}};
-  logic [9:0] sum_870;
-  assign sum_870 = {difference_867_s4_q[7:0], 1'b0, not_868} + {not_868, xor_869, not_868};
-  logic not_871;
-  assign not_871 = ~sum_870[9];
-  logic [7:0] xor_872;
-  assign xor_872 = twice_s4_q ^ {8{not_871}};
-  logic [9:0] sum_873;
-  assign sum_873 = {sum_870[8:0], not_871} + {not_871, xor_872, not_871};
-  logic not_874;
-  assign not_874 = ~sum_873[9];
-  logic [7:0] xor_875;
-  assign xor_875 = twice_s4_q ^ {8{not_874}};
-  logic [9:0] sum_876;
-  assign sum_876 = {sum_873[8:0], not_874} + {not_874, xor_875, not_874};
-  logic not_877;
-  assign not_877 = ~sum_876[9];
-  logic [7:0] xor_878;
-  assign xor_878 = twice_s4_q ^ {8{not_877}};
-  logic [9:0] sum_879;
-  assign sum_879 = {sum_876[8:0], not_877} + {not_877, xor_878, not_877};
-  // hls/stages/registration.hpp:31
-  logic [7:0] difference_880;
-  assign difference_880 = {sum_855_s4_q, select_829_s4_q, 5'h0} - {3'h0, difference_867_s4_q[8], sum_870[9], sum_873[9], sum_876[9], sum_879[9]};
-  // hls/stages/agreement.hpp:496
-  logic [7:0] select_881;
-  assign select_881 = rise_s4_q ? difference_880 : {sum_855_s4_q, select_829_s4_q, difference_867_s4_q[8], sum_870[9], sum_873[9], sum_876[9], sum_879[9]};
-  logic [7:0] select_882;
-  assign select_882 = equal_843_s4_q ? select_881 : {sum_855_s4_q, select_829_s4_q, 5'h0};
-  // hls/stages/agreement.hpp:498
-  logic [7:0] select_883;
-  assign select_883 = or_836_s4_q ? select_882 : best_left_rdata_s4_q;
-  // hls/stages/agreement.hpp:343
-  logic and_986;
-  assign and_986 = not_972_s4_q & and_985_s4_q;
-  // hls/stages/agreement.hpp:147
-  logic [7:0] select_993;
-  assign select_993 = drew_s4_q ? region_columns_q : 8'h1;
-  // hls/stages/agreement.hpp:672
-  logic or_996;
-  assign or_996 = select_993[7] | (~({select_993[5], select_993[3], select_993[1]} == 3'h0));
-  // hls/stages/agreement.hpp:671
-  logic or_999;
-  assign or_999 = select_993[7] | (~({select_993[6], select_993[3:2]} == 3'h0));
-  // hls/stages/agreement.hpp:670
-  logic or_1002;
-  assign or_1002 = select_993[7] | (~(select_993[6:4] == 3'h0));
-  // hls/stages/agreement.hpp:343
-  logic [5:0] select_1003;
-  assign select_1003 = equal_941_s4_q ? x_s4_q[5:0] : {region_row_q, or_1002, or_999, or_996};
-  // hls/stages/agreement.hpp:753
-  logic equal_1004;
-  assign equal_1004 = x_s4_q[5:4] == 2'h3;
-  logic not_1005;
-  assign not_1005 = ~equal_1004;
-  // hls/stages/division.hpp:18
-  logic [5:0] sum_1006;
-  assign sum_1006 = region_across_rest_q[8:3] + 6'h1;
-  // hls/stages/agreement.hpp:680
-  logic or_1009;
-  assign or_1009 = (~sum_1006[5]) | equal_1008_s4_q;
-  // hls/stages/agreement.hpp:343
-  logic and_1011;
-  assign and_1011 = drew_s4_q & (select_965_s4_q[0] & or_1009);
-  // hls/stages/agreement.hpp:186
-  logic textured;
-  assign textured = select_965_s4_q[0] & select_965_s4_q[2];
-  logic explained;
-  assign explained = select_965_s4_q[0] & select_965_s4_q[4];
-  logic and_1025;
-  assign and_1025 = select_965_s4_q[0] & ({select_965_s4_q[5], select_965_s4_q[3]} == 2'h3);
-  logic and_1032;
-  assign and_1032 = select_965_s4_q[0] & select_965_s4_q[3];
-  logic shown;
-  assign shown = select_965_s4_q[0] & (shown_right_rdata_q[0] | and_989_s4_q);
-  logic near;
-  assign near = select_965_s4_q[0] & (and_989_s4_q ? and_985_s4_q : shown_right_rdata_q[1]);
-  // hls/stages/agreement.hpp:846
-  logic or_1037;
-  assign or_1037 = marks_first_s4_q | line_ended_q;
-  // hls/stages/agreement.hpp:848
-  logic [17:0] select_1039;
-  assign select_1039 = marks_first_s4_q ? 18'h1 : (or_1037 ? {rows_passed_q[16:0], 1'b1} : rows_passed_q);
-  // hls/stages/agreement.hpp:847
-  logic [8:0] select_1041;
-  assign select_1041 = or_1037 ? 9'h0 : columns_passed_q;
-  // hls/stages/agreement.hpp:855
-  logic select_1043;
-  assign select_1043 = cfg_compete_i ? (or_1037 & select_1039[17]) : (select_1041[8] & select_1039[9]);
-  // hls/stages/agreement.hpp:206
-  logic next_row;
-  assign next_row = select_1043 & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:862
-  logic [6:0] select_1046;
-  assign select_1046 = next_row ? cfg_width_i[9:3] : 7'h0;
-  logic [12:0] select_1048;
-  assign select_1048 = marks_first_s4_q ? 13'h0 : (seen_base_q + {6'h0, select_1046});
-  // hls/stages/agreement.hpp:872
-  logic equal_1049;
-  assign equal_1049 = seen_x_q == 3'h7;
-  logic [7:0] select_1051;
-  assign select_1051 = select_1043 ? 8'h0 : (seen_column_q + {7'h0, equal_1049});
-  // hls/stages/agreement.hpp:875
-  logic [12:0] index;
-  assign index = select_1048 + {5'h0, select_1051};
-  // hls/stages/agreement.hpp:846
-  logic select_1054;
-  assign select_1054 = marks_first_s4_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
-  // hls/stages/agreement.hpp:832
-  logic [7:0] sum_1055;
-  assign sum_1055 = {1'b0, select_1054, 2'h0, select_1054, 1'b0, {2{select_1054}}} + {1'b0, index[12:6]};
-  // hls/stages/agreement.hpp:845
-  logic not_1056;
-  assign not_1056 = ~marks_first_s4_q;
-  // hls/stages/agreement.hpp:206
-  logic and_1058;
-  assign and_1058 = not_1056 & (began_q | select_1043);
-  // hls/stages/agreement.hpp:873
-  logic [2:0] select_1060;
-  assign select_1060 = select_1043 ? 3'h0 : (seen_x_q + 3'h1);
-  // hls/stages/agreement.hpp:874
-  logic and_1062;
-  assign and_1062 = and_1058 & (select_1060 == 3'h0);
-  logic less_1063;
-  assign less_1063 = select_1051 < {1'b0, cfg_width_i[9:3]};
-  // hls/stages/agreement.hpp:736
-  logic [7:0] sum_1066;
-  assign sum_1066 = {2'h0, x_s4_q[7:2]} + 8'hff;
-  logic [12:0] index_2;
-  assign index_2 = {{3{sum_1066[7]}}, sum_1066, x_s4_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:832
-  logic [7:0] sum_1068;
-  assign sum_1068 = {1'b0, write_half_q, 2'h0, write_half_q, 1'b0, {2{write_half_q}}} + {1'b0, index_2[12:6]};
-  // hls/stages/agreement.hpp:650
-  logic and_1069;
-  assign and_1069 = seen_columns_rdata_q[14] & select_965_s4_q[0];
-  logic and_1070;
-  assign and_1070 = seen_columns_rdata_q[10] & select_965_s4_q[0];
-  logic and_1071;
-  assign and_1071 = seen_columns_rdata_q[5] & select_965_s4_q[0];
-  logic and_1072;
-  assign and_1072 = seen_columns_rdata_q[0] & select_965_s4_q[0];
-  // hls/stages/agreement.hpp:709
-  logic [1:0] sum_1074;
-  assign sum_1074 = {1'b0, and_1071} + ({1'b0, textured} + {1'b0, and_1072});
-  logic [2:0] textured_2;
-  assign textured_2 = {2'h0, and_1069} + ({2'h0, and_1070} + {1'b0, sum_1074});
-  // hls/stages/agreement.hpp:716
-  logic [4:0] difference_1078;
-  assign difference_1078 = {2'h0, textured_2} - (age_s4_q ? box_textured_columns_values_4_q : 5'h0);
-  // hls/stages/agreement.hpp:714
-  logic equal_1079;
-  assign equal_1079 = x_s4_q == 8'h0;
-  // hls/stages/agreement.hpp:716
-  logic [4:0] t;
-  assign t = difference_1078 + (equal_1079 ? 5'h0 : box_textured_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:650
-  logic [7:0] select_1084;
-  assign select_1084 = select_965_s4_q[0] ? (sum_1006[5] ? select_993 : {select_993[6:0], 1'b0}) : select_993;
-  // hls/stages/agreement.hpp:672
-  logic or_1087;
-  assign or_1087 = select_1084[7] | (~({select_1084[5], select_1084[3], select_1084[1]} == 3'h0));
-  // hls/stages/agreement.hpp:650
-  logic and_1103;
-  assign and_1103 = seen_columns_rdata_q[16] & select_965_s4_q[0];
-  logic and_1104;
-  assign and_1104 = seen_columns_rdata_q[12] & select_965_s4_q[0];
-  logic and_1105;
-  assign and_1105 = seen_columns_rdata_q[8] & select_965_s4_q[0];
-  logic and_1106;
-  assign and_1106 = seen_columns_rdata_q[3] & select_965_s4_q[0];
-  // hls/stages/agreement.hpp:711
-  logic [1:0] sum_1108;
-  assign sum_1108 = {1'b0, and_1105} + ({1'b0, shown} + {1'b0, and_1106});
-  logic [2:0] shown_2;
-  assign shown_2 = {2'h0, and_1103} + ({2'h0, and_1104} + {1'b0, sum_1108});
-  // hls/stages/agreement.hpp:718
-  logic [4:0] difference_1112;
-  assign difference_1112 = {2'h0, shown_2} - (age_s4_q ? box_shown_columns_values_4_q : 5'h0);
-  logic [4:0] around;
-  assign around = difference_1112 + (equal_1079 ? 5'h0 : box_shown_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:725
-  logic [5:0] sum_1115;
-  assign sum_1115 = {1'b0, around} + {2'h0, around[4:1]};
-  // hls/stages/agreement.hpp:650
-  logic and_1119;
-  assign and_1119 = seen_columns_rdata_q[17] & select_965_s4_q[0];
-  logic and_1120;
-  assign and_1120 = seen_columns_rdata_q[13] & select_965_s4_q[0];
-  logic and_1121;
-  assign and_1121 = seen_columns_rdata_q[9] & select_965_s4_q[0];
-  logic and_1122;
-  assign and_1122 = seen_columns_rdata_q[4] & select_965_s4_q[0];
-  // hls/stages/agreement.hpp:712
-  logic [1:0] sum_1124;
-  assign sum_1124 = {1'b0, and_1121} + ({1'b0, near} + {1'b0, and_1122});
-  logic [2:0] near_2;
-  assign near_2 = {2'h0, and_1119} + ({2'h0, and_1120} + {1'b0, sum_1124});
-  // hls/stages/agreement.hpp:719
-  logic [4:0] difference_1128;
-  assign difference_1128 = {2'h0, near_2} - (age_s4_q ? box_nearer_columns_values_4_q : 5'h0);
-  logic [4:0] n;
-  assign n = difference_1128 + (equal_1079 ? 5'h0 : box_nearer_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:204
-  logic [10:0] select_1174;
-  assign select_1174 = sample_pair_whole_s4_q ? (and_355_s4_q ? total : averager_total_0_q) : averager_total_0_q;
-  logic [10:0] select_1176;
-  assign select_1176 = sample_pair_whole_s4_q ? (and_355_s4_q ? total_2 : averager_total_1_q) : averager_total_1_q;
-  // hls/stages/agreement.hpp:205
-  logic [8:0] select_1200;
-  assign select_1200 = and_357_s4_q ? select_363 : census_columns_values_0_cell_0_left_q;
-  logic [8:0] select_1201;
-  assign select_1201 = and_357_s4_q ? select_367 : census_columns_values_0_cell_0_right_q;
-  logic select_1202;
-  assign select_1202 = and_357_s4_q ? whole_2_s4_q : census_columns_values_0_cell_0_mask_q;
-  logic [8:0] select_1203;
-  assign select_1203 = and_357_s4_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
-  logic [8:0] select_1204;
-  assign select_1204 = and_357_s4_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
-  logic select_1205;
-  assign select_1205 = and_357_s4_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
-  logic [8:0] select_1206;
-  assign select_1206 = and_357_s4_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
-  logic [8:0] select_1207;
-  assign select_1207 = and_357_s4_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
-  logic select_1208;
-  assign select_1208 = and_357_s4_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
-  logic select_1209;
-  assign select_1209 = and_357_s4_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
-  logic [8:0] select_1210;
-  assign select_1210 = and_357_s4_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
-  logic [8:0] select_1211;
-  assign select_1211 = and_357_s4_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
-  logic select_1212;
-  assign select_1212 = and_357_s4_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
-  logic [8:0] select_1213;
-  assign select_1213 = and_357_s4_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
-  logic [8:0] select_1214;
-  assign select_1214 = and_357_s4_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
-  logic select_1215;
-  assign select_1215 = and_357_s4_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
-  logic [8:0] select_1216;
-  assign select_1216 = and_357_s4_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
-  logic [8:0] select_1217;
-  assign select_1217 = and_357_s4_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
-  logic select_1218;
-  assign select_1218 = and_357_s4_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
-  logic [8:0] select_1219;
-  assign select_1219 = and_357_s4_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
-  logic [8:0] select_1220;
-  assign select_1220 = and_357_s4_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
-  logic select_1221;
-  assign select_1221 = and_357_s4_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
-  logic [8:0] select_1222;
-  assign select_1222 = and_357_s4_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
-  logic [8:0] select_1223;
-  assign select_1223 = and_357_s4_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
-  logic select_1224;
-  assign select_1224 = and_357_s4_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
-  logic select_1225;
-  assign select_1225 = and_357_s4_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
-  logic [8:0] select_1226;
-  assign select_1226 = and_357_s4_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
-  logic [8:0] select_1227;
-  assign select_1227 = and_357_s4_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
-  logic select_1228;
-  assign select_1228 = and_357_s4_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
-  logic [8:0] select_1229;
-  assign select_1229 = and_357_s4_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
-  logic [8:0] select_1230;
-  assign select_1230 = and_357_s4_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
-  logic select_1231;
-  assign select_1231 = and_357_s4_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
-  logic [8:0] select_1232;
-  assign select_1232 = and_357_s4_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
-  logic [8:0] select_1233;
-  assign select_1233 = and_357_s4_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
-  logic select_1234;
-  assign select_1234 = and_357_s4_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
-  logic [8:0] select_1235;
-  assign select_1235 = and_357_s4_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
-  logic [8:0] select_1236;
-  assign select_1236 = and_357_s4_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
-  logic select_1237;
-  assign select_1237 = and_357_s4_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
-  logic [8:0] select_1238;
-  assign select_1238 = and_357_s4_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
-  logic [8:0] select_1239;
-  assign select_1239 = and_357_s4_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
-  logic select_1240;
-  assign select_1240 = and_357_s4_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
-  logic [8:0] select_1241;
-  assign select_1241 = and_357_s4_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
-  logic [8:0] select_1242;
-  assign select_1242 = and_357_s4_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
-  logic select_1243;
-  assign select_1243 = and_357_s4_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
-  logic [8:0] select_1244;
-  assign select_1244 = and_357_s4_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
-  logic [8:0] select_1245;
-  assign select_1245 = and_357_s4_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
-  logic select_1246;
-  assign select_1246 = and_357_s4_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
-  logic select_1247;
-  assign select_1247 = and_357_s4_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
-  logic [8:0] select_1248;
-  assign select_1248 = and_357_s4_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
-  logic [8:0] select_1249;
-  assign select_1249 = and_357_s4_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
-  logic select_1250;
-  assign select_1250 = and_357_s4_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
-  logic select_1251;
-  assign select_1251 = and_357_s4_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
-  logic [8:0] select_1252;
-  assign select_1252 = and_357_s4_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
-  logic [8:0] select_1253;
-  assign select_1253 = and_357_s4_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
-  logic select_1254;
-  assign select_1254 = and_357_s4_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
-  logic select_1255;
-  assign select_1255 = and_357_s4_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
-  // hls/stages/census.hpp:192
-  logic [9:0] difference_1257;
-  assign difference_1257 = {1'b0, select_367} - {1'b0, census_columns_values_0_cell_0_right_q};
-  logic [8:0] xor_1258;
-  assign xor_1258 = difference_1257[8:0] ^ {9{difference_1257[9]}};
-  logic [9:0] sum_1259;
-  assign sum_1259 = {9'h0, difference_1257[9]} + {1'b0, xor_1258};
-  logic [9:0] difference_1260;
-  assign difference_1260 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
-  logic [8:0] xor_1261;
-  assign xor_1261 = difference_1260[8:0] ^ {9{difference_1260[9]}};
-  logic [9:0] sum_1262;
-  assign sum_1262 = {9'h0, difference_1260[9]} + {1'b0, xor_1261};
-  logic [9:0] difference_1264;
-  assign difference_1264 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
-  logic [8:0] xor_1265;
-  assign xor_1265 = difference_1264[8:0] ^ {9{difference_1264[9]}};
-  logic [9:0] sum_1266;
-  assign sum_1266 = {9'h0, difference_1264[9]} + {1'b0, xor_1265};
-  logic [10:0] sum_1267;
-  assign sum_1267 = ({1'b0, sum_1259} + {1'b0, sum_1262}) + {1'b0, sum_1266};
-  logic [9:0] difference_1268;
-  assign difference_1268 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
-  logic [8:0] xor_1269;
-  assign xor_1269 = difference_1268[8:0] ^ {9{difference_1268[9]}};
-  logic [9:0] sum_1270;
-  assign sum_1270 = {9'h0, difference_1268[9]} + {1'b0, xor_1269};
-  logic [9:0] difference_1272;
-  assign difference_1272 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
-  logic [8:0] xor_1273;
-  assign xor_1273 = difference_1272[8:0] ^ {9{difference_1272[9]}};
-  logic [9:0] sum_1274;
-  assign sum_1274 = {9'h0, difference_1272[9]} + {1'b0, xor_1273};
-  // hls/stages/census.hpp:273
-  logic [9:0] difference_1302;
-  assign difference_1302 = {1'b0, select_363} - {1'b0, sharpness_last_mean_0_q};
-  logic [8:0] contrast;
-  assign contrast = {8'h0, difference_1302[9]} + (difference_1302[8:0] ^ {9{difference_1302[9]}});
-  logic [9:0] difference_1313;
-  assign difference_1313 = {1'b0, select_367} - {1'b0, sharpness_last_mean_1_q};
-  logic [8:0] contrast_2;
-  assign contrast_2 = {8'h0, difference_1313[9]} + (difference_1313[8:0] ^ {9{difference_1313[9]}});
-  // hls/stages/agreement.hpp:205
-  logic and_1513;
-  assign and_1513 = and_357_s4_q & (equal_416_s4_q & equal_1334_s4_q);
-  // hls/stages/agreement.hpp:343
-  logic and_1516;
-  assign and_1516 = not_942_s4_q & (drew_s4_q & (select_965_s4_q[0] & select_965_s4_q[1]));
-  // hls/stages/agreement.hpp:650
-  logic and_1533;
-  assign and_1533 = seen_columns_rdata_q[15] & select_965_s4_q[0];
-  logic and_1534;
-  assign and_1534 = seen_columns_rdata_q[11] & select_965_s4_q[0];
-  logic and_1535;
-  assign and_1535 = seen_columns_rdata_q[7] & select_965_s4_q[0];
-  logic and_1536;
-  assign and_1536 = seen_columns_rdata_q[2] & select_965_s4_q[0];
-  // hls/stages/agreement.hpp:710
-  logic [1:0] sum_1538;
-  assign sum_1538 = {1'b0, and_1535} + ({1'b0, explained} + {1'b0, and_1536});
-  logic [2:0] explained_2;
-  assign explained_2 = {2'h0, and_1533} + ({2'h0, and_1534} + {1'b0, sum_1538});
-  // hls/stages/agreement.hpp:717
-  logic [4:0] difference_1542;
-  assign difference_1542 = {2'h0, explained_2} - (age_s4_q ? box_explained_columns_values_4_q : 5'h0);
-  logic [4:0] e;
-  assign e = difference_1542 + (equal_1079 ? 5'h0 : box_explained_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:724
-  logic [5:0] sum_1545;
-  assign sum_1545 = {1'b0, e} + {2'h0, e[4:1]};
-  // hls/stages/agreement.hpp:644
-  logic [9:0] select_1605;
-  assign select_1605 = ({select_965_s4_q[3], select_965_s4_q[1]} == 2'h3) ? ({1'b0, select_965_s4_q[5], 8'h0} - {2'h0, cfg_hidden_limit_i}) : 10'h0;
-  // hls/stages/agreement.hpp:343
-  logic [9:0] select_1608;
-  assign select_1608 = equal_941_s4_q ? 10'h0 : (drew_s4_q ? (select_965_s4_q[0] ? select_1605 : 10'h0) : 10'h0);
-  // hls/stages/agreement.hpp:566
-  logic [23:0] select_1610;
-  assign select_1610 = and_1513 ? 24'h0 : (counts_too_much_hidden_q + {{14{select_1608[9]}}, select_1608});
-  // hls/stages/registration.hpp:73
-  logic equal_1614;
-  assign equal_1614 = {lower_half_s4_q, less_1613_s4_q} == 2'h3;
-  logic equal_1615;
-  assign equal_1615 = {lower_half_s4_q, less_1613_s4_q} == 2'h2;
-  logic equal_1616;
-  assign equal_1616 = {lower_half_s4_q, less_1613_s4_q} == 2'h1;
-  // hls/stages/agreement.hpp:181
-  logic [7:0] select_1618;
-  assign select_1618 = or_378_s4_q ? (less_383_s4_q ? 8'h0 : best_left_rdata_s4_q) : 8'h0;
-  // hls/stages/registration.hpp:154
-  logic [9:0] sum_1649;
-  assign sum_1649 = {difference_1648_s4_q, select_1646_s4_q} + {sum_1645_s4_q[9], sum_1645_s4_q[9:1]};
-  // hls/stages/registration.hpp:69
-  logic [11:0] difference_1650;
-  assign difference_1650 = {{4{select_1618[7]}}, select_1618} - {sum_1649[9], sum_1649, sum_1645_s4_q[0]};
-  // hls/stages/registration.hpp:158
-  logic [11:0] select_1652;
-  assign select_1652 = ($signed(difference_1650[11:7]) < $signed(5'h1f)) ? 12'hf80 : difference_1650;
-  logic [11:0] residual;
-  assign residual = ($signed(5'h0) < $signed(select_1652[11:7])) ? 12'h7f : select_1652;
-  // hls/stages/registration.hpp:73
-  logic not_1692;
-  assign not_1692 = ~equal_1614;
-  logic not_1693;
-  assign not_1693 = ~equal_1615;
-  // hls/stages/agreement.hpp:186
-  logic and_1698;
-  assign and_1698 = select_965_s4_q[4] & (less_1611_s4_q & (not_1692 & (not_1693 & (~equal_1616))));
-  // hls/stages/agreement.hpp:343
-  logic and_1701;
-  assign and_1701 = not_942_s4_q & (drew_s4_q & (select_965_s4_q[0] & and_1698));
-  // hls/stages/agreement.hpp:567
-  logic [11:0] select_1703;
-  assign select_1703 = and_1513 ? 12'h0 : (registration_counts_measured_0_q + {11'h0, and_1701});
-  // hls/stages/agreement.hpp:186
-  logic and_1707;
-  assign and_1707 = select_965_s4_q[4] & (less_1611_s4_q & (not_1692 & (equal_1616 & not_1693)));
-  // hls/stages/agreement.hpp:343
-  logic and_1710;
-  assign and_1710 = not_942_s4_q & (drew_s4_q & (select_965_s4_q[0] & and_1707));
-  // hls/stages/agreement.hpp:567
-  logic [11:0] select_1712;
-  assign select_1712 = and_1513 ? 12'h0 : (registration_counts_measured_1_q + {11'h0, and_1710});
-  // hls/stages/agreement.hpp:186
-  logic and_1716;
-  assign and_1716 = select_965_s4_q[0] & (select_965_s4_q[4] & (less_1611_s4_q & (equal_1615 & not_1692)));
-  // hls/stages/agreement.hpp:343
-  logic and_1718;
-  assign and_1718 = not_942_s4_q & (drew_s4_q & and_1716);
-  // hls/stages/agreement.hpp:567
-  logic [11:0] select_1720;
-  assign select_1720 = and_1513 ? 12'h0 : (registration_counts_measured_2_q + {11'h0, and_1718});
-  // hls/stages/agreement.hpp:186
-  logic and_1723;
-  assign and_1723 = select_965_s4_q[0] & (select_965_s4_q[4] & (less_1611_s4_q & equal_1614));
-  // hls/stages/agreement.hpp:343
-  logic and_1725;
-  assign and_1725 = not_942_s4_q & (drew_s4_q & and_1723);
-  // hls/stages/agreement.hpp:567
-  logic [11:0] select_1727;
-  assign select_1727 = and_1513 ? 12'h0 : (registration_counts_measured_3_q + {11'h0, and_1725});
-  // hls/stages/registration.hpp:146
-  logic less_1728;
-  assign less_1728 = $signed(residual[7:0]) < $signed({2'h0, cfg_moved_limit_i});
-  // hls/stages/agreement.hpp:186
-  logic and_1729;
-  assign and_1729 = less_1611_s4_q & less_1728;
-  logic [1:0] select_1731;
-  assign select_1731 = select_965_s4_q[0] ? (select_965_s4_q[4] ? {and_1729, less_1611_s4_q} : 2'h0) : 2'h0;
-  // hls/stages/agreement.hpp:343
-  logic [1:0] select_1733;
-  assign select_1733 = equal_941_s4_q ? 2'h0 : (drew_s4_q ? select_1731 : 2'h0);
-  // hls/stages/registration.hpp:121
-  logic [14:0] sum_1734;
-  assign sum_1734 = registration_counts_votes_0_down_q + {{13{select_1733[1]}}, select_1733};
-  // hls/stages/registration.hpp:146
-  logic [12:0] difference_1736;
-  assign difference_1736 = 13'h0 - {residual[11], residual};
-  logic less_1737;
-  assign less_1737 = $signed(difference_1736) < $signed({7'h0, cfg_moved_limit_i});
-  // hls/stages/agreement.hpp:186
-  logic and_1738;
-  assign and_1738 = less_1611_s4_q & less_1737;
-  logic [1:0] select_1740;
-  assign select_1740 = select_965_s4_q[0] ? (select_965_s4_q[4] ? {and_1738, less_1611_s4_q} : 2'h0) : 2'h0;
-  // hls/stages/agreement.hpp:343
-  logic [1:0] select_1742;
-  assign select_1742 = equal_941_s4_q ? 2'h0 : (drew_s4_q ? select_1740 : 2'h0);
-  // hls/stages/registration.hpp:122
-  logic [14:0] sum_1743;
-  assign sum_1743 = registration_counts_votes_0_up_q + {{13{select_1742[1]}}, select_1742};
-  // hls/stages/registration.hpp:80
-  logic not_1745;
-  assign not_1745 = ~less_1613_s4_q;
-  // hls/stages/registration.hpp:79
-  logic and_1746;
-  assign and_1746 = less_1728 & not_1745;
-  // hls/stages/agreement.hpp:186
-  logic [1:0] select_1748;
-  assign select_1748 = select_965_s4_q[4] ? (less_1611_s4_q ? {and_1746, not_1745} : 2'h0) : 2'h0;
-  // hls/stages/agreement.hpp:343
-  logic [1:0] select_1751;
-  assign select_1751 = equal_941_s4_q ? 2'h0 : (drew_s4_q ? (select_965_s4_q[0] ? select_1748 : 2'h0) : 2'h0);
-  // hls/stages/registration.hpp:121
-  logic [14:0] sum_1752;
-  assign sum_1752 = registration_counts_votes_1_down_q + {{13{select_1751[1]}}, select_1751};
-  // hls/stages/registration.hpp:79
-  logic and_1754;
-  assign and_1754 = less_1737 & not_1745;
-  // hls/stages/agreement.hpp:186
-  logic [1:0] select_1756;
-  assign select_1756 = select_965_s4_q[4] ? (less_1611_s4_q ? {and_1754, not_1745} : 2'h0) : 2'h0;
-  // hls/stages/agreement.hpp:343
-  logic [1:0] select_1759;
-  assign select_1759 = equal_941_s4_q ? 2'h0 : (drew_s4_q ? (select_965_s4_q[0] ? select_1756 : 2'h0) : 2'h0);
-  // hls/stages/registration.hpp:122
-  logic [14:0] sum_1760;
-  assign sum_1760 = registration_counts_votes_1_up_q + {{13{select_1759[1]}}, select_1759};
-  // hls/stages/registration.hpp:79
-  logic and_1762;
-  assign and_1762 = less_1613_s4_q & less_1728;
-  // hls/stages/agreement.hpp:186
-  logic [1:0] select_1764;
-  assign select_1764 = select_965_s4_q[4] ? (less_1611_s4_q ? {and_1762, less_1613_s4_q} : 2'h0) : 2'h0;
-  // hls/stages/agreement.hpp:343
-  logic [1:0] select_1767;
-  assign select_1767 = equal_941_s4_q ? 2'h0 : (drew_s4_q ? (select_965_s4_q[0] ? select_1764 : 2'h0) : 2'h0);
-  // hls/stages/registration.hpp:121
-  logic [14:0] sum_1768;
-  assign sum_1768 = registration_counts_votes_2_down_q + {{13{select_1767[1]}}, select_1767};
-  // hls/stages/registration.hpp:79
-  logic and_1770;
-  assign and_1770 = less_1613_s4_q & less_1737;
-  // hls/stages/agreement.hpp:186
-  logic [1:0] select_1772;
-  assign select_1772 = select_965_s4_q[4] ? (less_1611_s4_q ? {and_1770, less_1613_s4_q} : 2'h0) : 2'h0;
-  // hls/stages/agreement.hpp:343
-  logic [1:0] select_1775;
-  assign select_1775 = equal_941_s4_q ? 2'h0 : (drew_s4_q ? (select_965_s4_q[0] ? select_1772 : 2'h0) : 2'h0);
-  // hls/stages/registration.hpp:122
-  logic [14:0] sum_1776;
-  assign sum_1776 = registration_counts_votes_2_up_q + {{13{select_1775[1]}}, select_1775};
-  // hls/stages/registration.hpp:80
-  logic not_1778;
-  assign not_1778 = ~lower_half_s4_q;
-  // hls/stages/agreement.hpp:186
-  logic and_1779;
-  assign and_1779 = less_1728 & not_1778;
-  logic [1:0] select_1781;
-  assign select_1781 = select_965_s4_q[4] ? (less_1611_s4_q ? {and_1779, not_1778} : 2'h0) : 2'h0;
-  // hls/stages/agreement.hpp:343
-  logic [1:0] select_1784;
-  assign select_1784 = equal_941_s4_q ? 2'h0 : (drew_s4_q ? (select_965_s4_q[0] ? select_1781 : 2'h0) : 2'h0);
-  // hls/stages/registration.hpp:121
-  logic [14:0] sum_1785;
-  assign sum_1785 = registration_counts_votes_3_down_q + {{13{select_1784[1]}}, select_1784};
-  // hls/stages/agreement.hpp:186
-  logic and_1787;
-  assign and_1787 = less_1737 & not_1778;
-  logic [1:0] select_1789;
-  assign select_1789 = select_965_s4_q[4] ? (less_1611_s4_q ? {and_1787, not_1778} : 2'h0) : 2'h0;
-  // hls/stages/agreement.hpp:343
-  logic [1:0] select_1792;
-  assign select_1792 = equal_941_s4_q ? 2'h0 : (drew_s4_q ? (select_965_s4_q[0] ? select_1789 : 2'h0) : 2'h0);
-  // hls/stages/registration.hpp:122
-  logic [14:0] sum_1793;
-  assign sum_1793 = registration_counts_votes_3_up_q + {{13{select_1792[1]}}, select_1792};
-  // hls/stages/agreement.hpp:186
-  logic and_1795;
-  assign and_1795 = lower_half_s4_q & less_1728;
-  logic [1:0] select_1797;
-  assign select_1797 = select_965_s4_q[4] ? (less_1611_s4_q ? {and_1795, lower_half_s4_q} : 2'h0) : 2'h0;
-  // hls/stages/agreement.hpp:343
-  logic [1:0] select_1800;
-  assign select_1800 = equal_941_s4_q ? 2'h0 : (drew_s4_q ? (select_965_s4_q[0] ? select_1797 : 2'h0) : 2'h0);
-  // hls/stages/registration.hpp:121
-  logic [14:0] sum_1801;
-  assign sum_1801 = registration_counts_votes_4_down_q + {{13{select_1800[1]}}, select_1800};
-  // hls/stages/agreement.hpp:186
-  logic and_1803;
-  assign and_1803 = lower_half_s4_q & less_1737;
-  logic [1:0] select_1805;
-  assign select_1805 = select_965_s4_q[4] ? (less_1611_s4_q ? {and_1803, lower_half_s4_q} : 2'h0) : 2'h0;
-  // hls/stages/agreement.hpp:343
-  logic [1:0] select_1808;
-  assign select_1808 = equal_941_s4_q ? 2'h0 : (drew_s4_q ? (select_965_s4_q[0] ? select_1805 : 2'h0) : 2'h0);
-  // hls/stages/registration.hpp:122
-  logic [14:0] sum_1809;
-  assign sum_1809 = registration_counts_votes_4_up_q + {{13{select_1808[1]}}, select_1808};
-  // hls/stages/registration.hpp:146
-  logic less_1811;
-  assign less_1811 = $signed(residual[7:0]) < $signed({2'h0, cfg_moved_half_limit_i});
-  // hls/stages/registration.hpp:79
-  logic and_1812;
-  assign and_1812 = not_1745 & less_1811;
-  // hls/stages/agreement.hpp:186
-  logic [1:0] select_1814;
-  assign select_1814 = select_965_s4_q[4] ? (less_1611_s4_q ? {and_1812, not_1745} : 2'h0) : 2'h0;
-  // hls/stages/agreement.hpp:343
-  logic [1:0] select_1817;
-  assign select_1817 = equal_941_s4_q ? 2'h0 : (drew_s4_q ? (select_965_s4_q[0] ? select_1814 : 2'h0) : 2'h0);
-  // hls/stages/registration.hpp:121
-  logic [14:0] sum_1818;
-  assign sum_1818 = registration_counts_half_votes_0_down_q + {{13{select_1817[1]}}, select_1817};
-  // hls/stages/registration.hpp:146
-  logic less_1820;
-  assign less_1820 = $signed(difference_1736) < $signed({7'h0, cfg_moved_half_limit_i});
-  // hls/stages/registration.hpp:79
-  logic and_1821;
-  assign and_1821 = not_1745 & less_1820;
-  // hls/stages/agreement.hpp:186
-  logic [1:0] select_1823;
-  assign select_1823 = select_965_s4_q[4] ? (less_1611_s4_q ? {and_1821, not_1745} : 2'h0) : 2'h0;
-  // hls/stages/agreement.hpp:343
-  logic [1:0] select_1826;
-  assign select_1826 = equal_941_s4_q ? 2'h0 : (drew_s4_q ? (select_965_s4_q[0] ? select_1823 : 2'h0) : 2'h0);
-  // hls/stages/registration.hpp:122
-  logic [14:0] sum_1827;
-  assign sum_1827 = registration_counts_half_votes_0_up_q + {{13{select_1826[1]}}, select_1826};
-  // hls/stages/registration.hpp:79
-  logic and_1829;
-  assign and_1829 = less_1613_s4_q & less_1811;
-  // hls/stages/agreement.hpp:186
-  logic [1:0] select_1831;
-  assign select_1831 = select_965_s4_q[4] ? (less_1611_s4_q ? {and_1829, less_1613_s4_q} : 2'h0) : 2'h0;
-  // hls/stages/agreement.hpp:343
-  logic [1:0] select_1834;
-  assign select_1834 = equal_941_s4_q ? 2'h0 : (drew_s4_q ? (select_965_s4_q[0] ? select_1831 : 2'h0) : 2'h0);
-  // hls/stages/registration.hpp:121
-  logic [14:0] sum_1835;
-  assign sum_1835 = registration_counts_half_votes_1_down_q + {{13{select_1834[1]}}, select_1834};
-  // hls/stages/registration.hpp:79
-  logic and_1837;
-  assign and_1837 = less_1613_s4_q & less_1820;
-  // hls/stages/agreement.hpp:186
-  logic [1:0] select_1839;
-  assign select_1839 = select_965_s4_q[4] ? (less_1611_s4_q ? {and_1837, less_1613_s4_q} : 2'h0) : 2'h0;
-  // hls/stages/agreement.hpp:343
-  logic [1:0] select_1842;
-  assign select_1842 = equal_941_s4_q ? 2'h0 : (drew_s4_q ? (select_965_s4_q[0] ? select_1839 : 2'h0) : 2'h0);
-  // hls/stages/registration.hpp:122
-  logic [14:0] sum_1843;
-  assign sum_1843 = registration_counts_half_votes_1_up_q + {{13{select_1842[1]}}, select_1842};
-  // hls/stages/agreement.hpp:186
-  logic and_1845;
-  assign and_1845 = less_1811 & not_1778;
+  assign texture = ({1'b0, sum_461} + {2'h0, sum_464}) + {2'h0, sum_468};
+  // hls/stages/agreement.hpp:139
+  logic not_1839;
+  assign not_1839 = ~so_s3_q;
+  // hls/stages/agreement.hpp:211
+  logic and_1840;
+  assign and_1840 = not_1839 & inside_v_s3_q[4];
+  // hls/stages/agreement.hpp:858
+  logic equal_1844;
+  assign equal_1844 = x_s3_q[6:4] == 3'h7;
+  // hls/stages/agreement.hpp:898
+  logic [1:0] quarter;
+  assign quarter = x_s3_q[1:0] + 2'h1;
+  // hls/stages/registration.hpp:139
+  logic all;
+  assign all = x_s3_q[5:3] == 3'h4;
+  // hls/stages/agreement.hpp:859
   logic [1:0] select_1847;
-  assign select_1847 = select_965_s4_q[4] ? (less_1611_s4_q ? {and_1845, not_1778} : 2'h0) : 2'h0;
-  // hls/stages/agreement.hpp:343
-  logic [1:0] select_1850;
-  assign select_1850 = equal_941_s4_q ? 2'h0 : (drew_s4_q ? (select_965_s4_q[0] ? select_1847 : 2'h0) : 2'h0);
-  // hls/stages/registration.hpp:121
-  logic [14:0] sum_1851;
-  assign sum_1851 = registration_counts_half_votes_2_down_q + {{13{select_1850[1]}}, select_1850};
-  // hls/stages/agreement.hpp:186
-  logic and_1853;
-  assign and_1853 = less_1820 & not_1778;
-  logic [1:0] select_1855;
-  assign select_1855 = select_965_s4_q[4] ? (less_1611_s4_q ? {and_1853, not_1778} : 2'h0) : 2'h0;
-  // hls/stages/agreement.hpp:343
-  logic [1:0] select_1858;
-  assign select_1858 = equal_941_s4_q ? 2'h0 : (drew_s4_q ? (select_965_s4_q[0] ? select_1855 : 2'h0) : 2'h0);
-  // hls/stages/registration.hpp:122
-  logic [14:0] sum_1859;
-  assign sum_1859 = registration_counts_half_votes_2_up_q + {{13{select_1858[1]}}, select_1858};
-  // hls/stages/agreement.hpp:186
-  logic and_1861;
-  assign and_1861 = lower_half_s4_q & less_1811;
-  logic [1:0] select_1863;
-  assign select_1863 = select_965_s4_q[4] ? (less_1611_s4_q ? {and_1861, lower_half_s4_q} : 2'h0) : 2'h0;
-  // hls/stages/agreement.hpp:343
-  logic [1:0] select_1866;
-  assign select_1866 = equal_941_s4_q ? 2'h0 : (drew_s4_q ? (select_965_s4_q[0] ? select_1863 : 2'h0) : 2'h0);
-  // hls/stages/registration.hpp:121
-  logic [14:0] sum_1867;
-  assign sum_1867 = registration_counts_half_votes_3_down_q + {{13{select_1866[1]}}, select_1866};
-  // hls/stages/agreement.hpp:186
-  logic and_1869;
-  assign and_1869 = lower_half_s4_q & less_1820;
-  logic [1:0] select_1871;
-  assign select_1871 = select_965_s4_q[4] ? (less_1611_s4_q ? {and_1869, lower_half_s4_q} : 2'h0) : 2'h0;
-  // hls/stages/agreement.hpp:343
-  logic [1:0] select_1874;
-  assign select_1874 = equal_941_s4_q ? 2'h0 : (drew_s4_q ? (select_965_s4_q[0] ? select_1871 : 2'h0) : 2'h0);
-  // hls/stages/registration.hpp:122
-  logic [14:0] sum_1875;
-  assign sum_1875 = registration_counts_half_votes_3_up_q + {{13{select_1874[1]}}, select_1874};
+  assign select_1847 = x_s3_q[4] ? {x_s3_q[3], x_s3_q[0]} : {x_s3_q[0], x_s3_q[3]};
+  // hls/stages/agreement.hpp:871
+  logic [3:0] select_1849;
+  assign select_1849 = equal_1844 ? {2'h0, quarter} : (all ? {1'b0, x_s3_q[2:0]} : {x_s3_q[2:1], select_1847});
+  // hls/stages/registration.hpp:106
+  logic [1:0] sum_1850;
+  assign sum_1850 = slot_s3_q[1:0] + 2'h3;
+  // hls/stages/agreement.hpp:211
+  logic [3:0] select_1851;
+  assign select_1851 = equal_1799_s3_q ? select_1849 : {sum_1850, lower_half_s3_q, registration_of_right_q};
+  // hls/stages/agreement.hpp:896
+  logic equal_1852;
+  assign equal_1852 = x_s3_q[5:0] == 6'h3e;
+  logic equal_1854;
+  assign equal_1854 = x_s3_q[5:0] == 6'h3d;
+  logic equal_1856;
+  assign equal_1856 = x_s3_q[5:0] == 6'h3c;
+  logic equal_1858;
+  assign equal_1858 = x_s3_q[5:0] == 6'h3b;
+  logic equal_1860;
+  assign equal_1860 = x_s3_q[5:0] == 6'h36;
+  logic equal_1862;
+  assign equal_1862 = x_s3_q[5:0] == 6'h35;
+  logic equal_1864;
+  assign equal_1864 = x_s3_q[5:0] == 6'h34;
+  // hls/stages/agreement.hpp:898
+  logic and_1868;
+  assign and_1868 = (~equal_1858) & ((~equal_1860) & ((~equal_1862) & (~equal_1864)));
+  // hls/stages/agreement.hpp:859
+  logic less_1872;
+  assign less_1872 = x_s3_q[5:0] < 6'h29;
+  // hls/stages/registration.hpp:140
+  logic [1:0] kind;
+  assign kind = all ? {1'b0, x_s3_q[2]} : x_s3_q[2:1];
+  // hls/stages/registration.hpp:152
+  logic or_1876;
+  assign or_1876 = (kind == 2'h3) | (x_s3_q[5:3] == 3'h5);
+  // hls/stages/agreement.hpp:871
+  logic select_1879;
+  assign select_1879 = equal_1844 ? ((~equal_1852) & ((~equal_1854) & ((~equal_1856) & and_1868))) : (less_1872 & (~or_1876));
+  // hls/stages/registration.hpp:94
+  logic half_ends;
+  assign half_ends = inside_v_s3_q[0] ? (right_2_s3_q & (~registration_of_right_q)) : registration_was_inside_q;
+  // hls/stages/registration.hpp:106
+  logic [4:0] sum_1887;
+  assign sum_1887 = {2'h0, slot_s3_q} + 5'h1f;
+  logic and_1889;
+  assign and_1889 = half_ends & ({{3{sum_1887[4]}}, sum_1887} < 8'h3);
+  // hls/stages/agreement.hpp:211
+  logic and_1890;
+  assign and_1890 = so_s3_q & and_1889;
+  // hls/stages/registration.hpp:243
+  logic not_1893;
+  assign not_1893 = ~lower_half_s3_q;
+  logic [3:0] select_1894;
+  assign select_1894 = registration_of_right_q ? {lower_half_s3_q, 1'b0, not_1893, 1'b0} : {1'b0, lower_half_s3_q, 1'b0, not_1893};
+  // hls/stages/agreement.hpp:143
+  logic [7:0] select_1907;
+  assign select_1907 = so_s3_q ? region_columns_q : 8'h1;
+  // hls/stages/agreement.hpp:780
+  logic or_1910;
+  assign or_1910 = select_1907[7] | (~({select_1907[5], select_1907[3], select_1907[1]} == 3'h0));
+  // hls/stages/agreement.hpp:779
+  logic or_1913;
+  assign or_1913 = select_1907[7] | (~({select_1907[6], select_1907[3:2]} == 3'h0));
+  // hls/stages/agreement.hpp:778
+  logic or_1916;
+  assign or_1916 = select_1907[7] | (~(select_1907[6:4] == 3'h0));
+  // hls/stages/agreement.hpp:211
+  logic [5:0] select_1917;
+  assign select_1917 = equal_1799_s3_q ? x_s3_q[5:0] : {region_row_q, or_1916, or_1913, or_1910};
+  // hls/stages/agreement.hpp:858
+  logic not_1918;
+  assign not_1918 = ~equal_1844;
   // hls/stages/division.hpp:34
-  logic [7:0] sum_1889;
-  assign sum_1889 = region_down_rest_q[8:1] + 8'h3;
-  // hls/stages/agreement.hpp:290
-  logic [2:0] select_1891;
-  assign select_1891 = less_1888_s4_q ? (sum_1889[7] ? region_row_q : next_region_row_q) : region_row_q;
-  logic [2:0] select_1893;
-  assign select_1893 = equal_1334_s4_q ? (equal_416_s4_q ? 3'h0 : select_1891) : region_row_q;
+  logic [5:0] sum_1920;
+  assign sum_1920 = region_across_rest_q[8:3] + 6'h1;
+  // hls/stages/agreement.hpp:788
+  logic or_1923;
+  assign or_1923 = (~sum_1920[5]) | equal_1922_s3_q;
+  // hls/stages/agreement.hpp:211
+  logic and_1926;
+  assign and_1926 = so_s3_q & (ends_cell_s3_q & (inside_v_s3_q[0] & or_1923));
+  // hls/stages/agreement.hpp:197
+  logic explained;
+  assign explained = inside_v_s3_q[0] & inside_v_s3_q[3];
+  logic and_1940;
+  assign and_1940 = inside_v_s3_q[0] & ({inside_v_s3_q[4], inside_v_s3_q[2]} == 2'h3);
+  logic and_1947;
+  assign and_1947 = inside_v_s3_q[0] & inside_v_s3_q[2];
+  // hls/stages/agreement.hpp:751
+  logic select_1948;
+  assign select_1948 = slot_s3_q[2] ? shown_shown_q : inside_v_s3_q[3];
+  // hls/stages/agreement.hpp:197
+  logic shown;
+  assign shown = inside_v_s3_q[0] & (shown_right_rdata_q[0] | select_1948);
+  // hls/stages/agreement.hpp:751
+  logic select_1951;
+  assign select_1951 = slot_s3_q[2] ? shown_nearer_q : inside_v_s3_q[4];
+  // hls/stages/agreement.hpp:197
+  logic near;
+  assign near = inside_v_s3_q[0] & (select_1948 ? select_1951 : shown_right_rdata_q[1]);
+  // hls/stages/agreement.hpp:983
+  logic or_1954;
+  assign or_1954 = marks_first_s3_q | line_ended_q;
+  // hls/stages/agreement.hpp:985
+  logic [17:0] select_1956;
+  assign select_1956 = marks_first_s3_q ? 18'h1 : (or_1954 ? {rows_passed_q[16:0], 1'b1} : rows_passed_q);
+  // hls/stages/agreement.hpp:984
+  logic [8:0] select_1958;
+  assign select_1958 = or_1954 ? 9'h0 : columns_passed_q;
+  // hls/stages/agreement.hpp:992
+  logic select_1960;
+  assign select_1960 = cfg_compete_i ? (or_1954 & select_1956[17]) : (select_1958[8] & select_1956[9]);
+  // hls/stages/agreement.hpp:218
+  logic next_row;
+  assign next_row = select_1960 & (began_q & at_cell_end_q);
+  // hls/stages/agreement.hpp:999
+  logic [6:0] select_1963;
+  assign select_1963 = next_row ? cfg_width_i[9:3] : 7'h0;
+  logic [12:0] select_1965;
+  assign select_1965 = marks_first_s3_q ? 13'h0 : (seen_base_q + {6'h0, select_1963});
+  // hls/stages/agreement.hpp:1009
+  logic equal_1966;
+  assign equal_1966 = seen_x_q == 3'h7;
+  logic [7:0] select_1968;
+  assign select_1968 = select_1960 ? 8'h0 : (seen_column_q + {7'h0, equal_1966});
+  // hls/stages/agreement.hpp:1012
+  logic [12:0] index;
+  assign index = select_1965 + {5'h0, select_1968};
+  // hls/stages/agreement.hpp:983
+  logic select_1971;
+  assign select_1971 = marks_first_s3_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
+  // hls/stages/agreement.hpp:969
+  logic [7:0] sum_1972;
+  assign sum_1972 = {1'b0, select_1971, 2'h0, select_1971, 1'b0, {2{select_1971}}} + {1'b0, index[12:6]};
+  // hls/stages/agreement.hpp:982
+  logic not_1973;
+  assign not_1973 = ~marks_first_s3_q;
+  // hls/stages/agreement.hpp:218
+  logic and_1975;
+  assign and_1975 = not_1973 & (began_q | select_1960);
+  // hls/stages/agreement.hpp:1010
+  logic [2:0] select_1977;
+  assign select_1977 = select_1960 ? 3'h0 : (seen_x_q + 3'h1);
+  // hls/stages/agreement.hpp:1011
+  logic and_1979;
+  assign and_1979 = and_1975 & (select_1977 == 3'h0);
+  logic less_1980;
+  assign less_1980 = select_1968 < {1'b0, cfg_width_i[9:3]};
+  // hls/stages/agreement.hpp:841
+  logic [7:0] sum_1983;
+  assign sum_1983 = {2'h0, x_s3_q[7:2]} + 8'hff;
+  logic [12:0] index_2;
+  assign index_2 = {{3{sum_1983[7]}}, sum_1983, x_s3_q[1:0]} + map_row_q;
+  // hls/stages/agreement.hpp:969
+  logic [7:0] sum_1985;
+  assign sum_1985 = {1'b0, write_half_q, 2'h0, write_half_q, 1'b0, {2{write_half_q}}} + {1'b0, index_2[12:6]};
+  // hls/stages/agreement.hpp:764
+  logic and_1986;
+  assign and_1986 = seen_columns_rdata_q[14] & inside_v_s3_q[0];
+  logic and_1987;
+  assign and_1987 = seen_columns_rdata_q[10] & inside_v_s3_q[0];
+  logic and_1988;
+  assign and_1988 = seen_columns_rdata_q[5] & inside_v_s3_q[0];
+  logic and_1989;
+  assign and_1989 = seen_columns_rdata_q[0] & inside_v_s3_q[0];
+  // hls/stages/agreement.hpp:817
+  logic [1:0] sum_1991;
+  assign sum_1991 = {1'b0, and_1988} + ({1'b0, textured_s3_q} + {1'b0, and_1989});
+  logic [2:0] textured_2;
+  assign textured_2 = {2'h0, and_1986} + ({2'h0, and_1987} + {1'b0, sum_1991});
+  // hls/stages/agreement.hpp:824
+  logic [2:0] select_1994;
+  assign select_1994 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
+  logic [3:0] difference_1995;
+  assign difference_1995 = {1'b0, textured_2} - {1'b0, select_1994};
+  // hls/stages/agreement.hpp:822
+  logic equal_1996;
+  assign equal_1996 = x_s3_q == 8'h0;
+  // hls/stages/agreement.hpp:824
+  logic [4:0] t;
+  assign t = {difference_1995[3], difference_1995} + (equal_1996 ? 5'h0 : box_textured_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:764
+  logic [7:0] select_2001;
+  assign select_2001 = inside_v_s3_q[0] ? (sum_1920[5] ? select_1907 : {select_1907[6:0], 1'b0}) : select_1907;
+  // hls/stages/agreement.hpp:780
+  logic or_2004;
+  assign or_2004 = select_2001[7] | (~({select_2001[5], select_2001[3], select_2001[1]} == 3'h0));
+  // hls/stages/agreement.hpp:764
+  logic and_2021;
+  assign and_2021 = seen_columns_rdata_q[16] & inside_v_s3_q[0];
+  logic and_2022;
+  assign and_2022 = seen_columns_rdata_q[12] & inside_v_s3_q[0];
+  logic and_2023;
+  assign and_2023 = seen_columns_rdata_q[8] & inside_v_s3_q[0];
+  logic and_2024;
+  assign and_2024 = seen_columns_rdata_q[3] & inside_v_s3_q[0];
+  // hls/stages/agreement.hpp:819
+  logic [1:0] sum_2026;
+  assign sum_2026 = {1'b0, and_2023} + ({1'b0, shown} + {1'b0, and_2024});
+  logic [2:0] shown_2;
+  assign shown_2 = {2'h0, and_2021} + ({2'h0, and_2022} + {1'b0, sum_2026});
+  // hls/stages/agreement.hpp:826
+  logic [2:0] select_2029;
+  assign select_2029 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2030;
+  assign difference_2030 = {1'b0, shown_2} - {1'b0, select_2029};
+  logic [4:0] around;
+  assign around = {difference_2030[3], difference_2030} + (equal_1996 ? 5'h0 : box_shown_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:833
+  logic [5:0] sum_2033;
+  assign sum_2033 = {1'b0, around} + {2'h0, around[4:1]};
+  // hls/stages/agreement.hpp:764
+  logic and_2037;
+  assign and_2037 = seen_columns_rdata_q[17] & inside_v_s3_q[0];
+  logic and_2038;
+  assign and_2038 = seen_columns_rdata_q[13] & inside_v_s3_q[0];
+  logic and_2039;
+  assign and_2039 = seen_columns_rdata_q[9] & inside_v_s3_q[0];
+  logic and_2040;
+  assign and_2040 = seen_columns_rdata_q[4] & inside_v_s3_q[0];
+  // hls/stages/agreement.hpp:820
+  logic [1:0] sum_2042;
+  assign sum_2042 = {1'b0, and_2039} + ({1'b0, near} + {1'b0, and_2040});
+  logic [2:0] near_2;
+  assign near_2 = {2'h0, and_2037} + ({2'h0, and_2038} + {1'b0, sum_2042});
+  // hls/stages/agreement.hpp:827
+  logic [2:0] select_2045;
+  assign select_2045 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2046;
+  assign difference_2046 = {1'b0, near_2} - {1'b0, select_2045};
+  logic [4:0] n;
+  assign n = {difference_2046[3], difference_2046} + (equal_1996 ? 5'h0 : box_nearer_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:215
+  logic [10:0] select_2092;
+  assign select_2092 = sample_pair_whole_s3_q ? (and_357_s3_q ? total : averager_total_0_q) : averager_total_0_q;
+  logic [10:0] select_2094;
+  assign select_2094 = sample_pair_whole_s3_q ? (and_357_s3_q ? total_2 : averager_total_1_q) : averager_total_1_q;
+  // hls/stages/agreement.hpp:365
+  logic [8:0] select_2118;
+  assign select_2118 = and_359_s3_q ? select_365 : census_columns_values_0_cell_0_left_q;
+  logic [8:0] select_2119;
+  assign select_2119 = and_359_s3_q ? select_369 : census_columns_values_0_cell_0_right_q;
+  logic select_2120;
+  assign select_2120 = and_359_s3_q ? whole_2_s3_q : census_columns_values_0_cell_0_mask_q;
+  logic [8:0] select_2121;
+  assign select_2121 = and_359_s3_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
+  logic [8:0] select_2122;
+  assign select_2122 = and_359_s3_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
+  logic select_2123;
+  assign select_2123 = and_359_s3_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
+  logic [8:0] select_2124;
+  assign select_2124 = and_359_s3_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
+  logic [8:0] select_2125;
+  assign select_2125 = and_359_s3_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
+  logic select_2126;
+  assign select_2126 = and_359_s3_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
+  logic select_2127;
+  assign select_2127 = and_359_s3_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
+  logic [8:0] select_2128;
+  assign select_2128 = and_359_s3_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
+  logic [8:0] select_2129;
+  assign select_2129 = and_359_s3_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
+  logic select_2130;
+  assign select_2130 = and_359_s3_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
+  logic [8:0] select_2131;
+  assign select_2131 = and_359_s3_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
+  logic [8:0] select_2132;
+  assign select_2132 = and_359_s3_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
+  logic select_2133;
+  assign select_2133 = and_359_s3_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
+  logic [8:0] select_2134;
+  assign select_2134 = and_359_s3_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
+  logic [8:0] select_2135;
+  assign select_2135 = and_359_s3_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
+  logic select_2136;
+  assign select_2136 = and_359_s3_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  logic [8:0] select_2137;
+  assign select_2137 = and_359_s3_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
+  logic [8:0] select_2138;
+  assign select_2138 = and_359_s3_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
+  logic select_2139;
+  assign select_2139 = and_359_s3_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
+  logic [8:0] select_2140;
+  assign select_2140 = and_359_s3_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
+  logic [8:0] select_2141;
+  assign select_2141 = and_359_s3_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
+  logic select_2142;
+  assign select_2142 = and_359_s3_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
+  logic select_2143;
+  assign select_2143 = and_359_s3_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
+  logic [8:0] select_2144;
+  assign select_2144 = and_359_s3_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
+  logic [8:0] select_2145;
+  assign select_2145 = and_359_s3_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
+  logic select_2146;
+  assign select_2146 = and_359_s3_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
+  logic [8:0] select_2147;
+  assign select_2147 = and_359_s3_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
+  logic [8:0] select_2148;
+  assign select_2148 = and_359_s3_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
+  logic select_2149;
+  assign select_2149 = and_359_s3_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
+  logic [8:0] select_2150;
+  assign select_2150 = and_359_s3_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
+  logic [8:0] select_2151;
+  assign select_2151 = and_359_s3_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
+  logic select_2152;
+  assign select_2152 = and_359_s3_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
+  logic [8:0] select_2153;
+  assign select_2153 = and_359_s3_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
+  logic [8:0] select_2154;
+  assign select_2154 = and_359_s3_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
+  logic select_2155;
+  assign select_2155 = and_359_s3_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
+  logic [8:0] select_2156;
+  assign select_2156 = and_359_s3_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
+  logic [8:0] select_2157;
+  assign select_2157 = and_359_s3_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
+  logic select_2158;
+  assign select_2158 = and_359_s3_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
+  logic [8:0] select_2159;
+  assign select_2159 = and_359_s3_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
+  logic [8:0] select_2160;
+  assign select_2160 = and_359_s3_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
+  logic select_2161;
+  assign select_2161 = and_359_s3_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
+  logic [8:0] select_2162;
+  assign select_2162 = and_359_s3_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
+  logic [8:0] select_2163;
+  assign select_2163 = and_359_s3_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  logic select_2164;
+  assign select_2164 = and_359_s3_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
+  logic select_2165;
+  assign select_2165 = and_359_s3_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
+  logic [8:0] select_2166;
+  assign select_2166 = and_359_s3_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
+  logic [8:0] select_2167;
+  assign select_2167 = and_359_s3_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  logic select_2168;
+  assign select_2168 = and_359_s3_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
+  logic select_2169;
+  assign select_2169 = and_359_s3_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  logic [8:0] select_2170;
+  assign select_2170 = and_359_s3_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  logic [8:0] select_2171;
+  assign select_2171 = and_359_s3_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  logic select_2172;
+  assign select_2172 = and_359_s3_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
+  logic select_2173;
+  assign select_2173 = and_359_s3_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
+  // hls/stages/census.hpp:192
+  logic [9:0] difference_2175;
+  assign difference_2175 = {1'b0, select_369} - {1'b0, census_columns_values_0_cell_0_right_q};
+  logic [8:0] xor_2176;
+  assign xor_2176 = difference_2175[8:0] ^ {9{difference_2175[9]}};
+  logic [9:0] sum_2177;
+  assign sum_2177 = {9'h0, difference_2175[9]} + {1'b0, xor_2176};
+  logic [9:0] difference_2178;
+  assign difference_2178 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
+  logic [8:0] xor_2179;
+  assign xor_2179 = difference_2178[8:0] ^ {9{difference_2178[9]}};
+  logic [9:0] sum_2180;
+  assign sum_2180 = {9'h0, difference_2178[9]} + {1'b0, xor_2179};
+  logic [9:0] difference_2182;
+  assign difference_2182 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
+  logic [8:0] xor_2183;
+  assign xor_2183 = difference_2182[8:0] ^ {9{difference_2182[9]}};
+  logic [9:0] sum_2184;
+  assign sum_2184 = {9'h0, difference_2182[9]} + {1'b0, xor_2183};
+  logic [10:0] sum_2185;
+  assign sum_2185 = ({1'b0, sum_2177} + {1'b0, sum_2180}) + {1'b0, sum_2184};
+  logic [9:0] difference_2186;
+  assign difference_2186 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
+  logic [8:0] xor_2187;
+  assign xor_2187 = difference_2186[8:0] ^ {9{difference_2186[9]}};
+  logic [9:0] sum_2188;
+  assign sum_2188 = {9'h0, difference_2186[9]} + {1'b0, xor_2187};
+  logic [9:0] difference_2190;
+  assign difference_2190 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
+  logic [8:0] xor_2191;
+  assign xor_2191 = difference_2190[8:0] ^ {9{difference_2190[9]}};
+  logic [9:0] sum_2192;
+  assign sum_2192 = {9'h0, difference_2190[9]} + {1'b0, xor_2191};
+  // hls/stages/census.hpp:273
+  logic [9:0] difference_2220;
+  assign difference_2220 = {1'b0, select_365} - {1'b0, sharpness_last_mean_0_q};
+  logic [8:0] contrast;
+  assign contrast = {8'h0, difference_2220[9]} + (difference_2220[8:0] ^ {9{difference_2220[9]}});
+  logic [9:0] difference_2231;
+  assign difference_2231 = {1'b0, select_369} - {1'b0, sharpness_last_mean_1_q};
+  logic [8:0] contrast_2;
+  assign contrast_2 = {8'h0, difference_2231[9]} + (difference_2231[8:0] ^ {9{difference_2231[9]}});
+  // hls/stages/agreement.hpp:365
+  logic and_2418;
+  assign and_2418 = and_359_s3_q & (equal_420_s3_q & equal_2321_s3_q);
+  // hls/stages/agreement.hpp:211
+  logic and_2421;
+  assign and_2421 = so_s3_q & (ends_cell_s3_q & (inside_v_s3_q[0] & inside_v_s3_q[1]));
+  // hls/stages/agreement.hpp:764
+  logic and_2442;
+  assign and_2442 = seen_columns_rdata_q[15] & inside_v_s3_q[0];
+  logic and_2443;
+  assign and_2443 = seen_columns_rdata_q[11] & inside_v_s3_q[0];
+  logic and_2444;
+  assign and_2444 = seen_columns_rdata_q[7] & inside_v_s3_q[0];
+  logic and_2445;
+  assign and_2445 = seen_columns_rdata_q[2] & inside_v_s3_q[0];
+  // hls/stages/agreement.hpp:818
+  logic [1:0] sum_2447;
+  assign sum_2447 = {1'b0, and_2444} + ({1'b0, explained} + {1'b0, and_2445});
+  logic [2:0] explained_2;
+  assign explained_2 = {2'h0, and_2442} + ({2'h0, and_2443} + {1'b0, sum_2447});
+  // hls/stages/agreement.hpp:825
+  logic [2:0] select_2450;
+  assign select_2450 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2451;
+  assign difference_2451 = {1'b0, explained_2} - {1'b0, select_2450};
+  logic [4:0] e;
+  assign e = {difference_2451[3], difference_2451} + (equal_1996 ? 5'h0 : box_explained_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:832
+  logic [5:0] sum_2454;
+  assign sum_2454 = {1'b0, e} + {2'h0, e[4:1]};
+  // hls/stages/agreement.hpp:211
+  logic and_2482;
+  assign and_2482 = ends_cell_s3_q & (inside_v_s3_q[0] & (inside_v_s3_q[2:1] == 2'h3));
+  // hls/stages/registration.hpp:83
+  logic equal_2526;
+  assign equal_2526 = slot_s3_q == 3'h7;
+  // hls/stages/registration.hpp:206
+  logic [16:0] select_2528;
+  assign select_2528 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
+  logic [7:0] change;
+  assign change = ($signed(10'h0) < $signed(select_2528[16:7])) ? 8'h7f : select_2528[7:0];
+  // hls/stages/registration.hpp:89
+  logic [7:0] a;
+  assign a = equal_2526 ? registration_slope_here_q : change;
+  // hls/stages/registration.hpp:201
+  logic [7:0] select_2532;
+  assign select_2532 = inside_v_s3_q[9] ? a : 8'h0;
+  logic [7:0] select_2533;
+  assign select_2533 = inside_v_s3_q[10] ? a : 8'h0;
+  logic [8:0] difference_2534;
+  assign difference_2534 = {{2{select_2532[7]}}, select_2532[7:1]} - {select_2533[7], select_2533};
+  // hls/stages/registration.hpp:199
+  logic [6:0] select_2535;
+  assign select_2535 = inside_v_s3_q[5] ? a[7:1] : 7'h0;
+  logic [7:0] select_2536;
+  assign select_2536 = inside_v_s3_q[6] ? a : 8'h0;
+  logic [8:0] sum_2537;
+  assign sum_2537 = {{2{select_2535[6]}}, select_2535} + {select_2536[7], select_2536};
+  // hls/stages/registration.hpp:200
+  logic [7:0] select_2538;
+  assign select_2538 = inside_v_s3_q[7] ? a : 8'h0;
+  logic [7:0] select_2539;
+  assign select_2539 = inside_v_s3_q[8] ? a : 8'h0;
+  logic [8:0] sum_2540;
+  assign sum_2540 = {{2{select_2538[7]}}, select_2538[7:1]} + {select_2539[7], select_2539};
+  // hls/stages/registration.hpp:202
+  logic [10:0] sum_2541;
+  assign sum_2541 = {{3{sum_2537[8]}}, sum_2537[8:1]} + {sum_2540[8], sum_2540, select_2538[0]};
+  logic [9:0] sum_2542;
+  assign sum_2542 = {difference_2534, select_2532[0]} + {sum_2541[10], sum_2541[10:2]};
+  // hls/stages/registration.hpp:96
+  logic [12:0] sum_2543;
+  assign sum_2543 = {registration_slope_q[27], registration_slope_q[27:16]} + {{5{sum_2542[9]}}, sum_2542[9:2]};
+  // hls/stages/registration.hpp:206
+  logic [7:0] select_2546;
+  assign select_2546 = ($signed(sum_2543[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_2543[7:0];
+  // hls/stages/registration.hpp:106
+  logic [7:0] select_2548;
+  assign select_2548 = equal_2526 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_2543[12:7])) ? 8'h7f : select_2546);
+  // hls/stages/agreement.hpp:211
+  logic [7:0] select_2550;
+  assign select_2550 = equal_1799_s3_q ? registration_slope_here_q : (so_s3_q ? select_2548 : registration_slope_here_q);
+  // hls/stages/registration.hpp:107
+  logic equal_2551;
+  assign equal_2551 = slot_s3_q == 3'h4;
+  // hls/stages/registration.hpp:45
+  logic [1:0] sum_2560;
+  assign sum_2560 = inside_v_s3_q[13:12] + 2'h3;
+  // hls/stages/registration.hpp:47
+  logic [7:0] difference_2562;
+  assign difference_2562 = {sum_2560, inside_v_s3_q[11], 5'h0} - {3'h0, registration_displacement_fraction_q};
+  // hls/stages/registration.hpp:101
+  logic [7:0] select_2563;
+  assign select_2563 = less_2561_s3_q ? difference_2562 : {sum_2560, inside_v_s3_q[11], registration_displacement_fraction_q};
+  logic [7:0] select_2564;
+  assign select_2564 = ((inside_v_s3_q[13:11] == 3'h0) | (inside_v_s3_q[13:11] == 3'h4)) ? {sum_2560, inside_v_s3_q[11], 5'h0} : select_2563;
+  logic [11:0] value_2;
+  assign value_2 = {{4{select_2564[7]}}, select_2564} - {sum_2542[9], sum_2542, sum_2541[1]};
+  // hls/stages/registration.hpp:206
+  logic [11:0] select_2567;
+  assign select_2567 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
+  logic [11:0] residual;
+  assign residual = ($signed(5'h0) < $signed(select_2567[11:7])) ? 12'h7f : select_2567;
+  // hls/stages/agreement.hpp:211
+  logic select_2611;
+  assign select_2611 = so_s3_q ? (equal_2551 ? right_2_s3_q : registration_of_right_q) : registration_of_right_q;
+  logic select_2614;
+  assign select_2614 = so_s3_q ? (equal_2526 ? inside_v_s3_q[0] : registration_was_inside_q) : registration_was_inside_q;
+  // hls/stages/registration.hpp:254
+  logic [3:0] select_2619;
+  assign select_2619 = (sum_1850 == 2'h2) ? (registration_fresh_q & (~select_1894)) : registration_fresh_q;
+  // hls/stages/agreement.hpp:211
+  logic [3:0] select_2621;
+  assign select_2621 = so_s3_q ? (and_1889 ? select_2619 : registration_fresh_q) : registration_fresh_q;
+  // hls/stages/registration.hpp:227
+  logic [3:0] select_2623;
+  assign select_2623 = and_2418 ? 4'hf : (equal_1799_s3_q ? registration_fresh_q : select_2621);
+  // hls/stages/registration.hpp:121
+  logic [15:0] select_2630;
+  assign select_2630 = and_2629_s3_q ? $unsigned(cfg_epipolar_row_i) : 16'h0;
+  // hls/stages/registration.hpp:124
+  logic [23:0] select_2632;
+  assign select_2632 = and_2627_s3_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2630[15]}}, select_2630});
+  // hls/stages/registration.hpp:122
+  logic [15:0] select_2633;
+  assign select_2633 = and_2629_s3_q ? $unsigned(cfg_epipolar_both_i) : 16'h0;
+  logic [27:0] both;
+  assign both = registration_slope_change_q + {{12{select_2633[15]}}, select_2633};
+  // hls/stages/registration.hpp:124
+  logic [27:0] select_2635;
+  assign select_2635 = and_2627_s3_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
+  // hls/stages/agreement.hpp:135
+  logic and_2636;
+  assign and_2636 = ends_cell_s3_q & so_s3_q;
+  // hls/stages/registration.hpp:117
+  logic [27:0] column_7;
+  assign column_7 = registration_slope_q + (and_2636 ? registration_slope_change_q : 28'h0);
+  // hls/stages/agreement.hpp:859
+  logic [1:0] quarter_2;
+  assign quarter_2 = all ? x_s3_q[1:0] : select_1847;
+  // hls/stages/registration.hpp:243
+  logic not_2644;
+  assign not_2644 = ~quarter_2[1];
+  logic [3:0] select_2645;
+  assign select_2645 = quarter_2[0] ? {quarter_2[1], 1'b0, not_2644, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_2644};
+  // hls/stages/agreement.hpp:211
+  logic select_2733;
+  assign select_2733 = equal_1799_s3_q ? shown_shown_q : (so_s3_q ? select_1948 : shown_shown_q);
+  logic select_2735;
+  assign select_2735 = equal_1799_s3_q ? shown_nearer_q : (so_s3_q ? select_1951 : shown_nearer_q);
+  // hls/stages/division.hpp:34
+  logic [7:0] sum_2737;
+  assign sum_2737 = region_down_rest_q[8:1] + 8'h3;
+  // hls/stages/agreement.hpp:314
+  logic [2:0] select_2739;
+  assign select_2739 = less_2736_s3_q ? (sum_2737[7] ? region_row_q : next_region_row_q) : region_row_q;
+  logic [2:0] select_2741;
+  assign select_2741 = equal_2321_s3_q ? (equal_420_s3_q ? 3'h0 : select_2739) : region_row_q;
+  // hls/stages/agreement.hpp:211
+  logic [7:0] select_2746;
+  assign select_2746 = equal_1799_s3_q ? select_1907 : (so_s3_q ? (ends_cell_s3_q ? select_2001 : select_1907) : 8'h1);
+  // hls/stages/agreement.hpp:143
+  logic [8:0] select_2748;
+  assign select_2748 = so_s3_q ? (and_2636 ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_1897;
-  assign sum_1897 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
+  logic [8:0] sum_2750;
+  assign sum_2750 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_1898;
-  assign select_1898 = sum_1006[5] ? {1'b1, sum_1006[4:0], region_across_rest_q[2:0]} : sum_1897;
-  // hls/stages/agreement.hpp:290
-  logic [8:0] select_1902;
-  assign select_1902 = equal_1334_s4_q ? (9'h1f0 - {2'h0, cfg_width_i[9:3]}) : columns_begin_rest_q;
-  logic [7:0] select_1905;
-  assign select_1905 = equal_1334_s4_q ? (8'h8 - {1'b0, cfg_width_i[9:3]}) : columns_begin_back_q;
-  logic [8:0] select_1909;
-  assign select_1909 = equal_416_s4_q ? {{2{difference_1907[6]}}, difference_1907} : (less_1888_s4_q ? region_down_next_q : region_down_rest_q);
-  // hls/stages/agreement.hpp:205
-  logic [8:0] select_1911;
-  assign select_1911 = and_357_s4_q ? (equal_1334_s4_q ? select_1909 : region_down_rest_q) : region_down_rest_q;
-  // hls/stages/agreement.hpp:290
-  logic [6:0] select_1913;
-  assign select_1913 = equal_416_s4_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
-  // hls/stages/agreement.hpp:205
-  logic [6:0] select_1915;
-  assign select_1915 = and_357_s4_q ? (equal_1334_s4_q ? select_1913 : region_down_back_q) : region_down_back_q;
+  logic [8:0] select_2751;
+  assign select_2751 = sum_1920[5] ? {1'b1, sum_1920[4:0], region_across_rest_q[2:0]} : sum_2750;
+  // hls/stages/agreement.hpp:314
+  logic [8:0] select_2753;
+  assign select_2753 = equal_2321_s3_q ? (9'h1f0 - {2'h0, cfg_width_i[9:3]}) : columns_begin_rest_q;
+  logic [7:0] select_2756;
+  assign select_2756 = equal_2321_s3_q ? (8'h8 - {1'b0, cfg_width_i[9:3]}) : columns_begin_back_q;
+  logic [8:0] select_2760;
+  assign select_2760 = equal_420_s3_q ? {{2{difference_2758[6]}}, difference_2758} : (less_2736_s3_q ? region_down_next_q : region_down_rest_q);
+  // hls/stages/agreement.hpp:365
+  logic [8:0] select_2762;
+  assign select_2762 = and_359_s3_q ? (equal_2321_s3_q ? select_2760 : region_down_rest_q) : region_down_rest_q;
+  // hls/stages/agreement.hpp:314
+  logic [6:0] select_2764;
+  assign select_2764 = equal_420_s3_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
+  // hls/stages/agreement.hpp:365
+  logic [6:0] select_2766;
+  assign select_2766 = and_359_s3_q ? (equal_2321_s3_q ? select_2764 : region_down_back_q) : region_down_back_q;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_1916;
-  assign sum_1916 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
+  logic [8:0] sum_2767;
+  assign sum_2767 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_1917;
-  assign select_1917 = sum_1889[7] ? {1'b1, sum_1889[6:0], region_down_rest_q[0]} : sum_1916;
+  logic [8:0] select_2768;
+  assign select_2768 = sum_2737[7] ? {1'b1, sum_2737[6:0], region_down_rest_q[0]} : sum_2767;
   // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_1889[7];
-  // hls/stages/agreement.hpp:290
-  logic select_1921;
-  assign select_1921 = equal_1334_s4_q ? (equal_416_s4_q | (less_1888_s4_q ? next : region_fresh_q)) : region_fresh_q;
-  // hls/stages/agreement.hpp:147
-  logic or_1926;
-  assign or_1926 = segment_starts_q | not_972_s4_q;
-  // hls/stages/agreement.hpp:650
-  logic select_1929;
-  assign select_1929 = select_965_s4_q[0] ? (sum_1006[5] ? (equal_1008_s4_q & or_1009) : or_1009) : or_1926;
-  // hls/stages/agreement.hpp:766
-  logic equal_1933;
-  assign equal_1933 = x_s4_q[5:0] == 6'h3f;
-  // hls/stages/agreement.hpp:768
-  logic [7:0] select_1951;
-  assign select_1951 = ($signed(24'h0) < $signed(counts_too_much_hidden_q)) ? next_hidden_for_q : 8'h0;
-  // hls/stages/agreement.hpp:343
-  logic [7:0] select_1953;
-  assign select_1953 = equal_941_s4_q ? (equal_1933 ? select_1951 : hidden_for_q) : hidden_for_q;
-  // hls/stages/agreement.hpp:149
-  logic not_1954;
-  assign not_1954 = ~hidden_for_q[7];
-  // hls/stages/agreement.hpp:343
-  logic [4:0] select_1975;
-  assign select_1975 = equal_941_s4_q ? box_textured_columns_values_0_q : (drew_s4_q ? {2'h0, textured_2} : box_textured_columns_values_0_q);
-  logic [4:0] select_1976;
-  assign select_1976 = drew_s4_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
-  logic [4:0] select_1978;
-  assign select_1978 = drew_s4_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
-  logic [4:0] select_1980;
-  assign select_1980 = drew_s4_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
-  logic [4:0] select_1982;
-  assign select_1982 = drew_s4_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
-  logic [4:0] select_1985;
-  assign select_1985 = equal_941_s4_q ? box_textured_sum_sums_values_0_q : (drew_s4_q ? t : box_textured_sum_sums_values_0_q);
-  logic [4:0] select_1986;
-  assign select_1986 = drew_s4_q ? {2'h0, explained_2} : box_explained_columns_values_0_q;
-  logic [4:0] select_1988;
-  assign select_1988 = drew_s4_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
-  logic [4:0] select_1990;
-  assign select_1990 = drew_s4_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
-  logic [4:0] select_1992;
-  assign select_1992 = drew_s4_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
-  logic [4:0] select_1994;
-  assign select_1994 = drew_s4_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
-  logic [4:0] select_1997;
-  assign select_1997 = equal_941_s4_q ? box_explained_sum_sums_values_0_q : (drew_s4_q ? e : box_explained_sum_sums_values_0_q);
-  logic [4:0] select_1999;
-  assign select_1999 = equal_941_s4_q ? box_shown_columns_values_0_q : (drew_s4_q ? {2'h0, shown_2} : box_shown_columns_values_0_q);
-  logic [4:0] select_2000;
-  assign select_2000 = drew_s4_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
-  logic [4:0] select_2002;
-  assign select_2002 = drew_s4_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
-  logic [4:0] select_2004;
-  assign select_2004 = drew_s4_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
-  logic [4:0] select_2006;
-  assign select_2006 = drew_s4_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
-  logic [4:0] select_2009;
-  assign select_2009 = equal_941_s4_q ? box_shown_sum_sums_values_0_q : (drew_s4_q ? around : box_shown_sum_sums_values_0_q);
-  logic [4:0] select_2011;
-  assign select_2011 = equal_941_s4_q ? box_nearer_columns_values_0_q : (drew_s4_q ? {2'h0, near_2} : box_nearer_columns_values_0_q);
-  logic [4:0] select_2012;
-  assign select_2012 = drew_s4_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
-  logic [4:0] select_2014;
-  assign select_2014 = drew_s4_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
-  logic [4:0] select_2016;
-  assign select_2016 = drew_s4_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
-  logic [4:0] select_2018;
-  assign select_2018 = drew_s4_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
-  logic [4:0] select_2021;
-  assign select_2021 = equal_941_s4_q ? box_nearer_sum_sums_values_0_q : (drew_s4_q ? n : box_nearer_sum_sums_values_0_q);
-  logic select_2023;
-  assign select_2023 = equal_941_s4_q ? centres_values_0_textured_q : (drew_s4_q ? and_1071 : centres_values_0_textured_q);
-  logic select_2025;
-  assign select_2025 = drew_s4_q ? (seen_columns_rdata_q[6] & select_965_s4_q[0]) : centres_values_0_of_skin_q;
-  logic select_2027;
-  assign select_2027 = drew_s4_q ? centres_values_0_textured_q : centres_values_1_textured_q;
-  logic select_2029;
-  assign select_2029 = drew_s4_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
-  // hls/stages/agreement.hpp:290
-  logic [12:0] select_2034;
-  assign select_2034 = equal_1334_s4_q ? (equal_2031_s4_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
-  // hls/stages/agreement.hpp:205
-  logic [6:0] select_2037;
-  assign select_2037 = and_357_s4_q ? (equal_1334_s4_q ? cfg_width_i[9:3] : map_width_q) : map_width_q;
+  assign next = ~sum_2737[7];
+  // hls/stages/agreement.hpp:314
+  logic select_2772;
+  assign select_2772 = equal_2321_s3_q ? (equal_420_s3_q | (less_2736_s3_q ? next : region_fresh_q)) : region_fresh_q;
+  // hls/stages/agreement.hpp:143
+  logic or_2777;
+  assign or_2777 = segment_starts_q | not_1839;
+  // hls/stages/agreement.hpp:764
+  logic select_2780;
+  assign select_2780 = inside_v_s3_q[0] ? (sum_1920[5] ? (equal_1922_s3_q & or_1923) : or_1923) : or_2777;
+  // hls/stages/agreement.hpp:211
+  logic select_2783;
+  assign select_2783 = equal_1799_s3_q ? or_2777 : (so_s3_q ? (ends_cell_s3_q ? select_2780 : or_2777) : or_2777);
   // hls/stages/agreement.hpp:871
-  logic [2:0] select_2048;
-  assign select_2048 = select_1043 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q;
-  // hls/stages/agreement.hpp:206
-  logic [7:0] select_2054;
-  assign select_2054 = marks_first_s4_q ? (less_2050 ? {sum_2051, cfg_height_i[5:3]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
-  // hls/stages/agreement.hpp:875
-  logic and_2060;
-  assign and_2060 = and_1142_s4_q & ({sum_1068, index_2[5:0]} == {sum_1055, index[5:0]});
-  // hls/stages/registration.hpp:99
-  logic [12:0] upper;
-  assign upper = {1'b0, registration_counts_measured_0_q} + {1'b0, registration_counts_measured_1_q};
-  logic [12:0] lower;
-  assign lower = {1'b0, registration_counts_measured_2_q} + {1'b0, registration_counts_measured_3_q};
-  // hls/stages/registration.hpp:103
-  logic [13:0] sum_2105;
-  assign sum_2105 = {1'b0, upper} + {1'b0, lower};
-  logic less_2106;
-  assign less_2106 = 11'h4 < sum_2105[13:3];
-  // hls/stages/registration.hpp:99
-  logic [12:0] left;
-  assign left = {1'b0, registration_counts_measured_0_q} + {1'b0, registration_counts_measured_2_q};
-  // hls/stages/registration.hpp:100
-  logic less_2109;
-  assign less_2109 = 11'he < left[12:2];
-  // hls/stages/registration.hpp:119
-  logic less_2111;
-  assign less_2111 = $signed(15'h0) < $signed(registration_counts_votes_0_up_q);
-  // hls/stages/registration.hpp:104
-  logic or_2112;
-  assign or_2112 = (~less_2109) | less_2111;
-  // hls/stages/registration.hpp:99
-  logic [12:0] right;
-  assign right = {1'b0, registration_counts_measured_1_q} + {1'b0, registration_counts_measured_3_q};
-  // hls/stages/registration.hpp:100
-  logic less_2114;
-  assign less_2114 = 11'he < right[12:2];
-  // hls/stages/registration.hpp:119
-  logic less_2116;
-  assign less_2116 = $signed(15'h0) < $signed(registration_counts_half_votes_0_up_q);
-  // hls/stages/registration.hpp:104
-  logic select_2118;
-  assign select_2118 = less_2106 ? (or_2112 ? less_2111 : less_2116) : less_2116;
-  logic or_2119;
-  assign or_2119 = (~less_2114) | select_2118;
-  // hls/stages/registration.hpp:100
-  logic less_2120;
-  assign less_2120 = 11'he < upper[12:2];
-  // hls/stages/registration.hpp:119
-  logic less_2122;
-  assign less_2122 = $signed(15'h0) < $signed(registration_counts_half_votes_1_up_q);
-  // hls/stages/registration.hpp:104
-  logic select_2123;
-  assign select_2123 = or_2119 ? select_2118 : less_2122;
-  logic select_2125;
-  assign select_2125 = less_2106 ? select_2123 : (less_2109 ? select_2123 : less_2122);
-  logic or_2126;
-  assign or_2126 = (~less_2120) | select_2125;
-  // hls/stages/registration.hpp:119
-  logic less_2127;
-  assign less_2127 = $signed(15'h0) < $signed(registration_counts_half_votes_2_up_q);
-  // hls/stages/registration.hpp:104
-  logic select_2128;
-  assign select_2128 = or_2126 ? select_2125 : less_2127;
-  logic select_2131;
-  assign select_2131 = less_2106 ? select_2128 : (less_2109 ? select_2128 : (less_2114 ? select_2128 : less_2127));
-  // hls/stages/registration.hpp:101
-  logic less_2132;
-  assign less_2132 = 11'he < lower[12:2];
-  // hls/stages/registration.hpp:104
-  logic or_2134;
-  assign or_2134 = select_2131 | (~less_2132);
-  // hls/stages/registration.hpp:119
-  logic less_2135;
-  assign less_2135 = $signed(15'h0) < $signed(registration_counts_half_votes_3_up_q);
-  // hls/stages/registration.hpp:105
-  logic select_2136;
-  assign select_2136 = or_2134 ? select_2131 : less_2135;
-  logic select_2139;
-  assign select_2139 = less_2109 ? select_2136 : (less_2114 ? select_2136 : (less_2120 ? select_2136 : less_2135));
-  // hls/stages/agreement.hpp:770
-  logic and_2151;
-  assign and_2151 = ($signed(15'h0) < $signed(registration_counts_votes_3_up_q)) & ($signed(15'h0) < $signed(registration_counts_votes_4_down_q));
-  logic or_2152;
-  assign or_2152 = ($signed(15'h0) < $signed(registration_counts_votes_4_up_q)) | and_2151;
-  logic select_2153;
-  assign select_2153 = ($signed(15'h0) < $signed(registration_counts_votes_3_down_q)) ? or_2152 : and_2151;
-  logic and_2154;
-  assign and_2154 = (less_2120 & less_2132) & select_2153;
-  logic or_2155;
-  assign or_2155 = ($signed(15'h0) < $signed(registration_counts_votes_2_down_q)) | and_2154;
-  logic select_2156;
-  assign select_2156 = ($signed(15'h0) < $signed(registration_counts_votes_1_up_q)) ? or_2155 : and_2154;
-  logic or_2157;
-  assign or_2157 = ($signed(15'h0) < $signed(registration_counts_votes_2_up_q)) | select_2156;
-  logic select_2158;
-  assign select_2158 = ($signed(15'h0) < $signed(registration_counts_votes_1_down_q)) ? or_2157 : select_2156;
-  logic select_2159;
-  assign select_2159 = (less_2109 & less_2114) ? select_2158 : and_2154;
-  logic or_2160;
-  assign or_2160 = (less_2106 ? select_2136 : select_2139) | select_2159;
-  // hls/stages/registration.hpp:119
-  logic less_2161;
-  assign less_2161 = $signed(15'h0) < $signed(registration_counts_half_votes_3_down_q);
-  // hls/stages/agreement.hpp:770
-  logic or_2162;
-  assign or_2162 = less_2161 | or_2160;
-  logic select_2163;
-  assign select_2163 = or_2134 ? or_2160 : or_2162;
-  // hls/stages/registration.hpp:119
-  logic less_2164;
-  assign less_2164 = $signed(15'h0) < $signed(registration_counts_half_votes_2_down_q);
-  logic less_2167;
-  assign less_2167 = $signed(15'h0) < $signed(registration_counts_half_votes_1_down_q);
-  logic less_2170;
-  assign less_2170 = $signed(15'h0) < $signed(registration_counts_half_votes_0_down_q);
-  // hls/stages/agreement.hpp:770
-  logic and_2203;
-  assign and_2203 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_1951 < cfg_hidden_frames_i));
-  // hls/stages/agreement.hpp:343
-  logic [11:0] select_2216;
-  assign select_2216 = equal_941_s4_q ? (equal_1933 ? registration_counts_measured_0_q : 12'h0) : 12'h0;
-  logic [11:0] select_2218;
-  assign select_2218 = equal_941_s4_q ? (equal_1933 ? registration_counts_measured_1_q : 12'h0) : 12'h0;
-  logic [11:0] select_2220;
-  assign select_2220 = equal_941_s4_q ? (equal_1933 ? registration_counts_measured_2_q : 12'h0) : 12'h0;
-  logic [11:0] select_2222;
-  assign select_2222 = equal_941_s4_q ? (equal_1933 ? registration_counts_measured_3_q : 12'h0) : 12'h0;
+  logic equal_2808;
+  assign equal_2808 = x_s3_q[6:0] == 7'h7f;
+  // hls/stages/agreement.hpp:211
+  logic [2:0] select_2859;
+  assign select_2859 = so_s3_q ? (ends_cell_s3_q ? textured_2 : box_textured_columns_values_0_q) : box_textured_columns_values_0_q;
+  logic [2:0] select_2861;
+  assign select_2861 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  logic [2:0] select_2863;
+  assign select_2863 = equal_1799_s3_q ? box_textured_columns_values_1_q : (so_s3_q ? select_2861 : box_textured_columns_values_1_q);
+  logic [2:0] select_2864;
+  assign select_2864 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  logic [2:0] select_2866;
+  assign select_2866 = equal_1799_s3_q ? box_textured_columns_values_2_q : (so_s3_q ? select_2864 : box_textured_columns_values_2_q);
+  logic [2:0] select_2867;
+  assign select_2867 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  logic [2:0] select_2869;
+  assign select_2869 = equal_1799_s3_q ? box_textured_columns_values_3_q : (so_s3_q ? select_2867 : box_textured_columns_values_3_q);
+  logic [2:0] select_2870;
+  assign select_2870 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  logic [2:0] select_2872;
+  assign select_2872 = equal_1799_s3_q ? box_textured_columns_values_4_q : (so_s3_q ? select_2870 : box_textured_columns_values_4_q);
+  logic [4:0] select_2874;
+  assign select_2874 = so_s3_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
+  logic [2:0] select_2877;
+  assign select_2877 = so_s3_q ? (ends_cell_s3_q ? explained_2 : box_explained_columns_values_0_q) : box_explained_columns_values_0_q;
+  logic [2:0] select_2879;
+  assign select_2879 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  logic [2:0] select_2881;
+  assign select_2881 = equal_1799_s3_q ? box_explained_columns_values_1_q : (so_s3_q ? select_2879 : box_explained_columns_values_1_q);
+  logic [2:0] select_2882;
+  assign select_2882 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  logic [2:0] select_2884;
+  assign select_2884 = equal_1799_s3_q ? box_explained_columns_values_2_q : (so_s3_q ? select_2882 : box_explained_columns_values_2_q);
+  logic [2:0] select_2885;
+  assign select_2885 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  logic [2:0] select_2887;
+  assign select_2887 = equal_1799_s3_q ? box_explained_columns_values_3_q : (so_s3_q ? select_2885 : box_explained_columns_values_3_q);
+  logic [2:0] select_2888;
+  assign select_2888 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  logic [2:0] select_2890;
+  assign select_2890 = equal_1799_s3_q ? box_explained_columns_values_4_q : (so_s3_q ? select_2888 : box_explained_columns_values_4_q);
+  logic [4:0] select_2892;
+  assign select_2892 = so_s3_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
+  logic [4:0] select_2893;
+  assign select_2893 = equal_1799_s3_q ? box_explained_sum_sums_values_0_q : select_2892;
+  logic [2:0] select_2895;
+  assign select_2895 = so_s3_q ? (ends_cell_s3_q ? shown_2 : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
+  logic [2:0] select_2897;
+  assign select_2897 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  logic [2:0] select_2899;
+  assign select_2899 = equal_1799_s3_q ? box_shown_columns_values_1_q : (so_s3_q ? select_2897 : box_shown_columns_values_1_q);
+  logic [2:0] select_2900;
+  assign select_2900 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  logic [2:0] select_2902;
+  assign select_2902 = equal_1799_s3_q ? box_shown_columns_values_2_q : (so_s3_q ? select_2900 : box_shown_columns_values_2_q);
+  logic [2:0] select_2903;
+  assign select_2903 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  logic [2:0] select_2905;
+  assign select_2905 = equal_1799_s3_q ? box_shown_columns_values_3_q : (so_s3_q ? select_2903 : box_shown_columns_values_3_q);
+  logic [2:0] select_2906;
+  assign select_2906 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  logic [2:0] select_2908;
+  assign select_2908 = equal_1799_s3_q ? box_shown_columns_values_4_q : (so_s3_q ? select_2906 : box_shown_columns_values_4_q);
+  logic [4:0] select_2910;
+  assign select_2910 = so_s3_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
+  logic [2:0] select_2913;
+  assign select_2913 = so_s3_q ? (ends_cell_s3_q ? near_2 : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
+  logic [2:0] select_2915;
+  assign select_2915 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  logic [2:0] select_2917;
+  assign select_2917 = equal_1799_s3_q ? box_nearer_columns_values_1_q : (so_s3_q ? select_2915 : box_nearer_columns_values_1_q);
+  logic [2:0] select_2918;
+  assign select_2918 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  logic [2:0] select_2920;
+  assign select_2920 = equal_1799_s3_q ? box_nearer_columns_values_2_q : (so_s3_q ? select_2918 : box_nearer_columns_values_2_q);
+  logic [2:0] select_2921;
+  assign select_2921 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  logic [2:0] select_2923;
+  assign select_2923 = equal_1799_s3_q ? box_nearer_columns_values_3_q : (so_s3_q ? select_2921 : box_nearer_columns_values_3_q);
+  logic [2:0] select_2924;
+  assign select_2924 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  logic [2:0] select_2926;
+  assign select_2926 = equal_1799_s3_q ? box_nearer_columns_values_4_q : (so_s3_q ? select_2924 : box_nearer_columns_values_4_q);
+  logic [4:0] select_2928;
+  assign select_2928 = so_s3_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
+  logic select_2931;
+  assign select_2931 = so_s3_q ? (ends_cell_s3_q ? and_1988 : centres_values_0_textured_q) : centres_values_0_textured_q;
+  logic select_2934;
+  assign select_2934 = ends_cell_s3_q ? (seen_columns_rdata_q[6] & inside_v_s3_q[0]) : centres_values_0_of_skin_q;
+  logic select_2936;
+  assign select_2936 = equal_1799_s3_q ? centres_values_0_of_skin_q : (so_s3_q ? select_2934 : centres_values_0_of_skin_q);
+  logic select_2937;
+  assign select_2937 = ends_cell_s3_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  logic select_2939;
+  assign select_2939 = equal_1799_s3_q ? centres_values_1_textured_q : (so_s3_q ? select_2937 : centres_values_1_textured_q);
+  logic select_2940;
+  assign select_2940 = ends_cell_s3_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  logic select_2942;
+  assign select_2942 = equal_1799_s3_q ? centres_values_1_of_skin_q : (so_s3_q ? select_2940 : centres_values_1_of_skin_q);
+  // hls/stages/agreement.hpp:314
+  logic [12:0] select_2946;
+  assign select_2946 = equal_2321_s3_q ? (equal_2943_s3_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
+  // hls/stages/agreement.hpp:365
+  logic [6:0] select_2949;
+  assign select_2949 = and_359_s3_q ? (equal_2321_s3_q ? cfg_width_i[9:3] : map_width_q) : map_width_q;
+  // hls/stages/agreement.hpp:1008
+  logic [2:0] select_2960;
+  assign select_2960 = select_1960 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q;
+  // hls/stages/agreement.hpp:218
+  logic [7:0] select_2966;
+  assign select_2966 = marks_first_s3_q ? (less_2962 ? {sum_2963, cfg_height_i[5:3]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
+  // hls/stages/agreement.hpp:1012
+  logic and_2972;
+  assign and_2972 = and_2060_s3_q & ({sum_1985, index_2[5:0]} == {sum_1972, index[5:0]});
+  // hls/stages/registration.hpp:243
+  logic not_3024;
+  assign not_3024 = ~quarter[1];
+  logic [3:0] select_3025;
+  assign select_3025 = quarter[0] ? {quarter[1], 1'b0, not_3024, 1'b0} : {1'b0, quarter[1], 1'b0, not_3024};
 
-  // Memory regions, 64 x 36 and parity, DISTANCE 12, hls/stages/agreement.hpp:938; read in stage 4, written in stage 5: 4 < 5 < 4 + DISTANCE.
+  // Memory registration_sums, 12 x 32 and parity, DISTANCE 12, hls/stages/registration.hpp:261; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [36:0] regions_mem [0:63];
+  logic [32:0] registration_sums_mem [0:11];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 64; i++) regions_mem[i] = 37'h0;
+  initial for (int i = 0; i < 12; i++) registration_sums_mem[i] = 33'h0;
+`endif
+  logic [3:0] registration_sums_raddr;
+  assign registration_sums_raddr = select_1851;
+  logic registration_sums_re;
+  assign registration_sums_re = s3_en & (equal_1799_s3_q ? (x_s3_q[6] & select_1879) : and_1890);
+  logic [32:0] registration_sums_word_q;
+  always_ff @(posedge clk_i) begin
+    if (registration_sums_re) registration_sums_word_q <= registration_sums_mem[registration_sums_raddr];
+  end
+  logic [31:0] registration_sums_rdata_q;
+  assign registration_sums_rdata_q = registration_sums_word_q[31:0];
+  logic registration_sums_read_q, registration_sums_error;
+  always_ff @(posedge clk_i) registration_sums_read_q <= rst_ni & registration_sums_re;
+  assign registration_sums_error = registration_sums_read_q & ^registration_sums_word_q;
+
+  // Memory regions, 64 x 30 and parity, DISTANCE 12, hls/stages/agreement.hpp:1092; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [30:0] regions_mem [0:63];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 64; i++) regions_mem[i] = 31'h0;
 `endif
   logic [5:0] regions_raddr;
-  assign regions_raddr = select_1003;
+  assign regions_raddr = select_1917;
   logic regions_re;
-  assign regions_re = s4_en & (equal_941_s4_q ? not_1005 : and_1011);
-  logic [36:0] regions_word_q;
+  assign regions_re = s3_en & (equal_1799_s3_q ? (x_s3_q[6] & not_1918) : and_1926);
+  logic [30:0] regions_word_q;
   always_ff @(posedge clk_i) begin
     if (regions_re) regions_word_q <= regions_mem[regions_raddr];
   end
-  logic [35:0] regions_rdata_q;
-  assign regions_rdata_q = regions_word_q[35:0];
+  logic [29:0] regions_rdata_q;
+  assign regions_rdata_q = regions_word_q[29:0];
   logic regions_read_q, regions_error;
   always_ff @(posedge clk_i) regions_read_q <= rst_ni & regions_re;
   assign regions_error = regions_read_q & ^regions_word_q;
 
-  // Memory map, 9600 x 2 and parity, DISTANCE 16, hls/stages/agreement.hpp:957; read in stage 4, written in stage 5: 4 < 5 < 4 + DISTANCE.
+  // Memory map, 9600 x 2 and parity, DISTANCE 16, hls/stages/agreement.hpp:1103; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [2:0] map_mem [0:9599];
@@ -3521,9 +3469,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 9600; i++) map_mem[i] = 3'h0;
 `endif
   logic [13:0] map_raddr;
-  assign map_raddr = {sum_1055, index[5:0]};
+  assign map_raddr = {sum_1972, index[5:0]};
   logic map_re;
-  assign map_re = s4_en & (and_1062 & less_1063);
+  assign map_re = s3_en & (and_1979 & less_1980);
   logic [2:0] map_word_q;
   always_ff @(posedge clk_i) begin
     if (map_re) map_word_q <= map_mem[map_raddr];
@@ -3536,11 +3484,11 @@ module horopter_agreement (
 
   // Memory census_memory, write
   logic [6:0] census_memory_waddr;
-  assign census_memory_waddr = column_s4_q;
+  assign census_memory_waddr = column_s3_q;
   logic census_memory_we;
-  assign census_memory_we = s4_en & and_357_s4_q;
+  assign census_memory_we = s3_en & and_359_s3_q;
   logic [77:0] census_memory_wdata;
-  assign census_memory_wdata = {census_memory_rdata_q[58:40], census_memory_rdata_q[38:0], and_375_s4_q, whole_2_s4_q, select_367, select_363};
+  assign census_memory_wdata = {census_memory_rdata_q[58:40], census_memory_rdata_q[38:0], and_377_s3_q, whole_2_s3_q, select_369, select_365};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (census_memory_we) census_memory_mem[census_memory_waddr] <= {^census_memory_wdata, census_memory_wdata};
   end
@@ -3556,64 +3504,13 @@ module horopter_agreement (
   end
 `endif
 
-  // Memory best_left, write
-  logic [6:0] best_left_waddr;
-  assign best_left_waddr = x_s4_2_q;
-  logic best_left_we;
-  assign best_left_we = s4_en & and_923_s4_q;
-  logic [34:0] best_left_wdata;
-  assign best_left_wdata = {select_922_s4_q, select_921_s4_q, select_883, select_838_s4_q, select_837_s4_q};
-  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (best_left_we) best_left_mem[best_left_waddr] <= {^best_left_wdata, best_left_wdata};
-  end
-`ifndef SYNTHESIS
-  logic [6:0] best_left_raddr_s1_sim;
-  logic best_left_re_s1_sim;
-  logic [6:0] best_left_raddr_s2_sim;
-  logic best_left_re_s2_sim;
-  logic [6:0] best_left_raddr_s3_sim;
-  logic best_left_re_s3_sim;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      best_left_re_s1_sim <= 1'b0;
-      best_left_re_s2_sim <= 1'b0;
-      best_left_re_s3_sim <= 1'b0;
-    end else if (en_i) begin
-      best_left_re_s1_sim <= best_left_re;
-      best_left_raddr_s1_sim <= best_left_raddr;
-      best_left_re_s2_sim <= best_left_re_s1_sim;
-      best_left_raddr_s2_sim <= best_left_raddr_s1_sim;
-      best_left_re_s3_sim <= best_left_re_s2_sim;
-      best_left_raddr_s3_sim <= best_left_raddr_s2_sim;
-    end
-  end
-  always_ff @(posedge clk_i) begin
-    if (rst_ni && best_left_we) begin
-      if (best_left_re && best_left_raddr == best_left_waddr) begin
-        $error("best_left: address %0d is read less than DISTANCE steps after its write", best_left_waddr);
-      end
-      if (best_left_re_s1_sim && best_left_raddr_s1_sim == best_left_waddr) begin
-        $error("best_left: address %0d is read less than DISTANCE steps after its write", best_left_waddr);
-      end
-      if (best_left_re_s2_sim && best_left_raddr_s2_sim == best_left_waddr) begin
-        $error("best_left: address %0d is read less than DISTANCE steps after its write", best_left_waddr);
-      end
-      if (best_left_re_s3_sim && best_left_raddr_s3_sim == best_left_waddr) begin
-        $error("best_left: address %0d is read less than DISTANCE steps after its write", best_left_waddr);
-      end
-      if (best_left_waddr >= 7'd80) $error("best_left: write outside, address %0d", best_left_waddr);
-    end
-    if (rst_ni && best_left_re && best_left_raddr >= 7'd80) $error("best_left: read outside, address %0d", best_left_raddr);
-  end
-`endif
-
   // Memory shown_right, write
   logic [6:0] shown_right_waddr;
-  assign shown_right_waddr = select_971_s4_q;
+  assign shown_right_waddr = select_1838_s3_q;
   logic shown_right_we;
-  assign shown_right_we = s4_en & and_992_s4_q;
+  assign shown_right_we = s3_en & and_1843_s3_q;
   logic [1:0] shown_right_wdata;
-  assign shown_right_wdata = {and_986, not_972_s4_q};
+  assign shown_right_wdata = {and_1840, not_1839};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (shown_right_we) shown_right_mem[shown_right_waddr] <= {^shown_right_wdata, shown_right_wdata};
   end
@@ -3631,11 +3528,11 @@ module horopter_agreement (
 
   // Memory seen_columns, write
   logic [6:0] seen_columns_waddr;
-  assign seen_columns_waddr = x_s4_q[6:0];
+  assign seen_columns_waddr = x_s3_q[6:0];
   logic seen_columns_we;
-  assign seen_columns_we = s4_en & and_967_s4_q;
+  assign seen_columns_we = s3_en & and_1834_s3_q;
   logic [17:0] seen_columns_wdata;
-  assign seen_columns_wdata = {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_1032, textured};
+  assign seen_columns_wdata = {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_1947, textured_s3_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {^seen_columns_wdata, seen_columns_wdata};
   end
@@ -3655,33 +3552,21 @@ module horopter_agreement (
     if (!rst_ni) begin
       census_filled_q <= 4'h0;
       rows_passed_above_q <= 5'h0;
-      counts_too_much_hidden_q <= 24'h0;
-      registration_counts_measured_0_q <= 12'h0;
-      registration_counts_measured_1_q <= 12'h0;
-      registration_counts_measured_2_q <= 12'h0;
-      registration_counts_measured_3_q <= 12'h0;
-      registration_counts_votes_0_down_q <= 15'h0;
-      registration_counts_votes_0_up_q <= 15'h0;
-      registration_counts_votes_1_down_q <= 15'h0;
-      registration_counts_votes_1_up_q <= 15'h0;
-      registration_counts_votes_2_down_q <= 15'h0;
-      registration_counts_votes_2_up_q <= 15'h0;
-      registration_counts_votes_3_down_q <= 15'h0;
-      registration_counts_votes_3_up_q <= 15'h0;
-      registration_counts_votes_4_down_q <= 15'h0;
-      registration_counts_votes_4_up_q <= 15'h0;
-      registration_counts_half_votes_0_down_q <= 15'h0;
-      registration_counts_half_votes_0_up_q <= 15'h0;
-      registration_counts_half_votes_1_down_q <= 15'h0;
-      registration_counts_half_votes_1_up_q <= 15'h0;
-      registration_counts_half_votes_2_down_q <= 15'h0;
-      registration_counts_half_votes_2_up_q <= 15'h0;
-      registration_counts_half_votes_3_down_q <= 15'h0;
-      registration_counts_half_votes_3_up_q <= 15'h0;
+      registration_slope_here_q <= 8'h0;
+      registration_of_right_q <= 1'b0;
+      registration_was_inside_q <= 1'b0;
+      registration_fresh_q <= 4'hf;
+      registration_slope_row_q <= 24'h0;
+      registration_slope_change_q <= 28'h0;
+      registration_slope_q <= 28'h0;
+      shown_shown_q <= 1'b0;
+      shown_nearer_q <= 1'b0;
       region_row_q <= 3'h0;
+      next_region_row_q <= 3'h0;
       region_columns_q <= 8'h1;
       region_across_rest_q <= 9'h0;
       region_across_back_q <= 8'h0;
+      region_across_next_q <= 9'h0;
       columns_begin_rest_q <= 9'h0;
       columns_begin_back_q <= 8'h0;
       region_down_rest_q <= 9'h0;
@@ -3689,10 +3574,6 @@ module horopter_agreement (
       region_down_next_q <= 9'h0;
       region_fresh_q <= 1'b1;
       segment_starts_q <= 1'b1;
-      hidden_for_q <= 8'h0;
-      next_hidden_for_q <= 8'h0;
-      next_region_row_q <= 3'h0;
-      begins_product_q <= 1'b0;
       centres_values_0_textured_q <= 1'b0;
       centres_values_0_of_skin_q <= 1'b0;
       centres_values_1_textured_q <= 1'b0;
@@ -3703,6 +3584,7 @@ module horopter_agreement (
       read_half_q <= 1'b1;
       done_q <= 1'b0;
       proven_q <= 1'b0;
+      drew_q <= 1'b0;
       said_q <= 1'b0;
       rows_passed_q <= 18'h0;
       columns_passed_q <= 9'h0;
@@ -3715,69 +3597,54 @@ module horopter_agreement (
       at_cell_end_q <= 1'b0;
       was_next_row_q <= 1'b0;
       seen_base_q <= 13'h0;
-    end else if (s4_en) begin
-      census_filled_q <= and_357_s4_q ? {select_419[2:0], 1'b1} : census_filled_q;
-      rows_passed_above_q <= and_357_s4_q ? select_418 : rows_passed_above_q;
-      counts_too_much_hidden_q <= select_1610;
-      registration_counts_measured_0_q <= select_1703;
-      registration_counts_measured_1_q <= select_1712;
-      registration_counts_measured_2_q <= select_1720;
-      registration_counts_measured_3_q <= select_1727;
-      registration_counts_votes_0_down_q <= and_1513 ? 15'h0 : sum_1734;
-      registration_counts_votes_0_up_q <= and_1513 ? 15'h0 : sum_1743;
-      registration_counts_votes_1_down_q <= and_1513 ? 15'h0 : sum_1752;
-      registration_counts_votes_1_up_q <= and_1513 ? 15'h0 : sum_1760;
-      registration_counts_votes_2_down_q <= and_1513 ? 15'h0 : sum_1768;
-      registration_counts_votes_2_up_q <= and_1513 ? 15'h0 : sum_1776;
-      registration_counts_votes_3_down_q <= and_1513 ? 15'h0 : sum_1785;
-      registration_counts_votes_3_up_q <= and_1513 ? 15'h0 : sum_1793;
-      registration_counts_votes_4_down_q <= and_1513 ? 15'h0 : sum_1801;
-      registration_counts_votes_4_up_q <= and_1513 ? 15'h0 : sum_1809;
-      registration_counts_half_votes_0_down_q <= and_1513 ? 15'h0 : sum_1818;
-      registration_counts_half_votes_0_up_q <= and_1513 ? 15'h0 : sum_1827;
-      registration_counts_half_votes_1_down_q <= and_1513 ? 15'h0 : sum_1835;
-      registration_counts_half_votes_1_up_q <= and_1513 ? 15'h0 : sum_1843;
-      registration_counts_half_votes_2_down_q <= and_1513 ? 15'h0 : sum_1851;
-      registration_counts_half_votes_2_up_q <= and_1513 ? 15'h0 : sum_1859;
-      registration_counts_half_votes_3_down_q <= and_1513 ? 15'h0 : sum_1867;
-      registration_counts_half_votes_3_up_q <= and_1513 ? 15'h0 : sum_1875;
-      region_row_q <= and_357_s4_q ? select_1893 : region_row_q;
-      region_columns_q <= equal_941_s4_q ? select_993 : (drew_s4_q ? select_1084 : 8'h1);
-      region_across_rest_q <= drew_s4_q ? select_1898 : columns_begin_rest_q;
-      region_across_back_q <= drew_s4_q ? region_across_back_q : columns_begin_back_q;
-      columns_begin_rest_q <= and_357_s4_q ? select_1902 : columns_begin_rest_q;
-      columns_begin_back_q <= and_357_s4_q ? select_1905 : columns_begin_back_q;
-      region_down_rest_q <= select_1911;
-      region_down_back_q <= select_1915;
-      region_down_next_q <= select_1917;
-      region_fresh_q <= and_357_s4_q ? select_1921 : region_fresh_q;
-      segment_starts_q <= equal_941_s4_q ? or_1926 : (drew_s4_q ? select_1929 : or_1926);
-      hidden_for_q <= select_1953;
-      next_hidden_for_q <= hidden_for_q + {7'h0, not_1954};
+    end else if (s3_en) begin
+      census_filled_q <= and_359_s3_q ? {select_423[2:0], 1'b1} : census_filled_q;
+      rows_passed_above_q <= and_359_s3_q ? select_422 : rows_passed_above_q;
+      registration_slope_here_q <= select_2550;
+      registration_of_right_q <= equal_1799_s3_q ? registration_of_right_q : select_2611;
+      registration_was_inside_q <= equal_1799_s3_q ? registration_was_inside_q : select_2614;
+      registration_fresh_q <= select_2623;
+      registration_slope_row_q <= select_2632;
+      registration_slope_change_q <= select_2635;
+      registration_slope_q <= so_s3_q ? column_7 : {registration_slope_row_q, 4'h0};
+      shown_shown_q <= select_2733;
+      shown_nearer_q <= select_2735;
+      region_row_q <= and_359_s3_q ? select_2741 : region_row_q;
       next_region_row_q <= region_row_q + 3'h1;
-      begins_product_q <= drew_s4_q;
-      centres_values_0_textured_q <= select_2023;
-      centres_values_0_of_skin_q <= equal_941_s4_q ? centres_values_0_of_skin_q : select_2025;
-      centres_values_1_textured_q <= equal_941_s4_q ? centres_values_1_textured_q : select_2027;
-      centres_values_1_of_skin_q <= equal_941_s4_q ? centres_values_1_of_skin_q : select_2029;
-      map_row_q <= and_357_s4_q ? select_2034 : map_row_q;
-      map_width_q <= select_2037;
-      write_half_q <= marks_first_s4_q ? (write_half_q ^ done_q) : write_half_q;
-      read_half_q <= select_1054;
-      done_q <= not_1056 & ((~begins_product_q) & (done_q | said_q));
-      proven_q <= marks_first_s4_q ? done_q : proven_q;
-      said_q <= equal_941_s4_q & equal_1933;
-      rows_passed_q <= select_1039;
-      columns_passed_q <= {select_1041[7:0], or_1037};
-      line_ended_q <= marks_last_s4_q;
-      began_q <= and_1058;
-      seen_x_q <= select_1060;
-      seen_y_q <= marks_first_s4_q ? 3'h0 : select_2048;
-      seen_column_q <= select_1051;
-      seen_rows_left_q <= select_2054;
+      region_columns_q <= select_2746;
+      region_across_rest_q <= select_2748;
+      region_across_back_q <= so_s3_q ? region_across_back_q : columns_begin_back_q;
+      region_across_next_q <= select_2751;
+      columns_begin_rest_q <= and_359_s3_q ? select_2753 : columns_begin_rest_q;
+      columns_begin_back_q <= and_359_s3_q ? select_2756 : columns_begin_back_q;
+      region_down_rest_q <= select_2762;
+      region_down_back_q <= select_2766;
+      region_down_next_q <= select_2768;
+      region_fresh_q <= and_359_s3_q ? select_2772 : region_fresh_q;
+      segment_starts_q <= select_2783;
+      centres_values_0_textured_q <= equal_1799_s3_q ? centres_values_0_textured_q : select_2931;
+      centres_values_0_of_skin_q <= select_2936;
+      centres_values_1_textured_q <= select_2939;
+      centres_values_1_of_skin_q <= select_2942;
+      map_row_q <= and_359_s3_q ? select_2946 : map_row_q;
+      map_width_q <= select_2949;
+      write_half_q <= marks_first_s3_q ? (write_half_q ^ done_q) : write_half_q;
+      read_half_q <= select_1971;
+      done_q <= not_1973 & ((~drew_q) & (done_q | said_q));
+      proven_q <= marks_first_s3_q ? done_q : proven_q;
+      drew_q <= so_s3_q;
+      said_q <= equal_1799_s3_q & equal_2808;
+      rows_passed_q <= select_1956;
+      columns_passed_q <= {select_1958[7:0], or_1954};
+      line_ended_q <= marks_last_s3_q;
+      began_q <= and_1975;
+      seen_x_q <= select_1977;
+      seen_y_q <= marks_first_s3_q ? 3'h0 : select_2960;
+      seen_column_q <= select_1968;
+      seen_rows_left_q <= select_2966;
       at_cell_end_q <= (seen_y_q == 3'h7) & (~(seen_rows_left_q == 8'h0));
       was_next_row_q <= next_row;
-      seen_base_q <= select_1048;
+      seen_base_q <= select_1965;
     end
   end
 
@@ -3844,337 +3711,333 @@ module horopter_agreement (
     census_columns_values_3_cell_4_mask_q = 1'b0;
     sharpness_last_mean_0_q = 9'h0;
     sharpness_last_mean_1_q = 9'h0;
-    box_textured_columns_values_0_q = 5'h0;
-    box_textured_columns_values_1_q = 5'h0;
-    box_textured_columns_values_2_q = 5'h0;
-    box_textured_columns_values_3_q = 5'h0;
-    box_textured_columns_values_4_q = 5'h0;
+    box_textured_columns_values_0_q = 3'h0;
+    box_textured_columns_values_1_q = 3'h0;
+    box_textured_columns_values_2_q = 3'h0;
+    box_textured_columns_values_3_q = 3'h0;
+    box_textured_columns_values_4_q = 3'h0;
     box_textured_sum_sums_values_0_q = 5'h0;
-    box_explained_columns_values_0_q = 5'h0;
-    box_explained_columns_values_1_q = 5'h0;
-    box_explained_columns_values_2_q = 5'h0;
-    box_explained_columns_values_3_q = 5'h0;
-    box_explained_columns_values_4_q = 5'h0;
+    box_explained_columns_values_0_q = 3'h0;
+    box_explained_columns_values_1_q = 3'h0;
+    box_explained_columns_values_2_q = 3'h0;
+    box_explained_columns_values_3_q = 3'h0;
+    box_explained_columns_values_4_q = 3'h0;
     box_explained_sum_sums_values_0_q = 5'h0;
-    box_shown_columns_values_0_q = 5'h0;
-    box_shown_columns_values_1_q = 5'h0;
-    box_shown_columns_values_2_q = 5'h0;
-    box_shown_columns_values_3_q = 5'h0;
-    box_shown_columns_values_4_q = 5'h0;
+    box_shown_columns_values_0_q = 3'h0;
+    box_shown_columns_values_1_q = 3'h0;
+    box_shown_columns_values_2_q = 3'h0;
+    box_shown_columns_values_3_q = 3'h0;
+    box_shown_columns_values_4_q = 3'h0;
     box_shown_sum_sums_values_0_q = 5'h0;
-    box_nearer_columns_values_0_q = 5'h0;
-    box_nearer_columns_values_1_q = 5'h0;
-    box_nearer_columns_values_2_q = 5'h0;
-    box_nearer_columns_values_3_q = 5'h0;
-    box_nearer_columns_values_4_q = 5'h0;
+    box_nearer_columns_values_0_q = 3'h0;
+    box_nearer_columns_values_1_q = 3'h0;
+    box_nearer_columns_values_2_q = 3'h0;
+    box_nearer_columns_values_3_q = 3'h0;
+    box_nearer_columns_values_4_q = 3'h0;
     box_nearer_sum_sums_values_0_q = 5'h0;
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (s4_en) begin
-      averager_total_0_q <= select_1174;
-      averager_total_1_q <= select_1176;
-      census_columns_values_0_cell_0_left_q <= select_1200;
-      census_columns_values_0_cell_0_right_q <= select_1201;
-      census_columns_values_0_cell_0_mask_q <= select_1202;
-      census_columns_values_0_cell_1_left_q <= select_1203;
-      census_columns_values_0_cell_1_right_q <= select_1204;
-      census_columns_values_0_cell_1_mask_q <= select_1205;
-      census_columns_values_0_cell_2_left_q <= select_1206;
-      census_columns_values_0_cell_2_right_q <= select_1207;
-      census_columns_values_0_cell_2_mask_q <= select_1208;
-      census_columns_values_0_cell_2_of_skin_q <= select_1209;
-      census_columns_values_0_cell_3_left_q <= select_1210;
-      census_columns_values_0_cell_3_right_q <= select_1211;
-      census_columns_values_0_cell_3_mask_q <= select_1212;
-      census_columns_values_0_cell_4_left_q <= select_1213;
-      census_columns_values_0_cell_4_right_q <= select_1214;
-      census_columns_values_0_cell_4_mask_q <= select_1215;
-      census_columns_values_1_cell_0_left_q <= select_1216;
-      census_columns_values_1_cell_0_right_q <= select_1217;
-      census_columns_values_1_cell_0_mask_q <= select_1218;
-      census_columns_values_1_cell_1_left_q <= select_1219;
-      census_columns_values_1_cell_1_right_q <= select_1220;
-      census_columns_values_1_cell_1_mask_q <= select_1221;
-      census_columns_values_1_cell_2_left_q <= select_1222;
-      census_columns_values_1_cell_2_right_q <= select_1223;
-      census_columns_values_1_cell_2_mask_q <= select_1224;
-      census_columns_values_1_cell_2_of_skin_q <= select_1225;
-      census_columns_values_1_cell_3_left_q <= select_1226;
-      census_columns_values_1_cell_3_right_q <= select_1227;
-      census_columns_values_1_cell_3_mask_q <= select_1228;
-      census_columns_values_1_cell_4_left_q <= select_1229;
-      census_columns_values_1_cell_4_right_q <= select_1230;
-      census_columns_values_1_cell_4_mask_q <= select_1231;
-      census_columns_values_2_cell_0_left_q <= select_1232;
-      census_columns_values_2_cell_0_right_q <= select_1233;
-      census_columns_values_2_cell_0_mask_q <= select_1234;
-      census_columns_values_2_cell_1_left_q <= select_1235;
-      census_columns_values_2_cell_1_right_q <= select_1236;
-      census_columns_values_2_cell_1_mask_q <= select_1237;
-      census_columns_values_2_cell_2_left_q <= select_1238;
-      census_columns_values_2_cell_2_right_q <= select_1239;
-      census_columns_values_2_cell_2_mask_q <= select_1240;
-      census_columns_values_2_cell_3_left_q <= select_1241;
-      census_columns_values_2_cell_3_right_q <= select_1242;
-      census_columns_values_2_cell_3_mask_q <= select_1243;
-      census_columns_values_2_cell_4_left_q <= select_1244;
-      census_columns_values_2_cell_4_right_q <= select_1245;
-      census_columns_values_2_cell_4_mask_q <= select_1246;
-      census_columns_values_3_cell_0_mask_q <= select_1247;
-      census_columns_values_3_cell_1_left_q <= select_1248;
-      census_columns_values_3_cell_1_right_q <= select_1249;
-      census_columns_values_3_cell_1_mask_q <= select_1250;
-      census_columns_values_3_cell_2_mask_q <= select_1251;
-      census_columns_values_3_cell_3_left_q <= select_1252;
-      census_columns_values_3_cell_3_right_q <= select_1253;
-      census_columns_values_3_cell_3_mask_q <= select_1254;
-      census_columns_values_3_cell_4_mask_q <= select_1255;
-      sharpness_last_mean_0_q <= and_357_s4_q ? select_363 : sharpness_last_mean_0_q;
-      sharpness_last_mean_1_q <= and_357_s4_q ? select_367 : sharpness_last_mean_1_q;
-      box_textured_columns_values_0_q <= select_1975;
-      box_textured_columns_values_1_q <= equal_941_s4_q ? box_textured_columns_values_1_q : select_1976;
-      box_textured_columns_values_2_q <= equal_941_s4_q ? box_textured_columns_values_2_q : select_1978;
-      box_textured_columns_values_3_q <= equal_941_s4_q ? box_textured_columns_values_3_q : select_1980;
-      box_textured_columns_values_4_q <= equal_941_s4_q ? box_textured_columns_values_4_q : select_1982;
-      box_textured_sum_sums_values_0_q <= select_1985;
-      box_explained_columns_values_0_q <= equal_941_s4_q ? box_explained_columns_values_0_q : select_1986;
-      box_explained_columns_values_1_q <= equal_941_s4_q ? box_explained_columns_values_1_q : select_1988;
-      box_explained_columns_values_2_q <= equal_941_s4_q ? box_explained_columns_values_2_q : select_1990;
-      box_explained_columns_values_3_q <= equal_941_s4_q ? box_explained_columns_values_3_q : select_1992;
-      box_explained_columns_values_4_q <= equal_941_s4_q ? box_explained_columns_values_4_q : select_1994;
-      box_explained_sum_sums_values_0_q <= select_1997;
-      box_shown_columns_values_0_q <= select_1999;
-      box_shown_columns_values_1_q <= equal_941_s4_q ? box_shown_columns_values_1_q : select_2000;
-      box_shown_columns_values_2_q <= equal_941_s4_q ? box_shown_columns_values_2_q : select_2002;
-      box_shown_columns_values_3_q <= equal_941_s4_q ? box_shown_columns_values_3_q : select_2004;
-      box_shown_columns_values_4_q <= equal_941_s4_q ? box_shown_columns_values_4_q : select_2006;
-      box_shown_sum_sums_values_0_q <= select_2009;
-      box_nearer_columns_values_0_q <= select_2011;
-      box_nearer_columns_values_1_q <= equal_941_s4_q ? box_nearer_columns_values_1_q : select_2012;
-      box_nearer_columns_values_2_q <= equal_941_s4_q ? box_nearer_columns_values_2_q : select_2014;
-      box_nearer_columns_values_3_q <= equal_941_s4_q ? box_nearer_columns_values_3_q : select_2016;
-      box_nearer_columns_values_4_q <= equal_941_s4_q ? box_nearer_columns_values_4_q : select_2018;
-      box_nearer_sum_sums_values_0_q <= select_2021;
+    if (s3_en) begin
+      averager_total_0_q <= select_2092;
+      averager_total_1_q <= select_2094;
+      census_columns_values_0_cell_0_left_q <= select_2118;
+      census_columns_values_0_cell_0_right_q <= select_2119;
+      census_columns_values_0_cell_0_mask_q <= select_2120;
+      census_columns_values_0_cell_1_left_q <= select_2121;
+      census_columns_values_0_cell_1_right_q <= select_2122;
+      census_columns_values_0_cell_1_mask_q <= select_2123;
+      census_columns_values_0_cell_2_left_q <= select_2124;
+      census_columns_values_0_cell_2_right_q <= select_2125;
+      census_columns_values_0_cell_2_mask_q <= select_2126;
+      census_columns_values_0_cell_2_of_skin_q <= select_2127;
+      census_columns_values_0_cell_3_left_q <= select_2128;
+      census_columns_values_0_cell_3_right_q <= select_2129;
+      census_columns_values_0_cell_3_mask_q <= select_2130;
+      census_columns_values_0_cell_4_left_q <= select_2131;
+      census_columns_values_0_cell_4_right_q <= select_2132;
+      census_columns_values_0_cell_4_mask_q <= select_2133;
+      census_columns_values_1_cell_0_left_q <= select_2134;
+      census_columns_values_1_cell_0_right_q <= select_2135;
+      census_columns_values_1_cell_0_mask_q <= select_2136;
+      census_columns_values_1_cell_1_left_q <= select_2137;
+      census_columns_values_1_cell_1_right_q <= select_2138;
+      census_columns_values_1_cell_1_mask_q <= select_2139;
+      census_columns_values_1_cell_2_left_q <= select_2140;
+      census_columns_values_1_cell_2_right_q <= select_2141;
+      census_columns_values_1_cell_2_mask_q <= select_2142;
+      census_columns_values_1_cell_2_of_skin_q <= select_2143;
+      census_columns_values_1_cell_3_left_q <= select_2144;
+      census_columns_values_1_cell_3_right_q <= select_2145;
+      census_columns_values_1_cell_3_mask_q <= select_2146;
+      census_columns_values_1_cell_4_left_q <= select_2147;
+      census_columns_values_1_cell_4_right_q <= select_2148;
+      census_columns_values_1_cell_4_mask_q <= select_2149;
+      census_columns_values_2_cell_0_left_q <= select_2150;
+      census_columns_values_2_cell_0_right_q <= select_2151;
+      census_columns_values_2_cell_0_mask_q <= select_2152;
+      census_columns_values_2_cell_1_left_q <= select_2153;
+      census_columns_values_2_cell_1_right_q <= select_2154;
+      census_columns_values_2_cell_1_mask_q <= select_2155;
+      census_columns_values_2_cell_2_left_q <= select_2156;
+      census_columns_values_2_cell_2_right_q <= select_2157;
+      census_columns_values_2_cell_2_mask_q <= select_2158;
+      census_columns_values_2_cell_3_left_q <= select_2159;
+      census_columns_values_2_cell_3_right_q <= select_2160;
+      census_columns_values_2_cell_3_mask_q <= select_2161;
+      census_columns_values_2_cell_4_left_q <= select_2162;
+      census_columns_values_2_cell_4_right_q <= select_2163;
+      census_columns_values_2_cell_4_mask_q <= select_2164;
+      census_columns_values_3_cell_0_mask_q <= select_2165;
+      census_columns_values_3_cell_1_left_q <= select_2166;
+      census_columns_values_3_cell_1_right_q <= select_2167;
+      census_columns_values_3_cell_1_mask_q <= select_2168;
+      census_columns_values_3_cell_2_mask_q <= select_2169;
+      census_columns_values_3_cell_3_left_q <= select_2170;
+      census_columns_values_3_cell_3_right_q <= select_2171;
+      census_columns_values_3_cell_3_mask_q <= select_2172;
+      census_columns_values_3_cell_4_mask_q <= select_2173;
+      sharpness_last_mean_0_q <= and_359_s3_q ? select_365 : sharpness_last_mean_0_q;
+      sharpness_last_mean_1_q <= and_359_s3_q ? select_369 : sharpness_last_mean_1_q;
+      box_textured_columns_values_0_q <= equal_1799_s3_q ? box_textured_columns_values_0_q : select_2859;
+      box_textured_columns_values_1_q <= select_2863;
+      box_textured_columns_values_2_q <= select_2866;
+      box_textured_columns_values_3_q <= select_2869;
+      box_textured_columns_values_4_q <= select_2872;
+      box_textured_sum_sums_values_0_q <= equal_1799_s3_q ? box_textured_sum_sums_values_0_q : select_2874;
+      box_explained_columns_values_0_q <= equal_1799_s3_q ? box_explained_columns_values_0_q : select_2877;
+      box_explained_columns_values_1_q <= select_2881;
+      box_explained_columns_values_2_q <= select_2884;
+      box_explained_columns_values_3_q <= select_2887;
+      box_explained_columns_values_4_q <= select_2890;
+      box_explained_sum_sums_values_0_q <= select_2893;
+      box_shown_columns_values_0_q <= equal_1799_s3_q ? box_shown_columns_values_0_q : select_2895;
+      box_shown_columns_values_1_q <= select_2899;
+      box_shown_columns_values_2_q <= select_2902;
+      box_shown_columns_values_3_q <= select_2905;
+      box_shown_columns_values_4_q <= select_2908;
+      box_shown_sum_sums_values_0_q <= equal_1799_s3_q ? box_shown_sum_sums_values_0_q : select_2910;
+      box_nearer_columns_values_0_q <= equal_1799_s3_q ? box_nearer_columns_values_0_q : select_2913;
+      box_nearer_columns_values_1_q <= select_2917;
+      box_nearer_columns_values_2_q <= select_2920;
+      box_nearer_columns_values_3_q <= select_2923;
+      box_nearer_columns_values_4_q <= select_2926;
+      box_nearer_sum_sums_values_0_q <= equal_1799_s3_q ? box_nearer_sum_sums_values_0_q : select_2928;
     end
   end
 
-  logic [7:0] pixel_0_s5_q;
-  logic [7:0] pixel_1_s5_q;
-  logic saturated_s5_q;
-  logic mask_s5_q;
-  logic marks_first_s5_q;
-  logic sample_pair_whole_s5_q;
-  logic census_columns_values_1_cell_2_of_skin_s5_q;
-  logic [5:0] x_s5_q;
-  logic [2:0] region_row_s5_q;
-  logic region_fresh_s5_q;
-  logic begins_product_s5_q;
-  logic centres_values_1_textured_s5_q;
-  logic centres_values_1_of_skin_s5_q;
-  logic [6:0] column_s5_q;
-  logic and_355_s5_q;
-  logic and_357_s5_q;
-  logic [8:0] grey_s5_q;
-  logic equal_360_s5_q;
-  logic [8:0] grey_2_s5_q;
-  logic whole_2_s5_q;
-  logic less_389_s5_q;
-  logic less_390_s5_q;
-  logic less_391_s5_q;
-  logic less_392_s5_q;
-  logic less_393_s5_q;
-  logic less_394_s5_q;
-  logic less_395_s5_q;
-  logic less_396_s5_q;
-  logic less_397_s5_q;
-  logic less_398_s5_q;
-  logic less_399_s5_q;
-  logic less_400_s5_q;
-  logic less_401_s5_q;
-  logic less_402_s5_q;
-  logic less_403_s5_q;
-  logic less_404_s5_q;
-  logic less_405_s5_q;
-  logic less_406_s5_q;
-  logic less_407_s5_q;
-  logic less_408_s5_q;
-  logic less_409_s5_q;
-  logic less_410_s5_q;
-  logic less_411_s5_q;
-  logic less_412_s5_q;
-  logic and_420_s5_q;
-  logic and_445_s5_q;
-  logic and_446_s5_q;
-  logic [11:0] texture_s5_q;
-  logic equal_941_s5_q;
-  logic not_942_s5_q;
-  logic [2:0] select_965_s5_q;
-  logic or_996_s5_q;
-  logic or_999_s5_q;
-  logic or_1002_s5_q;
-  logic equal_1004_s5_q;
-  logic textured_s5_q;
-  logic explained_s5_q;
-  logic and_1025_s5_q;
-  logic and_1030_s5_q;
-  logic and_1062_s5_q;
-  logic less_1063_s5_q;
-  logic [5:0] index_2_s5_q;
-  logic [7:0] sum_1068_s5_q;
-  logic equal_1082_s5_q;
-  logic or_1087_s5_q;
-  logic or_1090_s5_q;
-  logic or_1093_s5_q;
-  logic not_1117_s5_q;
-  logic less_1131_s5_q;
-  logic and_1142_s5_q;
-  logic [11:0] sum_1275_s5_q;
-  logic equal_1282_s5_q;
-  logic [8:0] contrast_s5_q;
-  logic [8:0] contrast_2_s5_q;
-  logic and_1513_s5_q;
-  logic and_1516_s5_q;
-  logic equal_1531_s5_q;
-  logic not_1547_s5_q;
-  logic less_1611_s5_q;
-  logic equal_1614_s5_q;
-  logic equal_1615_s5_q;
-  logic equal_1616_s5_q;
-  logic [7:0] residual_s5_q;
-  logic equal_1933_s5_q;
-  logic and_2060_s5_q;
-  logic and_2087_s5_q;
-  logic less_2106_s5_q;
-  logic less_2107_s5_q;
-  logic less_2109_s5_q;
-  logic or_2112_s5_q;
-  logic less_2114_s5_q;
-  logic or_2119_s5_q;
-  logic less_2120_s5_q;
-  logic or_2126_s5_q;
-  logic select_2163_s5_q;
-  logic or_2165_s5_q;
-  logic less_2167_s5_q;
-  logic less_2170_s5_q;
-  logic select_2174_s5_q;
-  logic and_2206_s5_q;
-  logic [11:0] select_2216_s5_q;
-  logic [11:0] select_2218_s5_q;
-  logic [11:0] select_2220_s5_q;
-  logic [11:0] select_2222_s5_q;
-  logic and_2231_s5_q;
+  logic [7:0] pixel_0_s4_q;
+  logic [7:0] pixel_1_s4_q;
+  logic saturated_s4_q;
+  logic mask_s4_q;
+  logic marks_first_s4_q;
+  logic sample_pair_whole_s4_q;
+  logic census_columns_values_1_cell_2_of_skin_s4_q;
+  logic [7:0] x_s4_q;
+  logic [2:0] slot_s4_q;
+  logic ends_cell_s4_q;
+  logic lower_half_s4_q;
+  logic registration_of_right_s4_q;
+  logic [2:0] region_row_s4_q;
+  logic region_fresh_s4_q;
+  logic centres_values_1_textured_s4_q;
+  logic centres_values_1_of_skin_s4_q;
+  logic [6:0] column_s4_q;
+  logic and_357_s4_q;
+  logic and_359_s4_q;
+  logic [8:0] grey_s4_q;
+  logic equal_362_s4_q;
+  logic [8:0] grey_2_s4_q;
+  logic whole_2_s4_q;
+  logic less_393_s4_q;
+  logic less_394_s4_q;
+  logic less_395_s4_q;
+  logic less_396_s4_q;
+  logic less_397_s4_q;
+  logic less_398_s4_q;
+  logic less_399_s4_q;
+  logic less_400_s4_q;
+  logic less_401_s4_q;
+  logic less_402_s4_q;
+  logic less_403_s4_q;
+  logic less_404_s4_q;
+  logic less_405_s4_q;
+  logic less_406_s4_q;
+  logic less_407_s4_q;
+  logic less_408_s4_q;
+  logic less_409_s4_q;
+  logic less_410_s4_q;
+  logic less_411_s4_q;
+  logic less_412_s4_q;
+  logic less_413_s4_q;
+  logic less_414_s4_q;
+  logic less_415_s4_q;
+  logic less_416_s4_q;
+  logic and_424_s4_q;
+  logic and_449_s4_q;
+  logic and_450_s4_q;
+  logic [11:0] texture_s4_q;
+  logic equal_1799_s4_q;
+  logic not_1800_s4_q;
+  logic equal_1844_s4_q;
+  logic all_s4_q;
+  logic [1:0] sum_1850_s4_q;
+  logic equal_1852_s4_q;
+  logic equal_1854_s4_q;
+  logic equal_1856_s4_q;
+  logic equal_1858_s4_q;
+  logic equal_1860_s4_q;
+  logic equal_1862_s4_q;
+  logic equal_1864_s4_q;
+  logic less_1872_s4_q;
+  logic or_1876_s4_q;
+  logic equal_1896_s4_q;
+  logic and_1906_s4_q;
+  logic or_1910_s4_q;
+  logic or_1913_s4_q;
+  logic or_1916_s4_q;
+  logic not_1918_s4_q;
+  logic textured_s4_q;
+  logic explained_s4_q;
+  logic and_1940_s4_q;
+  logic and_1945_s4_q;
+  logic and_1979_s4_q;
+  logic less_1980_s4_q;
+  logic [5:0] index_2_s4_q;
+  logic [7:0] sum_1985_s4_q;
+  logic equal_1999_s4_q;
+  logic or_2004_s4_q;
+  logic or_2007_s4_q;
+  logic or_2010_s4_q;
+  logic not_2035_s4_q;
+  logic less_2049_s4_q;
+  logic and_2060_s4_q;
+  logic [11:0] sum_2193_s4_q;
+  logic equal_2200_s4_q;
+  logic [8:0] contrast_s4_q;
+  logic [8:0] contrast_2_s4_q;
+  logic and_2418_s4_q;
+  logic and_2422_s4_q;
+  logic not_2456_s4_q;
+  logic and_2484_s4_q;
+  logic equal_2526_s4_q;
+  logic and_2554_s4_q;
+  logic and_2556_s4_q;
+  logic [11:0] residual_s4_q;
+  logic equal_2647_s4_q;
+  logic equal_2808_s4_q;
+  logic and_2972_s4_q;
+  logic and_2987_s4_q;
+  logic equal_3027_s4_q;
   always_ff @(posedge clk_i) begin
-    if (s4_en) begin
-      pixel_0_s5_q <= sample_pair_pixel_0_q;
-      pixel_1_s5_q <= sample_pair_pixel_1_q;
-      saturated_s5_q <= saturated_s4_q;
-      mask_s5_q <= sample_of_skin_q;
-      marks_first_s5_q <= marks_first_s4_q;
-      sample_pair_whole_s5_q <= sample_pair_whole_s4_q;
-      census_columns_values_1_cell_2_of_skin_s5_q <= census_columns_values_1_cell_2_of_skin_q;
-      x_s5_q <= x_s4_q[5:0];
-      region_row_s5_q <= region_row_q;
-      region_fresh_s5_q <= region_fresh_q;
-      begins_product_s5_q <= begins_product_q;
-      centres_values_1_textured_s5_q <= centres_values_1_textured_q;
-      centres_values_1_of_skin_s5_q <= centres_values_1_of_skin_q;
-      column_s5_q <= column_s4_q;
-      and_355_s5_q <= and_355_s4_q;
-      and_357_s5_q <= and_357_s4_q;
-      grey_s5_q <= grey_s4_q;
-      equal_360_s5_q <= equal_360_s4_q;
-      grey_2_s5_q <= grey_2_s4_q;
-      whole_2_s5_q <= whole_2_s4_q;
-      less_389_s5_q <= less_389;
-      less_390_s5_q <= less_390;
-      less_391_s5_q <= less_391;
-      less_392_s5_q <= less_392;
-      less_393_s5_q <= less_393;
-      less_394_s5_q <= less_394;
-      less_395_s5_q <= less_395;
-      less_396_s5_q <= less_396;
-      less_397_s5_q <= less_397;
-      less_398_s5_q <= less_398;
-      less_399_s5_q <= less_399;
-      less_400_s5_q <= less_400;
-      less_401_s5_q <= less_401;
-      less_402_s5_q <= less_402;
-      less_403_s5_q <= less_403;
-      less_404_s5_q <= less_404;
-      less_405_s5_q <= less_405;
-      less_406_s5_q <= less_406;
-      less_407_s5_q <= less_407;
-      less_408_s5_q <= less_408;
-      less_409_s5_q <= less_409;
-      less_410_s5_q <= less_410;
-      less_411_s5_q <= less_411;
-      less_412_s5_q <= less_412;
-      and_420_s5_q <= and_420;
-      and_445_s5_q <= whole_22 & and_420;
-      and_446_s5_q <= census_columns_values_1_cell_2_mask_q & and_420;
-      texture_s5_q <= texture;
-      equal_941_s5_q <= equal_941_s4_q;
-      not_942_s5_q <= not_942_s4_q;
-      select_965_s5_q <= {select_965_s4_q[4], select_965_s4_q[2], select_965_s4_q[0]};
-      or_996_s5_q <= or_996;
-      or_999_s5_q <= or_999;
-      or_1002_s5_q <= or_1002;
-      equal_1004_s5_q <= equal_1004;
-      textured_s5_q <= textured;
-      explained_s5_q <= explained;
-      and_1025_s5_q <= and_1025;
-      and_1030_s5_q <= not_942_s4_q & and_1011;
-      and_1062_s5_q <= and_1062;
-      less_1063_s5_q <= less_1063;
-      index_2_s5_q <= index_2[5:0];
-      sum_1068_s5_q <= sum_1068;
-      equal_1082_s5_q <= t[4:1] == 4'h0;
-      or_1087_s5_q <= or_1087;
-      or_1090_s5_q <= select_1084[7] | (~({select_1084[6], select_1084[3:2]} == 3'h0));
-      or_1093_s5_q <= select_1084[7] | (~(select_1084[6:4] == 3'h0));
-      not_1117_s5_q <= ~({sum_1115, around[0]} < {2'h0, t});
-      less_1131_s5_q <= {1'b0, around[4:1]} < n;
-      and_1142_s5_q <= and_1142_s4_q;
-      sum_1275_s5_q <= ({1'b0, sum_1267} + {2'h0, sum_1270}) + {2'h0, sum_1274};
-      equal_1282_s5_q <= equal_1282_s4_q;
-      contrast_s5_q <= contrast;
-      contrast_2_s5_q <= contrast_2;
-      and_1513_s5_q <= and_1513;
-      and_1516_s5_q <= and_1516;
-      equal_1531_s5_q <= x_s4_q[7:1] == 7'h0;
-      not_1547_s5_q <= ~({sum_1545, e[0]} < {2'h0, t});
-      less_1611_s5_q <= less_1611_s4_q;
-      equal_1614_s5_q <= equal_1614;
-      equal_1615_s5_q <= equal_1615;
-      equal_1616_s5_q <= equal_1616;
-      residual_s5_q <= residual[7:0];
-      equal_1933_s5_q <= equal_1933;
-      and_2060_s5_q <= and_2060;
-      and_2087_s5_q <= equal_941_s4_q & (equal_1933 & (cfg_prove_i & (~proven_q)));
-      less_2106_s5_q <= less_2106;
-      less_2107_s5_q <= $signed(15'h0) < $signed(registration_counts_votes_0_down_q);
-      less_2109_s5_q <= less_2109;
-      or_2112_s5_q <= or_2112;
-      less_2114_s5_q <= less_2114;
-      or_2119_s5_q <= or_2119;
-      less_2120_s5_q <= less_2120;
-      or_2126_s5_q <= or_2126;
-      select_2163_s5_q <= select_2163;
-      or_2165_s5_q <= less_2164 | select_2163;
-      less_2167_s5_q <= less_2167;
-      less_2170_s5_q <= less_2170;
-      select_2174_s5_q <= less_2132 ? or_2162 : select_2159;
-      and_2206_s5_q <= equal_941_s4_q & (equal_1933 & (cfg_prove_i & and_2203));
-      select_2216_s5_q <= select_2216;
-      select_2218_s5_q <= select_2218;
-      select_2220_s5_q <= select_2220;
-      select_2222_s5_q <= select_2222;
-      and_2231_s5_q <= equal_941_s4_q & not_1005;
+    if (s3_en) begin
+      pixel_0_s4_q <= sample_pair_pixel_0_q;
+      pixel_1_s4_q <= sample_pair_pixel_1_q;
+      saturated_s4_q <= saturated_s3_q;
+      mask_s4_q <= sample_of_skin_q;
+      marks_first_s4_q <= marks_first_s3_q;
+      sample_pair_whole_s4_q <= sample_pair_whole_s3_q;
+      census_columns_values_1_cell_2_of_skin_s4_q <= census_columns_values_1_cell_2_of_skin_q;
+      x_s4_q <= x_s3_q;
+      slot_s4_q <= slot_s3_q;
+      ends_cell_s4_q <= ends_cell_s3_q;
+      lower_half_s4_q <= lower_half_s3_q;
+      registration_of_right_s4_q <= registration_of_right_q;
+      region_row_s4_q <= region_row_q;
+      region_fresh_s4_q <= region_fresh_q;
+      centres_values_1_textured_s4_q <= centres_values_1_textured_q;
+      centres_values_1_of_skin_s4_q <= centres_values_1_of_skin_q;
+      column_s4_q <= column_s3_q;
+      and_357_s4_q <= and_357_s3_q;
+      and_359_s4_q <= and_359_s3_q;
+      grey_s4_q <= grey_s3_q;
+      equal_362_s4_q <= equal_362_s3_q;
+      grey_2_s4_q <= grey_2_s3_q;
+      whole_2_s4_q <= whole_2_s3_q;
+      less_393_s4_q <= less_393;
+      less_394_s4_q <= less_394;
+      less_395_s4_q <= less_395;
+      less_396_s4_q <= less_396;
+      less_397_s4_q <= less_397;
+      less_398_s4_q <= less_398;
+      less_399_s4_q <= less_399;
+      less_400_s4_q <= less_400;
+      less_401_s4_q <= less_401;
+      less_402_s4_q <= less_402;
+      less_403_s4_q <= less_403;
+      less_404_s4_q <= less_404;
+      less_405_s4_q <= less_405;
+      less_406_s4_q <= less_406;
+      less_407_s4_q <= less_407;
+      less_408_s4_q <= less_408;
+      less_409_s4_q <= less_409;
+      less_410_s4_q <= less_410;
+      less_411_s4_q <= less_411;
+      less_412_s4_q <= less_412;
+      less_413_s4_q <= less_413;
+      less_414_s4_q <= less_414;
+      less_415_s4_q <= less_415;
+      less_416_s4_q <= less_416;
+      and_424_s4_q <= and_424;
+      and_449_s4_q <= whole_22 & and_424;
+      and_450_s4_q <= census_columns_values_1_cell_2_mask_q & and_424;
+      texture_s4_q <= texture;
+      equal_1799_s4_q <= equal_1799_s3_q;
+      not_1800_s4_q <= not_1800_s3_q;
+      equal_1844_s4_q <= equal_1844;
+      all_s4_q <= all;
+      sum_1850_s4_q <= sum_1850;
+      equal_1852_s4_q <= equal_1852;
+      equal_1854_s4_q <= equal_1854;
+      equal_1856_s4_q <= equal_1856;
+      equal_1858_s4_q <= equal_1858;
+      equal_1860_s4_q <= equal_1860;
+      equal_1862_s4_q <= equal_1862;
+      equal_1864_s4_q <= equal_1864;
+      less_1872_s4_q <= less_1872;
+      or_1876_s4_q <= or_1876;
+      equal_1896_s4_q <= (registration_fresh_q & select_1894) == 4'h0;
+      and_1906_s4_q <= not_1800_s3_q & and_1890;
+      or_1910_s4_q <= or_1910;
+      or_1913_s4_q <= or_1913;
+      or_1916_s4_q <= or_1916;
+      not_1918_s4_q <= not_1918;
+      textured_s4_q <= textured_s3_q;
+      explained_s4_q <= explained;
+      and_1940_s4_q <= and_1940;
+      and_1945_s4_q <= not_1800_s3_q & and_1926;
+      and_1979_s4_q <= and_1979;
+      less_1980_s4_q <= less_1980;
+      index_2_s4_q <= index_2[5:0];
+      sum_1985_s4_q <= sum_1985;
+      equal_1999_s4_q <= t[4:1] == 4'h0;
+      or_2004_s4_q <= or_2004;
+      or_2007_s4_q <= select_2001[7] | (~({select_2001[6], select_2001[3:2]} == 3'h0));
+      or_2010_s4_q <= select_2001[7] | (~(select_2001[6:4] == 3'h0));
+      not_2035_s4_q <= ~({sum_2033, around[0]} < {2'h0, t});
+      less_2049_s4_q <= {1'b0, around[4:1]} < n;
+      and_2060_s4_q <= and_2060_s3_q;
+      sum_2193_s4_q <= ({1'b0, sum_2185} + {2'h0, sum_2188}) + {2'h0, sum_2192};
+      equal_2200_s4_q <= equal_2200_s3_q;
+      contrast_s4_q <= contrast;
+      contrast_2_s4_q <= contrast_2;
+      and_2418_s4_q <= and_2418;
+      and_2422_s4_q <= not_1800_s3_q & and_2421;
+      not_2456_s4_q <= ~({sum_2454, e[0]} < {2'h0, t});
+      and_2484_s4_q <= not_1800_s3_q & (so_s3_q & and_2482);
+      equal_2526_s4_q <= equal_2526;
+      and_2554_s4_q <= not_1800_s3_q & (so_s3_q & (half_ends & equal_2551));
+      and_2556_s4_q <= and_2556_s3_q;
+      residual_s4_q <= residual;
+      equal_2647_s4_q <= (registration_fresh_q & select_2645) == 4'h0;
+      equal_2808_s4_q <= equal_2808;
+      and_2972_s4_q <= and_2972;
+      and_2987_s4_q <= equal_1799_s3_q & (equal_2808 & (cfg_prove_i & (~proven_q)));
+      equal_3027_s4_q <= (registration_fresh_q & select_3025) == 4'h0;
     end
   end
 
-  // Stage 5 -----------------------------------------------------------------------------------------------------------
+  // Stage 4 -----------------------------------------------------------------------------------------------------------
   logic [8:0] averager_quarter_1_0_q;
   logic [8:0] averager_quarter_1_1_q;
   logic [8:0] averager_quarter_2_0_q;
@@ -4195,483 +4058,708 @@ module horopter_agreement (
   logic [23:0] sharpness_sums_detail_1_q;
   logic [23:0] sharpness_sums_contrast_0_q;
   logic [23:0] sharpness_sums_contrast_1_q;
+  logic [17:0] sharpness_comparing_rest_0_q;
+  logic [17:0] sharpness_comparing_rest_1_q;
+  logic [2:0] sharpness_comparing_product_0_q;
+  logic [2:0] sharpness_comparing_product_1_q;
+  logic [1:0] sharpness_comparing_contrast_0_q;
+  logic [1:0] sharpness_comparing_contrast_1_q;
+  logic sharpness_comparing_carry_0_q;
+  logic sharpness_comparing_carry_1_q;
+  logic sharpness_comparing_less_detail_0_q;
+  logic sharpness_comparing_less_detail_1_q;
+  logic sharpness_comparing_less_contrast_0_q;
+  logic sharpness_comparing_less_contrast_1_q;
   logic [13:0] counts_supervised_q;
   logic [13:0] counts_textured_q;
   logic [13:0] counts_explained_q;
   logic [13:0] counts_nearer_q;
   logic [13:0] counts_unproven_q;
   logic [13:0] counts_regions_bad_q;
-  logic [23:0] counts_too_little_explained_q;
-  logic [23:0] counts_too_many_bad_q;
-  logic [23:0] counts_too_much_unproven_q;
-  logic [23:0] counts_too_much_unseen_skin_q;
-  logic [19:0] registration_counts_across_0_q;
-  logic [19:0] registration_counts_across_1_q;
-  logic [19:0] registration_counts_across_2_q;
-  logic [19:0] registration_counts_across_3_q;
+  logic [13:0] counts_skin_supervised_q;
+  logic [13:0] counts_skin_textured_q;
+  logic [13:0] counts_skin_unproven_q;
+  logic [13:0] registration_half_across_q;
+  logic [5:0] registration_half_measured_q;
+  logic [6:0] registration_half_votes_down_q;
+  logic [6:0] registration_half_votes_up_q;
+  logic [6:0] registration_half_half_votes_down_q;
+  logic [6:0] registration_half_half_votes_up_q;
+  logic [13:0] registration_down_q;
+  logic [13:0] registration_up_q;
+  logic registration_enough_q;
+  logic registration_votes_down_q;
+  logic registration_votes_up_q;
+  logic registration_other_enough_q;
+  logic registration_other_down_q;
+  logic registration_other_up_q;
+  logic registration_moved_q;
   logic [6:0] segment_textured_q;
   logic [6:0] segment_explained_q;
   logic [6:0] segment_nearer_q;
   logic segment_started_q;
   logic [47:0] good_q;
-  logic [47:0] good_next_q;
-  logic [35:0] product_0_q;
-  logic [35:0] product_1_q;
-  logic [34:0] addend_0_q;
-  logic [34:0] addend_1_q;
-  logic [17:0] multiplier_0_q;
-  logic [17:0] multiplier_1_q;
+  logic good_known_q;
+  logic [7:0] hidden_for_q;
+  logic [13:0] product_q;
+  logic product_rest_q;
+  logic disagree_q;
+  logic too_much_q;
+  logic hides_q;
   logic seen_q;
   logic nearer_q;
   // hls/stages/census.hpp:201
-  logic [12:0] sum_466;
-  assign sum_466 = {1'b0, census_changes_values_0_left_q} + {1'b0, texture_s5_q};
-  logic [13:0] sum_468;
-  assign sum_468 = {2'h0, census_changes_values_2_left_q} + ({2'h0, census_changes_values_1_left_q} + {1'b0, sum_466});
+  logic [12:0] sum_470;
+  assign sum_470 = {1'b0, census_changes_values_0_left_q} + {1'b0, texture_s4_q};
+  logic [13:0] sum_472;
+  assign sum_472 = {2'h0, census_changes_values_2_left_q} + ({2'h0, census_changes_values_1_left_q} + {1'b0, sum_470});
   // hls/stages/census.hpp:223
-  logic less_469;
-  assign less_469 = 9'h4 < sum_468[13:5];
-  logic and_470;
-  assign and_470 = and_420_s5_q & less_469;
-  // hls/stages/agreement.hpp:542
-  logic [6:0] select_1015;
-  assign select_1015 = segment_started_q ? segment_textured_q : 7'h0;
-  // hls/stages/agreement.hpp:543
-  logic [6:0] sum_1016;
-  assign sum_1016 = {6'h0, textured_s5_q} + select_1015;
-  // hls/stages/agreement.hpp:683
-  logic [11:0] sum_1018;
-  assign sum_1018 = {5'h0, sum_1016} + (region_fresh_s5_q ? 12'h0 : regions_rdata_q[11:0]);
-  // hls/stages/agreement.hpp:542
-  logic [6:0] select_1020;
-  assign select_1020 = segment_started_q ? segment_explained_q : 7'h0;
-  // hls/stages/agreement.hpp:543
-  logic [6:0] sum_1021;
-  assign sum_1021 = {6'h0, explained_s5_q} + select_1020;
-  // hls/stages/agreement.hpp:684
-  logic [11:0] sum_1023;
-  assign sum_1023 = {5'h0, sum_1021} + (region_fresh_s5_q ? 12'h0 : regions_rdata_q[23:12]);
-  // hls/stages/agreement.hpp:542
-  logic [6:0] select_1026;
-  assign select_1026 = segment_started_q ? segment_nearer_q : 7'h0;
-  // hls/stages/agreement.hpp:544
-  logic [6:0] sum_1027;
-  assign sum_1027 = {6'h0, and_1025_s5_q} + select_1026;
-  // hls/stages/agreement.hpp:685
-  logic [11:0] sum_1029;
-  assign sum_1029 = {5'h0, sum_1027} + (region_fresh_s5_q ? 12'h0 : regions_rdata_q[35:24]);
-  // hls/stages/agreement.hpp:723
-  logic not_1094;
-  assign not_1094 = ~region_row_s5_q[2];
-  logic [2:0] select_1095;
-  assign select_1095 = region_row_s5_q[1] ? {1'b0, not_1094, 1'b0} : {region_row_s5_q[2], 1'b0, not_1094};
-  logic [5:0] select_1096;
-  assign select_1096 = region_row_s5_q[0] ? {select_1095[2], 1'b0, select_1095[1], 1'b0, select_1095[0], 1'b0} : {1'b0, select_1095[2], 1'b0, select_1095[1], 1'b0, select_1095[0]};
-  logic [11:0] select_1097;
-  assign select_1097 = or_1093_s5_q ? {select_1096[5], 1'b0, select_1096[4], 1'b0, select_1096[3], 1'b0, select_1096[2], 1'b0, select_1096[1], 1'b0, select_1096[0], 1'b0} : {1'b0, select_1096[5], 1'b0, select_1096[4], 1'b0, select_1096[3], 1'b0, select_1096[2], 1'b0, select_1096[1], 1'b0, select_1096[0]};
-  logic [23:0] select_1098;
-  assign select_1098 = or_1090_s5_q ? {select_1097[11], 1'b0, select_1097[10], 1'b0, select_1097[9], 1'b0, select_1097[8], 1'b0, select_1097[7], 1'b0, select_1097[6], 1'b0, select_1097[5], 1'b0, select_1097[4], 1'b0, select_1097[3], 1'b0, select_1097[2], 1'b0, select_1097[1], 1'b0, select_1097[0], 1'b0} : {1'b0, select_1097[11], 1'b0, select_1097[10], 1'b0, select_1097[9], 1'b0, select_1097[8], 1'b0, select_1097[7], 1'b0, select_1097[6], 1'b0, select_1097[5], 1'b0, select_1097[4], 1'b0, select_1097[3], 1'b0, select_1097[2], 1'b0, select_1097[1], 1'b0, select_1097[0]};
-  logic [47:0] select_1099;
-  assign select_1099 = or_1087_s5_q ? {select_1098[23], 1'b0, select_1098[22], 1'b0, select_1098[21], 1'b0, select_1098[20], 1'b0, select_1098[19], 1'b0, select_1098[18], 1'b0, select_1098[17], 1'b0, select_1098[16], 1'b0, select_1098[15], 1'b0, select_1098[14], 1'b0, select_1098[13], 1'b0, select_1098[12], 1'b0, select_1098[11], 1'b0, select_1098[10], 1'b0, select_1098[9], 1'b0, select_1098[8], 1'b0, select_1098[7], 1'b0, select_1098[6], 1'b0, select_1098[5], 1'b0, select_1098[4], 1'b0, select_1098[3], 1'b0, select_1098[2], 1'b0, select_1098[1], 1'b0, select_1098[0], 1'b0} : {1'b0, select_1098[23], 1'b0, select_1098[22], 1'b0, select_1098[21], 1'b0, select_1098[20], 1'b0, select_1098[19], 1'b0, select_1098[18], 1'b0, select_1098[17], 1'b0, select_1098[16], 1'b0, select_1098[15], 1'b0, select_1098[14], 1'b0, select_1098[13], 1'b0, select_1098[12], 1'b0, select_1098[11], 1'b0, select_1098[10], 1'b0, select_1098[9], 1'b0, select_1098[8], 1'b0, select_1098[7], 1'b0, select_1098[6], 1'b0, select_1098[5], 1'b0, select_1098[4], 1'b0, select_1098[3], 1'b0, select_1098[2], 1'b0, select_1098[1], 1'b0, select_1098[0]};
-  logic not_1102;
-  assign not_1102 = ~((good_q & select_1099) == 48'h0);
-  // hls/stages/agreement.hpp:725
+  logic less_473;
+  assign less_473 = 9'h4 < sum_472[13:5];
+  logic and_474;
+  assign and_474 = and_424_s4_q & less_473;
+  // hls/stages/registration.hpp:250
+  logic equal_1898;
+  assign equal_1898 = sum_1850_s4_q == 2'h0;
+  // hls/stages/registration.hpp:248
+  logic [6:0] down;
+  assign down = sum_1850_s4_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
+  // hls/stages/registration.hpp:250
+  logic [13:0] select_1900;
+  assign select_1900 = equal_1898 ? registration_half_across_q : {{7{down[6]}}, down};
+  logic [19:0] sum_1901;
+  assign sum_1901 = (equal_1896_s4_q ? registration_sums_rdata_q[19:0] : 20'h0) + {{6{select_1900[13]}}, select_1900};
+  // hls/stages/registration.hpp:249
+  logic [6:0] up;
+  assign up = sum_1850_s4_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
+  // hls/stages/registration.hpp:251
+  logic [6:0] select_1904;
+  assign select_1904 = equal_1898 ? {1'b0, registration_half_measured_q} : up;
+  logic [11:0] sum_1905;
+  assign sum_1905 = (equal_1896_s4_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_1904[6]}}, select_1904};
+  // hls/stages/agreement.hpp:658
+  logic [6:0] select_1930;
+  assign select_1930 = segment_started_q ? segment_textured_q : 7'h0;
+  // hls/stages/agreement.hpp:659
+  logic [6:0] sum_1931;
+  assign sum_1931 = {6'h0, textured_s4_q} + select_1930;
+  // hls/stages/agreement.hpp:791
+  logic [9:0] sum_1933;
+  assign sum_1933 = {3'h0, sum_1931} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[9:0]);
+  // hls/stages/agreement.hpp:658
+  logic [6:0] select_1935;
+  assign select_1935 = segment_started_q ? segment_explained_q : 7'h0;
+  // hls/stages/agreement.hpp:659
+  logic [6:0] sum_1936;
+  assign sum_1936 = {6'h0, explained_s4_q} + select_1935;
+  // hls/stages/agreement.hpp:792
+  logic [9:0] sum_1938;
+  assign sum_1938 = {3'h0, sum_1936} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[19:10]);
+  // hls/stages/agreement.hpp:658
+  logic [6:0] select_1941;
+  assign select_1941 = segment_started_q ? segment_nearer_q : 7'h0;
+  // hls/stages/agreement.hpp:660
+  logic [6:0] sum_1942;
+  assign sum_1942 = {6'h0, and_1940_s4_q} + select_1941;
+  // hls/stages/agreement.hpp:793
+  logic [9:0] sum_1944;
+  assign sum_1944 = {3'h0, sum_1942} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[29:20]);
+  // hls/stages/agreement.hpp:831
+  logic not_2011;
+  assign not_2011 = ~region_row_s4_q[2];
+  logic [2:0] select_2012;
+  assign select_2012 = region_row_s4_q[1] ? {1'b0, not_2011, 1'b0} : {region_row_s4_q[2], 1'b0, not_2011};
+  logic [5:0] select_2013;
+  assign select_2013 = region_row_s4_q[0] ? {select_2012[2], 1'b0, select_2012[1], 1'b0, select_2012[0], 1'b0} : {1'b0, select_2012[2], 1'b0, select_2012[1], 1'b0, select_2012[0]};
+  logic [11:0] select_2014;
+  assign select_2014 = or_2010_s4_q ? {select_2013[5], 1'b0, select_2013[4], 1'b0, select_2013[3], 1'b0, select_2013[2], 1'b0, select_2013[1], 1'b0, select_2013[0], 1'b0} : {1'b0, select_2013[5], 1'b0, select_2013[4], 1'b0, select_2013[3], 1'b0, select_2013[2], 1'b0, select_2013[1], 1'b0, select_2013[0]};
+  logic [23:0] select_2015;
+  assign select_2015 = or_2007_s4_q ? {select_2014[11], 1'b0, select_2014[10], 1'b0, select_2014[9], 1'b0, select_2014[8], 1'b0, select_2014[7], 1'b0, select_2014[6], 1'b0, select_2014[5], 1'b0, select_2014[4], 1'b0, select_2014[3], 1'b0, select_2014[2], 1'b0, select_2014[1], 1'b0, select_2014[0], 1'b0} : {1'b0, select_2014[11], 1'b0, select_2014[10], 1'b0, select_2014[9], 1'b0, select_2014[8], 1'b0, select_2014[7], 1'b0, select_2014[6], 1'b0, select_2014[5], 1'b0, select_2014[4], 1'b0, select_2014[3], 1'b0, select_2014[2], 1'b0, select_2014[1], 1'b0, select_2014[0]};
+  logic [47:0] select_2016;
+  assign select_2016 = or_2004_s4_q ? {select_2015[23], 1'b0, select_2015[22], 1'b0, select_2015[21], 1'b0, select_2015[20], 1'b0, select_2015[19], 1'b0, select_2015[18], 1'b0, select_2015[17], 1'b0, select_2015[16], 1'b0, select_2015[15], 1'b0, select_2015[14], 1'b0, select_2015[13], 1'b0, select_2015[12], 1'b0, select_2015[11], 1'b0, select_2015[10], 1'b0, select_2015[9], 1'b0, select_2015[8], 1'b0, select_2015[7], 1'b0, select_2015[6], 1'b0, select_2015[5], 1'b0, select_2015[4], 1'b0, select_2015[3], 1'b0, select_2015[2], 1'b0, select_2015[1], 1'b0, select_2015[0], 1'b0} : {1'b0, select_2015[23], 1'b0, select_2015[22], 1'b0, select_2015[21], 1'b0, select_2015[20], 1'b0, select_2015[19], 1'b0, select_2015[18], 1'b0, select_2015[17], 1'b0, select_2015[16], 1'b0, select_2015[15], 1'b0, select_2015[14], 1'b0, select_2015[13], 1'b0, select_2015[12], 1'b0, select_2015[11], 1'b0, select_2015[10], 1'b0, select_2015[9], 1'b0, select_2015[8], 1'b0, select_2015[7], 1'b0, select_2015[6], 1'b0, select_2015[5], 1'b0, select_2015[4], 1'b0, select_2015[3], 1'b0, select_2015[2], 1'b0, select_2015[1], 1'b0, select_2015[0]};
+  // hls/stages/agreement.hpp:764
+  logic and_2020;
+  assign and_2020 = good_known_q & (~((good_q & select_2016) == 48'h0));
+  // hls/stages/agreement.hpp:833
   logic is_seen;
-  assign is_seen = equal_1082_s5_q ? not_1102 : not_1117_s5_q;
-  // hls/stages/agreement.hpp:737
-  logic and_1132;
-  assign and_1132 = is_seen & less_1131_s5_q;
-  // hls/stages/agreement.hpp:204
-  logic [8:0] select_1166;
-  assign select_1166 = sample_pair_whole_s5_q ? (and_355_s5_q ? grey_s5_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
-  logic [8:0] select_1168;
-  assign select_1168 = sample_pair_whole_s5_q ? (and_355_s5_q ? grey_2_s5_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
-  logic [8:0] select_1170;
-  assign select_1170 = sample_pair_whole_s5_q ? (and_355_s5_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
-  logic [8:0] select_1172;
-  assign select_1172 = sample_pair_whole_s5_q ? (and_355_s5_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
+  assign is_seen = equal_1999_s4_q ? and_2020 : not_2035_s4_q;
+  // hls/stages/agreement.hpp:842
+  logic and_2050;
+  assign and_2050 = is_seen & less_2049_s4_q;
+  // hls/stages/agreement.hpp:215
+  logic [8:0] select_2084;
+  assign select_2084 = sample_pair_whole_s4_q ? (and_357_s4_q ? grey_s4_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
+  logic [8:0] select_2086;
+  assign select_2086 = sample_pair_whole_s4_q ? (and_357_s4_q ? grey_2_s4_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
+  logic [8:0] select_2088;
+  assign select_2088 = sample_pair_whole_s4_q ? (and_357_s4_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  logic [8:0] select_2090;
+  assign select_2090 = sample_pair_whole_s4_q ? (and_357_s4_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
   // hls/stages/census.hpp:128
-  logic [9:0] sum_1177;
-  assign sum_1177 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s5_q};
-  logic [9:0] difference_1178;
-  assign difference_1178 = {1'b0, sum_1177[9:1]} - {1'b0, averager_quarter_1_0_q};
+  logic [9:0] sum_2095;
+  assign sum_2095 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s4_q};
+  logic [9:0] difference_2096;
+  assign difference_2096 = {1'b0, sum_2095[9:1]} - {1'b0, averager_quarter_1_0_q};
   // hls/stages/census.hpp:129
-  logic [9:0] xor_1179;
-  assign xor_1179 = {difference_1178[8:0], sum_1177[0]} ^ {10{difference_1178[9]}};
-  logic [10:0] size_2;
-  assign size_2 = {10'h0, difference_1178[9]} + {1'b0, xor_1179};
+  logic [9:0] xor_2097;
+  assign xor_2097 = {difference_2096[8:0], sum_2095[0]} ^ {10{difference_2096[9]}};
+  logic [10:0] size;
+  assign size = {10'h0, difference_2096[9]} + {1'b0, xor_2097};
   // hls/stages/census.hpp:130
   logic [13:0] detail;
-  assign detail = {3'h0, size_2} + (equal_360_s5_q ? 14'h0 : averager_detail_0_q);
-  // hls/stages/agreement.hpp:204
-  logic [13:0] select_1184;
-  assign select_1184 = sample_pair_whole_s5_q ? (and_355_s5_q ? detail : averager_detail_0_q) : averager_detail_0_q;
+  assign detail = {3'h0, size} + (equal_362_s4_q ? 14'h0 : averager_detail_0_q);
+  // hls/stages/agreement.hpp:215
+  logic [13:0] select_2102;
+  assign select_2102 = sample_pair_whole_s4_q ? (and_357_s4_q ? detail : averager_detail_0_q) : averager_detail_0_q;
   // hls/stages/census.hpp:128
-  logic [9:0] sum_1185;
-  assign sum_1185 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s5_q};
-  logic [9:0] difference_1186;
-  assign difference_1186 = {1'b0, sum_1185[9:1]} - {1'b0, averager_quarter_1_1_q};
+  logic [9:0] sum_2103;
+  assign sum_2103 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s4_q};
+  logic [9:0] difference_2104;
+  assign difference_2104 = {1'b0, sum_2103[9:1]} - {1'b0, averager_quarter_1_1_q};
   // hls/stages/census.hpp:129
-  logic [9:0] xor_1187;
-  assign xor_1187 = {difference_1186[8:0], sum_1185[0]} ^ {10{difference_1186[9]}};
-  logic [10:0] size_3;
-  assign size_3 = {10'h0, difference_1186[9]} + {1'b0, xor_1187};
+  logic [9:0] xor_2105;
+  assign xor_2105 = {difference_2104[8:0], sum_2103[0]} ^ {10{difference_2104[9]}};
+  logic [10:0] size_2;
+  assign size_2 = {10'h0, difference_2104[9]} + {1'b0, xor_2105};
   // hls/stages/census.hpp:130
   logic [13:0] detail_2;
-  assign detail_2 = {3'h0, size_3} + (equal_360_s5_q ? 14'h0 : averager_detail_1_q);
-  // hls/stages/agreement.hpp:204
-  logic [13:0] select_1192;
-  assign select_1192 = sample_pair_whole_s5_q ? (and_355_s5_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
-  // hls/stages/agreement.hpp:205
-  logic [11:0] select_1277;
-  assign select_1277 = and_357_s5_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
-  logic [11:0] select_1278;
-  assign select_1278 = and_357_s5_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
-  logic [11:0] select_1279;
-  assign select_1279 = and_357_s5_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
-  logic [11:0] select_1280;
-  assign select_1280 = and_357_s5_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
+  assign detail_2 = {3'h0, size_2} + (equal_362_s4_q ? 14'h0 : averager_detail_1_q);
+  // hls/stages/agreement.hpp:215
+  logic [13:0] select_2110;
+  assign select_2110 = sample_pair_whole_s4_q ? (and_357_s4_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
+  // hls/stages/agreement.hpp:365
+  logic [11:0] select_2195;
+  assign select_2195 = and_359_s4_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
+  logic [11:0] select_2196;
+  assign select_2196 = and_359_s4_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
+  logic [11:0] select_2197;
+  assign select_2197 = and_359_s4_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
+  logic [11:0] select_2198;
+  assign select_2198 = and_359_s4_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
   // hls/stages/census.hpp:202
-  logic [12:0] sum_1283;
-  assign sum_1283 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_1275_s5_q};
-  logic [13:0] sum_1285;
-  assign sum_1285 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_1283});
+  logic [12:0] sum_2201;
+  assign sum_2201 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2193_s4_q};
+  logic [13:0] sum_2203;
+  assign sum_2203 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2201});
   // hls/stages/census.hpp:225
-  logic and_1287;
-  assign and_1287 = and_445_s5_q & (9'h4 < sum_1285[13:5]);
+  logic and_2205;
+  assign and_2205 = and_449_s4_q & (9'h4 < sum_2203[13:5]);
   // hls/stages/census.hpp:226
-  logic and_1288;
-  assign and_1288 = and_445_s5_q & less_469;
+  logic and_2206;
+  assign and_2206 = and_449_s4_q & less_473;
   // hls/stages/census.hpp:227
-  logic [19:0] sum_1289;
-  assign sum_1289 = census_left_misses_q + {{17{and_1288}}, and_1287, 1'b0, and_1287};
-  // hls/stages/agreement.hpp:205
-  logic [19:0] select_1291;
-  assign select_1291 = and_357_s5_q ? (equal_1282_s5_q ? 20'h0 : sum_1289) : census_left_misses_q;
-  // hls/stages/agreement.hpp:204
-  logic [27:0] select_1296;
-  assign select_1296 = sample_pair_whole_s5_q ? {detail_2, detail} : 28'h0;
+  logic [19:0] sum_2207;
+  assign sum_2207 = census_left_misses_q + {{17{and_2206}}, and_2205, 1'b0, and_2205};
+  // hls/stages/agreement.hpp:365
+  logic [19:0] select_2209;
+  assign select_2209 = and_359_s4_q ? (equal_2200_s4_q ? 20'h0 : sum_2207) : census_left_misses_q;
+  // hls/stages/agreement.hpp:215
+  logic [27:0] select_2214;
+  assign select_2214 = sample_pair_whole_s4_q ? {detail_2, detail} : 28'h0;
   // hls/stages/census.hpp:275
-  logic and_1301;
-  assign and_1301 = whole_2_s5_q & (~(column_s5_q[6:1] == 6'h0));
-  // hls/stages/agreement.hpp:287
-  logic and_1307;
-  assign and_1307 = and_1301 & (sharpness_last_mask_q & (7'h2 < contrast_s5_q[8:2]));
+  logic and_2219;
+  assign and_2219 = whole_2_s4_q & (~(column_s4_q[6:1] == 6'h0));
+  // hls/stages/agreement.hpp:311
+  logic and_2225;
+  assign and_2225 = and_2219 & (sharpness_last_mask_q & (7'h2 < contrast_s4_q[8:2]));
   // hls/stages/census.hpp:274
   logic [14:0] detail_3;
-  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_1296[13:0]};
+  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2214[13:0]};
   // hls/stages/census.hpp:276
-  logic [12:0] select_1309;
-  assign select_1309 = and_1307 ? detail_3[14:2] : 13'h0;
+  logic [12:0] select_2227;
+  assign select_2227 = and_2225 ? detail_3[14:2] : 13'h0;
   // hls/stages/census.hpp:277
-  logic [23:0] select_1311;
-  assign select_1311 = equal_1282_s5_q ? {11'h0, select_1309} : (sharpness_sums_detail_0_q + {11'h0, select_1309});
-  // hls/stages/agreement.hpp:287
-  logic and_1318;
-  assign and_1318 = and_1301 & (sharpness_last_mask_q & (7'h2 < contrast_2_s5_q[8:2]));
+  logic [23:0] select_2229;
+  assign select_2229 = equal_2200_s4_q ? {11'h0, select_2227} : (sharpness_sums_detail_0_q + {11'h0, select_2227});
+  // hls/stages/agreement.hpp:311
+  logic and_2236;
+  assign and_2236 = and_2219 & (sharpness_last_mask_q & (7'h2 < contrast_2_s4_q[8:2]));
   // hls/stages/census.hpp:274
   logic [14:0] detail_4;
-  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_1296[27:14]};
+  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2214[27:14]};
   // hls/stages/census.hpp:276
-  logic [12:0] select_1320;
-  assign select_1320 = and_1318 ? detail_4[14:2] : 13'h0;
+  logic [12:0] select_2238;
+  assign select_2238 = and_2236 ? detail_4[14:2] : 13'h0;
   // hls/stages/census.hpp:277
-  logic [23:0] select_1322;
-  assign select_1322 = equal_1282_s5_q ? {11'h0, select_1320} : (sharpness_sums_detail_1_q + {11'h0, select_1320});
-  logic [8:0] select_1325;
-  assign select_1325 = and_1307 ? contrast_s5_q : 9'h0;
-  logic [23:0] sum_1326;
-  assign sum_1326 = (equal_1282_s5_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_1325};
-  logic [8:0] select_1329;
-  assign select_1329 = and_1318 ? contrast_2_s5_q : 9'h0;
-  logic [23:0] sum_1330;
-  assign sum_1330 = (equal_1282_s5_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_1329};
-  // hls/stages/agreement.hpp:566
-  logic [13:0] select_1518;
-  assign select_1518 = and_1513_s5_q ? 14'h0 : (counts_supervised_q + {13'h0, and_1516_s5_q});
-  // hls/stages/agreement.hpp:343
-  logic and_1520;
-  assign and_1520 = not_942_s5_q & (begins_product_q & textured_s5_q);
-  logic and_1524;
-  assign and_1524 = not_942_s5_q & (begins_product_q & explained_s5_q);
-  logic and_1528;
-  assign and_1528 = not_942_s5_q & (begins_product_q & and_1025_s5_q);
-  // hls/stages/agreement.hpp:724
-  logic select_1548;
-  assign select_1548 = equal_1082_s5_q ? not_1102 : not_1547_s5_q;
-  // hls/stages/agreement.hpp:729
-  logic not_1549;
-  assign not_1549 = ~select_1548;
-  // hls/stages/agreement.hpp:343
-  logic and_1552;
-  assign and_1552 = begins_product_q & ((~equal_1531_s5_q) & (centres_values_1_textured_s5_q & not_1549));
-  logic and_1553;
-  assign and_1553 = not_942_s5_q & and_1552;
-  // hls/stages/agreement.hpp:755
-  logic less_1556;
-  assign less_1556 = region_row_s5_q < x_s5_q[5:3];
-  logic [11:0] select_1557;
-  assign select_1557 = less_1556 ? 12'h0 : regions_rdata_q[11:0];
-  logic [11:0] select_1560;
-  assign select_1560 = less_1556 ? 12'h0 : regions_rdata_q[23:12];
-  // hls/stages/agreement.hpp:756
-  logic [12:0] sum_1561;
-  assign sum_1561 = {1'b0, select_1560} + {3'h0, select_1560[11:2]};
-  logic and_1563;
-  assign and_1563 = (~(select_1557[11:4] == 8'h0)) & ({sum_1561, select_1560[1:0]} < {3'h0, select_1557});
-  // hls/stages/agreement.hpp:766
-  logic [11:0] select_1565;
-  assign select_1565 = equal_1004_s5_q ? 12'h0 : (and_1563 ? select_1557 : 12'h0);
-  // hls/stages/agreement.hpp:343
-  logic [11:0] select_1566;
-  assign select_1566 = equal_941_s5_q ? select_1565 : 12'h0;
-  // hls/stages/agreement.hpp:566
-  logic [13:0] select_1568;
-  assign select_1568 = and_1513_s5_q ? 14'h0 : (counts_regions_bad_q + {2'h0, select_1566});
-  // hls/stages/agreement.hpp:660
-  logic [1:0] difference_1569;
-  assign difference_1569 = 2'h0 - {1'b0, select_965_s5_q[2]};
-  // hls/stages/agreement.hpp:664
-  logic [9:0] select_1570;
-  assign select_1570 = select_965_s5_q[1] ? {difference_1569, cfg_explained_limit_i} : 10'h0;
-  // hls/stages/agreement.hpp:343
-  logic [9:0] select_1572;
-  assign select_1572 = begins_product_q ? (select_965_s5_q[0] ? select_1570 : 10'h0) : 10'h0;
-  logic [9:0] select_1573;
-  assign select_1573 = equal_941_s5_q ? 10'h0 : select_1572;
-  // hls/stages/agreement.hpp:561
-  logic [23:0] sum_1574;
-  assign sum_1574 = counts_too_little_explained_q + {{14{select_1573[9]}}, select_1573};
-  // hls/stages/agreement.hpp:186
-  logic [8:0] select_1578;
-  assign select_1578 = select_965_s5_q[0] ? (select_965_s5_q[1] ? (9'h0 - {1'b0, cfg_regions_limit_i}) : 9'h0) : 9'h0;
-  // hls/stages/agreement.hpp:343
-  logic [8:0] select_1579;
-  assign select_1579 = begins_product_q ? select_1578 : 9'h0;
-  logic [20:0] select_1580;
-  assign select_1580 = equal_941_s5_q ? {1'b0, select_1565, 8'h0} : {{12{select_1579[8]}}, select_1579};
-  // hls/stages/agreement.hpp:566
-  logic [23:0] select_1582;
-  assign select_1582 = and_1513_s5_q ? 24'h0 : (counts_too_many_bad_q + {{3{select_1580[20]}}, select_1580});
-  // hls/stages/agreement.hpp:664
-  logic [8:0] select_1584;
-  assign select_1584 = select_965_s5_q[1] ? (9'h0 - {1'b0, cfg_unproven_limit_i}) : 9'h0;
-  // hls/stages/agreement.hpp:343
-  logic [7:0] select_1585;
-  assign select_1585 = select_965_s5_q[0] ? select_1584[7:0] : 8'h0;
-  // hls/stages/agreement.hpp:186
-  logic and_1586;
-  assign and_1586 = select_965_s5_q[0] & select_1584[8];
-  // hls/stages/agreement.hpp:735
-  logic [2:0] select_1589;
-  assign select_1589 = centres_values_1_textured_s5_q ? (select_1548 ? {3{and_1586}} : ({3{and_1586}} + 3'h1)) : {3{and_1586}};
-  logic [2:0] select_1590;
-  assign select_1590 = equal_1531_s5_q ? {3{and_1586}} : select_1589;
-  // hls/stages/agreement.hpp:343
-  logic [10:0] select_1592;
-  assign select_1592 = equal_941_s5_q ? 11'h0 : (begins_product_q ? {select_1590, select_1585} : 11'h0);
-  // hls/stages/agreement.hpp:563
-  logic [23:0] sum_1593;
-  assign sum_1593 = counts_too_much_unproven_q + {{13{select_1592[10]}}, select_1592};
-  // hls/stages/agreement.hpp:735
-  logic [9:0] select_1596;
-  assign select_1596 = centres_values_1_of_skin_s5_q ? ({1'b0, not_1549, 8'h0} - {2'h0, cfg_unproven_skin_limit_i}) : 10'h0;
-  logic [9:0] select_1598;
-  assign select_1598 = equal_1531_s5_q ? 10'h0 : (centres_values_1_textured_s5_q ? select_1596 : 10'h0);
-  // hls/stages/agreement.hpp:343
-  logic [9:0] select_1600;
-  assign select_1600 = equal_941_s5_q ? 10'h0 : (begins_product_q ? select_1598 : 10'h0);
-  // hls/stages/agreement.hpp:564
-  logic [23:0] sum_1601;
-  assign sum_1601 = counts_too_much_unseen_skin_q + {{14{select_1600[9]}}, select_1600};
-  // hls/stages/registration.hpp:80
-  logic [7:0] select_1656;
-  assign select_1656 = equal_1615_s5_q ? 8'h0 : (equal_1616_s5_q ? 8'h0 : residual_s5_q);
-  // hls/stages/agreement.hpp:186
-  logic [7:0] select_1659;
-  assign select_1659 = select_965_s5_q[2] ? (less_1611_s5_q ? (equal_1614_s5_q ? 8'h0 : select_1656) : 8'h0) : 8'h0;
-  // hls/stages/agreement.hpp:343
-  logic [7:0] select_1661;
-  assign select_1661 = begins_product_q ? (select_965_s5_q[0] ? select_1659 : 8'h0) : 8'h0;
-  logic [7:0] select_1662;
-  assign select_1662 = equal_941_s5_q ? 8'h0 : select_1661;
-  // hls/stages/registration.hpp:89
-  logic [19:0] sum_1663;
-  assign sum_1663 = registration_counts_across_0_q + {{12{select_1662[7]}}, select_1662};
-  // hls/stages/registration.hpp:80
-  logic [7:0] select_1666;
-  assign select_1666 = equal_1615_s5_q ? 8'h0 : (equal_1616_s5_q ? residual_s5_q : 8'h0);
-  // hls/stages/agreement.hpp:186
-  logic [7:0] select_1669;
-  assign select_1669 = select_965_s5_q[2] ? (less_1611_s5_q ? (equal_1614_s5_q ? 8'h0 : select_1666) : 8'h0) : 8'h0;
-  // hls/stages/agreement.hpp:343
-  logic [7:0] select_1671;
-  assign select_1671 = begins_product_q ? (select_965_s5_q[0] ? select_1669 : 8'h0) : 8'h0;
-  logic [7:0] select_1672;
-  assign select_1672 = equal_941_s5_q ? 8'h0 : select_1671;
-  // hls/stages/registration.hpp:89
-  logic [19:0] sum_1673;
-  assign sum_1673 = registration_counts_across_1_q + {{12{select_1672[7]}}, select_1672};
-  // hls/stages/registration.hpp:80
-  logic [7:0] select_1676;
-  assign select_1676 = equal_1614_s5_q ? 8'h0 : (equal_1615_s5_q ? residual_s5_q : 8'h0);
-  // hls/stages/agreement.hpp:186
-  logic [7:0] select_1678;
-  assign select_1678 = select_965_s5_q[2] ? (less_1611_s5_q ? select_1676 : 8'h0) : 8'h0;
-  // hls/stages/agreement.hpp:343
-  logic [7:0] select_1680;
-  assign select_1680 = begins_product_q ? (select_965_s5_q[0] ? select_1678 : 8'h0) : 8'h0;
-  logic [7:0] select_1681;
-  assign select_1681 = equal_941_s5_q ? 8'h0 : select_1680;
-  // hls/stages/registration.hpp:89
-  logic [19:0] sum_1682;
-  assign sum_1682 = registration_counts_across_2_q + {{12{select_1681[7]}}, select_1681};
-  // hls/stages/agreement.hpp:186
-  logic [7:0] select_1686;
-  assign select_1686 = select_965_s5_q[2] ? (less_1611_s5_q ? (equal_1614_s5_q ? residual_s5_q : 8'h0) : 8'h0) : 8'h0;
-  // hls/stages/agreement.hpp:343
-  logic [7:0] select_1688;
-  assign select_1688 = begins_product_q ? (select_965_s5_q[0] ? select_1686 : 8'h0) : 8'h0;
-  logic [7:0] select_1689;
-  assign select_1689 = equal_941_s5_q ? 8'h0 : select_1688;
-  // hls/stages/registration.hpp:89
-  logic [19:0] sum_1690;
-  assign sum_1690 = registration_counts_across_3_q + {{12{select_1689[7]}}, select_1689};
-  // hls/stages/agreement.hpp:751
-  logic and_1938;
-  assign and_1938 = (~({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q})) & (11'h4 < counts_textured_q[13:3]);
-  // hls/stages/agreement.hpp:752
-  logic less_1939;
-  assign less_1939 = $signed(24'h0) < $signed(counts_too_little_explained_q);
-  // hls/stages/agreement.hpp:758
-  logic [12:0] sum_1942;
-  assign sum_1942 = {1'b0, select_1560} + {2'h0, select_1560[11:1]};
-  logic select_1945;
-  assign select_1945 = (select_1557[11:3] == 9'h0) ? (and_1938 & (~less_1939)) : (~({sum_1942, select_1560[0]} < {2'h0, select_1557}));
-  // hls/stages/agreement.hpp:766
-  logic [47:0] select_1946;
-  assign select_1946 = equal_1004_s5_q ? good_next_q : {select_1945, good_next_q[47:1]};
-  // hls/stages/agreement.hpp:343
-  logic [47:0] select_1948;
-  assign select_1948 = equal_941_s5_q ? (equal_1933_s5_q ? select_1946 : good_q) : good_q;
-  // hls/stages/agreement.hpp:783
-  logic [35:0] select_1965;
-  assign select_1965 = multiplier_0_q[17] ? (product_0_q + {1'b0, addend_0_q}) : product_0_q;
-  // hls/stages/agreement.hpp:777
-  logic [35:0] detail_left;
-  assign detail_left = begins_product_s5_q ? 36'h0 : select_1965;
-  // hls/stages/agreement.hpp:783
-  logic [35:0] select_1968;
-  assign select_1968 = multiplier_1_q[17] ? (product_1_q + {1'b0, addend_1_q}) : product_1_q;
-  // hls/stages/agreement.hpp:787
-  logic [35:0] detail_right;
-  assign detail_right = begins_product_s5_q ? 36'h0 : select_1968;
-  // hls/stages/agreement.hpp:777
-  logic [34:0] select_1970;
-  assign select_1970 = begins_product_s5_q ? {sharpness_sums_detail_0_q[23:6], 17'h0} : {1'b0, addend_0_q[34:1]};
-  // hls/stages/agreement.hpp:787
-  logic [34:0] select_1971;
-  assign select_1971 = begins_product_s5_q ? {sharpness_sums_detail_1_q[23:6], 17'h0} : {1'b0, addend_1_q[34:1]};
-  // hls/stages/agreement.hpp:777
-  logic [17:0] select_1972;
-  assign select_1972 = begins_product_s5_q ? sharpness_sums_contrast_1_q[23:6] : {multiplier_0_q[16:0], 1'b0};
-  // hls/stages/agreement.hpp:787
-  logic [17:0] select_1973;
-  assign select_1973 = begins_product_s5_q ? sharpness_sums_contrast_0_q[23:6] : {multiplier_1_q[16:0], 1'b0};
-  // hls/stages/agreement.hpp:875
-  logic [1:0] select_2061;
-  assign select_2061 = and_2060_s5_q ? {and_1132, is_seen} : map_rdata_q;
-  // hls/stages/agreement.hpp:876
-  logic and_2062;
-  assign and_2062 = proven_q & less_2050;
-  // hls/stages/agreement.hpp:208
-  logic select_2065;
-  assign select_2065 = and_1062_s5_q ? (less_1063_s5_q ? (select_2061[0] & and_2062) : seen_q) : seen_q;
-  logic select_2068;
-  assign select_2068 = and_1062_s5_q ? (less_1063_s5_q ? (select_2061[1] & and_2062) : nearer_q) : nearer_q;
-  // hls/stages/agreement.hpp:343
-  logic [13:0] select_2073;
-  assign select_2073 = equal_941_s5_q ? (equal_1933_s5_q ? counts_supervised_q : 14'h0) : 14'h0;
-  logic [13:0] select_2075;
-  assign select_2075 = equal_941_s5_q ? (equal_1933_s5_q ? counts_textured_q : 14'h0) : 14'h0;
-  logic [13:0] select_2077;
-  assign select_2077 = equal_941_s5_q ? (equal_1933_s5_q ? counts_explained_q : 14'h0) : 14'h0;
-  logic [13:0] select_2079;
-  assign select_2079 = equal_941_s5_q ? (equal_1933_s5_q ? counts_nearer_q : 14'h0) : 14'h0;
-  logic [13:0] select_2081;
-  assign select_2081 = equal_941_s5_q ? (equal_1933_s5_q ? counts_unproven_q : 14'h0) : 14'h0;
-  logic [13:0] select_2083;
-  assign select_2083 = equal_941_s5_q ? (equal_1933_s5_q ? counts_regions_bad_q : 14'h0) : 14'h0;
-  // hls/stages/agreement.hpp:803
-  logic not_2088;
-  assign not_2088 = ~and_1938;
-  // hls/stages/agreement.hpp:804
-  logic or_2092;
-  assign or_2092 = not_2069 | not_2088;
-  // hls/stages/agreement.hpp:770
-  logic or_2098;
-  assign or_2098 = ($signed(24'h0) < $signed(counts_too_much_unproven_q)) | ($signed(24'h0) < $signed(counts_too_much_unseen_skin_q));
-  logic select_2100;
-  assign select_2100 = (less_1939 | or_2092) ? (~or_2092) : (($signed(24'h0) < $signed(counts_too_many_bad_q)) | or_2098);
-  logic select_2166;
-  assign select_2166 = or_2126_s5_q ? select_2163_s5_q : or_2165_s5_q;
-  logic or_2168;
-  assign or_2168 = less_2167_s5_q | select_2166;
-  logic select_2169;
-  assign select_2169 = or_2119_s5_q ? select_2166 : or_2168;
-  logic or_2171;
-  assign or_2171 = less_2170_s5_q | select_2169;
-  logic select_2176;
-  assign select_2176 = less_2114_s5_q ? or_2168 : (less_2120_s5_q ? or_2165_s5_q : select_2174_s5_q);
-  logic select_2178;
-  assign select_2178 = less_2106_s5_q ? (less_2107_s5_q | (or_2112_s5_q ? select_2169 : or_2171)) : (less_2109_s5_q ? or_2171 : select_2176);
-  // hls/stages/agreement.hpp:811
-  logic and_2182;
-  assign and_2182 = cfg_prove_i & and_1938;
-  // hls/stages/agreement.hpp:812
-  logic [36:0] sum_2183;
-  assign sum_2183 = {1'b0, detail_right} + {3'h0, detail_right[35:2]};
-  logic less_2185;
-  assign less_2185 = {sharpness_sums_contrast_0_q, 2'h0} < {2'h0, sharpness_sums_contrast_1_q};
-  // hls/stages/agreement.hpp:770
-  logic or_2188;
-  assign or_2188 = ({detail_left, 3'h0} < {sum_2183, detail_right[1:0]}) | (less_2185 | ($signed(20'h0) < $signed(census_left_misses_q)));
-  // hls/stages/agreement.hpp:815
-  logic [36:0] sum_2192;
-  assign sum_2192 = {1'b0, detail_left} + {3'h0, detail_left[35:2]};
-  logic less_2194;
-  assign less_2194 = {sharpness_sums_contrast_1_q, 2'h0} < {2'h0, sharpness_sums_contrast_0_q};
-  // hls/stages/agreement.hpp:770
-  logic or_2195;
-  assign or_2195 = ({detail_right, 3'h0} < {sum_2192, detail_left[1:0]}) | less_2194;
-  // hls/stages/agreement.hpp:343
-  logic [19:0] select_2208;
-  assign select_2208 = equal_941_s5_q ? (equal_1933_s5_q ? registration_counts_across_0_q : 20'h0) : 20'h0;
-  logic [19:0] select_2210;
-  assign select_2210 = equal_941_s5_q ? (equal_1933_s5_q ? registration_counts_across_1_q : 20'h0) : 20'h0;
-  logic [19:0] select_2212;
-  assign select_2212 = equal_941_s5_q ? (equal_1933_s5_q ? registration_counts_across_2_q : 20'h0) : 20'h0;
-  logic [19:0] select_2214;
-  assign select_2214 = equal_941_s5_q ? (equal_1933_s5_q ? registration_counts_across_3_q : 20'h0) : 20'h0;
-  logic [23:0] select_2224;
-  assign select_2224 = equal_941_s5_q ? (equal_1933_s5_q ? sharpness_sums_detail_0_q : 24'h0) : 24'h0;
-  logic [23:0] select_2226;
-  assign select_2226 = equal_941_s5_q ? (equal_1933_s5_q ? sharpness_sums_detail_1_q : 24'h0) : 24'h0;
-  logic [23:0] select_2228;
-  assign select_2228 = equal_941_s5_q ? (equal_1933_s5_q ? sharpness_sums_contrast_0_q : 24'h0) : 24'h0;
-  logic [23:0] select_2230;
-  assign select_2230 = equal_941_s5_q ? (equal_1933_s5_q ? sharpness_sums_contrast_1_q : 24'h0) : 24'h0;
-  // hls/stages/agreement.hpp:766
-  logic [11:0] select_2239;
-  assign select_2239 = equal_1004_s5_q ? 12'h0 : (less_1556 ? 12'h0 : regions_rdata_q[35:24]);
+  logic [23:0] select_2240;
+  assign select_2240 = equal_2200_s4_q ? {11'h0, select_2238} : (sharpness_sums_detail_1_q + {11'h0, select_2238});
+  logic [8:0] select_2243;
+  assign select_2243 = and_2225 ? contrast_s4_q : 9'h0;
+  logic [23:0] sum_2244;
+  assign sum_2244 = (equal_2200_s4_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2243};
+  logic [8:0] select_2247;
+  assign select_2247 = and_2236 ? contrast_2_s4_q : 9'h0;
+  logic [23:0] sum_2248;
+  assign sum_2248 = (equal_2200_s4_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2247};
+  // hls/stages/agreement.hpp:150
+  logic equal_2250;
+  assign equal_2250 = x_s4_q[7:3] == 5'h0;
+  // hls/stages/census.hpp:289
+  logic less_2251;
+  assign less_2251 = 7'h2 < {x_s4_q[4:0], slot_s4_q[2:1]};
+  // hls/stages/census.hpp:328
+  logic less_2252;
+  assign less_2252 = x_s4_q[4:0] < 5'h3;
+  logic not_2253;
+  assign not_2253 = ~x_s4_q[1];
+  logic [2:0] select_2254;
+  assign select_2254 = x_s4_q[0] ? {1'b0, not_2253, 1'b0} : {x_s4_q[1], 1'b0, not_2253};
+  logic [5:0] select_2255;
+  assign select_2255 = slot_s4_q[2] ? {select_2254[2], 1'b0, select_2254[1], 1'b0, select_2254[0], 1'b0} : {1'b0, select_2254[2], 1'b0, select_2254[1], 1'b0, select_2254[0]};
+  logic [11:0] select_2256;
+  assign select_2256 = slot_s4_q[1] ? {select_2255[5], 1'b0, select_2255[4], 1'b0, select_2255[3], 1'b0, select_2255[2], 1'b0, select_2255[1], 1'b0, select_2255[0], 1'b0} : {1'b0, select_2255[5], 1'b0, select_2255[4], 1'b0, select_2255[3], 1'b0, select_2255[2], 1'b0, select_2255[1], 1'b0, select_2255[0]};
+  logic [23:0] select_2257;
+  assign select_2257 = slot_s4_q[0] ? {select_2256[11], 1'b0, select_2256[10], 1'b0, select_2256[9], 1'b0, select_2256[8], 1'b0, select_2256[7], 1'b0, select_2256[6], 1'b0, select_2256[5], 1'b0, select_2256[4], 1'b0, select_2256[3], 1'b0, select_2256[2], 1'b0, select_2256[1], 1'b0, select_2256[0], 1'b0} : {1'b0, select_2256[11], 1'b0, select_2256[10], 1'b0, select_2256[9], 1'b0, select_2256[8], 1'b0, select_2256[7], 1'b0, select_2256[6], 1'b0, select_2256[5], 1'b0, select_2256[4], 1'b0, select_2256[3], 1'b0, select_2256[2], 1'b0, select_2256[1], 1'b0, select_2256[0]};
+  // hls/stages/census.hpp:291
+  logic and_2261;
+  assign and_2261 = less_2252 & (~((sharpness_sums_contrast_1_q & select_2257) == 24'h0));
+  // hls/stages/census.hpp:296
+  logic [17:0] select_2263;
+  assign select_2263 = (less_2251 & and_2261) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
+  logic [18:0] sum;
+  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2263};
+  // hls/stages/agreement.hpp:154
+  logic [17:0] select_2266;
+  assign select_2266 = equal_2250 ? (less_2251 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
+  // hls/stages/census.hpp:291
+  logic and_2271;
+  assign and_2271 = less_2252 & (~((sharpness_sums_contrast_0_q & select_2257) == 24'h0));
+  // hls/stages/census.hpp:296
+  logic [17:0] select_2273;
+  assign select_2273 = (less_2251 & and_2271) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
+  logic [18:0] sum_2;
+  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2273};
+  // hls/stages/agreement.hpp:154
+  logic [17:0] select_2276;
+  assign select_2276 = equal_2250 ? (less_2251 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
+  logic [2:0] select_2278;
+  assign select_2278 = equal_2250 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
+  logic [2:0] select_2280;
+  assign select_2280 = equal_2250 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
+  logic [1:0] select_2282;
+  assign select_2282 = equal_2250 ? {sharpness_comparing_contrast_0_q[0], and_2271} : sharpness_comparing_contrast_0_q;
+  logic [1:0] select_2284;
+  assign select_2284 = equal_2250 ? {sharpness_comparing_contrast_1_q[0], and_2261} : sharpness_comparing_contrast_1_q;
+  // hls/stages/census.hpp:302
+  logic [1:0] five_times;
+  assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2[0]});
+  // hls/stages/agreement.hpp:154
+  logic select_2289;
+  assign select_2289 = drew_q ? (equal_2250 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
+  // hls/stages/census.hpp:302
+  logic [1:0] five_times_2;
+  assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum[0]});
+  // hls/stages/agreement.hpp:154
+  logic select_2293;
+  assign select_2293 = drew_q ? (equal_2250 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
+  // hls/stages/census.hpp:288
+  logic equal_2294;
+  assign equal_2294 = {x_s4_q[4:0], slot_s4_q} == 8'h0;
+  // hls/stages/census.hpp:304
+  logic xor_2295;
+  assign xor_2295 = sharpness_comparing_product_0_q[2] ^ five_times[0];
+  logic select_2298;
+  assign select_2298 = (equal_2294 | xor_2295) ? (five_times[0] & xor_2295) : sharpness_comparing_less_detail_0_q;
+  // hls/stages/agreement.hpp:154
+  logic select_2300;
+  assign select_2300 = drew_q ? (equal_2250 ? select_2298 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
+  // hls/stages/census.hpp:304
+  logic xor_2301;
+  assign xor_2301 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
+  logic select_2304;
+  assign select_2304 = (equal_2294 | xor_2301) ? (five_times_2[0] & xor_2301) : sharpness_comparing_less_detail_1_q;
+  // hls/stages/agreement.hpp:154
+  logic select_2306;
+  assign select_2306 = drew_q ? (equal_2250 ? select_2304 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
+  // hls/stages/census.hpp:305
+  logic xor_2307;
+  assign xor_2307 = sharpness_comparing_contrast_0_q[1] ^ and_2261;
+  logic select_2310;
+  assign select_2310 = (equal_2294 | xor_2307) ? (and_2261 & xor_2307) : sharpness_comparing_less_contrast_0_q;
+  // hls/stages/agreement.hpp:154
+  logic select_2312;
+  assign select_2312 = drew_q ? (equal_2250 ? select_2310 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
+  // hls/stages/census.hpp:305
+  logic xor_2313;
+  assign xor_2313 = sharpness_comparing_contrast_1_q[1] ^ and_2271;
+  logic select_2316;
+  assign select_2316 = (equal_2294 | xor_2313) ? (and_2271 & xor_2313) : sharpness_comparing_less_contrast_1_q;
+  // hls/stages/agreement.hpp:154
+  logic select_2318;
+  assign select_2318 = drew_q ? (equal_2250 ? select_2316 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
+  // hls/stages/agreement.hpp:681
+  logic [13:0] select_2424;
+  assign select_2424 = and_2418_s4_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2422_s4_q});
+  // hls/stages/agreement.hpp:211
+  logic and_2427;
+  assign and_2427 = not_1800_s4_q & (drew_q & (ends_cell_s4_q & textured_s4_q));
+  logic and_2432;
+  assign and_2432 = not_1800_s4_q & (drew_q & (ends_cell_s4_q & explained_s4_q));
+  logic and_2437;
+  assign and_2437 = not_1800_s4_q & (drew_q & (ends_cell_s4_q & and_1940_s4_q));
+  // hls/stages/agreement.hpp:835
+  logic not_2441;
+  assign not_2441 = ~(x_s4_q[7:1] == 7'h0);
+  // hls/stages/agreement.hpp:836
+  logic not_2458;
+  assign not_2458 = ~(equal_1999_s4_q ? and_2020 : not_2456_s4_q);
+  // hls/stages/agreement.hpp:211
+  logic and_2461;
+  assign and_2461 = ends_cell_s4_q & (not_2441 & (centres_values_1_textured_s4_q & not_2458));
+  logic and_2463;
+  assign and_2463 = not_1800_s4_q & (drew_q & and_2461);
+  // hls/stages/agreement.hpp:861
+  logic less_2466;
+  assign less_2466 = region_row_s4_q < x_s4_q[5:3];
+  logic [9:0] select_2467;
+  assign select_2467 = less_2466 ? 10'h0 : regions_rdata_q[9:0];
+  logic [9:0] select_2470;
+  assign select_2470 = less_2466 ? 10'h0 : regions_rdata_q[19:10];
+  // hls/stages/agreement.hpp:862
+  logic [10:0] sum_2471;
+  assign sum_2471 = {1'b0, select_2470} + {3'h0, select_2470[9:2]};
+  logic and_2473;
+  assign and_2473 = (~(select_2467[9:4] == 6'h0)) & ({sum_2471, select_2470[1:0]} < {3'h0, select_2467});
+  // hls/stages/agreement.hpp:871
+  logic [9:0] select_2476;
+  assign select_2476 = x_s4_q[6] ? (equal_1844_s4_q ? 10'h0 : (and_2473 ? select_2467 : 10'h0)) : 10'h0;
+  // hls/stages/agreement.hpp:211
+  logic [9:0] select_2477;
+  assign select_2477 = equal_1799_s4_q ? select_2476 : 10'h0;
+  // hls/stages/agreement.hpp:681
+  logic [13:0] select_2479;
+  assign select_2479 = and_2418_s4_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2477});
+  logic [13:0] select_2486;
+  assign select_2486 = and_2418_s4_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2484_s4_q});
+  // hls/stages/agreement.hpp:840
+  logic and_2488;
+  assign and_2488 = not_2441 & (centres_values_1_textured_s4_q & centres_values_1_of_skin_s4_q);
+  // hls/stages/agreement.hpp:211
+  logic and_2491;
+  assign and_2491 = not_1800_s4_q & (drew_q & (ends_cell_s4_q & and_2488));
+  // hls/stages/agreement.hpp:681
+  logic [13:0] select_2493;
+  assign select_2493 = and_2418_s4_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2491});
+  // hls/stages/agreement.hpp:840
+  logic and_2495;
+  assign and_2495 = centres_values_1_textured_s4_q & (centres_values_1_of_skin_s4_q & not_2458);
+  // hls/stages/agreement.hpp:211
+  logic and_2499;
+  assign and_2499 = not_1800_s4_q & (drew_q & (ends_cell_s4_q & (not_2441 & and_2495)));
+  // hls/stages/agreement.hpp:681
+  logic [13:0] select_2501;
+  assign select_2501 = and_2418_s4_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2499});
+  // hls/stages/registration.hpp:106
+  logic [7:0] select_2571;
+  assign select_2571 = equal_2526_s4_q ? (and_2556_s4_q ? residual_s4_q[7:0] : 8'h0) : 8'h0;
+  // hls/stages/agreement.hpp:211
+  logic [7:0] select_2573;
+  assign select_2573 = equal_1799_s4_q ? 8'h0 : (drew_q ? select_2571 : 8'h0);
+  // hls/stages/registration.hpp:126
+  logic [13:0] select_2575;
+  assign select_2575 = and_2554_s4_q ? 14'h0 : (registration_half_across_q + {{6{select_2573[7]}}, select_2573});
+  // hls/stages/agreement.hpp:211
+  logic and_2578;
+  assign and_2578 = not_1800_s4_q & (drew_q & (and_2556_s4_q & equal_2526_s4_q));
+  // hls/stages/registration.hpp:126
+  logic [5:0] select_2580;
+  assign select_2580 = and_2554_s4_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2578});
+  // hls/stages/registration.hpp:106
+  logic and_2582;
+  assign and_2582 = and_2556_s4_q & ($signed(residual_s4_q[7:0]) < $signed({2'h0, cfg_moved_limit_i}));
+  // hls/stages/agreement.hpp:211
+  logic [1:0] select_2584;
+  assign select_2584 = drew_q ? (equal_2526_s4_q ? {and_2582, and_2556_s4_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2585;
+  assign select_2585 = equal_1799_s4_q ? 2'h0 : select_2584;
+  // hls/stages/registration.hpp:172
+  logic [6:0] sum_2586;
+  assign sum_2586 = registration_half_votes_down_q + {{5{select_2585[1]}}, select_2585};
+  // hls/stages/registration.hpp:193
+  logic [12:0] difference_2588;
+  assign difference_2588 = 13'h0 - {residual_s4_q[11], residual_s4_q};
+  // hls/stages/registration.hpp:106
+  logic and_2590;
+  assign and_2590 = and_2556_s4_q & ($signed(difference_2588) < $signed({7'h0, cfg_moved_limit_i}));
+  // hls/stages/agreement.hpp:211
+  logic [1:0] select_2592;
+  assign select_2592 = drew_q ? (equal_2526_s4_q ? {and_2590, and_2556_s4_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2593;
+  assign select_2593 = equal_1799_s4_q ? 2'h0 : select_2592;
+  // hls/stages/registration.hpp:173
+  logic [6:0] sum_2594;
+  assign sum_2594 = registration_half_votes_up_q + {{5{select_2593[1]}}, select_2593};
+  // hls/stages/registration.hpp:193
+  logic less_2596;
+  assign less_2596 = $signed(residual_s4_q[7:0]) < $signed({2'h0, cfg_moved_half_limit_i});
+  // hls/stages/registration.hpp:106
+  logic and_2597;
+  assign and_2597 = and_2556_s4_q & less_2596;
+  // hls/stages/agreement.hpp:211
+  logic [1:0] select_2599;
+  assign select_2599 = drew_q ? (equal_2526_s4_q ? {and_2597, and_2556_s4_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2600;
+  assign select_2600 = equal_1799_s4_q ? 2'h0 : select_2599;
+  // hls/stages/registration.hpp:172
+  logic [6:0] sum_2601;
+  assign sum_2601 = registration_half_half_votes_down_q + {{5{select_2600[1]}}, select_2600};
+  // hls/stages/registration.hpp:193
+  logic less_2603;
+  assign less_2603 = $signed(difference_2588) < $signed({7'h0, cfg_moved_half_limit_i});
+  // hls/stages/registration.hpp:106
+  logic and_2604;
+  assign and_2604 = and_2556_s4_q & less_2603;
+  // hls/stages/agreement.hpp:211
+  logic [1:0] select_2606;
+  assign select_2606 = drew_q ? (equal_2526_s4_q ? {and_2604, and_2556_s4_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2607;
+  assign select_2607 = equal_1799_s4_q ? 2'h0 : select_2606;
+  // hls/stages/registration.hpp:173
+  logic [6:0] sum_2608;
+  assign sum_2608 = registration_half_half_votes_up_q + {{5{select_2607[1]}}, select_2607};
+  // hls/stages/agreement.hpp:211
+  logic and_2642;
+  assign and_2642 = equal_1799_s4_q & (x_s4_q[6] & (not_1918_s4_q & less_1872_s4_q));
+  // hls/stages/agreement.hpp:861
+  logic [11:0] select_2649;
+  assign select_2649 = or_1876_s4_q ? 12'h0 : (equal_2647_s4_q ? registration_sums_rdata_q[11:0] : 12'h0);
+  // hls/stages/agreement.hpp:871
+  logic [11:0] select_2652;
+  assign select_2652 = x_s4_q[6] ? (equal_1844_s4_q ? 12'h0 : (less_1872_s4_q ? select_2649 : 12'h0)) : 12'h0;
+  // hls/stages/agreement.hpp:211
+  logic [11:0] select_2653;
+  assign select_2653 = equal_1799_s4_q ? select_2652 : 12'h0;
+  // hls/stages/registration.hpp:145
+  logic and_2654;
+  assign and_2654 = x_s4_q[1] & all_s4_q;
+  // hls/stages/agreement.hpp:871
+  logic and_2657;
+  assign and_2657 = not_1918_s4_q & (less_1872_s4_q & ({and_2654, x_s4_q[0]} == 2'h0));
+  // hls/stages/agreement.hpp:211
+  logic and_2659;
+  assign and_2659 = equal_1799_s4_q & (x_s4_q[6] & and_2657);
+  // hls/stages/registration.hpp:237
+  logic [13:0] sum_2661;
+  assign sum_2661 = {{2{select_2653[11]}}, select_2653} + (and_2659 ? 14'h0 : registration_down_q);
+  // hls/stages/agreement.hpp:861
+  logic [11:0] select_2664;
+  assign select_2664 = or_1876_s4_q ? 12'h0 : (equal_2647_s4_q ? registration_sums_rdata_q[31:20] : 12'h0);
+  // hls/stages/agreement.hpp:871
+  logic [11:0] select_2667;
+  assign select_2667 = x_s4_q[6] ? (equal_1844_s4_q ? 12'h0 : (less_1872_s4_q ? select_2664 : 12'h0)) : 12'h0;
+  // hls/stages/agreement.hpp:211
+  logic [11:0] select_2668;
+  assign select_2668 = equal_1799_s4_q ? select_2667 : 12'h0;
+  // hls/stages/registration.hpp:238
+  logic [13:0] sum_2670;
+  assign sum_2670 = {{2{select_2668[11]}}, select_2668} + (and_2659 ? 14'h0 : registration_up_q);
+  // hls/stages/registration.hpp:142
+  logic not_2672;
+  assign not_2672 = ~all_s4_q;
+  // hls/stages/agreement.hpp:871
+  logic and_2675;
+  assign and_2675 = not_1918_s4_q & (less_1872_s4_q & (x_s4_q[2:0] == {all_s4_q, not_2672, 1'b0}));
+  // hls/stages/agreement.hpp:211
+  logic and_2681;
+  assign and_2681 = equal_1799_s4_q & (x_s4_q[6] & (not_1918_s4_q & (less_1872_s4_q & all_s4_q)));
+  // hls/stages/registration.hpp:231
+  logic not_2682;
+  assign not_2682 = ~and_2681;
+  logic less_2683;
+  assign less_2683 = $signed({9'h1, {2{not_2682}}, and_2681}) < $signed(registration_up_q[13:2]);
+  logic select_2684;
+  assign select_2684 = (equal_1799_s4_q & (x_s4_q[6] & and_2675)) ? less_2683 : registration_enough_q;
+  // hls/stages/agreement.hpp:871
+  logic and_2688;
+  assign and_2688 = x_s4_q[6] & (not_1918_s4_q & (less_1872_s4_q & (x_s4_q[2:0] == 3'h4)));
+  // hls/stages/agreement.hpp:211
+  logic and_2689;
+  assign and_2689 = equal_1799_s4_q & and_2688;
+  // hls/stages/registration.hpp:227
+  logic less_2690;
+  assign less_2690 = $signed(14'h0) < $signed(registration_down_q);
+  logic less_2692;
+  assign less_2692 = $signed(14'h0) < $signed(registration_up_q);
+  // hls/stages/agreement.hpp:871
+  logic and_2697;
+  assign and_2697 = x_s4_q[6] & (not_1918_s4_q & (less_1872_s4_q & (x_s4_q[2:0] == 3'h7)));
+  // hls/stages/agreement.hpp:211
+  logic and_2698;
+  assign and_2698 = equal_1799_s4_q & and_2697;
+  // hls/stages/agreement.hpp:871
+  logic and_2705;
+  assign and_2705 = x_s4_q[6] & (not_1918_s4_q & (less_1872_s4_q & (x_s4_q[5:0] == 6'h0)));
+  // hls/stages/registration.hpp:149
+  logic equal_2708;
+  assign equal_2708 = x_s4_q[2:0] == 3'h6;
+  // hls/stages/agreement.hpp:871
+  logic and_2711;
+  assign and_2711 = not_1918_s4_q & (less_1872_s4_q & (x_s4_q[5] ? x_s4_q[3] : equal_2708));
+  // hls/stages/registration.hpp:229
+  logic and_2715;
+  assign and_2715 = (equal_1799_s4_q & (x_s4_q[6] & and_2711)) & (less_2692 | less_2690);
+  // hls/stages/agreement.hpp:871
+  logic and_2720;
+  assign and_2720 = not_1918_s4_q & (less_1872_s4_q & ((~x_s4_q[5]) & (x_s4_q[3] & equal_2708)));
+  // hls/stages/registration.hpp:229
+  logic and_2723;
+  assign and_2723 = registration_votes_up_q & registration_other_down_q;
+  logic select_2725;
+  assign select_2725 = registration_votes_down_q ? (registration_other_up_q | and_2723) : and_2723;
+  // hls/stages/registration.hpp:130
+  logic and_2727;
+  assign and_2727 = (equal_1799_s4_q & (x_s4_q[6] & and_2720)) & (registration_other_enough_q & select_2725);
+  // hls/stages/registration.hpp:230
+  logic or_2730;
+  assign or_2730 = registration_moved_q | (registration_enough_q & (and_2715 | and_2727));
+  // hls/stages/agreement.hpp:908
+  logic or_2788;
+  assign or_2788 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
+  // hls/stages/agreement.hpp:930
+  logic equal_2790;
+  assign equal_2790 = x_s4_q[6:3] == 4'h7;
+  // hls/stages/agreement.hpp:936
+  logic equal_2791;
+  assign equal_2791 = x_s4_q[2:0] == 3'h0;
+  // hls/stages/agreement.hpp:939
+  logic too_little;
+  assign too_little = (counts_explained_q < product_q) | (product_rest_q & (counts_explained_q == product_q));
+  // hls/stages/agreement.hpp:940
+  logic select_2797;
+  assign select_2797 = (equal_2790 & equal_2791) ? too_little : disagree_q;
+  // hls/stages/agreement.hpp:864
+  logic [10:0] sum_2800;
+  assign sum_2800 = {1'b0, select_2470} + {2'h0, select_2470[9:1]};
+  logic select_2803;
+  assign select_2803 = (select_2467[9:3] == 7'h0) ? ((~or_2788) & (~select_2797)) : (~({sum_2800, select_2470[0]} < {2'h0, select_2467}));
+  // hls/stages/agreement.hpp:871
+  logic [47:0] select_2805;
+  assign select_2805 = x_s4_q[6] ? (equal_1844_s4_q ? good_q : {select_2803, good_q[47:1]}) : good_q;
+  // hls/stages/agreement.hpp:211
+  logic select_2810;
+  assign select_2810 = equal_1799_s4_q ? ((x_s4_q[6] & good_known_q) | equal_2808_s4_q) : good_known_q;
+  // hls/stages/agreement.hpp:930
+  logic equal_2811;
+  assign equal_2811 = x_s4_q[6:3] == 4'ha;
+  logic equal_2813;
+  assign equal_2813 = x_s4_q[6:3] == 4'h9;
+  logic equal_2814;
+  assign equal_2814 = x_s4_q[6:3] == 4'h8;
+  // hls/stages/agreement.hpp:855
+  logic [13:0] select_2816;
+  assign select_2816 = equal_2813 ? counts_skin_unproven_q : (equal_2814 ? counts_unproven_q : counts_regions_bad_q);
+  logic [13:0] before_v_6;
+  assign before_v_6 = equal_2811 ? counts_nearer_q : select_2816;
+  // hls/stages/agreement.hpp:935
+  logic [14:0] over;
+  assign over = {1'b0, product_q} - {1'b0, before_v_6};
+  // hls/stages/agreement.hpp:943
+  logic select_2819;
+  assign select_2819 = (equal_2811 & equal_2791) ? over[14] : hides_q;
+  // hls/stages/agreement.hpp:872
+  logic not_2820;
+  assign not_2820 = ~hidden_for_q[7];
+  logic [7:0] select_2822;
+  assign select_2822 = select_2819 ? (hidden_for_q + {7'h0, not_2820}) : 8'h0;
+  // hls/stages/agreement.hpp:211
+  logic [7:0] select_2824;
+  assign select_2824 = equal_1799_s4_q ? (equal_2808_s4_q ? select_2822 : hidden_for_q) : hidden_for_q;
+  // hls/stages/agreement.hpp:943
+  logic [13:0] select_2825;
+  assign select_2825 = equal_2791 ? 14'h0 : product_q;
+  // hls/stages/agreement.hpp:855
+  logic [7:0] select_2827;
+  assign select_2827 = (x_s4_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
+  logic [7:0] select_2829;
+  assign select_2829 = equal_2814 ? cfg_unproven_skin_limit_i : (equal_2790 ? cfg_unproven_limit_i : select_2827);
+  logic [7:0] limit;
+  assign limit = equal_2811 ? cfg_regions_limit_i : (equal_2813 ? cfg_hidden_limit_i : select_2829);
+  // hls/stages/agreement.hpp:943
+  logic not_2832;
+  assign not_2832 = ~x_s4_q[2];
+  logic [3:0] select_2833;
+  assign select_2833 = x_s4_q[1] ? {x_s4_q[2], 1'b0, not_2832, 1'b0} : {1'b0, x_s4_q[2], 1'b0, not_2832};
+  logic [7:0] select_2834;
+  assign select_2834 = x_s4_q[0] ? {select_2833[3], 1'b0, select_2833[2], 1'b0, select_2833[1], 1'b0, select_2833[0], 1'b0} : {1'b0, select_2833[3], 1'b0, select_2833[2], 1'b0, select_2833[1], 1'b0, select_2833[0]};
+  // hls/stages/agreement.hpp:855
+  logic [13:0] select_2838;
+  assign select_2838 = equal_2813 ? counts_skin_supervised_q : (equal_2814 ? counts_skin_textured_q : counts_textured_q);
+  logic [13:0] of;
+  assign of = equal_2811 ? counts_textured_q : select_2838;
+  // hls/stages/agreement.hpp:943
+  logic [13:0] select_2840;
+  assign select_2840 = ((limit & select_2834) == 8'h0) ? 14'h0 : of;
+  logic [14:0] sum_3;
+  assign sum_3 = {1'b0, select_2825} + {1'b0, select_2840};
+  // hls/stages/agreement.hpp:211
+  logic select_2845;
+  assign select_2845 = equal_1799_s4_q ? (equal_2791 ? sum_3[0] : (product_rest_q | sum_3[0])) : product_rest_q;
+  // hls/stages/agreement.hpp:941
+  logic and_2850;
+  assign and_2850 = too_much_q & (~(equal_2814 & equal_2791));
+  // hls/stages/agreement.hpp:942
+  logic select_2855;
+  assign select_2855 = (over[14] & equal_2791) ? (and_2850 | ((equal_2814 | equal_2813) | (x_s4_q[6:3] == 4'hf))) : and_2850;
+  // hls/stages/agreement.hpp:1012
+  logic [1:0] select_2973;
+  assign select_2973 = and_2972_s4_q ? {and_2050, is_seen} : map_rdata_q;
+  // hls/stages/agreement.hpp:1013
+  logic and_2974;
+  assign and_2974 = proven_q & less_2962;
+  // hls/stages/agreement.hpp:220
+  logic select_2977;
+  assign select_2977 = and_1979_s4_q ? (less_1980_s4_q ? (select_2973[0] & and_2974) : seen_q) : seen_q;
+  logic select_2980;
+  assign select_2980 = and_1979_s4_q ? (less_1980_s4_q ? (select_2973[1] & and_2974) : nearer_q) : nearer_q;
+  // hls/stages/agreement.hpp:952
+  logic not_2992;
+  assign not_2992 = ~(or_2788 | not_2981);
+  // hls/stages/agreement.hpp:211
+  logic and_2996;
+  assign and_2996 = equal_1799_s4_q & (equal_2808_s4_q & (not_2992 & (select_2797 | select_2855)));
+  logic and_2999;
+  assign and_2999 = equal_1799_s4_q & (equal_2808_s4_q & (cfg_prove_i & registration_moved_q));
+  // hls/stages/agreement.hpp:874
+  logic or_3002;
+  assign or_3002 = select_2300 | (select_2312 | ($signed(20'h0) < $signed(census_left_misses_q)));
+  // hls/stages/agreement.hpp:211
+  logic and_3009;
+  assign and_3009 = equal_1799_s4_q & (equal_2808_s4_q & (not_2992 & (select_2306 | select_2318)));
+  // hls/stages/agreement.hpp:874
+  logic and_3014;
+  assign and_3014 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_2822 < cfg_hidden_frames_i));
+  // hls/stages/agreement.hpp:211
+  logic and_3021;
+  assign and_3021 = equal_1799_s4_q & (x_s4_q[6] & (not_1918_s4_q | (4'hc < x_s4_q[5:2])));
+  // hls/stages/agreement.hpp:869
+  logic [31:0] select_3029;
+  assign select_3029 = equal_1864_s4_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_3027_s4_q ? registration_sums_rdata_q : 32'h0);
+  logic [31:0] select_3030;
+  assign select_3030 = equal_1862_s4_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_3029;
+  logic [31:0] select_3031;
+  assign select_3031 = equal_1860_s4_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_3030;
+  logic [31:0] select_3032;
+  assign select_3032 = equal_1858_s4_q ? {8'h0, sharpness_sums_detail_0_q} : select_3031;
+  logic [31:0] select_3033;
+  assign select_3033 = equal_1856_s4_q ? {8'h0, sharpness_sums_detail_1_q} : select_3032;
+  logic [31:0] select_3034;
+  assign select_3034 = equal_1854_s4_q ? {8'h0, sharpness_sums_contrast_0_q} : select_3033;
+  logic [31:0] select_3035;
+  assign select_3035 = equal_1852_s4_q ? {8'h0, sharpness_sums_contrast_1_q} : select_3034;
+  // hls/stages/agreement.hpp:867
+  logic [9:0] select_3036;
+  assign select_3036 = less_2466 ? 10'h0 : regions_rdata_q[29:20];
+  // hls/stages/agreement.hpp:871
+  logic [31:0] select_3037;
+  assign select_3037 = equal_1844_s4_q ? select_3035 : {2'h0, select_3036, select_2470, select_2467};
 
   // Memory fresh, write
   logic [6:0] fresh_waddr;
-  assign fresh_waddr = column_s5_q;
+  assign fresh_waddr = column_s4_q;
   logic fresh_we;
-  assign fresh_we = s5_en & and_357_s5_q;
+  assign fresh_we = s4_en & and_359_s4_q;
   logic [28:0] fresh_wdata;
-  assign fresh_wdata = {census_columns_values_1_cell_2_of_skin_s5_q, and_470, and_446_s5_q, and_445_s5_q, and_420_s5_q, less_412_s5_q, less_411_s5_q, less_410_s5_q, less_409_s5_q, less_408_s5_q, less_407_s5_q, less_406_s5_q, less_405_s5_q, less_404_s5_q, less_403_s5_q, less_402_s5_q, less_401_s5_q, less_400_s5_q, less_399_s5_q, less_398_s5_q, less_397_s5_q, less_396_s5_q, less_395_s5_q, less_394_s5_q, less_393_s5_q, less_392_s5_q, less_391_s5_q, less_390_s5_q, less_389_s5_q};
+  assign fresh_wdata = {census_columns_values_1_cell_2_of_skin_s4_q, and_474, and_450_s4_q, and_449_s4_q, and_424_s4_q, less_416_s4_q, less_415_s4_q, less_414_s4_q, less_413_s4_q, less_412_s4_q, less_411_s4_q, less_410_s4_q, less_409_s4_q, less_408_s4_q, less_407_s4_q, less_406_s4_q, less_405_s4_q, less_404_s4_q, less_403_s4_q, less_402_s4_q, less_401_s4_q, less_400_s4_q, less_399_s4_q, less_398_s4_q, less_397_s4_q, less_396_s4_q, less_395_s4_q, less_394_s4_q, less_393_s4_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (fresh_we) fresh_mem[fresh_waddr] <= {^fresh_wdata, fresh_wdata};
   end
@@ -4682,14 +4770,11 @@ module horopter_agreement (
   logic fresh_re_s2_sim;
   logic [6:0] fresh_raddr_s3_sim;
   logic fresh_re_s3_sim;
-  logic [6:0] fresh_raddr_s4_sim;
-  logic fresh_re_s4_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       fresh_re_s1_sim <= 1'b0;
       fresh_re_s2_sim <= 1'b0;
       fresh_re_s3_sim <= 1'b0;
-      fresh_re_s4_sim <= 1'b0;
     end else if (en_i) begin
       fresh_re_s1_sim <= fresh_re;
       fresh_raddr_s1_sim <= fresh_raddr;
@@ -4697,8 +4782,6 @@ module horopter_agreement (
       fresh_raddr_s2_sim <= fresh_raddr_s1_sim;
       fresh_re_s3_sim <= fresh_re_s2_sim;
       fresh_raddr_s3_sim <= fresh_raddr_s2_sim;
-      fresh_re_s4_sim <= fresh_re_s3_sim;
-      fresh_raddr_s4_sim <= fresh_raddr_s3_sim;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -4715,22 +4798,41 @@ module horopter_agreement (
       if (fresh_re_s3_sim && fresh_raddr_s3_sim == fresh_waddr) begin
         $error("fresh: address %0d is read less than DISTANCE steps after its write", fresh_waddr);
       end
-      if (fresh_re_s4_sim && fresh_raddr_s4_sim == fresh_waddr) begin
-        $error("fresh: address %0d is read less than DISTANCE steps after its write", fresh_waddr);
-      end
       if (fresh_waddr >= 7'd80) $error("fresh: write outside, address %0d", fresh_waddr);
     end
     if (rst_ni && fresh_re && fresh_raddr >= 7'd80) $error("fresh: read outside, address %0d", fresh_raddr);
   end
 `endif
 
+  // Memory registration_sums, write
+  logic [3:0] registration_sums_waddr;
+  assign registration_sums_waddr = {sum_1850_s4_q, lower_half_s4_q, registration_of_right_s4_q};
+  logic registration_sums_we;
+  assign registration_sums_we = s4_en & and_1906_s4_q;
+  logic [31:0] registration_sums_wdata;
+  assign registration_sums_wdata = {sum_1905, sum_1901};
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {^registration_sums_wdata, registration_sums_wdata};
+  end
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && registration_sums_we) begin
+      if (registration_sums_re && registration_sums_raddr == registration_sums_waddr) begin
+        $error("registration_sums: address %0d is read less than DISTANCE steps after its write", registration_sums_waddr);
+      end
+      if (registration_sums_waddr >= 4'd12) $error("registration_sums: write outside, address %0d", registration_sums_waddr);
+    end
+    if (rst_ni && registration_sums_re && registration_sums_raddr >= 4'd12) $error("registration_sums: read outside, address %0d", registration_sums_raddr);
+  end
+`endif
+
   // Memory regions, write
   logic [5:0] regions_waddr;
-  assign regions_waddr = {region_row_s5_q, or_1002_s5_q, or_999_s5_q, or_996_s5_q};
+  assign regions_waddr = {region_row_s4_q, or_1916_s4_q, or_1913_s4_q, or_1910_s4_q};
   logic regions_we;
-  assign regions_we = s5_en & and_1030_s5_q;
-  logic [35:0] regions_wdata;
-  assign regions_wdata = {sum_1029, sum_1023, sum_1018};
+  assign regions_we = s4_en & and_1945_s4_q;
+  logic [29:0] regions_wdata;
+  assign regions_wdata = {sum_1944, sum_1938, sum_1933};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (regions_we) regions_mem[regions_waddr] <= {^regions_wdata, regions_wdata};
   end
@@ -4746,11 +4848,11 @@ module horopter_agreement (
 
   // Memory map, write
   logic [13:0] map_waddr;
-  assign map_waddr = {sum_1068_s5_q, index_2_s5_q};
+  assign map_waddr = {sum_1985_s4_q, index_2_s4_q};
   logic map_we;
-  assign map_we = s5_en & and_1142_s5_q;
+  assign map_we = s4_en & and_2060_s4_q;
   logic [1:0] map_wdata;
-  assign map_wdata = {and_1132, is_seen};
+  assign map_wdata = {and_2050, is_seen};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (map_we) map_mem[map_waddr] <= {^map_wdata, map_wdata};
   end
@@ -4773,68 +4875,112 @@ module horopter_agreement (
       sharpness_sums_detail_1_q <= 24'h0;
       sharpness_sums_contrast_0_q <= 24'h0;
       sharpness_sums_contrast_1_q <= 24'h0;
+      sharpness_comparing_rest_0_q <= 18'h0;
+      sharpness_comparing_rest_1_q <= 18'h0;
+      sharpness_comparing_product_0_q <= 3'h0;
+      sharpness_comparing_product_1_q <= 3'h0;
+      sharpness_comparing_contrast_0_q <= 2'h0;
+      sharpness_comparing_contrast_1_q <= 2'h0;
+      sharpness_comparing_carry_0_q <= 1'b0;
+      sharpness_comparing_carry_1_q <= 1'b0;
+      sharpness_comparing_less_detail_0_q <= 1'b0;
+      sharpness_comparing_less_detail_1_q <= 1'b0;
+      sharpness_comparing_less_contrast_0_q <= 1'b0;
+      sharpness_comparing_less_contrast_1_q <= 1'b0;
       counts_supervised_q <= 14'h0;
       counts_textured_q <= 14'h0;
       counts_explained_q <= 14'h0;
       counts_nearer_q <= 14'h0;
       counts_unproven_q <= 14'h0;
       counts_regions_bad_q <= 14'h0;
-      counts_too_little_explained_q <= 24'h0;
-      counts_too_many_bad_q <= 24'h0;
-      counts_too_much_unproven_q <= 24'h0;
-      counts_too_much_unseen_skin_q <= 24'h0;
-      registration_counts_across_0_q <= 20'h0;
-      registration_counts_across_1_q <= 20'h0;
-      registration_counts_across_2_q <= 20'h0;
-      registration_counts_across_3_q <= 20'h0;
+      counts_skin_supervised_q <= 14'h0;
+      counts_skin_textured_q <= 14'h0;
+      counts_skin_unproven_q <= 14'h0;
+      registration_half_across_q <= 14'h0;
+      registration_half_measured_q <= 6'h0;
+      registration_half_votes_down_q <= 7'h0;
+      registration_half_votes_up_q <= 7'h0;
+      registration_half_half_votes_down_q <= 7'h0;
+      registration_half_half_votes_up_q <= 7'h0;
+      registration_down_q <= 14'h0;
+      registration_up_q <= 14'h0;
+      registration_enough_q <= 1'b0;
+      registration_votes_down_q <= 1'b0;
+      registration_votes_up_q <= 1'b0;
+      registration_other_enough_q <= 1'b0;
+      registration_other_down_q <= 1'b0;
+      registration_other_up_q <= 1'b0;
+      registration_moved_q <= 1'b0;
       segment_textured_q <= 7'h0;
       segment_explained_q <= 7'h0;
       segment_nearer_q <= 7'h0;
       segment_started_q <= 1'b0;
       good_q <= 48'h0;
-      good_next_q <= 48'h0;
-      product_0_q <= 36'h0;
-      product_1_q <= 36'h0;
-      addend_0_q <= 35'h0;
-      addend_1_q <= 35'h0;
-      multiplier_0_q <= 18'h0;
-      multiplier_1_q <= 18'h0;
+      good_known_q <= 1'b0;
+      hidden_for_q <= 8'h0;
+      product_q <= 14'h0;
+      product_rest_q <= 1'b0;
+      disagree_q <= 1'b0;
+      too_much_q <= 1'b0;
+      hides_q <= 1'b0;
       seen_q <= 1'b0;
       nearer_q <= 1'b0;
-    end else if (s5_en) begin
-      census_left_misses_q <= select_1291;
-      sharpness_sums_detail_0_q <= and_357_s5_q ? select_1311 : sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_q <= and_357_s5_q ? select_1322 : sharpness_sums_detail_1_q;
-      sharpness_sums_contrast_0_q <= and_357_s5_q ? sum_1326 : sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_q <= and_357_s5_q ? sum_1330 : sharpness_sums_contrast_1_q;
-      counts_supervised_q <= select_1518;
-      counts_textured_q <= and_1513_s5_q ? 14'h0 : (counts_textured_q + {13'h0, and_1520});
-      counts_explained_q <= and_1513_s5_q ? 14'h0 : (counts_explained_q + {13'h0, and_1524});
-      counts_nearer_q <= and_1513_s5_q ? 14'h0 : (counts_nearer_q + {13'h0, and_1528});
-      counts_unproven_q <= and_1513_s5_q ? 14'h0 : (counts_unproven_q + {13'h0, and_1553});
-      counts_regions_bad_q <= select_1568;
-      counts_too_little_explained_q <= and_1513_s5_q ? 24'h0 : sum_1574;
-      counts_too_many_bad_q <= select_1582;
-      counts_too_much_unproven_q <= and_1513_s5_q ? 24'h0 : sum_1593;
-      counts_too_much_unseen_skin_q <= and_1513_s5_q ? 24'h0 : sum_1601;
-      registration_counts_across_0_q <= and_1513_s5_q ? 20'h0 : sum_1663;
-      registration_counts_across_1_q <= and_1513_s5_q ? 20'h0 : sum_1673;
-      registration_counts_across_2_q <= and_1513_s5_q ? 20'h0 : sum_1682;
-      registration_counts_across_3_q <= and_1513_s5_q ? 20'h0 : sum_1690;
-      segment_textured_q <= select_1015 + {6'h0, and_1520};
-      segment_explained_q <= select_1020 + {6'h0, and_1524};
-      segment_nearer_q <= select_1026 + {6'h0, and_1528};
+    end else if (s4_en) begin
+      census_left_misses_q <= select_2209;
+      sharpness_sums_detail_0_q <= and_359_s4_q ? select_2229 : sharpness_sums_detail_0_q;
+      sharpness_sums_detail_1_q <= and_359_s4_q ? select_2240 : sharpness_sums_detail_1_q;
+      sharpness_sums_contrast_0_q <= and_359_s4_q ? sum_2244 : sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_q <= and_359_s4_q ? sum_2248 : sharpness_sums_contrast_1_q;
+      sharpness_comparing_rest_0_q <= drew_q ? select_2266 : sharpness_comparing_rest_0_q;
+      sharpness_comparing_rest_1_q <= drew_q ? select_2276 : sharpness_comparing_rest_1_q;
+      sharpness_comparing_product_0_q <= drew_q ? select_2278 : sharpness_comparing_product_0_q;
+      sharpness_comparing_product_1_q <= drew_q ? select_2280 : sharpness_comparing_product_1_q;
+      sharpness_comparing_contrast_0_q <= drew_q ? select_2282 : sharpness_comparing_contrast_0_q;
+      sharpness_comparing_contrast_1_q <= drew_q ? select_2284 : sharpness_comparing_contrast_1_q;
+      sharpness_comparing_carry_0_q <= select_2289;
+      sharpness_comparing_carry_1_q <= select_2293;
+      sharpness_comparing_less_detail_0_q <= select_2300;
+      sharpness_comparing_less_detail_1_q <= select_2306;
+      sharpness_comparing_less_contrast_0_q <= select_2312;
+      sharpness_comparing_less_contrast_1_q <= select_2318;
+      counts_supervised_q <= select_2424;
+      counts_textured_q <= and_2418_s4_q ? 14'h0 : (counts_textured_q + {13'h0, and_2427});
+      counts_explained_q <= and_2418_s4_q ? 14'h0 : (counts_explained_q + {13'h0, and_2432});
+      counts_nearer_q <= and_2418_s4_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2437});
+      counts_unproven_q <= and_2418_s4_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2463});
+      counts_regions_bad_q <= select_2479;
+      counts_skin_supervised_q <= select_2486;
+      counts_skin_textured_q <= select_2493;
+      counts_skin_unproven_q <= select_2501;
+      registration_half_across_q <= select_2575;
+      registration_half_measured_q <= select_2580;
+      registration_half_votes_down_q <= and_2554_s4_q ? 7'h0 : sum_2586;
+      registration_half_votes_up_q <= and_2554_s4_q ? 7'h0 : sum_2594;
+      registration_half_half_votes_down_q <= and_2554_s4_q ? 7'h0 : sum_2601;
+      registration_half_half_votes_up_q <= and_2554_s4_q ? 7'h0 : sum_2608;
+      registration_down_q <= and_2642 ? sum_2661 : registration_down_q;
+      registration_up_q <= and_2642 ? sum_2670 : registration_up_q;
+      registration_enough_q <= select_2684;
+      registration_votes_down_q <= and_2689 ? less_2690 : registration_votes_down_q;
+      registration_votes_up_q <= and_2689 ? less_2692 : registration_votes_up_q;
+      registration_other_enough_q <= and_2698 ? select_2684 : registration_other_enough_q;
+      registration_other_down_q <= and_2698 ? registration_votes_down_q : registration_other_down_q;
+      registration_other_up_q <= and_2698 ? registration_votes_up_q : registration_other_up_q;
+      registration_moved_q <= (~(equal_1799_s4_q & and_2705)) & or_2730;
+      segment_textured_q <= select_1930 + {6'h0, and_2427};
+      segment_explained_q <= select_1935 + {6'h0, and_2432};
+      segment_nearer_q <= select_1941 + {6'h0, and_2437};
       segment_started_q <= ~segment_starts_q;
-      good_q <= select_1948;
-      good_next_q <= equal_941_s5_q ? select_1946 : good_next_q;
-      product_0_q <= detail_left;
-      product_1_q <= detail_right;
-      addend_0_q <= select_1970;
-      addend_1_q <= select_1971;
-      multiplier_0_q <= select_1972;
-      multiplier_1_q <= select_1973;
-      seen_q <= select_2065;
-      nearer_q <= select_2068;
+      good_q <= equal_1799_s4_q ? select_2805 : good_q;
+      good_known_q <= select_2810;
+      hidden_for_q <= select_2824;
+      product_q <= equal_1799_s4_q ? sum_3[14:1] : product_q;
+      product_rest_q <= select_2845;
+      disagree_q <= equal_1799_s4_q ? select_2797 : disagree_q;
+      too_much_q <= equal_1799_s4_q ? select_2855 : too_much_q;
+      hides_q <= equal_1799_s4_q ? select_2819 : hides_q;
+      seen_q <= select_2977;
+      nearer_q <= select_2980;
     end
   end
 
@@ -4859,152 +5005,92 @@ module horopter_agreement (
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (s5_en) begin
-      averager_quarter_1_0_q <= select_1166;
-      averager_quarter_1_1_q <= select_1168;
-      averager_quarter_2_0_q <= select_1170;
-      averager_quarter_2_1_q <= select_1172;
-      averager_detail_0_q <= select_1184;
-      averager_detail_1_q <= select_1192;
-      census_changes_values_0_left_q <= and_357_s5_q ? texture_s5_q : census_changes_values_0_left_q;
-      census_changes_values_0_right_q <= and_357_s5_q ? sum_1275_s5_q : census_changes_values_0_right_q;
-      census_changes_values_1_left_q <= select_1277;
-      census_changes_values_1_right_q <= select_1278;
-      census_changes_values_2_left_q <= select_1279;
-      census_changes_values_2_right_q <= select_1280;
-      sharpness_last_mask_q <= and_357_s5_q ? whole_2_s5_q : sharpness_last_mask_q;
-      sharpness_last_detail_0_q <= and_357_s5_q ? select_1296[13:0] : sharpness_last_detail_0_q;
-      sharpness_last_detail_1_q <= and_357_s5_q ? select_1296[27:14] : sharpness_last_detail_1_q;
+    if (s4_en) begin
+      averager_quarter_1_0_q <= select_2084;
+      averager_quarter_1_1_q <= select_2086;
+      averager_quarter_2_0_q <= select_2088;
+      averager_quarter_2_1_q <= select_2090;
+      averager_detail_0_q <= select_2102;
+      averager_detail_1_q <= select_2110;
+      census_changes_values_0_left_q <= and_359_s4_q ? texture_s4_q : census_changes_values_0_left_q;
+      census_changes_values_0_right_q <= and_359_s4_q ? sum_2193_s4_q : census_changes_values_0_right_q;
+      census_changes_values_1_left_q <= select_2195;
+      census_changes_values_1_right_q <= select_2196;
+      census_changes_values_2_left_q <= select_2197;
+      census_changes_values_2_right_q <= select_2198;
+      sharpness_last_mask_q <= and_359_s4_q ? whole_2_s4_q : sharpness_last_mask_q;
+      sharpness_last_detail_0_q <= and_359_s4_q ? select_2214[13:0] : sharpness_last_detail_0_q;
+      sharpness_last_detail_1_q <= and_359_s4_q ? select_2214[27:14] : sharpness_last_detail_1_q;
     end
   end
 
-  logic [7:0] pixel_0_s6_q;
-  logic [7:0] pixel_1_s6_q;
-  logic saturated_s6_q;
-  logic mask_s6_q;
-  logic marks_first_s6_q;
-  logic marks_last_s6_q;
-  logic and_2045_s6_q;
-  logic or_2070_s6_q;
-  logic and_2071_s6_q;
-  logic [13:0] select_2073_s6_q;
-  logic [13:0] select_2075_s6_q;
-  logic [13:0] select_2077_s6_q;
-  logic [13:0] select_2079_s6_q;
-  logic [13:0] select_2081_s6_q;
-  logic [13:0] select_2083_s6_q;
-  logic and_2087_s6_q;
-  logic and_2091_s6_q;
-  logic and_2102_s6_q;
-  logic and_2181_s6_q;
-  logic and_2191_s6_q;
-  logic and_2198_s6_q;
-  logic and_2206_s6_q;
-  logic [19:0] select_2208_s6_q;
-  logic [19:0] select_2210_s6_q;
-  logic [19:0] select_2212_s6_q;
-  logic [19:0] select_2214_s6_q;
-  logic [11:0] select_2216_s6_q;
-  logic [11:0] select_2218_s6_q;
-  logic [11:0] select_2220_s6_q;
-  logic [11:0] select_2222_s6_q;
-  logic [23:0] select_2224_s6_q;
-  logic [23:0] select_2226_s6_q;
-  logic [23:0] select_2228_s6_q;
-  logic [23:0] select_2230_s6_q;
-  logic and_2231_s6_q;
-  logic [5:0] select_2233_s6_q;
-  logic [11:0] select_2235_s6_q;
-  logic [11:0] select_2237_s6_q;
-  logic [11:0] select_2240_s6_q;
+  logic [7:0] pixel_0_s5_q;
+  logic [7:0] pixel_1_s5_q;
+  logic saturated_s5_q;
+  logic mask_s5_q;
+  logic marks_first_s5_q;
+  logic marks_last_s5_q;
+  logic and_2957_s5_q;
+  logic or_2982_s5_q;
+  logic and_2983_s5_q;
+  logic and_2987_s5_q;
+  logic and_2990_s5_q;
+  logic and_2996_s5_q;
+  logic and_2999_s5_q;
+  logic and_3005_s5_q;
+  logic and_3009_s5_q;
+  logic and_3017_s5_q;
+  logic and_3021_s5_q;
+  logic [5:0] select_3023_s5_q;
+  logic [31:0] select_3039_s5_q;
   always_ff @(posedge clk_i) begin
-    if (s5_en) begin
-      pixel_0_s6_q <= pixel_0_s5_q;
-      pixel_1_s6_q <= pixel_1_s5_q;
-      saturated_s6_q <= saturated_s5_q;
-      mask_s6_q <= mask_s5_q;
-      marks_first_s6_q <= marks_first_s5_q;
-      marks_last_s6_q <= line_ended_q;
-      and_2045_s6_q <= said_q;
-      or_2070_s6_q <= not_2069 | select_2065;
-      and_2071_s6_q <= cfg_prove_i & select_2068;
-      select_2073_s6_q <= select_2073;
-      select_2075_s6_q <= select_2075;
-      select_2077_s6_q <= select_2077;
-      select_2079_s6_q <= select_2079;
-      select_2081_s6_q <= select_2081;
-      select_2083_s6_q <= select_2083;
-      and_2087_s6_q <= and_2087_s5_q;
-      and_2091_s6_q <= equal_941_s5_q & (equal_1933_s5_q & (cfg_prove_i & not_2088));
-      and_2102_s6_q <= equal_941_s5_q & (equal_1933_s5_q & select_2100);
-      and_2181_s6_q <= equal_941_s5_q & (equal_1933_s5_q & (cfg_prove_i & select_2178));
-      and_2191_s6_q <= equal_941_s5_q & (equal_1933_s5_q & (and_2182 & or_2188));
-      and_2198_s6_q <= equal_941_s5_q & (equal_1933_s5_q & (and_2182 & or_2195));
-      and_2206_s6_q <= and_2206_s5_q;
-      select_2208_s6_q <= select_2208;
-      select_2210_s6_q <= select_2210;
-      select_2212_s6_q <= select_2212;
-      select_2214_s6_q <= select_2214;
-      select_2216_s6_q <= select_2216_s5_q;
-      select_2218_s6_q <= select_2218_s5_q;
-      select_2220_s6_q <= select_2220_s5_q;
-      select_2222_s6_q <= select_2222_s5_q;
-      select_2224_s6_q <= select_2224;
-      select_2226_s6_q <= select_2226;
-      select_2228_s6_q <= select_2228;
-      select_2230_s6_q <= select_2230;
-      and_2231_s6_q <= and_2231_s5_q;
-      select_2233_s6_q <= equal_941_s5_q ? (equal_1004_s5_q ? 6'h0 : x_s5_q) : 6'h0;
-      select_2235_s6_q <= equal_941_s5_q ? (equal_1004_s5_q ? 12'h0 : select_1557) : 12'h0;
-      select_2237_s6_q <= equal_941_s5_q ? (equal_1004_s5_q ? 12'h0 : select_1560) : 12'h0;
-      select_2240_s6_q <= equal_941_s5_q ? select_2239 : 12'h0;
+    if (s4_en) begin
+      pixel_0_s5_q <= pixel_0_s4_q;
+      pixel_1_s5_q <= pixel_1_s4_q;
+      saturated_s5_q <= saturated_s4_q;
+      mask_s5_q <= mask_s4_q;
+      marks_first_s5_q <= marks_first_s4_q;
+      marks_last_s5_q <= line_ended_q;
+      and_2957_s5_q <= said_q;
+      or_2982_s5_q <= not_2981 | select_2977;
+      and_2983_s5_q <= cfg_prove_i & select_2980;
+      and_2987_s5_q <= and_2987_s4_q;
+      and_2990_s5_q <= equal_1799_s4_q & (equal_2808_s4_q & (cfg_prove_i & or_2788));
+      and_2996_s5_q <= and_2996;
+      and_2999_s5_q <= and_2999;
+      and_3005_s5_q <= equal_1799_s4_q & (equal_2808_s4_q & (not_2992 & or_3002));
+      and_3009_s5_q <= and_3009;
+      and_3017_s5_q <= equal_1799_s4_q & (equal_2808_s4_q & (cfg_prove_i & and_3014));
+      and_3021_s5_q <= and_3021;
+      select_3023_s5_q <= equal_1799_s4_q ? (x_s4_q[6] ? x_s4_q[5:0] : 6'h0) : 6'h0;
+      select_3039_s5_q <= equal_1799_s4_q ? (x_s4_q[6] ? select_3037 : 32'h0) : 32'h0;
     end
   end
 
   // Parity ------------------------------------------------------------------------------------------------------------
-  always_ff @(posedge clk_i) parity_error_o <= rst_ni & (averager_memory_error | census_memory_error | fresh_error | left_error | right_codes_error | best_left_error | best_right_error | near_right_error | shown_right_error | regions_error | seen_columns_error | map_error);
+  always_ff @(posedge clk_i) parity_error_o <= rst_ni & (averager_memory_error | census_memory_error | fresh_error | left_error | right_codes_error | best_left_error | best_right_error | shown_right_error | registration_sums_error | regions_error | seen_columns_error | map_error);
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign pixel_0_o = pixel_0_s6_q;
-  assign pixel_1_o = pixel_1_s6_q;
-  assign saturated_o = saturated_s6_q;
-  assign mask_o = mask_s6_q;
-  assign marks_first_o = marks_first_s6_q;
-  assign marks_last_o = marks_last_s6_q;
-  assign marks_seen_o = or_2070_s6_q;
-  assign marks_nearer_o = and_2071_s6_q;
-  assign verdict_valid_o = and_2045_s6_q;
-  assign verdict_supervised_o = {2'h0, select_2073_s6_q};
-  assign verdict_textured_o = {2'h0, select_2075_s6_q};
-  assign verdict_explained_o = {2'h0, select_2077_s6_q};
-  assign verdict_nearer_o = {2'h0, select_2079_s6_q};
-  assign verdict_unproven_o = {2'h0, select_2081_s6_q};
-  assign verdict_regions_bad_o = {2'h0, select_2083_s6_q};
-  assign verdict_unproven_yet_o = and_2087_s6_q;
-  assign verdict_untextured_o = and_2091_s6_q;
-  assign verdict_disagree_o = and_2102_s6_q;
-  assign verdict_moved_o = and_2181_s6_q;
-  assign verdict_unsharp_left_o = and_2191_s6_q;
-  assign verdict_unsharp_right_o = and_2198_s6_q;
-  assign verdict_hidden_o = and_2206_s6_q;
-  assign verdict_across_0_o = select_2208_s6_q;
-  assign verdict_across_1_o = select_2210_s6_q;
-  assign verdict_across_2_o = select_2212_s6_q;
-  assign verdict_across_3_o = select_2214_s6_q;
-  assign verdict_measured_0_o = select_2216_s6_q;
-  assign verdict_measured_1_o = select_2218_s6_q;
-  assign verdict_measured_2_o = select_2220_s6_q;
-  assign verdict_measured_3_o = select_2222_s6_q;
-  assign verdict_detail_0_o = select_2224_s6_q;
-  assign verdict_detail_1_o = select_2226_s6_q;
-  assign verdict_contrast_0_o = select_2228_s6_q;
-  assign verdict_contrast_1_o = select_2230_s6_q;
-  assign region_valid_o = and_2231_s6_q;
-  assign region_region_o = select_2233_s6_q;
-  assign region_textured_o = select_2235_s6_q;
-  assign region_explained_o = select_2237_s6_q;
-  assign region_nearer_o = select_2240_s6_q;
-  assign valid_o = valid_s6_q;
+  assign pixel_0_o = pixel_0_s5_q;
+  assign pixel_1_o = pixel_1_s5_q;
+  assign saturated_o = saturated_s5_q;
+  assign mask_o = mask_s5_q;
+  assign marks_first_o = marks_first_s5_q;
+  assign marks_last_o = marks_last_s5_q;
+  assign marks_seen_o = or_2982_s5_q;
+  assign marks_nearer_o = and_2983_s5_q;
+  assign verdict_valid_o = and_2957_s5_q;
+  assign verdict_unproven_yet_o = and_2987_s5_q;
+  assign verdict_untextured_o = and_2990_s5_q;
+  assign verdict_disagree_o = and_2996_s5_q;
+  assign verdict_moved_o = and_2999_s5_q;
+  assign verdict_unsharp_left_o = and_3005_s5_q;
+  assign verdict_unsharp_right_o = and_3009_s5_q;
+  assign verdict_hidden_o = and_3017_s5_q;
+  assign frame_valid_o = and_3021_s5_q;
+  assign frame_index_o = select_3023_s5_q;
+  assign frame_word_o = select_3039_s5_q;
+  assign valid_o = valid_s5_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -5013,19 +5099,17 @@ module horopter_agreement (
       valid_s3_q <= 1'b0;
       valid_s4_q <= 1'b0;
       valid_s5_q <= 1'b0;
-      valid_s6_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
       valid_s2_q <= valid_s1_q;
       valid_s3_q <= valid_s2_q;
       valid_s4_q <= valid_s3_q;
       valid_s5_q <= valid_s4_q;
-      valid_s6_q <= valid_s5_q;
     end
   end
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{right[1:0], left[1:0], sum_2105[2:0], sum_1645[0], sum_1641[0], sum_1633[1:0], sum_1632[1:0], sum_1628[0], detail_4[1:0], detail_3[1:0], sum_1285[4:0], sum_879[8:0], sum_468[4:0], cfg_width_i[2:0]};
+  assign unused_bits = ^{over[13:0], sum_2541[0], sum_2537[0], sum_2523[0], detail_4[1:0], detail_3[1:0], sum_2203[4:0], sum_472[4:0], cfg_width_i[2:0]};
 
 endmodule

@@ -79,23 +79,24 @@ class RowSum {
   Kept<DelayLine<Sum, STRIDE>> sums_;
 };
 
-/// The same with the last K column values, K·STRIDE beats wide, in registers.
-template <int K, int BITS, int STRIDE = 1, class V = Scalar>
+/// The same with the last K column values, of COLUMN_BITS, K·STRIDE beats wide, in registers.
+template <int K, int BITS, int STRIDE = 1, class V = Scalar, int COLUMN_BITS = BITS>
 class HorizontalSum {
  public:
   using Sum = typename V::template u<BITS>;
+  using Column = typename V::template u<COLUMN_BITS>;
 
   /// `filled`: at least K columns of this row lie before this one.
-  Sum step(bool row_start, bool filled, Sum column) {
-    const Sum leaving = filled ? columns_->oldest() : Sum(0);
+  Sum step(bool row_start, bool filled, Column column) {
+    const Sum leaving(filled ? columns_->oldest() : Column(0));
     columns_->push(column);
-    return sum_.step(row_start, column, leaving);
+    return sum_.step(row_start, Sum(column), leaving);
   }
   /// The column value `back` columns before the one of the last step; of another row where that lies before the row.
-  [[nodiscard]] Sum column(int back) { return columns_->tap(back * STRIDE); }
+  [[nodiscard]] Column column(int back) { return columns_->tap(back * STRIDE); }
 
  private:
-  Kept<DelayLine<Sum, K * STRIDE>> columns_;
+  Kept<DelayLine<Column, K * STRIDE>> columns_;
   RowSum<BITS, STRIDE, V> sum_;
 };
 
