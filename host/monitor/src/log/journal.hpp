@@ -80,6 +80,8 @@ class Journal {
   int append(Json record, bool group, Record& written);
   /// A picture of an event. 0, or the number of the error.
   int write_picture(std::int64_t event, const std::string& name, std::span<const std::uint8_t> bytes);
+  /// 0 where the disk takes an event; else the number of the error.
+  int check_disk();
   /// Whether so much more would still be within the limit, after the oldest have gone.
   bool make_room(std::uint64_t bytes);
 
@@ -95,7 +97,7 @@ class Journal {
     std::string sha256;  ///< of the last
     std::uint64_t bytes = 0;
     bool group = false;
-    std::int64_t pictures_of = 0;  ///< the last event of which it has pictures
+    std::int64_t pictures_of = 0;   ///< the last event of which it has pictures
     std::vector<Removal> removals;  ///< that it tells of
     Json torn = Json::array();      ///< torn ends that it tells of
   };

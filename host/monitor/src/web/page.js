@@ -310,8 +310,9 @@ function openRestart() {
 }
 
 function openTeach() {
-  confirm("Teach the empty zone", "For the next 150 pairs the monitor learns what cannot be decided while the zone is empty.",
-    "The zone is empty, and stays so.", "Teach", () => change("/api/teach", { frames: 150 }));
+  const frames = session.teach_frames;
+  confirm("Teach the empty zone", `For the next ${frames} pairs the monitor learns what cannot be decided while the zone is empty.`,
+    "The zone is empty, and stays so.", "Teach", () => change("/api/teach", { frames }));
 }
 
 // --- log
