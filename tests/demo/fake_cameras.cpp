@@ -64,7 +64,10 @@ class Camera {
           "no camera at {0}: add the address, `ip address add {0}/8 dev lo`; the ports of GigE Vision must be free",
           address_));
     }
-    set([&] { running_ = camera_.get(); });
+    set([&] {
+      running_ = camera_.get();
+      slot_ = 0;
+    });
     arv_fake_camera_set_fill_pattern(arv_gv_fake_camera_get_fake_camera(camera_.get()), &Camera::fill, this);
   }
   /// Its thread may still ask for an image while it goes.
@@ -94,7 +97,10 @@ class Camera {
     set([&] { held_ = images; });
   }
   void count(guint64 number) {
-    set([&] { next_ = number; });
+    set([&] {
+      next_ = number;
+      slot_ = 0;
+    });
   }
   void lose(double share) {
     set([&] { lost_share_ = share; });
@@ -123,15 +129,20 @@ class Camera {
     put(buffer, pictures_[static_cast<std::size_t>(shown_ >= 0 ? shown_ : taken_us / kPicture_us) % pictures_.size()]);
     const double off_ns = kMs_ns * (late_ms_ + ahead_ms_);
     arv_buffer_set_timestamp(buffer, static_cast<guint64>(1000 * taken_us + static_cast<gint64>(off_ns)));
+    // A computer that is too slow for a frame time leaves an image out, and its number.
+    const gint64 slot = taken_us / std::max<gint64>(period_us, 1);
+    if (slot_ != 0 && slot > slot_) next_ = after(next_, static_cast<guint64>(slot - slot_ - 1));
+    slot_ = slot;
     arv_buffer_set_frame_id(buffer, next_);
     const bool held = held_ > 0;
     if (held) --held_;
-    if (!held) next_ = next_ == kLast ? 1 : next_ + 1;
+    if (!held) next_ = after(next_, 1);
     g_object_set(running_, "gvsp-lost-ratio", held ? 1.0 : lost_share_, nullptr);
     const auto late = std::chrono::duration<double, std::milli>(late_ms_);
     lock.unlock();
     std::this_thread::sleep_for(late);
   }
+  static guint64 after(guint64 number, guint64 steps) { return (number + steps - 1) % kLast + 1; }
   static void put(ArvBuffer* buffer, const horopter::Image& picture) {
     std::size_t size = 0;
     auto* bytes = static_cast<std::uint8_t*>(const_cast<void*>(arv_buffer_get_data(buffer, &size)));
@@ -151,6 +162,7 @@ class Camera {
   double late_ms_ = 0, ahead_ms_ = 0, lost_share_ = 0;
   int held_ = 0;
   guint64 next_ = kFirst;
+  gint64 slot_ = 0;  ///< frame time of the last image; 0: there was none
   ArvGvFakeCamera* running_ = nullptr;
   std::unique_ptr<ArvGvFakeCamera, Unref> camera_;
 };

@@ -123,8 +123,11 @@ class Page:
         self.at(name).click()
 
     def log_in(self, name, password=PASSWORD):
-        if not self.at("login").is_displayed():  # where nobody may look without it is open
-            self.click("login-open")
+        def is_open():  # by itself, where nobody may look without
+            if not self.at("login-name").is_displayed():
+                self.at("login-open").click()
+            return self.at("login-name").is_displayed()
+        self.wait("a place to log in", is_open)
         self.at("login-name").clear()
         self.at("login-name").send_keys(name)
         self.at("login-password").send_keys(password)

@@ -16,7 +16,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from browser import PATIENCE_S, Page, check_no_errors, has_browser, open_browser, restart, shoot
+from browser import PATIENCE_S, Page, check_no_errors, has_browser, open_browser, shoot
 
 OWN_NETWORK = "HOROPTER_OWN_NETWORK"
 
@@ -83,6 +83,39 @@ def wait_for_restart(page):
     page.wait("waiting", lambda: "waits for a restart" in page.at("reason").text)
 
 
+def restart(page):
+    """A computer that is busy may lose an image meanwhile: then it is refused, and asked for again."""
+    for _ in range(10):
+        page.click("restart")
+        assert not page.at("confirm-send").is_enabled(), "a restart without a look"
+        page.at("confirm-looked").click()
+        page.at("confirm-send").click()
+        end = time.monotonic() + 3
+        while time.monotonic() < end:
+            if page.at("state").text == "SAFE":
+                return
+            time.sleep(0.05)
+        if page.at("confirm").is_displayed():
+            page.driver.find_element("css selector", "#confirm .close").click()
+    raise AssertionError("no restart made it safe")
+
+
+def stop_by_alarm(page, demo):
+    """Nor may another fault have stopped it before."""
+    for _ in range(10):
+        if page.at("state").text != "SAFE":
+            demo.tell("show 1")
+            restart(page)
+        demo.tell("show 2")  # the board is in the skin
+        page.wait_for_state("ALARM")
+        end = time.monotonic() + 3
+        while time.monotonic() < end:
+            if "Stop: Something is in the skin" in page.at("events").text:
+                return
+            time.sleep(0.05)
+    raise AssertionError("no stop by an alarm in the log")
+
+
 def check(page, demo, tell_shoot):
     demo.tell("show 1")  # nothing is in the skin
     log_in(page, demo, "engineer")
@@ -94,19 +127,17 @@ def check(page, demo, tell_shoot):
     page.at("confirm-looked").click()
     page.at("confirm-send").click()
     page.wait("teaching", lambda: "being taught" in page.at("teach").text)
-    page.wait("taught", lambda: "taught by 20 frames" in page.at("events").text)
+    page.wait("taught", lambda: re.search(r"taught by \d+ frames", page.at("events").text))
     wait_for_restart(page)
     page.log_out()
 
     log_in(page, demo, "operator")
     restart(page)
     tell_shoot("safe")
-    demo.tell("show 2")  # the board is in the skin
-    page.wait_for_state("ALARM")
+    stop_by_alarm(page, demo)
     page.wait("the cause", lambda: "Something is in the skin" in page.at("cause-list").text)
     page.wait("what to do", lambda: "look that nobody is inside" in page.at("cause-list").text)
     page.wait("objects with their distance", lambda: re.search(r"\d+ mm", page.at("objects").text))
-    page.wait("the stop in the log", lambda: "Stop: Something is in the skin" in page.at("events").text)
     assert not page.at("restart").is_enabled(), "a restart while something is in the skin"
     tell_shoot("alarm")
     demo.tell("show 1")

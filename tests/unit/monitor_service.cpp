@@ -399,7 +399,7 @@ TEST_CASE("causes that come and go without a pair do not fill the log") {
   CHECK(sent > 20);
   CHECK(bench.recorder.events().size() < 12);
   CHECK_FALSE(bench.service->safe_state().at(Clock::now()).safe);
-  const auto& last = bench.recorder.events().back().status.causes;
+  const auto last = bench.recorder.events().back().status.causes;
   CHECK(std::ranges::count(names_of(last), "right_camera_lost") == 1);
 }
 
