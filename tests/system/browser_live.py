@@ -160,6 +160,7 @@ def check(page, demo, tell_shoot):
     demo.tell("off right")
     page.wait("a camera that is gone", lambda: "No image comes from the right camera" in page.at("cause-list").text)
     assert page.at("state").text == "NOT SAFE"
+    page.wait("that old objects are none", lambda: "Nobody knows" in page.at("no-objects").text)
     tell_shoot("camera")
     demo.tell("on right RIGHT")
     wait_for_restart(page)

@@ -162,6 +162,7 @@ function showObjects() {
   at("objects").tBodies[0].replaceChildren(...rows);
   at("objects").hidden = rows.length === 0;
   at("no-objects").hidden = rows.length !== 0;
+  at("no-objects").textContent = last.state === "old" ? "Nobody knows: no new picture was judged." : "Nothing in the skin.";
 }
 
 function showCameras() {
