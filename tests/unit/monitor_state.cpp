@@ -54,24 +54,6 @@ TEST_CASE("a decision is safe as long as it is young, and not by itself again") 
   CHECK(state.at(kNow + 3 * kLimit).safe);
 }
 
-TEST_CASE("the word of one decision never goes with the age of another") {
-  SafeState state(1ms);
-  std::atomic<bool> ending = false;
-  std::thread decision([&] {
-    while (!ending) {
-      const auto now = Clock::now();
-      state.catch_up();
-      state.decided(now - 1h, true, false, {});  // safe, and too old
-      state.decided(now, false, true, {});
-    }
-  });
-  int wrong = 0;
-  for (int i = 0; i < 2'000'000; ++i) wrong += state.at(Clock::now()).safe ? 1 : 0;
-  ending = true;
-  decision.join();
-  CHECK(wrong == 0);
-}
-
 TEST_CASE("an alarm, a fault and the end are not safe at once") {
   SafeState state(kLimit);
   state.decided(kNow, true, false, {});
