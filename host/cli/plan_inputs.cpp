@@ -32,7 +32,9 @@ Timing TimingOptions::timing(const MachineProfile& profile, Decision decision, i
     throw UsageError(fmt::format("an exposure of {:g} ms; at {:g} images a second there are {:.2f} ms for one",
                                  *exposure_ms, rate, 1e3 / rate));
   }
-  return {profile, decision, rows, rate, exposure_s};
+  std::optional<double> monitor_s;
+  if (monitor_ms) monitor_s = *monitor_ms * 1e-3;
+  return {profile, decision, rows, rate, exposure_s, monitor_s};
 }
 
 void add_timing(CLI::App& command, TimingOptions& options) {
@@ -45,6 +47,12 @@ void add_timing(CLI::App& command, TimingOptions& options) {
       .add_option("--exposure-ms", options.exposure_ms,
                   "Longest exposure of an image, ms (default: from image to image, the longest that there is)")
       ->check(within(0, 10'000, "ms"))
+      ->type_name("MS");
+  command
+      .add_option("--monitor-ms", options.monitor_ms,
+                  "Of a live monitor in place of the hardware: from an image's arrival until its client knows, ms\n"
+                  "(docs/monitor.md, How long it takes)")
+      ->check(within(0, 60'000, "ms"))
       ->type_name("MS");
   command.add_option("--stopping-ms", options.stopping_ms, "Time that the robot takes to stop after the alarm, ms")
       ->check(within(0, 60'000, "ms"))

@@ -19,12 +19,13 @@ const MachineProfile& profile_for(const std::string& rig, const std::string& pro
 struct TimingOptions {
   double images_per_s = 0;  ///< 0: as cameras of the thesis and of today have it
   std::optional<double> exposure_ms;
+  std::optional<double> monitor_ms;
   double stopping_ms = 0;
 
   /// Throws UsageError where an exposure is longer than an image.
   Timing timing(const MachineProfile& profile, Decision decision, int rows) const;
 };
-/// --frame-rate, --exposure-ms and --stopping-ms.
+/// --frame-rate, --exposure-ms, --monitor-ms and --stopping-ms.
 void add_timing(CLI::App& command, TimingOptions& options);
 
 }  // namespace horopter::cli

@@ -26,6 +26,52 @@ SKIN = """surface:
 SIZES = {"tablet": (1024, 768), "upright": (768, 1024), "large": (1920, 1080)}
 
 
+def has_browser():
+    try:
+        import selenium  # pylint: disable=unused-import
+    except ImportError:
+        print("skipped: python3-selenium is not installed")
+        return False
+    if shutil.which("chromium") and shutil.which("chromedriver"):
+        return True
+    print("skipped: chromium or chromium-driver is not installed")
+    return False
+
+
+def open_browser(folder):
+    from selenium import webdriver
+    from selenium.webdriver.chrome.service import Service
+    options = webdriver.ChromeOptions()
+    for option in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu",
+                   f"--user-data-dir={folder / 'profile'}", "--window-size=1024,768", "--force-device-scale-factor=1"):
+        options.add_argument(option)
+    options.binary_location = shutil.which("chromium")
+    driver = webdriver.Chrome(service=Service(shutil.which("chromedriver"), log_path=os.devnull), options=options)
+    driver.set_script_timeout(PATIENCE_S)
+    return driver
+
+
+def shoot(driver, folder, what):
+    """Pictures of the page in all sizes, and a small one of the alarm on a tablet."""
+    if not folder:
+        return
+    for size, (width, height) in SIZES.items():
+        driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+            "width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
+        time.sleep(1)
+        driver.save_screenshot(str(folder / f"{what}-{size}.png"))
+        if (what, size) == ("alarm", "tablet"):
+            small = driver.execute_cdp_cmd("Page.captureScreenshot", {"format": "jpeg", "quality": 70})
+            (folder / "monitor-page.jpg").write_bytes(base64.b64decode(small["data"]))
+    driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
+
+def check_no_errors(driver):
+    """Refused requests are none: they were meant."""
+    severe = [entry for entry in driver.get_log("browser") if entry["level"] == "SEVERE" and " 40" not in entry["message"]]
+    assert not severe, severe
+
+
 def run(*command, **options):
     subprocess.run([str(word) for word in command], check=True, stdout=subprocess.DEVNULL, **options)
 
@@ -76,17 +122,21 @@ class Page:
         self.wait(f"a button {name}", lambda: self.at(name).is_displayed() and self.at(name).is_enabled())
         self.at(name).click()
 
-    def log_in(self, name):
-        self.click("login-open")
+    def log_in(self, name, password=PASSWORD):
+        def is_open():  # by itself, where nobody may look without
+            if not self.at("login-name").is_displayed():
+                self.at("login-open").click()
+            return self.at("login-name").is_displayed()
+        self.wait("a place to log in", is_open)
         self.at("login-name").clear()
         self.at("login-name").send_keys(name)
-        self.at("login-password").send_keys(PASSWORD)
+        self.at("login-password").send_keys(password)
         self.at("login-send").click()
         self.wait(f"logged in as {name}", lambda: self.at("who").text.startswith(name))
 
     def log_out(self):
         self.click("logout")
-        self.wait("logged out", lambda: self.at("who").text == "viewer")
+        self.wait("logged out", lambda: self.at("who").text in ("viewer", "") and not self.at("logout").is_displayed())
 
     def post(self, path, body, token):
         """What a page of somebody who tries without buttons gets."""
@@ -176,14 +226,7 @@ def main():
     parser.add_argument("--horopter", required=True, type=Path)
     parser.add_argument("--screenshots", type=Path)
     arguments = parser.parse_args()
-    try:
-        from selenium import webdriver
-        from selenium.webdriver.chrome.service import Service
-    except ImportError:
-        print("skipped: python3-selenium is not installed")
-        return 0
-    if not (shutil.which("chromium") and shutil.which("chromedriver")):
-        print("skipped: chromium or chromium-driver is not installed")
+    if not has_browser():
         return 0
 
     with tempfile.TemporaryDirectory(prefix="horopter-browser-") as name:
@@ -196,40 +239,20 @@ def main():
             arguments.screenshots.mkdir(parents=True, exist_ok=True)
             found = photographs(arguments.horopter, folder)
             pictures = [found] if found else []
-        options = webdriver.ChromeOptions()
-        for option in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu",
-                       f"--user-data-dir={folder / 'profile'}", "--window-size=1024,768", "--force-device-scale-factor=1"):
-            options.add_argument(option)
-        options.binary_location = shutil.which("chromium")
         monitor = subprocess.Popen([arguments.fake_monitor, folder / "log", users, *pictures], stdin=subprocess.PIPE,
                                    stdout=subprocess.PIPE, text=True)
         driver = None
         try:
             port = int(monitor.stdout.readline())
-            driver = webdriver.Chrome(service=Service(shutil.which("chromedriver"), log_path=os.devnull), options=options)
-            driver.set_script_timeout(PATIENCE_S)
+            driver = open_browser(folder)
             driver.get(f"http://127.0.0.1:{port}/")
 
             def tell(word):
                 monitor.stdin.write(word + "\n")
                 monitor.stdin.flush()
 
-            def shoot(what):
-                if not arguments.screenshots:
-                    return
-                for size, (width, height) in SIZES.items():
-                    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
-                        "width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
-                    time.sleep(1)
-                    driver.save_screenshot(str(arguments.screenshots / f"{what}-{size}.png"))
-                    if (what, size) == ("alarm", "tablet"):
-                        small = driver.execute_cdp_cmd("Page.captureScreenshot", {"format": "jpeg", "quality": 70})
-                        (arguments.screenshots / "monitor-page.jpg").write_bytes(base64.b64decode(small["data"]))
-                driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
-
-            check(Page(driver), tell, shoot)
-            severe = [entry for entry in driver.get_log("browser") if entry["level"] == "SEVERE" and " 40" not in entry["message"]]
-            assert not severe, severe
+            check(Page(driver), tell, lambda what: shoot(driver, arguments.screenshots, what))
+            check_no_errors(driver)
             print("browser: the page says what it must")
         finally:
             if driver:

@@ -1,17 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // `horopter monitor` from outside: recorded pairs as live cameras, events on standard output, Modbus and MQTT by clients that
 // are not ours, cameras that go, a broker that goes. Limits of time are long: a slow computer fails no test.
-#include <fcntl.h>
-#include <netinet/in.h>
-#include <signal.h>
-#include <spawn.h>
-#include <sys/socket.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <catch2/catch.hpp>
-#include <chrono>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -20,109 +10,11 @@
 
 #include "horopter/monitor/users.hpp"
 #include "http.hpp"
-#include "sandbox.hpp"
+#include "running.hpp"
 
 using namespace horopter::test;
-using namespace std::chrono_literals;
-using nlohmann::json;
 
 namespace {
-
-const std::string kData = "/usr/share/doc/opencv-doc/examples/data/";
-
-bool eventually(const std::function<bool()>& condition) {
-  for (const auto give_up = std::chrono::steady_clock::now() + 60s; std::chrono::steady_clock::now() < give_up;
-       std::this_thread::sleep_for(20ms)) {
-    if (condition()) return true;
-  }
-  return false;
-}
-
-/// A program that runs beside the test, until its end or that of the test.
-class Running {
- public:
-  Running(const Sandbox& box, std::vector<std::string> command, const std::string& name)
-      : out_(box / (name + ".out")), err_(box / (name + ".err")) {
-    std::vector<char*> argv;
-    for (std::string& word : command) argv.push_back(word.data());
-    argv.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, 1, out_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    posix_spawn_file_actions_addopen(&actions, 2, err_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    posix_spawn_file_actions_addchdir_np(&actions, box.operator/("").c_str());
-    const int spawned = ::posix_spawnp(&child_, argv[0], &actions, nullptr, argv.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    CAPTURE(command);
-    REQUIRE(spawned == 0);
-  }
-  ~Running() {
-    if (child_ != 0) end(SIGKILL);
-  }
-  Running(const Running&) = delete;
-  Running& operator=(const Running&) = delete;
-
-  void send(int signal) const { ::kill(child_, signal); }
-  /// Its status, or 128 + the signal that it died of.
-  int wait() {
-    int status = 0;
-    ::waitpid(child_, &status, 0);
-    child_ = 0;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  }
-  int end(int signal) {
-    send(signal);
-    return wait();
-  }
-  std::string out() const { return read_text(out_); }
-  std::string err() const { return read_text(err_); }
-  std::vector<json> events() const {
-    std::vector<json> events;
-    std::istringstream lines(out());
-    for (std::string line; std::getline(lines, line);) {
-      if (!lines.eof()) events.push_back(json::parse(line));  // the last may not be whole yet
-    }
-    return events;
-  }
-  /// The first of this name for which the condition holds; null where none comes.
-  json event(const std::string& name, const std::function<bool(const json&)>& condition = {}) const {
-    json found;
-    eventually([&] {
-      for (const json& event : events()) {
-        if (event["event"] != name || (condition && !condition(event))) continue;
-        found = event;
-        return true;
-      }
-      return false;
-    });
-    return found;
-  }
-
- private:
-  fs::path out_, err_;
-  pid_t child_ = 0;
-};
-
-bool has_cause(const json& event, const std::string& name) {
-  for (const json& cause : event["causes"]) {
-    if (cause["name"] == name) return true;
-  }
-  return false;
-}
-
-int free_port() {
-  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
-  REQUIRE(socket >= 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size = sizeof address;
-  REQUIRE(::bind(socket, reinterpret_cast<sockaddr*>(&address), size) == 0);
-  ::getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size);
-  ::close(socket);
-  return ntohs(address.sin_port);
-}
 
 /// Of these four the third is an alarm.
 const std::string kFiles = "  left: {source: 'files:" + kData + "left0[1-4].jpg', repeat: true}\n" +
@@ -132,30 +24,6 @@ std::string gst_source(const std::string& side, const std::string& options) {
   return "  " + side + ": {source: 'gst:multifilesrc location=" + kData + side +
          "%02d.jpg start-index=1 stop-index=6 " + options + " caps=image/jpeg,framerate=2/1 ! jpegdec'}\n";
 }
-
-/// The rig of the photographs, a skin in front of which most of them are safe, and a cell.
-class CellBox : public Sandbox {
- public:
-  CellBox() {
-    static const std::string rig = [this] {
-      const auto made = run({"calibrate", "--left", kData + "left??.jpg", "--right", kData + "right??.jpg", "--target",
-                             "chessboard:9x6:30mm", "-o", "rig.yaml"});
-      INFO(made.err);
-      REQUIRE(made.status == 0);
-      return read("rig.yaml");
-    }();
-    write("rig.yaml", rig);
-    write("skin.yaml", "surface: {type: plane, point_mm: [0, 0, 300], normal: [0, 0, -1]}\n");
-  }
-  std::string cell(const std::string& cameras, const std::string& more) const {
-    return write("cell.yaml",
-                 "name: test\ncameras:\n" + cameras + "  frames_per_s: 2\nrig: rig.yaml\nskin: skin.yaml\n" + more);
-  }
-  Running start(const std::vector<std::string>& more = {}) const {
-    return Running(*this, std::vector<std::string>{HOROPTER_PROGRAM, "monitor", "cell.yaml", "--json"} + more,
-                   "monitor");
-  }
-};
 
 /// The input registers as pymodbus reads them, as soon as it is safe or has not been for long.
 json read_modbus(const Sandbox& box, int port, bool safe) {
@@ -363,6 +231,65 @@ TEST_CASE("MQTT: a state that is kept, a last will, and a broker that goes is na
     REQUIRE(stopped.is_object());
     CHECK_THAT(stopped["causes"].dump(), Catch::Contains("MQTT broker 127.0.0.1:" + port));
     CHECK(monitor.end(SIGTERM) == 0);
+  }
+}
+
+TEST_CASE("MQTT by TLS: both show their certificates; a broker of another name, or of nobody we know, is none") {
+  const CellBox box;
+  const std::string port = std::to_string(free_port());
+  const auto made = box.run_shell(
+      "set -e; new() { openssl req -newkey ec -pkeyopt ec_paramgen_curve:prime256v1 -nodes -subj /CN=$1 -keyout $1.key "
+      "-out $1.csr; }\n"
+      "authority() { openssl req -x509 -newkey ec -pkeyopt ec_paramgen_curve:prime256v1 -nodes -days 2 -subj /CN=$1 "
+      "-keyout $1.key -out $1.pem; }\n"
+      "sign() { echo \"subjectAltName=$3\" > san; openssl x509 -req -in $1.csr -CA $2.pem -CAkey $2.key -CAcreateserial "
+      "-days 2 -extfile san -out $1.pem; }\n"
+      "{ authority ours; authority other; new broker; new elsewhere; new cell; sign broker ours DNS:localhost\n"
+      "sign elsewhere ours DNS:elsewhere.example; sign cell ours DNS:cell; } 2>&1");
+  INFO(made.out);
+  REQUIRE(made.status == 0);
+  const auto broker_of = [&](const std::string& name) {
+    box.write(name + ".conf", "user root\nlistener " + port + " 127.0.0.1\ncafile ours.pem\ncertfile " + name +
+                                  ".pem\nkeyfile " + name + ".key\nrequire_certificate true\nallow_anonymous true\n");
+    return Running(box, {"/usr/sbin/mosquitto", "-c", name + ".conf"}, name);
+  };
+  const auto cell = [&](const std::string& keys) {
+    box.cell(kFiles, "restart: by_itself\nlimits: {decision_ms: 30000}\noutputs: {mqtt: {host: localhost, port: " +
+                         port + keys + "}}\n");
+  };
+  const std::string shown = ", certificate_file: cell.pem, key_file: cell.key";
+  SECTION("good") {
+    const Running broker = broker_of("broker");
+    cell(", ca_file: ours.pem" + shown);
+    Running monitor = box.start();
+    const json released = monitor.event("released");
+    INFO(monitor.out() << monitor.err() << broker.err());
+    REQUIRE(released.is_object());
+    const Running listener(box,
+                           {"mosquitto_sub", "-h", "localhost", "-p", port, "--cafile", "ours.pem", "--cert",
+                            "cell.pem", "--key", "cell.key", "-t", "horopter/state"},
+                           "listener");
+    CHECK(eventually([&] { return listener.out().find("\"safe\":true") != std::string::npos; }));
+    CHECK(monitor.end(SIGTERM) == 0);
+  }
+  SECTION("not") {
+    const auto [name, keys] = GENERATE_COPY(table<std::string, std::string>({
+        {"broker", ", ca_file: other.pem" + shown},
+        {"elsewhere", ", ca_file: ours.pem" + shown},
+        {"broker", ", ca_file: ours.pem"},
+        {"broker", ""},
+    }));
+    CAPTURE(name, keys);
+    const Running broker = broker_of(name);
+    cell(keys);
+    Running monitor = box.start();
+    const json refused = monitor.event("causes", [](const json& event) {
+      return event["frame"] >= 2 && event["causes"].dump().find("MQTT broker") != std::string::npos;
+    });
+    INFO(monitor.out() << monitor.err() << broker.err());
+    CHECK(refused.is_object());
+    CHECK(monitor.end(SIGTERM) == 0);
+    for (const json& event : monitor.events()) CHECK(event["safe"] == false);
   }
 }
 

@@ -102,6 +102,12 @@ TEST_CASE("plan capability: the smallest body, the response time and the distanc
     sum_ms += item["ms"].get<double>();
   }
   CHECK(slow["response"]["total_ms"].get<double>() == Approx(sum_ms));
+  // A live monitor takes the place of the hardware.
+  const json live =
+      of({"--speed", "100", "--object", "40mm", "--fps", "25", "--exposure-ms", "4", "--monitor-ms", "60"});
+  REQUIRE(live["response"]["items"].size() == 4);
+  CHECK(live["response"]["items"][3]["item"] == "live monitor, to its client");
+  CHECK(live["response"]["total_ms"].get<double>() == Approx(40 + 4 + 40 + 60));
   // A rod shows more than a ball; a larger limit and a faster body need larger ones; so does a thinner skin.
   const auto median = [](const json& report) { return report["detection_capability_mm"]["median"].get<double>(); };
   CHECK(median(of({"--speed", "100", "--object", "40mm", "--body", "rod"})) < median(slow));

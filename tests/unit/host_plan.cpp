@@ -40,12 +40,12 @@ TEST_CASE("Formulas of 2.3, 11.1 to 11.3") {
   CHECK(iso_13855_distance_mm(0.26) == Approx(500));
   CHECK(iso_13855_distance_mm(0.5) == Approx(800));
   // 60 ms are three fields; the rest are the lines that the machine waits.
-  const Timing timing{find_profile("field"), Decision::thesis, 286, 50, {}};
+  const Timing timing{find_profile("field"), Decision::thesis, 286, 50, {}, {}};
   CHECK(detection_time_s(timing) == Approx(0.060 + 52.0 / 286 / 50));
 }
 
 TEST_CASE("The response time is the sum of its items, each with its source") {
-  Timing timing{find_profile("vga"), Decision::thesis, 480, 60, 0.004};
+  Timing timing{find_profile("vga"), Decision::thesis, 480, 60, 0.004, {}};
   double sum_s = 0;
   for (const ResponseItem& item : detection_items(timing)) {
     CHECK_FALSE(item.name.empty());

@@ -224,6 +224,52 @@ TEST_CASE("another size, exposure, lost packets, and cameras that are exchanged"
   CHECK(cameras.pairing.counts(Side::right).lost_packets == 3);
 }
 
+TEST_CASE("an image with holes is none: a fault at once, counted, and its partner has none") {
+  Cameras cameras;
+  CHECK(cameras.both(0).empty());
+  CameraFrame broken = cameras.frame(1);
+  broken.image = horopter::Image();
+  broken.taken = -5s;  // nothing in it is certain
+  cameras.pairing.add(Side::right, broken);
+  CHECK(cameras.pairing.check(Clock::time_point(1h), Clock::time_point(1h)).has(MonitorFault::right_lost_packets));
+  cameras.add(Side::left, 1);
+  CameraFrame next = cameras.frame(2);
+  CHECK(cameras.give(cameras.frame(2), next) == Names{"left_unpaired", "right_gap"});
+  const auto& counts = cameras.pairing.counts(Side::right);
+  CHECK(counts.frames == 3);
+  CHECK(counts.dropped == 1);
+  CHECK(counts.lost == 0);
+  next = cameras.frame(3);
+  CHECK(cameras.give(cameras.frame(3), next).empty());
+}
+
+TEST_CASE("a pair is as old as its older image, however long that was on its way") {
+  Cameras cameras;
+  CameraFrame left = cameras.frame(0), right = cameras.frame(0);
+  right.arrived += 90ms;
+  cameras.pairing.add(Side::left, left);
+  cameras.pairing.add(Side::right, right);
+  auto pair = cameras.pairing.take();
+  REQUIRE(pair);
+  CHECK(pair->arrived() == right.arrived);
+  CHECK(pair->seen() == left.arrived);
+  left = cameras.frame(1), right = cameras.frame(1);
+  left.taken_here = left.arrived + 1s;  // of a clock that was set meanwhile
+  right.taken_here = right.arrived - 2s;
+  cameras.pairing.add(Side::left, left);
+  cameras.pairing.add(Side::right, right);
+  pair = cameras.pairing.take();
+  REQUIRE(pair);
+  CHECK(pair->seen() == right.arrived - 2s);
+  right = cameras.frame(2);
+  left.number = 2;
+  left.taken = right.taken;
+  left.taken_here = left.arrived + 1s;
+  cameras.pairing.add(Side::left, left);
+  cameras.pairing.add(Side::right, right);
+  CHECK(cameras.pairing.take()->seen() == std::min(left.arrived, right.arrived));
+}
+
 TEST_CASE("exposure may change where that is allowed, of the camera of which it is") {
   PairingRules with = rules();
   with.exposure_may_change = {true, false};

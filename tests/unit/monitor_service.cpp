@@ -344,6 +344,23 @@ TEST_CASE("a decision that hangs: not safe, whoever looks, and not by itself aga
   CHECK(bench.release().safe);
 }
 
+TEST_CASE("images that were long on their way are not safe, however soon they are judged") {
+  Bench bench(3s);
+  REQUIRE(bench.release().safe);
+  auto pair = bench.images();
+  SECTION("both alike") {
+    for (CameraFrame* frame : {&pair.first, &pair.second}) frame->taken_here = frame->arrived - 4s;
+  }
+  SECTION("one, and the other one has waited for it") { pair.first.arrived -= 3500ms; }
+  bench.give(std::move(pair));
+  Status status = bench.recorder.status_of(++bench.pairs);
+  CHECK_FALSE(status.safe);
+  const auto names = names_of(status.causes);
+  CHECK(std::ranges::find(names, "decision_late") != names.end());
+  for (int i = 0; i < 5; ++i) CHECK_FALSE(bench.judge().safe);
+  CHECK(bench.release().safe);
+}
+
 TEST_CASE("a camera that falls silent is named, with what is known of it") {
   Bench bench(3s);
   REQUIRE(bench.release().safe);
@@ -357,6 +374,33 @@ TEST_CASE("a camera that falls silent is named, with what is known of it") {
       return cause.name == "right_camera_lost" && cause.text.find("the cable is out") != std::string::npos;
     });
   }));
+}
+
+TEST_CASE("a camera that says itself that it is gone is not waited for") {
+  Bench bench;
+  REQUIRE(bench.release().safe);
+  bench.service->lost(Side::left, "the stream has ended");
+  REQUIRE(bench.recorder.wait_for_event("stopped"));
+  CHECK_FALSE(bench.service->safe_state().at(Clock::now()).safe);
+  const auto causes = bench.recorder.last_change().status.causes;
+  CHECK(names_of(causes) == std::vector<std::string>{"left_camera_lost"});
+  CHECK_THAT(causes.front().text, Catch::Contains("the stream has ended"));
+}
+
+TEST_CASE("causes that come and go without a pair do not fill the log") {
+  Bench bench(3s);
+  REQUIRE(bench.release().safe);
+  const auto begin = Clock::now();
+  std::uint64_t sent = 0;
+  for (; Clock::now() - begin < 5s; ++sent) {  // of one camera alone: it has no partner
+    bench.service->frame(Side::left, bench.images().first);
+    std::this_thread::sleep_for(20ms);
+  }
+  CHECK(sent > 20);
+  CHECK(bench.recorder.events().size() < 12);
+  CHECK_FALSE(bench.service->safe_state().at(Clock::now()).safe);
+  const auto last = bench.recorder.events().back().status.causes;
+  CHECK(std::ranges::count(names_of(last), "right_camera_lost") == 1);
 }
 
 TEST_CASE("a machine that fails: not safe, told, and the end") {

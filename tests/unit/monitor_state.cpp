@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // What outputs may say, causes in words, objects that are followed, and what Modbus shows: without cameras and time.
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <catch2/catch.hpp>
+#include <cstdlib>
 #include <memory>
+#include <random>
 #include <set>
 #include <string>
 #include <thread>
 
+#include "../system/plc.hpp"
 #include "horopter/machine/registers.hpp"
 #include "horopter/monitor/causes.hpp"
 #include "horopter/monitor/metrics.hpp"
@@ -16,6 +21,10 @@
 #include "output/modbus.hpp"
 
 using namespace horopter::monitor;
+using horopter::monitor::Clock;
+using horopter::test::connect_to;
+using horopter::test::free_port;
+using horopter::test::Plc;
 using namespace std::chrono_literals;
 
 namespace {
@@ -141,6 +150,45 @@ TEST_CASE("Modbus shows safe and its complement, faults, age and configuration")
   CHECK(discrete_inputs(state.at(kNow + 1s)) == std::array<std::uint8_t, 4>{0, 1, 0, 1});
 }
 
+TEST_CASE("requests of noise to the Modbus server change nothing and stop nothing") {
+  SafeState state(1h);
+  state.decided(Clock::now(), false, true, {1, 2, 4});
+  Cell cell;
+  cell.outputs.modbus = ModbusCell{.address = "127.0.0.1", .port = free_port()};
+  const auto server = make_modbus(*cell.outputs.modbus, cell, state);
+  const auto seed = std::random_device{}();
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  const char* const given = std::getenv("HOROPTER_REQUESTS");
+  for (int i = given != nullptr ? std::atoi(given) : 400; i > 0; --i) {
+    // Half of them have a head that is in order, of any function.
+    std::vector<std::uint8_t> bytes(random() % 300);
+    for (auto& byte : bytes) byte = static_cast<std::uint8_t>(random());
+    if (i % 2 == 0 && bytes.size() > 8) {
+      const std::size_t length = bytes.size() - 6;
+      const std::array<std::uint8_t, 6> head{
+          0, 1, 0, 0, static_cast<std::uint8_t>(length >> 8), static_cast<std::uint8_t>(length)};
+      std::ranges::copy(head, bytes.begin());
+      bytes[7] = static_cast<std::uint8_t>(random() % 0x2C);
+    }
+    const int socket = connect_to(cell.outputs.modbus->port);
+    REQUIRE(socket >= 0);
+    ::send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    ::shutdown(socket, SHUT_WR);
+    std::array<std::uint8_t, 512> answer{};
+    while (::recv(socket, answer.data(), answer.size(), 0) > 0) {
+    }
+    ::close(socket);
+  }
+  CHECK(state.at(Clock::now()).decisions == 1);
+  const Plc plc(cell.outputs.modbus->port);
+  const auto give_up = Clock::now() + 60s;
+  while (plc.answers_after({}).empty() && Clock::now() < give_up) std::this_thread::sleep_for(1ms);
+  REQUIRE_FALSE(plc.answers_after({}).empty());
+  CHECK(plc.answers_after({}).back().heartbeat == 1);
+  CHECK_FALSE(plc.safe());
+}
+
 TEST_CASE("lines follow what may be said, by a thread of their own: a decision that hangs, and the end, are not safe") {
   SafeState state(50ms);
   std::atomic<int> said = -1;  // safe line, and twice the other
@@ -176,6 +224,37 @@ TEST_CASE("lines follow what may be said, by a thread of their own: a decision t
   CHECK(eventually([&] { return !lines->trouble().empty(); }));
   works = true;
   CHECK(eventually([&] { return lines->trouble().empty(); }));
+}
+
+TEST_CASE("a line with pulses changes while it is safe, and stands still whatever else is so") {
+  SafeState state(80ms);
+  std::atomic<int> changes = 0;
+  std::atomic<bool> level = false, works = true;
+  const LinesFollower lines([](bool, bool) { return true; }, state,
+                            [&](bool to) {
+                              changes += to != level.exchange(to) ? 1 : 0;
+                              return works.load();
+                            });
+  std::this_thread::sleep_for(100ms);
+  CHECK(changes == 0);
+  const auto safe_until = [&](const auto& condition) {
+    for (const auto give_up = Clock::now() + 60s; Clock::now() < give_up && !condition();) {
+      state.not_safe({});
+      state.catch_up();
+      state.decided(Clock::now(), true, false, {});
+      std::this_thread::sleep_for(20ms);
+    }
+    return condition();
+  };
+  CHECK(safe_until([&] { return changes > 10; }));
+  works = false;
+  CHECK(safe_until([&] { return !lines.trouble().empty(); }));
+  works = true;
+  // The decision hangs.
+  std::this_thread::sleep_for(200ms);
+  const int before = changes;
+  std::this_thread::sleep_for(100ms);
+  CHECK(changes == before);
 }
 
 TEST_CASE("metrics: each value once, with its type, and names that cannot break out of their quotes") {

@@ -57,21 +57,30 @@ std::vector<ResponseItem> detection_items(const Timing& timing) {
   // Lines without blanking are the longest that there can be.
   const auto lines_s = [&](int lines) { return lines * image_s / timing.rows; };
   const std::string hardware = "docs/hardware.md, How long it takes; tb/top/test_frames.cpp";
-  return {{"wait for the next image to begin", image_s, "image rate: the object came when an image had just begun"},
-          {"exposure", timing.exposure_s.value_or(image_s),
-           timing.exposure_s ? "--exposure-ms" : "no --exposure-ms: the longest that there is, from image to image"},
-          {"transfer of the image", image_s, "image rate: the longest that there is, without blanking"},
-          {"LOOKAHEAD, wait for right rows", lines_s(profile.largest_lookahead()),
-           "largest of the profile (hls/include/horopter/hls/profiles.def); " + hardware},
-          {"windows of the rule", lines_s(profile.flush_rows(timing.decision == Decision::compete)),
-           "hls/include/horopter/hls/profiles.hpp flush_rows; " + hardware},
-          {"pipeline", lines_s(1), "less than a line: docs/hardware.md, How long it takes"},
-          {"what went blind, by blocks", lines_s(profile.cell() + 1),
-           "docs/safety.md, Faults: a block is known with its last row; only for what is found by being blind"},
-          {"coarse decision on both cameras", 0,
-           "32 clocks (docs/safety.md, Faults); an object's alarm does not wait for it"},
-          {"frames with the alarm", 0, "one, which is in the transfer; two good ones only raise safe_o"},
-          {"output", 0, "3 clocks, rtl/formal/formal_safe.sv; contactors and robot are in the stopping time"}};
+  std::vector<ResponseItem> items{
+      {"wait for the next image to begin", image_s, "image rate: the object came when an image had just begun"},
+      {"exposure", timing.exposure_s.value_or(image_s),
+       timing.exposure_s ? "--exposure-ms" : "no --exposure-ms: the longest that there is, from image to image"},
+      {"transfer of the image", image_s, "image rate: the longest that there is, without blanking"}};
+  if (timing.monitor_s) {
+    items.push_back({"live monitor, to its client", *timing.monitor_s,
+                     "--monitor-ms; docs/monitor.md, How long it takes; tests/benchmarks/monitor.cpp"});
+    return items;
+  }
+  const std::vector<ResponseItem> machine{
+      {"LOOKAHEAD, wait for right rows", lines_s(profile.largest_lookahead()),
+       "largest of the profile (hls/include/horopter/hls/profiles.def); " + hardware},
+      {"windows of the rule", lines_s(profile.flush_rows(timing.decision == Decision::compete)),
+       "hls/include/horopter/hls/profiles.hpp flush_rows; " + hardware},
+      {"pipeline", lines_s(1), "less than a line: docs/hardware.md, How long it takes"},
+      {"what went blind, by blocks", lines_s(profile.cell() + 1),
+       "docs/safety.md, Faults: a block is known with its last row; only for what is found by being blind"},
+      {"coarse decision on both cameras", 0,
+       "32 clocks (docs/safety.md, Faults); an object's alarm does not wait for it"},
+      {"frames with the alarm", 0, "one, which is in the transfer; two good ones only raise safe_o"},
+      {"output", 0, "3 clocks, rtl/formal/formal_safe.sv; contactors and robot are in the stopping time"}};
+  items.insert(items.end(), machine.begin(), machine.end());
+  return items;
 }
 
 double detection_time_s(const Timing& timing) {

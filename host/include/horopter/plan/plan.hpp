@@ -41,6 +41,7 @@ struct Timing {
   int rows = 0;  ///< of an image, or field
   double images_per_s = 0;
   std::optional<double> exposure_s;  ///< nothing: the longest that there is, from image to image
+  std::optional<double> monitor_s;   ///< from an image's arrival to the client of a live monitor; nothing: hardware
 };
 /// A part of the response time.
 struct ResponseItem {

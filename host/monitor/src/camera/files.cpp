@@ -34,6 +34,7 @@ class FilesGrabber : public Grabber {
     frame.number = number_++;
     frame.taken = due.time_since_epoch();
     frame.arrived = Clock::now();
+    frame.taken_here = due;
     return frame;
   }
   [[nodiscard]] bool ended() const override { return ended_; }

@@ -150,18 +150,32 @@ class GevGrabber : public Grabber {
     check.done();
     arv_camera_start_acquisition(camera_.get(), *check);
     check.done();
+    heard_ = Clock::now();  // to find it took its time
   }
 
-  std::optional<CameraFrame> frame_of(ArvBuffer* buffer, Clock::time_point arrived) {
+  static std::chrono::nanoseconds nanoseconds_of(guint64 time) {
+    return std::chrono::nanoseconds(static_cast<std::int64_t>(time));
+  }
+
+  CameraFrame frame_of(ArvBuffer* buffer, Clock::time_point arrived) {
     std::uint64_t missing = 0;
     if (ARV_IS_GV_STREAM(stream_.get())) {
       guint64 resent = 0;
       arv_gv_stream_get_statistics(ARV_GV_STREAM(stream_.get()), &resent, &missing);
     }
-    // An image with holes is none. Its packets count, with the next one.
+    CameraFrame frame;
+    frame.number = numbered(arv_buffer_get_frame_id(buffer));
+    frame.arrived = arrived;
+    // Of its first packet, by the clock that somebody may set.
+    const auto first_packet = nanoseconds_of(arv_buffer_get_system_timestamp(buffer));
+    const std::chrono::nanoseconds now = std::chrono::system_clock::now().time_since_epoch();
+    frame.taken_here = arrived - std::chrono::duration_cast<Duration>(now - first_packet);
+    frame.taken = stamps_ == Stamps::camera ? nanoseconds_of(arv_buffer_get_timestamp(buffer)) : first_packet;
+    frame.serial = serial_;
+    // An image with holes is none.
     if (arv_buffer_get_status(buffer) != ARV_BUFFER_STATUS_SUCCESS) {
-      ++broken_;
-      return std::nullopt;
+      frame.lost_packets = missing + ++broken_;
+      return frame;
     }
     std::size_t bytes = 0;
     const auto* pixels = static_cast<const std::uint8_t*>(arv_buffer_get_data(buffer, &bytes));
@@ -170,24 +184,17 @@ class GevGrabber : public Grabber {
     if (!mono8 || width <= 0 || height <= 0 || bytes < static_cast<std::size_t>(width) * height) {
       throw CameraError("an image that is not Mono8, or shorter than its size");
     }
-    CameraFrame frame;
     frame.image = Image(width, height);
     std::copy_n(pixels, frame.image.pixels.size(), frame.image.pixels.begin());
-    frame.number = numbered(arv_buffer_get_frame_id(buffer));
-    frame.arrived = arrived;
-    frame.taken = stamps_ == Stamps::camera
-                      ? std::chrono::nanoseconds(static_cast<std::int64_t>(arv_buffer_get_timestamp(buffer)))
-                      : std::chrono::nanoseconds(static_cast<std::int64_t>(arv_buffer_get_system_timestamp(buffer)));
     frame.lost_packets = missing + broken_;
-    frame.serial = serial_;
     frame.exposure_us = exposure(arrived);
     return frame;
   }
 
-  /// GigE Vision counts from 1 to 65535 and then begins again with 1.
+  /// GigE Vision counts from 1 to 65535 and then begins again with 1; some cameras, with 0. Images may be lost there.
   std::uint64_t numbered(std::uint64_t id) {
-    constexpr std::uint64_t kLast = 65'535;
-    if (last_id_ == kLast && id == 1) rounds_ += kLast;
+    constexpr std::uint64_t kLast = 65'535, kFar = kLast / 2;
+    if (last_id_ <= kLast && id + kFar < last_id_) rounds_ += id == 0 ? kLast + 1 : kLast;
     last_id_ = id;
     return rounds_ + id;
   }
@@ -205,7 +212,7 @@ class GevGrabber : public Grabber {
 
   Stamps stamps_;
   Duration silence_;
-  Clock::time_point heard_ = Clock::now();
+  Clock::time_point heard_{};
   std::unique_ptr<ArvCamera, Unref<ArvCamera>> camera_;
   std::unique_ptr<ArvStream, Unref<ArvStream>> stream_;
   std::string serial_;

@@ -147,7 +147,10 @@ class GstGrabber : public Grabber {
     frame.taken = arrived.time_since_epoch();
     const GstClockTime running =
         gst_segment_to_running_time(gst_sample_get_segment(&sample), GST_FORMAT_TIME, GST_BUFFER_PTS(buffer));
-    if (GST_CLOCK_TIME_IS_VALID(running)) frame.taken = nanoseconds_of(base_ + running);
+    if (GST_CLOCK_TIME_IS_VALID(running)) {
+      frame.taken = nanoseconds_of(base_ + running);
+      frame.taken_here = Clock::time_point(frame.taken);
+    }
     if (counts_ && GST_BUFFER_OFFSET_IS_VALID(buffer)) frame.number = GST_BUFFER_OFFSET(buffer);
     return frame;
   }

@@ -174,6 +174,10 @@ GpioCell read_gpio(Keys keys) {
   gpio.safe_line = keys.whole("safe_line", 0, 10'000, "");
   gpio.unsafe_line = keys.whole("unsafe_line", 0, 10'000, "");
   if (gpio.safe_line == gpio.unsafe_line) keys.fail("unsafe_line", "", "another line than safe_line");
+  if (keys.has("pulse_line")) gpio.pulse_line = keys.whole("pulse_line", 0, 10'000, "");
+  if (gpio.pulse_line == gpio.safe_line || gpio.pulse_line == gpio.unsafe_line) {
+    keys.fail("pulse_line", "", "another line than safe_line and unsafe_line");
+  }
   keys.finish();
   return gpio;
 }

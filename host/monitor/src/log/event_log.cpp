@@ -29,6 +29,7 @@ constexpr std::size_t kMomentsTogether = 10;  // whose pictures one record tells
 constexpr std::uint64_t kRecordRoom_bytes = 16'384;
 constexpr auto kRetry = milliseconds(500);
 constexpr auto kTick = milliseconds(200);
+constexpr auto kLookAtDisk = milliseconds(500);
 constexpr int kNice = 10;  // the decision goes first
 
 Clock::duration seconds(double value) {
@@ -360,6 +361,7 @@ class EventLog::Writer {
         write_pictures(lock);
         continue;
       }
+      if (Clock::now() >= next_look_) look_at_disk(lock);
       if (is_idle()) {
         idle_.notify_all();
         if (ending_ && ended) break;
@@ -389,6 +391,12 @@ class EventLog::Writer {
     lock.lock();
     busy_ = false;
     return problem;
+  }
+
+  /// A disk that is full is known before there is something to write.
+  void look_at_disk(std::unique_lock<std::mutex>& lock) {
+    next_look_ = Clock::now() + kLookAtDisk;
+    picture_problem_ = unlocked(lock, [&] { return journal_.check_disk(); });
   }
 
   bool write_record(std::unique_lock<std::mutex>& lock) {
@@ -496,6 +504,7 @@ class EventLog::Writer {
   std::string record_problem_;
   std::string picture_problem_;
   Clock::time_point retry_{};
+  Clock::time_point next_look_{};
   bool busy_ = false;
   bool flushing_ = false;
   bool ending_ = false;

@@ -270,6 +270,14 @@ void Journal::fill_reserve() {
   if (!reserve_) ::unlink(path.c_str());
 }
 
+int Journal::check_disk() {
+  if (!reserve_) fill_reserve();
+  struct statvfs space{};
+  if (::statvfs(directory_.c_str(), &space) != 0) return errno;
+  const bool room = space.f_bavail * space.f_frsize >= static_cast<std::uint64_t>(kReserveBytes);
+  return reserve_ && room ? 0 : ENOSPC;
+}
+
 int Journal::begin_segment() {
   file_.reset();
   constexpr int kTries = 1000;

@@ -29,9 +29,13 @@ void Pairing::add(Side side, CameraFrame frame) {
     here.mean_period_s += share * (period_s - here.mean_period_s);
   }
   here.last_arrived = frame.arrived;
+  if (frame.image.empty()) {
+    add_broken(side, frame);
+    return;
+  }
   check_facts(side, frame);
   const bool usable = !here.last || check_order(side, frame, *here.last);
-  here.last = {frame.number, frame.taken, frame.arrived, frame.lost_packets, frame.exposure_us};
+  here.last = {frame.number, frame.taken, frame.arrived};
   if (!usable) {
     ++here.counts.dropped;
     return;
@@ -83,12 +87,27 @@ void Pairing::check_facts(Side side, const CameraFrame& frame) {
       faults_ |= of(side, MonitorFault::left_exposure);
     }
   }
-  const std::uint64_t before = here.last ? here.last->lost_packets : 0;
-  if (frame.lost_packets > before) {
-    faults_ |= of(side, MonitorFault::left_lost_packets);
-    here.counts.lost_packets += frame.lost_packets - before;
-  }
+  check_packets(side, frame);
   check_serial(side, frame.serial);
+}
+
+void Pairing::check_packets(Side side, const CameraFrame& frame) {
+  OneSide& here = side_of(side);
+  const std::uint64_t before = std::exchange(here.lost_packets, frame.lost_packets);
+  if (frame.lost_packets <= before) return;
+  faults_ |= of(side, MonitorFault::left_lost_packets);
+  here.counts.lost_packets += frame.lost_packets - before;
+}
+
+/// An image with holes. Nothing but its number is certain.
+void Pairing::add_broken(Side side, const CameraFrame& frame) {
+  OneSide& here = side_of(side);
+  faults_ |= of(side, MonitorFault::left_lost_packets);
+  ++here.counts.dropped;
+  check_packets(side, frame);
+  if (here.last && frame.number && here.last->number) {
+    here.last->number = std::max(*here.last->number, *frame.number);
+  }
 }
 
 void Pairing::check_serial(Side side, const std::string& serial) {
@@ -154,8 +173,9 @@ void Pairing::reconnected(Side side) {
   here.counts.dropped += here.waiting.size();
   here.waiting.clear();
   here.last.reset();
+  here.lost_packets = 0;
   number_offset_.reset();
-  faults_ |= of(side, MonitorFault::left_camera_lost);
+  lost(side);
 }
 
 std::optional<ImagePair> Pairing::take() {

@@ -12,11 +12,11 @@ void SafeState::write(FaultWords faults) {
 }
 
 // Whoever reads in between must not take the old word for safe: it goes first, and comes last.
-void SafeState::decided(Clock::time_point arrived, bool safe, bool alarm, FaultWords faults) {
+void SafeState::decided(Clock::time_point seen, bool safe, bool alarm, FaultWords faults) {
   if (!safe) safe_ = false;
   alarm_ = alarm;
   write(faults);
-  arrived_ = arrived.time_since_epoch().count();
+  seen_ = seen.time_since_epoch().count();
   ++decisions_;
   if (safe) safe_ = true;
 }
@@ -33,13 +33,18 @@ void SafeState::end() {
 
 Signal SafeState::at(Clock::time_point now) const {
   Signal signal;
-  const bool safe = safe_;
-  signal.alarm = alarm_;
-  signal.faults = {cameras_, machine_, monitor_};
-  signal.decisions = decisions_;
-  const Clock::rep arrived = arrived_;
-  if (arrived != 0) signal.age = now - Clock::time_point(Clock::duration(arrived));
-  const bool young = arrived != 0 && signal.age <= limit_;
+  bool safe = false;
+  Clock::rep seen = 0;
+  do {  // the word of one decision and the age of another are none
+    signal.decisions = decisions_;
+    safe = safe_;
+    signal.alarm = alarm_;
+    signal.faults = {cameras_, machine_, monitor_};
+    seen = seen_;
+    safe = safe && safe_;
+  } while (decisions_ != signal.decisions);
+  if (seen != 0) signal.age = now - Clock::time_point(Clock::duration(seen));
+  const bool young = seen != 0 && signal.age <= limit_;
   if (safe && !young) missed_ = true;
   signal.safe = safe && young && !missed_ && !ended_;
   if (!young) signal.faults.monitor |= MonitorFaults(MonitorFault::decision_late).word();

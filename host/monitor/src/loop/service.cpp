@@ -114,6 +114,7 @@ void Service::lost(Side side, const std::string& why) {
   Link& link = links_.at(static_cast<std::size_t>(side));
   link.connected = false;
   link.why = why;
+  pairing_.lost(side);
 }
 
 void Service::ended(Side side) {
@@ -235,7 +236,7 @@ void Service::judge(ImagePair pair) {
     alarm |= result.alarm;
   }
   const std::uint32_t word = monitor.device().read(reg::status::kAddress);
-  if (Clock::now() - pair.arrived() > state_.limit()) {
+  if (Clock::now() - pair.seen() > state_.limit()) {
     own |= MonitorFault::decision_late;
     pending_ |= MonitorFault::decision_late;  // the machine shall know of it, too
   }
@@ -264,7 +265,7 @@ void Service::judge(ImagePair pair) {
   status.decision_ms = std::chrono::duration<double, std::milli>(Clock::now() - pair.arrived()).count();
   status.teaching = to_teach_ != 0;
   describe_cameras(status);
-  state_.decided(pair.arrived(), status.safe, alarm, words_of(own, faults));
+  state_.decided(pair.seen(), status.safe, alarm, words_of(own, faults));
   if (!results.empty()) status.objects = follow(results, pair.arrived());  // after the outputs: it may take its time
 
   MomentPtr moment;
@@ -380,18 +381,22 @@ void Service::tell(const Status& before, const Status& status, const MomentPtr& 
       for (Part* part : parts_) part->noted(status, actor, "restart refused: a fault or an alarm came in between");
     }
   }
-  const bool other_causes = !before.safe && !status.safe && !moment && !same_names(before.causes, status.causes);
+  const bool others = !before.safe && !status.safe && !moment && !same_names(told_causes_, status.causes);
+  const bool tell_others = others && Clock::now() - causes_told_ >= kBetweenCauses;
+  if (tell_others || moment || before.safe != status.safe) told_causes_ = status.causes;
+  if (tell_others) causes_told_ = Clock::now();
   for (Part* part : parts_) {
     if (before.safe && !status.safe) part->stopped(status, moment);
     if (!before.safe && status.safe) part->released(status, released_by_);
-    if (other_causes) part->noted(status, {"monitor", ""}, "not safe for other reasons now");
+    if (tell_others) part->noted(status, {"monitor", ""}, "not safe for other reasons now");
     if (moment) part->judged(moment);
   }
 }
 
 void Service::note(const Actor& actor, const std::string& what) {
   const std::lock_guard telling(listeners_mutex_);
-  const Status now = status();
+  Status now = status();
+  now.time = std::chrono::system_clock::now();
   for (Part* part : parts_) part->noted(now, actor, what);
 }
 
@@ -401,7 +406,7 @@ void Service::stop_by(const std::vector<Cause>& causes, FaultWords words) {
   Status status = this->status();
   {
     const std::lock_guard lock(status_mutex_);
-    if (!status_.safe && same_names(status_.causes, causes)) return;
+    if (!status_.safe && same_names(status_.causes, causes) && same_names(told_causes_, causes)) return;
     status.safe = status_.safe;
   }
   status.time = std::chrono::system_clock::now();

@@ -22,8 +22,13 @@ struct CloseChip {
 
 }  // namespace
 
-LinesFollower::LinesFollower(SetLines set, const SafeState& state)
-    : set_(std::move(set)), ticker_(state, [this](const Signal& signal) { put(signal.safe); }) {}
+LinesFollower::LinesFollower(SetLines set, const SafeState& state, SetPulse pulse)
+    : set_(std::move(set)), pulse_(std::move(pulse)), ticker_(state, [this](const Signal& signal) {
+        put(signal.safe);
+        if (!signal.safe || !pulse_) return;
+        level_ = !level_;
+        if (!pulse_(level_)) failed_ = true;
+      }) {}
 
 LinesFollower::~LinesFollower() {
   ticker_.stop();
@@ -47,26 +52,29 @@ std::unique_ptr<Part> make_gpio(const GpioCell& gpio, const Cell& cell, const Sa
   };
   const std::shared_ptr<gpiod_chip> chip(gpiod_chip_open_lookup(gpio.chip.c_str()), CloseChip());
   if (chip == nullptr) fail(fmt::format("no chip {}", gpio.chip));
-  std::array<gpiod_line*, 2> lines{};
-  const std::array offsets{gpio.safe_line, gpio.unsafe_line};
-  for (std::size_t i = 0; i < 2; ++i) {
+  std::array<gpiod_line*, 3> lines{};
+  const std::array offsets{gpio.safe_line, gpio.unsafe_line, gpio.pulse_line};
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (offsets.at(i) < 0) continue;
     lines.at(i) = gpiod_chip_get_line(chip.get(), static_cast<unsigned>(offsets.at(i)));
-    const int at_first = i == 0 ? 0 : 1;  // not safe
+    const int at_first = i == 1 ? 1 : 0;  // not safe
     if (lines.at(i) == nullptr || gpiod_line_request_output(lines.at(i), "horopter", at_first) != 0) {
       fail(fmt::format("line {} of {}", offsets.at(i), gpio.chip));
     }
   }
+  const auto set = [chip, lines](std::size_t i, bool value) {
+    return gpiod_line_set_value(lines.at(i), value ? 1 : 0) == 0;
+  };
+  SetPulse pulse;
+  if (gpio.pulse_line >= 0) pulse = [set](bool level) { return set(2, level); };
   return std::make_unique<LinesFollower>(
-      [chip, lines](bool safe, bool not_safe) {
+      [set](bool safe, bool not_safe) {
         // The one that is to fall first.
-        const auto set = [&](std::size_t i, bool value) {
-          return gpiod_line_set_value(lines.at(i), value ? 1 : 0) == 0;
-        };
         const bool first = safe ? set(1, not_safe) : set(0, safe);
         const bool second = safe ? set(0, safe) : set(1, not_safe);
         return first && second;
       },
-      state);
+      state, std::move(pulse));
 }
 
 }  // namespace horopter::monitor

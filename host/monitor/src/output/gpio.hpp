@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two lines of the computer: safe and its complement.
+// Two lines of the computer: safe and its complement; and a third, whose pulses say that somebody still sets them.
 #pragma once
 
 #include <atomic>
@@ -15,11 +15,14 @@ namespace horopter::monitor {
 
 /// Sets both lines; false where that failed.
 using SetLines = std::function<bool(bool safe, bool not_safe)>;
+/// Sets the third; false where that failed.
+using SetPulse = std::function<bool(bool level)>;
 
 /// Lines that follow what may be said, and are not safe at the end.
 class LinesFollower : public Part {
  public:
-  LinesFollower(SetLines set, const SafeState& state);
+  /// `pulse` is called with another level at each look while it is safe, and not otherwise.
+  LinesFollower(SetLines set, const SafeState& state, SetPulse pulse = {});
   ~LinesFollower() override;
   LinesFollower(const LinesFollower&) = delete;
   LinesFollower& operator=(const LinesFollower&) = delete;
@@ -29,6 +32,8 @@ class LinesFollower : public Part {
   void put(bool safe);
 
   SetLines set_;
+  SetPulse pulse_;
+  bool level_ = false;
   std::atomic<bool> failed_ = false;
   std::optional<bool> said_;
   Ticker ticker_;  // the last: its thread uses the others

@@ -15,9 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// While it is not safe causes may change with every pair: at most so often they are told.
-constexpr auto kBetweenCauses = std::chrono::seconds(1);
-
 std::string time_text(Time time) {
   const auto since = time.time_since_epoch();
   const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(since).count() % 1000;

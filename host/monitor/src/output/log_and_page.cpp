@@ -36,6 +36,7 @@ WebConfiguration web_configuration(const Cell& cell) {
     web.certificate = cell.web->tls->certificate_file;
     web.key = cell.web->tls->key_file;
   }
+  web.teach_frames = cell.teach.frames;
   web.restart_allowed = cell.web->restart;
   web.decision_limit_ms = cell.decision_limit_ms;
   return web;

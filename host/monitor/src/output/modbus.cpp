@@ -26,6 +26,7 @@ namespace {
 constexpr std::size_t kMostClients = 8;
 constexpr int kLook_ms = 20;  ///< how soon a server that ends has ended
 constexpr std::uint32_t kByteTimeout_us = 200'000;
+constexpr std::uint32_t kAfterNoise_us = 20'000;  ///< libmodbus waits so long after what it does not know
 /// A client that asks nothing for so long has gone.
 constexpr auto kLongestSilence = std::chrono::seconds(60);
 
@@ -128,6 +129,7 @@ class ModbusPart : public Part {
     if (context != nullptr && mapping != nullptr) {
       modbus_set_socket(context.get(), socket);
       modbus_set_byte_timeout(context.get(), 0, kByteTimeout_us);
+      modbus_set_response_timeout(context.get(), 0, kAfterNoise_us);
       auto heard = Clock::now();
       std::array<std::uint8_t, MODBUS_TCP_MAX_ADU_LENGTH> query{};
       while (!stopping_ && Clock::now() - heard < kLongestSilence) {

@@ -162,6 +162,7 @@ function showObjects() {
   at("objects").tBodies[0].replaceChildren(...rows);
   at("objects").hidden = rows.length === 0;
   at("no-objects").hidden = rows.length !== 0;
+  at("no-objects").textContent = last.state === "old" ? "Nobody knows: no new picture was judged." : "Nothing in the skin.";
 }
 
 function showCameras() {
@@ -310,8 +311,9 @@ function openRestart() {
 }
 
 function openTeach() {
-  confirm("Teach the empty zone", "For the next 150 pairs the monitor learns what cannot be decided while the zone is empty.",
-    "The zone is empty, and stays so.", "Teach", () => change("/api/teach", { frames: 150 }));
+  const frames = session.teach_frames;
+  confirm("Teach the empty zone", `For the next ${frames} pairs the monitor learns what cannot be decided while the zone is empty.`,
+    "The zone is empty, and stays so.", "Teach", () => change("/api/teach", { frames }));
 }
 
 // --- log

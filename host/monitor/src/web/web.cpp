@@ -348,7 +348,8 @@ class Web::Site {
               {"token", nullptr},
               {"may_restart", visitor.has(Role::plant_operator) && configuration_.restart_allowed},
               {"may_teach", visitor.has(Role::engineer)},
-              {"restart_allowed", configuration_.restart_allowed}};
+              {"restart_allowed", configuration_.restart_allowed},
+              {"teach_frames", configuration_.teach_frames}};
     if (visitor.user) {
       json["user"] = visitor.user->name;
       json["role"] = name_of(visitor.user->role);

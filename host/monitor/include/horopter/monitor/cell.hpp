@@ -52,6 +52,7 @@ struct GpioCell {
   std::string chip;
   int safe_line = -1;
   int unsafe_line = -1;
+  int pulse_line = -1;  ///< that changes again and again while it is safe; -1: none
 };
 
 struct OutputsCell {

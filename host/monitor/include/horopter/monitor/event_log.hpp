@@ -65,7 +65,7 @@ class EventLog : public Listener {
   /// Anything else; `kind` is one word, as `login_refused`.
   void note(const std::string& kind, const Actor& actor, const std::string& what);
 
-  /// What keeps it from writing; shown beside the causes. It makes nothing unsafe.
+  /// What keeps it from writing; shown beside the causes.
   [[nodiscard]] std::optional<Cause> trouble() const;
   [[nodiscard]] LogCounts counts() const;
   /// The newest first: up to `count` with numbers below `before`. Of the last `kListed` events.

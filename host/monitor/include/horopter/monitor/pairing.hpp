@@ -22,12 +22,14 @@ using Duration = Clock::duration;
 
 /// An image as a camera gave it.
 struct CameraFrame {
-  Image image;
+  Image image;  ///< empty: parts of it were lost on the way
   /// Of the camera, one more with each; nothing where the source does not count.
   std::optional<std::uint64_t> number;
   /// When it was taken. Of both cameras by one clock, which need not be ours.
   std::chrono::nanoseconds taken{};
-  Clock::time_point arrived{};     ///< its last pixel
+  Clock::time_point arrived{};  ///< its last pixel
+  /// `taken` by this computer's clock, where the source can tell: however long it was on its way.
+  std::optional<Clock::time_point> taken_here;
   std::uint64_t lost_packets = 0;  ///< of the transport, since the camera was opened
   std::optional<double> exposure_us;
   std::string serial;  ///< of the camera; empty where it has none
@@ -51,13 +53,20 @@ struct ImagePair {
   Duration skew{};  ///< right minus left
   MonitorFaults faults;
   [[nodiscard]] Clock::time_point arrived() const { return std::max(left.arrived, right.arrived); }
+  /// The pair shows nothing that came later: the older image, when it was taken, or else when it arrived.
+  [[nodiscard]] Clock::time_point seen() const {
+    const auto of = [](const CameraFrame& frame) {
+      return std::min(frame.taken_here.value_or(frame.arrived), frame.arrived);
+    };
+    return std::min(of(left), of(right));
+  }
   /// False: the machine cannot take images of this size.
   bool judgeable = true;
 };
 
 struct SideCounts {
   std::uint64_t frames = 0;
-  std::uint64_t dropped = 0;  ///< came, and are in no pair that was taken
+  std::uint64_t dropped = 0;  ///< came, also with holes, and are in no pair that was taken
   std::uint64_t lost = 0;     ///< never came, by their numbers
   std::uint64_t repeated = 0;
   std::uint64_t lost_packets = 0;
@@ -70,7 +79,9 @@ class Pairing {
 
   /// The next image of a camera.
   void add(Side side, CameraFrame frame);
-  /// The connection of a camera is gone or was made anew: its numbers and times begin anew.
+  /// The connection of a camera is gone.
+  void lost(Side side) { faults_ |= of(side, MonitorFault::left_camera_lost); }
+  /// It was made anew: its numbers and times begin anew.
   void reconnected(Side side);
   /// The youngest pair; those before it, which nobody took, are dropped.
   std::optional<ImagePair> take();
@@ -95,14 +106,13 @@ class Pairing {
     std::optional<std::uint64_t> number;
     std::chrono::nanoseconds taken{};
     Clock::time_point arrived{};
-    std::uint64_t lost_packets = 0;
-    std::optional<double> exposure_us;
   };
   struct OneSide {
     std::deque<CameraFrame> waiting;
     std::optional<Last> last;
     std::optional<double> exposure_us;  ///< of the first image that told it
     std::optional<Clock::time_point> last_arrived;
+    std::uint64_t lost_packets = 0;  ///< of the transport, told with the last image
     SideCounts counts;
     double mean_period_s = 0;
   };
@@ -110,6 +120,8 @@ class Pairing {
   OneSide& side_of(Side side) { return sides_[index(side)]; }
   bool check_order(Side side, const CameraFrame& frame, const Last& last);
   void check_facts(Side side, const CameraFrame& frame);
+  void check_packets(Side side, const CameraFrame& frame);
+  void add_broken(Side side, const CameraFrame& frame);
   void check_serial(Side side, const std::string& serial);
   void match();
   void drop_unpaired(Side side);

@@ -2,6 +2,7 @@
 // What a cell has beside cameras and machine: outputs, log, page. parts.cpp makes them.
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,6 +12,9 @@
 #include "horopter/monitor/state.hpp"
 
 namespace horopter::monitor {
+
+/// While it is not safe causes may come and go with every image: at most so often they are told.
+inline constexpr auto kBetweenCauses = std::chrono::seconds(1);
 
 class Part : public Listener {
  public:

@@ -32,8 +32,8 @@ class SafeState {
   explicit SafeState(Clock::duration limit) : limit_(limit) {}
   [[nodiscard]] Clock::duration limit() const { return limit_; }
 
-  /// A pair that arrived then was judged.
-  void decided(Clock::time_point arrived, bool safe, bool alarm, FaultWords faults);
+  /// A pair was judged that shows nothing later than this (ImagePair::seen).
+  void decided(Clock::time_point seen, bool safe, bool alarm, FaultWords faults);
   /// Not safe, from now until the next decision that is.
   void not_safe(FaultWords faults);
   /// Not safe any more, whatever is decided: the monitor ends.
@@ -54,7 +54,7 @@ class SafeState {
   std::atomic<bool> alarm_ = false;
   std::atomic<std::uint32_t> cameras_ = 0, machine_ = 0, monitor_ = 0;
   std::atomic<std::uint32_t> decisions_ = 0;
-  std::atomic<Clock::rep> arrived_ = 0;  ///< of the last decision's pair; 0 = there was none
+  std::atomic<Clock::rep> seen_ = 0;  ///< of the last decision's pair; 0 = there was none
 };
 
 }  // namespace horopter::monitor

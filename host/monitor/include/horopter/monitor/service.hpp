@@ -129,6 +129,8 @@ class Service final : public Control, public CameraSink {
   // Of the decision alone.
   MonitorFaults pending_;  ///< found without a pair
   std::vector<std::string> troubles_;
+  std::vector<Cause> told_causes_;
+  Clock::time_point causes_told_{};
   std::optional<Actor> restarting_;  ///< the key was given; the next pair shows what came of it
   Actor released_by_{"configuration", ""};
   Actor teacher_;
