@@ -7,7 +7,8 @@
 #   horopter_generate_stages(<profile>)
 #
 # makes, in the build tree, horopter_<stage>.sv and .json of each stage; sets HOROPTER_GENERATED_<profile>_SOURCES and
-# _SIDECARS, and the target horopter_generated_<profile>. The test generated_<profile> compares them with what is
+# _SIDECARS, HOROPTER_HLSC_OF_<profile>_<stage>, the clock and the options of each run for horopter_hlsc, and the target
+# horopter_generated_<profile>. The test generated_<profile> compares them with what is
 # committed in rtl/generated/<profile>; the target `regenerate` (scripts/generate-rtl) commits to that folder instead.
 include_guard(GLOBAL)
 
@@ -124,9 +125,10 @@ function(horopter_generate_stages profile)
     if(profile IN_LIST HOROPTER_HLSC_RAM_PARITY AND NOT HOROPTER_STAGE_PLACE_${stage} STREQUAL beside)
       list(APPEND options --ram-parity)
     endif()
+    set(run CLOCK_NS ${stage_ns} OPTIONS ${options})
+    set(HOROPTER_HLSC_OF_${profile}_${stage} "${run}" PARENT_SCOPE)
     horopter_hlsc(${dir} STAGE ${PROJECT_SOURCE_DIR}/hls/stages/${stage}.hpp NAME horopter_${stage}
-      CLASS "horopter::stages::${HOROPTER_STAGE_CLASS_${stage}}<horopter::hls::profiles::${profile}>"
-      CLOCK_NS ${stage_ns} OPTIONS ${options})
+      CLASS "horopter::stages::${HOROPTER_STAGE_CLASS_${stage}}<horopter::hls::profiles::${profile}>" ${run})
     list(APPEND sources ${dir}/horopter_${stage}.sv)
     list(APPEND sidecars ${dir}/horopter_${stage}.json)
   endforeach()

@@ -1,9 +1,21 @@
-# HOROPTER_PROFILES: the names in profiles.def, which is the only list of profiles.
+# HOROPTER_PROFILES: the names in profiles.def, which is the only list of profiles. HOROPTER_STAGES_OF_<profile>: the first of
+# them that has the same stages, which do not depend on the store's rows and the pool; HOROPTER_STAGE_PROFILES: those whose
+# stages are their own.
 set(_profiles_def ${PROJECT_SOURCE_DIR}/hls/include/horopter/hls/profiles.def)
 set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${_profiles_def})
 file(STRINGS ${_profiles_def} _lines REGEX "^HOROPTER_PROFILE\\(")
 set(HOROPTER_PROFILES)
+set(HOROPTER_STAGE_PROFILES)
 foreach(_line IN LISTS _lines)
-  string(REGEX MATCH "^HOROPTER_PROFILE\\( *([a-z0-9_]+)" _ "${_line}")
-  list(APPEND HOROPTER_PROFILES ${CMAKE_MATCH_1})
+  string(REGEX REPLACE "^HOROPTER_PROFILE\\(([^)]*)\\).*" "\\1" _columns "${_line}")
+  string(REGEX REPLACE " *, *" ";" _columns "${_columns}")
+  list(POP_FRONT _columns _name)
+  list(APPEND HOROPTER_PROFILES ${_name})
+  list(REMOVE_AT _columns 6 7)
+  list(JOIN _columns _ _columns)
+  if(NOT DEFINED _first_with_${_columns})
+    set(_first_with_${_columns} ${_name})
+    list(APPEND HOROPTER_STAGE_PROFILES ${_name})
+  endif()
+  set(HOROPTER_STAGES_OF_${_name} ${_first_with_${_columns}})
 endforeach()

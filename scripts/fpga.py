@@ -55,6 +55,13 @@ def profiles():
     return found
 
 
+def stages_of(name):
+    """The first profile that has the same stages, which depend on all columns but the store's rows and the pool."""
+    listed = profiles()
+    of_stages = lambda columns: columns[:6] + columns[8:]
+    return next(p for p in listed if of_stages(listed[p]) == of_stages(listed[name]))
+
+
 def table_format():
     """Constants of the mapping tables' format by name: the number, as SystemVerilog writes it, and its comment."""
     found = {}
@@ -90,12 +97,12 @@ def top_parameters(profile_name, decision, target_name):
 def sources(profile_name, family=None):
     """The files of a build of one profile: its package, its emitted stages, the hand-written modules of rtl/files.f, those of
     rtl/prim as rtl/prim/<family> has them, if it does."""
-    folder = ROOT / "rtl/generated" / profile_name
-    emitted = sorted(f for f in folder.glob("horopter_*.sv") if not f.name.endswith("_pkg.sv"))
+    folder = ROOT / "rtl/generated"
+    emitted = sorted(f for f in (folder / stages_of(profile_name)).glob("horopter_*.sv") if not f.name.endswith("_pkg.sv"))
     written = [ROOT / line for line in (ROOT / "rtl/files.f").read_text(encoding="utf-8").split()]
     own = [f.parent / str(family) / f.name for f in written]
     written = [o if o.is_file() else f for o, f in zip(own, written)]
-    return [folder / "horopter_profile_pkg.sv", *emitted, *written]
+    return [folder / profile_name / "horopter_profile_pkg.sv", *emitted, *written]
 
 
 def place_memories(module, target, profile_name):

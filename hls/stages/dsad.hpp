@@ -112,7 +112,8 @@ class DsadSum {
   WindowAnd<K, 1, V> mask_;
 };
 
+/// For small windows registers take less than a memory of so few bits.
 template <Profile P, class V = Scalar>
-using Dsad = DsadSum<P.result_width(), P.hypotheses, P.dsad_window, V, P.packed()>;
+using Dsad = DsadSum<P.result_width(), P.hypotheses, P.dsad_window, V, P.packed() && P.dsad_window >= 9>;
 
 }  // namespace horopter::stages

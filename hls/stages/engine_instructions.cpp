@@ -9,18 +9,20 @@
 namespace horopter::native {
 namespace {
 
-template <hls::Profile P>
+/// OF_STAGES: the same type for all profiles that have the same stages.
+template <hls::Profile OF_STAGES>
 class ProfileEngine final : public Engine {
  public:
-  explicit ProfileEngine(int threads) : pipeline_(threads) {}
+  ProfileEngine(const hls::Profile& profile, int threads) : profile_(profile), pipeline_(threads, profile.store_rows) {}
   FrameResult process(const ImageView& left, const ImageView& right, const TableView& table,
                       const Settings& settings) override {
     return pipeline_.process(left, right, table, settings);
   }
-  [[nodiscard]] const hls::Profile& profile() const override { return Pipeline<P>::profile; }
+  [[nodiscard]] const hls::Profile& profile() const override { return profile_; }
 
  private:
-  Pipeline<P> pipeline_;
+  hls::Profile profile_;
+  Pipeline<OF_STAGES> pipeline_;
 };
 
 }  // namespace
@@ -30,7 +32,8 @@ std::unique_ptr<Engine> HOROPTER_NAMED(make_engine_, HOROPTER_INSTRUCTIONS)(std:
 std::unique_ptr<Engine> HOROPTER_NAMED(make_engine_, HOROPTER_INSTRUCTIONS)(std::string_view profile_name,
                                                                             int threads) {
 #define HOROPTER_PROFILE(name, ...) \
-  if (profile_name == #name) return std::make_unique<ProfileEngine<hls::profiles::name>>(threads);
+  if (profile_name == #name)        \
+    return std::make_unique<ProfileEngine<hls::profiles::name.of_stages()>>(hls::profiles::name, threads);
 #include "horopter/hls/profiles.def"
 #undef HOROPTER_PROFILE
   return nullptr;

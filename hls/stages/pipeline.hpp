@@ -175,14 +175,14 @@ struct FrameResult {
   }
 };
 
+/// P may lack its store (Profile::of_stages), which is then said.
 template <hls::Profile P>
 class Pipeline {
  public:
-  static constexpr hls::Profile profile = P;
-
-  /// `threads`: that share a frame. The results are the same for any number of them.
-  explicit Pipeline(int threads = 1)
-      : workers_(threads),
+  /// `threads`: that share a frame. The results are the same for any number of them. `store_rows`: of the right image's ring.
+  explicit Pipeline(int threads = 1, int store_rows = P.store_rows)
+      : store_rows_(store_rows),
+        workers_(threads),
         slots_(threads > 1 ? 8 : 1),
         pairs_(slots_),
         marks_(slots_),
@@ -231,7 +231,7 @@ class Pipeline {
     Row<hls::u<8>> left, right;
     Row<bool> saturated, mask, present;
   };
-  static void check(const ImageView& left, const ImageView& right, const TableView& table, const Settings& settings) {
+  void check(const ImageView& left, const ImageView& right, const TableView& table, const Settings& settings) const {
     const auto fail = [](const std::string& what) { throw std::invalid_argument(what); };
     if (left.width != right.width || left.height != right.height) fail("left and right image differ in size");
     if (left.width > P.width || left.height > P.height) fail("the image is larger than the profile");
@@ -246,7 +246,7 @@ class Pipeline {
     if (table.width() != left.width || table.height() != left.height) fail("the table is for another image size");
     if (!P.has(settings.compete != 0 ? hls::Rule::compete : hls::Rule::thesis))
       fail("the profile does not have this rule");
-    if (settings.lookahead < 0 || settings.lookahead > P.store_rows / 2) fail("LOOKAHEAD is more than half the ring");
+    if (settings.lookahead < 0 || settings.lookahead > store_rows_ / 2) fail("LOOKAHEAD is more than half the ring");
   }
 
   void begin(const ImageView& image, const Settings& settings) {
@@ -409,7 +409,7 @@ class Pipeline {
     const int last_x = x + (source.wx != 0 ? 1 : 0);
     const int last_row = row + (source.wy != 0 ? 1 : 0);
     const bool exists = source.present && last_x < table.width() && last_row < table.height();
-    const bool in_ring = row >= y - (P.store_rows / 2 - 2) && last_row <= y + result.lookahead;
+    const bool in_ring = row >= y - (store_rows_ / 2 - 2) && last_row <= y + result.lookahead;
     if (exists && source.mapped && !in_ring) ++result.misses;
     const bool present = exists && in_ring;
     result.offset.push_back(present ? static_cast<std::uint32_t>(index(row) * padded_stride + index(x)) : 0);
@@ -896,6 +896,7 @@ class Pipeline {
   std::uint32_t skin_ = 0, undecidable_ = 0, unsupervised_ = 0;
   int rows_finished_ = 0;
 
+  int store_rows_;
   Workers workers_;
   std::array<Progress, parts> progress_;
   /// Rows on their way from part to part.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -104,8 +105,11 @@ void explain(const MapSet& maps) {
                r.error_largest_px);
     fmt::print("                with weights of {} bits all within {:.4f} px\n", profile.weight_bits,
                r.rounded_largest_px);
-    fmt::print("  right rows    from y{:+d} to y{:+d}; LOOKAHEAD {}, store of {} rows\n", -r.reach.behind,
-               r.reach.ahead, r.lookahead, profile.store_rows);
+    fmt::print(
+        "  right rows    from y{:+d} to y{:+d}; LOOKAHEAD {}, store of {} rows: y{:+d} to y{:+d}, cameras rolled "
+        "against each other by up to {:.0f} deg\n",
+        -r.reach.behind, r.reach.ahead, r.lookahead, profile.store_rows, -profile.rows_behind(),
+        profile.largest_lookahead(), std::floor(largest_roll_deg(profile)));
     fmt::print("  supervised    {} pixels ({:.1f} %), {:.1f} % of those that see the skin\n", r.supervised(),
                percent(r.supervised()),
                100.0 * static_cast<double>(r.supervised()) /

@@ -9,9 +9,7 @@
 // judged_o: one clock, SETTLE clocks after both cameras were done with a frame (arrived_i), that of record judged_slot_o;
 // what the check says comes with it. Nothing of the next frame is here by then: its first row of cells takes longer. A frame
 // without a pair of cells says nothing. Settings are taken when it is open and the last one judged. rst_ni: of the streaming core.
-module horopter_coarse_check #(
-    parameter int unsigned DEPTH = 2048  // cells that can wait
-) (
+module horopter_coarse_check (
     input  logic       clk_i,
     input  logic       rst_ni,
     // settings
@@ -36,11 +34,9 @@ module horopter_coarse_check #(
 );
   localparam int unsigned CELL = horopter_profile_pkg::CELL;
   localparam int unsigned COLUMNS = horopter_profile_pkg::WIDTH / CELL;
+  localparam int unsigned DEPTH = 2 ** $clog2((horopter_profile_pkg::STORE_ROWS / CELL + 2) * COLUMNS);  // cells that can wait
   localparam int unsigned ADDR_BITS = $clog2(DEPTH);
   localparam int unsigned SETTLE = 32;
-  if ((horopter_profile_pkg::STORE_ROWS / CELL + 2) * COLUMNS > DEPTH) begin : g_illegal
-    $fatal(1, "horopter_coarse_check: DEPTH is less than the cells that can wait");
-  end
 
   logic [7:0] one_camera_segments_q, blind_step_q, blind_share_q, still_limit_q;
   logic opened_q, settling;

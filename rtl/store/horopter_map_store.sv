@@ -402,20 +402,31 @@ module horopter_map_store #(
     lookup_q <= lookup_i;
     // A table that is being stored in this very clock counts from the next lookup on.
     lookup_valid_q <= valid_q[lookup_slot_i];
-    if (!rst_ni) table_ok_o <= 1'b0;
-    else if (lookup_q) table_ok_o <= lookup_valid_q && entry_width == width_i && entry_height == height_i;
-    if (lookup_q) begin
-      table_crc_o <= entry_crc;
-      table_columns_o <= entry_columns;
-      table_ny_o <= entry_ny;
-      table_nx_o <= entry_nx;
-      table_base_o <= entry_base;
-    end
+    if (lookup_q) table_crc_o <= entry_crc;
     slot_read_q <= !lookup_i && !store_entry;
     slot_valid_q <= valid_q[slot_i];
     if (slot_read_q && !slot_valid_q) slot_crc_o <= 32'd0;
     else if (slot_read_q) slot_crc_o <= entry_crc;
   end
+
+  horopter_table_lookup #(
+      .ADDR_BITS(ADDR_BITS)
+  ) u_lookup (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .take_i(lookup_q),
+      .valid_i(lookup_valid_q),
+      .fits_i(entry_width == width_i && entry_height == height_i),
+      .base_i(entry_base),
+      .nx_i(entry_nx),
+      .ny_i(entry_ny),
+      .columns_i(entry_columns),
+      .ok_o(table_ok_o),
+      .base_o(table_base_o),
+      .nx_o(table_nx_o),
+      .ny_o(table_ny_o),
+      .columns_o(table_columns_o)
+  );
 
   // Kept from the start on, while the slot is invalid; between lookups the output stays.
   horopter_ram #(

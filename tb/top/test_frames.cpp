@@ -2,14 +2,21 @@
 // Whole frames through horopter_top: bit-exact with the native engine, whatever the handshakes do, and whichever table
 // is in use.
 #include <Vhoropter_machine_field.h>
+#include <Vhoropter_machine_field_roll.h>
 #include <Vhoropter_machine_hd.h>
 #include <Vhoropter_machine_vga.h>
 #include <Vmachine_vga_compete.h>
 #include <Vmachine_vga_thesis.h>
 
 #include <array>
+#include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <map>
+#include <numbers>
 #include <opencv2/imgcodecs.hpp>
+#include <regex>
+#include <string>
 
 #include "machine_bench.hpp"
 
@@ -277,6 +284,146 @@ TEST_CASE("hd: a real pair is bit-exact, with both rules", "[top]") {
     machine.check(published, pair, table);
     CHECK(published.skin > 0);
     CHECK(published.undecidable > 0);
+  }
+}
+
+/// Turned about the middle of a frame of 756×572 px.
+struct Turn {
+  double cosine, sine;
+  explicit Turn(double angle_deg)
+      : cosine(std::cos(angle_deg * std::numbers::pi / 180)), sine(std::sin(angle_deg * std::numbers::pi / 180)) {}
+  std::pair<double, double> operator()(double x, double y) const {
+    const double dx = x - 377.5, dy = y - 285.5;
+    return {377.5 + cosine * dx - sine * dy, 285.5 + sine * dx + cosine * dy};
+  }
+};
+
+/// What a camera sees that is turned by it; black beyond the image.
+Image seen_turned(const Image& image, double angle_deg) {
+  Image result{image.width, image.height};
+  const Turn back(-angle_deg);
+  for (unsigned y = 0; y < image.height; ++y) {
+    for (unsigned x = 0; x < image.width; ++x) {
+      const auto [sx, sy] = back(x, y);
+      if (sx < 0 || sy < 0 || sx > image.width - 2 || sy > image.height - 2) continue;
+      const auto ix = static_cast<unsigned>(sx), iy = static_cast<unsigned>(sy);
+      const double u = sx - ix, v = sy - iy;
+      result.at(x, y) =
+          static_cast<std::uint8_t>(std::lround((1 - v) * ((1 - u) * image.at(ix, iy) + u * image.at(ix + 1, iy)) +
+                                                v * ((1 - u) * image.at(ix, iy + 1) + u * image.at(ix + 1, iy + 1))));
+    }
+  }
+  return result;
+}
+
+/// Every second row.
+Image field_of(const Image& frame, unsigned parity) {
+  Image field{frame.width, frame.height / 2};
+  for (unsigned y = 0; y < field.height; ++y) {
+    for (unsigned x = 0; x < field.width; ++x) field.at(x, y) = frame.at(x, 2 * y + parity);
+  }
+  return field;
+}
+
+TEST_CASE("field_roll: cameras rolled by 20 degrees, and by as much as its ring holds, are bit-exact", "[top]") {
+  const Image left = sample("aloeL.jpg", 756, 572);
+  if (left.pixels.empty()) return;
+  for (const double angle_deg : {20.0, -36.0}) {
+    CAPTURE(angle_deg);
+    const Image right = seen_turned(left, angle_deg);
+    const MachineOptions options{756, 286, angle_deg == 20 ? 75U : 128U};
+    Machine<Vhoropter_machine_field_roll> machine{"field_roll", options};
+    const Turn turn(angle_deg);
+    for (const unsigned parity : {0U, 1U}) {
+      const auto table = make_table(756, 286, 5, 5, [&](double x, double y) {
+        const auto [sx, sy] = turn(x, 2 * y + parity);
+        return std::pair{sx, (sy - parity) / 2};
+      });
+      machine.upload(parity, parity * 1000, table);
+      machine.select(parity);
+      const FramePair pair{field_of(left, parity), field_of(right, parity)};
+      machine.send(pair);
+      const Published published = machine.receive();
+      machine.check(published, pair, table);
+      CHECK(machine.read(reg::frame_misses::kAddress) == 0);
+      const auto decided =
+          static_cast<double>(published.states.size() - published.undecidable - published.unsupervised);
+      CHECK(published.skin >= 0.9 * decided);
+      CHECK(decided >= 0.2 * static_cast<double>(published.states.size()));
+      if (parity == 0) {
+        std::printf("rolled by %.0f deg: %.1f %% of the image is decided, %.1f %% of that in the skin\n", angle_deg,
+                    100 * decided / static_cast<double>(published.states.size()), 100 * published.skin / decided);
+        report_latency("field_roll", machine, published, options);
+      }
+    }
+  }
+}
+
+// In the shape of a field; one more row or column pair does not fit.
+TEST_CASE("the thesis's dense table, at the largest size whose table the pool of field_roll holds", "[top]") {
+  Rng rng{"dense"};
+  constexpr unsigned kWidth = 230, kHeight = 87;
+  const auto bytes = [](unsigned width, unsigned height) {
+    return 4 * hls::table::Geometry{static_cast<int>(width), static_cast<int>(height), 0, 0}.control_words();
+  };
+  const auto pool_bytes = static_cast<std::size_t>(hls::profiles::field_roll.pool_bytes);
+  REQUIRE(bytes(kWidth, kHeight) <= pool_bytes);
+  REQUIRE(bytes(kWidth + 2, kHeight) > pool_bytes);
+  REQUIRE(bytes(kWidth, kHeight + 1) > pool_bytes);
+  Machine<Vhoropter_machine_field_roll> machine{"field_roll", {kWidth, kHeight, 60, false, 0, 10, 10}};
+  // No grid can hold it: every pixel has a source of its own, some have none.
+  const auto table = make_table(kWidth, kHeight, 0, 0, [&](double x, double y) {
+    const double jitter = 6 * static_cast<double>(rng.below(1000)) / 1000;
+    if (rng.below(300) == 0) return std::pair{-500.0, -500.0};
+    return std::pair{0.94 * x - 0.34 * y + 20 + jitter, 0.34 * x + 0.94 * y - 40 + jitter};
+  });
+  machine.upload(0, 0, table);
+  REQUIRE(machine.upload_error() == 0);
+  machine.select(0);
+  for (int frame = 0; frame < 3; ++frame) {
+    CAPTURE(frame);
+    const FramePair pair = random_pair(kWidth, kHeight, 0, rng);
+    machine.send(pair);
+    const Published published = machine.receive();
+    machine.check(published, pair, table);
+    CHECK(published.unsupervised < published.states.size());
+  }
+}
+
+/// The lowest routed clocks of profiles field…, on FPGAs that hold the whole machine, as docs/hardware.md has them; by line.
+std::map<std::string, double> routed_field_mhz() {
+  std::ifstream page(HOROPTER_SOURCE_DIR "/docs/hardware.md");
+  std::map<std::string, double> found;
+  const std::regex row(R"(\| (`field\w*`, `thesis` \| ECP5[^|]*)\|.*\| ([\d.]+), ([\d.]+) of \d+ \|)");
+  for (std::string line; std::getline(page, line);) {
+    std::smatch match;
+    if (std::regex_match(line, match, row)) found[match[1]] = std::min(std::stod(match[2]), std::stod(match[3]));
+  }
+  return found;
+}
+
+TEST_CASE("field: 50 fields a second of 756x286, at the clock of the profile and at the routed ones", "[top]") {
+  Rng rng{"rate"};
+  Machine<Vhoropter_machine_field> machine{"field", {756, 286, 32}};
+  const auto table = plane_table(756, 286, -8);
+  machine.upload(0, 0, table);
+  machine.select(0);
+  const FramePair pair = random_pair(756, 286, -8, rng);
+  for (int field = 0; field < 3; ++field) machine.send(pair);
+  machine.receive();
+  const std::uint64_t first = machine.simulation().cycle();
+  machine.receive();
+  const auto clocks = static_cast<double>(machine.simulation().cycle() - first);
+  const double fields_per_s = 1e3 * hls::profiles::field.clock_khz / clocks;
+  std::printf("field: %.0f clocks a field of 756x286; %.1f fields a second at %.3f MHz\n", clocks, fields_per_s,
+              hls::profiles::field.clock_khz / 1e3);
+  CHECK(fields_per_s >= 50);
+  const auto routed = routed_field_mhz();
+  CHECK_FALSE(routed.empty());
+  for (const auto& [what, mhz] : routed) {
+    CAPTURE(what, mhz);
+    CHECK(1e6 * mhz / clocks >= 50);
+    CHECK(1e3 * mhz >= hls::profiles::field.clock_khz);
   }
 }
 

@@ -104,8 +104,10 @@ Arguments from_points(const Arguments& files, const std::string& method = "full"
 
 // ---------------------------------------------------------------- images
 
-/// A photograph of a chessboard of 10x7 squares of 30 mm, turned about its middle by small angles, 700 mm away.
-cv::Mat photographed(double turn_x, double turn_y, double shift_mm, double x_mm = 0, double y_mm = 0) {
+/// A photograph of a chessboard of 10x7 squares of 30 mm, turned about its middle by small angles, 700 mm away, then lifted
+/// from where it lies.
+cv::Mat photographed(double turn_x, double turn_y, double shift_mm, double x_mm = 0, double y_mm = 0,
+                     double lift_mm = 0) {
   constexpr double kDotMm = 0.5;  // of the drawing
   constexpr int kSquare = static_cast<int>(30 / kDotMm);
   cv::Mat board(9 * kSquare, 12 * kSquare, CV_8UC1, cv::Scalar(220));
@@ -117,7 +119,8 @@ cv::Mat photographed(double turn_x, double turn_y, double shift_mm, double x_mm 
   // From the drawing's dots over the board (mm about its middle) to the camera and the image, twice as large.
   const cv::Matx33d drawing(kDotMm, 0, (0.5 - 6 * kSquare) * kDotMm, 0, kDotMm, (0.5 - 4.5 * kSquare) * kDotMm, 0, 0,
                             1);
-  const cv::Matx33d pose(cy, sx * sy, x_mm - shift_mm, 0, cx, y_mm, -sy, sx * cy, 700);
+  const cv::Matx33d pose(cy, sx * sy, x_mm - shift_mm - lift_mm * sy * cx, 0, cx, y_mm + lift_mm * sx, -sy, sx * cy,
+                         700 - lift_mm * cy * cx);
   constexpr int kOver = 2;
   const cv::Matx33d camera(kOver * kFocalPx, 0, kOver * 319.5 + 0.5, 0, kOver * kFocalPx, kOver * 239.5 + 0.5, 0, 0, 1);
   cv::Mat large, small;
@@ -302,6 +305,32 @@ TEST_CASE("images: a rig, its report and its picture") {
                                 "sensor.yaml", "--distortion", "none"});
   CHECK(one["parameters"]["f_mm"].get<double>() == Approx(6).epsilon(0.005));
   CHECK(one["rms_px"]["right"].is_null());
+}
+
+TEST_CASE("images: one target at known heights (6.8.1), its plane tilted or parallel to the image") {
+  const double turn = GENERATE(0.0, 0.3);
+  CAPTURE(turn);
+  Sandbox box;
+  const std::vector<double> lifts_mm{0, 50, 100, 150};
+  for (std::size_t i = 0; i < lifts_mm.size(); ++i) {
+    for (const auto& [camera, shift_mm] : {std::pair{"left", 0.0}, {"right", kBaselineMm}}) {
+      cv::imwrite((box / (camera + std::to_string(i) + ".png")).string(),
+                  photographed(turn, 0.2 * turn, shift_mm, 20, 0, lifts_mm[i]));
+    }
+  }
+  const auto at = [](const Arguments& heights) { return from_pairs() + Arguments{"--heights"} + heights; };
+  const json result = report(box, at({"0,50,100,150"}));
+  CHECK(result["usable"] == true);
+  CHECK(result["rms_px"]["stereo"].get<double>() < 0.1);
+  CHECK(result["baseline_mm"].get<double>() == Approx(kBaselineMm).epsilon(0.01));
+  for (const char* camera : {"left", "right"}) {
+    CHECK(result["parameters"][camera]["fx_px"].get<double>() == Approx(kFocalPx).epsilon(0.01));
+  }
+  // Heights that are not those of the images: the rig is not usable, or the images are named that do not fit.
+  const json wrong = report(box, at({"0,100,50,150"}));
+  CAPTURE(wrong.dump());
+  CHECK((wrong["usable"] == false || names(wrong["warnings"], "outlier_view: ")));
+  check_refused(box, at({"0,50"}), 3, "2 heights for 4 images");
 }
 
 TEST_CASE("images: what is wrong with one of them is named, and the rig made from the others") {

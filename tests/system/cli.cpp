@@ -716,7 +716,7 @@ TEST_CASE("Wrong usage is exit status 2") {
     CHECK(box.files() == before);
   }
   CHECK_THAT(box.run(run_arguments() + std::vector<std::string>{"--profile", "pal"}).err,
-             Catch::Contains("unknown profile 'pal'") && Catch::Contains("field, vga, hd"));
+             Catch::Contains("unknown profile 'pal'") && Catch::Contains("field, field_roll, vga, hd"));
 }
 
 TEST_CASE("Help suffices") {

@@ -246,6 +246,15 @@ TEST_CASE("A skin that needs more rows than the store holds is refused, with the
     CHECK_THAT(error.what(),
                Catch::Contains("skin.yaml") && Catch::Contains("rows") && Catch::Contains("holds 64 rows"));
   }
+  // By the name of a profile that holds them, if there is one.
+  const SkinFile turned = skin_of({0.9397, -0.342, 120.4, 0.342, 0.9397, -111.9, 0, 0, 1}, {377, 285});
+  CHECK_THROWS_WITH(compile_maps(turned, find_profile("field"), 756, 572),
+                    Catch::Contains("profile field_roll holds them"));
+  CHECK(compile_maps(turned, find_profile("field_roll"), 756, 572).maps.size() == 2);
+  CHECK(store_that_holds(find_profile("field"), {127, 5}).empty());
+  CHECK(largest_roll_deg(find_profile("field")) == Approx(9).margin(0.15));
+  CHECK(largest_roll_deg(find_profile("field_roll")) == Approx(36.8).margin(0.15));
+  CHECK(largest_roll_deg(find_profile("hd")) == Approx(1.7).margin(0.15));
   const MachineProfile& hd = find_profile("hd");
   CHECK(lookahead_for(hd, {30, 32}) == 32);
   CHECK(lookahead_for(hd, {30, -5}) == 8);
@@ -433,7 +442,8 @@ TEST_CASE("The default profile is the smallest that takes the image as it is") {
   CHECK(smallest_profile(320, 200)->name == "vga");  // field would split it
   CHECK(smallest_profile(641, 480)->name == "hd");
   CHECK(smallest_profile(1921, 1080) == nullptr);
-  CHECK_THROWS_WITH(find_profile("pal"), Catch::Contains("unknown profile 'pal'") && Catch::Contains("field, vga, hd"));
+  CHECK_THROWS_WITH(find_profile("pal"),
+                    Catch::Contains("unknown profile 'pal'") && Catch::Contains("field, field_roll, vga, hd"));
 }
 
 TEST_CASE("Supervised pixels of a table are those that have a source") {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "horopter/map/map.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "horopter/base/angle.hpp"
 #include "horopter/base/crc32.hpp"
 
 namespace horopter {
@@ -123,6 +126,40 @@ std::optional<int> lookahead_for(const MachineProfile& profile, RowReach reach) 
   const int lookahead = std::max(reach.ahead, kSmallestLookahead);
   if (lookahead > profile.largest_lookahead() || reach.behind > profile.rows_behind()) return std::nullopt;
   return lookahead;
+}
+
+std::string store_that_holds(const MachineProfile& profile, RowReach reach) {
+  const auto other = std::ranges::find_if(profiles(), [&](const MachineProfile& p) {
+    return p.of_stages() == profile.of_stages() && lookahead_for(p, reach);
+  });
+  return other == profiles().end() ? "" : fmt::format("; profile {} holds them", other->name);
+}
+
+double largest_roll_deg(const MachineProfile& profile) {
+  const double half_width = profile.largest_image_width() / 2.0;
+  const double half_height = profile.largest_image_height() / 2.0;
+  const double largest_px = profile.fields_per_image() * std::min(profile.rows_behind(), profile.largest_lookahead());
+  constexpr double kStep_deg = 0.1;
+  constexpr int kPoints = 400;  // of an edge
+  const auto fits = [&](double angle_deg) {
+    const double sine = std::sin(angle_deg * kDegree);
+    const double cosine = std::cos(angle_deg * kDegree);
+    // Where both images hold a point, its row changes most on the border of one of them; by symmetry, of either.
+    const auto change = [&](double x, double y) {
+      const double to_x = cosine * x - sine * y;
+      const double to_y = sine * x + cosine * y;
+      return std::abs(to_x) <= half_width && std::abs(to_y) <= half_height ? std::abs(to_y - y) : 0;
+    };
+    for (int i = 0; i <= kPoints; ++i) {
+      const double along = 2.0 * i / kPoints - 1;
+      if (change(half_width, along * half_height) > largest_px || change(along * half_width, half_height) > largest_px)
+        return false;
+    }
+    return true;
+  };
+  double angle_deg = 0;
+  while (angle_deg + kStep_deg < 90 && fits(angle_deg + kStep_deg)) angle_deg += kStep_deg;
+  return angle_deg;
 }
 
 int MapSet::lookahead() const {

@@ -562,9 +562,10 @@ CompiledMap choose(const MachineProfile& profile, const ScanGeometry& geometry, 
   if (!lookahead) {
     throw std::runtime_error(
         fmt::format("left row y needs the right rows {}; the store of profile {} holds {} rows, of "
-                    "which it gives {}",
+                    "which it gives {}{}",
                     rows_text(best->report.reach), profile.name, profile.store_rows,
-                    rows_text({profile.rows_behind(), profile.largest_lookahead()})));
+                    rows_text({profile.rows_behind(), profile.largest_lookahead()}),
+                    store_that_holds(profile, best->report.reach)));
   }
   best->report.lookahead = *lookahead;
   return *std::move(best);
@@ -653,7 +654,8 @@ MapSet compile_maps(const SkinFile& skin, const MachineProfile& profile, int ima
   const auto lookahead = lookahead_for(profile, reach);
   if (!lookahead) {
     throw FileError(skin.path, "surface", fmt::format("both fields together need the right rows {}", rows_text(reach)),
-                    fmt::format("what {} rows of profile {} hold", profile.store_rows, profile.name));
+                    fmt::format("what {} rows of profile {} hold{}", profile.store_rows, profile.name,
+                                store_that_holds(profile, reach)));
   }
   for (CompiledMap& map : set.maps) map.report.lookahead = *lookahead;
   return set;

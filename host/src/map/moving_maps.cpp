@@ -205,8 +205,9 @@ MovingMaps compile_motion(const SkinFile& skin, const MachineProfile& profile, i
   if (!lookahead) {
     throw bad(
         fmt::format("all steps together need {} right rows above and {} below; the store of profile {} gives {} "
-                    "and {}",
-                    reach.behind, reach.ahead, profile.name, profile.rows_behind(), profile.largest_lookahead()));
+                    "and {}{}",
+                    reach.behind, reach.ahead, profile.name, profile.rows_behind(), profile.largest_lookahead(),
+                    store_that_holds(profile, reach)));
   }
   maps.lookahead = *lookahead;
   for (MovingStep& step : maps.steps) step.map.report.lookahead = *lookahead;

@@ -39,6 +39,7 @@ rtl/store/horopter_bad_rows.sv
 rtl/store/horopter_image_store.sv
 rtl/store/horopter_place_copy.sv
 rtl/store/horopter_left_store.sv
+rtl/store/horopter_table_lookup.sv
 rtl/store/horopter_map_store.sv
 rtl/store/horopter_control_point.sv
 rtl/store/horopter_raster.sv

@@ -66,6 +66,22 @@ struct Profile {
   /// Side of the cells, px, on whose means whole images are compared (stages/cells.hpp).
   [[nodiscard]] constexpr int cell() const { return width > 1024 ? 16 : 8; }
 
+  /// Without what stages do not depend on: profiles for which it is the same have the same stages.
+  [[nodiscard]] constexpr Profile of_stages() const {
+    Profile profile = *this;
+    profile.store_rows = 0;
+    profile.pool_bytes = 0;
+    return profile;
+  }
+
+  /// The same with other windows: `dsad` 5 to 13, `majority` 3 to 9, odd.
+  [[nodiscard]] constexpr Profile with_windows(int dsad, int majority) const {
+    Profile profile = *this;
+    profile.dsad_window = dsad;
+    profile.majority_window = majority;
+    return profile;
+  }
+
   friend constexpr bool operator==(const Profile&, const Profile&) = default;
 };
 

@@ -102,6 +102,11 @@ struct RowReach {
 /// The setting of LOOKAHEAD for which the store holds these rows, y - (ROWS/2 - 2) … y + LOOKAHEAD; nothing when none
 /// does.
 std::optional<int> lookahead_for(const MachineProfile& profile, RowReach reach);
+/// The end of a message that they do not fit: "; profile … holds them", if one with the same stages does, or nothing.
+std::string store_that_holds(const MachineProfile& profile, RowReach reach);
+/// By how many degrees the cameras may be rolled against each other, about the middle of the largest image of square
+/// pixels, that the store holds the rows which that alone needs.
+double largest_roll_deg(const MachineProfile& profile);
 
 struct MapReport {
   int spacing_x = 0;

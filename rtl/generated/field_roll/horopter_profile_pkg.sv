@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Made by scripts/generate-profiles from hls/include/horopter/hls/profiles.def: change that, not this.
+// The profile `field_roll`.
+package horopter_profile_pkg;
+  localparam int unsigned WIDTH = 756;  // largest width of the incoming images, px
+  localparam int unsigned HEIGHT = 286;  // largest height, rows
+  localparam int unsigned SUBSAMPLE = 2;  // pixels of a row that are averaged to one
+  localparam int unsigned DSAD_WINDOW = 9;  // side of the DSAD window, px
+  localparam int unsigned MAJORITY_WINDOW = 7;  // side of the majority window, px
+  localparam int unsigned WEIGHT_BITS = 3;  // bits of an interpolation weight
+  localparam int unsigned STORE_ROWS = 256;  // rows of the right image's ring
+  localparam int unsigned POOL_BYTES = 81920;  // pool of the mapping tables
+  localparam int unsigned HYPOTHESES = 1;  // hypotheses compared at once
+  localparam int unsigned PLANES = 0;  // parallel skins that compete
+  localparam int unsigned SUM_ROWS = 0;  // rows of the window in which compete sums costs
+  localparam int unsigned SUM_COLUMNS = 0;  // columns of the window in which compete sums costs, px
+  localparam int unsigned BALLOT_REACH = 0;  // rows above and below that vote in compete
+  localparam int unsigned PATHS = 0;  // 1: the pixel above helps in compete
+  localparam int unsigned CLOCK_KHZ = 15000;  // clock the profile is meant for
+  localparam bit THESIS = 1'b1;  // has the rule `thesis`
+  localparam bit COMPETE = 1'b0;  // has the rule `compete`
+  localparam int unsigned OFFSET = 2 + (DSAD_WINDOW - 1) / 2 + (MAJORITY_WINDOW - 1) / 2;  // a state belongs to the px this far up and left of the beat
+  localparam int unsigned FLUSH_ROWS = OFFSET + 1;  // rows after the last of a frame that empty the windows
+  localparam int unsigned CELL = WIDTH > 1024 ? 16 : 8;  // side of the cells on whose means whole images are compared, px
+  localparam int unsigned COMPETE_FLUSH_ROWS = FLUSH_ROWS;  // as FLUSH_ROWS, with `compete`
+endpackage
