@@ -32,11 +32,12 @@ inline double since_ms(Clock::time_point begin, Clock::time_point end) {
 /// Of this computer, which nobody uses just now.
 inline int free_port() {
   const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+  if (socket < 0) return 0;
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   socklen_t size = sizeof address;
-  ::bind(socket, reinterpret_cast<sockaddr*>(&address), size);
+  if (::bind(socket, reinterpret_cast<sockaddr*>(&address), size) != 0) address.sin_port = 0;
   ::getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size);
   ::close(socket);
   return ntohs(address.sin_port);
@@ -45,6 +46,7 @@ inline int free_port() {
 /// -1: nobody listens.
 inline int connect_to(int port) {
   const int socket = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  if (socket < 0) return -1;
   sockaddr_in place{};
   place.sin_family = AF_INET;
   place.sin_port = htons(static_cast<std::uint16_t>(port));
