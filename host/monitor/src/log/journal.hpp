@@ -80,6 +80,8 @@ class Journal {
   int append(Json record, bool group, Record& written);
   /// A picture of an event. 0, or the number of the error.
   int write_picture(std::int64_t event, const std::string& name, std::span<const std::uint8_t> bytes);
+  /// 0 where the disk takes an event; else the number of the error.
+  int check_disk();
   /// Whether so much more would still be within the limit, after the oldest have gone.
   bool make_room(std::uint64_t bytes);
 
