@@ -23,7 +23,7 @@ inline bool can_reset_in_flight(const Dut& dut) {
 /// `make(seed)`: the model that holds the module. `longest_row`: beats.
 template <class Stage, class Make>
 void check_stage(const Make& make, const std::string& module, unsigned longest_row, unsigned beats) {
-  Rng rng{module};
+  Rng rng{module.substr(module.find('_') + 1)};  // by the stage's name
   const auto model = make(rng.next());
   Dut& dut = model->dut(module);
   RasterStimulus stimulus{Rng{rng.next()}, dut, hls::min_row_beats, longest_row};
