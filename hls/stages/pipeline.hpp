@@ -856,8 +856,11 @@ class Pipeline {
       case 8:
         to.detail[place - stages::FrameWord::first_of_frame - 7] = bits(0, 24);
         break;
-      default:
-        to.contrast[(place - stages::FrameWord::first_of_frame - 9) % 2] = bits(0, 24);
+      case 9:
+      case 10:
+        to.contrast[place - stages::FrameWord::first_of_frame - 9] = bits(0, 24);
+        break;
+      default:  // no register holds it
         break;
     }
   }
