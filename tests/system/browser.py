@@ -229,7 +229,7 @@ def main():
     if not has_browser():
         return 0
 
-    with tempfile.TemporaryDirectory(prefix="horopter-browser-") as name:
+    with tempfile.TemporaryDirectory(prefix="horopter-browser-", ignore_cleanup_errors=True) as name:
         folder = Path(name)
         users = folder / "users"
         for user, role in (("vera", "viewer"), ("otto", "operator"), ("emma", "engineer")):

@@ -186,7 +186,7 @@ def main():
         return 0
     if arguments.screenshots:
         arguments.screenshots.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(prefix="horopter-browser-") as name:
+    with tempfile.TemporaryDirectory(prefix="horopter-browser-", ignore_cleanup_errors=True) as name:
         demo = Demo(Path(name), arguments.bin.resolve())
         driver = None
         try:
